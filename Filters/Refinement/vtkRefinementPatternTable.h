@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkRefinementPatternTable
+ * @brief   the subdivided triangles that every refined surface is drawn from
+ *
+ * A pattern [i, j, k] subdivides a triangle so that its edges carry 2^i, 2^j and 2^k equal
+ * segments. Only the canonical patterns, i >= j >= k, are kept; the other orders are the same
+ * pattern read with permuted barycentrics (Lenz 2009, sections 4.2 to 4.4). With levels 0..L the
+ * table has (L+1)(L+2)(L+3)/6 patterns. Patterns are made on first use.
+ *
+ * Internally a pattern is known by its segments per edge, so that levels are one policy among
+ * others.
+ *
+ * @sa vtkRefinementPatternSource vtkAdaptiveRefinement
+ */
+#ifndef vtkRefinementPatternTable_h
+#define vtkRefinementPatternTable_h
+
+#include "RelevoFiltersRefinementModule.h" // for export macro
+#include "vtkObject.h"
+
+#include <memory> // for std::unique_ptr
+
+class vtkPolyData;
+struct vtkRefinementPattern;
+
+class RELEVOFILTERSREFINEMENT_EXPORT vtkRefinementPatternTable : public vtkObject
+{
+public:
+  static vtkRefinementPatternTable* New();
+  vtkTypeMacro(vtkRefinementPatternTable, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The highest level a table can hold: 2^7 = 128 segments on an edge.
+   */
+  static constexpr int HighestLevel = 7;
+
+  ///@{
+  /**
+   * The highest level of an edge, 0 to 7, default 5. A value outside is an error and changes
+   * nothing.
+   */
+  void SetMaximumLevel(int level);
+  vtkGetMacro(MaximumLevel, int);
+  ///@}
+
+  /**
+   * Number of canonical patterns for the current MaximumLevel L: (L+1)(L+2)(L+3)/6.
+   */
+  int GetNumberOfPatterns();
+
+  /**
+   * The pattern of levels (i, j, k), in any order, as points (u, v, w) -> (v, w, 0), that is with
+   * P1 = (0,0), P2 = (1,0), P3 = (0,1), and counter-clockwise triangles. The point data hold the
+   * barycentrics in the array "Barycentrics". Returns false, after an ErrorEvent, when a level is
+   * out of [0, MaximumLevel].
+   */
+  bool GetPattern(int i, int j, int k, vtkPolyData* output);
+
+  /**
+   * Sort levels (or segments) in place into descending order by conditional swaps and return
+   * lambda (Lenz 2009, figs. 4.8 to 4.11): swap IJ adds 1, swap IK adds 2, swap JK adds 4.
+   */
+  static int Canonicalize(int ijk[3]);
+
+  /**
+   * For each of P1, P2, P3, which of the canonical pattern's weights (0 = u, 1 = v, 2 = w) it
+   * takes under lambda (Lenz 2009, tab. 4.2).
+   */
+  static void GetPermutation(int lambda, int permutation[3]);
+
+  /**
+   * Whether the permutation of lambda mirrors the pattern, so that its triangles must be turned to
+   * keep their winding.
+   */
+  static bool IsOdd(int lambda);
+
+  /**
+   * Bytes held by the patterns made so far.
+   */
+  vtkTypeInt64 GetMemorySize();
+
+  ///@{
+  /**
+   * Write every canonical pattern up to MaximumLevel to a binary file, or replace the patterns by
+   * those of such a file (which also sets MaximumLevel). False, after an ErrorEvent, on failure.
+   */
+  bool Write(const char* fileName);
+  bool Read(const char* fileName);
+  ///@}
+
+  /**
+   * Position of the canonical levels i >= j >= k in a list of all patterns.
+   */
+  static int GetPatternIndex(int i, int j, int k) { return i * (i + 1) * (i + 2) / 6 + j * (j + 1) / 2 + k; }
+
+#ifndef __VTK_WRAP__
+  /**
+   * The canonical pattern with segments n1 >= n2 >= n3 on its edges. Made on first use; safe to
+   * call from several threads. The reference stays valid as long as the table.
+   */
+  const vtkRefinementPattern& GetPatternOfSegments(int n1, int n2, int n3);
+#endif
+
+protected:
+  vtkRefinementPatternTable();
+  ~vtkRefinementPatternTable() override;
+
+  int MaximumLevel = 5;
+
+private:
+  vtkRefinementPatternTable(const vtkRefinementPatternTable&) = delete;
+  void operator=(const vtkRefinementPatternTable&) = delete;
+
+  struct vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

@@ -1,0 +1,20 @@
+# Compiler settings shared by every target of the project.
+
+# Contracting a*b+c would give shared edges different bits on their two sides.
+add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>)
+
+if (RELEVO_SANITIZE)
+  add_compile_options(-fsanitize=${RELEVO_SANITIZE} -fno-omit-frame-pointer -g)
+  add_link_options(-fsanitize=${RELEVO_SANITIZE})
+endif ()
+
+# Warnings for a module's own files only: generated wrappers are VTK's. Call from the folder that
+# holds the module's sources.
+function (relevo_enable_warnings)
+  file(GLOB sources "${CMAKE_CURRENT_SOURCE_DIR}/*.cxx")
+  set(flags -Wall -Wextra)
+  if (RELEVO_WERROR)
+    list(APPEND flags -Werror)
+  endif ()
+  set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS "${flags}")
+endfunction ()
