@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   vtkCoincidentPoints
+ * @class   vtkPointPlaces
  * @brief   which points of a mesh lie at the same place
  *
  * Split normals and texture seams give one place several point ids. What must not open a crack
@@ -9,8 +9,8 @@
  *
  * Not wrapped: for the modules' own sources.
  */
-#ifndef vtkCoincidentPoints_h
-#define vtkCoincidentPoints_h
+#ifndef vtkPointPlaces_h
+#define vtkPointPlaces_h
 
 #include "RelevoFiltersRefinementModule.h" // for export macro
 #include "vtkType.h"                       // for vtkIdType

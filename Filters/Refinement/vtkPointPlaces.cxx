@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkCoincidentPoints.h"
+#include "vtkPointPlaces.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkDataArrayRange.h"
