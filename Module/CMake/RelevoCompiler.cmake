@@ -8,13 +8,14 @@ if (RELEVO_SANITIZE)
   add_link_options(-fsanitize=${RELEVO_SANITIZE})
 endif ()
 
+set(relevo_warning_flags -Wall -Wextra)
+if (RELEVO_WERROR)
+  list(APPEND relevo_warning_flags -Werror)
+endif ()
+
 # Warnings for a module's own files only: generated wrappers are VTK's. Call from the folder that
 # holds the module's sources.
 function (relevo_enable_warnings)
   file(GLOB sources "${CMAKE_CURRENT_SOURCE_DIR}/*.cxx")
-  set(flags -Wall -Wextra)
-  if (RELEVO_WERROR)
-    list(APPEND flags -Werror)
-  endif ()
-  set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS "${flags}")
+  set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS "${relevo_warning_flags}")
 endfunction ()

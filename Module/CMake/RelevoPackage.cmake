@@ -1,0 +1,24 @@
+# What find_package(Relevo) needs, from the build tree as from an installed one:
+#   RelevoConfig.cmake, its version file, and beside them the targets and module properties that
+#   vtk_module_build writes.
+include(CMakePackageConfigHelpers)
+
+string(REPLACE "Relevo::" "" relevo_components "${relevo_modules}")
+set(relevo_vtk_components ${relevo_required})
+list(TRANSFORM relevo_vtk_components REPLACE "^VTK::" "")
+
+configure_package_config_file(
+  "${CMAKE_CURRENT_LIST_DIR}/RelevoConfig.cmake.in"
+  "${CMAKE_BINARY_DIR}/${relevo_cmake_destination}/RelevoConfig.cmake"
+  INSTALL_DESTINATION "${relevo_cmake_destination}"
+  NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(
+  "${CMAKE_BINARY_DIR}/${relevo_cmake_destination}/RelevoConfigVersion.cmake"
+  VERSION       "${PROJECT_VERSION}"
+  COMPATIBILITY SameMinorVersion)
+install(
+  FILES
+    "${CMAKE_BINARY_DIR}/${relevo_cmake_destination}/RelevoConfig.cmake"
+    "${CMAKE_BINARY_DIR}/${relevo_cmake_destination}/RelevoConfigVersion.cmake"
+  DESTINATION "${relevo_cmake_destination}"
+  COMPONENT   development)

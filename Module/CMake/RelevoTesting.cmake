@@ -1,0 +1,60 @@
+# relevo_add_cxx_tests(<executable>
+#   TESTS <TestName>...
+#   LIBRARIES <library>...
+#   [LABELS <label>...])
+#
+# One executable for all tests of a module, one CTest test for each. TestName.cxx holds
+#   int TestName(int argc, char* argv[])
+# and returns EXIT_SUCCESS, EXIT_FAILURE, or 125 when what it needs is not there. Arguments and
+# environment follow VTK's own tests:
+#   -D <folder of test data in the repository>   -T <folder to write into>
+#   -V <baseline image>                          RELEVO_TEST_DATA: folder of larger real data
+function (relevo_add_cxx_tests executable)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "TESTS;LIBRARIES;LABELS")
+  if (NOT arg_TESTS)
+    return ()
+  endif ()
+  list(TRANSFORM arg_TESTS APPEND ".cxx" OUTPUT_VARIABLE sources)
+  create_test_sourcelist(driver "${executable}.cxx" ${sources})
+  add_executable("${executable}" ${driver})
+  target_link_libraries("${executable}" PRIVATE ${arg_LIBRARIES})
+  set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS "${relevo_warning_flags}")
+  foreach (test IN LISTS arg_TESTS)
+    add_test(
+      NAME    "${test}"
+      COMMAND "${executable}" "${test}"
+        -D "${relevo_test_input}"
+        -T "${relevo_test_output}"
+        -V "${relevo_test_baseline}/${test}.png")
+    relevo_set_test_properties("${test}" ${arg_LABELS})
+  endforeach ()
+endfunction ()
+
+# relevo_add_python_tests(TESTS <TestName>... [LABELS <label>...])
+#
+# TestName.py is plain unittest; it exits with 125 to skip.
+function (relevo_add_python_tests)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "" "TESTS;LABELS")
+  foreach (test IN LISTS arg_TESTS)
+    add_test(
+      NAME    "${test}"
+      COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/${test}.py"
+        -D "${relevo_test_input}" -T "${relevo_test_output}"
+        -V "${relevo_test_baseline}/${test}.png")
+    relevo_set_test_properties("${test}" ${arg_LABELS})
+  endforeach ()
+endfunction ()
+
+# relevo_set_test_properties(<test> [<label>...])
+function (relevo_set_test_properties test)
+  set(environment
+    "RELEVO_TEST_DATA=${RELEVO_TEST_DATA}"
+    "RELEVO_SOURCE_DIR=${PROJECT_SOURCE_DIR}"
+    "RELEVO_BINARY_DIR=${PROJECT_BINARY_DIR}"
+    "PYTHONPATH=${PROJECT_BINARY_DIR}/${RELEVO_PYTHON_DESTINATION}")
+  set_tests_properties("${test}" PROPERTIES
+    ENVIRONMENT      "${environment}"
+    LABELS           "${ARGN}"
+    SKIP_RETURN_CODE 125
+    TIMEOUT          600)
+endfunction ()
