@@ -22,3 +22,6 @@ install(
     "${CMAKE_BINARY_DIR}/${relevo_cmake_destination}/RelevoConfigVersion.cmake"
   DESTINATION "${relevo_cmake_destination}"
   COMPONENT   development)
+
+# Sourced by users of the build tree.
+configure_file("${CMAKE_CURRENT_LIST_DIR}/env.sh.in" "${CMAKE_BINARY_DIR}/env.sh" @ONLY)

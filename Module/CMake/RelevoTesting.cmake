@@ -18,6 +18,7 @@ function (relevo_add_cxx_tests executable)
   create_test_sourcelist(driver "${executable}.cxx" ${sources})
   add_executable("${executable}" ${driver})
   target_link_libraries("${executable}" PRIVATE ${arg_LIBRARIES})
+  vtk_module_autoinit(TARGETS "${executable}" MODULES ${arg_LIBRARIES})
   set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS "${relevo_warning_flags}")
   foreach (test IN LISTS arg_TESTS)
     add_test(

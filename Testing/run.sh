@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Sets up, builds and runs every test; closes with ctest's summary, and exits with 0 only if all
+# passed. Arguments go to ctest:
+#
+#   bash Testing/run.sh [-R NAME] [-L Filters|Rendering|Python|Project] [...]
+#
+# RELEVO_TEST_DATA is a folder of larger real data; tests that need it are skipped without it.
+set -euo pipefail
+
+source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build_dir=${RELEVO_BUILD_DIR:-$source_dir/build}
+
+data=()
+if [ -n "${RELEVO_TEST_DATA:-}" ]; then
+  data=("-DRELEVO_TEST_DATA=$(cd "$RELEVO_TEST_DATA" && pwd)")
+fi
+bash "$source_dir/Module/build.sh" --testing "${data[@]}"
+
+# One X server for all: windows that open and close in one process want -noreset.
+display=()
+if [ -z "${DISPLAY:-}" ]; then
+  display=(xvfb-run -a -s "-noreset -screen 0 1280x1024x24")
+fi
+cd "$build_dir"
+exec "${display[@]}" ctest --output-on-failure --parallel "$(nproc)" "$@"
