@@ -94,7 +94,10 @@ public:
   /**
    * Position of the canonical levels i >= j >= k in a list of all patterns.
    */
-  static int GetPatternIndex(int i, int j, int k) { return i * (i + 1) * (i + 2) / 6 + j * (j + 1) / 2 + k; }
+  static int GetPatternIndex(int i, int j, int k)
+  {
+    return i * (i + 1) * (i + 2) / 6 + j * (j + 1) / 2 + k;
+  }
 
 #ifndef __VTK_WRAP__
   /**

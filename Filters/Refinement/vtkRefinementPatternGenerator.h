@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkRefinementPatternGenerator
+ * @brief   makes the triangulation of a refinement pattern
+ *
+ * Private to the module's own sources; see vtkRefinementPatternTable for what a pattern is.
+ *
+ * Equal numbers of segments give the regular subdivision. All others are a Delaunay triangulation
+ * in the equilateral triangle, graded by a size field that follows the segments of the border, and
+ * then improved by moving the inner points so that the smallest angle around each grows.
+ *
+ * Everything that decides on topology is integer arithmetic, and the rest is correctly rounded,
+ * so that every machine makes the same patterns.
+ */
+#ifndef vtkRefinementPatternGenerator_h
+#define vtkRefinementPatternGenerator_h
+
+#include "vtkRefinementPattern.h"
+
+namespace relevo
+{
+/// The most segments an edge may have.
+constexpr int MaximumNumberOfSegments = 128;
+
+/**
+ * The pattern with `n1 >= n2 >= n3` segments on edges 1, 2 and 3, each in
+ * [1, MaximumNumberOfSegments].
+ */
+vtkRefinementPattern GeneratePattern(int n1, int n2, int n3);
+
+/**
+ * Fill the lines of a pattern that has all the rest.
+ */
+void MakeLines(vtkRefinementPattern& pattern);
+
+/**
+ * What is wrong with a pattern that was read from a file (its lines aside), nullptr when it is a
+ * conforming, counter-clockwise triangulation with exactly the border points of its segments.
+ */
+const char* FindDefect(const vtkRefinementPattern& pattern);
+}
+
+#endif

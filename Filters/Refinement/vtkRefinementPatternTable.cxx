@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRefinementPatternTable.h"
+
+#include "vtkCellArray.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRefinementPattern.h"
+#include "vtkRefinementPatternFile.h"
+#include "vtkRefinementPatternGenerator.h"
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <shared_mutex>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+vtkStandardNewMacro(vtkRefinementPatternTable);
+
+struct vtkRefinementPatternTable::vtkInternals
+{
+  using Key = std::tuple<int, int, int>;
+
+  /// The pattern of a key, or nullptr.
+  const vtkRefinementPattern* Find(const Key& key) const
+  {
+    std::shared_lock<std::shared_mutex> lock(this->Mutex);
+    const auto found = this->Patterns.find(key);
+    return found == this->Patterns.end() ? nullptr : found->second.get();
+  }
+
+  /// Keeps the first pattern of a key where several threads have made one.
+  const vtkRefinementPattern& Add(const Key& key, std::unique_ptr<vtkRefinementPattern> pattern)
+  {
+    std::unique_lock<std::shared_mutex> lock(this->Mutex);
+    return *this->Patterns.emplace(key, std::move(pattern)).first->second;
+  }
+
+  /// Replaced patterns live on, for who still refers to them.
+  void Replace(std::vector<vtkRefinementPattern>&& patterns)
+  {
+    std::unique_lock<std::shared_mutex> lock(this->Mutex);
+    for (auto& entry : this->Patterns)
+    {
+      this->Retired.push_back(std::move(entry.second));
+    }
+    this->Patterns.clear();
+    for (vtkRefinementPattern& pattern : patterns)
+    {
+      const int* n = pattern.Segments;
+      const Key key(n[0], n[1], n[2]);
+      this->Patterns[key] = std::make_unique<vtkRefinementPattern>(std::move(pattern));
+    }
+  }
+
+  vtkTypeInt64 GetMemorySize() const
+  {
+    std::shared_lock<std::shared_mutex> lock(this->Mutex);
+    vtkTypeInt64 size = 0;
+    for (const auto& entry : this->Patterns)
+    {
+      size += MemorySize(*entry.second);
+    }
+    for (const auto& pattern : this->Retired)
+    {
+      size += MemorySize(*pattern);
+    }
+    return size;
+  }
+
+private:
+  static vtkTypeInt64 MemorySize(const vtkRefinementPattern& pattern)
+  {
+    return static_cast<vtkTypeInt64>(sizeof(pattern) + pattern.Vertices.capacity() * sizeof(float) +
+      (pattern.Triangles.capacity() + pattern.Lines.capacity()) * sizeof(unsigned int));
+  }
+
+  mutable std::shared_mutex Mutex;
+  std::map<Key, std::unique_ptr<vtkRefinementPattern>> Patterns;
+  std::vector<std::unique_ptr<vtkRefinementPattern>> Retired;
+};
+
+vtkRefinementPatternTable::vtkRefinementPatternTable()
+  : Internals(new vtkInternals)
+{
+}
+
+vtkRefinementPatternTable::~vtkRefinementPatternTable() = default;
+
+void vtkRefinementPatternTable::SetMaximumLevel(int level)
+{
+  if (level < 0 || level > HighestLevel)
+  {
+    vtkErrorMacro("MaximumLevel must be in [0, " << HighestLevel << "], not " << level << ".");
+    return;
+  }
+  if (this->MaximumLevel != level)
+  {
+    this->MaximumLevel = level;
+    this->Modified();
+  }
+}
+
+int vtkRefinementPatternTable::GetNumberOfPatterns()
+{
+  return vtkRefinementPatternTable::GetPatternIndex(this->MaximumLevel + 1, 0, 0);
+}
+
+int vtkRefinementPatternTable::Canonicalize(int ijk[3])
+{
+  int lambda = 0;
+  auto order = [&](int first, int second, int weight)
+  {
+    if (ijk[first] < ijk[second])
+    {
+      std::swap(ijk[first], ijk[second]);
+      lambda += weight;
+    }
+  };
+  order(0, 1, 1);
+  order(0, 2, 2);
+  order(1, 2, 4);
+  return lambda;
+}
+
+void vtkRefinementPatternTable::GetPermutation(int lambda, int permutation[3])
+{
+  // lambda = 3 cannot occur: it reads the pattern as it is.
+  static constexpr int Permutations[8][3] = { { 0, 1, 2 }, { 2, 1, 0 }, { 0, 2, 1 }, { 0, 1, 2 },
+    { 1, 0, 2 }, { 2, 0, 1 }, { 1, 2, 0 }, { 0, 2, 1 } };
+  std::copy(Permutations[lambda & 7], Permutations[lambda & 7] + 3, permutation);
+}
+
+bool vtkRefinementPatternTable::IsOdd(int lambda)
+{
+  return lambda == 1 || lambda == 2 || lambda == 4 || lambda == 7;
+}
+
+const vtkRefinementPattern& vtkRefinementPatternTable::GetPatternOfSegments(int n1, int n2, int n3)
+{
+  if (n1 < n2 || n2 < n3 || n3 < 1 || n1 > relevo::MaximumNumberOfSegments)
+  {
+    vtkErrorMacro("There is no pattern of " << n1 << ", " << n2 << ", " << n3
+                                            << " segments: they must descend and be in [1, "
+                                            << relevo::MaximumNumberOfSegments << "].");
+    n1 = n2 = n3 = 1;
+  }
+  const vtkInternals::Key key(n1, n2, n3);
+  const vtkRefinementPattern* pattern = this->Internals->Find(key);
+  return pattern ? *pattern
+                 : this->Internals->Add(key,
+                     std::make_unique<vtkRefinementPattern>(relevo::GeneratePattern(n1, n2, n3)));
+}
+
+bool vtkRefinementPatternTable::GetPattern(int i, int j, int k, vtkPolyData* output)
+{
+  if (!output)
+  {
+    vtkErrorMacro("GetPattern needs a vtkPolyData to fill.");
+    return false;
+  }
+  int levels[3] = { i, j, k };
+  if (*std::min_element(levels, levels + 3) < 0 ||
+    *std::max_element(levels, levels + 3) > this->MaximumLevel)
+  {
+    vtkErrorMacro("There is no pattern [" << i << ", " << j << ", " << k
+                                          << "]: levels must be in [0, " << this->MaximumLevel
+                                          << "], MaximumLevel.");
+    return false;
+  }
+  const int lambda = vtkRefinementPatternTable::Canonicalize(levels);
+  const vtkRefinementPattern& pattern =
+    this->GetPatternOfSegments(1 << levels[0], 1 << levels[1], 1 << levels[2]);
+  int permutation[3];
+  vtkRefinementPatternTable::GetPermutation(lambda, permutation);
+
+  const vtkIdType numberOfPoints = pattern.GetNumberOfVertices();
+  vtkNew<vtkPoints> points;
+  points->SetNumberOfPoints(numberOfPoints);
+  vtkNew<vtkFloatArray> barycentrics;
+  barycentrics->SetName("Barycentrics");
+  barycentrics->SetNumberOfComponents(3);
+  barycentrics->SetComponentName(0, "u");
+  barycentrics->SetComponentName(1, "v");
+  barycentrics->SetComponentName(2, "w");
+  barycentrics->SetNumberOfTuples(numberOfPoints);
+  for (vtkIdType p = 0; p < numberOfPoints; ++p)
+  {
+    float weights[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      weights[c] = pattern.Vertices[3 * p + permutation[c]];
+    }
+    barycentrics->SetTypedTuple(p, weights);
+    points->SetPoint(p, weights[1], weights[2], 0.0);
+  }
+
+  const bool odd = vtkRefinementPatternTable::IsOdd(lambda);
+  vtkNew<vtkCellArray> triangles;
+  triangles->AllocateEstimate(pattern.GetNumberOfTriangles(), 3);
+  for (std::size_t t = 0; t < pattern.Triangles.size(); t += 3)
+  {
+    const unsigned int* triangle = &pattern.Triangles[t];
+    const vtkIdType ids[3] = { triangle[0], triangle[odd ? 2 : 1], triangle[odd ? 1 : 2] };
+    triangles->InsertNextCell(3, ids);
+  }
+
+  output->Initialize();
+  output->SetPoints(points);
+  output->SetPolys(triangles);
+  output->GetPointData()->AddArray(barycentrics);
+  return true;
+}
+
+vtkTypeInt64 vtkRefinementPatternTable::GetMemorySize()
+{
+  return this->Internals->GetMemorySize();
+}
+
+bool vtkRefinementPatternTable::Write(const char* fileName)
+{
+  std::vector<const vtkRefinementPattern*> patterns;
+  for (int i = 0; i <= this->MaximumLevel; ++i)
+  {
+    for (int j = 0; j <= i; ++j)
+    {
+      for (int k = 0; k <= j; ++k)
+      {
+        patterns.push_back(&this->GetPatternOfSegments(1 << i, 1 << j, 1 << k));
+      }
+    }
+  }
+  const std::string error = relevo::WritePatterns(fileName, this->MaximumLevel, patterns);
+  if (!error.empty())
+  {
+    vtkErrorMacro("Cannot write the patterns: " << error);
+    return false;
+  }
+  return true;
+}
+
+bool vtkRefinementPatternTable::Read(const char* fileName)
+{
+  int maximumLevel = 0;
+  std::vector<vtkRefinementPattern> patterns;
+  const std::string error = relevo::ReadPatterns(fileName, maximumLevel, patterns);
+  if (!error.empty())
+  {
+    vtkErrorMacro("Cannot read the patterns: " << error);
+    return false;
+  }
+  this->Internals->Replace(std::move(patterns));
+  this->MaximumLevel = maximumLevel;
+  this->Modified();
+  return true;
+}
+
+void vtkRefinementPatternTable::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
+  os << indent << "NumberOfPatterns: " << this->GetNumberOfPatterns() << "\n";
+  os << indent << "MemorySize: " << this->GetMemorySize() << "\n";
+}
