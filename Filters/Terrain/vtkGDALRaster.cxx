@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGDALRaster.h"
+
+#include "vtkGDALSession.h"
+#include "vtkType.h"
+
+#include <gdal.h>
+#include <ogr_srs_api.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace relevo
+{
+struct GDALRaster::Internals
+{
+  GDALDatasetPointer Dataset;
+  GDALRasterBandH Band = nullptr;
+  GDALDataType Type = GDT_Unknown;
+};
+
+namespace
+{
+int vtkType(GDALDataType type)
+{
+  switch (type)
+  {
+    case GDT_Byte:
+      return VTK_UNSIGNED_CHAR;
+    case GDT_UInt16:
+      return VTK_UNSIGNED_SHORT;
+    case GDT_Int16:
+      return VTK_SHORT;
+    case GDT_UInt32:
+      return VTK_UNSIGNED_INT;
+    case GDT_Int32:
+      return VTK_INT;
+    case GDT_Float32:
+      return VTK_FLOAT;
+    case GDT_Float64:
+      return VTK_DOUBLE;
+#if GDAL_VERSION_NUM >= GDAL_COMPUTE_VERSION(3, 5, 0)
+    case GDT_UInt64:
+      return VTK_UNSIGNED_LONG_LONG;
+    case GDT_Int64:
+      return VTK_LONG_LONG;
+#endif
+#if GDAL_VERSION_NUM >= GDAL_COMPUTE_VERSION(3, 7, 0)
+    case GDT_Int8:
+      return VTK_SIGNED_CHAR;
+#endif
+    default:
+      return VTK_VOID; // complex
+  }
+}
+
+// Metres in one unit of a band, by the unit names that GDAL's drivers give.
+double metresPerUnit(std::string unit)
+{
+  std::transform(unit.begin(), unit.end(), unit.begin(),
+    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  const auto is = [&unit](std::initializer_list<const char*> names)
+  { return std::find(names.begin(), names.end(), unit) != names.end(); };
+  if (is({ "us-ft", "us survey foot", "us_survey_foot", "foot_us", "us survey feet" }))
+  {
+    return 1200.0 / 3937.0;
+  }
+  if (is({ "ft", "foot", "feet", "international foot" }))
+  {
+    return 0.3048;
+  }
+  if (is({ "cm", "centimeter", "centimetre" }))
+  {
+    return 0.01;
+  }
+  if (is({ "dm", "decimeter", "decimetre" }))
+  {
+    return 0.1;
+  }
+  if (is({ "km", "kilometer", "kilometre" }))
+  {
+    return 1000.0;
+  }
+  return 1.0;
+}
+
+void describeCoordinateSystem(GDALDatasetH dataset, Georeference& location)
+{
+  location.System = Georeference::Kind::Planar;
+  const OGRSpatialReferenceH system = GDALGetSpatialRef(dataset);
+  if (!system)
+  {
+    return;
+  }
+  location.WKT = GDALGetProjectionRef(dataset);
+  if (OSRIsGeographic(system))
+  {
+    location.System = Georeference::Kind::Geographic;
+    location.Unit = OSRGetAngularUnits(system, nullptr) * 180.0 / M_PI;
+  }
+  else if (OSRIsGeocentric(system))
+  {
+    location.System = Georeference::Kind::Unsupported;
+  }
+  else
+  {
+    location.Unit = OSRGetLinearUnits(system, nullptr);
+  }
+  OGRErr failure = OGRERR_NONE;
+  const double axis = OSRGetSemiMajor(system, &failure);
+  if (failure == OGRERR_NONE && axis > 0.0)
+  {
+    const double inverse = OSRGetInvFlattening(system, nullptr);
+    location.SemiMajorAxis = axis;
+    location.Flattening = inverse != 0.0 ? 1.0 / inverse : 0.0;
+  }
+}
+}
+
+GDALRaster::GDALRaster()
+  : Implementation(new Internals)
+{
+}
+
+GDALRaster::~GDALRaster()
+{
+  GDALSession session; // closing may have something to say
+  this->Implementation->Dataset.reset();
+}
+
+std::unique_ptr<GDALRaster> GDALRaster::Open(const std::string& fileName, std::string& error)
+{
+  GDALSession session;
+  GDALDatasetPointer dataset(GDALOpenEx(fileName.c_str(),
+    GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr, nullptr, nullptr));
+  if (!dataset)
+  {
+    error = session.Messages("not a raster that GDAL knows");
+    return nullptr;
+  }
+  if (GDALGetRasterCount(dataset.get()) < 1)
+  {
+    error = "it holds no raster band (a container of several rasters?)";
+    return nullptr;
+  }
+  auto raster = std::make_unique<GDALRaster>();
+  const GDALRasterBandH band = GDALGetRasterBand(dataset.get(), 1);
+  Description& contents = raster->Contents;
+  contents.Width = GDALGetRasterXSize(dataset.get());
+  contents.Height = GDALGetRasterYSize(dataset.get());
+  contents.Type = vtkType(GDALGetRasterDataType(band));
+  if (contents.Type == VTK_VOID)
+  {
+    error = std::string("samples of type ") + GDALGetDataTypeName(GDALGetRasterDataType(band)) +
+      " are not supported";
+    return nullptr;
+  }
+  int blockWidth = 1;
+  GDALGetBlockSize(band, &blockWidth, &contents.RowsPerBlock);
+  contents.RowsPerBlock = std::max(1, contents.RowsPerBlock);
+  contents.HasMask = (GDALGetMaskFlags(band) & (GMF_PER_DATASET | GMF_ALPHA)) != 0;
+
+  int declared = 0;
+  const double noData = GDALGetRasterNoDataValue(band, &declared);
+  if (declared)
+  {
+    contents.NoData = noData;
+  }
+  contents.Scale = GDALGetRasterScale(band, nullptr);
+  contents.Offset = GDALGetRasterOffset(band, nullptr);
+  contents.VerticalUnit = metresPerUnit(GDALGetRasterUnitType(band));
+
+  double transform[6];
+  contents.Location.SetSize(contents.Width, contents.Height);
+  if (GDALGetGeoTransform(dataset.get(), transform) == CE_None)
+  {
+    if (!contents.Location.SetAffineTransform(transform, contents.Width, contents.Height))
+    {
+      error = "its georeference is singular: pixels without area";
+      return nullptr;
+    }
+    describeCoordinateSystem(dataset.get(), contents.Location);
+  }
+  raster->Implementation->Type = GDALGetRasterDataType(band);
+  raster->Implementation->Band = band;
+  raster->Implementation->Dataset = std::move(dataset);
+  return raster;
+}
+
+bool GDALRaster::PrefersOwnPixels() const
+{
+  const char* driver =
+    GDALGetDriverShortName(GDALGetDatasetDriver(this->Implementation->Dataset.get()));
+  return this->Contents.HasMask || std::string(driver) == "PNG";
+}
+
+bool GDALRaster::ReadRows(int first, int count, void* samples, std::string& error)
+{
+  GDALSession session;
+  if (GDALRasterIO(this->Implementation->Band, GF_Read, 0, first, this->Contents.Width, count,
+        samples, this->Contents.Width, count, this->Implementation->Type, 0, 0) == CE_None)
+  {
+    return true;
+  }
+  error = session.Messages("GDAL cannot read the rows from " + std::to_string(first));
+  return false;
+}
+
+bool GDALRaster::ReadMask(int first, int count, unsigned char* mask, std::string& error)
+{
+  GDALSession session;
+  if (GDALRasterIO(GDALGetMaskBand(this->Implementation->Band), GF_Read, 0, first,
+        this->Contents.Width, count, mask, this->Contents.Width, count, GDT_Byte, 0, 0) == CE_None)
+  {
+    return true;
+  }
+  error = session.Messages("GDAL cannot read the mask of the rows from " + std::to_string(first));
+  return false;
+}
+}

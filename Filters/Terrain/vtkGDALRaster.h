@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGDALRaster
+ * @brief   a raster's first band and its georeference through GDAL
+ *
+ * Private to the module's own sources; only in builds with RELEVO_USE_GDAL.
+ */
+#ifndef vtkGDALRaster_h
+#define vtkGDALRaster_h
+
+#include "vtkRaster.h"
+
+namespace relevo
+{
+class GDALRaster : public Raster
+{
+public:
+  /**
+   * nullptr, and why in `error`, when GDAL cannot open the file.
+   */
+  static std::unique_ptr<GDALRaster> Open(const std::string& fileName, std::string& error);
+
+  GDALRaster();
+  ~GDALRaster() override;
+
+  /**
+   * Whether GDAL should read the pixels even where OpenImageIO knows the format.
+   */
+  bool PrefersOwnPixels() const;
+
+  bool ReadRows(int first, int count, void* samples, std::string& error) override;
+  bool ReadMask(int first, int count, unsigned char* mask, std::string& error) override;
+
+private:
+  struct Internals;
+  std::unique_ptr<Internals> Implementation;
+};
+}
+
+#endif

@@ -1,0 +1,320 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeightMap.h"
+
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkHeightGrid.h"
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkRaster.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace
+{
+// About what one read takes: large enough to be efficient, small beside the heights themselves.
+constexpr long long SamplesPerRead = 1 << 20;
+
+int rowsPerRead(int width, int rowsPerBlock, int height)
+{
+  const long long rows = std::max<long long>(1, SamplesPerRead / std::max(1, width));
+  const long long blocks = std::max<long long>(1, rows / rowsPerBlock);
+  return static_cast<int>(std::min<long long>(blocks * rowsPerBlock, height));
+}
+
+// A change of no-data values: two NaNs are the same.
+bool differ(double a, double b)
+{
+  return !(a == b || (std::isnan(a) && std::isnan(b)));
+}
+}
+
+vtkStandardNewMacro(vtkHeightMap);
+
+vtkHeightMap::vtkHeightMap()
+  : FileName(nullptr)
+  , NoDataValue(std::numeric_limits<double>::quiet_NaN())
+  , NoDataValueSet(false)
+  , DeclaredNoDataValue(std::numeric_limits<double>::quiet_NaN())
+  , AbortExecute(false)
+  , Dimensions{ 0, 0 }
+  , Range{ 0.0, 0.0 }
+{
+}
+
+vtkHeightMap::~vtkHeightMap()
+{
+  this->SetFileName(nullptr);
+}
+
+void vtkHeightMap::SetImageData(vtkImageData* image)
+{
+  if (this->ImageData != image)
+  {
+    this->ImageData = image;
+    this->Modified();
+  }
+}
+
+vtkImageData* vtkHeightMap::GetImageData()
+{
+  return this->ImageData;
+}
+
+void vtkHeightMap::SetNoDataValue(double value)
+{
+  if (!this->NoDataValueSet || differ(this->NoDataValue, value))
+  {
+    this->NoDataValue = value;
+    this->NoDataValueSet = true;
+    this->Modified();
+  }
+}
+
+double vtkHeightMap::GetNoDataValue()
+{
+  return this->NoDataValueSet ? this->NoDataValue : this->DeclaredNoDataValue;
+}
+
+void vtkHeightMap::UnsetNoDataValue()
+{
+  if (this->NoDataValueSet)
+  {
+    this->NoDataValueSet = false;
+    this->Modified();
+  }
+}
+
+vtkMTimeType vtkHeightMap::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->ImageData ? std::max(own, this->ImageData->GetMTime()) : own;
+}
+
+bool vtkHeightMap::Update()
+{
+  if (this->UpdateTime < this->GetMTime())
+  {
+    this->AbortExecute = false;
+    this->Failure.clear();
+    this->Grid.reset();
+    this->DeclaredNoDataValue = std::numeric_limits<double>::quiet_NaN();
+    std::fill_n(this->Dimensions, 2, 0);
+    std::fill_n(this->Range, 2, 0.0);
+    this->SamplesTime.Modified();
+    if (!this->Read(this->Failure) && this->AbortExecute)
+    {
+      return false; // the next Update() starts anew
+    }
+    this->UpdateTime.Modified();
+  }
+  if (!this->Failure.empty())
+  {
+    vtkErrorMacro(<< this->Failure);
+  }
+  return this->Grid != nullptr;
+}
+
+bool vtkHeightMap::Read(std::string& error)
+{
+  auto grid = std::make_unique<relevo::HeightGrid>();
+  bool read = false;
+  if (this->ImageData)
+  {
+    read = this->ReadImage(*grid, error) && grid->Finish(error);
+    error = error.empty() ? error : "The image cannot be a height map: " + error + ".";
+  }
+  else if (this->FileName && *this->FileName)
+  {
+    read = this->ReadFile(*grid, error) && grid->Finish(error);
+    error =
+      error.empty() ? error : "Cannot read " + std::string(this->FileName) + ": " + error + ".";
+  }
+  else
+  {
+    error = "There is neither a file name nor an image to read heights from.";
+  }
+  if (!read)
+  {
+    return false;
+  }
+  this->Dimensions[0] = grid->GetWidth();
+  this->Dimensions[1] = grid->GetHeight();
+  std::copy_n(grid->GetRange(), 2, this->Range);
+  this->Grid = std::move(grid);
+  return true;
+}
+
+bool vtkHeightMap::ReadFile(relevo::HeightGrid& grid, std::string& error)
+{
+  const auto raster = relevo::Raster::Open(this->FileName, error);
+  if (!raster)
+  {
+    return false;
+  }
+  const relevo::Raster::Description& contents = raster->Describe();
+  relevo::HeightGrid::Reading reading;
+  if (contents.NoData)
+  {
+    this->DeclaredNoDataValue = *contents.NoData;
+    reading.NoData.push_back(*contents.NoData);
+  }
+  if (this->NoDataValueSet)
+  {
+    reading.NoData.push_back(this->NoDataValue);
+  }
+  reading.HasMask = contents.HasMask;
+  reading.Scale = contents.Scale;
+  reading.Offset = contents.Offset;
+  reading.FlipColumns = contents.Location.FlipColumns;
+  reading.FlipRows = contents.Location.FlipRows;
+  if (!grid.Allocate(contents.Width, contents.Height, reading, error))
+  {
+    return false;
+  }
+
+  const int rows = rowsPerRead(contents.Width, contents.RowsPerBlock, contents.Height);
+  const std::size_t samplesPerRead = static_cast<std::size_t>(rows) * contents.Width;
+  const auto samples =
+    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(contents.Type));
+  samples->SetNumberOfValues(static_cast<vtkIdType>(samplesPerRead));
+  std::vector<unsigned char> mask(contents.HasMask ? samplesPerRead : 0);
+  for (int first = 0; first < contents.Height; first += rows)
+  {
+    const int count = std::min(rows, contents.Height - first);
+    void* buffer = samples->GetVoidPointer(0);
+    if (!raster->ReadRows(first, count, buffer, error) ||
+      (contents.HasMask && !raster->ReadMask(first, count, mask.data(), error)))
+    {
+      return false;
+    }
+    grid.SetRows(first, count, contents.Type, buffer, 1, contents.HasMask ? mask.data() : nullptr);
+    double progress = static_cast<double>(first + count) / contents.Height;
+    this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
+    if (this->AbortExecute)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool vtkHeightMap::ReadImage(relevo::HeightGrid& grid, std::string& error)
+{
+  int dimensions[3];
+  this->ImageData->GetDimensions(dimensions);
+  vtkDataArray* scalars = this->ImageData->GetPointData()->GetScalars();
+  if (dimensions[0] < 1 || dimensions[1] < 1 || dimensions[2] != 1)
+  {
+    error = "it has " + std::to_string(dimensions[0]) + " x " + std::to_string(dimensions[1]) +
+      " x " + std::to_string(dimensions[2]) + " points in place of n x m x 1";
+    return false;
+  }
+  const vtkIdType size = static_cast<vtkIdType>(dimensions[0]) * dimensions[1];
+  if (!scalars || scalars->GetNumberOfComponents() < 1)
+  {
+    error = "it has no numeric point scalars";
+    return false;
+  }
+  if (scalars->GetNumberOfTuples() != size || scalars->GetDataType() == VTK_BIT)
+  {
+    error = std::string("its point scalars are ") + std::to_string(scalars->GetNumberOfTuples()) +
+      " of type " + scalars->GetDataTypeAsString() + " for " + std::to_string(size) + " points";
+    return false;
+  }
+  vtkSmartPointer<vtkDataArray> samples = scalars;
+  if (!scalars->HasStandardMemoryLayout())
+  {
+    samples.TakeReference(vtkDataArray::CreateDataArray(scalars->GetDataType()));
+    samples->DeepCopy(scalars);
+  }
+
+  relevo::HeightGrid::Reading reading;
+  if (this->NoDataValueSet)
+  {
+    reading.NoData.push_back(this->NoDataValue);
+  }
+  std::vector<unsigned char> mask;
+  if (this->ImageData->HasAnyBlankPoints())
+  {
+    mask.resize(size);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      mask[i] = this->ImageData->IsPointVisible(i);
+    }
+  }
+  reading.HasMask = !mask.empty();
+  if (!grid.Allocate(dimensions[0], dimensions[1], reading, error))
+  {
+    return false;
+  }
+  grid.SetRows(0, dimensions[1], samples->GetDataType(), samples->GetVoidPointer(0),
+    samples->GetNumberOfComponents(), mask.empty() ? nullptr : mask.data());
+  return true;
+}
+
+void vtkHeightMap::GetDimensions(int dimensions[2])
+{
+  std::copy_n(this->Dimensions, 2, dimensions);
+}
+
+int* vtkHeightMap::GetDimensions()
+{
+  return this->Dimensions;
+}
+
+void vtkHeightMap::GetRange(double range[2])
+{
+  std::copy_n(this->Range, 2, range);
+}
+
+double* vtkHeightMap::GetRange()
+{
+  return this->Range;
+}
+
+double vtkHeightMap::GetSample(int column, int row)
+{
+  const bool inside = this->Update() && column >= 0 && column < this->Dimensions[0] && row >= 0 &&
+    row < this->Dimensions[1];
+  return inside
+    ? this->Grid->GetSamples()[static_cast<std::size_t>(row) * this->Dimensions[0] + column]
+    : 0.0;
+}
+
+bool vtkHeightMap::HasNoData()
+{
+  return this->GetValidity() != nullptr;
+}
+
+vtkMTimeType vtkHeightMap::GetSamplesMTime()
+{
+  return this->SamplesTime.GetMTime();
+}
+
+const float* vtkHeightMap::GetSamples()
+{
+  return this->Grid ? this->Grid->GetSamples() : nullptr;
+}
+
+const unsigned char* vtkHeightMap::GetValidity()
+{
+  return this->Grid ? this->Grid->GetValidity() : nullptr;
+}
+
+void vtkHeightMap::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "ImageData: " << this->ImageData.Get() << "\n";
+  os << indent << "NoDataValue: " << this->GetNoDataValue() << "\n";
+  os << indent << "Dimensions: " << this->Dimensions[0] << " x " << this->Dimensions[1] << "\n";
+  os << indent << "Range: " << this->Range[0] << ", " << this->Range[1] << "\n";
+  os << indent << "HasNoData: " << this->HasNoData() << "\n";
+}

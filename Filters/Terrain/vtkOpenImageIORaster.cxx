@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkOpenImageIORaster.h"
+
+#include "vtkType.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace relevo
+{
+struct OpenImageIORaster::Internals
+{
+  std::unique_ptr<OIIO::ImageInput> Input;
+  OIIO::TypeDesc Format;
+};
+
+namespace
+{
+struct SampleType
+{
+  OIIO::TypeDesc Stored;
+  OIIO::TypeDesc Read; // wider where VTK has no such type; never normalized
+  int VTKType;
+};
+
+const SampleType SampleTypes[] = {
+  { OIIO::TypeDesc::UINT8, OIIO::TypeDesc::UINT8, VTK_UNSIGNED_CHAR },
+  { OIIO::TypeDesc::INT8, OIIO::TypeDesc::INT8, VTK_SIGNED_CHAR },
+  { OIIO::TypeDesc::UINT16, OIIO::TypeDesc::UINT16, VTK_UNSIGNED_SHORT },
+  { OIIO::TypeDesc::INT16, OIIO::TypeDesc::INT16, VTK_SHORT },
+  { OIIO::TypeDesc::UINT32, OIIO::TypeDesc::UINT32, VTK_UNSIGNED_INT },
+  { OIIO::TypeDesc::INT32, OIIO::TypeDesc::INT32, VTK_INT },
+  { OIIO::TypeDesc::HALF, OIIO::TypeDesc::FLOAT, VTK_FLOAT },
+  { OIIO::TypeDesc::FLOAT, OIIO::TypeDesc::FLOAT, VTK_FLOAT },
+  { OIIO::TypeDesc::DOUBLE, OIIO::TypeDesc::DOUBLE, VTK_DOUBLE },
+};
+}
+
+OpenImageIORaster::OpenImageIORaster()
+  : Implementation(new Internals)
+{
+}
+
+OpenImageIORaster::~OpenImageIORaster() = default;
+
+std::unique_ptr<OpenImageIORaster> OpenImageIORaster::Open(
+  const std::string& fileName, std::string& error)
+{
+  // The stored samples: no premultiplication, no colour conversion.
+  OIIO::ImageSpec configuration;
+  configuration.attribute("oiio:UnassociatedAlpha", 1);
+  configuration.attribute("oiio:RawColor", 1);
+  auto input = OIIO::ImageInput::open(fileName, &configuration);
+  if (!input)
+  {
+    error = OIIO::geterror();
+    return nullptr;
+  }
+  // Targa has no signature, so that any file may be taken for one.
+  const std::string extension = std::filesystem::path(fileName).extension().string();
+  if (std::string(input->format_name()) == "targa" && extension != ".tga" && extension != ".TGA")
+  {
+    error = "the format is not known";
+    return nullptr;
+  }
+
+  const OIIO::ImageSpec& spec = input->spec();
+  const OIIO::TypeDesc format = spec.channelformat(0);
+  const auto type = std::find_if(std::begin(SampleTypes), std::end(SampleTypes),
+    [&](const SampleType& candidate) { return candidate.Stored == format; });
+  const int bits = spec.get_int_attribute("oiio:BitsPerSample");
+  if (type == std::end(SampleTypes) || spec.depth > 1 || spec.deep)
+  {
+    error = std::string("samples of type ") + format.c_str() + " are not supported";
+    return nullptr;
+  }
+  if (bits > 0 && bits != static_cast<int>(8 * format.size()))
+  {
+    error = "samples of " + std::to_string(bits) + " bits would be rescaled";
+    return nullptr;
+  }
+
+  auto raster = std::make_unique<OpenImageIORaster>();
+  raster->Contents.Width = spec.width;
+  raster->Contents.Height = spec.height;
+  raster->Contents.RowsPerBlock = std::max(1, spec.tile_height);
+  raster->Contents.Type = type->VTKType;
+  raster->Contents.Location.SetSize(spec.width, spec.height);
+  raster->Implementation->Input = std::move(input);
+  raster->Implementation->Format = type->Read;
+  return raster;
+}
+
+bool OpenImageIORaster::SetAlternative(std::unique_ptr<Raster>& alternative)
+{
+  const Description& other = alternative->Describe();
+  if (other.Width != this->Contents.Width || other.Height != this->Contents.Height ||
+    other.Type != this->Contents.Type)
+  {
+    return false;
+  }
+  const int rowsPerBlock = this->Contents.RowsPerBlock;
+  this->Contents = other;
+  this->Contents.RowsPerBlock = rowsPerBlock;
+  this->Alternative = std::move(alternative);
+  return true;
+}
+
+bool OpenImageIORaster::ReadRows(int first, int count, void* samples, std::string& error)
+{
+  OIIO::ImageInput& input = *this->Implementation->Input;
+  const OIIO::ImageSpec& spec = input.spec();
+  const int begin = spec.y + first;
+  const bool read = spec.tile_width > 0
+    ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, begin, begin + count, spec.z, spec.z + 1,
+        0, 1, this->Implementation->Format, samples)
+    : input.read_scanlines(
+        0, 0, begin, begin + count, spec.z, 0, 1, this->Implementation->Format, samples);
+  if (read)
+  {
+    return true;
+  }
+  error = input.geterror();
+  return this->Alternative && this->Alternative->ReadRows(first, count, samples, error);
+}
+}

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRaster.h"
+
+#include "vtkOpenImageIORaster.h"
+#if RELEVO_HAS_GDAL
+#include "vtkGDALRaster.h"
+#endif
+
+#include <filesystem>
+
+namespace relevo
+{
+namespace
+{
+// Why a file cannot be a raster, found before any library is asked; empty when it may be one.
+std::string obstacle(const std::string& fileName)
+{
+  namespace fs = std::filesystem;
+  if (fileName.rfind("/vsi", 0) == 0)
+  {
+    return ""; // one of GDAL's virtual files
+  }
+  std::error_code failure;
+  const fs::path path = fs::u8path(fileName);
+  if (!fs::exists(path, failure))
+  {
+    return "the file does not exist";
+  }
+  if (fs::is_directory(path, failure))
+  {
+    return "it is a folder";
+  }
+  if (fs::is_regular_file(path, failure) && fs::file_size(path, failure) == 0)
+  {
+    return "the file is empty";
+  }
+  return "";
+}
+}
+
+std::unique_ptr<Raster> Raster::Open(const std::string& fileName, std::string& error)
+{
+  error = obstacle(fileName);
+  if (!error.empty())
+  {
+    return nullptr;
+  }
+#if RELEVO_HAS_GDAL
+  std::unique_ptr<Raster> raster;
+  {
+    auto gdal = GDALRaster::Open(fileName, error);
+    if (gdal && gdal->PrefersOwnPixels())
+    {
+      return gdal;
+    }
+    raster = std::move(gdal);
+  }
+  std::string pixelError;
+  auto pixels = OpenImageIORaster::Open(fileName, pixelError);
+  if (pixels && (!raster || pixels->SetAlternative(raster)))
+  {
+    error.clear();
+    return pixels;
+  }
+  return raster;
+#else
+  auto pixels = OpenImageIORaster::Open(fileName, error);
+  if (!pixels)
+  {
+    error += "; this build of Relevo is without GDAL, which reads georeferenced rasters, SRTM "
+             ".hgt, USGS DEM and more";
+  }
+  return pixels;
+#endif
+}
+
+bool Raster::ReadMask(int, int, unsigned char*, std::string& error)
+{
+  error = "there is no mask";
+  return false;
+}
+}
