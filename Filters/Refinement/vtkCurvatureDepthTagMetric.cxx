@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCurvatureDepthTagMetric.h"
+
+#include "vtkCellArray.h"
+#include "vtkDiscreteCurvature.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkObjectFactory.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRefinementMathematics.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace relevo
+{
+#include "glsl/relevoMetrics.glsl"
+}
+
+namespace
+{
+constexpr double AutomaticQuantile = 0.95;
+constexpr double FlatAngle = 1e-3; // radians
+
+// Identifies the geometry that curvatures were computed from. Modification times are unique among
+// all objects, so a new object at an old address is not mistaken for the old one.
+using Stamp = std::array<std::pair<const void*, vtkMTimeType>, 3>;
+
+Stamp MakeStamp(vtkPolyData* mesh)
+{
+  const auto of = [](vtkObject* object)
+  { return std::pair<const void*, vtkMTimeType>(object, object ? object->GetMTime() : 0); };
+  return { of(mesh->GetPoints()), of(mesh->GetPolys()), of(mesh->GetStrips()) };
+}
+}
+
+struct vtkCurvatureDepthTagMetric::vtkInternals
+{
+  Stamp Of{};
+  relevo::DiscreteCurvature Curvature;
+
+  const relevo::DiscreteCurvature& Update(vtkPolyData* mesh)
+  {
+    const Stamp stamp = MakeStamp(mesh);
+    if (this->Of != stamp)
+    {
+      this->Curvature = relevo::ComputeDiscreteCurvature(mesh);
+      this->Of = stamp;
+    }
+    return this->Curvature;
+  }
+
+  const std::vector<double>& GetValues(int type) const
+  {
+    return type == MEAN ? this->Curvature.Mean : this->Curvature.Gaussian;
+  }
+
+  // The curvature of MaximumLevel when nothing else is asked for.
+  double GetAutomaticMaximum(int type) const
+  {
+    std::vector<double> magnitudes;
+    magnitudes.reserve(this->Curvature.Places.size());
+    for (vtkIdType place : this->Curvature.Places)
+    {
+      magnitudes.push_back(std::abs(this->GetValues(type)[place]));
+    }
+    if (magnitudes.empty() || this->Curvature.AreaOfPlace <= 0.0)
+    {
+      return 0.0;
+    }
+    const auto quantile = magnitudes.begin() +
+      static_cast<std::ptrdiff_t>(AutomaticQuantile * static_cast<double>(magnitudes.size() - 1));
+    std::nth_element(magnitudes.begin(), quantile, magnitudes.end());
+    const double flat = FlatAngle / std::sqrt(this->Curvature.AreaOfPlace);
+    return std::max(*quantile, type == MEAN ? flat : flat * flat);
+  }
+};
+
+vtkStandardNewMacro(vtkCurvatureDepthTagMetric);
+
+vtkCurvatureDepthTagMetric::vtkCurvatureDepthTagMetric()
+  : Internals(new vtkInternals)
+{
+}
+
+vtkCurvatureDepthTagMetric::~vtkCurvatureDepthTagMetric() = default;
+
+void vtkCurvatureDepthTagMetric::SetCurvatureType(int type)
+{
+  if (type != GAUSSIAN && type != MEAN)
+  {
+    vtkErrorMacro("CurvatureType " << type << " is neither GAUSSIAN (0) nor MEAN (1).");
+    return;
+  }
+  if (this->CurvatureType != type)
+  {
+    this->CurvatureType = type;
+    this->Modified();
+  }
+}
+
+const char* vtkCurvatureDepthTagMetric::GetCurvatureTypeAsString()
+{
+  return this->CurvatureType == MEAN ? "Mean" : "Gaussian";
+}
+
+void vtkCurvatureDepthTagMetric::SetThreshold(const char* name, double& threshold, double curvature)
+{
+  if (!(curvature >= 0.0 && curvature <= VTK_FLOAT_MAX))
+  {
+    vtkErrorMacro(<< name << " " << curvature
+                  << " is not a finite absolute curvature: give a number from 0 on.");
+    return;
+  }
+  if (threshold != curvature)
+  {
+    threshold = curvature;
+    this->Modified();
+  }
+}
+
+void vtkCurvatureDepthTagMetric::SetMinimumCurvature(double curvature)
+{
+  this->SetThreshold("MinimumCurvature", this->MinimumCurvature, curvature);
+}
+
+void vtkCurvatureDepthTagMetric::SetMaximumCurvature(double curvature)
+{
+  this->SetThreshold("MaximumCurvature", this->MaximumCurvature, curvature);
+}
+
+void vtkCurvatureDepthTagMetric::ComputeCurvatures(vtkPolyData* mesh, vtkDoubleArray* curvatures)
+{
+  this->Internals->Update(mesh);
+  const std::vector<double>& values = this->Internals->GetValues(this->CurvatureType);
+  curvatures->SetName(this->CurvatureType == MEAN ? "Mean_Curvature" : "Gauss_Curvature");
+  curvatures->SetNumberOfComponents(1);
+  curvatures->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), curvatures->GetPointer(0));
+  curvatures->Modified();
+}
+
+bool vtkCurvatureDepthTagMetric::ComputeTags(
+  vtkPolyData* mesh, const vtkRefinementView&, int maximumLevel, vtkFloatArray* tags)
+{
+  if (this->MinimumCurvature > this->MaximumCurvature)
+  {
+    vtkErrorMacro("MinimumCurvature " << this->MinimumCurvature << " is above MaximumCurvature "
+                                      << this->MaximumCurvature << ".");
+    return false;
+  }
+  this->Internals->Update(mesh);
+  const std::vector<double>& values = this->Internals->GetValues(this->CurvatureType);
+  const double maximum = this->MaximumCurvature > 0.0
+    ? this->MaximumCurvature
+    : this->Internals->GetAutomaticMaximum(this->CurvatureType);
+  const auto narrow = [](double curvature)
+  { return static_cast<float>(std::min<double>(curvature, VTK_FLOAT_MAX)); };
+  const float low = narrow(this->MinimumCurvature);
+  const float high = narrow(maximum);
+  tags->SetNumberOfComponents(1);
+  tags->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  float* levels = tags->GetPointer(0);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(values.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        levels[id] = relevo::rangeLevel(narrow(std::abs(values[id])), low, high, maximumLevel);
+      }
+    });
+  tags->Modified();
+  return true;
+}
+
+void vtkCurvatureDepthTagMetric::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "CurvatureType: " << this->GetCurvatureTypeAsString() << "\n";
+  os << indent << "MinimumCurvature: " << this->MinimumCurvature << "\n";
+  os << indent << "MaximumCurvature: " << this->MaximumCurvature << "\n";
+}

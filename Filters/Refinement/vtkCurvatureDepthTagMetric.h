@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkCurvatureDepthTagMetric
+ * @brief   refines where a mesh is strongly curved
+ *
+ * With k the absolute value of the discrete Gaussian or mean curvature at a point, the depth-tag is
+ *
+ *     level = MaximumLevel * (k - MinimumCurvature) / (MaximumCurvature - MinimumCurvature)
+ *
+ * clamped: 0 at MinimumCurvature and below, MaximumLevel at MaximumCurvature and above, linear
+ * between. The metric does not depend on the view.
+ *
+ * Curvatures are those of Meyer, Desbrun, Schroeder and Barr 2002 ("Discrete
+ * differential-geometry operators for triangulated 2-manifolds"), with their mixed Voronoi area:
+ * Gaussian K = (2 pi - sum of the angles at the point) / A_mixed (eq. 9), mean H = half the length
+ * of the cotangent Laplacian (eq. 8). Polygons are taken as the fans that VTK's mappers draw,
+ * strips as their triangles. Points at the same coordinates count as one, so seams of texture
+ * coordinates and split normals are no borders. A point on a border of the surface, or on an edge
+ * of more than two triangles, has no closed ring of triangles to measure: it takes the mean of its
+ * neighbours, ring by ring from the nearest points that have one (0 where there are none).
+ * Curvatures are finite for any mesh: triangles of no area or with a point that is not finite are
+ * left out, and a point of no triangle has curvature 0.
+ *
+ * @sa vtkDepthTagFilter vtkAdaptiveRefinement vtkDistanceDepthTagMetric vtkCurvatures
+ */
+#ifndef vtkCurvatureDepthTagMetric_h
+#define vtkCurvatureDepthTagMetric_h
+
+#include "RelevoFiltersRefinementModule.h" // for export macro
+#include "vtkDepthTagMetric.h"
+
+#include <memory> // for std::unique_ptr
+
+class vtkDoubleArray;
+
+class RELEVOFILTERSREFINEMENT_EXPORT vtkCurvatureDepthTagMetric : public vtkDepthTagMetric
+{
+public:
+  static vtkCurvatureDepthTagMetric* New();
+  vtkTypeMacro(vtkCurvatureDepthTagMetric, vtkDepthTagMetric);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The curvatures to choose from.
+   */
+  enum CurvatureTypes
+  {
+    GAUSSIAN = 0,
+    MEAN = 1
+  };
+
+  ///@{
+  /**
+   * Which curvature is measured: Gaussian (the default; 0 on all that can be unrolled, such as
+   * cylinders and straight ridges) or mean. Another value is an error and changes nothing.
+   */
+  void SetCurvatureType(int type);
+  vtkGetMacro(CurvatureType, int);
+  void SetCurvatureTypeToGaussian() { this->SetCurvatureType(GAUSSIAN); }
+  void SetCurvatureTypeToMean() { this->SetCurvatureType(MEAN); }
+  const char* GetCurvatureTypeAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Absolute curvatures of level 0 and of MaximumLevel, in the mesh's own units (Gaussian
+   * 1/length^2, mean 1/length).
+   *
+   * Both 0, the default, means automatic: level 0 at curvature 0, MaximumLevel at the curvature
+   * that 95 % of the points do not exceed, but no less than that of a surface which turns by
+   * 0.001 radians over the mean area of a point, so that the rounding of flat points is not
+   * refined.
+   *
+   * A negative or infinite value is an error and changes nothing. A minimum above the maximum is
+   * an error when tags are computed.
+   */
+  void SetMinimumCurvature(double curvature);
+  vtkGetMacro(MinimumCurvature, double);
+  void SetMaximumCurvature(double curvature);
+  vtkGetMacro(MaximumCurvature, double);
+  ///@}
+
+  /**
+   * Fill `curvatures` with the chosen curvature of every point of `mesh`, with its sign: mean
+   * curvature is positive where the surface bends away from its normal, as a sphere with outward
+   * normals does. The array gets one component and vtkCurvatures' name, "Gauss_Curvature" or
+   * "Mean_Curvature". Kept until the mesh's points or polygons change.
+   */
+  void ComputeCurvatures(vtkPolyData* mesh, vtkDoubleArray* curvatures);
+
+  bool IsViewDependent() override { return false; }
+  bool ComputeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+    vtkFloatArray* tags) override;
+
+protected:
+  vtkCurvatureDepthTagMetric();
+  ~vtkCurvatureDepthTagMetric() override;
+
+  int CurvatureType = GAUSSIAN;
+  double MinimumCurvature = 0.0;
+  double MaximumCurvature = 0.0;
+
+private:
+  vtkCurvatureDepthTagMetric(const vtkCurvatureDepthTagMetric&) = delete;
+  void operator=(const vtkCurvatureDepthTagMetric&) = delete;
+
+  void SetThreshold(const char* name, double& threshold, double curvature);
+
+  struct vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

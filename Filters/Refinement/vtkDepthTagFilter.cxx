@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkDepthTagFilter.h"
+
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkDepthTagMetric.h"
+#include "vtkFloatArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPointPlaces.h"
+#include "vtkPolyData.h"
+#include "vtkRefinementMathematics.h"
+#include "vtkRefinementPatternTable.h"
+#include "vtkRefinementView.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace relevo
+{
+#include "glsl/relevoLevels.glsl"
+}
+
+namespace
+{
+const char* const DepthTagName = "DepthTag";
+const char* const EdgeLevelsName = "EdgeLevels";
+}
+
+vtkStandardNewMacro(vtkDepthTagFilter);
+
+vtkDepthTagFilter::vtkDepthTagFilter() = default;
+vtkDepthTagFilter::~vtkDepthTagFilter() = default;
+
+void vtkDepthTagFilter::SetMetric(vtkDepthTagMetric* metric)
+{
+  if (this->Metric != metric)
+  {
+    this->Metric = metric;
+    this->Modified();
+  }
+}
+
+vtkDepthTagMetric* vtkDepthTagFilter::GetMetric()
+{
+  return this->Metric;
+}
+
+void vtkDepthTagFilter::SetCamera(vtkCamera* camera)
+{
+  if (this->Camera != camera)
+  {
+    this->Camera = camera;
+    this->Modified();
+  }
+}
+
+vtkCamera* vtkDepthTagFilter::GetCamera()
+{
+  return this->Camera;
+}
+
+void vtkDepthTagFilter::SetViewportSize(int width, int height)
+{
+  if (width < 1 || height < 1)
+  {
+    vtkErrorMacro("ViewportSize " << width << " x " << height << " is not at least 1 x 1 pixels.");
+    return;
+  }
+  if (this->ViewportSize[0] != width || this->ViewportSize[1] != height)
+  {
+    this->ViewportSize[0] = width;
+    this->ViewportSize[1] = height;
+    this->Modified();
+  }
+}
+
+void vtkDepthTagFilter::SetMaximumLevel(int level)
+{
+  if (level < 0 || level > vtkRefinementPatternTable::HighestLevel)
+  {
+    vtkErrorMacro("MaximumLevel " << level << " is outside [0, "
+                                  << vtkRefinementPatternTable::HighestLevel << "].");
+    return;
+  }
+  if (this->MaximumLevel != level)
+  {
+    this->MaximumLevel = level;
+    this->Modified();
+  }
+}
+
+vtkMTimeType vtkDepthTagFilter::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  if (this->Metric)
+  {
+    time = std::max(time, this->Metric->GetMTime());
+    if (this->Camera && this->Metric->IsViewDependent())
+    {
+      time = std::max(time, this->Camera->GetMTime());
+    }
+  }
+  return time;
+}
+
+int vtkDepthTagFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  output->Initialize();
+
+  vtkNew<vtkFloatArray> tags;
+  tags->SetName(DepthTagName);
+  if (!(this->Metric ? this->ComputeTags(input, tags) : this->TakeTags(input, tags)))
+  {
+    return 0;
+  }
+  this->UpdateProgress(0.5);
+  relevo::UniteTags(relevo::ComputePlaces(input->GetPoints()), tags->GetPointer(0));
+  this->UpdateProgress(0.7);
+  if (this->GetAbortExecute())
+  {
+    return 1;
+  }
+
+  vtkNew<vtkIntArray> edgeLevels;
+  edgeLevels->SetName(EdgeLevelsName);
+  this->ComputeEdgeLevels(input, tags, edgeLevels);
+
+  output->ShallowCopy(input);
+  output->GetPointData()->AddArray(tags);
+  output->GetCellData()->AddArray(edgeLevels);
+  return 1;
+}
+
+bool vtkDepthTagFilter::ComputeTags(vtkPolyData* input, vtkFloatArray* tags)
+{
+  if (this->Metric->IsViewDependent() && !this->Camera)
+  {
+    vtkErrorMacro("The metric " << this->Metric->GetClassName()
+                                << " depends on the view and there is no camera: call SetCamera.");
+    return false;
+  }
+  vtkRefinementView view;
+  view.Camera = this->Camera;
+  std::copy_n(this->ViewportSize, 2, view.ViewportSize);
+  if (!this->Metric->ComputeTags(input, view, this->MaximumLevel, tags))
+  {
+    vtkErrorMacro("The metric " << this->Metric->GetClassName()
+                                << " gave no tags for this mesh and view: see its own error.");
+    return false;
+  }
+  return true;
+}
+
+bool vtkDepthTagFilter::TakeTags(vtkPolyData* input, vtkFloatArray* tags)
+{
+  vtkDataArray* own = input->GetPointData()->GetArray(DepthTagName);
+  if (!own)
+  {
+    vtkErrorMacro("There is no metric (call SetMetric), and the input has no point array \""
+      << DepthTagName << "\" to use instead.");
+    return false;
+  }
+  const vtkIdType numberOfPoints = input->GetNumberOfPoints();
+  if (own->GetNumberOfComponents() != 1 || own->GetNumberOfTuples() != numberOfPoints)
+  {
+    vtkErrorMacro("The input's array \"" << DepthTagName << "\" has " << own->GetNumberOfTuples()
+                                         << " tuples of " << own->GetNumberOfComponents()
+                                         << " components; it needs one number for each of "
+                                         << numberOfPoints << " points.");
+    return false;
+  }
+  tags->SetNumberOfTuples(numberOfPoints);
+  for (vtkIdType point = 0; point < numberOfPoints; ++point)
+  {
+    const double tag = own->GetComponent(point, 0);
+    if (!std::isfinite(tag))
+    {
+      vtkErrorMacro("The input's array \"" << DepthTagName << "\" has the value " << tag
+                                           << " at point " << point << "; tags must be finite.");
+      return false;
+    }
+    tags->SetValue(
+      point, static_cast<float>(std::min(std::max(tag, 0.0), double(this->MaximumLevel))));
+  }
+  return true;
+}
+
+void vtkDepthTagFilter::ComputeEdgeLevels(
+  vtkPolyData* input, vtkFloatArray* tags, vtkIntArray* edgeLevels)
+{
+  edgeLevels->SetNumberOfComponents(3);
+  edgeLevels->SetNumberOfTuples(input->GetNumberOfCells());
+  edgeLevels->FillValue(-1);
+  const vtkIdType numberOfPoints = input->GetNumberOfPoints();
+  const float* tag = tags->GetPointer(0);
+  int* levels = edgeLevels->GetPointer(0) +
+    3 * (input->GetVerts()->GetNumberOfCells() + input->GetLines()->GetNumberOfCells());
+  auto polygon = vtk::TakeSmartPointer(input->GetPolys()->NewIterator());
+  for (polygon->GoToFirstCell(); !polygon->IsDoneWithTraversal(); polygon->GoToNextCell())
+  {
+    vtkIdType size;
+    const vtkIdType* points;
+    polygon->GetCurrentCell(size, points);
+    const bool valid = std::all_of(
+      points, points + size, [=](vtkIdType point) { return point >= 0 && point < numberOfPoints; });
+    if (size == 3 && valid)
+    {
+      for (int edge = 0; edge < 3; ++edge)
+      {
+        levels[edge] =
+          relevo::edgeLevel(tag[points[edge]], tag[points[(edge + 1) % 3]], this->MaximumLevel);
+      }
+    }
+    levels += 3;
+  }
+}
+
+void vtkDepthTagFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Metric: " << this->Metric.Get() << "\n";
+  os << indent << "Camera: " << this->Camera.Get() << "\n";
+  os << indent << "ViewportSize: " << this->ViewportSize[0] << " x " << this->ViewportSize[1]
+     << "\n";
+  os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
+}

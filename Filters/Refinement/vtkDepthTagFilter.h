@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkDepthTagFilter
+ * @brief   writes how deep a metric would refine a mesh
+ *
+ * The output is the input, everything passed through, with two more arrays:
+ *
+ * - point array "DepthTag" (float): the level of every point, in [0, MaximumLevel], by the metric.
+ *   Points at the same coordinates get the largest of their tags.
+ * - cell array "EdgeLevels" (int, 3 components): for a triangle (P1, P2, P3) the levels of its
+ *   edges P1P2, P2P3, P3P1, each the mean of its points' tags, rounded half up (Lenz 2009,
+ *   eqs. 3.1 to 3.3): such an edge is split into 2^level segments. Cells that are not triangles
+ *   have (-1, -1, -1).
+ *
+ * Without a metric the tags are the input's own point array "DepthTag", which is checked (one
+ * finite number per point) and clamped to [0, MaximumLevel]. Neither metric nor array, a metric
+ * that depends on the view without a camera, and a metric that fails are errors; the output is
+ * then empty. A point with a coordinate that is not finite gets level 0 from the project's metrics.
+ *
+ * A vtkAdaptiveRefinement that is given the output uses "DepthTag" in place of its own metric.
+ *
+ * @sa vtkDepthTagMetric vtkAdaptiveRefinement
+ */
+#ifndef vtkDepthTagFilter_h
+#define vtkDepthTagFilter_h
+
+#include "RelevoFiltersRefinementModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // for members
+
+class vtkCamera;
+class vtkDepthTagMetric;
+class vtkFloatArray;
+class vtkIntArray;
+
+class RELEVOFILTERSREFINEMENT_EXPORT vtkDepthTagFilter : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkDepthTagFilter* New();
+  vtkTypeMacro(vtkDepthTagFilter, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * How deep each point shall be refined. None (the default): the input's array "DepthTag".
+   */
+  void SetMetric(vtkDepthTagMetric* metric);
+  vtkDepthTagMetric* GetMetric();
+  ///@}
+
+  ///@{
+  /**
+   * The camera, for metrics that depend on the view; the mesh is taken to be in world coordinates.
+   */
+  void SetCamera(vtkCamera* camera);
+  vtkCamera* GetCamera();
+  ///@}
+
+  ///@{
+  /**
+   * Width and height of the viewport in pixels, for metrics that depend on the view; default
+   * (300, 300). Less than 1 is an error and changes nothing.
+   */
+  void SetViewportSize(int width, int height);
+  void SetViewportSize(const int size[2]) { this->SetViewportSize(size[0], size[1]); }
+  vtkGetVector2Macro(ViewportSize, int);
+  ///@}
+
+  ///@{
+  /**
+   * The highest level of a point and of an edge, 0 to 7, default 5. A value outside is an error
+   * and changes nothing.
+   */
+  void SetMaximumLevel(int level);
+  vtkGetMacro(MaximumLevel, int);
+  ///@}
+
+  /**
+   * Includes the metric's time, and the camera's where the metric depends on the view.
+   */
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkDepthTagFilter();
+  ~vtkDepthTagFilter() override;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  vtkSmartPointer<vtkDepthTagMetric> Metric;
+  vtkSmartPointer<vtkCamera> Camera;
+  int ViewportSize[2] = { 300, 300 };
+  int MaximumLevel = 5;
+
+private:
+  vtkDepthTagFilter(const vtkDepthTagFilter&) = delete;
+  void operator=(const vtkDepthTagFilter&) = delete;
+
+  bool ComputeTags(vtkPolyData* input, vtkFloatArray* tags);
+  bool TakeTags(vtkPolyData* input, vtkFloatArray* tags);
+  void ComputeEdgeLevels(vtkPolyData* input, vtkFloatArray* tags, vtkIntArray* edgeLevels);
+};
+
+#endif

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkDistanceDepthTagMetric.h"
+
+#include "vtkCamera.h"
+#include "vtkFloatArray.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRefinementMathematics.h"
+#include "vtkRefinementView.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace relevo
+{
+#include "glsl/relevoMetrics.glsl"
+}
+
+namespace
+{
+// In units of the bounding box's diagonal; a camera that shows a whole mesh (vtkRenderer's
+// ResetCamera) is about two of them away.
+constexpr double AutomaticDistance = 3.0;
+
+// The diagonal of the mesh's own bounding box after the matrix: unlike that of the world's box it
+// stays the same when the actor turns. Coordinates that are not finite do not count.
+double WorldDiagonal(vtkPolyData* mesh, vtkMatrix4x4* modelToWorld)
+{
+  double squared = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double range[2];
+    mesh->GetPoints()->GetData()->GetFiniteRange(range, axis);
+    const double side = std::max(range[1] - range[0], 0.0);
+    for (int row = 0; row < 3; ++row)
+    {
+      const double component = side * modelToWorld->GetElement(row, axis);
+      squared += component * component;
+    }
+  }
+  return std::sqrt(squared);
+}
+}
+
+vtkStandardNewMacro(vtkDistanceDepthTagMetric);
+
+vtkDistanceDepthTagMetric::vtkDistanceDepthTagMetric() = default;
+vtkDistanceDepthTagMetric::~vtkDistanceDepthTagMetric() = default;
+
+void vtkDistanceDepthTagMetric::SetMaximumDistance(double distance)
+{
+  if (!(distance >= 0.0 && distance <= VTK_FLOAT_MAX))
+  {
+    vtkErrorMacro("MaximumDistance " << distance
+                                     << " is not a distance: give a finite number of world units, "
+                                        "or 0 for automatic.");
+    return;
+  }
+  if (this->MaximumDistance != distance)
+  {
+    this->MaximumDistance = distance;
+    this->Modified();
+  }
+}
+
+bool vtkDistanceDepthTagMetric::ComputeTags(
+  vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel, vtkFloatArray* tags)
+{
+  if (!view.Camera)
+  {
+    vtkErrorMacro("There is no camera to measure distances from.");
+    return false;
+  }
+  double camera[3];
+  view.Camera->GetPosition(camera);
+  if (!std::isfinite(camera[0] + camera[1] + camera[2]))
+  {
+    vtkErrorMacro("The camera's position (" << camera[0] << ", " << camera[1] << ", " << camera[2]
+                                            << ") is not finite.");
+    return false;
+  }
+
+  const vtkIdType numberOfPoints = mesh->GetNumberOfPoints();
+  tags->SetNumberOfComponents(1);
+  tags->SetNumberOfTuples(numberOfPoints);
+  if (numberOfPoints == 0)
+  {
+    return true;
+  }
+
+  vtkNew<vtkMatrix4x4> identity;
+  vtkMatrix4x4* modelToWorld = view.ModelToWorld ? view.ModelToWorld : identity.Get();
+  const double farthest = this->MaximumDistance > 0.0
+    ? this->MaximumDistance
+    : AutomaticDistance * WorldDiagonal(mesh, modelToWorld);
+  const float farthestFloat = static_cast<float>(std::min<double>(farthest, VTK_FLOAT_MAX));
+  vtkPoints* points = mesh->GetPoints();
+  float* levels = tags->GetPointer(0);
+  vtkSMPTools::For(0, numberOfPoints,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        double point[4] = { 0.0, 0.0, 0.0, 1.0 };
+        points->GetPoint(id, point);
+        modelToWorld->MultiplyPoint(point, point);
+        const double x = std::sqrt(vtkMath::Distance2BetweenPoints(point, camera));
+        levels[id] = relevo::distanceLevel(
+          static_cast<float>(std::min<double>(x, VTK_FLOAT_MAX)), farthestFloat, maximumLevel);
+      }
+    });
+  tags->Modified();
+  return true;
+}
+
+void vtkDistanceDepthTagMetric::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
+}

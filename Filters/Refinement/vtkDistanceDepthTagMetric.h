@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkDistanceDepthTagMetric
+ * @brief   refines what is near the camera
+ *
+ * With x the distance from the camera's position to a point, both in world coordinates (the
+ * actor's matrix is applied to the point), the depth-tag is
+ *
+ *     level = MaximumLevel * (1 - x / MaximumDistance)   where x < MaximumDistance, else 0:
+ *
+ * MaximumLevel at the camera, 0 from MaximumDistance on, linear between. That is the tessellation
+ * level T = 64 - 63 x / d_max of Nellmeldin 2013 ("Desarrollo de algoritmos de teselacion
+ * adaptativa en GPU", eq. 1), its range [1, 64] mapped linearly to [0, MaximumLevel]. As an edge
+ * has 2^level segments, its segments shorten geometrically towards the camera.
+ *
+ * The metric depends on the view: without a camera it is an error. A point that is not finite gets
+ * level 0.
+ *
+ * @sa vtkDepthTagFilter vtkAdaptiveRefinement vtkCurvatureDepthTagMetric
+ */
+#ifndef vtkDistanceDepthTagMetric_h
+#define vtkDistanceDepthTagMetric_h
+
+#include "RelevoFiltersRefinementModule.h" // for export macro
+#include "vtkDepthTagMetric.h"
+
+class RELEVOFILTERSREFINEMENT_EXPORT vtkDistanceDepthTagMetric : public vtkDepthTagMetric
+{
+public:
+  static vtkDistanceDepthTagMetric* New();
+  vtkTypeMacro(vtkDistanceDepthTagMetric, vtkDepthTagMetric);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Distance from the camera, in world units, from which on nothing is refined. 0, the default,
+   * means automatic: three times the diagonal of the mesh's bounding box in world units, so that a
+   * view of the whole mesh refines it moderately and a closer one more. A negative or infinite
+   * value is an error and changes nothing.
+   */
+  void SetMaximumDistance(double distance);
+  vtkGetMacro(MaximumDistance, double);
+  ///@}
+
+  bool IsViewDependent() override { return true; }
+  bool ComputeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+    vtkFloatArray* tags) override;
+
+protected:
+  vtkDistanceDepthTagMetric();
+  ~vtkDistanceDepthTagMetric() override;
+
+  double MaximumDistance = 0.0;
+
+private:
+  vtkDistanceDepthTagMetric(const vtkDistanceDepthTagMetric&) = delete;
+  void operator=(const vtkDistanceDepthTagMetric&) = delete;
+};
+
+#endif
