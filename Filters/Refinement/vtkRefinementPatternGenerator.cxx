@@ -440,7 +440,7 @@ private:
   std::vector<std::vector<Point>> Buckets;
 };
 
-Point SnappedInside(double v, double w)
+Point Snapped(double v, double w)
 {
   const double steps = static_cast<double>(GridScale / InnerStep);
   return { static_cast<std::int64_t>(v * steps + 0.5) * InnerStep,
@@ -472,46 +472,71 @@ double Root(double x, int k)
   }
 }
 
-/// Where a fine and a coarse edge meet, spokes from their corner that lengthen evenly share its 60
-/// degrees: about a doubling for each, which keeps the smallest angle there largest.
-void AddSpokes(const int segments[3], std::vector<Point>& points)
+/// The triangles at a corner where a fine and a coarse edge meet. Spokes from the corner, each
+/// about twice as long as the one before, share its 60 degrees evenly: the smallest angle is then
+/// about the largest that the two edges allow.
+class CornerFan
 {
-  for (int corner = 0; corner < 3; ++corner)
+public:
+  CornerFan(const int segments[3], int corner)
   {
-    // The corner's edges lead to the next corner and to the previous one.
     const int next = (corner + 1) % 3;
     const int previous = (corner + 2) % 3;
-    const bool nextIsFine = segments[corner] >= segments[previous];
+    const bool startsFine = segments[corner] >= segments[previous];
+    const int fineEnd = startsFine ? next : previous;
+    const int coarseEnd = startsFine ? previous : next;
     const int fine = std::max(segments[corner], segments[previous]);
     const int coarse = std::min(segments[corner], segments[previous]);
     const double ratio = static_cast<double>(fine) / coarse;
-    int spokes = 0;
-    while (spokes < MaximumNumberOfSpokes && ratio * ratio > (2 << (2 * spokes)))
+    int count = 1;
+    while (count < MaximumNumberOfSpokes && ratio * ratio > (2 << (2 * count)))
     {
-      ++spokes;
+      ++count;
     }
-    if (spokes < 2)
+    double sines[MaximumNumberOfSpokes + 1] = { 0.0, 1.0 }; // of s 60 / count, over that of s = 1
+    for (int s = 2; s <= count; ++s)
     {
-      continue;
+      sines[s] = TwoCosines[count] * sines[s - 1] - sines[s - 2];
     }
-    double sines[MaximumNumberOfSpokes + 1] = { 0.0, 1.0 }; // relative to the first
-    for (int s = 2; s <= spokes; ++s)
-    {
-      sines[s] = TwoCosines[spokes] * sines[s - 1] - sines[s - 2];
-    }
-    const double growth = Root(ratio, spokes);
+    const double growth = Root(ratio, count);
     double length = 1.0 / fine;
-    for (int s = 1; s < spokes; ++s)
+    for (int s = 0; s <= count; ++s)
     {
+      double weights[3];
+      weights[fineEnd] = length * sines[count - s] / sines[count];
+      weights[coarseEnd] = length * sines[s] / sines[count];
+      weights[corner] = 1.0 - weights[fineEnd] - weights[coarseEnd];
+      this->Tips.push_back(Snapped(weights[1], weights[2]));
       length *= growth;
-      double weights[3] = { 0.0, 0.0, 0.0 };
-      weights[nextIsFine ? next : previous] = length * sines[spokes - s] / sines[spokes];
-      weights[nextIsFine ? previous : next] = length * sines[s] / sines[spokes];
-      weights[corner] = 1.0 - weights[next] - weights[previous];
-      points.push_back(SnappedInside(weights[1], weights[2]));
     }
+    if (!startsFine)
+    {
+      std::reverse(this->Tips.begin(), this->Tips.end());
+    }
+    this->Corner = { corner == 1 ? GridScale : 0, corner == 2 ? GridScale : 0 };
   }
-}
+
+  bool Contains(Point p) const
+  {
+    for (std::size_t s = 1; s < this->Tips.size(); ++s)
+    {
+      const Point& a = this->Tips[s - 1];
+      const Point& b = this->Tips[s];
+      if (Orientation(this->Corner, a, p) >= 0 && Orientation(this->Corner, b, p) <= 0 &&
+        Orientation(a, b, p) >= 0)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Ends of the spokes, counter-clockwise; the first and the last are on the edges.
+  std::vector<Point> Tips;
+
+private:
+  Point Corner;
+};
 
 /// Inner points: those of regular grids, each grid where the size field asks for its spacing.
 std::vector<Point> MakeInnerPoints(const int segments[3], const std::vector<Point>& border)
@@ -522,8 +547,7 @@ std::vector<Point> MakeInnerPoints(const int segments[3], const std::vector<Poin
   {
     buckets.Add(p);
   }
-  std::vector<Point> spokes;
-  AddSpokes(segments, spokes);
+  std::vector<CornerFan> fans;
   std::vector<Point> points;
   auto accept = [&](Point p, double distance)
   {
@@ -533,10 +557,22 @@ std::vector<Point> MakeInnerPoints(const int segments[3], const std::vector<Poin
       points.push_back(p);
     }
   };
-  for (const Point& p : spokes)
+  for (int corner = 0; corner < 3; ++corner)
   {
-    accept(p, 0.25 * size(p));
+    if (segments[corner] != segments[(corner + 2) % 3])
+    {
+      fans.emplace_back(segments, corner);
+      for (const Point& p : fans.back().Tips)
+      {
+        accept(p, 0.25 * size(p));
+      }
+    }
   }
+  auto isInFan = [&](Point p)
+  {
+    return std::any_of(
+      fans.begin(), fans.end(), [&](const CornerFan& fan) { return fan.Contains(p); });
+  };
   for (int n = segments[0]; n > 1; n = (n + 1) / 2)
   {
     const double spacing = 1.0 / n;
@@ -544,9 +580,10 @@ std::vector<Point> MakeInnerPoints(const int segments[3], const std::vector<Poin
     {
       for (int i = 1; i + j < n; ++i)
       {
-        const Point p = SnappedInside(i * spacing, j * spacing);
+        const Point p = Snapped(i * spacing, j * spacing);
         const double h = size(p);
-        if (n == segments[0] ? h < 1.42 * spacing : (h >= 0.71 * spacing && h < 1.42 * spacing))
+        const bool isRightGrid = h < 1.42 * spacing && (n == segments[0] || h >= 0.71 * spacing);
+        if (isRightGrid && !isInFan(p))
         {
           accept(p, 0.72 * h);
         }
@@ -556,23 +593,25 @@ std::vector<Point> MakeInnerPoints(const int segments[3], const std::vector<Poin
   return points;
 }
 
-/// Moves inner points to places where the smallest angle around them is larger.
+/// Makes the smallest angle around inner points larger, by moving some and taking out others.
 class Smoother
 {
 public:
-  explicit Smoother(Triangulation& mesh)
+  Smoother(Triangulation& mesh, int firstInner)
     : Mesh(mesh)
+    , FirstInner(firstInner)
   {
   }
 
-  void Run(int firstInner)
+  /// Move points for as long as it helps.
+  void Move()
   {
     for (int sweep = 0; sweep < MaximumNumberOfSweeps; ++sweep)
     {
       bool moved = false;
-      for (int v = firstInner; v < static_cast<int>(this->Mesh.Points.size()); ++v)
+      for (int v = this->FirstInner; v < static_cast<int>(this->Mesh.Points.size()); ++v)
       {
-        moved |= this->Improve(v);
+        moved |= this->MoveVertex(v);
       }
       if (!moved)
       {
@@ -582,7 +621,23 @@ public:
     }
   }
 
+  /// Inner points without which the triangles around them would be better; no two are neighbours.
+  std::vector<bool> FindObstacles()
+  {
+    std::vector<bool> obstacles(this->Mesh.Points.size(), false);
+    for (int v = this->FirstInner; v < static_cast<int>(this->Mesh.Points.size()); ++v)
+    {
+      this->Mesh.GetStar(v, this->Star);
+      obstacles[v] = this->IsObstacle(v) &&
+        std::none_of(this->Star.begin(), this->Star.end(),
+          [&](const std::pair<int, int>& side) { return obstacles[side.first]; });
+    }
+    return obstacles;
+  }
+
 private:
+  /// Largest badness of the triangles between p and the sides of the star; at least the limit when
+  /// it gets there.
   double StarBadness(Point p, double limit) const
   {
     double badness = 0.0;
@@ -597,12 +652,43 @@ private:
     return badness;
   }
 
-  bool Improve(int vertex)
+  bool IsGood(double badness) const { return badness <= WantedAngleCotangent * 1.7320508075688772; }
+
+  /// Whether the star is better filled from one of its corners.
+  bool IsObstacle(int vertex) const
+  {
+    const double limit =
+      this->StarBadness(this->Mesh.Points[vertex], std::numeric_limits<double>::infinity());
+    if (this->IsGood(limit))
+    {
+      return false;
+    }
+    for (const auto& pair : this->Star)
+    {
+      const int corner = pair.first;
+      double badness = 0.0;
+      for (const auto& [a, b] : this->Star)
+      {
+        if (a != corner && b != corner && badness < limit)
+        {
+          badness = std::max(badness,
+            Badness(this->Mesh.Points[corner], this->Mesh.Points[a], this->Mesh.Points[b]));
+        }
+      }
+      if (badness < limit)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool MoveVertex(int vertex)
   {
     this->Mesh.GetStar(vertex, this->Star);
     Point& position = this->Mesh.Points[vertex];
     double best = this->StarBadness(position, std::numeric_limits<double>::infinity());
-    if (best <= WantedAngleCotangent * 1.7320508075688772)
+    if (this->IsGood(best))
     {
       return false;
     }
@@ -624,9 +710,7 @@ private:
         best = badness;
         position = p;
         moved = true;
-        return true;
       }
-      return false;
     };
     const std::int64_t ring = static_cast<std::int64_t>(this->Star.size()) * InnerStep;
     attempt({ DivideRounded(sum.V, ring) * InnerStep, DivideRounded(sum.W, ring) * InnerStep });
@@ -650,6 +734,7 @@ private:
   }
 
   Triangulation& Mesh;
+  int FirstInner;
   std::vector<std::pair<int, int>> Star;
 };
 
@@ -732,19 +817,39 @@ Mesh MakeRegularMesh(int n)
 
 Mesh MakeGradedMesh(const int segments[3])
 {
-  Triangulation triangulation;
+  Triangulation border;
   ForEachBorderPoint(segments,
     [&](int from, int to, int k, int n)
     {
       const auto weights = BorderWeights(from, to, k, n, GridScale);
-      triangulation.Insert({ weights[1], weights[2] });
+      border.Insert({ weights[1], weights[2] });
     });
-  const int firstInner = static_cast<int>(triangulation.Points.size());
-  for (const Point& p : MakeInnerPoints(segments, triangulation.Points))
+  const int firstInner = static_cast<int>(border.Points.size());
+  std::vector<Point> inner = MakeInnerPoints(segments, border.Points);
+  Triangulation triangulation;
+  for (;;)
   {
-    triangulation.Insert(p);
+    triangulation = border;
+    for (const Point& p : inner)
+    {
+      triangulation.Insert(p);
+    }
+    Smoother smoother(triangulation, firstInner);
+    smoother.Move();
+    const std::vector<bool> obstacles = smoother.FindObstacles();
+    inner.clear();
+    for (std::size_t i = firstInner; i < obstacles.size(); ++i)
+    {
+      if (!obstacles[i])
+      {
+        inner.push_back(triangulation.Points[i]);
+      }
+    }
+    if (firstInner + inner.size() == triangulation.Points.size())
+    {
+      break;
+    }
   }
-  Smoother(triangulation).Run(firstInner);
 
   Mesh mesh;
   AddBorder(segments, mesh);
