@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ViewerMessages.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkExecutive.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <functional>
+#include <iostream>
+#include <unistd.h>
+
+namespace
+{
+using Handler = std::function<void(vtkObject*, void*)>;
+
+void AddHandler(vtkObject* object, unsigned long event, const Handler& handler)
+{
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(new Handler(handler));
+  command->SetClientDataDeleteCallback([](void* data) { delete static_cast<Handler*>(data); });
+  command->SetCallback([](vtkObject* caller, unsigned long, void* data, void* callData)
+    { (*static_cast<Handler*>(data))(caller, callData); });
+  object->AddObserver(event, command);
+}
+
+// "ERROR: In file, line n\nvtkClass (0x...): text\n\n" -> "text", on one line.
+std::string GetText(void* callData)
+{
+  std::string text = static_cast<const char*>(callData);
+  const std::size_t address = text.find("): ");
+  if (address != std::string::npos)
+  {
+    text.erase(0, address + 3);
+  }
+  text.erase(text.find_last_not_of(" \n") + 1);
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+}
+
+//------------------------------------------------------------------------------
+void ViewerMessages::Observe(vtkObject* object)
+{
+  AddHandler(object, vtkCommand::ErrorEvent,
+    [this](vtkObject*, void* callData)
+    {
+      if (this->FirstError.empty())
+      {
+        this->FirstError = GetText(callData);
+      }
+    });
+  AddHandler(object, vtkCommand::WarningEvent,
+    [](vtkObject*, void* callData)
+    { std::cerr << "relevo-view: warning: " << GetText(callData) << std::endl; });
+}
+
+//------------------------------------------------------------------------------
+void ViewerMessages::Observe(vtkAlgorithm* algorithm, const std::string& name)
+{
+  this->Observe(algorithm);
+  // The executive only repeats that the algorithm failed.
+  AddHandler(algorithm->GetExecutive(), vtkCommand::ErrorEvent, [](vtkObject*, void*) {});
+  AddHandler(algorithm, vtkCommand::ProgressEvent,
+    [this, name](vtkObject*, void* callData)
+    { this->ShowProgress(name, *static_cast<double*>(callData)); });
+}
+
+//------------------------------------------------------------------------------
+void ViewerMessages::Check()
+{
+  if (!this->FirstError.empty())
+  {
+    const ViewerError error(this->FirstError);
+    this->FirstError.clear();
+    throw error;
+  }
+}
+
+//------------------------------------------------------------------------------
+void ViewerMessages::ShowProgress(const std::string& name, double share)
+{
+  if (!isatty(STDERR_FILENO))
+  {
+    return;
+  }
+  const auto now = std::chrono::steady_clock::now();
+  const bool isDone = share >= 1.0;
+  if (isDone || now - this->LastProgress > std::chrono::milliseconds(100))
+  {
+    this->LastProgress = now;
+    std::cerr << "\r\033[K";
+    if (!isDone)
+    {
+      std::cerr << name << " " << static_cast<int>(100.0 * share) << " %" << std::flush;
+    }
+  }
+}

@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ViewerOptions.h"
+
+#include <cmath>
+#include <functional>
+#include <map>
+
+namespace
+{
+const int HighestLevel = 7;
+const int LargestSize = 16384;
+const int LargestResolution = 4096;
+
+double ToNumber(const std::string& option, const std::string& text)
+{
+  std::size_t end = 0;
+  double value = 0.0;
+  try
+  {
+    value = std::stod(text, &end);
+  }
+  catch (const std::logic_error&)
+  {
+    end = 0;
+  }
+  if (end == 0 || end != text.size() || !std::isfinite(value))
+  {
+    throw UsageError(option + " wants a number, not '" + text + "'");
+  }
+  return value;
+}
+
+int ToInteger(const std::string& option, const std::string& text, int lowest, int highest)
+{
+  const double value = ToNumber(option, text);
+  if (value != std::floor(value) || value < lowest || value > highest)
+  {
+    throw UsageError(option + " wants a whole number from " + std::to_string(lowest) + " to " +
+      std::to_string(highest) + ", not '" + text + "'");
+  }
+  return static_cast<int>(value);
+}
+
+// One of two words: whether it is the second.
+bool IsSecond(const std::string& option, const std::string& text, const std::string& first,
+  const std::string& second)
+{
+  if (text != first && text != second)
+  {
+    throw UsageError(option + " wants " + first + " or " + second + ", not '" + text + "'");
+  }
+  return text == second;
+}
+
+void ToSize(const std::string& option, const std::string& text, int size[2])
+{
+  const std::size_t cross = text.find('x');
+  if (cross == std::string::npos)
+  {
+    throw UsageError(option + " wants WIDTHxHEIGHT, not '" + text + "'");
+  }
+  size[0] = ToInteger(option, text.substr(0, cross), 1, LargestSize);
+  size[1] = ToInteger(option, text.substr(cross + 1), 1, LargestSize);
+}
+
+std::string ToFileName(
+  const std::string& option, const std::string& text, const std::string& extension)
+{
+  if (text.size() <= extension.size() ||
+    text.compare(text.size() - extension.size(), extension.size(), extension) != 0)
+  {
+    throw UsageError(option + " wants the name of a " + extension + " file, not '" + text + "'");
+  }
+  return text;
+}
+}
+
+//------------------------------------------------------------------------------
+ViewerOptions ParseOptions(int argc, char* argv[])
+{
+  ViewerOptions options;
+  const std::map<std::string, std::function<void()>> flags = {
+    { "--help", [&] { options.Help = true; } },
+    { "-h", [&] { options.Help = true; } },
+    { "--stats", [&] { options.Statistics = true; } },
+    { "--wireframe", [&] { options.Wireframe = true; } },
+  };
+  using Setter = std::function<void(const std::string& option, const std::string& value)>;
+  const std::map<std::string, Setter> settings = {
+    { "--exaggeration",
+      [&](const auto& option, const auto& value)
+      { options.Exaggeration = ToNumber(option, value); } },
+    { "--export",
+      [&](const auto& option, const auto& value)
+      { options.Export = ToFileName(option, value, ".vtp"); } },
+    { "--imagery", [&](const auto&, const auto& value) { options.Imagery = value; } },
+    { "--max-level",
+      [&](const auto& option, const auto& value)
+      { options.MaximumLevel = ToInteger(option, value, 0, HighestLevel); } },
+    { "--metric",
+      [&](const auto& option, const auto& value)
+      {
+        options.Metric = IsSecond(option, value, "distance", "curvature")
+          ? ViewerOptions::MetricType::Curvature
+          : ViewerOptions::MetricType::Distance;
+      } },
+    { "--no-data",
+      [&](const auto& option, const auto& value)
+      { options.FillNoData = IsSecond(option, value, "hole", "fill"); } },
+    { "--output",
+      [&](const auto& option, const auto& value)
+      { options.Output = ToFileName(option, value, ".png"); } },
+    { "--resolution",
+      [&](const auto& option, const auto& value)
+      { options.Resolution = ToInteger(option, value, 1, LargestResolution); } },
+    { "--size",
+      [&](const auto& option, const auto& value) { ToSize(option, value, options.Size); } },
+  };
+
+  for (int i = 1; i < argc; ++i)
+  {
+    std::string argument = argv[i];
+    const auto flag = flags.find(argument);
+    if (flag != flags.end())
+    {
+      flag->second();
+      continue;
+    }
+    if (argument.size() < 2 || argument[0] != '-')
+    {
+      if (!options.HeightMap.empty())
+      {
+        throw UsageError(
+          "one height map, please: '" + options.HeightMap + "' or '" + argument + "'");
+      }
+      options.HeightMap = argument;
+      continue;
+    }
+    // --option VALUE or --option=VALUE
+    const std::size_t equals = argument.find('=');
+    const std::string option = argument.substr(0, equals);
+    const auto setting = settings.find(option);
+    if (setting == settings.end())
+    {
+      throw UsageError("unknown option '" + option + "'");
+    }
+    if (equals == std::string::npos && i + 1 == argc)
+    {
+      throw UsageError(option + " wants a value");
+    }
+    setting->second(option, equals == std::string::npos ? argv[++i] : argument.substr(equals + 1));
+  }
+  if (options.HeightMap.empty() && !options.Help)
+  {
+    throw UsageError("which height map?");
+  }
+  return options;
+}
+
+//------------------------------------------------------------------------------
+const char* GetUsage()
+{
+  return R"(relevo-view HEIGHTMAP [options]
+
+Draws a height map (GeoTIFF, SRTM .hgt, USGS DEM, PNG, OpenEXR ...), refined where it matters:
+a window when there is a display, a picture with --output.
+
+  --imagery FILE         drape a georeferenced picture over it; else colours show the height
+  --exaggeration X       factor on heights (default 1)
+  --resolution N         coarse faces along the longer side (default: the terrain source's)
+  --max-level N          deepest refinement, 0 to 7: an edge has up to 2^N segments (default 5)
+  --metric distance|curvature
+                         refine what is near the camera (default), or what is strongly curved
+  --no-data hole|fill    leave out what has no data (default), or fill it in smoothly
+  --wireframe            draw the edges of the refined triangles
+  --stats                print faces, triangles, draw calls, graphics memory and frame time
+  --size WxH             of the picture or the window, in pixels (default 1280x800)
+  --output FILE.png      write a picture and leave; needs no display
+  --export FILE.vtp      write the displaced refined mesh (metres: x east, y north, z up) and leave
+  --help                 this text
+
+In the window: left button turns, middle or shift + left moves, right or wheel zooms, w and s
+switch wireframe and surface, r resets the view, q leaves.
+
+Exit codes: 0 success, 1 bad input, 2 bad usage.
+)";
+}

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @brief   what relevo-view is asked to do
+ */
+#ifndef ViewerOptions_h
+#define ViewerOptions_h
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+struct ViewerOptions
+{
+  enum class MetricType
+  {
+    Distance,
+    Curvature
+  };
+
+  std::string HeightMap;
+  std::string Imagery;
+  double Exaggeration = 1.0;
+  int MaximumLevel = 5;
+  MetricType Metric = MetricType::Distance;
+  std::optional<int> Resolution;
+  bool FillNoData = false;
+  bool Wireframe = false;
+  bool Statistics = false;
+  int Size[2] = { 1280, 800 };
+  std::string Output;
+  std::string Export;
+  bool Help = false;
+};
+
+/// Bad usage: what is wrong with the arguments.
+struct UsageError : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// Throws UsageError.
+ViewerOptions ParseOptions(int argc, char* argv[]);
+
+/// The text of --help.
+const char* GetUsage();
+
+#endif

@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+# Every C++ file follows .clang-format.
+set -euo pipefail
+cd "$1"
+if ! command -v clang-format >/dev/null; then
+  echo "skipped: no clang-format"
+  exit 125
+fi
+if git rev-parse --is-inside-work-tree >/dev/null 2>&1; then
+  git ls-files -z '*.h' '*.cxx'
+else
+  find Examples Filters Rendering Testing \( -name '*.h' -o -name '*.cxx' \) -print0
+fi | xargs -0 clang-format --dry-run -Werror

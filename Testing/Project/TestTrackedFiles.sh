@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+# No file names a folder of somebody's machine, a mirror of packages, or is large.
+set -euo pipefail
+cd "$1"
+if ! git rev-parse --is-inside-work-tree >/dev/null 2>&1; then
+  echo "skipped: not a git checkout"
+  exit 125
+fi
+failed=0
+report() {
+  echo "$1"
+  failed=1
+}
+
+# Written so that this file does not match itself.
+folders='(^|[^A-Za-z0-9_.}~-])/(home|root|work|tmp|Users|mnt|media)/[A-Za-z0-9]'
+hosts='https?://[a-z0-9.-]*(deb[.]debian|snapshot[.]debian|archive[.]ubuntu|pypi|pythonhosted|npmjs|crates[.]io|proxy[.]golang)'
+while IFS= read -r -d '' file; do
+  if [ ! -f "$file" ]; then
+    continue
+  fi
+  if [ "$(stat -c %s "$file")" -gt 1000000 ]; then
+    report "$file: larger than 1 MB"
+  fi
+  if grep -InE "$folders|$hosts" "$file" /dev/null; then
+    report "$file: a path or host that is not everybody's"
+  fi
+  case $file in
+    *.h | *.cxx)
+      if ! grep -q 'SPDX-License-Identifier: BSD-3-Clause' "$file"; then
+        report "$file: no SPDX-License-Identifier"
+      fi
+      ;;
+  esac
+done < <(git ls-files -z)
+exit $failed
