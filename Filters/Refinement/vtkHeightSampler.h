@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeightSampler
- * @brief   the shared height functions over an up-to-date vtkHeightField
+ * @brief   the shared height functions over an up-to-date vtkHeightField, or none
  *
  * Private to the module's own sources.
  */
@@ -16,17 +16,24 @@ namespace relevo
 {
 struct HeightSampler
 {
+  /// No field is a field of one zero.
   explicit HeightSampler(vtkHeightField* field)
-    : Samples(field->GetSamples())
-    , Validity(field->GetValidity())
   {
-    int dimensions[2];
-    field->GetDimensions(dimensions);
-    this->Size = ivec2(dimensions[0], dimensions[1]);
+    if (field)
+    {
+      int dimensions[2];
+      field->GetDimensions(dimensions);
+      this->Size = ivec2(dimensions[0], dimensions[1]);
+      this->Samples = field->GetSamples();
+      this->Validity = field->GetValidity();
+    }
   }
 
   size_t index(ivec2 texel) const { return static_cast<size_t>(texel.y) * this->Size.x + texel.x; }
-  float heightTexel(ivec2 texel) const { return this->Samples[this->index(texel)]; }
+  float heightTexel(ivec2 texel) const
+  {
+    return this->Samples ? this->Samples[this->index(texel)] : 0.0f;
+  }
   float validTexel(ivec2 texel) const
   {
     return this->Validity && !this->Validity[this->index(texel)] ? 0.0f : 1.0f;
@@ -35,9 +42,9 @@ struct HeightSampler
 
 #include "glsl/relevoHeight.glsl"
 
-  const float* Samples;
-  const unsigned char* Validity;
-  ivec2 Size;
+  const float* Samples = nullptr;
+  const unsigned char* Validity = nullptr;
+  ivec2 Size = ivec2(1);
 };
 }
 

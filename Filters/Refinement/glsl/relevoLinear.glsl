@@ -1,0 +1,7 @@
+// The linear surface: P = P0 w0 + P1 w1 + P2 w2 (Lenz 2009, eq. 3.4).
+// The including side provides vec3 cornerPoint(int), corners sorted.
+
+RELEVO_FUNCTION vec3 surfacePosition(vec3 w)
+{
+  return weightedSum(cornerPoint(0), cornerPoint(1), cornerPoint(2), w);
+}

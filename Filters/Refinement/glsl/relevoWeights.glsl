@@ -1,0 +1,45 @@
+// Barycentric weights of a face's corners, sorted by place: one source for the shaders and for C++.
+//
+// Corners are sorted so that the two ends of an edge come in the same order in every face that
+// shares it, and sums run over the sorted corners from left to right. On an edge the term of the
+// corner opposite is an exact zero, which leaves a sum unchanged wherever it stands: both faces
+// compute the same bits.
+
+// Weights of the sorted corners from a pattern vertex (u, v, w). Codes 0 to 5 name the
+// permutations: the lowest bit swaps u and v, then the other two rotate to the left by 0, 1 or 2.
+RELEVO_FUNCTION vec3 permuteWeights(vec3 uvw, int code)
+{
+  vec3 w = (code & 1) != 0 ? vec3(uvw.y, uvw.x, uvw.z) : uvw;
+  return code >= 4 ? vec3(w.z, w.x, w.y) : (code >= 2 ? vec3(w.y, w.z, w.x) : w);
+}
+
+RELEVO_FUNCTION vec3 weightedSum(vec3 a, vec3 b, vec3 c, vec3 w)
+{
+  precise vec3 sum = a * w.x;
+  sum += b * w.y;
+  sum += c * w.z;
+  return sum;
+}
+
+RELEVO_FUNCTION vec2 weightedSum(vec2 a, vec2 b, vec2 c, vec3 w)
+{
+  precise vec2 sum = a * w.x;
+  sum += b * w.y;
+  sum += c * w.z;
+  return sum;
+}
+
+RELEVO_FUNCTION vec4 weightedSum(vec4 a, vec4 b, vec4 c, vec3 w)
+{
+  precise vec4 sum = a * w.x;
+  sum += b * w.y;
+  sum += c * w.z;
+  return sum;
+}
+
+// The unit vector of v, or the zero vector.
+RELEVO_FUNCTION vec3 unitVector(vec3 v)
+{
+  float squared = dot(v, v);
+  return squared > 0.0f ? v / sqrt(squared) : v;
+}

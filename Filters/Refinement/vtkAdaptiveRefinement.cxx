@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkAdaptiveRefinement.h"
+
+#include "vtkDepthTagMetric.h"
+#include "vtkDisplacement.h"
+#include "vtkObjectFactory.h"
+#include "vtkRefinementPatternTable.h"
+#include "vtkRefinementSurface.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkAdaptiveRefinement);
+
+vtkAdaptiveRefinement::vtkAdaptiveRefinement()
+{
+  this->PatternTable = vtkSmartPointer<vtkRefinementPatternTable>::New();
+}
+
+vtkAdaptiveRefinement::~vtkAdaptiveRefinement() = default;
+
+void vtkAdaptiveRefinement::SetMaximumLevel(int level)
+{
+  if (level < 0 || level > vtkRefinementPatternTable::HighestLevel)
+  {
+    vtkErrorMacro("MaximumLevel must be in [0, " << vtkRefinementPatternTable::HighestLevel
+                                                 << "], got " << level << ".");
+    return;
+  }
+  if (this->PatternTable->GetMaximumLevel() != level)
+  {
+    this->PatternTable->SetMaximumLevel(level);
+    this->Modified();
+  }
+}
+
+int vtkAdaptiveRefinement::GetMaximumLevel()
+{
+  return this->PatternTable->GetMaximumLevel();
+}
+
+void vtkAdaptiveRefinement::SetDepthTagArrayName(const char* name)
+{
+  const std::string value = name ? name : "";
+  if (this->DepthTagArrayName != value)
+  {
+    this->DepthTagArrayName = value;
+    this->Modified();
+  }
+}
+
+const char* vtkAdaptiveRefinement::GetDepthTagArrayName()
+{
+  return this->DepthTagArrayName.c_str();
+}
+
+void vtkAdaptiveRefinement::SetMetric(vtkDepthTagMetric* metric)
+{
+  if (this->Metric != metric)
+  {
+    this->Metric = metric;
+    this->Modified();
+  }
+}
+
+vtkDepthTagMetric* vtkAdaptiveRefinement::GetMetric()
+{
+  return this->Metric;
+}
+
+void vtkAdaptiveRefinement::SetSurface(vtkRefinementSurface* surface)
+{
+  if (this->Surface != surface)
+  {
+    this->Surface = surface;
+    this->Modified();
+  }
+}
+
+vtkRefinementSurface* vtkAdaptiveRefinement::GetSurface()
+{
+  return this->Surface;
+}
+
+void vtkAdaptiveRefinement::SetDisplacement(vtkDisplacement* displacement)
+{
+  if (this->Displacement != displacement)
+  {
+    this->Displacement = displacement;
+    this->Modified();
+  }
+}
+
+vtkDisplacement* vtkAdaptiveRefinement::GetDisplacement()
+{
+  return this->Displacement;
+}
+
+vtkRefinementPatternTable* vtkAdaptiveRefinement::GetPatternTable()
+{
+  return this->PatternTable;
+}
+
+vtkMTimeType vtkAdaptiveRefinement::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  for (vtkObject* part :
+    { static_cast<vtkObject*>(this->Metric), static_cast<vtkObject*>(this->Surface),
+      static_cast<vtkObject*>(this->Displacement) })
+  {
+    time = part ? std::max(time, part->GetMTime()) : time;
+  }
+  return time;
+}
+
+void vtkAdaptiveRefinement::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MaximumLevel: " << this->PatternTable->GetMaximumLevel() << "\n";
+  os << indent << "DepthTagArrayName: " << this->DepthTagArrayName << "\n";
+  os << indent << "Metric: " << this->Metric.Get() << "\n";
+  os << indent << "Surface: " << this->Surface.Get() << "\n";
+  os << indent << "Displacement: " << this->Displacement.Get() << "\n";
+}

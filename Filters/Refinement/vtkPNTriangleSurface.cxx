@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPNTriangleSurface.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkSurfaceCorners.h"
+
+#include "relevoNormalLinear.h"
+#include "relevoNormalQuadratic.h"
+#include "relevoPNTriangle.h"
+
+namespace relevo
+{
+struct PNTriangle : SurfaceCorners
+{
+#include "glsl/relevoPNTriangle.glsl"
+};
+
+struct LinearNormals : SurfaceCorners
+{
+#include "glsl/relevoNormalLinear.glsl"
+};
+
+struct QuadraticNormals : SurfaceCorners
+{
+#include "glsl/relevoNormalQuadratic.glsl"
+};
+
+void store(const vec3& v, float* out)
+{
+  out[0] = v.x;
+  out[1] = v.y;
+  out[2] = v.z;
+}
+}
+
+vtkStandardNewMacro(vtkPNTriangleSurface);
+
+vtkPNTriangleSurface::vtkPNTriangleSurface() = default;
+vtkPNTriangleSurface::~vtkPNTriangleSurface() = default;
+
+void vtkPNTriangleSurface::ComputeEdgeVectors(const float aPoint[3], const float aNormal[3],
+  const float bPoint[3], const float bNormal[3], float* vectors)
+{
+  using relevo::SurfaceCorners;
+  const glm::vec3 a = SurfaceCorners::load(aPoint);
+  const glm::vec3 b = SurfaceCorners::load(bPoint);
+  const glm::vec3 na = SurfaceCorners::load(aNormal);
+  const glm::vec3 nb = SurfaceCorners::load(bNormal);
+  const glm::vec3 edge = b - a;
+  // On a straight edge the thirds themselves: (2 a + b) / 3 without its rounding.
+  relevo::store(a + (edge - glm::dot(edge, na) * na) / 3.0f, vectors);
+  relevo::store(b - (edge - glm::dot(edge, nb) * nb) / 3.0f, vectors + 3);
+  if (this->QuadraticNormals)
+  {
+    const float squared = glm::dot(edge, edge);
+    const float v = squared > 0.0f ? 2.0f * glm::dot(edge, na + nb) / squared : 0.0f;
+    relevo::store(relevo::unitVector(na + nb - v * edge), vectors + 6);
+  }
+}
+
+void vtkPNTriangleSurface::ComputeFacePositions(
+  const float points[9], const float* edgePositions[3], float* positions)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    float edges = 0.0f;
+    for (int edge = 0; edge < 3; ++edge)
+    {
+      edges += edgePositions[edge][i] + edgePositions[edge][3 + i];
+    }
+    edges /= 6.0f;
+    const float corners = (points[i] + points[3 + i] + points[6 + i]) / 3.0f;
+    positions[i] = edges + 0.5f * (edges - corners);
+  }
+}
+
+void vtkPNTriangleSurface::Evaluate(
+  const Face& face, const float weights[3], float position[3], float normal[3])
+{
+  const int vectorsPerEdge = 2 + this->GetNumberOfEdgeNormals();
+  const relevo::SurfaceCorners corners{ face, vectorsPerEdge };
+  const glm::vec3 w = relevo::SurfaceCorners::load(weights);
+  relevo::store(relevo::PNTriangle{ corners }.surfacePosition(w), position);
+  relevo::store(this->QuadraticNormals ? relevo::QuadraticNormals{ corners }.surfaceNormal(w)
+                                       : relevo::LinearNormals{ corners }.surfaceNormal(w),
+    normal);
+}
+
+std::string vtkPNTriangleSurface::GetShaderSource()
+{
+  return std::string(relevoPNTriangle) +
+    (this->QuadraticNormals ? relevoNormalQuadratic : relevoNormalLinear);
+}
+
+void vtkPNTriangleSurface::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "QuadraticNormals: " << (this->QuadraticNormals ? "On\n" : "Off\n");
+}

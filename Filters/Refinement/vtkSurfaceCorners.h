@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSurfaceCorners
+ * @brief   what the shared surface functions ask of their including side, in C++
+ *
+ * Private to the module's own sources.
+ */
+#ifndef vtkSurfaceCorners_h
+#define vtkSurfaceCorners_h
+
+#include "vtkRefinementMathematics.h"
+#include "vtkRefinementSurface.h"
+
+namespace relevo
+{
+#include "glsl/relevoWeights.glsl"
+
+struct SurfaceCorners
+{
+  static vec3 load(const float* v) { return vec3(v[0], v[1], v[2]); }
+
+  vec3 cornerPoint(int i) const { return load(this->Face.Points[i]); }
+  vec3 cornerNormal(int i) const { return load(this->Face.Normals[i]); }
+  vec3 edgeVector(int edge, int k) const
+  {
+    return load(this->Face.Vectors + 3 * (edge * this->VectorsPerEdge + k));
+  }
+  vec3 faceVector(int k) const
+  {
+    return load(this->Face.Vectors + 3 * (3 * this->VectorsPerEdge + k));
+  }
+
+  const vtkRefinementSurface::Face& Face;
+  int VectorsPerEdge;
+};
+}
+
+#endif
