@@ -4,17 +4,30 @@
 
 #include <cpl_error.h>
 
+#include <algorithm>
+
 namespace relevo
 {
 namespace
 {
-void CPL_STDCALL Collect(CPLErr severity, CPLErrorNum, const char* message)
+// Each level of GDAL reports the same failure with more context: a message replaces what it quotes.
+void CPL_STDCALL Collect(CPLErr severity, CPLErrorNum, const char* text)
 {
-  auto* text = static_cast<std::string*>(CPLGetErrorHandlerUserData());
-  if (severity >= CE_Failure && text->find(message) == std::string::npos)
+  if (severity < CE_Failure)
   {
-    *text += (text->empty() ? "" : "; ") + std::string(message);
+    return;
   }
+  std::string message(text);
+  while (!message.empty() && (message.back() == '.' || message.back() == '\n'))
+  {
+    message.pop_back();
+  }
+  auto* messages = static_cast<std::vector<std::string>*>(CPLGetErrorHandlerUserData());
+  messages->erase(
+    std::remove_if(messages->begin(), messages->end(),
+      [&](const std::string& earlier) { return message.find(earlier) != std::string::npos; }),
+    messages->end());
+  messages->push_back(message);
 }
 }
 
@@ -22,7 +35,7 @@ GDALSession::GDALSession()
 {
   static const bool registered = (GDALAllRegister(), true);
   static_cast<void>(registered);
-  CPLPushErrorHandlerEx(&Collect, &this->Text);
+  CPLPushErrorHandlerEx(&Collect, &this->Collected);
 }
 
 GDALSession::~GDALSession()
@@ -32,6 +45,11 @@ GDALSession::~GDALSession()
 
 std::string GDALSession::Messages(const std::string& fallback) const
 {
-  return this->Text.empty() ? fallback : this->Text;
+  std::string text;
+  for (const std::string& message : this->Collected)
+  {
+    text += (text.empty() ? "" : "; ") + message;
+  }
+  return text.empty() ? fallback : text;
 }
 }

@@ -13,6 +13,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace relevo
 {
@@ -32,7 +33,7 @@ private:
   GDALSession(const GDALSession&) = delete;
   void operator=(const GDALSession&) = delete;
 
-  std::string Text;
+  std::vector<std::string> Collected;
 };
 
 struct GDALCloser

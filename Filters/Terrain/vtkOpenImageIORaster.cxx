@@ -119,11 +119,13 @@ bool OpenImageIORaster::ReadRows(int first, int count, void* samples, std::strin
         0, 1, this->Implementation->Format, samples)
     : input.read_scanlines(
         0, 0, begin, begin + count, spec.z, 0, 1, this->Implementation->Format, samples);
-  if (read)
+  // Truncated strips are reported, yet the call may succeed (OpenImageIO 2.4).
+  if (read && !input.has_error())
   {
     return true;
   }
-  error = input.geterror();
+  const std::string messages = input.geterror();
+  error = messages.substr(0, messages.find('\n'));
   return this->Alternative && this->Alternative->ReadRows(first, count, samples, error);
 }
 }

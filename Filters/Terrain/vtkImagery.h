@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkImagery
+ * @brief   a picture brought onto a terrain's texture coordinates
+ *
+ * Private to the module's own sources.
+ */
+#ifndef vtkImagery_h
+#define vtkImagery_h
+
+#include "vtkGeoreference.h"
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace relevo
+{
+/**
+ * RGB pixels over (u, v) in [0, 1]^2 of a terrain, row 0 at v = 0.
+ */
+struct Imagery
+{
+  int Width = 0;
+  int Height = 0;
+  std::vector<unsigned char> Pixels; // 3 per pixel
+};
+
+struct ImagerySource
+{
+  std::string FileName;
+  std::array<int, 3> Bands; ///< from 1; all 0: by the file's own declaration
+  int MaximumSize;          ///< of the result, per side
+};
+
+/// What stands where a picture has no data.
+constexpr unsigned char NeutralGrey = 128;
+
+/// Told the share done; returns false to stop.
+using ImageryProgress = std::function<bool(double)>;
+
+/**
+ * Resamples a picture by its own georeference to the terrain's footprint, at about its own
+ * resolution; one without georeference, or for a terrain without, is stretched over the footprint.
+ * False, and why in `error`, when there is nothing to drape; false with an empty error when
+ * stopped.
+ */
+bool DrapeImagery(const ImagerySource& source, const Georeference& terrain, Imagery& result,
+  const ImageryProgress& progress, std::string& error);
+}
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkTerrainFrame
+ * @brief   from a raster's coordinates to metres about its centre
+ *
+ * Private to the module's own sources.
+ */
+#ifndef vtkTerrainFrame_h
+#define vtkTerrainFrame_h
+
+#include "vtkGeoreference.h"
+
+#include <array>
+#include <memory>
+
+namespace relevo
+{
+/**
+ * Terrain coordinates: x east, y north, origin at the raster's centre.
+ *
+ * Longitude and latitude: GeographicLib::LocalCartesian at the centre and height 0, on the
+ * coordinate system's ellipsoid. Lengths: differences from the centre, in metres. No georeference:
+ * differences in texels.
+ */
+class TerrainFrame
+{
+public:
+  explicit TerrainFrame(const Georeference& location);
+  ~TerrainFrame();
+
+  /// The centre in the raster's coordinates.
+  const std::array<double, 2>& GetCenter() const { return this->Center; }
+
+  /**
+   * The place of (u, v). False where the tangent plane no longer is a map of the ellipsoid: near
+   * and beyond the horizon, about 84 degrees from the centre.
+   */
+  bool Place(double u, double v, std::array<double, 2>& place) const;
+
+private:
+  struct Tangent;
+
+  Georeference Location;
+  std::array<double, 2> Center;
+  std::unique_ptr<Tangent> Frame; // for longitude and latitude only
+};
+}
+
+#endif

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkTerrainSource
+ * @brief   coarse mesh, displacement and texture of a georeferenced height map
+ *
+ * The output covers the raster from pixel edge to pixel edge with a grid of triangles at z = 0,
+ * counter-clockwise from above, with point normals ("Normals", +z) and texture coordinates
+ * ("TextureCoordinates", u east, v north, [0, 1]^2). The relief itself is GetDisplacement(), for
+ * vtkAdaptiveRefinement::SetDisplacement: z = height x Exaggeration.
+ *
+ * Points are in terrain coordinates: metres, x east, y north, from the raster's centre. Longitude
+ * and latitude: GeographicLib::LocalCartesian at the centre, height 0, on the ellipsoid of the
+ * coordinate system; only x and y follow it, z counts from the ellipsoid, so that the earth's
+ * curvature is left out of z. Projected and local systems: metres of the system minus the centre
+ * (other linear units, and heights in a declared other unit, are converted to metres). No
+ * georeference: one texel is one unit, and so is one unit of height. A raster one texel wide or
+ * high gives a strip of that width. The mesh's points follow the raster's grid exactly; between
+ * them the map is linear.
+ *
+ * No data: with the policy Hole (default) faces without any sample that has data are left out, and
+ * the displacement leaves out refined triangles over no data; with Fill all are kept, at heights
+ * interpolated from around.
+ *
+ * Imagery: GetImagery() is ready for vtkTexture (EdgeClampOn, InterpolateOn): it is resampled by
+ * its own georeference and coordinate system to the terrain's footprint, at about its own
+ * resolution, up to MaximumImagerySize. Where it has no data, or does not reach, it is neutral grey
+ * (128, 128, 128). A picture without georeference, or on a terrain without, is stretched over the
+ * whole footprint. Where only one of the two names its coordinate system they count as being in the
+ * same.
+ *
+ * Errors (ErrorEvent of this object, empty output): those of vtkHeightMap; a raster in geocentric
+ * coordinates; one in degrees that reaches beyond the horizon of its centre (about 84 degrees away:
+ * project it first); imagery that is missing, unreadable, does not overlap the terrain or lacks the
+ * chosen bands. Builds without GDAL read no georeference: a warning says so.
+ *
+ * @sa vtkHeightMap vtkDisplacement vtkAdaptiveRefinement
+ */
+#ifndef vtkTerrainSource_h
+#define vtkTerrainSource_h
+
+#include "RelevoFiltersTerrainModule.h" // for export macro
+#include "vtkNew.h"                     // for the height map
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkTimeStamp.h" // for the imagery's cache
+
+#include <string> // for the coordinate system
+
+class vtkDisplacement;
+class vtkHeightMap;
+class vtkImageData;
+namespace relevo
+{
+struct Georeference;
+class TerrainFrame;
+}
+
+class RELEVOFILTERSTERRAIN_EXPORT vtkTerrainSource : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkTerrainSource* New();
+  vtkTypeMacro(vtkTerrainSource, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The raster file, of any format that vtkHeightMap reads.
+   */
+  virtual void SetFileName(VTK_FILEPATH const char* fileName);
+  virtual VTK_FILEPATH char* GetFileName();
+  ///@}
+
+  ///@{
+  /**
+   * The picture to drape over the terrain; none by default.
+   */
+  vtkSetFilePathMacro(ImageryFileName);
+  vtkGetFilePathMacro(ImageryFileName);
+  ///@}
+
+  ///@{
+  /**
+   * The bands of the imagery, counted from 1, that are red, green and blue. (0, 0, 0), the default:
+   * those that the file declares so, else the first three, or the first alone as grey. Bytes are
+   * taken as they are, georeferenced imagery of other types is stretched from its smallest to its
+   * largest value.
+   */
+  vtkSetVector3Macro(ImageryBands, int);
+  vtkGetVector3Macro(ImageryBands, int);
+  ///@}
+
+  ///@{
+  /**
+   * The most pixels the resampled imagery may have per side, default 4096, at least 1.
+   */
+  vtkSetClampMacro(MaximumImagerySize, int, 1, 65536);
+  vtkGetMacro(MaximumImagerySize, int);
+  ///@}
+
+  ///@{
+  /**
+   * Squares of two coarse faces along the longer side, default 128, at least 1, at most one per
+   * texel; the shorter side has as many as keep them about square.
+   */
+  vtkSetClampMacro(Resolution, int, 1, VTK_INT_MAX);
+  vtkGetMacro(Resolution, int);
+  ///@}
+
+  ///@{
+  /**
+   * Factor on the heights, default 1. Not finite: error.
+   */
+  virtual void SetExaggeration(double exaggeration);
+  vtkGetMacro(Exaggeration, double);
+  ///@}
+
+  ///@{
+  /**
+   * A sample value that means "no data", besides what the file declares; see
+   * vtkHeightMap::SetNoDataValue.
+   */
+  virtual void SetNoDataValue(double value);
+  virtual double GetNoDataValue();
+  ///@}
+
+  ///@{
+  /**
+   * Leave out (vtkDisplacement::HOLE, default) or fill (vtkDisplacement::FILL) what has no data.
+   */
+  virtual void SetNoDataPolicy(int policy);
+  virtual int GetNoDataPolicy();
+  void SetNoDataPolicyToHole();
+  void SetNoDataPolicyToFill();
+  ///@}
+
+  /**
+   * The relief: direction +z, Scale = Exaggeration (times the metres in the heights' unit),
+   * Offset 0. The same object from the start.
+   */
+  vtkDisplacement* GetDisplacement();
+
+  /**
+   * The heights. With SetImageData, and no file name, they come from memory.
+   */
+  vtkHeightMap* GetHeightMap();
+
+  /**
+   * The imagery over the terrain's texture coordinates, RGB, unsigned char; filled by Update().
+   * nullptr without ImageryFileName.
+   */
+  vtkImageData* GetImagery();
+
+  ///@{
+  /**
+   * The raster's centre in its own coordinates (for longitude and latitude, in that order), z = 0;
+   * in texels without georeference. After Update().
+   */
+  vtkGetVector3Macro(Origin, double);
+  ///@}
+
+  /**
+   * The raster's coordinate system as WKT, "" when it is not known. After Update().
+   */
+  const char* GetCoordinateSystem();
+
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkTerrainSource();
+  ~vtkTerrainSource() override;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  char* ImageryFileName;
+  int ImageryBands[3];
+  int MaximumImagerySize;
+  int Resolution;
+  double Exaggeration;
+  double Origin[3];
+
+private:
+  vtkTerrainSource(const vtkTerrainSource&) = delete;
+  void operator=(const vtkTerrainSource&) = delete;
+
+  bool Locate(relevo::Georeference& location, double& verticalUnit, std::string& error);
+  bool BuildMesh(const relevo::TerrainFrame& frame, vtkPolyData* output, std::string& error);
+  bool UpdateImagery(const relevo::Georeference& location, std::string& error);
+  void ForwardError(vtkObject* caller, unsigned long event, void* message);
+  void ForwardProgress(vtkObject* caller, unsigned long event, void* progress);
+
+  vtkNew<vtkHeightMap> HeightMap;
+  vtkNew<vtkDisplacement> Displacement;
+  vtkNew<vtkImageData> Imagery;
+  std::string CoordinateSystem;
+  double VerticalUnit; // metres in one unit of the heights
+  vtkTimeStamp ImageryTime;
+  std::string ImageryState; // the settings that the imagery was made with
+};
+
+#endif
