@@ -1,0 +1,591 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkCurvatureDepthTagMetric against values by hand, analytic surfaces and vtkCurvatures.
+#include "RelevoCheck.h"
+
+#include "vtkCellArray.h"
+#include "vtkCurvatureDepthTagMetric.h"
+#include "vtkCurvatures.h"
+#include "vtkDoubleArray.h"
+#include "vtkFeatureEdges.h"
+#include "vtkFloatArray.h"
+#include "vtkLinearSubdivisionFilter.h"
+#include "vtkMath.h"
+#include "vtkPLYReader.h"
+#include "vtkPlatonicSolidSource.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRefinementView.h"
+#include "vtkReverseSense.h"
+#include "vtkStripper.h"
+#include "vtkTransform.h"
+#include "vtkTransformPolyDataFilter.h"
+
+#include <algorithm>
+#include <functional>
+#include <initializer_list>
+#include <limits>
+#include <set>
+#include <vector>
+
+namespace
+{
+using Mesh = vtkSmartPointer<vtkPolyData>;
+const double Pi = vtkMath::Pi();
+
+Mesh MakeMesh(std::initializer_list<std::vector<double>> coordinates,
+  std::initializer_list<std::vector<vtkIdType>> polygons)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const auto& x : coordinates)
+  {
+    points->InsertNextPoint(x.data());
+  }
+  vtkNew<vtkCellArray> cells;
+  for (const auto& polygon : polygons)
+  {
+    cells->InsertNextCell(static_cast<vtkIdType>(polygon.size()), polygon.data());
+  }
+  auto mesh = Mesh::New();
+  mesh->SetPoints(points);
+  mesh->SetPolys(cells);
+  return mesh;
+}
+
+// A grid of columns x rows quads over [0, 1]^2; closed meshes repeat the points of their seams.
+Mesh MakeGrid(
+  int columns, int rows, const std::function<void(double u, double v, double x[3])>& map)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  for (int row = 0; row <= rows; ++row)
+  {
+    for (int column = 0; column <= columns; ++column)
+    {
+      double x[3];
+      map(static_cast<double>(column) / columns, static_cast<double>(row) / rows, x);
+      const vtkIdType id = points->InsertNextPoint(x);
+      if (column < columns && row < rows)
+      {
+        const vtkIdType quad[4] = { id, id + 1, id + columns + 2, id + columns + 1 };
+        cells->InsertNextCell(4, quad);
+      }
+    }
+  }
+  auto mesh = Mesh::New();
+  mesh->SetPoints(points);
+  mesh->SetPolys(cells);
+  return mesh;
+}
+
+// The seams' points are the same to the bit.
+Mesh MakeTorus(double ringRadius, double radius, int columns, int rows)
+{
+  return MakeGrid(columns, rows,
+    [=](double u, double v, double x[3])
+    {
+      const double a = 2 * Pi * std::fmod(u, 1.0);
+      const double b = 2 * Pi * std::fmod(v, 1.0);
+      x[0] = (ringRadius + radius * std::cos(b)) * std::cos(a);
+      x[1] = (ringRadius + radius * std::cos(b)) * std::sin(a);
+      x[2] = radius * std::sin(b);
+    });
+}
+
+Mesh MakeSphere(double radius, int subdivisions)
+{
+  vtkNew<vtkPlatonicSolidSource> solid;
+  solid->SetSolidTypeToIcosahedron();
+  vtkNew<vtkLinearSubdivisionFilter> subdivision;
+  subdivision->SetInputConnection(solid->GetOutputPort());
+  subdivision->SetNumberOfSubdivisions(subdivisions);
+  subdivision->Update();
+  auto mesh = Mesh::New();
+  mesh->CopyStructure(subdivision->GetOutput());
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (vtkIdType id = 0; id < mesh->GetNumberOfPoints(); ++id)
+  {
+    double x[3];
+    mesh->GetPoint(id, x);
+    vtkMath::Normalize(x);
+    vtkMath::MultiplyScalar(x, radius);
+    points->InsertNextPoint(x);
+  }
+  mesh->SetPoints(points);
+  // VTK's icosahedron faces inwards.
+  vtkNew<vtkReverseSense> outwards;
+  outwards->SetInputData(mesh);
+  outwards->Update();
+  return outwards->GetOutput();
+}
+
+std::vector<double> Curvatures(vtkPolyData* mesh, int type)
+{
+  vtkNew<vtkCurvatureDepthTagMetric> metric;
+  metric->SetCurvatureType(type);
+  vtkNew<vtkDoubleArray> curvatures;
+  metric->ComputeCurvatures(mesh, curvatures);
+  return { curvatures->GetPointer(0), curvatures->GetPointer(0) + curvatures->GetNumberOfTuples() };
+}
+
+std::vector<double> Gaussian(vtkPolyData* mesh)
+{
+  return Curvatures(mesh, vtkCurvatureDepthTagMetric::GAUSSIAN);
+}
+
+std::vector<double> Mean(vtkPolyData* mesh)
+{
+  return Curvatures(mesh, vtkCurvatureDepthTagMetric::MEAN);
+}
+
+double LargestError(
+  const std::vector<double>& values, const std::function<double(size_t)>& expected)
+{
+  double error = 0.0;
+  for (size_t i = 0; i < values.size(); ++i)
+  {
+    error = std::max(error, std::abs(values[i] - expected(i)));
+  }
+  return error;
+}
+
+double LargestDifference(const std::vector<double>& a, const std::vector<double>& b)
+{
+  return a.size() == b.size() ? LargestError(a, [&b](size_t i) { return b[i]; })
+                              : std::numeric_limits<double>::infinity();
+}
+
+void TestByHand(RelevoCheck& check)
+{
+  // Octahedron: four angles of 60 degrees and a third of four equilateral triangles at each point.
+  auto octahedron =
+    MakeMesh({ { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 } },
+      { { 0, 2, 4 }, { 2, 1, 4 }, { 1, 3, 4 }, { 3, 0, 4 }, { 2, 0, 5 }, { 1, 2, 5 }, { 3, 1, 5 },
+        { 0, 3, 5 } });
+  const double area = 4.0 * (std::sqrt(3.0) / 2.0) / 3.0;
+  CHECK_NEAR(
+    LargestError(Gaussian(octahedron), [=](size_t) { return (2 * Pi / 3) / area; }), 0.0, 1e-12);
+  CHECK_NEAR(LargestError(Mean(octahedron), [](size_t) { return 1.0; }), 0.0, 1e-12);
+
+  // Turned inside out: Gaussian stays, mean changes its sign.
+  octahedron->BuildCells();
+  for (vtkIdType cell = 0; cell < 8; ++cell)
+  {
+    octahedron->ReverseCell(cell);
+  }
+  CHECK_NEAR(LargestError(Mean(octahedron), [](size_t) { return -1.0; }), 0.0, 1e-12);
+
+  // A flat pyramid, obtuse at its apex: half of each triangle is the apex's. The border takes the
+  // apex's value.
+  const double h = 0.1;
+  auto pyramid = MakeMesh(
+    { { 1, 0, 0 }, { -0.5, std::sqrt(0.75), 0 }, { -0.5, -std::sqrt(0.75), 0 }, { 0, 0, h } },
+    { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } });
+  const double side = 1.0 + h * h;
+  const double angle = std::acos((-0.5 + h * h) / side);
+  const double face = 0.5 * side * std::sin(angle);
+  const double cotangent = std::cos(0.5 * (Pi - angle)) / std::sin(0.5 * (Pi - angle));
+  // Three edges, each seen by two base angles; the edges sum to (0, 0, 3 h).
+  const double mean = 2 * cotangent * 3 * h / (4 * 1.5 * face);
+  CHECK_NEAR(
+    LargestError(Gaussian(pyramid), [=](size_t) { return (2 * Pi - 3 * angle) / (1.5 * face); }),
+    0.0, 1e-12);
+  CHECK_NEAR(LargestError(Mean(pyramid), [=](size_t) { return mean; }), 0.0, 1e-12);
+
+  // Obtuse elsewhere: a quarter of such a triangle. A saddle of four points around the middle.
+  auto saddle = MakeMesh({ { 0, 0, 0 }, { 4, 0, 1 }, { 0, 1, -1 }, { -4, 0, 1 }, { 0, -1, -1 } },
+    { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 4 }, { 0, 4, 1 } });
+  const double a = std::acos(-1.0 / std::sqrt(17.0 * 2.0)); // obtuse at the middle after all
+  const double triangle = 0.5 * std::sqrt(34.0) * std::sin(a);
+  CHECK_NEAR(Gaussian(saddle)[0], (2 * Pi - 4 * a) / (2 * triangle), 1e-12);
+  auto roof = MakeMesh({ { 0, 0, 1 }, { 1, 0, 0 }, { 1.2, 0.2, -3 }, { -1, 1, 0 }, { -1, -1, 0 } },
+    { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 4 }, { 0, 4, 1 } });
+  double sum = 0.0;
+  double mixed = 0.0;
+  for (vtkIdType cell = 0; cell < 4; ++cell)
+  {
+    vtkIdList* ids = roof->GetCell(cell)->GetPointIds();
+    double x[3][3];
+    double length[3]; // opposite to each corner
+    for (int i = 0; i < 3; ++i)
+    {
+      roof->GetPoint(ids->GetId(i), x[i]);
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+      length[i] = std::sqrt(vtkMath::Distance2BetweenPoints(x[(i + 1) % 3], x[(i + 2) % 3]));
+    }
+    double angles[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      const double b = length[(i + 1) % 3];
+      const double c = length[(i + 2) % 3];
+      angles[i] = std::acos((b * b + c * c - length[i] * length[i]) / (2 * b * c));
+    }
+    const double whole = 0.5 * length[1] * length[2] * std::sin(angles[0]);
+    sum += angles[0];
+    mixed += angles[0] > Pi / 2                 ? whole / 2
+      : std::max(angles[1], angles[2]) > Pi / 2 ? whole / 4
+                                                : (length[1] * length[1] / std::tan(angles[1]) +
+                                                    length[2] * length[2] / std::tan(angles[2])) /
+        8;
+  }
+  CHECK_NEAR(Gaussian(roof)[0], (2 * Pi - sum) / mixed, 1e-12);
+}
+
+void TestAnalytic(RelevoCheck& check)
+{
+  const double r = 2.0;
+  double previous[2] = { 1.0, 1.0 };
+  for (int subdivisions : { 2, 3, 4 })
+  {
+    auto sphere = MakeSphere(r, subdivisions);
+    const double gaussian =
+      LargestError(Gaussian(sphere), [=](size_t) { return 1 / (r * r); }) * r * r;
+    const double mean = LargestError(Mean(sphere), [=](size_t) { return 1 / r; }) * r;
+    std::cout << "sphere, " << sphere->GetNumberOfPolys() << " triangles: largest relative error "
+              << gaussian << " (Gaussian), " << mean << " (mean)\n";
+    CHECK(gaussian < 0.05 && mean < 0.02);
+    CHECK(gaussian < previous[0] && mean < previous[1]);
+    previous[0] = gaussian;
+    previous[1] = mean;
+  }
+
+  // A torus has every sign of Gaussian curvature; its seams are split points.
+  const double ring = 3.0;
+  const double tube = 1.0;
+  auto torus = MakeTorus(ring, tube, 180, 60);
+  const auto angle = [](size_t id) { return 2 * Pi * static_cast<double>(id / 181) / 60; };
+  const double gaussian = LargestError(Gaussian(torus),
+    [=](size_t id) { return std::cos(angle(id)) / (tube * (ring + tube * std::cos(angle(id)))); });
+  const double mean = LargestError(Mean(torus),
+    [=](size_t id)
+    {
+      return (ring + 2 * tube * std::cos(angle(id))) /
+        (2 * tube * (ring + tube * std::cos(angle(id))));
+    });
+  std::cout << "torus: largest error " << gaussian << " of 0.5 (Gaussian), " << mean
+            << " of 0.625 (mean)\n";
+  CHECK(gaussian < 0.005 && mean < 0.005);
+
+  // Borders: an open cylinder and half a sphere are curved up to their rims.
+  auto cylinder = MakeGrid(90, 20,
+    [](double u, double v, double x[3])
+    {
+      x[0] = 2 * std::cos(2 * Pi * std::fmod(u, 1.0));
+      x[1] = 2 * std::sin(2 * Pi * std::fmod(u, 1.0));
+      x[2] = 3 * v;
+    });
+  CHECK_NEAR(LargestError(Gaussian(cylinder), [](size_t) { return 0.0; }), 0.0, 1e-9);
+  CHECK_NEAR(LargestError(Mean(cylinder), [](size_t) { return 0.25; }), 0.0, 1e-3);
+  auto cap = MakeGrid(40, 40,
+    [](double u, double v, double x[3])
+    {
+      x[0] = 0.6 * (2 * u - 1);
+      x[1] = 0.6 * (2 * v - 1);
+      x[2] = std::sqrt(1.0 - x[0] * x[0] - x[1] * x[1]);
+    });
+  CHECK_NEAR(LargestError(Gaussian(cap), [](size_t) { return 1.0; }), 0.0, 0.05);
+  CHECK_NEAR(LargestError(Mean(cap), [](size_t) { return 1.0; }), 0.0, 0.05);
+}
+
+// Polygons, strips, split points and the order of cells do not matter.
+void TestRepresentations(RelevoCheck& check)
+{
+  auto torus = MakeTorus(3.0, 1.0, 30, 20);
+  const auto gaussian = Gaussian(torus);
+  const auto mean = Mean(torus);
+
+  vtkNew<vtkPolyData> fans;
+  fans->SetPoints(torus->GetPoints());
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType cell = 0; cell < torus->GetNumberOfCells(); ++cell)
+  {
+    vtkNew<vtkIdList> ids;
+    torus->GetCellPoints(cell, ids);
+    const vtkIdType fan[2][3] = { { ids->GetId(0), ids->GetId(1), ids->GetId(2) },
+      { ids->GetId(0), ids->GetId(2), ids->GetId(3) } };
+    cells->InsertNextCell(3, fan[0]);
+    cells->InsertNextCell(3, fan[1]);
+  }
+  fans->SetPolys(cells);
+  CHECK_NEAR(LargestDifference(Gaussian(fans), gaussian), 0.0, 1e-11);
+  CHECK_NEAR(LargestDifference(Mean(fans), mean), 0.0, 1e-11);
+
+  vtkNew<vtkStripper> stripper;
+  stripper->SetInputData(fans);
+  stripper->Update();
+  vtkPolyData* strips = stripper->GetOutput();
+  CHECK(strips->GetNumberOfStrips() > 0 && strips->GetNumberOfPolys() < 100);
+  CHECK_NEAR(LargestDifference(Gaussian(strips), gaussian), 0.0, 1e-11);
+  CHECK_NEAR(LargestDifference(Mean(strips), mean), 0.0, 1e-11);
+
+  // Every triangle with points of its own.
+  vtkNew<vtkPolyData> soup;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> own;
+  std::vector<double> expected;
+  for (vtkIdType cell = 0; cell < fans->GetNumberOfCells(); ++cell)
+  {
+    vtkNew<vtkIdList> ids;
+    fans->GetCellPoints(cell, ids);
+    own->InsertNextCell(3);
+    for (vtkIdType id : { ids->GetId(0), ids->GetId(1), ids->GetId(2) })
+    {
+      own->InsertCellPoint(points->InsertNextPoint(fans->GetPoint(id)));
+      expected.push_back(mean[id]);
+    }
+  }
+  soup->SetPoints(points);
+  soup->SetPolys(own);
+  CHECK_NEAR(LargestDifference(Mean(soup), expected), 0.0, 1e-11);
+}
+
+void TestVtkCurvatures(RelevoCheck& check)
+{
+  const char* data = std::getenv("RELEVO_TEST_DATA");
+  const std::string bunny = data ? std::string(data) + "/mesh/bunny.ply" : std::string();
+  vtkNew<vtkPLYReader> reader;
+  if (data && vtkPLYReader::CanReadFile(bunny.c_str()))
+  {
+    reader->SetFileName(bunny.c_str());
+    reader->Update();
+  }
+  vtkSmartPointer<vtkPolyData> mesh = reader->GetOutput();
+  if (mesh->GetNumberOfPolys() == 0)
+  {
+    std::cout << "no bunny.ply: a sphere instead\n";
+    mesh = MakeSphere(1.0, 3);
+  }
+
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(mesh);
+  edges->FeatureEdgesOff();
+  edges->ManifoldEdgesOff();
+  edges->ColoringOff();
+  edges->Update();
+  std::set<std::vector<double>> open;
+  for (vtkIdType id = 0; id < edges->GetOutput()->GetNumberOfPoints(); ++id)
+  {
+    const double* x = edges->GetOutput()->GetPoint(id);
+    open.insert({ x[0], x[1], x[2] });
+  }
+  mesh->BuildLinks();
+  std::vector<vtkIdType> inner;
+  for (vtkIdType id = 0; id < mesh->GetNumberOfPoints(); ++id)
+  {
+    const double* x = mesh->GetPoint(id);
+    vtkNew<vtkIdList> cells;
+    mesh->GetPointCells(id, cells);
+    if (cells->GetNumberOfIds() > 0 && !open.count({ x[0], x[1], x[2] }))
+    {
+      inner.push_back(id);
+    }
+  }
+  CHECK(inner.size() > 600);
+
+  // vtkCurvatures divides the same angle defect by a third of the triangles' area; the mixed area
+  // is between a quarter and half of each.
+  vtkNew<vtkCurvatures> reference;
+  reference->SetInputData(mesh);
+  reference->SetCurvatureTypeToGaussian();
+  reference->Update();
+  vtkDataArray* referenceGaussian =
+    reference->GetOutput()->GetPointData()->GetArray("Gauss_Curvature");
+  const auto gaussian = Gaussian(mesh);
+  size_t within = 0;
+  std::vector<double> magnitudes;
+  for (vtkIdType id : inner)
+  {
+    const double expected = referenceGaussian->GetComponent(id, 0);
+    const double slack = 1e-6 * std::abs(expected);
+    const double low = std::min(expected * 2 / 3, expected * 4 / 3) - slack;
+    const double high = std::max(expected * 2 / 3, expected * 4 / 3) + slack;
+    within += gaussian[id] >= low && gaussian[id] <= high ? 1 : 0;
+  }
+  std::cout << within << " of " << inner.size() << " Gaussian curvatures within vtkCurvatures' "
+            << "bounds\n";
+  CHECK(within == inner.size());
+
+  // Its mean curvature comes from the angles between triangles: equal in the limit only.
+  reference->SetCurvatureTypeToMean();
+  reference->Update();
+  vtkDataArray* referenceMean = reference->GetOutput()->GetPointData()->GetArray("Mean_Curvature");
+  const auto mean = Mean(mesh);
+  double products[3] = { 0.0, 0.0, 0.0 };
+  std::vector<double> ratios;
+  for (vtkIdType id : inner)
+  {
+    const double expected = referenceMean->GetComponent(id, 0);
+    products[0] += mean[id] * expected;
+    products[1] += mean[id] * mean[id];
+    products[2] += expected * expected;
+    ratios.push_back(mean[id] / expected);
+  }
+  std::nth_element(ratios.begin(), ratios.begin() + ratios.size() / 2, ratios.end());
+  const double correlation = products[0] / std::sqrt(products[1] * products[2]);
+  std::cout << "mean curvature: correlation with vtkCurvatures " << correlation
+            << ", median of the ratios " << ratios[ratios.size() / 2] << "\n";
+  CHECK(correlation > 0.9);
+  CHECK_NEAR(ratios[ratios.size() / 2], 1.0, 0.1);
+}
+
+void TestTags(RelevoCheck& check)
+{
+  vtkNew<vtkCurvatureDepthTagMetric> metric;
+  vtkNew<vtkFloatArray> tags;
+  vtkNew<vtkDoubleArray> curvatures;
+  const vtkRefinementView view;
+  CHECK(!metric->IsViewDependent());
+  CHECK(metric->GetCurvatureType() == vtkCurvatureDepthTagMetric::GAUSSIAN);
+
+  // Linear between the thresholds, clamped outside, for the absolute value.
+  auto torus = MakeTorus(3.0, 1.0, 60, 40);
+  metric->SetMinimumCurvature(0.1);
+  metric->SetMaximumCurvature(0.3);
+  metric->ComputeCurvatures(torus, curvatures);
+  CHECK(std::string(curvatures->GetName()) == "Gauss_Curvature");
+  CHECK(metric->ComputeTags(torus, view, 6, tags));
+  double error = 0.0;
+  std::set<float> ends;
+  for (vtkIdType id = 0; id < torus->GetNumberOfPoints(); ++id)
+  {
+    const double k = std::abs(curvatures->GetValue(id));
+    const double level = 6.0 * std::min(std::max((k - 0.1) / 0.2, 0.0), 1.0);
+    error = std::max(error, std::abs(tags->GetValue(id) - level));
+    ends.insert(tags->GetValue(id));
+  }
+  CHECK_NEAR(error, 0.0, 1e-5);
+  CHECK(*ends.begin() == 0.0f && *ends.rbegin() == 6.0f && ends.size() > 10);
+  metric->SetCurvatureTypeToMean();
+  metric->ComputeCurvatures(torus, curvatures);
+  CHECK(std::string(curvatures->GetName()) == "Mean_Curvature");
+  CHECK_NEAR(curvatures->GetValue(0), 0.625, 0.01);
+  metric->SetMaximumCurvature(0.1); // a step
+  CHECK(metric->ComputeTags(torus, view, 6, tags));
+  CHECK(tags->GetRange()[0] == 6.0);
+
+  // Automatic thresholds: a sphere is curved everywhere, a plane nowhere, however it lies.
+  metric->SetMinimumCurvature(0.0);
+  metric->SetMaximumCurvature(0.0);
+  vtkNew<vtkTransform> transform;
+  transform->RotateX(37.0);
+  transform->RotateZ(11.0);
+  vtkNew<vtkTransformPolyDataFilter> turned;
+  turned->SetTransform(transform);
+  turned->SetOutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION);
+  turned->SetInputData(MakeGrid(200, 100,
+    [](double u, double v, double x[3])
+    {
+      x[0] = 40 * u + 3 * std::sin(5 * v);
+      x[1] = 20 * v;
+      x[2] = 0.0;
+    }));
+  turned->Update();
+  for (int type : { vtkCurvatureDepthTagMetric::GAUSSIAN, vtkCurvatureDepthTagMetric::MEAN })
+  {
+    metric->SetCurvatureType(type);
+    CHECK(metric->ComputeTags(turned->GetOutput(), view, 7, tags));
+    CHECK(tags->GetNumberOfTuples() == 201 * 101 && tags->GetRange()[1] < 0.5);
+    CHECK(metric->ComputeTags(MakeSphere(10.0, 3), view, 7, tags));
+    CHECK(tags->GetRange()[0] > 6.0 && tags->GetRange()[1] == 7.0);
+    // Only the few corners of a box are curved; the flat rest is left alone.
+    CHECK(metric->ComputeTags(torus, view, 7, tags));
+    CHECK(tags->GetRange()[0] < 3.5 && tags->GetRange()[1] == 7.0);
+  }
+
+  // What was computed is kept until the mesh changes.
+  auto sphere = MakeSphere(1.0, 2);
+  metric->SetCurvatureTypeToMean();
+  metric->ComputeCurvatures(sphere, curvatures);
+  const double before = curvatures->GetValue(0);
+  sphere->GetPoints()->SetPoint(0, 0, 0, 0);
+  metric->ComputeCurvatures(sphere, curvatures);
+  CHECK(curvatures->GetValue(0) == before);
+  sphere->GetPoints()->Modified();
+  metric->ComputeCurvatures(sphere, curvatures);
+  CHECK(curvatures->GetValue(0) != before);
+}
+
+void TestBadInput(RelevoCheck& check)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  vtkNew<vtkCurvatureDepthTagMetric> metric;
+  vtkNew<vtkFloatArray> tags;
+  const vtkRefinementView view;
+
+  // Repeated points, no area, an edge of three triangles, lone and broken points, cells of one and
+  // two points, and ids that do not exist.
+  auto broken = MakeMesh(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 1 }, { 2, 0, 0 }, { nan, 0, 0 },
+      { 0, infinity, 0 }, { 1e200, 1e200, 0 }, { 0, 0, 0 }, { 1e-200, 0, 0 }, { 0, 1e-200, 0 } },
+    { { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 4 }, { 0, 1, 1 }, { 0, 1, 5 }, { 1, 2, 6 }, { 1, 2, 7 },
+      { 2, 3, 8 }, { 9, 2, 3 }, { 0, 0, 0 }, { 0, 10, 11 }, { 1 }, { 1, 2 }, { 1, 2, 99 },
+      { 1, 2, -5 }, { 0, 1, 2, 3, 4, 5, 6 } });
+  for (int type : { vtkCurvatureDepthTagMetric::GAUSSIAN, vtkCurvatureDepthTagMetric::MEAN })
+  {
+    metric->SetCurvatureType(type);
+    for (double value : Curvatures(broken, type))
+    {
+      CHECK(std::isfinite(value));
+    }
+    CHECK(metric->ComputeTags(broken, view, 5, tags));
+    for (vtkIdType id = 0; id < tags->GetNumberOfTuples(); ++id)
+    {
+      CHECK(tags->GetValue(id) >= 0.0f && tags->GetValue(id) <= 5.0f);
+    }
+    CHECK(tags->GetValue(6) == 0.0f && tags->GetValue(7) == 0.0f);
+  }
+  // A triangle of no area inside a plane is no bump.
+  auto plane = MakeGrid(4, 4,
+    [](double u, double v, double x[3])
+    {
+      x[0] = u;
+      x[1] = v;
+      x[2] = 0.0;
+    });
+  const vtkIdType flat[3] = { 6, 7, 8 };
+  plane->GetPolys()->InsertNextCell(3, flat);
+  CHECK_NEAR(LargestError(Gaussian(plane), [](size_t) { return 0.0; }), 0.0, 1e-12);
+
+  vtkNew<vtkPolyData> empty;
+  CHECK(metric->ComputeTags(empty, view, 5, tags) && tags->GetNumberOfTuples() == 0);
+  auto cloud = MakeMesh({ { 0, 0, 0 }, { 1, 0, 0 } }, {});
+  CHECK(metric->ComputeTags(cloud, view, 5, tags) && tags->GetRange()[1] == 0.0);
+
+  RelevoErrors errors(metric);
+  metric->SetCurvatureTypeToMean();
+  metric->SetCurvatureType(2);
+  CHECK(errors.Said("CurvatureType 2"));
+  CHECK(metric->GetCurvatureType() == vtkCurvatureDepthTagMetric::MEAN);
+  for (double bad : { -1.0, nan, infinity })
+  {
+    metric->SetMinimumCurvature(bad);
+    CHECK(errors.Said("MinimumCurvature"));
+    metric->SetMaximumCurvature(bad);
+    CHECK(errors.Said("MaximumCurvature"));
+    CHECK(metric->GetMinimumCurvature() == 0.0 && metric->GetMaximumCurvature() == 0.0);
+  }
+  metric->SetMinimumCurvature(2.0);
+  metric->SetMaximumCurvature(1.0);
+  CHECK(!metric->ComputeTags(broken, view, 5, tags));
+  CHECK(errors.Said("above MaximumCurvature"));
+}
+}
+
+int TestCurvatureDepthTagMetric(int, char*[])
+{
+  RelevoCheck check;
+  TestByHand(check);
+  TestAnalytic(check);
+  TestRepresentations(check);
+  TestVtkCurvatures(check);
+  TestTags(check);
+  TestBadInput(check);
+  return check.GetResult();
+}

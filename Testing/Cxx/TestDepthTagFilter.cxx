@@ -1,0 +1,337 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkDepthTagFilter: levels by hand, what is passed through, when it runs again, errors.
+#include "RelevoCheck.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCurvatureDepthTagMetric.h"
+#include "vtkDepthTagFilter.h"
+#include "vtkDistanceDepthTagMetric.h"
+#include "vtkExecutive.h"
+#include "vtkFloatArray.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <initializer_list>
+#include <limits>
+#include <vector>
+
+namespace
+{
+vtkSmartPointer<vtkPolyData> MakeMesh(std::initializer_list<std::vector<double>> coordinates,
+  std::initializer_list<std::vector<vtkIdType>> polygons)
+{
+  vtkNew<vtkPoints> points;
+  for (const auto& x : coordinates)
+  {
+    points->InsertNextPoint(x.data());
+  }
+  vtkNew<vtkCellArray> cells;
+  for (const auto& polygon : polygons)
+  {
+    cells->InsertNextCell(static_cast<vtkIdType>(polygon.size()), polygon.data());
+  }
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(points);
+  mesh->SetPolys(cells);
+  return mesh;
+}
+
+void SetTags(vtkPolyData* mesh, std::initializer_list<float> values)
+{
+  vtkNew<vtkFloatArray> tags;
+  tags->SetName("DepthTag");
+  for (float value : values)
+  {
+    tags->InsertNextValue(value);
+  }
+  mesh->GetPointData()->AddArray(tags);
+}
+
+vtkFloatArray* Tags(vtkDepthTagFilter* filter)
+{
+  return vtkFloatArray::SafeDownCast(filter->GetOutput()->GetPointData()->GetArray("DepthTag"));
+}
+
+vtkIntArray* Levels(vtkDepthTagFilter* filter)
+{
+  return vtkIntArray::SafeDownCast(filter->GetOutput()->GetCellData()->GetArray("EdgeLevels"));
+}
+
+bool IsEmpty(vtkDepthTagFilter* filter)
+{
+  return filter->GetOutput()->GetNumberOfPoints() == 0 &&
+    filter->GetOutput()->GetNumberOfCells() == 0 &&
+    filter->GetOutput()->GetPointData()->GetNumberOfArrays() == 0;
+}
+
+bool HasLevels(vtkDepthTagFilter* filter, vtkIdType cell, int first, int second, int third)
+{
+  const int* levels = Levels(filter)->GetPointer(3 * cell);
+  return levels[0] == first && levels[1] == second && levels[2] == third;
+}
+
+void TestEdgeRule(RelevoCheck& check)
+{
+  // Means 0.5, 1.5 and 1 round half up to 1, 2 and 1; edges are P1P2, P2P3, P3P1.
+  auto mesh =
+    MakeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } }, { { 0, 1, 2 }, { 2, 1, 3 } });
+  vtkNew<vtkDepthTagFilter> filter;
+  filter->SetInputData(mesh);
+  filter->SetMaximumLevel(7);
+  SetTags(mesh, { 0.0f, 1.0f, 2.0f, 7.0f });
+  filter->Update();
+  CHECK(HasLevels(filter, 0, 1, 2, 1));
+  CHECK(HasLevels(filter, 1, 2, 4, 5)); // means 1.5, 4, 4.5
+  // The edge that both share has one level, from either side.
+  CHECK(Levels(filter)->GetValue(1) == Levels(filter)->GetValue(3));
+
+  // Just below a half rounds down, to the last bit.
+  const float below = std::nextafter(0.5f, 0.0f);
+  SetTags(mesh, { below, below, below, 3.0f });
+  filter->Update();
+  CHECK(HasLevels(filter, 0, 0, 0, 0));
+  CHECK(HasLevels(filter, 1, 0, 2, 2));
+
+  // Clamped to [0, MaximumLevel].
+  filter->SetMaximumLevel(3);
+  SetTags(mesh, { -1e30f, -2.0f, 3e38f, 3e38f });
+  filter->Update();
+  CHECK(Tags(filter)->GetValue(0) == 0.0f && Tags(filter)->GetValue(2) == 3.0f);
+  CHECK(HasLevels(filter, 0, 0, 2, 2));
+  CHECK(HasLevels(filter, 1, 2, 2, 3));
+
+  // Points at one place have one tag, the larger.
+  auto split =
+    MakeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 }, { -0.0, 1, 0 }, { 1, 1, 0 } },
+      { { 0, 1, 2 }, { 4, 3, 5 } });
+  SetTags(split, { 0.0f, 3.0f, 1.0f, 1.0f, 2.0f, 0.0f });
+  filter->SetInputData(split);
+  filter->Update();
+  for (int id : { 1, 3 })
+  {
+    CHECK(Tags(filter)->GetValue(id) == 3.0f);
+    CHECK(Tags(filter)->GetValue(id + 1) == 2.0f);
+  }
+  CHECK(HasLevels(filter, 0, 2, 3, 1));
+  CHECK(HasLevels(filter, 1, 3, 2, 1));
+}
+
+void TestPassThrough(RelevoCheck& check)
+{
+  auto mesh = MakeMesh(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } }, { { 0, 1, 3, 2 }, { 0, 1, 2 }, { 3 } });
+  vtkNew<vtkCellArray> verts;
+  verts->InsertNextCell({ 0 });
+  verts->InsertNextCell({ 1, 2 });
+  mesh->SetVerts(verts);
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 0, 1, 2 });
+  mesh->SetLines(lines);
+  vtkNew<vtkCellArray> strips;
+  strips->InsertNextCell({ 0, 1, 2, 3 });
+  mesh->SetStrips(strips);
+  vtkNew<vtkFloatArray> temperature;
+  temperature->SetName("Temperature");
+  temperature->SetNumberOfTuples(4);
+  temperature->FillValue(20.0f);
+  mesh->GetPointData()->SetScalars(temperature);
+  vtkNew<vtkIntArray> material;
+  material->SetName("Material");
+  material->SetNumberOfTuples(mesh->GetNumberOfCells());
+  material->FillValue(3);
+  mesh->GetCellData()->AddArray(material);
+  vtkNew<vtkIntArray> field;
+  field->SetName("Field");
+  mesh->GetFieldData()->AddArray(field);
+
+  vtkNew<vtkDistanceDepthTagMetric> metric;
+  metric->SetMaximumDistance(2.0);
+  vtkNew<vtkCamera> camera;
+  camera->SetPosition(0, 0, 0);
+  vtkNew<vtkDepthTagFilter> filter;
+  filter->SetInputData(mesh);
+  filter->SetMetric(metric);
+  filter->SetCamera(camera);
+  filter->SetMaximumLevel(4);
+  filter->Update();
+  vtkPolyData* output = filter->GetOutput();
+  CHECK(output->GetPoints() == mesh->GetPoints() && output->GetPolys() == mesh->GetPolys());
+  CHECK(output->GetNumberOfCells() == 7);
+  CHECK(output->GetPointData()->GetScalars() == temperature.Get());
+  CHECK(output->GetCellData()->GetArray("Material") == material.Get());
+  CHECK(output->GetFieldData()->GetArray("Field") == field.Get());
+  CHECK(mesh->GetPointData()->GetArray("DepthTag") == nullptr);
+
+  // Tags 4, 2, 2, 4 - 2 sqrt(2).
+  CHECK_NEAR(Tags(filter)->GetValue(0), 4.0, 1e-6);
+  CHECK_NEAR(Tags(filter)->GetValue(1), 2.0, 1e-6);
+  CHECK_NEAR(Tags(filter)->GetValue(3), 4.0 - 2.0 * std::sqrt(2.0), 1e-6);
+  CHECK(Levels(filter)->GetNumberOfTuples() == 7 && Levels(filter)->GetNumberOfComponents() == 3);
+  for (vtkIdType cell : { 0, 1, 2, 3, 5, 6 })
+  {
+    CHECK(HasLevels(filter, cell, -1, -1, -1));
+  }
+  CHECK(HasLevels(filter, 4, 3, 2, 3));
+
+  // A metric replaces tags that are there already.
+  vtkNew<vtkDepthTagFilter> second;
+  second->SetInputData(output);
+  second->SetMetric(metric);
+  second->SetMaximumLevel(2);
+  second->SetCamera(camera);
+  second->Update();
+  CHECK_NEAR(Tags(second)->GetValue(0), 2.0, 1e-6);
+}
+
+void TestUpdates(RelevoCheck& check)
+{
+  auto mesh = MakeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } });
+  vtkNew<vtkDistanceDepthTagMetric> distance;
+  distance->SetMaximumDistance(10.0);
+  vtkNew<vtkCurvatureDepthTagMetric> curvature;
+  vtkNew<vtkCamera> camera;
+  camera->SetPosition(0, 0, 1);
+  vtkNew<vtkDepthTagFilter> filter;
+  int runs = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&runs);
+  count->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
+  filter->AddObserver(vtkCommand::EndEvent, count);
+  filter->SetInputData(mesh);
+  filter->SetMetric(distance);
+  filter->SetCamera(camera);
+  filter->Update();
+  filter->Update();
+  CHECK(runs == 1);
+  const float before = Tags(filter)->GetValue(0);
+  camera->SetPosition(0, 0, 2);
+  filter->Update();
+  CHECK(runs == 2 && Tags(filter)->GetValue(0) < before);
+  distance->SetMaximumDistance(20.0);
+  filter->Update();
+  CHECK(runs == 3);
+  filter->SetViewportSize(640, 480);
+  filter->SetMaximumLevel(7);
+  filter->Update();
+  CHECK(runs == 4);
+  // What does not depend on the view does not run again when the camera moves.
+  filter->SetMetric(curvature);
+  filter->Update();
+  CHECK(runs == 5);
+  camera->SetPosition(0, 0, 3);
+  filter->Update();
+  CHECK(runs == 5);
+  curvature->SetCurvatureTypeToMean();
+  filter->Update();
+  CHECK(runs == 6);
+}
+
+void TestErrors(RelevoCheck& check)
+{
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  auto mesh = MakeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } });
+  vtkNew<vtkDistanceDepthTagMetric> distance;
+  vtkNew<vtkCurvatureDepthTagMetric> curvature;
+  vtkNew<vtkCamera> camera;
+  vtkNew<vtkDepthTagFilter> filter;
+  filter->SetInputData(mesh);
+  RelevoErrors errors(filter);
+  RelevoErrors executive(filter->GetExecutive());
+
+  // Neither metric nor array; a good run before leaves nothing behind.
+  filter->SetMetric(curvature);
+  filter->Update();
+  CHECK(errors.None() && Tags(filter)->GetNumberOfTuples() == 3);
+  filter->SetMetric(nullptr);
+  filter->Update();
+  CHECK(errors.Said("no metric"));
+  CHECK(IsEmpty(filter));
+
+  filter->SetMetric(distance);
+  filter->Update();
+  CHECK(errors.Said("SetCamera"));
+  CHECK(IsEmpty(filter));
+
+  // A metric that fails says why, and the filter says that it failed.
+  curvature->SetMinimumCurvature(1.0);
+  filter->SetMetric(curvature);
+  {
+    RelevoErrors metricErrors(curvature);
+    filter->Update();
+    CHECK(metricErrors.Said("MinimumCurvature"));
+  }
+  CHECK(errors.Said("vtkCurvatureDepthTagMetric"));
+  CHECK(IsEmpty(filter));
+
+  // Tags of the user's own that are not one finite number per point.
+  filter->SetMetric(nullptr);
+  SetTags(mesh, { 1.0f, 2.0f });
+  filter->Update();
+  CHECK(errors.Said("2 tuples"));
+  CHECK(IsEmpty(filter));
+  SetTags(mesh, { 1.0f, nan, 2.0f });
+  filter->Update();
+  CHECK(errors.Said("at point 1"));
+  CHECK(IsEmpty(filter));
+  SetTags(mesh, { 1.0f, 1.0f, 2.0f });
+  filter->Update();
+  CHECK(errors.None() && Tags(filter)->GetNumberOfTuples() == 3);
+
+  for (int bad : { -1, 8 })
+  {
+    filter->SetMaximumLevel(bad);
+    CHECK(errors.Said("MaximumLevel"));
+    CHECK(filter->GetMaximumLevel() == 5);
+  }
+  filter->SetViewportSize(0, 100);
+  CHECK(errors.Said("ViewportSize"));
+  CHECK(filter->GetViewportSize()[0] == 300 && filter->GetViewportSize()[1] == 300);
+
+  // Points that are not finite get level 0.
+  auto broken = MakeMesh(
+    { { 0, 0, 0 }, { nan, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } }, { { 0, 1, 2 }, { 0, 2, 3 } });
+  camera->SetPosition(0, 0, 0);
+  distance->SetMaximumDistance(10.0);
+  filter->SetInputData(broken);
+  filter->SetMetric(distance);
+  filter->SetCamera(camera);
+  filter->Update();
+  CHECK(errors.None());
+  CHECK(Tags(filter)->GetValue(0) == 5.0f && Tags(filter)->GetValue(1) == 0.0f);
+  CHECK(HasLevels(filter, 0, 3, 2, 5));
+
+  // An id that does not exist has no level.
+  filter->SetInputData(MakeMesh({ { 0, 0, 0 } }, { { 0, 1, 2 }, { 0, -1, 0 } }));
+  filter->Update();
+  CHECK(HasLevels(filter, 0, -1, -1, -1) && HasLevels(filter, 1, -1, -1, -1));
+
+  // Nothing in, nothing out, but the arrays are there.
+  vtkNew<vtkPolyData> empty;
+  filter->SetInputData(empty);
+  curvature->SetMinimumCurvature(0.0);
+  for (vtkDepthTagMetric* metric : std::vector<vtkDepthTagMetric*>{ distance, curvature })
+  {
+    filter->SetMetric(metric);
+    filter->Update();
+    CHECK(errors.None());
+    CHECK(Tags(filter) && Tags(filter)->GetNumberOfTuples() == 0);
+    CHECK(Levels(filter) && Levels(filter)->GetNumberOfTuples() == 0);
+  }
+}
+}
+
+int TestDepthTagFilter(int, char*[])
+{
+  RelevoCheck check;
+  TestEdgeRule(check);
+  TestPassThrough(check);
+  TestUpdates(check);
+  TestErrors(check);
+  return check.GetResult();
+}
