@@ -6,6 +6,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
+#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
@@ -245,10 +246,10 @@ std::string ReadBinary(
   return std::string();
 }
 
-/// Lets a reader's or writer's errors be told by who uses it.
-void CollectErrors(vtkObject* object, std::string& errors)
+/// An observer that appends errors to a string, for who uses a reader or writer to tell them.
+vtkSmartPointer<vtkCallbackCommand> NewErrorCollector(std::string& errors)
 {
-  vtkNew<vtkCallbackCommand> command;
+  auto command = vtkSmartPointer<vtkCallbackCommand>::New();
   command->SetClientData(&errors);
   command->SetCallback(
     [](vtkObject*, unsigned long, void* clientData, void* callData)
@@ -258,7 +259,7 @@ void CollectErrors(vtkObject* object, std::string& errors)
         static_cast<std::string*>(clientData)->append(static_cast<const char*>(callData));
       }
     });
-  object->AddObserver("ErrorEvent", command);
+  return command;
 }
 
 vtkSmartPointer<vtkIntArray> NewPatternArray()
@@ -316,7 +317,7 @@ std::string WriteVTP(
 
   std::string errors;
   vtkNew<vtkXMLPolyDataWriter> writer;
-  CollectErrors(writer, errors);
+  writer->AddObserver(vtkCommand::ErrorEvent, NewErrorCollector(errors));
   writer->SetFileName(fileName);
   writer->SetInputData(polyData);
   return writer->Write() && errors.empty() ? std::string()
@@ -329,7 +330,10 @@ std::string ReadVTP(
   const std::string name = fileName;
   std::string errors;
   vtkNew<vtkXMLPolyDataReader> reader;
-  CollectErrors(reader, errors);
+  auto collector = NewErrorCollector(errors);
+  reader->AddObserver(vtkCommand::ErrorEvent, collector);
+  reader->SetParserErrorObserver(collector);
+  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, collector);
   if (!reader->CanReadFile(fileName))
   {
     return name + " is not a VTK XML file of polygonal data.";
@@ -339,7 +343,7 @@ std::string ReadVTP(
   vtkPolyData* polyData = reader->GetOutput();
   if (!errors.empty() || reader->GetErrorCode() != 0)
   {
-    return name + " is damaged. " + errors;
+    return name + " is damaged. " + errors.substr(0, errors.find('\n'));
   }
   auto* barycentrics =
     vtkFloatArray::SafeDownCast(polyData->GetPointData()->GetArray("Barycentrics"));

@@ -1,0 +1,572 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkRefinementPatternTable: patterns are exact triangulations, permutations fit the levels asked
+// for, files come back as they were and damaged ones are refused.
+#include "RelevoCheck.h"
+
+#include "vtkCellArray.h"
+#include "vtkExecutive.h"
+#include "vtkFloatArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRefinementPattern.h"
+#include "vtkRefinementPatternSource.h"
+#include "vtkRefinementPatternTable.h"
+#include "vtkTestUtilities.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace
+{
+using Triple = std::array<float, 3>;
+using Side = std::pair<unsigned int, unsigned int>;
+
+Triple Weights(const vtkRefinementPattern& pattern, unsigned int vertex)
+{
+  const float* weights = &pattern.Vertices[3 * vertex];
+  return { weights[0], weights[1], weights[2] };
+}
+
+/// Twice the area in the triangle (0,0), (1,0), (0,1): exact for multiples of 2^-24.
+double Area(const Triple& a, const Triple& b, const Triple& c)
+{
+  return (static_cast<double>(b[1]) - a[1]) * (static_cast<double>(c[2]) - a[2]) -
+    (static_cast<double>(c[1]) - a[1]) * (static_cast<double>(b[2]) - a[2]);
+}
+
+/// Indices of the vertices on edge 1, 2 or 3, from corner to corner.
+std::vector<unsigned int> EdgeVertices(const vtkRefinementPattern& pattern, int edge)
+{
+  unsigned int next = 3;
+  for (int before = 0; before < edge; ++before)
+  {
+    next += pattern.Segments[before] - 1;
+  }
+  std::vector<unsigned int> vertices(1, edge);
+  for (int k = 1; k < pattern.Segments[edge]; ++k)
+  {
+    vertices.push_back(next++);
+  }
+  vertices.push_back((edge + 1) % 3);
+  return vertices;
+}
+
+void CheckVertices(RelevoCheck& check, const vtkRefinementPattern& pattern)
+{
+  const unsigned int count = pattern.GetNumberOfVertices();
+  std::set<Triple> places;
+  bool sums = true;
+  bool inside = true;
+  for (unsigned int vertex = 0; vertex < count; ++vertex)
+  {
+    const Triple w = Weights(pattern, vertex);
+    places.insert(w);
+    sums = sums && (w[0] + w[1]) + w[2] == 1.0f && (w[1] + w[2]) + w[0] == 1.0f &&
+      (w[2] + w[0]) + w[1] == 1.0f;
+    const bool isInner = static_cast<int>(vertex) >= pattern.GetNumberOfBorderVertices();
+    inside = inside && isInner == (w[0] > 0.0f && w[1] > 0.0f && w[2] > 0.0f);
+  }
+  CHECK(sums);
+  CHECK(inside);
+  CHECK(places.size() == count);
+
+  for (int edge = 0; edge < 3; ++edge)
+  {
+    const int n = pattern.Segments[edge];
+    const bool isDyadic = (n & (n - 1)) == 0;
+    const std::vector<unsigned int> vertices = EdgeVertices(pattern, edge);
+    for (int k = 0; k <= n; ++k)
+    {
+      const Triple w = Weights(pattern, vertices[k]);
+      const Triple mirror = Weights(pattern, vertices[n - k]);
+      const float far = w[(edge + 1) % 3];
+      CHECK(w[(edge + 2) % 3] == 0.0f);
+      CHECK(far == mirror[edge]);
+      CHECK_NEAR(far, static_cast<double>(k) / n, isDyadic ? 0.0 : 0x1p-25);
+    }
+  }
+}
+
+void CheckTriangles(RelevoCheck& check, const vtkRefinementPattern& pattern)
+{
+  std::map<Side, int> sides;
+  double area = 0.0;
+  bool positive = true;
+  for (std::size_t t = 0; t < pattern.Triangles.size(); t += 3)
+  {
+    const unsigned int* triangle = &pattern.Triangles[t];
+    for (int i = 0; i < 3; ++i)
+    {
+      if (!CHECK(static_cast<int>(triangle[i]) < pattern.GetNumberOfVertices()))
+      {
+        return;
+      }
+      ++sides[{ triangle[i], triangle[(i + 1) % 3] }];
+    }
+    const double triangleArea = Area(
+      Weights(pattern, triangle[0]), Weights(pattern, triangle[1]), Weights(pattern, triangle[2]));
+    positive = positive && triangleArea > 0.0;
+    area += triangleArea;
+  }
+  CHECK(positive);
+  CHECK(area == 1.0);
+
+  // Conforming: what is used in one direction only is the border, segment by segment.
+  std::set<Side> open;
+  std::set<Side> undirected;
+  bool once = true;
+  for (const auto& entry : sides)
+  {
+    const Side side = entry.first;
+    once = once && entry.second == 1;
+    undirected.insert(std::minmax(side.first, side.second));
+    if (!sides.count({ side.second, side.first }))
+    {
+      open.insert(side);
+    }
+  }
+  CHECK(once);
+  std::vector<Side> border;
+  for (int edge = 0; edge < 3; ++edge)
+  {
+    const std::vector<unsigned int> vertices = EdgeVertices(pattern, edge);
+    for (std::size_t k = 1; k < vertices.size(); ++k)
+    {
+      border.push_back({ vertices[k - 1], vertices[k] });
+    }
+  }
+  CHECK(open == std::set<Side>(border.begin(), border.end()));
+
+  std::set<Side> lines;
+  for (std::size_t l = 0; l < pattern.Lines.size(); l += 2)
+  {
+    lines.insert(std::minmax(pattern.Lines[l], pattern.Lines[l + 1]));
+  }
+  CHECK(2 * lines.size() == pattern.Lines.size());
+  CHECK(lines == undirected);
+  for (std::size_t l = 0; l < border.size(); ++l)
+  {
+    CHECK(Side(pattern.Lines[2 * l], pattern.Lines[2 * l + 1]) == border[l]);
+  }
+}
+
+template <typename Visitor>
+void ForEachLevels(int maximumLevel, Visitor&& visit)
+{
+  for (int i = 0; i <= maximumLevel; ++i)
+  {
+    for (int j = 0; j <= i; ++j)
+    {
+      for (int k = 0; k <= j; ++k)
+      {
+        visit(i, j, k);
+      }
+    }
+  }
+}
+
+void TestPatterns(RelevoCheck& check)
+{
+  vtkNew<vtkRefinementPatternTable> table;
+  auto checkPattern = [&](int n1, int n2, int n3)
+  {
+    const vtkRefinementPattern& pattern = table->GetPatternOfSegments(n1, n2, n3);
+    CHECK(pattern.Segments[0] == n1 && pattern.Segments[1] == n2 && pattern.Segments[2] == n3);
+    CheckVertices(check, pattern);
+    CheckTriangles(check, pattern);
+    CHECK(n1 != n3 || pattern.GetNumberOfTriangles() == n1 * n1);
+    CHECK(&pattern == &table->GetPatternOfSegments(n1, n2, n3));
+  };
+  int index = 0;
+  ForEachLevels(7,
+    [&](int i, int j, int k)
+    {
+      checkPattern(1 << i, 1 << j, 1 << k);
+      CHECK(vtkRefinementPatternTable::GetPatternIndex(i, j, k) == index++);
+    });
+  CHECK(index == 120);
+  for (int n1 = 1; n1 <= 10; ++n1)
+  {
+    for (int n2 = 1; n2 <= n1; ++n2)
+    {
+      for (int n3 = 1; n3 <= n2; ++n3)
+      {
+        checkPattern(n1, n2, n3);
+      }
+    }
+  }
+  checkPattern(128, 127, 3);
+  checkPattern(127, 127, 127);
+  checkPattern(101, 100, 99);
+  checkPattern(77, 1, 1);
+
+  RelevoErrors errors(table);
+  for (const auto& n :
+    { std::array<int, 3>{ 2, 4, 1 }, { 4, 1, 2 }, { 1, 1, 0 }, { 129, 1, 1 }, { -1, -2, -3 } })
+  {
+    const vtkRefinementPattern& instead = table->GetPatternOfSegments(n[0], n[1], n[2]);
+    CHECK(errors.Said("segments"));
+    CHECK(instead.GetNumberOfTriangles() == 1);
+  }
+}
+
+/// Number of points on each edge of a polydata in the triangle (0,0), (1,0), (0,1).
+std::array<int, 3> CountSegments(vtkPolyData* polyData)
+{
+  std::array<int, 3> segments = { -1, -1, -1 };
+  for (vtkIdType p = 0; p < polyData->GetNumberOfPoints(); ++p)
+  {
+    double x[3];
+    polyData->GetPoint(p, x);
+    segments[0] += x[1] == 0.0 ? 1 : 0;
+    segments[1] += x[0] + x[1] == 1.0 ? 1 : 0;
+    segments[2] += x[0] == 0.0 ? 1 : 0;
+  }
+  return segments;
+}
+
+void CheckPolyData(RelevoCheck& check, vtkPolyData* polyData)
+{
+  auto* weights = vtkFloatArray::SafeDownCast(polyData->GetPointData()->GetArray("Barycentrics"));
+  if (!CHECK(weights && weights->GetNumberOfComponents() == 3 &&
+        weights->GetNumberOfTuples() == polyData->GetNumberOfPoints()))
+  {
+    return;
+  }
+  for (vtkIdType p = 0; p < polyData->GetNumberOfPoints(); ++p)
+  {
+    float w[3];
+    weights->GetTypedTuple(p, w);
+    double x[3];
+    polyData->GetPoint(p, x);
+    CHECK(w[0] + w[1] + w[2] == 1.0f);
+    CHECK(x[0] == w[1] && x[1] == w[2] && x[2] == 0.0);
+  }
+  double area = 0.0;
+  polyData->BuildCells();
+  for (vtkIdType t = 0; t < polyData->GetNumberOfCells(); ++t)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    polyData->GetCellPoints(t, size, ids);
+    double a[3], b[3], c[3];
+    polyData->GetPoint(ids[0], a);
+    polyData->GetPoint(ids[1], b);
+    polyData->GetPoint(ids[2], c);
+    const double cross = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
+    CHECK(size == 3 && cross > 0.0);
+    area += cross;
+  }
+  CHECK(area == 1.0);
+}
+
+void TestPermutations(RelevoCheck& check)
+{
+  // The method's own examples (Lenz 2009, tab. 4.2).
+  const struct
+  {
+    int Levels[3];
+    int Lambda;
+    int Permutation[3];
+    bool Odd;
+  } rows[] = { { { 2, 1, 0 }, 0, { 0, 1, 2 }, false }, { { 1, 2, 0 }, 1, { 2, 1, 0 }, true },
+    { { 1, 1, 2 }, 2, { 0, 2, 1 }, true }, { { 2, 0, 1 }, 4, { 1, 0, 2 }, true },
+    { { 0, 2, 1 }, 5, { 2, 0, 1 }, false }, { { 1, 0, 2 }, 6, { 1, 2, 0 }, false },
+    { { 0, 1, 2 }, 7, { 0, 2, 1 }, true } };
+  for (const auto& row : rows)
+  {
+    int levels[3] = { row.Levels[0], row.Levels[1], row.Levels[2] };
+    CHECK(vtkRefinementPatternTable::Canonicalize(levels) == row.Lambda);
+    int permutation[3];
+    vtkRefinementPatternTable::GetPermutation(row.Lambda, permutation);
+    CHECK(std::equal(permutation, permutation + 3, row.Permutation));
+    CHECK(vtkRefinementPatternTable::IsOdd(row.Lambda) == row.Odd);
+  }
+
+  vtkNew<vtkRefinementPatternTable> table;
+  vtkNew<vtkPolyData> polyData;
+  std::set<int> lambdas;
+  for (int i = 0; i <= 4; ++i)
+  {
+    for (int j = 0; j <= 4; ++j)
+    {
+      for (int k = 0; k <= 4; ++k)
+      {
+        int levels[3] = { i, j, k };
+        lambdas.insert(vtkRefinementPatternTable::Canonicalize(levels));
+        CHECK(levels[0] >= levels[1] && levels[1] >= levels[2]);
+        CHECK(levels[0] + levels[1] + levels[2] == i + j + k);
+        CHECK(levels[0] == std::max({ i, j, k }) && levels[2] == std::min({ i, j, k }));
+        if (CHECK(table->GetPattern(i, j, k, polyData)))
+        {
+          CHECK(CountSegments(polyData) == (std::array<int, 3>{ 1 << i, 1 << j, 1 << k }));
+          CheckPolyData(check, polyData);
+        }
+      }
+    }
+  }
+  CHECK(lambdas == (std::set<int>{ 0, 1, 2, 4, 5, 6, 7 }));
+}
+
+void TestLevels(RelevoCheck& check)
+{
+  vtkNew<vtkRefinementPatternTable> table;
+  RelevoErrors errors(table);
+  CHECK(table->GetMaximumLevel() == 5 && table->GetNumberOfPatterns() == 56);
+  const int counts[] = { 1, 4, 10, 20, 35, 56, 84, 120 };
+  for (int level = 0; level <= 7; ++level)
+  {
+    table->SetMaximumLevel(level);
+    CHECK(table->GetNumberOfPatterns() == counts[level]);
+  }
+  CHECK(errors.None());
+  const vtkMTimeType time = table->GetMTime();
+  for (int level : { -1, 8, 1000 })
+  {
+    table->SetMaximumLevel(level);
+    CHECK(errors.Said("MaximumLevel"));
+  }
+  CHECK(table->GetMaximumLevel() == 7 && table->GetMTime() == time);
+
+  table->SetMaximumLevel(3);
+  vtkNew<vtkPolyData> polyData;
+  CHECK(!table->GetPattern(4, 0, 0, polyData) && errors.Said("[4, 0, 0]"));
+  CHECK(!table->GetPattern(0, -1, 0, polyData) && errors.Said("[0, -1, 0]"));
+  CHECK(!table->GetPattern(0, 0, 0, nullptr) && errors.Said("vtkPolyData"));
+
+  CHECK(table->GetMemorySize() == 0);
+  table->GetPattern(3, 3, 3, polyData);
+  const vtkTypeInt64 size = table->GetMemorySize();
+  // 45 vertices, 64 triangles and 108 lines.
+  CHECK(size >= 45 * 12 + 64 * 12 + 108 * 8 && size < 2 * (45 * 12 + 64 * 12 + 108 * 8));
+  table->GetPattern(3, 3, 2, polyData);
+  CHECK(table->GetMemorySize() > size);
+}
+
+void TestSource(RelevoCheck& check)
+{
+  vtkNew<vtkRefinementPatternSource> source;
+  RelevoErrors errors(source);
+  source->Update();
+  CHECK(source->GetOutput()->GetNumberOfCells() == 1);
+  source->SetLevels(1, 7, 3);
+  source->Update();
+  CHECK(CountSegments(source->GetOutput()) == (std::array<int, 3>{ 2, 128, 8 }));
+  CheckPolyData(check, source->GetOutput());
+  source->SetLevels(0, 8, 0);
+  CHECK(errors.Said("Levels"));
+  CHECK(source->GetLevels()[1] == 7);
+
+  vtkNew<vtkRefinementPatternTable> table;
+  source->SetTable(table);
+  {
+    RelevoErrors executiveErrors(source->GetExecutive());
+    source->Update();
+  }
+  CHECK(errors.Said("MaximumLevel"));
+  CHECK(source->GetOutput()->GetNumberOfPoints() == 0);
+  table->SetMaximumLevel(7);
+  source->Update();
+  CHECK(errors.None());
+  CHECK(source->GetOutput()->GetNumberOfPoints() > 0);
+}
+
+std::string Slurp(const std::string& fileName)
+{
+  std::ifstream file(fileName, std::ios::binary);
+  return { std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+}
+
+void Spill(const std::string& fileName, const std::string& bytes)
+{
+  std::ofstream file(fileName, std::ios::binary);
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+}
+
+bool IsSame(const vtkRefinementPattern& a, const vtkRefinementPattern& b)
+{
+  return std::equal(a.Segments, a.Segments + 3, b.Segments) && a.Vertices == b.Vertices &&
+    a.Triangles == b.Triangles && a.Lines == b.Lines;
+}
+
+void TestFile(RelevoCheck& check, const std::string& fileName)
+{
+  vtkNew<vtkRefinementPatternTable> written;
+  written->SetMaximumLevel(4);
+  CHECK(written->Write(fileName.c_str()));
+  vtkNew<vtkRefinementPatternTable> read;
+  RelevoErrors errors(read);
+  const vtkRefinementPattern& former = read->GetPatternOfSegments(8, 4, 1);
+  const vtkRefinementPattern copy = former;
+  const vtkMTimeType time = read->GetMTime();
+  CHECK(read->Read(fileName.c_str()));
+  CHECK(errors.None());
+  CHECK(read->GetMaximumLevel() == 4 && read->GetMTime() > time);
+  CHECK(IsSame(former, copy)); // references outlive Read()
+  ForEachLevels(4,
+    [&](int i, int j, int k)
+    {
+      CHECK(IsSame(written->GetPatternOfSegments(1 << i, 1 << j, 1 << k),
+        read->GetPatternOfSegments(1 << i, 1 << j, 1 << k)));
+    });
+}
+
+void TestBadFiles(RelevoCheck& check, const std::string& folder)
+{
+  vtkNew<vtkRefinementPatternTable> writer;
+  writer->SetMaximumLevel(2);
+  const std::string good = folder + "/RefinementPatterns.good";
+  CHECK(writer->Write(good.c_str()));
+  const std::string bytes = Slurp(good);
+  // Signature, version 1, MaximumLevel 2, ten patterns, the first of 1, 1, 1 segments.
+  const unsigned char head[] = { 'R', 'e', 'l', 'e', 'v', 'o', 'R', 'P', 1, 0, 0, 0, 2, 0, 0, 0, 10,
+    0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 3, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0x80, 0x3f };
+  CHECK(bytes.size() > sizeof(head) && std::memcmp(bytes.data(), head, sizeof(head)) == 0);
+
+  vtkNew<vtkRefinementPatternTable> table;
+  RelevoErrors errors(table);
+  const vtkRefinementPattern& before = table->GetPatternOfSegments(4, 2, 1);
+  const std::string bad = folder + "/RefinementPatterns.bad";
+  auto refuses = [&](const std::string& damaged, const std::string& words)
+  {
+    Spill(bad, damaged);
+    CHECK(!table->Read(bad.c_str()));
+    CHECK(errors.Said(words));
+    CHECK(errors.None());
+  };
+  auto with = [&](std::size_t place, std::uint32_t value)
+  {
+    std::string damaged = bytes;
+    for (int i = 0; i < 4; ++i)
+    {
+      damaged[place + i] = static_cast<char>((value >> (8 * i)) & 0xff);
+    }
+    return damaged;
+  };
+  for (std::size_t length = 0; length < bytes.size(); length += length < 64 ? 1 : 41)
+  {
+    refuses(bytes.substr(0, length), length < 8 ? "not a file" : "truncated");
+  }
+  refuses(std::string(1000, 'x'), "not a file");
+  refuses(bytes + "more", "after its last pattern");
+  refuses(with(8, 2), "version 2");
+  refuses(with(12, 8), "out of range");
+  refuses(with(12, 0xffffffff), "out of range");
+  refuses(with(16, 0xffffffff), "patterns instead of");
+  refuses(with(20, 2), "is not where it should be");
+  refuses(with(32, 0xffffffff), "truncated");
+  refuses(with(36, 0x7fffffff), "truncated");
+  refuses(with(40, 0x7fc00000), "weights"); // NaN
+  refuses(with(40, 0x7f800000), "weights"); // infinity
+  refuses(with(40, 0xbf800000), "weights"); // -1
+  refuses(with(40, 0x3f000000), "weights"); // 0.5, 0, 0
+  refuses(with(76, 3), "does not exist");   // the first triangle's first index
+  refuses(with(76, 1), "degenerate");
+  CHECK(!table->Read((folder + "/no such file").c_str()) && errors.Said("no such file"));
+  CHECK(!table->Read(folder.c_str()) && errors.Said("no file"));
+  CHECK(!table->Read(nullptr) && errors.Said("file name"));
+  CHECK(!table->Read("") && errors.Said("file name"));
+  CHECK(!table->Write(nullptr) && errors.Said("file name"));
+  CHECK(!table->Write((folder + "/no such folder/x").c_str()) && errors.Said("cannot be written"));
+
+  // Any other damage is refused, or leaves valid patterns (a shifted inner point).
+  std::uint32_t random = 1;
+  for (int attempt = 0; attempt < 500; ++attempt)
+  {
+    random = random * 1664525u + 1013904223u;
+    std::string damaged = bytes;
+    damaged[(random >> 8) % bytes.size()] ^= static_cast<char>(1 + (random & 0x7f));
+    Spill(bad, damaged);
+    vtkNew<vtkRefinementPatternTable> victim;
+    RelevoErrors victimErrors(victim);
+    if (victim->Read(bad.c_str()))
+    {
+      ForEachLevels(2,
+        [&](int i, int j, int k)
+        {
+          const vtkRefinementPattern& pattern =
+            victim->GetPatternOfSegments(1 << i, 1 << j, 1 << k);
+          CheckVertices(check, pattern);
+          CheckTriangles(check, pattern);
+        });
+    }
+    else
+    {
+      CHECK(victimErrors.Said("Cannot read the patterns"));
+      CHECK(victim->GetMaximumLevel() == 5 && victim->GetMemorySize() == 0);
+    }
+  }
+
+  const std::string vtp = folder + "/RefinementPatterns.bad.vtp";
+  const std::string goodVTP = folder + "/RefinementPatterns.good.vtp";
+  CHECK(writer->Write(goodVTP.c_str()));
+  const std::string xml = Slurp(goodVTP);
+  for (std::size_t length : { std::size_t(0), std::size_t(20), xml.size() / 4, xml.size() / 2 })
+  {
+    Spill(vtp, xml.substr(0, length));
+    CHECK(!table->Read(vtp.c_str()));
+    CHECK(errors.Said("RefinementPatterns.bad.vtp"));
+  }
+  Spill(vtp, bytes);
+  CHECK(!table->Read(vtp.c_str()) && errors.Said("RefinementPatterns.bad.vtp"));
+
+  CHECK(table->GetMaximumLevel() == 5);
+  CHECK(&before == &table->GetPatternOfSegments(4, 2, 1));
+}
+
+void TestThreads(RelevoCheck& check)
+{
+  vtkNew<vtkRefinementPatternTable> table;
+  constexpr int NumberOfThreads = 4;
+  std::array<std::vector<const vtkRefinementPattern*>, NumberOfThreads> seen;
+  std::vector<std::thread> threads;
+  for (auto& patterns : seen)
+  {
+    threads.emplace_back(
+      [&table, &patterns]
+      {
+        ForEachLevels(5,
+          [&](int i, int j, int k)
+          { patterns.push_back(&table->GetPatternOfSegments(1 << i, 1 << j, 1 << k)); });
+      });
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  for (const auto& patterns : seen)
+  {
+    CHECK(patterns == seen[0]);
+  }
+}
+}
+
+int TestRefinementPatternTable(int argc, char* argv[])
+{
+  RelevoCheck check;
+  char* folder =
+    vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary");
+  TestPatterns(check);
+  TestPermutations(check);
+  TestLevels(check);
+  TestSource(check);
+  TestFile(check, std::string(folder) + "/RefinementPatterns.bin");
+  TestFile(check, std::string(folder) + "/RefinementPatterns.vtp");
+  TestBadFiles(check, folder);
+  TestThreads(check);
+  delete[] folder;
+  return check.GetResult();
+}
