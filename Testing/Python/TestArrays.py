@@ -1,0 +1,81 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""relevo.arrays: heights from numpy, refined meshes to numpy."""
+
+import sys
+import unittest
+
+try:
+    import numpy
+except ImportError:
+    print("skipped: no numpy")
+    sys.exit(125)
+
+import relevo
+from relevo import arrays
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
+
+
+class TestArrays(unittest.TestCase):
+    def test_rows_run_north_to_south(self):
+        heights = numpy.array([[10.0, 20.0, 30.0], [1.0, 2.0, 3.0]])
+        made = arrays.height_map(heights)
+        self.assertEqual(tuple(made.GetDimensions()), (3, 2))
+        self.assertEqual(tuple(made.GetRange()), (1.0, 30.0))
+        for row in range(2):
+            for column in range(3):
+                u, v = (column + 0.5) / 3, 1.0 - (row + 0.5) / 2
+                self.assertAlmostEqual(made.GetHeight(u, v), heights[row, column], places=4)
+
+    def test_types_and_memory_layouts(self):
+        for dtype in ("int16", "uint16", "float32", "float64", "uint8"):
+            wide = numpy.arange(24, dtype=dtype).reshape(4, 6)
+            for heights in (wide, wide[:, ::2], wide.T, numpy.asfortranarray(wide)):
+                made = arrays.height_map(heights)
+                self.assertEqual(tuple(made.GetRange()), (heights.min(), heights.max()))
+                self.assertEqual(tuple(made.GetDimensions()), heights.shape[::-1])
+
+    def test_no_data(self):
+        heights = numpy.array([[1.0, numpy.nan], [2.0, 3.0]])
+        self.assertTrue(arrays.height_map(heights).HasNoData())
+        self.assertEqual(tuple(arrays.height_map(heights).GetRange()), (1.0, 3.0))
+        marked = numpy.array([[1, -9999], [2, 3]], dtype="int16")
+        self.assertTrue(arrays.height_map(marked, no_data=-9999).HasNoData())
+        self.assertFalse(arrays.height_map(marked).HasNoData())
+
+    def test_bad_arrays(self):
+        for bad in (numpy.zeros(4), numpy.zeros((2, 2, 2)), numpy.array([["a", "b"], ["c", "d"]])):
+            with self.assertRaises(ValueError):
+                arrays.height_map(bad)
+        with self.assertRaises(ValueError):
+            arrays.height_map(numpy.full((3, 3), numpy.nan))
+
+    def test_triangles_of_a_refined_plane(self):
+        plane = vtkPlaneSource()
+        displacement = relevo.vtkDisplacement()
+        displacement.SetHeightMap(arrays.height_map(numpy.full((2, 2), 0.25)))
+        displacement.SetDirection(0, 0, 1)
+        recipe = relevo.vtkAdaptiveRefinement()
+        recipe.SetMaximumLevel(2)
+        recipe.SetDisplacement(displacement)
+        refine = relevo.vtkAdaptiveRefinementFilter()
+        refine.SetInputConnection(plane.GetOutputPort())
+        refine.SetRefinement(recipe)
+        refine.Update()
+        points, triangles = arrays.triangles(refine.GetOutput())
+        self.assertEqual(triangles.shape, (2 * 4**2, 3))
+        self.assertTrue((points[:, 2] == 0.25).all())
+        corners = points[triangles]
+        doubled = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        self.assertAlmostEqual(doubled[:, 2].sum() / 2, 1.0, places=5)
+        self.assertTrue((doubled[:, 2] > 0).all())
+
+    def test_triangles_of_quads(self):
+        plane = vtkPlaneSource()
+        plane.Update()
+        with self.assertRaises(ValueError):
+            arrays.triangles(plane.GetOutput())
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["TestArrays"])

@@ -1,0 +1,71 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""`import relevo` gives every class, each with the documentation of its header."""
+
+import importlib.util
+import os
+import pathlib
+import re
+import unittest
+
+import relevo
+from vtkmodules.vtkCommonCore import vtkObjectBase
+
+
+def wrapped_headers():
+    """Headers of the classes in the modules that were built: name to text."""
+    source = pathlib.Path(os.environ["RELEVO_SOURCE_DIR"])
+    headers = {}
+    for lists in source.glob("*/*/vtk.module"):
+        library = re.search(r"LIBRARY_NAME\s+(\w+)", lists.read_text())[1]
+        if not importlib.util.find_spec("relevo." + library):
+            continue
+        for header in lists.parent.glob("vtk*.h"):
+            text = header.read_text()
+            declared = r"^class \w+_EXPORT\s+%s\s*:" % header.stem
+            if re.search(declared, text, re.MULTILINE):
+                headers[header.stem] = text
+    return headers
+
+
+class TestPackage(unittest.TestCase):
+    def test_every_class_is_there(self):
+        headers = wrapped_headers()
+        self.assertGreater(len(headers), 8)
+        for name in headers:
+            self.assertTrue(hasattr(relevo, name), name)
+            self.assertIn(name, relevo.__all__)
+
+    def test_documentation_comes_from_the_headers(self):
+        for name, text in wrapped_headers().items():
+            brief = re.search(r"@brief\s+(.*?)\n \*\n", text, re.DOTALL)
+            self.assertIsNotNone(brief, name)
+            words = re.sub(r"\s*\n \*\s*", " ", brief[1]).split()
+            documented = getattr(relevo, name).__doc__.split()
+            self.assertEqual(documented[2 : 2 + len(words)], words, name)
+
+    def test_every_public_method_is_documented(self):
+        for name in wrapped_headers():
+            cls = getattr(relevo, name)
+            for method, value in vars(cls).items():
+                if method.startswith("_") or not callable(value):
+                    continue
+                # VTK's own words, of methods that every class overrides, are in the superclass.
+                if any(hasattr(base, method) for base in cls.__bases__):
+                    continue
+                text = (value.__doc__ or "").replace("C++:", "")
+                words = [line for line in text.splitlines() if "(" not in line and line.strip()]
+                self.assertTrue(words, f"{name}.{method}")
+
+    def test_classes_print_themselves(self):
+        for name in wrapped_headers():
+            try:
+                made = getattr(relevo, name)()
+            except (TypeError, NotImplementedError):  # abstract
+                continue
+            self.assertIsInstance(made, vtkObjectBase)
+            self.assertIn(name, str(made))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["TestPackage"])

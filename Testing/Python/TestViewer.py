@@ -1,0 +1,221 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""relevo-view: exit codes and messages, pictures without a display, exported meshes."""
+
+import math
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_SHORT
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkPolyDataNormals
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+PROGRAM = pathlib.Path(os.environ["RELEVO_BINARY_DIR"]) / "bin" / "relevo-view"
+DATA = pathlib.Path(os.environ.get("RELEVO_TEST_DATA") or "/nonexistent")
+if not PROGRAM.exists():
+    print("skipped: relevo-view was not built")
+    sys.exit(125)
+
+
+def hill(x, y):
+    """Height in the unit square: one hill, its top in the north-east."""
+    return 30.0 * math.exp(-12.0 * ((x - 0.65) ** 2 + (y - 0.65) ** 2))
+
+
+class TestViewer(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.temporary.name)
+        cls.heights = cls.folder / "hill.png"
+        image = vtkImageData()
+        image.SetDimensions(48, 32, 1)
+        image.AllocateScalars(VTK_UNSIGNED_SHORT, 1)
+        for j in range(32):
+            for i in range(48):
+                height = hill((i + 0.5) / 48, (j + 0.5) / 32)
+                image.SetScalarComponentFromDouble(i, j, 0, 0, round(height))
+        writer = vtkPNGWriter()
+        writer.SetFileName(str(cls.heights))
+        writer.SetInputData(image)
+        writer.Write()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def view(self, *arguments, code=0, display=False):
+        environment = dict(os.environ)
+        if not display:
+            environment.pop("DISPLAY", None)
+        run = subprocess.run(
+            [str(PROGRAM), *map(str, arguments)],
+            cwd=self.folder,
+            env=environment,
+            capture_output=True,
+            text=True,
+        )
+        self.assertEqual(run.returncode, code, run.stderr)
+        if code == 0:
+            self.assertEqual(run.stderr, "")
+        return run
+
+    def assert_error(self, code, words, *arguments):
+        run = self.view(*arguments, code=code)
+        self.assertRegex(run.stderr, r"\Arelevo-view: error: [^\n]+\n\Z")
+        for word in words:
+            self.assertIn(word, run.stderr)
+        self.assertEqual(run.stdout, "")
+
+    def picture(self, *arguments):
+        name = self.folder / "picture.png"
+        self.view(self.heights, "--output", name, *arguments)
+        reader = vtkPNGReader()
+        reader.SetFileName(str(name))
+        reader.Update()
+        return reader.GetOutput()
+
+    def mesh(self, *arguments, heights=None):
+        name = self.folder / "mesh.vtp"
+        self.view(heights or self.heights, "--export", name, *arguments)
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(str(name))
+        reader.Update()
+        return reader.GetOutput()
+
+    def test_help(self):
+        self.assertIn("--exaggeration", self.view("--help").stdout)
+
+    def test_bad_usage(self):
+        self.assert_error(2, ["height map"])
+        self.assert_error(2, ["--colour"], self.heights, "--colour", "red")
+        self.assert_error(2, ["one height map"], self.heights, self.heights)
+        self.assert_error(2, ["--output", "value"], self.heights, "--output")
+        self.assert_error(2, [".png", "a.jpg"], self.heights, "--output", "a.jpg")
+        self.assert_error(2, [".vtp", "a.obj"], self.heights, "--export", "a.obj")
+        self.assert_error(2, ["--max-level", "'8'"], self.heights, "--max-level", "8")
+        self.assert_error(2, ["--max-level", "'-1'"], self.heights, "--max-level", "-1")
+        self.assert_error(2, ["--max-level", "'2.5'"], self.heights, "--max-level", "2.5")
+        self.assert_error(2, ["--exaggeration", "'nan'"], self.heights, "--exaggeration", "nan")
+        self.assert_error(2, ["--exaggeration", "'2x'"], self.heights, "--exaggeration", "2x")
+        self.assert_error(2, ["--metric", "'slope'"], self.heights, "--metric", "slope")
+        self.assert_error(2, ["--size", "'640'"], self.heights, "--size", "640")
+        self.assert_error(2, ["--size", "'0'"], self.heights, "--size", "0x480")
+
+    def test_bad_input(self):
+        out = ("--output", self.folder / "never.png")
+        self.assert_error(1, ["missing.tif"], "missing.tif", *out)
+        text = self.folder / "text.tif"
+        text.write_text("not an image")
+        self.assert_error(1, ["text.tif"], text, *out)
+        (self.folder / "empty.png").write_bytes(b"")
+        self.assert_error(1, ["empty.png"], self.folder / "empty.png", *out)
+        self.assert_error(1, ["missing.jpg"], self.heights, "--imagery", "missing.jpg", *out)
+        self.assert_error(1, ["nowhere"], self.heights, "--output", "nowhere/a.png")
+        self.assert_error(1, ["nowhere"], self.heights, "--export", "nowhere/a.vtp")
+        self.assert_error(1, ["display", "--output"], self.heights)
+        self.assertFalse((self.folder / "never.png").exists())
+
+    def test_picture_without_display(self):
+        image = self.picture("--size", "320x200")
+        self.assertEqual(image.GetDimensions(), (320, 200, 1))
+        colours = set()
+        for j in range(0, 200, 10):
+            for i in range(0, 320, 10):
+                colours.add(tuple(image.GetScalarComponentAsFloat(i, j, 0, c) for c in range(3)))
+        self.assertGreater(len(colours), 50)
+        # The camera fits: the sky is at the left and right border, the terrain in the middle.
+        for i in (0, 319):
+            for j in range(0, 200, 10):
+                sky = [image.GetScalarComponentAsFloat(i, j, 0, c) for c in range(3)]
+                self.assertGreater(sky[2], sky[0])
+
+    def test_wireframe_differs(self):
+        solid = self.picture("--size", "160x100")
+        wires = self.picture("--size", "160x100", "--wireframe", "--resolution", "4")
+        different = sum(
+            solid.GetScalarComponentAsFloat(i, j, 0, 1) != wires.GetScalarComponentAsFloat(i, j, 0, 1)
+            for i in range(160)
+            for j in range(100)
+        )
+        self.assertGreater(different, 1000)
+
+    def test_statistics(self):
+        run = self.view(
+            self.heights, "--stats", "--max-level", "2", "--output", "s.png", "--size=200x100"
+        )
+        lines = dict(line.split(": ") for line in run.stdout.splitlines())
+        self.assertEqual(
+            list(lines),
+            ["coarse faces", "drawn triangles", "draw calls", "graphics memory", "frame time"],
+        )
+        self.assertGreaterEqual(int(lines["drawn triangles"]), int(lines["coarse faces"]))
+        self.assertGreater(int(lines["draw calls"]), 0)
+        self.assertGreater(float(lines["graphics memory"].removesuffix(" MiB")), 0.0)
+        self.assertGreater(float(lines["frame time"].removesuffix(" ms")), 0.0)
+
+    def test_export_is_the_displaced_terrain(self):
+        mesh = self.mesh("--exaggeration", "2", "--max-level", "3")
+        bounds = mesh.GetBounds()
+        # Without georeference a texel is a unit, and the origin is the centre.
+        for bound, expected in zip(bounds, (-24, 24, -16, 16)):
+            self.assertAlmostEqual(bound, expected, places=3)
+        self.assertAlmostEqual(bounds[4], 0.0, delta=1.0)
+        self.assertAlmostEqual(bounds[5], 60.0, delta=1.0)
+        top = max(range(mesh.GetNumberOfPoints()), key=lambda i: mesh.GetPoint(i)[2])
+        x, y, _ = mesh.GetPoint(top)
+        self.assertAlmostEqual(x, 48 * 0.65 - 24, delta=1.5)
+        self.assertAlmostEqual(y, 32 * 0.65 - 16, delta=1.5)
+
+    def test_export_faces_up(self):
+        mesh = self.mesh("--metric", "curvature")
+        self.assertGreater(mesh.GetNumberOfCells(), 1000)
+        normals = vtkPolyDataNormals()
+        normals.SetInputData(mesh)
+        normals.ComputePointNormalsOff()
+        normals.ComputeCellNormalsOn()
+        normals.ConsistencyOff()
+        normals.SplittingOff()
+        normals.Update()
+        cells = normals.GetOutput().GetCellData().GetNormals()
+        self.assertEqual(cells.GetNumberOfTuples(), mesh.GetNumberOfCells())
+        self.assertTrue(all(cells.GetComponent(i, 2) > 0 for i in range(cells.GetNumberOfTuples())))
+
+    def test_export_level(self):
+        coarse = self.mesh("--max-level", "0", "--resolution", "6")
+        fine = self.mesh("--max-level", "2", "--resolution", "6")
+        self.assertEqual(coarse.GetNumberOfCells(), 2 * 6 * 4)
+        self.assertGreater(fine.GetNumberOfCells(), coarse.GetNumberOfCells())
+        self.assertLessEqual(fine.GetNumberOfCells(), 16 * coarse.GetNumberOfCells())
+
+    def test_no_data(self):
+        name = DATA / "relief" / "luxembourg_elev.tif"
+        if not name.exists():
+            self.skipTest("no RELEVO_TEST_DATA")
+        hole = self.mesh("--max-level", "1", heights=name)
+        filled = self.mesh("--max-level", "1", "--no-data", "fill", heights=name)
+        self.assertLess(hole.GetNumberOfCells(), filled.GetNumberOfCells())
+        for mesh in (hole, filled):
+            self.assertGreater(mesh.GetBounds()[4], 0)
+            self.assertLess(mesh.GetBounds()[5], 600)
+        borders = vtkFeatureEdges()
+        borders.SetInputData(filled)
+        borders.FeatureEdgesOff()
+        borders.NonManifoldEdgesOff()
+        borders.ManifoldEdgesOff()
+        borders.Update()
+        for i in range(borders.GetOutput().GetNumberOfPoints()):
+            x, y, _ = borders.GetOutput().GetPoint(i)
+            bounds = filled.GetBounds()
+            inside = min(x - bounds[0], bounds[1] - x, y - bounds[2], bounds[3] - y)
+            self.assertLess(inside, 0.01 * (bounds[1] - bounds[0]))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["TestViewer"])
