@@ -4,11 +4,12 @@
  * @class   vtkCurvatureDepthTagMetric
  * @brief   refines where a mesh is strongly curved
  *
- * With k the absolute value of the discrete Gaussian or mean curvature at a point, the depth-tag is
+ * With k the absolute value of the discrete Gaussian or mean curvature at a point, and the
+ * thresholds low = MinimumCurvature and high = MaximumCurvature, the depth-tag is
  *
- *     level = MaximumLevel * (k - MinimumCurvature) / (MaximumCurvature - MinimumCurvature)
+ *     level = MaximumLevel * (k - low) / (high - low)
  *
- * clamped: 0 at MinimumCurvature and below, MaximumLevel at MaximumCurvature and above, linear
+ * clamped: 0 at the low threshold and below, MaximumLevel at the high one and above, linear
  * between. The metric does not depend on the view.
  *
  * Curvatures are those of Meyer, Desbrun, Schroeder and Barr 2002 ("Discrete
@@ -52,31 +53,49 @@ public:
 
   ///@{
   /**
-   * Which curvature is measured: Gaussian (the default; 0 on all that can be unrolled, such as
-   * cylinders and straight ridges) or mean. Another value is an error and changes nothing.
+   * Which curvature is measured: GAUSSIAN (0, the default; it is 0 on all that can be unrolled,
+   * such as cylinders and straight ridges) or MEAN (1). Another value is an error and changes
+   * nothing.
    */
   void SetCurvatureType(int type);
   vtkGetMacro(CurvatureType, int);
+  ///@}
+
+  /**
+   * Measure the Gaussian curvature, in 1/length^2.
+   */
   void SetCurvatureTypeToGaussian() { this->SetCurvatureType(GAUSSIAN); }
+
+  /**
+   * Measure the mean curvature, in 1/length.
+   */
   void SetCurvatureTypeToMean() { this->SetCurvatureType(MEAN); }
+
+  /**
+   * "Gaussian" or "Mean".
+   */
   const char* GetCurvatureTypeAsString();
+
+  ///@{
+  /**
+   * Absolute curvature up to which the level is 0, in the mesh's own units (Gaussian 1/length^2,
+   * mean 1/length); default 0. A negative or infinite value is an error and changes nothing; a
+   * minimum above the maximum is an error when tags are computed.
+   */
+  void SetMinimumCurvature(double curvature);
+  vtkGetMacro(MinimumCurvature, double);
   ///@}
 
   ///@{
   /**
-   * Absolute curvatures of level 0 and of MaximumLevel, in the mesh's own units (Gaussian
+   * Absolute curvature from which on the level is MaximumLevel, in the mesh's own units (Gaussian
    * 1/length^2, mean 1/length).
    *
-   * Both 0, the default, means automatic: level 0 at curvature 0, MaximumLevel at the curvature
-   * that 95 % of the points do not exceed, but no less than that of a surface which turns by
-   * 0.001 radians over the mean area of a point, so that the rounding of flat points is not
-   * refined.
-   *
-   * A negative or infinite value is an error and changes nothing. A minimum above the maximum is
-   * an error when tags are computed.
+   * With both thresholds 0, the default, it is automatic: the curvature that 95 % of the points do
+   * not exceed, but no less than that of a surface which turns by 0.001 radians over the mean area
+   * of a point, so that the rounding of flat points is not refined. A negative or infinite value is
+   * an error and changes nothing.
    */
-  void SetMinimumCurvature(double curvature);
-  vtkGetMacro(MinimumCurvature, double);
   void SetMaximumCurvature(double curvature);
   vtkGetMacro(MaximumCurvature, double);
   ///@}

@@ -7,12 +7,12 @@
  * With x the distance from the camera's position to a point, both in world coordinates (the
  * actor's matrix is applied to the point), the depth-tag is
  *
- *     level = MaximumLevel * (1 - x / MaximumDistance)   where x < MaximumDistance, else 0:
+ *     level = MaximumLevel * (1 - x / MaximumDistance)
  *
- * MaximumLevel at the camera, 0 from MaximumDistance on, linear between. That is the tessellation
- * level T = 64 - 63 x / d_max of Nellmeldin 2013 ("Desarrollo de algoritmos de teselacion
- * adaptativa en GPU", eq. 1), its range [1, 64] mapped linearly to [0, MaximumLevel]. As an edge
- * has 2^level segments, its segments shorten geometrically towards the camera.
+ * and 0 where x exceeds MaximumDistance: MaximumLevel at the camera, linear between. That is the
+ * tessellation level T = 64 - 63 x / d_max of Nellmeldin 2013 ("Desarrollo de algoritmos de
+ * teselacion adaptativa en GPU", eq. 1), its range [1, 64] mapped linearly to [0, MaximumLevel].
+ * As an edge has 2^level segments, its segments shorten geometrically towards the camera.
  *
  * The metric depends on the view: without a camera it is an error. A point that is not finite gets
  * level 0.
