@@ -1030,6 +1030,7 @@ void MakeLines(vtkRefinementPattern& pattern)
   }
   // A side inside comes twice, once in each direction; one of the border only once.
   const auto sides = SortedSides(pattern.Triangles);
+  pattern.Lines.reserve(sides.size() + pattern.Lines.size() / 2);
   for (const auto& [a, b] : sides)
   {
     if (a < b && Contains(sides, b, a))

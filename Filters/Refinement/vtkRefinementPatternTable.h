@@ -4,13 +4,20 @@
  * @class   vtkRefinementPatternTable
  * @brief   the subdivided triangles that every refined surface is drawn from
  *
- * A pattern [i, j, k] subdivides a triangle so that its edges carry 2^i, 2^j and 2^k equal
- * segments. Only the canonical patterns, i >= j >= k, are kept; the other orders are the same
- * pattern read with permuted barycentrics (Lenz 2009, sections 4.2 to 4.4). With levels 0..L the
- * table has (L+1)(L+2)(L+3)/6 patterns. Patterns are made on first use.
+ * A pattern [i, j, k] subdivides a triangle (P1, P2, P3) so that its edges P1P2, P2P3 and P3P1
+ * carry 2^i, 2^j and 2^k equal segments. Only the canonical patterns, i >= j >= k, are kept; the
+ * other orders are the same pattern read with permuted barycentrics (Lenz 2009, sections 4.2
+ * to 4.4). With levels 0..L the table has (L+1)(L+2)(L+3)/6 patterns. Patterns are made on first
+ * use, and are the same on every machine.
  *
- * Internally a pattern is known by its segments per edge, so that levels are one policy among
- * others.
+ * [d, d, d] is the regular subdivision into 4^d triangles. The others are Delaunay triangulations
+ * in the equilateral triangle that grow coarser from the finer edges inwards; they take between
+ * 0.8 times the geometric and 1.5 times the arithmetic mean of 4^i, 4^j and 4^k triangles. Their
+ * smallest angle is near the largest that is possible at a corner whose two edges differ by d
+ * levels: 30, 20, 17.6, 13.9, 11.3, 9.3 and 8.2 degrees for d = 1 to 7.
+ *
+ * Internally a pattern is known by its segments per edge, any whole numbers up to 128, so that
+ * levels are one policy among others.
  *
  * @sa vtkRefinementPatternSource vtkAdaptiveRefinement
  */
@@ -78,21 +85,32 @@ public:
   static bool IsOdd(int lambda);
 
   /**
-   * Bytes held by the patterns made so far.
+   * Bytes held by the patterns made so far (and by those that Read() has replaced).
    */
   vtkTypeInt64 GetMemorySize();
 
   ///@{
   /**
-   * Write every canonical pattern up to MaximumLevel to a binary file, or replace the patterns by
-   * those of such a file (which also sets MaximumLevel). False, after an ErrorEvent, on failure.
+   * Write every canonical pattern up to MaximumLevel to a file, or replace the patterns by those
+   * of such a file, which also sets MaximumLevel. Returns false, after an ErrorEvent that says what
+   * is wrong, on failure; the table is then as it was. Every pattern that is read is checked.
+   *
+   * A file name that ends in .vtp means a vtkPolyData of all patterns side by side, as equilateral
+   * triangles: the point array "Barycentrics" holds (u, v, w), the int point and cell arrays
+   * "Pattern" the pattern's GetPatternIndex(), the int field array "MaximumLevel" the level.
+   *
+   * Any other name means a binary, little-endian file: the eight bytes "RelevoRP"; the format's
+   * version (1), MaximumLevel and the number of patterns; then for each pattern, by index, its
+   * three numbers of segments, V vertices and T triangles, followed by 3 V weights (float32) and
+   * 3 T vertices of triangles. All but the weights are uint32.
    */
   bool Write(const char* fileName);
   bool Read(const char* fileName);
   ///@}
 
   /**
-   * Position of the canonical levels i >= j >= k in a list of all patterns.
+   * Position of the canonical levels i >= j >= k in a list of all patterns: the order [0,0,0],
+   * [1,0,0], [1,1,0], [1,1,1], [2,0,0], ..., which does not depend on MaximumLevel.
    */
   static int GetPatternIndex(int i, int j, int k)
   {
@@ -101,8 +119,9 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * The canonical pattern with segments n1 >= n2 >= n3 on its edges. Made on first use; safe to
-   * call from several threads. The reference stays valid as long as the table.
+   * The canonical pattern with segments 128 >= n1 >= n2 >= n3 >= 1 on its edges. Made on first use,
+   * in 20 ms at most on an ordinary machine; safe to call from several threads. The reference stays
+   * valid as long as the table. Other numbers are an error and give the undivided triangle.
    */
   const vtkRefinementPattern& GetPatternOfSegments(int n1, int n2, int n3);
 #endif
