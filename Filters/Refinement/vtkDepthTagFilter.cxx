@@ -7,6 +7,7 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDepthTagMetric.h"
+#include "vtkDepthTags.h"
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -21,7 +22,7 @@
 #include "vtkRefinementView.h"
 
 #include <algorithm>
-#include <cmath>
+#include <string>
 
 namespace relevo
 {
@@ -171,27 +172,12 @@ bool vtkDepthTagFilter::TakeTags(vtkPolyData* input, vtkFloatArray* tags)
       << DepthTagName << "\" to use instead.");
     return false;
   }
-  const vtkIdType numberOfPoints = input->GetNumberOfPoints();
-  if (own->GetNumberOfComponents() != 1 || own->GetNumberOfTuples() != numberOfPoints)
+  std::string error;
+  tags->SetNumberOfTuples(input->GetNumberOfPoints());
+  if (!relevo::TakeDepthTags(own, input->GetNumberOfPoints(), tags->GetPointer(0), error))
   {
-    vtkErrorMacro("The input's array \"" << DepthTagName << "\" has " << own->GetNumberOfTuples()
-                                         << " tuples of " << own->GetNumberOfComponents()
-                                         << " components; it needs one number for each of "
-                                         << numberOfPoints << " points.");
+    vtkErrorMacro("The input's " << error << ".");
     return false;
-  }
-  tags->SetNumberOfTuples(numberOfPoints);
-  for (vtkIdType point = 0; point < numberOfPoints; ++point)
-  {
-    const double tag = own->GetComponent(point, 0);
-    if (!std::isfinite(tag))
-    {
-      vtkErrorMacro("The input's array \"" << DepthTagName << "\" has the value " << tag
-                                           << " at point " << point << "; tags must be finite.");
-      return false;
-    }
-    tags->SetValue(
-      point, static_cast<float>(std::min(std::max(tag, 0.0), double(this->MaximumLevel))));
   }
   return true;
 }

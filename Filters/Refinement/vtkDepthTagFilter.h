@@ -9,14 +9,16 @@
  * - point array "DepthTag" (float): the level of every point, in [0, MaximumLevel], by the metric.
  *   Points at the same coordinates get the largest of their tags.
  * - cell array "EdgeLevels" (int, 3 components): for a triangle (P1, P2, P3) the levels of its
- *   edges P1P2, P2P3, P3P1, each the mean of its points' tags, rounded half up (Lenz 2009,
- *   eqs. 3.1 to 3.3): such an edge is split into 2^level segments. Cells that are not triangles
- *   have (-1, -1, -1).
+ *   edges P1P2, P2P3, P3P1, each the mean of its points' tags, rounded half up and clamped to
+ *   [0, MaximumLevel] (Lenz 2009, eqs. 3.1 to 3.3): such an edge is split into 2^level segments.
+ *   Cells that are not triangles have (-1, -1, -1).
  *
- * Without a metric the tags are the input's own point array "DepthTag", which is checked (one
- * finite number per point) and clamped to [0, MaximumLevel]. Neither metric nor array, a metric
- * that depends on the view without a camera, and a metric that fails are errors; the output is
- * then empty. A point with a coordinate that is not finite gets level 0 from the project's metrics.
+ * Without a metric the tags are the input's own point array "DepthTag", one number per point, which
+ * may exceed [0, MaximumLevel]: only the levels of edges are clamped.
+ *
+ * Errors, with an empty output: neither metric nor array; an array of another length or with a
+ * NaN; a metric that depends on the view without a camera; a metric that fails. To the project's
+ * own metrics a point with a coordinate that is not finite has level 0.
  *
  * A vtkAdaptiveRefinement that is given the output uses "DepthTag" in place of its own metric.
  *

@@ -97,13 +97,18 @@ void TestEdgeRule(RelevoCheck& check)
   CHECK(HasLevels(filter, 0, 0, 0, 0));
   CHECK(HasLevels(filter, 1, 0, 2, 2));
 
-  // Clamped to [0, MaximumLevel].
+  // The mean counts, clamped to [0, MaximumLevel]; a tag of the user's own may be outside.
   filter->SetMaximumLevel(3);
-  SetTags(mesh, { -1e30f, -2.0f, 3e38f, 3e38f });
+  SetTags(mesh, { -2.0f, 6.0f, 8.0f, -3.0f });
   filter->Update();
-  CHECK(Tags(filter)->GetValue(0) == 0.0f && Tags(filter)->GetValue(2) == 3.0f);
-  CHECK(HasLevels(filter, 0, 0, 2, 2));
-  CHECK(HasLevels(filter, 1, 2, 2, 3));
+  CHECK(Tags(filter)->GetValue(0) == -2.0f && Tags(filter)->GetValue(2) == 8.0f);
+  CHECK(HasLevels(filter, 0, 2, 3, 3));
+  CHECK(HasLevels(filter, 1, 3, 2, 3)); // means 7, 1.5, 2.5
+  const float infinity = std::numeric_limits<float>::infinity();
+  SetTags(mesh, { -infinity, -2.0f, infinity, 3e38f });
+  filter->Update();
+  CHECK(HasLevels(filter, 0, 0, 3, 0));
+  CHECK(HasLevels(filter, 1, 3, 3, 3));
 
   // Points at one place have one tag, the larger.
   auto split =
