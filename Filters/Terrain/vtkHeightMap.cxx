@@ -108,13 +108,17 @@ bool vtkHeightMap::Update()
     std::fill_n(this->Dimensions, 2, 0);
     std::fill_n(this->Range, 2, 0.0);
     this->SamplesTime.Modified();
-    if (!this->Read(this->Failure) && this->AbortExecute)
+    if (this->Read(this->Failure))
+    {
+      this->Failure.clear();
+    }
+    else if (this->AbortExecute)
     {
       return false; // the next Update() starts anew
     }
     this->UpdateTime.Modified();
   }
-  if (!this->Failure.empty())
+  if (!this->Grid)
   {
     vtkErrorMacro(<< this->Failure);
   }
@@ -128,13 +132,12 @@ bool vtkHeightMap::Read(std::string& error)
   if (this->ImageData)
   {
     read = this->ReadImage(*grid, error) && grid->Finish(error);
-    error = error.empty() ? error : "The image cannot be a height map: " + error + ".";
+    error = "The image cannot be a height map: " + error + ".";
   }
   else if (this->FileName && *this->FileName)
   {
     read = this->ReadFile(*grid, error) && grid->Finish(error);
-    error =
-      error.empty() ? error : "Cannot read " + std::string(this->FileName) + ": " + error + ".";
+    error = "Cannot read " + std::string(this->FileName) + ": " + error + ".";
   }
   else
   {

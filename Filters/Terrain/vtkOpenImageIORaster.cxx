@@ -77,6 +77,11 @@ std::unique_ptr<OpenImageIORaster> OpenImageIORaster::Open(
     error = std::string("samples of type ") + format.c_str() + " are not supported";
     return nullptr;
   }
+  if (format == OIIO::TypeDesc::DOUBLE && spec.tile_width > 0)
+  {
+    error = "tiles of 64 bit samples are not read (OpenImageIO 2.4 leaves them undefined)";
+    return nullptr;
+  }
   if (bits > 0 && bits != static_cast<int>(8 * format.size()))
   {
     error = "samples of " + std::to_string(bits) + " bits would be rescaled";
@@ -125,7 +130,11 @@ bool OpenImageIORaster::ReadRows(int first, int count, void* samples, std::strin
     return true;
   }
   const std::string messages = input.geterror();
+  if (this->Alternative)
+  {
+    return this->Alternative->ReadRows(first, count, samples, error);
+  }
   error = messages.substr(0, messages.find('\n'));
-  return this->Alternative && this->Alternative->ReadRows(first, count, samples, error);
+  return false;
 }
 }

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkHeightMap: files that are none, and what is left after them.
+#include "RelevoCheck.h"
+#include "RelevoRasterFiles.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkHeightMap.h"
+
+#include <OpenImageIO/imageio.h>
+
+namespace
+{
+// The error names the file and says why; nothing of an earlier success is left.
+void ExpectError(
+  RelevoCheck& check, vtkHeightMap* map, const std::string& name, const std::string& reason)
+{
+  RelevoErrors errors(map);
+  map->SetFileName(name.c_str());
+  CHECK(!map->Update());
+  if (!CHECK(errors.Said(name)))
+  {
+    std::cerr << "  for " << name << "\n";
+  }
+  CHECK(!map->Update());
+  CHECK(errors.Said(reason));
+  CHECK(map->GetDimensions()[0] == 0 && map->GetDimensions()[1] == 0);
+  CHECK(!map->GetSamples() && !map->GetValidity() && !map->HasNoData());
+  CHECK(map->GetHeight(0.5, 0.5) == 0.0 && !map->IsValid(0.5, 0.5));
+}
+}
+
+int TestHeightMapErrors(int argc, char* argv[])
+{
+  const RelevoTestFolders folders(argc, argv);
+  RelevoCheck check;
+
+  RelevoRaster raster;
+  raster.Width = 120;
+  raster.Height = 300;
+  raster.Type = GDT_UInt16;
+  raster.SetValues([](int, int column, int row) { return (column * 977 + row * 131) % 60000; });
+  const std::string good = folders.File("HeightMapErrorsGood.tif");
+  CHECK(raster.Write(good));
+
+  vtkNew<vtkHeightMap> map;
+  const auto expectGood = [&]
+  {
+    RelevoErrors errors(map);
+    map->SetFileName(good.c_str());
+    CHECK(map->Update() && errors.None());
+    CHECK(map->GetDimensions()[0] == 120 && map->GetDimensions()[1] == 300);
+  };
+  expectGood();
+
+  ExpectError(check, map, folders.File("no such file.tif"), "does not exist");
+  expectGood();
+  ExpectError(check, map, folders.Output, "folder");
+  const std::string empty = folders.File("HeightMapEmpty.tif");
+  std::ofstream(empty).close();
+  ExpectError(check, map, empty, "empty");
+  for (const char* extension : { "tif", "png", "exr", "hgt", "dem", "txt" })
+  {
+    const std::string text = folders.File(std::string("HeightMapText.") + extension);
+    std::ofstream(text) << "This is no image, whatever its name may say.\n"
+                        << std::string(4000, 'x');
+    ExpectError(check, map, text, "Cannot read");
+  }
+  expectGood();
+
+  // Truncated: TIFF in all its layouts, PNG, EXR, SRTM.
+  for (const char* compression : { "NONE", "LZW", "DEFLATE" })
+  {
+    for (const char* tiled : { "NO", "YES" })
+    {
+      raster.Options = { std::string("COMPRESS=") + compression, std::string("TILED=") + tiled };
+      const std::string whole = folders.File("HeightMapWhole.tif");
+      const std::string half = folders.File("HeightMapHalf.tif");
+      CHECK(raster.Write(whole));
+      for (double share : { 0.001, 0.3, 0.9 })
+      {
+        RelevoTruncate(whole, half, share);
+        ExpectError(check, map, half, "Cannot read");
+      }
+    }
+  }
+  raster.Options.clear();
+  const std::string png = folders.File("HeightMapWhole.png");
+  CHECK(raster.Write(png, "PNG"));
+  RelevoTruncate(png, folders.File("HeightMapHalf.png"), 0.5);
+  ExpectError(check, map, folders.File("HeightMapHalf.png"), "Cannot read");
+  const std::string exr = folders.File("HeightMapWhole.exr");
+  auto output = OIIO::ImageOutput::create(exr);
+  const std::vector<float> values(raster.Values.begin(), raster.Values.end());
+  CHECK(output && output->open(exr, OIIO::ImageSpec(120, 300, 1, OIIO::TypeDesc::FLOAT)) &&
+    output->write_image(OIIO::TypeDesc::FLOAT, values.data()) && output->close());
+  RelevoTruncate(exr, folders.File("HeightMapHalf.exr"), 0.5);
+  ExpectError(check, map, folders.File("HeightMapHalf.exr"), "Cannot read");
+  const std::string hgt = folders.File("N10E020.hgt");
+  std::ofstream(hgt, std::ios::binary) << std::string(1201 * 1000, '\0');
+  ExpectError(check, map, hgt, "Cannot read");
+  expectGood();
+
+  // No georeference can be like this.
+  RelevoRaster complex = raster;
+  complex.Type = GDT_CFloat32;
+  const std::string complexName = folders.File("HeightMapComplex.tif");
+  CHECK(complex.Write(complexName));
+  ExpectError(check, map, complexName, "not supported");
+
+  // Progress, and a stop that is no error and leaves the way open for the next try.
+  double progress = 0.0;
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&progress);
+  observer->SetCallback(
+    [](vtkObject* caller, unsigned long, void* client, void* share)
+    {
+      *static_cast<double*>(client) = *static_cast<double*>(share);
+      static_cast<vtkHeightMap*>(caller)->AbortExecuteOn();
+    });
+  const unsigned long tag = map->AddObserver(vtkCommand::ProgressEvent, observer);
+  {
+    RelevoErrors errors(map);
+    map->SetFileName(good.c_str());
+    CHECK(!map->Update() && errors.None());
+    CHECK(progress > 0.0 && progress <= 1.0);
+    CHECK(!map->GetSamples());
+  }
+  map->RemoveObserver(tag);
+  CHECK(map->Update() && map->GetSamples());
+  return check.GetResult();
+}

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkHeightMap::SetImageData: types, components, layout, modification, errors.
+#include "RelevoCheck.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkHeightMap.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkSOADataArrayTemplate.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <limits>
+
+namespace
+{
+vtkSmartPointer<vtkImageData> MakeImage(int type, int components)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetExtent(3, 6, -2, 0, 5, 5); // 4 x 3 x 1: where it lies does not matter
+  image->AllocateScalars(type, components);
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    for (int j = 0; j < components; ++j)
+    {
+      image->GetPointData()->GetScalars()->SetComponent(i, j, j == 0 ? 100.0 + i : 1.0);
+    }
+  }
+  return image;
+}
+
+bool HoldsTestImage(vtkHeightMap* map)
+{
+  bool same = map->Update() && map->GetDimensions()[0] == 4 && map->GetDimensions()[1] == 3;
+  for (int j = 0; same && j < 3; ++j)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      same = same && map->GetSample(i, j) == 100.0 + 4 * j + i;
+    }
+  }
+  return same && map->GetRange()[0] == 100.0 && map->GetRange()[1] == 111.0;
+}
+}
+
+int TestHeightMapImage(int, char*[])
+{
+  RelevoCheck check;
+  for (int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT,
+         VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG,
+         VTK_UNSIGNED_LONG_LONG, VTK_ID_TYPE, VTK_FLOAT, VTK_DOUBLE })
+  {
+    for (int components : { 1, 3 })
+    {
+      const auto image = MakeImage(type, components);
+      vtkNew<vtkHeightMap> map;
+      map->SetImageData(image);
+      if (!CHECK(HoldsTestImage(map)))
+      {
+        std::cerr << "  for " << image->GetScalarTypeAsString() << "\n";
+      }
+    }
+  }
+
+  const auto image = MakeImage(VTK_DOUBLE, 1);
+  vtkNew<vtkHeightMap> map;
+  RelevoErrors errors(map);
+  CHECK(!map->Update());
+  CHECK(errors.Said("neither a file name nor an image"));
+  map->SetImageData(image);
+  CHECK(HoldsTestImage(map));
+  CHECK(map->GetSamplesMTime() > 0);
+  CHECK_NEAR(map->GetHeight(0.5 / 4, 0.5 / 3), 100.0, 1e-3);
+  CHECK_NEAR(map->GetHeight(0.5, 0.5), 105.5, 1e-3);
+
+  // Follows the image.
+  const vtkMTimeType before = map->GetSamplesMTime();
+  image->GetPointData()->GetScalars()->SetComponent(0, 0, -7.0);
+  image->GetPointData()->GetScalars()->Modified();
+  CHECK(map->Update() && map->GetSample(0, 0) == -7.0 && map->GetSamplesMTime() > before);
+
+  // Structure of arrays.
+  vtkNew<vtkSOADataArrayTemplate<float>> soa;
+  soa->SetNumberOfComponents(2);
+  soa->SetNumberOfTuples(12);
+  for (vtkIdType i = 0; i < 12; ++i)
+  {
+    soa->SetTypedComponent(i, 0, 100.0f + i);
+    soa->SetTypedComponent(i, 1, -1.0f);
+  }
+  image->GetPointData()->SetScalars(soa);
+  CHECK(HoldsTestImage(map));
+
+  // Blanked points.
+  const auto blanked = MakeImage(VTK_FLOAT, 1);
+  blanked->AllocatePointGhostArray()->SetValue(5, vtkDataSetAttributes::HIDDENPOINT);
+  map->SetImageData(blanked);
+  CHECK(map->Update() && map->HasNoData() && !map->GetValidity()[5] && map->GetValidity()[4]);
+  CHECK_NEAR(map->GetSample(1, 1), 105.0, 0.5);
+
+  // What cannot be heights.
+  const auto hasNaN = MakeImage(VTK_DOUBLE, 1);
+  hasNaN->GetPointData()->GetScalars()->SetComponent(
+    6, 0, std::numeric_limits<double>::quiet_NaN());
+  map->SetImageData(hasNaN);
+  CHECK(!map->Update() &&
+    errors.Said("1 of 12 heights are NaN or infinite, the first in column 2, row 1"));
+  const auto tooLarge = MakeImage(VTK_DOUBLE, 1);
+  tooLarge->GetPointData()->GetScalars()->SetComponent(6, 0, 1e300);
+  map->SetImageData(tooLarge);
+  CHECK(!map->Update() && errors.Said("infinite"));
+  vtkNew<vtkImageData> volume;
+  volume->SetDimensions(2, 2, 2);
+  volume->AllocateScalars(VTK_FLOAT, 1);
+  map->SetImageData(volume);
+  CHECK(!map->Update() && errors.Said("2 x 2 x 2 points in place of n x m x 1"));
+  vtkNew<vtkImageData> empty;
+  map->SetImageData(empty);
+  CHECK(!map->Update() && errors.Said("0 x 0 x 0"));
+  vtkNew<vtkImageData> bare;
+  bare->SetDimensions(2, 2, 1);
+  map->SetImageData(bare);
+  CHECK(!map->Update() && errors.Said("no numeric point scalars"));
+  vtkNew<vtkFloatArray> tooFew;
+  tooFew->SetNumberOfTuples(3);
+  bare->GetPointData()->SetScalars(tooFew);
+  CHECK(!map->Update() && errors.Said("point scalars are 3"));
+
+  // Without the image it is the file's turn again.
+  map->SetImageData(nullptr);
+  map->SetFileName("nowhere.tif");
+  CHECK(!map->Update() && errors.Said("nowhere.tif"));
+  CHECK(map->GetDimensions()[0] == 0 && map->GetRange()[1] == 0.0);
+  CHECK(map->GetSample(0, 0) == 0.0);
+  return check.GetResult();
+}
