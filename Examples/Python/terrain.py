@@ -1,0 +1,48 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws a height map into a picture, without a display: terrain.py HEIGHTMAP PICTURE.png"""
+
+import sys
+
+import relevo
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkWindowToImageFilter
+
+heightmap, picture = sys.argv[1:]
+
+terrain = relevo.vtkTerrainSource()
+terrain.SetFileName(heightmap)
+terrain.Update()
+recipe = relevo.vtkAdaptiveRefinement()
+recipe.SetMetric(relevo.vtkDistanceDepthTagMetric())
+recipe.SetDisplacement(terrain.GetDisplacement())
+mapper = relevo.vtkAdaptiveRefinementMapper()
+mapper.SetInputConnection(terrain.GetOutputPort())
+mapper.SetRefinement(recipe)
+
+# From here on it is VTK as ever.
+actor = vtkActor()
+actor.SetMapper(mapper)
+actor.GetProperty().SetColor(0.9, 0.8, 0.65)
+renderer = vtkRenderer()
+renderer.AddActor(actor)
+renderer.SetBackground(0.65, 0.75, 0.88)
+camera = renderer.GetActiveCamera()
+camera.SetPosition(0, -1, 0.7)
+camera.SetViewUp(0, 0, 1)
+renderer.ResetCamera()
+camera.Dolly(1.4)
+renderer.ResetCameraClippingRange()
+window = relevo.vtkEGLOffscreenRenderWindow()
+window.SetSize(800, 500)
+window.AddRenderer(renderer)
+window.Render()
+print(mapper.GetNumberOfDrawnTriangles(), "triangles in", mapper.GetNumberOfDrawCalls(), "draws")
+
+image = vtkWindowToImageFilter()
+image.SetInput(window)
+image.ReadFrontBufferOff()
+writer = vtkPNGWriter()
+writer.SetInputConnection(image.GetOutputPort())
+writer.SetFileName(picture)
+writer.Write()

@@ -1,0 +1,70 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The Python examples run, and draw something; README.md shows what they hold."""
+
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import relevo
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+
+SOURCE = pathlib.Path(os.environ["RELEVO_SOURCE_DIR"])
+if not hasattr(relevo, "vtkEGLOffscreenRenderWindow"):
+    print("skipped: built without rendering, or without EGL")
+    sys.exit(125)
+
+
+class TestExamples(unittest.TestCase):
+    def test_terrain(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            image = vtkImageData()
+            image.SetDimensions(40, 40, 1)
+            image.AllocateScalars(VTK_UNSIGNED_CHAR, 1)
+            for j in range(40):
+                for i in range(40):
+                    image.SetScalarComponentFromDouble(i, j, 0, 0, (i * j) // 160)
+            writer = vtkPNGWriter()
+            writer.SetFileName(str(folder / "heights.png"))
+            writer.SetInputData(image)
+            writer.Write()
+            environment = dict(os.environ)
+            environment.pop("DISPLAY", None)
+            run = subprocess.run(
+                [sys.executable, SOURCE / "Examples/Python/terrain.py", "heights.png", "out.png"],
+                cwd=folder,
+                env=environment,
+                capture_output=True,
+                text=True,
+            )
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+            self.assertRegex(run.stdout, r"^[1-9]\d* triangles in [1-9]\d* draws\n$")
+            reader = vtkPNGReader()
+            reader.SetFileName(str(folder / "out.png"))
+            reader.Update()
+            picture = reader.GetOutput()
+            self.assertEqual(picture.GetDimensions(), (800, 500, 1))
+            shades = {
+                picture.GetScalarComponentAsFloat(i, j, 0, 0)
+                for j in range(0, 500, 25)
+                for i in range(0, 800, 25)
+            }
+            self.assertGreater(len(shades), 10)
+
+    def test_readme_shows_the_example(self):
+        example = (SOURCE / "Examples/Python/terrain.py").read_text()
+        readme = (SOURCE / "README.md").read_text()
+        shown = readme.split("```python\n")[1].split("```")[0].splitlines()
+        self.assertLessEqual(len(shown), 14)
+        for line in shown:
+            self.assertIn(line.replace('"rainier.tif"', "heightmap"), example)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["TestExamples"])
