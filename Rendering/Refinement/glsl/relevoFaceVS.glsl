@@ -1,0 +1,50 @@
+// One coarse face per instance: its corners, and what the surface functions ask for.
+
+in vec4 relevoPatternVertex; // (u, v, w); lines add 1 + the pattern edge they lie on
+
+uniform int relevoInstanceOffset;
+uniform usamplerBuffer relevoInstances; // face << 3 | permutation code
+uniform isamplerBuffer relevoFaces;     // sorted corners; primitive << 3 | hidden edges
+uniform samplerBuffer relevoPoints;     // VTK's vertexMC
+uniform samplerBuffer relevoPointData;  // normal, u; frame of u; frame of v; direction
+uniform samplerBuffer relevoVectors;    // the surface's vectors per face
+uniform vec3 relevoPositionScale;       // from the mesh's lengths to vertexMC's
+
+int relevoFaceIndex;
+ivec4 relevoFace;
+
+vec4 relevoPointDatum(int id, int k)
+{
+  return texelFetch(relevoPointData, id * RELEVO_POINT_STRIDE + k);
+}
+
+int cornerId(int i)
+{
+  return relevoFace[i];
+}
+
+vec3 cornerPoint(int i)
+{
+  return texelFetch(relevoPoints, relevoFace[i]).xyz;
+}
+
+vec3 cornerNormal(int i)
+{
+#ifdef RELEVO_NORMALS
+  return relevoPointDatum(relevoFace[i], 0).xyz;
+#else
+  return vec3(0.0);
+#endif
+}
+
+vec3 edgeVector(int edge, int k)
+{
+  return texelFetch(relevoVectors,
+    relevoFaceIndex * RELEVO_VECTORS_PER_FACE + edge * RELEVO_VECTORS_PER_EDGE + k).xyz;
+}
+
+vec3 faceVector(int k)
+{
+  return texelFetch(relevoVectors,
+    relevoFaceIndex * RELEVO_VECTORS_PER_FACE + 3 * RELEVO_VECTORS_PER_EDGE + k).xyz;
+}

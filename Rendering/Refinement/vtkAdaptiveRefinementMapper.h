@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkAdaptiveRefinementMapper
+ * @brief   a polydata mapper that refines every frame on the GPU and stores nothing refined
+ *
+ * Draws a coarse surface as its recipe says: each coarse triangle takes a pattern, the triangles
+ * that share a base pattern are drawn by one instanced call, and the vertex shader maps the
+ * pattern's points onto the surface and displaces them (ARKFPI, Lenz 2009). Everything else is
+ * vtkOpenGLPolyDataMapper: lights, textures, lookup tables, opacity, clipping planes,
+ * representations, selection. At level 0 without displacement the picture is the same.
+ *
+ * Input: a vtkPolyData, or a composite data set (vtkMultiBlockDataSet) whose vtkPolyData leaves are
+ * drawn. Polygons are cut into fans; vertices and lines are drawn as they are. Scalars and
+ * texture coordinates are interpolated over the refined surface, and coloured as
+ * InterpolateScalarsBeforeMapping says. Hardware selection returns the input's cells and points.
+ *
+ * Levels are evaluated again only when the mesh, the recipe or, for view-dependent metrics, the
+ * camera, the actor's matrix or the viewport changed. The displacement's scale, offset and
+ * direction change live.
+ *
+ * Needs OpenGL 3.3. Errors (ErrorEvent of this object; the surface is then not drawn, rendering
+ * goes on): no recipe, an older OpenGL, depth-tags or texture coordinates that cannot be used, a
+ * metric or height map that fails, a mesh or height map larger than OpenGL can hold.
+ *
+ * @sa vtkAdaptiveRefinement vtkAdaptiveRefinementFilter
+ */
+#ifndef vtkAdaptiveRefinementMapper_h
+#define vtkAdaptiveRefinementMapper_h
+
+#include "RelevoRenderingRefinementModule.h" // for export macro
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkSmartPointer.h" // for Refinement
+
+#include <memory> // for Internals
+
+class vtkAdaptiveRefinement;
+
+class RELEVORENDERINGREFINEMENT_EXPORT vtkAdaptiveRefinementMapper : public vtkOpenGLPolyDataMapper
+{
+public:
+  static vtkAdaptiveRefinementMapper* New();
+  vtkTypeMacro(vtkAdaptiveRefinementMapper, vtkOpenGLPolyDataMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * What to refine to. Required.
+   */
+  void SetRefinement(vtkAdaptiveRefinement* refinement);
+  vtkAdaptiveRefinement* GetRefinement();
+  ///@}
+
+  /**
+   * Triangles drawn by the last render: the polygons that vtkAdaptiveRefinementFilter would give
+   * for the same recipe and camera.
+   */
+  vtkIdType GetNumberOfDrawnTriangles();
+
+  /**
+   * Draw calls of the last render for refined faces.
+   */
+  int GetNumberOfDrawCalls();
+
+  /**
+   * Base patterns in use in the last render, at most as many as half the draw calls.
+   */
+  int GetNumberOfUsedPatterns();
+
+  /**
+   * How often levels have been evaluated since the mapper was made.
+   */
+  vtkIdType GetNumberOfSelections();
+
+  /**
+   * Seconds the last evaluation of levels took: tag, select and group, without the upload.
+   */
+  double GetSelectionTime();
+
+  /**
+   * Coarse triangles of the input.
+   */
+  vtkIdType GetNumberOfCoarseFaces();
+
+  /**
+   * Bytes on the GPU: coarse buffers (VTK's own included), patterns and height textures.
+   */
+  vtkTypeInt64 GetGraphicsMemorySize();
+
+  ///@{
+  /**
+   * Bounds of what is drawn: surface and displacement enlarge them by what they can reach.
+   */
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
+  ///@}
+
+  void RenderPiece(vtkRenderer* ren, vtkActor* act) override;
+  void RenderPieceStart(vtkRenderer* ren, vtkActor* act) override;
+  void RenderPieceDraw(vtkRenderer* ren, vtkActor* act) override;
+  void RenderPieceFinish(vtkRenderer* ren, vtkActor* act) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  void ShallowCopy(vtkAbstractMapper* mapper) override;
+  void ProcessSelectorPixelBuffers(
+    vtkHardwareSelector* sel, std::vector<unsigned int>& pixeloffsets, vtkProp* prop) override;
+
+protected:
+  vtkAdaptiveRefinementMapper();
+  ~vtkAdaptiveRefinementMapper() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  void ComputeBounds() override;
+  bool GetNeedToRebuildBufferObjects(vtkRenderer* ren, vtkActor* act) override;
+  void BuildBufferObjects(vtkRenderer* ren, vtkActor* act) override;
+  void BuildIBO(vtkRenderer* ren, vtkActor* act, vtkPolyData* poly) override;
+  bool GetNeedToRebuildShaders(
+    vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;
+  void ReplaceShaderValues(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act) override;
+  void SetMapperShaderParameters(
+    vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;
+  void UpdateMaximumPointCellIds(vtkRenderer* ren, vtkActor* actor) override;
+
+private:
+  vtkAdaptiveRefinementMapper(const vtkAdaptiveRefinementMapper&) = delete;
+  void operator=(const vtkAdaptiveRefinementMapper&) = delete;
+
+  struct vtkInternals;
+  friend struct vtkInternals;
+
+  bool IsComposite();
+  bool CheckOpenGL(vtkRenderer* ren);
+  bool UpdateMesh();
+  bool UpdateSelection(vtkRenderer* ren, vtkActor* act);
+  bool IsRefining(const vtkOpenGLHelper* cellBO) const;
+  void DrawFaces(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act);
+
+  vtkSmartPointer<vtkAdaptiveRefinement> Refinement;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

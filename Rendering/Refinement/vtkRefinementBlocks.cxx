@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRefinementBlocks.h"
+
+#include "vtkActor.h"
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
+#include "vtkAdaptiveRefinementMapper.h"
+#include "vtkCommand.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkHardwareSelector.h"
+#include "vtkPolyData.h"
+#include "vtkRenderer.h"
+
+namespace relevo
+{
+RefinementBlocks::RefinementBlocks() = default;
+RefinementBlocks::~RefinementBlocks() = default;
+
+void RefinementBlocks::Update(vtkAdaptiveRefinementMapper* parent, vtkCompositeDataSet* input)
+{
+  const bool changed = this->SyncTime < parent->GetMTime();
+  std::map<unsigned int, vtkSmartPointer<vtkAdaptiveRefinementMapper>> mappers;
+  auto iterator = vtk::TakeSmartPointer(input->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    vtkPolyData* leaf = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject());
+    if (!leaf)
+    {
+      continue;
+    }
+    const unsigned int index = iterator->GetCurrentFlatIndex();
+    auto found = this->Mappers.find(index);
+    vtkSmartPointer<vtkAdaptiveRefinementMapper> mapper;
+    if (found != this->Mappers.end())
+    {
+      mapper = found->second;
+    }
+    else
+    {
+      mapper = vtkSmartPointer<vtkAdaptiveRefinementMapper>::New();
+      mapper->SetPopulateSelectionSettings(0);
+      // Errors come from the object the user holds.
+      auto forward = [](vtkObject*, unsigned long event, void* client, void* text)
+      { static_cast<vtkAdaptiveRefinementMapper*>(client)->InvokeEvent(event, text); };
+      vtkNew<vtkCallbackCommand> command;
+      command->SetCallback(forward);
+      command->SetClientData(parent);
+      mapper->AddObserver(vtkCommand::ErrorEvent, command);
+      mapper->AddObserver(vtkCommand::WarningEvent, command);
+    }
+    if (changed || found == this->Mappers.end())
+    {
+      mapper->ShallowCopy(parent);
+    }
+    if (mapper->GetInputDataObject(0, 0) != leaf)
+    {
+      mapper->SetInputDataObject(leaf);
+    }
+    mappers[index] = mapper;
+  }
+  this->Mappers.swap(mappers);
+  if (changed)
+  {
+    this->SyncTime.Modified();
+  }
+}
+
+void RefinementBlocks::Render(vtkRenderer* ren, vtkActor* act)
+{
+  vtkHardwareSelector* selector = ren->GetSelector();
+  if (selector)
+  {
+    selector->BeginRenderProp();
+  }
+  for (auto& block : this->Mappers)
+  {
+    if (selector && selector->GetCurrentPass() == vtkHardwareSelector::COMPOSITE_INDEX_PASS)
+    {
+      selector->RenderCompositeIndex(block.first);
+    }
+    block.second->RenderPiece(ren, act);
+  }
+  if (selector)
+  {
+    selector->EndRenderProp();
+  }
+}
+
+void RefinementBlocks::ProcessSelectorPixelBuffers(
+  vtkHardwareSelector* selector, const std::vector<unsigned int>& pixels, vtkProp* prop)
+{
+  const unsigned char* indices =
+    selector->GetRawPixelBuffer(vtkHardwareSelector::COMPOSITE_INDEX_PASS);
+  if (!indices)
+  {
+    return;
+  }
+  std::map<unsigned int, std::vector<unsigned int>> pixelsOfBlock;
+  for (unsigned int pixel : pixels)
+  {
+    // The selector adds one, so that black means nothing.
+    const unsigned int index =
+      indices[pixel] | indices[pixel + 1] << 8 | indices[pixel + 2] << 16;
+    pixelsOfBlock[index - 1].push_back(pixel);
+  }
+  for (auto& block : this->Mappers)
+  {
+    auto found = pixelsOfBlock.find(block.first);
+    if (found != pixelsOfBlock.end())
+    {
+      block.second->SetPopulateSelectionSettings(1);
+      block.second->ProcessSelectorPixelBuffers(selector, found->second, prop);
+      block.second->SetPopulateSelectionSettings(0);
+    }
+  }
+}
+
+void RefinementBlocks::ForEach(
+  const std::function<void(vtkAdaptiveRefinementMapper*)>& work) const
+{
+  for (const auto& block : this->Mappers)
+  {
+    work(block.second);
+  }
+}
+}

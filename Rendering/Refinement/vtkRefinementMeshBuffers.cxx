@@ -1,0 +1,342 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRefinementMeshBuffers.h"
+
+#include "vtkAdaptiveRefinement.h"
+#include "vtkDisplacement.h"
+#include "vtkHeightField.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkRefinementMesh.h"
+#include "vtkRefinementShader.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <array>
+
+namespace relevo
+{
+namespace
+{
+constexpr const char* TooLarge = "the mesh is larger than the buffer textures of this OpenGL";
+
+// Texels per point: normal and u, frame of u, frame of v, direction.
+int GetPointStride(const RefinementMesh& mesh)
+{
+  return mesh.Frames.empty() ? 1 : (mesh.Directions.empty() ? 3 : 4);
+}
+}
+
+RefinementMeshBuffers::RefinementMeshBuffers() = default;
+RefinementMeshBuffers::~RefinementMeshBuffers() = default;
+
+bool RefinementMeshBuffers::UploadMesh(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh,
+  int edgePositions, vtkOpenGLVertexBufferObject* positions, const std::vector<int>& primitives)
+{
+  this->Error = TooLarge;
+  std::vector<int> faces(4 * mesh.Faces.size());
+  for (size_t f = 0; f < mesh.Faces.size(); ++f)
+  {
+    std::copy_n(mesh.Faces[f].Corners, 3, &faces[4 * f]);
+    faces[4 * f + 3] = primitives[f] << 3 | mesh.Faces[f].HiddenEdges;
+  }
+  if (!this->Faces.Upload(window, faces, 4) || !this->Points.Alias(window, positions))
+  {
+    return false;
+  }
+
+  if (!mesh.Normals.empty())
+  {
+    const size_t stride = 4 * static_cast<size_t>(GetPointStride(mesh));
+    const size_t numberOfPoints = mesh.Normals.size() / 3;
+    std::vector<float> data(stride * numberOfPoints, 0.0f);
+    for (size_t i = 0; i < numberOfPoints; ++i)
+    {
+      float* point = &data[stride * i];
+      std::copy_n(&mesh.Normals[3 * i], 3, point);
+      if (stride > 4)
+      {
+        std::copy_n(&mesh.Frames[8 * i], 4, point + 4);
+        std::copy_n(&mesh.Frames[8 * i + 4], 3, point + 8);
+        if (!mesh.TextureCoordinates.empty())
+        {
+          point[3] = mesh.TextureCoordinates[2 * i];
+          point[11] = mesh.TextureCoordinates[2 * i + 1];
+        }
+      }
+      if (stride > 12)
+      {
+        std::copy_n(&mesh.Directions[3 * i], 3, point + 12);
+      }
+    }
+    if (!this->PointData.Upload(window, data, 4))
+    {
+      return false;
+    }
+  }
+  else
+  {
+    this->PointData.ReleaseGraphicsResources(window);
+  }
+
+  std::array<double, 3> shift = { { 0.0, 0.0, 0.0 } };
+  std::array<double, 3> scale = { { 1.0, 1.0, 1.0 } };
+  if (positions->GetCoordShiftAndScaleEnabled())
+  {
+    std::copy_n(positions->GetShift().begin(), 3, shift.begin());
+    std::copy_n(positions->GetScale().begin(), 3, scale.begin());
+  }
+  std::copy(scale.begin(), scale.end(), this->PositionScale);
+  if (!mesh.Vectors.empty())
+  {
+    // Positions move to where VTK's vertices are; normals stay.
+    std::vector<float> vectors = mesh.Vectors;
+    const size_t perFace = static_cast<size_t>(mesh.VectorsPerFace);
+    const size_t perEdge = static_cast<size_t>(mesh.VectorsPerEdge);
+    for (size_t v = 0; v < vectors.size() / 3; ++v)
+    {
+      const size_t k = v % perFace;
+      if (k >= 3 * perEdge || k % perEdge < static_cast<size_t>(edgePositions))
+      {
+        for (size_t c = 0; c < 3; ++c)
+        {
+          vectors[3 * v + c] = static_cast<float>(
+            (vectors[3 * v + c] + (mesh.Origin[c] - shift[c])) * scale[c]);
+        }
+      }
+    }
+    if (!this->Vectors.Upload(window, vectors, 3))
+    {
+      return false;
+    }
+  }
+  else
+  {
+    this->Vectors.ReleaseGraphicsResources(window);
+  }
+
+  if (!mesh.Seams.empty())
+  {
+    if (!this->Seams.Upload(window, mesh.Seams, 1))
+    {
+      return false;
+    }
+  }
+  else
+  {
+    this->Seams.ReleaseGraphicsResources(window);
+  }
+  this->Error.clear();
+  return true;
+}
+
+bool RefinementMeshBuffers::UploadHeights(
+  vtkOpenGLRenderWindow* window, vtkHeightField* heights, bool withValidity)
+{
+  const vtkMTimeType time = heights ? heights->GetSamplesMTime() : 1;
+  if (this->Heights && this->HeightSource == heights && this->HeightTime == time &&
+    withValidity == (this->Validity != nullptr))
+  {
+    return true;
+  }
+  static float zero = 0.0f;
+  int size[2] = { 1, 1 };
+  if (heights)
+  {
+    heights->GetDimensions(size);
+  }
+  const int most = vtkTextureObject::GetMaximumTextureSize(window);
+  if (size[0] > most || size[1] > most)
+  {
+    this->Error = "the height map has " + std::to_string(size[0]) + " x " +
+      std::to_string(size[1]) + " samples, and a texture of this OpenGL at most " +
+      std::to_string(most) + " a side";
+    return false;
+  }
+  const unsigned int width = static_cast<unsigned int>(size[0]);
+  const unsigned int height = static_cast<unsigned int>(size[1]);
+  auto create = [&](vtkSmartPointer<vtkTextureObject>& texture, int type, const void* data)
+  {
+    if (texture)
+    {
+      texture->ReleaseGraphicsResources(window);
+    }
+    texture = vtkSmartPointer<vtkTextureObject>::New();
+    texture->SetContext(window);
+    texture->SetMinificationFilter(vtkTextureObject::Nearest);
+    texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+    texture->SetWrapS(vtkTextureObject::ClampToEdge);
+    texture->SetWrapT(vtkTextureObject::ClampToEdge);
+    return texture->Create2DFromRaw(width, height, 1, type, const_cast<void*>(data));
+  };
+  bool created = create(this->Heights, VTK_FLOAT, heights ? heights->GetSamples() : &zero);
+  this->HeightMemory = static_cast<vtkTypeInt64>(width) * height * sizeof(float);
+  if (withValidity)
+  {
+    created = create(this->Validity, VTK_UNSIGNED_CHAR, heights->GetValidity()) && created;
+    this->HeightMemory += static_cast<vtkTypeInt64>(width) * height;
+  }
+  else if (this->Validity)
+  {
+    this->Validity->ReleaseGraphicsResources(window);
+    this->Validity = nullptr;
+  }
+  if (!created)
+  {
+    this->Error = "the height map's texture could not be created";
+    this->Heights = nullptr;
+    return false;
+  }
+  this->HeightSource = heights;
+  this->HeightTime = time;
+  return true;
+}
+
+bool RefinementMeshBuffers::UploadInstances(
+  vtkOpenGLRenderWindow* window, const std::vector<unsigned int>& instances)
+{
+  this->Error = TooLarge;
+  return this->Instances.Upload(window, instances);
+}
+
+bool RefinementMeshBuffers::AliasAttributes(vtkOpenGLRenderWindow* window,
+  vtkOpenGLVertexBufferObjectGroup* vbos, const std::vector<std::string>& attributes)
+{
+  this->Error = TooLarge;
+  for (const std::string& name : attributes)
+  {
+    vtkOpenGLVertexBufferObject* vbo = vbos->GetVBO(name.c_str());
+    if (!vbo)
+    {
+      continue;
+    }
+    std::unique_ptr<RefinementBuffer>& buffer = this->Attributes[name];
+    if (!buffer)
+    {
+      buffer.reset(new RefinementBuffer);
+    }
+    if (!buffer->Alias(window, vbo))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void RefinementMeshBuffers::Describe(
+  const RefinementMesh& mesh, RefinementShaderOptions& options) const
+{
+  options.VectorsPerEdge = mesh.VectorsPerEdge;
+  options.VectorsPerFace = mesh.VectorsPerFace;
+  options.PointStride = GetPointStride(mesh);
+  options.HasNormals = !mesh.Normals.empty();
+  options.HasDirections = !mesh.Directions.empty();
+  options.HasSeams = !mesh.Seams.empty();
+  options.HasHoles = this->Validity != nullptr;
+}
+
+void RefinementMeshBuffers::Activate(vtkShaderProgram* program)
+{
+  this->Faces.Activate(program, "relevoFaces");
+  this->Instances.Activate(program, "relevoInstances");
+  this->Points.Activate(program, "relevoPoints");
+  this->PointData.Activate(program, "relevoPointData");
+  this->Vectors.Activate(program, "relevoVectors");
+  this->Seams.Activate(program, "relevoSeams");
+  for (auto& attribute : this->Attributes)
+  {
+    attribute.second->Activate(program, GetAttributeSampler(attribute.first));
+  }
+  auto activate = [program](vtkTextureObject* texture, const char* sampler)
+  {
+    if (texture && program->IsUniformUsed(sampler))
+    {
+      texture->Activate();
+      program->SetUniformi(sampler, texture->GetTextureUnit());
+    }
+  };
+  activate(this->Heights, "relevoHeights");
+  activate(this->Validity, "relevoValidity");
+}
+
+void RefinementMeshBuffers::Deactivate()
+{
+  for (RefinementBuffer* buffer : { &this->Faces, &this->Instances, &this->Points,
+         &this->PointData, &this->Vectors, &this->Seams })
+  {
+    buffer->Deactivate();
+  }
+  for (auto& attribute : this->Attributes)
+  {
+    attribute.second->Deactivate();
+  }
+  for (vtkTextureObject* texture : { this->Heights.Get(), this->Validity.Get() })
+  {
+    if (texture)
+    {
+      texture->Deactivate();
+    }
+  }
+}
+
+void RefinementMeshBuffers::SetUniforms(
+  vtkShaderProgram* program, vtkAdaptiveRefinement* recipe) const
+{
+  if (vtkDisplacement* displacement = recipe->GetDisplacement())
+  {
+    auto setFloat = [program](const char* name, double value)
+    {
+      if (program->IsUniformUsed(name))
+      {
+        program->SetUniformf(name, static_cast<float>(value));
+      }
+    };
+    setFloat("relevoDisplacementScale", displacement->GetScale());
+    setFloat("relevoDisplacementOffset", displacement->GetOffset());
+    if (program->IsUniformUsed("relevoDisplacementDirection"))
+    {
+      program->SetUniform3f("relevoDisplacementDirection", displacement->GetDirection());
+    }
+  }
+  if (program->IsUniformUsed("relevoPositionScale"))
+  {
+    program->SetUniform3f("relevoPositionScale", this->PositionScale);
+  }
+}
+
+vtkTypeInt64 RefinementMeshBuffers::GetMemorySize() const
+{
+  vtkTypeInt64 size = this->HeightMemory;
+  for (const RefinementBuffer* buffer : { &this->Faces, &this->Instances, &this->Points,
+         &this->PointData, &this->Vectors, &this->Seams })
+  {
+    size += buffer->GetMemorySize();
+  }
+  return size;
+}
+
+void RefinementMeshBuffers::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (RefinementBuffer* buffer : { &this->Faces, &this->Instances, &this->Points,
+         &this->PointData, &this->Vectors, &this->Seams })
+  {
+    buffer->ReleaseGraphicsResources(window);
+  }
+  for (auto& attribute : this->Attributes)
+  {
+    attribute.second->ReleaseGraphicsResources(window);
+  }
+  this->Attributes.clear();
+  for (vtkSmartPointer<vtkTextureObject>* texture : { &this->Heights, &this->Validity })
+  {
+    if (*texture)
+    {
+      (*texture)->ReleaseGraphicsResources(window);
+      *texture = nullptr;
+    }
+  }
+  this->HeightMemory = 0;
+}
+}

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkRefinementMeshBuffers
+ * @brief   a prepared coarse mesh and its height map on the GPU
+ *
+ * Private to the module.
+ */
+#ifndef vtkRefinementMeshBuffers_h
+#define vtkRefinementMeshBuffers_h
+
+#include "vtkRefinementBuffer.h"
+
+#include "vtkSmartPointer.h" // for textures
+#include "vtkType.h"         // for vtkMTimeType
+
+#include <map>    // for members
+#include <memory> // for members
+#include <string> // for errors
+#include <vector> // for members
+
+class vtkAdaptiveRefinement;
+class vtkHeightField;
+class vtkOpenGLRenderWindow;
+class vtkOpenGLVertexBufferObject;
+class vtkOpenGLVertexBufferObjectGroup;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace relevo
+{
+class RefinementMesh;
+struct RefinementShaderOptions;
+
+class RefinementMeshBuffers
+{
+public:
+  RefinementMeshBuffers();
+  ~RefinementMeshBuffers();
+  RefinementMeshBuffers(const RefinementMeshBuffers&) = delete;
+  void operator=(const RefinementMeshBuffers&) = delete;
+
+  /**
+   * Upload the mesh. `positions` is VTK's vertexMC, whose shift and scale the surface's vectors
+   * must share; `primitives` gives, per face, the id that VTK would have drawn it with. False, with
+   * GetError(), when the GPU cannot hold it.
+   */
+  bool UploadMesh(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh, int edgePositions,
+    vtkOpenGLVertexBufferObject* positions, const std::vector<int>& primitives);
+
+  /**
+   * Upload the heights if they changed; nullptr for a height of zero everywhere.
+   */
+  bool UploadHeights(vtkOpenGLRenderWindow* window, vtkHeightField* heights, bool withValidity);
+
+  /// The result of a selection.
+  bool UploadInstances(
+    vtkOpenGLRenderWindow* window, const std::vector<unsigned int>& instances);
+
+  /// Alias VTK's vertex buffers for the attributes that the refining shaders read.
+  bool AliasAttributes(vtkOpenGLRenderWindow* window, vtkOpenGLVertexBufferObjectGroup* vbos,
+    const std::vector<std::string>& attributes);
+
+  /// Fill in what the shaders depend on.
+  void Describe(const RefinementMesh& mesh, RefinementShaderOptions& options) const;
+
+  void Activate(vtkShaderProgram* program);
+  void Deactivate();
+
+  /// Set the uniforms that change live.
+  void SetUniforms(vtkShaderProgram* program, vtkAdaptiveRefinement* recipe) const;
+
+  vtkTypeInt64 GetMemorySize() const;
+  void ReleaseGraphicsResources(vtkWindow* window);
+  const std::string& GetError() const { return this->Error; }
+
+private:
+  RefinementBuffer Faces;
+  RefinementBuffer Instances;
+  RefinementBuffer Points;
+  RefinementBuffer PointData;
+  RefinementBuffer Vectors;
+  RefinementBuffer Seams;
+  std::map<std::string, std::unique_ptr<RefinementBuffer>> Attributes;
+  vtkSmartPointer<vtkTextureObject> Heights;
+  vtkSmartPointer<vtkTextureObject> Validity;
+  vtkHeightField* HeightSource = nullptr; // to compare, never read
+  vtkMTimeType HeightTime = 0;
+  vtkTypeInt64 HeightMemory = 0;
+  float PositionScale[3] = { 1.0f, 1.0f, 1.0f };
+  std::string Error;
+};
+}
+
+#endif

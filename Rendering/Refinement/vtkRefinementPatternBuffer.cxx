@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRefinementPatternBuffer.h"
+
+#include "vtkOpenGLBufferObject.h"
+#include "vtkPatternSelection.h"
+#include "vtkRefinementPattern.h"
+#include "vtkRefinementPatternTable.h"
+
+namespace relevo
+{
+RefinementPatternBuffer::RefinementPatternBuffer()
+{
+  this->VertexBuffer->SetType(vtkOpenGLBufferObject::ArrayBuffer);
+  this->TriangleBuffer->SetType(vtkOpenGLBufferObject::ElementArrayBuffer);
+  this->LineBuffer->SetType(vtkOpenGLBufferObject::ArrayBuffer);
+}
+
+RefinementPatternBuffer::~RefinementPatternBuffer() = default;
+
+int RefinementPatternBuffer::GetKey(const PatternGroup& group)
+{
+  return vtkRefinementPatternTable::GetPatternIndex(
+    group.Levels[0], group.Levels[1], group.Levels[2]);
+}
+
+const RefinementPatternBuffer::Range& RefinementPatternBuffer::GetRange(
+  const PatternGroup& group) const
+{
+  return this->Ranges.at(GetKey(group));
+}
+
+void RefinementPatternBuffer::Load(
+  vtkRefinementPatternTable* table, const std::vector<PatternGroup>& groups, bool withLines)
+{
+  bool changed = false;
+  if (withLines && !this->HasLines)
+  {
+    this->HasLines = true;
+    this->Ranges.clear();
+    this->Vertices.clear();
+    this->Triangles.clear();
+  }
+  for (const PatternGroup& group : groups)
+  {
+    const int key = GetKey(group);
+    if (this->Ranges.count(key))
+    {
+      continue;
+    }
+    changed = true;
+    const vtkRefinementPattern& pattern = GetGroupPattern(table, group);
+    Range range;
+    range.FirstVertex = static_cast<int>(this->Vertices.size() / 3);
+    range.NumberOfVertices = pattern.GetNumberOfVertices();
+    this->Vertices.insert(this->Vertices.end(), pattern.Vertices.begin(), pattern.Vertices.end());
+
+    range.FirstIndex = static_cast<int>(this->Triangles.size());
+    range.NumberOfIndices = static_cast<int>(pattern.Triangles.size());
+    this->Triangles.insert(
+      this->Triangles.end(), pattern.Triangles.begin(), pattern.Triangles.end());
+    for (size_t i = 0; i < pattern.Triangles.size(); i += 3)
+    {
+      for (size_t k : { 0, 2, 1 })
+      {
+        this->Triangles.push_back(static_cast<unsigned short>(pattern.Triangles[i + k]));
+      }
+    }
+
+    if (this->HasLines)
+    {
+      range.FirstLineVertex = static_cast<int>(this->Lines.size() / 4);
+      range.NumberOfLineVertices = static_cast<int>(pattern.Lines.size());
+      // The segments of edges 1, 2 and 3 come first.
+      int ends[3];
+      for (int e = 0, end = 0; e < 3; ++e)
+      {
+        end += 2 * pattern.Segments[e];
+        ends[e] = end;
+      }
+      for (int i = 0; i < range.NumberOfLineVertices; ++i)
+      {
+        const int edge = i < ends[0] ? 1 : (i < ends[1] ? 2 : (i < ends[2] ? 3 : 0));
+        const float* vertex = &pattern.Vertices[3 * static_cast<size_t>(pattern.Lines[i])];
+        this->Lines.insert(
+          this->Lines.end(), { vertex[0], vertex[1], vertex[2], static_cast<float>(1 + edge) });
+      }
+    }
+    this->Ranges[key] = range;
+  }
+  if (changed)
+  {
+    this->VertexBuffer->Upload(this->Vertices, vtkOpenGLBufferObject::ArrayBuffer);
+    this->TriangleBuffer->Upload(this->Triangles, vtkOpenGLBufferObject::ElementArrayBuffer);
+    if (this->HasLines)
+    {
+      this->LineBuffer->Upload(this->Lines, vtkOpenGLBufferObject::ArrayBuffer);
+    }
+    this->UploadTime.Modified();
+  }
+}
+
+vtkTypeInt64 RefinementPatternBuffer::GetMemorySize() const
+{
+  return static_cast<vtkTypeInt64>(this->Vertices.size() * sizeof(float) +
+    this->Triangles.size() * sizeof(unsigned short) + this->Lines.size() * sizeof(float));
+}
+
+void RefinementPatternBuffer::ReleaseGraphicsResources()
+{
+  this->VertexBuffer->ReleaseGraphicsResources();
+  this->TriangleBuffer->ReleaseGraphicsResources();
+  this->LineBuffer->ReleaseGraphicsResources();
+  this->Ranges.clear();
+  this->Vertices.clear();
+  this->Triangles.clear();
+  this->Lines.clear();
+  this->HasLines = false;
+}
+}

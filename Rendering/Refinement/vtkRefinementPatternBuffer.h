@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkRefinementPatternBuffer
+ * @brief   the patterns in use, on the GPU
+ *
+ * Vertices, triangles of both windings and lines of every pattern a selection has needed so far,
+ * in three buffers; patterns are appended when they are first needed. Private to the module.
+ */
+#ifndef vtkRefinementPatternBuffer_h
+#define vtkRefinementPatternBuffer_h
+
+#include "vtkNew.h"       // for buffers
+#include "vtkTimeStamp.h" // for UploadTime
+#include "vtkType.h"      // for vtkTypeInt64
+
+#include <map>    // for members
+#include <vector> // for members
+
+class vtkOpenGLBufferObject;
+class vtkRefinementPatternTable;
+
+namespace relevo
+{
+struct PatternGroup;
+
+class RefinementPatternBuffer
+{
+public:
+  RefinementPatternBuffer();
+  ~RefinementPatternBuffer();
+  RefinementPatternBuffer(const RefinementPatternBuffer&) = delete;
+  void operator=(const RefinementPatternBuffer&) = delete;
+
+  /// Where a pattern lies in the buffers.
+  struct Range
+  {
+    int FirstVertex = 0;
+    int NumberOfVertices = 0;
+    int FirstIndex = 0; // triangles; mirrored ones follow
+    int NumberOfIndices = 0;
+    int FirstLineVertex = 0;
+    int NumberOfLineVertices = 0;
+  };
+
+  /**
+   * Have all patterns of these groups, and their lines if asked for, on the GPU.
+   */
+  void Load(
+    vtkRefinementPatternTable* table, const std::vector<PatternGroup>& groups, bool withLines);
+
+  const Range& GetRange(const PatternGroup& group) const;
+
+  /// (u, v, w) of each vertex, 3 floats.
+  vtkOpenGLBufferObject* GetVertices() { return this->VertexBuffer; }
+  /// Unsigned short indices relative to a pattern's first vertex.
+  vtkOpenGLBufferObject* GetTriangles() { return this->TriangleBuffer; }
+  /// (u, v, w, 1 + e) of each line's ends: e = 1, 2, 3 for lines on the pattern's edge e, else 0.
+  vtkOpenGLBufferObject* GetLines() { return this->LineBuffer; }
+
+  /// When the buffers last changed.
+  vtkMTimeType GetUploadTime() const { return this->UploadTime; }
+
+  vtkTypeInt64 GetMemorySize() const;
+  void ReleaseGraphicsResources();
+
+private:
+  static int GetKey(const PatternGroup& group);
+
+  std::map<int, Range> Ranges;
+  bool HasLines = false;
+  std::vector<float> Vertices;
+  std::vector<unsigned short> Triangles;
+  std::vector<float> Lines;
+  vtkNew<vtkOpenGLBufferObject> VertexBuffer;
+  vtkNew<vtkOpenGLBufferObject> TriangleBuffer;
+  vtkNew<vtkOpenGLBufferObject> LineBuffer;
+  vtkTimeStamp UploadTime;
+};
+}
+
+#endif

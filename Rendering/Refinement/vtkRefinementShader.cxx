@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRefinementShader.h"
+
+#include "relevoDisplacement.h"
+#include "relevoDisplacementVS.h"
+#include "relevoEdgesGS.h"
+#include "relevoFaceVS.h"
+#include "relevoHeight.h"
+#include "relevoHeightMap.h"
+#include "relevoRefineVS.h"
+#include "relevoWeights.h"
+
+#include "vtkShaderProgram.h"
+
+#include <regex>
+#include <sstream>
+
+namespace relevo
+{
+namespace
+{
+// A value handed from the vertex shader to the fragments, through a geometry shader if there is
+// one. VTK's naming: ...VSOutput, which it turns into ...GSOutput behind a geometry shader.
+struct Varying
+{
+  const char* Qualifier;
+  const char* Type;
+  const char* Name;
+};
+
+// Put text before the first main().
+void InsertBeforeMain(std::string& source, const std::string& text)
+{
+  const size_t main = source.find("void main(");
+  if (main != std::string::npos)
+  {
+    source.insert(main, text);
+  }
+}
+
+// Put text right after the directive that becomes #version.
+void InsertAfterVersion(std::string& source, const std::string& text)
+{
+  vtkShaderProgram::Substitute(
+    source, "//VTK::System::Dec", "//VTK::System::Dec\n" + text, false);
+}
+
+std::string GetDefines(const RefinementShaderOptions& options, bool edges, bool lines)
+{
+  std::ostringstream text;
+  text << "#extension GL_ARB_gpu_shader5 : enable\n"
+          "#ifndef GL_ARB_gpu_shader5\n"
+          "#define precise\n"
+          "#endif\n"
+          "#define RELEVO_FUNCTION\n"
+       << "#define RELEVO_POINT_STRIDE " << options.PointStride << "\n"
+       << "#define RELEVO_VECTORS_PER_EDGE " << options.VectorsPerEdge << "\n"
+       << "#define RELEVO_VECTORS_PER_FACE " << options.VectorsPerFace << "\n";
+  auto define = [&text](bool condition, const char* name)
+  {
+    if (condition)
+    {
+      text << "#define " << name << "\n";
+    }
+  };
+  define(options.HasNormals, "RELEVO_NORMALS");
+  define(options.HasDisplacement, "RELEVO_DISPLACEMENT");
+  define(options.AlongNormal, "RELEVO_ALONG_NORMAL");
+  define(options.HasDirections, "RELEVO_DIRECTIONS");
+  define(options.HasSeams, "RELEVO_SEAMS");
+  define(options.HasHoles, "RELEVO_HOLES");
+  define(edges, "RELEVO_EDGES");
+  define(lines, "RELEVO_LINES");
+  return text.str();
+}
+}
+
+std::string RefinementShaderOptions::GetKey() const
+{
+  return GetDefines(*this, false, false) + this->SurfaceSource;
+}
+
+std::string GetAttributeSampler(const std::string& attribute)
+{
+  return "relevo_" + attribute;
+}
+
+std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, bool lines,
+  std::map<vtkShader::Type, vtkShader*>& shaders)
+{
+  std::string vertex = shaders[vtkShader::Vertex]->GetSource();
+  std::string geometry = shaders[vtkShader::Geometry]->GetSource();
+  std::string fragment = shaders[vtkShader::Fragment]->GetSource();
+  const bool edges = geometry.find("//VTK::Edges::Impl") != std::string::npos;
+
+  // Attributes become globals.
+  std::vector<std::string> attributes;
+  std::ostringstream samplers;
+  std::ostringstream fetches;
+  bool takesNormal = false;
+  const std::regex declaration("(^|\\n)[ \\t]*(in|attribute) (float|vec2|vec3|vec4) (\\w+);");
+  std::string rest = vertex;
+  vertex.clear();
+  std::smatch match;
+  while (std::regex_search(rest, match, declaration))
+  {
+    const std::string type = match[3];
+    const std::string name = match[4];
+    vertex += match.prefix().str() + match[1].str() + type + " " + name + ";";
+    if (name == "normalMC" && options.HasNormals)
+    {
+      takesNormal = true;
+    }
+    else if (name != "vertexMC")
+    {
+      attributes.push_back(name);
+      const std::string sampler = GetAttributeSampler(name);
+      const std::string components = type == "float" ? ".x" : (type == "vec2" ? ".xy" : (type == "vec3" ? ".xyz" : ""));
+      samplers << "uniform samplerBuffer " << sampler << ";\n";
+      fetches << "  " << name << " = weightedSum(texelFetch(" << sampler
+              << ", relevoFace.x), texelFetch(" << sampler << ", relevoFace.y), texelFetch("
+              << sampler << ", relevoFace.z), w)" << components << ";\n";
+    }
+    rest = match.suffix();
+  }
+  vertex += rest;
+
+  std::vector<Varying> varyings = { { "flat ", "int", "relevoPrimitiveID" } };
+  if (edges)
+  {
+    varyings.push_back({ "", "vec3", "relevoWeights" });
+    varyings.push_back({ "flat ", "int", "relevoHiddenEdges" });
+  }
+  if (options.HasHoles)
+  {
+    varyings.push_back({ "", "float", "relevoValid" });
+    varyings.push_back({ "", "vec2", "relevoHeightCoordinate" });
+  }
+
+  // The vertex shader.
+  std::ostringstream text;
+  text << relevoWeights << relevoFaceVS << options.SurfaceSource;
+  if (options.HasDisplacement)
+  {
+    text << relevoHeightMap << relevoHeight << relevoDisplacementVS << relevoDisplacement;
+  }
+  for (const Varying& varying : varyings)
+  {
+    text << varying.Qualifier << "out " << varying.Type << " " << varying.Name << "VSOutput;\n";
+  }
+  text << "int relevoPointId;\n"
+       << samplers.str() << "void relevoSetNormal(vec3 normal)\n{\n"
+       << (takesNormal ? "  normalMC = normal;\n" : "") << "}\n"
+       << "void relevoSetAttributes(vec3 w)\n{\n"
+       << fetches.str() << "}\n"
+       << relevoRefineVS;
+  InsertBeforeMain(vertex, text.str());
+  InsertAfterVersion(vertex, GetDefines(options, edges, lines));
+  vertex = std::regex_replace(
+    vertex, std::regex("void main\\(\\)\\s*\\{"), "void main()\n{\n  relevoRefine();\n");
+  if (lines)
+  {
+    vertex.insert(vertex.rfind('}'),
+      "\n  if (relevoIsHiddenLine()) { gl_Position = vec4(0.0, 0.0, 2.0, 1.0); }\n");
+  }
+  vtkShaderProgram::Substitute(vertex, "gl_VertexID", "relevoPointId");
+
+  // The geometry shader hands on what the fragments need.
+  if (!geometry.empty())
+  {
+    std::ostringstream declarations;
+    std::ostringstream copies;
+    for (const Varying& varying : varyings)
+    {
+      const std::string name = varying.Name;
+      declarations << varying.Qualifier << "in " << varying.Type << " " << name << "VSOutput[];\n"
+                   << varying.Qualifier << "out " << varying.Type << " " << name << "GSOutput;\n";
+      copies << name << "GSOutput = " << name << "VSOutput[i];\n    ";
+    }
+    if (edges)
+    {
+      declarations << relevoEdgesGS;
+      vtkShaderProgram::Substitute(geometry, "//VTK::Edges::Impl",
+        "if (relevoIsHiddenSide(2, 0)) edgeEqn[2].z = lineWidth;\n"
+        "  if (relevoIsHiddenSide(1, 2)) edgeEqn[1].z = lineWidth;\n"
+        "  if (relevoIsHiddenSide(0, 1)) edgeEqn[0].z = lineWidth;\n");
+    }
+    InsertBeforeMain(geometry, declarations.str());
+    vtkShaderProgram::Substitute(geometry, "EmitVertex();", copies.str() + "EmitVertex();");
+  }
+
+  // The fragment shader knows coarse primitives, and leaves holes.
+  std::string declarations = "flat in int relevoPrimitiveIDVSOutput;\n";
+  if (options.HasHoles)
+  {
+    declarations += "in float relevoValidVSOutput;\n"
+                    "in vec2 relevoHeightCoordinateVSOutput;\n";
+    declarations += std::string(relevoHeightMap) + relevoHeight;
+    InsertAfterVersion(fragment, GetDefines(options, false, false));
+    fragment = std::regex_replace(fragment, std::regex("void main\\(\\)\\s*\\{"),
+      "void main()\n{\n"
+      "  if (relevoValidVSOutput < 0.999 || !heightValid(relevoHeightCoordinateVSOutput)) "
+      "discard;\n");
+  }
+  InsertBeforeMain(fragment, declarations);
+  vtkShaderProgram::Substitute(
+    fragment, "gl_PrimitiveID + PrimitiveIDOffset", "relevoPrimitiveIDVSOutput");
+
+  shaders[vtkShader::Vertex]->SetSource(vertex);
+  shaders[vtkShader::Geometry]->SetSource(geometry);
+  shaders[vtkShader::Fragment]->SetSource(fragment);
+  return attributes;
+}
+}

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkRefinementShader
+ * @brief   turns the shaders of VTK's polydata mapper into refining ones
+ *
+ * VTK writes its vertex shader in terms of attributes (vertexMC, normalMC, scalarColor, ...). Here
+ * they become plain globals, set at the start of main() from the pattern vertex and the coarse
+ * face; VTK's lighting, colouring, clipping, peeling and picking code then works unchanged.
+ * Private to the module.
+ */
+#ifndef vtkRefinementShader_h
+#define vtkRefinementShader_h
+
+#include <map>    // for signature
+#include <string> // for members
+#include <vector> // for members
+
+#include "vtkShader.h" // for vtkShader::Type
+
+namespace relevo
+{
+/// What the shaders depend on.
+struct RefinementShaderOptions
+{
+  /// The surface's functions; see vtkRefinementSurface::GetShaderSource().
+  std::string SurfaceSource;
+  int VectorsPerEdge = 0;
+  int VectorsPerFace = 0;
+  int PointStride = 1;
+  bool HasNormals = false;
+  bool HasDisplacement = false;
+  bool AlongNormal = false;
+  bool HasDirections = false;
+  bool HasSeams = false;
+  bool HasHoles = false;
+
+  /// Everything above in one line, to compare.
+  std::string GetKey() const;
+};
+
+/**
+ * Rewrite finished shaders of VTK's; `lines` for those that draw a wireframe. Returns the names of the vertex attributes that the vertex
+ * shader now reads from the samplers GetAttributeSampler(name).
+ */
+std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, bool lines,
+  std::map<vtkShader::Type, vtkShader*>& shaders);
+
+std::string GetAttributeSampler(const std::string& attribute);
+}
+
+#endif

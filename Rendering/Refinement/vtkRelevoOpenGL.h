@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkRelevoOpenGL
+ * @brief   the OpenGL entry points, by whichever loader this VTK has (GLEW, from 9.4 on glad)
+ */
+#ifndef vtkRelevoOpenGL_h
+#define vtkRelevoOpenGL_h
+
+#if defined(__has_include)
+#if __has_include("vtk_glad.h")
+#include "vtk_glad.h"
+#else
+#include "vtk_glew.h"
+#endif
+#else
+#include "vtk_glew.h"
+#endif
+
+#endif
