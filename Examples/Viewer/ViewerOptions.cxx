@@ -168,8 +168,9 @@ a window when there is a display, a picture with --output.
 
   --imagery FILE         drape a georeferenced picture over it; else colours show the height
   --exaggeration X       factor on heights (default 1)
-  --resolution N         coarse faces along the longer side (default: the terrain source's)
-  --max-level N          deepest refinement, 0 to 7: an edge has up to 2^N segments (default 5)
+  --resolution N         coarse squares along the longer side (default 128)
+  --max-level N          deepest refinement, 0 to 7: an edge has up to 2^N segments (default: as
+                         fine as the height map)
   --metric distance|curvature
                          refine what is near the camera (default), or what is strongly curved
   --no-data hole|fill    leave out what has no data (default), or fill it in smoothly

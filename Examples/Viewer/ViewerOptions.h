@@ -21,7 +21,7 @@ struct ViewerOptions
   std::string HeightMap;
   std::string Imagery;
   double Exaggeration = 1.0;
-  int MaximumLevel = 5;
+  std::optional<int> MaximumLevel;
   MetricType Metric = MetricType::Distance;
   std::optional<int> Resolution;
   bool FillNoData = false;

@@ -14,6 +14,7 @@
 #include "vtkDistanceDepthTagMetric.h"
 #include "vtkFloatArray.h"
 #include "vtkHeightField.h"
+#include "vtkHeightMap.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkMath.h"
@@ -108,7 +109,7 @@ ViewerScene::ViewerScene(const ViewerOptions& options, ViewerMessages& messages)
   this->Messages.Observe(this->Mapper, "refining");
 
   this->ReadTerrain();
-  this->Recipe->SetMaximumLevel(options.MaximumLevel);
+  this->Recipe->SetMaximumLevel(options.MaximumLevel.value_or(this->GetRasterLevel()));
   this->Recipe->SetDisplacement(this->Source->GetDisplacement());
   this->SetLevels();
 
@@ -174,6 +175,22 @@ void ViewerScene::ReadTerrain()
 }
 
 //------------------------------------------------------------------------------
+int ViewerScene::GetRasterLevel()
+{
+  int size[2];
+  this->Source->GetHeightMap()->GetDimensions(size);
+  const int texels = std::max(size[0], size[1]);
+  const int squares = std::min(this->Source->GetResolution(), texels);
+  int level = static_cast<int>(std::ceil(std::log2(static_cast<double>(texels) / squares)));
+  // Only what touches the camera gets the full level of the distance metric.
+  if (this->Options.Metric == ViewerOptions::MetricType::Distance)
+  {
+    ++level;
+  }
+  return std::min(level, 7);
+}
+
+//------------------------------------------------------------------------------
 void ViewerScene::SetLevels()
 {
   if (this->Options.Metric == ViewerOptions::MetricType::Distance)
@@ -189,7 +206,8 @@ void ViewerScene::SetLevels()
   this->Messages.Observe(metric);
   metric->SetCurvatureTypeToMean();
   vtkNew<vtkFloatArray> tags;
-  metric->ComputeTags(this->DisplacedMesh, vtkRefinementView(), this->Options.MaximumLevel, tags);
+  metric->ComputeTags(
+    this->DisplacedMesh, vtkRefinementView(), this->Recipe->GetMaximumLevel(), tags);
   this->Messages.Check();
   tags->SetName(this->Recipe->GetDepthTagArrayName());
   this->Mesh->GetPointData()->AddArray(tags);

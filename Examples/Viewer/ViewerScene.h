@@ -39,6 +39,7 @@ public:
 
 private:
   void ReadTerrain();
+  int GetRasterLevel();
   void SetLevels();
   void SetColours();
   void SetLights();

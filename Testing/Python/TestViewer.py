@@ -136,6 +136,23 @@ class TestViewer(unittest.TestCase):
                 sky = [image.GetScalarComponentAsFloat(i, j, 0, c) for c in range(3)]
                 self.assertGreater(sky[2], sky[0])
 
+    @unittest.skipUnless(os.environ.get("DISPLAY"), "no display")
+    def test_window(self):
+        window = subprocess.Popen(
+            [str(PROGRAM), str(self.heights), "--stats", "--size", "300x200"],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        try:
+            # The statistics come once the window has drawn; then it stays open.
+            self.assertTrue(any("frame time" in window.stdout.readline() for _ in range(5)))
+            with self.assertRaises(subprocess.TimeoutExpired):
+                window.wait(1)
+        finally:
+            window.kill()
+            self.assertEqual(window.communicate()[1], "")
+
     def test_wireframe_differs(self):
         solid = self.picture("--size", "160x100")
         wires = self.picture("--size", "160x100", "--wireframe", "--resolution", "4")
