@@ -37,6 +37,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRefinementBlocks.h"
+#include "vtkRefinementColors.h"
 #include "vtkRefinementEvaluator.h"
 #include "vtkRefinementMesh.h"
 #include "vtkRefinementMeshBuffers.h"
@@ -47,6 +48,7 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTimerLog.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 
@@ -96,6 +98,8 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   // GPU side.
   relevo::RefinementMeshBuffers Buffers;
   relevo::RefinementPatternBuffer Patterns;
+  relevo::RefinementColors Colors;
+  bool ColorsValid = false;
   vtkTimeStamp UploadTime;
   bool UploadValid = false;
   bool InstancesUploaded = false;
@@ -177,8 +181,8 @@ vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfDrawnTriangles()
   if (!data.Blocks.IsEmpty())
   {
     vtkIdType sum = 0;
-    data.Blocks.ForEach([&sum](vtkAdaptiveRefinementMapper* block)
-      { sum += block->GetNumberOfDrawnTriangles(); });
+    data.Blocks.ForEach(
+      [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfDrawnTriangles(); });
     return sum;
   }
   if (!data.HolesCounted && data.SelectionValid)
@@ -238,7 +242,8 @@ vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfCoarseFaces()
 vtkTypeInt64 vtkAdaptiveRefinementMapper::GetGraphicsMemorySize()
 {
   vtkInternals& data = *this->Internals;
-  vtkTypeInt64 sum = data.Buffers.GetMemorySize() + data.Patterns.GetMemorySize();
+  vtkTypeInt64 sum =
+    data.Buffers.GetMemorySize() + data.Patterns.GetMemorySize() + data.Colors.GetMemorySize();
   for (const char* name : { "vertexMC", "normalMC", "scalarColor", "tcoord", "tangentMC" })
   {
     if (vtkOpenGLVertexBufferObject* vbo = this->VBOs->GetVBO(name))
@@ -343,8 +348,8 @@ void vtkAdaptiveRefinementMapper::ComputeBounds()
   {
     data.Blocks.Update(this, composite);
     vtkBoundingBox box;
-    data.Blocks.ForEach([&box](vtkAdaptiveRefinementMapper* block)
-      { box.AddBounds(block->GetBounds()); });
+    data.Blocks.ForEach(
+      [&box](vtkAdaptiveRefinementMapper* block) { box.AddBounds(block->GetBounds()); });
     vtkMath::UninitializeBounds(this->Bounds);
     if (box.IsValid())
     {
@@ -468,8 +473,8 @@ bool vtkAdaptiveRefinementMapper::CheckOpenGL(vtkRenderer*)
     data.ContextValid = major > 3 || (major == 3 && minor >= 3);
     if (!data.ContextValid)
     {
-      vtkErrorMacro("Refinement needs OpenGL 3.3, this context has " << major << "." << minor
-                                                                     << ".");
+      vtkErrorMacro(
+        "Refinement needs OpenGL 3.3, this context has " << major << "." << minor << ".");
     }
   }
   return data.ContextValid;
@@ -497,8 +502,7 @@ void vtkAdaptiveRefinementMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor*
   vtkPolyData* input = this->CurrentInput;
   vtkCellArray* cells[4] = { input->GetVerts(), input->GetLines(), input->GetPolys(),
     input->GetStrips() };
-  this->CellCellMap->Update(
-    cells, act->GetProperty()->GetRepresentation(), input->GetPoints());
+  this->CellCellMap->Update(cells, act->GetProperty()->GetRepresentation(), input->GetPoints());
   std::vector<int> primitiveOfCell(static_cast<size_t>(input->GetNumberOfCells()), 0);
   for (size_t i = this->CellCellMap->GetSize(); i-- > 0;)
   {
@@ -511,12 +515,30 @@ void vtkAdaptiveRefinementMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor*
   }
   vtkRefinementSurface* surface = this->Refinement->GetSurface();
   vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
+  vtkDataArray* scalars = this->GetScalarsToInterpolate();
+  data.ColorsValid =
+    scalars && data.Colors.Upload(window, scalars, this->GetLookupTable(), this->ArrayComponent);
   data.UploadValid = data.Buffers.UploadMesh(
     window, data.Mesh, surface ? surface->GetNumberOfEdgePositions() : 0, positions, primitives);
   if (!data.UploadValid)
   {
     vtkErrorMacro("Cannot draw the input: " << data.Buffers.GetError() << ".");
   }
+}
+
+vtkDataArray* vtkAdaptiveRefinementMapper::GetScalarsToInterpolate()
+{
+  if (this->VBOs->GetNumberOfComponents("scalarColor") == 0)
+  {
+    return nullptr;
+  }
+  int cellFlag = 0;
+  vtkDataArray* scalars =
+    vtkDataArray::SafeDownCast(vtkAbstractMapper::GetAbstractScalars(this->GetInput(),
+      this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag));
+  const bool direct = this->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS ||
+    (this->ColorMode == VTK_COLOR_MODE_DEFAULT && vtkUnsignedCharArray::SafeDownCast(scalars));
+  return cellFlag == 0 && !direct ? scalars : nullptr;
 }
 
 void vtkAdaptiveRefinementMapper::BuildIBO(vtkRenderer* ren, vtkActor* act, vtkPolyData* poly)
@@ -536,14 +558,15 @@ void vtkAdaptiveRefinementMapper::ReleaseGraphicsResources(vtkWindow* window)
   vtkInternals& data = *this->Internals;
   data.Buffers.ReleaseGraphicsResources(window);
   data.Patterns.ReleaseGraphicsResources();
+  data.Colors.ReleaseGraphicsResources(window);
   data.Faces.ReleaseGraphicsResources(window);
   data.Vertices.ReleaseGraphicsResources(window);
   data.Programs.clear();
   data.InstancesUploaded = false;
   data.UploadValid = false;
   data.ContextChecked = false;
-  data.Blocks.ForEach([window](vtkAdaptiveRefinementMapper* block)
-    { block->ReleaseGraphicsResources(window); });
+  data.Blocks.ForEach(
+    [window](vtkAdaptiveRefinementMapper* block) { block->ReleaseGraphicsResources(window); });
 }
 
 //------------------------------------------------------------------------------
@@ -595,8 +618,8 @@ void vtkAdaptiveRefinementMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* a
   data.Drawable = true;
   if (displacement)
   {
-    data.Drawable = data.Buffers.UploadHeights(
-      window, displacement->GetHeightMap(), displacement->HasHoles());
+    data.Drawable =
+      data.Buffers.UploadHeights(window, displacement->GetHeightMap(), displacement->HasHoles());
   }
   if (data.Drawable && !data.InstancesUploaded)
   {
@@ -637,6 +660,7 @@ void vtkAdaptiveRefinementMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* ac
 void vtkAdaptiveRefinementMapper::RenderPieceFinish(vtkRenderer* ren, vtkActor* act)
 {
   this->Internals->Buffers.Deactivate();
+  this->Internals->Colors.Deactivate();
   this->Superclass::RenderPieceFinish(ren, act);
 }
 
@@ -644,10 +668,8 @@ void vtkAdaptiveRefinementMapper::DrawFaces(
   vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
 {
   vtkInternals& data = *this->Internals;
-  vtkOpenGLState* state =
-    vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow())->GetState();
-  int mode =
-    this->GetOpenGLMode(act->GetProperty()->GetRepresentation(), cellBO.PrimitiveType);
+  vtkOpenGLState* state = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow())->GetState();
+  int mode = this->GetOpenGLMode(act->GetProperty()->GetRepresentation(), cellBO.PrimitiveType);
   if (this->PointPicking)
   {
     state->vtkglPointSize(this->GetPointPickingPrimitiveSize(cellBO.PrimitiveType));
@@ -685,8 +707,8 @@ void vtkAdaptiveRefinementMapper::DrawFaces(
     else
     {
       // Picking is for coarse points: a pattern's corners come first.
-      glDrawArraysInstanced(GL_POINTS, range.FirstVertex,
-        this->PointPicking ? 3 : range.NumberOfVertices, group.Count);
+      glDrawArraysInstanced(
+        GL_POINTS, range.FirstVertex, this->PointPicking ? 3 : range.NumberOfVertices, group.Count);
     }
     ++data.NumberOfDrawCalls;
   };
@@ -708,7 +730,7 @@ bool vtkAdaptiveRefinementMapper::IsRefining(const vtkOpenGLHelper* cellBO) cons
 namespace
 {
 relevo::RefinementShaderOptions GetShaderOptions(const relevo::RefinementMesh& mesh,
-  const relevo::RefinementMeshBuffers& buffers, vtkAdaptiveRefinement* recipe)
+  const relevo::RefinementMeshBuffers& buffers, bool hasScalars, vtkAdaptiveRefinement* recipe)
 {
   relevo::RefinementShaderOptions options;
   buffers.Describe(mesh, options);
@@ -716,6 +738,7 @@ relevo::RefinementShaderOptions GetShaderOptions(const relevo::RefinementMesh& m
   vtkRefinementSurface* surface = recipe->GetSurface();
   options.SurfaceSource = (surface ? surface : linear.Get())->GetShaderSource();
   vtkDisplacement* displacement = recipe->GetDisplacement();
+  options.HasScalars = hasScalars;
   options.HasDisplacement = displacement != nullptr;
   options.AlongNormal = displacement && displacement->IsAlongNormal();
   return options;
@@ -728,8 +751,9 @@ bool vtkAdaptiveRefinementMapper::GetNeedToRebuildShaders(
   bool needed = this->Superclass::GetNeedToRebuildShaders(cellBO, ren, act);
   if (this->IsRefining(&cellBO))
   {
-    const std::string key =
-      GetShaderOptions(this->Internals->Mesh, this->Internals->Buffers, this->Refinement).GetKey();
+    const std::string key = GetShaderOptions(this->Internals->Mesh, this->Internals->Buffers,
+      this->Internals->ColorsValid, this->Refinement)
+                              .GetKey();
     std::string& last = this->Internals->Programs[&cellBO].ShaderKey;
     needed = needed || key != last;
     last = key;
@@ -747,9 +771,10 @@ void vtkAdaptiveRefinementMapper::ReplaceShaderValues(
       ? GL_POINTS
       : this->GetOpenGLMode(
           act->GetProperty()->GetRepresentation(), this->LastBoundBO->PrimitiveType);
-    this->Internals->Programs[this->LastBoundBO].Attributes = relevo::RefineShaders(
-      GetShaderOptions(this->Internals->Mesh, this->Internals->Buffers, this->Refinement),
-      mode == GL_LINES, shaders);
+    this->Internals->Programs[this->LastBoundBO].Attributes =
+      relevo::RefineShaders(GetShaderOptions(this->Internals->Mesh, this->Internals->Buffers,
+                              this->Internals->ColorsValid, this->Refinement),
+        mode == GL_LINES, shaders);
   }
 }
 
@@ -766,8 +791,7 @@ void vtkAdaptiveRefinementMapper::SetMapperShaderParameters(
   vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
   const bool lines = !this->PointPicking &&
     this->GetOpenGLMode(act->GetProperty()->GetRepresentation(), cellBO.PrimitiveType) == GL_LINES;
-  vtkOpenGLBufferObject* vertices =
-    lines ? data.Patterns.GetLines() : data.Patterns.GetVertices();
+  vtkOpenGLBufferObject* vertices = lines ? data.Patterns.GetLines() : data.Patterns.GetVertices();
 
   if (program.PatternVertices != vertices ||
     cellBO.AttributeUpdateTime < data.Patterns.GetUploadTime() ||
@@ -787,6 +811,7 @@ void vtkAdaptiveRefinementMapper::SetMapperShaderParameters(
     cellBO.AttributeUpdateTime.Modified();
   }
   data.Buffers.Activate(cellBO.Program);
+  data.Colors.Activate(cellBO.Program);
   data.Buffers.SetUniforms(cellBO.Program, this->Refinement);
 }
 
@@ -796,8 +821,7 @@ void vtkAdaptiveRefinementMapper::SetMapperShaderParameters(
 void vtkAdaptiveRefinementMapper::UpdateMaximumPointCellIds(vtkRenderer* ren, vtkActor* actor)
 {
   this->Superclass::UpdateMaximumPointCellIds(ren, actor);
-  ren->GetSelector()->UpdateMaximumCellId(
-    static_cast<vtkIdType>(this->CellCellMap->GetSize()));
+  ren->GetSelector()->UpdateMaximumCellId(static_cast<vtkIdType>(this->CellCellMap->GetSize()));
 }
 
 void vtkAdaptiveRefinementMapper::ProcessSelectorPixelBuffers(

@@ -113,12 +113,10 @@ protected:
   bool GetNeedToRebuildBufferObjects(vtkRenderer* ren, vtkActor* act) override;
   void BuildBufferObjects(vtkRenderer* ren, vtkActor* act) override;
   void BuildIBO(vtkRenderer* ren, vtkActor* act, vtkPolyData* poly) override;
-  bool GetNeedToRebuildShaders(
-    vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;
+  bool GetNeedToRebuildShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;
   void ReplaceShaderValues(
     std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act) override;
-  void SetMapperShaderParameters(
-    vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;
+  void SetMapperShaderParameters(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;
   void UpdateMaximumPointCellIds(vtkRenderer* ren, vtkActor* actor) override;
 
 private:
@@ -129,6 +127,7 @@ private:
   friend struct vtkInternals;
 
   bool IsComposite();
+  vtkDataArray* GetScalarsToInterpolate();
   bool CheckOpenGL(vtkRenderer* ren);
   bool UpdateMesh();
   bool UpdateSelection(vtkRenderer* ren, vtkActor* act);

@@ -3,13 +3,13 @@
 #include "vtkRefinementBlocks.h"
 
 #include "vtkActor.h"
-#include "vtkCallbackCommand.h"
-#include "vtkNew.h"
 #include "vtkAdaptiveRefinementMapper.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkHardwareSelector.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 
@@ -101,8 +101,7 @@ void RefinementBlocks::ProcessSelectorPixelBuffers(
   for (unsigned int pixel : pixels)
   {
     // The selector adds one, so that black means nothing.
-    const unsigned int index =
-      indices[pixel] | indices[pixel + 1] << 8 | indices[pixel + 2] << 16;
+    const unsigned int index = indices[pixel] | indices[pixel + 1] << 8 | indices[pixel + 2] << 16;
     pixelsOfBlock[index - 1].push_back(pixel);
   }
   for (auto& block : this->Mappers)
@@ -117,8 +116,7 @@ void RefinementBlocks::ProcessSelectorPixelBuffers(
   }
 }
 
-void RefinementBlocks::ForEach(
-  const std::function<void(vtkAdaptiveRefinementMapper*)>& work) const
+void RefinementBlocks::ForEach(const std::function<void(vtkAdaptiveRefinementMapper*)>& work) const
 {
   for (const auto& block : this->Mappers)
   {

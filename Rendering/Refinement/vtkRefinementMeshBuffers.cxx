@@ -102,8 +102,8 @@ bool RefinementMeshBuffers::UploadMesh(vtkOpenGLRenderWindow* window, const Refi
       {
         for (size_t c = 0; c < 3; ++c)
         {
-          vectors[3 * v + c] = static_cast<float>(
-            (vectors[3 * v + c] + (mesh.Origin[c] - shift[c])) * scale[c]);
+          vectors[3 * v + c] =
+            static_cast<float>((vectors[3 * v + c] + (mesh.Origin[c] - shift[c])) * scale[c]);
         }
       }
     }
@@ -263,8 +263,8 @@ void RefinementMeshBuffers::Activate(vtkShaderProgram* program)
 
 void RefinementMeshBuffers::Deactivate()
 {
-  for (RefinementBuffer* buffer : { &this->Faces, &this->Instances, &this->Points,
-         &this->PointData, &this->Vectors, &this->Seams })
+  for (RefinementBuffer* buffer : { &this->Faces, &this->Instances, &this->Points, &this->PointData,
+         &this->Vectors, &this->Seams })
   {
     buffer->Deactivate();
   }
@@ -319,8 +319,8 @@ vtkTypeInt64 RefinementMeshBuffers::GetMemorySize() const
 
 void RefinementMeshBuffers::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (RefinementBuffer* buffer : { &this->Faces, &this->Instances, &this->Points,
-         &this->PointData, &this->Vectors, &this->Seams })
+  for (RefinementBuffer* buffer : { &this->Faces, &this->Instances, &this->Points, &this->PointData,
+         &this->Vectors, &this->Seams })
   {
     buffer->ReleaseGraphicsResources(window);
   }

@@ -55,8 +55,7 @@ public:
   bool UploadHeights(vtkOpenGLRenderWindow* window, vtkHeightField* heights, bool withValidity);
 
   /// The result of a selection.
-  bool UploadInstances(
-    vtkOpenGLRenderWindow* window, const std::vector<unsigned int>& instances);
+  bool UploadInstances(vtkOpenGLRenderWindow* window, const std::vector<unsigned int>& instances);
 
   /// Alias VTK's vertex buffers for the attributes that the refining shaders read.
   bool AliasAttributes(vtkOpenGLRenderWindow* window, vtkOpenGLVertexBufferObjectGroup* vbos,

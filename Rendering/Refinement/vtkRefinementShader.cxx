@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRefinementShader.h"
 
+#include "relevoColorsVS.h"
 #include "relevoDisplacement.h"
 #include "relevoDisplacementVS.h"
 #include "relevoEdgesGS.h"
@@ -42,8 +43,7 @@ void InsertBeforeMain(std::string& source, const std::string& text)
 // Put text right after the directive that becomes #version.
 void InsertAfterVersion(std::string& source, const std::string& text)
 {
-  vtkShaderProgram::Substitute(
-    source, "//VTK::System::Dec", "//VTK::System::Dec\n" + text, false);
+  vtkShaderProgram::Substitute(source, "//VTK::System::Dec", "//VTK::System::Dec\n" + text, false);
 }
 
 std::string GetDefines(const RefinementShaderOptions& options, bool edges, bool lines)
@@ -70,6 +70,7 @@ std::string GetDefines(const RefinementShaderOptions& options, bool edges, bool 
   define(options.HasDirections, "RELEVO_DIRECTIONS");
   define(options.HasSeams, "RELEVO_SEAMS");
   define(options.HasHoles, "RELEVO_HOLES");
+  define(options.HasScalars, "RELEVO_SCALARS");
   define(edges, "RELEVO_EDGES");
   define(lines, "RELEVO_LINES");
   return text.str();
@@ -112,11 +113,16 @@ std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, b
     {
       takesNormal = true;
     }
+    else if (name == "scalarColor" && options.HasScalars)
+    {
+      fetches << "  scalarColor = relevoScalarColor(w);\n";
+    }
     else if (name != "vertexMC")
     {
       attributes.push_back(name);
       const std::string sampler = GetAttributeSampler(name);
-      const std::string components = type == "float" ? ".x" : (type == "vec2" ? ".xy" : (type == "vec3" ? ".xyz" : ""));
+      const std::string components =
+        type == "float" ? ".x" : (type == "vec2" ? ".xy" : (type == "vec3" ? ".xyz" : ""));
       samplers << "uniform samplerBuffer " << sampler << ";\n";
       fetches << "  " << name << " = weightedSum(texelFetch(" << sampler
               << ", relevoFace.x), texelFetch(" << sampler << ", relevoFace.y), texelFetch("
@@ -144,6 +150,10 @@ std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, b
   if (options.HasDisplacement)
   {
     text << relevoHeightMap << relevoHeight << relevoDisplacementVS << relevoDisplacement;
+  }
+  if (options.HasScalars)
+  {
+    text << relevoColorsVS;
   }
   for (const Varying& varying : varyings)
   {

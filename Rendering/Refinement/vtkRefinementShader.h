@@ -34,14 +34,17 @@ struct RefinementShaderOptions
   bool HasDirections = false;
   bool HasSeams = false;
   bool HasHoles = false;
+  /// Whether point scalars are interpolated before they are coloured.
+  bool HasScalars = false;
 
   /// Everything above in one line, to compare.
   std::string GetKey() const;
 };
 
 /**
- * Rewrite finished shaders of VTK's; `lines` for those that draw a wireframe. Returns the names of the vertex attributes that the vertex
- * shader now reads from the samplers GetAttributeSampler(name).
+ * Rewrite finished shaders of VTK's; `lines` for those that draw a wireframe. Returns the names of
+ * the vertex attributes that the vertex shader now reads from the samplers
+ * GetAttributeSampler(name).
  */
 std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, bool lines,
   std::map<vtkShader::Type, vtkShader*>& shaders);
