@@ -35,6 +35,14 @@ class vtkAdaptiveRefinement;
 class vtkCamera;
 class vtkMatrix4x4;
 
+#ifndef __VTK_WRAP__
+namespace relevo
+{
+class PatternSelection;
+class RefinementMesh;
+}
+#endif
+
 class RELEVOFILTERSREFINEMENT_EXPORT vtkAdaptiveRefinementFilter : public vtkPolyDataAlgorithm
 {
 public:
@@ -61,8 +69,10 @@ public:
   ///@{
   /**
    * Width and height in pixels of the viewport of view-dependent metrics, default 300 x 300.
+   * Sizes below 1 are an error and change nothing.
    */
-  vtkSetVector2Macro(ViewportSize, int);
+  void SetViewportSize(int width, int height);
+  void SetViewportSize(const int size[2]) { this->SetViewportSize(size[0], size[1]); }
   vtkGetVector2Macro(ViewportSize, int);
   ///@}
 
@@ -92,6 +102,12 @@ protected:
   int ViewportSize[2] = { 300, 300 };
 
 private:
+#ifndef __VTK_WRAP__
+  /// Check everything and select levels; false after an ErrorEvent.
+  bool Prepare(
+    vtkPolyData* input, relevo::RefinementMesh& mesh, relevo::PatternSelection& selection);
+#endif
+
   vtkAdaptiveRefinementFilter(const vtkAdaptiveRefinementFilter&) = delete;
   void operator=(const vtkAdaptiveRefinementFilter&) = delete;
 };

@@ -78,8 +78,7 @@ private:
     const int lambda = vtkRefinementPatternTable::Canonicalize(levels);
     int permutation[3];
     vtkRefinementPatternTable::GetPermutation(lambda, permutation);
-    const int pattern =
-      vtkRefinementPatternTable::GetPatternIndex(levels[0], levels[1], levels[2]);
+    const int pattern = vtkRefinementPatternTable::GetPatternIndex(levels[0], levels[1], levels[2]);
     const int group = 2 * pattern + (vtkRefinementPatternTable::IsOdd(lambda) ? 1 : 0);
     return static_cast<unsigned short>(group << 3 |
       GetCornerOrderCode(permutation[order[0]], permutation[order[1]], permutation[order[2]]));
@@ -94,10 +93,47 @@ const SelectionTable& GetSelectionTable()
   return table;
 }
 
-vtkDataArray* FindDepthTagArray(vtkAdaptiveRefinement* recipe, vtkPolyData* input)
+vtkAbstractArray* FindDepthTagArray(vtkAdaptiveRefinement* recipe, vtkPolyData* input)
 {
   const char* name = recipe->GetDepthTagArrayName();
-  return name[0] ? input->GetPointData()->GetArray(name) : nullptr;
+  return name[0] ? input->GetPointData()->GetAbstractArray(name) : nullptr;
+}
+
+// One finite value per point; false and an error when the array cannot give them.
+bool ReadDepthTags(
+  vtkAbstractArray* array, vtkIdType numberOfPoints, std::vector<float>& tags, std::string& error)
+{
+  std::ostringstream text;
+  text << "point array \"" << array->GetName() << "\" of depth-tags ";
+  vtkDataArray* numbers = vtkDataArray::SafeDownCast(array);
+  if (!numbers)
+  {
+    text << "holds no numbers";
+    error = text.str();
+    return false;
+  }
+  if (numbers->GetNumberOfComponents() != 1 || numbers->GetNumberOfTuples() != numberOfPoints)
+  {
+    text << "has " << numbers->GetNumberOfTuples() << " tuples of "
+         << numbers->GetNumberOfComponents() << " components for " << numberOfPoints
+         << " points; it needs one value per point";
+    error = text.str();
+    return false;
+  }
+  tags.resize(static_cast<size_t>(numberOfPoints));
+  for (vtkIdType i = 0; i < numberOfPoints; ++i)
+  {
+    const double tag = numbers->GetComponent(i, 0);
+    if (std::isnan(tag))
+    {
+      text << "is NaN at point " << i;
+      error = text.str();
+      return false;
+    }
+    constexpr double most = 1e38; // means of two stay finite
+    tags[static_cast<size_t>(i)] = static_cast<float>(std::min(std::max(tag, -most), most));
+  }
+  return true;
 }
 }
 
@@ -107,48 +143,31 @@ bool AreDepthTagsViewDependent(vtkAdaptiveRefinement* recipe, vtkPolyData* input
     recipe->GetMetric()->IsViewDependent();
 }
 
-bool ComputeDepthTags(vtkAdaptiveRefinement* recipe, vtkPolyData* input,
-  const RefinementMesh& mesh, const vtkRefinementView& view, std::vector<float>& tags,
-  std::string& error)
+bool ComputeDepthTags(vtkAdaptiveRefinement* recipe, vtkPolyData* input, const RefinementMesh& mesh,
+  const vtkRefinementView& view, std::vector<float>& tags, std::string& error)
 {
   tags.clear();
   const vtkIdType numberOfPoints = input->GetNumberOfPoints();
-  const int maximumLevel = recipe->GetMaximumLevel();
-  std::ostringstream text;
-  if (vtkDataArray* array = FindDepthTagArray(recipe, input))
+  if (vtkAbstractArray* array = FindDepthTagArray(recipe, input))
   {
-    if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != numberOfPoints)
+    if (!ReadDepthTags(array, numberOfPoints, tags, error))
     {
-      text << "point array \"" << array->GetName() << "\" of depth-tags has "
-           << array->GetNumberOfTuples() << " tuples of " << array->GetNumberOfComponents()
-           << " components for " << numberOfPoints << " points; it needs one value per point";
-      error = text.str();
       return false;
-    }
-    tags.resize(static_cast<size_t>(numberOfPoints));
-    for (vtkIdType i = 0; i < numberOfPoints; ++i)
-    {
-      const double tag = array->GetComponent(i, 0);
-      if (std::isnan(tag))
-      {
-        text << "point array \"" << array->GetName() << "\" of depth-tags is NaN at point " << i;
-        error = text.str();
-        return false;
-      }
-      // Means of an edge stay finite.
-      tags[static_cast<size_t>(i)] = static_cast<float>(std::min(std::max(tag, -1e6), 1e6));
     }
   }
-  else if (recipe->GetMetric())
+  else if (vtkDepthTagMetric* metric = recipe->GetMetric())
   {
     vtkNew<vtkFloatArray> values;
-    if (!recipe->GetMetric()->ComputeTags(input, view, maximumLevel, values))
+    if (!metric->ComputeTags(input, view, recipe->GetMaximumLevel(), values))
     {
-      text << recipe->GetMetric()->GetClassName() << " gave no depth-tags";
-      error = text.str();
+      error = std::string(metric->GetClassName()) + " gave no depth-tags";
       return false;
     }
-    tags.assign(values->GetPointer(0), values->GetPointer(0) + values->GetNumberOfTuples());
+    values->SetName(metric->GetClassName());
+    if (!ReadDepthTags(values, numberOfPoints, tags, error))
+    {
+      return false;
+    }
   }
   if (!tags.empty() && !mesh.Places.empty())
   {
@@ -245,8 +264,8 @@ vtkIdType PatternSelection::GetNumberOfTriangles(vtkRefinementPatternTable* tabl
   vtkIdType count = 0;
   for (const PatternGroup& group : this->Groups)
   {
-    count += static_cast<vtkIdType>(group.Count) *
-      GetGroupPattern(table, group).GetNumberOfTriangles();
+    count +=
+      static_cast<vtkIdType>(group.Count) * GetGroupPattern(table, group).GetNumberOfTriangles();
   }
   return count;
 }

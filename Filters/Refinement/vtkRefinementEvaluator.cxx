@@ -106,16 +106,15 @@ struct RefinementEvaluator::Internals
   bool BoxHasHoles(vec2 low, vec2 high) const
   {
     const ivec2 last = this->Displaced->heightSize() - ivec2(1);
-    const ivec2 from =
-      clamp(ivec2(floor(this->Displaced->heightPosition(low))), ivec2(0), last);
+    const ivec2 from = clamp(ivec2(floor(this->Displaced->heightPosition(low))), ivec2(0), last);
     const ivec2 to = clamp(ivec2(ceil(this->Displaced->heightPosition(high))), ivec2(0), last);
     return this->CountHoleTexels(from, to) > 0;
   }
 };
 
 RefinementEvaluator::RefinementEvaluator(const RefinementMesh& mesh, vtkAdaptiveRefinement* recipe)
-  : Data(new Internals{ mesh, recipe->GetSurface(), recipe->GetDisplacement(), {}, nullptr, false,
-      {} })
+  : Data(new Internals{
+      mesh, recipe->GetSurface(), recipe->GetDisplacement(), {}, nullptr, false, {} })
 {
   Internals& data = *this->Data;
   if (!data.Surface)
@@ -195,8 +194,9 @@ void RefinementEvaluator::Evaluate(
   n = unitVector(n);
   for (int c = 0; c < 3; ++c)
   {
-    position[c] += 0.0f; // -0 would be other bits for the same place
-    normal[c] = n[c];
+    // -0 would be other bits for the same place or normal.
+    position[c] += 0.0f;
+    normal[c] = n[c] + 0.0f;
   }
 }
 

@@ -5,9 +5,7 @@
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
-#include "vtkDataArrayRange.h"
 #include "vtkDisplacement.h"
-#include "vtkFloatArray.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPointPlaces.h"
@@ -19,7 +17,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
-#include <tuple>
+#include <utility>
 
 namespace relevo
 {
@@ -59,6 +57,39 @@ bool isFinite(const float* v)
 {
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
 }
+
+// The numbers 0 to n - 1 in the order of their keys (arrays of ints); equal keys keep theirs.
+// Counts by the keys' first elements, which are below `limit`: few share each.
+template <typename GetKey>
+std::vector<int> sortByKey(size_t n, int limit, const GetKey& getKey)
+{
+  std::vector<int> starts(static_cast<size_t>(limit) + 1, 0);
+  for (size_t i = 0; i < n; ++i)
+  {
+    ++starts[getKey(static_cast<int>(i))[0] + 1];
+  }
+  for (int k = 0; k < limit; ++k)
+  {
+    starts[k + 1] += starts[k];
+  }
+  std::vector<int> sorted(n);
+  std::vector<int> next(starts.begin(), starts.end() - 1);
+  for (size_t i = 0; i < n; ++i)
+  {
+    sorted[next[getKey(static_cast<int>(i))[0]]++] = static_cast<int>(i);
+  }
+  vtkSMPTools::For(0, limit,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        std::sort(sorted.begin() + starts[k], sorted.begin() + starts[k + 1],
+          [&getKey](int l, int r)
+          { return std::make_pair(getKey(l), l) < std::make_pair(getKey(r), r); });
+      }
+    });
+  return sorted;
+}
 }
 
 const std::array<int, 3>& GetCornerOrder(int code)
@@ -79,33 +110,32 @@ int GetCornerOrderCode(int first, int second, int third)
   return code;
 }
 
-bool RefinementMesh::Build(vtkPolyData* input, vtkAdaptiveRefinement* recipe)
+bool RefinementMesh::Build(vtkPolyData* input, vtkAdaptiveRefinement* recipe, bool keepNormals)
 {
   *this = RefinementMesh();
-  vtkPoints* points = input->GetPoints();
-  if (!points || points->GetNumberOfPoints() == 0 || input->GetNumberOfCells() == 0)
+  if (input->GetNumberOfCells() == 0)
   {
     return true;
   }
-  if (points->GetNumberOfPoints() > std::numeric_limits<int>::max() ||
-    input->GetNumberOfCells() > std::numeric_limits<int>::max())
+  if (!this->CheckCells(input))
   {
-    this->Error = "the mesh has more points or cells than 32 bits can count";
     return false;
   }
-  this->NumberOfPoints = static_cast<int>(points->GetNumberOfPoints());
-  this->Places = ComputePlaces(points);
+  this->NumberOfPoints = static_cast<int>(input->GetNumberOfPoints());
+  this->Places = ComputePlaces(input->GetPoints());
   this->BuildPoints(input);
-  if (!this->BuildFaces(input))
-  {
-    return false;
-  }
+  this->BuildFaces(input);
 
   vtkRefinementSurface* surface = recipe->GetSurface();
   vtkDisplacement* displacement = recipe->GetDisplacement();
-  if (displacement || (surface && surface->NeedsNormals()))
+  if (displacement || (surface && surface->NeedsNormals()) ||
+    (keepNormals && input->GetPointData()->GetNormals()))
   {
     this->BuildNormals(input);
+    if (!this->Places.empty())
+    {
+      this->BuildDirections();
+    }
   }
   if (!this->Places.empty() && !this->Faces.empty())
   {
@@ -113,7 +143,8 @@ bool RefinementMesh::Build(vtkPolyData* input, vtkAdaptiveRefinement* recipe)
   }
   if (displacement)
   {
-    if (displacement->GetHeightMap() && !this->BuildTextureCoordinates(input))
+    if (displacement->GetHeightMap() && !this->Faces.empty() &&
+      !this->BuildTextureCoordinates(input))
     {
       return false;
     }
@@ -175,20 +206,56 @@ void RefinementMesh::BuildPoints(vtkPolyData* input)
     });
 }
 
-bool RefinementMesh::BuildFaces(vtkPolyData* input)
+bool RefinementMesh::CheckCells(vtkPolyData* input)
 {
-  bool valid = true;
+  const vtkIdType numberOfPoints = input->GetNumberOfPoints();
+  // Triangles are numbered in 29 bits: see PatternSelection::Instances.
+  constexpr vtkIdType mostTriangles = (vtkIdType(1) << 29) - 1;
+  vtkIdType numberOfTriangles = 0;
+  for (vtkCellArray* cells : { input->GetPolys(), input->GetStrips() })
+  {
+    numberOfTriangles += cells->GetNumberOfConnectivityIds();
+  }
+  if (numberOfPoints > std::numeric_limits<int>::max() ||
+    input->GetNumberOfCells() > std::numeric_limits<int>::max() ||
+    numberOfTriangles > 3 * mostTriangles)
+  {
+    this->Error = "the mesh has more points, cells or triangles than can be numbered";
+    return false;
+  }
+  vtkIdType cell = 0;
+  for (vtkCellArray* cells :
+    { input->GetVerts(), input->GetLines(), input->GetPolys(), input->GetStrips() })
+  {
+    auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
+    for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
+    {
+      vtkIdType size;
+      const vtkIdType* ids;
+      iterator->GetCurrentCell(size, ids);
+      for (vtkIdType i = 0; i < size; ++i)
+      {
+        if (ids[i] < 0 || ids[i] >= numberOfPoints)
+        {
+          this->Error = "cell " + std::to_string(cell) + " refers to point " +
+            std::to_string(ids[i]) + " of " + std::to_string(numberOfPoints);
+          return false;
+        }
+      }
+      ++cell;
+    }
+  }
+  return true;
+}
+
+void RefinementMesh::BuildFaces(vtkPolyData* input)
+{
   auto addTriangle = [&](vtkIdType a, vtkIdType b, vtkIdType c, int cell, const bool hidden[3])
   {
     const vtkIdType ids[3] = { a, b, c };
     int places[3];
     for (int i = 0; i < 3; ++i)
     {
-      if (ids[i] < 0 || ids[i] >= this->NumberOfPoints)
-      {
-        valid = false;
-        return;
-      }
       places[i] = this->GetPlace(static_cast<int>(ids[i]));
     }
     if (places[0] == places[1] || places[1] == places[2] || places[0] == places[2] ||
@@ -214,11 +281,12 @@ bool RefinementMesh::BuildFaces(vtkPolyData* input)
     this->Faces.push_back(face);
   };
 
-  int cell = static_cast<int>(
-    input->GetVerts()->GetNumberOfCells() + input->GetLines()->GetNumberOfCells());
+  int cell =
+    static_cast<int>(input->GetVerts()->GetNumberOfCells() + input->GetLines()->GetNumberOfCells());
   this->Faces.reserve(static_cast<size_t>(input->GetPolys()->GetNumberOfConnectivityIds() -
-    2 * std::min(input->GetPolys()->GetNumberOfCells(),
-          input->GetPolys()->GetNumberOfConnectivityIds() / 2)));
+    2 *
+      std::min(input->GetPolys()->GetNumberOfCells(),
+        input->GetPolys()->GetNumberOfConnectivityIds() / 2)));
   vtkIdType size;
   const vtkIdType* ids;
   auto polys = vtk::TakeSmartPointer(input->GetPolys()->NewIterator());
@@ -243,88 +311,112 @@ bool RefinementMesh::BuildFaces(vtkPolyData* input)
       addTriangle(ids[i + i % 2], ids[i + 1 - i % 2], ids[i + 2], cell, hidden);
     }
   }
-  if (!valid)
-  {
-    this->Error = "a cell refers to a point that does not exist";
-  }
-  return valid;
 }
 
 void RefinementMesh::BuildNormals(vtkPolyData* input)
 {
-  const size_t n = static_cast<size_t>(this->NumberOfPoints);
-  this->Normals.assign(3 * n, 0.0f);
+  this->Normals.assign(3 * static_cast<size_t>(this->NumberOfPoints), 0.0f);
   vtkDataArray* given = input->GetPointData()->GetNormals();
-  bool missing = !given;
-  if (given)
+  bool missing = true;
+  if (given && given->GetNumberOfTuples() >= this->NumberOfPoints)
   {
-    for (size_t i = 0; i < n; ++i)
+    missing = false;
+    for (vtkIdType i = 0; i < this->NumberOfPoints; ++i)
     {
       double normal[3];
-      given->GetTuple(static_cast<vtkIdType>(i), normal);
+      given->GetTuple(i, normal);
       const double length = vtkMath::Normalize(normal);
-      const bool usable = std::isfinite(length) && length > 0.0;
-      missing |= !usable;
-      for (int c = 0; c < 3; ++c)
+      if (std::isfinite(length) && length > 0.0)
       {
-        this->Normals[3 * i + c] = usable ? static_cast<float>(normal[c]) : 0.0f;
+        std::copy_n(normal, 3, &this->Normals[3 * static_cast<size_t>(i)]);
+      }
+      else
+      {
+        missing = true;
       }
     }
   }
   if (missing)
   {
-    // Face normals weighted by the angle at the place, whatever the triangulation
-    // (Thuermer and Wuethrich 1998).
-    std::vector<double> sums(3 * n, 0.0);
-    for (const RefinementFace& face : this->Faces)
-    {
-      const auto& order = GetCornerOrder(face.Order);
-      int corners[3];
-      Vector p[3];
-      for (int i = 0; i < 3; ++i)
-      {
-        corners[order[i]] = face.Corners[i];
-        p[order[i]] = load(&this->Points[3 * static_cast<size_t>(face.Corners[i])]);
-      }
-      Vector normal = cross(subtract(p[1], p[0]), subtract(p[2], p[0]));
-      vtkMath::Normalize(normal.data());
-      for (int i = 0; i < 3; ++i)
-      {
-        const double weight =
-          angle(subtract(p[(i + 1) % 3], p[i]), subtract(p[(i + 2) % 3], p[i]));
-        double* sum = &sums[3 * static_cast<size_t>(this->GetPlace(corners[i]))];
-        for (int c = 0; c < 3; ++c)
-        {
-          sum[c] += weight * normal[c];
-        }
-      }
-    }
-    for (size_t i = 0; i < n; ++i)
-    {
-      float* normal = &this->Normals[3 * i];
-      if (normal[0] == 0.0f && normal[1] == 0.0f && normal[2] == 0.0f)
-      {
-        double sum[3];
-        std::copy_n(&sums[3 * static_cast<size_t>(this->GetPlace(static_cast<int>(i)))], 3, sum);
-        vtkMath::Normalize(sum);
-        std::copy_n(sum, 3, normal);
-      }
-    }
+    this->ComputeMissingNormals();
   }
+}
 
-  if (this->Places.empty())
+// Normals that are zero so far: those of the faces around, weighted by the angle at the place,
+// whatever the triangulation (Thuermer and Wuethrich 1998).
+void RefinementMesh::ComputeMissingNormals()
+{
+  const size_t n = static_cast<size_t>(this->NumberOfPoints);
+  std::vector<double> sums(3 * n, 0.0);
+  std::vector<double> firsts(3 * n, 0.0); // for places where the faces cancel each other
+  for (const RefinementFace& face : this->Faces)
   {
-    return;
+    const auto& order = GetCornerOrder(face.Order);
+    int corners[3];
+    Vector p[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      corners[order[i]] = face.Corners[i];
+      p[order[i]] = load(&this->Points[3 * static_cast<size_t>(face.Corners[i])]);
+    }
+    Vector normal = cross(subtract(p[1], p[0]), subtract(p[2], p[0]));
+    vtkMath::Normalize(normal.data());
+    for (int i = 0; i < 3; ++i)
+    {
+      const double weight = angle(subtract(p[(i + 1) % 3], p[i]), subtract(p[(i + 2) % 3], p[i]));
+      const size_t place = 3 * static_cast<size_t>(this->GetPlace(corners[i]));
+      const bool isFirst =
+        std::all_of(&firsts[place], &firsts[place] + 3, [](double c) { return c == 0.0; });
+      for (int c = 0; c < 3; ++c)
+      {
+        sums[place + c] += weight * normal[c];
+        firsts[place + c] = isFirst ? normal[c] : firsts[place + c];
+      }
+    }
   }
-  // One direction per place: where normals are split, their mean.
+  for (size_t i = 0; i < n; ++i)
+  {
+    float* normal = &this->Normals[3 * i];
+    if (std::all_of(normal, normal + 3, [](float c) { return c == 0.0f; }))
+    {
+      const size_t place = 3 * static_cast<size_t>(this->GetPlace(static_cast<int>(i)));
+      Vector sum = { sums[place], sums[place + 1], sums[place + 2] };
+      constexpr double cancelled = 1e-9; // radians
+      if (vtkMath::Normalize(sum.data()) < cancelled)
+      {
+        sum = { firsts[place], firsts[place + 1], firsts[place + 2] };
+      }
+      std::copy_n(sum.data(), 3, normal);
+    }
+  }
+}
+
+// One direction per place: where faces see different normals, their mean.
+void RefinementMesh::BuildDirections()
+{
+  const size_t n = static_cast<size_t>(this->NumberOfPoints);
+  std::vector<char> isCorner(n, 0);
+  for (const RefinementFace& face : this->Faces)
+  {
+    for (int corner : face.Corners)
+    {
+      isCorner[static_cast<size_t>(corner)] = 1;
+    }
+  }
   std::vector<float> directions(3 * n, 0.0f);
+  std::vector<size_t> first(n, n); // corner of each place
   bool split = false;
   for (size_t i = 0; i < n; ++i)
   {
+    if (!isCorner[i])
+    {
+      continue;
+    }
     const size_t place = static_cast<size_t>(this->Places[i]);
+    first[place] = std::min(first[place], i);
     for (int c = 0; c < 3; ++c)
     {
-      split |= this->Normals[3 * i + c] != this->Normals[3 * place + c];
+      split |= this->Normals[3 * i + c] != this->Normals[3 * first[place] + c];
       directions[3 * place + c] += this->Normals[3 * i + c];
     }
   }
@@ -336,16 +428,13 @@ void RefinementMesh::BuildNormals(vtkPolyData* input)
   {
     const size_t place = static_cast<size_t>(this->Places[i]);
     float* direction = &directions[3 * i];
-    if (place == i)
-    {
-      if (vtkMath::Normalize(direction) == 0.0f)
-      {
-        std::copy_n(&this->Normals[3 * i], 3, direction);
-      }
-    }
-    else
+    if (place != i)
     {
       std::copy_n(&directions[3 * place], 3, direction);
+    }
+    else if (vtkMath::Normalize(direction) == 0.0f)
+    {
+      std::copy_n(&this->Normals[3 * (first[i] < n ? first[i] : i)], 3, direction);
     }
   }
   this->Directions.swap(directions);
@@ -380,8 +469,7 @@ bool RefinementMesh::BuildTextureCoordinates(vtkPolyData* input)
         const double value = given->GetComponent(point, c);
         if (!std::isfinite(value))
         {
-          this->Error =
-            "texture coordinates of point " + std::to_string(point) + " are not finite";
+          this->Error = "texture coordinates of point " + std::to_string(point) + " are not finite";
           return false;
         }
         this->TextureCoordinates[2 * static_cast<size_t>(point) + c] = static_cast<float>(value);
@@ -461,48 +549,32 @@ void RefinementMesh::BuildFrames(bool alongNormal)
 
 void RefinementMesh::BuildPlaceEdges()
 {
-  struct Entry
+  using Key = std::array<int, 4>; // places, points
+  const auto getKey = [this](int faceEdge)
   {
-    int Places[2];
-    int Points[2];
-    int FaceEdge;
-    std::tuple<int, int, int, int, int> Key() const
-    {
-      return { this->Places[0], this->Places[1], this->Points[0], this->Points[1], this->FaceEdge };
-    }
+    const int* corners = this->Faces[faceEdge / 3].Corners;
+    const int a = corners[EdgeCorners[faceEdge % 3][0]];
+    const int b = corners[EdgeCorners[faceEdge % 3][1]];
+    return Key{ { this->GetPlace(a), this->GetPlace(b), a, b } };
   };
-  std::vector<Entry> entries(3 * this->Faces.size());
-  for (size_t i = 0; i < entries.size(); ++i)
-  {
-    Entry& entry = entries[i];
-    entry.FaceEdge = static_cast<int>(i);
-    for (int end = 0; end < 2; ++end)
-    {
-      entry.Points[end] = this->Faces[i / 3].Corners[EdgeCorners[i % 3][end]];
-      entry.Places[end] = this->GetPlace(entry.Points[end]);
-    }
-  }
-  vtkSMPTools::Sort(entries.begin(), entries.end(),
-    [](const Entry& l, const Entry& r) { return l.Key() < r.Key(); });
-
-  this->FacePlaceEdges.resize(entries.size());
+  const std::vector<int> sorted = sortByKey(3 * this->Faces.size(), this->NumberOfPoints, getKey);
+  this->FacePlaceEdges.resize(sorted.size());
   this->PlaceEdgeOffsets.clear();
   this->PlaceEdgePairs.clear();
-  const Entry* previous = nullptr;
-  for (const Entry& entry : entries)
+  Key previous{ { -1, -1, -1, -1 } };
+  for (int faceEdge : sorted)
   {
-    const bool newEdge = !previous || !std::equal(entry.Places, entry.Places + 2, previous->Places);
-    const bool newPair = newEdge || !std::equal(entry.Points, entry.Points + 2, previous->Points);
-    if (newEdge)
+    const Key key = getKey(faceEdge);
+    if (key[0] != previous[0] || key[1] != previous[1])
     {
       this->PlaceEdgeOffsets.push_back(static_cast<int>(this->PlaceEdgePairs.size()));
     }
-    if (newPair)
+    if (key != previous)
     {
-      this->PlaceEdgePairs.push_back({ { entry.Points[0], entry.Points[1] } });
+      this->PlaceEdgePairs.push_back({ { key[2], key[3] } });
     }
-    this->FacePlaceEdges[entry.FaceEdge] = static_cast<int>(this->PlaceEdgeOffsets.size()) - 1;
-    previous = &entry;
+    this->FacePlaceEdges[faceEdge] = static_cast<int>(this->PlaceEdgeOffsets.size()) - 1;
+    previous = key;
   }
   this->PlaceEdgeOffsets.push_back(static_cast<int>(this->PlaceEdgePairs.size()));
 }
@@ -526,7 +598,8 @@ void RefinementMesh::BuildSeams()
     {
       const int edge = this->FacePlaceEdges[3 * f + i];
       const auto& pair = this->PlaceEdgePairs[this->PlaceEdgeOffsets[edge]];
-      this->Seams[9 * f + i] = first[static_cast<size_t>(this->GetPlace(this->Faces[f].Corners[i]))];
+      this->Seams[9 * f + i] =
+        first[static_cast<size_t>(this->GetPlace(this->Faces[f].Corners[i]))];
       this->Seams[9 * f + 3 + i] = pair[0];
       this->Seams[9 * f + 6 + i] = pair[1];
     }
@@ -589,41 +662,34 @@ void RefinementMesh::BuildVectors(vtkRefinementSurface* surface)
         {
           std::copy_n(&this->Points[3 * static_cast<size_t>(face.Corners[i])], 3, points + 3 * i);
         }
-        surface->ComputeFacePositions(
-          points, edgePositions, vectors + 9 * this->VectorsPerEdge);
+        surface->ComputeFacePositions(points, edgePositions, vectors + 9 * this->VectorsPerEdge);
       }
     });
 }
 
 void RefinementMesh::BuildEdges()
 {
-  struct Entry
+  using Key = std::array<int, 2>;
+  const auto getKey = [this](int faceEdge)
   {
-    int Points[2];
-    int FaceEdge;
-    std::tuple<int, int, int> Key() const
-    {
-      return { this->Points[0], this->Points[1], this->FaceEdge };
-    }
+    const int* corners = this->Faces[faceEdge / 3].Corners;
+    const int a = corners[EdgeCorners[faceEdge % 3][0]];
+    const int b = corners[EdgeCorners[faceEdge % 3][1]];
+    return Key{ { std::min(a, b), std::max(a, b) } };
   };
-  std::vector<Entry> entries(3 * this->Faces.size());
-  for (size_t i = 0; i < entries.size(); ++i)
-  {
-    const int a = this->Faces[i / 3].Corners[EdgeCorners[i % 3][0]];
-    const int b = this->Faces[i / 3].Corners[EdgeCorners[i % 3][1]];
-    entries[i] = { { std::min(a, b), std::max(a, b) }, static_cast<int>(i) };
-  }
-  vtkSMPTools::Sort(entries.begin(), entries.end(),
-    [](const Entry& l, const Entry& r) { return l.Key() < r.Key(); });
-  this->FaceEdges.resize(entries.size());
+  const std::vector<int> sorted = sortByKey(3 * this->Faces.size(), this->NumberOfPoints, getKey);
+  this->FaceEdges.resize(sorted.size());
   this->EdgeOwners.clear();
-  for (size_t i = 0; i < entries.size(); ++i)
+  Key previous{ { -1, -1 } };
+  for (int faceEdge : sorted)
   {
-    if (i == 0 || !std::equal(entries[i].Points, entries[i].Points + 2, entries[i - 1].Points))
+    const Key key = getKey(faceEdge);
+    if (key != previous)
     {
-      this->EdgeOwners.push_back(entries[i].FaceEdge);
+      this->EdgeOwners.push_back(faceEdge);
+      previous = key;
     }
-    this->FaceEdges[entries[i].FaceEdge] = static_cast<int>(this->EdgeOwners.size()) - 1;
+    this->FaceEdges[faceEdge] = static_cast<int>(this->EdgeOwners.size()) - 1;
   }
 }
 

@@ -61,9 +61,10 @@ class RELEVOFILTERSREFINEMENT_EXPORT RefinementMesh
 public:
   /**
    * Take a mesh and what the recipe asks for. Returns false and sets GetError() when the recipe
-   * cannot be applied to it.
+   * cannot be applied to it. With `keepNormals`, Normals are filled also where only the input has
+   * them.
    */
-  bool Build(vtkPolyData* input, vtkAdaptiveRefinement* recipe);
+  bool Build(vtkPolyData* input, vtkAdaptiveRefinement* recipe, bool keepNormals = false);
 
   const std::string& GetError() const { return this->Error; }
 
@@ -127,9 +128,12 @@ public:
   void GetBounds(vtkAdaptiveRefinement* recipe, double bounds[6]) const;
 
 private:
-  bool BuildFaces(vtkPolyData* input);
+  bool CheckCells(vtkPolyData* input);
+  void BuildFaces(vtkPolyData* input);
   void BuildPoints(vtkPolyData* input);
   void BuildNormals(vtkPolyData* input);
+  void ComputeMissingNormals();
+  void BuildDirections();
   bool BuildTextureCoordinates(vtkPolyData* input);
   void BuildFrames(bool alongNormal);
   void BuildVectors(vtkRefinementSurface* surface);

@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRefinedTopology.h"
+
+#include "vtkPatternSelection.h"
+#include "vtkRefinementEvaluator.h"
+#include "vtkRefinementPattern.h"
+
+namespace relevo
+{
+namespace
+{
+// The sorted corner that takes each of the pattern's corners.
+std::array<int, 3> GetSortedCorners(int code)
+{
+  const auto& order = GetCornerOrder(code);
+  std::array<int, 3> corners;
+  for (int i = 0; i < 3; ++i)
+  {
+    corners[order[i]] = i;
+  }
+  return corners;
+}
+}
+
+RefinedTopology::RefinedTopology(RefinementMesh& mesh, const PatternSelection& selection,
+  vtkRefinementPatternTable* table, vtkIdType numberOfInputPoints)
+  : Mesh(mesh)
+  , Faces(mesh.Faces.size())
+  , PointOwners(static_cast<size_t>(numberOfInputPoints), -1)
+{
+  for (const PatternGroup& group : selection.Groups)
+  {
+    const vtkRefinementPattern& pattern = GetGroupPattern(table, group);
+    for (int i = group.Offset; i < group.Offset + group.Count; ++i)
+    {
+      const unsigned int instance = selection.Instances[i];
+      this->Faces[instance >> 3] = { &pattern, 0, static_cast<unsigned char>(instance & 7u),
+        group.Mirrored };
+    }
+  }
+  mesh.BuildEdges();
+
+  vtkIdType next = numberOfInputPoints;
+  this->FirstEdgePoints.resize(mesh.EdgeOwners.size());
+  const int numberOfFaces = this->GetNumberOfFaces();
+  for (int face = 0; face < numberOfFaces; ++face)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const Edge edge = this->GetEdge(face, i);
+      const int id = mesh.FaceEdges[3 * static_cast<size_t>(face) + edge.Index];
+      if (mesh.EdgeOwners[id] == 3 * face + edge.Index)
+      {
+        this->FirstEdgePoints[id] = next;
+        next += edge.Segments - 1;
+      }
+    }
+  }
+  for (int face = 0; face < numberOfFaces; ++face)
+  {
+    const vtkRefinementPattern& pattern = *this->Faces[face].Pattern;
+    this->Faces[face].FirstInnerPoint = next;
+    next += pattern.GetNumberOfVertices() - pattern.GetNumberOfBorderVertices();
+    for (int corner : mesh.Faces[face].Corners)
+    {
+      int& owner = this->PointOwners[corner];
+      owner = owner < 0 ? face : owner;
+    }
+  }
+  this->NumberOfPoints = next;
+}
+
+RefinedTopology::Edge RefinedTopology::GetEdge(int face, int patternEdge) const
+{
+  const auto corners = GetSortedCorners(this->Faces[face].Code);
+  const int from = corners[patternEdge];
+  const int to = corners[(patternEdge + 1) % 3];
+  // Sorted corners 0 1 make edge 0, 1 2 make edge 1, 0 2 make edge 2.
+  const int index = from + to == 1 ? 0 : (from + to == 3 ? 1 : 2);
+  return { index, from < to, this->Faces[face].Pattern->Segments[patternEdge] };
+}
+
+void RefinedTopology::GetPoints(int face, std::vector<vtkIdType>& points) const
+{
+  const vtkRefinementPattern& pattern = *this->Faces[face].Pattern;
+  points.resize(static_cast<size_t>(pattern.GetNumberOfVertices()));
+  const auto corners = GetSortedCorners(this->Faces[face].Code);
+  for (int i = 0; i < 3; ++i)
+  {
+    points[i] = this->Mesh.Faces[face].Corners[corners[i]];
+  }
+  size_t vertex = 3;
+  for (int i = 0; i < 3; ++i)
+  {
+    const Edge edge = this->GetEdge(face, i);
+    const int inner = edge.Segments - 1;
+    const vtkIdType first =
+      this->FirstEdgePoints[this->Mesh.FaceEdges[3 * static_cast<size_t>(face) + edge.Index]];
+    for (int k = 0; k < inner; ++k)
+    {
+      points[vertex++] = first + (edge.Forward ? k : inner - 1 - k);
+    }
+  }
+  for (vtkIdType next = this->Faces[face].FirstInnerPoint; vertex < points.size(); ++vertex)
+  {
+    points[vertex] = next++;
+  }
+}
+
+void RefinedTopology::GetOwnedPoints(int face, std::vector<RefinedPoint>& points) const
+{
+  points.clear();
+  const vtkRefinementPattern& pattern = *this->Faces[face].Pattern;
+  const int code = this->Faces[face].Code;
+  auto add = [&](vtkIdType id, int vertex)
+  {
+    RefinedPoint point;
+    point.Id = id;
+    RefinementEvaluator::PermuteWeights(
+      &pattern.Vertices[3 * static_cast<size_t>(vertex)], code, point.Weights);
+    points.push_back(point);
+  };
+  const auto corners = GetSortedCorners(code);
+  for (int i = 0; i < 3; ++i)
+  {
+    const int corner = this->Mesh.Faces[face].Corners[corners[i]];
+    if (this->PointOwners[corner] == face)
+    {
+      add(corner, i);
+    }
+  }
+  int vertex = 3;
+  for (int i = 0; i < 3; ++i)
+  {
+    const Edge edge = this->GetEdge(face, i);
+    const int inner = edge.Segments - 1;
+    const int id = this->Mesh.FaceEdges[3 * static_cast<size_t>(face) + edge.Index];
+    if (this->Mesh.EdgeOwners[id] == 3 * face + edge.Index)
+    {
+      for (int k = 0; k < inner; ++k)
+      {
+        add(this->FirstEdgePoints[id] + (edge.Forward ? k : inner - 1 - k), vertex + k);
+      }
+    }
+    vertex += inner;
+  }
+  for (vtkIdType next = this->Faces[face].FirstInnerPoint; vertex < pattern.GetNumberOfVertices();
+       ++vertex)
+  {
+    add(next++, vertex);
+  }
+}
+}

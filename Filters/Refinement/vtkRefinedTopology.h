@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkRefinedTopology
+ * @brief   how the patterns of a mesh's faces share points
+ *
+ * Numbers the points of a refined mesh: the input's points, then those inside each edge, then those
+ * inside each face. Edges are shared as the input shares points; where points coincide without
+ * being shared, so do the edges. Every point is evaluated by one face, its owner.
+ *
+ * Private to the module's own sources.
+ */
+#ifndef vtkRefinedTopology_h
+#define vtkRefinedTopology_h
+
+#include "vtkRefinementMesh.h"
+#include "vtkType.h"
+
+#include <vector>
+
+class vtkRefinementPatternTable;
+struct vtkRefinementPattern;
+
+namespace relevo
+{
+class PatternSelection;
+
+/// A refined point on a face, with the weights of the face's sorted corners.
+struct RefinedPoint
+{
+  vtkIdType Id;
+  float Weights[3];
+
+  /// The sorted corner that weighs most.
+  int GetNearestCorner() const
+  {
+    const int first = this->Weights[1] > this->Weights[0] ? 1 : 0;
+    return this->Weights[2] > this->Weights[first] ? 2 : first;
+  }
+};
+
+class RefinedTopology
+{
+public:
+  RefinedTopology(RefinementMesh& mesh, const PatternSelection& selection,
+    vtkRefinementPatternTable* table, vtkIdType numberOfInputPoints);
+
+  vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
+  int GetNumberOfFaces() const { return static_cast<int>(this->Faces.size()); }
+  const vtkRefinementPattern& GetPattern(int face) const { return *this->Faces[face].Pattern; }
+  /// Permutation from the pattern's vertices to the face's sorted corners.
+  int GetCode(int face) const { return this->Faces[face].Code; }
+  /// Whether that permutation turns the pattern's triangles over.
+  bool IsMirrored(int face) const { return this->Faces[face].Mirrored; }
+  /// Whether a face has this point of the input as a corner.
+  bool IsCorner(vtkIdType inputPoint) const { return this->PointOwners[inputPoint] >= 0; }
+
+  /// The points of all pattern vertices of a face.
+  void GetPoints(int face, std::vector<vtkIdType>& points) const;
+
+  /// The points that this face is the owner of, corners first.
+  void GetOwnedPoints(int face, std::vector<RefinedPoint>& points) const;
+
+private:
+  struct Face
+  {
+    const vtkRefinementPattern* Pattern;
+    vtkIdType FirstInnerPoint;
+    unsigned char Code;
+    bool Mirrored;
+  };
+  /// One of the pattern's edges on a face, from the pattern's corner i to i + 1.
+  struct Edge
+  {
+    int Index; // among the face's sorted edges
+    bool Forward;
+    int Segments;
+  };
+  Edge GetEdge(int face, int patternEdge) const;
+
+  const RefinementMesh& Mesh;
+  std::vector<Face> Faces;
+  std::vector<vtkIdType> FirstEdgePoints;
+  std::vector<int> PointOwners;
+  vtkIdType NumberOfPoints = 0;
+};
+}
+
+#endif
