@@ -189,11 +189,11 @@ std::unique_ptr<GDALRaster> GDALRaster::Open(const std::string& fileName, std::s
   return raster;
 }
 
-bool GDALRaster::PrefersOwnPixels() const
+bool GDALRaster::Claims(const std::string& fileName)
 {
-  const char* driver =
-    GDALGetDriverShortName(GDALGetDatasetDriver(this->Implementation->Dataset.get()));
-  return this->Contents.HasMask || std::string(driver) == "PNG";
+  GDALSession session;
+  const GDALDriverH driver = GDALIdentifyDriver(fileName.c_str(), nullptr);
+  return driver && std::string(GDALGetDriverShortName(driver)) == "PNG";
 }
 
 bool GDALRaster::ReadRows(int first, int count, void* samples, std::string& error)

@@ -25,9 +25,10 @@ public:
   ~GDALRaster() override;
 
   /**
-   * Whether GDAL should read the pixels even where OpenImageIO knows the format.
+   * Whether the file is, broken or not, of a format that only GDAL shall read: PNG, because libpng
+   * under OpenImageIO writes its errors on stderr.
    */
-  bool PrefersOwnPixels() const;
+  static bool Claims(const std::string& fileName);
 
   bool ReadRows(int first, int count, void* samples, std::string& error) override;
   bool ReadMask(int first, int count, unsigned char* mask, std::string& error) override;

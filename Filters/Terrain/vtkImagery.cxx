@@ -20,10 +20,10 @@ namespace
 bool chooseChannels(
   const std::array<int, 3>& bands, int numberOfChannels, std::array<int, 3>& channels)
 {
-  channels = numberOfChannels < 3 ? std::array<int, 3>{ 0, 0, 0 } : std::array<int, 3>{ 0, 1, 2 };
-  if (bands != std::array<int, 3>{ 0, 0, 0 })
+  channels = bands != std::array<int, 3>{ 0, 0, 0 } ? bands : DefaultBands(numberOfChannels);
+  for (int& channel : channels)
   {
-    channels = { bands[0] - 1, bands[1] - 1, bands[2] - 1 };
+    --channel;
   }
   return std::all_of(channels.begin(), channels.end(),
     [=](int channel) { return channel >= 0 && channel < numberOfChannels; });
@@ -89,6 +89,15 @@ bool stretchPicture(const ImagerySource& source, Imagery& result, std::string& e
   }
   return true;
 }
+}
+
+std::array<int, 3> DefaultBands(int numberOfBands)
+{
+  if (numberOfBands < 3)
+  {
+    return { 1, 1, 1 };
+  }
+  return numberOfBands < 5 ? std::array<int, 3>{ 1, 2, 3 } : std::array<int, 3>{ 3, 2, 1 };
 }
 
 bool DrapeImagery(const ImagerySource& source, const Georeference& terrain, Imagery& result,

@@ -42,6 +42,13 @@ constexpr unsigned char NeutralGrey = 128;
 using ImageryProgress = std::function<bool(double)>;
 
 /**
+ * The bands, from 1, for red, green and blue where a file does not declare them: the first three;
+ * the first as grey where there are fewer; the third, second and first of five and more, which are
+ * a multispectral scene in order of wavelength (Landsat, Sentinel-2).
+ */
+std::array<int, 3> DefaultBands(int numberOfBands);
+
+/**
  * Resamples a picture by its own georeference to the terrain's footprint, at about its own
  * resolution; one without georeference, or for a terrain without, is stretched over the footprint.
  * False, and why in `error`, when there is nothing to drape; false with an empty error when

@@ -59,7 +59,7 @@ bool chooseBands(
   GDALDatasetH dataset, const std::array<int, 3>& wanted, Bands& bands, std::string& error)
 {
   const int count = GDALGetRasterCount(dataset);
-  bands.Colors = count < 3 ? std::array<int, 3>{ 1, 1, 1 } : std::array<int, 3>{ 1, 2, 3 };
+  bands.Colors = DefaultBands(count);
   std::array<int, 3> declared = { 0, 0, 0 };
   for (int i = 1; i <= count; ++i)
   {

@@ -47,14 +47,10 @@ std::unique_ptr<Raster> Raster::Open(const std::string& fileName, std::string& e
     return nullptr;
   }
 #if RELEVO_HAS_GDAL
-  std::unique_ptr<Raster> raster;
+  std::unique_ptr<Raster> raster = GDALRaster::Open(fileName, error);
+  if (GDALRaster::Claims(fileName) || (raster && raster->Describe().HasMask))
   {
-    auto gdal = GDALRaster::Open(fileName, error);
-    if (gdal && gdal->PrefersOwnPixels())
-    {
-      return gdal;
-    }
-    raster = std::move(gdal);
+    return raster;
   }
   std::string pixelError;
   auto pixels = OpenImageIORaster::Open(fileName, pixelError);

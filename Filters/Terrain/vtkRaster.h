@@ -24,9 +24,9 @@ public:
    * Opens a file; nullptr, and why in `error`, when that cannot be done.
    *
    * OpenImageIO reads the pixels of every format it knows. GDAL, where it was built in, reads
-   * the others and tells the georeference, the no-data value, scale and offset. It also reads
-   * PNG, because libpng under OpenImageIO writes its errors on stderr, and what OpenImageIO has
-   * no notion of: validity masks and samples with fewer bits than their type.
+   * the others and tells the georeference, the no-data value, scale and offset. It also reads what
+   * it claims for itself and what OpenImageIO has no notion of: validity masks and samples with
+   * fewer bits than their type.
    */
   static std::unique_ptr<Raster> Open(const std::string& fileName, std::string& error);
 

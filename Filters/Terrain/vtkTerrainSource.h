@@ -81,9 +81,10 @@ public:
   ///@{
   /**
    * The bands of the imagery, counted from 1, that are red, green and blue. (0, 0, 0), the default:
-   * those that the file declares so, else the first three, or the first alone as grey. Bytes are
-   * taken as they are, georeferenced imagery of other types is stretched from its smallest to its
-   * largest value.
+   * those that the file declares so; else the first three, or the first alone as grey, or, of five
+   * and more, the third, second and first: a multispectral scene in order of wavelength, as Landsat
+   * and Sentinel-2 have them. Bytes are taken as they are, georeferenced imagery of other types is
+   * stretched from its smallest to its largest value.
    */
   vtkSetVector3Macro(ImageryBands, int);
   vtkGetVector3Macro(ImageryBands, int);

@@ -108,7 +108,7 @@ void TestSameGrid(RelevoCheck& check, const RelevoTestFolders& folders)
   // Six bands, in the order asked for.
   const RelevoRaster six = MakePicture(40, 30, 6, utm, "EPSG:32633");
   CHECK(six.Write(folders.File("ImagerySix.tif")));
-  CHECK(SamePixels(Drape(source, terrain, folders.File("ImagerySix.tif")), six, { 0, 1, 2 }));
+  CHECK(SamePixels(Drape(source, terrain, folders.File("ImagerySix.tif")), six, { 2, 1, 0 }));
   source->SetImageryBands(6, 2, 4);
   CHECK(SamePixels(Drape(source, terrain, folders.File("ImagerySix.tif")), six, { 5, 1, 3 }));
   source->SetImageryBands(1, 2, 7);
@@ -132,7 +132,7 @@ void TestSameGrid(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(SamePixels(Drape(source, terrain, folders.File("Imagery.png")), plain, { 0, 1, 2 }));
   // Only the picture has.
   CHECK(SamePixels(Drape(source, folders.File("ImageryPlain.tif"), folders.File("ImagerySix.tif")),
-    six, { 0, 1, 2 }));
+    six, { 2, 1, 0 }));
   CHECK(errors.None());
 
   // Bounded, and then averaged: the mean stays.
@@ -299,7 +299,7 @@ void TestCache(RelevoCheck& check, const RelevoTestFolders& folders)
   source->SetResolution(7);
   source->Update();
   CHECK(source->GetImagery() == image && image->GetMTime() == before);
-  source->SetImageryBands(3, 2, 1);
+  source->SetImageryBands(1, 2, 3);
   source->Update();
   CHECK(image->GetMTime() > before);
   source->SetImageryFileName(nullptr);
