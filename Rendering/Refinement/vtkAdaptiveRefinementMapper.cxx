@@ -51,6 +51,8 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cstring>
+#include <functional>
 
 namespace
 {
@@ -66,6 +68,31 @@ void Append(State& state, vtkObject* object, vtkMTimeType time)
 {
   Append(state, object);
   state.push_back(time);
+}
+
+void Append(State& state, vtkMatrix4x4* matrix)
+{
+  for (int i = 0; i < 16; ++i)
+  {
+    static_assert(sizeof(vtkMTimeType) == sizeof(double), "a double's bits fit a time stamp");
+    vtkMTimeType bits;
+    std::memcpy(&bits, matrix->GetData() + i, sizeof(bits));
+    state.push_back(bits);
+  }
+}
+
+bool HasExtension(const char* name)
+{
+  GLint count = 0;
+  glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+  for (GLint i = 0; i < count; ++i)
+  {
+    if (!std::strcmp(reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, i)), name))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 }
 
@@ -163,6 +190,8 @@ void vtkAdaptiveRefinementMapper::ShallowCopy(vtkAbstractMapper* mapper)
   if (vtkAdaptiveRefinementMapper* other = vtkAdaptiveRefinementMapper::SafeDownCast(mapper))
   {
     this->SetRefinement(other->GetRefinement());
+    this->ExtraAttributes = other->ExtraAttributes;
+    this->SetVBOShiftScaleMethod(other->GetVBOShiftScaleMethod());
   }
   this->Superclass::ShallowCopy(mapper);
 }
@@ -423,10 +452,7 @@ bool vtkAdaptiveRefinementMapper::UpdateSelection(vtkRenderer* ren, vtkActor* ac
     Append(state, camera, camera->GetMTime());
     state.push_back(static_cast<vtkMTimeType>(size[0]));
     state.push_back(static_cast<vtkMTimeType>(size[1]));
-    for (int i = 0; i < 16; ++i)
-    {
-      state.push_back(std::hash<double>()(act->GetMatrix()->GetData()[i]));
-    }
+    Append(state, act->GetMatrix());
   }
   if (state == data.SelectionState)
   {
@@ -470,11 +496,14 @@ bool vtkAdaptiveRefinementMapper::CheckOpenGL(vtkRenderer*)
     GLint minor = 0;
     glGetIntegerv(GL_MAJOR_VERSION, &major);
     glGetIntegerv(GL_MINOR_VERSION, &minor);
-    data.ContextValid = major > 3 || (major == 3 && minor >= 3);
+    const bool instancing = major > 3 || (major == 3 && minor >= 3);
+    const bool rgbBuffers = major > 3 || HasExtension("GL_ARB_texture_buffer_object_rgb32");
+    data.ContextValid = instancing && rgbBuffers;
     if (!data.ContextValid)
     {
-      vtkErrorMacro(
-        "Refinement needs OpenGL 3.3, this context has " << major << "." << minor << ".");
+      vtkErrorMacro("Refinement needs OpenGL 3.3 with ARB_texture_buffer_object_rgb32 (part of "
+                    "OpenGL 4.0); this context has OpenGL "
+        << major << "." << minor << (rgbBuffers ? " with it." : " without it."));
     }
   }
   return data.ContextValid;

@@ -19,9 +19,10 @@
  * camera, the actor's matrix or the viewport changed. The displacement's scale, offset and
  * direction change live.
  *
- * Needs OpenGL 3.3. Errors (ErrorEvent of this object; the surface is then not drawn, rendering
- * goes on): no recipe, an older OpenGL, depth-tags or texture coordinates that cannot be used, a
- * metric or height map that fails, a mesh or height map larger than OpenGL can hold.
+ * Needs OpenGL 3.3 with ARB_texture_buffer_object_rgb32. Errors (ErrorEvent of this object; the
+ * surface is then not drawn, rendering goes on): no recipe, an older OpenGL, depth-tags or texture
+ * coordinates that cannot be used, a metric or height map that fails, a mesh or height map larger
+ * than OpenGL can hold.
  *
  * @sa vtkAdaptiveRefinement vtkAdaptiveRefinementFilter
  */
