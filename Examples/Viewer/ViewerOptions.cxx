@@ -5,10 +5,12 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <sstream>
 
 namespace
 {
 const int HighestLevel = 7;
+const int LargestBand = 65535;
 const int LargestSize = 16384;
 const int LargestResolution = 4096;
 
@@ -64,6 +66,21 @@ void ToSize(const std::string& option, const std::string& text, int size[2])
   size[1] = ToInteger(option, text.substr(cross + 1), 1, LargestSize);
 }
 
+void ToBands(const std::string& option, const std::string& text, int bands[3])
+{
+  std::istringstream stream(text);
+  std::string band;
+  int count = 0;
+  for (; count < 3 && std::getline(stream, band, ','); ++count)
+  {
+    bands[count] = ToInteger(option, band, 1, LargestBand);
+  }
+  if (count < 3 || !stream.eof())
+  {
+    throw UsageError(option + " wants three bands, as 3,2,1, not '" + text + "'");
+  }
+}
+
 std::string ToFileName(
   const std::string& option, const std::string& text, const std::string& extension)
 {
@@ -84,6 +101,7 @@ ViewerOptions ParseOptions(int argc, char* argv[])
     { "--help", [&] { options.Help = true; } },
     { "-h", [&] { options.Help = true; } },
     { "--stats", [&] { options.Statistics = true; } },
+    { "--stretch", [&] { options.Stretch = true; } },
     { "--wireframe", [&] { options.Wireframe = true; } },
   };
   using Setter = std::function<void(const std::string& option, const std::string& value)>;
@@ -95,6 +113,9 @@ ViewerOptions ParseOptions(int argc, char* argv[])
       [&](const auto& option, const auto& value)
       { options.Export = ToFileName(option, value, ".vtp"); } },
     { "--imagery", [&](const auto&, const auto& value) { options.Imagery = value; } },
+    { "--imagery-bands",
+      [&](const auto& option, const auto& value)
+      { ToBands(option, value, options.ImageryBands); } },
     { "--max-level",
       [&](const auto& option, const auto& value)
       { options.MaximumLevel = ToInteger(option, value, 0, HighestLevel); } },
@@ -167,6 +188,9 @@ Draws a height map (GeoTIFF, SRTM .hgt, USGS DEM, PNG, OpenEXR ...), refined whe
 a window when there is a display, a picture with --output.
 
   --imagery FILE         drape a georeferenced picture over it; else colours show the height
+  --imagery-bands R,G,B  which of its bands, from 1, are red, green and blue (default: as the file
+                         says, else 1,2,3)
+  --stretch              stretch the contrast of each band, as raw satellite images need
   --exaggeration X       factor on heights (default 1)
   --resolution N         coarse squares along the longer side (default 128)
   --max-level N          deepest refinement, 0 to 7: an edge has up to 2^N segments (default: as

@@ -20,6 +20,8 @@ struct ViewerOptions
 
   std::string HeightMap;
   std::string Imagery;
+  int ImageryBands[3] = { 0, 0, 0 }; // as vtkTerrainSource has them
+  bool Stretch = false;
   double Exaggeration = 1.0;
   std::optional<int> MaximumLevel;
   MetricType Metric = MetricType::Distance;

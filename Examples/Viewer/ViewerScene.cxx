@@ -31,6 +31,7 @@
 #include "vtkXMLPolyDataWriter.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <iomanip>
@@ -86,6 +87,65 @@ vtkSmartPointer<vtkImageData> MakeHypsometricTint(vtkHeightField* heights)
   return image;
 }
 
+// Each band from its darkest to its 98th percentile, as raw satellite bands are usually shown. The
+// terrain source's grey, where the imagery does not reach, stays.
+vtkSmartPointer<vtkImageData> StretchContrast(vtkImageData* image)
+{
+  const unsigned char nothing[3] = { 128, 128, 128 };
+  auto stretched = vtkSmartPointer<vtkImageData>::New();
+  stretched->DeepCopy(image);
+  auto* begin = static_cast<unsigned char*>(stretched->GetScalarPointer());
+  auto* end = begin + 3 * stretched->GetNumberOfPoints();
+
+  std::array<std::array<vtkIdType, 256>, 3> histograms{};
+  vtkIdType numberOfPixels = 0;
+  for (const unsigned char* pixel = begin; pixel != end; pixel += 3)
+  {
+    if (!std::equal(pixel, pixel + 3, nothing))
+    {
+      ++numberOfPixels;
+      for (int band = 0; band < 3; ++band)
+      {
+        ++histograms[band][pixel[band]];
+      }
+    }
+  }
+
+  std::array<std::array<unsigned char, 256>, 3> tables;
+  for (int band = 0; band < 3; ++band)
+  {
+    const auto percentile = [&](double percent)
+    {
+      vtkIdType count = 0;
+      int value = 0;
+      while (value < 255 && (count += histograms[band][value]) < 0.01 * percent * numberOfPixels)
+      {
+        ++value;
+      }
+      return value;
+    };
+    const int low = percentile(0.1);
+    const int high = std::max(percentile(98.0), low + 1);
+    for (int value = 0; value < 256; ++value)
+    {
+      tables[band][value] =
+        static_cast<unsigned char>(std::min(std::max(255 * (value - low) / (high - low), 0), 255));
+    }
+  }
+
+  for (unsigned char* pixel = begin; pixel != end; pixel += 3)
+  {
+    if (!std::equal(pixel, pixel + 3, nothing))
+    {
+      for (int band = 0; band < 3; ++band)
+      {
+        pixel[band] = tables[band][pixel[band]];
+      }
+    }
+  }
+  return stretched;
+}
+
 void AddLight(vtkRenderer* renderer, double azimuth, double elevation, double intensity)
 {
   const double a = vtkMath::RadiansFromDegrees(azimuth);
@@ -136,6 +196,8 @@ void ViewerScene::ReadTerrain()
   if (!this->Options.Imagery.empty())
   {
     this->Source->SetImageryFileName(this->Options.Imagery.c_str());
+    this->Source->SetImageryBands(
+      this->Options.ImageryBands[0], this->Options.ImageryBands[1], this->Options.ImageryBands[2]);
   }
   if (this->Options.Resolution)
   {
@@ -222,6 +284,10 @@ void ViewerScene::SetColours()
   {
     image = MakeHypsometricTint(this->Source->GetDisplacement()->GetHeightMap());
   }
+  else if (this->Options.Stretch)
+  {
+    image = StretchContrast(image);
+  }
   vtkNew<vtkTexture> texture;
   texture->SetInputData(image);
   texture->SetColorModeToDirectScalars();
@@ -244,7 +310,7 @@ void ViewerScene::SetLights()
   // From the north-west, as on maps, and a little from the other side.
   this->Renderer->AutomaticLightCreationOff();
   AddLight(this->Renderer, 315.0, 40.0, 1.0);
-  AddLight(this->Renderer, 160.0, 50.0, 0.25);
+  AddLight(this->Renderer, 160.0, 50.0, 0.35);
   this->Renderer->GradientBackgroundOn();
   this->Renderer->SetBackground(0.86, 0.90, 0.94);
   this->Renderer->SetBackground2(0.42, 0.58, 0.78);
@@ -253,8 +319,8 @@ void ViewerScene::SetLights()
 //------------------------------------------------------------------------------
 void ViewerScene::SetCamera()
 {
-  const double azimuth = vtkMath::RadiansFromDegrees(195.0); // from a little west of south
-  const double elevation = vtkMath::RadiansFromDegrees(32.0);
+  const double azimuth = vtkMath::RadiansFromDegrees(192.0); // from a little west of south
+  const double elevation = vtkMath::RadiansFromDegrees(38.0);
   const double filled = 0.94; // share of the picture that the terrain may take up
   const double forward[3] = { -std::sin(azimuth) * std::cos(elevation),
     -std::cos(azimuth) * std::cos(elevation), -std::sin(elevation) };

@@ -7,8 +7,10 @@
 #include "ViewerOptions.h"
 #include "ViewerScene.h"
 
+#include "vtkCamera.h"
 #include "vtkInteractorStyleTerrain.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkPNGWriter.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
@@ -31,6 +33,49 @@ enum ExitCode
   BadInput = 1,
   BadUsage = 2
 };
+
+/// Turns about the vertical as VTK's terrain style does, with the wheel and shift as everywhere.
+class TerrainStyle : public vtkInteractorStyleTerrain
+{
+public:
+  static TerrainStyle* New();
+  vtkTypeMacro(TerrainStyle, vtkInteractorStyleTerrain);
+
+  void OnLeftButtonDown() override
+  {
+    if (this->Interactor->GetShiftKey())
+    {
+      this->OnMiddleButtonDown();
+    }
+    else
+    {
+      this->Superclass::OnLeftButtonDown();
+    }
+  }
+
+  void OnLeftButtonUp() override
+  {
+    this->OnMiddleButtonUp();
+    this->Superclass::OnLeftButtonUp();
+  }
+
+  void OnMouseWheelForward() override { this->Zoom(1.1); }
+  void OnMouseWheelBackward() override { this->Zoom(1.0 / 1.1); }
+
+private:
+  void Zoom(double factor)
+  {
+    this->FindPokedRenderer(
+      this->Interactor->GetEventPosition()[0], this->Interactor->GetEventPosition()[1]);
+    if (this->CurrentRenderer)
+    {
+      this->CurrentRenderer->GetActiveCamera()->Dolly(factor);
+      this->CurrentRenderer->ResetCameraClippingRange();
+      this->Interactor->Render();
+    }
+  }
+};
+vtkStandardNewMacro(TerrainStyle);
 
 bool HasDisplay()
 {
@@ -93,7 +138,7 @@ void Interact(ViewerScene& scene, const ViewerOptions& options, ViewerMessages& 
   window->SetWindowName(("relevo-view " + options.HeightMap).c_str());
   window->AddRenderer(scene.GetRenderer());
   vtkNew<vtkRenderWindowInteractor> interactor;
-  vtkNew<vtkInteractorStyleTerrain> style;
+  vtkNew<TerrainStyle> style;
   interactor->SetRenderWindow(window);
   interactor->SetInteractorStyle(style);
   window->Render();

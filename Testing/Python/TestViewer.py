@@ -10,7 +10,7 @@ import sys
 import tempfile
 import unittest
 
-from vtkmodules.vtkCommonCore import VTK_UNSIGNED_SHORT
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkPolyDataNormals
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
@@ -105,6 +105,8 @@ class TestViewer(unittest.TestCase):
         self.assert_error(2, ["--exaggeration", "'nan'"], self.heights, "--exaggeration", "nan")
         self.assert_error(2, ["--exaggeration", "'2x'"], self.heights, "--exaggeration", "2x")
         self.assert_error(2, ["--metric", "'slope'"], self.heights, "--metric", "slope")
+        for bands in ("1,2", "1,2,3,4", "1,2,x", "0,1,2"):
+            self.assert_error(2, ["--imagery-bands"], self.heights, "--imagery-bands", bands)
         self.assert_error(2, ["--size", "'640'"], self.heights, "--size", "640")
         self.assert_error(2, ["--size", "'0'"], self.heights, "--size", "0x480")
 
@@ -162,6 +164,28 @@ class TestViewer(unittest.TestCase):
             for j in range(100)
         )
         self.assertGreater(different, 1000)
+
+    def test_stretch(self):
+        dark = vtkImageData()
+        dark.SetDimensions(16, 16, 1)
+        dark.AllocateScalars(VTK_UNSIGNED_CHAR, 3)
+        for j in range(16):
+            for i in range(16):
+                for band in range(3):
+                    dark.SetScalarComponentFromDouble(i, j, 0, band, 20 + i + j)
+        name = self.folder / "dark.png"
+        writer = vtkPNGWriter()
+        writer.SetFileName(str(name))
+        writer.SetInputData(dark)
+        writer.Write()
+
+        def brightest(*arguments):
+            image = self.picture("--size", "80x50", "--imagery", name, *arguments)
+            middle = [(i, j) for i in range(30, 50) for j in range(20, 30)]
+            return max(image.GetScalarComponentAsFloat(i, j, 0, 0) for i, j in middle)
+
+        self.assertLess(brightest(), 80)
+        self.assertGreater(brightest("--stretch"), 180)
 
     def test_statistics(self):
         run = self.view(

@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Draws real relief: sets up and builds what is missing, fetches a height map with its satellite
+# image, and runs relevo-view on them. The last line is the path of the picture; with a display a
+# window opens as well.
+#
+#   bash Examples/run.sh [HEIGHTMAP] [options of relevo-view]
+#
+# A HEIGHTMAP of your own takes the place of the fetched one. See build/bin/relevo-view --help.
+set -euo pipefail
+
+source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build_dir=${RELEVO_BUILD_DIR:-$source_dir/build}
+
+# What the arguments already say. Paths in them count from where the caller stands.
+height_map='' output='' leaves=no option=''
+for argument in "$@"; do
+  if [ -n "$option" ]; then
+    [ "$option" != --output ] || output=$argument
+    option=''
+    continue
+  fi
+  case $argument in
+    -h | --help) leaves=help ;;
+    --output=*) output=${argument#*=} ;;
+    --export | --export=*) leaves=yes ;;&
+    --stats | --stretch | --wireframe | --*=*) ;;
+    --*) option=$argument ;;
+    *) height_map=$argument ;;
+  esac
+done
+[ -z "$output" ] || leaves=yes
+
+bash "$source_dir/Module/build.sh"
+viewer=$build_dir/bin/relevo-view
+if [ $leaves = help ]; then
+  exec "$viewer" --help
+fi
+
+arguments=("$@")
+if [ -z "$height_map" ]; then
+  data=$(bash "$source_dir/Data/fetch.sh")
+  # Raw bands of Landsat, which begin with blue; and rather flat land.
+  arguments=("$(sed -n 's/^RELIEF=//p' <<<"$data")"
+    --imagery "$(sed -n 's/^IMAGERY=//p' <<<"$data")" --imagery-bands 3,2,1 --stretch
+    --exaggeration 5
+    "$@")
+fi
+
+if [ -z "$output" ]; then
+  output=$build_dir/relevo-view.png
+  "$viewer" "${arguments[@]}" --output "$output"
+else
+  "$viewer" "${arguments[@]}"
+fi
+if [ $leaves = no ] && [ -n "${DISPLAY:-}" ]; then
+  "$viewer" "${arguments[@]}"
+fi
+echo "$(cd "$(dirname "$output")" && pwd)/$(basename "$output")"

@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+# Examples/run.sh: paths relative to the caller, the picture's path last, relevo-view's exit codes.
+#   TestExamplesRun.sh SOURCE BUILD FOLDER
+set -euo pipefail
+source=$1 build=$2 folder=$3
+export RELEVO_BUILD_DIR=$build
+unset DISPLAY
+
+rm -rf "$folder"
+mkdir -p "$folder/here"
+cd "$folder/here"
+# A height map that needs no other program: 4 x 3 grey pixels.
+printf 'P5 4 3 255\n\001\002\003\004\005\006\007\010\011\012\013\014' >heights.pgm
+
+check() {
+  local expected=$1 wanted=$2 code=0 output
+  shift 2
+  output=$(bash "$source/Examples/run.sh" "$@" 2>errors) || code=$?
+  if [ "$code" -ne "$expected" ]; then
+    echo "run.sh $*: left with $code, not $expected"
+    cat errors
+    exit 1
+  fi
+  if [ -n "$wanted" ] && [ "$(tail -n 1 <<<"$output")" != "$wanted" ]; then
+    echo "run.sh $*: the last line is not $wanted but: $(tail -n 1 <<<"$output")"
+    exit 1
+  fi
+  if [ -n "$wanted" ] && [ "$(head -c 4 "$wanted" | tail -c 3)" != PNG ]; then
+    echo "run.sh $*: $wanted is no picture"
+    exit 1
+  fi
+}
+check 0 "$folder/here/out.png" heights.pgm --size 64x48 --output out.png
+check 0 "$folder/out.png" --output=../out.png --size 64x48 --wireframe --stats heights.pgm
+rm -f "$build/relevo-view.png"
+check 0 "$build/relevo-view.png" heights.pgm --size 64x48
+check 0 "$build/relevo-view.png" heights.pgm --size 64x48 --export mesh.vtp
+test -s mesh.vtp
+check 1 '' missing.tif
+check 2 '' heights.pgm --no-such-option
+check 0 '' --help
