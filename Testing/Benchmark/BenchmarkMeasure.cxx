@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BenchmarkMeasure.h"
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <string>
+
+double GetMedian(std::vector<double> values)
+{
+  if (values.empty())
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  std::sort(values.begin(), values.end());
+  return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
+}
+
+double GetMedianRatio(const std::vector<double>& values, const std::vector<double>& references)
+{
+  std::vector<double> ratios(values.size());
+  std::transform(values.begin(), values.end(), references.begin(), ratios.begin(),
+    [](double value, double reference) { return value / reference; });
+  return GetMedian(ratios);
+}
+
+ResidentMemory GetResidentMemory()
+{
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  ResidentMemory memory{ unknown, unknown };
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+  {
+    const size_t value = line.find(':') + 1;
+    if (line.compare(0, 6, "VmRSS:") == 0)
+    {
+      memory.Current = 1024.0 * std::stod(line.substr(value));
+    }
+    else if (line.compare(0, 6, "VmHWM:") == 0)
+    {
+      memory.Peak = 1024.0 * std::stod(line.substr(value));
+    }
+  }
+  return memory;
+}

@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Frames of the mapper against the identical triangles as a static mesh in VTK's mapper. Both are
+// drawn in turn, in one window and from the same places, and the frames of a turn are compared with
+// one another: what else the machine does then falls out of the ratios.
+#include "BenchmarkMeasure.h"
+#include "BenchmarkReport.h"
+#include "BenchmarkSurface.h"
+#include "BenchmarkView.h"
+#include "Benchmarks.h"
+
+#include "vtkActor.h"
+#include "vtkAdaptiveRefinement.h"
+#include "vtkAdaptiveRefinementMapper.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <limits>
+
+namespace
+{
+/// VTK's own mapper, asked for the bytes of its buffers.
+class StaticMeshMapper : public vtkOpenGLPolyDataMapper
+{
+public:
+  static StaticMeshMapper* New();
+  vtkTypeMacro(StaticMeshMapper, vtkOpenGLPolyDataMapper);
+
+  double GetGraphicsMemorySize()
+  {
+    double size = 0.0;
+    for (const char* name : { "vertexMC", "normalMC" })
+    {
+      if (vtkOpenGLVertexBufferObject* buffer = this->VBOs->GetVBO(name))
+      {
+        size += static_cast<double>(buffer->GetNumberOfTuples()) * buffer->GetStride();
+      }
+    }
+    for (const vtkOpenGLHelper& helper : this->Primitives)
+    {
+      size += static_cast<double>(helper.IBO->IndexCount * sizeof(unsigned int));
+    }
+    return size;
+  }
+};
+vtkStandardNewMacro(StaticMeshMapper);
+
+struct Size
+{
+  int Faces;
+  double Triangles;
+  int Rounds;
+};
+
+vtkSmartPointer<StaticMeshMapper> MakeStaticMapper(vtkPolyData* refined)
+{
+  auto mapper = vtkSmartPointer<StaticMeshMapper>::New();
+  mapper->SetInputData(refined);
+  return mapper;
+}
+
+vtkSmartPointer<vtkAdaptiveRefinementMapper> MakeMapper(
+  vtkPolyData* mesh, vtkAdaptiveRefinement* recipe)
+{
+  auto mapper = vtkSmartPointer<vtkAdaptiveRefinementMapper>::New();
+  mapper->SetInputData(mesh);
+  mapper->SetRefinement(recipe);
+  return mapper;
+}
+
+/// Seconds until a mapper's first picture, in a window of its own, with the input ready.
+double TimeFirstFrame(vtkMapper* mapper, const double bounds[6])
+{
+  BenchmarkView view;
+  view.LookAt(bounds);
+  view.AddActor(mapper);
+  return view.TimeFrame();
+}
+
+double GetMeanDifference(
+  const std::vector<unsigned char>& picture, const std::vector<unsigned char>& reference)
+{
+  double sum = 0.0;
+  for (size_t i = 0; i < picture.size(); ++i)
+  {
+    sum += std::abs(static_cast<int>(picture[i]) - static_cast<int>(reference[i]));
+  }
+  return picture.empty() ? 0.0 : sum / static_cast<double>(picture.size());
+}
+
+/// Milliseconds of each mapper's frames, drawn in turn. Holds the window, and so what the mappers
+/// have on the GPU.
+class FrameTimes
+{
+public:
+  FrameTimes(const std::vector<vtkMapper*>& mappers, const double bounds[6], int rounds)
+    : Times(mappers.size())
+  {
+    this->View.LookAt(bounds);
+    std::vector<vtkSmartPointer<vtkActor>> actors;
+    for (vtkMapper* mapper : mappers)
+    {
+      actors.push_back(this->View.AddActor(mapper));
+      actors.back()->VisibilityOff();
+    }
+    std::vector<unsigned char> reference;
+    for (int round = -1; round < rounds; ++round)
+    {
+      this->View.MoveCamera();
+      for (size_t m = 0; m < actors.size(); ++m)
+      {
+        actors[m]->VisibilityOn();
+        const double milliseconds = 1e3 * this->View.TimeFrame();
+        actors[m]->VisibilityOff();
+        if (round >= 0) // the first is to warm up, and to see that the pictures are the same
+        {
+          this->Times[m].push_back(milliseconds);
+        }
+        else if (m == 0)
+        {
+          reference = this->View.GetPicture();
+        }
+        else if (m == 1)
+        {
+          this->Difference = GetMeanDifference(this->View.GetPicture(), reference);
+        }
+      }
+    }
+  }
+
+  double GetMedian(size_t mapper) const { return ::GetMedian(this->Times[mapper]); }
+  /// To the first mapper's.
+  double GetRatio(size_t mapper) const
+  {
+    return GetMedianRatio(this->Times[mapper], this->Times[0]);
+  }
+  /// Mean difference of the second mapper's picture from the first's, of 255.
+  double GetPictureDifference() const { return this->Difference; }
+
+private:
+  std::vector<std::vector<double>> Times;
+  double Difference = 0.0;
+  BenchmarkView View;
+};
+}
+
+void RunStaticMesh(const BenchmarkOptions& options, const AddTable& addTable)
+{
+  std::vector<Size> sizes = { { 2000, 0.5e6, 15 }, { 2000, 2e6, 11 }, { 2000, 8e6, 7 },
+    { 20000, 0.5e6, 15 }, { 20000, 2e6, 11 }, { 20000, 8e6, 7 }, { 200000, 0.5e6, 15 },
+    { 200000, 2e6, 11 }, { 200000, 8e6, 7 } };
+  if (options.Quick)
+  {
+    sizes = { { 200, 5e3, 3 } };
+  }
+  BenchmarkTable frames("static-mesh-frames",
+    "Frames: Relevo's mapper (B) against the same triangles as a static mesh (A)",
+    { { "coarse_faces", "coarse", 0 }, { "drawn_triangles", "drawn", 0 },
+      { "used_patterns", "patterns", 0 }, { "draw_calls", "draw calls", 0 },
+      { "frame_a_ms", "A, ms", 0 }, { "frame_b_ms", "B, ms", 0 }, { "frame_ratio", "B / A", 2 },
+      { "frame_pn_ms", "B with PN, ms", 0 }, { "frame_pn_ratio", "PN / A", 2 },
+      { "frame_displaced_ms", "PN + displacement, ms", 0 },
+      { "frame_displaced_ratio", "displaced / A", 2 },
+      { "picture_difference", "A - B, of 255", 3 } });
+  BenchmarkTable start("static-mesh-memory", "First frame and graphics memory",
+    { { "coarse_faces", "coarse", 0 }, { "drawn_triangles", "drawn", 0 },
+      { "first_a_ms", "first A, ms", 0 }, { "first_b_ms", "first B, ms", 0 },
+      { "first_ratio", "B / A", 2 }, { "memory_a_mb", "memory A, MB", 1 },
+      { "memory_b_mb", "memory B, MB", 2 }, { "memory_percent", "B / A, %", 2 },
+      { "memory_pn_mb", "PN, MB", 2 }, { "memory_displaced_mb", "PN + displacement, MB", 2 } });
+
+  for (const Size& size : sizes)
+  {
+    std::cerr << "static-mesh: " << size.Faces << " -> " << size.Triangles << std::endl;
+    BenchmarkSurface surface(size.Faces, size.Triangles);
+    vtkPolyData* mesh = surface.GetMesh();
+    auto refined = surface.MakeRefinedMesh();
+    double bounds[6];
+    refined->GetBounds(bounds);
+
+    // In turn, as frames are; new mappers and recipes, so that patterns are made anew.
+    std::vector<double> first[2];
+    for (int round = 0; round < (options.Quick ? 1 : 3); ++round)
+    {
+      first[0].push_back(1e3 * TimeFirstFrame(MakeStaticMapper(refined), bounds));
+      first[1].push_back(
+        1e3 * TimeFirstFrame(MakeMapper(mesh, BenchmarkSurface::MakeLinearRecipe()), bounds));
+    }
+
+    auto fixed = MakeStaticMapper(refined);
+    auto linear = MakeMapper(mesh, BenchmarkSurface::MakeLinearRecipe());
+    auto curved = MakeMapper(mesh, BenchmarkSurface::MakePNRecipe());
+    auto displaced = MakeMapper(mesh, BenchmarkSurface::MakeDisplacedRecipe());
+    const FrameTimes times({ fixed, linear, curved, displaced }, bounds, size.Rounds);
+
+    const double faces = static_cast<double>(linear->GetNumberOfCoarseFaces());
+    const double triangles = static_cast<double>(refined->GetNumberOfPolys());
+    frames.AddRow({ faces, triangles, static_cast<double>(linear->GetNumberOfUsedPatterns()),
+      static_cast<double>(linear->GetNumberOfDrawCalls()), times.GetMedian(0), times.GetMedian(1),
+      times.GetRatio(1), times.GetMedian(2), times.GetRatio(2), times.GetMedian(3),
+      times.GetRatio(3), times.GetPictureDifference() });
+    const double memory[] = { fixed->GetGraphicsMemorySize(),
+      static_cast<double>(linear->GetGraphicsMemorySize()),
+      static_cast<double>(curved->GetGraphicsMemorySize()),
+      static_cast<double>(displaced->GetGraphicsMemorySize()) };
+    start.AddRow({ faces, triangles, GetMedian(first[0]), GetMedian(first[1]),
+      GetMedianRatio(first[1], first[0]), 1e-6 * memory[0], 1e-6 * memory[1],
+      100.0 * memory[1] / memory[0], 1e-6 * memory[2], 1e-6 * memory[3] });
+  }
+  frames.AddNote(
+    "1024 x 768, the camera moves, wall clock to glFinish. Medians; ratios are medians "
+    "over pairs of frames drawn one after the other from the same place.");
+  addTable(frames);
+  start.AddNote("First frame: a new mapper and a new recipe in a fresh window, the input ready. "
+                "Memory: vertex and index buffers of A; B as GetGraphicsMemorySize() says.");
+  addTable(start);
+}

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   BenchmarkView
+ * @brief   a window with one renderer, and the clock that frames are timed with
+ *
+ * 1024 x 768 pixels without multisampling; the context is made, and one empty frame drawn, before
+ * anything is measured.
+ */
+#ifndef BenchmarkView_h
+#define BenchmarkView_h
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkActor;
+class vtkMapper;
+class vtkRenderWindow;
+class vtkRenderer;
+
+class BenchmarkView
+{
+public:
+  BenchmarkView();
+  ~BenchmarkView();
+  BenchmarkView(const BenchmarkView&) = delete;
+  void operator=(const BenchmarkView&) = delete;
+
+  /// A visible actor for the mapper.
+  vtkSmartPointer<vtkActor> AddActor(vtkMapper* mapper);
+
+  /// Look at bounds obliquely from above, so that they fill the view.
+  void LookAt(const double bounds[6]);
+  /// Turn the camera a little around what it looks at.
+  void MoveCamera();
+
+  /// Seconds of wall clock from the call to the finished picture.
+  double TimeFrame();
+
+  /// The picture of the last frame: RGB, bytes.
+  std::vector<unsigned char> GetPicture();
+
+  std::string GetOpenGLRenderer();
+  vtkRenderer* GetRenderer() { return this->Renderer; }
+
+private:
+  vtkSmartPointer<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+};
+
+#endif

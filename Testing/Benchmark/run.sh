@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Sets up, builds and runs the benchmark: Markdown on stdout, JSON in the build folder. Arguments
+# go to relevo-benchmark; without a NAME everything is measured.
+#
+#   bash Testing/Benchmark/run.sh [--quick] [--height-map FILE] [--output FILE.json] [NAME...]
+#
+# NAME is one of those that --help lists.
+set -euo pipefail
+
+source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+build_dir=${RELEVO_BUILD_DIR:-$source_dir/build}
+
+bash "$source_dir/Module/build.sh" --benchmark >&2
+
+# A build without the display-less window needs an X server.
+display=()
+if [ -z "${DISPLAY:-}" ] && command -v xvfb-run >/dev/null; then
+  display=(xvfb-run -a -s "-noreset -screen 0 1280x1024x24")
+fi
+exec "${display[@]}" "$build_dir/bin/relevo-benchmark" --output "$build_dir/benchmark.json" "$@"
