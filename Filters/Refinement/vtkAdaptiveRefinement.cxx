@@ -106,7 +106,7 @@ vtkMTimeType vtkAdaptiveRefinement::GetMTime()
   vtkMTimeType time = this->Superclass::GetMTime();
   for (vtkObject* part :
     { static_cast<vtkObject*>(this->Metric), static_cast<vtkObject*>(this->Surface),
-      static_cast<vtkObject*>(this->Displacement) })
+      static_cast<vtkObject*>(this->Displacement), static_cast<vtkObject*>(this->PatternTable) })
   {
     time = part ? std::max(time, part->GetMTime()) : time;
   }

@@ -160,6 +160,30 @@ bool IsInterpolated(vtkAbstractArray* array)
 }
 }
 
+vtkAbstractArray* AddArrayLike(vtkDataSetAttributes* from, vtkAbstractArray* source,
+  vtkDataSetAttributes* to, vtkIdType numberOfTuples)
+{
+  auto target = vtkSmartPointer<vtkAbstractArray>::Take(source->NewInstance());
+  target->SetName(source->GetName());
+  target->SetNumberOfComponents(source->GetNumberOfComponents());
+  target->CopyComponentNames(source);
+  target->CopyInformation(source->GetInformation(), 1);
+  target->SetNumberOfTuples(numberOfTuples);
+  if (vtkDataArray* numbers = vtkDataArray::SafeDownCast(source))
+  {
+    vtkDataArray::SafeDownCast(target)->SetLookupTable(numbers->GetLookupTable());
+  }
+  const int index = to->AddArray(target);
+  for (int attribute = 0; attribute < vtkDataSetAttributes::NUM_ATTRIBUTES; ++attribute)
+  {
+    if (from->GetAbstractAttribute(attribute) == source)
+    {
+      to->SetActiveAttribute(index, attribute);
+    }
+  }
+  return target;
+}
+
 PointDataInterpolation::PointDataInterpolation(
   vtkPointData* from, vtkIdType numberOfInputPoints, vtkPointData* to, vtkIdType numberOfPoints)
 {
@@ -175,31 +199,13 @@ PointDataInterpolation::PointDataInterpolation(
       this->ShortArrays.emplace_back(source->GetName() ? source->GetName() : "");
       continue;
     }
-    auto target = vtkSmartPointer<vtkAbstractArray>::Take(source->NewInstance());
-    target->SetName(source->GetName());
-    target->SetNumberOfComponents(source->GetNumberOfComponents());
-    target->CopyComponentNames(source);
-    target->CopyInformation(source->GetInformation(), 1);
-    target->SetNumberOfTuples(numberOfPoints);
-    vtkDataArray* numbers = vtkDataArray::SafeDownCast(source);
-    if (numbers)
-    {
-      vtkDataArray::SafeDownCast(target)->SetLookupTable(numbers->GetLookupTable());
-    }
-    const int index = to->AddArray(target);
-    for (int attribute = 0; attribute < vtkDataSetAttributes::NUM_ATTRIBUTES; ++attribute)
-    {
-      if (from->GetAbstractAttribute(attribute) == source)
-      {
-        to->SetActiveAttribute(index, attribute);
-      }
-    }
-
+    vtkAbstractArray* target = AddArrayLike(from, source, to, numberOfPoints);
     if (!IsInterpolated(source))
     {
       this->SerialArrays.emplace_back(source, target);
       continue;
     }
+    vtkDataArray* numbers = vtkDataArray::SafeDownCast(source);
     vtkDataArray* result = vtkDataArray::SafeDownCast(target);
     MakeTypedPair make;
     vtkArrayDispatch::Dispatch::Execute(result, make, numbers);

@@ -21,10 +21,18 @@
 #include <vector>
 
 class vtkAbstractArray;
+class vtkDataSetAttributes;
 class vtkPointData;
 
 namespace relevo
 {
+/**
+ * Add to `to` an array like `source` of `from` (type, name, components, part as attribute) with
+ * room for numberOfTuples.
+ */
+vtkAbstractArray* AddArrayLike(vtkDataSetAttributes* from, vtkAbstractArray* source,
+  vtkDataSetAttributes* to, vtkIdType numberOfTuples);
+
 class PointDataInterpolation
 {
 public:

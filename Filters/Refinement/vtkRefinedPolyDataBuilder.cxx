@@ -359,10 +359,10 @@ void RefinedPolyDataBuilder::BuildCellData(vtkPolyData* output)
       static_cast<vtkIdType>(this->Mesh.Faces[f].Cell));
   }
 
-  vtkNew<vtkCellData> inputData;
-  inputData->ShallowCopy(this->Input->GetCellData());
   // Ids that stand for one cell no longer do so, and normals of flat coarse cells are not those of
   // what they were refined to.
+  vtkNew<vtkCellData> inputData;
+  inputData->ShallowCopy(this->Input->GetCellData());
   inputData->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
   vtkRefinementSurface* surface = this->Recipe->GetSurface();
   if (this->Recipe->GetDisplacement() || (surface && surface->NeedsNormals()))
@@ -370,25 +370,20 @@ void RefinedPolyDataBuilder::BuildCellData(vtkPolyData* output)
     inputData->SetNormals(nullptr);
   }
   inputData->RemoveArray(OriginalCellIds);
-  for (int a = inputData->GetNumberOfArrays(); a-- > 0;)
+
+  vtkNew<vtkIdList> cells;
+  cells->SetNumberOfIds(numberOfCells);
+  std::copy_n(ids, numberOfCells, cells->GetPointer(0));
+  for (int a = 0; a < inputData->GetNumberOfArrays(); ++a)
   {
     vtkAbstractArray* array = inputData->GetAbstractArray(a);
     if (array->GetNumberOfTuples() < this->Input->GetNumberOfCells())
     {
       this->ShortArrays.emplace_back(array->GetName() ? array->GetName() : "");
-      inputData->RemoveArray(a);
+      continue;
     }
+    array->GetTuples(cells, AddArrayLike(inputData, array, output->GetCellData(), numberOfCells));
   }
-  vtkCellData* outputData = output->GetCellData();
-  outputData->CopyAllOn();
-  outputData->CopyAllocate(inputData, numberOfCells);
-  if (inputData->GetNumberOfArrays() > 0 && numberOfCells > 0)
-  {
-    vtkNew<vtkIdList> cells;
-    cells->SetNumberOfIds(numberOfCells);
-    std::copy_n(ids, numberOfCells, cells->GetPointer(0));
-    outputData->CopyData(inputData, cells, 0);
-  }
-  outputData->AddArray(originals);
+  output->GetCellData()->AddArray(originals);
 }
 }
