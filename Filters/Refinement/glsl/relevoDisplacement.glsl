@@ -81,8 +81,9 @@ RELEVO_FUNCTION DisplacedPoint displace(vec3 w, vec3 normal)
   vec3 direction = displacementDirection(w, unitNormal);
   ivec3 points = heightPoints(w);
   vec2 uv = heightCoordinate(points, w);
-  float height = displacementOffset() + displacementScale() * heightAt(uv);
-  vec2 slope = displacementScale() * heightGradientAt(uv);
+  vec3 heightSample = heightAndGradientAt(uv);
+  float height = displacementOffset() + displacementScale() * heightSample.x;
+  vec2 slope = displacementScale() * vec2(heightSample.y, heightSample.z);
   vec4 frameU = weightedSum(
     pointFrame(points.x, 0), pointFrame(points.y, 0), pointFrame(points.z, 0), w);
   vec4 frameV = weightedSum(

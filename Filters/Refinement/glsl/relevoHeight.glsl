@@ -6,60 +6,57 @@
 //   ivec2 heightSize()              the number of texels
 // Texel centres lie at (i + 0.5) / n; heights are bilinear between them and clamped outside.
 
-RELEVO_FUNCTION float heightClamped(ivec2 texel)
-{
-  return heightTexel(clamp(texel, ivec2(0), heightSize() - ivec2(1)));
-}
-
+// Position in texels, clamped to the outermost centres.
 RELEVO_FUNCTION vec2 heightPosition(vec2 uv)
 {
-  return clamp(uv, vec2(0.0f), vec2(1.0f)) * vec2(heightSize()) - vec2(0.5f);
+  vec2 last = vec2(heightSize() - ivec2(1));
+  return clamp(uv * vec2(heightSize()) - vec2(0.5f), vec2(0.0f), last);
 }
 
 // Height at uv.
 RELEVO_FUNCTION float heightAt(vec2 uv)
 {
   vec2 position = heightPosition(uv);
-  vec2 corner = floor(position);
-  vec2 t = position - corner;
-  ivec2 c = ivec2(corner);
-  float south = mix(heightClamped(c), heightClamped(c + ivec2(1, 0)), t.x);
-  float north = mix(heightClamped(c + ivec2(0, 1)), heightClamped(c + ivec2(1, 1)), t.x);
-  return mix(south, north, t.y);
+  ivec2 a = ivec2(floor(position));
+  ivec2 b = min(a + ivec2(1), heightSize() - ivec2(1));
+  vec2 t = position - vec2(a);
+  return mix(mix(heightTexel(a), heightTexel(ivec2(b.x, a.y)), t.x),
+    mix(heightTexel(ivec2(a.x, b.y)), heightTexel(b), t.x), t.y);
 }
 
-// Gradient of the heights at a texel, per unit of u and v: central differences, one-sided at the
-// border.
-RELEVO_FUNCTION vec2 heightTexelGradient(ivec2 texel)
+// Height at uv and its gradient per unit of u and v: (height, d/du, d/dv). The gradient is bilinear
+// between the texels' central differences (one-sided at the border), hence continuous.
+RELEVO_FUNCTION vec3 heightAndGradientAt(vec2 uv)
 {
   ivec2 last = heightSize() - ivec2(1);
-  ivec2 c = clamp(texel, ivec2(0), last);
-  ivec2 low = max(c - ivec2(1), ivec2(0));
-  ivec2 high = min(c + ivec2(1), last);
-  vec2 span = max(vec2(high - low), vec2(1.0f));
-  return vec2(heightTexel(ivec2(high.x, c.y)) - heightTexel(ivec2(low.x, c.y)),
-           heightTexel(ivec2(c.x, high.y)) - heightTexel(ivec2(c.x, low.y))) /
-    span * vec2(heightSize());
-}
-
-// Gradient at uv, continuous: bilinear between the texels' gradients.
-RELEVO_FUNCTION vec2 heightGradientAt(vec2 uv)
-{
   vec2 position = heightPosition(uv);
-  vec2 corner = floor(position);
-  vec2 t = position - corner;
-  ivec2 c = ivec2(corner);
-  vec2 south = mix(heightTexelGradient(c), heightTexelGradient(c + ivec2(1, 0)), t.x);
-  vec2 north =
-    mix(heightTexelGradient(c + ivec2(0, 1)), heightTexelGradient(c + ivec2(1, 1)), t.x);
-  return mix(south, north, t.y);
+  ivec2 a = ivec2(floor(position));
+  ivec2 b = min(a + ivec2(1), last);
+  ivec2 low = max(a - ivec2(1), ivec2(0));
+  ivec2 high = min(b + ivec2(1), last);
+  vec2 t = position - vec2(a);
+
+  float h00 = heightTexel(a);
+  float h10 = heightTexel(ivec2(b.x, a.y));
+  float h01 = heightTexel(ivec2(a.x, b.y));
+  float h11 = heightTexel(b);
+  vec2 spanA = max(vec2(b - low), vec2(1.0f));
+  vec2 spanB = max(vec2(high - a), vec2(1.0f));
+  vec2 g00 = vec2(h10 - heightTexel(ivec2(low.x, a.y)), h01 - heightTexel(ivec2(a.x, low.y))) / spanA;
+  vec2 g10 = vec2((heightTexel(ivec2(high.x, a.y)) - h00) / spanB.x,
+    (h11 - heightTexel(ivec2(b.x, low.y))) / spanA.y);
+  vec2 g01 = vec2((h11 - heightTexel(ivec2(low.x, b.y))) / spanA.x,
+    (heightTexel(ivec2(a.x, high.y)) - h00) / spanB.y);
+  vec2 g11 = vec2(heightTexel(ivec2(high.x, b.y)) - h01, heightTexel(ivec2(b.x, high.y)) - h10) / spanB;
+
+  vec2 gradient = mix(mix(g00, g10, t.x), mix(g01, g11, t.x), t.y) * vec2(heightSize());
+  return vec3(mix(mix(h00, h10, t.x), mix(h01, h11, t.x), t.y), gradient.x, gradient.y);
 }
 
 // Whether every sample with a weight in heightAt(uv) has data.
 RELEVO_FUNCTION bool heightValid(vec2 uv)
 {
-  ivec2 last = heightSize() - ivec2(1);
-  vec2 position = clamp(heightPosition(uv), vec2(0.0f), vec2(last));
+  vec2 position = heightPosition(uv);
   ivec2 low = ivec2(floor(position));
   ivec2 high = ivec2(ceil(position));
   return validTexel(low) * validTexel(ivec2(high.x, low.y)) * validTexel(ivec2(low.x, high.y)) *

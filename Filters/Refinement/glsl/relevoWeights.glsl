@@ -37,9 +37,15 @@ RELEVO_FUNCTION vec4 weightedSum(vec4 a, vec4 b, vec4 c, vec3 w)
   return sum;
 }
 
-// The unit vector of v, or the zero vector.
+// The unit vector of v, or the zero vector. Scaled first: the squares of small or large components
+// are beyond a float.
 RELEVO_FUNCTION vec3 unitVector(vec3 v)
 {
-  float squared = dot(v, v);
-  return squared > 0.0f ? v / sqrt(squared) : v;
+  float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+  if (!(largest > 0.0f))
+  {
+    return vec3(0.0f);
+  }
+  vec3 scaled = v / largest;
+  return scaled / sqrt(dot(scaled, scaled));
 }
