@@ -59,11 +59,11 @@ public:
     this->Superclass::OnLeftButtonUp();
   }
 
-  void OnMouseWheelForward() override { this->Zoom(1.1); }
-  void OnMouseWheelBackward() override { this->Zoom(1.0 / 1.1); }
+  void OnMouseWheelForward() override { this->DollyBy(1.1); }
+  void OnMouseWheelBackward() override { this->DollyBy(1.0 / 1.1); }
 
 private:
-  void Zoom(double factor)
+  void DollyBy(double factor)
   {
     this->FindPokedRenderer(
       this->Interactor->GetEventPosition()[0], this->Interactor->GetEventPosition()[1]);
