@@ -33,16 +33,16 @@ public:
   vtkTypeMacro(vtkAdaptiveRefinement, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * The highest level of an edge, 0 to 7, default 5: an edge has at most 2^level segments. A value
    * outside is an error and changes nothing.
    */
   void SetMaximumLevel(int level);
   int GetMaximumLevel();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Name of the point array of depth-tags, one float level per point, default "DepthTag". Where
    * the mesh has it, it wins over the metric. An edge takes the mean of its two points' tags,
@@ -50,31 +50,31 @@ public:
    */
   void SetDepthTagArrayName(const char* name);
   const char* GetDepthTagArrayName();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * How deep each point shall be refined. Neither metric nor array: MaximumLevel everywhere.
    */
   void SetMetric(vtkDepthTagMetric* metric);
   vtkDepthTagMetric* GetMetric();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The surface that refined points lie on; none means linear.
    */
   void SetSurface(vtkRefinementSurface* surface);
   vtkRefinementSurface* GetSurface();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * What moves the refined points; none by default.
    */
   void SetDisplacement(vtkDisplacement* displacement);
   vtkDisplacement* GetDisplacement();
-  ///@}
+  //@}
 
   /**
    * The patterns, shared by all that evaluate this recipe.

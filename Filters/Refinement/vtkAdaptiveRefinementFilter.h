@@ -50,23 +50,23 @@ public:
   vtkTypeMacro(vtkAdaptiveRefinementFilter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * What to refine to. Required.
    */
   void SetRefinement(vtkAdaptiveRefinement* refinement);
   vtkAdaptiveRefinement* GetRefinement();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The camera of view-dependent metrics, in world coordinates.
    */
   void SetCamera(vtkCamera* camera);
   vtkCamera* GetCamera();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Width and height in pixels of the viewport of view-dependent metrics, default 300 x 300.
    * Sizes below 1 are an error and change nothing.
@@ -74,15 +74,15 @@ public:
   void SetViewportSize(int width, int height);
   void SetViewportSize(const int size[2]) { this->SetViewportSize(size[0], size[1]); }
   vtkGetVector2Macro(ViewportSize, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * From the input's coordinates to the camera's world (an actor's matrix); none means identity.
    */
   void SetModelToWorld(vtkMatrix4x4* matrix);
   vtkMatrix4x4* GetModelToWorld();
-  ///@}
+  //@}
 
   /**
    * Latest change of the filter, its recipe or its camera.

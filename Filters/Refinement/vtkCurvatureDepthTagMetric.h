@@ -51,7 +51,7 @@ public:
     MEAN = 1
   };
 
-  ///@{
+  //@{
   /**
    * Which curvature is measured: GAUSSIAN (0, the default; it is 0 on all that can be unrolled,
    * such as cylinders and straight ridges) or MEAN (1). Another value is an error and changes
@@ -59,7 +59,7 @@ public:
    */
   void SetCurvatureType(int type);
   vtkGetMacro(CurvatureType, int);
-  ///@}
+  //@}
 
   /**
    * Measure the Gaussian curvature, in 1/length^2.
@@ -76,7 +76,7 @@ public:
    */
   const char* GetCurvatureTypeAsString();
 
-  ///@{
+  //@{
   /**
    * Absolute curvature up to which the level is 0, in the mesh's own units (Gaussian 1/length^2,
    * mean 1/length); default 0. A negative or infinite value is an error and changes nothing; a
@@ -84,9 +84,9 @@ public:
    */
   void SetMinimumCurvature(double curvature);
   vtkGetMacro(MinimumCurvature, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Absolute curvature from which on the level is MaximumLevel, in the mesh's own units (Gaussian
    * 1/length^2, mean 1/length).
@@ -98,7 +98,7 @@ public:
    */
   void SetMaximumCurvature(double curvature);
   vtkGetMacro(MaximumCurvature, double);
-  ///@}
+  //@}
 
   /**
    * Fill `curvatures` with the chosen curvature of every point of `mesh`, with its sign: mean

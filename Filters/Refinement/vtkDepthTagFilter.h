@@ -43,23 +43,23 @@ public:
   vtkTypeMacro(vtkDepthTagFilter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * How deep each point shall be refined. None (the default): the input's array "DepthTag".
    */
   void SetMetric(vtkDepthTagMetric* metric);
   vtkDepthTagMetric* GetMetric();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The camera, for metrics that depend on the view; the mesh is taken to be in world coordinates.
    */
   void SetCamera(vtkCamera* camera);
   vtkCamera* GetCamera();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Width and height of the viewport in pixels, for metrics that depend on the view; default
    * (300, 300). Less than 1 is an error and changes nothing.
@@ -67,16 +67,16 @@ public:
   void SetViewportSize(int width, int height);
   void SetViewportSize(const int size[2]) { this->SetViewportSize(size[0], size[1]); }
   vtkGetVector2Macro(ViewportSize, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The highest level of a point and of an edge, 0 to 7, default 5. A value outside is an error
    * and changes nothing.
    */
   void SetMaximumLevel(int level);
   vtkGetMacro(MaximumLevel, int);
-  ///@}
+  //@}
 
   /**
    * Includes the metric's time, and the camera's where the metric depends on the view.

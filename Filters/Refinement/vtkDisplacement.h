@@ -30,31 +30,31 @@ public:
   vtkTypeMacro(vtkDisplacement, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * The heights, over texture coordinates [0, 1]^2. None: Offset alone displaces.
    */
   void SetHeightMap(vtkHeightField* heights);
   vtkHeightField* GetHeightMap();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Factor from the map's height units to the mesh's length units, default 1. Not finite: error.
    */
   void SetScale(double scale);
   vtkGetMacro(Scale, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Constant added to the scaled height, in the mesh's length units, default 0.
    */
   void SetOffset(double offset);
   vtkGetMacro(Offset, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Displace along the surface's unit normal (default) or along a fixed vector, which is
    * normalised. A zero or non-finite vector is an error and changes nothing.
@@ -67,14 +67,14 @@ public:
   }
   vtkGetVector3Macro(Direction, double);
   bool IsAlongNormal() { return this->AlongNormal; }
-  ///@}
+  //@}
 
   enum NoDataPolicyType
   {
     HOLE = 0,
     FILL = 1
   };
-  ///@{
+  //@{
   /**
    * What becomes of refined triangles over samples without data: left out (HOLE, default) or drawn
    * at heights filled in from around (FILL).
@@ -83,7 +83,7 @@ public:
   vtkGetMacro(NoDataPolicy, int);
   void SetNoDataPolicyToHole() { this->SetNoDataPolicy(HOLE); }
   void SetNoDataPolicyToFill() { this->SetNoDataPolicy(FILL); }
-  ///@}
+  //@}
 
   /**
    * Bring the height map up to date; false, after an ErrorEvent of this object, if it has none of

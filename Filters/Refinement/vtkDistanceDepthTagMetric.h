@@ -32,7 +32,7 @@ public:
   vtkTypeMacro(vtkDistanceDepthTagMetric, vtkDepthTagMetric);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * Distance from the camera, in world units, from which on nothing is refined. 0, the default,
    * means automatic: three times the diagonal of the mesh's bounding box in world units, so that a
@@ -41,7 +41,7 @@ public:
    */
   void SetMaximumDistance(double distance);
   vtkGetMacro(MaximumDistance, double);
-  ///@}
+  //@}
 
   bool IsViewDependent() override { return true; }
   bool ComputeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,

@@ -26,7 +26,7 @@ public:
   vtkTypeMacro(vtkPNTriangleSurface, vtkRefinementSurface);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * Whether normals vary quadratically, which keeps inflections (default), or linearly. The normal
    * amid an edge is n110 = normalize(N1 + N2 - v12 (P2 - P1)),
@@ -35,7 +35,7 @@ public:
   vtkSetMacro(QuadraticNormals, bool);
   vtkGetMacro(QuadraticNormals, bool);
   vtkBooleanMacro(QuadraticNormals, bool);
-  ///@}
+  //@}
 
   bool NeedsNormals() override { return true; }
   int GetNumberOfEdgePositions() override { return 2; }

@@ -26,7 +26,7 @@ public:
   vtkTypeMacro(vtkRefinementPatternSource, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * Levels of the edges P1P2, P2P3 and P3P1, in any order, each 0 to 7; default (0, 0, 0), the
    * undivided triangle. A level outside is an error and changes nothing; one above the table's
@@ -35,16 +35,16 @@ public:
   void SetLevels(int i, int j, int k);
   void SetLevels(const int levels[3]) { this->SetLevels(levels[0], levels[1], levels[2]); }
   vtkGetVector3Macro(Levels, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The table that the pattern is taken from; by default an own one with MaximumLevel 7. nullptr
    * brings a new default table.
    */
   void SetTable(vtkRefinementPatternTable* table);
   vtkRefinementPatternTable* GetTable();
-  ///@}
+  //@}
 
   /**
    * Also the table's time.

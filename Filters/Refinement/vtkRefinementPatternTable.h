@@ -44,14 +44,14 @@ public:
    */
   static constexpr int HighestLevel = 7;
 
-  ///@{
+  //@{
   /**
    * The highest level of an edge, 0 to 7, default 5. A value outside is an error and changes
    * nothing.
    */
   void SetMaximumLevel(int level);
   vtkGetMacro(MaximumLevel, int);
-  ///@}
+  //@}
 
   /**
    * Number of canonical patterns for the current MaximumLevel L: (L+1)(L+2)(L+3)/6.
@@ -89,7 +89,7 @@ public:
    */
   vtkTypeInt64 GetMemorySize();
 
-  ///@{
+  //@{
   /**
    * Write every canonical pattern up to MaximumLevel to a file, or replace the patterns by those
    * of such a file, which also sets MaximumLevel. Returns false, after an ErrorEvent that says what
@@ -106,7 +106,7 @@ public:
    */
   bool Write(const char* fileName);
   bool Read(const char* fileName);
-  ///@}
+  //@}
 
   /**
    * Position of the canonical levels i >= j >= k in a list of all patterns: the order [0,0,0],

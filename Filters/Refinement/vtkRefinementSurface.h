@@ -34,14 +34,14 @@ public:
    */
   virtual bool NeedsNormals() { return false; }
 
-  ///@{
+  //@{
   /**
    * Number of precomputed 3-vectors: positions per edge, normals per edge, positions per face.
    */
   virtual int GetNumberOfEdgePositions() { return 0; }
   virtual int GetNumberOfEdgeNormals() { return 0; }
   virtual int GetNumberOfFacePositions() { return 0; }
-  ///@}
+  //@}
 
 #ifndef __VTK_WRAP__
   /**

@@ -36,24 +36,24 @@ struct Georeference
   /// Metres (Planar) or degrees (Geographic) in one unit of the coordinates.
   double Unit = 1.0;
 
-  ///@{
+  //@{
   /// The ellipsoid, WGS 84 unless the coordinate system says otherwise.
   double SemiMajorAxis = 6378137.0;
   double Flattening = 1.0 / 298.257223563;
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /// Coordinates at (u, v): Corner + u AlongU + v AlongV.
   std::array<double, 2> Corner = { 0.0, 0.0 };
   std::array<double, 2> AlongU = { 1.0, 0.0 };
   std::array<double, 2> AlongV = { 0.0, 1.0 };
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /// Whether u runs against the file's columns, v against its rows.
   bool FlipColumns = false;
   bool FlipRows = true;
-  ///@}
+  //@}
 
   /// For a raster without georeference: one texel is one unit, v = 0 is the last row.
   void SetSize(int width, int height);

@@ -51,23 +51,23 @@ public:
   vtkTypeMacro(vtkHeightMap, vtkHeightField);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * The raster file.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The image to take heights from in place of a file; nullptr returns to the file.
    */
   virtual void SetImageData(vtkImageData* image);
   vtkImageData* GetImageData();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * A sample value that means "no data", besides what the file itself declares. NaN declares NaN
    * samples as such. GetNoDataValue gives the value that was set, or, after Update(), the one that
@@ -76,35 +76,35 @@ public:
   virtual void SetNoDataValue(double value);
   virtual double GetNoDataValue();
   virtual void UnsetNoDataValue();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Stops a running Update(), which returns false without an error.
    */
   vtkSetMacro(AbortExecute, bool);
   vtkGetMacro(AbortExecute, bool);
   vtkBooleanMacro(AbortExecute, bool);
-  ///@}
+  //@}
 
   bool Update() override;
 
-  ///@{
+  //@{
   /**
    * Number of columns and rows; (0, 0) before a successful Update().
    */
   void GetDimensions(int dimensions[2]) override;
   int* GetDimensions() VTK_SIZEHINT(2);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Smallest and largest valid height in the raster's own unit; (0, 0) before a successful
    * Update().
    */
   void GetRange(double range[2]) override;
   double* GetRange() VTK_SIZEHINT(2);
-  ///@}
+  //@}
 
   /**
    * The height in a column and row as the displacement samples them: row 0 at v = 0. The fill

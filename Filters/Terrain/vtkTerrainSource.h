@@ -62,23 +62,23 @@ public:
   vtkTypeMacro(vtkTerrainSource, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * The raster file, of any format that vtkHeightMap reads.
    */
   virtual void SetFileName(VTK_FILEPATH const char* fileName);
   virtual VTK_FILEPATH char* GetFileName();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The picture to drape over the terrain; none by default.
    */
   vtkSetFilePathMacro(ImageryFileName);
   vtkGetFilePathMacro(ImageryFileName);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The bands of the imagery, counted from 1, that are red, green and blue. (0, 0, 0), the default:
    * those that the file declares so; else the first three, or the first alone as grey, or, of five
@@ -88,43 +88,43 @@ public:
    */
   vtkSetVector3Macro(ImageryBands, int);
   vtkGetVector3Macro(ImageryBands, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The most pixels the resampled imagery may have per side, default 4096, at least 1.
    */
   vtkSetClampMacro(MaximumImagerySize, int, 1, 65536);
   vtkGetMacro(MaximumImagerySize, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Squares of two coarse faces along the longer side, default 128, at least 1, at most one per
    * texel; the shorter side has as many as keep them about square.
    */
   vtkSetClampMacro(Resolution, int, 1, VTK_INT_MAX);
   vtkGetMacro(Resolution, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Factor on the heights, default 1. Not finite: error.
    */
   virtual void SetExaggeration(double exaggeration);
   vtkGetMacro(Exaggeration, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * A sample value that means "no data", besides what the file declares; see
    * vtkHeightMap::SetNoDataValue.
    */
   virtual void SetNoDataValue(double value);
   virtual double GetNoDataValue();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Leave out (vtkDisplacement::HOLE, default) or fill (vtkDisplacement::FILL) what has no data.
    */
@@ -132,7 +132,7 @@ public:
   virtual int GetNoDataPolicy();
   void SetNoDataPolicyToHole();
   void SetNoDataPolicyToFill();
-  ///@}
+  //@}
 
   /**
    * The relief: direction +z, Scale = Exaggeration (times the metres in the heights' unit),
@@ -151,13 +151,13 @@ public:
    */
   vtkImageData* GetImagery();
 
-  ///@{
+  //@{
   /**
    * The raster's centre in its own coordinates (for longitude and latitude, in that order), z = 0;
    * in texels without georeference. After Update().
    */
   vtkGetVector3Macro(Origin, double);
-  ///@}
+  //@}
 
   /**
    * The raster's coordinate system as WKT, "" when it is not known. After Update().

@@ -34,7 +34,7 @@ public:
    */
   void Initialize() override;
 
-  ///@{
+  //@{
   /**
    * The window is always off-screen and its context its own.
    */
@@ -45,7 +45,7 @@ public:
   void OpenGLInit() override;
   void OpenGLInitContext() override;
   void* GetGenericContext() override;
-  ///@}
+  //@}
 
   /**
    * Whether a context with OpenGL 3.2 core can be had: 1 or 0.

@@ -44,13 +44,13 @@ public:
   vtkTypeMacro(vtkAdaptiveRefinementMapper, vtkOpenGLPolyDataMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * What to refine to. Required.
    */
   void SetRefinement(vtkAdaptiveRefinement* refinement);
   vtkAdaptiveRefinement* GetRefinement();
-  ///@}
+  //@}
 
   /**
    * Triangles drawn by the last render: the polygons that vtkAdaptiveRefinementFilter would give
@@ -88,13 +88,13 @@ public:
    */
   vtkTypeInt64 GetGraphicsMemorySize();
 
-  ///@{
+  //@{
   /**
    * Bounds of what is drawn: surface and displacement enlarge them by what they can reach.
    */
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
-  ///@}
+  //@}
 
   void RenderPiece(vtkRenderer* ren, vtkActor* act) override;
   void RenderPieceStart(vtkRenderer* ren, vtkActor* act) override;

@@ -34,7 +34,7 @@ public:
   RefinementBuffer(const RefinementBuffer&) = delete;
   void operator=(const RefinementBuffer&) = delete;
 
-  ///@{
+  //@{
   /**
    * Store values in texels of the given number of components. False when there are more texels
    * than a buffer texture may have, or the texture cannot be made.
@@ -42,7 +42,7 @@ public:
   bool Upload(vtkOpenGLRenderWindow* window, const std::vector<float>& values, int components);
   bool Upload(vtkOpenGLRenderWindow* window, const std::vector<int>& values, int components);
   bool Upload(vtkOpenGLRenderWindow* window, const std::vector<unsigned int>& values);
-  ///@}
+  //@}
 
   /**
    * Read a vertex buffer of VTK's (floats, or unsigned bytes as fractions).
