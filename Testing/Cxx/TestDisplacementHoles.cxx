@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Samples without data: triangles over them are left out, or filled by choice.
+#include "RelevoCheck.h"
+#include "RelevoTestMeshes.h"
+#include "RelevoWatertight.h"
+
+#include "vtkAdaptiveRefinement.h"
+#include "vtkAdaptiveRefinementFilter.h"
+#include "vtkDisplacement.h"
+#include "vtkPatternSelection.h"
+#include "vtkRefinementEvaluator.h"
+#include "vtkRefinementMesh.h"
+
+using namespace RelevoMeshes;
+
+namespace
+{
+Mesh refine(vtkPolyData* input, vtkAdaptiveRefinement* recipe)
+{
+  vtkNew<vtkAdaptiveRefinementFilter> filter;
+  filter->SetInputData(input);
+  filter->SetRefinement(recipe);
+  filter->Update();
+  Mesh output = Make();
+  output->ShallowCopy(filter->GetOutput());
+  return output;
+}
+
+// How surely a triangle of texel positions lies over a sample without data: positive if so,
+// negative if not, by a margin in texels.
+double getOverlap(const double p[3][2], RelevoHeights* heights)
+{
+  int n[2];
+  heights->GetDimensions(n);
+  double overlap = -1e300;
+  for (int y = 0; y < n[1]; ++y)
+  {
+    for (int x = 0; x < n[0]; ++x)
+    {
+      if (heights->GetValidity()[y * n[0] + x])
+      {
+        continue;
+      }
+      // Bilinear sampling at a vertex draws on the samples less than one texel away.
+      for (int i = 0; i < 3; ++i)
+      {
+        const double cx = std::min(std::max(p[i][0], 0.0), n[0] - 1.0);
+        const double cy = std::min(std::max(p[i][1], 0.0), n[1] - 1.0);
+        overlap = std::max(overlap, std::min(1.0 - std::abs(cx - x), 1.0 - std::abs(cy - y)));
+      }
+      // Inside: the same side of all edges.
+      double inside[2] = { 1e300, 1e300 };
+      for (int i = 0; i < 3; ++i)
+      {
+        const double* a = p[i];
+        const double* b = p[(i + 1) % 3];
+        const double dx = b[0] - a[0];
+        const double dy = b[1] - a[1];
+        const double side = (dx * (y - a[1]) - dy * (x - a[0])) / std::sqrt(dx * dx + dy * dy);
+        inside[0] = std::min(inside[0], side);
+        inside[1] = std::min(inside[1], -side);
+      }
+      overlap = std::max(overlap, std::max(inside[0], inside[1]));
+    }
+  }
+  return overlap;
+}
+
+void testAgainstSearch(RelevoCheck& check, Mesh mesh, vtkAdaptiveRefinement* recipe,
+  RelevoHeights* heights, vtkDisplacement* displacement)
+{
+  int n[2];
+  heights->GetDimensions(n);
+  displacement->SetNoDataPolicyToFill();
+  Mesh full = refine(mesh, recipe);
+  displacement->SetNoDataPolicyToHole();
+  Mesh holed = refine(mesh, recipe);
+  int left = 0;
+  int kept = 0;
+  int uncertain = 0;
+  vtkNew<vtkIdList> ids;
+  auto getPositions = [&](vtkPolyData* refined, vtkIdType cell, double p[3][2])
+  {
+    refined->GetCellPoints(cell, ids);
+    for (int i = 0; i < 3; ++i)
+    {
+      double uv[2];
+      refined->GetPointData()->GetTCoords()->GetTuple(ids->GetId(i), uv);
+      for (int c = 0; c < 2; ++c)
+      {
+        p[i][c] = std::min(std::max(uv[c], 0.0), 1.0) * n[c] - 0.5;
+      }
+    }
+  };
+  constexpr double margin = 1e-4;
+  double p[3][2];
+  for (vtkIdType cell = 0; cell < full->GetNumberOfCells(); ++cell)
+  {
+    getPositions(full, cell, p);
+    const double overlap = getOverlap(p, heights);
+    (std::abs(overlap) < margin ? uncertain : overlap > 0.0 ? left : kept) += 1;
+  }
+  CHECK(left > 0 && kept > 0);
+  CHECK(holed->GetNumberOfCells() >= kept && holed->GetNumberOfCells() <= kept + uncertain);
+  for (vtkIdType cell = 0; cell < holed->GetNumberOfCells(); ++cell)
+  {
+    getPositions(holed, cell, p);
+    CHECK(getOverlap(p, heights) < margin);
+  }
+  // Every point is of use, and data go with it.
+  std::vector<bool> used(static_cast<size_t>(holed->GetNumberOfPoints()), false);
+  for (vtkIdType cell = 0; cell < holed->GetNumberOfCells(); ++cell)
+  {
+    holed->GetCellPoints(cell, ids);
+    for (int i = 0; i < 3; ++i)
+    {
+      used[ids->GetId(i)] = true;
+    }
+  }
+  CHECK(std::find(used.begin(), used.end(), false) == used.end());
+  CHECK(holed->GetCellData()->GetArray("vtkOriginalCellIds")->GetNumberOfTuples() ==
+    holed->GetNumberOfCells());
+  for (vtkIdType i = 0; i < holed->GetNumberOfPoints(); ++i)
+  {
+    CHECK_NEAR(holed->GetPointData()->GetArray("x")->GetTuple1(i), holed->GetPoint(i)[0], 1e-6);
+  }
+  // The mapper counts as the filter does.
+  relevo::RefinementMesh refinementMesh;
+  CHECK(refinementMesh.Build(mesh, recipe));
+  relevo::PatternSelection selection;
+  selection.Select(refinementMesh, {}, recipe->GetMaximumLevel());
+  CHECK(relevo::CountHoles(refinementMesh, selection, recipe) ==
+    full->GetNumberOfCells() - holed->GetNumberOfCells());
+}
+
+void addX(vtkPolyData* mesh)
+{
+  vtkNew<vtkFloatArray> x;
+  x->SetName("x");
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    x->InsertNextValue(static_cast<float>(mesh->GetPoint(i)[0]));
+  }
+  mesh->GetPointData()->AddArray(x);
+}
+}
+
+int TestDisplacementHoles(int, char*[])
+{
+  RelevoCheck check;
+  vtkNew<RelevoHeights> heights;
+  vtkNew<vtkDisplacement> displacement;
+  displacement->SetHeightMap(heights);
+  CHECK(displacement->GetNoDataPolicy() == vtkDisplacement::HOLE);
+  displacement->SetScale(0.1);
+  vtkNew<vtkAdaptiveRefinement> recipe;
+  recipe->SetDisplacement(displacement);
+
+  // Triangles larger and smaller than texels; holes inside, at the border, in a corner.
+  const int sizes[][2] = { { 37, 29 }, { 7, 5 }, { 101, 3 } };
+  for (const auto& size : sizes)
+  {
+    for (int level : { 1, 3, 4 })
+    {
+      for (unsigned int seed = 0; seed < 4; ++seed)
+      {
+        heights->FillRandom(size[0], size[1], seed);
+        std::mt19937 random(seed);
+        const int holeX = static_cast<int>(random() % size[0]);
+        const int holeY = static_cast<int>(random() % size[1]);
+        heights->Punch([&](int x, int y)
+          { return (x == holeX && y == holeY) || (seed == 3 && x == 0 && y == 0); });
+        recipe->SetMaximumLevel(level);
+        Mesh plane = Plane(3, 3);
+        addX(plane);
+        // A skewed chart, so that no sample lies on an edge.
+        vtkDataArray* uvs = plane->GetPointData()->GetTCoords();
+        for (vtkIdType i = 0; i < uvs->GetNumberOfTuples(); ++i)
+        {
+          double uv[2];
+          uvs->GetTuple(i, uv);
+          uvs->SetTuple2(i, 0.02 + 0.9 * uv[0] + 0.07 * uv[1], 0.97 * uv[1] - 0.03 * uv[0] + 0.03);
+        }
+        displacement->SetDirection(0.0, 0.0, 1.0);
+        if (size[0] * level < 100)
+        {
+          displacement->SetNoDataPolicyToHole();
+          Mesh holed = refine(plane, recipe);
+          if (holed->GetNumberOfCells() == 18 << 2 * level || holed->GetNumberOfCells() == 0)
+          {
+            continue; // the hole lies beside the chart, or covers all
+          }
+          testAgainstSearch(check, plane, recipe, heights, displacement);
+        }
+      }
+    }
+  }
+
+  // Fill keeps every triangle, and the surface stays closed.
+  Mesh sphere = Sphere(8, 6);
+  AddTextureCoordinates(sphere,
+    [](const double* p) {
+      return std::array<double, 2>{ { p[0] + 0.5, p[1] + 0.5 } };
+    });
+  AddTags(sphere, 4, 4);
+  heights->FillRandom(16, 16, 5);
+  heights->Punch([](int x, int y) { return x > 5 && x < 9 && y > 5 && y < 9; });
+  recipe->SetMaximumLevel(4);
+  displacement->SetDirectionToNormal();
+  displacement->SetNoDataPolicyToFill();
+  CHECK(!displacement->HasHoles());
+  CHECK(RelevoWatertight::FindFault(sphere, refine(sphere, recipe), 4).empty());
+  displacement->SetNoDataPolicyToHole();
+  CHECK(displacement->HasHoles());
+  Mesh holed = refine(sphere, recipe);
+  // What is left still meets to the bit: no edge is used thrice, or twice in one direction.
+  RelevoWatertight::EdgeUses edges;
+  const auto welded = RelevoWatertight::Weld(holed->GetPoints(), false);
+  for (const auto& triangle : RelevoWatertight::GetTriangles(holed, welded))
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      RelevoWatertight::Use(edges, welded[triangle[i]], welded[triangle[(i + 1) % 3]]);
+    }
+  }
+  for (const auto& edge : edges)
+  {
+    CHECK(edge.second.first <= 1 && edge.second.second <= 1);
+  }
+
+  // No data at all: nothing is left but what is no triangle.
+  heights->Punch([](int, int) { return true; });
+  CHECK(refine(sphere, recipe)->GetNumberOfCells() == 0);
+  CHECK(refine(sphere, recipe)->GetNumberOfPoints() == 0);
+  Mesh mixed = Mixed();
+  AddTextureCoordinates(mixed,
+    [](const double* p) {
+      return std::array<double, 2>{ { p[0] / 6.0, p[1] / 4.0 } };
+    });
+  Mesh rest = refine(mixed, recipe);
+  CHECK(rest->GetNumberOfCells() == 3 && rest->GetNumberOfVerts() == 2);
+  CHECK(rest->GetNumberOfPoints() == 5); // 0, 1, 2, 22, 23
+  // All the same texture coordinates: one sample decides.
+  Mesh point = Plane(1, 1);
+  AddTextureCoordinates(point,
+    [](const double*) {
+      return std::array<double, 2>{ { 0.53, 0.53 } };
+    });
+  heights->Punch([](int x, int y) { return x == 0 && y == 0; });
+  CHECK(refine(point, recipe)->GetNumberOfCells() == 2 * 256);
+  heights->Punch([](int x, int y) { return x == 8 && y == 8; });
+  CHECK(refine(point, recipe)->GetNumberOfCells() == 0);
+  return check.GetResult();
+}

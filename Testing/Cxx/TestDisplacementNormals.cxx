@@ -1,0 +1,314 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Shading normals of displaced surfaces, against analytic ones and against those of the faces.
+#include "RelevoCheck.h"
+#include "RelevoTestMeshes.h"
+
+#include "vtkAdaptiveRefinement.h"
+#include "vtkAdaptiveRefinementFilter.h"
+#include "vtkDisplacement.h"
+#include "vtkPNTriangleSurface.h"
+#include "vtkPolyDataNormals.h"
+
+using namespace RelevoMeshes;
+
+namespace
+{
+using Vector = std::array<double, 3>;
+
+Mesh refine(vtkPolyData* input, vtkAdaptiveRefinement* recipe)
+{
+  vtkNew<vtkAdaptiveRefinementFilter> filter;
+  filter->SetInputData(input);
+  filter->SetRefinement(recipe);
+  filter->Update();
+  Mesh output = Make();
+  output->ShallowCopy(filter->GetOutput());
+  return output;
+}
+
+double degreesBetween(const double* a, const double* b)
+{
+  return vtkMath::DegreesFromRadians(vtkMath::AngleBetweenVectors(a, b));
+}
+
+constexpr double Waves = 2.0 * 3.14159265358979323846;
+
+double wave(double u, double v)
+{
+  return std::sin(Waves * u) * std::cos(Waves * v);
+}
+
+// Planes of any attitude with any affine texture coordinates, along the normal or a direction.
+void testPlane(RelevoCheck& check)
+{
+  vtkNew<RelevoHeights> heights;
+  heights->Fill(256, 256, wave);
+  std::mt19937 random(4);
+  auto number = [&random]() { return random() / 2147483648.0 - 1.0; };
+  for (int sample = 0; sample < 12; ++sample)
+  {
+    vtkNew<vtkPlaneSource> source;
+    source->SetResolution(5, 4);
+    const Vector origin = { { number(), number(), number() } };
+    const Vector x = { { 1.0 + number(), number(), number() } };
+    const Vector y = { { number(), 1.5 + number(), number() } };
+    source->SetOrigin(origin[0], origin[1], origin[2]);
+    source->SetPoint1(origin[0] + x[0], origin[1] + x[1], origin[2] + x[2]);
+    source->SetPoint2(origin[0] + y[0], origin[1] + y[1], origin[2] + y[2]);
+    source->Update();
+    Mesh mesh = Make();
+    mesh->DeepCopy(source->GetOutput());
+    // u = A s + B t + C of the plane's own (s, t).
+    double uv[2][3];
+    for (int i = 0; i < 2; ++i)
+    {
+      uv[i][0] = 0.35 * number();
+      uv[i][1] = 0.35 * number();
+      uv[i][2] = 0.5 - 0.5 * (uv[i][0] + uv[i][1]);
+    }
+    vtkDataArray* coordinates = mesh->GetPointData()->GetTCoords();
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      double st[2];
+      coordinates->GetTuple(i, st);
+      coordinates->SetTuple2(i, uv[0][0] * st[0] + uv[0][1] * st[1] + uv[0][2],
+        uv[1][0] * st[0] + uv[1][1] * st[1] + uv[1][2]);
+    }
+    const double scale = 0.1 + 0.1 * number();
+    vtkNew<vtkDisplacement> displacement;
+    displacement->SetHeightMap(heights);
+    displacement->SetScale(scale);
+    displacement->SetOffset(0.3);
+    Vector direction;
+    mesh->GetPointData()->GetNormals()->GetTuple(0, direction.data());
+    if (sample % 2)
+    {
+      for (double& c : direction)
+      {
+        c += 0.5 * number();
+      }
+      vtkMath::Normalize(direction.data());
+      displacement->SetDirection(direction.data());
+    }
+    vtkNew<vtkAdaptiveRefinement> recipe;
+    recipe->SetDisplacement(displacement);
+    recipe->SetMaximumLevel(3);
+    Mesh refined = refine(mesh, recipe);
+    for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
+    {
+      double c[2];
+      refined->GetPointData()->GetTCoords()->GetTuple(i, c);
+      const double u = Waves * c[0];
+      const double v = Waves * c[1];
+      const double hu = scale * Waves * std::cos(u) * std::cos(v);
+      const double hv = -scale * Waves * std::sin(u) * std::sin(v);
+      Vector s;
+      Vector t;
+      for (int k = 0; k < 3; ++k)
+      {
+        s[k] = x[k] + direction[k] * (hu * uv[0][0] + hv * uv[1][0]);
+        t[k] = y[k] + direction[k] * (hu * uv[0][1] + hv * uv[1][1]);
+      }
+      Vector normal;
+      vtkMath::Cross(s.data(), t.data(), normal.data());
+      CHECK(
+        degreesBetween(normal.data(), refined->GetPointData()->GetNormals()->GetTuple(i)) < 0.2);
+    }
+  }
+}
+
+// Constant heights: a sphere grows, its normals stay.
+void testOffset(RelevoCheck& check)
+{
+  vtkNew<RelevoHeights> heights;
+  heights->Fill(3, 3, [](double, double) { return 0.2; });
+  vtkNew<vtkDisplacement> displacement;
+  displacement->SetHeightMap(heights);
+  displacement->SetOffset(0.1);
+  vtkNew<vtkPNTriangleSurface> pn;
+  vtkNew<vtkAdaptiveRefinement> recipe;
+  recipe->SetMaximumLevel(3);
+  recipe->SetDisplacement(displacement);
+  recipe->SetSurface(pn);
+  Mesh sphere = Sphere(24, 16);
+  AddTextureCoordinates(sphere,
+    [](const double* p) {
+      return std::array<double, 2>{ { p[0] + 0.5, p[1] + 0.5 } };
+    });
+  Mesh refined = refine(sphere, recipe);
+  for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
+  {
+    const double* p = refined->GetPoint(i);
+    CHECK_NEAR(vtkMath::Norm(p), 0.8, 2e-3);
+    // The PN triangle's quadratic normals are themselves off by about one degree here.
+    CHECK(degreesBetween(p, refined->GetPointData()->GetNormals()->GetTuple(i)) < 1.5);
+  }
+}
+
+struct Deviation
+{
+  double Mean = 0.0;
+  double Largest = 0.0;
+};
+
+// Between the normals of the output and those of its faces, met at points.
+Deviation compareWithFaces(vtkPolyData* refined, double margin)
+{
+  vtkNew<vtkPolyDataNormals> faces;
+  vtkNew<vtkPolyData> bare;
+  bare->SetPoints(refined->GetPoints());
+  bare->SetPolys(refined->GetPolys());
+  faces->SetInputData(bare);
+  faces->SplittingOff();
+  faces->ConsistencyOff();
+  faces->Update();
+  Deviation result;
+  int count = 0;
+  for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
+  {
+    double uv[2];
+    refined->GetPointData()->GetTCoords()->GetTuple(i, uv);
+    if (uv[0] < margin || uv[0] > 1.0 - margin || uv[1] < margin || uv[1] > 1.0 - margin)
+    {
+      continue; // seams and poles: faces of one side only
+    }
+    const double degrees = degreesBetween(refined->GetPointData()->GetNormals()->GetTuple(i),
+      vtkPolyData::SafeDownCast(faces->GetOutputDataObject(0))
+        ->GetPointData()
+        ->GetNormals()
+        ->GetTuple(i));
+    result.Mean += degrees;
+    result.Largest = std::max(result.Largest, degrees);
+    ++count;
+  }
+  result.Mean /= count;
+  return result;
+}
+
+// Bumps on spheres, cylinders and tori: normals follow them.
+void testBumps(RelevoCheck& check)
+{
+  vtkNew<RelevoHeights> heights;
+  heights->Fill(256, 256, [](double u, double v) { return wave(3.0 * u, 2.0 * v); });
+  vtkNew<vtkDisplacement> displacement;
+  displacement->SetHeightMap(heights);
+  displacement->SetScale(0.04);
+  displacement->SetOffset(0.05);
+  vtkNew<vtkPNTriangleSurface> pn;
+  vtkNew<vtkAdaptiveRefinement> recipe;
+  recipe->SetMaximumLevel(4);
+  recipe->SetDisplacement(displacement);
+  recipe->SetSurface(pn);
+
+  const double pi = vtkMath::Pi();
+  const std::pair<const char*, std::function<Vector(double, double)>> shapes[] = {
+    { "sphere",
+      [pi](double u, double v)
+      {
+        const double a = 2.0 * pi * u;
+        const double b = pi * (v - 0.5);
+        return Vector{ { 0.5 * std::cos(a) * std::cos(b), 0.5 * std::sin(a) * std::cos(b),
+          0.5 * std::sin(b) } };
+      } },
+    { "cylinder",
+      [pi](double u, double v)
+      {
+        const double a = 2.0 * pi * u;
+        return Vector{ { 0.5 * std::cos(a), 0.5 * std::sin(a), 2.0 * v } };
+      } },
+    { "torus",
+      [pi](double u, double v)
+      {
+        const double a = 2.0 * pi * u;
+        const double b = 2.0 * pi * v;
+        const double r = 1.0 + 0.4 * std::cos(b);
+        return Vector{ { r * std::cos(a), r * std::sin(a), 0.4 * std::sin(b) } };
+      } }
+  };
+  for (const auto& shape : shapes)
+  {
+    // A grid over [0, 1]^2 with a seam; normals from differences.
+    const int nu = 32;
+    const int nv = 24;
+    std::vector<Vector> points;
+    std::vector<Triangle> triangles;
+    vtkNew<vtkFloatArray> uvs;
+    uvs->SetNumberOfComponents(2);
+    vtkNew<vtkFloatArray> normals;
+    normals->SetNumberOfComponents(3);
+    for (int j = 0; j <= nv; ++j)
+    {
+      for (int i = 0; i <= nu; ++i)
+      {
+        const double u = static_cast<double>(i) / nu;
+        const double v = 0.1 + 0.8 * j / nv;
+        points.push_back(shape.second(u, v));
+        uvs->InsertNextTuple2(u, v);
+        const double e = 1e-5;
+        Vector du = shape.second(u + e, v);
+        Vector dv = shape.second(u, v + e);
+        vtkMath::Subtract(du, points.back(), du);
+        vtkMath::Subtract(dv, points.back(), dv);
+        Vector n;
+        vtkMath::Cross(du.data(), dv.data(), n.data());
+        vtkMath::Normalize(n.data());
+        normals->InsertNextTuple(n.data());
+        if (i < nu && j < nv)
+        {
+          const vtkIdType a = j * (nu + 1) + i;
+          triangles.push_back({ { a, a + 1, a + nu + 2 } });
+          triangles.push_back({ { a, a + nu + 2, a + nu + 1 } });
+        }
+      }
+    }
+    Mesh mesh = FromTriangles(points, triangles);
+    mesh->GetPointData()->SetTCoords(uvs);
+    mesh->GetPointData()->SetNormals(normals);
+    Mesh bumpy = refine(mesh, recipe);
+    const Deviation deviation = compareWithFaces(bumpy, 0.15);
+    std::cout << shape.first << ": normals deviate by " << deviation.Mean << " degrees on average, "
+              << deviation.Largest << " at most\n";
+    // What ignoring the heights would give.
+    recipe->SetDisplacement(nullptr);
+    Mesh plain = refine(mesh, recipe);
+    recipe->SetDisplacement(displacement);
+    Mesh ignorant = Make();
+    ignorant->ShallowCopy(bumpy);
+    ignorant->GetPointData()->SetNormals(plain->GetPointData()->GetNormals());
+    const Deviation ignored = compareWithFaces(ignorant, 0.15);
+    std::cout << "  without the height gradient: " << ignored.Mean << " and " << ignored.Largest
+              << "\n";
+    CHECK(deviation.Mean < 0.15 * ignored.Mean);
+    CHECK(deviation.Largest < 0.25 * ignored.Largest);
+  }
+}
+
+// The edge of a map: no slope is lost or doubled where texels end.
+void testBorder(RelevoCheck& check)
+{
+  vtkNew<RelevoHeights> heights;
+  heights->Fill(64, 64, [](double u, double v) { return u + 2.0 * v; });
+  vtkNew<vtkDisplacement> displacement;
+  displacement->SetHeightMap(heights);
+  vtkNew<vtkAdaptiveRefinement> recipe;
+  recipe->SetDisplacement(displacement);
+  recipe->SetMaximumLevel(3);
+  Mesh refined = refine(Plane(2, 2), recipe);
+  const double expected[3] = { -1.0, -2.0, 1.0 };
+  for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
+  {
+    CHECK(degreesBetween(expected, refined->GetPointData()->GetNormals()->GetTuple(i)) < 0.1);
+  }
+}
+}
+
+int TestDisplacementNormals(int, char*[])
+{
+  RelevoCheck check;
+  testPlane(check);
+  testOffset(check);
+  testBumps(check);
+  testBorder(check);
+  return check.GetResult();
+}
