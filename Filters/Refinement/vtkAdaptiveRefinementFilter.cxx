@@ -14,6 +14,7 @@
 #include "vtkRefinedPolyDataBuilder.h"
 #include "vtkRefinementMesh.h"
 #include "vtkRefinementView.h"
+#include "vtkRelevoCompatibility.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -160,7 +161,7 @@ int vtkAdaptiveRefinementFilter::RequestData(
     for (int part = 0; part < parts; ++part)
     {
       this->UpdateProgress(progress);
-      if (this->GetAbortExecute())
+      if (relevo::IsAborted(this))
       {
         return false;
       }

@@ -20,6 +20,7 @@
 #include "vtkRefinementMathematics.h"
 #include "vtkRefinementPatternTable.h"
 #include "vtkRefinementView.h"
+#include "vtkRelevoCompatibility.h"
 
 #include <algorithm>
 #include <string>
@@ -128,7 +129,7 @@ int vtkDepthTagFilter::RequestData(
   this->UpdateProgress(0.5);
   relevo::UniteTags(relevo::ComputePlaces(input->GetPoints()), tags->GetPointer(0));
   this->UpdateProgress(0.7);
-  if (this->GetAbortExecute())
+  if (relevo::IsAborted(this))
   {
     return 1;
   }

@@ -16,6 +16,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRaster.h"
+#include "vtkRelevoCompatibility.h"
 #include "vtkSMPTools.h"
 #include "vtkTerrainFrame.h"
 
@@ -230,7 +231,7 @@ void vtkTerrainSource::ForwardError(vtkObject*, unsigned long, void* message)
 void vtkTerrainSource::ForwardProgress(vtkObject*, unsigned long, void* progress)
 {
   this->UpdateProgress(HeightsShare * *static_cast<double*>(progress));
-  if (this->GetAbortExecute())
+  if (relevo::IsAborted(this))
   {
     this->HeightMap->AbortExecuteOn();
   }
@@ -246,7 +247,7 @@ int vtkTerrainSource::RequestData(
   if (!this->HeightMap->Update()) // has told why
   {
     this->Imagery->Initialize();
-    return this->GetAbortExecute() ? 1 : 0;
+    return relevo::IsAborted(this) ? 1 : 0;
   }
 
   relevo::Georeference location;
