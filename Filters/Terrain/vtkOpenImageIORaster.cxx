@@ -19,6 +19,10 @@ struct OpenImageIORaster::Internals
 
 namespace
 {
+// Of the TIFF specification, section 8.
+constexpr int MinIsWhite = 0;
+constexpr int Palette = 3;
+
 struct SampleType
 {
   OIIO::TypeDesc Stored;
@@ -75,6 +79,12 @@ std::unique_ptr<OpenImageIORaster> OpenImageIORaster::Open(
   if (type == std::end(SampleTypes) || spec.depth > 1 || spec.deep)
   {
     error = std::string("samples of type ") + format.c_str() + " are not supported";
+    return nullptr;
+  }
+  const int photometric = spec.get_int_attribute("tiff:PhotometricInterpretation", -1);
+  if (photometric == MinIsWhite || photometric == Palette)
+  {
+    error = "its samples would be inverted or looked up in a palette";
     return nullptr;
   }
   if (format == OIIO::TypeDesc::DOUBLE && spec.tile_width > 0)

@@ -96,6 +96,48 @@ void TestGeoTIFF(RelevoCheck& check, const RelevoTestFolders& folders)
   }
 }
 
+// Layouts beside the usual: odd numbers of bits, predictors, BigTIFF, the first of several bands.
+void TestUnusualGeoTIFF(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  struct Case
+  {
+    GDALDataType Type;
+    int NumberOfBands;
+    double Largest;
+    std::vector<std::string> Options;
+  };
+  const Case cases[] = {
+    { GDT_UInt16, 1, 4095.0, { "NBITS=12" } },
+    { GDT_Byte, 1, 15.0, { "NBITS=4" } },
+    { GDT_Byte, 1, 1.0, { "NBITS=1" } },
+    { GDT_Int16, 1, 30000.0, { "COMPRESS=LZW", "PREDICTOR=2", "BIGTIFF=YES" } },
+    { GDT_Float32, 1, 30000.0, { "COMPRESS=DEFLATE", "PREDICTOR=3", "TILED=YES" } },
+    { GDT_Int16, 3, 30000.0, { "INTERLEAVE=PIXEL" } },
+    { GDT_Int16, 3, 30000.0, { "INTERLEAVE=BAND", "TILED=YES" } },
+    { GDT_Byte, 1, 255.0, { "PHOTOMETRIC=MINISWHITE" } },
+    { GDT_UInt16, 1, 65535.0, { "ENDIANNESS=BIG" } },
+  };
+  for (const Case& one : cases)
+  {
+    RelevoRaster raster;
+    raster.Width = 70;
+    raster.Height = 45;
+    raster.Type = one.Type;
+    raster.NumberOfBands = one.NumberOfBands;
+    raster.Options = one.Options;
+    raster.SetValues([&](int band, int column, int row)
+      { return std::floor(((column * 31 + row * 17 + band * 7) % 101) / 100.0 * one.Largest); });
+    const std::string name = folders.File("HeightMapUnusual.tif");
+    CHECK(raster.Write(name));
+    vtkNew<vtkHeightMap> map;
+    map->SetFileName(name.c_str());
+    if (!CHECK(map->Update() && SameSamples(map, raster)))
+    {
+      std::cerr << "  for " << one.Options.front() << "\n";
+    }
+  }
+}
+
 // Blocks that were never written read as 0 (or as the no-data value).
 void TestSparseGeoTIFF(RelevoCheck& check, const RelevoTestFolders& folders)
 {
@@ -281,6 +323,7 @@ int TestHeightMapFormats(int argc, char* argv[])
   const RelevoTestFolders folders(argc, argv);
   RelevoCheck check;
   TestGeoTIFF(check, folders);
+  TestUnusualGeoTIFF(check, folders);
   TestSparseGeoTIFF(check, folders);
   TestPNG(check, folders);
   TestEXR(check, folders);
