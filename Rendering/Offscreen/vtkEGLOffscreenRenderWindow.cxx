@@ -132,33 +132,38 @@ vtkEGLOffscreenRenderWindow::~vtkEGLOffscreenRenderWindow()
 }
 
 //------------------------------------------------------------------------------
-bool vtkEGLOffscreenRenderWindow::CreateContext()
+void vtkEGLOffscreenRenderWindow::CreateContext()
 {
-  if (!this->Context && !this->Failed)
+  bool isBlocked = false;
+  for (EGLDisplay display : CandidateDisplays())
   {
-    for (EGLDisplay display : CandidateDisplays())
+    auto context = std::make_unique<EGLContextHolder>();
+    if (context->Create(display))
     {
-      auto context = std::make_unique<EGLContextHolder>();
-      if (context->Create(display))
-      {
-        this->Context = std::move(context);
-        break;
-      }
+      this->Context = std::move(context);
+      return;
     }
-    this->Failed = !this->Context;
-    this->SetReadyForRendering(!this->Failed);
-    if (this->Failed)
-    {
-      vtkErrorMacro("EGL offers no device with OpenGL 3.2 core");
-    }
+    isBlocked = isBlocked || eglGetError() == EGL_BAD_ACCESS;
   }
-  return this->Context != nullptr;
+  if (isBlocked)
+  {
+    vtkErrorMacro("a window on a display holds OpenGL in this thread: delete it first");
+  }
+  else
+  {
+    vtkErrorMacro("EGL offers no device with OpenGL 3.2 core");
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkEGLOffscreenRenderWindow::Initialize()
 {
-  if (!this->Initialized && this->CreateContext())
+  if (!this->Context)
+  {
+    this->CreateContext();
+    this->SetReadyForRendering(this->Context != nullptr);
+  }
+  if (this->Context && !this->Initialized)
   {
     this->OpenGLInit();
   }

@@ -8,6 +8,9 @@
  * core: a graphics card where there is one, else Mesa's software renderer. Use it like any
  * vtkRenderWindow, for pictures (vtkWindowToImageFilter) and measurements.
  *
+ * OpenGL allows a thread either such windows or windows on a display at a time: delete the ones
+ * before drawing with the others. Otherwise an ErrorEvent says so.
+ *
  * VTK packages built for X11, such as Debian's, have no such window; VTK 9.4 and later choose one
  * by themselves when there is no display.
  *
@@ -65,11 +68,10 @@ private:
   vtkEGLOffscreenRenderWindow(const vtkEGLOffscreenRenderWindow&) = delete;
   void operator=(const vtkEGLOffscreenRenderWindow&) = delete;
 
-  bool CreateContext();
+  void CreateContext();
 
   struct EGLContextHolder;
   std::unique_ptr<EGLContextHolder> Context;
-  bool Failed = false;
 };
 
 #endif
