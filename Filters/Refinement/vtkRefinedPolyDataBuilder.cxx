@@ -372,8 +372,11 @@ void RefinedPolyDataBuilder::BuildCellData(vtkPolyData* output)
   inputData->RemoveArray(OriginalCellIds);
 
   vtkNew<vtkIdList> cells;
-  cells->SetNumberOfIds(numberOfCells);
-  std::copy_n(ids, numberOfCells, cells->GetPointer(0));
+  if (inputData->GetNumberOfArrays() > 0)
+  {
+    cells->SetNumberOfIds(numberOfCells);
+    std::copy_n(ids, numberOfCells, cells->GetPointer(0));
+  }
   for (int a = 0; a < inputData->GetNumberOfArrays(); ++a)
   {
     vtkAbstractArray* array = inputData->GetAbstractArray(a);

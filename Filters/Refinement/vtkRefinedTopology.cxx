@@ -10,16 +10,36 @@ namespace relevo
 {
 namespace
 {
-// The sorted corner that takes each of the pattern's corners.
-std::array<int, 3> GetSortedCorners(int code)
+// Where a pattern's corners and edges come to lie under a permutation code.
+struct Placement
 {
-  const auto& order = GetCornerOrder(code);
-  std::array<int, 3> corners;
-  for (int i = 0; i < 3; ++i)
+  explicit Placement(int code)
   {
-    corners[order[i]] = i;
+    const auto& order = GetCornerOrder(code);
+    for (int i = 0; i < 3; ++i)
+    {
+      this->Corners[order[i]] = i;
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+      const int from = this->Corners[i];
+      const int to = this->Corners[(i + 1) % 3];
+      // Sorted corners 0 1 make edge 0, 1 2 make edge 1, 0 2 make edge 2.
+      this->Edges[i] = from + to == 1 ? 0 : (from + to == 3 ? 1 : 2);
+      this->Forward[i] = from < to;
+    }
   }
-  return corners;
+
+  int Corners[3]; // sorted corners
+  int Edges[3];   // sorted edges
+  bool Forward[3];
+};
+
+const Placement& GetPlacement(int code)
+{
+  static const Placement placements[6] = { Placement(0), Placement(1), Placement(2), Placement(3),
+    Placement(4), Placement(5) };
+  return placements[code];
 }
 }
 
@@ -73,19 +93,17 @@ RefinedTopology::RefinedTopology(RefinementMesh& mesh, const PatternSelection& s
 
 RefinedTopology::Edge RefinedTopology::GetEdge(int face, int patternEdge) const
 {
-  const auto corners = GetSortedCorners(this->Faces[face].Code);
-  const int from = corners[patternEdge];
-  const int to = corners[(patternEdge + 1) % 3];
-  // Sorted corners 0 1 make edge 0, 1 2 make edge 1, 0 2 make edge 2.
-  const int index = from + to == 1 ? 0 : (from + to == 3 ? 1 : 2);
-  return { index, from < to, this->Faces[face].Pattern->Segments[patternEdge] };
+  const Face& state = this->Faces[face];
+  const Placement& placement = GetPlacement(state.Code);
+  return { placement.Edges[patternEdge], placement.Forward[patternEdge],
+    state.Pattern->Segments[patternEdge] };
 }
 
 void RefinedTopology::GetPoints(int face, std::vector<vtkIdType>& points) const
 {
   const vtkRefinementPattern& pattern = *this->Faces[face].Pattern;
   points.resize(static_cast<size_t>(pattern.GetNumberOfVertices()));
-  const auto corners = GetSortedCorners(this->Faces[face].Code);
+  const int* corners = GetPlacement(this->Faces[face].Code).Corners;
   for (int i = 0; i < 3; ++i)
   {
     points[i] = this->Mesh.Faces[face].Corners[corners[i]];
@@ -121,7 +139,7 @@ void RefinedTopology::GetOwnedPoints(int face, std::vector<RefinedPoint>& points
       &pattern.Vertices[3 * static_cast<size_t>(vertex)], code, point.Weights);
     points.push_back(point);
   };
-  const auto corners = GetSortedCorners(code);
+  const int* corners = GetPlacement(code).Corners;
   for (int i = 0; i < 3; ++i)
   {
     const int corner = this->Mesh.Faces[face].Corners[corners[i]];
