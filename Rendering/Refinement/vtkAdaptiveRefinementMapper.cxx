@@ -12,6 +12,7 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataObject.h"
 #include "vtkDepthTagMetric.h"
 #include "vtkDisplacement.h"
 #include "vtkFloatArray.h"
@@ -45,6 +46,7 @@
 #include "vtkRefinementShader.h"
 #include "vtkRefinementSurface.h"
 #include "vtkRefinementView.h"
+#include "vtkRelevoCompatibility.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTimerLog.h"
@@ -93,6 +95,20 @@ bool HasExtension(const char* name)
     }
   }
   return false;
+}
+
+// Whether VTK's own mapper would draw the vertices of faces.
+bool AreVerticesDrawn(vtkProperty* property, vtkHardwareSelector* selector)
+{
+  if (!property->GetVertexVisibility())
+  {
+    return false;
+  }
+  if (relevo::VerticesNeedNoEdges)
+  {
+    return !selector || selector->GetFieldAssociation() != vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  }
+  return property->GetEdgeVisibility() && property->GetRepresentation() == VTK_SURFACE && !selector;
 }
 }
 
@@ -273,7 +289,8 @@ vtkTypeInt64 vtkAdaptiveRefinementMapper::GetGraphicsMemorySize()
   vtkInternals& data = *this->Internals;
   vtkTypeInt64 sum =
     data.Buffers.GetMemorySize() + data.Patterns.GetMemorySize() + data.Colors.GetMemorySize();
-  for (const char* name : { "vertexMC", "normalMC", "scalarColor", "tcoord", "tangentMC" })
+  for (const char* name :
+    { "vertexMC", "normalMC", "scalarColor", "tcoord", "colorTCoord", "tangentMC" })
   {
     if (vtkOpenGLVertexBufferObject* vbo = this->VBOs->GetVBO(name))
     {
@@ -578,6 +595,9 @@ void vtkAdaptiveRefinementMapper::BuildIBO(vtkRenderer* ren, vtkActor* act, vtkP
   others->SetPolys(nullptr);
   others->SetStrips(nullptr);
   this->Superclass::BuildIBO(ren, act, others);
+  // From VTK 9.3 on the flags of edges to draw start with places for vertices and lines. They are
+  // about faces, whose shader has flags of its own.
+  this->EdgeValues.clear();
 }
 
 void vtkAdaptiveRefinementMapper::ReleaseGraphicsResources(vtkWindow* window)
@@ -677,8 +697,7 @@ void vtkAdaptiveRefinementMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* ac
   this->PrimitiveIDOffset = 0; // faces bring their ids along
   this->DrawingVertices = false;
   this->DrawFaces(this->Internals->Faces, ren, act);
-  if (property->GetVertexVisibility() && property->GetEdgeVisibility() &&
-    property->GetRepresentation() == VTK_SURFACE && !ren->GetSelector())
+  if (AreVerticesDrawn(property, ren->GetSelector()))
   {
     this->DrawingVertices = true;
     this->DrawFaces(this->Internals->Vertices, ren, act);
@@ -719,13 +738,19 @@ void vtkAdaptiveRefinementMapper::DrawFaces(
   auto drawGroup = [&](const relevo::PatternGroup& group)
   {
     const auto& range = data.Patterns.GetRange(group);
-    cellBO.Program->SetUniformi("relevoInstanceOffset", group.Offset);
+    // As many instances as it takes, each of as many copies as it takes.
+    const int most = mode == GL_TRIANGLES ? range.Copies : 1;
+    const int instances = (group.Count + most - 1) / most;
+    const int copies = (group.Count + instances - 1) / instances;
+    cellBO.Program->SetUniformi("relevoGroupOffset", group.Offset);
+    cellBO.Program->SetUniformi("relevoGroupCount", group.Count);
+    cellBO.Program->SetUniformi("relevoCopies", copies);
     if (mode == GL_TRIANGLES)
     {
       const size_t first = static_cast<size_t>(range.FirstIndex) +
-        (group.Mirrored ? static_cast<size_t>(range.NumberOfIndices) : 0);
-      glDrawElementsInstancedBaseVertex(GL_TRIANGLES, range.NumberOfIndices, GL_UNSIGNED_SHORT,
-        reinterpret_cast<const void*>(first * sizeof(unsigned short)), group.Count,
+        (group.Mirrored ? static_cast<size_t>(range.NumberOfIndices) * range.Copies : 0);
+      glDrawElementsInstancedBaseVertex(GL_TRIANGLES, copies * range.NumberOfIndices,
+        GL_UNSIGNED_SHORT, reinterpret_cast<const void*>(first * sizeof(unsigned short)), instances,
         range.FirstVertex);
     }
     else if (mode == GL_LINES)
@@ -829,7 +854,7 @@ void vtkAdaptiveRefinementMapper::SetMapperShaderParameters(
     cellBO.AttributeUpdateTime < data.UploadTime)
   {
     program.PatternVertices = vertices;
-    const int components = lines ? 4 : 3;
+    const int components = 4;
     cellBO.VAO->Bind();
     if (!cellBO.VAO->AddAttributeArray(cellBO.Program, vertices, "relevoPatternVertex", 0,
           components * sizeof(float), VTK_FLOAT, components, false))

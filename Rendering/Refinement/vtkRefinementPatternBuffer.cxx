@@ -7,8 +7,16 @@
 #include "vtkRefinementPattern.h"
 #include "vtkRefinementPatternTable.h"
 
+#include <algorithm>
+
 namespace relevo
 {
+namespace
+{
+// How many vertices an instance should have at least.
+constexpr int VerticesPerInstance = 512;
+}
+
 RefinementPatternBuffer::RefinementPatternBuffer()
 {
   this->VertexBuffer->SetType(vtkOpenGLBufferObject::ArrayBuffer);
@@ -51,19 +59,33 @@ void RefinementPatternBuffer::Load(
     changed = true;
     const vtkRefinementPattern& pattern = GetGroupPattern(table, group);
     Range range;
-    range.FirstVertex = static_cast<int>(this->Vertices.size() / 3);
     range.NumberOfVertices = pattern.GetNumberOfVertices();
-    this->Vertices.insert(this->Vertices.end(), pattern.Vertices.begin(), pattern.Vertices.end());
-
-    range.FirstIndex = static_cast<int>(this->Triangles.size());
     range.NumberOfIndices = static_cast<int>(pattern.Triangles.size());
-    this->Triangles.insert(
-      this->Triangles.end(), pattern.Triangles.begin(), pattern.Triangles.end());
-    for (size_t i = 0; i < pattern.Triangles.size(); i += 3)
+    range.Copies = std::max(1, VerticesPerInstance / range.NumberOfVertices);
+    range.FirstVertex = static_cast<int>(this->Vertices.size() / 4);
+    for (int copy = 0; copy < range.Copies; ++copy)
     {
-      for (size_t k : { 0, 2, 1 })
+      for (size_t v = 0; v < pattern.Vertices.size(); v += 3)
       {
-        this->Triangles.push_back(static_cast<unsigned short>(pattern.Triangles[i + k]));
+        this->Vertices.insert(this->Vertices.end(),
+          { pattern.Vertices[v], pattern.Vertices[v + 1], pattern.Vertices[v + 2],
+            static_cast<float>(copy) });
+      }
+    }
+    range.FirstIndex = static_cast<int>(this->Triangles.size());
+    for (bool mirrored : { false, true })
+    {
+      for (int copy = 0; copy < range.Copies; ++copy)
+      {
+        const unsigned int first = static_cast<unsigned int>(copy * range.NumberOfVertices);
+        for (size_t i = 0; i < pattern.Triangles.size(); i += 3)
+        {
+          const unsigned int* v = &pattern.Triangles[i];
+          for (unsigned int vertex : { v[0], v[mirrored ? 2 : 1], v[mirrored ? 1 : 2] })
+          {
+            this->Triangles.push_back(static_cast<unsigned short>(first + vertex));
+          }
+        }
       }
     }
 
@@ -83,7 +105,7 @@ void RefinementPatternBuffer::Load(
         const int edge = i < ends[0] ? 1 : (i < ends[1] ? 2 : (i < ends[2] ? 3 : 0));
         const float* vertex = &pattern.Vertices[3 * static_cast<size_t>(pattern.Lines[i])];
         this->Lines.insert(
-          this->Lines.end(), { vertex[0], vertex[1], vertex[2], static_cast<float>(1 + edge) });
+          this->Lines.end(), { vertex[0], vertex[1], vertex[2], static_cast<float>(edge) });
       }
     }
     this->Ranges[key] = range;

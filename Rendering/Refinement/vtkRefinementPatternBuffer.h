@@ -32,12 +32,14 @@ public:
   RefinementPatternBuffer(const RefinementPatternBuffer&) = delete;
   void operator=(const RefinementPatternBuffer&) = delete;
 
-  /// Where a pattern lies in the buffers.
+  /// Where a pattern lies in the buffers. Small patterns are repeated, so that one instance can
+  /// draw several faces: instances of few vertices cost more than their vertices.
   struct Range
   {
+    int Copies = 1;
     int FirstVertex = 0;
-    int NumberOfVertices = 0;
-    int FirstIndex = 0; // triangles; mirrored ones follow
+    int NumberOfVertices = 0; // of one copy, as all numbers here
+    int FirstIndex = 0;       // triangles of all copies; those of all mirrored copies follow
     int NumberOfIndices = 0;
     int FirstLineVertex = 0;
     int NumberOfLineVertices = 0;
@@ -51,11 +53,11 @@ public:
 
   const Range& GetRange(const PatternGroup& group) const;
 
-  /// (u, v, w) of each vertex, 3 floats.
+  /// (u, v, w, number of the copy) of each vertex.
   vtkOpenGLBufferObject* GetVertices() { return this->VertexBuffer; }
   /// Unsigned short indices relative to a pattern's first vertex.
   vtkOpenGLBufferObject* GetTriangles() { return this->TriangleBuffer; }
-  /// (u, v, w, 1 + e) of each line's ends: e = 1, 2, 3 for lines on the pattern's edge e, else 0.
+  /// (u, v, w, e) of each line's ends: e = 1, 2, 3 for lines on the pattern's edge e, else 0.
   vtkOpenGLBufferObject* GetLines() { return this->LineBuffer; }
 
   /// When the buffers last changed.

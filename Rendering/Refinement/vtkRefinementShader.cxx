@@ -169,11 +169,8 @@ std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, b
   InsertAfterVersion(vertex, GetDefines(options, edges, lines));
   vertex = std::regex_replace(
     vertex, std::regex("void main\\(\\)\\s*\\{"), "void main()\n{\n  relevoRefine();\n");
-  if (lines)
-  {
-    vertex.insert(vertex.rfind('}'),
-      "\n  if (relevoIsHiddenLine()) { gl_Position = vec4(0.0, 0.0, 2.0, 1.0); }\n");
-  }
+  vertex.insert(
+    vertex.rfind('}'), "\n  if (relevoHidden) { gl_Position = vec4(0.0, 0.0, 2.0, 1.0); }\n");
   vtkShaderProgram::Substitute(vertex, "gl_VertexID", "relevoPointId");
 
   // The geometry shader hands on what the fragments need.

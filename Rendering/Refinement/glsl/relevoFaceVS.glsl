@@ -1,8 +1,11 @@
 // One coarse face per instance: its corners, and what the surface functions ask for.
 
-in vec4 relevoPatternVertex; // (u, v, w); lines add 1 + the pattern edge they lie on
+in vec4 relevoPatternVertex; // (u, v, w) and the number of the copy, or for lines the pattern's
+                             // edge they lie on (1 to 3)
 
-uniform int relevoInstanceOffset;
+uniform int relevoGroupOffset; // where the group's faces lie in relevoInstances
+uniform int relevoGroupCount;  // and how many they are
+uniform int relevoCopies;      // of the pattern in one instance
 uniform usamplerBuffer relevoInstances; // face << 3 | permutation code
 uniform isamplerBuffer relevoFaces;     // sorted corners; primitive << 3 | hidden edges
 uniform samplerBuffer relevoPoints;     // VTK's vertexMC
@@ -12,6 +15,7 @@ uniform vec3 relevoPositionScale;       // from the mesh's lengths to vertexMC's
 
 int relevoFaceIndex;
 ivec4 relevoFace;
+bool relevoHidden; // the vertex belongs to nothing that is to be seen
 
 vec4 relevoPointDatum(int id, int k)
 {

@@ -2,7 +2,15 @@
 
 void relevoRefine()
 {
-  int instance = int(texelFetch(relevoInstances, relevoInstanceOffset + gl_InstanceID).r);
+#ifdef RELEVO_LINES
+  int member = gl_InstanceID;
+#else
+  int member = gl_InstanceID * relevoCopies + int(relevoPatternVertex.w);
+#endif
+  // The last instance has more copies than there are faces left.
+  relevoHidden = member >= relevoGroupCount;
+  int instance =
+    int(texelFetch(relevoInstances, relevoGroupOffset + min(member, relevoGroupCount - 1)).r);
   int code = instance & 7;
   relevoFaceIndex = instance >> 3;
   relevoFace = texelFetch(relevoFaces, relevoFaceIndex);
@@ -31,22 +39,15 @@ void relevoRefine()
   relevoHeightCoordinateVSOutput = heightCoordinate(heightPoints(w), w);
   relevoValidVSOutput = heightValid(relevoHeightCoordinateVSOutput) ? 1.0 : 0.0;
 #endif
-}
-
 #ifdef RELEVO_LINES
-// Whether a line lies on a diagonal of a coarse polygon.
-bool relevoIsHiddenLine()
-{
-  int edge = int(relevoPatternVertex.w) - 2;
-  if (edge < 0)
+  // Diagonals of coarse polygons are hidden. The line's edge lacks this corner of the pattern;
+  // which sorted corner is that?
+  if (relevoPatternVertex.w > 0.0)
   {
-    return false;
+    vec3 lacking = vec3(equal(vec3(relevoPatternVertex.w), vec3(2.0, 3.0, 1.0)));
+    vec3 sortedLacking = permuteWeights(lacking, code);
+    int edge = sortedLacking.z > 0.0 ? 1 : (sortedLacking.x > 0.0 ? 2 : 4);
+    relevoHidden = (relevoFace.w & edge) != 0;
   }
-  // The pattern's edge lacks this corner; which sorted corner is that?
-  vec3 lacking = edge == 0 ? vec3(0.0, 0.0, 1.0) : (edge == 1 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0));
-  int code = int(texelFetch(relevoInstances, relevoInstanceOffset + gl_InstanceID).r & 7u);
-  vec3 sortedLacking = permuteWeights(lacking, code);
-  int hidden = sortedLacking.z > 0.0 ? 1 : (sortedLacking.x > 0.0 ? 2 : 4);
-  return (relevoFace.w & hidden) != 0;
-}
 #endif
+}
