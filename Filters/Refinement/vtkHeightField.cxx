@@ -13,8 +13,13 @@ double vtkHeightField::GetHeight(double u, double v)
   {
     return 0.0;
   }
+  // As heightPosition(), but in doubles: floats would be off by a ten thousandth of a texel.
   relevo::HeightSampler sampler(this);
-  return sampler.heightAt(glm::vec2(u, v));
+  const glm::dvec2 size(sampler.heightSize());
+  const glm::dvec2 position =
+    glm::clamp(glm::dvec2(u, v) * size - 0.5, glm::dvec2(0.0), size - 1.0);
+  const glm::dvec2 corner = glm::floor(position);
+  return sampler.heightBetween(glm::ivec2(corner), glm::vec2(position - corner));
 }
 
 bool vtkHeightField::IsValid(double u, double v)

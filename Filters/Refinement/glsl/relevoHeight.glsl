@@ -13,13 +13,10 @@ RELEVO_FUNCTION vec2 heightPosition(vec2 uv)
   return clamp(uv * vec2(heightSize()) - vec2(0.5f), vec2(0.0f), last);
 }
 
-// Height at uv.
-RELEVO_FUNCTION float heightAt(vec2 uv)
+// Height between the texels at a and a + 1, with fractions t.
+RELEVO_FUNCTION float heightBetween(ivec2 a, vec2 t)
 {
-  vec2 position = heightPosition(uv);
-  ivec2 a = ivec2(floor(position));
   ivec2 b = min(a + ivec2(1), heightSize() - ivec2(1));
-  vec2 t = position - vec2(a);
   return mix(mix(heightTexel(a), heightTexel(ivec2(b.x, a.y)), t.x),
     mix(heightTexel(ivec2(a.x, b.y)), heightTexel(b), t.x), t.y);
 }
@@ -53,7 +50,7 @@ RELEVO_FUNCTION vec3 heightAndGradientAt(vec2 uv)
   return vec3(mix(mix(h00, h10, t.x), mix(h01, h11, t.x), t.y), gradient.x, gradient.y);
 }
 
-// Whether every sample with a weight in heightAt(uv) has data.
+// Whether every sample with a weight in the height at uv has data.
 RELEVO_FUNCTION bool heightValid(vec2 uv)
 {
   vec2 position = heightPosition(uv);
