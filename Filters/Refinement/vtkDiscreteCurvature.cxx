@@ -9,7 +9,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRefinementMathematics.h"
-#include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
@@ -255,11 +254,10 @@ DiscreteCurvature ComputeDiscreteCurvature(vtkPolyData* mesh)
 
   std::vector<Ring> rings(n, Ring::None);
   std::vector<double> areas(n, 0.0);
-  vtkSMPThreadLocal<std::vector<vtkIdType>> neighbours;
   vtkSMPTools::For(0, n,
     [&](vtkIdType begin, vtkIdType end)
     {
-      std::vector<vtkIdType>& scratch = neighbours.Local();
+      std::vector<vtkIdType> scratch;
       for (vtkIdType place = begin; place < end; ++place)
       {
         if (surface.GetNumberOfTriangles(place) == 0)
