@@ -308,7 +308,7 @@ void RefinementMesh::BuildFaces(vtkPolyData* input)
     for (vtkIdType i = 0; i + 2 < size; ++i)
     {
       const bool hidden[3] = { false, false, false };
-      addTriangle(ids[i + i % 2], ids[i + 1 - i % 2], ids[i + 2], cell, hidden);
+      addTriangle(ids[i], ids[i + 1 + i % 2], ids[i + 2 - i % 2], cell, hidden);
     }
   }
 }

@@ -24,7 +24,7 @@ void relevoRefine()
   position += point.Vector * relevoPositionScale;
   normal = point.Normal;
 #endif
-  relevoSetNormal(normal);
+  relevoSetNormal(unitVector(normal)); // fragments interpolate unit normals, as of the filter
 #endif
   vertexMC = vec4(position, 1.0);
   relevoSetAttributes(w);
