@@ -1,0 +1,281 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkAdaptiveRefinementMapper follows changes between renders: properties, input, recipe,
+// renderers, windows, released resources.
+#include "RelevoScene.h"
+#include "RelevoTestMeshes.h"
+
+#include "vtkDisplacement.h"
+#include "vtkDistanceDepthTagMetric.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPNTriangleSurface.h"
+#include "vtkPlane.h"
+#include "vtkTexture.h"
+
+namespace
+{
+using namespace RelevoMeshes;
+
+const RelevoTolerance Tight{ 1, 5e-7, 0 };
+// See TestAdaptiveRefinementMapperTwin.
+const RelevoTolerance Close{ 3, 2e-6, 45 };
+
+vtkProperty* GetProperty(RelevoScene& scene)
+{
+  return scene.GetActor(0)->GetProperty();
+}
+
+void SetScalars(vtkPolyData* mesh, int factor)
+{
+  vtkNew<vtkFloatArray> values;
+  values->SetName("Values");
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    values->InsertNextValue(static_cast<float>(i * factor % 10) * 0.1f);
+  }
+  mesh->GetPointData()->SetScalars(values);
+}
+
+// The input of the scene's first actor, whichever its mapper is.
+void SetInput(RelevoScene& scene, vtkPolyData* mesh)
+{
+  vtkPolyDataMapper::SafeDownCast(scene.GetActor(0)->GetMapper())->SetInputData(mesh);
+}
+}
+
+int TestAdaptiveRefinementMapperLife(int argc, char* argv[])
+{
+  RelevoCheck check;
+  RelevoComparison comparison(check, argc, argv);
+
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(8, 8, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int i = 0; i < 8 * 8 * 3; ++i)
+  {
+    static_cast<unsigned char*>(image->GetScalarPointer())[i] =
+      static_cast<unsigned char>(i * 41 % 256);
+  }
+
+  // Properties, one after the other on the same mapper.
+  comparison.Compare("Life.Properties", Tight,
+    [](RelevoScene& s)
+    {
+      Mesh mesh = Cube();
+      SetScalars(mesh, 7);
+      s.Add(mesh)->GetMapper()->ScalarVisibilityOff();
+    },
+    { { "Wireframe", [](RelevoScene& s) { GetProperty(s)->SetRepresentationToWireframe(); } },
+      { "Points",
+        [](RelevoScene& s)
+        {
+          GetProperty(s)->SetRepresentationToPoints();
+          GetProperty(s)->SetPointSize(9);
+        } },
+      { "Surface", [](RelevoScene& s) { GetProperty(s)->SetRepresentationToSurface(); } },
+      { "Edges", [](RelevoScene& s) { GetProperty(s)->EdgeVisibilityOn(); } },
+      { "WideEdges", [](RelevoScene& s) { GetProperty(s)->SetLineWidth(4); } },
+      { "Vertices",
+        [](RelevoScene& s)
+        {
+          GetProperty(s)->VertexVisibilityOn();
+          s.GetActor(0)->GetMapper()->Modified(); // vtkPolyDataMapper does not notice
+        } },
+      { "Flat",
+        [](RelevoScene& s)
+        {
+          GetProperty(s)->EdgeVisibilityOff();
+          GetProperty(s)->SetInterpolationToFlat();
+        } },
+      { "Gouraud", [](RelevoScene& s) { GetProperty(s)->SetInterpolationToGouraud(); } },
+      { "Scalars", [](RelevoScene& s) { s.GetActor(0)->GetMapper()->ScalarVisibilityOn(); } },
+      { "InterpolatedScalars",
+        [](RelevoScene& s) { s.GetActor(0)->GetMapper()->InterpolateScalarsBeforeMappingOn(); } },
+      { "NoScalars", [](RelevoScene& s) { s.GetActor(0)->GetMapper()->ScalarVisibilityOff(); } },
+      { "Texture",
+        [&](RelevoScene& s)
+        {
+          vtkNew<vtkTexture> texture;
+          texture->SetInputData(image);
+          s.GetActor(0)->SetTexture(texture);
+        } },
+      { "NoTexture",
+        [](RelevoScene& s)
+        {
+          s.GetActor(0)->SetTexture(nullptr);
+          s.GetActor(0)->GetMapper()->Modified(); // vtkPolyDataMapper does not notice
+        } },
+      { "Translucent", [](RelevoScene& s) { GetProperty(s)->SetOpacity(0.5); } },
+      { "Peeled", [](RelevoScene& s) { s.Renderer->UseDepthPeelingOn(); } },
+      { "Opaque", [](RelevoScene& s) { GetProperty(s)->SetOpacity(1); } },
+      { "Clipped",
+        [](RelevoScene& s)
+        {
+          vtkNew<vtkPlane> plane;
+          plane->SetNormal(1, 0.5, 0.2);
+          s.GetActor(0)->GetMapper()->AddClippingPlane(plane);
+        } },
+      { "Whole", [](RelevoScene& s) { s.GetActor(0)->GetMapper()->RemoveAllClippingPlanes(); } },
+      { "Unlit", [](RelevoScene& s) { GetProperty(s)->LightingOff(); } },
+      { "Lit", [](RelevoScene& s) { GetProperty(s)->LightingOn(); } } });
+
+  // Input.
+  Mesh moving = Sphere(12, 10);
+  Mesh sphere = Sphere(8, 6);
+  comparison.Compare("Life.Input", Tight, [](RelevoScene& s) { s.Add(Cube()); },
+    { { "Sphere", [&](RelevoScene& s) { SetInput(s, moving); } },
+      { "MovedPoints",
+        [&](RelevoScene&)
+        {
+          for (vtkIdType i = 0; i < moving->GetNumberOfPoints(); ++i)
+          {
+            double p[3];
+            const double z = 0.1 * (i % 4);
+            moving->GetPoint(i, p);
+            moving->GetPoints()->SetPoint(i, p[0], 0.8 * p[1], p[2] > 0 ? 0.5 + z : -0.5 - z);
+          }
+          moving->GetPoints()->Modified();
+          moving->Modified();
+        } },
+      { "NewScalars", [&](RelevoScene&) { SetScalars(moving, 3); } },
+      { "ChangedScalars", [&](RelevoScene&) { SetScalars(moving, 7); } },
+      { "FewerCells",
+        [&](RelevoScene&)
+        {
+          vtkNew<vtkCellArray> polys;
+          vtkNew<vtkIdList> ids;
+          for (vtkIdType i = 0; i < moving->GetNumberOfPolys(); i += 2)
+          {
+            moving->GetCellPoints(i, ids);
+            polys->InsertNextCell(ids);
+          }
+          moving->SetPolys(polys);
+        } },
+      { "NoNormals", [&](RelevoScene&) { moving->GetPointData()->SetNormals(nullptr); } },
+      { "Smaller", [&](RelevoScene& s) { SetInput(s, sphere); } },
+      { "Strips", [&](RelevoScene& s) { SetInput(s, Strips()); } },
+      { "Cone", [&](RelevoScene& s) { SetInput(s, Cone()); } } });
+
+  // The recipe.
+  vtkNew<vtkPNTriangleSurface> surface;
+  vtkNew<RelevoHeights> heights;
+  heights->FillRandom(20, 20, 1);
+  vtkNew<RelevoHeights> others;
+  others->FillRandom(33, 14, 2);
+  vtkNew<vtkDisplacement> displacement;
+  displacement->SetHeightMap(heights);
+  displacement->SetScale(0.1);
+  vtkNew<vtkAdaptiveRefinement> recipe;
+  recipe->SetMaximumLevel(0);
+  comparison.Compare("Life.Recipe", Close,
+    [&](RelevoScene& s)
+    {
+      Mesh mesh = TexturedSphere(9, 7);
+      AddTags(mesh, 3, 5);
+      mesh->GetPointData()->GetArray("DepthTag")->SetName("Mine");
+      s.Add(mesh, recipe);
+    },
+    { { "Level3", [&](RelevoScene&) { recipe->SetMaximumLevel(3); } },
+      { "Surface", [&](RelevoScene&) { recipe->SetSurface(surface); } },
+      { "Level5", [&](RelevoScene&) { recipe->SetMaximumLevel(5); } },
+      { "Tags", [&](RelevoScene&) { recipe->SetDepthTagArrayName("Mine"); } },
+      { "LinearNormals", [&](RelevoScene&) { surface->QuadraticNormalsOff(); } },
+      { "Displaced", [&](RelevoScene&) { recipe->SetDisplacement(displacement); } },
+      { "Scale", [&](RelevoScene&) { displacement->SetScale(0.2); } },
+      { "Offset", [&](RelevoScene&) { displacement->SetOffset(-0.1); } },
+      { "Direction", [&](RelevoScene&) { displacement->SetDirection(0, 1, 1); } },
+      { "Normal", [&](RelevoScene&) { displacement->SetDirectionToNormal(); } },
+      { "OtherHeights", [&](RelevoScene&) { displacement->SetHeightMap(others); } },
+      { "ChangedHeights", [&](RelevoScene&) { others->FillRandom(20, 40, 5); } },
+      { "NoHeights", [&](RelevoScene&) { displacement->SetHeightMap(nullptr); } },
+      { "Heights", [&](RelevoScene&) { displacement->SetHeightMap(heights); } },
+      { "NoSurface", [&](RelevoScene&) { recipe->SetSurface(nullptr); } },
+      { "NotDisplaced", [&](RelevoScene&) { recipe->SetDisplacement(nullptr); } },
+      { "Coarse", [&](RelevoScene&) { recipe->SetMaximumLevel(0); } } });
+
+  // Resources released between renders: of the actor, of the whole window.
+  recipe->SetMaximumLevel(4);
+  recipe->SetSurface(surface);
+  recipe->SetDisplacement(displacement);
+  const auto displaced = [&](RelevoScene& s)
+  {
+    Mesh mesh = TexturedSphere(9, 7);
+    AddTags(mesh, 3, 4);
+    SetScalars(mesh, 3);
+    s.Add(mesh, recipe)->GetProperty()->EdgeVisibilityOff();
+  };
+  comparison.Compare("Life.Release", Close, displaced,
+    { { "Again", [](RelevoScene&) {} },
+      { "Actor", [](RelevoScene& s) { s.GetActor(0)->ReleaseGraphicsResources(s.Window); } },
+      { "Window", [](RelevoScene& s) { s.Window->Finalize(); } },
+      { "Resized", [](RelevoScene& s) { s.Window->SetSize(250, 200); } } });
+
+  // One mapper in two renderers with different cameras, levels that depend on the view.
+  vtkNew<vtkDistanceDepthTagMetric> metric;
+  metric->SetMaximumDistance(5);
+  vtkNew<vtkAdaptiveRefinement> nearby;
+  nearby->SetMaximumLevel(5);
+  nearby->SetMetric(metric);
+  nearby->SetSurface(surface);
+  comparison.Compare("Life.Shared", Close,
+    [&](RelevoScene& s)
+    {
+      Mesh mesh = Sphere(9, 7);
+      s.Renderer->SetViewport(0, 0, 0.5, 1);
+      vtkRenderer* right = s.AddRenderer(0.5, 0, 1, 1);
+      vtkActor* first = s.Add(mesh, nearby);
+      first->GetProperty()->SetInterpolationToFlat();
+      if (s.Kind == RelevoScene::Twin)
+      {
+        s.Add(right, mesh, nearby)->GetProperty()->SetInterpolationToFlat();
+      }
+      else
+      {
+        vtkNew<vtkActor> second;
+        second->SetMapper(first->GetMapper());
+        second->GetProperty()->SetInterpolationToFlat();
+        right->AddActor(second);
+      }
+    },
+    { { "Moved", [](RelevoScene& s) { s.GetRenderers()[1]->GetActiveCamera()->Dolly(1.5); } } });
+
+  // One mapper in two windows by turns, then without the first.
+  RelevoScene scene(RelevoScene::Refining);
+  displaced(scene);
+  scene.ResetCameras();
+  scene.Render();
+  const RelevoPicture expected(scene.Window);
+  {
+    RelevoScene second(RelevoScene::Refining);
+    second.Renderer->AddActor(scene.GetActor(0));
+    second.CopyCameras(scene);
+    for (int i = 0; i < 2; ++i)
+    {
+      second.Render();
+      comparison.Compare("Life.SecondWindow", { 0, 0, 0 }, RelevoPicture(second.Window), expected);
+      scene.Render();
+      comparison.Compare("Life.FirstWindow", { 0, 0, 0 }, RelevoPicture(scene.Window), expected);
+    }
+    second.Render();
+  }
+  scene.Render();
+  comparison.Compare("Life.LeftWindow", { 0, 0, 0 }, RelevoPicture(scene.Window), expected);
+
+  // A mapper that outlives its window, and one that never had any.
+  vtkSmartPointer<vtkActor> survivor;
+  {
+    RelevoScene first(RelevoScene::Refining);
+    displaced(first);
+    first.CopyCameras(scene);
+    first.Render();
+    survivor = first.GetActor(0);
+  }
+  RelevoScene next(RelevoScene::Refining);
+  next.Renderer->AddActor(survivor);
+  next.CopyCameras(scene);
+  next.Render();
+  comparison.Compare("Life.NextWindow", { 0, 0, 0 }, RelevoPicture(next.Window), expected);
+  vtkNew<vtkAdaptiveRefinementMapper> unused;
+  unused->ReleaseGraphicsResources(nullptr);
+  return check.GetResult();
+}
