@@ -169,7 +169,7 @@ ViewerScene::ViewerScene(const ViewerOptions& options, ViewerMessages& messages)
   this->Messages.Observe(this->Mapper, "refining");
 
   this->ReadTerrain();
-  this->Recipe->SetMaximumLevel(options.MaximumLevel.value_or(this->GetRasterLevel()));
+  this->Recipe->SetMaximumLevel(options.MaximumLevel.value_or(this->GetDefaultLevel()));
   this->Recipe->SetDisplacement(this->Source->GetDisplacement());
   this->SetLevels();
 
@@ -237,19 +237,25 @@ void ViewerScene::ReadTerrain()
 }
 
 //------------------------------------------------------------------------------
-int ViewerScene::GetRasterLevel()
+int ViewerScene::GetDefaultLevel()
 {
+  // As fine as the height map; a picture that nobody can walk into needs nothing below its pixels.
   int size[2];
   this->Source->GetHeightMap()->GetDimensions(size);
   const int texels = std::max(size[0], size[1]);
   const int squares = std::min(this->Source->GetResolution(), texels);
-  int level = static_cast<int>(std::ceil(std::log2(static_cast<double>(texels) / squares)));
+  int segments = texels;
+  if (!this->Options.Output.empty() && this->Options.Export.empty())
+  {
+    segments = std::min(segments, std::max(this->Options.Size[0], this->Options.Size[1]));
+  }
+  int level = static_cast<int>(std::ceil(std::log2(static_cast<double>(segments) / squares)));
   // Only what touches the camera gets the full level of the distance metric.
   if (this->Options.Metric == ViewerOptions::MetricType::Distance)
   {
     ++level;
   }
-  return std::min(level, 7);
+  return std::min(std::max(level, 0), 7);
 }
 
 //------------------------------------------------------------------------------

@@ -39,7 +39,7 @@ public:
 
 private:
   void ReadTerrain();
-  int GetRasterLevel();
+  int GetDefaultLevel();
   void SetLevels();
   void SetColours();
   void SetLights();
