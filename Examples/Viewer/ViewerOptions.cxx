@@ -194,7 +194,7 @@ a window when there is a display, a picture with --output.
   --exaggeration X       factor on heights (default 1)
   --resolution N         coarse squares along the longer side (default 128)
   --max-level N          deepest refinement, 0 to 7: an edge has up to 2^N segments (default: as
-                         fine as the height map)
+                         fine as the height map, or as the pixels of the picture)
   --metric distance|curvature
                          refine what is near the camera (default), or what is strongly curved
   --no-data hole|fill    leave out what has no data (default), or fill it in smoothly
