@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Bounds of a mesh under a recipe hold all that the filter makes of it, and not much more.
+#include "RelevoCheck.h"
+#include "RelevoTestMeshes.h"
+
+#include "vtkAdaptiveRefinement.h"
+#include "vtkAdaptiveRefinementFilter.h"
+#include "vtkDisplacement.h"
+#include "vtkPNTriangleSurface.h"
+#include "vtkRefinementMesh.h"
+
+using namespace RelevoMeshes;
+
+int TestAdaptiveRefinementFilterBounds(int, char*[])
+{
+  RelevoCheck check;
+  vtkNew<vtkPNTriangleSurface> quadratic;
+  vtkNew<vtkPNTriangleSurface> linearNormals;
+  linearNormals->QuadraticNormalsOff();
+  Mesh wild = Explode(Sphere(8, 6));
+  PerturbNormals(wild, 3, 0.9);
+  const double utm[3] = { 412345.678, 5654321.987, 312.5 };
+  const std::pair<const char*, Mesh> meshes[] = { { "sphere", Sphere(12, 9) }, { "cube", Cube() },
+    { "plane", Plane(3, 3) }, { "wild normals", wild }, { "strips", Strips() },
+    { "slivers", Slivers() }, { "projected metres", Moved(Sphere(12, 9), 50.0, utm, VTK_DOUBLE) } };
+  for (const auto& mesh : meshes)
+  {
+    AddRandomTextureCoordinates(mesh.second, 3);
+    const double size = mesh.second->GetLength();
+    for (vtkRefinementSurface* surface :
+      std::initializer_list<vtkRefinementSurface*>{ nullptr, quadratic, linearNormals })
+    {
+      for (int displaced = 0; displaced < 4; ++displaced)
+      {
+        vtkNew<RelevoHeights> heights;
+        // Heights from -0.5 to 0.5 without and with an offset, so that both ends count.
+        std::mt19937 random(7);
+        heights->Fill(20, 20, [&random](double, double) { return random() / 4294967296.0 - 0.5; });
+        vtkNew<vtkDisplacement> displacement;
+        displacement->SetHeightMap(heights);
+        displacement->SetScale((displaced == 2 ? -0.3 : 0.3) * size);
+        displacement->SetOffset(displaced == 2 ? 0.2 * size : 0.0);
+        if (displaced == 3)
+        {
+          displacement->SetDirection(1.0, -0.5, 0.0);
+        }
+        vtkNew<vtkAdaptiveRefinement> recipe;
+        recipe->SetMaximumLevel(4);
+        recipe->SetSurface(surface);
+        recipe->SetDisplacement(displaced > 0 ? displacement.Get() : nullptr);
+        vtkNew<vtkAdaptiveRefinementFilter> filter;
+        filter->SetInputData(mesh.second);
+        filter->SetRefinement(recipe);
+        filter->Update();
+        relevo::RefinementMesh refinementMesh;
+        CHECK(refinementMesh.Build(mesh.second, recipe));
+        double bounds[6];
+        double reached[6];
+        refinementMesh.GetBounds(recipe, bounds);
+        filter->GetOutput()->GetBounds(reached);
+        double margin = 0.0;
+        for (int c = 0; c < 3; ++c)
+        {
+          const double below = reached[2 * c] - bounds[2 * c];
+          const double above = bounds[2 * c + 1] - reached[2 * c + 1];
+          if (below < -1e-6 * size || above < -1e-6 * size)
+          {
+            check.Fail(__FILE__, __LINE__,
+              std::string(mesh.first) + ", displacement " + std::to_string(displaced) +
+                ": beyond the bounds by " + std::to_string(-std::min(below, above) / size));
+          }
+          margin = std::max({ margin, below, above });
+        }
+        // No surface and no displacement: exact.
+        CHECK(margin < (displaced ? 0.5 : surface ? 0.2 : 1e-6) * size);
+      }
+    }
+  }
+  return check.GetResult();
+}
