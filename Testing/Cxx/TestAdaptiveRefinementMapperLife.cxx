@@ -18,7 +18,7 @@ using namespace RelevoMeshes;
 
 const RelevoTolerance Tight{ 1, 5e-7, 0 };
 // See TestAdaptiveRefinementMapperTwin.
-const RelevoTolerance Close{ 3, 2e-6, 45 };
+const RelevoTolerance Close{ 2, 2e-6, 30 };
 
 vtkProperty* GetProperty(RelevoScene& scene)
 {

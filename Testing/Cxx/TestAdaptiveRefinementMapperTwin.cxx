@@ -57,7 +57,7 @@ vtkSmartPointer<vtkTexture> Stripes()
 
 // Points are the same up to the last bits of a float, so colours and depths of a pixel hardly
 // differ; but a pixel at the rim of a triangle may go to its neighbour, or to the background.
-const RelevoTolerance Close{ 3, 2e-6, 45 };
+const RelevoTolerance Close{ 2, 2e-6, 10 };
 }
 
 int TestAdaptiveRefinementMapperTwin(int argc, char* argv[])

@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What vtkAdaptiveRefinementMapper does anew, and when: levels, buffers, shaders; and what it
+// reports of a render.
+#include "RelevoScene.h"
+#include "RelevoTestMeshes.h"
+
+#include "vtkDisplacement.h"
+#include "vtkDistanceDepthTagMetric.h"
+#include "vtkHardwareSelector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPNTriangleSurface.h"
+#include "vtkSelection.h"
+
+#include <set>
+
+namespace
+{
+using namespace RelevoMeshes;
+
+// Counts its own work.
+class CountingMapper : public vtkAdaptiveRefinementMapper
+{
+public:
+  static CountingMapper* New();
+  vtkTypeMacro(CountingMapper, vtkAdaptiveRefinementMapper);
+  int Buffers = 0;
+  int Shaders = 0;
+
+protected:
+  void BuildBufferObjects(vtkRenderer* ren, vtkActor* act) override
+  {
+    ++this->Buffers;
+    this->Superclass::BuildBufferObjects(ren, act);
+  }
+  void ReplaceShaderValues(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act) override
+  {
+    ++this->Shaders;
+    this->Superclass::ReplaceShaderValues(shaders, ren, act);
+  }
+};
+vtkStandardNewMacro(CountingMapper);
+
+struct View
+{
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkActor> Actor;
+  vtkNew<CountingMapper> Mapper;
+  vtkNew<vtkAdaptiveRefinement> Recipe;
+  int Buffers = 0;
+  int Shaders = 0;
+  vtkIdType Selections = 0;
+
+  explicit View(vtkPolyData* mesh)
+  {
+    this->Window->SetMultiSamples(0);
+    this->Window->SetSize(200, 200);
+    this->Window->AddRenderer(this->Renderer);
+    this->Mapper->SetInputDataObject(mesh);
+    this->Mapper->SetRefinement(this->Recipe);
+    this->Actor->SetMapper(this->Mapper);
+    this->Renderer->AddActor(this->Actor);
+    this->Renderer->ResetCamera();
+  }
+  // Work since the last call, after a render.
+  void Render()
+  {
+    const int buffers = this->Mapper->Buffers;
+    const int shaders = this->Mapper->Shaders;
+    const vtkIdType selections = this->Mapper->GetNumberOfSelections();
+    this->Window->Render();
+    this->Buffers = this->Mapper->Buffers - buffers;
+    this->Shaders = this->Mapper->Shaders - shaders;
+    this->Selections = this->Mapper->GetNumberOfSelections() - selections;
+  }
+  bool DidNothing() const
+  {
+    return this->Buffers == 0 && this->Shaders == 0 && this->Selections == 0;
+  }
+};
+}
+
+int TestAdaptiveRefinementMapperState(int, char*[])
+{
+  RelevoCheck check;
+  vtkNew<vtkPNTriangleSurface> surface;
+  vtkNew<RelevoHeights> heights;
+  heights->FillRandom(20, 30, 2);
+  vtkNew<vtkDisplacement> displacement;
+  displacement->SetHeightMap(heights);
+  displacement->SetScale(0.1);
+
+  Mesh mesh = TexturedSphere(12, 8);
+  {
+    Mesh tagged = Make();
+    tagged->DeepCopy(mesh);
+    AddTags(tagged, 4, 5);
+    View view(tagged);
+    view.Recipe->SetMaximumLevel(5);
+    view.Recipe->SetSurface(surface);
+    view.Recipe->SetDisplacement(displacement);
+    CHECK(view.Mapper->GetNumberOfSelections() == 0);
+    view.Render();
+    CHECK(view.Buffers == 1 && view.Shaders >= 1 && view.Selections == 1);
+
+    // A moving camera and live values need no work.
+    for (int i = 0; i < 3; ++i)
+    {
+      view.Render();
+      CHECK(view.DidNothing());
+      view.Renderer->GetActiveCamera()->Azimuth(10);
+      view.Renderer->ResetCameraClippingRange();
+      view.Render();
+      CHECK(view.DidNothing());
+      view.Actor->RotateX(10);
+      view.Render();
+      CHECK(view.DidNothing());
+      displacement->SetScale(0.1 + 0.01 * i);
+      view.Render();
+      CHECK(view.DidNothing());
+      displacement->SetOffset(0.1 * i);
+      view.Render();
+      CHECK(view.DidNothing());
+    }
+    view.Window->SetSize(240, 220);
+    view.Render();
+    CHECK(view.Selections == 0);
+
+    // Levels alone.
+    view.Recipe->SetMaximumLevel(4);
+    view.Render();
+    CHECK(view.Selections == 1 && view.Buffers == 0 && view.Shaders == 0);
+
+    // Passes and selections draw many times.
+    view.Renderer->UseDepthPeelingOn();
+    view.Actor->GetProperty()->SetOpacity(0.5);
+    view.Render();
+    CHECK(view.Selections == 0);
+    view.Render();
+    CHECK(view.Selections == 0 && view.Buffers == 0);
+    view.Actor->GetProperty()->SetOpacity(1);
+    vtkNew<vtkHardwareSelector> selector;
+    selector->SetRenderer(view.Renderer);
+    selector->SetArea(0, 0, 199, 199);
+    const vtkIdType before = view.Mapper->GetNumberOfSelections();
+    vtkSmartPointer<vtkSelection> selection;
+    selection.TakeReference(selector->Select());
+    CHECK(selection->GetNumberOfNodes() == 1);
+    CHECK(view.Mapper->GetNumberOfSelections() == before);
+    view.Render();
+    CHECK(view.Selections == 0);
+
+    // A direction instead of the normal is another shader; its value is live.
+    displacement->SetDirection(0, 0, 1);
+    view.Render();
+    CHECK(view.Shaders >= 1);
+    displacement->SetDirection(0, 1, 1);
+    view.Render();
+    CHECK(view.DidNothing());
+
+    // What is reported.
+    CHECK(view.Mapper->GetNumberOfCoarseFaces() == mesh->GetNumberOfCells());
+    std::set<std::array<int, 3>> patterns;
+    CHECK(view.Mapper->GetNumberOfUsedPatterns() > 5);
+    CHECK(view.Mapper->GetNumberOfDrawCalls() >= view.Mapper->GetNumberOfUsedPatterns());
+    CHECK(view.Mapper->GetNumberOfDrawCalls() <= 2 * view.Mapper->GetNumberOfUsedPatterns());
+    CHECK(view.Mapper->GetSelectionTime() > 0 && view.Mapper->GetSelectionTime() < 10);
+  }
+
+  // Levels that depend on the view.
+  {
+    vtkNew<vtkDistanceDepthTagMetric> metric;
+    metric->SetMaximumDistance(6);
+    View view(mesh);
+    view.Recipe->SetMaximumLevel(6);
+    view.Recipe->SetMetric(metric);
+    view.Render();
+    CHECK(view.Selections == 1);
+    view.Render();
+    CHECK(view.DidNothing());
+    const vtkIdType few = view.Mapper->GetNumberOfDrawnTriangles();
+    view.Renderer->GetActiveCamera()->Dolly(1.8);
+    view.Render();
+    CHECK(view.Selections == 1 && view.Buffers == 0 && view.Shaders == 0);
+    CHECK(view.Mapper->GetNumberOfDrawnTriangles() > few);
+    view.Actor->SetPosition(0.1, 0, 0);
+    view.Render();
+    CHECK(view.Selections == 1);
+    view.Actor->SetScale(0.7);
+    view.Render();
+    CHECK(view.Selections == 1);
+    view.Window->SetSize(300, 260);
+    view.Render();
+    CHECK(view.Selections == 1);
+    view.Renderer->SetViewport(0, 0, 0.5, 1);
+    view.Render();
+    CHECK(view.Selections == 1);
+    metric->SetMaximumDistance(5);
+    view.Render();
+    CHECK(view.Selections == 1 && view.Shaders == 0);
+    vtkNew<vtkCamera> other;
+    other->DeepCopy(view.Renderer->GetActiveCamera());
+    view.Renderer->SetActiveCamera(other);
+    view.Render();
+    CHECK(view.Selections == 1);
+    // Depth peeling and selections see the same camera many times.
+    view.Renderer->UseDepthPeelingOn();
+    view.Actor->GetProperty()->SetOpacity(0.5);
+    view.Render();
+    view.Render();
+    CHECK(view.Selections == 0);
+    // An array of the mesh's own wins, and no view matters any more.
+    AddTags(mesh, 1, 3);
+    mesh->Modified();
+    view.Render();
+    CHECK(view.Selections == 1);
+    view.Renderer->GetActiveCamera()->Dolly(1.2);
+    view.Render();
+    CHECK(view.DidNothing());
+  }
+
+  // Memory: what the coarse mesh and one pattern take, whatever is drawn.
+  {
+    Mesh plane = Plane(50, 40);
+    const vtkTypeInt64 points = plane->GetNumberOfPoints();
+    const vtkTypeInt64 faces = 2 * plane->GetNumberOfCells();
+    View view(plane);
+    view.Recipe->SetMaximumLevel(0);
+    CHECK(view.Mapper->GetGraphicsMemorySize() == 0);
+    view.Render();
+    const vtkTypeInt64 coarse = view.Mapper->GetGraphicsMemorySize();
+    CHECK(coarse >= points * 12 + faces * 12);
+    CHECK(coarse <= points * 100 + faces * 60);
+    view.Recipe->SetMaximumLevel(6);
+    view.Render();
+    CHECK(view.Mapper->GetNumberOfDrawnTriangles() == faces * 4096);
+    CHECK(view.Mapper->GetNumberOfDrawCalls() <= 2);
+    CHECK(view.Mapper->GetNumberOfUsedPatterns() == 1);
+    const vtkTypeInt64 fine = view.Mapper->GetGraphicsMemorySize();
+    CHECK(fine > coarse && fine < coarse + 200000);
+    view.Recipe->SetDisplacement(displacement);
+    view.Render();
+    CHECK(view.Mapper->GetGraphicsMemorySize() >= fine + 20 * 30 * 4);
+    view.Actor->ReleaseGraphicsResources(view.Window);
+    CHECK(view.Mapper->GetGraphicsMemorySize() == 0);
+    view.Render();
+    CHECK(view.Mapper->GetGraphicsMemorySize() > fine);
+  }
+  return check.GetResult();
+}

@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// No pixel shows a crack in what vtkAdaptiveRefinementMapper draws, and every triangle faces the
+// side its coarse triangle faces: of a closed surface, each pixel is covered by as many triangles
+// seen from the front as from the back, so the front faces alone and the back faces alone must
+// fill exactly the same pixels.
+#include "RelevoScene.h"
+#include "RelevoTestMeshes.h"
+
+#include "vtkCleanPolyData.h"
+#include "vtkDisplacement.h"
+#include "vtkFeatureEdges.h"
+#include "vtkFillHolesFilter.h"
+#include "vtkPLYReader.h"
+#include "vtkPNTriangleSurface.h"
+#include "vtkParametricFunctionSource.h"
+#include "vtkParametricTorus.h"
+#include "vtkTriangleFilter.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtksys/SystemTools.hxx"
+
+namespace
+{
+using namespace RelevoMeshes;
+
+Mesh Torus()
+{
+  vtkNew<vtkParametricTorus> torus;
+  vtkNew<vtkParametricFunctionSource> source;
+  source->SetParametricFunction(torus);
+  source->SetUResolution(14);
+  source->SetVResolution(9);
+  vtkNew<vtkCleanPolyData> clean;
+  clean->SetInputConnection(source->GetOutputPort());
+  clean->SetTolerance(1e-5);
+  clean->Update();
+  Mesh mesh = Make();
+  mesh->DeepCopy(clean->GetOutput());
+  AddTextureCoordinates(mesh,
+    [](const double* p) {
+      return std::array<double, 2>{ { 0.3 * p[0] + 0.5, 0.3 * p[1] + 0.5 } };
+    });
+  return mesh;
+}
+
+// A closed triangle mesh of the one read, without normals of its own.
+Mesh Close(vtkAlgorithm* reader)
+{
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(reader->GetOutputPort());
+  triangles->PassVertsOff();
+  triangles->PassLinesOff();
+  vtkNew<vtkCleanPolyData> clean;
+  clean->SetInputConnection(triangles->GetOutputPort());
+  vtkNew<vtkFillHolesFilter> fill;
+  fill->SetInputConnection(clean->GetOutputPort());
+  fill->SetHoleSize(1e30);
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputConnection(fill->GetOutputPort());
+  normals->SplittingOff();
+  normals->ConsistencyOn();
+  normals->Update();
+  Mesh mesh = Make();
+  mesh->SetPoints(normals->GetOutput()->GetPoints());
+  mesh->SetPolys(normals->GetOutput()->GetPolys());
+  mesh->GetPointData()->SetNormals(normals->GetOutput()->GetPointData()->GetNormals());
+  AddRandomTextureCoordinates(mesh, 3);
+  return mesh;
+}
+
+bool IsClosed(vtkPolyData* mesh)
+{
+  vtkNew<vtkCleanPolyData> clean;
+  clean->SetInputData(mesh);
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputConnection(clean->GetOutputPort());
+  edges->FeatureEdgesOff();
+  edges->Update();
+  return edges->GetOutput()->GetNumberOfCells() == 0;
+}
+
+// Views from all around at what is seen edge-on; returns the pixels that front and back faces do
+// not agree on.
+size_t CountLeaks(RelevoScene& scene, int views, size_t& covered)
+{
+  std::mt19937 random(11);
+  auto uniform = [&random]() { return random() / 2147483648.0 - 1.0; };
+  double bounds[6];
+  scene.Renderer->ComputeVisiblePropBounds(bounds);
+  const double center[3] = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
+    0.5 * (bounds[4] + bounds[5]) };
+  const double radius = 0.5 *
+    std::sqrt(std::pow(bounds[1] - bounds[0], 2) + std::pow(bounds[3] - bounds[2], 2) +
+      std::pow(bounds[5] - bounds[4], 2));
+  size_t leaks = 0;
+  for (int view = 0; view < views; ++view)
+  {
+    double out[3] = { uniform(), uniform(), uniform() };
+    double side[3] = { uniform(), uniform(), uniform() };
+    vtkMath::Normalize(out);
+    double across[3];
+    vtkMath::Cross(out, side, across);
+    vtkMath::Normalize(across);
+    vtkCamera* camera = scene.Renderer->GetActiveCamera();
+    // Beside the middle, where the surface bends away.
+    const double aside = view % 2 ? 0.6 : 0.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      out[i] = center[i] + 3.0 * radius * out[i];
+      across[i] = center[i] + aside * radius * across[i];
+    }
+    camera->SetPosition(out);
+    camera->SetFocalPoint(across);
+    camera->SetViewUp(side);
+    camera->SetViewAngle(view % 2 ? 8.0 : 40.0);
+    scene.Renderer->ResetCameraClippingRange();
+
+    std::vector<bool> seen[2];
+    for (int back = 0; back < 2; ++back)
+    {
+      for (size_t i = 0; i < scene.GetNumberOfActors(); ++i)
+      {
+        scene.GetActor(i)->GetProperty()->SetBackfaceCulling(!back);
+        scene.GetActor(i)->GetProperty()->SetFrontfaceCulling(back);
+      }
+      scene.Render();
+      const RelevoPicture picture(scene.Window);
+      for (size_t i = 0; i < picture.GetNumberOfPixels(); ++i)
+      {
+        seen[back].push_back(picture.Colors[3 * i] > 0);
+      }
+    }
+    for (size_t i = 0; i < seen[0].size(); ++i)
+    {
+      covered += seen[0][i];
+      leaks += seen[0][i] != seen[1][i];
+    }
+  }
+  return leaks;
+}
+
+vtkActor* AddWhite(RelevoScene& scene, vtkPolyData* mesh, vtkAdaptiveRefinement* recipe)
+{
+  scene.Renderer->SetBackground(0, 0, 0);
+  vtkActor* actor = scene.Add(mesh, recipe);
+  actor->GetProperty()->LightingOff();
+  return actor;
+}
+}
+
+int TestAdaptiveRefinementMapperWatertight(int, char*[])
+{
+  RelevoCheck check;
+  vtkNew<vtkPNTriangleSurface> surface;
+  vtkNew<RelevoHeights> rough;
+  rough->FillRandom(64, 64, 9);
+  const int level = 5;
+
+  auto testClosed = [&](const std::string& name, Mesh mesh, int views)
+  {
+    if (!IsClosed(mesh))
+    {
+      check.Fail(__FILE__, __LINE__, name + " is not closed: nothing is tested");
+      return;
+    }
+    double bounds[6];
+    mesh->GetBounds(bounds);
+    AddTags(mesh, 5, level);
+    vtkNew<vtkDisplacement> displacement;
+    displacement->SetHeightMap(rough);
+    displacement->SetScale(0.1 * (bounds[1] - bounds[0]));
+    for (int kind = 0; kind < 4; ++kind)
+    {
+      const bool curved = kind & 1;
+      const bool displaced = kind & 2;
+      vtkNew<vtkAdaptiveRefinement> recipe;
+      recipe->SetMaximumLevel(level);
+      recipe->SetSurface(curved ? surface.Get() : nullptr);
+      recipe->SetDisplacement(displaced ? displacement.Get() : nullptr);
+      RelevoScene scene(RelevoScene::Refining);
+      AddWhite(scene, mesh, recipe);
+      size_t covered = 0;
+      const size_t leaks = CountLeaks(scene, views, covered);
+      std::cout << name << (curved ? ", curved" : "") << (displaced ? ", displaced" : "") << ": "
+                << leaks << " leaks in " << covered << " pixels" << std::endl;
+      check.That(leaks == 0 && covered > 90000, "closed without leaks", __FILE__, __LINE__);
+      if (leaks)
+      {
+        check.Fail(__FILE__, __LINE__, name + " leaks");
+      }
+    }
+  };
+  testClosed("Sphere", Sphere(12, 8), 50);
+  testClosed("SphereWithTextureSeam", TexturedSphere(12, 8), 60);
+  testClosed("CubeWithSplitNormals", Cube(), 60);
+  testClosed("Torus", Torus(), 50);
+  Mesh strips = Strips();
+  AddRandomTextureCoordinates(strips, 4);
+  testClosed("Strips", strips, 20);
+  Mesh exploded = Explode(Sphere(9, 7));
+  PerturbNormals(exploded, 2, 0.5);
+  AddRandomTextureCoordinates(exploded, 6);
+  testClosed("EveryTriangleWithPointsOfItsOwn", exploded, 50);
+  const double far[3] = { 5e6, -4e6, 3e6 };
+  testClosed("FarAway", Moved(TexturedSphere(12, 8), 100, far, VTK_DOUBLE), 20);
+
+  const char* folder = std::getenv("RELEVO_TEST_DATA");
+  const std::string meshes = std::string(folder ? folder : "") + "/mesh/";
+  if (vtksys::SystemTools::FileExists(meshes + "bunny.ply"))
+  {
+    vtkNew<vtkPLYReader> reader;
+    reader->SetFileName((meshes + "bunny.ply").c_str());
+    testClosed("Bunny", Close(reader), 8);
+  }
+  if (vtksys::SystemTools::FileExists(meshes + "cow.vtp"))
+  {
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName((meshes + "cow.vtp").c_str());
+    testClosed("Cow", Close(reader), 8);
+  }
+
+  // The counter sees cracks: the halves of a sphere with different levels along their seam.
+  Mesh whole = Sphere(12, 8);
+  RelevoScene cracked(RelevoScene::Refining);
+  for (int half = 0; half < 2; ++half)
+  {
+    Mesh part = Make();
+    part->ShallowCopy(whole);
+    vtkNew<vtkCellArray> polys;
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType i = 0; i < whole->GetNumberOfCells(); ++i)
+    {
+      whole->GetCellPoints(i, ids);
+      if (i % 2 == half)
+      {
+        polys->InsertNextCell(ids);
+      }
+    }
+    part->SetPolys(polys);
+    vtkNew<vtkAdaptiveRefinement> recipe;
+    recipe->SetMaximumLevel(4 + half);
+    recipe->SetSurface(surface);
+    AddWhite(cracked, part, recipe);
+  }
+  size_t covered = 0;
+  const size_t cracks = CountLeaks(cracked, 10, covered);
+  std::cout << "Levels that do not agree: " << cracks << " leaks" << std::endl;
+  CHECK(cracks > 100);
+  return check.GetResult();
+}
