@@ -29,6 +29,16 @@ bool chooseChannels(
     [=](int channel) { return channel >= 0 && channel < numberOfChannels; });
 }
 
+// By OpenImageIO's default filter.
+OIIO::ImageBuf resize(const OIIO::ImageBuf& picture, const OIIO::ROI& roi)
+{
+#if OIIO_VERSION_MAJOR >= 3
+  return OIIO::ImageBufAlgo::resize(picture, OIIO::ParamValueSpan(), roi);
+#else
+  return OIIO::ImageBufAlgo::resize(picture, "", 0.0f, roi);
+#endif
+}
+
 // A picture stretched over the footprint.
 bool stretchPicture(const ImagerySource& source, Imagery& result, std::string& error)
 {
@@ -52,7 +62,7 @@ bool stretchPicture(const ImagerySource& source, Imagery& result, std::string& e
   {
     const OIIO::ROI roi(0, std::min(full.width(), source.MaximumSize), 0,
       std::min(full.height(), source.MaximumSize), 0, 1, 0, picture.nchannels());
-    picture = OIIO::ImageBufAlgo::resize(picture, "", 0.0f, roi);
+    picture = resize(picture, roi);
     if (picture.has_error())
     {
       error = picture.geterror();

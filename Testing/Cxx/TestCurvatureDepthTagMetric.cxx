@@ -15,6 +15,7 @@
 #include "vtkPlatonicSolidSource.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkPolygon.h"
 #include "vtkRefinementView.h"
 #include "vtkReverseSense.h"
 #include "vtkStripper.h"
@@ -115,8 +116,11 @@ Mesh MakeSphere(double radius, int subdivisions)
     points->InsertNextPoint(x);
   }
   mesh->SetPoints(points);
-  // VTK's icosahedron faces inwards.
+  // VTK's icosahedron faces inwards in 9.1, outwards in 9.6.
+  double normal[3];
+  vtkPolygon::ComputeNormal(mesh->GetCell(0)->GetPoints(), normal);
   vtkNew<vtkReverseSense> outwards;
+  outwards->SetReverseCells(vtkMath::Dot(normal, mesh->GetCell(0)->GetPoints()->GetPoint(0)) < 0.0);
   outwards->SetInputData(mesh);
   outwards->Update();
   return outwards->GetOutput();

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iostream>
 #include <limits>
 
 namespace
@@ -229,6 +230,12 @@ void TestHGT(RelevoCheck& check, const RelevoTestFolders& folders)
 
 void TestUSGSDEM(RelevoCheck& check, const RelevoTestFolders& folders)
 {
+  GDALDriverH driver = GDALGetDriverByName("USGSDEM");
+  if (!driver || !GDALGetMetadataItem(driver, GDAL_DCAP_CREATECOPY, nullptr))
+  {
+    std::cout << "this GDAL does not write USGS DEM: not tested\n";
+    return;
+  }
   RelevoRaster raster;
   raster.Width = 30;
   raster.Height = 40;

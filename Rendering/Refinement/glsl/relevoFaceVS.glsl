@@ -13,9 +13,9 @@ uniform samplerBuffer relevoPointData;  // normal, u; frame of u; frame of v; di
 uniform samplerBuffer relevoVectors;    // the surface's vectors per face
 uniform vec3 relevoPositionScale;       // from the mesh's lengths to vertexMC's
 
-int relevoFaceIndex;
-ivec4 relevoFace;
-bool relevoHidden; // the vertex belongs to nothing that is to be seen
+int relevoFaceIndex = 0;
+ivec4 relevoFace = ivec4(0);
+bool relevoHidden = false; // the vertex belongs to nothing that is to be seen
 
 vec4 relevoPointDatum(int id, int k)
 {
