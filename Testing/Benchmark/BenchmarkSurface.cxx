@@ -19,12 +19,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace
 {
 constexpr double Width = 4.0;
 constexpr double Height = 3.0;
-constexpr double LevelSwing = 1.5;
+constexpr double LevelSwing = 1.5; // over the whole surface
+constexpr double LevelNoise = 0.8; // from point to point
 
 struct Wave
 {
@@ -71,8 +73,8 @@ BenchmarkSurface::BenchmarkSurface(int numberOfFaces, double numberOfTriangles)
   auto recipe = MakeLinearRecipe();
   relevo::RefinementMesh mesh;
   mesh.Build(this->Mesh, recipe);
-  double low = -LevelSwing;
-  double high = vtkRefinementPatternTable::HighestLevel + LevelSwing;
+  double low = -LevelSwing - LevelNoise;
+  double high = vtkRefinementPatternTable::HighestLevel + LevelSwing + LevelNoise;
   for (int i = 0; i < 20; ++i)
   {
     const double middle = 0.5 * (low + high);
@@ -139,13 +141,15 @@ void BenchmarkSurface::BuildGrid(int numberOfFaces)
 
 void BenchmarkSurface::SetMeanLevel(double level)
 {
+  std::minstd_rand random;
+  std::uniform_real_distribution<double> noise(-LevelNoise, LevelNoise);
   auto* tags = vtkFloatArray::SafeDownCast(this->Mesh->GetPointData()->GetArray("DepthTag"));
   for (vtkIdType i = 0; i < tags->GetNumberOfTuples(); ++i)
   {
     double p[3];
     this->Mesh->GetPoint(i, p);
     const double swing = LevelSwing * std::sin(2.3 * p[0] + 0.7) * std::sin(3.1 * p[1] + 0.4);
-    tags->SetValue(i, static_cast<float>(std::max(0.0, level + swing)));
+    tags->SetValue(i, static_cast<float>(std::max(0.0, level + swing + noise(random))));
   }
   tags->Modified();
 }

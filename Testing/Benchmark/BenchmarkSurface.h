@@ -5,7 +5,7 @@
  * @brief   a wavy coarse surface with depth-tags that refine it to a wanted number of triangles
  *
  * A grid over 4 x 3 units with analytic normals, texture coordinates and the point array
- * "DepthTag", which swings smoothly about a mean so that many patterns are in use.
+ * "DepthTag", which swings about a mean, with noise, so that tens of patterns are in use.
  */
 #ifndef BenchmarkSurface_h
 #define BenchmarkSurface_h

@@ -9,19 +9,35 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 class BenchmarkTable;
 
 struct BenchmarkOptions
 {
-  bool Quick = false;     // sizes that only show that everything runs
-  std::string HeightMap;  // a raster file for the terrain; empty to make one
-  std::string WorkFolder; // for files made on the way
+  bool Quick = false;    // sizes that only show that everything runs
+  std::string HeightMap; // a raster file for the terrain; empty to make one
 };
 
 using AddTable = std::function<void(const BenchmarkTable&)>;
 
 /// Frames of the mapper against the same triangles as a static mesh.
 void RunStaticMesh(const BenchmarkOptions& options, const AddTable& addTable);
+/// Levels per coarse face, as the camera moves.
+void RunSelection(const BenchmarkOptions& options, const AddTable& addTable);
+/// The CPU's own work: patterns, selection, the refinement filter.
+void RunProcessor(const BenchmarkOptions& options, const AddTable& addTable);
+/// Resident memory of the mapper and of a static mesh.
+void RunMemory(const BenchmarkOptions& options, const AddTable& addTable);
+/// A raster as terrain, against VTK's own way to draw it.
+void RunTerrain(const BenchmarkOptions& options, const AddTable& addTable);
+
+/**
+ * Measurements that need a process of their own run in this program, called again: the arguments
+ * name the measurement, the result is a list of numbers.
+ */
+std::vector<double> RunInOwnProcess(const std::vector<std::string>& arguments);
+std::vector<double> MeasureMemory(const std::vector<std::string>& arguments);
+std::vector<double> MeasureTerrain(const std::vector<std::string>& arguments);
 
 #endif

@@ -9,8 +9,10 @@
 #include "vtkVersion.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <iomanip>
 #include <iostream>
 #include <thread>
 #include <vector>
@@ -22,7 +24,45 @@ struct Benchmark
   const char* Name;
   void (*Run)(const BenchmarkOptions&, const AddTable&);
 };
-const std::vector<Benchmark> Benchmarks = { { "static-mesh", RunStaticMesh } };
+const std::vector<Benchmark> Benchmarks = {
+  { "static-mesh", RunStaticMesh },
+  { "selection", RunSelection },
+  { "memory", RunMemory },
+  { "dem", RunTerrain },
+#ifdef BENCHMARK_HAS_GOOGLE_BENCHMARK
+  { "processor", RunProcessor },
+#endif
+};
+
+struct Measurement
+{
+  const char* Name;
+  std::vector<double> (*Run)(const std::vector<std::string>&);
+};
+const std::vector<Measurement> Measurements = { { "memory", MeasureMemory },
+  { "dem", MeasureTerrain } };
+
+std::string ProgramPath;
+
+// The arguments that a process of its own is called with, before the measurement's.
+const std::string MeasureOption = "--measure";
+
+int Measure(const std::vector<std::string>& arguments)
+{
+  for (const Measurement& measurement : Measurements)
+  {
+    if (!arguments.empty() && arguments[0] == measurement.Name)
+    {
+      std::cout << std::setprecision(17);
+      for (const double value : measurement.Run({ arguments.begin() + 1, arguments.end() }))
+      {
+        std::cout << value << '\n';
+      }
+      return EXIT_SUCCESS;
+    }
+  }
+  return EXIT_FAILURE;
+}
 
 int ShowUsage()
 {
@@ -34,6 +74,17 @@ int ShowUsage()
   }
   std::cerr << std::endl;
   return 2;
+}
+
+// For the shell.
+std::string Quote(const std::string& text)
+{
+  std::string quoted = "'";
+  for (const char c : text)
+  {
+    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  }
+  return quoted + "'";
 }
 
 std::string GetProcessor()
@@ -50,8 +101,36 @@ std::string GetProcessor()
 }
 }
 
+std::vector<double> RunInOwnProcess(const std::vector<std::string>& arguments)
+{
+  std::string command = Quote(ProgramPath) + ' ' + MeasureOption;
+  for (const std::string& argument : arguments)
+  {
+    command += ' ' + Quote(argument);
+  }
+  std::vector<double> values;
+  if (FILE* pipe = popen(command.c_str(), "r"))
+  {
+    double value;
+    while (fscanf(pipe, "%lf", &value) == 1)
+    {
+      values.push_back(value);
+    }
+    if (pclose(pipe) != 0)
+    {
+      values.clear();
+    }
+  }
+  return values;
+}
+
 int main(int argc, char* argv[])
 {
+  ProgramPath = argv[0];
+  if (argc > 1 && argv[1] == MeasureOption)
+  {
+    return Measure({ argv + 2, argv + argc });
+  }
   BenchmarkOptions options;
   std::string output;
   std::vector<std::string> names;

@@ -1,0 +1,54 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The benchmark runs with tiny sizes and writes complete, valid JSON. How fast is not asked."""
+import json
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM = Path(sys.argv.pop(1)).resolve()
+
+
+class TestBenchmark(unittest.TestCase):
+    def run_benchmark(self, *arguments):
+        with tempfile.TemporaryDirectory() as folder:
+            output = Path(folder) / "benchmark.json"
+            result = subprocess.run([PROGRAM, "--quick", "--output", output, *arguments],
+                                    cwd=folder, capture_output=True, text=True)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertNotIn("ERR|", result.stderr)
+            left = [path.name for path in Path(folder).iterdir()]
+            self.assertEqual(left, ["benchmark.json"])
+            return result.stdout, json.loads(output.read_text(encoding="utf-8"))
+
+    def test_everything(self):
+        markdown, report = self.run_benchmark()
+        self.assertTrue(report["facts"]["OpenGL renderer"])
+        tables = {table["name"]: table["rows"] for table in report["tables"]}
+        for name in ("static-mesh-frames", "static-mesh-memory", "selection", "memory", "dem"):
+            self.assertTrue(tables[name], name)
+        for table in report["tables"]:
+            self.assertIn("## " + table["title"], markdown)
+            for row in table["rows"]:
+                self.assertNotIn(None, row.values(), table["name"])
+        frames = tables["static-mesh-frames"][0]
+        self.assertGreater(frames["drawn_triangles"], frames["coarse_faces"])
+        self.assertLessEqual(frames["draw_calls"], 2 * frames["used_patterns"])
+        self.assertLess(frames["picture_difference"], 0.1)
+        self.assertEqual(len(tables["dem"]), 3)
+        self.assertTrue(all(row["triangles"] > 0 for row in tables["dem"]))
+
+    def test_by_name(self):
+        _, report = self.run_benchmark("selection")
+        self.assertEqual([table["name"] for table in report["tables"]], ["selection"])
+
+    def test_unknown_name(self):
+        result = subprocess.run([PROGRAM, "speed"], capture_output=True, text=True)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("static-mesh", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
