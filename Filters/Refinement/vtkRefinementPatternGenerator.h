@@ -12,33 +12,24 @@
  *
  * Everything that decides on topology is integer arithmetic, and the rest is correctly rounded,
  * so that every machine makes the same patterns.
+ *
+ * @sa vtkPatternMesh vtkPatternVertexOrder
  */
 #ifndef vtkRefinementPatternGenerator_h
 #define vtkRefinementPatternGenerator_h
 
+#include "vtkPatternBorder.h" // for MaximumNumberOfSegments
+#include "vtkPatternCheck.h"  // for FindDefect
+#include "vtkPatternSides.h"  // for MakeLines
 #include "vtkRefinementPattern.h"
 
 namespace relevo
 {
-/// The most segments an edge may have.
-constexpr int MaximumNumberOfSegments = 128;
-
 /**
  * The pattern with `n1 >= n2 >= n3` segments on edges 1, 2 and 3, each in
  * [1, MaximumNumberOfSegments].
  */
 vtkRefinementPattern GeneratePattern(int n1, int n2, int n3);
-
-/**
- * Fill the lines of a pattern that has all the rest.
- */
-void MakeLines(vtkRefinementPattern& pattern);
-
-/**
- * What is wrong with a pattern that was read from a file (its lines aside), nullptr when it is a
- * conforming, counter-clockwise triangulation with exactly the border points of its segments.
- */
-const char* FindDefect(const vtkRefinementPattern& pattern);
 }
 
 #endif

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPatternCheck
+ * @brief   whether a pattern is what a refined face needs
+ *
+ * Private to the module's own sources.
+ */
+#ifndef vtkPatternCheck_h
+#define vtkPatternCheck_h
+
+struct vtkRefinementPattern;
+
+namespace relevo
+{
+/**
+ * What is wrong with a pattern that was read from a file (its lines aside), nullptr when it is a
+ * conforming, counter-clockwise triangulation with exactly the border points of its segments.
+ */
+const char* FindDefect(const vtkRefinementPattern& pattern);
+}
+
+#endif
