@@ -123,36 +123,46 @@ void RefinementMesh::ComputeMissingNormals()
   }
 }
 
-// One direction per place: where faces see different normals, their mean.
+// One direction per place: where faces see different normals, their mean. Normals that differ by
+// rounding alone, as on the two sides of many texture seams, are made one.
 void RefinementMesh::BuildDirections()
 {
   const size_t n = static_cast<size_t>(this->NumberOfPoints);
+  std::vector<size_t> first(n, n); // corner of each place
   std::vector<char> isCorner(n, 0);
   for (const RefinementFace& face : this->Faces)
   {
     for (int corner : face.Corners)
     {
-      isCorner[static_cast<size_t>(corner)] = 1;
+      const size_t point = static_cast<size_t>(corner);
+      size_t& lowest = first[static_cast<size_t>(this->Places[point])];
+      lowest = std::min(lowest, point);
+      isCorner[point] = 1;
     }
   }
-  std::vector<float> directions(3 * n, 0.0f);
-  std::vector<size_t> first(n, n); // corner of each place
-  bool split = false;
+  std::vector<char> isSplit(n, 0); // per place
   for (size_t i = 0; i < n; ++i)
   {
-    if (!isCorner[i])
-    {
-      continue;
-    }
     const size_t place = static_cast<size_t>(this->Places[i]);
-    first[place] = std::min(first[place], i);
+    const Vector difference =
+      subtract(load(&this->Normals[3 * i]), load(&this->Normals[3 * std::min(first[place], i)]));
+    constexpr double rounding = 1e-5;
+    isSplit[place] |= isCorner[i] && dot(difference, difference) > rounding * rounding ? 1 : 0;
+  }
+  std::vector<float> directions(3 * n, 0.0f);
+  for (size_t i = 0; i < n; ++i)
+  {
+    const size_t place = static_cast<size_t>(this->Places[i]);
+    if (isCorner[i] && !isSplit[place])
+    {
+      std::copy_n(&this->Normals[3 * first[place]], 3, &this->Normals[3 * i]);
+    }
     for (int c = 0; c < 3; ++c)
     {
-      split |= this->Normals[3 * i + c] != this->Normals[3 * first[place] + c];
-      directions[3 * place + c] += this->Normals[3 * i + c];
+      directions[3 * place + c] += isCorner[i] ? this->Normals[3 * i + c] : 0.0f;
     }
   }
-  if (!split)
+  if (std::find(isSplit.begin(), isSplit.end(), 1) == isSplit.end())
   {
     return;
   }
@@ -164,9 +174,9 @@ void RefinementMesh::BuildDirections()
     {
       std::copy_n(&directions[3 * place], 3, direction);
     }
-    else if (vtkMath::Normalize(direction) == 0.0f)
+    else if (!isSplit[place] || vtkMath::Normalize(direction) == 0.0f)
     {
-      std::copy_n(&this->Normals[3 * (first[i] < n ? first[i] : i)], 3, direction);
+      std::copy_n(&this->Normals[3 * std::min(first[place], i)], 3, direction);
     }
   }
   this->Directions.swap(directions);

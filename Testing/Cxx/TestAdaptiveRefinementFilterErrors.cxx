@@ -350,6 +350,16 @@ void testMeshes(RelevoCheck& check)
       expectSuccess(check, filter);
       CHECK(filter->GetOutput()->GetNumberOfPolys() > 0);
     }
+    // A sphere closed to rounding only, with slivers of 1e-17 at a pole; without normals, too.
+    vtkNew<vtkTexturedSphereSource> source;
+    source->Update();
+    filter->SetInputData(source->GetOutput());
+    {
+      RelevoErrors errors(filter);
+      expectSuccess(check, filter);
+      source->GetOutput()->GetPointData()->SetNormals(nullptr);
+      expectSuccess(check, filter);
+    }
     // Normals that cannot be used are computed.
     Mesh sphere = Sphere(6, 5);
     vtkDataArray* normals = sphere->GetPointData()->GetNormals();

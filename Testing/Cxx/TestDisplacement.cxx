@@ -193,6 +193,38 @@ void testSeam(RelevoCheck& check)
   }
 }
 
+// Normals on the two sides of a texture seam often differ by rounding alone: that is no crease.
+void testRoundedNormals(RelevoCheck& check)
+{
+  Mesh sphere = TexturedSphere(16, 12);
+  vtkNew<vtkPNTriangleSurface> surface;
+  vtkNew<vtkAdaptiveRefinement> recipe;
+  recipe->SetMaximumLevel(3);
+  recipe->SetSurface(surface);
+  vtkNew<vtkAdaptiveRefinementFilter> filter;
+  RelevoErrors errors(filter); // the poles are degenerate
+  filter->SetInputData(sphere);
+  filter->SetRefinement(recipe);
+  filter->Update();
+  Mesh plain = Make();
+  plain->ShallowCopy(filter->GetOutput());
+  vtkNew<vtkDisplacement> displacement;
+  displacement->SetOffset(0.25);
+  recipe->SetDisplacement(displacement);
+  filter->Update();
+  for (vtkIdType i = sphere->GetNumberOfPoints(); i < plain->GetNumberOfPoints(); ++i)
+  {
+    double expected[3];
+    const double* n = plain->GetPointData()->GetNormals()->GetTuple(i);
+    for (int c = 0; c < 3; ++c)
+    {
+      expected[c] = plain->GetPoint(i)[c] + 0.25 * n[c];
+    }
+    CHECK(std::sqrt(vtkMath::Distance2BetweenPoints(expected, filter->GetOutput()->GetPoint(i))) <
+      1e-5);
+  }
+}
+
 // Where normals are split, both sides move along the mean of them.
 void testSplitNormals(RelevoCheck& check)
 {
@@ -231,6 +263,7 @@ int TestDisplacement(int, char*[])
   testHeights(check);
   testFormula(check);
   testSeam(check);
+  testRoundedNormals(check);
   testSplitNormals(check);
   vtkNew<vtkDisplacement> displacement;
   displacement->Print(std::cout);
