@@ -9,13 +9,10 @@
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
-#include "vtkDepthTagMetric.h"
 #include "vtkDisplacement.h"
-#include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkHeightField.h"
 #include "vtkInformation.h"
@@ -33,56 +30,27 @@
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
-#include "vtkPatternSelection.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRefinementBlocks.h"
 #include "vtkRefinementColors.h"
-#include "vtkRefinementEvaluator.h"
-#include "vtkRefinementMesh.h"
 #include "vtkRefinementMeshBuffers.h"
 #include "vtkRefinementPatternBuffer.h"
 #include "vtkRefinementShader.h"
+#include "vtkRefinementState.h"
 #include "vtkRefinementSurface.h"
 #include "vtkRefinementView.h"
 #include "vtkRelevoCompatibility.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
-#include "vtkTimerLog.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cstring>
-#include <functional>
 
 namespace
 {
-// Values that decide whether something must be made anew.
-using State = std::vector<vtkMTimeType>;
-
-void Append(State& state, const void* pointer)
-{
-  state.push_back(static_cast<vtkMTimeType>(reinterpret_cast<size_t>(pointer)));
-}
-
-void Append(State& state, vtkObject* object, vtkMTimeType time)
-{
-  Append(state, object);
-  state.push_back(time);
-}
-
-void Append(State& state, vtkMatrix4x4* matrix)
-{
-  for (int i = 0; i < 16; ++i)
-  {
-    static_assert(sizeof(vtkMTimeType) == sizeof(double), "a double's bits fit a time stamp");
-    vtkMTimeType bits;
-    std::memcpy(&bits, matrix->GetData() + i, sizeof(bits));
-    state.push_back(bits);
-  }
-}
-
 bool HasExtension(const char* name)
 {
   GLint count = 0;
@@ -120,23 +88,7 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
     this->Vertices.PrimitiveType = PrimitiveVertices;
   }
 
-  // The coarse mesh: CPU side.
-  relevo::RefinementMesh Mesh;
-  State MeshState;
-  bool MeshValid = false;
-  vtkTimeStamp MeshTime;
-  vtkNew<vtkPolyData> Prepared; // the input, with normals where they had to be computed
-  double Bounds[6];
-  State BoundsState;
-
-  // Levels.
-  relevo::PatternSelection Selection;
-  State SelectionState;
-  bool SelectionValid = false;
-  vtkIdType NumberOfSelections = 0;
-  vtkIdType NumberOfTriangles = 0;
-  double SelectionTime = 0.0;
-  bool HolesCounted = false;
+  relevo::RefinementState State;
 
   // GPU side.
   relevo::RefinementMeshBuffers Buffers;
@@ -145,7 +97,7 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   bool ColorsValid = false;
   vtkTimeStamp UploadTime;
   bool UploadValid = false;
-  bool InstancesUploaded = false;
+  vtkMTimeType InstancesTime = 0; // of the selection that was uploaded
   bool ContextChecked = false;
   bool ContextValid = false;
   bool Drawable = false;
@@ -230,13 +182,7 @@ vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfDrawnTriangles()
       [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfDrawnTriangles(); });
     return sum;
   }
-  if (!data.HolesCounted && data.SelectionValid)
-  {
-    // Fragments over no-data are discarded; what the filter leaves out is counted when asked for.
-    data.HolesCounted = true;
-    data.NumberOfTriangles -= relevo::CountHoles(data.Mesh, data.Selection, this->Refinement);
-  }
-  return data.Drawable ? data.NumberOfTriangles : 0;
+  return data.Drawable ? data.State.GetNumberOfTriangles(this->Refinement) : 0;
 }
 
 int vtkAdaptiveRefinementMapper::GetNumberOfDrawCalls()
@@ -250,7 +196,7 @@ int vtkAdaptiveRefinementMapper::GetNumberOfDrawCalls()
 int vtkAdaptiveRefinementMapper::GetNumberOfUsedPatterns()
 {
   int sum = 0;
-  const auto& groups = this->Internals->Selection.Groups;
+  const auto& groups = this->Internals->State.GetSelection().Groups;
   for (size_t i = 0; i < groups.size(); ++i)
   {
     sum += i == 0 || !std::equal(groups[i].Levels, groups[i].Levels + 3, groups[i - 1].Levels);
@@ -262,7 +208,7 @@ int vtkAdaptiveRefinementMapper::GetNumberOfUsedPatterns()
 
 vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfSelections()
 {
-  vtkIdType sum = this->Internals->NumberOfSelections;
+  vtkIdType sum = this->Internals->State.GetNumberOfSelections();
   this->Internals->Blocks.ForEach(
     [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfSelections(); });
   return sum;
@@ -270,7 +216,7 @@ vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfSelections()
 
 double vtkAdaptiveRefinementMapper::GetSelectionTime()
 {
-  double sum = this->Internals->SelectionTime;
+  double sum = this->Internals->State.GetSelectionSeconds();
   this->Internals->Blocks.ForEach(
     [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetSelectionTime(); });
   return sum;
@@ -278,7 +224,7 @@ double vtkAdaptiveRefinementMapper::GetSelectionTime()
 
 vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfCoarseFaces()
 {
-  vtkIdType sum = static_cast<vtkIdType>(this->Internals->Mesh.Faces.size());
+  vtkIdType sum = static_cast<vtkIdType>(this->Internals->State.GetMesh().Faces.size());
   this->Internals->Blocks.ForEach(
     [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfCoarseFaces(); });
   return sum;
@@ -305,70 +251,35 @@ vtkTypeInt64 vtkAdaptiveRefinementMapper::GetGraphicsMemorySize()
 //------------------------------------------------------------------------------
 // The coarse mesh and its bounds
 
+bool vtkAdaptiveRefinementMapper::Report(bool valid)
+{
+  const std::string error = this->Internals->State.TakeError();
+  const std::string warning = this->Internals->State.TakeWarning();
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error);
+  }
+  if (!warning.empty())
+  {
+    vtkWarningMacro(<< warning);
+  }
+  return valid;
+}
+
 bool vtkAdaptiveRefinementMapper::UpdateMesh()
 {
-  vtkInternals& data = *this->Internals;
   vtkPolyData* input = this->GetInput();
-  if (!input)
-  {
-    return false;
-  }
-  // Only what the prepared mesh depends on: not the displacement's live values.
-  State state;
-  Append(state, input, input->GetMTime());
-  Append(state, this->Refinement);
-  if (this->Refinement)
-  {
-    vtkRefinementSurface* surface = this->Refinement->GetSurface();
-    Append(state, surface, surface ? surface->GetMTime() : 0);
-    vtkDisplacement* displacement = this->Refinement->GetDisplacement();
-    vtkHeightField* heights = displacement ? displacement->GetHeightMap() : nullptr;
-    Append(state, displacement, displacement && displacement->IsAlongNormal() ? 1 : 0);
-    Append(state, heights, heights ? heights->GetMTime() : 0);
-  }
-  if (state == data.MeshState)
-  {
-    return data.MeshValid;
-  }
-  data.MeshState = state;
-  data.MeshValid = false;
-  data.MeshTime.Modified();
-  data.SelectionState.clear();
-  data.Mesh = relevo::RefinementMesh();
-  if (!this->Refinement)
-  {
-    vtkErrorMacro("No recipe: call SetRefinement() with a vtkAdaptiveRefinement.");
-    return false;
-  }
-  vtkDisplacement* displacement = this->Refinement->GetDisplacement();
-  if (displacement && !displacement->Update())
-  {
-    vtkErrorMacro("The displacement's height map could not be read.");
-    return false;
-  }
-  if (!data.Mesh.Build(input, this->Refinement))
-  {
-    vtkErrorMacro("Cannot refine the input: " << data.Mesh.GetError() << ".");
-    return false;
-  }
-  if (data.Mesh.GetNumberOfDroppedTriangles() > 0)
-  {
-    vtkWarningMacro(<< data.Mesh.GetNumberOfDroppedTriangles()
-                    << " degenerate cells or triangles dropped (two corners at one place, fewer "
-                       "than three points, or non-finite coordinates).");
-  }
-  data.Prepared->ShallowCopy(input);
-  if (!data.Mesh.Normals.empty() && !input->GetPointData()->GetNormals())
-  {
-    vtkNew<vtkFloatArray> normals;
-    normals->SetName("Normals");
-    normals->SetNumberOfComponents(3);
-    normals->SetNumberOfTuples(input->GetNumberOfPoints());
-    std::copy(data.Mesh.Normals.begin(), data.Mesh.Normals.end(), normals->GetPointer(0));
-    data.Prepared->GetPointData()->SetNormals(normals);
-  }
-  data.MeshValid = true;
-  return true;
+  return input && this->Report(this->Internals->State.UpdateMesh(input, this->Refinement));
+}
+
+bool vtkAdaptiveRefinementMapper::UpdateSelection(vtkRenderer* ren, vtkActor* act)
+{
+  vtkRefinementView view;
+  view.Camera = ren->GetActiveCamera();
+  view.ModelToWorld = act->GetMatrix();
+  std::copy_n(ren->GetSize(), 2, view.ViewportSize);
+  return this->Report(
+    this->Internals->State.UpdateSelection(this->GetInput(), this->Refinement, view));
 }
 
 double* vtkAdaptiveRefinementMapper::GetBounds()
@@ -409,95 +320,7 @@ void vtkAdaptiveRefinementMapper::ComputeBounds()
     this->Superclass::ComputeBounds();
     return;
   }
-  State state;
-  vtkDisplacement* displacement = this->Refinement->GetDisplacement();
-  Append(state, displacement, displacement ? displacement->GetMTime() : 0);
-  state.push_back(data.MeshTime);
-  if (state != data.BoundsState)
-  {
-    data.BoundsState = state;
-    data.Mesh.GetBounds(this->Refinement, data.Bounds);
-    vtkBoundingBox box;
-    if (vtkMath::AreBoundsInitialized(data.Bounds))
-    {
-      box.AddBounds(data.Bounds);
-    }
-    vtkPolyData* input = this->GetInput();
-    for (vtkCellArray* cells : { input->GetVerts(), input->GetLines() })
-    {
-      auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
-      for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
-      {
-        vtkIdType size;
-        const vtkIdType* ids;
-        iterator->GetCurrentCell(size, ids);
-        for (vtkIdType i = 0; i < size; ++i)
-        {
-          box.AddPoint(input->GetPoint(ids[i]));
-        }
-      }
-    }
-    vtkMath::UninitializeBounds(data.Bounds);
-    if (box.IsValid())
-    {
-      box.GetBounds(data.Bounds);
-    }
-  }
-  std::copy_n(data.Bounds, 6, this->Bounds);
-}
-
-//------------------------------------------------------------------------------
-// Levels
-
-bool vtkAdaptiveRefinementMapper::UpdateSelection(vtkRenderer* ren, vtkActor* act)
-{
-  vtkInternals& data = *this->Internals;
-  vtkPolyData* input = this->GetInput();
-  vtkAdaptiveRefinement* recipe = this->Refinement;
-  vtkCamera* camera = ren->GetActiveCamera();
-  const int* size = ren->GetSize();
-
-  State state;
-  vtkDepthTagMetric* metric = recipe->GetMetric();
-  Append(state, metric, metric ? metric->GetMTime() : 0);
-  state.push_back(data.MeshTime);
-  state.push_back(static_cast<vtkMTimeType>(recipe->GetMaximumLevel()));
-  // The name of the array is the recipe's own.
-  state.push_back(std::hash<std::string>()(recipe->GetDepthTagArrayName()));
-  if (relevo::AreDepthTagsViewDependent(recipe, input))
-  {
-    Append(state, camera, camera->GetMTime());
-    state.push_back(static_cast<vtkMTimeType>(size[0]));
-    state.push_back(static_cast<vtkMTimeType>(size[1]));
-    Append(state, act->GetMatrix());
-  }
-  if (state == data.SelectionState)
-  {
-    return data.SelectionValid;
-  }
-  data.SelectionState = state;
-  data.SelectionValid = false;
-  data.InstancesUploaded = false;
-  data.HolesCounted = false;
-
-  const double start = vtkTimerLog::GetUniversalTime();
-  vtkRefinementView view;
-  view.Camera = camera;
-  view.ModelToWorld = act->GetMatrix();
-  std::copy_n(size, 2, view.ViewportSize);
-  std::vector<float> tags;
-  std::string error;
-  if (!relevo::ComputeDepthTags(recipe, input, data.Mesh, view, tags, error))
-  {
-    vtkErrorMacro("Cannot refine the input: " << error << ".");
-    return false;
-  }
-  data.Selection.Select(data.Mesh, tags, recipe->GetMaximumLevel());
-  data.SelectionTime = vtkTimerLog::GetUniversalTime() - start;
-  ++data.NumberOfSelections;
-  data.NumberOfTriangles = data.Selection.GetNumberOfTriangles(recipe->GetPatternTable());
-  data.SelectionValid = true;
-  return true;
+  data.State.GetBounds(this->GetInput(), this->Refinement, this->Bounds);
 }
 
 //------------------------------------------------------------------------------
@@ -529,7 +352,7 @@ bool vtkAdaptiveRefinementMapper::CheckOpenGL(vtkRenderer*)
 bool vtkAdaptiveRefinementMapper::GetNeedToRebuildBufferObjects(vtkRenderer* ren, vtkActor* act)
 {
   const bool needed = this->Superclass::GetNeedToRebuildBufferObjects(ren, act);
-  return needed || this->Internals->UploadTime < this->Internals->MeshTime;
+  return needed || this->Internals->UploadTime < this->Internals->State.GetMeshTime();
 }
 
 void vtkAdaptiveRefinementMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor* act)
@@ -538,8 +361,9 @@ void vtkAdaptiveRefinementMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor*
   vtkInternals& data = *this->Internals;
   data.UploadTime.Modified();
   data.UploadValid = false;
+  const relevo::RefinementMesh& mesh = data.State.GetMesh();
   vtkOpenGLVertexBufferObject* positions = this->VBOs->GetVBO("vertexMC");
-  if (!data.MeshValid || data.Mesh.Faces.empty() || !positions)
+  if (!data.State.IsMeshValid() || mesh.Faces.empty() || !positions)
   {
     return;
   }
@@ -554,10 +378,10 @@ void vtkAdaptiveRefinementMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor*
   {
     primitiveOfCell[this->CellCellMap->GetValue(i)] = static_cast<int>(i);
   }
-  std::vector<int> primitives(data.Mesh.Faces.size());
+  std::vector<int> primitives(mesh.Faces.size());
   for (size_t f = 0; f < primitives.size(); ++f)
   {
-    primitives[f] = primitiveOfCell[data.Mesh.Faces[f].Cell];
+    primitives[f] = primitiveOfCell[mesh.Faces[f].Cell];
   }
   vtkRefinementSurface* surface = this->Refinement->GetSurface();
   vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
@@ -565,7 +389,7 @@ void vtkAdaptiveRefinementMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor*
   data.ColorsValid =
     scalars && data.Colors.Upload(window, scalars, this->GetLookupTable(), this->ArrayComponent);
   data.UploadValid = data.Buffers.UploadMesh(
-    window, data.Mesh, surface ? surface->GetNumberOfEdgePositions() : 0, positions, primitives);
+    window, mesh, surface ? surface->GetNumberOfEdgePositions() : 0, positions, primitives);
   if (!data.UploadValid)
   {
     vtkErrorMacro("Cannot draw the input: " << data.Buffers.GetError() << ".");
@@ -611,7 +435,7 @@ void vtkAdaptiveRefinementMapper::ReleaseGraphicsResources(vtkWindow* window)
   data.Faces.ReleaseGraphicsResources(window);
   data.Vertices.ReleaseGraphicsResources(window);
   data.Programs.clear();
-  data.InstancesUploaded = false;
+  data.InstancesTime = 0;
   data.UploadValid = false;
   data.ContextChecked = false;
   data.Blocks.ForEach(
@@ -654,7 +478,7 @@ void vtkAdaptiveRefinementMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* a
   const bool meshValid = this->CheckOpenGL(ren) && this->UpdateMesh();
   if (meshValid)
   {
-    this->CurrentInput = data.Prepared;
+    this->CurrentInput = data.State.GetPreparedInput();
   }
   this->Superclass::RenderPieceStart(ren, act);
   if (!meshValid || !data.UploadValid || !this->UpdateSelection(ren, act))
@@ -670,10 +494,10 @@ void vtkAdaptiveRefinementMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* a
     data.Drawable =
       data.Buffers.UploadHeights(window, displacement->GetHeightMap(), displacement->HasHoles());
   }
-  if (data.Drawable && !data.InstancesUploaded)
+  if (data.Drawable && data.InstancesTime != data.State.GetSelectionTime())
   {
-    data.InstancesUploaded = true;
-    data.Drawable = data.Buffers.UploadInstances(window, data.Selection.Instances);
+    data.InstancesTime = data.State.GetSelectionTime();
+    data.Drawable = data.Buffers.UploadInstances(window, data.State.GetSelection().Instances);
   }
   if (!data.Drawable)
   {
@@ -681,7 +505,7 @@ void vtkAdaptiveRefinementMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* a
     data.UploadValid = false; // said once, until something changes
     return;
   }
-  data.Patterns.Load(this->Refinement->GetPatternTable(), data.Selection.Groups,
+  data.Patterns.Load(this->Refinement->GetPatternTable(), data.State.GetSelection().Groups,
     act->GetProperty()->GetRepresentation() == VTK_WIREFRAME);
 }
 
@@ -766,7 +590,7 @@ void vtkAdaptiveRefinementMapper::DrawFaces(
     }
     ++data.NumberOfDrawCalls;
   };
-  for (const relevo::PatternGroup& group : data.Selection.Groups)
+  for (const relevo::PatternGroup& group : data.State.GetSelection().Groups)
   {
     drawGroup(group);
   }
@@ -805,8 +629,8 @@ bool vtkAdaptiveRefinementMapper::GetNeedToRebuildShaders(
   bool needed = this->Superclass::GetNeedToRebuildShaders(cellBO, ren, act);
   if (this->IsRefining(&cellBO))
   {
-    const std::string key = GetShaderOptions(this->Internals->Mesh, this->Internals->Buffers,
-      this->Internals->ColorsValid, this->Refinement)
+    const std::string key = GetShaderOptions(this->Internals->State.GetMesh(),
+      this->Internals->Buffers, this->Internals->ColorsValid, this->Refinement)
                               .GetKey();
     std::string& last = this->Internals->Programs[&cellBO].ShaderKey;
     needed = needed || key != last;
@@ -825,10 +649,10 @@ void vtkAdaptiveRefinementMapper::ReplaceShaderValues(
       ? GL_POINTS
       : this->GetOpenGLMode(
           act->GetProperty()->GetRepresentation(), this->LastBoundBO->PrimitiveType);
-    this->Internals->Programs[this->LastBoundBO].Attributes =
-      relevo::RefineShaders(GetShaderOptions(this->Internals->Mesh, this->Internals->Buffers,
-                              this->Internals->ColorsValid, this->Refinement),
-        mode == GL_LINES, shaders);
+    this->Internals->Programs[this->LastBoundBO].Attributes = relevo::RefineShaders(
+      GetShaderOptions(this->Internals->State.GetMesh(), this->Internals->Buffers,
+        this->Internals->ColorsValid, this->Refinement),
+      mode == GL_LINES, shaders);
   }
 }
 

@@ -130,6 +130,7 @@ private:
   bool IsComposite();
   vtkDataArray* GetScalarsToInterpolate();
   bool CheckOpenGL(vtkRenderer* ren);
+  bool Report(bool valid);
   bool UpdateMesh();
   bool UpdateSelection(vtkRenderer* ren, vtkActor* act);
   bool IsRefining(const vtkOpenGLHelper* cellBO) const;

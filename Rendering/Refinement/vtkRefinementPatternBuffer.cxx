@@ -42,12 +42,14 @@ void RefinementPatternBuffer::Load(
   vtkRefinementPatternTable* table, const std::vector<PatternGroup>& groups, bool withLines)
 {
   bool changed = false;
-  if (withLines && !this->HasLines)
+  if ((withLines && !this->HasLines) || this->TableTime != table->GetMTime())
   {
-    this->HasLines = true;
+    this->HasLines = withLines || this->HasLines;
+    this->TableTime = table->GetMTime();
     this->Ranges.clear();
     this->Vertices.clear();
     this->Triangles.clear();
+    this->Lines.clear();
   }
   for (const PatternGroup& group : groups)
   {

@@ -71,6 +71,7 @@ private:
 
   std::map<int, Range> Ranges;
   bool HasLines = false;
+  vtkMTimeType TableTime = 0;
   std::vector<float> Vertices;
   std::vector<unsigned short> Triangles;
   std::vector<float> Lines;
