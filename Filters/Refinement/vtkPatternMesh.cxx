@@ -57,6 +57,36 @@ PatternTriangulation TriangulateBorder(const int segments[3])
   }
   return triangulation;
 }
+
+/// Smooth the triangulation of a border with points inside, and again without those in the way.
+PatternTriangulation TriangulateInside(const int segments[3], const PatternTriangulation& border)
+{
+  const std::size_t firstInner = border.Points.size();
+  std::vector<PatternPoint> inner = MakeInnerPoints(segments, border.Points);
+  for (;;) // ends, as each round starts with fewer points
+  {
+    PatternTriangulation triangulation = border;
+    for (const PatternPoint& p : inner)
+    {
+      triangulation.Insert(p);
+    }
+    PatternSmoother smoother(triangulation, static_cast<int>(firstInner));
+    smoother.Move();
+    const std::vector<bool> obstacles = smoother.FindObstacles();
+    inner.clear();
+    for (std::size_t i = firstInner; i < obstacles.size(); ++i)
+    {
+      if (!obstacles[i])
+      {
+        inner.push_back(triangulation.Points[i]);
+      }
+    }
+    if (firstInner + inner.size() == obstacles.size())
+    {
+      return triangulation;
+    }
+  }
+}
 }
 
 namespace relevo
@@ -94,35 +124,14 @@ PatternMesh MakeRegularMesh(int n)
 PatternMesh MakeGradedMesh(const int segments[3])
 {
   const PatternTriangulation border = TriangulateBorder(segments);
-  const std::size_t firstInner = border.Points.size();
-  std::vector<PatternPoint> inner = MakeInnerPoints(segments, border.Points);
-  PatternTriangulation triangulation;
-  for (bool done = false; !done;) // ends, as each round starts with fewer points
-  {
-    triangulation = border;
-    for (const PatternPoint& p : inner)
-    {
-      triangulation.Insert(p);
-    }
-    PatternSmoother smoother(triangulation, static_cast<int>(firstInner));
-    smoother.Move();
-    const std::vector<bool> obstacles = smoother.FindObstacles();
-    inner.clear();
-    for (std::size_t i = firstInner; i < obstacles.size(); ++i)
-    {
-      if (!obstacles[i])
-      {
-        inner.push_back(triangulation.Points[i]);
-      }
-    }
-    done = firstInner + inner.size() == obstacles.size();
-  }
+  const PatternTriangulation triangulation = TriangulateInside(segments, border);
 
   PatternMesh mesh;
   mesh.Vertices = MakeBorderVertices(segments, WeightScale);
   constexpr std::int64_t Unit = WeightScale / GridScale;
-  for (const PatternPoint& p : inner)
+  for (std::size_t i = border.Points.size(); i < triangulation.Points.size(); ++i)
   {
+    const PatternPoint& p = triangulation.Points[i];
     mesh.Vertices.push_back({ (GridScale - p.V - p.W) * Unit, p.V * Unit, p.W * Unit });
   }
   for (const auto& triangle : triangulation.Triangles)

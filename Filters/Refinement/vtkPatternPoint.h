@@ -17,11 +17,11 @@
 
 namespace relevo
 {
-/// Of the equilateral triangle with sides of 1.
+/// Height of the equilateral triangle with sides of 1.
 constexpr double TriangleHeight = 0.8660254037844386;
 
 /// A triangulation's coordinates are multiples of 1 / GridScale: coarse enough for a 64-bit
-/// in-circle determinant, which is below 3 GridScale^4.
+/// in-circle determinant, which is at most 3 GridScale^4.
 constexpr std::int64_t GridScale = std::int64_t(1) << 14;
 
 /// Inner points lie on multiples of 2^-12, so that products of two weights are exact in float.

@@ -3,7 +3,6 @@
 #include "vtkPatternSmoother.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -143,7 +142,8 @@ bool PatternSmoother::MoveVertex(int vertex)
   const std::int64_t divisor = static_cast<std::int64_t>(this->Star.size()) * InnerStep;
   attempt({ DivideRounded(sum.V, divisor) * InnerStep, DivideRounded(sum.W, divisor) * InnerStep });
 
-  // The first step is between 1/8 and 1/4 of the distance to the nearest corner.
+  // The first step is between 1/8 and 1/4 of the distance to the nearest corner; from shorter ones
+  // the search ends in worse places.
   std::int64_t step = InnerStep;
   while (64 * step * step < shortest)
   {

@@ -49,6 +49,7 @@ int PatternTriangulation::IndexOfNeighbor(int triangle, int neighbor) const
   return neighbors[0] == neighbor ? 0 : neighbors[1] == neighbor ? 1 : 2;
 }
 
+/// Give a triangle its vertices and, opposite to each, its neighbours.
 void PatternTriangulation::Set(int triangle, int a, int b, int c, int na, int nb, int nc)
 {
   this->Triangles[triangle] = { { a, b, c }, { na, nb, nc } };
@@ -116,38 +117,48 @@ void PatternTriangulation::SplitTriangle(int t, int vertex)
   this->Suspects = { { t, vertex }, { t1, vertex }, { t2, vertex } };
 }
 
-/// Halve the triangle (a, b, c) and the one on the other side of bc, (d, c, b), at a vertex on bc.
+PatternTriangulation::Diamond PatternTriangulation::GetDiamond(int t, int side) const
+{
+  const Triangle& abc = this->Triangles[t];
+  Diamond diamond;
+  diamond.A = abc.Vertex[side];
+  diamond.B = abc.Vertex[Next(side)];
+  diamond.C = abc.Vertex[Previous(side)];
+  diamond.AcrossCA = abc.Neighbor[Next(side)];
+  diamond.AcrossAB = abc.Neighbor[Previous(side)];
+  diamond.Other = abc.Neighbor[side];
+  if (diamond.Other >= 0)
+  {
+    const Triangle& dcb = this->Triangles[diamond.Other];
+    const int i = this->IndexOfNeighbor(diamond.Other, t);
+    diamond.D = dcb.Vertex[i];
+    diamond.AcrossBD = dcb.Neighbor[Next(i)];
+    diamond.AcrossDC = dcb.Neighbor[Previous(i)];
+  }
+  return diamond;
+}
+
+/// Halve the one or two triangles at a side, at a vertex on it.
 void PatternTriangulation::SplitSide(int t, int side, int vertex)
 {
-  const Triangle abc = this->Triangles[t];
-  const int a = abc.Vertex[side];
-  const int b = abc.Vertex[Next(side)];
-  const int c = abc.Vertex[Previous(side)];
-  const int beyondB = abc.Neighbor[Next(side)];     // across ca
-  const int beyondC = abc.Neighbor[Previous(side)]; // across ab
-  const int o = abc.Neighbor[side];
+  const Diamond q = this->GetDiamond(t, side);
   const int t1 = static_cast<int>(this->Triangles.size());
   this->Triangles.resize(t1 + 1);
-  this->Set(t, a, b, vertex, o, t1, beyondC);
-  this->Set(t1, a, vertex, c, o, beyondB, t);
-  this->Link(beyondB, t, t1);
+  this->Set(t, q.A, q.B, vertex, q.Other, t1, q.AcrossAB);
+  this->Set(t1, q.A, vertex, q.C, q.Other, q.AcrossCA, t);
+  this->Link(q.AcrossCA, t, t1);
   this->Suspects = { { t, vertex }, { t1, vertex } };
-  if (o < 0)
+  if (q.Other < 0)
   {
     return;
   }
-  const int i = this->IndexOfNeighbor(o, t);
-  const Triangle dcb = this->Triangles[o];
-  const int d = dcb.Vertex[i];
-  const int acrossC = dcb.Neighbor[Next(i)];     // across bd
-  const int acrossB = dcb.Neighbor[Previous(i)]; // across dc
+  const int o = q.Other;
   const int o1 = t1 + 1;
   this->Triangles.resize(o1 + 1);
-  this->Set(o, d, c, vertex, t1, o1, acrossB);
-  this->Set(o1, d, vertex, b, t, acrossC, o);
-  this->Link(acrossC, o, o1);
+  this->Set(o, q.D, q.C, vertex, t1, o1, q.AcrossDC);
+  this->Set(o1, q.D, vertex, q.B, t, q.AcrossBD, o);
+  this->Link(q.AcrossBD, o, o1);
   this->Triangles[t].Neighbor[0] = o1;
-  this->Triangles[t1].Neighbor[0] = o;
   this->Suspects.push_back({ o, vertex });
   this->Suspects.push_back({ o1, vertex });
 }
@@ -155,31 +166,18 @@ void PatternTriangulation::SplitSide(int t, int side, int vertex)
 /// Replace a side by the other diagonal of its two triangles when the circles ask for that.
 void PatternTriangulation::LegalizeSide(int t, int side)
 {
-  const Triangle abc = this->Triangles[t];
-  const int o = abc.Neighbor[side];
-  if (o < 0)
+  const Diamond q = this->GetDiamond(t, side);
+  const auto& points = this->Points;
+  if (q.Other < 0 || !IsInCircle(points[q.A], points[q.B], points[q.C], points[q.D]))
   {
     return;
   }
-  const int i = this->IndexOfNeighbor(o, t);
-  const Triangle dcb = this->Triangles[o];
-  const int a = abc.Vertex[side];
-  const int b = abc.Vertex[Next(side)];
-  const int c = abc.Vertex[Previous(side)];
-  const int d = dcb.Vertex[i];
-  if (!IsInCircle(this->Points[a], this->Points[b], this->Points[c], this->Points[d]))
-  {
-    return;
-  }
-  const int beyondB = abc.Neighbor[Next(side)];     // across ca
-  const int beyondC = abc.Neighbor[Previous(side)]; // across ab
-  const int acrossC = dcb.Neighbor[Next(i)];        // across bd
-  const int acrossB = dcb.Neighbor[Previous(i)];    // across dc
-  this->Set(t, a, b, d, acrossC, o, beyondC);
-  this->Set(o, a, d, c, acrossB, beyondB, t);
-  this->Link(acrossC, o, t);
-  this->Link(beyondB, t, o);
-  for (int vertex : { a, d })
+  const int o = q.Other;
+  this->Set(t, q.A, q.B, q.D, q.AcrossBD, o, q.AcrossAB);
+  this->Set(o, q.A, q.D, q.C, q.AcrossDC, q.AcrossCA, t);
+  this->Link(q.AcrossBD, o, t);
+  this->Link(q.AcrossCA, t, o);
+  for (int vertex : { q.A, q.D })
   {
     this->Suspects.push_back({ t, vertex });
     this->Suspects.push_back({ o, vertex });

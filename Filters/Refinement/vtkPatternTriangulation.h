@@ -46,6 +46,15 @@ public:
   std::vector<Triangle> Triangles;
 
 private:
+  /// The triangles (a, b, c) and (d, c, b) at a side bc, and those across their other sides.
+  struct Diamond
+  {
+    int Other = -1; // (d, c, b); -1, as its D and neighbours, at the border
+    int A = -1, B = -1, C = -1, D = -1;
+    int AcrossAB = -1, AcrossCA = -1;
+    int AcrossBD = -1, AcrossDC = -1;
+  };
+
   static int Next(int i) { return (i + 1) % 3; }
   static int Previous(int i) { return (i + 2) % 3; }
 
@@ -54,6 +63,7 @@ private:
   int IndexOfNeighbor(int triangle, int neighbor) const;
   void Set(int triangle, int a, int b, int c, int na, int nb, int nc);
   void Link(int triangle, int former, int current);
+  Diamond GetDiamond(int triangle, int side) const;
   void SplitTriangle(int triangle, int vertex);
   void SplitSide(int triangle, int side, int vertex);
   void Legalize();
