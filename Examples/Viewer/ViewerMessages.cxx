@@ -70,6 +70,13 @@ void ViewerMessages::Observe(vtkAlgorithm* algorithm, const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+void ViewerMessages::ThrowErrorsOf(vtkObject* object)
+{
+  AddHandler(object, vtkCommand::ErrorEvent,
+    [](vtkObject*, void* callData) { throw ViewerError(GetText(callData)); });
+}
+
+//------------------------------------------------------------------------------
 void ViewerMessages::Check()
 {
   if (!this->FirstError.empty())

@@ -34,6 +34,11 @@ public:
   void Observe(vtkAlgorithm* algorithm, const std::string& name);
 
   /**
+   * Throw the errors of an object as ViewerError where they happen.
+   */
+  void ThrowErrorsOf(vtkObject* object);
+
+  /**
    * Throws ViewerError with the first error since the last check.
    */
   void Check();

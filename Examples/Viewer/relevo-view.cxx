@@ -133,7 +133,9 @@ void Draw(ViewerScene& scene, const ViewerOptions& options, ViewerMessages& mess
 void Interact(ViewerScene& scene, const ViewerOptions& options, ViewerMessages& messages)
 {
   vtkNew<vtkRenderWindow> window;
-  messages.Observe(window);
+  // At once, for VTK ends the program after its message that the display cannot be reached.
+  messages.ThrowErrorsOf(window);
+  window->GetScreenSize();
   window->SetSize(options.Size[0], options.Size[1]);
   window->SetWindowName(("relevo-view " + options.HeightMap).c_str());
   window->AddRenderer(scene.GetRenderer());

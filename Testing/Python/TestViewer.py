@@ -124,6 +124,16 @@ class TestViewer(unittest.TestCase):
         self.assert_error(1, ["display", "--output"], self.heights)
         self.assertFalse((self.folder / "never.png").exists())
 
+    def test_display_out_of_reach(self):
+        run = subprocess.run(
+            [str(PROGRAM), str(self.heights)],
+            env={**os.environ, "DISPLAY": "no-such-host:0"},
+            capture_output=True,
+            text=True,
+        )
+        self.assertEqual(run.returncode, 1, run.stderr)
+        self.assertRegex(run.stderr, r"\Arelevo-view: error: [^\n]+DISPLAY=no-such-host[^\n]+\n\Z")
+
     def test_picture_without_display(self):
         image = self.picture("--size", "320x200")
         self.assertEqual(image.GetDimensions(), (320, 200, 1))
