@@ -18,6 +18,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -170,15 +171,25 @@ int vtkAdaptiveRefinementFilter::RequestData(
     }
     return true;
   };
-  relevo::RefinedPolyDataBuilder builder(input, mesh, selection, this->Refinement, forFaces);
-  if (!builder.Build(output))
+  try
+  {
+    relevo::RefinedPolyDataBuilder builder(input, mesh, selection, this->Refinement, forFaces);
+    if (!builder.Build(output))
+    {
+      output->Initialize();
+      return 1;
+    }
+    for (const std::string& name : builder.GetShortArrays())
+    {
+      vtkWarningMacro("Array \"" << name << "\" has too few tuples and is left out.");
+    }
+  }
+  catch (const std::bad_alloc&)
   {
     output->Initialize();
-    return 1;
-  }
-  for (const std::string& name : builder.GetShortArrays())
-  {
-    vtkWarningMacro("Array \"" << name << "\" has too few tuples and is left out.");
+    vtkErrorMacro("Not enough memory for "
+      << selection.GetNumberOfTriangles(this->Refinement->GetPatternTable()) << " triangles.");
+    return 0;
   }
   this->UpdateProgress(1.0);
   return 1;

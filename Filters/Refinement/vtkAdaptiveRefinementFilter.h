@@ -13,14 +13,22 @@
  *
  * Output: triangles that wind as their coarse cell does and share points as the input's cells do;
  * the input's points come first. Watertight to the bit: the points of an edge are the same from
- * both sides, also where points coincide without being shared (split normals, texture seams). Point
- * data are interpolated linearly, "Normals" are unit vectors of the refined surface, cell data are
- * passed on, and the cell array "vtkOriginalCellIds" (vtkIdType) names the input's cell.
- * Where a displacement leaves holes, triangles over no-data are left out. Float points stay float;
- * all others become double, accurate to a float's digits about the middle of the mesh.
+ * both sides, also where points coincide without being shared (split normals, texture seams).
+ * Float points stay float; all others become double, accurate to a float's digits about the middle
+ * of the mesh.
  *
- * Errors: no recipe, depth-tags or texture coordinates that cannot be used, a metric or height map
- * that fails. The output is then empty.
+ * Point data are interpolated linearly and keep their type: integers are rounded; strings, bits and
+ * ghost flags are the nearest coarse point's; global and pedigree ids are left out. "Normals", unit
+ * float vectors of the refined surface, take the place of the input's normals. Cell data are passed
+ * on, and the cell array "vtkOriginalCellIds" (vtkIdType) names the input's cell; cell normals end
+ * where the surface is not linear or is displaced, and global ids become a plain array.
+ *
+ * Where a displacement leaves holes, triangles over no-data are left out. Then, and where points
+ * are not finite, points that no cell uses are left out as well.
+ *
+ * Errors: no recipe, no cells, cells that refer to missing points, depth-tags or texture
+ * coordinates that cannot be used, a metric or height map that fails, not enough memory. The output
+ * is then empty.
  *
  * @sa vtkAdaptiveRefinement vtkAdaptiveRefinementMapper
  */
