@@ -100,9 +100,8 @@ void RefinementBlocks::ProcessSelectorPixelBuffers(
   std::map<unsigned int, std::vector<unsigned int>> pixelsOfBlock;
   for (unsigned int pixel : pixels)
   {
-    // The selector adds one, so that black means nothing.
     const unsigned int index = indices[pixel] | indices[pixel + 1] << 8 | indices[pixel + 2] << 16;
-    pixelsOfBlock[index - 1].push_back(pixel);
+    pixelsOfBlock[index].push_back(pixel);
   }
   for (auto& block : this->Mappers)
   {

@@ -48,7 +48,7 @@ int TestAdaptiveRefinementMapperBounds(int, char*[])
     filter->SetRefinement(recipe);
     filter->Update();
     double drawn[6];
-    filter->GetOutput()->GetBounds(drawn);
+    filter->GetOutput()->GetCellsBounds(drawn);
     RelevoScene scene(RelevoScene::Refining);
     scene.Add(mesh, recipe)->GetProperty()->LightingOff();
     double bounds[6];

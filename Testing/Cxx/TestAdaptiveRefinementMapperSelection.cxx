@@ -161,6 +161,9 @@ int TestAdaptiveRefinementMapperSelection(int, char*[])
   recipe->SetMaximumLevel(4);
   recipe->SetSurface(surface);
   recipe->SetDisplacement(displacement);
+  vtkNew<vtkAdaptiveRefinement> curved;
+  curved->SetMaximumLevel(4);
+  curved->SetSurface(surface);
 
   const struct
   {
@@ -184,13 +187,13 @@ int TestAdaptiveRefinementMapperSelection(int, char*[])
         });
       const std::string name = std::string(mesh.Name) + " as " +
         pair.Twin.GetActor(0)->GetProperty()->GetRepresentationAsString();
-      // Where lines of two cells lie on each other, or points of several, the one drawn last is
-      // hit, and both mappers draw in an order of their own.
+      // A strip's lines run the other way, so other pixels are nearest to them.
       const bool ordered = representation == VTK_SURFACE;
+      const size_t tolerance = ordered ? 0 : 50;
       CheckHits(check, name + ", cells", SelectPixels(pair.Refining, cells),
-        SelectPixels(pair.Twin, cells), ordered ? 0 : 300);
+        SelectPixels(pair.Twin, cells), tolerance);
       CheckHits(check, name + ", points", SelectPixels(pair.Refining, points),
-        SelectPixels(pair.Twin, points));
+        SelectPixels(pair.Twin, points), tolerance);
       if (ordered)
       {
         CHECK(SelectArea(pair.Refining, cells, 0, 0, 299, 299) ==
@@ -231,7 +234,8 @@ int TestAdaptiveRefinementMapperSelection(int, char*[])
     Pair pair(
       [&](RelevoScene& s)
       {
-        s.Add(tagged, recipe);
+        // Lines stay where they are, also beside faces that are displaced; the filter's go along.
+        s.Add(tagged, std::string(mesh.Name) == "Mixed" ? curved.Get() : recipe.Get());
         vtkActor* second = s.Add(TexturedSphere(6, 5), recipe);
         second->SetPosition(1, 0.2, 0.1);
         second->GetProperty()->SetPointSize(7);

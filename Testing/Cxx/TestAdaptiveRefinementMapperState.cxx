@@ -12,8 +12,6 @@
 #include "vtkPNTriangleSurface.h"
 #include "vtkSelection.h"
 
-#include <set>
-
 namespace
 {
 using namespace RelevoMeshes;
@@ -161,8 +159,7 @@ int TestAdaptiveRefinementMapperState(int, char*[])
     CHECK(view.DidNothing());
 
     // What is reported.
-    CHECK(view.Mapper->GetNumberOfCoarseFaces() == mesh->GetNumberOfCells());
-    std::set<std::array<int, 3>> patterns;
+    CHECK(view.Mapper->GetNumberOfCoarseFaces() == 12 * 2 * 7); // none flat at the poles
     CHECK(view.Mapper->GetNumberOfUsedPatterns() > 5);
     CHECK(view.Mapper->GetNumberOfDrawCalls() >= view.Mapper->GetNumberOfUsedPatterns());
     CHECK(view.Mapper->GetNumberOfDrawCalls() <= 2 * view.Mapper->GetNumberOfUsedPatterns());
