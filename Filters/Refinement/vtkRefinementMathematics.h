@@ -4,8 +4,8 @@
  * @class   vtkRefinementMathematics
  * @brief   lets C++ compile the GLSL files that the shaders include
  *
- * Include this header, then include a file of glsl/ inside namespace relevo, or inside a class of it
- * that provides what the file asks for. Private to the modules' own sources.
+ * Include this header, then include a file of glsl/ inside namespace relevo, or inside a class of
+ * it that provides what the file asks for. Private to the modules' own sources.
  */
 #ifndef vtkRefinementMathematics_h
 #define vtkRefinementMathematics_h

@@ -10,7 +10,9 @@ void vtkRefinementSurface::ComputeEdgeVectors(
 {
 }
 
-void vtkRefinementSurface::ComputeFacePositions(const float*, const float*[3], float*) {}
+void vtkRefinementSurface::ComputeFacePositions(const float*, const float* [3], float*)
+{
+}
 
 void vtkRefinementSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
