@@ -103,12 +103,37 @@ int TestWatertightEvaluator(int, char*[])
   flat->GetPointData()->SetNormals(normals);
   Mesh split = Explode(Sphere(9, 7));
   PerturbNormals(split, 8, 0.9);
+  // Triangles at random among few places, several points at each: edges with any number of faces,
+  // normals and charts of all kinds.
+  std::mt19937 random(12);
+  std::vector<std::array<double, 3>> places;
+  for (int i = 0; i < 60; ++i)
+  {
+    places.push_back({ { random() % 3 - 1.0, random() % 3 - 1.0, random() % 2 - 0.5 } });
+  }
+  std::vector<Triangle> triangles;
+  for (int i = 0; i < 300; ++i)
+  {
+    Triangle triangle;
+    for (vtkIdType& corner : triangle)
+    {
+      corner = static_cast<vtkIdType>(random() % 60);
+    }
+    triangles.push_back(triangle);
+  }
+  Mesh soup = FromTriangles(places, triangles);
+  vtkNew<vtkFloatArray> soupNormals;
+  soupNormals->SetNumberOfComponents(3);
+  soupNormals->SetNumberOfTuples(60);
+  soupNormals->Fill(0.0);
+  soup->GetPointData()->SetNormals(soupNormals);
+  PerturbNormals(soup, 13, 1.0);
   const double utm[3] = { 412345.678, 5654321.987, 312.5 };
   const std::pair<const char*, Mesh> meshes[] = { { "sphere", Sphere(12, 9) },
     { "textured sphere", TexturedSphere(12, 9) }, { "cube", Cube() }, { "cone", Cone() },
     { "non-manifold", NonManifold() }, { "Moebius strip", Moebius() }, { "split normals", split },
     { "both zeros", flat }, { "negative zeros", NegativeZeros() }, { "slivers", Slivers() },
-    { "projected metres", Moved(split, 2000.0, utm, VTK_DOUBLE) } };
+    { "soup", soup }, { "projected metres", Moved(split, 2000.0, utm, VTK_DOUBLE) } };
 
   for (const auto& mesh : meshes)
   {
