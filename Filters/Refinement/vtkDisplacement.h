@@ -9,8 +9,11 @@
  * vector. Scale and Offset change live: neither buffers nor shaders are rebuilt. Shading normals
  * follow the height gradient.
  *
- * The mesh must have texture coordinates. Where point normals are needed and missing they are
- * computed. At a texture seam both sides take the height of the corner with the lower point id.
+ * With a height map the mesh must have texture coordinates. Where point normals are needed and
+ * missing they are computed. At a texture seam both sides take the height of the corner with the
+ * lower point id. Where normals are split, both sides move along their mean; a mesh with such a
+ * crease is displaced along linearly interpolated normals throughout, also where the surface's own
+ * are quadratic.
  *
  * @sa vtkHeightField vtkHeightMap vtkAdaptiveRefinement
  */
