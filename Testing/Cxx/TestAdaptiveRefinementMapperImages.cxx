@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures that vtkAdaptiveRefinementMapper draws, against baselines that were looked at. The other
+// tests compare with vtkPolyDataMapper; these hold what both have in common. A new picture is
+// written to the folder after -T; copied into Testing/Baseline it becomes the baseline.
+#include "RelevoScene.h"
+#include "RelevoTestMeshes.h"
+
+#include "vtkDisplacement.h"
+#include "vtkDistanceDepthTagMetric.h"
+#include "vtkImageDifference.h"
+#include "vtkPNGReader.h"
+#include "vtkPNTriangleSurface.h"
+#include "vtksys/SystemTools.hxx"
+
+namespace
+{
+using namespace RelevoMeshes;
+
+// Largest difference of two pictures after vtkImageDifference's allowance for shifted and
+// anti-aliased pixels, summed over the picture; VTK's own tests accept 10 to 15.
+constexpr double Threshold = 10.0;
+
+void CompareWithBaseline(RelevoCheck& check, RelevoScene& scene, const std::string& name,
+  const std::string& baselines, const std::string& folder)
+{
+  scene.Window->SetSize(400, 300);
+  scene.Renderer->SetBackground(1, 1, 1);
+  scene.ResetCameras();
+  scene.Renderer->GetActiveCamera()->Zoom(1.5);
+  scene.Render();
+  const std::string drawn = folder + "/" + name + ".png";
+  RelevoPicture(scene.Window).Save(drawn);
+  const std::string baseline = baselines + "." + name + ".png";
+  if (!vtksys::SystemTools::FileExists(baseline))
+  {
+    check.Fail(__FILE__, __LINE__, "no baseline " + baseline + " for " + drawn);
+    return;
+  }
+  vtkNew<vtkPNGReader> actual;
+  actual->SetFileName(drawn.c_str());
+  vtkNew<vtkPNGReader> expected;
+  expected->SetFileName(baseline.c_str());
+  vtkNew<vtkImageDifference> difference;
+  difference->SetInputConnection(actual->GetOutputPort());
+  difference->SetImageConnection(expected->GetOutputPort());
+  difference->Update();
+  std::cout << name << ": error " << difference->GetThresholdedError() << std::endl;
+  if (!(difference->GetThresholdedError() <= Threshold))
+  {
+    check.Fail(__FILE__, __LINE__,
+      drawn + " differs from " + baseline + " by " +
+        std::to_string(difference->GetThresholdedError()));
+  }
+}
+}
+
+int TestAdaptiveRefinementMapperImages(int argc, char* argv[])
+{
+  RelevoCheck check;
+  auto argument = [&](const char* flag, const char* otherwise)
+  {
+    char* text = vtkTestUtilities::GetArgOrEnvOrDefault(flag, argc, argv, "", otherwise);
+    const std::string result = text;
+    delete[] text;
+    return result;
+  };
+  const std::string folder = argument("-T", ".");
+  std::string baselines = argument("-V", "TestAdaptiveRefinementMapperImages.png");
+  baselines = vtksys::SystemTools::GetFilenamePath(baselines) + "/" +
+    vtksys::SystemTools::GetFilenameWithoutLastExtension(baselines);
+  auto compare = [&](const std::string& name, const RelevoComparison::Builder& build)
+  {
+    RelevoScene scene(RelevoScene::Refining);
+    build(scene);
+    CompareWithBaseline(check, scene, name, baselines, folder);
+  };
+
+  vtkNew<vtkPNTriangleSurface> surface;
+  vtkNew<RelevoHeights> waves;
+  waves->Fill(64, 64,
+    [](double u, double v)
+    { return std::sin(6 * vtkMath::Pi() * u) * std::sin(5 * vtkMath::Pi() * v); });
+  vtkNew<RelevoHeights> crater;
+  crater->Fill(80, 80,
+    [](double u, double v)
+    {
+      const double r = std::hypot(u - 0.5, v - 0.5);
+      return std::exp(-80 * (r - 0.25) * (r - 0.25));
+    });
+  crater->Punch([](int x, int y) { return std::hypot(x - 39.5, y - 39.5) < 8; });
+
+  compare("Patterns",
+    [&](RelevoScene& s)
+    {
+      Mesh mesh = Sphere(10, 8);
+      AddTags(mesh, 2, 4);
+      vtkNew<vtkAdaptiveRefinement> recipe;
+      recipe->SetMaximumLevel(4);
+      recipe->SetSurface(surface);
+      vtkProperty* property = s.Add(mesh, recipe)->GetProperty();
+      property->SetColor(0.95, 0.85, 0.6);
+      property->EdgeVisibilityOn();
+    });
+  compare("Curved",
+    [&](RelevoScene& s)
+    {
+      Mesh mesh = Sphere(6, 5);
+      vtkNew<vtkAdaptiveRefinement> recipe;
+      recipe->SetSurface(surface);
+      vtkProperty* property = s.Add(mesh, recipe)->GetProperty();
+      property->SetColor(0.3, 0.6, 0.9);
+      property->SetSpecular(0.8);
+      property->SetSpecularPower(40);
+    });
+  compare("Displaced",
+    [&](RelevoScene& s)
+    {
+      vtkNew<vtkDisplacement> displacement;
+      displacement->SetHeightMap(waves);
+      displacement->SetScale(0.06);
+      vtkNew<vtkAdaptiveRefinement> recipe;
+      recipe->SetMaximumLevel(6);
+      recipe->SetSurface(surface);
+      recipe->SetDisplacement(displacement);
+      s.Add(TexturedSphere(12, 8), recipe)->GetProperty()->SetColor(0.8, 0.5, 0.3);
+    });
+  compare("Hole",
+    [&](RelevoScene& s)
+    {
+      vtkNew<vtkDisplacement> displacement;
+      displacement->SetHeightMap(crater);
+      displacement->SetScale(0.2);
+      vtkNew<vtkAdaptiveRefinement> recipe;
+      recipe->SetMaximumLevel(6);
+      recipe->SetDisplacement(displacement);
+      s.Add(Plane(3, 3), recipe)->GetProperty()->SetColor(0.5, 0.7, 0.4);
+      s.MoveCamera = [](vtkCamera* camera) { camera->Elevation(-50); };
+    });
+  compare("Scalars",
+    [&](RelevoScene& s)
+    {
+      Mesh mesh = Strips();
+      vtkNew<vtkFloatArray> values;
+      for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+      {
+        values->InsertNextValue(static_cast<float>(mesh->GetPoint(i)[2]));
+      }
+      mesh->GetPointData()->SetScalars(values);
+      vtkNew<vtkAdaptiveRefinement> recipe;
+      recipe->SetMaximumLevel(4);
+      recipe->SetSurface(surface);
+      vtkMapper* mapper = s.Add(mesh, recipe)->GetMapper();
+      mapper->SetScalarRange(-0.5, 0.5);
+      mapper->InterpolateScalarsBeforeMappingOn();
+    });
+  compare("Distance",
+    [&](RelevoScene& s)
+    {
+      vtkNew<vtkDistanceDepthTagMetric> metric;
+      metric->SetMaximumDistance(2);
+      vtkNew<vtkAdaptiveRefinement> recipe;
+      recipe->SetMaximumLevel(5);
+      recipe->SetMetric(metric);
+      vtkProperty* property = s.Add(Plane(6, 6), recipe)->GetProperty();
+      property->SetRepresentationToWireframe();
+      property->SetColor(0.1, 0.2, 0.5);
+      property->LightingOff();
+      s.MoveCamera = [](vtkCamera* camera)
+      {
+        camera->Elevation(-60);
+        camera->Dolly(2);
+      };
+    });
+  return check.GetResult();
+}
