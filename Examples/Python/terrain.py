@@ -12,6 +12,7 @@ heightmap, picture = sys.argv[1:]
 
 terrain = relevo.vtkTerrainSource()
 terrain.SetFileName(heightmap)
+terrain.SetExaggeration(5)
 terrain.Update()
 recipe = relevo.vtkAdaptiveRefinement()
 recipe.SetMetric(relevo.vtkDistanceDepthTagMetric())

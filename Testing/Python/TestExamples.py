@@ -63,7 +63,7 @@ class TestExamples(unittest.TestCase):
         shown = readme.split("```python\n")[1].split("```")[0].splitlines()
         self.assertLessEqual(len(shown), 14)
         for line in shown:
-            self.assertIn(line.replace('"rainier.tif"', "heightmap"), example)
+            self.assertIn(line.replace('"olinda.tif"', "heightmap"), example)
 
 
 if __name__ == "__main__":
