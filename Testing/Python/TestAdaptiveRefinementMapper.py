@@ -1,0 +1,137 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The mapper from Python: settings, statistics, errors, a picture."""
+
+import sys
+import unittest
+
+try:
+    import numpy  # noqa: F401  for numpy_support
+except ImportError:
+    print("skipped: no numpy")
+    sys.exit(125)
+
+import relevo
+from vtkmodules.vtkCommonCore import vtkCommand, vtkFloatArray
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkWindowToImageFilter,
+)
+from vtkmodules.util.numpy_support import vtk_to_numpy
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  makes render windows
+
+
+def sphere():
+    source = vtkSphereSource()
+    source.SetThetaResolution(10)
+    source.SetPhiResolution(8)
+    source.Update()
+    return source.GetOutput()
+
+
+class View:
+    """A window with one actor."""
+
+    def __init__(self, mesh):
+        self.recipe = relevo.vtkAdaptiveRefinement()
+        self.mapper = relevo.vtkAdaptiveRefinementMapper()
+        self.mapper.SetInputData(mesh)
+        self.mapper.SetRefinement(self.recipe)
+        self.actor = vtkActor()
+        self.actor.SetMapper(self.mapper)
+        self.renderer = vtkRenderer()
+        self.renderer.AddActor(self.actor)
+        self.window = vtkRenderWindow()
+        self.window.SetOffScreenRendering(True)
+        self.window.SetMultiSamples(0)
+        self.window.SetSize(200, 200)
+        self.window.AddRenderer(self.renderer)
+        self.renderer.ResetCamera()
+
+    def draw(self):
+        """Pixels that are not black."""
+        self.window.Render()
+        grab = vtkWindowToImageFilter()
+        grab.SetInput(self.window)
+        grab.ReadFrontBufferOff()
+        grab.Update()
+        pixels = vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars())
+        return int((pixels.max(axis=1) > 0).sum())
+
+
+class TestAdaptiveRefinementMapper(unittest.TestCase):
+    def test_statistics(self):
+        mesh = sphere()
+        view = View(mesh)
+        self.assertIs(view.mapper.GetRefinement(), view.recipe)
+        view.recipe.SetMaximumLevel(3)
+        self.assertGreater(view.draw(), 1000)
+        mapper = view.mapper
+        self.assertEqual(mapper.GetNumberOfDrawnTriangles(), mesh.GetNumberOfPolys() * 64)
+        self.assertEqual(mapper.GetNumberOfCoarseFaces(), mesh.GetNumberOfPolys())
+        self.assertEqual(mapper.GetNumberOfSelections(), 1)
+        self.assertEqual(mapper.GetNumberOfUsedPatterns(), 1)
+        self.assertIn(mapper.GetNumberOfDrawCalls(), (1, 2))
+        self.assertGreater(mapper.GetGraphicsMemorySize(), 0)
+        view.draw()
+        self.assertEqual(mapper.GetNumberOfSelections(), 1)
+        self.assertIn("NumberOfDrawnTriangles", str(mapper))
+
+    def test_twin(self):
+        mesh = sphere()
+        tags = vtkFloatArray()
+        tags.SetName("DepthTag")
+        for i in range(mesh.GetNumberOfPoints()):
+            tags.InsertNextValue(i * 7919 % 5)
+        mesh.GetPointData().AddArray(tags)
+        view = View(mesh)
+        view.recipe.SetSurface(relevo.vtkPNTriangleSurface())
+        view.draw()
+        twin = relevo.vtkAdaptiveRefinementFilter()
+        twin.SetInputData(mesh)
+        twin.SetRefinement(view.recipe)
+        twin.Update()
+        self.assertEqual(
+            view.mapper.GetNumberOfDrawnTriangles(), twin.GetOutput().GetNumberOfPolys()
+        )
+        for ours, theirs in zip(view.mapper.GetBounds(), twin.GetOutput().GetBounds()):
+            self.assertGreaterEqual(abs(ours), abs(theirs) - 1e-6)
+            self.assertLess(abs(ours), abs(theirs) * 1.1)
+
+    def test_bounds_follow_offset(self):
+        plane = vtkPlaneSource()
+        plane.Update()
+        view = View(plane.GetOutput())
+        displacement = relevo.vtkDisplacement()
+        view.recipe.SetDisplacement(displacement)
+        displacement.SetOffset(2)
+        self.assertEqual(
+            [round(x, 5) for x in view.mapper.GetBounds()], [-0.5, 0.5, -0.5, 0.5, 2, 2]
+        )
+
+    def test_errors(self):
+        view = View(sphere())
+        messages = []
+
+        def note(caller, event, text):
+            messages.append(text)
+
+        note.CallDataType = "string0"
+        view.mapper.AddObserver(vtkCommand.ErrorEvent, note)
+        view.mapper.SetRefinement(None)
+        self.assertEqual(view.draw(), 0)
+        self.assertEqual(view.draw(), 0)
+        self.assertEqual(len(messages), 1)
+        self.assertIn("No recipe", messages[0])
+        self.assertEqual(view.mapper.GetNumberOfDrawnTriangles(), 0)
+
+    def test_documentation(self):
+        text = " ".join(relevo.vtkAdaptiveRefinementMapper.__doc__.split())
+        self.assertIn("refines every frame on the GPU", text)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["TestAdaptiveRefinementMapper"])
