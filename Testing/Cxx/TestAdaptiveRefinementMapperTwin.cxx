@@ -12,6 +12,7 @@
 #include "vtkLookupTable.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPlane.h"
 #include "vtkTexture.h"
 
 namespace
@@ -145,6 +146,23 @@ int TestAdaptiveRefinementMapperTwin(int argc, char* argv[])
         vtkNew<vtkProperty> back;
         back->SetColor(1, 0, 0);
         s.Add(Tagged(Moebius(), 4), MakeRecipe(4, surface.Surface))->SetBackfaceProperty(back);
+      });
+    compare(name + ".Edges",
+      [&](RelevoScene& s)
+      {
+        vtkProperty* property =
+          s.Add(Tagged(Sphere(9, 7), 3), MakeRecipe(3, surface.Surface))->GetProperty();
+        property->EdgeVisibilityOn();
+        property->SetLineWidth(2);
+      });
+    compare(name + ".ClippingPlane",
+      [&](RelevoScene& s)
+      {
+        vtkNew<vtkPlane> plane;
+        plane->SetNormal(1, 0.3, 0.2);
+        s.Add(Tagged(Sphere(9, 7), 4), MakeRecipe(4, surface.Surface))
+          ->GetMapper()
+          ->AddClippingPlane(plane);
       });
     compare(name + ".Points",
       [&](RelevoScene& s)
