@@ -68,8 +68,11 @@ void RunMemory(const BenchmarkOptions& options, const AddTable& addTable)
     const std::string triangles = std::to_string(size.Triangles);
     const auto a = RunInOwnProcess({ "memory", "static", faces, triangles });
     const auto b = RunInOwnProcess({ "memory", "refined", faces, triangles });
-    table.AddRow({ size.Faces, size.Triangles, 1e-6 * a.at(0), 1e-6 * b.at(0),
-      100.0 * b.at(0) / a.at(0), 1e-6 * a.at(1), 1e-6 * b.at(1) });
+    if (a.size() == 2 && b.size() == 2)
+    {
+      table.AddRow({ size.Faces, size.Triangles, 1e-6 * a[0], 1e-6 * b[0], 100.0 * b[0] / a[0],
+        1e-6 * a[1], 1e-6 * b[1] });
+    }
   }
   table.AddNote("Growth after two frames over a process with an empty window and the coarse mesh, "
                 "each way in a process "

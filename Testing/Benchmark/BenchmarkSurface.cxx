@@ -26,7 +26,7 @@ namespace
 constexpr double Width = 4.0;
 constexpr double Height = 3.0;
 constexpr double LevelSwing = 1.5; // over the whole surface
-constexpr double LevelNoise = 0.8; // from point to point
+constexpr double LevelNoise = 2.0; // from point to point
 
 struct Wave
 {

@@ -28,9 +28,11 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <unistd.h> // for getpid
 
 namespace
 {
@@ -110,7 +112,8 @@ Pictures Draw(BenchmarkView& view, vtkMapper* mapper, const Stopwatch& stopwatch
   view.TimeFrame();
   const double first = stopwatch.GetSeconds();
   std::vector<double> frames;
-  for (int frame = 0; frame < 5; ++frame)
+  const Stopwatch limit;
+  while (frames.size() < 2 || (frames.size() < 7 && limit.GetSeconds() < 5.0))
   {
     view.MoveCamera();
     frames.push_back(view.TimeFrame());
@@ -163,6 +166,10 @@ std::vector<double> MeasureRelevo(const std::string& fileName, bool allTexels)
   source->SetFileName(fileName.c_str());
   source->SetExaggeration(HeightScale);
   source->Update();
+  if (source->GetOutput()->GetNumberOfCells() == 0)
+  {
+    return {};
+  }
   int size[2];
   source->GetHeightMap()->GetDimensions(size);
   const int texels = std::max(size[0], size[1]);
@@ -206,7 +213,9 @@ void RunTerrain(const BenchmarkOptions& options, const AddTable& addTable)
   const int size = options.Quick ? 64 : 4096;
   if (isMade)
   {
-    fileName = "relevo-benchmark-" + std::to_string(size) + ".tif";
+    fileName = (std::filesystem::temp_directory_path() /
+      ("relevo-benchmark-" + std::to_string(getpid()) + ".tif"))
+                 .string();
     WriteHeightMap(fileName, size);
   }
   BenchmarkTable table("dem", "A height map as terrain, each way from the file to the picture",

@@ -160,6 +160,12 @@ int main(int argc, char* argv[])
     }
   }
 
+  if (!options.HeightMap.empty() && !std::ifstream(options.HeightMap))
+  {
+    std::cerr << "relevo-benchmark: error: cannot read " << options.HeightMap << std::endl;
+    return EXIT_FAILURE;
+  }
+
   BenchmarkReport report;
   report.AddFact("OpenGL renderer", BenchmarkView().GetOpenGLRenderer());
   report.AddFact("VTK", vtkVersion::GetVTKVersion());
