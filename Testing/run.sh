@@ -17,7 +17,7 @@ data=()
 if [ -n "${RELEVO_TEST_DATA:-}" ]; then
   data=("-DRELEVO_TEST_DATA=$(cd "$RELEVO_TEST_DATA" && pwd)")
 fi
-bash "$source_dir/Module/build.sh" --testing -DRELEVO_WERROR=ON "${data[@]}"
+bash "$source_dir/Module/build.sh" --testing --benchmark -DRELEVO_WERROR=ON "${data[@]}"
 
 # One X server for all: windows that open and close in one process want -noreset.
 display=()
