@@ -8,7 +8,8 @@
  * accuracy, as a vtkPolyData that can be saved, measured and filtered further.
  *
  * Input: a vtkPolyData with polygons of any size and triangle strips; polygons are cut into fans as
- * VTK's mappers do. Vertices and lines pass through. Triangles with two corners at one place or
+ * VTK's mappers do. Vertices and lines pass through and stay where they are: where the displacement
+ * moves a face's points, they get points of their own. Triangles with two corners at one place or
  * with non-finite coordinates are dropped, with their count in a warning.
  *
  * Output: triangles that wind as their coarse cell does and share points as the input's cells do;

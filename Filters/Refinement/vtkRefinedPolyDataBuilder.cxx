@@ -78,6 +78,11 @@ bool RefinedPolyDataBuilder::Build(vtkPolyData* output)
   {
     this->NumberUsedPoints();
   }
+  if (this->Recipe->GetDisplacement() &&
+    this->Input->GetNumberOfVerts() + this->Input->GetNumberOfLines() > 0)
+  {
+    this->SeparateOtherCells();
+  }
   if (!this->BuildPoints(output))
   {
     return false;
@@ -158,8 +163,14 @@ void RefinedPolyDataBuilder::NumberUsedPoints()
   {
     this->NewIds[static_cast<size_t>(ids[i])] = 0;
   }
-  MarkPoints(this->Input->GetVerts(), this->NewIds);
-  MarkPoints(this->Input->GetLines(), this->NewIds);
+  const std::vector<vtkIdType> marks = this->MarkPointsOfOtherCells();
+  for (size_t i = 0; i < marks.size(); ++i)
+  {
+    if (marks[i] == 0 && !this->Topology.IsCorner(static_cast<vtkIdType>(i)))
+    {
+      this->NewIds[i] = 0;
+    }
+  }
   this->NumberOfPoints = 0;
   for (vtkIdType& id : this->NewIds)
   {
@@ -168,6 +179,28 @@ void RefinedPolyDataBuilder::NumberUsedPoints()
   for (vtkIdType i = 0; i < numberOfIds; ++i)
   {
     ids[i] = this->GetNewId(ids[i]);
+  }
+}
+
+std::vector<vtkIdType> RefinedPolyDataBuilder::MarkPointsOfOtherCells() const
+{
+  std::vector<vtkIdType> marks(static_cast<size_t>(this->Input->GetNumberOfPoints()), -1);
+  MarkPoints(this->Input->GetVerts(), marks);
+  MarkPoints(this->Input->GetLines(), marks);
+  return marks;
+}
+
+void RefinedPolyDataBuilder::SeparateOtherCells()
+{
+  this->IdsOfOtherCells = this->MarkPointsOfOtherCells();
+  for (size_t i = 0; i < this->IdsOfOtherCells.size(); ++i)
+  {
+    const vtkIdType point = static_cast<vtkIdType>(i);
+    if (this->IdsOfOtherCells[i] == 0)
+    {
+      this->IdsOfOtherCells[i] =
+        this->Topology.IsCorner(point) ? this->NumberOfPoints++ : this->GetNewId(point);
+    }
   }
 }
 
@@ -273,13 +306,15 @@ void RefinedPolyDataBuilder::BuildFacePoints(
   data.Interpolate(corners, points);
 }
 
-// Points of no face: those of vertices and lines, and unused ones.
+// Points that no face moves: those of vertices and lines, and unused ones.
 void RefinedPolyDataBuilder::BuildOtherPoints(const PointDataInterpolation& data)
 {
   for (vtkIdType i = 0; i < this->Input->GetNumberOfPoints(); ++i)
   {
-    const vtkIdType id = this->GetNewId(i);
-    if (this->Topology.IsCorner(i) || id < 0)
+    const vtkIdType id = this->Topology.IsCorner(i)
+      ? (this->IdsOfOtherCells.empty() ? -1 : this->IdsOfOtherCells[static_cast<size_t>(i)])
+      : this->GetNewId(i);
+    if (id < 0)
     {
       continue;
     }
@@ -305,7 +340,9 @@ void RefinedPolyDataBuilder::CopyCells(vtkCellArray* from, vtkCellArray* to) con
     to->InsertNextCell(static_cast<int>(size));
     for (vtkIdType i = 0; i < size; ++i)
     {
-      to->InsertCellPoint(this->GetNewId(ids[i]));
+      to->InsertCellPoint(this->IdsOfOtherCells.empty()
+          ? this->GetNewId(ids[i])
+          : this->IdsOfOtherCells[static_cast<size_t>(ids[i])]);
     }
   }
 }

@@ -57,6 +57,10 @@ private:
   bool CountTriangles();
   bool BuildTriangles();
   void NumberUsedPoints();
+  /// 0 for each of the input's points that a vertex or a line uses, else -1.
+  std::vector<vtkIdType> MarkPointsOfOtherCells() const;
+  /// Give vertices and lines points of their own where the displacement moves a face's.
+  void SeparateOtherCells();
   bool BuildPoints(vtkPolyData* output);
   void BuildFacePoints(
     int face, std::vector<RefinedPoint>& points, const PointDataInterpolation& data);
@@ -87,6 +91,8 @@ private:
   std::vector<std::vector<unsigned char>> Holes;
   /// Ids of points in the output, -1 where left out; empty when all keep theirs.
   std::vector<vtkIdType> NewIds;
+  /// Ids in the output of the points of vertices and lines; empty when they share the faces'.
+  std::vector<vtkIdType> IdsOfOtherCells;
   vtkIdType NumberOfPoints = 0;
 
   vtkNew<vtkIdTypeArray> Connectivity;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRefinementMeshBuffers.h"
 
+#include "vtkRelevoOpenGL.h"
+
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDisplacement.h"
 #include "vtkHeightField.h"
@@ -147,7 +149,8 @@ bool RefinementMeshBuffers::UploadHeights(
   {
     heights->GetDimensions(size);
   }
-  const int most = vtkTextureObject::GetMaximumTextureSize(window);
+  GLint most = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
   if (size[0] > most || size[1] > most)
   {
     this->Error = "the height map has " + std::to_string(size[0]) + " x " +

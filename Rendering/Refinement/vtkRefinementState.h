@@ -46,13 +46,13 @@ public:
    */
   void GetBounds(vtkPolyData* input, vtkAdaptiveRefinement* recipe, double bounds[6]);
 
-  ///@{
+  //@{
   /**
    * What the last update had to say, once; empty for nothing.
    */
   std::string TakeError();
   std::string TakeWarning();
-  ///@}
+  //@}
 
   const RefinementMesh& GetMesh() const { return this->Mesh; }
   bool IsMeshValid() const { return this->MeshValid; }

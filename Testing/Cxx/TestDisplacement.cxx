@@ -255,6 +255,44 @@ void testSplitNormals(RelevoCheck& check)
   Mesh other = refine(withVertex, recipe);
   CHECK(vtkMath::Distance2BetweenPoints(other->GetPoint(0), refined->GetPoint(0)) < 1e-12);
 }
+
+// Vertices and lines stay where they are, also where they share points with faces that move.
+void testOtherCells(RelevoCheck& check)
+{
+  Mesh mesh = Mixed();
+  vtkNew<vtkAdaptiveRefinement> recipe;
+  recipe->SetMaximumLevel(2);
+  vtkNew<vtkDisplacement> displacement;
+  displacement->SetOffset(0.25);
+  recipe->SetDisplacement(displacement);
+  Mesh refined = refine(mesh, recipe);
+  const vtkIdType numberOfOthers = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
+  CHECK(numberOfOthers > 0 && refined->GetNumberOfCells() > numberOfOthers);
+  int sharedPoints = 0;
+  for (vtkIdType cell = 0; cell < numberOfOthers; ++cell)
+  {
+    vtkNew<vtkIdList> before;
+    vtkNew<vtkIdList> after;
+    mesh->GetCellPoints(cell, before);
+    refined->GetCellPoints(cell, after);
+    CHECK(before->GetNumberOfIds() == after->GetNumberOfIds());
+    for (vtkIdType i = 0; i < before->GetNumberOfIds(); ++i)
+    {
+      double expected[3];
+      double found[3];
+      mesh->GetPoint(before->GetId(i), expected);
+      refined->GetPoint(after->GetId(i), found);
+      CHECK(std::equal(expected, expected + 3, found));
+      sharedPoints += before->GetId(i) != after->GetId(i);
+    }
+  }
+  CHECK(sharedPoints > 0);
+  double bounds[6];
+  mesh->GetBounds(bounds);
+  double moved[6];
+  refined->GetBounds(moved);
+  CHECK(!std::equal(bounds, bounds + 6, moved));
+}
 }
 
 int TestDisplacement(int, char*[])
@@ -265,6 +303,7 @@ int TestDisplacement(int, char*[])
   testSeam(check);
   testRoundedNormals(check);
   testSplitNormals(check);
+  testOtherCells(check);
   vtkNew<vtkDisplacement> displacement;
   displacement->Print(std::cout);
   return check.GetResult();
