@@ -150,4 +150,4 @@ class TestAdaptiveRefinement(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    unittest.main(argv=["TestAdaptiveRefinement"])
