@@ -14,6 +14,8 @@
  * drawn. Polygons are cut into fans; vertices and lines are drawn as they are. Scalars and
  * texture coordinates are interpolated over the refined surface, and coloured as
  * InterpolateScalarsBeforeMapping says. Hardware selection returns the input's cells and points.
+ * Where vertices are visible (vtkProperty), one shared by several faces is drawn for each of them:
+ * translucent ones look denser than vtkPolyDataMapper's.
  *
  * Levels are evaluated again only when the mesh, the recipe or, for view-dependent metrics, the
  * camera, the actor's matrix or the viewport changed. The displacement's scale, offset and

@@ -86,6 +86,8 @@ int TestAdaptiveRefinementMapperLife(int argc, char* argv[])
         [](RelevoScene& s)
         {
           GetProperty(s)->EdgeVisibilityOff();
+          // Up to VTK 9.4 no edges means no vertices either.
+          GetProperty(s)->VertexVisibilityOff();
           GetProperty(s)->SetInterpolationToFlat();
         } },
       { "Gouraud", [](RelevoScene& s) { GetProperty(s)->SetInterpolationToGouraud(); } },
