@@ -2,20 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCurvatureDepthTagMetric.h"
 
-#include "vtkCellArray.h"
 #include "vtkDiscreteCurvature.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkObjectFactory.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRefinementMathematics.h"
 #include "vtkSMPTools.h"
+#include "vtkSurfaceTriangles.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 
 namespace relevo
 {
@@ -26,27 +23,16 @@ namespace
 {
 constexpr double AutomaticQuantile = 0.95;
 constexpr double FlatAngle = 1e-3; // radians
-
-// Identifies the geometry that curvatures were computed from. Modification times are unique among
-// all objects, so a new object at an old address is not mistaken for the old one.
-using Stamp = std::array<std::pair<const void*, vtkMTimeType>, 3>;
-
-Stamp MakeStamp(vtkPolyData* mesh)
-{
-  const auto of = [](vtkObject* object)
-  { return std::pair<const void*, vtkMTimeType>(object, object ? object->GetMTime() : 0); };
-  return { of(mesh->GetPoints()), of(mesh->GetPolys()), of(mesh->GetStrips()) };
-}
 }
 
 struct vtkCurvatureDepthTagMetric::vtkInternals
 {
-  Stamp Of{};
+  relevo::GeometryStamp Of{};
   relevo::DiscreteCurvature Curvature;
 
   const relevo::DiscreteCurvature& Update(vtkPolyData* mesh)
   {
-    const Stamp stamp = MakeStamp(mesh);
+    const relevo::GeometryStamp stamp = relevo::MakeGeometryStamp(mesh);
     if (this->Of != stamp)
     {
       this->Curvature = relevo::ComputeDiscreteCurvature(mesh);

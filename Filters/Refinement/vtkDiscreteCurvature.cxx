@@ -2,25 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDiscreteCurvature.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkMath.h"
-#include "vtkPointPlaces.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRefinementMathematics.h"
 #include "vtkSMPTools.h"
-#include "vtkSmartPointer.h"
+#include "vtkSurfaceTriangles.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace
 {
 using glm::dvec3;
-
-using Triangle = std::array<vtkIdType, 3>;
 
 enum class Ring : unsigned char
 {
@@ -74,143 +67,9 @@ struct Corner
   }
 };
 
-// The triangles of a mesh between places, and which of them meet at each place.
-class Surface
-{
-public:
-  explicit Surface(vtkPolyData* mesh)
-    : Points(mesh->GetPoints())
-    , Places(relevo::ComputePlaces(mesh->GetPoints()))
-    , NumberOfPoints(mesh->GetNumberOfPoints())
-  {
-    this->AddPolygons(mesh->GetPolys());
-    this->AddStrips(mesh->GetStrips());
-
-    this->Starts.assign(this->NumberOfPoints + 1, 0);
-    for (const Triangle& triangle : this->Triangles)
-    {
-      for (vtkIdType point : triangle)
-      {
-        ++this->Starts[point + 1];
-      }
-    }
-    for (vtkIdType point = 0; point < this->NumberOfPoints; ++point)
-    {
-      this->Starts[point + 1] += this->Starts[point];
-    }
-    this->Uses.resize(3 * this->Triangles.size());
-    std::vector<vtkIdType> next(this->Starts.begin(), this->Starts.end() - 1);
-    for (std::size_t t = 0; t < this->Triangles.size(); ++t)
-    {
-      for (int corner = 0; corner < 3; ++corner)
-      {
-        this->Uses[next[this->Triangles[t][corner]]++] = 3 * static_cast<vtkIdType>(t) + corner;
-      }
-    }
-  }
-
-  vtkIdType GetPlace(vtkIdType point) const
-  {
-    return this->Places.empty() ? point : this->Places[point];
-  }
-
-  dvec3 GetPoint(vtkIdType point) const
-  {
-    dvec3 x;
-    this->Points->GetPoint(point, &x[0]);
-    return x;
-  }
-
-  vtkIdType GetNumberOfTriangles(vtkIdType place) const
-  {
-    return this->Starts[place + 1] - this->Starts[place];
-  }
-
-  // Calls f(p, q) for every triangle (place, p, q).
-  template <typename Function>
-  void ForEachTriangle(vtkIdType place, Function&& f) const
-  {
-    for (vtkIdType i = this->Starts[place]; i < this->Starts[place + 1]; ++i)
-    {
-      const Triangle& triangle = this->Triangles[this->Uses[i] / 3];
-      const int corner = static_cast<int>(this->Uses[i] % 3);
-      f(triangle[(corner + 1) % 3], triangle[(corner + 2) % 3]);
-    }
-  }
-
-private:
-  void AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
-  {
-    Triangle triangle{ a, b, c };
-    for (vtkIdType& point : triangle)
-    {
-      if (point < 0 || point >= this->NumberOfPoints)
-      {
-        return;
-      }
-      const dvec3 x = this->GetPoint(point);
-      if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
-      {
-        return;
-      }
-      point = this->GetPlace(point);
-    }
-    if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0])
-    {
-      this->Triangles.push_back(triangle);
-    }
-  }
-
-  // Calls f(size, points) for every cell.
-  template <typename Function>
-  static void ForEachCell(vtkCellArray* cells, Function&& f)
-  {
-    auto cell = vtk::TakeSmartPointer(cells->NewIterator());
-    for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
-    {
-      vtkIdType size;
-      const vtkIdType* points;
-      cell->GetCurrentCell(size, points);
-      f(size, points);
-    }
-  }
-
-  void AddPolygons(vtkCellArray* polygons)
-  {
-    this->Triangles.reserve(polygons->GetNumberOfCells());
-    ForEachCell(polygons,
-      [this](vtkIdType size, const vtkIdType* points)
-      {
-        for (vtkIdType i = 1; i + 1 < size; ++i)
-        {
-          this->AddTriangle(points[0], points[i], points[i + 1]);
-        }
-      });
-  }
-
-  void AddStrips(vtkCellArray* strips)
-  {
-    ForEachCell(strips,
-      [this](vtkIdType size, const vtkIdType* points)
-      {
-        for (vtkIdType i = 0; i + 2 < size; ++i)
-        {
-          const vtkIdType odd = i % 2;
-          this->AddTriangle(points[i], points[i + 1 + odd], points[i + 2 - odd]);
-        }
-      });
-  }
-
-  vtkPoints* Points;
-  std::vector<vtkIdType> Places;
-  vtkIdType NumberOfPoints;
-  std::vector<Triangle> Triangles;
-  std::vector<vtkIdType> Starts; // into Uses, per place
-  std::vector<vtkIdType> Uses;   // 3 * triangle + corner
-};
-
 // Whether every edge at the place has exactly two triangles. `neighbours` is scratch space.
-bool HasClosedRing(const Surface& surface, vtkIdType place, std::vector<vtkIdType>& neighbours)
+bool HasClosedRing(
+  const relevo::SurfaceTriangles& surface, vtkIdType place, std::vector<vtkIdType>& neighbours)
 {
   neighbours.clear();
   surface.ForEachTriangle(place,
@@ -250,7 +109,7 @@ DiscreteCurvature ComputeDiscreteCurvature(vtkPolyData* mesh)
   {
     return curvature;
   }
-  const Surface surface(mesh);
+  const SurfaceTriangles surface(mesh);
 
   std::vector<Ring> rings(n, Ring::None);
   std::vector<double> areas(n, 0.0);

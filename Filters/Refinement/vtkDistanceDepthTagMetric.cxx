@@ -4,15 +4,13 @@
 
 #include "vtkCamera.h"
 #include "vtkFloatArray.h"
-#include "vtkMath.h"
-#include "vtkMatrix4x4.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRefinementMathematics.h"
 #include "vtkRefinementView.h"
 #include "vtkSMPTools.h"
+#include "vtkWorldView.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,25 +25,6 @@ namespace
 // In units of the bounding box's diagonal; a camera that shows a whole mesh (vtkRenderer's
 // ResetCamera) is about two of them away.
 constexpr double AutomaticDistance = 3.0;
-
-// The diagonal of the mesh's own bounding box after the matrix: unlike that of the world's box it
-// stays the same when the actor turns. Coordinates that are not finite do not count.
-double WorldDiagonal(vtkPolyData* mesh, vtkMatrix4x4* modelToWorld)
-{
-  double squared = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    double range[2];
-    mesh->GetPoints()->GetData()->GetFiniteRange(range, axis);
-    const double side = std::max(range[1] - range[0], 0.0);
-    for (int row = 0; row < 3; ++row)
-    {
-      const double component = side * modelToWorld->GetElement(row, axis);
-      squared += component * component;
-    }
-  }
-  return std::sqrt(squared);
-}
 }
 
 vtkStandardNewMacro(vtkDistanceDepthTagMetric);
@@ -77,8 +56,8 @@ bool vtkDistanceDepthTagMetric::ComputeTags(
     vtkErrorMacro("There is no camera to measure distances from.");
     return false;
   }
-  double camera[3];
-  view.Camera->GetPosition(camera);
+  glm::dvec3 camera;
+  view.Camera->GetPosition(&camera[0]);
   if (!std::isfinite(camera[0] + camera[1] + camera[2]))
   {
     vtkErrorMacro("The camera's position (" << camera[0] << ", " << camera[1] << ", " << camera[2]
@@ -94,11 +73,10 @@ bool vtkDistanceDepthTagMetric::ComputeTags(
     return true;
   }
 
-  vtkNew<vtkMatrix4x4> identity;
-  vtkMatrix4x4* modelToWorld = view.ModelToWorld ? view.ModelToWorld : identity.Get();
+  const relevo::Placement placement(view);
   const double farthest = this->MaximumDistance > 0.0
     ? this->MaximumDistance
-    : AutomaticDistance * WorldDiagonal(mesh, modelToWorld);
+    : AutomaticDistance * placement.GetDiagonal(mesh);
   const float farthestFloat = static_cast<float>(std::min<double>(farthest, VTK_FLOAT_MAX));
   vtkPoints* points = mesh->GetPoints();
   float* levels = tags->GetPointer(0);
@@ -107,10 +85,9 @@ bool vtkDistanceDepthTagMetric::ComputeTags(
     {
       for (vtkIdType id = begin; id < end; ++id)
       {
-        double point[4] = { 0.0, 0.0, 0.0, 1.0 };
-        points->GetPoint(id, point);
-        modelToWorld->MultiplyPoint(point, point);
-        const double x = std::sqrt(vtkMath::Distance2BetweenPoints(point, camera));
+        glm::dvec3 point;
+        points->GetPoint(id, &point[0]);
+        const double x = glm::distance(placement.GetPoint(point), camera);
         levels[id] = relevo::distanceLevel(
           static_cast<float>(std::min<double>(x, VTK_FLOAT_MAX)), farthestFloat, maximumLevel);
       }

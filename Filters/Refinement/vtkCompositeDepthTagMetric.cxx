@@ -1,0 +1,242 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCompositeDepthTagMetric.h"
+
+#include "vtkFloatArray.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkRefinementMathematics.h"
+#include "vtkRefinementView.h"
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
+#include "vtkWorldView.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace relevo
+{
+#include "glsl/relevoMetrics.glsl"
+}
+
+namespace
+{
+constexpr double LargestWeight = 1e6;
+
+// What the tags of a metric that does not depend on the view were computed from.
+struct Source
+{
+  vtkMTimeType MetricTime = 0;
+  vtkPolyData* Mesh = nullptr;
+  vtkMTimeType MeshTime = 0;
+  int MaximumLevel = 0;
+  glm::dmat4 ModelToWorld{ 1.0 };
+
+  bool operator==(const Source& other) const
+  {
+    return this->MetricTime == other.MetricTime && this->Mesh == other.Mesh &&
+      this->MeshTime == other.MeshTime && this->MaximumLevel == other.MaximumLevel &&
+      this->ModelToWorld == other.ModelToWorld;
+  }
+};
+
+struct Part
+{
+  vtkSmartPointer<vtkDepthTagMetric> Metric;
+  double Weight = 1.0;
+  vtkSmartPointer<vtkFloatArray> Tags = vtkSmartPointer<vtkFloatArray>::New();
+  Source Of{};
+  bool Valid = false;
+
+  bool Update(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel)
+  {
+    const Source source{ this->Metric->GetMTime(), mesh, mesh->GetMTime(), maximumLevel,
+      relevo::MakeMatrix(view.ModelToWorld) };
+    if (!this->Valid || this->Metric->IsViewDependent() || !(source == this->Of))
+    {
+      this->Valid = this->Metric->ComputeTags(mesh, view, maximumLevel, this->Tags) &&
+        this->Tags->GetNumberOfValues() == mesh->GetNumberOfPoints();
+      this->Of = source;
+    }
+    return this->Valid;
+  }
+};
+
+using Combination = float (*)(float, float, float, int);
+
+Combination GetCombination(int mode)
+{
+  switch (mode)
+  {
+    case vtkCompositeDepthTagMetric::SUM:
+      return relevo::summedLevel;
+    case vtkCompositeDepthTagMetric::PRODUCT:
+      return relevo::multipliedLevel;
+    default:
+      return relevo::largestLevel;
+  }
+}
+}
+
+struct vtkCompositeDepthTagMetric::vtkInternals
+{
+  std::vector<Part> Parts;
+};
+
+vtkStandardNewMacro(vtkCompositeDepthTagMetric);
+
+vtkCompositeDepthTagMetric::vtkCompositeDepthTagMetric()
+  : Internals(new vtkInternals)
+{
+}
+
+vtkCompositeDepthTagMetric::~vtkCompositeDepthTagMetric() = default;
+
+void vtkCompositeDepthTagMetric::SetMode(int mode)
+{
+  if (mode < MAXIMUM || mode > PRODUCT)
+  {
+    vtkErrorMacro("Mode " << mode << " is none of MAXIMUM (0), SUM (1) and PRODUCT (2).");
+    return;
+  }
+  if (this->Mode != mode)
+  {
+    this->Mode = mode;
+    this->Modified();
+  }
+}
+
+const char* vtkCompositeDepthTagMetric::GetModeAsString()
+{
+  return this->Mode == SUM ? "Sum" : this->Mode == PRODUCT ? "Product" : "Maximum";
+}
+
+void vtkCompositeDepthTagMetric::AddMetric(vtkDepthTagMetric* metric, double weight)
+{
+  if (!metric)
+  {
+    vtkErrorMacro("There is no metric to add.");
+    return;
+  }
+  if (!(weight >= 0.0 && weight <= LargestWeight))
+  {
+    vtkErrorMacro("Weight " << weight << " is outside [0, " << LargestWeight << "].");
+    return;
+  }
+  auto* composite = vtkCompositeDepthTagMetric::SafeDownCast(metric);
+  if (composite && (composite == this || composite->Contains(this)))
+  {
+    vtkErrorMacro("The metric cannot be added: it would contain itself.");
+    return;
+  }
+  Part part;
+  part.Metric = metric;
+  part.Weight = weight;
+  this->Internals->Parts.push_back(part);
+  this->Modified();
+}
+
+bool vtkCompositeDepthTagMetric::Contains(vtkDepthTagMetric* metric)
+{
+  return std::any_of(this->Internals->Parts.begin(), this->Internals->Parts.end(),
+    [metric](const Part& part)
+    {
+      auto* composite = vtkCompositeDepthTagMetric::SafeDownCast(part.Metric);
+      return part.Metric == metric || (composite && composite->Contains(metric));
+    });
+}
+
+void vtkCompositeDepthTagMetric::RemoveAllMetrics()
+{
+  if (!this->Internals->Parts.empty())
+  {
+    this->Internals->Parts.clear();
+    this->Modified();
+  }
+}
+
+int vtkCompositeDepthTagMetric::GetNumberOfMetrics()
+{
+  return static_cast<int>(this->Internals->Parts.size());
+}
+
+vtkDepthTagMetric* vtkCompositeDepthTagMetric::GetMetric(int index)
+{
+  return index >= 0 && index < this->GetNumberOfMetrics()
+    ? this->Internals->Parts[index].Metric.Get()
+    : nullptr;
+}
+
+double vtkCompositeDepthTagMetric::GetWeight(int index)
+{
+  return index >= 0 && index < this->GetNumberOfMetrics() ? this->Internals->Parts[index].Weight
+                                                          : 0.0;
+}
+
+vtkMTimeType vtkCompositeDepthTagMetric::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  for (const Part& part : this->Internals->Parts)
+  {
+    time = std::max(time, part.Metric->GetMTime());
+  }
+  return time;
+}
+
+bool vtkCompositeDepthTagMetric::IsViewDependent()
+{
+  return std::any_of(this->Internals->Parts.begin(), this->Internals->Parts.end(),
+    [](const Part& part) { return part.Metric->IsViewDependent(); });
+}
+
+bool vtkCompositeDepthTagMetric::ComputeTags(
+  vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel, vtkFloatArray* tags)
+{
+  std::vector<Part>& parts = this->Internals->Parts;
+  if (parts.empty())
+  {
+    vtkErrorMacro("There are no metrics to combine: call AddMetric.");
+    return false;
+  }
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    if (!parts[i].Update(mesh, view, maximumLevel))
+    {
+      vtkErrorMacro("Metric " << i << ", a " << parts[i].Metric->GetClassName()
+                              << ", gave no tags for this mesh and view: see its own error.");
+      return false;
+    }
+  }
+
+  const Combination combine = GetCombination(this->Mode);
+  const float start = this->Mode == PRODUCT ? static_cast<float>(maximumLevel) : 0.0f;
+  tags->SetNumberOfComponents(1);
+  tags->SetNumberOfTuples(mesh->GetNumberOfPoints());
+  vtkSMPTools::For(0, mesh->GetNumberOfPoints(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType point = begin; point < end; ++point)
+      {
+        float level = start;
+        for (const Part& part : parts)
+        {
+          level = combine(
+            level, part.Tags->GetValue(point), static_cast<float>(part.Weight), maximumLevel);
+        }
+        tags->SetValue(point, level);
+      }
+    });
+  tags->Modified();
+  return true;
+}
+
+void vtkCompositeDepthTagMetric::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Mode: " << this->GetModeAsString() << "\n";
+  os << indent << "NumberOfMetrics: " << this->GetNumberOfMetrics() << "\n";
+  for (const Part& part : this->Internals->Parts)
+  {
+    os << indent << "Metric: " << part.Metric.Get() << ", weight " << part.Weight << "\n";
+  }
+}

@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFieldVariationDepthTagMetric.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRefinementMathematics.h"
+#include "vtkSMPTools.h"
+#include "vtkSurfaceEdges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace relevo
+{
+#include "glsl/relevoMetrics.glsl"
+}
+
+namespace
+{
+constexpr double AutomaticQuantile = 0.95;
+constexpr double LeastAutomaticMaximum = 1e-6;
+constexpr double ShortestDirection = 1e-6; // of the longest vector
+
+// The tuples of an array as doubles, and how much two of them differ.
+class Field
+{
+public:
+  explicit Field(vtkDataArray* array)
+    : NumberOfComponents(array->GetNumberOfComponents())
+    , Values(static_cast<std::size_t>(array->GetNumberOfValues()))
+    , Lengths(static_cast<std::size_t>(array->GetNumberOfTuples()))
+  {
+    const bool scalar = this->NumberOfComponents == 1;
+    double lowest = VTK_DOUBLE_MAX;
+    double highest = -VTK_DOUBLE_MAX;
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      double* tuple = this->Values.data() + i * this->NumberOfComponents;
+      array->GetTuple(i, tuple);
+      double squared = 0.0;
+      for (int c = 0; c < this->NumberOfComponents; ++c)
+      {
+        squared += tuple[c] * tuple[c];
+      }
+      this->Lengths[i] = scalar ? tuple[0] : std::sqrt(squared);
+      if (std::isfinite(this->Lengths[i]))
+      {
+        lowest = std::min(lowest, this->Lengths[i]);
+        highest = std::max(highest, this->Lengths[i]);
+      }
+    }
+    this->Extent = scalar ? highest - lowest : highest;
+  }
+
+  // In [0, 1].
+  double GetVariation(vtkIdType i, vtkIdType j) const
+  {
+    const double difference = std::abs(this->Lengths[i] - this->Lengths[j]);
+    if (i == j || !std::isfinite(difference) || !(this->Extent > 0.0))
+    {
+      return 0.0;
+    }
+    const double relative = std::min(difference / this->Extent, 1.0);
+    return this->NumberOfComponents == 1 ? relative
+                                         : std::max(relative, this->GetAngle(i, j) / vtkMath::Pi());
+  }
+
+private:
+  double GetAngle(vtkIdType i, vtkIdType j) const
+  {
+    const double shortest = ShortestDirection * this->Extent;
+    if (!(this->Lengths[i] > shortest && this->Lengths[j] > shortest))
+    {
+      return 0.0;
+    }
+    const double* a = this->Values.data() + i * this->NumberOfComponents;
+    const double* b = this->Values.data() + j * this->NumberOfComponents;
+    // Accurate at all angles, in any dimension: half the angle has the tangent |a - b| / |a + b| of
+    // the unit vectors a and b.
+    double difference = 0.0;
+    double sum = 0.0;
+    for (int c = 0; c < this->NumberOfComponents; ++c)
+    {
+      const double unitA = a[c] / this->Lengths[i];
+      const double unitB = b[c] / this->Lengths[j];
+      difference += (unitA - unitB) * (unitA - unitB);
+      sum += (unitA + unitB) * (unitA + unitB);
+    }
+    return 2.0 * std::atan2(std::sqrt(difference), std::sqrt(sum));
+  }
+
+  int NumberOfComponents;
+  std::vector<double> Values;
+  std::vector<double> Lengths; // with their sign, for scalars
+  double Extent = 0.0;
+};
+
+double GetAutomaticMaximum(std::vector<double> variations)
+{
+  if (variations.empty())
+  {
+    return LeastAutomaticMaximum;
+  }
+  const auto quantile = variations.begin() +
+    static_cast<std::ptrdiff_t>(AutomaticQuantile * static_cast<double>(variations.size() - 1));
+  std::nth_element(variations.begin(), quantile, variations.end());
+  return std::max(*quantile, LeastAutomaticMaximum);
+}
+}
+
+struct vtkFieldVariationDepthTagMetric::vtkInternals
+{
+  relevo::SurfaceEdges Edges;
+
+  std::vector<double> ComputeVariations(const Field& field, bool ofCells) const
+  {
+    const relevo::SurfaceTriangles& surface = this->Edges.GetTriangles();
+    const std::vector<relevo::SurfaceEdge>& edges = this->Edges.GetEdges();
+    std::vector<double> variations(edges.size(), 0.0);
+    vtkSMPTools::For(0, static_cast<vtkIdType>(edges.size()),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          const relevo::SurfaceEdge& edge = edges[i];
+          if (!ofCells)
+          {
+            variations[i] = field.GetVariation(edge.Points[0], edge.Points[1]);
+          }
+          else if (edge.Triangles[1] >= 0)
+          {
+            variations[i] = field.GetVariation(
+              surface.GetCell(edge.Triangles[0]), surface.GetCell(edge.Triangles[1]));
+          }
+        }
+      });
+    return variations;
+  }
+};
+
+vtkStandardNewMacro(vtkFieldVariationDepthTagMetric);
+
+vtkFieldVariationDepthTagMetric::vtkFieldVariationDepthTagMetric()
+  : Internals(new vtkInternals)
+{
+}
+
+vtkFieldVariationDepthTagMetric::~vtkFieldVariationDepthTagMetric() = default;
+
+void vtkFieldVariationDepthTagMetric::SetArrayName(const char* name)
+{
+  const std::string given = name ? name : "";
+  if (this->ArrayName != given)
+  {
+    this->ArrayName = given;
+    this->Modified();
+  }
+}
+
+void vtkFieldVariationDepthTagMetric::SetThreshold(
+  const char* name, double& threshold, double variation)
+{
+  if (!(variation >= 0.0 && variation <= 1.0))
+  {
+    vtkErrorMacro(<< name << " " << variation << " is outside [0, 1].");
+    return;
+  }
+  if (threshold != variation)
+  {
+    threshold = variation;
+    this->Modified();
+  }
+}
+
+void vtkFieldVariationDepthTagMetric::SetMinimumVariation(double variation)
+{
+  this->SetThreshold("MinimumVariation", this->MinimumVariation, variation);
+}
+
+void vtkFieldVariationDepthTagMetric::SetMaximumVariation(double variation)
+{
+  this->SetThreshold("MaximumVariation", this->MaximumVariation, variation);
+}
+
+bool vtkFieldVariationDepthTagMetric::ComputeTags(
+  vtkPolyData* mesh, const vtkRefinementView&, int maximumLevel, vtkFloatArray* tags)
+{
+  if (this->ArrayName.empty())
+  {
+    vtkErrorMacro("There is no array to measure the variation of: call SetArrayName.");
+    return false;
+  }
+  if (this->MinimumVariation > this->MaximumVariation)
+  {
+    vtkErrorMacro("MinimumVariation " << this->MinimumVariation << " is above MaximumVariation "
+                                      << this->MaximumVariation << ".");
+    return false;
+  }
+  vtkDataArray* array = mesh->GetPointData()->GetArray(this->ArrayName.c_str());
+  const bool ofCells = !array;
+  if (ofCells)
+  {
+    array = mesh->GetCellData()->GetArray(this->ArrayName.c_str());
+  }
+  if (!array)
+  {
+    vtkErrorMacro(
+      "The mesh has no point or cell array of numbers named \"" << this->ArrayName << "\".");
+    return false;
+  }
+  const vtkIdType expected = ofCells ? mesh->GetNumberOfCells() : mesh->GetNumberOfPoints();
+  if (array->GetNumberOfTuples() != expected || array->GetNumberOfComponents() < 1)
+  {
+    vtkErrorMacro("The array \"" << this->ArrayName << "\" has " << array->GetNumberOfTuples()
+                                 << " tuples of " << array->GetNumberOfComponents()
+                                 << " components for " << expected
+                                 << (ofCells ? " cells." : " points."));
+    return false;
+  }
+
+  relevo::SurfaceEdges& edges = this->Internals->Edges;
+  edges.Update(mesh);
+  const std::vector<double> variations = this->Internals->ComputeVariations(Field(array), ofCells);
+  const float low = static_cast<float>(this->MinimumVariation);
+  const float high = static_cast<float>(
+    this->MaximumVariation > 0.0 ? this->MaximumVariation : GetAutomaticMaximum(variations));
+  edges.TagPoints(tags,
+    [&](vtkIdType i)
+    { return relevo::rangeLevel(static_cast<float>(variations[i]), low, high, maximumLevel); });
+  return true;
+}
+
+void vtkFieldVariationDepthTagMetric::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ArrayName: " << this->ArrayName << "\n";
+  os << indent << "MinimumVariation: " << this->MinimumVariation << "\n";
+  os << indent << "MaximumVariation: " << this->MaximumVariation << "\n";
+}

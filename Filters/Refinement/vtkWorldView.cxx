@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWorldView.h"
+
+#include "vtkCamera.h"
+#include "vtkDataArray.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPolyData.h"
+#include "vtkRefinementView.h"
+#include "vtkSMPTools.h"
+#include "vtkSurfaceTriangles.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace relevo
+{
+dmat4 MakeMatrix(vtkMatrix4x4* matrix)
+{
+  dmat4 result(1.0);
+  if (matrix)
+  {
+    for (int row = 0; row < 4; ++row)
+    {
+      for (int column = 0; column < 4; ++column)
+      {
+        result[column][row] = matrix->GetElement(row, column);
+      }
+    }
+  }
+  return result;
+}
+
+Placement::Placement(const vtkRefinementView& view)
+  : ModelToWorld(MakeMatrix(view.ModelToWorld))
+{
+  // The cofactors are the inverse transpose times the determinant, and always there.
+  const dmat3 linear(this->ModelToWorld);
+  this->NormalToWorld =
+    dmat3(cross(linear[1], linear[2]), cross(linear[2], linear[0]), cross(linear[0], linear[1]));
+}
+
+std::vector<dvec3> Placement::GetPoints(const SurfaceTriangles& surface) const
+{
+  std::vector<dvec3> points(surface.GetNumberOfPoints());
+  vtkSMPTools::For(0, surface.GetNumberOfPoints(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType point = begin; point < end; ++point)
+      {
+        points[point] = this->GetPoint(surface.GetPoint(point));
+      }
+    });
+  return points;
+}
+
+double Placement::GetDiagonal(vtkPolyData* mesh) const
+{
+  double squared = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double range[2];
+    mesh->GetPoints()->GetData()->GetFiniteRange(range, axis);
+    const double side = std::max(range[1] - range[0], 0.0);
+    for (int row = 0; row < 3; ++row)
+    {
+      const double component = side * this->ModelToWorld[axis][row];
+      squared += component * component;
+    }
+  }
+  return std::sqrt(squared);
+}
+
+std::vector<dvec3> ComputeAreaVectors(
+  const SurfaceTriangles& surface, const std::vector<dvec3>& points)
+{
+  const std::vector<SurfaceTriangles::Triangle>& triangles = surface.GetTriangles();
+  std::vector<dvec3> vectors(triangles.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(triangles.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType t = begin; t < end; ++t)
+      {
+        const dvec3& x = points[triangles[t][0]];
+        vectors[t] = cross(points[triangles[t][1]] - x, points[triangles[t][2]] - x);
+      }
+    });
+  return vectors;
+}
+
+dvec3 UnitOrZero(const dvec3& v)
+{
+  const double squared = dot(v, v);
+  return squared > 0.0 && std::isfinite(squared) ? v / std::sqrt(squared) : dvec3(0.0);
+}
+
+bool Eye::Set(const vtkRefinementView& view, std::string& error)
+{
+  if (!view.Camera)
+  {
+    error = "There is no camera to look from";
+    return false;
+  }
+  dvec3 focalPoint;
+  view.Camera->GetPosition(&this->Position[0]);
+  view.Camera->GetFocalPoint(&focalPoint[0]);
+  this->Parallel = view.Camera->GetParallelProjection() != 0;
+  if (!std::isfinite(dot(this->Position, dvec3(1.0)) + dot(focalPoint, dvec3(1.0))))
+  {
+    error = "The camera's position or focal point is not finite";
+    return false;
+  }
+  // Scaled first: VTK keeps focal points as close as 1e-20.
+  const dvec3 back = this->Position - focalPoint;
+  const double scale = std::max({ std::abs(back.x), std::abs(back.y), std::abs(back.z) });
+  this->Backwards = scale > 0.0 ? UnitOrZero(back / scale) : dvec3(0.0);
+  if (this->Backwards == dvec3(0.0))
+  {
+    error = "The camera has no direction: its position is its focal point";
+    return false;
+  }
+  return true;
+}
+}

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkWorldView
+ * @brief   a vtkRefinementView in numbers: where the mesh lies and where the eye is
+ *
+ * Not wrapped: for the modules' own sources.
+ */
+#ifndef vtkWorldView_h
+#define vtkWorldView_h
+
+#include "vtkRefinementMathematics.h"
+
+#include <string> // for errors
+#include <vector> // for return values
+
+class vtkMatrix4x4;
+class vtkPolyData;
+struct vtkRefinementView;
+
+namespace relevo
+{
+class SurfaceTriangles;
+
+dmat4 MakeMatrix(vtkMatrix4x4* matrix);
+
+/// Where the actor's matrix puts the mesh; identity without one.
+struct Placement
+{
+  explicit Placement(const vtkRefinementView& view);
+
+  dvec3 GetPoint(const dvec3& x) const { return dvec3(this->ModelToWorld * dvec4(x, 1.0)); }
+  /// Of any length; up to its sense also under a singular or mirroring matrix.
+  dvec3 GetNormal(const dvec3& n) const { return this->NormalToWorld * n; }
+  /// Every point of the surface in world coordinates.
+  std::vector<dvec3> GetPoints(const SurfaceTriangles& surface) const;
+  /// The diagonal of the mesh's own bounding box after the matrix: unlike that of the world's box
+  /// it stays the same when the actor turns. Coordinates that are not finite do not count.
+  double GetDiagonal(vtkPolyData* mesh) const;
+
+  dmat4 ModelToWorld;
+  dmat3 NormalToWorld;
+};
+
+/// The area vectors of triangles, twice as long as their area: the normals times 2 area.
+std::vector<dvec3> ComputeAreaVectors(
+  const SurfaceTriangles& surface, const std::vector<dvec3>& points);
+
+/// The vector over its length; zero when it has none or is not finite.
+dvec3 UnitOrZero(const dvec3& v);
+
+/// Where the camera looks from.
+class Eye
+{
+public:
+  /// Returns false and sets error when there is no camera or it looks nowhere.
+  bool Set(const vtkRefinementView& view, std::string& error);
+
+  /// The unit vector from a point of the world to the eye; zero at the eye itself.
+  dvec3 GetDirectionFrom(const dvec3& x) const
+  {
+    return this->Parallel ? this->Backwards : UnitOrZero(this->Position - x);
+  }
+
+private:
+  bool Parallel = false;
+  dvec3 Position{ 0.0 };
+  dvec3 Backwards{ 0.0 };
+};
+}
+
+#endif

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What the tests of depth-tag metrics share.
+#ifndef RelevoMetricCheck_h
+#define RelevoMetricCheck_h
+
+#include "RelevoTestMeshes.h"
+
+#include "vtkCamera.h"
+#include "vtkDepthTagMetric.h"
+#include "vtkMath.h"
+#include "vtkRefinementView.h"
+
+#include <limits>
+#include <random>
+#include <vector>
+
+// The tags, or none when the metric gave none.
+inline std::vector<float> TagsOf(
+  vtkDepthTagMetric* metric, vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel)
+{
+  vtkNew<vtkFloatArray> tags;
+  if (!metric->ComputeTags(mesh, view, maximumLevel, tags))
+  {
+    return {};
+  }
+  return std::vector<float>(tags->GetPointer(0), tags->GetPointer(0) + tags->GetNumberOfTuples());
+}
+
+inline bool AreLevels(const std::vector<float>& tags, vtkIdType numberOfPoints, int maximumLevel)
+{
+  bool good = static_cast<vtkIdType>(tags.size()) == numberOfPoints;
+  for (float tag : tags)
+  {
+    good = good && tag >= 0.0f && tag <= static_cast<float>(maximumLevel);
+  }
+  return good;
+}
+
+// In [-1, 1].
+inline double Random(std::mt19937& random)
+{
+  return random() / 2147483648.0 - 1.0;
+}
+
+// Around the unit sphere, sometimes within it.
+inline void PlaceAtRandom(vtkCamera* camera, std::mt19937& random)
+{
+  camera->SetPosition(3 * Random(random), 3 * Random(random), 3 * Random(random));
+  camera->SetFocalPoint(Random(random), Random(random), Random(random));
+  camera->SetViewUp(Random(random), Random(random), Random(random));
+  camera->SetClippingRange(0.01, 20.0);
+  camera->SetParallelProjection(random() % 2);
+}
+
+// Every broken mesh and camera gives levels or an error, and hangs nowhere.
+inline bool SurvivesOddMeshes(vtkDepthTagMetric* metric)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  std::vector<RelevoMeshes::Mesh> meshes{ RelevoMeshes::Make(), RelevoMeshes::Mixed(),
+    RelevoMeshes::NonManifold(), RelevoMeshes::Moebius(), RelevoMeshes::Slivers(),
+    RelevoMeshes::Strips(), RelevoMeshes::Cone() };
+  meshes.push_back(RelevoMeshes::FromTriangles(
+    { { { nan, 0, 0 } }, { { 1, infinity, 0 } }, { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 2, 0, 0 } },
+      { { 0, 0, 0 } }, { { 1e300, 1e300, 0 } } },
+    { { { 0, 1, 2 } }, { { 2, 3, 4 } }, { { 2, 5, 3 } }, { { 2, 3, 6 } }, { { 2, 3, 99 } } }));
+  meshes.push_back(RelevoMeshes::FromTriangles(
+    { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } } }, { { { 0, 1, 2 } }, { { 0, 2, 1 } } }));
+  std::mt19937 random(3);
+  vtkNew<vtkCamera> camera;
+  vtkRefinementView view;
+  view.Camera = camera;
+  for (vtkPolyData* mesh : meshes)
+  {
+    for (int i = 0; i < 20; ++i)
+    {
+      PlaceAtRandom(camera, random);
+      if (i % 2 && mesh->GetNumberOfPoints() > 2)
+      {
+        camera->SetPosition(mesh->GetPoint(2)); // the eye on a vertex
+      }
+      if (!AreLevels(TagsOf(metric, mesh, view, 5), mesh->GetNumberOfPoints(), 5))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+#endif
