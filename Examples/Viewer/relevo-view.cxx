@@ -24,6 +24,7 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <string>
 
 namespace
 {
@@ -136,6 +137,12 @@ void Interact(ViewerScene& scene, const ViewerOptions& options, ViewerMessages& 
   // At once, for VTK ends the program after its message that the display cannot be reached.
   messages.ThrowErrorsOf(window);
   window->GetScreenSize();
+  // VTK 9.4 and later make a window without display of it instead.
+  if (!window->GetShowWindow())
+  {
+    throw ViewerError("cannot reach DISPLAY=" + std::string(std::getenv("DISPLAY")) +
+      "; --output FILE.png draws a picture without one");
+  }
   window->SetSize(options.Size[0], options.Size[1]);
   window->SetWindowName(("relevo-view " + options.HeightMap).c_str());
   window->AddRenderer(scene.GetRenderer());
