@@ -189,6 +189,12 @@ bool vtkCompositeDepthTagMetric::IsViewDependent()
     [](const Part& part) { return part.Metric->IsViewDependent(); });
 }
 
+bool vtkCompositeDepthTagMetric::IsPlacementDependent()
+{
+  return std::any_of(this->Internals->Parts.begin(), this->Internals->Parts.end(),
+    [](const Part& part) { return part.Metric->IsPlacementDependent(); });
+}
+
 bool vtkCompositeDepthTagMetric::ComputeTags(
   vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel, vtkFloatArray* tags)
 {

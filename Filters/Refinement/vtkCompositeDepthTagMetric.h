@@ -94,6 +94,7 @@ public:
   vtkMTimeType GetMTime() override;
 
   bool IsViewDependent() override;
+  bool IsPlacementDependent() override;
   bool ComputeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
     vtkFloatArray* tags) override;
 

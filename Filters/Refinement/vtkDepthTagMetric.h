@@ -32,6 +32,12 @@ public:
   virtual bool IsViewDependent() = 0;
 
   /**
+   * Whether the tags depend on where the mesh stands in the world, so that they must be computed
+   * anew when its actor moves. What depends on the view does.
+   */
+  virtual bool IsPlacementDependent() { return this->IsViewDependent(); }
+
+  /**
    * Fill `tags` with one level per point of `mesh`, each finite and in [0, maximumLevel].
    * Returns false, after an ErrorEvent of this object, when the metric cannot be evaluated
    * (no camera for a view-dependent metric, a missing array, absurd parameters).

@@ -137,10 +137,9 @@ bool ReadDepthTags(
 }
 }
 
-bool AreDepthTagsViewDependent(vtkAdaptiveRefinement* recipe, vtkPolyData* input)
+vtkDepthTagMetric* GetMetricInUse(vtkAdaptiveRefinement* recipe, vtkPolyData* input)
 {
-  return !FindDepthTagArray(recipe, input) && recipe->GetMetric() &&
-    recipe->GetMetric()->IsViewDependent();
+  return FindDepthTagArray(recipe, input) ? nullptr : recipe->GetMetric();
 }
 
 bool ComputeDepthTags(vtkAdaptiveRefinement* recipe, vtkPolyData* input, const RefinementMesh& mesh,

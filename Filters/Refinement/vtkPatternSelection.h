@@ -20,6 +20,7 @@
 #include <vector> // for members
 
 class vtkAdaptiveRefinement;
+class vtkDepthTagMetric;
 class vtkPolyData;
 class vtkRefinementPatternTable;
 struct vtkRefinementPattern;
@@ -40,9 +41,9 @@ RELEVOFILTERSREFINEMENT_EXPORT bool ComputeDepthTags(vtkAdaptiveRefinement* reci
   std::vector<float>& tags, std::string& error);
 
 /**
- * Whether ComputeDepthTags() depends on the view.
+ * The metric that ComputeDepthTags() asks; nullptr where it takes an array or nothing.
  */
-RELEVOFILTERSREFINEMENT_EXPORT bool AreDepthTagsViewDependent(
+RELEVOFILTERSREFINEMENT_EXPORT vtkDepthTagMetric* GetMetricInUse(
   vtkAdaptiveRefinement* recipe, vtkPolyData* input);
 
 /**

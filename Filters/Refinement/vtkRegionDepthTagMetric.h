@@ -83,6 +83,7 @@ public:
   vtkMTimeType GetMTime() override;
 
   bool IsViewDependent() override { return false; }
+  bool IsPlacementDependent() override { return true; }
   bool ComputeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
     vtkFloatArray* tags) override;
 

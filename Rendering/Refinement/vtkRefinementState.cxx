@@ -170,14 +170,18 @@ bool RefinementState::UpdateSelection(
   vtkPolyData* input, vtkAdaptiveRefinement* recipe, const vtkRefinementView& view)
 {
   Dependencies dependencies;
-  AppendObject(dependencies, recipe->GetMetric());
+  vtkDepthTagMetric* metric = GetMetricInUse(recipe, input);
+  AppendObject(dependencies, metric);
   AppendObject(dependencies, recipe->GetPatternTable()); // and with it MaximumLevel
   dependencies.push_back(this->MeshTime);
   dependencies.push_back(std::hash<std::string>()(recipe->GetDepthTagArrayName()));
-  if (AreDepthTagsViewDependent(recipe, input))
+  if (metric && metric->IsPlacementDependent())
+  {
+    AppendMatrix(dependencies, view.ModelToWorld);
+  }
+  if (metric && metric->IsViewDependent())
   {
     AppendObject(dependencies, view.Camera);
-    AppendMatrix(dependencies, view.ModelToWorld);
     for (int length : view.ViewportSize)
     {
       dependencies.push_back(static_cast<vtkMTimeType>(length));

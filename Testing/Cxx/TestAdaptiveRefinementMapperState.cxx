@@ -10,6 +10,7 @@
 #include "vtkHardwareSelector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkRegionDepthTagMetric.h"
 #include "vtkSelection.h"
 
 namespace
@@ -164,6 +165,26 @@ int TestAdaptiveRefinementMapperState(int, char*[])
     CHECK(view.Mapper->GetNumberOfDrawCalls() >= view.Mapper->GetNumberOfUsedPatterns());
     CHECK(view.Mapper->GetNumberOfDrawCalls() <= 2 * view.Mapper->GetNumberOfUsedPatterns());
     CHECK(view.Mapper->GetSelectionTime() > 0 && view.Mapper->GetSelectionTime() < 10);
+  }
+
+  // Levels that depend on where the mesh stands, but not on the view.
+  {
+    vtkNew<vtkRegionDepthTagMetric> metric;
+    metric->SetCenter(0.5, 0, 0);
+    metric->SetRadius(0.3);
+    View view(mesh);
+    view.Recipe->SetMaximumLevel(4);
+    view.Recipe->SetMetric(metric);
+    view.Render();
+    CHECK(view.Selections == 1);
+    view.Renderer->GetActiveCamera()->Azimuth(10);
+    view.Render();
+    CHECK(view.DidNothing());
+    const vtkIdType before = view.Mapper->GetNumberOfDrawnTriangles();
+    view.Actor->SetPosition(-0.5, 0, 0);
+    view.Render();
+    CHECK(view.Selections == 1 && view.Buffers == 0 && view.Shaders == 0);
+    CHECK(view.Mapper->GetNumberOfDrawnTriangles() < before);
   }
 
   // Levels that depend on the view.
