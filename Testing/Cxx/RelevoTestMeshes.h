@@ -4,6 +4,8 @@
 #ifndef RelevoTestMeshes_h
 #define RelevoTestMeshes_h
 
+#include "vtkAdaptiveRefinement.h"
+#include "vtkAdaptiveRefinementFilter.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkConeSource.h"
@@ -130,6 +132,18 @@ using Triangle = std::array<vtkIdType, 3>;
 inline Mesh Make()
 {
   return Mesh::New();
+}
+
+// The filter's output.
+inline Mesh Refine(vtkPolyData* input, vtkAdaptiveRefinement* recipe)
+{
+  vtkNew<vtkAdaptiveRefinementFilter> filter;
+  filter->SetInputData(input);
+  filter->SetRefinement(recipe);
+  filter->Update();
+  Mesh output = Make();
+  output->ShallowCopy(filter->GetOutput());
+  return output;
 }
 
 inline Mesh FromTriangles(

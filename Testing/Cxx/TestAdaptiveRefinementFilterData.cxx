@@ -24,17 +24,6 @@ using namespace RelevoMeshes;
 
 namespace
 {
-Mesh refine(vtkPolyData* input, vtkAdaptiveRefinement* recipe)
-{
-  vtkNew<vtkAdaptiveRefinementFilter> filter;
-  filter->SetInputData(input);
-  filter->SetRefinement(recipe);
-  filter->Update();
-  Mesh output = Make();
-  output->ShallowCopy(filter->GetOutput());
-  return output;
-}
-
 // Component c of a field that is linear in space.
 double field(const double* p, int c)
 {
@@ -214,7 +203,7 @@ void testNormals(RelevoCheck& check)
       recipe->SetMaximumLevel(2);
       recipe->SetSurface(kind == 1 ? pn.Get() : nullptr);
       recipe->SetDisplacement(kind == 2 ? displacement.Get() : nullptr);
-      Mesh refined = refine(sphere, recipe);
+      Mesh refined = Refine(sphere, recipe);
       vtkDataArray* result = refined->GetPointData()->GetNormals();
       if (given == 0 && kind == 0)
       {
@@ -243,7 +232,7 @@ void testNormals(RelevoCheck& check)
     { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } } }, { { { 0, 1, 2 } }, { { 0, 2, 1 } } });
   vtkNew<vtkAdaptiveRefinement> recipe;
   recipe->SetSurface(pn);
-  Mesh refined = refine(sheet, recipe);
+  Mesh refined = Refine(sheet, recipe);
   for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
   {
     CHECK_NEAR(std::abs(refined->GetPointData()->GetNormals()->GetComponent(i, 2)), 1.0, 1e-6);
@@ -259,7 +248,7 @@ void testNaN(RelevoCheck& check)
     12, std::numeric_limits<double>::quiet_NaN()); // at (0, 0)
   vtkNew<vtkAdaptiveRefinement> recipe;
   recipe->SetMaximumLevel(2);
-  Mesh refined = refine(plane, recipe);
+  Mesh refined = Refine(plane, recipe);
   for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
   {
     const double* p = refined->GetPoint(i);
@@ -369,7 +358,7 @@ void testCellData(RelevoCheck& check)
   data->RemoveArray("short");
   vtkNew<vtkPNTriangleSurface> pn;
   recipe->SetSurface(pn);
-  CHECK(!refine(mesh, recipe)->GetCellData()->GetNormals());
+  CHECK(!Refine(mesh, recipe)->GetCellData()->GetNormals());
 }
 }
 

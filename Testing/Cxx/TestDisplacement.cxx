@@ -13,17 +13,6 @@ using namespace RelevoMeshes;
 
 namespace
 {
-Mesh refine(vtkPolyData* input, vtkAdaptiveRefinement* recipe)
-{
-  vtkNew<vtkAdaptiveRefinementFilter> filter;
-  filter->SetInputData(input);
-  filter->SetRefinement(recipe);
-  filter->Update();
-  Mesh output = Make();
-  output->ShallowCopy(filter->GetOutput());
-  return output;
-}
-
 // Bilinear between texel centres at (i + 0.5) / n, clamped outside; row 0 at v = 0.
 double getHeight(vtkHeightField* heights, double u, double v)
 {
@@ -102,7 +91,7 @@ void testFormula(RelevoCheck& check)
         vtkNew<vtkAdaptiveRefinement> recipe;
         recipe->SetMaximumLevel(4);
         recipe->SetSurface(surface);
-        Mesh plain = refine(mesh.second, recipe);
+        Mesh plain = Refine(mesh.second, recipe);
         vtkNew<vtkDisplacement> displacement;
         displacement->SetHeightMap(kind == 3 ? nullptr : heights.Get());
         displacement->SetScale(kind == 1 ? -0.7 : 0.3);
@@ -112,7 +101,7 @@ void testFormula(RelevoCheck& check)
           displacement->SetDirection(direction);
         }
         recipe->SetDisplacement(displacement);
-        Mesh displaced = refine(mesh.second, recipe);
+        Mesh displaced = Refine(mesh.second, recipe);
         if (!CHECK(displaced->GetNumberOfPoints() == plain->GetNumberOfPoints()))
         {
           continue;
@@ -171,7 +160,7 @@ void testSeam(RelevoCheck& check)
     vtkNew<vtkAdaptiveRefinement> recipe;
     recipe->SetMaximumLevel(3);
     recipe->SetDisplacement(displacement);
-    Mesh refined = refine(mesh, recipe);
+    Mesh refined = Refine(mesh, recipe);
     int onSeam = 0;
     for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
     {
@@ -234,7 +223,7 @@ void testSplitNormals(RelevoCheck& check)
   recipe->SetMaximumLevel(0);
   recipe->SetDisplacement(displacement);
   Mesh cube = Cube();
-  Mesh refined = refine(cube, recipe);
+  Mesh refined = Refine(cube, recipe);
   for (vtkIdType i = 0; i < cube->GetNumberOfPoints(); ++i)
   {
     const double grown = 1.0 + 0.1 / std::sqrt(0.75);
@@ -252,7 +241,7 @@ void testSplitNormals(RelevoCheck& check)
   vtkNew<vtkCellArray> verts;
   verts->InsertNextCell(1, &vertex);
   withVertex->SetVerts(verts);
-  Mesh other = refine(withVertex, recipe);
+  Mesh other = Refine(withVertex, recipe);
   CHECK(vtkMath::Distance2BetweenPoints(other->GetPoint(0), refined->GetPoint(0)) < 1e-12);
 }
 
@@ -265,7 +254,7 @@ void testOtherCells(RelevoCheck& check)
   vtkNew<vtkDisplacement> displacement;
   displacement->SetOffset(0.25);
   recipe->SetDisplacement(displacement);
-  Mesh refined = refine(mesh, recipe);
+  Mesh refined = Refine(mesh, recipe);
   const vtkIdType numberOfOthers = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
   CHECK(numberOfOthers > 0 && refined->GetNumberOfCells() > numberOfOthers);
   int sharedPoints = 0;

@@ -6,7 +6,6 @@
 #include "RelevoWatertight.h"
 
 #include "vtkAdaptiveRefinement.h"
-#include "vtkAdaptiveRefinementFilter.h"
 #include "vtkDisplacement.h"
 #include "vtkPatternSelection.h"
 #include "vtkRefinementEvaluator.h"
@@ -16,17 +15,6 @@ using namespace RelevoMeshes;
 
 namespace
 {
-Mesh refine(vtkPolyData* input, vtkAdaptiveRefinement* recipe)
-{
-  vtkNew<vtkAdaptiveRefinementFilter> filter;
-  filter->SetInputData(input);
-  filter->SetRefinement(recipe);
-  filter->Update();
-  Mesh output = Make();
-  output->ShallowCopy(filter->GetOutput());
-  return output;
-}
-
 // How surely a triangle of texel positions lies over a sample without data: positive if so,
 // negative if not, by a margin in texels.
 double getOverlap(const double p[3][2], RelevoHeights* heights)
@@ -73,9 +61,9 @@ void testAgainstSearch(RelevoCheck& check, Mesh mesh, vtkAdaptiveRefinement* rec
   int n[2];
   heights->GetDimensions(n);
   displacement->SetNoDataPolicyToFill();
-  Mesh full = refine(mesh, recipe);
+  Mesh full = Refine(mesh, recipe);
   displacement->SetNoDataPolicyToHole();
-  Mesh holed = refine(mesh, recipe);
+  Mesh holed = Refine(mesh, recipe);
   int left = 0;
   int kept = 0;
   int uncertain = 0;
@@ -186,7 +174,7 @@ int TestDisplacementHoles(int, char*[])
         if (size[0] * level < 100)
         {
           displacement->SetNoDataPolicyToHole();
-          Mesh holed = refine(plane, recipe);
+          Mesh holed = Refine(plane, recipe);
           if (holed->GetNumberOfCells() == 18 << 2 * level || holed->GetNumberOfCells() == 0)
           {
             continue; // the hole lies beside the chart, or covers all
@@ -210,10 +198,10 @@ int TestDisplacementHoles(int, char*[])
   displacement->SetDirectionToNormal();
   displacement->SetNoDataPolicyToFill();
   CHECK(!displacement->HasHoles());
-  CHECK(RelevoWatertight::FindFault(sphere, refine(sphere, recipe), 4).empty());
+  CHECK(RelevoWatertight::FindFault(sphere, Refine(sphere, recipe), 4).empty());
   displacement->SetNoDataPolicyToHole();
   CHECK(displacement->HasHoles());
-  Mesh holed = refine(sphere, recipe);
+  Mesh holed = Refine(sphere, recipe);
   // What is left still meets to the bit: no edge is used thrice, or twice in one direction.
   RelevoWatertight::EdgeUses edges;
   const auto welded = RelevoWatertight::Weld(holed->GetPoints(), false);
@@ -231,14 +219,14 @@ int TestDisplacementHoles(int, char*[])
 
   // No data at all: nothing is left but what is no triangle.
   heights->Punch([](int, int) { return true; });
-  CHECK(refine(sphere, recipe)->GetNumberOfCells() == 0);
-  CHECK(refine(sphere, recipe)->GetNumberOfPoints() == 0);
+  CHECK(Refine(sphere, recipe)->GetNumberOfCells() == 0);
+  CHECK(Refine(sphere, recipe)->GetNumberOfPoints() == 0);
   Mesh mixed = Mixed();
   AddTextureCoordinates(mixed,
     [](const double* p) {
       return std::array<double, 2>{ { p[0] / 6.0, p[1] / 4.0 } };
     });
-  Mesh rest = refine(mixed, recipe);
+  Mesh rest = Refine(mixed, recipe);
   CHECK(rest->GetNumberOfCells() == 3 && rest->GetNumberOfVerts() == 2);
   CHECK(rest->GetNumberOfPoints() == 5); // 0, 1, 2, 22, 23
   // All the same texture coordinates: one sample decides.
@@ -248,8 +236,8 @@ int TestDisplacementHoles(int, char*[])
       return std::array<double, 2>{ { 0.53, 0.53 } };
     });
   heights->Punch([](int x, int y) { return x == 0 && y == 0; });
-  CHECK(refine(point, recipe)->GetNumberOfCells() == 2 * 256);
+  CHECK(Refine(point, recipe)->GetNumberOfCells() == 2 * 256);
   heights->Punch([](int x, int y) { return x == 8 && y == 8; });
-  CHECK(refine(point, recipe)->GetNumberOfCells() == 0);
+  CHECK(Refine(point, recipe)->GetNumberOfCells() == 0);
   return check.GetResult();
 }

@@ -5,7 +5,6 @@
 #include "RelevoTestMeshes.h"
 
 #include "vtkAdaptiveRefinement.h"
-#include "vtkAdaptiveRefinementFilter.h"
 #include "vtkDisplacement.h"
 #include "vtkPNTriangleSurface.h"
 #include "vtkPolyDataNormals.h"
@@ -15,17 +14,6 @@ using namespace RelevoMeshes;
 namespace
 {
 using Vector = std::array<double, 3>;
-
-Mesh refine(vtkPolyData* input, vtkAdaptiveRefinement* recipe)
-{
-  vtkNew<vtkAdaptiveRefinementFilter> filter;
-  filter->SetInputData(input);
-  filter->SetRefinement(recipe);
-  filter->Update();
-  Mesh output = Make();
-  output->ShallowCopy(filter->GetOutput());
-  return output;
-}
 
 double degreesBetween(const double* a, const double* b)
 {
@@ -94,7 +82,7 @@ void testPlane(RelevoCheck& check)
     vtkNew<vtkAdaptiveRefinement> recipe;
     recipe->SetDisplacement(displacement);
     recipe->SetMaximumLevel(3);
-    Mesh refined = refine(mesh, recipe);
+    Mesh refined = Refine(mesh, recipe);
     for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
     {
       double c[2];
@@ -136,7 +124,7 @@ void testOffset(RelevoCheck& check)
     [](const double* p) {
       return std::array<double, 2>{ { p[0] + 0.5, p[1] + 0.5 } };
     });
-  Mesh refined = refine(sphere, recipe);
+  Mesh refined = Refine(sphere, recipe);
   for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
   {
     const double* p = refined->GetPoint(i);
@@ -265,13 +253,13 @@ void testBumps(RelevoCheck& check)
     Mesh mesh = FromTriangles(points, triangles);
     mesh->GetPointData()->SetTCoords(uvs);
     mesh->GetPointData()->SetNormals(normals);
-    Mesh bumpy = refine(mesh, recipe);
+    Mesh bumpy = Refine(mesh, recipe);
     const Deviation deviation = compareWithFaces(bumpy, 0.15);
     std::cout << shape.first << ": normals deviate by " << deviation.Mean << " degrees on average, "
               << deviation.Largest << " at most\n";
     // What ignoring the heights would give.
     recipe->SetDisplacement(nullptr);
-    Mesh plain = refine(mesh, recipe);
+    Mesh plain = Refine(mesh, recipe);
     recipe->SetDisplacement(displacement);
     Mesh ignorant = Make();
     ignorant->ShallowCopy(bumpy);
@@ -294,7 +282,7 @@ void testBorder(RelevoCheck& check)
   vtkNew<vtkAdaptiveRefinement> recipe;
   recipe->SetDisplacement(displacement);
   recipe->SetMaximumLevel(3);
-  Mesh refined = refine(Plane(2, 2), recipe);
+  Mesh refined = Refine(Plane(2, 2), recipe);
   const double expected[3] = { -1.0, -2.0, 1.0 };
   for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
   {
