@@ -31,6 +31,7 @@
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRefinementBlocks.h"
@@ -317,7 +318,13 @@ void vtkAdaptiveRefinementMapper::ComputeBounds()
   data.Blocks.Clear();
   if (!this->UpdateMesh())
   {
-    this->Superclass::ComputeBounds();
+    // Of the points only: vtkPolyData does not check what cells refer to.
+    vtkPoints* points = this->GetInput() ? this->GetInput()->GetPoints() : nullptr;
+    vtkMath::UninitializeBounds(this->Bounds);
+    if (points && points->GetNumberOfPoints() > 0)
+    {
+      points->GetBounds(this->Bounds);
+    }
     return;
   }
   data.State.GetBounds(this->GetInput(), this->Refinement, this->Bounds);
