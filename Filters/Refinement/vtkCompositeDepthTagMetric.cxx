@@ -9,6 +9,7 @@
 #include "vtkRefinementView.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
+#include "vtkSurfaceEdges.h"
 #include "vtkWorldView.h"
 
 #include <algorithm>
@@ -26,6 +27,7 @@ constexpr double LargestWeight = 1e6;
 // What the tags of a metric that does not depend on the view were computed from.
 struct Source
 {
+  bool OfEdges = false;
   vtkMTimeType MetricTime = 0;
   vtkPolyData* Mesh = nullptr;
   vtkMTimeType MeshTime = 0;
@@ -34,9 +36,9 @@ struct Source
 
   bool operator==(const Source& other) const
   {
-    return this->MetricTime == other.MetricTime && this->Mesh == other.Mesh &&
-      this->MeshTime == other.MeshTime && this->MaximumLevel == other.MaximumLevel &&
-      this->ModelToWorld == other.ModelToWorld;
+    return this->OfEdges == other.OfEdges && this->MetricTime == other.MetricTime &&
+      this->Mesh == other.Mesh && this->MeshTime == other.MeshTime &&
+      this->MaximumLevel == other.MaximumLevel && this->ModelToWorld == other.ModelToWorld;
   }
 };
 
@@ -48,14 +50,19 @@ struct Part
   Source Of{};
   bool Valid = false;
 
-  bool Update(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel)
+  // The tags of edges, or those of points without edges.
+  bool Update(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+    const relevo::SurfaceEdges* edges)
   {
-    const Source source{ this->Metric->GetMTime(), mesh, mesh->GetMTime(), maximumLevel,
-      relevo::MakeMatrix(view.ModelToWorld) };
+    const Source source{ edges != nullptr, this->Metric->GetMTime(), mesh, mesh->GetMTime(),
+      maximumLevel, relevo::MakeMatrix(view.ModelToWorld) };
     if (!this->Valid || this->Metric->IsViewDependent() || !(source == this->Of))
     {
-      this->Valid = this->Metric->ComputeTags(mesh, view, maximumLevel, this->Tags) &&
-        this->Tags->GetNumberOfValues() == mesh->GetNumberOfPoints();
+      this->Valid = edges
+        ? this->Metric->ComputeEdgeTags(mesh, view, maximumLevel, *edges, this->Tags) &&
+          this->Tags->GetNumberOfValues() == edges->GetNumberOfEdges()
+        : this->Metric->ComputeTags(mesh, view, maximumLevel, this->Tags) &&
+          this->Tags->GetNumberOfValues() == mesh->GetNumberOfPoints();
       this->Of = source;
     }
     return this->Valid;
@@ -198,6 +205,18 @@ bool vtkCompositeDepthTagMetric::IsPlacementDependent()
 bool vtkCompositeDepthTagMetric::ComputeTags(
   vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel, vtkFloatArray* tags)
 {
+  return this->Combine(mesh, view, maximumLevel, nullptr, tags);
+}
+
+bool vtkCompositeDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view,
+  int maximumLevel, const relevo::SurfaceEdges& edges, vtkFloatArray* tags)
+{
+  return this->Combine(mesh, view, maximumLevel, &edges, tags);
+}
+
+bool vtkCompositeDepthTagMetric::Combine(vtkPolyData* mesh, const vtkRefinementView& view,
+  int maximumLevel, const relevo::SurfaceEdges* edges, vtkFloatArray* tags)
+{
   std::vector<Part>& parts = this->Internals->Parts;
   if (parts.empty())
   {
@@ -206,7 +225,7 @@ bool vtkCompositeDepthTagMetric::ComputeTags(
   }
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
-    if (!parts[i].Update(mesh, view, maximumLevel))
+    if (!parts[i].Update(mesh, view, maximumLevel, edges))
     {
       vtkErrorMacro("Metric " << i << ", a " << parts[i].Metric->GetClassName()
                               << ", gave no tags for this mesh and view: see its own error.");
@@ -217,19 +236,20 @@ bool vtkCompositeDepthTagMetric::ComputeTags(
   const Combination combine = GetCombination(this->Mode);
   const float start = this->Mode == PRODUCT ? static_cast<float>(maximumLevel) : 0.0f;
   tags->SetNumberOfComponents(1);
-  tags->SetNumberOfTuples(mesh->GetNumberOfPoints());
-  vtkSMPTools::For(0, mesh->GetNumberOfPoints(),
+  const vtkIdType numberOfTags = parts[0].Tags->GetNumberOfTuples();
+  tags->SetNumberOfTuples(numberOfTags);
+  vtkSMPTools::For(0, numberOfTags,
     [&](vtkIdType begin, vtkIdType end)
     {
-      for (vtkIdType point = begin; point < end; ++point)
+      for (vtkIdType i = begin; i < end; ++i)
       {
         float level = start;
         for (const Part& part : parts)
         {
-          level = combine(
-            level, part.Tags->GetValue(point), static_cast<float>(part.Weight), maximumLevel);
+          level =
+            combine(level, part.Tags->GetValue(i), static_cast<float>(part.Weight), maximumLevel);
         }
-        tags->SetValue(point, level);
+        tags->SetValue(i, level);
       }
     });
   tags->Modified();

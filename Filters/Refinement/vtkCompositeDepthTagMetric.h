@@ -10,7 +10,8 @@
  *     SUM                  sum_i  w_i l_i
  *     PRODUCT              MaximumLevel * product_i  (l_i / MaximumLevel)^w_i
  *
- * clamped to [0, MaximumLevel]. So the maximum refines what any metric wants, the product only what
+ * clamped to [0, MaximumLevel]; by the rule PER_EDGE, that of an edge from the levels that the
+ * metrics give it. So the maximum refines what any metric wants, the product only what
  * all want; a weight of 0 leaves a metric out.
  *
  * It depends on the view if any of its metrics does. The tags of those that do not are kept while
@@ -97,6 +98,10 @@ public:
   bool IsPlacementDependent() override;
   bool ComputeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
     vtkFloatArray* tags) override;
+#ifndef __VTK_WRAP__
+  bool ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+    const relevo::SurfaceEdges& edges, vtkFloatArray* tags) override;
+#endif
 
 protected:
   vtkCompositeDepthTagMetric();
@@ -109,6 +114,8 @@ private:
   void operator=(const vtkCompositeDepthTagMetric&) = delete;
 
   bool Contains(vtkDepthTagMetric* metric);
+  bool Combine(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+    const relevo::SurfaceEdges* edges, vtkFloatArray* tags);
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -6,7 +6,6 @@
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
-#include "vtkDepthTagMetric.h"
 #include "vtkDepthTags.h"
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
@@ -21,6 +20,7 @@
 #include "vtkRefinementPatternTable.h"
 #include "vtkRefinementView.h"
 #include "vtkRelevoCompatibility.h"
+#include "vtkSurfaceEdges.h"
 
 #include <algorithm>
 #include <string>
@@ -34,6 +34,32 @@ namespace
 {
 const char* const DepthTagName = "DepthTag";
 const char* const EdgeLevelsName = "EdgeLevels";
+
+// Sets levels, three for every cell, of triangles to f(a, b) for their edges' points.
+template <typename Function>
+void SetEdgeLevels(vtkPolyData* mesh, vtkIntArray* edgeLevels, Function&& f)
+{
+  const vtkIdType numberOfPoints = mesh->GetNumberOfPoints();
+  int* levels = edgeLevels->GetPointer(0) +
+    3 * (mesh->GetVerts()->GetNumberOfCells() + mesh->GetLines()->GetNumberOfCells());
+  auto polygon = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
+  for (polygon->GoToFirstCell(); !polygon->IsDoneWithTraversal(); polygon->GoToNextCell())
+  {
+    vtkIdType size;
+    const vtkIdType* points;
+    polygon->GetCurrentCell(size, points);
+    const bool valid = std::all_of(
+      points, points + size, [=](vtkIdType point) { return point >= 0 && point < numberOfPoints; });
+    if (size == 3 && valid)
+    {
+      for (int edge = 0; edge < 3; ++edge)
+      {
+        levels[edge] = f(points[edge], points[(edge + 1) % 3]);
+      }
+    }
+    levels += 3;
+  }
+}
 }
 
 vtkStandardNewMacro(vtkDepthTagFilter);
@@ -99,6 +125,20 @@ void vtkDepthTagFilter::SetMaximumLevel(int level)
   }
 }
 
+void vtkDepthTagFilter::SetLevelRule(int rule)
+{
+  if (rule != vtkDepthTagMetric::PER_VERTEX && rule != vtkDepthTagMetric::PER_EDGE)
+  {
+    vtkErrorMacro("LevelRule " << rule << " is neither PER_VERTEX (0) nor PER_EDGE (1).");
+    return;
+  }
+  if (this->LevelRule != rule)
+  {
+    this->LevelRule = rule;
+    this->Modified();
+  }
+}
+
 vtkMTimeType vtkDepthTagFilter::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
@@ -136,7 +176,10 @@ int vtkDepthTagFilter::RequestData(
 
   vtkNew<vtkIntArray> edgeLevels;
   edgeLevels->SetName(EdgeLevelsName);
-  this->ComputeEdgeLevels(input, tags, edgeLevels);
+  if (!this->ComputeEdgeLevels(input, tags->GetPointer(0), edgeLevels))
+  {
+    return 0;
+  }
 
   output->ShallowCopy(input);
   output->GetPointData()->AddArray(tags);
@@ -152,16 +195,26 @@ bool vtkDepthTagFilter::ComputeTags(vtkPolyData* input, vtkFloatArray* tags)
                                 << " depends on the view and there is no camera: call SetCamera.");
     return false;
   }
-  vtkRefinementView view;
-  view.Camera = this->Camera;
-  std::copy_n(this->ViewportSize, 2, view.ViewportSize);
-  if (!this->Metric->ComputeTags(input, view, this->MaximumLevel, tags))
+  if (!this->Metric->ComputeTags(input, this->MakeView(), this->MaximumLevel, tags))
   {
-    vtkErrorMacro("The metric " << this->Metric->GetClassName()
-                                << " gave no tags for this mesh and view: see its own error.");
+    this->ReportMetric();
     return false;
   }
   return true;
+}
+
+vtkRefinementView vtkDepthTagFilter::MakeView()
+{
+  vtkRefinementView view;
+  view.Camera = this->Camera;
+  std::copy_n(this->ViewportSize, 2, view.ViewportSize);
+  return view;
+}
+
+void vtkDepthTagFilter::ReportMetric()
+{
+  vtkErrorMacro("The metric " << this->Metric->GetClassName()
+                              << " gave no tags for this mesh and view: see its own error.");
 }
 
 bool vtkDepthTagFilter::TakeTags(vtkPolyData* input, vtkFloatArray* tags)
@@ -183,34 +236,36 @@ bool vtkDepthTagFilter::TakeTags(vtkPolyData* input, vtkFloatArray* tags)
   return true;
 }
 
-void vtkDepthTagFilter::ComputeEdgeLevels(
-  vtkPolyData* input, vtkFloatArray* tags, vtkIntArray* edgeLevels)
+bool vtkDepthTagFilter::ComputeEdgeLevels(
+  vtkPolyData* input, const float* tags, vtkIntArray* edgeLevels)
 {
   edgeLevels->SetNumberOfComponents(3);
   edgeLevels->SetNumberOfTuples(input->GetNumberOfCells());
   edgeLevels->FillValue(-1);
-  const vtkIdType numberOfPoints = input->GetNumberOfPoints();
-  const float* tag = tags->GetPointer(0);
-  int* levels = edgeLevels->GetPointer(0) +
-    3 * (input->GetVerts()->GetNumberOfCells() + input->GetLines()->GetNumberOfCells());
-  auto polygon = vtk::TakeSmartPointer(input->GetPolys()->NewIterator());
-  for (polygon->GoToFirstCell(); !polygon->IsDoneWithTraversal(); polygon->GoToNextCell())
+  if (!this->Metric || this->LevelRule == vtkDepthTagMetric::PER_VERTEX)
   {
-    vtkIdType size;
-    const vtkIdType* points;
-    polygon->GetCurrentCell(size, points);
-    const bool valid = std::all_of(
-      points, points + size, [=](vtkIdType point) { return point >= 0 && point < numberOfPoints; });
-    if (size == 3 && valid)
-    {
-      for (int edge = 0; edge < 3; ++edge)
-      {
-        levels[edge] =
-          relevo::edgeLevel(tag[points[edge]], tag[points[(edge + 1) % 3]], this->MaximumLevel);
-      }
-    }
-    levels += 3;
+    SetEdgeLevels(input, edgeLevels,
+      [=](vtkIdType a, vtkIdType b)
+      { return relevo::edgeLevel(tags[a], tags[b], this->MaximumLevel); });
+    return true;
   }
+  relevo::SurfaceEdges edges;
+  edges.Update(input);
+  vtkNew<vtkFloatArray> edgeTags;
+  if (!this->Metric->ComputeEdgeTags(input, this->MakeView(), this->MaximumLevel, edges, edgeTags))
+  {
+    this->ReportMetric();
+    return false;
+  }
+  SetEdgeLevels(input, edgeLevels,
+    [&](vtkIdType a, vtkIdType b)
+    {
+      const relevo::SurfaceTriangles& surface = edges.GetTriangles();
+      const int edge = edges.FindEdge(surface.GetPlace(a), surface.GetPlace(b));
+      const float tag = edge < 0 ? 0.0f : edgeTags->GetValue(edge);
+      return relevo::edgeLevel(tag, tag, this->MaximumLevel);
+    });
+  return true;
 }
 
 void vtkDepthTagFilter::PrintSelf(ostream& os, vtkIndent indent)
@@ -221,4 +276,7 @@ void vtkDepthTagFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ViewportSize: " << this->ViewportSize[0] << " x " << this->ViewportSize[1]
      << "\n";
   os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
+  os << indent
+     << "LevelRule: " << (this->LevelRule == vtkDepthTagMetric::PER_EDGE ? "PerEdge" : "PerVertex")
+     << "\n";
 }

@@ -9,12 +9,14 @@
  * - point array "DepthTag" (float): the level of every point, in [0, MaximumLevel], by the metric.
  *   Points at the same coordinates get the largest of their tags.
  * - cell array "EdgeLevels" (int, 3 components): for a triangle (P1, P2, P3) the levels of its
- *   edges P1P2, P2P3, P3P1, each the mean of its points' tags, rounded half up and clamped to
- *   [0, MaximumLevel] (Lenz 2009, eqs. 3.1 to 3.3): such an edge is split into 2^level segments.
- *   Cells that are not triangles have (-1, -1, -1).
+ *   edges P1P2, P2P3, P3P1: their tags rounded half up and clamped to [0, MaximumLevel]. Such an
+ *   edge is split into 2^level segments. Its tag is by LevelRule the mean of its points' tags
+ *   (Lenz 2009, eqs. 3.1 to 3.3) or the metric's tag for the edge itself. Cells that are not
+ *   triangles have (-1, -1, -1).
  *
  * Without a metric the tags are the input's own point array "DepthTag", one number per point, which
- * may exceed [0, MaximumLevel]: only the levels of edges are clamped.
+ * may exceed [0, MaximumLevel]: only the levels of edges are clamped. LevelRule does not count
+ * then.
  *
  * Errors, with an empty output: neither metric nor array; an array of another length or with a
  * NaN; a metric that depends on the view without a camera; a metric that fails. To the project's
@@ -28,13 +30,15 @@
 #define vtkDepthTagFilter_h
 
 #include "RelevoFiltersRefinementModule.h" // for export macro
+#include "vtkDepthTagMetric.h"             // for LevelRules
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // for members
 
 class vtkCamera;
-class vtkDepthTagMetric;
 class vtkFloatArray;
 class vtkIntArray;
+class vtkPolyData;
+struct vtkRefinementView;
 
 class RELEVOFILTERSREFINEMENT_EXPORT vtkDepthTagFilter : public vtkPolyDataAlgorithm
 {
@@ -78,6 +82,19 @@ public:
   vtkGetMacro(MaximumLevel, int);
   //@}
 
+  //@{
+  /**
+   * Where the levels of edges come from: vtkDepthTagMetric::PER_VERTEX (0, the default), the tags
+   * of their points, or PER_EDGE (1), tags that the metric gives to edges; 0 for an edge that only
+   * triangles with two corners at one place, or with a corner that is not finite, have. Another
+   * value is an error and changes nothing.
+   */
+  void SetLevelRule(int rule);
+  vtkGetMacro(LevelRule, int);
+  void SetLevelRuleToPerVertex() { this->SetLevelRule(vtkDepthTagMetric::PER_VERTEX); }
+  void SetLevelRuleToPerEdge() { this->SetLevelRule(vtkDepthTagMetric::PER_EDGE); }
+  //@}
+
   /**
    * Includes the metric's time, and the camera's where the metric depends on the view.
    */
@@ -94,14 +111,17 @@ protected:
   vtkSmartPointer<vtkCamera> Camera;
   int ViewportSize[2] = { 300, 300 };
   int MaximumLevel = 5;
+  int LevelRule = vtkDepthTagMetric::PER_VERTEX;
 
 private:
   vtkDepthTagFilter(const vtkDepthTagFilter&) = delete;
   void operator=(const vtkDepthTagFilter&) = delete;
 
+  vtkRefinementView MakeView();
+  void ReportMetric();
   bool ComputeTags(vtkPolyData* input, vtkFloatArray* tags);
   bool TakeTags(vtkPolyData* input, vtkFloatArray* tags);
-  void ComputeEdgeLevels(vtkPolyData* input, vtkFloatArray* tags, vtkIntArray* edgeLevels);
+  bool ComputeEdgeLevels(vtkPolyData* input, const float* tags, vtkIntArray* edgeLevels);
 };
 
 #endif

@@ -2,8 +2,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDepthTagMetric.h"
 
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPointPlaces.h"
+#include "vtkSurfaceEdges.h"
+
 vtkDepthTagMetric::vtkDepthTagMetric() = default;
 vtkDepthTagMetric::~vtkDepthTagMetric() = default;
+
+bool vtkDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view,
+  int maximumLevel, const relevo::SurfaceEdges& edges, vtkFloatArray* tags)
+{
+  vtkNew<vtkFloatArray> pointTags;
+  if (!this->ComputeTags(mesh, view, maximumLevel, pointTags))
+  {
+    return false;
+  }
+  float* ofPoints = pointTags->GetPointer(0);
+  relevo::UniteTags(edges.GetTriangles().GetPlaces(), ofPoints);
+  relevo::TagEdges(edges, tags,
+    [&](int edge)
+    {
+      const int* places = edges.GetEdges()[edge].Places;
+      return 0.5f * (ofPoints[places[0]] + ofPoints[places[1]]);
+    });
+  return true;
+}
 
 void vtkDepthTagMetric::PrintSelf(ostream& os, vtkIndent indent)
 {

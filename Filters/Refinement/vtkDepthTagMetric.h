@@ -4,9 +4,14 @@
  * @class   vtkDepthTagMetric
  * @brief   how deep each point of a mesh shall be refined
  *
- * A metric gives every point a depth-tag: a float level in [0, MaximumLevel], MaximumLevel where
- * refinement is wanted most. An edge takes the mean of its two points' tags, rounded half up, and
- * is split into 2^level segments (Lenz 2009, eqs. 3.1 to 3.3).
+ * A metric gives depth-tags: float levels in [0, MaximumLevel], MaximumLevel where refinement is
+ * wanted most. An edge of level l, its tag rounded half up, is split into 2^l segments. By which
+ * rule edges get their tags, the user of the metric decides:
+ *
+ * - PER_VERTEX: the metric gives every point a tag, and an edge has the mean of its two points'
+ *   tags, the larger where points coincide (Lenz 2009, eqs. 3.1 to 3.3).
+ * - PER_EDGE: the metric gives every edge a tag of its own, from what is known of that edge alone,
+ *   so that the triangles beside it agree (Lenz 2009, future work).
  *
  * @sa vtkAdaptiveRefinement vtkDepthTagFilter
  */
@@ -20,11 +25,27 @@ class vtkFloatArray;
 class vtkPolyData;
 struct vtkRefinementView;
 
+#ifndef __VTK_WRAP__
+namespace relevo
+{
+class SurfaceEdges;
+}
+#endif
+
 class RELEVOFILTERSREFINEMENT_EXPORT vtkDepthTagMetric : public vtkObject
 {
 public:
   vtkAbstractTypeMacro(vtkDepthTagMetric, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The rules by which edges get their tags.
+   */
+  enum LevelRules
+  {
+    PER_VERTEX = 0,
+    PER_EDGE = 1
+  };
 
   /**
    * Whether the tags depend on the camera, so that they must be computed anew when it moves.
@@ -44,6 +65,17 @@ public:
    */
   virtual bool ComputeTags(
     vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel, vtkFloatArray* tags) = 0;
+
+#ifndef __VTK_WRAP__
+  /**
+   * Fill `tags` with one level per edge of `mesh`, in the order of `edges`, each finite and in
+   * [0, maximumLevel], and depending on the edge alone. `edges` are those of `mesh` as it is.
+   * Returns false as ComputeTags() does. Unless overridden, an edge has the mean of the tags of its
+   * two places.
+   */
+  virtual bool ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+    const relevo::SurfaceEdges& edges, vtkFloatArray* tags);
+#endif
 
 protected:
   vtkDepthTagMetric();

@@ -110,6 +110,12 @@ DiscreteCurvature ComputeDiscreteCurvature(vtkPolyData* mesh)
     return curvature;
   }
   const SurfaceTriangles surface(mesh);
+  const auto pointAt = [&surface](vtkIdType place)
+  {
+    dvec3 x;
+    surface.GetPoint(place, &x[0]);
+    return x;
+  };
 
   std::vector<Ring> rings(n, Ring::None);
   std::vector<double> areas(n, 0.0);
@@ -123,7 +129,7 @@ DiscreteCurvature ComputeDiscreteCurvature(vtkPolyData* mesh)
         {
           continue;
         }
-        const dvec3 x = surface.GetPoint(place);
+        const dvec3 x = pointAt(place);
         double angle = 0.0;
         double mixedArea = 0.0;
         double area = 0.0;
@@ -132,7 +138,7 @@ DiscreteCurvature ComputeDiscreteCurvature(vtkPolyData* mesh)
         surface.ForEachTriangle(place,
           [&](vtkIdType p, vtkIdType q)
           {
-            const Corner corner(x, surface.GetPoint(p), surface.GetPoint(q));
+            const Corner corner(x, pointAt(p), pointAt(q));
             angle += corner.Angle;
             mixedArea += corner.MixedArea;
             area += corner.Area;

@@ -4,12 +4,14 @@
 
 #include "vtkCamera.h"
 #include "vtkFloatArray.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRefinementMathematics.h"
 #include "vtkRefinementView.h"
 #include "vtkSMPTools.h"
+#include "vtkSurfaceEdges.h"
 #include "vtkWorldView.h"
 
 #include <algorithm>
@@ -93,6 +95,24 @@ bool vtkDistanceDepthTagMetric::ComputeTags(
       }
     });
   tags->Modified();
+  return true;
+}
+
+bool vtkDistanceDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view,
+  int maximumLevel, const relevo::SurfaceEdges& edges, vtkFloatArray* tags)
+{
+  vtkNew<vtkFloatArray> pointTags;
+  if (!this->ComputeTags(mesh, view, maximumLevel, pointTags))
+  {
+    return false;
+  }
+  const float* ofPoints = pointTags->GetPointer(0);
+  relevo::TagEdges(edges, tags,
+    [&](int edge)
+    {
+      const int* places = edges.GetEdges()[edge].Places;
+      return std::max(ofPoints[places[0]], ofPoints[places[1]]);
+    });
   return true;
 }
 

@@ -12,7 +12,8 @@
  * and 0 where x exceeds MaximumDistance: MaximumLevel at the camera, linear between. That is the
  * tessellation level T = 64 - 63 x / d_max of Nellmeldin 2013 ("Desarrollo de algoritmos de
  * teselacion adaptativa en GPU", eq. 1), its range [1, 64] mapped linearly to [0, MaximumLevel].
- * As an edge has 2^level segments, its segments shorten geometrically towards the camera.
+ * As an edge has 2^level segments, its segments shorten geometrically towards the camera. By the
+ * rule PER_EDGE an edge has the level of its end that is nearer to the camera.
  *
  * The metric depends on the view: without a camera it is an error. A point that is not finite gets
  * level 0.
@@ -46,6 +47,10 @@ public:
   bool IsViewDependent() override { return true; }
   bool ComputeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
     vtkFloatArray* tags) override;
+#ifndef __VTK_WRAP__
+  bool ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+    const relevo::SurfaceEdges& edges, vtkFloatArray* tags) override;
+#endif
 
 protected:
   vtkDistanceDepthTagMetric();

@@ -6,6 +6,7 @@
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -113,36 +114,43 @@ double GetAutomaticMaximum(std::vector<double> variations)
   std::nth_element(variations.begin(), quantile, variations.end());
   return std::max(*quantile, LeastAutomaticMaximum);
 }
+
+// Of every edge.
+std::vector<double> ComputeVariations(
+  const relevo::SurfaceEdges& edges, const Field& field, bool ofCells)
+{
+  const relevo::SurfaceTriangles& surface = edges.GetTriangles();
+  std::vector<double> variations(edges.GetNumberOfEdges(), 0.0);
+  vtkSMPTools::For(0, edges.GetNumberOfEdges(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (int edge = static_cast<int>(begin); edge < end; ++edge)
+      {
+        if (!ofCells)
+        {
+          const int* places = edges.GetEdges()[edge].Places;
+          variations[edge] = field.GetVariation(places[0], places[1]);
+          continue;
+        }
+        edges.ForEachSides(edge,
+          [&](int i)
+          {
+            const int* triangles = edges.GetSides()[i].Triangles;
+            if (triangles[1] >= 0)
+            {
+              variations[edge] = std::max(variations[edge],
+                field.GetVariation(surface.GetCell(triangles[0]), surface.GetCell(triangles[1])));
+            }
+          });
+      }
+    });
+  return variations;
+}
 }
 
 struct vtkFieldVariationDepthTagMetric::vtkInternals
 {
   relevo::SurfaceEdges Edges;
-
-  std::vector<double> ComputeVariations(const Field& field, bool ofCells) const
-  {
-    const relevo::SurfaceTriangles& surface = this->Edges.GetTriangles();
-    const std::vector<relevo::SurfaceEdge>& edges = this->Edges.GetEdges();
-    std::vector<double> variations(edges.size(), 0.0);
-    vtkSMPTools::For(0, static_cast<vtkIdType>(edges.size()),
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          const relevo::SurfaceEdge& edge = edges[i];
-          if (!ofCells)
-          {
-            variations[i] = field.GetVariation(edge.Points[0], edge.Points[1]);
-          }
-          else if (edge.Triangles[1] >= 0)
-          {
-            variations[i] = field.GetVariation(
-              surface.GetCell(edge.Triangles[0]), surface.GetCell(edge.Triangles[1]));
-          }
-        }
-      });
-    return variations;
-  }
 };
 
 vtkStandardNewMacro(vtkFieldVariationDepthTagMetric);
@@ -190,7 +198,21 @@ void vtkFieldVariationDepthTagMetric::SetMaximumVariation(double variation)
 }
 
 bool vtkFieldVariationDepthTagMetric::ComputeTags(
-  vtkPolyData* mesh, const vtkRefinementView&, int maximumLevel, vtkFloatArray* tags)
+  vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel, vtkFloatArray* tags)
+{
+  relevo::SurfaceEdges& edges = this->Internals->Edges;
+  edges.Update(mesh);
+  vtkNew<vtkFloatArray> edgeTags;
+  if (!this->ComputeEdgeTags(mesh, view, maximumLevel, edges, edgeTags))
+  {
+    return false;
+  }
+  edges.TagPoints(edgeTags->GetPointer(0), tags);
+  return true;
+}
+
+bool vtkFieldVariationDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView&,
+  int maximumLevel, const relevo::SurfaceEdges& edges, vtkFloatArray* tags)
 {
   if (this->ArrayName.empty())
   {
@@ -225,15 +247,13 @@ bool vtkFieldVariationDepthTagMetric::ComputeTags(
     return false;
   }
 
-  relevo::SurfaceEdges& edges = this->Internals->Edges;
-  edges.Update(mesh);
-  const std::vector<double> variations = this->Internals->ComputeVariations(Field(array), ofCells);
+  const std::vector<double> variations = ComputeVariations(edges, Field(array), ofCells);
   const float low = static_cast<float>(this->MinimumVariation);
   const float high = static_cast<float>(
     this->MaximumVariation > 0.0 ? this->MaximumVariation : GetAutomaticMaximum(variations));
-  edges.TagPoints(tags,
-    [&](vtkIdType i)
-    { return relevo::rangeLevel(static_cast<float>(variations[i]), low, high, maximumLevel); });
+  relevo::TagEdges(edges, tags,
+    [&](int edge)
+    { return relevo::rangeLevel(static_cast<float>(variations[edge]), low, high, maximumLevel); });
   return true;
 }
 

@@ -22,9 +22,9 @@
  *
  *     level = MaximumLevel * (x - low) / (high - low)
  *
- * clamped to [0, MaximumLevel]. Values that are NaN or infinite make no variation, so that an array
- * of nothing else, as a constant one, has level 0 everywhere; so has a point of no triangle. The
- * metric does not depend on the view.
+ * clamped to [0, MaximumLevel]; by the rule PER_EDGE that of an edge is with its own x. Values that
+ * are NaN or infinite make no variation, so that an array of nothing else, as a constant one, has
+ * level 0 everywhere; so has a point of no triangle. The metric does not depend on the view.
  *
  * Errors when tags are computed: no ArrayName; no array of numbers of that name in the mesh; one
  * with another number of tuples than points or cells.
@@ -78,6 +78,10 @@ public:
   bool IsViewDependent() override { return false; }
   bool ComputeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
     vtkFloatArray* tags) override;
+#ifndef __VTK_WRAP__
+  bool ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+    const relevo::SurfaceEdges& edges, vtkFloatArray* tags) override;
+#endif
 
 protected:
   vtkFieldVariationDepthTagMetric();

@@ -11,6 +11,7 @@
 #include "vtkRefinementMathematics.h"
 #include "vtkRefinementView.h"
 #include "vtkSMPTools.h"
+#include "vtkSurfaceEdges.h"
 #include "vtkWorldView.h"
 
 #include <algorithm>
@@ -39,6 +40,58 @@ double GetDistance(vtkImplicitFunction* function, dvec3 x)
   function->FunctionGradient(&x[0], &gradient[0]);
   return value / glm::length(gradient);
 }
+
+// The region of a metric, and the levels of points of a mesh by their distance from it.
+class Region
+{
+public:
+  Region(vtkRegionDepthTagMetric* metric, vtkPolyData* mesh, const vtkRefinementView& view)
+    : ToWorld(view)
+    , Function(metric->GetImplicitFunction())
+    , Center(metric->GetCenter()[0], metric->GetCenter()[1], metric->GetCenter()[2])
+    , Radius(metric->GetRadius())
+    , FallOff(metric->GetFallOff() > 0.0 ? metric->GetFallOff()
+                                         : AutomaticFallOff * this->ToWorld.GetDiagonal(mesh))
+  {
+  }
+
+  float GetLevel(const dvec3& point, int maximumLevel) const
+  {
+    const dvec3 x = this->ToWorld.GetPoint(point);
+    double distance = vtkMath::Nan();
+    if (std::isfinite(glm::dot(x, dvec3(1.0))))
+    {
+      distance = this->Function ? GetDistance(this->Function, x)
+                                : std::max(glm::distance(x, this->Center) - this->Radius, 0.0);
+    }
+    // In fall-offs: neither leaves the range of floats.
+    return relevo::regionLevel(
+      static_cast<float>(distance > 0.0 ? std::min(distance / this->FallOff, 2.0) : distance), 1.0f,
+      maximumLevel);
+  }
+
+  // Calls f(begin, end) for parts of n things; by one thread where a function of VTK's is asked,
+  // which do not promise to be safe in several.
+  template <typename Work>
+  void For(vtkIdType n, Work&& f) const
+  {
+    if (this->Function)
+    {
+      f(0, n);
+    }
+    else
+    {
+      vtkSMPTools::For(0, n, f);
+    }
+  }
+
+private:
+  relevo::Placement ToWorld;
+  vtkImplicitFunction* Function;
+  dvec3 Center;
+  double Radius;
+  double FallOff;
+};
 }
 
 vtkStandardNewMacro(vtkRegionDepthTagMetric);
@@ -106,12 +159,21 @@ vtkMTimeType vtkRegionDepthTagMetric::GetMTime()
   return this->ImplicitFunction ? std::max(own, this->ImplicitFunction->GetMTime()) : own;
 }
 
-bool vtkRegionDepthTagMetric::ComputeTags(
-  vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel, vtkFloatArray* tags)
+bool vtkRegionDepthTagMetric::CheckRegion()
 {
   if (!this->ImplicitFunction && this->Radius == 0.0)
   {
     vtkErrorMacro("There is no region: call SetImplicitFunction, or SetCenter and SetRadius.");
+    return false;
+  }
+  return true;
+}
+
+bool vtkRegionDepthTagMetric::ComputeTags(
+  vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel, vtkFloatArray* tags)
+{
+  if (!this->CheckRegion())
+  {
     return false;
   }
   const vtkIdType numberOfPoints = mesh->GetNumberOfPoints();
@@ -121,40 +183,48 @@ bool vtkRegionDepthTagMetric::ComputeTags(
   {
     return true;
   }
-
-  const relevo::Placement placement(view);
-  const dvec3 center(this->Center[0], this->Center[1], this->Center[2]);
-  const double fallOff =
-    this->FallOff > 0.0 ? this->FallOff : AutomaticFallOff * placement.GetDiagonal(mesh);
-  vtkPoints* points = mesh->GetPoints();
-  const auto tag = [&](vtkIdType begin, vtkIdType end)
-  {
-    for (vtkIdType point = begin; point < end; ++point)
+  const Region region(this, mesh, view);
+  region.For(numberOfPoints,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      dvec3 x;
-      points->GetPoint(point, &x[0]);
-      x = placement.GetPoint(x);
-      double distance = vtkMath::Nan();
-      if (std::isfinite(glm::dot(x, dvec3(1.0))))
+      for (vtkIdType point = begin; point < end; ++point)
       {
-        distance = this->ImplicitFunction ? GetDistance(this->ImplicitFunction, x)
-                                          : std::max(glm::distance(x, center) - this->Radius, 0.0);
+        dvec3 x;
+        mesh->GetPoints()->GetPoint(point, &x[0]);
+        tags->SetValue(point, region.GetLevel(x, maximumLevel));
       }
-      // In fall-offs: neither leaves the range of floats.
-      tags->SetValue(point,
-        relevo::regionLevel(
-          static_cast<float>(distance > 0.0 ? std::min(distance / fallOff, 2.0) : distance), 1.0f,
-          maximumLevel));
-    }
-  };
-  if (this->ImplicitFunction)
+    });
+  tags->Modified();
+  return true;
+}
+
+bool vtkRegionDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view,
+  int maximumLevel, const relevo::SurfaceEdges& edges, vtkFloatArray* tags)
+{
+  if (!this->CheckRegion())
   {
-    tag(0, numberOfPoints); // VTK's functions do not promise to be safe in threads
+    return false;
   }
-  else
-  {
-    vtkSMPTools::For(0, numberOfPoints, tag);
-  }
+  const Region region(this, mesh, view);
+  tags->SetNumberOfComponents(1);
+  tags->SetNumberOfTuples(edges.GetNumberOfEdges());
+  region.For(edges.GetNumberOfEdges(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType edge = begin; edge < end; ++edge)
+      {
+        dvec3 a;
+        dvec3 b;
+        edges.GetTriangles().GetPoint(edges.GetEdges()[edge].Places[0], &a[0]);
+        edges.GetTriangles().GetPoint(edges.GetEdges()[edge].Places[1], &b[0]);
+        float level = 0.0f;
+        for (const dvec3& x : { a, 0.5 * a + 0.5 * b, b })
+        {
+          level = std::max(level, region.GetLevel(x, maximumLevel));
+        }
+        tags->SetValue(edge, level);
+      }
+    });
   tags->Modified();
   return true;
 }

@@ -11,7 +11,8 @@
  *     level = MaximumLevel * (3 t^2 - 2 t^3),    t = 1 - d / FallOff, clamped to [0, 1]
  *
  * MaximumLevel inside and at the border, 0 from FallOff on, smooth between (the region of interest
- * of Nellmeldin 2013, "Desarrollo de algoritmos de teselacion adaptativa en GPU", section 9).
+ * of Nellmeldin 2013, "Desarrollo de algoritmos de teselacion adaptativa en GPU", section 9). By
+ * the rule PER_EDGE, d of an edge is the least of its two ends and its midpoint.
  *
  * For the ball d is exact. For a function f it is f / |grad f| (Taubin 1991), exact for planes and
  * functions that are distances, and near the border of others; where the gradient is 0 outside, or
@@ -86,6 +87,10 @@ public:
   bool IsPlacementDependent() override { return true; }
   bool ComputeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
     vtkFloatArray* tags) override;
+#ifndef __VTK_WRAP__
+  bool ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+    const relevo::SurfaceEdges& edges, vtkFloatArray* tags) override;
+#endif
 
 protected:
   vtkRegionDepthTagMetric();
@@ -101,6 +106,7 @@ private:
   void operator=(const vtkRegionDepthTagMetric&) = delete;
 
   void SetLength(const char* name, double& length, double value);
+  bool CheckRegion();
 };
 
 #endif

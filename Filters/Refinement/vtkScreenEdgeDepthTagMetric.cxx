@@ -4,6 +4,7 @@
 
 #include "vtkCamera.h"
 #include "vtkFloatArray.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkRefinementMathematics.h"
@@ -135,6 +136,20 @@ void vtkScreenEdgeDepthTagMetric::SetReferenceLength(double pixels)
 bool vtkScreenEdgeDepthTagMetric::ComputeTags(
   vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel, vtkFloatArray* tags)
 {
+  relevo::SurfaceEdges& edges = this->Internals->Edges;
+  edges.Update(mesh);
+  vtkNew<vtkFloatArray> edgeTags;
+  if (!this->ComputeEdgeTags(mesh, view, maximumLevel, edges, edgeTags))
+  {
+    return false;
+  }
+  edges.TagPoints(edgeTags->GetPointer(0), tags);
+  return true;
+}
+
+bool vtkScreenEdgeDepthTagMetric::ComputeEdgeTags(vtkPolyData*, const vtkRefinementView& view,
+  int maximumLevel, const relevo::SurfaceEdges& edges, vtkFloatArray* tags)
+{
   Screen screen;
   std::string error;
   if (!screen.Set(view, error))
@@ -142,19 +157,19 @@ bool vtkScreenEdgeDepthTagMetric::ComputeTags(
     vtkErrorMacro(<< error << ".");
     return false;
   }
-  relevo::SurfaceEdges& edges = this->Internals->Edges;
-  edges.Update(mesh);
   const float reference = static_cast<float>(this->ReferenceLength);
-  const auto levelOf = [&](vtkIdType i)
-  {
-    const relevo::SurfaceEdge& edge = edges.GetEdges()[i];
-    const relevo::SurfaceTriangles& surface = edges.GetTriangles();
-    const double length =
-      screen.GetLength(surface.GetPoint(edge.Points[0]), surface.GetPoint(edge.Points[1]));
-    return relevo::lengthLevel(
-      static_cast<float>(std::min<double>(length, VTK_FLOAT_MAX)), reference, maximumLevel);
-  };
-  edges.TagPoints(tags, levelOf);
+  relevo::TagEdges(edges, tags,
+    [&](int edge)
+    {
+      glm::dvec3 ends[2];
+      for (int end = 0; end < 2; ++end)
+      {
+        edges.GetTriangles().GetPoint(edges.GetEdges()[edge].Places[end], &ends[end][0]);
+      }
+      const double length = screen.GetLength(ends[0], ends[1]);
+      return relevo::lengthLevel(
+        static_cast<float>(std::min<double>(length, VTK_FLOAT_MAX)), reference, maximumLevel);
+    });
   return true;
 }
 

@@ -14,7 +14,8 @@
  * 0 where the surface faces the eye, or faces away from it as the inside of an open surface does,
  * and MaximumLevel where it is seen edge-on. The normals are the mesh's own point normals; where
  * there are none, or one is zero or not finite, the mean of the normals of the triangles at the
- * point, weighted by area.
+ * point, weighted by area. By the rule PER_EDGE an edge has the larger level of its two ends, and
+ * MaximumLevel where one of them faces the eye and the other away from it.
  *
  * CONTOUR (the silhouetteness of Dyken, Reimers and Seland 2008, "Real-time GPU silhouette
  * refinement using adaptively blended Bezier patches"), with n1, n2 the unit normals of the two
@@ -23,9 +24,9 @@
  *     level = MaximumLevel                                           if f1 f2 <= 0
  *     level = MaximumLevel * max(0, 1 - min(|f1|, |f2|) / ContourWidth)      otherwise
  *
- * for every edge, and of a point the largest over its edges. An edge of one triangle, or of more
- * than two, is always a contour. Triangles that wind against each other are treated as if they did
- * not; points at the same coordinates are one point.
+ * for every edge, and of a point, by the rule PER_VERTEX, the largest over its edges. An edge of
+ * one triangle, or of more than two, is always a contour. Triangles that wind against each other
+ * are treated as if they did not; points at the same coordinates are one point.
  *
  * With a parallel camera v is the same everywhere. A point or edge's midpoint at the eye itself has
  * MaximumLevel, a point of no triangle and without a normal, or one
@@ -89,6 +90,10 @@ public:
   bool IsViewDependent() override { return true; }
   bool ComputeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
     vtkFloatArray* tags) override;
+#ifndef __VTK_WRAP__
+  bool ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+    const relevo::SurfaceEdges& edges, vtkFloatArray* tags) override;
+#endif
 
 protected:
   vtkSilhouetteDepthTagMetric();
@@ -100,6 +105,8 @@ protected:
 private:
   vtkSilhouetteDepthTagMetric(const vtkSilhouetteDepthTagMetric&) = delete;
   void operator=(const vtkSilhouetteDepthTagMetric&) = delete;
+
+  bool SetEye(const vtkRefinementView& view);
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -4,6 +4,7 @@
 
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <tuple>
 
 namespace
@@ -11,18 +12,18 @@ namespace
 // A side of a triangle. Sorted, those of an edge follow each other.
 struct Side
 {
-  vtkIdType Points[2]; // the lower first
-  vtkIdType Triangle;
-  bool Descending; // the triangle passes it from the higher point to the lower
+  int Places[2]; // the lower first
+  int Triangle;
+  bool Descending; // the triangle passes it from the higher place to the lower
 
   bool operator<(const Side& other) const
   {
-    return std::tie(this->Points[0], this->Points[1], this->Triangle) <
-      std::tie(other.Points[0], other.Points[1], other.Triangle);
+    return std::tie(this->Places[0], this->Places[1], this->Triangle) <
+      std::tie(other.Places[0], other.Places[1], other.Triangle);
   }
   bool IsOnEdgeOf(const Side& other) const
   {
-    return this->Points[0] == other.Points[0] && this->Points[1] == other.Points[1];
+    return this->Places[0] == other.Places[0] && this->Places[1] == other.Places[1];
   }
 };
 
@@ -36,30 +37,51 @@ std::vector<Side> MakeSides(const std::vector<relevo::SurfaceTriangles::Triangle
       {
         for (int i = 0; i < 3; ++i)
         {
-          const vtkIdType from = triangles[t][i];
-          const vtkIdType to = triangles[t][(i + 1) % 3];
-          sides[3 * t + i] = { { std::min(from, to), std::max(from, to) }, t, from > to };
+          const int from = static_cast<int>(triangles[t][i]);
+          const int to = static_cast<int>(triangles[t][(i + 1) % 3]);
+          sides[3 * t + i] = { { std::min(from, to), std::max(from, to) }, static_cast<int>(t),
+            from > to };
         }
       }
     });
   vtkSMPTools::Sort(sides.begin(), sides.end());
   return sides;
 }
+
+// Counts become starts: element i of the result is the sum of all counts before i.
+void Accumulate(std::vector<int>& counts)
+{
+  int sum = 0;
+  for (int& count : counts)
+  {
+    sum += count;
+    count = sum - count;
+  }
+}
 }
 
 namespace relevo
 {
-void SurfaceEdges::Update(vtkPolyData* mesh)
+bool SurfaceEdges::Update(vtkPolyData* mesh)
 {
   const GeometryStamp stamp = MakeGeometryStamp(mesh);
   if (this->Of == stamp)
   {
-    return;
+    return false;
   }
   this->Of = stamp;
   this->Triangles = SurfaceTriangles(mesh);
+  this->BuildEdges();
+  this->BuildUses();
+  return true;
+}
 
+void SurfaceEdges::BuildEdges()
+{
   this->Edges.clear();
+  this->Sides.clear();
+  this->FirstSides.clear();
+  this->FirstEdges.assign(this->Triangles.GetNumberOfPoints() + 1, 0);
   const std::vector<Side> sides = MakeSides(this->Triangles.GetTriangles());
   for (std::size_t first = 0, last = 0; first < sides.size(); first = last)
   {
@@ -68,43 +90,86 @@ void SurfaceEdges::Update(vtkPolyData* mesh)
       ++last;
     }
     const Side& side = sides[first];
-    SurfaceEdge edge{ { side.Points[0], side.Points[1] }, { side.Triangle, -1 },
-      SurfaceEdge::OPEN };
+    SurfaceEdgeSides two{ this->GetNumberOfEdges(), { side.Triangle, -1 }, SurfaceEdgeSides::OPEN };
+    this->Edges.push_back({ { side.Places[0], side.Places[1] } });
+    this->FirstSides.push_back(static_cast<int>(this->Sides.size()));
+    ++this->FirstEdges[side.Places[0]];
     if (last - first == 1)
     {
-      this->Edges.push_back(edge);
+      this->Sides.push_back(two);
     }
     else if (last - first == 2)
     {
-      edge.Type =
-        side.Descending != sides[first + 1].Descending ? SurfaceEdge::INNER : SurfaceEdge::FLIPPED;
+      two.Type = side.Descending != sides[first + 1].Descending ? SurfaceEdgeSides::INNER
+                                                                : SurfaceEdgeSides::FLIPPED;
     }
     for (std::size_t i = first; i + 1 < last; ++i)
     {
-      edge.Triangles[0] = sides[i].Triangle;
-      edge.Triangles[1] = sides[i + 1].Triangle;
-      this->Edges.push_back(edge);
+      two.Triangles[0] = sides[i].Triangle;
+      two.Triangles[1] = sides[i + 1].Triangle;
+      this->Sides.push_back(two);
     }
   }
+  this->FirstSides.push_back(static_cast<int>(this->Sides.size()));
+  Accumulate(this->FirstEdges);
+}
 
+void SurfaceEdges::BuildUses()
+{
   this->Starts.assign(this->Triangles.GetNumberOfPoints() + 1, 0);
-  for (const SurfaceEdge& edge : this->Edges)
+  for (const Edge& edge : this->Edges)
   {
-    ++this->Starts[edge.Points[0] + 1];
-    ++this->Starts[edge.Points[1] + 1];
+    ++this->Starts[edge.Places[0]];
+    ++this->Starts[edge.Places[1]];
   }
-  for (std::size_t place = 1; place < this->Starts.size(); ++place)
-  {
-    this->Starts[place] += this->Starts[place - 1];
-  }
+  Accumulate(this->Starts);
   this->Uses.resize(2 * this->Edges.size());
-  std::vector<vtkIdType> next(this->Starts.begin(), this->Starts.end() - 1);
-  for (std::size_t i = 0; i < this->Edges.size(); ++i)
+  std::vector<int> next(this->Starts.begin(), this->Starts.end() - 1);
+  for (int edge = 0; edge < this->GetNumberOfEdges(); ++edge)
   {
-    for (vtkIdType place : this->Edges[i].Points)
+    for (int place : this->Edges[edge].Places)
     {
-      this->Uses[next[place]++] = static_cast<vtkIdType>(i);
+      this->Uses[next[place]++] = edge;
     }
   }
+}
+
+int SurfaceEdges::FindEdge(vtkIdType a, vtkIdType b) const
+{
+  const vtkIdType low = std::min(a, b);
+  const vtkIdType high = std::max(a, b);
+  if (low < 0 || low >= this->Triangles.GetNumberOfPoints())
+  {
+    return -1;
+  }
+  const auto first = this->Edges.begin() + this->FirstEdges[low];
+  const auto last = this->Edges.begin() + this->FirstEdges[low + 1];
+  const auto found = std::lower_bound(
+    first, last, high, [](const Edge& edge, vtkIdType place) { return edge.Places[1] < place; });
+  return found != last && found->Places[1] == high ? static_cast<int>(found - this->Edges.begin())
+                                                   : -1;
+}
+
+void SurfaceEdges::TagPoints(const float* edgeTags, vtkFloatArray* tags) const
+{
+  const vtkIdType numberOfPoints = this->Triangles.GetNumberOfPoints();
+  tags->SetNumberOfComponents(1);
+  tags->SetNumberOfTuples(numberOfPoints);
+  float* values = tags->GetPointer(0);
+  vtkSMPTools::For(0, numberOfPoints,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType point = begin; point < end; ++point)
+      {
+        const vtkIdType place = this->Triangles.GetPlace(point);
+        float tag = 0.0f;
+        for (int i = this->Starts[place]; i < this->Starts[place + 1]; ++i)
+        {
+          tag = std::max(tag, edgeTags[this->Uses[i]]);
+        }
+        values[point] = tag;
+      }
+    });
+  tags->Modified();
 }
 }

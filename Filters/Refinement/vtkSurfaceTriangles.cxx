@@ -78,7 +78,8 @@ void SurfaceTriangles::AddTriangle(vtkIdType cell, vtkIdType a, vtkIdType b, vtk
     {
       return;
     }
-    const dvec3 x = this->GetPoint(point);
+    double x[3];
+    this->GetPoint(point, x);
     if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
     {
       return;

@@ -14,8 +14,7 @@
 #define vtkSurfaceTriangles_h
 
 #include "vtkPoints.h" // for GetPoint
-#include "vtkRefinementMathematics.h"
-#include "vtkType.h" // for vtkIdType
+#include "vtkType.h"   // for vtkIdType
 
 #include <array>   // for Triangle
 #include <utility> // for GeometryStamp
@@ -24,6 +23,7 @@
 class vtkCellArray;
 class vtkPolyData;
 
+#ifndef __VTK_WRAP__
 namespace relevo
 {
 /// Identifies the points and cells that something was computed from. Modification times are unique
@@ -45,12 +45,9 @@ public:
   {
     return this->Places.empty() ? point : this->Places[point];
   }
-  dvec3 GetPoint(vtkIdType point) const
-  {
-    dvec3 x;
-    this->Points->GetPoint(point, &x[0]);
-    return x;
-  }
+  /// The lowest coincident point per point; empty when none coincide.
+  const std::vector<vtkIdType>& GetPlaces() const { return this->Places; }
+  void GetPoint(vtkIdType point, double x[3]) const { this->Points->GetPoint(point, x); }
 
   /// All triangles, their corners places.
   const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
@@ -96,5 +93,6 @@ private:
   std::vector<vtkIdType> Uses;   // 3 * triangle + corner
 };
 }
+#endif
 
 #endif

@@ -4,6 +4,7 @@
 
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkRefinementMathematics.h"
@@ -113,7 +114,36 @@ bool vtkViewDependentDepthTagMetric::ComputeTags(
     return relevo::viewDependentLevel(
       static_cast<float>(spread), maximumSpread, static_cast<float>(cosine), weight, maximumLevel);
   };
-  this->Internals->Edges.TagPlaces(tags, levelOf);
+  tags->SetNumberOfComponents(1);
+  tags->SetNumberOfTuples(surface.GetNumberOfPoints());
+  vtkSMPTools::For(0, surface.GetNumberOfPoints(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType point = begin; point < end; ++point)
+      {
+        tags->SetValue(point, levelOf(surface.GetPlace(point)));
+      }
+    });
+  tags->Modified();
+  return true;
+}
+
+bool vtkViewDependentDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh,
+  const vtkRefinementView& view, int maximumLevel, const relevo::SurfaceEdges& edges,
+  vtkFloatArray* tags)
+{
+  vtkNew<vtkFloatArray> pointTags;
+  if (!this->ComputeTags(mesh, view, maximumLevel, pointTags))
+  {
+    return false;
+  }
+  const float* ofPoints = pointTags->GetPointer(0);
+  relevo::TagEdges(edges, tags,
+    [&](int edge)
+    {
+      const int* places = edges.GetEdges()[edge].Places;
+      return std::max(ofPoints[places[0]], ofPoints[places[1]]);
+    });
   return true;
 }
 

@@ -10,16 +10,18 @@
  * (eqs. 3 to 9) is 1 over a length and lowest on silhouettes; this one has no unit and rises with
  * both. With, at a point, in world coordinates,
  *
- *     n       the mean of the normals of the triangles that meet there, weighted by area, of length
- * 1 spread  the largest angle between n and one of these normals edgeOn  = 1 - |n . v|, v the unit
- * vector to the eye: 0 seen from the front or back, 1 edge-on w       = EdgeOnWeight
+ *     n       the unit mean of the normals of the triangles that meet there, weighted by area
+ *     spread  the largest angle between n and one of these normals
+ *     edgeOn  1 - |n . v|, v the unit vector to the eye: 0 seen from the front or back, 1 edge-on
+ *     w       EdgeOnWeight
  *
  * the depth-tag is
  *
  *     level = MaximumLevel * min(1, spread / MaximumSpread * (1 - w + w * edgeOn))
  *
  * so that a flat surface has level 0 from everywhere, and one that is bent by MaximumSpread has
- * MaximumLevel on the silhouette and (1 - w) of it where it faces the eye.
+ * MaximumLevel on the silhouette and (1 - w) of it where it faces the eye. By the rule PER_EDGE an
+ * edge has the larger of the levels of its two ends.
  *
  * Neighbouring triangles are taken to wind alike; points at the same coordinates are one point.
  * With a parallel camera v is the same everywhere. A point at the eye itself counts as seen
@@ -67,6 +69,10 @@ public:
   bool IsViewDependent() override { return true; }
   bool ComputeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
     vtkFloatArray* tags) override;
+#ifndef __VTK_WRAP__
+  bool ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+    const relevo::SurfaceEdges& edges, vtkFloatArray* tags) override;
+#endif
 
 protected:
   vtkViewDependentDepthTagMetric();

@@ -48,7 +48,9 @@ std::vector<dvec3> Placement::GetPoints(const SurfaceTriangles& surface) const
     {
       for (vtkIdType point = begin; point < end; ++point)
       {
-        points[point] = this->GetPoint(surface.GetPoint(point));
+        dvec3 x;
+        surface.GetPoint(point, &x[0]);
+        points[point] = this->GetPoint(x);
       }
     });
   return points;

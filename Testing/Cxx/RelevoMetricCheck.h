@@ -10,6 +10,7 @@
 #include "vtkDepthTagMetric.h"
 #include "vtkMath.h"
 #include "vtkRefinementView.h"
+#include "vtkSurfaceEdges.h"
 
 #include <limits>
 #include <random>
@@ -27,9 +28,21 @@ inline std::vector<float> TagsOf(
   return std::vector<float>(tags->GetPointer(0), tags->GetPointer(0) + tags->GetNumberOfTuples());
 }
 
-inline bool AreLevels(const std::vector<float>& tags, vtkIdType numberOfPoints, int maximumLevel)
+// The tags of edges, or none when the metric gave none.
+inline std::vector<float> EdgeTagsOf(vtkDepthTagMetric* metric, vtkPolyData* mesh,
+  const vtkRefinementView& view, int maximumLevel, const relevo::SurfaceEdges& edges)
 {
-  bool good = static_cast<vtkIdType>(tags.size()) == numberOfPoints;
+  vtkNew<vtkFloatArray> tags;
+  if (!metric->ComputeEdgeTags(mesh, view, maximumLevel, edges, tags))
+  {
+    return {};
+  }
+  return std::vector<float>(tags->GetPointer(0), tags->GetPointer(0) + tags->GetNumberOfTuples());
+}
+
+inline bool AreLevels(const std::vector<float>& tags, vtkIdType number, int maximumLevel)
+{
+  bool good = static_cast<vtkIdType>(tags.size()) == number;
   for (float tag : tags)
   {
     good = good && tag >= 0.0f && tag <= static_cast<float>(maximumLevel);
@@ -71,8 +84,10 @@ inline bool SurvivesOddMeshes(vtkDepthTagMetric* metric)
   vtkNew<vtkCamera> camera;
   vtkRefinementView view;
   view.Camera = camera;
+  relevo::SurfaceEdges edges;
   for (vtkPolyData* mesh : meshes)
   {
+    edges.Update(mesh);
     for (int i = 0; i < 20; ++i)
     {
       PlaceAtRandom(camera, random);
@@ -80,7 +95,8 @@ inline bool SurvivesOddMeshes(vtkDepthTagMetric* metric)
       {
         camera->SetPosition(mesh->GetPoint(2)); // the eye on a vertex
       }
-      if (!AreLevels(TagsOf(metric, mesh, view, 5), mesh->GetNumberOfPoints(), 5))
+      if (!AreLevels(TagsOf(metric, mesh, view, 5), mesh->GetNumberOfPoints(), 5) ||
+        !AreLevels(EdgeTagsOf(metric, mesh, view, 5, edges), edges.GetNumberOfEdges(), 5))
       {
         return false;
       }

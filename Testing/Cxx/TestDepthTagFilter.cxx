@@ -15,6 +15,7 @@
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkScreenEdgeDepthTagMetric.h"
 
 #include <initializer_list>
 #include <limits>
@@ -124,6 +125,43 @@ void TestEdgeRule(RelevoCheck& check)
   }
   CHECK(HasLevels(filter, 0, 2, 3, 1));
   CHECK(HasLevels(filter, 1, 3, 2, 1));
+}
+
+void TestLevelRule(RelevoCheck& check)
+{
+  // 100 pixels for a unit; the edges are 0.8, 1 and 0.6 long: 3, 3.32 and 2.58 levels.
+  auto mesh = MakeMesh({ { 0, 0, 0 }, { 0.8, 0, 0 }, { 0, 0.6, 0 }, { 0, 0.6, 0 } },
+    { { 0, 1, 2 }, { 1, 0, 3 }, { 2, 3, 2 } });
+  vtkNew<vtkScreenEdgeDepthTagMetric> metric;
+  vtkNew<vtkCamera> camera;
+  camera->SetPosition(0, 0, 2);
+  camera->SetViewAngle(90);
+  camera->SetClippingRange(0.1, 10.0);
+  vtkNew<vtkDepthTagFilter> filter;
+  filter->SetInputData(mesh);
+  filter->SetMetric(metric);
+  filter->SetCamera(camera);
+  filter->SetViewportSize(400, 400);
+  CHECK(filter->GetLevelRule() == vtkDepthTagMetric::PER_VERTEX);
+  metric->SetReferenceLength(7.5); // 0.42 levels more
+  filter->Update();
+  CHECK(HasLevels(filter, 0, 4, 4, 4)); // tags 3.42, 3.74, 3.74
+  filter->SetLevelRuleToPerEdge();
+  filter->Update();
+  CHECK(HasLevels(filter, 0, 3, 4, 3));
+  CHECK(HasLevels(filter, 1, 3, 3, 4));
+  CHECK(HasLevels(filter, 2, 0, 0, 0));
+  CHECK_NEAR(Tags(filter)->GetValue(0), std::log2(80 / 7.5), 1e-5);
+
+  // Tags of the user's own are of points.
+  SetTags(mesh, { 1.0f, 3.0f, 5.0f, 5.0f });
+  filter->SetMetric(nullptr);
+  filter->Update();
+  CHECK(HasLevels(filter, 0, 2, 4, 3));
+
+  RelevoErrors errors(filter);
+  filter->SetLevelRule(2);
+  CHECK(errors.Said("LevelRule") && filter->GetLevelRule() == vtkDepthTagMetric::PER_EDGE);
 }
 
 void TestPassThrough(RelevoCheck& check)
@@ -335,6 +373,7 @@ int TestDepthTagFilter(int, char*[])
 {
   RelevoCheck check;
   TestEdgeRule(check);
+  TestLevelRule(check);
   TestPassThrough(check);
   TestUpdates(check);
   TestErrors(check);

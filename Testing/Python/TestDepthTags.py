@@ -79,6 +79,15 @@ class TestDepthTags(unittest.TestCase):
         self.assertEqual(
             values(output.GetCellData().GetArray("EdgeLevels")), [(4, 3, 4), (3, 3, 3)])
 
+        # Per edge, the nearer end's tag.
+        self.assertEqual(tags.GetLevelRule(), relevo.vtkDepthTagMetric.PER_VERTEX)
+        tags.SetLevelRuleToPerEdge()
+        self.assertEqual(tags.GetLevelRule(), relevo.vtkDepthTagMetric.PER_EDGE)
+        tags.Update()
+        self.assertEqual(
+            values(tags.GetOutput().GetCellData().GetArray("EdgeLevels")),
+            [(4, 3, 4), (3, 3, 3)])
+
     def test_curvature(self):
         sphere = vtkSphereSource()
         sphere.SetRadius(2)

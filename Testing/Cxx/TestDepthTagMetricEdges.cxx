@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Tags that the metrics give to edges: by hand, and from what is known of the edge alone.
+#include "RelevoCheck.h"
+#include "RelevoMetricCheck.h"
+
+#include "vtkCompositeDepthTagMetric.h"
+#include "vtkCurvatureDepthTagMetric.h"
+#include "vtkDistanceDepthTagMetric.h"
+#include "vtkFieldVariationDepthTagMetric.h"
+#include "vtkIdList.h"
+#include "vtkPlane.h"
+#include "vtkRegionDepthTagMetric.h"
+#include "vtkScreenEdgeDepthTagMetric.h"
+#include "vtkSilhouetteDepthTagMetric.h"
+#include "vtkViewDependentDepthTagMetric.h"
+
+#include <algorithm>
+
+namespace
+{
+// Levels of edges (a, b), by hand.
+class Edges
+{
+public:
+  explicit Edges(vtkPolyData* mesh)
+    : Mesh(mesh)
+  {
+    this->Of.Update(mesh);
+  }
+  float GetTag(
+    vtkDepthTagMetric* metric, const vtkRefinementView& view, int maximumLevel, int a, int b) const
+  {
+    const auto tags = EdgeTagsOf(metric, this->Mesh, view, maximumLevel, this->Of);
+    return tags.empty() ? -1.0f : tags[this->Of.FindEdge(a, b)];
+  }
+
+  RelevoMeshes::Mesh Mesh;
+  relevo::SurfaceEdges Of;
+};
+
+void TestByHand(RelevoCheck& check)
+{
+  vtkNew<vtkCamera> camera;
+  camera->SetPosition(0, 0, 2);
+  camera->SetFocalPoint(0, 0, 0);
+  camera->SetViewAngle(90);
+  camera->SetClippingRange(0.1, 100.0);
+  vtkRefinementView view;
+  view.Camera = camera;
+  view.ViewportSize[0] = 640;
+  view.ViewportSize[1] = 400;
+  auto mesh = RelevoMeshes::FromTriangles(
+    { { { 0, 0, 0 } }, { { 0.8, 0, 0 } }, { { 0, 0.6, 0 } } }, { { { 0, 1, 2 } } });
+  const Edges triangle(mesh);
+
+  // 100 pixels for a unit: each edge its own length.
+  vtkNew<vtkScreenEdgeDepthTagMetric> screenEdge;
+  CHECK_NEAR(triangle.GetTag(screenEdge, view, 6, 0, 1), 3.0, 1e-5);
+  CHECK_NEAR(triangle.GetTag(screenEdge, view, 6, 0, 2), std::log2(6.0), 1e-5);
+  CHECK_NEAR(triangle.GetTag(screenEdge, view, 6, 1, 2), std::log2(10.0), 1e-5);
+
+  // The nearer end.
+  vtkNew<vtkDistanceDepthTagMetric> distance;
+  distance->SetMaximumDistance(4.0);
+  CHECK_NEAR(triangle.GetTag(distance, view, 6, 0, 1), 3.0, 1e-5);
+  CHECK_NEAR(triangle.GetTag(distance, view, 6, 1, 2), 6.0 * (1.0 - std::sqrt(4.36) / 4.0), 1e-5);
+
+  // A ball that touches the middle of an edge and neither of its ends.
+  vtkNew<vtkRegionDepthTagMetric> region;
+  region->SetCenter(0.4, -0.2, 0);
+  region->SetRadius(0.15);
+  region->SetFallOff(0.1);
+  CHECK_NEAR(triangle.GetTag(region, view, 6, 0, 1), 3.0, 1e-5); // half of the fall-off away
+  CHECK(triangle.GetTag(region, view, 6, 0, 2) == 0.0f);
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.7, 0, 0);
+  plane->SetNormal(-1, 0, 0);
+  region->SetImplicitFunction(plane);
+  CHECK(triangle.GetTag(region, view, 6, 0, 1) == 6.0f);
+  CHECK(triangle.GetTag(region, view, 6, 0, 2) == 0.0f);
+
+  // The variation of an edge's own points.
+  vtkNew<vtkFloatArray> values;
+  values->SetName("Values");
+  for (float value : { 0.0f, 4.0f, 1.0f })
+  {
+    values->InsertNextValue(value);
+  }
+  mesh->GetPointData()->AddArray(values);
+  vtkNew<vtkFieldVariationDepthTagMetric> field;
+  field->SetArrayName("Values");
+  field->SetMaximumVariation(1.0);
+  CHECK_NEAR(triangle.GetTag(field, view, 4, 0, 1), 4.0, 1e-5);
+  CHECK_NEAR(triangle.GetTag(field, view, 4, 0, 2), 1.0, 1e-5);
+  CHECK_NEAR(triangle.GetTag(field, view, 4, 1, 2), 3.0, 1e-5);
+
+  // The least cosine of the two ends; where one faces the eye and the other does not, the contour.
+  vtkNew<vtkSilhouetteDepthTagMetric> silhouette;
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  normals->InsertNextTuple3(0, 0, 1);
+  normals->InsertNextTuple3(0, 3, 4);
+  normals->InsertNextTuple3(0, 0, -1);
+  mesh->GetPointData()->SetNormals(normals);
+  camera->ParallelProjectionOn();
+  CHECK_NEAR(triangle.GetTag(silhouette, view, 5, 0, 1), 1.0, 1e-5);
+  CHECK(triangle.GetTag(silhouette, view, 5, 0, 2) == 5.0f);
+  CHECK(triangle.GetTag(silhouette, view, 5, 1, 2) == 5.0f);
+  silhouette->SetCriterionToContour();
+  CHECK(triangle.GetTag(silhouette, view, 5, 0, 1) == 5.0f); // the border
+
+  // Two triangles that meet at a right angle, seen along the bisector: no contour but the border.
+  const Edges roof(RelevoMeshes::FromTriangles(
+    { { { 0, -1, 0 } }, { { 0, 1, 0 } }, { { 1, 0, -1 } }, { { -1, 0, -1 } } },
+    { { { 0, 2, 1 } }, { { 0, 1, 3 } } }));
+  silhouette->SetContourWidth(1.0);
+  CHECK_NEAR(roof.GetTag(silhouette, view, 5, 0, 1), 5.0 * (1.0 - std::sqrt(0.5)), 1e-5);
+  CHECK(roof.GetTag(silhouette, view, 5, 0, 2) == 5.0f);
+
+  // The more bent end; both ends of the ridge are bent by 45 degrees, the others are flat.
+  vtkNew<vtkViewDependentDepthTagMetric> viewDependent;
+  viewDependent->SetMaximumSpread(90.0);
+  viewDependent->SetEdgeOnWeight(0.0);
+  CHECK_NEAR(roof.GetTag(viewDependent, view, 4, 0, 1), 2.0, 1e-5);
+  CHECK_NEAR(roof.GetTag(viewDependent, view, 4, 0, 2), 2.0, 1e-5);
+
+  // Of the levels that the metrics give to the edge.
+  vtkNew<vtkCompositeDepthTagMetric> composite;
+  composite->AddMetric(screenEdge);
+  composite->AddMetric(field, 0.5);
+  camera->ParallelProjectionOff();
+  for (int edge = 0; edge < 3; ++edge)
+  {
+    const int a = edge;
+    const int b = (edge + 1) % 3;
+    const float first = triangle.GetTag(screenEdge, view, 6, a, b);
+    const float second = 0.5f * triangle.GetTag(field, view, 6, a, b);
+    composite->SetModeToMaximum();
+    CHECK_NEAR(triangle.GetTag(composite, view, 6, a, b), std::max(first, second), 1e-5);
+    composite->SetModeToSum();
+    CHECK_NEAR(triangle.GetTag(composite, view, 6, a, b), std::min(first + second, 6.0f), 1e-5);
+    // Tags of points are not mistaken for those of edges.
+    CHECK(TagsOf(composite, mesh, view, 6).size() == 3);
+    CHECK(TagsOf(composite, mesh, view, 6) != EdgeTagsOf(composite, mesh, view, 6, triangle.Of));
+  }
+}
+
+// The mean of the two places' tags, the larger where points coincide.
+void TestDefault(RelevoCheck& check)
+{
+  auto mesh = RelevoMeshes::Explode(RelevoMeshes::Sphere(9, 7));
+  vtkNew<vtkCurvatureDepthTagMetric> curvature;
+  const vtkRefinementView view;
+  const auto tags = TagsOf(curvature, mesh, view, 5);
+  relevo::SurfaceEdges edges;
+  edges.Update(mesh);
+  const auto edgeTags = EdgeTagsOf(curvature, mesh, view, 5, edges);
+  CHECK(AreLevels(edgeTags, edges.GetNumberOfEdges(), 5));
+  for (int edge = 0; edge < edges.GetNumberOfEdges(); ++edge)
+  {
+    const int* places = edges.GetEdges()[edge].Places;
+    CHECK(edgeTags[edge] == 0.5f * (tags[places[0]] + tags[places[1]]));
+  }
+}
+
+// A mesh of nothing but the triangles beside one edge gives that edge the same tag, if the metric
+// knows no more than the edge and the normals at its ends.
+void TestAlone(
+  RelevoCheck& check, vtkDepthTagMetric* metric, const vtkRefinementView& view, bool keepTriangles)
+{
+  auto sphere = RelevoMeshes::Sphere(9, 7);
+  vtkNew<vtkFloatArray> values;
+  values->SetName("Values");
+  for (vtkIdType point = 0; point < sphere->GetNumberOfPoints(); ++point)
+  {
+    values->InsertNextValue(static_cast<float>((point * 37) % 11));
+  }
+  sphere->GetPointData()->AddArray(values);
+  relevo::SurfaceEdges edges;
+  edges.Update(sphere);
+  const auto tags = EdgeTagsOf(metric, sphere, view, 5, edges);
+  CHECK(AreLevels(tags, edges.GetNumberOfEdges(), 5));
+  CHECK(*std::max_element(tags.begin(), tags.end()) > 0.0f);
+  for (int edge = 0; edge < edges.GetNumberOfEdges(); ++edge)
+  {
+    const int* places = edges.GetEdges()[edge].Places;
+    vtkNew<vtkCellArray> cells;
+    edges.ForEachSides(edge,
+      [&](int i)
+      {
+        for (int side = 0; side < (keepTriangles ? 2 : 1); ++side)
+        {
+          if (edges.GetSides()[i].Triangles[side] < 0)
+          {
+            continue;
+          }
+          cells->InsertNextCell(
+            3, edges.GetTriangles().GetTriangles()[edges.GetSides()[i].Triangles[side]].data());
+        }
+      });
+    RelevoMeshes::Mesh alone = RelevoMeshes::Make();
+    alone->ShallowCopy(sphere);
+    alone->SetPolys(cells);
+    relevo::SurfaceEdges few;
+    few.Update(alone);
+    CHECK(
+      EdgeTagsOf(metric, alone, view, 5, few)[few.FindEdge(places[0], places[1])] == tags[edge]);
+  }
+}
+}
+
+int TestDepthTagMetricEdges(int, char*[])
+{
+  RelevoCheck check;
+  TestByHand(check);
+  TestDefault(check);
+
+  vtkNew<vtkCamera> camera;
+  vtkRefinementView view;
+  view.Camera = camera;
+  vtkNew<vtkScreenEdgeDepthTagMetric> screenEdge;
+  vtkNew<vtkDistanceDepthTagMetric> distance;
+  distance->SetMaximumDistance(5.0);
+  vtkNew<vtkSilhouetteDepthTagMetric> silhouette; // the sphere has normals
+  vtkNew<vtkSilhouetteDepthTagMetric> contour;
+  contour->SetCriterionToContour();
+  vtkNew<vtkFieldVariationDepthTagMetric> field;
+  field->SetArrayName("Values");
+  field->SetMaximumVariation(0.5);
+  vtkNew<vtkRegionDepthTagMetric> region;
+  region->SetCenter(0.5, 0, 0);
+  region->SetRadius(0.1);
+  region->SetFallOff(0.5);
+  std::mt19937 random(7);
+  for (int i = 0; i < 4; ++i)
+  {
+    PlaceAtRandom(camera, random);
+    for (vtkDepthTagMetric* metric :
+      std::vector<vtkDepthTagMetric*>{ screenEdge, distance, silhouette, contour, field, region })
+    {
+      TestAlone(check, metric, view, metric == contour);
+    }
+  }
+  return check.GetResult();
+}
