@@ -18,7 +18,7 @@
 
 struct vtkRefinementPattern
 {
-  /// Segments on edges 1, 2, 3, in descending order.
+  /// Segments on edges 1, 2, 3; in descending order but in nested patterns (vtkNestedPattern.h).
   int Segments[3] = { 1, 1, 1 };
   /// Barycentric triples, 3 floats a vertex.
   std::vector<float> Vertices;

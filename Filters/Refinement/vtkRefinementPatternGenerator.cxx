@@ -13,8 +13,11 @@ namespace relevo
 vtkRefinementPattern GeneratePattern(int n1, int n2, int n3)
 {
   const int segments[3] = { n1, n2, n3 };
-  PatternMesh mesh = n1 == n3 ? MakeRegularMesh(n1) : MakeGradedMesh(segments);
+  return MakePattern(segments, n1 == n3 ? MakeRegularMesh(n1) : MakeGradedMesh(segments));
+}
 
+vtkRefinementPattern MakePattern(const int segments[3], PatternMesh mesh)
+{
   vtkRefinementPattern pattern;
   std::copy(segments, segments + 3, pattern.Segments);
   OrderForCache(mesh, pattern.GetNumberOfBorderVertices());

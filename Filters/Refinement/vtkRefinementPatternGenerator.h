@@ -20,6 +20,7 @@
 
 #include "vtkPatternBorder.h" // for MaximumNumberOfSegments
 #include "vtkPatternCheck.h"  // for FindDefect
+#include "vtkPatternMesh.h"   // for PatternMesh
 #include "vtkPatternSides.h"  // for MakeLines
 #include "vtkRefinementPattern.h"
 
@@ -30,6 +31,11 @@ namespace relevo
  * [1, MaximumNumberOfSegments].
  */
 vtkRefinementPattern GeneratePattern(int n1, int n2, int n3);
+
+/**
+ * The pattern that has a mesh, with these segments on its edges, in an order for drawing.
+ */
+vtkRefinementPattern MakePattern(const int segments[3], PatternMesh mesh);
 }
 
 #endif
