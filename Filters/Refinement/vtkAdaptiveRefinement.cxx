@@ -68,6 +68,49 @@ vtkDepthTagMetric* vtkAdaptiveRefinement::GetMetric()
   return this->Metric;
 }
 
+void vtkAdaptiveRefinement::SetChoice(const char* name, int& choice, int value, int last)
+{
+  if (value < 0 || value > last)
+  {
+    vtkErrorMacro(<< name << " must be in [0, " << last << "], got " << value << ".");
+  }
+  else if (choice != value)
+  {
+    choice = value;
+    this->Modified();
+  }
+}
+
+void vtkAdaptiveRefinement::SetLevelRule(int rule)
+{
+  this->SetChoice("LevelRule", this->LevelRule, rule, vtkDepthTagMetric::PER_EDGE);
+}
+
+void vtkAdaptiveRefinement::SetSegmentPolicy(int policy)
+{
+  this->SetChoice("SegmentPolicy", this->SegmentPolicy, policy, WHOLE_NUMBERS);
+}
+
+void vtkAdaptiveRefinement::SetGeomorphing(int mode)
+{
+  this->SetChoice("Geomorphing", this->Geomorphing, mode, GEOMORPHING_AUTOMATIC);
+}
+
+void vtkAdaptiveRefinement::SetLevelOffset(double levels)
+{
+  constexpr double most = 16.0;
+  if (!(levels >= -most && levels <= most))
+  {
+    vtkErrorMacro(
+      "LevelOffset must be in [" << -most << ", " << most << "], got " << levels << ".");
+  }
+  else if (this->LevelOffset != levels)
+  {
+    this->LevelOffset = levels;
+    this->Modified();
+  }
+}
+
 void vtkAdaptiveRefinement::SetSurface(vtkRefinementSurface* surface)
 {
   if (this->Surface != surface)
@@ -118,6 +161,10 @@ void vtkAdaptiveRefinement::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MaximumLevel: " << this->PatternTable->GetMaximumLevel() << "\n";
   os << indent << "DepthTagArrayName: " << this->DepthTagArrayName << "\n";
+  os << indent << "LevelRule: " << this->LevelRule << "\n";
+  os << indent << "LevelOffset: " << this->LevelOffset << "\n";
+  os << indent << "SegmentPolicy: " << this->SegmentPolicy << "\n";
+  os << indent << "Geomorphing: " << this->Geomorphing << "\n";
   os << indent << "Metric: " << this->Metric.Get() << "\n";
   os << indent << "Surface: " << this->Surface.Get() << "\n";
   os << indent << "Displacement: " << this->Displacement.Get() << "\n";

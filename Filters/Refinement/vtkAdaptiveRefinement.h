@@ -62,6 +62,77 @@ public:
 
   //@{
   /**
+   * Where a metric sets levels: vtkDepthTagMetric::PER_VERTEX (0, the default; an edge takes the
+   * mean of its points' tags) or vtkDepthTagMetric::PER_EDGE (1; an edge's level comes from the
+   * edge alone, which takes fewer triangles for the same picture). Another value is an error and
+   * changes nothing. Depth-tags of an array are always per point.
+   */
+  void SetLevelRule(int rule);
+  vtkGetMacro(LevelRule, int);
+  void SetLevelRuleToPerVertex() { this->SetLevelRule(0); }
+  void SetLevelRuleToPerEdge() { this->SetLevelRule(1); }
+  //@}
+
+  //@{
+  /**
+   * Added to the tags of all edges before they are rounded and clamped, in levels, -16 to 16;
+   * default 0. One level more doubles the segments of every edge. Another value is an error and
+   * changes nothing.
+   */
+  void SetLevelOffset(double levels);
+  vtkGetMacro(LevelOffset, double);
+  //@}
+
+  /**
+   * How many segments an edge may be cut into.
+   */
+  enum SegmentPolicies
+  {
+    POWERS_OF_TWO = 0,
+    WHOLE_NUMBERS = 1
+  };
+
+  //@{
+  /**
+   * POWERS_OF_TWO (0, the default): 2^level segments. WHOLE_NUMBERS (1): 2^tag segments, rounded
+   * half up to a whole number up to 16, beyond to 9 to 16 times 2, 4 or 8: segments keep closer to
+   * the wanted length, at the price of many more patterns and draw calls, and without geomorphing.
+   * Another value is an error and changes nothing.
+   */
+  void SetSegmentPolicy(int policy);
+  vtkGetMacro(SegmentPolicy, int);
+  void SetSegmentPolicyToPowersOfTwo() { this->SetSegmentPolicy(POWERS_OF_TWO); }
+  void SetSegmentPolicyToWholeNumbers() { this->SetSegmentPolicy(WHOLE_NUMBERS); }
+  //@}
+
+  /**
+   * When refined vertices slide into place.
+   */
+  enum GeomorphingModes
+  {
+    GEOMORPHING_OFF = 0,
+    GEOMORPHING_ON = 1,
+    GEOMORPHING_AUTOMATIC = 2
+  };
+
+  //@{
+  /**
+   * Whether the surface is a continuous function of the tags: a vertex that a higher level adds
+   * starts at a vertex that is there and slides to its own place while the tag rises by one, so
+   * that nothing pops when the camera moves. GEOMORPHING_OFF (0), GEOMORPHING_ON (1), or
+   * GEOMORPHING_AUTOMATIC (2, the default): on for metrics that depend on the view. Levels are the
+   * same as without; vertices are in their own places where the tags exceed the levels by one half,
+   * and at MaximumLevel. Needs SegmentPolicy POWERS_OF_TWO. Another value is an error and changes
+   * nothing.
+   */
+  void SetGeomorphing(int mode);
+  vtkGetMacro(Geomorphing, int);
+  void GeomorphingOn() { this->SetGeomorphing(GEOMORPHING_ON); }
+  void GeomorphingOff() { this->SetGeomorphing(GEOMORPHING_OFF); }
+  //@}
+
+  //@{
+  /**
    * The surface that refined points lie on; none means linear.
    */
   void SetSurface(vtkRefinementSurface* surface);
@@ -91,12 +162,18 @@ protected:
   ~vtkAdaptiveRefinement() override;
 
   std::string DepthTagArrayName = "DepthTag";
+  int LevelRule = 0;
+  double LevelOffset = 0.0;
+  int SegmentPolicy = POWERS_OF_TWO;
+  int Geomorphing = GEOMORPHING_AUTOMATIC;
   vtkSmartPointer<vtkDepthTagMetric> Metric;
   vtkSmartPointer<vtkRefinementSurface> Surface;
   vtkSmartPointer<vtkDisplacement> Displacement;
   vtkSmartPointer<vtkRefinementPatternTable> PatternTable;
 
 private:
+  void SetChoice(const char* name, int& choice, int value, int last);
+
   vtkAdaptiveRefinement(const vtkAdaptiveRefinement&) = delete;
   void operator=(const vtkAdaptiveRefinement&) = delete;
 };

@@ -5,6 +5,7 @@
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCamera.h"
 #include "vtkDisplacement.h"
+#include "vtkEdgeTags.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMatrix4x4.h"
@@ -129,14 +130,15 @@ bool vtkAdaptiveRefinementFilter::Prepare(
   view.Camera = this->Camera;
   view.ModelToWorld = this->ModelToWorld;
   std::copy_n(this->ViewportSize, 2, view.ViewportSize);
-  std::vector<float> tags;
+  relevo::EdgeTags tags;
   std::string error;
-  if (!relevo::ComputeDepthTags(recipe, input, mesh, view, tags, error))
+  if (!tags.Compute(recipe, input, mesh, view, error))
   {
     vtkErrorMacro("Cannot refine the input: " << error << ".");
     return false;
   }
-  selection.Select(mesh, tags, recipe->GetMaximumLevel());
+  selection.Select(mesh, tags, relevo::GetPatternFamily(recipe, input), recipe->GetPatternTable(),
+    static_cast<float>(recipe->GetLevelOffset()));
   return true;
 }
 
@@ -187,8 +189,7 @@ int vtkAdaptiveRefinementFilter::RequestData(
   catch (const std::bad_alloc&)
   {
     output->Initialize();
-    vtkErrorMacro("Not enough memory for "
-      << selection.GetNumberOfTriangles(this->Refinement->GetPatternTable()) << " triangles.");
+    vtkErrorMacro("Not enough memory for " << selection.GetNumberOfTriangles() << " triangles.");
     return 0;
   }
   this->UpdateProgress(1.0);

@@ -10,7 +10,7 @@
 
 namespace
 {
-constexpr double LargestTag = 1e6;
+constexpr double LargestTag = 1e38;
 }
 
 namespace relevo

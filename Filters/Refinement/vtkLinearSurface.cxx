@@ -36,6 +36,19 @@ void vtkLinearSurface::Evaluate(
   }
 }
 
+float vtkLinearSurface::ComputeNormalCone(const Face& face, float axis[3])
+{
+  const glm::vec3 origin = relevo::SurfaceCorners::load(face.Points[0]);
+  const glm::vec3 normal =
+    relevo::unitVector(glm::cross(relevo::SurfaceCorners::load(face.Points[1]) - origin,
+      relevo::SurfaceCorners::load(face.Points[2]) - origin));
+  for (int i = 0; i < 3; ++i)
+  {
+    axis[i] = normal[i];
+  }
+  return glm::dot(normal, normal) > 0.0f ? 1.0f : 0.0f;
+}
+
 std::string vtkLinearSurface::GetShaderSource()
 {
   return std::string(relevoLinear) + relevoNormalLinear;

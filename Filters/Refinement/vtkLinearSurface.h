@@ -24,6 +24,7 @@ public:
 #ifndef __VTK_WRAP__
   void Evaluate(
     const Face& face, const float weights[3], float position[3], float normal[3]) override;
+  float ComputeNormalCone(const Face& face, float axis[3]) override;
   std::string GetShaderSource() override;
 #endif
 

@@ -9,6 +9,9 @@
 #include "relevoNormalQuadratic.h"
 #include "relevoPNTriangle.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace relevo
 {
 struct PNTriangle : SurfaceCorners
@@ -85,6 +88,64 @@ void vtkPNTriangleSurface::Evaluate(
   relevo::store(this->QuadraticNormals ? relevo::QuadraticNormals{ corners }.surfaceNormal(w)
                                        : relevo::LinearNormals{ corners }.surfaceNormal(w),
     normal);
+}
+
+float vtkPNTriangleSurface::ComputeNormalCone(const Face& face, float axis[3])
+{
+  // The patch's tangents along two sides are convex combinations of the differences of control
+  // points, and its normals positive ones of their products.
+  const relevo::SurfaceCorners corners{ face, 2 + this->GetNumberOfEdgeNormals() };
+  const auto controlPoint = [&corners](int i, int j, int k)
+  {
+    // Powers of the weights of corners 0, 1, 2.
+    if (std::max({ i, j, k }) == 3)
+    {
+      return corners.cornerPoint(i == 3 ? 0 : (j == 3 ? 1 : 2));
+    }
+    if (i == 0)
+    {
+      return corners.edgeVector(1, j == 2 ? 0 : 1);
+    }
+    if (j == 0)
+    {
+      return corners.edgeVector(2, i == 2 ? 0 : 1);
+    }
+    return k == 0 ? corners.edgeVector(0, i == 2 ? 0 : 1) : corners.faceVector(0);
+  };
+  glm::vec3 along[6];
+  glm::vec3 across[6];
+  int count = 0;
+  for (int i = 0; i <= 2; ++i)
+  {
+    for (int j = 0; i + j <= 2; ++j)
+    {
+      const int k = 2 - i - j;
+      const glm::vec3 from = controlPoint(i + 1, j, k);
+      along[count] = controlPoint(i, j + 1, k) - from;
+      across[count] = controlPoint(i, j, k + 1) - from;
+      ++count;
+    }
+  }
+  glm::vec3 normals[36];
+  glm::vec3 sum(0.0f);
+  for (int n = 0; n < 36; ++n)
+  {
+    normals[n] = relevo::unitVector(glm::cross(along[n / 6], across[n % 6]));
+    sum += normals[n];
+  }
+  const glm::vec3 mean = relevo::unitVector(sum);
+  float cosine = glm::dot(mean, mean) > 0.0f ? 1.0f : 0.0f;
+  for (const glm::vec3& normal : normals)
+  {
+    if (glm::dot(normal, normal) > 0.0f)
+    {
+      cosine = std::min(cosine, glm::dot(normal, mean));
+    }
+  }
+  relevo::store(mean, axis);
+  // Flat triangles between points of the patch are turned a little more than the patch.
+  constexpr float margin = 0.05f;
+  return cosine > margin ? std::cos(std::acos(std::min(cosine, 1.0f)) + margin) : 0.0f;
 }
 
 std::string vtkPNTriangleSurface::GetShaderSource()

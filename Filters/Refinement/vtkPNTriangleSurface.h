@@ -49,6 +49,7 @@ public:
     const float points[9], const float* edgePositions[3], float* positions) override;
   void Evaluate(
     const Face& face, const float weights[3], float position[3], float normal[3]) override;
+  float ComputeNormalCone(const Face& face, float axis[3]) override;
   std::string GetShaderSource() override;
 #endif
 

@@ -3,276 +3,237 @@
 #include "vtkPatternSelection.h"
 
 #include "vtkAdaptiveRefinement.h"
-#include "vtkDataArray.h"
 #include "vtkDepthTagMetric.h"
-#include "vtkFloatArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPointPlaces.h"
-#include "vtkPolyData.h"
+#include "vtkEdgeTags.h"
 #include "vtkRefinementMathematics.h"
 #include "vtkRefinementMesh.h"
 #include "vtkRefinementPattern.h"
 #include "vtkRefinementPatternTable.h"
-#include "vtkRefinementView.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <sstream>
 
 namespace relevo
 {
 #include "glsl/relevoLevels.glsl"
 
+#include "glsl/relevoMorph.glsl"
+
 namespace
 {
-constexpr int Levels = vtkRefinementPatternTable::HighestLevel + 1;
-constexpr int NumberOfKeys = 2 * Levels * (Levels + 1) * (Levels + 2) / 6;
-
-// For an order of a face's corners and the levels of its sorted edges (0,1), (1,2), (0,2): the
-// group (pattern * 2 + mirrored) << 3 | permutation code.
-class SelectionTable
+// Faces are counted and scattered in chunks, in parallel; a chunk must be worth its counters.
+vtkIdType GetNumberOfChunks(vtkIdType numberOfFaces, int numberOfKeys)
 {
-public:
-  SelectionTable()
-  {
-    for (int code = 0; code < 6; ++code)
+  const vtkIdType least = std::max(4096, 2 * numberOfKeys);
+  return std::max<vtkIdType>(1, std::min<vtkIdType>(64, numberOfFaces / least));
+}
+
+// Calls f(chunk, begin, end) for each chunk of faces, in parallel.
+template <typename Function>
+void ForEachChunk(vtkIdType numberOfChunks, vtkIdType numberOfFaces, const Function& f)
+{
+  vtkSMPTools::For(0, numberOfChunks, 1,
+    [&](vtkIdType first, vtkIdType last)
     {
-      for (int l01 = 0; l01 < Levels; ++l01)
+      for (vtkIdType chunk = first; chunk < last; ++chunk)
       {
-        for (int l12 = 0; l12 < Levels; ++l12)
+        f(chunk, chunk * numberOfFaces / numberOfChunks,
+          (chunk + 1) * numberOfFaces / numberOfChunks);
+      }
+    });
+}
+}
+
+const PatternFamily& GetPatternFamily(vtkAdaptiveRefinement* recipe, vtkPolyData* input)
+{
+  if (recipe->GetSegmentPolicy() == vtkAdaptiveRefinement::WHOLE_NUMBERS)
+  {
+    return PatternFamily::GetWholeNumbers();
+  }
+  const int morphing = recipe->GetGeomorphing();
+  vtkDepthTagMetric* metric = GetMetricInUse(recipe, input);
+  const bool automatic = metric && metric->IsViewDependent();
+  return morphing == vtkAdaptiveRefinement::GEOMORPHING_ON ||
+      (morphing == vtkAdaptiveRefinement::GEOMORPHING_AUTOMATIC && automatic)
+    ? PatternFamily::GetNested()
+    : PatternFamily::GetPowersOfTwo();
+}
+
+template <typename GetTags, typename GetStep>
+void PatternSelection::SelectFaces(const RefinementMesh& mesh, const PatternFamily& family,
+  float offset, int maximumLevel, const GetTags& getTags, const GetStep& getStep)
+{
+  const bool morphing = family.IsMorphing();
+  ForEachChunk(static_cast<vtkIdType>(this->Counts.size()), this->GetNumberOfFaces(),
+    [&](vtkIdType chunk, vtkIdType begin, vtkIdType end)
+    {
+      int* counts = this->Counts[chunk].data();
+      for (vtkIdType f = begin; f < end; ++f)
+      {
+        const RefinementFace& face = mesh.Faces[f];
+        float tags[3];
+        getTags(f, face, tags);
+        int steps[3];
+        for (int e = 0; e < 3; ++e)
         {
-          for (int l02 = 0; l02 < Levels; ++l02)
+          tags[e] = clampTag(tags[e], offset, maximumLevel);
+          steps[e] = getStep(tags[e]);
+        }
+        const unsigned int entry = family.GetEntry(face.Order, steps[0], steps[1], steps[2]);
+        this->Entries[f] = entry;
+        ++counts[entry >> 3];
+        if (morphing)
+        {
+          for (int e = 0; e < 3; ++e)
           {
-            this->Entries[Index(code, l01, l12, l02)] = MakeEntry(code, l01, l12, l02);
+            this->MorphTags[3 * f + e] = morphTag(tags[e], maximumLevel);
           }
         }
       }
-    }
-  }
-
-  unsigned short Get(int code, int l01, int l12, int l02) const
-  {
-    return this->Entries[Index(code, l01, l12, l02)];
-  }
-
-private:
-  static int Index(int code, int l01, int l12, int l02)
-  {
-    return ((code * Levels + l01) * Levels + l12) * Levels + l02;
-  }
-
-  static unsigned short MakeEntry(int code, int l01, int l12, int l02)
-  {
-    // Sorted corner j is the cell's corner order[j]; the edge that lacks sorted corner j is known
-    // by its level lacking[j], and the cell's edge i lacks its corner i + 2.
-    const auto& order = GetCornerOrder(code);
-    const int lacking[3] = { l12, l02, l01 };
-    int levels[3];
-    for (int j = 0; j < 3; ++j)
-    {
-      levels[(order[j] + 1) % 3] = lacking[j];
-    }
-    const int lambda = vtkRefinementPatternTable::Canonicalize(levels);
-    int permutation[3];
-    vtkRefinementPatternTable::GetPermutation(lambda, permutation);
-    const int pattern = vtkRefinementPatternTable::GetPatternIndex(levels[0], levels[1], levels[2]);
-    const int group = 2 * pattern + (vtkRefinementPatternTable::IsOdd(lambda) ? 1 : 0);
-    return static_cast<unsigned short>(group << 3 |
-      GetCornerOrderCode(permutation[order[0]], permutation[order[1]], permutation[order[2]]));
-  }
-
-  std::array<unsigned short, 6 * Levels * Levels * Levels> Entries;
-};
-
-const SelectionTable& GetSelectionTable()
-{
-  static const SelectionTable table;
-  return table;
+    });
 }
 
-vtkAbstractArray* FindDepthTagArray(vtkAdaptiveRefinement* recipe, vtkPolyData* input)
+void PatternSelection::Select(const RefinementMesh& mesh, const EdgeTags& tags,
+  const PatternFamily& family, vtkRefinementPatternTable* table, float offset)
 {
-  const char* name = recipe->GetDepthTagArrayName();
-  return name[0] ? input->GetPointData()->GetAbstractArray(name) : nullptr;
-}
-
-// One finite value per point; false and an error when the array cannot give them.
-bool ReadDepthTags(
-  vtkAbstractArray* array, vtkIdType numberOfPoints, std::vector<float>& tags, std::string& error)
-{
-  std::ostringstream text;
-  text << "point array \"" << array->GetName() << "\" of depth-tags ";
-  vtkDataArray* numbers = vtkDataArray::SafeDownCast(array);
-  if (!numbers)
-  {
-    text << "holds no numbers";
-    error = text.str();
-    return false;
-  }
-  if (numbers->GetNumberOfComponents() != 1 || numbers->GetNumberOfTuples() != numberOfPoints)
-  {
-    text << "has " << numbers->GetNumberOfTuples() << " tuples of "
-         << numbers->GetNumberOfComponents() << " components for " << numberOfPoints
-         << " points; it needs one value per point";
-    error = text.str();
-    return false;
-  }
-  tags.resize(static_cast<size_t>(numberOfPoints));
-  for (vtkIdType i = 0; i < numberOfPoints; ++i)
-  {
-    const double tag = numbers->GetComponent(i, 0);
-    if (std::isnan(tag))
-    {
-      text << "is NaN at point " << i;
-      error = text.str();
-      return false;
-    }
-    constexpr double most = 1e38; // means of two stay finite
-    tags[static_cast<size_t>(i)] = static_cast<float>(std::min(std::max(tag, -most), most));
-  }
-  return true;
-}
-}
-
-vtkDepthTagMetric* GetMetricInUse(vtkAdaptiveRefinement* recipe, vtkPolyData* input)
-{
-  return FindDepthTagArray(recipe, input) ? nullptr : recipe->GetMetric();
-}
-
-bool ComputeDepthTags(vtkAdaptiveRefinement* recipe, vtkPolyData* input, const RefinementMesh& mesh,
-  const vtkRefinementView& view, std::vector<float>& tags, std::string& error)
-{
-  tags.clear();
-  const vtkIdType numberOfPoints = input->GetNumberOfPoints();
-  if (vtkAbstractArray* array = FindDepthTagArray(recipe, input))
-  {
-    if (!ReadDepthTags(array, numberOfPoints, tags, error))
-    {
-      return false;
-    }
-  }
-  else if (vtkDepthTagMetric* metric = recipe->GetMetric())
-  {
-    vtkNew<vtkFloatArray> values;
-    if (!metric->ComputeTags(input, view, recipe->GetMaximumLevel(), values))
-    {
-      error = std::string(metric->GetClassName()) + " gave no depth-tags";
-      return false;
-    }
-    values->SetName(metric->GetClassName());
-    if (!ReadDepthTags(values, numberOfPoints, tags, error))
-    {
-      return false;
-    }
-  }
-  if (!tags.empty() && !mesh.Places.empty())
-  {
-    UniteTags(mesh.Places, tags.data());
-  }
-  return true;
-}
-
-void PatternSelection::Select(
-  const RefinementMesh& mesh, const std::vector<float>& tags, int maximumLevel)
-{
-  const SelectionTable& table = GetSelectionTable();
   const vtkIdType numberOfFaces = static_cast<vtkIdType>(mesh.Faces.size());
-  this->Keys.resize(static_cast<size_t>(numberOfFaces));
-  this->Instances.resize(static_cast<size_t>(numberOfFaces));
-  this->Groups.clear();
-
-  // A counting sort over chunks, so that counting and scattering run in parallel.
-  const vtkIdType numberOfChunks =
-    std::max<vtkIdType>(1, std::min<vtkIdType>(64, numberOfFaces / 4096));
-  std::vector<std::array<int, NumberOfKeys>> counts(static_cast<size_t>(numberOfChunks));
-  auto chunkBegin = [&](vtkIdType chunk) { return chunk * numberOfFaces / numberOfChunks; };
-  vtkSMPTools::For(0, numberOfChunks, 1,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType chunk = first; chunk < last; ++chunk)
-      {
-        auto& count = counts[chunk];
-        count.fill(0);
-        for (vtkIdType f = chunkBegin(chunk); f < chunkBegin(chunk + 1); ++f)
-        {
-          const RefinementFace& face = mesh.Faces[f];
-          int l01 = maximumLevel;
-          int l12 = maximumLevel;
-          int l02 = maximumLevel;
-          if (!tags.empty())
-          {
-            const float t0 = tags[face.Corners[0]];
-            const float t1 = tags[face.Corners[1]];
-            const float t2 = tags[face.Corners[2]];
-            l01 = edgeLevel(t0, t1, maximumLevel);
-            l12 = edgeLevel(t1, t2, maximumLevel);
-            l02 = edgeLevel(t0, t2, maximumLevel);
-          }
-          const unsigned short key = table.Get(face.Order, l01, l12, l02);
-          this->Keys[f] = key;
-          ++count[key >> 3];
-        }
-      }
-    });
-
-  int offset = 0;
-  int key = 0;
-  for (int i = 0; i < Levels; ++i)
+  const int maximumLevel = table->GetMaximumLevel();
+  this->Entries.resize(mesh.Faces.size());
+  this->MorphTags.resize(family.IsMorphing() ? 3 * mesh.Faces.size() : 0);
+  this->Counts.resize(
+    static_cast<size_t>(GetNumberOfChunks(numberOfFaces, family.GetNumberOfKeys())));
+  for (auto& counts : this->Counts)
   {
-    for (int j = 0; j <= i; ++j)
+    counts.assign(static_cast<size_t>(family.GetNumberOfKeys()), 0);
+  }
+
+  const float* values = tags.GetValues();
+  const auto select = [&](const auto& getTags)
+  {
+    if (family.AreWholeNumbers())
     {
-      for (int k = 0; k <= j; ++k)
-      {
-        for (int mirrored = 0; mirrored < 2; ++mirrored, ++key)
+      this->SelectFaces(
+        mesh, family, offset, maximumLevel, getTags, &PatternFamily::GetWholeNumberStep);
+    }
+    else
+    {
+      this->SelectFaces(
+        mesh, family, offset, maximumLevel, getTags, [](float tag) { return levelOfTag(tag); });
+    }
+  };
+  switch (tags.GetKind())
+  {
+    case EdgeTags::UNIFORM:
+      select([maximumLevel](vtkIdType, const RefinementFace&, float t[3])
+        { std::fill_n(t, 3, static_cast<float>(maximumLevel)); });
+      break;
+    case EdgeTags::PER_POINT:
+      select(
+        [values](vtkIdType, const RefinementFace& face, float t[3])
         {
-          const int begin = offset;
-          for (auto& count : counts)
+          const float a = values[face.Corners[0]];
+          const float b = values[face.Corners[1]];
+          const float c = values[face.Corners[2]];
+          t[0] = meanTag(a, b);
+          t[1] = meanTag(b, c);
+          t[2] = meanTag(a, c);
+        });
+      break;
+    case EdgeTags::PER_EDGE:
+      select(
+        [values, edges = tags.GetFaceEdges().data()](vtkIdType f, const RefinementFace&, float t[3])
+        {
+          for (int e = 0; e < 3; ++e)
           {
-            const int size = count[key];
-            count[key] = offset;
-            offset += size;
+            t[e] = values[edges[3 * f + e]];
           }
-          if (offset > begin)
-          {
-            this->Groups.push_back({ { i, j, k }, mirrored == 1, begin, offset - begin });
-          }
-        }
-      }
+        });
+      break;
+  }
+  this->Counted = true;
+
+  this->Patterns.assign(static_cast<size_t>(family.GetNumberOfKeys()), nullptr);
+  this->NumberOfTriangles = 0;
+  for (int key = 0; key < family.GetNumberOfKeys(); ++key)
+  {
+    vtkIdType faces = 0;
+    for (const auto& counts : this->Counts)
+    {
+      faces += counts[key];
+    }
+    if (faces > 0)
+    {
+      this->Patterns[key] = &family.GetPattern(key, table);
+      this->NumberOfTriangles += faces * this->Patterns[key]->GetNumberOfTriangles();
     }
   }
-  vtkSMPTools::For(0, numberOfChunks, 1,
-    [&](vtkIdType first, vtkIdType last)
+}
+
+void PatternSelection::CountFaces(const unsigned char* hidden)
+{
+  ForEachChunk(static_cast<vtkIdType>(this->Counts.size()), this->GetNumberOfFaces(),
+    [&](vtkIdType chunk, vtkIdType begin, vtkIdType end)
     {
-      for (vtkIdType chunk = first; chunk < last; ++chunk)
+      std::vector<int>& counts = this->Counts[chunk];
+      std::fill(counts.begin(), counts.end(), 0);
+      for (vtkIdType f = begin; f < end; ++f)
       {
-        auto& next = counts[chunk];
-        for (vtkIdType f = chunkBegin(chunk); f < chunkBegin(chunk + 1); ++f)
+        counts[this->Entries[f] >> 3] += hidden && hidden[f] ? 0 : 1;
+      }
+    });
+}
+
+void PatternSelection::Group(const unsigned char* hidden)
+{
+  if (hidden || !this->Counted)
+  {
+    this->CountFaces(hidden);
+  }
+  this->Counted = false; // the counts become offsets
+  this->Groups.clear();
+  int offset = 0;
+  for (size_t key = 0; key < this->Patterns.size(); ++key)
+  {
+    if (!this->Patterns[key])
+    {
+      continue;
+    }
+    const int begin = offset;
+    for (auto& counts : this->Counts)
+    {
+      const int size = counts[key];
+      counts[key] = offset;
+      offset += size;
+    }
+    if (offset > begin)
+    {
+      this->Groups.push_back({ this->Patterns[key],
+        PatternFamily::IsMirrored(static_cast<int>(key)), begin, offset - begin });
+    }
+  }
+  this->Instances.resize(static_cast<size_t>(offset));
+  ForEachChunk(static_cast<vtkIdType>(this->Counts.size()), this->GetNumberOfFaces(),
+    [&](vtkIdType chunk, vtkIdType begin, vtkIdType end)
+    {
+      int* next = this->Counts[chunk].data();
+      for (vtkIdType f = begin; f < end; ++f)
+      {
+        if (!hidden || !hidden[f])
         {
-          this->Instances[next[this->Keys[f] >> 3]++] =
-            static_cast<unsigned int>(f) << 3 | (this->Keys[f] & 7u);
+          const unsigned int entry = this->Entries[f];
+          this->Instances[next[entry >> 3]++] = static_cast<unsigned int>(f) << 3 | (entry & 7u);
         }
       }
     });
 }
 
-vtkIdType PatternSelection::GetNumberOfTriangles(vtkRefinementPatternTable* table) const
+vtkIdType PatternSelection::GetNumberOfGroupedTriangles() const
 {
   vtkIdType count = 0;
   for (const PatternGroup& group : this->Groups)
   {
-    count +=
-      static_cast<vtkIdType>(group.Count) * GetGroupPattern(table, group).GetNumberOfTriangles();
+    count += static_cast<vtkIdType>(group.Count) * group.Pattern->GetNumberOfTriangles();
   }
   return count;
-}
-
-const vtkRefinementPattern& GetGroupPattern(
-  vtkRefinementPatternTable* table, const PatternGroup& group)
-{
-  return table->GetPatternOfSegments(
-    1 << group.Levels[0], 1 << group.Levels[1], 1 << group.Levels[2]);
 }
 }

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPatternSelection
- * @brief   from depth-tags to groups of faces that share a base pattern
+ * @brief   from tags of edges to groups of faces that share a pattern
  *
- * The stages tag, select and group of a frame (Lenz 2009, sections 4.4 and 4.5): depth-tags per
- * point, a level per edge, a base pattern and a permutation per face, and the faces sorted by base
- * pattern.
+ * The stages select and group of a frame (Lenz 2009, sections 4.4 and 4.5): the steps of a face's
+ * edges choose its pattern, and the faces to be drawn are sorted by pattern.
  *
  * Not wrapped: for the modules' own sources.
  */
@@ -14,46 +13,35 @@
 #define vtkPatternSelection_h
 
 #include "RelevoFiltersRefinementModule.h" // for export macro
+#include "vtkFacePattern.h"                // for GetFacePattern
+#include "vtkPatternFamily.h"              // for Family
 #include "vtkType.h"                       // for vtkIdType
 
-#include <string> // for errors
 #include <vector> // for members
 
 class vtkAdaptiveRefinement;
-class vtkDepthTagMetric;
 class vtkPolyData;
 class vtkRefinementPatternTable;
-struct vtkRefinementPattern;
-struct vtkRefinementView;
 
 #ifndef __VTK_WRAP__
 namespace relevo
 {
+class EdgeTags;
 class RefinementMesh;
 
 /**
- * One depth-tag per point, places united, from the recipe's array where the input has it, else from
- * its metric; empty when the recipe has neither, for MaximumLevel everywhere. Returns false and
- * fills `error` when the array or the metric cannot be used.
+ * The patterns that a recipe draws an input with.
  */
-RELEVOFILTERSREFINEMENT_EXPORT bool ComputeDepthTags(vtkAdaptiveRefinement* recipe,
-  vtkPolyData* input, const RefinementMesh& mesh, const vtkRefinementView& view,
-  std::vector<float>& tags, std::string& error);
-
-/**
- * The metric that ComputeDepthTags() asks; nullptr where it takes an array or nothing.
- */
-RELEVOFILTERSREFINEMENT_EXPORT vtkDepthTagMetric* GetMetricInUse(
+RELEVOFILTERSREFINEMENT_EXPORT const PatternFamily& GetPatternFamily(
   vtkAdaptiveRefinement* recipe, vtkPolyData* input);
 
 /**
- * Faces drawn with one base pattern and one winding: a range of Instances.
+ * Faces drawn with one pattern and one winding: a range of Instances.
  */
 struct PatternGroup
 {
-  /// Levels of the base pattern, descending.
-  int Levels[3];
-  /// Whether the permutations of the group mirror the pattern.
+  const vtkRefinementPattern* Pattern;
+  /// Whether the pattern's triangles are turned over.
   bool Mirrored;
   int Offset;
   int Count;
@@ -63,25 +51,55 @@ class RELEVOFILTERSREFINEMENT_EXPORT PatternSelection
 {
 public:
   /**
-   * Select and group. `tags` as from ComputeDepthTags().
+   * Choose a pattern for every face. `offset` is added to the tags of all edges.
    */
-  void Select(const RefinementMesh& mesh, const std::vector<float>& tags, int maximumLevel);
+  void Select(const RefinementMesh& mesh, const EdgeTags& tags, const PatternFamily& family,
+    vtkRefinementPatternTable* table, float offset = 0.0f);
 
-  /// face << 3 | permutation code (relevoWeights.glsl), sorted by group; by face within a group.
+  /**
+   * Sort the faces by pattern, those of them that are not hidden: `hidden` has a byte per face, or
+   * is nullptr for none.
+   */
+  void Group(const unsigned char* hidden = nullptr);
+
+  /// Of the faces grouped: face << 3 | permutation code (relevoWeights.glsl), sorted by group; by
+  /// face within a group.
   std::vector<unsigned int> Instances;
   std::vector<PatternGroup> Groups;
 
-  vtkIdType GetNumberOfTriangles(vtkRefinementPatternTable* table) const;
+  /// Number of faces selected.
+  int GetNumberOfFaces() const { return static_cast<int>(this->Entries.size()); }
+
+  /// The pattern of a face.
+  FacePattern GetFacePattern(int face) const
+  {
+    const unsigned int entry = this->Entries[face];
+    return { this->Patterns[entry >> 3], static_cast<int>(entry & 7u),
+      PatternFamily::IsMirrored(static_cast<int>(entry >> 3)),
+      this->MorphTags.empty() ? nullptr : &this->MorphTags[3 * static_cast<std::size_t>(face)] };
+  }
+
+  /// Per face the tags of its edges (0,1), (1,2), (0,2) that its vertices morph by; empty where
+  /// they do not.
+  const std::vector<float>& GetMorphTags() const { return this->MorphTags; }
+
+  /// Triangles of all faces, and of those grouped.
+  vtkIdType GetNumberOfTriangles() const { return this->NumberOfTriangles; }
+  vtkIdType GetNumberOfGroupedTriangles() const;
 
 private:
-  std::vector<unsigned short> Keys;
-};
+  template <typename GetTags, typename GetStep>
+  void SelectFaces(const RefinementMesh& mesh, const PatternFamily& family, float offset,
+    int maximumLevel, const GetTags& getTags, const GetStep& getStep);
+  void CountFaces(const unsigned char* hidden);
 
-/**
- * The pattern of a group.
- */
-RELEVOFILTERSREFINEMENT_EXPORT const vtkRefinementPattern& GetGroupPattern(
-  vtkRefinementPatternTable* table, const PatternGroup& group);
+  std::vector<unsigned int> Entries; // per face, of the family
+  std::vector<float> MorphTags;
+  std::vector<const vtkRefinementPattern*> Patterns; // by key; nullptr where not in use
+  std::vector<std::vector<int>> Counts;              // of faces per key, by chunk of faces
+  bool Counted = false;                              // all faces
+  vtkIdType NumberOfTriangles = 0;
+};
 }
 #endif
 

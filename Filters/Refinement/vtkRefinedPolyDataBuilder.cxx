@@ -57,7 +57,7 @@ RefinedPolyDataBuilder::RefinedPolyDataBuilder(vtkPolyData* input, RefinementMes
   , Mesh(mesh)
   , Recipe(recipe)
   , ForFaces(forFaces)
-  , Topology(mesh, selection, recipe->GetPatternTable(), input->GetNumberOfPoints())
+  , Topology(mesh, selection, input->GetNumberOfPoints())
   , Evaluator(mesh, recipe)
   , NumberOfPoints(Topology.GetNumberOfPoints())
 {
@@ -105,13 +105,12 @@ bool RefinedPolyDataBuilder::CountTriangles()
       for (vtkIdType f = begin; f < end; ++f)
       {
         const int face = static_cast<int>(f);
-        const vtkRefinementPattern& pattern = this->Topology.GetPattern(face);
-        vtkIdType count = pattern.GetNumberOfTriangles();
+        const FacePattern& pattern = this->Topology.GetPattern(face);
+        vtkIdType count = pattern.Pattern->GetNumberOfTriangles();
         if (hasHoles && this->Evaluator.MayHaveHoles(face))
         {
           this->Holes[f].resize(static_cast<size_t>(count));
-          count -= this->Evaluator.FindHoles(
-            face, this->Topology.GetCode(face), pattern, this->Holes[f].data());
+          count -= this->Evaluator.FindHoles(face, pattern, this->Holes[f].data());
         }
         this->FirstTriangles[f + 1] = count;
       }
@@ -133,9 +132,9 @@ bool RefinedPolyDataBuilder::BuildTriangles()
       for (vtkIdType f = begin; f < end; ++f)
       {
         const int face = static_cast<int>(f);
-        const vtkRefinementPattern& pattern = this->Topology.GetPattern(face);
+        const vtkRefinementPattern& pattern = *this->Topology.GetPattern(face).Pattern;
         this->Topology.GetPoints(face, points);
-        const int second = this->Topology.IsMirrored(face) ? 2 : 1;
+        const int second = this->Topology.GetPattern(face).Mirrored ? 2 : 1;
         const unsigned char* holes =
           this->Holes.empty() || this->Holes[f].empty() ? nullptr : this->Holes[f].data();
         vtkIdType* next = this->Connectivity->GetPointer(3 * this->FirstTriangles[f]);

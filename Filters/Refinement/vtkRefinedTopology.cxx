@@ -3,7 +3,6 @@
 #include "vtkRefinedTopology.h"
 
 #include "vtkPatternSelection.h"
-#include "vtkRefinementEvaluator.h"
 #include "vtkRefinementPattern.h"
 
 namespace relevo
@@ -43,21 +42,16 @@ const Placement& GetPlacement(int code)
 }
 }
 
-RefinedTopology::RefinedTopology(RefinementMesh& mesh, const PatternSelection& selection,
-  vtkRefinementPatternTable* table, vtkIdType numberOfInputPoints)
+RefinedTopology::RefinedTopology(
+  RefinementMesh& mesh, const PatternSelection& selection, vtkIdType numberOfInputPoints)
   : Mesh(mesh)
-  , Faces(mesh.Faces.size())
+  , FirstInnerPoints(mesh.Faces.size())
   , PointOwners(static_cast<size_t>(numberOfInputPoints), -1)
 {
-  for (const PatternGroup& group : selection.Groups)
+  this->Patterns.reserve(mesh.Faces.size());
+  for (int face = 0; face < selection.GetNumberOfFaces(); ++face)
   {
-    const vtkRefinementPattern& pattern = GetGroupPattern(table, group);
-    for (int i = group.Offset; i < group.Offset + group.Count; ++i)
-    {
-      const unsigned int instance = selection.Instances[i];
-      this->Faces[instance >> 3] = { &pattern, 0, static_cast<unsigned char>(instance & 7u),
-        group.Mirrored };
-    }
+    this->Patterns.push_back(selection.GetFacePattern(face));
   }
   mesh.BuildEdges();
 
@@ -79,8 +73,8 @@ RefinedTopology::RefinedTopology(RefinementMesh& mesh, const PatternSelection& s
   }
   for (int face = 0; face < numberOfFaces; ++face)
   {
-    const vtkRefinementPattern& pattern = *this->Faces[face].Pattern;
-    this->Faces[face].FirstInnerPoint = next;
+    const vtkRefinementPattern& pattern = *this->Patterns[face].Pattern;
+    this->FirstInnerPoints[face] = next;
     next += pattern.GetNumberOfVertices() - pattern.GetNumberOfBorderVertices();
     for (int corner : mesh.Faces[face].Corners)
     {
@@ -93,17 +87,17 @@ RefinedTopology::RefinedTopology(RefinementMesh& mesh, const PatternSelection& s
 
 RefinedTopology::Edge RefinedTopology::GetEdge(int face, int patternEdge) const
 {
-  const Face& state = this->Faces[face];
-  const Placement& placement = GetPlacement(state.Code);
+  const FacePattern& pattern = this->Patterns[face];
+  const Placement& placement = GetPlacement(pattern.Code);
   return { placement.Edges[patternEdge], placement.Forward[patternEdge],
-    state.Pattern->Segments[patternEdge] };
+    pattern.Pattern->Segments[patternEdge] };
 }
 
 void RefinedTopology::GetPoints(int face, std::vector<vtkIdType>& points) const
 {
-  const vtkRefinementPattern& pattern = *this->Faces[face].Pattern;
+  const vtkRefinementPattern& pattern = *this->Patterns[face].Pattern;
   points.resize(static_cast<size_t>(pattern.GetNumberOfVertices()));
-  const int* corners = GetPlacement(this->Faces[face].Code).Corners;
+  const int* corners = GetPlacement(this->Patterns[face].Code).Corners;
   for (int i = 0; i < 3; ++i)
   {
     points[i] = this->Mesh.Faces[face].Corners[corners[i]];
@@ -120,7 +114,7 @@ void RefinedTopology::GetPoints(int face, std::vector<vtkIdType>& points) const
       points[vertex++] = first + (edge.Forward ? k : inner - 1 - k);
     }
   }
-  for (vtkIdType next = this->Faces[face].FirstInnerPoint; vertex < points.size(); ++vertex)
+  for (vtkIdType next = this->FirstInnerPoints[face]; vertex < points.size(); ++vertex)
   {
     points[vertex] = next++;
   }
@@ -129,14 +123,13 @@ void RefinedTopology::GetPoints(int face, std::vector<vtkIdType>& points) const
 void RefinedTopology::GetOwnedPoints(int face, std::vector<RefinedPoint>& points) const
 {
   points.clear();
-  const vtkRefinementPattern& pattern = *this->Faces[face].Pattern;
-  const int code = this->Faces[face].Code;
+  const vtkRefinementPattern& pattern = *this->Patterns[face].Pattern;
+  const int code = this->Patterns[face].Code;
   auto add = [&](vtkIdType id, int vertex)
   {
     RefinedPoint point;
     point.Id = id;
-    RefinementEvaluator::PermuteWeights(
-      &pattern.Vertices[3 * static_cast<size_t>(vertex)], code, point.Weights);
+    this->Patterns[face].GetWeights(vertex, point.Weights);
     points.push_back(point);
   };
   const int* corners = GetPlacement(code).Corners;
@@ -163,7 +156,7 @@ void RefinedTopology::GetOwnedPoints(int face, std::vector<RefinedPoint>& points
     }
     vertex += inner;
   }
-  for (vtkIdType next = this->Faces[face].FirstInnerPoint; vertex < pattern.GetNumberOfVertices();
+  for (vtkIdType next = this->FirstInnerPoints[face]; vertex < pattern.GetNumberOfVertices();
        ++vertex)
   {
     add(next++, vertex);

@@ -13,13 +13,11 @@
 #ifndef vtkRefinedTopology_h
 #define vtkRefinedTopology_h
 
+#include "vtkFacePattern.h"
 #include "vtkRefinementMesh.h"
 #include "vtkType.h"
 
 #include <vector>
-
-class vtkRefinementPatternTable;
-struct vtkRefinementPattern;
 
 namespace relevo
 {
@@ -42,16 +40,12 @@ struct RefinedPoint
 class RefinedTopology
 {
 public:
-  RefinedTopology(RefinementMesh& mesh, const PatternSelection& selection,
-    vtkRefinementPatternTable* table, vtkIdType numberOfInputPoints);
+  RefinedTopology(
+    RefinementMesh& mesh, const PatternSelection& selection, vtkIdType numberOfInputPoints);
 
   vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
-  int GetNumberOfFaces() const { return static_cast<int>(this->Faces.size()); }
-  const vtkRefinementPattern& GetPattern(int face) const { return *this->Faces[face].Pattern; }
-  /// Permutation from the pattern's vertices to the face's sorted corners.
-  int GetCode(int face) const { return this->Faces[face].Code; }
-  /// Whether that permutation turns the pattern's triangles over.
-  bool IsMirrored(int face) const { return this->Faces[face].Mirrored; }
+  int GetNumberOfFaces() const { return static_cast<int>(this->Patterns.size()); }
+  const FacePattern& GetPattern(int face) const { return this->Patterns[face]; }
   /// Whether a face has this point of the input as a corner.
   bool IsCorner(vtkIdType inputPoint) const { return this->PointOwners[inputPoint] >= 0; }
 
@@ -62,13 +56,6 @@ public:
   void GetOwnedPoints(int face, std::vector<RefinedPoint>& points) const;
 
 private:
-  struct Face
-  {
-    const vtkRefinementPattern* Pattern;
-    vtkIdType FirstInnerPoint;
-    unsigned char Code;
-    bool Mirrored;
-  };
   /// One of the pattern's edges on a face, from the pattern's corner i to i + 1.
   struct Edge
   {
@@ -79,7 +66,8 @@ private:
   Edge GetEdge(int face, int patternEdge) const;
 
   const RefinementMesh& Mesh;
-  std::vector<Face> Faces;
+  std::vector<FacePattern> Patterns;
+  std::vector<vtkIdType> FirstInnerPoints;
   std::vector<vtkIdType> FirstEdgePoints;
   std::vector<int> PointOwners;
   vtkIdType NumberOfPoints = 0;

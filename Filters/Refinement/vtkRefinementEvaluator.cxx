@@ -146,36 +146,11 @@ RefinementEvaluator::RefinementEvaluator(const RefinementMesh& mesh, vtkAdaptive
 
 RefinementEvaluator::~RefinementEvaluator() = default;
 
-void RefinementEvaluator::PermuteWeights(const float uvw[3], int code, float weights[3])
-{
-  const vec3 w = permuteWeights(SurfaceCorners::load(uvw), code);
-  weights[0] = w.x;
-  weights[1] = w.y;
-  weights[2] = w.z;
-}
-
 void RefinementEvaluator::Evaluate(
   int face, const float weights[3], float position[3], float normal[3]) const
 {
   const Internals& data = *this->Data;
-  const RefinementMesh& mesh = data.Mesh;
-  vtkRefinementSurface::Face corners;
-  for (int i = 0; i < 3; ++i)
-  {
-    const size_t id = 3 * static_cast<size_t>(mesh.Faces[face].Corners[i]);
-    std::copy_n(&mesh.Points[id], 3, corners.Points[i]);
-    if (mesh.Normals.empty())
-    {
-      std::fill_n(corners.Normals[i], 3, 0.0f);
-    }
-    else
-    {
-      std::copy_n(&mesh.Normals[id], 3, corners.Normals[i]);
-    }
-  }
-  corners.Vectors = mesh.Vectors.empty()
-    ? nullptr
-    : &mesh.Vectors[3 * static_cast<size_t>(mesh.VectorsPerFace) * face];
+  const vtkRefinementSurface::Face corners = data.Mesh.GetSurfaceFace(face);
   data.Surface->Evaluate(corners, weights, position, normal);
 
   vec3 n = SurfaceCorners::load(normal);
@@ -229,9 +204,10 @@ bool RefinementEvaluator::MayHaveHoles(int face) const
 }
 
 int RefinementEvaluator::FindHoles(
-  int face, int code, const vtkRefinementPattern& pattern, unsigned char* out) const
+  int face, const FacePattern& facePattern, unsigned char* out) const
 {
   const Internals& data = *this->Data;
+  const vtkRefinementPattern& pattern = *facePattern.Pattern;
   const int numberOfTriangles = pattern.GetNumberOfTriangles();
   std::fill_n(out, numberOfTriangles, static_cast<unsigned char>(0));
   if (!this->MayHaveHoles(face))
@@ -244,7 +220,9 @@ int RefinementEvaluator::FindHoles(
   std::vector<bool> valid(uvs.size());
   for (size_t i = 0; i < uvs.size(); ++i)
   {
-    const vec3 w = permuteWeights(SurfaceCorners::load(&pattern.Vertices[3 * i]), code);
+    float weights[3];
+    facePattern.GetWeights(static_cast<int>(i), weights);
+    const vec3 w = SurfaceCorners::load(weights);
     uvs[i] = displaced.heightCoordinate(displaced.heightPoints(w), w);
     valid[i] = displaced.heightValid(uvs[i]);
   }
@@ -297,21 +275,19 @@ vtkIdType CountHoles(
   }
   const RefinementEvaluator evaluator(mesh, recipe);
   std::atomic<vtkIdType> count(0);
-  for (const PatternGroup& group : selection.Groups)
-  {
-    const vtkRefinementPattern& pattern = GetGroupPattern(recipe->GetPatternTable(), group);
-    vtkSMPTools::For(group.Offset, group.Offset + group.Count,
-      [&](vtkIdType begin, vtkIdType end)
+  vtkSMPTools::For(0, selection.GetNumberOfFaces(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::vector<unsigned char> out;
+      vtkIdType holes = 0;
+      for (int face = static_cast<int>(begin); face < end; ++face)
       {
-        std::vector<unsigned char> out(static_cast<size_t>(pattern.GetNumberOfTriangles()));
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          const unsigned int instance = selection.Instances[i];
-          count += evaluator.FindHoles(
-            static_cast<int>(instance >> 3), static_cast<int>(instance & 7u), pattern, out.data());
-        }
-      });
-  }
+        const FacePattern pattern = selection.GetFacePattern(face);
+        out.resize(static_cast<size_t>(pattern.Pattern->GetNumberOfTriangles()));
+        holes += evaluator.FindHoles(face, pattern, out.data());
+      }
+      count += holes;
+    });
   return count;
 }
 }

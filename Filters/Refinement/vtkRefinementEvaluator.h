@@ -18,13 +18,13 @@
 #include <memory> // for std::unique_ptr
 
 class vtkAdaptiveRefinement;
-struct vtkRefinementPattern;
 
 #ifndef __VTK_WRAP__
 namespace relevo
 {
 class PatternSelection;
 class RefinementMesh;
+struct FacePattern;
 
 class RELEVOFILTERSREFINEMENT_EXPORT RefinementEvaluator
 {
@@ -37,12 +37,6 @@ public:
   ~RefinementEvaluator();
 
   /**
-   * Weights of a face's sorted corners from a pattern vertex (u, v, w) and the permutation code of
-   * an instance.
-   */
-  static void PermuteWeights(const float uvw[3], int code, float weights[3]);
-
-  /**
    * Position relative to the mesh's origin and unit normal (zero when the mesh has no normals).
    */
   void Evaluate(int face, const float weights[3], float position[3], float normal[3]) const;
@@ -52,7 +46,7 @@ public:
    * a vertex whose height, or with a sample in them that, has no data. `out` holds a byte per
    * triangle, 1 where left out. Returns how many there are.
    */
-  int FindHoles(int face, int code, const vtkRefinementPattern& pattern, unsigned char* out) const;
+  int FindHoles(int face, const FacePattern& pattern, unsigned char* out) const;
 
   /**
    * Whether FindHoles can find any on this face.

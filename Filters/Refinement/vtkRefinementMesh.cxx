@@ -6,6 +6,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkDisplacement.h"
+#include "vtkFaceBounds.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPointPlaces.h"
@@ -15,9 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <numeric>
 #include <sstream>
 
 namespace relevo
@@ -290,109 +289,47 @@ bool RefinementMesh::BuildTextureCoordinates(vtkPolyData* input)
   return true;
 }
 
+vtkRefinementSurface::Face RefinementMesh::GetSurfaceFace(int face) const
+{
+  vtkRefinementSurface::Face result;
+  for (int i = 0; i < 3; ++i)
+  {
+    const size_t id = 3 * static_cast<size_t>(this->Faces[face].Corners[i]);
+    std::copy_n(&this->Points[id], 3, result.Points[i]);
+    if (this->Normals.empty())
+    {
+      std::fill_n(result.Normals[i], 3, 0.0f);
+    }
+    else
+    {
+      std::copy_n(&this->Normals[id], 3, result.Normals[i]);
+    }
+  }
+  result.Vectors = this->Vectors.empty()
+    ? nullptr
+    : &this->Vectors[3 * static_cast<size_t>(this->VectorsPerFace) * face];
+  return result;
+}
+
 void RefinementMesh::GetBounds(vtkAdaptiveRefinement* recipe, double bounds[6]) const
 {
   vtkMath::UninitializeBounds(bounds);
-  vtkRefinementSurface* surface = recipe->GetSurface();
-  vtkDisplacement* displacement = recipe->GetDisplacement();
-  double reach[2] = { 0.0, 0.0 };
-  double fixed[3] = { 0.0, 0.0, 0.0 };
-  if (displacement)
-  {
-    displacement->GetReach(reach);
-    displacement->GetDirection(fixed);
-  }
-  const bool alongNormal = displacement && displacement->IsAlongNormal();
-  const std::vector<float>& directions =
-    this->Directions.empty() ? this->Normals : this->Directions;
-  const int positions = surface ? surface->GetNumberOfEdgePositions() : 0;
-  const int facePositions = surface ? surface->GetNumberOfFacePositions() : 0;
-
-  double low[3];
-  double high[3];
-  auto extend = [&low, &high](const float* v)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      low[c] = std::min<double>(low[c], v[c]);
-      high[c] = std::max<double>(high[c], v[c]);
-    }
-  };
-  auto reset = [&low, &high]()
-  {
-    std::fill_n(low, 3, std::numeric_limits<double>::max());
-    std::fill_n(high, 3, std::numeric_limits<double>::lowest());
-  };
-
+  const FaceBounds faceBounds(*this, recipe);
   for (size_t f = 0; f < this->Faces.size(); ++f)
   {
-    const RefinementFace& face = this->Faces[f];
-    const float* vectors = this->Vectors.empty()
-      ? nullptr
-      : &this->Vectors[3 * static_cast<size_t>(this->VectorsPerFace) * f];
-    double moves[3][2] = { { fixed[0], fixed[0] }, { fixed[1], fixed[1] }, { fixed[2], fixed[2] } };
-    if (alongNormal)
-    {
-      // Normals are convex combinations of these, made unit: no longer than 1 over the least
-      // length a combination can have.
-      reset();
-      std::vector<const float*> normals;
-      for (int corner : face.Corners)
-      {
-        normals.push_back(&directions[3 * static_cast<size_t>(corner)]);
-      }
-      for (int edge = 0; edge < 3; ++edge)
-      {
-        for (int k = positions; k < this->VectorsPerEdge; ++k)
-        {
-          normals.push_back(vectors + 3 * (edge * this->VectorsPerEdge + k));
-        }
-      }
-      double mean[3] = { 0.0, 0.0, 0.0 };
-      for (const float* normal : normals)
-      {
-        extend(normal);
-        std::transform(mean, mean + 3, normal, mean, std::plus<double>());
-      }
-      vtkMath::Normalize(mean);
-      double least = 1.0;
-      for (const float* normal : normals)
-      {
-        least = std::min(least, std::inner_product(mean, mean + 3, normal, 0.0));
-      }
-      for (int c = 0; c < 3; ++c)
-      {
-        const bool bounded = least > 0.0;
-        moves[c][0] = bounded ? std::max(-1.0, low[c] / (low[c] < 0.0 ? least : 1.0)) : -1.0;
-        moves[c][1] = bounded ? std::min(1.0, high[c] / (high[c] > 0.0 ? least : 1.0)) : 1.0;
-      }
-    }
-    reset();
-    for (int corner : face.Corners)
-    {
-      extend(&this->Points[3 * static_cast<size_t>(corner)]);
-    }
-    for (int edge = 0; edge < 3; ++edge)
-    {
-      for (int k = 0; k < positions; ++k)
-      {
-        extend(vectors + 3 * (edge * this->VectorsPerEdge + k));
-      }
-    }
-    for (int k = 0; k < facePositions; ++k)
-    {
-      extend(vectors + 3 * (3 * this->VectorsPerEdge + k));
-    }
+    double low[3];
+    double high[3];
+    faceBounds.GetBox(f, low, high);
     for (int c = 0; c < 3; ++c)
     {
-      const double products[4] = { reach[0] * moves[c][0], reach[0] * moves[c][1],
-        reach[1] * moves[c][0], reach[1] * moves[c][1] };
-      low[c] += this->Origin[c] + *std::min_element(products, products + 4);
-      high[c] += this->Origin[c] + *std::max_element(products, products + 4);
-      const bool first = bounds[2 * c] > bounds[2 * c + 1];
-      bounds[2 * c] = first ? low[c] : std::min(bounds[2 * c], low[c]);
-      bounds[2 * c + 1] = first ? high[c] : std::max(bounds[2 * c + 1], high[c]);
+      bounds[2 * c] = f == 0 ? low[c] : std::min(bounds[2 * c], low[c]);
+      bounds[2 * c + 1] = f == 0 ? high[c] : std::max(bounds[2 * c + 1], high[c]);
     }
+  }
+  for (int c = 0; c < 3 && !this->Faces.empty(); ++c)
+  {
+    bounds[2 * c] += this->Origin[c];
+    bounds[2 * c + 1] += this->Origin[c];
   }
 }
 }

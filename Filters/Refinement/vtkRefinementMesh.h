@@ -14,6 +14,7 @@
 #define vtkRefinementMesh_h
 
 #include "RelevoFiltersRefinementModule.h" // for export macro
+#include "vtkRefinementSurface.h"          // for Face
 #include "vtkType.h"                       // for vtkIdType
 
 #include <array>  // for members
@@ -22,7 +23,6 @@
 
 class vtkAdaptiveRefinement;
 class vtkPolyData;
-class vtkRefinementSurface;
 
 #ifndef __VTK_WRAP__
 namespace relevo
@@ -42,6 +42,9 @@ struct RefinementFace
   /// Bit e set: the edge (0: corners 0 1, 1: corners 1 2, 2: corners 0 2) is not an edge of the
   /// cell but the diagonal of a polygon, to be hidden in wireframes.
   unsigned char HiddenEdges;
+
+  /// Whether the sorted corners run against the cell's own sense.
+  bool IsTurned() const { return (this->Order & 1) != 0; }
 };
 
 /**
@@ -120,10 +123,11 @@ public:
   /// For each edge the first of its places in FaceEdges.
   std::vector<int> EdgeOwners;
 
+  /// What a surface is evaluated from.
+  vtkRefinementSurface::Face GetSurfaceFace(int face) const;
+
   /**
-   * Bounds of all the recipe can make of the mesh, in the input's coordinates: each face's points
-   * and positions (surfaces lie within their convex hull), moved by up to the displacement's reach
-   * along the normals the face can have.
+   * Bounds of all the recipe can make of the mesh, in the input's coordinates; see FaceBounds.
    */
   void GetBounds(vtkAdaptiveRefinement* recipe, double bounds[6]) const;
 

@@ -14,6 +14,12 @@ void vtkRefinementSurface::ComputeFacePositions(const float*, const float* [3], 
 {
 }
 
+float vtkRefinementSurface::ComputeNormalCone(const Face&, float axis[3])
+{
+  axis[0] = axis[1] = axis[2] = 0.0f;
+  return 0.0f;
+}
+
 void vtkRefinementSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

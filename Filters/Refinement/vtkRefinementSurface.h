@@ -75,6 +75,13 @@ public:
     const Face& face, const float weights[3], float position[3], float normal[3]) = 0;
 
   /**
+   * A cone that holds the geometric normals of the whole face, those of (P1 - P0) x (P2 - P0):
+   * fills its unit axis and returns the cosine of the angle between axis and side. 0, the default,
+   * when nothing is known or the cone is no narrower than a half-space.
+   */
+  virtual float ComputeNormalCone(const Face& face, float axis[3]);
+
+  /**
    * The GLSL functions surfacePosition(vec3) and surfaceNormal(vec3), in terms of cornerPoint(i),
    * cornerNormal(i), edgeVector(edge, k) and faceVector(k).
    */

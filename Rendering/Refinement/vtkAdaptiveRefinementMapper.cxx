@@ -13,6 +13,7 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkDisplacement.h"
+#include "vtkFaceCulling.h"
 #include "vtkHardwareSelector.h"
 #include "vtkHeightField.h"
 #include "vtkInformation.h"
@@ -98,7 +99,6 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   bool ColorsValid = false;
   vtkTimeStamp UploadTime;
   bool UploadValid = false;
-  vtkMTimeType InstancesTime = 0; // of the selection that was uploaded
   bool ContextChecked = false;
   bool ContextValid = false;
   bool Drawable = false;
@@ -146,6 +146,21 @@ vtkAdaptiveRefinement* vtkAdaptiveRefinementMapper::GetRefinement()
   return this->Refinement;
 }
 
+// Not Modified(): that would make VTK upload the mesh again.
+void vtkAdaptiveRefinementMapper::SetFrustumCulling(bool culling)
+{
+  this->FrustumCulling = culling;
+  this->Internals->Blocks.ForEach(
+    [culling](vtkAdaptiveRefinementMapper* block) { block->SetFrustumCulling(culling); });
+}
+
+void vtkAdaptiveRefinementMapper::SetBackFaceCulling(bool culling)
+{
+  this->BackFaceCulling = culling;
+  this->Internals->Blocks.ForEach(
+    [culling](vtkAdaptiveRefinementMapper* block) { block->SetBackFaceCulling(culling); });
+}
+
 int vtkAdaptiveRefinementMapper::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
@@ -159,6 +174,8 @@ void vtkAdaptiveRefinementMapper::ShallowCopy(vtkAbstractMapper* mapper)
   if (vtkAdaptiveRefinementMapper* other = vtkAdaptiveRefinementMapper::SafeDownCast(mapper))
   {
     this->SetRefinement(other->GetRefinement());
+    this->SetFrustumCulling(other->GetFrustumCulling());
+    this->SetBackFaceCulling(other->GetBackFaceCulling());
     this->ExtraAttributes = other->ExtraAttributes;
     this->SetVBOShiftScaleMethod(other->GetVBOShiftScaleMethod());
   }
@@ -183,7 +200,7 @@ vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfDrawnTriangles()
       [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfDrawnTriangles(); });
     return sum;
   }
-  return data.Drawable ? data.State.GetNumberOfTriangles(this->Refinement) : 0;
+  return data.Drawable ? data.State.GetNumberOfTriangles(this->GetInput(), this->Refinement) : 0;
 }
 
 int vtkAdaptiveRefinementMapper::GetNumberOfDrawCalls()
@@ -197,10 +214,10 @@ int vtkAdaptiveRefinementMapper::GetNumberOfDrawCalls()
 int vtkAdaptiveRefinementMapper::GetNumberOfUsedPatterns()
 {
   int sum = 0;
-  const auto& groups = this->Internals->State.GetSelection().Groups;
+  const auto& groups = this->Internals->State.GetSelection().GetSelection().Groups;
   for (size_t i = 0; i < groups.size(); ++i)
   {
-    sum += i == 0 || !std::equal(groups[i].Levels, groups[i].Levels + 3, groups[i - 1].Levels);
+    sum += i == 0 || groups[i].Pattern != groups[i - 1].Pattern;
   }
   this->Internals->Blocks.ForEach(
     [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfUsedPatterns(); });
@@ -217,7 +234,7 @@ vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfSelections()
 
 double vtkAdaptiveRefinementMapper::GetSelectionTime()
 {
-  double sum = this->Internals->State.GetSelectionSeconds();
+  double sum = this->Internals->State.GetSelection().GetSeconds();
   this->Internals->Blocks.ForEach(
     [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetSelectionTime(); });
   return sum;
@@ -228,6 +245,15 @@ vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfCoarseFaces()
   vtkIdType sum = static_cast<vtkIdType>(this->Internals->State.GetMesh().Faces.size());
   this->Internals->Blocks.ForEach(
     [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfCoarseFaces(); });
+  return sum;
+}
+
+vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfCulledFaces()
+{
+  vtkIdType sum =
+    this->Internals->Drawable ? this->Internals->State.GetSelection().GetNumberOfHiddenFaces() : 0;
+  this->Internals->Blocks.ForEach(
+    [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfCulledFaces(); });
   return sum;
 }
 
@@ -279,8 +305,26 @@ bool vtkAdaptiveRefinementMapper::UpdateSelection(vtkRenderer* ren, vtkActor* ac
   view.Camera = ren->GetActiveCamera();
   view.ModelToWorld = act->GetMatrix();
   std::copy_n(ren->GetSize(), 2, view.ViewportSize);
-  return this->Report(
-    this->Internals->State.UpdateSelection(this->GetInput(), this->Refinement, view));
+  vtkInternals& data = *this->Internals;
+  if (!this->FrustumCulling)
+  {
+    return this->Report(
+      data.State.UpdateSelection(this->GetInput(), this->Refinement, view, nullptr, false));
+  }
+  const relevo::CullingView culling(
+    view.Camera, ren->GetTiledAspectRatio(), view.ModelToWorld, data.State.GetMesh());
+  return this->Report(data.State.UpdateSelection(
+    this->GetInput(), this->Refinement, view, &culling, this->HidesBackFaces(ren, act)));
+}
+
+bool vtkAdaptiveRefinementMapper::HidesBackFaces(vtkRenderer* ren, vtkActor* act)
+{
+  vtkProperty* property = act->GetProperty();
+  return this->BackFaceCulling && !ren->GetSelector() &&
+    property->GetRepresentation() == VTK_SURFACE && !property->GetFrontfaceCulling() &&
+    !property->GetVertexVisibility() && !property->GetEdgeVisibility() &&
+    !act->HasTranslucentPolygonalGeometry() && this->GetNumberOfClippingPlanes() == 0 &&
+    act->GetMatrix()->Determinant() > 0.0;
 }
 
 double* vtkAdaptiveRefinementMapper::GetBounds()
@@ -442,7 +486,6 @@ void vtkAdaptiveRefinementMapper::ReleaseGraphicsResources(vtkWindow* window)
   data.Faces.ReleaseGraphicsResources(window);
   data.Vertices.ReleaseGraphicsResources(window);
   data.Programs.clear();
-  data.InstancesTime = 0;
   data.UploadValid = false;
   data.ContextChecked = false;
   data.Blocks.ForEach(
@@ -501,18 +544,16 @@ void vtkAdaptiveRefinementMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* a
     data.Drawable =
       data.Buffers.UploadHeights(window, displacement->GetHeightMap(), displacement->HasHoles());
   }
-  if (data.Drawable && data.InstancesTime != data.State.GetSelectionTime())
-  {
-    data.InstancesTime = data.State.GetSelectionTime();
-    data.Drawable = data.Buffers.UploadInstances(window, data.State.GetSelection().Instances);
-  }
+  data.Drawable = data.Drawable &&
+    data.Buffers.UploadSelection(window, data.State.GetSelectionSlot(), data.State.GetSelection());
   if (!data.Drawable)
   {
     vtkErrorMacro("Cannot draw the input: " << data.Buffers.GetError() << ".");
     data.UploadValid = false; // said once, until something changes
     return;
   }
-  data.Patterns.Load(this->Refinement->GetPatternTable(), data.State.GetSelection().Groups,
+  data.Patterns.Load(this->Refinement->GetPatternTable(),
+    data.State.GetSelection().GetSelection().Groups,
     act->GetProperty()->GetRepresentation() == VTK_WIREFRAME);
 }
 
@@ -597,7 +638,7 @@ void vtkAdaptiveRefinementMapper::DrawFaces(
     }
     ++data.NumberOfDrawCalls;
   };
-  for (const relevo::PatternGroup& group : data.State.GetSelection().Groups)
+  for (const relevo::PatternGroup& group : data.State.GetSelection().GetSelection().Groups)
   {
     drawGroup(group);
   }
@@ -726,6 +767,8 @@ void vtkAdaptiveRefinementMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Refinement: " << this->Refinement.Get() << "\n";
+  os << indent << "FrustumCulling: " << (this->FrustumCulling ? "On\n" : "Off\n");
+  os << indent << "BackFaceCulling: " << (this->BackFaceCulling ? "On\n" : "Off\n");
   os << indent << "NumberOfCoarseFaces: " << this->GetNumberOfCoarseFaces() << "\n";
   os << indent << "NumberOfDrawnTriangles: " << this->GetNumberOfDrawnTriangles() << "\n";
   os << indent << "NumberOfDrawCalls: " << this->GetNumberOfDrawCalls() << "\n";

@@ -54,11 +54,39 @@ public:
   vtkAdaptiveRefinement* GetRefinement();
   //@}
 
+  //@{
   /**
-   * Triangles drawn by the last render: the polygons that vtkAdaptiveRefinementFilter would give
-   * for the same recipe and camera.
+   * Whether coarse faces outside the view are left out, on by default. What counts is the frustum
+   * of the camera of each pass, and the whole reach of surface and displacement: the picture is the
+   * same.
+   */
+  void SetFrustumCulling(bool culling);
+  vtkGetMacro(FrustumCulling, bool);
+  vtkBooleanMacro(FrustumCulling, bool);
+  //@}
+
+  //@{
+  /**
+   * Whether coarse faces that face away are left out, on by default, where that cannot be seen: of
+   * a closed surface that winds outwards, linear or of PN triangles, without displacement, drawn as
+   * an opaque surface, unclipped and from outside. Needs FrustumCulling. At most single pixels of
+   * the outline differ, where front and back have the same depth.
+   */
+  void SetBackFaceCulling(bool culling);
+  vtkGetMacro(BackFaceCulling, bool);
+  vtkBooleanMacro(BackFaceCulling, bool);
+  //@}
+
+  /**
+   * Triangles of the surface in the last render: the polygons that vtkAdaptiveRefinementFilter
+   * would give for the same recipe and camera. Those of culled faces are counted.
    */
   vtkIdType GetNumberOfDrawnTriangles();
+
+  /**
+   * Coarse faces that the last render left out because they could not be seen.
+   */
+  vtkIdType GetNumberOfCulledFaces();
 
   /**
    * Draw calls of the last render for refined faces.
@@ -135,10 +163,13 @@ private:
   bool Report(bool valid);
   bool UpdateMesh();
   bool UpdateSelection(vtkRenderer* ren, vtkActor* act);
+  bool HidesBackFaces(vtkRenderer* ren, vtkActor* act);
   bool IsRefining(const vtkOpenGLHelper* cellBO) const;
   void DrawFaces(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act);
 
   vtkSmartPointer<vtkAdaptiveRefinement> Refinement;
+  bool FrustumCulling = true;
+  bool BackFaceCulling = true;
   std::unique_ptr<vtkInternals> Internals;
 };
 

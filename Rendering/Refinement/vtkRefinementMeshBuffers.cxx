@@ -14,6 +14,7 @@
 #include "vtkRefinementShader.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
+#include "vtkViewSelection.h"
 
 #include <algorithm>
 #include <array>
@@ -197,11 +198,34 @@ bool RefinementMeshBuffers::UploadHeights(
   return true;
 }
 
-bool RefinementMeshBuffers::UploadInstances(
-  vtkOpenGLRenderWindow* window, const std::vector<unsigned int>& instances)
+bool RefinementMeshBuffers::UploadSelection(
+  vtkOpenGLRenderWindow* window, int slot, const ViewSelection& view)
 {
   this->Error = TooLarge;
-  return this->Instances.Upload(window, instances);
+  const PatternSelection& selection = view.GetSelection();
+  SelectionBuffers& buffers = this->Selections[slot];
+  this->Selection = &buffers;
+  if (buffers.GroupsTime != view.GetGroupsTime())
+  {
+    if (!buffers.Instances.Upload(window, selection.Instances))
+    {
+      return false;
+    }
+    buffers.GroupsTime = view.GetGroupsTime();
+  }
+  if (buffers.LevelsTime != view.GetLevelsTime())
+  {
+    if (selection.GetMorphTags().empty())
+    {
+      buffers.MorphTags.ReleaseGraphicsResources(window);
+    }
+    else if (!buffers.MorphTags.Upload(window, selection.GetMorphTags(), 3))
+    {
+      return false;
+    }
+    buffers.LevelsTime = view.GetLevelsTime();
+  }
+  return true;
 }
 
 bool RefinementMeshBuffers::AliasAttributes(vtkOpenGLRenderWindow* window,
@@ -238,12 +262,17 @@ void RefinementMeshBuffers::Describe(
   options.HasDirections = !mesh.Directions.empty();
   options.HasSeams = !mesh.Seams.empty();
   options.HasHoles = this->Validity != nullptr;
+  options.IsMorphing = this->Selection && !this->Selection->MorphTags.IsEmpty();
 }
 
 void RefinementMeshBuffers::Activate(vtkShaderProgram* program)
 {
   this->Faces.Activate(program, "relevoFaces");
-  this->Instances.Activate(program, "relevoInstances");
+  if (this->Selection)
+  {
+    this->Selection->Instances.Activate(program, "relevoInstances");
+    this->Selection->MorphTags.Activate(program, "relevoMorphTags");
+  }
   this->Points.Activate(program, "relevoPoints");
   this->PointData.Activate(program, "relevoPointData");
   this->Vectors.Activate(program, "relevoVectors");
@@ -266,10 +295,15 @@ void RefinementMeshBuffers::Activate(vtkShaderProgram* program)
 
 void RefinementMeshBuffers::Deactivate()
 {
-  for (RefinementBuffer* buffer : { &this->Faces, &this->Instances, &this->Points, &this->PointData,
-         &this->Vectors, &this->Seams })
+  for (RefinementBuffer* buffer :
+    { &this->Faces, &this->Points, &this->PointData, &this->Vectors, &this->Seams })
   {
     buffer->Deactivate();
+  }
+  if (this->Selection)
+  {
+    this->Selection->Instances.Deactivate();
+    this->Selection->MorphTags.Deactivate();
   }
   for (auto& attribute : this->Attributes)
   {
@@ -312,21 +346,32 @@ void RefinementMeshBuffers::SetUniforms(
 vtkTypeInt64 RefinementMeshBuffers::GetMemorySize() const
 {
   vtkTypeInt64 size = this->HeightMemory;
-  for (const RefinementBuffer* buffer : { &this->Faces, &this->Instances, &this->Points,
-         &this->PointData, &this->Vectors, &this->Seams })
+  for (const RefinementBuffer* buffer :
+    { &this->Faces, &this->Points, &this->PointData, &this->Vectors, &this->Seams })
   {
     size += buffer->GetMemorySize();
+  }
+  for (const auto& selection : this->Selections)
+  {
+    size += selection.second.Instances.GetMemorySize() + selection.second.MorphTags.GetMemorySize();
   }
   return size;
 }
 
 void RefinementMeshBuffers::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (RefinementBuffer* buffer : { &this->Faces, &this->Instances, &this->Points, &this->PointData,
-         &this->Vectors, &this->Seams })
+  for (RefinementBuffer* buffer :
+    { &this->Faces, &this->Points, &this->PointData, &this->Vectors, &this->Seams })
   {
     buffer->ReleaseGraphicsResources(window);
   }
+  for (auto& selection : this->Selections)
+  {
+    selection.second.Instances.ReleaseGraphicsResources(window);
+    selection.second.MorphTags.ReleaseGraphicsResources(window);
+  }
+  this->Selections.clear();
+  this->Selection = nullptr;
   for (auto& attribute : this->Attributes)
   {
     attribute.second->ReleaseGraphicsResources(window);

@@ -31,6 +31,7 @@ class vtkWindow;
 namespace relevo
 {
 class RefinementMesh;
+class ViewSelection;
 struct RefinementShaderOptions;
 
 class RefinementMeshBuffers
@@ -54,8 +55,11 @@ public:
    */
   bool UploadHeights(vtkOpenGLRenderWindow* window, vtkHeightField* heights, bool withValidity);
 
-  /// The result of a selection.
-  bool UploadInstances(vtkOpenGLRenderWindow* window, const std::vector<unsigned int>& instances);
+  /**
+   * Upload what has changed of a selection, and draw from it. Several are kept, each in a slot from
+   * 0 on.
+   */
+  bool UploadSelection(vtkOpenGLRenderWindow* window, int slot, const ViewSelection& selection);
 
   /// Alias VTK's vertex buffers for the attributes that the refining shaders read.
   bool AliasAttributes(vtkOpenGLRenderWindow* window, vtkOpenGLVertexBufferObjectGroup* vbos,
@@ -76,11 +80,19 @@ public:
 
 private:
   RefinementBuffer Faces;
-  RefinementBuffer Instances;
   RefinementBuffer Points;
   RefinementBuffer PointData;
   RefinementBuffer Vectors;
   RefinementBuffer Seams;
+  struct SelectionBuffers
+  {
+    RefinementBuffer Instances;
+    RefinementBuffer MorphTags;
+    vtkMTimeType LevelsTime = 0;
+    vtkMTimeType GroupsTime = 0;
+  };
+  std::map<int, SelectionBuffers> Selections;
+  SelectionBuffers* Selection = nullptr; // the one to draw
   std::map<std::string, std::unique_ptr<RefinementBuffer>> Attributes;
   vtkSmartPointer<vtkTextureObject> Heights;
   vtkSmartPointer<vtkTextureObject> Validity;

@@ -26,16 +26,10 @@ RefinementPatternBuffer::RefinementPatternBuffer()
 
 RefinementPatternBuffer::~RefinementPatternBuffer() = default;
 
-int RefinementPatternBuffer::GetKey(const PatternGroup& group)
-{
-  return vtkRefinementPatternTable::GetPatternIndex(
-    group.Levels[0], group.Levels[1], group.Levels[2]);
-}
-
 const RefinementPatternBuffer::Range& RefinementPatternBuffer::GetRange(
   const PatternGroup& group) const
 {
-  return this->Ranges.at(GetKey(group));
+  return this->Ranges.at(group.Pattern);
 }
 
 void RefinementPatternBuffer::Load(
@@ -53,13 +47,12 @@ void RefinementPatternBuffer::Load(
   }
   for (const PatternGroup& group : groups)
   {
-    const int key = GetKey(group);
-    if (this->Ranges.count(key))
+    if (this->Ranges.count(group.Pattern))
     {
       continue;
     }
     changed = true;
-    const vtkRefinementPattern& pattern = GetGroupPattern(table, group);
+    const vtkRefinementPattern& pattern = *group.Pattern;
     Range range;
     range.NumberOfVertices = pattern.GetNumberOfVertices();
     range.NumberOfIndices = static_cast<int>(pattern.Triangles.size());
@@ -110,7 +103,7 @@ void RefinementPatternBuffer::Load(
           this->Lines.end(), { vertex[0], vertex[1], vertex[2], static_cast<float>(edge) });
       }
     }
-    this->Ranges[key] = range;
+    this->Ranges[group.Pattern] = range;
   }
   if (changed)
   {

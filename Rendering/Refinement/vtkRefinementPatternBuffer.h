@@ -19,6 +19,7 @@
 
 class vtkOpenGLBufferObject;
 class vtkRefinementPatternTable;
+struct vtkRefinementPattern;
 
 namespace relevo
 {
@@ -67,9 +68,7 @@ public:
   void ReleaseGraphicsResources();
 
 private:
-  static int GetKey(const PatternGroup& group);
-
-  std::map<int, Range> Ranges;
+  std::map<const vtkRefinementPattern*, Range> Ranges;
   bool HasLines = false;
   vtkMTimeType TableTime = 0;
   std::vector<float> Vertices;

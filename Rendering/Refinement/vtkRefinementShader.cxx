@@ -9,6 +9,7 @@
 #include "relevoFaceVS.h"
 #include "relevoHeight.h"
 #include "relevoHeightMap.h"
+#include "relevoMorph.h"
 #include "relevoRefineVS.h"
 #include "relevoWeights.h"
 
@@ -70,6 +71,7 @@ std::string GetDefines(const RefinementShaderOptions& options, bool edges, bool 
   define(options.HasDirections, "RELEVO_DIRECTIONS");
   define(options.HasSeams, "RELEVO_SEAMS");
   define(options.HasHoles, "RELEVO_HOLES");
+  define(options.IsMorphing, "RELEVO_MORPH");
   define(options.HasScalars, "RELEVO_SCALARS");
   define(edges, "RELEVO_EDGES");
   define(lines, "RELEVO_LINES");
@@ -146,7 +148,8 @@ std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, b
 
   // The vertex shader.
   std::ostringstream text;
-  text << relevoWeights << relevoFaceVS << options.SurfaceSource;
+  text << relevoWeights << (options.IsMorphing ? relevoMorph : "") << relevoFaceVS
+       << options.SurfaceSource;
   if (options.HasDisplacement)
   {
     text << relevoHeightMap << relevoHeight << relevoDisplacementVS << relevoDisplacement;

@@ -34,6 +34,8 @@ struct RefinementShaderOptions
   bool HasDirections = false;
   bool HasSeams = false;
   bool HasHoles = false;
+  /// Whether vertices slide with the tags of the edges.
+  bool IsMorphing = false;
   /// Whether point scalars are interpolated before they are coloured.
   bool HasScalars = false;
 

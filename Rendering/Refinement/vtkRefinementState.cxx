@@ -12,46 +12,17 @@
 #include "vtkFloatArray.h"
 #include "vtkHeightField.h"
 #include "vtkMath.h"
-#include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkRefinementEvaluator.h"
-#include "vtkRefinementPatternTable.h"
 #include "vtkRefinementSurface.h"
 #include "vtkRefinementView.h"
-#include "vtkTimerLog.h"
 
 #include <algorithm>
-#include <cstring>
-#include <functional>
 
 namespace relevo
 {
 namespace
 {
-void Append(std::vector<vtkMTimeType>& dependencies, const void* object, vtkMTimeType time)
-{
-  dependencies.push_back(static_cast<vtkMTimeType>(reinterpret_cast<size_t>(object)));
-  dependencies.push_back(time);
-}
-
-template <typename T>
-void AppendObject(std::vector<vtkMTimeType>& dependencies, T* object)
-{
-  Append(dependencies, object, object ? object->GetMTime() : 0);
-}
-
-void AppendMatrix(std::vector<vtkMTimeType>& dependencies, vtkMatrix4x4* matrix)
-{
-  static_assert(sizeof(vtkMTimeType) == sizeof(double), "a double's bits fit a time stamp");
-  for (int i = 0; matrix && i < 16; ++i)
-  {
-    vtkMTimeType bits;
-    std::memcpy(&bits, matrix->GetData() + i, sizeof(bits));
-    dependencies.push_back(bits);
-  }
-}
-
 std::string Take(std::string& text)
 {
   std::string taken;
@@ -166,59 +137,65 @@ void RefinementState::GetBounds(vtkPolyData* input, vtkAdaptiveRefinement* recip
   std::copy_n(this->Bounds, 6, bounds);
 }
 
-bool RefinementState::UpdateSelection(
-  vtkPolyData* input, vtkAdaptiveRefinement* recipe, const vtkRefinementView& view)
+SelectionInput RefinementState::GetSelectionInput(
+  vtkPolyData* input, vtkAdaptiveRefinement* recipe) const
 {
-  Dependencies dependencies;
-  vtkDepthTagMetric* metric = GetMetricInUse(recipe, input);
-  AppendObject(dependencies, metric);
-  AppendObject(dependencies, recipe->GetPatternTable()); // and with it MaximumLevel
-  dependencies.push_back(this->MeshTime);
-  dependencies.push_back(std::hash<std::string>()(recipe->GetDepthTagArrayName()));
-  if (metric && metric->IsPlacementDependent())
-  {
-    AppendMatrix(dependencies, view.ModelToWorld);
-  }
-  if (metric && metric->IsViewDependent())
-  {
-    AppendObject(dependencies, view.Camera);
-    for (int length : view.ViewportSize)
-    {
-      dependencies.push_back(static_cast<vtkMTimeType>(length));
-    }
-  }
-  if (dependencies == this->SelectionDependencies)
-  {
-    return this->SelectionValid;
-  }
-  this->SelectionDependencies = dependencies;
-  this->SelectionValid = false;
-  this->SelectionTime.Modified();
-  this->NumberOfTriangles = -1;
-
-  const double start = vtkTimerLog::GetUniversalTime();
-  std::vector<float> tags;
-  std::string error;
-  if (!ComputeDepthTags(recipe, input, this->Mesh, view, tags, error))
-  {
-    this->Error = "Cannot refine the input: " + error + ".";
-    return false;
-  }
-  this->Selection.Select(this->Mesh, tags, recipe->GetMaximumLevel());
-  this->SelectionSeconds = vtkTimerLog::GetUniversalTime() - start;
-  ++this->NumberOfSelections;
-  this->SelectionValid = true;
-  return true;
+  return { input, recipe, &this->Mesh, this->MeshTime };
 }
 
-vtkIdType RefinementState::GetNumberOfTriangles(vtkAdaptiveRefinement* recipe)
+ViewSelection& RefinementState::FindView(
+  vtkPolyData* input, vtkAdaptiveRefinement* recipe, vtkCamera* camera)
 {
-  if (this->NumberOfTriangles < 0 && this->SelectionValid)
+  vtkDepthTagMetric* metric = GetMetricInUse(recipe, input);
+  const vtkCamera* key = metric && metric->IsViewDependent() ? camera : nullptr;
+  size_t oldest = 0;
+  size_t view = 0;
+  while (view < this->ViewUses.size() &&
+    (this->ViewUses[view].LastUse == 0 || this->ViewUses[view].Camera != key))
   {
-    // Fragments over no-data are discarded; what the filter leaves out is counted when asked for.
-    this->NumberOfTriangles = this->Selection.GetNumberOfTriangles(recipe->GetPatternTable()) -
-      CountHoles(this->Mesh, this->Selection, recipe);
+    oldest = this->ViewUses[view].LastUse < this->ViewUses[oldest].LastUse ? view : oldest;
+    ++view;
   }
-  return std::max<vtkIdType>(this->NumberOfTriangles, 0);
+  view = view < this->ViewUses.size() ? view : oldest;
+  this->ViewUses[view] = { key, ++this->NumberOfUses };
+  return this->Views[view];
+}
+
+const FaceCulling& RefinementState::GetCulling(vtkAdaptiveRefinement* recipe)
+{
+  Dependencies dependencies;
+  AppendObject(dependencies, recipe->GetDisplacement());
+  dependencies.push_back(this->MeshTime);
+  if (dependencies != this->CullingDependencies)
+  {
+    this->CullingDependencies = dependencies;
+    this->Culling.Build(this->Mesh, recipe);
+  }
+  return this->Culling;
+}
+
+bool RefinementState::UpdateSelection(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
+  const vtkRefinementView& view, const CullingView* culling, bool behind)
+{
+  this->Current = &this->FindView(input, recipe, view.Camera);
+  bool evaluated = false;
+  std::string error;
+  const bool valid =
+    this->Current->UpdateLevels(this->GetSelectionInput(input, recipe), view, evaluated, error);
+  this->NumberOfSelections += evaluated ? 1 : 0;
+  if (!error.empty())
+  {
+    this->Error = "Cannot refine the input: " + error + ".";
+  }
+  if (valid)
+  {
+    this->Current->UpdateGroups(culling ? &this->GetCulling(recipe) : nullptr, culling, behind);
+  }
+  return valid;
+}
+
+vtkIdType RefinementState::GetNumberOfTriangles(vtkPolyData* input, vtkAdaptiveRefinement* recipe)
+{
+  return this->Current->GetNumberOfTriangles(this->GetSelectionInput(input, recipe));
 }
 }

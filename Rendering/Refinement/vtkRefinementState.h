@@ -10,15 +10,17 @@
 #ifndef vtkRefinementState_h
 #define vtkRefinementState_h
 
-#include "vtkNew.h"              // for members
-#include "vtkPatternSelection.h" // for members
-#include "vtkRefinementMesh.h"   // for members
-#include "vtkTimeStamp.h"        // for members
+#include "vtkFaceCulling.h"    // for members
+#include "vtkNew.h"            // for members
+#include "vtkRefinementMesh.h" // for members
+#include "vtkTimeStamp.h"      // for members
+#include "vtkViewSelection.h"  // for members
 
+#include <array>  // for members
 #include <string> // for messages
-#include <vector> // for members
 
 class vtkAdaptiveRefinement;
+class vtkCamera;
 class vtkPolyData;
 struct vtkRefinementView;
 
@@ -36,10 +38,13 @@ public:
   bool UpdateMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe);
 
   /**
-   * Evaluate levels and group faces, for a valid mesh. False when depth-tags cannot be used.
+   * Evaluate levels and group faces, for a valid mesh. False when depth-tags cannot be used. Of
+   * several views (passes with cameras of their own, several renderers) the latest are kept.
+   * `culling` tells what of the mesh is out of sight, `behind` whether back faces of closed
+   * surfaces are; nullptr draws all faces.
    */
-  bool UpdateSelection(
-    vtkPolyData* input, vtkAdaptiveRefinement* recipe, const vtkRefinementView& view);
+  bool UpdateSelection(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
+    const vtkRefinementView& view, const CullingView* culling, bool behind);
 
   /**
    * Bounds of all that is drawn, for a valid mesh: refined faces, vertices and lines.
@@ -61,20 +66,21 @@ public:
   /// The input, with normals where they had to be computed.
   vtkPolyData* GetPreparedInput() { return this->PreparedInput; }
 
-  const PatternSelection& GetSelection() const { return this->Selection; }
-  vtkMTimeType GetSelectionTime() const { return this->SelectionTime; }
+  /// Of the last view.
+  const ViewSelection& GetSelection() const { return *this->Current; }
+  /// Where that view is kept, in [0, MostViews).
+  int GetSelectionSlot() const { return static_cast<int>(this->Current - this->Views.data()); }
+  static constexpr int MostViews = 4;
 
   /// Triangles of the selection, less those over no-data.
-  vtkIdType GetNumberOfTriangles(vtkAdaptiveRefinement* recipe);
+  vtkIdType GetNumberOfTriangles(vtkPolyData* input, vtkAdaptiveRefinement* recipe);
 
   vtkIdType GetNumberOfSelections() const { return this->NumberOfSelections; }
 
-  /// Seconds the last selection took.
-  double GetSelectionSeconds() const { return this->SelectionSeconds; }
-
 private:
-  // Values that decide whether something must be made anew.
-  using Dependencies = std::vector<vtkMTimeType>;
+  ViewSelection& FindView(vtkPolyData* input, vtkAdaptiveRefinement* recipe, vtkCamera* camera);
+  const FaceCulling& GetCulling(vtkAdaptiveRefinement* recipe);
+  SelectionInput GetSelectionInput(vtkPolyData* input, vtkAdaptiveRefinement* recipe) const;
 
   RefinementMesh Mesh;
   Dependencies MeshDependencies;
@@ -84,14 +90,19 @@ private:
 
   double Bounds[6];
   Dependencies BoundsDependencies;
+  FaceCulling Culling;
+  Dependencies CullingDependencies;
 
-  PatternSelection Selection;
-  Dependencies SelectionDependencies;
-  bool SelectionValid = false;
-  vtkTimeStamp SelectionTime;
+  struct View
+  {
+    const vtkCamera* Camera = nullptr; // to compare, never read
+    vtkTypeUInt64 LastUse = 0;
+  };
+  std::array<ViewSelection, MostViews> Views;
+  std::array<View, MostViews> ViewUses;
+  ViewSelection* Current = Views.data();
+  vtkTypeUInt64 NumberOfUses = 0;
   vtkIdType NumberOfSelections = 0;
-  double SelectionSeconds = 0.0;
-  vtkIdType NumberOfTriangles = -1; // not counted yet
 
   std::string Error;
   std::string Warning;

@@ -9,6 +9,7 @@
 
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
+#include "vtkEdgeTags.h"
 #include "vtkPatternSelection.h"
 #include "vtkPolyData.h"
 #include "vtkRefinementMesh.h"
@@ -49,13 +50,15 @@ void Select(benchmark::State& state, BenchmarkSurface& surface)
   auto recipe = BenchmarkSurface::MakeLinearRecipe();
   relevo::RefinementMesh mesh;
   mesh.Build(surface.GetMesh(), recipe);
-  std::vector<float> tags;
+  relevo::EdgeTags tags;
   std::string error;
-  relevo::ComputeDepthTags(recipe, surface.GetMesh(), mesh, {}, tags, error);
+  tags.Compute(recipe, surface.GetMesh(), mesh, {}, error);
+  const relevo::PatternFamily& family = relevo::GetPatternFamily(recipe, surface.GetMesh());
   relevo::PatternSelection selection;
   for (auto _ : state)
   {
-    selection.Select(mesh, tags, recipe->GetMaximumLevel());
+    selection.Select(mesh, tags, family, recipe->GetPatternTable());
+    selection.Group();
     benchmark::DoNotOptimize(selection.Instances.data());
   }
   state.SetItemsProcessed(

@@ -6,6 +6,7 @@
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkCellArray.h"
 #include "vtkDisplacement.h"
+#include "vtkEdgeTags.h"
 #include "vtkFloatArray.h"
 #include "vtkHeightMap.h"
 #include "vtkImageData.h"
@@ -79,13 +80,13 @@ BenchmarkSurface::BenchmarkSurface(int numberOfFaces, double numberOfTriangles)
   {
     const double middle = 0.5 * (low + high);
     this->SetMeanLevel(middle);
-    relevo::PatternSelection selection;
-    std::vector<float> tags;
+    relevo::EdgeTags tags;
     std::string error;
-    relevo::ComputeDepthTags(recipe, this->Mesh, mesh, {}, tags, error);
-    selection.Select(mesh, tags, recipe->GetMaximumLevel());
-    const auto count =
-      static_cast<double>(selection.GetNumberOfTriangles(recipe->GetPatternTable()));
+    tags.Compute(recipe, this->Mesh, mesh, {}, error);
+    relevo::PatternSelection selection;
+    selection.Select(
+      mesh, tags, relevo::GetPatternFamily(recipe, this->Mesh), recipe->GetPatternTable());
+    const auto count = static_cast<double>(selection.GetNumberOfTriangles());
     (count < numberOfTriangles ? low : high) = middle;
   }
 }

@@ -131,6 +131,7 @@ public:
     if (this->Kind == Refining)
     {
       vtkNew<vtkAdaptiveRefinementMapper> mapper;
+      mapper->BackFaceCullingOff(); // single pixels may differ: TestAdaptiveRefinementMapperCulling
       vtkSmartPointer<vtkAdaptiveRefinement> used = recipe;
       if (!used)
       {

@@ -7,9 +7,11 @@
 
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDisplacement.h"
+#include "vtkEdgeTags.h"
 #include "vtkPatternSelection.h"
 #include "vtkRefinementEvaluator.h"
 #include "vtkRefinementMesh.h"
+#include "vtkRefinementView.h"
 
 using namespace RelevoMeshes;
 
@@ -116,8 +118,12 @@ void testAgainstSearch(RelevoCheck& check, Mesh mesh, vtkAdaptiveRefinement* rec
   // The mapper counts as the filter does.
   relevo::RefinementMesh refinementMesh;
   CHECK(refinementMesh.Build(mesh, recipe));
+  relevo::EdgeTags tags;
+  std::string error;
+  CHECK(tags.Compute(recipe, mesh, refinementMesh, {}, error));
   relevo::PatternSelection selection;
-  selection.Select(refinementMesh, {}, recipe->GetMaximumLevel());
+  selection.Select(
+    refinementMesh, tags, relevo::GetPatternFamily(recipe, mesh), recipe->GetPatternTable());
   CHECK(relevo::CountHoles(refinementMesh, selection, recipe) ==
     full->GetNumberOfCells() - holed->GetNumberOfCells());
 }

@@ -1,11 +1,26 @@
 // Levels of edges from depth-tags (Lenz 2009, eqs. 3.1 to 3.3). GLSL and C++.
 
-// Level of an edge between two points with finite tags: their mean, rounded half up, in
-// [0, maximumLevel]. Symmetric to the bit. The mean is clamped before it becomes an integer, and
-// the fraction is compared rather than 0.5 added, which would round 0.49999997 up.
+// The tag of an edge that lies in [0, maximumLevel]; `offset` moves all edges of a mesh.
+RELEVO_FUNCTION float clampTag(float tag, float offset, int maximumLevel)
+{
+  return clamp(tag + offset, 0.0f, float(maximumLevel));
+}
+
+// The tag of an edge between two points with finite tags: their mean. Symmetric to the bit.
+RELEVO_FUNCTION float meanTag(float tagA, float tagB)
+{
+  return 0.5f * (tagA + tagB);
+}
+
+// Level of an edge with a tag that is no less than 0: rounded half up. The fraction is compared
+// rather than 0.5 added, which would round 0.49999997 up.
+RELEVO_FUNCTION int levelOfTag(float tag)
+{
+  float whole = floor(tag);
+  return int(whole) + (tag - whole < 0.5f ? 0 : 1);
+}
+
 RELEVO_FUNCTION int edgeLevel(float tagA, float tagB, int maximumLevel)
 {
-  float mean = clamp(0.5f * (tagA + tagB), 0.0f, float(maximumLevel));
-  float whole = floor(mean);
-  return int(whole) + (mean - whole < 0.5f ? 0 : 1);
+  return levelOfTag(clampTag(meanTag(tagA, tagB), 0.0f, maximumLevel));
 }

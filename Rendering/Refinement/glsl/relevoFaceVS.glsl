@@ -7,6 +7,9 @@ uniform int relevoGroupOffset; // where the group's faces lie in relevoInstances
 uniform int relevoGroupCount;  // and how many they are
 uniform int relevoCopies;      // of the pattern in one instance
 uniform usamplerBuffer relevoInstances; // face << 3 | permutation code
+#ifdef RELEVO_MORPH
+uniform samplerBuffer relevoMorphTags;  // of the sorted edges (0,1), (1,2), (0,2), per face
+#endif
 uniform isamplerBuffer relevoFaces;     // sorted corners; primitive << 3 | hidden edges
 uniform samplerBuffer relevoPoints;     // VTK's vertexMC
 uniform samplerBuffer relevoPointData;  // normal, u; frame of u; frame of v; direction

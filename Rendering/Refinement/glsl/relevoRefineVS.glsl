@@ -14,7 +14,11 @@ void relevoRefine()
   int code = instance & 7;
   relevoFaceIndex = instance >> 3;
   relevoFace = texelFetch(relevoFaces, relevoFaceIndex);
+#ifdef RELEVO_MORPH
+  vec3 w = morphWeights(relevoPatternVertex.xyz, texelFetch(relevoMorphTags, relevoFaceIndex).xyz);
+#else
   vec3 w = permuteWeights(relevoPatternVertex.xyz, code);
+#endif
 
   precise vec3 position = surfacePosition(w);
 #ifdef RELEVO_NORMALS

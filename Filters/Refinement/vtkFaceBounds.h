@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFaceBounds
+ * @brief   where the refined points of a face can lie
+ *
+ * Each face's points and positions (surfaces lie within their convex hull), moved by up to the
+ * displacement's reach along the normals the face can have.
+ *
+ * Private to the module's own sources.
+ */
+#ifndef vtkFaceBounds_h
+#define vtkFaceBounds_h
+
+#include <cstddef> // for size_t
+#include <vector>  // for members
+
+class vtkAdaptiveRefinement;
+
+namespace relevo
+{
+class RefinementMesh;
+
+class FaceBounds
+{
+public:
+  FaceBounds(const RefinementMesh& mesh, vtkAdaptiveRefinement* recipe);
+
+  /// A box relative to the mesh's origin. May be called from several threads.
+  void GetBox(std::size_t face, double low[3], double high[3]) const;
+
+private:
+  void GetMoves(std::size_t face, double moves[3][2]) const;
+  const float* GetVectors(std::size_t face) const;
+
+  const RefinementMesh& Mesh;
+  const std::vector<float>& Directions;
+  bool AlongNormal = false;
+  double Reach[2] = { 0.0, 0.0 };
+  double Fixed[3] = { 0.0, 0.0, 0.0 };
+  int EdgePositions = 0;
+  int FacePositions = 0;
+};
+}
+
+#endif

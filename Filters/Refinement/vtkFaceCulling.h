@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFaceCulling
+ * @brief   which faces of a mesh a camera cannot see, whatever they are refined to
+ *
+ * A face is hidden when the box that holds all its refined points lies outside the frustum, or
+ * when it is part of a closed surface and every normal it can have faces away from the eye. Neither
+ * is ever said of a face that could be seen.
+ *
+ * Not wrapped: for the modules' own sources.
+ */
+#ifndef vtkFaceCulling_h
+#define vtkFaceCulling_h
+
+#include "RelevoFiltersRefinementModule.h" // for export macro
+
+#include <vector> // for members
+
+class vtkAdaptiveRefinement;
+class vtkCamera;
+class vtkMatrix4x4;
+
+#ifndef __VTK_WRAP__
+namespace relevo
+{
+class RefinementMesh;
+
+/**
+ * A camera in the coordinates of a mesh's points.
+ */
+struct RELEVOFILTERSREFINEMENT_EXPORT CullingView
+{
+  /**
+   * `aspect` is width over height. A matrix that cannot be inverted gives a view that hides
+   * nothing.
+   */
+  CullingView(
+    vtkCamera* camera, double aspect, vtkMatrix4x4* modelToWorld, const RefinementMesh& mesh);
+
+  static constexpr int NumberOfPlanes = 5;
+  /// Sides of the frustum and the plane of the eye, pointing inside.
+  float Planes[NumberOfPlanes][4];
+  /// Position of the eye, or with a parallel camera the direction towards it.
+  float Eye[3];
+  bool Parallel;
+  bool Valid;
+};
+
+class RELEVOFILTERSREFINEMENT_EXPORT FaceCulling
+{
+public:
+  /// Take a mesh built with the recipe, whose height map must be up to date.
+  void Build(const RefinementMesh& mesh, vtkAdaptiveRefinement* recipe);
+
+  /**
+   * Mark the faces that cannot be seen, a byte per face. With `behind`, those too that face away
+   * from an eye outside the closed surface they belong to. Returns how many are marked.
+   */
+  int FindHidden(const CullingView& view, bool behind, std::vector<unsigned char>& hidden) const;
+
+  /// Whether the mesh is a closed surface, all of it turned outside, whose normals are bounded.
+  bool IsClosed() const { return this->Closed; }
+
+  /// Twelve floats per face: middle of the box, cosine of the cone of normals (0 for none); half
+  /// the box's sides, reach behind the middle along normals; axis of the cone, 0.
+  const std::vector<float>& GetData() const { return this->Data; }
+
+  /// Whether an eye is outside the box of the whole mesh.
+  bool IsOutside(const float eye[3]) const;
+
+private:
+  void BuildBoxes(const RefinementMesh& mesh, vtkAdaptiveRefinement* recipe);
+  void BuildCones(const RefinementMesh& mesh, vtkAdaptiveRefinement* recipe);
+
+  std::vector<float> Data;
+  float Low[3];
+  float High[3];
+  bool Closed = false;
+};
+}
+#endif
+
+#endif

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFacePattern.h"
+
+#include "vtkRefinementMathematics.h"
+#include "vtkRefinementPattern.h"
+
+#include <cstddef>
+
+namespace relevo
+{
+#include "glsl/relevoWeights.glsl"
+
+#include "glsl/relevoMorph.glsl"
+
+void FacePattern::GetWeights(int vertex, float weights[3]) const
+{
+  const float* v = &this->Pattern->Vertices[3 * static_cast<std::size_t>(vertex)];
+  const vec3 uvw(v[0], v[1], v[2]);
+  const vec3 w = this->MorphTags
+    ? morphWeights(uvw, vec3(this->MorphTags[0], this->MorphTags[1], this->MorphTags[2]))
+    : permuteWeights(uvw, this->Code);
+  weights[0] = w.x;
+  weights[1] = w.y;
+  weights[2] = w.z;
+}
+}

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFacePattern
+ * @brief   how a pattern lies on a face
+ *
+ * Not wrapped: for the modules' own sources.
+ */
+#ifndef vtkFacePattern_h
+#define vtkFacePattern_h
+
+#include "RelevoFiltersRefinementModule.h" // for export macro
+
+struct vtkRefinementPattern;
+
+#ifndef __VTK_WRAP__
+namespace relevo
+{
+struct RELEVOFILTERSREFINEMENT_EXPORT FacePattern
+{
+  const vtkRefinementPattern* Pattern;
+  /// Permutation from the pattern's vertices to the face's sorted corners (relevoWeights.glsl).
+  int Code;
+  /// Whether the pattern's triangles are turned over.
+  bool Mirrored;
+  /// Tags of the sorted edges (0,1), (1,2), (0,2) that vertices morph by, or nullptr.
+  const float* MorphTags;
+
+  /// Weights of the face's sorted corners at a vertex of the pattern.
+  void GetWeights(int vertex, float weights[3]) const;
+};
+}
+#endif
+
+#endif

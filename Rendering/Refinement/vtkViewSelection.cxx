@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkViewSelection.h"
+
+#include "vtkAdaptiveRefinement.h"
+#include "vtkCamera.h"
+#include "vtkDepthTagMetric.h"
+#include "vtkFaceCulling.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPolyData.h"
+#include "vtkRefinementEvaluator.h"
+#include "vtkRefinementMesh.h"
+#include "vtkRefinementPatternTable.h"
+#include "vtkRefinementView.h"
+#include "vtkTimerLog.h"
+
+#include <algorithm>
+#include <cstring>
+#include <functional>
+
+namespace relevo
+{
+namespace
+{
+void AppendBits(Dependencies& dependencies, double value)
+{
+  static_assert(sizeof(vtkMTimeType) == sizeof(double), "a double's bits fit a time stamp");
+  vtkMTimeType bits;
+  std::memcpy(&bits, &value, sizeof(bits));
+  dependencies.push_back(bits);
+}
+
+Dependencies GetLevelDependencies(const SelectionInput& input, const vtkRefinementView& view)
+{
+  vtkAdaptiveRefinement* recipe = input.Recipe;
+  Dependencies dependencies;
+  vtkDepthTagMetric* metric = GetMetricInUse(recipe, input.Input);
+  AppendObject(dependencies, metric);
+  AppendObject(dependencies, recipe->GetPatternTable()); // and with it MaximumLevel
+  Append(dependencies, &GetPatternFamily(recipe, input.Input), input.MeshTime);
+  dependencies.push_back(std::hash<std::string>()(recipe->GetDepthTagArrayName()));
+  dependencies.push_back(static_cast<vtkMTimeType>(recipe->GetLevelRule()));
+  AppendBits(dependencies, recipe->GetLevelOffset());
+  if (metric && metric->IsPlacementDependent())
+  {
+    for (int i = 0; view.ModelToWorld && i < 16; ++i)
+    {
+      AppendBits(dependencies, view.ModelToWorld->GetData()[i]);
+    }
+  }
+  if (metric && metric->IsViewDependent())
+  {
+    AppendObject(dependencies, view.Camera);
+    for (int length : view.ViewportSize)
+    {
+      dependencies.push_back(static_cast<vtkMTimeType>(length));
+    }
+  }
+  return dependencies;
+}
+}
+
+void Append(Dependencies& dependencies, const void* object, vtkMTimeType time)
+{
+  dependencies.push_back(static_cast<vtkMTimeType>(reinterpret_cast<size_t>(object)));
+  dependencies.push_back(time);
+}
+
+bool ViewSelection::UpdateLevels(
+  const SelectionInput& input, const vtkRefinementView& view, bool& evaluated, std::string& error)
+{
+  evaluated = false;
+  const Dependencies dependencies = GetLevelDependencies(input, view);
+  if (dependencies == this->LevelDependencies)
+  {
+    return this->Valid;
+  }
+  this->LevelDependencies = dependencies;
+  this->Valid = false;
+  this->LevelsTime.Modified();
+  this->NumberOfTriangles = -1;
+
+  const double start = vtkTimerLog::GetUniversalTime();
+  if (this->TagsMeshTime != input.MeshTime)
+  {
+    this->TagsMeshTime = input.MeshTime;
+    this->Tags.Reset();
+  }
+  if (!this->Tags.Compute(input.Recipe, input.Input, *input.Mesh, view, error))
+  {
+    return false;
+  }
+  this->Selection.Select(*input.Mesh, this->Tags, GetPatternFamily(input.Recipe, input.Input),
+    input.Recipe->GetPatternTable(), static_cast<float>(input.Recipe->GetLevelOffset()));
+  this->LevelsSeconds = vtkTimerLog::GetUniversalTime() - start;
+  evaluated = true;
+  this->Valid = true;
+  return true;
+}
+
+void ViewSelection::UpdateGroups(const FaceCulling* culling, const CullingView* view, bool behind)
+{
+  const double start = vtkTimerLog::GetUniversalTime();
+  const bool culled = culling && view;
+  const int numberOfHiddenFaces = culled ? culling->FindHidden(*view, behind, this->Hidden) : 0;
+  const bool sameFaces = numberOfHiddenFaces == this->NumberOfHiddenFaces &&
+    (numberOfHiddenFaces == 0 || this->Hidden == this->LastHidden);
+  if (sameFaces && this->GroupsTime > this->LevelsTime)
+  {
+    return;
+  }
+  this->NumberOfHiddenFaces = numberOfHiddenFaces;
+  this->Selection.Group(numberOfHiddenFaces > 0 ? this->Hidden.data() : nullptr);
+  this->LastHidden.swap(this->Hidden);
+  this->GroupsTime.Modified();
+  this->GroupsSeconds = vtkTimerLog::GetUniversalTime() - start;
+}
+
+vtkIdType ViewSelection::GetNumberOfTriangles(const SelectionInput& input)
+{
+  if (this->NumberOfTriangles < 0 && this->Valid)
+  {
+    // Fragments over no-data are discarded; what the filter leaves out is counted when asked for.
+    this->NumberOfTriangles = this->Selection.GetNumberOfTriangles() -
+      CountHoles(*input.Mesh, this->Selection, input.Recipe);
+  }
+  return std::max<vtkIdType>(this->NumberOfTriangles, 0);
+}
+}
