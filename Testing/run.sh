@@ -25,5 +25,4 @@ if [ -z "${DISPLAY:-}" ]; then
   display=(xvfb-run -a -s "-noreset -screen 0 1280x1024x24")
 fi
 cd "$build_dir"
-# Mesa's GLX now and then crashes while a window closes: such a test gets another try.
-exec "${display[@]}" ctest --repeat until-pass:3 --output-on-failure --parallel "$(nproc)" "$@"
+exec "${display[@]}" ctest --output-on-failure --parallel "$(nproc)" "$@"

@@ -82,7 +82,7 @@ bool EdgeTags::Compute(vtkAdaptiveRefinement* recipe, vtkPolyData* input,
       return false;
     }
     const vtkIdType expected =
-      perEdge ? this->Edges->GetNumberOfUniqueEdges() : input->GetNumberOfPoints();
+      perEdge ? this->Edges->GetNumberOfEdges() : input->GetNumberOfPoints();
     if (!this->CheckValues(expected, metric->GetClassName(), error))
     {
       return false;

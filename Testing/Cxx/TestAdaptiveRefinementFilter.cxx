@@ -250,6 +250,7 @@ void testMetric(RelevoCheck& check)
   metric->SetMaximumDistance(1.5);
   vtkNew<vtkAdaptiveRefinement> recipe;
   recipe->SetMetric(metric);
+  recipe->GeomorphingOff(); // as with an array
   vtkNew<vtkAdaptiveRefinementFilter> filter;
   filter->SetInputData(sphere);
   filter->SetRefinement(recipe);

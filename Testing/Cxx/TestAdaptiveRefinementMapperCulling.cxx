@@ -81,7 +81,7 @@ int TestAdaptiveRefinementMapperCulling(int argc, char* argv[])
       }
     }
     all.ResetCameras();
-    for (double closer : { 1.0, 2.5, 2.6 })
+    for (double closer : { 1.0, 1.8, 1.9 })
     {
       all.Renderer->GetActiveCamera()->Zoom(closer);
       all.Renderer->GetActiveCamera()->Yaw(0.4 * closer);

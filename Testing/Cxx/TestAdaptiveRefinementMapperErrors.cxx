@@ -90,10 +90,6 @@ struct View
 
 int TestAdaptiveRefinementMapperErrors(int, char*[])
 {
-  // A window that stays: closing the last one of a process now and then crashes in Mesa's GLX.
-  vtkNew<vtkRenderWindow> first;
-  first->SetOffScreenRendering(1);
-  first->Render();
   RelevoCheck check;
   const double nan = std::numeric_limits<double>::quiet_NaN();
 
