@@ -118,12 +118,11 @@ public:
   //@{
   /**
    * Whether the surface is a continuous function of the tags: a vertex that a higher level adds
-   * starts at a vertex that is there and slides to its own place while the tag rises by one, so
-   * that nothing pops when the camera moves. GEOMORPHING_OFF (0), GEOMORPHING_ON (1), or
-   * GEOMORPHING_AUTOMATIC (2, the default): on for metrics that depend on the view. Levels are the
-   * same as without; vertices are in their own places where the tags exceed the levels by one half,
-   * and at MaximumLevel. Needs SegmentPolicy POWERS_OF_TWO. Another value is an error and changes
-   * nothing.
+   * starts at a vertex that is there and slides to its own place while the tag rises from half a
+   * level below to the level, so that nothing pops when the camera moves. GEOMORPHING_OFF (0),
+   * GEOMORPHING_ON (1), or GEOMORPHING_AUTOMATIC (2, the default): on for metrics that depend on
+   * the view. Edges have the same segments as without; the triangles within a face are others.
+   * Needs SegmentPolicy POWERS_OF_TWO. Another value is an error and changes nothing.
    */
   void SetGeomorphing(int mode);
   vtkGetMacro(Geomorphing, int);

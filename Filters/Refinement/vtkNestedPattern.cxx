@@ -3,7 +3,6 @@
 #include "vtkNestedPattern.h"
 
 #include "vtkNestedPatternMesh.h"
-#include "vtkRefinementMathematics.h"
 #include "vtkRefinementPattern.h"
 #include "vtkRefinementPatternGenerator.h"
 
@@ -11,11 +10,6 @@
 #include <array>
 #include <cstddef>
 #include <mutex>
-
-namespace relevo
-{
-#include "glsl/relevoMorph.glsl"
-}
 
 namespace
 {
@@ -49,21 +43,5 @@ const vtkRefinementPattern& GetNestedPattern(int level01, int level12, int level
       pattern = MakePattern(segments, MakeNestedMesh(levels));
     });
   return pattern;
-}
-
-void MorphPattern(const vtkRefinementPattern& pattern, const float tags[3], int maximumLevel,
-  std::vector<float>& weights)
-{
-  const vec3 effective(morphTag(tags[0], maximumLevel), morphTag(tags[1], maximumLevel),
-    morphTag(tags[2], maximumLevel));
-  weights.resize(pattern.Vertices.size());
-  for (std::size_t i = 0; i < weights.size(); i += 3)
-  {
-    const float* exact = &pattern.Vertices[i];
-    const vec3 moved = morphWeights(vec3(exact[0], exact[1], exact[2]), effective);
-    weights[i] = moved.x;
-    weights[i + 1] = moved.y;
-    weights[i + 2] = moved.z;
-  }
 }
 }

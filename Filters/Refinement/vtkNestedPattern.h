@@ -29,8 +29,6 @@
 
 #include "RelevoFiltersRefinementModule.h" // for export macro
 
-#include <vector> // for weights
-
 struct vtkRefinementPattern;
 
 #ifndef __VTK_WRAP__
@@ -44,14 +42,6 @@ namespace relevo
  */
 RELEVOFILTERSREFINEMENT_EXPORT const vtkRefinementPattern& GetNestedPattern(
   int level01, int level12, int level02);
-
-/**
- * The weights of all vertices of a nested pattern, 3 floats each, for the tags of edges 01, 12 and
- * 02 in a face refined to maximumLevel. A tag may be any number; the pattern must be that of the
- * tags' levels.
- */
-RELEVOFILTERSREFINEMENT_EXPORT void MorphPattern(const vtkRefinementPattern& pattern,
-  const float tags[3], int maximumLevel, std::vector<float>& weights);
 }
 #endif
 

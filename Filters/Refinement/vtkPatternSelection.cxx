@@ -17,8 +17,6 @@ namespace relevo
 {
 #include "glsl/relevoLevels.glsl"
 
-#include "glsl/relevoMorph.glsl"
-
 namespace
 {
 // Faces are counted and scattered in chunks, in parallel; a chunk must be worth its counters.
@@ -84,10 +82,7 @@ void PatternSelection::SelectFaces(const RefinementMesh& mesh, const PatternFami
         ++counts[entry >> 3];
         if (morphing)
         {
-          for (int e = 0; e < 3; ++e)
-          {
-            this->MorphTags[3 * f + e] = morphTag(tags[e], maximumLevel);
-          }
+          std::copy_n(tags, 3, &this->MorphTags[3 * f]);
         }
       }
     });

@@ -81,14 +81,15 @@ int TestAdaptiveRefinementMapperCulling(int argc, char* argv[])
       }
     }
     all.ResetCameras();
-    for (double closer : { 1.0, 1.8, 1.9 })
+    for (double closer : { 1.0, 2.2 })
     {
       all.Renderer->GetActiveCamera()->Zoom(closer);
-      all.Renderer->GetActiveCamera()->Yaw(0.4 * closer);
+      all.Renderer->GetActiveCamera()->Yaw(2.0 * closer);
       all.Renderer->ResetCameraClippingRange();
       all.Render();
       culled.CopyCameras(all);
-      culled.Renderer->GetActiveCamera()->Modified(); // a copy alone is not drawn anew in all passes
+      culled.Renderer->GetActiveCamera()
+        ->Modified(); // a copy alone is not drawn anew in all passes
       culled.Render();
       RelevoTolerance tolerance;
       tolerance.Pixels = pixels;

@@ -6,6 +6,7 @@
 #include "RelevoCheck.h"
 #include "RelevoPatternCheck.h"
 
+#include "vtkFacePattern.h"
 #include "vtkNestedPattern.h"
 #include "vtkRefinementPatternTable.h"
 
@@ -61,7 +62,17 @@ struct Sheet
   Sheet(const Tags& tags, int maximumLevel)
     : Pattern(GetPattern(Round(tags, maximumLevel)))
   {
-    relevo::MorphPattern(this->Pattern, tags.data(), maximumLevel, this->Weights);
+    float clamped[3];
+    for (int e = 0; e < 3; ++e)
+    {
+      clamped[e] = std::clamp(tags[e], 0.0f, static_cast<float>(maximumLevel));
+    }
+    const relevo::FacePattern facePattern{ &this->Pattern, 0, false, clamped };
+    this->Weights.resize(this->Pattern.Vertices.size());
+    for (int vertex = 0; vertex < this->Pattern.GetNumberOfVertices(); ++vertex)
+    {
+      facePattern.GetWeights(vertex, &this->Weights[3 * static_cast<size_t>(vertex)]);
+    }
   }
 
   Triple GetWeights(unsigned int vertex) const
