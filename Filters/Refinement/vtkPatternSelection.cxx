@@ -23,7 +23,8 @@ namespace
 vtkIdType GetNumberOfChunks(vtkIdType numberOfFaces, int numberOfKeys)
 {
   const vtkIdType least = std::max(4096, 2 * numberOfKeys);
-  return std::max<vtkIdType>(1, std::min<vtkIdType>(64, numberOfFaces / least));
+  const vtkIdType most = 4 * vtkSMPTools::GetEstimatedNumberOfThreads();
+  return std::max<vtkIdType>(1, std::min(most, numberOfFaces / least));
 }
 
 // Calls f(chunk, begin, end) for each chunk of faces, in parallel.

@@ -16,8 +16,8 @@ RELEVO_FUNCTION float meanTag(float tagA, float tagB)
 // rather than 0.5 added, which would round 0.49999997 up.
 RELEVO_FUNCTION int levelOfTag(float tag)
 {
-  float whole = floor(tag);
-  return int(whole) + (tag - whole < 0.5f ? 0 : 1);
+  int whole = int(tag);
+  return whole + (tag - float(whole) < 0.5f ? 0 : 1);
 }
 
 RELEVO_FUNCTION int edgeLevel(float tagA, float tagB, int maximumLevel)
