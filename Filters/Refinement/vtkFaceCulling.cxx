@@ -78,6 +78,13 @@ CullingView::CullingView(
   }
 }
 
+bool CullingView::operator==(const CullingView& other) const
+{
+  return std::equal(this->Planes[0], this->Planes[0] + 4 * NumberOfPlanes, other.Planes[0]) &&
+    std::equal(this->Eye, this->Eye + 3, other.Eye) && this->Parallel == other.Parallel &&
+    this->Valid == other.Valid;
+}
+
 void FaceCulling::Build(const RefinementMesh& mesh, vtkAdaptiveRefinement* recipe)
 {
   this->Data.assign(Stride * mesh.Faces.size(), 0.0f);

@@ -45,6 +45,8 @@ struct RELEVOFILTERSREFINEMENT_EXPORT CullingView
   float Eye[3];
   bool Parallel;
   bool Valid;
+
+  bool operator==(const CullingView& other) const;
 };
 
 class RELEVOFILTERSREFINEMENT_EXPORT FaceCulling

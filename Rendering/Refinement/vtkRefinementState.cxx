@@ -170,6 +170,7 @@ const FaceCulling& RefinementState::GetCulling(vtkAdaptiveRefinement* recipe)
   {
     this->CullingDependencies = dependencies;
     this->Culling.Build(this->Mesh, recipe);
+    this->CullingTime.Modified();
   }
   return this->Culling;
 }
@@ -189,7 +190,8 @@ bool RefinementState::UpdateSelection(vtkPolyData* input, vtkAdaptiveRefinement*
   }
   if (valid)
   {
-    this->Current->UpdateGroups(culling ? &this->GetCulling(recipe) : nullptr, culling, behind);
+    const FaceCulling* faces = culling ? &this->GetCulling(recipe) : nullptr;
+    this->Current->UpdateGroups({ faces, this->CullingTime, culling, behind });
   }
   return valid;
 }

@@ -92,6 +92,7 @@ private:
   Dependencies BoundsDependencies;
   FaceCulling Culling;
   Dependencies CullingDependencies;
+  vtkTimeStamp CullingTime;
 
   struct View
   {

@@ -5,7 +5,6 @@
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCamera.h"
 #include "vtkDepthTagMetric.h"
-#include "vtkFaceCulling.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPolyData.h"
 #include "vtkRefinementEvaluator.h"
@@ -30,6 +29,29 @@ void AppendBits(Dependencies& dependencies, double value)
   dependencies.push_back(bits);
 }
 
+// What there is to see, not when the camera was last touched.
+void AppendView(Dependencies& dependencies, const vtkRefinementView& view)
+{
+  for (int length : view.ViewportSize)
+  {
+    dependencies.push_back(static_cast<vtkMTimeType>(length));
+  }
+  vtkCamera* camera = view.Camera;
+  const double aspect = static_cast<double>(view.ViewportSize[0]) / std::max(view.ViewportSize[1], 1);
+  vtkMatrix4x4* matrix = camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
+  for (int i = 0; i < 16; ++i)
+  {
+    AppendBits(dependencies, matrix->GetData()[i]);
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    AppendBits(dependencies, camera->GetPosition()[i]);
+    AppendBits(dependencies, camera->GetFocalPoint()[i]);
+    AppendBits(dependencies, camera->GetViewUp()[i]);
+  }
+  AppendBits(dependencies, camera->GetParallelProjection());
+}
+
 Dependencies GetLevelDependencies(const SelectionInput& input, const vtkRefinementView& view)
 {
   vtkAdaptiveRefinement* recipe = input.Recipe;
@@ -50,11 +72,7 @@ Dependencies GetLevelDependencies(const SelectionInput& input, const vtkRefineme
   }
   if (metric && metric->IsViewDependent())
   {
-    AppendObject(dependencies, view.Camera);
-    for (int length : view.ViewportSize)
-    {
-      dependencies.push_back(static_cast<vtkMTimeType>(length));
-    }
+    AppendView(dependencies, view);
   }
   return dependencies;
 }
@@ -98,20 +116,42 @@ bool ViewSelection::UpdateLevels(
   return true;
 }
 
-void ViewSelection::UpdateGroups(const FaceCulling* culling, const CullingView* view, bool behind)
+bool ViewSelection::SeesTheSame(const CullingInput& culling) const
 {
-  const double start = vtkTimerLog::GetUniversalTime();
-  const bool culled = culling && view;
-  const int numberOfHiddenFaces = culled ? culling->FindHidden(*view, behind, this->Hidden) : 0;
-  const bool sameFaces = numberOfHiddenFaces == this->NumberOfHiddenFaces &&
-    (numberOfHiddenFaces == 0 || this->Hidden == this->LastHidden);
-  if (sameFaces && this->GroupsTime > this->LevelsTime)
+  if (!culling.Culling || !this->LastView)
+  {
+    return !culling.Culling && !this->LastView;
+  }
+  return *this->LastView == *culling.View && this->LastCullingTime == culling.CullingTime &&
+    this->LastBehind == culling.Behind;
+}
+
+void ViewSelection::UpdateGroups(const CullingInput& culling)
+{
+  const bool sameLevels = this->GroupsTime > this->LevelsTime;
+  const bool sameView = this->SeesTheSame(culling);
+  if (sameLevels && sameView)
   {
     return;
   }
-  this->NumberOfHiddenFaces = numberOfHiddenFaces;
-  this->Selection.Group(numberOfHiddenFaces > 0 ? this->Hidden.data() : nullptr);
-  this->LastHidden.swap(this->Hidden);
+  const double start = vtkTimerLog::GetUniversalTime();
+  if (!sameView)
+  {
+    this->LastHidden.swap(this->Hidden);
+    const int last = this->NumberOfHiddenFaces;
+    this->NumberOfHiddenFaces = culling.Culling
+      ? culling.Culling->FindHidden(*culling.View, culling.Behind, this->Hidden)
+      : 0;
+    this->LastView.reset(culling.Culling ? new CullingView(*culling.View) : nullptr);
+    this->LastCullingTime = culling.CullingTime;
+    this->LastBehind = culling.Behind;
+    if (sameLevels && this->NumberOfHiddenFaces == last &&
+      (last == 0 || this->Hidden == this->LastHidden))
+    {
+      return;
+    }
+  }
+  this->Selection.Group(this->NumberOfHiddenFaces > 0 ? this->Hidden.data() : nullptr);
   this->GroupsTime.Modified();
   this->GroupsSeconds = vtkTimerLog::GetUniversalTime() - start;
 }

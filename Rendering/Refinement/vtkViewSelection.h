@@ -12,9 +12,11 @@
 #define vtkViewSelection_h
 
 #include "vtkEdgeTags.h"         // for members
+#include "vtkFaceCulling.h"      // for LastView
 #include "vtkPatternSelection.h" // for members
 #include "vtkTimeStamp.h"        // for members
 
+#include <memory> // for LastView
 #include <string> // for errors
 #include <vector> // for members
 
@@ -24,9 +26,7 @@ struct vtkRefinementView;
 
 namespace relevo
 {
-class FaceCulling;
 class RefinementMesh;
-struct CullingView;
 
 /// Values that decide whether something must be made anew.
 using Dependencies = std::vector<vtkMTimeType>;
@@ -40,6 +40,17 @@ struct SelectionInput
   vtkMTimeType MeshTime;
 };
 
+/// What is out of sight.
+struct CullingInput
+{
+  /// nullptr where all faces are drawn.
+  const FaceCulling* Culling;
+  vtkMTimeType CullingTime;
+  const CullingView* View;
+  /// Whether back faces of closed surfaces are out of sight too.
+  bool Behind;
+};
+
 class ViewSelection
 {
 public:
@@ -51,9 +62,9 @@ public:
     std::string& error);
 
   /**
-   * Group the faces if need be, for valid levels; without those hidden from `view` if there is one.
+   * Group the faces if need be, for valid levels.
    */
-  void UpdateGroups(const FaceCulling* culling, const CullingView* view, bool behind);
+  void UpdateGroups(const CullingInput& culling);
 
   const PatternSelection& GetSelection() const { return this->Selection; }
   /// When the levels and the groups last changed.
@@ -70,6 +81,8 @@ public:
   vtkIdType GetNumberOfTriangles(const SelectionInput& input);
 
 private:
+  bool SeesTheSame(const CullingInput& culling) const;
+
   EdgeTags Tags;
   vtkMTimeType TagsMeshTime = 0;
   PatternSelection Selection;
@@ -79,6 +92,9 @@ private:
   vtkTimeStamp GroupsTime;
   std::vector<unsigned char> Hidden;
   std::vector<unsigned char> LastHidden;
+  std::unique_ptr<CullingView> LastView; // that the faces were grouped for, if faces were culled
+  vtkMTimeType LastCullingTime = 0;
+  bool LastBehind = false;
   int NumberOfHiddenFaces = 0;
   double LevelsSeconds = 0.0;
   double GroupsSeconds = 0.0;

@@ -239,6 +239,34 @@ int TestAdaptiveRefinementMapperState(int, char*[])
     CHECK(view.DidNothing());
   }
 
+  // Several cameras in turn: each keeps its levels.
+  {
+    vtkNew<vtkDistanceDepthTagMetric> metric;
+    View view(TexturedSphere(12, 8));
+    view.Recipe->SetMetric(metric);
+    vtkNew<vtkRenderer> second;
+    view.Renderer->SetViewport(0, 0, 0.5, 1);
+    second->SetViewport(0.5, 0, 1, 1);
+    second->AddActor(view.Actor);
+    view.Window->AddRenderer(second);
+    second->ResetCamera();
+    second->GetActiveCamera()->Zoom(2);
+    view.Render();
+    CHECK(view.Selections == 2);
+    view.Render();
+    CHECK(view.DidNothing());
+    second->GetActiveCamera()->Azimuth(20);
+    view.Render();
+    CHECK(view.Selections == 1);
+    // A camera that was touched, but is as it was.
+    second->GetActiveCamera()->Modified();
+    view.Renderer->GetActiveCamera()->Azimuth(20);
+    view.Renderer->GetActiveCamera()->Azimuth(-20);
+    view.Renderer->GetActiveCamera()->SetPosition(1, 2, 3);
+    view.Render();
+    CHECK(view.Selections == 1);
+  }
+
   // Memory: what the coarse mesh and one pattern take, whatever is drawn.
   {
     Mesh plane = Plane(50, 40);

@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// How many segments edges get: by either policy, with an offset, by tags of points or of edges.
+#include "RelevoCheck.h"
+#include "RelevoTestMeshes.h"
+
+#include "vtkAdaptiveRefinement.h"
+#include "vtkAdaptiveRefinementFilter.h"
+#include "vtkCamera.h"
+#include "vtkCellData.h"
+#include "vtkDepthTagFilter.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkRefinementPatternTable.h"
+#include "vtkScreenEdgeDepthTagMetric.h"
+#include "vtkSilhouetteDepthTagMetric.h"
+
+namespace
+{
+using namespace RelevoMeshes;
+
+Mesh MakeTriangle(double tagA, double tagB, double tagC)
+{
+  Mesh triangle =
+    FromTriangles({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } } }, { { { 0, 1, 2 } } });
+  vtkNew<vtkFloatArray> tags;
+  tags->SetName("DepthTag");
+  for (double tag : { tagA, tagB, tagC })
+  {
+    tags->InsertNextValue(static_cast<float>(tag));
+  }
+  triangle->GetPointData()->AddArray(tags);
+  return triangle;
+}
+
+// Segments of the edge from (0, 0) to (1, 0).
+int CountSegments(vtkPolyData* refined)
+{
+  int points = 0;
+  for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
+  {
+    points += refined->GetPoint(i)[1] == 0.0 ? 1 : 0;
+  }
+  return points - 1;
+}
+
+double GetArea(vtkPolyData* mesh)
+{
+  double area = 0.0;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    const vtkIdType* ids;
+    vtkIdType size;
+    mesh->GetCellPoints(cell, size, ids);
+    double p[3][3];
+    for (int i = 0; i < 3; ++i)
+    {
+      mesh->GetPoint(ids[i], p[i]);
+    }
+    area +=
+      0.5 * ((p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]));
+  }
+  return area;
+}
+
+// 2^tag to the nearest number that an edge may have, half up.
+int GetWholeNumber(double tag)
+{
+  const double wanted = std::exp2(tag);
+  int factor = 1;
+  while (wanted > 16.0 * factor)
+  {
+    factor *= 2;
+  }
+  return factor * static_cast<int>(std::floor(wanted / factor + 0.5));
+}
+
+void TestWholeNumbers(RelevoCheck& check)
+{
+  vtkNew<vtkAdaptiveRefinement> recipe;
+  recipe->SetMaximumLevel(7);
+  recipe->SetSegmentPolicyToWholeNumbers();
+  int last = 1;
+  for (double tag = 0.003; tag < 7.2; tag += 0.0371)
+  {
+    Mesh refined = Refine(MakeTriangle(tag, tag, 0.0), recipe);
+    const int segments = CountSegments(refined);
+    CHECK(segments == GetWholeNumber(std::min(tag, 7.0)));
+    CHECK(segments >= last);
+    last = segments;
+    CHECK_NEAR(GetArea(refined), 0.5, 1e-6);
+  }
+  CHECK(last == 128);
+  // Whole levels are the same by either policy.
+  for (int level = 0; level <= 7; ++level)
+  {
+    CHECK(CountSegments(Refine(MakeTriangle(level, level, 1.0), recipe)) == 1 << level);
+  }
+  recipe->SetMaximumLevel(3);
+  CHECK(CountSegments(Refine(MakeTriangle(9.0, 2.4, 0.0), recipe)) == 8);
+}
+
+void TestOffset(RelevoCheck& check)
+{
+  vtkNew<vtkAdaptiveRefinement> recipe;
+  recipe->SetMaximumLevel(6);
+  for (double offset : { -16.0, -1.5, -0.25, 0.0, 0.25, 1.0, 3.75, 16.0 })
+  {
+    recipe->SetLevelOffset(offset);
+    for (double tag : { 0.0, 1.25, 2.5, 4.75 })
+    {
+      const double level = std::floor(std::min(std::max(tag + offset, 0.0), 6.0) + 0.5);
+      CHECK(
+        CountSegments(Refine(MakeTriangle(tag, tag, 2.0), recipe)) == 1 << static_cast<int>(level));
+    }
+  }
+}
+
+// The filter's triangles per cell are those of the patterns that vtkDepthTagFilter's levels name.
+void TestRules(RelevoCheck& check)
+{
+  vtkNew<vtkCamera> camera;
+  camera->SetPosition(0.9, 0.7, 1.4);
+  vtkNew<vtkScreenEdgeDepthTagMetric> screen;
+  vtkNew<vtkSilhouetteDepthTagMetric> contour;
+  contour->SetCriterionToContour();
+  vtkIdType counts[2] = { 0, 0 };
+  for (Mesh mesh : { Sphere(9, 8), Explode(Sphere(7, 9)), NonManifold(), Moebius() })
+  {
+    for (vtkDepthTagMetric* metric :
+      { static_cast<vtkDepthTagMetric*>(screen), static_cast<vtkDepthTagMetric*>(contour) })
+    {
+      for (int rule : { vtkDepthTagMetric::PER_VERTEX, vtkDepthTagMetric::PER_EDGE })
+      {
+        vtkNew<vtkDepthTagFilter> tags;
+        tags->SetInputData(mesh);
+        tags->SetMetric(metric);
+        tags->SetCamera(camera);
+        tags->SetLevelRule(rule);
+        tags->Update();
+        auto* levels = vtkIntArray::SafeDownCast(
+          tags->GetOutput()->GetCellData()->GetAbstractArray("EdgeLevels"));
+
+        vtkNew<vtkAdaptiveRefinement> recipe;
+        recipe->SetMetric(metric);
+        recipe->SetLevelRule(rule);
+        recipe->GeomorphingOff();
+        vtkNew<vtkAdaptiveRefinementFilter> filter;
+        filter->SetInputData(mesh);
+        filter->SetRefinement(recipe);
+        filter->SetCamera(camera);
+        filter->Update();
+        auto* cells = vtkIdTypeArray::SafeDownCast(
+          filter->GetOutput()->GetCellData()->GetAbstractArray("vtkOriginalCellIds"));
+        std::vector<vtkIdType> triangles(static_cast<size_t>(mesh->GetNumberOfCells()), 0);
+        for (vtkIdType i = 0; i < cells->GetNumberOfTuples(); ++i)
+        {
+          ++triangles[static_cast<size_t>(cells->GetValue(i))];
+        }
+        vtkNew<vtkPolyData> pattern;
+        for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+        {
+          int l[3];
+          levels->GetTypedTuple(cell, l);
+          CHECK(recipe->GetPatternTable()->GetPattern(l[0], l[1], l[2], pattern));
+          CHECK(triangles[static_cast<size_t>(cell)] == pattern->GetNumberOfPolys());
+        }
+        counts[rule] += filter->GetOutput()->GetNumberOfPolys();
+      }
+    }
+  }
+  // A point takes the largest level of its edges: edges of their own levels need less.
+  CHECK(counts[vtkDepthTagMetric::PER_EDGE] < counts[vtkDepthTagMetric::PER_VERTEX]);
+}
+
+void TestSettings(RelevoCheck& check)
+{
+  vtkNew<vtkAdaptiveRefinement> recipe;
+  RelevoErrors errors(recipe);
+  recipe->SetLevelRule(2);
+  CHECK(errors.Said("LevelRule must be in [0, 1]"));
+  recipe->SetSegmentPolicy(-1);
+  CHECK(errors.Said("SegmentPolicy must be in [0, 1]"));
+  recipe->SetGeomorphing(3);
+  CHECK(errors.Said("Geomorphing must be in [0, 2]"));
+  recipe->SetLevelOffset(vtkMath::Nan());
+  CHECK(errors.Said("LevelOffset must be in [-16, 16]"));
+  CHECK(recipe->GetLevelRule() == vtkDepthTagMetric::PER_VERTEX);
+  CHECK(recipe->GetSegmentPolicy() == vtkAdaptiveRefinement::POWERS_OF_TWO);
+  CHECK(recipe->GetGeomorphing() == vtkAdaptiveRefinement::GEOMORPHING_AUTOMATIC);
+  CHECK(recipe->GetLevelOffset() == 0.0);
+}
+}
+
+int TestSegments(int, char*[])
+{
+  RelevoCheck check;
+  TestWholeNumbers(check);
+  TestOffset(check);
+  TestRules(check);
+  TestSettings(check);
+  return check.GetResult();
+}
