@@ -4,7 +4,7 @@
 
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDepthTagMetric.h"
-#include "vtkEdgeTags.h"
+#include "vtkFaceTags.h"
 #include "vtkRefinementMathematics.h"
 #include "vtkRefinementMesh.h"
 #include "vtkRefinementPattern.h"
@@ -15,8 +15,6 @@
 
 namespace relevo
 {
-#include "glsl/relevoLevels.glsl"
-
 namespace
 {
 // Faces are counted and scattered in chunks, in parallel; a chunk must be worth its counters.
@@ -103,49 +101,20 @@ void PatternSelection::Select(const RefinementMesh& mesh, const EdgeTags& tags,
     counts.assign(static_cast<size_t>(family.GetNumberOfKeys()), 0);
   }
 
-  const float* values = tags.GetValues();
-  const auto select = [&](const auto& getTags)
-  {
-    if (family.AreWholeNumbers())
+  WithFaceTags(tags, maximumLevel,
+    [&](const auto& getTags)
     {
-      this->SelectFaces(
-        mesh, family, offset, maximumLevel, getTags, &PatternFamily::GetWholeNumberStep);
-    }
-    else
-    {
-      this->SelectFaces(
-        mesh, family, offset, maximumLevel, getTags, [](float tag) { return levelOfTag(tag); });
-    }
-  };
-  switch (tags.GetKind())
-  {
-    case EdgeTags::UNIFORM:
-      select([maximumLevel](vtkIdType, const RefinementFace&, float t[3])
-        { std::fill_n(t, 3, static_cast<float>(maximumLevel)); });
-      break;
-    case EdgeTags::PER_POINT:
-      select(
-        [values](vtkIdType, const RefinementFace& face, float t[3])
-        {
-          const float a = values[face.Corners[0]];
-          const float b = values[face.Corners[1]];
-          const float c = values[face.Corners[2]];
-          t[0] = meanTag(a, b);
-          t[1] = meanTag(b, c);
-          t[2] = meanTag(a, c);
-        });
-      break;
-    case EdgeTags::PER_EDGE:
-      select(
-        [values, edges = tags.GetFaceEdges().data()](vtkIdType f, const RefinementFace&, float t[3])
-        {
-          for (int e = 0; e < 3; ++e)
-          {
-            t[e] = values[edges[3 * f + e]];
-          }
-        });
-      break;
-  }
+      if (family.AreWholeNumbers())
+      {
+        this->SelectFaces(
+          mesh, family, offset, maximumLevel, getTags, &PatternFamily::GetWholeNumberStep);
+      }
+      else
+      {
+        this->SelectFaces(
+          mesh, family, offset, maximumLevel, getTags, [](float tag) { return levelOfTag(tag); });
+      }
+    });
   this->Counted = true;
 
   this->Patterns.assign(static_cast<size_t>(family.GetNumberOfKeys()), nullptr);
