@@ -185,6 +185,11 @@ bool FaceCulling::IsOutside(const float eye[3]) const
   return false;
 }
 
+bool FaceCulling::HidesBehind(const CullingView& view, bool behind) const
+{
+  return behind && this->Closed && (view.Parallel || this->IsOutside(view.Eye));
+}
+
 int FaceCulling::FindHidden(
   const CullingView& view, bool behind, std::vector<unsigned char>& hidden) const
 {
@@ -201,7 +206,7 @@ int FaceCulling::FindHidden(
     planes[i] = vec4(Load(view.Planes[i]), view.Planes[i][3]);
   }
   const vec3 eye = Load(view.Eye);
-  const bool turned = behind && this->Closed && (view.Parallel || this->IsOutside(view.Eye));
+  const bool turned = this->HidesBehind(view, behind);
   std::atomic<int> count(0);
   vtkSMPTools::For(0, static_cast<vtkIdType>(numberOfFaces),
     [&](vtkIdType begin, vtkIdType end)

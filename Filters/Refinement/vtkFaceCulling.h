@@ -61,6 +61,9 @@ public:
    */
   int FindHidden(const CullingView& view, bool behind, std::vector<unsigned char>& hidden) const;
 
+  /// Whether faces that face away from a view are hidden, if they are to be.
+  bool HidesBehind(const CullingView& view, bool behind) const;
+
   /// Whether the mesh is a closed surface, all of it turned outside, whose normals are bounded.
   bool IsClosed() const { return this->Closed; }
 

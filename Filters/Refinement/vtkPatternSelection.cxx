@@ -90,16 +90,10 @@ void PatternSelection::SelectFaces(const RefinementMesh& mesh, const PatternFami
 void PatternSelection::Select(const RefinementMesh& mesh, const EdgeTags& tags,
   const PatternFamily& family, vtkRefinementPatternTable* table, float offset)
 {
-  const vtkIdType numberOfFaces = static_cast<vtkIdType>(mesh.Faces.size());
   const int maximumLevel = table->GetMaximumLevel();
   this->Entries.resize(mesh.Faces.size());
   this->MorphTags.resize(family.IsMorphing() ? 3 * mesh.Faces.size() : 0);
-  this->Counts.resize(
-    static_cast<size_t>(GetNumberOfChunks(numberOfFaces, family.GetNumberOfKeys())));
-  for (auto& counts : this->Counts)
-  {
-    counts.assign(static_cast<size_t>(family.GetNumberOfKeys()), 0);
-  }
+  this->ResizeCounts(family);
 
   WithFaceTags(tags, maximumLevel,
     [&](const auto& getTags)
@@ -117,6 +111,32 @@ void PatternSelection::Select(const RefinementMesh& mesh, const EdgeTags& tags,
     });
   this->Counted = true;
 
+  this->FindPatterns(family, table);
+}
+
+void PatternSelection::Assign(const PatternFamily& family, vtkRefinementPatternTable* table,
+  std::vector<unsigned int> entries, std::vector<float> morphTags)
+{
+  this->Entries.swap(entries);
+  this->MorphTags.swap(morphTags);
+  this->ResizeCounts(family);
+  this->CountFaces(nullptr);
+  this->Counted = true;
+  this->FindPatterns(family, table);
+}
+
+void PatternSelection::ResizeCounts(const PatternFamily& family)
+{
+  this->Counts.resize(
+    static_cast<size_t>(GetNumberOfChunks(this->GetNumberOfFaces(), family.GetNumberOfKeys())));
+  for (auto& counts : this->Counts)
+  {
+    counts.assign(static_cast<size_t>(family.GetNumberOfKeys()), 0);
+  }
+}
+
+void PatternSelection::FindPatterns(const PatternFamily& family, vtkRefinementPatternTable* table)
+{
   this->Patterns.assign(static_cast<size_t>(family.GetNumberOfKeys()), nullptr);
   this->NumberOfTriangles = 0;
   for (int key = 0; key < family.GetNumberOfKeys(); ++key)

@@ -57,6 +57,13 @@ public:
     vtkRefinementPatternTable* table, float offset = 0.0f);
 
   /**
+   * Take what was chosen elsewhere: the family's entry of each face and, if its patterns morph, the
+   * tags that vertices morph by.
+   */
+  void Assign(const PatternFamily& family, vtkRefinementPatternTable* table,
+    std::vector<unsigned int> entries, std::vector<float> morphTags);
+
+  /**
    * Sort the faces by pattern, those of them that are not hidden: `hidden` has a byte per face, or
    * is nullptr for none.
    */
@@ -91,7 +98,9 @@ private:
   template <typename GetTags, typename GetStep>
   void SelectFaces(const RefinementMesh& mesh, const PatternFamily& family, float offset,
     int maximumLevel, const GetTags& getTags, const GetStep& getStep);
+  void ResizeCounts(const PatternFamily& family);
   void CountFaces(const unsigned char* hidden);
+  void FindPatterns(const PatternFamily& family, vtkRefinementPatternTable* table);
 
   std::vector<unsigned int> Entries; // per face, of the family
   std::vector<float> MorphTags;

@@ -31,6 +31,24 @@ function (relevo_add_cxx_tests executable)
   endforeach ()
 endfunction ()
 
+# relevo_repeat_cxx_tests(<executable> SUFFIX <suffix> ENVIRONMENT <NAME=value>...
+#   TESTS <TestName>... [LABELS <label>...])
+#
+# The same tests once more, as TestName<suffix>, in another environment.
+function (relevo_repeat_cxx_tests executable)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "SUFFIX" "ENVIRONMENT;TESTS;LABELS")
+  foreach (test IN LISTS arg_TESTS)
+    add_test(
+      NAME    "${test}${arg_SUFFIX}"
+      COMMAND "${executable}" "${test}"
+        -D "${relevo_test_input}"
+        -T "${relevo_test_output}"
+        -V "${relevo_test_baseline}/${test}.png")
+    relevo_set_test_properties("${test}${arg_SUFFIX}" ${arg_LABELS})
+    set_property(TEST "${test}${arg_SUFFIX}" APPEND PROPERTY ENVIRONMENT ${arg_ENVIRONMENT})
+  endforeach ()
+endfunction ()
+
 # relevo_add_python_tests(TESTS <TestName>... [LABELS <label>...])
 #
 # TestName.py is plain unittest; it exits with 125 to skip.

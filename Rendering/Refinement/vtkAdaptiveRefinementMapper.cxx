@@ -37,6 +37,8 @@
 #include "vtkProperty.h"
 #include "vtkRefinementBlocks.h"
 #include "vtkRefinementColors.h"
+#include "vtkRefinementComputeProgram.h"
+#include "vtkRefinementComputeState.h"
 #include "vtkRefinementMeshBuffers.h"
 #include "vtkRefinementPatternBuffer.h"
 #include "vtkRefinementShader.h"
@@ -46,10 +48,13 @@
 #include "vtkRelevoCompatibility.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
+#include "vtkTimerLog.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
 
 namespace
 {
@@ -104,6 +109,31 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   bool Drawable = false;
   int NumberOfDrawCalls = 0;
 
+  // Selections on the GPU.
+  relevo::RefinementComputeState Compute;
+  bool ComputeValid = false; // the context can, and nothing has failed
+  bool OnGPU = false;        // in the last render
+  double ComputeSeconds = 0.0;
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // whose context has them
+  vtkMTimeType ReadTime = 0;                    // of what was read back
+  int NumberOfUsedPatterns = 0;                 // of that
+  int NumberOfHiddenFaces = 0;                  // and of that
+
+  int CountUsedPatterns() const
+  {
+    if (this->OnGPU)
+    {
+      return this->NumberOfUsedPatterns;
+    }
+    int count = 0;
+    const auto& groups = this->State.GetSelection().GetSelection().Groups;
+    for (size_t i = 0; i < groups.size(); ++i)
+    {
+      count += i == 0 || groups[i].Pattern != groups[i - 1].Pattern;
+    }
+    return count;
+  }
+
   // What draws refined faces, and their vertices when those are shown.
   vtkOpenGLHelper Faces;
   vtkOpenGLHelper Vertices;
@@ -117,6 +147,11 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   std::map<const vtkOpenGLHelper*, ProgramState> Programs;
 
   relevo::RefinementBlocks Blocks;
+
+  relevo::RefinementComputeState::Targets GetTargets() const
+  {
+    return { this->Buffers.GetFaces(), this->Buffers.GetInstances(), this->Buffers.GetMorphTags() };
+  }
 };
 
 vtkStandardNewMacro(vtkAdaptiveRefinementMapper);
@@ -176,10 +211,34 @@ void vtkAdaptiveRefinementMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetRefinement(other->GetRefinement());
     this->SetFrustumCulling(other->GetFrustumCulling());
     this->SetBackFaceCulling(other->GetBackFaceCulling());
+    this->SetSelectionDevice(other->GetSelectionDevice());
     this->ExtraAttributes = other->ExtraAttributes;
     this->SetVBOShiftScaleMethod(other->GetVBOShiftScaleMethod());
   }
   this->Superclass::ShallowCopy(mapper);
+}
+
+void vtkAdaptiveRefinementMapper::SetSelectionDevice(int device)
+{
+  if (device < SELECTION_DEVICE_AUTOMATIC || device > SELECTION_DEVICE_GPU)
+  {
+    vtkErrorMacro("SelectionDevice is 0 (automatic), 1 (CPU) or 2 (GPU), not " << device << ".");
+    return;
+  }
+  if (this->SelectionDevice != device)
+  {
+    this->SelectionDevice = device;
+    this->Internals->ContextChecked = false;
+    this->Modified();
+  }
+}
+
+int vtkAdaptiveRefinementMapper::GetSelectionDeviceInUse()
+{
+  bool onGPU = this->Internals->OnGPU;
+  this->Internals->Blocks.ForEach([&onGPU](vtkAdaptiveRefinementMapper* block)
+    { onGPU = onGPU || block->GetSelectionDeviceInUse() == SELECTION_DEVICE_GPU; });
+  return onGPU ? SELECTION_DEVICE_GPU : SELECTION_DEVICE_CPU;
 }
 
 bool vtkAdaptiveRefinementMapper::IsComposite()
@@ -200,6 +259,7 @@ vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfDrawnTriangles()
       [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfDrawnTriangles(); });
     return sum;
   }
+  this->ReadSelection();
   return data.Drawable ? data.State.GetNumberOfTriangles(this->GetInput(), this->Refinement) : 0;
 }
 
@@ -213,12 +273,8 @@ int vtkAdaptiveRefinementMapper::GetNumberOfDrawCalls()
 
 int vtkAdaptiveRefinementMapper::GetNumberOfUsedPatterns()
 {
-  int sum = 0;
-  const auto& groups = this->Internals->State.GetSelection().GetSelection().Groups;
-  for (size_t i = 0; i < groups.size(); ++i)
-  {
-    sum += i == 0 || groups[i].Pattern != groups[i - 1].Pattern;
-  }
+  this->ReadSelection();
+  int sum = this->Internals->CountUsedPatterns();
   this->Internals->Blocks.ForEach(
     [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfUsedPatterns(); });
   return sum;
@@ -234,7 +290,8 @@ vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfSelections()
 
 double vtkAdaptiveRefinementMapper::GetSelectionTime()
 {
-  double sum = this->Internals->State.GetSelection().GetSeconds();
+  double sum = this->Internals->State.GetSelection().GetSeconds() +
+    (this->Internals->OnGPU ? this->Internals->ComputeSeconds : 0.0);
   this->Internals->Blocks.ForEach(
     [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetSelectionTime(); });
   return sum;
@@ -250,8 +307,11 @@ vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfCoarseFaces()
 
 vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfCulledFaces()
 {
-  vtkIdType sum =
-    this->Internals->Drawable ? this->Internals->State.GetSelection().GetNumberOfHiddenFaces() : 0;
+  this->ReadSelection();
+  const vtkInternals& data = *this->Internals;
+  vtkIdType sum = data.OnGPU
+    ? data.NumberOfHiddenFaces
+    : (data.Drawable ? data.State.GetSelection().GetNumberOfHiddenFaces() : 0);
   this->Internals->Blocks.ForEach(
     [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfCulledFaces(); });
   return sum;
@@ -260,8 +320,8 @@ vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfCulledFaces()
 vtkTypeInt64 vtkAdaptiveRefinementMapper::GetGraphicsMemorySize()
 {
   vtkInternals& data = *this->Internals;
-  vtkTypeInt64 sum =
-    data.Buffers.GetMemorySize() + data.Patterns.GetMemorySize() + data.Colors.GetMemorySize();
+  vtkTypeInt64 sum = data.Buffers.GetMemorySize() + data.Patterns.GetMemorySize() +
+    data.Colors.GetMemorySize() + data.Compute.GetMemorySize();
   for (const char* name :
     { "vertexMC", "normalMC", "scalarColor", "tcoord", "colorTCoord", "tangentMC" })
   {
@@ -299,22 +359,111 @@ bool vtkAdaptiveRefinementMapper::UpdateMesh()
   return input && this->Report(this->Internals->State.UpdateMesh(input, this->Refinement));
 }
 
+bool vtkAdaptiveRefinementMapper::SelectsOnGPU()
+{
+  const vtkInternals& data = *this->Internals;
+  return data.ComputeValid &&
+    relevo::RefinementComputeState::CanChooseFrom(
+      relevo::GetPatternFamily(this->Refinement, this->GetInput()));
+}
+
+namespace
+{
+// What a camera sees of a mesh; nullptr to draw all of it.
+std::unique_ptr<relevo::CullingView> MakeCullingView(
+  bool culled, vtkRenderer* ren, vtkActor* act, const relevo::RefinementMesh& mesh)
+{
+  return std::unique_ptr<relevo::CullingView>(culled
+      ? new relevo::CullingView(
+          ren->GetActiveCamera(), ren->GetTiledAspectRatio(), act->GetMatrix(), mesh)
+      : nullptr);
+}
+}
+
 bool vtkAdaptiveRefinementMapper::UpdateSelection(vtkRenderer* ren, vtkActor* act)
 {
+  vtkInternals& data = *this->Internals;
   vtkRefinementView view;
   view.Camera = ren->GetActiveCamera();
   view.ModelToWorld = act->GetMatrix();
   std::copy_n(ren->GetSize(), 2, view.ViewportSize);
+  const auto culling = MakeCullingView(this->FrustumCulling, ren, act, data.State.GetMesh());
+  return this->Report(data.State.UpdateSelection(this->GetInput(), this->Refinement, view,
+    culling.get(), this->HidesBackFaces(ren, act), data.OnGPU));
+}
+
+bool vtkAdaptiveRefinementMapper::SelectOnGPU(vtkRenderer* ren, vtkActor* act)
+{
   vtkInternals& data = *this->Internals;
-  if (!this->FrustumCulling)
+  vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
+  const double start = vtkTimerLog::GetUniversalTime();
+  const relevo::RefinementMesh& mesh = data.State.GetMesh();
+  const relevo::PatternFamily& family =
+    relevo::GetPatternFamily(this->Refinement, this->GetInput());
+  const int slot = data.State.GetSelectionSlot();
+  const relevo::ViewSelection& selection = data.State.GetSelection();
+  const auto camera = MakeCullingView(this->FrustumCulling, ren, act, mesh);
+  const relevo::FaceCulling* culled = camera ? &data.State.GetCulling(this->Refinement) : nullptr;
+  std::string error;
+  if (!data.Buffers.ReserveSelection(window, slot, mesh.Faces.size(), family.IsMorphing()))
   {
-    return this->Report(
-      data.State.UpdateSelection(this->GetInput(), this->Refinement, view, nullptr, false));
+    error = data.Buffers.GetError();
   }
-  const relevo::CullingView culling(
-    view.Camera, ren->GetTiledAspectRatio(), view.ModelToWorld, data.State.GetMesh());
-  return this->Report(data.State.UpdateSelection(
-    this->GetInput(), this->Refinement, view, &culling, this->HidesBackFaces(ren, act)));
+  else if (!data.Compute.UpdateMesh(mesh, data.State.GetMeshTime()) ||
+    (culled && !data.Compute.UpdateCulling(*culled, data.State.GetCullingTime())) ||
+    !data.Compute.UpdatePatterns(family, this->Refinement->GetPatternTable(), data.Patterns,
+      act->GetProperty()->GetRepresentation() == VTK_WIREFRAME) ||
+    !data.Compute.UpdateView(window, slot, selection.GetTags(),
+      static_cast<float>(this->Refinement->GetLevelOffset()), selection.GetLevelsTime(),
+      camera.get(), culled && culled->HidesBehind(*camera, this->HidesBackFaces(ren, act)),
+      data.GetTargets()))
+  {
+    error = data.Compute.GetError();
+  }
+  data.ComputeSeconds = vtkTimerLog::GetUniversalTime() - start;
+  if (!error.empty())
+  {
+    data.ComputeValid = false; // said once, until something changes
+    if (this->SelectionDevice == SELECTION_DEVICE_GPU)
+    {
+      vtkErrorMacro("Selection on the GPU failed: " << error << ". It is done on the CPU.");
+    }
+    else
+    {
+      vtkWarningMacro("Selection on the GPU failed: " << error << ". It is done on the CPU.");
+    }
+  }
+  return error.empty();
+}
+
+void vtkAdaptiveRefinementMapper::ReadSelection()
+{
+  vtkInternals& data = *this->Internals;
+  const int slot = data.State.GetSelectionSlot();
+  if (!data.OnGPU || !data.Window || data.ReadTime == data.Compute.GetTime(slot))
+  {
+    return;
+  }
+  data.ReadTime = data.Compute.GetTime(slot);
+  data.Window->MakeCurrent();
+  std::vector<float> morphTags;
+  if (data.Buffers.GetMorphTags())
+  {
+    morphTags.resize(3 * data.State.GetMesh().Faces.size());
+    relevo::RefinementComputeBuffer::ReadBuffer(
+      data.Buffers.GetMorphTags(), 0, morphTags.data(), morphTags.size() * sizeof(float));
+  }
+  data.State.AssignSelection(
+    this->GetInput(), this->Refinement, data.Compute.ReadEntries(slot), std::move(morphTags));
+  const std::vector<int> counts = data.Compute.ReadCounts(slot);
+  data.NumberOfHiddenFaces = static_cast<int>(data.State.GetMesh().Faces.size()) -
+    std::accumulate(counts.begin(), counts.end(), 0);
+  // Two keys share a pattern, of which one turns it over.
+  data.NumberOfUsedPatterns = 0;
+  for (size_t key = 0; key + 1 < counts.size(); key += 2)
+  {
+    data.NumberOfUsedPatterns += counts[key] + counts[key + 1] > 0 ? 1 : 0;
+  }
 }
 
 bool vtkAdaptiveRefinementMapper::HidesBackFaces(vtkRenderer* ren, vtkActor* act)
@@ -395,6 +544,18 @@ bool vtkAdaptiveRefinementMapper::CheckOpenGL(vtkRenderer*)
       vtkErrorMacro("Refinement needs OpenGL 3.3 with ARB_texture_buffer_object_rgb32 (part of "
                     "OpenGL 4.0); this context has OpenGL "
         << major << "." << minor << (rgbBuffers ? " with it." : " without it."));
+    }
+    data.ComputeValid = data.ContextValid && this->SelectionDevice != SELECTION_DEVICE_CPU &&
+      relevo::RefinementComputeProgram::IsSupported();
+    if (this->SelectionDevice == SELECTION_DEVICE_AUTOMATIC)
+    {
+      data.ComputeValid = data.ComputeValid && relevo::RefinementComputeState::IsHardware();
+    }
+    else if (data.ContextValid && !data.ComputeValid &&
+      this->SelectionDevice == SELECTION_DEVICE_GPU)
+    {
+      vtkErrorMacro("Selection on the GPU needs OpenGL 4.3; this context has OpenGL "
+        << major << "." << minor << ". It is done on the CPU.");
     }
   }
   return data.ContextValid;
@@ -483,6 +644,7 @@ void vtkAdaptiveRefinementMapper::ReleaseGraphicsResources(vtkWindow* window)
   data.Buffers.ReleaseGraphicsResources(window);
   data.Patterns.ReleaseGraphicsResources();
   data.Colors.ReleaseGraphicsResources(window);
+  data.Compute.ReleaseGraphicsResources();
   data.Faces.ReleaseGraphicsResources(window);
   data.Vertices.ReleaseGraphicsResources(window);
   data.Programs.clear();
@@ -525,18 +687,25 @@ void vtkAdaptiveRefinementMapper::RenderPiece(vtkRenderer* ren, vtkActor* act)
 void vtkAdaptiveRefinementMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* act)
 {
   vtkInternals& data = *this->Internals;
+  data.OnGPU = false;
   const bool meshValid = this->CheckOpenGL(ren) && this->UpdateMesh();
   if (meshValid)
   {
     this->CurrentInput = data.State.GetPreparedInput();
   }
   this->Superclass::RenderPieceStart(ren, act);
-  if (!meshValid || !data.UploadValid || !this->UpdateSelection(ren, act))
+  if (!meshValid || !data.UploadValid)
+  {
+    return;
+  }
+  vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
+  data.Window = window;
+  data.OnGPU = this->SelectsOnGPU();
+  if (!this->UpdateSelection(ren, act))
   {
     return;
   }
 
-  vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
   vtkDisplacement* displacement = this->Refinement->GetDisplacement();
   data.Drawable = true;
   if (displacement)
@@ -544,17 +713,32 @@ void vtkAdaptiveRefinementMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* a
     data.Drawable =
       data.Buffers.UploadHeights(window, displacement->GetHeightMap(), displacement->HasHoles());
   }
-  data.Drawable = data.Drawable &&
-    data.Buffers.UploadSelection(window, data.State.GetSelectionSlot(), data.State.GetSelection());
+  if (data.Drawable && data.OnGPU)
+  {
+    data.OnGPU = this->SelectOnGPU(ren, act);
+    if (!data.OnGPU && !this->UpdateSelection(ren, act))
+    {
+      data.Drawable = false;
+      return;
+    }
+  }
+  if (data.Drawable && !data.OnGPU)
+  {
+    data.Drawable = data.Buffers.UploadSelection(
+      window, data.State.GetSelectionSlot(), data.State.GetSelection());
+  }
   if (!data.Drawable)
   {
     vtkErrorMacro("Cannot draw the input: " << data.Buffers.GetError() << ".");
     data.UploadValid = false; // said once, until something changes
     return;
   }
-  data.Patterns.Load(this->Refinement->GetPatternTable(),
-    data.State.GetSelection().GetSelection().Groups,
-    act->GetProperty()->GetRepresentation() == VTK_WIREFRAME);
+  if (!data.OnGPU)
+  {
+    data.Patterns.Load(this->Refinement->GetPatternTable(),
+      data.State.GetSelection().GetSelection().Groups,
+      act->GetProperty()->GetRepresentation() == VTK_WIREFRAME);
+  }
 }
 
 void vtkAdaptiveRefinementMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* act)
@@ -638,11 +822,43 @@ void vtkAdaptiveRefinementMapper::DrawFaces(
     }
     ++data.NumberOfDrawCalls;
   };
-  for (const relevo::PatternGroup& group : data.State.GetSelection().GetSelection().Groups)
+  if (data.OnGPU)
   {
-    drawGroup(group);
+    this->DrawIndirectly(cellBO, mode);
+  }
+  else
+  {
+    for (const relevo::PatternGroup& group : data.State.GetSelection().GetSelection().Groups)
+    {
+      drawGroup(group);
+    }
   }
   data.Patterns.GetTriangles()->Release();
+}
+
+void vtkAdaptiveRefinementMapper::DrawIndirectly(vtkOpenGLHelper& cellBO, int mode)
+{
+  using View = relevo::RefinementComputeView;
+  vtkInternals& data = *this->Internals;
+  View& view = data.Compute.GetView(data.State.GetSelectionSlot());
+  const View::Primitives primitives = mode == GL_TRIANGLES ? View::TRIANGLES
+    : mode == GL_LINES                                     ? View::LINES
+    : this->PointPicking                                   ? View::CORNERS
+                                                           : View::POINTS;
+  // VTK's vertex array knows no integers.
+  const GLint location =
+    glGetAttribLocation(static_cast<GLuint>(cellBO.Program->GetHandle()), "relevoMembers");
+  if (location >= 0)
+  {
+    const GLuint index = static_cast<GLuint>(location);
+    glBindBuffer(GL_ARRAY_BUFFER, view.GetMembers(primitives));
+    glEnableVertexAttribArray(index);
+    glVertexAttribIPointer(index, 2, GL_UNSIGNED_INT, 0, nullptr);
+    glVertexAttribDivisor(index, 1);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+  }
+  view.Draw(primitives);
+  ++data.NumberOfDrawCalls;
 }
 
 //------------------------------------------------------------------------------
@@ -656,7 +872,8 @@ bool vtkAdaptiveRefinementMapper::IsRefining(const vtkOpenGLHelper* cellBO) cons
 namespace
 {
 relevo::RefinementShaderOptions GetShaderOptions(const relevo::RefinementMesh& mesh,
-  const relevo::RefinementMeshBuffers& buffers, bool hasScalars, vtkAdaptiveRefinement* recipe)
+  const relevo::RefinementMeshBuffers& buffers, bool hasScalars, bool indirect,
+  vtkAdaptiveRefinement* recipe)
 {
   relevo::RefinementShaderOptions options;
   buffers.Describe(mesh, options);
@@ -665,6 +882,7 @@ relevo::RefinementShaderOptions GetShaderOptions(const relevo::RefinementMesh& m
   options.SurfaceSource = (surface ? surface : linear.Get())->GetShaderSource();
   vtkDisplacement* displacement = recipe->GetDisplacement();
   options.HasScalars = hasScalars;
+  options.IsIndirect = indirect;
   options.HasDisplacement = displacement != nullptr;
   options.AlongNormal = displacement && displacement->IsAlongNormal();
   return options;
@@ -677,9 +895,10 @@ bool vtkAdaptiveRefinementMapper::GetNeedToRebuildShaders(
   bool needed = this->Superclass::GetNeedToRebuildShaders(cellBO, ren, act);
   if (this->IsRefining(&cellBO))
   {
-    const std::string key = GetShaderOptions(this->Internals->State.GetMesh(),
-      this->Internals->Buffers, this->Internals->ColorsValid, this->Refinement)
-                              .GetKey();
+    const std::string key =
+      GetShaderOptions(this->Internals->State.GetMesh(), this->Internals->Buffers,
+        this->Internals->ColorsValid, this->Internals->OnGPU, this->Refinement)
+        .GetKey();
     std::string& last = this->Internals->Programs[&cellBO].ShaderKey;
     needed = needed || key != last;
     last = key;
@@ -699,7 +918,7 @@ void vtkAdaptiveRefinementMapper::ReplaceShaderValues(
           act->GetProperty()->GetRepresentation(), this->LastBoundBO->PrimitiveType);
     this->Internals->Programs[this->LastBoundBO].Attributes = relevo::RefineShaders(
       GetShaderOptions(this->Internals->State.GetMesh(), this->Internals->Buffers,
-        this->Internals->ColorsValid, this->Refinement),
+        this->Internals->ColorsValid, this->Internals->OnGPU, this->Refinement),
       mode == GL_LINES, shaders);
   }
 }
@@ -769,6 +988,7 @@ void vtkAdaptiveRefinementMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Refinement: " << this->Refinement.Get() << "\n";
   os << indent << "FrustumCulling: " << (this->FrustumCulling ? "On\n" : "Off\n");
   os << indent << "BackFaceCulling: " << (this->BackFaceCulling ? "On\n" : "Off\n");
+  os << indent << "SelectionDevice: " << this->SelectionDevice << "\n";
   os << indent << "NumberOfCoarseFaces: " << this->GetNumberOfCoarseFaces() << "\n";
   os << indent << "NumberOfDrawnTriangles: " << this->GetNumberOfDrawnTriangles() << "\n";
   os << indent << "NumberOfDrawCalls: " << this->GetNumberOfDrawCalls() << "\n";

@@ -21,7 +21,8 @@
  * camera, the actor's matrix or the viewport changed. The displacement's scale, offset and
  * direction change live.
  *
- * Needs OpenGL 3.3 with ARB_texture_buffer_object_rgb32. Errors (ErrorEvent of this object; the
+ * Needs OpenGL 3.3 with ARB_texture_buffer_object_rgb32; with OpenGL 4.3 faces can choose their
+ * patterns on the GPU (see SetSelectionDevice()). Errors (ErrorEvent of this object; the
  * surface is then not drawn, rendering goes on): no recipe, an older OpenGL, depth-tags or texture
  * coordinates that cannot be used, a metric or height map that fails, a mesh or height map larger
  * than OpenGL can hold.
@@ -78,6 +79,43 @@ public:
   //@}
 
   /**
+   * Where faces choose their patterns and are sorted by them.
+   */
+  enum SelectionDevices
+  {
+    SELECTION_DEVICE_AUTOMATIC = 0,
+    SELECTION_DEVICE_CPU = 1,
+    SELECTION_DEVICE_GPU = 2
+  };
+
+  //@{
+  /**
+   * SELECTION_DEVICE_CPU (1): on the CPU, with as many threads as vtkSMPTools has.
+   * SELECTION_DEVICE_GPU (2): in compute shaders, which feed indirect draws; nothing is read back
+   * but statistics when they are asked for. Needs OpenGL 4.3: without, an error says so once and
+   * the CPU does it. SELECTION_DEVICE_AUTOMATIC (0, the default): on the GPU where OpenGL has 4.3
+   * and is not a program on the CPU itself (llvmpipe, softpipe, swr), which is slower at it.
+   *
+   * Levels are the same from both for the same depth-tags. The order in which the faces of a
+   * pattern are drawn is not defined on the GPU. Whole numbers of segments
+   * (vtkAdaptiveRefinement::SetSegmentPolicy()) are left to the CPU: their tables are too large. On
+   * the GPU all patterns up to MaximumLevel are loaded with the first picture. Another value is an
+   * error and changes nothing.
+   */
+  void SetSelectionDevice(int device);
+  vtkGetMacro(SelectionDevice, int);
+  void SetSelectionDeviceToAutomatic() { this->SetSelectionDevice(SELECTION_DEVICE_AUTOMATIC); }
+  void SetSelectionDeviceToCPU() { this->SetSelectionDevice(SELECTION_DEVICE_CPU); }
+  void SetSelectionDeviceToGPU() { this->SetSelectionDevice(SELECTION_DEVICE_GPU); }
+  //@}
+
+  /**
+   * What the last render used: SELECTION_DEVICE_CPU or SELECTION_DEVICE_GPU; of a composite data
+   * set, the GPU if any of its parts did.
+   */
+  int GetSelectionDeviceInUse();
+
+  /**
    * Triangles of the surface in the last render: the polygons that vtkAdaptiveRefinementFilter
    * would give for the same recipe and camera. Those of culled faces are counted.
    */
@@ -89,7 +127,8 @@ public:
   vtkIdType GetNumberOfCulledFaces();
 
   /**
-   * Draw calls of the last render for refined faces.
+   * Draw calls of the last render for refined faces. One that draws many patterns indirectly counts
+   * as one.
    */
   int GetNumberOfDrawCalls();
 
@@ -104,7 +143,8 @@ public:
   vtkIdType GetNumberOfSelections();
 
   /**
-   * Seconds the last evaluation of levels took: tag, select and group, without the upload.
+   * Seconds the last evaluation of levels took: tag, select and group, without the upload. What the
+   * GPU does counts only as long as it takes to hand it over.
    */
   double GetSelectionTime();
 
@@ -163,13 +203,18 @@ private:
   bool Report(bool valid);
   bool UpdateMesh();
   bool UpdateSelection(vtkRenderer* ren, vtkActor* act);
+  bool SelectsOnGPU();
+  bool SelectOnGPU(vtkRenderer* ren, vtkActor* act);
+  void ReadSelection();
   bool HidesBackFaces(vtkRenderer* ren, vtkActor* act);
   bool IsRefining(const vtkOpenGLHelper* cellBO) const;
   void DrawFaces(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act);
+  void DrawIndirectly(vtkOpenGLHelper& cellBO, int mode);
 
   vtkSmartPointer<vtkAdaptiveRefinement> Refinement;
   bool FrustumCulling = true;
   bool BackFaceCulling = true;
+  int SelectionDevice = SELECTION_DEVICE_AUTOMATIC;
   std::unique_ptr<vtkInternals> Internals;
 };
 

@@ -10,6 +10,8 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
+
 namespace relevo
 {
 RefinementBuffer::RefinementBuffer() = default;
@@ -50,6 +52,25 @@ bool RefinementBuffer::UploadValues(vtkOpenGLRenderWindow* window, const std::ve
   return this->Buffer->Upload(data, vtkOpenGLBufferObject::TextureBuffer) &&
     this->CreateTexture(window, data.size() / components, components, dataType, this->Buffer,
       integerFormat, integerInternalFormat);
+}
+
+bool RefinementBuffer::ReserveIntegers(vtkOpenGLRenderWindow* window, size_t texels)
+{
+  const size_t size = std::max<size_t>(texels, 1) * sizeof(unsigned int);
+  return this->MemorySize == static_cast<vtkTypeInt64>(size) ||
+    this->Upload(window, std::vector<unsigned int>(texels));
+}
+
+bool RefinementBuffer::ReserveFloats(vtkOpenGLRenderWindow* window, size_t texels, int components)
+{
+  const size_t values = std::max<size_t>(texels, 1) * static_cast<size_t>(components);
+  return this->MemorySize == static_cast<vtkTypeInt64>(values * sizeof(float)) ||
+    this->Upload(window, std::vector<float>(values), components);
+}
+
+unsigned int RefinementBuffer::GetHandle() const
+{
+  return this->Buffer ? static_cast<unsigned int>(this->Buffer->GetHandle()) : 0;
 }
 
 bool RefinementBuffer::Alias(vtkOpenGLRenderWindow* window, vtkOpenGLVertexBufferObject* buffer)

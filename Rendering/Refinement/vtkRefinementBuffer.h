@@ -44,6 +44,17 @@ public:
   bool Upload(vtkOpenGLRenderWindow* window, const std::vector<unsigned int>& values);
   //@}
 
+  //@{
+  /**
+   * Take room for texels that compute shaders write; what is there is kept if it is as large.
+   */
+  bool ReserveIntegers(vtkOpenGLRenderWindow* window, size_t texels);
+  bool ReserveFloats(vtkOpenGLRenderWindow* window, size_t texels, int components);
+  //@}
+
+  /// OpenGL's name of the buffer it owns; 0 for none.
+  unsigned int GetHandle() const;
+
   /**
    * Read a vertex buffer of VTK's (floats, or unsigned bytes as fractions).
    */

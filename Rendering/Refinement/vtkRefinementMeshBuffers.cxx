@@ -228,6 +228,22 @@ bool RefinementMeshBuffers::UploadSelection(
   return true;
 }
 
+bool RefinementMeshBuffers::ReserveSelection(
+  vtkOpenGLRenderWindow* window, int slot, size_t faces, bool morphing)
+{
+  this->Error = TooLarge;
+  SelectionBuffers& buffers = this->Selections[slot];
+  this->Selection = &buffers;
+  buffers.GroupsTime = 0; // no longer what UploadSelection() has put there
+  buffers.LevelsTime = 0;
+  if (!morphing)
+  {
+    buffers.MorphTags.ReleaseGraphicsResources(window);
+  }
+  return buffers.Instances.ReserveIntegers(window, faces) &&
+    (!morphing || buffers.MorphTags.ReserveFloats(window, faces, 3));
+}
+
 bool RefinementMeshBuffers::AliasAttributes(vtkOpenGLRenderWindow* window,
   vtkOpenGLVertexBufferObjectGroup* vbos, const std::vector<std::string>& attributes)
 {

@@ -61,6 +61,18 @@ public:
    */
   bool UploadSelection(vtkOpenGLRenderWindow* window, int slot, const ViewSelection& selection);
 
+  /**
+   * Have room for a selection of so many faces that compute shaders make, and draw from it.
+   */
+  bool ReserveSelection(vtkOpenGLRenderWindow* window, int slot, size_t faces, bool morphing);
+
+  //@{
+  /// OpenGL's names of the faces' buffer, and of those of the selection to draw; 0 for none.
+  unsigned int GetFaces() const { return this->Faces.GetHandle(); }
+  unsigned int GetInstances() const { return this->Selection->Instances.GetHandle(); }
+  unsigned int GetMorphTags() const { return this->Selection->MorphTags.GetHandle(); }
+  //@}
+
   /// Alias VTK's vertex buffers for the attributes that the refining shaders read.
   bool AliasAttributes(vtkOpenGLRenderWindow* window, vtkOpenGLVertexBufferObjectGroup* vbos,
     const std::vector<std::string>& attributes);

@@ -5,14 +5,16 @@
  * @brief   the patterns in use, on the GPU
  *
  * Vertices, triangles of both windings and lines of every pattern a selection has needed so far,
- * in three buffers; patterns are appended when they are first needed. Private to the module.
+ * in three buffers; patterns are appended when they are first needed. Private to the module and its
+ * tests.
  */
 #ifndef vtkRefinementPatternBuffer_h
 #define vtkRefinementPatternBuffer_h
 
-#include "vtkNew.h"       // for buffers
-#include "vtkTimeStamp.h" // for UploadTime
-#include "vtkType.h"      // for vtkTypeInt64
+#include "RelevoRenderingRefinementModule.h" // for export macro
+#include "vtkNew.h"                          // for buffers
+#include "vtkTimeStamp.h"                    // for UploadTime
+#include "vtkType.h"                         // for vtkTypeInt64
 
 #include <map>    // for members
 #include <vector> // for members
@@ -25,7 +27,7 @@ namespace relevo
 {
 struct PatternGroup;
 
-class RefinementPatternBuffer
+class RELEVORENDERINGREFINEMENT_EXPORT RefinementPatternBuffer
 {
 public:
   RefinementPatternBuffer();

@@ -72,6 +72,7 @@ std::string GetDefines(const RefinementShaderOptions& options, bool edges, bool 
   define(options.HasSeams, "RELEVO_SEAMS");
   define(options.HasHoles, "RELEVO_HOLES");
   define(options.IsMorphing, "RELEVO_MORPH");
+  define(options.IsIndirect, "RELEVO_INDIRECT");
   define(options.HasScalars, "RELEVO_SCALARS");
   define(edges, "RELEVO_EDGES");
   define(lines, "RELEVO_LINES");

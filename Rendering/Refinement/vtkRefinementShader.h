@@ -36,6 +36,8 @@ struct RefinementShaderOptions
   bool HasHoles = false;
   /// Whether vertices slide with the tags of the edges.
   bool IsMorphing = false;
+  /// Whether draws are indirect, and each instance brings its faces along.
+  bool IsIndirect = false;
   /// Whether point scalars are interpolated before they are coloured.
   bool HasScalars = false;
 

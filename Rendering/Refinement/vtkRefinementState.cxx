@@ -18,6 +18,7 @@
 #include "vtkRefinementView.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace relevo
 {
@@ -176,24 +177,31 @@ const FaceCulling& RefinementState::GetCulling(vtkAdaptiveRefinement* recipe)
 }
 
 bool RefinementState::UpdateSelection(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
-  const vtkRefinementView& view, const CullingView* culling, bool behind)
+  const vtkRefinementView& view, const CullingView* culling, bool behind, bool onGPU)
 {
   this->Current = &this->FindView(input, recipe, view.Camera);
   bool evaluated = false;
   std::string error;
-  const bool valid =
-    this->Current->UpdateLevels(this->GetSelectionInput(input, recipe), view, evaluated, error);
+  const bool valid = this->Current->UpdateLevels(
+    this->GetSelectionInput(input, recipe), view, onGPU, evaluated, error);
   this->NumberOfSelections += evaluated ? 1 : 0;
   if (!error.empty())
   {
     this->Error = "Cannot refine the input: " + error + ".";
   }
-  if (valid)
+  if (valid && !onGPU)
   {
     const FaceCulling* faces = culling ? &this->GetCulling(recipe) : nullptr;
     this->Current->UpdateGroups({ faces, this->CullingTime, culling, behind });
   }
   return valid;
+}
+
+void RefinementState::AssignSelection(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
+  std::vector<unsigned int> entries, std::vector<float> morphTags)
+{
+  this->Current->Assign(
+    this->GetSelectionInput(input, recipe), std::move(entries), std::move(morphTags));
 }
 
 vtkIdType RefinementState::GetNumberOfTriangles(vtkPolyData* input, vtkAdaptiveRefinement* recipe)

@@ -41,10 +41,19 @@ public:
    * Evaluate levels and group faces, for a valid mesh. False when depth-tags cannot be used. Of
    * several views (passes with cameras of their own, several renderers) the latest are kept.
    * `culling` tells what of the mesh is out of sight, `behind` whether back faces of closed
-   * surfaces are; nullptr draws all faces.
+   * surfaces are; nullptr draws all faces. With `onGPU` only tags are evaluated: the GPU does the
+   * rest.
    */
   bool UpdateSelection(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
-    const vtkRefinementView& view, const CullingView* culling, bool behind);
+    const vtkRefinementView& view, const CullingView* culling, bool behind, bool onGPU);
+
+  /// What of the mesh is out of sight, and when it was made.
+  const FaceCulling& GetCulling(vtkAdaptiveRefinement* recipe);
+  vtkMTimeType GetCullingTime() const { return this->CullingTime; }
+
+  /// See ViewSelection::Assign().
+  void AssignSelection(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
+    std::vector<unsigned int> entries, std::vector<float> morphTags);
 
   /**
    * Bounds of all that is drawn, for a valid mesh: refined faces, vertices and lines.
@@ -79,7 +88,6 @@ public:
 
 private:
   ViewSelection& FindView(vtkPolyData* input, vtkAdaptiveRefinement* recipe, vtkCamera* camera);
-  const FaceCulling& GetCulling(vtkAdaptiveRefinement* recipe);
   SelectionInput GetSelectionInput(vtkPolyData* input, vtkAdaptiveRefinement* recipe) const;
 
   RefinementMesh Mesh;

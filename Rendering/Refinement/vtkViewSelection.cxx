@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cstring>
 #include <functional>
+#include <utility>
 
 namespace relevo
 {
@@ -37,7 +38,8 @@ void AppendView(Dependencies& dependencies, const vtkRefinementView& view)
     dependencies.push_back(static_cast<vtkMTimeType>(length));
   }
   vtkCamera* camera = view.Camera;
-  const double aspect = static_cast<double>(view.ViewportSize[0]) / std::max(view.ViewportSize[1], 1);
+  const double aspect =
+    static_cast<double>(view.ViewportSize[0]) / std::max(view.ViewportSize[1], 1);
   vtkMatrix4x4* matrix = camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
   for (int i = 0; i < 16; ++i)
   {
@@ -84,11 +86,12 @@ void Append(Dependencies& dependencies, const void* object, vtkMTimeType time)
   dependencies.push_back(time);
 }
 
-bool ViewSelection::UpdateLevels(
-  const SelectionInput& input, const vtkRefinementView& view, bool& evaluated, std::string& error)
+bool ViewSelection::UpdateLevels(const SelectionInput& input, const vtkRefinementView& view,
+  bool onGPU, bool& evaluated, std::string& error)
 {
   evaluated = false;
-  const Dependencies dependencies = GetLevelDependencies(input, view);
+  Dependencies dependencies = GetLevelDependencies(input, view);
+  dependencies.push_back(onGPU ? 1 : 0);
   if (dependencies == this->LevelDependencies)
   {
     return this->Valid;
@@ -108,12 +111,23 @@ bool ViewSelection::UpdateLevels(
   {
     return false;
   }
-  this->Selection.Select(*input.Mesh, this->Tags, GetPatternFamily(input.Recipe, input.Input),
-    input.Recipe->GetPatternTable(), static_cast<float>(input.Recipe->GetLevelOffset()));
+  if (!onGPU)
+  {
+    this->Selection.Select(*input.Mesh, this->Tags, GetPatternFamily(input.Recipe, input.Input),
+      input.Recipe->GetPatternTable(), static_cast<float>(input.Recipe->GetLevelOffset()));
+  }
   this->LevelsSeconds = vtkTimerLog::GetUniversalTime() - start;
   evaluated = true;
   this->Valid = true;
   return true;
+}
+
+void ViewSelection::Assign(
+  const SelectionInput& input, std::vector<unsigned int> entries, std::vector<float> morphTags)
+{
+  this->Selection.Assign(GetPatternFamily(input.Recipe, input.Input),
+    input.Recipe->GetPatternTable(), std::move(entries), std::move(morphTags));
+  this->NumberOfTriangles = -1;
 }
 
 bool ViewSelection::SeesTheSame(const CullingInput& culling) const

@@ -56,17 +56,24 @@ class ViewSelection
 public:
   /**
    * Evaluate levels if need be. False, with an error the first time, when depth-tags cannot be
-   * used. `evaluated` tells whether they were evaluated.
+   * used. `evaluated` tells whether they were evaluated. With `onGPU` only tags are: the GPU does
+   * the rest.
    */
-  bool UpdateLevels(const SelectionInput& input, const vtkRefinementView& view, bool& evaluated,
-    std::string& error);
+  bool UpdateLevels(const SelectionInput& input, const vtkRefinementView& view, bool onGPU,
+    bool& evaluated, std::string& error);
 
   /**
    * Group the faces if need be, for valid levels.
    */
   void UpdateGroups(const CullingInput& culling);
 
+  const EdgeTags& GetTags() const { return this->Tags; }
   const PatternSelection& GetSelection() const { return this->Selection; }
+
+  /// Take over what the GPU has chosen for each face; see PatternSelection::Assign().
+  void Assign(
+    const SelectionInput& input, std::vector<unsigned int> entries, std::vector<float> morphTags);
+
   /// When the levels and the groups last changed.
   vtkMTimeType GetLevelsTime() const { return this->LevelsTime; }
   vtkMTimeType GetGroupsTime() const { return this->GroupsTime; }

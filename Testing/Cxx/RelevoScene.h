@@ -139,6 +139,7 @@ public:
         used->SetMaximumLevel(0);
       }
       mapper->SetRefinement(used);
+      mapper->SetSelectionDevice(GetSelectionDevice());
       mapper->SetInputDataObject(mesh);
       actor->SetMapper(mapper);
     }
@@ -163,6 +164,14 @@ public:
     renderer->AddActor(actor);
     this->Actors.push_back(actor.Get());
     return actor;
+  }
+
+  // Where faces choose their patterns: tests run again with RELEVO_TEST_SELECTION_DEVICE=2, for
+  // the GPU.
+  static int GetSelectionDevice()
+  {
+    const char* device = std::getenv("RELEVO_TEST_SELECTION_DEVICE");
+    return device ? std::atoi(device) : vtkAdaptiveRefinementMapper::SELECTION_DEVICE_AUTOMATIC;
   }
 
   vtkRenderer* AddRenderer(double xmin, double ymin, double xmax, double ymax)

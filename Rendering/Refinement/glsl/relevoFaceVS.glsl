@@ -3,9 +3,13 @@
 in vec4 relevoPatternVertex; // (u, v, w) and the number of the copy, or for lines the pattern's
                              // edge they lie on (1 to 3)
 
+#ifdef RELEVO_INDIRECT
+in uvec2 relevoMembers; // where the instance's faces lie in relevoInstances, and how many they are
+#else
 uniform int relevoGroupOffset; // where the group's faces lie in relevoInstances
 uniform int relevoGroupCount;  // and how many they are
 uniform int relevoCopies;      // of the pattern in one instance
+#endif
 uniform usamplerBuffer relevoInstances; // face << 3 | permutation code
 #ifdef RELEVO_MORPH
 uniform samplerBuffer relevoMorphTags;  // of the sorted edges (0,1), (1,2), (0,2), per face
@@ -19,6 +23,25 @@ uniform vec3 relevoPositionScale;       // from the mesh's lengths to vertexMC's
 int relevoFaceIndex = 0;
 ivec4 relevoFace = ivec4(0);
 bool relevoHidden = false; // the vertex belongs to nothing that is to be seen
+
+// Where in relevoInstances the vertex's face is. An instance may have more copies than faces.
+int relevoMember()
+{
+#ifdef RELEVO_LINES
+  int copy = 0;
+#else
+  int copy = int(relevoPatternVertex.w);
+#endif
+#ifdef RELEVO_INDIRECT
+  int member = int(relevoMembers.x) + copy;
+  int end = int(relevoMembers.x + relevoMembers.y);
+#else
+  int member = relevoGroupOffset + gl_InstanceID * relevoCopies + copy;
+  int end = relevoGroupOffset + relevoGroupCount;
+#endif
+  relevoHidden = member >= end;
+  return min(member, end - 1);
+}
 
 vec4 relevoPointDatum(int id, int k)
 {

@@ -2,15 +2,7 @@
 
 void relevoRefine()
 {
-#ifdef RELEVO_LINES
-  int member = gl_InstanceID;
-#else
-  int member = gl_InstanceID * relevoCopies + int(relevoPatternVertex.w);
-#endif
-  // The last instance has more copies than there are faces left.
-  relevoHidden = member >= relevoGroupCount;
-  int instance =
-    int(texelFetch(relevoInstances, relevoGroupOffset + min(member, relevoGroupCount - 1)).r);
+  int instance = int(texelFetch(relevoInstances, relevoMember()).r);
   int code = instance & 7;
   relevoFaceIndex = instance >> 3;
   relevoFace = texelFetch(relevoFaces, relevoFaceIndex);

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkAdaptiveRefinementMapper draws the same, and counts the same, wherever faces choose their
+// patterns; on the GPU, too, it does nothing twice.
+#include "RelevoScene.h"
+#include "RelevoTestMeshes.h"
+
+#include "vtkDisplacement.h"
+#include "vtkDistanceDepthTagMetric.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPNTriangleSurface.h"
+#include "vtkScreenEdgeDepthTagMetric.h"
+#include "vtkSilhouetteDepthTagMetric.h"
+
+namespace
+{
+using namespace RelevoMeshes;
+using Mapper = vtkAdaptiveRefinementMapper;
+
+bool HasCompute(vtkRenderWindow* window)
+{
+  int major = 0;
+  int minor = 0;
+  vtkOpenGLRenderWindow::SafeDownCast(window)->GetOpenGLVersion(major, minor);
+  return major > 4 || (major == 4 && minor >= 3);
+}
+
+void SetDevice(RelevoScene& scene, int device)
+{
+  for (size_t i = 0; i < scene.GetNumberOfActors(); ++i)
+  {
+    scene.GetMapper(i)->SetSelectionDevice(device);
+  }
+}
+
+// Draws a scene with both devices, from three places; then changes the device of a window.
+void Compare(RelevoCheck& check, RelevoComparison& comparison, const std::string& name,
+  const RelevoComparison::Builder& build, int expectedDevice = Mapper::SELECTION_DEVICE_GPU)
+{
+  RelevoScene onCPU(RelevoScene::Refining);
+  RelevoScene onGPU(RelevoScene::Refining);
+  build(onCPU);
+  build(onGPU);
+  SetDevice(onCPU, Mapper::SELECTION_DEVICE_CPU);
+  SetDevice(onGPU, Mapper::SELECTION_DEVICE_GPU);
+  onCPU.ResetCameras();
+  const auto compare = [&](const std::string& step)
+  {
+    comparison.Compare("Compute." + name + "." + step, RelevoTolerance(),
+      RelevoPicture(onGPU.Window), RelevoPicture(onCPU.Window));
+  };
+  for (const char* step : { "Whole", "Close", "Far" })
+  {
+    onCPU.Render();
+    onGPU.CopyCameras(onCPU);
+    onGPU.Renderer->GetActiveCamera()->Modified(); // which a copy does not say
+    onGPU.Render();
+    compare(step);
+    for (size_t i = 0; i < onCPU.GetNumberOfActors(); ++i)
+    {
+      Mapper* cpu = onCPU.GetMapper(i);
+      Mapper* gpu = onGPU.GetMapper(i);
+      CHECK(cpu->GetSelectionDeviceInUse() == Mapper::SELECTION_DEVICE_CPU);
+      CHECK(gpu->GetSelectionDeviceInUse() == expectedDevice);
+      CHECK(gpu->GetNumberOfDrawnTriangles() == cpu->GetNumberOfDrawnTriangles());
+      CHECK(gpu->GetNumberOfUsedPatterns() == cpu->GetNumberOfUsedPatterns());
+      CHECK(gpu->GetNumberOfCulledFaces() == cpu->GetNumberOfCulledFaces());
+      CHECK(gpu->GetNumberOfSelections() == cpu->GetNumberOfSelections());
+      CHECK(gpu->GetNumberOfDrawnTriangles() > 0);
+    }
+    onCPU.Renderer->GetActiveCamera()->Dolly(step == std::string("Whole") ? 1.7 : 0.3);
+    onCPU.Renderer->ResetCameraClippingRange();
+  }
+  onCPU.ResetCameras();
+  for (int device : { Mapper::SELECTION_DEVICE_CPU, Mapper::SELECTION_DEVICE_GPU })
+  {
+    onCPU.Render();
+    onGPU.CopyCameras(onCPU);
+    onGPU.Renderer->GetActiveCamera()->Modified(); // which a copy does not say
+    SetDevice(onGPU, device);
+    onGPU.Render();
+    compare(device == Mapper::SELECTION_DEVICE_CPU ? "OnCPU" : "Back");
+  }
+}
+
+vtkSmartPointer<vtkAdaptiveRefinement> MakeRecipe(int level, vtkDepthTagMetric* metric,
+  vtkRefinementSurface* surface = nullptr, vtkDisplacement* displacement = nullptr)
+{
+  auto recipe = vtkSmartPointer<vtkAdaptiveRefinement>::New();
+  recipe->SetMaximumLevel(level);
+  recipe->SetMetric(metric);
+  recipe->SetSurface(surface);
+  recipe->SetDisplacement(displacement);
+  return recipe;
+}
+}
+
+int TestAdaptiveRefinementMapperCompute(int argc, char* argv[])
+{
+  RelevoCheck check;
+  RelevoComparison comparison(check, argc, argv);
+  vtkNew<vtkDistanceDepthTagMetric> distance;
+  distance->SetMaximumDistance(4.0);
+  vtkNew<vtkScreenEdgeDepthTagMetric> edges;
+  edges->SetReferenceLength(6.0);
+  vtkNew<vtkSilhouetteDepthTagMetric> silhouette;
+  vtkNew<vtkPNTriangleSurface> curved;
+  vtkNew<RelevoHeights> heights;
+  heights->FillRandom(17, 13, 4);
+  vtkNew<vtkDisplacement> displacement;
+  displacement->SetHeightMap(heights);
+  displacement->SetScale(0.1);
+
+  {
+    RelevoScene scene(RelevoScene::Refining);
+    vtkActor* actor = scene.Add(Sphere(12, 10), MakeRecipe(4, distance));
+    Mapper* mapper = Mapper::SafeDownCast(actor->GetMapper());
+    RelevoErrors errors(mapper);
+    mapper->SetSelectionDevice(3);
+    CHECK(errors.Said("SelectionDevice is 0"));
+    CHECK(mapper->GetSelectionDevice() == RelevoScene::GetSelectionDevice());
+    mapper->SetSelectionDeviceToGPU();
+    scene.ResetCameras();
+    scene.Render();
+    const bool hasCompute = HasCompute(scene.Window);
+    CHECK((mapper->GetSelectionDeviceInUse() == Mapper::SELECTION_DEVICE_GPU) == hasCompute);
+    if (!hasCompute)
+    {
+      // Said once; the CPU draws.
+      CHECK(errors.Said("Selection on the GPU needs OpenGL 4.3"));
+      scene.Render();
+      CHECK(errors.None());
+      CHECK(RelevoPicture(scene.Window).CountForeground() > 1000);
+      CHECK(mapper->GetNumberOfDrawnTriangles() > 200);
+      return check.GetResult();
+    }
+    CHECK(errors.None());
+    CHECK(mapper->GetNumberOfDrawCalls() == 1);
+    const vtkIdType selections = mapper->GetNumberOfSelections();
+    scene.Render();
+    CHECK(mapper->GetNumberOfSelections() == selections);
+  }
+
+  Compare(check, comparison, "Distance",
+    [&](RelevoScene& s) { s.Add(Sphere(24, 20), MakeRecipe(4, distance, curved)); });
+  Compare(check, comparison, "PerEdge",
+    [&](RelevoScene& s)
+    {
+      auto recipe = MakeRecipe(5, edges);
+      recipe->SetLevelRuleToPerEdge();
+      recipe->SetLevelOffset(0.3);
+      s.Add(Sphere(24, 20), recipe);
+    });
+  Compare(check, comparison, "NoMorphing",
+    [&](RelevoScene& s)
+    {
+      auto recipe = MakeRecipe(5, silhouette);
+      recipe->GeomorphingOff();
+      s.Add(Sphere(24, 20), recipe);
+    });
+  Compare(check, comparison, "Displaced",
+    [&](RelevoScene& s)
+    { s.Add(TexturedSphere(12, 10), MakeRecipe(4, distance, curved, displacement)); });
+  Compare(check, comparison, "Wireframe",
+    [&](RelevoScene& s)
+    { s.Add(Mixed(), MakeRecipe(3, distance))->GetProperty()->SetRepresentationToWireframe(); });
+  Compare(check, comparison, "Points",
+    [&](RelevoScene& s)
+    {
+      vtkProperty* property = s.Add(Sphere(12, 10), MakeRecipe(3, distance))->GetProperty();
+      property->SetRepresentationToPoints();
+      property->SetPointSize(4);
+    });
+  Compare(check, comparison, "Edges",
+    [&](RelevoScene& s)
+    {
+      vtkProperty* property = s.Add(Mixed(), MakeRecipe(3, distance))->GetProperty();
+      property->EdgeVisibilityOn();
+      property->VertexVisibilityOn();
+    });
+  Compare(check, comparison, "Blocks",
+    [&](RelevoScene& s)
+    {
+      vtkNew<vtkMultiBlockDataSet> blocks;
+      blocks->SetBlock(0, Cube());
+      blocks->SetBlock(1, Make()); // empty
+      blocks->SetBlock(2, Cone());
+      s.Add(blocks, MakeRecipe(4, distance));
+    });
+  Compare(
+    check, comparison, "WholeNumbers",
+    [&](RelevoScene& s)
+    {
+      auto recipe = MakeRecipe(4, distance);
+      recipe->SetSegmentPolicyToWholeNumbers();
+      s.Add(Cube(), recipe);
+    },
+    Mapper::SELECTION_DEVICE_CPU);
+  return check.GetResult();
+}

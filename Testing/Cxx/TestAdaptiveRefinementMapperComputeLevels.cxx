@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Compute shaders choose for every face the pattern that PatternSelection chooses, and hide the
+// faces that FaceCulling hides.
+#include "RelevoCheck.h"
+#include "RelevoTestMeshes.h"
+
+#include "vtkAdaptiveRefinement.h"
+#include "vtkCamera.h"
+#include "vtkCompositeDepthTagMetric.h"
+#include "vtkCurvatureDepthTagMetric.h"
+#include "vtkDepthTagMetric.h"
+#include "vtkDistanceDepthTagMetric.h"
+#include "vtkEdgeTags.h"
+#include "vtkFaceCulling.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPLYReader.h"
+#include "vtkPatternFamily.h"
+#include "vtkPatternSelection.h"
+#include "vtkRefinementComputeProgram.h"
+#include "vtkRefinementComputeState.h"
+#include "vtkRefinementMesh.h"
+#include "vtkRefinementPatternBuffer.h"
+#include "vtkRefinementPatternTable.h"
+#include "vtkRefinementView.h"
+#include "vtkRenderWindow.h"
+#include "vtkScreenEdgeDepthTagMetric.h"
+#include "vtkSilhouetteDepthTagMetric.h"
+#include "vtkTransform.h"
+#include "vtkViewDependentDepthTagMetric.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+
+namespace
+{
+using namespace RelevoMeshes;
+using relevo::RefinementComputeBuffer;
+using relevo::RefinementComputeState;
+
+// One mesh on the GPU, seen from several sides.
+class Comparison
+{
+public:
+  Comparison(RelevoCheck& check, vtkOpenGLRenderWindow* window, vtkPolyData* input)
+    : Check(check)
+    , Window(window)
+    , Input(input)
+  {
+    const double* center = input->GetCenter();
+    this->Camera->SetFocalPoint(center);
+    this->Camera->SetPosition(center[0] + 0.4 * input->GetLength(),
+      center[1] + 0.3 * input->GetLength(), center[2] + 0.5 * input->GetLength());
+    this->Transform->RotateX(20.0);
+    this->Transform->Scale(1.0, 1.2, 0.9);
+  }
+  ~Comparison()
+  {
+    this->Faces.ReleaseGraphicsResources();
+    this->Instances.ReleaseGraphicsResources();
+    this->MorphTags.ReleaseGraphicsResources();
+    this->State.ReleaseGraphicsResources();
+    this->Patterns.ReleaseGraphicsResources();
+  }
+
+  void Compare(const std::string& name, vtkAdaptiveRefinement* recipe)
+  {
+    vtkRefinementView view;
+    view.Camera = this->Camera;
+    view.ModelToWorld = this->Transform->GetMatrix();
+    view.ViewportSize[0] = 800;
+    view.ViewportSize[1] = 600;
+    relevo::RefinementMesh mesh;
+    relevo::EdgeTags tags;
+    std::string error;
+    if (!this->Check.That(
+          mesh.Build(this->Input, recipe) && tags.Compute(recipe, this->Input, mesh, view, error),
+          (name + " can be selected").c_str(), __FILE__, __LINE__))
+    {
+      return;
+    }
+    const relevo::PatternFamily& family = relevo::GetPatternFamily(recipe, this->Input);
+    const float offset = static_cast<float>(recipe->GetLevelOffset());
+    relevo::PatternSelection selection;
+    selection.Select(mesh, tags, family, recipe->GetPatternTable(), offset);
+    relevo::FaceCulling culling;
+    culling.Build(mesh, recipe);
+    const relevo::CullingView sight(this->Camera, 4.0 / 3.0, view.ModelToWorld, mesh);
+
+    std::vector<int> corners(4 * mesh.Faces.size());
+    for (size_t f = 0; f < mesh.Faces.size(); ++f)
+    {
+      std::copy_n(mesh.Faces[f].Corners, 3, &corners[4 * f]);
+    }
+    ++this->Time;
+    RelevoCheck& check = this->Check;
+    if (!CHECK(this->Faces.Upload(corners) && this->Instances.Resize(4 * mesh.Faces.size()) &&
+          this->MorphTags.Resize(12 * mesh.Faces.size()) &&
+          this->State.UpdateMesh(mesh, this->Time) &&
+          this->State.UpdateCulling(culling, this->Time) &&
+          this->State.UpdatePatterns(family, recipe->GetPatternTable(), this->Patterns, false)))
+    {
+      std::cerr << this->State.GetError() << "\n";
+      return;
+    }
+    const auto update = [&]()
+    {
+      return this->State.UpdateView(this->Window, 0, tags, offset, this->Time, &sight,
+        culling.HidesBehind(sight, true),
+        { this->Faces.GetHandle(), this->Instances.GetHandle(), this->MorphTags.GetHandle() });
+    };
+    CHECK(update());
+    const vtkMTimeType updated = this->State.GetTime(0);
+    CHECK(update());
+    CHECK(this->State.GetTime(0) == updated); // nothing had changed
+
+    const std::vector<unsigned int> entries = this->State.ReadEntries(0);
+    const std::vector<float> morphTags = this->MorphTags.Read<float>(3 * mesh.Faces.size());
+    int wrong = 0;
+    int wrongTags = 0;
+    for (size_t f = 0; f < mesh.Faces.size(); ++f)
+    {
+      const relevo::FacePattern expected = selection.GetFacePattern(static_cast<int>(f));
+      const int key = static_cast<int>(entries[f] >> 3);
+      wrong += &family.GetPattern(key, recipe->GetPatternTable()) != expected.Pattern ||
+        relevo::PatternFamily::IsMirrored(key) != expected.Mirrored ||
+        static_cast<int>(entries[f] & 7u) != expected.Code;
+      wrongTags += expected.MorphTags &&
+        !std::equal(expected.MorphTags, expected.MorphTags + 3, &morphTags[3 * f]);
+    }
+    std::vector<unsigned char> hidden;
+    const int numberOfHidden = culling.FindHidden(sight, true, hidden);
+    int drawn = 0;
+    for (int count : this->State.ReadCounts(0))
+    {
+      drawn += count;
+    }
+    const int difference = static_cast<int>(mesh.Faces.size()) - numberOfHidden - drawn;
+    selection.Group();
+    std::cout << name << ": " << mesh.Faces.size() << " faces, " << selection.Groups.size()
+              << " groups, " << numberOfHidden << " hidden; wrong patterns " << wrong
+              << ", wrong morph tags " << wrongTags << ", faces hidden otherwise "
+              << std::abs(difference) << std::endl;
+    CHECK(wrong == 0);
+    CHECK(wrongTags == 0);
+    CHECK(std::abs(difference) <= 2); // at the very border of the view
+    CHECK(numberOfHidden > 0);
+    this->MostGroups = std::max(this->MostGroups, selection.Groups.size());
+  }
+
+  /// Of any comparison: where all faces take one pattern there is little to compare.
+  size_t MostGroups = 0;
+
+private:
+  RelevoCheck& Check;
+  vtkOpenGLRenderWindow* Window;
+  vtkPolyData* Input;
+  vtkNew<vtkCamera> Camera;
+  vtkNew<vtkTransform> Transform;
+  RefinementComputeState State;
+  relevo::RefinementPatternBuffer Patterns;
+  RefinementComputeBuffer Faces;
+  RefinementComputeBuffer Instances;
+  RefinementComputeBuffer MorphTags;
+  vtkMTimeType Time = 0;
+};
+
+struct NamedMetric
+{
+  std::string Name;
+  vtkSmartPointer<vtkDepthTagMetric> Metric;
+};
+
+std::vector<NamedMetric> MakeMetrics(double length)
+{
+  auto distance = vtkSmartPointer<vtkDistanceDepthTagMetric>::New();
+  distance->SetMaximumDistance(1.5 * length);
+  auto edges = vtkSmartPointer<vtkScreenEdgeDepthTagMetric>::New();
+  edges->SetReferenceLength(4.0);
+  auto silhouette = vtkSmartPointer<vtkSilhouetteDepthTagMetric>::New();
+  auto viewDependent = vtkSmartPointer<vtkViewDependentDepthTagMetric>::New();
+  auto curvature = vtkSmartPointer<vtkCurvatureDepthTagMetric>::New();
+  auto composite = vtkSmartPointer<vtkCompositeDepthTagMetric>::New();
+  composite->AddMetric(distance);
+  composite->AddMetric(silhouette);
+  return { { "everywhere", nullptr }, { "distance", distance }, { "screen edge", edges },
+    { "silhouette", silhouette }, { "view", viewDependent }, { "curvature", curvature },
+    { "composite", composite } };
+}
+
+Mesh ReadBunny()
+{
+  const char* data = std::getenv("RELEVO_TEST_DATA");
+  const std::string file = std::string(data ? data : "") + "/mesh/bunny.ply";
+  if (!std::ifstream(file))
+  {
+    return nullptr;
+  }
+  vtkNew<vtkPLYReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  Mesh mesh = Make();
+  mesh->DeepCopy(reader->GetOutput());
+  return mesh;
+}
+}
+
+int TestAdaptiveRefinementMapperComputeLevels(int, char*[])
+{
+  RelevoCheck check;
+  vtkNew<vtkRenderWindow> window;
+  window->SetSize(32, 32);
+  window->Render();
+  if (!relevo::RefinementComputeProgram::IsSupported())
+  {
+    std::cout << "The context has no OpenGL 4.3: skipped." << std::endl;
+    return 125;
+  }
+  vtkOpenGLRenderWindow* context = vtkOpenGLRenderWindow::SafeDownCast(window);
+  const std::pair<std::string, Mesh> meshes[] = { { "sphere", Sphere(40, 30) }, { "cube", Cube() },
+    { "plane", Plane(60, 50) }, { "bunny", ReadBunny() } };
+  for (const auto& mesh : meshes)
+  {
+    if (!mesh.second)
+    {
+      continue;
+    }
+    Comparison comparison(check, context, mesh.second);
+    for (const NamedMetric& metric : MakeMetrics(mesh.second->GetLength()))
+    {
+      for (int rule : { vtkDepthTagMetric::PER_VERTEX, vtkDepthTagMetric::PER_EDGE })
+      {
+        for (bool morphing : { false, true })
+        {
+          vtkNew<vtkAdaptiveRefinement> recipe;
+          recipe->SetMaximumLevel(morphing ? 3 : 5);
+          recipe->SetLevelRule(rule);
+          recipe->SetLevelOffset(morphing ? 0.7 : 0.0);
+          recipe->SetGeomorphing(morphing);
+          recipe->SetMetric(metric.Metric);
+          comparison.Compare(mesh.first + ", " + metric.Name + (rule ? " per edge" : "") +
+              (morphing ? ", morphing" : ""),
+            recipe);
+        }
+      }
+    }
+    CHECK(comparison.MostGroups > 5);
+  }
+  return check.GetResult();
+}
