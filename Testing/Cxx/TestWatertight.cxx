@@ -79,8 +79,8 @@ void run(RelevoCheck& check, const Case& mesh, vtkAdaptiveRefinement* recipe,
   filter->SetInputData(mesh.Mesh);
   filter->SetRefinement(recipe);
   filter->Update();
-  const std::string fault =
-    RelevoWatertight::FindFault(mesh.Mesh, filter->GetOutput(), recipe->GetMaximumLevel());
+  const std::string fault = RelevoWatertight::FindFault(mesh.Mesh, filter->GetOutput(),
+    recipe->GetMaximumLevel(), recipe->GetGeomorphing() == vtkAdaptiveRefinement::GEOMORPHING_ON);
   if (!fault.empty())
   {
     check.Fail(__FILE__, __LINE__,
@@ -134,9 +134,10 @@ int TestWatertight(int, char*[])
             RelevoMeshes::AddRandomTextureCoordinates(mesh.Mesh, 17);
           }
         }
-        for (int seed = -1; seed < 3; ++seed)
+        for (int seed = -1; seed < 5; ++seed)
         {
-          run(check, mesh, recipe, name, seed);
+          recipe->SetGeomorphing(seed > 2);
+          run(check, mesh, recipe, name + (seed > 2 ? ", morphing" : ""), seed);
         }
         mesh.Mesh->GetPointData()->SetTCoords(given);
       }
