@@ -3,6 +3,7 @@
 #include "vtkDepthTagMetric.h"
 
 #include "vtkFloatArray.h"
+#include "vtkMetricShader.h"
 #include "vtkNew.h"
 #include "vtkPointPlaces.h"
 #include "vtkSurfaceEdges.h"
@@ -26,6 +27,13 @@ bool vtkDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementVi
       const int* places = edges.GetEdges()[edge].Places;
       return 0.5f * (ofPoints[places[0]] + ofPoints[places[1]]);
     });
+  return true;
+}
+
+bool vtkDepthTagMetric::GetShader(
+  vtkPolyData*, const vtkRefinementView&, int, const double[3], relevo::MetricShader& shader)
+{
+  shader.Source = nullptr;
   return true;
 }
 

@@ -29,6 +29,7 @@ struct vtkRefinementView;
 namespace relevo
 {
 class SurfaceEdges;
+struct MetricShader;
 }
 #endif
 
@@ -75,6 +76,13 @@ public:
    */
   virtual bool ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
     const relevo::SurfaceEdges& edges, vtkFloatArray* tags);
+
+  /**
+   * How a shader would compute the tags of `mesh` from its points relative to `origin`; see
+   * relevo::MetricShader. Unless overridden, not at all. Returns false as ComputeTags() does.
+   */
+  virtual bool GetShader(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+    const double origin[3], relevo::MetricShader& shader);
 #endif
 
 protected:

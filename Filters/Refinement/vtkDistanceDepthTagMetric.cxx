@@ -4,22 +4,27 @@
 
 #include "vtkCamera.h"
 #include "vtkFloatArray.h"
-#include "vtkNew.h"
+#include "vtkMetricEvaluation.h"
+#include "vtkMetricFrame.h"
 #include "vtkObjectFactory.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkRefinementMathematics.h"
 #include "vtkRefinementView.h"
-#include "vtkSMPTools.h"
-#include "vtkSurfaceEdges.h"
-#include "vtkWorldView.h"
 
-#include <algorithm>
+#include "relevoDistanceMetric.h"
+#include "relevoMetricView.h"
+
 #include <cmath>
+#include <string>
 
 namespace relevo
 {
-#include "glsl/relevoMetrics.glsl"
+struct DistanceFunctions : MetricParameters
+{
+  using MetricParameters::MetricParameters;
+#include "glsl/relevoMetricView.glsl"
+
+#include "glsl/relevoDistanceMetric.glsl"
+};
 }
 
 namespace
@@ -29,9 +34,17 @@ namespace
 constexpr double AutomaticDistance = 3.0;
 }
 
+struct vtkDistanceDepthTagMetric::vtkInternals : relevo::MetricEvaluation<relevo::DistanceFunctions>
+{
+};
+
 vtkStandardNewMacro(vtkDistanceDepthTagMetric);
 
-vtkDistanceDepthTagMetric::vtkDistanceDepthTagMetric() = default;
+vtkDistanceDepthTagMetric::vtkDistanceDepthTagMetric()
+  : Internals(new vtkInternals)
+{
+}
+
 vtkDistanceDepthTagMetric::~vtkDistanceDepthTagMetric() = default;
 
 void vtkDistanceDepthTagMetric::SetMaximumDistance(double distance)
@@ -50,8 +63,8 @@ void vtkDistanceDepthTagMetric::SetMaximumDistance(double distance)
   }
 }
 
-bool vtkDistanceDepthTagMetric::ComputeTags(
-  vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel, vtkFloatArray* tags)
+bool vtkDistanceDepthTagMetric::GetShader(vtkPolyData* mesh, const vtkRefinementView& view,
+  int maximumLevel, const double origin[3], relevo::MetricShader& shader)
 {
   if (!view.Camera)
   {
@@ -66,54 +79,28 @@ bool vtkDistanceDepthTagMetric::ComputeTags(
                                             << ") is not finite.");
     return false;
   }
-
-  const vtkIdType numberOfPoints = mesh->GetNumberOfPoints();
-  tags->SetNumberOfComponents(1);
-  tags->SetNumberOfTuples(numberOfPoints);
-  if (numberOfPoints == 0)
-  {
-    return true;
-  }
-
+  static const std::string source = std::string(relevoMetricView) + relevoDistanceMetric;
+  shader.Source = source.c_str();
+  shader.TagsPoints = true;
+  shader.Data = nullptr;
   const relevo::Placement placement(view);
-  const double farthest = this->MaximumDistance > 0.0
-    ? this->MaximumDistance
-    : AutomaticDistance * placement.GetDiagonal(mesh);
-  const float farthestFloat = static_cast<float>(std::min<double>(farthest, VTK_FLOAT_MAX));
-  vtkPoints* points = mesh->GetPoints();
-  float* levels = tags->GetPointer(0);
-  vtkSMPTools::For(0, numberOfPoints,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType id = begin; id < end; ++id)
-      {
-        glm::dvec3 point;
-        points->GetPoint(id, &point[0]);
-        const double x = glm::distance(placement.GetPoint(point), camera);
-        levels[id] = relevo::distanceLevel(
-          static_cast<float>(std::min<double>(x, VTK_FLOAT_MAX)), farthestFloat, maximumLevel);
-      }
-    });
-  tags->Modified();
+  relevo::MetricFrame frame(shader, placement, camera, origin, maximumLevel);
+  frame.SetUnit(this->MaximumDistance > 0.0 ? this->MaximumDistance
+                                            : AutomaticDistance * placement.GetDiagonal(mesh));
+  frame.SetOwn(0.0);
   return true;
+}
+
+bool vtkDistanceDepthTagMetric::ComputeTags(
+  vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel, vtkFloatArray* tags)
+{
+  return this->Internals->TagPoints(this, mesh, view, maximumLevel, tags);
 }
 
 bool vtkDistanceDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view,
   int maximumLevel, const relevo::SurfaceEdges& edges, vtkFloatArray* tags)
 {
-  vtkNew<vtkFloatArray> pointTags;
-  if (!this->ComputeTags(mesh, view, maximumLevel, pointTags))
-  {
-    return false;
-  }
-  const float* ofPoints = pointTags->GetPointer(0);
-  relevo::TagEdges(edges, tags,
-    [&](int edge)
-    {
-      const int* places = edges.GetEdges()[edge].Places;
-      return std::max(ofPoints[places[0]], ofPoints[places[1]]);
-    });
-  return true;
+  return this->Internals->TagEdges(this, mesh, view, maximumLevel, edges, tags);
 }
 
 void vtkDistanceDepthTagMetric::PrintSelf(ostream& os, vtkIndent indent)

@@ -26,6 +26,8 @@
 #include "RelevoFiltersRefinementModule.h" // for export macro
 #include "vtkDepthTagMetric.h"
 
+#include <memory> // for std::unique_ptr
+
 class RELEVOFILTERSREFINEMENT_EXPORT vtkDistanceDepthTagMetric : public vtkDepthTagMetric
 {
 public:
@@ -50,6 +52,8 @@ public:
 #ifndef __VTK_WRAP__
   bool ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
     const relevo::SurfaceEdges& edges, vtkFloatArray* tags) override;
+  bool GetShader(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+    const double origin[3], relevo::MetricShader& shader) override;
 #endif
 
 protected:
@@ -61,6 +65,9 @@ protected:
 private:
   vtkDistanceDepthTagMetric(const vtkDistanceDepthTagMetric&) = delete;
   void operator=(const vtkDistanceDepthTagMetric&) = delete;
+
+  struct vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

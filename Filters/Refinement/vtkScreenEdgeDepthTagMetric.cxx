@@ -3,109 +3,66 @@
 #include "vtkScreenEdgeDepthTagMetric.h"
 
 #include "vtkCamera.h"
-#include "vtkFloatArray.h"
-#include "vtkNew.h"
+#include "vtkMetricEvaluation.h"
+#include "vtkMetricFrame.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkRefinementMathematics.h"
 #include "vtkRefinementView.h"
-#include "vtkSurfaceEdges.h"
-#include "vtkWorldView.h"
 
-#include <algorithm>
+#include "relevoMetricView.h"
+#include "relevoScreenEdgeMetric.h"
+
 #include <cmath>
 #include <string>
 
 namespace relevo
 {
-#include "glsl/relevoMetrics.glsl"
+struct ScreenEdgeFunctions : MetricParameters
+{
+  using MetricParameters::MetricParameters;
+#include "glsl/relevoMetricView.glsl"
+
+#include "glsl/relevoScreenEdgeMetric.glsl"
+};
 }
 
 namespace
 {
 using glm::dmat4;
-using glm::dvec2;
-using glm::dvec4;
 
 constexpr double ShortestReference = 0.01;
 constexpr double LongestReference = 1e6;
 
-// Measures edges in pixels.
-class Screen
+// Where the rows of a matrix go.
+enum Rows
 {
-public:
-  bool Set(const vtkRefinementView& view, std::string& error)
-  {
-    const int* size = view.ViewportSize;
-    if (size[0] < 1 || size[1] < 1)
-    {
-      error = "The viewport has no pixels: it is " + std::to_string(size[0]) + " x " +
-        std::to_string(size[1]);
-      return false;
-    }
-    relevo::Eye eye;
-    if (!eye.Set(view, error))
-    {
-      return false;
-    }
-    const glm::dmat3 directions(relevo::MakeMatrix(view.Camera->GetViewTransformMatrix()));
-    // 1 unless the camera is broken or its view sheared.
-    if (!(std::abs(glm::determinant(directions)) > 1e-9))
-    {
-      error = "The camera's view-up is along its view direction, or its view is flat";
-      return false;
-    }
-    const double aspect = static_cast<double>(size[0]) / size[1];
-    this->ToClip =
-      relevo::MakeMatrix(view.Camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0)) *
-      relevo::MakeMatrix(view.ModelToWorld);
-    this->CutsAtNearPlane = !view.Camera->GetParallelProjection();
-    this->PixelsPerUnit = 0.5 * dvec2(size[0], size[1]);
-    return true;
-  }
-
-  double GetLength(const glm::dvec3& from, const glm::dvec3& to) const
-  {
-    dvec4 a = this->ToClip * dvec4(from, 1.0);
-    dvec4 b = this->ToClip * dvec4(to, 1.0);
-    if (this->CutsAtNearPlane && !Cut(a, b))
-    {
-      return 0.0;
-    }
-    return glm::length((dvec2(b) / b.w - dvec2(a) / a.w) * this->PixelsPerUnit);
-  }
-
-private:
-  // Keeps the part of an edge that is beyond the near plane, where z + w is 0 and w positive.
-  static bool Cut(dvec4& a, dvec4& b)
-  {
-    const double beyondA = a.z + a.w;
-    const double beyondB = b.z + b.w;
-    if (!(beyondA > 0.0 || beyondB > 0.0))
-    {
-      return false;
-    }
-    const dvec4 crossing = glm::mix(a, b, beyondA / (beyondA - beyondB));
-    if (!(beyondA > 0.0))
-    {
-      a = crossing;
-    }
-    else if (!(beyondB > 0.0))
-    {
-      b = crossing;
-    }
-    return a.w > 0.0 && b.w > 0.0;
-  }
-
-  dmat4 ToClip{ 1.0 };
-  dvec2 PixelsPerUnit{ 0.0 };
-  bool CutsAtNearPlane = true;
+  X,
+  Y,
+  BEYOND_NEAR_PLANE,
+  W
 };
+
+// From the world to rows as relevoScreenEdgeMetric.glsl wants them, x and y in `pixels`.
+dmat4 MakeScreenMatrix(vtkCamera* camera, const int size[2], double pixels)
+{
+  const double aspect = static_cast<double>(size[0]) / size[1];
+  dmat4 matrix =
+    relevo::MakeMatrix(camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0));
+  for (int column = 0; column < 4; ++column)
+  {
+    glm::dvec4& c = matrix[column];
+    c[X] *= 0.5 * size[0] / pixels;
+    c[Y] *= 0.5 * size[1] / pixels;
+    c[BEYOND_NEAR_PLANE] =
+      camera->GetParallelProjection() ? (column == 3 ? 1.0 : 0.0) : c[2] + c[W];
+  }
+  return matrix;
+}
 }
 
 struct vtkScreenEdgeDepthTagMetric::vtkInternals
+  : relevo::MetricEvaluation<relevo::ScreenEdgeFunctions>
 {
-  relevo::SurfaceEdges Edges;
 };
 
 vtkStandardNewMacro(vtkScreenEdgeDepthTagMetric);
@@ -133,44 +90,50 @@ void vtkScreenEdgeDepthTagMetric::SetReferenceLength(double pixels)
   }
 }
 
-bool vtkScreenEdgeDepthTagMetric::ComputeTags(
-  vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel, vtkFloatArray* tags)
+bool vtkScreenEdgeDepthTagMetric::GetShader(vtkPolyData*, const vtkRefinementView& view,
+  int maximumLevel, const double origin[3], relevo::MetricShader& shader)
 {
-  relevo::SurfaceEdges& edges = this->Internals->Edges;
-  edges.Update(mesh);
-  vtkNew<vtkFloatArray> edgeTags;
-  if (!this->ComputeEdgeTags(mesh, view, maximumLevel, edges, edgeTags))
+  const int* size = view.ViewportSize;
+  if (size[0] < 1 || size[1] < 1)
   {
+    vtkErrorMacro("The viewport has no pixels: it is " << size[0] << " x " << size[1] << ".");
     return false;
   }
-  edges.TagPoints(edgeTags->GetPointer(0), tags);
-  return true;
-}
-
-bool vtkScreenEdgeDepthTagMetric::ComputeEdgeTags(vtkPolyData*, const vtkRefinementView& view,
-  int maximumLevel, const relevo::SurfaceEdges& edges, vtkFloatArray* tags)
-{
-  Screen screen;
+  relevo::Eye eye;
   std::string error;
-  if (!screen.Set(view, error))
+  if (!eye.Set(view, error))
   {
     vtkErrorMacro(<< error << ".");
     return false;
   }
-  const float reference = static_cast<float>(this->ReferenceLength);
-  relevo::TagEdges(edges, tags,
-    [&](int edge)
-    {
-      glm::dvec3 ends[2];
-      for (int end = 0; end < 2; ++end)
-      {
-        edges.GetTriangles().GetPoint(edges.GetEdges()[edge].Places[end], &ends[end][0]);
-      }
-      const double length = screen.GetLength(ends[0], ends[1]);
-      return relevo::lengthLevel(
-        static_cast<float>(std::min<double>(length, VTK_FLOAT_MAX)), reference, maximumLevel);
-    });
+  const glm::dmat3 directions(relevo::MakeMatrix(view.Camera->GetViewTransformMatrix()));
+  // 1 unless the camera is broken or its view sheared.
+  if (!(std::abs(glm::determinant(directions)) > 1e-9))
+  {
+    vtkErrorMacro("The camera's view-up is along its view direction, or its view is flat.");
+    return false;
+  }
+  static const std::string source = std::string(relevoMetricView) + relevoScreenEdgeMetric;
+  shader.Source = source.c_str();
+  shader.TagsPoints = false;
+  shader.Data = nullptr;
+  const relevo::Placement placement(view);
+  relevo::MetricFrame frame(shader, placement, eye.GetPosition(), origin, maximumLevel);
+  frame.SetMatrix(
+    MakeScreenMatrix(view.Camera, size, this->ReferenceLength) * placement.ModelToWorld);
   return true;
+}
+
+bool vtkScreenEdgeDepthTagMetric::ComputeTags(
+  vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel, vtkFloatArray* tags)
+{
+  return this->Internals->TagPointsByEdges(this, mesh, view, maximumLevel, tags);
+}
+
+bool vtkScreenEdgeDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view,
+  int maximumLevel, const relevo::SurfaceEdges& edges, vtkFloatArray* tags)
+{
+  return this->Internals->TagEdges(this, mesh, view, maximumLevel, edges, tags);
 }
 
 void vtkScreenEdgeDepthTagMetric::PrintSelf(ostream& os, vtkIndent indent)

@@ -93,6 +93,8 @@ public:
 #ifndef __VTK_WRAP__
   bool ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
     const relevo::SurfaceEdges& edges, vtkFloatArray* tags) override;
+  bool GetShader(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+    const double origin[3], relevo::MetricShader& shader) override;
 #endif
 
 protected:
@@ -105,8 +107,6 @@ protected:
 private:
   vtkSilhouetteDepthTagMetric(const vtkSilhouetteDepthTagMetric&) = delete;
   void operator=(const vtkSilhouetteDepthTagMetric&) = delete;
-
-  bool SetEye(const vtkRefinementView& view);
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

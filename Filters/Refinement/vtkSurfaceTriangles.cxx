@@ -42,6 +42,14 @@ SurfaceTriangles::SurfaceTriangles(vtkPolyData* mesh)
   , Places(ComputePlaces(mesh->GetPoints()))
   , NumberOfPoints(mesh->GetNumberOfPoints())
 {
+  for (std::size_t point = 0; point < this->Places.size(); ++point)
+  {
+    const auto id = static_cast<vtkIdType>(point);
+    if (this->Places[point] != id)
+    {
+      this->CoincidentPoints.push_back(id);
+    }
+  }
   const vtkIdType firstPolygon = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
   this->AddPolygons(mesh->GetPolys(), firstPolygon);
   this->AddStrips(mesh->GetStrips(), firstPolygon + mesh->GetNumberOfPolys());

@@ -47,6 +47,8 @@ public:
   }
   /// The lowest coincident point per point; empty when none coincide.
   const std::vector<vtkIdType>& GetPlaces() const { return this->Places; }
+  /// The points whose place is another point.
+  const std::vector<vtkIdType>& GetCoincidentPoints() const { return this->CoincidentPoints; }
   void GetPoint(vtkIdType point, double x[3]) const { this->Points->GetPoint(point, x); }
 
   /// All triangles, their corners places.
@@ -86,6 +88,7 @@ private:
 
   vtkPoints* Points = nullptr;
   std::vector<vtkIdType> Places;
+  std::vector<vtkIdType> CoincidentPoints;
   vtkIdType NumberOfPoints = 0;
   std::vector<Triangle> Triangles;
   std::vector<vtkIdType> Cells;

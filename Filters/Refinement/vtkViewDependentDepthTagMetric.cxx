@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkViewDependentDepthTagMetric.h"
 
-#include "vtkFloatArray.h"
 #include "vtkMath.h"
-#include "vtkNew.h"
+#include "vtkMetricEvaluation.h"
+#include "vtkMetricFrame.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkRefinementMathematics.h"
 #include "vtkRefinementView.h"
-#include "vtkSurfaceEdges.h"
-#include "vtkWorldView.h"
+#include "vtkSurfaceNormals.h"
+
+#include "relevoMetricView.h"
+#include "relevoViewDependentMetric.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,11 +20,18 @@
 
 namespace relevo
 {
-#include "glsl/relevoMetrics.glsl"
+struct ViewDependentFunctions : MetricParameters
+{
+  using MetricParameters::MetricParameters;
+#include "glsl/relevoMetricView.glsl"
+
+#include "glsl/relevoViewDependentMetric.glsl"
+};
 }
 
 namespace
 {
+using glm::dmat3;
 using glm::dvec3;
 
 constexpr double SmallestSpread = 0.01; // degrees
@@ -34,11 +42,98 @@ double AngleBetween(const dvec3& a, const dvec3& b)
   return a == dvec3(0.0) ? vtkMath::Pi()
                          : std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
+
+// What a matrix does to angles, without what turns and scales do not change.
+dmat3 MakeShape(const dmat3& linear)
+{
+  const dmat3 squares = glm::transpose(linear) * linear;
+  const double trace = squares[0][0] + squares[1][1] + squares[2][2];
+  return trace > 0.0 ? squares / trace : dmat3(0.0);
+}
+
+bool IsNear(const dmat3& a, const dmat3& b)
+{
+  double difference = 0.0;
+  for (int column = 0; column < 3; ++column)
+  {
+    difference = std::max(difference, glm::length(a[column] - b[column]));
+  }
+  return difference < 1e-9;
+}
+
+// Mean normals and spreads of points, as relevoViewDependentMetric.glsl wants them.
+class Spreads
+{
+public:
+  void Update(vtkPolyData* mesh, const relevo::Placement& placement, double maximumSpread)
+  {
+    const dmat3 shape = MakeShape(dmat3(placement.ModelToWorld));
+    if (this->Surface.Update(mesh) || !IsNear(shape, this->Shape) ||
+      maximumSpread != this->MaximumSpread)
+    {
+      this->Shape = shape;
+      this->MaximumSpread = maximumSpread;
+      this->Build(placement);
+      this->Time.Modified();
+    }
+  }
+
+  const std::vector<float>& GetData() const { return this->Data; }
+  vtkMTimeType GetTime() const { return this->Time.GetMTime(); }
+
+private:
+  void Build(const relevo::Placement& placement)
+  {
+    const relevo::SurfaceTriangles& triangles = this->Surface.GetTriangles();
+    this->Data.resize(4 * static_cast<std::size_t>(triangles.GetNumberOfPoints()));
+    vtkSMPTools::For(0, triangles.GetNumberOfPoints(),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType point = begin; point < end; ++point)
+        {
+          const vtkIdType place = triangles.GetPlace(point);
+          const dvec3 mean = relevo::UnitOrZero(this->Surface.GetAreaVectorAt(place));
+          float* datum = this->Data.data() + 4 * point;
+          for (int c = 0; c < 3; ++c)
+          {
+            datum[c] = static_cast<float>(mean[c]);
+          }
+          datum[3] =
+            static_cast<float>(this->GetSpread(place, mean, placement) / this->MaximumSpread);
+        }
+      });
+  }
+
+  // In the world's coordinates.
+  double GetSpread(vtkIdType place, const dvec3& mean, const relevo::Placement& placement) const
+  {
+    const dvec3 worldMean = relevo::UnitOrZero(placement.GetNormal(mean));
+    double spread = 0.0;
+    this->Surface.GetTriangles().ForEachTriangleIndex(place,
+      [&](vtkIdType t)
+      {
+        const dvec3 normal =
+          relevo::UnitOrZero(placement.GetNormal(this->Surface.GetAreaVectors()[t]));
+        if (normal != dvec3(0.0))
+        {
+          spread = std::max(spread, AngleBetween(worldMean, normal));
+        }
+      });
+    return spread;
+  }
+
+  relevo::SurfaceNormals Surface;
+  dmat3 Shape{ 0.0 };
+  double MaximumSpread = 0.0;
+  std::vector<float> Data;
+  vtkTimeStamp Time;
+};
 }
 
 struct vtkViewDependentDepthTagMetric::vtkInternals
+  : relevo::MetricEvaluation<relevo::ViewDependentFunctions>
 {
-  relevo::SurfaceEdges Edges;
+  Spreads Of;
 };
 
 vtkStandardNewMacro(vtkViewDependentDepthTagMetric);
@@ -79,8 +174,8 @@ void vtkViewDependentDepthTagMetric::SetEdgeOnWeight(double weight)
   }
 }
 
-bool vtkViewDependentDepthTagMetric::ComputeTags(
-  vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel, vtkFloatArray* tags)
+bool vtkViewDependentDepthTagMetric::GetShader(vtkPolyData* mesh, const vtkRefinementView& view,
+  int maximumLevel, const double origin[3], relevo::MetricShader& shader)
 {
   relevo::Eye eye;
   std::string error;
@@ -89,62 +184,33 @@ bool vtkViewDependentDepthTagMetric::ComputeTags(
     vtkErrorMacro(<< error << ".");
     return false;
   }
-  this->Internals->Edges.Update(mesh);
-  const relevo::SurfaceTriangles& surface = this->Internals->Edges.GetTriangles();
-  const std::vector<dvec3> points = relevo::Placement(view).GetPoints(surface);
-  const std::vector<dvec3> areaVectors = relevo::ComputeAreaVectors(surface, points);
-  const float maximumSpread = static_cast<float>(vtkMath::RadiansFromDegrees(this->MaximumSpread));
-  const float weight = static_cast<float>(this->EdgeOnWeight);
-  const auto levelOf = [&](vtkIdType place)
-  {
-    dvec3 sum(0.0);
-    surface.ForEachTriangleIndex(place, [&](vtkIdType t) { sum += areaVectors[t]; });
-    const dvec3 mean = relevo::UnitOrZero(sum);
-    double spread = 0.0;
-    surface.ForEachTriangleIndex(place,
-      [&](vtkIdType t)
-      {
-        const dvec3 normal = relevo::UnitOrZero(areaVectors[t]);
-        if (normal != dvec3(0.0))
-        {
-          spread = std::max(spread, AngleBetween(mean, normal));
-        }
-      });
-    const double cosine = glm::dot(mean, eye.GetDirectionFrom(points[place]));
-    return relevo::viewDependentLevel(
-      static_cast<float>(spread), maximumSpread, static_cast<float>(cosine), weight, maximumLevel);
-  };
-  tags->SetNumberOfComponents(1);
-  tags->SetNumberOfTuples(surface.GetNumberOfPoints());
-  vtkSMPTools::For(0, surface.GetNumberOfPoints(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType point = begin; point < end; ++point)
-      {
-        tags->SetValue(point, levelOf(surface.GetPlace(point)));
-      }
-    });
-  tags->Modified();
+  static const std::string source = std::string(relevoMetricView) + relevoViewDependentMetric;
+  shader.Source = source.c_str();
+  shader.TagsPoints = true;
+  const relevo::Placement placement(view);
+  Spreads& spreads = this->Internals->Of;
+  spreads.Update(mesh, placement, vtkMath::RadiansFromDegrees(this->MaximumSpread));
+  shader.Data = spreads.GetData().data();
+  shader.DataTime = spreads.GetTime();
+  relevo::MetricFrame frame(shader, placement, eye.GetPosition(), origin, maximumLevel);
+  const double diagonal = placement.GetDiagonal(mesh);
+  frame.SetUnit(diagonal > 0.0 ? diagonal : 1.0);
+  frame.SetDirections(eye);
+  frame.SetOwn(this->EdgeOnWeight);
   return true;
+}
+
+bool vtkViewDependentDepthTagMetric::ComputeTags(
+  vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel, vtkFloatArray* tags)
+{
+  return this->Internals->TagPoints(this, mesh, view, maximumLevel, tags);
 }
 
 bool vtkViewDependentDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh,
   const vtkRefinementView& view, int maximumLevel, const relevo::SurfaceEdges& edges,
   vtkFloatArray* tags)
 {
-  vtkNew<vtkFloatArray> pointTags;
-  if (!this->ComputeTags(mesh, view, maximumLevel, pointTags))
-  {
-    return false;
-  }
-  const float* ofPoints = pointTags->GetPointer(0);
-  relevo::TagEdges(edges, tags,
-    [&](int edge)
-    {
-      const int* places = edges.GetEdges()[edge].Places;
-      return std::max(ofPoints[places[0]], ofPoints[places[1]]);
-    });
-  return true;
+  return this->Internals->TagEdges(this, mesh, view, maximumLevel, edges, tags);
 }
 
 void vtkViewDependentDepthTagMetric::PrintSelf(ostream& os, vtkIndent indent)

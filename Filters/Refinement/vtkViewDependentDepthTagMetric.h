@@ -72,6 +72,8 @@ public:
 #ifndef __VTK_WRAP__
   bool ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
     const relevo::SurfaceEdges& edges, vtkFloatArray* tags) override;
+  bool GetShader(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+    const double origin[3], relevo::MetricShader& shader) override;
 #endif
 
 protected:

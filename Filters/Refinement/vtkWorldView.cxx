@@ -7,8 +7,6 @@
 #include "vtkMatrix4x4.h"
 #include "vtkPolyData.h"
 #include "vtkRefinementView.h"
-#include "vtkSMPTools.h"
-#include "vtkSurfaceTriangles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,24 +38,12 @@ Placement::Placement(const vtkRefinementView& view)
     dmat3(cross(linear[1], linear[2]), cross(linear[2], linear[0]), cross(linear[0], linear[1]));
 }
 
-std::vector<dvec3> Placement::GetPoints(const SurfaceTriangles& surface) const
-{
-  std::vector<dvec3> points(surface.GetNumberOfPoints());
-  vtkSMPTools::For(0, surface.GetNumberOfPoints(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType point = begin; point < end; ++point)
-      {
-        dvec3 x;
-        surface.GetPoint(point, &x[0]);
-        points[point] = this->GetPoint(x);
-      }
-    });
-  return points;
-}
-
 double Placement::GetDiagonal(vtkPolyData* mesh) const
 {
+  if (mesh->GetNumberOfPoints() == 0)
+  {
+    return 0.0;
+  }
   double squared = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -71,23 +57,6 @@ double Placement::GetDiagonal(vtkPolyData* mesh) const
     }
   }
   return std::sqrt(squared);
-}
-
-std::vector<dvec3> ComputeAreaVectors(
-  const SurfaceTriangles& surface, const std::vector<dvec3>& points)
-{
-  const std::vector<SurfaceTriangles::Triangle>& triangles = surface.GetTriangles();
-  std::vector<dvec3> vectors(triangles.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(triangles.size()),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType t = begin; t < end; ++t)
-      {
-        const dvec3& x = points[triangles[t][0]];
-        vectors[t] = cross(points[triangles[t][1]] - x, points[triangles[t][2]] - x);
-      }
-    });
-  return vectors;
 }
 
 dvec3 UnitOrZero(const dvec3& v)

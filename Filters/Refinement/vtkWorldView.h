@@ -12,7 +12,6 @@
 #include "vtkRefinementMathematics.h"
 
 #include <string> // for errors
-#include <vector> // for return values
 
 class vtkMatrix4x4;
 class vtkPolyData;
@@ -20,8 +19,6 @@ struct vtkRefinementView;
 
 namespace relevo
 {
-class SurfaceTriangles;
-
 dmat4 MakeMatrix(vtkMatrix4x4* matrix);
 
 /// Where the actor's matrix puts the mesh; identity without one.
@@ -32,8 +29,6 @@ struct Placement
   dvec3 GetPoint(const dvec3& x) const { return dvec3(this->ModelToWorld * dvec4(x, 1.0)); }
   /// Of any length; up to its sense also under a singular or mirroring matrix.
   dvec3 GetNormal(const dvec3& n) const { return this->NormalToWorld * n; }
-  /// Every point of the surface in world coordinates.
-  std::vector<dvec3> GetPoints(const SurfaceTriangles& surface) const;
   /// The diagonal of the mesh's own bounding box after the matrix: unlike that of the world's box
   /// it stays the same when the actor turns. Coordinates that are not finite do not count.
   double GetDiagonal(vtkPolyData* mesh) const;
@@ -41,10 +36,6 @@ struct Placement
   dmat4 ModelToWorld;
   dmat3 NormalToWorld;
 };
-
-/// The area vectors of triangles, twice as long as their area: the normals times 2 area.
-std::vector<dvec3> ComputeAreaVectors(
-  const SurfaceTriangles& surface, const std::vector<dvec3>& points);
 
 /// The vector over its length; zero when it has none or is not finite.
 dvec3 UnitOrZero(const dvec3& v);
@@ -56,11 +47,11 @@ public:
   /// Returns false and sets error when there is no camera or it looks nowhere.
   bool Set(const vtkRefinementView& view, std::string& error);
 
-  /// The unit vector from a point of the world to the eye; zero at the eye itself.
-  dvec3 GetDirectionFrom(const dvec3& x) const
-  {
-    return this->Parallel ? this->Backwards : UnitOrZero(this->Position - x);
-  }
+  bool IsParallel() const { return this->Parallel; }
+  /// In world coordinates.
+  const dvec3& GetPosition() const { return this->Position; }
+  /// The unit vector against the direction of view.
+  const dvec3& GetBackwards() const { return this->Backwards; }
 
 private:
   bool Parallel = false;

@@ -1,0 +1,61 @@
+// vtkScreenEdgeDepthTagMetric. GLSL and C++, see relevoMetricView.glsl, but metricParameters[2] to
+// [5] are rows to clip coordinates: x and y in lengths of segments when divided by the last, and
+// the distance beyond the near plane (1 for a parallel camera, which cuts nothing).
+
+// (position on the screen, distance beyond the near plane, divisor); (x, y) not divided where a
+// point is not beyond the near plane.
+RELEVO_FUNCTION vec4 metricValue(vec3 x, RELEVO_UNUSED vec4 datum)
+{
+  vec3 offset = metricOffset(x);
+  precise vec4 clip = vec4(metricRow(2, offset), metricRow(3, offset), metricRow(4, offset),
+    metricRow(5, offset));
+  if (clip.z > 0.0f && clip.w > 0.0f)
+  {
+    precise float scale = 1.0f / clip.w;
+    clip.x = clip.x * scale;
+    clip.y = clip.y * scale;
+  }
+  return clip;
+}
+
+// Where an edge from a point beyond the near plane to one that is not crosses the plane.
+RELEVO_FUNCTION vec2 metricCrossing(vec4 beyond, vec4 other)
+{
+  precise float t = beyond.z / (beyond.z - other.z);
+  precise float s = 1.0f - t;
+  precise float w = s * beyond.w + t * other.w;
+  precise vec2 crossing = vec2((s * beyond.w * beyond.x + t * other.x) / w,
+    (s * beyond.w * beyond.y + t * other.y) / w);
+  return crossing;
+}
+
+// The square of the edge's length.
+RELEVO_FUNCTION float metricEdgeMeasure(vec4 a, vec4 b)
+{
+  bool seesA = a.z > 0.0f && a.w > 0.0f;
+  bool seesB = b.z > 0.0f && b.w > 0.0f;
+  if (!seesA && !seesB)
+  {
+    return 0.0f;
+  }
+  vec2 from = vec2(a.x, a.y);
+  vec2 to = vec2(b.x, b.y);
+  if (!seesB)
+  {
+    to = metricCrossing(a, b);
+  }
+  else if (!seesA)
+  {
+    from = metricCrossing(b, a);
+  }
+  precise vec2 d = to - from;
+  precise float squared = d.x * d.x + d.y * d.y;
+  return squared;
+}
+
+// Levels that cut the length into segments: the logarithm of the tessellation level
+// max(1, length / length of a segment) (Nellmeldin 2013, eq. 2).
+RELEVO_FUNCTION float metricTag(float measure)
+{
+  return min(0.5f * metricLog2(max(1.0f, measure)), metricParameters[0].w);
+}
