@@ -7,12 +7,12 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkDisplacement.h"
 #include "vtkFaceBounds.h"
+#include "vtkLocalPoints.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPointPlaces.h"
 #include "vtkPolyData.h"
 #include "vtkRefinementSurface.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -100,47 +100,10 @@ bool RefinementMesh::Build(vtkPolyData* input, vtkAdaptiveRefinement* recipe, bo
 
 void RefinementMesh::BuildPoints(vtkPolyData* input)
 {
-  vtkDataArray* data = input->GetPoints()->GetData();
-  if (data->GetDataType() != VTK_FLOAT)
-  {
-    // Floats near the middle of the mesh keep the digits that large coordinates would cost.
-    double bounds[6];
-    vtkMath::UninitializeBounds(bounds);
-    double point[3];
-    for (vtkIdType i = 0; i < this->NumberOfPoints; ++i)
-    {
-      data->GetTuple(i, point);
-      for (int c = 0; c < 3; ++c)
-      {
-        if (std::isfinite(point[c]))
-        {
-          const bool first = bounds[2 * c] > bounds[2 * c + 1];
-          bounds[2 * c] = first ? point[c] : std::min(bounds[2 * c], point[c]);
-          bounds[2 * c + 1] = first ? point[c] : std::max(bounds[2 * c + 1], point[c]);
-        }
-      }
-    }
-    for (int c = 0; c < 3; ++c)
-    {
-      const double middle = 0.5 * bounds[2 * c] + 0.5 * bounds[2 * c + 1];
-      this->Origin[c] = bounds[2 * c] <= bounds[2 * c + 1] ? middle : 0.0;
-    }
-  }
-  this->Points.resize(3 * static_cast<size_t>(this->NumberOfPoints));
-  vtkSMPTools::For(0, this->NumberOfPoints,
-    [this, data](vtkIdType begin, vtkIdType end)
-    {
-      double point[3];
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        data->GetTuple(i, point);
-        for (int c = 0; c < 3; ++c)
-        {
-          // Adding zero makes -0 a plain 0, the same bits for the same place.
-          this->Points[3 * i + c] = static_cast<float>(point[c] - this->Origin[c]) + 0.0f;
-        }
-      }
-    });
+  LocalPoints points;
+  points.Build(input->GetPoints());
+  std::copy_n(points.Origin, 3, this->Origin);
+  this->Points = std::move(points.Coordinates);
 }
 
 bool RefinementMesh::CheckCells(vtkPolyData* input)
