@@ -18,6 +18,7 @@
 #include "vtkHeightField.h"
 #include "vtkInformation.h"
 #include "vtkLinearSurface.h"
+#include "vtkLookupTable.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -39,6 +40,8 @@
 #include "vtkRefinementColors.h"
 #include "vtkRefinementComputeProgram.h"
 #include "vtkRefinementComputeState.h"
+#include "vtkRefinementFaceColors.h"
+#include "vtkRefinementLevelTable.h"
 #include "vtkRefinementMeshBuffers.h"
 #include "vtkRefinementPatternBuffer.h"
 #include "vtkRefinementShader.h"
@@ -72,6 +75,11 @@ bool HasExtension(const char* name)
   return false;
 }
 
+bool HasWholeNumbers(vtkAdaptiveRefinement* recipe)
+{
+  return recipe && recipe->GetSegmentPolicy() == vtkAdaptiveRefinement::WHOLE_NUMBERS;
+}
+
 // Whether VTK's own mapper would draw the vertices of faces.
 bool AreVerticesDrawn(vtkProperty* property, vtkHardwareSelector* selector)
 {
@@ -102,6 +110,8 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   relevo::RefinementPatternBuffer Patterns;
   relevo::RefinementColors Colors;
   bool ColorsValid = false;
+  relevo::RefinementLevelTable LevelTable;
+  relevo::RefinementFaceColors FaceColors;
   vtkTimeStamp UploadTime;
   bool UploadValid = false;
   bool ContextChecked = false;
@@ -152,6 +162,9 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   {
     return { this->Buffers.GetFaces(), this->Buffers.GetInstances(), this->Buffers.GetMorphTags() };
   }
+
+  relevo::RefinementShaderOptions GetShaderOptions(
+    const vtkAdaptiveRefinementMapper* mapper, const vtkOpenGLHelper* cellBO) const;
 };
 
 vtkStandardNewMacro(vtkAdaptiveRefinementMapper);
@@ -196,6 +209,38 @@ void vtkAdaptiveRefinementMapper::SetBackFaceCulling(bool culling)
     [culling](vtkAdaptiveRefinementMapper* block) { block->SetBackFaceCulling(culling); });
 }
 
+void vtkAdaptiveRefinementMapper::SetColorMode(int mode)
+{
+  this->SetColorModeToScalars();
+  this->Superclass::SetColorMode(mode);
+}
+
+// Not Modified(), as above.
+void vtkAdaptiveRefinementMapper::SetRefinementColorMode(RefinementColorModes mode)
+{
+  this->RefinementColorMode = mode;
+  this->Internals->Blocks.ForEach(
+    [mode](vtkAdaptiveRefinementMapper* block) { block->SetRefinementColorMode(mode); });
+}
+
+void vtkAdaptiveRefinementMapper::SetLevelLookupTable(vtkScalarsToColors* table)
+{
+  this->LevelLookupTable = table;
+  this->Internals->Blocks.ForEach(
+    [table](vtkAdaptiveRefinementMapper* block) { block->SetLevelLookupTable(table); });
+}
+
+vtkScalarsToColors* vtkAdaptiveRefinementMapper::GetLevelLookupTable()
+{
+  if (this->LevelLookupTable)
+  {
+    return this->LevelLookupTable;
+  }
+  vtkAdaptiveRefinement* recipe = this->Refinement;
+  return this->Internals->LevelTable.Get(
+    this->RefinementColorMode, HasWholeNumbers(recipe), recipe ? recipe->GetMaximumLevel() : 0);
+}
+
 int vtkAdaptiveRefinementMapper::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
@@ -212,10 +257,15 @@ void vtkAdaptiveRefinementMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetFrustumCulling(other->GetFrustumCulling());
     this->SetBackFaceCulling(other->GetBackFaceCulling());
     this->SetSelectionDevice(other->GetSelectionDevice());
+    this->SetLevelLookupTable(other->LevelLookupTable);
     this->ExtraAttributes = other->ExtraAttributes;
     this->SetVBOShiftScaleMethod(other->GetVBOShiftScaleMethod());
   }
-  this->Superclass::ShallowCopy(mapper);
+  this->Superclass::ShallowCopy(mapper); // sets VTK's colour mode
+  if (vtkAdaptiveRefinementMapper* other = vtkAdaptiveRefinementMapper::SafeDownCast(mapper))
+  {
+    this->SetRefinementColorMode(other->RefinementColorMode);
+  }
 }
 
 void vtkAdaptiveRefinementMapper::SetSelectionDevice(int device)
@@ -321,7 +371,7 @@ vtkTypeInt64 vtkAdaptiveRefinementMapper::GetGraphicsMemorySize()
 {
   vtkInternals& data = *this->Internals;
   vtkTypeInt64 sum = data.Buffers.GetMemorySize() + data.Patterns.GetMemorySize() +
-    data.Colors.GetMemorySize() + data.Compute.GetMemorySize();
+    data.Colors.GetMemorySize() + data.FaceColors.GetMemorySize() + data.Compute.GetMemorySize();
   for (const char* name :
     { "vertexMC", "normalMC", "scalarColor", "tcoord", "colorTCoord", "tangentMC" })
   {
@@ -645,6 +695,7 @@ void vtkAdaptiveRefinementMapper::ReleaseGraphicsResources(vtkWindow* window)
   data.Patterns.ReleaseGraphicsResources();
   data.Colors.ReleaseGraphicsResources(window);
   data.Compute.ReleaseGraphicsResources();
+  data.FaceColors.ReleaseGraphicsResources(window);
   data.Faces.ReleaseGraphicsResources(window);
   data.Vertices.ReleaseGraphicsResources(window);
   data.Programs.clear();
@@ -739,6 +790,29 @@ void vtkAdaptiveRefinementMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* a
       data.State.GetSelection().GetSelection().Groups,
       act->GetProperty()->GetRepresentation() == VTK_WIREFRAME);
   }
+  if (!this->UpdateFaceColors(ren))
+  {
+    vtkErrorMacro(
+      "The colours of levels, patterns or tags could not be sent to the graphics card.");
+  }
+}
+
+bool vtkAdaptiveRefinementMapper::UpdateFaceColors(vtkRenderer* ren)
+{
+  vtkInternals& data = *this->Internals;
+  vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
+  vtkScalarsToColors* table = this->GetLevelLookupTable();
+  switch (this->RefinementColorMode)
+  {
+    case COLOR_BY_SCALARS:
+      return true;
+    case COLOR_BY_METRIC:
+      return data.FaceColors.UploadTags(window, data.State.GetMesh(), data.State.GetSelection(),
+        this->Refinement->GetLevelOffset(), this->Refinement->GetMaximumLevel(), table);
+    default:
+      return data.FaceColors.UploadPatterns(
+        window, this->RefinementColorMode, HasWholeNumbers(this->Refinement), data.Patterns, table);
+  }
 }
 
 void vtkAdaptiveRefinementMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* act)
@@ -765,6 +839,7 @@ void vtkAdaptiveRefinementMapper::RenderPieceFinish(vtkRenderer* ren, vtkActor* 
 {
   this->Internals->Buffers.Deactivate();
   this->Internals->Colors.Deactivate();
+  this->Internals->FaceColors.Deactivate();
   this->Superclass::RenderPieceFinish(ren, act);
 }
 
@@ -869,24 +944,22 @@ bool vtkAdaptiveRefinementMapper::IsRefining(const vtkOpenGLHelper* cellBO) cons
   return cellBO == &this->Internals->Faces || cellBO == &this->Internals->Vertices;
 }
 
-namespace
+relevo::RefinementShaderOptions vtkAdaptiveRefinementMapper::vtkInternals::GetShaderOptions(
+  const vtkAdaptiveRefinementMapper* mapper, const vtkOpenGLHelper* cellBO) const
 {
-relevo::RefinementShaderOptions GetShaderOptions(const relevo::RefinementMesh& mesh,
-  const relevo::RefinementMeshBuffers& buffers, bool hasScalars, bool indirect,
-  vtkAdaptiveRefinement* recipe)
-{
+  vtkAdaptiveRefinement* recipe = mapper->Refinement;
   relevo::RefinementShaderOptions options;
-  buffers.Describe(mesh, options);
+  this->Buffers.Describe(this->State.GetMesh(), options);
   vtkNew<vtkLinearSurface> linear;
   vtkRefinementSurface* surface = recipe->GetSurface();
   options.SurfaceSource = (surface ? surface : linear.Get())->GetShaderSource();
   vtkDisplacement* displacement = recipe->GetDisplacement();
-  options.HasScalars = hasScalars;
-  options.IsIndirect = indirect;
+  options.IsIndirect = this->OnGPU;
   options.HasDisplacement = displacement != nullptr;
   options.AlongNormal = displacement && displacement->IsAlongNormal();
+  options.ColorMode = cellBO == &this->Faces ? mapper->RefinementColorMode : COLOR_BY_SCALARS;
+  options.HasScalars = this->ColorsValid && options.ColorMode == COLOR_BY_SCALARS;
   return options;
-}
 }
 
 bool vtkAdaptiveRefinementMapper::GetNeedToRebuildShaders(
@@ -895,10 +968,7 @@ bool vtkAdaptiveRefinementMapper::GetNeedToRebuildShaders(
   bool needed = this->Superclass::GetNeedToRebuildShaders(cellBO, ren, act);
   if (this->IsRefining(&cellBO))
   {
-    const std::string key =
-      GetShaderOptions(this->Internals->State.GetMesh(), this->Internals->Buffers,
-        this->Internals->ColorsValid, this->Internals->OnGPU, this->Refinement)
-        .GetKey();
+    const std::string key = this->Internals->GetShaderOptions(this, &cellBO).GetKey();
     std::string& last = this->Internals->Programs[&cellBO].ShaderKey;
     needed = needed || key != last;
     last = key;
@@ -909,6 +979,10 @@ bool vtkAdaptiveRefinementMapper::GetNeedToRebuildShaders(
 void vtkAdaptiveRefinementMapper::ReplaceShaderValues(
   std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act)
 {
+  if (this->IsRefining(this->LastBoundBO))
+  {
+    relevo::MarkColors(shaders);
+  }
   this->Superclass::ReplaceShaderValues(shaders, ren, act);
   if (this->IsRefining(this->LastBoundBO))
   {
@@ -917,9 +991,7 @@ void vtkAdaptiveRefinementMapper::ReplaceShaderValues(
       : this->GetOpenGLMode(
           act->GetProperty()->GetRepresentation(), this->LastBoundBO->PrimitiveType);
     this->Internals->Programs[this->LastBoundBO].Attributes = relevo::RefineShaders(
-      GetShaderOptions(this->Internals->State.GetMesh(), this->Internals->Buffers,
-        this->Internals->ColorsValid, this->Internals->OnGPU, this->Refinement),
-      mode == GL_LINES, shaders);
+      this->Internals->GetShaderOptions(this, this->LastBoundBO), mode == GL_LINES, shaders);
   }
 }
 
@@ -957,6 +1029,7 @@ void vtkAdaptiveRefinementMapper::SetMapperShaderParameters(
   }
   data.Buffers.Activate(cellBO.Program);
   data.Colors.Activate(cellBO.Program);
+  data.FaceColors.Activate(cellBO.Program);
   data.Buffers.SetUniforms(cellBO.Program, this->Refinement);
 }
 
@@ -989,6 +1062,8 @@ void vtkAdaptiveRefinementMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FrustumCulling: " << (this->FrustumCulling ? "On\n" : "Off\n");
   os << indent << "BackFaceCulling: " << (this->BackFaceCulling ? "On\n" : "Off\n");
   os << indent << "SelectionDevice: " << this->SelectionDevice << "\n";
+  os << indent << "RefinementColorMode: " << this->RefinementColorMode << "\n";
+  os << indent << "LevelLookupTable: " << this->LevelLookupTable.Get() << "\n";
   os << indent << "NumberOfCoarseFaces: " << this->GetNumberOfCoarseFaces() << "\n";
   os << indent << "NumberOfDrawnTriangles: " << this->GetNumberOfDrawnTriangles() << "\n";
   os << indent << "NumberOfDrawCalls: " << this->GetNumberOfDrawCalls() << "\n";

@@ -34,11 +34,12 @@
 
 #include "RelevoRenderingRefinementModule.h" // for export macro
 #include "vtkOpenGLPolyDataMapper.h"
-#include "vtkSmartPointer.h" // for Refinement
+#include "vtkSmartPointer.h" // for members
 
 #include <memory> // for Internals
 
 class vtkAdaptiveRefinement;
+class vtkScalarsToColors;
 
 class RELEVORENDERINGREFINEMENT_EXPORT vtkAdaptiveRefinementMapper : public vtkOpenGLPolyDataMapper
 {
@@ -114,6 +115,49 @@ public:
    * set, the GPU if any of its parts did.
    */
   int GetSelectionDeviceInUse();
+
+  /**
+   * What the refined faces are coloured by.
+   */
+  enum RefinementColorModes
+  {
+    COLOR_BY_SCALARS = 0,
+    COLOR_BY_LEVEL = 1,
+    COLOR_BY_PATTERN = 2,
+    COLOR_BY_METRIC = 3
+  };
+
+  //@{
+  /**
+   * What the refined faces are coloured by: scalars or the actor's colour, as VTK does (the
+   * default); the highest level of each coarse face's edges (log2 of segments, rounded up); the
+   * base pattern of each coarse face; or the tags that decide on the levels, in [0, MaximumLevel]:
+   * linear between points or, where levels are set per edge, blended so that an edge shows its own
+   * tag. Lights, textures and opacity of the actor remain.
+   *
+   * VTK's own modes (SetColorModeToDefault(), SetColorModeToMapScalars(),
+   * SetColorModeToDirectScalars()) colour by scalars again; GetColorMode() is always VTK's.
+   */
+  void SetColorModeToScalars() { this->SetRefinementColorMode(COLOR_BY_SCALARS); }
+  void SetColorModeToLevel() { this->SetRefinementColorMode(COLOR_BY_LEVEL); }
+  void SetColorModeToPattern() { this->SetRefinementColorMode(COLOR_BY_PATTERN); }
+  void SetColorModeToMetric() { this->SetRefinementColorMode(COLOR_BY_METRIC); }
+  int GetRefinementColorMode() { return this->RefinementColorMode; }
+  void SetColorMode(int mode) override;
+  //@}
+
+  //@{
+  /**
+   * The colours of levels (mapped from 0, 1, ..., MaximumLevel), of patterns (mapped from
+   * vtkRefinementPatternTable::GetPatternIndex(); where edges take any whole number of segments,
+   * from that of their places in the sequence 1, 2, ..., 16, 18, 20, ...) or of tags. The table's
+   * opacity is not used. By default, and after nullptr, one table that follows the mode, the
+   * recipe's MaximumLevel and its segments: viridis, or for patterns colours that tell them apart.
+   * Its levels and patterns are annotated, so a vtkScalarBarActor of this table is a legend.
+   */
+  void SetLevelLookupTable(vtkScalarsToColors* table);
+  vtkScalarsToColors* GetLevelLookupTable();
+  //@}
 
   /**
    * Triangles of the surface in the last render: the polygons that vtkAdaptiveRefinementFilter
@@ -208,6 +252,8 @@ private:
   void ReadSelection();
   bool HidesBackFaces(vtkRenderer* ren, vtkActor* act);
   bool IsRefining(const vtkOpenGLHelper* cellBO) const;
+  void SetRefinementColorMode(RefinementColorModes mode);
+  bool UpdateFaceColors(vtkRenderer* ren);
   void DrawFaces(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act);
   void DrawIndirectly(vtkOpenGLHelper& cellBO, int mode);
 
@@ -215,6 +261,8 @@ private:
   bool FrustumCulling = true;
   bool BackFaceCulling = true;
   int SelectionDevice = SELECTION_DEVICE_AUTOMATIC;
+  RefinementColorModes RefinementColorMode = COLOR_BY_SCALARS;
+  vtkSmartPointer<vtkScalarsToColors> LevelLookupTable;
   std::unique_ptr<vtkInternals> Internals;
 };
 

@@ -96,6 +96,7 @@ bool RefinementBuffer::CreateTexture(vtkOpenGLRenderWindow* window, size_t texel
     this->Texture = vtkSmartPointer<vtkTextureObject>::New();
   }
   this->Texture->SetContext(window);
+  this->Texture->ResetFormatAndType(); // those of other numbers of components would stay
   if (integerFormat)
   {
     // VTK would choose a float format.

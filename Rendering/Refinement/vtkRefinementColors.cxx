@@ -3,14 +3,10 @@
 #include "vtkRefinementColors.h"
 
 #include "vtkDataArray.h"
-#include "vtkLookupTable.h"
-#include "vtkMath.h"
 #include "vtkScalarsToColors.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace relevo
 {
@@ -53,22 +49,8 @@ bool RefinementColors::Upload(
     return false;
   }
   this->Magnitude = count > 1;
-  this->Log = table->UsingLogScale() != 0;
-
-  double range[2] = { table->GetRange()[0], table->GetRange()[1] };
   // Differences to the minimum keep the digits of narrow ranges far from zero.
-  const double bias = this->Magnitude || this->Log ? 0.0 : range[0];
-  double ends[2] = { range[0] - bias, range[1] - bias };
-  if (this->Log)
-  {
-    double logarithms[2];
-    vtkLookupTable::GetLogRange(range, logarithms);
-    std::copy_n(logarithms, 2, ends);
-  }
-  this->Minimum = static_cast<float>(ends[0]);
-  this->Factor = static_cast<float>(
-    ends[1] > ends[0] ? 1.0 / (ends[1] - ends[0]) : std::numeric_limits<float>::max());
-
+  const double bias = this->Magnitude || table->UsingLogScale() ? 0.0 : table->GetRange()[0];
   const int texel = count == 1 ? 1 : 4;
   const vtkIdType numberOfPoints = scalars->GetNumberOfTuples();
   std::vector<float> values(static_cast<size_t>(texel) * numberOfPoints, 0.0f);
@@ -81,31 +63,7 @@ bool RefinementColors::Upload(
     }
   }
 
-  // The table, sampled amid each of its colours; functions are sampled finely.
-  this->NumberOfColors = vtkLookupTable::SafeDownCast(table)
-    ? static_cast<int>(std::min<vtkIdType>(table->GetNumberOfAvailableColors(), 65536))
-    : 4096;
-  this->NumberOfColors = std::max(this->NumberOfColors, 1);
-  std::vector<float> colors;
-  auto addColor = [&](double value)
-  {
-    const unsigned char* rgba = table->MapValue(value);
-    for (int c = 0; c < 4; ++c)
-    {
-      colors.push_back(static_cast<float>(rgba[c]) / 255.0f);
-    }
-  };
-  for (int i = 0; i < this->NumberOfColors; ++i)
-  {
-    const double value =
-      (this->Log ? ends[0] : range[0]) + (i + 0.5) / this->NumberOfColors * (ends[1] - ends[0]);
-    addColor(this->Log ? std::pow(10.0, value) : value);
-  }
-  const double span = std::max(range[1] - range[0], 1e-3 * std::abs(range[0]));
-  addColor(this->Log ? 0.5 * range[0] : range[0] - (span > 0.0 ? span : 1.0));
-  addColor(range[1] + (span > 0.0 ? span : 1.0));
-  addColor(vtkMath::Nan());
-  return this->Scalars.Upload(window, values, texel) && this->Table.Upload(window, colors, 4);
+  return this->Scalars.Upload(window, values, texel) && this->Table.Upload(window, table, bias);
 }
 
 void RefinementColors::Activate(vtkShaderProgram* program)
@@ -115,12 +73,8 @@ void RefinementColors::Activate(vtkShaderProgram* program)
     return;
   }
   this->Scalars.Activate(program, "relevoScalars");
-  this->Table.Activate(program, "relevoScalarTable");
-  program->SetUniformf("relevoScalarMinimum", this->Minimum);
-  program->SetUniformf("relevoScalarFactor", this->Factor);
-  program->SetUniformi("relevoScalarColors", this->NumberOfColors);
+  this->Table.Activate(program);
   program->SetUniformi("relevoScalarMagnitude", this->Magnitude ? 1 : 0);
-  program->SetUniformi("relevoScalarLog", this->Log ? 1 : 0);
 }
 
 void RefinementColors::Deactivate()

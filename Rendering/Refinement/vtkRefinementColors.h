@@ -11,7 +11,8 @@
 #ifndef vtkRefinementColors_h
 #define vtkRefinementColors_h
 
-#include "vtkRefinementBuffer.h"
+#include "vtkRefinementBuffer.h"     // for members
+#include "vtkRefinementColorTable.h" // for members
 
 class vtkDataArray;
 class vtkScalarsToColors;
@@ -36,12 +37,8 @@ public:
 
 private:
   RefinementBuffer Scalars;
-  RefinementBuffer Table;
-  int NumberOfColors = 0;
+  RefinementColorTable Table;
   bool Magnitude = false;
-  bool Log = false;
-  float Minimum = 0.0f;
-  float Factor = 0.0f;
 };
 }
 

@@ -41,6 +41,7 @@ void RefinementPatternBuffer::Load(
     this->HasLines = withLines || this->HasLines;
     this->TableTime = table->GetMTime();
     this->Ranges.clear();
+    this->Patterns.clear();
     this->Vertices.clear();
     this->Triangles.clear();
     this->Lines.clear();
@@ -53,6 +54,9 @@ void RefinementPatternBuffer::Load(
     }
     changed = true;
     const vtkRefinementPattern& pattern = *group.Pattern;
+    // A float holds both parts exactly.
+    const float number = static_cast<float>(this->Patterns.size()) / 65536.0f;
+    this->Patterns.push_back(group.Pattern);
     Range range;
     range.NumberOfVertices = pattern.GetNumberOfVertices();
     range.NumberOfIndices = static_cast<int>(pattern.Triangles.size());
@@ -64,7 +68,7 @@ void RefinementPatternBuffer::Load(
       {
         this->Vertices.insert(this->Vertices.end(),
           { pattern.Vertices[v], pattern.Vertices[v + 1], pattern.Vertices[v + 2],
-            static_cast<float>(copy) });
+            static_cast<float>(copy) + number });
       }
     }
     range.FirstIndex = static_cast<int>(this->Triangles.size());
@@ -99,8 +103,8 @@ void RefinementPatternBuffer::Load(
       {
         const int edge = i < ends[0] ? 1 : (i < ends[1] ? 2 : (i < ends[2] ? 3 : 0));
         const float* vertex = &pattern.Vertices[3 * static_cast<size_t>(pattern.Lines[i])];
-        this->Lines.insert(
-          this->Lines.end(), { vertex[0], vertex[1], vertex[2], static_cast<float>(edge) });
+        this->Lines.insert(this->Lines.end(),
+          { vertex[0], vertex[1], vertex[2], static_cast<float>(edge) + number });
       }
     }
     this->Ranges[group.Pattern] = range;
@@ -129,6 +133,7 @@ void RefinementPatternBuffer::ReleaseGraphicsResources()
   this->TriangleBuffer->ReleaseGraphicsResources();
   this->LineBuffer->ReleaseGraphicsResources();
   this->Ranges.clear();
+  this->Patterns.clear();
   this->Vertices.clear();
   this->Triangles.clear();
   this->Lines.clear();

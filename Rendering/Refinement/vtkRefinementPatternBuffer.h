@@ -56,11 +56,15 @@ public:
 
   const Range& GetRange(const PatternGroup& group) const;
 
-  /// (u, v, w, number of the copy) of each vertex.
+  /// The patterns on the GPU, by number, at most 65536.
+  const std::vector<const vtkRefinementPattern*>& GetPatterns() const { return this->Patterns; }
+
+  /// (u, v, w, number of the copy + number of the pattern / 65536) of each vertex.
   vtkOpenGLBufferObject* GetVertices() { return this->VertexBuffer; }
   /// Unsigned short indices relative to a pattern's first vertex.
   vtkOpenGLBufferObject* GetTriangles() { return this->TriangleBuffer; }
-  /// (u, v, w, e) of each line's ends: e = 1, 2, 3 for lines on the pattern's edge e, else 0.
+  /// (u, v, w, e + number of the pattern / 65536) of each line's ends: e = 1, 2, 3 for lines on the
+  /// pattern's edge e, else 0.
   vtkOpenGLBufferObject* GetLines() { return this->LineBuffer; }
 
   /// When the buffers last changed.
@@ -71,6 +75,7 @@ public:
 
 private:
   std::map<const vtkRefinementPattern*, Range> Ranges;
+  std::vector<const vtkRefinementPattern*> Patterns;
   bool HasLines = false;
   vtkMTimeType TableTime = 0;
   std::vector<float> Vertices;

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRefinementShader.h"
 
+#include "relevoColorTable.h"
 #include "relevoColorsVS.h"
 #include "relevoDisplacement.h"
 #include "relevoDisplacementVS.h"
 #include "relevoEdgesGS.h"
+#include "relevoFaceColorsFS.h"
+#include "relevoFaceColorsVS.h"
 #include "relevoFaceVS.h"
 #include "relevoHeight.h"
 #include "relevoHeightMap.h"
@@ -30,6 +33,9 @@ struct Varying
   const char* Type;
   const char* Name;
 };
+
+// Where colours of faces replace VTK's own, in the fragment shader.
+constexpr const char* ColorMark = "//Relevo::Color::Impl";
 
 // Put text before the first main().
 void InsertBeforeMain(std::string& source, const std::string& text)
@@ -74,6 +80,11 @@ std::string GetDefines(const RefinementShaderOptions& options, bool edges, bool 
   define(options.IsMorphing, "RELEVO_MORPH");
   define(options.IsIndirect, "RELEVO_INDIRECT");
   define(options.HasScalars, "RELEVO_SCALARS");
+  define(options.ColorMode == vtkAdaptiveRefinementMapper::COLOR_BY_LEVEL ||
+      options.ColorMode == vtkAdaptiveRefinementMapper::COLOR_BY_PATTERN,
+    "RELEVO_COLORS_OF_FACES");
+  define(
+    options.ColorMode == vtkAdaptiveRefinementMapper::COLOR_BY_METRIC, "RELEVO_COLORS_OF_TAGS");
   define(edges, "RELEVO_EDGES");
   define(lines, "RELEVO_LINES");
   return text.str();
@@ -83,6 +94,14 @@ std::string GetDefines(const RefinementShaderOptions& options, bool edges, bool 
 std::string RefinementShaderOptions::GetKey() const
 {
   return GetDefines(*this, false, false) + this->SurfaceSource;
+}
+
+void MarkColors(std::map<vtkShader::Type, vtkShader*>& shaders)
+{
+  std::string fragment = shaders[vtkShader::Fragment]->GetSource();
+  vtkShaderProgram::Substitute(
+    fragment, "//VTK::Color::Impl", std::string("//VTK::Color::Impl\n  ") + ColorMark, false);
+  shaders[vtkShader::Fragment]->SetSource(fragment);
 }
 
 std::string GetAttributeSampler(const std::string& attribute)
@@ -141,6 +160,15 @@ std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, b
     varyings.push_back({ "", "vec3", "relevoWeights" });
     varyings.push_back({ "flat ", "int", "relevoHiddenEdges" });
   }
+  if (options.ColorMode == vtkAdaptiveRefinementMapper::COLOR_BY_METRIC)
+  {
+    varyings.push_back({ "flat ", "vec3", "relevoTags" });
+    varyings.push_back({ "", "vec3", "relevoTagWeights" });
+  }
+  else if (options.ColorMode != vtkAdaptiveRefinementMapper::COLOR_BY_SCALARS)
+  {
+    varyings.push_back({ "flat ", "vec3", "relevoColor" });
+  }
   if (options.HasHoles)
   {
     varyings.push_back({ "", "float", "relevoValid" });
@@ -157,7 +185,11 @@ std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, b
   }
   if (options.HasScalars)
   {
-    text << relevoColorsVS;
+    text << relevoColorTable << relevoColorsVS;
+  }
+  if (options.ColorMode != vtkAdaptiveRefinementMapper::COLOR_BY_SCALARS)
+  {
+    text << relevoFaceColorsVS;
   }
   for (const Varying& varying : varyings)
   {
@@ -201,14 +233,26 @@ std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, b
     vtkShaderProgram::Substitute(geometry, "EmitVertex();", copies.str() + "EmitVertex();");
   }
 
-  // The fragment shader knows coarse primitives, and leaves holes.
-  std::string declarations = "flat in int relevoPrimitiveIDVSOutput;\n";
+  // The fragment shader knows coarse primitives and colours of faces, and leaves holes.
+  std::string declarations;
+  for (const Varying& varying : varyings)
+  {
+    declarations +=
+      std::string(varying.Qualifier) + "in " + varying.Type + " " + varying.Name + "VSOutput;\n";
+  }
+  if (options.ColorMode != vtkAdaptiveRefinementMapper::COLOR_BY_SCALARS)
+  {
+    declarations += std::string(relevoColorTable) + relevoFaceColorsFS;
+    vtkShaderProgram::Substitute(fragment, ColorMark,
+      "vec3 relevoFragment = relevoFragmentColor();\n"
+      "  ambientColor = ambientIntensity * relevoFragment;\n"
+      "  diffuseColor = diffuseIntensity * relevoFragment;\n"
+      "  opacity = opacityUniform;\n");
+  }
+  InsertAfterVersion(fragment, GetDefines(options, false, false));
   if (options.HasHoles)
   {
-    declarations += "in float relevoValidVSOutput;\n"
-                    "in vec2 relevoHeightCoordinateVSOutput;\n";
     declarations += std::string(relevoHeightMap) + relevoHeight;
-    InsertAfterVersion(fragment, GetDefines(options, false, false));
     fragment = std::regex_replace(fragment, std::regex("void main\\(\\)\\s*\\{"),
       "void main()\n{\n"
       "  if (relevoValidVSOutput < 0.999 || !heightValid(relevoHeightCoordinateVSOutput)) "

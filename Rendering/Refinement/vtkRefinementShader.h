@@ -16,7 +16,8 @@
 #include <string> // for members
 #include <vector> // for members
 
-#include "vtkShader.h" // for vtkShader::Type
+#include "vtkRefinementLevelTable.h" // for RefinementColorMode
+#include "vtkShader.h"               // for vtkShader::Type
 
 namespace relevo
 {
@@ -40,6 +41,8 @@ struct RefinementShaderOptions
   bool IsIndirect = false;
   /// Whether point scalars are interpolated before they are coloured.
   bool HasScalars = false;
+  /// What faces are coloured by.
+  RefinementColorMode ColorMode = vtkAdaptiveRefinementMapper::COLOR_BY_SCALARS;
 
   /// Everything above in one line, to compare.
   std::string GetKey() const;
@@ -52,6 +55,11 @@ struct RefinementShaderOptions
  */
 std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, bool lines,
   std::map<vtkShader::Type, vtkShader*>& shaders);
+
+/**
+ * Keep a place for the colours of faces, before VTK writes its own.
+ */
+void MarkColors(std::map<vtkShader::Type, vtkShader*>& shaders);
 
 std::string GetAttributeSampler(const std::string& attribute);
 }

@@ -1,7 +1,7 @@
 // One coarse face per instance: its corners, and what the surface functions ask for.
 
 in vec4 relevoPatternVertex; // (u, v, w) and the number of the copy, or for lines the pattern's
-                             // edge they lie on (1 to 3)
+                             // edge they lie on (1 to 3), plus the pattern's number / 65536
 
 #ifdef RELEVO_INDIRECT
 in uvec2 relevoMembers; // where the instance's faces lie in relevoInstances, and how many they are

@@ -35,12 +35,20 @@ void relevoRefine()
   relevoHeightCoordinateVSOutput = heightCoordinate(heightPoints(w), w);
   relevoValidVSOutput = heightValid(relevoHeightCoordinateVSOutput) ? 1.0 : 0.0;
 #endif
+#ifdef RELEVO_COLORS_OF_FACES
+  relevoColorVSOutput = relevoFaceColor();
+#endif
+#ifdef RELEVO_COLORS_OF_TAGS
+  relevoTagsVSOutput = relevoFaceTags();
+  relevoTagWeightsVSOutput = w;
+#endif
 #ifdef RELEVO_LINES
   // Diagonals of coarse polygons are hidden. The line's edge lacks this corner of the pattern;
   // which sorted corner is that?
-  if (relevoPatternVertex.w > 0.0)
+  float line = floor(relevoPatternVertex.w);
+  if (line > 0.0)
   {
-    vec3 lacking = vec3(equal(vec3(relevoPatternVertex.w), vec3(2.0, 3.0, 1.0)));
+    vec3 lacking = vec3(equal(vec3(line), vec3(2.0, 3.0, 1.0)));
     vec3 sortedLacking = permuteWeights(lacking, code);
     int edge = sortedLacking.z > 0.0 ? 1 : (sortedLacking.x > 0.0 ? 2 : 4);
     relevoHidden = (relevoFace.w & edge) != 0;

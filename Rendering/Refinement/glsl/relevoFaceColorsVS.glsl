@@ -1,0 +1,23 @@
+// What relevoFaceColorsFS.glsl shows.
+
+#ifdef RELEVO_COLORS_OF_FACES
+uniform samplerBuffer relevoPatternColors; // by the pattern's number
+
+vec3 relevoFaceColor()
+{
+  return texelFetch(relevoPatternColors, int(fract(relevoPatternVertex.w) * 65536.0)).rgb;
+}
+#endif
+
+#ifdef RELEVO_COLORS_OF_TAGS
+uniform samplerBuffer relevoTags; // per point, or of a face's edges (0,1), (1,2), (0,2)
+uniform int relevoTagsPerEdge;
+
+vec3 relevoFaceTags()
+{
+  return relevoTagsPerEdge == 1
+    ? texelFetch(relevoTags, relevoFaceIndex).xyz
+    : vec3(texelFetch(relevoTags, relevoFace.x).r, texelFetch(relevoTags, relevoFace.y).r,
+        texelFetch(relevoTags, relevoFace.z).r);
+}
+#endif

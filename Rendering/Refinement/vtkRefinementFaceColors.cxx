@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRefinementFaceColors.h"
+
+#include "vtkEdgeTags.h"
+#include "vtkRefinementMesh.h"
+#include "vtkRefinementPatternBuffer.h"
+#include "vtkScalarsToColors.h"
+#include "vtkShaderProgram.h"
+#include "vtkViewSelection.h"
+
+namespace relevo
+{
+namespace
+{
+// Per point, or per face and sorted edge.
+std::vector<float> GetTags(const RefinementMesh& mesh, const EdgeTags& tags, float highest)
+{
+  if (tags.GetKind() == EdgeTags::PER_POINT)
+  {
+    return std::vector<float>(tags.GetValues(), tags.GetValues() + tags.GetNumberOfValues());
+  }
+  std::vector<float> values(3 * mesh.Faces.size(), highest);
+  if (tags.GetKind() == EdgeTags::PER_EDGE)
+  {
+    for (size_t i = 0; i < values.size(); ++i)
+    {
+      values[i] = tags.GetValues()[tags.GetFaceEdges()[i]];
+    }
+  }
+  return values;
+}
+}
+
+bool RefinementFaceColors::UploadPatterns(vtkOpenGLRenderWindow* window, RefinementColorMode mode,
+  bool wholeNumbers, const RefinementPatternBuffer& patterns, vtkScalarsToColors* table)
+{
+  Dependencies times;
+  AppendObject(times, table);
+  times.push_back(patterns.GetUploadTime());
+  times.insert(times.end(), { static_cast<vtkMTimeType>(mode), wholeNumbers ? 1u : 0u });
+  if (times == this->PatternTimes)
+  {
+    return true;
+  }
+  std::vector<float> colors;
+  for (const vtkRefinementPattern* pattern : patterns.GetPatterns())
+  {
+    const std::array<float, 4> color = RefinementColorTable::GetColor(
+      table, RefinementLevelTable::GetValue(mode, wholeNumbers, *pattern));
+    colors.insert(colors.end(), color.begin(), color.end());
+  }
+  this->PatternTimes = times;
+  return colors.empty() || this->PatternColors.Upload(window, colors, 4);
+}
+
+bool RefinementFaceColors::UploadTags(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh,
+  const ViewSelection& selection, double offset, int highest, vtkScalarsToColors* table)
+{
+  this->Offset = static_cast<float>(offset);
+  this->Highest = static_cast<float>(highest);
+  Dependencies tableTimes;
+  AppendObject(tableTimes, table);
+  if (tableTimes != this->TableTimes)
+  {
+    this->TableTimes = tableTimes;
+    if (!this->Table.Upload(window, table, 0.0))
+    {
+      return false;
+    }
+  }
+  Dependencies tagTimes;
+  Append(tagTimes, &selection, selection.GetLevelsTime());
+  if (tagTimes != this->TagTimes)
+  {
+    this->TagTimes = tagTimes;
+    const EdgeTags& tags = selection.GetTags();
+    this->PerEdge = tags.GetKind() != EdgeTags::PER_POINT;
+    return this->Tags.Upload(window, GetTags(mesh, tags, this->Highest), this->PerEdge ? 3 : 1);
+  }
+  return true;
+}
+
+void RefinementFaceColors::Activate(vtkShaderProgram* program)
+{
+  this->PatternColors.Activate(program, "relevoPatternColors");
+  if (program->IsUniformUsed("relevoTags"))
+  {
+    this->Tags.Activate(program, "relevoTags");
+    this->Table.Activate(program);
+    program->SetUniformi("relevoTagsPerEdge", this->PerEdge ? 1 : 0);
+    program->SetUniformf("relevoTagOffset", this->Offset);
+    program->SetUniformf("relevoHighestTag", this->Highest);
+  }
+}
+
+void RefinementFaceColors::Deactivate()
+{
+  this->PatternColors.Deactivate();
+  this->Tags.Deactivate();
+  this->Table.Deactivate();
+}
+
+vtkTypeInt64 RefinementFaceColors::GetMemorySize() const
+{
+  return this->PatternColors.GetMemorySize() + this->Tags.GetMemorySize() +
+    this->Table.GetMemorySize();
+}
+
+void RefinementFaceColors::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->PatternColors.ReleaseGraphicsResources(window);
+  this->Tags.ReleaseGraphicsResources(window);
+  this->Table.ReleaseGraphicsResources(window);
+  this->PatternTimes.clear();
+  this->TagTimes.clear();
+  this->TableTimes.clear();
+}
+}

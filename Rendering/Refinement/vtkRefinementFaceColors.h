@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkRefinementFaceColors
+ * @brief   colours of faces by level, by pattern or by tag, on the GPU
+ *
+ * Level and pattern are the same all over a face: vertices of a pattern know its number, and a
+ * table has a colour for each. Tags are interpolated and looked up per fragment. Nothing here
+ * depends on which faces are drawn. Private to the module.
+ */
+#ifndef vtkRefinementFaceColors_h
+#define vtkRefinementFaceColors_h
+
+#include "vtkRefinementBuffer.h"     // for members
+#include "vtkRefinementColorTable.h" // for members
+#include "vtkRefinementLevelTable.h" // for RefinementColorMode
+#include "vtkType.h"                 // for vtkMTimeType
+
+#include <vector> // for patterns
+
+class vtkAdaptiveRefinement;
+class vtkPolyData;
+class vtkScalarsToColors;
+struct vtkRefinementPattern;
+
+namespace relevo
+{
+class RefinementMesh;
+class RefinementPatternBuffer;
+class ViewSelection;
+
+class RefinementFaceColors
+{
+public:
+  /**
+   * Have the colours of these patterns; by level, or by pattern (of whole numbers of segments, or
+   * powers of two).
+   */
+  bool UploadPatterns(vtkOpenGLRenderWindow* window, RefinementColorMode mode, bool wholeNumbers,
+    const RefinementPatternBuffer& patterns, vtkScalarsToColors* table);
+
+  /**
+   * Have the tags of a selection; `offset` is added to them, and they end at `highest`.
+   */
+  bool UploadTags(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh,
+    const ViewSelection& selection, double offset, int highest, vtkScalarsToColors* table);
+
+  void Activate(vtkShaderProgram* program);
+  void Deactivate();
+  vtkTypeInt64 GetMemorySize() const;
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  RefinementBuffer PatternColors;
+  RefinementBuffer Tags;
+  RefinementColorTable Table;
+  bool PerEdge = false;
+  float Offset = 0.0f;
+  float Highest = 0.0f;
+
+  // What the buffers were made of.
+  std::vector<vtkMTimeType> PatternTimes;
+  std::vector<vtkMTimeType> TagTimes;
+  std::vector<vtkMTimeType> TableTimes;
+};
+}
+
+#endif

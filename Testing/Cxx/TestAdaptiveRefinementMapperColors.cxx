@@ -1,0 +1,523 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Faces coloured by level, pattern and tag: against the levels of vtkDepthTagFilter, tags worked
+// out here, and the colours that a legend of the same table shows.
+#include "RelevoScene.h"
+#include "RelevoTestMeshes.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCell.h"
+#include "vtkCellData.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkDepthTagFilter.h"
+#include "vtkDistanceDepthTagMetric.h"
+#include "vtkLookupTable.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkRefinementPatternTable.h"
+#include "vtkRefinementView.h"
+#include "vtkScalarBarActor.h"
+#include "vtkSurfaceEdges.h"
+#include "vtkTriangleFilter.h"
+
+#include <array>
+#include <set>
+
+namespace
+{
+using namespace RelevoMeshes;
+
+using Color = std::array<int, 3>;
+using Weights = std::array<double, 3>;
+
+constexpr int MaximumLevel = 4;
+
+Color GetColor(vtkScalarsToColors* table, double value)
+{
+  const unsigned char* rgb = table->MapValue(value);
+  return { { rgb[0], rgb[1], rgb[2] } };
+}
+
+bool IsNear(const Color& a, const Color& b, int tolerance)
+{
+  return std::abs(a[0] - b[0]) <= tolerance && std::abs(a[1] - b[1]) <= tolerance &&
+    std::abs(a[2] - b[2]) <= tolerance;
+}
+
+// A plane without lights, seen askew from near by, with levels by distance.
+struct View
+{
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkAdaptiveRefinementMapper> Mapper;
+  vtkNew<vtkAdaptiveRefinement> Recipe;
+  vtkNew<vtkDistanceDepthTagMetric> Metric;
+  Mesh Plane;
+  std::unique_ptr<RelevoPicture> Picture;
+
+  View()
+  {
+    vtkNew<vtkTriangleFilter> triangles;
+    triangles->SetInputData(RelevoMeshes::Plane(7, 6));
+    triangles->Update();
+    this->Plane = triangles->GetOutput();
+    this->Metric->SetMaximumDistance(1.6);
+    this->Recipe->SetMetric(this->Metric);
+    this->Recipe->SetMaximumLevel(MaximumLevel);
+    this->Mapper->SetRefinement(this->Recipe);
+    this->Mapper->SetSelectionDevice(RelevoScene::GetSelectionDevice());
+    this->Mapper->SetInputDataObject(this->Plane);
+    this->Actor->SetMapper(this->Mapper);
+    this->Actor->GetProperty()->LightingOff();
+    this->Renderer->AddActor(this->Actor);
+    this->Renderer->SetBackground(0.25, 0.25, 0.25);
+    this->Window->SetMultiSamples(0);
+    this->Window->SetSize(400, 400);
+    this->Window->AddRenderer(this->Renderer);
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    camera->SetPosition(0.2, -0.9, 0.7);
+    camera->SetFocalPoint(0.0, 0.0, 0.0);
+    this->Renderer->ResetCameraClippingRange();
+  }
+
+  void Render()
+  {
+    this->Window->Render();
+    this->Picture = std::make_unique<RelevoPicture>(this->Window);
+  }
+
+  // The colour at a point of a face; false where the face is too small to tell.
+  bool GetColorAt(vtkIdType face, const Weights& weights, Color& color)
+  {
+    double corners[3][3];
+    double display[3][2];
+    double point[3] = { 0.0, 0.0, 0.0 };
+    for (int i = 0; i < 3; ++i)
+    {
+      this->Plane->GetPoint(this->Plane->GetCell(face)->GetPointId(i), corners[i]);
+      for (int c = 0; c < 3; ++c)
+      {
+        point[c] += weights[i] * corners[i][c];
+      }
+      this->Project(corners[i], display[i]);
+    }
+    const double area = std::abs((display[1][0] - display[0][0]) * (display[2][1] - display[0][1]) -
+      (display[2][0] - display[0][0]) * (display[1][1] - display[0][1]));
+    double pixel[2];
+    this->Project(point, pixel);
+    const int x = static_cast<int>(pixel[0]);
+    const int y = static_cast<int>(pixel[1]);
+    if (area < 200.0 || x < 0 || y < 0 || x >= this->Picture->Size[0] ||
+      y >= this->Picture->Size[1])
+    {
+      return false;
+    }
+    const unsigned char* rgb =
+      &this->Picture->Colors[3 * (static_cast<size_t>(y) * this->Picture->Size[0] + x)];
+    color = { { rgb[0], rgb[1], rgb[2] } };
+    return true;
+  }
+
+  std::set<Color> GetColors() const
+  {
+    std::set<Color> colors;
+    for (size_t i = 0; i < this->Picture->GetNumberOfPixels(); ++i)
+    {
+      const unsigned char* rgb = &this->Picture->Colors[3 * i];
+      colors.insert({ { rgb[0], rgb[1], rgb[2] } });
+    }
+    return colors;
+  }
+
+private:
+  void Project(const double point[3], double display[2])
+  {
+    this->Renderer->SetWorldPoint(point[0], point[1], point[2], 1.0);
+    this->Renderer->WorldToDisplay();
+    std::copy_n(this->Renderer->GetDisplayPoint(), 2, display);
+  }
+};
+
+// Levels as vtkDepthTagFilter gives them.
+std::array<int, 3> GetLevels(View& view, vtkIdType face)
+{
+  vtkNew<vtkDepthTagFilter> filter;
+  filter->SetInputData(view.Plane);
+  filter->SetMetric(view.Metric);
+  filter->SetMaximumLevel(MaximumLevel);
+  filter->SetLevelRule(view.Recipe->GetLevelRule());
+  filter->SetCamera(view.Renderer->GetActiveCamera());
+  filter->SetViewportSize(view.Renderer->GetSize());
+  filter->Update();
+  vtkDataArray* array = filter->GetOutput()->GetCellData()->GetArray("EdgeLevels");
+  std::array<int, 3> levels;
+  for (int e = 0; e < 3; ++e)
+  {
+    levels[e] = static_cast<int>(array->GetComponent(face, e));
+  }
+  return levels;
+}
+
+// Colours of the faces by the levels of their edges.
+void CheckFaces(RelevoCheck& check, View& view,
+  const std::function<double(const std::array<int, 3>&)>& getValue, size_t atLeast)
+{
+  view.Render();
+  std::set<double> values;
+  int faces = 0;
+  for (vtkIdType f = 0; f < view.Plane->GetNumberOfCells(); ++f)
+  {
+    Color color{};
+    if (view.GetColorAt(f, { { 0.3, 0.3, 0.4 } }, color))
+    {
+      const double value = getValue(GetLevels(view, f));
+      CHECK(IsNear(color, GetColor(view.Mapper->GetLevelLookupTable(), value), 1));
+      values.insert(value);
+      ++faces;
+    }
+  }
+  CHECK(faces > 20);
+  CHECK(values.size() >= atLeast);
+}
+
+void TestLevels(RelevoCheck& check)
+{
+  View view;
+  view.Mapper->SetColorModeToLevel();
+  const auto highest = [](const std::array<int, 3>& levels) {
+    return std::max({ levels[0], levels[1], levels[2] });
+  };
+  CheckFaces(check, view, highest, 3);
+  CHECK(view.Mapper->GetLevelLookupTable()->GetNumberOfAnnotatedValues() == MaximumLevel + 1);
+  view.Recipe->GeomorphingOn();
+  CheckFaces(check, view, highest, 3);
+  view.Recipe->SetLevelRuleToPerEdge();
+  CheckFaces(check, view, highest, 3);
+  view.Recipe->GeomorphingOff();
+  CheckFaces(check, view, highest, 3);
+
+  // With scalars of its own, of either kind; with the camera elsewhere.
+  vtkNew<vtkFloatArray> values;
+  for (vtkIdType i = 0; i < view.Plane->GetNumberOfCells(); ++i)
+  {
+    values->InsertNextValue(static_cast<float>(i % 7));
+  }
+  view.Plane->GetCellData()->SetScalars(values);
+  CheckFaces(check, view, highest, 3);
+  view.Renderer->GetActiveCamera()->Azimuth(40.0);
+  CheckFaces(check, view, highest, 3);
+  view.Plane->GetCellData()->SetScalars(nullptr);
+  values->SetNumberOfTuples(view.Plane->GetNumberOfPoints());
+  view.Plane->GetPointData()->SetScalars(values);
+  CheckFaces(check, view, highest, 3);
+  view.Mapper->SetInterpolateScalarsBeforeMapping(true);
+  CheckFaces(check, view, highest, 3);
+
+  // A table of the user's.
+  vtkNew<vtkColorTransferFunction> table;
+  table->AddRGBPoint(0.0, 1.0, 0.0, 0.0);
+  table->AddRGBPoint(MaximumLevel, 0.0, 1.0, 0.5);
+  view.Mapper->SetLevelLookupTable(table);
+  CHECK(view.Mapper->GetLevelLookupTable() == table);
+  CheckFaces(check, view, highest, 3);
+  table->AddRGBPoint(2.0, 0.0, 0.0, 1.0);
+  CheckFaces(check, view, highest, 3);
+}
+
+void TestPatterns(RelevoCheck& check)
+{
+  View view;
+  view.Mapper->SetColorModeToPattern();
+  const auto index = [](std::array<int, 3> levels)
+  {
+    vtkRefinementPatternTable::Canonicalize(levels.data());
+    return vtkRefinementPatternTable::GetPatternIndex(levels[0], levels[1], levels[2]);
+  };
+  for (int geomorphing : { 0, 1 })
+  {
+    view.Recipe->SetGeomorphing(geomorphing);
+    CheckFaces(check, view, index, 6);
+  }
+  vtkScalarsToColors* table = view.Mapper->GetLevelLookupTable();
+  const int count = (MaximumLevel + 1) * (MaximumLevel + 2) * (MaximumLevel + 3) / 6;
+  CHECK(table->GetNumberOfAnnotatedValues() == count);
+  CHECK(table->GetAnnotation(vtkRefinementPatternTable::GetPatternIndex(3, 2, 0)) == "[3, 2, 0]");
+  std::set<Color> colors;
+  for (int i = 0; i < count; ++i)
+  {
+    colors.insert(GetColor(table, i));
+  }
+  CHECK(static_cast<int>(colors.size()) == count);
+}
+
+// Edges of 2^tag segments, rounded: 12 segments are of level 4, as 16 are.
+void TestWholeNumbers(RelevoCheck& check)
+{
+  for (float tag : { 0.0f, 1.0f, 1.6f, 2.3f, 3.0f, 3.6f, 4.0f })
+  {
+    View view;
+    vtkNew<vtkFloatArray> tags;
+    tags->SetName("DepthTag");
+    tags->SetNumberOfTuples(view.Plane->GetNumberOfPoints());
+    tags->FillValue(tag);
+    view.Plane->GetPointData()->AddArray(tags);
+    view.Recipe->SetSegmentPolicyToWholeNumbers();
+    const int segments = static_cast<int>(std::floor(std::exp2(tag) + 0.5));
+    const int level = static_cast<int>(std::ceil(std::log2(segments)));
+    view.Mapper->SetColorModeToLevel();
+    CheckFaces(
+      check, view, [&](const std::array<int, 3>&) { return level; }, 1);
+    view.Mapper->SetColorModeToPattern();
+    const int step = segments - 1;
+    const int index = vtkRefinementPatternTable::GetPatternIndex(step, step, step);
+    CheckFaces(
+      check, view, [&](const std::array<int, 3>&) { return index; }, 1);
+    const std::string number = std::to_string(segments);
+    CHECK(view.Mapper->GetLevelLookupTable()->GetAnnotation(index) ==
+      "[" + number + ", " + number + ", " + number + "]");
+  }
+}
+
+// Tags between the points of a face are linear; those of edges hold along the edge.
+void TestTags(RelevoCheck& check)
+{
+  View view;
+  view.Mapper->SetColorModeToMetric();
+  const int tolerance = 4; // of colours: a pixel's centre is not quite the point
+  vtkRefinementView eye;
+  eye.Camera = view.Renderer->GetActiveCamera();
+  std::copy_n(view.Renderer->GetSize(), 2, eye.ViewportSize);
+  for (double offset : { 0.0, 0.75 })
+  {
+    for (int geomorphing : { 0, 1 })
+    {
+      view.Recipe->SetLevelOffset(offset);
+      view.Recipe->SetGeomorphing(geomorphing);
+      view.Recipe->SetLevelRuleToPerVertex();
+      view.Render();
+      vtkScalarsToColors* table = view.Mapper->GetLevelLookupTable();
+      CHECK(table->GetRange()[0] == 0.0 && table->GetRange()[1] == MaximumLevel);
+      vtkNew<vtkFloatArray> tags;
+      view.Metric->ComputeTags(view.Plane, eye, MaximumLevel, tags);
+      const auto expect = [&](double tag)
+      { return GetColor(table, std::min(std::max(tag + offset, 0.0), double(MaximumLevel))); };
+      int points = 0;
+      for (vtkIdType f = 0; f < view.Plane->GetNumberOfCells(); ++f)
+      {
+        for (const Weights& w : { Weights{ { 0.6, 0.2, 0.2 } }, Weights{ { 0.1, 0.3, 0.6 } } })
+        {
+          double tag = 0.0;
+          for (int i = 0; i < 3; ++i)
+          {
+            tag += w[i] * tags->GetValue(view.Plane->GetCell(f)->GetPointId(i));
+          }
+          Color color{};
+          if (view.GetColorAt(f, w, color))
+          {
+            CHECK(IsNear(color, expect(tag), tolerance));
+            ++points;
+          }
+        }
+      }
+      CHECK(points > 40);
+
+      view.Recipe->SetLevelRuleToPerEdge();
+      view.Render();
+      relevo::SurfaceEdges edges;
+      edges.Update(view.Plane);
+      view.Metric->ComputeEdgeTags(view.Plane, eye, MaximumLevel, edges, tags);
+      points = 0;
+      for (vtkIdType f = 0; f < view.Plane->GetNumberOfCells(); ++f)
+      {
+        for (int e = 0; e < 3; ++e)
+        {
+          for (double t : { 0.3, 0.5, 0.7 })
+          {
+            Weights w{ { 0.005, 0.005, 0.005 } }; // hardly inside
+            w[e] = 0.995 * t;
+            w[(e + 1) % 3] = 0.995 * (1.0 - t);
+            vtkCell* cell = view.Plane->GetCell(f);
+            const int edge = edges.FindEdge(cell->GetPointId(e), cell->GetPointId((e + 1) % 3));
+            bool open = false; // half of its pixels show the background
+            edges.ForEachSides(edge,
+              [&](int i) { open = edges.GetSides()[i].Type == relevo::SurfaceEdgeSides::OPEN; });
+            Color color{};
+            if (!open && view.GetColorAt(f, w, color))
+            {
+              CHECK(IsNear(color, expect(tags->GetValue(edge)), 3 * tolerance));
+              ++points;
+            }
+          }
+        }
+      }
+      CHECK(points > 100);
+    }
+  }
+
+  // Neither metric nor array: the highest level.
+  view.Recipe->SetMetric(nullptr);
+  view.Recipe->SetLevelOffset(-1.0);
+  view.Render();
+  const Color expected = GetColor(view.Mapper->GetLevelLookupTable(), MaximumLevel - 1);
+  for (vtkIdType f = 0; f < view.Plane->GetNumberOfCells(); ++f)
+  {
+    Color color{};
+    CHECK(!view.GetColorAt(f, { { 0.3, 0.3, 0.4 } }, color) || IsNear(color, expected, tolerance));
+  }
+}
+
+// VTK's modes, and its own shading once more.
+void TestModes(RelevoCheck& check)
+{
+  View view;
+  vtkNew<vtkFloatArray> values;
+  for (vtkIdType i = 0; i < view.Plane->GetNumberOfPoints(); ++i)
+  {
+    values->InsertNextValue(static_cast<float>(i % 5));
+  }
+  view.Plane->GetPointData()->SetScalars(values);
+  view.Actor->GetProperty()->LightingOn();
+  view.Render();
+  const std::vector<unsigned char> scalars = view.Picture->Colors;
+  CHECK(view.Mapper->GetRefinementColorMode() == vtkAdaptiveRefinementMapper::COLOR_BY_SCALARS);
+  const auto isBack = [&]
+  {
+    view.Render();
+    return view.Picture->Colors == scalars;
+  };
+  view.Mapper->SetColorModeToLevel();
+  CHECK(!isBack());
+  view.Mapper->SetColorModeToScalars();
+  CHECK(isBack());
+  view.Mapper->SetColorModeToPattern();
+  CHECK(!isBack());
+  static_cast<vtkMapper*>(view.Mapper)->SetColorModeToMapScalars();
+  CHECK(view.Mapper->GetColorMode() == VTK_COLOR_MODE_MAP_SCALARS);
+  CHECK(isBack());
+  view.Mapper->SetColorModeToMetric();
+  CHECK(!isBack());
+  static_cast<vtkMapper*>(view.Mapper)->SetColorModeToDefault();
+  CHECK(isBack());
+
+  // Another mapper takes the mode over.
+  view.Mapper->SetColorModeToLevel();
+  vtkNew<vtkAdaptiveRefinementMapper> copy;
+  copy->ShallowCopy(view.Mapper);
+  CHECK(copy->GetRefinementColorMode() == vtkAdaptiveRefinementMapper::COLOR_BY_LEVEL);
+  CHECK(!isBack());
+  const std::vector<unsigned char> levels = view.Picture->Colors;
+  view.Actor->SetMapper(copy);
+  view.Render();
+  CHECK(view.Picture->Colors == levels);
+
+  // The colours are lit and translucent as VTK's are.
+  vtkNew<vtkLookupTable> grey;
+  grey->SetNumberOfTableValues(1);
+  grey->SetTableValue(0, 0.6, 0.6, 0.6);
+  copy->SetLevelLookupTable(grey);
+  for (double opacity : { 1.0, 0.4 })
+  {
+    view.Actor->GetProperty()->SetOpacity(opacity);
+    view.Render();
+    const std::vector<unsigned char> tinted = view.Picture->Colors;
+    copy->ScalarVisibilityOff();
+    copy->SetColorModeToScalars();
+    view.Actor->GetProperty()->SetColor(0.6, 0.6, 0.6);
+    view.Render();
+    CHECK(view.Picture->Colors == tinted);
+    copy->ScalarVisibilityOn();
+    copy->SetColorModeToLevel();
+  }
+}
+
+// Only colours of the table are drawn: wireframe, edges, vertices, blocks; and those of a legend.
+void TestPictures(RelevoCheck& check)
+{
+  View view;
+  view.Mapper->SetColorModeToLevel();
+  std::set<Color> allowed = { { { 64, 64, 64 } } };
+  for (int level = 0; level <= MaximumLevel; ++level)
+  {
+    allowed.insert(GetColor(view.Mapper->GetLevelLookupTable(), level));
+  }
+  const auto hasOnly = [&](const std::set<Color>& colors)
+  {
+    view.Render();
+    const std::set<Color> drawn = view.GetColors();
+    return drawn.size() > 3 &&
+      std::all_of(drawn.begin(), drawn.end(),
+        [&](const Color& color)
+        {
+          return std::any_of(colors.begin(), colors.end(),
+            [&](const Color& other) { return IsNear(color, other, 1); });
+        });
+  };
+  CHECK(hasOnly(allowed));
+  view.Actor->GetProperty()->SetRepresentationToWireframe();
+  CHECK(hasOnly(allowed));
+  view.Recipe->GeomorphingOn();
+  CHECK(hasOnly(allowed));
+  view.Actor->GetProperty()->SetRepresentationToPoints();
+  CHECK(hasOnly(allowed));
+  view.Actor->GetProperty()->SetRepresentationToSurface();
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, view.Plane);
+  view.Mapper->SetInputDataObject(blocks);
+  CHECK(hasOnly(allowed));
+  view.Mapper->SetColorModeToScalars();
+  CHECK(!hasOnly(allowed));
+  view.Mapper->SetColorModeToLevel();
+  CHECK(hasOnly(allowed));
+  const size_t numberOfColors = view.GetColors().size();
+
+  // The legend alone has all of the picture's colours.
+  vtkNew<vtkScalarBarActor> legend;
+  legend->SetLookupTable(view.Mapper->GetLevelLookupTable());
+  view.Renderer->AddActor2D(legend);
+  const std::set<Color> picture = view.GetColors();
+  view.Actor->VisibilityOff();
+  view.Render();
+  const std::set<Color> shown = view.GetColors();
+  CHECK(picture.size() == numberOfColors);
+  CHECK(std::includes(shown.begin(), shown.end(), picture.begin(), picture.end()));
+}
+
+// Levels follow the camera without a new shader.
+void TestCamera(RelevoCheck& check)
+{
+  for (int mode : { 1, 2, 3 })
+  {
+    View view;
+    mode == 1       ? view.Mapper->SetColorModeToLevel()
+      : (mode == 2) ? view.Mapper->SetColorModeToPattern()
+                    : view.Mapper->SetColorModeToMetric();
+    std::set<void*> programs;
+    vtkNew<vtkCallbackCommand> command;
+    command->SetClientData(&programs);
+    command->SetCallback([](vtkObject*, unsigned long, void* client, void* program)
+      { static_cast<std::set<void*>*>(client)->insert(program); });
+    view.Mapper->AddObserver(vtkCommand::UpdateShaderEvent, command);
+    for (int i = 0; i < 4; ++i)
+    {
+      view.Render();
+      view.Renderer->GetActiveCamera()->Azimuth(20.0);
+      view.Renderer->GetActiveCamera()->Zoom(1.1);
+    }
+    CHECK(view.Mapper->GetNumberOfSelections() == 4);
+    CHECK(programs.size() == 1);
+  }
+}
+}
+
+int TestAdaptiveRefinementMapperColors(int, char*[])
+{
+  RelevoCheck check;
+  TestLevels(check);
+  TestPatterns(check);
+  TestWholeNumbers(check);
+  TestTags(check);
+  TestModes(check);
+  TestPictures(check);
+  TestCamera(check);
+  return check.GetResult();
+}
