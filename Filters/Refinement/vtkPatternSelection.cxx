@@ -61,13 +61,16 @@ void PatternSelection::SelectFaces(const RefinementMesh& mesh, const PatternFami
   float offset, int maximumLevel, const GetTags& getTags, const GetStep& getStep)
 {
   const bool morphing = family.IsMorphing();
+  const RefinementFace* faces = mesh.Faces.data();
+  unsigned int* entries = this->Entries.data();
+  float* allMorphTags = this->MorphTags.data();
   ForEachChunk(static_cast<vtkIdType>(this->Counts.size()), this->GetNumberOfFaces(),
     [&](vtkIdType chunk, vtkIdType begin, vtkIdType end)
     {
       int* counts = this->Counts[chunk].data();
       for (vtkIdType f = begin; f < end; ++f)
       {
-        const RefinementFace& face = mesh.Faces[f];
+        const RefinementFace& face = faces[f];
         float tags[3];
         getTags(f, face, tags);
         int steps[3];
@@ -77,11 +80,15 @@ void PatternSelection::SelectFaces(const RefinementMesh& mesh, const PatternFami
           steps[e] = getStep(tags[e]);
         }
         const unsigned int entry = family.GetEntry(face.Order, steps[0], steps[1], steps[2]);
-        this->Entries[f] = entry;
+        entries[f] = entry;
         ++counts[entry >> 3];
         if (morphing)
         {
-          std::copy_n(tags, 3, &this->MorphTags[3 * f]);
+          // One by one: a copy of all three waits for each of them to be stored.
+          float* morphTags = allMorphTags + 3 * f;
+          morphTags[0] = tags[0];
+          morphTags[1] = tags[1];
+          morphTags[2] = tags[2];
         }
       }
     });
