@@ -52,6 +52,7 @@ bool EdgeTags::Compute(vtkAdaptiveRefinement* recipe, vtkPolyData* input,
   const RefinementMesh& mesh, const vtkRefinementView& view, std::string& error)
 {
   this->Kind = UNIFORM;
+  this->Shader.Source = nullptr;
   if (vtkAbstractArray* array = FindDepthTagArray(recipe, input))
   {
     vtkDataArray* numbers = vtkDataArray::SafeDownCast(array);
@@ -96,29 +97,59 @@ bool EdgeTags::Compute(vtkAdaptiveRefinement* recipe, vtkPolyData* input,
   return true;
 }
 
+bool EdgeTags::ComputeOrDescribe(vtkAdaptiveRefinement* recipe, vtkPolyData* input,
+  const RefinementMesh& mesh, const vtkRefinementView& view, std::string& error)
+{
+  this->Shader.Source = nullptr;
+  vtkDepthTagMetric* metric = GetMetricInUse(recipe, input);
+  if (metric &&
+    !metric->GetShader(input, view, recipe->GetMaximumLevel(), mesh.Origin, this->Shader))
+  {
+    error = std::string(metric->GetClassName()) + " gave no depth-tags";
+    return false;
+  }
+  if (!this->Shader.Source)
+  {
+    return this->Compute(recipe, input, mesh, view, error);
+  }
+  const bool perEdge = recipe->GetLevelRule() == vtkDepthTagMetric::PER_EDGE;
+  this->Kind = perEdge ? PER_EDGE : PER_POINT;
+  this->Values->Reset();
+  if (perEdge || !this->Shader.TagsPoints)
+  {
+    this->BuildEdges(input, mesh);
+  }
+  return true;
+}
+
+void EdgeTags::BuildEdges(vtkPolyData* input, const RefinementMesh& mesh)
+{
+  if (this->Edges)
+  {
+    return;
+  }
+  this->Edges = std::make_unique<SurfaceEdges>();
+  this->Edges->Update(input);
+  this->FaceEdges.resize(3 * mesh.Faces.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(mesh.Faces.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType f = begin; f < end; ++f)
+      {
+        const int* corners = mesh.Faces[f].Corners;
+        for (int e = 0; e < 3; ++e)
+        {
+          this->FaceEdges[3 * f + e] = static_cast<int>(this->Edges->FindEdge(
+            mesh.GetPlace(corners[EdgeCorners[e][0]]), mesh.GetPlace(corners[EdgeCorners[e][1]])));
+        }
+      }
+    });
+}
+
 bool EdgeTags::ComputePerEdge(vtkDepthTagMetric* metric, vtkPolyData* input,
   const RefinementMesh& mesh, const vtkRefinementView& view, int maximumLevel)
 {
-  if (!this->Edges)
-  {
-    this->Edges = std::make_unique<SurfaceEdges>();
-    this->Edges->Update(input);
-    this->FaceEdges.resize(3 * mesh.Faces.size());
-    vtkSMPTools::For(0, static_cast<vtkIdType>(mesh.Faces.size()),
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType f = begin; f < end; ++f)
-        {
-          const int* corners = mesh.Faces[f].Corners;
-          for (int e = 0; e < 3; ++e)
-          {
-            this->FaceEdges[3 * f + e] =
-              static_cast<int>(this->Edges->FindEdge(mesh.GetPlace(corners[EdgeCorners[e][0]]),
-                mesh.GetPlace(corners[EdgeCorners[e][1]])));
-          }
-        }
-      });
-  }
+  this->BuildEdges(input, mesh);
   return metric->ComputeEdgeTags(input, view, maximumLevel, *this->Edges, this->Values);
 }
 

@@ -14,6 +14,7 @@
 #define vtkEdgeTags_h
 
 #include "RelevoFiltersRefinementModule.h" // for export macro
+#include "vtkMetricShader.h"               // for Shader
 #include "vtkNew.h"                        // for Values
 #include "vtkType.h"                       // for vtkIdType
 
@@ -55,6 +56,19 @@ public:
   bool Compute(vtkAdaptiveRefinement* recipe, vtkPolyData* input, const RefinementMesh& mesh,
     const vtkRefinementView& view, std::string& error);
 
+  /**
+   * The same for a GPU: a metric that shaders can evaluate is only described by GetShader(), and
+   * there are no values.
+   */
+  bool ComputeOrDescribe(vtkAdaptiveRefinement* recipe, vtkPolyData* input,
+    const RefinementMesh& mesh, const vtkRefinementView& view, std::string& error);
+
+  /// The metric to evaluate, by the rule of GetKind(); nullptr where there are values.
+  const MetricShader* GetShader() const { return this->Shader.Source ? &this->Shader : nullptr; }
+
+  /// The edges of the mesh; per edge, and for metrics that only edges have tags of.
+  const SurfaceEdges* GetEdges() const { return this->Edges.get(); }
+
   /// Forget the mesh.
   void Reset();
 
@@ -68,6 +82,7 @@ public:
   const std::vector<int>& GetFaceEdges() const { return this->FaceEdges; }
 
 private:
+  void BuildEdges(vtkPolyData* input, const RefinementMesh& mesh);
   bool ComputePerEdge(vtkDepthTagMetric* metric, vtkPolyData* input, const RefinementMesh& mesh,
     const vtkRefinementView& view, int maximumLevel);
   bool CheckValues(vtkIdType expected, const std::string& source, std::string& error);
@@ -76,6 +91,7 @@ private:
   vtkNew<vtkFloatArray> Values;
   std::unique_ptr<SurfaceEdges> Edges;
   std::vector<int> FaceEdges;
+  MetricShader Shader;
 };
 
 /**

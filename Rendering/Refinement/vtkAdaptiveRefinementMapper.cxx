@@ -412,7 +412,7 @@ bool vtkAdaptiveRefinementMapper::UpdateMesh()
 bool vtkAdaptiveRefinementMapper::SelectsOnGPU()
 {
   const vtkInternals& data = *this->Internals;
-  return data.ComputeValid &&
+  return data.ComputeValid && this->RefinementColorMode != COLOR_BY_METRIC &&
     relevo::RefinementComputeState::CanChooseFrom(
       relevo::GetPatternFamily(this->Refinement, this->GetInput()));
 }
@@ -696,6 +696,10 @@ void vtkAdaptiveRefinementMapper::ReleaseGraphicsResources(vtkWindow* window)
   data.Colors.ReleaseGraphicsResources(window);
   data.Compute.ReleaseGraphicsResources();
   data.FaceColors.ReleaseGraphicsResources(window);
+  if (data.OnGPU)
+  {
+    data.State.ForgetLevels(); // what a metric gave for the GPU may be gone
+  }
   data.Faces.ReleaseGraphicsResources(window);
   data.Vertices.ReleaseGraphicsResources(window);
   data.Programs.clear();

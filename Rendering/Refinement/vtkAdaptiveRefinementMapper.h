@@ -97,11 +97,16 @@ public:
    * the CPU does it. SELECTION_DEVICE_AUTOMATIC (0, the default): on the GPU where OpenGL has 4.3
    * and is not a program on the CPU itself (llvmpipe, softpipe, swr), which is slower at it.
    *
-   * Levels are the same from both for the same depth-tags. The order in which the faces of a
-   * pattern are drawn is not defined on the GPU. Whole numbers of segments
-   * (vtkAdaptiveRefinement::SetSegmentPolicy()) are left to the CPU: their tables are too large. On
-   * the GPU all patterns up to MaximumLevel are loaded with the first picture. Another value is an
-   * error and changes nothing.
+   * Metrics of the view that are functions of a shader (by distance, by edges on the screen, by the
+   * angle of normals, view-dependent) are evaluated on the GPU, too; what others give is uploaded.
+   * Levels are the same from both for the same depth-tags. Depth-tags are the same as far as the
+   * driver rounds quotients and square roots as IEEE 754 demands; where it does not, an edge whose
+   * tag is halfway between two levels may get the other. The order in which the faces of a
+   * pattern are drawn is not defined on the GPU. On the GPU all patterns up to MaximumLevel are
+   * loaded with the first picture. Another value is an error and changes nothing.
+   *
+   * Left to the CPU: whole numbers of segments (vtkAdaptiveRefinement::SetSegmentPolicy()), whose
+   * tables are too large, and faces coloured by the metric, whose tags the CPU must have.
    */
   void SetSelectionDevice(int device);
   vtkGetMacro(SelectionDevice, int);

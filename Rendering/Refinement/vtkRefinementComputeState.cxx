@@ -20,6 +20,8 @@ namespace relevo
 {
 namespace
 {
+constexpr const char* TooLarge = "the mesh is larger than the storage buffers of this OpenGL";
+
 // The steps of powers of two are levels.
 bool IsWithin(const std::array<unsigned char, 3>& steps, int maximumLevel)
 {
@@ -150,6 +152,10 @@ bool RefinementComputeState::UpdateMesh(const RefinementMesh& mesh, vtkMTimeType
   {
     return this->Fail(this->Selector.GetError());
   }
+  if (!this->Tags.UploadMesh(mesh))
+  {
+    return this->Fail(this->Tags.GetError());
+  }
   this->MeshTime = time;
   return true;
 }
@@ -206,29 +212,39 @@ bool RefinementComputeState::UpdatePatterns(const PatternFamily& family,
   return true;
 }
 
-bool RefinementComputeState::UploadTags(const EdgeTags& tags)
+bool RefinementComputeState::UpdateTags(const EdgeTags& tags)
 {
   if (tags.GetKind() == EdgeTags::PER_EDGE && this->FaceEdgesTime != this->MeshTime)
   {
     if (!this->FaceEdges.Upload(tags.GetFaceEdges()))
     {
-      return false;
+      return this->Fail(TooLarge);
     }
     this->FaceEdgesTime = this->MeshTime;
   }
-  return this->Tags.Upload(
-    tags.GetValues(), sizeof(float) * static_cast<size_t>(tags.GetNumberOfValues()));
+  const MetricShader* shader = tags.GetShader();
+  if (!shader)
+  {
+    return this->Values.Upload(
+             tags.GetValues(), sizeof(float) * static_cast<size_t>(tags.GetNumberOfValues())) ||
+      this->Fail(TooLarge);
+  }
+  const bool perEdge = tags.GetKind() == EdgeTags::PER_EDGE;
+  const bool needsEdges = perEdge || !shader->TagsPoints;
+  return ((!needsEdges || this->Tags.UploadEdges(*tags.GetEdges())) &&
+           this->Tags.Evaluate(*shader, perEdge)) ||
+    this->Fail(this->Tags.GetError());
 }
 
 bool RefinementComputeState::Select(
   View& view, const EdgeTags& tags, float offset, const Targets& targets)
 {
-  if (!this->UploadTags(tags))
+  if (!this->UpdateTags(tags))
   {
-    return this->Fail("the mesh is larger than the storage buffers of this OpenGL");
+    return false;
   }
   RefinementComputeSelector::Tags input = { RefinementComputeSelector::UNIFORM,
-    this->Tags.GetHandle(), targets.Faces, 4, offset };
+    tags.GetShader() ? this->Tags.GetTags() : this->Values.GetHandle(), targets.Faces, 4, offset };
   if (tags.GetKind() == EdgeTags::PER_POINT)
   {
     input.Kind = RefinementComputeSelector::PER_POINT;
@@ -296,8 +312,8 @@ std::vector<int> RefinementComputeState::ReadCounts(int slot)
 
 vtkTypeInt64 RefinementComputeState::GetMemorySize() const
 {
-  vtkTypeInt64 size =
-    this->Selector.GetMemorySize() + this->Tags.GetMemorySize() + this->FaceEdges.GetMemorySize();
+  vtkTypeInt64 size = this->Selector.GetMemorySize() + this->Tags.GetMemorySize() +
+    this->Values.GetMemorySize() + this->FaceEdges.GetMemorySize();
   for (const auto& view : this->Views)
   {
     size += view.second.Selection.GetMemorySize();
@@ -309,6 +325,7 @@ void RefinementComputeState::ReleaseGraphicsResources()
 {
   this->Selector.ReleaseGraphicsResources();
   this->Tags.ReleaseGraphicsResources();
+  this->Values.ReleaseGraphicsResources();
   this->FaceEdges.ReleaseGraphicsResources();
   for (auto& view : this->Views)
   {

@@ -15,6 +15,7 @@
 #include "RelevoRenderingRefinementModule.h" // for export macro
 #include "vtkRefinementComputeBuffer.h"      // for members
 #include "vtkRefinementComputeSelector.h"    // for members
+#include "vtkRefinementComputeTags.h"        // for members
 #include "vtkRefinementComputeView.h"        // for members
 #include "vtkTimeStamp.h"                    // for members
 
@@ -64,9 +65,10 @@ public:
   };
 
   /**
-   * Bring the selection in a slot up to date. `tags` are those of the time `levelsTime`, with
-   * `offset` added; `camera` is nullptr to draw all faces, and with `behind` faces that face away
-   * from it are hidden. False, with GetError(), when the GPU cannot hold it.
+   * Bring the selection in a slot up to date. `tags`, values or what evaluates them, are those of
+   * the time `levelsTime`, and `offset` is added; `camera` is nullptr to draw all faces, and with
+   * `behind` faces that face away from it are hidden. False, with GetError(), when the GPU cannot
+   * hold it.
    */
   bool UpdateView(vtkOpenGLRenderWindow* window, int slot, const EdgeTags& tags, float offset,
     vtkMTimeType levelsTime, const CullingView* camera, bool behind, const Targets& targets);
@@ -101,11 +103,12 @@ private:
   };
 
   bool Fail(const std::string& error);
-  bool UploadTags(const EdgeTags& tags);
+  bool UpdateTags(const EdgeTags& tags);
   bool Select(View& view, const EdgeTags& tags, float offset, const Targets& targets);
 
   RefinementComputeSelector Selector;
-  RefinementComputeBuffer Tags;
+  RefinementComputeTags Tags;
+  RefinementComputeBuffer Values; // of tags that the CPU has evaluated
   RefinementComputeBuffer FaceEdges;
   std::map<int, View> Views;
 

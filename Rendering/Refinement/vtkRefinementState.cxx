@@ -197,6 +197,14 @@ bool RefinementState::UpdateSelection(vtkPolyData* input, vtkAdaptiveRefinement*
   return valid;
 }
 
+void RefinementState::ForgetLevels()
+{
+  for (ViewSelection& view : this->Views)
+  {
+    view.ForgetLevels();
+  }
+}
+
 void RefinementState::AssignSelection(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
   std::vector<unsigned int> entries, std::vector<float> morphTags)
 {

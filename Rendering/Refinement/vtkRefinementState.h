@@ -51,6 +51,9 @@ public:
   const FaceCulling& GetCulling(vtkAdaptiveRefinement* recipe);
   vtkMTimeType GetCullingTime() const { return this->CullingTime; }
 
+  /// Evaluate levels anew, with the next update.
+  void ForgetLevels();
+
   /// See ViewSelection::Assign().
   void AssignSelection(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
     std::vector<unsigned int> entries, std::vector<float> morphTags);

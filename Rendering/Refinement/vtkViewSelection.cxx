@@ -107,7 +107,10 @@ bool ViewSelection::UpdateLevels(const SelectionInput& input, const vtkRefinemen
     this->TagsMeshTime = input.MeshTime;
     this->Tags.Reset();
   }
-  if (!this->Tags.Compute(input.Recipe, input.Input, *input.Mesh, view, error))
+  const bool tagged = onGPU
+    ? this->Tags.ComputeOrDescribe(input.Recipe, input.Input, *input.Mesh, view, error)
+    : this->Tags.Compute(input.Recipe, input.Input, *input.Mesh, view, error);
+  if (!tagged)
   {
     return false;
   }

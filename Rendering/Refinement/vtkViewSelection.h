@@ -67,6 +67,9 @@ public:
    */
   void UpdateGroups(const CullingInput& culling);
 
+  /// Evaluate levels anew, with the next update.
+  void ForgetLevels() { this->LevelDependencies.clear(); }
+
   const EdgeTags& GetTags() const { return this->Tags; }
   const PatternSelection& GetSelection() const { return this->Selection; }
 

@@ -188,6 +188,20 @@ int TestAdaptiveRefinementMapperCompute(int argc, char* argv[])
       blocks->SetBlock(2, Cone());
       s.Add(blocks, MakeRecipe(4, distance));
     });
+  Compare(check, comparison, "Levels",
+    [&](RelevoScene& s)
+    {
+      s.Add(Sphere(24, 20), MakeRecipe(4, distance));
+      s.GetMapper(0)->SetColorModeToLevel();
+    });
+  Compare(
+    check, comparison, "Tags",
+    [&](RelevoScene& s)
+    {
+      s.Add(Sphere(24, 20), MakeRecipe(4, distance));
+      s.GetMapper(0)->SetColorModeToMetric();
+    },
+    Mapper::SELECTION_DEVICE_CPU);
   Compare(
     check, comparison, "WholeNumbers",
     [&](RelevoScene& s)

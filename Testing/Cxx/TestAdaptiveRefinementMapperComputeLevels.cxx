@@ -33,6 +33,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <numeric>
 
 namespace
 {
@@ -74,21 +75,47 @@ public:
     view.ViewportSize[1] = 600;
     relevo::RefinementMesh mesh;
     relevo::EdgeTags tags;
+    relevo::EdgeTags described;
     std::string error;
-    if (!this->Check.That(
-          mesh.Build(this->Input, recipe) && tags.Compute(recipe, this->Input, mesh, view, error),
+    if (!this->Check.That(mesh.Build(this->Input, recipe) &&
+            tags.Compute(recipe, this->Input, mesh, view, error) &&
+            described.ComputeOrDescribe(recipe, this->Input, mesh, view, error),
           (name + " can be selected").c_str(), __FILE__, __LINE__))
     {
       return;
     }
-    const relevo::PatternFamily& family = relevo::GetPatternFamily(recipe, this->Input);
-    const float offset = static_cast<float>(recipe->GetLevelOffset());
     relevo::PatternSelection selection;
-    selection.Select(mesh, tags, family, recipe->GetPatternTable(), offset);
+    selection.Select(mesh, tags, relevo::GetPatternFamily(recipe, this->Input),
+      recipe->GetPatternTable(), static_cast<float>(recipe->GetLevelOffset()));
+    selection.Group();
+    this->MostGroups = std::max(this->MostGroups, selection.Groups.size());
     relevo::FaceCulling culling;
     culling.Build(mesh, recipe);
     const relevo::CullingView sight(this->Camera, 4.0 / 3.0, view.ModelToWorld, mesh);
+    if (this->Prepare(mesh, culling, recipe))
+    {
+      this->Update(tags, culling, sight, recipe);
+      this->CheckPatterns(name, mesh, selection, recipe, 0.0f);
+      this->CheckHidden(mesh, culling, sight);
+      if (described.GetShader())
+      {
+        ++this->NumberOfShaders;
+        this->Update(described, culling, sight, recipe);
+        this->CheckPatterns(name + ", tags on the GPU", mesh, selection, recipe, 1e-5f);
+      }
+    }
+  }
 
+  /// Comparisons of metrics that the GPU evaluates.
+  int NumberOfShaders = 0;
+
+  /// Of any comparison: where all faces take one pattern there is little to compare.
+  size_t MostGroups = 0;
+
+private:
+  bool Prepare(const relevo::RefinementMesh& mesh, const relevo::FaceCulling& culling,
+    vtkAdaptiveRefinement* recipe)
+  {
     std::vector<int> corners(4 * mesh.Faces.size());
     for (size_t f = 0; f < mesh.Faces.size(); ++f)
     {
@@ -96,30 +123,50 @@ public:
     }
     ++this->Time;
     RelevoCheck& check = this->Check;
-    if (!CHECK(this->Faces.Upload(corners) && this->Instances.Resize(4 * mesh.Faces.size()) &&
-          this->MorphTags.Resize(12 * mesh.Faces.size()) &&
-          this->State.UpdateMesh(mesh, this->Time) &&
-          this->State.UpdateCulling(culling, this->Time) &&
-          this->State.UpdatePatterns(family, recipe->GetPatternTable(), this->Patterns, false)))
+    const bool prepared = CHECK(this->Faces.Upload(corners) &&
+      this->Instances.Resize(4 * mesh.Faces.size()) &&
+      this->MorphTags.Resize(12 * mesh.Faces.size()) && this->State.UpdateMesh(mesh, this->Time) &&
+      this->State.UpdateCulling(culling, this->Time) &&
+      this->State.UpdatePatterns(relevo::GetPatternFamily(recipe, this->Input),
+        recipe->GetPatternTable(), this->Patterns, false));
+    if (!prepared)
     {
       std::cerr << this->State.GetError() << "\n";
-      return;
     }
+    return prepared;
+  }
+
+  void Update(const relevo::EdgeTags& tags, const relevo::FaceCulling& culling,
+    const relevo::CullingView& sight, vtkAdaptiveRefinement* recipe)
+  {
+    ++this->LevelsTime;
     const auto update = [&]()
     {
-      return this->State.UpdateView(this->Window, 0, tags, offset, this->Time, &sight,
+      return this->State.UpdateView(this->Window, 0, tags,
+        static_cast<float>(recipe->GetLevelOffset()), this->LevelsTime, &sight,
         culling.HidesBehind(sight, true),
         { this->Faces.GetHandle(), this->Instances.GetHandle(), this->MorphTags.GetHandle() });
     };
-    CHECK(update());
+    RelevoCheck& check = this->Check;
+    if (!CHECK(update()))
+    {
+      std::cerr << this->State.GetError() << "\n";
+    }
     const vtkMTimeType updated = this->State.GetTime(0);
     CHECK(update());
     CHECK(this->State.GetTime(0) == updated); // nothing had changed
+  }
 
+  // Quotients and square roots may differ in their last bits: then a tag may be rounded to another
+  // level.
+  void CheckPatterns(const std::string& name, const relevo::RefinementMesh& mesh,
+    const relevo::PatternSelection& selection, vtkAdaptiveRefinement* recipe, float tolerance)
+  {
+    const relevo::PatternFamily& family = relevo::GetPatternFamily(recipe, this->Input);
     const std::vector<unsigned int> entries = this->State.ReadEntries(0);
     const std::vector<float> morphTags = this->MorphTags.Read<float>(3 * mesh.Faces.size());
-    int wrong = 0;
-    int wrongTags = 0;
+    size_t wrong = 0;
+    float largest = 0.0f;
     for (size_t f = 0; f < mesh.Faces.size(); ++f)
     {
       const relevo::FacePattern expected = selection.GetFacePattern(static_cast<int>(f));
@@ -127,33 +174,32 @@ public:
       wrong += &family.GetPattern(key, recipe->GetPatternTable()) != expected.Pattern ||
         relevo::PatternFamily::IsMirrored(key) != expected.Mirrored ||
         static_cast<int>(entries[f] & 7u) != expected.Code;
-      wrongTags += expected.MorphTags &&
-        !std::equal(expected.MorphTags, expected.MorphTags + 3, &morphTags[3 * f]);
+      for (size_t e = 0; expected.MorphTags && e < 3; ++e)
+      {
+        largest = std::max(largest, std::abs(expected.MorphTags[e] - morphTags[3 * f + e]));
+      }
     }
-    std::vector<unsigned char> hidden;
-    const int numberOfHidden = culling.FindHidden(sight, true, hidden);
-    int drawn = 0;
-    for (int count : this->State.ReadCounts(0))
-    {
-      drawn += count;
-    }
-    const int difference = static_cast<int>(mesh.Faces.size()) - numberOfHidden - drawn;
-    selection.Group();
     std::cout << name << ": " << mesh.Faces.size() << " faces, " << selection.Groups.size()
-              << " groups, " << numberOfHidden << " hidden; wrong patterns " << wrong
-              << ", wrong morph tags " << wrongTags << ", faces hidden otherwise "
-              << std::abs(difference) << std::endl;
-    CHECK(wrong == 0);
-    CHECK(wrongTags == 0);
-    CHECK(std::abs(difference) <= 2); // at the very border of the view
-    CHECK(numberOfHidden > 0);
-    this->MostGroups = std::max(this->MostGroups, selection.Groups.size());
+              << " groups; wrong patterns " << wrong << ", largest difference of morph tags "
+              << largest << std::endl;
+    RelevoCheck& check = this->Check;
+    CHECK(wrong <= (tolerance > 0.0f ? mesh.Faces.size() / 1000 : 0));
+    CHECK(largest <= tolerance);
   }
 
-  /// Of any comparison: where all faces take one pattern there is little to compare.
-  size_t MostGroups = 0;
+  void CheckHidden(const relevo::RefinementMesh& mesh, const relevo::FaceCulling& culling,
+    const relevo::CullingView& sight)
+  {
+    std::vector<unsigned char> hidden;
+    const int numberOfHidden = culling.FindHidden(sight, true, hidden);
+    const std::vector<int> counts = this->State.ReadCounts(0);
+    const int drawn = std::accumulate(counts.begin(), counts.end(), 0);
+    RelevoCheck& check = this->Check;
+    CHECK(numberOfHidden > 0);
+    // All but faces at the very border of the view.
+    CHECK(std::abs(static_cast<int>(mesh.Faces.size()) - numberOfHidden - drawn) <= 2);
+  }
 
-private:
   RelevoCheck& Check;
   vtkOpenGLRenderWindow* Window;
   vtkPolyData* Input;
@@ -165,6 +211,7 @@ private:
   RefinementComputeBuffer Instances;
   RefinementComputeBuffer MorphTags;
   vtkMTimeType Time = 0;
+  vtkMTimeType LevelsTime = 0;
 };
 
 struct NamedMetric
@@ -219,8 +266,10 @@ int TestAdaptiveRefinementMapperComputeLevels(int, char*[])
     return 125;
   }
   vtkOpenGLRenderWindow* context = vtkOpenGLRenderWindow::SafeDownCast(window);
-  const std::pair<std::string, Mesh> meshes[] = { { "sphere", Sphere(40, 30) }, { "cube", Cube() },
-    { "plane", Plane(60, 50) }, { "bunny", ReadBunny() } };
+  const double offset[3] = { 1e6, 2e6, -3e6 };
+  const std::pair<std::string, Mesh> meshes[] = { { "apart", Explode(Sphere(24, 20)) },
+    { "far away", Moved(Sphere(24, 20), 1.0, offset, VTK_DOUBLE) }, { "sphere", Sphere(40, 30) },
+    { "cube", Cube() }, { "plane", Plane(60, 50) }, { "bunny", ReadBunny() } };
   for (const auto& mesh : meshes)
   {
     if (!mesh.second)
@@ -247,6 +296,7 @@ int TestAdaptiveRefinementMapperComputeLevels(int, char*[])
       }
     }
     CHECK(comparison.MostGroups > 5);
+    CHECK(comparison.NumberOfShaders >= 16); // four metrics, both rules, both families
   }
   return check.GetResult();
 }

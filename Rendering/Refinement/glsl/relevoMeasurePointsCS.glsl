@@ -1,0 +1,33 @@
+// The stage "tag" per point: each point's own tag, or the largest measure at its place.
+
+layout(std430, binding = 0) readonly buffer Points { float points[]; }; // three per point
+layout(std430, binding = 1) readonly buffer Data { vec4 data[]; };
+layout(std430, binding = 2) readonly buffer Places { int places[]; };
+layout(std430, binding = 3) buffer Measures { uint measures[]; }; // zero where points are united
+
+uniform int relevoHasData;
+uniform int relevoHasPlaces; // 1: points at one place are united
+
+void main()
+{
+  int point = relevoElement();
+  if (point >= relevoNumberOfElements)
+  {
+    return;
+  }
+  vec3 x = vec3(points[3 * point], points[3 * point + 1], points[3 * point + 2]);
+  vec4 datum = vec4(0.0);
+  if (relevoHasData != 0)
+  {
+    datum = data[point];
+  }
+  float measure = metricPointMeasure(metricValue(x, datum));
+  if (relevoHasPlaces != 0)
+  {
+    atomicMax(measures[places[point]], relevoMeasureBits(measure));
+  }
+  else
+  {
+    measures[point] = floatBitsToUint(metricTag(measure));
+  }
+}
