@@ -21,7 +21,6 @@ namespace relevo
 
 namespace
 {
-constexpr double AutomaticQuantile = 0.95;
 constexpr double FlatAngle = 1e-3; // radians
 }
 
@@ -46,9 +45,10 @@ struct vtkCurvatureDepthTagMetric::vtkInternals
     return type == MEAN ? this->Curvature.Mean : this->Curvature.Gaussian;
   }
 
-  // The curvature of MaximumLevel when nothing else is asked for.
-  double GetAutomaticMaximum(int type) const
+  // The thresholds when nothing else is asked for.
+  void GetAutomaticThresholds(int type, const double quantiles[2], double thresholds[2]) const
   {
+    std::fill_n(thresholds, 2, 0.0);
     std::vector<double> magnitudes;
     magnitudes.reserve(this->Curvature.Places.size());
     for (vtkIdType place : this->Curvature.Places)
@@ -57,13 +57,20 @@ struct vtkCurvatureDepthTagMetric::vtkInternals
     }
     if (magnitudes.empty() || this->Curvature.AreaOfPlace <= 0.0)
     {
-      return 0.0;
+      return;
     }
-    const auto quantile = magnitudes.begin() +
-      static_cast<std::ptrdiff_t>(AutomaticQuantile * static_cast<double>(magnitudes.size() - 1));
-    std::nth_element(magnitudes.begin(), quantile, magnitudes.end());
+    for (int i = 0; i < 2; ++i)
+    {
+      if (quantiles[i] > 0.0)
+      {
+        const auto quantile = magnitudes.begin() +
+          static_cast<std::ptrdiff_t>(quantiles[i] * static_cast<double>(magnitudes.size() - 1));
+        std::nth_element(magnitudes.begin(), quantile, magnitudes.end());
+        thresholds[i] = *quantile;
+      }
+    }
     const double flat = FlatAngle / std::sqrt(this->Curvature.AreaOfPlace);
-    return std::max(*quantile, type == MEAN ? flat : flat * flat);
+    thresholds[1] = std::max(thresholds[1], type == MEAN ? flat : flat * flat);
   }
 };
 
@@ -120,6 +127,21 @@ void vtkCurvatureDepthTagMetric::SetMaximumCurvature(double curvature)
   this->SetThreshold("MaximumCurvature", this->MaximumCurvature, curvature);
 }
 
+void vtkCurvatureDepthTagMetric::SetQuantiles(double low, double high)
+{
+  if (!(low >= 0.0 && low < high && high <= 1.0))
+  {
+    vtkErrorMacro("Quantiles (" << low << ", " << high << ") are not 0 <= low < high <= 1.");
+    return;
+  }
+  if (this->Quantiles[0] != low || this->Quantiles[1] != high)
+  {
+    this->Quantiles[0] = low;
+    this->Quantiles[1] = high;
+    this->Modified();
+  }
+}
+
 void vtkCurvatureDepthTagMetric::ComputeCurvatures(vtkPolyData* mesh, vtkDoubleArray* curvatures)
 {
   this->Internals->Update(mesh);
@@ -142,13 +164,15 @@ bool vtkCurvatureDepthTagMetric::ComputeTags(
   }
   this->Internals->Update(mesh);
   const std::vector<double>& values = this->Internals->GetValues(this->CurvatureType);
-  const double maximum = this->MaximumCurvature > 0.0
-    ? this->MaximumCurvature
-    : this->Internals->GetAutomaticMaximum(this->CurvatureType);
+  double thresholds[2] = { this->MinimumCurvature, this->MaximumCurvature };
+  if (this->MaximumCurvature == 0.0)
+  {
+    this->Internals->GetAutomaticThresholds(this->CurvatureType, this->Quantiles, thresholds);
+  }
   const auto narrow = [](double curvature)
   { return static_cast<float>(std::min<double>(curvature, VTK_FLOAT_MAX)); };
-  const float low = narrow(this->MinimumCurvature);
-  const float high = narrow(maximum);
+  const float low = narrow(thresholds[0]);
+  const float high = narrow(thresholds[1]);
   tags->SetNumberOfComponents(1);
   tags->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
   float* levels = tags->GetPointer(0);
@@ -170,4 +194,5 @@ void vtkCurvatureDepthTagMetric::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CurvatureType: " << this->GetCurvatureTypeAsString() << "\n";
   os << indent << "MinimumCurvature: " << this->MinimumCurvature << "\n";
   os << indent << "MaximumCurvature: " << this->MaximumCurvature << "\n";
+  os << indent << "Quantiles: (" << this->Quantiles[0] << ", " << this->Quantiles[1] << ")\n";
 }

@@ -91,13 +91,25 @@ public:
    * Absolute curvature from which on the level is MaximumLevel, in the mesh's own units (Gaussian
    * 1/length^2, mean 1/length).
    *
-   * With both thresholds 0, the default, it is automatic: the curvature that 95 % of the points do
-   * not exceed, but no less than that of a surface which turns by 0.001 radians over the mean area
-   * of a point, so that the rounding of flat points is not refined. A negative or infinite value is
-   * an error and changes nothing.
+   * With both thresholds 0, the default, they are automatic, from Quantiles. A negative or infinite
+   * value is an error and changes nothing.
    */
   void SetMaximumCurvature(double curvature);
   vtkGetMacro(MaximumCurvature, double);
+  //@}
+
+  //@{
+  /**
+   * The automatic thresholds, as fractions of the mesh's points: `low` of them have an absolute
+   * curvature that does not exceed the low threshold, `high` of them one that does not exceed the
+   * high one; default (0, 0.95). A low of 0 stands for the curvature 0. The high threshold is no
+   * less than the curvature of a surface which turns by 0.001 radians over the mean area of a
+   * point, so that the rounding of flat points is not refined. Values other than
+   * 0 <= low < high <= 1 are an error and change nothing.
+   */
+  void SetQuantiles(double low, double high);
+  void SetQuantiles(const double quantiles[2]) { this->SetQuantiles(quantiles[0], quantiles[1]); }
+  vtkGetVector2Macro(Quantiles, double);
   //@}
 
   /**
@@ -119,6 +131,7 @@ protected:
   int CurvatureType = GAUSSIAN;
   double MinimumCurvature = 0.0;
   double MaximumCurvature = 0.0;
+  double Quantiles[2] = { 0.0, 0.95 };
 
 private:
   vtkCurvatureDepthTagMetric(const vtkCurvatureDepthTagMetric&) = delete;

@@ -3,7 +3,7 @@
 #include "vtkDistanceDepthTagMetric.h"
 
 #include "vtkCamera.h"
-#include "vtkFloatArray.h"
+#include "vtkMath.h"
 #include "vtkMetricEvaluation.h"
 #include "vtkMetricFrame.h"
 #include "vtkObjectFactory.h"
@@ -13,8 +13,10 @@
 #include "relevoDistanceMetric.h"
 #include "relevoMetricView.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace relevo
 {
@@ -29,13 +31,162 @@ struct DistanceFunctions : MetricParameters
 
 namespace
 {
+using glm::dmat3;
+using glm::dvec3;
+using relevo::DistanceFunctions;
+
 // In units of the bounding box's diagonal; a camera that shows a whole mesh (vtkRenderer's
 // ResetCamera) is about two of them away.
 constexpr double AutomaticDistance = 3.0;
+constexpr double ShortestReference = 0.01; // pixels
+constexpr double LongestReference = 1e6;
+
+// The mean length of the sides of a mesh's triangles, kept until the mesh or its shape changes.
+class MeanSide
+{
+public:
+  double Get(vtkPolyData* mesh, const relevo::Placement& placement)
+  {
+    const relevo::GeometryStamp stamp = relevo::MakeGeometryStamp(mesh);
+    if (stamp != this->Of || !placement.HasShape(this->Shape))
+    {
+      this->Of = stamp;
+      this->Shape = placement.GetShape();
+      this->Compute(relevo::SurfaceTriangles(mesh));
+    }
+    return placement.GetScale() * this->Length;
+  }
+
+private:
+  void Compute(const relevo::SurfaceTriangles& surface)
+  {
+    double sum = 0.0;
+    for (const auto& triangle : surface.GetTriangles())
+    {
+      dvec3 corners[3];
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        surface.GetPoint(triangle[corner], &corners[corner][0]);
+      }
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        const dvec3 side = corners[(corner + 1) % 3] - corners[corner];
+        sum += std::sqrt(std::max(glm::dot(side, this->Shape * side), 0.0));
+      }
+    }
+    const auto sides = 3.0 * static_cast<double>(surface.GetTriangles().size());
+    this->Length = sides > 0.0 && std::isfinite(sum) ? sum / sides : 0.0;
+  }
+
+  relevo::GeometryStamp Of{};
+  dmat3 Shape{ 0.0 };
+  double Length = 0.0;
+};
+
+// Pixels of a length of 1 seen from the front at a distance of 1.
+double GetPixelsAtUnitDistance(const vtkRefinementView& view)
+{
+  const int across = view.Camera->GetUseHorizontalViewAngle() ? 0 : 1;
+  const double angle = vtkMath::RadiansFromDegrees(view.Camera->GetViewAngle());
+  return view.ViewportSize[across] / (2.0 * std::tan(0.5 * angle));
 }
 
-struct vtkDistanceDepthTagMetric::vtkInternals : relevo::MetricEvaluation<relevo::DistanceFunctions>
+// Tags by the distance of triangles.
+class CentroidTags
 {
+public:
+  bool TagPoints(vtkDepthTagMetric* metric, vtkPolyData* mesh, const vtkRefinementView& view,
+    int maximumLevel, vtkFloatArray* tags)
+  {
+    this->Edges.Update(mesh);
+    const relevo::SurfaceTriangles& surface = this->Edges.GetTriangles();
+    if (!this->ComputeLevels(metric, mesh, view, maximumLevel, surface))
+    {
+      return false;
+    }
+    tags->SetNumberOfComponents(1);
+    tags->SetNumberOfTuples(surface.GetNumberOfPoints());
+    vtkSMPTools::For(0, surface.GetNumberOfPoints(),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType point = begin; point < end; ++point)
+        {
+          float level = 0.0f;
+          surface.ForEachTriangleIndex(surface.GetPlace(point),
+            [&](vtkIdType t) { level = std::max(level, this->Levels[t]); });
+          tags->SetValue(point, level);
+        }
+      });
+    tags->Modified();
+    return true;
+  }
+
+  bool TagEdges(vtkDepthTagMetric* metric, vtkPolyData* mesh, const vtkRefinementView& view,
+    int maximumLevel, const relevo::SurfaceEdges& edges, vtkFloatArray* tags)
+  {
+    if (!this->ComputeLevels(metric, mesh, view, maximumLevel, edges.GetTriangles()))
+    {
+      return false;
+    }
+    relevo::TagEdges(edges, tags,
+      [&](int edge)
+      {
+        float level = 0.0f;
+        edges.ForEachSides(edge,
+          [&](int i)
+          {
+            for (int t : edges.GetSides()[i].Triangles)
+            {
+              level = t < 0 ? level : std::max(level, this->Levels[t]);
+            }
+          });
+        return level;
+      });
+    return true;
+  }
+
+private:
+  bool ComputeLevels(vtkDepthTagMetric* metric, vtkPolyData* mesh, const vtkRefinementView& view,
+    int maximumLevel, const relevo::SurfaceTriangles& surface)
+  {
+    this->Points.Update(mesh->GetPoints());
+    relevo::MetricShader shader;
+    if (!metric->GetShader(mesh, view, maximumLevel, this->Points.Origin, shader))
+    {
+      return false;
+    }
+    const auto& triangles = surface.GetTriangles();
+    this->Levels.resize(triangles.size());
+    const float* x = this->Points.Coordinates.data();
+    vtkSMPTools::For(0, static_cast<vtkIdType>(triangles.size()),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        DistanceFunctions functions(shader);
+        for (vtkIdType t = begin; t < end; ++t)
+        {
+          glm::vec3 sum(0.0f);
+          for (vtkIdType corner : triangles[t])
+          {
+            sum += glm::vec3(x[3 * corner], x[3 * corner + 1], x[3 * corner + 2]);
+          }
+          const glm::vec4 value = functions.metricValue(sum / 3.0f, glm::vec4(0.0f));
+          this->Levels[t] = functions.metricTag(functions.metricPointMeasure(value));
+        }
+      });
+    return true;
+  }
+
+  relevo::LocalPoints Points;
+  relevo::SurfaceEdges Edges;
+  std::vector<float> Levels; // of triangles
+};
+}
+
+struct vtkDistanceDepthTagMetric::vtkInternals
+{
+  relevo::MetricEvaluation<DistanceFunctions> Evaluation;
+  CentroidTags Centroids;
+  MeanSide Side;
 };
 
 vtkStandardNewMacro(vtkDistanceDepthTagMetric);
@@ -46,6 +197,44 @@ vtkDistanceDepthTagMetric::vtkDistanceDepthTagMetric()
 }
 
 vtkDistanceDepthTagMetric::~vtkDistanceDepthTagMetric() = default;
+
+void vtkDistanceDepthTagMetric::SetFallOff(int fallOff)
+{
+  if (fallOff != LINEAR && fallOff != PROJECTED_SIZE)
+  {
+    vtkErrorMacro("FallOff " << fallOff << " is neither LINEAR (0) nor PROJECTED_SIZE (1).");
+    return;
+  }
+  if (this->FallOff != fallOff)
+  {
+    this->FallOff = fallOff;
+    this->Modified();
+  }
+}
+
+const char* vtkDistanceDepthTagMetric::GetFallOffAsString()
+{
+  return this->FallOff == PROJECTED_SIZE ? "ProjectedSize" : "Linear";
+}
+
+void vtkDistanceDepthTagMetric::SetMeasure(int measure)
+{
+  if (measure != VERTICES && measure != CENTROIDS)
+  {
+    vtkErrorMacro("Measure " << measure << " is neither VERTICES (0) nor CENTROIDS (1).");
+    return;
+  }
+  if (this->Measure != measure)
+  {
+    this->Measure = measure;
+    this->Modified();
+  }
+}
+
+const char* vtkDistanceDepthTagMetric::GetMeasureAsString()
+{
+  return this->Measure == CENTROIDS ? "Centroids" : "Vertices";
+}
 
 void vtkDistanceDepthTagMetric::SetMaximumDistance(double distance)
 {
@@ -63,48 +252,94 @@ void vtkDistanceDepthTagMetric::SetMaximumDistance(double distance)
   }
 }
 
-bool vtkDistanceDepthTagMetric::GetShader(vtkPolyData* mesh, const vtkRefinementView& view,
-  int maximumLevel, const double origin[3], relevo::MetricShader& shader)
+void vtkDistanceDepthTagMetric::SetReferenceLength(double pixels)
+{
+  if (pixels != 0.0 && !(pixels >= ShortestReference && pixels <= LongestReference))
+  {
+    vtkErrorMacro("ReferenceLength " << pixels << " is no length of segments: give "
+                                     << ShortestReference << " to " << LongestReference
+                                     << " pixels, or 0 for none.");
+    return;
+  }
+  if (this->ReferenceLength != pixels)
+  {
+    this->ReferenceLength = pixels;
+    this->Modified();
+  }
+}
+
+bool vtkDistanceDepthTagMetric::CheckView(const vtkRefinementView& view)
 {
   if (!view.Camera)
   {
     vtkErrorMacro("There is no camera to measure distances from.");
     return false;
   }
-  glm::dvec3 camera;
-  view.Camera->GetPosition(&camera[0]);
-  if (!std::isfinite(camera[0] + camera[1] + camera[2]))
+  const double* x = view.Camera->GetPosition();
+  if (!std::isfinite(x[0] + x[1] + x[2]))
   {
-    vtkErrorMacro("The camera's position (" << camera[0] << ", " << camera[1] << ", " << camera[2]
-                                            << ") is not finite.");
+    vtkErrorMacro(
+      "The camera's position (" << x[0] << ", " << x[1] << ", " << x[2] << ") is not finite.");
     return false;
   }
+  if (this->ReferenceLength > 0.0 && this->MaximumDistance == 0.0 &&
+    !(GetPixelsAtUnitDistance(view) > 0.0))
+  {
+    vtkErrorMacro("The viewport has no pixels that ReferenceLength could count: it is "
+      << view.ViewportSize[0] << " x " << view.ViewportSize[1] << ".");
+    return false;
+  }
+  return true;
+}
+
+bool vtkDistanceDepthTagMetric::GetShader(vtkPolyData* mesh, const vtkRefinementView& view,
+  int maximumLevel, const double origin[3], relevo::MetricShader& shader)
+{
+  if (!this->CheckView(view))
+  {
+    return false;
+  }
+  const relevo::Placement placement(view);
+  double farthest = this->MaximumDistance;
+  if (farthest == 0.0)
+  {
+    farthest = this->ReferenceLength > 0.0 ? this->Internals->Side.Get(mesh, placement) /
+        this->ReferenceLength * GetPixelsAtUnitDistance(view)
+                                           : AutomaticDistance * placement.GetDiagonal(mesh);
+  }
   static const std::string source = std::string(relevoMetricView) + relevoDistanceMetric;
-  shader.Source = source.c_str();
+  shader.Source = this->Measure == CENTROIDS ? nullptr : source.c_str();
   shader.TagsPoints = true;
   shader.Data = nullptr;
-  const relevo::Placement placement(view);
+  dvec3 camera;
+  view.Camera->GetPosition(&camera[0]);
   relevo::MetricFrame frame(shader, placement, camera, origin, maximumLevel);
-  frame.SetUnit(this->MaximumDistance > 0.0 ? this->MaximumDistance
-                                            : AutomaticDistance * placement.GetDiagonal(mesh));
-  frame.SetOwn(0.0);
+  frame.SetUnit(farthest);
+  frame.SetOwn(this->FallOff == PROJECTED_SIZE ? 1.0 : 0.0);
   return true;
 }
 
 bool vtkDistanceDepthTagMetric::ComputeTags(
   vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel, vtkFloatArray* tags)
 {
-  return this->Internals->TagPoints(this, mesh, view, maximumLevel, tags);
+  return this->Measure == CENTROIDS
+    ? this->Internals->Centroids.TagPoints(this, mesh, view, maximumLevel, tags)
+    : this->Internals->Evaluation.TagPoints(this, mesh, view, maximumLevel, tags);
 }
 
 bool vtkDistanceDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view,
   int maximumLevel, const relevo::SurfaceEdges& edges, vtkFloatArray* tags)
 {
-  return this->Internals->TagEdges(this, mesh, view, maximumLevel, edges, tags);
+  return this->Measure == CENTROIDS
+    ? this->Internals->Centroids.TagEdges(this, mesh, view, maximumLevel, edges, tags)
+    : this->Internals->Evaluation.TagEdges(this, mesh, view, maximumLevel, edges, tags);
 }
 
 void vtkDistanceDepthTagMetric::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "FallOff: " << this->GetFallOffAsString() << "\n";
+  os << indent << "Measure: " << this->GetMeasureAsString() << "\n";
   os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
+  os << indent << "ReferenceLength: " << this->ReferenceLength << "\n";
 }

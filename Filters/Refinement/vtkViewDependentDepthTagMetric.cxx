@@ -43,35 +43,16 @@ double AngleBetween(const dvec3& a, const dvec3& b)
                          : std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-// What a matrix does to angles, without what turns and scales do not change.
-dmat3 MakeShape(const dmat3& linear)
-{
-  const dmat3 squares = glm::transpose(linear) * linear;
-  const double trace = squares[0][0] + squares[1][1] + squares[2][2];
-  return trace > 0.0 ? squares / trace : dmat3(0.0);
-}
-
-bool IsNear(const dmat3& a, const dmat3& b)
-{
-  double difference = 0.0;
-  for (int column = 0; column < 3; ++column)
-  {
-    difference = std::max(difference, glm::length(a[column] - b[column]));
-  }
-  return difference < 1e-9;
-}
-
 // Mean normals and spreads of points, as relevoViewDependentMetric.glsl wants them.
 class Spreads
 {
 public:
   void Update(vtkPolyData* mesh, const relevo::Placement& placement, double maximumSpread)
   {
-    const dmat3 shape = MakeShape(dmat3(placement.ModelToWorld));
-    if (this->Surface.Update(mesh) || !IsNear(shape, this->Shape) ||
+    if (this->Surface.Update(mesh) || !placement.HasShape(this->Shape) ||
       maximumSpread != this->MaximumSpread)
     {
-      this->Shape = shape;
+      this->Shape = placement.GetShape();
       this->MaximumSpread = maximumSpread;
       this->Build(placement);
       this->Time.Modified();

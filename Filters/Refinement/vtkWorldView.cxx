@@ -38,6 +38,35 @@ Placement::Placement(const vtkRefinementView& view)
     dmat3(cross(linear[1], linear[2]), cross(linear[2], linear[0]), cross(linear[0], linear[1]));
 }
 
+double Placement::GetScale() const
+{
+  const dmat4& m = this->ModelToWorld;
+  double squared = 0.0;
+  for (int column = 0; column < 3; ++column)
+  {
+    squared += dot(dvec3(m[column]), dvec3(m[column]));
+  }
+  return std::sqrt(squared);
+}
+
+dmat3 Placement::GetShape() const
+{
+  const double scale = this->GetScale();
+  const dmat3 linear = dmat3(this->ModelToWorld) * (scale > 0.0 ? 1.0 / scale : 0.0);
+  return transpose(linear) * linear;
+}
+
+bool Placement::HasShape(const dmat3& shape) const
+{
+  const dmat3 difference = this->GetShape() - shape;
+  double largest = 0.0;
+  for (int column = 0; column < 3; ++column)
+  {
+    largest = std::max(largest, length(difference[column]));
+  }
+  return largest < 1e-9;
+}
+
 double Placement::GetDiagonal(vtkPolyData* mesh) const
 {
   if (mesh->GetNumberOfPoints() == 0)

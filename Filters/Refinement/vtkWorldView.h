@@ -33,6 +33,13 @@ struct Placement
   /// it stays the same when the actor turns. Coordinates that are not finite do not count.
   double GetDiagonal(vtkPolyData* mesh) const;
 
+  /// What the matrix does to angles and proportions, whatever it turns and however it scales:
+  /// lengths l of the world are those of the mesh by l^2 = Scale^2 e . Shape e.
+  dmat3 GetShape() const;
+  double GetScale() const;
+  /// Whether the shape is one that was given before, but for rounding.
+  bool HasShape(const dmat3& shape) const;
+
   dmat4 ModelToWorld;
   dmat3 NormalToWorld;
 };

@@ -23,6 +23,7 @@
 #include "vtkTransformPolyDataFilter.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <initializer_list>
 #include <limits>
@@ -500,6 +501,44 @@ void TestTags(RelevoCheck& check)
     // Only the few corners of a box are curved; the flat rest is left alone.
     CHECK(metric->ComputeTags(torus, view, 7, tags));
     CHECK(tags->GetRange()[0] < 3.5 && tags->GetRange()[1] == 7.0);
+  }
+
+  // Quantiles: so many points have no level, and so many the highest.
+  CHECK(metric->GetQuantiles()[0] == 0.0 && metric->GetQuantiles()[1] == 0.95);
+  auto bumps = MakeGrid(80, 80,
+    [](double u, double v, double x[3])
+    {
+      x[0] = u;
+      x[1] = v;
+      x[2] = 0.1 * std::sin(7 * u + 2 * v * v) * std::cos(5 * v - u * u);
+    });
+  for (const auto& quantiles : { std::array<double, 2>{ { 0.0, 0.5 } },
+         std::array<double, 2>{ { 0.3, 0.8 } }, std::array<double, 2>{ { 0.9, 1.0 } } })
+  {
+    metric->SetQuantiles(quantiles.data());
+    CHECK(metric->ComputeTags(bumps, view, 7, tags));
+    double none = 0.0;
+    double most = 0.0;
+    for (vtkIdType id = 0; id < tags->GetNumberOfTuples(); ++id)
+    {
+      none += tags->GetValue(id) == 0.0f;
+      most += tags->GetValue(id) == 7.0f;
+    }
+    const auto n = static_cast<double>(tags->GetNumberOfTuples());
+    CHECK_NEAR(none / n, quantiles[0], 0.002);
+    CHECK_NEAR(most / n, 1.0 - quantiles[1], 0.002);
+  }
+  metric->SetQuantiles(0.3, 0.8);
+  {
+    RelevoErrors errors(metric);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double bad[][2] = { { -0.1, 0.5 }, { 0.5, 0.5 }, { 0.6, 0.5 }, { 0.5, 1.1 }, { nan, 0.5 },
+      { 0.5, nan } };
+    for (const double* quantiles : bad)
+    {
+      metric->SetQuantiles(quantiles);
+      CHECK(errors.Said("Quantiles") && metric->GetQuantiles()[0] == 0.3);
+    }
   }
 
   // What was computed is kept until the mesh changes.

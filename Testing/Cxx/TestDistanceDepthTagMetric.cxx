@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkDistanceDepthTagMetric against levels by hand.
 #include "RelevoCheck.h"
+#include "RelevoMetricCheck.h"
 
 #include "vtkCamera.h"
 #include "vtkDistanceDepthTagMetric.h"
@@ -14,6 +15,7 @@
 
 #include <initializer_list>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace
@@ -33,9 +35,156 @@ vtkSmartPointer<vtkPolyData> MakePoints(
 }
 }
 
+namespace
+{
+// An equilateral triangle with sides of `side`, around the z axis at the height z.
+RelevoMeshes::Mesh MakeTriangle(double side, double z)
+{
+  const double r = side / std::sqrt(3.0);
+  return RelevoMeshes::FromTriangles(
+    { { { r, 0, z } }, { { -0.5 * r, 0.5 * side, z } }, { { -0.5 * r, -0.5 * side, z } } },
+    { { { 0, 1, 2 } } });
+}
+
+void TestProjectedSize(RelevoCheck& check)
+{
+  vtkNew<vtkDistanceDepthTagMetric> metric;
+  CHECK(metric->GetFallOff() == vtkDistanceDepthTagMetric::LINEAR);
+  metric->SetFallOffToProjectedSize();
+  CHECK(std::string(metric->GetFallOffAsString()) == "ProjectedSize");
+  metric->SetMaximumDistance(8.0);
+  vtkNew<vtkCamera> camera;
+  camera->SetPosition(0, 0, 0);
+  camera->SetFocalPoint(0, 0, -1);
+  vtkRefinementView view;
+  view.Camera = camera;
+  // One level where the distance halves, from 8 on, up to the maximum at the camera itself.
+  auto points = MakePoints({ { 9, 0, 0 }, { 8, 0, 0 }, { 0, 6, 0 }, { 0, 0, 4 }, { 0, -2, 0 },
+    { 0.3, 0, 0 }, { 0.01, 0, 0 }, { 0, 0, 0 } });
+  auto tags = TagsOf(metric, points, view, 5);
+  const double levels[] = { 0, 0, std::log2(8.0 / 6.0), 1, 2, std::log2(8.0 / 0.3), 5, 5 };
+  for (int i = 0; i < 8; ++i)
+  {
+    CHECK_NEAR(tags[i], levels[i], 1e-6);
+  }
+
+  // By the length of segments: a side of the mean length, seen from the front, has segments of
+  // ReferenceLength pixels, as vtkCamera projects it.
+  metric->SetMaximumDistance(0.0);
+  metric->SetReferenceLength(12.5);
+  camera->SetClippingRange(0.01, 1000.0);
+  for (double angle : { 20.0, 90.0 })
+  {
+    for (bool across : { false, true })
+    {
+      for (double scale : { 1.0, 3.0 })
+      {
+        camera->SetViewAngle(angle);
+        camera->SetUseHorizontalViewAngle(across);
+        view.ViewportSize[0] = 700;
+        view.ViewportSize[1] = 500;
+        vtkNew<vtkTransform> transform;
+        transform->RotateZ(40);
+        transform->Scale(scale, scale, scale);
+        view.ModelToWorld = transform->GetMatrix();
+        auto triangle = MakeTriangle(0.5, -3.0);
+        const double distance = 3.0 * scale;
+        vtkMatrix4x4* toClip = camera->GetCompositeProjectionTransformMatrix(1.4, -1, 1);
+        double x[4] = { 0, 0.5 * scale, -std::sqrt(9.0 + 0.25 / 3.0) * scale, 1 };
+        CHECK(-x[2] >= distance);
+        toClip->MultiplyPoint(x, x);
+        const double pixels = 0.5 * 500 * x[1] / x[3];
+        tags = TagsOf(metric, triangle, view, 7);
+        CHECK_NEAR(tags[0], std::max(0.0, std::log2(pixels / 12.5)), 1e-5);
+        // The same distance, linearly.
+        metric->SetFallOffToLinear();
+        CHECK_NEAR(
+          TagsOf(metric, triangle, view, 7)[0], 7.0 * std::max(0.0, 1.0 - 12.5 / pixels), 1e-5);
+        metric->SetFallOffToProjectedSize();
+      }
+    }
+  }
+  // A mesh without sides has nothing to refine.
+  CHECK(TagsOf(metric, points, view, 5) == std::vector<float>(8, 0.0f));
+
+  RelevoErrors errors(metric);
+  for (double bad : { -1.0, 1e-9, 1e9, std::nan("") })
+  {
+    metric->SetReferenceLength(bad);
+    CHECK(errors.Said("ReferenceLength") && metric->GetReferenceLength() == 12.5);
+  }
+  metric->SetFallOff(2);
+  CHECK(errors.Said("FallOff") && metric->GetFallOff() == 1);
+  view.ViewportSize[0] = 0;
+  CHECK(TagsOf(metric, points, view, 5).empty() && errors.Said("no pixels"));
+  metric->SetReferenceLength(0.0);
+  CHECK(TagsOf(metric, points, view, 5).size() == 8 && errors.None());
+}
+
+void TestCentroids(RelevoCheck& check)
+{
+  vtkNew<vtkDistanceDepthTagMetric> metric;
+  metric->SetMaximumDistance(10.0);
+  metric->SetMeasureToCentroids();
+  CHECK(std::string(metric->GetMeasureAsString()) == "Centroids");
+  vtkNew<vtkCamera> camera;
+  vtkRefinementView view;
+  view.Camera = camera;
+  std::mt19937 random(2);
+  auto sphere = RelevoMeshes::Explode(RelevoMeshes::Sphere(9, 7));
+  relevo::SurfaceEdges edges;
+  edges.Update(sphere);
+  const relevo::SurfaceTriangles& surface = edges.GetTriangles();
+  for (int i = 0; i < 5; ++i)
+  {
+    PlaceAtRandom(camera, random);
+    // The nearest centroid of the triangles at a place, and beside an edge.
+    std::vector<double> ofPlaces(sphere->GetNumberOfPoints(), 0.0);
+    std::vector<double> ofEdges(edges.GetNumberOfEdges(), 0.0);
+    for (const auto& triangle : surface.GetTriangles())
+    {
+      double centroid[3] = { 0, 0, 0 };
+      for (vtkIdType corner : triangle)
+      {
+        for (int c = 0; c < 3; ++c)
+        {
+          centroid[c] += sphere->GetPoint(corner)[c] / 3.0;
+        }
+      }
+      const double distance =
+        std::sqrt(vtkMath::Distance2BetweenPoints(centroid, camera->GetPosition()));
+      const double level = std::max(0.0, 5.0 * (1.0 - distance / 10.0));
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        double& ofPlace = ofPlaces[triangle[corner]];
+        ofPlace = std::max(ofPlace, level);
+        double& ofEdge = ofEdges[edges.FindEdge(triangle[corner], triangle[(corner + 1) % 3])];
+        ofEdge = std::max(ofEdge, level);
+      }
+    }
+    const auto tags = TagsOf(metric, sphere, view, 5);
+    for (std::size_t point = 0; point < tags.size(); ++point)
+    {
+      CHECK_NEAR(tags[point], ofPlaces[surface.GetPlace(static_cast<vtkIdType>(point))], 1e-5);
+    }
+    const auto edgeTags = EdgeTagsOf(metric, sphere, view, 5, edges);
+    for (std::size_t edge = 0; edge < edgeTags.size(); ++edge)
+    {
+      CHECK_NEAR(edgeTags[edge], ofEdges[edge], 1e-5);
+    }
+  }
+  CHECK(SurvivesOddMeshes(metric));
+  RelevoErrors errors(metric);
+  metric->SetMeasure(2);
+  CHECK(errors.Said("Measure") && metric->GetMeasure() == 1);
+}
+}
+
 int TestDistanceDepthTagMetric(int, char*[])
 {
   RelevoCheck check;
+  TestProjectedSize(check);
+  TestCentroids(check);
   const double infinity = std::numeric_limits<double>::infinity();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   vtkNew<vtkDistanceDepthTagMetric> metric;

@@ -51,7 +51,10 @@ RELEVO_FUNCTION float summedLevel(float level, float part, float weight, int max
 
 RELEVO_FUNCTION float multipliedLevel(float level, float part, float weight, int maximumLevel)
 {
-  return weight > 0.0f && maximumLevel > 0
-    ? level * pow(min(part / float(maximumLevel), 1.0f), weight)
-    : level;
+  if (!(weight > 0.0f) || maximumLevel == 0)
+  {
+    return level;
+  }
+  float fraction = min(part / float(maximumLevel), 1.0f);
+  return level * (weight == 1.0f ? fraction : pow(fraction, weight));
 }
