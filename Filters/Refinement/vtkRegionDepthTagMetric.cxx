@@ -5,6 +5,7 @@
 #include "vtkFloatArray.h"
 #include "vtkImplicitFunction.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -159,21 +160,12 @@ vtkMTimeType vtkRegionDepthTagMetric::GetMTime()
   return this->ImplicitFunction ? std::max(own, this->ImplicitFunction->GetMTime()) : own;
 }
 
-bool vtkRegionDepthTagMetric::CheckRegion()
+bool vtkRegionDepthTagMetric::ComputeTags(
+  vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel, vtkFloatArray* tags)
 {
   if (!this->ImplicitFunction && this->Radius == 0.0)
   {
     vtkErrorMacro("There is no region: call SetImplicitFunction, or SetCenter and SetRadius.");
-    return false;
-  }
-  return true;
-}
-
-bool vtkRegionDepthTagMetric::ComputeTags(
-  vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel, vtkFloatArray* tags)
-{
-  if (!this->CheckRegion())
-  {
     return false;
   }
   const vtkIdType numberOfPoints = mesh->GetNumberOfPoints();
@@ -201,7 +193,8 @@ bool vtkRegionDepthTagMetric::ComputeTags(
 bool vtkRegionDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view,
   int maximumLevel, const relevo::SurfaceEdges& edges, vtkFloatArray* tags)
 {
-  if (!this->CheckRegion())
+  vtkNew<vtkFloatArray> pointTags;
+  if (!this->ComputeTags(mesh, view, maximumLevel, pointTags))
   {
     return false;
   }
@@ -213,16 +206,14 @@ bool vtkRegionDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh, const vtkRefine
     {
       for (vtkIdType edge = begin; edge < end; ++edge)
       {
-        dvec3 a;
-        dvec3 b;
-        edges.GetTriangles().GetPoint(edges.GetEdges()[edge].Places[0], &a[0]);
-        edges.GetTriangles().GetPoint(edges.GetEdges()[edge].Places[1], &b[0]);
-        float level = 0.0f;
-        for (const dvec3& x : { a, 0.5 * a + 0.5 * b, b })
-        {
-          level = std::max(level, region.GetLevel(x, maximumLevel));
-        }
-        tags->SetValue(edge, level);
+        const int* places = edges.GetEdges()[edge].Places;
+        dvec3 ends[2];
+        edges.GetTriangles().GetPoint(places[0], &ends[0][0]);
+        edges.GetTriangles().GetPoint(places[1], &ends[1][0]);
+        const dvec3 middle = 0.5 * ends[0] + 0.5 * ends[1];
+        tags->SetValue(edge,
+          std::max({ pointTags->GetValue(places[0]), region.GetLevel(middle, maximumLevel),
+            pointTags->GetValue(places[1]) }));
       }
     });
   tags->Modified();

@@ -106,7 +106,6 @@ private:
   void operator=(const vtkRegionDepthTagMetric&) = delete;
 
   void SetLength(const char* name, double& length, double value);
-  bool CheckRegion();
 };
 
 #endif

@@ -17,9 +17,11 @@
  * point, weighted by area. By the rule PER_EDGE an edge has the larger level of its two ends, and
  * MaximumLevel where one of them faces the eye and the other away from it.
  *
- * CONTOUR (the silhouetteness of Dyken, Reimers and Seland 2008, "Real-time GPU silhouette
- * refinement using adaptively blended Bezier patches"), with n1, n2 the unit normals of the two
- * triangles of an edge, v taken at its midpoint, and f1 = n1 . v, f2 = n2 . v:
+ * CONTOUR (after the silhouetteness of edges by Dyken, Reimers and Seland 2008, "Real-time GPU
+ * silhouette refinement using adaptively blended Bezier patches": 1 where one triangle faces the
+ * eye and the other away, and falling continuously to 0; how it falls is this class's own, so that
+ * ContourWidth is the cosine of an angle), with n1, n2 the unit normals of the two triangles of an
+ * edge, v taken at its midpoint, and f1 = n1 . v, f2 = n2 . v:
  *
  *     level = MaximumLevel                                           if f1 f2 <= 0
  *     level = MaximumLevel * max(0, 1 - min(|f1|, |f2|) / ContourWidth)      otherwise

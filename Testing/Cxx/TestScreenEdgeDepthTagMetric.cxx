@@ -92,6 +92,28 @@ int TestScreenEdgeDepthTagMetric(int, char*[])
   auto far = RelevoMeshes::Moved(corner, 1.0, offset, VTK_DOUBLE);
   CHECK_NEAR(TagsOf(metric, far, view, 6)[0], std::log2(7.5), 1e-4);
 
+  // The logarithm, for all lengths up to 2^7 segments, one pixel for a unit.
+  vtkNew<vtkCamera> above;
+  above->ParallelProjectionOn();
+  above->SetParallelScale(256);
+  vtkRefinementView pixels;
+  pixels.Camera = above;
+  pixels.ViewportSize[0] = pixels.ViewportSize[1] = 512;
+  metric->SetReferenceLength(1.0);
+  float last = 0.0f;
+  for (double length = 0.9; length < 140.0; length *= 1.003)
+  {
+    auto single = RelevoMeshes::FromTriangles(
+      { { { 0, 0, 0 } }, { { length, 0, 0 } }, { { 0.5 * length, 0.1 * length, 0 } } },
+      { { { 0, 1, 2 } } });
+    const float tag = TagsOf(metric, single, pixels, 7)[0];
+    CHECK_NEAR(tag, std::min(std::max(std::log2(length), 0.0), 7.0), 2e-6);
+    CHECK(tag >= last);
+    last = tag;
+  }
+  CHECK(last == 7.0f);
+  metric->SetReferenceLength(10.0);
+
   // Properties over random cameras: segments of at most sqrt(2) of the reference, more pixels and a
   // shorter reference never give less.
   std::mt19937 random(1);

@@ -88,6 +88,35 @@ class TestDepthTags(unittest.TestCase):
             values(tags.GetOutput().GetCellData().GetArray("EdgeLevels")),
             [(4, 3, 4), (3, 3, 3)])
 
+    def test_distance_options(self):
+        metric = relevo.vtkDistanceDepthTagMetric()
+        metric.SetMaximumDistance(4)
+        metric.SetFallOffToProjectedSize()
+        self.assertEqual(metric.GetFallOff(), metric.PROJECTED_SIZE)
+        self.assertEqual(metric.GetFallOffAsString(), "ProjectedSize")
+        camera = vtkCamera()
+        camera.SetPosition(0, 0, 2)
+        tags = relevo.vtkDepthTagFilter()
+        tags.SetInputData(make_square())
+        tags.SetMetric(metric)
+        tags.SetCamera(camera)
+        tags.Update()
+        levels = values(tags.GetOutput().GetPointData().GetArray("DepthTag"))
+        self.assertAlmostEqual(levels[0][0], 1, places=6)
+        self.assertAlmostEqual(levels[1][0], math.log2(4 / math.sqrt(5)), places=6)
+        metric.SetMeasureToCentroids()
+        self.assertEqual(metric.GetMeasureAsString(), "Centroids")
+        tags.Update()
+        levels = values(tags.GetOutput().GetPointData().GetArray("DepthTag"))
+        self.assertAlmostEqual(levels[0][0], levels[1][0], places=6)
+        metric.SetMaximumDistance(0)
+        metric.SetReferenceLength(8)
+        self.assertEqual(metric.GetReferenceLength(), 8)
+        tags.SetViewportSize(600, 400)
+        tags.Update()
+        self.assertGreater(
+            tags.GetOutput().GetPointData().GetArray("DepthTag").GetRange()[0], 3)
+
     def test_curvature(self):
         sphere = vtkSphereSource()
         sphere.SetRadius(2)
@@ -109,6 +138,8 @@ class TestDepthTags(unittest.TestCase):
         self.assertGreater(low, 2.95)
         self.assertLess(high, 3.05)
 
+        metric.SetQuantiles(0.25, 0.75)
+        self.assertEqual(metric.GetQuantiles(), (0.25, 0.75))
         curvatures = vtkDoubleArray()
         metric.ComputeCurvatures(sphere.GetOutput(), curvatures)
         self.assertEqual(curvatures.GetName(), "Mean_Curvature")
@@ -162,6 +193,10 @@ class TestDepthTags(unittest.TestCase):
             self.assertIn("MaximumDistance", errors.take())
             curvature.SetMaximumCurvature(value)
             self.assertIn("MaximumCurvature", errors.take())
+        distance.SetReferenceLength(-1)
+        self.assertIn("ReferenceLength", errors.take())
+        curvature.SetQuantiles(0.5, 0.5)
+        self.assertIn("Quantiles", errors.take())
         curvature.SetCurvatureType(5)
         self.assertIn("CurvatureType", errors.take())
 

@@ -13,7 +13,7 @@ RELEVO_FUNCTION float rangeLevel(float x, float low, float high, int maximumLeve
 }
 
 // maximumLevel on an edge whose triangles face the eye and away from it, falling to 0 where both
-// are turned from the contour by a cosine of `width` (silhouetteness of Dyken et al. 2008).
+// are turned from the contour by a cosine of `width` (after the silhouetteness of Dyken et al. 2008).
 RELEVO_FUNCTION float contourLevel(float cosine1, float cosine2, float width, int maximumLevel)
 {
   bool contour = (cosine1 <= 0.0f) != (cosine2 <= 0.0f) || cosine1 == 0.0f || cosine2 == 0.0f;

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What metrics keep from frame to frame: after every change of mesh, view and settings they give
+// what metrics give that see it for the first time.
+#include "RelevoCheck.h"
+#include "RelevoMetricCheck.h"
+
+#include "vtkCompositeDepthTagMetric.h"
+#include "vtkCurvatureDepthTagMetric.h"
+#include "vtkDistanceDepthTagMetric.h"
+#include "vtkFieldVariationDepthTagMetric.h"
+#include "vtkRegionDepthTagMetric.h"
+#include "vtkScreenEdgeDepthTagMetric.h"
+#include "vtkSilhouetteDepthTagMetric.h"
+#include "vtkTransform.h"
+#include "vtkViewDependentDepthTagMetric.h"
+
+namespace
+{
+using Metrics = std::vector<vtkSmartPointer<vtkDepthTagMetric>>;
+
+Metrics MakeMetrics()
+{
+  vtkNew<vtkDistanceDepthTagMetric> distance;
+  vtkNew<vtkDistanceDepthTagMetric> pixels;
+  pixels->SetReferenceLength(5.0);
+  vtkNew<vtkDistanceDepthTagMetric> centroids;
+  centroids->SetMeasureToCentroids();
+  vtkNew<vtkScreenEdgeDepthTagMetric> screen;
+  vtkNew<vtkSilhouetteDepthTagMetric> silhouette;
+  vtkNew<vtkSilhouetteDepthTagMetric> contour;
+  contour->SetCriterionToContour();
+  vtkNew<vtkViewDependentDepthTagMetric> viewDependent;
+  vtkNew<vtkCurvatureDepthTagMetric> curvature;
+  vtkNew<vtkFieldVariationDepthTagMetric> field;
+  field->SetArrayName("Values");
+  vtkNew<vtkRegionDepthTagMetric> region;
+  region->SetRadius(0.4);
+  Metrics metrics{ distance.Get(), pixels.Get(), centroids.Get(), screen.Get(), silhouette.Get(),
+    contour.Get(), viewDependent.Get(), curvature.Get(), field.Get(), region.Get() };
+  vtkNew<vtkCompositeDepthTagMetric> composite;
+  composite->SetModeToSum();
+  for (vtkDepthTagMetric* metric : metrics)
+  {
+    composite->AddMetric(metric, 0.05);
+  }
+  metrics.push_back(composite.Get());
+  return metrics;
+}
+
+class Watch
+{
+public:
+  // How many of the metrics gave other tags than last time.
+  int Compare(RelevoCheck& check, vtkPolyData* mesh, const vtkRefinementView& view)
+  {
+    this->Edges.Update(mesh);
+    const Metrics fresh = MakeMetrics();
+    int changes = 0;
+    this->Last.resize(fresh.size());
+    for (std::size_t i = 0; i < fresh.size(); ++i)
+    {
+      const auto tags = TagsOf(this->Kept[i], mesh, view, 5);
+      CHECK(tags == TagsOf(fresh[i], mesh, view, 5));
+      CHECK(EdgeTagsOf(this->Kept[i], mesh, view, 5, this->Edges) ==
+        EdgeTagsOf(fresh[i], mesh, view, 5, this->Edges));
+      CHECK(AreLevels(tags, mesh->GetNumberOfPoints(), 5));
+      changes += tags != this->Last[i];
+      this->Last[i] = tags;
+    }
+    return changes;
+  }
+
+private:
+  Metrics Kept = MakeMetrics();
+  relevo::SurfaceEdges Edges;
+  std::vector<std::vector<float>> Last;
+};
+
+void AddValues(vtkPolyData* mesh, int seed)
+{
+  vtkNew<vtkFloatArray> values;
+  values->SetName("Values");
+  for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
+  {
+    values->InsertNextValue(static_cast<float>((point * seed) % 11));
+  }
+  mesh->GetPointData()->AddArray(values);
+}
+}
+
+int TestDepthTagMetricUpdates(int, char*[])
+{
+  RelevoCheck check;
+  auto mesh = RelevoMeshes::Explode(RelevoMeshes::Sphere(9, 7));
+  AddValues(mesh, 7);
+  vtkNew<vtkCamera> camera;
+  camera->SetPosition(1, 0.5, 2);
+  camera->SetClippingRange(0.1, 10);
+  vtkRefinementView view;
+  view.Camera = camera;
+  Watch watch;
+  CHECK(watch.Compare(check, mesh, view) == 11);
+  CHECK(watch.Compare(check, mesh, view) == 0);
+
+  // Of the view: all but curvature, field and region.
+  camera->SetPosition(1.1, 0.5, 2);
+  CHECK(watch.Compare(check, mesh, view) == 8);
+  camera->ParallelProjectionOn();
+  CHECK(watch.Compare(check, mesh, view) >= 4);
+  camera->ParallelProjectionOff();
+  watch.Compare(check, mesh, view);
+  view.ViewportSize[1] = 500;
+  CHECK(watch.Compare(check, mesh, view) == 3); // pixels, screen, and both in the sum
+
+  // The actor's matrix: turned, scaled, moved, stretched; nothing of the curvature and the field.
+  vtkNew<vtkTransform> transform;
+  view.ModelToWorld = transform->GetMatrix();
+  transform->RotateY(40);
+  transform->Update();
+  CHECK(watch.Compare(check, mesh, view) >= 8);
+  transform->Scale(1.5, 1.5, 1.5);
+  transform->Update();
+  CHECK(watch.Compare(check, mesh, view) >= 7);
+  transform->Translate(0.1, 0.2, 0.3);
+  transform->Update();
+  CHECK(watch.Compare(check, mesh, view) >= 7);
+  transform->Scale(1, 3, 0.5);
+  transform->Update();
+  CHECK(watch.Compare(check, mesh, view) >= 8);
+  transform->Scale(-1, 1, 1);
+  transform->Update();
+  CHECK(watch.Compare(check, mesh, view) >= 7);
+
+  // The mesh: its points, its normals, its values, its polygons, and another mesh.
+  double x[3];
+  mesh->GetPoint(3, x);
+  for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
+  {
+    double y[3];
+    mesh->GetPoint(point, y);
+    if (y[0] == x[0] && y[1] == x[1] && y[2] == x[2])
+    {
+      mesh->GetPoints()->SetPoint(point, 1.2 * x[0], x[1] + 0.1, x[2]);
+    }
+  }
+  mesh->GetPoints()->Modified();
+  CHECK(watch.Compare(check, mesh, view) >= 7);
+  vtkDataArray* normals = mesh->GetPointData()->GetNormals();
+  if (CHECK(normals))
+  {
+    normals->SetTuple3(0, 1, 2, 3);
+    normals->Modified();
+    CHECK(watch.Compare(check, mesh, view) == 2); // the silhouette, and the sum
+    mesh->GetPointData()->SetNormals(nullptr);
+    CHECK(watch.Compare(check, mesh, view) == 2);
+  }
+  AddValues(mesh, 5);
+  CHECK(watch.Compare(check, mesh, view) == 2);
+  vtkNew<vtkCellArray> polygons;
+  polygons->InsertNextCell({ 0, 1, 2 });
+  polygons->InsertNextCell({ 5, 4, 3 });
+  mesh->SetPolys(polygons);
+  CHECK(watch.Compare(check, mesh, view) >= 7);
+  auto other = RelevoMeshes::Plane(5, 4);
+  AddValues(other, 3);
+  CHECK(watch.Compare(check, other, view) == 11);
+  return check.GetResult();
+}
