@@ -210,7 +210,7 @@ class TestDepthTags(unittest.TestCase):
                 "vtkDepthTagFilter", "vtkDistanceDepthTagMetric", "vtkCurvatureDepthTagMetric"):
             documentation = getattr(relevo, name).__doc__
             self.assertIn("MaximumLevel", documentation)
-        self.assertIn("1 - x / MaximumDistance", relevo.vtkDistanceDepthTagMetric.__doc__)
+        self.assertIn("MaximumLevel * (1 - x / d)", relevo.vtkDistanceDepthTagMetric.__doc__)
 
 
 if __name__ == "__main__":
