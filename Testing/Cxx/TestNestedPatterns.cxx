@@ -40,7 +40,7 @@ void ForEachLevels(int maximumLevel, Visitor&& visit)
   }
 }
 
-const vtkRefinementPattern& GetPattern(const Levels& levels)
+const vtkRefinementPattern& GetPattern(Levels levels)
 {
   return relevo::GetNestedPattern(levels[0], levels[1], levels[2]);
 }
