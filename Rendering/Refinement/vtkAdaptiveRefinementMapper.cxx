@@ -490,11 +490,12 @@ void vtkAdaptiveRefinementMapper::ReadSelection()
 {
   vtkInternals& data = *this->Internals;
   const int slot = data.State.GetSelectionSlot();
-  if (!data.OnGPU || !data.Window || data.ReadTime == data.Compute.GetTime(slot))
+  const vtkMTimeType time = data.OnGPU && data.Window ? data.Compute.GetTime(slot) : 0;
+  if (time == 0 || time == data.ReadTime)
   {
     return;
   }
-  data.ReadTime = data.Compute.GetTime(slot);
+  data.ReadTime = time;
   data.Window->MakeCurrent();
   std::vector<float> morphTags;
   if (data.Buffers.GetMorphTags())

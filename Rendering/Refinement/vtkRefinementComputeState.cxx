@@ -289,6 +289,12 @@ bool RefinementComputeState::UpdateView(vtkOpenGLRenderWindow* window, int slot,
   return valid;
 }
 
+vtkMTimeType RefinementComputeState::GetTime(int slot) const
+{
+  const auto view = this->Views.find(slot);
+  return view == this->Views.end() ? 0 : view->second.GroupsTime.GetMTime();
+}
+
 std::vector<unsigned int> RefinementComputeState::ReadEntries(int slot)
 {
   std::vector<unsigned int> entries = this->Views[slot].Selection.ReadEntries();

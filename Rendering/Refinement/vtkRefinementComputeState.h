@@ -75,8 +75,8 @@ public:
 
   /// The view in a slot that has been updated.
   RefinementComputeView& GetView(int slot) { return this->Views[slot].Selection; }
-  /// When what is in a slot last changed.
-  vtkMTimeType GetTime(int slot) { return this->Views[slot].GroupsTime; }
+  /// When what is in a slot last changed; 0 where nothing is.
+  vtkMTimeType GetTime(int slot) const;
 
   //@{
   /**

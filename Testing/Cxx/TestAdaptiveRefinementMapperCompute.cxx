@@ -140,6 +140,17 @@ int TestAdaptiveRefinementMapperCompute(int argc, char* argv[])
     const vtkIdType selections = mapper->GetNumberOfSelections();
     scene.Render();
     CHECK(mapper->GetNumberOfSelections() == selections);
+    const vtkIdType triangles = mapper->GetNumberOfDrawnTriangles();
+
+    // What was not read before the GPU's memory is released cannot be known; after a render it is.
+    scene.Renderer->GetActiveCamera()->Azimuth(20.0);
+    scene.Render();
+    mapper->ReleaseGraphicsResources(scene.Window);
+    mapper->GetNumberOfDrawnTriangles();
+    scene.Renderer->GetActiveCamera()->Azimuth(-20.0);
+    scene.Render();
+    CHECK(mapper->GetNumberOfDrawnTriangles() == triangles);
+    CHECK(errors.None());
   }
 
   Compare(check, comparison, "Distance",
