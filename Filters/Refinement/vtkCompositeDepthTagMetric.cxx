@@ -69,19 +69,25 @@ struct Part
   }
 };
 
-using Combination = float (*)(float, float, float, int);
-
-Combination GetCombination(int mode)
+// Takes f(level, tag of the part, weight) of all parts, one after the other, from `start` on.
+template <typename Function>
+void CombineParts(const std::vector<Part>& parts, float start, vtkFloatArray* tags, Function&& f)
 {
-  switch (mode)
-  {
-    case vtkCompositeDepthTagMetric::SUM:
-      return relevo::summedLevel;
-    case vtkCompositeDepthTagMetric::PRODUCT:
-      return relevo::multipliedLevel;
-    default:
-      return relevo::largestLevel;
-  }
+  float* levels = tags->GetPointer(0);
+  vtkSMPTools::For(0, tags->GetNumberOfValues(),
+    [&, levels](vtkIdType begin, vtkIdType end)
+    {
+      std::fill(levels + begin, levels + end, start);
+      for (const Part& part : parts)
+      {
+        const float* tag = part.Tags->GetPointer(0);
+        const float weight = static_cast<float>(part.Weight);
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          levels[i] = f(levels[i], tag[i], weight);
+        }
+      }
+    });
 }
 }
 
@@ -233,25 +239,25 @@ bool vtkCompositeDepthTagMetric::Combine(vtkPolyData* mesh, const vtkRefinementV
     }
   }
 
-  const Combination combine = GetCombination(this->Mode);
-  const float start = this->Mode == PRODUCT ? static_cast<float>(maximumLevel) : 0.0f;
   tags->SetNumberOfComponents(1);
-  const vtkIdType numberOfTags = parts[0].Tags->GetNumberOfTuples();
-  tags->SetNumberOfTuples(numberOfTags);
-  vtkSMPTools::For(0, numberOfTags,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        float level = start;
-        for (const Part& part : parts)
-        {
-          level =
-            combine(level, part.Tags->GetValue(i), static_cast<float>(part.Weight), maximumLevel);
-        }
-        tags->SetValue(i, level);
-      }
-    });
+  tags->SetNumberOfTuples(parts[0].Tags->GetNumberOfTuples());
+  switch (this->Mode)
+  {
+    case SUM:
+      CombineParts(parts, 0.0f, tags,
+        [=](float level, float part, float weight)
+        { return relevo::summedLevel(level, part, weight, maximumLevel); });
+      break;
+    case PRODUCT:
+      CombineParts(parts, static_cast<float>(maximumLevel), tags,
+        [=](float level, float part, float weight)
+        { return relevo::multipliedLevel(level, part, weight, maximumLevel); });
+      break;
+    default:
+      CombineParts(parts, 0.0f, tags,
+        [=](float level, float part, float weight)
+        { return relevo::largestLevel(level, part, weight, maximumLevel); });
+  }
   tags->Modified();
   return true;
 }

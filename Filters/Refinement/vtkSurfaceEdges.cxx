@@ -9,44 +9,18 @@
 
 namespace
 {
-// A side of a triangle. Sorted, those of an edge follow each other.
+// A side of a triangle, among those that have its lower place.
 struct Side
 {
-  int Places[2]; // the lower first
+  int High; // its other place
   int Triangle;
   bool Descending; // the triangle passes it from the higher place to the lower
 
   bool operator<(const Side& other) const
   {
-    return std::tie(this->Places[0], this->Places[1], this->Triangle) <
-      std::tie(other.Places[0], other.Places[1], other.Triangle);
-  }
-  bool IsOnEdgeOf(const Side& other) const
-  {
-    return this->Places[0] == other.Places[0] && this->Places[1] == other.Places[1];
+    return std::tie(this->High, this->Triangle) < std::tie(other.High, other.Triangle);
   }
 };
-
-std::vector<Side> MakeSides(const std::vector<relevo::SurfaceTriangles::Triangle>& triangles)
-{
-  std::vector<Side> sides(3 * triangles.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(triangles.size()),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType t = begin; t < end; ++t)
-      {
-        for (int i = 0; i < 3; ++i)
-        {
-          const int from = static_cast<int>(triangles[t][i]);
-          const int to = static_cast<int>(triangles[t][(i + 1) % 3]);
-          sides[3 * t + i] = { { std::min(from, to), std::max(from, to) }, static_cast<int>(t),
-            from > to };
-        }
-      }
-    });
-  vtkSMPTools::Sort(sides.begin(), sides.end());
-  return sides;
-}
 
 // Counts become starts: element i of the result is the sum of all counts before i.
 void Accumulate(std::vector<int>& counts)
@@ -57,6 +31,41 @@ void Accumulate(std::vector<int>& counts)
     sum += count;
     count = sum - count;
   }
+}
+
+// All sides by their lower place, from starts[place] to starts[place + 1], in order: those of an
+// edge follow each other. Dealt out by place first, which takes a tenth of the time of a sort.
+std::vector<Side> MakeSides(
+  const std::vector<relevo::SurfaceTriangles::Triangle>& triangles, std::vector<int>& starts)
+{
+  const auto forEachSide = [&triangles](auto&& f)
+  {
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        f(static_cast<int>(triangles[t][i]), static_cast<int>(triangles[t][(i + 1) % 3]),
+          static_cast<int>(t));
+      }
+    }
+  };
+  forEachSide([&starts](int from, int to, int) { ++starts[std::min(from, to)]; });
+  Accumulate(starts);
+  std::vector<Side> sides(3 * triangles.size());
+  std::vector<int> next(starts);
+  forEachSide(
+    [&](int from, int to, int triangle) {
+      sides[next[std::min(from, to)]++] = { std::max(from, to), triangle, from > to };
+    });
+  vtkSMPTools::For(0, static_cast<vtkIdType>(starts.size()) - 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType place = begin; place < end; ++place)
+      {
+        std::sort(sides.begin() + starts[place], sides.begin() + starts[place + 1]);
+      }
+    });
+  return sides;
 }
 }
 
@@ -81,37 +90,44 @@ void SurfaceEdges::BuildEdges()
   this->Edges.clear();
   this->Sides.clear();
   this->FirstSides.clear();
-  this->FirstEdges.assign(this->Triangles.GetNumberOfPoints() + 1, 0);
-  const std::vector<Side> sides = MakeSides(this->Triangles.GetTriangles());
-  for (std::size_t first = 0, last = 0; first < sides.size(); first = last)
+  const vtkIdType numberOfPlaces = this->Triangles.GetNumberOfPoints();
+  std::vector<int> starts(numberOfPlaces + 1, 0);
+  const std::vector<Side> sides = MakeSides(this->Triangles.GetTriangles(), starts);
+  this->Edges.reserve(sides.size() / 2);
+  this->Sides.reserve(sides.size() / 2);
+  this->FirstEdges.assign(1, 0);
+  for (vtkIdType low = 0; low < numberOfPlaces; ++low)
   {
-    while (last < sides.size() && sides[last].IsOnEdgeOf(sides[first]))
+    for (int first = starts[low], last = first; first < starts[low + 1]; first = last)
     {
-      ++last;
+      while (last < starts[low + 1] && sides[last].High == sides[first].High)
+      {
+        ++last;
+      }
+      this->FirstSides.push_back(static_cast<int>(this->Sides.size()));
+      SurfaceEdgeSides two{ this->GetNumberOfEdges(), { sides[first].Triangle, -1 },
+        SurfaceEdgeSides::OPEN };
+      this->Edges.push_back({ { static_cast<int>(low), sides[first].High } });
+      if (last - first == 1)
+      {
+        this->Sides.push_back(two);
+      }
+      else if (last - first == 2)
+      {
+        two.Type = sides[first].Descending != sides[first + 1].Descending
+          ? SurfaceEdgeSides::INNER
+          : SurfaceEdgeSides::FLIPPED;
+      }
+      for (int i = first; i + 1 < last; ++i)
+      {
+        two.Triangles[0] = sides[i].Triangle;
+        two.Triangles[1] = sides[i + 1].Triangle;
+        this->Sides.push_back(two);
+      }
     }
-    const Side& side = sides[first];
-    SurfaceEdgeSides two{ this->GetNumberOfEdges(), { side.Triangle, -1 }, SurfaceEdgeSides::OPEN };
-    this->Edges.push_back({ { side.Places[0], side.Places[1] } });
-    this->FirstSides.push_back(static_cast<int>(this->Sides.size()));
-    ++this->FirstEdges[side.Places[0]];
-    if (last - first == 1)
-    {
-      this->Sides.push_back(two);
-    }
-    else if (last - first == 2)
-    {
-      two.Type = side.Descending != sides[first + 1].Descending ? SurfaceEdgeSides::INNER
-                                                                : SurfaceEdgeSides::FLIPPED;
-    }
-    for (std::size_t i = first; i + 1 < last; ++i)
-    {
-      two.Triangles[0] = sides[i].Triangle;
-      two.Triangles[1] = sides[i + 1].Triangle;
-      this->Sides.push_back(two);
-    }
+    this->FirstEdges.push_back(this->GetNumberOfEdges());
   }
   this->FirstSides.push_back(static_cast<int>(this->Sides.size()));
-  Accumulate(this->FirstEdges);
 }
 
 void SurfaceEdges::BuildUses()
