@@ -115,7 +115,8 @@ bool RefinementComputeState::IsHardware()
   std::string renderer = name ? reinterpret_cast<const char*>(name) : "";
   std::transform(renderer.begin(), renderer.end(), renderer.begin(),
     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  for (const char* software : { "llvmpipe", "softpipe", "swr", "software", "gdi generic" })
+  for (const char* software :
+    { "llvmpipe", "softpipe", "swr", "software", "swiftshader", "basic render", "gdi generic" })
   {
     if (renderer.find(software) != std::string::npos)
     {

@@ -3,6 +3,8 @@
 /**
  * @class   vtkRelevoOpenGL
  * @brief   the OpenGL entry points, by whichever loader this VTK has (GLEW, from 9.4 on glad)
+ *
+ * Both know OpenGL 4.5; a function that the context has not is a null pointer.
  */
 #ifndef vtkRelevoOpenGL_h
 #define vtkRelevoOpenGL_h

@@ -31,6 +31,7 @@
 #include "vtkViewDependentDepthTagMetric.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <numeric>
@@ -237,6 +238,21 @@ std::vector<NamedMetric> MakeMetrics(double length)
     { "composite", composite } };
 }
 
+// A mountain range.
+Mesh MakeTerrain()
+{
+  Mesh mesh = Plane(90, 80);
+  vtkPoints* points = mesh->GetPoints();
+  double x[3];
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    points->GetPoint(i, x);
+    x[2] = 0.1 * std::sin(9.0 * x[0]) * std::cos(7.0 * x[1]) + 0.02 * std::sin(40.0 * x[0] * x[1]);
+    points->SetPoint(i, x);
+  }
+  return mesh;
+}
+
 Mesh ReadBunny()
 {
   const char* data = std::getenv("RELEVO_TEST_DATA");
@@ -269,7 +285,7 @@ int TestAdaptiveRefinementMapperComputeLevels(int, char*[])
   const double offset[3] = { 1e6, 2e6, -3e6 };
   const std::pair<std::string, Mesh> meshes[] = { { "apart", Explode(Sphere(24, 20)) },
     { "far away", Moved(Sphere(24, 20), 1.0, offset, VTK_DOUBLE) }, { "sphere", Sphere(40, 30) },
-    { "cube", Cube() }, { "plane", Plane(60, 50) }, { "bunny", ReadBunny() } };
+    { "cube", Cube() }, { "terrain", MakeTerrain() }, { "bunny", ReadBunny() } };
   for (const auto& mesh : meshes)
   {
     if (!mesh.second)
