@@ -139,7 +139,7 @@ Mesh RandomMesh(Dice& dice)
   constexpr int Never = std::numeric_limits<int>::max();
   data->AddArray(RandomArray(dice, "Corner", numberOfPoints, 0.0, 1.0, Never));
   data->AddArray(RandomArray(dice, "Field", numberOfPoints, -1.0, 1.0, 20));
-  if (dice.Once(6))
+  if (dice.Once(3))
   {
     data->AddArray(RandomArray(dice, "DepthTag", numberOfPoints, -2.0, 6.0, 500));
   }

@@ -5,9 +5,9 @@
 // square grid: edge 01 is y = 0, edge 12 is s = 128, edge 02 is s = y. A vertex of level q, the
 // level of the coarsest grid that has it, has steps of 2^(7-q). It moves from a place that the
 // coarser grid has to its own while the tag that it follows goes from q - 0.5, where levels are
-// rounded up to q, to q, where it stays. A vertex on an edge follows the tag of this edge, by operations that
-// are the same, to the bit, on all three edges; the others follow tags that do not depend on the
-// vertex.
+// rounded up to q, to q, where it stays. A vertex on an edge follows the tag of this edge, by
+// operations that are the same, to the bit, on all three edges; the others follow tags that do not
+// depend on the vertex.
 
 // How much of its way a vertex has gone.
 RELEVO_FUNCTION float morphFraction(float tag, float level)
