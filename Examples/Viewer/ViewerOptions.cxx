@@ -4,8 +4,11 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -44,15 +47,31 @@ int ToInteger(const std::string& option, const std::string& text, int lowest, in
   return static_cast<int>(value);
 }
 
-// One of two words: whether it is the second.
-bool IsSecond(const std::string& option, const std::string& text, const std::string& first,
-  const std::string& second)
+double ToPositiveNumber(const std::string& option, const std::string& text)
 {
-  if (text != first && text != second)
+  const double value = ToNumber(option, text);
+  if (value <= 0.0)
   {
-    throw UsageError(option + " wants " + first + " or " + second + ", not '" + text + "'");
+    throw UsageError(option + " wants a number above 0, not '" + text + "'");
   }
-  return text == second;
+  return value;
+}
+
+// What a word stands for.
+template <typename T>
+T ToChoice(const std::string& option, const std::string& text,
+  const std::vector<std::pair<std::string, T>>& choices)
+{
+  std::string words;
+  for (size_t i = 0; i < choices.size(); ++i)
+  {
+    if (choices[i].first == text)
+    {
+      return choices[i].second;
+    }
+    words += (i == 0 ? "" : i + 1 < choices.size() ? ", " : " or ") + choices[i].first;
+  }
+  throw UsageError(option + " wants " + words + ", not '" + text + "'");
 }
 
 void ToSize(const std::string& option, const std::string& text, int size[2])
@@ -81,6 +100,23 @@ void ToBands(const std::string& option, const std::string& text, int bands[3])
   }
 }
 
+std::array<double, 3> ToRegion(const std::string& option, const std::string& text)
+{
+  std::istringstream stream(text);
+  std::string number;
+  std::array<double, 3> region{};
+  size_t count = 0;
+  for (; count < 3 && std::getline(stream, number, ','); ++count)
+  {
+    region[count] = count < 2 ? ToNumber(option, number) : ToPositiveNumber(option, number);
+  }
+  if (count < 3 || !stream.eof())
+  {
+    throw UsageError(option + " wants X,Y,RADIUS, not '" + text + "'");
+  }
+  return region;
+}
+
 std::string ToFileName(
   const std::string& option, const std::string& text, const std::string& extension)
 {
@@ -91,6 +127,14 @@ std::string ToFileName(
   }
   return text;
 }
+
+void CheckUse(const std::string& option, bool isUsed, bool isUseful, const std::string& metric)
+{
+  if (isUsed && !isUseful)
+  {
+    throw UsageError(option + " goes with --metric " + metric);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -100,12 +144,24 @@ ViewerOptions ParseOptions(int argc, char* argv[])
   const std::map<std::string, std::function<void()>> flags = {
     { "--help", [&] { options.Help = true; } },
     { "-h", [&] { options.Help = true; } },
+    { "--no-geomorphing", [&] { options.Geomorphing = false; } },
+    { "--per-edge", [&] { options.PerEdge = true; } },
     { "--stats", [&] { options.Statistics = true; } },
     { "--stretch", [&] { options.Stretch = true; } },
     { "--wireframe", [&] { options.Wireframe = true; } },
   };
   using Setter = std::function<void(const std::string& option, const std::string& value)>;
   const std::map<std::string, Setter> settings = {
+    { "--budget",
+      [&](const auto& option, const auto& value)
+      { options.Budget = ToInteger(option, value, 1, std::numeric_limits<int>::max()); } },
+    { "--color-by",
+      [&](const auto& option, const auto& value)
+      {
+        using Type = ViewerOptions::ColorType;
+        options.Color = ToChoice<Type>(option, value,
+          { { "level", Type::Level }, { "pattern", Type::Pattern }, { "metric", Type::Metric } });
+      } },
     { "--exaggeration",
       [&](const auto& option, const auto& value)
       { options.Exaggeration = ToNumber(option, value); } },
@@ -122,19 +178,37 @@ ViewerOptions ParseOptions(int argc, char* argv[])
     { "--metric",
       [&](const auto& option, const auto& value)
       {
-        options.Metric = IsSecond(option, value, "distance", "curvature")
-          ? ViewerOptions::MetricType::Curvature
-          : ViewerOptions::MetricType::Distance;
+        using Type = ViewerOptions::MetricType;
+        options.Metric = ToChoice<Type>(option, value,
+          { { "distance", Type::Distance }, { "screen-edge", Type::ScreenEdge },
+            { "curvature", Type::Curvature }, { "silhouette", Type::Silhouette },
+            { "contour", Type::Contour }, { "view-dependent", Type::ViewDependent },
+            { "field", Type::Field }, { "region", Type::Region } });
       } },
     { "--no-data",
-      [&](const auto& option, const auto& value)
-      { options.FillNoData = IsSecond(option, value, "hole", "fill"); } },
+      [&](const auto& option, const auto& value) {
+        options.FillNoData = ToChoice<bool>(option, value, { { "hole", false }, { "fill", true } });
+      } },
     { "--output",
       [&](const auto& option, const auto& value)
       { options.Output = ToFileName(option, value, ".png"); } },
+    { "--pixels",
+      [&](const auto& option, const auto& value)
+      { options.Pixels = ToPositiveNumber(option, value); } },
+    { "--reach",
+      [&](const auto& option, const auto& value)
+      { options.Reach = ToPositiveNumber(option, value); } },
+    { "--region",
+      [&](const auto& option, const auto& value) { options.Region = ToRegion(option, value); } },
     { "--resolution",
       [&](const auto& option, const auto& value)
       { options.Resolution = ToInteger(option, value, 1, LargestResolution); } },
+    { "--segments",
+      [&](const auto& option, const auto& value)
+      {
+        options.WholeSegments =
+          ToChoice<bool>(option, value, { { "powers", false }, { "whole", true } });
+      } },
     { "--size",
       [&](const auto& option, const auto& value) { ToSize(option, value, options.Size); } },
   };
@@ -172,6 +246,11 @@ ViewerOptions ParseOptions(int argc, char* argv[])
     }
     setting->second(option, equals == std::string::npos ? argv[++i] : argument.substr(equals + 1));
   }
+  using Type = ViewerOptions::MetricType;
+  CheckUse(
+    "--pixels", options.Pixels.has_value(), options.Metric == Type::ScreenEdge, "screen-edge");
+  CheckUse("--reach", options.Reach.has_value(), options.Metric == Type::Distance, "distance");
+  CheckUse("--region", options.Region.has_value(), options.Metric == Type::Region, "region");
   if (options.HeightMap.empty() && !options.Help)
   {
     throw UsageError("which height map?");
@@ -195,11 +274,25 @@ a window when there is a display, a picture with --output.
   --resolution N         coarse squares along the longer side (default 128)
   --max-level N          deepest refinement, 0 to 7: an edge has up to 2^N segments (default: as
                          fine as the height map, or as the pixels of the picture)
-  --metric distance|curvature
-                         refine what is near the camera (default), or what is strongly curved
+  --metric NAME          what to refine: distance (default; what is near), screen-edge (what is
+                         long on the screen), curvature, silhouette, contour (outlines by normals
+                         or by faces), view-dependent (bent and seen edge-on), field (where the
+                         height varies), region (around a place)
+  --reach M              metres from the camera that distance refines (default: three times the
+                         terrain's diagonal)
+  --pixels N             length of a segment on the screen for screen-edge (default 4)
+  --region X,Y,RADIUS    the place for region, in metres from the terrain's centre
+  --per-edge             levels of edges by themselves, not as the mean of their ends': fewer
+                         triangles
+  --segments powers|whole
+                         edges of 2^level segments (default), or of any number up to 16
+  --no-geomorphing       let vertices appear where they belong, instead of sliding there
+  --budget N             about N triangles, by raising or lowering all levels
+  --color-by level|pattern|metric
+                         show these instead of the terrain's colours, with a legend
   --no-data hole|fill    leave out what has no data (default), or fill it in smoothly
   --wireframe            draw the edges of the refined triangles
-  --stats                print faces, triangles, draw calls, graphics memory and frame time
+  --stats                print faces, triangles, draw calls, graphics memory and times
   --size WxH             of the picture or the window, in pixels (default 1280x800)
   --output FILE.png      write a picture and leave; needs no display
   --export FILE.vtp      write the displaced refined mesh (metres: x east, y north, z up) and leave

@@ -6,6 +6,7 @@
 #ifndef ViewerOptions_h
 #define ViewerOptions_h
 
+#include <array>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -15,8 +16,22 @@ struct ViewerOptions
   enum class MetricType
   {
     Distance,
-    Curvature
+    ScreenEdge,
+    Curvature,
+    Silhouette,
+    Contour,
+    ViewDependent,
+    Field,
+    Region
   };
+  enum class ColorType
+  {
+    Terrain,
+    Level,
+    Pattern,
+    Metric
+  };
+  static constexpr double DefaultPixels = 4.0;
 
   std::string HeightMap;
   std::string Imagery;
@@ -25,6 +40,14 @@ struct ViewerOptions
   double Exaggeration = 1.0;
   std::optional<int> MaximumLevel;
   MetricType Metric = MetricType::Distance;
+  std::optional<double> Pixels;                // of ScreenEdge
+  std::optional<double> Reach;                 // of Distance
+  std::optional<std::array<double, 3>> Region; // x, y, radius
+  bool PerEdge = false;
+  bool WholeSegments = false;
+  bool Geomorphing = true;
+  int Budget = 0; // triangles; 0 for as many as it takes
+  ColorType Color = ColorType::Terrain;
   std::optional<int> Resolution;
   bool FillNoData = false;
   bool Wireframe = false;

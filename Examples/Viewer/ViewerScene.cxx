@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewerScene.h"
 
+#include "ViewerLegend.h"
+#include "ViewerMetric.h"
+
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkAdaptiveRefinementMapper.h"
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
-#include "vtkCurvatureDepthTagMetric.h"
 #include "vtkDataArray.h"
+#include "vtkDepthTagMetric.h"
 #include "vtkDisplacement.h"
-#include "vtkDistanceDepthTagMetric.h"
-#include "vtkFloatArray.h"
 #include "vtkHeightField.h"
 #include "vtkHeightMap.h"
 #include "vtkImageData.h"
@@ -25,6 +26,7 @@
 #include "vtkRefinementView.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkScalarBarActor.h"
 #include "vtkSMPTools.h"
 #include "vtkTerrainSource.h"
 #include "vtkTexture.h"
@@ -181,6 +183,7 @@ ViewerScene::ViewerScene(const ViewerOptions& options, ViewerMessages& messages)
     this->Actor->GetProperty()->SetRepresentationToWireframe();
   }
   this->SetColours();
+  this->SetLevelColours();
   this->SetLights();
   this->Renderer->AddActor(this->Actor);
   this->SetCamera();
@@ -216,7 +219,7 @@ void ViewerScene::ReadTerrain()
     throw ViewerError(this->Options.HeightMap + " has no terrain to draw");
   }
 
-  // The coarse mesh as the displacement moves it: what the camera and the curvature look at.
+  // The coarse mesh as the displacement moves it: what the camera and the metrics look at.
   vtkDisplacement* displacement = this->Source->GetDisplacement();
   vtkHeightField* heights = displacement->GetHeightMap();
   vtkDataArray* coordinates = this->Mesh->GetPointData()->GetTCoords();
@@ -234,6 +237,7 @@ void ViewerScene::ReadTerrain()
   }
   this->DisplacedMesh->ShallowCopy(this->Mesh);
   this->DisplacedMesh->SetPoints(points);
+  this->DisplacedMesh->GetPointData()->SetNormals(nullptr); // those of the flat mesh
 }
 
 //------------------------------------------------------------------------------
@@ -261,24 +265,46 @@ int ViewerScene::GetDefaultLevel()
 //------------------------------------------------------------------------------
 void ViewerScene::SetLevels()
 {
-  if (this->Options.Metric == ViewerOptions::MetricType::Distance)
+  this->Recipe->SetMetric(MakeMetric(this->Options, this->DisplacedMesh, this->Messages));
+  if (this->Options.PerEdge)
   {
-    vtkNew<vtkDistanceDepthTagMetric> metric;
-    this->Messages.Observe(metric);
-    this->Recipe->SetMetric(metric);
-    return;
+    this->Recipe->SetLevelRuleToPerEdge();
   }
-  // The coarse mesh itself is flat: its relief is in the displacement. Mean curvature, for the
-  // Gaussian one is blind to straight ridges and valleys.
-  vtkNew<vtkCurvatureDepthTagMetric> metric;
-  this->Messages.Observe(metric);
-  metric->SetCurvatureTypeToMean();
-  vtkNew<vtkFloatArray> tags;
-  metric->ComputeTags(
-    this->DisplacedMesh, vtkRefinementView(), this->Recipe->GetMaximumLevel(), tags);
-  this->Messages.Check();
-  tags->SetName(this->Recipe->GetDepthTagArrayName());
-  this->Mesh->GetPointData()->AddArray(tags);
+  if (this->Options.WholeSegments)
+  {
+    this->Recipe->SetSegmentPolicyToWholeNumbers();
+  }
+  if (!this->Options.Geomorphing)
+  {
+    this->Recipe->GeomorphingOff();
+  }
+}
+
+//------------------------------------------------------------------------------
+void ViewerScene::SetLevelColours()
+{
+  std::string title = "Level";
+  switch (this->Options.Color)
+  {
+    case ViewerOptions::ColorType::Terrain:
+      return;
+    case ViewerOptions::ColorType::Level:
+      this->Mapper->SetColorModeToLevel();
+      break;
+    case ViewerOptions::ColorType::Pattern:
+      this->Mapper->SetColorModeToPattern();
+      title = "Pattern";
+      break;
+    case ViewerOptions::ColorType::Metric:
+      this->Mapper->SetColorModeToMetric();
+      title = "Metric";
+      break;
+  }
+  this->Actor->SetTexture(nullptr);
+  if (auto legend = MakeLegend(this->Mapper, title, this->Options.Size[1]))
+  {
+    this->Renderer->AddActor2D(legend);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -327,7 +353,8 @@ void ViewerScene::SetCamera()
 {
   const double azimuth = vtkMath::RadiansFromDegrees(192.0); // from a little west of south
   const double elevation = vtkMath::RadiansFromDegrees(38.0);
-  const double filled = 0.94; // share of the picture that the terrain may take up
+  // Share of the picture that the terrain may take up; a legend wants its own.
+  const double filled = this->Options.Color == ViewerOptions::ColorType::Terrain ? 0.94 : 0.82;
   const double forward[3] = { -std::sin(azimuth) * std::cos(elevation),
     -std::cos(azimuth) * std::cos(elevation), -std::sin(elevation) };
   const double vertical[3] = { 0.0, 0.0, 1.0 };
@@ -387,7 +414,11 @@ void ViewerScene::Export(const std::string& fileName)
   filter->SetRefinement(this->Recipe);
   filter->SetCamera(this->Renderer->GetActiveCamera());
   filter->SetViewportSize(this->Options.Size[0], this->Options.Size[1]);
+  // Nothing moves in a file: every vertex in its own place.
+  const int geomorphing = this->Recipe->GetGeomorphing();
+  this->Recipe->GeomorphingOff();
   filter->Update();
+  this->Recipe->SetGeomorphing(geomorphing);
   this->Messages.Check();
 
   vtkNew<vtkXMLPolyDataWriter> writer;
@@ -428,8 +459,11 @@ void ViewerScene::PrintStatistics(vtkRenderWindow* window, std::ostream& stream)
 
   stream << std::fixed << std::setprecision(1) << "coarse faces: " << this->Mesh->GetNumberOfCells()
          << "\n"
+         << "culled faces: " << this->Mapper->GetNumberOfCulledFaces() << "\n"
          << "drawn triangles: " << this->Mapper->GetNumberOfDrawnTriangles() << "\n"
+         << "patterns: " << this->Mapper->GetNumberOfUsedPatterns() << "\n"
          << "draw calls: " << this->Mapper->GetNumberOfDrawCalls() << "\n"
          << "graphics memory: " << this->Mapper->GetGraphicsMemorySize() / 1048576.0 << " MiB\n"
+         << "selection time: " << 1000.0 * this->Mapper->GetSelectionTime() << " ms\n"
          << "frame time: " << milliseconds[numberOfFrames / 2] << " ms" << std::endl;
 }

@@ -42,6 +42,7 @@ private:
   int GetDefaultLevel();
   void SetLevels();
   void SetColours();
+  void SetLevelColours();
   void SetLights();
   void SetCamera();
 

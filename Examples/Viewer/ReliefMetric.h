@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   ReliefMetric
+ * @brief   a metric that looks at a terrain as it is displaced
+ *
+ * The coarse mesh of a terrain is flat, for its relief is in the displacement. Curvature, outline
+ * and lengths on the screen are those of the same mesh with its points on the relief.
+ */
+#ifndef ReliefMetric_h
+#define ReliefMetric_h
+
+#include "vtkDepthTagMetric.h"
+#include "vtkPolyData.h"     // for members
+#include "vtkSmartPointer.h" // for members
+#include "vtkSurfaceEdges.h" // for members
+
+class ReliefMetric : public vtkDepthTagMetric
+{
+public:
+  static ReliefMetric* New();
+  vtkTypeMacro(ReliefMetric, vtkDepthTagMetric);
+
+  void SetMetric(vtkDepthTagMetric* metric);
+
+  /// The relief, with the points and cells of the mesh that will be refined.
+  void SetRelief(vtkPolyData* relief);
+
+  bool IsViewDependent() override { return this->Metric->IsViewDependent(); }
+  bool IsPlacementDependent() override { return this->Metric->IsPlacementDependent(); }
+  bool ComputeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+    vtkFloatArray* tags) override;
+  bool ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+    const relevo::SurfaceEdges& edges, vtkFloatArray* tags) override;
+  vtkMTimeType GetMTime() override;
+
+private:
+  vtkSmartPointer<vtkDepthTagMetric> Metric;
+  vtkSmartPointer<vtkPolyData> Relief;
+  relevo::SurfaceEdges Edges; // of the relief, in the order of the mesh's
+};
+
+#endif
