@@ -26,8 +26,8 @@
 #include "vtkRefinementView.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkScalarBarActor.h"
 #include "vtkSMPTools.h"
+#include "vtkScalarBarActor.h"
 #include "vtkTerrainSource.h"
 #include "vtkTexture.h"
 #include "vtkXMLPolyDataWriter.h"
@@ -423,7 +423,7 @@ void ViewerScene::Export(const std::string& fileName)
 
   vtkNew<vtkXMLPolyDataWriter> writer;
   this->Messages.Observe(writer, "writing");
-  writer->SetInputConnection(filter->GetOutputPort());
+  writer->SetInputData(filter->GetOutput());
   writer->SetFileName(fileName.c_str());
   const bool isWritten = writer->Write() == 1;
   this->Messages.Check();

@@ -4,6 +4,7 @@
 
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -12,7 +13,9 @@ import unittest
 import relevo
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+from vtkmodules.vtkIOPLY import vtkPLYWriter
 
 SOURCE = pathlib.Path(os.environ["RELEVO_SOURCE_DIR"])
 if not hasattr(relevo, "vtkEGLOffscreenRenderWindow"):
@@ -56,6 +59,51 @@ class TestExamples(unittest.TestCase):
                 for i in range(0, 800, 25)
             }
             self.assertGreater(len(shades), 10)
+
+    def run_metrics(self, folder, *arguments):
+        environment = dict(os.environ)
+        environment.pop("DISPLAY", None)
+        return subprocess.run(
+            [sys.executable, SOURCE / "Examples/Python/metrics.py", *arguments],
+            cwd=folder,
+            env=environment,
+            capture_output=True,
+            text=True,
+        )
+
+    def test_metrics(self):
+        names = [path.stem for path in (SOURCE / "Examples/Python/metrics").glob("*.png")]
+        self.assertEqual(len(names), 9)
+        readme = (SOURCE / "README.md").read_text()
+        triangles = set()
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            for metric in names:
+                self.assertIn(f"Examples/Python/metrics/{metric}.png", readme)
+                run = self.run_metrics(folder, metric, "out.png")
+                self.assertEqual((run.returncode, run.stderr), (0, ""))
+                numbers = re.fullmatch(r"(\d+) faces, (\d+) triangles\n", run.stdout)
+                self.assertGreater(int(numbers[2]), int(numbers[1]))
+                triangles.add(numbers[2])
+                reader = vtkPNGReader()
+                reader.SetFileName(str(folder / "out.png"))
+                reader.Update()
+                self.assertEqual(reader.GetOutput().GetDimensions(), (420, 270, 1))
+        self.assertEqual(len(triangles), 9)
+
+    def test_metrics_of_a_mesh(self):
+        sphere = vtkSphereSource()
+        writer = vtkPLYWriter()
+        writer.SetInputConnection(sphere.GetOutputPort())
+        with tempfile.TemporaryDirectory() as name:
+            writer.SetFileName(str(pathlib.Path(name) / "sphere.ply"))
+            writer.Write()
+            run = self.run_metrics(name, "contour", "out.png", "sphere.ply")
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+            self.assertTrue(run.stdout.startswith("96 faces, "), run.stdout)
+            run = self.run_metrics(name, "slope", "out.png")
+            self.assertEqual(run.returncode, 1)
+            self.assertIn("screen-edge", run.stderr)
 
     def test_readme_shows_the_example(self):
         example = (SOURCE / "Examples/Python/terrain.py").read_text()

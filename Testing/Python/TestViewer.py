@@ -5,6 +5,7 @@
 import math
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -21,6 +22,18 @@ DATA = pathlib.Path(os.environ.get("RELEVO_TEST_DATA") or "/nonexistent")
 if not PROGRAM.exists():
     print("skipped: relevo-view was not built")
     sys.exit(125)
+
+
+METRICS = (
+    "distance",
+    "screen-edge",
+    "curvature",
+    "silhouette",
+    "contour",
+    "view-dependent",
+    "field",
+    "region",
+)
 
 
 def hill(x, y):
@@ -104,7 +117,17 @@ class TestViewer(unittest.TestCase):
         self.assert_error(2, ["--max-level", "'2.5'"], self.heights, "--max-level", "2.5")
         self.assert_error(2, ["--exaggeration", "'nan'"], self.heights, "--exaggeration", "nan")
         self.assert_error(2, ["--exaggeration", "'2x'"], self.heights, "--exaggeration", "2x")
-        self.assert_error(2, ["--metric", "'slope'"], self.heights, "--metric", "slope")
+        self.assert_error(2, ["--metric", "region", "'slope'"], self.heights, "--metric", "slope")
+        self.assert_error(2, ["--color-by", "'hue'"], self.heights, "--color-by", "hue")
+        self.assert_error(2, ["--segments", "'3'"], self.heights, "--segments", "3")
+        self.assert_error(2, ["--pixels", "'0'"], self.heights, "--pixels", "0")
+        self.assert_error(2, ["--pixels", "screen-edge"], self.heights, "--pixels", "3")
+        self.assert_error(2, ["--reach", "distance"], self.heights, "--metric=field", "--reach=9")
+        for region in ("1,2", "1,2,0", "1,2,3,4", "1,x,2"):
+            self.assert_error(
+                2, ["--region"], self.heights, "--metric", "region", "--region", region
+            )
+        self.assert_error(2, ["--region", "region"], self.heights, "--region", "1,2,3")
         for bands in ("1,2", "1,2,3,4", "1,2,x", "0,1,2"):
             self.assert_error(2, ["--imagery-bands"], self.heights, "--imagery-bands", bands)
         self.assert_error(2, ["--size", "'640'"], self.heights, "--size", "640")
@@ -159,7 +182,7 @@ class TestViewer(unittest.TestCase):
         )
         try:
             # The statistics come once the window has drawn; then it stays open.
-            self.assertTrue(any("frame time" in window.stdout.readline() for _ in range(5)))
+            self.assertTrue(any("frame time" in window.stdout.readline() for _ in range(8)))
             with self.assertRaises(subprocess.TimeoutExpired):
                 window.wait(1)
         finally:
@@ -205,12 +228,99 @@ class TestViewer(unittest.TestCase):
         lines = dict(line.split(": ") for line in run.stdout.splitlines())
         self.assertEqual(
             list(lines),
-            ["coarse faces", "drawn triangles", "draw calls", "graphics memory", "frame time"],
+            [
+                "coarse faces",
+                "culled faces",
+                "drawn triangles",
+                "patterns",
+                "draw calls",
+                "graphics memory",
+                "selection time",
+                "frame time",
+            ],
         )
+        self.assertGreaterEqual(int(lines["culled faces"]), 0)
+        self.assertGreater(int(lines["patterns"]), 0)
+        self.assertGreaterEqual(float(lines["selection time"].removesuffix(" ms")), 0.0)
         self.assertGreaterEqual(int(lines["drawn triangles"]), int(lines["coarse faces"]))
         self.assertGreater(int(lines["draw calls"]), 0)
         self.assertGreater(float(lines["graphics memory"].removesuffix(" MiB")), 0.0)
         self.assertGreater(float(lines["frame time"].removesuffix(" ms")), 0.0)
+
+    def triangles(self, *arguments):
+        run = self.view(self.heights, "--stats", "--output", "s.png", "--size=160x100", *arguments)
+        return int(re.search(r"drawn triangles: (\d+)", run.stdout)[1])
+
+    def test_metrics(self):
+        counts = {
+            metric: self.triangles("--metric", metric, "--max-level", "3", "--resolution", "12")
+            for metric in METRICS
+        }
+        coarse = self.triangles("--max-level", "0", "--resolution", "12")
+        self.assertTrue(all(coarse < n < 64 * coarse for n in counts.values()), counts)
+        self.assertGreater(len(set(counts.values())), 6, counts)
+
+    def test_parameters_of_metrics(self):
+        common = ("--max-level", "4", "--resolution", "6")
+
+        def falls(metric, option, small, large):
+            self.assertGreater(
+                self.triangles(*common, "--metric", metric, option, small),
+                self.triangles(*common, "--metric", metric, option, large),
+            )
+
+        falls("screen-edge", "--pixels", "2", "20")
+        falls("distance", "--reach", "1000", "100")
+        falls("region", "--region", "0,0,12", "0,0,2")
+        per_vertex = self.triangles(*common, "--metric", "screen-edge")
+        self.assertLess(self.triangles(*common, "--metric", "screen-edge", "--per-edge"), per_vertex)
+
+    def test_export_of_a_region(self):
+        """Around the place asked for the mesh is finest."""
+        mesh = self.mesh(
+            "--metric=region", "--region=12,8,2", "--max-level=3", "--resolution=6"
+        )
+        near = [0, 0]
+        for i in range(mesh.GetNumberOfPoints()):
+            x, y, _ = mesh.GetPoint(i)
+            for k, (px, py) in enumerate(((12, 8), (-12, -8))):
+                near[k] += math.hypot(x - px, y - py) < 4
+        self.assertGreater(near[0], 8 * near[1])
+
+    def test_segments(self):
+        powers = self.triangles("--metric=screen-edge", "--no-geomorphing", "--resolution=6")
+        whole = self.triangles("--metric=screen-edge", "--segments=whole", "--resolution=6")
+        self.assertNotEqual(powers, whole)
+
+    def test_export_has_no_geomorphing(self):
+        """The same mesh with and without: in a file every vertex is in its own place."""
+        meshes = [
+            self.mesh("--metric=screen-edge", "--resolution=6", *arguments)
+            for arguments in ((), ("--no-geomorphing",))
+        ]
+        self.assertEqual(*(mesh.GetNumberOfCells() for mesh in meshes))
+        self.assertEqual(*(mesh.GetBounds() for mesh in meshes))
+        self.assertEqual(
+            *([mesh.GetPoint(i) for i in range(mesh.GetNumberOfPoints())] for mesh in meshes)
+        )
+
+    def test_colors(self):
+        """A legend beside the terrain; its colours are those of the mode."""
+        common = ("--size", "480x300", "--max-level", "2", "--resolution", "12")
+        colors = {}
+        for mode in ("level", "pattern", "metric"):
+            image = self.picture(*common, "--metric", "region", "--color-by", mode)
+            colors[mode] = {
+                tuple(image.GetScalarComponentAsFloat(i, j, 0, c) for c in range(3))
+                for i in range(4, 45)
+                for j in range(300)
+            }
+        # Viridis' ends in the legends of levels and metric: violet and yellow.
+        for mode in ("level", "metric"):
+            self.assertTrue(any(r < 80 and g < 20 and b < 110 for r, g, b in colors[mode]), mode)
+            self.assertTrue(any(r > 230 and g > 200 and b < 80 for r, g, b in colors[mode]), mode)
+        self.assertGreater(len(colors["metric"]), len(colors["level"]))
+        self.assertTrue(any(r > 215 and b > 195 and g < 120 for r, g, b in colors["pattern"]))
 
     def test_export_is_the_displaced_terrain(self):
         mesh = self.mesh("--exaggeration", "2", "--max-level", "3")

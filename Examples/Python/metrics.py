@@ -1,0 +1,196 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Shows what a metric refines, without a display: metrics.py METRIC PICTURE.png [MESH.ply]
+
+The colours are levels: an edge of level d is cut into 2^d segments. Without a mesh of yours the
+surface is a ring of 720 triangles.
+"""
+
+import math
+import sys
+
+import relevo
+from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
+from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkWindowToImageFilter
+
+
+def distance(mesh):
+    """Near to far."""
+    metric = relevo.vtkDistanceDepthTagMetric()
+    metric.SetMaximumDistance(2 * mesh.GetLength())
+    return metric
+
+
+def screen_edge(mesh):
+    """Segments of eight pixels."""
+    metric = relevo.vtkScreenEdgeDepthTagMetric()
+    metric.SetReferenceLength(8)
+    return metric
+
+
+def curvature(mesh):
+    """What is strongly bent."""
+    metric = relevo.vtkCurvatureDepthTagMetric()
+    metric.SetCurvatureTypeToMean()
+    return metric
+
+
+def silhouette(mesh):
+    """What is seen edge-on, by the normals."""
+    return relevo.vtkSilhouetteDepthTagMetric()
+
+
+def contour(mesh):
+    """The outline itself, by the faces of each edge."""
+    metric = relevo.vtkSilhouetteDepthTagMetric()
+    metric.SetCriterionToContour()
+    return metric
+
+
+def view_dependent(mesh):
+    """What is bent, the more the more it is seen edge-on."""
+    metric = relevo.vtkViewDependentDepthTagMetric()
+    metric.SetMaximumSpread(20)
+    metric.SetEdgeOnWeight(0.8)
+    return metric
+
+
+def field_variation(mesh):
+    """Where an array varies: here waves around a point."""
+    waves = vtkFloatArray()
+    waves.SetName("Waves")
+    for i in range(mesh.GetNumberOfPoints()):
+        x, y, _ = mesh.GetPoint(i)
+        waves.InsertNextValue(math.sin(16 * math.hypot(x, y) / mesh.GetLength()))
+    mesh.GetPointData().AddArray(waves)
+    metric = relevo.vtkFieldVariationDepthTagMetric()
+    metric.SetArrayName("Waves")
+    return metric
+
+
+def region(mesh):
+    """Around a place."""
+    metric = relevo.vtkRegionDepthTagMetric()
+    metric.SetCenter(mesh.GetPoint(0))
+    metric.SetRadius(0.1 * mesh.GetLength())
+    metric.SetFallOff(0.2 * mesh.GetLength())
+    return metric
+
+
+def composite(mesh):
+    """Whatever one of several metrics wants."""
+    metric = relevo.vtkCompositeDepthTagMetric()
+    metric.AddMetric(contour(mesh))
+    metric.AddMetric(region(mesh))
+    return metric
+
+
+METRICS = {
+    metric.__name__.replace("_", "-"): metric
+    for metric in (
+        distance,
+        screen_edge,
+        curvature,
+        silhouette,
+        contour,
+        view_dependent,
+        field_variation,
+        region,
+        composite,
+    )
+}
+
+
+def make_ring(around=30, across=12):
+    """A bent ring of 720 triangles that grows thicker and thinner."""
+    points = vtkPoints()
+    triangles = vtkCellArray()
+    for i in range(around):
+        u = 2 * math.pi * i / around
+        thickness = 0.32 + 0.12 * math.cos(3 * u)
+        for j in range(across):
+            v = 2 * math.pi * j / across
+            radius = 1 + thickness * math.cos(v)
+            height = thickness * math.sin(v) + 0.2 * math.sin(2 * u)
+            points.InsertNextPoint(radius * math.cos(u), radius * math.sin(u), height)
+            a, b = i * across, (i + 1) % around * across
+            k = (j + 1) % across
+            for corners in ((a + j, b + j, b + k), (a + j, b + k, a + k)):
+                triangles.InsertNextCell(3, corners)
+    ring = vtkPolyData()
+    ring.SetPoints(points)
+    ring.SetPolys(triangles)
+    return ring
+
+
+def read(filename):
+    reader = vtkPLYReader()
+    reader.SetFileName(filename)
+    reader.Update()
+    return reader.GetOutput()
+
+
+def main(name, picture, filename=None):
+    normals = vtkPolyDataNormals()
+    normals.SetInputData(read(filename) if filename else make_ring())
+    normals.SplittingOff()
+    normals.Update()
+    mesh = normals.GetOutput()
+
+    recipe = relevo.vtkAdaptiveRefinement()
+    recipe.SetMaximumLevel(3)
+    recipe.SetMetric(METRICS[name](mesh))
+    recipe.SetLevelRuleToPerEdge()
+    recipe.GeomorphingOff()  # a still picture: every vertex in its own place
+    recipe.SetSurface(relevo.vtkPNTriangleSurface())
+    mapper = relevo.vtkAdaptiveRefinementMapper()
+    mapper.SetInputData(mesh)
+    mapper.SetRefinement(recipe)
+    mapper.SetColorModeToLevel()
+
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetAmbient(0.2)
+    actor.GetProperty().EdgeVisibilityOn()
+    actor.GetProperty().SetEdgeColor(0.2, 0.2, 0.25)
+    legend = vtkScalarBarActor()
+    legend.SetLookupTable(mapper.GetLevelLookupTable())
+    legend.SetTextPositionToPrecedeScalarBar()
+    legend.SetPosition(0.82, 0.3)
+    legend.SetWidth(0.1)
+    legend.SetHeight(0.4)
+    legend.SetBarRatio(0.3)
+    renderer = vtkRenderer()
+    renderer.AddActor(actor)
+    renderer.AddActor2D(legend)
+    renderer.SetBackground(0.25, 0.27, 0.3)
+    camera = renderer.GetActiveCamera()
+    camera.SetPosition(0, -1, 0.6)
+    camera.SetViewUp(0, 0, 1)
+    renderer.ResetCamera()
+    camera.Dolly(1.75)
+    renderer.ResetCameraClippingRange()
+    window = relevo.vtkEGLOffscreenRenderWindow()
+    window.SetSize(420, 270)
+    window.SetMultiSamples(8)
+    window.AddRenderer(renderer)
+    window.Render()
+    print(mesh.GetNumberOfCells(), "faces,", mapper.GetNumberOfDrawnTriangles(), "triangles")
+
+    image = vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    writer = vtkPNGWriter()
+    writer.SetInputConnection(image.GetOutputPort())
+    writer.SetFileName(picture)
+    writer.Write()
+
+
+if len(sys.argv) not in (3, 4) or sys.argv[1] not in METRICS:
+    sys.exit("metrics.py METRIC PICTURE.png [MESH.ply], METRIC one of " + ", ".join(METRICS))
+main(*sys.argv[1:])
