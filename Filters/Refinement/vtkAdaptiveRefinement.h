@@ -76,8 +76,9 @@ public:
   //@{
   /**
    * Added to the tags of all edges before they are rounded and clamped, in levels, -16 to 16;
-   * default 0. One level more doubles the segments of every edge. Another value is an error and
-   * changes nothing.
+   * default 0. One level more doubles the segments of every edge: with
+   * vtkScreenEdgeDepthTagMetric as half the ReferenceLength does, up to the ends of its range.
+   * Another value is an error and changes nothing.
    */
   void SetLevelOffset(double levels);
   vtkGetMacro(LevelOffset, double);

@@ -60,6 +60,13 @@ public:
   virtual bool IsPlacementDependent() { return this->IsViewDependent(); }
 
   /**
+   * Whether a level says how many segments an edge needs, so that MaximumLevel only cuts levels
+   * off; otherwise levels are shares of MaximumLevel. Levels that are cut off are lost to a level
+   * offset, which asks for more of them.
+   */
+  virtual bool IsAbsolute() { return false; }
+
+  /**
    * Fill `tags` with one level per point of `mesh`, each finite and in [0, maximumLevel].
    * Returns false, after an ErrorEvent of this object, when the metric cannot be evaluated
    * (no camera for a view-dependent metric, a missing array, absurd parameters).

@@ -11,6 +11,7 @@
 #include "vtkPointPlaces.h"
 #include "vtkPolyData.h"
 #include "vtkRefinementMesh.h"
+#include "vtkRefinementPatternTable.h"
 #include "vtkRefinementView.h"
 #include "vtkSMPTools.h"
 #include "vtkSurfaceEdges.h"
@@ -49,7 +50,7 @@ vtkIdType EdgeTags::GetNumberOfValues() const
 }
 
 bool EdgeTags::Compute(vtkAdaptiveRefinement* recipe, vtkPolyData* input,
-  const RefinementMesh& mesh, const vtkRefinementView& view, std::string& error)
+  const RefinementMesh& mesh, const vtkRefinementView& view, int highest, std::string& error)
 {
   this->Kind = UNIFORM;
   this->Shader.Source = nullptr;
@@ -73,10 +74,9 @@ bool EdgeTags::Compute(vtkAdaptiveRefinement* recipe, vtkPolyData* input,
   else if (vtkDepthTagMetric* metric = recipe->GetMetric())
   {
     const bool perEdge = recipe->GetLevelRule() == vtkDepthTagMetric::PER_EDGE;
-    const int maximumLevel = recipe->GetMaximumLevel();
     this->Values->Reset();
-    const bool computed = perEdge ? this->ComputePerEdge(metric, input, mesh, view, maximumLevel)
-                                  : metric->ComputeTags(input, view, maximumLevel, this->Values);
+    const bool computed = perEdge ? this->ComputePerEdge(metric, input, mesh, view, highest)
+                                  : metric->ComputeTags(input, view, highest, this->Values);
     if (!computed)
     {
       error = std::string(metric->GetClassName()) + " gave no depth-tags";
@@ -103,7 +103,7 @@ bool EdgeTags::ComputeOrDescribe(vtkAdaptiveRefinement* recipe, vtkPolyData* inp
   this->Shader.Source = nullptr;
   vtkDepthTagMetric* metric = GetMetricInUse(recipe, input);
   if (metric &&
-    !metric->GetShader(input, view, recipe->GetMaximumLevel(), mesh.Origin, this->Shader))
+    !metric->GetShader(input, view, GetHighestTag(recipe, false), mesh.Origin, this->Shader))
   {
     error = std::string(metric->GetClassName()) + " gave no depth-tags";
     return false;
@@ -146,6 +146,12 @@ void EdgeTags::BuildEdges(vtkPolyData* input, const RefinementMesh& mesh)
     });
 }
 
+bool EdgeTags::Compute(vtkAdaptiveRefinement* recipe, vtkPolyData* input,
+  const RefinementMesh& mesh, const vtkRefinementView& view, std::string& error)
+{
+  return this->Compute(recipe, input, mesh, view, GetHighestTag(recipe, false), error);
+}
+
 bool EdgeTags::ComputePerEdge(vtkDepthTagMetric* metric, vtkPolyData* input,
   const RefinementMesh& mesh, const vtkRefinementView& view, int maximumLevel)
 {
@@ -182,6 +188,14 @@ bool EdgeTags::CheckValues(vtkIdType expected, const std::string& source, std::s
     return false;
   }
   return true;
+}
+
+int GetHighestTag(vtkAdaptiveRefinement* recipe, bool isMoved)
+{
+  vtkDepthTagMetric* metric = recipe->GetMetric();
+  const bool isOpen =
+    metric && metric->IsAbsolute() && (isMoved || recipe->GetLevelOffset() != 0.0);
+  return recipe->GetMaximumLevel() + (isOpen ? vtkRefinementPatternTable::HighestLevel + 1 : 0);
 }
 
 vtkDepthTagMetric* GetMetricInUse(vtkAdaptiveRefinement* recipe, vtkPolyData* input)

@@ -50,9 +50,13 @@ public:
   };
 
   /**
-   * Evaluate. `mesh` is the input's; call Reset() when it has been built anew. Returns false and
-   * fills `error` when the array or the metric cannot be used.
+   * Evaluate. `mesh` is the input's; call Reset() when it has been built anew. Tags of metrics go
+   * up to `highest`, see GetHighestTag(). Returns false and fills `error` when the array or the
+   * metric cannot be used.
    */
+  bool Compute(vtkAdaptiveRefinement* recipe, vtkPolyData* input, const RefinementMesh& mesh,
+    const vtkRefinementView& view, int highest, std::string& error);
+  /// The same where no budget moves levels.
   bool Compute(vtkAdaptiveRefinement* recipe, vtkPolyData* input, const RefinementMesh& mesh,
     const vtkRefinementView& view, std::string& error);
 
@@ -93,6 +97,12 @@ private:
   std::vector<int> FaceEdges;
   MetricShader Shader;
 };
+
+/**
+ * The level that a metric's tags are cut off at: MaximumLevel, but of an absolute metric more where
+ * an offset, the recipe's or a budget's (`isMoved`), brings higher tags down.
+ */
+RELEVOFILTERSREFINEMENT_EXPORT int GetHighestTag(vtkAdaptiveRefinement* recipe, bool isMoved);
 
 /**
  * The metric that EdgeTags asks; nullptr where it takes an array or nothing.

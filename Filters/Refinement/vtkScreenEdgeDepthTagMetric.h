@@ -51,6 +51,7 @@ public:
   //@}
 
   bool IsViewDependent() override { return true; }
+  bool IsAbsolute() override { return true; }
   bool ComputeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
     vtkFloatArray* tags) override;
 #ifndef __VTK_WRAP__

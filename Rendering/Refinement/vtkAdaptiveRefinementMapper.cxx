@@ -17,6 +17,7 @@
 #include "vtkHardwareSelector.h"
 #include "vtkHeightField.h"
 #include "vtkInformation.h"
+#include "vtkLevelBudget.h"
 #include "vtkLinearSurface.h"
 #include "vtkLookupTable.h"
 #include "vtkMath.h"
@@ -49,6 +50,7 @@
 #include "vtkRefinementSurface.h"
 #include "vtkRefinementView.h"
 #include "vtkRelevoCompatibility.h"
+#include "vtkRenderClock.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTimerLog.h"
@@ -78,6 +80,18 @@ bool HasExtension(const char* name)
 bool HasWholeNumbers(vtkAdaptiveRefinement* recipe)
 {
   return recipe && recipe->GetSegmentPolicy() == vtkAdaptiveRefinement::WHOLE_NUMBERS;
+}
+
+// Whether VTK has not drawn the actor yet in this frame.
+bool IsFirstPass(vtkActor* act)
+{
+  return act->GetEstimatedRenderTime() == 0.0;
+}
+
+// In seconds. An actor within an actor, as vtkLODActor has, is allotted no time of its own.
+double GetAllocatedTime(vtkRenderer* ren, vtkActor* act)
+{
+  return std::min(act->GetAllocatedRenderTime(), ren->GetAllocatedRenderTime());
 }
 
 // Whether VTK's own mapper would draw the vertices of faces.
@@ -157,6 +171,11 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   std::map<const vtkOpenGLHelper*, ProgramState> Programs;
 
   relevo::RefinementBlocks Blocks;
+
+  // Of all blocks of a composite input it is their parent's that counts.
+  relevo::LevelBudget Budget;
+  relevo::RenderClock Clock;
+  bool IsBlock = false;
 
   relevo::RefinementComputeState::Targets GetTargets() const
   {
@@ -241,6 +260,31 @@ vtkScalarsToColors* vtkAdaptiveRefinementMapper::GetLevelLookupTable()
     this->RefinementColorMode, HasWholeNumbers(recipe), recipe ? recipe->GetMaximumLevel() : 0);
 }
 
+void vtkAdaptiveRefinementMapper::SetTargetNumberOfTriangles(vtkIdType triangles)
+{
+  if (triangles < 0)
+  {
+    vtkErrorMacro("TargetNumberOfTriangles must not be negative, got " << triangles << ".");
+    return;
+  }
+  this->Internals->Budget.Target = triangles;
+}
+
+vtkIdType vtkAdaptiveRefinementMapper::GetTargetNumberOfTriangles()
+{
+  return this->Internals->Budget.Target;
+}
+
+void vtkAdaptiveRefinementMapper::SetUseAllocatedRenderTime(bool use)
+{
+  this->UseAllocatedRenderTime = use;
+}
+
+double vtkAdaptiveRefinementMapper::GetLevelOffset()
+{
+  return this->Internals->State.LevelOffset;
+}
+
 int vtkAdaptiveRefinementMapper::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
@@ -254,6 +298,8 @@ void vtkAdaptiveRefinementMapper::ShallowCopy(vtkAbstractMapper* mapper)
   if (vtkAdaptiveRefinementMapper* other = vtkAdaptiveRefinementMapper::SafeDownCast(mapper))
   {
     this->SetRefinement(other->GetRefinement());
+    this->SetTargetNumberOfTriangles(other->GetTargetNumberOfTriangles());
+    this->SetUseAllocatedRenderTime(other->GetUseAllocatedRenderTime());
     this->SetFrustumCulling(other->GetFrustumCulling());
     this->SetBackFaceCulling(other->GetBackFaceCulling());
     this->SetSelectionDevice(other->GetSelectionDevice());
@@ -412,13 +458,23 @@ bool vtkAdaptiveRefinementMapper::UpdateMesh()
 bool vtkAdaptiveRefinementMapper::SelectsOnGPU()
 {
   const vtkInternals& data = *this->Internals;
-  return data.ComputeValid && this->RefinementColorMode != COLOR_BY_METRIC &&
+  return data.ComputeValid && !data.State.IsBudgeted &&
+    this->RefinementColorMode != COLOR_BY_METRIC &&
     relevo::RefinementComputeState::CanChooseFrom(
       relevo::GetPatternFamily(this->Refinement, this->GetInput()));
 }
 
 namespace
 {
+vtkRefinementView MakeView(vtkRenderer* ren, vtkActor* act)
+{
+  vtkRefinementView view;
+  view.Camera = ren->GetActiveCamera();
+  view.ModelToWorld = act->GetMatrix();
+  std::copy_n(ren->GetSize(), 2, view.ViewportSize);
+  return view;
+}
+
 // What a camera sees of a mesh; nullptr to draw all of it.
 std::unique_ptr<relevo::CullingView> MakeCullingView(
   bool culled, vtkRenderer* ren, vtkActor* act, const relevo::RefinementMesh& mesh)
@@ -433,13 +489,54 @@ std::unique_ptr<relevo::CullingView> MakeCullingView(
 bool vtkAdaptiveRefinementMapper::UpdateSelection(vtkRenderer* ren, vtkActor* act)
 {
   vtkInternals& data = *this->Internals;
-  vtkRefinementView view;
-  view.Camera = ren->GetActiveCamera();
-  view.ModelToWorld = act->GetMatrix();
-  std::copy_n(ren->GetSize(), 2, view.ViewportSize);
+  const vtkRefinementView view = MakeView(ren, act);
   const auto culling = MakeCullingView(this->FrustumCulling, ren, act, data.State.GetMesh());
   return this->Report(data.State.UpdateSelection(this->GetInput(), this->Refinement, view,
     culling.get(), this->HidesBackFaces(ren, act), data.OnGPU));
+}
+
+void vtkAdaptiveRefinementMapper::UpdateBudget(vtkRenderer* ren, vtkActor* act)
+{
+  vtkInternals& data = *this->Internals;
+  if (data.IsBlock)
+  {
+    return;
+  }
+  double seconds = 0.0;
+  if (this->UseAllocatedRenderTime)
+  {
+    // What has been seen is picked, and later passes show what the first has shown.
+    seconds = IsFirstPass(act) && !ren->GetSelector() ? GetAllocatedTime(ren, act) : -1.0;
+  }
+  const bool isBudgeted = data.Budget.SetView(ren->GetActiveCamera(), seconds);
+  const vtkRefinementView view = MakeView(ren, act);
+  std::vector<relevo::LevelBudget::Part> parts;
+  const auto addPart = [&](vtkAdaptiveRefinementMapper* mapper)
+  {
+    relevo::RefinementState& state = mapper->Internals->State;
+    state.IsBudgeted = isBudgeted;
+    if (isBudgeted && mapper->UpdateMesh() &&
+      state.UpdateTags(mapper->GetInput(), this->Refinement, view, false))
+    {
+      const relevo::ViewSelection& selection = state.GetSelection();
+      parts.push_back({ { &state.GetMesh(), &selection.GetTags(),
+                          &relevo::GetPatternFamily(this->Refinement, mapper->GetInput()) },
+        selection.GetTagsTime() });
+    }
+  };
+  if (data.Blocks.IsEmpty())
+  {
+    addPart(this);
+  }
+  data.Blocks.ForEach(addPart);
+  const double offset = parts.empty() ? 0.0 : data.Budget.FindOffset(parts, this->Refinement);
+  const auto setOffset = [&](vtkAdaptiveRefinementMapper* mapper)
+  {
+    mapper->Internals->State.LevelOffset = offset;
+    mapper->Internals->IsBlock = mapper != this;
+  };
+  setOffset(this);
+  data.Blocks.ForEach(setOffset);
 }
 
 bool vtkAdaptiveRefinementMapper::SelectOnGPU(vtkRenderer* ren, vtkActor* act)
@@ -464,9 +561,9 @@ bool vtkAdaptiveRefinementMapper::SelectOnGPU(vtkRenderer* ren, vtkActor* act)
     !data.Compute.UpdatePatterns(family, this->Refinement->GetPatternTable(), data.Patterns,
       act->GetProperty()->GetRepresentation() == VTK_WIREFRAME) ||
     !data.Compute.UpdateView(window, slot, selection.GetTags(),
-      static_cast<float>(this->Refinement->GetLevelOffset()), selection.GetLevelsTime(),
-      camera.get(), culled && culled->HidesBehind(*camera, this->HidesBackFaces(ren, act)),
-      data.GetTargets()))
+      static_cast<float>(this->Refinement->GetLevelOffset() + data.State.LevelOffset),
+      selection.GetLevelsTime(), camera.get(),
+      culled && culled->HidesBehind(*camera, this->HidesBackFaces(ren, act)), data.GetTargets()))
   {
     error = data.Compute.GetError();
   }
@@ -695,6 +792,7 @@ void vtkAdaptiveRefinementMapper::ReleaseGraphicsResources(vtkWindow* window)
   data.Buffers.ReleaseGraphicsResources(window);
   data.Patterns.ReleaseGraphicsResources();
   data.Colors.ReleaseGraphicsResources(window);
+  data.Clock.ReleaseGraphicsResources();
   data.Compute.ReleaseGraphicsResources();
   data.FaceColors.ReleaseGraphicsResources(window);
   if (data.OnGPU)
@@ -714,6 +812,38 @@ void vtkAdaptiveRefinementMapper::ReleaseGraphicsResources(vtkWindow* window)
 // Rendering
 
 void vtkAdaptiveRefinementMapper::RenderPiece(vtkRenderer* ren, vtkActor* act)
+{
+  vtkInternals& data = *this->Internals;
+  if (data.IsBlock || !this->UseAllocatedRenderTime || ren->GetSelector())
+  {
+    this->RenderRefined(ren, act);
+    return;
+  }
+  data.Clock.Start();
+  this->RenderRefined(ren, act);
+  const double seconds = data.Clock.Stop();
+  // What the GPU selects is read back only where the time does not do.
+  const bool isSlow = seconds > GetAllocatedTime(ren, act);
+  vtkIdType triangles = 0;
+  const auto addTriangles = [&](vtkAdaptiveRefinementMapper* mapper)
+  {
+    const vtkInternals& internals = *mapper->Internals;
+    if (internals.Drawable && (isSlow || !internals.OnGPU))
+    {
+      triangles += internals.OnGPU
+        ? mapper->GetNumberOfDrawnTriangles()
+        : internals.State.GetSelection().GetSelection().GetNumberOfTriangles();
+    }
+  };
+  if (data.Blocks.IsEmpty())
+  {
+    addTriangles(this);
+  }
+  data.Blocks.ForEach(addTriangles);
+  data.Budget.AddPass(IsFirstPass(act), triangles, seconds);
+}
+
+void vtkAdaptiveRefinementMapper::RenderRefined(vtkRenderer* ren, vtkActor* act)
 {
   vtkInternals& data = *this->Internals;
   if (!this->IsComposite())
@@ -736,6 +866,7 @@ void vtkAdaptiveRefinementMapper::RenderPiece(vtkRenderer* ren, vtkActor* act)
   this->InvokeEvent(vtkCommand::EndEvent, nullptr);
   data.NumberOfDrawCalls = 0;
   data.Blocks.Update(this, vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)));
+  this->UpdateBudget(ren, act);
   data.Blocks.Render(ren, act);
   this->UpdateProgress(1.0);
 }
@@ -756,6 +887,7 @@ void vtkAdaptiveRefinementMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* a
   }
   vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
   data.Window = window;
+  this->UpdateBudget(ren, act);
   data.OnGPU = this->SelectsOnGPU();
   if (!this->UpdateSelection(ren, act))
   {
@@ -1069,6 +1201,9 @@ void vtkAdaptiveRefinementMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SelectionDevice: " << this->SelectionDevice << "\n";
   os << indent << "RefinementColorMode: " << this->RefinementColorMode << "\n";
   os << indent << "LevelLookupTable: " << this->LevelLookupTable.Get() << "\n";
+  os << indent << "TargetNumberOfTriangles: " << this->GetTargetNumberOfTriangles() << "\n";
+  os << indent << "UseAllocatedRenderTime: " << (this->UseAllocatedRenderTime ? "On\n" : "Off\n");
+  os << indent << "LevelOffset: " << this->GetLevelOffset() << "\n";
   os << indent << "NumberOfCoarseFaces: " << this->GetNumberOfCoarseFaces() << "\n";
   os << indent << "NumberOfDrawnTriangles: " << this->GetNumberOfDrawnTriangles() << "\n";
   os << indent << "NumberOfDrawCalls: " << this->GetNumberOfDrawCalls() << "\n";

@@ -121,6 +121,44 @@ public:
    */
   int GetSelectionDeviceInUse();
 
+  //@{
+  /**
+   * How many triangles to draw, 0 (the default) for what the recipe says. Otherwise each selection
+   * adds to all levels what brings GetNumberOfDrawnTriangles() nearest to the target: within 5 %
+   * where that can be had, with culled faces and those over no-data counted. All blocks of a
+   * composite input share the target. Levels depend on the view and the target alone, not on
+   * earlier frames, so that nothing swings. Where many edges have the same level before they are
+   * rounded, as at the ends of a metric's range, their faces change together and the target may
+   * be missed from below: have the metric ask for about as much as the target. Selects on the CPU.
+   * A negative value is an error and changes nothing.
+   */
+  void SetTargetNumberOfTriangles(vtkIdType triangles);
+  vtkIdType GetTargetNumberOfTriangles();
+  //@}
+
+  //@{
+  /**
+   * Whether a frame may take no longer than the time VTK allots to the actor, on by default:
+   * vtkProp::GetAllocatedRenderTime() in seconds, its share of 1 / DesiredUpdateRate of the window,
+   * or of its renderer's time where that is less. Interaction styles ask for 15 frames a second
+   * while the mouse is down, ParaView likewise, and for as good as none for still pictures; the
+   * default of a window is still. Where the latest frames say that a frame would take longer,
+   * levels are lowered so that it takes 85 % of the time. They are raised again when there is time
+   * for it, with a gap between the two: a still camera settles in a few frames, and then nothing
+   * changes. The time is that of drawing this mapper's surface, on the CPU and on the GPU.
+   */
+  void SetUseAllocatedRenderTime(bool use);
+  vtkGetMacro(UseAllocatedRenderTime, bool);
+  vtkBooleanMacro(UseAllocatedRenderTime, bool);
+  //@}
+
+  /**
+   * What the target or the allotted time has added to the recipe's LevelOffset in the last render,
+   * in levels; 0 for none. vtkAdaptiveRefinementFilter makes the same mesh by a recipe whose
+   * LevelOffset is the sum of both.
+   */
+  double GetLevelOffset();
+
   /**
    * What the refined faces are coloured by.
    */
@@ -252,6 +290,8 @@ private:
   bool Report(bool valid);
   bool UpdateMesh();
   bool UpdateSelection(vtkRenderer* ren, vtkActor* act);
+  void UpdateBudget(vtkRenderer* ren, vtkActor* act);
+  void RenderRefined(vtkRenderer* ren, vtkActor* act);
   bool SelectsOnGPU();
   bool SelectOnGPU(vtkRenderer* ren, vtkActor* act);
   void ReadSelection();
@@ -263,6 +303,7 @@ private:
   void DrawIndirectly(vtkOpenGLHelper& cellBO, int mode);
 
   vtkSmartPointer<vtkAdaptiveRefinement> Refinement;
+  bool UseAllocatedRenderTime = true;
   bool FrustumCulling = true;
   bool BackFaceCulling = true;
   int SelectionDevice = SELECTION_DEVICE_AUTOMATIC;

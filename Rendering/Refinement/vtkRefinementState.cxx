@@ -141,7 +141,7 @@ void RefinementState::GetBounds(vtkPolyData* input, vtkAdaptiveRefinement* recip
 SelectionInput RefinementState::GetSelectionInput(
   vtkPolyData* input, vtkAdaptiveRefinement* recipe) const
 {
-  return { input, recipe, &this->Mesh, this->MeshTime };
+  return { input, recipe, &this->Mesh, this->MeshTime, GetHighestTag(recipe, this->IsBudgeted) };
 }
 
 ViewSelection& RefinementState::FindView(
@@ -176,32 +176,43 @@ const FaceCulling& RefinementState::GetCulling(vtkAdaptiveRefinement* recipe)
   return this->Culling;
 }
 
-bool RefinementState::UpdateSelection(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
-  const vtkRefinementView& view, const CullingView* culling, bool behind, bool onGPU)
+bool RefinementState::UpdateTags(
+  vtkPolyData* input, vtkAdaptiveRefinement* recipe, const vtkRefinementView& view, bool onGPU)
 {
   this->Current = &this->FindView(input, recipe, view.Camera);
-  bool evaluated = false;
   std::string error;
-  const bool valid = this->Current->UpdateLevels(
-    this->GetSelectionInput(input, recipe), view, onGPU, evaluated, error);
-  this->NumberOfSelections += evaluated ? 1 : 0;
+  const bool valid =
+    this->Current->UpdateTags(this->GetSelectionInput(input, recipe), view, onGPU, error);
   if (!error.empty())
   {
     this->Error = "Cannot refine the input: " + error + ".";
   }
-  if (valid && !onGPU)
+  return valid;
+}
+
+bool RefinementState::UpdateSelection(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
+  const vtkRefinementView& view, const CullingView* culling, bool behind, bool onGPU)
+{
+  if (!this->UpdateTags(input, recipe, view, onGPU))
+  {
+    return false;
+  }
+  const bool changed =
+    this->Current->UpdateLevels(this->GetSelectionInput(input, recipe), this->LevelOffset, onGPU);
+  this->NumberOfSelections += changed ? 1 : 0;
+  if (!onGPU)
   {
     const FaceCulling* faces = culling ? &this->GetCulling(recipe) : nullptr;
     this->Current->UpdateGroups({ faces, this->CullingTime, culling, behind });
   }
-  return valid;
+  return true;
 }
 
 void RefinementState::ForgetLevels()
 {
   for (ViewSelection& view : this->Views)
   {
-    view.ForgetLevels();
+    view.Forget();
   }
 }
 

@@ -38,6 +38,17 @@ public:
   bool UpdateMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe);
 
   /**
+   * Evaluate the tags for a view, for a valid mesh. False when they cannot be used.
+   */
+  bool UpdateTags(
+    vtkPolyData* input, vtkAdaptiveRefinement* recipe, const vtkRefinementView& view, bool onGPU);
+
+  /// Whether a budget moves levels, and what it adds to the tags of all edges beside the recipe's
+  /// own offset.
+  bool IsBudgeted = false;
+  double LevelOffset = 0.0;
+
+  /**
    * Evaluate levels and group faces, for a valid mesh. False when depth-tags cannot be used. Of
    * several views (passes with cameras of their own, several renderers) the latest are kept.
    * `culling` tells what of the mesh is out of sight, `behind` whether back faces of closed

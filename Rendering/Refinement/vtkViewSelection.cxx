@@ -22,14 +22,6 @@ namespace relevo
 {
 namespace
 {
-void AppendBits(Dependencies& dependencies, double value)
-{
-  static_assert(sizeof(vtkMTimeType) == sizeof(double), "a double's bits fit a time stamp");
-  vtkMTimeType bits;
-  std::memcpy(&bits, &value, sizeof(bits));
-  dependencies.push_back(bits);
-}
-
 // What there is to see, not when the camera was last touched.
 void AppendView(Dependencies& dependencies, const vtkRefinementView& view)
 {
@@ -54,17 +46,17 @@ void AppendView(Dependencies& dependencies, const vtkRefinementView& view)
   AppendBits(dependencies, camera->GetParallelProjection());
 }
 
-Dependencies GetLevelDependencies(const SelectionInput& input, const vtkRefinementView& view)
+Dependencies GetTagDependencies(const SelectionInput& input, const vtkRefinementView& view)
 {
   vtkAdaptiveRefinement* recipe = input.Recipe;
   Dependencies dependencies;
   vtkDepthTagMetric* metric = GetMetricInUse(recipe, input.Input);
   AppendObject(dependencies, metric);
   AppendObject(dependencies, recipe->GetPatternTable()); // and with it MaximumLevel
-  Append(dependencies, &GetPatternFamily(recipe, input.Input), input.MeshTime);
+  dependencies.push_back(input.MeshTime);
+  dependencies.push_back(static_cast<vtkMTimeType>(input.HighestTag));
   dependencies.push_back(std::hash<std::string>()(recipe->GetDepthTagArrayName()));
   dependencies.push_back(static_cast<vtkMTimeType>(recipe->GetLevelRule()));
-  AppendBits(dependencies, recipe->GetLevelOffset());
   if (metric && metric->IsPlacementDependent())
   {
     for (int i = 0; view.ModelToWorld && i < 16; ++i)
@@ -80,26 +72,31 @@ Dependencies GetLevelDependencies(const SelectionInput& input, const vtkRefineme
 }
 }
 
+void AppendBits(Dependencies& dependencies, double value)
+{
+  static_assert(sizeof(vtkMTimeType) == sizeof(double), "a double's bits fit a time stamp");
+  vtkMTimeType bits;
+  std::memcpy(&bits, &value, sizeof(bits));
+  dependencies.push_back(bits);
+}
+
 void Append(Dependencies& dependencies, const void* object, vtkMTimeType time)
 {
   dependencies.push_back(static_cast<vtkMTimeType>(reinterpret_cast<size_t>(object)));
   dependencies.push_back(time);
 }
 
-bool ViewSelection::UpdateLevels(const SelectionInput& input, const vtkRefinementView& view,
-  bool onGPU, bool& evaluated, std::string& error)
+bool ViewSelection::UpdateTags(
+  const SelectionInput& input, const vtkRefinementView& view, bool onGPU, std::string& error)
 {
-  evaluated = false;
-  Dependencies dependencies = GetLevelDependencies(input, view);
+  Dependencies dependencies = GetTagDependencies(input, view);
   dependencies.push_back(onGPU ? 1 : 0);
-  if (dependencies == this->LevelDependencies)
+  if (dependencies == this->TagDependencies)
   {
     return this->Valid;
   }
-  this->LevelDependencies = dependencies;
-  this->Valid = false;
-  this->LevelsTime.Modified();
-  this->NumberOfTriangles = -1;
+  this->TagDependencies = dependencies;
+  this->TagsTime.Modified();
 
   const double start = vtkTimerLog::GetUniversalTime();
   if (this->TagsMeshTime != input.MeshTime)
@@ -107,21 +104,35 @@ bool ViewSelection::UpdateLevels(const SelectionInput& input, const vtkRefinemen
     this->TagsMeshTime = input.MeshTime;
     this->Tags.Reset();
   }
-  const bool tagged = onGPU
+  this->Valid = onGPU
     ? this->Tags.ComputeOrDescribe(input.Recipe, input.Input, *input.Mesh, view, error)
-    : this->Tags.Compute(input.Recipe, input.Input, *input.Mesh, view, error);
-  if (!tagged)
+    : this->Tags.Compute(input.Recipe, input.Input, *input.Mesh, view, input.HighestTag, error);
+  this->TagsSeconds = vtkTimerLog::GetUniversalTime() - start;
+  return this->Valid;
+}
+
+bool ViewSelection::UpdateLevels(const SelectionInput& input, double offset, bool onGPU)
+{
+  const PatternFamily& family = GetPatternFamily(input.Recipe, input.Input);
+  const double sum = input.Recipe->GetLevelOffset() + offset;
+  Dependencies dependencies;
+  Append(dependencies, &family, this->TagsTime);
+  AppendBits(dependencies, sum);
+  dependencies.push_back(onGPU ? 1 : 0);
+  if (dependencies == this->LevelDependencies)
   {
     return false;
   }
+  this->LevelDependencies = dependencies;
+  this->LevelsTime.Modified();
+  this->NumberOfTriangles = -1;
+  const double start = vtkTimerLog::GetUniversalTime();
   if (!onGPU)
   {
-    this->Selection.Select(*input.Mesh, this->Tags, GetPatternFamily(input.Recipe, input.Input),
-      input.Recipe->GetPatternTable(), static_cast<float>(input.Recipe->GetLevelOffset()));
+    this->Selection.Select(
+      *input.Mesh, this->Tags, family, input.Recipe->GetPatternTable(), static_cast<float>(sum));
   }
   this->LevelsSeconds = vtkTimerLog::GetUniversalTime() - start;
-  evaluated = true;
-  this->Valid = true;
   return true;
 }
 

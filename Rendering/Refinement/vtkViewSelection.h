@@ -4,8 +4,9 @@
  * @class   vtkViewSelection
  * @brief   the levels of a mesh for one view, and the faces to draw, kept until something changes
  *
- * Levels are evaluated anew when the mesh, the recipe or, for view-dependent metrics, the view
- * changed; faces are grouped anew when their levels or the faces in sight changed. CPU side only.
+ * Tags are evaluated anew when the mesh, the recipe or, for view-dependent metrics, the view
+ * changed, and levels when the tags or what is added to them changed; faces are grouped anew when
+ * their levels or the faces in sight changed. CPU side only.
  * Private to the module.
  */
 #ifndef vtkViewSelection_h
@@ -38,6 +39,8 @@ struct SelectionInput
   vtkAdaptiveRefinement* Recipe;
   const RefinementMesh* Mesh;
   vtkMTimeType MeshTime;
+  /// See GetHighestTag().
+  int HighestTag;
 };
 
 /// What is out of sight.
@@ -55,22 +58,34 @@ class ViewSelection
 {
 public:
   /**
-   * Evaluate levels if need be. False, with an error the first time, when depth-tags cannot be
-   * used. `evaluated` tells whether they were evaluated. With `onGPU` only tags are: the GPU does
-   * the rest.
+   * Evaluate tags if need be, or leave it to the GPU `onGPU`, see EdgeTags::ComputeOrDescribe().
+   * False, with an error the first time, when they cannot be used.
    */
-  bool UpdateLevels(const SelectionInput& input, const vtkRefinementView& view, bool onGPU,
-    bool& evaluated, std::string& error);
+  bool UpdateTags(
+    const SelectionInput& input, const vtkRefinementView& view, bool onGPU, std::string& error);
+
+  const EdgeTags& GetTags() const { return this->Tags; }
+  /// When the tags last changed.
+  vtkMTimeType GetTagsTime() const { return this->TagsTime; }
+
+  /**
+   * Choose levels if need be, for valid tags. `offset` is added to the recipe's own. Returns
+   * whether they are new. With `onGPU` the GPU does the choosing.
+   */
+  bool UpdateLevels(const SelectionInput& input, double offset, bool onGPU);
 
   /**
    * Group the faces if need be, for valid levels.
    */
   void UpdateGroups(const CullingInput& culling);
 
-  /// Evaluate levels anew, with the next update.
-  void ForgetLevels() { this->LevelDependencies.clear(); }
+  /// Evaluate all anew, with the next update.
+  void Forget()
+  {
+    this->TagDependencies.clear();
+    this->LevelDependencies.clear();
+  }
 
-  const EdgeTags& GetTags() const { return this->Tags; }
   const PatternSelection& GetSelection() const { return this->Selection; }
 
   /// Take over what the GPU has chosen for each face; see PatternSelection::Assign().
@@ -82,7 +97,10 @@ public:
   vtkMTimeType GetGroupsTime() const { return this->GroupsTime; }
 
   /// Seconds the last evaluation and the last grouping took.
-  double GetSeconds() const { return this->LevelsSeconds + this->GroupsSeconds; }
+  double GetSeconds() const
+  {
+    return this->TagsSeconds + this->LevelsSeconds + this->GroupsSeconds;
+  }
 
   /// Faces that were left out.
   int GetNumberOfHiddenFaces() const { return this->NumberOfHiddenFaces; }
@@ -96,8 +114,10 @@ private:
   EdgeTags Tags;
   vtkMTimeType TagsMeshTime = 0;
   PatternSelection Selection;
+  Dependencies TagDependencies;
   Dependencies LevelDependencies;
-  bool Valid = false;
+  bool Valid = false; // tags
+  vtkTimeStamp TagsTime;
   vtkTimeStamp LevelsTime;
   vtkTimeStamp GroupsTime;
   std::vector<unsigned char> Hidden;
@@ -106,6 +126,7 @@ private:
   vtkMTimeType LastCullingTime = 0;
   bool LastBehind = false;
   int NumberOfHiddenFaces = 0;
+  double TagsSeconds = 0.0;
   double LevelsSeconds = 0.0;
   double GroupsSeconds = 0.0;
   vtkIdType NumberOfTriangles = -1; // not counted yet
@@ -114,6 +135,7 @@ private:
 //@{
 /// Add what decides.
 void Append(Dependencies& dependencies, const void* object, vtkMTimeType time);
+void AppendBits(Dependencies& dependencies, double value);
 template <typename T>
 void AppendObject(Dependencies& dependencies, T* object)
 {

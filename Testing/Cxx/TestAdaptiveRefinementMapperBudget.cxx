@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// vtkAdaptiveRefinementMapper keeps to a number of triangles and to the time that VTK allots.
+#include "RelevoCheck.h"
+
+#include "vtkActor.h"
+#include "vtkAdaptiveRefinement.h"
+#include "vtkAdaptiveRefinementFilter.h"
+#include "vtkAdaptiveRefinementMapper.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkFloatArray.h"
+#include "vtkHardwareSelector.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkScreenEdgeDepthTagMetric.h"
+#include "vtkSelection.h"
+#include "vtkSphereSource.h"
+
+#include <cmath>
+#include <string>
+
+namespace
+{
+// Hills, so that edges of all lengths are seen.
+vtkSmartPointer<vtkPolyData> MakeHills(int resolution)
+{
+  vtkNew<vtkPlaneSource> source;
+  source->SetResolution(resolution, resolution);
+  source->Update();
+  vtkPolyData* mesh = source->GetOutput();
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    mesh->GetPoint(i, p);
+    p[2] = 0.05 * std::sin(17.0 * p[0]) * std::cos(13.0 * p[1]) + 0.02 * std::sin(41.0 * p[1]);
+    mesh->GetPoints()->SetPoint(i, p);
+  }
+  return mesh;
+}
+
+struct View
+{
+  View()
+  {
+    this->Window->SetMultiSamples(0);
+    this->Window->SetSize(300, 200);
+    this->Window->AddRenderer(this->Renderer);
+    this->Actor->SetMapper(this->Mapper);
+    this->Renderer->AddActor(this->Actor);
+    this->Metric->SetReferenceLength(0.5);
+    this->Recipe->SetMetric(this->Metric);
+    this->Recipe->SetMaximumLevel(5); // no face may be much of a target
+    this->Mapper->SetRefinement(this->Recipe);
+  }
+
+  // Low over the hills, turning.
+  void Fly(double time)
+  {
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    camera->SetPosition(0.6 * time - 0.6, -0.5, 0.35);
+    camera->SetFocalPoint(0.3 * time, 0.2 * std::sin(3.0 * time), 0.0);
+    camera->SetViewUp(0.0, 0.0, 1.0);
+    this->Render();
+  }
+
+  void Render()
+  {
+    this->Renderer->ResetCameraClippingRange();
+    this->Window->Render();
+  }
+
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkAdaptiveRefinementMapper> Mapper;
+  vtkNew<vtkAdaptiveRefinement> Recipe;
+  vtkNew<vtkScreenEdgeDepthTagMetric> Metric;
+};
+
+void TestFlight(RelevoCheck& check, int rule, int policy)
+{
+  View view;
+  view.Mapper->SetInputData(MakeHills(50));
+  view.Recipe->SetLevelRule(rule);
+  view.Recipe->SetSegmentPolicy(policy);
+  constexpr vtkIdType target = 40000;
+  view.Mapper->SetTargetNumberOfTriangles(target);
+  CHECK(view.Mapper->GetTargetNumberOfTriangles() == target);
+  const int frames = 40;
+  double last = 0.0;
+  double lastChange = 0.0;
+  for (int i = 0; i < frames; ++i)
+  {
+    view.Fly(static_cast<double>(i) / frames);
+    CHECK_NEAR(
+      static_cast<double>(view.Mapper->GetNumberOfDrawnTriangles()), target, 0.05 * target);
+    const double offset = view.Mapper->GetLevelOffset();
+    // No jumps back and forth.
+    if (i > 0)
+    {
+      CHECK(std::abs(offset - last) < 0.5);
+      CHECK((offset - last) * lastChange > -0.001);
+      lastChange = offset - last;
+    }
+    last = offset;
+  }
+
+  // A still camera: nothing is selected any more.
+  const vtkIdType selections = view.Mapper->GetNumberOfSelections();
+  CHECK(selections == frames);
+  for (int i = 0; i < 5; ++i)
+  {
+    view.Render();
+  }
+  CHECK(view.Mapper->GetNumberOfSelections() == selections);
+
+  // The filter makes the same mesh.
+  const vtkIdType drawn = view.Mapper->GetNumberOfDrawnTriangles();
+  view.Recipe->SetLevelOffset(view.Mapper->GetLevelOffset());
+  vtkNew<vtkAdaptiveRefinementFilter> filter;
+  filter->SetInputData(view.Mapper->GetInput());
+  filter->SetRefinement(view.Recipe);
+  filter->SetCamera(view.Renderer->GetActiveCamera());
+  filter->SetViewportSize(300, 200);
+  filter->Update();
+  CHECK(filter->GetOutput()->GetNumberOfPolys() == drawn);
+
+  // The recipe's own offset makes no difference to the sum.
+  view.Render();
+  CHECK(view.Mapper->GetNumberOfDrawnTriangles() == drawn);
+  CHECK_NEAR(view.Mapper->GetLevelOffset(), 0.0, 1e-9);
+}
+
+// A target is a plain value, and goes away without a trace.
+void TestSetting(RelevoCheck& check)
+{
+  View view;
+  view.Mapper->SetInputData(MakeHills(30));
+  view.Fly(0.5);
+  const vtkIdType all = view.Mapper->GetNumberOfDrawnTriangles();
+  CHECK(view.Mapper->GetLevelOffset() == 0.0);
+  const vtkMTimeType time = view.Mapper->GetMTime();
+  for (const vtkIdType target : { 10000, 30000, 5000 })
+  {
+    view.Mapper->SetTargetNumberOfTriangles(target);
+    view.Render();
+    CHECK_NEAR(static_cast<double>(view.Mapper->GetNumberOfDrawnTriangles()),
+      static_cast<double>(target), 0.05 * static_cast<double>(target));
+  }
+  view.Mapper->SetTargetNumberOfTriangles(1);
+  view.Render();
+  CHECK(view.Mapper->GetNumberOfDrawnTriangles() == view.Mapper->GetNumberOfCoarseFaces());
+  view.Mapper->SetTargetNumberOfTriangles(0);
+  view.Render();
+  CHECK(view.Mapper->GetNumberOfDrawnTriangles() == all);
+  CHECK(view.Mapper->GetLevelOffset() == 0.0);
+  CHECK(view.Mapper->GetMTime() == time);
+  RelevoErrors errors(view.Mapper);
+  view.Mapper->SetTargetNumberOfTriangles(-1);
+  CHECK(errors.Said("TargetNumberOfTriangles"));
+  CHECK(view.Mapper->GetTargetNumberOfTriangles() == 0);
+}
+
+void TestBlocks(RelevoCheck& check)
+{
+  View view;
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(40);
+  sphere->SetPhiResolution(40);
+  sphere->SetRadius(0.2);
+  sphere->Update();
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, MakeHills(40));
+  blocks->SetBlock(1, sphere->GetOutput());
+  view.Mapper->SetInputDataObject(blocks);
+  view.Mapper->SetTargetNumberOfTriangles(30000);
+  for (const double time : { 0.3, 0.4, 0.5 })
+  {
+    view.Fly(time);
+    CHECK_NEAR(static_cast<double>(view.Mapper->GetNumberOfDrawnTriangles()), 30000.0, 1500.0);
+    CHECK(view.Mapper->GetLevelOffset() != 0.0);
+  }
+  view.Mapper->SetTargetNumberOfTriangles(0);
+  view.Render();
+  CHECK(view.Mapper->GetNumberOfDrawnTriangles() > 60000);
+  CHECK(view.Mapper->GetLevelOffset() == 0.0);
+}
+
+// No machine draws a million pictures a second: the fewest triangles there are. For still pictures
+// all come back, at once.
+void TestTime(RelevoCheck& check, vtkDataObject* data)
+{
+  View view;
+  view.Mapper->SetInputDataObject(data);
+  const auto fly = [&view](int frames)
+  {
+    for (int i = 0; i < frames; ++i)
+    {
+      view.Fly(0.4 + 0.001 * i);
+    }
+  };
+  fly(4);
+  const vtkIdType all = view.Mapper->GetNumberOfDrawnTriangles();
+  view.Window->SetDesiredUpdateRate(1e6);
+  fly(4);
+  const vtkIdType coarse = view.Mapper->GetNumberOfCoarseFaces();
+  CHECK(view.Mapper->GetNumberOfDrawnTriangles() == coarse);
+  CHECK(view.Mapper->GetLevelOffset() < 0.0);
+
+  // A still camera: it settles.
+  vtkIdType selections = view.Mapper->GetNumberOfSelections();
+  for (int i = 0; i < 10; ++i)
+  {
+    view.Render();
+  }
+  CHECK(view.Mapper->GetNumberOfSelections() == selections);
+
+  // What is seen is picked.
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(view.Renderer);
+  selector->SetArea(0, 0, 299, 199);
+  vtkSmartPointer<vtkSelection>::Take(selector->Select());
+  CHECK(view.Mapper->GetNumberOfDrawnTriangles() == coarse);
+  CHECK(view.Mapper->GetNumberOfSelections() == selections);
+
+  view.Window->SetDesiredUpdateRate(0.0001);
+  view.Render();
+  CHECK(view.Mapper->GetNumberOfDrawnTriangles() == all);
+  CHECK(view.Mapper->GetLevelOffset() == 0.0);
+
+  view.Mapper->UseAllocatedRenderTimeOff();
+  view.Window->SetDesiredUpdateRate(1e6);
+  fly(4);
+  CHECK(view.Mapper->GetNumberOfDrawnTriangles() == all);
+
+  // Whichever is less, and translucent surfaces in many passes.
+  view.Mapper->UseAllocatedRenderTimeOn();
+  view.Mapper->SetTargetNumberOfTriangles(all / 2);
+  view.Actor->GetProperty()->SetOpacity(0.5);
+  view.Renderer->SetUseDepthPeeling(1);
+  fly(8);
+  CHECK(view.Mapper->GetNumberOfDrawnTriangles() == coarse);
+  view.Window->SetDesiredUpdateRate(0.0001);
+  view.Render();
+  CHECK_NEAR(static_cast<double>(view.Mapper->GetNumberOfDrawnTriangles()),
+    0.5 * static_cast<double>(all), 0.025 * static_cast<double>(all));
+}
+}
+
+int TestAdaptiveRefinementMapperBudget(int, char*[])
+{
+  RelevoCheck check;
+  TestFlight(check, 0, 0);
+  TestFlight(check, 1, 0);
+  TestFlight(check, 0, 1);
+  TestSetting(check);
+  TestBlocks(check);
+  TestTime(check, MakeHills(30));
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, MakeHills(20));
+  blocks->SetBlock(1, MakeHills(10));
+  TestTime(check, blocks);
+  return check.GetResult();
+}

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// relevo::RenderTimeBudget with machines whose frames take known times.
+#include "RelevoCheck.h"
+
+#include "vtkRenderTimeBudget.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace
+{
+// Draws frames of a scene of so many triangles, fewer where a limit says so.
+class Machine
+{
+public:
+  double Fixed = 0.0;        // seconds of any frame
+  double PerTriangle = 1e-7; // seconds
+  double Noise = 0.0;        // as a share
+  int Hiccup = 0;            // every so many frames one takes ten times as long
+  vtkIdType Scene = 1000000;
+
+  void Draw(double allowed)
+  {
+    this->Limit = this->Budget.FindLimit(allowed, this->Limit);
+    this->Triangles = this->Limit > 0 ? std::min(this->Limit, this->Scene) : this->Scene;
+    this->Seconds = this->Fixed + this->PerTriangle * static_cast<double>(this->Triangles);
+    std::uniform_real_distribution<double> noise(1.0 - this->Noise, 1.0 + this->Noise);
+    ++this->Frame;
+    const bool isHiccup = this->Hiccup > 0 && this->Frame % this->Hiccup == 0;
+    this->Budget.AddFrame(
+      this->Triangles, this->Seconds * noise(this->Random) * (isHiccup ? 10.0 : 1.0));
+  }
+
+  relevo::RenderTimeBudget Budget;
+  vtkIdType Limit = 0;
+  vtkIdType Triangles = 0;
+  double Seconds = 0.0; // without noise
+
+private:
+  int Frame = 0;
+  std::mt19937 Random{ 5 };
+};
+
+void TestEnoughTime(RelevoCheck& check)
+{
+  Machine machine;
+  for (int i = 0; i < 20; ++i)
+  {
+    machine.Draw(0.11); // 0.1 needed
+    CHECK(machine.Limit == 0);
+  }
+  CHECK_NEAR(machine.Budget.GetSecondsPerTriangle(), 1e-7, 1e-12);
+}
+
+// Settles in a few frames at less than the time allowed, and stays; full detail comes back at once.
+void TestSettling(RelevoCheck& check, Machine machine)
+{
+  for (const double allowed : { 0.05, 0.02 })
+  {
+    for (int i = 0; i < 30; ++i)
+    {
+      machine.Draw(allowed);
+    }
+    const vtkIdType settled = machine.Triangles;
+    CHECK(machine.Seconds < 1.1 * allowed);
+    CHECK(machine.Seconds > 0.5 * allowed);
+    for (int i = 0; i < 200; ++i)
+    {
+      machine.Draw(allowed);
+      CHECK(machine.Triangles == settled);
+    }
+  }
+  machine.Draw(10000.0);
+  CHECK(machine.Limit == 0);
+  CHECK(machine.Triangles == machine.Scene);
+}
+
+// On the way there is no swinging: from too many triangles they only become fewer.
+void TestOneWay(RelevoCheck& check)
+{
+  for (const double fixed : { 0.0, 0.01, 0.03, 0.045 })
+  {
+    Machine machine;
+    machine.Fixed = fixed;
+    vtkIdType last = machine.Scene;
+    for (int i = 0; i < 100; ++i)
+    {
+      machine.Draw(0.05);
+      CHECK(machine.Triangles <= last);
+      last = machine.Triangles;
+    }
+    CHECK(machine.Seconds <= 0.05);
+    // With time to spare they only become more.
+    for (int i = 0; i < 100; ++i)
+    {
+      machine.Draw(0.09);
+      CHECK(machine.Triangles >= last);
+      last = machine.Triangles;
+    }
+    CHECK(machine.Seconds <= 0.09);
+  }
+}
+
+// More than can be had: as few as possible, and back again.
+void TestTooLittleTime(RelevoCheck& check)
+{
+  Machine machine;
+  machine.Fixed = 0.02;
+  for (int i = 0; i < 300; ++i)
+  {
+    machine.Draw(0.01);
+    CHECK(machine.Triangles >= 1);
+  }
+  CHECK(machine.Triangles < 1000);
+  machine.Draw(10000.0);
+  CHECK(machine.Triangles == machine.Scene);
+}
+
+void TestNonsense(RelevoCheck& check)
+{
+  relevo::RenderTimeBudget budget;
+  CHECK(budget.FindLimit(0.1, 0) == 0);
+  CHECK(budget.FindLimit(0.1, 77) == 77); // nothing known: as it was
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 5; ++i)
+  {
+    budget.AddFrame(0, 1.0);
+    budget.AddFrame(-5, 1.0);
+    budget.AddFrame(100, nan);
+    budget.AddFrame(100, infinity);
+    budget.AddFrame(100, 0.0);
+    budget.AddFrame(100, -1.0);
+  }
+  CHECK(budget.GetSecondsPerTriangle() == 0.0);
+  for (int i = 0; i < 5; ++i)
+  {
+    budget.AddFrame(1000, 1.0);
+  }
+  CHECK(budget.FindLimit(nan, 5) == 5);
+  CHECK(budget.FindLimit(0.0, 5) == 5);
+  CHECK(budget.FindLimit(-1.0, 5) == 5);
+  CHECK(budget.FindLimit(infinity, 5) == 0);
+  CHECK(budget.FindLimit(0.5, 0) == 425);
+}
+}
+
+int TestRenderTimeBudget(int, char*[])
+{
+  RelevoCheck check;
+  TestEnoughTime(check);
+  TestSettling(check, Machine());
+  Machine machine;
+  machine.Noise = 0.1;
+  TestSettling(check, machine);
+  machine.Hiccup = 7;
+  TestSettling(check, machine);
+  machine.Fixed = 0.005;
+  TestSettling(check, machine);
+  TestOneWay(check);
+  TestTooLittleTime(check);
+  TestNonsense(check);
+  return check.GetResult();
+}
