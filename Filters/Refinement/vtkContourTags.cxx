@@ -5,7 +5,7 @@
 #include "vtkMetricEvaluation.h"
 #include "vtkWorldView.h"
 
-#include <cmath>
+#include <algorithm>
 
 namespace relevo
 {
@@ -48,35 +48,49 @@ bool ContourTags::TagEdges(vtkDepthTagMetric* metric, vtkPolyData* mesh,
   this->UpdateNormals(mesh, view);
   this->ComputeOffsets();
   this->ComputeHeights();
-  relevo::TagEdges(edges, tags,
-    [&, functions = ContourFunctions(this->Shader)](int edge) mutable
+  this->MeasureEdges(edges, tags);
+  const float width = this->Shader.Parameters[4 * 9];
+  float* values = tags->GetPointer(0);
+  vtkSMPTools::For(0, tags->GetNumberOfValues(),
+    [=](vtkIdType begin, vtkIdType end)
     {
-      float scale = 1.0f; // from heights to cosines
-      if (!functions.IsParallel())
+      for (vtkIdType edge = begin; edge < end; ++edge)
+      {
+        values[edge] = contourLevel(values[edge], width, maximumLevel);
+      }
+    });
+  return true;
+}
+
+void ContourTags::MeasureEdges(const SurfaceEdges& edges, vtkFloatArray* measures) const
+{
+  ContourFunctions functions(this->Shader);
+  const bool parallel = functions.IsParallel();
+  const vec3* offsets = this->Offsets.data();
+  const float* heights = this->Heights.data();
+  relevo::TagEdges(edges, measures,
+    [=, &edges](int edge) mutable
+    {
+      float squaredDistance = 1.0f; // heights are cosines already
+      if (!parallel)
       {
         const int* places = edges.GetEdges()[edge].Places;
-        const vec3 middle = 0.5f * (this->Offsets[places[0]] + this->Offsets[places[1]]);
-        const float squared = functions.metricDot(middle, middle);
-        scale = squared > 0.0f ? 1.0f / std::sqrt(squared) : 0.0f;
+        const vec3 middle = 0.5f * (offsets[places[0]] + offsets[places[1]]);
+        squaredDistance = functions.metricDot(middle, middle);
       }
-      float level = 0.0f;
+      float least = 1.0f;
       edges.ForEachSides(edge,
         [&](int i)
         {
           const SurfaceEdgeSides& sides = edges.GetSides()[i];
-          if (sides.Type == SurfaceEdgeSides::OPEN)
-          {
-            level = static_cast<float>(maximumLevel);
-            return;
-          }
-          const float sign = sides.Type == SurfaceEdgeSides::FLIPPED ? -scale : scale;
-          level = contourLevel(scale * this->Heights[sides.Triangles[0]],
-            sign * this->Heights[sides.Triangles[1]], functions.metricParameters[9].x,
-            maximumLevel);
+          const float height = heights[sides.Triangles[0]];
+          const float other = sides.Type == SurfaceEdgeSides::OPEN ? 0.0f
+            : sides.Type == SurfaceEdgeSides::FLIPPED              ? -heights[sides.Triangles[1]]
+                                                                   : heights[sides.Triangles[1]];
+          least = std::min(least, contourMeasure(height, other, squaredDistance));
         });
-      return functions.metricLevel(level);
+      return least;
     });
-  return true;
 }
 
 void ContourTags::UpdateNormals(vtkPolyData* mesh, const vtkRefinementView& view)

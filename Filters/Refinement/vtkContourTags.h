@@ -42,6 +42,7 @@ private:
   void UpdateNormals(vtkPolyData* mesh, const vtkRefinementView& view);
   void ComputeOffsets();
   void ComputeHeights();
+  void MeasureEdges(const SurfaceEdges& edges, vtkFloatArray* measures) const;
 
   LocalPoints Points;
   MetricShader Shader;

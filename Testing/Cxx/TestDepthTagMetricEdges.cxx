@@ -118,6 +118,13 @@ void TestByHand(RelevoCheck& check)
   CHECK_NEAR(roof.GetTag(silhouette, view, 5, 0, 1), 5.0 * (1.0 - std::sqrt(0.5)), 1e-5);
   CHECK(roof.GetTag(silhouette, view, 5, 0, 2) == 5.0f);
 
+  camera->ParallelProjectionOff();
+  camera->SetPosition(0, 0, 0); // the eye on the middle of the ridge
+  camera->SetFocalPoint(0, 0, -1);
+  CHECK(roof.GetTag(silhouette, view, 5, 0, 1) == 5.0f);
+  camera->SetPosition(0, 0, 2);
+  camera->SetFocalPoint(0, 0, 0);
+
   // The more bent end; both ends of the ridge are bent by 45 degrees, the others are flat.
   vtkNew<vtkViewDependentDepthTagMetric> viewDependent;
   viewDependent->SetMaximumSpread(90.0);

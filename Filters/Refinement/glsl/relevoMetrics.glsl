@@ -12,13 +12,21 @@ RELEVO_FUNCTION float rangeLevel(float x, float low, float high, int maximumLeve
   return x < high ? float(maximumLevel) * ((x - low) / (high - low)) : float(maximumLevel);
 }
 
-// maximumLevel on an edge whose triangles face the eye and away from it, falling to 0 where both
-// are turned from the contour by a cosine of `width` (after the silhouetteness of Dyken et al. 2008).
-RELEVO_FUNCTION float contourLevel(float cosine1, float cosine2, float width, int maximumLevel)
+// The square of the cosine by which the triangles of an edge are turned from the contour: 0 where
+// one faces the eye and the other away, and at the eye itself. The heights are those of the eye
+// over their planes.
+RELEVO_FUNCTION float contourMeasure(float height1, float height2, float squaredDistance)
 {
-  bool contour = (cosine1 <= 0.0f) != (cosine2 <= 0.0f) || cosine1 == 0.0f || cosine2 == 0.0f;
-  float turned = contour ? 0.0f : min(abs(cosine1), abs(cosine2));
-  return float(maximumLevel) * (1.0f - min(turned / width, 1.0f));
+  float height = min(abs(height1), abs(height2));
+  bool turned = height1 * height2 > 0.0f && squaredDistance > 0.0f;
+  return turned ? height * height / squaredDistance : 0.0f;
+}
+
+// maximumLevel on the contour, falling to 0 at a cosine of `width` (after the silhouetteness of
+// Dyken et al. 2008).
+RELEVO_FUNCTION float contourLevel(float measure, float width, int maximumLevel)
+{
+  return float(maximumLevel) * max(0.0f, 1.0f - sqrt(measure) / width);
 }
 
 // maximumLevel inside (distance <= 0), falling smoothly to 0 at a distance of `fallOff`.
