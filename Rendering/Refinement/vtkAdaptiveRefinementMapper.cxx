@@ -548,39 +548,42 @@ bool vtkAdaptiveRefinementMapper::SelectOnGPU(vtkRenderer* ren, vtkActor* act)
   const relevo::PatternFamily& family =
     relevo::GetPatternFamily(this->Refinement, this->GetInput());
   const int slot = data.State.GetSelectionSlot();
+  const vtkMTimeType lastTime = data.Compute.GetTime(slot);
   const relevo::ViewSelection& selection = data.State.GetSelection();
   const auto camera = MakeCullingView(this->FrustumCulling, ren, act, mesh);
   const relevo::FaceCulling* culled = camera ? &data.State.GetCulling(this->Refinement) : nullptr;
-  std::string error;
-  if (!data.Buffers.ReserveSelection(window, slot, mesh.Faces.size(), family.IsMorphing()))
-  {
-    error = data.Buffers.GetError();
-  }
-  else if (!data.Compute.UpdateMesh(mesh, data.State.GetMeshTime()) ||
-    (culled && !data.Compute.UpdateCulling(*culled, data.State.GetCullingTime())) ||
-    !data.Compute.UpdatePatterns(family, this->Refinement->GetPatternTable(), data.Patterns,
-      act->GetProperty()->GetRepresentation() == VTK_WIREFRAME) ||
-    !data.Compute.UpdateView(window, slot, selection.GetTags(),
+  const bool reserved =
+    data.Buffers.ReserveSelection(window, slot, mesh.Faces.size(), family.IsMorphing());
+  const bool valid = reserved && data.Compute.UpdateMesh(mesh, data.State.GetMeshTime()) &&
+    (!culled || data.Compute.UpdateCulling(*culled, data.State.GetCullingTime())) &&
+    data.Compute.UpdatePatterns(family, this->Refinement->GetPatternTable(), data.Patterns,
+      act->GetProperty()->GetRepresentation() == VTK_WIREFRAME) &&
+    data.Compute.UpdateView(window, slot, selection.GetTags(),
       static_cast<float>(this->Refinement->GetLevelOffset() + data.State.LevelOffset),
       selection.GetLevelsTime(), camera.get(),
-      culled && culled->HidesBehind(*camera, this->HidesBackFaces(ren, act)), data.GetTargets()))
+      culled && culled->HidesBehind(*camera, this->HidesBackFaces(ren, act)), data.GetTargets());
+  if (data.Compute.GetTime(slot) != lastTime)
   {
-    error = data.Compute.GetError();
+    data.ComputeSeconds = vtkTimerLog::GetUniversalTime() - start;
   }
-  data.ComputeSeconds = vtkTimerLog::GetUniversalTime() - start;
-  if (!error.empty())
+  if (!valid)
   {
-    data.ComputeValid = false; // said once, until something changes
-    if (this->SelectionDevice == SELECTION_DEVICE_GPU)
-    {
-      vtkErrorMacro("Selection on the GPU failed: " << error << ". It is done on the CPU.");
-    }
-    else
-    {
-      vtkWarningMacro("Selection on the GPU failed: " << error << ". It is done on the CPU.");
-    }
+    this->GiveUpGPU(reserved ? data.Compute.GetError() : data.Buffers.GetError());
   }
-  return error.empty();
+  return valid;
+}
+
+void vtkAdaptiveRefinementMapper::GiveUpGPU(const std::string& reason)
+{
+  this->Internals->ComputeValid = false; // said once, until something changes
+  if (this->SelectionDevice == SELECTION_DEVICE_GPU)
+  {
+    vtkErrorMacro("Selection on the GPU failed: " << reason << ". It is done on the CPU.");
+  }
+  else
+  {
+    vtkWarningMacro("Selection on the GPU failed: " << reason << ". It is done on the CPU.");
+  }
 }
 
 void vtkAdaptiveRefinementMapper::ReadSelection()
@@ -601,8 +604,8 @@ void vtkAdaptiveRefinementMapper::ReadSelection()
     relevo::RefinementComputeBuffer::ReadBuffer(
       data.Buffers.GetMorphTags(), 0, morphTags.data(), morphTags.size() * sizeof(float));
   }
-  data.State.AssignSelection(
-    this->GetInput(), this->Refinement, data.Compute.ReadEntries(slot), std::move(morphTags));
+  data.State.AssignSelection(this->GetInput(), this->Refinement, *data.Compute.GetFamily(),
+    data.Compute.ReadEntries(slot), std::move(morphTags));
   const std::vector<int> counts = data.Compute.ReadCounts(slot);
   data.NumberOfHiddenFaces = static_cast<int>(data.State.GetMesh().Faces.size()) -
     std::accumulate(counts.begin(), counts.end(), 0);

@@ -37,6 +37,7 @@
 #include "vtkSmartPointer.h" // for members
 
 #include <memory> // for Internals
+#include <string> // for reasons
 
 class vtkAdaptiveRefinement;
 class vtkScalarsToColors;
@@ -106,7 +107,7 @@ public:
    * loaded with the first picture. Another value is an error and changes nothing.
    *
    * Left to the CPU: whole numbers of segments (vtkAdaptiveRefinement::SetSegmentPolicy()), whose
-   * tables are too large, and faces coloured by the metric, whose tags the CPU must have.
+   * tables are too large; budgets in force and faces coloured by the metric, which need the tags.
    */
   void SetSelectionDevice(int device);
   vtkGetMacro(SelectionDevice, int);
@@ -294,6 +295,7 @@ private:
   void RenderRefined(vtkRenderer* ren, vtkActor* act);
   bool SelectsOnGPU();
   bool SelectOnGPU(vtkRenderer* ren, vtkActor* act);
+  void GiveUpGPU(const std::string& reason);
   void ReadSelection();
   bool HidesBackFaces(vtkRenderer* ren, vtkActor* act);
   bool IsRefining(const vtkOpenGLHelper* cellBO) const;

@@ -73,6 +73,9 @@ public:
   bool UpdateView(vtkOpenGLRenderWindow* window, int slot, const EdgeTags& tags, float offset,
     vtkMTimeType levelsTime, const CullingView* camera, bool behind, const Targets& targets);
 
+  /// The patterns that faces choose from; nullptr for none yet.
+  const PatternFamily* GetFamily() const { return this->Family; }
+
   /// The view in a slot that has been updated.
   RefinementComputeView& GetView(int slot) { return this->Views[slot].Selection; }
   /// When what is in a slot last changed; 0 where nothing is.

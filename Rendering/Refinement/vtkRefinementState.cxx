@@ -217,10 +217,10 @@ void RefinementState::ForgetLevels()
 }
 
 void RefinementState::AssignSelection(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
-  std::vector<unsigned int> entries, std::vector<float> morphTags)
+  const PatternFamily& family, std::vector<unsigned int> entries, std::vector<float> morphTags)
 {
   this->Current->Assign(
-    this->GetSelectionInput(input, recipe), std::move(entries), std::move(morphTags));
+    this->GetSelectionInput(input, recipe), family, std::move(entries), std::move(morphTags));
 }
 
 vtkIdType RefinementState::GetNumberOfTriangles(vtkPolyData* input, vtkAdaptiveRefinement* recipe)

@@ -67,7 +67,7 @@ public:
 
   /// See ViewSelection::Assign().
   void AssignSelection(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
-    std::vector<unsigned int> entries, std::vector<float> morphTags);
+    const PatternFamily& family, std::vector<unsigned int> entries, std::vector<float> morphTags);
 
   /**
    * Bounds of all that is drawn, for a valid mesh: refined faces, vertices and lines.

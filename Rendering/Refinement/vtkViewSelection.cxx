@@ -136,11 +136,11 @@ bool ViewSelection::UpdateLevels(const SelectionInput& input, double offset, boo
   return true;
 }
 
-void ViewSelection::Assign(
-  const SelectionInput& input, std::vector<unsigned int> entries, std::vector<float> morphTags)
+void ViewSelection::Assign(const SelectionInput& input, const PatternFamily& family,
+  std::vector<unsigned int> entries, std::vector<float> morphTags)
 {
-  this->Selection.Assign(GetPatternFamily(input.Recipe, input.Input),
-    input.Recipe->GetPatternTable(), std::move(entries), std::move(morphTags));
+  this->Selection.Assign(
+    family, input.Recipe->GetPatternTable(), std::move(entries), std::move(morphTags));
   this->NumberOfTriangles = -1;
 }
 

@@ -89,8 +89,8 @@ public:
   const PatternSelection& GetSelection() const { return this->Selection; }
 
   /// Take over what the GPU has chosen for each face; see PatternSelection::Assign().
-  void Assign(
-    const SelectionInput& input, std::vector<unsigned int> entries, std::vector<float> morphTags);
+  void Assign(const SelectionInput& input, const PatternFamily& family,
+    std::vector<unsigned int> entries, std::vector<float> morphTags);
 
   /// When the levels and the groups last changed.
   vtkMTimeType GetLevelsTime() const { return this->LevelsTime; }
