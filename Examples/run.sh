@@ -26,7 +26,7 @@ for argument in "$@"; do
     -h | --help) leaves=help ;;
     --output=*) output=${argument#*=} ;;
     --export | --export=*) leaves=yes ;;&
-    --stats | --stretch | --wireframe | --*=*) ;;
+    --no-geomorphing | --per-edge | --stats | --stretch | --wireframe | --*=*) ;;
     --*) option=$argument ;;
     *) height_map=$argument ;;
   esac
