@@ -28,6 +28,7 @@ public:
 
   bool IsViewDependent() override { return this->Metric->IsViewDependent(); }
   bool IsPlacementDependent() override { return this->Metric->IsPlacementDependent(); }
+  bool IsAbsolute() override { return this->Metric->IsAbsolute(); }
   bool ComputeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
     vtkFloatArray* tags) override;
   bool ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <utility>
@@ -151,6 +152,9 @@ ViewerOptions ParseOptions(int argc, char* argv[])
   };
   using Setter = std::function<void(const std::string& option, const std::string& value)>;
   const std::map<std::string, Setter> settings = {
+    { "--budget",
+      [&](const auto& option, const auto& value)
+      { options.Budget = ToInteger(option, value, 1, std::numeric_limits<int>::max()); } },
     { "--color-by",
       [&](const auto& option, const auto& value)
       {
@@ -247,6 +251,10 @@ ViewerOptions ParseOptions(int argc, char* argv[])
     "--pixels", options.Pixels.has_value(), options.Metric == Type::ScreenEdge, "screen-edge");
   CheckUse("--reach", options.Reach.has_value(), options.Metric == Type::Distance, "distance");
   CheckUse("--region", options.Region.has_value(), options.Metric == Type::Region, "region");
+  if (options.Budget > 0 && !options.Export.empty())
+  {
+    throw UsageError("--budget is for what is drawn, not for --export");
+  }
   if (options.HeightMap.empty() && !options.Help)
   {
     throw UsageError("which height map?");
@@ -283,6 +291,7 @@ a window when there is a display, a picture with --output.
   --segments powers|whole
                          edges of 2^level segments (default), or of any number up to 16
   --no-geomorphing       let vertices appear where they belong, instead of sliding there
+  --budget N             about N triangles, by raising or lowering all levels
   --color-by level|pattern|metric
                          show these instead of the terrain's colours, with a legend
   --no-data hole|fill    leave out what has no data (default), or fill it in smoothly

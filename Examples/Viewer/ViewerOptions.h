@@ -46,6 +46,7 @@ struct ViewerOptions
   bool PerEdge = false;
   bool WholeSegments = false;
   bool Geomorphing = true;
+  int Budget = 0; // triangles; 0 for as many as it takes
   ColorType Color = ColorType::Terrain;
   std::optional<int> Resolution;
   bool FillNoData = false;

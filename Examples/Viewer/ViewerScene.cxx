@@ -177,6 +177,7 @@ ViewerScene::ViewerScene(const ViewerOptions& options, ViewerMessages& messages)
 
   this->Mapper->SetInputData(this->Mesh);
   this->Mapper->SetRefinement(this->Recipe);
+  this->Mapper->SetTargetNumberOfTriangles(options.Budget);
   this->Actor->SetMapper(this->Mapper);
   if (options.Wireframe)
   {

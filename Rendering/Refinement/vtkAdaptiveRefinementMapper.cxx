@@ -948,7 +948,8 @@ bool vtkAdaptiveRefinementMapper::UpdateFaceColors(vtkRenderer* ren)
       return true;
     case COLOR_BY_METRIC:
       return data.FaceColors.UploadTags(window, data.State.GetMesh(), data.State.GetSelection(),
-        this->Refinement->GetLevelOffset(), this->Refinement->GetMaximumLevel(), table);
+        this->Refinement->GetLevelOffset() + this->GetLevelOffset(),
+        this->Refinement->GetMaximumLevel(), table);
     default:
       return data.FaceColors.UploadPatterns(
         window, this->RefinementColorMode, HasWholeNumbers(this->Refinement), data.Patterns, table);

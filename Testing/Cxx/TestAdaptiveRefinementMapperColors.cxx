@@ -354,6 +354,19 @@ void TestTags(RelevoCheck& check)
     }
   }
 
+  // A budget's offset counts.
+  view.Recipe->SetLevelRuleToPerVertex();
+  view.Recipe->SetLevelOffset(0.0);
+  view.Mapper->SetTargetNumberOfTriangles(2000);
+  view.Render();
+  const double budgeted = view.Mapper->GetLevelOffset();
+  CHECK(std::abs(budgeted) > 0.1);
+  const std::vector<unsigned char> colors = view.Picture->Colors;
+  view.Mapper->SetTargetNumberOfTriangles(0);
+  view.Recipe->SetLevelOffset(budgeted);
+  view.Render();
+  CHECK(view.Picture->Colors == colors);
+
   // Neither metric nor array: the highest level.
   view.Recipe->SetMetric(nullptr);
   view.Recipe->SetLevelOffset(-1.0);

@@ -128,6 +128,8 @@ class TestViewer(unittest.TestCase):
                 2, ["--region"], self.heights, "--metric", "region", "--region", region
             )
         self.assert_error(2, ["--region", "region"], self.heights, "--region", "1,2,3")
+        self.assert_error(2, ["--budget", "'0'"], self.heights, "--budget", "0")
+        self.assert_error(2, ["--budget"], self.heights, "--budget=9", "--export", "a.vtp")
         for bands in ("1,2", "1,2,3,4", "1,2,x", "0,1,2"):
             self.assert_error(2, ["--imagery-bands"], self.heights, "--imagery-bands", bands)
         self.assert_error(2, ["--size", "'640'"], self.heights, "--size", "640")
@@ -274,6 +276,13 @@ class TestViewer(unittest.TestCase):
         falls("region", "--region", "0,0,12", "0,0,2")
         per_vertex = self.triangles(*common, "--metric", "screen-edge")
         self.assertLess(self.triangles(*common, "--metric", "screen-edge", "--per-edge"), per_vertex)
+
+    def test_budget(self):
+        for metric in ("distance", "screen-edge"):
+            count = self.triangles(
+                "--metric", metric, "--max-level=5", "--resolution=12", "--budget=20000"
+            )
+            self.assertLess(abs(count - 20000), 1000)
 
     def test_export_of_a_region(self):
         """Around the place asked for the mesh is finest."""
