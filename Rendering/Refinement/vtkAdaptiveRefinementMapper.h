@@ -130,7 +130,9 @@ public:
    * composite input share the target. Levels depend on the view and the target alone, not on
    * earlier frames, so that nothing swings. Where many edges have the same level before they are
    * rounded, as at the ends of a metric's range, their faces change together and the target may
-   * be missed from below: have the metric ask for about as much as the target. Selects on the CPU.
+   * be missed from below: have the metric ask for about as much as the target. That goes for edges
+   * beside and behind the eye too, as good as endless to vtkScreenEdgeDepthTagMetric;
+   * vtkDistanceDepthTagMetric knows none. Selects on the CPU.
    * A negative value is an error and changes nothing.
    */
   void SetTargetNumberOfTriangles(vtkIdType triangles);

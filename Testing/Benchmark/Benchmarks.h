@@ -27,6 +27,10 @@ void RunStaticMesh(const BenchmarkOptions& options, const AddTable& addTable);
 void RunSelection(const BenchmarkOptions& options, const AddTable& addTable);
 /// The CPU's own work: patterns, selection, the refinement filter.
 void RunProcessor(const BenchmarkOptions& options, const AddTable& addTable);
+/// A budget of triangles over a flight.
+void RunFlight(const BenchmarkOptions& options, const AddTable& addTable);
+/// Rules for levels, at the same error on the screen.
+void RunRules(const BenchmarkOptions& options, const AddTable& addTable);
 /// Resident memory of the mapper and of a static mesh.
 void RunMemory(const BenchmarkOptions& options, const AddTable& addTable);
 /// A raster as terrain, against VTK's own way to draw it.

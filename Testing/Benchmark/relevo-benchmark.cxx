@@ -27,6 +27,8 @@ struct Benchmark
 const std::vector<Benchmark> Benchmarks = {
   { "static-mesh", RunStaticMesh },
   { "selection", RunSelection },
+  { "flight", RunFlight },
+  { "rules", RunRules },
   { "memory", RunMemory },
   { "dem", RunTerrain },
 #ifdef BENCHMARK_HAS_GOOGLE_BENCHMARK
