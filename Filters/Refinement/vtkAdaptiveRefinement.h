@@ -120,10 +120,11 @@ public:
   /**
    * Whether the surface is a continuous function of the tags: a vertex that a higher level adds
    * starts at a vertex that is there and slides to its own place while the tag rises from half a
-   * level below to the level, so that nothing pops when the camera moves. GEOMORPHING_OFF (0),
-   * GEOMORPHING_ON (1), or GEOMORPHING_AUTOMATIC (2, the default): on for metrics that depend on
-   * the view. Edges have the same segments as without; the triangles within a face are others.
-   * Needs SegmentPolicy POWERS_OF_TWO. Another value is an error and changes nothing.
+   * level below to half a level above (to MaximumLevel itself for the last one), so that nothing
+   * pops when the camera moves. GEOMORPHING_OFF (0), GEOMORPHING_ON (1), or GEOMORPHING_AUTOMATIC
+   * (2, the default): on for metrics that depend on the view. Edges have the same segments as
+   * without; the triangles within a face are others. Needs SegmentPolicy POWERS_OF_TWO. Another
+   * value is an error and changes nothing.
    */
   void SetGeomorphing(int mode);
   vtkGetMacro(Geomorphing, int);

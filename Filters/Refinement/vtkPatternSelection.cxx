@@ -86,9 +86,9 @@ void PatternSelection::SelectFaces(const RefinementMesh& mesh, const PatternFami
         {
           // One by one: a copy of all three waits for each of them to be stored.
           float* morphTags = allMorphTags + 3 * f;
-          morphTags[0] = tags[0];
-          morphTags[1] = tags[1];
-          morphTags[2] = tags[2];
+          morphTags[0] = morphTag(tags[0], maximumLevel);
+          morphTags[1] = morphTag(tags[1], maximumLevel);
+          morphTags[2] = morphTag(tags[2], maximumLevel);
         }
       }
     });

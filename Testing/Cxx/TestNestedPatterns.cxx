@@ -65,7 +65,9 @@ struct Sheet
     float clamped[3];
     for (int e = 0; e < 3; ++e)
     {
-      clamped[e] = std::clamp(tags[e], 0.0f, static_cast<float>(maximumLevel));
+      const auto last = static_cast<float>(maximumLevel);
+      clamped[e] = std::clamp(tags[e], 0.0f, last);
+      clamped[e] += std::max(clamped[e] - (last - 0.5f), 0.0f); // complete at the last level
     }
     const relevo::FacePattern facePattern{ &this->Pattern, 0, false, clamped };
     this->Weights.resize(this->Pattern.Vertices.size());

@@ -24,3 +24,11 @@ RELEVO_FUNCTION int edgeLevel(float tagA, float tagB, int maximumLevel)
 {
   return levelOfTag(clampTag(meanTag(tagA, tagB), 0.0f, maximumLevel));
 }
+
+// The tag that vertices move by (relevoMorph.glsl), from one in [0, maximumLevel]. From the last
+// rounding on it rises twice as fast: no level comes after maximumLevel, whose vertices must have
+// arrived there.
+RELEVO_FUNCTION float morphTag(float tag, int maximumLevel)
+{
+  return tag + max(tag - (float(maximumLevel) - 0.5f), 0.0f);
+}

@@ -5,14 +5,14 @@
 // square grid: edge 01 is y = 0, edge 12 is s = 128, edge 02 is s = y. A vertex of level q, the
 // level of the coarsest grid that has it, has steps of 2^(7-q). It moves from a place that the
 // coarser grid has to its own while the tag that it follows goes from q - 0.5, where levels are
-// rounded up to q, to q, where it stays. A vertex on an edge follows the tag of this edge, by
-// operations that are the same, to the bit, on all three edges; the others follow tags that do not
-// depend on the vertex.
+// rounded up to q, to q + 0.5. A vertex on an edge follows the tag of this edge, by operations that
+// are the same, to the bit, on all three edges; the others follow tags that do not depend on the
+// vertex.
 
 // How much of its way a vertex has gone.
 RELEVO_FUNCTION float morphFraction(float tag, float level)
 {
-  return clamp(2.0f * (tag - level) + 1.0f, 0.0f, 1.0f);
+  return clamp(tag - (level - 0.5f), 0.0f, 1.0f);
 }
 
 // The tag of the grid inside: the middle one of the edges, at most 1 above the lowest.
@@ -70,7 +70,7 @@ RELEVO_FUNCTION vec2 morphFirstInside(ivec2 place, vec3 tags)
 }
 
 // Weights of the sorted corners for a vertex of a nested pattern. `vertex` has the pattern's exact
-// weights, `tags` are those of the edges 01, 12 and 02, in [0, MaximumLevel].
+// weights, `tags` are those of the edges 01, 12 and 02, by morphTag().
 RELEVO_FUNCTION vec3 morphWeights(vec3 vertex, vec3 tags)
 {
   ivec2 place = ivec2(128.0f * vec2(vertex.y + vertex.z, vertex.z));

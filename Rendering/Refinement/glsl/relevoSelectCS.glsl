@@ -42,7 +42,7 @@ void main()
     float tag = clampTag(edgeTags[e], relevoTagOffset, relevoMaximumLevel);
     entry = entry * (relevoMaximumLevel + 1) + levelOfTag(tag);
 #ifdef RELEVO_MORPHING
-    morphTags[3 * face + e] = tag;
+    morphTags[3 * face + e] = morphTag(tag, relevoMaximumLevel);
 #endif
   }
   entries[face] = table[entry];
