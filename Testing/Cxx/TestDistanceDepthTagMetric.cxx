@@ -104,6 +104,7 @@ void TestProjectedSize(RelevoCheck& check)
       }
     }
   }
+  view.ModelToWorld = nullptr;
   // A mesh without sides has nothing to refine.
   CHECK(TagsOf(metric, points, view, 5) == std::vector<float>(8, 0.0f));
 
