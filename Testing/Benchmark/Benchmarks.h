@@ -31,6 +31,8 @@ void RunProcessor(const BenchmarkOptions& options, const AddTable& addTable);
 void RunFlight(const BenchmarkOptions& options, const AddTable& addTable);
 /// Rules for levels, at the same error on the screen.
 void RunRules(const BenchmarkOptions& options, const AddTable& addTable);
+/// Frames with and without geomorphing and culling.
+void RunDrawing(const BenchmarkOptions& options, const AddTable& addTable);
 /// Resident memory of the mapper and of a static mesh.
 void RunMemory(const BenchmarkOptions& options, const AddTable& addTable);
 /// A raster as terrain, against VTK's own way to draw it.

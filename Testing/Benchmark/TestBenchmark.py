@@ -27,7 +27,7 @@ class TestBenchmark(unittest.TestCase):
         markdown, report = self.run_benchmark()
         self.assertTrue(report["facts"]["OpenGL renderer"])
         tables = {table["name"]: table["rows"] for table in report["tables"]}
-        for name in ("static-mesh-frames", "static-mesh-memory", "selection", "flight", "rules", "memory", "dem"):
+        for name in ("static-mesh-frames", "static-mesh-memory", "selection", "flight", "drawing", "rules", "memory", "dem"):
             self.assertTrue(tables[name], name)
         for table in report["tables"]:
             self.assertIn("## " + table["title"], markdown)

@@ -28,6 +28,7 @@ const std::vector<Benchmark> Benchmarks = {
   { "static-mesh", RunStaticMesh },
   { "selection", RunSelection },
   { "flight", RunFlight },
+  { "drawing", RunDrawing },
   { "rules", RunRules },
   { "memory", RunMemory },
   { "dem", RunTerrain },
