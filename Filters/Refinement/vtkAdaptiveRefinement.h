@@ -64,8 +64,9 @@ public:
   /**
    * Where a metric sets levels: vtkDepthTagMetric::PER_VERTEX (0, the default; an edge takes the
    * mean of its points' tags) or vtkDepthTagMetric::PER_EDGE (1; an edge's level comes from the
-   * edge alone, which takes fewer triangles for the same picture). Another value is an error and
-   * changes nothing. Depth-tags of an array are always per point.
+   * edge alone: fewer triangles for segments as long as wanted, though edges that the metric thinks
+   * little of get no help from their neighbours). Another value is an error and changes nothing.
+   * Depth-tags of an array are always per point.
    */
   void SetLevelRule(int rule);
   vtkGetMacro(LevelRule, int);

@@ -10,10 +10,10 @@ namespace relevo
 namespace
 {
 constexpr size_t NumberOfFrames = 5;
-constexpr double Change = 0.25;   // in triangles, that makes what was known worthless
-constexpr double Goal = 0.85;     // of the time allowed
-constexpr double Least = 0.7;     // of the time allowed, for a limit to stand
-constexpr double Still = 2.0;     // seconds: nobody moves pictures so slowly
+constexpr double Change = 0.25; // in triangles, that makes what was known worthless
+constexpr double Goal = 0.85;   // of the time allowed
+constexpr double Least = 0.7;   // of the time allowed, for a limit to stand
+constexpr double Still = 2.0;   // seconds: nobody moves pictures so slowly
 }
 
 void RenderTimeBudget::AddFrame(vtkIdType triangles, double seconds)

@@ -58,6 +58,13 @@ dmat4 MakeScreenMatrix(vtkCamera* camera, const int size[2], double pixels)
   }
   return matrix;
 }
+
+// Units of such a matrix's x and y that a unit of the world takes at a distance of 1.
+double GetScale(const dmat4& screen)
+{
+  const dmat4 rows = glm::transpose(screen);
+  return std::max(glm::length(glm::dvec3(rows[X])), glm::length(glm::dvec3(rows[Y])));
+}
 }
 
 struct vtkScreenEdgeDepthTagMetric::vtkInternals
@@ -90,7 +97,21 @@ void vtkScreenEdgeDepthTagMetric::SetReferenceLength(double pixels)
   }
 }
 
-bool vtkScreenEdgeDepthTagMetric::GetShader(vtkPolyData*, const vtkRefinementView& view,
+void vtkScreenEdgeDepthTagMetric::SetMeasure(int measure)
+{
+  if (measure != PROJECTED_LENGTH && measure != SPHERE_DIAMETER)
+  {
+    vtkErrorMacro(
+      "Measure " << measure << " is neither PROJECTED_LENGTH (0) nor SPHERE_DIAMETER (1).");
+  }
+  else if (this->Measure != measure)
+  {
+    this->Measure = measure;
+    this->Modified();
+  }
+}
+
+bool vtkScreenEdgeDepthTagMetric::GetShader(vtkPolyData* mesh, const vtkRefinementView& view,
   int maximumLevel, const double origin[3], relevo::MetricShader& shader)
 {
   const int* size = view.ViewportSize;
@@ -119,8 +140,19 @@ bool vtkScreenEdgeDepthTagMetric::GetShader(vtkPolyData*, const vtkRefinementVie
   shader.Data = nullptr;
   const relevo::Placement placement(view);
   relevo::MetricFrame frame(shader, placement, eye.GetPosition(), origin, maximumLevel);
-  frame.SetMatrix(
-    MakeScreenMatrix(view.Camera, size, this->ReferenceLength) * placement.ModelToWorld);
+  const dmat4 screen = MakeScreenMatrix(view.Camera, size, this->ReferenceLength);
+  if (this->Measure == PROJECTED_LENGTH)
+  {
+    frame.SetMatrix(screen * placement.ModelToWorld);
+    frame.SetOwn(0.0);
+    return true;
+  }
+  // In units of the mesh, so that squares are within the range of floats.
+  const double unit = placement.GetDiagonal(mesh);
+  const double scale = GetScale(screen) * (view.Camera->GetParallelProjection() ? unit : 1.0);
+  frame.SetUnit(unit);
+  frame.SetDirections(eye);
+  frame.SetOwn(scale * scale);
   return true;
 }
 
@@ -140,4 +172,5 @@ void vtkScreenEdgeDepthTagMetric::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ReferenceLength: " << this->ReferenceLength << "\n";
+  os << indent << "Measure: " << this->Measure << "\n";
 }

@@ -21,6 +21,13 @@
  * behind the eye, has no length. With a parallel one nothing is cut. A point of no triangle has
  * level 0.
  *
+ * With SetMeasureToSphereDiameter() d is the diameter, on the screen, of the sphere that has the
+ * edge as a diameter: |b - a| / |m| times the pixels of a unit at a distance of 1, with m from the
+ * eye to the edge's middle (with a parallel camera, the edge's length in pixels if it were seen
+ * from the side). An edge seen end-on, above which displaced or curved points may rise, then gets
+ * its segments, which matters most by the rule PER_EDGE; and no edge beside or behind the eye is
+ * endless, which matters for budgets.
+ *
  * The metric depends on the view. Errors when tags are computed: no camera, one with no direction
  * (its position is its focal point, or its view-up is along the view), a viewport without pixels.
  *
@@ -50,6 +57,26 @@ public:
   vtkGetMacro(ReferenceLength, double);
   //@}
 
+  /**
+   * What is measured of an edge.
+   */
+  enum Measures
+  {
+    PROJECTED_LENGTH = 0,
+    SPHERE_DIAMETER = 1
+  };
+
+  //@{
+  /**
+   * PROJECTED_LENGTH (0, the default), the length of the edge's picture, or SPHERE_DIAMETER (1),
+   * which does not depend on the edge's direction. Another value is an error and changes nothing.
+   */
+  void SetMeasure(int measure);
+  vtkGetMacro(Measure, int);
+  void SetMeasureToProjectedLength() { this->SetMeasure(PROJECTED_LENGTH); }
+  void SetMeasureToSphereDiameter() { this->SetMeasure(SPHERE_DIAMETER); }
+  //@}
+
   bool IsViewDependent() override { return true; }
   bool IsAbsolute() override { return true; }
   bool ComputeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
@@ -66,6 +93,7 @@ protected:
   ~vtkScreenEdgeDepthTagMetric() override;
 
   double ReferenceLength = 10.0;
+  int Measure = PROJECTED_LENGTH;
 
 private:
   vtkScreenEdgeDepthTagMetric(const vtkScreenEdgeDepthTagMetric&) = delete;

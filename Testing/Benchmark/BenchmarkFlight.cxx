@@ -104,10 +104,14 @@ void RunFlight(const BenchmarkOptions& options, const AddTable& addTable)
     bool Distance;
     int Rule;
     int Policy;
+    int Measure;
   };
-  for (const Way& way : { Way{ "distance, per vertex", true, 0, 0 },
-         Way{ "screen edge, per vertex", false, 0, 0 }, Way{ "screen edge, per edge", false, 1, 0 },
-         Way{ "screen edge, whole numbers", false, 0, 1 } })
+  for (const Way& way : { Way{ "distance, per vertex", true, 0, 0, 0 },
+         Way{ "screen edge, per vertex", false, 0, 0, 0 },
+         Way{ "screen edge, per edge", false, 1, 0, 0 },
+         Way{ "screen edge, whole numbers", false, 0, 1, 0 },
+         Way{ "sphere of the edge, per vertex", false, 0, 0, 1 },
+         Way{ "sphere of the edge, per edge", false, 1, 0, 1 } })
   {
     auto recipe = BenchmarkSurface::MakeLinearRecipe();
     recipe->SetMaximumLevel(6);
@@ -116,6 +120,7 @@ void RunFlight(const BenchmarkOptions& options, const AddTable& addTable)
     vtkNew<vtkDistanceDepthTagMetric> distance;
     vtkNew<vtkScreenEdgeDepthTagMetric> edges;
     edges->SetReferenceLength(2.0);
+    edges->SetMeasure(way.Measure);
     recipe->SetMetric(way.Distance ? static_cast<vtkDepthTagMetric*>(distance) : edges);
     const FlightResult result = FlyWithBudget(mesh, recipe, target, numberOfFrames);
     const double scale = 1e9 / static_cast<double>(mesh->GetNumberOfPolys());

@@ -207,9 +207,11 @@ void RunRules(const BenchmarkOptions& options, const AddTable& addTable)
     const char* Name;
     int Rule;
     int Policy;
+    int Measure;
   };
-  const Way ways[] = { { "per vertex", 0, 0 }, { "per edge", 1, 0 },
-    { "per vertex, whole numbers", 0, 1 }, { "per edge, whole numbers", 1, 1 } };
+  const Way ways[] = { { "per vertex", 0, 0, 0 }, { "per edge", 1, 0, 0 },
+    { "per vertex, whole numbers", 0, 1, 0 }, { "per edge, whole numbers", 1, 1, 0 },
+    { "per vertex, spheres", 0, 0, 1 }, { "per edge, spheres", 1, 0, 1 } };
   const std::vector<double> lengths = options.Quick
     ? std::vector<double>{ 40.0, 20.0 }
     : std::vector<double>{ 32.0, 22.6, 16.0, 11.3, 8.0, 5.7, 4.0 };
@@ -231,6 +233,7 @@ void RunRules(const BenchmarkOptions& options, const AddTable& addTable)
     {
       scene.Recipe->SetLevelRule(way.Rule);
       scene.Recipe->SetSegmentPolicy(way.Policy);
+      metric->SetMeasure(way.Measure);
       for (const double length : lengths)
       {
         metric->SetReferenceLength(length);

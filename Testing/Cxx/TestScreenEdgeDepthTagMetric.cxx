@@ -55,6 +55,31 @@ int TestScreenEdgeDepthTagMetric(int, char*[])
   view.ViewportSize[0] = 640;
   view.ViewportSize[1] = 400;
 
+  // Spheres do not depend on where an edge points: seen from the side as long as the edge, else
+  // length over distance; also behind the eye. (The ones of points 0 and 1, 0 and 2 are beside the
+  // middle of the view.)
+  metric->SetMeasureToSphereDiameter();
+  CHECK_NEAR(TagsOf(metric, mesh, view, 6)[0],
+    std::log2(0.8 * 200.0 / std::sqrt(4.0 + 0.4 * 0.4) / 10.0), 1e-5);
+  auto endOn = RelevoMeshes::FromTriangles({ { { 0, 0, 1 } }, { { 0, 0, -1 } }, { { 0, 1e-3, -1 } },
+                                             { { 0, 0, 3 } }, { { 0, 0, 5 } }, { { 0, 1e-3, 5 } } },
+    { { { 0, 1, 2 } }, { { 3, 4, 5 } } });
+  tags = TagsOf(metric, endOn, view, 6);
+  CHECK_NEAR(tags[0], std::log2(2.0 * 200.0 / 2.0 / 10.0), 1e-3);
+  CHECK_NEAR(tags[3], std::log2(2.0 * 200.0 / 2.0 / 10.0), 1e-3);
+  camera->SetPosition(0, 0, 0.9); // inside the sphere of the edge
+  CHECK_NEAR(TagsOf(metric, endOn, view, 7)[0], std::log2(2.0 * 200.0 / 1.0 / 10.0), 1e-3);
+  camera->SetPosition(0, 0, 2);
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(2.0);
+  CHECK_NEAR(TagsOf(metric, endOn, view, 6)[0], std::log2(2.0 * 100.0 / 10.0), 1e-3);
+  camera->ParallelProjectionOff();
+  metric->SetMeasureToProjectedLength();
+  CHECK(TagsOf(metric, endOn, view, 6)[3] == 0.0f);
+  RelevoErrors measureErrors(metric);
+  metric->SetMeasure(2);
+  CHECK(measureErrors.Said("neither PROJECTED_LENGTH (0) nor SPHERE_DIAMETER (1)"));
+
   // Parallel: a height of 2 * 2 units in 400 pixels, also behind the eye.
   camera->ParallelProjectionOn();
   camera->SetParallelScale(2.0);

@@ -1,11 +1,19 @@
-// vtkScreenEdgeDepthTagMetric. GLSL and C++, see relevoMetricView.glsl, but metricParameters[2] to
-// [5] are rows to clip coordinates: x and y in lengths of segments when divided by the last, and
-// the distance beyond the near plane (1 for a parallel camera, which cuts nothing).
+// vtkScreenEdgeDepthTagMetric. GLSL and C++, see relevoMetricView.glsl. metricParameters[9].x says
+// what is measured: 0 for the edge, else for its sphere the square of its diameter in lengths of
+// segments, for a diameter of 1 at a distance of 1 (or anywhere, for a parallel camera).
+//
+// For edges metricParameters[2] to [5] are rows to clip coordinates: x and y in lengths of segments
+// when divided by the last, and the distance beyond the near plane (1 for a parallel camera, which
+// cuts nothing).
 
-// (position on the screen, distance beyond the near plane, divisor); (x, y) not divided where a
-// point is not beyond the near plane.
+// For spheres the vector from the eye. Else (position on the screen, distance beyond the near plane,
+// divisor); (x, y) not divided where a point is not beyond the near plane.
 RELEVO_FUNCTION vec4 metricValue(vec3 x, RELEVO_UNUSED vec4 datum)
 {
+  if (metricParameters[9].x > 0.0f)
+  {
+    return vec4(metricFromEye(x), 0.0f);
+  }
   vec3 offset = metricOffset(x);
   precise vec4 clip = vec4(metricRow(2, offset), metricRow(3, offset), metricRow(4, offset),
     metricRow(5, offset));
@@ -29,9 +37,25 @@ RELEVO_FUNCTION vec2 metricCrossing(vec4 beyond, vec4 other)
   return crossing;
 }
 
+// The square of the diameter of the sphere that has the edge as a diameter; an eye inside of it is
+// taken to be on it.
+RELEVO_FUNCTION float metricSphere(vec3 a, vec3 b)
+{
+  precise vec3 d = b - a;
+  precise vec3 middle = 0.5f * (a + b);
+  float squared = metricDot(d, d);
+  float distance = metricParameters[1].w > 0.0f ? 1.0f : max(metricDot(middle, middle), 0.25f * squared);
+  precise float measure = distance > 0.0f ? metricParameters[9].x * (squared / distance) : 0.0f;
+  return measure;
+}
+
 // The square of the edge's length.
 RELEVO_FUNCTION float metricEdgeMeasure(vec4 a, vec4 b)
 {
+  if (metricParameters[9].x > 0.0f)
+  {
+    return metricSphere(metricXYZ(a), metricXYZ(b));
+  }
   bool seesA = a.z > 0.0f && a.w > 0.0f;
   bool seesB = b.z > 0.0f && b.w > 0.0f;
   if (!seesA && !seesB)
