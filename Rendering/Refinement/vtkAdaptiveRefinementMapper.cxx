@@ -1,32 +1,24 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkAdaptiveRefinementMapper.h"
+#include "vtkAdaptiveRefinementMapperInternals.h"
 
 #include "vtkRelevoOpenGL.h"
 
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
-#include "vtkBoundingBox.h"
-#include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkDisplacement.h"
-#include "vtkFaceCulling.h"
 #include "vtkHardwareSelector.h"
 #include "vtkHeightField.h"
 #include "vtkInformation.h"
-#include "vtkLevelBudget.h"
 #include "vtkLinearSurface.h"
-#include "vtkLookupTable.h"
-#include "vtkMath.h"
-#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLCellToVTKCellMap.h"
-#include "vtkOpenGLHelper.h"
 #include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -34,32 +26,18 @@
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
-#include "vtkRefinementBlocks.h"
-#include "vtkRefinementColors.h"
 #include "vtkRefinementComputeProgram.h"
-#include "vtkRefinementComputeState.h"
-#include "vtkRefinementFaceColors.h"
-#include "vtkRefinementLevelTable.h"
-#include "vtkRefinementMeshBuffers.h"
-#include "vtkRefinementPatternBuffer.h"
-#include "vtkRefinementShader.h"
-#include "vtkRefinementState.h"
 #include "vtkRefinementSurface.h"
-#include "vtkRefinementView.h"
 #include "vtkRelevoCompatibility.h"
-#include "vtkRenderClock.h"
 #include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
 #include "vtkShaderProgram.h"
-#include "vtkTimerLog.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <cstring>
-#include <numeric>
 
 namespace
 {
@@ -77,23 +55,6 @@ bool HasExtension(const char* name)
   return false;
 }
 
-bool HasWholeNumbers(vtkAdaptiveRefinement* recipe)
-{
-  return recipe && recipe->GetSegmentPolicy() == vtkAdaptiveRefinement::WHOLE_NUMBERS;
-}
-
-// Whether VTK has not drawn the actor yet in this frame.
-bool IsFirstPass(vtkActor* act)
-{
-  return act->GetEstimatedRenderTime() == 0.0;
-}
-
-// In seconds. An actor within an actor, as vtkLODActor has, is allotted no time of its own.
-double GetAllocatedTime(vtkRenderer* ren, vtkActor* act)
-{
-  return std::min(act->GetAllocatedRenderTime(), ren->GetAllocatedRenderTime());
-}
-
 // Whether VTK's own mapper would draw the vertices of faces.
 bool AreVerticesDrawn(vtkProperty* property, vtkHardwareSelector* selector)
 {
@@ -108,83 +69,6 @@ bool AreVerticesDrawn(vtkProperty* property, vtkHardwareSelector* selector)
   return property->GetEdgeVisibility() && property->GetRepresentation() == VTK_SURFACE && !selector;
 }
 }
-
-struct vtkAdaptiveRefinementMapper::vtkInternals
-{
-  vtkInternals()
-  {
-    this->Faces.PrimitiveType = PrimitiveTris;
-    this->Vertices.PrimitiveType = PrimitiveVertices;
-  }
-
-  relevo::RefinementState State;
-
-  // GPU side.
-  relevo::RefinementMeshBuffers Buffers;
-  relevo::RefinementPatternBuffer Patterns;
-  relevo::RefinementColors Colors;
-  bool ColorsValid = false;
-  relevo::RefinementLevelTable LevelTable;
-  relevo::RefinementFaceColors FaceColors;
-  vtkTimeStamp UploadTime;
-  bool UploadValid = false;
-  bool ContextChecked = false;
-  bool ContextValid = false;
-  bool Drawable = false;
-  int NumberOfDrawCalls = 0;
-
-  // Selections on the GPU.
-  relevo::RefinementComputeState Compute;
-  bool ComputeValid = false; // the context can, and nothing has failed
-  bool OnGPU = false;        // in the last render
-  double ComputeSeconds = 0.0;
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // whose context has them
-  vtkMTimeType ReadTime = 0;                    // of what was read back
-  int NumberOfUsedPatterns = 0;                 // of that
-  int NumberOfHiddenFaces = 0;                  // and of that
-
-  int CountUsedPatterns() const
-  {
-    if (this->OnGPU)
-    {
-      return this->NumberOfUsedPatterns;
-    }
-    int count = 0;
-    const auto& groups = this->State.GetSelection().GetSelection().Groups;
-    for (size_t i = 0; i < groups.size(); ++i)
-    {
-      count += i == 0 || groups[i].Pattern != groups[i - 1].Pattern;
-    }
-    return count;
-  }
-
-  // What draws refined faces, and their vertices when those are shown.
-  vtkOpenGLHelper Faces;
-  vtkOpenGLHelper Vertices;
-  struct ProgramState
-  {
-    std::string ShaderKey;
-    std::vector<std::string> Attributes;
-    vtkOpenGLBufferObject* PatternVertices = nullptr;
-    vtkMTimeType AliasTime = 0;
-  };
-  std::map<const vtkOpenGLHelper*, ProgramState> Programs;
-
-  relevo::RefinementBlocks Blocks;
-
-  // Of all blocks of a composite input it is their parent's that counts.
-  relevo::LevelBudget Budget;
-  relevo::RenderClock Clock;
-  bool IsBlock = false;
-
-  relevo::RefinementComputeState::Targets GetTargets() const
-  {
-    return { this->Buffers.GetFaces(), this->Buffers.GetInstances(), this->Buffers.GetMorphTags() };
-  }
-
-  relevo::RefinementShaderOptions GetShaderOptions(
-    const vtkAdaptiveRefinementMapper* mapper, const vtkOpenGLHelper* cellBO) const;
-};
 
 vtkStandardNewMacro(vtkAdaptiveRefinementMapper);
 
@@ -211,78 +95,6 @@ void vtkAdaptiveRefinementMapper::SetRefinement(vtkAdaptiveRefinement* refinemen
 vtkAdaptiveRefinement* vtkAdaptiveRefinementMapper::GetRefinement()
 {
   return this->Refinement;
-}
-
-// Not Modified(): that would make VTK upload the mesh again.
-void vtkAdaptiveRefinementMapper::SetFrustumCulling(bool culling)
-{
-  this->FrustumCulling = culling;
-  this->Internals->Blocks.ForEach(
-    [culling](vtkAdaptiveRefinementMapper* block) { block->SetFrustumCulling(culling); });
-}
-
-void vtkAdaptiveRefinementMapper::SetBackFaceCulling(bool culling)
-{
-  this->BackFaceCulling = culling;
-  this->Internals->Blocks.ForEach(
-    [culling](vtkAdaptiveRefinementMapper* block) { block->SetBackFaceCulling(culling); });
-}
-
-void vtkAdaptiveRefinementMapper::SetColorMode(int mode)
-{
-  this->SetColorModeToScalars();
-  this->Superclass::SetColorMode(mode);
-}
-
-// Not Modified(), as above.
-void vtkAdaptiveRefinementMapper::SetRefinementColorMode(RefinementColorModes mode)
-{
-  this->RefinementColorMode = mode;
-  this->Internals->Blocks.ForEach(
-    [mode](vtkAdaptiveRefinementMapper* block) { block->SetRefinementColorMode(mode); });
-}
-
-void vtkAdaptiveRefinementMapper::SetLevelLookupTable(vtkScalarsToColors* table)
-{
-  this->LevelLookupTable = table;
-  this->Internals->Blocks.ForEach(
-    [table](vtkAdaptiveRefinementMapper* block) { block->SetLevelLookupTable(table); });
-}
-
-vtkScalarsToColors* vtkAdaptiveRefinementMapper::GetLevelLookupTable()
-{
-  if (this->LevelLookupTable)
-  {
-    return this->LevelLookupTable;
-  }
-  vtkAdaptiveRefinement* recipe = this->Refinement;
-  return this->Internals->LevelTable.Get(
-    this->RefinementColorMode, HasWholeNumbers(recipe), recipe ? recipe->GetMaximumLevel() : 0);
-}
-
-void vtkAdaptiveRefinementMapper::SetTargetNumberOfTriangles(vtkIdType triangles)
-{
-  if (triangles < 0)
-  {
-    vtkErrorMacro("TargetNumberOfTriangles must not be negative, got " << triangles << ".");
-    return;
-  }
-  this->Internals->Budget.Target = triangles;
-}
-
-vtkIdType vtkAdaptiveRefinementMapper::GetTargetNumberOfTriangles()
-{
-  return this->Internals->Budget.Target;
-}
-
-void vtkAdaptiveRefinementMapper::SetUseAllocatedRenderTime(bool use)
-{
-  this->UseAllocatedRenderTime = use;
-}
-
-double vtkAdaptiveRefinementMapper::GetLevelOffset()
-{
-  return this->Internals->State.LevelOffset;
 }
 
 int vtkAdaptiveRefinementMapper::FillInputPortInformation(int, vtkInformation* info)
@@ -314,364 +126,9 @@ void vtkAdaptiveRefinementMapper::ShallowCopy(vtkAbstractMapper* mapper)
   }
 }
 
-void vtkAdaptiveRefinementMapper::SetSelectionDevice(int device)
-{
-  if (device < SELECTION_DEVICE_AUTOMATIC || device > SELECTION_DEVICE_GPU)
-  {
-    vtkErrorMacro("SelectionDevice is 0 (automatic), 1 (CPU) or 2 (GPU), not " << device << ".");
-    return;
-  }
-  if (this->SelectionDevice != device)
-  {
-    this->SelectionDevice = device;
-    this->Internals->ContextChecked = false;
-    this->Modified();
-  }
-}
-
-int vtkAdaptiveRefinementMapper::GetSelectionDeviceInUse()
-{
-  bool onGPU = this->Internals->OnGPU;
-  this->Internals->Blocks.ForEach([&onGPU](vtkAdaptiveRefinementMapper* block)
-    { onGPU = onGPU || block->GetSelectionDeviceInUse() == SELECTION_DEVICE_GPU; });
-  return onGPU ? SELECTION_DEVICE_GPU : SELECTION_DEVICE_CPU;
-}
-
 bool vtkAdaptiveRefinementMapper::IsComposite()
 {
   return vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)) != nullptr;
-}
-
-//------------------------------------------------------------------------------
-// Statistics
-
-vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfDrawnTriangles()
-{
-  vtkInternals& data = *this->Internals;
-  if (!data.Blocks.IsEmpty())
-  {
-    vtkIdType sum = 0;
-    data.Blocks.ForEach(
-      [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfDrawnTriangles(); });
-    return sum;
-  }
-  this->ReadSelection();
-  return data.Drawable ? data.State.GetNumberOfTriangles(this->GetInput(), this->Refinement) : 0;
-}
-
-int vtkAdaptiveRefinementMapper::GetNumberOfDrawCalls()
-{
-  int sum = this->Internals->NumberOfDrawCalls;
-  this->Internals->Blocks.ForEach(
-    [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfDrawCalls(); });
-  return sum;
-}
-
-int vtkAdaptiveRefinementMapper::GetNumberOfUsedPatterns()
-{
-  this->ReadSelection();
-  int sum = this->Internals->CountUsedPatterns();
-  this->Internals->Blocks.ForEach(
-    [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfUsedPatterns(); });
-  return sum;
-}
-
-vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfSelections()
-{
-  vtkIdType sum = this->Internals->State.GetNumberOfSelections();
-  this->Internals->Blocks.ForEach(
-    [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfSelections(); });
-  return sum;
-}
-
-double vtkAdaptiveRefinementMapper::GetSelectionTime()
-{
-  double sum = this->Internals->State.GetSelection().GetSeconds() +
-    (this->Internals->OnGPU ? this->Internals->ComputeSeconds : 0.0);
-  this->Internals->Blocks.ForEach(
-    [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetSelectionTime(); });
-  return sum;
-}
-
-vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfCoarseFaces()
-{
-  vtkIdType sum = static_cast<vtkIdType>(this->Internals->State.GetMesh().Faces.size());
-  this->Internals->Blocks.ForEach(
-    [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfCoarseFaces(); });
-  return sum;
-}
-
-vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfCulledFaces()
-{
-  this->ReadSelection();
-  const vtkInternals& data = *this->Internals;
-  vtkIdType sum = data.OnGPU
-    ? data.NumberOfHiddenFaces
-    : (data.Drawable ? data.State.GetSelection().GetNumberOfHiddenFaces() : 0);
-  this->Internals->Blocks.ForEach(
-    [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfCulledFaces(); });
-  return sum;
-}
-
-vtkTypeInt64 vtkAdaptiveRefinementMapper::GetGraphicsMemorySize()
-{
-  vtkInternals& data = *this->Internals;
-  vtkTypeInt64 sum = data.Buffers.GetMemorySize() + data.Patterns.GetMemorySize() +
-    data.Colors.GetMemorySize() + data.FaceColors.GetMemorySize() + data.Compute.GetMemorySize();
-  for (const char* name :
-    { "vertexMC", "normalMC", "scalarColor", "tcoord", "colorTCoord", "tangentMC" })
-  {
-    if (vtkOpenGLVertexBufferObject* vbo = this->VBOs->GetVBO(name))
-    {
-      sum += static_cast<vtkTypeInt64>(vbo->GetNumberOfTuples()) * vbo->GetStride();
-    }
-  }
-  data.Blocks.ForEach(
-    [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetGraphicsMemorySize(); });
-  return sum;
-}
-
-//------------------------------------------------------------------------------
-// The coarse mesh and its bounds
-
-bool vtkAdaptiveRefinementMapper::Report(bool valid)
-{
-  const std::string error = this->Internals->State.TakeError();
-  const std::string warning = this->Internals->State.TakeWarning();
-  if (!error.empty())
-  {
-    vtkErrorMacro(<< error);
-  }
-  if (!warning.empty())
-  {
-    vtkWarningMacro(<< warning);
-  }
-  return valid;
-}
-
-bool vtkAdaptiveRefinementMapper::UpdateMesh()
-{
-  vtkPolyData* input = this->GetInput();
-  return input && this->Report(this->Internals->State.UpdateMesh(input, this->Refinement));
-}
-
-bool vtkAdaptiveRefinementMapper::SelectsOnGPU()
-{
-  const vtkInternals& data = *this->Internals;
-  return data.ComputeValid && !data.State.IsBudgeted &&
-    this->RefinementColorMode != COLOR_BY_METRIC &&
-    relevo::RefinementComputeState::CanChooseFrom(
-      relevo::GetPatternFamily(this->Refinement, this->GetInput()));
-}
-
-namespace
-{
-vtkRefinementView MakeView(vtkRenderer* ren, vtkActor* act)
-{
-  vtkRefinementView view;
-  view.Camera = ren->GetActiveCamera();
-  view.ModelToWorld = act->GetMatrix();
-  std::copy_n(ren->GetSize(), 2, view.ViewportSize);
-  return view;
-}
-
-// What a camera sees of a mesh; nullptr to draw all of it.
-std::unique_ptr<relevo::CullingView> MakeCullingView(
-  bool culled, vtkRenderer* ren, vtkActor* act, const relevo::RefinementMesh& mesh)
-{
-  return std::unique_ptr<relevo::CullingView>(culled
-      ? new relevo::CullingView(
-          ren->GetActiveCamera(), ren->GetTiledAspectRatio(), act->GetMatrix(), mesh)
-      : nullptr);
-}
-}
-
-bool vtkAdaptiveRefinementMapper::UpdateSelection(vtkRenderer* ren, vtkActor* act)
-{
-  vtkInternals& data = *this->Internals;
-  const vtkRefinementView view = MakeView(ren, act);
-  const auto culling = MakeCullingView(this->FrustumCulling, ren, act, data.State.GetMesh());
-  return this->Report(data.State.UpdateSelection(this->GetInput(), this->Refinement, view,
-    culling.get(), this->HidesBackFaces(ren, act), data.OnGPU));
-}
-
-void vtkAdaptiveRefinementMapper::UpdateBudget(vtkRenderer* ren, vtkActor* act)
-{
-  vtkInternals& data = *this->Internals;
-  if (data.IsBlock)
-  {
-    return;
-  }
-  double seconds = 0.0;
-  if (this->UseAllocatedRenderTime)
-  {
-    // What has been seen is picked, and later passes show what the first has shown.
-    seconds = IsFirstPass(act) && !ren->GetSelector() ? GetAllocatedTime(ren, act) : -1.0;
-  }
-  const bool isBudgeted = data.Budget.SetView(ren->GetActiveCamera(), seconds);
-  const vtkRefinementView view = MakeView(ren, act);
-  std::vector<relevo::LevelBudget::Part> parts;
-  const auto addPart = [&](vtkAdaptiveRefinementMapper* mapper)
-  {
-    relevo::RefinementState& state = mapper->Internals->State;
-    state.IsBudgeted = isBudgeted;
-    if (isBudgeted && mapper->UpdateMesh() &&
-      state.UpdateTags(mapper->GetInput(), this->Refinement, view, false))
-    {
-      const relevo::ViewSelection& selection = state.GetSelection();
-      parts.push_back({ { &state.GetMesh(), &selection.GetTags(),
-                          &relevo::GetPatternFamily(this->Refinement, mapper->GetInput()) },
-        selection.GetTagsTime() });
-    }
-  };
-  if (data.Blocks.IsEmpty())
-  {
-    addPart(this);
-  }
-  data.Blocks.ForEach(addPart);
-  const double offset = parts.empty() ? 0.0 : data.Budget.FindOffset(parts, this->Refinement);
-  const auto setOffset = [&](vtkAdaptiveRefinementMapper* mapper)
-  {
-    mapper->Internals->State.LevelOffset = offset;
-    mapper->Internals->IsBlock = mapper != this;
-  };
-  setOffset(this);
-  data.Blocks.ForEach(setOffset);
-}
-
-bool vtkAdaptiveRefinementMapper::SelectOnGPU(vtkRenderer* ren, vtkActor* act)
-{
-  vtkInternals& data = *this->Internals;
-  vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
-  const double start = vtkTimerLog::GetUniversalTime();
-  const relevo::RefinementMesh& mesh = data.State.GetMesh();
-  const relevo::PatternFamily& family =
-    relevo::GetPatternFamily(this->Refinement, this->GetInput());
-  const int slot = data.State.GetSelectionSlot();
-  const vtkMTimeType lastTime = data.Compute.GetTime(slot);
-  const relevo::ViewSelection& selection = data.State.GetSelection();
-  const auto camera = MakeCullingView(this->FrustumCulling, ren, act, mesh);
-  const relevo::FaceCulling* culled = camera ? &data.State.GetCulling(this->Refinement) : nullptr;
-  const bool reserved =
-    data.Buffers.ReserveSelection(window, slot, mesh.Faces.size(), family.IsMorphing());
-  const bool valid = reserved && data.Compute.UpdateMesh(mesh, data.State.GetMeshTime()) &&
-    (!culled || data.Compute.UpdateCulling(*culled, data.State.GetCullingTime())) &&
-    data.Compute.UpdatePatterns(family, this->Refinement->GetPatternTable(), data.Patterns,
-      act->GetProperty()->GetRepresentation() == VTK_WIREFRAME) &&
-    data.Compute.UpdateView(window, slot, selection.GetTags(),
-      static_cast<float>(this->Refinement->GetLevelOffset() + data.State.LevelOffset),
-      selection.GetLevelsTime(), camera.get(),
-      culled && culled->HidesBehind(*camera, this->HidesBackFaces(ren, act)), data.GetTargets());
-  if (data.Compute.GetTime(slot) != lastTime)
-  {
-    data.ComputeSeconds = vtkTimerLog::GetUniversalTime() - start;
-  }
-  if (!valid)
-  {
-    this->GiveUpGPU(reserved ? data.Compute.GetError() : data.Buffers.GetError());
-  }
-  return valid;
-}
-
-void vtkAdaptiveRefinementMapper::GiveUpGPU(const std::string& reason)
-{
-  this->Internals->ComputeValid = false; // said once, until something changes
-  if (this->SelectionDevice == SELECTION_DEVICE_GPU)
-  {
-    vtkErrorMacro("Selection on the GPU failed: " << reason << ". It is done on the CPU.");
-  }
-  else
-  {
-    vtkWarningMacro("Selection on the GPU failed: " << reason << ". It is done on the CPU.");
-  }
-}
-
-void vtkAdaptiveRefinementMapper::ReadSelection()
-{
-  vtkInternals& data = *this->Internals;
-  const int slot = data.State.GetSelectionSlot();
-  const vtkMTimeType time = data.OnGPU && data.Window ? data.Compute.GetTime(slot) : 0;
-  if (time == 0 || time == data.ReadTime)
-  {
-    return;
-  }
-  data.ReadTime = time;
-  data.Window->MakeCurrent();
-  std::vector<float> morphTags;
-  if (data.Buffers.GetMorphTags())
-  {
-    morphTags.resize(3 * data.State.GetMesh().Faces.size());
-    relevo::RefinementComputeBuffer::ReadBuffer(
-      data.Buffers.GetMorphTags(), 0, morphTags.data(), morphTags.size() * sizeof(float));
-  }
-  data.State.AssignSelection(this->GetInput(), this->Refinement, *data.Compute.GetFamily(),
-    data.Compute.ReadEntries(slot), std::move(morphTags));
-  const std::vector<int> counts = data.Compute.ReadCounts(slot);
-  data.NumberOfHiddenFaces = static_cast<int>(data.State.GetMesh().Faces.size()) -
-    std::accumulate(counts.begin(), counts.end(), 0);
-  // Two keys share a pattern, of which one turns it over.
-  data.NumberOfUsedPatterns = 0;
-  for (size_t key = 0; key + 1 < counts.size(); key += 2)
-  {
-    data.NumberOfUsedPatterns += counts[key] + counts[key + 1] > 0 ? 1 : 0;
-  }
-}
-
-bool vtkAdaptiveRefinementMapper::HidesBackFaces(vtkRenderer* ren, vtkActor* act)
-{
-  vtkProperty* property = act->GetProperty();
-  return this->BackFaceCulling && !ren->GetSelector() &&
-    property->GetRepresentation() == VTK_SURFACE && !property->GetFrontfaceCulling() &&
-    !property->GetVertexVisibility() && !property->GetEdgeVisibility() &&
-    !act->HasTranslucentPolygonalGeometry() && this->GetNumberOfClippingPlanes() == 0 &&
-    act->GetMatrix()->Determinant() > 0.0;
-}
-
-double* vtkAdaptiveRefinementMapper::GetBounds()
-{
-  if (!this->GetNumberOfInputConnections(0))
-  {
-    vtkMath::UninitializeBounds(this->Bounds);
-    return this->Bounds;
-  }
-  if (!this->Static)
-  {
-    this->GetInputAlgorithm()->Update();
-  }
-  this->ComputeBounds();
-  return this->Bounds;
-}
-
-void vtkAdaptiveRefinementMapper::ComputeBounds()
-{
-  vtkInternals& data = *this->Internals;
-  if (vtkCompositeDataSet* composite =
-        vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)))
-  {
-    data.Blocks.Update(this, composite);
-    vtkBoundingBox box;
-    data.Blocks.ForEach(
-      [&box](vtkAdaptiveRefinementMapper* block) { box.AddBounds(block->GetBounds()); });
-    vtkMath::UninitializeBounds(this->Bounds);
-    if (box.IsValid())
-    {
-      box.GetBounds(this->Bounds);
-    }
-    return;
-  }
-  data.Blocks.Clear();
-  if (!this->UpdateMesh())
-  {
-    // Of the points only: vtkPolyData does not check what cells refer to.
-    vtkPoints* points = this->GetInput() ? this->GetInput()->GetPoints() : nullptr;
-    vtkMath::UninitializeBounds(this->Bounds);
-    if (points && points->GetNumberOfPoints() > 0)
-    {
-      points->GetBounds(this->Bounds);
-    }
-    return;
-  }
-  data.State.GetBounds(this->GetInput(), this->Refinement, this->Bounds);
 }
 
 //------------------------------------------------------------------------------
@@ -826,7 +283,7 @@ void vtkAdaptiveRefinementMapper::RenderPiece(vtkRenderer* ren, vtkActor* act)
   this->RenderRefined(ren, act);
   const double seconds = data.Clock.Stop();
   // What the GPU selects is read back only where the time does not do.
-  const bool isSlow = seconds > GetAllocatedTime(ren, act);
+  const bool isSlow = seconds > vtkInternals::GetAllocatedTime(ren, act);
   vtkIdType triangles = 0;
   const auto addTriangles = [&](vtkAdaptiveRefinementMapper* mapper)
   {
@@ -843,7 +300,7 @@ void vtkAdaptiveRefinementMapper::RenderPiece(vtkRenderer* ren, vtkActor* act)
     addTriangles(this);
   }
   data.Blocks.ForEach(addTriangles);
-  data.Budget.AddPass(IsFirstPass(act), triangles, seconds);
+  data.Budget.AddPass(vtkInternals::IsFirstPass(act), triangles, seconds);
 }
 
 void vtkAdaptiveRefinementMapper::RenderRefined(vtkRenderer* ren, vtkActor* act)
@@ -951,8 +408,8 @@ bool vtkAdaptiveRefinementMapper::UpdateFaceColors(vtkRenderer* ren)
         this->Refinement->GetLevelOffset() + this->GetLevelOffset(),
         this->Refinement->GetMaximumLevel(), table);
     default:
-      return data.FaceColors.UploadPatterns(
-        window, this->RefinementColorMode, HasWholeNumbers(this->Refinement), data.Patterns, table);
+      return data.FaceColors.UploadPatterns(window, this->RefinementColorMode,
+        vtkInternals::HasWholeNumbers(this->Refinement), data.Patterns, table);
   }
 }
 
@@ -1194,22 +651,4 @@ void vtkAdaptiveRefinementMapper::ProcessSelectorPixelBuffers(
   {
     this->Internals->Blocks.ProcessSelectorPixelBuffers(sel, pixeloffsets, prop);
   }
-}
-
-void vtkAdaptiveRefinementMapper::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Refinement: " << this->Refinement.Get() << "\n";
-  os << indent << "FrustumCulling: " << (this->FrustumCulling ? "On\n" : "Off\n");
-  os << indent << "BackFaceCulling: " << (this->BackFaceCulling ? "On\n" : "Off\n");
-  os << indent << "SelectionDevice: " << this->SelectionDevice << "\n";
-  os << indent << "RefinementColorMode: " << this->RefinementColorMode << "\n";
-  os << indent << "LevelLookupTable: " << this->LevelLookupTable.Get() << "\n";
-  os << indent << "TargetNumberOfTriangles: " << this->GetTargetNumberOfTriangles() << "\n";
-  os << indent << "UseAllocatedRenderTime: " << (this->UseAllocatedRenderTime ? "On\n" : "Off\n");
-  os << indent << "LevelOffset: " << this->GetLevelOffset() << "\n";
-  os << indent << "NumberOfCoarseFaces: " << this->GetNumberOfCoarseFaces() << "\n";
-  os << indent << "NumberOfDrawnTriangles: " << this->GetNumberOfDrawnTriangles() << "\n";
-  os << indent << "NumberOfDrawCalls: " << this->GetNumberOfDrawCalls() << "\n";
-  os << indent << "NumberOfSelections: " << this->GetNumberOfSelections() << "\n";
 }

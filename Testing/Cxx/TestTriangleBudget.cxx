@@ -190,7 +190,8 @@ void TestPlainRecipes(RelevoCheck& check)
   Budget budget;
   CHECK(std::abs(budget.FindOffset(
           { scene.GetPart() }, recipe->GetPatternTable(), 4000, Lowest, Highest)) <= Step);
-  Scene empty(vtkNew<vtkPolyData>(), recipe);
+  vtkNew<vtkPolyData> nothing;
+  Scene empty(nothing, recipe);
   CHECK(std::abs(budget.FindOffset(
           { empty.GetPart() }, recipe->GetPatternTable(), 4000, Lowest, Highest)) <= Step);
   CHECK(std::isfinite(budget.FindOffset({}, recipe->GetPatternTable(), 4000, Lowest, Highest)));

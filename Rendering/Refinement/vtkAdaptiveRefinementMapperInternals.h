@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkAdaptiveRefinementMapperInternals
+ * @brief   what a vtkAdaptiveRefinementMapper keeps
+ *
+ * Private to the mapper's own sources.
+ */
+#ifndef vtkAdaptiveRefinementMapperInternals_h
+#define vtkAdaptiveRefinementMapperInternals_h
+
+#include "vtkAdaptiveRefinementMapper.h"
+#include "vtkLevelBudget.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRefinementBlocks.h"
+#include "vtkRefinementColors.h"
+#include "vtkRefinementComputeState.h"
+#include "vtkRefinementFaceColors.h"
+#include "vtkRefinementLevelTable.h"
+#include "vtkRefinementMeshBuffers.h"
+#include "vtkRefinementPatternBuffer.h"
+#include "vtkRefinementShader.h"
+#include "vtkRefinementState.h"
+#include "vtkRenderClock.h"
+#include "vtkTimeStamp.h"
+#include "vtkWeakPointer.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+struct vtkAdaptiveRefinementMapper::vtkInternals
+{
+  vtkInternals()
+  {
+    this->Faces.PrimitiveType = PrimitiveTris;
+    this->Vertices.PrimitiveType = PrimitiveVertices;
+  }
+
+  relevo::RefinementState State;
+
+  // GPU side.
+  relevo::RefinementMeshBuffers Buffers;
+  relevo::RefinementPatternBuffer Patterns;
+  relevo::RefinementColors Colors;
+  bool ColorsValid = false;
+  relevo::RefinementLevelTable LevelTable;
+  relevo::RefinementFaceColors FaceColors;
+  vtkTimeStamp UploadTime;
+  bool UploadValid = false;
+  bool ContextChecked = false;
+  bool ContextValid = false;
+  bool Drawable = false;
+  int NumberOfDrawCalls = 0;
+
+  // Selections on the GPU.
+  relevo::RefinementComputeState Compute;
+  bool ComputeValid = false; // the context can, and nothing has failed
+  bool OnGPU = false;        // in the last render
+  double ComputeSeconds = 0.0;
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // whose context has them
+  vtkMTimeType ReadTime = 0;                    // of what was read back
+  int NumberOfUsedPatterns = 0;                 // of that
+  int NumberOfHiddenFaces = 0;                  // and of that
+
+  int CountUsedPatterns() const
+  {
+    if (this->OnGPU)
+    {
+      return this->NumberOfUsedPatterns;
+    }
+    int count = 0;
+    const auto& groups = this->State.GetSelection().GetSelection().Groups;
+    for (size_t i = 0; i < groups.size(); ++i)
+    {
+      count += i == 0 || groups[i].Pattern != groups[i - 1].Pattern;
+    }
+    return count;
+  }
+
+  // What draws refined faces, and their vertices when those are shown.
+  vtkOpenGLHelper Faces;
+  vtkOpenGLHelper Vertices;
+  struct ProgramState
+  {
+    std::string ShaderKey;
+    std::vector<std::string> Attributes;
+    vtkOpenGLBufferObject* PatternVertices = nullptr;
+    vtkMTimeType AliasTime = 0;
+  };
+  std::map<const vtkOpenGLHelper*, ProgramState> Programs;
+
+  relevo::RefinementBlocks Blocks;
+
+  // Of all blocks of a composite input it is their parent's that counts.
+  relevo::LevelBudget Budget;
+  relevo::RenderClock Clock;
+  bool IsBlock = false;
+
+  relevo::RefinementComputeState::Targets GetTargets() const
+  {
+    return { this->Buffers.GetFaces(), this->Buffers.GetInstances(), this->Buffers.GetMorphTags() };
+  }
+
+  /// Whether VTK has not drawn the actor yet in this frame.
+  static bool IsFirstPass(vtkActor* act);
+  /// In seconds. An actor within an actor, as vtkLODActor has, is allotted no time of its own.
+  static double GetAllocatedTime(vtkRenderer* ren, vtkActor* act);
+
+  static bool HasWholeNumbers(vtkAdaptiveRefinement* recipe);
+
+  relevo::RefinementShaderOptions GetShaderOptions(
+    const vtkAdaptiveRefinementMapper* mapper, const vtkOpenGLHelper* cellBO) const;
+};
+
+#endif

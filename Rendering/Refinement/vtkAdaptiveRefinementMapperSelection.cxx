@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The coarse mesh, its bounds, and which levels its faces take, on the CPU or the GPU.
+#include "vtkAdaptiveRefinementMapperInternals.h"
+
+#include "vtkActor.h"
+#include "vtkAdaptiveRefinement.h"
+#include "vtkBoundingBox.h"
+#include "vtkCamera.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkFaceCulling.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRefinementView.h"
+#include "vtkRenderer.h"
+#include "vtkTimerLog.h"
+
+#include <algorithm>
+#include <memory>
+#include <numeric>
+
+bool vtkAdaptiveRefinementMapper::vtkInternals::IsFirstPass(vtkActor* act)
+{
+  return act->GetEstimatedRenderTime() == 0.0;
+}
+
+double vtkAdaptiveRefinementMapper::vtkInternals::GetAllocatedTime(vtkRenderer* ren, vtkActor* act)
+{
+  return std::min(act->GetAllocatedRenderTime(), ren->GetAllocatedRenderTime());
+}
+
+bool vtkAdaptiveRefinementMapper::Report(bool valid)
+{
+  const std::string error = this->Internals->State.TakeError();
+  const std::string warning = this->Internals->State.TakeWarning();
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error);
+  }
+  if (!warning.empty())
+  {
+    vtkWarningMacro(<< warning);
+  }
+  return valid;
+}
+
+bool vtkAdaptiveRefinementMapper::UpdateMesh()
+{
+  vtkPolyData* input = this->GetInput();
+  return input && this->Report(this->Internals->State.UpdateMesh(input, this->Refinement));
+}
+
+bool vtkAdaptiveRefinementMapper::SelectsOnGPU()
+{
+  const vtkInternals& data = *this->Internals;
+  return data.ComputeValid && !data.State.IsBudgeted &&
+    this->RefinementColorMode != COLOR_BY_METRIC &&
+    relevo::RefinementComputeState::CanChooseFrom(
+      relevo::GetPatternFamily(this->Refinement, this->GetInput()));
+}
+
+namespace
+{
+vtkRefinementView MakeView(vtkRenderer* ren, vtkActor* act)
+{
+  vtkRefinementView view;
+  view.Camera = ren->GetActiveCamera();
+  view.ModelToWorld = act->GetMatrix();
+  std::copy_n(ren->GetSize(), 2, view.ViewportSize);
+  return view;
+}
+
+// What a camera sees of a mesh; nullptr to draw all of it.
+std::unique_ptr<relevo::CullingView> MakeCullingView(
+  bool culled, vtkRenderer* ren, vtkActor* act, const relevo::RefinementMesh& mesh)
+{
+  return std::unique_ptr<relevo::CullingView>(culled
+      ? new relevo::CullingView(
+          ren->GetActiveCamera(), ren->GetTiledAspectRatio(), act->GetMatrix(), mesh)
+      : nullptr);
+}
+}
+
+bool vtkAdaptiveRefinementMapper::UpdateSelection(vtkRenderer* ren, vtkActor* act)
+{
+  vtkInternals& data = *this->Internals;
+  const vtkRefinementView view = MakeView(ren, act);
+  const auto culling = MakeCullingView(this->FrustumCulling, ren, act, data.State.GetMesh());
+  return this->Report(data.State.UpdateSelection(this->GetInput(), this->Refinement, view,
+    culling.get(), this->HidesBackFaces(ren, act), data.OnGPU));
+}
+
+void vtkAdaptiveRefinementMapper::UpdateBudget(vtkRenderer* ren, vtkActor* act)
+{
+  vtkInternals& data = *this->Internals;
+  if (data.IsBlock)
+  {
+    return;
+  }
+  double seconds = 0.0;
+  if (this->UseAllocatedRenderTime)
+  {
+    // What has been seen is picked, and later passes show what the first has shown.
+    seconds = vtkInternals::IsFirstPass(act) && !ren->GetSelector()
+      ? vtkInternals::GetAllocatedTime(ren, act)
+      : -1.0;
+  }
+  const bool isBudgeted = data.Budget.SetView(ren->GetActiveCamera(), seconds);
+  const vtkRefinementView view = MakeView(ren, act);
+  std::vector<relevo::LevelBudget::Part> parts;
+  const auto addPart = [&](vtkAdaptiveRefinementMapper* mapper)
+  {
+    relevo::RefinementState& state = mapper->Internals->State;
+    state.IsBudgeted = isBudgeted;
+    if (isBudgeted && mapper->UpdateMesh() &&
+      state.UpdateTags(mapper->GetInput(), this->Refinement, view, false))
+    {
+      const relevo::ViewSelection& selection = state.GetSelection();
+      parts.push_back({ { &state.GetMesh(), &selection.GetTags(),
+                          &relevo::GetPatternFamily(this->Refinement, mapper->GetInput()) },
+        selection.GetTagsTime() });
+    }
+  };
+  if (data.Blocks.IsEmpty())
+  {
+    addPart(this);
+  }
+  data.Blocks.ForEach(addPart);
+  const double offset = parts.empty() ? 0.0 : data.Budget.FindOffset(parts, this->Refinement);
+  const auto setOffset = [&](vtkAdaptiveRefinementMapper* mapper)
+  {
+    mapper->Internals->State.LevelOffset = offset;
+    mapper->Internals->IsBlock = mapper != this;
+  };
+  setOffset(this);
+  data.Blocks.ForEach(setOffset);
+}
+
+bool vtkAdaptiveRefinementMapper::SelectOnGPU(vtkRenderer* ren, vtkActor* act)
+{
+  vtkInternals& data = *this->Internals;
+  vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
+  const double start = vtkTimerLog::GetUniversalTime();
+  const relevo::RefinementMesh& mesh = data.State.GetMesh();
+  const relevo::PatternFamily& family =
+    relevo::GetPatternFamily(this->Refinement, this->GetInput());
+  const int slot = data.State.GetSelectionSlot();
+  const vtkMTimeType lastTime = data.Compute.GetTime(slot);
+  const relevo::ViewSelection& selection = data.State.GetSelection();
+  const auto camera = MakeCullingView(this->FrustumCulling, ren, act, mesh);
+  const relevo::FaceCulling* culled = camera ? &data.State.GetCulling(this->Refinement) : nullptr;
+  const bool reserved =
+    data.Buffers.ReserveSelection(window, slot, mesh.Faces.size(), family.IsMorphing());
+  const bool valid = reserved && data.Compute.UpdateMesh(mesh, data.State.GetMeshTime()) &&
+    (!culled || data.Compute.UpdateCulling(*culled, data.State.GetCullingTime())) &&
+    data.Compute.UpdatePatterns(family, this->Refinement->GetPatternTable(), data.Patterns,
+      act->GetProperty()->GetRepresentation() == VTK_WIREFRAME) &&
+    data.Compute.UpdateView(window, slot, selection.GetTags(),
+      static_cast<float>(this->Refinement->GetLevelOffset() + data.State.LevelOffset),
+      selection.GetLevelsTime(), camera.get(),
+      culled && culled->HidesBehind(*camera, this->HidesBackFaces(ren, act)), data.GetTargets());
+  if (data.Compute.GetTime(slot) != lastTime)
+  {
+    data.ComputeSeconds = vtkTimerLog::GetUniversalTime() - start;
+  }
+  if (!valid)
+  {
+    this->GiveUpGPU(reserved ? data.Compute.GetError() : data.Buffers.GetError());
+  }
+  return valid;
+}
+
+void vtkAdaptiveRefinementMapper::GiveUpGPU(const std::string& reason)
+{
+  this->Internals->ComputeValid = false; // said once, until something changes
+  if (this->SelectionDevice == SELECTION_DEVICE_GPU)
+  {
+    vtkErrorMacro("Selection on the GPU failed: " << reason << ". It is done on the CPU.");
+  }
+  else
+  {
+    vtkWarningMacro("Selection on the GPU failed: " << reason << ". It is done on the CPU.");
+  }
+}
+
+void vtkAdaptiveRefinementMapper::ReadSelection()
+{
+  vtkInternals& data = *this->Internals;
+  const int slot = data.State.GetSelectionSlot();
+  const vtkMTimeType time = data.OnGPU && data.Window ? data.Compute.GetTime(slot) : 0;
+  if (time == 0 || time == data.ReadTime)
+  {
+    return;
+  }
+  data.ReadTime = time;
+  data.Window->MakeCurrent();
+  std::vector<float> morphTags;
+  if (data.Buffers.GetMorphTags())
+  {
+    morphTags.resize(3 * data.State.GetMesh().Faces.size());
+    relevo::RefinementComputeBuffer::ReadBuffer(
+      data.Buffers.GetMorphTags(), 0, morphTags.data(), morphTags.size() * sizeof(float));
+  }
+  data.State.AssignSelection(this->GetInput(), this->Refinement, *data.Compute.GetFamily(),
+    data.Compute.ReadEntries(slot), std::move(morphTags));
+  const std::vector<int> counts = data.Compute.ReadCounts(slot);
+  data.NumberOfHiddenFaces = static_cast<int>(data.State.GetMesh().Faces.size()) -
+    std::accumulate(counts.begin(), counts.end(), 0);
+  // Two keys share a pattern, of which one turns it over.
+  data.NumberOfUsedPatterns = 0;
+  for (size_t key = 0; key + 1 < counts.size(); key += 2)
+  {
+    data.NumberOfUsedPatterns += counts[key] + counts[key + 1] > 0 ? 1 : 0;
+  }
+}
+
+bool vtkAdaptiveRefinementMapper::HidesBackFaces(vtkRenderer* ren, vtkActor* act)
+{
+  vtkProperty* property = act->GetProperty();
+  return this->BackFaceCulling && !ren->GetSelector() &&
+    property->GetRepresentation() == VTK_SURFACE && !property->GetFrontfaceCulling() &&
+    !property->GetVertexVisibility() && !property->GetEdgeVisibility() &&
+    !act->HasTranslucentPolygonalGeometry() && this->GetNumberOfClippingPlanes() == 0 &&
+    act->GetMatrix()->Determinant() > 0.0;
+}
+
+double* vtkAdaptiveRefinementMapper::GetBounds()
+{
+  if (!this->GetNumberOfInputConnections(0))
+  {
+    vtkMath::UninitializeBounds(this->Bounds);
+    return this->Bounds;
+  }
+  if (!this->Static)
+  {
+    this->GetInputAlgorithm()->Update();
+  }
+  this->ComputeBounds();
+  return this->Bounds;
+}
+
+void vtkAdaptiveRefinementMapper::ComputeBounds()
+{
+  vtkInternals& data = *this->Internals;
+  if (vtkCompositeDataSet* composite =
+        vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)))
+  {
+    data.Blocks.Update(this, composite);
+    vtkBoundingBox box;
+    data.Blocks.ForEach(
+      [&box](vtkAdaptiveRefinementMapper* block) { box.AddBounds(block->GetBounds()); });
+    vtkMath::UninitializeBounds(this->Bounds);
+    if (box.IsValid())
+    {
+      box.GetBounds(this->Bounds);
+    }
+    return;
+  }
+  data.Blocks.Clear();
+  if (!this->UpdateMesh())
+  {
+    // Of the points only: vtkPolyData does not check what cells refer to.
+    vtkPoints* points = this->GetInput() ? this->GetInput()->GetPoints() : nullptr;
+    vtkMath::UninitializeBounds(this->Bounds);
+    if (points && points->GetNumberOfPoints() > 0)
+    {
+      points->GetBounds(this->Bounds);
+    }
+    return;
+  }
+  data.State.GetBounds(this->GetInput(), this->Refinement, this->Bounds);
+}

@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Settings that need no new buffers, and what is told of the last render.
+#include "vtkAdaptiveRefinementMapperInternals.h"
+
+#include "vtkAdaptiveRefinement.h"
+#include "vtkLookupTable.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+
+bool vtkAdaptiveRefinementMapper::vtkInternals::HasWholeNumbers(vtkAdaptiveRefinement* recipe)
+{
+  return recipe && recipe->GetSegmentPolicy() == vtkAdaptiveRefinement::WHOLE_NUMBERS;
+}
+
+// Not Modified(): that would make VTK upload the mesh again.
+void vtkAdaptiveRefinementMapper::SetFrustumCulling(bool culling)
+{
+  this->FrustumCulling = culling;
+  this->Internals->Blocks.ForEach(
+    [culling](vtkAdaptiveRefinementMapper* block) { block->SetFrustumCulling(culling); });
+}
+
+void vtkAdaptiveRefinementMapper::SetBackFaceCulling(bool culling)
+{
+  this->BackFaceCulling = culling;
+  this->Internals->Blocks.ForEach(
+    [culling](vtkAdaptiveRefinementMapper* block) { block->SetBackFaceCulling(culling); });
+}
+
+void vtkAdaptiveRefinementMapper::SetColorMode(int mode)
+{
+  this->SetColorModeToScalars();
+  this->Superclass::SetColorMode(mode);
+}
+
+// Not Modified(), as above.
+void vtkAdaptiveRefinementMapper::SetRefinementColorMode(RefinementColorModes mode)
+{
+  this->RefinementColorMode = mode;
+  this->Internals->Blocks.ForEach(
+    [mode](vtkAdaptiveRefinementMapper* block) { block->SetRefinementColorMode(mode); });
+}
+
+void vtkAdaptiveRefinementMapper::SetLevelLookupTable(vtkScalarsToColors* table)
+{
+  this->LevelLookupTable = table;
+  this->Internals->Blocks.ForEach(
+    [table](vtkAdaptiveRefinementMapper* block) { block->SetLevelLookupTable(table); });
+}
+
+vtkScalarsToColors* vtkAdaptiveRefinementMapper::GetLevelLookupTable()
+{
+  if (this->LevelLookupTable)
+  {
+    return this->LevelLookupTable;
+  }
+  vtkAdaptiveRefinement* recipe = this->Refinement;
+  return this->Internals->LevelTable.Get(this->RefinementColorMode,
+    vtkInternals::HasWholeNumbers(recipe), recipe ? recipe->GetMaximumLevel() : 0);
+}
+
+void vtkAdaptiveRefinementMapper::SetTargetNumberOfTriangles(vtkIdType triangles)
+{
+  if (triangles < 0)
+  {
+    vtkErrorMacro("TargetNumberOfTriangles must not be negative, got " << triangles << ".");
+    return;
+  }
+  this->Internals->Budget.Target = triangles;
+}
+
+vtkIdType vtkAdaptiveRefinementMapper::GetTargetNumberOfTriangles()
+{
+  return this->Internals->Budget.Target;
+}
+
+void vtkAdaptiveRefinementMapper::SetUseAllocatedRenderTime(bool use)
+{
+  this->UseAllocatedRenderTime = use;
+}
+
+double vtkAdaptiveRefinementMapper::GetLevelOffset()
+{
+  return this->Internals->State.LevelOffset;
+}
+
+void vtkAdaptiveRefinementMapper::SetSelectionDevice(int device)
+{
+  if (device < SELECTION_DEVICE_AUTOMATIC || device > SELECTION_DEVICE_GPU)
+  {
+    vtkErrorMacro("SelectionDevice is 0 (automatic), 1 (CPU) or 2 (GPU), not " << device << ".");
+    return;
+  }
+  if (this->SelectionDevice != device)
+  {
+    this->SelectionDevice = device;
+    this->Internals->ContextChecked = false;
+    this->Modified();
+  }
+}
+
+int vtkAdaptiveRefinementMapper::GetSelectionDeviceInUse()
+{
+  bool onGPU = this->Internals->OnGPU;
+  this->Internals->Blocks.ForEach([&onGPU](vtkAdaptiveRefinementMapper* block)
+    { onGPU = onGPU || block->GetSelectionDeviceInUse() == SELECTION_DEVICE_GPU; });
+  return onGPU ? SELECTION_DEVICE_GPU : SELECTION_DEVICE_CPU;
+}
+
+//------------------------------------------------------------------------------
+// Statistics
+
+vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfDrawnTriangles()
+{
+  vtkInternals& data = *this->Internals;
+  if (!data.Blocks.IsEmpty())
+  {
+    vtkIdType sum = 0;
+    data.Blocks.ForEach(
+      [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfDrawnTriangles(); });
+    return sum;
+  }
+  this->ReadSelection();
+  return data.Drawable ? data.State.GetNumberOfTriangles(this->GetInput(), this->Refinement) : 0;
+}
+
+int vtkAdaptiveRefinementMapper::GetNumberOfDrawCalls()
+{
+  int sum = this->Internals->NumberOfDrawCalls;
+  this->Internals->Blocks.ForEach(
+    [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfDrawCalls(); });
+  return sum;
+}
+
+int vtkAdaptiveRefinementMapper::GetNumberOfUsedPatterns()
+{
+  this->ReadSelection();
+  int sum = this->Internals->CountUsedPatterns();
+  this->Internals->Blocks.ForEach(
+    [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfUsedPatterns(); });
+  return sum;
+}
+
+vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfSelections()
+{
+  vtkIdType sum = this->Internals->State.GetNumberOfSelections();
+  this->Internals->Blocks.ForEach(
+    [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfSelections(); });
+  return sum;
+}
+
+double vtkAdaptiveRefinementMapper::GetSelectionTime()
+{
+  double sum = this->Internals->State.GetSelection().GetSeconds() +
+    (this->Internals->OnGPU ? this->Internals->ComputeSeconds : 0.0);
+  this->Internals->Blocks.ForEach(
+    [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetSelectionTime(); });
+  return sum;
+}
+
+vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfCoarseFaces()
+{
+  vtkIdType sum = static_cast<vtkIdType>(this->Internals->State.GetMesh().Faces.size());
+  this->Internals->Blocks.ForEach(
+    [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfCoarseFaces(); });
+  return sum;
+}
+
+vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfCulledFaces()
+{
+  this->ReadSelection();
+  const vtkInternals& data = *this->Internals;
+  vtkIdType sum = data.OnGPU
+    ? data.NumberOfHiddenFaces
+    : (data.Drawable ? data.State.GetSelection().GetNumberOfHiddenFaces() : 0);
+  this->Internals->Blocks.ForEach(
+    [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfCulledFaces(); });
+  return sum;
+}
+
+vtkTypeInt64 vtkAdaptiveRefinementMapper::GetGraphicsMemorySize()
+{
+  vtkInternals& data = *this->Internals;
+  vtkTypeInt64 sum = data.Buffers.GetMemorySize() + data.Patterns.GetMemorySize() +
+    data.Colors.GetMemorySize() + data.FaceColors.GetMemorySize() + data.Compute.GetMemorySize();
+  for (const char* name :
+    { "vertexMC", "normalMC", "scalarColor", "tcoord", "colorTCoord", "tangentMC" })
+  {
+    if (vtkOpenGLVertexBufferObject* vbo = this->VBOs->GetVBO(name))
+    {
+      sum += static_cast<vtkTypeInt64>(vbo->GetNumberOfTuples()) * vbo->GetStride();
+    }
+  }
+  data.Blocks.ForEach(
+    [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetGraphicsMemorySize(); });
+  return sum;
+}
+
+void vtkAdaptiveRefinementMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Refinement: " << this->Refinement.Get() << "\n";
+  os << indent << "FrustumCulling: " << (this->FrustumCulling ? "On\n" : "Off\n");
+  os << indent << "BackFaceCulling: " << (this->BackFaceCulling ? "On\n" : "Off\n");
+  os << indent << "SelectionDevice: " << this->SelectionDevice << "\n";
+  os << indent << "RefinementColorMode: " << this->RefinementColorMode << "\n";
+  os << indent << "LevelLookupTable: " << this->LevelLookupTable.Get() << "\n";
+  os << indent << "TargetNumberOfTriangles: " << this->GetTargetNumberOfTriangles() << "\n";
+  os << indent << "UseAllocatedRenderTime: " << (this->UseAllocatedRenderTime ? "On\n" : "Off\n");
+  os << indent << "LevelOffset: " << this->GetLevelOffset() << "\n";
+  os << indent << "NumberOfCoarseFaces: " << this->GetNumberOfCoarseFaces() << "\n";
+  os << indent << "NumberOfDrawnTriangles: " << this->GetNumberOfDrawnTriangles() << "\n";
+  os << indent << "NumberOfDrawCalls: " << this->GetNumberOfDrawCalls() << "\n";
+  os << indent << "NumberOfSelections: " << this->GetNumberOfSelections() << "\n";
+}
