@@ -304,7 +304,7 @@ void ViewerScene::SetLevelColours()
   this->Actor->SetTexture(nullptr);
   if (auto legend = MakeLegend(this->Mapper, title, this->Options.Size[1]))
   {
-    this->Renderer->AddActor2D(legend);
+    this->Renderer->AddViewProp(legend);
   }
 }
 
