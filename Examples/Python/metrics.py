@@ -167,7 +167,7 @@ def main(name, picture, filename=None):
     legend.SetBarRatio(0.3)
     renderer = vtkRenderer()
     renderer.AddActor(actor)
-    renderer.AddActor2D(legend)
+    renderer.AddViewProp(legend)
     renderer.SetBackground(0.25, 0.27, 0.3)
     camera = renderer.GetActiveCamera()
     camera.SetPosition(0, -1, 0.6)

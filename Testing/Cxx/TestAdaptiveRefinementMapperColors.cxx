@@ -486,7 +486,7 @@ void TestPictures(RelevoCheck& check)
   // The legend alone has all of the picture's colours.
   vtkNew<vtkScalarBarActor> legend;
   legend->SetLookupTable(view.Mapper->GetLevelLookupTable());
-  view.Renderer->AddActor2D(legend);
+  view.Renderer->AddViewProp(legend);
   const std::set<Color> picture = view.GetColors();
   view.Actor->VisibilityOff();
   view.Render();
