@@ -11,11 +11,12 @@
  *
  * and has of it
  *
- *     vec4 metricValue(vec3 x, vec4 datum)        what a point contributes: x relative to the
- * origin given to vtkDepthTagMetric::GetShader(), datum its four floats of Data, or 0 without float
- * metricPointMeasure(vec4 value)        of a point, only if TagsPoints float metricEdgeMeasure(vec4
- * a, vec4 b)     of an edge between places of values a and b, that of the lower place first float
- * metricTag(float measure)              the level, in [0, maximum level]
+ * - vec4 metricValue(vec3 x, vec4 datum): what a point contributes; x is relative to the origin
+ *   given to vtkDepthTagMetric::GetShader(), datum its four floats of Data, or 0 without;
+ * - float metricPointMeasure(vec4 value): of a point, only if TagsPoints;
+ * - float metricEdgeMeasure(vec4 a, vec4 b): of an edge between places of values a and b, that of
+ *   the lower place first;
+ * - float metricTag(float measure): the level, in [0, maximum level].
  *
  * Measures are 0 or more, so that their bits as unsigned integers have their order, and levels rise
  * with them.
