@@ -14,6 +14,7 @@
 #include "vtkPolyData.h"
 #include "vtkRefinedPolyDataBuilder.h"
 #include "vtkRefinementMesh.h"
+#include "vtkRefinementSurface.h"
 #include "vtkRefinementView.h"
 #include "vtkRelevoCompatibility.h"
 #include "vtkSMPTools.h"
@@ -112,6 +113,13 @@ bool vtkAdaptiveRefinementFilter::Prepare(
   if (recipe->GetDisplacement() && !recipe->GetDisplacement()->Update())
   {
     vtkErrorMacro("The displacement's height map could not be read.");
+    return false;
+  }
+  const std::string lack =
+    recipe->GetSurface() ? recipe->GetSurface()->GetEvaluationError() : std::string();
+  if (!lack.empty())
+  {
+    vtkErrorMacro("Cannot refine the input: " << lack << ".");
     return false;
   }
   if (!mesh.Build(input, recipe, true))

@@ -47,6 +47,8 @@ FaceBounds::FaceBounds(const RefinementMesh& mesh, vtkAdaptiveRefinement* recipe
   {
     this->EdgePositions = surface->GetNumberOfEdgePositions();
     this->FacePositions = surface->GetNumberOfFacePositions();
+    this->SurfaceReach = surface->GetReach();
+    this->KnowsNormals = !mesh.Directions.empty() || surface->HasInterpolatedNormals();
   }
 }
 
@@ -68,6 +70,15 @@ void FaceBounds::GetMoves(std::size_t face, double moves[3][2]) const
     }
     return;
   }
+  if (!this->KnowsNormals)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      moves[c][0] = -1.0;
+      moves[c][1] = 1.0;
+    }
+    return;
+  }
   // Normals are convex combinations of these, made unit: no longer than 1 over the least length a
   // combination can have.
   std::vector<const float*> normals;
@@ -81,6 +92,11 @@ void FaceBounds::GetMoves(std::size_t face, double moves[3][2]) const
     {
       normals.push_back(this->GetVectors(face) + 3 * (edge * this->Mesh.VectorsPerEdge + k));
     }
+  }
+  for (int k = 3 * this->Mesh.VectorsPerEdge + this->FacePositions; k < this->Mesh.VectorsPerFace;
+       ++k)
+  {
+    normals.push_back(this->GetVectors(face) + 3 * k);
   }
   double low[3];
   double high[3];
@@ -123,6 +139,11 @@ void FaceBounds::GetBox(std::size_t face, double low[3], double high[3]) const
   for (int k = 0; k < this->FacePositions; ++k)
   {
     Extend(vectors + 3 * (3 * this->Mesh.VectorsPerEdge + k), low, high);
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    low[c] -= this->SurfaceReach;
+    high[c] += this->SurfaceReach;
   }
   if (this->Reach[0] == 0.0 && this->Reach[1] == 0.0)
   {

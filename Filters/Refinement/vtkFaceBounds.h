@@ -4,8 +4,8 @@
  * @class   vtkFaceBounds
  * @brief   where the refined points of a face can lie
  *
- * Each face's points and positions (surfaces lie within their convex hull), moved by up to the
- * displacement's reach along the normals the face can have.
+ * Each face's points and positions (surfaces lie within their convex hull, or within the surface's
+ * own reach of it), moved by up to the displacement's reach along the normals the face can have.
  *
  * Private to the module's own sources.
  */
@@ -38,6 +38,8 @@ private:
   bool AlongNormal = false;
   double Reach[2] = { 0.0, 0.0 };
   double Fixed[3] = { 0.0, 0.0, 0.0 };
+  double SurfaceReach = 0.0;
+  bool KnowsNormals = true;
   int EdgePositions = 0;
   int FacePositions = 0;
 };

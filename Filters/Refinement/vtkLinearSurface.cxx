@@ -27,13 +27,8 @@ void vtkLinearSurface::Evaluate(
 {
   relevo::LinearEvaluator evaluator{ { face, 0 } };
   const glm::vec3 w = evaluator.load(weights);
-  const glm::vec3 p = evaluator.surfacePosition(w);
-  const glm::vec3 n = evaluator.surfaceNormal(w);
-  for (int i = 0; i < 3; ++i)
-  {
-    position[i] = p[i];
-    normal[i] = n[i];
-  }
+  relevo::store(evaluator.surfacePosition(w), position);
+  relevo::store(evaluator.surfaceNormal(w), normal);
 }
 
 float vtkLinearSurface::ComputeNormalCone(const Face& face, float axis[3])
@@ -42,10 +37,7 @@ float vtkLinearSurface::ComputeNormalCone(const Face& face, float axis[3])
   const glm::vec3 normal =
     relevo::unitVector(glm::cross(relevo::SurfaceCorners::load(face.Points[1]) - origin,
       relevo::SurfaceCorners::load(face.Points[2]) - origin));
-  for (int i = 0; i < 3; ++i)
-  {
-    axis[i] = normal[i];
-  }
+  relevo::store(normal, axis);
   return glm::dot(normal, normal) > 0.0f ? 1.0f : 0.0f;
 }
 

@@ -28,13 +28,6 @@ struct QuadraticNormals : SurfaceCorners
 {
 #include "glsl/relevoNormalQuadratic.glsl"
 };
-
-void store(const vec3& v, float* out)
-{
-  out[0] = v.x;
-  out[1] = v.y;
-  out[2] = v.z;
-}
 }
 
 vtkStandardNewMacro(vtkPNTriangleSurface);
@@ -42,14 +35,13 @@ vtkStandardNewMacro(vtkPNTriangleSurface);
 vtkPNTriangleSurface::vtkPNTriangleSurface() = default;
 vtkPNTriangleSurface::~vtkPNTriangleSurface() = default;
 
-void vtkPNTriangleSurface::ComputeEdgeVectors(const float aPoint[3], const float aNormal[3],
-  const float bPoint[3], const float bNormal[3], float* vectors)
+void vtkPNTriangleSurface::ComputeEdgeVectors(const Corner& from, const Corner& to, float* vectors)
 {
   using relevo::SurfaceCorners;
-  const glm::vec3 a = SurfaceCorners::load(aPoint);
-  const glm::vec3 b = SurfaceCorners::load(bPoint);
-  const glm::vec3 na = SurfaceCorners::load(aNormal);
-  const glm::vec3 nb = SurfaceCorners::load(bNormal);
+  const glm::vec3 a = SurfaceCorners::load(from.Point);
+  const glm::vec3 b = SurfaceCorners::load(to.Point);
+  const glm::vec3 na = SurfaceCorners::load(from.Normal);
+  const glm::vec3 nb = SurfaceCorners::load(to.Normal);
   const glm::vec3 edge = b - a;
   // On a straight edge the thirds themselves: (2 a + b) / 3 without its rounding.
   relevo::store(a + (edge - glm::dot(edge, na) * na) / 3.0f, vectors);
@@ -62,20 +54,18 @@ void vtkPNTriangleSurface::ComputeEdgeVectors(const float aPoint[3], const float
   }
 }
 
-void vtkPNTriangleSurface::ComputeFacePositions(
-  const float points[9], const float* edgePositions[3], float* positions)
+void vtkPNTriangleSurface::ComputeFaceVectors(const Face& face, float* vectors, float* [3])
 {
-  for (int i = 0; i < 3; ++i)
+  const relevo::SurfaceCorners corners{ face, 2 + this->GetNumberOfEdgeNormals() };
+  glm::vec3 edges(0.0f);
+  for (int edge = 0; edge < 3; ++edge)
   {
-    float edges = 0.0f;
-    for (int edge = 0; edge < 3; ++edge)
-    {
-      edges += edgePositions[edge][i] + edgePositions[edge][3 + i];
-    }
-    edges /= 6.0f;
-    const float corners = (points[i] + points[3 + i] + points[6 + i]) / 3.0f;
-    positions[i] = edges + 0.5f * (edges - corners);
+    edges += corners.edgeVector(edge, 0) + corners.edgeVector(edge, 1);
   }
+  edges /= 6.0f;
+  const glm::vec3 middle =
+    (corners.cornerPoint(0) + corners.cornerPoint(1) + corners.cornerPoint(2)) / 3.0f;
+  relevo::store(edges + 0.5f * (edges - middle), vectors);
 }
 
 void vtkPNTriangleSurface::Evaluate(

@@ -43,10 +43,8 @@ public:
   int GetNumberOfFacePositions() override { return 1; }
 
 #ifndef __VTK_WRAP__
-  void ComputeEdgeVectors(const float aPoint[3], const float aNormal[3], const float bPoint[3],
-    const float bNormal[3], float* vectors) override;
-  void ComputeFacePositions(
-    const float points[9], const float* edgePositions[3], float* positions) override;
+  void ComputeEdgeVectors(const Corner& a, const Corner& b, float* vectors) override;
+  void ComputeFaceVectors(const Face& face, float* vectors, float* edgeNormals[3]) override;
   void Evaluate(
     const Face& face, const float weights[3], float position[3], float normal[3]) override;
   float ComputeNormalCone(const Face& face, float axis[3]) override;

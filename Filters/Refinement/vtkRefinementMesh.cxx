@@ -91,9 +91,63 @@ bool RefinementMesh::Build(vtkPolyData* input, vtkAdaptiveRefinement* recipe, bo
       this->BuildSeams();
     }
   }
-  if (surface)
+  if (surface && !this->Faces.empty())
   {
+    if (!this->BuildValues(input, surface))
+    {
+      return false;
+    }
     this->BuildVectors(surface);
+  }
+  return true;
+}
+
+bool RefinementMesh::BuildValues(vtkPolyData* input, vtkRefinementSurface* surface)
+{
+  const size_t perPoint = static_cast<size_t>(surface->GetNumberOfPointValues());
+  const size_t n = static_cast<size_t>(this->NumberOfPoints);
+  this->ValuesPerPoint = static_cast<int>(perPoint);
+  this->Values.assign(perPoint * n, 0.0f);
+  if (this->Values.empty())
+  {
+    return true;
+  }
+  if (!surface->GetPointValues(input, this->Values.data(), this->Error))
+  {
+    return false;
+  }
+  if (this->Places.empty())
+  {
+    return true;
+  }
+  // One value per place: the mean over the points that faces use.
+  std::vector<char> isCorner(n, 0);
+  for (const RefinementFace& face : this->Faces)
+  {
+    for (int corner : face.Corners)
+    {
+      isCorner[static_cast<size_t>(corner)] = 1;
+    }
+  }
+  std::vector<double> sums(perPoint * n, 0.0);
+  std::vector<int> counts(n, 0);
+  for (size_t i = 0; i < n; ++i)
+  {
+    const size_t place = static_cast<size_t>(this->Places[i]);
+    counts[place] += isCorner[i];
+    for (size_t k = 0; isCorner[i] && k < perPoint; ++k)
+    {
+      sums[perPoint * place + k] += this->Values[perPoint * i + k];
+    }
+  }
+  for (size_t i = 0; i < n; ++i)
+  {
+    const size_t place = static_cast<size_t>(this->Places[i]);
+    for (size_t k = 0; counts[place] > 1 && k < perPoint; ++k)
+    {
+      this->Values[perPoint * i + k] =
+        static_cast<float>(sums[perPoint * place + k] / counts[place]);
+    }
   }
   return true;
 }
@@ -267,6 +321,15 @@ vtkRefinementSurface::Face RefinementMesh::GetSurfaceFace(int face) const
     {
       std::copy_n(&this->Normals[id], 3, result.Normals[i]);
     }
+  }
+  const std::vector<float>& directions =
+    this->Directions.empty() ? this->Normals : this->Directions;
+  for (int i = 0; i < 3; ++i)
+  {
+    const int corner = this->Faces[face].Corners[i];
+    result.Directions[i] =
+      directions.empty() ? nullptr : &directions[3 * static_cast<size_t>(corner)];
+    result.Values[i] = this->GetValues(corner);
   }
   result.Vectors = this->Vectors.empty()
     ? nullptr

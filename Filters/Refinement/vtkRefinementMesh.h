@@ -17,9 +17,10 @@
 #include "vtkRefinementSurface.h"          // for Face
 #include "vtkType.h"                       // for vtkIdType
 
-#include <array>  // for members
-#include <string> // for errors
-#include <vector> // for members
+#include <array>   // for members
+#include <cstddef> // for size_t
+#include <string>  // for errors
+#include <vector>  // for members
 
 class vtkAdaptiveRefinement;
 class vtkPolyData;
@@ -99,6 +100,16 @@ public:
   /// equal Normals.
   std::vector<float> Directions;
 
+  /// The surface's numbers per point, the same at all points of a place; empty without.
+  std::vector<float> Values;
+  int ValuesPerPoint = 0;
+  const float* GetValues(int point) const
+  {
+    return this->Values.empty()
+      ? nullptr
+      : &this->Values[static_cast<std::size_t>(this->ValuesPerPoint) * point];
+  }
+
   /// Texture coordinates, 2 floats per point; only with displacement.
   std::vector<float> TextureCoordinates;
 
@@ -140,6 +151,7 @@ private:
   void BuildDirections();
   bool BuildTextureCoordinates(vtkPolyData* input);
   void BuildFrames(bool alongNormal);
+  bool BuildValues(vtkPolyData* input, vtkRefinementSurface* surface);
   void BuildVectors(vtkRefinementSurface* surface);
   void BuildSeams();
   void BuildPlaceEdges();

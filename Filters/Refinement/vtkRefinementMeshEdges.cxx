@@ -109,18 +109,21 @@ void RefinementMesh::BuildVectors(vtkRefinementSurface* surface)
 {
   const int positions = surface->GetNumberOfEdgePositions();
   this->VectorsPerEdge = positions + surface->GetNumberOfEdgeNormals();
-  this->VectorsPerFace = 3 * this->VectorsPerEdge + surface->GetNumberOfFacePositions();
+  this->VectorsPerFace = 3 * this->VectorsPerEdge + surface->GetNumberOfFacePositions() +
+    surface->GetNumberOfFaceNormals();
   this->Vectors.assign(3 * static_cast<size_t>(this->VectorsPerFace) * this->Faces.size(), 0.0f);
   if (this->Vectors.empty())
   {
     return;
   }
-  auto computeEdge = [this, surface](int a, int b, float* vectors)
+  auto getCorner = [this](int point)
   {
-    surface->ComputeEdgeVectors(&this->Points[3 * static_cast<size_t>(a)],
-      &this->Normals[3 * static_cast<size_t>(a)], &this->Points[3 * static_cast<size_t>(b)],
-      &this->Normals[3 * static_cast<size_t>(b)], vectors);
+    const size_t id = static_cast<size_t>(point);
+    return vtkRefinementSurface::Corner{ &this->Points[3 * id],
+      this->Normals.empty() ? nullptr : &this->Normals[3 * id], this->GetValues(point) };
   };
+  auto computeEdge = [&](int a, int b, float* vectors)
+  { surface->ComputeEdgeVectors(getCorner(a), getCorner(b), vectors); };
   vtkSMPTools::For(0, static_cast<vtkIdType>(this->Faces.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -129,11 +132,11 @@ void RefinementMesh::BuildVectors(vtkRefinementSurface* surface)
       {
         const RefinementFace& face = this->Faces[f];
         float* vectors = &this->Vectors[3 * static_cast<size_t>(this->VectorsPerFace) * f];
-        const float* edgePositions[3];
+        float* edgeNormals[3];
         for (int i = 0; i < 3; ++i)
         {
           float* edge = vectors + 3 * i * this->VectorsPerEdge;
-          edgePositions[i] = edge;
+          edgeNormals[i] = edge + 3 * positions;
           computeEdge(face.Corners[EdgeCorners[i][0]], face.Corners[EdgeCorners[i][1]], edge);
           if (this->FacePlaceEdges.empty())
           {
@@ -156,12 +159,8 @@ void RefinementMesh::BuildVectors(vtkRefinementSurface* surface)
             }
           }
         }
-        float points[9];
-        for (int i = 0; i < 3; ++i)
-        {
-          std::copy_n(&this->Points[3 * static_cast<size_t>(face.Corners[i])], 3, points + 3 * i);
-        }
-        surface->ComputeFacePositions(points, edgePositions, vectors + 9 * this->VectorsPerEdge);
+        surface->ComputeFaceVectors(this->GetSurfaceFace(static_cast<int>(f)),
+          vectors + 9 * this->VectorsPerEdge, edgeNormals);
       }
     });
 }

@@ -5,12 +5,16 @@
 vtkRefinementSurface::vtkRefinementSurface() = default;
 vtkRefinementSurface::~vtkRefinementSurface() = default;
 
-void vtkRefinementSurface::ComputeEdgeVectors(
-  const float*, const float*, const float*, const float*, float*)
+bool vtkRefinementSurface::GetPointValues(vtkPolyData*, float*, std::string&)
+{
+  return true;
+}
+
+void vtkRefinementSurface::ComputeEdgeVectors(const Corner&, const Corner&, float*)
 {
 }
 
-void vtkRefinementSurface::ComputeFacePositions(const float*, const float* [3], float*)
+void vtkRefinementSurface::ComputeFaceVectors(const Face&, float*, float* [3])
 {
 }
 

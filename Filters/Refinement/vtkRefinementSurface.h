@@ -11,9 +11,14 @@
  * What does not depend on the weights is computed beforehand: vectors per edge, from the edge's two
  * ends alone, and vectors per face. Positions among the edge vectors are averaged over all faces
  * around an edge whose normals differ, so that a crease stays closed (as PN-AEN triangles do,
- * McDonald and Kilgard 2010) while its shading stays sharp.
+ * McDonald and Kilgard 2010) while its shading stays sharp. A surface may also take numbers per
+ * point from arrays of the mesh; coincident points share the mean of theirs.
  *
- * @sa vtkLinearSurface vtkPNTriangleSurface vtkAdaptiveRefinement
+ * Settings that are uniforms of the shader change live: they alter GetMTime() but not
+ * GetPreparationMTime().
+ *
+ * @sa vtkLinearSurface vtkPNTriangleSurface vtkPhongSurface vtkScalarTaggedSurface vtkG1Surface
+ * vtkProceduralSurface vtkAdaptiveRefinement
  */
 #ifndef vtkRefinementSurface_h
 #define vtkRefinementSurface_h
@@ -22,6 +27,9 @@
 #include "vtkObject.h"
 
 #include <string> // for shader text
+#include <vector> // for uniforms
+
+class vtkPolyData;
 
 class RELEVOFILTERSREFINEMENT_EXPORT vtkRefinementSurface : public vtkObject
 {
@@ -36,26 +44,63 @@ public:
 
   //@{
   /**
-   * Number of precomputed 3-vectors: positions per edge, normals per edge, positions per face.
+   * Number of precomputed 3-vectors: positions and normals per edge, positions and normals per
+   * face.
    */
   virtual int GetNumberOfEdgePositions() { return 0; }
   virtual int GetNumberOfEdgeNormals() { return 0; }
   virtual int GetNumberOfFacePositions() { return 0; }
+  virtual int GetNumberOfFaceNormals() { return 0; }
   //@}
+
+  /**
+   * How many numbers per point the surface takes from the mesh.
+   */
+  virtual int GetNumberOfPointValues() { return 0; }
+
+  /**
+   * How many of these, from the first on, its shader asks for: 0 to 4.
+   */
+  virtual int GetNumberOfShaderValues() { return 0; }
+
+  /**
+   * How far, in length units, points can lie from the convex hull of a face's corners and
+   * precomputed positions.
+   */
+  virtual double GetReach() { return 0.0; }
+
+  /**
+   * Whether normals are sums, with weights that are not negative, of the corners' normals and the
+   * precomputed ones.
+   */
+  virtual bool HasInterpolatedNormals() { return true; }
+
+  /**
+   * Latest change of what precomputed vectors, numbers per point or the shader's text depend on.
+   */
+  virtual vtkMTimeType GetPreparationMTime() { return this->GetMTime(); }
 
 #ifndef __VTK_WRAP__
   /**
-   * Fill the vectors of the edge from a to b: first the positions, then the normals.
+   * Fill GetNumberOfPointValues() numbers for each point of the mesh. False, with an error to show
+   * the user, when it has not what is needed.
    */
-  virtual void ComputeEdgeVectors(const float aPoint[3], const float aNormal[3],
-    const float bPoint[3], const float bNormal[3], float* vectors);
+  virtual bool GetPointValues(vtkPolyData* mesh, float* values, std::string& error);
 
   /**
-   * Fill the positions per face. `points` holds the three corners; `edgePositions` those of edges
-   * (0,1), (1,2) and (0,2), each from its first corner to its second.
+   * An end of an edge. Values are those per point; nullptr when there are none.
    */
-  virtual void ComputeFacePositions(
-    const float points[9], const float* edgePositions[3], float* positions);
+  struct Corner
+  {
+    const float* Point;
+    const float* Normal;
+    const float* Values;
+  };
+
+  /**
+   * Fill the vectors of the edge from a to b: first the positions, then the normals.
+   */
+  virtual void ComputeEdgeVectors(const Corner& a, const Corner& b, float* vectors);
 
   /**
    * One coarse triangle, corners sorted by place; see relevo::RefinementMesh.
@@ -64,15 +109,34 @@ public:
   {
     float Points[3][3];
     float Normals[3][3];
-    /// The vectors of edges (0,1), (1,2), (0,2): positions, then normals; then the face's.
+    /// Unit normals that all faces around a corner share: its own where normals are not split.
+    const float* Directions[3];
+    /// The numbers per point of each corner.
+    const float* Values[3];
+    /// The vectors of edges (0,1), (1,2), (0,2), each from its first corner to its second:
+    /// positions, then normals. Then the face's positions, then its normals.
     const float* Vectors;
   };
+
+  /**
+   * Fill the vectors per face: first the positions, then the normals. The face's edges are
+   * complete; `edgeNormals` lets their normals be replaced by others for this face alone.
+   */
+  virtual void ComputeFaceVectors(const Face& face, float* vectors, float* edgeNormals[3]);
 
   /**
    * Position and normal (not normalised) at the weights of the sorted corners.
    */
   virtual void Evaluate(
     const Face& face, const float weights[3], float position[3], float normal[3]) = 0;
+
+  /**
+   * Why Evaluate() cannot do what the shader does; empty if it can.
+   */
+  virtual std::string GetEvaluationError()
+  {
+    return std::string();
+  }
 
   /**
    * A cone that holds the geometric normals of the whole face, those of (P1 - P0) x (P2 - P0):
@@ -83,9 +147,28 @@ public:
 
   /**
    * The GLSL functions surfacePosition(vec3) and surfaceNormal(vec3), in terms of cornerPoint(i),
-   * cornerNormal(i), edgeVector(edge, k) and faceVector(k).
+   * cornerNormal(i), cornerDirection(i), cornerValues(i), edgeVector(edge, k) and faceVector(k).
+   * Positions are those of VTK's vertex buffer: surfaceScale() is the factor from the mesh's
+   * lengths to theirs, and modelPosition(p) a position in the mesh's own coordinates.
    */
   virtual std::string GetShaderSource() = 0;
+
+  /**
+   * A uniform of the shader, of 1 to 4 floats.
+   */
+  struct Uniform
+  {
+    std::string Name;
+    std::vector<float> Values;
+  };
+
+  /**
+   * The uniforms that GetShaderSource() declares, set with every frame.
+   */
+  virtual std::vector<Uniform> GetUniforms()
+  {
+    return {};
+  }
 #endif
 
 protected:

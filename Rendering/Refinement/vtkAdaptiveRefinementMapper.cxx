@@ -208,8 +208,8 @@ void vtkAdaptiveRefinementMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor*
   vtkDataArray* scalars = this->GetScalarsToInterpolate();
   data.ColorsValid =
     scalars && data.Colors.Upload(window, scalars, this->GetLookupTable(), this->ArrayComponent);
-  data.UploadValid = data.Buffers.UploadMesh(
-    window, mesh, surface ? surface->GetNumberOfEdgePositions() : 0, positions, primitives);
+  ++data.NumberOfBufferBuilds;
+  data.UploadValid = data.Buffers.UploadMesh(window, mesh, surface, positions, primitives);
   if (!data.UploadValid)
   {
     vtkErrorMacro("Cannot draw the input: " << data.Buffers.GetError() << ".");
@@ -588,6 +588,7 @@ void vtkAdaptiveRefinementMapper::ReplaceShaderValues(
       ? GL_POINTS
       : this->GetOpenGLMode(
           act->GetProperty()->GetRepresentation(), this->LastBoundBO->PrimitiveType);
+    ++this->Internals->NumberOfShaderBuilds;
     this->Internals->Programs[this->LastBoundBO].Attributes = relevo::RefineShaders(
       this->Internals->GetShaderOptions(this, this->LastBoundBO), mode == GL_LINES, shaders);
   }

@@ -19,7 +19,7 @@
  *
  * Levels are evaluated again only when the mesh, the recipe or, for view-dependent metrics, the
  * camera, the actor's matrix or the viewport changed. The displacement's scale, offset and
- * direction change live.
+ * direction change live, and so do the surface's own numbers, as vtkPhongSurface::SetAlpha().
  *
  * Needs OpenGL 3.3 with ARB_texture_buffer_object_rgb32; with OpenGL 4.3 faces can choose their
  * patterns on the GPU (see SetSelectionDevice()). Errors (ErrorEvent of this object; the
@@ -231,6 +231,16 @@ public:
    * How often levels have been evaluated since the mapper was made.
    */
   vtkIdType GetNumberOfSelections();
+
+  //@{
+  /**
+   * How often the coarse mesh has been uploaded, and how often shaders have been written, since the
+   * mapper was made. Neither grows with the values that change live: a displacement's scale, offset
+   * and direction, and what the surface says of its own.
+   */
+  vtkIdType GetNumberOfBufferBuilds();
+  vtkIdType GetNumberOfShaderBuilds();
+  //@}
 
   /**
    * Seconds the last evaluation of levels took: tag, select and group, without the upload. What the

@@ -53,6 +53,8 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   bool ContextValid = false;
   bool Drawable = false;
   int NumberOfDrawCalls = 0;
+  vtkIdType NumberOfBufferBuilds = 0;
+  vtkIdType NumberOfShaderBuilds = 0;
 
   // Selections on the GPU.
   relevo::RefinementComputeState Compute;

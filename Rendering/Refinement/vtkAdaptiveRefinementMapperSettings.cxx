@@ -150,6 +150,22 @@ vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfSelections()
   return sum;
 }
 
+vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfBufferBuilds()
+{
+  vtkIdType sum = this->Internals->NumberOfBufferBuilds;
+  this->Internals->Blocks.ForEach(
+    [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfBufferBuilds(); });
+  return sum;
+}
+
+vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfShaderBuilds()
+{
+  vtkIdType sum = this->Internals->NumberOfShaderBuilds;
+  this->Internals->Blocks.ForEach(
+    [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfShaderBuilds(); });
+  return sum;
+}
+
 double vtkAdaptiveRefinementMapper::GetSelectionTime()
 {
   double sum = this->Internals->State.GetSelection().GetSeconds() +

@@ -12,12 +12,12 @@
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkRefinementMesh.h"
 #include "vtkRefinementShader.h"
+#include "vtkRefinementSurface.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 #include "vtkViewSelection.h"
 
 #include <algorithm>
-#include <array>
 
 namespace relevo
 {
@@ -25,10 +25,45 @@ namespace
 {
 constexpr const char* TooLarge = "the mesh is larger than the buffer textures of this OpenGL";
 
-// Texels per point: normal and u, frame of u, frame of v, direction.
-int GetPointStride(const RefinementMesh& mesh)
+// Where a point's texels are: normal and u; frame of u, frame of v; direction; values.
+struct PointLayout
 {
-  return mesh.Frames.empty() ? 1 : (mesh.Directions.empty() ? 3 : 4);
+  PointLayout(const RefinementMesh& mesh, int shaderValues)
+    : Direction(mesh.Frames.empty() ? 1 : 3)
+    , Values(this->Direction + (mesh.Directions.empty() ? 0 : 1))
+    , Stride(this->Values + (shaderValues > 0 ? 1 : 0))
+  {
+  }
+  int Direction;
+  int Values;
+  int Stride;
+};
+
+void SetSurfaceUniforms(vtkShaderProgram* program, vtkRefinementSurface* surface)
+{
+  for (const vtkRefinementSurface::Uniform& uniform : surface->GetUniforms())
+  {
+    const char* name = uniform.Name.c_str();
+    const float* values = uniform.Values.data();
+    if (!program->IsUniformUsed(name))
+    {
+      continue;
+    }
+    switch (uniform.Values.size())
+    {
+      case 1:
+        program->SetUniformf(name, values[0]);
+        break;
+      case 2:
+        program->SetUniform2f(name, values);
+        break;
+      case 3:
+        program->SetUniform3f(name, values);
+        break;
+      default:
+        program->SetUniform4f(name, values);
+    }
+  }
 }
 }
 
@@ -36,7 +71,8 @@ RefinementMeshBuffers::RefinementMeshBuffers() = default;
 RefinementMeshBuffers::~RefinementMeshBuffers() = default;
 
 bool RefinementMeshBuffers::UploadMesh(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh,
-  int edgePositions, vtkOpenGLVertexBufferObject* positions, const std::vector<int>& primitives)
+  vtkRefinementSurface* surface, vtkOpenGLVertexBufferObject* positions,
+  const std::vector<int>& primitives)
 {
   this->Error = TooLarge;
   std::vector<int> faces(4 * mesh.Faces.size());
@@ -50,76 +86,17 @@ bool RefinementMeshBuffers::UploadMesh(vtkOpenGLRenderWindow* window, const Refi
     return false;
   }
 
-  if (!mesh.Normals.empty())
-  {
-    const size_t stride = 4 * static_cast<size_t>(GetPointStride(mesh));
-    const size_t numberOfPoints = mesh.Normals.size() / 3;
-    std::vector<float> data(stride * numberOfPoints, 0.0f);
-    for (size_t i = 0; i < numberOfPoints; ++i)
-    {
-      float* point = &data[stride * i];
-      std::copy_n(&mesh.Normals[3 * i], 3, point);
-      if (stride > 4)
-      {
-        std::copy_n(&mesh.Frames[8 * i], 4, point + 4);
-        std::copy_n(&mesh.Frames[8 * i + 4], 3, point + 8);
-        if (!mesh.TextureCoordinates.empty())
-        {
-          point[3] = mesh.TextureCoordinates[2 * i];
-          point[11] = mesh.TextureCoordinates[2 * i + 1];
-        }
-      }
-      if (stride > 12)
-      {
-        std::copy_n(&mesh.Directions[3 * i], 3, point + 12);
-      }
-    }
-    if (!this->PointData.Upload(window, data, 4))
-    {
-      return false;
-    }
-  }
-  else
-  {
-    this->PointData.ReleaseGraphicsResources(window);
-  }
-
-  std::array<double, 3> shift = { { 0.0, 0.0, 0.0 } };
-  std::array<double, 3> scale = { { 1.0, 1.0, 1.0 } };
+  std::fill_n(this->PositionShift, 3, 0.0);
+  std::fill_n(this->PositionScale, 3, 1.0);
   if (positions->GetCoordShiftAndScaleEnabled())
   {
-    std::copy_n(positions->GetShift().begin(), 3, shift.begin());
-    std::copy_n(positions->GetScale().begin(), 3, scale.begin());
+    std::copy_n(positions->GetShift().begin(), 3, this->PositionShift);
+    std::copy_n(positions->GetScale().begin(), 3, this->PositionScale);
   }
-  std::copy(scale.begin(), scale.end(), this->PositionScale);
-  if (!mesh.Vectors.empty())
+  if (!this->UploadPointData(window, mesh, surface) || !this->UploadVectors(window, mesh, surface))
   {
-    // Positions move to where VTK's vertices are; normals stay.
-    std::vector<float> vectors = mesh.Vectors;
-    const size_t perFace = static_cast<size_t>(mesh.VectorsPerFace);
-    const size_t perEdge = static_cast<size_t>(mesh.VectorsPerEdge);
-    for (size_t v = 0; v < vectors.size() / 3; ++v)
-    {
-      const size_t k = v % perFace;
-      if (k >= 3 * perEdge || k % perEdge < static_cast<size_t>(edgePositions))
-      {
-        for (size_t c = 0; c < 3; ++c)
-        {
-          vectors[3 * v + c] =
-            static_cast<float>((vectors[3 * v + c] + (mesh.Origin[c] - shift[c])) * scale[c]);
-        }
-      }
-    }
-    if (!this->Vectors.Upload(window, vectors, 3))
-    {
-      return false;
-    }
+    return false;
   }
-  else
-  {
-    this->Vectors.ReleaseGraphicsResources(window);
-  }
-
   if (!mesh.Seams.empty())
   {
     if (!this->Seams.Upload(window, mesh.Seams, 1))
@@ -133,6 +110,78 @@ bool RefinementMeshBuffers::UploadMesh(vtkOpenGLRenderWindow* window, const Refi
   }
   this->Error.clear();
   return true;
+}
+
+bool RefinementMeshBuffers::UploadPointData(
+  vtkOpenGLRenderWindow* window, const RefinementMesh& mesh, vtkRefinementSurface* surface)
+{
+  this->ShaderValues = surface && !mesh.Values.empty() ? surface->GetNumberOfShaderValues() : 0;
+  if (mesh.Normals.empty() && this->ShaderValues == 0)
+  {
+    this->PointData.ReleaseGraphicsResources(window);
+    return true;
+  }
+  const PointLayout layout(mesh, this->ShaderValues);
+  const size_t stride = 4 * static_cast<size_t>(layout.Stride);
+  const size_t numberOfPoints = mesh.Points.size() / 3;
+  std::vector<float> data(stride * numberOfPoints, 0.0f);
+  for (size_t i = 0; i < numberOfPoints; ++i)
+  {
+    float* point = &data[stride * i];
+    if (!mesh.Normals.empty())
+    {
+      std::copy_n(&mesh.Normals[3 * i], 3, point);
+    }
+    if (!mesh.Frames.empty())
+    {
+      std::copy_n(&mesh.Frames[8 * i], 4, point + 4);
+      std::copy_n(&mesh.Frames[8 * i + 4], 3, point + 8);
+      if (!mesh.TextureCoordinates.empty())
+      {
+        point[3] = mesh.TextureCoordinates[2 * i];
+        point[11] = mesh.TextureCoordinates[2 * i + 1];
+      }
+    }
+    if (!mesh.Directions.empty())
+    {
+      std::copy_n(&mesh.Directions[3 * i], 3, point + 4 * layout.Direction);
+    }
+    if (this->ShaderValues > 0)
+    {
+      std::copy_n(
+        mesh.GetValues(static_cast<int>(i)), this->ShaderValues, point + 4 * layout.Values);
+    }
+  }
+  return this->PointData.Upload(window, data, 4);
+}
+
+bool RefinementMeshBuffers::UploadVectors(
+  vtkOpenGLRenderWindow* window, const RefinementMesh& mesh, vtkRefinementSurface* surface)
+{
+  if (mesh.Vectors.empty())
+  {
+    this->Vectors.ReleaseGraphicsResources(window);
+    return true;
+  }
+  // Positions move to where VTK's vertices are; normals stay.
+  std::vector<float> vectors = mesh.Vectors;
+  const int perEdge = mesh.VectorsPerEdge;
+  std::vector<bool> isPosition(static_cast<size_t>(mesh.VectorsPerFace));
+  for (int k = 0; k < mesh.VectorsPerFace; ++k)
+  {
+    isPosition[static_cast<size_t>(k)] = k < 3 * perEdge
+      ? k % perEdge < surface->GetNumberOfEdgePositions()
+      : k - 3 * perEdge < surface->GetNumberOfFacePositions();
+  }
+  for (size_t v = 0; v < vectors.size() / 3; ++v)
+  {
+    for (size_t c = 0; isPosition[v % isPosition.size()] && c < 3; ++c)
+    {
+      vectors[3 * v + c] = static_cast<float>(
+        (vectors[3 * v + c] + (mesh.Origin[c] - this->PositionShift[c])) * this->PositionScale[c]);
+    }
+  }
+  return this->Vectors.Upload(window, vectors, 3);
 }
 
 bool RefinementMeshBuffers::UploadHeights(
@@ -273,7 +322,10 @@ void RefinementMeshBuffers::Describe(
 {
   options.VectorsPerEdge = mesh.VectorsPerEdge;
   options.VectorsPerFace = mesh.VectorsPerFace;
-  options.PointStride = GetPointStride(mesh);
+  const PointLayout layout(mesh, this->ShaderValues);
+  options.PointStride = layout.Stride;
+  options.PointDirection = layout.Direction;
+  options.PointValues = layout.Values;
   options.HasNormals = !mesh.Normals.empty();
   options.HasDirections = !mesh.Directions.empty();
   options.HasSeams = !mesh.Seams.empty();
@@ -356,6 +408,14 @@ void RefinementMeshBuffers::SetUniforms(
   if (program->IsUniformUsed("relevoPositionScale"))
   {
     program->SetUniform3f("relevoPositionScale", this->PositionScale);
+  }
+  if (program->IsUniformUsed("relevoPositionShift"))
+  {
+    program->SetUniform3f("relevoPositionShift", this->PositionShift);
+  }
+  if (vtkRefinementSurface* surface = recipe->GetSurface())
+  {
+    SetSurfaceUniforms(program, surface);
   }
 }
 

@@ -24,6 +24,7 @@ class vtkHeightField;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexBufferObject;
 class vtkOpenGLVertexBufferObjectGroup;
+class vtkRefinementSurface;
 class vtkShaderProgram;
 class vtkTextureObject;
 class vtkWindow;
@@ -43,12 +44,13 @@ public:
   void operator=(const RefinementMeshBuffers&) = delete;
 
   /**
-   * Upload the mesh. `positions` is VTK's vertexMC, whose shift and scale the surface's vectors
-   * must share; `primitives` gives, per face, the id that VTK would have drawn it with. False, with
-   * GetError(), when the GPU cannot hold it.
+   * Upload the mesh, prepared for the surface (nullptr for none). `positions` is VTK's vertexMC,
+   * whose shift and scale the surface's vectors must share; `primitives` gives, per face, the id
+   * that VTK would have drawn it with. False, with GetError(), when the GPU cannot hold it.
    */
-  bool UploadMesh(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh, int edgePositions,
-    vtkOpenGLVertexBufferObject* positions, const std::vector<int>& primitives);
+  bool UploadMesh(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh,
+    vtkRefinementSurface* surface, vtkOpenGLVertexBufferObject* positions,
+    const std::vector<int>& primitives);
 
   /**
    * Upload the heights if they changed; nullptr for a height of zero everywhere.
@@ -111,7 +113,15 @@ private:
   vtkHeightField* HeightSource = nullptr; // to compare, never read
   vtkMTimeType HeightTime = 0;
   vtkTypeInt64 HeightMemory = 0;
-  float PositionScale[3] = { 1.0f, 1.0f, 1.0f };
+  bool UploadPointData(
+    vtkOpenGLRenderWindow* window, const RefinementMesh& mesh, vtkRefinementSurface* surface);
+  bool UploadVectors(
+    vtkOpenGLRenderWindow* window, const RefinementMesh& mesh, vtkRefinementSurface* surface);
+
+  // Of VTK's vertexMC: (p - shift) * scale.
+  double PositionShift[3] = { 0.0, 0.0, 0.0 };
+  double PositionScale[3] = { 1.0, 1.0, 1.0 };
+  int ShaderValues = 0;
   std::string Error;
 };
 }

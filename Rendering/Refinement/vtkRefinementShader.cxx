@@ -62,6 +62,8 @@ std::string GetDefines(const RefinementShaderOptions& options, bool edges, bool 
           "#endif\n"
           "#define RELEVO_FUNCTION\n"
        << "#define RELEVO_POINT_STRIDE " << options.PointStride << "\n"
+       << "#define RELEVO_POINT_DIRECTION " << options.PointDirection << "\n"
+       << "#define RELEVO_POINT_VALUES " << options.PointValues << "\n"
        << "#define RELEVO_VECTORS_PER_EDGE " << options.VectorsPerEdge << "\n"
        << "#define RELEVO_VECTORS_PER_FACE " << options.VectorsPerFace << "\n";
   auto define = [&text](bool condition, const char* name)

@@ -28,7 +28,10 @@ struct RefinementShaderOptions
   std::string SurfaceSource;
   int VectorsPerEdge = 0;
   int VectorsPerFace = 0;
+  /// Texels per point, and which of them hold its direction and its values.
   int PointStride = 1;
+  int PointDirection = 1;
+  int PointValues = 1;
   bool HasNormals = false;
   bool HasDisplacement = false;
   bool AlongNormal = false;

@@ -54,7 +54,8 @@ bool RefinementState::UpdateMesh(vtkPolyData* input, vtkAdaptiveRefinement* reci
   vtkDisplacement* displacement = recipe ? recipe->GetDisplacement() : nullptr;
   if (recipe)
   {
-    AppendObject(dependencies, recipe->GetSurface());
+    vtkRefinementSurface* surface = recipe->GetSurface();
+    Append(dependencies, surface, surface ? surface->GetPreparationMTime() : 0);
     Append(dependencies, displacement, displacement && displacement->IsAlongNormal() ? 1 : 0);
     AppendObject(dependencies, displacement ? displacement->GetHeightMap() : nullptr);
   }
@@ -105,6 +106,7 @@ void RefinementState::GetBounds(vtkPolyData* input, vtkAdaptiveRefinement* recip
 {
   Dependencies dependencies;
   AppendObject(dependencies, recipe->GetDisplacement());
+  AppendObject(dependencies, recipe->GetSurface());
   dependencies.push_back(this->MeshTime);
   if (dependencies != this->BoundsDependencies)
   {
@@ -166,6 +168,7 @@ const FaceCulling& RefinementState::GetCulling(vtkAdaptiveRefinement* recipe)
 {
   Dependencies dependencies;
   AppendObject(dependencies, recipe->GetDisplacement());
+  AppendObject(dependencies, recipe->GetSurface());
   dependencies.push_back(this->MeshTime);
   if (dependencies != this->CullingDependencies)
   {

@@ -32,8 +32,8 @@ vec3 displacementDirection(vec3 w, vec3 unitNormal)
 {
 #ifdef RELEVO_ALONG_NORMAL
 #ifdef RELEVO_DIRECTIONS
-  return unitVector(weightedSum(relevoPointDatum(relevoFace.x, 3).xyz,
-    relevoPointDatum(relevoFace.y, 3).xyz, relevoPointDatum(relevoFace.z, 3).xyz, w));
+  return unitVector(
+    weightedSum(cornerDirection(0), cornerDirection(1), cornerDirection(2), w));
 #else
   return unitNormal;
 #endif

@@ -16,9 +16,10 @@ uniform samplerBuffer relevoMorphTags;  // of the sorted edges (0,1), (1,2), (0,
 #endif
 uniform isamplerBuffer relevoFaces;     // sorted corners; primitive << 3 | hidden edges
 uniform samplerBuffer relevoPoints;     // VTK's vertexMC
-uniform samplerBuffer relevoPointData;  // normal, u; frame of u; frame of v; direction
+uniform samplerBuffer relevoPointData;  // normal, u; frame of u; frame of v; direction; values
 uniform samplerBuffer relevoVectors;    // the surface's vectors per face
 uniform vec3 relevoPositionScale;       // from the mesh's lengths to vertexMC's
+uniform vec3 relevoPositionShift;       // vertexMC is (position - shift) * scale
 
 int relevoFaceIndex = 0;
 ivec4 relevoFace = ivec4(0);
@@ -65,6 +66,30 @@ vec3 cornerNormal(int i)
 #else
   return vec3(0.0);
 #endif
+}
+
+vec3 cornerDirection(int i)
+{
+#ifdef RELEVO_DIRECTIONS
+  return relevoPointDatum(relevoFace[i], RELEVO_POINT_DIRECTION).xyz;
+#else
+  return cornerNormal(i);
+#endif
+}
+
+vec4 cornerValues(int i)
+{
+  return relevoPointDatum(relevoFace[i], RELEVO_POINT_VALUES);
+}
+
+vec3 surfaceScale()
+{
+  return relevoPositionScale;
+}
+
+vec3 modelPosition(vec3 p)
+{
+  return p / relevoPositionScale + relevoPositionShift;
 }
 
 vec3 edgeVector(int edge, int k)
