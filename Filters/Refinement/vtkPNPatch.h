@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPNPatch
+ * @brief   what the surfaces that build on PN triangles share
+ *
+ * A. Vlachos, J. Peters, C. Boyd, J. Mitchell, "Curved PN Triangles", I3D 2001. Edge vectors 0 and
+ * 1 are the control points near an edge's first and second end, face vector 0 is the centre.
+ *
+ * Private to the module's own sources.
+ */
+#ifndef vtkPNPatch_h
+#define vtkPNPatch_h
+
+#include "vtkSurfaceCorners.h"
+
+namespace relevo
+{
+struct PNTriangle : SurfaceCorners
+{
+#include "glsl/relevoPNTriangle.glsl"
+};
+
+struct QuadraticNormalSum : SurfaceCorners
+{
+#include "glsl/relevoNormalQuadraticSum.glsl"
+};
+
+/// What has to be added to an edge's end to reach the control point beside it is a third of this:
+/// the edge, seen from that end, without `rise` times its part along the end's normal. PN: 1.
+inline vec3 GetPNTangent(const vec3& edge, const vec3& normal, float rise = 1.0f)
+{
+  return edge - rise * dot(edge, normal) * normal;
+}
+
+/// The normal amid an edge: the sum of those at its ends, mirrored in the plane across the edge.
+vec3 GetPNMiddleNormal(const vec3& edge, const vec3& normalA, const vec3& normalB);
+
+/// The control point amid the face, from the six on its edges.
+vec3 GetPNCenter(const SurfaceCorners& corners);
+
+/// See vtkRefinementSurface::ComputeNormalCone().
+float ComputePNNormalCone(const SurfaceCorners& corners, float axis[3]);
+}
+
+#endif
