@@ -18,6 +18,7 @@ namespace relevo
 {
 struct PNTriangle : SurfaceCorners
 {
+#include "glsl/relevoCubicPatch.glsl"
 #include "glsl/relevoPNTriangle.glsl"
 };
 

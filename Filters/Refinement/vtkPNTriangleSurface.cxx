@@ -5,6 +5,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPNPatch.h"
 
+#include "relevoCubicPatch.h"
 #include "relevoNormalLinear.h"
 #include "relevoNormalQuadratic.h"
 #include "relevoNormalQuadraticSum.h"
@@ -74,7 +75,7 @@ std::string vtkPNTriangleSurface::GetShaderSource()
   const std::string normals = this->QuadraticNormals
     ? std::string(relevoNormalQuadraticSum) + relevoNormalQuadratic
     : std::string(relevoNormalLinear);
-  return relevoPNTriangle + normals;
+  return std::string(relevoCubicPatch) + relevoPNTriangle + normals;
 }
 
 void vtkPNTriangleSurface::PrintSelf(ostream& os, vtkIndent indent)
