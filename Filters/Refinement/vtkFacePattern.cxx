@@ -3,6 +3,7 @@
 #include "vtkFacePattern.h"
 
 #include "vtkRefinementMathematics.h"
+#include "vtkRefinementMesh.h"
 #include "vtkRefinementPattern.h"
 
 #include <cstddef>
@@ -23,5 +24,15 @@ void FacePattern::GetWeights(int vertex, float weights[3]) const
   weights[0] = w.x;
   weights[1] = w.y;
   weights[2] = w.z;
+}
+
+void FacePattern::GetEdgeSegments(int segments[3]) const
+{
+  // The pattern's edge i lacks its corner i + 2, the sorted edge e the corner e + 2.
+  const auto& order = GetCornerOrder(this->Code);
+  for (int e = 0; e < 3; ++e)
+  {
+    segments[e] = this->Pattern->Segments[(order[(e + 2) % 3] + 1) % 3];
+  }
 }
 }

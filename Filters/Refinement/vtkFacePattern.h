@@ -28,6 +28,9 @@ struct RELEVOFILTERSREFINEMENT_EXPORT FacePattern
 
   /// Weights of the face's sorted corners at a vertex of the pattern.
   void GetWeights(int vertex, float weights[3]) const;
+
+  /// Segments of the face's sorted edges (0,1), (1,2), (0,2).
+  void GetEdgeSegments(int segments[3]) const;
 };
 }
 #endif

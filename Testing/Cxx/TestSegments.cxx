@@ -11,6 +11,7 @@
 #include "vtkDepthTagFilter.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
+#include "vtkPatternSelection.h"
 #include "vtkRefinementPatternTable.h"
 #include "vtkScreenEdgeDepthTagMetric.h"
 #include "vtkSilhouetteDepthTagMetric.h"
@@ -190,6 +191,32 @@ void TestSettings(RelevoCheck& check)
   CHECK(recipe->GetGeomorphing() == vtkAdaptiveRefinement::GEOMORPHING_AUTOMATIC);
   CHECK(recipe->GetLevelOffset() == 0.0);
 }
+
+// A face's pattern knows the segments of the face's sorted edges, however it lies there.
+void TestFacePatterns(RelevoCheck& check)
+{
+  vtkNew<vtkRefinementPatternTable> table;
+  for (const relevo::PatternFamily* family : { &relevo::PatternFamily::GetPowersOfTwo(),
+         &relevo::PatternFamily::GetNested(), &relevo::PatternFamily::GetWholeNumbers() })
+  {
+    size_t wrong = 0;
+    for (int i = 0; i < 6 * 4 * 4 * 4; ++i)
+    {
+      const int steps[3] = { i % 4, i / 4 % 4, i / 16 % 4 };
+      const unsigned int entry = family->GetEntry(i / 64, steps[0], steps[1], steps[2]);
+      const int key = static_cast<int>(entry >> 3);
+      const relevo::FacePattern pattern = { &family->GetPattern(key, table),
+        static_cast<int>(entry & 7u), relevo::PatternFamily::IsMirrored(key), nullptr };
+      int segments[3];
+      pattern.GetEdgeSegments(segments);
+      for (int e = 0; e < 3; ++e)
+      {
+        wrong += segments[e] != family->GetSegments(steps[e]) ? 1 : 0;
+      }
+    }
+    CHECK(wrong == 0);
+  }
+}
 }
 
 int TestSegments(int, char*[])
@@ -199,5 +226,6 @@ int TestSegments(int, char*[])
   TestOffset(check);
   TestRules(check);
   TestSettings(check);
+  TestFacePatterns(check);
   return check.GetResult();
 }
