@@ -55,6 +55,15 @@ bool HasExtension(const char* name)
   return false;
 }
 
+relevo::RefinementMethod::Primitives GetPrimitives(int mode, bool pointPicking)
+{
+  using Primitives = relevo::RefinementMethod::Primitives;
+  return mode == GL_TRIANGLES ? Primitives::TRIANGLES
+    : mode == GL_LINES        ? Primitives::LINES
+    : pointPicking            ? Primitives::CORNERS
+                              : Primitives::POINTS;
+}
+
 // Whether VTK's own mapper would draw the vertices of faces.
 bool AreVerticesDrawn(vtkProperty* property, vtkHardwareSelector* selector)
 {
@@ -114,6 +123,7 @@ void vtkAdaptiveRefinementMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetUseAllocatedRenderTime(other->GetUseAllocatedRenderTime());
     this->SetFrustumCulling(other->GetFrustumCulling());
     this->SetBackFaceCulling(other->GetBackFaceCulling());
+    this->SetMethod(other->GetMethod());
     this->SetSelectionDevice(other->GetSelectionDevice());
     this->SetLevelLookupTable(other->LevelLookupTable);
     this->ExtraAttributes = other->ExtraAttributes;
@@ -251,6 +261,12 @@ void vtkAdaptiveRefinementMapper::ReleaseGraphicsResources(vtkWindow* window)
   vtkInternals& data = *this->Internals;
   data.Buffers.ReleaseGraphicsResources(window);
   data.Patterns.ReleaseGraphicsResources();
+  data.Instances.ReleaseGraphicsResources(window);
+  for (auto& method : data.Methods)
+  {
+    method.second->ReleaseGraphicsResources(window);
+  }
+  data.MethodProblem.clear();
   data.Colors.ReleaseGraphicsResources(window);
   data.Clock.ReleaseGraphicsResources();
   data.Compute.ReleaseGraphicsResources();
@@ -347,6 +363,7 @@ void vtkAdaptiveRefinementMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* a
   }
   vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
   data.Window = window;
+  this->ChooseMethod(ren, act);
   this->UpdateBudget(ren, act);
   data.OnGPU = this->SelectsOnGPU();
   if (!this->UpdateSelection(ren, act))
@@ -370,27 +387,67 @@ void vtkAdaptiveRefinementMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* a
       return;
     }
   }
-  if (data.Drawable && !data.OnGPU)
+  std::string error = data.Buffers.GetError();
+  if (data.Drawable)
   {
-    data.Drawable = data.Buffers.UploadSelection(
-      window, data.State.GetSelectionSlot(), data.State.GetSelection());
+    relevo::RefinementMethod& method = data.GetMethod();
+    data.Drawable = method.Upload(data.GetDrawing(this->Refinement));
+    error = method.GetError();
   }
   if (!data.Drawable)
   {
-    vtkErrorMacro("Cannot draw the input: " << data.Buffers.GetError() << ".");
+    vtkErrorMacro("Cannot draw the input: " << error << ".");
     data.UploadValid = false; // said once, until something changes
     return;
-  }
-  if (!data.OnGPU)
-  {
-    data.Patterns.Load(this->Refinement->GetPatternTable(),
-      data.State.GetSelection().GetSelection().Groups,
-      act->GetProperty()->GetRepresentation() == VTK_WIREFRAME);
   }
   if (!this->UpdateFaceColors(ren))
   {
     vtkErrorMacro(
       "The colours of levels, patterns or tags could not be sent to the graphics card.");
+  }
+}
+
+void vtkAdaptiveRefinementMapper::ChooseMethod(vtkRenderer* ren, vtkActor* act)
+{
+  vtkInternals& data = *this->Internals;
+  const int representation = act->GetProperty()->GetRepresentation();
+  data.HasLines = representation == VTK_WIREFRAME;
+  data.MethodInUse = this->Method;
+  const relevo::RefinementMethod& method = data.GetMethod();
+  std::string problem = method.GetMissing();
+  if (!problem.empty())
+  {
+    problem = "Needs " + problem + ", which this context has not";
+  }
+  else
+  {
+    problem = method.GetObstacle(relevo::GetPatternFamily(this->Refinement, this->GetInput()));
+  }
+  if (problem != data.MethodProblem)
+  {
+    data.MethodProblem = problem;
+    if (!problem.empty())
+    {
+      vtkErrorMacro("The method " << relevo::RefinementMethod::GetName(this->Method)
+                                  << " cannot be used: " << problem << ". ARKFPI draws.");
+    }
+  }
+  using Primitives = relevo::RefinementMethod::Primitives;
+  const Primitives faces =
+    GetPrimitives(this->GetOpenGLMode(representation, data.Faces.PrimitiveType), false);
+  const bool hasVertices = AreVerticesDrawn(act->GetProperty(), ren->GetSelector());
+  if (!problem.empty() || !method.CanDraw(this->PointPicking ? Primitives::CORNERS : faces) ||
+    (hasVertices && !method.CanDraw(Primitives::POINTS)))
+  {
+    data.MethodInUse = METHOD_ARKFPI;
+  }
+  // What other methods have on the GPU is of no use.
+  for (auto& other : data.Methods)
+  {
+    if (other.first != this->Method && other.first != data.MethodInUse)
+    {
+      other.second->ReleaseGraphicsResources(ren->GetRenderWindow());
+    }
   }
 }
 
@@ -408,8 +465,11 @@ bool vtkAdaptiveRefinementMapper::UpdateFaceColors(vtkRenderer* ren)
         this->Refinement->GetLevelOffset() + this->GetLevelOffset(),
         this->Refinement->GetMaximumLevel(), table);
     default:
-      return data.FaceColors.UploadPatterns(window, this->RefinementColorMode,
-        vtkInternals::HasWholeNumbers(this->Refinement), data.Patterns, table);
+      return data.GetMethod().HasPatterns()
+        ? data.FaceColors.UploadPatterns(window, this->RefinementColorMode,
+            vtkInternals::HasWholeNumbers(this->Refinement), data.Patterns, table)
+        : data.FaceColors.UploadFaces(window, this->RefinementColorMode,
+            vtkInternals::HasWholeNumbers(this->Refinement), data.State.GetSelection(), table);
   }
 }
 
@@ -462,76 +522,8 @@ void vtkAdaptiveRefinementMapper::DrawFaces(
     state->vtkglLineWidth(act->GetProperty()->GetLineWidth());
   }
   cellBO.VAO->Bind();
-  data.Patterns.GetTriangles()->Bind();
-
-  auto drawGroup = [&](const relevo::PatternGroup& group)
-  {
-    const auto& range = data.Patterns.GetRange(group);
-    // As many instances as it takes, each of as many copies as it takes.
-    const int most = mode == GL_TRIANGLES ? range.Copies : 1;
-    const int instances = (group.Count + most - 1) / most;
-    const int copies = (group.Count + instances - 1) / instances;
-    cellBO.Program->SetUniformi("relevoGroupOffset", group.Offset);
-    cellBO.Program->SetUniformi("relevoGroupCount", group.Count);
-    cellBO.Program->SetUniformi("relevoCopies", copies);
-    if (mode == GL_TRIANGLES)
-    {
-      const size_t first = static_cast<size_t>(range.FirstIndex) +
-        (group.Mirrored ? static_cast<size_t>(range.NumberOfIndices) * range.Copies : 0);
-      glDrawElementsInstancedBaseVertex(GL_TRIANGLES, copies * range.NumberOfIndices,
-        GL_UNSIGNED_SHORT, reinterpret_cast<const void*>(first * sizeof(unsigned short)), instances,
-        range.FirstVertex);
-    }
-    else if (mode == GL_LINES)
-    {
-      glDrawArraysInstanced(
-        GL_LINES, range.FirstLineVertex, range.NumberOfLineVertices, group.Count);
-    }
-    else
-    {
-      // Picking is for coarse points: a pattern's corners come first.
-      glDrawArraysInstanced(
-        GL_POINTS, range.FirstVertex, this->PointPicking ? 3 : range.NumberOfVertices, group.Count);
-    }
-    ++data.NumberOfDrawCalls;
-  };
-  if (data.OnGPU)
-  {
-    this->DrawIndirectly(cellBO, mode);
-  }
-  else
-  {
-    for (const relevo::PatternGroup& group : data.State.GetSelection().GetSelection().Groups)
-    {
-      drawGroup(group);
-    }
-  }
-  data.Patterns.GetTriangles()->Release();
-}
-
-void vtkAdaptiveRefinementMapper::DrawIndirectly(vtkOpenGLHelper& cellBO, int mode)
-{
-  using View = relevo::RefinementComputeView;
-  vtkInternals& data = *this->Internals;
-  View& view = data.Compute.GetView(data.State.GetSelectionSlot());
-  const View::Primitives primitives = mode == GL_TRIANGLES ? View::TRIANGLES
-    : mode == GL_LINES                                     ? View::LINES
-    : this->PointPicking                                   ? View::CORNERS
-                                                           : View::POINTS;
-  // VTK's vertex array knows no integers.
-  const GLint location =
-    glGetAttribLocation(static_cast<GLuint>(cellBO.Program->GetHandle()), "relevoMembers");
-  if (location >= 0)
-  {
-    const GLuint index = static_cast<GLuint>(location);
-    glBindBuffer(GL_ARRAY_BUFFER, view.GetMembers(primitives));
-    glEnableVertexAttribArray(index);
-    glVertexAttribIPointer(index, 2, GL_UNSIGNED_INT, 0, nullptr);
-    glVertexAttribDivisor(index, 1);
-    glBindBuffer(GL_ARRAY_BUFFER, 0);
-  }
-  view.Draw(primitives);
-  ++data.NumberOfDrawCalls;
+  data.NumberOfDrawCalls += data.GetMethod().Draw(
+    data.GetDrawing(this->Refinement), cellBO.Program, GetPrimitives(mode, this->PointPicking));
 }
 
 //------------------------------------------------------------------------------
@@ -543,7 +535,7 @@ bool vtkAdaptiveRefinementMapper::IsRefining(const vtkOpenGLHelper* cellBO) cons
 }
 
 relevo::RefinementShaderOptions vtkAdaptiveRefinementMapper::vtkInternals::GetShaderOptions(
-  const vtkAdaptiveRefinementMapper* mapper, const vtkOpenGLHelper* cellBO) const
+  const vtkAdaptiveRefinementMapper* mapper, const vtkOpenGLHelper* cellBO)
 {
   vtkAdaptiveRefinement* recipe = mapper->Refinement;
   relevo::RefinementShaderOptions options;
@@ -552,7 +544,7 @@ relevo::RefinementShaderOptions vtkAdaptiveRefinementMapper::vtkInternals::GetSh
   vtkRefinementSurface* surface = recipe->GetSurface();
   options.SurfaceSource = (surface ? surface : linear.Get())->GetShaderSource();
   vtkDisplacement* displacement = recipe->GetDisplacement();
-  options.IsIndirect = this->OnGPU;
+  this->GetMethod().Describe(this->GetDrawing(recipe), options);
   options.HasDisplacement = displacement != nullptr;
   options.AlongNormal = displacement && displacement->IsAlongNormal();
   options.ColorMode = cellBO == &this->Faces ? mapper->RefinementColorMode : COLOR_BY_SCALARS;
@@ -605,24 +597,10 @@ void vtkAdaptiveRefinementMapper::SetMapperShaderParameters(
   vtkInternals& data = *this->Internals;
   vtkInternals::ProgramState& program = data.Programs[&cellBO];
   vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
-  const bool lines = !this->PointPicking &&
-    this->GetOpenGLMode(act->GetProperty()->GetRepresentation(), cellBO.PrimitiveType) == GL_LINES;
-  vtkOpenGLBufferObject* vertices = lines ? data.Patterns.GetLines() : data.Patterns.GetVertices();
-
-  if (program.PatternVertices != vertices ||
-    cellBO.AttributeUpdateTime < data.Patterns.GetUploadTime() ||
-    cellBO.AttributeUpdateTime < cellBO.ShaderSourceTime ||
+  if (cellBO.AttributeUpdateTime < cellBO.ShaderSourceTime ||
     cellBO.AttributeUpdateTime < cellBO.VAO->GetMTime() ||
     cellBO.AttributeUpdateTime < data.UploadTime)
   {
-    program.PatternVertices = vertices;
-    const int components = 4;
-    cellBO.VAO->Bind();
-    if (!cellBO.VAO->AddAttributeArray(cellBO.Program, vertices, "relevoPatternVertex", 0,
-          components * sizeof(float), VTK_FLOAT, components, false))
-    {
-      vtkErrorMacro("The pattern's vertices could not be bound.");
-    }
     data.Buffers.AliasAttributes(window, this->VBOs, program.Attributes);
     cellBO.AttributeUpdateTime.Modified();
   }

@@ -81,6 +81,48 @@ public:
   //@}
 
   /**
+   * How refined faces are drawn.
+   */
+  enum Methods
+  {
+    METHOD_ARKFPI = 0,
+    METHOD_ARK = 1,
+    METHOD_DMR = 2,
+    METHOD_SUAPT = 3,
+    METHOD_HARDWARE_TESSELLATION = 4,
+    METHOD_UNIFORM = 5
+  };
+
+  //@{
+  /**
+   * METHOD_ARKFPI (0, the default): one instanced draw call for all faces that share a base
+   * pattern (Lenz 2009).
+   * METHOD_ARK (1): one draw call per face (Boubekeur and Schlick 2008). The same vertices, and the
+   * same picture to the bit.
+   *
+   * Only ARKFPI draws what the GPU has selected; the others select on the CPU whatever
+   * SetSelectionDevice() says. ARKFPI and ARK can morph (vtkAdaptiveRefinement::SetGeomorphing()),
+   * the others draw rounded levels. Where OpenGL lacks something that a method needs, or the method
+   * cannot draw such levels, an error says so once and ARKFPI draws.
+   *
+   * A change uploads no mesh again. A value of no method is an error and changes nothing.
+   */
+  void SetMethod(int method);
+  vtkGetMacro(Method, int);
+  void SetMethodToARKFPI() { this->SetMethod(METHOD_ARKFPI); }
+  void SetMethodToARK() { this->SetMethod(METHOD_ARK); }
+  void SetMethodToDMR() { this->SetMethod(METHOD_DMR); }
+  void SetMethodToSUAPT() { this->SetMethod(METHOD_SUAPT); }
+  void SetMethodToHardwareTessellation() { this->SetMethod(METHOD_HARDWARE_TESSELLATION); }
+  void SetMethodToUniform() { this->SetMethod(METHOD_UNIFORM); }
+  //@}
+
+  /**
+   * The method that the last render used; of a composite data set, that of its last part.
+   */
+  int GetMethodInUse();
+
+  /**
    * Where faces choose their patterns and are sorted by them.
    */
   enum SelectionDevices
@@ -206,8 +248,9 @@ public:
   //@}
 
   /**
-   * Triangles of the surface in the last render: the polygons that vtkAdaptiveRefinementFilter
-   * would give for the same recipe and camera. Those of culled faces are counted.
+   * Triangles of the surface in the last render. Of ARKFPI and ARK the polygons that
+   * vtkAdaptiveRefinementFilter would give for the same recipe and camera; those of culled faces
+   * are counted. Of the other methods what they drew, without those of culled faces.
    */
   vtkIdType GetNumberOfDrawnTriangles();
 
@@ -218,12 +261,12 @@ public:
 
   /**
    * Draw calls of the last render for refined faces. One that draws many patterns indirectly counts
-   * as one.
+   * as one. With ARK as many as faces are drawn.
    */
   int GetNumberOfDrawCalls();
 
   /**
-   * Base patterns in use in the last render, at most as many as half the draw calls.
+   * Base patterns that the levels of the last render ask for: those that ARKFPI and ARK draw.
    */
   int GetNumberOfUsedPatterns();
 
@@ -310,16 +353,17 @@ private:
   void GiveUpGPU(const std::string& reason);
   void ReadSelection();
   bool HidesBackFaces(vtkRenderer* ren, vtkActor* act);
+  void ChooseMethod(vtkRenderer* ren, vtkActor* act);
   bool IsRefining(const vtkOpenGLHelper* cellBO) const;
   void SetRefinementColorMode(RefinementColorModes mode);
   bool UpdateFaceColors(vtkRenderer* ren);
   void DrawFaces(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act);
-  void DrawIndirectly(vtkOpenGLHelper& cellBO, int mode);
 
   vtkSmartPointer<vtkAdaptiveRefinement> Refinement;
   bool UseAllocatedRenderTime = true;
   bool FrustumCulling = true;
   bool BackFaceCulling = true;
+  int Method = METHOD_ARKFPI;
   int SelectionDevice = SELECTION_DEVICE_AUTOMATIC;
   RefinementColorModes RefinementColorMode = COLOR_BY_SCALARS;
   vtkSmartPointer<vtkScalarsToColors> LevelLookupTable;

@@ -17,8 +17,10 @@
 #include "vtkRefinementColors.h"
 #include "vtkRefinementComputeState.h"
 #include "vtkRefinementFaceColors.h"
+#include "vtkRefinementInstances.h"
 #include "vtkRefinementLevelTable.h"
 #include "vtkRefinementMeshBuffers.h"
+#include "vtkRefinementMethod.h"
 #include "vtkRefinementPatternBuffer.h"
 #include "vtkRefinementShader.h"
 #include "vtkRefinementState.h"
@@ -27,6 +29,7 @@
 #include "vtkWeakPointer.h"
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -43,6 +46,7 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   // GPU side.
   relevo::RefinementMeshBuffers Buffers;
   relevo::RefinementPatternBuffer Patterns;
+  relevo::RefinementInstances Instances;
   relevo::RefinementColors Colors;
   bool ColorsValid = false;
   relevo::RefinementLevelTable LevelTable;
@@ -55,6 +59,14 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   int NumberOfDrawCalls = 0;
   vtkIdType NumberOfBufferBuilds = 0;
   vtkIdType NumberOfShaderBuilds = 0;
+
+  // How faces are drawn: the methods that have been in use, and the one of this render.
+  std::map<int, std::unique_ptr<relevo::RefinementMethod>> Methods;
+  int MethodInUse = METHOD_ARKFPI;
+  std::string MethodProblem; // said last
+  bool HasLines = false;     // a wireframe is drawn
+  relevo::RefinementMethod& GetMethod();
+  relevo::RefinementDrawing GetDrawing(vtkAdaptiveRefinement* recipe);
 
   // Selections on the GPU.
   relevo::RefinementComputeState Compute;
@@ -88,8 +100,6 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   {
     std::string ShaderKey;
     std::vector<std::string> Attributes;
-    vtkOpenGLBufferObject* PatternVertices = nullptr;
-    vtkMTimeType AliasTime = 0;
   };
   std::map<const vtkOpenGLHelper*, ProgramState> Programs;
 
@@ -102,7 +112,8 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
 
   relevo::RefinementComputeState::Targets GetTargets() const
   {
-    return { this->Buffers.GetFaces(), this->Buffers.GetInstances(), this->Buffers.GetMorphTags() };
+    return { this->Buffers.GetFaces(), this->Instances.GetInstances(),
+      this->Instances.GetMorphTags() };
   }
 
   /// Whether VTK has not drawn the actor yet in this frame.
@@ -113,7 +124,7 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   static bool HasWholeNumbers(vtkAdaptiveRefinement* recipe);
 
   relevo::RefinementShaderOptions GetShaderOptions(
-    const vtkAdaptiveRefinementMapper* mapper, const vtkOpenGLHelper* cellBO) const;
+    const vtkAdaptiveRefinementMapper* mapper, const vtkOpenGLHelper* cellBO);
 };
 
 #endif

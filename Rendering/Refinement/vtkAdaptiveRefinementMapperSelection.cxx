@@ -57,8 +57,8 @@ bool vtkAdaptiveRefinementMapper::UpdateMesh()
 bool vtkAdaptiveRefinementMapper::SelectsOnGPU()
 {
   const vtkInternals& data = *this->Internals;
-  return data.ComputeValid && !data.State.IsBudgeted &&
-    this->RefinementColorMode != COLOR_BY_METRIC &&
+  return data.ComputeValid && this->Internals->GetMethod().TakesComputeSelection() &&
+    !data.State.IsBudgeted && this->RefinementColorMode != COLOR_BY_METRIC &&
     relevo::RefinementComputeState::CanChooseFrom(
       relevo::GetPatternFamily(this->Refinement, this->GetInput()));
 }
@@ -154,7 +154,7 @@ bool vtkAdaptiveRefinementMapper::SelectOnGPU(vtkRenderer* ren, vtkActor* act)
   const auto camera = MakeCullingView(this->FrustumCulling, ren, act, mesh);
   const relevo::FaceCulling* culled = camera ? &data.State.GetCulling(this->Refinement) : nullptr;
   const bool reserved =
-    data.Buffers.ReserveSelection(window, slot, mesh.Faces.size(), family.IsMorphing());
+    data.Instances.Reserve(window, slot, mesh.Faces.size(), family.IsMorphing());
   const bool valid = reserved && data.Compute.UpdateMesh(mesh, data.State.GetMeshTime()) &&
     (!culled || data.Compute.UpdateCulling(*culled, data.State.GetCullingTime())) &&
     data.Compute.UpdatePatterns(family, this->Refinement->GetPatternTable(), data.Patterns,
@@ -169,7 +169,7 @@ bool vtkAdaptiveRefinementMapper::SelectOnGPU(vtkRenderer* ren, vtkActor* act)
   }
   if (!valid)
   {
-    this->GiveUpGPU(reserved ? data.Compute.GetError() : data.Buffers.GetError());
+    this->GiveUpGPU(reserved ? data.Compute.GetError() : relevo::RefinementBuffer::GetTooLarge());
   }
   return valid;
 }
@@ -199,11 +199,11 @@ void vtkAdaptiveRefinementMapper::ReadSelection()
   data.ReadTime = time;
   data.Window->MakeCurrent();
   std::vector<float> morphTags;
-  if (data.Buffers.GetMorphTags())
+  if (data.Instances.GetMorphTags())
   {
     morphTags.resize(3 * data.State.GetMesh().Faces.size());
     relevo::RefinementComputeBuffer::ReadBuffer(
-      data.Buffers.GetMorphTags(), 0, morphTags.data(), morphTags.size() * sizeof(float));
+      data.Instances.GetMorphTags(), 0, morphTags.data(), morphTags.size() * sizeof(float));
   }
   data.State.AssignSelection(this->GetInput(), this->Refinement, *data.Compute.GetFamily(),
     data.Compute.ReadEntries(slot), std::move(morphTags));

@@ -28,6 +28,42 @@ void vtkAdaptiveRefinementMapper::SetBackFaceCulling(bool culling)
     [culling](vtkAdaptiveRefinementMapper* block) { block->SetBackFaceCulling(culling); });
 }
 
+void vtkAdaptiveRefinementMapper::SetMethod(int method)
+{
+  if (method < METHOD_ARKFPI || method > METHOD_UNIFORM)
+  {
+    vtkErrorMacro(
+      "Method is in [" << METHOD_ARKFPI << ", " << METHOD_UNIFORM << "], not " << method << ".");
+    return;
+  }
+  if (this->Method != method)
+  {
+    this->Internals->MethodProblem.clear();
+  }
+  this->Method = method;
+  this->Internals->Blocks.ForEach(
+    [method](vtkAdaptiveRefinementMapper* block) { block->SetMethod(method); });
+}
+
+relevo::RefinementMethod& vtkAdaptiveRefinementMapper::vtkInternals::GetMethod()
+{
+  std::unique_ptr<relevo::RefinementMethod>& method = this->Methods[this->MethodInUse];
+  if (!method)
+  {
+    method = relevo::RefinementMethod::New(this->MethodInUse);
+  }
+  return *method;
+}
+
+relevo::RefinementDrawing vtkAdaptiveRefinementMapper::vtkInternals::GetDrawing(
+  vtkAdaptiveRefinement* recipe)
+{
+  const int slot = this->State.GetSelectionSlot();
+  return { this->Window, &this->State.GetMesh(), &this->State.GetSelection(), slot,
+    this->OnGPU ? &this->Compute.GetView(slot) : nullptr, recipe->GetPatternTable(), this->HasLines,
+    &this->Patterns, &this->Instances };
+}
+
 void vtkAdaptiveRefinementMapper::SetColorMode(int mode)
 {
   this->SetColorModeToScalars();
@@ -121,8 +157,23 @@ vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfDrawnTriangles()
       [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfDrawnTriangles(); });
     return sum;
   }
+  if (!data.Drawable)
+  {
+    return 0;
+  }
   this->ReadSelection();
-  return data.Drawable ? data.State.GetNumberOfTriangles(this->GetInput(), this->Refinement) : 0;
+  const vtkIdType triangles =
+    data.GetMethod().GetNumberOfTriangles(data.GetDrawing(this->Refinement));
+  return triangles >= 0 ? triangles
+                        : data.State.GetNumberOfTriangles(this->GetInput(), this->Refinement);
+}
+
+int vtkAdaptiveRefinementMapper::GetMethodInUse()
+{
+  int method = this->Internals->MethodInUse;
+  this->Internals->Blocks.ForEach(
+    [&method](vtkAdaptiveRefinementMapper* block) { method = block->GetMethodInUse(); });
+  return method;
 }
 
 int vtkAdaptiveRefinementMapper::GetNumberOfDrawCalls()
@@ -199,7 +250,12 @@ vtkTypeInt64 vtkAdaptiveRefinementMapper::GetGraphicsMemorySize()
 {
   vtkInternals& data = *this->Internals;
   vtkTypeInt64 sum = data.Buffers.GetMemorySize() + data.Patterns.GetMemorySize() +
-    data.Colors.GetMemorySize() + data.FaceColors.GetMemorySize() + data.Compute.GetMemorySize();
+    data.Instances.GetMemorySize() + data.Colors.GetMemorySize() + data.FaceColors.GetMemorySize() +
+    data.Compute.GetMemorySize();
+  for (const auto& method : data.Methods)
+  {
+    sum += method.second->GetMemorySize();
+  }
   for (const char* name :
     { "vertexMC", "normalMC", "scalarColor", "tcoord", "colorTCoord", "tangentMC" })
   {
@@ -219,6 +275,7 @@ void vtkAdaptiveRefinementMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Refinement: " << this->Refinement.Get() << "\n";
   os << indent << "FrustumCulling: " << (this->FrustumCulling ? "On\n" : "Off\n");
   os << indent << "BackFaceCulling: " << (this->BackFaceCulling ? "On\n" : "Off\n");
+  os << indent << "Method: " << relevo::RefinementMethod::GetName(this->Method) << "\n";
   os << indent << "SelectionDevice: " << this->SelectionDevice << "\n";
   os << indent << "RefinementColorMode: " << this->RefinementColorMode << "\n";
   os << indent << "LevelLookupTable: " << this->LevelLookupTable.Get() << "\n";

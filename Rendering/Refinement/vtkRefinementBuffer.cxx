@@ -17,6 +17,11 @@ namespace relevo
 RefinementBuffer::RefinementBuffer() = default;
 RefinementBuffer::~RefinementBuffer() = default;
 
+const char* RefinementBuffer::GetTooLarge()
+{
+  return "the mesh is larger than the buffer textures of this OpenGL";
+}
+
 bool RefinementBuffer::Upload(
   vtkOpenGLRenderWindow* window, const std::vector<float>& values, int components)
 {

@@ -72,6 +72,9 @@ public:
   vtkTypeInt64 GetMemorySize() const { return this->MemorySize; }
   bool IsEmpty() const { return this->Texture == nullptr; }
 
+  /// What to say when a mesh does not fit.
+  static const char* GetTooLarge();
+
 private:
   template <typename T>
   bool UploadValues(vtkOpenGLRenderWindow* window, const std::vector<T>& values, int components,

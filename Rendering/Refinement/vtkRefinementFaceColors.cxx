@@ -9,6 +9,8 @@
 #include "vtkShaderProgram.h"
 #include "vtkViewSelection.h"
 
+#include <map>
+
 namespace relevo
 {
 namespace
@@ -39,7 +41,7 @@ bool RefinementFaceColors::UploadPatterns(vtkOpenGLRenderWindow* window, Refinem
   AppendObject(times, table);
   times.push_back(patterns.GetUploadTime());
   times.insert(times.end(), { static_cast<vtkMTimeType>(mode), wholeNumbers ? 1u : 0u });
-  if (times == this->PatternTimes)
+  if (times == this->ColorTimes)
   {
     return true;
   }
@@ -50,8 +52,40 @@ bool RefinementFaceColors::UploadPatterns(vtkOpenGLRenderWindow* window, Refinem
       table, RefinementLevelTable::GetValue(mode, wholeNumbers, *pattern));
     colors.insert(colors.end(), color.begin(), color.end());
   }
-  this->PatternTimes = times;
-  return colors.empty() || this->PatternColors.Upload(window, colors, 4);
+  this->ColorTimes = times;
+  return colors.empty() || this->Colors.Upload(window, colors, 4);
+}
+
+bool RefinementFaceColors::UploadFaces(vtkOpenGLRenderWindow* window, RefinementColorMode mode,
+  bool wholeNumbers, const ViewSelection& selection, vtkScalarsToColors* table)
+{
+  Dependencies times;
+  AppendObject(times, table);
+  Append(times, &selection, selection.GetLevelsTime());
+  times.insert(times.end(), { static_cast<vtkMTimeType>(mode), wholeNumbers ? 1u : 0u });
+  if (times == this->ColorTimes)
+  {
+    return true;
+  }
+  const PatternSelection& faces = selection.GetSelection();
+  std::map<const vtkRefinementPattern*, std::array<float, 4>> known;
+  std::vector<float> colors;
+  for (int face = 0; face < faces.GetNumberOfFaces(); ++face)
+  {
+    const vtkRefinementPattern* pattern = faces.GetFacePattern(face).Pattern;
+    auto color = known.find(pattern);
+    if (color == known.end())
+    {
+      color = known
+                .insert({ pattern,
+                  RefinementColorTable::GetColor(
+                    table, RefinementLevelTable::GetValue(mode, wholeNumbers, *pattern)) })
+                .first;
+    }
+    colors.insert(colors.end(), color->second.begin(), color->second.end());
+  }
+  this->ColorTimes = times;
+  return colors.empty() || this->Colors.Upload(window, colors, 4);
 }
 
 bool RefinementFaceColors::UploadTags(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh,
@@ -83,7 +117,7 @@ bool RefinementFaceColors::UploadTags(vtkOpenGLRenderWindow* window, const Refin
 
 void RefinementFaceColors::Activate(vtkShaderProgram* program)
 {
-  this->PatternColors.Activate(program, "relevoPatternColors");
+  this->Colors.Activate(program, "relevoFaceColors");
   if (program->IsUniformUsed("relevoTags"))
   {
     this->Tags.Activate(program, "relevoTags");
@@ -96,23 +130,22 @@ void RefinementFaceColors::Activate(vtkShaderProgram* program)
 
 void RefinementFaceColors::Deactivate()
 {
-  this->PatternColors.Deactivate();
+  this->Colors.Deactivate();
   this->Tags.Deactivate();
   this->Table.Deactivate();
 }
 
 vtkTypeInt64 RefinementFaceColors::GetMemorySize() const
 {
-  return this->PatternColors.GetMemorySize() + this->Tags.GetMemorySize() +
-    this->Table.GetMemorySize();
+  return this->Colors.GetMemorySize() + this->Tags.GetMemorySize() + this->Table.GetMemorySize();
 }
 
 void RefinementFaceColors::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->PatternColors.ReleaseGraphicsResources(window);
+  this->Colors.ReleaseGraphicsResources(window);
   this->Tags.ReleaseGraphicsResources(window);
   this->Table.ReleaseGraphicsResources(window);
-  this->PatternTimes.clear();
+  this->ColorTimes.clear();
   this->TagTimes.clear();
   this->TableTimes.clear();
 }

@@ -4,9 +4,9 @@
  * @class   vtkRefinementFaceColors
  * @brief   colours of faces by level, by pattern or by tag, on the GPU
  *
- * Level and pattern are the same all over a face: vertices of a pattern know its number, and a
- * table has a colour for each. Tags are interpolated and looked up per fragment. Nothing here
- * depends on which faces are drawn. Private to the module.
+ * Level and pattern are the same all over a face: vertices know the number of their pattern or of
+ * their face, and a table has a colour for each. Tags are interpolated and looked up per fragment.
+ * Nothing here depends on which faces are drawn. Private to the module.
  */
 #ifndef vtkRefinementFaceColors_h
 #define vtkRefinementFaceColors_h
@@ -40,6 +40,13 @@ public:
     const RefinementPatternBuffer& patterns, vtkScalarsToColors* table);
 
   /**
+   * The same face by face, for vertices that belong to no pattern on the GPU: of the pattern that
+   * each face's levels ask for.
+   */
+  bool UploadFaces(vtkOpenGLRenderWindow* window, RefinementColorMode mode, bool wholeNumbers,
+    const ViewSelection& selection, vtkScalarsToColors* table);
+
+  /**
    * Have the tags of a selection; `offset` is added to them, and they end at `highest`.
    */
   bool UploadTags(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh,
@@ -51,7 +58,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  RefinementBuffer PatternColors;
+  RefinementBuffer Colors; // of patterns or faces
   RefinementBuffer Tags;
   RefinementColorTable Table;
   bool PerEdge = false;
@@ -59,7 +66,7 @@ private:
   float Highest = 0.0f;
 
   // What the buffers were made of.
-  std::vector<vtkMTimeType> PatternTimes;
+  std::vector<vtkMTimeType> ColorTimes;
   std::vector<vtkMTimeType> TagTimes;
   std::vector<vtkMTimeType> TableTimes;
 };

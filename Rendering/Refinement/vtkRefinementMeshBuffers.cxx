@@ -15,7 +15,6 @@
 #include "vtkRefinementSurface.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
-#include "vtkViewSelection.h"
 
 #include <algorithm>
 
@@ -23,8 +22,6 @@ namespace relevo
 {
 namespace
 {
-constexpr const char* TooLarge = "the mesh is larger than the buffer textures of this OpenGL";
-
 // Where a point's texels are: normal and u; frame of u, frame of v; direction; values.
 struct PointLayout
 {
@@ -74,7 +71,7 @@ bool RefinementMeshBuffers::UploadMesh(vtkOpenGLRenderWindow* window, const Refi
   vtkRefinementSurface* surface, vtkOpenGLVertexBufferObject* positions,
   const std::vector<int>& primitives)
 {
-  this->Error = TooLarge;
+  this->Error = RefinementBuffer::GetTooLarge();
   std::vector<int> faces(4 * mesh.Faces.size());
   for (size_t f = 0; f < mesh.Faces.size(); ++f)
   {
@@ -247,56 +244,10 @@ bool RefinementMeshBuffers::UploadHeights(
   return true;
 }
 
-bool RefinementMeshBuffers::UploadSelection(
-  vtkOpenGLRenderWindow* window, int slot, const ViewSelection& view)
-{
-  this->Error = TooLarge;
-  const PatternSelection& selection = view.GetSelection();
-  SelectionBuffers& buffers = this->Selections[slot];
-  this->Selection = &buffers;
-  if (buffers.GroupsTime != view.GetGroupsTime())
-  {
-    if (!buffers.Instances.Upload(window, selection.Instances))
-    {
-      return false;
-    }
-    buffers.GroupsTime = view.GetGroupsTime();
-  }
-  if (buffers.LevelsTime != view.GetLevelsTime())
-  {
-    if (selection.GetMorphTags().empty())
-    {
-      buffers.MorphTags.ReleaseGraphicsResources(window);
-    }
-    else if (!buffers.MorphTags.Upload(window, selection.GetMorphTags(), 3))
-    {
-      return false;
-    }
-    buffers.LevelsTime = view.GetLevelsTime();
-  }
-  return true;
-}
-
-bool RefinementMeshBuffers::ReserveSelection(
-  vtkOpenGLRenderWindow* window, int slot, size_t faces, bool morphing)
-{
-  this->Error = TooLarge;
-  SelectionBuffers& buffers = this->Selections[slot];
-  this->Selection = &buffers;
-  buffers.GroupsTime = 0; // no longer what UploadSelection() has put there
-  buffers.LevelsTime = 0;
-  if (!morphing)
-  {
-    buffers.MorphTags.ReleaseGraphicsResources(window);
-  }
-  return buffers.Instances.ReserveIntegers(window, faces) &&
-    (!morphing || buffers.MorphTags.ReserveFloats(window, faces, 3));
-}
-
 bool RefinementMeshBuffers::AliasAttributes(vtkOpenGLRenderWindow* window,
   vtkOpenGLVertexBufferObjectGroup* vbos, const std::vector<std::string>& attributes)
 {
-  this->Error = TooLarge;
+  this->Error = RefinementBuffer::GetTooLarge();
   for (const std::string& name : attributes)
   {
     vtkOpenGLVertexBufferObject* vbo = vbos->GetVBO(name.c_str());
@@ -330,17 +281,11 @@ void RefinementMeshBuffers::Describe(
   options.HasDirections = !mesh.Directions.empty();
   options.HasSeams = !mesh.Seams.empty();
   options.HasHoles = this->Validity != nullptr;
-  options.IsMorphing = this->Selection && !this->Selection->MorphTags.IsEmpty();
 }
 
 void RefinementMeshBuffers::Activate(vtkShaderProgram* program)
 {
   this->Faces.Activate(program, "relevoFaces");
-  if (this->Selection)
-  {
-    this->Selection->Instances.Activate(program, "relevoInstances");
-    this->Selection->MorphTags.Activate(program, "relevoMorphTags");
-  }
   this->Points.Activate(program, "relevoPoints");
   this->PointData.Activate(program, "relevoPointData");
   this->Vectors.Activate(program, "relevoVectors");
@@ -367,11 +312,6 @@ void RefinementMeshBuffers::Deactivate()
     { &this->Faces, &this->Points, &this->PointData, &this->Vectors, &this->Seams })
   {
     buffer->Deactivate();
-  }
-  if (this->Selection)
-  {
-    this->Selection->Instances.Deactivate();
-    this->Selection->MorphTags.Deactivate();
   }
   for (auto& attribute : this->Attributes)
   {
@@ -427,10 +367,6 @@ vtkTypeInt64 RefinementMeshBuffers::GetMemorySize() const
   {
     size += buffer->GetMemorySize();
   }
-  for (const auto& selection : this->Selections)
-  {
-    size += selection.second.Instances.GetMemorySize() + selection.second.MorphTags.GetMemorySize();
-  }
   return size;
 }
 
@@ -441,13 +377,6 @@ void RefinementMeshBuffers::ReleaseGraphicsResources(vtkWindow* window)
   {
     buffer->ReleaseGraphicsResources(window);
   }
-  for (auto& selection : this->Selections)
-  {
-    selection.second.Instances.ReleaseGraphicsResources(window);
-    selection.second.MorphTags.ReleaseGraphicsResources(window);
-  }
-  this->Selections.clear();
-  this->Selection = nullptr;
   for (auto& attribute : this->Attributes)
   {
     attribute.second->ReleaseGraphicsResources(window);

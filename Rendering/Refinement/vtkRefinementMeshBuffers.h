@@ -32,7 +32,6 @@ class vtkWindow;
 namespace relevo
 {
 class RefinementMesh;
-class ViewSelection;
 struct RefinementShaderOptions;
 
 class RefinementMeshBuffers
@@ -57,23 +56,8 @@ public:
    */
   bool UploadHeights(vtkOpenGLRenderWindow* window, vtkHeightField* heights, bool withValidity);
 
-  /**
-   * Upload what has changed of a selection, and draw from it. Several are kept, each in a slot from
-   * 0 on.
-   */
-  bool UploadSelection(vtkOpenGLRenderWindow* window, int slot, const ViewSelection& selection);
-
-  /**
-   * Have room for a selection of so many faces that compute shaders make, and draw from it.
-   */
-  bool ReserveSelection(vtkOpenGLRenderWindow* window, int slot, size_t faces, bool morphing);
-
-  //@{
-  /// OpenGL's names of the faces' buffer, and of those of the selection to draw; 0 for none.
+  /// OpenGL's name of the faces' buffer; 0 for none.
   unsigned int GetFaces() const { return this->Faces.GetHandle(); }
-  unsigned int GetInstances() const { return this->Selection->Instances.GetHandle(); }
-  unsigned int GetMorphTags() const { return this->Selection->MorphTags.GetHandle(); }
-  //@}
 
   /// Alias VTK's vertex buffers for the attributes that the refining shaders read.
   bool AliasAttributes(vtkOpenGLRenderWindow* window, vtkOpenGLVertexBufferObjectGroup* vbos,
@@ -98,15 +82,6 @@ private:
   RefinementBuffer PointData;
   RefinementBuffer Vectors;
   RefinementBuffer Seams;
-  struct SelectionBuffers
-  {
-    RefinementBuffer Instances;
-    RefinementBuffer MorphTags;
-    vtkMTimeType LevelsTime = 0;
-    vtkMTimeType GroupsTime = 0;
-  };
-  std::map<int, SelectionBuffers> Selections;
-  SelectionBuffers* Selection = nullptr; // the one to draw
   std::map<std::string, std::unique_ptr<RefinementBuffer>> Attributes;
   vtkSmartPointer<vtkTextureObject> Heights;
   vtkSmartPointer<vtkTextureObject> Validity;

@@ -95,7 +95,7 @@ std::string GetDefines(const RefinementShaderOptions& options, bool edges, bool 
 
 std::string RefinementShaderOptions::GetKey() const
 {
-  return GetDefines(*this, false, false) + this->SurfaceSource;
+  return GetDefines(*this, false, false) + this->PlacementSource + this->SurfaceSource;
 }
 
 void MarkColors(std::map<vtkShader::Type, vtkShader*>& shaders)
@@ -180,7 +180,7 @@ std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, b
   // The vertex shader.
   std::ostringstream text;
   text << relevoWeights << (options.IsMorphing ? relevoMorph : "") << relevoFaceVS
-       << options.SurfaceSource;
+       << options.PlacementSource << options.SurfaceSource;
   if (options.HasDisplacement)
   {
     text << relevoHeightMap << relevoHeight << relevoDisplacementVS << relevoDisplacement;

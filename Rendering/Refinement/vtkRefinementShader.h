@@ -24,6 +24,8 @@ namespace relevo
 /// What the shaders depend on.
 struct RefinementShaderOptions
 {
+  /// How a vertex comes to its face, see relevoFaceVS.glsl; from the method.
+  std::string PlacementSource;
   /// The surface's functions; see vtkRefinementSurface::GetShaderSource().
   std::string SurfaceSource;
   int VectorsPerEdge = 0;

@@ -1,11 +1,11 @@
 // What relevoFaceColorsFS.glsl shows.
 
 #ifdef RELEVO_COLORS_OF_FACES
-uniform samplerBuffer relevoPatternColors; // by the pattern's number
+uniform samplerBuffer relevoFaceColors;
 
 vec3 relevoFaceColor()
 {
-  return texelFetch(relevoPatternColors, int(fract(relevoPatternVertex.w) * 65536.0)).rgb;
+  return texelFetch(relevoFaceColors, relevoColorIndex()).rgb;
 }
 #endif
 

@@ -1,19 +1,10 @@
-// One coarse face per instance: its corners, and what the surface functions ask for.
+// One coarse face: its corners, and what the surface functions ask for. How a vertex comes to its
+// face is up to the method, which gives
+//   vec3 relevoPlaceVertex()  weights of the sorted corners; sets relevoFaceIndex, relevoHidden
+//   int relevoColorIndex()    place of the face's colour in relevoFaceColors
+//   int relevoLineEdges()     in wireframes: the face's sorted edge that the line is on, as a bit of
+//                             the hidden edges in relevoFaces; 0 for none
 
-in vec4 relevoPatternVertex; // (u, v, w) and the number of the copy, or for lines the pattern's
-                             // edge they lie on (1 to 3), plus the pattern's number / 65536
-
-#ifdef RELEVO_INDIRECT
-in uvec2 relevoMembers; // where the instance's faces lie in relevoInstances, and how many they are
-#else
-uniform int relevoGroupOffset; // where the group's faces lie in relevoInstances
-uniform int relevoGroupCount;  // and how many they are
-uniform int relevoCopies;      // of the pattern in one instance
-#endif
-uniform usamplerBuffer relevoInstances; // face << 3 | permutation code
-#ifdef RELEVO_MORPH
-uniform samplerBuffer relevoMorphTags;  // of the sorted edges (0,1), (1,2), (0,2), per face
-#endif
 uniform isamplerBuffer relevoFaces;     // sorted corners; primitive << 3 | hidden edges
 uniform samplerBuffer relevoPoints;     // VTK's vertexMC
 uniform samplerBuffer relevoPointData;  // normal, u; frame of u; frame of v; direction; values
@@ -24,25 +15,6 @@ uniform vec3 relevoPositionShift;       // vertexMC is (position - shift) * scal
 int relevoFaceIndex = 0;
 ivec4 relevoFace = ivec4(0);
 bool relevoHidden = false; // the vertex belongs to nothing that is to be seen
-
-// Where in relevoInstances the vertex's face is. An instance may have more copies than faces.
-int relevoMember()
-{
-#ifdef RELEVO_LINES
-  int copy = 0;
-#else
-  int copy = int(relevoPatternVertex.w);
-#endif
-#ifdef RELEVO_INDIRECT
-  int member = int(relevoMembers.x) + copy;
-  int end = int(relevoMembers.x + relevoMembers.y);
-#else
-  int member = relevoGroupOffset + gl_InstanceID * relevoCopies + copy;
-  int end = relevoGroupOffset + relevoGroupCount;
-#endif
-  relevoHidden = member >= end;
-  return min(member, end - 1);
-}
 
 vec4 relevoPointDatum(int id, int k)
 {

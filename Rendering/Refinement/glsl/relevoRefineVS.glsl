@@ -1,16 +1,9 @@
-// Run first in main(): turns the pattern vertex into what VTK's code takes for the vertex.
+// Run first in main(): makes what VTK's code takes for the vertex.
 
 void relevoRefine()
 {
-  int instance = int(texelFetch(relevoInstances, relevoMember()).r);
-  int code = instance & 7;
-  relevoFaceIndex = instance >> 3;
+  vec3 w = relevoPlaceVertex();
   relevoFace = texelFetch(relevoFaces, relevoFaceIndex);
-#ifdef RELEVO_MORPH
-  vec3 w = morphWeights(relevoPatternVertex.xyz, texelFetch(relevoMorphTags, relevoFaceIndex).xyz);
-#else
-  vec3 w = permuteWeights(relevoPatternVertex.xyz, code);
-#endif
 
   precise vec3 position = surfacePosition(w);
 #ifdef RELEVO_NORMALS
@@ -43,15 +36,7 @@ void relevoRefine()
   relevoTagWeightsVSOutput = w;
 #endif
 #ifdef RELEVO_LINES
-  // Diagonals of coarse polygons are hidden. The line's edge lacks this corner of the pattern;
-  // which sorted corner is that?
-  float line = floor(relevoPatternVertex.w);
-  if (line > 0.0)
-  {
-    vec3 lacking = vec3(equal(vec3(line), vec3(2.0, 3.0, 1.0)));
-    vec3 sortedLacking = permuteWeights(lacking, code);
-    int edge = sortedLacking.z > 0.0 ? 1 : (sortedLacking.x > 0.0 ? 2 : 4);
-    relevoHidden = (relevoFace.w & edge) != 0;
-  }
+  // Diagonals of coarse polygons are hidden.
+  relevoHidden = relevoHidden || (relevoFace.w & relevoLineEdges()) != 0;
 #endif
 }

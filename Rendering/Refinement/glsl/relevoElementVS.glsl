@@ -1,0 +1,17 @@
+// One face per draw call. After relevoPatternVS.glsl.
+
+uniform int relevoElement;
+
+int relevoInstance()
+{
+  return relevoElement;
+}
+
+#ifdef RELEVO_MORPH
+uniform vec3 relevoElementTags;
+
+vec3 relevoMorphingTags()
+{
+  return relevoElementTags;
+}
+#endif

@@ -1,0 +1,38 @@
+// One face per instance, or several copies of a pattern for as many faces. After
+// relevoPatternVS.glsl.
+
+#ifdef RELEVO_INDIRECT
+in uvec2 relevoMembers; // where the instance's faces lie in relevoInstances, and how many they are
+#else
+uniform int relevoGroupOffset; // where the group's faces lie in relevoInstances
+uniform int relevoGroupCount;  // and how many they are
+uniform int relevoCopies;      // of the pattern in one instance
+#endif
+uniform usamplerBuffer relevoInstances;
+#ifdef RELEVO_MORPH
+uniform samplerBuffer relevoMorphTags;
+
+vec3 relevoMorphingTags()
+{
+  return texelFetch(relevoMorphTags, relevoFaceIndex).xyz;
+}
+#endif
+
+// An instance may have more copies than faces.
+int relevoInstance()
+{
+#ifdef RELEVO_LINES
+  int copy = 0;
+#else
+  int copy = int(relevoPatternVertex.w);
+#endif
+#ifdef RELEVO_INDIRECT
+  int member = int(relevoMembers.x) + copy;
+  int end = int(relevoMembers.x + relevoMembers.y);
+#else
+  int member = relevoGroupOffset + gl_InstanceID * relevoCopies + copy;
+  int end = relevoGroupOffset + relevoGroupCount;
+#endif
+  relevoHidden = member >= end;
+  return int(texelFetch(relevoInstances, min(member, end - 1)).r);
+}

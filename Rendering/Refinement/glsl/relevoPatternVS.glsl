@@ -1,0 +1,31 @@
+// A vertex of a pattern, which lies on a face as these two say:
+
+int relevoInstance();                    // face << 3 | permutation code
+vec3 relevoPatternWeights(int code);     // weights of the sorted corners
+
+in vec4 relevoPatternVertex; // (u, v, w) and the number of the copy, or for lines the pattern's
+                             // edge they lie on (1 to 3), plus the pattern's number / 65536
+
+int relevoCode = 0; // permutation from the pattern's corners to the sorted ones
+
+vec3 relevoPlaceVertex()
+{
+  int instance = relevoInstance();
+  relevoCode = instance & 7;
+  relevoFaceIndex = instance >> 3;
+  return relevoPatternWeights(relevoCode);
+}
+
+int relevoColorIndex()
+{
+  return int(fract(relevoPatternVertex.w) * 65536.0);
+}
+
+// The line's edge lacks one corner of the pattern; which sorted corner is that?
+int relevoLineEdges()
+{
+  float line = floor(relevoPatternVertex.w);
+  vec3 lacking = vec3(equal(vec3(line), vec3(2.0, 3.0, 1.0)));
+  vec3 sortedLacking = permuteWeights(lacking, relevoCode);
+  return line > 0.0 ? (sortedLacking.z > 0.0 ? 1 : (sortedLacking.x > 0.0 ? 2 : 4)) : 0;
+}

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkARKMethod
+ * @brief   a draw call for every face, after the adaptive refinement kernel
+ *
+ * Boubekeur and Schlick, A Flexible Kernel for Adaptive Mesh Refinement on GPU (2008). The same
+ * vertices as ARKFPI's in the same order, so that the pictures are the same to the bit: what
+ * differs is that the CPU hands over each element. Private to the module.
+ */
+#ifndef vtkARKMethod_h
+#define vtkARKMethod_h
+
+#include "vtkPatternMethod.h"
+
+namespace relevo
+{
+class ARKMethod : public PatternMethod
+{
+public:
+  bool Upload(const RefinementDrawing& drawing) override;
+  void Describe(const RefinementDrawing& drawing, RefinementShaderOptions& options) const override;
+  int Draw(
+    const RefinementDrawing& drawing, vtkShaderProgram* program, Primitives primitives) override;
+};
+}
+
+#endif

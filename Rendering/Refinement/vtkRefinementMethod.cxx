@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRefinementMethod.h"
+
+#include "vtkARKFPIMethod.h"
+#include "vtkARKMethod.h"
+#include "vtkAdaptiveRefinementMapper.h"
+
+namespace relevo
+{
+RefinementMethod::RefinementMethod() = default;
+RefinementMethod::~RefinementMethod() = default;
+
+std::unique_ptr<RefinementMethod> RefinementMethod::New(int method)
+{
+  switch (method)
+  {
+    case vtkAdaptiveRefinementMapper::METHOD_ARK:
+      return std::unique_ptr<RefinementMethod>(new ARKMethod);
+    default:
+      return std::unique_ptr<RefinementMethod>(new ARKFPIMethod);
+  }
+}
+
+const char* RefinementMethod::GetName(int method)
+{
+  static const char* const names[] = { "ARKFPI", "ARK", "DMR", "SUAPT", "HardwareTessellation",
+    "Uniform" };
+  return names[method];
+}
+}
