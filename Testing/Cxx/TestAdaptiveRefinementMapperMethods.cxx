@@ -93,8 +93,8 @@ void TestARK(RelevoCheck& check, RelevoComparison& comparison)
       const vtkIdType builds = subject.GetMapper()->GetNumberOfBufferBuilds();
       const RelevoPicture actual = subject.Draw(Mapper::METHOD_ARK);
       CHECK(subject.GetMapper()->GetMethodInUse() == Mapper::METHOD_ARK);
-      CHECK(
-        subject.GetMapper()->GetNumberOfDrawCalls() == subject.GetMapper()->GetNumberOfCoarseFaces());
+      CHECK(subject.GetMapper()->GetNumberOfDrawCalls() ==
+        subject.GetMapper()->GetNumberOfCoarseFaces());
       CHECK(subject.GetMapper()->GetNumberOfDrawnTriangles() == triangles);
       CHECK(subject.GetMapper()->GetNumberOfBufferBuilds() == builds);
       comparison.Compare("ARK" + std::to_string(morphing) + "." + std::to_string(representation),
