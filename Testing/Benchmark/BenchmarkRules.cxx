@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // How many triangles the rules for levels take for the same error on the screen.
-#include "BenchmarkMeasure.h"
+#include "BenchmarkMeshes.h"
 #include "BenchmarkReport.h"
 #include "BenchmarkSurface.h"
 #include "Benchmarks.h"
@@ -12,20 +12,15 @@
 #include "vtkCamera.h"
 #include "vtkCellData.h"
 #include "vtkMatrix4x4.h"
-#include "vtkPLYReader.h"
 #include "vtkPNTriangleSurface.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataNormals.h"
-#include "vtkQuadricDecimation.h"
 #include "vtkSMPTools.h"
 #include "vtkScreenEdgeDepthTagMetric.h"
 #include "vtkStaticCellLocator.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
 #include <limits>
 
 namespace
@@ -75,24 +70,12 @@ Scene MakeTerrain(int numberOfFaces)
 Scene MakeBunny(int numberOfFaces)
 {
   Scene scene{ "bunny", nullptr, BenchmarkSurface::MakePNRecipe(), {} };
-  const char* folder = std::getenv("RELEVO_TEST_DATA");
-  const std::string fileName = std::string(folder ? folder : ".") + "/mesh/bunny.ply";
-  if (!std::ifstream(fileName))
+  const auto bunny = BenchmarkMeshes::ReadBunny();
+  if (!bunny)
   {
     return scene;
   }
-  vtkNew<vtkPLYReader> reader;
-  reader->SetFileName(fileName.c_str());
-  reader->Update();
-  vtkNew<vtkQuadricDecimation> coarse;
-  coarse->SetInputConnection(reader->GetOutputPort());
-  coarse->SetTargetReduction(
-    1.0 - numberOfFaces / static_cast<double>(reader->GetOutput()->GetNumberOfPolys()));
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputConnection(coarse->GetOutputPort());
-  normals->SplittingOff();
-  normals->Update();
-  scene.Mesh = normals->GetOutput();
+  scene.Mesh = BenchmarkMeshes::Decimate(bunny, numberOfFaces);
   const double length = scene.Mesh->GetLength();
   double center[3];
   scene.Mesh->GetCenter(center);

@@ -4,13 +4,13 @@
 // Frames of the mapper against the identical triangles as a static mesh in VTK's mapper. Both are
 // drawn in turn, in one window and from the same places, and the frames of a turn are compared with
 // one another: what else the machine does then falls out of the ratios.
+#include "BenchmarkFrames.h"
 #include "BenchmarkMeasure.h"
 #include "BenchmarkReport.h"
 #include "BenchmarkSurface.h"
 #include "BenchmarkView.h"
 #include "Benchmarks.h"
 
-#include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementMapper.h"
 #include "vtkObjectFactory.h"
@@ -96,61 +96,6 @@ double GetMeanDifference(
   }
   return picture.empty() ? 0.0 : sum / static_cast<double>(picture.size());
 }
-
-/// Milliseconds of each mapper's frames, drawn in turn. Holds the window, and so what the mappers
-/// have on the GPU.
-class FrameTimes
-{
-public:
-  FrameTimes(const std::vector<vtkMapper*>& mappers, const double bounds[6], int rounds)
-    : Times(mappers.size())
-  {
-    this->View.LookAt(bounds);
-    std::vector<vtkSmartPointer<vtkActor>> actors;
-    for (vtkMapper* mapper : mappers)
-    {
-      actors.push_back(this->View.AddActor(mapper));
-      actors.back()->VisibilityOff();
-    }
-    std::vector<unsigned char> reference;
-    for (int round = -1; round < rounds; ++round)
-    {
-      this->View.MoveCamera();
-      for (size_t m = 0; m < actors.size(); ++m)
-      {
-        actors[m]->VisibilityOn();
-        const double milliseconds = 1e3 * this->View.TimeFrame();
-        actors[m]->VisibilityOff();
-        if (round >= 0) // the first is to warm up, and to see that the pictures are the same
-        {
-          this->Times[m].push_back(milliseconds);
-        }
-        else if (m == 0)
-        {
-          reference = this->View.GetPicture();
-        }
-        else if (m == 1)
-        {
-          this->Difference = GetMeanDifference(this->View.GetPicture(), reference);
-        }
-      }
-    }
-  }
-
-  double GetMedian(size_t mapper) const { return ::GetMedian(this->Times[mapper]); }
-  /// To the first mapper's.
-  double GetRatio(size_t mapper) const
-  {
-    return GetMedianRatio(this->Times[mapper], this->Times[0]);
-  }
-  /// Mean difference of the second mapper's picture from the first's, of 255.
-  double GetPictureDifference() const { return this->Difference; }
-
-private:
-  std::vector<std::vector<double>> Times;
-  double Difference = 0.0;
-  BenchmarkView View;
-};
 }
 
 void RunStaticMesh(const BenchmarkOptions& options, const AddTable& addTable)
@@ -207,14 +152,30 @@ void RunStaticMesh(const BenchmarkOptions& options, const AddTable& addTable)
     auto linear = MakeMapper(mesh, BenchmarkSurface::MakeLinearRecipe());
     auto curved = MakeMapper(mesh, BenchmarkSurface::MakePNRecipe());
     auto displaced = MakeMapper(mesh, BenchmarkSurface::MakeDisplacedRecipe());
-    const FrameTimes times({ fixed, linear, curved, displaced }, bounds, size.Rounds);
+    BenchmarkView view;
+    view.LookAt(bounds);
+    std::vector<unsigned char> picture;
+    double difference = 0.0;
+    BenchmarkFrames times(view, { fixed, linear, curved, displaced },
+      [&](size_t mapper)
+      {
+        if (mapper == 0)
+        {
+          picture = view.GetPicture();
+        }
+        else if (mapper == 1)
+        {
+          difference = GetMeanDifference(view.GetPicture(), picture);
+        }
+      });
+    times.Measure(size.Rounds);
 
     const double faces = static_cast<double>(linear->GetNumberOfCoarseFaces());
     const double triangles = static_cast<double>(refined->GetNumberOfPolys());
     frames.AddRow({ faces, triangles, static_cast<double>(linear->GetNumberOfUsedPatterns()),
       static_cast<double>(linear->GetNumberOfDrawCalls()), times.GetMedian(0), times.GetMedian(1),
-      times.GetRatio(1), times.GetMedian(2), times.GetRatio(2), times.GetMedian(3),
-      times.GetRatio(3), times.GetPictureDifference() });
+      times.GetRatio(1, 0), times.GetMedian(2), times.GetRatio(2, 0), times.GetMedian(3),
+      times.GetRatio(3, 0), difference });
     const double memory[] = { fixed->GetGraphicsMemorySize(),
       static_cast<double>(linear->GetGraphicsMemorySize()),
       static_cast<double>(curved->GetGraphicsMemorySize()),

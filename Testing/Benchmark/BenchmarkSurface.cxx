@@ -2,21 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BenchmarkSurface.h"
 
+#include "BenchmarkLevels.h"
+
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkCellArray.h"
 #include "vtkDisplacement.h"
-#include "vtkEdgeTags.h"
 #include "vtkFloatArray.h"
 #include "vtkHeightMap.h"
 #include "vtkImageData.h"
 #include "vtkPNTriangleSurface.h"
-#include "vtkPatternSelection.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkRefinementMesh.h"
 #include "vtkRefinementPatternTable.h"
-#include "vtkRefinementView.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,25 +68,9 @@ vtkSmartPointer<vtkDisplacement> MakeDisplacement()
 BenchmarkSurface::BenchmarkSurface(int numberOfFaces, double numberOfTriangles)
 {
   this->BuildGrid(numberOfFaces);
-  // Bisection for the mean level.
-  auto recipe = MakeLinearRecipe();
-  relevo::RefinementMesh mesh;
-  mesh.Build(this->Mesh, recipe);
-  double low = -LevelSwing - LevelNoise;
-  double high = vtkRefinementPatternTable::HighestLevel + LevelSwing + LevelNoise;
-  for (int i = 0; i < 20; ++i)
-  {
-    const double middle = 0.5 * (low + high);
-    this->SetMeanLevel(middle);
-    relevo::EdgeTags tags;
-    std::string error;
-    tags.Compute(recipe, this->Mesh, mesh, {}, error);
-    relevo::PatternSelection selection;
-    selection.Select(
-      mesh, tags, relevo::GetPatternFamily(recipe, this->Mesh), recipe->GetPatternTable());
-    const auto count = static_cast<double>(selection.GetNumberOfTriangles());
-    (count < numberOfTriangles ? low : high) = middle;
-  }
+  BenchmarkLevels::FindTags(this->Mesh, numberOfTriangles, -LevelSwing - LevelNoise,
+    vtkRefinementPatternTable::HighestLevel + LevelSwing + LevelNoise,
+    [this](double level) { this->SetMeanLevel(level); });
 }
 
 BenchmarkSurface::~BenchmarkSurface() = default;
@@ -101,12 +83,10 @@ void BenchmarkSurface::BuildGrid(int numberOfFaces)
   vtkNew<vtkPoints> points;
   vtkNew<vtkFloatArray> normals;
   vtkNew<vtkFloatArray> coordinates;
-  vtkNew<vtkFloatArray> tags;
   normals->SetNumberOfComponents(3);
   normals->SetName("Normals");
   coordinates->SetNumberOfComponents(2);
   coordinates->SetName("TextureCoordinates");
-  tags->SetName("DepthTag");
   for (int j = 0; j <= rows; ++j)
   {
     for (int i = 0; i <= columns; ++i)
@@ -120,7 +100,6 @@ void BenchmarkSurface::BuildGrid(int numberOfFaces)
       points->InsertNextPoint(x, y, wave.Z);
       normals->InsertNextTuple3(-wave.Dx / length, -wave.Dy / length, 1.0 / length);
       coordinates->InsertNextTuple2(u, v);
-      tags->InsertNextValue(0.0f);
     }
   }
   vtkNew<vtkCellArray> triangles;
@@ -137,14 +116,13 @@ void BenchmarkSurface::BuildGrid(int numberOfFaces)
   this->Mesh->SetPolys(triangles);
   this->Mesh->GetPointData()->SetNormals(normals);
   this->Mesh->GetPointData()->SetTCoords(coordinates);
-  this->Mesh->GetPointData()->AddArray(tags);
 }
 
 void BenchmarkSurface::SetMeanLevel(double level)
 {
   std::minstd_rand random;
   std::uniform_real_distribution<double> noise(-LevelNoise, LevelNoise);
-  auto* tags = vtkFloatArray::SafeDownCast(this->Mesh->GetPointData()->GetArray("DepthTag"));
+  vtkFloatArray* tags = BenchmarkLevels::GetTags(this->Mesh);
   for (vtkIdType i = 0; i < tags->GetNumberOfTuples(); ++i)
   {
     double p[3];
@@ -152,7 +130,6 @@ void BenchmarkSurface::SetMeanLevel(double level)
     const double swing = LevelSwing * std::sin(2.3 * p[0] + 0.7) * std::sin(3.1 * p[1] + 0.4);
     tags->SetValue(i, static_cast<float>(std::max(0.0, level + swing + noise(random))));
   }
-  tags->Modified();
 }
 
 vtkSmartPointer<vtkAdaptiveRefinement> BenchmarkSurface::MakeLinearRecipe()

@@ -6,9 +6,11 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkCullerCollection.h"
 #include "vtkMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkRefinementComputeState.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
@@ -17,13 +19,9 @@
 #include "vtkEGLOffscreenRenderWindow.h"
 #endif
 
-namespace
-{
-constexpr int Width = 1024;
-constexpr int Height = 768;
-}
-
-BenchmarkView::BenchmarkView()
+BenchmarkView::BenchmarkView(int width, int height)
+  : Width(width)
+  , Height(height)
 {
 #ifdef BENCHMARK_HAS_EGL
   this->Window = vtkSmartPointer<vtkEGLOffscreenRenderWindow>::New();
@@ -32,7 +30,7 @@ BenchmarkView::BenchmarkView()
   this->Window->SetOffScreenRendering(1);
 #endif
   this->Window->SetMultiSamples(0);
-  this->Window->SetSize(Width, Height);
+  this->Window->SetSize(this->Width, this->Height);
   this->Renderer->SetBackground(0.1, 0.1, 0.2);
   this->Window->AddRenderer(this->Renderer);
   this->Window->Render();
@@ -59,6 +57,13 @@ void BenchmarkView::LookAt(const double bounds[6])
   camera->Zoom(1.45);
 }
 
+void BenchmarkView::LookAway()
+{
+  // VTK would not draw what is not in sight.
+  this->Renderer->GetCullers()->RemoveAllItems();
+  this->Renderer->GetActiveCamera()->Yaw(180.0);
+}
+
 void BenchmarkView::MoveCamera()
 {
   this->Renderer->GetActiveCamera()->Azimuth(0.5);
@@ -76,7 +81,7 @@ double BenchmarkView::TimeFrame()
 std::vector<unsigned char> BenchmarkView::GetPicture()
 {
   vtkNew<vtkUnsignedCharArray> pixels;
-  this->Window->GetPixelData(0, 0, Width - 1, Height - 1, 0, pixels);
+  this->Window->GetPixelData(0, 0, this->Width - 1, this->Height - 1, 0, pixels);
   return std::vector<unsigned char>(
     pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues());
 }
@@ -84,5 +89,7 @@ std::vector<unsigned char> BenchmarkView::GetPicture()
 std::string BenchmarkView::GetOpenGLRenderer()
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Window);
-  return window->GetState()->GetRenderer() + ", OpenGL " + window->GetState()->GetVersion();
+  window->MakeCurrent();
+  return window->GetState()->GetRenderer() + ", OpenGL " + window->GetState()->GetVersion() +
+    (relevo::RefinementComputeState::IsHardware() ? ", hardware" : ", software");
 }

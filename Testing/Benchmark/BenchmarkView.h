@@ -4,8 +4,8 @@
  * @class   BenchmarkView
  * @brief   a window with one renderer, and the clock that frames are timed with
  *
- * 1024 x 768 pixels without multisampling; the context is made, and one empty frame drawn, before
- * anything is measured.
+ * 1024 x 768 pixels, unless told otherwise, without multisampling; the context is made, and one
+ * empty frame drawn, before anything is measured.
  */
 #ifndef BenchmarkView_h
 #define BenchmarkView_h
@@ -24,7 +24,7 @@ class vtkRenderer;
 class BenchmarkView
 {
 public:
-  BenchmarkView();
+  explicit BenchmarkView(int width = 1024, int height = 768);
   ~BenchmarkView();
   BenchmarkView(const BenchmarkView&) = delete;
   void operator=(const BenchmarkView&) = delete;
@@ -34,6 +34,8 @@ public:
 
   /// Look at bounds obliquely from above, so that they fill the view.
   void LookAt(const double bounds[6]);
+  /// Look the other way, so that nothing is in the picture.
+  void LookAway();
   /// Turn the camera a little around what it looks at.
   void MoveCamera();
 
@@ -43,10 +45,13 @@ public:
   /// The picture of the last frame: RGB, bytes.
   std::vector<unsigned char> GetPicture();
 
+  /// Its name, OpenGL's version, and whether it is hardware or software.
   std::string GetOpenGLRenderer();
   vtkRenderer* GetRenderer() { return this->Renderer; }
 
 private:
+  int Width;
+  int Height;
   vtkSmartPointer<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
 };

@@ -16,6 +16,7 @@ class BenchmarkTable;
 struct BenchmarkOptions
 {
   bool Quick = false;    // sizes that only show that everything runs
+  bool Full = false;     // sizes and repetitions that take long without a graphics card
   std::string HeightMap; // a raster file for the terrain; empty to make one
 };
 
@@ -33,6 +34,10 @@ void RunFlight(const BenchmarkOptions& options, const AddTable& addTable);
 void RunRules(const BenchmarkOptions& options, const AddTable& addTable);
 /// Frames with and without geomorphing and culling.
 void RunDrawing(const BenchmarkOptions& options, const AddTable& addTable);
+/// Surfaces against what their coarse mesh was made from, and RunPatterns().
+void RunQuality(const BenchmarkOptions& options, const AddTable& addTable);
+/// Shapes of triangles where levels differ.
+void RunPatterns(const BenchmarkOptions& options, const AddTable& addTable);
 /// Resident memory of the mapper and of a static mesh.
 void RunMemory(const BenchmarkOptions& options, const AddTable& addTable);
 /// A raster as terrain, against VTK's own way to draw it.

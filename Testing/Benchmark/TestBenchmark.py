@@ -25,9 +25,10 @@ class TestBenchmark(unittest.TestCase):
 
     def test_everything(self):
         markdown, report = self.run_benchmark()
-        self.assertTrue(report["facts"]["OpenGL renderer"])
+        self.assertRegex(report["facts"]["OpenGL renderer"], ", OpenGL .*, (hardware|software)$")
         tables = {table["name"]: table["rows"] for table in report["tables"]}
-        for name in ("static-mesh-frames", "static-mesh-memory", "selection", "flight", "drawing", "rules", "memory", "dem"):
+        for name in ("static-mesh-frames", "static-mesh-memory", "selection", "flight", "drawing",
+                     "quality-surfaces", "quality-patterns", "rules", "memory", "dem"):
             self.assertTrue(tables[name], name)
         for table in report["tables"]:
             self.assertIn("## " + table["title"], markdown)
@@ -35,12 +36,28 @@ class TestBenchmark(unittest.TestCase):
                 # Some rules reach errors that the reference does not.
                 values = [value for key, value in row.items() if not key.startswith("ratio_")]
                 self.assertNotIn(None, values, table["name"])
+        self.check_quality(tables)
         frames = tables["static-mesh-frames"][0]
         self.assertGreater(frames["drawn_triangles"], frames["coarse_faces"])
         self.assertLessEqual(frames["draw_calls"], 2 * frames["used_patterns"])
         self.assertLess(frames["picture_difference"], 0.1)
         self.assertEqual(len(tables["dem"]), 3)
         self.assertTrue(all(row["triangles"] > 0 for row in tables["dem"]))
+
+    def check_quality(self, tables):
+        rows = {(row["mesh"], row["surface"]): row for row in tables["quality-surfaces"]}
+        for mesh in ("sphere", "torus"):
+            linear, curved = rows[mesh, "linear"], rows[mesh, "PN"]
+            self.assertEqual(linear["triangles"], curved["triangles"])
+            for key in ("hausdorff_percent", "facet_rms", "jump_mean"):
+                self.assertLess(curved[key], linear[key], (mesh, key))
+        for row in tables["quality-patterns"]:
+            is_snapped = row["method"] == "SUAPT" and row["difference"] > 0
+            self.assertEqual(row["degenerate_percent"] > 0.0, is_snapped)
+
+    def test_without_opengl(self):
+        _, report = self.run_benchmark("quality")
+        self.assertNotIn("OpenGL renderer", report["facts"])
 
     def test_by_name(self):
         _, report = self.run_benchmark("selection")

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// relevo-benchmark [--quick] [--height-map FILE] [--output FILE.json] [NAME...]
+// relevo-benchmark [--quick | --full] [--height-map FILE] [--output FILE.json] [NAME...]
 #include "BenchmarkReport.h"
 #include "BenchmarkView.h"
 #include "Benchmarks.h"
@@ -14,6 +14,7 @@
 #include <fstream>
 #include <iomanip>
 #include <iostream>
+#include <iterator>
 #include <thread>
 #include <vector>
 
@@ -23,17 +24,19 @@ struct Benchmark
 {
   const char* Name;
   void (*Run)(const BenchmarkOptions&, const AddTable&);
+  bool NeedsOpenGL = true;
 };
 const std::vector<Benchmark> Benchmarks = {
   { "static-mesh", RunStaticMesh },
   { "selection", RunSelection },
   { "flight", RunFlight },
   { "drawing", RunDrawing },
-  { "rules", RunRules },
+  { "quality", RunQuality, false },
+  { "rules", RunRules, false },
   { "memory", RunMemory },
   { "dem", RunTerrain },
 #ifdef BENCHMARK_HAS_GOOGLE_BENCHMARK
-  { "processor", RunProcessor },
+  { "processor", RunProcessor, false },
 #endif
 };
 
@@ -69,8 +72,8 @@ int Measure(const std::vector<std::string>& arguments)
 
 int ShowUsage()
 {
-  std::cerr << "usage: relevo-benchmark [--quick] [--height-map FILE] [--output FILE.json] "
-               "[NAME...]\nNAME:";
+  std::cerr << "usage: relevo-benchmark [--quick | --full] [--height-map FILE] "
+               "[--output FILE.json] [NAME...]\nNAME:";
   for (const Benchmark& benchmark : Benchmarks)
   {
     std::cerr << ' ' << benchmark.Name;
@@ -144,6 +147,10 @@ int main(int argc, char* argv[])
     {
       options.Quick = true;
     }
+    else if (argument == "--full")
+    {
+      options.Full = true;
+    }
     else if (argument == "--height-map" && i + 1 < argc)
     {
       options.HeightMap = argv[++i];
@@ -169,19 +176,25 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
+  std::vector<Benchmark> chosen;
+  std::copy_if(Benchmarks.begin(), Benchmarks.end(), std::back_inserter(chosen),
+    [&names](const Benchmark& benchmark) {
+      return names.empty() || std::find(names.begin(), names.end(), benchmark.Name) != names.end();
+    });
   BenchmarkReport report;
-  report.AddFact("OpenGL renderer", BenchmarkView().GetOpenGLRenderer());
+  if (std::any_of(chosen.begin(), chosen.end(),
+        [](const Benchmark& benchmark) { return benchmark.NeedsOpenGL; }))
+  {
+    report.AddFact("OpenGL renderer", BenchmarkView().GetOpenGLRenderer());
+  }
   report.AddFact("VTK", vtkVersion::GetVTKVersion());
   report.AddFact("Machine",
     GetProcessor() + std::to_string(std::thread::hardware_concurrency()) + " logical cores");
   report.WriteFacts(std::cout);
   auto addTable = [&](const BenchmarkTable& table) { report.Add(table, std::cout); };
-  for (const Benchmark& benchmark : Benchmarks)
+  for (const Benchmark& benchmark : chosen)
   {
-    if (names.empty() || std::find(names.begin(), names.end(), benchmark.Name) != names.end())
-    {
-      benchmark.Run(options, addTable);
-    }
+    benchmark.Run(options, addTable);
   }
   if (!output.empty())
   {

@@ -5,9 +5,13 @@
 # Sets up, builds and runs the benchmark: Markdown on stdout, JSON in the build folder. Arguments
 # go to relevo-benchmark; without a NAME everything is measured.
 #
-#   bash Testing/Benchmark/run.sh [--quick] [--height-map FILE] [--output FILE.json] [NAME...]
+#   bash Testing/Benchmark/run.sh [--quick | --full] [--height-map FILE] [--output FILE.json] [NAME...]
 #
-# NAME is one of those that --help lists.
+# NAME is one of those that --help lists. --quick shows that everything runs, --full takes sizes
+# and repetitions that are for graphics cards. RELEVO_TEST_DATA names a folder of larger real data.
+#
+# The build folder can be copied to another machine with the same VTK, whatever the path: there
+# run bin/relevo-benchmark of the copy. It needs no display (EGL), and names the renderer.
 set -euo pipefail
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Shape and number of the patterns' triangles, in the equilateral triangle, against SUAPT: the
-// uniform pattern of the highest level whose border vertices move to the nearest point of a coarser
-// edge (Lenz 2009, section 5), and against what no triangulation can surpass.
+// Shape and number of the patterns' triangles, in the equilateral triangle, against SUAPT and
+// against what no triangulation can surpass.
 #include "RelevoCheck.h"
+#include "RelevoPatternQuality.h"
 
 #include "vtkRefinementPattern.h"
 #include "vtkRefinementPatternTable.h"
@@ -25,54 +25,17 @@ double Degrees(double radians)
 }
 
 /// The smallest angle of each triangle, in degrees; degenerate triangles are left out.
-std::vector<double> SmallestAngles(
-  const std::vector<float>& weights, const std::vector<unsigned int>& triangles)
+std::vector<double> SmallestAngles(const vtkRefinementPattern& pattern)
 {
   std::vector<double> angles;
-  for (std::size_t t = 0; t < triangles.size(); t += 3)
+  for (const RelevoPatternQuality::Shape& shape : RelevoPatternQuality::GetShapes(pattern))
   {
-    double x[3], y[3];
-    for (int i = 0; i < 3; ++i)
+    if (!shape.IsDegenerate())
     {
-      const float* w = &weights[3 * triangles[t + i]];
-      x[i] = w[1] + 0.5 * w[2];
-      y[i] = std::sqrt(0.75) * w[2];
+      angles.push_back(shape.SmallestAngle);
     }
-    const double area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
-    if (area < 1e-12)
-    {
-      continue;
-    }
-    double smallest = 180.0;
-    for (int i = 0; i < 3; ++i)
-    {
-      const int j = (i + 1) % 3;
-      const int k = (i + 2) % 3;
-      const double dot = (x[j] - x[i]) * (x[k] - x[i]) + (y[j] - y[i]) * (y[k] - y[i]);
-      smallest = std::min(smallest, Degrees(std::atan2(area, dot)));
-    }
-    angles.push_back(smallest);
   }
   return angles;
-}
-
-/// The uniform pattern with each border vertex moved to the nearest point of its edge's own level.
-std::vector<double> SuaptAngles(vtkRefinementPatternTable* table, const int levels[3])
-{
-  const int n = 1 << levels[0];
-  vtkRefinementPattern pattern = table->GetPatternOfSegments(n, n, n);
-  std::size_t vertex = 3;
-  for (int edge = 0; edge < 3; ++edge)
-  {
-    const int segments = 1 << levels[edge];
-    for (int k = 1; k < n; ++k, ++vertex)
-    {
-      const float far = static_cast<float>((2 * k * segments + n) / (2 * n)) / segments;
-      pattern.Vertices[3 * vertex + edge] = 1.0f - far;
-      pattern.Vertices[3 * vertex + (edge + 1) % 3] = far;
-    }
-  }
-  return SmallestAngles(pattern.Vertices, pattern.Triangles);
 }
 
 /// The largest angle that a triangulation can have at a corner whose edges' first points are at
@@ -130,7 +93,7 @@ int TestRefinementPatternQuality(int, char*[])
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
         slowest = std::max(slowest, seconds.count());
         total += seconds.count();
-        const auto angles = SmallestAngles(pattern.Vertices, pattern.Triangles);
+        const auto angles = SmallestAngles(pattern);
         CHECK(static_cast<int>(angles.size()) == pattern.GetNumberOfTriangles());
         if (i == k)
         {
@@ -145,7 +108,7 @@ int TestRefinementPatternQuality(int, char*[])
         fewest = std::min(fewest, pattern.GetNumberOfTriangles() / geometric);
         most = std::max(most, pattern.GetNumberOfTriangles() / arithmetic);
 
-        const auto suapt = SuaptAngles(table, levels);
+        const auto suapt = SmallestAngles(RelevoPatternQuality::MakeSuaptPattern(table, levels));
         const int difference = i - k;
         minima[difference].push_back(Minimum(angles));
         counts[difference].push_back(angles.size());
