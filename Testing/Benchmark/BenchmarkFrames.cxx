@@ -13,6 +13,7 @@ BenchmarkFrames::BenchmarkFrames(BenchmarkView& view, const std::vector<vtkMappe
   const std::function<void(size_t)>& onFirst)
   : View(view)
   , Times(mappers.size())
+  , ProcessorTimes(mappers.size())
 {
   for (vtkMapper* mapper : mappers)
   {
@@ -22,7 +23,7 @@ BenchmarkFrames::BenchmarkFrames(BenchmarkView& view, const std::vector<vtkMappe
   view.MoveCamera();
   for (size_t m = 0; m < mappers.size(); ++m)
   {
-    this->TimeFrame(m);
+    this->DrawFrame(m, false);
     if (onFirst)
     {
       onFirst(m);
@@ -46,17 +47,22 @@ void BenchmarkFrames::Measure(int rounds, int minimum, double seconds)
     this->View.MoveCamera();
     for (size_t m = 0; m < this->Actors.size(); ++m)
     {
-      this->Times[m].push_back(this->TimeFrame(m));
+      this->DrawFrame(m, true);
     }
   }
 }
 
-double BenchmarkFrames::TimeFrame(size_t mapper)
+void BenchmarkFrames::DrawFrame(size_t mapper, bool isMeasured)
 {
   this->Actors[mapper]->VisibilityOn();
-  const double milliseconds = 1e3 * this->View.TimeFrame();
+  const double start = GetProcessorSeconds();
+  const double seconds = this->View.TimeFrame();
+  if (isMeasured)
+  {
+    this->ProcessorTimes[mapper].push_back(GetProcessorSeconds() - start);
+    this->Times[mapper].push_back(1e3 * seconds);
+  }
   this->Actors[mapper]->VisibilityOff();
-  return milliseconds;
 }
 
 double BenchmarkFrames::GetMedian(size_t mapper) const
@@ -67,4 +73,9 @@ double BenchmarkFrames::GetMedian(size_t mapper) const
 double BenchmarkFrames::GetRatio(size_t mapper, size_t reference) const
 {
   return GetMedianRatio(this->Times[mapper], this->Times[reference]);
+}
+
+double BenchmarkFrames::GetProcessorRatio(size_t mapper, size_t reference) const
+{
+  return GetMedianRatio(this->ProcessorTimes[mapper], this->ProcessorTimes[reference]);
 }

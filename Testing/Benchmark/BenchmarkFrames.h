@@ -37,14 +37,17 @@ public:
   double GetMedian(size_t mapper) const;
   /// Of a mapper's frames to those of another.
   double GetRatio(size_t mapper, size_t reference) const;
+  /// The same in GetProcessorSeconds().
+  double GetProcessorRatio(size_t mapper, size_t reference) const;
   int GetNumberOfRounds() const { return static_cast<int>(this->Times[0].size()); }
 
 private:
-  double TimeFrame(size_t mapper);
+  void DrawFrame(size_t mapper, bool isMeasured);
 
   BenchmarkView& View;
   std::vector<vtkSmartPointer<vtkActor>> Actors;
   std::vector<std::vector<double>> Times; // milliseconds
+  std::vector<std::vector<double>> ProcessorTimes;
 };
 
 #endif

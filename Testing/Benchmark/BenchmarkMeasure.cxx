@@ -3,9 +3,22 @@
 #include "BenchmarkMeasure.h"
 
 #include <algorithm>
+#include <ctime>
 #include <fstream>
 #include <limits>
 #include <string>
+
+double GetProcessorSeconds()
+{
+#ifdef CLOCK_PROCESS_CPUTIME_ID
+  timespec time;
+  if (clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time) == 0)
+  {
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  }
+#endif
+  return std::numeric_limits<double>::quiet_NaN();
+}
 
 double GetMedian(std::vector<double> values)
 {

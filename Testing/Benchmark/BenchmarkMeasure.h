@@ -22,6 +22,10 @@ private:
   std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
 };
 
+/// Seconds that all cores together have spent on this process: what other programs do on them
+/// hardly counts. NaN where the system does not tell.
+double GetProcessorSeconds();
+
 /// NaN for no values.
 double GetMedian(std::vector<double> values);
 

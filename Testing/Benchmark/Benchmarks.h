@@ -34,6 +34,8 @@ void RunFlight(const BenchmarkOptions& options, const AddTable& addTable);
 void RunRules(const BenchmarkOptions& options, const AddTable& addTable);
 /// Frames with and without geomorphing and culling.
 void RunDrawing(const BenchmarkOptions& options, const AddTable& addTable);
+/// The mapper's methods against each other.
+void RunMethods(const BenchmarkOptions& options, const AddTable& addTable);
 /// Surfaces against what their coarse mesh was made from, and RunPatterns().
 void RunQuality(const BenchmarkOptions& options, const AddTable& addTable);
 /// Shapes of triangles where levels differ.

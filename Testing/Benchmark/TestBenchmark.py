@@ -28,7 +28,8 @@ class TestBenchmark(unittest.TestCase):
         self.assertRegex(report["facts"]["OpenGL renderer"], ", OpenGL .*, (hardware|software)$")
         tables = {table["name"]: table["rows"] for table in report["tables"]}
         for name in ("static-mesh-frames", "static-mesh-memory", "selection", "flight", "drawing",
-                     "quality-surfaces", "quality-patterns", "rules", "memory", "dem"):
+                     "methods", "methods-small", "methods-work", "quality-surfaces",
+                     "quality-patterns", "rules", "memory", "dem"):
             self.assertTrue(tables[name], name)
         for table in report["tables"]:
             self.assertIn("## " + table["title"], markdown)
@@ -36,6 +37,7 @@ class TestBenchmark(unittest.TestCase):
                 # Some rules reach errors that the reference does not.
                 values = [value for key, value in row.items() if not key.startswith("ratio_")]
                 self.assertNotIn(None, values, table["name"])
+        self.check_methods(tables)
         self.check_quality(tables)
         frames = tables["static-mesh-frames"][0]
         self.assertGreater(frames["drawn_triangles"], frames["coarse_faces"])
@@ -43,6 +45,16 @@ class TestBenchmark(unittest.TestCase):
         self.assertLess(frames["picture_difference"], 0.1)
         self.assertEqual(len(tables["dem"]), 3)
         self.assertTrue(all(row["triangles"] > 0 for row in tables["dem"]))
+
+    def check_methods(self, tables):
+        self.assertEqual({row["mesh"] for row in tables["methods"]},
+                         {"sphere2", "jet", "pacman2"})
+        for row, work in zip(tables["methods"], tables["methods-work"]):
+            self.assertEqual(row["selections"], 0)
+            self.assertLess(abs(row["triangles"] / row["published_triangles"] - 1.0), 0.02)
+            self.assertEqual(work["arkfpi_triangles"], row["triangles"])
+            self.assertEqual(work["ark_draw_calls"], row["faces"])
+            self.assertLess(work["arkfpi_draw_calls"], work["ark_draw_calls"])
 
     def check_quality(self, tables):
         rows = {(row["mesh"], row["surface"]): row for row in tables["quality-surfaces"]}

@@ -31,6 +31,7 @@ const std::vector<Benchmark> Benchmarks = {
   { "selection", RunSelection },
   { "flight", RunFlight },
   { "drawing", RunDrawing },
+  { "methods", RunMethods },
   { "quality", RunQuality, false },
   { "rules", RunRules, false },
   { "memory", RunMemory },
