@@ -34,6 +34,17 @@ inline vec3 GetPNTangent(const vec3& edge, const vec3& normal, float rise = 1.0f
   return edge - rise * dot(edge, normal) * normal;
 }
 
+/// The control points of the edge beside its ends: 6 floats.
+inline void StorePNEdge(
+  const vtkRefinementSurface::Corner& from, const vtkRefinementSurface::Corner& to, float* points)
+{
+  const vec3 a = SurfaceCorners::load(from.Point);
+  const vec3 b = SurfaceCorners::load(to.Point);
+  // On a straight edge the thirds themselves: (2 a + b) / 3 without its rounding.
+  store(a + GetPNTangent(b - a, SurfaceCorners::load(from.Normal)) / 3.0f, points);
+  store(b + GetPNTangent(a - b, SurfaceCorners::load(to.Normal)) / 3.0f, points + 3);
+}
+
 /// The normal amid an edge: the sum of those at its ends, mirrored in the plane across the edge.
 vec3 GetPNMiddleNormal(const vec3& edge, const vec3& normalA, const vec3& normalB);
 

@@ -34,18 +34,14 @@ vtkPNTriangleSurface::~vtkPNTriangleSurface() = default;
 
 void vtkPNTriangleSurface::ComputeEdgeVectors(const Corner& from, const Corner& to, float* vectors)
 {
-  using relevo::SurfaceCorners;
-  const glm::vec3 a = SurfaceCorners::load(from.Point);
-  const glm::vec3 b = SurfaceCorners::load(to.Point);
-  const glm::vec3 na = SurfaceCorners::load(from.Normal);
-  const glm::vec3 nb = SurfaceCorners::load(to.Normal);
-  const glm::vec3 edge = b - a;
-  // On a straight edge the thirds themselves: (2 a + b) / 3 without its rounding.
-  relevo::store(a + relevo::GetPNTangent(edge, na) / 3.0f, vectors);
-  relevo::store(b + relevo::GetPNTangent(-edge, nb) / 3.0f, vectors + 3);
+  relevo::StorePNEdge(from, to, vectors);
   if (this->QuadraticNormals)
   {
-    relevo::store(relevo::GetPNMiddleNormal(edge, na, nb), vectors + 6);
+    using relevo::SurfaceCorners;
+    relevo::store(
+      relevo::GetPNMiddleNormal(SurfaceCorners::load(to.Point) - SurfaceCorners::load(from.Point),
+        SurfaceCorners::load(from.Normal), SurfaceCorners::load(to.Normal)),
+      vectors + 6);
   }
 }
 

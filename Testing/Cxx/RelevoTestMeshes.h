@@ -8,12 +8,15 @@
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCleanPolyData.h"
 #include "vtkConeSource.h"
 #include "vtkCubeSource.h"
 #include "vtkFloatArray.h"
 #include "vtkHeightField.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkParametricFunctionSource.h"
+#include "vtkParametricTorus.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -262,6 +265,27 @@ inline Mesh Sphere(int theta, int phi)
   source->Update();
   Mesh mesh = Make();
   mesh->DeepCopy(source->GetOutput());
+  return mesh;
+}
+
+// Of radii 1 and 0.5 about the z axis, with its exact normals.
+inline Mesh Torus(int u = 14, int v = 9)
+{
+  vtkNew<vtkParametricTorus> torus;
+  vtkNew<vtkParametricFunctionSource> source;
+  source->SetParametricFunction(torus);
+  source->SetUResolution(u);
+  source->SetVResolution(v);
+  vtkNew<vtkCleanPolyData> clean;
+  clean->SetInputConnection(source->GetOutputPort());
+  clean->SetTolerance(1e-5);
+  clean->Update();
+  Mesh mesh = Make();
+  mesh->DeepCopy(clean->GetOutput());
+  AddTextureCoordinates(mesh,
+    [](const double* p) {
+      return std::array<double, 2>{ { 0.3 * p[0] + 0.5, 0.3 * p[1] + 0.5 } };
+    });
   return mesh;
 }
 

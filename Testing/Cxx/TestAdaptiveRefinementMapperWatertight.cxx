@@ -12,8 +12,6 @@
 #include "vtkFeatureEdges.h"
 #include "vtkPLYReader.h"
 #include "vtkPNTriangleSurface.h"
-#include "vtkParametricFunctionSource.h"
-#include "vtkParametricTorus.h"
 #include "vtkTriangleFilter.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtksys/SystemTools.hxx"
@@ -21,26 +19,6 @@
 namespace
 {
 using namespace RelevoMeshes;
-
-Mesh Torus()
-{
-  vtkNew<vtkParametricTorus> torus;
-  vtkNew<vtkParametricFunctionSource> source;
-  source->SetParametricFunction(torus);
-  source->SetUResolution(14);
-  source->SetVResolution(9);
-  vtkNew<vtkCleanPolyData> clean;
-  clean->SetInputConnection(source->GetOutputPort());
-  clean->SetTolerance(1e-5);
-  clean->Update();
-  Mesh mesh = Make();
-  mesh->DeepCopy(clean->GetOutput());
-  AddTextureCoordinates(mesh,
-    [](const double* p) {
-      return std::array<double, 2>{ { 0.3 * p[0] + 0.5, 0.3 * p[1] + 0.5 } };
-    });
-  return mesh;
-}
 
 // The triangles of the mesh read, with a cone over its boundary.
 Mesh Close(vtkAlgorithm* reader)

@@ -3,6 +3,7 @@
 // PN triangles against their closed formula, computed here in double, and on spheres and cubes.
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
+#include "RelevoVector.h"
 
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
@@ -12,37 +13,10 @@
 #include <algorithm>
 
 using namespace RelevoMeshes;
+using namespace RelevoVectors;
 
 namespace
 {
-using Vector = std::array<double, 3>;
-
-Vector operator+(const Vector& a, const Vector& b)
-{
-  return { { a[0] + b[0], a[1] + b[1], a[2] + b[2] } };
-}
-
-Vector operator*(double s, const Vector& a)
-{
-  return { { s * a[0], s * a[1], s * a[2] } };
-}
-
-Vector operator-(const Vector& a, const Vector& b)
-{
-  return a + -1.0 * b;
-}
-
-double dot(const Vector& a, const Vector& b)
-{
-  return vtkMath::Dot(a.data(), b.data());
-}
-
-Vector normalize(Vector a)
-{
-  vtkMath::Normalize(a.data());
-  return a;
-}
-
 // Vlachos et al. 2001, with w for P1, u for P2, v for P3.
 struct PNTriangle
 {
