@@ -8,9 +8,7 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
-
-#include <algorithm>
-#include <vector>
+#include "vtkShaderLog.h"
 
 namespace relevo
 {
@@ -20,16 +18,6 @@ namespace
 constexpr GLuint MostBuffers = 8;
 // And as many work groups along one axis.
 constexpr int MostGroups = 65535;
-
-template <typename GetParameter, typename GetLog>
-std::string GetInfoLog(GLuint object, const GetParameter& getParameter, const GetLog& getLog)
-{
-  GLint length = 0;
-  getParameter(object, GL_INFO_LOG_LENGTH, &length);
-  std::vector<GLchar> text(static_cast<size_t>(std::max(length, 1)), '\0');
-  getLog(object, static_cast<GLsizei>(text.size()), nullptr, text.data());
-  return text.data();
-}
 }
 
 bool RefinementComputeProgram::IsSupported()
@@ -50,29 +38,17 @@ bool RefinementComputeProgram::Build(const std::string& source)
   }
   this->ReleaseGraphicsResources();
   this->Source = source;
-  const std::string whole = relevoComputeCS + source;
-  const GLchar* text = whole.c_str();
-  const GLuint shader = glCreateShader(GL_COMPUTE_SHADER);
-  glShaderSource(shader, 1, &text, nullptr);
-  glCompileShader(shader);
-  GLint valid = GL_FALSE;
-  glGetShaderiv(shader, GL_COMPILE_STATUS, &valid);
-  if (!valid)
+  const GLuint shader =
+    CompileShader(GL_COMPUTE_SHADER, "compute", relevoComputeCS + source, this->Error);
+  if (!shader)
   {
-    this->Error =
-      "a compute shader does not compile: " + GetInfoLog(shader, glGetShaderiv, glGetShaderInfoLog);
-    glDeleteShader(shader);
     return false;
   }
   this->Handle = glCreateProgram();
   glAttachShader(this->Handle, shader);
-  glLinkProgram(this->Handle);
   glDeleteShader(shader); // once the program is gone
-  glGetProgramiv(this->Handle, GL_LINK_STATUS, &valid);
-  if (!valid)
+  if (!LinkProgram(this->Handle, "compute", this->Error))
   {
-    this->Error = "a compute shader does not link: " +
-      GetInfoLog(this->Handle, glGetProgramiv, glGetProgramInfoLog);
     this->ReleaseGraphicsResources();
     return false;
   }

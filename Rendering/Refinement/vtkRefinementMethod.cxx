@@ -5,6 +5,9 @@
 #include "vtkARKFPIMethod.h"
 #include "vtkARKMethod.h"
 #include "vtkAdaptiveRefinementMapper.h"
+#include "vtkDMRMethod.h"
+#include "vtkSUAPTMethod.h"
+#include "vtkUniformMethod.h"
 
 namespace relevo
 {
@@ -17,6 +20,12 @@ std::unique_ptr<RefinementMethod> RefinementMethod::New(int method)
   {
     case vtkAdaptiveRefinementMapper::METHOD_ARK:
       return std::unique_ptr<RefinementMethod>(new ARKMethod);
+    case vtkAdaptiveRefinementMapper::METHOD_DMR:
+      return std::unique_ptr<RefinementMethod>(new DMRMethod);
+    case vtkAdaptiveRefinementMapper::METHOD_SUAPT:
+      return std::unique_ptr<RefinementMethod>(new SUAPTMethod);
+    case vtkAdaptiveRefinementMapper::METHOD_UNIFORM:
+      return std::unique_ptr<RefinementMethod>(new UniformMethod);
     default:
       return std::unique_ptr<RefinementMethod>(new ARKFPIMethod);
   }

@@ -1,33 +1,37 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkAdaptiveRefinementMapper::SetMethod(): every method shows what ARKFPI shows.
-#include "RelevoScene.h"
+// vtkAdaptiveRefinementMapper::SetMethod(): every method draws what ARKFPI draws.
+#include "RelevoMethods.h"
 #include "RelevoTestMeshes.h"
 
 #include "vtkDisplacement.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPNTriangleSurface.h"
+
+#include <initializer_list>
 
 namespace
 {
 using namespace RelevoMeshes;
-using Mapper = vtkAdaptiveRefinementMapper;
+using namespace RelevoMethods;
 
-const char* const Names[] = { "ARKFPI", "ARK", "DMR", "SUAPT", "HardwareTessellation", "Uniform" };
-
-// A scene of one mesh with depth-tags, drawn again and again.
+// One mesh, drawn by one method after another.
 struct Subject
 {
-  Subject(Mesh mesh, int level, int morphing)
+  explicit Subject(vtkDataObject* mesh, int level = 4)
     : Scene(RelevoScene::Refining)
   {
+    this->Heights->FillRandom(64, 64, 9);
+    this->Displacement->SetHeightMap(this->Heights);
+    this->Displacement->SetScale(0.1);
     this->Recipe->SetMaximumLevel(level);
     this->Recipe->SetSurface(this->Surface);
-    this->Recipe->SetGeomorphing(morphing);
+    this->Recipe->SetGeomorphing(0);
     this->Scene.Add(mesh, this->Recipe);
-    this->GetMapper()->SetSelectionDeviceToCPU();
     this->Scene.ResetCameras();
   }
   Mapper* GetMapper() { return this->Scene.GetMapper(0); }
+  vtkProperty* GetProperty() { return this->Scene.GetActor(0)->GetProperty(); }
 
   RelevoPicture Draw(int method)
   {
@@ -36,16 +40,23 @@ struct Subject
     return RelevoPicture(this->Scene.Window);
   }
 
+  vtkNew<RelevoHeights> Heights;
+  vtkNew<vtkDisplacement> Displacement;
   vtkNew<vtkPNTriangleSurface> Surface;
   vtkNew<vtkAdaptiveRefinement> Recipe;
   RelevoScene Scene;
 };
 
-Mesh Noisy(unsigned int seed, int level)
+Mesh Noisy(unsigned int seed)
 {
   Mesh mesh = Sphere(12, 8);
   PerturbNormals(mesh, seed, 0.3);
   AddRandomTextureCoordinates(mesh, seed);
+  return mesh;
+}
+
+Mesh Tagged(Mesh mesh, unsigned int seed, int level)
+{
   AddTags(mesh, seed, level);
   return mesh;
 }
@@ -77,30 +88,179 @@ void TestARK(RelevoCheck& check, RelevoComparison& comparison)
 {
   for (int morphing : { 0, 1 })
   {
-    Subject subject(Noisy(3, 5), 5, morphing);
-    vtkNew<RelevoHeights> rough;
-    rough->FillRandom(64, 64, 9);
-    vtkNew<vtkDisplacement> displacement;
-    displacement->SetHeightMap(rough);
-    displacement->SetScale(0.1);
-    subject.Recipe->SetDisplacement(displacement);
-    subject.GetMapper()->FrustumCullingOff();
+    Subject subject(Tagged(Noisy(3), 3, 5), 5);
+    Mapper* mapper = subject.GetMapper();
+    mapper->SetSelectionDeviceToCPU();
+    mapper->FrustumCullingOff();
+    subject.Recipe->SetGeomorphing(morphing);
+    subject.Recipe->SetDisplacement(subject.Displacement);
     for (int representation : { VTK_SURFACE, VTK_WIREFRAME, VTK_POINTS })
     {
-      subject.Scene.GetActor(0)->GetProperty()->SetRepresentation(representation);
+      subject.GetProperty()->SetRepresentation(representation);
       const RelevoPicture expected = subject.Draw(Mapper::METHOD_ARKFPI);
-      const vtkIdType triangles = subject.GetMapper()->GetNumberOfDrawnTriangles();
-      const vtkIdType builds = subject.GetMapper()->GetNumberOfBufferBuilds();
+      const vtkIdType triangles = mapper->GetNumberOfDrawnTriangles();
       const RelevoPicture actual = subject.Draw(Mapper::METHOD_ARK);
-      CHECK(subject.GetMapper()->GetMethodInUse() == Mapper::METHOD_ARK);
-      CHECK(subject.GetMapper()->GetNumberOfDrawCalls() ==
-        subject.GetMapper()->GetNumberOfCoarseFaces());
-      CHECK(subject.GetMapper()->GetNumberOfDrawnTriangles() == triangles);
-      CHECK(subject.GetMapper()->GetNumberOfBufferBuilds() == builds);
+      CHECK(mapper->GetMethodInUse() == Mapper::METHOD_ARK);
+      CHECK(mapper->GetNumberOfDrawCalls() == mapper->GetNumberOfCoarseFaces());
+      CHECK(mapper->GetNumberOfDrawnTriangles() == triangles);
       comparison.Compare("ARK" + std::to_string(morphing) + "." + std::to_string(representation),
         RelevoTolerance(), actual, expected);
     }
   }
+}
+
+// With one level everywhere all methods have the same triangles. Where two share a pixel's depth
+// the order of drawing decides, and the order of a triangle's corners on the last bit.
+void TestEqualLevels(RelevoCheck& check, RelevoComparison& comparison)
+{
+  RelevoTolerance tolerance;
+  tolerance.Color = 3;
+  tolerance.Depth = 1e-5;
+  tolerance.Pixels = 20;
+  struct Case
+  {
+    std::string Name;
+    Mesh Input;
+    RelevoComparison::Builder Change; // nullptr for none
+  };
+  const auto inColors = [](RelevoScene& scene) { scene.GetMapper(0)->SetColorModeToLevel(); };
+  const auto byPatterns = [](RelevoScene& scene) { scene.GetMapper(0)->SetColorModeToPattern(); };
+  const auto clipped = [](RelevoScene& scene) { scene.Renderer->GetActiveCamera()->Zoom(4.0); };
+  for (const Case& c : std::initializer_list<Case>{ { "Sphere", Noisy(1), nullptr },
+         { "SplitNormals", Cube(), nullptr }, { "Strips", Strips(), nullptr },
+         { "Mixed", Mixed(), nullptr }, { "Levels", Noisy(2), inColors },
+         { "Patterns", Noisy(2), byPatterns }, { "Culled", Noisy(3), clipped } })
+  {
+    for (bool displaced : { false, true })
+    {
+      if (displaced && !c.Input->GetPointData()->GetTCoords())
+      {
+        continue;
+      }
+      Subject subject(c.Input);
+      subject.Recipe->SetDisplacement(displaced ? subject.Displacement.Get() : nullptr);
+      subject.Heights->Punch([](int x, int y) { return x > 40 && y > 40; });
+      if (c.Change)
+      {
+        c.Change(subject.Scene);
+      }
+      const RelevoPicture expected = subject.Draw(Mapper::METHOD_ARKFPI);
+      for (int method : GetMethods())
+      {
+        const RelevoPicture actual = subject.Draw(method);
+        CHECK(subject.GetMapper()->GetMethodInUse() == method);
+        comparison.Compare(c.Name + (displaced ? ".Displaced." : ".") + GetName(method), tolerance,
+          actual, expected);
+      }
+    }
+  }
+}
+
+// Back and forth: neither the mesh nor, once written, the levels are made again; what a method kept
+// on the GPU goes with it.
+void TestSwitching(RelevoCheck& check, RelevoComparison& comparison)
+{
+  Subject subject(Tagged(Noisy(4), 4, 4));
+  Mapper* mapper = subject.GetMapper();
+  mapper->SetSelectionDeviceToCPU();
+  std::map<int, RelevoPicture> pictures;
+  for (int method : GetMethods())
+  {
+    pictures.insert({ method, subject.Draw(method) });
+  }
+  const vtkIdType builds = mapper->GetNumberOfBufferBuilds();
+  const vtkIdType selections = mapper->GetNumberOfSelections();
+  std::map<int, vtkTypeInt64> sizes;
+  for (int round = 0; round < 2; ++round)
+  {
+    for (int method : GetMethods())
+    {
+      const RelevoPicture actual = subject.Draw(method);
+      comparison.Compare(
+        std::string("Back.") + GetName(method), RelevoTolerance(), actual, pictures.at(method));
+      const vtkTypeInt64 size = mapper->GetGraphicsMemorySize();
+      CHECK(round == 0 || sizes[method] == size);
+      sizes[method] = size;
+    }
+  }
+  CHECK(mapper->GetNumberOfBufferBuilds() == builds);
+  CHECK(mapper->GetNumberOfSelections() == selections);
+  CHECK(builds == 1 && selections == 1);
+
+  // An unchanged view costs nothing, and a stream has 48 bytes per triangle.
+  subject.Draw(Mapper::METHOD_DMR);
+  const vtkTypeInt64 withStream = mapper->GetGraphicsMemorySize();
+  CHECK(withStream > 48 * mapper->GetNumberOfDrawnTriangles());
+  const vtkIdType shaders = mapper->GetNumberOfShaderBuilds();
+  subject.Draw(Mapper::METHOD_DMR);
+  CHECK(mapper->GetNumberOfShaderBuilds() == shaders);
+  CHECK(mapper->GetGraphicsMemorySize() == withStream);
+
+  for (int method : GetMethods())
+  {
+    subject.Draw(method);
+    mapper->ReleaseGraphicsResources(subject.Scene.Window);
+    const RelevoPicture actual = subject.Draw(method);
+    comparison.Compare(
+      std::string("Released.") + GetName(method), RelevoTolerance(), actual, pictures.at(method));
+  }
+}
+
+// What a method cannot draw is drawn by ARKFPI.
+void TestSubstitute(RelevoCheck& check, RelevoComparison& comparison)
+{
+  Subject subject(Tagged(Noisy(5), 5, 4));
+  Mapper* mapper = subject.GetMapper();
+  mapper->SetSelectionDeviceToCPU();
+  RelevoErrors errors(mapper);
+  for (int representation : { VTK_WIREFRAME, VTK_POINTS })
+  {
+    subject.GetProperty()->SetRepresentation(representation);
+    const RelevoPicture expected = subject.Draw(Mapper::METHOD_ARKFPI);
+    const RelevoPicture actual = subject.Draw(Mapper::METHOD_DMR);
+    CHECK(mapper->GetMethodInUse() == Mapper::METHOD_ARKFPI);
+    comparison.Compare(
+      "Substitute." + std::to_string(representation), RelevoTolerance(), actual, expected);
+    subject.Draw(Mapper::METHOD_SUAPT);
+    CHECK(mapper->GetMethodInUse() == Mapper::METHOD_SUAPT);
+  }
+  subject.GetProperty()->SetRepresentationToSurface();
+  CHECK(errors.None());
+
+  subject.Recipe->SetSegmentPolicyToWholeNumbers();
+  const RelevoPicture expected = subject.Draw(Mapper::METHOD_ARKFPI);
+  const RelevoPicture actual = subject.Draw(Mapper::METHOD_DMR);
+  CHECK(errors.Said("DMR cannot be used: It halves edges"));
+  CHECK(mapper->GetMethod() == Mapper::METHOD_DMR);
+  CHECK(mapper->GetMethodInUse() == Mapper::METHOD_ARKFPI);
+  comparison.Compare("WholeNumbers", RelevoTolerance(), actual, expected);
+  subject.Draw(Mapper::METHOD_DMR);
+  CHECK(errors.None()); // said once
+  subject.Recipe->SetSegmentPolicyToPowersOfTwo();
+  subject.Draw(Mapper::METHOD_DMR);
+  CHECK(errors.None());
+  CHECK(mapper->GetMethodInUse() == Mapper::METHOD_DMR);
+}
+
+// Blocks follow.
+void TestBlocks(RelevoCheck& check)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  Mesh one = Noisy(1);
+  Mesh two = Cube();
+  blocks->SetBlock(0, one);
+  blocks->SetBlock(1, two);
+  Subject subject(blocks, 2);
+  Mapper* mapper = subject.GetMapper();
+  mapper->FrustumCullingOff();
+  subject.Draw(Mapper::METHOD_ARK);
+  CHECK(mapper->GetMethodInUse() == Mapper::METHOD_ARK);
+  CHECK(mapper->GetNumberOfDrawCalls() == mapper->GetNumberOfCoarseFaces());
+  CHECK(mapper->GetNumberOfCoarseFaces() == one->GetNumberOfCells() + 2 * two->GetNumberOfCells());
+  subject.Draw(Mapper::METHOD_DMR);
+  CHECK(mapper->GetMethodInUse() == Mapper::METHOD_DMR);
+  CHECK(mapper->GetNumberOfDrawCalls() == 2);
+  CHECK(mapper->GetNumberOfDrawnTriangles() == 16 * mapper->GetNumberOfCoarseFaces());
 }
 }
 
@@ -110,5 +270,9 @@ int TestAdaptiveRefinementMapperMethods(int argc, char* argv[])
   RelevoComparison comparison(check, argc, argv);
   TestSetting(check);
   TestARK(check, comparison);
+  TestEqualLevels(check, comparison);
+  TestSwitching(check, comparison);
+  TestSubstitute(check, comparison);
+  TestBlocks(check);
   return check.GetResult();
 }

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkUniformMethod.h"
+
+#include "relevoInstancedVS.h"
+#include "relevoPatternVS.h"
+#include "relevoPermutedVS.h"
+
+#include "vtkRefinementMesh.h"
+#include "vtkRefinementPattern.h"
+#include "vtkRefinementPatternTable.h"
+#include "vtkRefinementShader.h"
+#include "vtkViewSelection.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace relevo
+{
+namespace
+{
+int GetMostSegments(const PatternSelection& selection)
+{
+  int most = 1;
+  for (int face = 0; face < selection.GetNumberOfFaces(); ++face)
+  {
+    const int* segments = selection.GetFacePattern(face).Pattern->Segments;
+    most = std::max(most, *std::max_element(segments, segments + 3));
+  }
+  return most;
+}
+}
+
+int UniformMethod::GetSegments(const PatternSelection&, int, int most) const
+{
+  return most;
+}
+
+void UniformMethod::Group(const RefinementDrawing& drawing, std::vector<unsigned int>& instances,
+  std::vector<PatternGroup>& groups) const
+{
+  const PatternSelection& selection = drawing.Selection->GetSelection();
+  const int most = GetMostSegments(selection);
+  // A uniform pattern is the same in any order of the corners, but for the winding.
+  std::map<std::pair<int, bool>, std::vector<unsigned int>> faces;
+  for (unsigned int instance : selection.Instances)
+  {
+    const unsigned int face = instance >> 3;
+    faces[{ this->GetSegments(selection, static_cast<int>(face), most),
+            drawing.Mesh->Faces[face].IsTurned() }]
+      .push_back(face << 3);
+  }
+  for (const auto& group : faces)
+  {
+    const int n = group.first.first;
+    groups.push_back({ &drawing.Table->GetPatternOfSegments(n, n, n), group.first.second,
+      static_cast<int>(instances.size()), static_cast<int>(group.second.size()) });
+    instances.insert(instances.end(), group.second.begin(), group.second.end());
+  }
+}
+
+bool UniformMethod::Upload(const RefinementDrawing& drawing)
+{
+  Slot& slot = this->Slots[drawing.Slot];
+  const vtkMTimeType time = drawing.Selection->GetGroupsTime();
+  std::vector<unsigned int> instances;
+  if (slot.GroupsTime != time)
+  {
+    slot.Groups.clear();
+    this->Group(drawing, instances, slot.Groups);
+    slot.GroupsTime = time;
+  }
+  drawing.Patterns->Load(drawing.Table, slot.Groups, drawing.HasLines);
+  this->Error = RefinementBuffer::GetTooLarge();
+  return this->Instances.Upload(drawing.Window, drawing.Slot, instances, time);
+}
+
+void UniformMethod::Describe(const RefinementDrawing&, RefinementShaderOptions& options) const
+{
+  options.PlacementSource = std::string(relevoPatternVS) + relevoInstancedVS + relevoPermutedVS;
+}
+
+int UniformMethod::Draw(
+  const RefinementDrawing& drawing, vtkShaderProgram* program, Primitives primitives)
+{
+  this->Instances.Activate(program);
+  const BoundPatterns patterns(drawing, program, primitives);
+  const int calls = DrawGroups(drawing, program, primitives, this->Slots.at(drawing.Slot).Groups);
+  this->Instances.Deactivate();
+  return calls;
+}
+
+vtkIdType UniformMethod::GetNumberOfTriangles(const RefinementDrawing& drawing) const
+{
+  vtkIdType count = 0;
+  const auto slot = this->Slots.find(drawing.Slot);
+  if (slot != this->Slots.end())
+  {
+    for (const PatternGroup& group : slot->second.Groups)
+    {
+      count += static_cast<vtkIdType>(group.Count) * group.Pattern->GetNumberOfTriangles();
+    }
+  }
+  return count;
+}
+
+void UniformMethod::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Instances.ReleaseGraphicsResources(window);
+  this->Slots.clear();
+}
+}
