@@ -8,7 +8,8 @@
  * that share a base pattern are drawn by one instanced call, and the vertex shader maps the
  * pattern's points onto the surface and displaces them (ARKFPI, Lenz 2009). Everything else is
  * vtkOpenGLPolyDataMapper: lights, textures, lookup tables, opacity, clipping planes,
- * representations, selection. At level 0 without displacement the picture is the same.
+ * representations, selection. At level 0 without displacement the picture is the same. Other
+ * methods of refinement are there to compare, see SetMethod().
  *
  * Input: a vtkPolyData, or a composite data set (vtkMultiBlockDataSet) whose vtkPolyData leaves are
  * drawn. Polygons are cut into fans; vertices and lines are drawn as they are. Scalars and
@@ -97,13 +98,41 @@ public:
   /**
    * METHOD_ARKFPI (0, the default): one instanced draw call for all faces that share a base
    * pattern (Lenz 2009).
-   * METHOD_ARK (1): one draw call per face (Boubekeur and Schlick 2008). The same vertices, and the
-   * same picture to the bit.
    *
-   * Only ARKFPI draws what the GPU has selected; the others select on the CPU whatever
-   * SetSelectionDevice() says. ARKFPI and ARK can morph (vtkAdaptiveRefinement::SetGeomorphing()),
-   * the others draw rounded levels. Where OpenGL lacks something that a method needs, or the method
-   * cannot draw such levels, an error says so once and ARKFPI draws.
+   * METHOD_ARK (1): one draw call per face, whose number, permutation and tags the CPU hands over
+   * (Boubekeur and Schlick, A Flexible Kernel for Adaptive Mesh Refinement on GPU, 2008). The same
+   * vertices in the same order as ARKFPI, and the same picture to the bit. Time grows with the
+   * number of coarse faces.
+   *
+   * METHOD_DMR (2): a geometry shader splits triangles once per pass where edges have levels left,
+   * and transform feedback hands them to the next pass (Lorenz and Doellner, Dynamic Mesh
+   * Refinement on GPU using Geometry Shaders, 2008). An edge is cut at its middle; what joins two
+   * middles has the mean of their edges' levels less one, what joins a middle and a corner half of
+   * the edge's. A pass makes at most four triangles of one, so level d takes d passes. The refined
+   * triangles stay on the GPU, 48 bytes each, until levels or faces in sight change: memory grows
+   * with what is drawn, and while it is made with the pass before it, too. Cannot draw whole
+   * numbers of segments.
+   *
+   * METHOD_SUAPT (3), semi-uniform adaptive patches: each face has the uniform pattern of its
+   * highest edge, instanced, and the shader moves the vertices on its coarser edges to where these
+   * have points (as compared in Lenz 2009). Leaves triangles without area there, which are drawn
+   * all the same, and abrupt transitions between fine and coarse.
+   *
+   * METHOD_HARDWARE_TESSELLATION (4): tessellation shaders.
+   *
+   * METHOD_UNIFORM (5): all faces have the uniform pattern of the highest level that any edge of
+   * the mesh has, instanced (after Boubekeur and Schlick, Generic Mesh Refinement on GPU, 2005).
+   * Nothing is adaptive.
+   *
+   * Under all of them the same levels of edges give the same points on edges, but for
+   * METHOD_UNIFORM, and surfaces without cracks. Only ARKFPI draws what the GPU has selected; the
+   * others select on the CPU whatever SetSelectionDevice() says. ARKFPI and ARK can morph
+   * (vtkAdaptiveRefinement::SetGeomorphing()), the others draw rounded levels. What DMR and
+   * hardware tessellation cannot draw is drawn by ARKFPI: wireframes, points, visible vertices and
+   * picking of points. Faces are coloured by the levels or the pattern that their edges ask for;
+   * under SUAPT and UNIFORM by those of the uniform pattern. Targets and time budgets
+   * (SetTargetNumberOfTriangles()) count ARKFPI's triangles. Where OpenGL lacks something that a
+   * method needs, or the method cannot draw such levels, an error says so once and ARKFPI draws.
    *
    * A change uploads no mesh again. A value of no method is an error and changes nothing.
    */
