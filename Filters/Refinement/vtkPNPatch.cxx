@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPNPatch.h"
 
+#include "vtkBezierNormalCone.h"
+
 #include <algorithm>
-#include <cmath>
 
 namespace relevo
 {
@@ -29,8 +30,6 @@ vec3 GetPNCenter(const SurfaceCorners& corners)
 
 float ComputePNNormalCone(const SurfaceCorners& corners, float axis[3])
 {
-  // The patch's tangents along two sides are convex combinations of the differences of control
-  // points, and its normals positive ones of their products.
   const auto controlPoint = [&corners](int i, int j, int k)
   {
     // Powers of the weights of corners 0, 1, 2.
@@ -48,39 +47,6 @@ float ComputePNNormalCone(const SurfaceCorners& corners, float axis[3])
     }
     return k == 0 ? corners.edgeVector(0, i == 2 ? 0 : 1) : corners.faceVector(0);
   };
-  vec3 along[6];
-  vec3 across[6];
-  int count = 0;
-  for (int i = 0; i <= 2; ++i)
-  {
-    for (int j = 0; i + j <= 2; ++j)
-    {
-      const int k = 2 - i - j;
-      const vec3 from = controlPoint(i + 1, j, k);
-      along[count] = controlPoint(i, j + 1, k) - from;
-      across[count] = controlPoint(i, j, k + 1) - from;
-      ++count;
-    }
-  }
-  vec3 normals[36];
-  vec3 sum(0.0f);
-  for (int n = 0; n < 36; ++n)
-  {
-    normals[n] = unitVector(cross(along[n / 6], across[n % 6]));
-    sum += normals[n];
-  }
-  const vec3 mean = unitVector(sum);
-  float cosine = dot(mean, mean) > 0.0f ? 1.0f : 0.0f;
-  for (const vec3& normal : normals)
-  {
-    if (dot(normal, normal) > 0.0f)
-    {
-      cosine = std::min(cosine, dot(normal, mean));
-    }
-  }
-  store(mean, axis);
-  // Flat triangles between points of the patch are turned a little more than the patch.
-  constexpr float margin = 0.05f;
-  return cosine > margin ? std::cos(std::acos(std::min(cosine, 1.0f)) + margin) : 0.0f;
+  return ComputeBezierNormalCone(3, controlPoint, axis);
 }
 }

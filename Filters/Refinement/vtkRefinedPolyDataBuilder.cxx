@@ -271,7 +271,9 @@ void RefinedPolyDataBuilder::BuildFacePoints(
 {
   this->GetPointsToBuild(face, points);
   const int* corners = this->Mesh.Faces[face].Corners;
-  const bool displaced = this->Recipe->GetDisplacement() != nullptr;
+  vtkRefinementSurface* surface = this->Recipe->GetSurface();
+  const bool moved =
+    this->Recipe->GetDisplacement() || (surface && !surface->InterpolatesCorners());
   for (const RefinedPoint& point : points)
   {
     float position[3];
@@ -279,7 +281,7 @@ void RefinedPolyDataBuilder::BuildFacePoints(
     this->Evaluator.Evaluate(face, point.Weights, position, normal);
     double place[3];
     const int nearest = point.GetNearestCorner();
-    if (!displaced && point.Weights[nearest] == 1.0f)
+    if (!moved && point.Weights[nearest] == 1.0f)
     {
       // Surfaces pass through the coarse points: keep all their digits. Adding zero makes -0 a
       // plain 0, as in evaluated points.

@@ -71,6 +71,7 @@ struct FaceDisplacement : HeightSampler
     return vec4(frame[0], frame[1], frame[2], frame[3]);
   }
 
+#include "glsl/relevoDisplacedNormal.glsl"
 #include "glsl/relevoDisplacement.glsl"
 
   const RefinementMesh& Mesh;

@@ -15,8 +15,12 @@
 
 /// Marks each function of a shared file: inline in C++, nothing in GLSL.
 #define RELEVO_FUNCTION [[maybe_unused]] inline
+/// Marks parameters that one of several functions of a name has no use for.
+#define RELEVO_UNUSED [[maybe_unused]]
 /// GLSL's guarantee against contraction; C++ has it from -ffp-contract=off.
 #define precise
+/// Uniforms of a file included inside a class are the class's members.
+#define uniform
 
 /// Where shared files are compiled: GLSL's types and functions are GLM's.
 namespace relevo

@@ -309,6 +309,7 @@ bool RefinementMesh::BuildTextureCoordinates(vtkPolyData* input)
 vtkRefinementSurface::Face RefinementMesh::GetSurfaceFace(int face) const
 {
   vtkRefinementSurface::Face result;
+  result.Origin = this->Origin;
   for (int i = 0; i < 3; ++i)
   {
     const size_t id = 3 * static_cast<size_t>(this->Faces[face].Corners[i]);

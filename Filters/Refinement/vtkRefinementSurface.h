@@ -70,6 +70,11 @@ public:
   virtual double GetReach() { return 0.0; }
 
   /**
+   * Whether the surface goes through the coarse points.
+   */
+  virtual bool InterpolatesCorners() { return true; }
+
+  /**
    * Whether normals are sums, with weights that are not negative, of the corners' normals and the
    * precomputed ones.
    */
@@ -109,6 +114,8 @@ public:
   {
     float Points[3][3];
     float Normals[3][3];
+    /// What to add to points for the mesh's own coordinates.
+    const double* Origin;
     /// Unit normals that all faces around a corner share: its own where normals are not split.
     const float* Directions[3];
     /// The numbers per point of each corner.

@@ -4,6 +4,7 @@
 
 #include "relevoColorTable.h"
 #include "relevoColorsVS.h"
+#include "relevoDisplacedNormal.h"
 #include "relevoDisplacement.h"
 #include "relevoDisplacementVS.h"
 #include "relevoEdgesGS.h"
@@ -61,6 +62,7 @@ std::string GetDefines(const RefinementShaderOptions& options, bool edges, bool 
           "#define precise\n"
           "#endif\n"
           "#define RELEVO_FUNCTION\n"
+          "#define RELEVO_UNUSED\n"
        << "#define RELEVO_POINT_STRIDE " << options.PointStride << "\n"
        << "#define RELEVO_POINT_DIRECTION " << options.PointDirection << "\n"
        << "#define RELEVO_POINT_VALUES " << options.PointValues << "\n"
@@ -179,8 +181,8 @@ std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, b
 
   // The vertex shader.
   std::ostringstream text;
-  text << relevoWeights << (options.IsMorphing ? relevoMorph : "") << relevoFaceVS
-       << options.PlacementSource << options.SurfaceSource;
+  text << relevoWeights << relevoDisplacedNormal << (options.IsMorphing ? relevoMorph : "")
+       << relevoFaceVS << options.PlacementSource << options.SurfaceSource;
   if (options.HasDisplacement)
   {
     text << relevoHeightMap << relevoHeight << relevoDisplacementVS << relevoDisplacement;

@@ -11,6 +11,7 @@
 #include "vtkCleanPolyData.h"
 #include "vtkConeSource.h"
 #include "vtkCubeSource.h"
+#include "vtkDisplacement.h"
 #include "vtkFloatArray.h"
 #include "vtkHeightField.h"
 #include "vtkIdList.h"
@@ -22,6 +23,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
+#include "vtkRefinementSurface.h"
 #include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
 #include "vtkStripper.h"
@@ -137,6 +139,16 @@ inline Mesh Make()
   return Mesh::New();
 }
 
+inline vtkSmartPointer<vtkAdaptiveRefinement> MakeRecipe(
+  int level, vtkRefinementSurface* surface = nullptr, vtkDisplacement* displacement = nullptr)
+{
+  auto recipe = vtkSmartPointer<vtkAdaptiveRefinement>::New();
+  recipe->SetMaximumLevel(level);
+  recipe->SetSurface(surface);
+  recipe->SetDisplacement(displacement);
+  return recipe;
+}
+
 // The filter's output.
 inline Mesh Refine(vtkPolyData* input, vtkAdaptiveRefinement* recipe)
 {
@@ -178,6 +190,12 @@ inline void AddTags(vtkPolyData* mesh, unsigned int seed, int maximum)
     tags->InsertNextValue(static_cast<float>(random() % 1000 * 1e-3 * maximum));
   }
   mesh->GetPointData()->AddArray(tags);
+}
+
+inline Mesh Tagged(Mesh mesh, int level)
+{
+  AddTags(mesh, 7, level);
+  return mesh;
 }
 
 inline void AddTextureCoordinates(

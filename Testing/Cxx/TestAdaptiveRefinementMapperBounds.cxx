@@ -13,16 +13,6 @@ namespace
 {
 using namespace RelevoMeshes;
 
-vtkSmartPointer<vtkAdaptiveRefinement> MakeRecipe(
-  int level, vtkRefinementSurface* surface, vtkDisplacement* displacement)
-{
-  auto recipe = vtkSmartPointer<vtkAdaptiveRefinement>::New();
-  recipe->SetMaximumLevel(level);
-  recipe->SetSurface(surface);
-  recipe->SetDisplacement(displacement);
-  return recipe;
-}
-
 vtkSmartPointer<vtkDisplacement> Displace(vtkHeightField* heights, double scale, double offset)
 {
   auto displacement = vtkSmartPointer<vtkDisplacement>::New();

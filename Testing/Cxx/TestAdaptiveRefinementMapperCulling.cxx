@@ -21,16 +21,6 @@ namespace
 {
 using namespace RelevoMeshes;
 
-vtkSmartPointer<vtkAdaptiveRefinement> MakeRecipe(
-  int level, vtkRefinementSurface* surface = nullptr, vtkDisplacement* displacement = nullptr)
-{
-  auto recipe = vtkSmartPointer<vtkAdaptiveRefinement>::New();
-  recipe->SetMaximumLevel(level);
-  recipe->SetSurface(surface);
-  recipe->SetDisplacement(displacement);
-  return recipe;
-}
-
 void Shade(vtkRenderer* renderer)
 {
   vtkNew<vtkLight> light;

@@ -19,22 +19,6 @@ namespace
 {
 using namespace RelevoMeshes;
 
-vtkSmartPointer<vtkAdaptiveRefinement> MakeRecipe(
-  int level, vtkRefinementSurface* surface = nullptr, vtkDisplacement* displacement = nullptr)
-{
-  auto recipe = vtkSmartPointer<vtkAdaptiveRefinement>::New();
-  recipe->SetMaximumLevel(level);
-  recipe->SetSurface(surface);
-  recipe->SetDisplacement(displacement);
-  return recipe;
-}
-
-Mesh Tagged(Mesh mesh, int level)
-{
-  AddTags(mesh, 7, level);
-  return mesh;
-}
-
 vtkSmartPointer<vtkTexture> Stripes()
 {
   vtkNew<vtkImageData> image;

@@ -3,14 +3,13 @@
 // Refined meshes are closed to the bit wherever the coarse mesh is, and wind as it does: many kinds
 // of meshes, surfaces, displacements and random depth-tags.
 #include "RelevoCheck.h"
+#include "RelevoSurfaces.h"
 #include "RelevoTestMeshes.h"
 #include "RelevoWatertight.h"
 
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkDisplacement.h"
-#include "vtkLinearSurface.h"
-#include "vtkPNTriangleSurface.h"
 
 namespace
 {
@@ -94,19 +93,12 @@ int TestWatertight(int, char*[])
   RelevoCheck check;
   vtkNew<RelevoHeights> heights;
   heights->FillRandom(37, 23, 1);
-  vtkNew<vtkLinearSurface> linear;
-  vtkNew<vtkPNTriangleSurface> quadratic;
-  vtkNew<vtkPNTriangleSurface> linearNormals;
-  linearNormals->QuadraticNormalsOff();
-  const std::pair<const char*, vtkRefinementSurface*> surfaces[3] = { { "linear", linear },
-    { "PN, quadratic normals", quadratic }, { "PN, linear normals", linearNormals } };
-
   for (Case& mesh : makeCases())
   {
     double bounds[6];
     mesh.Mesh->GetBounds(bounds);
     const double size = bounds[1] - bounds[0];
-    for (const auto& surface : surfaces)
+    for (const auto& surface : RelevoMakeSurfaces(size))
     {
       for (int displaced = 0; displaced < 5; ++displaced)
       {

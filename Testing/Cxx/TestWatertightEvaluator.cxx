@@ -3,11 +3,11 @@
 // Both faces of an edge compute the same bits for its points; for its normals too where the two
 // faces see the same normals at its ends.
 #include "RelevoCheck.h"
+#include "RelevoSurfaces.h"
 #include "RelevoTestMeshes.h"
 
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDisplacement.h"
-#include "vtkPNTriangleSurface.h"
 #include "vtkRefinementEvaluator.h"
 #include "vtkRefinementMesh.h"
 
@@ -141,17 +141,14 @@ int TestWatertightEvaluator(int, char*[])
     {
       AddRandomTextureCoordinates(mesh.second, 5);
     }
-    for (int surface = 0; surface < 3; ++surface)
+    double bounds[6];
+    mesh.second->GetBounds(bounds);
+    for (const auto& surface : RelevoMakeSurfaces(bounds[1] - bounds[0]))
     {
       for (int displaced = 0; displaced < 4; ++displaced)
       {
         vtkNew<vtkAdaptiveRefinement> recipe;
-        if (surface > 0)
-        {
-          vtkNew<vtkPNTriangleSurface> pn;
-          pn->SetQuadraticNormals(surface == 2);
-          recipe->SetSurface(pn);
-        }
+        recipe->SetSurface(surface.second);
         if (displaced > 0)
         {
           vtkNew<vtkDisplacement> displacement;
@@ -165,7 +162,7 @@ int TestWatertightEvaluator(int, char*[])
           recipe->SetDisplacement(displacement);
         }
         compareFaces(check, mesh.second, recipe,
-          std::string(mesh.first) + ", surface " + std::to_string(surface) + ", displacement " +
+          std::string(mesh.first) + ", " + surface.first + ", displacement " +
             std::to_string(displaced));
       }
     }

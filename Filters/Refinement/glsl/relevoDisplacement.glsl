@@ -1,7 +1,7 @@
 // Displacement by heights: S = B + h D, with h = offset + scale * height and D a unit direction.
 // One source for the shaders and for C++.
 //
-// The including side provides relevoHeight.glsl, relevoWeights.glsl and
+// The including side provides relevoHeight.glsl, relevoWeights.glsl, relevoDisplacedNormal.glsl and
 //   float displacementScale(), float displacementOffset()
 //   bool displacementAlongNormal()       whether D is the normal
 //   vec3 displacementDirection(vec3 w, vec3 unitNormal)  D
@@ -58,21 +58,6 @@ RELEVO_FUNCTION vec2 heightCoordinate(ivec3 points, vec3 w)
 {
   return weightedSum(pointTextureCoordinate(points.x), pointTextureCoordinate(points.y),
     pointTextureCoordinate(points.z), w);
-}
-
-// Normal of the displaced surface, not normalised.
-//
-// B's tangents t become t + h dD/dt + D (grad h . t). For a fixed D the second term is zero, and
-// the cofactor matrix of I + D grad(h)^T turns N into (1 + grad(h).D) N - (D.N) grad(h). For
-// D = N it is taken as (h / r) t with r the mean radius of curvature, exact on planes and spheres:
-// the normal is (1 + h / r) N - grad(h) but for a factor.
-//
-//   gradient  grad h, per unit of length
-//   stretch   1 + h / r, or 1 for a fixed direction
-RELEVO_FUNCTION vec3 displacedNormal(vec3 normal, vec3 direction, vec3 gradient, float stretch)
-{
-  vec3 tangent = gradient - normal * dot(gradient, normal);
-  return normal * (stretch + dot(tangent, direction)) - tangent * dot(direction, normal);
 }
 
 RELEVO_FUNCTION DisplacedPoint displace(vec3 w, vec3 normal)

@@ -1,0 +1,20 @@
+// Phong tessellation (Boubekeur, Alexa 2008): the point p of the plane triangle goes part of its way
+// to p*, the mean, by the weights, of its projections on the corners' tangent planes. As a quadratic
+// Bezier patch, p* - p = 2 sum w_i w_j (b_ij - (P_i + P_j) / 2).
+// The including side provides, corners sorted,
+//   vec3 cornerPoint(int i)
+//   vec3 edgeVector(int edge, 0)  b: edge 0 = corners 0 1, 1 = corners 1 2, 2 = corners 0 2
+//   float phongAlpha(vec3 w)      the part of the way
+// Terms run in the order of their corners (see relevoWeights.glsl).
+
+RELEVO_FUNCTION vec3 surfacePosition(vec3 w)
+{
+  vec3 p0 = cornerPoint(0);
+  vec3 p1 = cornerPoint(1);
+  vec3 p2 = cornerPoint(2);
+  precise vec3 way = (edgeVector(0, 0) - 0.5f * (p0 + p1)) * (w.x * w.y);
+  way += (edgeVector(2, 0) - 0.5f * (p0 + p2)) * (w.x * w.z);
+  way += (edgeVector(1, 0) - 0.5f * (p1 + p2)) * (w.y * w.z);
+  precise vec3 p = weightedSum(p0, p1, p2, w) + way * (2.0f * phongAlpha(w));
+  return p;
+}

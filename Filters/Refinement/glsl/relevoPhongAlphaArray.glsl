@@ -1,0 +1,6 @@
+// Phong tessellation's blend interpolated from a number per point.
+
+RELEVO_FUNCTION float phongAlpha(vec3 w)
+{
+  return weightedSum(cornerValues(0), cornerValues(1), cornerValues(2), w).x;
+}

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Every surface, for tests that all of them must pass.
+#ifndef RelevoSurfaces_h
+#define RelevoSurfaces_h
+
+#include "vtkNew.h"
+#include "vtkPNTriangleSurface.h"
+#include "vtkPhongSurface.h"
+#include "vtkProceduralSurface.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+// A null pointer stands for no surface, which is linear. `size` is the length of a mesh, which a
+// procedural surface's amplitude goes by.
+inline std::vector<std::pair<std::string, vtkSmartPointer<vtkRefinementSurface>>>
+RelevoMakeSurfaces(double size = 1.0)
+{
+  vtkNew<vtkPNTriangleSurface> quadratic;
+  vtkNew<vtkPNTriangleSurface> linearNormals;
+  linearNormals->QuadraticNormalsOff();
+  vtkNew<vtkPhongSurface> phong;
+  vtkNew<vtkPhongSurface> partlyPhong;
+  partlyPhong->SetAlpha(0.6);
+  vtkNew<vtkProceduralSurface> fur;
+  fur->SetAmplitude(0.1 * size);
+  fur->SetFrequency(2.5);
+  vtkNew<vtkProceduralSurface> furOnPN;
+  furOnPN->SetAmplitude(-0.05 * size);
+  furOnPN->SetBaseSurface(quadratic);
+  return { { "linear", nullptr }, { "PN, quadratic normals", quadratic },
+    { "PN, linear normals", linearNormals }, { "Phong", phong }, { "Phong 0.6", partlyPhong },
+    { "fur", fur }, { "fur on PN", furOnPN } };
+}
+
+#endif

@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Every surface drawn as the filter makes it; what changes live changes the picture, rebuilds
+// nothing and stays equal to the filter's; functions of the user's own.
+#include "RelevoCheck.h"
+#include "RelevoScene.h"
+#include "RelevoSurfaces.h"
+#include "RelevoTestMeshes.h"
+
+#include "vtkAdaptiveRefinement.h"
+#include "vtkDisplacement.h"
+#include "vtkFloatArray.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+
+#include <cmath>
+
+using namespace RelevoMeshes;
+
+namespace
+{
+// As TestAdaptiveRefinementMapperTwin has it.
+const RelevoTolerance Close{ 2, 2e-6, 10 };
+
+void testTwins(RelevoComparison& comparison)
+{
+  vtkNew<RelevoHeights> heights;
+  heights->FillRandom(40, 30, 3);
+  vtkNew<vtkDisplacement> displacement;
+  displacement->SetHeightMap(heights);
+  displacement->SetScale(0.1);
+  const double far[3] = { 5e6, -4e6, 100 };
+  for (const auto& surface : RelevoMakeSurfaces())
+  {
+    const std::string name = "Surfaces." + surface.first;
+    comparison.Compare(name + ".Tagged", Close,
+      [&](RelevoScene& s) { s.Add(Tagged(Sphere(9, 7), 5), MakeRecipe(5, surface.second)); });
+    comparison.Compare(name + ".Cube", Close,
+      [&](RelevoScene& s) { s.Add(Tagged(Cube(), 5), MakeRecipe(5, surface.second)); });
+    comparison.Compare(name + ".Displaced", Close,
+      [&](RelevoScene& s)
+      { s.Add(Tagged(TexturedSphere(9, 7), 5), MakeRecipe(5, surface.second, displacement)); });
+  }
+  for (const auto& surface : RelevoMakeSurfaces(100.0))
+  {
+    comparison.Compare("Surfaces." + surface.first + ".FarAway", Close,
+      [&](RelevoScene& s) {
+        s.Add(Tagged(Moved(Sphere(9, 7), 100, far, VTK_DOUBLE), 5), MakeRecipe(5, surface.second));
+      });
+  }
+
+  vtkNew<vtkPhongSurface> phong;
+  phong->SetAlphaArrayName("alpha");
+  comparison.Compare("Surfaces.AlphaArray", Close,
+    [&](RelevoScene& s)
+    {
+      Mesh mesh = Tagged(Explode(TexturedSphere(9, 7)), 5);
+      vtkNew<vtkFloatArray> alphas;
+      alphas->SetName("alpha");
+      for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+      {
+        alphas->InsertNextValue((i % 7) / 6.0f);
+      }
+      mesh->GetPointData()->AddArray(alphas);
+      s.Add(mesh, MakeRecipe(5, phong));
+    });
+}
+
+// Draws twice, with a change in between that must be seen, and must cost no rebuild.
+void testLive(RelevoCheck& check, RelevoComparison& comparison)
+{
+  vtkNew<RelevoHeights> heights;
+  heights->FillRandom(40, 30, 3);
+  vtkNew<vtkDisplacement> displacement;
+  displacement->SetHeightMap(heights);
+  displacement->SetScale(0.05);
+  vtkNew<vtkPhongSurface> phong;
+  vtkNew<vtkProceduralSurface> fur;
+  fur->SetAmplitude(0.05);
+  fur->SetBaseSurface(phong);
+  const std::pair<const char*, std::function<void()>> changes[] = {
+    { "Amplitude", [&]() { fur->SetAmplitude(0.15); } },
+    { "Frequency", [&]() { fur->SetFrequency(3.0); } },
+    { "Alpha", [&]() { phong->SetAlpha(0.1); } },
+    { "Scale", [&]() { displacement->SetScale(0.15); } },
+    { "Offset", [&]() { displacement->SetOffset(0.1); } }
+  };
+  RelevoScene scene(RelevoScene::Refining);
+  RelevoScene twin(RelevoScene::Twin);
+  for (RelevoScene* s : { &scene, &twin })
+  {
+    s->Add(Tagged(TexturedSphere(9, 7), 5), MakeRecipe(5, fur, displacement));
+    s->ResetCameras();
+    s->Renderer->GetActiveCamera()->Zoom(0.7);
+    s->Render();
+  }
+  vtkAdaptiveRefinementMapper* mapper = scene.GetMapper(0);
+  const vtkIdType buffers = mapper->GetNumberOfBufferBuilds();
+  const vtkIdType shaders = mapper->GetNumberOfShaderBuilds();
+  const vtkIdType selections = mapper->GetNumberOfSelections();
+  CHECK(buffers == 1 && shaders == 1);
+  for (const auto& change : changes)
+  {
+    const RelevoPicture before(scene.Window);
+    change.second();
+    twin.Render();
+    scene.CopyCameras(twin);
+    scene.Render();
+    const RelevoPicture after(scene.Window);
+    comparison.Compare(
+      std::string("Surfaces.Live.") + change.first, Close, after, RelevoPicture(twin.Window));
+    CHECK(before.Colors != after.Colors);
+    CHECK(mapper->GetNumberOfBufferBuilds() == buffers);
+    CHECK(mapper->GetNumberOfShaderBuilds() == shaders);
+    CHECK(mapper->GetNumberOfSelections() == selections);
+    double bounds[6];
+    double reached[6];
+    mapper->GetBounds(bounds);
+    twin.GetActor(0)->GetMapper()->GetBounds(reached);
+    for (int c = 0; c < 3; ++c)
+    {
+      CHECK(bounds[2 * c] <= reached[2 * c] + 1e-6);
+      CHECK(bounds[2 * c + 1] >= reached[2 * c + 1] - 1e-6);
+    }
+  }
+  // The counts can tell: what is prepared from the mesh is built anew.
+  fur->SetBaseSurface(nullptr);
+  scene.Render();
+  CHECK(mapper->GetNumberOfBufferBuilds() == buffers + 1);
+  CHECK(mapper->GetNumberOfShaderBuilds() == shaders + 1);
+}
+
+// A function in GLSL against the same one evaluated by the filter.
+class Waves : public vtkProceduralSurface
+{
+public:
+  static Waves* New();
+  vtkTypeMacro(Waves, vtkProceduralSurface);
+  double Phase = 0.0;
+  bool HasHeightFunction() override { return true; }
+  double EvaluateHeight(
+    const double position[3], const float normal[3], const float weights[3]) override
+  {
+    return 0.6 * std::sin(this->Frequency * position[0] + this->Phase) * normal[2] +
+      4.0 * weights[0] * weights[1] * weights[2];
+  }
+  void SetPhase(double phase)
+  {
+    this->Phase = phase;
+    this->SetUniform("phase", phase);
+    this->SetUniform("colors", 1.0, 2.0, 3.0); // not in the shader: no harm
+  }
+
+protected:
+  Waves()
+  {
+    this->SetShaderFunction("uniform float phase;\n"
+                            "float proceduralHeight(vec3 position, vec3 normal, vec3 weights)\n"
+                            "{\n"
+                            "  return 0.6 * sin(relevoFrequency * position.x + phase) * normal.z\n"
+                            "    + 4.0 * weights.x * weights.y * weights.z;\n"
+                            "}\n");
+  }
+};
+vtkStandardNewMacro(Waves);
+
+void testFunction(RelevoComparison& comparison)
+{
+  // Differences of heights amplify the last bits: lights tell.
+  RelevoTolerance lit = Close;
+  lit.Color = 6;
+  vtkNew<Waves> waves;
+  waves->SetAmplitude(0.2);
+  waves->SetFrequency(8.0);
+  waves->SetPhase(0.3);
+  comparison.Compare("Surfaces.Function", lit,
+    [&](RelevoScene& s) { s.Add(Tagged(Sphere(9, 7), 5), MakeRecipe(5, waves)); },
+    { { "Phase", [&](RelevoScene&) { waves->SetPhase(1.5); } } });
+  // Normals that differ on both sides of each edge open nothing.
+  comparison.Compare("Surfaces.Function.Cube", lit,
+    [&](RelevoScene& s) { s.Add(Tagged(Cube(), 5), MakeRecipe(5, waves)); });
+}
+}
+
+int TestAdaptiveRefinementMapperSurfaces(int argc, char* argv[])
+{
+  RelevoCheck check;
+  RelevoComparison comparison(check, argc, argv);
+  testTwins(comparison);
+  testLive(check, comparison);
+  testFunction(comparison);
+  return check.GetResult();
+}
