@@ -4,6 +4,7 @@
 #ifndef RelevoSurfaces_h
 #define RelevoSurfaces_h
 
+#include "vtkG1Surface.h"
 #include "vtkNew.h"
 #include "vtkPNTriangleSurface.h"
 #include "vtkPhongSurface.h"
@@ -31,9 +32,10 @@ RelevoMakeSurfaces(double size = 1.0)
   vtkNew<vtkProceduralSurface> furOnPN;
   furOnPN->SetAmplitude(-0.05 * size);
   furOnPN->SetBaseSurface(quadratic);
+  vtkNew<vtkG1Surface> g1;
   return { { "linear", nullptr }, { "PN, quadratic normals", quadratic },
     { "PN, linear normals", linearNormals }, { "Phong", phong }, { "Phong 0.6", partlyPhong },
-    { "fur", fur }, { "fur on PN", furOnPN } };
+    { "fur", fur }, { "fur on PN", furOnPN }, { "G1", g1 } };
 }
 
 #endif
