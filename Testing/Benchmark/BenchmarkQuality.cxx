@@ -7,13 +7,17 @@
 #include "BenchmarkReport.h"
 #include "Benchmarks.h"
 
+#include "RelevoVector.h"
+
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkDataArray.h"
+#include "vtkG1Surface.h"
 #include "vtkIdList.h"
 #include "vtkLinearSurface.h"
 #include "vtkMath.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPhongSurface.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRefinementEvaluator.h"
@@ -28,7 +32,7 @@
 
 namespace
 {
-using Vector = std::array<double, 3>;
+using namespace RelevoVectors;
 
 // A point of the true surface, and its unit normal there.
 struct Sample
@@ -45,28 +49,6 @@ struct Scene
   std::function<Sample(const Vector&)> FindClosest;
   std::vector<Sample> Samples; // over the whole true surface
 };
-
-Vector Subtract(const Vector& a, const Vector& b)
-{
-  return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
-}
-
-Vector Cross(const Vector& a, const Vector& b)
-{
-  Vector result;
-  vtkMath::Cross(a.data(), b.data(), result.data());
-  return result;
-}
-
-double GetDistance(const Vector& a, const Vector& b)
-{
-  return std::sqrt(vtkMath::Distance2BetweenPoints(a.data(), b.data()));
-}
-
-double GetAngle(const Vector& a, const Vector& b)
-{
-  return vtkMath::DegreesFromRadians(vtkMath::AngleBetweenVectors(a.data(), b.data()));
-}
 
 Vector GetPoint(vtkPolyData* mesh, vtkIdType point)
 {
@@ -99,10 +81,8 @@ Scene MakeSphere(int count)
   Scene scene{ "sphere", BenchmarkMeshes::MakeSphere(6, 4), 5, {}, {} };
   scene.FindClosest = [](const Vector& p)
   {
-    Sample sample{ p, p };
-    vtkMath::Normalize(sample.Normal.data());
-    sample.Point = sample.Normal;
-    return sample;
+    const Vector normal = normalize(p);
+    return Sample{ normal, normal };
   };
   VisitParameters(count,
     [&scene](double u, double v)
@@ -126,13 +106,8 @@ Scene MakeTorus(int count)
   {
     const double scale = radius / std::hypot(p[0], p[1]);
     const Vector center = { { scale * p[0], scale * p[1], 0.0 } };
-    Sample sample{ center, Subtract(p, center) };
-    vtkMath::Normalize(sample.Normal.data());
-    for (int c = 0; c < 3; ++c)
-    {
-      sample.Point[c] += tubeRadius * sample.Normal[c];
-    }
-    return sample;
+    const Vector normal = normalize(p - center);
+    return Sample{ center + tubeRadius * normal, normal };
   };
   VisitParameters(count,
     [&](double u, double v)
@@ -172,13 +147,9 @@ Scene MakeBunny(vtkPolyData* bunny, int faces)
     dense->GetCellPoints(cell, ids);
     for (int i = 0; i < 3; ++i)
     {
-      const Vector normal = GetNormal(dense, ids->GetId(i));
-      for (int c = 0; c < 3; ++c)
-      {
-        sample.Normal[c] += weights[i] * normal[c];
-      }
+      sample.Normal = sample.Normal + weights[i] * GetNormal(dense, ids->GetId(i));
     }
-    vtkMath::Normalize(sample.Normal.data());
+    sample.Normal = normalize(sample.Normal);
     return sample;
   };
   // As the others': corners on the true surface, with its normals.
@@ -243,8 +214,8 @@ Errors Compare(const Scene& scene, vtkPolyData* refined)
   {
     const Vector point = GetPoint(refined, i);
     const Sample sample = scene.FindClosest(point);
-    errors.Forth.Add(GetDistance(point, sample.Point));
-    errors.Normals.Add(GetAngle(GetNormal(refined, i), sample.Normal));
+    errors.Forth.Add(length(point - sample.Point));
+    errors.Normals.Add(angle(GetNormal(refined, i), sample.Normal));
   }
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < refined->GetNumberOfCells(); ++cell)
@@ -253,11 +224,10 @@ Errors Compare(const Scene& scene, vtkPolyData* refined)
     const Vector a = GetPoint(refined, ids->GetId(0));
     const Vector b = GetPoint(refined, ids->GetId(1));
     const Vector c = GetPoint(refined, ids->GetId(2));
-    const Vector middle = { { (a[0] + b[0] + c[0]) / 3.0, (a[1] + b[1] + c[1]) / 3.0,
-      (a[2] + b[2] + c[2]) / 3.0 } };
+    const Vector middle = (1.0 / 3.0) * (a + b + c);
     const Sample sample = scene.FindClosest(middle);
-    errors.Forth.Add(GetDistance(middle, sample.Point));
-    errors.Facets.Add(GetAngle(Cross(Subtract(b, a), Subtract(c, a)), sample.Normal));
+    errors.Forth.Add(length(middle - sample.Point));
+    errors.Facets.Add(angle(cross(b - a, c - a), sample.Normal));
   }
   vtkNew<vtkStaticCellLocator> locator;
   locator->SetDataSet(refined);
@@ -274,8 +244,8 @@ Errors Compare(const Scene& scene, vtkPolyData* refined)
   return errors;
 }
 
-// The surface's own normal at a point of a face's edge, up to its sign: by one-sided differences
-// that are exact for cubics.
+// The surface's own normal at a point of a face's edge, up to its sign: by differences, one-sided
+// across the edge, that are exact for cubics.
 Vector GetBorderNormal(
   const relevo::RefinementEvaluator& evaluator, int face, int edge, double along)
 {
@@ -293,18 +263,12 @@ Vector GetBorderNormal(
     return Vector{ { position[0], position[1], position[2] } };
   };
   const double step = 1.0 / 16.0;
-  Vector tangent;
-  Vector inwards;
-  const Vector border[4] = { evaluate(along - 2.0 * step, 0.0), evaluate(along - step, 0.0),
-    evaluate(along + step, 0.0), evaluate(along + 2.0 * step, 0.0) };
-  const Vector inner[4] = { evaluate(along, 0.0), evaluate(along, step),
-    evaluate(along, 2.0 * step), evaluate(along, 3.0 * step) };
-  for (int c = 0; c < 3; ++c)
-  {
-    tangent[c] = border[0][c] - 8.0 * border[1][c] + 8.0 * border[2][c] - border[3][c];
-    inwards[c] = -11.0 * inner[0][c] + 18.0 * inner[1][c] - 9.0 * inner[2][c] + 2.0 * inner[3][c];
-  }
-  return Cross(tangent, inwards);
+  const double inwardStep = 1.0 / 256.0; // exact weights; positions are floats
+  const Vector tangent = evaluate(along - 2.0 * step, 0.0) - evaluate(along + 2.0 * step, 0.0) +
+    8.0 * (evaluate(along + step, 0.0) - evaluate(along - step, 0.0));
+  const Vector inwards = -11.0 * evaluate(along, 0.0) + 18.0 * evaluate(along, inwardStep) +
+    -9.0 * evaluate(along, 2.0 * inwardStep) + 2.0 * evaluate(along, 3.0 * inwardStep);
+  return cross(tangent, inwards);
 }
 
 // Angles between the surface's normals of the two faces at points of coarse edges, in degrees.
@@ -330,7 +294,7 @@ Statistics MeasureJumps(vtkPolyData* coarse, vtkAdaptiveRefinement* recipe)
         normals[s] = GetBorderNormal(evaluator, sides[s] / 3, sides[s] % 3, k / 16.0);
       }
       // The two look inwards from opposite sides.
-      jumps.Add(180.0 - GetAngle(normals[0], normals[1]));
+      jumps.Add(180.0 - angle(normals[0], normals[1]));
     }
   }
   return jumps;
@@ -377,12 +341,16 @@ void RunQuality(const BenchmarkOptions& options, const AddTable& addTable)
     scenes.push_back(MakeBunny(bunny, options.Quick ? 200 : 1500));
   }
   vtkNew<vtkLinearSurface> linear;
+  vtkNew<vtkPhongSurface> phong;
   vtkNew<vtkPNTriangleSurface> curved;
+  vtkNew<vtkG1Surface> smooth;
   for (const Scene& scene : scenes)
   {
     std::cerr << "quality: " << scene.Name << std::endl;
     Measure(scene, "linear", linear, options, table);
+    Measure(scene, "Phong", phong, options, table);
     Measure(scene, "PN", curved, options, table);
+    Measure(scene, "G1", smooth, options, table);
   }
   table.AddNote("Distances in percent of the coarse mesh's diagonal; to the true surface from the "
                 "refined points and the middles of triangles, from it to the refined triangles. "

@@ -36,6 +36,8 @@ void RunRules(const BenchmarkOptions& options, const AddTable& addTable);
 void RunDrawing(const BenchmarkOptions& options, const AddTable& addTable);
 /// The mapper's methods against each other.
 void RunMethods(const BenchmarkOptions& options, const AddTable& addTable);
+/// Phong tessellation against PN triangles.
+void RunPhong(const BenchmarkOptions& options, const AddTable& addTable);
 /// Surfaces against what their coarse mesh was made from, and RunPatterns().
 void RunQuality(const BenchmarkOptions& options, const AddTable& addTable);
 /// Shapes of triangles where levels differ.

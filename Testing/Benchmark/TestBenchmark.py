@@ -28,8 +28,8 @@ class TestBenchmark(unittest.TestCase):
         self.assertRegex(report["facts"]["OpenGL renderer"], ", OpenGL .*, (hardware|software)$")
         tables = {table["name"]: table["rows"] for table in report["tables"]}
         for name in ("static-mesh-frames", "static-mesh-memory", "selection", "flight", "drawing",
-                     "methods", "methods-small", "methods-work", "quality-surfaces",
-                     "quality-patterns", "rules", "memory", "dem"):
+                     "methods", "methods-small", "methods-work", "phong",
+                     "quality-surfaces", "quality-patterns", "rules", "memory", "dem"):
             self.assertTrue(tables[name], name)
         for table in report["tables"]:
             self.assertIn("## " + table["title"], markdown)
@@ -59,10 +59,13 @@ class TestBenchmark(unittest.TestCase):
     def check_quality(self, tables):
         rows = {(row["mesh"], row["surface"]): row for row in tables["quality-surfaces"]}
         for mesh in ("sphere", "torus"):
-            linear, curved = rows[mesh, "linear"], rows[mesh, "PN"]
-            self.assertEqual(linear["triangles"], curved["triangles"])
-            for key in ("hausdorff_percent", "facet_rms", "jump_mean"):
-                self.assertLess(curved[key], linear[key], (mesh, key))
+            for surface in ("Phong", "PN", "G1"):
+                self.assertEqual(rows[mesh, "linear"]["triangles"],
+                                 rows[mesh, surface]["triangles"])
+                for key in ("hausdorff_percent", "facet_rms", "jump_mean"):
+                    self.assertLess(rows[mesh, surface][key], rows[mesh, "linear"][key],
+                                    (mesh, surface, key))
+            self.assertLess(rows[mesh, "G1"]["jump_largest"], rows[mesh, "PN"]["jump_largest"])
         for row in tables["quality-patterns"]:
             is_snapped = row["method"] == "SUAPT" and row["difference"] > 0
             self.assertEqual(row["degenerate_percent"] > 0.0, is_snapped)

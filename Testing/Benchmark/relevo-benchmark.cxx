@@ -32,6 +32,7 @@ const std::vector<Benchmark> Benchmarks = {
   { "flight", RunFlight },
   { "drawing", RunDrawing },
   { "methods", RunMethods },
+  { "phong", RunPhong },
   { "quality", RunQuality, false },
   { "rules", RunRules, false },
   { "memory", RunMemory },
