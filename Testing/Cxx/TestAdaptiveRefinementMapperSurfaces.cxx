@@ -180,6 +180,28 @@ void testFunction(RelevoComparison& comparison)
   comparison.Compare("Surfaces.Function.Cube", lit,
     [&](RelevoScene& s) { s.Add(Tagged(Cube(), 5), MakeRecipe(5, waves)); });
 }
+
+// A function that is no GLSL: said once, nothing is drawn, and the next function is.
+void testBadFunction(RelevoCheck& check)
+{
+  vtkNew<vtkProceduralSurface> surface;
+  surface->SetShaderFunction("float proceduralHeight(vec3 p, vec3 n, vec3 w) { return nonsense; }");
+  RelevoScene scene(RelevoScene::Refining);
+  scene.Add(Sphere(9, 7), MakeRecipe(2, surface));
+  scene.ResetCameras();
+  RelevoErrors errors(scene.GetMapper(0));
+  // OpenGL's own message comes with the text of the shader.
+  vtkObject::GlobalWarningDisplayOff();
+  scene.Render();
+  scene.Render();
+  vtkObject::GlobalWarningDisplayOn();
+  CHECK(errors.Said("ShaderFunction"));
+  CHECK(RelevoPicture(scene.Window).CountForeground() == 0);
+  surface->SetShaderFunction("float proceduralHeight(vec3 p, vec3 n, vec3 w) { return 0.5; }");
+  scene.Render();
+  CHECK(errors.None());
+  CHECK(RelevoPicture(scene.Window).CountForeground() > 1000);
+}
 }
 
 int TestAdaptiveRefinementMapperSurfaces(int argc, char* argv[])
@@ -189,5 +211,6 @@ int TestAdaptiveRefinementMapperSurfaces(int argc, char* argv[])
   testTwins(comparison);
   testLive(check, comparison);
   testFunction(comparison);
+  testBadFunction(check);
   return check.GetResult();
 }

@@ -10,11 +10,14 @@
 #include "vtkCellData.h"
 #include "vtkDisplacement.h"
 #include "vtkFaceCulling.h"
+#include "vtkG1Surface.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPhongSurface.h"
 #include "vtkPolyDataNormals.h"
+#include "vtkProceduralSurface.h"
 #include "vtkRefinementMesh.h"
 #include "vtkReverseSense.h"
 #include "vtkTransform.h"
@@ -147,6 +150,11 @@ int TestFaceCulling(int, char*[])
   RelevoCheck check;
   std::mt19937 random(3);
   vtkNew<vtkPNTriangleSurface> curved;
+  vtkNew<vtkPhongSurface> phong;
+  phong->SetAlpha(0.8);
+  vtkNew<vtkProceduralSurface> fur;
+  fur->SetAmplitude(0.2);
+  vtkNew<vtkG1Surface> g1;
   vtkNew<RelevoHeights> heights;
   heights->FillRandom(17, 13, 4);
   vtkNew<vtkDisplacement> displacement;
@@ -169,6 +177,9 @@ int TestFaceCulling(int, char*[])
   const Case cases[] = {
     { "sphere", Sphere(16, 12), nullptr, nullptr, true, 0.8 },
     { "curved sphere", Sphere(16, 12), curved, nullptr, true, 0.5 },
+    { "Phong sphere", Sphere(16, 12), phong, nullptr, true, 0.5 },
+    { "furry sphere", Sphere(16, 12), fur, nullptr, true, 0.3 },
+    { "G1 sphere", Sphere(16, 12), g1, nullptr, true, 0.3 },
     { "sphere of single triangles", Explode(Sphere(16, 12)), nullptr, nullptr, true, 0.8 },
     { "sphere inside out", reversed->GetOutput(), nullptr, nullptr, false, 0.3 },
     { "displaced", TexturedSphere(16, 12), nullptr, displacement, false, 0.05 },
