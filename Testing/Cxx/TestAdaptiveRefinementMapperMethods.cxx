@@ -2,18 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkAdaptiveRefinementMapper::SetMethod(): every method draws what ARKFPI draws.
 #include "RelevoMethods.h"
+#include "RelevoPicks.h"
 #include "RelevoTestMeshes.h"
 
+#include "vtkDataObject.h"
 #include "vtkDisplacement.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPNTriangleSurface.h"
 
+#include <algorithm>
 #include <initializer_list>
 
 namespace
 {
 using namespace RelevoMeshes;
 using namespace RelevoMethods;
+using namespace RelevoPicks;
 
 // One mesh, drawn by one method after another.
 struct Subject
@@ -242,6 +246,33 @@ void TestSubstitute(RelevoCheck& check, RelevoComparison& comparison)
   CHECK(mapper->GetMethodInUse() == Mapper::METHOD_DMR);
 }
 
+// Hardware selection gives the same cells and points.
+void TestPicking(RelevoCheck& check)
+{
+  Subject subject(Mixed(), 3);
+  for (int association :
+    { vtkDataObject::FIELD_ASSOCIATION_CELLS, vtkDataObject::FIELD_ASSOCIATION_POINTS })
+  {
+    subject.GetMapper()->SetMethodToARKFPI();
+    const std::vector<Hit> expected = SelectPixels(subject.Scene, association);
+    const size_t hits = expected.size() - std::count(expected.begin(), expected.end(), Hit());
+    CHECK(hits > 100);
+    for (int method : GetMethods())
+    {
+      subject.GetMapper()->SetMethod(method);
+      const std::vector<Hit> actual = SelectPixels(subject.Scene, association);
+      size_t differences = 0;
+      for (size_t i = 0; i < expected.size(); ++i)
+      {
+        differences += !(actual[i] == expected[i]);
+      }
+      std::cout << "Picks of " << GetName(method) << ": " << differences << " of " << hits
+                << " differ" << std::endl;
+      CHECK(actual.size() == expected.size() && differences <= hits / 1000);
+    }
+  }
+}
+
 // Blocks follow.
 void TestBlocks(RelevoCheck& check)
 {
@@ -273,6 +304,7 @@ int TestAdaptiveRefinementMapperMethods(int argc, char* argv[])
   TestEqualLevels(check, comparison);
   TestSwitching(check, comparison);
   TestSubstitute(check, comparison);
+  TestPicking(check);
   TestBlocks(check);
   return check.GetResult();
 }

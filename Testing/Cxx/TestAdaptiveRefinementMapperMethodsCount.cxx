@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// GetNumberOfDrawnTriangles() of every method against what OpenGL counts.
+#include "RelevoMethods.h"
+#include "RelevoTestMeshes.h"
+#include "vtkRelevoOpenGL.h"
+
+#include "vtkPNTriangleSurface.h"
+
+namespace
+{
+using namespace RelevoMeshes;
+using namespace RelevoMethods;
+
+// Primitives of one render.
+vtkIdType CountPrimitives(RelevoScene& scene)
+{
+  scene.Window->MakeCurrent();
+  GLuint query = 0;
+  GLuint count = 0;
+  glGenQueries(1, &query);
+  glBeginQuery(GL_PRIMITIVES_GENERATED, query);
+  scene.Render();
+  glEndQuery(GL_PRIMITIVES_GENERATED);
+  glGetQueryObjectuiv(query, GL_QUERY_RESULT, &count);
+  glDeleteQueries(1, &query);
+  return static_cast<vtkIdType>(count);
+}
+
+// What SUAPT draws of triangles whose points have tags: 4 to the highest level of each.
+vtkIdType CountSemiUniform(vtkPolyData* mesh)
+{
+  vtkDataArray* tags = mesh->GetPointData()->GetArray("DepthTag");
+  vtkNew<vtkIdList> ids;
+  vtkIdType count = 0;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    mesh->GetCellPoints(cell, ids);
+    double highest = 0.0;
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      const double mean =
+        0.5 * (tags->GetTuple1(ids->GetId(k)) + tags->GetTuple1(ids->GetId((k + 1) % 3)));
+      highest = std::max(highest, std::floor(mean + 0.5));
+    }
+    count += static_cast<vtkIdType>(std::pow(4.0, highest));
+  }
+  return count;
+}
+
+// Those of the first actor.
+vtkIdType CountTriangles(RelevoScene& scene)
+{
+  scene.Render(); // all is made that a change takes
+  const vtkIdType all = CountPrimitives(scene);
+  scene.GetActor(0)->VisibilityOff();
+  const vtkIdType others = CountPrimitives(scene);
+  scene.GetActor(0)->VisibilityOn();
+  return all - others;
+}
+}
+
+int TestAdaptiveRefinementMapperMethodsCount(int, char*[])
+{
+  RelevoCheck check;
+  vtkNew<vtkPNTriangleSurface> surface;
+  for (bool tagged : { false, true })
+  {
+    for (bool near : { false, true })
+    {
+      Mesh mesh = Sphere(12, 8);
+      // With 32 segments at least, no instance of a pattern has room for more than a face.
+      const int level = tagged ? 4 : 5;
+      if (tagged)
+      {
+        AddTags(mesh, 3, level);
+      }
+      vtkNew<vtkAdaptiveRefinement> recipe;
+      recipe->SetMaximumLevel(level);
+      recipe->SetSurface(surface);
+      recipe->SetGeomorphing(0);
+      RelevoScene scene(RelevoScene::Refining);
+      scene.Add(mesh, recipe);
+      scene.ResetCameras();
+      if (near)
+      {
+        scene.Renderer->GetActiveCamera()->Zoom(4.0);
+      }
+      Mapper* mapper = scene.GetMapper(0);
+      for (int method : GetMethods())
+      {
+        mapper->SetMethod(method);
+        const vtkIdType counted = CountTriangles(scene);
+        const vtkIdType drawn = mapper->GetNumberOfDrawnTriangles();
+        const vtkIdType culled = mapper->GetNumberOfCulledFaces();
+        std::cout << GetName(method) << ": " << drawn << " triangles, OpenGL counts " << counted
+                  << ", " << culled << " faces culled" << std::endl;
+        CHECK(near ? culled > 0 : culled == 0);
+        const bool isOfFilter = method == Mapper::METHOD_ARKFPI || method == Mapper::METHOD_ARK;
+        if (isOfFilter)
+        {
+          CHECK(near || method != Mapper::METHOD_ARK || drawn == counted); // culled ones count
+        }
+        else if (method == Mapper::METHOD_DMR || !tagged)
+        {
+          CHECK(drawn == counted);
+        }
+        else
+        {
+          CHECK(drawn <= counted); // instances with room for more faces than there are left
+        }
+        if (tagged && !near && method == Mapper::METHOD_SUAPT)
+        {
+          CHECK(drawn == CountSemiUniform(mesh));
+        }
+        if (!tagged && !near)
+        {
+          CHECK(drawn == mesh->GetNumberOfCells() * 1024);
+        }
+      }
+    }
+  }
+  return check.GetResult();
+}
