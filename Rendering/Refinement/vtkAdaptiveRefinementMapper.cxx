@@ -512,7 +512,7 @@ void vtkAdaptiveRefinementMapper::DrawFaces(
     state->vtkglPointSize(this->GetPointPickingPrimitiveSize(cellBO.PrimitiveType));
     mode = GL_POINTS;
   }
-  this->UpdateShaders(cellBO, ren, act);
+  this->UpdateRefiningShaders(cellBO, ren, act);
   if (!cellBO.Program)
   {
     return;
@@ -552,6 +552,29 @@ relevo::RefinementShaderOptions vtkAdaptiveRefinementMapper::vtkInternals::GetSh
   return options;
 }
 
+void vtkAdaptiveRefinementMapper::UpdateRefiningShaders(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
+{
+  vtkInternals& data = *this->Internals;
+  const std::string key = data.GetShaderOptions(this, &cellBO).GetKey();
+  if (data.Programs[&cellBO].FailedKey == key)
+  {
+    return;
+  }
+  if (!cellBO.Program)
+  {
+    // VTK asks the last program for its time when it cannot build the next.
+    cellBO.Program = data.NoProgram;
+  }
+  this->UpdateShaders(cellBO, ren, act);
+  if (!cellBO.Program)
+  {
+    data.Programs[&cellBO].FailedKey = key; // said once, until something changes
+    vtkErrorMacro("The shaders could not be built; OpenGL's own message says why. A "
+                  "vtkProceduralSurface's ShaderFunction is part of them.");
+  }
+}
+
 bool vtkAdaptiveRefinementMapper::GetNeedToRebuildShaders(
   vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
 {
@@ -560,7 +583,7 @@ bool vtkAdaptiveRefinementMapper::GetNeedToRebuildShaders(
   {
     const std::string key = this->Internals->GetShaderOptions(this, &cellBO).GetKey();
     std::string& last = this->Internals->Programs[&cellBO].ShaderKey;
-    needed = needed || key != last;
+    needed = needed || key != last || cellBO.Program == this->Internals->NoProgram;
     last = key;
   }
   return needed;

@@ -386,6 +386,7 @@ private:
   bool IsRefining(const vtkOpenGLHelper* cellBO) const;
   void SetRefinementColorMode(RefinementColorModes mode);
   bool UpdateFaceColors(vtkRenderer* ren);
+  void UpdateRefiningShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act);
   void DrawFaces(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act);
 
   vtkSmartPointer<vtkAdaptiveRefinement> Refinement;

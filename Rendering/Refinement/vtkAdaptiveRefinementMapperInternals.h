@@ -11,6 +11,7 @@
 
 #include "vtkAdaptiveRefinementMapper.h"
 #include "vtkLevelBudget.h"
+#include "vtkNew.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRefinementBlocks.h"
@@ -25,6 +26,7 @@
 #include "vtkRefinementShader.h"
 #include "vtkRefinementState.h"
 #include "vtkRenderClock.h"
+#include "vtkShaderProgram.h"
 #include "vtkTimeStamp.h"
 #include "vtkWeakPointer.h"
 
@@ -99,9 +101,11 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   struct ProgramState
   {
     std::string ShaderKey;
+    std::string FailedKey; // of shaders that could not be built
     std::vector<std::string> Attributes;
   };
   std::map<const vtkOpenGLHelper*, ProgramState> Programs;
+  vtkNew<vtkShaderProgram> NoProgram;
 
   relevo::RefinementBlocks Blocks;
 

@@ -190,11 +190,8 @@ void testBadFunction(RelevoCheck& check)
   scene.Add(Sphere(9, 7), MakeRecipe(2, surface));
   scene.ResetCameras();
   RelevoErrors errors(scene.GetMapper(0));
-  // OpenGL's own message comes with the text of the shader.
-  vtkObject::GlobalWarningDisplayOff();
   scene.Render();
   scene.Render();
-  vtkObject::GlobalWarningDisplayOn();
   CHECK(errors.Said("ShaderFunction"));
   CHECK(RelevoPicture(scene.Window).CountForeground() == 0);
   surface->SetShaderFunction("float proceduralHeight(vec3 p, vec3 n, vec3 w) { return 0.5; }");
