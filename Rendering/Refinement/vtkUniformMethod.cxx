@@ -13,7 +13,6 @@
 #include "vtkViewSelection.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace relevo
 {
@@ -42,20 +41,24 @@ void UniformMethod::Group(const RefinementDrawing& drawing, std::vector<unsigned
   const PatternSelection& selection = drawing.Selection->GetSelection();
   const int most = GetMostSegments(selection);
   // A uniform pattern is the same in any order of the corners, but for the winding.
-  std::map<std::pair<int, bool>, std::vector<unsigned int>> faces;
+  std::vector<std::vector<unsigned int>> faces(2 * (static_cast<size_t>(most) + 1));
   for (unsigned int instance : selection.Instances)
   {
     const unsigned int face = instance >> 3;
-    faces[{ this->GetSegments(selection, static_cast<int>(face), most),
-            drawing.Mesh->Faces[face].IsTurned() }]
-      .push_back(face << 3);
+    const int n = this->GetSegments(selection, static_cast<int>(face), most);
+    faces[static_cast<size_t>(2 * n + (drawing.Mesh->Faces[face].IsTurned() ? 1 : 0))].push_back(
+      face << 3);
   }
-  for (const auto& group : faces)
+  for (size_t key = 0; key < faces.size(); ++key)
   {
-    const int n = group.first.first;
-    groups.push_back({ &drawing.Table->GetPatternOfSegments(n, n, n), group.first.second,
-      static_cast<int>(instances.size()), static_cast<int>(group.second.size()) });
-    instances.insert(instances.end(), group.second.begin(), group.second.end());
+    if (faces[key].empty())
+    {
+      continue;
+    }
+    const int n = static_cast<int>(key / 2);
+    groups.push_back({ &drawing.Table->GetPatternOfSegments(n, n, n), key % 2 == 1,
+      static_cast<int>(instances.size()), static_cast<int>(faces[key].size()) });
+    instances.insert(instances.end(), faces[key].begin(), faces[key].end());
   }
 }
 

@@ -5,6 +5,8 @@
 #include "RelevoPicks.h"
 #include "RelevoTestMeshes.h"
 
+#include "vtkCellData.h"
+#include "vtkCullerCollection.h"
 #include "vtkDataObject.h"
 #include "vtkDisplacement.h"
 #include "vtkMultiBlockDataSet.h"
@@ -113,14 +115,21 @@ void TestARK(RelevoCheck& check, RelevoComparison& comparison)
   }
 }
 
-// With one level everywhere all methods have the same triangles. Where two share a pixel's depth
-// the order of drawing decides, and the order of a triangle's corners on the last bit.
-void TestEqualLevels(RelevoCheck& check, RelevoComparison& comparison)
+// For the same triangles in another order. Where two share a pixel's depth the order of drawing
+// decides, and the order of a triangle's corners on the last bit.
+RelevoTolerance GetTolerance()
 {
   RelevoTolerance tolerance;
   tolerance.Color = 3;
   tolerance.Depth = 1e-5;
   tolerance.Pixels = 20;
+  return tolerance;
+}
+
+// With one level everywhere all methods have the same triangles.
+void TestEqualLevels(RelevoCheck& check, RelevoComparison& comparison)
+{
+  const RelevoTolerance tolerance = GetTolerance();
   struct Case
   {
     std::string Name;
@@ -130,10 +139,28 @@ void TestEqualLevels(RelevoCheck& check, RelevoComparison& comparison)
   const auto inColors = [](RelevoScene& scene) { scene.GetMapper(0)->SetColorModeToLevel(); };
   const auto byPatterns = [](RelevoScene& scene) { scene.GetMapper(0)->SetColorModeToPattern(); };
   const auto clipped = [](RelevoScene& scene) { scene.Renderer->GetActiveCamera()->Zoom(4.0); };
+  const auto withEdges = [](RelevoScene& scene)
+  { scene.GetActor(0)->GetProperty()->EdgeVisibilityOn(); };
+  const auto translucent = [](RelevoScene& scene)
+  {
+    scene.Window->SetAlphaBitPlanes(1);
+    scene.Renderer->SetUseDepthPeeling(1);
+    scene.Renderer->SetMaximumNumberOfPeels(20);
+    scene.GetActor(0)->GetProperty()->SetOpacity(0.5);
+  };
+  Mesh colored = Noisy(6);
+  vtkNew<vtkFloatArray> scalars;
+  for (vtkIdType cell = 0; cell < colored->GetNumberOfCells(); ++cell)
+  {
+    scalars->InsertNextValue(static_cast<float>(cell % 7) / 7.0f);
+  }
+  colored->GetCellData()->SetScalars(scalars);
   for (const Case& c : std::initializer_list<Case>{ { "Sphere", Noisy(1), nullptr },
          { "SplitNormals", Cube(), nullptr }, { "Strips", Strips(), nullptr },
          { "Mixed", Mixed(), nullptr }, { "Levels", Noisy(2), inColors },
-         { "Patterns", Noisy(2), byPatterns }, { "Culled", Noisy(3), clipped } })
+         { "Patterns", Noisy(2), byPatterns }, { "Culled", Noisy(3), clipped },
+         { "Edges", Noisy(3), withEdges }, { "Translucent", Noisy(3), translucent },
+         { "CellColors", colored, nullptr } })
   {
     for (bool displaced : { false, true })
     {
@@ -246,6 +273,27 @@ void TestSubstitute(RelevoCheck& check, RelevoComparison& comparison)
   CHECK(mapper->GetMethodInUse() == Mapper::METHOD_DMR);
 }
 
+// Nothing in sight, before and after something was.
+void TestNothing(RelevoCheck& check, RelevoComparison& comparison)
+{
+  Subject subject(Noisy(1));
+  RelevoErrors errors(subject.GetMapper());
+  vtkCamera* camera = subject.Scene.Renderer->GetActiveCamera();
+  subject.Scene.Renderer->GetCullers()->RemoveAllItems(); // of whole actors
+  const RelevoPicture expected = subject.Draw(Mapper::METHOD_ARKFPI);
+  for (int method : GetMethods())
+  {
+    camera->Yaw(180.0);
+    CHECK(subject.Draw(method).CountForeground() == 0);
+    CHECK(subject.GetMapper()->GetNumberOfCulledFaces() ==
+      subject.GetMapper()->GetNumberOfCoarseFaces());
+    camera->Yaw(180.0);
+    comparison.Compare(
+      std::string("Again.") + GetName(method), GetTolerance(), subject.Draw(method), expected);
+  }
+  CHECK(errors.None());
+}
+
 // Hardware selection gives the same cells and points.
 void TestPicking(RelevoCheck& check)
 {
@@ -304,6 +352,7 @@ int TestAdaptiveRefinementMapperMethods(int argc, char* argv[])
   TestEqualLevels(check, comparison);
   TestSwitching(check, comparison);
   TestSubstitute(check, comparison);
+  TestNothing(check, comparison);
   TestPicking(check);
   TestBlocks(check);
   return check.GetResult();

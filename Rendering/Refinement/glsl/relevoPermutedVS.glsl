@@ -1,8 +1,5 @@
-// A vertex where its pattern has it, or, morphing, where the tags of its face's edges move it.
-
-#ifdef RELEVO_MORPH
-vec3 relevoMorphingTags(); // of the sorted edges (0,1), (1,2), (0,2)
-#endif
+// A vertex where its pattern has it, or, morphing, where the tags of its face's edges move it. After
+// relevoPatternVS.glsl and what has relevoMorphingTags(), those of the sorted edges.
 
 vec3 relevoPatternWeights(int code)
 {
