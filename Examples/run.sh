@@ -6,16 +6,16 @@
 # image, and runs relevo-view on them. The last line is the path of the picture; with a display a
 # window opens as well.
 #
-#   bash Examples/run.sh [HEIGHTMAP] [options of relevo-view]
+#   bash Examples/run.sh [FILE] [options of relevo-view]
 #
-# A HEIGHTMAP of your own takes the place of the fetched one. See build/bin/relevo-view --help.
+# A height map or mesh of your own takes the place of the fetched one. See build/bin/relevo-view --help.
 set -euo pipefail
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir=${RELEVO_BUILD_DIR:-$source_dir/build}
 
 # What the arguments already say. Paths in them count from where the caller stands.
-height_map='' output='' leaves=no option=''
+file='' output='' leaves=no option=''
 for argument in "$@"; do
   if [ -n "$option" ]; then
     [ "$option" != --output ] || output=$argument
@@ -28,7 +28,7 @@ for argument in "$@"; do
     --export | --export=*) leaves=yes ;;&
     --no-geomorphing | --per-edge | --stats | --stretch | --wireframe | --*=*) ;;
     --*) option=$argument ;;
-    *) height_map=$argument ;;
+    *) file=$argument ;;
   esac
 done
 [ -z "$output" ] || leaves=yes
@@ -40,7 +40,7 @@ if [ $leaves = help ]; then
 fi
 
 arguments=("$@")
-if [ -z "$height_map" ]; then
+if [ -z "$file" ]; then
   data=$(bash "$source_dir/Data/fetch.sh")
   # Raw bands of Landsat, which begin with blue; and rather flat land.
   arguments=("$(sed -n 's/^RELIEF=//p' <<<"$data")"

@@ -2,17 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewerLegend.h"
 
-#include "vtkAdaptiveRefinement.h"
-#include "vtkAdaptiveRefinementMapper.h"
 #include "vtkScalarBarActor.h"
 #include "vtkScalarsToColors.h"
 #include "vtkTextProperty.h"
 
 vtkSmartPointer<vtkScalarBarActor> MakeLegend(
-  vtkAdaptiveRefinementMapper* mapper, const std::string& title, int height)
+  vtkScalarsToColors* table, const std::string& title, int numberOfLabels, int height)
 {
   const int rowHeight = 20; // pixels
-  vtkScalarsToColors* table = mapper->GetLevelLookupTable();
   const int rows =
     table->GetIndexedLookup() ? static_cast<int>(table->GetNumberOfAnnotatedValues()) : 10;
   const double share = static_cast<double>(rowHeight) * (rows + 2) / height;
@@ -23,8 +20,8 @@ vtkSmartPointer<vtkScalarBarActor> MakeLegend(
   auto legend = vtkSmartPointer<vtkScalarBarActor>::New();
   legend->SetLookupTable(table);
   legend->SetTitle(title.c_str());
-  legend->SetNumberOfLabels(mapper->GetRefinement()->GetMaximumLevel() + 1);
-  legend->SetLabelFormat("%.0f");
+  legend->SetNumberOfLabels(numberOfLabels);
+  legend->SetLabelFormat("%.3g");
   if (table->GetIndexedLookup())
   {
     legend->SetTextPositionToPrecedeScalarBar(); // which puts annotations on the other side

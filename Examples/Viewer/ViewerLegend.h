@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   what the colours of levels, patterns and metrics mean
+ * @brief   what colours mean
  */
 #ifndef ViewerLegend_h
 #define ViewerLegend_h
@@ -10,11 +10,12 @@
 
 #include <string>
 
-class vtkAdaptiveRefinementMapper;
 class vtkScalarBarActor;
+class vtkScalarsToColors;
 
-/// For a picture of that height; nullptr where it would not fit.
+/// For a picture of that height; nullptr where it would not fit. Labels are numbers of the table's
+/// range, or its annotations where it has an indexed lookup.
 vtkSmartPointer<vtkScalarBarActor> MakeLegend(
-  vtkAdaptiveRefinementMapper* mapper, const std::string& title, int height);
+  vtkScalarsToColors* table, const std::string& title, int numberOfLabels, int height);
 
 #endif

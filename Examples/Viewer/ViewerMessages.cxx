@@ -6,7 +6,10 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkExecutive.h"
+#include "vtkLogger.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
 
 #include <algorithm>
 #include <functional>
@@ -27,6 +30,20 @@ void AddHandler(vtkObject* object, unsigned long event, const Handler& handler)
   object->AddObserver(event, command);
 }
 
+// VTK's readers have helpers that nobody can observe; the reader itself says what matters.
+class SilentWindow : public vtkOutputWindow
+{
+public:
+  static SilentWindow* New();
+  vtkTypeMacro(SilentWindow, vtkOutputWindow);
+
+  void DisplayText(const char*) override {}
+  void DisplayErrorText(const char*) override {}
+  void DisplayWarningText(const char*) override {}
+  void DisplayGenericWarningText(const char*) override {}
+};
+vtkStandardNewMacro(SilentWindow);
+
 // "ERROR: In file, line n\nvtkClass (0x...): text\n\n" -> "text", on one line.
 std::string GetText(void* callData)
 {
@@ -43,6 +60,13 @@ std::string GetText(void* callData)
 }
 
 //------------------------------------------------------------------------------
+ViewerMessages::ViewerMessages()
+{
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  vtkOutputWindow::SetInstance(vtkNew<SilentWindow>());
+}
+
+//------------------------------------------------------------------------------
 void ViewerMessages::Observe(vtkObject* object)
 {
   AddHandler(object, vtkCommand::ErrorEvent,
@@ -54,8 +78,16 @@ void ViewerMessages::Observe(vtkObject* object)
       }
     });
   AddHandler(object, vtkCommand::WarningEvent,
-    [](vtkObject*, void* callData)
-    { std::cerr << "relevo-view: warning: " << GetText(callData) << std::endl; });
+    [this](vtkObject*, void* callData) { this->ShowWarning(GetText(callData)); });
+}
+
+//------------------------------------------------------------------------------
+void ViewerMessages::ShowWarning(const std::string& text)
+{
+  if (this->Warnings.insert(text).second)
+  {
+    std::cerr << "relevo-view: warning: " << text << std::endl;
+  }
 }
 
 //------------------------------------------------------------------------------

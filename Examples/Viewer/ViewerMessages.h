@@ -8,6 +8,7 @@
 #define ViewerMessages_h
 
 #include <chrono>
+#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -23,8 +24,11 @@ struct ViewerError : std::runtime_error
 class ViewerMessages
 {
 public:
+  /// VTK's objects that nobody observes say nothing from here on.
+  ViewerMessages();
+
   /**
-   * Collect the errors of an object and pass its warnings on.
+   * Collect the errors of an object and pass its warnings on, each once.
    */
   void Observe(vtkObject* object);
 
@@ -44,9 +48,11 @@ public:
   void Check();
 
 private:
+  void ShowWarning(const std::string& text);
   void ShowProgress(const std::string& name, double share);
 
   std::string FirstError;
+  std::set<std::string> Warnings; // shown
   std::chrono::steady_clock::time_point LastProgress;
 };
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewerMetric.h"
 
-#include "ReliefMetric.h"
 #include "ViewerMessages.h"
 #include "ViewerOptions.h"
 
@@ -10,13 +9,13 @@
 #include "vtkCylinder.h"
 #include "vtkDistanceDepthTagMetric.h"
 #include "vtkFieldVariationDepthTagMetric.h"
-#include "vtkFloatArray.h"
+#include "vtkImplicitFunction.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRegionDepthTagMetric.h"
 #include "vtkScreenEdgeDepthTagMetric.h"
 #include "vtkSilhouetteDepthTagMetric.h"
+#include "vtkSphere.h"
 #include "vtkViewDependentDepthTagMetric.h"
 
 #include <algorithm>
@@ -36,6 +35,11 @@ Metric MakeScreenEdge(const ViewerOptions& options)
 {
   vtkNew<vtkScreenEdgeDepthTagMetric> metric;
   metric->SetReferenceLength(options.Pixels.value_or(ViewerOptions::DefaultPixels));
+  if (options.IsMesh)
+  {
+    // What bulges above an edge that is seen end-on is seen in full.
+    metric->SetMeasureToSphereDiameter();
+  }
   return metric.Get();
 }
 
@@ -55,42 +59,60 @@ Metric MakeSilhouette(bool contour)
   return metric.Get();
 }
 
-// The field of a terrain is its height.
-Metric MakeFieldVariation(vtkPolyData* relief)
+Metric MakeFieldVariation(const ViewerOptions& options, const std::string& arrayName)
 {
-  vtkNew<vtkFloatArray> heights;
-  heights->SetName("Height");
-  for (vtkIdType i = 0; i < relief->GetNumberOfPoints(); ++i)
+  if (arrayName.empty())
   {
-    heights->InsertNextValue(static_cast<float>(relief->GetPoint(i)[2]));
+    throw ViewerError(
+      options.Input + " has no array of points for --metric field; --array NAME chooses one");
   }
-  relief->GetPointData()->AddArray(heights);
   vtkNew<vtkFieldVariationDepthTagMetric> metric;
-  metric->SetArrayName(heights->GetName());
+  metric->SetArrayName(arrayName.c_str());
   return metric.Get();
 }
 
-// Around a place, whatever the height; by default the terrain's middle.
-Metric MakeRegion(const ViewerOptions& options, vtkPolyData* relief)
+// On a terrain a place is one whatever the height.
+vtkSmartPointer<vtkImplicitFunction> MakePlace(
+  const ViewerOptions& options, const double centre[3], double radius)
 {
-  double bounds[6];
-  relief->GetBounds(bounds);
-  const double size = std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]);
-  const std::array<double, 3> region = options.Region.value_or(std::array<double, 3>{
-    { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]), 0.1 * size } });
+  if (options.IsMesh)
+  {
+    vtkNew<vtkSphere> sphere;
+    sphere->SetCenter(centre[0], centre[1], centre[2]);
+    sphere->SetRadius(radius);
+    return sphere.Get();
+  }
   vtkNew<vtkCylinder> cylinder;
   cylinder->SetAxis(0.0, 0.0, 1.0);
-  cylinder->SetCenter(region[0], region[1], 0.0);
-  cylinder->SetRadius(region[2]);
-  vtkNew<vtkRegionDepthTagMetric> metric;
-  metric->SetImplicitFunction(cylinder);
-  metric->SetFallOff(2.0 * region[2]);
-  return metric.Get();
+  cylinder->SetCenter(centre[0], centre[1], 0.0);
+  cylinder->SetRadius(radius);
+  return cylinder.Get();
 }
 
-Metric MakeOwnMetric(const ViewerOptions& options, vtkPolyData* relief)
+// Around a place; by default a terrain's middle, or a mesh's first point, which is on its surface.
+Metric MakeRegion(const ViewerOptions& options, vtkPolyData* mesh)
 {
-  switch (options.Metric)
+  double bounds[6];
+  double centre[3];
+  mesh->GetBounds(bounds);
+  options.IsMesh ? mesh->GetPoint(0, centre) : mesh->GetCenter(centre);
+  double radius = 0.1 * std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]);
+  if (options.Region)
+  {
+    std::copy(options.Region->begin(), options.Region->end() - 1, centre);
+    radius = options.Region->back();
+  }
+  vtkNew<vtkRegionDepthTagMetric> metric;
+  metric->SetImplicitFunction(MakePlace(options, centre, radius));
+  metric->SetFallOff(2.0 * radius);
+  return metric.Get();
+}
+}
+
+//------------------------------------------------------------------------------
+Metric MakeMetric(const ViewerOptions& options, vtkPolyData* mesh, const std::string& arrayName)
+{
+  switch (options.GetMetric())
   {
     case ViewerOptions::MetricType::Distance:
       return MakeDistance(options);
@@ -105,20 +127,9 @@ Metric MakeOwnMetric(const ViewerOptions& options, vtkPolyData* relief)
     case ViewerOptions::MetricType::ViewDependent:
       return Metric::Take(vtkViewDependentDepthTagMetric::New());
     case ViewerOptions::MetricType::Field:
-      return MakeFieldVariation(relief);
+      return MakeFieldVariation(options, arrayName);
     case ViewerOptions::MetricType::Region:
-      return MakeRegion(options, relief);
+      return MakeRegion(options, mesh);
   }
   return nullptr;
-}
-}
-
-Metric MakeMetric(const ViewerOptions& options, vtkPolyData* relief, ViewerMessages& messages)
-{
-  const Metric own = MakeOwnMetric(options, relief);
-  messages.Observe(own);
-  vtkNew<ReliefMetric> metric;
-  metric->SetMetric(own);
-  metric->SetRelief(relief);
-  return metric.Get();
 }

@@ -8,16 +8,17 @@
 
 #include "vtkSmartPointer.h"
 
+#include <string>
+
 class vtkDepthTagMetric;
 class vtkPolyData;
-class ViewerMessages;
 struct ViewerOptions;
 
 /**
- * A metric for a mesh whose points, moved onto the terrain, are those of `relief`. `relief` gets
- * the array that the metric needs. Its errors go to `messages`.
+ * A metric that looks at `mesh`; the array of points' numbers is that of the field. Throws
+ * ViewerError where there is none though it is needed.
  */
 vtkSmartPointer<vtkDepthTagMetric> MakeMetric(
-  const ViewerOptions& options, vtkPolyData* relief, ViewerMessages& messages);
+  const ViewerOptions& options, vtkPolyData* mesh, const std::string& arrayName);
 
 #endif

@@ -2,309 +2,319 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewerOptions.h"
 
-#include <cmath>
+#include "MeshReader.h"
+#include "ViewerArguments.h"
+#include "ViewerExport.h"
+
+#include "vtkAdaptiveRefinementMapper.h"
+
 #include <functional>
 #include <limits>
 #include <map>
-#include <sstream>
-#include <utility>
-#include <vector>
+#include <set>
 
 namespace
 {
 const int HighestLevel = 7;
-const int LargestBand = 65535;
-const int LargestSize = 16384;
 const int LargestResolution = 4096;
 
-double ToNumber(const std::string& option, const std::string& text)
-{
-  std::size_t end = 0;
-  double value = 0.0;
-  try
-  {
-    value = std::stod(text, &end);
-  }
-  catch (const std::logic_error&)
-  {
-    end = 0;
-  }
-  if (end == 0 || end != text.size() || !std::isfinite(value))
-  {
-    throw UsageError(option + " wants a number, not '" + text + "'");
-  }
-  return value;
-}
+using Flags = std::map<std::string, std::function<void()>>;
+using Setter = std::function<void(const std::string& option, const std::string& value)>;
+using Settings = std::map<std::string, Setter>;
 
-int ToInteger(const std::string& option, const std::string& text, int lowest, int highest)
+// Reads options one by one, then checks what goes with what.
+class Parser
 {
-  const double value = ToNumber(option, text);
-  if (value != std::floor(value) || value < lowest || value > highest)
+public:
+  ViewerOptions Parse(int argc, char* argv[])
   {
-    throw UsageError(option + " wants a whole number from " + std::to_string(lowest) + " to " +
-      std::to_string(highest) + ", not '" + text + "'");
-  }
-  return static_cast<int>(value);
-}
-
-double ToPositiveNumber(const std::string& option, const std::string& text)
-{
-  const double value = ToNumber(option, text);
-  if (value <= 0.0)
-  {
-    throw UsageError(option + " wants a number above 0, not '" + text + "'");
-  }
-  return value;
-}
-
-// What a word stands for.
-template <typename T>
-T ToChoice(const std::string& option, const std::string& text,
-  const std::vector<std::pair<std::string, T>>& choices)
-{
-  std::string words;
-  for (size_t i = 0; i < choices.size(); ++i)
-  {
-    if (choices[i].first == text)
+    this->AddFlags();
+    this->AddSurface();
+    this->AddTerrain();
+    this->AddMesh();
+    this->AddLevels();
+    this->AddPicture();
+    for (int i = 1; i < argc; ++i)
     {
-      return choices[i].second;
+      i += this->ReadArgument(argv[i], i + 1 < argc ? argv[i + 1] : nullptr);
     }
-    words += (i == 0 ? "" : i + 1 < choices.size() ? ", " : " or ") + choices[i].first;
+    if (this->Options.Input.empty() && !this->Options.Help)
+    {
+      throw UsageError("which height map or mesh?");
+    }
+    this->Options.IsMesh = IsMeshFile(this->Options.Input);
+    this->Check();
+    return this->Options;
   }
-  throw UsageError(option + " wants " + words + ", not '" + text + "'");
-}
 
-void ToSize(const std::string& option, const std::string& text, int size[2])
-{
-  const std::size_t cross = text.find('x');
-  if (cross == std::string::npos)
+private:
+  void AddFlags()
   {
-    throw UsageError(option + " wants WIDTHxHEIGHT, not '" + text + "'");
+    ViewerOptions& options = this->Options;
+    this->AllFlags = {
+      { "--help", [&] { options.Help = true; } },
+      { "-h", [&] { options.Help = true; } },
+      { "--no-geomorphing", [&] { options.Geomorphing = false; } },
+      { "--per-edge", [&] { options.PerEdge = true; } },
+      { "--stats", [&] { options.Statistics = true; } },
+      { "--stretch", [&] { options.Stretch = true; } },
+      { "--wireframe", [&] { options.Wireframe = true; } },
+    };
   }
-  size[0] = ToInteger(option, text.substr(0, cross), 1, LargestSize);
-  size[1] = ToInteger(option, text.substr(cross + 1), 1, LargestSize);
-}
 
-void ToBands(const std::string& option, const std::string& text, int bands[3])
-{
-  std::istringstream stream(text);
-  std::string band;
-  int count = 0;
-  for (; count < 3 && std::getline(stream, band, ','); ++count)
+  void AddSurface()
   {
-    bands[count] = ToInteger(option, band, 1, LargestBand);
+    ViewerOptions& options = this->Options;
+    const Setter imagery = [&](const auto&, const auto& value) { options.Imagery = value; };
+    this->AllSettings.insert({
+      { "--alpha",
+        [&](const auto& option, const auto& value)
+        { options.Alpha = ToNumber(option, value, 0.0, 1.0); } },
+      { "--amplitude",
+        [&](const auto& option, const auto& value)
+        { options.Amplitude = ToNumber(option, value); } },
+      { "--frequency",
+        [&](const auto& option, const auto& value)
+        { options.Frequency = ToNumber(option, value); } },
+      { "--image", imagery },
+      { "--imagery", imagery },
+      { "--no-data",
+        [&](const auto& option, const auto& value) {
+          options.FillNoData =
+            ToChoice<bool>(option, value, { { "hole", false }, { "fill", true } });
+        } },
+      { "--surface",
+        [&](const auto& option, const auto& value)
+        {
+          using Type = ViewerOptions::SurfaceType;
+          options.Surface = ToChoice<Type>(option, value,
+            { { "linear", Type::Linear }, { "pn", Type::PNTriangle }, { "phong", Type::Phong },
+              { "procedural", Type::Procedural }, { "g1", Type::G1 } });
+        } },
+    });
   }
-  if (count < 3 || !stream.eof())
-  {
-    throw UsageError(option + " wants three bands, as 3,2,1, not '" + text + "'");
-  }
-}
 
-std::array<double, 3> ToRegion(const std::string& option, const std::string& text)
-{
-  std::istringstream stream(text);
-  std::string number;
-  std::array<double, 3> region{};
-  size_t count = 0;
-  for (; count < 3 && std::getline(stream, number, ','); ++count)
+  void AddTerrain()
   {
-    region[count] = count < 2 ? ToNumber(option, number) : ToPositiveNumber(option, number);
+    ViewerOptions& options = this->Options;
+    this->AllSettings.insert({
+      { "--exaggeration",
+        [&](const auto& option, const auto& value)
+        { options.Exaggeration = ToNumber(option, value); } },
+      { "--imagery-bands",
+        [&](const auto& option, const auto& value)
+        { ToBands(option, value, options.ImageryBands); } },
+      { "--resolution",
+        [&](const auto& option, const auto& value)
+        { options.Resolution = ToInteger(option, value, 1, LargestResolution); } },
+    });
   }
-  if (count < 3 || !stream.eof())
-  {
-    throw UsageError(option + " wants X,Y,RADIUS, not '" + text + "'");
-  }
-  return region;
-}
 
-std::string ToFileName(
-  const std::string& option, const std::string& text, const std::string& extension)
-{
-  if (text.size() <= extension.size() ||
-    text.compare(text.size() - extension.size(), extension.size(), extension) != 0)
+  void AddMesh()
   {
-    throw UsageError(option + " wants the name of a " + extension + " file, not '" + text + "'");
+    ViewerOptions& options = this->Options;
+    this->AllSettings.insert({
+      { "--array", [&](const auto&, const auto& value) { options.Array = value; } },
+      { "--feature-angle",
+        [&](const auto& option, const auto& value)
+        { options.FeatureAngle = ToNumber(option, value, 0.0, 180.0); } },
+      { "--height", [&](const auto&, const auto& value) { options.Heights = value; } },
+      { "--mapping",
+        [&](const auto& option, const auto& value)
+        {
+          using Type = ViewerOptions::MappingType;
+          options.Mapping =
+            ToChoice<Type>(option, value, { { "sphere", Type::Sphere }, { "plane", Type::Plane } });
+        } },
+      { "--offset",
+        [&](const auto& option, const auto& value) { options.Offset = ToNumber(option, value); } },
+      { "--scale",
+        [&](const auto& option, const auto& value) { options.Scale = ToNumber(option, value); } },
+      { "--up",
+        [&](const auto& option, const auto& value) {
+          options.UpAxis = ToChoice<int>(option, value, { { "x", 0 }, { "y", 1 }, { "z", 2 } });
+        } },
+    });
   }
-  return text;
-}
 
-void CheckUse(const std::string& option, bool isUsed, bool isUseful, const std::string& metric)
-{
-  if (isUsed && !isUseful)
+  void AddLevels()
   {
-    throw UsageError(option + " goes with --metric " + metric);
+    ViewerOptions& options = this->Options;
+    this->AllSettings.insert({
+      { "--budget",
+        [&](const auto& option, const auto& value)
+        { options.Budget = ToInteger(option, value, 1, std::numeric_limits<int>::max()); } },
+      { "--level",
+        [&](const auto& option, const auto& value)
+        { options.UniformLevel = ToInteger(option, value, 0, HighestLevel); } },
+      { "--max-level",
+        [&](const auto& option, const auto& value)
+        { options.MaximumLevel = ToInteger(option, value, 0, HighestLevel); } },
+      { "--method",
+        [&](const auto& option, const auto& value)
+        {
+          using Mapper = vtkAdaptiveRefinementMapper;
+          options.Method = ToChoice<int>(option, value,
+            { { "arkfpi", Mapper::METHOD_ARKFPI }, { "ark", Mapper::METHOD_ARK },
+              { "dmr", Mapper::METHOD_DMR }, { "suapt", Mapper::METHOD_SUAPT },
+              { "tessellation", Mapper::METHOD_HARDWARE_TESSELLATION },
+              { "uniform", Mapper::METHOD_UNIFORM } });
+        } },
+      { "--metric",
+        [&](const auto& option, const auto& value)
+        {
+          using Type = ViewerOptions::MetricType;
+          options.Metric = ToChoice<Type>(option, value,
+            { { "distance", Type::Distance }, { "screen-edge", Type::ScreenEdge },
+              { "curvature", Type::Curvature }, { "silhouette", Type::Silhouette },
+              { "contour", Type::Contour }, { "view-dependent", Type::ViewDependent },
+              { "field", Type::Field }, { "region", Type::Region } });
+        } },
+      { "--pixels",
+        [&](const auto& option, const auto& value)
+        { options.Pixels = ToPositiveNumber(option, value); } },
+      { "--reach",
+        [&](const auto& option, const auto& value)
+        { options.Reach = ToPositiveNumber(option, value); } },
+      { "--region", [&](const auto&, const auto& value) { this->Region = value; } },
+      { "--segments",
+        [&](const auto& option, const auto& value)
+        {
+          options.WholeSegments =
+            ToChoice<bool>(option, value, { { "powers", false }, { "whole", true } });
+        } },
+    });
   }
-}
+
+  void AddPicture()
+  {
+    ViewerOptions& options = this->Options;
+    this->AllSettings.insert({
+      { "--color-by",
+        [&](const auto& option, const auto& value)
+        {
+          using Type = ViewerOptions::ColorType;
+          options.Color = ToChoice<Type>(option, value,
+            { { "level", Type::Level }, { "pattern", Type::Pattern }, { "metric", Type::Metric } });
+        } },
+      { "--export",
+        [&](const auto& option, const auto& value)
+        { options.Export = ToFileName(option, value, GetExportExtensions()); } },
+      { "--output",
+        [&](const auto& option, const auto& value)
+        { options.Output = ToFileName(option, value, { ".png" }); } },
+      { "--size",
+        [&](const auto& option, const auto& value) { ToSize(option, value, options.Size); } },
+      { "--view",
+        [&](const auto& option, const auto& value)
+        {
+          const auto angles = ToNumbers(option, value, "AZIMUTH,ELEVATION");
+          options.View = { { angles[0], angles[1] } };
+          ToNumber(option + "'s elevation", value.substr(value.find(',') + 1), -89.0, 89.0);
+        } },
+    });
+  }
+
+  // Returns how many of the next arguments it has used up.
+  int ReadArgument(const std::string& argument, const char* next)
+  {
+    const auto flag = this->AllFlags.find(argument);
+    if (flag != this->AllFlags.end())
+    {
+      this->Given.insert(argument);
+      flag->second();
+      return 0;
+    }
+    if (argument.size() < 2 || argument[0] != '-')
+    {
+      if (!this->Options.Input.empty())
+      {
+        throw UsageError(
+          "one height map or mesh, please: '" + this->Options.Input + "' or '" + argument + "'");
+      }
+      this->Options.Input = argument;
+      return 0;
+    }
+    // --option VALUE or --option=VALUE
+    const std::size_t equals = argument.find('=');
+    const std::string option = argument.substr(0, equals);
+    const auto setting = this->AllSettings.find(option);
+    if (setting == this->AllSettings.end())
+    {
+      throw UsageError("unknown option '" + option + "'");
+    }
+    if (equals == std::string::npos && !next)
+    {
+      throw UsageError(option + " wants a value");
+    }
+    this->Given.insert(option);
+    setting->second(option, equals == std::string::npos ? next : argument.substr(equals + 1));
+    return equals == std::string::npos ? 1 : 0;
+  }
+
+  void CheckUse(const std::vector<std::string>& names, bool isUseful, const std::string& partner)
+  {
+    for (const std::string& option : names)
+    {
+      if (this->Given.count(option) && !isUseful)
+      {
+        throw UsageError(option + " goes with " + partner);
+      }
+    }
+  }
+
+  void Check()
+  {
+    ViewerOptions& options = this->Options;
+    using Metric = ViewerOptions::MetricType;
+    using Surface = ViewerOptions::SurfaceType;
+    if (options.Help)
+    {
+      return;
+    }
+    this->CheckUse({ "--exaggeration", "--imagery-bands", "--resolution", "--stretch" },
+      !options.IsMesh, "height maps");
+    this->CheckUse(
+      { "--array", "--feature-angle", "--height", "--mapping", "--up" }, options.IsMesh, "meshes");
+    const bool hasHeights = !options.IsMesh || !options.Heights.empty();
+    this->CheckUse({ "--scale", "--offset" }, options.IsMesh && hasHeights, "--height");
+    this->CheckUse({ "--no-data" }, hasHeights, "--height");
+    this->CheckUse({ "--mapping" }, hasHeights || !options.Imagery.empty(), "--height or --image");
+    this->CheckUse({ "--alpha" }, options.GetSurface() == Surface::Phong, "--surface phong");
+    this->CheckUse({ "--amplitude", "--frequency" }, options.GetSurface() == Surface::Procedural,
+      "--surface procedural");
+    this->CheckUse({ "--metric", "--max-level", "--per-edge" }, !options.UniformLevel,
+      "metrics, not with --level");
+    this->CheckUse({ "--pixels" },
+      options.GetMetric() == Metric::ScreenEdge && !options.UniformLevel, "--metric screen-edge");
+    this->CheckUse({ "--reach" }, options.GetMetric() == Metric::Distance && !options.UniformLevel,
+      "--metric distance");
+    this->CheckUse({ "--region" }, options.GetMetric() == Metric::Region, "--metric region");
+    if (this->Given.count("--region"))
+    {
+      options.Region =
+        ToNumbers("--region", this->Region, options.IsMesh ? "X,Y,Z,RADIUS" : "X,Y,RADIUS");
+      if (options.Region->back() <= 0.0)
+      {
+        throw UsageError("--region wants a radius above 0, not '" + this->Region + "'");
+      }
+    }
+    if (options.Budget > 0 && !options.Export.empty())
+    {
+      throw UsageError("--budget is for what is drawn, not for --export");
+    }
+  }
+
+  ViewerOptions Options;
+  Flags AllFlags;
+  Settings AllSettings;
+  std::set<std::string> Given;
+  std::string Region;
+};
 }
 
 //------------------------------------------------------------------------------
 ViewerOptions ParseOptions(int argc, char* argv[])
 {
-  ViewerOptions options;
-  const std::map<std::string, std::function<void()>> flags = {
-    { "--help", [&] { options.Help = true; } },
-    { "-h", [&] { options.Help = true; } },
-    { "--no-geomorphing", [&] { options.Geomorphing = false; } },
-    { "--per-edge", [&] { options.PerEdge = true; } },
-    { "--stats", [&] { options.Statistics = true; } },
-    { "--stretch", [&] { options.Stretch = true; } },
-    { "--wireframe", [&] { options.Wireframe = true; } },
-  };
-  using Setter = std::function<void(const std::string& option, const std::string& value)>;
-  const std::map<std::string, Setter> settings = {
-    { "--budget",
-      [&](const auto& option, const auto& value)
-      { options.Budget = ToInteger(option, value, 1, std::numeric_limits<int>::max()); } },
-    { "--color-by",
-      [&](const auto& option, const auto& value)
-      {
-        using Type = ViewerOptions::ColorType;
-        options.Color = ToChoice<Type>(option, value,
-          { { "level", Type::Level }, { "pattern", Type::Pattern }, { "metric", Type::Metric } });
-      } },
-    { "--exaggeration",
-      [&](const auto& option, const auto& value)
-      { options.Exaggeration = ToNumber(option, value); } },
-    { "--export",
-      [&](const auto& option, const auto& value)
-      { options.Export = ToFileName(option, value, ".vtp"); } },
-    { "--imagery", [&](const auto&, const auto& value) { options.Imagery = value; } },
-    { "--imagery-bands",
-      [&](const auto& option, const auto& value)
-      { ToBands(option, value, options.ImageryBands); } },
-    { "--max-level",
-      [&](const auto& option, const auto& value)
-      { options.MaximumLevel = ToInteger(option, value, 0, HighestLevel); } },
-    { "--metric",
-      [&](const auto& option, const auto& value)
-      {
-        using Type = ViewerOptions::MetricType;
-        options.Metric = ToChoice<Type>(option, value,
-          { { "distance", Type::Distance }, { "screen-edge", Type::ScreenEdge },
-            { "curvature", Type::Curvature }, { "silhouette", Type::Silhouette },
-            { "contour", Type::Contour }, { "view-dependent", Type::ViewDependent },
-            { "field", Type::Field }, { "region", Type::Region } });
-      } },
-    { "--no-data",
-      [&](const auto& option, const auto& value) {
-        options.FillNoData = ToChoice<bool>(option, value, { { "hole", false }, { "fill", true } });
-      } },
-    { "--output",
-      [&](const auto& option, const auto& value)
-      { options.Output = ToFileName(option, value, ".png"); } },
-    { "--pixels",
-      [&](const auto& option, const auto& value)
-      { options.Pixels = ToPositiveNumber(option, value); } },
-    { "--reach",
-      [&](const auto& option, const auto& value)
-      { options.Reach = ToPositiveNumber(option, value); } },
-    { "--region",
-      [&](const auto& option, const auto& value) { options.Region = ToRegion(option, value); } },
-    { "--resolution",
-      [&](const auto& option, const auto& value)
-      { options.Resolution = ToInteger(option, value, 1, LargestResolution); } },
-    { "--segments",
-      [&](const auto& option, const auto& value)
-      {
-        options.WholeSegments =
-          ToChoice<bool>(option, value, { { "powers", false }, { "whole", true } });
-      } },
-    { "--size",
-      [&](const auto& option, const auto& value) { ToSize(option, value, options.Size); } },
-  };
-
-  for (int i = 1; i < argc; ++i)
-  {
-    std::string argument = argv[i];
-    const auto flag = flags.find(argument);
-    if (flag != flags.end())
-    {
-      flag->second();
-      continue;
-    }
-    if (argument.size() < 2 || argument[0] != '-')
-    {
-      if (!options.HeightMap.empty())
-      {
-        throw UsageError(
-          "one height map, please: '" + options.HeightMap + "' or '" + argument + "'");
-      }
-      options.HeightMap = argument;
-      continue;
-    }
-    // --option VALUE or --option=VALUE
-    const std::size_t equals = argument.find('=');
-    const std::string option = argument.substr(0, equals);
-    const auto setting = settings.find(option);
-    if (setting == settings.end())
-    {
-      throw UsageError("unknown option '" + option + "'");
-    }
-    if (equals == std::string::npos && i + 1 == argc)
-    {
-      throw UsageError(option + " wants a value");
-    }
-    setting->second(option, equals == std::string::npos ? argv[++i] : argument.substr(equals + 1));
-  }
-  using Type = ViewerOptions::MetricType;
-  CheckUse(
-    "--pixels", options.Pixels.has_value(), options.Metric == Type::ScreenEdge, "screen-edge");
-  CheckUse("--reach", options.Reach.has_value(), options.Metric == Type::Distance, "distance");
-  CheckUse("--region", options.Region.has_value(), options.Metric == Type::Region, "region");
-  if (options.Budget > 0 && !options.Export.empty())
-  {
-    throw UsageError("--budget is for what is drawn, not for --export");
-  }
-  if (options.HeightMap.empty() && !options.Help)
-  {
-    throw UsageError("which height map?");
-  }
-  return options;
-}
-
-//------------------------------------------------------------------------------
-const char* GetUsage()
-{
-  return R"(relevo-view HEIGHTMAP [options]
-
-Draws a height map (GeoTIFF, SRTM .hgt, USGS DEM, PNG, OpenEXR ...), refined where it matters:
-a window when there is a display, a picture with --output.
-
-  --imagery FILE         drape a georeferenced picture over it; else colours show the height
-  --imagery-bands R,G,B  which of its bands, from 1, are red, green and blue (default: as the file
-                         says, else 1,2,3)
-  --stretch              stretch the contrast of each band, as raw satellite images need
-  --exaggeration X       factor on heights (default 1)
-  --resolution N         coarse squares along the longer side (default 128)
-  --max-level N          deepest refinement, 0 to 7: an edge has up to 2^N segments (default: as
-                         fine as the height map, or as the pixels of the picture)
-  --metric NAME          what to refine: distance (default; what is near), screen-edge (what is
-                         long on the screen), curvature, silhouette, contour (outlines by normals
-                         or by faces), view-dependent (bent and seen edge-on), field (where the
-                         height varies), region (around a place)
-  --reach M              metres from the camera that distance refines (default: three times the
-                         terrain's diagonal)
-  --pixels N             length of a segment on the screen for screen-edge (default 4)
-  --region X,Y,RADIUS    the place for region, in metres from the terrain's centre
-  --per-edge             levels of edges by themselves, not as the mean of their ends': fewer
-                         triangles
-  --segments powers|whole
-                         edges of 2^level segments (default), or of any number up to 16
-  --no-geomorphing       let vertices appear where they belong, instead of sliding there
-  --budget N             about N triangles, by raising or lowering all levels
-  --color-by level|pattern|metric
-                         show these instead of the terrain's colours, with a legend
-  --no-data hole|fill    leave out what has no data (default), or fill it in smoothly
-  --wireframe            draw the edges of the refined triangles
-  --stats                print faces, triangles, draw calls, graphics memory and times
-  --size WxH             of the picture or the window, in pixels (default 1280x800)
-  --output FILE.png      write a picture and leave; needs no display
-  --export FILE.vtp      write the displaced refined mesh (metres: x east, y north, z up) and leave
-  --help                 this text
-
-In the window: left button turns, middle or shift + left moves, right or wheel zooms, w and s
-switch wireframe and surface, r resets the view, q leaves.
-
-Exit codes: 0 success, 1 bad input, 2 bad usage.
-)";
+  return Parser().Parse(argc, argv);
 }

@@ -10,6 +10,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 struct ViewerOptions
 {
@@ -24,38 +25,86 @@ struct ViewerOptions
     Field,
     Region
   };
+  enum class SurfaceType
+  {
+    Linear,
+    PNTriangle,
+    Phong,
+    Procedural,
+    G1
+  };
   enum class ColorType
   {
-    Terrain,
+    Own, // of the terrain or the mesh
     Level,
     Pattern,
     Metric
   };
+  enum class MappingType
+  {
+    Automatic,
+    Sphere,
+    Plane
+  };
   static constexpr double DefaultPixels = 4.0;
 
-  std::string HeightMap;
+  std::string Input; // height map or mesh
+  bool IsMesh = false;
+
+  // What the surface is.
+  std::optional<SurfaceType> Surface;
+  std::optional<double> Alpha;     // of Phong
+  std::optional<double> Amplitude; // of Procedural
+  std::optional<double> Frequency; // of Procedural
   std::string Imagery;
+  bool FillNoData = false;
+
+  // Terrain alone.
   int ImageryBands[3] = { 0, 0, 0 }; // as vtkTerrainSource has them
   bool Stretch = false;
   double Exaggeration = 1.0;
+  std::optional<int> Resolution;
+
+  // Meshes alone.
+  std::string Heights;
+  std::optional<double> Scale;
+  double Offset = 0.0;
+  MappingType Mapping = MappingType::Automatic;
+  std::string Array;
+  std::optional<double> FeatureAngle; // degrees
+  int UpAxis = 1;                     // 0 for x, 1 for y, 2 for z
+
+  // How deep it is refined.
   std::optional<int> MaximumLevel;
-  MetricType Metric = MetricType::Distance;
-  std::optional<double> Pixels;                // of ScreenEdge
-  std::optional<double> Reach;                 // of Distance
-  std::optional<std::array<double, 3>> Region; // x, y, radius
+  std::optional<int> UniformLevel;
+  std::optional<MetricType> Metric;
+  std::optional<double> Pixels;              // of ScreenEdge
+  std::optional<double> Reach;               // of Distance
+  std::optional<std::vector<double>> Region; // centre (x, y, for meshes z), radius
+  int Method = 0;                            // of vtkAdaptiveRefinementMapper
   bool PerEdge = false;
   bool WholeSegments = false;
   bool Geomorphing = true;
   int Budget = 0; // triangles; 0 for as many as it takes
-  ColorType Color = ColorType::Terrain;
-  std::optional<int> Resolution;
-  bool FillNoData = false;
+
+  // What is shown and written.
+  std::optional<std::array<double, 2>> View; // azimuth, elevation in degrees
+  ColorType Color = ColorType::Own;
   bool Wireframe = false;
   bool Statistics = false;
   int Size[2] = { 1280, 800 };
   std::string Output;
   std::string Export;
   bool Help = false;
+
+  MetricType GetMetric() const
+  {
+    return this->Metric.value_or(this->IsMesh ? MetricType::ScreenEdge : MetricType::Distance);
+  }
+  SurfaceType GetSurface() const
+  {
+    return this->Surface.value_or(this->IsMesh ? SurfaceType::PNTriangle : SurfaceType::Linear);
+  }
 };
 
 /// Bad usage: what is wrong with the arguments.

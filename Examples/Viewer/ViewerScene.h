@@ -2,32 +2,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ViewerScene
- * @brief   a terrain, its recipe, its light and the view of it
+ * @brief   a surface, its recipe, its light and the view of it
+ *
+ * What height maps and meshes have in common; subclasses read them and say how they look.
  */
 #ifndef ViewerScene_h
 #define ViewerScene_h
 
 #include "ViewerMessages.h"
 #include "ViewerOptions.h"
+#include "ViewerView.h"
 
 #include "vtkNew.h"
 
 #include <iosfwd>
+#include <memory>
+#include <string>
 
 class vtkActor;
 class vtkAdaptiveRefinement;
 class vtkAdaptiveRefinementMapper;
+class vtkDepthTagMetric;
+class vtkImageData;
+class vtkPoints;
 class vtkPolyData;
 class vtkRenderer;
 class vtkRenderWindow;
-class vtkTerrainSource;
+class vtkScalarsToColors;
 
 class ViewerScene
 {
 public:
-  /// Reads the files; throws ViewerError.
-  ViewerScene(const ViewerOptions& options, ViewerMessages& messages);
-  ~ViewerScene();
+  virtual ~ViewerScene();
 
   vtkRenderer* GetRenderer() { return this->Renderer; }
 
@@ -37,24 +43,34 @@ public:
   /// Draws frames until the time of one is known, and prints what they cost.
   void PrintStatistics(vtkRenderWindow* window, std::ostream& stream);
 
-private:
-  void ReadTerrain();
-  int GetDefaultLevel();
-  void SetLevels();
-  void SetColours();
+protected:
+  ViewerScene(const ViewerOptions& options, ViewerMessages& messages);
+
+  /// Refines and draws this->Mesh.
+  void Show(int maximumLevel, vtkDepthTagMetric* metric);
+  /// Drapes an image, with nothing beyond its borders.
+  void SetTexture(vtkImageData* image);
+  /// Colours of levels, patterns or metric, where the options ask for them.
   void SetLevelColours();
-  void SetLights();
-  void SetCamera();
+  void AddLegend(vtkScalarsToColors* table, const std::string& title, int numberOfLabels);
+  /// Fits the camera to points; a direction that the options do not give is the default.
+  void SetCamera(vtkPoints* points, const ViewerDirection& defaultDirection);
 
   const ViewerOptions& Options;
   ViewerMessages& Messages;
-  vtkNew<vtkTerrainSource> Source;
   vtkNew<vtkPolyData> Mesh;
-  vtkNew<vtkPolyData> DisplacedMesh;
   vtkNew<vtkAdaptiveRefinement> Recipe;
   vtkNew<vtkAdaptiveRefinementMapper> Mapper;
   vtkNew<vtkActor> Actor;
   vtkNew<vtkRenderer> Renderer;
+
+private:
+  void SetRecipe(int maximumLevel, vtkDepthTagMetric* metric);
+
+  bool HasLegend = false;
 };
+
+/// Reads the files; throws ViewerError.
+std::unique_ptr<ViewerScene> MakeScene(const ViewerOptions& options, ViewerMessages& messages);
 
 #endif

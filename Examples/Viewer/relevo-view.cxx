@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   draws a height map: in a window, or into a picture
+ * @brief   draws a height map or a mesh: in a window, or into a picture
  */
 #include "ViewerMessages.h"
 #include "ViewerOptions.h"
@@ -9,6 +9,7 @@
 
 #include "vtkCamera.h"
 #include "vtkInteractorStyleTerrain.h"
+#include "vtkInteractorStyleTrackballCamera.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPNGWriter.h"
@@ -24,6 +25,7 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <memory>
 #include <string>
 
 namespace
@@ -144,10 +146,13 @@ void Interact(ViewerScene& scene, const ViewerOptions& options, ViewerMessages& 
       "; --output FILE.png draws a picture without one");
   }
   window->SetSize(options.Size[0], options.Size[1]);
-  window->SetWindowName(("relevo-view " + options.HeightMap).c_str());
+  window->SetWindowName(("relevo-view " + options.Input).c_str());
   window->AddRenderer(scene.GetRenderer());
   vtkNew<vtkRenderWindowInteractor> interactor;
-  vtkNew<TerrainStyle> style;
+  // A terrain has a vertical; a mesh is turned in the hand.
+  auto style = vtkSmartPointer<vtkInteractorStyle>::Take(options.IsMesh
+      ? static_cast<vtkInteractorStyle*>(vtkInteractorStyleTrackballCamera::New())
+      : TerrainStyle::New());
   interactor->SetRenderWindow(window);
   interactor->SetInteractorStyle(style);
   window->Render();
@@ -167,18 +172,18 @@ void Run(const ViewerOptions& options)
     throw ViewerError("there is no display; --output FILE.png draws a picture without one");
   }
   ViewerMessages messages;
-  ViewerScene scene(options, messages);
+  const std::unique_ptr<ViewerScene> scene = MakeScene(options, messages);
   if (!options.Export.empty())
   {
-    scene.Export(options.Export);
+    scene->Export(options.Export);
   }
   if (isInteractive)
   {
-    Interact(scene, options, messages);
+    Interact(*scene, options, messages);
   }
   else if (!options.Output.empty() || options.Statistics)
   {
-    Draw(scene, options, messages);
+    Draw(*scene, options, messages);
   }
 }
 }

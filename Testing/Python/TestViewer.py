@@ -5,10 +5,7 @@
 import math
 import os
 import pathlib
-import re
 import subprocess
-import sys
-import tempfile
 import unittest
 
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT
@@ -17,11 +14,9 @@ from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkPolyDataNormals
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-PROGRAM = pathlib.Path(os.environ["RELEVO_BINARY_DIR"]) / "bin" / "relevo-view"
+from ViewerProgram import PROGRAM, ViewerProgram
+
 DATA = pathlib.Path(os.environ.get("RELEVO_TEST_DATA") or "/nonexistent")
-if not PROGRAM.exists():
-    print("skipped: relevo-view was not built")
-    sys.exit(125)
 
 
 METRICS = (
@@ -41,11 +36,10 @@ def hill(x, y):
     return 30.0 * math.exp(-12.0 * ((x - 0.65) ** 2 + (y - 0.65) ** 2))
 
 
-class TestViewer(unittest.TestCase):
+class TestViewer(ViewerProgram):
     @classmethod
     def setUpClass(cls):
-        cls.temporary = tempfile.TemporaryDirectory()
-        cls.folder = pathlib.Path(cls.temporary.name)
+        super().setUpClass()
         cls.heights = cls.folder / "hill.png"
         image = vtkImageData()
         image.SetDimensions(48, 32, 1)
@@ -58,33 +52,6 @@ class TestViewer(unittest.TestCase):
         writer.SetFileName(str(cls.heights))
         writer.SetInputData(image)
         writer.Write()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.temporary.cleanup()
-
-    def view(self, *arguments, code=0, display=False):
-        environment = dict(os.environ)
-        if not display:
-            environment.pop("DISPLAY", None)
-        run = subprocess.run(
-            [str(PROGRAM), *map(str, arguments)],
-            cwd=self.folder,
-            env=environment,
-            capture_output=True,
-            text=True,
-        )
-        self.assertEqual(run.returncode, code, run.stderr)
-        if code == 0:
-            self.assertEqual(run.stderr, "")
-        return run
-
-    def assert_error(self, code, words, *arguments):
-        run = self.view(*arguments, code=code)
-        self.assertRegex(run.stderr, r"\Arelevo-view: error: [^\n]+\n\Z")
-        for word in words:
-            self.assertIn(word, run.stderr)
-        self.assertEqual(run.stdout, "")
 
     def picture(self, *arguments):
         name = self.folder / "picture.png"
@@ -111,7 +78,7 @@ class TestViewer(unittest.TestCase):
         self.assert_error(2, ["one height map"], self.heights, self.heights)
         self.assert_error(2, ["--output", "value"], self.heights, "--output")
         self.assert_error(2, [".png", "a.jpg"], self.heights, "--output", "a.jpg")
-        self.assert_error(2, [".vtp", "a.obj"], self.heights, "--export", "a.obj")
+        self.assert_error(2, [".vtp", "a.off"], self.heights, "--export", "a.off")
         self.assert_error(2, ["--max-level", "'8'"], self.heights, "--max-level", "8")
         self.assert_error(2, ["--max-level", "'-1'"], self.heights, "--max-level", "-1")
         self.assert_error(2, ["--max-level", "'2.5'"], self.heights, "--max-level", "2.5")
@@ -128,6 +95,11 @@ class TestViewer(unittest.TestCase):
                 2, ["--region"], self.heights, "--metric", "region", "--region", region
             )
         self.assert_error(2, ["--region", "region"], self.heights, "--region", "1,2,3")
+        self.assert_error(2, ["--height", "meshes"], self.heights, "--height", self.heights)
+        self.assert_error(2, ["--level"], self.heights, "--level=2", "--metric=curvature")
+        self.assert_error(2, ["--surface", "'nurbs'"], self.heights, "--surface", "nurbs")
+        self.assert_error(2, ["--method", "'fast'"], self.heights, "--method", "fast")
+        self.assert_error(2, ["--view", "elevation"], self.heights, "--view", "0,90")
         self.assert_error(2, ["--budget", "'0'"], self.heights, "--budget", "0")
         self.assert_error(2, ["--budget"], self.heights, "--budget=9", "--export", "a.vtp")
         for bands in ("1,2", "1,2,3,4", "1,2,x", "0,1,2"):
@@ -250,8 +222,7 @@ class TestViewer(unittest.TestCase):
         self.assertGreater(float(lines["frame time"].removesuffix(" ms")), 0.0)
 
     def triangles(self, *arguments):
-        run = self.view(self.heights, "--stats", "--output", "s.png", "--size=160x100", *arguments)
-        return int(re.search(r"drawn triangles: (\d+)", run.stdout)[1])
+        return self.statistic("drawn triangles", self.heights, *arguments)
 
     def test_metrics(self):
         counts = {
@@ -364,6 +335,10 @@ class TestViewer(unittest.TestCase):
         self.assertEqual(coarse.GetNumberOfCells(), 2 * 6 * 4)
         self.assertGreater(fine.GetNumberOfCells(), coarse.GetNumberOfCells())
         self.assertLessEqual(fine.GetNumberOfCells(), 16 * coarse.GetNumberOfCells())
+
+    def test_uniform_level(self):
+        mesh = self.mesh("--level", "2", "--resolution", "6")
+        self.assertEqual(mesh.GetNumberOfCells(), 2 * 6 * 4 * 4**2)
 
     def test_no_data(self):
         name = DATA / "relief" / "luxembourg_elev.tif"

@@ -1,0 +1,297 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MeshScene.h"
+
+#include "MeshMapping.h"
+#include "MeshReader.h"
+#include "ViewerFile.h"
+#include "ViewerMetric.h"
+
+#include "vtkActor.h"
+#include "vtkAdaptiveRefinement.h"
+#include "vtkAdaptiveRefinementFilter.h"
+#include "vtkAdaptiveRefinementMapper.h"
+#include "vtkCellData.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkDataArray.h"
+#include "vtkDepthTagMetric.h"
+#include "vtkDisplacement.h"
+#include "vtkHeightMap.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkImageReader2.h"
+#include "vtkImageReader2Factory.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkProperty.h"
+#include "vtkRefinementSurface.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// Of the edges of all polygons, in the mesh's units.
+double GetMeanEdgeLength(vtkPolyData* mesh)
+{
+  double sum = 0.0;
+  vtkIdType number = 0;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    mesh->GetCellPoints(cell, corners);
+    const vtkIdType size = corners->GetNumberOfIds();
+    for (vtkIdType i = 0; size > 2 && i < size; ++i)
+    {
+      double a[3];
+      double b[3];
+      mesh->GetPoint(corners->GetId(i), a);
+      mesh->GetPoint(corners->GetId((i + 1) % size), b);
+      sum += std::sqrt(vtkMath::Distance2BetweenPoints(a, b));
+      ++number;
+    }
+  }
+  return number > 0 ? sum / number : 0.0;
+}
+
+vtkSmartPointer<vtkImageData> ReadImage(const std::string& fileName, ViewerMessages& messages)
+{
+  CheckFile(fileName);
+  auto reader = vtkSmartPointer<vtkImageReader2>::Take(
+    vtkImageReader2Factory::CreateImageReader2(fileName.c_str()));
+  if (!reader)
+  {
+    throw ViewerError("cannot read " + fileName + ": it is no PNG, JPEG, TIFF or BMP");
+  }
+  messages.Observe(reader, "reading");
+  reader->SetFileName(fileName.c_str());
+  reader->Update();
+  messages.Check();
+  return reader->GetOutput();
+}
+
+// From dark violet to yellow, of even steps to the eye.
+vtkSmartPointer<vtkColorTransferFunction> MakeColours(const double range[2])
+{
+  const double colours[][3] = { { 0.267, 0.005, 0.329 }, { 0.229, 0.322, 0.546 },
+    { 0.128, 0.567, 0.551 }, { 0.369, 0.789, 0.383 }, { 0.993, 0.906, 0.144 } };
+  auto table = vtkSmartPointer<vtkColorTransferFunction>::New();
+  table->SetVectorModeToMagnitude();
+  for (int i = 0; i < 5; ++i)
+  {
+    table->AddRGBPoint(
+      range[0] + 0.25 * i * (range[1] - range[0]), colours[i][0], colours[i][1], colours[i][2]);
+  }
+  return table;
+}
+}
+
+//------------------------------------------------------------------------------
+MeshScene::MeshScene(const ViewerOptions& options, ViewerMessages& messages)
+  : ViewerScene(options, messages)
+{
+  this->ReadMesh();
+  this->ChooseArray();
+  this->ReadHeights();
+  this->Show(options.MaximumLevel.value_or(this->GetDefaultLevel()), this->MakeMeshMetric());
+  this->SetColours();
+  this->SetLevelColours();
+  this->SetLights();
+  this->SetCamera(this->GetSurfacePoints(), { 205.0, 20.0, options.UpAxis });
+}
+
+//------------------------------------------------------------------------------
+MeshScene::~MeshScene() = default;
+
+//------------------------------------------------------------------------------
+void MeshScene::ReadMesh()
+{
+  this->Mesh->ShallowCopy(::ReadMesh(this->Options.Input, this->Messages));
+  if (this->Options.FeatureAngle)
+  {
+    this->SplitNormals();
+  }
+  const bool isMapped = !this->Options.Heights.empty() || !this->Options.Imagery.empty();
+  if (isMapped && !this->Mesh->GetPointData()->GetTCoords())
+  {
+    AddTextureCoordinates(this->Mesh, this->Options);
+  }
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::SplitNormals()
+{
+  vtkNew<vtkPolyDataNormals> normals;
+  this->Messages.Observe(normals, "splitting");
+  normals->SetInputData(this->Mesh);
+  normals->SetFeatureAngle(*this->Options.FeatureAngle);
+  normals->ConsistencyOff(); // cells stay as they wind
+  normals->Update();
+  this->Messages.Check();
+  this->Mesh->ShallowCopy(normals->GetOutput());
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::ChooseArray()
+{
+  vtkPointData* points = this->Mesh->GetPointData();
+  vtkCellData* cells = this->Mesh->GetCellData();
+  const char* name = this->Options.Array.c_str();
+  vtkDataArray* ofPoints =
+    this->Options.Array.empty() ? points->GetScalars() : points->GetArray(name);
+  vtkDataArray* ofCells = this->Options.Array.empty() ? cells->GetScalars() : cells->GetArray(name);
+  if (!this->Options.Array.empty() && !ofPoints && !ofCells)
+  {
+    throw ViewerError(this->Options.Input + " has no array of numbers '" + name + "'");
+  }
+  vtkDataArray* array = ofPoints ? ofPoints : ofCells;
+  if (array && array->GetNumberOfTuples() > 0)
+  {
+    if (!array->GetName())
+    {
+      array->SetName("Scalars");
+    }
+    this->ArrayName = array->GetName();
+    this->HasPointArray = ofPoints != nullptr;
+  }
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::ReadHeights()
+{
+  if (this->Options.Heights.empty())
+  {
+    return;
+  }
+  vtkNew<vtkHeightMap> heights;
+  this->Messages.Observe(heights);
+  this->Messages.Observe(this->Displacement);
+  heights->SetFileName(this->Options.Heights.c_str());
+  heights->Update();
+  this->Messages.Check();
+  double range[2];
+  heights->GetRange(range);
+  const double relief = range[1] > range[0] ? range[1] - range[0] : 1.0;
+  this->Displacement->SetHeightMap(heights);
+  this->Displacement->SetScale(
+    this->Options.Scale.value_or(0.05 * this->Mesh->GetLength() / relief));
+  this->Displacement->SetOffset(this->Options.Offset);
+  if (this->Options.FillNoData)
+  {
+    this->Displacement->SetNoDataPolicyToFill();
+  }
+  this->Recipe->SetDisplacement(this->Displacement);
+}
+
+//------------------------------------------------------------------------------
+int MeshScene::GetDefaultLevel()
+{
+  // Levels of edges on the screen end by themselves.
+  if (this->Options.GetMetric() == ViewerOptions::MetricType::ScreenEdge)
+  {
+    return 7;
+  }
+  // Else down to about the same length, for an edge as the mesh has them and the whole in view.
+  const double pixels = std::max(this->Options.Size[0], this->Options.Size[1]) *
+    GetMeanEdgeLength(this->Mesh) / this->Mesh->GetLength();
+  const double level = std::ceil(std::log2(pixels / ViewerOptions::DefaultPixels));
+  return static_cast<int>(std::min(std::max(level, 0.0), 7.0));
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDepthTagMetric> MeshScene::MakeMeshMetric()
+{
+  auto metric =
+    MakeMetric(this->Options, this->Mesh, this->HasPointArray ? this->ArrayName : std::string());
+  this->Messages.Observe(metric);
+  return metric;
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::SetColours()
+{
+  vtkProperty* property = this->Actor->GetProperty();
+  property->SetColor(0.80, 0.78, 0.74);
+  property->SetAmbient(0.12);
+  property->SetDiffuse(0.80);
+  property->SetSpecular(0.18);
+  property->SetSpecularPower(30.0);
+  property->SetInterpolationToPhong();
+  this->Mapper->ScalarVisibilityOff();
+  if (!this->Options.Imagery.empty())
+  {
+    property->SetColor(1.0, 1.0, 1.0);
+    this->SetTexture(ReadImage(this->Options.Imagery, this->Messages));
+  }
+  // A picture says more than scalars that nobody asked for.
+  else if (!this->ArrayName.empty())
+  {
+    this->SetArrayColours();
+  }
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::SetArrayColours()
+{
+  vtkDataSetAttributes* data = this->HasPointArray
+    ? static_cast<vtkDataSetAttributes*>(this->Mesh->GetPointData())
+    : this->Mesh->GetCellData();
+  vtkDataArray* array = data->GetArray(this->ArrayName.c_str());
+  this->HasPointArray ? this->Mapper->SetScalarModeToUsePointFieldData()
+                      : this->Mapper->SetScalarModeToUseCellFieldData();
+  this->Mapper->SelectColorArray(this->ArrayName.c_str());
+  this->Mapper->ScalarVisibilityOn();
+  // Bytes of three components are colours already.
+  if (array->GetDataType() == VTK_UNSIGNED_CHAR && array->GetNumberOfComponents() >= 3)
+  {
+    return;
+  }
+  double range[2];
+  array->GetFiniteRange(range, array->GetNumberOfComponents() > 1 ? -1 : 0);
+  const auto colours = MakeColours(range);
+  this->Mapper->SetLookupTable(colours);
+  this->Mapper->InterpolateScalarsBeforeMappingOn();
+  if (this->Options.Color == ViewerOptions::ColorType::Own)
+  {
+    this->AddLegend(colours, this->ArrayName, 5);
+  }
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::SetLights()
+{
+  // From above the viewer's left shoulder, and a little from the right and from behind.
+  AddLight(this->Renderer, { 250.0, 45.0, this->Options.UpAxis }, 0.95);
+  AddLight(this->Renderer, { 150.0, 15.0, this->Options.UpAxis }, 0.45);
+  AddLight(this->Renderer, { 10.0, 40.0, this->Options.UpAxis }, 0.30);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPoints> MeshScene::GetSurfacePoints()
+{
+  const vtkIdType enough = 100000;
+  int level = 3;
+  while (level > 0 && (this->Mesh->GetNumberOfCells() << (2 * level)) > enough)
+  {
+    --level;
+  }
+  vtkNew<vtkAdaptiveRefinement> recipe;
+  recipe->SetMaximumLevel(level);
+  recipe->SetSurface(this->Recipe->GetSurface());
+  recipe->SetDisplacement(this->Recipe->GetDisplacement());
+  vtkNew<vtkAdaptiveRefinementFilter> filter;
+  this->Messages.Observe(filter, "looking");
+  filter->SetInputData(this->Mesh);
+  filter->SetRefinement(recipe);
+  filter->Update();
+  this->Messages.Check();
+  if (filter->GetOutput()->GetNumberOfCells() == 0)
+  {
+    throw ViewerError(
+      this->Options.Input + ": no triangle has three corners of its own, and heights");
+  }
+  return filter->GetOutput()->GetPoints();
+}

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   MeshScene
+ * @brief   a mesh on a curved surface, moved by a height map, in the colours of an array or a
+ * picture
+ */
+#ifndef MeshScene_h
+#define MeshScene_h
+
+#include "ViewerScene.h"
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkDisplacement;
+
+class MeshScene : public ViewerScene
+{
+public:
+  /// Reads the files; throws ViewerError.
+  MeshScene(const ViewerOptions& options, ViewerMessages& messages);
+  ~MeshScene() override;
+
+private:
+  void ReadMesh();
+  void SplitNormals();
+  void ReadHeights();
+  void ChooseArray();
+  int GetDefaultLevel();
+  vtkSmartPointer<vtkDepthTagMetric> MakeMeshMetric();
+  void SetColours();
+  void SetArrayColours();
+  void SetLights();
+  vtkSmartPointer<vtkPoints> GetSurfacePoints();
+
+  vtkNew<vtkDisplacement> Displacement;
+  // The array that colours the mesh: empty for none, and whether its numbers are of points.
+  std::string ArrayName;
+  bool HasPointArray = false;
+};
+
+#endif

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TerrainScene.h"
+
+#include "ReliefMetric.h"
+#include "TerrainColours.h"
+#include "ViewerMetric.h"
+
+#include "vtkActor.h"
+#include "vtkAdaptiveRefinement.h"
+#include "vtkDataArray.h"
+#include "vtkDepthTagMetric.h"
+#include "vtkDisplacement.h"
+#include "vtkFloatArray.h"
+#include "vtkHeightField.h"
+#include "vtkHeightMap.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkTerrainSource.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+const int Up = 2;
+const char* const HeightName = "Height";
+}
+
+//------------------------------------------------------------------------------
+TerrainScene::TerrainScene(const ViewerOptions& options, ViewerMessages& messages)
+  : ViewerScene(options, messages)
+{
+  this->Messages.Observe(this->Source, "reading");
+  this->ReadTerrain();
+  this->MakeDisplacedMesh();
+  this->Recipe->SetDisplacement(this->Source->GetDisplacement());
+  this->Show(options.MaximumLevel.value_or(this->GetDefaultLevel()), this->MakeReliefMetric());
+  this->SetColours();
+  this->SetLevelColours();
+  this->SetLights();
+  // From a little west of south.
+  this->SetCamera(this->DisplacedMesh->GetPoints(), { 192.0, 38.0, Up });
+}
+
+//------------------------------------------------------------------------------
+TerrainScene::~TerrainScene() = default;
+
+//------------------------------------------------------------------------------
+void TerrainScene::ReadTerrain()
+{
+  this->Source->SetFileName(this->Options.Input.c_str());
+  if (!this->Options.Imagery.empty())
+  {
+    this->Source->SetImageryFileName(this->Options.Imagery.c_str());
+    this->Source->SetImageryBands(
+      this->Options.ImageryBands[0], this->Options.ImageryBands[1], this->Options.ImageryBands[2]);
+  }
+  if (this->Options.Resolution)
+  {
+    this->Source->SetResolution(*this->Options.Resolution);
+  }
+  if (this->Options.FillNoData)
+  {
+    this->Source->SetNoDataPolicyToFill();
+  }
+  this->Source->SetExaggeration(this->Options.Exaggeration);
+  this->Source->Update();
+  this->Messages.Check();
+  this->Mesh->ShallowCopy(this->Source->GetOutput());
+  if (this->Mesh->GetNumberOfCells() == 0)
+  {
+    throw ViewerError(this->Options.Input + " has no terrain to draw");
+  }
+}
+
+//------------------------------------------------------------------------------
+void TerrainScene::MakeDisplacedMesh()
+{
+  vtkDisplacement* displacement = this->Source->GetDisplacement();
+  vtkHeightField* heights = displacement->GetHeightMap();
+  vtkDataArray* coordinates = this->Mesh->GetPointData()->GetTCoords();
+  vtkNew<vtkFloatArray> displaced;
+  displaced->SetName(HeightName);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->DeepCopy(this->Mesh->GetPoints());
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    points->GetPoint(i, point);
+    point[2] += displacement->GetOffset() +
+      displacement->GetScale() *
+        heights->GetHeight(coordinates->GetComponent(i, 0), coordinates->GetComponent(i, 1));
+    points->SetPoint(i, point);
+    displaced->InsertNextValue(static_cast<float>(point[2]));
+  }
+  this->DisplacedMesh->ShallowCopy(this->Mesh);
+  this->DisplacedMesh->SetPoints(points);
+  this->DisplacedMesh->GetPointData()->SetNormals(nullptr); // those of the flat mesh
+  this->DisplacedMesh->GetPointData()->AddArray(displaced);
+}
+
+//------------------------------------------------------------------------------
+int TerrainScene::GetDefaultLevel()
+{
+  // As fine as the height map; a picture that nobody can walk into needs nothing below its pixels.
+  int size[2];
+  this->Source->GetHeightMap()->GetDimensions(size);
+  const int texels = std::max(size[0], size[1]);
+  const int squares = std::min(this->Source->GetResolution(), texels);
+  int segments = texels;
+  if (!this->Options.Output.empty() && this->Options.Export.empty())
+  {
+    segments = std::min(segments, std::max(this->Options.Size[0], this->Options.Size[1]));
+  }
+  int level = static_cast<int>(std::ceil(std::log2(static_cast<double>(segments) / squares)));
+  // Only what touches the camera gets the full level of the distance metric.
+  if (this->Options.GetMetric() == ViewerOptions::MetricType::Distance)
+  {
+    ++level;
+  }
+  return std::min(std::max(level, 0), 7);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDepthTagMetric> TerrainScene::MakeReliefMetric()
+{
+  const auto own = MakeMetric(this->Options, this->DisplacedMesh, HeightName);
+  this->Messages.Observe(own);
+  auto metric = vtkSmartPointer<ReliefMetric>::New();
+  metric->SetMetric(own);
+  metric->SetRelief(this->DisplacedMesh);
+  return metric;
+}
+
+//------------------------------------------------------------------------------
+void TerrainScene::SetColours()
+{
+  vtkSmartPointer<vtkImageData> image = this->Source->GetImagery();
+  const bool isPhotograph = image != nullptr;
+  if (!isPhotograph)
+  {
+    image = MakeHypsometricTint(this->Source->GetDisplacement()->GetHeightMap());
+  }
+  else if (this->Options.Stretch)
+  {
+    image = StretchContrast(image);
+  }
+  this->SetTexture(image);
+
+  // A photograph has shadows of its own.
+  vtkProperty* property = this->Actor->GetProperty();
+  property->SetAmbient(isPhotograph ? 0.30 : 0.15);
+  property->SetDiffuse(isPhotograph ? 0.80 : 0.85);
+  property->SetInterpolationToPhong();
+}
+
+//------------------------------------------------------------------------------
+void TerrainScene::SetLights()
+{
+  // From the north-west, as on maps, and a little from the other side.
+  AddLight(this->Renderer, { 315.0, 40.0, Up }, 1.0);
+  AddLight(this->Renderer, { 160.0, 50.0, Up }, 0.35);
+}

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   TerrainScene
+ * @brief   a height map, with its imagery or in the colours of its heights
+ */
+#ifndef TerrainScene_h
+#define TerrainScene_h
+
+#include "ViewerScene.h"
+
+#include "vtkSmartPointer.h"
+
+class vtkTerrainSource;
+
+class TerrainScene : public ViewerScene
+{
+public:
+  /// Reads the files; throws ViewerError.
+  TerrainScene(const ViewerOptions& options, ViewerMessages& messages);
+  ~TerrainScene() override;
+
+private:
+  void ReadTerrain();
+  void MakeDisplacedMesh();
+  int GetDefaultLevel();
+  vtkSmartPointer<vtkDepthTagMetric> MakeReliefMetric();
+  void SetColours();
+  void SetLights();
+
+  vtkNew<vtkTerrainSource> Source;
+  // The coarse mesh as the displacement moves it: what the camera and the metrics look at.
+  vtkNew<vtkPolyData> DisplacedMesh;
+};
+
+#endif

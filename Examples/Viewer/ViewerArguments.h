@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @brief   what the values of options are: numbers, words, lists
+ *
+ * All throw UsageError, with the option's name and the value in it.
+ */
+#ifndef ViewerArguments_h
+#define ViewerArguments_h
+
+#include "ViewerOptions.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Finite.
+double ToNumber(const std::string& option, const std::string& text);
+
+double ToPositiveNumber(const std::string& option, const std::string& text);
+
+/// From `lowest` to `highest`.
+double ToNumber(const std::string& option, const std::string& text, double lowest, double highest);
+
+int ToInteger(const std::string& option, const std::string& text, int lowest, int highest);
+
+/// Numbers between commas, as many as the form, say X,Y,Z, has words.
+std::vector<double> ToNumbers(
+  const std::string& option, const std::string& text, const std::string& form);
+
+/// WIDTHxHEIGHT
+void ToSize(const std::string& option, const std::string& text, int size[2]);
+
+/// Three whole numbers above 0.
+void ToBands(const std::string& option, const std::string& text, int bands[3]);
+
+/// A file name with one of the extensions, say .png.
+std::string ToFileName(
+  const std::string& option, const std::string& text, const std::vector<std::string>& extensions);
+
+/// The name's extension with its dot, in lower case; empty when there is none.
+std::string GetExtension(const std::string& fileName);
+
+/// "a, b or c"
+std::string JoinWords(const std::vector<std::string>& words);
+
+/// What a word stands for.
+template <typename T>
+T ToChoice(const std::string& option, const std::string& text,
+  const std::vector<std::pair<std::string, T>>& choices)
+{
+  std::vector<std::string> words;
+  for (const auto& choice : choices)
+  {
+    if (choice.first == text)
+    {
+      return choice.second;
+    }
+    words.push_back(choice.first);
+  }
+  throw UsageError(option + " wants " + JoinWords(words) + ", not '" + text + "'");
+}
+
+#endif

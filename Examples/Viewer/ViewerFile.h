@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @brief   whether a file can be read at all
+ */
+#ifndef ViewerFile_h
+#define ViewerFile_h
+
+#include <string>
+
+/// VTK's readers differ in what they say of a file that is not there or has nothing in it: this
+/// throws ViewerError.
+void CheckFile(const std::string& fileName);
+
+#endif

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @brief   the surface that the options ask for
+ */
+#ifndef ViewerSurface_h
+#define ViewerSurface_h
+
+#include "vtkSmartPointer.h"
+
+class vtkRefinementSurface;
+struct ViewerOptions;
+
+/// For a mesh whose bounding box has that diagonal.
+vtkSmartPointer<vtkRefinementSurface> MakeSurface(const ViewerOptions& options, double diagonal);
+
+#endif

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ViewerOptions.h"
+
+const char* GetUsage()
+{
+  return R"(relevo-view FILE [options]
+
+Draws a height map (GeoTIFF, SRTM .hgt, USGS DEM, PNG, OpenEXR ...) or a mesh (.vtp, .ply, .obj,
+.stl, .vtk), refined where it matters: a window when there is a display, a picture with --output.
+
+The surface:
+  --surface NAME         linear (default for height maps), pn (default for meshes; curved PN
+                         triangles), phong, g1 (with tangent planes that join), procedural (fur)
+  --alpha A              how much of phong's bulge, 0 to 1 (default 1)
+  --amplitude A          of procedural's fur, in the mesh's units (default: 0.03 of its diagonal)
+  --frequency F          half waves of procedural's fur along a coarse edge (default 1)
+  --image FILE           drape a picture over it. On height maps: georeferenced, also as --imagery;
+                         without one, colours show the height. On meshes: PNG, JPEG, TIFF or BMP
+  --no-data hole|fill    leave out where heights have no data (default), or fill it in smoothly
+
+Height maps:
+  --imagery-bands R,G,B  which bands of the picture, from 1, are red, green and blue (default: as
+                         the file says, else 1,2,3)
+  --stretch              stretch the contrast of each band, as raw satellite images need
+  --exaggeration X       factor on heights (default 1)
+  --resolution N         coarse squares along the longer side (default 128)
+
+Meshes:
+  --height FILE          move the surface by a height map along its normals
+  --scale S              length per unit of height (default: a relief of 0.05 of the diagonal)
+  --offset O             length added to every height (default 0)
+  --mapping sphere|plane how height map and picture lie on a mesh without texture coordinates:
+                         around it, from pole to pole of the up axis, mirrored on its far half so
+                         that there is no seam, or from the side of its bounding box that it is
+                         thinnest along (default: plane where that is less than a tenth of the
+                         longest side, else sphere)
+  --array NAME           colour by this array, points' or cells' (default: the active scalars)
+  --feature-angle DEG    keep edges sharp where faces meet at more than this angle
+  --up x|y|z             the axis that points up (default y)
+
+How deep:
+  --level N              every edge at level N, 0 to 7: an edge has 2^N segments
+  --max-level N          deepest level of the metric (default: as fine as the height map or the
+                         pixels of the picture)
+  --metric NAME          what to refine: distance (default for height maps; what is near),
+                         screen-edge (default for meshes; what is long on the screen), curvature,
+                         silhouette, contour (outlines by normals or by faces), view-dependent
+                         (bent and seen edge-on), field (where the height, or a mesh's array of
+                         points, varies), region (around a place)
+  --reach M              length from the camera that distance refines (default: three times the
+                         diagonal)
+  --pixels N             length of a segment on the screen for screen-edge (default 4)
+  --region X,Y,RADIUS    the place for region: on height maps in metres from the centre;
+                         X,Y,Z,RADIUS on meshes, in their coordinates (default:
+                         around the centre, or the mesh's first point)
+  --method NAME          how triangles are made: arkfpi (default; instanced patterns), ark (a draw
+                         for each face), dmr (split pass by pass, fed back), suapt (uniform patterns
+                         with snapped borders), tessellation (the graphics card's), uniform (every
+                         face as the deepest)
+  --per-edge             levels of edges by themselves, not as the mean of their ends': fewer
+                         triangles
+  --segments powers|whole
+                         edges of 2^level segments (default), or of any number up to 16
+  --no-geomorphing       let vertices appear where they belong, instead of sliding there
+  --budget N             about N triangles, by raising or lowering all levels
+
+The picture:
+  --color-by level|pattern|metric
+                         show these instead of the surface's own colours, with a legend
+  --wireframe            draw the edges of the refined triangles
+  --view AZ,EL           where the camera stands, in degrees: azimuth, clockwise from north (for
+                         meshes with y up, from -z), and elevation (default 192,38; meshes 205,20)
+  --stats                print faces, triangles, draw calls, graphics memory and times
+  --size WxH             of the picture or the window, in pixels (default 1280x800)
+  --output FILE.png      write a picture and leave; needs no display
+  --export FILE          write the displaced refined mesh (.vtp, .ply, .stl, .obj) and leave: height
+                         maps in metres, x east, y north, z up; meshes in their own coordinates
+  --help                 this text
+
+In the window: left button turns, middle or shift + left moves, right or wheel zooms, w and s
+switch wireframe and surface, r resets the view, q leaves.
+
+Exit codes: 0 success, 1 bad input, 2 bad usage.
+)";
+}

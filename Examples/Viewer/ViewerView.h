@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @brief   where camera and lights stand
+ *
+ * Directions are given as on maps: an azimuth in degrees, clockwise from north, and an elevation
+ * above the horizon. East, north and up are x, y, z where z points up, x, -z, y where y does, and
+ * y, z, x where x does.
+ */
+#ifndef ViewerView_h
+#define ViewerView_h
+
+#include <array>
+
+class vtkPoints;
+class vtkRenderer;
+
+struct ViewerDirection
+{
+  double Azimuth;
+  double Elevation;
+  int UpAxis; // 0 for x, 1 for y, 2 for z
+
+  /// The unit vector to there.
+  std::array<double, 3> GetVector() const;
+};
+
+/// Sunlight from there.
+void AddLight(vtkRenderer* renderer, const ViewerDirection& from, double intensity);
+
+/**
+ * The nearest place in that direction from which all points are in the picture, of which they fill
+ * no more than the share `filled`.
+ */
+void FitCamera(vtkRenderer* renderer, vtkPoints* points, const ViewerDirection& from, double filled,
+  const int size[2]);
+
+#endif

@@ -1,0 +1,344 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""relevo-view with meshes: formats, surfaces, methods, heights, pictures, arrays, errors."""
+
+import math
+import unittest
+
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkDoubleArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkFeatureEdges
+from vtkmodules.vtkFiltersSources import vtkRegularPolygonSource, vtkSphereSource
+from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkOBJWriter, vtkSTLReader, vtkSTLWriter
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+from vtkmodules.vtkIOLegacy import vtkDataSetWriter, vtkPolyDataWriter
+from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
+
+from ViewerProgram import ViewerProgram
+
+WRITERS = {
+    ".obj": vtkOBJWriter,
+    ".ply": vtkPLYWriter,
+    ".stl": vtkSTLWriter,
+    ".vtk": vtkPolyDataWriter,
+    ".vtp": vtkXMLPolyDataWriter,
+}
+READERS = {
+    ".obj": vtkOBJReader,
+    ".ply": vtkPLYReader,
+    ".stl": vtkSTLReader,
+    ".vtp": vtkXMLPolyDataReader,
+}
+SURFACES = ("linear", "pn", "phong", "g1", "procedural")
+METHODS = ("arkfpi", "ark", "dmr", "suapt", "tessellation", "uniform")
+
+
+def read(name):
+    reader = READERS[name.suffix]()
+    reader.SetFileName(str(name))
+    reader.Update()
+    return reader.GetOutput()
+
+
+class TestViewerMeshes(ViewerProgram):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        sphere = vtkSphereSource()  # radius 0.5
+        sphere.SetThetaResolution(10)
+        sphere.SetPhiResolution(8)
+        sphere.Update()
+        cls.sphere = vtkPolyData()
+        cls.sphere.SetPoints(sphere.GetOutput().GetPoints())
+        cls.sphere.SetPolys(sphere.GetOutput().GetPolys())
+        heights = vtkDoubleArray()
+        heights.SetName("Latitude")
+        for i in range(cls.sphere.GetNumberOfPoints()):
+            heights.InsertNextValue(cls.sphere.GetPoint(i)[2])
+        cls.sphere.GetPointData().AddArray(heights)
+        cls.file = cls.write(cls.sphere, "sphere.vtp")
+
+    @classmethod
+    def write(cls, mesh, name):
+        name = cls.folder / name
+        writer = WRITERS[name.suffix]()
+        writer.SetInputData(mesh)
+        writer.SetFileName(str(name))
+        writer.Write()
+        return name
+
+    @classmethod
+    def write_image(cls, name, value, size=16, components=1):
+        """An image of value(column, row, component)."""
+        image = vtkImageData()
+        image.SetDimensions(size, size, 1)
+        image.AllocateScalars(VTK_UNSIGNED_CHAR, components)
+        for j in range(size):
+            for i in range(size):
+                for c in range(components):
+                    image.SetScalarComponentFromDouble(i, j, 0, c, value(i, j, c))
+        writer = vtkPNGWriter()
+        writer.SetInputData(image)
+        writer.SetFileName(str(cls.folder / name))
+        writer.Write()
+        return cls.folder / name
+
+    def export(self, *arguments, file=None, extension=".vtp"):
+        name = self.folder / f"refined{extension}"
+        self.view(file or self.file, "--export", name, *arguments)
+        return read(name)
+
+    def pixels(self, *arguments, file=None):
+        """RGB of a picture's pixels that are not sky, which is blue."""
+        self.view(file or self.file, "--output", "p.png", "--size=160x100", *arguments)
+        reader = vtkPNGReader()
+        reader.SetFileName(str(self.folder / "p.png"))
+        reader.Update()
+        image = reader.GetOutput()
+        values = [
+            tuple(image.GetScalarComponentAsFloat(i, j, 0, c) for c in range(3))
+            for j in range(100)
+            for i in range(30, 160)
+        ]
+        sky = [image.GetScalarComponentAsFloat(159, 0, 0, c) for c in range(3)]
+        self.assertGreater(sky[2], sky[0] + 15)
+        return values
+
+    def radii(self, mesh):
+        return [math.dist(mesh.GetPoint(i), (0, 0, 0)) for i in range(mesh.GetNumberOfPoints())]
+
+    def test_formats(self):
+        """Every format goes in and comes out, in the mesh's own coordinates."""
+        for extension in WRITERS:
+            file = self.write(self.sphere, "in" + extension)
+            mesh = self.export("--surface=linear", "--level=1", file=file)
+            self.assertEqual(mesh.GetNumberOfCells(), 4 * self.sphere.GetNumberOfCells(), extension)
+            for bound, expected in zip(mesh.GetBounds(), self.sphere.GetBounds()):
+                self.assertAlmostEqual(bound, expected, places=5)
+        for extension in READERS:
+            mesh = self.export("--level=2", extension=extension)
+            self.assertEqual(mesh.GetNumberOfCells(), 16 * self.sphere.GetNumberOfCells(), extension)
+            self.assertAlmostEqual(max(self.radii(mesh)), 0.5, places=2)
+
+    def test_surface_of_a_volume(self):
+        """A .vtk file may hold any data set: its surface is drawn."""
+        image = vtkImageData()
+        image.SetDimensions(3, 3, 3)
+        writer = vtkDataSetWriter()
+        writer.SetInputData(image)
+        writer.SetFileName(str(self.folder / "volume.vtk"))
+        writer.Write()
+        mesh = self.export("--surface=linear", "--level=0", file="volume.vtk")
+        self.assertEqual(mesh.GetNumberOfCells(), 6 * 4 * 2)
+
+    def test_surfaces(self):
+        """All go through the sphere's points but fur; the curved ones lie nearer to it."""
+        inside, outside = {}, {}
+        for surface in SURFACES:
+            mesh = self.export("--surface", surface, "--level=2")
+            self.assertEqual(mesh.GetNumberOfCells(), 16 * self.sphere.GetNumberOfCells())
+            radii = self.radii(mesh)
+            inside[surface], outside[surface] = 0.5 - min(radii), max(radii) - 0.5
+        for surface in ("pn", "phong", "g1"):
+            self.assertLess(inside[surface], 0.4 * inside["linear"], inside)
+        self.assertLess(outside["linear"], 1e-5)
+        self.assertGreater(outside["procedural"], 0.01)
+
+    def test_numbers_of_surfaces(self):
+        flat = min(self.radii(self.export("--surface=linear", "--level=2")))
+        self.assertAlmostEqual(
+            min(self.radii(self.export("--surface=phong", "--alpha=0", "--level=2"))), flat, places=6
+        )
+        furs = [
+            max(self.radii(self.export("--surface=procedural", "--level=3", *fur)))
+            for fur in (("--amplitude=0",), ("--amplitude=0.2",), ("--amplitude=0.4",))
+        ]
+        self.assertAlmostEqual(furs[0], 0.5, places=5)
+        self.assertGreater(furs[1], 0.55)
+        self.assertGreater(furs[2], furs[1] + 0.05)
+        waves = [
+            self.radii(self.export("--surface=procedural", "--level=3", "--frequency", n))
+            for n in ("1", "3")
+        ]
+        self.assertNotEqual(*waves)
+
+    def test_methods(self):
+        """All draw the same sphere, each in its own number of calls."""
+        calls = {}
+        pictures = {}
+        for method in METHODS:
+            common = (self.file, "--level=2", "--method", method)
+            calls[method] = self.statistic("draw calls", *common)
+            pictures[method] = self.pixels("--level=2", "--method", method)
+        culled = self.statistic("culled faces", self.file, "--level=2")
+        self.assertEqual(calls["ark"], self.sphere.GetNumberOfCells() - culled)
+        self.assertLess(calls["arkfpi"], 4)
+        for method, pixels in pictures.items():
+            differences = sum(
+                max(abs(a - b) for a, b in zip(one, other)) > 40
+                for one, other in zip(pixels, pictures["arkfpi"])
+            )
+            self.assertLess(differences, 0.01 * len(pixels), method)
+
+    def test_heights(self):
+        """A height map of one height everywhere moves the sphere out by as much, along normals."""
+        flat = self.write_image("flat.png", lambda i, j, c: 10)
+        for arguments, radius in (
+            (("--scale=0.01",), 0.6),
+            (("--scale=0", "--offset=0.2"), 0.7),
+            (("--scale=0.01", "--offset=0.2"), 0.8),
+        ):
+            mesh = self.export("--height", flat, "--level=2", *arguments)
+            for distance in self.radii(mesh):
+                self.assertAlmostEqual(distance, radius, delta=0.01)
+
+    def test_mapping(self):
+        """Around: v from the pole below to the one above. From the side: along the box."""
+        ramp = self.write_image("ramp.png", lambda i, j, c: 16 * j)
+        mesh = self.export("--height", ramp, "--scale=0.001", "--level=1", "--up=z")
+        for i in range(mesh.GetNumberOfPoints()):
+            point = mesh.GetPoint(i)
+            radius = math.dist(point, (0, 0, 0))
+            v = 1 - math.acos(point[2] / radius) / math.pi
+            expected = 0.5 + 0.001 * 16 * min(max(16 * v - 0.5, 0), 15)
+            self.assertAlmostEqual(radius, expected, delta=0.02)
+        disc = vtkRegularPolygonSource()
+        disc.SetNumberOfSides(12)
+        disc.GeneratePolylineOff()
+        disc.Update()
+        file = self.write(disc.GetOutput(), "disc.vtp")  # facing z
+        common = ("--height", ramp, "--scale=0.001", "--surface=linear", "--level=3")
+        mesh = self.export(*common, file=file)
+        for i in range(mesh.GetNumberOfPoints()):
+            _, y, z = mesh.GetPoint(i)
+            v = y + 0.5
+            self.assertAlmostEqual(abs(z), 0.001 * 16 * min(max(16 * v - 0.5, 0), 15), delta=0.001)
+        around = self.export(*common, "--mapping=sphere", file=file)
+        self.assertNotEqual(self.radii(mesh), self.radii(around))
+
+    def test_picture_on_a_mesh(self):
+        red = self.write_image("red.png", lambda i, j, c: 220 if c == 0 else 20, components=3)
+        seen = self.pixels("--image", red)
+        self.assertGreater(sum(r > 3 * g and r > 3 * b for r, g, b in seen), 1500)
+
+    def test_arrays(self):
+        """The scalars or --array, with a legend: viridis from the lowest to the highest."""
+        plain = self.pixels("--view=205,0", "--up=z")
+        coloured = self.pixels("--view=205,0", "--up=z", "--array=Latitude")
+        for pixels, expected in ((plain, False), (coloured, True)):
+            yellow = sum(r > 1.5 * b and g > 1.5 * b and r > 60 for r, g, b in pixels) > 50
+            violet = sum(r < 70 and 2 * g < b for r, g, b in pixels) > 50
+            self.assertEqual((yellow, violet), (expected, expected))
+        self.assert_error(1, ["'Longitude'"], self.file, "--array=Longitude", "--output=n.png")
+
+    def test_field_metric(self):
+        common = (self.file, "--metric=field", "--array=Latitude", "--max-level=3")
+        count = self.statistic("drawn triangles", *common)
+        self.assertLess(self.sphere.GetNumberOfCells(), count)
+        self.assertLess(count, 64 * self.sphere.GetNumberOfCells())
+        self.assert_error(1, ["--array"], self.file, "--metric=field", "--output=n.png")
+
+    def test_region_metric(self):
+        mesh = self.export("--metric=region", "--region=0,0,0.5,0.2", "--max-level=3")
+        heights = [mesh.GetPoint(i)[2] for i in range(mesh.GetNumberOfPoints())]
+        self.assertGreater(sum(z > 0.3 for z in heights), 5 * sum(z < -0.3 for z in heights))
+
+    def test_default_is_a_length_on_the_screen(self):
+        """Larger pictures get more triangles, longer segments fewer."""
+        small = self.statistic("drawn triangles", self.file)
+        fine = self.statistic("drawn triangles", self.file, "--pixels=2")
+        coarse = self.statistic("drawn triangles", self.file, "--pixels=12")
+        self.assertGreater(fine, 2 * small)
+        self.assertGreater(small, 2 * coarse)
+
+    def test_feature_angle(self):
+        """A cube's shared corners: round without, and edges kept with it; closed either way."""
+        cube = vtkPolyData()
+        points = vtkPoints()
+        for i in range(8):
+            points.InsertNextPoint(i & 1, i >> 1 & 1, i >> 2)
+        faces = vtkCellArray()
+        for corners in (
+            (0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5),
+        ):
+            faces.InsertNextCell(4, corners)
+        cube.SetPoints(points)
+        cube.SetPolys(faces)
+        file = self.write(cube, "cube.vtp")
+        round_ = self.export("--level=3", file=file)
+        sharp = self.export("--level=3", "--feature-angle=30", file=file)
+        middle = max(round_.GetBounds())
+        self.assertGreater(middle, 1.1)
+        self.assertAlmostEqual(max(sharp.GetBounds()), 1.0, delta=0.05)
+        edges = vtkFeatureEdges()
+        edges.SetInputData(round_)
+        edges.FeatureEdgesOff()
+        edges.ManifoldEdgesOff()
+        edges.Update()
+        self.assertEqual(edges.GetOutput().GetNumberOfCells(), 0)
+
+    def test_bad_usage(self):
+        for words, *arguments in (
+            (["one height map or mesh"], self.file),
+            (["--exaggeration", "height maps"], "--exaggeration=2"),
+            (["--resolution", "height maps"], "--resolution=2"),
+            (["--scale", "--height"], "--scale=2"),
+            (["--mapping", "--height"], "--mapping=plane"),
+            (["--alpha", "phong"], "--alpha=0.5"),
+            (["--alpha", "'2'"], "--surface=phong", "--alpha=2"),
+            (["--amplitude", "procedural"], "--amplitude=2"),
+            (["--surface", "g1", "'nurbs'"], "--surface=nurbs"),
+            (["--method", "suapt", "'fast'"], "--method=fast"),
+            (["--level", "'9'"], "--level=9"),
+            (["--reach", "distance"], "--reach=9"),
+            (["--region", "X,Y,Z,RADIUS"], "--metric=region", "--region=1,2,3"),
+            (["--region", "radius"], "--metric=region", "--region=1,2,3,0"),
+            (["--feature-angle", "'200'"], "--feature-angle=200"),
+            (["--up", "'w'"], "--up=w"),
+            (["--export", ".ply", "a.png"], "--export=a.png"),
+        ):
+            self.assert_error(2, words, self.file, *arguments)
+
+    def test_bad_files(self):
+        out = ("--output", self.folder / "never.png")
+        for extension in WRITERS:
+            self.assert_error(1, ["missing" + extension], "missing" + extension, *out)
+            for name, text in (("empty", ""), ("text", "no mesh\n")):
+                (self.folder / (name + extension)).write_text(text)
+                self.assert_error_last(name + extension, *out)
+        (self.folder / "folder.ply").mkdir()
+        self.assert_error(1, ["folder.ply"], "folder.ply", *out)
+        self.assert_error(1, ["missing.png"], self.file, "--height", "missing.png", *out)
+        self.assert_error(1, ["missing.png"], self.file, "--image", "missing.png", *out)
+        self.assert_error(1, ["text.ply"], self.file, "--image", "text.ply", *out)
+        self.assert_error(1, ["nowhere"], self.file, "--export", "nowhere/a.stl")
+        self.assertFalse((self.folder / "never.png").exists())
+
+    def test_bad_meshes(self):
+        out = ("--output", self.folder / "never.png")
+        lost = vtkPolyData()
+        lost.DeepCopy(self.sphere)
+        lost.GetPoints().SetPoint(7, math.nan, 0, 0)
+        self.assert_error(1, ["1 of 62", "finite"], self.write(lost, "nan.vtp"), *out)
+        points = vtkPolyData()
+        points.SetPoints(self.sphere.GetPoints())
+        self.assert_error(1, ["polygons"], self.write(points, "points.vtp"), *out)
+        (self.folder / "degenerate.obj").write_text("v 0 0 0\nv 1 0 0\nv 1 0 0\nf 1 2 3\n")
+        self.assert_error_last("degenerate.obj", *out)
+        (self.folder / "cut.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n")
+        self.assert_error_last("cut.obj", *out, words=["point 8 of 3"])
+        self.assertFalse((self.folder / "never.png").exists())
+
+    def assert_error_last(self, name, *arguments, words=()):
+        """Exit code 1 and one line of error; warnings may come before it."""
+        run = self.view(name, *arguments, code=1)
+        lines = run.stderr.splitlines()
+        self.assertTrue(all(line.startswith("relevo-view: warning: ") for line in lines[:-1]), lines)
+        self.assertTrue(lines[-1].startswith("relevo-view: error: "), lines)
+        for word in words or [name]:
+            self.assertIn(word, lines[-1])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["TestViewerMeshes"])
