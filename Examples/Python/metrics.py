@@ -10,11 +10,9 @@ import math
 import sys
 
 import relevo
-from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from meshes import add_normals, make_ring, read
+from vtkmodules.vtkCommonCore import vtkFloatArray
 from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkWindowToImageFilter
 
@@ -106,41 +104,8 @@ METRICS = {
 }
 
 
-def make_ring(around=30, across=12):
-    """A bent ring of 720 triangles that grows thicker and thinner."""
-    points = vtkPoints()
-    triangles = vtkCellArray()
-    for i in range(around):
-        u = 2 * math.pi * i / around
-        thickness = 0.32 + 0.12 * math.cos(3 * u)
-        for j in range(across):
-            v = 2 * math.pi * j / across
-            radius = 1 + thickness * math.cos(v)
-            height = thickness * math.sin(v) + 0.2 * math.sin(2 * u)
-            points.InsertNextPoint(radius * math.cos(u), radius * math.sin(u), height)
-            a, b = i * across, (i + 1) % around * across
-            k = (j + 1) % across
-            for corners in ((a + j, b + j, b + k), (a + j, b + k, a + k)):
-                triangles.InsertNextCell(3, corners)
-    ring = vtkPolyData()
-    ring.SetPoints(points)
-    ring.SetPolys(triangles)
-    return ring
-
-
-def read(filename):
-    reader = vtkPLYReader()
-    reader.SetFileName(filename)
-    reader.Update()
-    return reader.GetOutput()
-
-
 def main(name, picture, filename=None):
-    normals = vtkPolyDataNormals()
-    normals.SetInputData(read(filename) if filename else make_ring())
-    normals.SplittingOff()
-    normals.Update()
-    mesh = normals.GetOutput()
+    mesh = add_normals(read(filename) if filename else make_ring())
 
     recipe = relevo.vtkAdaptiveRefinement()
     recipe.SetMaximumLevel(3)

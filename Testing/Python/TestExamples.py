@@ -37,15 +37,7 @@ class TestExamples(unittest.TestCase):
             writer.SetFileName(str(folder / "heights.png"))
             writer.SetInputData(image)
             writer.Write()
-            environment = dict(os.environ)
-            environment.pop("DISPLAY", None)
-            run = subprocess.run(
-                [sys.executable, SOURCE / "Examples/Python/terrain.py", "heights.png", "out.png"],
-                cwd=folder,
-                env=environment,
-                capture_output=True,
-                text=True,
-            )
+            run = self.run_example("terrain.py", folder, "heights.png", "out.png")
             self.assertEqual((run.returncode, run.stderr), (0, ""))
             self.assertRegex(run.stdout, r"^[1-9]\d* triangles in [1-9]\d* draws\n$")
             reader = vtkPNGReader()
@@ -60,11 +52,11 @@ class TestExamples(unittest.TestCase):
             }
             self.assertGreater(len(shades), 10)
 
-    def run_metrics(self, folder, *arguments):
+    def run_example(self, script, folder, *arguments):
         environment = dict(os.environ)
         environment.pop("DISPLAY", None)
         return subprocess.run(
-            [sys.executable, SOURCE / "Examples/Python/metrics.py", *arguments],
+            [sys.executable, SOURCE / "Examples/Python" / script, *arguments],
             cwd=folder,
             env=environment,
             capture_output=True,
@@ -80,7 +72,7 @@ class TestExamples(unittest.TestCase):
             folder = pathlib.Path(name)
             for metric in names:
                 self.assertIn(f"Examples/Python/metrics/{metric}.png", readme)
-                run = self.run_metrics(folder, metric, "out.png")
+                run = self.run_example("metrics.py", folder, metric, "out.png")
                 self.assertEqual((run.returncode, run.stderr), (0, ""))
                 numbers = re.fullmatch(r"(\d+) faces, (\d+) triangles\n", run.stdout)
                 self.assertGreater(int(numbers[2]), int(numbers[1]))
@@ -98,12 +90,44 @@ class TestExamples(unittest.TestCase):
         with tempfile.TemporaryDirectory() as name:
             writer.SetFileName(str(pathlib.Path(name) / "sphere.ply"))
             writer.Write()
-            run = self.run_metrics(name, "contour", "out.png", "sphere.ply")
+            run = self.run_example("metrics.py", name, "contour", "out.png", "sphere.ply")
             self.assertEqual((run.returncode, run.stderr), (0, ""))
             self.assertTrue(run.stdout.startswith("96 faces, "), run.stdout)
-            run = self.run_metrics(name, "slope", "out.png")
+            run = self.run_example("metrics.py", name, "slope", "out.png")
             self.assertEqual(run.returncode, 1)
             self.assertIn("screen-edge", run.stderr)
+
+    def test_surfaces(self):
+        """Each figure is drawn, and the one that is kept is in README.md or beside it."""
+        readme = (SOURCE / "README.md").read_text()
+        names = [path.stem for path in (SOURCE / "Examples/Python/surfaces").glob("*.png")]
+        self.assertEqual(set(names), {"surfaces", "inflections", "fur", "parts", "relief"})
+        self.assertIn("Examples/Python/surfaces/surfaces.png", readme)
+        with tempfile.TemporaryDirectory() as folder:
+            for name in names:
+                run = self.run_example("surfaces.py", folder, name, "out.png")
+                self.assertEqual((run.returncode, run.stderr), (0, ""))
+                self.assertRegex(run.stdout, r"\A[1-9]\d{4,} triangles\n\Z")
+                reader = vtkPNGReader()
+                reader.SetFileName(str(pathlib.Path(folder) / "out.png"))
+                reader.Update()
+                picture = reader.GetOutput()
+                kept = vtkPNGReader()
+                kept.SetFileName(str(SOURCE / f"Examples/Python/surfaces/{name}.png"))
+                kept.Update()
+                size = picture.GetDimensions()
+                self.assertEqual(size, kept.GetOutput().GetDimensions())
+                # Panels of all columns have something in their middle third.
+                row = size[1] // 4
+                for column in range(2):
+                    shades = {
+                        picture.GetScalarComponentAsFloat(i, row, 0, 0)
+                        for i in range(column * size[0] // 2, (column + 1) * size[0] // 2, 3)
+                    }
+                    self.assertGreater(len(shades), 5, name)
+            run = self.run_example("surfaces.py", folder, "nurbs", "out.png")
+            self.assertEqual(run.returncode, 1)
+            self.assertIn("inflections", run.stderr)
 
     def test_readme_shows_the_example(self):
         example = (SOURCE / "Examples/Python/terrain.py").read_text()

@@ -1,0 +1,119 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures of several labelled panels, for the scripts beside this file; drawn without a display."""
+
+import relevo
+import vtkmodules.vtkRenderingFreeType  # draws the labels
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkLight,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkTextActor,
+    vtkWindowToImageFilter,
+)
+
+
+def draw_coarse(mesh):
+    """The mesh as it is, its faces flat and their edges drawn."""
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(mesh)
+    mapper.ScalarVisibilityOff()
+    actor = make_actor(mapper)
+    actor.GetProperty().SetInterpolationToFlat()
+    show_edges(actor)
+    return actor
+
+
+def draw_refined(mesh, surface, level, displacement=None):
+    """The mesh with every edge in 2^level segments."""
+    recipe = relevo.vtkAdaptiveRefinement()
+    recipe.SetMaximumLevel(level)
+    recipe.SetSurface(surface)
+    recipe.SetDisplacement(displacement)
+    mapper = relevo.vtkAdaptiveRefinementMapper()
+    mapper.SetInputData(mesh)
+    mapper.SetRefinement(recipe)
+    mapper.ScalarVisibilityOff()
+    return make_actor(mapper)
+
+
+def make_actor(mapper):
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    look = actor.GetProperty()
+    look.SetColor(0.84, 0.78, 0.68)
+    look.SetAmbient(0.1)
+    look.SetDiffuse(0.8)
+    look.SetSpecular(0.3)
+    look.SetSpecularPower(30)
+    look.SetInterpolationToPhong()
+    return actor
+
+
+def show_edges(actor):
+    actor.GetProperty().EdgeVisibilityOn()
+    actor.GetProperty().SetEdgeColor(0.2, 0.2, 0.25)
+
+
+class Figure:
+    """Panels in rows, all seen from the same direction."""
+
+    def __init__(self, columns, rows, size, position, up, zoom=1.0):
+        self.columns, self.rows = columns, rows
+        self.position, self.up, self.zoom = position, up, zoom
+        self.panels = 0
+        self.window = relevo.vtkEGLOffscreenRenderWindow()
+        self.window.SetSize(columns * size[0], rows * size[1])
+        self.window.SetMultiSamples(8)
+
+    def add(self, label, actor, position=None, up=None, zoom=None):
+        """The next panel, from left to right and from top to bottom."""
+        column, row = self.panels % self.columns, self.rows - 1 - self.panels // self.columns
+        self.panels += 1
+        renderer = vtkRenderer()
+        renderer.SetViewport(
+            column / self.columns,
+            row / self.rows,
+            (column + 1) / self.columns,
+            (row + 1) / self.rows,
+        )
+        renderer.SetBackground(0.25, 0.27, 0.3)
+        renderer.AddActor(actor)
+        for x, y, z, intensity in ((-1, 1, 1, 0.9), (1, 0.2, 0.6, 0.3), (0.3, 1, -1, 0.25)):
+            light = vtkLight()
+            light.SetLightTypeToCameraLight()
+            light.SetPosition(x, y, z)
+            light.SetIntensity(intensity)
+            renderer.AddLight(light)
+        text = vtkTextActor()
+        text.SetInput(label)
+        text.GetTextProperty().SetFontSize(15)
+        text.SetPosition(9, 8)
+        renderer.AddViewProp(text)
+        self.window.AddRenderer(renderer)
+        camera = renderer.GetActiveCamera()
+        camera.SetPosition(position or self.position)
+        camera.SetViewUp(up or self.up)
+        renderer.ResetCamera(actor.GetMapper().GetInput().GetBounds())
+        camera.Dolly(zoom or self.zoom)
+        camera.SetWindowCenter(0, -0.1)  # room for the label
+        renderer.ResetCameraClippingRange()
+
+    def write(self, filename):
+        """Returns how many triangles the refined panels have, all together."""
+        self.window.Render()
+        image = vtkWindowToImageFilter()
+        image.SetInput(self.window)
+        image.ReadFrontBufferOff()
+        writer = vtkPNGWriter()
+        writer.SetInputConnection(image.GetOutputPort())
+        writer.SetFileName(filename)
+        writer.Write()
+        triangles = 0
+        for renderer in self.window.GetRenderers():
+            for actor in renderer.GetActors():
+                if actor.GetMapper().IsA("vtkAdaptiveRefinementMapper"):
+                    triangles += actor.GetMapper().GetNumberOfDrawnTriangles()
+        return triangles

@@ -1,0 +1,139 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Coarse meshes for the scripts beside this file."""
+
+import math
+
+from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkQuadricDecimation, vtkTriangleFilter
+from vtkmodules.vtkIOPLY import vtkPLYReader
+
+
+def make_mesh(points, triangles):
+    mesh = vtkPolyData()
+    mesh.SetPoints(vtkPoints())
+    mesh.SetPolys(vtkCellArray())
+    for point in points:
+        mesh.GetPoints().InsertNextPoint(point)
+    for triangle in triangles:
+        mesh.GetPolys().InsertNextCell(3, triangle)
+    return mesh
+
+
+def set_point_array(mesh, name, values):
+    """One number, or one tuple of numbers, per point."""
+    array = vtkFloatArray()
+    array.SetName(name)
+    array.SetNumberOfComponents(len(values[0]) if isinstance(values[0], tuple) else 1)
+    for value in values:
+        array.InsertNextTuple(value if isinstance(value, tuple) else (value,))
+    mesh.GetPointData().AddArray(array)
+    return array
+
+
+def set_normals(mesh, values):
+    mesh.GetPointData().SetNormals(set_point_array(mesh, "Normals", values))
+
+
+def set_texture_coordinates(mesh, values):
+    mesh.GetPointData().SetTCoords(set_point_array(mesh, "TextureCoordinates", values))
+
+
+def add_normals(mesh):
+    """Smooth ones, the mean of the faces'."""
+    normals = vtkPolyDataNormals()
+    normals.SetInputData(mesh)
+    normals.SplittingOff()
+    normals.Update()
+    return normals.GetOutput()
+
+
+def make_ring(around=30, across=12):
+    """A bent ring that grows thicker and thinner, of 2 * around * across triangles."""
+    points = []
+    triangles = []
+    for i in range(around):
+        u = 2 * math.pi * i / around
+        thickness = 0.32 + 0.12 * math.cos(3 * u)
+        for j in range(across):
+            v = 2 * math.pi * j / across
+            radius = 1 + thickness * math.cos(v)
+            height = thickness * math.sin(v) + 0.2 * math.sin(2 * u)
+            points.append((radius * math.cos(u), radius * math.sin(u), height))
+            a, b = i * across, (i + 1) % around * across
+            k = (j + 1) % across
+            triangles += [(a + j, b + j, b + k), (a + j, b + k, a + k)]
+    return make_mesh(points, triangles)
+
+
+def make_grid(columns, rows, place):
+    """Triangles between the points place(x, y), x and y from 0 to 1, with these as texture
+    coordinates."""
+    grid = [(i / columns, j / rows) for j in range(rows + 1) for i in range(columns + 1)]
+    triangles = []
+    for j in range(rows):
+        for i in range(columns):
+            a, b = j * (columns + 1) + i, (j + 1) * (columns + 1) + i
+            triangles += [(a, a + 1, b + 1), (a, b + 1, b)]
+    mesh = make_mesh([place(x, y) for x, y in grid], triangles)
+    set_texture_coordinates(mesh, grid)
+    return mesh
+
+
+def make_wave(extremes=6):
+    """A strip whose points are the crests and troughs of a wave, where it is level."""
+    mesh = make_grid(
+        extremes, 1, lambda x, y: (extremes * x, 2.5 * y, 0.5 * math.cos(extremes * math.pi * x))
+    )
+    set_normals(mesh, [(0.0, 0.0, 1.0)] * mesh.GetNumberOfPoints())
+    return mesh
+
+
+def make_dome():
+    """Eight triangles, arched, with texture coordinates."""
+    mesh = make_grid(
+        2, 2, lambda x, y: (2 * x - 1, 2 * y - 1, 0.8 * (1 - (2 * x - 1) ** 2) * (1 - (2 * y - 1) ** 2))
+    )
+    return add_normals(mesh)
+
+
+def make_mapped_ring(around=14, across=6):
+    """The ring with texture coordinates that run round it and back, so that they have no seam."""
+    ring = make_ring(around, across)
+    set_texture_coordinates(
+        ring,
+        [
+            (abs(1 - 2 * (i // across) / around), abs(1 - 2 * (i % across) / across))
+            for i in range(ring.GetNumberOfPoints())
+        ],
+    )
+    return add_normals(ring)
+
+
+def read(filename):
+    """The triangles of a .ply file."""
+    reader = vtkPLYReader()
+    reader.SetFileName(filename)
+    triangulate = vtkTriangleFilter()
+    triangulate.SetInputConnection(reader.GetOutputPort())
+    triangulate.Update()
+    return triangulate.GetOutput()
+
+
+def read_decimated(filename, triangles):
+    """The mesh of a .ply file with about that many triangles, its longest side 2."""
+    mesh = read(filename)
+    if mesh.GetNumberOfCells() > triangles:
+        decimation = vtkQuadricDecimation()
+        decimation.SetInputData(mesh)
+        decimation.SetTargetReduction(1 - triangles / mesh.GetNumberOfCells())
+        decimation.Update()
+        mesh = decimation.GetOutput()
+    bounds = mesh.GetBounds()
+    scale = 2 / max(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4])
+    points = vtkPoints()
+    for i in range(mesh.GetNumberOfPoints()):
+        points.InsertNextPoint([scale * c for c in mesh.GetPoint(i)])
+    mesh.SetPoints(points)
+    return add_normals(mesh)
