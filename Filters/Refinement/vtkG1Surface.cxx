@@ -79,8 +79,7 @@ struct Ribbon
   // A vector's parts along (l) and across (m) the edge at one of its ends (0 or 2).
   dvec2 Split(const dvec3& v, int end) const
   {
-    // Large factors would carry the small vector at this end along to the other, large ones.
-    constexpr double small = 0.1; // of the chord: 17 degrees from the normal
+    constexpr double small = 0.01; // of the chord: the curve leaves its end along the normal
     const double least = small * length(this->Chord);
     const double squared = std::max(dot(this->Along[end], this->Along[end]), least * least);
     return { squared > 0.0 ? dot(v, this->Along[end]) / squared : 0.0, dot(v, this->Across[end]) };
@@ -95,6 +94,7 @@ struct Ribbon
 struct Net
 {
   explicit Net(const SurfaceCorners& corners)
+    : Centre(GetPNCenter(corners))
   {
     for (int i = 0; i < 3; ++i)
     {
@@ -107,6 +107,7 @@ struct Net
       const int b = EdgeCorners[e][1];
       this->Near[a][b] = corners.edgeVector(e, 0);
       this->Near[b][a] = corners.edgeVector(e, 1);
+      this->Longest = std::max(this->Longest, length(this->Points[b] - this->Points[a]));
     }
   }
 
@@ -136,10 +137,25 @@ struct Net
     // A cubic patch's centre counts half in the inner points of the quartic one.
     inner[0] = edge[1] + edge[2] + 2.0 * nearA - 0.5 * (this->Near[a][b] + this->Near[a][c]);
     inner[1] = edge[2] + edge[3] + 2.0 * nearB - 0.5 * (this->Near[b][a] + this->Near[b][c]);
+    for (int k = 0; k < 2; ++k)
+    {
+      inner[k] = this->Limit(inner[k]);
+    }
+  }
+
+  // Not too far from where PN triangles have the centre point.
+  dvec3 Limit(const dvec3& inner) const
+  {
+    constexpr double farthest = 0.5; // of the longest edge
+    const dvec3 offset = inner - this->Centre;
+    const double most = farthest * this->Longest;
+    return length(offset) > most ? this->Centre + most * unit(offset) : inner;
   }
 
   dvec3 Points[3];
   dvec3 Normals[3];
+  dvec3 Centre;
+  double Longest = 0.0;
   dvec3 Near[3][3]; // the control point beside a corner on the edge to another
 };
 }

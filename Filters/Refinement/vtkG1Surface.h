@@ -25,9 +25,9 @@
  * The surface interpolates the coarse points and, where faces around a point see the same normal
  * there, the normals; it reproduces planes. Along creases, where they see different ones, the
  * curves of the sides are averaged: the surface stays closed, each side keeps its own tangent
- * planes but for the crease's ends, and shading is sharp. Tangent planes do not quite join either
- * at the end of an edge where the normal is within 17 degrees of the edge's direction, or of its
- * opposite: the patch is kept tame instead.
+ * planes but for the crease's ends, and shading is sharp. Where normals are at odds with a triangle
+ * the patch is kept tame, and tangent planes do not quite join: inner points stay within half the
+ * length of the longest edge from where PN triangles have their centre point.
  *
  * Point normals of the input are used; where there are none they are computed from the faces.
  * Where the patch itself is degenerate, normals are interpolated.
