@@ -100,7 +100,9 @@ int TestWatertight(int, char*[])
     const double size = bounds[1] - bounds[0];
     for (const auto& surface : RelevoMakeSurfaces(size))
     {
-      for (int displaced = 0; displaced < 5; ++displaced)
+      // Displacements in all ways on one surface, in one way on the others.
+      const int step = surface.first == "PN, quadratic normals" ? 1 : 3;
+      for (int displaced = 0; displaced < 5; displaced += step)
       {
         vtkNew<vtkAdaptiveRefinement> recipe;
         recipe->SetMaximumLevel(MaximumLevel);
