@@ -197,9 +197,9 @@ bool RefinementStream::Refine(vtkOpenGLRenderWindow* window, const RefinementMes
     return false;
   }
   window->GetShaderCache()->ReleaseCurrentShader();
-  while (glGetError() != GL_NO_ERROR)
+  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
   {
-    // Not of what follows.
+    // Not of what follows. A lost context has no end of them.
   }
   this->Handle = MakeBuffer(counts[0], vertices.data());
   for (int step = 1; step <= steps && glGetError() == GL_NO_ERROR; ++step)

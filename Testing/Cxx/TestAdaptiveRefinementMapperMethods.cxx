@@ -273,6 +273,21 @@ void TestSubstitute(RelevoCheck& check, RelevoComparison& comparison)
   CHECK(mapper->GetMethodInUse() == Mapper::METHOD_DMR);
 }
 
+// Methods that cannot morph draw the same rounded levels whether the recipe morphs or not.
+void TestRounding(RelevoComparison& comparison)
+{
+  Subject subject(Tagged(Noisy(7), 7, 4));
+  for (int method : { Mapper::METHOD_DMR, Mapper::METHOD_SUAPT, Mapper::METHOD_UNIFORM })
+  {
+    subject.Recipe->SetGeomorphing(0);
+    const RelevoPicture expected = subject.Draw(method);
+    subject.Recipe->SetGeomorphing(1);
+    const RelevoPicture actual = subject.Draw(method);
+    comparison.Compare(
+      std::string("Rounded.") + GetName(method), RelevoTolerance(), actual, expected);
+  }
+}
+
 // Nothing in sight, before and after something was.
 void TestNothing(RelevoCheck& check, RelevoComparison& comparison)
 {
@@ -352,6 +367,7 @@ int TestAdaptiveRefinementMapperMethods(int argc, char* argv[])
   TestEqualLevels(check, comparison);
   TestSwitching(check, comparison);
   TestSubstitute(check, comparison);
+  TestRounding(comparison);
   TestNothing(check, comparison);
   TestPicking(check);
   TestBlocks(check);
