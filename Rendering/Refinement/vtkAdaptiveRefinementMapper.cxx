@@ -267,6 +267,7 @@ void vtkAdaptiveRefinementMapper::ReleaseGraphicsResources(vtkWindow* window)
     method.second->ReleaseGraphicsResources(window);
   }
   data.MethodProblem.clear();
+  data.MethodFailure.clear();
   data.Colors.ReleaseGraphicsResources(window);
   data.Clock.ReleaseGraphicsResources();
   data.Compute.ReleaseGraphicsResources();
@@ -422,6 +423,7 @@ void vtkAdaptiveRefinementMapper::ChooseMethod(vtkRenderer* ren, vtkActor* act)
   else
   {
     problem = method.GetObstacle(relevo::GetPatternFamily(this->Refinement, this->GetInput()));
+    problem = problem.empty() ? data.MethodFailure : problem;
   }
   if (problem != data.MethodProblem)
   {
@@ -446,6 +448,12 @@ void vtkAdaptiveRefinementMapper::ChooseMethod(vtkRenderer* ren, vtkActor* act)
   {
     if (other.first != this->Method && other.first != data.MethodInUse)
     {
+      for (vtkOpenGLHelper* helper : { &data.Faces, &data.Vertices })
+      {
+        int& owner = data.Programs[helper].Method;
+        helper->Program = owner == other.first ? nullptr : helper->Program;
+        owner = owner == other.first ? -1 : owner;
+      }
       other.second->ReleaseGraphicsResources(ren->GetRenderWindow());
     }
   }
@@ -513,7 +521,7 @@ void vtkAdaptiveRefinementMapper::DrawFaces(
     mode = GL_POINTS;
   }
   this->UpdateRefiningShaders(cellBO, ren, act);
-  if (!cellBO.Program)
+  if (!cellBO.Program || !data.Drawable)
   {
     return;
   }
@@ -581,12 +589,61 @@ bool vtkAdaptiveRefinementMapper::GetNeedToRebuildShaders(
   bool needed = this->Superclass::GetNeedToRebuildShaders(cellBO, ren, act);
   if (this->IsRefining(&cellBO))
   {
-    const std::string key = this->Internals->GetShaderOptions(this, &cellBO).GetKey();
-    std::string& last = this->Internals->Programs[&cellBO].ShaderKey;
-    needed = needed || key != last || cellBO.Program == this->Internals->NoProgram;
-    last = key;
+    vtkInternals& data = *this->Internals;
+    vtkInternals::ProgramState& program = data.Programs[&cellBO];
+    const std::string key = data.GetShaderOptions(this, &cellBO).GetKey();
+    needed = needed || key != program.ShaderKey || cellBO.Program == data.NoProgram;
+    program.ShaderKey = key;
+    if (needed)
+    {
+      program.Method = -1;
+      if (data.GetMethod().HasStages() && this->BuildStages(cellBO, ren, act))
+      {
+        return false; // VTK's shader cache binds it like any other
+      }
+      program.ShaderKey = data.GetShaderOptions(this, &cellBO).GetKey();
+    }
   }
   return needed;
+}
+
+bool vtkAdaptiveRefinementMapper::BuildStages(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
+{
+  vtkInternals& data = *this->Internals;
+  vtkNew<vtkShader> stages[3];
+  const vtkShader::Type types[3] = { vtkShader::Vertex, vtkShader::Geometry, vtkShader::Fragment };
+  std::map<vtkShader::Type, vtkShader*> shaders;
+  for (int i = 0; i < 3; ++i)
+  {
+    stages[i]->SetType(types[i]);
+    shaders[types[i]] = stages[i];
+  }
+  this->BuildShaders(shaders, ren, act);
+  vtkShaderProgram* program =
+    data.GetMethod().BuildProgram(data.GetDrawing(this->Refinement), shaders);
+  if (!program)
+  {
+    this->GiveUpMethod(ren);
+    return false;
+  }
+  cellBO.Program = program;
+  cellBO.VAO->ReleaseGraphicsResources(); // of the attributes of another program
+  cellBO.ShaderSourceTime.Modified();
+  data.Programs[&cellBO].Method = data.MethodInUse;
+  return true;
+}
+
+void vtkAdaptiveRefinementMapper::GiveUpMethod(vtkRenderer* ren)
+{
+  vtkInternals& data = *this->Internals;
+  data.MethodFailure = "Its shaders cannot be built: " + data.GetMethod().GetError();
+  data.MethodProblem = data.MethodFailure; // said here
+  vtkErrorMacro("The method " << relevo::RefinementMethod::GetName(this->Method)
+                              << " cannot be used: " << data.MethodFailure << ". ARKFPI draws.");
+  data.MethodInUse = METHOD_ARKFPI;
+  data.Drawable =
+    data.GetMethod().Upload(data.GetDrawing(this->Refinement)) && this->UpdateFaceColors(ren);
 }
 
 void vtkAdaptiveRefinementMapper::ReplaceShaderValues(

@@ -383,6 +383,8 @@ private:
   void ReadSelection();
   bool HidesBackFaces(vtkRenderer* ren, vtkActor* act);
   void ChooseMethod(vtkRenderer* ren, vtkActor* act);
+  bool BuildStages(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act);
+  void GiveUpMethod(vtkRenderer* ren);
   bool IsRefining(const vtkOpenGLHelper* cellBO) const;
   void SetRefinementColorMode(RefinementColorModes mode);
   bool UpdateFaceColors(vtkRenderer* ren);

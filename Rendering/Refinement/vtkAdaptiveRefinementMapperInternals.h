@@ -66,6 +66,7 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   std::map<int, std::unique_ptr<relevo::RefinementMethod>> Methods;
   int MethodInUse = METHOD_ARKFPI;
   std::string MethodProblem; // said last
+  std::string MethodFailure; // of the method's own shaders; until the method changes
   bool HasLines = false;     // a wireframe is drawn
   relevo::RefinementMethod& GetMethod();
   relevo::RefinementDrawing GetDrawing(vtkAdaptiveRefinement* recipe);
@@ -103,6 +104,7 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
     std::string ShaderKey;
     std::string FailedKey; // of shaders that could not be built
     std::vector<std::string> Attributes;
+    int Method = -1; // whose program it is; -1 for VTK's shader cache
   };
   std::map<const vtkOpenGLHelper*, ProgramState> Programs;
   vtkNew<vtkShaderProgram> NoProgram;

@@ -39,6 +39,7 @@ void vtkAdaptiveRefinementMapper::SetMethod(int method)
   if (this->Method != method)
   {
     this->Internals->MethodProblem.clear();
+    this->Internals->MethodFailure.clear();
   }
   this->Method = method;
   this->Internals->Blocks.ForEach(

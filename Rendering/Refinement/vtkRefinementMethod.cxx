@@ -6,6 +6,7 @@
 #include "vtkARKMethod.h"
 #include "vtkAdaptiveRefinementMapper.h"
 #include "vtkDMRMethod.h"
+#include "vtkHardwareTessellation.h"
 #include "vtkSUAPTMethod.h"
 #include "vtkUniformMethod.h"
 
@@ -24,6 +25,8 @@ std::unique_ptr<RefinementMethod> RefinementMethod::New(int method)
       return std::unique_ptr<RefinementMethod>(new DMRMethod);
     case vtkAdaptiveRefinementMapper::METHOD_SUAPT:
       return std::unique_ptr<RefinementMethod>(new SUAPTMethod);
+    case vtkAdaptiveRefinementMapper::METHOD_HARDWARE_TESSELLATION:
+      return std::unique_ptr<RefinementMethod>(new HardwareTessellation);
     case vtkAdaptiveRefinementMapper::METHOD_UNIFORM:
       return std::unique_ptr<RefinementMethod>(new UniformMethod);
     default:

@@ -13,8 +13,10 @@
 #define vtkRefinementMethod_h
 
 #include "vtkRefinementComputeView.h" // for Primitives
+#include "vtkShader.h"                // for vtkShader::Type
 #include "vtkType.h"                  // for vtkIdType
 
+#include <map>    // for signature
 #include <memory> // for New
 #include <string> // for sentences
 
@@ -87,6 +89,19 @@ public:
   /// Fill in what the shaders depend on.
   virtual void Describe(
     const RefinementDrawing& drawing, RefinementShaderOptions& options) const = 0;
+
+  /// Whether its shaders run in stages that VTK's programs have not: BuildProgram() makes them.
+  virtual bool HasStages() const { return false; }
+
+  /**
+   * The program of VTK's finished shaders with the method's own stages, linked. It lives until
+   * resources are released. nullptr, with GetError(), when it cannot be built.
+   */
+  virtual vtkShaderProgram* BuildProgram(
+    const RefinementDrawing&, const std::map<vtkShader::Type, vtkShader*>&)
+  {
+    return nullptr;
+  }
 
   /**
    * Draw what was uploaded, with the program and a vertex array that are in use. Returns the number

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHardwareTessellation
+ * @brief   faces as patches that OpenGL's tessellator cuts up
+ *
+ * One draw call for all faces, each of them a patch; where OpenGL runs on the CPU several, because
+ * Mesa counts the vertices of one in 16 bits. The tessellation control shader asks for as
+ * many segments on each edge as the selection has, and inside for as many as on the edge that has
+ * most; the evaluation shader is VTK's refining vertex shader.
+ *
+ * Inside, the largest number makes the best triangles. A face whose edges agree has no angle below
+ * 30 degrees, nor has one whose edges differ by one level; the mean, two thirds of the largest and
+ * other rules leave slivers below 7 degrees there. It costs: with n segments on each edge the
+ * tessellator makes about 1.5 n^2 triangles, where a pattern has n^2.
+ *
+ * Points on edges are moved to the exact fractions that patterns have, whatever the tessellator
+ * makes of them, so that faces share them to the bit. Private to the module and its tests.
+ */
+#ifndef vtkHardwareTessellation_h
+#define vtkHardwareTessellation_h
+
+#include "RelevoRenderingRefinementModule.h" // for export macro
+#include "vtkRefinementEdgeSegments.h"       // for members
+#include "vtkRefinementMethod.h"
+#include "vtkTessellationPrograms.h" // for members
+
+namespace relevo
+{
+class RELEVORENDERINGREFINEMENT_EXPORT HardwareTessellation : public RefinementMethod
+{
+public:
+  /// The most segments that every OpenGL can cut an edge into. Edges of more have so many.
+  static constexpr int MostSegments = 64;
+
+  /**
+   * Triangles that OpenGL makes of a triangular patch with equal spacing (OpenGL 4.0 core profile,
+   * section 2.12.2), for the segments of its edges and the rule for the inside above.
+   */
+  static vtkIdType CountTriangles(const int segments[3]);
+  /// The vertices of these triangles.
+  static vtkIdType CountVertices(const int segments[3]);
+
+  std::string GetMissing() const override;
+  bool CanDraw(Primitives primitives) const override { return primitives == Primitives::TRIANGLES; }
+  bool HasPatterns() const override { return false; }
+  bool HasStages() const override { return true; }
+  bool Upload(const RefinementDrawing& drawing) override;
+  void Describe(const RefinementDrawing& drawing, RefinementShaderOptions& options) const override;
+  vtkShaderProgram* BuildProgram(const RefinementDrawing& drawing,
+    const std::map<vtkShader::Type, vtkShader*>& shaders) override;
+  int Draw(
+    const RefinementDrawing& drawing, vtkShaderProgram* program, Primitives primitives) override;
+  vtkIdType GetNumberOfTriangles(const RefinementDrawing& drawing) const override;
+  vtkTypeInt64 GetMemorySize() const override { return this->Segments.GetMemorySize(); }
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+private:
+  RefinementEdgeSegments Segments;
+  TessellationPrograms Programs;
+};
+}
+
+#endif
