@@ -140,6 +140,7 @@ public:
       }
       mapper->SetRefinement(used);
       mapper->SetSelectionDevice(GetSelectionDevice());
+      mapper->SetMethod(GetMethod());
       mapper->SetInputDataObject(mesh);
       actor->SetMapper(mapper);
     }
@@ -172,6 +173,13 @@ public:
   {
     const char* device = std::getenv("RELEVO_TEST_SELECTION_DEVICE");
     return device ? std::atoi(device) : vtkAdaptiveRefinementMapper::SELECTION_DEVICE_AUTOMATIC;
+  }
+
+  // How faces are drawn: tests run again with RELEVO_TEST_METHOD=4, for hardware tessellation.
+  static int GetMethod()
+  {
+    const char* method = std::getenv("RELEVO_TEST_METHOD");
+    return method ? std::atoi(method) : vtkAdaptiveRefinementMapper::METHOD_ARKFPI;
   }
 
   vtkRenderer* AddRenderer(double xmin, double ymin, double xmax, double ymax)

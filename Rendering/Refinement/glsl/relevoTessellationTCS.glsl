@@ -13,10 +13,10 @@ patch out int relevoPatchTurned;     // 1 where the sorted corners run against t
 void main()
 {
   int face = int(texelFetch(relevoInstances, relevoPatchMember[0]).r >> 3u);
-  int packed = int(texelFetch(relevoEdgeSegments, face).r);
+  int entry = int(texelFetch(relevoEdgeSegments, face).r);
   ivec3 segments =
-    min(ivec3(packed & 255, packed >> 8 & 255, packed >> 16 & 255), ivec3(RELEVO_MOST_SEGMENTS));
-  bool turned = (packed >> 24) != 0;
+    min(ivec3(entry & 255, entry >> 8 & 255, entry >> 16 & 255), ivec3(RELEVO_MOST_SEGMENTS));
+  bool turned = (entry >> 24) != 0;
   relevoPatchFace = face;
   relevoPatchSegments = segments;
   relevoPatchTurned = turned ? 1 : 0;

@@ -1,0 +1,514 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Hardware tessellation as the method of vtkAdaptiveRefinementMapper. In a context older than
+// OpenGL 4.0 (MESA_GL_VERSION_OVERRIDE=3.3) only that it says so.
+#include "RelevoLeaks.h"
+#include "RelevoPrimitiveCount.h"
+#include "RelevoTestMeshes.h"
+#include "RelevoVertexCapture.h"
+
+#include "vtkCellData.h"
+#include "vtkDisplacement.h"
+#include "vtkHardwareTessellation.h"
+#include "vtkIdTypeArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPNTriangleSurface.h"
+#include "vtkPlane.h"
+
+namespace
+{
+using namespace RelevoMeshes;
+using Mapper = vtkAdaptiveRefinementMapper;
+
+vtkSmartPointer<vtkAdaptiveRefinement> MakeRecipe(
+  int level, vtkRefinementSurface* surface = nullptr, vtkDisplacement* displacement = nullptr)
+{
+  auto recipe = vtkSmartPointer<vtkAdaptiveRefinement>::New();
+  recipe->SetMaximumLevel(level);
+  recipe->SetSurface(surface);
+  recipe->SetDisplacement(displacement);
+  return recipe;
+}
+
+Mesh Tagged(Mesh mesh, int level)
+{
+  AddTags(mesh, 7, level);
+  return mesh;
+}
+
+Mesh Textured(Mesh mesh)
+{
+  AddRandomTextureCoordinates(mesh, 3);
+  return mesh;
+}
+
+void AddScalars(vtkPolyData* mesh)
+{
+  vtkNew<vtkFloatArray> values;
+  values->SetName("Values");
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    values->InsertNextValue(static_cast<float>(i * 7 % 10) * 0.1f);
+  }
+  mesh->GetPointData()->SetScalars(values);
+}
+
+// All triangles of what is drawn, as OpenGL counts them.
+void CheckCount(RelevoCheck& check, RelevoScene& scene)
+{
+  RelevoPrimitiveCount count(scene.GetMapper(0), scene.Renderer);
+  scene.Render();
+  CHECK(count.GetCount() > 0);
+  CHECK(count.GetCount() == scene.GetMapper(0)->GetNumberOfDrawnTriangles());
+}
+
+struct Tester
+{
+  RelevoCheck& check;
+  RelevoComparison& Comparison;
+
+  // What a scene of one mesh looks like by ARKFPI and by the tessellator.
+  void Compare(const std::string& name, const RelevoTolerance& tolerance,
+    const RelevoComparison::Builder& build) const
+  {
+    RelevoScene scene(RelevoScene::Refining);
+    build(scene);
+    Mapper* mapper = scene.GetMapper(0);
+    mapper->SetMethodToARKFPI();
+    scene.ResetCameras();
+    RelevoErrors errors(mapper);
+    scene.Render();
+    const RelevoPicture expected(scene.Window);
+    const vtkIdType uploads = mapper->GetNumberOfBufferBuilds();
+    mapper->SetMethodToHardwareTessellation();
+    scene.Render();
+    const RelevoPicture actual(scene.Window);
+    CHECK(mapper->GetMethodInUse() == Mapper::METHOD_HARDWARE_TESSELLATION);
+    CHECK(mapper->GetNumberOfBufferBuilds() == uploads);
+    CHECK(errors.None());
+    this->Comparison.Compare("Tessellation." + name, tolerance, actual, expected);
+    mapper->SetMethodToARKFPI();
+    scene.Render();
+    this->Comparison.Compare(
+      "Tessellation." + name + ".Back", RelevoTolerance(), RelevoPicture(scene.Window), expected);
+  }
+};
+
+void TestPictures(const Tester& tester)
+{
+  vtkNew<vtkPNTriangleSurface> surface;
+  vtkNew<RelevoHeights> smooth;
+  smooth->Fill(64, 64,
+    [](double u, double v)
+    { return std::sin(4 * vtkMath::Pi() * u) * std::sin(3 * vtkMath::Pi() * v); });
+  vtkNew<RelevoHeights> holes;
+  holes->Fill(48, 40, [](double u, double v) { return std::sin(9 * u) * std::cos(7 * v); });
+  holes->Punch([](int x, int y)
+    { return (x - 20) * (x - 20) + (y - 15) * (y - 15) < 60 || (x > 30 && x < 34 && y > 10); });
+  auto displace = [](vtkHeightField* heights, double scale)
+  {
+    auto displacement = vtkSmartPointer<vtkDisplacement>::New();
+    displacement->SetHeightMap(heights);
+    displacement->SetScale(scale);
+    return displacement;
+  };
+
+  // A plane face is the same whatever it is cut into.
+  const RelevoTolerance tight{ 1, 1e-6, 10 };
+  tester.Compare("Flat", tight,
+    [](RelevoScene& s)
+    { s.Add(Tagged(Sphere(9, 7), 6), MakeRecipe(6))->GetProperty()->SetInterpolationToFlat(); });
+  // Points inside differ, and what lies between them: the more, the coarser.
+  const RelevoTolerance fine{ 4, 1e-3, 200 };
+  const RelevoTolerance close{ 8, 5e-2, 900 };
+  tester.Compare("PN", fine, [&](RelevoScene& s) { s.Add(Sphere(9, 7), MakeRecipe(5, surface)); });
+  tester.Compare("Tagged", close,
+    [&](RelevoScene& s) { s.Add(Tagged(Sphere(9, 7), 5), MakeRecipe(5, surface)); });
+  tester.Compare("Displaced", close,
+    [&](RelevoScene& s) { s.Add(Plane(5, 4), MakeRecipe(5, nullptr, displace(smooth, 0.05))); });
+  tester.Compare("Holes", close,
+    [&](RelevoScene& s) { s.Add(Plane(5, 4), MakeRecipe(5, nullptr, displace(holes, 0.03))); });
+  tester.Compare("Turned", fine,
+    [&](RelevoScene& s)
+    { s.Add(Moebius(), MakeRecipe(5, surface))->GetProperty()->BackfaceCullingOn(); });
+  tester.Compare("Scalars", fine,
+    [&](RelevoScene& s)
+    {
+      Mesh mesh = Sphere(9, 7);
+      AddScalars(mesh);
+      vtkMapper* mapper = s.Add(mesh, MakeRecipe(5, surface))->GetMapper();
+      mapper->InterpolateScalarsBeforeMappingOn();
+    });
+  tester.Compare("Clipped", fine,
+    [&](RelevoScene& s)
+    {
+      vtkNew<vtkPlane> plane;
+      plane->SetNormal(1, 0.5, 0.2);
+      s.Add(Sphere(9, 7), MakeRecipe(5, surface))->GetMapper()->AddClippingPlane(plane);
+    });
+  tester.Compare("Peeled", fine,
+    [&](RelevoScene& s)
+    {
+      s.Renderer->UseDepthPeelingOn();
+      s.Add(Sphere(9, 7), MakeRecipe(5, surface))->GetProperty()->SetOpacity(0.5);
+    });
+  for (int mode : { 0, 1, 2 })
+  {
+    tester.Compare("Colors" + std::to_string(mode), tight,
+      [&](RelevoScene& s)
+      {
+        s.Add(Tagged(Sphere(9, 7), 5), MakeRecipe(5))->GetProperty()->SetInterpolationToFlat();
+        mode == 0     ? s.GetMapper(0)->SetColorModeToLevel()
+          : mode == 1 ? s.GetMapper(0)->SetColorModeToPattern()
+                      : s.GetMapper(0)->SetColorModeToMetric();
+      });
+  }
+  tester.Compare("Blocks", fine,
+    [&](RelevoScene& s)
+    {
+      const double aside[3] = { 0.5, 0.3, 0 };
+      vtkNew<vtkMultiBlockDataSet> blocks;
+      blocks->SetBlock(0, Sphere(9, 7));
+      blocks->SetBlock(1, Moved(Sphere(9, 7), 0.5, aside, VTK_FLOAT));
+      s.Add(blocks, MakeRecipe(5, surface));
+    });
+  // The tessellator draws no lines and points: ARKFPI does.
+  for (int representation : { VTK_WIREFRAME, VTK_POINTS })
+  {
+    RelevoCheck& check = tester.check;
+    RelevoScene scene(RelevoScene::Refining);
+    scene.Add(Sphere(9, 7), MakeRecipe(3))->GetProperty()->SetRepresentation(representation);
+    scene.GetMapper(0)->SetMethodToHardwareTessellation();
+    RelevoErrors errors(scene.GetMapper(0));
+    scene.ResetCameras();
+    scene.Render();
+    CHECK(scene.GetMapper(0)->GetMethodInUse() == Mapper::METHOD_ARKFPI);
+    CHECK(RelevoPicture(scene.Window).CountForeground() > 1000);
+    CHECK(errors.None());
+  }
+}
+
+// Edges of the refined triangles, where they are the same triangles.
+void TestEdges(const Tester& tester)
+{
+  tester.Compare("Edges", { 1, 1e-6, 10 },
+    [](RelevoScene& s)
+    {
+      vtkProperty* property = s.Add(Mixed(), MakeRecipe(0))->GetProperty();
+      property->EdgeVisibilityOn();
+      property->SetLineWidth(3);
+    });
+}
+
+// The points that two faces share are those that ARKFPI and the filter have, to the bit.
+void TestPoints(RelevoCheck& check)
+{
+  for (int kind = 0; kind < 4; ++kind)
+  {
+    const bool curved = kind & 1;
+    const bool whole = kind & 2;
+    vtkNew<vtkPNTriangleSurface> surface;
+    auto recipe = MakeRecipe(5, curved ? surface.Get() : nullptr);
+    recipe->SetSegmentPolicy(
+      whole ? vtkAdaptiveRefinement::WHOLE_NUMBERS : vtkAdaptiveRefinement::POWERS_OF_TWO);
+    Mesh mesh = Tagged(Sphere(7, 5), 5);
+    Mesh fine = Refine(mesh, recipe);
+
+    RelevoScene scene(RelevoScene::Refining);
+    vtkActor* actor = scene.Add(mesh, recipe);
+    scene.GetMapper(0)->FrustumCullingOff();
+    scene.GetMapper(0)->SetSelectionDeviceToCPU();
+    scene.ResetCameras();
+    RelevoErrors errors(scene.GetMapper(0));
+    RelevoVertexCapture capture(actor, 200000);
+    scene.GetMapper(0)->SetMethodToARKFPI();
+    const RelevoVertexCapture::Points expected = capture.Capture(check, scene);
+    scene.GetMapper(0)->SetMethodToHardwareTessellation();
+    const RelevoVertexCapture::Points actual = capture.Capture(check, scene);
+    CHECK(scene.GetMapper(0)->GetMethodInUse() == Mapper::METHOD_HARDWARE_TESSELLATION);
+    CHECK(errors.None());
+
+    // Of the filter: the face that a point belongs to, -1 for several.
+    std::vector<vtkIdType> owners(static_cast<size_t>(fine->GetNumberOfPoints()), -2);
+    auto* cells = vtkIdTypeArray::SafeDownCast(fine->GetCellData()->GetArray("vtkOriginalCellIds"));
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType cell = 0; cell < fine->GetNumberOfCells(); ++cell)
+    {
+      fine->GetCellPoints(cell, ids);
+      for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+      {
+        vtkIdType& owner = owners[static_cast<size_t>(ids->GetId(i))];
+        owner = owner == -2 || owner == cells->GetValue(cell) ? cells->GetValue(cell) : -1;
+      }
+    }
+    size_t shared = 0;
+    size_t lost = 0;
+    size_t moved = 0;
+    for (vtkIdType i = 0; i < fine->GetNumberOfPoints(); ++i)
+    {
+      if (owners[static_cast<size_t>(i)] != -1)
+      {
+        continue;
+      }
+      ++shared;
+      double p[3];
+      fine->GetPoint(i, p);
+      const float x = static_cast<float>(p[0]);
+      // The vertices that ARKFPI has there.
+      size_t found = 0;
+      for (auto near = expected.lower_bound({ { x - 1e-6f, -1e30f, -1e30f } });
+           near != expected.end() && (*near)[0] <= x + 1e-6f; ++near)
+      {
+        if (std::abs((*near)[1] - p[1]) < 1e-6 && std::abs((*near)[2] - p[2]) < 1e-6)
+        {
+          ++found;
+          moved += 1 - actual.count(*near);
+        }
+      }
+      lost += found == 0 ? 1 : 0;
+    }
+    std::cout << (curved ? "PN" : "Linear") << (whole ? ", whole numbers" : "") << ": " << shared
+              << " shared points, " << lost << " not found, " << moved << " elsewhere" << std::endl;
+    CHECK(shared > 500);
+    CHECK(lost == 0);
+    CHECK(moved == 0);
+  }
+}
+
+void TestLeaks(RelevoCheck& check)
+{
+  vtkNew<vtkPNTriangleSurface> surface;
+  vtkNew<RelevoHeights> rough;
+  rough->FillRandom(64, 64, 9);
+  vtkNew<vtkDisplacement> displacement;
+  displacement->SetHeightMap(rough);
+  displacement->SetScale(0.1);
+  const struct
+  {
+    const char* Name;
+    Mesh Surface;
+    int Level;
+    int Views;
+    bool WholeNumbers;
+  } subjects[] = { { "Sphere", Tagged(Textured(Sphere(9, 7)), 5), 5, 12, false },
+    { "Cube", Tagged(Textured(Cube()), 6), 6, 12, false },
+    { "Strips", Tagged(Textured(Strips()), 5), 5, 8, true },
+    { "MoreThan64", Tagged(Textured(Sphere(3, 3)), 7), 7, 8, false } };
+  for (const auto& subject : subjects)
+  {
+    auto recipe = MakeRecipe(subject.Level, surface, displacement);
+    recipe->SetSegmentPolicy(subject.WholeNumbers ? vtkAdaptiveRefinement::WHOLE_NUMBERS
+                                                  : vtkAdaptiveRefinement::POWERS_OF_TWO);
+    RelevoScene scene(RelevoScene::Refining);
+    RelevoLeaks::AddWhite(scene, subject.Surface, recipe);
+    scene.GetMapper(0)->SetMethodToHardwareTessellation();
+    size_t covered = 0;
+    const size_t leaks = RelevoLeaks::CountLeaks(scene, subject.Views, covered);
+    std::cout << subject.Name << ": " << leaks << " leaks in " << covered << " pixels" << std::endl;
+    CHECK(leaks == 0);
+    CHECK(covered > 50000);
+    CHECK(scene.GetMapper(0)->GetMethodInUse() == Mapper::METHOD_HARDWARE_TESSELLATION);
+  }
+}
+
+void TestCounts(RelevoCheck& check)
+{
+  // By hand: one triangle; a fan of six; two rings; three.
+  const int segments[][4] = { { 1, 1, 1, 1 }, { 2, 2, 2, 6 }, { 3, 3, 3, 13 }, { 4, 4, 4, 24 },
+    { 4, 1, 2, 4 + 1 + 2 + 6 + 6 }, { 128, 64, 100, 6144 }, { 5, 1, 1, 7 + 9 + 3 * 4 + 1 } };
+  for (const int* s : segments)
+  {
+    CHECK(relevo::HardwareTessellation::CountTriangles(s) == s[3]);
+  }
+  for (bool whole : { false, true })
+  {
+    RelevoScene scene(RelevoScene::Refining);
+    auto recipe = MakeRecipe(6);
+    recipe->SetSegmentPolicy(
+      whole ? vtkAdaptiveRefinement::WHOLE_NUMBERS : vtkAdaptiveRefinement::POWERS_OF_TWO);
+    scene.Add(Tagged(Sphere(9, 7), 6), recipe);
+    scene.GetMapper(0)->SetMethodToHardwareTessellation();
+    scene.ResetCameras();
+    CheckCount(check, scene);
+    // Culled faces are neither drawn nor counted.
+    const vtkIdType all = scene.GetMapper(0)->GetNumberOfDrawnTriangles();
+    scene.Renderer->GetActiveCamera()->Zoom(8);
+    CheckCount(check, scene);
+    CHECK(scene.GetMapper(0)->GetNumberOfDrawnTriangles() < all);
+    CHECK(scene.GetMapper(0)->GetNumberOfDrawCalls() == 1);
+  }
+}
+
+// Level 7 is drawn with the 64 segments of level 6.
+void TestMostSegments(RelevoCheck& check, RelevoComparison& comparison)
+{
+  vtkNew<vtkPNTriangleSurface> surface;
+  auto recipe = MakeRecipe(7, surface);
+  RelevoScene scene(RelevoScene::Refining);
+  scene.Add(Sphere(3, 3), recipe);
+  scene.GetMapper(0)->SetMethodToHardwareTessellation();
+  scene.ResetCameras();
+  CheckCount(check, scene);
+  CHECK(scene.GetMapper(0)->GetNumberOfDrawnTriangles() ==
+    6144 *
+      (scene.GetMapper(0)->GetNumberOfCoarseFaces() -
+        scene.GetMapper(0)->GetNumberOfCulledFaces()));
+  const RelevoPicture level7(scene.Window);
+  recipe->SetMaximumLevel(6);
+  scene.Render();
+  comparison.Compare(
+    "Tessellation.MostSegments", RelevoTolerance(), level7, RelevoPicture(scene.Window));
+}
+
+// Values that change live build nothing; released resources come back; windows do not disturb
+// each other.
+void TestLife(RelevoCheck& check, RelevoComparison& comparison)
+{
+  vtkNew<RelevoHeights> rough;
+  rough->FillRandom(32, 32, 9);
+  vtkNew<vtkDisplacement> displacement;
+  displacement->SetHeightMap(rough);
+  displacement->SetScale(0.1);
+  auto recipe = MakeRecipe(3, nullptr, displacement);
+  Mesh mesh = Textured(Sphere(9, 7));
+  RelevoScene scenes[2] = { RelevoScene(RelevoScene::Refining),
+    RelevoScene(RelevoScene::Refining) };
+  for (RelevoScene& scene : scenes)
+  {
+    scene.Add(mesh, recipe);
+    scene.GetMapper(0)->SetMethodToHardwareTessellation();
+    scene.ResetCameras();
+  }
+  RelevoScene& scene = scenes[0];
+  Mapper* mapper = scene.GetMapper(0);
+  RelevoErrors errors(mapper);
+  scene.Render();
+  const RelevoPicture expected(scene.Window);
+  scenes[1].Render();
+  comparison.Compare(
+    "Tessellation.OtherWindow", RelevoTolerance(), RelevoPicture(scenes[1].Window), expected);
+
+  const vtkIdType shaders = mapper->GetNumberOfShaderBuilds();
+  const vtkIdType uploads = mapper->GetNumberOfBufferBuilds();
+  const vtkIdType selections = mapper->GetNumberOfSelections();
+  const vtkTypeInt64 memory = mapper->GetGraphicsMemorySize();
+  displacement->SetScale(0.2);
+  scene.Render();
+  CHECK(RelevoPicture(scene.Window).Colors != expected.Colors);
+  displacement->SetScale(0.1);
+  scene.Render();
+  comparison.Compare("Tessellation.Live", RelevoTolerance(), RelevoPicture(scene.Window), expected);
+  CHECK(mapper->GetNumberOfShaderBuilds() == shaders);
+  CHECK(mapper->GetNumberOfBufferBuilds() == uploads);
+  CHECK(mapper->GetNumberOfSelections() == selections);
+
+  mapper->ReleaseGraphicsResources(scene.Window);
+  CHECK(mapper->GetGraphicsMemorySize() < memory);
+  scene.Render();
+  comparison.Compare(
+    "Tessellation.Released", RelevoTolerance(), RelevoPicture(scene.Window), expected);
+  CHECK(mapper->GetGraphicsMemorySize() == memory);
+
+  // The same actor in the other window, and back.
+  scene.Renderer->RemoveActor(scene.GetActor(0));
+  scenes[1].Renderer->RemoveActor(scenes[1].GetActor(0));
+  scenes[1].Renderer->AddActor(scene.GetActor(0));
+  scenes[1].Render();
+  comparison.Compare(
+    "Tessellation.MovedAway", RelevoTolerance(), RelevoPicture(scenes[1].Window), expected);
+  scenes[1].Renderer->RemoveActor(scene.GetActor(0));
+  scene.Renderer->AddActor(scene.GetActor(0));
+  scene.Render();
+  comparison.Compare(
+    "Tessellation.MovedBack", RelevoTolerance(), RelevoPicture(scene.Window), expected);
+  scene.Window->Finalize();
+  scene.Render();
+  comparison.Compare(
+    "Tessellation.Finalized", RelevoTolerance(), RelevoPicture(scene.Window), expected);
+  CHECK(errors.None());
+}
+
+// A shader of the user's that only works as a vertex shader: an error of the mapper, and ARKFPI.
+void TestFailure(RelevoCheck& check, RelevoComparison& comparison)
+{
+  RelevoScene scene(RelevoScene::Refining);
+  vtkActor* actor = scene.Add(Sphere(9, 7), MakeRecipe(3));
+  actor->GetShaderProperty()->AddVertexShaderReplacement("//VTK::CustomEnd::Impl", true,
+    "//VTK::CustomEnd::Impl\n  if (gl_InstanceID < 0) gl_Position = vec4(0.0);\n", false);
+  Mapper* mapper = scene.GetMapper(0);
+  mapper->SetMethodToARKFPI();
+  RelevoErrors errors(mapper);
+  scene.ResetCameras();
+  scene.Render();
+  CHECK(errors.None());
+  const RelevoPicture expected(scene.Window);
+  mapper->SetMethodToHardwareTessellation();
+  scene.Render();
+  CHECK(errors.Said("gl_InstanceID"));
+  CHECK(mapper->GetMethodInUse() == Mapper::METHOD_ARKFPI);
+  comparison.Compare(
+    "Tessellation.Failure", RelevoTolerance(), RelevoPicture(scene.Window), expected);
+  scene.Render();
+  CHECK(errors.None());
+  // Chosen again without the cause it works.
+  actor->GetShaderProperty()->ClearAllVertexShaderReplacements();
+  mapper->SetMethodToARKFPI();
+  mapper->SetMethodToHardwareTessellation();
+  scene.Render();
+  CHECK(errors.None());
+  CHECK(mapper->GetMethodInUse() == Mapper::METHOD_HARDWARE_TESSELLATION);
+}
+
+bool HasTessellation()
+{
+  RelevoScene scene(RelevoScene::Refining);
+  scene.Render();
+  int major = 0;
+  int minor = 0;
+  vtkOpenGLRenderWindow::SafeDownCast(scene.Window)->GetOpenGLVersion(major, minor);
+  return major >= 4;
+}
+
+void TestOldContext(RelevoCheck& check, RelevoComparison& comparison)
+{
+  RelevoScene scene(RelevoScene::Refining);
+  scene.Add(Sphere(9, 7), MakeRecipe(3));
+  Mapper* mapper = scene.GetMapper(0);
+  mapper->SetMethodToARKFPI();
+  RelevoErrors errors(mapper);
+  scene.ResetCameras();
+  scene.Render();
+  CHECK(errors.None());
+  const RelevoPicture expected(scene.Window);
+  mapper->SetMethodToHardwareTessellation();
+  scene.Render();
+  CHECK(errors.Said("OpenGL 4.0"));
+  CHECK(mapper->GetMethodInUse() == Mapper::METHOD_ARKFPI);
+  comparison.Compare(
+    "Tessellation.OldContext", RelevoTolerance(), RelevoPicture(scene.Window), expected);
+  scene.Render();
+  CHECK(errors.None());
+}
+}
+
+int TestAdaptiveRefinementMapperTessellation(int argc, char* argv[])
+{
+  RelevoCheck check;
+  RelevoComparison comparison(check, argc, argv);
+  if (!HasTessellation())
+  {
+    TestOldContext(check, comparison);
+    return check.GetResult();
+  }
+  const Tester tester{ check, comparison };
+  TestPictures(tester);
+  TestEdges(tester);
+  TestPoints(check);
+  TestLeaks(check);
+  TestCounts(check);
+  TestMostSegments(check, comparison);
+  TestLife(check, comparison);
+  TestFailure(check, comparison);
+  return check.GetResult();
+}
