@@ -4,7 +4,7 @@
 
 #include "vtkRelevoOpenGL.h"
 
-#include "relevoBorder.h"
+#include "relevoEdgeSegments.h"
 #include "relevoTessellationTCS.h"
 #include "relevoTessellationTES.h"
 #include "relevoTessellationVS.h"
@@ -84,15 +84,16 @@ bool HardwareTessellation::Upload(const RefinementDrawing& drawing)
 void HardwareTessellation::Describe(
   const RefinementDrawing&, RefinementShaderOptions& options) const
 {
-  options.PlacementSource = std::string(relevoBorder) + relevoTessellationTES;
+  options.PlacementSource = std::string(relevoEdgeSegments) + relevoTessellationTES;
 }
 
 vtkShaderProgram* HardwareTessellation::BuildProgram(
   const RefinementDrawing& drawing, const std::map<vtkShader::Type, vtkShader*>& shaders)
 {
-  const std::string limit = "#define RELEVO_MOST_SEGMENTS " + std::to_string(MostSegments) + "\n";
-  vtkShaderProgram* program = this->Programs.Build(
-    drawing.Window, relevoTessellationVS, limit + relevoTessellationTCS, shaders);
+  const std::string control = "#define RELEVO_MOST_SEGMENTS " + std::to_string(MostSegments) +
+    "\n" + relevoEdgeSegments + relevoTessellationTCS;
+  vtkShaderProgram* program =
+    this->Programs.Build(drawing.Window, relevoTessellationVS, control, shaders);
   this->Error = this->Programs.GetError();
   return program;
 }

@@ -3,6 +3,7 @@
 #include "vtkTessellationPrograms.h"
 
 #include "vtkRelevoOpenGL.h"
+#include "vtkShaderLog.h"
 
 #include "vtkCommand.h"
 #include "vtkNew.h"
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <vector>
 
 namespace relevo
 {
@@ -64,35 +64,24 @@ protected:
     {
       this->Handle = static_cast<int>(glCreateProgram());
     }
-    return this->AttachStage(GL_TESS_CONTROL_SHADER, this->ControlSource) &&
-        this->AttachStage(GL_TESS_EVALUATION_SHADER, this->EvaluationSource)
+    return this->AttachStage(
+             GL_TESS_CONTROL_SHADER, "tessellation control", this->ControlSource) &&
+        this->AttachStage(
+          GL_TESS_EVALUATION_SHADER, "tessellation evaluation", this->EvaluationSource)
       ? this->Superclass::CompileShader()
       : 0;
   }
 
 private:
-  bool AttachStage(GLenum stage, const std::string& source)
+  bool AttachStage(GLenum stage, const char* name, const std::string& source)
   {
-    const GLuint shader = glCreateShader(stage);
-    const GLchar* text = source.c_str();
-    glShaderSource(shader, 1, &text, nullptr);
-    glCompileShader(shader);
-    GLint compiled = GL_FALSE;
-    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-    if (compiled)
+    const GLuint shader = relevo::CompileShader(stage, name, source, this->Error);
+    if (shader)
     {
       glAttachShader(static_cast<GLuint>(this->Handle), shader);
+      glDeleteShader(shader); // once the program is gone
     }
-    else
-    {
-      GLint length = 0;
-      glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
-      std::vector<GLchar> log(static_cast<size_t>(std::max(length, 1)), '\0');
-      glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
-      this->Error = log.data();
-    }
-    glDeleteShader(shader); // once the program is gone
-    return compiled != GL_FALSE;
+    return shader != 0;
   }
 };
 vtkStandardNewMacro(TessellationProgram);

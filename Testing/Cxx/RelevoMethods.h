@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The methods of vtkAdaptiveRefinementMapper that tests go through.
+// The methods of vtkAdaptiveRefinementMapper that tests go through. Hardware tessellation has other
+// triangles, and a test of its own.
 #ifndef RelevoMethods_h
 #define RelevoMethods_h
 

@@ -1,30 +1,28 @@
-// Tells OpenGL's tessellator into how many segments to cut the edges of a face.
+// Tells OpenGL's tessellator into how many segments to cut the edges of a face. After
+// relevoEdgeSegments.glsl.
 
 layout(vertices = 1) out;
 
-uniform usamplerBuffer relevoInstances;    // face << 3 | permutation code
-uniform usamplerBuffer relevoEdgeSegments; // see EdgeSegments
+uniform usamplerBuffer relevoInstances; // face << 3 | permutation code
 
 in int relevoPatchMember[];
 patch out int relevoPatchFace;
 patch out ivec3 relevoPatchSegments; // of the sorted edges (0,1), (1,2), (0,2)
-patch out int relevoPatchTurned;     // 1 where the sorted corners run against the cell's sense
+patch out int relevoPatchTurned;     // 1 for relevoIsTurned()
 
 void main()
 {
-  int face = int(texelFetch(relevoInstances, relevoPatchMember[0]).r >> 3u);
-  int entry = int(texelFetch(relevoEdgeSegments, face).r);
-  ivec3 segments =
-    min(ivec3(entry & 255, entry >> 8 & 255, entry >> 16 & 255), ivec3(RELEVO_MOST_SEGMENTS));
-  bool turned = (entry >> 24) != 0;
+  int face = int(texelFetch(relevoInstances, relevoPatchMember[0]).r >> 3);
+  ivec3 segments = min(relevoSegmentsOfFace(face), ivec3(RELEVO_MOST_SEGMENTS));
+  bool turned = relevoIsTurned(face);
   relevoPatchFace = face;
   relevoPatchSegments = segments;
   relevoPatchTurned = turned ? 1 : 0;
 
   // Outer level i is that of the edge where coordinate i is zero.
-  vec3 lacking = vec3(turned ? segments.zyx : segments.yzx);
-  gl_TessLevelOuter[0] = lacking.x;
-  gl_TessLevelOuter[1] = lacking.y;
-  gl_TessLevelOuter[2] = lacking.z;
-  gl_TessLevelInner[0] = max(lacking.x, max(lacking.y, lacking.z));
+  vec3 levels = vec3(turned ? segments.zyx : segments.yzx);
+  gl_TessLevelOuter[0] = levels.x;
+  gl_TessLevelOuter[1] = levels.y;
+  gl_TessLevelOuter[2] = levels.z;
+  gl_TessLevelInner[0] = max(levels.x, max(levels.y, levels.z));
 }

@@ -1,4 +1,4 @@
-// A vertex that OpenGL's tessellator has made of a face.
+// A vertex that OpenGL's tessellator has made of a face. After relevoEdgeSegments.glsl.
 
 layout(triangles, equal_spacing, ccw) in;
 
@@ -9,9 +9,13 @@ patch in int relevoPatchTurned;
 vec3 relevoPlaceVertex()
 {
   relevoFaceIndex = relevoPatchFace;
-  // How exact coordinates on edges are is up to the driver; those of two faces must be the same.
+  // Winding is that of the coordinates, so those of a turned face are swapped.
   vec3 w = relevoPatchTurned == 1 ? gl_TessCoord.yxz : gl_TessCoord;
-  return snapToBorder(w, relevoPatchSegments);
+  // How exact coordinates on the border are is up to the driver, but two faces must have the same.
+  // No other point comes as near to an edge.
+  const float near = 0.002;
+  w = mix(w, vec3(0.0), vec3(lessThan(w, vec3(near))));
+  return relevoSnapToSegments(w, relevoPatchSegments);
 }
 
 int relevoColorIndex()
