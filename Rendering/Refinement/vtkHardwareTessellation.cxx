@@ -18,24 +18,51 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 namespace relevo
 {
 namespace
 {
-// Vertices that one call may make of its patches: Mesa's tessellator on the CPU counts in 16 bits,
-// and has faces missing from there on.
-vtkIdType GetMostVertices()
-{
-  return RefinementComputeState::IsHardware() ? std::numeric_limits<vtkIdType>::max() : 65535;
-}
-
 void Limit(const int segments[3], int limited[3])
 {
   for (int e = 0; e < 3; ++e)
   {
     limited[e] = std::min<int>(segments[e], HardwareTessellation::MostSegments);
   }
+}
+
+// Which faces are drawn together: those up to each of these.
+std::vector<GLint> FindEnds(const std::vector<PatternGroup>& groups)
+{
+  // Mesa's tessellator on the CPU counts the vertices of a call in 16 bits, and has faces missing
+  // from there on.
+  const vtkIdType most =
+    RefinementComputeState::IsHardware() ? std::numeric_limits<vtkIdType>::max() : 65535;
+  std::vector<GLint> ends;
+  GLint end = 0;
+  vtkIdType vertices = 0;
+  for (const PatternGroup& group : groups)
+  {
+    const vtkIdType perFace = HardwareTessellation::CountVertices(group.Pattern->Segments);
+    while (end < group.Offset + group.Count)
+    {
+      if (perFace > most - vertices)
+      {
+        ends.push_back(end);
+        vertices = 0;
+      }
+      const vtkIdType faces =
+        std::min<vtkIdType>(group.Offset + group.Count - end, (most - vertices) / perFace);
+      end += static_cast<GLint>(faces);
+      vertices += faces * perFace;
+    }
+  }
+  if (end > 0)
+  {
+    ends.push_back(end);
+  }
+  return ends;
 }
 }
 
@@ -104,40 +131,16 @@ int HardwareTessellation::Draw(
   drawing.Instances->Activate(program);
   this->Segments.Activate(program);
   glPatchParameteri(GL_PATCH_VERTICES, 1);
-  int calls = 0;
+  const std::vector<GLint> ends = FindEnds(drawing.Selection->GetSelection().Groups);
   GLint first = 0;
-  GLint end = 0;
-  vtkIdType vertices = 0;
-  auto draw = [&]()
+  for (GLint end : ends)
   {
-    if (end > first)
-    {
-      glDrawArrays(GL_PATCHES, first, end - first);
-      ++calls;
-    }
+    glDrawArrays(GL_PATCHES, first, end - first);
     first = end;
-    vertices = 0;
-  };
-  const vtkIdType most = GetMostVertices();
-  for (const PatternGroup& group : drawing.Selection->GetSelection().Groups)
-  {
-    const vtkIdType perFace = CountVertices(group.Pattern->Segments);
-    while (end < group.Offset + group.Count)
-    {
-      if (perFace > most - vertices)
-      {
-        draw();
-      }
-      const vtkIdType faces = std::min<vtkIdType>(
-        group.Offset + group.Count - end, std::max<vtkIdType>(1, (most - vertices) / perFace));
-      end += static_cast<GLint>(faces);
-      vertices += faces * perFace;
-    }
   }
-  draw();
   this->Segments.Deactivate();
   drawing.Instances->Deactivate();
-  return calls;
+  return static_cast<int>(ends.size());
 }
 
 vtkIdType HardwareTessellation::GetNumberOfTriangles(const RefinementDrawing& drawing) const

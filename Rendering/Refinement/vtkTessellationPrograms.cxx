@@ -64,8 +64,7 @@ protected:
     {
       this->Handle = static_cast<int>(glCreateProgram());
     }
-    return this->AttachStage(
-             GL_TESS_CONTROL_SHADER, "tessellation control", this->ControlSource) &&
+    return this->AttachStage(GL_TESS_CONTROL_SHADER, "tessellation control", this->ControlSource) &&
         this->AttachStage(
           GL_TESS_EVALUATION_SHADER, "tessellation evaluation", this->EvaluationSource)
       ? this->Superclass::CompileShader()
@@ -192,7 +191,15 @@ vtkShaderProgram* TessellationPrograms::Build(vtkOpenGLRenderWindow* window,
   this->Cache->VertexSource = vertex;
   this->Cache->ControlSource = control;
   vtkShaderProgram* program = this->Cache->ReadyShaderProgram(shaders);
-  this->Error = program ? "" : this->Cache->TakeFailure();
+  this->Error.clear();
+  if (program)
+  {
+    program->RemoveObservers(vtkCommand::ErrorEvent); // from now on they are told
+  }
+  else
+  {
+    this->Error = this->Cache->TakeFailure();
+  }
   return program;
 }
 

@@ -361,6 +361,10 @@ public:
     {
       return this->Check.Fail(__FILE__, __LINE__, name + ": pictures of different size");
     }
+    // Other methods start a triangle at another corner, which leaves the last bits open.
+    const bool isExact = RelevoScene::GetMethod() == vtkAdaptiveRefinementMapper::METHOD_ARKFPI;
+    const double depthTolerance = tolerance.Depth + (isExact ? 0.0 : 2e-6);
+    const size_t mostPixels = tolerance.Pixels + (isExact ? 0 : 2);
     RelevoPicture difference(actual.Size[0], actual.Size[1]);
     size_t pixels = 0;
     int largestColor = 0;
@@ -375,11 +379,11 @@ public:
       const double depth = std::abs(static_cast<double>(actual.Depths[i]) - expected.Depths[i]);
       largestColor = std::max(largestColor, color);
       largestDepth = std::max(largestDepth, depth);
-      if (color > tolerance.Color || !(depth <= tolerance.Depth))
+      if (color > tolerance.Color || !(depth <= depthTolerance))
       {
         ++pixels;
         difference.Colors[3 * i] = static_cast<unsigned char>(128 + std::min(color, 127));
-        difference.Colors[3 * i + 1] = depth > tolerance.Depth ? 255 : 0;
+        difference.Colors[3 * i + 1] = depth > depthTolerance ? 255 : 0;
       }
     }
     std::ostringstream text;
@@ -392,7 +396,7 @@ public:
     {
       return this->Check.Fail(__FILE__, __LINE__, name + ": there is next to nothing to see");
     }
-    if (pixels <= tolerance.Pixels)
+    if (pixels <= mostPixels)
     {
       return true;
     }

@@ -8,7 +8,9 @@
 #include "RelevoVertexCapture.h"
 
 #include "vtkCellData.h"
+#include "vtkDataObject.h"
 #include "vtkDisplacement.h"
+#include "vtkHardwareSelector.h"
 #include "vtkHardwareTessellation.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMultiBlockDataSet.h"
@@ -199,6 +201,57 @@ void TestEdges(const Tester& tester)
       property->EdgeVisibilityOn();
       property->SetLineWidth(3);
     });
+}
+
+std::vector<vtkIdType> SelectPixels(RelevoScene& scene, int association)
+{
+  const int* size = scene.Window->GetSize();
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(scene.Renderer);
+  selector->SetArea(0, 0, size[0] - 1, size[1] - 1);
+  selector->SetFieldAssociation(association);
+  std::vector<vtkIdType> ids;
+  if (selector->CaptureBuffers())
+  {
+    for (int i = 0; i < size[0] * size[1]; ++i)
+    {
+      const unsigned int position[2] = { static_cast<unsigned int>(i % size[0]),
+        static_cast<unsigned int>(i / size[0]) };
+      const auto pixel = selector->GetPixelInformation(position);
+      ids.push_back(pixel.Valid ? pixel.AttributeID : -1);
+    }
+  }
+  return ids;
+}
+
+// Hardware selection gives the cells and points that it gives of ARKFPI.
+void TestSelection(RelevoCheck& check)
+{
+  RelevoScene scene(RelevoScene::Refining);
+  scene.Add(Tagged(Mixed(), 4), MakeRecipe(4));
+  scene.ResetCameras();
+  scene.Render();
+  for (int association :
+    { vtkDataObject::FIELD_ASSOCIATION_CELLS, vtkDataObject::FIELD_ASSOCIATION_POINTS })
+  {
+    scene.GetMapper(0)->SetMethodToARKFPI();
+    const std::vector<vtkIdType> expected = SelectPixels(scene, association);
+    scene.GetMapper(0)->SetMethodToHardwareTessellation();
+    const std::vector<vtkIdType> actual = SelectPixels(scene, association);
+    size_t hits = 0;
+    size_t wrong = 0;
+    for (size_t i = 0; i < actual.size(); ++i)
+    {
+      hits += actual[i] >= 0;
+      wrong += actual[i] != expected[i];
+    }
+    std::cout << "Selection: " << wrong << " of " << hits << " pixels differ" << std::endl;
+    CHECK(actual.size() == expected.size());
+    CHECK(hits > 100);
+    CHECK(wrong <= 5); // at the rim
+    CHECK(std::set<vtkIdType>(actual.begin(), actual.end()) ==
+      std::set<vtkIdType>(expected.begin(), expected.end()));
+  }
 }
 
 // The points that two faces share are those that ARKFPI and the filter have, to the bit.
@@ -506,6 +559,7 @@ int TestAdaptiveRefinementMapperTessellation(int argc, char* argv[])
   const Tester tester{ check, comparison };
   TestPictures(tester);
   TestEdges(tester);
+  TestSelection(check);
   TestPoints(check);
   TestLeaks(check);
   TestCounts(check);

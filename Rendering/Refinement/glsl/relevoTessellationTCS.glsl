@@ -5,7 +5,7 @@ layout(vertices = 1) out;
 
 uniform usamplerBuffer relevoInstances; // face << 3 | permutation code
 
-in int relevoPatchMember[];
+flat in int relevoPatchMember[];
 patch out int relevoPatchFace;
 patch out ivec3 relevoPatchSegments; // of the sorted edges (0,1), (1,2), (0,2)
 patch out int relevoPatchTurned;     // 1 for relevoIsTurned()

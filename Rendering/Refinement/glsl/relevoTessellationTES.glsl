@@ -13,8 +13,8 @@ vec3 relevoPlaceVertex()
   vec3 w = relevoPatchTurned == 1 ? gl_TessCoord.yxz : gl_TessCoord;
   // How exact coordinates on the border are is up to the driver, but two faces must have the same.
   // No other point comes as near to an edge.
-  const float near = 0.002;
-  w = mix(w, vec3(0.0), vec3(lessThan(w, vec3(near))));
+  const float margin = 0.002;
+  w = mix(w, vec3(0.0), vec3(lessThan(w, vec3(margin))));
   return relevoSnapToSegments(w, relevoPatchSegments);
 }
 

@@ -1,6 +1,6 @@
 // A patch is one vertex, the number of a face among those to be drawn.
 
-out int relevoPatchMember;
+flat out int relevoPatchMember;
 
 void main()
 {
