@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // GetNumberOfDrawnTriangles() of every method against what OpenGL counts.
 #include "RelevoMethods.h"
+#include "RelevoPrimitiveCount.h"
 #include "RelevoTestMeshes.h"
-#include "vtkRelevoOpenGL.h"
 
 #include "vtkPNTriangleSurface.h"
 
@@ -11,21 +11,7 @@ namespace
 {
 using namespace RelevoMeshes;
 using namespace RelevoMethods;
-
-// Primitives of one render.
-vtkIdType CountPrimitives(RelevoScene& scene)
-{
-  scene.Window->MakeCurrent();
-  GLuint query = 0;
-  GLuint count = 0;
-  glGenQueries(1, &query);
-  glBeginQuery(GL_PRIMITIVES_GENERATED, query);
-  scene.Render();
-  glEndQuery(GL_PRIMITIVES_GENERATED);
-  glGetQueryObjectuiv(query, GL_QUERY_RESULT, &count);
-  glDeleteQueries(1, &query);
-  return static_cast<vtkIdType>(count);
-}
+using namespace RelevoPrimitiveCount;
 
 // What SUAPT draws of triangles whose points have tags: 4 to the highest level of each.
 vtkIdType CountSemiUniform(vtkPolyData* mesh)
@@ -48,16 +34,6 @@ vtkIdType CountSemiUniform(vtkPolyData* mesh)
   return count;
 }
 
-// Those of the first actor.
-vtkIdType CountTriangles(RelevoScene& scene)
-{
-  scene.Render(); // all is made that a change takes
-  const vtkIdType all = CountPrimitives(scene);
-  scene.GetActor(0)->VisibilityOff();
-  const vtkIdType others = CountPrimitives(scene);
-  scene.GetActor(0)->VisibilityOn();
-  return all - others;
-}
 }
 
 int TestAdaptiveRefinementMapperMethodsCount(int, char*[])
