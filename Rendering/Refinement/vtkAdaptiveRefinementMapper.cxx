@@ -34,6 +34,7 @@
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -423,6 +424,10 @@ void vtkAdaptiveRefinementMapper::ChooseMethod(vtkRenderer* ren, vtkActor* act)
   else
   {
     problem = method.GetObstacle(relevo::GetPatternFamily(this->Refinement, this->GetInput()));
+    if (data.MethodFailureCause != vtkInternals::GetShaderCause(this->Refinement, act))
+    {
+      data.MethodFailure.clear();
+    }
     problem = problem.empty() ? data.MethodFailure : problem;
   }
   if (problem != data.MethodProblem)
@@ -575,9 +580,14 @@ void vtkAdaptiveRefinementMapper::UpdateRefiningShaders(
     cellBO.Program = data.NoProgram;
   }
   this->UpdateShaders(cellBO, ren, act);
+  if (cellBO.Program == data.NoProgram)
+  {
+    cellBO.Program = nullptr;
+  }
   if (!cellBO.Program)
   {
-    data.Programs[&cellBO].FailedKey = key; // said once, until something changes
+    // Said once, until something changes; the method may have been given up meanwhile.
+    data.Programs[&cellBO].FailedKey = data.GetShaderOptions(this, &cellBO).GetKey();
     vtkErrorMacro("The shaders could not be built; OpenGL's own message says why. A "
                   "vtkProceduralSurface's ShaderFunction is part of them.");
   }
@@ -624,7 +634,7 @@ bool vtkAdaptiveRefinementMapper::BuildStages(
     data.GetMethod().BuildProgram(data.GetDrawing(this->Refinement), shaders);
   if (!program)
   {
-    this->GiveUpMethod(ren);
+    this->GiveUpMethod(ren, act);
     return false;
   }
   cellBO.Program = program;
@@ -634,9 +644,18 @@ bool vtkAdaptiveRefinementMapper::BuildStages(
   return true;
 }
 
-void vtkAdaptiveRefinementMapper::GiveUpMethod(vtkRenderer* ren)
+std::string vtkAdaptiveRefinementMapper::vtkInternals::GetShaderCause(
+  vtkAdaptiveRefinement* recipe, vtkActor* act)
+{
+  vtkRefinementSurface* surface = recipe->GetSurface();
+  return std::to_string(act->GetShaderProperty()->GetShaderMTime()) +
+    (surface ? surface->GetShaderSource() : "");
+}
+
+void vtkAdaptiveRefinementMapper::GiveUpMethod(vtkRenderer* ren, vtkActor* act)
 {
   vtkInternals& data = *this->Internals;
+  data.MethodFailureCause = vtkInternals::GetShaderCause(this->Refinement, act);
   data.MethodFailure = "Its shaders cannot be built: " + data.GetMethod().GetError();
   data.MethodProblem = data.MethodFailure; // said here
   vtkErrorMacro("The method " << relevo::RefinementMethod::GetName(this->Method)

@@ -124,7 +124,7 @@ public:
    * again as a pattern has: 1.5 n^2 for n segments on each edge. Whole numbers of segments can be
    * drawn. One draw call; OpenGL on the CPU takes one for each 65535 vertices. A shader of
    * the actor's own (vtkShaderProperty) runs where vertices are made; if it cannot, that is an
-   * error and ARKFPI draws until another method is set.
+   * error and ARKFPI draws until it is another or the method is set again.
    *
    * METHOD_UNIFORM (5): all faces have the uniform pattern of the highest level that any edge of
    * the mesh has, instanced (after Boubekeur and Schlick, Generic Mesh Refinement on GPU, 2005).
@@ -390,7 +390,7 @@ private:
   bool HidesBackFaces(vtkRenderer* ren, vtkActor* act);
   void ChooseMethod(vtkRenderer* ren, vtkActor* act);
   bool BuildStages(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act);
-  void GiveUpMethod(vtkRenderer* ren);
+  void GiveUpMethod(vtkRenderer* ren, vtkActor* act);
   bool IsRefining(const vtkOpenGLHelper* cellBO) const;
   void SetRefinementColorMode(RefinementColorModes mode);
   bool UpdateFaceColors(vtkRenderer* ren);

@@ -65,9 +65,10 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   // How faces are drawn: the methods that have been in use, and the one of this render.
   std::map<int, std::unique_ptr<relevo::RefinementMethod>> Methods;
   int MethodInUse = METHOD_ARKFPI;
-  std::string MethodProblem; // said last
-  std::string MethodFailure; // of the method's own shaders; until the method changes
-  bool HasLines = false;     // a wireframe is drawn
+  std::string MethodProblem;      // said last
+  std::string MethodFailure;      // of the method's own shaders, until these change or the method
+  std::string MethodFailureCause; // see GetShaderCause()
+  bool HasLines = false;          // a wireframe is drawn
   relevo::RefinementMethod& GetMethod();
   relevo::RefinementDrawing GetDrawing(vtkAdaptiveRefinement* recipe);
 
@@ -126,6 +127,9 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   static bool IsFirstPass(vtkActor* act);
   /// In seconds. An actor within an actor, as vtkLODActor has, is allotted no time of its own.
   static double GetAllocatedTime(vtkRenderer* ren, vtkActor* act);
+
+  /// What of a method's shaders is up to the user.
+  static std::string GetShaderCause(vtkAdaptiveRefinement* recipe, vtkActor* act);
 
   static bool HasWholeNumbers(vtkAdaptiveRefinement* recipe);
 

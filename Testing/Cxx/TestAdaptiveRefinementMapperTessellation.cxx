@@ -487,10 +487,8 @@ void TestFailure(RelevoCheck& check, RelevoComparison& comparison)
     "Tessellation.Failure", RelevoTolerance(), RelevoPicture(scene.Window), expected);
   scene.Render();
   CHECK(errors.None());
-  // Chosen again without the cause it works.
+  // Without the cause it works.
   actor->GetShaderProperty()->ClearAllVertexShaderReplacements();
-  mapper->SetMethodToARKFPI();
-  mapper->SetMethodToHardwareTessellation();
   scene.Render();
   CHECK(errors.None());
   CHECK(mapper->GetMethodInUse() == Mapper::METHOD_HARDWARE_TESSELLATION);
