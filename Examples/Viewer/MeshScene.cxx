@@ -174,11 +174,23 @@ void MeshScene::ReadHeights()
   this->Messages.Check();
   double range[2];
   heights->GetRange(range);
-  const double relief = range[1] > range[0] ? range[1] - range[0] : 1.0;
   this->Displacement->SetHeightMap(heights);
-  this->Displacement->SetScale(
-    this->Options.Scale.value_or(0.05 * this->Mesh->GetLength() / relief));
-  this->Displacement->SetOffset(this->Options.Offset);
+  if (this->Options.Scale)
+  {
+    this->Displacement->SetScale(*this->Options.Scale);
+  }
+  else
+  {
+    // A relief that can be seen, its lowest place on the surface.
+    const double relief = range[1] - range[0];
+    const double scale = relief > 0.0 ? 0.05 * this->Mesh->GetLength() / relief : 0.0;
+    this->Displacement->SetScale(scale);
+    this->Displacement->SetOffset(-scale * range[0]);
+  }
+  if (this->Options.Offset)
+  {
+    this->Displacement->SetOffset(*this->Options.Offset);
+  }
   if (this->Options.FillNoData)
   {
     this->Displacement->SetNoDataPolicyToFill();

@@ -13,7 +13,7 @@ vtkSmartPointer<vtkScalarBarActor> MakeLegend(
   const int rows =
     table->GetIndexedLookup() ? static_cast<int>(table->GetNumberOfAnnotatedValues()) : 10;
   const double share = static_cast<double>(rowHeight) * (rows + 2) / height;
-  if (share > 0.96)
+  if (share > 0.90)
   {
     return nullptr;
   }
@@ -32,7 +32,9 @@ vtkSmartPointer<vtkScalarBarActor> MakeLegend(
   legend->SetBarRatio(0.25);
   legend->SetWidth(0.08);
   legend->SetHeight(share);
-  legend->SetPosition(0.015, 0.98 - share);
+  // The title of a continuous bar stands above it.
+  const double headroom = table->GetIndexedLookup() ? 0.0 : static_cast<double>(rowHeight) / height;
+  legend->SetPosition(0.015, 0.98 - headroom - share);
   for (vtkTextProperty* text : { legend->GetTitleTextProperty(), legend->GetLabelTextProperty(),
          legend->GetAnnotationTextProperty() })
   {

@@ -68,7 +68,7 @@ struct ViewerOptions
   // Meshes alone.
   std::string Heights;
   std::optional<double> Scale;
-  double Offset = 0.0;
+  std::optional<double> Offset;
   MappingType Mapping = MappingType::Automatic;
   std::string Array;
   std::optional<double> FeatureAngle; // degrees

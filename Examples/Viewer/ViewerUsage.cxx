@@ -28,8 +28,9 @@ Height maps:
 
 Meshes:
   --height FILE          move the surface by a height map along its normals
-  --scale S              length per unit of height (default: a relief of 0.05 of the diagonal)
-  --offset O             length added to every height (default 0)
+  --scale S              length per unit of height (default: a relief of 0.05 of the diagonal, its
+                         lowest place on the surface)
+  --offset O             length added to every height (default 0 with --scale)
   --mapping sphere|plane how height map and picture lie on a mesh without texture coordinates:
                          around it, from pole to pole of the up axis, mirrored on its far half so
                          that there is no seam, or from the side of its bounding box that it is

@@ -193,6 +193,14 @@ class TestViewerMeshes(ViewerProgram):
             for distance in self.radii(mesh):
                 self.assertAlmostEqual(distance, radius, delta=0.01)
 
+    def test_default_relief(self):
+        """A twentieth of the diagonal, upwards from the surface, whatever the heights' unit."""
+        for name, low, high in (("low.png", 0, 15), ("high.png", 200, 215)):
+            ramp = self.write_image(name, lambda i, j, c: low + (high - low) * j / 15)
+            radii = self.radii(self.export("--height", ramp, "--level=2", "--up=z"))
+            self.assertAlmostEqual(min(radii), 0.5, delta=0.005)
+            self.assertAlmostEqual(max(radii), 0.5 + 0.05 * self.sphere.GetLength(), delta=0.005)
+
     def test_mapping(self):
         """Around: v from the pole below to the one above. From the side: along the box."""
         ramp = self.write_image("ramp.png", lambda i, j, c: 16 * j)
