@@ -9,11 +9,13 @@
 #include "vtkMapper.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
+#include <numeric>
+
 BenchmarkFrames::BenchmarkFrames(BenchmarkView& view, const std::vector<vtkMapper*>& mappers,
   const std::function<void(size_t)>& onFirst)
   : View(view)
-  , Times(mappers.size())
-  , ProcessorTimes(mappers.size())
+  , Frames(mappers.size())
 {
   for (vtkMapper* mapper : mappers)
   {
@@ -23,7 +25,7 @@ BenchmarkFrames::BenchmarkFrames(BenchmarkView& view, const std::vector<vtkMappe
   view.MoveCamera();
   for (size_t m = 0; m < mappers.size(); ++m)
   {
-    this->DrawFrame(m, false);
+    this->DrawFrame(m);
     if (onFirst)
     {
       onFirst(m);
@@ -41,41 +43,57 @@ BenchmarkFrames::~BenchmarkFrames()
 
 void BenchmarkFrames::Measure(int rounds, int minimum, double seconds)
 {
-  const Stopwatch watch;
-  for (int round = 0; round < rounds && (round < minimum || watch.GetSeconds() < seconds); ++round)
+  std::vector<size_t> order(this->Actors.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::vector<double> taken(this->Actors.size(), 0.0);
+  for (int round = 0; round < rounds; ++round)
   {
     this->View.MoveCamera();
-    for (size_t m = 0; m < this->Actors.size(); ++m)
+    std::shuffle(order.begin(), order.end(), this->Random);
+    for (const size_t m : order)
     {
-      this->DrawFrame(m, true);
+      if (round < minimum || taken[m] < seconds)
+      {
+        this->Frames[m].push_back(this->DrawFrame(m));
+        taken[m] += 1e-3 * this->Frames[m].back().Milliseconds;
+      }
     }
   }
 }
 
-void BenchmarkFrames::DrawFrame(size_t mapper, bool isMeasured)
+BenchmarkFrames::Frame BenchmarkFrames::DrawFrame(size_t mapper)
 {
   this->Actors[mapper]->VisibilityOn();
   const double start = GetProcessorSeconds();
   const double seconds = this->View.TimeFrame();
-  if (isMeasured)
-  {
-    this->ProcessorTimes[mapper].push_back(GetProcessorSeconds() - start);
-    this->Times[mapper].push_back(1e3 * seconds);
-  }
+  const Frame frame = { 1e3 * seconds, GetProcessorSeconds() - start };
   this->Actors[mapper]->VisibilityOff();
+  return frame;
+}
+
+std::vector<double> BenchmarkFrames::Get(size_t mapper, double Frame::*figure) const
+{
+  std::vector<double> figures;
+  for (const Frame& frame : this->Frames[mapper])
+  {
+    figures.push_back(frame.*figure);
+  }
+  return figures;
 }
 
 double BenchmarkFrames::GetMedian(size_t mapper) const
 {
-  return ::GetMedian(this->Times[mapper]);
+  return ::GetMedian(this->Get(mapper, &Frame::Milliseconds));
 }
 
 double BenchmarkFrames::GetRatio(size_t mapper, size_t reference) const
 {
-  return GetMedianRatio(this->Times[mapper], this->Times[reference]);
+  return GetMedianRatio(
+    this->Get(mapper, &Frame::Milliseconds), this->Get(reference, &Frame::Milliseconds));
 }
 
 double BenchmarkFrames::GetProcessorRatio(size_t mapper, size_t reference) const
 {
-  return GetMedianRatio(this->ProcessorTimes[mapper], this->ProcessorTimes[reference]);
+  return GetMedianRatio(
+    this->Get(mapper, &Frame::ProcessorSeconds), this->Get(reference, &Frame::ProcessorSeconds));
 }

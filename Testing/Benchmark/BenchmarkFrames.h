@@ -4,8 +4,9 @@
  * @class   BenchmarkFrames
  * @brief   times of several mappers' frames, drawn in turn from the same places
  *
- * In each round the camera moves on, and every mapper draws one frame alone. Frames of a round are
- * compared with one another, so that what else the machine does falls out of the ratios.
+ * In each round the camera moves on, and every mapper draws one frame alone, in an order that
+ * changes: a frame takes longer after a large one of another mapper. Frames of a round are compared
+ * with one another, so that what else the machine does falls out of the ratios.
  */
 #ifndef BenchmarkFrames_h
 #define BenchmarkFrames_h
@@ -13,6 +14,7 @@
 #include "vtkSmartPointer.h"
 
 #include <functional>
+#include <random>
 #include <vector>
 
 class BenchmarkView;
@@ -30,24 +32,30 @@ public:
   BenchmarkFrames(const BenchmarkFrames&) = delete;
   void operator=(const BenchmarkFrames&) = delete;
 
-  /// That many rounds; fewer, but no less than `minimum`, when they have taken the seconds.
+  /// That many rounds; a mapper stays out of those after its frames have taken the seconds, but
+  /// not of the first `minimum`.
   void Measure(int rounds, int minimum = 1, double seconds = 1e9);
 
   /// Milliseconds. NaN where nothing was measured.
   double GetMedian(size_t mapper) const;
-  /// Of a mapper's frames to those of another.
+  /// Of a mapper's frames to those of another, in the rounds of both.
   double GetRatio(size_t mapper, size_t reference) const;
   /// The same in GetProcessorSeconds().
   double GetProcessorRatio(size_t mapper, size_t reference) const;
-  int GetNumberOfRounds() const { return static_cast<int>(this->Times[0].size()); }
 
 private:
-  void DrawFrame(size_t mapper, bool isMeasured);
+  struct Frame
+  {
+    double Milliseconds;
+    double ProcessorSeconds;
+  };
+  Frame DrawFrame(size_t mapper);
+  std::vector<double> Get(size_t mapper, double Frame::*figure) const;
 
   BenchmarkView& View;
+  std::mt19937 Random; // of one seed
   std::vector<vtkSmartPointer<vtkActor>> Actors;
-  std::vector<std::vector<double>> Times; // milliseconds
-  std::vector<std::vector<double>> ProcessorTimes;
+  std::vector<std::vector<Frame>> Frames; // of each mapper
 };
 
 #endif

@@ -32,9 +32,11 @@ double GetMedian(std::vector<double> values)
 
 double GetMedianRatio(const std::vector<double>& values, const std::vector<double>& references)
 {
-  std::vector<double> ratios(values.size());
-  std::transform(values.begin(), values.end(), references.begin(), ratios.begin(),
-    [](double value, double reference) { return value / reference; });
+  std::vector<double> ratios(std::min(values.size(), references.size()));
+  for (size_t i = 0; i < ratios.size(); ++i)
+  {
+    ratios[i] = values[i] / references[i];
+  }
   return GetMedian(ratios);
 }
 

@@ -29,7 +29,8 @@ double GetProcessorSeconds();
 /// NaN for no values.
 double GetMedian(std::vector<double> values);
 
-/// Median of values[i] / references[i]: what was measured one after the other is compared.
+/// Median of values[i] / references[i], as far as there are both: what was measured one after the
+/// other is compared.
 double GetMedianRatio(const std::vector<double>& values, const std::vector<double>& references);
 
 struct ResidentMemory

@@ -86,7 +86,7 @@ void Measure(const Row& row, const BenchmarkOptions& options, BenchmarkTable& ta
     }
     else
     {
-      frames.Measure(options.Full ? 31 : 9, 3, options.Full ? 20.0 : 2.0);
+      frames.Measure(options.Full ? 31 : 9, 3, options.Full ? 6.0 : 0.7);
     }
     for (const size_t m : { PHONG, PN_QUADRATIC, PN_LINEAR })
     {
