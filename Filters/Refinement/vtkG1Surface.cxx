@@ -9,6 +9,8 @@
 #include "relevoCubicPatch.h"
 #include "relevoG1Triangle.h"
 #include "relevoNormalG1.h"
+#include "relevoNormalQuadratic.h"
+#include "relevoNormalQuadraticSum.h"
 
 #include <algorithm>
 
@@ -16,8 +18,6 @@ namespace relevo
 {
 namespace
 {
-constexpr int VectorsPerEdge = 5;
-
 struct G1Triangle : SurfaceCorners
 {
 #include "glsl/relevoCubicPatch.glsl"
@@ -169,17 +169,21 @@ vtkG1Surface::~vtkG1Surface() = default;
 void vtkG1Surface::ComputeEdgeVectors(const Corner& a, const Corner& b, float* vectors)
 {
   relevo::StorePNEdge(a, b, vectors);
+  if (!this->GeometricNormals)
+  {
+    relevo::StorePNMiddleNormal(a, b, vectors + 6);
+  }
 }
 
 void vtkG1Surface::ComputeFaceVectors(const Face& face, float* vectors, float* edgeNormals[3])
 {
-  const relevo::Net net(relevo::SurfaceCorners{ face, relevo::VectorsPerEdge });
+  const relevo::Net net(relevo::SurfaceCorners{ face, 2 + this->GetNumberOfEdgeNormals() });
   for (int e = 0; e < 3; ++e)
   {
     const int a = relevo::EdgeCorners[e][0];
     const int b = relevo::EdgeCorners[e][1];
     const relevo::Ribbon ribbon = net.GetRibbon(a, b);
-    for (int k = 0; k < 3; ++k)
+    for (int k = 0; this->GeometricNormals && k < 3; ++k)
     {
       relevo::store(glm::vec3(ribbon.Across[k]), edgeNormals[e] + 3 * k);
     }
@@ -193,18 +197,25 @@ void vtkG1Surface::ComputeFaceVectors(const Face& face, float* vectors, float* e
 void vtkG1Surface::Evaluate(
   const Face& face, const float weights[3], float position[3], float normal[3])
 {
-  relevo::G1Triangle patch{ { face, relevo::VectorsPerEdge } };
+  const relevo::SurfaceCorners corners{ face, 2 + this->GetNumberOfEdgeNormals() };
+  relevo::G1Triangle patch{ corners };
   const glm::vec3 w = relevo::SurfaceCorners::load(weights);
   relevo::store(patch.surfacePosition(w), position);
-  relevo::store(patch.surfaceNormal(w), normal);
+  relevo::store(this->GeometricNormals ? patch.surfaceNormal(w)
+                                       : relevo::QuadraticNormals{ { corners } }.surfaceNormal(w),
+    normal);
 }
 
 std::string vtkG1Surface::GetShaderSource()
 {
-  return std::string(relevoCubicPatch) + relevoG1Triangle + relevoNormalG1;
+  const std::string normals = this->GeometricNormals
+    ? std::string(relevoNormalG1)
+    : std::string(relevoNormalQuadraticSum) + relevoNormalQuadratic;
+  return std::string(relevoCubicPatch) + relevoG1Triangle + normals;
 }
 
 void vtkG1Surface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "GeometricNormals: " << (this->GeometricNormals ? "On\n" : "Off\n");
 }

@@ -6,7 +6,7 @@
  *
  * PN triangles meet without gaps, but with a kink along each edge that their normals, which are not
  * those of the surface, paint over. Here neighbours have the same tangent plane all along their
- * edge (G1), and the normals are those of the surface itself.
+ * edge (G1).
  *
  * The edges' curves are those of vtkPNTriangleSurface. Along an edge from P0 to P1 let W(t) be the
  * curve's derivative, a quadratic Bezier curve with points W0, W1, W2, and A(t) the one with points
@@ -30,7 +30,7 @@
  * length of the longest edge from where PN triangles have their centre point.
  *
  * Point normals of the input are used; where there are none they are computed from the faces.
- * Where the patch itself is degenerate, normals are interpolated.
+ * Where the patch itself is degenerate, geometric normals are interpolated ones.
  *
  * @sa vtkAdaptiveRefinement vtkPNTriangleSurface
  */
@@ -46,11 +46,23 @@ public:
   vtkTypeMacro(vtkG1Surface, vtkRefinementSurface);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  //@{
+  /**
+   * Whether normals are those of the surface itself, continuous across edges, or, by default, the
+   * quadratic ones of vtkPNTriangleSurface. The former are for measuring, for offsets and
+   * reflections; they show every flat spot that the few points and normals of a coarse mesh leave.
+   * The latter look smoother.
+   */
+  vtkSetMacro(GeometricNormals, bool);
+  vtkGetMacro(GeometricNormals, bool);
+  vtkBooleanMacro(GeometricNormals, bool);
+  //@}
+
   bool NeedsNormals() override { return true; }
   int GetNumberOfEdgePositions() override { return 2; }
-  int GetNumberOfEdgeNormals() override { return 3; }
+  int GetNumberOfEdgeNormals() override { return this->GeometricNormals ? 3 : 1; }
   int GetNumberOfFacePositions() override { return 6; }
-  bool HasInterpolatedNormals() override { return false; }
+  bool HasInterpolatedNormals() override { return !this->GeometricNormals; }
 
 #ifndef __VTK_WRAP__
   void ComputeEdgeVectors(const Corner& a, const Corner& b, float* vectors) override;
@@ -63,6 +75,8 @@ public:
 protected:
   vtkG1Surface();
   ~vtkG1Surface() override;
+
+  bool GeometricNormals = false;
 
 private:
   vtkG1Surface(const vtkG1Surface&) = delete;

@@ -27,6 +27,11 @@ struct QuadraticNormalSum : SurfaceCorners
 #include "glsl/relevoNormalQuadraticSum.glsl"
 };
 
+struct QuadraticNormals : QuadraticNormalSum
+{
+#include "glsl/relevoNormalQuadratic.glsl"
+};
+
 /// What has to be added to an edge's end to reach the control point beside it is a third of this:
 /// the edge, seen from that end, without `rise` times its part along the end's normal. PN: 1.
 inline vec3 GetPNTangent(const vec3& edge, const vec3& normal, float rise = 1.0f)
@@ -47,6 +52,15 @@ inline void StorePNEdge(
 
 /// The normal amid an edge: the sum of those at its ends, mirrored in the plane across the edge.
 vec3 GetPNMiddleNormal(const vec3& edge, const vec3& normalA, const vec3& normalB);
+
+/// The same between two corners: 3 floats.
+inline void StorePNMiddleNormal(
+  const vtkRefinementSurface::Corner& from, const vtkRefinementSurface::Corner& to, float* normal)
+{
+  store(GetPNMiddleNormal(SurfaceCorners::load(to.Point) - SurfaceCorners::load(from.Point),
+          SurfaceCorners::load(from.Normal), SurfaceCorners::load(to.Normal)),
+    normal);
+}
 
 /// The control point amid the face, from the six on its edges.
 vec3 GetPNCenter(const SurfaceCorners& corners);

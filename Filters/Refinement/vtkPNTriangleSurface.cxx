@@ -19,11 +19,6 @@ struct LinearNormals : SurfaceCorners
 {
 #include "glsl/relevoNormalLinear.glsl"
 };
-
-struct QuadraticNormals : QuadraticNormalSum
-{
-#include "glsl/relevoNormalQuadratic.glsl"
-};
 }
 }
 
@@ -37,11 +32,7 @@ void vtkPNTriangleSurface::ComputeEdgeVectors(const Corner& from, const Corner& 
   relevo::StorePNEdge(from, to, vectors);
   if (this->QuadraticNormals)
   {
-    using relevo::SurfaceCorners;
-    relevo::store(
-      relevo::GetPNMiddleNormal(SurfaceCorners::load(to.Point) - SurfaceCorners::load(from.Point),
-        SurfaceCorners::load(from.Normal), SurfaceCorners::load(to.Normal)),
-      vectors + 6);
+    relevo::StorePNMiddleNormal(from, to, vectors + 6);
   }
 }
 

@@ -33,9 +33,12 @@ RelevoMakeSurfaces(double size = 1.0)
   furOnPN->SetAmplitude(-0.05 * size);
   furOnPN->SetBaseSurface(quadratic);
   vtkNew<vtkG1Surface> g1;
+  vtkNew<vtkG1Surface> g1Geometric;
+  g1Geometric->GeometricNormalsOn();
   return { { "linear", nullptr }, { "PN, quadratic normals", quadratic },
     { "PN, linear normals", linearNormals }, { "Phong", phong }, { "Phong 0.6", partlyPhong },
-    { "fur", fur }, { "fur on PN", furOnPN }, { "G1", g1 } };
+    { "fur", fur }, { "fur on PN", furOnPN }, { "G1", g1 },
+    { "G1, its own normals", g1Geometric } };
 }
 
 #endif

@@ -498,6 +498,9 @@ int TestG1Surface(int, char*[])
 {
   RelevoCheck check;
   vtkNew<vtkG1Surface> surface;
+  testPlanes(check, surface);
+  testHostile(check, surface);
+  surface->GeometricNormalsOn();
   testFormula(check, surface);
   testJumps(check, surface);
   testEdges(check, surface);
