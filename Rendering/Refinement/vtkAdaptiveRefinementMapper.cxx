@@ -14,15 +14,11 @@
 #include "vtkHardwareSelector.h"
 #include "vtkHeightField.h"
 #include "vtkInformation.h"
-#include "vtkLinearSurface.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLCellToVTKCellMap.h"
 #include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
-#include "vtkOpenGLVertexArrayObject.h"
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPointData.h"
@@ -33,8 +29,6 @@
 #include "vtkRelevoCompatibility.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
-#include "vtkShaderProgram.h"
-#include "vtkShaderProperty.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -56,28 +50,6 @@ bool HasExtension(const char* name)
   return false;
 }
 
-relevo::RefinementMethod::Primitives GetPrimitives(int mode, bool pointPicking)
-{
-  using Primitives = relevo::RefinementMethod::Primitives;
-  return mode == GL_TRIANGLES ? Primitives::TRIANGLES
-    : mode == GL_LINES        ? Primitives::LINES
-    : pointPicking            ? Primitives::CORNERS
-                              : Primitives::POINTS;
-}
-
-// Whether VTK's own mapper would draw the vertices of faces.
-bool AreVerticesDrawn(vtkProperty* property, vtkHardwareSelector* selector)
-{
-  if (!property->GetVertexVisibility())
-  {
-    return false;
-  }
-  if (relevo::VerticesNeedNoEdges)
-  {
-    return !selector || selector->GetFieldAssociation() != vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  }
-  return property->GetEdgeVisibility() && property->GetRepresentation() == VTK_SURFACE && !selector;
-}
 }
 
 vtkStandardNewMacro(vtkAdaptiveRefinementMapper);
@@ -409,61 +381,6 @@ void vtkAdaptiveRefinementMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* a
   }
 }
 
-void vtkAdaptiveRefinementMapper::ChooseMethod(vtkRenderer* ren, vtkActor* act)
-{
-  vtkInternals& data = *this->Internals;
-  const int representation = act->GetProperty()->GetRepresentation();
-  data.HasLines = representation == VTK_WIREFRAME;
-  data.MethodInUse = this->Method;
-  const relevo::RefinementMethod& method = data.GetMethod();
-  std::string problem = method.GetMissing();
-  if (!problem.empty())
-  {
-    problem = "Needs " + problem + ", which this context has not";
-  }
-  else
-  {
-    problem = method.GetObstacle(relevo::GetPatternFamily(this->Refinement, this->GetInput()));
-    if (data.MethodFailureCause != vtkInternals::GetShaderCause(this->Refinement, act))
-    {
-      data.MethodFailure.clear();
-    }
-    problem = problem.empty() ? data.MethodFailure : problem;
-  }
-  if (problem != data.MethodProblem)
-  {
-    data.MethodProblem = problem;
-    if (!problem.empty())
-    {
-      vtkErrorMacro("The method " << relevo::RefinementMethod::GetName(this->Method)
-                                  << " cannot be used: " << problem << ". ARKFPI draws.");
-    }
-  }
-  using Primitives = relevo::RefinementMethod::Primitives;
-  const Primitives faces =
-    GetPrimitives(this->GetOpenGLMode(representation, data.Faces.PrimitiveType), false);
-  const bool hasVertices = AreVerticesDrawn(act->GetProperty(), ren->GetSelector());
-  if (!problem.empty() || !method.CanDraw(this->PointPicking ? Primitives::CORNERS : faces) ||
-    (hasVertices && !method.CanDraw(Primitives::POINTS)))
-  {
-    data.MethodInUse = METHOD_ARKFPI;
-  }
-  // What other methods have on the GPU is of no use.
-  for (auto& other : data.Methods)
-  {
-    if (other.first != this->Method && other.first != data.MethodInUse)
-    {
-      for (vtkOpenGLHelper* helper : { &data.Faces, &data.Vertices })
-      {
-        int& owner = data.Programs[helper].Method;
-        helper->Program = owner == other.first ? nullptr : helper->Program;
-        owner = owner == other.first ? -1 : owner;
-      }
-      other.second->ReleaseGraphicsResources(ren->GetRenderWindow());
-    }
-  }
-}
-
 bool vtkAdaptiveRefinementMapper::UpdateFaceColors(vtkRenderer* ren)
 {
   vtkInternals& data = *this->Internals;
@@ -486,6 +403,20 @@ bool vtkAdaptiveRefinementMapper::UpdateFaceColors(vtkRenderer* ren)
   }
 }
 
+bool vtkAdaptiveRefinementMapper::vtkInternals::AreVerticesDrawn(
+  vtkProperty* property, vtkHardwareSelector* selector)
+{
+  if (!property->GetVertexVisibility())
+  {
+    return false;
+  }
+  if (relevo::VerticesNeedNoEdges)
+  {
+    return !selector || selector->GetFieldAssociation() != vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  }
+  return property->GetEdgeVisibility() && property->GetRepresentation() == VTK_SURFACE && !selector;
+}
+
 void vtkAdaptiveRefinementMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* act)
 {
   this->Superclass::RenderPieceDraw(ren, act);
@@ -498,7 +429,7 @@ void vtkAdaptiveRefinementMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* ac
   this->PrimitiveIDOffset = 0; // faces bring their ids along
   this->DrawingVertices = false;
   this->DrawFaces(this->Internals->Faces, ren, act);
-  if (AreVerticesDrawn(property, ren->GetSelector()))
+  if (vtkInternals::AreVerticesDrawn(property, ren->GetSelector()))
   {
     this->DrawingVertices = true;
     this->DrawFaces(this->Internals->Vertices, ren, act);
@@ -512,201 +443,6 @@ void vtkAdaptiveRefinementMapper::RenderPieceFinish(vtkRenderer* ren, vtkActor* 
   this->Internals->Colors.Deactivate();
   this->Internals->FaceColors.Deactivate();
   this->Superclass::RenderPieceFinish(ren, act);
-}
-
-void vtkAdaptiveRefinementMapper::DrawFaces(
-  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
-{
-  vtkInternals& data = *this->Internals;
-  vtkOpenGLState* state = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow())->GetState();
-  int mode = this->GetOpenGLMode(act->GetProperty()->GetRepresentation(), cellBO.PrimitiveType);
-  if (this->PointPicking)
-  {
-    state->vtkglPointSize(this->GetPointPickingPrimitiveSize(cellBO.PrimitiveType));
-    mode = GL_POINTS;
-  }
-  this->UpdateRefiningShaders(cellBO, ren, act);
-  if (!cellBO.Program || !data.Drawable)
-  {
-    return;
-  }
-  if (mode == GL_LINES && !this->HaveWideLines(ren, act))
-  {
-    state->vtkglLineWidth(act->GetProperty()->GetLineWidth());
-  }
-  cellBO.VAO->Bind();
-  data.NumberOfDrawCalls += data.GetMethod().Draw(
-    data.GetDrawing(this->Refinement), cellBO.Program, GetPrimitives(mode, this->PointPicking));
-}
-
-//------------------------------------------------------------------------------
-// Shaders
-
-bool vtkAdaptiveRefinementMapper::IsRefining(const vtkOpenGLHelper* cellBO) const
-{
-  return cellBO == &this->Internals->Faces || cellBO == &this->Internals->Vertices;
-}
-
-relevo::RefinementShaderOptions vtkAdaptiveRefinementMapper::vtkInternals::GetShaderOptions(
-  const vtkAdaptiveRefinementMapper* mapper, const vtkOpenGLHelper* cellBO)
-{
-  vtkAdaptiveRefinement* recipe = mapper->Refinement;
-  relevo::RefinementShaderOptions options;
-  this->Buffers.Describe(this->State.GetMesh(), options);
-  vtkNew<vtkLinearSurface> linear;
-  vtkRefinementSurface* surface = recipe->GetSurface();
-  options.SurfaceSource = (surface ? surface : linear.Get())->GetShaderSource();
-  vtkDisplacement* displacement = recipe->GetDisplacement();
-  this->GetMethod().Describe(this->GetDrawing(recipe), options);
-  options.HasDisplacement = displacement != nullptr;
-  options.AlongNormal = displacement && displacement->IsAlongNormal();
-  options.ColorMode = cellBO == &this->Faces ? mapper->RefinementColorMode : COLOR_BY_SCALARS;
-  options.HasScalars = this->ColorsValid && options.ColorMode == COLOR_BY_SCALARS;
-  return options;
-}
-
-void vtkAdaptiveRefinementMapper::UpdateRefiningShaders(
-  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
-{
-  vtkInternals& data = *this->Internals;
-  const std::string key = data.GetShaderOptions(this, &cellBO).GetKey();
-  if (data.Programs[&cellBO].FailedKey == key)
-  {
-    return;
-  }
-  if (!cellBO.Program)
-  {
-    // VTK asks the last program for its time when it cannot build the next.
-    cellBO.Program = data.NoProgram;
-  }
-  this->UpdateShaders(cellBO, ren, act);
-  if (cellBO.Program == data.NoProgram)
-  {
-    cellBO.Program = nullptr;
-  }
-  if (!cellBO.Program)
-  {
-    // Said once, until something changes; the method may have been given up meanwhile.
-    data.Programs[&cellBO].FailedKey = data.GetShaderOptions(this, &cellBO).GetKey();
-    vtkErrorMacro("The shaders could not be built; OpenGL's own message says why. A "
-                  "vtkProceduralSurface's ShaderFunction is part of them.");
-  }
-}
-
-bool vtkAdaptiveRefinementMapper::GetNeedToRebuildShaders(
-  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
-{
-  bool needed = this->Superclass::GetNeedToRebuildShaders(cellBO, ren, act);
-  if (this->IsRefining(&cellBO))
-  {
-    vtkInternals& data = *this->Internals;
-    vtkInternals::ProgramState& program = data.Programs[&cellBO];
-    const std::string key = data.GetShaderOptions(this, &cellBO).GetKey();
-    needed = needed || key != program.ShaderKey || cellBO.Program == data.NoProgram;
-    program.ShaderKey = key;
-    if (needed)
-    {
-      program.Method = -1;
-      if (data.GetMethod().HasStages() && this->BuildStages(cellBO, ren, act))
-      {
-        return false; // VTK's shader cache binds it like any other
-      }
-      program.ShaderKey = data.GetShaderOptions(this, &cellBO).GetKey();
-    }
-  }
-  return needed;
-}
-
-bool vtkAdaptiveRefinementMapper::BuildStages(
-  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
-{
-  vtkInternals& data = *this->Internals;
-  vtkNew<vtkShader> stages[3];
-  const vtkShader::Type types[3] = { vtkShader::Vertex, vtkShader::Geometry, vtkShader::Fragment };
-  std::map<vtkShader::Type, vtkShader*> shaders;
-  for (int i = 0; i < 3; ++i)
-  {
-    stages[i]->SetType(types[i]);
-    shaders[types[i]] = stages[i];
-  }
-  this->BuildShaders(shaders, ren, act);
-  vtkShaderProgram* program =
-    data.GetMethod().BuildProgram(data.GetDrawing(this->Refinement), shaders);
-  if (!program)
-  {
-    this->GiveUpMethod(ren, act);
-    return false;
-  }
-  cellBO.Program = program;
-  cellBO.VAO->ReleaseGraphicsResources(); // of the attributes of another program
-  cellBO.ShaderSourceTime.Modified();
-  data.Programs[&cellBO].Method = data.MethodInUse;
-  return true;
-}
-
-std::string vtkAdaptiveRefinementMapper::vtkInternals::GetShaderCause(
-  vtkAdaptiveRefinement* recipe, vtkActor* act)
-{
-  vtkRefinementSurface* surface = recipe->GetSurface();
-  return std::to_string(act->GetShaderProperty()->GetShaderMTime()) +
-    (surface ? surface->GetShaderSource() : "");
-}
-
-void vtkAdaptiveRefinementMapper::GiveUpMethod(vtkRenderer* ren, vtkActor* act)
-{
-  vtkInternals& data = *this->Internals;
-  data.MethodFailureCause = vtkInternals::GetShaderCause(this->Refinement, act);
-  data.MethodFailure = "Its shaders cannot be built: " + data.GetMethod().GetError();
-  data.MethodProblem = data.MethodFailure; // said here
-  vtkErrorMacro("The method " << relevo::RefinementMethod::GetName(this->Method)
-                              << " cannot be used: " << data.MethodFailure << ". ARKFPI draws.");
-  data.MethodInUse = METHOD_ARKFPI;
-  data.Drawable =
-    data.GetMethod().Upload(data.GetDrawing(this->Refinement)) && this->UpdateFaceColors(ren);
-}
-
-void vtkAdaptiveRefinementMapper::ReplaceShaderValues(
-  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act)
-{
-  if (this->IsRefining(this->LastBoundBO))
-  {
-    relevo::MarkColors(shaders);
-  }
-  this->Superclass::ReplaceShaderValues(shaders, ren, act);
-  if (this->IsRefining(this->LastBoundBO))
-  {
-    const int mode = this->PointPicking
-      ? GL_POINTS
-      : this->GetOpenGLMode(
-          act->GetProperty()->GetRepresentation(), this->LastBoundBO->PrimitiveType);
-    ++this->Internals->NumberOfShaderBuilds;
-    this->Internals->Programs[this->LastBoundBO].Attributes = relevo::RefineShaders(
-      this->Internals->GetShaderOptions(this, this->LastBoundBO), mode == GL_LINES, shaders);
-  }
-}
-
-void vtkAdaptiveRefinementMapper::SetMapperShaderParameters(
-  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
-{
-  this->Superclass::SetMapperShaderParameters(cellBO, ren, act);
-  if (!this->IsRefining(&cellBO))
-  {
-    return;
-  }
-  vtkInternals& data = *this->Internals;
-  vtkInternals::ProgramState& program = data.Programs[&cellBO];
-  vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
-  if (cellBO.AttributeUpdateTime < cellBO.ShaderSourceTime ||
-    cellBO.AttributeUpdateTime < cellBO.VAO->GetMTime() ||
-    cellBO.AttributeUpdateTime < data.UploadTime)
-  {
-    data.Buffers.AliasAttributes(window, this->VBOs, program.Attributes);
-    cellBO.AttributeUpdateTime.Modified();
-  }
-  data.Buffers.Activate(cellBO.Program);
-  data.Colors.Activate(cellBO.Program);
-  data.FaceColors.Activate(cellBO.Program);
-  data.Buffers.SetUniforms(cellBO.Program, this->Refinement);
 }
 
 //------------------------------------------------------------------------------

@@ -35,6 +35,8 @@
 #include <string>
 #include <vector>
 
+class vtkProperty;
+
 struct vtkAdaptiveRefinementMapper::vtkInternals
 {
   vtkInternals()
@@ -130,6 +132,9 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
 
   /// What of a method's shaders is up to the user.
   static std::string GetShaderCause(vtkAdaptiveRefinement* recipe, vtkActor* act);
+
+  /// Whether VTK's own mapper would draw the vertices of faces.
+  static bool AreVerticesDrawn(vtkProperty* property, vtkHardwareSelector* selector);
 
   static bool HasWholeNumbers(vtkAdaptiveRefinement* recipe);
 

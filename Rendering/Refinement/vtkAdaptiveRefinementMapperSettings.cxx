@@ -28,43 +28,6 @@ void vtkAdaptiveRefinementMapper::SetBackFaceCulling(bool culling)
     [culling](vtkAdaptiveRefinementMapper* block) { block->SetBackFaceCulling(culling); });
 }
 
-void vtkAdaptiveRefinementMapper::SetMethod(int method)
-{
-  if (method < METHOD_ARKFPI || method > METHOD_UNIFORM)
-  {
-    vtkErrorMacro(
-      "Method is in [" << METHOD_ARKFPI << ", " << METHOD_UNIFORM << "], not " << method << ".");
-    return;
-  }
-  if (this->Method != method)
-  {
-    this->Internals->MethodProblem.clear();
-    this->Internals->MethodFailure.clear();
-  }
-  this->Method = method;
-  this->Internals->Blocks.ForEach(
-    [method](vtkAdaptiveRefinementMapper* block) { block->SetMethod(method); });
-}
-
-relevo::RefinementMethod& vtkAdaptiveRefinementMapper::vtkInternals::GetMethod()
-{
-  std::unique_ptr<relevo::RefinementMethod>& method = this->Methods[this->MethodInUse];
-  if (!method)
-  {
-    method = relevo::RefinementMethod::New(this->MethodInUse);
-  }
-  return *method;
-}
-
-relevo::RefinementDrawing vtkAdaptiveRefinementMapper::vtkInternals::GetDrawing(
-  vtkAdaptiveRefinement* recipe)
-{
-  const int slot = this->State.GetSelectionSlot();
-  return { this->Window, &this->State.GetMesh(), &this->State.GetSelection(), slot,
-    this->OnGPU ? &this->Compute.GetView(slot) : nullptr, recipe->GetPatternTable(), this->HasLines,
-    &this->Patterns, &this->Instances };
-}
-
 void vtkAdaptiveRefinementMapper::SetColorMode(int mode)
 {
   this->SetColorModeToScalars();
@@ -167,14 +130,6 @@ vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfDrawnTriangles()
     data.GetMethod().GetNumberOfTriangles(data.GetDrawing(this->Refinement));
   return triangles >= 0 ? triangles
                         : data.State.GetNumberOfTriangles(this->GetInput(), this->Refinement);
-}
-
-int vtkAdaptiveRefinementMapper::GetMethodInUse()
-{
-  int method = this->Internals->MethodInUse;
-  this->Internals->Blocks.ForEach(
-    [&method](vtkAdaptiveRefinementMapper* block) { method = block->GetMethodInUse(); });
-  return method;
 }
 
 int vtkAdaptiveRefinementMapper::GetNumberOfDrawCalls()

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Which method draws, and its draw calls.
+#include "vtkAdaptiveRefinementMapperInternals.h"
+
+#include "vtkRelevoOpenGL.h"
+
+#include "vtkActor.h"
+#include "vtkAdaptiveRefinement.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkPatternSelection.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+
+namespace
+{
+relevo::RefinementMethod::Primitives GetPrimitives(int mode, bool pointPicking)
+{
+  using Primitives = relevo::RefinementMethod::Primitives;
+  return mode == GL_TRIANGLES ? Primitives::TRIANGLES
+    : mode == GL_LINES        ? Primitives::LINES
+    : pointPicking            ? Primitives::CORNERS
+                              : Primitives::POINTS;
+}
+}
+
+void vtkAdaptiveRefinementMapper::SetMethod(int method)
+{
+  if (method < METHOD_ARKFPI || method > METHOD_UNIFORM)
+  {
+    vtkErrorMacro(
+      "Method is in [" << METHOD_ARKFPI << ", " << METHOD_UNIFORM << "], not " << method << ".");
+    return;
+  }
+  if (this->Method != method)
+  {
+    this->Internals->MethodProblem.clear();
+    this->Internals->MethodFailure.clear();
+  }
+  this->Method = method;
+  this->Internals->Blocks.ForEach(
+    [method](vtkAdaptiveRefinementMapper* block) { block->SetMethod(method); });
+}
+
+relevo::RefinementMethod& vtkAdaptiveRefinementMapper::vtkInternals::GetMethod()
+{
+  std::unique_ptr<relevo::RefinementMethod>& method = this->Methods[this->MethodInUse];
+  if (!method)
+  {
+    method = relevo::RefinementMethod::New(this->MethodInUse);
+  }
+  return *method;
+}
+
+relevo::RefinementDrawing vtkAdaptiveRefinementMapper::vtkInternals::GetDrawing(
+  vtkAdaptiveRefinement* recipe)
+{
+  const int slot = this->State.GetSelectionSlot();
+  return { this->Window, &this->State.GetMesh(), &this->State.GetSelection(), slot,
+    this->OnGPU ? &this->Compute.GetView(slot) : nullptr, recipe->GetPatternTable(), this->HasLines,
+    &this->Patterns, &this->Instances };
+}
+
+int vtkAdaptiveRefinementMapper::GetMethodInUse()
+{
+  int method = this->Internals->MethodInUse;
+  this->Internals->Blocks.ForEach(
+    [&method](vtkAdaptiveRefinementMapper* block) { method = block->GetMethodInUse(); });
+  return method;
+}
+
+void vtkAdaptiveRefinementMapper::ChooseMethod(vtkRenderer* ren, vtkActor* act)
+{
+  vtkInternals& data = *this->Internals;
+  const int representation = act->GetProperty()->GetRepresentation();
+  data.HasLines = representation == VTK_WIREFRAME;
+  data.MethodInUse = this->Method;
+  const relevo::RefinementMethod& method = data.GetMethod();
+  std::string problem = method.GetMissing();
+  if (!problem.empty())
+  {
+    problem = "Needs " + problem + ", which this context has not";
+  }
+  else
+  {
+    problem = method.GetObstacle(relevo::GetPatternFamily(this->Refinement, this->GetInput()));
+    if (data.MethodFailureCause != vtkInternals::GetShaderCause(this->Refinement, act))
+    {
+      data.MethodFailure.clear();
+    }
+    problem = problem.empty() ? data.MethodFailure : problem;
+  }
+  if (problem != data.MethodProblem)
+  {
+    data.MethodProblem = problem;
+    if (!problem.empty())
+    {
+      vtkErrorMacro("The method " << relevo::RefinementMethod::GetName(this->Method)
+                                  << " cannot be used: " << problem << ". ARKFPI draws.");
+    }
+  }
+  using Primitives = relevo::RefinementMethod::Primitives;
+  const Primitives faces =
+    GetPrimitives(this->GetOpenGLMode(representation, data.Faces.PrimitiveType), false);
+  const bool hasVertices = vtkInternals::AreVerticesDrawn(act->GetProperty(), ren->GetSelector());
+  if (!problem.empty() || !method.CanDraw(this->PointPicking ? Primitives::CORNERS : faces) ||
+    (hasVertices && !method.CanDraw(Primitives::POINTS)))
+  {
+    data.MethodInUse = METHOD_ARKFPI;
+  }
+  // What other methods have on the GPU is of no use.
+  for (auto& other : data.Methods)
+  {
+    if (other.first != this->Method && other.first != data.MethodInUse)
+    {
+      for (vtkOpenGLHelper* helper : { &data.Faces, &data.Vertices })
+      {
+        int& owner = data.Programs[helper].Method;
+        helper->Program = owner == other.first ? nullptr : helper->Program;
+        owner = owner == other.first ? -1 : owner;
+      }
+      other.second->ReleaseGraphicsResources(ren->GetRenderWindow());
+    }
+  }
+}
+
+void vtkAdaptiveRefinementMapper::GiveUpMethod(vtkRenderer* ren, vtkActor* act)
+{
+  vtkInternals& data = *this->Internals;
+  data.MethodFailureCause = vtkInternals::GetShaderCause(this->Refinement, act);
+  data.MethodFailure = "Its shaders cannot be built: " + data.GetMethod().GetError();
+  data.MethodProblem = data.MethodFailure; // said here
+  vtkErrorMacro("The method " << relevo::RefinementMethod::GetName(this->Method)
+                              << " cannot be used: " << data.MethodFailure << ". ARKFPI draws.");
+  data.MethodInUse = METHOD_ARKFPI;
+  data.Drawable =
+    data.GetMethod().Upload(data.GetDrawing(this->Refinement)) && this->UpdateFaceColors(ren);
+}
+
+void vtkAdaptiveRefinementMapper::DrawFaces(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
+{
+  vtkInternals& data = *this->Internals;
+  vtkOpenGLState* state = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow())->GetState();
+  int mode = this->GetOpenGLMode(act->GetProperty()->GetRepresentation(), cellBO.PrimitiveType);
+  if (this->PointPicking)
+  {
+    state->vtkglPointSize(this->GetPointPickingPrimitiveSize(cellBO.PrimitiveType));
+    mode = GL_POINTS;
+  }
+  this->UpdateRefiningShaders(cellBO, ren, act);
+  if (!cellBO.Program || !data.Drawable)
+  {
+    return;
+  }
+  if (mode == GL_LINES && !this->HaveWideLines(ren, act))
+  {
+    state->vtkglLineWidth(act->GetProperty()->GetLineWidth());
+  }
+  cellBO.VAO->Bind();
+  data.NumberOfDrawCalls += data.GetMethod().Draw(
+    data.GetDrawing(this->Refinement), cellBO.Program, GetPrimitives(mode, this->PointPicking));
+}

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Shaders of refined faces: when they are written, from what, and what they are given.
+#include "vtkAdaptiveRefinementMapperInternals.h"
+
+#include "vtkRelevoOpenGL.h"
+
+#include "vtkActor.h"
+#include "vtkAdaptiveRefinement.h"
+#include "vtkDisplacement.h"
+#include "vtkLinearSurface.h"
+#include "vtkNew.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkProperty.h"
+#include "vtkRefinementSurface.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
+
+bool vtkAdaptiveRefinementMapper::IsRefining(const vtkOpenGLHelper* cellBO) const
+{
+  return cellBO == &this->Internals->Faces || cellBO == &this->Internals->Vertices;
+}
+
+relevo::RefinementShaderOptions vtkAdaptiveRefinementMapper::vtkInternals::GetShaderOptions(
+  const vtkAdaptiveRefinementMapper* mapper, const vtkOpenGLHelper* cellBO)
+{
+  vtkAdaptiveRefinement* recipe = mapper->Refinement;
+  relevo::RefinementShaderOptions options;
+  this->Buffers.Describe(this->State.GetMesh(), options);
+  vtkNew<vtkLinearSurface> linear;
+  vtkRefinementSurface* surface = recipe->GetSurface();
+  options.SurfaceSource = (surface ? surface : linear.Get())->GetShaderSource();
+  vtkDisplacement* displacement = recipe->GetDisplacement();
+  this->GetMethod().Describe(this->GetDrawing(recipe), options);
+  options.HasDisplacement = displacement != nullptr;
+  options.AlongNormal = displacement && displacement->IsAlongNormal();
+  options.ColorMode = cellBO == &this->Faces ? mapper->RefinementColorMode : COLOR_BY_SCALARS;
+  options.HasScalars = this->ColorsValid && options.ColorMode == COLOR_BY_SCALARS;
+  return options;
+}
+
+void vtkAdaptiveRefinementMapper::UpdateRefiningShaders(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
+{
+  vtkInternals& data = *this->Internals;
+  const std::string key = data.GetShaderOptions(this, &cellBO).GetKey();
+  if (data.Programs[&cellBO].FailedKey == key)
+  {
+    return;
+  }
+  if (!cellBO.Program)
+  {
+    // VTK asks the last program for its time when it cannot build the next.
+    cellBO.Program = data.NoProgram;
+  }
+  this->UpdateShaders(cellBO, ren, act);
+  if (cellBO.Program == data.NoProgram)
+  {
+    cellBO.Program = nullptr;
+  }
+  if (!cellBO.Program)
+  {
+    // Said once, until something changes; the method may have been given up meanwhile.
+    data.Programs[&cellBO].FailedKey = data.GetShaderOptions(this, &cellBO).GetKey();
+    vtkErrorMacro("The shaders could not be built; OpenGL's own message says why. A "
+                  "vtkProceduralSurface's ShaderFunction is part of them.");
+  }
+}
+
+bool vtkAdaptiveRefinementMapper::GetNeedToRebuildShaders(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
+{
+  bool needed = this->Superclass::GetNeedToRebuildShaders(cellBO, ren, act);
+  if (this->IsRefining(&cellBO))
+  {
+    vtkInternals& data = *this->Internals;
+    vtkInternals::ProgramState& program = data.Programs[&cellBO];
+    const std::string key = data.GetShaderOptions(this, &cellBO).GetKey();
+    needed = needed || key != program.ShaderKey || cellBO.Program == data.NoProgram;
+    program.ShaderKey = key;
+    if (needed)
+    {
+      program.Method = -1;
+      if (data.GetMethod().HasStages() && this->BuildStages(cellBO, ren, act))
+      {
+        return false; // VTK's shader cache binds it like any other
+      }
+      program.ShaderKey = data.GetShaderOptions(this, &cellBO).GetKey();
+    }
+  }
+  return needed;
+}
+
+bool vtkAdaptiveRefinementMapper::BuildStages(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
+{
+  vtkInternals& data = *this->Internals;
+  vtkNew<vtkShader> stages[3];
+  const vtkShader::Type types[3] = { vtkShader::Vertex, vtkShader::Geometry, vtkShader::Fragment };
+  std::map<vtkShader::Type, vtkShader*> shaders;
+  for (int i = 0; i < 3; ++i)
+  {
+    stages[i]->SetType(types[i]);
+    shaders[types[i]] = stages[i];
+  }
+  this->BuildShaders(shaders, ren, act);
+  vtkShaderProgram* program =
+    data.GetMethod().BuildProgram(data.GetDrawing(this->Refinement), shaders);
+  if (!program)
+  {
+    this->GiveUpMethod(ren, act);
+    return false;
+  }
+  cellBO.Program = program;
+  cellBO.VAO->ReleaseGraphicsResources(); // of the attributes of another program
+  cellBO.ShaderSourceTime.Modified();
+  data.Programs[&cellBO].Method = data.MethodInUse;
+  return true;
+}
+
+std::string vtkAdaptiveRefinementMapper::vtkInternals::GetShaderCause(
+  vtkAdaptiveRefinement* recipe, vtkActor* act)
+{
+  vtkRefinementSurface* surface = recipe->GetSurface();
+  return std::to_string(act->GetShaderProperty()->GetShaderMTime()) +
+    (surface ? surface->GetShaderSource() : "");
+}
+
+void vtkAdaptiveRefinementMapper::ReplaceShaderValues(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act)
+{
+  if (this->IsRefining(this->LastBoundBO))
+  {
+    relevo::MarkColors(shaders);
+  }
+  this->Superclass::ReplaceShaderValues(shaders, ren, act);
+  if (this->IsRefining(this->LastBoundBO))
+  {
+    const int mode = this->PointPicking
+      ? GL_POINTS
+      : this->GetOpenGLMode(
+          act->GetProperty()->GetRepresentation(), this->LastBoundBO->PrimitiveType);
+    ++this->Internals->NumberOfShaderBuilds;
+    this->Internals->Programs[this->LastBoundBO].Attributes = relevo::RefineShaders(
+      this->Internals->GetShaderOptions(this, this->LastBoundBO), mode == GL_LINES, shaders);
+  }
+}
+
+void vtkAdaptiveRefinementMapper::SetMapperShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
+{
+  this->Superclass::SetMapperShaderParameters(cellBO, ren, act);
+  if (!this->IsRefining(&cellBO))
+  {
+    return;
+  }
+  vtkInternals& data = *this->Internals;
+  vtkInternals::ProgramState& program = data.Programs[&cellBO];
+  vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
+  if (cellBO.AttributeUpdateTime < cellBO.ShaderSourceTime ||
+    cellBO.AttributeUpdateTime < cellBO.VAO->GetMTime() ||
+    cellBO.AttributeUpdateTime < data.UploadTime)
+  {
+    data.Buffers.AliasAttributes(window, this->VBOs, program.Attributes);
+    cellBO.AttributeUpdateTime.Modified();
+  }
+  data.Buffers.Activate(cellBO.Program);
+  data.Colors.Activate(cellBO.Program);
+  data.FaceColors.Activate(cellBO.Program);
+  data.Buffers.SetUniforms(cellBO.Program, this->Refinement);
+}
