@@ -5,6 +5,7 @@
 #include "RelevoLeaks.h"
 #include "RelevoPicks.h"
 #include "RelevoPrimitiveCount.h"
+#include "RelevoSurfaces.h"
 #include "RelevoTestMeshes.h"
 #include "RelevoVertexCapture.h"
 
@@ -124,7 +125,13 @@ void TestPictures(const Tester& tester)
   // Points inside differ, and what lies between them: the more, the coarser.
   const RelevoTolerance fine{ 4, 1e-3, 200 };
   const RelevoTolerance close{ 8, 5e-2, 900 };
-  tester.Compare("PN", fine, [&](RelevoScene& s) { s.Add(Sphere(9, 7), MakeRecipe(5, surface)); });
+  const RelevoTolerance steep{ 48, 5e-2, 2000 };
+  for (const auto& kind : RelevoMakeSurfaces())
+  {
+    const bool isSteep = kind.first.find("fur") != std::string::npos;
+    tester.Compare(kind.first, isSteep ? steep : fine,
+      [&](RelevoScene& s) { s.Add(Sphere(9, 7), MakeRecipe(5, kind.second)); });
+  }
   tester.Compare("Tagged", close,
     [&](RelevoScene& s) { s.Add(Tagged(Sphere(9, 7), 5), MakeRecipe(5, surface)); });
   tester.Compare("Displaced", close,
@@ -346,6 +353,26 @@ void TestLeaks(RelevoCheck& check)
   }
 }
 
+// Every surface is closed where faces of several levels meet, and so is a corner with several
+// normals.
+void TestLeaksOfSurfaces(RelevoCheck& check)
+{
+  for (const auto& kind : RelevoMakeSurfaces())
+  {
+    for (const Mesh& mesh : { Tagged(Sphere(7, 5), 5), Tagged(Cube(), 5) })
+    {
+      RelevoScene scene(RelevoScene::Refining);
+      RelevoLeaks::AddWhite(scene, mesh, MakeRecipe(5, kind.second));
+      scene.GetMapper(0)->SetMethodToHardwareTessellation();
+      size_t covered = 0;
+      const size_t leaks = RelevoLeaks::CountLeaks(scene, 4, covered);
+      std::cout << kind.first << ": " << leaks << " leaks in " << covered << " pixels" << std::endl;
+      CHECK(leaks == 0);
+      CHECK(covered > 10000);
+    }
+  }
+}
+
 void TestCounts(RelevoCheck& check)
 {
   // By hand: one triangle; a fan of six; two rings; three.
@@ -541,6 +568,7 @@ int TestAdaptiveRefinementMapperTessellation(int argc, char* argv[])
   TestSelection(check);
   TestPoints(check);
   TestLeaks(check);
+  TestLeaksOfSurfaces(check);
   TestCounts(check);
   TestMostSegments(check, comparison);
   TestLife(check, comparison);
