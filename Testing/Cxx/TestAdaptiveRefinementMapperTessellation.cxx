@@ -125,7 +125,7 @@ void TestPictures(const Tester& tester)
   // Points inside differ, and what lies between them: the more, the coarser.
   const RelevoTolerance fine{ 4, 1e-3, 200 };
   const RelevoTolerance close{ 8, 5e-2, 900 };
-  const RelevoTolerance steep{ 48, 5e-2, 2000 };
+  const RelevoTolerance steep{ 48, 5e-2, 300 };
   for (const auto& kind : RelevoMakeSurfaces())
   {
     const bool isSteep = kind.first.find("fur") != std::string::npos;
