@@ -9,6 +9,7 @@
 #include "RelevoPatternQuality.h"
 
 #include "vtkNew.h"
+#include "vtkRefinementMathematics.h"
 
 #include <algorithm>
 #include <array>
@@ -17,11 +18,61 @@
 #include <numeric>
 #include <utility>
 
+namespace relevo
+{
+#include "glsl/relevoSplit.glsl"
+}
+
 namespace
 {
 constexpr int HighestLevel = 5;
 
 using RelevoPatternQuality::Shape;
+
+using Place = std::array<float, 3>;
+
+// DMR's triangles, corners of each its own.
+class SplitPattern
+{
+public:
+  explicit SplitPattern(const int levels[3])
+  {
+    this->Split(
+      { { { { 1.0f, 0.0f, 0.0f } }, { { 0.0f, 1.0f, 0.0f } }, { { 0.0f, 0.0f, 1.0f } } } },
+      { levels[0], levels[1], levels[2] });
+  }
+  const vtkRefinementPattern& Get() const { return this->Pattern; }
+
+private:
+  void Split(const std::array<Place, 3>& corners, const relevo::ivec3& left)
+  {
+    if (left == relevo::ivec3(0))
+    {
+      for (const Place& corner : corners)
+      {
+        this->Pattern.Triangles.push_back(
+          static_cast<unsigned int>(this->Pattern.GetNumberOfVertices()));
+        this->Pattern.Vertices.insert(this->Pattern.Vertices.end(), corner.begin(), corner.end());
+      }
+      return;
+    }
+    for (int i = 0; i < relevo::splitCount(left); ++i)
+    {
+      const relevo::SplitPart part = relevo::splitPart(left, i);
+      std::array<Place, 3> parts;
+      for (int k = 0; k < 3; ++k)
+      {
+        const int first = part.Corners[k] % 3;
+        const Place& a = corners[first];
+        const Place& b = part.Corners[k] < 3 ? a : corners[(first + 1) % 3];
+        parts[k] = { { 0.5f * (a[0] + b[0]), 0.5f * (a[1] + b[1]), 0.5f * (a[2] + b[2]) } };
+      }
+      this->Split(parts, part.Left);
+    }
+  }
+
+  vtkRefinementPattern Pattern;
+};
 
 // Of all patterns whose highest and lowest level differ by as much.
 struct Statistics
@@ -41,7 +92,6 @@ void Add(const vtkRefinementPattern& pattern, Statistics& statistics)
   ++statistics.Patterns;
   statistics.Triangles += static_cast<int>(shapes.size());
   // Sides by the places of their ends: snapped vertices coincide.
-  using Place = std::array<float, 3>;
   std::map<std::pair<Place, Place>, double> areas;
   for (size_t t = 0; t < shapes.size(); ++t)
   {
@@ -121,7 +171,7 @@ void RunPatterns(const BenchmarkOptions&, const AddTable& addTable)
       { "border_aspect_largest", "largest", 1 }, { "step", "area to the neighbour's, mean", 2 },
       { "step_largest", "largest", 1 } });
   vtkNew<vtkRefinementPatternTable> patterns;
-  std::array<std::array<Statistics, HighestLevel + 1>, 2> statistics;
+  std::array<std::array<Statistics, HighestLevel + 1>, 3> statistics;
   for (int i = 0; i <= HighestLevel; ++i)
   {
     for (int j = 0; j <= i; ++j)
@@ -133,6 +183,7 @@ void RunPatterns(const BenchmarkOptions&, const AddTable& addTable)
         {
           Add(patterns->GetPatternOfSegments(1 << i, 1 << j, 1 << k), statistics[0][i - k]);
           Add(RelevoPatternQuality::MakeSuaptPattern(patterns, levels), statistics[1][i - k]);
+          Add(SplitPattern(levels).Get(), statistics[2][i - k]);
         }
       }
     }
@@ -141,6 +192,7 @@ void RunPatterns(const BenchmarkOptions&, const AddTable& addTable)
   {
     AddRow("ARKFPI", difference, statistics[0][difference], table);
     AddRow("SUAPT", difference, statistics[1][difference], table);
+    AddRow("DMR", difference, statistics[2][difference], table);
   }
   table.AddNote("All levels of three edges up to 5, in the equilateral triangle. Angles, aspects "
                 "(longest side to smallest height, 1.15 at best) and areas leave out degenerate "
