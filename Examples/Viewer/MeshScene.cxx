@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshScene.h"
 
+#include "MeshColours.h"
 #include "MeshMapping.h"
 #include "MeshReader.h"
-#include "ViewerFile.h"
 #include "ViewerMetric.h"
 
 #include "vtkActor.h"
@@ -12,15 +12,12 @@
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkAdaptiveRefinementMapper.h"
 #include "vtkCellData.h"
-#include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkDepthTagMetric.h"
 #include "vtkDisplacement.h"
 #include "vtkHeightMap.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
-#include "vtkImageReader2.h"
-#include "vtkImageReader2Factory.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -28,6 +25,7 @@
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 #include "vtkRefinementSurface.h"
+#include "vtkScalarsToColors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,37 +53,6 @@ double GetMeanEdgeLength(vtkPolyData* mesh)
     }
   }
   return number > 0 ? sum / number : 0.0;
-}
-
-vtkSmartPointer<vtkImageData> ReadImage(const std::string& fileName, ViewerMessages& messages)
-{
-  CheckFile(fileName);
-  auto reader = vtkSmartPointer<vtkImageReader2>::Take(
-    vtkImageReader2Factory::CreateImageReader2(fileName.c_str()));
-  if (!reader)
-  {
-    throw ViewerError("cannot read " + fileName + ": it is no PNG, JPEG, TIFF or BMP");
-  }
-  messages.Observe(reader, "reading");
-  reader->SetFileName(fileName.c_str());
-  reader->Update();
-  messages.Check();
-  return reader->GetOutput();
-}
-
-// From dark violet to yellow, of even steps to the eye.
-vtkSmartPointer<vtkColorTransferFunction> MakeColours(const double range[2])
-{
-  const double colours[][3] = { { 0.267, 0.005, 0.329 }, { 0.229, 0.322, 0.546 },
-    { 0.128, 0.567, 0.551 }, { 0.369, 0.789, 0.383 }, { 0.993, 0.906, 0.144 } };
-  auto table = vtkSmartPointer<vtkColorTransferFunction>::New();
-  table->SetVectorModeToMagnitude();
-  for (int i = 0; i < 5; ++i)
-  {
-    table->AddRGBPoint(
-      range[0] + 0.25 * i * (range[1] - range[0]), colours[i][0], colours[i][1], colours[i][2]);
-  }
-  return table;
 }
 }
 
