@@ -149,7 +149,7 @@ void Measure(const Row& row, const Size& size, const BenchmarkOptions& options,
   }
   else
   {
-    frames.Measure(options.Full ? 41 : 15, 3, options.Full ? 6.0 : 1.0);
+    frames.Measure(options.Full ? 41 : 15, 5, options.Full ? 6.0 : 1.0);
   }
   for (const auto& mapper : mappers)
   {
