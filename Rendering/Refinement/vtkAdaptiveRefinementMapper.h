@@ -120,11 +120,11 @@ public:
    *
    * METHOD_HARDWARE_TESSELLATION (4): one patch per face, which the tessellator of OpenGL 4.0 cuts
    * up. Edges have at most 64 segments: level 7 is drawn as level 6. Inside, a face has as many
-   * segments as the edge that has most, which leaves the best triangles but up to half as many
-   * again as a pattern has: 1.5 n^2 for n segments on each edge. Whole numbers of segments can be
-   * drawn. One draw call; OpenGL on the CPU takes one for each 65535 vertices. A shader of
-   * the actor's own (vtkShaderProperty) runs where vertices are made; if it cannot, that is an
-   * error and ARKFPI draws until it is another or the method is set again.
+   * segments as the edge that has most, n, which leaves the best triangles but about 1.5 n^2 of
+   * them, also where the other edges have fewer. Whole numbers of segments can be drawn. One draw
+   * call; OpenGL on the CPU takes one for each 65535 vertices. A shader of the actor's own
+   * (vtkShaderProperty) runs where vertices are made; if it cannot, that is an error and ARKFPI
+   * draws until it is another or the method is set again.
    *
    * METHOD_UNIFORM (5): all faces have the uniform pattern of the highest level that any edge of
    * the mesh has, instanced (after Boubekeur and Schlick, Generic Mesh Refinement on GPU, 2005).
