@@ -32,11 +32,11 @@ struct QuadraticNormals : QuadraticNormalSum
 #include "glsl/relevoNormalQuadratic.glsl"
 };
 
-/// What has to be added to an edge's end to reach the control point beside it is a third of this:
-/// the edge, seen from that end, without `rise` times its part along the end's normal. PN: 1.
-inline vec3 GetPNTangent(const vec3& edge, const vec3& normal, float rise = 1.0f)
+/// The edge's part across the normal at its end: the control point beside the end is a third of it
+/// away.
+inline vec3 GetPNTangent(const vec3& edge, const vec3& normal)
 {
-  return edge - rise * dot(edge, normal) * normal;
+  return edge - dot(edge, normal) * normal;
 }
 
 /// The control points of the edge beside its ends: 6 floats.

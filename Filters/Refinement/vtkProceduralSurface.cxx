@@ -214,6 +214,11 @@ void vtkProceduralSurface::ComputeFaceVectors(
   this->GetBase()->ComputeFaceVectors(face, vectors, edgeNormals);
 }
 
+bool vtkProceduralSurface::SplitsNormals(const Face& face)
+{
+  return this->GetBase()->SplitsNormals(face);
+}
+
 void vtkProceduralSurface::Evaluate(
   const Face& face, const float weights[3], float position[3], float normal[3])
 {

@@ -130,6 +130,7 @@ public:
   bool GetPointValues(vtkPolyData* mesh, float* values, std::string& error) override;
   void ComputeEdgeVectors(const Corner& a, const Corner& b, float* vectors) override;
   void ComputeFaceVectors(const Face& face, float* vectors, float* edgeNormals[3]) override;
+  bool SplitsNormals(const Face& face) override;
   void Evaluate(
     const Face& face, const float weights[3], float position[3], float normal[3]) override;
   std::string GetEvaluationError() override;

@@ -57,7 +57,7 @@ RefinedPolyDataBuilder::RefinedPolyDataBuilder(vtkPolyData* input, RefinementMes
   , Mesh(mesh)
   , Recipe(recipe)
   , ForFaces(forFaces)
-  , Topology(mesh, selection, input->GetNumberOfPoints())
+  , Topology(mesh, selection, recipe->GetSurface(), input->GetNumberOfPoints())
   , Evaluator(mesh, recipe)
   , NumberOfPoints(Topology.GetNumberOfPoints())
 {

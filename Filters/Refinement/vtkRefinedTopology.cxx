@@ -42,31 +42,29 @@ const Placement& GetPlacement(int code)
 }
 }
 
-RefinedTopology::RefinedTopology(
-  RefinementMesh& mesh, const PatternSelection& selection, vtkIdType numberOfInputPoints)
-  : Mesh(mesh)
+RefinedTopology::RefinedTopology(RefinementMesh& mesh, const PatternSelection& selection,
+  vtkRefinementSurface* surface, vtkIdType numberOfInputPoints)
+  : Splits(mesh, surface, numberOfInputPoints)
   , FirstInnerPoints(mesh.Faces.size())
-  , PointOwners(static_cast<size_t>(numberOfInputPoints), -1)
+  , FirstEdgePoints(Splits.EdgeOwners.size())
+  , PointOwners(static_cast<size_t>(numberOfInputPoints + Splits.NumberOfCopies), -1)
 {
   this->Patterns.reserve(mesh.Faces.size());
   for (int face = 0; face < selection.GetNumberOfFaces(); ++face)
   {
     this->Patterns.push_back(selection.GetFacePattern(face));
   }
-  mesh.BuildEdges();
 
-  vtkIdType next = numberOfInputPoints;
-  this->FirstEdgePoints.resize(mesh.EdgeOwners.size());
+  vtkIdType next = static_cast<vtkIdType>(this->PointOwners.size());
   const int numberOfFaces = this->GetNumberOfFaces();
   for (int face = 0; face < numberOfFaces; ++face)
   {
     for (int i = 0; i < 3; ++i)
     {
       const Edge edge = this->GetEdge(face, i);
-      const int id = mesh.FaceEdges[3 * static_cast<size_t>(face) + edge.Index];
-      if (mesh.EdgeOwners[id] == 3 * face + edge.Index)
+      if (edge.IsOwned)
       {
-        this->FirstEdgePoints[id] = next;
+        this->FirstEdgePoints[edge.Id] = next;
         next += edge.Segments - 1;
       }
     }
@@ -76,9 +74,9 @@ RefinedTopology::RefinedTopology(
     const vtkRefinementPattern& pattern = *this->Patterns[face].Pattern;
     this->FirstInnerPoints[face] = next;
     next += pattern.GetNumberOfVertices() - pattern.GetNumberOfBorderVertices();
-    for (int corner : mesh.Faces[face].Corners)
+    for (int i = 0; i < 3; ++i)
     {
-      int& owner = this->PointOwners[corner];
+      int& owner = this->PointOwners[this->GetCorner(face, i)];
       owner = owner < 0 ? face : owner;
     }
   }
@@ -89,8 +87,10 @@ RefinedTopology::Edge RefinedTopology::GetEdge(int face, int patternEdge) const
 {
   const FacePattern& pattern = this->Patterns[face];
   const Placement& placement = GetPlacement(pattern.Code);
-  return { placement.Edges[patternEdge], placement.Forward[patternEdge],
-    pattern.Pattern->Segments[patternEdge] };
+  const size_t faceEdge = 3 * static_cast<size_t>(face) + placement.Edges[patternEdge];
+  const int id = this->Splits.FaceEdges[faceEdge];
+  return { id, this->Splits.EdgeOwners[id] == static_cast<int>(faceEdge),
+    placement.Forward[patternEdge], pattern.Pattern->Segments[patternEdge] };
 }
 
 void RefinedTopology::GetPoints(int face, std::vector<vtkIdType>& points) const
@@ -100,15 +100,14 @@ void RefinedTopology::GetPoints(int face, std::vector<vtkIdType>& points) const
   const int* corners = GetPlacement(this->Patterns[face].Code).Corners;
   for (int i = 0; i < 3; ++i)
   {
-    points[i] = this->Mesh.Faces[face].Corners[corners[i]];
+    points[i] = this->GetCorner(face, corners[i]);
   }
   size_t vertex = 3;
   for (int i = 0; i < 3; ++i)
   {
     const Edge edge = this->GetEdge(face, i);
     const int inner = edge.Segments - 1;
-    const vtkIdType first =
-      this->FirstEdgePoints[this->Mesh.FaceEdges[3 * static_cast<size_t>(face) + edge.Index]];
+    const vtkIdType first = this->FirstEdgePoints[edge.Id];
     for (int k = 0; k < inner; ++k)
     {
       points[vertex++] = first + (edge.Forward ? k : inner - 1 - k);
@@ -135,7 +134,7 @@ void RefinedTopology::GetOwnedPoints(int face, std::vector<RefinedPoint>& points
   const int* corners = GetPlacement(code).Corners;
   for (int i = 0; i < 3; ++i)
   {
-    const int corner = this->Mesh.Faces[face].Corners[corners[i]];
+    const vtkIdType corner = this->GetCorner(face, corners[i]);
     if (this->PointOwners[corner] == face)
     {
       add(corner, i);
@@ -146,12 +145,11 @@ void RefinedTopology::GetOwnedPoints(int face, std::vector<RefinedPoint>& points
   {
     const Edge edge = this->GetEdge(face, i);
     const int inner = edge.Segments - 1;
-    const int id = this->Mesh.FaceEdges[3 * static_cast<size_t>(face) + edge.Index];
-    if (this->Mesh.EdgeOwners[id] == 3 * face + edge.Index)
+    if (edge.IsOwned)
     {
       for (int k = 0; k < inner; ++k)
       {
-        add(this->FirstEdgePoints[id] + (edge.Forward ? k : inner - 1 - k), vertex + k);
+        add(this->FirstEdgePoints[edge.Id] + (edge.Forward ? k : inner - 1 - k), vertex + k);
       }
     }
     vertex += inner;

@@ -4,9 +4,10 @@
  * @class   vtkRefinedTopology
  * @brief   how the patterns of a mesh's faces share points
  *
- * Numbers the points of a refined mesh: the input's points, then those inside each edge, then those
- * inside each face. Edges are shared as the input shares points; where points coincide without
- * being shared, so do the edges. Every point is evaluated by one face, its owner.
+ * Numbers the points of a refined mesh: the input's points, copies of them for faces that see other
+ * normals there, then the points inside each edge, then those inside each face. Edges are shared as
+ * the input shares points and as faces see the same normals; where points coincide without being
+ * shared, so do the edges. Every point is evaluated by one face, its owner.
  *
  * Private to the module's own sources.
  */
@@ -14,6 +15,7 @@
 #define vtkRefinedTopology_h
 
 #include "vtkFacePattern.h"
+#include "vtkNormalSplits.h"
 #include "vtkRefinementMesh.h"
 #include "vtkType.h"
 
@@ -40,8 +42,9 @@ struct RefinedPoint
 class RefinedTopology
 {
 public:
-  RefinedTopology(
-    RefinementMesh& mesh, const PatternSelection& selection, vtkIdType numberOfInputPoints);
+  /// The surface may be nullptr.
+  RefinedTopology(RefinementMesh& mesh, const PatternSelection& selection,
+    vtkRefinementSurface* surface, vtkIdType numberOfInputPoints);
 
   vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
   int GetNumberOfFaces() const { return static_cast<int>(this->Patterns.size()); }
@@ -59,17 +62,22 @@ private:
   /// One of the pattern's edges on a face, from the pattern's corner i to i + 1.
   struct Edge
   {
-    int Index; // among the face's sorted edges
+    int Id;
+    bool IsOwned; // by the face
     bool Forward;
     int Segments;
   };
   Edge GetEdge(int face, int patternEdge) const;
+  vtkIdType GetCorner(int face, int sortedCorner) const
+  {
+    return this->Splits.FaceCorners[3 * static_cast<size_t>(face) + sortedCorner];
+  }
 
-  const RefinementMesh& Mesh;
+  const NormalSplits Splits;
   std::vector<FacePattern> Patterns;
   std::vector<vtkIdType> FirstInnerPoints;
   std::vector<vtkIdType> FirstEdgePoints;
-  std::vector<int> PointOwners;
+  std::vector<int> PointOwners; // of the input's points and their copies
   vtkIdType NumberOfPoints = 0;
 };
 }

@@ -98,8 +98,24 @@ bool RefinementMesh::Build(vtkPolyData* input, vtkAdaptiveRefinement* recipe, bo
       return false;
     }
     this->BuildVectors(surface);
+    if (displacement && this->Directions.empty() && this->SplitsNormals(surface))
+    {
+      this->Directions = this->Normals;
+    }
   }
   return true;
+}
+
+bool RefinementMesh::SplitsNormals(vtkRefinementSurface* surface) const
+{
+  for (int face = 0; face < static_cast<int>(this->Faces.size()); ++face)
+  {
+    if (surface->SplitsNormals(this->GetSurfaceFace(face)))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 bool RefinementMesh::BuildValues(vtkPolyData* input, vtkRefinementSurface* surface)

@@ -96,8 +96,8 @@ public:
   /// Unit shading normals, 3 floats per point; empty unless surface or displacement need them.
   std::vector<float> Normals;
 
-  /// Unit normals per place, 3 floats per point, which displacement goes along; empty when they
-  /// equal Normals.
+  /// Unit normals per place, 3 floats per point, which displacement goes along; empty when it goes
+  /// along the surface's own normals.
   std::vector<float> Directions;
 
   /// The surface's numbers per point, the same at all points of a place; empty without.
@@ -153,6 +153,8 @@ private:
   void BuildFrames(bool alongNormal);
   bool BuildValues(vtkPolyData* input, vtkRefinementSurface* surface);
   void BuildVectors(vtkRefinementSurface* surface);
+  /// Whether the surface gives any two faces other normals at a point they share.
+  bool SplitsNormals(vtkRefinementSurface* surface) const;
   void BuildSeams();
   void BuildPlaceEdges();
 

@@ -18,6 +18,11 @@ void vtkRefinementSurface::ComputeFaceVectors(const Face&, float*, float* [3])
 {
 }
 
+bool vtkRefinementSurface::SplitsNormals(const Face&)
+{
+  return false;
+}
+
 float vtkRefinementSurface::ComputeNormalCone(const Face&, float axis[3])
 {
   axis[0] = axis[1] = axis[2] = 0.0f;

@@ -132,6 +132,12 @@ public:
   virtual void ComputeFaceVectors(const Face& face, float* vectors, float* edgeNormals[3]);
 
   /**
+   * Whether this face may see other normals at its corners or edges than the faces beside it,
+   * though they share points.
+   */
+  virtual bool SplitsNormals(const Face& face);
+
+  /**
    * Position and normal (not normalised) at the weights of the sorted corners.
    */
   virtual void Evaluate(

@@ -223,6 +223,45 @@ inline void AddRandomTextureCoordinates(vtkPolyData* mesh, unsigned int seed)
     });
 }
 
+// An array for vtkScalarTaggedSurface, all zero.
+inline vtkSmartPointer<vtkFloatArray> AddScalarTags(
+  vtkPolyData* mesh, const char* name, int components = 1)
+{
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(mesh->GetNumberOfPoints());
+  array->Fill(0.0);
+  mesh->GetPointData()->AddArray(array);
+  return array;
+}
+
+// Tags of any kind at two points in three, some beyond their range; half of the sharp ones have a
+// direction.
+inline void AddRandomScalarTags(vtkPolyData* mesh, unsigned int seed)
+{
+  std::mt19937 random(seed);
+  auto number = [&random]() { return random() / 2147483648.0 - 1.0; };
+  const auto sharpness = AddScalarTags(mesh, "Sharpness");
+  const auto tension = AddScalarTags(mesh, "Tension");
+  const auto bias = AddScalarTags(mesh, "Bias");
+  const auto direction = AddScalarTags(mesh, "Direction", 3);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    const unsigned int kind = random() % 6;
+    if (kind < 4)
+    {
+      sharpness->SetValue(i, static_cast<float>(1.2 * std::abs(number())));
+      tension->SetValue(i, kind % 2 ? static_cast<float>(1.1 * number()) : 0.0f);
+      bias->SetValue(i, kind % 2 ? 0.0f : static_cast<float>(1.1 * number()));
+    }
+    if (kind < 2)
+    {
+      direction->SetTuple3(i, number(), number(), number());
+    }
+  }
+}
+
 // Unit normals in the outer half space of the given ones, or of the faces.
 inline void PerturbNormals(vtkPolyData* mesh, unsigned int seed, double amount)
 {

@@ -11,6 +11,7 @@
 #include "vtkDisplacement.h"
 #include "vtkPLYReader.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkScalarTaggedSurface.h"
 #include "vtkTriangleFilter.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtksys/SystemTools.hxx"
@@ -80,6 +81,7 @@ int TestAdaptiveRefinementMapperWatertight(int, char*[])
 {
   RelevoCheck check;
   vtkNew<vtkPNTriangleSurface> surface;
+  vtkNew<vtkScalarTaggedSurface> taggedSurface;
   vtkNew<RelevoHeights> rough;
   rough->FillRandom(64, 64, 9);
   const int level = 5;
@@ -94,26 +96,35 @@ int TestAdaptiveRefinementMapperWatertight(int, char*[])
     double bounds[6];
     mesh->GetBounds(bounds);
     AddTags(mesh, 5, level);
+    AddRandomScalarTags(mesh, 8);
     vtkNew<vtkDisplacement> displacement;
     displacement->SetHeightMap(rough);
     displacement->SetScale(0.1 * (bounds[1] - bounds[0]));
-    for (int kind = 0; kind < 5; ++kind)
+    for (int kind = 0; kind < 7; ++kind)
     {
       const bool morphing = kind == 4;
+      const bool tagged = kind > 4;
       const bool curved = kind & 1 || morphing;
       const bool displaced = kind & 2 || morphing;
       vtkNew<vtkAdaptiveRefinement> recipe;
       recipe->SetMaximumLevel(level);
       recipe->SetSurface(curved ? surface.Get() : nullptr);
+      if (tagged)
+      {
+        recipe->SetSurface(taggedSurface);
+      }
       recipe->SetDisplacement(displaced ? displacement.Get() : nullptr);
       recipe->SetGeomorphing(morphing);
       RelevoScene scene(RelevoScene::Refining);
       AddWhite(scene, mesh, recipe);
       size_t covered = 0;
       const size_t leaks = CountLeaks(scene, views, covered);
-      std::cout << name << (curved ? ", curved" : "") << (displaced ? ", displaced" : "")
-                << (morphing ? ", morphing" : "") << ": " << leaks << " leaks in " << covered
-                << " pixels" << std::endl;
+      std::cout << name
+                << (tagged      ? ", tagged"
+                       : curved ? ", curved"
+                                : "")
+                << (displaced ? ", displaced" : "") << (morphing ? ", morphing" : "") << ": "
+                << leaks << " leaks in " << covered << " pixels" << std::endl;
       // Vertices on their way make slivers, and OpenGL now and then takes the front of one for its
       // back: the filter's mesh, which is closed to the bit, shows the same pixel.
       const size_t slivers = morphing ? 2 : 0;

@@ -95,6 +95,7 @@ int TestWatertight(int, char*[])
   heights->FillRandom(37, 23, 1);
   for (Case& mesh : makeCases())
   {
+    RelevoMeshes::AddRandomScalarTags(mesh.Mesh, 23);
     double bounds[6];
     mesh.Mesh->GetBounds(bounds);
     const double size = bounds[1] - bounds[0];

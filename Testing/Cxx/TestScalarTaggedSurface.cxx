@@ -1,0 +1,594 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Scalar-tagged PN triangles: PN triangles to the bit without tags, control points and normals
+// computed by hand with them, creases and cusps on several meshes, and bad arrays.
+#include "RelevoCheck.h"
+#include "RelevoTestMeshes.h"
+#include "RelevoWatertight.h"
+
+#include "vtkDisplacement.h"
+#include "vtkDoubleArray.h"
+#include "vtkPNTriangleSurface.h"
+#include "vtkRefinementEvaluator.h"
+#include "vtkRefinementMesh.h"
+#include "vtkScalarTaggedSurface.h"
+#include "vtkStringArray.h"
+
+#include <cstring>
+#include <limits>
+
+using namespace RelevoMeshes;
+
+namespace
+{
+using Vector = std::array<double, 3>;
+
+Vector subtract(const Vector& a, const Vector& b)
+{
+  return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
+}
+
+double dot(const Vector& a, const Vector& b)
+{
+  return vtkMath::Dot(a.data(), b.data());
+}
+
+Vector toVector(const float* v)
+{
+  return { { v[0], v[1], v[2] } };
+}
+
+vtkSmartPointer<vtkAdaptiveRefinement> makeRecipe(vtkRefinementSurface* surface, int level)
+{
+  auto recipe = vtkSmartPointer<vtkAdaptiveRefinement>::New();
+  recipe->SetMaximumLevel(level);
+  recipe->SetSurface(surface);
+  return recipe;
+}
+
+// Bits of points, normals and triangles.
+bool areSame(vtkPolyData* a, vtkPolyData* b)
+{
+  const auto sameBytes = [](vtkDataArray* l, vtkDataArray* r)
+  {
+    return l->GetNumberOfValues() == r->GetNumberOfValues() && l->GetNumberOfValues() > 0 &&
+      l->GetDataType() == r->GetDataType() &&
+      std::memcmp(l->GetVoidPointer(0), r->GetVoidPointer(0),
+        static_cast<size_t>(l->GetNumberOfValues() * l->GetDataTypeSize())) == 0;
+  };
+  return sameBytes(a->GetPoints()->GetData(), b->GetPoints()->GetData()) &&
+    sameBytes(a->GetPointData()->GetNormals(), b->GetPointData()->GetNormals()) &&
+    sameBytes(a->GetPolys()->GetConnectivityArray(), b->GetPolys()->GetConnectivityArray());
+}
+
+// Without tags, with zeros, and with directions and no sharpness: PN triangles.
+void testUntagged(RelevoCheck& check)
+{
+  Mesh split = Explode(Sphere(8, 6));
+  PerturbNormals(split, 3, 0.8);
+  const double utm[3] = { 412345.678, 5654321.987, 312.5 };
+  const Mesh meshes[] = { Sphere(8, 6), Explode(Sphere(8, 6)), Cube(), Cone(), split, NonManifold(),
+    Moebius(), Slivers(), NegativeZeros(), Moved(split, 2000.0, utm, VTK_DOUBLE) };
+  vtkNew<vtkPNTriangleSurface> pn;
+  vtkNew<vtkScalarTaggedSurface> tagged;
+  vtkNew<vtkDisplacement> displacement;
+  displacement->SetOffset(0.1);
+  for (const Mesh& mesh : meshes)
+  {
+    for (bool displaced : { false, true })
+    {
+      const auto expected = makeRecipe(pn, 4);
+      const auto recipe = makeRecipe(tagged, 4);
+      if (displaced)
+      {
+        expected->SetDisplacement(displacement);
+        recipe->SetDisplacement(displacement);
+      }
+      Mesh zeros = Make();
+      zeros->DeepCopy(mesh);
+      AddTags(zeros, 5, 4);
+      Mesh refined = Refine(zeros, expected);
+      CHECK(areSame(Refine(zeros, recipe), refined));
+      AddScalarTags(zeros, "Sharpness");
+      AddScalarTags(zeros, "Tension");
+      AddScalarTags(zeros, "Bias");
+      AddScalarTags(zeros, "Direction", 3);
+      CHECK(areSame(Refine(zeros, recipe), refined));
+      zeros->GetPointData()->GetArray("Direction")->Fill(1.0);
+      CHECK(areSame(Refine(zeros, recipe), refined));
+      // The comparison can fail.
+      zeros->GetPointData()->GetArray("Tension")->Fill(0.5);
+      CHECK(!areSame(Refine(zeros, recipe), refined));
+    }
+  }
+}
+
+struct Tags
+{
+  double Sharpness = 0.0;
+  double Tension = 0.0;
+  double Bias = 0.0;
+  Vector Direction = { { 0.0, 0.0, 0.0 } };
+};
+
+void setTags(vtkPolyData* mesh, vtkIdType point, const Tags& tags)
+{
+  vtkPointData* data = mesh->GetPointData();
+  if (!data->HasArray("Sharpness"))
+  {
+    AddScalarTags(mesh, "Sharpness");
+    AddScalarTags(mesh, "Tension");
+    AddScalarTags(mesh, "Bias");
+    AddScalarTags(mesh, "Direction", 3);
+  }
+  data->GetArray("Sharpness")->SetTuple1(point, tags.Sharpness);
+  data->GetArray("Tension")->SetTuple1(point, tags.Tension);
+  data->GetArray("Bias")->SetTuple1(point, tags.Bias);
+  data->GetArray("Direction")->SetTuple(point, tags.Direction.data());
+}
+
+// One edge from the origin, whose normal is z, to (3, 0, -3): e . N = -3, across it (3, 0, 0).
+void testControlPoints(RelevoCheck& check)
+{
+  Mesh mesh =
+    FromTriangles({ { { 0, 0, 0 } }, { { 3, 0, -3 } }, { { 0, 3, -1 } } }, { { { 0, 1, 2 } } });
+  const auto normals = AddScalarTags(mesh, "Normals", 3);
+  for (int i = 0; i < 3; ++i)
+  {
+    normals->SetTuple3(i, 0, 0, 1);
+  }
+  mesh->GetPointData()->SetNormals(normals);
+  vtkNew<vtkScalarTaggedSurface> surface;
+  const auto recipe = makeRecipe(surface, 3);
+
+  const double c30 = std::sqrt(0.75);
+  const struct
+  {
+    Tags At;
+    Vector Control; // near the origin
+    Vector Normal;  // at the origin for this edge, of any length
+    Vector OtherNormal = { { 0, 0, 1 } };
+  } cases[] = {
+    { {}, { { 1, 0, 0 } }, { { 0, 0, 1 } } },
+    { { 0, 0.5, 0, {} }, { { 0.5, 0, 0 } }, { { 0, 0, 1 } } },
+    { { 0, 1, 0, {} }, { { 0, 0, 0 } }, { { 0, 0, 1 } } },
+    { { 0, -1, 0, {} }, { { 2, 0, 0 } }, { { 0, 0, 1 } } },
+    { { 0, 0, 1, {} }, { { 1, 0, 1 } }, { { -1, 0, 1 } } },
+    { { 0, 0, 0.5, {} }, { { 1, 0, 0.5 } }, { { -0.5, 0, 1 } } },
+    { { 0, 0, -1, {} }, { { 1, 0, -1 } }, { { 1, 0, 1 } } },
+    { { 1, 0, 0, {} }, { { 1, 0, -1 } }, { { 1, 0, 1 } } },
+    { { 0.25, 0, 0, {} }, { { 1, 0, -0.25 } }, { { 0.25, 0, 1 } } },
+    // With directions: along the edge, across it, at 30, 45 and 60 degrees, of other lengths, with
+    // a part along the normal, and along the normal alone.
+    { { 1, 0, 0, { { 2, 0, 0 } } }, { { 1, 0, 0 } }, { { 0, 0, 1 } } },
+    { { 1, 0, 0, { { -3, 0, 0 } } }, { { 1, 0, 0 } }, { { 0, 0, 1 } } },
+    { { 1, 0, 0, { { 1, 0, 5 } } }, { { 1, 0, 0 } }, { { 0, 0, 1 } } },
+    { { 1, 0, 0, { { 0, 9, 0 } } }, { { 1, 0, -1 } }, { { 1, 0, 1 } } },
+    { { 1, 0, 0, { { 0, 0, 7 } } }, { { 1, 0, -1 } }, { { 1, 0, 1 } } },
+    // s = 0.5; the slope is 0.5 x / |x|^2, x = (1/4, -c30 / 2, 0).
+    { { 1, 0, 0, { { c30, 0.5, 0 } } }, { { 1, 0, -0.5 } }, { { 0.5, -c30, 1 } } },
+    { { 1, 0, 0, { { 0.7, 0.7, 0 } } }, { { 1, 0, -1 } }, { { 1, -1, 1 } } },
+    { { 1, 0, 0, { { 0.5, c30, 0 } } }, { { 1, 0, -1 } }, { { 1, -0.5 / c30, 1 } } },
+    // The other end's normal turned: (t . D) (Nj . D) / (1 + Ni . Nj) = 3 c30 0.6 c30 / 1.8 = 0.75,
+    // so that hx = -2.25, and again s = 0.5. It does not count without direction or across it.
+    { { 1, 0, 0, { { c30, 0.5, 0 } } }, { { 1, 0, -0.375 } }, { { 0.375, -0.75 * c30, 1 } },
+      { { 0.6, 0, 0.8 } } },
+    { { 1, 0, 0, { { 0, 1, 0 } } }, { { 1, 0, -1 } }, { { 1, 0, 1 } }, { { 0.6, 0, 0.8 } } },
+    { { 1, 0, 0, {} }, { { 1, 0, -1 } }, { { 1, 0, 1 } }, { { 0.6, 0, 0.8 } } },
+    { { 0.5, 0.5, 0.5, {} }, { { 0.5, 0, -0.125 } }, { { 0.25, 0, 1 } } },
+    // Beyond the ranges.
+    { { 7, 0, 0, {} }, { { 1, 0, -1 } }, { { 1, 0, 1 } } },
+    { { -7, 0, 0, {} }, { { 1, 0, 0 } }, { { 0, 0, 1 } } },
+    { { 0, 7, 0, {} }, { { 0, 0, 0 } }, { { 0, 0, 1 } } },
+    { { 0, -7, 0, {} }, { { 2, 0, 0 } }, { { 0, 0, 1 } } },
+    { { 0, 0, 7, {} }, { { 1, 0, 1 } }, { { -1, 0, 1 } } },
+    { { 0, 0, -7, {} }, { { 1, 0, -1 } }, { { 1, 0, 1 } } },
+  };
+  int number = 0;
+  for (const auto& one : cases)
+  {
+    setTags(mesh, 0, one.At);
+    normals->SetTuple(1, one.OtherNormal.data());
+    mesh->Modified();
+    relevo::RefinementMesh prepared;
+    CHECK(prepared.Build(mesh, recipe));
+    // Edge 0 goes from point 0 to point 1; the face's normals follow its nine edge vectors and its
+    // centre, that of corner 0 for edge 0 first. Where the edge is along the direction the face
+    // takes the normal of its other edge: not looked at here.
+    const Vector control = toVector(&prepared.Vectors[0]);
+    const Vector normal = toVector(&prepared.Vectors[3 * 10]);
+    const bool along = one.At.Direction[0] > one.At.Direction[1] || one.At.Direction[0] < 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      const double length = vtkMath::Norm(one.Normal.data());
+      const bool same =
+        check.Near(control[c], one.Control[c], 1e-6, "control point", __FILE__, __LINE__);
+      const bool sameNormal =
+        along || check.Near(normal[c], one.Normal[c] / length, 1e-6, "normal", __FILE__, __LINE__);
+      if (!same || !sameNormal)
+      {
+        check.Fail(__FILE__, __LINE__, "case " + std::to_string(number));
+      }
+    }
+    // The other end keeps what it has without tags.
+    const Vector otherControl = toVector(&prepared.Vectors[3]);
+    CHECK_NEAR(dot(subtract(otherControl, { { 3, 0, -3 } }), one.OtherNormal), 0.0, 1e-6);
+    ++number;
+  }
+}
+
+// The roof z = -0.5 |x| over a grid: its ridge is the points with x = 0.
+Mesh makeRoof()
+{
+  std::vector<Vector> points;
+  std::vector<Triangle> triangles;
+  for (int j = 0; j < 5; ++j)
+  {
+    for (int i = -2; i <= 2; ++i)
+    {
+      points.push_back({ { 1.0 * i, 1.0 * j, -0.5 * std::abs(i) } });
+      const vtkIdType at = static_cast<vtkIdType>(points.size()) - 1;
+      if (i < 2 && j < 4)
+      {
+        triangles.push_back({ { at, at + 1, at + 6 } });
+        triangles.push_back({ { at, at + 6, at + 5 } });
+      }
+    }
+  }
+  return FromTriangles(points, triangles);
+}
+
+Mesh makeTaggedRoof(double sharpness)
+{
+  Mesh roof = makeRoof();
+  for (vtkIdType i = 0; i < roof->GetNumberOfPoints(); ++i)
+  {
+    setTags(roof, i, { roof->GetPoint(i)[0] == 0.0 ? sharpness : 0.0, 0, 0, { { 0, 1, 0 } } });
+  }
+  return roof;
+}
+
+// How far refined points are from the roof, and normals from its sides'.
+void getRoofErrors(vtkPolyData* refined, double& distance, double& deviation)
+{
+  distance = deviation = 0.0;
+  const double c = 1.0 / std::sqrt(1.25);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < refined->GetNumberOfCells(); ++cell)
+  {
+    refined->GetCellPoints(cell, ids);
+    double side = 0.0;
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      side += refined->GetPoint(ids->GetId(k))[0];
+    }
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      const double* p = refined->GetPoint(ids->GetId(k));
+      distance = std::max(distance, std::abs(p[2] + 0.5 * std::abs(p[0])));
+      Vector normal;
+      refined->GetPointData()->GetNormals()->GetTuple(ids->GetId(k), normal.data());
+      const Vector difference = subtract(normal, { { side > 0.0 ? 0.5 * c : -0.5 * c, 0.0, c } });
+      deviation = std::max(deviation, vtkMath::Norm(difference.data()));
+    }
+  }
+}
+
+void testRoof(RelevoCheck& check)
+{
+  vtkNew<vtkScalarTaggedSurface> surface;
+  const auto recipe = makeRecipe(surface, 4);
+  double distance;
+  double deviation;
+  Mesh rounded = Refine(makeRoof(), recipe);
+  getRoofErrors(rounded, distance, deviation);
+  CHECK(distance > 0.05 && deviation > 0.4);
+  CHECK(rounded->GetNumberOfPoints() == 65 * 65);
+
+  Mesh roof = makeTaggedRoof(1.0);
+  Mesh sharp = Refine(roof, recipe);
+  getRoofErrors(sharp, distance, deviation);
+  CHECK(distance < 1e-6 && deviation < 1e-5);
+  // Points of the ridge are there twice, with all their data.
+  CHECK(sharp->GetNumberOfPoints() == 65 * 65 + 65);
+  CHECK(RelevoWatertight::FindFault(roof, sharp, 4).empty());
+  int ridge = 0;
+  for (vtkIdType i = 0; i < sharp->GetNumberOfPoints(); ++i)
+  {
+    const double x = sharp->GetPoint(i)[0];
+    CHECK_NEAR(sharp->GetPointData()->GetArray("Sharpness")->GetTuple1(i),
+      std::max(0.0, 1.0 - std::abs(x)), 1e-6);
+    ridge += x == 0.0 ? 1 : 0;
+  }
+  CHECK(ridge == 130);
+
+  // Half as sharp: in between.
+  Mesh half = Refine(makeTaggedRoof(0.5), recipe);
+  getRoofErrors(half, distance, deviation);
+  CHECK(distance > 0.02 && distance < 0.05 && deviation > 0.1 && deviation < 0.4);
+
+  // Every triangle with points of its own, directions of both senses.
+  Mesh open = Refine(roof, makeRecipe(nullptr, 0));
+  vtkNew<vtkPNTriangleSurface> withNormals;
+  open = Refine(roof, makeRecipe(withNormals, 0));
+  Mesh exploded = Explode(open);
+  for (vtkIdType i = 0; i < exploded->GetNumberOfPoints(); ++i)
+  {
+    setTags(exploded, i,
+      { exploded->GetPoint(i)[0] == 0.0 ? 1.0 : 0.0, 0, 0, { { 0, i % 2 ? 1.0 : -1.0, 0 } } });
+  }
+  getRoofErrors(Refine(exploded, recipe), distance, deviation);
+  CHECK(distance < 1e-6 && deviation < 1e-5);
+}
+
+struct EdgeSample
+{
+  std::array<float, 3> Position;
+  std::array<float, 3> Normal;
+};
+
+// By the two points of each edge: samples inside it by each of its faces.
+std::map<std::pair<int, int>, std::vector<std::vector<EdgeSample>>> sampleEdges(
+  const relevo::RefinementMesh& mesh, const relevo::RefinementEvaluator& evaluator)
+{
+  std::map<std::pair<int, int>, std::vector<std::vector<EdgeSample>>> edges;
+  for (int face = 0; face < static_cast<int>(mesh.Faces.size()); ++face)
+  {
+    for (const auto& edge : relevo::EdgeCorners)
+    {
+      std::vector<EdgeSample> samples(15);
+      for (size_t k = 0; k < samples.size(); ++k)
+      {
+        float weights[3] = { 0.0f, 0.0f, 0.0f };
+        weights[edge[1]] = static_cast<float>(k + 1) / 16.0f;
+        weights[edge[0]] = 1.0f - weights[edge[1]];
+        evaluator.Evaluate(face, weights, samples[k].Position.data(), samples[k].Normal.data());
+      }
+      const int* corners = mesh.Faces[face].Corners;
+      edges[{ corners[edge[0]], corners[edge[1]] }].push_back(samples);
+    }
+  }
+  return edges;
+}
+
+// The equator of a sphere as a crease: normals jump across it by much and nowhere else at all.
+void testCrease(RelevoCheck& check)
+{
+  Mesh sphere = Sphere(12, 7); // an odd number of rings: one is the equator
+  std::vector<bool> onEquator;
+  for (vtkIdType i = 0; i < sphere->GetNumberOfPoints(); ++i)
+  {
+    const double* p = sphere->GetPoint(i);
+    onEquator.push_back(std::abs(p[2]) < 1e-6);
+    setTags(sphere, i, { onEquator.back() ? 1.0 : 0.0, 0, 0, { { -p[1], p[0], 0 } } });
+  }
+  CHECK(std::count(onEquator.begin(), onEquator.end(), true) == 12);
+  vtkNew<vtkScalarTaggedSurface> surface;
+  const auto recipe = makeRecipe(surface, 4);
+  relevo::RefinementMesh mesh;
+  CHECK(mesh.Build(sphere, recipe));
+  const relevo::RefinementEvaluator evaluator(mesh, recipe);
+  int creases = 0;
+  for (const auto& edge : sampleEdges(mesh, evaluator))
+  {
+    CHECK(edge.second.size() == 2);
+    const bool isCrease = onEquator[edge.first.first] && onEquator[edge.first.second];
+    creases += isCrease ? 1 : 0;
+    for (size_t k = 0; k < edge.second[0].size(); ++k)
+    {
+      const EdgeSample& a = edge.second[0][k];
+      const EdgeSample& b = edge.second[1][k];
+      CHECK(a.Position == b.Position);
+      if (!isCrease)
+      {
+        CHECK(a.Normal == b.Normal);
+        continue;
+      }
+      // The faces' own planes at the equator are 30 degrees apart.
+      const double angle = vtkMath::DegreesFromRadians(
+        std::acos(dot(toVector(a.Normal.data()), toVector(b.Normal.data()))));
+      CHECK(angle > 20.0 && angle < 40.0);
+    }
+  }
+  CHECK(creases == 12);
+
+  // Normals fit the refined triangles, up to what a corner of a triangle may differ from it.
+  const Mesh refined = Refine(sphere, recipe);
+  CHECK(RelevoWatertight::FindFault(sphere, refined, 4).empty());
+  vtkNew<vtkIdList> ids;
+  double least = 1.0;
+  for (vtkIdType cell = 0; cell < refined->GetNumberOfCells(); ++cell)
+  {
+    refined->GetCellPoints(cell, ids);
+    Vector p[3];
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      refined->GetPoint(ids->GetId(k), p[k].data());
+    }
+    Vector facet;
+    vtkMath::Cross(subtract(p[1], p[0]).data(), subtract(p[2], p[0]).data(), facet.data());
+    vtkMath::Normalize(facet.data());
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      Vector normal;
+      refined->GetPointData()->GetNormals()->GetTuple(ids->GetId(k), normal.data());
+      least = std::min(least, dot(facet, normal));
+    }
+  }
+  std::cout << "Normals and refined triangles differ by at most "
+            << vtkMath::DegreesFromRadians(std::acos(least)) << " degrees" << std::endl;
+  CHECK(least > std::cos(vtkMath::RadiansFromDegrees(12.0)));
+}
+
+// The tip of an octahedron's half, sharp without direction: the surface leaves it along the edges,
+// and normals are those of a cone. PN's tangents lie in a plane.
+void testCusp(RelevoCheck& check)
+{
+  for (bool sharp : { false, true })
+  {
+    Mesh tent = FromTriangles(
+      { { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { -1, 0, 0 } }, { { 0, -1, 0 } }, { { 0, 0, 1 } } },
+      { { { 0, 1, 4 } }, { { 1, 2, 4 } }, { { 2, 3, 4 } }, { { 3, 0, 4 } } });
+    setTags(tent, 4, { sharp ? 1.0 : 0.0, 0, 0, {} });
+    vtkNew<vtkScalarTaggedSurface> surface;
+    const auto recipe = makeRecipe(surface, 3);
+    relevo::RefinementMesh mesh;
+    CHECK(mesh.Build(tent, recipe));
+    const relevo::RefinementEvaluator evaluator(mesh, recipe);
+    std::vector<Vector> tangents;
+    const double pi = vtkMath::Pi();
+    for (int face = 0; face < 4; ++face)
+    {
+      // The tip is the last of the sorted corners; look at it along the first edge.
+      const float weights[3] = { 1.0f / 4096.0f, 0.0f, 4095.0f / 4096.0f };
+      float position[3];
+      float normal[3];
+      evaluator.Evaluate(face, weights, position, normal);
+      Vector tangent = subtract(toVector(position), { { 0, 0, 1 } });
+      vtkMath::Normalize(tangent.data());
+      CHECK_NEAR(tangent[2], sharp ? -std::sin(0.25 * pi) : 0.0, 2e-3);
+      CHECK_NEAR(normal[2], sharp ? std::sin(0.25 * pi) : 1.0, 2e-3);
+      CHECK_NEAR(dot(tangent, toVector(normal)), 0.0, 2e-3);
+      tangents.push_back(tangent);
+    }
+    Vector cross;
+    vtkMath::Cross(tangents[0].data(), tangents[1].data(), cross.data());
+    CHECK_NEAR(std::abs(dot(cross, tangents[2])), sharp ? std::sqrt(0.5) : 0.0, 0.01);
+    // Every face has a tip of its own, with its own normal.
+    const Mesh refined = Refine(tent, recipe);
+    CHECK(refined->GetNumberOfPoints() == 145 + (sharp ? 3 : 0));
+    CHECK(RelevoWatertight::FindFault(tent, refined, 3).empty());
+  }
+}
+
+// A crease on a single point fades: at its neighbours' ends of the edges normals meet.
+void testFading(RelevoCheck& check)
+{
+  Mesh roof = makeRoof();
+  setTags(roof, 12, { 1, 0, 0, { { 0, 1, 0 } } }); // amid the ridge
+  vtkNew<vtkScalarTaggedSurface> surface;
+  const auto recipe = makeRecipe(surface, 4);
+  relevo::RefinementMesh mesh;
+  CHECK(mesh.Build(roof, recipe));
+  const relevo::RefinementEvaluator evaluator(mesh, recipe);
+  const auto edges = sampleEdges(mesh, evaluator);
+  const auto getJump = [](const std::vector<std::vector<EdgeSample>>& edge, size_t k)
+  {
+    const Vector jump =
+      subtract(toVector(edge[0][k].Normal.data()), toVector(edge[1][k].Normal.data()));
+    return vtkMath::Norm(jump.data());
+  };
+  const auto& crease = edges.at({ 12, 17 });
+  CHECK(getJump(crease, 0) > 0.7);
+  CHECK(getJump(crease, 14) < 0.1);
+  CHECK(getJump(edges.at({ 17, 22 }), 7) == 0.0);
+}
+
+// The corners of what is allowed, on a closed mesh.
+void testExtremes(RelevoCheck& check)
+{
+  vtkNew<vtkScalarTaggedSurface> surface;
+  const auto recipe = makeRecipe(surface, 3);
+  for (int kind = 0; kind < 5 * 5 * 5 * 2; ++kind)
+  {
+    const double values[5] = { -1.0, 0.0, 1.0, -1e30, 1e30 };
+    Mesh sphere = Sphere(6, 5);
+    for (vtkIdType i = 0; i < sphere->GetNumberOfPoints(); ++i)
+    {
+      // Every third point has none.
+      const double* p = sphere->GetPoint(i);
+      setTags(sphere, i,
+        i % 3 == 0 ? Tags()
+                   : Tags{ values[kind % 5], values[kind / 5 % 5], values[kind / 25 % 5],
+                       { { 0.0, kind >= 125 ? 1e30 * p[0] : 0.0, 0.0 } } });
+    }
+    const Mesh refined = Refine(sphere, recipe);
+    for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
+    {
+      CHECK(vtkMath::Norm(refined->GetPoint(i)) < 2.0);
+      Vector normal;
+      refined->GetPointData()->GetNormals()->GetTuple(i, normal.data());
+      CHECK_NEAR(vtkMath::Norm(normal.data()), 1.0, 1e-5);
+    }
+    CHECK(RelevoWatertight::FindFault(sphere, refined, 3).empty());
+  }
+}
+
+void testErrors(RelevoCheck& check)
+{
+  vtkNew<vtkScalarTaggedSurface> surface;
+  vtkNew<vtkAdaptiveRefinementFilter> filter;
+  filter->SetRefinement(makeRecipe(surface, 2));
+  const auto fails =
+    [&](const char* name, int components, vtkIdType tuples, double value, const std::string& words)
+  {
+    Mesh sphere = Sphere(6, 5);
+    AddScalarTags(sphere, "Sharpness");
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(tuples < 0 ? sphere->GetNumberOfPoints() : tuples);
+    array->Fill(0.5);
+    array->SetComponent(2, components - 1, value);
+    sphere->GetPointData()->AddArray(array);
+    filter->SetInputData(sphere);
+    RelevoErrors errors(filter);
+    filter->Update();
+    if (words.empty())
+    {
+      return errors.None() && filter->GetOutput()->GetNumberOfCells() > 0;
+    }
+    return errors.Said(std::string("\"") + name + "\"" + words) &&
+      filter->GetOutput()->GetNumberOfCells() == 0;
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const char* name : { "Sharpness", "Tension", "Bias" })
+  {
+    CHECK(fails(name, 1, -1, 0.5, ""));
+    CHECK(fails(name, 2, -1, 0.5, " has 20 tuples of 2 components; 1"));
+    CHECK(fails(name, 1, 3, 0.5, " has 3 tuples"));
+    CHECK(fails(name, 1, -1, nan, " is not finite at point 2"));
+    CHECK(fails(name, 1, -1, -infinity, " is not finite at point 2"));
+  }
+  CHECK(fails("Direction", 3, -1, 0.5, ""));
+  CHECK(fails("Direction", 1, -1, 0.5, " has 20 tuples of 1 components; 3"));
+  CHECK(fails("Direction", 3, -1, nan, " is not finite at point 2"));
+  // Arrays that are not asked for may be anything.
+  surface->SetDirectionArrayName(nullptr);
+  CHECK(surface->GetDirectionArrayName() == std::string());
+  CHECK(fails("Direction", 1, -1, nan, ""));
+  surface->SetTensionArrayName("T");
+  CHECK(surface->GetTensionArrayName() == std::string("T"));
+  CHECK(fails("Tension", 1, -1, nan, ""));
+  CHECK(fails("T", 1, -1, nan, " is not finite"));
+  surface->SetBiasArrayName("B");
+  CHECK(fails("B", 1, 4, 0.0, " has 4 tuples"));
+  surface->SetSharpnessArrayName("S");
+  CHECK(fails("S", 1, 4, 0.0, " has 4 tuples"));
+  // Words where numbers should be.
+  Mesh sphere = Sphere(6, 5);
+  vtkNew<vtkStringArray> words;
+  words->SetName("S");
+  words->SetNumberOfValues(sphere->GetNumberOfPoints());
+  sphere->GetPointData()->AddArray(words);
+  filter->SetInputData(sphere);
+  RelevoErrors errors(filter);
+  filter->Update();
+  CHECK(errors.Said("\"S\""));
+}
+}
+
+int TestScalarTaggedSurface(int, char*[])
+{
+  RelevoCheck check;
+  testUntagged(check);
+  testControlPoints(check);
+  testRoof(check);
+  testCrease(check);
+  testCusp(check);
+  testFading(check);
+  testExtremes(check);
+  testErrors(check);
+  return check.GetResult();
+}
