@@ -4,10 +4,18 @@
 
 #include "vtkBezierNormalCone.h"
 
+#include "relevoCubicPatch.h"
+#include "relevoPNTriangle.h"
+
 #include <algorithm>
 
 namespace relevo
 {
+std::string GetPNTriangleSource()
+{
+  return std::string(relevoCubicPatch) + relevoPNTriangle;
+}
+
 vec3 GetPNMiddleNormal(const vec3& edge, const vec3& normalA, const vec3& normalB)
 {
   const float squared = dot(edge, edge);

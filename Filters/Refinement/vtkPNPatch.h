@@ -14,6 +14,8 @@
 
 #include "vtkSurfaceCorners.h"
 
+#include <string>
+
 namespace relevo
 {
 struct PNTriangle : SurfaceCorners
@@ -21,6 +23,9 @@ struct PNTriangle : SurfaceCorners
 #include "glsl/relevoCubicPatch.glsl"
 #include "glsl/relevoPNTriangle.glsl"
 };
+
+/// The same for shaders.
+std::string GetPNTriangleSource();
 
 struct QuadraticNormalSum : SurfaceCorners
 {

@@ -5,11 +5,9 @@
 #include "vtkObjectFactory.h"
 #include "vtkPNPatch.h"
 
-#include "relevoCubicPatch.h"
 #include "relevoNormalLinear.h"
 #include "relevoNormalQuadratic.h"
 #include "relevoNormalQuadraticSum.h"
-#include "relevoPNTriangle.h"
 
 namespace relevo
 {
@@ -62,7 +60,7 @@ std::string vtkPNTriangleSurface::GetShaderSource()
   const std::string normals = this->QuadraticNormals
     ? std::string(relevoNormalQuadraticSum) + relevoNormalQuadratic
     : std::string(relevoNormalLinear);
-  return std::string(relevoCubicPatch) + relevoPNTriangle + normals;
+  return relevo::GetPNTriangleSource() + normals;
 }
 
 void vtkPNTriangleSurface::PrintSelf(ostream& os, vtkIndent indent)

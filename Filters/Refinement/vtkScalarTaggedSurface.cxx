@@ -10,7 +10,6 @@
 
 #include "relevoNormalQuadraticSum.h"
 #include "relevoNormalTagged.h"
-#include "relevoPNTriangle.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -272,7 +271,7 @@ float vtkScalarTaggedSurface::ComputeNormalCone(const Face& face, float axis[3])
 
 std::string vtkScalarTaggedSurface::GetShaderSource()
 {
-  return std::string(relevoPNTriangle) + relevoNormalQuadraticSum + relevoNormalTagged;
+  return relevo::GetPNTriangleSource() + relevoNormalQuadraticSum + relevoNormalTagged;
 }
 
 void vtkScalarTaggedSurface::PrintSelf(ostream& os, vtkIndent indent)

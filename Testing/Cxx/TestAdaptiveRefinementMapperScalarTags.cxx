@@ -131,6 +131,6 @@ int TestAdaptiveRefinementMapperScalarTags(int argc, char* argv[])
   RelevoErrors errors(scene.GetMapper(0));
   scene.ResetCameras();
   scene.Render();
-  CHECK(errors.Said("\"Tension\" has 65 tuples of 2 components"));
+  CHECK(errors.Said("\"Tension\" has 47 tuples of 2 components"));
   return check.GetResult();
 }

@@ -4,6 +4,7 @@
 // computed by hand with them, creases and cusps on several meshes, and bad arrays.
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
+#include "RelevoVector.h"
 #include "RelevoWatertight.h"
 
 #include "vtkDisplacement.h"
@@ -18,21 +19,10 @@
 #include <limits>
 
 using namespace RelevoMeshes;
+using namespace RelevoVectors;
 
 namespace
 {
-using Vector = std::array<double, 3>;
-
-Vector subtract(const Vector& a, const Vector& b)
-{
-  return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
-}
-
-double dot(const Vector& a, const Vector& b)
-{
-  return vtkMath::Dot(a.data(), b.data());
-}
-
 Vector toVector(const float* v)
 {
   return { { v[0], v[1], v[2] } };
@@ -200,11 +190,11 @@ void testControlPoints(RelevoCheck& check)
     const bool along = one.At.Direction[0] > one.At.Direction[1] || one.At.Direction[0] < 0.0;
     for (int c = 0; c < 3; ++c)
     {
-      const double length = vtkMath::Norm(one.Normal.data());
+      const Vector expected = normalize(one.Normal);
       const bool same =
         check.Near(control[c], one.Control[c], 1e-6, "control point", __FILE__, __LINE__);
       const bool sameNormal =
-        along || check.Near(normal[c], one.Normal[c] / length, 1e-6, "normal", __FILE__, __LINE__);
+        along || check.Near(normal[c], expected[c], 1e-6, "normal", __FILE__, __LINE__);
       if (!same || !sameNormal)
       {
         check.Fail(__FILE__, __LINE__, "case " + std::to_string(number));
@@ -212,7 +202,7 @@ void testControlPoints(RelevoCheck& check)
     }
     // The other end keeps what it has without tags.
     const Vector otherControl = toVector(&prepared.Vectors[3]);
-    CHECK_NEAR(dot(subtract(otherControl, { { 3, 0, -3 } }), one.OtherNormal), 0.0, 1e-6);
+    CHECK_NEAR(dot(otherControl - Vector{ { 3, 0, -3 } }, one.OtherNormal), 0.0, 1e-6);
     ++number;
   }
 }
@@ -268,8 +258,8 @@ void getRoofErrors(vtkPolyData* refined, double& distance, double& deviation)
       distance = std::max(distance, std::abs(p[2] + 0.5 * std::abs(p[0])));
       Vector normal;
       refined->GetPointData()->GetNormals()->GetTuple(ids->GetId(k), normal.data());
-      const Vector difference = subtract(normal, { { side > 0.0 ? 0.5 * c : -0.5 * c, 0.0, c } });
-      deviation = std::max(deviation, vtkMath::Norm(difference.data()));
+      const Vector expected = { { side > 0.0 ? 0.5 * c : -0.5 * c, 0.0, c } };
+      deviation = std::max(deviation, length(normal - expected));
     }
   }
 }
@@ -385,9 +375,8 @@ void testCrease(RelevoCheck& check)
         continue;
       }
       // The faces' own planes at the equator are 30 degrees apart.
-      const double angle = vtkMath::DegreesFromRadians(
-        std::acos(dot(toVector(a.Normal.data()), toVector(b.Normal.data()))));
-      CHECK(angle > 20.0 && angle < 40.0);
+      const double jump = angle(toVector(a.Normal.data()), toVector(b.Normal.data()));
+      CHECK(jump > 20.0 && jump < 40.0);
     }
   }
   CHECK(creases == 12);
@@ -396,7 +385,7 @@ void testCrease(RelevoCheck& check)
   const Mesh refined = Refine(sphere, recipe);
   CHECK(RelevoWatertight::FindFault(sphere, refined, 4).empty());
   vtkNew<vtkIdList> ids;
-  double least = 1.0;
+  double most = 0.0;
   for (vtkIdType cell = 0; cell < refined->GetNumberOfCells(); ++cell)
   {
     refined->GetCellPoints(cell, ids);
@@ -405,19 +394,17 @@ void testCrease(RelevoCheck& check)
     {
       refined->GetPoint(ids->GetId(k), p[k].data());
     }
-    Vector facet;
-    vtkMath::Cross(subtract(p[1], p[0]).data(), subtract(p[2], p[0]).data(), facet.data());
-    vtkMath::Normalize(facet.data());
+    const Vector facet = cross(p[1] - p[0], p[2] - p[0]);
     for (vtkIdType k = 0; k < 3; ++k)
     {
       Vector normal;
       refined->GetPointData()->GetNormals()->GetTuple(ids->GetId(k), normal.data());
-      least = std::min(least, dot(facet, normal));
+      most = std::max(most, angle(facet, normal));
     }
   }
-  std::cout << "Normals and refined triangles differ by at most "
-            << vtkMath::DegreesFromRadians(std::acos(least)) << " degrees" << std::endl;
-  CHECK(least > std::cos(vtkMath::RadiansFromDegrees(12.0)));
+  std::cout << "Normals and refined triangles differ by at most " << most << " degrees"
+            << std::endl;
+  CHECK(most < 12.0);
 }
 
 // The tip of an octahedron's half, sharp without direction: the surface leaves it along the edges,
@@ -444,16 +431,14 @@ void testCusp(RelevoCheck& check)
       float position[3];
       float normal[3];
       evaluator.Evaluate(face, weights, position, normal);
-      Vector tangent = subtract(toVector(position), { { 0, 0, 1 } });
-      vtkMath::Normalize(tangent.data());
+      const Vector tangent = normalize(toVector(position) - Vector{ { 0, 0, 1 } });
       CHECK_NEAR(tangent[2], sharp ? -std::sin(0.25 * pi) : 0.0, 2e-3);
       CHECK_NEAR(normal[2], sharp ? std::sin(0.25 * pi) : 1.0, 2e-3);
       CHECK_NEAR(dot(tangent, toVector(normal)), 0.0, 2e-3);
       tangents.push_back(tangent);
     }
-    Vector cross;
-    vtkMath::Cross(tangents[0].data(), tangents[1].data(), cross.data());
-    CHECK_NEAR(std::abs(dot(cross, tangents[2])), sharp ? std::sqrt(0.5) : 0.0, 0.01);
+    CHECK_NEAR(std::abs(dot(cross(tangents[0], tangents[1]), tangents[2])),
+      sharp ? std::sqrt(0.5) : 0.0, 0.01);
     // Every face has a tip of its own, with its own normal.
     const Mesh refined = Refine(tent, recipe);
     CHECK(refined->GetNumberOfPoints() == 145 + (sharp ? 3 : 0));
@@ -473,11 +458,7 @@ void testFading(RelevoCheck& check)
   const relevo::RefinementEvaluator evaluator(mesh, recipe);
   const auto edges = sampleEdges(mesh, evaluator);
   const auto getJump = [](const std::vector<std::vector<EdgeSample>>& edge, size_t k)
-  {
-    const Vector jump =
-      subtract(toVector(edge[0][k].Normal.data()), toVector(edge[1][k].Normal.data()));
-    return vtkMath::Norm(jump.data());
-  };
+  { return length(toVector(edge[0][k].Normal.data()) - toVector(edge[1][k].Normal.data())); };
   const auto& crease = edges.at({ 12, 17 });
   CHECK(getJump(crease, 0) > 0.7);
   CHECK(getJump(crease, 14) < 0.1);
@@ -508,7 +489,7 @@ void testExtremes(RelevoCheck& check)
       CHECK(vtkMath::Norm(refined->GetPoint(i)) < 2.0);
       Vector normal;
       refined->GetPointData()->GetNormals()->GetTuple(i, normal.data());
-      CHECK_NEAR(vtkMath::Norm(normal.data()), 1.0, 1e-5);
+      CHECK_NEAR(length(normal), 1.0, 1e-5);
     }
     CHECK(RelevoWatertight::FindFault(sphere, refined, 3).empty());
   }
