@@ -13,17 +13,7 @@ namespace
 {
 using namespace RelevoMeshes;
 
-vtkSmartPointer<vtkAdaptiveRefinement> MakeRecipe(
-  vtkRefinementSurface* surface, vtkDisplacement* displacement = nullptr)
-{
-  auto recipe = vtkSmartPointer<vtkAdaptiveRefinement>::New();
-  recipe->SetMaximumLevel(5);
-  recipe->SetSurface(surface);
-  recipe->SetDisplacement(displacement);
-  return recipe;
-}
-
-Mesh Tagged(Mesh mesh, unsigned int seed)
+Mesh ScalarTagged(Mesh mesh, unsigned int seed)
 {
   AddTags(mesh, seed, 5);
   AddRandomScalarTags(mesh, seed);
@@ -49,7 +39,7 @@ Mesh Creased()
 RelevoPicture Draw(vtkPolyData* mesh, vtkRefinementSurface* surface)
 {
   RelevoScene scene(RelevoScene::Refining);
-  scene.Add(mesh, MakeRecipe(surface));
+  scene.Add(mesh, MakeRecipe(5, surface));
   scene.ResetCameras();
   scene.Render();
   return RelevoPicture(scene.Window);
@@ -68,15 +58,16 @@ int TestAdaptiveRefinementMapperScalarTags(int argc, char* argv[])
                          const std::vector<RelevoComparison::Step>& steps = {})
   { comparison.Compare("ScalarTags." + name, close, build, steps); };
 
-  compare("Crease", [&](RelevoScene& s) { s.Add(Creased(), MakeRecipe(surface)); });
+  compare("Crease", [&](RelevoScene& s) { s.Add(Creased(), MakeRecipe(5, surface)); });
   for (unsigned int seed = 1; seed < 6; ++seed)
   {
     compare("Random" + std::to_string(seed),
-      [&](RelevoScene& s) { s.Add(Tagged(Sphere(9, 7), seed), MakeRecipe(surface)); });
+      [&](RelevoScene& s) { s.Add(ScalarTagged(Sphere(9, 7), seed), MakeRecipe(5, surface)); });
   }
-  compare(
-    "Seams", [&](RelevoScene& s) { s.Add(Tagged(TexturedSphere(9, 7), 3), MakeRecipe(surface)); });
-  compare("SplitNormals", [&](RelevoScene& s) { s.Add(Tagged(Cone(), 4), MakeRecipe(surface)); });
+  compare("Seams",
+    [&](RelevoScene& s) { s.Add(ScalarTagged(TexturedSphere(9, 7), 3), MakeRecipe(5, surface)); });
+  compare("SplitNormals",
+    [&](RelevoScene& s) { s.Add(ScalarTagged(Cone(), 4), MakeRecipe(5, surface)); });
   vtkNew<vtkDisplacement> displacement;
   vtkNew<RelevoHeights> heights;
   heights->Fill(64, 64, [](double u, double v) { return std::sin(19 * u) * std::sin(17 * v); });
@@ -84,11 +75,11 @@ int TestAdaptiveRefinementMapperScalarTags(int argc, char* argv[])
   displacement->SetScale(0.05);
   compare("Displaced",
     [&](RelevoScene& s)
-    { s.Add(Tagged(TexturedSphere(9, 7), 5), MakeRecipe(surface, displacement)); });
+    { s.Add(ScalarTagged(TexturedSphere(9, 7), 5), MakeRecipe(5, surface, displacement)); });
 
   // Tags that change.
   Mesh changing = Creased();
-  compare("Changing", [&](RelevoScene& s) { s.Add(changing, MakeRecipe(surface)); },
+  compare("Changing", [&](RelevoScene& s) { s.Add(changing, MakeRecipe(5, surface)); },
     { { "Soft",
         [&](RelevoScene&)
         {
@@ -127,7 +118,7 @@ int TestAdaptiveRefinementMapperScalarTags(int argc, char* argv[])
   Mesh mesh = Sphere(9, 7);
   AddScalarTags(mesh, "Tension", 2);
   RelevoScene scene(RelevoScene::Refining);
-  scene.Add(mesh, MakeRecipe(surface));
+  scene.Add(mesh, MakeRecipe(5, surface));
   RelevoErrors errors(scene.GetMapper(0));
   scene.ResetCameras();
   scene.Render();

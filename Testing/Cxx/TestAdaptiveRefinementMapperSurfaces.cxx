@@ -22,6 +22,13 @@ namespace
 // As TestAdaptiveRefinementMapperTwin has it.
 const RelevoTolerance Close{ 2, 2e-6, 10 };
 
+// Depth-tags, and tags for the surfaces that take some.
+Mesh AllTagged(Mesh mesh, int level)
+{
+  AddRandomScalarTags(mesh, 11);
+  return Tagged(mesh, level);
+}
+
 void testTwins(RelevoComparison& comparison)
 {
   vtkNew<RelevoHeights> heights;
@@ -34,18 +41,19 @@ void testTwins(RelevoComparison& comparison)
   {
     const std::string name = "Surfaces." + surface.first;
     comparison.Compare(name + ".Tagged", Close,
-      [&](RelevoScene& s) { s.Add(Tagged(Sphere(9, 7), 5), MakeRecipe(5, surface.second)); });
+      [&](RelevoScene& s) { s.Add(AllTagged(Sphere(9, 7), 5), MakeRecipe(5, surface.second)); });
     comparison.Compare(name + ".Cube", Close,
-      [&](RelevoScene& s) { s.Add(Tagged(Cube(), 5), MakeRecipe(5, surface.second)); });
+      [&](RelevoScene& s) { s.Add(AllTagged(Cube(), 5), MakeRecipe(5, surface.second)); });
     comparison.Compare(name + ".Displaced", Close,
       [&](RelevoScene& s)
-      { s.Add(Tagged(TexturedSphere(9, 7), 5), MakeRecipe(5, surface.second, displacement)); });
+      { s.Add(AllTagged(TexturedSphere(9, 7), 5), MakeRecipe(5, surface.second, displacement)); });
   }
   for (const auto& surface : RelevoMakeSurfaces(100.0))
   {
     comparison.Compare("Surfaces." + surface.first + ".FarAway", Close,
       [&](RelevoScene& s) {
-        s.Add(Tagged(Moved(Sphere(9, 7), 100, far, VTK_DOUBLE), 5), MakeRecipe(5, surface.second));
+        s.Add(
+          AllTagged(Moved(Sphere(9, 7), 100, far, VTK_DOUBLE), 5), MakeRecipe(5, surface.second));
       });
   }
 

@@ -28,14 +28,6 @@ Vector toVector(const float* v)
   return { { v[0], v[1], v[2] } };
 }
 
-vtkSmartPointer<vtkAdaptiveRefinement> makeRecipe(vtkRefinementSurface* surface, int level)
-{
-  auto recipe = vtkSmartPointer<vtkAdaptiveRefinement>::New();
-  recipe->SetMaximumLevel(level);
-  recipe->SetSurface(surface);
-  return recipe;
-}
-
 // Bits of points, normals and triangles.
 bool areSame(vtkPolyData* a, vtkPolyData* b)
 {
@@ -67,8 +59,8 @@ void testUntagged(RelevoCheck& check)
   {
     for (bool displaced : { false, true })
     {
-      const auto expected = makeRecipe(pn, 4);
-      const auto recipe = makeRecipe(tagged, 4);
+      const auto expected = MakeRecipe(4, pn);
+      const auto recipe = MakeRecipe(4, tagged);
       if (displaced)
       {
         expected->SetDisplacement(displacement);
@@ -129,7 +121,7 @@ void testControlPoints(RelevoCheck& check)
   }
   mesh->GetPointData()->SetNormals(normals);
   vtkNew<vtkScalarTaggedSurface> surface;
-  const auto recipe = makeRecipe(surface, 3);
+  const auto recipe = MakeRecipe(3, surface);
 
   const double c30 = std::sqrt(0.75);
   const struct
@@ -267,7 +259,7 @@ void getRoofErrors(vtkPolyData* refined, double& distance, double& deviation)
 void testRoof(RelevoCheck& check)
 {
   vtkNew<vtkScalarTaggedSurface> surface;
-  const auto recipe = makeRecipe(surface, 4);
+  const auto recipe = MakeRecipe(4, surface);
   double distance;
   double deviation;
   Mesh rounded = Refine(makeRoof(), recipe);
@@ -298,9 +290,9 @@ void testRoof(RelevoCheck& check)
   CHECK(distance > 0.02 && distance < 0.05 && deviation > 0.1 && deviation < 0.4);
 
   // Every triangle with points of its own, directions of both senses.
-  Mesh open = Refine(roof, makeRecipe(nullptr, 0));
+  Mesh open = Refine(roof, MakeRecipe(0, nullptr));
   vtkNew<vtkPNTriangleSurface> withNormals;
-  open = Refine(roof, makeRecipe(withNormals, 0));
+  open = Refine(roof, MakeRecipe(0, withNormals));
   Mesh exploded = Explode(open);
   for (vtkIdType i = 0; i < exploded->GetNumberOfPoints(); ++i)
   {
@@ -354,7 +346,7 @@ void testCrease(RelevoCheck& check)
   }
   CHECK(std::count(onEquator.begin(), onEquator.end(), true) == 12);
   vtkNew<vtkScalarTaggedSurface> surface;
-  const auto recipe = makeRecipe(surface, 4);
+  const auto recipe = MakeRecipe(4, surface);
   relevo::RefinementMesh mesh;
   CHECK(mesh.Build(sphere, recipe));
   const relevo::RefinementEvaluator evaluator(mesh, recipe);
@@ -418,7 +410,7 @@ void testCusp(RelevoCheck& check)
       { { { 0, 1, 4 } }, { { 1, 2, 4 } }, { { 2, 3, 4 } }, { { 3, 0, 4 } } });
     setTags(tent, 4, { sharp ? 1.0 : 0.0, 0, 0, {} });
     vtkNew<vtkScalarTaggedSurface> surface;
-    const auto recipe = makeRecipe(surface, 3);
+    const auto recipe = MakeRecipe(3, surface);
     relevo::RefinementMesh mesh;
     CHECK(mesh.Build(tent, recipe));
     const relevo::RefinementEvaluator evaluator(mesh, recipe);
@@ -452,7 +444,7 @@ void testFading(RelevoCheck& check)
   Mesh roof = makeRoof();
   setTags(roof, 12, { 1, 0, 0, { { 0, 1, 0 } } }); // amid the ridge
   vtkNew<vtkScalarTaggedSurface> surface;
-  const auto recipe = makeRecipe(surface, 4);
+  const auto recipe = MakeRecipe(4, surface);
   relevo::RefinementMesh mesh;
   CHECK(mesh.Build(roof, recipe));
   const relevo::RefinementEvaluator evaluator(mesh, recipe);
@@ -469,7 +461,7 @@ void testFading(RelevoCheck& check)
 void testExtremes(RelevoCheck& check)
 {
   vtkNew<vtkScalarTaggedSurface> surface;
-  const auto recipe = makeRecipe(surface, 3);
+  const auto recipe = MakeRecipe(3, surface);
   for (int kind = 0; kind < 5 * 5 * 5 * 2; ++kind)
   {
     const double values[5] = { -1.0, 0.0, 1.0, -1e30, 1e30 };
@@ -484,9 +476,18 @@ void testExtremes(RelevoCheck& check)
                        { { 0.0, kind >= 125 ? 1e30 * p[0] : 0.0, 0.0 } } });
     }
     const Mesh refined = Refine(sphere, recipe);
+    relevo::RefinementMesh mesh;
+    CHECK(mesh.Build(sphere, recipe));
+    double bounds[6];
+    mesh.GetBounds(recipe, bounds);
     for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
     {
-      CHECK(vtkMath::Norm(refined->GetPoint(i)) < 2.0);
+      const double* p = refined->GetPoint(i);
+      CHECK(length({ { p[0], p[1], p[2] } }) < 2.0);
+      for (int c = 0; c < 3; ++c)
+      {
+        CHECK(p[c] >= bounds[2 * c] - 1e-6 && p[c] <= bounds[2 * c + 1] + 1e-6);
+      }
       Vector normal;
       refined->GetPointData()->GetNormals()->GetTuple(i, normal.data());
       CHECK_NEAR(length(normal), 1.0, 1e-5);
@@ -499,7 +500,7 @@ void testErrors(RelevoCheck& check)
 {
   vtkNew<vtkScalarTaggedSurface> surface;
   vtkNew<vtkAdaptiveRefinementFilter> filter;
-  filter->SetRefinement(makeRecipe(surface, 2));
+  filter->SetRefinement(MakeRecipe(2, surface));
   const auto fails =
     [&](const char* name, int components, vtkIdType tuples, double value, const std::string& words)
   {

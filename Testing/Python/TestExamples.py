@@ -52,6 +52,17 @@ class TestExamples(unittest.TestCase):
             }
             self.assertGreater(len(shades), 10)
 
+    def test_stmesh(self):
+        with tempfile.TemporaryDirectory() as name:
+            run = self.run_example("stmesh.py", name, "out.png")
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+            numbers = re.fullmatch(r"376 faces, (\d+) triangles\n", run.stdout)
+            self.assertAlmostEqual(int(numbers[1]), 10000, delta=1500)
+            reader = vtkPNGReader()
+            reader.SetFileName(str(pathlib.Path(name) / "out.png"))
+            reader.Update()
+            self.assertEqual(reader.GetOutput().GetDimensions(), (1200, 480, 1))
+
     def run_example(self, script, folder, *arguments):
         environment = dict(os.environ)
         environment.pop("DISPLAY", None)

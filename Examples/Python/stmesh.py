@@ -1,0 +1,235 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Four tagged vertices shape a head, without a display: stmesh.py PICTURE.png
+
+From left to right a head of 376 triangles, the PN triangles it makes, and the same with scalar tags
+at the vertices that are marked: a pointed nose (sharpness), creased brows (sharpness with a
+direction) and a fuller chin (tension). What is strongly bent is refined most.
+"""
+
+import math
+import sys
+
+import relevo
+import vtkmodules.vtkRenderingFreeType  # draws the titles
+from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkLight,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkTextActor,
+    vtkWindowToImageFilter,
+)
+
+AROUND, RINGS = 16, 11  # vertices of the head's rings, and rings between its two poles
+
+
+def bump(x, center, width):
+    return math.exp(-(((x - center) / width) ** 2))
+
+
+def place(azimuth, latitude):
+    """A point of the head; the face looks along -y, azimuth 0 is its middle."""
+    side, front = math.sin(azimuth), math.cos(azimuth)
+    across, up = math.cos(latitude), math.sin(latitude)
+    x, y, z = 0.74 * side * across, -0.92 * front * across, 1.05 * up
+    if front > 0:
+        middle, eyes = bump(azimuth, 0, 0.12), bump(abs(azimuth), 0.39, 0.25)
+        y -= 0.34 * bump(latitude, -0.26, 0.16) * middle  # nose
+        y -= 0.1 * bump(latitude, 0, 0.16) * middle  # its bridge
+        y -= 0.16 * bump(latitude, 0.26, 0.12) * bump(abs(azimuth), 0.39, 0.4)  # brows
+        y += 0.12 * bump(latitude, 0, 0.12) * eyes  # sockets
+        y += 0.08 * bump(latitude, -0.52, 0.1) * bump(azimuth, 0, 0.5)  # mouth
+        y -= 0.3 * bump(latitude, -0.79, 0.2) * bump(azimuth, 0, 0.4)  # chin
+    # Narrower towards the chin, and a neck below.
+    narrow = 1 - 0.25 * bump(latitude, -0.95, 0.5)
+    return [narrow * x, y, z]
+
+
+def make_head():
+    """Points, triangles, and the four vertices to tag: nose, brows, chin."""
+    points = [[0.0, 0.1, -1.15], [0.0, 0.05, 1.05]]
+    for ring in range(RINGS):
+        latitude = math.pi * ((ring + 1) / (RINGS + 1) - 0.5)
+        for i in range(AROUND):
+            azimuth = 2 * math.pi * i / AROUND
+            points.append(place(azimuth if i <= AROUND // 2 else azimuth - 2 * math.pi, latitude))
+
+    def vertex(ring, i):
+        return 2 + ring * AROUND + i % AROUND
+
+    triangles = []
+    for i in range(AROUND):
+        triangles.append((0, vertex(0, i + 1), vertex(0, i)))
+        triangles.append((1, vertex(RINGS - 1, i), vertex(RINGS - 1, i + 1)))
+
+    def add_quad(a, b, c, d):
+        triangles.extend([(a, b, c), (a, c, d)])
+
+    eared = set()  # quads of the head that ears take the place of
+    for side, column in ((1, AROUND // 4), (-1, AROUND - AROUND // 4 - 1)):
+        # Two quads are pulled out of the side, and six make the walls.
+        rim = [vertex(r, column + c) for r, c in ((4, 0), (4, 1), (5, 1), (6, 1), (6, 0), (5, 0))]
+        moved = []
+        for k, corner in enumerate(rim):
+            x, y, z = points[corner]
+            back = (k in (1, 2, 3)) == (side > 0)
+            moved.append(len(points))
+            points.append(
+                [x + side * (0.2 if back else 0.1), y + 0.08, z + (0.08 if k in (3, 4) else 0)]
+            )
+        for k in range(6):
+            add_quad(rim[k], rim[(k + 1) % 6], moved[(k + 1) % 6], moved[k])
+        add_quad(moved[0], moved[1], moved[2], moved[5])
+        add_quad(moved[5], moved[2], moved[3], moved[4])
+        eared |= {(4, column), (5, column)}
+    for ring in range(RINGS - 1):
+        for i in range(AROUND):
+            if (ring, i) not in eared:
+                corners = ((ring, i), (ring, i + 1), (ring + 1, i + 1), (ring + 1, i))
+                add_quad(*(vertex(*corner) for corner in corners))
+    return points, triangles, [vertex(4, 0), vertex(6, 1), vertex(6, -1), vertex(2, 0)]
+
+
+def make_mesh(points, triangles):
+    mesh = vtkPolyData()
+    mesh.SetPoints(vtkPoints())
+    mesh.SetPolys(vtkCellArray())
+    for point in points:
+        mesh.GetPoints().InsertNextPoint(point)
+    for triangle in triangles:
+        mesh.GetPolys().InsertNextCell(3, triangle)
+    return mesh
+
+
+def add_tags(mesh, tags):
+    """Point arrays by name, from the tags of a few points; zero at the others."""
+    for name, components in (("Sharpness", 1), ("Tension", 1), ("Bias", 1), ("Direction", 3)):
+        array = vtkFloatArray()
+        array.SetName(name)
+        array.SetNumberOfComponents(components)
+        array.SetNumberOfTuples(mesh.GetNumberOfPoints())
+        array.Fill(0)
+        for point, values in tags.items():
+            if name in values:
+                array.SetTuple(point, values[name] if components > 1 else [values[name]])
+        mesh.GetPointData().AddArray(array)
+
+
+def refine(mesh, surface):
+    metric = relevo.vtkCurvatureDepthTagMetric()
+    metric.SetQuantiles(0, 0.86)
+    recipe = relevo.vtkAdaptiveRefinement()
+    recipe.SetMaximumLevel(4)
+    recipe.SetMetric(metric)
+    recipe.GeomorphingOff()  # a still picture: every vertex in its own place
+    recipe.SetSurface(surface)
+    mapper = relevo.vtkAdaptiveRefinementMapper()
+    mapper.SetInputData(mesh)
+    mapper.SetRefinement(recipe)
+    return mapper
+
+
+def make_actor(mapper):
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(0.87, 0.72, 0.6)
+    actor.GetProperty().SetSpecular(0.25)
+    actor.GetProperty().SetSpecularPower(25)
+    return actor
+
+
+def make_mark(position):
+    sphere = vtkSphereSource()
+    sphere.SetCenter(position)
+    sphere.SetRadius(0.03)
+    sphere.SetThetaResolution(24)
+    sphere.SetPhiResolution(16)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(sphere.GetOutputPort())
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(0.85, 0.1, 0.1)
+    return actor
+
+
+def main(picture):
+    points, triangles, tagged = make_head()
+    nose, left, right, chin = tagged
+    mesh = make_mesh(points, triangles)
+    add_tags(
+        mesh,
+        {
+            nose: {"Sharpness": 1},
+            left: {"Sharpness": 1, "Direction": (1, 0, 0)},
+            right: {"Sharpness": 1, "Direction": (1, 0, 0)},
+            chin: {"Tension": -1},
+        },
+    )
+    plain = vtkPolyDataMapper()
+    plain.SetInputData(mesh)
+    plain.ScalarVisibilityOff()
+    panels = [
+        ("{} triangles", plain),
+        ("PN triangles: {}", refine(mesh, relevo.vtkPNTriangleSurface())),
+        ("scalar tags: {}", refine(mesh, relevo.vtkScalarTaggedSurface())),
+    ]
+    window = relevo.vtkEGLOffscreenRenderWindow()
+    window.SetSize(1200, 480)
+    window.SetMultiSamples(8)
+    titles = []
+    for k, (_, mapper) in enumerate(panels):
+        renderer = vtkRenderer()
+        renderer.SetViewport(k / 3, 0, (k + 1) / 3, 1)
+        renderer.SetBackground(0.25, 0.27, 0.3)
+        actor = make_actor(mapper)
+        if k == 0:
+            actor.GetProperty().SetInterpolationToFlat()
+            actor.GetProperty().EdgeVisibilityOn()
+            actor.GetProperty().SetEdgeColor(0.2, 0.2, 0.25)
+        renderer.AddActor(actor)
+        if k != 1:
+            for vertex in tagged:
+                renderer.AddActor(make_mark(points[vertex]))
+        title = vtkTextActor()
+        title.GetTextProperty().SetFontSize(20)
+        title.SetPosition(12, 10)
+        titles.append(title)
+        renderer.AddViewProp(title)
+        for position, intensity in (((-1, 1, 0.7), 0.95), ((1, -0.2, 1), 0.5)):
+            light = vtkLight()
+            light.SetLightTypeToCameraLight()
+            light.SetPosition(position)
+            light.SetIntensity(intensity)
+            renderer.AddLight(light)
+        camera = renderer.GetActiveCamera()
+        camera.SetPosition(0.62, -1, 0.12)
+        camera.SetViewUp(0, 0, 1)
+        renderer.ResetCamera()
+        camera.Dolly(1.35)
+        renderer.ResetCameraClippingRange()
+        window.AddRenderer(renderer)
+    window.Render()
+    counts = [mesh.GetNumberOfCells()]
+    counts += [mapper.GetNumberOfDrawnTriangles() for _, mapper in panels[1:]]
+    for title, (text, _), count in zip(titles, panels, counts):
+        title.SetInput(text.format(count))
+    window.Render()
+    print(counts[0], "faces,", counts[2], "triangles")
+
+    image = vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    writer = vtkPNGWriter()
+    writer.SetInputConnection(image.GetOutputPort())
+    writer.SetFileName(picture)
+    writer.Write()
+
+
+if len(sys.argv) != 2:
+    sys.exit("stmesh.py PICTURE.png")
+main(sys.argv[1])
