@@ -20,14 +20,14 @@
  * - Bias in [-1, 1] scales what bends the edge away from its chord: -1 leaves the chord, 0 the
  *   tangent plane, 1 overshoots it.
  * - Sharpness in [0, 1] takes the edge back towards its chord, s = sigma (1 - a). Without a
- * direction a = 0, hx = h and x = t: at 1 the point becomes the tip of a cone, a cusp. With a
- * direction, D is the unit vector of Delta's part across Ni, and x = t - (t . D) D is the part of t
- * across Delta: a = max(0, 1 - 2 |x|^2 / |t|^2) tells how far the edge runs along Delta, 1 for one
- * that does, 0 from 45 degrees on, and hx = h + (t . D) (Nj . D) / (1 + Ni . Nj) is the edge's
- * height without that of a circle's arc along Delta that turns as the normals do. So edges along
- * Delta stay smooth while the others leave as on the two sides of a roof: a crease. A line of
- * tagged points, each with the line's direction, makes a long one; on a single point it fades
- * towards its neighbours.
+ *   direction a = 0, hx = h and x = t: at 1 the point becomes the tip of a cone, a cusp. With a
+ *   direction, D is the unit vector of Delta's part across Ni, and x = t - (t . D) D is the part of
+ *   t across Delta: a = max(0, 1 - 2 |x|^2 / |t|^2) tells how far the edge runs along Delta, 1 for
+ *   one that does, 0 from 45 degrees on, and hx = h + (t . D) (Nj . D) / max(1 + Ni . Nj, 0.1) is
+ *   its height without that of a circle's arc along Delta that turns as the normals do. So edges
+ *   along Delta stay smooth while the others leave as on the two sides of a roof: a crease. A line
+ *   of tagged points, each with the line's direction, makes a long one; on a single point it fades
+ *   towards its neighbours.
  *
  * The centre of a patch follows from the edges as PN's does. Normals are quadratic as PN's, from a
  * normal per edge at each corner, which is perpendicular to T and, where sharp, to Delta:
