@@ -29,6 +29,9 @@
  * the patch is kept tame, and tangent planes do not quite join: inner points stay within half the
  * length of the longest edge from where PN triangles have their centre point.
  *
+ * Normals that are the surface's own also show how it undulates between coarse points, which the
+ * interpolated ones of PN triangles pass over: on coarse scans PN triangles look the smoother.
+ *
  * Point normals of the input are used; where there are none they are computed from the faces.
  * Where the patch itself is degenerate, geometric normals are interpolated ones.
  *
