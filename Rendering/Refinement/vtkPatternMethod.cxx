@@ -53,6 +53,9 @@ void PatternMethod::DrawPattern(const RefinementPatternBuffer::Range& range, boo
 int PatternMethod::DrawGroups(const RefinementDrawing& drawing, vtkShaderProgram* program,
   Primitives primitives, const std::vector<PatternGroup>& groups)
 {
+  // Looked up once: names take longer than small groups.
+  const GLint location =
+    glGetUniformLocation(static_cast<GLuint>(program->GetHandle()), "relevoGroup");
   for (const PatternGroup& group : groups)
   {
     const auto& range = drawing.Patterns->GetRange(group);
@@ -60,9 +63,7 @@ int PatternMethod::DrawGroups(const RefinementDrawing& drawing, vtkShaderProgram
     const int most = primitives == Primitives::TRIANGLES ? range.Copies : 1;
     const int instances = (group.Count + most - 1) / most;
     const int copies = (group.Count + instances - 1) / instances;
-    program->SetUniformi("relevoGroupOffset", group.Offset);
-    program->SetUniformi("relevoGroupCount", group.Count);
-    program->SetUniformi("relevoCopies", copies);
+    glUniform3i(location, group.Offset, group.Count, copies);
     DrawPattern(range, group.Mirrored, primitives, copies, instances);
   }
   return static_cast<int>(groups.size());

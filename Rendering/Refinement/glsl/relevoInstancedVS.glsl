@@ -4,9 +4,8 @@
 #ifdef RELEVO_INDIRECT
 in uvec2 relevoMembers; // where the instance's faces lie in relevoInstances, and how many they are
 #else
-uniform int relevoGroupOffset; // where the group's faces lie in relevoInstances
-uniform int relevoGroupCount;  // and how many they are
-uniform int relevoCopies;      // of the pattern in one instance
+uniform ivec3 relevoGroup; // where the group's faces lie in relevoInstances, how many they are, and
+                           // how many copies of the pattern an instance has
 #endif
 uniform usamplerBuffer relevoInstances;
 #ifdef RELEVO_MORPH
@@ -30,8 +29,8 @@ int relevoInstance()
   int member = int(relevoMembers.x) + copy;
   int end = int(relevoMembers.x + relevoMembers.y);
 #else
-  int member = relevoGroupOffset + gl_InstanceID * relevoCopies + copy;
-  int end = relevoGroupOffset + relevoGroupCount;
+  int member = relevoGroup.x + gl_InstanceID * relevoGroup.z + copy;
+  int end = relevoGroup.x + relevoGroup.y;
 #endif
   relevoHidden = member >= end;
   return int(texelFetch(relevoInstances, min(member, end - 1)).r);
