@@ -69,7 +69,7 @@ class Figure:
         self.window.SetMultiSamples(8)
 
     def add(self, label, actor, position=None, up=None, zoom=None):
-        """The next panel, from left to right and from top to bottom."""
+        """The next panel, from left to right and from top to bottom; returns its renderer."""
         column, row = self.panels % self.columns, self.rows - 1 - self.panels // self.columns
         self.panels += 1
         renderer = vtkRenderer()
@@ -100,6 +100,7 @@ class Figure:
         camera.Dolly(zoom or self.zoom)
         camera.SetWindowCenter(0, -0.1)  # room for the label
         renderer.ResetCameraClippingRange()
+        return renderer
 
     def write(self, filename):
         """Returns how many triangles the refined panels have, all together."""

@@ -11,19 +11,11 @@ import math
 import sys
 
 import relevo
-import vtkmodules.vtkRenderingFreeType  # draws the titles
+from figure import Figure, draw_coarse, make_actor
 from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import (
-    vtkActor,
-    vtkLight,
-    vtkPolyDataMapper,
-    vtkRenderer,
-    vtkTextActor,
-    vtkWindowToImageFilter,
-)
+from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
 
 AROUND, RINGS = 16, 11  # vertices of the head's rings, and rings between its two poles
 
@@ -120,7 +112,8 @@ def add_tags(mesh, tags):
         mesh.GetPointData().AddArray(array)
 
 
-def refine(mesh, surface):
+def draw_bent(mesh, surface):
+    """The surface, refined where the mesh is strongly bent."""
     metric = relevo.vtkCurvatureDepthTagMetric()
     metric.SetQuantiles(0, 0.86)
     recipe = relevo.vtkAdaptiveRefinement()
@@ -131,19 +124,11 @@ def refine(mesh, surface):
     mapper = relevo.vtkAdaptiveRefinementMapper()
     mapper.SetInputData(mesh)
     mapper.SetRefinement(recipe)
-    return mapper
+    mapper.ScalarVisibilityOff()
+    return make_actor(mapper)
 
 
-def make_actor(mapper):
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(0.87, 0.72, 0.6)
-    actor.GetProperty().SetSpecular(0.25)
-    actor.GetProperty().SetSpecularPower(25)
-    return actor
-
-
-def make_mark(position):
+def draw_mark(position):
     sphere = vtkSphereSource()
     sphere.SetCenter(position)
     sphere.SetRadius(0.03)
@@ -151,8 +136,7 @@ def make_mark(position):
     sphere.SetPhiResolution(16)
     mapper = vtkPolyDataMapper()
     mapper.SetInputConnection(sphere.GetOutputPort())
-    actor = vtkActor()
-    actor.SetMapper(mapper)
+    actor = make_actor(mapper)
     actor.GetProperty().SetColor(0.85, 0.1, 0.1)
     return actor
 
@@ -170,64 +154,18 @@ def main(picture):
             chin: {"Tension": -1},
         },
     )
-    plain = vtkPolyDataMapper()
-    plain.SetInputData(mesh)
-    plain.ScalarVisibilityOff()
-    panels = [
-        ("{} triangles", plain),
-        ("PN triangles: {}", refine(mesh, relevo.vtkPNTriangleSurface())),
-        ("scalar tags: {}", refine(mesh, relevo.vtkScalarTaggedSurface())),
-    ]
-    window = relevo.vtkEGLOffscreenRenderWindow()
-    window.SetSize(1200, 480)
-    window.SetMultiSamples(8)
-    titles = []
-    for k, (_, mapper) in enumerate(panels):
-        renderer = vtkRenderer()
-        renderer.SetViewport(k / 3, 0, (k + 1) / 3, 1)
-        renderer.SetBackground(0.25, 0.27, 0.3)
-        actor = make_actor(mapper)
-        if k == 0:
-            actor.GetProperty().SetInterpolationToFlat()
-            actor.GetProperty().EdgeVisibilityOn()
-            actor.GetProperty().SetEdgeColor(0.2, 0.2, 0.25)
-        renderer.AddActor(actor)
-        if k != 1:
-            for vertex in tagged:
-                renderer.AddActor(make_mark(points[vertex]))
-        title = vtkTextActor()
-        title.GetTextProperty().SetFontSize(20)
-        title.SetPosition(12, 10)
-        titles.append(title)
-        renderer.AddViewProp(title)
-        for position, intensity in (((-1, 1, 0.7), 0.95), ((1, -0.2, 1), 0.5)):
-            light = vtkLight()
-            light.SetLightTypeToCameraLight()
-            light.SetPosition(position)
-            light.SetIntensity(intensity)
-            renderer.AddLight(light)
-        camera = renderer.GetActiveCamera()
-        camera.SetPosition(0.62, -1, 0.12)
-        camera.SetViewUp(0, 0, 1)
-        renderer.ResetCamera()
-        camera.Dolly(1.35)
-        renderer.ResetCameraClippingRange()
-        window.AddRenderer(renderer)
-    window.Render()
-    counts = [mesh.GetNumberOfCells()]
-    counts += [mapper.GetNumberOfDrawnTriangles() for _, mapper in panels[1:]]
-    for title, (text, _), count in zip(titles, panels, counts):
-        title.SetInput(text.format(count))
-    window.Render()
-    print(counts[0], "faces,", counts[2], "triangles")
-
-    image = vtkWindowToImageFilter()
-    image.SetInput(window)
-    image.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetInputConnection(image.GetOutputPort())
-    writer.SetFileName(picture)
-    writer.Write()
+    figure = Figure(3, 1, (400, 420), position=(0.62, -1, 0.12), up=(0, 0, 1), zoom=1.5)
+    curved = draw_bent(mesh, relevo.vtkPNTriangleSurface())
+    shaped = draw_bent(mesh, relevo.vtkScalarTaggedSurface())
+    coarse_panel = figure.add(f"{mesh.GetNumberOfCells()} triangles", draw_coarse(mesh))
+    figure.add("PN triangles", curved)
+    tagged_panel = figure.add("scalar tags at four vertices", shaped)
+    for renderer in (coarse_panel, tagged_panel):
+        for vertex in tagged:
+            renderer.AddActor(draw_mark(points[vertex]))
+    figure.write(picture)
+    count = shaped.GetMapper().GetNumberOfDrawnTriangles()
+    print(mesh.GetNumberOfCells(), "faces,", count, "triangles")
 
 
 if len(sys.argv) != 2:

@@ -12,11 +12,11 @@
  * moves a face's points, they get points of their own. Triangles with two corners at one place or
  * with non-finite coordinates are dropped, with their count in a warning.
  *
- * Output: triangles that wind as their coarse cell does and share points as the input's cells do;
- * the input's points come first. Watertight to the bit: the points of an edge are the same from
- * both sides, also where points coincide without being shared (split normals, texture seams).
- * Float points stay float; all others become double, accurate to a float's digits about the middle
- * of the mesh.
+ * Output: triangles that wind as their coarse cell does and share points as the input's cells do,
+ * unless the surface has a crease there; the input's points come first. Watertight to the bit: an
+ * edge's points are the same from both sides, also where points coincide without being shared
+ * (creases, split normals, texture seams). Float points stay float; all others become double,
+ * accurate to a float's digits about the middle of the mesh.
  *
  * Point data are interpolated linearly and keep their type: integers are rounded; strings, bits and
  * ghost flags are the nearest coarse point's; global and pedigree ids are left out. "Normals", unit

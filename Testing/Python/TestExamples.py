@@ -61,7 +61,7 @@ class TestExamples(unittest.TestCase):
             reader = vtkPNGReader()
             reader.SetFileName(str(pathlib.Path(name) / "out.png"))
             reader.Update()
-            self.assertEqual(reader.GetOutput().GetDimensions(), (1200, 480, 1))
+            self.assertEqual(reader.GetOutput().GetDimensions(), (1200, 420, 1))
 
     def run_example(self, script, folder, *arguments):
         environment = dict(os.environ)
