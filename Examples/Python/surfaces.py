@@ -24,6 +24,7 @@ from meshes import (
     make_ring,
     make_wave,
     read_decimated,
+    set_point_array,
 )
 from vtkmodules.vtkCommonCore import VTK_FLOAT, VTK_UNSIGNED_CHAR
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPerlinNoise
@@ -85,6 +86,15 @@ def surfaces():
     """One ring on every surface."""
     around, across = 14, 6
     ring = add_normals(make_ring(around, across))
+    # A crease along the ring's outer edge.
+    sharp, along = [], []
+    for i in range(ring.GetNumberOfPoints()):
+        x, y, _ = ring.GetPoint(i)
+        on_edge = i % across == 0
+        sharp.append(float(on_edge))
+        along.append((-y, x, 0.0) if on_edge else (0.0, 0.0, 0.0))
+    set_point_array(ring, "Sharpness", sharp)
+    set_point_array(ring, "Direction", along)
     ripples = make_fur(0.05, 28, relevo.vtkPNTriangleSurface())
     ripples.SetShaderFunction(RIPPLES)
     panels = (
@@ -92,6 +102,7 @@ def surfaces():
         ("curved PN triangles", relevo.vtkPNTriangleSurface()),
         ("Phong tessellation", relevo.vtkPhongSurface()),
         ("G1 patches", relevo.vtkG1Surface()),
+        ("scalar tags: a crease", relevo.vtkScalarTaggedSurface()),
         ("fur", make_fur(0.15, 3)),
         ("GLSL of one's own, on PN", ripples),
     )

@@ -89,7 +89,8 @@ private:
           using Type = ViewerOptions::SurfaceType;
           options.Surface = ToChoice<Type>(option, value,
             { { "linear", Type::Linear }, { "pn", Type::PNTriangle }, { "phong", Type::Phong },
-              { "procedural", Type::Procedural }, { "g1", Type::G1 } });
+              { "st", Type::ScalarTagged }, { "procedural", Type::Procedural },
+              { "g1", Type::G1 } });
         } },
     });
   }

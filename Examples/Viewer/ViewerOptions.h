@@ -30,6 +30,7 @@ struct ViewerOptions
     Linear,
     PNTriangle,
     Phong,
+    ScalarTagged,
     Procedural,
     G1
   };

@@ -10,6 +10,7 @@
 #include "vtkPNTriangleSurface.h"
 #include "vtkPhongSurface.h"
 #include "vtkProceduralSurface.h"
+#include "vtkScalarTaggedSurface.h"
 
 namespace
 {
@@ -48,6 +49,8 @@ Surface MakeSurface(const ViewerOptions& options, double diagonal)
       return Surface::Take(vtkPNTriangleSurface::New());
     case ViewerOptions::SurfaceType::Phong:
       return MakePhong(options);
+    case ViewerOptions::SurfaceType::ScalarTagged:
+      return Surface::Take(vtkScalarTaggedSurface::New());
     case ViewerOptions::SurfaceType::Procedural:
       return MakeProcedural(options, diagonal);
     case ViewerOptions::SurfaceType::G1:

@@ -11,7 +11,9 @@ Draws a height map (GeoTIFF, SRTM .hgt, USGS DEM, PNG, OpenEXR ...) or a mesh (.
 
 The surface:
   --surface NAME         linear (default for height maps), pn (default for meshes; curved PN
-                         triangles), phong, g1 (with tangent planes that join), procedural (fur)
+                         triangles), phong, st (scalar-tagged PN triangles, by the mesh's arrays
+                         Sharpness, Tension, Bias and Direction), g1 (with tangent planes that
+                         join), procedural (fur)
   --alpha A              how much of phong's bulge, 0 to 1 (default 1)
   --amplitude A          of procedural's fur, in the mesh's units (default: 0.03 of its diagonal)
   --frequency F          half waves of procedural's fur along a coarse edge (default 1)

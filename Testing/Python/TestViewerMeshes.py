@@ -30,7 +30,7 @@ READERS = {
     ".stl": vtkSTLReader,
     ".vtp": vtkXMLPolyDataReader,
 }
-SURFACES = ("linear", "pn", "phong", "g1", "procedural")
+SURFACES = ("linear", "pn", "phong", "st", "g1", "procedural")
 METHODS = ("arkfpi", "ark", "dmr", "suapt", "tessellation", "uniform")
 
 
@@ -140,7 +140,7 @@ class TestViewerMeshes(ViewerProgram):
             self.assertEqual(mesh.GetNumberOfCells(), 16 * self.sphere.GetNumberOfCells())
             radii = self.radii(mesh)
             inside[surface], outside[surface] = 0.5 - min(radii), max(radii) - 0.5
-        for surface in ("pn", "phong", "g1"):
+        for surface in ("pn", "phong", "st", "g1"):
             self.assertLess(inside[surface], 0.4 * inside["linear"], inside)
         self.assertLess(outside["linear"], 1e-5)
         self.assertGreater(outside["procedural"], 0.01)
@@ -162,6 +162,20 @@ class TestViewerMeshes(ViewerProgram):
             for n in ("1", "3")
         ]
         self.assertNotEqual(*waves)
+
+    def test_tags(self):
+        """Without tags as PN triangles; a sharp vertex has straight edges to its neighbours."""
+        meshes = [self.export("--surface", surface, "--level=2") for surface in ("pn", "st")]
+        self.assertEqual(*([mesh.GetPoint(i) for i in range(mesh.GetNumberOfPoints())] for mesh in meshes))
+        tagged = vtkPolyData()
+        tagged.DeepCopy(self.sphere)
+        sharpness = vtkDoubleArray()
+        sharpness.SetName("Sharpness")
+        for i in range(tagged.GetNumberOfPoints()):
+            sharpness.InsertNextValue(i == 0)  # the pole at z = 0.5
+        tagged.GetPointData().AddArray(sharpness)
+        sharp = self.export("--surface=st", "--level=2", file=self.write(tagged, "tagged.vtp"))
+        self.assertLess(min(self.radii(sharp)), min(self.radii(meshes[0])) - 0.001)
 
     def test_methods(self):
         """All draw the same sphere, each in its own number of calls."""
