@@ -72,7 +72,7 @@ public:
   //@{
   /**
    * Whether coarse faces that face away are left out, on by default, where that cannot be seen: of
-   * a closed surface that winds outwards, linear or of PN triangles, without displacement, drawn as
+   * a closed surface that winds outwards, linear, of PN or Phong triangles, not displaced, drawn as
    * an opaque surface, unclipped and from outside. Needs FrustumCulling. At most single pixels of
    * the outline differ, where front and back have the same depth.
    */
