@@ -17,6 +17,9 @@
 
 namespace relevo
 {
+// What shaders need for meshes with creases does for all.
+#define RELEVO_DIRECTIONS
+
 // With one blend for the mesh, and with one per point.
 struct PhongTriangle : SurfaceCorners
 {
