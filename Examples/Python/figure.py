@@ -32,6 +32,10 @@ def draw_refined(mesh, surface, level, displacement=None):
     recipe.SetMaximumLevel(level)
     recipe.SetSurface(surface)
     recipe.SetDisplacement(displacement)
+    return draw_recipe(mesh, recipe)
+
+
+def draw_recipe(mesh, recipe):
     mapper = relevo.vtkAdaptiveRefinementMapper()
     mapper.SetInputData(mesh)
     mapper.SetRefinement(recipe)

@@ -11,9 +11,9 @@ import math
 import sys
 
 import relevo
-from figure import Figure, draw_coarse, make_actor
-from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from figure import Figure, draw_coarse, draw_recipe, make_actor
+from meshes import make_mesh
+from vtkmodules.vtkCommonCore import vtkFloatArray
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
 
@@ -87,17 +87,6 @@ def make_head():
     return points, triangles, [vertex(4, 0), vertex(6, 1), vertex(6, -1), vertex(2, 0)]
 
 
-def make_mesh(points, triangles):
-    mesh = vtkPolyData()
-    mesh.SetPoints(vtkPoints())
-    mesh.SetPolys(vtkCellArray())
-    for point in points:
-        mesh.GetPoints().InsertNextPoint(point)
-    for triangle in triangles:
-        mesh.GetPolys().InsertNextCell(3, triangle)
-    return mesh
-
-
 def add_tags(mesh, tags):
     """Point arrays by name, from the tags of a few points; zero at the others."""
     for name, components in (("Sharpness", 1), ("Tension", 1), ("Bias", 1), ("Direction", 3)):
@@ -121,11 +110,7 @@ def draw_bent(mesh, surface):
     recipe.SetMetric(metric)
     recipe.GeomorphingOff()  # a still picture: every vertex in its own place
     recipe.SetSurface(surface)
-    mapper = relevo.vtkAdaptiveRefinementMapper()
-    mapper.SetInputData(mesh)
-    mapper.SetRefinement(recipe)
-    mapper.ScalarVisibilityOff()
-    return make_actor(mapper)
+    return draw_recipe(mesh, recipe)
 
 
 def draw_mark(position):

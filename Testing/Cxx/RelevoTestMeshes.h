@@ -15,6 +15,7 @@
 #include "vtkFloatArray.h"
 #include "vtkHeightField.h"
 #include "vtkIdList.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkParametricFunctionSource.h"
 #include "vtkParametricTorus.h"
@@ -83,6 +84,20 @@ public:
         : 1;
     }
     this->Modified();
+  }
+
+  void FillWaves()
+  {
+    this->Fill(64, 64,
+      [](double u, double v)
+      { return std::sin(4 * vtkMath::Pi() * u) * std::sin(3 * vtkMath::Pi() * v); });
+  }
+  // A round hole and a slot that is open at the border.
+  void FillWavesWithHoles()
+  {
+    this->Fill(48, 40, [](double u, double v) { return std::sin(9 * u) * std::cos(7 * v); });
+    this->Punch([](int x, int y)
+      { return (x - 20) * (x - 20) + (y - 15) * (y - 15) < 60 || (x > 30 && x < 34 && y > 10); });
   }
 
   bool Update() override

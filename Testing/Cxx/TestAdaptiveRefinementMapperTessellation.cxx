@@ -24,22 +24,6 @@ namespace
 using namespace RelevoMeshes;
 using Mapper = vtkAdaptiveRefinementMapper;
 
-vtkSmartPointer<vtkAdaptiveRefinement> MakeRecipe(
-  int level, vtkRefinementSurface* surface = nullptr, vtkDisplacement* displacement = nullptr)
-{
-  auto recipe = vtkSmartPointer<vtkAdaptiveRefinement>::New();
-  recipe->SetMaximumLevel(level);
-  recipe->SetSurface(surface);
-  recipe->SetDisplacement(displacement);
-  return recipe;
-}
-
-Mesh Tagged(Mesh mesh, int level)
-{
-  AddTags(mesh, 7, level);
-  return mesh;
-}
-
 Mesh Textured(Mesh mesh)
 {
   AddRandomTextureCoordinates(mesh, 3);
@@ -102,13 +86,9 @@ void TestPictures(const Tester& tester)
 {
   vtkNew<vtkPNTriangleSurface> surface;
   vtkNew<RelevoHeights> smooth;
-  smooth->Fill(64, 64,
-    [](double u, double v)
-    { return std::sin(4 * vtkMath::Pi() * u) * std::sin(3 * vtkMath::Pi() * v); });
+  smooth->FillWaves();
   vtkNew<RelevoHeights> holes;
-  holes->Fill(48, 40, [](double u, double v) { return std::sin(9 * u) * std::cos(7 * v); });
-  holes->Punch([](int x, int y)
-    { return (x - 20) * (x - 20) + (y - 15) * (y - 15) < 60 || (x > 30 && x < 34 && y > 10); });
+  holes->FillWavesWithHoles();
   auto displace = [](vtkHeightField* heights, double scale)
   {
     auto displacement = vtkSmartPointer<vtkDisplacement>::New();
@@ -492,13 +472,10 @@ void TestLife(RelevoCheck& check, RelevoComparison& comparison)
   CHECK(errors.None());
 }
 
-// A shader of the user's that only works as a vertex shader: an error of the mapper, and ARKFPI.
-void TestFailure(RelevoCheck& check, RelevoComparison& comparison)
+// The method cannot draw the scene: an error with these words, once, and the picture of ARKFPI.
+void ExpectARKFPI(RelevoCheck& check, RelevoComparison& comparison, const std::string& name,
+  RelevoScene& scene, const std::string& words)
 {
-  RelevoScene scene(RelevoScene::Refining);
-  vtkActor* actor = scene.Add(Sphere(9, 7), MakeRecipe(3));
-  actor->GetShaderProperty()->AddVertexShaderReplacement("//VTK::CustomEnd::Impl", true,
-    "//VTK::CustomEnd::Impl\n  if (gl_InstanceID < 0) gl_Position = vec4(0.0);\n", false);
   Mapper* mapper = scene.GetMapper(0);
   mapper->SetMethodToARKFPI();
   RelevoErrors errors(mapper);
@@ -508,17 +485,28 @@ void TestFailure(RelevoCheck& check, RelevoComparison& comparison)
   const RelevoPicture expected(scene.Window);
   mapper->SetMethodToHardwareTessellation();
   scene.Render();
-  CHECK(errors.Said("gl_InstanceID"));
+  CHECK(errors.Said(words));
   CHECK(mapper->GetMethodInUse() == Mapper::METHOD_ARKFPI);
   comparison.Compare(
-    "Tessellation.Failure", RelevoTolerance(), RelevoPicture(scene.Window), expected);
+    "Tessellation." + name, RelevoTolerance(), RelevoPicture(scene.Window), expected);
   scene.Render();
   CHECK(errors.None());
+}
+
+// A shader of the user's that only works as a vertex shader: an error of the mapper, and ARKFPI.
+void TestFailure(RelevoCheck& check, RelevoComparison& comparison)
+{
+  RelevoScene scene(RelevoScene::Refining);
+  vtkActor* actor = scene.Add(Sphere(9, 7), MakeRecipe(3));
+  actor->GetShaderProperty()->AddVertexShaderReplacement("//VTK::CustomEnd::Impl", true,
+    "//VTK::CustomEnd::Impl\n  if (gl_InstanceID < 0) gl_Position = vec4(0.0);\n", false);
+  ExpectARKFPI(check, comparison, "Failure", scene, "gl_InstanceID");
   // Without the cause it works.
   actor->GetShaderProperty()->ClearAllVertexShaderReplacements();
+  RelevoErrors errors(scene.GetMapper(0));
   scene.Render();
   CHECK(errors.None());
-  CHECK(mapper->GetMethodInUse() == Mapper::METHOD_HARDWARE_TESSELLATION);
+  CHECK(scene.GetMapper(0)->GetMethodInUse() == Mapper::METHOD_HARDWARE_TESSELLATION);
 }
 
 bool HasTessellation()
@@ -535,21 +523,7 @@ void TestOldContext(RelevoCheck& check, RelevoComparison& comparison)
 {
   RelevoScene scene(RelevoScene::Refining);
   scene.Add(Sphere(9, 7), MakeRecipe(3));
-  Mapper* mapper = scene.GetMapper(0);
-  mapper->SetMethodToARKFPI();
-  RelevoErrors errors(mapper);
-  scene.ResetCameras();
-  scene.Render();
-  CHECK(errors.None());
-  const RelevoPicture expected(scene.Window);
-  mapper->SetMethodToHardwareTessellation();
-  scene.Render();
-  CHECK(errors.Said("OpenGL 4.0"));
-  CHECK(mapper->GetMethodInUse() == Mapper::METHOD_ARKFPI);
-  comparison.Compare(
-    "Tessellation.OldContext", RelevoTolerance(), RelevoPicture(scene.Window), expected);
-  scene.Render();
-  CHECK(errors.None());
+  ExpectARKFPI(check, comparison, "OldContext", scene, "OpenGL 4.0");
 }
 }
 

@@ -59,13 +59,9 @@ int TestAdaptiveRefinementMapperTwin(int argc, char* argv[])
   vtkNew<RelevoHeights> rough;
   rough->FillRandom(40, 30, 3);
   vtkNew<RelevoHeights> smooth;
-  smooth->Fill(64, 64,
-    [](double u, double v)
-    { return std::sin(4 * vtkMath::Pi() * u) * std::sin(3 * vtkMath::Pi() * v); });
+  smooth->FillWaves();
   vtkNew<RelevoHeights> holes;
-  holes->Fill(48, 40, [](double u, double v) { return std::sin(9 * u) * std::cos(7 * v); });
-  holes->Punch([](int x, int y)
-    { return (x - 20) * (x - 20) + (y - 15) * (y - 15) < 60 || (x > 30 && x < 34 && y > 10); });
+  holes->FillWavesWithHoles();
 
   auto displace = [](vtkHeightField* heights, double scale, double offset = 0.0)
   {
