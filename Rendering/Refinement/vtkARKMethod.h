@@ -6,7 +6,7 @@
  *
  * Boubekeur and Schlick, A Flexible Kernel for Adaptive Mesh Refinement on GPU (2008). The same
  * vertices as ARKFPI's in the same order, so that the pictures are the same to the bit: what
- * differs is that the CPU hands over each element. Private to the module.
+ * differs is that the CPU hands over each element, seen or not. Private to the module.
  */
 #ifndef vtkARKMethod_h
 #define vtkARKMethod_h
@@ -18,6 +18,7 @@ namespace relevo
 class ARKMethod : public PatternMethod
 {
 public:
+  bool DrawsHiddenFaces() const override { return true; }
   bool Upload(const RefinementDrawing& drawing) override;
   void Describe(const RefinementDrawing& drawing, RefinementShaderOptions& options) const override;
   int Draw(

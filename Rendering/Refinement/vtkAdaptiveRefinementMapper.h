@@ -101,8 +101,8 @@ public:
    *
    * METHOD_ARK (1): one draw call per face, whose number, permutation and tags the CPU hands over
    * (Boubekeur and Schlick, A Flexible Kernel for Adaptive Mesh Refinement on GPU, 2008). The same
-   * vertices in the same order as ARKFPI, and the same picture to the bit. Time grows with the
-   * number of coarse faces.
+   * vertices in the same order as ARKFPI, and the same picture to the bit. As in the paper no face
+   * is culled: there are as many draw calls as coarse faces, and time grows with their number.
    *
    * METHOD_DMR (2): a geometry shader splits triangles once per pass where edges have levels left,
    * and transform feedback hands them to the next pass (Lorenz and Doellner, Dynamic Mesh

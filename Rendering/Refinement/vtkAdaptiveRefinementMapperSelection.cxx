@@ -89,7 +89,8 @@ bool vtkAdaptiveRefinementMapper::UpdateSelection(vtkRenderer* ren, vtkActor* ac
 {
   vtkInternals& data = *this->Internals;
   const vtkRefinementView view = MakeView(ren, act);
-  const auto culling = MakeCullingView(this->FrustumCulling, ren, act, data.State.GetMesh());
+  const auto culling = MakeCullingView(
+    this->FrustumCulling && !data.GetMethod().DrawsHiddenFaces(), ren, act, data.State.GetMesh());
   return this->Report(data.State.UpdateSelection(this->GetInput(), this->Refinement, view,
     culling.get(), this->HidesBackFaces(ren, act), data.OnGPU));
 }

@@ -76,6 +76,9 @@ public:
   /// Whether it can draw what compute shaders have selected.
   virtual bool TakesComputeSelection() const { return false; }
 
+  /// Whether it draws the faces too that cannot be seen.
+  virtual bool DrawsHiddenFaces() const { return false; }
+
   /// Whether vertices belong to patterns on the GPU. Colours of faces are those of the patterns
   /// then, else they are given face by face.
   virtual bool HasPatterns() const { return true; }

@@ -71,11 +71,16 @@ int TestAdaptiveRefinementMapperMethodsCount(int, char*[])
         const vtkIdType culled = mapper->GetNumberOfCulledFaces();
         std::cout << GetName(method) << ": " << drawn << " triangles, OpenGL counts " << counted
                   << ", " << culled << " faces culled" << std::endl;
-        CHECK(near ? culled > 0 : culled == 0);
-        const bool isOfFilter = method == Mapper::METHOD_ARKFPI || method == Mapper::METHOD_ARK;
-        if (isOfFilter)
+        const bool isARK = method == Mapper::METHOD_ARK;
+        CHECK(near && !isARK ? culled > 0 : culled == 0);
+        if (isARK)
         {
-          CHECK(near || method != Mapper::METHOD_ARK || drawn == counted); // culled ones count
+          CHECK(drawn == counted);
+          CHECK(mapper->GetNumberOfDrawCalls() == mapper->GetNumberOfCoarseFaces());
+        }
+        else if (method == Mapper::METHOD_ARKFPI)
+        {
+          CHECK(!near || drawn > 0); // culled ones count
         }
         else if (method == Mapper::METHOD_DMR || !tagged)
         {
