@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkLICNoiseSource
+ * @brief   noise images for line integral convolution
+ *
+ * The output is a square image of NoiseTextureSize texels a side, origin 0, spacing 1, with one
+ * float point scalar "Noise". It tiles: its left border continues its right one, its lower border
+ * its upper one. It depends on the settings alone, not on the machine or its threads. Names and
+ * defaults are those of vtkSurfaceLICInterface, whose numbers differ, though.
+ *
+ * Errors, with an empty output: an unknown NoiseType; a NoiseTextureSize outside [2, 16384]; a
+ * NoiseGrainSize below 1 or not below NoiseTextureSize; noise values that are not 0 <= Min < Max <=
+ * 1; less than 2 levels; a probability or background value outside [0, 1].
+ *
+ * @sa vtkLineIntegralConvolution
+ */
+#ifndef vtkLICNoiseSource_h
+#define vtkLICNoiseSource_h
+
+#include "RelevoFiltersFlowModule.h" // for export macro
+#include "vtkImageAlgorithm.h"
+
+#include <string> // for messages
+
+class vtkFloatArray;
+
+class RELEVOFILTERSFLOW_EXPORT vtkLICNoiseSource : public vtkImageAlgorithm
+{
+public:
+  static vtkLICNoiseSource* New();
+  vtkTypeMacro(vtkLICNoiseSource, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum NoiseTypes
+  {
+    NOISE_TYPE_UNIFORM = 0,
+    NOISE_TYPE_GAUSSIAN = 1,
+    NOISE_TYPE_PERLIN = 2
+  };
+
+  //@{
+  /**
+   * How the values are distributed: NOISE_TYPE_UNIFORM (0), each grain's value is anywhere between
+   * MinNoiseValue and MaxNoiseValue; NOISE_TYPE_GAUSSIAN (1, the default), each grain's value is
+   * normally distributed about 0.41 of the way from the minimum to the maximum with a standard
+   * deviation of 0.154 of that way, as it is in the noise image of VTK's surface LIC, clamped;
+   * NOISE_TYPE_PERLIN (2), smooth noise of several octaves (Perlin, Improving Noise, 2002), the
+   * coarsest with a period of about NoiseGrainSize texels, each of the next ones half as long and
+   * high, down to two texels; it reaches the minimum and the maximum.
+   */
+  vtkSetMacro(NoiseType, int);
+  vtkGetMacro(NoiseType, int);
+  void SetNoiseTypeToUniform() { this->SetNoiseType(NOISE_TYPE_UNIFORM); }
+  void SetNoiseTypeToGaussian() { this->SetNoiseType(NOISE_TYPE_GAUSSIAN); }
+  void SetNoiseTypeToPerlin() { this->SetNoiseType(NOISE_TYPE_PERLIN); }
+  //@}
+
+  //@{
+  /**
+   * Number of texels along each side, 2 to 16384, default 200.
+   */
+  vtkSetMacro(NoiseTextureSize, int);
+  vtkGetMacro(NoiseTextureSize, int);
+  //@}
+
+  //@{
+  /**
+   * Number of texels along each side of the squares of one value (of Perlin noise: its longest
+   * period), default 1.
+   */
+  vtkSetMacro(NoiseGrainSize, int);
+  vtkGetMacro(NoiseGrainSize, int);
+  //@}
+
+  //@{
+  /**
+   * The smallest and the largest value, in [0, 1]; default 0 and 0.8.
+   */
+  vtkSetMacro(MinNoiseValue, double);
+  vtkGetMacro(MinNoiseValue, double);
+  vtkSetMacro(MaxNoiseValue, double);
+  vtkGetMacro(MaxNoiseValue, double);
+  //@}
+
+  //@{
+  /**
+   * How many different values there are, evenly spaced from the smallest to the largest; at least
+   * 2, default 256.
+   */
+  vtkSetMacro(NumberOfNoiseLevels, int);
+  vtkGetMacro(NumberOfNoiseLevels, int);
+  //@}
+
+  //@{
+  /**
+   * Share of the grains (of Perlin noise: of the texels) that have noise, in [0, 1], default 1. The
+   * others have ImpulseNoiseBackgroundValue, default 0.
+   */
+  vtkSetMacro(ImpulseNoiseProbability, double);
+  vtkGetMacro(ImpulseNoiseProbability, double);
+  vtkSetMacro(ImpulseNoiseBackgroundValue, double);
+  vtkGetMacro(ImpulseNoiseBackgroundValue, double);
+  //@}
+
+  //@{
+  /**
+   * Another number gives other noise of the same kind; default 1.
+   */
+  vtkSetMacro(NoiseGeneratorSeed, int);
+  vtkGetMacro(NoiseGeneratorSeed, int);
+  //@}
+
+protected:
+  vtkLICNoiseSource();
+  ~vtkLICNoiseSource() override;
+
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  int NoiseType = NOISE_TYPE_GAUSSIAN;
+  int NoiseTextureSize = 200;
+  int NoiseGrainSize = 1;
+  double MinNoiseValue = 0.0;
+  double MaxNoiseValue = 0.8;
+  int NumberOfNoiseLevels = 256;
+  double ImpulseNoiseProbability = 1.0;
+  double ImpulseNoiseBackgroundValue = 0.0;
+  int NoiseGeneratorSeed = 1;
+
+private:
+  vtkLICNoiseSource(const vtkLICNoiseSource&) = delete;
+  void operator=(const vtkLICNoiseSource&) = delete;
+
+  std::string FindError() const;
+  void FillUnitNoise(vtkFloatArray* noise);
+  void MapToLevels(vtkFloatArray* noise);
+};
+
+#endif
