@@ -249,8 +249,10 @@ void vtkAdaptiveRefinementMapper::ReleaseGraphicsResources(vtkWindow* window)
   {
     data.State.ForgetLevels(); // what a metric gave for the GPU may be gone
   }
-  data.Faces.ReleaseGraphicsResources(window);
-  data.Vertices.ReleaseGraphicsResources(window);
+  for (vtkOpenGLHelper* helper : data.Helpers)
+  {
+    helper->ReleaseGraphicsResources(window);
+  }
   data.Programs.clear();
   data.UploadValid = false;
   data.ContextChecked = false;
@@ -315,10 +317,22 @@ void vtkAdaptiveRefinementMapper::RenderRefined(vtkRenderer* ren, vtkActor* act)
   }
   this->InvokeEvent(vtkCommand::EndEvent, nullptr);
   data.NumberOfDrawCalls = 0;
-  data.Blocks.Update(this, vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)));
+  this->UpdateBlocks();
   this->UpdateBudget(ren, act);
   data.Blocks.Render(ren, act);
   this->UpdateProgress(1.0);
+}
+
+void vtkAdaptiveRefinementMapper::UpdateBlocks()
+{
+  this->Internals->Blocks.Update(
+    this, vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)));
+}
+
+void vtkAdaptiveRefinementMapper::ForEachBlock(
+  const std::function<void(vtkAdaptiveRefinementMapper*)>& work) const
+{
+  this->Internals->Blocks.ForEach(work);
 }
 
 void vtkAdaptiveRefinementMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* act)

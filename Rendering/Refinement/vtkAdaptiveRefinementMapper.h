@@ -37,11 +37,17 @@
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkSmartPointer.h" // for members
 
-#include <memory> // for Internals
-#include <string> // for reasons
+#include <functional> // for ForEachBlock()
+#include <memory>     // for Internals
+#include <string>     // for reasons
 
 class vtkAdaptiveRefinement;
 class vtkScalarsToColors;
+
+namespace relevo
+{
+struct RefinementShaderOptions;
+}
 
 class RELEVORENDERINGREFINEMENT_EXPORT vtkAdaptiveRefinementMapper : public vtkOpenGLPolyDataMapper
 {
@@ -334,7 +340,7 @@ public:
   /**
    * Bytes on the GPU: coarse buffers (VTK's own included), patterns and height textures.
    */
-  vtkTypeInt64 GetGraphicsMemorySize();
+  virtual vtkTypeInt64 GetGraphicsMemorySize();
 
   //@{
   /**
@@ -368,6 +374,39 @@ protected:
   void SetMapperShaderParameters(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;
   void UpdateMaximumPointCellIds(vtkRenderer* ren, vtkActor* actor) override;
 
+  //@{
+  /**
+   * For subclasses that draw the refined faces once more, with a shader of their own:
+   * AddFaceHelper() makes DrawFaces() of this helper draw them, from within RenderPieceDraw() and
+   * where IsDrawable(). The helper lives as long as the mapper. IsFaceHelper() is true of all that
+   * draw refined faces.
+   */
+  void AddFaceHelper(vtkOpenGLHelper* helper);
+  bool IsFaceHelper(const vtkOpenGLHelper* helper) const;
+  void DrawFaces(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act);
+  bool IsDrawable() const;
+  //@}
+
+  /**
+   * For subclasses that add to the vertex shader of a helper's faces: they fill in
+   * options.Extension. Shaders are written anew when it has changed.
+   */
+  virtual void ExtendShaders(const vtkOpenGLHelper*, relevo::RefinementShaderOptions&) {}
+
+  /**
+   * One pass over the input, all blocks of a composite data set.
+   */
+  virtual void RenderRefined(vtkRenderer* ren, vtkActor* act);
+
+  //@{
+  /**
+   * The mappers of a composite input's blocks are of the class of this one. UpdateBlocks() has one
+   * for each, with the settings that ShallowCopy() copies; it runs before they draw.
+   */
+  virtual void UpdateBlocks();
+  void ForEachBlock(const std::function<void(vtkAdaptiveRefinementMapper*)>& work) const;
+  //@}
+
 private:
   vtkAdaptiveRefinementMapper(const vtkAdaptiveRefinementMapper&) = delete;
   void operator=(const vtkAdaptiveRefinementMapper&) = delete;
@@ -382,7 +421,6 @@ private:
   bool UpdateMesh();
   bool UpdateSelection(vtkRenderer* ren, vtkActor* act);
   void UpdateBudget(vtkRenderer* ren, vtkActor* act);
-  void RenderRefined(vtkRenderer* ren, vtkActor* act);
   bool SelectsOnGPU();
   bool SelectOnGPU(vtkRenderer* ren, vtkActor* act);
   void GiveUpGPU(const std::string& reason);
@@ -391,11 +429,9 @@ private:
   void ChooseMethod(vtkRenderer* ren, vtkActor* act);
   bool BuildStages(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act);
   void GiveUpMethod(vtkRenderer* ren, vtkActor* act);
-  bool IsRefining(const vtkOpenGLHelper* cellBO) const;
   void SetRefinementColorMode(RefinementColorModes mode);
   bool UpdateFaceColors(vtkRenderer* ren);
   void UpdateRefiningShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act);
-  void DrawFaces(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act);
 
   vtkSmartPointer<vtkAdaptiveRefinement> Refinement;
   bool UseAllocatedRenderTime = true;

@@ -102,6 +102,7 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   // What draws refined faces, and their vertices when those are shown.
   vtkOpenGLHelper Faces;
   vtkOpenGLHelper Vertices;
+  std::vector<vtkOpenGLHelper*> Helpers = { &this->Faces, &this->Vertices }; // and subclasses'
   struct ProgramState
   {
     std::string ShaderKey;
@@ -139,7 +140,7 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   static bool HasWholeNumbers(vtkAdaptiveRefinement* recipe);
 
   relevo::RefinementShaderOptions GetShaderOptions(
-    const vtkAdaptiveRefinementMapper* mapper, const vtkOpenGLHelper* cellBO);
+    vtkAdaptiveRefinementMapper* mapper, const vtkOpenGLHelper* cellBO);
 };
 
 #endif

@@ -115,7 +115,7 @@ void vtkAdaptiveRefinementMapper::ChooseMethod(vtkRenderer* ren, vtkActor* act)
   {
     if (other.first != this->Method && other.first != data.MethodInUse)
     {
-      for (vtkOpenGLHelper* helper : { &data.Faces, &data.Vertices })
+      for (vtkOpenGLHelper* helper : data.Helpers)
       {
         int& owner = data.Programs[helper].Method;
         helper->Program = owner == other.first ? nullptr : helper->Program;

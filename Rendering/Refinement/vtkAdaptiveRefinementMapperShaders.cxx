@@ -17,13 +17,27 @@
 #include "vtkShaderProgram.h"
 #include "vtkShaderProperty.h"
 
-bool vtkAdaptiveRefinementMapper::IsRefining(const vtkOpenGLHelper* cellBO) const
+#include <algorithm>
+
+void vtkAdaptiveRefinementMapper::AddFaceHelper(vtkOpenGLHelper* helper)
 {
-  return cellBO == &this->Internals->Faces || cellBO == &this->Internals->Vertices;
+  helper->PrimitiveType = PrimitiveTris;
+  this->Internals->Helpers.push_back(helper);
+}
+
+bool vtkAdaptiveRefinementMapper::IsFaceHelper(const vtkOpenGLHelper* helper) const
+{
+  const auto& helpers = this->Internals->Helpers;
+  return std::find(helpers.begin(), helpers.end(), helper) != helpers.end();
+}
+
+bool vtkAdaptiveRefinementMapper::IsDrawable() const
+{
+  return this->Internals->Drawable;
 }
 
 relevo::RefinementShaderOptions vtkAdaptiveRefinementMapper::vtkInternals::GetShaderOptions(
-  const vtkAdaptiveRefinementMapper* mapper, const vtkOpenGLHelper* cellBO)
+  vtkAdaptiveRefinementMapper* mapper, const vtkOpenGLHelper* cellBO)
 {
   vtkAdaptiveRefinement* recipe = mapper->Refinement;
   relevo::RefinementShaderOptions options;
@@ -35,8 +49,9 @@ relevo::RefinementShaderOptions vtkAdaptiveRefinementMapper::vtkInternals::GetSh
   this->GetMethod().Describe(this->GetDrawing(recipe), options);
   options.HasDisplacement = displacement != nullptr;
   options.AlongNormal = displacement && displacement->IsAlongNormal();
-  options.ColorMode = cellBO == &this->Faces ? mapper->RefinementColorMode : COLOR_BY_SCALARS;
+  options.ColorMode = cellBO != &this->Vertices ? mapper->RefinementColorMode : COLOR_BY_SCALARS;
   options.HasScalars = this->ColorsValid && options.ColorMode == COLOR_BY_SCALARS;
+  mapper->ExtendShaders(cellBO, options);
   return options;
 }
 
@@ -72,7 +87,7 @@ bool vtkAdaptiveRefinementMapper::GetNeedToRebuildShaders(
   vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
 {
   bool needed = this->Superclass::GetNeedToRebuildShaders(cellBO, ren, act);
-  if (this->IsRefining(&cellBO))
+  if (this->IsFaceHelper(&cellBO))
   {
     vtkInternals& data = *this->Internals;
     vtkInternals::ProgramState& program = data.Programs[&cellBO];
@@ -130,12 +145,12 @@ std::string vtkAdaptiveRefinementMapper::vtkInternals::GetShaderCause(
 void vtkAdaptiveRefinementMapper::ReplaceShaderValues(
   std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act)
 {
-  if (this->IsRefining(this->LastBoundBO))
+  if (this->IsFaceHelper(this->LastBoundBO))
   {
     relevo::MarkColors(shaders);
   }
   this->Superclass::ReplaceShaderValues(shaders, ren, act);
-  if (this->IsRefining(this->LastBoundBO))
+  if (this->IsFaceHelper(this->LastBoundBO))
   {
     const int mode = this->PointPicking
       ? GL_POINTS
@@ -151,7 +166,7 @@ void vtkAdaptiveRefinementMapper::SetMapperShaderParameters(
   vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
 {
   this->Superclass::SetMapperShaderParameters(cellBO, ren, act);
-  if (!this->IsRefining(&cellBO))
+  if (!this->IsFaceHelper(&cellBO))
   {
     return;
   }

@@ -39,7 +39,7 @@ void RefinementBlocks::Update(vtkAdaptiveRefinementMapper* parent, vtkCompositeD
     }
     else
     {
-      mapper = vtkSmartPointer<vtkAdaptiveRefinementMapper>::New();
+      mapper.TakeReference(parent->NewInstance());
       mapper->SetPopulateSelectionSettings(0);
       // Errors come from the object the user holds.
       auto forward = [](vtkObject*, unsigned long event, void* client, void* text)

@@ -26,15 +26,6 @@ namespace relevo
 {
 namespace
 {
-// A value handed from the vertex shader to the fragments, through a geometry shader if there is
-// one. VTK's naming: ...VSOutput, which it turns into ...GSOutput behind a geometry shader.
-struct Varying
-{
-  const char* Qualifier;
-  const char* Type;
-  const char* Name;
-};
-
 // Where colours of faces replace VTK's own, in the fragment shader.
 constexpr const char* ColorMark = "//Relevo::Color::Impl";
 
@@ -97,7 +88,8 @@ std::string GetDefines(const RefinementShaderOptions& options, bool edges, bool 
 
 std::string RefinementShaderOptions::GetKey() const
 {
-  return GetDefines(*this, false, false) + this->PlacementSource + this->SurfaceSource;
+  return GetDefines(*this, false, false) + this->PlacementSource + this->SurfaceSource +
+    this->Extension.Declarations + this->Extension.Statements;
 }
 
 void MarkColors(std::map<vtkShader::Type, vtkShader*>& shaders)
@@ -158,7 +150,8 @@ std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, b
   }
   vertex += rest;
 
-  std::vector<Varying> varyings = { { "flat ", "int", "relevoPrimitiveID" } };
+  std::vector<ShaderVarying> varyings = options.Extension.Varyings;
+  varyings.push_back({ "flat ", "int", "relevoPrimitiveID" });
   if (edges)
   {
     varyings.push_back({ "", "vec3", "relevoWeights" });
@@ -195,15 +188,17 @@ std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, b
   {
     text << relevoFaceColorsVS;
   }
-  for (const Varying& varying : varyings)
+  for (const ShaderVarying& varying : varyings)
   {
     text << varying.Qualifier << "out " << varying.Type << " " << varying.Name << "VSOutput;\n";
   }
-  text << "int relevoPointId;\n"
+  text << "int relevoPointId;\nvec3 relevoNormal = vec3(0.0);\n"
        << samplers.str() << "void relevoSetNormal(vec3 normal)\n{\n"
        << (takesNormal ? "  normalMC = normal;\n" : "") << "}\n"
        << "void relevoSetAttributes(vec3 w)\n{\n"
        << fetches.str() << "}\n"
+       << options.Extension.Declarations << "void relevoExtend()\n{\n"
+       << options.Extension.Statements << "}\n"
        << relevoRefineVS;
   InsertBeforeMain(vertex, text.str());
   InsertAfterVersion(vertex, GetDefines(options, edges, lines));
@@ -218,9 +213,9 @@ std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, b
   {
     std::ostringstream declarations;
     std::ostringstream copies;
-    for (const Varying& varying : varyings)
+    for (const ShaderVarying& varying : varyings)
     {
-      const std::string name = varying.Name;
+      const std::string& name = varying.Name;
       declarations << varying.Qualifier << "in " << varying.Type << " " << name << "VSOutput[];\n"
                    << varying.Qualifier << "out " << varying.Type << " " << name << "GSOutput;\n";
       copies << name << "GSOutput = " << name << "VSOutput[i];\n    ";
@@ -239,10 +234,9 @@ std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, b
 
   // The fragment shader knows coarse primitives and colours of faces, and leaves holes.
   std::string declarations;
-  for (const Varying& varying : varyings)
+  for (const ShaderVarying& varying : varyings)
   {
-    declarations +=
-      std::string(varying.Qualifier) + "in " + varying.Type + " " + varying.Name + "VSOutput;\n";
+    declarations += varying.Qualifier + "in " + varying.Type + " " + varying.Name + "VSOutput;\n";
   }
   if (options.ColorMode != vtkAdaptiveRefinementMapper::COLOR_BY_SCALARS)
   {

@@ -21,6 +21,24 @@
 
 namespace relevo
 {
+/// A value handed from the vertex shader to the fragments, through a geometry shader if there is
+/// one. VTK's naming: NameVSOutput, which it turns into NameGSOutput behind a geometry shader.
+struct ShaderVarying
+{
+  std::string Qualifier; // "flat " or nothing
+  std::string Type;
+  std::string Name;
+};
+
+/// What a subclass of the mapper adds to the vertex shader. Its statements run when the vertex is
+/// made: vertexMC, relevoNormal (unit, zero without normals) and all attributes are set.
+struct ShaderExtension
+{
+  std::vector<ShaderVarying> Varyings;
+  std::string Declarations;
+  std::string Statements;
+};
+
 /// What the shaders depend on.
 struct RefinementShaderOptions
 {
@@ -48,6 +66,7 @@ struct RefinementShaderOptions
   bool HasScalars = false;
   /// What faces are coloured by.
   RefinementColorMode ColorMode = vtkAdaptiveRefinementMapper::COLOR_BY_SCALARS;
+  ShaderExtension Extension;
 
   /// Everything above in one line, to compare.
   std::string GetKey() const;

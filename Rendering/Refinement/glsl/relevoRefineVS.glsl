@@ -13,7 +13,8 @@ void relevoRefine()
   position += point.Vector * relevoPositionScale;
   normal = point.Normal;
 #endif
-  relevoSetNormal(unitVector(normal)); // fragments interpolate unit normals, as of the filter
+  relevoNormal = unitVector(normal); // fragments interpolate unit normals, as of the filter
+  relevoSetNormal(relevoNormal);
 #endif
   vertexMC = vec4(position, 1.0);
   relevoSetAttributes(w);
@@ -39,4 +40,5 @@ void relevoRefine()
   // Diagonals of coarse polygons are hidden.
   relevoHidden = relevoHidden || (relevoFace.w & relevoLineEdges()) != 0;
 #endif
+  relevoExtend();
 }
