@@ -1,0 +1,48 @@
+// What is done to a LIC image beside the convolution: one source for the shaders and C++.
+//
+// The including side provides
+//   float licValue(ivec2 pixel)    the image
+//   bool licIsMasked(ivec2 pixel)  whether there is no LIC at the pixel, or no image
+
+// Edges sharpened: the pixel and its Laplacian (of its eight neighbours), within [0, 1]. Where a
+// neighbour is masked the pixel stays.
+RELEVO_FUNCTION float licHighPass(ivec2 pixel)
+{
+  float value = licValue(pixel);
+  float sum = 9.0f * value;
+  for (int i = 0; i < 9; ++i)
+  {
+    ivec2 neighbour = pixel + ivec2(i % 3 - 1, i / 3 - 1);
+    if (i != 4)
+    {
+      if (licIsMasked(neighbour))
+      {
+        return value;
+      }
+      sum -= licValue(neighbour);
+    }
+  }
+  return clamp(sum, 0.0f, 1.0f);
+}
+
+// Smoothed in one direction, (1, 0) or (0, 1): one half of a Gaussian of 3 x 3 pixels. Where a
+// neighbour is masked the pixel stays.
+RELEVO_FUNCTION float licSmooth(ivec2 pixel, ivec2 direction)
+{
+  float value = licValue(pixel);
+  if (licIsMasked(pixel - direction) || licIsMasked(pixel + direction))
+  {
+    return value;
+  }
+  return (licValue(pixel - direction) + 5.0f * value + licValue(pixel + direction)) / 7.0f;
+}
+
+// The histogram stretched: `range` has the least and the largest value, `factors` the shares of the
+// range that are cut off at the lower and at the upper end.
+RELEVO_FUNCTION float licStretch(float value, vec2 range, vec2 factors)
+{
+  float width = range.y - range.x;
+  float low = range.x + factors.x * width;
+  float high = range.y - factors.y * width;
+  return high > low ? clamp((value - low) / (high - low), 0.0f, 1.0f) : value;
+}
