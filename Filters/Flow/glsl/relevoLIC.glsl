@@ -3,35 +3,34 @@
 //
 // Positions are in pixels from the lower left corner; centres lie at (i + 0.5, j + 0.5). The
 // including side provides relevoLICKernel.glsl and
-//   vec2 licField(vec2 p)   the vector at p, bilinear between centres; zero where there is none
+//   vec2 licField(vec2 p)   the vector at p, bilinear between centres; zero outside, and where the
+//                           nearest sample is zero
 //   float licNoise(vec2 p)  the noise at p
-// Vectors shorter than 1e-8 count as zero: scale fields so that the longest is about 1.
+// Vectors shorter than 1e-18 count as zero: scale fields so that the longest is about 1.
 
 RELEVO_FUNCTION vec2 licVelocity(vec2 p, LICKernel kernel)
 {
   vec2 v = licField(p);
   float speed = length(v);
-  return speed > 1e-8f ? (kernel.Normalized ? v / speed : v) : vec2(0.0f);
+  return speed > 1e-18f ? (kernel.Normalized ? v / speed : v) : vec2(0.0f);
 }
 
 // The sums of weighted noise and of weights along a streamline, one way, by the midpoint rule. It
-// ends where there is no vector.
+// ends where there is no vector, and takes nothing from there.
 RELEVO_FUNCTION vec2 licWalk(vec2 start, float way, int reach, LICKernel kernel)
 {
   float h = way * kernel.StepSize;
   vec2 sum = vec2(0.0f);
   vec2 p = start;
-  for (int k = 1; k <= reach; ++k)
+  vec2 velocity = licVelocity(p, kernel);
+  for (int k = 1; k <= reach && velocity != vec2(0.0f); ++k)
   {
-    vec2 middle = p + 0.5f * h * licVelocity(p, kernel);
-    vec2 step = h * licVelocity(middle, kernel);
-    if (step == vec2(0.0f))
+    p += h * licVelocity(p + 0.5f * h * velocity, kernel);
+    velocity = licVelocity(p, kernel);
+    if (velocity != vec2(0.0f))
     {
-      break;
+      sum += licWeight(way * float(k), kernel) * vec2(licNoise(p), 1.0f);
     }
-    p += step;
-    float weight = licWeight(way * float(k), kernel);
-    sum += weight * vec2(licNoise(p), 1.0f);
   }
   return sum;
 }

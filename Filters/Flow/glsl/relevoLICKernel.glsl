@@ -36,3 +36,13 @@ RELEVO_FUNCTION ivec2 licReach(LICKernel kernel)
   int downstream = kernel.Phase > 0.0f ? 2 * kernel.Steps - int(floor(shift)) : kernel.Steps;
   return ivec2(upstream, downstream);
 }
+
+// The kernel of the second pass of enhanced convolution, over the sharpened result of the first: half
+// as long, and neither oriented nor moving, as its noise is already.
+RELEVO_FUNCTION LICKernel licSecondKernel(LICKernel kernel)
+{
+  kernel.Steps = max(kernel.Steps / 2, 1);
+  kernel.Oriented = false;
+  kernel.Phase = 0.0f;
+  return kernel;
+}
