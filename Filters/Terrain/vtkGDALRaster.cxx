@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGDALRaster.h"
 
+#include "vtkCoordinateSystem.h"
 #include "vtkGDALSession.h"
 #include "vtkType.h"
 
 #include <gdal.h>
-#include <ogr_srs_api.h>
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 
 namespace relevo
 {
@@ -85,38 +84,6 @@ double metresPerUnit(std::string unit)
   }
   return 1.0;
 }
-
-void describeCoordinateSystem(GDALDatasetH dataset, Georeference& location)
-{
-  location.System = Georeference::Kind::Planar;
-  const OGRSpatialReferenceH system = GDALGetSpatialRef(dataset);
-  if (!system)
-  {
-    return;
-  }
-  location.WKT = GDALGetProjectionRef(dataset);
-  if (OSRIsGeographic(system))
-  {
-    location.System = Georeference::Kind::Geographic;
-    location.Unit = OSRGetAngularUnits(system, nullptr) * 180.0 / M_PI;
-  }
-  else if (OSRIsGeocentric(system))
-  {
-    location.System = Georeference::Kind::Unsupported;
-  }
-  else
-  {
-    location.Unit = OSRGetLinearUnits(system, nullptr);
-  }
-  OGRErr failure = OGRERR_NONE;
-  const double axis = OSRGetSemiMajor(system, &failure);
-  if (failure == OGRERR_NONE && axis > 0.0)
-  {
-    const double inverse = OSRGetInvFlattening(system, nullptr);
-    location.SemiMajorAxis = axis;
-    location.Flattening = inverse != 0.0 ? 1.0 / inverse : 0.0;
-  }
-}
 }
 
 GDALRaster::GDALRaster()
@@ -181,7 +148,12 @@ std::unique_ptr<GDALRaster> GDALRaster::Open(const std::string& fileName, std::s
       error = "its georeference is singular: pixels without area";
       return nullptr;
     }
-    describeCoordinateSystem(dataset.get(), contents.Location);
+    contents.Location.System = Georeference::Kind::Planar;
+    if (const OGRSpatialReferenceH system = GDALGetSpatialRef(dataset.get()))
+    {
+      contents.Location.WKT = GDALGetProjectionRef(dataset.get());
+      DescribeCoordinateSystem(system, contents.Location);
+    }
   }
   raster->Implementation->Type = GDALGetRasterDataType(band);
   raster->Implementation->Band = band;

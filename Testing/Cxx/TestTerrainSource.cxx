@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkTerrainSource: where the mesh lies, how it is made, what it leaves out.
 #include "RelevoCheck.h"
+#include "RelevoGeodesy.h"
 #include "RelevoRasterFiles.h"
 
 #include "vtkCellArray.h"
@@ -22,30 +23,6 @@
 
 namespace
 {
-// East, north, up of a point on the ellipsoid about another one, from the textbook.
-std::array<double, 3> EastNorthUp(double longitude, double latitude, double longitude0,
-  double latitude0, double a = 6378137.0, double f = 1.0 / 298.257223563)
-{
-  const double e2 = f * (2.0 - f);
-  const auto place = [&](double lon, double lat)
-  {
-    const double n = a / std::sqrt(1.0 - e2 * std::sin(lat) * std::sin(lat));
-    return std::array<double, 3>{ n * std::cos(lat) * std::cos(lon),
-      n * std::cos(lat) * std::sin(lon), n * (1.0 - e2) * std::sin(lat) };
-  };
-  const double radians = std::acos(-1.0) / 180.0;
-  const double lon0 = longitude0 * radians;
-  const double lat0 = latitude0 * radians;
-  const auto p = place(longitude * radians, latitude * radians);
-  const auto q = place(lon0, lat0);
-  const double d[3] = { p[0] - q[0], p[1] - q[1], p[2] - q[2] };
-  return { -std::sin(lon0) * d[0] + std::cos(lon0) * d[1],
-    -std::sin(lat0) * std::cos(lon0) * d[0] - std::sin(lat0) * std::sin(lon0) * d[1] +
-      std::cos(lat0) * d[2],
-    std::cos(lat0) * std::cos(lon0) * d[0] + std::cos(lat0) * std::sin(lon0) * d[1] +
-      std::sin(lat0) * d[2] };
-}
-
 double Coordinate(vtkPolyData* mesh, vtkIdType point, int axis)
 {
   return mesh->GetPoint(point)[axis];
@@ -146,7 +123,7 @@ void TestGeographic(RelevoCheck& check, const RelevoTestFolders& folders)
   double worst = 0.0;
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
-    const auto expected = EastNorthUp(
+    const auto expected = RelevoEastNorthUp(
       10.0 + 0.8 * Texture(mesh, i, 0), 45.5 + 0.5 * Texture(mesh, i, 1), longitude0, latitude0);
     worst = std::max({ worst, std::abs(Coordinate(mesh, i, 0) - expected[0]),
       std::abs(Coordinate(mesh, i, 1) - expected[1]) });
@@ -180,8 +157,8 @@ void TestEllipsoid(RelevoCheck& check, const RelevoTestFolders& folders)
   vtkPolyData* mesh = source->GetOutput();
   const vtkIdType corner = FindPoint(mesh, 1.0, 1.0);
   CHECK(corner >= 0);
-  const auto expected =
-    EastNorthUp(2.4 * 0.9, 52.0 * 0.9, 2.2 * 0.9, 51.8 * 0.9, 6378249.2, 1.0 / 293.4660212936269);
+  const auto expected = RelevoEastNorthUp(
+    2.4 * 0.9, 52.0 * 0.9, 2.2 * 0.9, 51.8 * 0.9, 6378249.2, 1.0 / 293.4660212936269);
   CHECK_NEAR(Coordinate(mesh, corner, 0), expected[0], 0.01);
   CHECK_NEAR(Coordinate(mesh, corner, 1), expected[1], 0.01);
 }
@@ -480,7 +457,7 @@ void TestRealFiles(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK_NEAR(source->GetOrigin()[0], 11.5, 1e-9);
   CHECK_NEAR(source->GetOrigin()[1], 57.5, 1e-9);
   const vtkIdType corner = FindPoint(source->GetOutput(), 1.0, 1.0);
-  const auto expected = EastNorthUp(12.0 + 0.5 / 1200.0, 58.0 + 0.5 / 1200.0, 11.5, 57.5);
+  const auto expected = RelevoEastNorthUp(12.0 + 0.5 / 1200.0, 58.0 + 0.5 / 1200.0, 11.5, 57.5);
   CHECK_NEAR(Coordinate(source->GetOutput(), corner, 0), expected[0], 0.01);
   CHECK_NEAR(Coordinate(source->GetOutput(), corner, 1), expected[1], 0.01);
 }

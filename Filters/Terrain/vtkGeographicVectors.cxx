@@ -1,0 +1,395 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGeographicVectors.h"
+
+#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMapDirections.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRelevoCompatibility.h"
+#include "vtkSMPTools.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTerrainSource.h"
+#include "vtkUsableVector.h"
+#include "vtkVectorRaster.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace
+{
+constexpr double NoDataMagnitude = 1e8;
+constexpr vtkIdType PointsAtOnce = 65536; // between two looks at progress and abort
+constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
+
+bool hasVectors(vtkDataArray* array)
+{
+  return array && (array->GetNumberOfComponents() == 2 || array->GetNumberOfComponents() == 3);
+}
+
+// What a user who names no array has in mind; nullptr for none.
+vtkDataArray* findVectors(vtkPointData* data)
+{
+  if (hasVectors(data->GetVectors()))
+  {
+    return data->GetVectors();
+  }
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetArray(i);
+    if (hasVectors(array) && array != data->GetNormals() && array != data->GetTCoords())
+    {
+      return array;
+    }
+  }
+  return nullptr;
+}
+
+// Sets the vector of every point to what get(i, vector) gives, to NaN where it returns false.
+template <typename Function>
+void forPoints(vtkIdType numberOfPoints, Function&& get, vtkFloatArray* vectors)
+{
+  vtkSMPTools::For(0, numberOfPoints,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        double vector[3] = { 0.0, 0.0, 0.0 };
+        float tuple[3] = { NaN, NaN, NaN };
+        if (get(i, vector))
+        {
+          std::copy_n(vector, 3, tuple);
+        }
+        vectors->SetTypedTuple(i, tuple);
+      }
+    });
+}
+
+// East, north and up as they are given.
+bool takeVectors(vtkPolyData* mesh, vtkDataArray* array, vtkFloatArray* vectors, std::string& error)
+{
+  if (array->GetNumberOfTuples() != mesh->GetNumberOfPoints())
+  {
+    error = "has " + std::to_string(array->GetNumberOfTuples()) + " tuples for " +
+      std::to_string(mesh->GetNumberOfPoints()) + " points";
+    return false;
+  }
+  forPoints(
+    mesh->GetNumberOfPoints(),
+    [=](vtkIdType i, double* vector)
+    {
+      array->GetTuple(i, vector);
+      return relevo::IsUsableVector(vector, NoDataMagnitude);
+    },
+    vectors);
+  return true;
+}
+
+bool sampleVectors(vtkPolyData* mesh, vtkImageData* image, vtkDataArray* array,
+  vtkFloatArray* vectors, std::string& error)
+{
+  vtkDataArray* coordinates = mesh->GetPointData()->GetTCoords();
+  if (!coordinates || coordinates->GetNumberOfComponents() < 2 ||
+    coordinates->GetNumberOfTuples() != mesh->GetNumberOfPoints())
+  {
+    error = "is sampled by texture coordinates, which the mesh does not have";
+    return false;
+  }
+  relevo::VectorRaster raster;
+  if (!raster.SetImage(image, array, NoDataMagnitude, error))
+  {
+    error = "cannot be sampled: " + error;
+    return false;
+  }
+  forPoints(
+    mesh->GetNumberOfPoints(),
+    [&](vtkIdType i, double* vector) {
+      return raster.Sample(
+        coordinates->GetComponent(i, 0), coordinates->GetComponent(i, 1), vector);
+    },
+    vectors);
+  return true;
+}
+
+// The direction by the axes, the length as it is.
+void turn(const relevo::MapAxes& axes, float vector[3])
+{
+  const double x = vector[0] * axes.East[0] + vector[1] * axes.North[0];
+  const double y = vector[0] * axes.East[1] + vector[1] * axes.North[1];
+  const double length = std::hypot(x, y);
+  if (!std::isfinite(length))
+  {
+    std::fill_n(vector, 3, NaN);
+    return;
+  }
+  const double scale = length > 0.0 ? std::hypot(vector[0], vector[1]) / length : 0.0;
+  vector[0] = static_cast<float>(scale * x);
+  vector[1] = static_cast<float>(scale * y);
+}
+}
+
+vtkStandardNewMacro(vtkGeographicVectors);
+
+vtkGeographicVectors::vtkGeographicVectors()
+  : Origin{ 0.0, 0.0, 0.0 }
+  , Exaggeration(1.0)
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkGeographicVectors::~vtkGeographicVectors() = default;
+
+void vtkGeographicVectors::SetTerrain(vtkTerrainSource* terrain)
+{
+  if (this->Terrain != terrain)
+  {
+    this->Terrain = terrain;
+    this->Modified();
+  }
+}
+
+vtkTerrainSource* vtkGeographicVectors::GetTerrain()
+{
+  return this->Terrain;
+}
+
+void vtkGeographicVectors::SetCoordinateSystem(const char* definition)
+{
+  const std::string given = definition ? definition : "";
+  if (this->CoordinateSystem != given)
+  {
+    this->CoordinateSystem = given;
+    this->Modified();
+  }
+}
+
+void vtkGeographicVectors::SetExaggeration(double exaggeration)
+{
+  if (!std::isfinite(exaggeration))
+  {
+    vtkErrorMacro(<< "Exaggeration must be finite, not " << exaggeration << ".");
+    return;
+  }
+  if (this->Exaggeration != exaggeration)
+  {
+    this->Exaggeration = exaggeration;
+    this->Modified();
+  }
+}
+
+void vtkGeographicVectors::SetOutputArrayName(const char* name)
+{
+  const std::string given = name ? name : "";
+  if (this->OutputArrayName != given)
+  {
+    this->OutputArrayName = given;
+    this->Modified();
+  }
+}
+
+void vtkGeographicVectors::SetRasterData(vtkImageData* image)
+{
+  this->SetInputDataObject(1, image);
+}
+
+void vtkGeographicVectors::SetRasterConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+vtkMTimeType vtkGeographicVectors::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->Terrain ? std::max(own, this->Terrain->GetMTime()) : own;
+}
+
+int vtkGeographicVectors::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    return this->Superclass::FillInputPortInformation(port, info);
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+int vtkGeographicVectors::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* raster = inputVector[1]->GetInformationObject(0);
+  if (raster && raster->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    raster->Set(
+      Pipeline::UPDATE_EXTENT(), raster->Get(Pipeline::WHOLE_EXTENT()), 6); // any may be sampled
+  }
+  return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+}
+
+int vtkGeographicVectors::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
+  vtkImageData* raster = vtkImageData::GetData(inputVector[1], 0);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  output->Initialize();
+
+  bool isOfRaster = raster != nullptr;
+  vtkDataArray* array = this->ChooseArray(inputVector, isOfRaster);
+  std::unique_ptr<relevo::MapDirections> directions;
+  double exaggeration = 1.0;
+  if (!array || !this->Locate(directions, exaggeration)) // has told why
+  {
+    return 0;
+  }
+  const std::string inputName = array->GetName() ? array->GetName() : "Vectors";
+  vtkNew<vtkFloatArray> vectors;
+  vectors->SetName(
+    this->OutputArrayName.empty() ? inputName.c_str() : this->OutputArrayName.c_str());
+  vectors->SetNumberOfComponents(3);
+  vectors->SetNumberOfTuples(input->GetNumberOfPoints());
+  std::string error;
+  if (!(isOfRaster ? sampleVectors(input, raster, array, vectors, error)
+                   : takeVectors(input, array, vectors, error)))
+  {
+    vtkErrorMacro(<< "The array \"" << inputName << "\" " << error << ".");
+    return 0;
+  }
+  if (this->Turn(input, directions.get(), exaggeration, vectors))
+  {
+    output->ShallowCopy(input);
+    output->GetPointData()->AddArray(vectors);
+    output->GetPointData()->SetActiveVectors(vectors->GetName());
+    this->UpdateProgress(1.0);
+  }
+  return 1;
+}
+
+vtkDataArray* vtkGeographicVectors::ChooseArray(
+  vtkInformationVector** inputVector, bool& isOfRaster)
+{
+  vtkInformation* choice = this->GetInputArrayInformation(0);
+  if (!choice->Has(vtkAlgorithm::INPUT_PORT()))
+  {
+    vtkDataSet* data = vtkDataSet::GetData(inputVector[isOfRaster ? 1 : 0], 0);
+    vtkDataArray* array = findVectors(data->GetPointData());
+    if (!array)
+    {
+      vtkErrorMacro(<< "The " << (isOfRaster ? "image" : "mesh")
+                    << " has no point array of 2 or 3 components: east, north and maybe up.");
+    }
+    return array;
+  }
+
+  const int port = choice->Get(vtkAlgorithm::INPUT_PORT());
+  const char* place = port == 0 ? "mesh" : "image";
+  if (port < 0 || port > 1 || !inputVector[port]->GetInformationObject(0))
+  {
+    vtkErrorMacro(<< "The vectors are to come from input " << port << ", where there is none.");
+    return nullptr;
+  }
+  const std::string name =
+    choice->Has(vtkDataObject::FIELD_NAME()) ? choice->Get(vtkDataObject::FIELD_NAME()) : "";
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* array = this->GetInputArrayToProcess(0, inputVector, association);
+  if (!array || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  {
+    vtkErrorMacro(<< "The " << place << " has no point array of numbers named \"" << name << "\".");
+    return nullptr;
+  }
+  if (!hasVectors(array))
+  {
+    vtkErrorMacro(<< "The array \"" << name << "\" of the " << place << " has "
+                  << array->GetNumberOfComponents()
+                  << " components in place of 2 or 3: east, north and maybe up.");
+    return nullptr;
+  }
+  isOfRaster = port == 1;
+  return array;
+}
+
+bool vtkGeographicVectors::Locate(
+  std::unique_ptr<relevo::MapDirections>& directions, double& exaggeration)
+{
+  std::string system = this->CoordinateSystem;
+  const double* origin = this->Origin;
+  exaggeration = this->Exaggeration;
+  if (this->Terrain)
+  {
+    this->Terrain->Update();
+    if (this->Terrain->GetOutput()->GetNumberOfPoints() == 0)
+    {
+      vtkErrorMacro("The terrain has no mesh: its own error says why.");
+      return false;
+    }
+    system = this->Terrain->GetCoordinateSystem();
+    origin = this->Terrain->GetOrigin();
+    exaggeration = this->Terrain->GetExaggeration();
+  }
+  std::string error;
+  directions = relevo::MapDirections::New(system, { origin[0], origin[1] }, error);
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< "The coordinate system \"" << system << "\" cannot be used: " << error << ".");
+    return false;
+  }
+  return true;
+}
+
+bool vtkGeographicVectors::Turn(vtkPolyData* mesh, const relevo::MapDirections* directions,
+  double exaggeration, vtkFloatArray* vectors)
+{
+  const vtkIdType numberOfPoints = mesh->GetNumberOfPoints();
+  std::vector<relevo::MapPlace> places;
+  std::vector<relevo::MapAxes> axes;
+  for (vtkIdType first = 0; first < numberOfPoints; first += PointsAtOnce)
+  {
+    this->UpdateProgress(static_cast<double>(first) / static_cast<double>(numberOfPoints));
+    if (relevo::IsAborted(this))
+    {
+      return false;
+    }
+    const vtkIdType count = std::min(PointsAtOnce, numberOfPoints - first);
+    if (directions)
+    {
+      places.resize(count);
+      for (vtkIdType i = 0; i < count; ++i)
+      {
+        double point[3];
+        mesh->GetPoint(first + i, point);
+        places[i] = { point[0], point[1] };
+      }
+      directions->Evaluate(places, axes);
+    }
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      float* vector = vectors->GetPointer(3 * (first + i));
+      if (directions)
+      {
+        turn(axes[i], vector);
+      }
+      vector[2] *= static_cast<float>(exaggeration);
+    }
+  }
+  return true;
+}
+
+void vtkGeographicVectors::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Terrain: " << this->Terrain.Get() << "\n";
+  os << indent << "CoordinateSystem: " << this->CoordinateSystem << "\n";
+  os << indent << "Origin: " << this->Origin[0] << ", " << this->Origin[1] << ", "
+     << this->Origin[2] << "\n";
+  os << indent << "Exaggeration: " << this->Exaggeration << "\n";
+  os << indent << "OutputArrayName: " << this->OutputArrayName << "\n";
+}
