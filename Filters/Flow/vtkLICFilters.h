@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkLICFilters
+ * @brief   the shared filters of LIC images, over an image in memory
+ *
+ * Private to the module's own sources.
+ */
+#ifndef vtkLICFilters_h
+#define vtkLICFilters_h
+
+#include "vtkLICPlane.h"
+#include "vtkRefinementMathematics.h"
+
+namespace relevo
+{
+struct LICFilters
+{
+  vtkIdType index(ivec2 pixel) const
+  {
+    return static_cast<vtkIdType>(pixel.y) * this->Plane.Columns + pixel.x;
+  }
+  float licValue(ivec2 pixel) const { return this->Values[this->index(pixel)]; }
+  bool licIsMasked(ivec2 pixel) const
+  {
+    const bool inside =
+      pixel.x >= 0 && pixel.y >= 0 && pixel.x < this->Plane.Columns && pixel.y < this->Plane.Rows;
+    return !inside || this->Mask[this->index(pixel)];
+  }
+
+#include "glsl/relevoLICFilters.glsl"
+
+  const LICPlane& Plane;
+  const unsigned char* Mask; // of each sample, 0 or 1
+  const float* Values;       // of each sample
+};
+}
+
+#endif

@@ -1,0 +1,348 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkLineIntegralConvolution.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkLICNoiseSource.h"
+#include "vtkLICPasses.h"
+#include "vtkLICPlane.h"
+#include "vtkLICVectors.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkRelevoCompatibility.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace
+{
+bool CanBeVectors(vtkDataArray* array, vtkIdType numberOfPoints)
+{
+  return array && (array->GetNumberOfComponents() == 2 || array->GetNumberOfComponents() == 3) &&
+    array->GetNumberOfTuples() == numberOfPoints;
+}
+
+// The first array that can be vectors; null if there is none.
+vtkDataArray* FindDefaultVectors(vtkImageData* image)
+{
+  vtkPointData* data = image->GetPointData();
+  const vtkIdType numberOfPoints = image->GetNumberOfPoints();
+  vtkDataArray* found = nullptr;
+  for (int i = 0; i < data->GetNumberOfArrays() && !CanBeVectors(found, numberOfPoints); ++i)
+  {
+    found = data->GetArray(i);
+  }
+  return CanBeVectors(found, numberOfPoints) ? found : nullptr;
+}
+
+// What makes [0, 1] of an array's values.
+double GetNoiseScale(vtkDataArray* array)
+{
+  switch (array->GetDataType())
+  {
+    case VTK_UNSIGNED_CHAR:
+      return 1.0 / VTK_UNSIGNED_CHAR_MAX;
+    case VTK_UNSIGNED_SHORT:
+      return 1.0 / VTK_UNSIGNED_SHORT_MAX;
+    default:
+      return 1.0;
+  }
+}
+
+// The first component of an image's scalars, in [0, 1].
+bool ReadNoise(
+  vtkImageData* image, relevo::LICPlane& plane, std::vector<float>& noise, std::string& error)
+{
+  if (!plane.Find(image, error))
+  {
+    return false;
+  }
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  if (!scalars || scalars->GetNumberOfTuples() != plane.GetNumberOfSamples())
+  {
+    error = "has no point scalars";
+    return false;
+  }
+  const double scale = GetNoiseScale(scalars);
+  noise.resize(plane.GetNumberOfSamples());
+  for (vtkIdType i = 0; i < plane.GetNumberOfSamples(); ++i)
+  {
+    const double value = scale * scalars->GetComponent(i, 0);
+    if (!(value >= 0.0 && value <= 1.0))
+    {
+      std::ostringstream text;
+      text << "has the value " << value << " outside [0, 1] at point " << i;
+      error = text.str();
+      return false;
+    }
+    noise[i] = static_cast<float>(value);
+  }
+  return true;
+}
+
+// Repeats a tile over all samples of a plane.
+std::vector<float> Tile(
+  const std::vector<float>& tile, const relevo::LICPlane& tilePlane, const relevo::LICPlane& plane)
+{
+  std::vector<float> tiled(plane.GetNumberOfSamples());
+  float* value = tiled.data();
+  for (int row = 0; row < plane.Rows; ++row)
+  {
+    const float* source =
+      tile.data() + static_cast<vtkIdType>(row % tilePlane.Rows) * tilePlane.Columns;
+    for (int column = 0; column < plane.Columns; ++column)
+    {
+      *value++ = source[column % tilePlane.Columns];
+    }
+  }
+  return tiled;
+}
+
+// From 0 to below 1.
+float WrapPhase(double phase)
+{
+  const float wrapped = static_cast<float>(phase - std::floor(phase));
+  return wrapped < 1.0f ? wrapped : 0.0f;
+}
+}
+
+vtkStandardNewMacro(vtkLineIntegralConvolution);
+
+vtkLineIntegralConvolution::vtkLineIntegralConvolution()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::VECTORS);
+}
+
+vtkLineIntegralConvolution::~vtkLineIntegralConvolution() = default;
+
+void vtkLineIntegralConvolution::SetNoiseData(vtkImageData* noise)
+{
+  this->SetInputData(1, noise);
+}
+
+int vtkLineIntegralConvolution::FillInputPortInformation(int port, vtkInformation* information)
+{
+  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1);
+  return 1;
+}
+
+int vtkLineIntegralConvolution::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkDataObject::SetPointDataActiveScalarInfo(outputVector->GetInformationObject(0), VTK_FLOAT, 1);
+  return 1;
+}
+
+int vtkLineIntegralConvolution::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  for (int port = 0; port < 2; ++port)
+  {
+    vtkInformation* information = inputVector[port]->GetInformationObject(0);
+    if (information && information->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+    {
+      information->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
+        information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), 6);
+    }
+  }
+  return 1;
+}
+
+std::string vtkLineIntegralConvolution::FindError() const
+{
+  const double low = this->LowLICContrastEnhancementFactor;
+  const double high = this->HighLICContrastEnhancementFactor;
+  std::ostringstream error;
+  if (this->NumberOfSteps < 1)
+  {
+    error << "NumberOfSteps " << this->NumberOfSteps << " is less than 1";
+  }
+  else if (!(this->StepSize > 0.0) || !std::isfinite(this->StepSize))
+  {
+    error << "StepSize " << this->StepSize << " is not a positive number";
+  }
+  else if (this->EnhanceContrast != ENHANCE_CONTRAST_OFF &&
+    this->EnhanceContrast != ENHANCE_CONTRAST_LIC)
+  {
+    error << "EnhanceContrast " << this->EnhanceContrast << " is neither OFF (0) nor LIC (1)";
+  }
+  else if (!std::isfinite(low) || !std::isfinite(high) || low + high >= 1.0)
+  {
+    error << "LowLICContrastEnhancementFactor " << low << " and HighLICContrastEnhancementFactor "
+          << high << " are not numbers whose sum is less than 1";
+  }
+  else if (this->AntiAlias < 0)
+  {
+    error << "AntiAlias " << this->AntiAlias << " is negative";
+  }
+  else if (std::isnan(this->MaskThreshold))
+  {
+    error << "MaskThreshold is not a number";
+  }
+  else if (!(this->NoDataMagnitude > 0.0))
+  {
+    error << "NoDataMagnitude " << this->NoDataMagnitude << " is not positive";
+  }
+  else if (!std::isfinite(this->Phase))
+  {
+    error << "Phase " << this->Phase << " is not a finite number";
+  }
+  return error.str();
+}
+
+vtkDataArray* vtkLineIntegralConvolution::FindVectors(
+  vtkInformationVector** inputVector, std::string& error)
+{
+  vtkImageData* input = vtkImageData::GetData(inputVector[0]);
+  vtkInformation* wanted = this->GetInputArrayInformation(0);
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* found = this->GetInputArrayToProcess(0, inputVector, association);
+  if (!wanted->Has(vtkDataObject::FIELD_NAME()))
+  {
+    found = CanBeVectors(found, input->GetNumberOfPoints()) ? found : FindDefaultVectors(input);
+    error = found ? "" : "has no point array of 2 or 3 components";
+    return found;
+  }
+  std::ostringstream text;
+  text << "has no point array \"" << wanted->Get(vtkDataObject::FIELD_NAME()) << "\"";
+  if (!found || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  {
+    error = text.str() + (found ? ", only one of its cells: see vtkCellDataToPointData" : "");
+    return nullptr;
+  }
+  if (!CanBeVectors(found, input->GetNumberOfPoints()))
+  {
+    text << " with 2 or 3 components for each of " << input->GetNumberOfPoints()
+         << " points: it has " << found->GetNumberOfTuples() << " tuples of "
+         << found->GetNumberOfComponents();
+    error = text.str();
+    return nullptr;
+  }
+  return found;
+}
+
+bool vtkLineIntegralConvolution::MakeNoise(vtkInformationVector* noiseVector,
+  const relevo::LICPlane& plane, std::vector<float>& noise, std::string& error)
+{
+  vtkNew<vtkLICNoiseSource> source;
+  vtkImageData* image = vtkImageData::GetData(noiseVector);
+  if (!image)
+  {
+    source->Update();
+    image = source->GetOutput();
+  }
+  relevo::LICPlane tilePlane;
+  std::vector<float> tile;
+  if (!ReadNoise(image, tilePlane, tile, error))
+  {
+    return false;
+  }
+  noise = Tile(tile, tilePlane, plane);
+  return true;
+}
+
+relevo::LICSettings vtkLineIntegralConvolution::MakeSettings(
+  const relevo::LICVectors& vectors) const
+{
+  const double unit = this->NormalizeVectors ? 1.0 : vectors.GetLongest();
+  relevo::LICSettings settings;
+  settings.Kernel.Steps = this->NumberOfSteps;
+  settings.Kernel.StepSize =
+    static_cast<float>(std::min(this->StepSize * unit, static_cast<double>(VTK_FLOAT_MAX)));
+  settings.Kernel.Normalized = this->NormalizeVectors;
+  settings.Kernel.Oriented = this->OrientedLIC;
+  settings.Kernel.Phase = WrapPhase(this->Phase);
+  settings.Enhanced = this->EnhancedLIC;
+  settings.Stretched = this->EnhanceContrast == ENHANCE_CONTRAST_LIC;
+  settings.StretchFactors =
+    relevo::vec2(this->LowLICContrastEnhancementFactor, this->HighLICContrastEnhancementFactor);
+  settings.NumberOfSmoothings = this->AntiAlias;
+  return settings;
+}
+
+int vtkLineIntegralConvolution::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkImageData* input = vtkImageData::GetData(inputVector[0]);
+  vtkImageData* output = vtkImageData::GetData(outputVector);
+  output->Initialize();
+  std::string error = this->FindError();
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error << ".");
+    return 0;
+  }
+
+  relevo::LICPlane plane;
+  vtkDataArray* array = nullptr;
+  relevo::LICVectors vectors;
+  if (!plane.Find(input, error) || !(array = this->FindVectors(inputVector, error)) ||
+    !vectors.Read(input, array, plane, this->NoDataMagnitude, this->MaskThreshold, error))
+  {
+    vtkErrorMacro("The input " << error << ".");
+    return 0;
+  }
+  std::vector<float> image;
+  if (!this->MakeNoise(inputVector[1], plane, image, error))
+  {
+    vtkErrorMacro("The noise " << error << ".");
+    return 0;
+  }
+
+  const relevo::LICSettings settings = this->MakeSettings(vectors);
+  relevo::LICPasses passes(plane, vectors, settings);
+  const auto watch = [this](double share)
+  {
+    this->UpdateProgress(share);
+    return !relevo::IsAborted(this);
+  };
+  if (!passes.Run(image, watch))
+  {
+    return 1;
+  }
+
+  vtkNew<vtkFloatArray> lic;
+  lic->SetName("LIC");
+  lic->SetNumberOfTuples(plane.GetNumberOfSamples());
+  std::copy(image.begin(), image.end(), lic->GetPointer(0));
+  vtkNew<vtkUnsignedCharArray> mask;
+  mask->SetName("LICMask");
+  mask->SetNumberOfTuples(plane.GetNumberOfSamples());
+  std::copy(vectors.GetMask().begin(), vectors.GetMask().end(), mask->GetPointer(0));
+  output->CopyStructure(input);
+  output->GetPointData()->SetScalars(lic);
+  output->GetPointData()->AddArray(mask);
+  return 1;
+}
+
+void vtkLineIntegralConvolution::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfSteps: " << this->NumberOfSteps << "\n";
+  os << indent << "StepSize: " << this->StepSize << "\n";
+  os << indent << "NormalizeVectors: " << this->NormalizeVectors << "\n";
+  os << indent << "EnhancedLIC: " << this->EnhancedLIC << "\n";
+  os << indent << "EnhanceContrast: " << this->EnhanceContrast << "\n";
+  os << indent << "LowLICContrastEnhancementFactor: " << this->LowLICContrastEnhancementFactor
+     << "\n";
+  os << indent << "HighLICContrastEnhancementFactor: " << this->HighLICContrastEnhancementFactor
+     << "\n";
+  os << indent << "AntiAlias: " << this->AntiAlias << "\n";
+  os << indent << "MaskThreshold: " << this->MaskThreshold << "\n";
+  os << indent << "NoDataMagnitude: " << this->NoDataMagnitude << "\n";
+  os << indent << "OrientedLIC: " << this->OrientedLIC << "\n";
+  os << indent << "Phase: " << this->Phase << "\n";
+}

@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkLineIntegralConvolution
+ * @brief   shows the directions of an image's vectors: noise, blurred along their streamlines
+ *
+ * B. Cabral, L. Leedom, "Imaging Vector Fields Using Line Integral Convolution", SIGGRAPH 1993; in
+ * two passes by A. Okada, D. Kao, "Enhanced Line Integral Convolution with Flow Feature Detection",
+ * 1997. Runs on all processors that vtkSMPTools uses; their number does not change the result.
+ * Names and defaults are those of vtkSurfaceLICInterface.
+ *
+ * Input 0: a vtkImageData, flat along an axis (n x m x 1, n x 1 x m or 1 x n x m points), with
+ * vectors of any type as a point array: by SetInputArrayToProcess(0, ...), or the active vectors,
+ * or the first array of 2 or 3 components. Vectors of 2 components run along the two axes of the
+ * image; of those of 3, in the coordinates of the image's points, the part in the image's plane
+ * counts. Spacing and directions of the image turn vectors into samples.
+ *
+ * Input 1, optional (SetNoiseConnection, SetNoiseData): noise, a flat vtkImageData whose active
+ * point scalars, first component, are in [0, 1], or unsigned char or unsigned short for the same
+ * range. Its first sample lies on the first sample of input 0; it is repeated in both directions,
+ * and looked up at the nearest sample. Default: vtkLICNoiseSource with its own defaults.
+ *
+ * Output: a vtkImageData of the same extent, with the float point scalars "LIC" in [0, 1] and the
+ * unsigned char point array "LICMask": 1 where the noise stays as it is, since there is no LIC, and
+ * 0 elsewhere. Masked are samples
+ *
+ * - without data: a component is not finite or at least NoDataMagnitude in absolute value, or the
+ *   point is blanked. They count as zero vectors: nothing else depends on what is stored there;
+ * - whose vector in the plane is no longer than MaskThreshold, with the default 0 zero vectors.
+ *
+ * A streamline ends where it leaves the image or comes to a sample with no vector, and nothing is
+ * taken from there: close to the border fewer samples count.
+ *
+ * Errors, with an empty output: an input that is empty or not flat; an array that is not there or
+ * not of 2 or 3 components for each point; cell arrays; a spacing of zero; noise without scalars or
+ * with values outside [0, 1]; settings outside the ranges stated below.
+ *
+ * @sa vtkLICNoiseSource
+ */
+#ifndef vtkLineIntegralConvolution_h
+#define vtkLineIntegralConvolution_h
+
+#include "RelevoFiltersFlowModule.h" // for export macro
+#include "vtkImageAlgorithm.h"
+
+#include <string> // for messages
+#include <vector> // for images
+
+class vtkDataArray;
+namespace relevo
+{
+struct LICPlane;
+class LICVectors;
+struct LICSettings;
+}
+
+class RELEVOFILTERSFLOW_EXPORT vtkLineIntegralConvolution : public vtkImageAlgorithm
+{
+public:
+  static vtkLineIntegralConvolution* New();
+  vtkTypeMacro(vtkLineIntegralConvolution, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  //@{
+  /**
+   * The noise, input 1.
+   */
+  void SetNoiseConnection(vtkAlgorithmOutput* noise) { this->SetInputConnection(1, noise); }
+  void SetNoiseData(vtkImageData* noise);
+  //@}
+
+  //@{
+  /**
+   * How many steps a streamline goes each way, at least 1, default 20: the mean of 41 samples of
+   * the noise. In the second pass of EnhancedLIC half as many.
+   */
+  vtkSetMacro(NumberOfSteps, int);
+  vtkGetMacro(NumberOfSteps, int);
+  //@}
+
+  //@{
+  /**
+   * Length of a step in samples of the image, more than 0, default 1; without NormalizeVectors,
+   * times the length of the vector in samples.
+   */
+  vtkSetMacro(StepSize, double);
+  vtkGetMacro(StepSize, double);
+  //@}
+
+  //@{
+  /**
+   * Whether all streamlines are equally long (the default), or by how long the vectors are.
+   */
+  vtkSetMacro(NormalizeVectors, bool);
+  vtkGetMacro(NormalizeVectors, bool);
+  vtkBooleanMacro(NormalizeVectors, bool);
+  //@}
+
+  //@{
+  /**
+   * Whether the result, its edges enhanced by adding the Laplacian, is the noise of a second pass,
+   * which gives finer and longer lines (the default), or is the mean along the streamlines itself.
+   */
+  vtkSetMacro(EnhancedLIC, bool);
+  vtkGetMacro(EnhancedLIC, bool);
+  vtkBooleanMacro(EnhancedLIC, bool);
+  //@}
+
+  enum
+  {
+    ENHANCE_CONTRAST_OFF = 0,
+    ENHANCE_CONTRAST_LIC = 1
+  };
+
+  //@{
+  /**
+   * ENHANCE_CONTRAST_OFF (0, the default) or ENHANCE_CONTRAST_LIC (1): values are stretched, as
+   * (L - m) / (M - m), so that the smallest is 0 and the largest 1, of those that are not masked;
+   * after the first pass of two, and in the end.
+   */
+  vtkSetMacro(EnhanceContrast, int);
+  vtkGetMacro(EnhanceContrast, int);
+  void SetEnhanceContrastToOff() { this->SetEnhanceContrast(ENHANCE_CONTRAST_OFF); }
+  void SetEnhanceContrastToLIC() { this->SetEnhanceContrast(ENHANCE_CONTRAST_LIC); }
+  //@}
+
+  //@{
+  /**
+   * How much further the values are stretched in the end: m = min + low * (max - min) and M = max -
+   * high * (max - min), clamped to [0, 1]. The factors' sum is less than 1; default 0 and 0.
+   */
+  vtkSetMacro(LowLICContrastEnhancementFactor, double);
+  vtkGetMacro(LowLICContrastEnhancementFactor, double);
+  vtkSetMacro(HighLICContrastEnhancementFactor, double);
+  vtkGetMacro(HighLICContrastEnhancementFactor, double);
+  //@}
+
+  //@{
+  /**
+   * How often the result is smoothed by a small Gaussian filter, at least 0, the default.
+   */
+  vtkSetMacro(AntiAlias, int);
+  vtkGetMacro(AntiAlias, int);
+  //@}
+
+  //@{
+  /**
+   * Samples whose vector is no longer, in units of the array, are masked. Default 0; a negative one
+   * masks no zero vectors. Streamlines run through them.
+   */
+  vtkSetMacro(MaskThreshold, double);
+  vtkGetMacro(MaskThreshold, double);
+  //@}
+
+  //@{
+  /**
+   * From which absolute value on a component stands for "no data", as -1e9 does; more than 0,
+   * default 1e8.
+   */
+  vtkSetMacro(NoDataMagnitude, double);
+  vtkGetMacro(NoDataMagnitude, double);
+  //@}
+
+  //@{
+  /**
+   * Whether the weights rise upstream, so that, with sparse noise (ImpulseNoiseProbability of
+   * vtkLICNoiseSource), lines grow brighter downstream: their heads show which of the two ways the
+   * vectors point (R. Wegenkittl et al., "Animating Flow Fields: Rendering of Oriented Line
+   * Integral Convolution", 1997). Default off.
+   */
+  vtkSetMacro(OrientedLIC, bool);
+  vtkGetMacro(OrientedLIC, bool);
+  vtkBooleanMacro(OrientedLIC, bool);
+  //@}
+
+  //@{
+  /**
+   * For animations: as it grows by 1, the pattern moves NumberOfSteps steps downstream and fades
+   * into what it was. Whole numbers give the same image as the default, 0.
+   */
+  vtkSetMacro(Phase, double);
+  vtkGetMacro(Phase, double);
+  //@}
+
+protected:
+  vtkLineIntegralConvolution();
+  ~vtkLineIntegralConvolution() override;
+
+  int FillInputPortInformation(int port, vtkInformation* information) override;
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  int NumberOfSteps = 20;
+  double StepSize = 1.0;
+  bool NormalizeVectors = true;
+  bool EnhancedLIC = true;
+  int EnhanceContrast = ENHANCE_CONTRAST_OFF;
+  double LowLICContrastEnhancementFactor = 0.0;
+  double HighLICContrastEnhancementFactor = 0.0;
+  int AntiAlias = 0;
+  double MaskThreshold = 0.0;
+  double NoDataMagnitude = 1e8;
+  bool OrientedLIC = false;
+  double Phase = 0.0;
+
+private:
+  vtkLineIntegralConvolution(const vtkLineIntegralConvolution&) = delete;
+  void operator=(const vtkLineIntegralConvolution&) = delete;
+
+  std::string FindError() const;
+  vtkDataArray* FindVectors(vtkInformationVector** inputVector, std::string& error);
+  bool MakeNoise(vtkInformationVector* noiseVector, const relevo::LICPlane& plane,
+    std::vector<float>& noise, std::string& error);
+  relevo::LICSettings MakeSettings(const relevo::LICVectors& vectors) const;
+};
+
+#endif
