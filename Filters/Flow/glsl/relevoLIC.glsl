@@ -25,8 +25,9 @@ RELEVO_FUNCTION vec2 licWalk(vec2 start, float way, int reach, LICKernel kernel)
   vec2 velocity = licVelocity(p, kernel);
   for (int k = 1; k <= reach && velocity != vec2(0.0f); ++k)
   {
-    p += h * licVelocity(p + 0.5f * h * velocity, kernel);
-    velocity = licVelocity(p, kernel);
+    vec2 middle = licVelocity(p + 0.5f * h * velocity, kernel);
+    p += h * middle;
+    velocity = middle == vec2(0.0f) ? middle : licVelocity(p, kernel);
     if (velocity != vec2(0.0f))
     {
       sum += licWeight(way * float(k), kernel) * vec2(licNoise(p), 1.0f);
