@@ -79,7 +79,8 @@ SurfaceTriangles::SurfaceTriangles(vtkPolyData* mesh)
 
 void SurfaceTriangles::AddTriangle(vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c)
 {
-  Triangle triangle{ a, b, c };
+  const Triangle points{ a, b, c };
+  Triangle triangle = points;
   for (vtkIdType& point : triangle)
   {
     if (point < 0 || point >= this->NumberOfPoints)
@@ -97,6 +98,10 @@ void SurfaceTriangles::AddTriangle(vtkIdType cell, vtkIdType a, vtkIdType b, vtk
   if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0])
   {
     this->Triangles.push_back(triangle);
+    if (!this->Places.empty())
+    {
+      this->PointTriangles.push_back(points);
+    }
     this->Cells.push_back(cell);
   }
 }

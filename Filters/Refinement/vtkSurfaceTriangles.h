@@ -53,6 +53,12 @@ public:
 
   /// All triangles, their corners places.
   const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
+  /// The points of a triangle, which have the data of its corners.
+  const Triangle& GetPoints(vtkIdType triangle) const
+  {
+    return this->PointTriangles.empty() ? this->Triangles[triangle]
+                                        : this->PointTriangles[triangle];
+  }
   /// The id of the mesh's cell that a triangle is of.
   vtkIdType GetCell(vtkIdType triangle) const { return this->Cells[triangle]; }
 
@@ -91,6 +97,7 @@ private:
   std::vector<vtkIdType> CoincidentPoints;
   vtkIdType NumberOfPoints = 0;
   std::vector<Triangle> Triangles;
+  std::vector<Triangle> PointTriangles; // empty when no points coincide
   std::vector<vtkIdType> Cells;
   std::vector<vtkIdType> Starts; // into Uses, per place
   std::vector<vtkIdType> Uses;   // 3 * triangle + corner

@@ -226,6 +226,21 @@ inline void AddTextureCoordinates(
   mesh->GetPointData()->SetTCoords(uvs);
 }
 
+// A tuple of `vectors` for every point, by its place.
+inline void FillVectors(vtkPolyData* mesh,
+  const std::function<std::array<double, 3>(const std::array<double, 3>&)>& function,
+  vtkDataArray* vectors)
+{
+  vectors->SetNumberOfComponents(3);
+  vectors->SetNumberOfTuples(mesh->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    std::array<double, 3> p;
+    mesh->GetPoint(i, p.data());
+    vectors->SetTuple(i, function(p).data());
+  }
+}
+
 // Texture coordinates in [0, 1]^2 that have nothing to do with each other: every point its chart.
 inline void AddRandomTextureCoordinates(vtkPolyData* mesh, unsigned int seed)
 {

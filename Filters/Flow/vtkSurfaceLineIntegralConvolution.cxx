@@ -1,0 +1,380 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSurfaceLineIntegralConvolution.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkLICKernel.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRelevoCompatibility.h"
+#include "vtkSMPTools.h"
+#include "vtkSolidNoise.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkSurfaceConvolution.h"
+#include "vtkSurfaceField.h"
+#include "vtkSurfaceTexels.h"
+#include "vtkSurfaceVectors.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <new>
+#include <sstream>
+
+namespace relevo
+{
+#include "glsl/relevoLICStretch.glsl"
+}
+
+namespace
+{
+constexpr int MostSteps = 100000;
+constexpr int LargestTexture = 16384;
+// Of the grain.
+constexpr double AutomaticStep = 0.5;
+
+double FindMeanEdge(const relevo::SurfaceVectors& vectors)
+{
+  const relevo::SurfaceTriangles& surface = vectors.GetTriangles();
+  double sum = 0.0;
+  for (const auto& edge : vectors.GetEdges().GetEdges())
+  {
+    double a[3];
+    double b[3];
+    surface.GetPoint(edge.Places[0], a);
+    surface.GetPoint(edge.Places[1], b);
+    sum += std::sqrt(vtkMath::Distance2BetweenPoints(a, b));
+  }
+  return sum / std::max(vectors.GetEdges().GetNumberOfEdges(), 1);
+}
+
+// Of the values at points that are not masked.
+relevo::vec2 FindRange(vtkFloatArray* values, vtkUnsignedCharArray* mask)
+{
+  relevo::vec2 range(1.0f, 0.0f);
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    if (!mask->GetValue(i))
+    {
+      range.x = std::min(range.x, values->GetValue(i));
+      range.y = std::max(range.y, values->GetValue(i));
+    }
+  }
+  return range;
+}
+
+vtkSmartPointer<vtkUnsignedCharArray> MakeBytes(const char* name, vtkIdType size)
+{
+  auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  bytes->SetName(name);
+  bytes->SetNumberOfTuples(size);
+  return bytes;
+}
+}
+
+vtkStandardNewMacro(vtkSurfaceLineIntegralConvolution);
+
+vtkSurfaceLineIntegralConvolution::vtkSurfaceLineIntegralConvolution()
+{
+  this->SetNumberOfOutputPorts(2);
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, vtkDataSetAttributes::VECTORS);
+}
+
+vtkSurfaceLineIntegralConvolution::~vtkSurfaceLineIntegralConvolution() = default;
+
+int vtkSurfaceLineIntegralConvolution::FillOutputPortInformation(
+  int port, vtkInformation* information)
+{
+  information->Set(vtkDataObject::DATA_TYPE_NAME(), port == 1 ? "vtkImageData" : "vtkPolyData");
+  return 1;
+}
+
+int vtkSurfaceLineIntegralConvolution::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  const int* size = this->TextureSize;
+  const int extent[6] = { 0, size[0] - 1, 0, size[1] - 1, 0, size[0] > 0 && size[1] > 0 ? 0 : -1 };
+  vtkInformation* texture = outputVector->GetInformationObject(1);
+  texture->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  vtkDataObject::SetPointDataActiveScalarInfo(texture, VTK_UNSIGNED_CHAR, 1);
+  return 1;
+}
+
+std::string vtkSurfaceLineIntegralConvolution::FindError() const
+{
+  const auto isLength = [](double value) { return value >= 0.0 && std::isfinite(value); };
+  const double low = this->LowLICContrastEnhancementFactor;
+  const double high = this->HighLICContrastEnhancementFactor;
+  const int* size = this->TextureSize;
+  std::ostringstream error;
+  if (this->NumberOfSteps < 1 || this->NumberOfSteps > MostSteps)
+  {
+    error << "NumberOfSteps " << this->NumberOfSteps << " is outside [1, " << MostSteps << "]";
+  }
+  else if (!isLength(this->StepSize) || !isLength(this->GrainSize))
+  {
+    error << "StepSize " << this->StepSize << " or GrainSize " << this->GrainSize
+          << " is neither a length nor 0, for an automatic one";
+  }
+  else if (this->EnhanceContrast != ENHANCE_CONTRAST_OFF &&
+    this->EnhanceContrast != ENHANCE_CONTRAST_LIC)
+  {
+    error << "EnhanceContrast " << this->EnhanceContrast << " is neither OFF (0) nor LIC (1)";
+  }
+  else if (!(low >= 0.0 && high >= 0.0 && low + high < 1.0))
+  {
+    error << "LowLICContrastEnhancementFactor " << low << " and HighLICContrastEnhancementFactor "
+          << high << " are not at least 0 with a sum of less than 1";
+  }
+  else if (std::isnan(this->MaskThreshold) || !(this->NoDataMagnitude > 0.0))
+  {
+    error << "MaskThreshold " << this->MaskThreshold << " is no number, or NoDataMagnitude "
+          << this->NoDataMagnitude << " is not more than 0";
+  }
+  else if (!std::isfinite(this->Phase))
+  {
+    error << "Phase " << this->Phase << " is not finite";
+  }
+  else if ((size[0] || size[1]) &&
+    (std::min(size[0], size[1]) < 1 || std::max(size[0], size[1]) > LargestTexture))
+  {
+    error << "TextureSize " << size[0] << " x " << size[1] << " is neither 0 x 0 nor within [1, "
+          << LargestTexture << "]";
+  }
+  return error.str();
+}
+
+int vtkSurfaceLineIntegralConvolution::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  vtkImageData* texture = vtkImageData::GetData(outputVector, 1);
+  texture->Initialize();
+  const std::string error = this->FindError();
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error << ".");
+    return 0;
+  }
+  const relevo::SurfaceField field =
+    relevo::FindSurfaceField(input, this->GetInputArrayInformation(0));
+  if (!field.Vectors)
+  {
+    vtkErrorMacro("The input " << field.Error << ".");
+    return 0;
+  }
+  bool complete = false;
+  try
+  {
+    complete = this->Run(input, field, output, texture);
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkErrorMacro("Not enough memory for " << input->GetNumberOfCells() << " cells and "
+                                           << this->TextureSize[0] << " x " << this->TextureSize[1]
+                                           << " texels.");
+  }
+  if (!complete)
+  {
+    output->Initialize();
+    texture->Initialize();
+  }
+  return complete || relevo::IsAborted(this) ? 1 : 0;
+}
+
+bool vtkSurfaceLineIntegralConvolution::Run(
+  vtkPolyData* input, const relevo::SurfaceField& field, vtkPolyData* output, vtkImageData* texture)
+{
+  const relevo::SurfaceVectors vectors(input, field.Vectors, field.OfCells, this->NoDataMagnitude);
+  const relevo::SurfaceTriangles& surface = vectors.GetTriangles();
+  if (surface.GetTriangles().empty())
+  {
+    vtkErrorMacro("The input has no polygons: there is no surface.");
+    return false;
+  }
+  std::unique_ptr<relevo::SurfaceTexels> texels;
+  if (this->TextureSize[0])
+  {
+    vtkDataArray* coordinates = input->GetPointData()->GetTCoords();
+    if (!coordinates || coordinates->GetNumberOfComponents() < 2 ||
+      coordinates->GetNumberOfTuples() != input->GetNumberOfPoints())
+    {
+      vtkErrorMacro("The input has no texture coordinates for a texture.");
+      return false;
+    }
+    texels = std::make_unique<relevo::SurfaceTexels>(this->TextureSize, surface, coordinates);
+    if (texels->GetNumberOfCoveredTexels() == 0)
+    {
+      vtkErrorMacro("No texel of " << this->TextureSize[0] << " x " << this->TextureSize[1]
+                                   << " has its centre in a triangle of the texture coordinates.");
+      return false;
+    }
+  }
+
+  const double grainSize = this->GrainSize > 0.0 ? this->GrainSize : FindMeanEdge(vectors);
+  const double unit = this->NormalizeVectors ? 1.0 : vectors.GetLongest();
+  const relevo::LICKernel kernel{ this->NumberOfSteps,
+    static_cast<float>(this->StepSize > 0.0 ? this->StepSize * unit : AutomaticStep * grainSize),
+    this->NormalizeVectors, this->OrientedLIC,
+    static_cast<float>(this->Phase - std::floor(this->Phase)) };
+  const relevo::SolidNoise noise(grainSize, this->NoiseGeneratorSeed);
+  const relevo::SurfaceConvolution convolution(vectors, noise, kernel);
+
+  const vtkIdType numberOfPoints = input->GetNumberOfPoints();
+  const auto mask = MakeBytes("LICMask", numberOfPoints);
+  this->MaskPoints(input, field, vectors, mask);
+  vtkNew<vtkFloatArray> values;
+  values->SetName("LIC");
+  values->SetNumberOfTuples(numberOfPoints);
+  const bool complete = this->ForParts(numberOfPoints, 0.1, texels ? 0.5 : 1.0,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType point = begin; point < end; ++point)
+      {
+        double x[3];
+        surface.GetPoint(point, x);
+        values->SetValue(point,
+          mask->GetValue(point) ? noise.GetValue(x)
+                                : convolution.GetValueAt(surface.GetPlace(point)));
+      }
+    });
+  if (!complete)
+  {
+    return false;
+  }
+
+  std::function<float(float)> contrast = [](float value) { return value; };
+  if (this->EnhanceContrast == ENHANCE_CONTRAST_LIC)
+  {
+    const relevo::vec2 range = FindRange(values, mask);
+    const relevo::vec2 factors(
+      this->LowLICContrastEnhancementFactor, this->HighLICContrastEnhancementFactor);
+    contrast = [=](float value) { return relevo::licStretch(value, range, factors); };
+    for (vtkIdType point = 0; point < numberOfPoints; ++point)
+    {
+      if (!mask->GetValue(point))
+      {
+        values->SetValue(point, contrast(values->GetValue(point)));
+      }
+    }
+  }
+  if (texels && !this->ConvolveTexels(*texels, vectors, convolution, contrast, texture))
+  {
+    return false;
+  }
+  output->ShallowCopy(input);
+  output->GetPointData()->AddArray(mask);
+  output->GetPointData()->SetScalars(values);
+  return true;
+}
+
+void vtkSurfaceLineIntegralConvolution::MaskPoints(vtkPolyData* input,
+  const relevo::SurfaceField& field, const relevo::SurfaceVectors& vectors,
+  vtkUnsignedCharArray* mask)
+{
+  const relevo::SurfaceTriangles& surface = vectors.GetTriangles();
+  const auto isMasked = [&](vtkIdType tuple)
+  {
+    double v[3];
+    field.Vectors->GetTuple(tuple, v);
+    return relevo::IsNoData(v, this->NoDataMagnitude) || vtkMath::Norm(v) <= this->MaskThreshold;
+  };
+  vtkSMPTools::For(0, input->GetNumberOfPoints(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType point = begin; point < end; ++point)
+      {
+        bool masked = true;
+        surface.ForEachTriangleIndex(surface.GetPlace(point),
+          [&](vtkIdType triangle)
+          {
+            masked = masked &&
+              (vectors.IsBlocked(static_cast<int>(triangle)) ||
+                isMasked(field.OfCells ? surface.GetCell(triangle) : point));
+          });
+        mask->SetValue(point, masked ? 1 : 0);
+      }
+    });
+}
+
+bool vtkSurfaceLineIntegralConvolution::ConvolveTexels(const relevo::SurfaceTexels& texels,
+  const relevo::SurfaceVectors& vectors, const relevo::SurfaceConvolution& convolution,
+  const std::function<float(float)>& contrast, vtkImageData* texture)
+{
+  const auto values = MakeBytes("LIC", texels.GetNumberOfTexels());
+  const bool complete = this->ForParts(texels.GetNumberOfTexels(), 0.5, 1.0,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType texel = begin; texel < end; ++texel)
+      {
+        const int triangle = texels.GetTriangle(texel);
+        if (triangle >= 0)
+        {
+          const float value = convolution.GetValueInside(triangle, texels.GetWeights(texel));
+          values->SetValue(texel,
+            static_cast<unsigned char>(
+              std::lround(255.0f * (vectors.IsBlocked(triangle) ? value : contrast(value)))));
+        }
+      }
+    });
+  if (!complete)
+  {
+    return false;
+  }
+  const std::vector<vtkIdType> nearest = texels.FindNearestCovered();
+  for (vtkIdType texel = 0; texel < texels.GetNumberOfTexels(); ++texel)
+  {
+    values->SetValue(texel, values->GetValue(nearest[texel]));
+  }
+  texture->SetExtent(0, this->TextureSize[0] - 1, 0, this->TextureSize[1] - 1, 0, 0);
+  texture->GetPointData()->SetScalars(values);
+  return true;
+}
+
+// In parallel, a part at a time so that progress and abort come through.
+bool vtkSurfaceLineIntegralConvolution::ForParts(vtkIdType size, double shareFrom, double shareTo,
+  const std::function<void(vtkIdType, vtkIdType)>& work)
+{
+  constexpr int parts = 20;
+  for (int part = 0; part < parts; ++part)
+  {
+    this->UpdateProgress(shareFrom + (shareTo - shareFrom) * part / parts);
+    if (relevo::IsAborted(this))
+    {
+      return false;
+    }
+    vtkSMPTools::For(part * size / parts, (part + 1) * size / parts, work);
+  }
+  return true;
+}
+
+void vtkSurfaceLineIntegralConvolution::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfSteps: " << this->NumberOfSteps << "\n";
+  os << indent << "StepSize: " << this->StepSize << "\n";
+  os << indent << "NormalizeVectors: " << this->NormalizeVectors << "\n";
+  os << indent << "GrainSize: " << this->GrainSize << "\n";
+  os << indent << "NoiseGeneratorSeed: " << this->NoiseGeneratorSeed << "\n";
+  os << indent << "EnhanceContrast: " << this->EnhanceContrast << "\n";
+  os << indent << "LowLICContrastEnhancementFactor: " << this->LowLICContrastEnhancementFactor
+     << "\n";
+  os << indent << "HighLICContrastEnhancementFactor: " << this->HighLICContrastEnhancementFactor
+     << "\n";
+  os << indent << "MaskThreshold: " << this->MaskThreshold << "\n";
+  os << indent << "NoDataMagnitude: " << this->NoDataMagnitude << "\n";
+  os << indent << "OrientedLIC: " << this->OrientedLIC << "\n";
+  os << indent << "Phase: " << this->Phase << "\n";
+  os << indent << "TextureSize: " << this->TextureSize[0] << " x " << this->TextureSize[1] << "\n";
+}
