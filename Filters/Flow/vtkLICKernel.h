@@ -11,9 +11,18 @@
 
 #include "vtkRefinementMathematics.h"
 
+#include <cmath>
+
 namespace relevo
 {
 #include "glsl/relevoLICKernel.glsl"
+
+/// A phase from 0 to below 1.
+inline float licWrapPhase(double phase)
+{
+  const float wrapped = static_cast<float>(phase - std::floor(phase));
+  return wrapped < 1.0f ? wrapped : 0.0f;
+}
 }
 
 #endif

@@ -107,13 +107,6 @@ std::vector<float> Tile(
   }
   return tiled;
 }
-
-// From 0 to below 1.
-float WrapPhase(double phase)
-{
-  const float wrapped = static_cast<float>(phase - std::floor(phase));
-  return wrapped < 1.0f ? wrapped : 0.0f;
-}
 }
 
 vtkStandardNewMacro(vtkLineIntegralConvolution);
@@ -264,7 +257,7 @@ relevo::LICSettings vtkLineIntegralConvolution::MakeSettings(
     static_cast<float>(std::min(this->StepSize * unit, static_cast<double>(VTK_FLOAT_MAX)));
   settings.Kernel.Normalized = this->NormalizeVectors;
   settings.Kernel.Oriented = this->OrientedLIC;
-  settings.Kernel.Phase = WrapPhase(this->Phase);
+  settings.Kernel.Phase = relevo::licWrapPhase(this->Phase);
   settings.Enhanced = this->EnhancedLIC;
   settings.Stretched = this->EnhanceContrast == ENHANCE_CONTRAST_LIC;
   settings.StretchFactors =

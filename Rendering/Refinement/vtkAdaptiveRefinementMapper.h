@@ -377,11 +377,11 @@ protected:
   //@{
   /**
    * For subclasses that draw the refined faces once more, with a shader of their own:
-   * AddFaceHelper() makes DrawFaces() of this helper draw them, from within RenderPieceDraw() and
-   * where IsDrawable(). The helper lives as long as the mapper. IsFaceHelper() is true of all that
-   * draw refined faces.
+   * DrawFaces() of what AddFaceHelper() gives, which is this mapper's, draws them, from within
+   * RenderPieceDraw() and where IsDrawable(). IsFaceHelper() is true of all that draw refined
+   * faces.
    */
-  void AddFaceHelper(vtkOpenGLHelper* helper);
+  vtkOpenGLHelper* AddFaceHelper();
   bool IsFaceHelper(const vtkOpenGLHelper* helper) const;
   void DrawFaces(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act);
   bool IsDrawable() const;

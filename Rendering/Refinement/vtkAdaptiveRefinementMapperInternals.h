@@ -102,7 +102,8 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   // What draws refined faces, and their vertices when those are shown.
   vtkOpenGLHelper Faces;
   vtkOpenGLHelper Vertices;
-  std::vector<vtkOpenGLHelper*> Helpers = { &this->Faces, &this->Vertices }; // and subclasses'
+  std::vector<std::unique_ptr<vtkOpenGLHelper>> MoreFaces;                   // of subclasses
+  std::vector<vtkOpenGLHelper*> Helpers = { &this->Faces, &this->Vertices }; // all
   struct ProgramState
   {
     std::string ShaderKey;

@@ -19,10 +19,13 @@
 
 #include <algorithm>
 
-void vtkAdaptiveRefinementMapper::AddFaceHelper(vtkOpenGLHelper* helper)
+vtkOpenGLHelper* vtkAdaptiveRefinementMapper::AddFaceHelper()
 {
-  helper->PrimitiveType = PrimitiveTris;
-  this->Internals->Helpers.push_back(helper);
+  vtkInternals& data = *this->Internals;
+  data.MoreFaces.emplace_back(new vtkOpenGLHelper);
+  data.Helpers.push_back(data.MoreFaces.back().get());
+  data.Helpers.back()->PrimitiveType = PrimitiveTris;
+  return data.Helpers.back();
 }
 
 bool vtkAdaptiveRefinementMapper::IsFaceHelper(const vtkOpenGLHelper* helper) const

@@ -1,0 +1,23 @@
+// The convolution, of noise that is tiled from the lower left corner, or of an image that covers
+// the viewport.
+uniform sampler2D noise;
+uniform ivec2 noiseSize;
+uniform bool noiseIsTiled;
+uniform int steps;
+uniform float stepSize;
+uniform bool normalized;
+uniform bool oriented;
+uniform float phase;
+
+vec2 licField(vec2 p)
+{
+  vec4 vector = texture(vectors, p / vec2(size));
+  return vector.z >= 0.5 ? vector.xy : vec2(0.0);
+}
+
+float licNoise(vec2 p)
+{
+  vec2 texel = floor(p);
+  texel = noiseIsTiled ? mod(texel, vec2(noiseSize)) : clamp(texel, vec2(0.0), vec2(noiseSize - 1));
+  return texelFetch(noise, ivec2(texel), 0).r;
+}

@@ -1,0 +1,47 @@
+// The vector of a fragment as the convolution takes it.
+uniform mat3 relevoLICDirections;  // vectors from the model to view coordinates
+uniform mat4 relevoLICProjection;  // view coordinates to clip coordinates
+uniform vec2 relevoLICSize;        // of the viewport, in pixels
+uniform float relevoLICScale;      // 1 / length of the longest vector
+uniform float relevoLICThreshold;  // vectors at most this long are masked
+uniform int relevoLICMaskOnSurface;
+
+// (direction on the screen, 1 where there is one, 1 + depth where there are streaks or minus that)
+vec4 relevoLICVector()
+{
+#ifdef RELEVO_LIC_NORMALS
+  vec3 normal = relevoLICNormalVSOutput;
+#else
+  vec3 normal = cross(dFdx(relevoLICPositionVSOutput), dFdy(relevoLICPositionVSOutput));
+#endif
+  float depth = 1.0 + gl_FragCoord.z;
+  vec4 none = vec4(0.0, 0.0, 0.0, -depth);
+  float normalLength = length(normal);
+  vec3 model = relevoLICFieldVSOutput.xyz;
+  float modelLength = length(model);
+  // Behind 0.999 a corner of the face has no vector.
+  if (relevoLICFieldVSOutput.w < 0.999 || !(normalLength > 0.0))
+  {
+    return none;
+  }
+  normal /= normalLength;
+
+  vec3 vector = relevoLICDirections * (relevoLICScale * model);
+  vec3 tangent = vector - dot(vector, normal) * normal;
+  float share = length(tangent) / max(length(vector), 1e-30);
+  if (modelLength > 0.0 && share < 1e-4)
+  {
+    return none; // it stands on the surface
+  }
+
+  // The derivative of the projection along the vector.
+  vec4 clip = relevoLICProjection * vec4(relevoLICPositionVSOutput, 1.0);
+  vec4 velocity = relevoLICProjection * vec4(tangent, 0.0);
+  vec2 screen = (velocity.xy * clip.w - clip.xy * velocity.w) * relevoLICSize;
+  float speed = length(screen);
+  bool moves = speed > 0.0;
+  screen = moves ? screen / speed * length(tangent.xy) : vec2(0.0);
+
+  float criterion = relevoLICMaskOnSurface != 0 ? modelLength * share : modelLength;
+  return vec4(screen, moves ? 1.0 : 0.0, criterion <= relevoLICThreshold ? -depth : depth);
+}

@@ -1,0 +1,589 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkAdaptiveLICMapperInternals.h"
+
+#include "relevoLICApplyFS.h"
+#include "relevoLICColor.h"
+#include "relevoLICStretch.h"
+#include "relevoLICVectorsFS.h"
+#include "relevoLICVectorsVS.h"
+#include "vtkRelevoOpenGL.h"
+
+#include "vtkActor.h"
+#include "vtkAdaptiveRefinement.h"
+#include "vtkCamera.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDisplacement.h"
+#include "vtkFloatArray.h"
+#include "vtkHeightField.h"
+#include "vtkMath.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLCellToVTKCellMap.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRefinementShader.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkAdaptiveLICMapper);
+
+namespace
+{
+constexpr size_t MostScreens = 8;
+
+// Put text before main().
+void InsertBeforeMain(vtkShader* shader, const std::string& text)
+{
+  std::string source = shader->GetSource();
+  source.insert(source.find("void main("), text);
+  shader->SetSource(source);
+}
+
+void SubstituteIn(vtkShader* shader, const std::string& tag, const std::string& text)
+{
+  std::string source = shader->GetSource();
+  vtkShaderProgram::Substitute(source, tag, text, false);
+  shader->SetSource(source);
+}
+
+// OpenGL's matrices are stored by columns.
+void SetMatrix(vtkShaderProgram* program, const char* name, vtkMatrix4x4* matrix)
+{
+  if (program->IsUniformUsed(name))
+  {
+    vtkNew<vtkMatrix4x4> transposed;
+    vtkMatrix4x4::Transpose(matrix, transposed);
+    program->SetUniformMatrix(name, transposed);
+  }
+}
+
+void SetMatrix(vtkShaderProgram* program, const char* name, const double matrix[3][3])
+{
+  if (program->IsUniformUsed(name))
+  {
+    vtkNew<vtkMatrix3x3> transposed;
+    for (int i = 0; i < 3; ++i)
+    {
+      for (int j = 0; j < 3; ++j)
+      {
+        transposed->SetElement(i, j, matrix[j][i]);
+      }
+    }
+    program->SetUniformMatrix(name, transposed);
+  }
+}
+}
+
+vtkAdaptiveLICMapper::vtkAdaptiveLICMapper()
+  : LIC(new vtkInternals(this))
+{
+  this->LIC->Vectors = this->AddFaceHelper();
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, vtkDataSetAttributes::VECTORS);
+}
+
+vtkAdaptiveLICMapper::~vtkAdaptiveLICMapper()
+{
+  this->ReleaseGraphicsResources(nullptr);
+}
+
+template <typename Work>
+void vtkAdaptiveLICMapper::vtkInternals::ForEachLeaf(const Work& work)
+{
+  vtkDataObject* input = this->Root->GetInputDataObject(0, 0);
+  if (vtkPolyData* mesh = vtkPolyData::SafeDownCast(input))
+  {
+    work(mesh);
+  }
+  else if (vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    auto iterator = vtk::TakeSmartPointer(composite->NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    {
+      if (vtkPolyData* leaf = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject()))
+      {
+        work(leaf);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// What there is to show
+
+relevo::LICArray vtkAdaptiveLICMapper::FindArray(vtkPolyData* input)
+{
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* chosen = this->GetInputArrayToProcess(0, input, association);
+  return relevo::LICArray::Check(chosen, association, input);
+}
+
+bool vtkAdaptiveLICMapper::vtkInternals::CanShow(vtkRenderer* ren, vtkActor* act)
+{
+  return !ren->GetSelector() && act->GetProperty()->GetRepresentation() == VTK_SURFACE;
+}
+
+std::string vtkAdaptiveLICMapper::vtkInternals::FindProblem()
+{
+  std::string problem;
+  double longest = -1.0;
+  bool hasPoints = false;
+  bool hasArray = false;
+  this->ForEachLeaf(
+    [&](vtkPolyData* leaf)
+    {
+      if (leaf->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      hasPoints = true;
+      const relevo::LICArray vectors = this->Root->FindArray(leaf);
+      problem = problem.empty() ? vectors.Problem : problem;
+      hasArray = hasArray || vectors.Array;
+      longest = std::max(longest, vectors.FindLongest(this->Root->NoDataMagnitude));
+    });
+  this->Longest = std::max(longest, 0.0);
+  if (!problem.empty() || !hasPoints)
+  {
+    return problem;
+  }
+  if (!hasArray)
+  {
+    return "The input has no array of vectors that SetInputArrayToProcess(0, ...) chooses.";
+  }
+  if (longest < 0.0)
+  {
+    return "All vectors are no-data: not finite, or of NoDataMagnitude or more.";
+  }
+  return this->Noise.Update() ? "" : this->Noise.GetError();
+}
+
+relevo::LICScreen& vtkAdaptiveLICMapper::vtkInternals::GetScreen(vtkRenderer* ren, vtkActor* act)
+{
+  relevo::LICScreen& screen = this->Screens[ScreenKey(ren, act, ren->GetActiveCamera())];
+  screen.LastUse = ++this->Use;
+  while (this->Screens.size() > MostScreens)
+  {
+    auto oldest = std::min_element(this->Screens.begin(), this->Screens.end(),
+      [](const auto& a, const auto& b) { return a.second.LastUse < b.second.LastUse; });
+    oldest->second.ReleaseGraphicsResources(ren->GetRenderWindow());
+    this->Screens.erase(oldest);
+  }
+  return screen;
+}
+
+std::vector<double> vtkAdaptiveLICMapper::vtkInternals::MakeKey(
+  vtkRenderer* ren, vtkActor* act, const relevo::LICScreen& screen)
+{
+  std::vector<double> key(screen.Viewport + 2, screen.Viewport + 4);
+  vtkCamera* camera = ren->GetActiveCamera();
+  for (vtkMatrix4x4* matrix :
+    { camera->GetModelViewTransformMatrix(),
+      camera->GetProjectionTransformMatrix(ren->GetTiledAspectRatio(), -1, 1), act->GetMatrix() })
+  {
+    key.insert(key.end(), matrix->GetData(), matrix->GetData() + 16);
+  }
+  const auto addTime = [&key](vtkMTimeType time) { key.push_back(static_cast<double>(time)); };
+  addTime(this->SettingsTime.GetMTime());
+  addTime(this->Noise.GetMTime());
+  addTime(this->Root->GetMTime());
+  addTime(act->GetShaderProperty()->GetShaderMTime());
+  vtkProperty* property = act->GetProperty();
+  key.push_back(property->GetBackfaceCulling() + 2 * property->GetFrontfaceCulling());
+  if (vtkPlaneCollection* planes = this->Root->GetClippingPlanes())
+  {
+    for (int i = 0; i < planes->GetNumberOfItems(); ++i)
+    {
+      addTime(planes->GetItem(i)->GetMTime());
+    }
+  }
+  if (vtkAdaptiveRefinement* recipe = this->Root->GetRefinement())
+  {
+    addTime(recipe->GetMTime());
+    vtkDisplacement* displacement = recipe->GetDisplacement();
+    if (displacement && displacement->GetHeightMap())
+    {
+      addTime(displacement->GetHeightMap()->GetMTime());
+    }
+  }
+  this->ForEachLeaf([&](vtkPolyData* leaf) { addTime(leaf->GetMTime()); });
+  key.push_back(static_cast<double>(this->Root->GetNumberOfSelections()));
+  key.push_back(this->Root->GetLevelOffset());
+  key.push_back(this->Root->GetMethod());
+  return key;
+}
+
+bool vtkAdaptiveLICMapper::vtkInternals::Prepare(vtkRenderer* ren, vtkActor* act)
+{
+  vtkAdaptiveLICMapper* self = this->Root;
+  this->Screen = nullptr;
+  if (!self->Enable || !CanShow(ren, act) || !self->GetInputAlgorithm() || !self->GetRefinement())
+  {
+    return false;
+  }
+  if (!self->GetStatic())
+  {
+    self->GetInputAlgorithm()->Update();
+  }
+  std::string problem = this->FindProblem();
+  vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
+  if (problem.empty())
+  {
+    relevo::LICScreen& screen = this->GetScreen(ren, act);
+    window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, screen.Viewport);
+    if (screen.Viewport[2] < 1 || screen.Viewport[3] < 1)
+    {
+      return false;
+    }
+    const bool allocated = screen.Allocate(window, this->StretchesColors());
+    const bool convolve = allocated && screen.Key != this->MakeKey(ren, act, screen);
+    if (allocated &&
+      (!(convolve || this->StretchesColors()) || this->Draw(ren, act, screen, convolve)))
+    {
+      this->Screen = &screen;
+    }
+    else
+    {
+      problem = "OpenGL cannot make or draw to textures of floating point numbers of the "
+                "viewport's size, or the shaders could not be built.";
+    }
+  }
+  if (problem != this->Problem)
+  {
+    this->Problem = problem;
+    if (!problem.empty())
+    {
+      vtkErrorWithObjectMacro(self, << problem << " The surface has no LIC.");
+    }
+  }
+  return this->Screen != nullptr;
+}
+
+//------------------------------------------------------------------------------
+// Drawing
+
+bool vtkAdaptiveLICMapper::vtkInternals::Draw(
+  vtkRenderer* ren, vtkActor* act, relevo::LICScreen& screen, bool convolve)
+{
+  vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
+  vtkOpenGLState* state = window->GetState();
+  vtkTextureObject* noise = this->Noise.GetTexture(window);
+  if (!noise)
+  {
+    return false;
+  }
+  state->PushFramebufferBindings();
+  state->Push();
+  this->Framebuffer->SetContext(window);
+  bool done = screen.Begin(window, this->Framebuffer);
+  if (done)
+  {
+    this->IsDrawingVectors = true;
+    this->Root->Superclass::RenderRefined(ren, act);
+    this->IsDrawingVectors = false;
+    screen.End(window, this->Framebuffer);
+    if (convolve)
+    {
+      screen.Key.clear();
+      done = this->Image.Convolve(window, this->Framebuffer, screen, noise, this->GetSettings());
+      ++this->Root->NumberOfConvolutions;
+    }
+    done = done &&
+      (!this->StretchesColors() ||
+        this->Image.FindColorRange(window, this->Framebuffer, screen, this->GetColoring()));
+    this->Framebuffer->RemoveColorAttachment(0);
+    this->Framebuffer->DeactivateDrawBuffers();
+  }
+  state->Pop();
+  state->PopFramebufferBindings();
+  if (done)
+  {
+    screen.Key = this->MakeKey(ren, act, screen); // with the levels that were drawn
+  }
+  return done;
+}
+
+void vtkAdaptiveLICMapper::RenderRefined(vtkRenderer* ren, vtkActor* act)
+{
+  if (this->LIC->Root == this)
+  {
+    this->LIC->Prepare(ren, act);
+  }
+  this->Superclass::RenderRefined(ren, act);
+}
+
+void vtkAdaptiveLICMapper::UpdateBlocks()
+{
+  this->Superclass::UpdateBlocks();
+  this->ForEachBlock([this](vtkAdaptiveRefinementMapper* block)
+    { vtkAdaptiveLICMapper::SafeDownCast(block)->LIC->Root = this; });
+}
+
+void vtkAdaptiveLICMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* act)
+{
+  if (!this->LIC->Root->LIC->IsDrawingVectors)
+  {
+    this->Superclass::RenderPieceDraw(ren, act);
+  }
+  else if (this->IsDrawable() && this->LIC->HasVectors)
+  {
+    this->DrawingSelection = false;
+    this->DrawingVertices = false;
+    this->PrimitiveIDOffset = 0;
+    this->DrawFaces(*this->LIC->Vectors, ren, act);
+  }
+}
+
+void vtkAdaptiveLICMapper::RenderPieceFinish(vtkRenderer* ren, vtkActor* act)
+{
+  this->LIC->CellVectors.Deactivate();
+  if (relevo::LICScreen* screen = this->LIC->Root->LIC->Screen)
+  {
+    for (vtkTextureObject* texture :
+      { screen->Image.Get(), screen->Vectors.Get(), screen->Range.Get() })
+    {
+      if (texture)
+      {
+        texture->Deactivate();
+      }
+    }
+  }
+  this->Superclass::RenderPieceFinish(ren, act);
+}
+
+void vtkAdaptiveLICMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Superclass::ReleaseGraphicsResources(window);
+  vtkInternals& lic = *this->LIC;
+  lic.Screen = nullptr;
+  for (auto& screen : lic.Screens)
+  {
+    screen.second.ReleaseGraphicsResources(window);
+  }
+  lic.Screens.clear();
+  lic.Image.ReleaseGraphicsResources(window);
+  lic.Noise.ReleaseGraphicsResources(window);
+  lic.CellVectors.ReleaseGraphicsResources(window);
+  lic.Framebuffer->ReleaseGraphicsResources(window);
+}
+
+vtkTypeInt64 vtkAdaptiveLICMapper::GetGraphicsMemorySize()
+{
+  vtkInternals& lic = *this->LIC;
+  vtkTypeInt64 size = this->Superclass::GetGraphicsMemorySize() + lic.Image.GetMemorySize() +
+    lic.Noise.GetMemorySize() + lic.CellVectors.GetMemorySize();
+  for (const auto& screen : lic.Screens)
+  {
+    size += screen.second.GetMemorySize();
+  }
+  if (vtkOpenGLVertexBufferObject* vbo = this->VBOs->GetVBO("relevoLICVector"))
+  {
+    size += static_cast<vtkTypeInt64>(vbo->GetNumberOfTuples()) * vbo->GetStride();
+  }
+  return size;
+}
+
+//------------------------------------------------------------------------------
+// Buffers and shaders
+
+void vtkAdaptiveLICMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor* act)
+{
+  vtkInternals& lic = *this->LIC;
+  vtkPolyData* input = this->CurrentInput;
+  const relevo::LICArray vectors = this->FindArray(input);
+  lic.HasVectors = vectors.Array != nullptr;
+  vtkSmartPointer<vtkFloatArray> prepared =
+    lic.HasVectors ? vectors.Prepare(this->NoDataMagnitude) : nullptr;
+  this->VBOs->CacheDataArray(
+    "relevoLICVector", vectors.IsOfCells ? nullptr : prepared.Get(), ren, VTK_FLOAT);
+  this->Superclass::BuildBufferObjects(ren, act);
+
+  lic.CellVectors.ReleaseGraphicsResources(ren->GetRenderWindow());
+  if (lic.HasVectors && vectors.IsOfCells)
+  {
+    std::vector<float> values(4 * this->CellCellMap->GetSize());
+    for (size_t i = 0; i < this->CellCellMap->GetSize(); ++i)
+    {
+      prepared->GetTypedTuple(this->CellCellMap->GetValue(i), &values[4 * i]);
+    }
+    if (!lic.CellVectors.Upload(
+          vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()), values, 4))
+    {
+      lic.HasVectors = false;
+      vtkErrorMacro("The vectors of cells cannot be sent to the graphics card: "
+        << relevo::RefinementBuffer::GetTooLarge() << ".");
+    }
+  }
+}
+
+void vtkAdaptiveLICMapper::ExtendShaders(
+  const vtkOpenGLHelper* cellBO, relevo::RefinementShaderOptions& options)
+{
+  vtkInternals& lic = *this->LIC;
+  vtkInternals& root = *lic.Root->LIC;
+  relevo::ShaderExtension& extension = options.Extension;
+  if (cellBO == lic.Vectors)
+  {
+    const bool ofCells = !lic.CellVectors.IsEmpty();
+    extension.Varyings = { { "", "vec4", "relevoLICField" }, { "", "vec3", "relevoLICNormal" },
+      { "", "vec3", "relevoLICPosition" } };
+    extension.Declarations = std::string(relevoLICVectorsVS) +
+      (ofCells ? "uniform samplerBuffer relevoLICCells;\n" : "") +
+      (root.StretchesColors() ? "// and colours\n" : "");
+    extension.Statements = std::string("  relevoLICFieldVSOutput = ") +
+      (ofCells ? "texelFetch(relevoLICCells, relevoFace.w >> 3)" : "relevoLICVector") +
+      ";\n"
+      "  relevoLICNormalVSOutput = relevoLICNormals * relevoNormal;\n"
+      "  relevoLICPositionVSOutput = (relevoLICFromModel * vertexMC).xyz;\n";
+  }
+  else if (root.Screen && !this->DrawingVertices)
+  {
+    extension.Declarations = root.StretchesColors() ? "// LIC, stretched\n" : "// LIC\n";
+  }
+}
+
+void vtkAdaptiveLICMapper::ReplaceShaderValues(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act)
+{
+  vtkInternals& lic = *this->LIC;
+  vtkInternals& root = *lic.Root->LIC;
+  vtkShader* fragment = shaders[vtkShader::Fragment];
+  const std::string place = "//VTK::DepthPeeling::Impl"; // the fragment has its colour
+  std::string functions;
+  if (this->LastBoundBO == lic.Vectors)
+  {
+    if (lic.CellVectors.IsEmpty())
+    {
+      SubstituteIn(shaders[vtkShader::Vertex], "//VTK::TCoord::Dec",
+        "in vec4 relevoLICVector;\n//VTK::TCoord::Dec");
+    }
+    SubstituteIn(fragment, place,
+      std::string(root.StretchesColors() ? "gl_FragData[1] = gl_FragData[0];\n  " : "") +
+        "gl_FragData[0] = relevoLICVector();\n  " + place);
+    functions = std::string("#ifdef RELEVO_NORMALS\n#define RELEVO_LIC_NORMALS\n#endif\n") +
+      relevoLICVectorsFS;
+  }
+  else if (this->IsFaceHelper(this->LastBoundBO) && root.Screen && !this->DrawingVertices)
+  {
+    SubstituteIn(
+      fragment, place, "gl_FragData[0].rgb = relevoLICFragment(gl_FragData[0].rgb);\n  " + place);
+    functions = std::string(root.StretchesColors() ? "#define RELEVO_LIC_STRETCH\n" : "") +
+      relevoLICStretch + relevoLICColor + relevoLICApplyFS;
+  }
+  this->Superclass::ReplaceShaderValues(shaders, ren, act);
+  if (!functions.empty())
+  {
+    InsertBeforeMain(fragment, functions); // behind the varyings
+  }
+}
+
+void vtkAdaptiveLICMapper::ReplaceShaderRenderPass(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act, bool prePass)
+{
+  // Passes are about what is seen: layers to peel, edges to find.
+  if (this->LastBoundBO != this->LIC->Vectors)
+  {
+    this->Superclass::ReplaceShaderRenderPass(shaders, ren, act, prePass);
+  }
+}
+
+void vtkAdaptiveLICMapper::vtkInternals::SetVectorUniforms(
+  vtkShaderProgram* program, vtkRenderer* ren, vtkActor* act)
+{
+  vtkAdaptiveLICMapper* self = this->Root;
+  vtkCamera* camera = ren->GetActiveCamera();
+  vtkNew<vtkMatrix4x4> modelView;
+  vtkMatrix4x4::Multiply4x4(camera->GetModelViewTransformMatrix(), act->GetMatrix(), modelView);
+  double directions[3][3];
+  double normals[3][3];
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      directions[i][j] = modelView->GetElement(i, j);
+    }
+  }
+  vtkMath::Invert3x3(directions, normals);
+  vtkMath::Transpose3x3(normals, normals);
+  SetMatrix(program, "relevoLICDirections", directions);
+  SetMatrix(program, "relevoLICNormals", normals);
+  SetMatrix(program, "relevoLICProjection",
+    camera->GetProjectionTransformMatrix(ren->GetTiledAspectRatio(), -1, 1));
+  SetMatrix(program, "relevoLICFromModel", modelView);
+  const vtkInternals& root = *self->LIC;
+  const float scale = root.Longest > 0.0 ? static_cast<float>(1.0 / root.Longest) : 1.0f;
+  program->SetUniformf("relevoLICScale", scale);
+  program->SetUniformf("relevoLICThreshold", static_cast<float>(self->MaskThreshold));
+  program->SetUniformi("relevoLICMaskOnSurface", self->MaskOnSurface);
+  int viewport[4];
+  vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow())
+    ->GetState()
+    ->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  const float size[2] = { static_cast<float>(viewport[2]), static_cast<float>(viewport[3]) };
+  program->SetUniform2f("relevoLICSize", size);
+  this->CellVectors.Activate(program, "relevoLICCells");
+}
+
+void vtkAdaptiveLICMapper::vtkInternals::SetImageUniforms(vtkShaderProgram* program)
+{
+  const relevo::LICScreen& screen = *this->Screen;
+  const auto read = [program](const char* sampler, vtkTextureObject* texture)
+  {
+    if (texture && program->IsUniformUsed(sampler))
+    {
+      texture->Activate();
+      program->SetUniformi(sampler, texture->GetTextureUnit());
+    }
+  };
+  read("relevoLICImage", screen.Image);
+  read("relevoLICVectors", screen.Vectors);
+  read("relevoLICRange", screen.Range);
+  this->GetColoring().SetUniforms(program);
+  const vtkAdaptiveLICMapper* self = this->Root;
+  if (program->IsUniformUsed("relevoLICOrigin"))
+  {
+    program->SetUniform2i("relevoLICOrigin", screen.Viewport);
+    program->SetUniform2i("relevoLICSize", screen.Viewport + 2);
+  }
+  if (program->IsUniformUsed("relevoLICMaskColor"))
+  {
+    program->SetUniform3f("relevoLICMaskColor", self->MaskColor);
+    program->SetUniformf("relevoLICMaskIntensity", static_cast<float>(self->MaskIntensity));
+  }
+  if (program->IsUniformUsed("relevoLICFactors"))
+  {
+    const float factors[2] = { static_cast<float>(self->LowColorContrastEnhancementFactor),
+      static_cast<float>(self->HighColorContrastEnhancementFactor) };
+    program->SetUniform2f("relevoLICFactors", factors);
+  }
+}
+
+void vtkAdaptiveLICMapper::SetMapperShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
+{
+  this->Superclass::SetMapperShaderParameters(cellBO, ren, act);
+  vtkInternals& lic = *this->LIC;
+  if (&cellBO == lic.Vectors)
+  {
+    lic.SetVectorUniforms(cellBO.Program, ren, act);
+  }
+  else if (lic.Root->LIC->Screen && this->IsFaceHelper(&cellBO) && !this->DrawingVertices)
+  {
+    lic.Root->LIC->SetImageUniforms(cellBO.Program);
+  }
+}

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkAdaptiveLICMapperInternals
+ * @brief   what a vtkAdaptiveLICMapper keeps
+ *
+ * Private to the mapper's own sources.
+ */
+#ifndef vtkAdaptiveLICMapperInternals_h
+#define vtkAdaptiveLICMapperInternals_h
+
+#include "vtkAdaptiveLICMapper.h"
+#include "vtkLICArray.h"
+#include "vtkLICImage.h"
+#include "vtkLICNoise.h"
+#include "vtkLICScreen.h"
+#include "vtkNew.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkRefinementBuffer.h"
+#include "vtkTimeStamp.h"
+
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+class vtkCamera;
+
+struct vtkAdaptiveLICMapper::vtkInternals
+{
+  explicit vtkInternals(vtkAdaptiveLICMapper* self)
+    : Root(self)
+  {
+  }
+
+  // A block of a composite input draws into what its root has, and shows that.
+  vtkAdaptiveLICMapper* Root;
+  bool IsDrawingVectors = false;       // what the root draws now
+  relevo::LICScreen* Screen = nullptr; // that the surface shows now; nullptr for none
+
+  vtkTimeStamp SettingsTime;
+  std::string Problem; // said last
+
+  // The vectors of this mapper's polydata.
+  vtkOpenGLHelper* Vectors = nullptr; // draws them
+  bool HasVectors = false;
+  relevo::RefinementBuffer CellVectors; // of VTK's primitives; empty for vectors of points
+  double Longest = 0.0;                 // of all blocks
+
+  relevo::LICNoise Noise;
+  relevo::LICImage Image;
+  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
+  using ScreenKey = std::tuple<vtkRenderer*, vtkActor*, vtkCamera*>;
+  std::map<ScreenKey, relevo::LICScreen> Screens;
+  unsigned long Use = 0;
+  relevo::LICScreen& GetScreen(vtkRenderer* ren, vtkActor* act);
+
+  relevo::LICSettings GetSettings() const;
+  relevo::LICColoring GetColoring() const;
+  bool StretchesColors() const;
+
+  static bool CanShow(vtkRenderer* ren, vtkActor* act);
+  std::string FindProblem();
+  bool Prepare(vtkRenderer* ren, vtkActor* act);
+  bool Draw(vtkRenderer* ren, vtkActor* act, relevo::LICScreen& screen, bool convolve);
+  std::vector<double> MakeKey(vtkRenderer* ren, vtkActor* act, const relevo::LICScreen& screen);
+  void SetVectorUniforms(vtkShaderProgram* program, vtkRenderer* ren, vtkActor* act);
+  void SetImageUniforms(vtkShaderProgram* program);
+
+  template <typename Work>
+  void ForEachLeaf(const Work& work);
+};
+
+#endif

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkLICNoise.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkImageReader2.h"
+#include "vtkImageReader2Factory.h"
+#include "vtkLICNoiseSource.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPointData.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+namespace relevo
+{
+namespace
+{
+void KeepMessage(vtkObject*, unsigned long, void* client, void* text)
+{
+  *static_cast<std::string*>(client) = static_cast<const char*>(text);
+}
+
+// Runs an algorithm whose errors the user shall hear from the mapper.
+std::string RunQuietly(vtkAlgorithm* algorithm)
+{
+  std::string message;
+  vtkNew<vtkCallbackCommand> listener;
+  listener->SetCallback(KeepMessage);
+  listener->SetClientData(&message);
+  const unsigned long tag = algorithm->AddObserver(vtkCommand::ErrorEvent, listener);
+  algorithm->Update();
+  algorithm->RemoveObserver(tag);
+  return message;
+}
+}
+
+LICNoise::LICNoise() = default;
+LICNoise::~LICNoise() = default;
+
+vtkMTimeType LICNoise::GetMTime() const
+{
+  vtkMTimeType time = std::max(this->Time.GetMTime(), this->Source->GetMTime());
+  return this->Image ? std::max(time, this->Image->GetMTime()) : time;
+}
+
+bool LICNoise::Update()
+{
+  if (this->UpdateTime < this->GetMTime())
+  {
+    this->Error.clear();
+    this->Texels.clear();
+    const bool made = this->Image ? this->TakeImage(this->Image, "The noise image")
+      : !this->FileName.empty()   ? this->ReadFile()
+                                  : this->Generate();
+    if (!made)
+    {
+      this->Texels.clear();
+    }
+    this->UpdateTime = this->GetMTime();
+  }
+  return this->Error.empty();
+}
+
+bool LICNoise::TakeImage(vtkImageData* image, const std::string& what)
+{
+  int dimensions[3];
+  image->GetDimensions(dimensions);
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  if (!scalars || dimensions[2] != 1 || scalars->GetNumberOfTuples() == 0)
+  {
+    this->Error = what + " has to have point scalars and one slice.";
+    return false;
+  }
+  const double unit = scalars->GetDataType() == VTK_UNSIGNED_CHAR ? 1.0 / 255.0
+    : scalars->GetDataType() == VTK_UNSIGNED_SHORT                ? 1.0 / 65535.0
+                                                                  : 1.0;
+  std::copy_n(dimensions, 2, this->Dimensions);
+  this->Texels.resize(static_cast<size_t>(scalars->GetNumberOfTuples()));
+  for (size_t i = 0; i < this->Texels.size(); ++i)
+  {
+    const double value = unit * scalars->GetComponent(static_cast<vtkIdType>(i), 0);
+    if (!std::isfinite(value))
+    {
+      this->Error = what + " has values that are not finite.";
+      return false;
+    }
+    this->Texels[i] = static_cast<float>(std::min(std::max(value, 0.0), 1.0));
+  }
+  return true;
+}
+
+bool LICNoise::ReadFile()
+{
+  const std::string what = "The noise file \"" + this->FileName + "\"";
+  if (!std::ifstream(this->FileName))
+  {
+    this->Error = what + " cannot be opened.";
+    return false;
+  }
+  auto reader =
+    vtk::TakeSmartPointer(vtkImageReader2Factory::CreateImageReader2(this->FileName.c_str()));
+  if (!reader)
+  {
+    this->Error = what + " is of no image format that VTK reads.";
+    return false;
+  }
+  reader->SetFileName(this->FileName.c_str());
+  if (!RunQuietly(reader).empty())
+  {
+    this->Error = what + " cannot be read.";
+    return false;
+  }
+  return this->TakeImage(reader->GetOutput(), what);
+}
+
+bool LICNoise::Generate()
+{
+  vtkNew<vtkLICNoiseSource> byDefault;
+  vtkLICNoiseSource* source = this->Generated ? this->Source.Get() : byDefault.Get();
+  const std::string message = RunQuietly(source);
+  if (!message.empty())
+  {
+    this->Error = "Noise cannot be made: " + message;
+    source->Modified(); // says so again when it is asked again
+    return false;
+  }
+  return this->TakeImage(source->GetOutput(), "The generated noise");
+}
+
+vtkTextureObject* LICNoise::GetTexture(vtkOpenGLRenderWindow* window)
+{
+  if (!this->Texture || this->TextureTime != this->UpdateTime ||
+    this->Texture->GetContext() != window)
+  {
+    this->Texture = vtkSmartPointer<vtkTextureObject>::New();
+    this->Texture->SetContext(window);
+    this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
+    this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+    this->Texture->SetWrapS(vtkTextureObject::Repeat);
+    this->Texture->SetWrapT(vtkTextureObject::Repeat);
+    this->TextureTime = this->UpdateTime;
+    if (!this->Texture->Create2DFromRaw(static_cast<unsigned int>(this->Dimensions[0]),
+          static_cast<unsigned int>(this->Dimensions[1]), 1, VTK_FLOAT, this->Texels.data()))
+    {
+      this->Texture = nullptr;
+    }
+  }
+  return this->Texture;
+}
+
+void LICNoise::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (this->Texture)
+  {
+    this->Texture->ReleaseGraphicsResources(window);
+    this->Texture = nullptr;
+  }
+}
+
+vtkTypeInt64 LICNoise::GetMemorySize() const
+{
+  return this->Texture ? static_cast<vtkTypeInt64>(this->Texels.size() * sizeof(float)) : 0;
+}
+}

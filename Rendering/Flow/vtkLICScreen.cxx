@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkLICScreen.h"
+
+#include "vtkLICPass.h"
+#include "vtkRelevoOpenGL.h"
+
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkTextureObject.h"
+
+namespace relevo
+{
+bool LICScreen::Allocate(vtkOpenGLRenderWindow* window, bool withColors)
+{
+  const int width = this->Viewport[2];
+  const int height = this->Viewport[3];
+  const auto fits = [&](vtkTextureObject* texture)
+  {
+    return texture && texture->GetContext() == window &&
+      texture->GetWidth() == static_cast<unsigned int>(width) &&
+      texture->GetHeight() == static_cast<unsigned int>(height);
+  };
+  if (!fits(this->Vectors) || !fits(this->Image) || !fits(this->Depth))
+  {
+    this->Key.clear();
+    this->Vectors.TakeReference(NewFloatTexture(window, width, height, 4, true));
+    this->Image.TakeReference(NewFloatTexture(window, width, height, 1, false));
+    this->Depth = vtkSmartPointer<vtkTextureObject>::New();
+    this->Depth->SetContext(window);
+    if (!this->Depth->AllocateDepth(static_cast<unsigned int>(width),
+          static_cast<unsigned int>(height), vtkTextureObject::Fixed24))
+    {
+      this->Depth = nullptr;
+    }
+  }
+  if (withColors && !fits(this->Colors))
+  {
+    this->Colors.TakeReference(NewFloatTexture(window, width, height, 4, false));
+  }
+  else if (!withColors)
+  {
+    this->Colors = nullptr;
+    this->Range = nullptr;
+  }
+  return this->Vectors && this->Image && this->Depth && (this->Colors || !withColors);
+}
+
+bool LICScreen::Begin(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer)
+{
+  vtkOpenGLState* state = window->GetState();
+  framebuffer->Bind();
+  framebuffer->AddDepthAttachment(this->Depth);
+  framebuffer->AddColorAttachment(0, this->Vectors);
+  if (this->Colors)
+  {
+    framebuffer->AddColorAttachment(1, this->Colors);
+  }
+  framebuffer->ActivateDrawBuffers(this->Colors ? 2 : 1);
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+  {
+    this->End(window, framebuffer);
+    return false;
+  }
+  framebuffer->InitializeViewport(this->Viewport[2], this->Viewport[3]);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  state->vtkglClearDepth(1.0);
+  state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  return true;
+}
+
+void LICScreen::End(vtkOpenGLRenderWindow*, vtkOpenGLFramebufferObject* framebuffer)
+{
+  framebuffer->RemoveDepthAttachment();
+  framebuffer->RemoveColorAttachments(this->Colors ? 2 : 1);
+  framebuffer->DeactivateDrawBuffers();
+}
+
+void LICScreen::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (vtkSmartPointer<vtkTextureObject>* texture :
+    { &this->Vectors, &this->Colors, &this->Depth, &this->Image, &this->Range })
+  {
+    if (*texture)
+    {
+      (*texture)->ReleaseGraphicsResources(window);
+      *texture = nullptr;
+    }
+  }
+  this->Key.clear();
+}
+
+vtkTypeInt64 LICScreen::GetMemorySize() const
+{
+  vtkTypeInt64 size = 0;
+  for (const vtkSmartPointer<vtkTextureObject>* texture :
+    { &this->Vectors, &this->Colors, &this->Depth, &this->Image })
+  {
+    if (*texture)
+    {
+      size += static_cast<vtkTypeInt64>((*texture)->GetWidth()) * (*texture)->GetHeight() * 4 *
+        ((*texture)->GetComponents() > 1 ? 4 : 1);
+    }
+  }
+  return size;
+}
+}

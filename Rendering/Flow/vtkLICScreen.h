@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkLICScreen
+ * @brief   what one camera sees of an actor's vectors, and its LIC
+ *
+ * Private to the module's own sources.
+ */
+#ifndef vtkLICScreen_h
+#define vtkLICScreen_h
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <vector> // for the key
+
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLRenderWindow;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace relevo
+{
+struct LICScreen
+{
+  int Viewport[4] = { 0, 0, 0, 0 };          // lower left corner and size, in pixels
+  vtkSmartPointer<vtkTextureObject> Vectors; // as relevoLICVectorsFS.glsl makes them
+  vtkSmartPointer<vtkTextureObject> Colors;  // of the surface, where they are asked for
+  vtkSmartPointer<vtkTextureObject> Depth;
+  vtkSmartPointer<vtkTextureObject> Image; // the LIC
+  vtkSmartPointer<vtkTextureObject> Range; // of the colours' lightness, where it is asked for
+  std::vector<double> Key;                 // what Vectors and Image were made from
+  unsigned long LastUse = 0;
+
+  /**
+   * Have textures of the viewport's size. False when there are none to be had.
+   */
+  bool Allocate(vtkOpenGLRenderWindow* window, bool withColors);
+
+  /**
+   * Draw to the vectors (and colours) until End(); what is there is forgotten. False when OpenGL
+   * cannot draw to them.
+   */
+  bool Begin(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer);
+  void End(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+  vtkTypeInt64 GetMemorySize() const;
+};
+}
+
+#endif
