@@ -16,21 +16,39 @@ double Side(const double a[2], const double b[2], const double p[2])
   return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
 }
 
-// Of a point by the corners of a triangle, not yet divided by their sum. The sides come in the
-// order of their ends, so that triangles agree on which side of a shared one a point lies.
-std::array<double, 3> FindAreas(const double x[3], const double y[3], const double p[2])
+// A centre on a side but for the rounding of float texture coordinates is inside.
+constexpr double Outside = -1e-5;
+
+// Of a point by the corners of a triangle; false outside.
+bool FindWeights(
+  const double x[3], const double y[3], const double p[2], std::array<double, 3>& weights)
 {
-  std::array<double, 3> areas;
+  double area = 0.0;
   for (int corner = 0; corner < 3; ++corner)
   {
     const int i = (corner + 1) % 3;
     const int j = (corner + 2) % 3;
     const double a[2] = { x[i], y[i] };
     const double b[2] = { x[j], y[j] };
-    const bool ordered = a[0] != b[0] ? a[0] < b[0] : a[1] < b[1];
-    areas[corner] = ordered ? Side(a, b, p) : -Side(b, a, p);
+    weights[corner] = Side(a, b, p);
+    area += weights[corner];
   }
-  return areas;
+  double sum = 0.0;
+  for (double& weight : weights)
+  {
+    weight /= area;
+    if (!(weight >= Outside)) // not so for the NaN of a triangle without area
+    {
+      return false;
+    }
+    weight = std::max(weight, 0.0);
+    sum += weight;
+  }
+  for (double& weight : weights)
+  {
+    weight /= sum;
+  }
+  return true;
 }
 }
 
@@ -71,10 +89,10 @@ void SurfaceTexels::Cover(int triangle)
     return;
   }
   const auto first = [](const double* x) {
-    return std::ceil(std::max(std::min({ x[0], x[1], x[2] }), 0.0));
+    return std::ceil(std::max(std::min({ x[0], x[1], x[2] }) + Outside, 0.0));
   };
   const auto last = [](const double* x, int size) {
-    return std::floor(std::min(std::max({ x[0], x[1], x[2] }), size - 1.0));
+    return std::floor(std::min(std::max({ x[0], x[1], x[2] }) - Outside, size - 1.0));
   };
   const double lastColumn = last(corners.X, this->Size[0]);
   const double lastRow = last(corners.Y, this->Size[1]);
@@ -83,12 +101,10 @@ void SurfaceTexels::Cover(int triangle)
     for (double column = first(corners.X); column <= lastColumn; ++column)
     {
       const double centre[2] = { column, row };
-      const auto areas = FindAreas(corners.X, corners.Y, centre);
-      const bool inside = std::min({ areas[0], areas[1], areas[2] }) >= 0.0 ||
-        std::max({ areas[0], areas[1], areas[2] }) <= 0.0;
       int& owner =
         this->Triangles[static_cast<vtkIdType>(row) * this->Size[0] + static_cast<int>(column)];
-      if (inside && owner < 0 && areas[0] + areas[1] + areas[2] != 0.0)
+      Weights weights;
+      if (owner < 0 && FindWeights(corners.X, corners.Y, centre, weights))
       {
         owner = triangle;
         ++this->NumberOfCoveredTexels;
@@ -103,12 +119,8 @@ SurfaceTexels::Weights SurfaceTexels::GetWeights(vtkIdType texel) const
   this->GetCorners(this->Triangles[texel], corners);
   const double centre[2] = { static_cast<double>(texel % this->Size[0]),
     static_cast<double>(texel / this->Size[0]) };
-  Weights weights = FindAreas(corners.X, corners.Y, centre);
-  const double sum = weights[0] + weights[1] + weights[2];
-  for (double& weight : weights)
-  {
-    weight /= sum;
-  }
+  Weights weights;
+  FindWeights(corners.X, corners.Y, centre, weights);
   return weights;
 }
 

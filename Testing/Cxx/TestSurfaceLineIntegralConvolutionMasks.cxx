@@ -1,0 +1,293 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkSurfaceLineIntegralConvolution where there is no data, on odd meshes, and its errors.
+#include "RelevoCheck.h"
+#include "RelevoSurfaceLIC.h"
+
+#include "vtkExecutive.h"
+#include "vtkIntArray.h"
+#include "vtkSolidNoise.h"
+#include "vtkStringArray.h"
+
+#include <limits>
+#include <random>
+
+namespace
+{
+using namespace RelevoVectors;
+
+constexpr double Grain = 0.05;
+
+vtkSmartPointer<vtkSurfaceLineIntegralConvolution> MakeFilter()
+{
+  auto filter = vtkSmartPointer<vtkSurfaceLineIntegralConvolution>::New();
+  filter->SetGrainSize(Grain);
+  return filter;
+}
+
+// A disk of values in the middle of a plane in whose place something else stands.
+RelevoMeshes::Mesh PlaneWith(double something)
+{
+  auto plane = RelevoMeshes::Plane(40, 40);
+  AddVelocity(plane,
+    [=](const Vector& p) {
+      return length(p) < 0.2 ? Vector{ { something, 0.5, 0 } } : Vector{ { 1.0, 0.3 + p[0], 0 } };
+    });
+  return plane;
+}
+
+// The noise that stays where it is masked; nothing leaks out.
+void CheckNoData(RelevoCheck& check)
+{
+  const auto filter = MakeFilter();
+  const relevo::SolidNoise noise(Grain, 1);
+  auto plane = PlaneWith(std::numeric_limits<double>::quiet_NaN());
+  const RelevoSurfaceLIC lic(filter, plane);
+  CHECK(lic.IsValid());
+  double others = 0.0;
+  for (vtkIdType point = 0; point < plane->GetNumberOfPoints(); ++point)
+  {
+    Vector p;
+    plane->GetPoint(point, p.data());
+    if (length(p) < 0.2)
+    {
+      CHECK(lic.Mask[point] == 1);
+      CHECK(lic.Values[point] == noise.GetValue(p.data()));
+    }
+    else if (length(p) > 0.24)
+    {
+      CHECK(lic.Mask[point] == 0);
+      others = std::max<double>(others, std::abs(lic.Values[point] - noise.GetValue(p.data())));
+    }
+  }
+  CHECK(others > 0.1);
+  for (double sentinel : { -1e9, 1e20, 1e8, -std::numeric_limits<double>::infinity() })
+  {
+    const RelevoSurfaceLIC same(filter, PlaneWith(sentinel));
+    CHECK(same.Values == lic.Values && same.Mask == lic.Mask);
+  }
+  CHECK(RelevoSurfaceLIC(filter, PlaneWith(9e7)).Mask != lic.Mask);
+  filter->SetNoDataMagnitude(1e3);
+  const RelevoSurfaceLIC same(filter, PlaneWith(2e3));
+  CHECK(same.Values == lic.Values && same.Mask == lic.Mask);
+  // A line along y ends at the disk: what is beyond, and there, makes no difference.
+  auto below = PlaneWith(1e4);
+  auto changed = PlaneWith(1e4);
+  for (vtkPolyData* mesh : { below.Get(), changed.Get() })
+  {
+    vtkDataArray* vectors = mesh->GetPointData()->GetVectors();
+    for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
+    {
+      const double* p = mesh->GetPoint(point);
+      if (p[0] * p[0] + p[1] * p[1] >= 0.04)
+      {
+        vectors->SetTuple3(point, p[1] > 0 && mesh == changed ? 0.5 : 0.0, 1, 0);
+      }
+    }
+  }
+  const RelevoSurfaceLIC up(filter, below);
+  const RelevoSurfaceLIC bent(filter, changed);
+  CHECK(up.Values != bent.Values);
+  int shadowed = 0;
+  for (vtkIdType point = 0; point < below->GetNumberOfPoints(); ++point)
+  {
+    const double* p = below->GetPoint(point);
+    if (std::abs(p[0]) < 0.1 && p[1] < 0.0)
+    {
+      ++shadowed;
+      CHECK(up.Values[point] == bent.Values[point]);
+    }
+  }
+  CHECK(shadowed > 50);
+}
+
+void CheckThreshold(RelevoCheck& check)
+{
+  const auto filter = MakeFilter();
+  auto plane = RelevoMeshes::Plane(40, 40);
+  AddVelocity(plane, [](const Vector& p) { return Vector{ { std::max(p[0], 0.0), 0, 0 } }; });
+  const auto countMasked = [&](double threshold)
+  {
+    filter->SetMaskThreshold(threshold);
+    const RelevoSurfaceLIC lic(filter, plane);
+    CHECK(lic.IsValid());
+    int masked = 0;
+    for (vtkIdType point = 0; point < plane->GetNumberOfPoints(); ++point)
+    {
+      CHECK(lic.Mask[point] == (std::max(plane->GetPoint(point)[0], 0.0) <= threshold));
+      masked += lic.Mask[point];
+    }
+    return masked;
+  };
+  CHECK(countMasked(0.0) == 21 * 41);
+  CHECK(countMasked(0.26) == 31 * 41);
+  CHECK(countMasked(-1.0) == 0);
+  // Lines run through what is masked by its length.
+  filter->SetMaskThreshold(0.26);
+  const RelevoSurfaceLIC masked(filter, plane);
+  filter->SetMaskThreshold(0.0);
+  const RelevoSurfaceLIC all(filter, plane);
+  for (std::size_t i = 0; i < all.Values.size(); ++i)
+  {
+    CHECK(masked.Mask[i] || masked.Values[i] == all.Values[i]);
+  }
+  // Of cells: where all are masked.
+  auto ofCells = RelevoMeshes::Plane(10, 10);
+  vtkNew<vtkIntArray> vectors;
+  vectors->SetName("v");
+  vectors->SetNumberOfComponents(3);
+  vectors->SetNumberOfTuples(100);
+  vectors->Fill(0);
+  vectors->SetTuple3(0, 1, 1, 0);
+  vectors->SetTuple3(99, 1000000000, 1, 0);
+  ofCells->GetCellData()->AddArray(vectors);
+  const RelevoSurfaceLIC lic(filter, ofCells);
+  CHECK(lic.IsValid());
+  for (std::size_t i = 0; i < lic.Mask.size(); ++i)
+  {
+    CHECK(lic.Mask[i] == !(i == 0 || i == 1 || i == 11 || i == 12));
+  }
+}
+
+void CheckOddMeshes(RelevoCheck& check)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  std::vector<RelevoMeshes::Mesh> meshes{ RelevoMeshes::Mixed(), RelevoMeshes::NonManifold(),
+    RelevoMeshes::Moebius(), RelevoMeshes::Slivers(), RelevoMeshes::Strips(), RelevoMeshes::Cube(),
+    RelevoMeshes::TexturedSphere(9, 7) };
+  meshes.push_back(RelevoMeshes::FromTriangles(
+    { { { nan, 0, 0 } }, { { 1, infinity, 0 } }, { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 2, 0, 0 } },
+      { { 0, 0, 0 } }, { { 1e30, 1e30, 0 } }, { { 0, 1, 0 } } },
+    { { { 0, 1, 2 } }, { { 2, 3, 4 } }, { { 2, 5, 3 } }, { { 2, 3, 6 } }, { { 2, 3, 99 } },
+      { { 2, 3, 7 } }, { { 3, 2, 7 } } }));
+  std::mt19937 random(4);
+  const auto number = [&random]() { return random() / 2147483648.0 - 1.0; };
+  for (vtkPolyData* mesh : meshes)
+  {
+    for (int round = 0; round < 3; ++round)
+    {
+      AddVelocity(mesh,
+        [&](const Vector&)
+        {
+          return random() % 8 ? Vector{ { number(), number(), number() } }
+                              : Vector{ { round ? 0.0 : nan, 0, 0 } };
+        });
+      vtkNew<vtkSurfaceLineIntegralConvolution> filter;
+      filter->SetNormalizeVectors(round < 2);
+      filter->SetEnhanceContrast(round);
+      filter->SetEnhanceContrast(round % 2);
+      const RelevoSurfaceLIC lic(filter, mesh);
+      CHECK(lic.IsValid());
+      filter->SetStepSize(1e6);
+      CHECK(RelevoSurfaceLIC(filter, mesh).IsValid());
+      filter->SetStepSize(1e-9);
+      CHECK(RelevoSurfaceLIC(filter, mesh).IsValid());
+    }
+  }
+}
+
+void CheckErrors(RelevoCheck& check)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  auto plane = PlaneWith(1.0);
+  const auto fails =
+    [&](vtkSurfaceLineIntegralConvolution* filter, vtkPolyData* mesh, const char* words)
+  {
+    RelevoErrors errors(filter);
+    RelevoErrors ofExecutive(filter->GetExecutive());
+    const RelevoSurfaceLIC lic(filter, mesh);
+    return errors.Said(words) && lic.Values.empty() &&
+      filter->GetOutput()->GetNumberOfPoints() == 0;
+  };
+  const auto rejects =
+    [&](const std::function<void(vtkSurfaceLineIntegralConvolution*)>& set, const char* words)
+  {
+    const auto filter = MakeFilter();
+    set(filter);
+    return fails(filter, plane, words);
+  };
+  using Filter = vtkSurfaceLineIntegralConvolution;
+  for (int steps : { 0, -1, 100001 })
+  {
+    CHECK(rejects([=](Filter* f) { f->SetNumberOfSteps(steps); }, "NumberOfSteps"));
+  }
+  for (double bad : { -0.1, nan, static_cast<double>(HUGE_VAL) })
+  {
+    CHECK(rejects([=](Filter* f) { f->SetStepSize(bad); }, "StepSize"));
+    CHECK(rejects([=](Filter* f) { f->SetGrainSize(bad); }, "GrainSize"));
+  }
+  CHECK(rejects([=](Filter* f) { f->SetPhase(nan); }, "Phase"));
+  CHECK(rejects([=](Filter* f) { f->SetMaskThreshold(nan); }, "MaskThreshold"));
+  CHECK(rejects([=](Filter* f) { f->SetNoDataMagnitude(0.0); }, "NoDataMagnitude"));
+  CHECK(rejects([=](Filter* f) { f->SetNoDataMagnitude(nan); }, "NoDataMagnitude"));
+  CHECK(rejects([=](Filter* f) { f->SetEnhanceContrast(2); }, "EnhanceContrast"));
+  CHECK(rejects([=](Filter* f) { f->SetLowLICContrastEnhancementFactor(-0.1); }, "Low"));
+  CHECK(rejects([=](Filter* f) { f->SetHighLICContrastEnhancementFactor(1.0); }, "High"));
+  CHECK(rejects([=](Filter* f) { f->SetTextureSize(0, 5); }, "TextureSize"));
+  CHECK(rejects([=](Filter* f) { f->SetTextureSize(5, 20000); }, "TextureSize"));
+
+  const auto filter = MakeFilter();
+  CHECK(fails(filter, RelevoMeshes::Plane(3, 3), "no array of 3 components"));
+  CHECK(fails(filter, RelevoMeshes::Make(), "no array of 3 components"));
+  auto lines = RelevoMeshes::Make();
+  lines->SetPoints(plane->GetPoints());
+  lines->GetPointData()->ShallowCopy(plane->GetPointData());
+  CHECK(fails(filter, lines, "no polygons"));
+  lines->SetLines(vtkSmartPointer<vtkCellArray>::New());
+  lines->GetLines()->InsertNextCell({ 0, 1 });
+  CHECK(fails(filter, lines, "no polygons"));
+  // By name.
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "no such array");
+  CHECK(fails(filter, plane, "\"no such array\""));
+  vtkNew<vtkFloatArray> pairs;
+  pairs->SetName("pairs");
+  pairs->SetNumberOfComponents(2);
+  pairs->SetNumberOfTuples(plane->GetNumberOfPoints());
+  plane->GetPointData()->AddArray(pairs);
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "pairs");
+  CHECK(fails(filter, plane, "tuples of 2"));
+  vtkNew<vtkStringArray> words;
+  words->SetName("words");
+  words->SetNumberOfTuples(plane->GetNumberOfPoints());
+  plane->GetPointData()->AddArray(words);
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "words");
+  CHECK(fails(filter, plane, "\"words\""));
+  vtkNew<vtkFloatArray> few;
+  few->SetName("few");
+  few->SetNumberOfComponents(3);
+  few->SetNumberOfTuples(7);
+  plane->GetPointData()->AddArray(few);
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "few");
+  CHECK(fails(filter, plane, "7 tuples of 3"));
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Velocity");
+  CHECK(fails(filter, plane, "\"Velocity\""));
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Velocity");
+  CHECK(RelevoSurfaceLIC(filter, plane).IsValid());
+
+  // Not by name: the first that can be, and no normals.
+  plane->GetPointData()->SetActiveVectors(nullptr);
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(plane->GetNumberOfPoints());
+  normals->Fill(1.0);
+  auto withNormals = RelevoMeshes::Plane(40, 40);
+  withNormals->GetPointData()->Initialize();
+  withNormals->GetPointData()->SetNormals(normals);
+  CHECK(fails(MakeFilter(), withNormals, "no array of 3 components"));
+  withNormals->GetPointData()->AddArray(plane->GetPointData()->GetArray("Velocity"));
+  CHECK(RelevoSurfaceLIC(MakeFilter(), withNormals).Values ==
+    RelevoSurfaceLIC(MakeFilter(), PlaneWith(1.0)).Values);
+}
+}
+
+int TestSurfaceLineIntegralConvolutionMasks(int, char*[])
+{
+  RelevoCheck check;
+  CheckNoData(check);
+  CheckThreshold(check);
+  CheckOddMeshes(check);
+  CheckErrors(check);
+  return check.GetResult();
+}
