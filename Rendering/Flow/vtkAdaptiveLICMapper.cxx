@@ -138,8 +138,15 @@ bool vtkAdaptiveLICMapper::vtkInternals::CanShow(vtkRenderer* ren, vtkActor* act
   return !ren->GetSelector() && act->GetProperty()->GetRepresentation() == VTK_SURFACE;
 }
 
-std::string vtkAdaptiveLICMapper::vtkInternals::FindProblem()
+void vtkAdaptiveLICMapper::vtkInternals::CheckVectors()
 {
+  std::vector<vtkMTimeType> times = { this->Root->GetMTime() };
+  this->ForEachLeaf([&](vtkPolyData* leaf) { times.push_back(leaf->GetMTime()); });
+  if (times == this->VectorTimes)
+  {
+    return;
+  }
+  this->VectorTimes = times;
   std::string problem;
   double longest = -1.0;
   bool hasPoints = false;
@@ -158,17 +165,23 @@ std::string vtkAdaptiveLICMapper::vtkInternals::FindProblem()
       longest = std::max(longest, vectors.FindLongest(this->Root->NoDataMagnitude));
     });
   this->Longest = std::max(longest, 0.0);
-  if (!problem.empty() || !hasPoints)
+  if (problem.empty() && hasPoints && !hasArray)
   {
-    return problem;
+    problem = "The input has no array of vectors that SetInputArrayToProcess(0, ...) chooses.";
   }
-  if (!hasArray)
+  else if (problem.empty() && hasPoints && longest < 0.0)
   {
-    return "The input has no array of vectors that SetInputArrayToProcess(0, ...) chooses.";
+    problem = "All vectors are no-data: not finite, or of NoDataMagnitude or more.";
   }
-  if (longest < 0.0)
+  this->VectorProblem = problem;
+}
+
+std::string vtkAdaptiveLICMapper::vtkInternals::FindProblem()
+{
+  this->CheckVectors();
+  if (!this->VectorProblem.empty())
   {
-    return "All vectors are no-data: not finite, or of NoDataMagnitude or more.";
+    return this->VectorProblem;
   }
   return this->Noise.Update() ? "" : this->Noise.GetError();
 }

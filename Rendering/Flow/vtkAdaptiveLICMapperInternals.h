@@ -46,7 +46,11 @@ struct vtkAdaptiveLICMapper::vtkInternals
   vtkOpenGLHelper* Vectors = nullptr; // draws them
   bool HasVectors = false;
   relevo::RefinementBuffer CellVectors; // of VTK's primitives; empty for vectors of points
-  double Longest = 0.0;                 // of all blocks
+
+  // The vectors of all blocks, as they were at these times.
+  std::vector<vtkMTimeType> VectorTimes;
+  std::string VectorProblem;
+  double Longest = 0.0;
 
   relevo::LICNoise Noise;
   relevo::LICImage Image;
@@ -61,6 +65,7 @@ struct vtkAdaptiveLICMapper::vtkInternals
   bool StretchesColors() const;
 
   static bool CanShow(vtkRenderer* ren, vtkActor* act);
+  void CheckVectors();
   std::string FindProblem();
   bool Prepare(vtkRenderer* ren, vtkActor* act);
   bool Draw(vtkRenderer* ren, vtkActor* act, relevo::LICScreen& screen, bool convolve);
