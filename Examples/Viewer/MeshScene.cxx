@@ -5,6 +5,7 @@
 #include "MeshColours.h"
 #include "MeshMapping.h"
 #include "MeshReader.h"
+#include "ViewerFlow.h"
 #include "ViewerMetric.h"
 
 #include "vtkActor.h"
@@ -62,6 +63,7 @@ MeshScene::MeshScene(const ViewerOptions& options, ViewerMessages& messages)
 {
   this->ReadMesh();
   this->ChooseArray();
+  this->ChooseVectors();
   this->ReadHeights();
   this->Show(options.MaximumLevel.value_or(this->GetDefaultLevel()), this->MakeMeshMetric());
   this->SetColours();
@@ -127,6 +129,24 @@ void MeshScene::ChooseArray()
 }
 
 //------------------------------------------------------------------------------
+void MeshScene::ChooseVectors()
+{
+  if (this->Options.Vectors.empty())
+  {
+    return;
+  }
+  bool isOfPoints = false;
+  this->Vectors = FindVectors(this->Options, this->Mesh, isOfPoints);
+  FollowVectors(this->Mapper, this->Vectors, isOfPoints);
+  // The lengths of vectors are what one asks next.
+  if (this->Options.Array.empty())
+  {
+    this->ArrayName = this->Options.Vectors;
+    this->HasPointArray = isOfPoints;
+  }
+}
+
+//------------------------------------------------------------------------------
 void MeshScene::ReadHeights()
 {
   if (this->Options.Heights.empty())
@@ -169,7 +189,8 @@ void MeshScene::ReadHeights()
 int MeshScene::GetDefaultLevel()
 {
   // Levels of edges on the screen end by themselves.
-  if (this->Options.GetMetric() == ViewerOptions::MetricType::ScreenEdge)
+  if (this->Options.GetMetric() == ViewerOptions::MetricType::ScreenEdge &&
+    !this->Options.IsFlowMetric())
   {
     return 7;
   }
@@ -183,8 +204,9 @@ int MeshScene::GetDefaultLevel()
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkDepthTagMetric> MeshScene::MakeMeshMetric()
 {
-  auto metric =
-    MakeMetric(this->Options, this->Mesh, this->HasPointArray ? this->ArrayName : std::string());
+  const bool isOfVectors = this->Vectors && this->Options.Array.empty();
+  auto metric = MakeMetric(this->Options, this->Mesh,
+    isOfVectors || this->HasPointArray ? this->ArrayName : std::string());
   this->Messages.Observe(metric);
   return metric;
 }
@@ -229,7 +251,9 @@ void MeshScene::SetArrayColours()
     return;
   }
   double range[2];
-  array->GetFiniteRange(range, array->GetNumberOfComponents() > 1 ? -1 : 0);
+  array == this->Vectors
+    ? GetLengthRange(array, range)
+    : array->GetFiniteRange(range, array->GetNumberOfComponents() > 1 ? -1 : 0);
   const auto colours = MakeColours(range);
   this->Mapper->SetLookupTable(colours);
   this->Mapper->InterpolateScalarsBeforeMappingOn();

@@ -14,6 +14,7 @@
 
 #include <string>
 
+class vtkDataArray;
 class vtkDisplacement;
 
 class MeshScene : public ViewerScene
@@ -28,6 +29,7 @@ private:
   void SplitNormals();
   void ReadHeights();
   void ChooseArray();
+  void ChooseVectors();
   int GetDefaultLevel();
   vtkSmartPointer<vtkDepthTagMetric> MakeMeshMetric();
   void SetColours();
@@ -39,6 +41,8 @@ private:
   // The array that colours the mesh: empty for none, and whether its numbers are of points.
   std::string ArrayName;
   bool HasPointArray = false;
+  // Of streaks; nullptr for none.
+  vtkSmartPointer<vtkDataArray> Vectors;
 };
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewerMetric.h"
 
+#include "ViewerFlow.h"
 #include "ViewerMessages.h"
 #include "ViewerOptions.h"
 
@@ -112,6 +113,10 @@ Metric MakeRegion(const ViewerOptions& options, vtkPolyData* mesh)
 //------------------------------------------------------------------------------
 Metric MakeMetric(const ViewerOptions& options, vtkPolyData* mesh, const std::string& arrayName)
 {
+  if (options.IsFlowMetric())
+  {
+    return MakeFlowMetric(options);
+  }
   switch (options.GetMetric())
   {
     case ViewerOptions::MetricType::Distance:

@@ -6,7 +6,7 @@
 #include "ViewerArguments.h"
 #include "ViewerExport.h"
 
-#include "vtkAdaptiveRefinementMapper.h"
+#include "vtkAdaptiveLICMapper.h"
 
 #include <functional>
 #include <limits>
@@ -17,6 +17,7 @@ namespace
 {
 const int HighestLevel = 7;
 const int LargestResolution = 4096;
+const int MostSteps = 1000;
 
 using Flags = std::map<std::string, std::function<void()>>;
 using Setter = std::function<void(const std::string& option, const std::string& value)>;
@@ -32,6 +33,7 @@ public:
     this->AddSurface();
     this->AddTerrain();
     this->AddMesh();
+    this->AddFlow();
     this->AddLevels();
     this->AddPicture();
     for (int i = 1; i < argc; ++i)
@@ -135,6 +137,49 @@ private:
         [&](const auto& option, const auto& value) {
           options.UpAxis = ToChoice<int>(option, value, { { "x", 0 }, { "y", 1 }, { "z", 2 } });
         } },
+    });
+  }
+
+  void AddFlow()
+  {
+    ViewerOptions& options = this->Options;
+    using Mapper = vtkAdaptiveLICMapper;
+    this->AllSettings.insert({
+      { "--lic",
+        [&](const auto& option, const auto& value)
+        {
+          if (value.empty())
+          {
+            throw UsageError(option + " wants the name of an array of vectors");
+          }
+          options.Vectors = value;
+        } },
+      { "--lic-contrast",
+        [&](const auto& option, const auto& value)
+        {
+          options.LICContrast = ToChoice<int>(option, value,
+            { { "off", Mapper::ENHANCE_CONTRAST_OFF }, { "lic", Mapper::ENHANCE_CONTRAST_LIC },
+              { "color", Mapper::ENHANCE_CONTRAST_COLOR },
+              { "both", Mapper::ENHANCE_CONTRAST_BOTH } });
+        } },
+      { "--lic-intensity",
+        [&](const auto& option, const auto& value)
+        { options.LICIntensity = ToNumber(option, value, 0.0, 1.0); } },
+      { "--lic-mode",
+        [&](const auto& option, const auto& value)
+        {
+          options.LICMode = ToChoice<int>(option, value,
+            { { "blend", Mapper::COLOR_MODE_BLEND }, { "multiply", Mapper::COLOR_MODE_MAP } });
+        } },
+      { "--lic-phase",
+        [&](const auto& option, const auto& value)
+        { options.LICPhase = ToNumber(option, value); } },
+      { "--lic-step-size",
+        [&](const auto& option, const auto& value)
+        { options.LICStepSize = ToPositiveNumber(option, value); } },
+      { "--lic-steps",
+        [&](const auto& option, const auto& value)
+        { options.LICSteps = ToInteger(option, value, 1, MostSteps); } },
     });
   }
 
@@ -284,6 +329,15 @@ private:
     this->CheckUse({ "--alpha" }, options.GetSurface() == Surface::Phong, "--surface phong");
     this->CheckUse({ "--amplitude", "--frequency" }, options.GetSurface() == Surface::Procedural,
       "--surface procedural");
+    const bool hasFlow = !options.Vectors.empty();
+    this->CheckUse({ "--lic" }, options.IsMesh, "meshes");
+    this->CheckUse({ "--lic-contrast", "--lic-intensity", "--lic-mode", "--lic-phase",
+                     "--lic-step-size", "--lic-steps" },
+      hasFlow, "--lic");
+    this->CheckUse({ "--lic-intensity" },
+      options.LICMode.value_or(vtkAdaptiveLICMapper::COLOR_MODE_BLEND) ==
+        vtkAdaptiveLICMapper::COLOR_MODE_BLEND,
+      "--lic-mode blend");
     this->CheckUse({ "--metric", "--max-level", "--per-edge" }, !options.UniformLevel,
       "metrics, not with --level");
     this->CheckUse({ "--pixels" },

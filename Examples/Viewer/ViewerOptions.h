@@ -75,6 +75,15 @@ struct ViewerOptions
   std::optional<double> FeatureAngle; // degrees
   int UpAxis = 1;                     // 0 for x, 1 for y, 2 for z
 
+  // Streaks along vectors, of meshes alone; none without an array.
+  std::string Vectors;
+  std::optional<int> LICSteps;
+  std::optional<double> LICStepSize; // pixels
+  std::optional<int> LICContrast;    // of vtkAdaptiveLICMapper
+  std::optional<int> LICMode;        // of vtkAdaptiveLICMapper
+  std::optional<double> LICIntensity;
+  double LICPhase = 0.0;
+
   // How deep it is refined.
   std::optional<int> MaximumLevel;
   std::optional<int> UniformLevel;
@@ -102,6 +111,8 @@ struct ViewerOptions
   {
     return this->Metric.value_or(this->IsMesh ? MetricType::ScreenEdge : MetricType::Distance);
   }
+  /// Whether it is the streaks' vectors that say where to refine.
+  bool IsFlowMetric() const { return !this->Vectors.empty() && !this->Metric; }
   SurfaceType GetSurface() const
   {
     return this->Surface.value_or(this->IsMesh ? SurfaceType::PNTriangle : SurfaceType::Linear);

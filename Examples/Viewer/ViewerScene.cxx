@@ -5,6 +5,7 @@
 #include "MeshScene.h"
 #include "TerrainScene.h"
 #include "ViewerExport.h"
+#include "ViewerFlow.h"
 #include "ViewerLegend.h"
 #include "ViewerStatistics.h"
 #include "ViewerSurface.h"
@@ -26,6 +27,7 @@
 ViewerScene::ViewerScene(const ViewerOptions& options, ViewerMessages& messages)
   : Options(options)
   , Messages(messages)
+  , Mapper(MakeMapper(options))
 {
   this->Messages.Observe(this->Recipe);
   this->Messages.Observe(this->Mapper, "refining");

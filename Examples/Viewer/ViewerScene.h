@@ -14,6 +14,7 @@
 #include "ViewerView.h"
 
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 
 #include <iosfwd>
 #include <memory>
@@ -60,7 +61,7 @@ protected:
   ViewerMessages& Messages;
   vtkNew<vtkPolyData> Mesh;
   vtkNew<vtkAdaptiveRefinement> Recipe;
-  vtkNew<vtkAdaptiveRefinementMapper> Mapper;
+  const vtkSmartPointer<vtkAdaptiveRefinementMapper> Mapper;
   vtkNew<vtkActor> Actor;
   vtkNew<vtkRenderer> Renderer;
 

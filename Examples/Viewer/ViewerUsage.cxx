@@ -41,6 +41,16 @@ Meshes:
   --array NAME           colour by this array, points' or cells' (default: the active scalars)
   --feature-angle DEG    keep edges sharp where faces meet at more than this angle
   --up x|y|z             the axis that points up (default y)
+  --lic ARRAY            streaks along this array of 2 or 3 components, points' or cells', by line
+                         integral convolution; without --array and --image coloured by length
+  --lic-steps N          steps of a streak each way (default 20)
+  --lic-step-size PIXELS length of a step (default 1)
+  --lic-contrast off|lic|color|both
+                         what to stretch to the full range of light (default off)
+  --lic-mode blend|multiply
+                         streaks over the colours (default), or as their lightness
+  --lic-intensity I      the streaks' share of a blend, 0 to 1 (default 0.8)
+  --lic-phase P          how far the streaks have moved, in loops: P and P + 1 look alike (default 0)
 
 How deep:
   --level N              every edge at level N, 0 to 7: an edge has 2^N segments
@@ -50,10 +60,12 @@ How deep:
                          screen-edge (default for meshes; what is long on the screen), curvature,
                          silhouette, contour (outlines by normals or by faces), view-dependent
                          (bent and seen edge-on), field (where the height, or a mesh's array of
-                         points, varies), region (around a place)
+                         points, varies), region (around a place). Default with --lic: where the
+                         vectors vary, and edges of more than 10 pixels
   --reach M              length from the camera that distance refines (default: three times the
                          diagonal)
-  --pixels N             length of a segment on the screen for screen-edge (default 4)
+  --pixels N             length of a segment on the screen for screen-edge (default 4) and for
+                         the metric of --lic (default 10)
   --region X,Y,RADIUS    the place for region: on height maps in metres from the centre;
                          X,Y,Z,RADIUS on meshes, in their coordinates (default:
                          around the centre, or the mesh's first point)

@@ -1,0 +1,124 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Streaks that move along vectors, without a display: flowloop.py PICTURE.gif [FRAMES]
+
+A seamless loop (of 16 frames unless told otherwise) of a flow on a ring that has curved PN
+triangles: it runs around the ring, the faster the farther out, and turns over to run across it where
+the ring is thin.
+"""
+
+import math
+import sys
+
+import relevo
+from gif import write_gif
+from meshes import add_normals, make_ring, set_point_array
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkColorTransferFunction,
+    vtkLight,
+    vtkRenderer,
+    vtkWindowToImageFilter,
+)
+
+AROUND, ACROSS = 30, 12
+SIZE = (360, 230)
+SECONDS = 0.06  # of a frame
+COLOURS = 40
+
+
+def make_flow():
+    """The ring, and the vectors in its points."""
+    mesh = add_normals(make_ring(AROUND, ACROSS))
+    points = [mesh.GetPoint(i) for i in range(mesh.GetNumberOfPoints())]
+    vectors = []
+    for i, (x, y, z) in enumerate(points):
+        ring, place = divmod(i, ACROSS)
+        u = 2 * math.pi * ring / AROUND
+        around = (-y, x, 0.4 * math.cos(2 * u))
+        following = points[ring * ACROSS + (place + 1) % ACROSS]
+        preceding = points[ring * ACROSS + (place - 1) % ACROSS]
+        across = tuple(a - b for a, b in zip(following, preceding))
+        share = math.cos(3 * u)  # of thick and thin
+        vectors.append(
+            tuple((0.75 + 0.25 * share) * a + 2 * (0.5 - 0.5 * share) * b for a, b in zip(around, across))
+        )
+    set_point_array(mesh, "Flow", vectors)
+    return mesh
+
+
+def make_mapper(mesh):
+    recipe = relevo.vtkAdaptiveRefinement()
+    recipe.SetSurface(relevo.vtkPNTriangleSurface())
+    recipe.SetMaximumLevel(4)
+    mapper = relevo.vtkAdaptiveLICMapper()
+    mapper.SetInputData(mesh)
+    mapper.SetRefinement(recipe)
+    mapper.SetInputArrayToProcess(0, 0, 0, 0, "Flow")  # 0: of points
+    mapper.SetColorModeToMultiply()
+    mapper.SetEnhanceContrastToLIC()
+    mapper.SetMapModeBias(0.2)
+    colours = vtkColorTransferFunction()
+    for length, colour in ((0.7, (0.2, 0.4, 0.75)), (1.1, (0.75, 0.85, 0.85)), (1.5, (0.95, 0.6, 0.3))):
+        colours.AddRGBPoint(length, *colour)
+    colours.SetVectorModeToMagnitude()
+    mapper.SetLookupTable(colours)
+    mapper.SetScalarModeToUsePointFieldData()
+    mapper.SelectColorArray("Flow")
+    mapper.InterpolateScalarsBeforeMappingOn()
+    return mapper
+
+
+def show(mapper):
+    """A window that looks at it."""
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetAmbient(0.3)
+    actor.GetProperty().SetDiffuse(0.8)
+    renderer = vtkRenderer()
+    renderer.AddActor(actor)
+    renderer.SetBackground(1, 1, 1)
+    light = vtkLight()
+    light.SetLightTypeToCameraLight()
+    light.SetPosition(-1, 1, 1)
+    renderer.AddLight(light)
+    camera = renderer.GetActiveCamera()
+    camera.SetPosition(0, -1, 0.9)
+    camera.SetViewUp(0, 0, 1)
+    renderer.ResetCamera()
+    camera.Dolly(1.65)
+    renderer.ResetCameraClippingRange()
+    window = relevo.vtkEGLOffscreenRenderWindow()
+    window.SetSize(*SIZE)
+    window.SetMultiSamples(4)
+    window.AddRenderer(renderer)
+    return window
+
+
+def photograph(window):
+    window.Render()
+    picture = vtkWindowToImageFilter()
+    picture.SetInput(window)
+    picture.ReadFrontBufferOff()
+    picture.ShouldRerenderOff()
+    picture.Update()
+    image = vtkImageData()
+    image.DeepCopy(picture.GetOutput())
+    return image
+
+
+def main(filename, frames=16):
+    mapper = make_mapper(make_flow())
+    window = show(mapper)
+    images = []
+    for i in range(int(frames)):
+        mapper.SetPhase(i / int(frames))
+        images.append(photograph(window))
+    write_gif(filename, images, SECONDS, COLOURS)
+    print(f"{len(images)} frames, {mapper.GetNumberOfConvolutions()} convolutions")
+
+
+if len(sys.argv) not in (2, 3):
+    sys.exit("flowloop.py PICTURE.gif [FRAMES]")
+main(*sys.argv[1:])

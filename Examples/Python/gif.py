@@ -1,0 +1,92 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Animated GIF files, for the scripts beside this file: VTK writes none."""
+
+import struct
+
+from vtkmodules.vtkImagingColor import vtkImageQuantizeRGBToIndex
+from vtkmodules.vtkImagingCore import vtkImageAppend
+
+LARGEST_CODE = 4095
+
+
+def write_gif(filename, images, seconds, colours=64):
+    """An endless loop of RGB images (vtkImageData) of one size, in a palette of up to 256 colours."""
+    width, height, _ = images[0].GetDimensions()
+    indices, palette = quantize(images, colours)
+    bits = max(2, (len(palette) - 1).bit_length())
+    with open(filename, "wb") as file:
+        file.write(struct.pack("<6sHHBBB", b"GIF89a", width, height, 0xF0 | bits - 1, 0, 0))
+        file.write(b"".join(palette).ljust(3 << bits, b"\0"))
+        file.write(b"\x21\xff\x0bNETSCAPE2.0\x03\x01\x00\x00\x00")  # for ever
+        for frame in range(len(images)):
+            rows = [(frame * height + row) * width for row in reversed(range(height))]
+            pixels = b"".join(indices[start : start + width] for start in rows)
+            file.write(struct.pack("<BBBBHBB", 0x21, 0xF9, 4, 4, round(100 * seconds), 0, 0))
+            file.write(struct.pack("<BHHHHB", 0x2C, 0, 0, width, height, 0))
+            file.write(bytes([bits]) + blocks(compress(pixels, bits)))
+        file.write(b"\x3b")
+
+
+def quantize(images, colours):
+    """All pixels, image by image from the bottom up, as one byte each, and the colours they mean."""
+    tower = vtkImageAppend()  # of all images, for one palette
+    tower.SetAppendAxis(1)
+    for image in images:
+        tower.AddInputData(image)
+    quantizer = vtkImageQuantizeRGBToIndex()
+    quantizer.SetInputConnection(tower.GetOutputPort())
+    quantizer.SetNumberOfColors(colours)
+    quantizer.Update()
+    table = quantizer.GetLookupTable()
+    palette = [
+        bytes(round(255 * c) for c in table.GetTableValue(i)[:3])
+        for i in range(table.GetNumberOfTableValues())
+    ]
+    scalars = quantizer.GetOutput().GetPointData().GetScalars()
+    return bytes(memoryview(scalars).tolist()), palette
+
+
+def compress(pixels, bits):
+    """The LZW code of GIF."""
+    clear = 1 << bits
+    result, buffered, held = bytearray(), 0, 0
+
+    def emit(code, length):
+        nonlocal buffered, held
+        buffered |= code << held
+        held += length
+        while held >= 8:
+            result.append(buffered & 255)
+            buffered >>= 8
+            held -= 8
+
+    words, length = {}, bits + 1
+    emit(clear, length)
+    word = pixels[0]
+    for pixel in pixels[1:]:
+        longer = words.get((word, pixel))
+        if longer is not None:
+            word = longer
+            continue
+        emit(word, length)
+        code = clear + 2 + len(words)
+        if code <= LARGEST_CODE:
+            words[word, pixel] = code
+            # The reader is one word behind.
+            if code == 1 << length:
+                length += 1
+        else:
+            emit(clear, length)
+            words, length = {}, bits + 1
+        word = pixel
+    emit(word, length)
+    emit(clear + 1, length)
+    emit(0, 7)  # the last bits
+    return bytes(result)
+
+
+def blocks(data):
+    """Blocks of up to 255 bytes, and the empty one that ends them."""
+    parts = (data[i : i + 255] for i in range(0, len(data), 255))
+    return b"".join(bytes([len(part)]) + part for part in parts) + b"\0"

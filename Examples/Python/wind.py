@@ -1,0 +1,230 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws wind over real relief, without a display: wind.py HEIGHTMAP PICTURE.png [LID]
+
+The wind is no measurement. It is what a layer of ideal air does that comes from the west-south-west
+at 10 m/s, between the ground and a lid (LID in the heights' unit; default: three fifths of the way
+from the lowest to the highest place): it has no vorticity and is conserved, div(D grad(phi)) = 0 for
+its depth D, so that it streams around what rises to the lid and faster through gaps. Where the
+ground is above the lid there is no data. The height map is taken to have its rows to the east and its
+columns to the north, as those in longitude and latitude do. Needs numpy.
+"""
+
+import math
+import sys
+
+import numpy
+import relevo
+import vtkmodules.vtkRenderingFreeType  # draws the legend
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkColorTransferFunction,
+    vtkLight,
+    vtkRenderer,
+    vtkWindowToImageFilter,
+)
+
+SAMPLES = 300  # of the wind, along the longer side
+SPEED, FROM = 10.0, 250.0  # m/s; degrees, clockwise from north
+TOLERANCE = 1e-5
+
+
+def sample_heights(height_map):
+    """Heights in rows from south to north, no more than SAMPLES each way."""
+    columns, rows = height_map.GetDimensions()
+    share = min(1.0, SAMPLES / max(columns, rows))
+    columns, rows = max(3, round(share * columns)), max(3, round(share * rows))
+    return numpy.array(
+        [
+            [height_map.GetHeight((i + 0.5) / columns, (j + 0.5) / rows) for i in range(columns)]
+            for j in range(rows)
+        ]
+    )
+
+
+def solve(apply, right, start):
+    """Conjugate gradients for apply(x) = right, apply being linear, symmetric and not negative."""
+    x, residual = start, right - apply(start)
+    direction, square = residual.copy(), (residual**2).sum()
+    goal = TOLERANCE**2 * square
+    for _ in range(10 * right.size):
+        if square <= goal:
+            break
+        image = apply(direction)
+        step = square / (direction * image).sum()
+        x = x + step * direction
+        residual = residual - step * image
+        previous, square = square, (residual**2).sum()
+        direction = residual + square / previous * direction
+    return x
+
+
+def flow(depth, dx, dy):
+    """Velocity to the east and to the north in a layer of that depth, 0 where it has none."""
+    angle = math.radians(FROM + 180)
+    east, north = SPEED * math.sin(angle), SPEED * math.cos(angle)
+    rows, columns = depth.shape
+    far = east * dx * numpy.arange(columns) + north * dy * numpy.arange(rows)[:, None]
+    air = depth > 0
+    inner = numpy.zeros_like(air)
+    inner[1:-1, 1:-1] = air[1:-1, 1:-1]
+
+    def between(a, b):
+        """The depth at the face of two samples: harmonic mean, a wall where one has none."""
+        return numpy.where((a > 0) & (b > 0), 2 * a * b / numpy.maximum(a + b, 1e-30), 0.0)
+
+    east_faces = between(depth[:, 1:], depth[:, :-1])
+    north_faces = between(depth[1:], depth[:-1])
+
+    def outflow(potential):
+        result = numpy.zeros_like(potential)
+        flux = east_faces * numpy.diff(potential, axis=1) / dx**2
+        result[:, :-1] -= flux
+        result[:, 1:] += flux
+        flux = north_faces * numpy.diff(potential, axis=0) / dy**2
+        result[:-1] -= flux
+        result[1:] += flux
+        return result
+
+    # At the border the wind is the one from afar.
+    border = numpy.where(inner, 0.0, far)
+    change = solve(
+        lambda x: numpy.where(inner, outflow(numpy.where(inner, x, 0.0)), 0.0),
+        numpy.where(inner, -outflow(border), 0.0),
+        numpy.where(inner, far, 0.0),
+    )
+    potential = border + change
+    u, v = numpy.zeros_like(far), numpy.zeros_like(far)
+    across = numpy.where(east_faces > 0, numpy.diff(potential, axis=1) / dx, 0.0)
+    u[:, 1:-1] = 0.5 * (across[:, 1:] + across[:, :-1])
+    u[:, 0], u[:, -1] = across[:, 0], across[:, -1]
+    across = numpy.where(north_faces > 0, numpy.diff(potential, axis=0) / dy, 0.0)
+    v[1:-1] = 0.5 * (across[1:] + across[:-1])
+    v[0], v[-1] = across[0], across[-1]
+    return u * air, v * air
+
+
+def make_wind(terrain, lid):
+    """An image over the height map: to the east, to the north, and up along the slope."""
+    heights = sample_heights(terrain.GetHeightMap())
+    rows, columns = heights.shape
+    bounds = terrain.GetOutput().GetBounds()
+    dx, dy = (bounds[1] - bounds[0]) / columns, (bounds[3] - bounds[2]) / rows
+    depth = numpy.maximum(lid - heights, 0.0)
+    u, v = flow(depth, dx, dy)
+    slopes = numpy.gradient(heights, dy, dx)
+    wind = numpy.stack([u, v, u * slopes[1] + v * slopes[0]], axis=-1)
+    wind[depth == 0] = numpy.nan
+    array = numpy_to_vtk(wind.reshape(-1, 3), deep=True)
+    array.SetName("Wind")
+    image = vtkImageData()
+    image.SetDimensions(columns, rows, 1)
+    image.GetPointData().AddArray(array)
+    return image, float(numpy.nanmax(numpy.hypot(u, v)))
+
+
+def make_colours(highest):
+    colours = vtkColorTransferFunction()
+    for share, colour in (
+        (0.0, (0.13, 0.19, 0.42)),
+        (0.3, (0.16, 0.48, 0.60)),
+        (0.5, (0.40, 0.70, 0.50)),
+        (0.75, (0.93, 0.82, 0.45)),
+        (1.0, (0.80, 0.25, 0.16)),
+    ):
+        colours.AddRGBPoint(share * highest, *colour)
+    colours.SetVectorModeToMagnitude()
+    colours.SetNanColor(0.95, 0.95, 0.97)
+    return colours
+
+
+def make_legend(colours):
+    legend = vtkScalarBarActor()
+    legend.SetLookupTable(colours)
+    legend.SetTitle("Wind, m/s")
+    legend.SetNumberOfLabels(5)
+    legend.SetLabelFormat("%.0f")
+    legend.SetPosition(0.92, 0.25)
+    legend.SetWidth(0.07)
+    legend.SetHeight(0.5)
+    legend.UnconstrainedFontSizeOn()
+    legend.GetTitleTextProperty().SetFontSize(13)
+    legend.GetLabelTextProperty().SetFontSize(13)
+    return legend
+
+
+def main(heightmap, picture, lid=None):
+    terrain = relevo.vtkTerrainSource()
+    terrain.SetFileName(heightmap)
+    terrain.SetResolution(SAMPLES)
+    terrain.SetNoDataPolicyToFill()
+    terrain.SetExaggeration(2.5)
+    terrain.Update()
+    lowest, highest = terrain.GetHeightMap().GetRange()
+    lid = lowest + 0.6 * (highest - lowest) if lid is None else float(lid)
+    wind, fastest = make_wind(terrain, lid)
+
+    vectors = relevo.vtkGeographicVectors()
+    vectors.SetInputConnection(terrain.GetOutputPort())
+    vectors.SetTerrain(terrain)
+    vectors.SetRasterData(wind)
+    recipe = relevo.vtkAdaptiveRefinement()
+    metric = relevo.vtkDistanceDepthTagMetric()
+    recipe.SetMetric(metric)
+    recipe.SetMaximumLevel(3)
+    recipe.SetDisplacement(terrain.GetDisplacement())
+    mapper = relevo.vtkAdaptiveLICMapper()
+    mapper.SetInputConnection(vectors.GetOutputPort())
+    mapper.SetRefinement(recipe)
+    mapper.SetNumberOfSteps(30)
+    mapper.SetColorModeToMultiply()
+    mapper.SetEnhanceContrastToLIC()
+    mapper.SetMapModeBias(0.35)
+    mapper.SetScalarModeToUsePointFieldData()
+    mapper.SelectColorArray("Wind")
+    mapper.SetLookupTable(make_colours(fastest))
+    mapper.InterpolateScalarsBeforeMappingOn()
+
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetAmbient(0.25)
+    actor.GetProperty().SetDiffuse(0.85)
+    renderer = vtkRenderer()
+    renderer.AddActor(actor)
+    renderer.AddViewProp(make_legend(mapper.GetLookupTable()))
+    renderer.SetBackground(0.65, 0.75, 0.88)
+    for x, y, z, intensity in ((-1, 1, 0.8, 0.95), (1, -0.6, 0.9, 0.35)):
+        light = vtkLight()
+        light.SetLightTypeToSceneLight()
+        light.SetPosition(x, y, z)
+        light.SetIntensity(intensity)
+        renderer.AddLight(light)
+    camera = renderer.GetActiveCamera()
+    camera.SetPosition(-0.15, -1, 0.85)
+    camera.SetViewUp(0, 0, 1)
+    renderer.ResetCamera()
+    camera.Dolly(1.6)
+    renderer.ResetCameraClippingRange()
+    window = relevo.vtkEGLOffscreenRenderWindow()
+    window.SetSize(1000, 640)
+    window.SetMultiSamples(4)
+    window.AddRenderer(renderer)
+    window.Render()
+    print(f"{mapper.GetNumberOfDrawnTriangles()} triangles, wind up to {fastest:.1f} m/s")
+
+    image = vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    writer = vtkPNGWriter()
+    writer.SetInputConnection(image.GetOutputPort())
+    writer.SetFileName(picture)
+    writer.Write()
+
+
+if len(sys.argv) not in (3, 4):
+    sys.exit("wind.py HEIGHTMAP PICTURE.png [LID]")
+main(*sys.argv[1:])
