@@ -4,8 +4,8 @@
 
 import struct
 
+from vtkmodules.vtkFiltersCore import vtkImageAppend
 from vtkmodules.vtkImagingColor import vtkImageQuantizeRGBToIndex
-from vtkmodules.vtkImagingCore import vtkImageAppend
 
 LARGEST_CODE = 4095
 

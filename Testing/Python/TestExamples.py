@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The Python examples run, and draw something; README.md shows what they hold."""
 
+import math
 import os
 import pathlib
 import re
@@ -17,26 +18,32 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 
+from GifFile import GifFile
+
 SOURCE = pathlib.Path(os.environ["RELEVO_SOURCE_DIR"])
 if not hasattr(relevo, "vtkEGLOffscreenRenderWindow"):
     print("skipped: built without rendering, or without EGL")
     sys.exit(125)
 
 
+def write_heights(path, value):
+    image = vtkImageData()
+    image.SetDimensions(40, 40, 1)
+    image.AllocateScalars(VTK_UNSIGNED_CHAR, 1)
+    for j in range(40):
+        for i in range(40):
+            image.SetScalarComponentFromDouble(i, j, 0, 0, value(i, j))
+    writer = vtkPNGWriter()
+    writer.SetFileName(str(path))
+    writer.SetInputData(image)
+    writer.Write()
+
+
 class TestExamples(unittest.TestCase):
     def test_terrain(self):
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
-            image = vtkImageData()
-            image.SetDimensions(40, 40, 1)
-            image.AllocateScalars(VTK_UNSIGNED_CHAR, 1)
-            for j in range(40):
-                for i in range(40):
-                    image.SetScalarComponentFromDouble(i, j, 0, 0, (i * j) // 160)
-            writer = vtkPNGWriter()
-            writer.SetFileName(str(folder / "heights.png"))
-            writer.SetInputData(image)
-            writer.Write()
+            write_heights(folder / "heights.png", lambda i, j: (i * j) // 160)
             run = self.run_example("terrain.py", folder, "heights.png", "out.png")
             self.assertEqual((run.returncode, run.stderr), (0, ""))
             self.assertRegex(run.stdout, r"^[1-9]\d* triangles in [1-9]\d* draws\n$")
@@ -139,6 +146,56 @@ class TestExamples(unittest.TestCase):
             run = self.run_example("surfaces.py", folder, "nurbs", "out.png")
             self.assertEqual(run.returncode, 1)
             self.assertIn("inflections", run.stderr)
+
+    def test_wind(self):
+        """Around a cone that rises through the lid: calm before it, twice as fast beside it."""
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+
+            def cone(i, j):
+                return max(0, 250 - 25 * math.hypot(i - 19.5, j - 19.5))
+
+            write_heights(folder / "cone.png", cone)
+            run = self.run_example("wind.py", folder, "cone.png", "out.png", "100")
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+            numbers = re.fullmatch(r"(\d+) triangles, wind up to (.+) m/s\n", run.stdout)
+            self.assertGreater(int(numbers[1]), 3200)
+            self.assertGreater(float(numbers[2]), 13)
+            self.assertLess(float(numbers[2]), 40)
+            reader = vtkPNGReader()
+            reader.SetFileName(str(folder / "out.png"))
+            reader.Update()
+            kept = vtkPNGReader()
+            kept.SetFileName(str(SOURCE / "Examples/Python/wind.png"))
+            kept.Update()
+            size = kept.GetOutput().GetDimensions()
+            self.assertEqual(reader.GetOutput().GetDimensions(), size)
+            shades = {
+                reader.GetOutput().GetScalarComponentAsFloat(i, size[1] // 2, 0, 0)
+                for i in range(size[0] // 4, 3 * size[0] // 4)
+            }
+            self.assertGreater(len(shades), 30)
+        self.assertIn("Examples/Python/wind.png", (SOURCE / "README.md").read_text())
+
+    def test_flow_loop(self):
+        """All frames differ, the last from the first no more than neighbours do."""
+        with tempfile.TemporaryDirectory() as name:
+            run = self.run_example("flowloop.py", name, "out.gif", "6")
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+            self.assertEqual(run.stdout, "6 frames, 6 convolutions\n")
+            loop = GifFile(pathlib.Path(name) / "out.gif")
+        self.assertEqual((len(loop.frames), loop.repetitions), (6, 0))
+        greens = [[loop.palette[index][1] for index in frame] for frame in loop.frames]
+        steps = [
+            math.dist(greens[i], greens[(i + 1) % 6]) / math.sqrt(len(greens[0])) for i in range(6)
+        ]
+        self.assertGreater(min(steps), 3)
+        self.assertLess(max(steps), 1.15 * min(steps))
+        kept = SOURCE / "Examples/Python/flowloop.gif"
+        self.assertLess(kept.stat().st_size, 600000)
+        self.assertEqual(GifFile(kept).size, loop.size)
+        self.assertEqual(len(GifFile(kept).frames), 16)
+        self.assertIn("Examples/Python/flowloop.gif", (SOURCE / "README.md").read_text())
 
     def test_readme_shows_the_example(self):
         example = (SOURCE / "Examples/Python/terrain.py").read_text()
