@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshReader.h"
 
+#ifdef VIEWER_HAS_EXODUS
+#include "ExodusReader.h"
+#endif
 #include "ViewerArguments.h"
 #include "ViewerFile.h"
 #include "ViewerMessages.h"
@@ -62,6 +65,9 @@ using Function = std::function<Mesh(const std::string&, ViewerMessages&)>;
 const std::map<std::string, Function>& GetReaders()
 {
   static const std::map<std::string, Function> readers = {
+#ifdef VIEWER_HAS_EXODUS
+    { ".ex2", ReadExodus },
+#endif
     { ".obj", Read<vtkOBJReader> },
     { ".ply", Read<vtkPLYReader> },
     { ".stl", Read<vtkSTLReader> },

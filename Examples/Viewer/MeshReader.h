@@ -13,12 +13,12 @@
 class vtkPolyData;
 class ViewerMessages;
 
-/// By the name: .vtp, .ply, .obj, .stl or .vtk.
+/// By the name: .vtp, .ply, .obj, .stl, .vtk or, where VTK reads them, .ex2.
 bool IsMeshFile(const std::string& fileName);
 
 /**
- * The polygons and strips of a file; of another data set than polygonal ones in a .vtk file its
- * outer surface. Throws ViewerError where there are none, or where a point is not finite.
+ * The polygons and strips of a file; of another data set than polygonal ones in a .vtk or .ex2 file
+ * its outer surface. Throws ViewerError where there are none, or where a point is not finite.
  */
 vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& fileName, ViewerMessages& messages);
 
