@@ -25,7 +25,7 @@ from vtkmodules.vtkRenderingCore import (
 AROUND, ACROSS = 30, 12
 SIZE = (360, 230)
 SECONDS = 0.06  # of a frame
-COLOURS = 40
+COLOURS = 64
 
 
 def make_flow():
@@ -57,8 +57,13 @@ def make_mapper(mesh):
     mapper.SetRefinement(recipe)
     mapper.SetInputArrayToProcess(0, 0, 0, 0, "Flow")  # 0: of points
     mapper.SetColorModeToMultiply()
-    mapper.SetEnhanceContrastToLIC()
     mapper.SetMapModeBias(0.2)
+    # What moves is best seen where streaks have heads, not sharpened, in full contrast.
+    mapper.OrientedLICOn()
+    mapper.EnhancedLICOff()
+    mapper.SetEnhanceContrastToLIC()
+    mapper.SetLowLICContrastEnhancementFactor(0.2)
+    mapper.SetHighLICContrastEnhancementFactor(0.2)
     colours = vtkColorTransferFunction()
     for length, colour in ((0.7, (0.2, 0.4, 0.75)), (1.1, (0.75, 0.85, 0.85)), (1.5, (0.95, 0.6, 0.3))):
         colours.AddRGBPoint(length, *colour)
