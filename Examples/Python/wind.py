@@ -237,6 +237,7 @@ def main(heightmap, picture, lid=None):
     writer.Write()
 
 
-if len(sys.argv) not in (3, 4):
-    sys.exit("wind.py HEIGHTMAP PICTURE.png [LID]")
-main(*sys.argv[1:])
+if __name__ == "__main__":
+    if len(sys.argv) not in (3, 4):
+        sys.exit("wind.py HEIGHTMAP PICTURE.png [LID]")
+    main(*sys.argv[1:])

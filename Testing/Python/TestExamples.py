@@ -148,18 +148,18 @@ class TestExamples(unittest.TestCase):
             self.assertIn("inflections", run.stderr)
 
     def test_wind(self):
-        """Around a cone that rises through the lid: calm before it, twice as fast beside it."""
+        """Around a cone that rises through the lid."""
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
 
             def cone(i, j):
-                return max(0, 250 - 25 * math.hypot(i - 19.5, j - 19.5))
+                return max(0, 10 - math.hypot(i - 19.5, j - 19.5))
 
             write_heights(folder / "cone.png", cone)
-            run = self.run_example("wind.py", folder, "cone.png", "out.png", "100")
+            run = self.run_example("wind.py", folder, "cone.png", "out.png", "5")
             self.assertEqual((run.returncode, run.stderr), (0, ""))
             numbers = re.fullmatch(r"(\d+) triangles, wind up to (.+) m/s\n", run.stdout)
-            self.assertGreater(int(numbers[1]), 3200)
+            self.assertGreaterEqual(int(numbers[1]), 2 * 40 * 40)
             self.assertGreater(float(numbers[2]), 13)
             self.assertLess(float(numbers[2]), 40)
             reader = vtkPNGReader()
@@ -177,6 +177,27 @@ class TestExamples(unittest.TestCase):
             self.assertGreater(len(shades), 30)
         self.assertIn("Examples/Python/wind.png", (SOURCE / "README.md").read_text())
 
+    def test_flow_around_a_cylinder(self):
+        """The wind of wind.py in a layer with a hole, against the potential flow around it."""
+        sys.path.append(str(SOURCE / "Examples/Python"))
+        import numpy
+        import wind
+
+        size, radius = 200, 20.0
+        x, y = numpy.meshgrid(numpy.arange(size) - 100.0, 1.5 * numpy.arange(size) - 150.0)
+        r2 = x**2 + y**2
+        u, v = wind.flow(numpy.where(r2 < radius**2, 0.0, 700.0), 1.0, 1.5)
+        self.assertEqual(numpy.abs(u[r2 < radius**2]).max(), 0.0)
+        angle = math.radians(wind.FROM + 180)
+        far = wind.SPEED * complex(math.sin(angle), -math.cos(angle))  # conjugate velocity
+        z = x + 1j * y
+        expected = far - far.conjugate() * radius**2 / numpy.where(r2 > 0, z, 1) ** 2
+        beside = (r2 > (1.3 * radius) ** 2) & (r2 < (2.5 * radius) ** 2)
+        error = numpy.hypot(u - expected.real, v + expected.imag)[beside]
+        self.assertLess(numpy.sqrt((error**2).mean()), 0.04 * wind.SPEED)
+        self.assertGreater(numpy.abs(expected[beside]).max(), 1.5 * wind.SPEED)
+        self.assertLess(numpy.abs(expected[beside]).min(), 0.5 * wind.SPEED)
+
     def test_flow_loop(self):
         """All frames differ, the last from the first no more than neighbours do."""
         with tempfile.TemporaryDirectory() as name:
@@ -190,7 +211,7 @@ class TestExamples(unittest.TestCase):
             math.dist(greens[i], greens[(i + 1) % 6]) / math.sqrt(len(greens[0])) for i in range(6)
         ]
         self.assertGreater(min(steps), 3)
-        self.assertLess(max(steps), 1.15 * min(steps))
+        self.assertLess(steps[-1], 1.1 * max(steps[:-1]))
         kept = SOURCE / "Examples/Python/flowloop.gif"
         self.assertLess(kept.stat().st_size, 600000)
         self.assertEqual(GifFile(kept).size, loop.size)
