@@ -22,6 +22,7 @@
 namespace
 {
 const double LongestSide = 10.0; // pixels
+const double Brightness = 0.3;   // of multiplied streaks, whose mean is no more than 0.4
 
 bool HasVectors(vtkDataArray* array)
 {
@@ -59,6 +60,7 @@ vtkSmartPointer<vtkAdaptiveRefinementMapper> MakeMapper(const ViewerOptions& opt
   mapper->SetStepSize(options.LICStepSize.value_or(mapper->GetStepSize()));
   mapper->SetEnhanceContrast(options.LICContrast.value_or(mapper->GetEnhanceContrast()));
   mapper->SetColorMode(options.LICMode.value_or(mapper->GetColorMode()));
+  mapper->SetMapModeBias(Brightness);
   mapper->SetLICIntensity(options.LICIntensity.value_or(mapper->GetLICIntensity()));
   mapper->SetPhase(options.LICPhase);
   return mapper.Get();
