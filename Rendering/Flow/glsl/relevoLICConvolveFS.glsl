@@ -9,10 +9,11 @@ uniform bool normalized;
 uniform bool oriented;
 uniform float phase;
 
+// Of the pixels with a vector around p.
 vec2 licField(vec2 p)
 {
   vec4 vector = texture(vectors, p / vec2(size));
-  return vector.z >= 0.5 ? vector.xy : vec2(0.0);
+  return vector.z >= 0.5 ? vector.xy / vector.z : vec2(0.0);
 }
 
 float licNoise(vec2 p)
