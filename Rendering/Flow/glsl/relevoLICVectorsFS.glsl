@@ -17,8 +17,9 @@ vec4 relevoLICVector()
   float depth = 1.0 + gl_FragCoord.z;
   vec4 none = vec4(0.0, 0.0, 0.0, -depth);
   float normalLength = length(normal);
-  vec3 model = relevoLICFieldVSOutput.xyz;
-  float modelLength = length(model);
+  vec3 model = relevoLICScale * relevoLICFieldVSOutput.xyz;
+  // What counts as zero to the convolution is zero here: it has no direction.
+  float modelLength = length(model) > 1e-18 ? length(model) / relevoLICScale : 0.0;
   // Behind 0.999 a corner of the face has no vector.
   if (relevoLICFieldVSOutput.w < 0.999 || !(normalLength > 0.0))
   {
@@ -26,7 +27,7 @@ vec4 relevoLICVector()
   }
   normal /= normalLength;
 
-  vec3 vector = relevoLICDirections * (relevoLICScale * model);
+  vec3 vector = relevoLICDirections * model;
   vec3 tangent = vector - dot(vector, normal) * normal;
   float share = length(tangent) / max(length(vector), 1e-30);
   if (modelLength > 0.0 && share < 1e-4)
@@ -39,7 +40,7 @@ vec4 relevoLICVector()
   vec4 velocity = relevoLICProjection * vec4(tangent, 0.0);
   vec2 screen = (velocity.xy * clip.w - clip.xy * velocity.w) * relevoLICSize;
   float speed = length(screen);
-  bool moves = speed > 0.0;
+  bool moves = speed > 0.0 && modelLength > 0.0;
   screen = moves ? screen / speed * length(tangent.xy) : vec2(0.0);
 
   float criterion = relevoLICMaskOnSurface != 0 ? modelLength * share : modelLength;
