@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
-// A setting that the next picture shows.
-#define relevoSetMacro(name, type, condition, range)                     \
+// A setting; if it changes, so does `then`.
+#define relevoSetThenMacro(name, type, condition, range, then)           \
   void vtkAdaptiveLICMapper::Set##name(type value)                       \
   {                                                                      \
     if (!(condition))                                                    \
@@ -22,9 +22,13 @@
     else if (this->name != value)                                        \
     {                                                                    \
       this->name = value;                                                \
-      this->LIC->SettingsTime.Modified();                                \
+      then;                                                              \
     }                                                                    \
   }
+
+// One for which noise is convolved again.
+#define relevoSetMacro(name, type, condition, range) \
+  relevoSetThenMacro(name, type, condition, range, this->LIC->SettingsTime.Modified())
 
 #define relevoSetFlagMacro(name)                  \
   void vtkAdaptiveLICMapper::Set##name(int value) \
@@ -37,8 +41,13 @@
     }                                             \
   }
 
-#define relevoSetShareMacro(name) \
-  relevoSetMacro(name, double, value >= 0.0 && value <= 1.0, "in [0, 1]")
+#define relevoIsShare value >= 0.0 && value <= 1.0
+
+#define relevoSetShareMacro(name) relevoSetMacro(name, double, relevoIsShare, "in [0, 1]")
+
+// Shares of colours, which every picture mixes.
+#define relevoSetColorShareMacro(name) \
+  relevoSetThenMacro(name, double, relevoIsShare, "in [0, 1]", static_cast<void>(0))
 
 relevoSetFlagMacro(Enable);
 relevoSetFlagMacro(NormalizeVectors);
@@ -52,17 +61,18 @@ relevoSetMacro(StepSize, double, value > 0.0 && std::isfinite(value), "above 0")
 relevoSetMacro(Phase, double, std::isfinite(value), "finite");
 relevoSetMacro(AntiAlias, int, value >= 0, "at least 0");
 relevoSetMacro(MaskThreshold, double, !std::isnan(value), "a number");
-relevoSetMacro(MapModeBias, double, value >= -1.0 && value <= 1.0, "in [-1, 1]");
+relevoSetThenMacro(
+  MapModeBias, double, value >= -1.0 && value <= 1.0, "in [-1, 1]", static_cast<void>(0));
 relevoSetMacro(EnhanceContrast, int,
   value == ENHANCE_CONTRAST_OFF || value == ENHANCE_CONTRAST_LIC ||
     value == ENHANCE_CONTRAST_COLOR || value == ENHANCE_CONTRAST_BOTH,
   "ENHANCE_CONTRAST_OFF (0), _LIC (1), _COLOR (3) or _BOTH (4)");
 relevoSetShareMacro(LowLICContrastEnhancementFactor);
 relevoSetShareMacro(HighLICContrastEnhancementFactor);
-relevoSetShareMacro(LowColorContrastEnhancementFactor);
-relevoSetShareMacro(HighColorContrastEnhancementFactor);
-relevoSetShareMacro(MaskIntensity);
-relevoSetShareMacro(LICIntensity);
+relevoSetColorShareMacro(LowColorContrastEnhancementFactor);
+relevoSetColorShareMacro(HighColorContrastEnhancementFactor);
+relevoSetColorShareMacro(MaskIntensity);
+relevoSetColorShareMacro(LICIntensity);
 
 void vtkAdaptiveLICMapper::SetNoDataMagnitude(double magnitude)
 {
@@ -97,11 +107,7 @@ void vtkAdaptiveLICMapper::SetColorMode(int mode)
       << mode << ". For scalars there is SetColorModeToDirectScalars() and its like.");
     return;
   }
-  if (this->LICColorMode != mode)
-  {
-    this->LICColorMode = mode;
-    this->LIC->SettingsTime.Modified();
-  }
+  this->LICColorMode = mode;
 }
 
 void vtkAdaptiveLICMapper::SetColorModeToDefault()
