@@ -30,6 +30,7 @@ public:
 
   /// As many values as there are columns.
   void AddRow(std::vector<Value> row);
+  size_t GetNumberOfRows() const { return this->Rows.size(); }
   /// A remark below the table.
   void AddNote(std::string note) { this->Notes.push_back(std::move(note)); }
 

@@ -48,6 +48,8 @@ public:
   /// Its name, OpenGL's version, and whether it is hardware or software.
   std::string GetOpenGLRenderer();
   vtkRenderer* GetRenderer() { return this->Renderer; }
+  int GetWidth() const { return this->Width; }
+  int GetHeight() const { return this->Height; }
 
 private:
   int Width;

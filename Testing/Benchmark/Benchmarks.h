@@ -18,6 +18,8 @@ struct BenchmarkOptions
   bool Quick = false;    // sizes that only show that everything runs
   bool Full = false;     // sizes and repetitions that take long without a graphics card
   std::string HeightMap; // a raster file for the terrain; empty to make one
+  std::string ParaView;  // a folder with ParaView, by ParaView/fetch.sh; may be empty
+  std::string ProgramFolder;
 };
 
 using AddTable = std::function<void(const BenchmarkTable&)>;
@@ -46,6 +48,8 @@ void RunPatterns(const BenchmarkOptions& options, const AddTable& addTable);
 void RunMemory(const BenchmarkOptions& options, const AddTable& addTable);
 /// A raster as terrain, against VTK's own way to draw it.
 void RunTerrain(const BenchmarkOptions& options, const AddTable& addTable);
+/// Line integral convolution against VTK's own.
+void RunLIC(const BenchmarkOptions& options, const AddTable& addTable);
 
 /**
  * Measurements that need a process of their own run in this program, called again: the arguments

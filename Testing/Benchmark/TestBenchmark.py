@@ -29,7 +29,8 @@ class TestBenchmark(unittest.TestCase):
         tables = {table["name"]: table["rows"] for table in report["tables"]}
         for name in ("static-mesh-frames", "static-mesh-memory", "selection", "flight", "drawing",
                      "methods", "methods-small", "methods-work", "phong",
-                     "quality-surfaces", "quality-patterns", "rules", "memory", "dem"):
+                     "quality-surfaces", "quality-patterns", "rules", "memory", "dem",
+                     "lic-frames", "lic-pictures"):
             self.assertTrue(tables[name], name)
         for table in report["tables"]:
             self.assertIn("## " + table["title"], markdown)
@@ -43,6 +44,7 @@ class TestBenchmark(unittest.TestCase):
         self.assertGreater(frames["drawn_triangles"], frames["coarse_faces"])
         self.assertLessEqual(frames["draw_calls"], 2 * frames["used_patterns"])
         self.assertLess(frames["picture_difference"], 0.1)
+        self.check_lic(tables)
         self.assertEqual(len(tables["dem"]), 3)
         self.assertTrue(all(row["triangles"] > 0 for row in tables["dem"]))
 
@@ -69,6 +71,18 @@ class TestBenchmark(unittest.TestCase):
         for row in tables["quality-patterns"]:
             is_snapped = row["method"] == "SUAPT" and row["difference"] > 0
             self.assertEqual(row["degenerate_percent"] > 0.0, is_snapped)
+
+    def check_lic(self, tables):
+        self.assertNotIn("lic-vtk", tables)
+        for row in tables["lic-pictures"]:
+            self.assertEqual(row["by"], "Relevo")
+            self.assertLess(row["angle_median"], 5.0, row)
+
+    def test_no_paraview(self):
+        result = subprocess.run([PROGRAM, "--quick", "--paraview", "/nonexistent", "lic"],
+                                capture_output=True, text=True)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("/nonexistent/bin/paraview-python", result.stderr)
 
     def test_without_opengl(self):
         _, report = self.run_benchmark("quality")

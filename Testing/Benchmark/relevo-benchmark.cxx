@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// relevo-benchmark [--quick | --full] [--height-map FILE] [--output FILE.json] [NAME...]
+// relevo-benchmark [--quick | --full] [--height-map FILE] [--paraview PREFIX]
+//   [--output FILE.json] [NAME...]
 #include "BenchmarkReport.h"
 #include "BenchmarkView.h"
 #include "Benchmarks.h"
@@ -11,10 +12,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <iterator>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -37,6 +40,7 @@ const std::vector<Benchmark> Benchmarks = {
   { "rules", RunRules, false },
   { "memory", RunMemory },
   { "dem", RunTerrain },
+  { "lic", RunLIC },
 #ifdef BENCHMARK_HAS_GOOGLE_BENCHMARK
   { "processor", RunProcessor, false },
 #endif
@@ -75,7 +79,7 @@ int Measure(const std::vector<std::string>& arguments)
 int ShowUsage()
 {
   std::cerr << "usage: relevo-benchmark [--quick | --full] [--height-map FILE] "
-               "[--output FILE.json] [NAME...]\nNAME:";
+               "[--paraview PREFIX] [--output FILE.json] [NAME...]\nNAME:";
   for (const Benchmark& benchmark : Benchmarks)
   {
     std::cerr << ' ' << benchmark.Name;
@@ -140,6 +144,9 @@ int main(int argc, char* argv[])
     return Measure({ argv + 2, argv + argc });
   }
   BenchmarkOptions options;
+  std::error_code error;
+  options.ProgramFolder =
+    std::filesystem::read_symlink("/proc/self/exe", error).parent_path().string();
   std::string output;
   std::vector<std::string> names;
   for (int i = 1; i < argc; ++i)
@@ -156,6 +163,10 @@ int main(int argc, char* argv[])
     else if (argument == "--height-map" && i + 1 < argc)
     {
       options.HeightMap = argv[++i];
+    }
+    else if (argument == "--paraview" && i + 1 < argc)
+    {
+      options.ParaView = argv[++i];
     }
     else if (argument == "--output" && i + 1 < argc)
     {
@@ -175,6 +186,13 @@ int main(int argc, char* argv[])
   if (!options.HeightMap.empty() && !std::ifstream(options.HeightMap))
   {
     std::cerr << "relevo-benchmark: error: cannot read " << options.HeightMap << std::endl;
+    return EXIT_FAILURE;
+  }
+
+  const std::string python = options.ParaView + "/bin/paraview-python";
+  if (!options.ParaView.empty() && !std::ifstream(python))
+  {
+    std::cerr << "relevo-benchmark: error: cannot read " << python << std::endl;
     return EXIT_FAILURE;
   }
 

@@ -5,10 +5,12 @@
 # Sets up, builds and runs the benchmark: Markdown on stdout, JSON in the build folder. Arguments
 # go to relevo-benchmark; without a NAME everything is measured.
 #
-#   bash Testing/Benchmark/run.sh [--quick | --full] [--height-map FILE] [--output FILE.json] [NAME...]
+#   bash Testing/Benchmark/run.sh [--quick | --full] [--height-map FILE] [--paraview PREFIX]
+#        [--output FILE.json] [NAME...]
 #
 # NAME is one of those that --help lists. --quick shows that everything runs, --full takes sizes
 # and repetitions that are for graphics cards. RELEVO_TEST_DATA names a folder of larger real data.
+# --paraview names a folder that ParaView/fetch.sh has filled: lic compares with its VTK.
 #
 # The build folder can be copied to another machine with the same VTK, whatever the path: there
 # run bin/relevo-benchmark of the copy. It needs no display (EGL), and names the renderer.

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   BenchmarkLICContest
+ * @brief   a mesh with vectors, drawn by vtkAdaptiveLICMapper and by VTK's surface LIC
+ *
+ * Neither refines, so both draw the same triangles. The actors are white and have no light: the
+ * picture is the grey of the LIC.
+ */
+#ifndef BenchmarkLICContest_h
+#define BenchmarkLICContest_h
+
+#include "BenchmarkLICRival.h"
+#include "BenchmarkView.h"
+
+#include "vtkSmartPointer.h"
+
+#include <map>
+
+class vtkActor;
+class vtkAdaptiveRefinementMapper;
+class vtkCamera;
+struct FlowScene;
+
+class BenchmarkLICContest
+{
+public:
+  enum Way
+  {
+    PLAIN,     // the refinement mapper, without LIC
+    LIC,       // vtkAdaptiveLICMapper
+    LIC_TWICE, // with twice as many steps
+    VTK_PLAIN, // vtkPolyDataMapper
+    VTK_LIC    // vtkSurfaceLICMapper
+  };
+
+  /// Without noise each has its own.
+  BenchmarkLICContest(const BenchmarkOptions& options, const FlowScene& scene, vtkImageData* noise,
+    const LICSettings& settings, const LICSettings& vtkSettings);
+  ~BenchmarkLICContest();
+  BenchmarkLICContest(const BenchmarkLICContest&) = delete;
+  void operator=(const BenchmarkLICContest&) = delete;
+
+  BenchmarkView& GetView() { return this->View; }
+  BenchmarkLICRival& GetRival() { return this->Rival; }
+  vtkCamera* GetCamera();
+
+  /// A frame from where the view's camera is.
+  LICFrame Draw(Way way);
+
+private:
+  void Add(Way way, const FlowScene& scene, vtkSmartPointer<vtkAdaptiveRefinementMapper> mapper);
+
+  BenchmarkView View;
+  BenchmarkLICRival Rival;
+  std::map<Way, vtkSmartPointer<vtkActor>> Actors;
+};
+
+#endif
