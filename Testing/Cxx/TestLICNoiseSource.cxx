@@ -5,6 +5,7 @@
 #include "RelevoCheck.h"
 #include "RelevoFlowImages.h"
 
+#include "vtkExecutive.h"
 #include "vtkLICNoiseSource.h"
 #include "vtkSMPTools.h"
 
@@ -164,7 +165,8 @@ void TestLevelsAndImpulses(RelevoCheck& check)
     CHECK(std::all_of(impulses.Values.begin(), impulses.Values.end(),
       [](double value) { return value == 0.125 || value >= 0.5; }));
     source->SetImpulseNoiseProbability(0.0);
-    CHECK(MomentsOf(Run(source).Values).StandardDeviation == 0.0);
+    const RelevoGrey none = Run(source);
+    CHECK(std::count(none.Values.begin(), none.Values.end(), 0.125) == 40000);
   }
 }
 
@@ -209,7 +211,8 @@ void TestSeeds(RelevoCheck& check)
   }
 }
 
-// The numbers themselves: the same on all machines.
+// The numbers themselves, the same on all machines: pcg4d, written out in another language, has
+// them.
 void TestNumbers(RelevoCheck& check)
 {
   vtkNew<vtkLICNoiseSource> source;
@@ -217,7 +220,7 @@ void TestNumbers(RelevoCheck& check)
   source->SetMaxNoiseValue(1.0);
   source->SetNumberOfNoiseLevels(256);
   const RelevoGrey image = Run(source);
-  const int expected[4] = { 0, 0, 0, 0 };
+  const int expected[4] = { 141, 107, 142, 178 };
   for (int i = 0; i < 4; ++i)
   {
     CHECK_NEAR(255.0 * image.At(3 * i, 7 * i), expected[i], 1e-3);

@@ -6,6 +6,7 @@
 #include "RelevoFlowImages.h"
 
 #include "vtkCellData.h"
+#include "vtkExecutive.h"
 #include "vtkStringArray.h"
 
 #include <limits>
@@ -129,7 +130,8 @@ void TestArrays(RelevoCheck& check)
   const auto cells = MakeFlowImage(7, 5, MakeUniformField(1.0, 0.0));
   cells->GetPointData()->GetArray(0)->SetName("OfCells");
   image->GetCellData()->AddArray(cells->GetPointData()->GetArray(0));
-  vtkDataArray* scalars = MakeNoiseImage(8, 6)->GetPointData()->GetScalars();
+  const auto noise = MakeNoiseImage(8, 6);
+  vtkDataArray* scalars = noise->GetPointData()->GetScalars();
   scalars->SetName("Scalars");
   image->GetPointData()->AddArray(scalars);
   vtkNew<vtkStringArray> text;

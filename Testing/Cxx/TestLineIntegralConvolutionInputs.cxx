@@ -205,14 +205,11 @@ void TestNoise(RelevoCheck& check, const std::vector<double>& expected)
 void TestSmallest(RelevoCheck& check)
 {
   const auto noise = MakeNoiseImage(1, 1);
-  for (const double* v : { std::array<double, 2>{ 1.0, 2.0 }.data() })
-  {
-    vtkNew<vtkLineIntegralConvolution> filter;
-    filter->SetInputData(MakeFlowImage(1, 1, MakeUniformField(v[0], v[1])));
-    filter->SetNoiseData(noise);
-    CHECK(LargestDifference(RunLIC(filter), ValuesOf(noise)) < 1e-6);
-    CHECK(ValuesOf(filter->GetOutput(), "LICMask") == std::vector<double>{ 0.0 });
-  }
+  vtkNew<vtkLineIntegralConvolution> filter;
+  filter->SetInputData(MakeFlowImage(1, 1, MakeUniformField(1.0, 2.0)));
+  filter->SetNoiseData(noise);
+  CHECK(LargestDifference(RunLIC(filter), ValuesOf(noise)) < 1e-6);
+  CHECK(ValuesOf(filter->GetOutput(), "LICMask") == std::vector<double>{ 0.0 });
 }
 
 // Extreme lengths of vectors and steps.
@@ -240,6 +237,7 @@ void TestExtremes(RelevoCheck& check)
     {
       others += std::abs(lic[i] - expected[i]) > 1e-3 ? 1 : 0;
     }
+    std::cout << others << " others\n";
     CHECK(others < expected.size() / 100); // rounding moves few samples to the next texel
     vtkNew<vtkLineIntegralConvolution> filter;
     filter->SetInputData(image);

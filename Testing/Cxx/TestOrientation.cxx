@@ -125,7 +125,7 @@ int TestOrientation(int, char*[])
       vector[1] = 0.0;
     });
   CHECK_NEAR(none.Median, 45.0, 6.0);
-  const RelevoOrientation flat(MakeImage([](double, double) { return 1.0; }));
+  const RelevoOrientation flat(MakeImage([](double, double) { return 0.0; }));
   CHECK(flat.GetCoherence(10, 10) == 0.0);
   return check.GetResult();
 }
