@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace relevo
 {
@@ -21,6 +22,11 @@ constexpr int NumberOfPortions = 16;
 
 // What a pass other than a convolution costs, in steps of a convolution.
 constexpr double FilterCost = 1.0;
+
+float MeanOf(const std::vector<float>& values)
+{
+  return static_cast<float>(std::accumulate(values.begin(), values.end(), 0.0) / values.size());
+}
 
 double Cost(const relevo::LICKernel& kernel)
 {
@@ -51,11 +57,12 @@ bool LICPasses::Run(std::vector<float>& image, const Watch& watch)
     (enhanced && stretched ? FilterCost : 0.0) + (stretched ? FilterCost : 0.0) +
     2.0 * FilterCost * smoothings;
 
-  bool running = this->Convolve(image, first);
+  const float mean = MeanOf(image);
+  bool running = this->Convolve(image, first, mean);
   if (enhanced)
   {
     running = running && (!stretched || this->Stretch(image, vec2(0.0f))) && this->Sharpen(image) &&
-      this->Convolve(image, second);
+      this->Convolve(image, second, mean);
   }
   for (int i = 0; i < smoothings; ++i)
   {
@@ -101,12 +108,16 @@ bool LICPasses::ReplaceUnmasked(std::vector<float>& image, double cost, Function
   return true;
 }
 
-bool LICPasses::Convolve(std::vector<float>& image, const LICKernel& kernel)
+bool LICPasses::Convolve(std::vector<float>& image, const LICKernel& kernel, float mean)
 {
   LICField field{ this->Plane.Columns, this->Plane.Rows, this->Vectors.GetPadded().data(),
     image.data() };
   return this->ReplaceUnmasked(image, Cost(kernel),
-    [&](ivec2 pixel) { return field.licConvolve(vec2(pixel) + 0.5f, kernel); });
+    [&](ivec2 pixel)
+    {
+      const float value = field.licConvolve(vec2(pixel) + 0.5f, kernel);
+      return licRestoreContrast(value, mean, kernel);
+    });
 }
 
 bool LICPasses::Sharpen(std::vector<float>& image)

@@ -44,7 +44,7 @@ public:
   bool Run(std::vector<float>& image, const Watch& watch);
 
 private:
-  bool Convolve(std::vector<float>& image, const LICKernel& kernel);
+  bool Convolve(std::vector<float>& image, const LICKernel& kernel, float mean);
   bool Sharpen(std::vector<float>& image);
   bool Smooth(std::vector<float>& image, ivec2 direction);
   bool Stretch(std::vector<float>& image, vec2 factors);

@@ -120,7 +120,7 @@ bool LICVectors::Read(vtkImageData* image, vtkDataArray* array, const LICPlane& 
         if (validity.HasData(i, tuple) && IsFinite(vector))
         {
           vectors[i] = vector;
-          this->Mask[i] = length(projected) > threshold ? 0 : 1;
+          this->Mask[i] = std::hypot(projected.x, projected.y) > threshold ? 0 : 1;
         }
       }
     });

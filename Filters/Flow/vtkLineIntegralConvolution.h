@@ -175,8 +175,10 @@ public:
 
   //@{
   /**
-   * For animations: as it grows by 1, the pattern moves NumberOfSteps steps downstream and fades
-   * into what it was. Whole numbers give the same image as the default, 0.
+   * For animations: as it grows by 1, the pattern moves downstream by 3 NumberOfSteps + 1 steps and
+   * fades into what it was; a loop of as many frames moves by one step in each. The contrast stays
+   * as it is, except close to where streamlines end. Whole numbers give the same image as the
+   * default, 0. Others take about twice as long.
    */
   vtkSetMacro(Phase, double);
   vtkGetMacro(Phase, double);

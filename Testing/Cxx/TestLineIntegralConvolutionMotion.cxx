@@ -10,9 +10,10 @@
 
 namespace
 {
-constexpr int Columns = 220;
-constexpr int Rows = 90;
+constexpr int Columns = 400;
+constexpr int Rows = 60;
 constexpr int Steps = 20;
+constexpr int Period = 3 * Steps + 1;
 
 double MeanDifference(const std::vector<double>& a, const std::vector<double>& b)
 {
@@ -22,6 +23,20 @@ double MeanDifference(const std::vector<double>& a, const std::vector<double>& b
     sum += std::abs(a[i] - b[i]) / a.size();
   }
   return sum;
+}
+
+// Those whose lines are not cut by borders.
+std::vector<double> InnerValues(const RelevoGrey& image)
+{
+  std::vector<double> values;
+  for (int row = 0; row < image.Rows; ++row)
+  {
+    for (int column = 5 * Steps; column < image.Columns - 5 * Steps; ++column)
+    {
+      values.push_back(image.At(column, row));
+    }
+  }
+  return values;
 }
 
 // Mean squared difference of an image and another one that is moved to the right, away from
@@ -71,13 +86,10 @@ void TestPhase(RelevoCheck& check)
     {
       CHECK(MeanDifference(at(phase + 0.01), at(phase)) < 0.2 * large);
     }
-    // No phase is much paler than the others.
-    CHECK(MomentsOf(at(0.5)).StandardDeviation > 0.75 * MomentsOf(still).StandardDeviation);
-    CHECK_NEAR(MomentsOf(at(0.5)).Mean, MomentsOf(still).Mean, 0.005);
   }
 }
 
-// In a loop of Steps frames the pattern moves one sample downstream from each to the next.
+// In a loop of Period frames the pattern moves one sample downstream from each to the next.
 void TestDirection(RelevoCheck& check)
 {
   for (bool enhanced : { false, true })
@@ -88,21 +100,25 @@ void TestDirection(RelevoCheck& check)
       filter->SetInputData(MakeFlowImage(Columns, Rows, MakeUniformField(sign, 0.0)));
       filter->SetNumberOfSteps(Steps);
       filter->SetEnhancedLIC(enhanced);
-      RelevoGrey last = GreyOf(RunLIC(filter), Columns);
-      for (int frame = 1; frame <= Steps; ++frame)
+      const RelevoMoments still = MomentsOf(InnerValues(GreyOf(RunLIC(filter), Columns)));
+      for (int frame : { 0, Period / 4, Period / 2, Period - 1 })
       {
-        filter->SetPhase(static_cast<double>(frame) / Steps);
+        filter->SetPhase(static_cast<double>(frame) / Period);
+        const RelevoGrey image = GreyOf(RunLIC(filter), Columns);
+        filter->SetPhase((frame + 1.0) / Period);
         const RelevoGrey next = GreyOf(RunLIC(filter), Columns);
-        const double still = DifferenceOfMoved(next, last, 0);
+        const double unmoved = DifferenceOfMoved(next, image, 0);
         const int downstream = static_cast<int>(sign);
-        if (!CHECK(DifferenceOfMoved(next, last, downstream) < 0.5 * still) ||
-          !CHECK(DifferenceOfMoved(next, last, -downstream) > 1.5 * still))
-        {
-          std::cerr << "  frame " << frame << ", enhanced " << enhanced << ": "
-                    << DifferenceOfMoved(next, last, downstream) / still << ", "
-                    << DifferenceOfMoved(next, last, -downstream) / still << "\n";
-        }
-        last = next;
+        const double moved = DifferenceOfMoved(next, image, downstream) / unmoved;
+        const double movedBack = DifferenceOfMoved(next, image, -downstream) / unmoved;
+        std::cout << "frame " << frame << ", enhanced " << enhanced << ": moved downstream "
+                  << moved << ", upstream " << movedBack << "\n";
+        CHECK(moved < 0.4);
+        CHECK(movedBack > 2.0);
+        // No phase is paler than the others.
+        const RelevoMoments moments = MomentsOf(InnerValues(image));
+        CHECK_NEAR(moments.Mean, still.Mean, 0.01);
+        CHECK_NEAR(moments.StandardDeviation / still.StandardDeviation, 1.0, 0.1);
       }
     }
   }
