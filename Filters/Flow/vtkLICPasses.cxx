@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 namespace relevo
 {
@@ -22,11 +21,6 @@ constexpr int NumberOfPortions = 16;
 
 // What a pass other than a convolution costs, in steps of a convolution.
 constexpr double FilterCost = 1.0;
-
-float MeanOf(const std::vector<float>& values)
-{
-  return static_cast<float>(std::accumulate(values.begin(), values.end(), 0.0) / values.size());
-}
 
 double Cost(const relevo::LICKernel& kernel)
 {
@@ -57,12 +51,11 @@ bool LICPasses::Run(std::vector<float>& image, const Watch& watch)
     (enhanced && stretched ? FilterCost : 0.0) + (stretched ? FilterCost : 0.0) +
     2.0 * FilterCost * smoothings;
 
-  const float mean = MeanOf(image);
-  bool running = this->Convolve(image, first, mean);
+  bool running = this->Convolve(image, first);
   if (enhanced)
   {
     running = running && (!stretched || this->Stretch(image, vec2(0.0f))) && this->Sharpen(image) &&
-      this->Convolve(image, second, mean);
+      this->Convolve(image, second);
   }
   for (int i = 0; i < smoothings; ++i)
   {
@@ -108,7 +101,7 @@ bool LICPasses::ReplaceUnmasked(std::vector<float>& image, double cost, Function
   return true;
 }
 
-bool LICPasses::Convolve(std::vector<float>& image, const LICKernel& kernel, float mean)
+bool LICPasses::Convolve(std::vector<float>& image, const LICKernel& kernel)
 {
   LICField field{ this->Plane.Columns, this->Plane.Rows, this->Vectors.GetPadded().data(),
     image.data() };
@@ -116,7 +109,7 @@ bool LICPasses::Convolve(std::vector<float>& image, const LICKernel& kernel, flo
     [&](ivec2 pixel)
     {
       const float value = field.licConvolve(vec2(pixel) + 0.5f, kernel);
-      return licRestoreContrast(value, mean, kernel);
+      return licRestoreContrast(value, this->Settings.NoiseMean, kernel);
     });
 }
 

@@ -20,6 +20,7 @@ namespace relevo
 {
 struct LICSettings
 {
+  float NoiseMean;
   LICKernel Kernel; // its StepSize for the vectors as vtkLICVectors scales them
   bool Enhanced;
   bool Stretched;
@@ -44,7 +45,7 @@ public:
   bool Run(std::vector<float>& image, const Watch& watch);
 
 private:
-  bool Convolve(std::vector<float>& image, const LICKernel& kernel, float mean);
+  bool Convolve(std::vector<float>& image, const LICKernel& kernel);
   bool Sharpen(std::vector<float>& image);
   bool Smooth(std::vector<float>& image, ivec2 direction);
   bool Stretch(std::vector<float>& image, vec2 factors);

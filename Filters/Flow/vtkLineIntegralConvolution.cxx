@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 
 namespace
@@ -228,7 +229,7 @@ vtkDataArray* vtkLineIntegralConvolution::FindVectors(
 }
 
 bool vtkLineIntegralConvolution::MakeNoise(vtkInformationVector* noiseVector,
-  const relevo::LICPlane& plane, std::vector<float>& noise, std::string& error)
+  const relevo::LICPlane& plane, std::vector<float>& noise, float& mean, std::string& error)
 {
   vtkNew<vtkLICNoiseSource> source;
   vtkImageData* image = vtkImageData::GetData(noiseVector);
@@ -244,14 +245,16 @@ bool vtkLineIntegralConvolution::MakeNoise(vtkInformationVector* noiseVector,
     return false;
   }
   noise = Tile(tile, tilePlane, plane);
+  mean = static_cast<float>(std::accumulate(tile.begin(), tile.end(), 0.0) / tile.size());
   return true;
 }
 
 relevo::LICSettings vtkLineIntegralConvolution::MakeSettings(
-  const relevo::LICVectors& vectors) const
+  const relevo::LICVectors& vectors, float noiseMean) const
 {
   const double unit = this->NormalizeVectors ? 1.0 : vectors.GetLongest();
   relevo::LICSettings settings;
+  settings.NoiseMean = noiseMean;
   settings.Kernel.Steps = this->NumberOfSteps;
   settings.Kernel.StepSize =
     static_cast<float>(std::min(this->StepSize * unit, static_cast<double>(VTK_FLOAT_MAX)));
@@ -289,13 +292,14 @@ int vtkLineIntegralConvolution::RequestData(
     return 0;
   }
   std::vector<float> image;
-  if (!this->MakeNoise(inputVector[1], plane, image, error))
+  float mean;
+  if (!this->MakeNoise(inputVector[1], plane, image, mean, error))
   {
     vtkErrorMacro("The noise " << error << ".");
     return 0;
   }
 
-  const relevo::LICSettings settings = this->MakeSettings(vectors);
+  const relevo::LICSettings settings = this->MakeSettings(vectors, mean);
   relevo::LICPasses passes(plane, vectors, settings);
   const auto watch = [this](double share)
   {

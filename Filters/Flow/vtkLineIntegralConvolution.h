@@ -216,8 +216,8 @@ private:
   std::string FindError() const;
   vtkDataArray* FindVectors(vtkInformationVector** inputVector, std::string& error);
   bool MakeNoise(vtkInformationVector* noiseVector, const relevo::LICPlane& plane,
-    std::vector<float>& noise, std::string& error);
-  relevo::LICSettings MakeSettings(const relevo::LICVectors& vectors) const;
+    std::vector<float>& noise, float& mean, std::string& error);
+  relevo::LICSettings MakeSettings(const relevo::LICVectors& vectors, float noiseMean) const;
 };
 
 #endif

@@ -24,6 +24,8 @@ public:
   {
   }
 
+  static constexpr float Mean = 0.5f;
+
   /// In [0, 1), at a finite position.
   float GetValue(const double x[3]) const;
 

@@ -41,7 +41,8 @@ float SurfaceConvolution::Convolve(const double start[3], const Begin& begin) co
       weights += weight;
     }
   }
-  return weights > 0.0 ? static_cast<float>(sum / weights) : noise;
+  const float value = weights > 0.0 ? static_cast<float>(sum / weights) : noise;
+  return licRestoreContrast(value, SolidNoise::Mean, this->Kernel);
 }
 
 float SurfaceConvolution::GetValueAt(vtkIdType place) const

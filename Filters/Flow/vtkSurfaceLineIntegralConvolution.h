@@ -191,8 +191,8 @@ public:
 
   //@{
   /**
-   * For animations: as it grows by 1, the pattern moves NumberOfSteps steps downstream and fades
-   * into what it was. Whole numbers give the same as the default, 0.
+   * For animations: as it grows by 1, the pattern moves 3 NumberOfSteps + 1 steps downstream and
+   * fades into what it was. Whole numbers give the same as the default, 0.
    */
   vtkSetMacro(Phase, double);
   vtkGetMacro(Phase, double);

@@ -113,8 +113,8 @@ public:
 
   //@{
   /**
-   * How far the pattern has moved down the flow, in loops of NumberOfSteps steps; default 0. Whole
-   * numbers look alike, so phases i / n for i = 0 ... n - 1 make an animation without a seam.
+   * How far the pattern has moved down the flow, in loops of 3 NumberOfSteps + 1 steps; default 0.
+   * Whole numbers look alike, so phases i / n for i = 0 ... n - 1 make an animation without a seam.
    */
   void SetPhase(double phase);
   vtkGetMacro(Phase, double);

@@ -185,6 +185,7 @@ relevo::LICSettings vtkAdaptiveLICMapper::vtkInternals::GetSettings() const
 {
   const vtkAdaptiveLICMapper* self = this->Root;
   relevo::LICSettings settings;
+  settings.NoiseMean = this->Noise.GetMean();
   relevo::LICKernel& kernel = settings.Kernel;
   kernel.Steps = self->NumberOfSteps;
   // Vectors that are not normalised come as shares of the longest.

@@ -98,7 +98,8 @@ vec4 relevoConvolve()
 {
   vec2 p = gl_FragCoord.xy;
   LICKernel kernel = LICKernel(steps, stepSize, normalized, oriented, phase);
-  return vec4(licIsMasked(ivec2(p)) ? licNoise(p) : licConvolve(p, kernel));
+  return vec4(licIsMasked(ivec2(p)) ? licNoise(p)
+                                    : licRestoreContrast(licConvolve(p, kernel), noiseMean, kernel));
 }
 )",
       "relevoConvolve()"));
@@ -145,11 +146,12 @@ bool LICImage::Convolve(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObjec
   const LICKernel& kernel = settings.Kernel;
   const auto stretch = [&](vec2 factors)
   { return !settings.Stretched || this->ApplyFilter(work, Filter::CONTRAST, ivec2(0), factors); };
-  bool done = this->ApplyConvolution(work, kernel, noise, true);
+  bool done = this->ApplyConvolution(work, kernel, settings.NoiseMean, noise, true);
   if (settings.Enhanced)
   {
     done = done && stretch(vec2(0.0f)) && this->ApplyFilter(work, Filter::HIGH_PASS) &&
-      this->ApplyConvolution(work, licSecondKernel(kernel), screen.Image, false);
+      this->ApplyConvolution(
+        work, licSecondKernel(kernel), settings.NoiseMean, screen.Image, false);
   }
   for (int i = 0; i < settings.NumberOfSmoothings; ++i)
   {
@@ -160,7 +162,7 @@ bool LICImage::Convolve(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObjec
 }
 
 bool LICImage::ApplyConvolution(
-  Work& work, const LICKernel& kernel, vtkTextureObject* noise, bool isTiled)
+  Work& work, const LICKernel& kernel, float noiseMean, vtkTextureObject* noise, bool isTiled)
 {
   vtkShaderProgram* program = work.Begin(*this->ConvolvePass);
   if (!program)
@@ -176,6 +178,7 @@ bool LICImage::ApplyConvolution(
   program->SetUniformi("normalized", kernel.Normalized);
   program->SetUniformi("oriented", kernel.Oriented);
   program->SetUniformf("phase", kernel.Phase);
+  program->SetUniformf("noiseMean", noiseMean);
   this->ConvolvePass->Draw(work.Framebuffer, this->Spare);
   noise->Deactivate();
   std::swap(work.Screen.Image, this->Spare);

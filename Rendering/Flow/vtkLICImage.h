@@ -70,7 +70,8 @@ private:
   };
   struct Work; // one call's
 
-  bool ApplyConvolution(Work& work, const LICKernel& kernel, vtkTextureObject* noise, bool isTiled);
+  bool ApplyConvolution(
+    Work& work, const LICKernel& kernel, float noiseMean, vtkTextureObject* noise, bool isTiled);
   bool ApplyFilter(
     Work& work, Filter filter, ivec2 direction = ivec2(1, 0), vec2 factors = vec2(0.0f));
   vtkSmartPointer<vtkTextureObject> FindRange(

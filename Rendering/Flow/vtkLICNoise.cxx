@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <numeric>
 
 namespace relevo
 {
@@ -131,6 +132,12 @@ bool LICNoise::Generate()
     return false;
   }
   return this->TakeImage(source->GetOutput(), "The generated noise");
+}
+
+float LICNoise::GetMean() const
+{
+  const double sum = std::accumulate(this->Texels.begin(), this->Texels.end(), 0.0);
+  return this->Texels.empty() ? 0.0f : static_cast<float>(sum / this->Texels.size());
 }
 
 vtkTextureObject* LICNoise::GetTexture(vtkOpenGLRenderWindow* window)

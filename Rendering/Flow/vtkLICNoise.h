@@ -48,6 +48,9 @@ public:
   bool Update();
   const std::string& GetError() const { return this->Error; }
 
+  /// Of the noise, after Update().
+  float GetMean() const;
+
   /// The noise as a texture of one float; nullptr if it cannot be made.
   vtkTextureObject* GetTexture(vtkOpenGLRenderWindow* window);
   void ReleaseGraphicsResources(vtkWindow* window);

@@ -8,6 +8,7 @@ uniform float stepSize;
 uniform bool normalized;
 uniform bool oriented;
 uniform float phase;
+uniform float noiseMean;
 
 // Of the pixels with a vector around p.
 vec2 licField(vec2 p)
