@@ -45,6 +45,9 @@
  * - vtkRegionDepthTagMetric: a region of interest, such as where the camera has zoomed in;
  * - vtkScreenEdgeDepthTagMetric, ReferenceLength 10: no side longer than 10 pixels.
  *
+ * and GeomorphingOff() in its recipe, so that segments are equally long. A field that is known
+ * everywhere, from a formula or by vtkProbeFilter, is best taken anew at the refined points.
+ *
  * GrainSize is then better set than automatic: noise finer than the triangles only flickers from
  * point to point, and automatic noise changes with the mesh. On a mesh that stays coarse, use the
  * texture.
