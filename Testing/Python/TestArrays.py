@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""relevo.arrays: heights from numpy, refined meshes to numpy."""
+"""relevo.arrays: heights and images from numpy, refined meshes and images to numpy."""
 
 import sys
 import unittest
@@ -75,6 +75,41 @@ class TestArrays(unittest.TestCase):
         plane.Update()
         with self.assertRaises(ValueError):
             arrays.triangles(plane.GetOutput())
+
+    def test_images(self):
+        for dtype in ("uint8", "int32", "float32", "float64"):
+            wide = numpy.arange(2 * 4 * 6, dtype=dtype).reshape(4, 6, 2)
+            for values in (wide, wide[..., 0], wide[:, ::2], wide[..., 1].T, wide[:1], wide[:, :1]):
+                image = arrays.image(values, "Some", (0.5, 2))
+                self.assertEqual(image.GetDimensions(), values.shape[1::-1] + (1,))
+                self.assertEqual(image.GetSpacing(), (0.5, 2, 1))
+                back = arrays.samples(image, "Some")
+                self.assertEqual(back.dtype, values.dtype)
+                numpy.testing.assert_array_equal(back, values)
+                self.assertEqual(image.GetPointData().GetScalars() is not None, values.ndim == 2)
+        scalars = arrays.image(wide[..., 0])
+        numpy.testing.assert_array_equal(arrays.samples(scalars), wide[..., 0])
+        # Row 0 is the lowest.
+        self.assertEqual(scalars.GetScalarComponentAsDouble(3, 2, 0, 0), wide[2, 3, 0])
+
+    def test_slices(self):
+        values = numpy.arange(12.0).reshape(3, 4)
+        for dimensions in ((4, 3, 1), (4, 1, 3), (1, 4, 3)):
+            image = arrays.image(values)
+            image.SetDimensions(dimensions)
+            numpy.testing.assert_array_equal(arrays.samples(image), values)
+
+    def test_bad_images(self):
+        for bad in (numpy.zeros(4), numpy.zeros((2, 2, 2, 2)), numpy.zeros((0, 3)), numpy.array([["a"]])):
+            with self.assertRaises(ValueError):
+                arrays.image(bad)
+        image = arrays.image(numpy.zeros((2, 4, 3)))
+        for name in (None, "Other"):
+            with self.assertRaises(ValueError):
+                arrays.samples(image, name)
+        image.SetDimensions(2, 2, 2)
+        with self.assertRaises(ValueError):
+            arrays.samples(image, "Values")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Heights from numpy arrays, and refined meshes as numpy arrays."""
+"""Heights and images from numpy arrays; refined meshes and images as numpy arrays."""
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -52,6 +52,54 @@ def triangles(mesh):
     if mesh.GetNumberOfPoints() == 0:
         return numpy.empty((0, 3), numpy.float32), connectivity.reshape(-1, 3)
     return vtk_to_numpy(mesh.GetPoints().GetData()), connectivity.reshape(-1, 3)
+
+
+def image(values, name="Values", spacing=(1.0, 1.0)):
+    """A flat vtkImageData with a point array, for vtkLineIntegralConvolution and its noise.
+
+    values: any real numbers, shape (rows, columns), which become the active scalars, or (rows,
+        columns, components); row 0 is the lowest in y, as VTK has it. The array is copied.
+    name: the array's name.
+    spacing: distances of columns and of rows.
+
+    Raises ValueError for another shape or an empty array.
+    """
+    values = numpy.asarray(values)
+    if values.ndim not in (2, 3) or not values.size or not numpy.issubdtype(values.dtype, numpy.number):
+        raise ValueError(f"values must be a 2-D or 3-D array of numbers, not {values.dtype} {values.shape}")
+    rows, columns = values.shape[:2]
+    result = vtkImageData()
+    result.SetDimensions(columns, rows, 1)
+    result.SetSpacing(spacing[0], spacing[1], 1.0)
+    flat = values.reshape((rows * columns,) + values.shape[2:])
+    array = numpy_to_vtk(numpy.ascontiguousarray(flat), deep=True)
+    array.SetName(name)
+    if values.ndim == 2:
+        result.GetPointData().SetScalars(array)
+    else:
+        result.GetPointData().AddArray(array)
+    return result
+
+
+def samples(image, name=None):
+    """A point array of a flat vtkImageData, shape (rows, columns) or (rows, columns, components).
+
+    name: the array's name (default: the active scalars). Row 0 is the lowest. The result shares the
+    image's memory where VTK's own layout allows.
+
+    Raises ValueError when the image has no such array or is not flat.
+    """
+    data = image.GetPointData()
+    array = data.GetArray(name) if name else data.GetScalars()
+    if array is None:
+        raise ValueError(f"the image has no point array {name!r}" if name else "the image has no point scalars")
+    sizes = image.GetDimensions()
+    if 1 not in sizes:
+        raise ValueError(f"the image is not flat: {sizes}")
+    flat = max(axis for axis in range(3) if sizes[axis] == 1)
+    columns, rows = (sizes[axis] for axis in range(3) if axis != flat)
+    values = vtk_to_numpy(array)
+    return values.reshape((rows, columns) + values.shape[1:])
 
 
 class _Collector:
