@@ -36,6 +36,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkShaderProperty.h"
 #include "vtkTextureObject.h"
+#include "vtkTransform.h"
 
 #include <algorithm>
 #include <cmath>
@@ -149,27 +150,27 @@ void vtkAdaptiveLICMapper::vtkInternals::CheckVectors()
   this->VectorTimes = times;
   std::string problem;
   double longest = -1.0;
-  bool hasPoints = false;
+  bool hasFaces = false;
   bool hasArray = false;
   this->ForEachLeaf(
     [&](vtkPolyData* leaf)
     {
-      if (leaf->GetNumberOfPoints() == 0)
+      if (leaf->GetNumberOfPolys() == 0 && leaf->GetNumberOfStrips() == 0)
       {
         return;
       }
-      hasPoints = true;
+      hasFaces = true;
       const relevo::LICArray vectors = this->Root->FindArray(leaf);
       problem = problem.empty() ? vectors.Problem : problem;
       hasArray = hasArray || vectors.Array;
       longest = std::max(longest, vectors.FindLongest(this->Root->NoDataMagnitude));
     });
   this->Longest = std::max(longest, 0.0);
-  if (problem.empty() && hasPoints && !hasArray)
+  if (problem.empty() && hasFaces && !hasArray)
   {
     problem = "The input has no array of vectors that SetInputArrayToProcess(0, ...) chooses.";
   }
-  else if (problem.empty() && hasPoints && longest < 0.0)
+  else if (problem.empty() && hasFaces && longest < 0.0)
   {
     problem = "All vectors are no-data: not finite, or of NoDataMagnitude or more.";
   }
@@ -253,8 +254,13 @@ bool vtkAdaptiveLICMapper::vtkInternals::Prepare(vtkRenderer* ren, vtkActor* act
   {
     self->GetInputAlgorithm()->Update();
   }
-  std::string problem = this->FindProblem();
   vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
+  if (this->Window && this->Window != window)
+  {
+    self->ReleaseGraphicsResources(this->Window); // before anything is made for this one
+  }
+  this->Window = window;
+  std::string problem = this->FindProblem();
   if (problem.empty())
   {
     relevo::LICScreen& screen = this->GetScreen(ren, act);
@@ -383,6 +389,7 @@ void vtkAdaptiveLICMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
   vtkInternals& lic = *this->LIC;
+  lic.Window = nullptr;
   lic.Screen = nullptr;
   for (auto& screen : lic.Screens)
   {
@@ -420,8 +427,10 @@ void vtkAdaptiveLICMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor* act)
   vtkPolyData* input = this->CurrentInput;
   const relevo::LICArray vectors = this->FindArray(input);
   lic.HasVectors = vectors.Array != nullptr;
+  const double longest = vectors.FindLongest(this->NoDataMagnitude);
+  lic.Unit = longest > 0.0 ? longest : 1.0;
   vtkSmartPointer<vtkFloatArray> prepared =
-    lic.HasVectors ? vectors.Prepare(this->NoDataMagnitude) : nullptr;
+    lic.HasVectors ? vectors.Prepare(this->NoDataMagnitude, lic.Unit) : nullptr;
   this->VBOs->CacheDataArray(
     "relevoLICVector", vectors.IsOfCells ? nullptr : prepared.Get(), ren, VTK_FLOAT);
   this->Superclass::BuildBufferObjects(ren, act);
@@ -462,7 +471,7 @@ void vtkAdaptiveLICMapper::ExtendShaders(
       (ofCells ? "texelFetch(relevoLICCells, relevoFace.w >> 3)" : "relevoLICVector") +
       ";\n"
       "  relevoLICNormalVSOutput = relevoLICNormals * relevoNormal;\n"
-      "  relevoLICPositionVSOutput = (relevoLICFromModel * vertexMC).xyz;\n";
+      "  relevoLICPositionVSOutput = (relevoLICFromVertex * vertexMC).xyz;\n";
   }
   else if (root.Screen && !this->DrawingVertices)
   {
@@ -516,9 +525,10 @@ void vtkAdaptiveLICMapper::ReplaceShaderRenderPass(
 }
 
 void vtkAdaptiveLICMapper::vtkInternals::SetVectorUniforms(
-  vtkShaderProgram* program, vtkRenderer* ren, vtkActor* act)
+  vtkAdaptiveLICMapper* block, vtkShaderProgram* program, vtkRenderer* ren, vtkActor* act)
 {
-  vtkAdaptiveLICMapper* self = this->Root;
+  vtkInternals& lic = *block->LIC;
+  const vtkAdaptiveLICMapper* self = lic.Root;
   vtkCamera* camera = ren->GetActiveCamera();
   vtkNew<vtkMatrix4x4> modelView;
   vtkMatrix4x4::Multiply4x4(camera->GetModelViewTransformMatrix(), act->GetMatrix(), modelView);
@@ -537,11 +547,15 @@ void vtkAdaptiveLICMapper::vtkInternals::SetVectorUniforms(
   SetMatrix(program, "relevoLICNormals", normals);
   SetMatrix(program, "relevoLICProjection",
     camera->GetProjectionTransformMatrix(ren->GetTiledAspectRatio(), -1, 1));
-  SetMatrix(program, "relevoLICFromModel", modelView);
-  const vtkInternals& root = *self->LIC;
-  const float scale = root.Longest > 0.0 ? static_cast<float>(1.0 / root.Longest) : 1.0f;
-  program->SetUniformf("relevoLICScale", scale);
-  program->SetUniformf("relevoLICThreshold", static_cast<float>(self->MaskThreshold));
+  if (block->VBOs->GetVBO("vertexMC")->GetCoordShiftAndScaleEnabled())
+  {
+    vtkMatrix4x4::Multiply4x4(modelView, block->VBOInverseTransform->GetMatrix(), modelView);
+  }
+  SetMatrix(program, "relevoLICFromVertex", modelView);
+  const double longest = self->LIC->Longest;
+  program->SetUniformf(
+    "relevoLICScale", static_cast<float>(longest > 0.0 ? lic.Unit / longest : 1.0));
+  program->SetUniformf("relevoLICThreshold", static_cast<float>(self->MaskThreshold / lic.Unit));
   program->SetUniformi("relevoLICMaskOnSurface", self->MaskOnSurface);
   int viewport[4];
   vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow())
@@ -549,7 +563,7 @@ void vtkAdaptiveLICMapper::vtkInternals::SetVectorUniforms(
     ->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   const float size[2] = { static_cast<float>(viewport[2]), static_cast<float>(viewport[3]) };
   program->SetUniform2f("relevoLICSize", size);
-  this->CellVectors.Activate(program, "relevoLICCells");
+  lic.CellVectors.Activate(program, "relevoLICCells");
 }
 
 void vtkAdaptiveLICMapper::vtkInternals::SetImageUniforms(vtkShaderProgram* program)
@@ -593,7 +607,7 @@ void vtkAdaptiveLICMapper::SetMapperShaderParameters(
   vtkInternals& lic = *this->LIC;
   if (&cellBO == lic.Vectors)
   {
-    lic.SetVectorUniforms(cellBO.Program, ren, act);
+    vtkInternals::SetVectorUniforms(this, cellBO.Program, ren, act);
   }
   else if (lic.Root->LIC->Screen && this->IsFaceHelper(&cellBO) && !this->DrawingVertices)
   {

@@ -213,22 +213,39 @@ public:
     COLOR_MODE_MAP = 1
   };
 
+#ifdef __clang__
+#pragma clang diagnostic push
+#pragma clang diagnostic ignored "-Woverloaded-virtual"
+#endif
   //@{
   /**
    * How the LIC is combined with the surface's colours: COLOR_MODE_BLEND (0, the default), LIC x
    * LICIntensity + colour x (1 - LICIntensity); COLOR_MODE_MAP (1), colour x (LIC + MapModeBias).
-   * This takes the place of vtkMapper::SetColorMode(); how scalars become colours is up to
-   * SetColorModeToDefault(), SetColorModeToMapScalars() and SetColorModeToDirectScalars().
+   * How scalars become colours is up to SetColorModeToDefault(), SetColorModeToMapScalars() and
+   * SetColorModeToDirectScalars(), and through a pointer to a vtkMapper to its SetColorMode(),
+   * which this one hides and does not override.
    */
-  void SetColorMode(int mode) override;
-  int GetColorMode() override { return this->LICColorMode; }
-  void SetColorModeToBlend() { this->SetColorMode(COLOR_MODE_BLEND); }
-  void SetColorModeToMultiply() { this->SetColorMode(COLOR_MODE_MAP); }
-  void SetColorModeToMap() { this->SetColorMode(COLOR_MODE_MAP); }
-  void SetColorModeToDefault();
-  void SetColorModeToMapScalars();
-  void SetColorModeToDirectScalars();
+  void SetColorMode(const int& mode);
+  int GetColorMode() const
+  {
+    return this->LICColorMode;
+  }
+  void SetColorModeToBlend()
+  {
+    this->SetColorMode(COLOR_MODE_BLEND);
+  }
+  void SetColorModeToMultiply()
+  {
+    this->SetColorMode(COLOR_MODE_MAP);
+  }
+  void SetColorModeToMap()
+  {
+    this->SetColorMode(COLOR_MODE_MAP);
+  }
   //@}
+#ifdef __clang__
+#pragma clang diagnostic pop
+#endif
 
   //@{
   /**

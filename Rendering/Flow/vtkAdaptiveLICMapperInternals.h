@@ -17,8 +17,10 @@
 #include "vtkNew.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLHelper.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkRefinementBuffer.h"
 #include "vtkTimeStamp.h"
+#include "vtkWeakPointer.h"
 
 #include <map>
 #include <string>
@@ -45,6 +47,7 @@ struct vtkAdaptiveLICMapper::vtkInternals
   // The vectors of this mapper's polydata.
   vtkOpenGLHelper* Vectors = nullptr; // draws them
   bool HasVectors = false;
+  double Unit = 1.0; // of the vectors on the graphics card, which then are about 1 long
   relevo::RefinementBuffer CellVectors; // of VTK's primitives; empty for vectors of points
 
   // The vectors of all blocks, as they were at these times.
@@ -52,6 +55,7 @@ struct vtkAdaptiveLICMapper::vtkInternals
   std::string VectorProblem;
   double Longest = 0.0;
 
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // that the following belongs to
   relevo::LICNoise Noise;
   relevo::LICImage Image;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
@@ -70,7 +74,8 @@ struct vtkAdaptiveLICMapper::vtkInternals
   bool Prepare(vtkRenderer* ren, vtkActor* act);
   bool Draw(vtkRenderer* ren, vtkActor* act, relevo::LICScreen& screen, bool convolve);
   std::vector<double> MakeKey(vtkRenderer* ren, vtkActor* act, const relevo::LICScreen& screen);
-  void SetVectorUniforms(vtkShaderProgram* program, vtkRenderer* ren, vtkActor* act);
+  static void SetVectorUniforms(
+    vtkAdaptiveLICMapper* block, vtkShaderProgram* program, vtkRenderer* ren, vtkActor* act);
   void SetImageUniforms(vtkShaderProgram* program);
 
   template <typename Work>

@@ -90,6 +90,11 @@ void vtkAdaptiveLICMapper::SetNoDataMagnitude(double magnitude)
 void vtkAdaptiveLICMapper::SetMaskColor(double red, double green, double blue)
 {
   const double color[3] = { red, green, blue };
+  if (!vtkMath::IsFinite(red) || !vtkMath::IsFinite(green) || !vtkMath::IsFinite(blue))
+  {
+    vtkErrorMacro("MaskColor has to be finite.");
+    return;
+  }
   for (int i = 0; i < 3; ++i)
   {
     this->MaskColor[i] = vtkMath::ClampValue(color[i], 0.0, 1.0);
@@ -99,7 +104,7 @@ void vtkAdaptiveLICMapper::SetMaskColor(double red, double green, double blue)
 //------------------------------------------------------------------------------
 // Two modes share a name
 
-void vtkAdaptiveLICMapper::SetColorMode(int mode)
+void vtkAdaptiveLICMapper::SetColorMode(const int& mode)
 {
   if (mode != COLOR_MODE_BLEND && mode != COLOR_MODE_MAP)
   {
@@ -108,21 +113,6 @@ void vtkAdaptiveLICMapper::SetColorMode(int mode)
     return;
   }
   this->LICColorMode = mode;
-}
-
-void vtkAdaptiveLICMapper::SetColorModeToDefault()
-{
-  this->Superclass::SetColorMode(VTK_COLOR_MODE_DEFAULT);
-}
-
-void vtkAdaptiveLICMapper::SetColorModeToMapScalars()
-{
-  this->Superclass::SetColorMode(VTK_COLOR_MODE_MAP_SCALARS);
-}
-
-void vtkAdaptiveLICMapper::SetColorModeToDirectScalars()
-{
-  this->Superclass::SetColorMode(VTK_COLOR_MODE_DIRECT_SCALARS);
 }
 
 //------------------------------------------------------------------------------
@@ -219,17 +209,10 @@ bool vtkAdaptiveLICMapper::vtkInternals::StretchesColors() const
 
 void vtkAdaptiveLICMapper::ShallowCopy(vtkAbstractMapper* mapper)
 {
-  const int licColorMode = this->LICColorMode;
+  this->Superclass::ShallowCopy(mapper);
   vtkAdaptiveLICMapper* other = vtkAdaptiveLICMapper::SafeDownCast(mapper);
-  this->Superclass::ShallowCopy(mapper); // hands on a mode by SetColorMode()
   if (!other)
   {
-    vtkMapper* source = vtkMapper::SafeDownCast(mapper);
-    this->LICColorMode = licColorMode;
-    if (source)
-    {
-      this->Superclass::SetColorMode(source->GetColorMode());
-    }
     return;
   }
   this->SetInputArrayToProcess(0, other->GetInputArrayInformation(0));
@@ -265,7 +248,7 @@ void vtkAdaptiveLICMapper::ShallowCopy(vtkAbstractMapper* mapper)
   this->SetImpulseNoiseProbability(other->GetImpulseNoiseProbability());
   this->SetImpulseNoiseBackgroundValue(other->GetImpulseNoiseBackgroundValue());
   this->SetNoiseGeneratorSeed(other->GetNoiseGeneratorSeed());
-  this->LICColorMode = other->LICColorMode;
+  this->SetColorMode(other->LICColorMode);
 }
 
 void vtkAdaptiveLICMapper::PrintSelf(ostream& os, vtkIndent indent)

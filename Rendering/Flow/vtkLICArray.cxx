@@ -25,7 +25,8 @@ bool GetVector(const Tuple& tuple, double noDataMagnitude, double vector[3])
   for (vtk::ComponentIdType c = 0; c < tuple.size(); ++c)
   {
     vector[c] = static_cast<double>(tuple[c]);
-    if (!(std::fabs(vector[c]) < noDataMagnitude)) // NaN, too
+    const double magnitude = std::fabs(vector[c]);
+    if (!(magnitude < noDataMagnitude && magnitude <= VTK_FLOAT_MAX)) // NaN, too
     {
       return false;
     }
@@ -69,10 +70,10 @@ double LICArray::FindLongest(double noDataMagnitude) const
 {
   if (!this->Array)
   {
-    return 0.0;
+    return -1.0;
   }
   const auto tuples = vtk::DataArrayTupleRange(this->Array);
-  vtkSMPThreadLocal<double> longest(0.0);
+  vtkSMPThreadLocal<double> longest(-1.0);
   vtkSMPTools::For(0, this->Array->GetNumberOfTuples(),
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -86,10 +87,10 @@ double LICArray::FindLongest(double noDataMagnitude) const
         }
       }
     });
-  return longest.size() > 0 ? *std::max_element(longest.begin(), longest.end()) : 0.0;
+  return longest.size() > 0 ? *std::max_element(longest.begin(), longest.end()) : -1.0;
 }
 
-vtkSmartPointer<vtkFloatArray> LICArray::Prepare(double noDataMagnitude) const
+vtkSmartPointer<vtkFloatArray> LICArray::Prepare(double noDataMagnitude, double unit) const
 {
   auto prepared = vtkSmartPointer<vtkFloatArray>::New();
   prepared->SetNumberOfComponents(4);
@@ -105,7 +106,7 @@ vtkSmartPointer<vtkFloatArray> LICArray::Prepare(double noDataMagnitude) const
         const bool valid = GetVector(tuples[i], noDataMagnitude, v);
         for (int c = 0; c < 3; ++c)
         {
-          out[4 * i + c] = valid ? static_cast<float>(v[c]) : 0.0f;
+          out[4 * i + c] = valid ? static_cast<float>(v[c] / unit) : 0.0f;
         }
         out[4 * i + 3] = valid ? 1.0f : 0.0f;
       }

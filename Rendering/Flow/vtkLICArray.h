@@ -31,11 +31,11 @@ struct LICArray
    */
   static LICArray Check(vtkDataArray* chosen, int association, vtkPolyData* input);
 
-  /// Length of the longest vector that is data; 0 for none.
+  /// Length of the longest vector that is data; -1 for none.
   double FindLongest(double noDataMagnitude) const;
 
-  /// Four components: the vector and 1, or zeros for no-data.
-  vtkSmartPointer<vtkFloatArray> Prepare(double noDataMagnitude) const;
+  /// Four components: the vector in units of `unit` and 1, or zeros for no-data.
+  vtkSmartPointer<vtkFloatArray> Prepare(double noDataMagnitude, double unit) const;
 };
 }
 

@@ -5,6 +5,7 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
+#include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkImageReader2.h"
 #include "vtkImageReader2Factory.h"
@@ -22,9 +23,11 @@ namespace relevo
 {
 namespace
 {
+// The first counts: the executive's comes after the algorithm's.
 void KeepMessage(vtkObject*, unsigned long, void* client, void* text)
 {
-  *static_cast<std::string*>(client) = static_cast<const char*>(text);
+  std::string& message = *static_cast<std::string*>(client);
+  message = message.empty() ? static_cast<const char*>(text) : message;
 }
 
 // Runs an algorithm whose errors the user shall hear from the mapper.
@@ -34,9 +37,14 @@ std::string RunQuietly(vtkAlgorithm* algorithm)
   vtkNew<vtkCallbackCommand> listener;
   listener->SetCallback(KeepMessage);
   listener->SetClientData(&message);
-  const unsigned long tag = algorithm->AddObserver(vtkCommand::ErrorEvent, listener);
+  for (vtkObject* object :
+    { static_cast<vtkObject*>(algorithm), static_cast<vtkObject*>(algorithm->GetExecutive()) })
+  {
+    object->AddObserver(vtkCommand::ErrorEvent, listener);
+  }
   algorithm->Update();
-  algorithm->RemoveObserver(tag);
+  algorithm->RemoveObserver(listener);
+  algorithm->GetExecutive()->RemoveObserver(listener);
   return message;
 }
 }

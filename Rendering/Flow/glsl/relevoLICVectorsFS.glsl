@@ -2,8 +2,8 @@
 uniform mat3 relevoLICDirections;  // vectors from the model to view coordinates
 uniform mat4 relevoLICProjection;  // view coordinates to clip coordinates
 uniform vec2 relevoLICSize;        // of the viewport, in pixels
-uniform float relevoLICScale;      // 1 / length of the longest vector
-uniform float relevoLICThreshold;  // vectors at most this long are masked
+uniform float relevoLICScale;      // such that the longest vector is 1 long
+uniform float relevoLICThreshold;  // vectors at most this long, before the scale, are masked
 uniform int relevoLICMaskOnSurface;
 
 // (direction on the screen, 1 where there is one, 1 + depth where there are streaks or minus that)
