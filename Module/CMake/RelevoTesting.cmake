@@ -1,20 +1,23 @@
 # relevo_add_cxx_tests(<executable>
 #   TESTS <TestName>...
 #   LIBRARIES <library>...
+#   [REPEATED <TestName>...]
 #   [LABELS <label>...])
 #
-# One executable for all tests of a module, one CTest test for each. TestName.cxx holds
+# One executable for all tests of a module, one CTest test for each but for those of other modules,
+# REPEATED, which relevo_repeat_cxx_tests runs. TestName.cxx holds
 #   int TestName(int argc, char* argv[])
 # and returns EXIT_SUCCESS, EXIT_FAILURE, or 125 when what it needs is not there. Arguments and
 # environment follow VTK's own tests:
 #   -D <folder of test data in the repository>   -T <folder to write into>
 #   -V <baseline image>                          RELEVO_TEST_DATA: folder of larger real data
 function (relevo_add_cxx_tests executable)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "TESTS;LIBRARIES;LABELS")
-  if (NOT arg_TESTS)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "TESTS;REPEATED;LIBRARIES;LABELS")
+  if (NOT arg_TESTS AND NOT arg_REPEATED)
     return ()
   endif ()
-  list(TRANSFORM arg_TESTS APPEND ".cxx" OUTPUT_VARIABLE sources)
+  set(sources ${arg_TESTS} ${arg_REPEATED})
+  list(TRANSFORM sources APPEND ".cxx")
   create_test_sourcelist(driver "${executable}.cxx" ${sources})
   add_executable("${executable}" ${driver})
   target_link_libraries("${executable}" PRIVATE ${arg_LIBRARIES})

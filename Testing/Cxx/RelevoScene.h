@@ -130,7 +130,7 @@ public:
     vtkNew<vtkActor> actor;
     if (this->Kind == Refining)
     {
-      vtkNew<vtkAdaptiveRefinementMapper> mapper;
+      auto mapper = vtk::TakeSmartPointer(NewMapper(mesh));
       mapper->BackFaceCullingOff(); // single pixels may differ: TestAdaptiveRefinementMapperCulling
       vtkSmartPointer<vtkAdaptiveRefinement> used = recipe;
       if (!used)
@@ -166,6 +166,10 @@ public:
     this->Actors.push_back(actor.Get());
     return actor;
   }
+
+  // The mapper of a refining actor. Tests of other modules run again with a subclass.
+  inline static vtkAdaptiveRefinementMapper* (*NewMapper)(vtkDataObject*) = [](vtkDataObject*)
+  { return vtkAdaptiveRefinementMapper::New(); };
 
   // Where faces choose their patterns: tests run again with RELEVO_TEST_SELECTION_DEVICE=2, for
   // the GPU.
@@ -322,6 +326,9 @@ public:
       }
     }
   }
+
+  // To write into.
+  const std::string& GetFolder() const { return this->Folder; }
 
   // A change of a scene that was drawn already.
   struct Step
