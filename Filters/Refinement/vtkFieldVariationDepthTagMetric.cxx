@@ -33,7 +33,7 @@ constexpr double ShortestDirection = 1e-6; // of the longest vector
 class Field
 {
 public:
-  explicit Field(vtkDataArray* array)
+  Field(vtkDataArray* array, double noDataMagnitude)
     : NumberOfComponents(array->GetNumberOfComponents())
     , Values(static_cast<std::size_t>(array->GetNumberOfValues()))
     , Lengths(static_cast<std::size_t>(array->GetNumberOfTuples()))
@@ -46,11 +46,13 @@ public:
       double* tuple = this->Values.data() + i * this->NumberOfComponents;
       array->GetTuple(i, tuple);
       double squared = 0.0;
+      bool hasData = true;
       for (int c = 0; c < this->NumberOfComponents; ++c)
       {
         squared += tuple[c] * tuple[c];
+        hasData = hasData && (scalar || std::abs(tuple[c]) < noDataMagnitude);
       }
-      this->Lengths[i] = scalar ? tuple[0] : std::sqrt(squared);
+      this->Lengths[i] = !hasData ? vtkMath::Nan() : scalar ? tuple[0] : std::sqrt(squared);
       if (std::isfinite(this->Lengths[i]))
       {
         lowest = std::min(lowest, this->Lengths[i]);
@@ -197,6 +199,19 @@ void vtkFieldVariationDepthTagMetric::SetMaximumVariation(double variation)
   this->SetThreshold("MaximumVariation", this->MaximumVariation, variation);
 }
 
+void vtkFieldVariationDepthTagMetric::SetNoDataMagnitude(double magnitude)
+{
+  if (!(magnitude > 0.0))
+  {
+    vtkErrorMacro("NoDataMagnitude must be more than 0, got " << magnitude << ".");
+  }
+  else if (this->NoDataMagnitude != magnitude)
+  {
+    this->NoDataMagnitude = magnitude;
+    this->Modified();
+  }
+}
+
 bool vtkFieldVariationDepthTagMetric::ComputeTags(
   vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel, vtkFloatArray* tags)
 {
@@ -247,7 +262,8 @@ bool vtkFieldVariationDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh, const v
     return false;
   }
 
-  const std::vector<double> variations = ComputeVariations(edges, Field(array), ofCells);
+  const std::vector<double> variations =
+    ComputeVariations(edges, Field(array, this->NoDataMagnitude), ofCells);
   const float low = static_cast<float>(this->MinimumVariation);
   const float high = static_cast<float>(
     this->MaximumVariation > 0.0 ? this->MaximumVariation : GetAutomaticMaximum(variations));
@@ -263,4 +279,5 @@ void vtkFieldVariationDepthTagMetric::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ArrayName: " << this->ArrayName << "\n";
   os << indent << "MinimumVariation: " << this->MinimumVariation << "\n";
   os << indent << "MaximumVariation: " << this->MaximumVariation << "\n";
+  os << indent << "NoDataMagnitude: " << this->NoDataMagnitude << "\n";
 }

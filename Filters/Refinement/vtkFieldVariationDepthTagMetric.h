@@ -24,7 +24,8 @@
  *
  * clamped to [0, MaximumLevel]; by the rule PER_EDGE that of an edge is with its own x. Values that
  * are NaN or infinite make no variation, so that an array of nothing else, as a constant one, has
- * level 0 everywhere; so has a point of no triangle. The metric does not depend on the view.
+ * level 0 everywhere; so has a point of no triangle. Neither do vectors without data: with a
+ * component of at least NoDataMagnitude, as -1e9. The metric does not depend on the view.
  *
  * Errors when tags are computed: no ArrayName; no array of numbers of that name in the mesh; one
  * with another number of tuples than points or cells.
@@ -75,6 +76,16 @@ public:
   vtkGetMacro(MaximumVariation, double);
   //@}
 
+  //@{
+  /**
+   * From which absolute value on a component of a vector stands for "no data"; more than 0, default
+   * 1e8. Values of arrays with one component are all data. Another value is an error and changes
+   * nothing.
+   */
+  void SetNoDataMagnitude(double magnitude);
+  vtkGetMacro(NoDataMagnitude, double);
+  //@}
+
   bool IsViewDependent() override { return false; }
   bool ComputeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
     vtkFloatArray* tags) override;
@@ -90,6 +101,7 @@ protected:
   std::string ArrayName;
   double MinimumVariation = 0.0;
   double MaximumVariation = 0.0;
+  double NoDataMagnitude = 1e8;
 
 private:
   vtkFieldVariationDepthTagMetric(const vtkFieldVariationDepthTagMetric&) = delete;

@@ -84,6 +84,17 @@ int TestFieldVariationDepthTagMetric(int, char*[])
   // Opposite vectors; ones too short to have a direction; a NaN in one component.
   AddArray<vtkDoubleArray>(mesh->GetPointData(), 2, { 1, 0, -1, 0, -1, 0, -1, nan, 0, 1e-9, 0, 0 });
   expect({ 4, 4, 4, 0, 4, 0 });
+  // What stands for no data makes no variation and does not count as the longest.
+  for (double sentinel : { -1e9, 1e20, 1e8, infinity })
+  {
+    AddArray<vtkDoubleArray>(
+      mesh->GetPointData(), 2, { 8, 0, 8, 0, 8, 0, 0, 8, sentinel, 2, 0, 0 });
+    expect({ 0, 2, 2, 4, 0, 4 });
+  }
+  metric->SetNoDataMagnitude(1e10);
+  AddArray<vtkDoubleArray>(mesh->GetPointData(), 2, { 1, 0, 1, 0, 1, 0, 1, 0, -1e9, 0, 1, 0 });
+  expect({ 0, 0, 4, 4, 4, 4 });
+  metric->SetNoDataMagnitude(1e8);
   // Small angles keep their digits, in any dimension.
   metric->SetMaximumVariation(1e-6);
   AddArray<vtkDoubleArray>(mesh->GetPointData(), 4,
@@ -148,6 +159,11 @@ int TestFieldVariationDepthTagMetric(int, char*[])
     CHECK(errors.Said("MinimumVariation") && metric->GetMinimumVariation() == 0.0);
     metric->SetMaximumVariation(bad);
     CHECK(errors.Said("MaximumVariation") && metric->GetMaximumVariation() == 0.0);
+  }
+  for (double bad : { 0.0, -1.0, nan })
+  {
+    metric->SetNoDataMagnitude(bad);
+    CHECK(errors.Said("NoDataMagnitude") && metric->GetNoDataMagnitude() == 1e8);
   }
   metric->SetMinimumVariation(0.5);
   CHECK(TagsOf(metric, plane, view, 5).empty() && errors.Said("above"));
