@@ -29,7 +29,7 @@ public:
   {
     PLAIN,     // the refinement mapper, without LIC
     LIC,       // vtkAdaptiveLICMapper
-    LIC_TWICE, // with twice as many steps
+    LIC_SHORT, // with one step each way
     VTK_PLAIN, // vtkPolyDataMapper
     VTK_LIC    // vtkSurfaceLICMapper
   };
