@@ -29,6 +29,7 @@
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRefinementShader.h"
@@ -411,9 +412,12 @@ vtkTypeInt64 vtkAdaptiveLICMapper::GetGraphicsMemorySize()
   {
     size += screen.second.GetMemorySize();
   }
-  if (vtkOpenGLVertexBufferObject* vbo = this->VBOs->GetVBO("relevoLICVector"))
+  for (const char* name : { "relevoLICVector", "relevoLICPointNormal" })
   {
-    size += static_cast<vtkTypeInt64>(vbo->GetNumberOfTuples()) * vbo->GetStride();
+    if (vtkOpenGLVertexBufferObject* vbo = this->VBOs->GetVBO(name))
+    {
+      size += static_cast<vtkTypeInt64>(vbo->GetNumberOfTuples()) * vbo->GetStride();
+    }
   }
   return size;
 }
@@ -433,6 +437,11 @@ void vtkAdaptiveLICMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor* act)
     lic.HasVectors ? vectors.Prepare(this->NoDataMagnitude, lic.Unit) : nullptr;
   this->VBOs->CacheDataArray(
     "relevoLICVector", vectors.IsOfCells ? nullptr : prepared.Get(), ren, VTK_FLOAT);
+  // Linear surfaces have none of their own; VTK's depend on lights.
+  vtkDataArray* normals = lic.HasVectors ? input->GetPointData()->GetNormals() : nullptr;
+  lic.HasPointNormals = normals && normals->GetNumberOfTuples() == input->GetNumberOfPoints();
+  this->VBOs->CacheDataArray(
+    "relevoLICPointNormal", lic.HasPointNormals ? normals : nullptr, ren, VTK_FLOAT);
   this->Superclass::BuildBufferObjects(ren, act);
 
   lic.CellVectors.ReleaseGraphicsResources(ren->GetRenderWindow());
@@ -470,6 +479,9 @@ void vtkAdaptiveLICMapper::ExtendShaders(
     extension.Statements = std::string("  relevoLICFieldVSOutput = ") +
       (ofCells ? "texelFetch(relevoLICCells, relevoFace.w >> 3)" : "relevoLICVector") +
       ";\n"
+      "#ifndef RELEVO_NORMALS\n" +
+      (lic.HasPointNormals ? "  relevoNormal = unitVector(relevoLICPointNormal);\n" : "") +
+      "#endif\n"
       "  relevoLICNormalVSOutput = relevoLICNormals * relevoNormal;\n"
       "  relevoLICPositionVSOutput = (relevoLICFromVertex * vertexMC).xyz;\n";
   }
@@ -489,16 +501,13 @@ void vtkAdaptiveLICMapper::ReplaceShaderValues(
   std::string functions;
   if (this->LastBoundBO == lic.Vectors)
   {
-    if (lic.CellVectors.IsEmpty())
-    {
-      SubstituteIn(shaders[vtkShader::Vertex], "//VTK::TCoord::Dec",
-        "in vec4 relevoLICVector;\n//VTK::TCoord::Dec");
-    }
+    SubstituteIn(shaders[vtkShader::Vertex], "//VTK::TCoord::Dec",
+      std::string(lic.CellVectors.IsEmpty() ? "in vec4 relevoLICVector;\n" : "") +
+        (lic.HasPointNormals ? "in vec3 relevoLICPointNormal;\n" : "") + "//VTK::TCoord::Dec");
     SubstituteIn(fragment, place,
       std::string(root.StretchesColors() ? "gl_FragData[1] = gl_FragData[0];\n  " : "") +
         "gl_FragData[0] = relevoLICVector();\n  " + place);
-    functions = std::string("#ifdef RELEVO_NORMALS\n#define RELEVO_LIC_NORMALS\n#endif\n") +
-      relevoLICVectorsFS;
+    functions = relevoLICVectorsFS;
   }
   else if (this->IsFaceHelper(this->LastBoundBO) && root.Screen && !this->DrawingVertices)
   {

@@ -48,6 +48,7 @@ struct vtkAdaptiveLICMapper::vtkInternals
   vtkOpenGLHelper* Vectors = nullptr; // draws them
   bool HasVectors = false;
   double Unit = 1.0; // of the vectors on the graphics card, which then are about 1 long
+  bool HasPointNormals = false;
   relevo::RefinementBuffer CellVectors; // of VTK's primitives; empty for vectors of points
 
   // The vectors of all blocks, as they were at these times.

@@ -93,6 +93,18 @@ inline RelevoMeshes::Mesh WithField(vtkPolyData* mesh, const RelevoSurfaceField&
   return result;
 }
 
+// The mesh with unit normals by a formula.
+inline RelevoMeshes::Mesh WithNormals(vtkPolyData* mesh, const RelevoSurfaceField& normal)
+{
+  RelevoMeshes::Mesh result = RelevoMeshes::Make();
+  result->ShallowCopy(mesh);
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  RelevoMeshes::FillVectors(result, normal, normals);
+  result->GetPointData()->SetNormals(normals);
+  return result;
+}
+
 // Between the world and pixels, in double.
 class RelevoScreen
 {

@@ -9,11 +9,9 @@ uniform int relevoLICMaskOnSurface;
 // (direction on the screen, 1 where there is one, 1 + depth where there are streaks or minus that)
 vec4 relevoLICVector()
 {
-#ifdef RELEVO_LIC_NORMALS
-  vec3 normal = relevoLICNormalVSOutput;
-#else
+  // The triangle's where points have none.
   vec3 normal = cross(dFdx(relevoLICPositionVSOutput), dFdy(relevoLICPositionVSOutput));
-#endif
+  normal = length(relevoLICNormalVSOutput) > 0.0 ? relevoLICNormalVSOutput : normal;
   float depth = 1.0 + gl_FragCoord.z;
   vec4 none = vec4(0.0, 0.0, 0.0, -depth);
   float normalLength = length(normal);
