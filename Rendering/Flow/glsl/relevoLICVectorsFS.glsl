@@ -10,7 +10,8 @@ uniform int relevoLICMaskOnSurface;
 vec4 relevoLICVector()
 {
   // The triangle's where points have none.
-  vec3 normal = cross(dFdx(relevoLICPositionVSOutput), dFdy(relevoLICPositionVSOutput));
+  vec3 normal = cross(
+    normalize(dFdx(relevoLICPositionVSOutput)), normalize(dFdy(relevoLICPositionVSOutput)));
   normal = length(relevoLICNormalVSOutput) > 0.0 ? relevoLICNormalVSOutput : normal;
   float depth = 1.0 + gl_FragCoord.z;
   vec4 none = vec4(0.0, 0.0, 0.0, -depth);
