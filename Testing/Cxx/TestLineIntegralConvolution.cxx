@@ -163,9 +163,9 @@ void TestCells(RelevoCheck& check)
   };
   const auto walk = [&](double x, double y, int k)
   {
-    const double h = (k < 0 ? -1.0 : 1.0) / 8.0;
+    const double h = (k < 0 ? -1.0 : 1.0) / 3.0;
     Place p{ x, y };
-    for (int i = 0; i < 8 * std::abs(k); ++i)
+    for (int i = 0; i < 3 * std::abs(k); ++i)
     {
       const Place a = direction(p);
       const Place b = direction({ p.X + 0.5 * h * a.X, p.Y + 0.5 * h * a.Y });

@@ -29,8 +29,8 @@ std::vector<double> RunOn(vtkImageData* image)
   return RunLIC(filter);
 }
 
-// A slice with the flow along two axes of space, and a third component that does not matter.
-vtkSmartPointer<vtkImageData> MakeSlice(int firstAxis, int secondAxis)
+// A slice with the flow along two axes of space; of three components the third does not matter.
+vtkSmartPointer<vtkImageData> MakeSlice(int firstAxis, int secondAxis, int components)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   int extent[6] = { 4, 4, -3, -3, 7, 7 };
@@ -39,7 +39,7 @@ vtkSmartPointer<vtkImageData> MakeSlice(int firstAxis, int secondAxis)
   image->SetExtent(extent);
   image->SetOrigin(3.0, 2.0, 1.0);
   vtkNew<vtkFloatArray> vectors;
-  vectors->SetNumberOfComponents(3);
+  vectors->SetNumberOfComponents(components);
   for (int row = 0; row < Rows; ++row)
   {
     for (int column = 0; column < Columns; ++column)
@@ -49,10 +49,10 @@ vtkSmartPointer<vtkImageData> MakeSlice(int firstAxis, int secondAxis)
       double vector[3] = { 77.0, 77.0, 77.0 };
       vector[firstAxis] = flow[0];
       vector[secondAxis] = flow[1];
-      vectors->InsertNextTuple(vector);
+      vectors->InsertNextTuple(components == 2 ? flow : vector);
     }
   }
-  image->GetPointData()->SetVectors(vectors);
+  image->GetPointData()->AddArray(vectors);
   return image;
 }
 
@@ -119,18 +119,21 @@ void TestPlanes(RelevoCheck& check, const std::vector<double>& expected)
 {
   for (const auto& axes : { std::array<int, 2>{ 0, 1 }, { 0, 2 }, { 1, 2 } })
   {
-    const auto slice = MakeSlice(axes[0], axes[1]);
-    vtkNew<vtkLineIntegralConvolution> filter;
-    filter->SetInputData(slice);
-    CHECK(RunLIC(filter) == expected);
-    vtkImageData* lic = filter->GetOutput();
-    int extent[6];
-    slice->GetExtent(extent);
-    CHECK(std::equal(extent, extent + 6, lic->GetExtent()));
-    CHECK(std::equal(lic->GetOrigin(), lic->GetOrigin() + 3, slice->GetOrigin()));
-    CHECK(lic->GetPointData()->GetNumberOfArrays() == 2);
-    CHECK(lic->GetScalarType() == VTK_FLOAT && lic->GetNumberOfScalarComponents() == 1);
-    CHECK(lic->GetPointData()->GetArray("LICMask")->GetDataType() == VTK_UNSIGNED_CHAR);
+    for (int components : { 2, 3 })
+    {
+      const auto slice = MakeSlice(axes[0], axes[1], components);
+      vtkNew<vtkLineIntegralConvolution> filter;
+      filter->SetInputData(slice);
+      CHECK(RunLIC(filter) == expected);
+      vtkImageData* lic = filter->GetOutput();
+      int extent[6];
+      slice->GetExtent(extent);
+      CHECK(std::equal(extent, extent + 6, lic->GetExtent()));
+      CHECK(std::equal(lic->GetOrigin(), lic->GetOrigin() + 3, slice->GetOrigin()));
+      CHECK(lic->GetPointData()->GetNumberOfArrays() == 2);
+      CHECK(lic->GetScalarType() == VTK_FLOAT && lic->GetNumberOfScalarComponents() == 1);
+      CHECK(lic->GetPointData()->GetArray("LICMask")->GetDataType() == VTK_UNSIGNED_CHAR);
+    }
   }
 }
 

@@ -11,7 +11,7 @@
 namespace
 {
 constexpr int Columns = 400;
-constexpr int Rows = 60;
+constexpr int Rows = 25;
 constexpr int Steps = 20;
 constexpr int Period = 3 * Steps + 1;
 
@@ -60,7 +60,7 @@ void TestPhase(RelevoCheck& check)
   filter->SetInputData(MakeFlowImage(Columns, Rows,
     [](double x, double y, double* v)
     {
-      v[0] = 40.0 - y;
+      v[0] = 10.0 - y;
       v[1] = x - 60.0;
     }));
   const auto at = [&](double phase)
