@@ -12,15 +12,18 @@ import tempfile
 import unittest
 
 import relevo
-from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkImagingCore import vtkImageShrink3D
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
+from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
 
 from GifFile import GifFile
 
 SOURCE = pathlib.Path(os.environ["RELEVO_SOURCE_DIR"])
+FLOW = pathlib.Path(os.environ.get("RELEVO_TEST_DATA", ""), "flow")
 if not hasattr(relevo, "vtkEGLOffscreenRenderWindow"):
     print("skipped: built without rendering, or without EGL")
     sys.exit(125)
@@ -37,6 +40,26 @@ def write_heights(path, value):
     writer.SetFileName(str(path))
     writer.SetInputData(image)
     writer.Write()
+
+
+def read_picture(path):
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return reader.GetOutput()
+
+
+def mean_of_blocks(picture, side=20):
+    """Colours without detail: how these are differs with noise and graphics card."""
+    shrink = vtkImageShrink3D()
+    shrink.SetInputData(picture)
+    shrink.SetShrinkFactors(side, side, 1)
+    shrink.AveragingOn()
+    shrink.Update()
+    means = shrink.GetOutput()
+    return [
+        means.GetPointData().GetScalars().GetTuple(i)[:3] for i in range(means.GetNumberOfPoints())
+    ]
 
 
 class TestExamples(unittest.TestCase):
@@ -217,6 +240,70 @@ class TestExamples(unittest.TestCase):
         self.assertEqual(GifFile(kept).size, loop.size)
         self.assertEqual(len(GifFile(kept).frames), 16)
         self.assertIn("Examples/Python/flowloop.gif", (SOURCE / "README.md").read_text())
+
+    def test_flow(self):
+        """Each figure is drawn, and is the one that is kept, but for noise."""
+        readme = (SOURCE / "README.md").read_text()
+        files = {
+            "plane": "SurfaceVectors.vtk",
+            "disk": "disk_out_ref_surface.vtp",
+            "office": "office.binary.vtk",
+        }
+        names = {path.stem for path in (SOURCE / "Examples/Python/flow").glob("*.png")}
+        self.assertEqual(names, {"fields", "levels", "looks", "oriented", *files})
+        with tempfile.TemporaryDirectory() as folder:
+            for name in sorted(names):
+                self.assertIn(f"Examples/Python/flow/{name}.png", readme)
+                data = [str(FLOW / files[name])] if name in files else []
+                if data and not FLOW.is_dir():
+                    continue
+                run = self.run_example("flow.py", folder, name, "out.png", *data)
+                self.assertEqual((run.returncode, run.stderr), (0, ""))
+                self.assertRegex(run.stdout, r"\A[1-9]\d{2,} triangles\n\Z")
+                picture = read_picture(pathlib.Path(folder) / "out.png")
+                kept = read_picture(SOURCE / f"Examples/Python/flow/{name}.png")
+                self.assertEqual(picture.GetDimensions(), kept.GetDimensions())
+                differences = [
+                    max(abs(a - b) for a, b in zip(*colours))
+                    for colours in zip(mean_of_blocks(picture), mean_of_blocks(kept))
+                ]
+                self.assertLess(sum(differences) / len(differences), 4, name)
+                self.assertLess(sorted(differences)[int(0.98 * len(differences))], 30, name)
+            for arguments in (["vortex", "out.png"], ["plane", "out.png"]):
+                run = self.run_example("flow.py", folder, *arguments)
+                self.assertEqual(run.returncode, 1)
+                self.assertIn("oriented", run.stderr)
+
+    def test_flow_of_the_readme(self):
+        """What README.md has to paste draws streaks, and so does what comes from VTK's mapper."""
+        readme = (SOURCE / "README.md").read_text()
+        pasted = [part.split("```")[0] for part in readme.split("```python\n")[1:]]
+        names = {}
+        exec(next(text for text in pasted if "vtkArrayCalculator" in text), names)
+        coarse = names["flow"]
+        fine = names["mapper"]
+        exec(next(text for text in pasted if "vtkSurfaceLICMapper" in text), names)
+        flat = names["mapper"]
+        self.assertIsNot(flat, fine)
+        flat.SetInputConnection(coarse.GetOutputPort())
+        self.assertEqual(flat.GetNumberOfSteps(), 40)
+        shades = []
+        for mapper in (fine, flat):
+            actor = vtkActor()
+            actor.SetMapper(mapper)
+            renderer = vtkRenderer()
+            renderer.AddActor(actor)
+            window = relevo.vtkEGLOffscreenRenderWindow()
+            window.SetSize(200, 200)
+            window.AddRenderer(renderer)
+            window.Render()
+            self.assertEqual(mapper.GetNumberOfConvolutions(), 1)
+            pixels = vtkUnsignedCharArray()
+            window.GetPixelData(90, 90, 110, 110, 0, pixels, 0)
+            shades.append({pixels.GetTuple3(i) for i in range(pixels.GetNumberOfTuples())})
+        self.assertGreater(min(len(each) for each in shades), 50)
+        self.assertEqual(flat.GetNumberOfDrawnTriangles(), coarse.GetOutput().GetNumberOfCells())
+        self.assertGreater(fine.GetNumberOfDrawnTriangles(), flat.GetNumberOfDrawnTriangles())
 
     def test_readme_shows_the_example(self):
         example = (SOURCE / "Examples/Python/terrain.py").read_text()
