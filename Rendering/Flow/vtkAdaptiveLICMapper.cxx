@@ -374,8 +374,7 @@ void vtkAdaptiveLICMapper::RenderPieceFinish(vtkRenderer* ren, vtkActor* act)
   this->LIC->CellVectors.Deactivate();
   if (relevo::LICScreen* screen = this->LIC->Root->LIC->Screen)
   {
-    for (vtkTextureObject* texture :
-      { screen->Image.Get(), screen->Vectors.Get(), screen->Range.Get() })
+    for (vtkTextureObject* texture : { screen->Image.Get(), screen->Range.Get() })
     {
       if (texture)
       {
@@ -587,7 +586,6 @@ void vtkAdaptiveLICMapper::vtkInternals::SetImageUniforms(vtkShaderProgram* prog
     }
   };
   read("relevoLICImage", screen.Image);
-  read("relevoLICVectors", screen.Vectors);
   read("relevoLICRange", screen.Range);
   this->GetColoring().SetUniforms(program);
   const vtkAdaptiveLICMapper* self = this->Root;

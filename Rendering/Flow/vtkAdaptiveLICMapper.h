@@ -25,7 +25,7 @@
  *
  * The convolution is kept until the camera, the viewport, the actor's place, the input, the recipe
  * or the settings change; GetNumberOfConvolutions() counts. It costs memory for the viewport: about
- * 32 bytes a pixel, see GetGraphicsMemorySize().
+ * 36 bytes a pixel, see GetGraphicsMemorySize().
  *
  * Needs textures of floating point numbers that can be drawn to (OpenGL 3.0). Errors (ErrorEvent of
  * this object; the surface is drawn without streaks): no vectors, another number of components,

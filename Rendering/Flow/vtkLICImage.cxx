@@ -68,15 +68,13 @@ struct LICImage::Work
     }
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   }
-  ~Work() { this->Screen.Vectors->Deactivate(); }
 
-  // A pass with what all passes read; nullptr when it cannot be built.
+  // A pass over the viewport; nullptr when it cannot be built.
   vtkShaderProgram* Begin(LICPass& pass)
   {
     vtkShaderProgram* program = pass.Begin(this->Window);
     if (program)
     {
-      LICPass::Read(program, "vectors", this->Screen.Vectors);
       SetSize(program, "size", this->Screen.Viewport[2], this->Screen.Viewport[3]);
     }
     return program;
@@ -93,31 +91,35 @@ LICImage::LICImage()
   const std::string reduce = relevoLICRangeFS;
   const std::string color = std::string(relevoLICColor) + relevoLICBlendFS;
   this->ConvolvePass.reset(
-    new LICPass(image + relevoLICConvolveFS + relevoLICKernel + relevoLIC + R"(
+    new LICPass(std::string(relevoLICConvolveFS) + relevoLICKernel + relevoLIC + R"(
 vec4 relevoConvolve()
 {
   vec2 p = gl_FragCoord.xy;
+  float mark = texelFetch(vectors, ivec2(p), 0).w;
   LICKernel kernel = LICKernel(steps, stepSize, normalized, oriented, phase);
-  return vec4(licIsMasked(ivec2(p)) ? licNoise(p)
-                                    : licRestoreContrast(licConvolve(p, kernel), noiseMean, kernel));
+  float value = mark <= 0.0 ? licNoise(p)
+                            : licRestoreContrast(licConvolve(p, kernel), noiseMean, kernel);
+  return vec4(value, mark, 0.0, 0.0);
 }
 )",
       "relevoConvolve()"));
-  this->FilterPass.reset(
-    new LICPass(image + relevoLICFilterFS + relevoLICFilters + relevoLICStretch + R"(
+  const char* filters[NumberOfFilters] = { "licHighPass(pixel)", "licSmooth(pixel, direction)",
+    "licStretch(licValue(pixel), texelFetch(range, ivec2(0), 0).xy, factors)" };
+  for (int i = 0; i < NumberOfFilters; ++i)
+  {
+    this->FilterPasses[i].reset(
+      new LICPass(image + relevoLICFilterFS + relevoLICFilters + relevoLICStretch + R"(
 vec4 relevoFilter()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  float value = licValue(pixel);
-  if (!licIsMasked(pixel))
-  {
-    value = which == 0 ? licHighPass(pixel) : which == 1 ? licSmooth(pixel, direction)
-      : licStretch(value, texelFetch(range, ivec2(0), 0).xy, factors);
-  }
-  return vec4(value);
+  vec4 texel = texelFetch(image, pixel, 0);
+  texel.r = texel.g <= 0.0 ? texel.r : )" +
+          filters[i] + R"(;
+  return texel;
 }
 )",
-      "relevoFilter()"));
+        "relevoFilter()"));
+  }
   this->RangePass.reset(new LICPass(image + reduce + color, "relevoReduce()"));
   this->ColorRangePass.reset(
     new LICPass("#define RELEVO_COLORS\n" + image + reduce + color, "relevoReduce()"));
@@ -136,7 +138,7 @@ bool LICImage::Convolve(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObjec
     this->Spare->GetHeight() != screen.Image->GetHeight())
   {
     this->Spare.TakeReference(
-      NewFloatTexture(window, screen.Viewport[2], screen.Viewport[3], 1, false));
+      NewFloatTexture(window, screen.Viewport[2], screen.Viewport[3], 2, false));
     if (!this->Spare)
     {
       return false;
@@ -145,18 +147,18 @@ bool LICImage::Convolve(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObjec
   Work work(window, framebuffer, screen);
   const LICKernel& kernel = settings.Kernel;
   const auto stretch = [&](vec2 factors)
-  { return !settings.Stretched || this->ApplyFilter(work, Filter::CONTRAST, ivec2(0), factors); };
+  { return !settings.Stretched || this->ApplyFilter(work, CONTRAST, ivec2(0), factors); };
   bool done = this->ApplyConvolution(work, kernel, settings.NoiseMean, noise, true);
   if (settings.Enhanced)
   {
-    done = done && stretch(vec2(0.0f)) && this->ApplyFilter(work, Filter::HIGH_PASS) &&
+    done = done && stretch(vec2(0.0f)) && this->ApplyFilter(work, HIGH_PASS) &&
       this->ApplyConvolution(
         work, licSecondKernel(kernel), settings.NoiseMean, screen.Image, false);
   }
   for (int i = 0; i < settings.NumberOfSmoothings; ++i)
   {
-    done = done && this->ApplyFilter(work, Filter::SMOOTH, ivec2(1, 0)) &&
-      this->ApplyFilter(work, Filter::SMOOTH, ivec2(0, 1));
+    done = done && this->ApplyFilter(work, SMOOTH, ivec2(1, 0)) &&
+      this->ApplyFilter(work, SMOOTH, ivec2(0, 1));
   }
   return done && stretch(settings.StretchFactors);
 }
@@ -169,6 +171,7 @@ bool LICImage::ApplyConvolution(
   {
     return false;
   }
+  LICPass::Read(program, "vectors", work.Screen.Vectors);
   LICPass::Read(program, "noise", noise);
   SetSize(program, "noiseSize", static_cast<int>(noise->GetWidth()),
     static_cast<int>(noise->GetHeight()));
@@ -181,6 +184,7 @@ bool LICImage::ApplyConvolution(
   program->SetUniformf("noiseMean", noiseMean);
   this->ConvolvePass->Draw(work.Framebuffer, this->Spare);
   noise->Deactivate();
+  work.Screen.Vectors->Deactivate();
   std::swap(work.Screen.Image, this->Spare);
   return true;
 }
@@ -188,7 +192,7 @@ bool LICImage::ApplyConvolution(
 bool LICImage::ApplyFilter(Work& work, Filter filter, ivec2 direction, vec2 factors)
 {
   vtkSmartPointer<vtkTextureObject> range;
-  if (filter == Filter::CONTRAST)
+  if (filter == CONTRAST)
   {
     range = this->FindRange(work, *this->RangePass, nullptr);
     if (!range)
@@ -196,17 +200,23 @@ bool LICImage::ApplyFilter(Work& work, Filter filter, ivec2 direction, vec2 fact
       return false;
     }
   }
-  vtkShaderProgram* program = work.Begin(*this->FilterPass);
+  LICPass& pass = *this->FilterPasses[filter];
+  vtkShaderProgram* program = work.Begin(pass);
   if (!program)
   {
     return false;
   }
   LICPass::Read(program, "image", work.Screen.Image);
-  LICPass::Read(program, "range", range ? range : work.Screen.Image);
-  program->SetUniform2f("factors", &factors.x);
-  program->SetUniform2i("direction", &direction.x);
-  program->SetUniformi("which", static_cast<int>(filter));
-  this->FilterPass->Draw(work.Framebuffer, this->Spare);
+  if (range)
+  {
+    LICPass::Read(program, "range", range);
+    program->SetUniform2f("factors", &factors.x);
+  }
+  if (filter == SMOOTH)
+  {
+    program->SetUniform2i("direction", &direction.x);
+  }
+  pass.Draw(work.Framebuffer, this->Spare);
   work.Screen.Image->Deactivate();
   if (range)
   {
@@ -278,10 +288,11 @@ bool LICImage::FindColorRange(vtkOpenGLRenderWindow* window,
 
 void LICImage::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (auto& pass : { &this->ConvolvePass, &this->FilterPass, &this->RangePass,
-         &this->ColorRangePass, &this->ReducePass })
+  for (LICPass* pass : { this->ConvolvePass.get(), this->FilterPasses[HIGH_PASS].get(),
+         this->FilterPasses[SMOOTH].get(), this->FilterPasses[CONTRAST].get(),
+         this->RangePass.get(), this->ColorRangePass.get(), this->ReducePass.get() })
   {
-    (*pass)->ReleaseGraphicsResources();
+    pass->ReleaseGraphicsResources();
   }
   if (this->Spare)
   {
@@ -293,7 +304,7 @@ void LICImage::ReleaseGraphicsResources(vtkWindow* window)
 vtkTypeInt64 LICImage::GetMemorySize() const
 {
   return this->Spare
-    ? static_cast<vtkTypeInt64>(this->Spare->GetWidth()) * this->Spare->GetHeight() * 4
+    ? static_cast<vtkTypeInt64>(this->Spare->GetWidth()) * this->Spare->GetHeight() * 8
     : 0;
 }
 }

@@ -62,11 +62,12 @@ public:
   vtkTypeInt64 GetMemorySize() const;
 
 private:
-  enum class Filter
+  enum Filter
   {
-    HIGH_PASS = 0,
-    SMOOTH = 1,
-    CONTRAST = 2
+    HIGH_PASS,
+    SMOOTH,
+    CONTRAST,
+    NumberOfFilters
   };
   struct Work; // one call's
 
@@ -78,7 +79,7 @@ private:
     Work& work, LICPass& first, const LICColoring* coloring);
 
   std::unique_ptr<LICPass> ConvolvePass;
-  std::unique_ptr<LICPass> FilterPass;
+  std::unique_ptr<LICPass> FilterPasses[NumberOfFilters];
   std::unique_ptr<LICPass> RangePass;      // of an image
   std::unique_ptr<LICPass> ColorRangePass; // of colours with an image
   std::unique_ptr<LICPass> ReducePass;     // of ranges

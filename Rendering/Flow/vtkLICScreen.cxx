@@ -10,6 +10,8 @@
 #include "vtkOpenGLState.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
+
 namespace relevo
 {
 bool LICScreen::Allocate(vtkOpenGLRenderWindow* window, bool withColors)
@@ -26,7 +28,7 @@ bool LICScreen::Allocate(vtkOpenGLRenderWindow* window, bool withColors)
   {
     this->Key.clear();
     this->Vectors.TakeReference(NewFloatTexture(window, width, height, 4, true));
-    this->Image.TakeReference(NewFloatTexture(window, width, height, 1, false));
+    this->Image.TakeReference(NewFloatTexture(window, width, height, 2, false));
     this->Depth = vtkSmartPointer<vtkTextureObject>::New();
     this->Depth->SetContext(window);
     if (!this->Depth->AllocateDepth(static_cast<unsigned int>(width),
@@ -106,7 +108,7 @@ vtkTypeInt64 LICScreen::GetMemorySize() const
     if (*texture)
     {
       size += static_cast<vtkTypeInt64>((*texture)->GetWidth()) * (*texture)->GetHeight() * 4 *
-        ((*texture)->GetComponents() > 1 ? 4 : 1);
+        std::max((*texture)->GetComponents(), 1);
     }
   }
   return size;

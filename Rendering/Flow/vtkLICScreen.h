@@ -27,7 +27,7 @@ struct LICScreen
   vtkSmartPointer<vtkTextureObject> Vectors; // as relevoLICVectorsFS.glsl makes them
   vtkSmartPointer<vtkTextureObject> Colors;  // of the surface, where they are asked for
   vtkSmartPointer<vtkTextureObject> Depth;
-  vtkSmartPointer<vtkTextureObject> Image; // the LIC
+  vtkSmartPointer<vtkTextureObject> Image; // the LIC, and the vectors' mark
   vtkSmartPointer<vtkTextureObject> Range; // of the colours' lightness, where it is asked for
   std::vector<double> Key;                 // what Vectors and Image were made from
   unsigned long LastUse = 0;

@@ -1,6 +1,5 @@
 // The LIC on the surface's own fragments.
-uniform sampler2D relevoLICImage;
-uniform sampler2D relevoLICVectors; // as relevoLICVectorsFS.glsl makes them; zero where nothing is
+uniform sampler2D relevoLICImage;   // (LIC, mark), see relevoLICVectorsFS.glsl; zero where nothing is
 uniform ivec2 relevoLICOrigin;      // lower left corner of the viewport, in pixels
 uniform ivec2 relevoLICSize;        // and its size
 uniform vec3 relevoLICMaskColor;
@@ -10,47 +9,47 @@ uniform sampler2D relevoLICRange;   // of lightness
 uniform vec2 relevoLICFactors;
 #endif
 
-const ivec2 relevoLICSteps[5] =
-  ivec2[5](ivec2(0), ivec2(1, 0), ivec2(0, 1), ivec2(-1, 0), ivec2(0, -1));
+const ivec2 relevoLICSteps[4] = ivec2[4](ivec2(1, 0), ivec2(0, 1), ivec2(-1, 0), ivec2(0, -1));
 
-// Where the fragment's LIC is: its pixel or, where it covers only part of that, the one beside it
-// that is nearest in depth.
-ivec2 relevoLICPixel(float tolerance)
+// How far the fragment is in depth from what made a texel of the LIC.
+float relevoLICDistance(vec2 texel)
+{
+  float distance = abs(abs(texel.g) - 1.0 - gl_FragCoord.z);
+  return texel.g == 0.0 ? 2.0 : distance;
+}
+
+// The fragment's texel: at its pixel or, where it covers only part of that, beside it, at the pixel
+// that is nearest in depth. Zero if there is none.
+vec2 relevoLICTexel(float tolerance)
 {
   ivec2 last = relevoLICSize - ivec2(1);
-  ivec2 here = clamp(ivec2(gl_FragCoord.xy) - relevoLICOrigin, ivec2(0), last);
-  ivec2 best = ivec2(-1);
-  float least = tolerance;
-  for (int i = 0; i < 5; ++i)
+  ivec2 here = ivec2(gl_FragCoord.xy) - relevoLICOrigin;
+  vec2 best = texelFetch(relevoLICImage, clamp(here, ivec2(0), last), 0).rg;
+  float least = relevoLICDistance(best);
+  bool found = least <= tolerance;
+  for (int i = 0; i < 4 && !found; ++i)
   {
-    ivec2 pixel = clamp(here + relevoLICSteps[i], ivec2(0), last);
-    float depth = abs(texelFetch(relevoLICVectors, pixel, 0).w) - 1.0;
-    float distance = abs(depth - gl_FragCoord.z);
-    if (depth >= 0.0 && distance <= least)
-    {
-      if (i == 0)
-      {
-        return pixel;
-      }
-      least = distance;
-      best = pixel;
-    }
+    vec2 texel =
+      texelFetch(relevoLICImage, clamp(here + relevoLICSteps[i], ivec2(0), last), 0).rg;
+    float distance = relevoLICDistance(texel);
+    best = distance < least ? texel : best;
+    least = min(distance, least);
   }
-  return best;
+  return least <= tolerance ? best : vec2(0.0);
 }
 
 vec3 relevoLICFragment(vec3 color)
 {
-  ivec2 pixel = relevoLICPixel(1e-5 + 2.0 * fwidth(gl_FragCoord.z));
-  if (pixel.x < 0)
+  vec2 texel = relevoLICTexel(1e-5 + 2.0 * fwidth(gl_FragCoord.z));
+  if (texel.g == 0.0)
   {
     return color; // of a layer behind
   }
-  if (texelFetch(relevoLICVectors, pixel, 0).w <= 0.0)
+  if (texel.g < 0.0)
   {
     return mix(color, relevoLICMaskColor, relevoLICMaskIntensity);
   }
-  color = relevoLICCombine(color, texelFetch(relevoLICImage, pixel, 0).r);
+  color = relevoLICCombine(color, texel.r);
 #ifdef RELEVO_LIC_STRETCH
   color = clamp(color, 0.0, 1.0);
   color = relevoSetLightness(color, licStretch(relevoLightness(color),

@@ -1,5 +1,4 @@
 // Lightness of the colours with their LIC, for its range.
-uniform sampler2D image;
 uniform sampler2D colors;
 
 vec2 relevoRange(ivec2 texel)

@@ -1,5 +1,7 @@
 // The convolution, of noise that is tiled from the lower left corner, or of an image that covers
 // the viewport.
+uniform sampler2D vectors; // as relevoLICVectorsFS.glsl makes them; zero where nothing is
+uniform ivec2 size;
 uniform sampler2D noise;
 uniform ivec2 noiseSize;
 uniform bool noiseIsTiled;
@@ -13,7 +15,7 @@ uniform float noiseMean;
 // Of the pixels with a vector around p.
 vec2 licField(vec2 p)
 {
-  vec4 vector = texture(vectors, p / vec2(size));
+  vec3 vector = textureLod(vectors, p / vec2(size), 0.0).xyz;
   return vector.z >= 0.5 ? vector.xy / vector.z : vec2(0.0);
 }
 

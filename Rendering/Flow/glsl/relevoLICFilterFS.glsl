@@ -1,9 +1,7 @@
 // One filter of the LIC image.
-uniform sampler2D image;
-uniform sampler2D range;   // least and largest value
+uniform sampler2D range; // least and largest value, of contrast
 uniform vec2 factors;
-uniform ivec2 direction;   // of smoothing
-uniform int which;         // 0 high pass, 1 smoothing, 2 contrast
+uniform ivec2 direction; // of smoothing
 
 float licValue(ivec2 pixel)
 {

@@ -6,7 +6,8 @@ uniform float relevoLICScale;      // such that the longest vector is 1 long
 uniform float relevoLICThreshold;  // vectors at most this long, before the scale, are masked
 uniform int relevoLICMaskOnSurface;
 
-// (direction on the screen, 1 where there is one, 1 + depth where there are streaks or minus that)
+// (direction on the screen, 1 where there is one, mark). The mark is 1 + depth where there are
+// streaks, and minus that where the surface is masked.
 vec4 relevoLICVector()
 {
   // The triangle's where points have none.
