@@ -187,8 +187,7 @@ void CheckRecipe(RelevoCheck& check)
     }
   }
   std::cout << output->GetNumberOfCells() << " triangles, their sides at most " << longest
-            << " pixels long, "
-            << longestInRegion << " in the region\n";
+            << " pixels long, " << longestInRegion << " in the region\n";
   // sqrt(2) by the rule of levels per point, and what the surface bulges.
   CHECK(longest < 10.0 * std::sqrt(2.0) * 1.1);
   CHECK(longestInRegion > 0.0 && longestInRegion < 0.35 / 16);
