@@ -10,10 +10,18 @@ uniform int relevoLICMaskOnSurface;
 // streaks, and minus that where the surface is masked.
 vec4 relevoLICVector()
 {
-  // The triangle's where points have none.
-  vec3 normal = cross(
-    normalize(dFdx(relevoLICPositionVSOutput)), normalize(dFdy(relevoLICPositionVSOutput)));
-  normal = length(relevoLICNormalVSOutput) > 0.0 ? relevoLICNormalVSOutput : normal;
+  // The triangle's where points have none: as exact as positions are for the size of a pixel.
+  vec3 right = dFdx(relevoLICPositionVSOutput);
+  vec3 up = dFdy(relevoLICPositionVSOutput);
+  vec3 normal = cross(normalize(right), normalize(up));
+  float tolerance = 1e-6 * length(relevoLICPositionVSOutput) /
+    max(length(normal) * min(length(right), length(up)), 1e-30);
+  tolerance = clamp(tolerance, 1e-4, 0.05);
+  if (length(relevoLICNormalVSOutput) > 0.0)
+  {
+    normal = relevoLICNormalVSOutput;
+    tolerance = 1e-4;
+  }
   float depth = 1.0 + gl_FragCoord.z;
   vec4 none = vec4(0.0, 0.0, 0.0, -depth);
   float normalLength = length(normal);
@@ -30,7 +38,7 @@ vec4 relevoLICVector()
   vec3 vector = relevoLICDirections * model;
   vec3 tangent = vector - dot(vector, normal) * normal;
   float share = length(tangent) / max(length(vector), 1e-30);
-  if (modelLength > 0.0 && share < 1e-4)
+  if (modelLength > 0.0 && share < tolerance)
   {
     return none; // it stands on the surface
   }
