@@ -20,12 +20,18 @@ struct LICFilters
   {
     return static_cast<vtkIdType>(pixel.y) * this->Plane.Columns + pixel.x;
   }
-  float licValue(ivec2 pixel) const { return this->Values[this->index(pixel)]; }
+  bool isInside(ivec2 pixel) const
+  {
+    return pixel.x >= 0 && pixel.y >= 0 && pixel.x < this->Plane.Columns &&
+      pixel.y < this->Plane.Rows;
+  }
+  float licValue(ivec2 pixel) const
+  {
+    return this->isInside(pixel) ? this->Values[this->index(pixel)] : 0.0f;
+  }
   bool licIsMasked(ivec2 pixel) const
   {
-    const bool inside =
-      pixel.x >= 0 && pixel.y >= 0 && pixel.x < this->Plane.Columns && pixel.y < this->Plane.Rows;
-    return !inside || this->Mask[this->index(pixel)];
+    return !this->isInside(pixel) || this->Mask[this->index(pixel)];
   }
 
 #include "glsl/relevoLICFilters.glsl"

@@ -320,6 +320,9 @@ bool vtkAdaptiveLICMapper::vtkInternals::Draw(
     if (convolve)
     {
       screen.Key.clear();
+      screen.SetBounds(act->GetBounds(),
+        ren->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+          ren->GetTiledAspectRatio(), -1, 1));
       done = this->Image.Convolve(window, this->Framebuffer, screen, noise, this->GetSettings());
       ++this->Root->NumberOfConvolutions;
     }

@@ -182,7 +182,7 @@ bool LICImage::ApplyConvolution(
   program->SetUniformi("oriented", kernel.Oriented);
   program->SetUniformf("phase", kernel.Phase);
   program->SetUniformf("noiseMean", noiseMean);
-  this->ConvolvePass->Draw(work.Framebuffer, this->Spare);
+  this->ConvolvePass->Draw(work.Framebuffer, this->Spare, work.Screen.Rectangle);
   noise->Deactivate();
   work.Screen.Vectors->Deactivate();
   std::swap(work.Screen.Image, this->Spare);
@@ -216,7 +216,7 @@ bool LICImage::ApplyFilter(Work& work, Filter filter, ivec2 direction, vec2 fact
   {
     program->SetUniform2i("direction", &direction.x);
   }
-  pass.Draw(work.Framebuffer, this->Spare);
+  pass.Draw(work.Framebuffer, this->Spare, work.Screen.Rectangle);
   work.Screen.Image->Deactivate();
   if (range)
   {

@@ -8,6 +8,7 @@
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
@@ -41,15 +42,28 @@ void LICPass::Read(vtkShaderProgram* program, const char* sampler, vtkTextureObj
   }
 }
 
-void LICPass::Draw(vtkOpenGLFramebufferObject* framebuffer, vtkTextureObject* target)
+void LICPass::Draw(
+  vtkOpenGLFramebufferObject* framebuffer, vtkTextureObject* target, const int* rectangle)
 {
   framebuffer->AddColorAttachment(0, target);
   framebuffer->ActivateDrawBuffer(0);
   framebuffer->InitializeViewport(
     static_cast<int>(target->GetWidth()), static_cast<int>(target->GetHeight()));
+  vtkOpenGLState* state = framebuffer->GetContext()->GetState();
+  if (rectangle)
+  {
+    state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    state->vtkglClear(GL_COLOR_BUFFER_BIT);
+    state->vtkglEnable(GL_SCISSOR_TEST);
+    state->vtkglScissor(rectangle[0], rectangle[1], rectangle[2], rectangle[3]);
+  }
   this->Triangle->Bind();
   glDrawArrays(GL_TRIANGLES, 0, 3);
   this->Triangle->Release();
+  if (rectangle)
+  {
+    state->vtkglDisable(GL_SCISSOR_TEST);
+  }
 }
 
 void LICPass::ReleaseGraphicsResources()

@@ -36,8 +36,10 @@ public:
   /// Have a sampler of the program read a texture, until End().
   static void Read(vtkShaderProgram* program, const char* sampler, vtkTextureObject* texture);
 
-  /// Run it over the target, which takes the place of the framebuffer's colours.
-  void Draw(vtkOpenGLFramebufferObject* framebuffer, vtkTextureObject* target);
+  /// Run it over the target, which takes the place of the framebuffer's colours, or over a
+  /// rectangle of it, lower left corner and size: the rest of the target is zero then.
+  void Draw(vtkOpenGLFramebufferObject* framebuffer, vtkTextureObject* target,
+    const int* rectangle = nullptr);
 
   void ReleaseGraphicsResources();
 

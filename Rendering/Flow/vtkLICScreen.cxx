@@ -5,12 +5,15 @@
 #include "vtkLICPass.h"
 #include "vtkRelevoOpenGL.h"
 
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace relevo
 {
@@ -47,6 +50,42 @@ bool LICScreen::Allocate(vtkOpenGLRenderWindow* window, bool withColors)
     this->Range = nullptr;
   }
   return this->Vectors && this->Image && this->Depth && (this->Colors || !withColors);
+}
+
+void LICScreen::SetBounds(const double bounds[6], vtkMatrix4x4* project)
+{
+  double low[2] = { 1.0, 1.0 };
+  double high[2] = { -1.0, -1.0 };
+  bool isInFront = vtkMath::AreBoundsInitialized(bounds) != 0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const double world[4] = { bounds[corner & 1], bounds[2 + (corner >> 1 & 1)],
+      bounds[4 + (corner >> 2)], 1.0 };
+    double clip[4];
+    project->MultiplyPoint(world, clip);
+    isInFront = isInFront && clip[3] > 0.0;
+    for (int i = 0; i < 2; ++i)
+    {
+      low[i] = std::min(low[i], clip[i] / clip[3]);
+      high[i] = std::max(high[i], clip[i] / clip[3]);
+    }
+  }
+  for (int i = 0; i < 2; ++i)
+  {
+    const int size = this->Viewport[2 + i];
+    int first = 0;
+    int last = size; // one past it
+    if (isInFront)
+    {
+      // With a pixel on either side for rounding.
+      const auto toPixel = [size](double place)
+      { return 0.5 * (std::min(std::max(place, -1.0), 1.0) + 1.0) * size; };
+      first = std::max(static_cast<int>(std::floor(toPixel(low[i]))) - 1, 0);
+      last = std::min(static_cast<int>(std::ceil(toPixel(high[i]))) + 1, size);
+    }
+    this->Rectangle[i] = first;
+    this->Rectangle[2 + i] = std::max(last - first, 0);
+  }
 }
 
 bool LICScreen::Begin(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer)

@@ -17,6 +17,7 @@
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
 class vtkTextureObject;
+class vtkMatrix4x4;
 class vtkWindow;
 
 namespace relevo
@@ -24,6 +25,7 @@ namespace relevo
 struct LICScreen
 {
   int Viewport[4] = { 0, 0, 0, 0 };          // lower left corner and size, in pixels
+  int Rectangle[4] = { 0, 0, 0, 0 };         // of the viewport: nothing of the surface lies outside
   vtkSmartPointer<vtkTextureObject> Vectors; // as relevoLICVectorsFS.glsl makes them
   vtkSmartPointer<vtkTextureObject> Colors;  // of the surface, where they are asked for
   vtkSmartPointer<vtkTextureObject> Depth;
@@ -36,6 +38,12 @@ struct LICScreen
    * Have textures of the viewport's size. False when there are none to be had.
    */
   bool Allocate(vtkOpenGLRenderWindow* window, bool withColors);
+
+  /**
+   * Find the rectangle of what lies within bounds: `project` takes the world to the viewport, from
+   * -1 to 1.
+   */
+  void SetBounds(const double bounds[6], vtkMatrix4x4* project);
 
   /**
    * Draw to the vectors (and colours) until End(); what is there is forgotten. False when OpenGL
