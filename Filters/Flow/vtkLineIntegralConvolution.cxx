@@ -14,6 +14,7 @@
 #include "vtkLICPlane.h"
 #include "vtkLICVectors.h"
 #include "vtkNew.h"
+#include "vtkNoiseTexels.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkRelevoCompatibility.h"
@@ -22,7 +23,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <sstream>
 
 namespace
@@ -46,64 +46,19 @@ vtkDataArray* FindDefaultVectors(vtkImageData* image)
   return CanBeVectors(found, numberOfPoints) ? found : nullptr;
 }
 
-// What makes [0, 1] of an array's values.
-double GetNoiseScale(vtkDataArray* array)
-{
-  switch (array->GetDataType())
-  {
-    case VTK_UNSIGNED_CHAR:
-      return 1.0 / VTK_UNSIGNED_CHAR_MAX;
-    case VTK_UNSIGNED_SHORT:
-      return 1.0 / VTK_UNSIGNED_SHORT_MAX;
-    default:
-      return 1.0;
-  }
-}
-
-// The first component of an image's scalars, in [0, 1].
-bool ReadNoise(
-  vtkImageData* image, relevo::LICPlane& plane, std::vector<float>& noise, std::string& error)
-{
-  if (!plane.Find(image, error))
-  {
-    return false;
-  }
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  if (!scalars || scalars->GetNumberOfTuples() != plane.GetNumberOfSamples())
-  {
-    error = "has no point scalars";
-    return false;
-  }
-  const double scale = GetNoiseScale(scalars);
-  noise.resize(plane.GetNumberOfSamples());
-  for (vtkIdType i = 0; i < plane.GetNumberOfSamples(); ++i)
-  {
-    const double value = scale * scalars->GetComponent(i, 0);
-    if (!(value >= 0.0 && value <= 1.0))
-    {
-      std::ostringstream text;
-      text << "has the value " << value << " outside [0, 1] at point " << i;
-      error = text.str();
-      return false;
-    }
-    noise[i] = static_cast<float>(value);
-  }
-  return true;
-}
-
 // Repeats a tile over all samples of a plane.
-std::vector<float> Tile(
-  const std::vector<float>& tile, const relevo::LICPlane& tilePlane, const relevo::LICPlane& plane)
+std::vector<float> Tile(const relevo::NoiseTexels& tile, const relevo::LICPlane& plane)
 {
   std::vector<float> tiled(plane.GetNumberOfSamples());
   float* value = tiled.data();
   for (int row = 0; row < plane.Rows; ++row)
   {
+    const int columns = tile.Plane.Columns;
     const float* source =
-      tile.data() + static_cast<vtkIdType>(row % tilePlane.Rows) * tilePlane.Columns;
+      tile.Values.data() + static_cast<vtkIdType>(row % tile.Plane.Rows) * columns;
     for (int column = 0; column < plane.Columns; ++column)
     {
-      *value++ = source[column % tilePlane.Columns];
+      *value++ = source[column % columns];
     }
   }
   return tiled;
@@ -238,14 +193,13 @@ bool vtkLineIntegralConvolution::MakeNoise(vtkInformationVector* noiseVector,
     source->Update();
     image = source->GetOutput();
   }
-  relevo::LICPlane tilePlane;
-  std::vector<float> tile;
-  if (!ReadNoise(image, tilePlane, tile, error))
+  relevo::NoiseTexels tile;
+  if (!tile.Read(image, error))
   {
     return false;
   }
-  noise = Tile(tile, tilePlane, plane);
-  mean = static_cast<float>(std::accumulate(tile.begin(), tile.end(), 0.0) / tile.size());
+  noise = Tile(tile, plane);
+  mean = tile.GetMean();
   return true;
 }
 

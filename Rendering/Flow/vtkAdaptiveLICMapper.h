@@ -265,9 +265,9 @@ public:
 
   //@{
   /**
-   * An image to take for noise, tiled from the viewport's lower left corner: one slice, its active
-   * scalars' first component, in [0, 1] (unsigned char: [0, 255]). nullptr, the default, for
-   * generated noise.
+   * An image to take for noise, tiled from the viewport's lower left corner: flat, of the first
+   * component of its active scalars, in [0, 1] (unsigned char and unsigned short: shares of the
+   * largest). nullptr, the default, for generated noise.
    */
   void SetNoiseDataSet(vtkImageData* image);
   vtkImageData* GetNoiseDataSet();

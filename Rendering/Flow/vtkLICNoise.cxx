@@ -4,20 +4,16 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
-#include "vtkDataArray.h"
 #include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkImageReader2.h"
 #include "vtkImageReader2Factory.h"
 #include "vtkLICNoiseSource.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPointData.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
-#include <numeric>
 
 namespace relevo
 {
@@ -63,13 +59,13 @@ bool LICNoise::Update()
   if (this->UpdateTime < this->GetMTime())
   {
     this->Error.clear();
-    this->Texels.clear();
+    this->Texels.Values.clear();
     const bool made = this->Image ? this->TakeImage(this->Image, "The noise image")
       : !this->FileName.empty()   ? this->ReadFile()
                                   : this->Generate();
     if (!made)
     {
-      this->Texels.clear();
+      this->Texels.Values.clear();
     }
     this->UpdateTime = this->GetMTime();
   }
@@ -78,28 +74,11 @@ bool LICNoise::Update()
 
 bool LICNoise::TakeImage(vtkImageData* image, const std::string& what)
 {
-  int dimensions[3];
-  image->GetDimensions(dimensions);
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  if (!scalars || dimensions[2] != 1 || scalars->GetNumberOfTuples() == 0)
+  std::string error;
+  if (!this->Texels.Read(image, error))
   {
-    this->Error = what + " has to have point scalars and one slice.";
+    this->Error = what + " " + error + ".";
     return false;
-  }
-  const double unit = scalars->GetDataType() == VTK_UNSIGNED_CHAR ? 1.0 / 255.0
-    : scalars->GetDataType() == VTK_UNSIGNED_SHORT                ? 1.0 / 65535.0
-                                                                  : 1.0;
-  std::copy_n(dimensions, 2, this->Dimensions);
-  this->Texels.resize(static_cast<size_t>(scalars->GetNumberOfTuples()));
-  for (size_t i = 0; i < this->Texels.size(); ++i)
-  {
-    const double value = unit * scalars->GetComponent(static_cast<vtkIdType>(i), 0);
-    if (!std::isfinite(value))
-    {
-      this->Error = what + " has values that are not finite.";
-      return false;
-    }
-    this->Texels[i] = static_cast<float>(std::min(std::max(value, 0.0), 1.0));
   }
   return true;
 }
@@ -142,12 +121,6 @@ bool LICNoise::Generate()
   return this->TakeImage(source->GetOutput(), "The generated noise");
 }
 
-float LICNoise::GetMean() const
-{
-  const double sum = std::accumulate(this->Texels.begin(), this->Texels.end(), 0.0);
-  return this->Texels.empty() ? 0.0f : static_cast<float>(sum / this->Texels.size());
-}
-
 vtkTextureObject* LICNoise::GetTexture(vtkOpenGLRenderWindow* window)
 {
   if (!this->Texture || this->TextureTime != this->UpdateTime ||
@@ -160,8 +133,9 @@ vtkTextureObject* LICNoise::GetTexture(vtkOpenGLRenderWindow* window)
     this->Texture->SetWrapS(vtkTextureObject::Repeat);
     this->Texture->SetWrapT(vtkTextureObject::Repeat);
     this->TextureTime = this->UpdateTime;
-    if (!this->Texture->Create2DFromRaw(static_cast<unsigned int>(this->Dimensions[0]),
-          static_cast<unsigned int>(this->Dimensions[1]), 1, VTK_FLOAT, this->Texels.data()))
+    if (!this->Texture->Create2DFromRaw(static_cast<unsigned int>(this->Texels.Plane.Columns),
+          static_cast<unsigned int>(this->Texels.Plane.Rows), 1, VTK_FLOAT,
+          this->Texels.Values.data()))
     {
       this->Texture = nullptr;
     }
@@ -180,6 +154,6 @@ void LICNoise::ReleaseGraphicsResources(vtkWindow* window)
 
 vtkTypeInt64 LICNoise::GetMemorySize() const
 {
-  return this->Texture ? static_cast<vtkTypeInt64>(this->Texels.size() * sizeof(float)) : 0;
+  return this->Texture ? static_cast<vtkTypeInt64>(this->Texels.Values.size() * sizeof(float)) : 0;
 }
 }

@@ -10,12 +10,12 @@
 #define vtkLICNoise_h
 
 #include "vtkNew.h"
+#include "vtkNoiseTexels.h"
 #include "vtkSmartPointer.h"
 #include "vtkTimeStamp.h"
 #include "vtkType.h"
 
 #include <string> // for the file's name
-#include <vector> // for texels
 
 class vtkImageData;
 class vtkLICNoiseSource;
@@ -49,7 +49,7 @@ public:
   const std::string& GetError() const { return this->Error; }
 
   /// Of the noise, after Update().
-  float GetMean() const;
+  float GetMean() const { return this->Texels.GetMean(); }
 
   /// The noise as a texture of one float; nullptr if it cannot be made.
   vtkTextureObject* GetTexture(vtkOpenGLRenderWindow* window);
@@ -64,8 +64,7 @@ private:
   vtkTimeStamp Time;
   vtkMTimeType UpdateTime = 0;
   std::string Error;
-  int Dimensions[2] = { 0, 0 };
-  std::vector<float> Texels;
+  NoiseTexels Texels;
   vtkSmartPointer<vtkTextureObject> Texture;
   vtkMTimeType TextureTime = 0;
 };
