@@ -39,8 +39,6 @@ namespace
 {
 constexpr int MostSteps = 100000;
 constexpr int LargestTexture = 16384;
-// Of the grain.
-constexpr double AutomaticStep = 0.5;
 
 double FindMeanEdge(const relevo::SurfaceVectors& vectors)
 {
@@ -225,7 +223,7 @@ bool vtkSurfaceLineIntegralConvolution::Run(
   const double grainSize = this->GrainSize > 0.0 ? this->GrainSize : FindMeanEdge(vectors);
   const double unit = this->NormalizeVectors ? 1.0 : vectors.GetLongest();
   const relevo::LICKernel kernel{ this->NumberOfSteps,
-    static_cast<float>(this->StepSize > 0.0 ? this->StepSize * unit : AutomaticStep * grainSize),
+    static_cast<float>(this->StepSize > 0.0 ? this->StepSize * unit : grainSize),
     this->NormalizeVectors, this->OrientedLIC,
     static_cast<float>(this->Phase - std::floor(this->Phase)) };
   const relevo::SolidNoise noise(grainSize, this->NoiseGeneratorSeed);

@@ -99,8 +99,8 @@ public:
   //@{
   /**
    * Length of a step, in units of the points' coordinates; without NormalizeVectors, times the
-   * length of the vector. 0, the default, is automatic: half a grain, without NormalizeVectors for
-   * the longest vector.
+   * length of the vector. 0, the default, is automatic: a grain, without NormalizeVectors for the
+   * longest vector.
    */
   vtkSetMacro(StepSize, double);
   vtkGetMacro(StepSize, double);

@@ -125,10 +125,10 @@ void CheckUniform(RelevoCheck& check)
     CHECK(spread > 0.1);
   };
   const auto box = [](int) { return 1.0; };
-  // Automatic: half a grain.
-  expect(0.5 * Grain, 20, box, plane.Mesh);
+  // Automatic: a grain.
+  expect(Grain, 20, box, plane.Mesh);
   filter->NormalizeVectorsOff();
-  expect(0.5 * Grain, 20, box, plane.Mesh);
+  expect(Grain, 20, box, plane.Mesh);
   filter->SetStepSize(0.01);
   expect(0.01 * plane.Speed, 20, box, plane.Mesh);
   filter->NormalizeVectorsOn();

@@ -81,7 +81,8 @@ void CheckNoData(RelevoCheck& check)
       const double* p = mesh->GetPoint(point);
       if (p[0] * p[0] + p[1] * p[1] >= 0.04)
       {
-        vectors->SetTuple3(point, p[1] > 0 && mesh == changed ? 0.5 : 0.0, 1, 0);
+        const bool bends = p[1] > 0 && mesh == changed;
+        vectors->SetTuple3(point, bends ? 1 : 0, bends ? 0 : 1, 0); // equally long
       }
     }
   }
