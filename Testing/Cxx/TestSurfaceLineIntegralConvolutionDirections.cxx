@@ -28,11 +28,14 @@ vtkSmartPointer<vtkActor> MakeGreyActor(vtkAlgorithmOutput* port)
   return actor;
 }
 
-void TestSurface(
-  RelevoCheck& check, const std::string& name, vtkPolyData* mesh, const RelevoSurfaceField& normal)
+// Every other field, from the first or the second on.
+void TestSurface(RelevoCheck& check, const std::string& name, vtkPolyData* mesh,
+  const RelevoSurfaceField& normal, std::size_t first)
 {
-  for (const RelevoNamedSurfaceField& named : MakeSurfaceFields(normal))
+  const std::vector<RelevoNamedSurfaceField> fields = MakeSurfaceFields(normal);
+  for (std::size_t i = first; i < fields.size(); i += 2)
   {
+    const RelevoNamedSurfaceField& named = fields[i];
     vtkNew<vtkSurfaceLineIntegralConvolution> filter;
     filter->SetInputData(WithField(mesh, named.Field));
     filter->SetGrainSize(0.02);
@@ -64,7 +67,8 @@ int TestSurfaceLineIntegralConvolutionDirections(int, char*[])
   RelevoCheck check;
   const double nowhere[3] = { 0.0, 0.0, 0.0 };
   TestSurface(check, "sphere",
-    RelevoMeshes::Moved(RelevoMeshes::Sphere(360, 180), 2.0, nowhere, VTK_DOUBLE), NormalOfSphere);
-  TestSurface(check, "torus", RelevoMeshes::Torus(400, 200), NormalOfTorus);
+    RelevoMeshes::Moved(RelevoMeshes::Sphere(360, 180), 2.0, nowhere, VTK_DOUBLE), NormalOfSphere,
+    1);
+  TestSurface(check, "torus", RelevoMeshes::Torus(400, 200), NormalOfTorus, 0);
   return check.GetResult();
 }

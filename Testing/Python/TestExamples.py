@@ -170,6 +170,26 @@ class TestExamples(unittest.TestCase):
             self.assertEqual(run.returncode, 1)
             self.assertIn("inflections", run.stderr)
 
+    def test_object_space(self):
+        with tempfile.TemporaryDirectory() as name:
+            run = self.run_example("objectspace.py", name, "out.png")
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+            coarse, fine, zoomed = map(int, re.findall(r"\d+(?= triangles,| by| with)", run.stdout))
+            self.assertEqual(coarse, 2688)
+            self.assertLess(2 * coarse, fine)
+            self.assertLess(fine, zoomed)
+            sizes = set()
+            for path in (
+                pathlib.Path(name) / "out.png",
+                SOURCE / "Examples/Python/objectspace.png",
+            ):
+                reader = vtkPNGReader()
+                reader.SetFileName(str(path))
+                reader.Update()
+                sizes.add(reader.GetOutput().GetDimensions())
+            self.assertEqual(sizes, {(1080, 600, 1)})
+            self.assertIn("Examples/Python/objectspace.png", (SOURCE / "README.md").read_text())
+
     def test_wind(self):
         """Around a cone that rises through the lid."""
         with tempfile.TemporaryDirectory() as name:
