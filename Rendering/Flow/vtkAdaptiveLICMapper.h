@@ -27,9 +27,13 @@
  * or the settings change; GetNumberOfConvolutions() counts. It costs memory for the viewport: about
  * 36 bytes a pixel, see GetGraphicsMemorySize().
  *
+ * What suits colours that mean something: SetColorModeToMultiply(), SetEnhanceContrastToLIC() and
+ * SetMapModeBias(0.3).
+ *
  * Needs textures of floating point numbers that can be drawn to (OpenGL 3.0). Errors (ErrorEvent of
  * this object; the surface is drawn without streaks): no vectors, another number of components,
- * settings out of range, noise that cannot be made or read, an older OpenGL.
+ * nothing but no-data, noise that cannot be made or read, an older OpenGL. A setting out of its
+ * range is an error and changes nothing.
  *
  * @sa vtkLineIntegralConvolution vtkSurfaceLineIntegralConvolution vtkFieldVariationDepthTagMetric
  */
@@ -93,7 +97,9 @@ public:
 
   //@{
   /**
-   * Whether the result, with its edges sharpened, is convolved once more; on by default.
+   * Whether the result, with its edges sharpened, is convolved once more, with half as many steps;
+   * on by default (Okada and Kao, Enhanced Line Integral Convolution with Flow Feature Detection,
+   * 1997).
    */
   void SetEnhancedLIC(int enhanced);
   vtkGetMacro(EnhancedLIC, int);
@@ -103,8 +109,11 @@ public:
   //@{
   /**
    * Whether streaks tell the direction too, off by default: weights fall off upstream, so what
-   * flows from a dot fades out towards its tail. Best with sparse noise
-   * (SetImpulseNoiseProbability()) and without EnhancedLIC.
+   * flows from a dot fades out towards its tail (Wegenkittl, Groeller and Purgathofer, Animating
+   * Flow Fields: Rendering of Oriented Line Integral Convolution, 1997). Best without EnhancedLIC
+   * and with sparse noise: SetNoiseType(NOISE_TYPE_UNIFORM), SetImpulseNoiseProbability(0.02),
+   * SetNoiseGrainSize(3), and either light dots (SetMinNoiseValue(0.9)) or dark ones
+   * (SetMaxNoiseValue(0.02), SetImpulseNoiseBackgroundValue(1)).
    */
   void SetOrientedLIC(int oriented);
   vtkGetMacro(OrientedLIC, int);
@@ -291,8 +300,13 @@ public:
 
   //@{
   /**
-   * The noise that is generated; see vtkLICNoiseSource, whose defaults these are.
-   * GenerateNoiseTexture off: always that of the defaults; it is on by default.
+   * The noise that is generated, by vtkLICNoiseSource; there are the ranges. GenerateNoiseTexture
+   * off: always that of the defaults; it is on by default. NoiseType: NOISE_TYPE_UNIFORM (0),
+   * _GAUSSIAN (1, the default) or _PERLIN (2). NoiseTextureSize: pixels a side of what is tiled,
+   * default 200. NoiseGrainSize: pixels a side of one value, default 1. MinNoiseValue and
+   * MaxNoiseValue: in [0, 1], default 0 and 0.8. NumberOfNoiseLevels: of different values, default
+   * 256. ImpulseNoiseProbability: the share of grains that have noise, default 1; the others have
+   * ImpulseNoiseBackgroundValue, default 0. NoiseGeneratorSeed: default 1.
    */
   void SetGenerateNoiseTexture(int generate);
   vtkGetMacro(GenerateNoiseTexture, int);
@@ -319,6 +333,7 @@ public:
 
   /**
    * How often noise has been convolved since the mapper was made, for all renderers and actors.
+   * Several cameras, as vtkWindowToImageFilter makes copies, are several views.
    */
   vtkGetMacro(NumberOfConvolutions, vtkIdType);
 
