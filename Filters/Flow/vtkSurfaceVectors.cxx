@@ -128,26 +128,6 @@ void SurfaceVectors::FindNeighbors()
   }
 }
 
-SurfaceVectors::Weights SurfaceVectors::GetRates(int triangle, const Weights& weights) const
-{
-  const Facet& facet = this->Facets[triangle];
-  double rates[2] = { 0.0, 0.0 };
-  for (int corner = 0; corner < 3; ++corner)
-  {
-    rates[0] += weights[corner] * facet.Rates[corner][0];
-    rates[1] += weights[corner] * facet.Rates[corner][1];
-  }
-  return { -rates[0] - rates[1], rates[0], rates[1] };
-}
-
-double SurfaceVectors::GetLength(int triangle, const Weights& rates) const
-{
-  const double* metric = this->Facets[triangle].Metric;
-  const double squared = rates[1] * rates[1] * metric[0] + 2.0 * rates[1] * rates[2] * metric[1] +
-    rates[2] * rates[2] * metric[2];
-  return std::sqrt(std::max(squared, 0.0));
-}
-
 SurfaceVectors::Vector SurfaceVectors::GetPosition(int triangle, const Weights& weights) const
 {
   Vector position{};
