@@ -142,7 +142,7 @@ void CheckRecipe(RelevoCheck& check)
   vtkNew<vtkScreenEdgeDepthTagMetric> screen;
   metric->AddMetric(screen);
   vtkNew<vtkPNTriangleSurface> surface;
-  auto recipe = RelevoMeshes::MakeRecipe(4, surface);
+  auto recipe = RelevoMeshes::MakeRecipe(MaximumLevel, surface);
   recipe->SetMetric(metric);
   recipe->GeomorphingOff(); // segments of the same length
   vtkNew<vtkCamera> camera;
@@ -190,7 +190,7 @@ void CheckRecipe(RelevoCheck& check)
             << " pixels long, " << longestInRegion << " in the region\n";
   // sqrt(2) by the rule of levels per point, and what the surface bulges.
   CHECK(longest < 10.0 * std::sqrt(2.0) * 1.1);
-  CHECK(longestInRegion > 0.0 && longestInRegion < 0.35 / 16);
+  CHECK(longestInRegion > 0.0 && longestInRegion < 0.35 / 8);
 }
 }
 
