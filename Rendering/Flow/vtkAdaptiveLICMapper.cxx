@@ -18,11 +18,14 @@
 #include "vtkDisplacement.h"
 #include "vtkFloatArray.h"
 #include "vtkHeightField.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkMath.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLCellToVTKCellMap.h"
+#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexBufferObject.h"
@@ -62,6 +65,52 @@ void SubstituteIn(vtkShader* shader, const std::string& tag, const std::string& 
   vtkShaderProgram::Substitute(source, tag, text, false);
   shader->SetSource(source);
 }
+
+// Where what is drawn starts in the renderer's viewport, in pixels: not at its corner where a
+// window draws a picture larger than itself in parts, as for vtkWindowToImageFilter.
+void FindPartOrigin(vtkRenderer* ren, int origin[2])
+{
+  vtkRenderWindow* window = ren->GetRenderWindow();
+  const int* size = window->GetSize(); // of the whole picture
+  for (int i = 0; i < 2; ++i)
+  {
+    const double first = std::max(0.0, window->GetTileViewport()[i] - ren->GetViewport()[i]);
+    origin[i] = static_cast<int>(std::lround(first * size[i]));
+  }
+}
+
+// Takes the render passes from an actor as long as it lives. They are about what is seen, and some
+// set draw buffers of their own whenever the actor is drawn.
+class WithoutRenderPasses
+{
+public:
+  explicit WithoutRenderPasses(vtkActor* actor)
+    : Keys(actor->GetPropertyKeys())
+  {
+    vtkInformationObjectBaseVectorKey* key = vtkOpenGLRenderPass::RenderPasses();
+    for (int i = 0; this->Keys && i < key->Length(this->Keys); ++i)
+    {
+      this->Passes.emplace_back(key->Get(this->Keys, i));
+    }
+    if (!this->Passes.empty())
+    {
+      this->Keys->Remove(key);
+    }
+  }
+  ~WithoutRenderPasses()
+  {
+    for (vtkObjectBase* pass : this->Passes)
+    {
+      vtkOpenGLRenderPass::RenderPasses()->Append(this->Keys, pass);
+    }
+  }
+  WithoutRenderPasses(const WithoutRenderPasses&) = delete;
+  void operator=(const WithoutRenderPasses&) = delete;
+
+private:
+  vtkInformation* Keys;
+  std::vector<vtkSmartPointer<vtkObjectBase>> Passes;
+};
 
 // OpenGL's matrices are stored by columns.
 void SetMatrix(vtkShaderProgram* program, const char* name, vtkMatrix4x4* matrix)
@@ -206,6 +255,7 @@ std::vector<double> vtkAdaptiveLICMapper::vtkInternals::MakeKey(
   vtkRenderer* ren, vtkActor* act, const relevo::LICScreen& screen)
 {
   std::vector<double> key(screen.Viewport + 2, screen.Viewport + 4);
+  key.insert(key.end(), screen.PartOrigin, screen.PartOrigin + 2);
   vtkCamera* camera = ren->GetActiveCamera();
   for (vtkMatrix4x4* matrix :
     { camera->GetModelViewTransformMatrix(),
@@ -270,6 +320,7 @@ bool vtkAdaptiveLICMapper::vtkInternals::Prepare(vtkRenderer* ren, vtkActor* act
     {
       return false;
     }
+    FindPartOrigin(ren, screen.PartOrigin);
     const bool allocated = screen.Allocate(window, this->StretchesColors());
     const bool convolve = allocated && screen.Key != this->MakeKey(ren, act, screen);
     if (allocated &&
@@ -314,7 +365,10 @@ bool vtkAdaptiveLICMapper::vtkInternals::Draw(
   if (done)
   {
     this->IsDrawingVectors = true;
-    this->Root->Superclass::RenderRefined(ren, act);
+    {
+      WithoutRenderPasses plain(act);
+      this->Root->Superclass::RenderRefined(ren, act);
+    }
     this->IsDrawingVectors = false;
     screen.End(window, this->Framebuffer);
     if (convolve)
@@ -514,24 +568,18 @@ void vtkAdaptiveLICMapper::ReplaceShaderValues(
   else if (this->IsFaceHelper(this->LastBoundBO) && root.Screen && !this->DrawingVertices)
   {
     SubstituteIn(
-      fragment, place, "gl_FragData[0].rgb = relevoLICFragment(gl_FragData[0].rgb);\n  " + place);
+      fragment, place, "gl_FragData[0].rgb = RELEVO_LIC(gl_FragData[0].rgb);\n  " + place);
     functions = std::string(root.StretchesColors() ? "#define RELEVO_LIC_STRETCH\n" : "") +
       relevoLICStretch + relevoLICColor + relevoLICApplyFS;
   }
   this->Superclass::ReplaceShaderValues(shaders, ren, act);
   if (!functions.empty())
   {
+    // VTK has mixed the edges that it shows into the colour by then, by `emix`.
+    functions += fragment->GetSource().find("float emix") == std::string::npos
+      ? "#define RELEVO_LIC(color) relevoLICFragment(color)\n"
+      : "#define RELEVO_LIC(color) mix(relevoLICFragment(color), color, emix)\n";
     InsertBeforeMain(fragment, functions); // behind the varyings
-  }
-}
-
-void vtkAdaptiveLICMapper::ReplaceShaderRenderPass(
-  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act, bool prePass)
-{
-  // Passes are about what is seen: layers to peel, edges to find.
-  if (this->LastBoundBO != this->LIC->Vectors)
-  {
-    this->Superclass::ReplaceShaderRenderPass(shaders, ren, act, prePass);
   }
 }
 

@@ -21,7 +21,9 @@
  * The streaks are combined with the colours that the surface has otherwise, lit: a white actor
  * without lighting and LICIntensity 1 shows the grey LIC itself. Opacity, depth peeling, clipping
  * planes, textures, representations and picking are those of any other mapper. Where several layers
- * show through each other, the one in front has streaks. Wireframes and points have none.
+ * show through each other, the one in front has streaks. Wireframes and points have none;
+ * edges are drawn over streaks. In a picture that a window draws in parts (vtkWindowToImageFilter with
+ * a scale) the noise goes on from part to part, but streamlines end at their borders.
  *
  * The convolution is kept until the camera, the viewport, the actor's place, the input, the recipe
  * or the settings change; GetNumberOfConvolutions() counts. It costs memory for the viewport: about
@@ -358,8 +360,6 @@ protected:
     const vtkOpenGLHelper* cellBO, relevo::RefinementShaderOptions& options) override;
   void ReplaceShaderValues(
     std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act) override;
-  void ReplaceShaderRenderPass(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren,
-    vtkActor* act, bool prePass) override;
   void SetMapperShaderParameters(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;
 
   int Enable = 1;

@@ -176,6 +176,7 @@ bool LICImage::ApplyConvolution(
   SetSize(program, "noiseSize", static_cast<int>(noise->GetWidth()),
     static_cast<int>(noise->GetHeight()));
   program->SetUniformi("noiseIsTiled", isTiled);
+  program->SetUniform2i("noiseOrigin", work.Screen.PartOrigin);
   program->SetUniformi("steps", kernel.Steps);
   program->SetUniformf("stepSize", kernel.StepSize);
   program->SetUniformi("normalized", kernel.Normalized);

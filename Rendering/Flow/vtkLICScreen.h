@@ -26,6 +26,7 @@ struct LICScreen
 {
   int Viewport[4] = { 0, 0, 0, 0 };          // lower left corner and size, in pixels
   int Rectangle[4] = { 0, 0, 0, 0 };         // of the viewport: nothing of the surface lies outside
+  int PartOrigin[2] = { 0, 0 };              // in a picture that is drawn in parts, in pixels
   vtkSmartPointer<vtkTextureObject> Vectors; // as relevoLICVectorsFS.glsl makes them
   vtkSmartPointer<vtkTextureObject> Colors;  // of the surface, where they are asked for
   vtkSmartPointer<vtkTextureObject> Depth;

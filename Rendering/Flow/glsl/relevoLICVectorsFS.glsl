@@ -37,16 +37,17 @@ vec4 relevoLICVector()
 
   vec3 vector = relevoLICDirections * model;
   vec3 tangent = vector - dot(vector, normal) * normal;
-  float share = length(tangent) / max(length(vector), 1e-30);
+  float tangentLength = length(tangent);
+  float share = tangentLength / max(length(vector), 1e-30);
   if (modelLength > 0.0 && share < tolerance)
   {
     return none; // it stands on the surface
   }
 
-  // The derivative of the projection along the vector.
+  // The direction of the derivative of the projection along the vector, without large numbers.
   vec4 clip = relevoLICProjection * vec4(relevoLICPositionVSOutput, 1.0);
-  vec4 velocity = relevoLICProjection * vec4(tangent, 0.0);
-  vec2 screen = (velocity.xy * clip.w - clip.xy * velocity.w) * relevoLICSize;
+  vec4 velocity = relevoLICProjection * vec4(tangent / max(tangentLength, 1e-30), 0.0);
+  vec2 screen = (velocity.xy - clip.xy / clip.w * velocity.w) * relevoLICSize;
   float speed = length(screen);
   bool moves = speed > 0.0 && modelLength > 0.0;
   screen = moves ? screen / speed * length(tangent.xy) : vec2(0.0);
