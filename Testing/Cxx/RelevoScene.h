@@ -327,6 +327,8 @@ public:
     }
   }
 
+  bool Fail(const std::string& text) { return this->Check.Fail(__FILE__, __LINE__, text); }
+
   // To write into.
   const std::string& GetFolder() const { return this->Folder; }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How vtkAdaptiveLICMapper combines its LIC with the colours of the surface: against the formulae,
 // from pictures of the LIC alone and of the colours alone.
-#include "RelevoLICVectors.h"
+#include "RelevoLICView.h"
 #include "RelevoTestMeshes.h"
 
 #include "vtkCellData.h"
@@ -14,8 +14,7 @@
 namespace
 {
 using namespace RelevoMeshes;
-using Color = std::array<double, 3>;
-using Formula = std::function<Color(const Color& color, double lic)>;
+using Color = RelevoLICView::Color;
 
 Mesh Colored()
 {
@@ -33,86 +32,14 @@ Mesh Colored()
   return mesh;
 }
 
-// A torus; colours and light are turned off to see the LIC alone.
-struct View
+RelevoLICView MakeView(vtkPolyData* mesh)
 {
-  RelevoScene Scene{ RelevoScene::Refining };
-  vtkActor* Actor;
-  vtkAdaptiveLICMapper* Mapper;
-
-  explicit View(vtkPolyData* mesh)
-  {
-    this->Actor = this->Scene.Add(mesh, MakeRecipe(2));
-    this->Mapper = RelevoLICVectors::GetMapper(this->Actor);
-    this->Mapper->SetScalarRange(0, 10);
-    this->Scene.Window->SetSize(200, 150);
-    this->Scene.ResetCameras();
-  }
-
-  RelevoPicture Draw()
-  {
-    this->Scene.Render();
-    return RelevoPicture(this->Scene.Window);
-  }
-
-  RelevoPicture DrawColors()
-  {
-    this->Mapper->EnableOff();
-    RelevoPicture picture = this->Draw();
-    this->Mapper->EnableOn();
-    return picture;
-  }
-
-  // Red where it is masked.
-  RelevoPicture DrawLIC()
-  {
-    const double intensity = this->Mapper->GetLICIntensity();
-    const double maskIntensity = this->Mapper->GetMaskIntensity();
-    const int mode = this->Mapper->GetColorMode();
-    const int contrast = this->Mapper->GetEnhanceContrast();
-    const Color maskColor{ { this->Mapper->GetMaskColor()[0], this->Mapper->GetMaskColor()[1],
-      this->Mapper->GetMaskColor()[2] } };
-    this->Mapper->ScalarVisibilityOff();
-    this->Mapper->SetLICIntensity(1.0);
-    this->Mapper->SetMaskIntensity(1.0);
-    this->Mapper->SetMaskColor(1, 0, 0);
-    this->Mapper->SetColorModeToBlend();
-    if (contrast == vtkAdaptiveLICMapper::ENHANCE_CONTRAST_COLOR)
-    {
-      this->Mapper->SetEnhanceContrastToOff();
-    }
-    this->Actor->GetProperty()->LightingOff();
-    RelevoPicture picture = this->Draw();
-    this->Mapper->ScalarVisibilityOn();
-    this->Mapper->SetLICIntensity(intensity);
-    this->Mapper->SetMaskIntensity(maskIntensity);
-    this->Mapper->SetMaskColor(maskColor.data());
-    this->Mapper->SetColorMode(mode);
-    this->Mapper->SetEnhanceContrast(contrast);
-    this->Actor->GetProperty()->LightingOn();
-    return picture;
-  }
-};
-
-Color At(const RelevoPicture& picture, size_t pixel)
-{
-  return { { picture.Colors[3 * pixel] / 255.0, picture.Colors[3 * pixel + 1] / 255.0,
-    picture.Colors[3 * pixel + 2] / 255.0 } };
-}
-
-bool IsMasked(const Color& lic)
-{
-  return lic[0] != lic[1];
-}
-
-Color Mix(const Color& a, const Color& b, double share)
-{
-  Color result;
-  for (int i = 0; i < 3; ++i)
-  {
-    result[i] = a[i] * (1.0 - share) + b[i] * share;
-  }
-  return result;
+  RelevoLICView view;
+  view.Scene->Window->SetSize(200, 150);
+  view.Add(mesh, MakeRecipe(2));
+  view.Mapper->SetScalarRange(0, 10);
+  view.Scene->ResetCameras();
+  return view;
 }
 
 double Lightness(const Color& c)
@@ -151,53 +78,25 @@ int TestAdaptiveLICMapperColors(int argc, char* argv[])
 {
   RelevoCheck check;
   RelevoComparison comparison(check, argc, argv);
-  RelevoScene::NewMapper = RelevoLICVectors::NewVisible;
 
-  // Draw the view, and compare with what the formulae make of LIC and colours.
-  auto compare = [&](const std::string& name, View& view, int tolerance, const Formula& formula,
-                   const Formula& ofMasked = nullptr)
-  {
-    const RelevoPicture colors = view.DrawColors();
-    const RelevoPicture lic = view.DrawLIC();
-    const RelevoPicture actual = view.Draw();
-    RelevoPicture expected = colors;
-    size_t masked = 0;
-    size_t shown = 0;
-    for (size_t i = 0; i < colors.GetNumberOfPixels(); ++i)
-    {
-      if (colors.Depths[i] < 1.0f)
-      {
-        const Color grey = At(lic, i);
-        const Color color = At(colors, i);
-        const Color result = !IsMasked(grey) ? formula(color, grey[0])
-          : ofMasked                         ? ofMasked(color, 0.0)
-                                             : color;
-        ++(IsMasked(grey) ? masked : shown);
-        for (int c = 0; c < 3; ++c)
-        {
-          expected.Colors[3 * i + c] = static_cast<unsigned char>(
-            std::lround(255.0 * vtkMath::ClampValue(result[c], 0.0, 1.0)));
-        }
-      }
-    }
-    if (shown < 2000 || (ofMasked && masked < 1000))
-    {
-      check.Fail(__FILE__, __LINE__, name + ": too little to see");
-    }
-    comparison.Compare("LICColors." + name, { tolerance, 0.0, 0 }, actual, expected);
+  auto compare = [&](const std::string& name, RelevoLICView& view, int tolerance,
+                   const RelevoLICView::Formula& formula,
+                   const RelevoLICView::Formula& ofMasked = nullptr) {
+    view.Compare(comparison, "LICColors." + name, { tolerance, 0.0, 0 }, formula, ofMasked);
   };
 
   {
-    View view(Colored());
+    RelevoLICView view = MakeView(Colored());
     const RelevoPicture lic = view.DrawLIC();
     size_t grey = 0;
     std::array<double, 2> range{ { 1.0, 0.0 } };
     for (size_t i = 0; i < lic.GetNumberOfPixels(); ++i)
     {
-      if (lic.Depths[i] < 1.0f && !IsMasked(At(lic, i)))
+      if (lic.Depths[i] < 1.0f && !RelevoLICView::IsMasked(RelevoLICView::At(lic, i)))
       {
         ++grey;
-        range = { { std::min(range[0], At(lic, i)[0]), std::max(range[1], At(lic, i)[0]) } };
+        range = { { std::min(range[0], RelevoLICView::At(lic, i)[0]),
+          std::max(range[1], RelevoLICView::At(lic, i)[0]) } };
       }
     }
     CHECK(grey > 5000);
@@ -208,7 +107,7 @@ int TestAdaptiveLICMapperColors(int argc, char* argv[])
       view.Mapper->SetLICIntensity(intensity);
       compare("Blend" + std::to_string(intensity), view, intensity == 0.0 ? 0 : 2,
         [intensity](const Color& color, double value) {
-          return Mix(color, Color{ { value, value, value } }, intensity);
+          return RelevoLICView::Mix(color, Color{ { value, value, value } }, intensity);
         });
     }
     view.Mapper->SetColorModeToMultiply();
@@ -216,8 +115,10 @@ int TestAdaptiveLICMapperColors(int argc, char* argv[])
     {
       view.Mapper->SetMapModeBias(bias);
       compare("Multiply" + std::to_string(bias), view, bias == 1.0 ? 0 : 2,
-        [bias](const Color& color, double value) {
-          return Mix(Color{ { 0, 0, 0 } }, color, vtkMath::ClampValue(value + bias, 0.0, 1.0));
+        [bias](const Color& color, double value)
+        {
+          return RelevoLICView::Mix(
+            Color{ { 0, 0, 0 } }, color, vtkMath::ClampValue(value + bias, 0.0, 1.0));
         });
     }
     view.Mapper->SetMapModeBias(0.0);
@@ -234,17 +135,18 @@ int TestAdaptiveLICMapperColors(int argc, char* argv[])
         view.Mapper->SetHighColorContrastEnhancementFactor(0.5 * factor);
         const auto combine = [mode](const Color& color, double value)
         {
-          return mode == 0 ? Mix(color, Color{ { value, value, value } }, 0.5)
-                           : Mix(Color{ { 0, 0, 0 } }, color, value);
+          return mode == 0 ? RelevoLICView::Mix(color, Color{ { value, value, value } }, 0.5)
+                           : RelevoLICView::Mix(Color{ { 0, 0, 0 } }, color, value);
         };
         const RelevoPicture colors = view.DrawColors();
         const RelevoPicture greys = view.DrawLIC();
         std::array<double, 2> lightness{ { 1.0, 0.0 } };
         for (size_t i = 0; i < colors.GetNumberOfPixels(); ++i)
         {
-          if (colors.Depths[i] < 1.0f && !IsMasked(At(greys, i)))
+          if (colors.Depths[i] < 1.0f && !RelevoLICView::IsMasked(RelevoLICView::At(greys, i)))
           {
-            const double l = Lightness(combine(At(colors, i), At(greys, i)[0]));
+            const double l =
+              Lightness(combine(RelevoLICView::At(colors, i), RelevoLICView::At(greys, i)[0]));
             lightness = { { std::min(lightness[0], l), std::max(lightness[1], l) } };
           }
         }
@@ -262,15 +164,16 @@ int TestAdaptiveLICMapperColors(int argc, char* argv[])
 
   // The LIC's own contrast.
   {
-    View view(Colored());
+    RelevoLICView view = MakeView(Colored());
     view.Mapper->EnhancedLICOff();
     const RelevoPicture plain = view.DrawLIC();
     std::array<double, 2> range{ { 1.0, 0.0 } };
     for (size_t i = 0; i < plain.GetNumberOfPixels(); ++i)
     {
-      if (plain.Depths[i] < 1.0f && !IsMasked(At(plain, i)))
+      if (plain.Depths[i] < 1.0f && !RelevoLICView::IsMasked(RelevoLICView::At(plain, i)))
       {
-        range = { { std::min(range[0], At(plain, i)[0]), std::max(range[1], At(plain, i)[0]) } };
+        range = { { std::min(range[0], RelevoLICView::At(plain, i)[0]),
+          std::max(range[1], RelevoLICView::At(plain, i)[0]) } };
       }
     }
     view.Mapper->SetEnhanceContrastToLIC();
@@ -281,11 +184,11 @@ int TestAdaptiveLICMapperColors(int argc, char* argv[])
       RelevoPicture expected = plain;
       for (size_t i = 0; i < plain.GetNumberOfPixels(); ++i)
       {
-        if (plain.Depths[i] < 1.0f && !IsMasked(At(plain, i)))
+        if (plain.Depths[i] < 1.0f && !RelevoLICView::IsMasked(RelevoLICView::At(plain, i)))
         {
           std::fill_n(&expected.Colors[3 * i], 3,
-            static_cast<unsigned char>(
-              std::lround(255.0 * Stretch(At(plain, i)[0], range, 0.5 * factor, factor))));
+            static_cast<unsigned char>(std::lround(
+              255.0 * Stretch(RelevoLICView::At(plain, i)[0], range, 0.5 * factor, factor))));
         }
       }
       comparison.Compare(
@@ -302,16 +205,16 @@ int TestAdaptiveLICMapperColors(int argc, char* argv[])
     {
       Mesh mesh = Colored();
       RelevoLICVectors::AddVectors(mesh, field, "Half");
-      View view(mesh);
+      RelevoLICView view = MakeView(mesh);
       view.Mapper->SetMaskColor(0.1, 0.9, 0.4);
       view.Mapper->SetMaskIntensity(intensity);
       compare(
         "Mask" + std::to_string(intensity), view, 2,
         [](const Color& color, double value) {
-          return Mix(color, Color{ { value, value, value } }, 0.8);
+          return RelevoLICView::Mix(color, Color{ { value, value, value } }, 0.8);
         },
         [intensity](const Color& color, double) {
-          return Mix(color, Color{ { 0.1, 0.9, 0.4 } }, intensity);
+          return RelevoLICView::Mix(color, Color{ { 0.1, 0.9, 0.4 } }, intensity);
         });
     }
   }
@@ -326,20 +229,21 @@ int TestAdaptiveLICMapperColors(int argc, char* argv[])
         const double length = 1.0 + p[0];
         return std::array<double, 3>{ { 0.0, 0.5 * length, std::sqrt(0.75) * length } };
       });
-    View view(mesh);
-    vtkCamera* camera = view.Scene.Renderer->GetActiveCamera();
+    RelevoLICView view = MakeView(mesh);
+    vtkCamera* camera = view.Scene->Renderer->GetActiveCamera();
     camera->ParallelProjectionOn();
     camera->SetPosition(0, 0, 5);
     camera->SetFocalPoint(0, 0, 0);
     camera->SetViewUp(0, 1, 0);
     camera->SetParallelScale(1.0);
-    view.Scene.Renderer->ResetCameraClippingRange();
-    view.Scene.Window->SetSize(200, 200);
+    view.Scene->Renderer->ResetCameraClippingRange();
+    view.Scene->Window->SetSize(200, 200);
     const auto findBorder = [&view]()
     {
       const RelevoPicture lic = view.DrawLIC();
       int first = 0;
-      while (first < 200 && IsMasked(At(lic, static_cast<size_t>(100 * 200 + first))))
+      while (first < 200 &&
+        RelevoLICView::IsMasked(RelevoLICView::At(lic, static_cast<size_t>(100 * 200 + first))))
       {
         ++first;
       }
