@@ -22,8 +22,8 @@
  * without lighting and LICIntensity 1 shows the grey LIC itself. Opacity, depth peeling, clipping
  * planes, textures, representations and picking are those of any other mapper. Where several layers
  * show through each other, the one in front has streaks. Wireframes and points have none;
- * edges are drawn over streaks. In a picture that a window draws in parts (vtkWindowToImageFilter with
- * a scale) the noise goes on from part to part, but streamlines end at their borders.
+ * edges are drawn over streaks. In a picture that a window draws in parts (vtkWindowToImageFilter
+ * with a scale) the noise goes on from part to part, but streamlines end at their borders.
  *
  * The convolution is kept until the camera, the viewport, the actor's place, the input, the recipe
  * or the settings change; GetNumberOfConvolutions() counts. It costs memory for the viewport: about
