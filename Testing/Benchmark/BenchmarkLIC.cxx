@@ -274,6 +274,8 @@ void RunLIC(const BenchmarkOptions& options, const AddTable& addTable)
   std::vector<FlowScene> compared = scenes;
   if (!options.Quick)
   {
+    timed.push_back(BenchmarkFlow::MakeVortex(10));
+    timed.back().Name = "vortex, few triangles";
     const auto files = BenchmarkFlow::ReadScenes();
     timed.insert(timed.end(), files.begin(), files.end());
     compared.push_back(BenchmarkFlow::MakeUniform(resolution));
