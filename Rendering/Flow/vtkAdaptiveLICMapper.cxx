@@ -266,7 +266,7 @@ std::vector<double> vtkAdaptiveLICMapper::vtkInternals::MakeKey(
   const auto addTime = [&key](vtkMTimeType time) { key.push_back(static_cast<double>(time)); };
   addTime(this->SettingsTime.GetMTime());
   addTime(this->Noise.GetMTime());
-  addTime(this->Root->GetMTime());
+  addTime(this->Root->vtkObject::GetMTime()); // a table of colours is none of it
   addTime(act->GetShaderProperty()->GetShaderMTime());
   vtkProperty* property = act->GetProperty();
   key.push_back(property->GetBackfaceCulling() + 2 * property->GetFrontfaceCulling());

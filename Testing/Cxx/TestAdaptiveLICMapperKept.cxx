@@ -253,6 +253,29 @@ void TestModified(RelevoCheck& check)
   CHECK(scene.Mapper->GetNumberOfConvolutions() == 4);
 }
 
+// Colours by scalars.
+void TestLookupTable(RelevoCheck& check)
+{
+  Scene scene;
+  vtkNew<vtkFloatArray> scalars;
+  for (vtkIdType i = 0; i < scene.Mesh->GetNumberOfPoints(); ++i)
+  {
+    scalars->InsertNextValue(static_cast<float>(scene.Mesh->GetPoint(i)[0]));
+  }
+  scene.Mesh->GetPointData()->SetScalars(scalars);
+  vtkNew<vtkLookupTable> table;
+  scene.Mapper->SetLookupTable(table);
+  scene.Mapper->SetScalarRange(-1.5, 1.5);
+  scene.Mapper->ScalarVisibilityOn();
+  scene.Window->Render();
+  const RelevoPicture before(scene.Window);
+  table->SetHueRange(0.1, 0.3);
+  table->ForceBuild();
+  scene.Window->Render();
+  CHECK(scene.CountDifferences(before, RelevoPicture(scene.Window)) > 100);
+  CHECK(scene.Mapper->GetNumberOfConvolutions() == 1);
+}
+
 // A budget of triangles finds its level from picture to picture, and comes to rest.
 void TestBudget(RelevoCheck& check)
 {
@@ -301,6 +324,7 @@ int TestAdaptiveLICMapperKept(int, char*[])
   }
   TestMaskColor(check);
   TestModified(check);
+  TestLookupTable(check);
   TestBudget(check);
   TestColorRange(check);
   return check.GetResult();
