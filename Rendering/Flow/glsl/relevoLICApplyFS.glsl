@@ -1,5 +1,5 @@
 // The LIC on the surface's own fragments.
-uniform sampler2D relevoLICImage;   // (LIC, mark), see relevoLICVectorsFS.glsl; zero where nothing is
+uniform sampler2D relevoLICImage;   // (LIC, mark as of relevoLICVectorsFS.glsl); else zero
 uniform ivec2 relevoLICOrigin;      // lower left corner of the viewport, in pixels
 uniform ivec2 relevoLICSize;        // and its size
 uniform vec3 relevoLICMaskColor;

@@ -1,5 +1,5 @@
 // A LIC image, as the passes over the viewport hand it on.
-uniform sampler2D image; // (LIC, mark), see relevoLICVectorsFS.glsl for the mark; zero where nothing is
+uniform sampler2D image; // (LIC, mark as of relevoLICVectorsFS.glsl); else zero
 uniform ivec2 size;
 
 bool licIsMasked(ivec2 pixel)
