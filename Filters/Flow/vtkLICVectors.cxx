@@ -8,6 +8,7 @@
 #include "vtkMatrix3x3.h"
 #include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkVectorData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,8 +82,7 @@ public:
   bool HasData(vtkIdType point, const double* tuple) const
   {
     return !(this->Ghosts && this->Ghosts->GetValue(point) & vtkDataSetAttributes::HIDDENPOINT) &&
-      std::all_of(tuple, tuple + this->NumberOfComponents,
-        [=](double c) { return std::isfinite(c) && std::abs(c) < this->NoDataMagnitude; });
+      relevo::IsVectorData(tuple, this->NumberOfComponents, this->NoDataMagnitude);
   }
 
 private:

@@ -23,6 +23,7 @@
 #include "vtkSurfaceTexels.h"
 #include "vtkSurfaceVectors.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkVectorData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -286,7 +287,8 @@ void vtkSurfaceLineIntegralConvolution::MaskPoints(vtkPolyData* input,
   {
     double v[3];
     field.Vectors->GetTuple(tuple, v);
-    return relevo::IsNoData(v, this->NoDataMagnitude) || vtkMath::Norm(v) <= this->MaskThreshold;
+    return !relevo::IsVectorData(v, 3, this->NoDataMagnitude) ||
+      vtkMath::Norm(v) <= this->MaskThreshold;
   };
   vtkSMPTools::For(0, input->GetNumberOfPoints(),
     [&](vtkIdType begin, vtkIdType end)

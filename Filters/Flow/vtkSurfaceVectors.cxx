@@ -6,6 +6,7 @@
 #include "vtkMath.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
+#include "vtkVectorData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,12 +30,6 @@ int FindThirdCorner(const relevo::SurfaceTriangles::Triangle& triangle, vtkIdTyp
 
 namespace relevo
 {
-bool IsNoData(const double v[3], double noDataMagnitude)
-{
-  return !std::all_of(
-    v, v + 3, [=](double c) { return std::isfinite(c) && std::abs(c) < noDataMagnitude; });
-}
-
 SurfaceVectors::SurfaceVectors(
   vtkPolyData* mesh, vtkDataArray* vectors, bool ofCells, double noDataMagnitude)
 {
@@ -65,7 +60,7 @@ void SurfaceVectors::FindLongest(vtkDataArray* vectors, double noDataMagnitude)
   {
     double v[3];
     vectors->GetTuple(i, v);
-    if (!IsNoData(v, noDataMagnitude))
+    if (IsVectorData(v, 3, noDataMagnitude))
     {
       this->Longest = std::max(this->Longest, vtkMath::Norm(v));
     }
@@ -98,7 +93,7 @@ void SurfaceVectors::SetRates(
     double v[3];
     vectors->GetTuple(
       ofCells ? triangles.GetCell(triangle) : triangles.GetPoints(triangle)[corner], v);
-    facet.Blocked = facet.Blocked || IsNoData(v, noDataMagnitude);
+    facet.Blocked = facet.Blocked || !IsVectorData(v, 3, noDataMagnitude);
     const bool none = facet.Blocked || this->Longest == 0.0;
     const double alongA = none ? 0.0 : vtkMath::Dot(v, a) / this->Longest;
     const double alongB = none ? 0.0 : vtkMath::Dot(v, b) / this->Longest;

@@ -27,9 +27,6 @@ class vtkPolyData;
 
 namespace relevo
 {
-/// Whether the vector has a component that is not finite or as large as `noDataMagnitude`.
-RELEVOFILTERSFLOW_EXPORT bool IsNoData(const double v[3], double noDataMagnitude);
-
 class RELEVOFILTERSFLOW_EXPORT SurfaceVectors
 {
 public:

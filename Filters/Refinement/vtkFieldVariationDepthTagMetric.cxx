@@ -13,6 +13,7 @@
 #include "vtkRefinementMathematics.h"
 #include "vtkSMPTools.h"
 #include "vtkSurfaceEdges.h"
+#include "vtkVectorData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,11 +47,11 @@ public:
       double* tuple = this->Values.data() + i * this->NumberOfComponents;
       array->GetTuple(i, tuple);
       double squared = 0.0;
-      bool hasData = true;
+      const bool hasData =
+        scalar || relevo::IsVectorData(tuple, this->NumberOfComponents, noDataMagnitude);
       for (int c = 0; c < this->NumberOfComponents; ++c)
       {
         squared += tuple[c] * tuple[c];
-        hasData = hasData && (scalar || std::abs(tuple[c]) < noDataMagnitude);
       }
       this->Lengths[i] = !hasData ? vtkMath::Nan() : scalar ? tuple[0] : std::sqrt(squared);
       if (std::isfinite(this->Lengths[i]))

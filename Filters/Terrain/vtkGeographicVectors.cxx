@@ -16,7 +16,7 @@
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTerrainSource.h"
-#include "vtkUsableVector.h"
+#include "vtkVectorData.h"
 #include "vtkVectorRaster.h"
 
 #include <algorithm>
@@ -87,7 +87,7 @@ bool takeVectors(vtkPolyData* mesh, vtkDataArray* array, vtkFloatArray* vectors,
     [=](vtkIdType i, double* vector)
     {
       array->GetTuple(i, vector);
-      return relevo::IsUsableVector(vector, NoDataMagnitude);
+      return relevo::IsVectorData(vector, 3, NoDataMagnitude);
     },
     vectors);
   return true;

@@ -5,7 +5,7 @@
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkRefinementMathematics.h"
-#include "vtkUsableVector.h"
+#include "vtkVectorData.h"
 
 #include <algorithm>
 
@@ -62,7 +62,7 @@ bool VectorRaster::SetImage(
   {
     double vector[3] = { 0.0, 0.0, 0.0 };
     array->GetTuple(i, vector);
-    if (IsUsableVector(vector, noDataMagnitude) && !(hasBlanks && !image->IsPointVisible(i)))
+    if (IsVectorData(vector, 3, noDataMagnitude) && !(hasBlanks && !image->IsPointVisible(i)))
     {
       this->Validity[i] = 1;
       std::copy_n(vector, this->NumberOfComponents, &this->Samples[i * this->NumberOfComponents]);

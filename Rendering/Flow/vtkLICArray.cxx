@@ -9,6 +9,7 @@
 #include "vtkPolyData.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
+#include "vtkVectorData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,13 +26,8 @@ bool GetVector(const Tuple& tuple, double noDataMagnitude, double vector[3])
   for (vtk::ComponentIdType c = 0; c < tuple.size(); ++c)
   {
     vector[c] = static_cast<double>(tuple[c]);
-    const double magnitude = std::fabs(vector[c]);
-    if (!(magnitude < noDataMagnitude && magnitude <= VTK_FLOAT_MAX)) // NaN, too
-    {
-      return false;
-    }
   }
-  return true;
+  return IsVectorData(vector, 3, noDataMagnitude) && IsVectorData(vector, 3, VTK_FLOAT_MAX);
 }
 }
 

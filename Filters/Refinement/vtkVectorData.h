@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   which vectors are data
+ * @class   vtkVectorData
+ * @brief   which vectors are data, and which stand for none
  *
- * Private to the module's own sources.
+ * Private to the modules' own sources.
  */
-#ifndef vtkUsableVector_h
-#define vtkUsableVector_h
+#ifndef vtkVectorData_h
+#define vtkVectorData_h
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +15,9 @@
 namespace relevo
 {
 /// Whether every component is a number below `noDataMagnitude` in absolute value.
-inline bool IsUsableVector(const double vector[3], double noDataMagnitude)
+inline bool IsVectorData(const double* vector, int components, double noDataMagnitude)
 {
-  return std::all_of(vector, vector + 3,
+  return std::all_of(vector, vector + components,
     [=](double component) { return std::abs(component) < noDataMagnitude; }); // NaN is not
 }
 }
