@@ -527,8 +527,9 @@ void vtkAdaptiveLICMapper::ExtendShaders(
   if (cellBO == lic.Vectors)
   {
     const bool ofCells = !lic.CellVectors.IsEmpty();
-    extension.Varyings = { { "", "vec4", "relevoLICField" }, { "", "vec3", "relevoLICNormal" },
-      { "", "vec3", "relevoLICPosition" } };
+    lic.HasNormals = options.HasNormals || lic.HasPointNormals;
+    extension.Varyings = { { "", "vec4", "relevoLICField" },
+      { "", "vec3", lic.HasNormals ? "relevoLICNormal" : "relevoLICPosition" } };
     extension.Declarations = std::string(relevoLICVectorsVS) +
       (ofCells ? "uniform samplerBuffer relevoLICCells;\n" : "") +
       (root.StretchesColors() ? "// and colours\n" : "");
@@ -537,9 +538,9 @@ void vtkAdaptiveLICMapper::ExtendShaders(
       ";\n"
       "#ifndef RELEVO_NORMALS\n" +
       (lic.HasPointNormals ? "  relevoNormal = unitVector(relevoLICPointNormal);\n" : "") +
-      "#endif\n"
-      "  relevoLICNormalVSOutput = relevoLICNormals * relevoNormal;\n"
-      "  relevoLICPositionVSOutput = (relevoLICFromVertex * vertexMC).xyz;\n";
+      "#endif\n" +
+      (lic.HasNormals ? "  relevoLICNormalVSOutput = relevoLICNormals * relevoNormal;\n"
+                      : "  relevoLICPositionVSOutput = (relevoLICFromVertex * vertexMC).xyz;\n");
   }
   else if (root.Screen && !this->DrawingVertices)
   {
@@ -563,7 +564,8 @@ void vtkAdaptiveLICMapper::ReplaceShaderValues(
     SubstituteIn(fragment, place,
       std::string(root.StretchesColors() ? "gl_FragData[1] = gl_FragData[0];\n  " : "") +
         "gl_FragData[0] = relevoLICVector();\n  " + place);
-    functions = relevoLICVectorsFS;
+    functions =
+      std::string(lic.HasNormals ? "#define RELEVO_LIC_NORMALS\n" : "") + relevoLICVectorsFS;
   }
   else if (this->IsFaceHelper(this->LastBoundBO) && root.Screen && !this->DrawingVertices)
   {

@@ -47,7 +47,8 @@ struct vtkAdaptiveLICMapper::vtkInternals
   // The vectors of this mapper's polydata.
   vtkOpenGLHelper* Vectors = nullptr; // draws them
   bool HasVectors = false;
-  double Unit = 1.0; // of the vectors on the graphics card, which then are about 1 long
+  double Unit = 1.0;       // of the vectors on the graphics card, which then are about 1 long
+  bool HasNormals = false; // on the refined surface
   bool HasPointNormals = false;
   relevo::RefinementBuffer CellVectors; // of VTK's primitives; empty for vectors of points
 

@@ -10,18 +10,18 @@ uniform int relevoLICMaskOnSurface;
 // streaks, and minus that where the surface is masked.
 vec4 relevoLICVector()
 {
-  // The triangle's where points have none: as exact as positions are for the size of a pixel.
+#ifdef RELEVO_LIC_NORMALS
+  vec3 normal = relevoLICNormalVSOutput;
+  float tolerance = 1e-4;
+#else
+  // The triangle's: as exact as positions are for the size of a pixel.
   vec3 right = dFdx(relevoLICPositionVSOutput);
   vec3 up = dFdy(relevoLICPositionVSOutput);
   vec3 normal = cross(normalize(right), normalize(up));
   float tolerance = 1e-6 * length(relevoLICPositionVSOutput) /
     max(length(normal) * min(length(right), length(up)), 1e-30);
   tolerance = clamp(tolerance, 1e-4, 0.05);
-  if (length(relevoLICNormalVSOutput) > 0.0)
-  {
-    normal = relevoLICNormalVSOutput;
-    tolerance = 1e-4;
-  }
+#endif
   float depth = 1.0 + gl_FragCoord.z;
   vec4 none = vec4(0.0, 0.0, 0.0, -depth);
   float normalLength = length(normal);
@@ -45,9 +45,9 @@ vec4 relevoLICVector()
   }
 
   // The direction of the derivative of the projection along the vector, without large numbers.
-  vec4 clip = relevoLICProjection * vec4(relevoLICPositionVSOutput, 1.0);
+  vec2 place = 2.0 * gl_FragCoord.xy / relevoLICSize - 1.0;
   vec4 velocity = relevoLICProjection * vec4(tangent / max(tangentLength, 1e-30), 0.0);
-  vec2 screen = (velocity.xy - clip.xy / clip.w * velocity.w) * relevoLICSize;
+  vec2 screen = (velocity.xy - place * velocity.w) * relevoLICSize;
   float speed = length(screen);
   bool moves = speed > 0.0 && modelLength > 0.0;
   screen = moves ? screen / speed * length(tangent.xy) : vec2(0.0);
