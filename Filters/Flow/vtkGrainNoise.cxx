@@ -10,7 +10,7 @@
 namespace
 {
 constexpr float Mean = 0.41f;
-constexpr float StandardDeviation = 0.154f;
+constexpr float StandardDeviation = 0.159f;
 constexpr double FilterReach = 3.0; // standard deviations
 
 using Image = std::vector<float>;

@@ -43,7 +43,8 @@ public:
    * How the values are distributed: NOISE_TYPE_UNIFORM (0), each grain's value is anywhere between
    * MinNoiseValue and MaxNoiseValue; NOISE_TYPE_GAUSSIAN (1, the default), each grain's value is
    * normally distributed about 0.41 of the way from the minimum to the maximum with a standard
-   * deviation of 0.154 of that way, as it is in the noise image of VTK's surface LIC, clamped;
+   * deviation of 0.159 of that way, clamped: the mean is that of the noise image of VTK's surface
+   * LIC, and so, within 5 %, is the contrast of what the defaults make of it;
    * NOISE_TYPE_PERLIN (2), smooth noise of several octaves (Perlin, Improving Noise, 2002), the
    * coarsest with a period of about NoiseGrainSize texels, each of the next ones half as long and
    * high, down to two texels; it reaches the minimum and the maximum.
@@ -86,7 +87,7 @@ public:
   /**
    * How much the values of neighbours are alike in NOISE_TYPE_GAUSSIAN: as a Gaussian filter of
    * this standard deviation, in grains, makes independent ones; their mean and spread stay as they
-   * are. 0 (independent) to 100, default 0.8: with less of the finest detail, which follows no
+   * are. 0 (independent) to 100, default 1: with less of the finest detail, which follows no
    * direction, lines show theirs better.
    */
   vtkSetMacro(GaussianNoiseSmoothing, double);
@@ -135,7 +136,7 @@ protected:
   int NoiseGrainSize = 1;
   double MinNoiseValue = 0.0;
   double MaxNoiseValue = 0.8;
-  double GaussianNoiseSmoothing = 0.8;
+  double GaussianNoiseSmoothing = 1.0;
   int NumberOfNoiseLevels = 256;
   double ImpulseNoiseProbability = 1.0;
   double ImpulseNoiseBackgroundValue = 0.0;

@@ -5,6 +5,9 @@
 #include "RelevoCheck.h"
 #include "RelevoFlowImages.h"
 
+#include <map>
+#include <string>
+
 namespace
 {
 constexpr int Columns = 512;
@@ -39,6 +42,10 @@ RelevoDeviations Measure(const std::vector<double>& lic, const RelevoNamedField&
       return counts;
     });
 }
+
+// What vtkSurfaceLICMapper of ParaView 5.11 makes of the fields: standard deviations of the greys.
+const std::map<std::string, double> DeviationsOfVTK = { { "uniform", 0.0800 }, { "vortex", 0.0868 },
+  { "saddle", 0.0861 }, { "dipole", 0.0883 } };
 }
 
 int TestLineIntegralConvolutionDirections(int, char*[])
@@ -56,9 +63,10 @@ int TestLineIntegralConvolutionDirections(int, char*[])
     CHECK(deviations.Count > 100000);
     CHECK(deviations.Median <= 1.5);
     CHECK(deviations.Percentile95 <= 4.5);
-    // VTK's: 0.330 and 0.080 to 0.088.
-    CHECK_NEAR(moments.Mean, 0.33, 0.0165);
-    CHECK_NEAR(moments.StandardDeviation, 0.089, 0.009);
+    // Within 5 % of the surface LIC's of VTK at its defaults.
+    const double deviation = DeviationsOfVTK.at(field.Name);
+    CHECK_NEAR(moments.Mean, 0.33, 0.05 * 0.33);
+    CHECK_NEAR(moments.StandardDeviation, deviation, 0.05 * deviation);
 
     filter->SetEnhanceContrastToLIC();
     const std::vector<double> enhanced = RunLIC(filter);
