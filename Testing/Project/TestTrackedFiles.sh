@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-# No file names a folder of somebody's machine, a mirror of packages, or is large.
+# No file names a folder of somebody's machine, a mirror of packages, is large, or lies at the top
+# without belonging there, as what a test has written may.
 set -euo pipefail
 cd "$1"
 if ! git rev-parse --is-inside-work-tree >/dev/null 2>&1; then
@@ -27,6 +28,11 @@ while IFS= read -r -d '' file; do
   if grep -InE "$folders|$hosts" "$file" /dev/null; then
     report "$file: a path or host that is not everybody's"
   fi
+  case ${file%%/*} in
+    .ci | .clang-format | .gitignore | CHANGELOG.md | CMakeLists.txt | CMakePresets.json) ;;
+    CONTRIBUTING.md | Data | Examples | Filters | LICENSE | Module | README.md | Rendering | Testing) ;;
+    *) report "$file: not of the top folder" ;;
+  esac
   case $file in
     *.h | *.cxx)
       if ! grep -q 'SPDX-License-Identifier: BSD-3-Clause' "$file"; then
