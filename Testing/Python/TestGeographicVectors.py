@@ -9,6 +9,7 @@ import sys
 import unittest
 
 import relevo
+from ErrorMessages import catch_errors
 from vtkmodules.vtkCommonCore import vtkFloatArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
 
@@ -22,17 +23,6 @@ def make_array(name, tuples):
     for values in tuples:
         array.InsertNextTuple(values)
     return array
-
-
-def catch_errors(item):
-    messages = []
-
-    def catch(caller, event, message):
-        messages.append(message)
-
-    catch.CallDataType = "string0"
-    item.AddObserver("ErrorEvent", catch)
-    return messages
 
 
 class TestGeographicVectors(unittest.TestCase):

@@ -11,6 +11,7 @@ import tempfile
 import unittest
 
 import relevo
+from ErrorMessages import catch_errors
 from vtkmodules.util.vtkConstants import VTK_FLOAT, VTK_UNSIGNED_SHORT
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
@@ -27,18 +28,6 @@ def make_image(width, height, value, scalar_type=VTK_FLOAT):
         for i in range(width):
             image.SetScalarComponentFromDouble(i, j, 0, 0, value(i, j))
     return image
-
-
-def catch_errors(item):
-    """The messages of an object's ErrorEvents."""
-    messages = []
-
-    def catch(caller, event, message):
-        messages.append(message)
-
-    catch.CallDataType = "string0"
-    item.AddObserver("ErrorEvent", catch)
-    return messages
 
 
 class TestHeightMap(unittest.TestCase):

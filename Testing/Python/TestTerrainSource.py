@@ -10,6 +10,7 @@ import tempfile
 import unittest
 
 import relevo
+from ErrorMessages import catch_errors
 from vtkmodules.util.vtkConstants import VTK_FLOAT, VTK_UNSIGNED_CHAR
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
@@ -33,17 +34,6 @@ def write_png(image, path):
     writer.SetInputData(image)
     writer.SetFileName(str(path))
     writer.Write()
-
-
-def catch_errors(item):
-    messages = []
-
-    def catch(caller, event, message):
-        messages.append(message)
-
-    catch.CallDataType = "string0"
-    item.AddObserver("ErrorEvent", catch)
-    return messages
 
 
 class TestTerrainSource(unittest.TestCase):

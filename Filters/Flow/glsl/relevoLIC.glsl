@@ -4,7 +4,7 @@
 // Positions are in pixels from the lower left corner; centres lie at (i + 0.5, j + 0.5). The
 // including side provides relevoLICKernel.glsl and
 //   vec2 licField(vec2 p)   the vector at p, bilinear between centres; zero outside, and where the
-//                           nearest sample is zero
+//                           nearest sample (in shaders: most of those around) is zero
 //   float licNoise(vec2 p)  the noise at p
 // Vectors shorter than 1e-18 count as zero: scale fields so that the longest is about 1.
 
