@@ -27,7 +27,7 @@
  *
  * The convolution is kept until the camera, the viewport, the actor's place, the input, the recipe
  * or the settings change; GetNumberOfConvolutions() counts. It costs memory for the viewport: about
- * 36 bytes a pixel, see GetGraphicsMemorySize().
+ * 36 bytes a pixel, 52 with the contrast of colours enhanced, see GetGraphicsMemorySize().
  *
  * What suits colours that mean something: SetColorModeToMultiply(), SetEnhanceContrastToLIC() and
  * SetMapModeBias(0.3).
