@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTerrainFrame
- * @brief   from a raster's coordinates to metres about its centre
+ * @brief   between a raster's coordinates and metres about its centre
  *
  * Private to the module's own sources.
  */
@@ -37,6 +37,20 @@ public:
    * and beyond the horizon, about 84 degrees from the centre.
    */
   bool Place(double u, double v, std::array<double, 2>& place) const;
+
+  /// Whether the whole footprint has places.
+  bool IsWithinHorizon() const;
+
+  //@{
+  /**
+   * From the raster's coordinates to the place there and back. False beyond the horizon.
+   */
+  bool ToPlace(const std::array<double, 2>& coordinates, std::array<double, 2>& place) const;
+  bool ToCoordinates(const std::array<double, 2>& place, std::array<double, 2>& coordinates) const;
+  //@}
+
+  /// Whether the raster's coordinates are longitude and latitude.
+  bool IsGeographic() const { return this->Frame != nullptr; }
 
 private:
   struct Tangent;

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainSource.h"
 
-#include "vtkCellArray.h"
+#include "TerrainMesh.h"
+
 #include "vtkCommand.h"
 #include "vtkDisplacement.h"
-#include "vtkFloatArray.h"
 #include "vtkHeightMap.h"
 #include "vtkImageData.h"
 #include "vtkImagery.h"
@@ -13,97 +13,21 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRaster.h"
 #include "vtkRelevoCompatibility.h"
-#include "vtkSMPTools.h"
 #include "vtkTerrainFrame.h"
 
 #include <algorithm>
-#include <atomic>
+#include <array>
 #include <cmath>
 #include <sstream>
-#include <vector>
 
 namespace
 {
 // Shares of the progress.
 constexpr double HeightsShare = 0.6;
 constexpr double MeshShare = 0.1;
-
-// A regular division of (u, v) in [0, 1]^2.
-struct Grid
-{
-  int Cells[2];
-
-  vtkIdType NumberOfPoints() const { return (this->Cells[0] + 1LL) * (this->Cells[1] + 1LL); }
-  vtkIdType NumberOfCells() const
-  {
-    return static_cast<vtkIdType>(this->Cells[0]) * this->Cells[1];
-  }
-  vtkIdType Point(int i, int j) const { return j * (this->Cells[0] + 1LL) + i; }
-  double Parameter(int axis, int i) const { return static_cast<double>(i) / this->Cells[axis]; }
-};
-
-// Squares as nearly as the side lengths allow, never finer than the texels.
-Grid divide(const double lengths[2], const int texels[2], int resolution)
-{
-  Grid grid;
-  const double longer = std::max(lengths[0], lengths[1]);
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    const double cells = std::round(resolution * (lengths[axis] / longer));
-    grid.Cells[axis] = static_cast<int>(std::clamp(cells, 1.0, static_cast<double>(texels[axis])));
-  }
-  return grid;
-}
-
-// The texels that heights between two parameters draw upon, along one axis.
-void texelRange(double begin, double end, int texels, int range[2])
-{
-  range[0] = std::clamp(static_cast<int>(std::floor(begin * texels - 0.5)), 0, texels - 1);
-  range[1] = std::clamp(static_cast<int>(std::ceil(end * texels - 0.5)), 0, texels - 1);
-}
-
-// For each square whether any height in it draws upon a sample with data.
-std::vector<unsigned char> findSquaresWithData(
-  const Grid& grid, const int texels[2], const unsigned char* validity)
-{
-  std::vector<unsigned char> hasData(grid.NumberOfCells());
-  vtkSMPTools::For(0, grid.Cells[1],
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (int j = static_cast<int>(begin); j < end; ++j)
-      {
-        int rows[2];
-        texelRange(grid.Parameter(1, j), grid.Parameter(1, j + 1), texels[1], rows);
-        for (int i = 0; i < grid.Cells[0]; ++i)
-        {
-          int columns[2];
-          texelRange(grid.Parameter(0, i), grid.Parameter(0, i + 1), texels[0], columns);
-          bool found = false;
-          for (int row = rows[0]; row <= rows[1] && !found; ++row)
-          {
-            const unsigned char* first = validity + static_cast<std::size_t>(row) * texels[0];
-            found = std::find_if(first + columns[0], first + columns[1] + 1,
-                      [](unsigned char valid) { return valid != 0; }) != first + columns[1] + 1;
-          }
-          hasData[static_cast<std::size_t>(j) * grid.Cells[0] + i] = found;
-        }
-      }
-    });
-  return hasData;
-}
-
-double distance(const relevo::TerrainFrame& frame, double u0, double v0, double u1, double v1)
-{
-  std::array<double, 2> a;
-  std::array<double, 2> b;
-  frame.Place(u0, v0, a);
-  frame.Place(u1, v1, b);
-  return std::hypot(b[0] - a[0], b[1] - a[1]);
-}
 }
 
 vtkStandardNewMacro(vtkTerrainSource);
@@ -213,6 +137,36 @@ const char* vtkTerrainSource::GetCoordinateSystem()
   return this->CoordinateSystem.c_str();
 }
 
+bool vtkTerrainSource::IsGeographic()
+{
+  return this->Frame && this->Frame->IsGeographic();
+}
+
+bool vtkTerrainSource::TerrainToMap(const double terrain[3], double map[3])
+{
+  std::array<double, 2> coordinates;
+  if (!this->Frame || !this->Frame->ToCoordinates({ terrain[0], terrain[1] }, coordinates))
+  {
+    return false;
+  }
+  std::copy_n(coordinates.data(), 2, map);
+  const double scale = this->Displacement->GetScale();
+  map[2] = scale != 0.0 ? terrain[2] / scale : 0.0;
+  return true;
+}
+
+bool vtkTerrainSource::MapToTerrain(const double map[3], double terrain[3])
+{
+  std::array<double, 2> place;
+  if (!this->Frame || !this->Frame->ToPlace({ map[0], map[1] }, place))
+  {
+    return false;
+  }
+  std::copy_n(place.data(), 2, terrain);
+  terrain[2] = map[2] * this->Displacement->GetScale();
+  return true;
+}
+
 vtkMTimeType vtkTerrainSource::GetMTime()
 {
   return std::max(this->Superclass::GetMTime(), this->HeightMap->GetMTime());
@@ -243,48 +197,64 @@ int vtkTerrainSource::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->Initialize();
   this->CoordinateSystem.clear();
+  this->Frame.reset();
   std::fill_n(this->Origin, 3, 0.0);
-  if (!this->HeightMap->Update()) // has told why
-  {
-    this->Imagery->Initialize();
-    return relevo::IsAborted(this) ? 1 : 0;
-  }
-
-  relevo::Georeference location;
   std::string error;
-  if (this->Locate(location, this->VerticalUnit, error))
+  if (this->Build(output, error))
   {
-    const relevo::TerrainFrame frame(location);
-    if (this->BuildMesh(frame, output, error) && this->UpdateImagery(location, error))
-    {
-      this->CoordinateSystem = location.WKT;
-      std::copy_n(frame.GetCenter().data(), 2, this->Origin);
-      this->Displacement->SetScale(this->Exaggeration * this->VerticalUnit);
-      this->UpdateProgress(1.0);
-      return 1;
-    }
-  }
-  output->Initialize();
-  this->Imagery->Initialize();
-  this->ImageryState.clear();
-  if (error.empty()) // aborted
-  {
+    this->UpdateProgress(1.0);
     return 1;
   }
-  vtkErrorMacro(<< error);
-  return 0;
+  output->Initialize();
+  this->CoordinateSystem.clear();
+  this->Frame.reset();
+  std::fill_n(this->Origin, 3, 0.0);
+  this->Imagery->Initialize();
+  this->ImageryState.clear();
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error);
+    return 0;
+  }
+  return relevo::IsAborted(this) ? 1 : 0; // else the height map has told why
+}
+
+bool vtkTerrainSource::Build(vtkPolyData* output, std::string& error)
+{
+  // What the headers tell comes first: the heights may be many.
+  relevo::Georeference location;
+  double verticalUnit = 1.0;
+  const bool isFile = !this->HeightMap->GetImageData() && this->GetFileName();
+  if (isFile && (!this->Locate(location, verticalUnit, error) || !this->CheckImagery(error)))
+  {
+    return false;
+  }
+  this->SetProgressText("reading heights");
+  if (!this->HeightMap->Update())
+  {
+    return false;
+  }
+  const int* texels = this->HeightMap->GetDimensions();
+  if (!isFile)
+  {
+    location.SetSize(texels[0], texels[1]);
+  }
+  this->Frame.reset(new relevo::TerrainFrame(location));
+  this->VerticalUnit = verticalUnit;
+  this->Displacement->SetScale(this->Exaggeration * this->VerticalUnit);
+  this->CoordinateSystem = location.WKT;
+  std::copy_n(this->Frame->GetCenter().data(), 2, this->Origin);
+
+  const bool hasHoles = this->GetNoDataPolicy() == vtkDisplacement::HOLE;
+  relevo::BuildTerrainMesh(*this->Frame, texels, this->Resolution,
+    hasHoles ? this->HeightMap->GetValidity() : nullptr, output);
+  this->UpdateProgress(HeightsShare + MeshShare);
+  return !relevo::IsAborted(this) && this->UpdateImagery(location, error);
 }
 
 bool vtkTerrainSource::Locate(
   relevo::Georeference& location, double& verticalUnit, std::string& error)
 {
-  verticalUnit = 1.0;
-  if (this->HeightMap->GetImageData())
-  {
-    const int* texels = this->HeightMap->GetDimensions();
-    location.SetSize(texels[0], texels[1]);
-    return true;
-  }
   const std::string name = this->GetFileName();
   const auto raster = relevo::Raster::Open(name, error);
   if (!raster)
@@ -303,106 +273,28 @@ bool vtkTerrainSource::Locate(
     error = name + " is neither in longitude and latitude nor in a projection; project it first.";
     return false;
   }
-  return true;
-}
-
-bool vtkTerrainSource::BuildMesh(
-  const relevo::TerrainFrame& frame, vtkPolyData* output, std::string& error)
-{
-  const int* texels = this->HeightMap->GetDimensions();
-  const double lengths[2] = { distance(frame, 0.0, 0.5, 1.0, 0.5),
-    distance(frame, 0.5, 0.0, 0.5, 1.0) };
-  const Grid grid = divide(lengths, texels, this->Resolution);
-
-  std::vector<unsigned char> kept(grid.NumberOfCells(), 1);
-  if (this->GetNoDataPolicy() == vtkDisplacement::HOLE && this->HeightMap->HasNoData())
+  if (!relevo::TerrainFrame(location).IsWithinHorizon())
   {
-    kept = findSquaresWithData(grid, texels, this->HeightMap->GetValidity());
-  }
-
-  // Right triangles with alternating diagonals: no direction is preferred.
-  std::vector<vtkIdType> outputPoint(grid.NumberOfPoints(), -1);
-  std::vector<int> gridPoint; // i, j of the points in use
-  vtkNew<vtkCellArray> triangles;
-  triangles->AllocateExact(2 * grid.NumberOfCells(), 6 * grid.NumberOfCells());
-  const auto point = [&](int i, int j)
-  {
-    vtkIdType& id = outputPoint[grid.Point(i, j)];
-    if (id < 0)
-    {
-      id = static_cast<vtkIdType>(gridPoint.size() / 2);
-      gridPoint.insert(gridPoint.end(), { i, j });
-    }
-    return id;
-  };
-  for (int j = 0; j < grid.Cells[1]; ++j)
-  {
-    for (int i = 0; i < grid.Cells[0]; ++i)
-    {
-      if (!kept[static_cast<std::size_t>(j) * grid.Cells[0] + i])
-      {
-        continue;
-      }
-      const vtkIdType corners[4] = { point(i, j), point(i + 1, j), point(i + 1, j + 1),
-        point(i, j + 1) };
-      const int start = (i + j) % 2;
-      for (int half : { 0, 2 })
-      {
-        triangles->InsertNextCell({ corners[(start + half) % 4], corners[(start + half + 1) % 4],
-          corners[(start + half + 2) % 4] });
-      }
-    }
-  }
-
-  const vtkIdType numberOfPoints = static_cast<vtkIdType>(gridPoint.size() / 2);
-  vtkNew<vtkFloatArray> coordinates;
-  coordinates->SetNumberOfComponents(3);
-  coordinates->SetNumberOfTuples(numberOfPoints);
-  vtkNew<vtkFloatArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-  normals->SetNumberOfTuples(numberOfPoints);
-  vtkNew<vtkFloatArray> textureCoordinates;
-  textureCoordinates->SetName("TextureCoordinates");
-  textureCoordinates->SetNumberOfComponents(2);
-  textureCoordinates->SetNumberOfTuples(numberOfPoints);
-  std::atomic<bool> beyondHorizon(false);
-  vtkSMPTools::For(0, numberOfPoints,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType id = begin; id < end; ++id)
-      {
-        const double u = grid.Parameter(0, gridPoint[2 * id]);
-        const double v = grid.Parameter(1, gridPoint[2 * id + 1]);
-        std::array<double, 2> place;
-        if (!frame.Place(u, v, place))
-        {
-          beyondHorizon = true;
-        }
-        const float xyz[3] = { static_cast<float>(place[0]), static_cast<float>(place[1]), 0.0f };
-        const float up[3] = { 0.0f, 0.0f, 1.0f };
-        const float uv[2] = { static_cast<float>(u), static_cast<float>(v) };
-        coordinates->SetTypedTuple(id, xyz);
-        normals->SetTypedTuple(id, up);
-        textureCoordinates->SetTypedTuple(id, uv);
-      }
-    });
-  if (beyondHorizon)
-  {
-    error = std::string(this->GetFileName()) +
+    error = name +
       " reaches beyond the horizon of its centre, where its tangent plane is no map of the earth; "
       "project it first, or cut it to less than 80 degrees around the centre.";
     return false;
   }
+  return true;
+}
 
-  vtkNew<vtkPoints> points;
-  points->SetData(coordinates);
-  output->SetPoints(points);
-  output->SetPolys(triangles);
-  output->GetPointData()->SetNormals(normals);
-  output->GetPointData()->SetTCoords(textureCoordinates);
-  this->UpdateProgress(HeightsShare + MeshShare);
-  return !this->GetAbortExecute();
+bool vtkTerrainSource::CheckImagery(std::string& error)
+{
+  if (!this->ImageryFileName || !*this->ImageryFileName)
+  {
+    return true;
+  }
+  if (!relevo::Raster::Open(this->ImageryFileName, error))
+  {
+    error = "Cannot drape " + std::string(this->ImageryFileName) + ": " + error + ".";
+    return false;
+  }
+  return true;
 }
 
 bool vtkTerrainSource::UpdateImagery(const relevo::Georeference& location, std::string& error)
@@ -432,8 +324,9 @@ bool vtkTerrainSource::UpdateImagery(const relevo::Georeference& location, std::
   const auto progress = [this](double share)
   {
     this->UpdateProgress(HeightsShare + MeshShare + (1.0 - HeightsShare - MeshShare) * share);
-    return !this->GetAbortExecute();
+    return !relevo::IsAborted(this);
   };
+  this->SetProgressText("draping imagery");
   if (!relevo::DrapeImagery(source, location, imagery, progress, error))
   {
     error = error.empty() ? error : "Cannot drape " + source.FileName + ": " + error + ".";

@@ -34,6 +34,10 @@
  * project it first); imagery that is missing, unreadable, does not overlap the terrain or lacks the
  * chosen bands. Builds without GDAL read no georeference: a warning says so.
  *
+ * ProgressEvent reports the share done; GetProgressText() says with what: "reading heights",
+ * "draping imagery". AbortExecuteOn(), from an observer, stops it, with an empty output and no
+ * error.
+ *
  * @sa vtkHeightMap vtkDisplacement vtkAdaptiveRefinement
  */
 #ifndef vtkTerrainSource_h
@@ -44,6 +48,7 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkTimeStamp.h" // for the imagery's cache
 
+#include <memory> // for the frame
 #include <string> // for the coordinate system
 
 class vtkDisplacement;
@@ -164,6 +169,23 @@ public:
    */
   const char* GetCoordinateSystem();
 
+  /**
+   * Whether the raster's own coordinates are longitude and latitude. After Update().
+   */
+  bool IsGeographic();
+
+  //@{
+  /**
+   * Between terrain coordinates (metres; z = height x Exaggeration) and the raster's own: x and y
+   * in its coordinate system (longitude, then latitude), z the height as the raster has it, 0 with
+   * an Exaggeration of 0. Without georeference x and y count texels, from the corner in the
+   * south-west. False, and nothing is written, before a successful Update(), and beyond the horizon
+   * of the raster's centre.
+   */
+  bool TerrainToMap(const double terrain[3], double map[3]);
+  bool MapToTerrain(const double map[3], double terrain[3]);
+  //@}
+
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -184,8 +206,9 @@ private:
   vtkTerrainSource(const vtkTerrainSource&) = delete;
   void operator=(const vtkTerrainSource&) = delete;
 
+  bool Build(vtkPolyData* output, std::string& error);
   bool Locate(relevo::Georeference& location, double& verticalUnit, std::string& error);
-  bool BuildMesh(const relevo::TerrainFrame& frame, vtkPolyData* output, std::string& error);
+  bool CheckImagery(std::string& error);
   bool UpdateImagery(const relevo::Georeference& location, std::string& error);
   void ForwardError(vtkObject* caller, unsigned long event, void* message);
   void ForwardProgress(vtkObject* caller, unsigned long event, void* progress);
@@ -193,6 +216,7 @@ private:
   vtkNew<vtkHeightMap> HeightMap;
   vtkNew<vtkDisplacement> Displacement;
   vtkNew<vtkImageData> Imagery;
+  std::unique_ptr<relevo::TerrainFrame> Frame; // null before a successful update
   std::string CoordinateSystem;
   double VerticalUnit; // metres in one unit of the heights
   vtkTimeStamp ImageryTime;

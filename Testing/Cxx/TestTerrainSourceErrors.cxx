@@ -80,6 +80,16 @@ int TestTerrainSourceErrors(int argc, char* argv[])
   bad.CoordinateSystem = "EPSG:4978";
   CHECK(bad.Write(folders.File("TerrainGeocentric.tif")));
   fails(folders.File("TerrainGeocentric.tif"), "project it first");
+  // What headers tell is told before the heights are read, which are none here.
+  for (const char* name : { "TerrainEarth", "TerrainGeocentric" })
+  {
+    const std::string half = folders.File(std::string(name) + "Half.tif");
+    RelevoTruncate(folders.File(std::string(name) + ".tif"), half, 0.6);
+    fails(half, name == std::string("TerrainEarth") ? "beyond the horizon" : "project it first");
+  }
+  source->SetImageryFileName("no such picture.tif");
+  fails(folders.File("TerrainHalf.tif"), "no such picture.tif: the file does not exist");
+  source->SetImageryFileName(nullptr);
   works();
 
   // A stop is no error, and leaves nothing half done.
