@@ -41,6 +41,7 @@ clang-format
 gdal-bin
 git
 xauth
+xdotool
 xvfb
 "
 benchmark_packages="

@@ -8,13 +8,14 @@ import pathlib
 import subprocess
 import unittest
 
-from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkPolyDataNormals
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 from ViewerProgram import PROGRAM, ViewerProgram
+from ViewerScenes import write_hill
 
 DATA = pathlib.Path(os.environ.get("RELEVO_TEST_DATA") or "/nonexistent")
 
@@ -31,27 +32,11 @@ METRICS = (
 )
 
 
-def hill(x, y):
-    """Height in the unit square: one hill, its top in the north-east."""
-    return 30.0 * math.exp(-12.0 * ((x - 0.65) ** 2 + (y - 0.65) ** 2))
-
-
 class TestViewer(ViewerProgram):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.heights = cls.folder / "hill.png"
-        image = vtkImageData()
-        image.SetDimensions(48, 32, 1)
-        image.AllocateScalars(VTK_UNSIGNED_SHORT, 1)
-        for j in range(32):
-            for i in range(48):
-                height = hill((i + 0.5) / 48, (j + 0.5) / 32)
-                image.SetScalarComponentFromDouble(i, j, 0, 0, round(height))
-        writer = vtkPNGWriter()
-        writer.SetFileName(str(cls.heights))
-        writer.SetInputData(image)
-        writer.Write()
+        cls.heights = write_hill(cls.folder)
 
     def picture(self, *arguments):
         name = self.folder / "picture.png"

@@ -8,7 +8,7 @@ import unittest
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkDoubleArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges
-from vtkmodules.vtkFiltersSources import vtkRegularPolygonSource, vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkRegularPolygonSource
 from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkOBJWriter, vtkSTLReader, vtkSTLWriter
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 from vtkmodules.vtkIOLegacy import vtkDataSetWriter, vtkPolyDataWriter
@@ -16,6 +16,7 @@ from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 from ViewerProgram import ViewerProgram
+from ViewerScenes import make_sphere
 
 WRITERS = {
     ".obj": vtkOBJWriter,
@@ -45,18 +46,7 @@ class TestViewerMeshes(ViewerProgram):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        sphere = vtkSphereSource()  # radius 0.5
-        sphere.SetThetaResolution(10)
-        sphere.SetPhiResolution(8)
-        sphere.Update()
-        cls.sphere = vtkPolyData()
-        cls.sphere.SetPoints(sphere.GetOutput().GetPoints())
-        cls.sphere.SetPolys(sphere.GetOutput().GetPolys())
-        heights = vtkDoubleArray()
-        heights.SetName("Latitude")
-        for i in range(cls.sphere.GetNumberOfPoints()):
-            heights.InsertNextValue(cls.sphere.GetPoint(i)[2])
-        cls.sphere.GetPointData().AddArray(heights)
+        cls.sphere = make_sphere()
         cls.file = cls.write(cls.sphere, "sphere.vtp")
 
     @classmethod

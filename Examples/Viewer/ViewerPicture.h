@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @brief   what a window shows, as a file
+ */
+#ifndef ViewerPicture_h
+#define ViewerPicture_h
+
+#include <string>
+
+class vtkRenderWindow;
+class ViewerMessages;
+
+/// Writes a PNG; throws ViewerError.
+void WritePicture(vtkRenderWindow* window, const std::string& fileName, ViewerMessages& messages);
+
+#endif

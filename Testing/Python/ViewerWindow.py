@@ -1,0 +1,153 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""A window of relevo-view on an X server of its own, with keys and a mouse by xdotool."""
+
+import ctypes
+import os
+import queue
+import shutil
+import subprocess
+import sys
+import threading
+import time
+
+from ViewerProgram import PROGRAM
+
+SECONDS = 60  # that a window may take for anything
+
+for tool in ("Xvfb", "xdotool"):
+    if not shutil.which(tool):
+        print(f"skipped: there is no {tool}")
+        sys.exit(125)
+
+
+def wait(condition, what):
+    """The first true value of a condition."""
+    end = time.monotonic() + SECONDS
+    while True:
+        value = condition()
+        if value:
+            return value
+        if time.monotonic() > end:
+            raise AssertionError(f"waited {SECONDS} s for {what}")
+        time.sleep(0.02)
+
+
+class Display:
+    """An X server without a window manager; nobody else's windows, keys and mouse are on it."""
+
+    def __init__(self, size="1024x768"):
+        reader, writer = os.pipe()
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(writer), "-noreset", "-screen", "0", f"{size}x24"],
+            pass_fds=[writer],
+            stderr=subprocess.DEVNULL,
+        )
+        os.close(writer)
+        with os.fdopen(reader) as pipe:
+            self.name = ":" + pipe.readline().strip()
+        self.environment = {**os.environ, "DISPLAY": self.name}
+
+    def stop(self):
+        self.server.terminate()
+        self.server.wait()
+
+    def do(self, *arguments):
+        """What an xdotool command prints; "" where it fails."""
+        run = subprocess.run(
+            ["xdotool", *map(str, arguments)],
+            env=self.environment,
+            capture_output=True,
+            text=True,
+        )
+        return run.stdout.strip() if run.returncode == 0 else ""
+
+
+class Window:
+    """relevo-view in a window that has drawn and has the keyboard."""
+
+    def __init__(self, display, folder, *arguments):
+        self.display = display
+        self.program = subprocess.Popen(
+            [str(PROGRAM), *map(str, arguments), "--stats"],
+            cwd=folder,
+            env=display.environment,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        self.lines = queue.Queue()
+        self.reader = threading.Thread(target=self.read, daemon=True)
+        self.reader.start()
+        self.expect("frame time")  # the last of the statistics, after the first frames
+        self.id = wait(lambda: display.do("search", "--name", "^relevo-view "), "the window")
+        display.do("windowfocus", self.id)
+        wait(lambda: display.do("getwindowfocus") == self.id, "the keyboard")
+
+    def read(self):
+        for line in self.program.stdout:
+            self.lines.put(line.rstrip("\n"))
+
+    def expect(self, words):
+        """The next line of stdout that begins with these words."""
+        end = time.monotonic() + SECONDS
+        while True:
+            try:
+                line = self.lines.get(timeout=max(end - time.monotonic(), 0.0))
+            except queue.Empty:
+                self.program.kill()
+                raise AssertionError(f"no line '{words}'; {self.program.stderr.read()}") from None
+            if line.startswith(words):
+                return line
+
+    def key(self, name):
+        self.display.do("key", name)
+
+    def move(self, x, y):
+        """The mouse to a pixel, counted from the top left."""
+        self.display.do("mousemove", "--window", self.id, x, y)
+
+    def click_close_button(self):
+        """What a window manager sends then."""
+        send_delete_window(self.display.name, int(self.id))
+
+    def leave(self):
+        """Exit code and stderr."""
+        try:
+            code = self.program.wait(SECONDS)
+        finally:
+            self.program.kill()
+            self.reader.join()
+            with self.program as program:
+                errors = program.stderr.read()
+        return code, errors
+
+
+class ClientMessage(ctypes.Structure):
+    _fields_ = [
+        ("type", ctypes.c_int),
+        ("serial", ctypes.c_ulong),
+        ("send_event", ctypes.c_int),
+        ("display", ctypes.c_void_p),
+        ("window", ctypes.c_ulong),
+        ("message_type", ctypes.c_ulong),
+        ("format", ctypes.c_int),
+        ("data", ctypes.c_long * 5),
+        ("padding", ctypes.c_long * 12),  # an XEvent has 24 longs
+    ]
+
+
+def send_delete_window(display_name, window):
+    """WM_DELETE_WINDOW, by the rules of the ICCCM."""
+    x11 = ctypes.CDLL("libX11.so.6")
+    x11.XOpenDisplay.restype = ctypes.c_void_p
+    x11.XInternAtom.restype = ctypes.c_ulong
+    display = ctypes.c_void_p(x11.XOpenDisplay(display_name.encode()))
+    protocols, delete = (
+        x11.XInternAtom(display, name, 0) for name in (b"WM_PROTOCOLS", b"WM_DELETE_WINDOW")
+    )
+    message = ClientMessage(
+        type=33, window=window, message_type=protocols, format=32, data=(delete, 0, 0, 0, 0)
+    )
+    x11.XSendEvent(display, ctypes.c_ulong(window), 0, ctypes.c_long(0), ctypes.byref(message))
+    x11.XCloseDisplay(display)
