@@ -23,7 +23,7 @@ for argument in "$@"; do
     continue
   fi
   case $argument in
-    -h | --help) leaves=help ;;
+    -h | --help | --version) leaves=$argument ;;
     --output=*) output=${argument#*=} ;;
     --export | --export=*) leaves=yes ;;&
     --no-geomorphing | --per-edge | --stats | --stretch | --wireframe | --*=*) ;;
@@ -35,9 +35,9 @@ done
 
 bash "$source_dir/Module/build.sh"
 viewer=$build_dir/bin/relevo-view
-if [ $leaves = help ]; then
-  exec "$viewer" --help
-fi
+case $leaves in
+  -*) exec "$viewer" "$leaves" ;;
+esac
 
 arguments=("$@")
 if [ -z "$file" ]; then

@@ -154,7 +154,7 @@ void MeshScene::ReadHeights()
     return;
   }
   vtkNew<vtkHeightMap> heights;
-  this->Messages.Observe(heights);
+  this->Messages.Observe(heights, "reading heights");
   this->Messages.Observe(this->Displacement);
   heights->SetFileName(this->Options.Heights.c_str());
   heights->Update();
@@ -286,7 +286,7 @@ vtkSmartPointer<vtkPoints> MeshScene::GetSurfacePoints()
   recipe->SetSurface(this->Recipe->GetSurface());
   recipe->SetDisplacement(this->Recipe->GetDisplacement());
   vtkNew<vtkAdaptiveRefinementFilter> filter;
-  this->Messages.Observe(filter, "looking");
+  this->Messages.Observe(filter, "measuring");
   filter->SetInputData(this->Mesh);
   filter->SetRefinement(recipe);
   filter->Update();

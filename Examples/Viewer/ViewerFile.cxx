@@ -4,8 +4,32 @@
 
 #include "ViewerMessages.h"
 
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
+#include <system_error>
+#include <unistd.h>
+
+namespace
+{
+// Why a file can neither be made nor replaced, "" where it can.
+std::string GetOutputError(const std::filesystem::path& file)
+{
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  std::error_code unknown;
+  if (!std::filesystem::is_directory(folder, unknown))
+  {
+    return "there is no folder " + folder.string();
+  }
+  if (std::filesystem::is_directory(file, unknown))
+  {
+    return "it is a folder";
+  }
+  const bool canWrite = access(file.c_str(), W_OK) == 0 ||
+    (errno == ENOENT && access(folder.c_str(), W_OK | X_OK) == 0);
+  return canWrite ? "" : std::generic_category().message(errno);
+}
+}
 
 //------------------------------------------------------------------------------
 void CheckFile(const std::string& fileName)
@@ -18,5 +42,15 @@ void CheckFile(const std::string& fileName)
   if (reason)
   {
     throw ViewerError("cannot read " + fileName + ": " + reason);
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckOutput(const std::string& fileName)
+{
+  const std::string error = GetOutputError(fileName);
+  if (!error.empty())
+  {
+    throw ViewerError("cannot write " + fileName + ": " + error);
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   whether a file can be read at all
+ * @brief   whether a file can be read or written at all
  */
 #ifndef ViewerFile_h
 #define ViewerFile_h
@@ -11,5 +11,9 @@
 /// VTK's readers differ in what they say of a file that is not there or has nothing in it: this
 /// throws ViewerError.
 void CheckFile(const std::string& fileName);
+
+/// Nor does anyone want to wait for what cannot be written: throws ViewerError where a file can
+/// neither be made nor replaced. Makes none.
+void CheckOutput(const std::string& fileName);
 
 #endif

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <functional>
 #include <iostream>
-#include <unistd.h>
 
 namespace
 {
@@ -79,6 +78,11 @@ void ViewerMessages::Observe(vtkObject* object)
     });
   AddHandler(object, vtkCommand::WarningEvent,
     [this](vtkObject*, void* callData) { this->ShowWarning(GetText(callData)); });
+  if (auto* algorithm = vtkAlgorithm::SafeDownCast(object))
+  {
+    // The executive only repeats that the algorithm failed.
+    AddHandler(algorithm->GetExecutive(), vtkCommand::ErrorEvent, [](vtkObject*, void*) {});
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -86,19 +90,25 @@ void ViewerMessages::ShowWarning(const std::string& text)
 {
   if (this->Warnings.insert(text).second)
   {
+    this->Progress.Clear();
     std::cerr << "relevo-view: warning: " << text << std::endl;
   }
 }
 
 //------------------------------------------------------------------------------
-void ViewerMessages::Observe(vtkAlgorithm* algorithm, const std::string& name)
+void ViewerMessages::Observe(vtkObject* object, const std::string& work)
 {
-  this->Observe(algorithm);
-  // The executive only repeats that the algorithm failed.
-  AddHandler(algorithm->GetExecutive(), vtkCommand::ErrorEvent, [](vtkObject*, void*) {});
-  AddHandler(algorithm, vtkCommand::ProgressEvent,
-    [this, name](vtkObject*, void* callData)
-    { this->ShowProgress(name, *static_cast<double*>(callData)); });
+  this->Observe(object);
+  AddHandler(
+    object, vtkCommand::StartEvent, [this, work](vtkObject*, void*) { this->Progress.Show(work); });
+  AddHandler(object, vtkCommand::ProgressEvent,
+    [this, work](vtkObject* caller, void* callData)
+    {
+      auto* algorithm = vtkAlgorithm::SafeDownCast(caller);
+      const char* text = algorithm ? algorithm->GetProgressText() : nullptr;
+      this->Progress.Show(text ? text : work, *static_cast<double*>(callData));
+    });
+  AddHandler(object, vtkCommand::EndEvent, [this](vtkObject*, void*) { this->Progress.Clear(); });
 }
 
 //------------------------------------------------------------------------------
@@ -116,25 +126,5 @@ void ViewerMessages::Check()
     const ViewerError error(this->FirstError);
     this->FirstError.clear();
     throw error;
-  }
-}
-
-//------------------------------------------------------------------------------
-void ViewerMessages::ShowProgress(const std::string& name, double share)
-{
-  if (!isatty(STDERR_FILENO))
-  {
-    return;
-  }
-  const auto now = std::chrono::steady_clock::now();
-  const bool isDone = share >= 1.0;
-  if (isDone || now - this->LastProgress > std::chrono::milliseconds(100))
-  {
-    this->LastProgress = now;
-    std::cerr << "\r\033[K";
-    if (!isDone)
-    {
-      std::cerr << name << " " << static_cast<int>(100.0 * share) << " %" << std::flush;
-    }
   }
 }

@@ -7,12 +7,12 @@
 #ifndef ViewerMessages_h
 #define ViewerMessages_h
 
-#include <chrono>
+#include "ViewerProgress.h"
+
 #include <set>
 #include <stdexcept>
 #include <string>
 
-class vtkAlgorithm;
 class vtkObject;
 
 /// Bad input or output: what is wrong with it.
@@ -33,9 +33,9 @@ public:
   void Observe(vtkObject* object);
 
   /**
-   * As above, and show the progress of an algorithm under a name, where a person is watching.
+   * As above, and show how far the object's work is, in its own words where it has some.
    */
-  void Observe(vtkAlgorithm* algorithm, const std::string& name);
+  void Observe(vtkObject* object, const std::string& work);
 
   /**
    * Throw the errors of an object as ViewerError where they happen.
@@ -49,11 +49,10 @@ public:
 
 private:
   void ShowWarning(const std::string& text);
-  void ShowProgress(const std::string& name, double share);
 
   std::string FirstError;
   std::set<std::string> Warnings; // shown
-  std::chrono::steady_clock::time_point LastProgress;
+  ViewerProgress Progress;
 };
 
 #endif

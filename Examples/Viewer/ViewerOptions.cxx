@@ -40,7 +40,11 @@ public:
     {
       i += this->ReadArgument(argv[i], i + 1 < argc ? argv[i + 1] : nullptr);
     }
-    if (this->Options.Input.empty() && !this->Options.Help)
+    if (this->Options.Help || this->Options.Version)
+    {
+      return this->Options;
+    }
+    if (this->Options.Input.empty())
     {
       throw UsageError("which height map or mesh?");
     }
@@ -60,6 +64,7 @@ private:
       { "--per-edge", [&] { options.PerEdge = true; } },
       { "--stats", [&] { options.Statistics = true; } },
       { "--stretch", [&] { options.Stretch = true; } },
+      { "--version", [&] { options.Version = true; } },
       { "--wireframe", [&] { options.Wireframe = true; } },
     };
   }
@@ -314,10 +319,6 @@ private:
     ViewerOptions& options = this->Options;
     using Metric = ViewerOptions::MetricType;
     using Surface = ViewerOptions::SurfaceType;
-    if (options.Help)
-    {
-      return;
-    }
     this->CheckUse({ "--exaggeration", "--imagery-bands", "--resolution", "--stretch" },
       !options.IsMesh, "height maps");
     this->CheckUse(

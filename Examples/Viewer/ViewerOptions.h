@@ -106,6 +106,7 @@ struct ViewerOptions
   std::string Output;
   std::string Export;
   bool Help = false;
+  bool Version = false;
 
   MetricType GetMetric() const
   {

@@ -30,7 +30,7 @@ ViewerScene::ViewerScene(const ViewerOptions& options, ViewerMessages& messages)
   , Mapper(MakeMapper(options))
 {
   this->Messages.Observe(this->Recipe);
-  this->Messages.Observe(this->Mapper, "refining");
+  this->Messages.Observe(this->Mapper);
   this->Renderer->AutomaticLightCreationOff();
   this->Renderer->GradientBackgroundOn();
   this->Renderer->SetBackground(0.86, 0.90, 0.94);

@@ -92,6 +92,7 @@ The picture:
   --export FILE          write the displaced refined mesh (.vtp, .ply, .stl, .obj) and leave: height
                          maps in metres, x east, y north, z up; meshes in their own coordinates
   --help                 this text
+  --version              the version of Relevo
 
 In the window: left button turns, middle or shift + left moves, right or wheel zooms, w and s
 switch wireframe and surface, r resets the view, q leaves.

@@ -3,6 +3,7 @@
 /**
  * @brief   draws a height map or a mesh: in a window, or into a picture
  */
+#include "ViewerFile.h"
 #include "ViewerMessages.h"
 #include "ViewerOptions.h"
 #include "ViewerPicture.h"
@@ -66,6 +67,13 @@ void Run(const ViewerOptions& options)
   {
     throw ViewerError("there is no display; --output FILE.png draws a picture without one");
   }
+  for (const std::string& fileName : { options.Output, options.Export })
+  {
+    if (!fileName.empty())
+    {
+      CheckOutput(fileName);
+    }
+  }
   ViewerMessages messages;
   const std::unique_ptr<ViewerScene> scene = MakeScene(options, messages);
   if (!options.Export.empty())
@@ -91,6 +99,10 @@ int main(int argc, char* argv[])
     if (options.Help)
     {
       std::cout << GetUsage();
+    }
+    else if (options.Version)
+    {
+      std::cout << "relevo-view " << RELEVO_VERSION << std::endl;
     }
     else
     {

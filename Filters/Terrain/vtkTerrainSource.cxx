@@ -230,6 +230,7 @@ bool vtkTerrainSource::Build(vtkPolyData* output, std::string& error)
     return false;
   }
   this->SetProgressText("reading heights");
+  this->UpdateProgress(0.0);
   if (!this->HeightMap->Update())
   {
     return false;
@@ -316,6 +317,8 @@ bool vtkTerrainSource::UpdateImagery(const relevo::Georeference& location, std::
     return true;
   }
 
+  this->SetProgressText("draping imagery");
+  this->UpdateProgress(HeightsShare + MeshShare);
   relevo::ImagerySource source;
   source.FileName = this->ImageryFileName;
   std::copy_n(this->ImageryBands, 3, source.Bands.begin());
@@ -326,7 +329,6 @@ bool vtkTerrainSource::UpdateImagery(const relevo::Georeference& location, std::
     this->UpdateProgress(HeightsShare + MeshShare + (1.0 - HeightsShare - MeshShare) * share);
     return !relevo::IsAborted(this);
   };
-  this->SetProgressText("draping imagery");
   if (!relevo::DrapeImagery(source, location, imagery, progress, error))
   {
     error = error.empty() ? error : "Cannot drape " + source.FileName + ": " + error + ".";

@@ -41,3 +41,4 @@ test -s mesh.vtp
 check 1 '' missing.tif
 check 2 '' heights.pgm --no-such-option
 check 0 '' --help
+check 0 '' --version

@@ -29,6 +29,13 @@ def wrapped_headers():
 
 
 class TestPackage(unittest.TestCase):
+    def test_version(self):
+        """That of the project."""
+        lists = pathlib.Path(os.environ["RELEVO_SOURCE_DIR"], "CMakeLists.txt").read_text()
+        self.assertEqual(
+            relevo.__version__, re.search(r"project\(Relevo\s+VERSION (\S+)", lists)[1]
+        )
+
     def test_every_class_is_there(self):
         headers = wrapped_headers()
         self.assertGreater(len(headers), 8)

@@ -9,6 +9,8 @@ Every class of Relevo, as C++ has it: `relevo.vtkAdaptiveRefinementMapper`, `rel
 import importlib as _importlib
 import pkgutil as _pkgutil
 
+from .version import __version__
+
 __all__ = []
 for _module in sorted(module.name for module in _pkgutil.iter_modules(__path__)):
     # The extension modules; which of them there are depends on how Relevo was built.

@@ -1,0 +1,149 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""relevo-view in a terminal: progress while it works, nothing of it in the end, errors in one line.
+Its version. Outputs that cannot be written, before anything is read."""
+
+import os
+import pty
+import re
+import subprocess
+import unittest
+
+import relevo
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+from ViewerProgram import PROGRAM, ViewerProgram
+
+
+def screen(written):
+    """The lines that a terminal shows of what has been written to it."""
+    lines = [""]
+    column = 0
+    for letter in written:
+        if letter == "\r":
+            column = 0
+        elif letter == "\n":
+            lines.append("")
+        else:
+            lines[-1] = lines[-1][:column].ljust(column) + letter + lines[-1][column + 1 :]
+            column += 1
+    return [line.rstrip() for line in lines]
+
+
+class TestViewerTerminal(ViewerProgram):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        writer = vtkXMLPolyDataWriter()
+        sphere = vtkSphereSource()
+        writer.SetInputConnection(sphere.GetOutputPort())
+        writer.SetFileName(str(cls.folder / "sphere.vtp"))
+        writer.Write()
+        (cls.folder / "heights.pgm").write_bytes(b"P5 8 8 255\n" + bytes(range(64)))
+        (cls.folder / "picture.ppm").write_bytes(b"P6 4 4 255\n" + bytes(range(48)))
+
+    def watch(self, *arguments, code=0):
+        """What is written to a terminal."""
+        terminal, end = pty.openpty()
+        environment = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
+        with subprocess.Popen(
+            [str(PROGRAM), *arguments], cwd=self.folder, env=environment, stderr=end
+        ) as run:
+            os.close(end)
+            written = b""
+            try:
+                while part := os.read(terminal, 4096):
+                    written += part
+            except OSError:  # how a terminal ends
+                pass
+        os.close(terminal)
+        self.assertEqual(run.returncode, code, written)
+        return written.decode()
+
+    def assert_progress(self, words, *arguments):
+        """These, in their order, and nothing that stays."""
+        written = self.watch(*arguments)
+        self.assertRegex(written, ".*".join(words))
+        self.assertEqual(screen(written), [""])
+
+    def test_screen(self):
+        self.assertEqual(screen("abc\rx\r\n12\r"), ["xbc", "12"])
+
+    def test_terrain(self):
+        self.assert_progress(
+            [r"\rreading heights \d+ %", r"\rdraping imagery \d+ %", r"\rwriting"],
+            "heights.pgm", "--image=picture.ppm", "--output=p.png", "--size=64x64",
+        )
+
+    def test_mesh(self):
+        self.assert_progress(
+            [r"\rreading", r"\rrefining \d+ %", r"\rwriting"],
+            "sphere.vtp", "--level=2", "--export=e.vtp",
+        )
+        # Heights that are read in several parts.
+        (self.folder / "large.pgm").write_bytes(b"P5 2048 3000 255\n" + bytes(2048 * 3000))
+        self.assert_progress(
+            [r"\rreading", r"\rreading heights \d+ %", r"\rrefining", r"\rwriting"],
+            "sphere.vtp", "--level=2", "--height=large.pgm", "--export=e.stl",
+        )
+
+    def test_errors_are_whole_lines(self):
+        """Also where the work has begun, and after warnings."""
+        (self.folder / "cut.pgm").write_bytes(b"P5 8 8 255\n12345")
+        (self.folder / "cut.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n")
+        for name in ("cut.pgm", "cut.obj", "missing.vtp"):
+            written = self.watch(name, "--output=p.png", code=1)
+            lines = [line for line in screen(written) if line]
+            self.assertEqual(len(lines), 1, written)
+            self.assertRegex(lines[0], r"\Arelevo-view: error: [^%]+\Z")
+        lines = screen(self.watch("heights.pgm", "--image=cut.pgm", "--output=p.png", code=1))
+        self.assertRegex(lines[0], r"\Arelevo-view: error: .*cut\.pgm")
+        flat = self.folder / "flat.obj"
+        flat.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\nf 1 2 3\nf 1 2 4\n")
+        lines = screen(self.watch("flat.obj", "--export=e.vtp", "--level=1"))
+        self.assertRegex(lines[0], r"\Arelevo-view: warning: 1 degenerate")
+        self.assertEqual(lines[1:], [""])
+
+    def test_version(self):
+        self.assertRegex(relevo.__version__, r"\A\d+\.\d+\.\d+\Z")
+        self.assertEqual(self.view("--version").stdout, f"relevo-view {relevo.__version__}\n")
+        self.assertIn("--version", self.view("--help").stdout)
+        self.view("missing.tif", "--version")
+
+    def test_output_comes_first(self):
+        """Its error is told before that of the input: nothing has been read."""
+        (self.folder / "file").write_text("")
+        (self.folder / "folder.png").mkdir()
+        (self.folder / "folder.vtp").mkdir()
+        long = "a" * 300
+        for words, name in (
+            (["no folder nowhere"], "nowhere/a"),
+            (["no folder file"], "file/a"),
+            (["it is a folder"], "folder"),
+            ([os.strerror(36)], long),  # ENAMETOOLONG
+        ):
+            for option, extension in (("--output", ".png"), ("--export", ".vtp")):
+                self.assert_error(
+                    1, ["cannot write " + name + extension, *words],
+                    "missing.tif", option, name + extension,
+                )
+        self.assert_error(1, ["cannot write nowhere"], "sphere.vtp", "--export=nowhere/a.stl")
+        # What could be written has not been touched.
+        kept = self.folder / "kept.png"
+        kept.write_text("kept")
+        self.assert_error(1, ["missing.tif"], "missing.tif", "--output=kept.png")
+        self.assertEqual(kept.read_text(), "kept")
+        self.assert_error(1, ["missing.tif"], "missing.tif", "--output=new.png")
+        self.assertFalse((self.folder / "new.png").exists())
+
+    @unittest.skipIf(os.geteuid() == 0, "root may write everywhere")
+    def test_permissions(self):
+        (self.folder / "locked").mkdir(mode=0o500)
+        self.assert_error(1, ["locked/a.png", "denied"], "missing.tif", "--output=locked/a.png")
+        (self.folder / "locked.png").touch(mode=0o400)
+        self.assert_error(1, ["locked.png", "denied"], "missing.tif", "--output=locked.png")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["TestViewerTerminal"])
