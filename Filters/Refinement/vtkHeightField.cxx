@@ -4,6 +4,8 @@
 
 #include "vtkHeightSampler.h"
 
+#include <vector>
+
 vtkHeightField::vtkHeightField() = default;
 vtkHeightField::~vtkHeightField() = default;
 
@@ -30,6 +32,20 @@ bool vtkHeightField::IsValid(double u, double v)
   }
   relevo::HeightSampler sampler(this);
   return sampler.heightValid(glm::vec2(u, v));
+}
+
+std::shared_ptr<const unsigned char> vtkHeightField::ShareValidity()
+{
+  const unsigned char* validity = this->GetValidity();
+  if (!validity)
+  {
+    return nullptr;
+  }
+  int dimensions[2];
+  this->GetDimensions(dimensions);
+  const auto copy = std::make_shared<std::vector<unsigned char>>(
+    validity, validity + static_cast<std::size_t>(dimensions[0]) * dimensions[1]);
+  return { copy, copy->data() };
 }
 
 void vtkHeightField::PrintSelf(ostream& os, vtkIndent indent)

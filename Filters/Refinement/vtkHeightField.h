@@ -22,6 +22,8 @@
 #include "RelevoFiltersRefinementModule.h" // for export macro
 #include "vtkObject.h"
 
+#include <memory> // for ShareValidity
+
 class RELEVOFILTERSREFINEMENT_EXPORT vtkHeightField : public vtkObject
 {
 public:
@@ -73,6 +75,14 @@ public:
    * One byte per sample, 0 where there is no data; nullptr when all samples are valid.
    */
   virtual const unsigned char* GetValidity() VTK_SIZEHINT(1) = 0;
+
+#ifndef __VTK_WRAP__
+  /**
+   * The same bytes, which stay as they are for as long as the pointer is kept, whatever becomes of
+   * this object. Unless overridden, a copy.
+   */
+  virtual std::shared_ptr<const unsigned char> ShareValidity();
+#endif
 
 protected:
   vtkHeightField();

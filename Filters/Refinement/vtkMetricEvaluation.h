@@ -140,7 +140,7 @@ private:
   void ForEachPoint(Function&& f) const
   {
     const float* x = this->Points.Coordinates.data();
-    const float* data = this->Shader.Data;
+    const float* data = this->Shader.Data ? this->Shader.Data->data() : nullptr;
     vtkSMPTools::For(0, this->Points.GetNumberOfPoints(),
       [&, x, data](vtkIdType begin, vtkIdType end)
       {

@@ -38,7 +38,9 @@
 
 #include "vtkType.h" // for vtkMTimeType
 
-#include <array> // for Parameters
+#include <array>  // for Parameters
+#include <memory> // for Data
+#include <vector> // for Data
 
 #ifndef __VTK_WRAP__
 namespace relevo
@@ -52,8 +54,8 @@ struct MetricShader
   bool TagsPoints = true;
   /// Of this frame: 10 vectors of four.
   std::array<float, 40> Parameters{};
-  /// Four floats per point, owned by the metric and valid until it is asked again; or nullptr.
-  const float* Data = nullptr;
+  /// Four floats per point, or nullptr. Never changed: the metric makes others.
+  std::shared_ptr<const std::vector<float>> Data;
   /// Changes whenever Data does.
   vtkMTimeType DataTime = 0;
 };

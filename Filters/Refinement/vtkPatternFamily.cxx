@@ -133,12 +133,16 @@ int PatternFamily::GetWholeNumberStep(float tag)
   return SmallSegments / 2 * doublings + multiple - 1;
 }
 
-const vtkRefinementPattern& PatternFamily::GetPattern(
+std::shared_ptr<const vtkRefinementPattern> PatternFamily::GetPattern(
   int key, vtkRefinementPatternTable* table) const
 {
   const auto& steps = this->Keys[key];
-  return this->Morphing ? GetNestedPattern(steps[0], steps[1], steps[2])
-                        : table->GetPatternOfSegments(this->Segments[steps[0]],
-                            this->Segments[steps[1]], this->Segments[steps[2]]);
+  if (this->Morphing)
+  {
+    // No owner: these live as long as the program.
+    return { std::shared_ptr<void>(), &GetNestedPattern(steps[0], steps[1], steps[2]) };
+  }
+  return table->GetPatternOfSegments(
+    this->Segments[steps[0]], this->Segments[steps[1]], this->Segments[steps[2]]);
 }
 }

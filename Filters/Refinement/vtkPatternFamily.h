@@ -17,6 +17,7 @@
 
 #include <array>   // for members
 #include <cstddef> // for size_t
+#include <memory>  // for patterns
 #include <vector>  // for members
 
 class vtkRefinementPatternTable;
@@ -71,7 +72,8 @@ public:
   /// Steps of the pattern's edges 1, 2, 3.
   const std::array<unsigned char, 3>& GetSteps(int key) const { return this->Keys[key]; }
 
-  const vtkRefinementPattern& GetPattern(int key, vtkRefinementPatternTable* table) const;
+  std::shared_ptr<const vtkRefinementPattern> GetPattern(
+    int key, vtkRefinementPatternTable* table) const;
 
 private:
   PatternFamily(std::vector<int> segments, bool morphing, bool whole);

@@ -118,10 +118,10 @@ void PatternSelection::Select(const RefinementMesh& mesh, const EdgeTags& tags,
     });
   this->Counted = true;
 
-  this->FindPatterns(family, table);
+  this->FindPatterns([&](int key) { return family.GetPattern(key, table); });
 }
 
-void PatternSelection::Assign(const PatternFamily& family, vtkRefinementPatternTable* table,
+void PatternSelection::Assign(const PatternFamily& family, const RefinementPatterns& patterns,
   std::vector<unsigned int> entries, std::vector<float> morphTags)
 {
   this->Entries.swap(entries);
@@ -129,7 +129,7 @@ void PatternSelection::Assign(const PatternFamily& family, vtkRefinementPatternT
   this->ResizeCounts(family);
   this->CountFaces(nullptr);
   this->Counted = true;
-  this->FindPatterns(family, table);
+  this->FindPatterns([&](int key) { return patterns[key]; });
 }
 
 void PatternSelection::ResizeCounts(const PatternFamily& family)
@@ -142,11 +142,13 @@ void PatternSelection::ResizeCounts(const PatternFamily& family)
   }
 }
 
-void PatternSelection::FindPatterns(const PatternFamily& family, vtkRefinementPatternTable* table)
+template <typename GetPattern>
+void PatternSelection::FindPatterns(const GetPattern& getPattern)
 {
-  this->Patterns.assign(static_cast<size_t>(family.GetNumberOfKeys()), nullptr);
+  const int numberOfKeys = static_cast<int>(this->Counts.front().size());
+  this->Patterns.assign(static_cast<size_t>(numberOfKeys), nullptr);
   this->NumberOfTriangles = 0;
-  for (int key = 0; key < family.GetNumberOfKeys(); ++key)
+  for (int key = 0; key < numberOfKeys; ++key)
   {
     vtkIdType faces = 0;
     for (const auto& counts : this->Counts)
@@ -155,7 +157,7 @@ void PatternSelection::FindPatterns(const PatternFamily& family, vtkRefinementPa
     }
     if (faces > 0)
     {
-      this->Patterns[key] = &family.GetPattern(key, table);
+      this->Patterns[key] = getPattern(key);
       this->NumberOfTriangles += faces * this->Patterns[key]->GetNumberOfTriangles();
     }
   }

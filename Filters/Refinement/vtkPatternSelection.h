@@ -15,6 +15,7 @@
 #include "RelevoFiltersRefinementModule.h" // for export macro
 #include "vtkFacePattern.h"                // for GetFacePattern
 #include "vtkPatternFamily.h"              // for Family
+#include "vtkRefinementPattern.h"          // for RefinementPatterns
 #include "vtkType.h"                       // for vtkIdType
 
 #include <vector> // for members
@@ -40,7 +41,7 @@ RELEVOFILTERSREFINEMENT_EXPORT const PatternFamily& GetPatternFamily(
  */
 struct PatternGroup
 {
-  const vtkRefinementPattern* Pattern;
+  std::shared_ptr<const vtkRefinementPattern> Pattern;
   /// Whether the pattern's triangles are turned over.
   bool Mirrored;
   int Offset;
@@ -57,10 +58,10 @@ public:
     vtkRefinementPatternTable* table, float offset = 0.0f);
 
   /**
-   * Take what was chosen elsewhere: the family's entry of each face and, if its patterns morph, the
-   * tags that vertices morph by.
+   * Take what was chosen elsewhere: the family's entry of each face, the patterns by key and, if
+   * they morph, the tags that vertices morph by.
    */
-  void Assign(const PatternFamily& family, vtkRefinementPatternTable* table,
+  void Assign(const PatternFamily& family, const RefinementPatterns& patterns,
     std::vector<unsigned int> entries, std::vector<float> morphTags);
 
   /**
@@ -81,7 +82,7 @@ public:
   FacePattern GetFacePattern(int face) const
   {
     const unsigned int entry = this->Entries[face];
-    return { this->Patterns[entry >> 3], static_cast<int>(entry & 7u),
+    return { this->Patterns[entry >> 3].get(), static_cast<int>(entry & 7u),
       PatternFamily::IsMirrored(static_cast<int>(entry >> 3)),
       this->MorphTags.empty() ? nullptr : &this->MorphTags[3 * static_cast<std::size_t>(face)] };
   }
@@ -100,13 +101,15 @@ private:
     int maximumLevel, const GetTags& getTags, const GetStep& getStep);
   void ResizeCounts(const PatternFamily& family);
   void CountFaces(const unsigned char* hidden);
-  void FindPatterns(const PatternFamily& family, vtkRefinementPatternTable* table);
+  /// Take the patterns in use, getPattern(key) each.
+  template <typename GetPattern>
+  void FindPatterns(const GetPattern& getPattern);
 
   std::vector<unsigned int> Entries; // per face, of the family
   std::vector<float> MorphTags;
-  std::vector<const vtkRefinementPattern*> Patterns; // by key; nullptr where not in use
-  std::vector<std::vector<int>> Counts;              // of faces per key, by chunk of faces
-  bool Counted = false;                              // all faces
+  RefinementPatterns Patterns;          // by key; nullptr where not in use
+  std::vector<std::vector<int>> Counts; // of faces per key, by chunk of faces
+  bool Counted = false;                 // all faces
   vtkIdType NumberOfTriangles = 0;
 };
 }

@@ -23,17 +23,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace relevo
 {
 namespace
 {
 constexpr const char* OriginalCellIds = "vtkOriginalCellIds";
-
-bool HasHoles(vtkAdaptiveRefinement* recipe)
-{
-  return recipe->GetDisplacement() && recipe->GetDisplacement()->HasHoles();
-}
 
 void MarkPoints(vtkCellArray* cells, std::vector<vtkIdType>& marks)
 {
@@ -61,6 +57,11 @@ RefinedPolyDataBuilder::RefinedPolyDataBuilder(vtkPolyData* input, RefinementMes
   , Evaluator(mesh, recipe)
   , NumberOfPoints(Topology.GetNumberOfPoints())
 {
+  const HeightValidity validity = GetHoles(recipe);
+  if (validity.Samples)
+  {
+    this->Finder = std::make_unique<HoleFinder>(mesh, validity);
+  }
 }
 
 RefinedPolyDataBuilder::~RefinedPolyDataBuilder() = default;
@@ -73,8 +74,7 @@ bool RefinedPolyDataBuilder::Build(vtkPolyData* output)
   }
   // Holes leave points that nothing uses; points that are not finite are of no use.
   const auto isFinite = [](float x) { return std::isfinite(x); };
-  if (HasHoles(this->Recipe) ||
-    !std::all_of(this->Mesh.Points.begin(), this->Mesh.Points.end(), isFinite))
+  if (this->Finder || !std::all_of(this->Mesh.Points.begin(), this->Mesh.Points.end(), isFinite))
   {
     this->NumberUsedPoints();
   }
@@ -97,7 +97,7 @@ bool RefinedPolyDataBuilder::CountTriangles()
 {
   const size_t numberOfFaces = this->Mesh.Faces.size();
   this->FirstTriangles.assign(numberOfFaces + 1, 0);
-  const bool hasHoles = HasHoles(this->Recipe);
+  const bool hasHoles = this->Finder != nullptr;
   this->Holes.resize(hasHoles ? numberOfFaces : 0);
   const bool done = this->ForFaces(hasHoles ? 0.2 : 0.02,
     [&](vtkIdType begin, vtkIdType end)
@@ -107,10 +107,10 @@ bool RefinedPolyDataBuilder::CountTriangles()
         const int face = static_cast<int>(f);
         const FacePattern& pattern = this->Topology.GetPattern(face);
         vtkIdType count = pattern.Pattern->GetNumberOfTriangles();
-        if (hasHoles && this->Evaluator.MayHaveHoles(face))
+        if (hasHoles && this->Finder->MayHave(face))
         {
           this->Holes[f].resize(static_cast<size_t>(count));
-          count -= this->Evaluator.FindHoles(face, pattern, this->Holes[f].data());
+          count -= this->Finder->Find(face, pattern, this->Holes[f].data());
         }
         this->FirstTriangles[f + 1] = count;
       }

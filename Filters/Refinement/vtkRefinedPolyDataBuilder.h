@@ -12,11 +12,14 @@
 #ifndef vtkRefinedPolyDataBuilder_h
 #define vtkRefinedPolyDataBuilder_h
 
+#include "HoleFinder.h"
+
 #include "vtkNew.h"
 #include "vtkRefinedTopology.h"
 #include "vtkRefinementEvaluator.h"
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -83,6 +86,7 @@ private:
   const FaceLoop& ForFaces;
   RefinedTopology Topology;
   RefinementEvaluator Evaluator;
+  std::unique_ptr<HoleFinder> Finder; // null where there are no holes
   std::vector<std::string> ShortArrays;
 
   /// Per face its first triangle in the output, and one more for their number.

@@ -14,6 +14,7 @@
 #ifndef vtkRefinementPattern_h
 #define vtkRefinementPattern_h
 
+#include <memory> // for RefinementPatterns
 #include <vector> // for members
 
 struct vtkRefinementPattern
@@ -37,5 +38,11 @@ struct vtkRefinementPattern
     return this->Segments[0] + this->Segments[1] + this->Segments[2];
   }
 };
+
+namespace relevo
+{
+/// Who refers to patterns keeps them: a table may go, or read others, while they are in use.
+using RefinementPatterns = std::vector<std::shared_ptr<const vtkRefinementPattern>>;
+}
 
 #endif

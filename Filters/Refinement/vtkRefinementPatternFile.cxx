@@ -163,13 +163,13 @@ std::vector<vtkRefinementPattern> MakeEmptyPatterns(int maximumLevel)
 }
 
 std::string WriteBinary(
-  const char* fileName, int maximumLevel, const std::vector<const vtkRefinementPattern*>& patterns)
+  const char* fileName, int maximumLevel, const relevo::RefinementPatterns& patterns)
 {
   ByteWriter writer;
   writer.Put(Version);
   writer.Put(maximumLevel);
   writer.Put(static_cast<std::uint32_t>(patterns.size()));
-  for (const vtkRefinementPattern* pattern : patterns)
+  for (const auto& pattern : patterns)
   {
     for (int segments : pattern->Segments)
     {
@@ -270,7 +270,7 @@ vtkSmartPointer<vtkIntArray> NewPatternArray()
 }
 
 std::string WriteVTP(
-  const char* fileName, int maximumLevel, const std::vector<const vtkRefinementPattern*>& patterns)
+  const char* fileName, int maximumLevel, const relevo::RefinementPatterns& patterns)
 {
   constexpr int Columns = 12;
   constexpr double Spacing = 1.25;
@@ -413,7 +413,7 @@ std::string ReadVTP(
 namespace relevo
 {
 std::string WritePatterns(
-  const char* fileName, int maximumLevel, const std::vector<const vtkRefinementPattern*>& patterns)
+  const char* fileName, int maximumLevel, const RefinementPatterns& patterns)
 {
   if (!fileName || !*fileName)
   {

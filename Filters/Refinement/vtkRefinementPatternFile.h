@@ -21,7 +21,7 @@ namespace relevo
  * Returns what went wrong, empty on success.
  */
 std::string WritePatterns(
-  const char* fileName, int maximumLevel, const std::vector<const vtkRefinementPattern*>& patterns);
+  const char* fileName, int maximumLevel, const RefinementPatterns& patterns);
 
 /**
  * Read what WritePatterns() wrote. Every pattern is checked. Returns what is wrong with the file,

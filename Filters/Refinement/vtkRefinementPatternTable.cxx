@@ -27,36 +27,32 @@ vtkStandardNewMacro(vtkRefinementPatternTable);
 struct vtkRefinementPatternTable::vtkInternals
 {
   using Key = std::tuple<int, int, int>;
+  using Pattern = std::shared_ptr<const vtkRefinementPattern>;
 
   /// The pattern of a key, or nullptr.
-  const vtkRefinementPattern* Find(const Key& key) const
+  Pattern Find(const Key& key) const
   {
     std::shared_lock<std::shared_mutex> lock(this->Mutex);
     const auto found = this->Patterns.find(key);
-    return found == this->Patterns.end() ? nullptr : found->second.get();
+    return found == this->Patterns.end() ? nullptr : found->second;
   }
 
   /// Keeps the first pattern of a key where several threads have made one.
-  const vtkRefinementPattern& Add(const Key& key, std::unique_ptr<vtkRefinementPattern> pattern)
+  Pattern Add(const Key& key, const Pattern& pattern)
   {
     std::unique_lock<std::shared_mutex> lock(this->Mutex);
-    return *this->Patterns.emplace(key, std::move(pattern)).first->second;
+    return this->Patterns.emplace(key, pattern).first->second;
   }
 
-  /// Replaced patterns live on, for who still refers to them.
   void Replace(std::vector<vtkRefinementPattern>&& patterns)
   {
     std::unique_lock<std::shared_mutex> lock(this->Mutex);
-    for (auto& entry : this->Patterns)
-    {
-      this->Retired.push_back(std::move(entry.second));
-    }
     this->Patterns.clear();
     for (vtkRefinementPattern& pattern : patterns)
     {
       const int* n = pattern.Segments;
       const Key key(n[0], n[1], n[2]);
-      this->Patterns[key] = std::make_unique<vtkRefinementPattern>(std::move(pattern));
+      this->Patterns[key] = std::make_shared<const vtkRefinementPattern>(std::move(pattern));
     }
   }
 
@@ -67,10 +63,6 @@ struct vtkRefinementPatternTable::vtkInternals
     for (const auto& entry : this->Patterns)
     {
       size += MemorySize(*entry.second);
-    }
-    for (const auto& pattern : this->Retired)
-    {
-      size += MemorySize(*pattern);
     }
     return size;
   }
@@ -83,8 +75,7 @@ private:
   }
 
   mutable std::shared_mutex Mutex;
-  std::map<Key, std::unique_ptr<vtkRefinementPattern>> Patterns;
-  std::vector<std::unique_ptr<vtkRefinementPattern>> Retired;
+  std::map<Key, Pattern> Patterns;
 };
 
 vtkRefinementPatternTable::vtkRefinementPatternTable()
@@ -143,7 +134,8 @@ bool vtkRefinementPatternTable::IsOdd(int lambda)
   return lambda == 1 || lambda == 2 || lambda == 4 || lambda == 7;
 }
 
-const vtkRefinementPattern& vtkRefinementPatternTable::GetPatternOfSegments(int n1, int n2, int n3)
+std::shared_ptr<const vtkRefinementPattern> vtkRefinementPatternTable::GetPatternOfSegments(
+  int n1, int n2, int n3)
 {
   if (n1 < n2 || n2 < n3 || n3 < 1 || n1 > relevo::MaximumNumberOfSegments)
   {
@@ -153,10 +145,11 @@ const vtkRefinementPattern& vtkRefinementPatternTable::GetPatternOfSegments(int 
     n1 = n2 = n3 = 1;
   }
   const vtkInternals::Key key(n1, n2, n3);
-  const vtkRefinementPattern* pattern = this->Internals->Find(key);
-  return pattern ? *pattern
-                 : this->Internals->Add(key,
-                     std::make_unique<vtkRefinementPattern>(relevo::GeneratePattern(n1, n2, n3)));
+  const vtkInternals::Pattern pattern = this->Internals->Find(key);
+  return pattern
+    ? pattern
+    : this->Internals->Add(
+        key, std::make_shared<const vtkRefinementPattern>(relevo::GeneratePattern(n1, n2, n3)));
 }
 
 bool vtkRefinementPatternTable::GetPattern(int i, int j, int k, vtkPolyData* output)
@@ -176,8 +169,8 @@ bool vtkRefinementPatternTable::GetPattern(int i, int j, int k, vtkPolyData* out
     return false;
   }
   const int lambda = vtkRefinementPatternTable::Canonicalize(levels);
-  const vtkRefinementPattern& pattern =
-    this->GetPatternOfSegments(1 << levels[0], 1 << levels[1], 1 << levels[2]);
+  const auto made = this->GetPatternOfSegments(1 << levels[0], 1 << levels[1], 1 << levels[2]);
+  const vtkRefinementPattern& pattern = *made;
   int permutation[3];
   vtkRefinementPatternTable::GetPermutation(lambda, permutation);
 
@@ -226,14 +219,14 @@ vtkTypeInt64 vtkRefinementPatternTable::GetMemorySize()
 
 bool vtkRefinementPatternTable::Write(const char* fileName)
 {
-  std::vector<const vtkRefinementPattern*> patterns;
+  std::vector<std::shared_ptr<const vtkRefinementPattern>> patterns;
   for (int i = 0; i <= this->MaximumLevel; ++i)
   {
     for (int j = 0; j <= i; ++j)
     {
       for (int k = 0; k <= j; ++k)
       {
-        patterns.push_back(&this->GetPatternOfSegments(1 << i, 1 << j, 1 << k));
+        patterns.push_back(this->GetPatternOfSegments(1 << i, 1 << j, 1 << k));
       }
     }
   }

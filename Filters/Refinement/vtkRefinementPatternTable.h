@@ -27,7 +27,7 @@
 #include "RelevoFiltersRefinementModule.h" // for export macro
 #include "vtkObject.h"
 
-#include <memory> // for std::unique_ptr
+#include <memory> // for pointers
 
 class vtkPolyData;
 struct vtkRefinementPattern;
@@ -85,7 +85,7 @@ public:
   static bool IsOdd(int lambda);
 
   /**
-   * Bytes held by the patterns made so far (and by those that Read() has replaced).
+   * Bytes held by the patterns made so far.
    */
   vtkTypeInt64 GetMemorySize();
 
@@ -120,10 +120,11 @@ public:
 #ifndef __VTK_WRAP__
   /**
    * The canonical pattern with segments 128 >= n1 >= n2 >= n3 >= 1 on its edges. Made on first use,
-   * in 20 ms at most on an ordinary machine; safe to call from several threads. The reference stays
-   * valid as long as the table. Other numbers are an error and give the undivided triangle.
+   * in 20 ms at most on an ordinary machine; safe to call from several threads. Who keeps the
+   * pointer keeps the pattern, whatever becomes of the table. Other numbers are an error and give
+   * the undivided triangle.
    */
-  const vtkRefinementPattern& GetPatternOfSegments(int n1, int n2, int n3);
+  std::shared_ptr<const vtkRefinementPattern> GetPatternOfSegments(int n1, int n2, int n3);
 #endif
 
 protected:

@@ -15,6 +15,7 @@
 #include "relevoMetricView.h"
 #include "relevoSilhouetteMetric.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -53,7 +54,7 @@ public:
     }
   }
 
-  const std::vector<float>& GetData() const { return this->Data; }
+  const std::shared_ptr<const std::vector<float>>& GetData() const { return this->Data; }
   vtkMTimeType GetTime() const { return this->Time.GetMTime(); }
 
 private:
@@ -63,7 +64,9 @@ private:
     {
       normals = nullptr;
     }
-    this->Data.resize(4 * static_cast<std::size_t>(numberOfPoints));
+    const auto data =
+      std::make_shared<std::vector<float>>(4 * static_cast<std::size_t>(numberOfPoints));
+    this->Data = data;
     vtkSMPTools::For(0, numberOfPoints,
       [&](vtkIdType begin, vtkIdType end)
       {
@@ -80,7 +83,7 @@ private:
             const vtkIdType place = this->Surface.GetTriangles().GetPlace(point);
             normal = relevo::UnitOrZero(this->Surface.GetAreaVectorAt(place));
           }
-          float* datum = this->Data.data() + 4 * point;
+          float* datum = data->data() + 4 * point;
           for (int c = 0; c < 3; ++c)
           {
             datum[c] = static_cast<float>(normal[c]);
@@ -93,7 +96,7 @@ private:
   relevo::SurfaceNormals Surface;
   vtkDataArray* Of = nullptr;
   vtkMTimeType OfTime = 0;
-  std::vector<float> Data;
+  std::shared_ptr<const std::vector<float>> Data;
   vtkTimeStamp Time;
 };
 }
@@ -172,7 +175,7 @@ bool vtkSilhouetteDepthTagMetric::GetShader(vtkPolyData* mesh, const vtkRefineme
     static const std::string source = std::string(relevoMetricView) + relevoSilhouetteMetric;
     shader.Source = source.c_str();
     this->Internals->Normals.Update(mesh);
-    shader.Data = this->Internals->Normals.GetData().data();
+    shader.Data = this->Internals->Normals.GetData();
     shader.DataTime = this->Internals->Normals.GetTime();
   }
   return true;

@@ -13,8 +13,9 @@
 #ifndef vtkSurfaceTriangles_h
 #define vtkSurfaceTriangles_h
 
-#include "vtkPoints.h" // for GetPoint
-#include "vtkType.h"   // for vtkIdType
+#include "vtkPoints.h"       // for GetPoint
+#include "vtkSmartPointer.h" // for members
+#include "vtkType.h"         // for vtkIdType
 
 #include <array>   // for Triangle
 #include <utility> // for GeometryStamp
@@ -37,7 +38,7 @@ public:
   using Triangle = std::array<vtkIdType, 3>;
 
   SurfaceTriangles() = default;
-  /// The mesh's points are referred to, and must stay.
+  /// The mesh's points are referred to, and kept.
   explicit SurfaceTriangles(vtkPolyData* mesh);
 
   vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
@@ -92,7 +93,7 @@ private:
   void AddPolygons(vtkCellArray* polygons, vtkIdType firstCell);
   void AddStrips(vtkCellArray* strips, vtkIdType firstCell);
 
-  vtkPoints* Points = nullptr;
+  vtkSmartPointer<vtkPoints> Points;
   std::vector<vtkIdType> Places;
   std::vector<vtkIdType> CoincidentPoints;
   vtkIdType NumberOfPoints = 0;

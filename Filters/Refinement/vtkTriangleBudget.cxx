@@ -314,7 +314,7 @@ vtkIdType TriangleBudget::CountTriangles(
     {
       if (faces[key] > 0)
       {
-        triangles += faces[key] * family.GetPattern(key, table).GetNumberOfTriangles();
+        triangles += faces[key] * family.GetPattern(key, table)->GetNumberOfTriangles();
       }
     }
   }

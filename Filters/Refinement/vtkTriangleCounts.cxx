@@ -57,7 +57,7 @@ TriangleCounts::TriangleCounts(const PatternFamily& family, vtkRefinementPattern
         this->Triangles[i] = this->Estimates
           ? EstimateTriangles(family.GetSegments(a), family.GetSegments(b), family.GetSegments(c))
           : family.GetPattern(static_cast<int>(family.GetEntry(0, a, b, c) >> 3), table)
-              .GetNumberOfTriangles();
+              ->GetNumberOfTriangles();
       }
     });
 

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -59,14 +60,16 @@ public:
     }
   }
 
-  const std::vector<float>& GetData() const { return this->Data; }
+  const std::shared_ptr<const std::vector<float>>& GetData() const { return this->Data; }
   vtkMTimeType GetTime() const { return this->Time.GetMTime(); }
 
 private:
   void Build(const relevo::Placement& placement)
   {
     const relevo::SurfaceTriangles& triangles = this->Surface.GetTriangles();
-    this->Data.resize(4 * static_cast<std::size_t>(triangles.GetNumberOfPoints()));
+    const auto data = std::make_shared<std::vector<float>>(
+      4 * static_cast<std::size_t>(triangles.GetNumberOfPoints()));
+    this->Data = data;
     vtkSMPTools::For(0, triangles.GetNumberOfPoints(),
       [&](vtkIdType begin, vtkIdType end)
       {
@@ -74,7 +77,7 @@ private:
         {
           const vtkIdType place = triangles.GetPlace(point);
           const dvec3 mean = relevo::UnitOrZero(this->Surface.GetAreaVectorAt(place));
-          float* datum = this->Data.data() + 4 * point;
+          float* datum = data->data() + 4 * point;
           for (int c = 0; c < 3; ++c)
           {
             datum[c] = static_cast<float>(mean[c]);
@@ -106,7 +109,7 @@ private:
   relevo::SurfaceNormals Surface;
   dmat3 Shape{ 0.0 };
   double MaximumSpread = 0.0;
-  std::vector<float> Data;
+  std::shared_ptr<const std::vector<float>> Data;
   vtkTimeStamp Time;
 };
 }
@@ -171,7 +174,7 @@ bool vtkViewDependentDepthTagMetric::GetShader(vtkPolyData* mesh, const vtkRefin
   const relevo::Placement placement(view);
   Spreads& spreads = this->Internals->Of;
   spreads.Update(mesh, placement, vtkMath::RadiansFromDegrees(this->MaximumSpread));
-  shader.Data = spreads.GetData().data();
+  shader.Data = spreads.GetData();
   shader.DataTime = spreads.GetTime();
   relevo::MetricFrame frame(shader, placement, eye.GetPosition(), origin, maximumLevel);
   const double diagonal = placement.GetDiagonal(mesh);

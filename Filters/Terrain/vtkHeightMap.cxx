@@ -311,6 +311,11 @@ const unsigned char* vtkHeightMap::GetValidity()
   return this->Grid ? this->Grid->GetValidity() : nullptr;
 }
 
+std::shared_ptr<const unsigned char> vtkHeightMap::ShareValidity()
+{
+  return { this->Grid, this->GetValidity() };
+}
+
 void vtkHeightMap::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

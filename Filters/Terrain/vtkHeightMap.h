@@ -116,6 +116,9 @@ public:
   vtkMTimeType GetSamplesMTime() override;
   const float* GetSamples() VTK_SIZEHINT(1) override;
   const unsigned char* GetValidity() VTK_SIZEHINT(1) override;
+#ifndef __VTK_WRAP__
+  std::shared_ptr<const unsigned char> ShareValidity() override;
+#endif
 
   vtkMTimeType GetMTime() override;
 
@@ -138,7 +141,7 @@ private:
   bool ReadFile(relevo::HeightGrid& grid, std::string& error);
   bool ReadImage(relevo::HeightGrid& grid, std::string& error);
 
-  std::unique_ptr<relevo::HeightGrid> Grid; // null after a failure
+  std::shared_ptr<const relevo::HeightGrid> Grid; // null after a failure
   std::string Failure;
   int Dimensions[2];
   double Range[2];

@@ -72,6 +72,7 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   std::string MethodFailureCause; // see GetShaderCause()
   bool HasLines = false;          // a wireframe is drawn
   relevo::RefinementMethod& GetMethod();
+  /// Without a recipe there is nothing to upload, only to count.
   relevo::RefinementDrawing GetDrawing(vtkAdaptiveRefinement* recipe);
 
   // Selections on the GPU.

@@ -59,8 +59,9 @@ relevo::RefinementDrawing vtkAdaptiveRefinementMapper::vtkInternals::GetDrawing(
 {
   const int slot = this->State.GetSelectionSlot();
   return { this->Window, &this->State.GetMesh(), &this->State.GetSelection(), slot,
-    this->OnGPU ? &this->Compute.GetView(slot) : nullptr, recipe->GetPatternTable(), this->HasLines,
-    &this->Patterns, &this->Instances };
+    this->OnGPU ? &this->Compute.GetView(slot) : nullptr,
+    recipe ? recipe->GetPatternTable() : nullptr, this->HasLines, &this->Patterns,
+    &this->Instances };
 }
 
 int vtkAdaptiveRefinementMapper::GetMethodInUse()

@@ -199,18 +199,19 @@ void vtkAdaptiveRefinementMapper::ReadSelection()
   }
   data.ReadTime = time;
   data.Window->MakeCurrent();
+  const relevo::RefinementMesh& mesh = data.State.GetSelection().GetMesh();
   std::vector<float> morphTags;
   if (data.Instances.GetMorphTags())
   {
-    morphTags.resize(3 * data.State.GetMesh().Faces.size());
+    morphTags.resize(3 * mesh.Faces.size());
     relevo::RefinementComputeBuffer::ReadBuffer(
       data.Instances.GetMorphTags(), 0, morphTags.data(), morphTags.size() * sizeof(float));
   }
-  data.State.AssignSelection(this->GetInput(), this->Refinement, *data.Compute.GetFamily(),
+  data.State.AssignSelection(*data.Compute.GetFamily(), data.Compute.GetPatterns(),
     data.Compute.ReadEntries(slot), std::move(morphTags));
   const std::vector<int> counts = data.Compute.ReadCounts(slot);
-  data.NumberOfHiddenFaces = static_cast<int>(data.State.GetMesh().Faces.size()) -
-    std::accumulate(counts.begin(), counts.end(), 0);
+  data.NumberOfHiddenFaces =
+    static_cast<int>(mesh.Faces.size()) - std::accumulate(counts.begin(), counts.end(), 0);
   // Two keys share a pattern, of which one turns it over.
   data.NumberOfUsedPatterns = 0;
   for (size_t key = 0; key + 1 < counts.size(); key += 2)

@@ -126,10 +126,9 @@ vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfDrawnTriangles()
     return 0;
   }
   this->ReadSelection();
-  const vtkIdType triangles =
-    data.GetMethod().GetNumberOfTriangles(data.GetDrawing(this->Refinement));
-  return triangles >= 0 ? triangles
-                        : data.State.GetNumberOfTriangles(this->GetInput(), this->Refinement);
+  // Of the last frame: the recipe and the input may be others by now.
+  const vtkIdType triangles = data.GetMethod().GetNumberOfTriangles(data.GetDrawing(nullptr));
+  return triangles >= 0 ? triangles : data.State.GetNumberOfTriangles();
 }
 
 int vtkAdaptiveRefinementMapper::GetNumberOfDrawCalls()

@@ -35,7 +35,7 @@ std::vector<PatternGroup> GetAllGroups(
   groups.reserve(keys.size());
   for (int key : keys)
   {
-    groups.push_back({ &family.GetPattern(key, table), PatternFamily::IsMirrored(key), 0, 0 });
+    groups.push_back({ family.GetPattern(key, table), PatternFamily::IsMirrored(key), 0, 0 });
   }
   return groups;
 }
@@ -195,8 +195,11 @@ bool RefinementComputeState::UpdatePatterns(const PatternFamily& family,
   const std::vector<PatternGroup> groups = GetAllGroups(family, table, this->Keys);
   patterns.Load(table, groups, withLines);
   std::vector<RefinementComputeSelector::Pattern> described;
-  for (const PatternGroup& group : groups)
+  this->Patterns.assign(static_cast<size_t>(family.GetNumberOfKeys()), nullptr);
+  for (size_t i = 0; i < groups.size(); ++i)
   {
+    const PatternGroup& group = groups[i];
+    this->Patterns[this->Keys[i]] = group.Pattern;
     described.push_back(Describe(patterns.GetRange(group), group.Mirrored));
   }
   if (!this->Selector.UploadPatterns(

@@ -17,6 +17,7 @@
 #include "vtkRefinementComputeSelector.h"    // for members
 #include "vtkRefinementComputeTags.h"        // for members
 #include "vtkRefinementComputeView.h"        // for members
+#include "vtkRefinementPattern.h"            // for RefinementPatterns
 #include "vtkTimeStamp.h"                    // for members
 
 #include <map>    // for members
@@ -73,8 +74,11 @@ public:
   bool UpdateView(vtkOpenGLRenderWindow* window, int slot, const EdgeTags& tags, float offset,
     vtkMTimeType levelsTime, const CullingView* camera, bool behind, const Targets& targets);
 
-  /// The patterns that faces choose from; nullptr for none yet.
+  //@{
+  /// The patterns that faces choose from; nullptr for none yet. By key.
   const PatternFamily* GetFamily() const { return this->Family; }
+  const RefinementPatterns& GetPatterns() const { return this->Patterns; }
+  //@}
 
   /// The view in a slot that has been updated.
   RefinementComputeView& GetView(int slot) { return this->Views[slot].Selection; }
@@ -118,7 +122,8 @@ private:
   vtkMTimeType MeshTime = 0;
   vtkMTimeType FaceEdgesTime = 0; // of their mesh
   vtkMTimeType CullingTime = 0;
-  std::vector<int> Keys; // of the family, those in use
+  std::vector<int> Keys;       // of the family, those in use
+  RefinementPatterns Patterns; // of the family; nullptr where not in use
   const PatternFamily* Family = nullptr;
   vtkRefinementPatternTable* Table = nullptr; // to compare
   vtkMTimeType TableTime = 0;

@@ -57,7 +57,7 @@ bool RefinementComputeTags::UploadData(const MetricShader& shader)
     return true;
   }
   if (!this->Data.Upload(
-        shader.Data, 4 * sizeof(float) * static_cast<size_t>(this->NumberOfPoints)))
+        shader.Data->data(), 4 * sizeof(float) * static_cast<size_t>(this->NumberOfPoints)))
   {
     return this->Fail(TooLarge);
   }

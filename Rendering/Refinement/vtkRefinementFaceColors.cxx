@@ -46,7 +46,7 @@ bool RefinementFaceColors::UploadPatterns(vtkOpenGLRenderWindow* window, Refinem
     return true;
   }
   std::vector<float> colors;
-  for (const vtkRefinementPattern* pattern : patterns.GetPatterns())
+  for (const auto& pattern : patterns.GetPatterns())
   {
     const std::array<float, 4> color = RefinementColorTable::GetColor(
       table, RefinementLevelTable::GetValue(mode, wholeNumbers, *pattern));

@@ -44,6 +44,7 @@ struct RefinementDrawing
   int Slot;
   /// What the GPU has selected; nullptr where the CPU has.
   RefinementComputeView* ComputeView;
+  /// To upload from.
   vtkRefinementPatternTable* Table;
   /// Whether a wireframe is drawn.
   bool HasLines;

@@ -29,7 +29,7 @@ RefinementPatternBuffer::~RefinementPatternBuffer() = default;
 const RefinementPatternBuffer::Range& RefinementPatternBuffer::GetRange(
   const PatternGroup& group) const
 {
-  return this->Ranges.at(group.Pattern);
+  return this->Ranges.at(group.Pattern.get());
 }
 
 void RefinementPatternBuffer::Load(
@@ -48,7 +48,7 @@ void RefinementPatternBuffer::Load(
   }
   for (const PatternGroup& group : groups)
   {
-    if (this->Ranges.count(group.Pattern))
+    if (this->Ranges.count(group.Pattern.get()))
     {
       continue;
     }
@@ -107,7 +107,7 @@ void RefinementPatternBuffer::Load(
           { vertex[0], vertex[1], vertex[2], static_cast<float>(edge) + number });
       }
     }
-    this->Ranges[group.Pattern] = range;
+    this->Ranges[group.Pattern.get()] = range;
   }
   if (changed)
   {

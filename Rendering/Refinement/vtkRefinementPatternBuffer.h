@@ -13,6 +13,7 @@
 
 #include "RelevoRenderingRefinementModule.h" // for export macro
 #include "vtkNew.h"                          // for buffers
+#include "vtkRefinementPattern.h"            // for RefinementPatterns
 #include "vtkTimeStamp.h"                    // for UploadTime
 #include "vtkType.h"                         // for vtkTypeInt64
 
@@ -21,7 +22,6 @@
 
 class vtkOpenGLBufferObject;
 class vtkRefinementPatternTable;
-struct vtkRefinementPattern;
 
 namespace relevo
 {
@@ -57,7 +57,7 @@ public:
   const Range& GetRange(const PatternGroup& group) const;
 
   /// The patterns on the GPU, by number, at most 65536.
-  const std::vector<const vtkRefinementPattern*>& GetPatterns() const { return this->Patterns; }
+  const RefinementPatterns& GetPatterns() const { return this->Patterns; }
 
   /// (u, v, w, number of the copy + number of the pattern / 65536) of each vertex.
   vtkOpenGLBufferObject* GetVertices() { return this->VertexBuffer; }
@@ -74,8 +74,8 @@ public:
   void ReleaseGraphicsResources();
 
 private:
-  std::map<const vtkRefinementPattern*, Range> Ranges;
-  std::vector<const vtkRefinementPattern*> Patterns;
+  std::map<const vtkRefinementPattern*, Range> Ranges; // of Patterns
+  RefinementPatterns Patterns;
   bool HasLines = false;
   vtkMTimeType TableTime = 0;
   std::vector<float> Vertices;

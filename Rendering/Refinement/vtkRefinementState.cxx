@@ -66,7 +66,8 @@ bool RefinementState::UpdateMesh(vtkPolyData* input, vtkAdaptiveRefinement* reci
   this->MeshDependencies = dependencies;
   this->MeshValid = false;
   this->MeshTime.Modified();
-  this->Mesh = RefinementMesh();
+  const auto mesh = std::make_shared<RefinementMesh>();
+  this->Mesh = mesh;
   if (!recipe)
   {
     this->Error = "No recipe: call SetRefinement() with a vtkAdaptiveRefinement.";
@@ -77,25 +78,25 @@ bool RefinementState::UpdateMesh(vtkPolyData* input, vtkAdaptiveRefinement* reci
     this->Error = "The displacement's height map could not be read.";
     return false;
   }
-  if (!this->Mesh.Build(input, recipe))
+  if (!mesh->Build(input, recipe))
   {
-    this->Error = "Cannot refine the input: " + this->Mesh.GetError() + ".";
+    this->Error = "Cannot refine the input: " + mesh->GetError() + ".";
     return false;
   }
-  if (this->Mesh.GetNumberOfDroppedTriangles() > 0)
+  if (mesh->GetNumberOfDroppedTriangles() > 0)
   {
-    this->Warning = std::to_string(this->Mesh.GetNumberOfDroppedTriangles()) +
+    this->Warning = std::to_string(mesh->GetNumberOfDroppedTriangles()) +
       " degenerate cells or triangles dropped (two corners at one place, fewer than three points, "
       "or non-finite coordinates).";
   }
   this->PreparedInput->ShallowCopy(input);
-  if (!this->Mesh.Normals.empty() && !input->GetPointData()->GetNormals())
+  if (!mesh->Normals.empty() && !input->GetPointData()->GetNormals())
   {
     vtkNew<vtkFloatArray> normals;
     normals->SetName("Normals");
     normals->SetNumberOfComponents(3);
     normals->SetNumberOfTuples(input->GetNumberOfPoints());
-    std::copy(this->Mesh.Normals.begin(), this->Mesh.Normals.end(), normals->GetPointer(0));
+    std::copy(mesh->Normals.begin(), mesh->Normals.end(), normals->GetPointer(0));
     this->PreparedInput->GetPointData()->SetNormals(normals);
   }
   this->MeshValid = true;
@@ -111,7 +112,7 @@ void RefinementState::GetBounds(vtkPolyData* input, vtkAdaptiveRefinement* recip
   if (dependencies != this->BoundsDependencies)
   {
     this->BoundsDependencies = dependencies;
-    this->Mesh.GetBounds(recipe, this->Bounds);
+    this->Mesh->GetBounds(recipe, this->Bounds);
     vtkBoundingBox box;
     if (vtkMath::AreBoundsInitialized(this->Bounds))
     {
@@ -143,7 +144,7 @@ void RefinementState::GetBounds(vtkPolyData* input, vtkAdaptiveRefinement* recip
 SelectionInput RefinementState::GetSelectionInput(
   vtkPolyData* input, vtkAdaptiveRefinement* recipe) const
 {
-  return { input, recipe, &this->Mesh, this->MeshTime, GetHighestTag(recipe, this->IsBudgeted) };
+  return { input, recipe, this->Mesh, this->MeshTime, GetHighestTag(recipe, this->IsBudgeted) };
 }
 
 ViewSelection& RefinementState::FindView(
@@ -173,10 +174,28 @@ const FaceCulling& RefinementState::GetCulling(vtkAdaptiveRefinement* recipe)
   if (dependencies != this->CullingDependencies)
   {
     this->CullingDependencies = dependencies;
-    this->Culling.Build(this->Mesh, recipe);
+    this->Culling.Build(*this->Mesh, recipe);
     this->CullingTime.Modified();
   }
   return this->Culling;
+}
+
+void RefinementState::UpdateHoles(vtkAdaptiveRefinement* recipe)
+{
+  vtkDisplacement* displacement = recipe->GetDisplacement();
+  Dependencies dependencies;
+  if (displacement && displacement->HasHoles())
+  {
+    Append(
+      dependencies, displacement->GetHeightMap(), displacement->GetHeightMap()->GetSamplesMTime());
+  }
+  if (dependencies != this->HolesDependencies)
+  {
+    this->HolesDependencies = dependencies;
+    this->Holes = GetHoles(recipe);
+    this->HolesTime.Modified();
+  }
+  this->Current->SetHoles(this->Holes, this->HolesTime);
 }
 
 bool RefinementState::UpdateTags(
@@ -203,6 +222,7 @@ bool RefinementState::UpdateSelection(vtkPolyData* input, vtkAdaptiveRefinement*
   const bool changed =
     this->Current->UpdateLevels(this->GetSelectionInput(input, recipe), this->LevelOffset, onGPU);
   this->NumberOfSelections += changed ? 1 : 0;
+  this->UpdateHoles(recipe);
   if (!onGPU)
   {
     const FaceCulling* faces = culling ? &this->GetCulling(recipe) : nullptr;
@@ -217,17 +237,5 @@ void RefinementState::ForgetLevels()
   {
     view.Forget();
   }
-}
-
-void RefinementState::AssignSelection(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
-  const PatternFamily& family, std::vector<unsigned int> entries, std::vector<float> morphTags)
-{
-  this->Current->Assign(
-    this->GetSelectionInput(input, recipe), family, std::move(entries), std::move(morphTags));
-}
-
-vtkIdType RefinementState::GetNumberOfTriangles(vtkPolyData* input, vtkAdaptiveRefinement* recipe)
-{
-  return this->Current->GetNumberOfTriangles(this->GetSelectionInput(input, recipe));
 }
 }

@@ -16,8 +16,10 @@
 #include "vtkTimeStamp.h"      // for members
 #include "vtkViewSelection.h"  // for members
 
-#include <array>  // for members
-#include <string> // for messages
+#include <array>   // for members
+#include <memory>  // for members
+#include <string>  // for messages
+#include <utility> // for std::move
 
 class vtkAdaptiveRefinement;
 class vtkCamera;
@@ -66,8 +68,11 @@ public:
   void ForgetLevels();
 
   /// See ViewSelection::Assign().
-  void AssignSelection(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
-    const PatternFamily& family, std::vector<unsigned int> entries, std::vector<float> morphTags);
+  void AssignSelection(const PatternFamily& family, const RefinementPatterns& patterns,
+    std::vector<unsigned int> entries, std::vector<float> morphTags)
+  {
+    this->Current->Assign(family, patterns, std::move(entries), std::move(morphTags));
+  }
 
   /**
    * Bounds of all that is drawn, for a valid mesh: refined faces, vertices and lines.
@@ -82,7 +87,7 @@ public:
   std::string TakeWarning();
   //@}
 
-  const RefinementMesh& GetMesh() const { return this->Mesh; }
+  const RefinementMesh& GetMesh() const { return *this->Mesh; }
   bool IsMeshValid() const { return this->MeshValid; }
   vtkMTimeType GetMeshTime() const { return this->MeshTime; }
 
@@ -95,16 +100,18 @@ public:
   int GetSelectionSlot() const { return static_cast<int>(this->Current - this->Views.data()); }
   static constexpr int MostViews = 4;
 
-  /// Triangles of the selection, less those over no-data.
-  vtkIdType GetNumberOfTriangles(vtkPolyData* input, vtkAdaptiveRefinement* recipe);
+  /// Triangles of the selection, less those over no-data, as they were when it was made.
+  vtkIdType GetNumberOfTriangles() { return this->Current->GetNumberOfTriangles(); }
 
   vtkIdType GetNumberOfSelections() const { return this->NumberOfSelections; }
 
 private:
   ViewSelection& FindView(vtkPolyData* input, vtkAdaptiveRefinement* recipe, vtkCamera* camera);
   SelectionInput GetSelectionInput(vtkPolyData* input, vtkAdaptiveRefinement* recipe) const;
+  void UpdateHoles(vtkAdaptiveRefinement* recipe);
 
-  RefinementMesh Mesh;
+  // Shared with the views that it was drawn in.
+  std::shared_ptr<const RefinementMesh> Mesh = std::make_shared<RefinementMesh>();
   Dependencies MeshDependencies;
   bool MeshValid = false;
   vtkTimeStamp MeshTime;
@@ -115,6 +122,9 @@ private:
   FaceCulling Culling;
   Dependencies CullingDependencies;
   vtkTimeStamp CullingTime;
+  HeightValidity Holes;
+  Dependencies HolesDependencies;
+  vtkTimeStamp HolesTime;
 
   struct View
   {

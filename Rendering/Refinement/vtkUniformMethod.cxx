@@ -56,7 +56,7 @@ void UniformMethod::Group(const RefinementDrawing& drawing, std::vector<unsigned
       continue;
     }
     const int n = static_cast<int>(key / 2);
-    groups.push_back({ &drawing.Table->GetPatternOfSegments(n, n, n), key % 2 == 1,
+    groups.push_back({ drawing.Table->GetPatternOfSegments(n, n, n), key % 2 == 1,
       static_cast<int>(instances.size()), static_cast<int>(faces[key].size()) });
     instances.insert(instances.end(), faces[key].begin(), faces[key].end());
   }

@@ -7,7 +7,6 @@
 #include "vtkDepthTagMetric.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPolyData.h"
-#include "vtkRefinementEvaluator.h"
 #include "vtkRefinementMesh.h"
 #include "vtkRefinementPatternTable.h"
 #include "vtkRefinementView.h"
@@ -113,6 +112,7 @@ bool ViewSelection::UpdateTags(
 
 bool ViewSelection::UpdateLevels(const SelectionInput& input, double offset, bool onGPU)
 {
+  this->Mesh = input.Mesh;
   const PatternFamily& family = GetPatternFamily(input.Recipe, input.Input);
   const double sum = input.Recipe->GetLevelOffset() + offset;
   Dependencies dependencies;
@@ -127,7 +127,11 @@ bool ViewSelection::UpdateLevels(const SelectionInput& input, double offset, boo
   this->LevelsTime.Modified();
   this->NumberOfTriangles = -1;
   const double start = vtkTimerLog::GetUniversalTime();
-  if (!onGPU)
+  if (onGPU)
+  {
+    this->Selection = PatternSelection(); // until it is read back
+  }
+  else
   {
     this->Selection.Select(
       *input.Mesh, this->Tags, family, input.Recipe->GetPatternTable(), static_cast<float>(sum));
@@ -136,11 +140,20 @@ bool ViewSelection::UpdateLevels(const SelectionInput& input, double offset, boo
   return true;
 }
 
-void ViewSelection::Assign(const SelectionInput& input, const PatternFamily& family,
+void ViewSelection::SetHoles(const HeightValidity& holes, vtkMTimeType time)
+{
+  if (this->HolesTime != time)
+  {
+    this->HolesTime = time;
+    this->Holes = holes;
+    this->NumberOfTriangles = -1;
+  }
+}
+
+void ViewSelection::Assign(const PatternFamily& family, const RefinementPatterns& patterns,
   std::vector<unsigned int> entries, std::vector<float> morphTags)
 {
-  this->Selection.Assign(
-    family, input.Recipe->GetPatternTable(), std::move(entries), std::move(morphTags));
+  this->Selection.Assign(family, patterns, std::move(entries), std::move(morphTags));
   this->NumberOfTriangles = -1;
 }
 
@@ -184,13 +197,13 @@ void ViewSelection::UpdateGroups(const CullingInput& culling)
   this->GroupsSeconds = vtkTimerLog::GetUniversalTime() - start;
 }
 
-vtkIdType ViewSelection::GetNumberOfTriangles(const SelectionInput& input)
+vtkIdType ViewSelection::GetNumberOfTriangles()
 {
   if (this->NumberOfTriangles < 0 && this->Valid)
   {
     // Fragments over no-data are discarded; what the filter leaves out is counted when asked for.
     this->NumberOfTriangles = this->Selection.GetNumberOfTriangles() -
-      CountHoles(*input.Mesh, this->Selection, input.Recipe);
+      CountHoles(*this->Mesh, this->Selection, this->Holes);
   }
   return std::max<vtkIdType>(this->NumberOfTriangles, 0);
 }

@@ -12,12 +12,14 @@
 #ifndef vtkViewSelection_h
 #define vtkViewSelection_h
 
+#include "HoleFinder.h" // for members
+
 #include "vtkEdgeTags.h"         // for members
 #include "vtkFaceCulling.h"      // for LastView
 #include "vtkPatternSelection.h" // for members
 #include "vtkTimeStamp.h"        // for members
 
-#include <memory> // for LastView
+#include <memory> // for members
 #include <string> // for errors
 #include <vector> // for members
 
@@ -37,7 +39,7 @@ struct SelectionInput
 {
   vtkPolyData* Input;
   vtkAdaptiveRefinement* Recipe;
-  const RefinementMesh* Mesh;
+  std::shared_ptr<const RefinementMesh> Mesh;
   vtkMTimeType MeshTime;
   /// See GetHighestTag().
   int HighestTag;
@@ -79,6 +81,9 @@ public:
    */
   void UpdateGroups(const CullingInput& culling);
 
+  /// Know what displacement leaves out of the triangles, since a time.
+  void SetHoles(const HeightValidity& holes, vtkMTimeType time);
+
   /// Evaluate all anew, with the next update.
   void Forget()
   {
@@ -89,8 +94,11 @@ public:
   const PatternSelection& GetSelection() const { return this->Selection; }
 
   /// Take over what the GPU has chosen for each face; see PatternSelection::Assign().
-  void Assign(const SelectionInput& input, const PatternFamily& family,
+  void Assign(const PatternFamily& family, const RefinementPatterns& patterns,
     std::vector<unsigned int> entries, std::vector<float> morphTags);
+
+  /// The mesh that levels were chosen for, whatever has become of its input.
+  const RefinementMesh& GetMesh() const { return *this->Mesh; }
 
   /// When the levels and the groups last changed.
   vtkMTimeType GetLevelsTime() const { return this->LevelsTime; }
@@ -106,14 +114,17 @@ public:
   int GetNumberOfHiddenFaces() const { return this->NumberOfHiddenFaces; }
 
   /// Triangles of all faces, less those over no-data.
-  vtkIdType GetNumberOfTriangles(const SelectionInput& input);
+  vtkIdType GetNumberOfTriangles();
 
 private:
   bool SeesTheSame(const CullingInput& culling) const;
 
   EdgeTags Tags;
   vtkMTimeType TagsMeshTime = 0;
+  std::shared_ptr<const RefinementMesh> Mesh;
   PatternSelection Selection;
+  HeightValidity Holes;
+  vtkMTimeType HolesTime = 0;
   Dependencies TagDependencies;
   Dependencies LevelDependencies;
   bool Valid = false; // tags

@@ -181,7 +181,7 @@ void RunPatterns(const BenchmarkOptions&, const AddTable& addTable)
         const int levels[3] = { i, j, k };
         if (i > 0) // the undivided triangle is nobody's merit
         {
-          Add(patterns->GetPatternOfSegments(1 << i, 1 << j, 1 << k), statistics[0][i - k]);
+          Add(*patterns->GetPatternOfSegments(1 << i, 1 << j, 1 << k), statistics[0][i - k]);
           Add(RelevoPatternQuality::MakeSuaptPattern(patterns, levels), statistics[1][i - k]);
           Add(SplitPattern(levels).Get(), statistics[2][i - k]);
         }

@@ -36,7 +36,7 @@ void MakePatterns(benchmark::State& state, int level)
       {
         for (int k = 0; k <= j; ++k)
         {
-          triangles += table->GetPatternOfSegments(1 << i, 1 << j, 1 << k).GetNumberOfTriangles();
+          triangles += table->GetPatternOfSegments(1 << i, 1 << j, 1 << k)->GetNumberOfTriangles();
         }
       }
     }

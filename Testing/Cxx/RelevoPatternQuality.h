@@ -59,7 +59,7 @@ inline std::vector<Shape> GetShapes(const vtkRefinementPattern& pattern)
 inline vtkRefinementPattern MakeSuaptPattern(vtkRefinementPatternTable* table, const int levels[3])
 {
   const int n = 1 << levels[0];
-  vtkRefinementPattern pattern = table->GetPatternOfSegments(n, n, n);
+  vtkRefinementPattern pattern = *table->GetPatternOfSegments(n, n, n);
   std::size_t vertex = 3;
   for (int edge = 0; edge < 3; ++edge)
   {

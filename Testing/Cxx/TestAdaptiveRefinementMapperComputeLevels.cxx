@@ -172,7 +172,7 @@ private:
     {
       const relevo::FacePattern expected = selection.GetFacePattern(static_cast<int>(f));
       const int key = static_cast<int>(entries[f] >> 3);
-      wrong += &family.GetPattern(key, recipe->GetPatternTable()) != expected.Pattern ||
+      wrong += family.GetPattern(key, recipe->GetPatternTable()).get() != expected.Pattern ||
         relevo::PatternFamily::IsMirrored(key) != expected.Mirrored ||
         static_cast<int>(entries[f] & 7u) != expected.Code;
       for (size_t e = 0; expected.MorphTags && e < 3; ++e)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Samples without data: triangles over them are left out, or filled by choice.
+#include "HoleFinder.h"
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 #include "RelevoWatertight.h"
@@ -9,7 +10,6 @@
 #include "vtkDisplacement.h"
 #include "vtkEdgeTags.h"
 #include "vtkPatternSelection.h"
-#include "vtkRefinementEvaluator.h"
 #include "vtkRefinementMesh.h"
 #include "vtkRefinementView.h"
 
@@ -124,7 +124,7 @@ void testAgainstSearch(RelevoCheck& check, Mesh mesh, vtkAdaptiveRefinement* rec
   relevo::PatternSelection selection;
   selection.Select(
     refinementMesh, tags, relevo::GetPatternFamily(recipe, mesh), recipe->GetPatternTable());
-  CHECK(relevo::CountHoles(refinementMesh, selection, recipe) ==
+  CHECK(relevo::CountHoles(refinementMesh, selection, relevo::GetHoles(recipe)) ==
     full->GetNumberOfCells() - holed->GetNumberOfCells());
 }
 

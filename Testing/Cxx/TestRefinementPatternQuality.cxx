@@ -89,8 +89,9 @@ int TestRefinementPatternQuality(int, char*[])
       {
         const int levels[3] = { i, j, k };
         const auto start = std::chrono::steady_clock::now();
-        const vtkRefinementPattern& pattern = table->GetPatternOfSegments(1 << i, 1 << j, 1 << k);
+        const auto made = table->GetPatternOfSegments(1 << i, 1 << j, 1 << k);
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+        const vtkRefinementPattern& pattern = *made;
         slowest = std::max(slowest, seconds.count());
         total += seconds.count();
         const auto angles = SmallestAngles(pattern);

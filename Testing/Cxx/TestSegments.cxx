@@ -205,8 +205,9 @@ void TestFacePatterns(RelevoCheck& check)
       const int steps[3] = { i % 4, i / 4 % 4, i / 16 % 4 };
       const unsigned int entry = family->GetEntry(i / 64, steps[0], steps[1], steps[2]);
       const int key = static_cast<int>(entry >> 3);
-      const relevo::FacePattern pattern = { &family->GetPattern(key, table),
-        static_cast<int>(entry & 7u), relevo::PatternFamily::IsMirrored(key), nullptr };
+      const auto kept = family->GetPattern(key, table);
+      const relevo::FacePattern pattern = { kept.get(), static_cast<int>(entry & 7u),
+        relevo::PatternFamily::IsMirrored(key), nullptr };
       int segments[3];
       pattern.GetEdgeSegments(segments);
       for (int e = 0; e < 3; ++e)
