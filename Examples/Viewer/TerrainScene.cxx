@@ -19,6 +19,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkSMPTools.h"
 #include "vtkTerrainSource.h"
 
 #include <algorithm>
@@ -78,13 +79,34 @@ void TerrainScene::ReadTerrain()
 }
 
 //------------------------------------------------------------------------------
+void TerrainScene::AddHeights(vtkPolyData* mesh)
+{
+  vtkHeightField* heights = this->Source->GetHeightMap();
+  vtkDataArray* coordinates = mesh->GetPointData()->GetTCoords();
+  const vtkIdType numberOfPoints = mesh->GetNumberOfPoints();
+  vtkNew<vtkFloatArray> values;
+  values->SetName(HeightName);
+  values->SetNumberOfValues(numberOfPoints);
+  vtkSMPTools::For(0, numberOfPoints,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        values->SetValue(i,
+          static_cast<float>(
+            heights->GetHeight(coordinates->GetComponent(i, 0), coordinates->GetComponent(i, 1))));
+      }
+    });
+  mesh->GetPointData()->AddArray(values);
+}
+
+//------------------------------------------------------------------------------
 void TerrainScene::MakeDisplacedMesh()
 {
   vtkDisplacement* displacement = this->Source->GetDisplacement();
-  vtkHeightField* heights = displacement->GetHeightMap();
-  vtkDataArray* coordinates = this->Mesh->GetPointData()->GetTCoords();
-  vtkNew<vtkFloatArray> displaced;
-  displaced->SetName(HeightName);
+  this->DisplacedMesh->ShallowCopy(this->Mesh);
+  this->AddHeights(this->DisplacedMesh);
+  vtkDataArray* heights = this->DisplacedMesh->GetPointData()->GetArray(HeightName);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->DeepCopy(this->Mesh->GetPoints());
@@ -92,16 +114,17 @@ void TerrainScene::MakeDisplacedMesh()
   {
     double point[3];
     points->GetPoint(i, point);
-    point[2] += displacement->GetOffset() +
-      displacement->GetScale() *
-        heights->GetHeight(coordinates->GetComponent(i, 0), coordinates->GetComponent(i, 1));
+    point[2] += displacement->GetOffset() + displacement->GetScale() * heights->GetComponent(i, 0);
     points->SetPoint(i, point);
-    displaced->InsertNextValue(static_cast<float>(point[2]));
   }
-  this->DisplacedMesh->ShallowCopy(this->Mesh);
   this->DisplacedMesh->SetPoints(points);
   this->DisplacedMesh->GetPointData()->SetNormals(nullptr); // those of the flat mesh
-  this->DisplacedMesh->GetPointData()->AddArray(displaced);
+}
+
+//------------------------------------------------------------------------------
+void TerrainScene::AddExportedData(vtkPolyData* mesh)
+{
+  this->AddHeights(mesh);
 }
 
 //------------------------------------------------------------------------------

@@ -21,7 +21,10 @@ public:
   ~TerrainScene() override;
 
 private:
+  void AddExportedData(vtkPolyData* mesh) override;
   void ReadTerrain();
+  /// Of the raster, in its unit, at the mesh's texture coordinates.
+  void AddHeights(vtkPolyData* mesh);
   void MakeDisplacedMesh();
   int GetDefaultLevel();
   vtkSmartPointer<vtkDepthTagMetric> MakeReliefMetric();

@@ -5,6 +5,7 @@
 #include "ViewerArguments.h"
 #include "ViewerMessages.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkNew.h"
 #include "vtkOBJWriter.h"
 #include "vtkPLYWriter.h"
@@ -18,11 +19,22 @@
 
 namespace
 {
+void SetBinary(vtkSTLWriter* writer)
+{
+  writer->SetFileTypeToBinary();
+}
+
+// The others are binary by default, or text by definition.
+void SetBinary(vtkAlgorithm*)
+{
+}
+
 // Whether it was written.
 template <typename Writer>
 bool Write(vtkPolyData* mesh, const std::string& fileName, ViewerMessages& messages)
 {
   vtkNew<Writer> writer;
+  SetBinary(writer.Get());
   messages.Observe(writer, "writing");
   writer->SetInputData(mesh);
   writer->SetFileName(fileName.c_str());

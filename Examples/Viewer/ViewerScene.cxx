@@ -152,6 +152,7 @@ void ViewerScene::Export(const std::string& fileName)
   filter->Update();
   this->Recipe->SetGeomorphing(geomorphing);
   this->Messages.Check();
+  this->AddExportedData(filter->GetOutput());
   WriteMesh(filter->GetOutput(), fileName, this->Messages);
 }
 

@@ -66,6 +66,8 @@ protected:
   vtkNew<vtkRenderer> Renderer;
 
 private:
+  /// What else a refined mesh shall have in a file.
+  virtual void AddExportedData(vtkPolyData*) {}
   void SetRecipe(int maximumLevel, vtkDepthTagMetric* metric);
 
   bool HasLegend = false;

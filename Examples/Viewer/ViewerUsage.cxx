@@ -90,7 +90,9 @@ The picture:
   --size WxH             of the picture or the window, in pixels (default 1280x800)
   --output FILE.png      write a picture and leave; needs no display
   --export FILE          write the displaced refined mesh (.vtp, .ply, .stl, .obj) and leave: height
-                         maps in metres, x east, y north, z up; meshes in their own coordinates
+                         maps in metres, x east, y north, z up, in .vtp with Origin and CoordinateSystem
+                         as field data and Height in the raster's unit as point data; meshes in
+                         their own coordinates
   --help                 this text
   --version              the version of Relevo
 

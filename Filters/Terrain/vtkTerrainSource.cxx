@@ -6,6 +6,8 @@
 
 #include "vtkCommand.h"
 #include "vtkDisplacement.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkHeightMap.h"
 #include "vtkImageData.h"
 #include "vtkImagery.h"
@@ -16,6 +18,7 @@
 #include "vtkPolyData.h"
 #include "vtkRaster.h"
 #include "vtkRelevoCompatibility.h"
+#include "vtkStringArray.h"
 #include "vtkTerrainFrame.h"
 
 #include <algorithm>
@@ -249,8 +252,22 @@ bool vtkTerrainSource::Build(vtkPolyData* output, std::string& error)
   const bool hasHoles = this->GetNoDataPolicy() == vtkDisplacement::HOLE;
   relevo::BuildTerrainMesh(*this->Frame, texels, this->Resolution,
     hasHoles ? this->HeightMap->GetValidity() : nullptr, output);
+  this->AddFieldData(output);
   this->UpdateProgress(HeightsShare + MeshShare);
   return !relevo::IsAborted(this) && this->UpdateImagery(location, error);
+}
+
+void vtkTerrainSource::AddFieldData(vtkPolyData* output)
+{
+  vtkNew<vtkDoubleArray> origin;
+  origin->SetName("Origin");
+  origin->SetNumberOfComponents(3);
+  origin->InsertNextTuple(this->Origin);
+  vtkNew<vtkStringArray> system;
+  system->SetName("CoordinateSystem");
+  system->InsertNextValue(this->CoordinateSystem);
+  output->GetFieldData()->AddArray(origin);
+  output->GetFieldData()->AddArray(system);
 }
 
 bool vtkTerrainSource::Locate(

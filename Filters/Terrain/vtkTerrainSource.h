@@ -7,7 +7,9 @@
  * The output covers the raster from pixel edge to pixel edge with a grid of triangles at z = 0,
  * counter-clockwise from above, with point normals ("Normals", +z) and texture coordinates
  * ("TextureCoordinates", u east, v north, [0, 1]^2). The relief itself is GetDisplacement(), for
- * vtkAdaptiveRefinement::SetDisplacement: z = height x Exaggeration.
+ * vtkAdaptiveRefinement::SetDisplacement: z = height x Exaggeration. Where the terrain lies is in
+ * the field data, which go with the mesh through refinement and into files: "Origin", 3 doubles,
+ * and "CoordinateSystem", a string, as GetOrigin() and GetCoordinateSystem() have them.
  *
  * Points are in terrain coordinates: metres, x east, y north, from the raster's centre. Longitude
  * and latitude: GeographicLib::LocalCartesian at the centre, height 0, on the ellipsoid of the
@@ -207,6 +209,7 @@ private:
   void operator=(const vtkTerrainSource&) = delete;
 
   bool Build(vtkPolyData* output, std::string& error);
+  void AddFieldData(vtkPolyData* output);
   bool Locate(relevo::Georeference& location, double& verticalUnit, std::string& error);
   bool CheckImagery(std::string& error);
   bool UpdateImagery(const relevo::Georeference& location, std::string& error);

@@ -7,10 +7,12 @@
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkDisplacement.h"
+#include "vtkFieldData.h"
 #include "vtkHeightMap.h"
 #include "vtkIdList.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 #include "vtkTerrainSource.h"
 
 #include <algorithm>
@@ -65,6 +67,26 @@ int NumberOfOverhangs(vtkPolyData* mesh)
   return count;
 }
 
+// Where the terrain lies goes with the mesh: the raster's centre and its coordinate system.
+void CheckPlace(RelevoCheck& check, vtkPolyData* mesh, vtkTerrainSource* source)
+{
+  vtkFieldData* data = mesh->GetFieldData();
+  vtkDataArray* origin = data->GetArray("Origin");
+  auto* system = vtkStringArray::SafeDownCast(data->GetAbstractArray("CoordinateSystem"));
+  CHECK(data->GetNumberOfArrays() == 2 && origin && system);
+  if (!origin || !system)
+  {
+    return;
+  }
+  CHECK(origin->GetNumberOfTuples() == 1 && origin->GetNumberOfComponents() == 3);
+  CHECK(system->GetNumberOfValues() == 1);
+  for (int i = 0; i < 3; ++i)
+  {
+    CHECK(origin->GetComponent(0, i) == source->GetOrigin()[i]);
+  }
+  CHECK(system->GetValue(0) == source->GetCoordinateSystem());
+}
+
 // A cone with a void beside it.
 void TestCone(RelevoCheck& check, const RelevoTestFolders& folders)
 {
@@ -92,6 +114,10 @@ void TestCone(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(holes->GetNumberOfCells() > 1000);
   CHECK_NEAR(Deviation(holes, source), 0.0, 0.02);
   CHECK(NumberOfOverhangs(holes) == 0);
+  CHECK(source->GetOrigin()[0] == 320.0 && source->GetOrigin()[1] == 240.0);
+  CHECK(std::string(source->GetCoordinateSystem()).find("UTM zone 33N") != std::string::npos);
+  CheckPlace(check, source->GetOutput(), source);
+  CheckPlace(check, holes, source);
   double bounds[6];
   holes->GetBounds(bounds);
   CHECK(bounds[4] > 0.0 && bounds[5] <= 600.0 && bounds[5] > 590.0);
