@@ -19,9 +19,12 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRefinementSurface.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkScalarBarActor.h"
 #include "vtkTexture.h"
+
+#include <iostream>
 
 //------------------------------------------------------------------------------
 ViewerScene::ViewerScene(const ViewerOptions& options, ViewerMessages& messages)
@@ -157,9 +160,15 @@ void ViewerScene::Export(const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
-void ViewerScene::PrintStatistics(vtkRenderWindow* window, std::ostream& stream)
+void ViewerScene::Draw(vtkRenderWindow* window)
 {
-  ::PrintStatistics(this->Mapper, this->Renderer, window, this->Messages, stream);
+  if (this->Options.Statistics)
+  {
+    DrawWithStatistics(this->Mapper, this->Renderer, window, this->Messages, std::cout);
+    return;
+  }
+  window->Render();
+  this->Messages.Check();
 }
 
 //------------------------------------------------------------------------------

@@ -16,7 +16,6 @@
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
-#include <iosfwd>
 #include <memory>
 #include <string>
 
@@ -41,8 +40,8 @@ public:
   /// Writes the refined mesh as it is seen; throws ViewerError.
   void Export(const std::string& fileName);
 
-  /// Draws frames until the time of one is known, and prints what they cost.
-  void PrintStatistics(vtkRenderWindow* window, std::ostream& stream);
+  /// The first frame, with its costs on stdout where the options ask for them; throws ViewerError.
+  void Draw(vtkRenderWindow* window);
 
 protected:
   ViewerScene(const ViewerOptions& options, ViewerMessages& messages);

@@ -14,9 +14,10 @@ class vtkRenderWindow;
 class ViewerMessages;
 
 /**
- * Draws frames until the time of one is known, and prints what they cost; throws ViewerError.
+ * Draws, once more for the time of a frame that has nothing to make any more, and prints what it
+ * costs; throws ViewerError.
  */
-void PrintStatistics(vtkAdaptiveRefinementMapper* mapper, vtkRenderer* renderer,
+void DrawWithStatistics(vtkAdaptiveRefinementMapper* mapper, vtkRenderer* renderer,
   vtkRenderWindow* window, ViewerMessages& messages, std::ostream& stream);
 
 #endif

@@ -15,7 +15,6 @@
 #include "vtkSmartPointer.h"
 
 #include <cstdlib>
-#include <iostream>
 #include <string>
 
 namespace
@@ -65,11 +64,6 @@ void ShowWindow(ViewerScene& scene, const ViewerOptions& options, ViewerMessages
   vtkNew<vtkRenderWindowInteractor> interactor;
   interactor->SetRenderWindow(window);
   interactor->SetInteractorStyle(MakeStyle(options.IsMesh));
-  window->Render();
-  messages.Check();
-  if (options.Statistics)
-  {
-    scene.PrintStatistics(window, std::cout);
-  }
+  scene.Draw(window);
   interactor->Start();
 }

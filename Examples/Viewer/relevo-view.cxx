@@ -48,12 +48,7 @@ void Draw(ViewerScene& scene, const ViewerOptions& options, ViewerMessages& mess
   window->SetSize(options.Size[0], options.Size[1]);
   window->SetMultiSamples(4);
   window->AddRenderer(scene.GetRenderer());
-  window->Render();
-  messages.Check();
-  if (options.Statistics)
-  {
-    scene.PrintStatistics(window, std::cout);
-  }
+  scene.Draw(window);
   if (!options.Output.empty())
   {
     WritePicture(window, options.Output, messages);

@@ -205,6 +205,10 @@ class TestViewer(ViewerProgram):
         self.assertGreater(int(lines["draw calls"]), 0)
         self.assertGreater(float(lines["graphics memory"].removesuffix(" MiB")), 0.0)
         self.assertGreater(float(lines["frame time"].removesuffix(" ms")), 0.0)
+        # It is the same picture without.
+        self.view(self.heights, "--max-level", "2", "--output", "plain.png", "--size=200x100")
+        pictures = [(self.folder / name).read_bytes() for name in ("s.png", "plain.png")]
+        self.assertEqual(*pictures)
 
     def triangles(self, *arguments):
         return self.statistic("drawn triangles", self.heights, *arguments)
