@@ -5,6 +5,7 @@
 #ifdef VIEWER_HAS_EXODUS
 #include "ExodusReader.h"
 #endif
+#include "MeshPoints.h"
 #include "ViewerArguments.h"
 #include "ViewerFile.h"
 #include "ViewerMessages.h"
@@ -122,6 +123,7 @@ Mesh ReadMesh(const std::string& fileName, ViewerMessages& messages)
   {
     throw ViewerError(fileName + " has no polygons to draw");
   }
+  mesh = DropUnusedPoints(mesh);
   CheckPoints(mesh, fileName);
   return mesh;
 }

@@ -68,8 +68,11 @@ MeshScene::MeshScene(const ViewerOptions& options, ViewerMessages& messages)
   this->Show(options.MaximumLevel.value_or(this->GetDefaultLevel()), this->MakeMeshMetric());
   this->SetColours();
   this->SetLevelColours();
-  this->SetLights();
-  this->SetCamera(this->GetSurfacePoints(), { 205.0, 20.0, options.UpAxis });
+  // From above the viewer's left shoulder, and a little from the right and from behind.
+  const int up = options.UpAxis;
+  this->SetLights(
+    { { { 250.0, 45.0, up }, 0.95 }, { { 150.0, 15.0, up }, 0.45 }, { { 10.0, 40.0, up }, 0.30 } });
+  this->SetCamera(this->GetSurface(), { 205.0, 20.0, up }, this->GetCentre());
 }
 
 //------------------------------------------------------------------------------
@@ -195,8 +198,9 @@ int MeshScene::GetDefaultLevel()
     return 7;
   }
   // Else down to about the same length, for an edge as the mesh has them and the whole in view.
-  const double pixels = std::max(this->Options.Size[0], this->Options.Size[1]) *
-    GetMeanEdgeLength(this->Mesh) / this->Mesh->GetLength();
+  const double pixels = this->Options.Zoom *
+    std::max(this->Options.Size[0], this->Options.Size[1]) * GetMeanEdgeLength(this->Mesh) /
+    this->Mesh->GetLength();
   const double level = std::ceil(std::log2(pixels / ViewerOptions::DefaultPixels));
   return static_cast<int>(std::min(std::max(level, 0.0), 7.0));
 }
@@ -264,16 +268,18 @@ void MeshScene::SetArrayColours()
 }
 
 //------------------------------------------------------------------------------
-void MeshScene::SetLights()
+std::optional<std::array<double, 3>> MeshScene::GetCentre()
 {
-  // From above the viewer's left shoulder, and a little from the right and from behind.
-  AddLight(this->Renderer, { 250.0, 45.0, this->Options.UpAxis }, 0.95);
-  AddLight(this->Renderer, { 150.0, 15.0, this->Options.UpAxis }, 0.45);
-  AddLight(this->Renderer, { 10.0, 40.0, this->Options.UpAxis }, 0.30);
+  if (!this->Options.Center)
+  {
+    return std::nullopt;
+  }
+  const std::vector<double>& place = *this->Options.Center;
+  return { { { place[0], place[1], place[2] } } };
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPoints> MeshScene::GetSurfacePoints()
+vtkSmartPointer<vtkPolyData> MeshScene::GetSurface()
 {
   const vtkIdType enough = 100000;
   int level = 3;
@@ -296,5 +302,5 @@ vtkSmartPointer<vtkPoints> MeshScene::GetSurfacePoints()
     throw ViewerError(
       this->Options.Input + ": no triangle has three corners of its own, and heights");
   }
-  return filter->GetOutput()->GetPoints();
+  return filter->GetOutput();
 }

@@ -34,8 +34,8 @@ private:
   vtkSmartPointer<vtkDepthTagMetric> MakeMeshMetric();
   void SetColours();
   void SetArrayColours();
-  void SetLights();
-  vtkSmartPointer<vtkPoints> GetSurfacePoints();
+  std::optional<std::array<double, 3>> GetCentre();
+  vtkSmartPointer<vtkPolyData> GetSurface();
 
   vtkNew<vtkDisplacement> Displacement;
   // The array that colours the mesh: empty for none, and whether its numbers are of points.

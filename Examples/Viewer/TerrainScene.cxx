@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TerrainScene.h"
 
+#include "MeshPoints.h"
 #include "ReliefMetric.h"
 #include "TerrainColours.h"
+#include "TerrainProbe.h"
 #include "ViewerMetric.h"
 
 #include "vtkActor.h"
@@ -24,6 +26,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace
 {
@@ -42,9 +45,10 @@ TerrainScene::TerrainScene(const ViewerOptions& options, ViewerMessages& message
   this->Show(options.MaximumLevel.value_or(this->GetDefaultLevel()), this->MakeReliefMetric());
   this->SetColours();
   this->SetLevelColours();
-  this->SetLights();
+  // From the north-west, as on maps, and a little from the other side.
+  this->SetLights({ { { 315.0, 40.0, Up }, 1.0 }, { { 160.0, 50.0, Up }, 0.35 } });
   // From a little west of south.
-  this->SetCamera(this->DisplacedMesh->GetPoints(), { 192.0, 38.0, Up });
+  this->SetCamera(this->DisplacedMesh, { 192.0, 38.0, Up }, this->GetCentre());
 }
 
 //------------------------------------------------------------------------------
@@ -71,11 +75,13 @@ void TerrainScene::ReadTerrain()
   this->Source->SetExaggeration(this->Options.Exaggeration);
   this->Source->Update();
   this->Messages.Check();
-  this->Mesh->ShallowCopy(this->Source->GetOutput());
+  // Without the corners of faces that were left out.
+  this->Mesh->ShallowCopy(DropUnusedPoints(this->Source->GetOutput()));
   if (this->Mesh->GetNumberOfCells() == 0)
   {
     throw ViewerError(this->Options.Input + " has no terrain to draw");
   }
+  this->Probe = std::make_unique<TerrainProbe>(this->Mesh, this->Source->GetHeightMap());
 }
 
 //------------------------------------------------------------------------------
@@ -138,7 +144,9 @@ int TerrainScene::GetDefaultLevel()
   int segments = texels;
   if (!this->Options.Output.empty() && this->Options.Export.empty())
   {
-    segments = std::min(segments, std::max(this->Options.Size[0], this->Options.Size[1]));
+    const double pixels =
+      this->Options.Zoom * std::max(this->Options.Size[0], this->Options.Size[1]);
+    segments = static_cast<int>(std::min<double>(segments, std::ceil(pixels)));
   }
   int level = static_cast<int>(std::ceil(std::log2(static_cast<double>(segments) / squares)));
   // Only what touches the camera gets the full level of the distance metric.
@@ -183,9 +191,30 @@ void TerrainScene::SetColours()
 }
 
 //------------------------------------------------------------------------------
-void TerrainScene::SetLights()
+std::optional<std::array<double, 3>> TerrainScene::GetCentre()
 {
-  // From the north-west, as on maps, and a little from the other side.
-  AddLight(this->Renderer, { 315.0, 40.0, Up }, 1.0);
-  AddLight(this->Renderer, { 160.0, 50.0, Up }, 0.35);
+  if (!this->Options.Center)
+  {
+    return std::nullopt;
+  }
+  const std::vector<double>& place = *this->Options.Center;
+  if (place.size() == 3)
+  {
+    return { { { place[0], place[1], place[2] } } };
+  }
+  double height;
+  if (!this->Probe->GetHeight(place[0], place[1], height))
+  {
+    double bounds[6];
+    this->Mesh->GetBounds(bounds);
+    std::ostringstream message;
+    message << this->Options.Input << " has no height at --center " << place[0] << "," << place[1]
+            << "; its x goes from " << bounds[0] << " to " << bounds[1] << ", its y from "
+            << bounds[2] << " to " << bounds[3] << "; X,Y,Z needs no height";
+    throw ViewerError(message.str());
+  }
+  vtkDisplacement* displacement = this->Source->GetDisplacement();
+  return {
+    { { place[0], place[1], displacement->GetOffset() + displacement->GetScale() * height } }
+  };
 }

@@ -11,6 +11,7 @@
 
 #include "vtkSmartPointer.h"
 
+class TerrainProbe;
 class vtkTerrainSource;
 
 class TerrainScene : public ViewerScene
@@ -29,11 +30,12 @@ private:
   int GetDefaultLevel();
   vtkSmartPointer<vtkDepthTagMetric> MakeReliefMetric();
   void SetColours();
-  void SetLights();
+  std::optional<std::array<double, 3>> GetCentre();
 
   vtkNew<vtkTerrainSource> Source;
   // The coarse mesh as the displacement moves it: what the camera and the metrics look at.
   vtkNew<vtkPolyData> DisplacedMesh;
+  std::unique_ptr<TerrainProbe> Probe;
 };
 
 #endif

@@ -107,6 +107,26 @@ std::vector<double> ToNumbers(
 }
 
 //------------------------------------------------------------------------------
+std::array<double, 2> ToDirection(
+  const std::string& option, const std::string& text, double highest)
+{
+  const auto angles = ToNumbers(option, text, "AZIMUTH,ELEVATION");
+  ToNumber(option + "'s elevation", Split(text)[1], -highest, highest);
+  return { { angles[0], angles[1] } };
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> ToPlace(const std::string& option, const std::string& text, bool isOnMesh)
+{
+  const std::size_t numbers = Split(text).size();
+  if (numbers != 3 && (isOnMesh || numbers != 2))
+  {
+    throw Wants(option, isOnMesh ? "X,Y,Z" : "X,Y or X,Y,Z", text);
+  }
+  return ToNumbers(option, text, numbers == 3 ? "X,Y,Z" : "X,Y");
+}
+
+//------------------------------------------------------------------------------
 void ToSize(const std::string& option, const std::string& text, int size[2])
 {
   const std::size_t cross = text.find('x');

@@ -10,6 +10,7 @@
 
 #include "ViewerOptions.h"
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,6 +28,13 @@ int ToInteger(const std::string& option, const std::string& text, int lowest, in
 /// Numbers between commas, as many as the form, say X,Y,Z, has words.
 std::vector<double> ToNumbers(
   const std::string& option, const std::string& text, const std::string& form);
+
+/// AZIMUTH,ELEVATION in degrees, the elevation no more than the highest up or down.
+std::array<double, 2> ToDirection(
+  const std::string& option, const std::string& text, double highest);
+
+/// X,Y,Z or, on height maps, X,Y.
+std::vector<double> ToPlace(const std::string& option, const std::string& text, bool isOnMesh);
 
 /// WIDTHxHEIGHT
 void ToSize(const std::string& option, const std::string& text, int size[2]);

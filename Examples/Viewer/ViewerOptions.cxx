@@ -61,6 +61,7 @@ private:
       { "--help", [&] { options.Help = true; } },
       { "-h", [&] { options.Help = true; } },
       { "--no-geomorphing", [&] { options.Geomorphing = false; } },
+      { "--no-legend", [&] { options.Legend = false; } },
       { "--per-edge", [&] { options.PerEdge = true; } },
       { "--stats", [&] { options.Statistics = true; } },
       { "--stretch", [&] { options.Stretch = true; } },
@@ -241,6 +242,7 @@ private:
   {
     ViewerOptions& options = this->Options;
     this->AllSettings.insert({
+      { "--center", [&](const auto&, const auto& value) { this->Center = value; } },
       { "--color-by",
         [&](const auto& option, const auto& value)
         {
@@ -251,6 +253,9 @@ private:
       { "--export",
         [&](const auto& option, const auto& value)
         { options.Export = ToFileName(option, value, GetExportExtensions()); } },
+      { "--light",
+        [&](const auto& option, const auto& value)
+        { options.Light = ToDirection(option, value, 90.0); } },
       { "--output",
         [&](const auto& option, const auto& value)
         { options.Output = ToFileName(option, value, { ".png" }); } },
@@ -258,11 +263,10 @@ private:
         [&](const auto& option, const auto& value) { ToSize(option, value, options.Size); } },
       { "--view",
         [&](const auto& option, const auto& value)
-        {
-          const auto angles = ToNumbers(option, value, "AZIMUTH,ELEVATION");
-          options.View = { { angles[0], angles[1] } };
-          ToNumber(option + "'s elevation", value.substr(value.find(',') + 1), -89.0, 89.0);
-        } },
+        { options.View = ToDirection(option, value, 89.0); } },
+      { "--zoom",
+        [&](const auto& option, const auto& value)
+        { options.Zoom = ToPositiveNumber(option, value); } },
     });
   }
 
@@ -355,6 +359,10 @@ private:
         throw UsageError("--region wants a radius above 0, not '" + this->Region + "'");
       }
     }
+    if (this->Given.count("--center"))
+    {
+      options.Center = ToPlace("--center", this->Center, options.IsMesh);
+    }
     if (options.Budget > 0 && !options.Export.empty())
     {
       throw UsageError("--budget is for what is drawn, not for --export");
@@ -365,6 +373,7 @@ private:
   Flags AllFlags;
   Settings AllSettings;
   std::set<std::string> Given;
+  std::string Center;
   std::string Region;
 };
 }

@@ -99,7 +99,11 @@ struct ViewerOptions
 
   // What is shown and written.
   std::optional<std::array<double, 2>> View; // azimuth, elevation in degrees
+  std::optional<std::vector<double>> Center; // x, y, z; of terrain also x, y
+  double Zoom = 1.0;
+  std::optional<std::array<double, 2>> Light; // azimuth, elevation in degrees
   ColorType Color = ColorType::Own;
+  bool Legend = true;
   bool Wireframe = false;
   bool Statistics = false;
   int Size[2] = { 1280, 800 };

@@ -14,6 +14,7 @@
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkAdaptiveRefinementMapper.h"
+#include "vtkCamera.h"
 #include "vtkDepthTagMetric.h"
 #include "vtkImageData.h"
 #include "vtkPolyData.h"
@@ -121,6 +122,10 @@ void ViewerScene::SetLevelColours()
 //------------------------------------------------------------------------------
 void ViewerScene::AddLegend(vtkScalarsToColors* table, const std::string& title, int numberOfLabels)
 {
+  if (!this->Options.Legend)
+  {
+    return;
+  }
   this->HasLegend = true;
   if (auto legend = MakeLegend(table, title, numberOfLabels, this->Options.Size[1]))
   {
@@ -129,7 +134,8 @@ void ViewerScene::AddLegend(vtkScalarsToColors* table, const std::string& title,
 }
 
 //------------------------------------------------------------------------------
-void ViewerScene::SetCamera(vtkPoints* points, const ViewerDirection& defaultDirection)
+void ViewerScene::SetCamera(vtkPolyData* surface, const ViewerDirection& defaultDirection,
+  const std::optional<std::array<double, 3>>& centre)
 {
   ViewerDirection direction = defaultDirection;
   if (this->Options.View)
@@ -137,7 +143,37 @@ void ViewerScene::SetCamera(vtkPoints* points, const ViewerDirection& defaultDir
     direction.Azimuth = (*this->Options.View)[0];
     direction.Elevation = (*this->Options.View)[1];
   }
-  FitCamera(this->Renderer, points, direction, this->HasLegend ? 0.82 : 0.94, this->Options.Size);
+  FitCamera(this->Renderer, surface->GetPoints(), direction, this->HasLegend ? 0.82 : 0.94,
+    this->Options.Size);
+  if (centre)
+  {
+    MoveFocus(this->Renderer, *centre);
+  }
+  else if (this->Options.Zoom != 1.0)
+  {
+    // Nearer to the surface, not into it.
+    FocusOnSurface(this->Renderer, surface);
+  }
+  this->Renderer->GetActiveCamera()->Dolly(this->Options.Zoom);
+  this->Renderer->ResetCameraClippingRange();
+}
+
+//------------------------------------------------------------------------------
+void ViewerScene::SetLights(std::vector<ViewerLamp> lamps)
+{
+  if (this->Options.Light)
+  {
+    const double turn = (*this->Options.Light)[0] - lamps.front().From.Azimuth;
+    for (ViewerLamp& lamp : lamps)
+    {
+      lamp.From.Azimuth += turn;
+    }
+    lamps.front().From.Elevation = (*this->Options.Light)[1];
+  }
+  for (const ViewerLamp& lamp : lamps)
+  {
+    AddLight(this->Renderer, lamp);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -17,14 +17,15 @@
 #include "vtkSmartPointer.h"
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 class vtkActor;
 class vtkAdaptiveRefinement;
 class vtkAdaptiveRefinementMapper;
 class vtkDepthTagMetric;
 class vtkImageData;
-class vtkPoints;
 class vtkPolyData;
 class vtkRenderer;
 class vtkRenderWindow;
@@ -53,8 +54,13 @@ protected:
   /// Colours of levels, patterns or metric, where the options ask for them.
   void SetLevelColours();
   void AddLegend(vtkScalarsToColors* table, const std::string& title, int numberOfLabels);
-  /// Fits the camera to points; a direction that the options do not give is the default.
-  void SetCamera(vtkPoints* points, const ViewerDirection& defaultDirection);
+  /// Shows all of a surface, or the centre and zoom that the options ask for; a direction that they
+  /// do not give is the default.
+  void SetCamera(vtkPolyData* surface, const ViewerDirection& defaultDirection,
+    const std::optional<std::array<double, 3>>& centre);
+  /// Light from the direction that the options give, else the first of the lamps; the others keep
+  /// their azimuths from it.
+  void SetLights(std::vector<ViewerLamp> lamps);
 
   const ViewerOptions& Options;
   ViewerMessages& Messages;

@@ -86,6 +86,13 @@ The picture:
   --wireframe            draw the edges of the refined triangles
   --view AZ,EL           where the camera stands, in degrees: azimuth, clockwise from north (for
                          meshes with y up, from -z), and elevation (default 192,38; meshes 205,20)
+  --center X,Y[,Z]       the place in the middle of the picture: on height maps in metres from the
+                         raster's centre, Z (exaggerated) by default that of the terrain; X,Y,Z on
+                         meshes, in their coordinates (default: all is in view)
+  --zoom F               so many times nearer, to --center or to what is in the middle (default 1)
+  --light AZ,EL          where the light comes from, as --view (default 315,40; meshes 250,45);
+                         weaker lights go with it
+  --no-legend            leave out what colours mean
   --stats                print faces, triangles, draw calls, graphics memory and times
   --size WxH             of the picture or the window, in pixels (default 1280x800)
   --output FILE.png      write a picture and leave; needs no display

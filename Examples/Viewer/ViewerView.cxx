@@ -7,7 +7,9 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkRenderer.h"
+#include "vtkStaticCellLocator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,13 +35,13 @@ std::array<double, 3> ViewerDirection::GetVector() const
 }
 
 //------------------------------------------------------------------------------
-void AddLight(vtkRenderer* renderer, const ViewerDirection& from, double intensity)
+void AddLight(vtkRenderer* renderer, const ViewerLamp& lamp)
 {
   vtkNew<vtkLight> light;
   light->SetLightTypeToSceneLight();
-  light->SetPosition(from.GetVector().data());
+  light->SetPosition(lamp.From.GetVector().data());
   light->SetFocalPoint(0.0, 0.0, 0.0);
-  light->SetIntensity(intensity);
+  light->SetIntensity(lamp.Intensity);
   renderer->AddLight(light);
 }
 
@@ -97,4 +99,41 @@ void FitCamera(vtkRenderer* renderer, vtkPoints* points, const ViewerDirection& 
   camera->SetFocalPoint(focus);
   camera->SetViewUp(vertical);
   renderer->ResetCameraClippingRange();
+}
+
+//------------------------------------------------------------------------------
+void MoveFocus(vtkRenderer* renderer, const std::array<double, 3>& place)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  double position[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    position[i] = place[i] + camera->GetPosition()[i] - camera->GetFocalPoint()[i];
+  }
+  camera->SetPosition(position);
+  camera->SetFocalPoint(place.data());
+  renderer->ResetCameraClippingRange();
+}
+
+//------------------------------------------------------------------------------
+void FocusOnSurface(vtkRenderer* renderer, vtkPolyData* surface)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  double beyond[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    beyond[i] = camera->GetPosition()[i] +
+      camera->GetClippingRange()[1] * camera->GetDirectionOfProjection()[i];
+  }
+  vtkNew<vtkStaticCellLocator> locator;
+  locator->SetDataSet(surface);
+  locator->BuildLocator();
+  double t;
+  double place[3];
+  double inCell[3];
+  int part;
+  if (locator->IntersectWithLine(camera->GetPosition(), beyond, 0.0, t, place, inCell, part))
+  {
+    camera->SetFocalPoint(place);
+  }
 }

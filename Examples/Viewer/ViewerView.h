@@ -13,6 +13,7 @@
 #include <array>
 
 class vtkPoints;
+class vtkPolyData;
 class vtkRenderer;
 
 struct ViewerDirection
@@ -26,7 +27,13 @@ struct ViewerDirection
 };
 
 /// Sunlight from there.
-void AddLight(vtkRenderer* renderer, const ViewerDirection& from, double intensity);
+struct ViewerLamp
+{
+  ViewerDirection From;
+  double Intensity;
+};
+
+void AddLight(vtkRenderer* renderer, const ViewerLamp& lamp);
 
 /**
  * The nearest place in that direction from which all points are in the picture, of which they fill
@@ -34,5 +41,11 @@ void AddLight(vtkRenderer* renderer, const ViewerDirection& from, double intensi
  */
 void FitCamera(vtkRenderer* renderer, vtkPoints* points, const ViewerDirection& from, double filled,
   const int size[2]);
+
+/// Brings a place into the middle of the picture: the camera moves, and does not turn.
+void MoveFocus(vtkRenderer* renderer, const std::array<double, 3>& place);
+
+/// The camera's focal point is where its middle line first meets the surface, if it does.
+void FocusOnSurface(vtkRenderer* renderer, vtkPolyData* surface);
 
 #endif

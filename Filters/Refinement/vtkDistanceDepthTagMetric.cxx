@@ -10,6 +10,7 @@
 #include "vtkPolyData.h"
 #include "vtkRefinementView.h"
 
+#include "SurfaceDiagonal.h"
 #include "relevoDistanceMetric.h"
 #include "relevoMetricView.h"
 
@@ -187,6 +188,7 @@ struct vtkDistanceDepthTagMetric::vtkInternals
   relevo::MetricEvaluation<DistanceFunctions> Evaluation;
   CentroidTags Centroids;
   MeanSide Side;
+  relevo::SurfaceDiagonal Diagonal;
 };
 
 vtkStandardNewMacro(vtkDistanceDepthTagMetric);
@@ -303,9 +305,10 @@ bool vtkDistanceDepthTagMetric::GetShader(vtkPolyData* mesh, const vtkRefinement
   double farthest = this->MaximumDistance;
   if (farthest == 0.0)
   {
-    farthest = this->ReferenceLength > 0.0 ? this->Internals->Side.Get(mesh, placement) /
-        this->ReferenceLength * GetPixelsAtUnitDistance(view)
-                                           : AutomaticDistance * placement.GetDiagonal(mesh);
+    farthest = this->ReferenceLength > 0.0
+      ? this->Internals->Side.Get(mesh, placement) / this->ReferenceLength *
+        GetPixelsAtUnitDistance(view)
+      : AutomaticDistance * this->Internals->Diagonal.Get(mesh, placement);
   }
   static const std::string source = std::string(relevoMetricView) + relevoDistanceMetric;
   shader.Source = this->Measure == CENTROIDS ? nullptr : source.c_str();

@@ -110,7 +110,7 @@ public:
   /**
    * Distance from the camera, in world units, from which on nothing is refined. 0, the default,
    * means automatic: by ReferenceLength, or, where that is 0 too, three times the diagonal of the
-   * mesh's bounding box in world units, so that a view of the whole mesh refines it moderately and
+   * faces' bounding box in world units, so that a view of the whole mesh refines it moderately and
    * a closer one more. A negative or infinite value is an error and changes nothing.
    */
   void SetMaximumDistance(double distance);

@@ -40,8 +40,6 @@ public:
     , Lengths(static_cast<std::size_t>(array->GetNumberOfTuples()))
   {
     const bool scalar = this->NumberOfComponents == 1;
-    double lowest = VTK_DOUBLE_MAX;
-    double highest = -VTK_DOUBLE_MAX;
     for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
     {
       double* tuple = this->Values.data() + i * this->NumberOfComponents;
@@ -54,13 +52,32 @@ public:
         squared += tuple[c] * tuple[c];
       }
       this->Lengths[i] = !hasData ? vtkMath::Nan() : scalar ? tuple[0] : std::sqrt(squared);
+    }
+  }
+
+  // Takes the extent from the tuples of a surface's points or cells: what is not drawn does not
+  // count.
+  void SetExtent(const relevo::SurfaceTriangles& surface, bool ofCells)
+  {
+    double lowest = VTK_DOUBLE_MAX;
+    double highest = -VTK_DOUBLE_MAX;
+    const auto include = [&](vtkIdType i)
+    {
       if (std::isfinite(this->Lengths[i]))
       {
         lowest = std::min(lowest, this->Lengths[i]);
         highest = std::max(highest, this->Lengths[i]);
       }
+    };
+    for (std::size_t t = 0; t < surface.GetTriangles().size(); ++t)
+    {
+      const auto triangle = static_cast<vtkIdType>(t);
+      for (vtkIdType point : surface.GetPoints(triangle))
+      {
+        include(ofCells ? surface.GetCell(triangle) : point);
+      }
     }
-    this->Extent = scalar ? highest - lowest : highest;
+    this->Extent = this->NumberOfComponents == 1 ? highest - lowest : highest;
   }
 
   // In [0, 1].
@@ -263,8 +280,9 @@ bool vtkFieldVariationDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh, const v
     return false;
   }
 
-  const std::vector<double> variations =
-    ComputeVariations(edges, Field(array, this->NoDataMagnitude), ofCells);
+  Field field(array, this->NoDataMagnitude);
+  field.SetExtent(edges.GetTriangles(), ofCells);
+  const std::vector<double> variations = ComputeVariations(edges, field, ofCells);
   const float low = static_cast<float>(this->MinimumVariation);
   const float high = static_cast<float>(
     this->MaximumVariation > 0.0 ? this->MaximumVariation : GetAutomaticMaximum(variations));

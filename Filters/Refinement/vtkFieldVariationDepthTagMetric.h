@@ -12,9 +12,9 @@
  * id);
  * - of the cells of its two triangles, for a cell array; 0 on the border of the surface:
  *
- *     one component:         x = |a - b| / (largest - smallest value of the array)
+ *     one component:         x = |a - b| / (largest - smallest value of the surface)
  *     several (a vector):    x = max(angle(a, b) / 180 degrees,
- *                                    | |a| - |b| | / longest vector of the array)
+ *                                    | |a| - |b| | / longest vector of the surface)
  *
  * A vector shorter than 1e-6 of the longest has no direction: its angle to others is 0. With the
  * thresholds low = MinimumVariation and high = MaximumVariation the depth-tag of a point is, with

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRegionDepthTagMetric.h"
 
+#include "SurfaceDiagonal.h"
+
 #include "vtkFloatArray.h"
 #include "vtkImplicitFunction.h"
 #include "vtkMath.h"
@@ -51,8 +53,9 @@ public:
     , Function(metric->GetImplicitFunction())
     , Center(metric->GetCenter()[0], metric->GetCenter()[1], metric->GetCenter()[2])
     , Radius(metric->GetRadius())
-    , FallOff(metric->GetFallOff() > 0.0 ? metric->GetFallOff()
-                                         : AutomaticFallOff * this->ToWorld.GetDiagonal(mesh))
+    , FallOff(metric->GetFallOff() > 0.0
+          ? metric->GetFallOff()
+          : AutomaticFallOff * relevo::SurfaceDiagonal().Get(mesh, this->ToWorld))
   {
   }
 

@@ -71,7 +71,7 @@ public:
   //@{
   /**
    * Distance from the region, in world units, at which the level has fallen to 0. 0, the default,
-   * means automatic: a tenth of the diagonal of the mesh's bounding box. A negative or infinite
+   * means automatic: a tenth of the diagonal of the faces' bounding box. A negative or infinite
    * value is an error and changes nothing.
    */
   void SetFallOff(double distance);

@@ -67,25 +67,30 @@ bool Placement::HasShape(const dmat3& shape) const
   return largest < 1e-9;
 }
 
-double Placement::GetDiagonal(vtkPolyData* mesh) const
+double Placement::GetDiagonal(const double sides[3]) const
 {
-  if (mesh->GetNumberOfPoints() == 0)
-  {
-    return 0.0;
-  }
   double squared = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    double range[2];
-    mesh->GetPoints()->GetData()->GetFiniteRange(range, axis);
-    const double side = std::max(range[1] - range[0], 0.0);
     for (int row = 0; row < 3; ++row)
     {
-      const double component = side * this->ModelToWorld[axis][row];
+      const double component = sides[axis] * this->ModelToWorld[axis][row];
       squared += component * component;
     }
   }
   return std::sqrt(squared);
+}
+
+double Placement::GetDiagonal(vtkPolyData* mesh) const
+{
+  double sides[3] = { 0.0, 0.0, 0.0 };
+  for (int axis = 0; axis < 3 && mesh->GetNumberOfPoints() > 0; ++axis)
+  {
+    double range[2];
+    mesh->GetPoints()->GetData()->GetFiniteRange(range, axis);
+    sides[axis] = std::max(range[1] - range[0], 0.0);
+  }
+  return this->GetDiagonal(sides);
 }
 
 dvec3 UnitOrZero(const dvec3& v)

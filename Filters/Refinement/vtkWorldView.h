@@ -32,6 +32,8 @@ struct Placement
   /// The diagonal of the mesh's own bounding box after the matrix: unlike that of the world's box
   /// it stays the same when the actor turns. Coordinates that are not finite do not count.
   double GetDiagonal(vtkPolyData* mesh) const;
+  /// The same of a box with these sides.
+  double GetDiagonal(const double sides[3]) const;
 
   /// What the matrix does to angles and proportions, whatever it turns and however it scales:
   /// lengths l of the world are those of the mesh by l^2 = Scale^2 e . Shape e.

@@ -171,7 +171,22 @@ void TestDefault(RelevoCheck& check)
   }
 }
 
-// A mesh of nothing but the triangles beside one edge gives that edge the same tag, if the metric
+// A triangle away from an edge, with the smallest and the largest of the values.
+void AddExtremes(vtkCellArray* cells, vtkFloatArray* values, const int places[2])
+{
+  vtkIdType corners[3] = { -1, -1, -1 };
+  for (vtkIdType point = 0; point < values->GetNumberOfTuples(); ++point)
+  {
+    if (point != places[0] && point != places[1])
+    {
+      const float value = values->GetValue(point);
+      corners[value == values->GetRange()[0] ? 0 : value == values->GetRange()[1] ? 1 : 2] = point;
+    }
+  }
+  cells->InsertNextCell(3, corners);
+}
+
+// A mesh of little but the triangles beside one edge gives that edge the same tag, if the metric
 // knows no more than the edge and the normals at its ends.
 void TestAlone(
   RelevoCheck& check, vtkDepthTagMetric* metric, const vtkRefinementView& view, bool keepTriangles)
@@ -206,6 +221,7 @@ void TestAlone(
             3, edges.GetTriangles().GetTriangles()[edges.GetSides()[i].Triangles[side]].data());
         }
       });
+    AddExtremes(cells, values, places);
     RelevoMeshes::Mesh alone = RelevoMeshes::Make();
     alone->ShallowCopy(sphere);
     alone->SetPolys(cells);

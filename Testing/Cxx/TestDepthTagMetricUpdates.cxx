@@ -87,6 +87,30 @@ void AddValues(vtkPolyData* mesh, int seed)
   }
   mesh->GetPointData()->AddArray(values);
 }
+
+// A point that no cell uses is not drawn, and changes no tag of those that are.
+void CheckUnusedPoints(RelevoCheck& check, const vtkRefinementView& view)
+{
+  auto mesh = RelevoMeshes::Sphere(9, 7);
+  AddValues(mesh, 7);
+  vtkNew<vtkPolyData> more;
+  more->DeepCopy(mesh);
+  more->GetPoints()->InsertNextPoint(40.0, -30.0, 20.0);
+  vtkFloatArray::SafeDownCast(more->GetPointData()->GetArray("Values"))->InsertNextValue(500.0f);
+  more->GetPointData()->SetNormals(nullptr);
+  mesh->GetPointData()->SetNormals(nullptr);
+  for (vtkDepthTagMetric* metric : MakeMetrics())
+  {
+    const auto expected = TagsOf(metric, mesh, view, 5);
+    auto tags = TagsOf(metric, more, view, 5);
+    CHECK(tags.size() == expected.size() + 1);
+    tags.resize(expected.size());
+    for (std::size_t i = 0; i < tags.size(); ++i)
+    {
+      CHECK_NEAR(tags[i], expected[i], 1e-3);
+    }
+  }
+}
 }
 
 int TestDepthTagMetricUpdates(int, char*[])
@@ -99,6 +123,7 @@ int TestDepthTagMetricUpdates(int, char*[])
   camera->SetClippingRange(0.1, 10);
   vtkRefinementView view;
   view.Camera = camera;
+  CheckUnusedPoints(check, view);
   Watch watch;
   CHECK(watch.Compare(check, mesh, view) == 11);
   CHECK(watch.Compare(check, mesh, view) == 0);

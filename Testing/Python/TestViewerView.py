@@ -1,0 +1,196 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""relevo-view's camera, lights and legend: what is in the picture, and where."""
+
+import math
+import unittest
+
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+
+from ViewerProgram import ViewerProgram
+from ViewerScenes import make_sphere, write_hill, write_mesh, write_sphere
+
+WIDTH, HEIGHT = 160, 120
+SIZE = f"--size={WIDTH}x{HEIGHT}"
+TOP = (48 * 0.65 - 24, 32 * 0.65 - 16)  # of the hill
+
+
+class TestViewerView(ViewerProgram):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.heights = write_hill(cls.folder)
+        cls.mesh = write_sphere(cls.folder)
+
+    def picture(self, *arguments):
+        """Rows of (red, green, blue), the lowest first."""
+        self.view(*arguments, SIZE, "--output=view.png")
+        reader = vtkPNGReader()
+        reader.SetFileName(str(self.folder / "view.png"))
+        reader.Update()
+        image = reader.GetOutput()
+        return [
+            [
+                tuple(image.GetScalarComponentAsFloat(i, j, 0, c) for c in range(3))
+                for i in range(WIDTH)
+            ]
+            for j in range(HEIGHT)
+        ]
+
+    def shown(self, picture, is_shown=None):
+        """Left, right, lowest and highest pixel that is not sky, or that is of some kind."""
+        is_shown = is_shown or (lambda r, g, b: b < r + 10)
+        pixels = [
+            (i, j)
+            for j, row in enumerate(picture)
+            for i, colour in enumerate(row)
+            if is_shown(*colour)
+        ]
+        columns, rows = zip(*pixels)
+        return min(columns), max(columns), min(rows), max(rows)
+
+    def brightness(self, picture, columns, rows):
+        values = [sum(picture[j][i]) for j in rows for i in columns]
+        return sum(values) / len(values)
+
+    def assert_fits(self, picture):
+        """As large as it can be, and in the middle."""
+        left, right, low, high = self.shown(picture)
+        self.assertAlmostEqual(left + right, WIDTH - 1, delta=4)
+        self.assertAlmostEqual(low + high, HEIGHT - 1, delta=4)
+        self.assertGreater(max((right - left) / WIDTH, (high - low) / HEIGHT), 0.88)
+
+    def write_dot(self, x, y):
+        """A picture of the hill's size, white but for a red dot at a place of the terrain."""
+        image = vtkImageData()
+        image.SetDimensions(240, 160, 1)
+        image.AllocateScalars(VTK_UNSIGNED_CHAR, 3)
+        for j in range(160):
+            for i in range(240):
+                distance = math.hypot((i + 0.5) / 5 - 24 - x, (j + 0.5) / 5 - 16 - y)
+                for c in range(3):
+                    image.SetScalarComponentFromDouble(
+                        i, j, 0, c, 255 if c == 0 or distance > 0.8 else 0
+                    )
+        writer = vtkPNGWriter()
+        writer.SetFileName(str(self.folder / "dot.png"))
+        writer.SetInputData(image)
+        writer.Write()
+        return self.folder / "dot.png"
+
+    def test_center_of_terrain(self):
+        """The place asked for is in the middle, on a slope too; zoom brings it nearer."""
+        x, y = 3.0, -2.0
+
+        def is_dot(r, g, b):
+            return r > 2 * g and r > 2 * b
+
+        common = (self.heights, "--image", self.write_dot(x, y), "--max-level=3")
+        widths = {}
+        for zoom in (1, 4):
+            picture = self.picture(*common, f"--center={x},{y}", f"--zoom={zoom}")
+            left, right, low, high = self.shown(picture, is_dot)
+            self.assertAlmostEqual(0.5 * (left + right), 0.5 * (WIDTH - 1), delta=1.5)
+            self.assertAlmostEqual(0.5 * (low + high), 0.5 * (HEIGHT - 1), delta=1.5)
+            widths[zoom] = right - left + 1
+        self.assertAlmostEqual(widths[4] / widths[1], 4, delta=1)
+        # With a height of its own: another part of the picture.
+        high_up = self.picture(*common, f"--center={x},{y},30")
+        _, _, low, high = self.shown(high_up, is_dot)
+        self.assertLess(high, 0.4 * HEIGHT)
+
+    def test_center_of_mesh(self):
+        """The pole of a sphere seen from its side: half of the picture is sky."""
+        picture = self.picture(self.mesh, "--up=z", "--view=0,0", "--center=0,0,0.5", "--zoom=1.5")
+        _, _, low, high = self.shown(picture)
+        self.assertEqual(low, 0)
+        self.assertAlmostEqual(high, 0.5 * HEIGHT, delta=3)
+
+    def test_zoom(self):
+        """Of what is in the middle, without falling into it."""
+        whole = self.shown(self.picture(self.mesh, "--view=0,0"))
+        half = self.shown(self.picture(self.mesh, "--view=0,0", "--zoom=0.5"))
+        self.assertAlmostEqual((whole[1] - whole[0]) / (half[1] - half[0]), 2, delta=0.3)
+        for zoom in ("4", "20"):
+            picture = self.picture(self.mesh, "--view=0,0", f"--zoom={zoom}")
+            self.assertEqual(self.shown(picture), (0, WIDTH - 1, 0, HEIGHT - 1))
+
+    def test_light(self):
+        """The side that faces the light is brighter, whatever the side."""
+        left, right = range(40, 70), range(90, 120)
+        rows = range(40, 80)
+        for scene, light, lit, dark in (
+            ((self.mesh, "--up=z", "--view=180,0"), "270,10", left, right),
+            ((self.mesh, "--up=z", "--view=180,0"), "90,10", right, left),
+            ((self.heights, "--view=180,60"), "270,20", left, right),
+            ((self.heights, "--view=180,60"), "90,20", right, left),
+        ):
+            if scene[0] == self.heights:
+                scene = (*scene, "--center={},{}".format(*TOP), "--zoom=1.5", "--no-legend")
+            picture = self.picture(*scene, f"--light={light}")
+            self.assertGreater(
+                self.brightness(picture, lit, rows), 1.2 * self.brightness(picture, dark, rows)
+            )
+
+    def test_unused_points_of_mesh(self):
+        """Points that no cell uses do not count: neither for the view nor for anything else."""
+        sphere = make_sphere()
+        more = vtkPolyData()
+        more.DeepCopy(sphere)
+        points = more.GetPoints()
+        for point in ((40, 30, 20), (math.nan, 0, 0)):
+            points.InsertNextPoint(point)
+            more.GetPointData().GetArray("Latitude").InsertNextValue(1000)
+            more.GetPointData().GetArray("Around").InsertNextTuple((1000, 0, 0))
+        file = write_mesh(self.folder, "more.vtp", more)
+        self.assert_fits(self.picture(file, "--up=z"))
+        ramp = self.folder / "ramp.png"
+        self.write_ramp(ramp)
+        for arguments in (
+            ("--height", ramp, "--mapping=plane", "--array=Latitude"),
+            ("--surface=procedural", "--metric=distance", "--color-by=level"),
+            ("--metric=field", "--array=Latitude", "--color-by=level"),
+            ("--lic=Around", "--metric=region"),
+        ):
+            with self.subTest(arguments):
+                self.assertEqual(
+                    self.picture(file, "--up=z", *arguments),
+                    self.picture(self.mesh, "--up=z", *arguments),
+                )
+
+    def write_ramp(self, name):
+        image = vtkImageData()
+        image.SetDimensions(16, 16, 1)
+        image.AllocateScalars(VTK_UNSIGNED_CHAR, 1)
+        for j in range(16):
+            for i in range(16):
+                image.SetScalarComponentFromDouble(i, j, 0, 0, 8 * j + i)
+        writer = vtkPNGWriter()
+        writer.SetFileName(str(name))
+        writer.SetInputData(image)
+        writer.Write()
+
+    def test_bad_usage(self):
+        for file, words, argument in (
+            (self.heights, ["--center", "X,Y or X,Y,Z", "'1'"], "--center=1"),
+            (self.heights, ["--center", "'1,2,3,4'"], "--center=1,2,3,4"),
+            (self.heights, ["--center", "number", "'x'"], "--center=1,x"),
+            (self.mesh, ["--center", "X,Y,Z", "'1,2'"], "--center=1,2"),
+            (self.mesh, ["--zoom", "above 0", "'0'"], "--zoom=0"),
+            (self.mesh, ["--zoom", "'-2'"], "--zoom=-2"),
+            (self.mesh, ["--zoom", "'nan'"], "--zoom=nan"),
+            (self.mesh, ["--light", "AZIMUTH,ELEVATION", "'10'"], "--light=10"),
+            (self.mesh, ["--light", "elevation", "'91'"], "--light=10,91"),
+        ):
+            self.assert_error(2, words, file, argument)
+
+    def test_center_without_terrain(self):
+        self.assert_error(
+            1, ["hill.png", "--center 80,5", "-24 to 24"], self.heights, "--center=80,5", "--output=n.png"
+        )
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["TestViewerView"])
