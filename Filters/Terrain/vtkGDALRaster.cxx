@@ -18,10 +18,16 @@ struct GDALRaster::Internals
   GDALDatasetPointer Dataset;
   GDALRasterBandH Band = nullptr;
   GDALDataType Type = GDT_Unknown;
+  int RowsPerBlock = 1; // as they are
+
+  void SetBand(GDALRasterBandH band, Description& contents);
 };
 
 namespace
 {
+// Samples.
+constexpr long long LargestBlockRow = 1 << 25;
+
 int vtkType(GDALDataType type)
 {
   switch (type)
@@ -86,6 +92,19 @@ double metresPerUnit(std::string unit)
 }
 }
 
+void GDALRaster::Internals::SetBand(GDALRasterBandH band, Description& contents)
+{
+  this->Band = band;
+  contents.Width = GDALGetRasterBandXSize(band);
+  contents.Height = GDALGetRasterBandYSize(band);
+  int blockWidth = 1;
+  GDALGetBlockSize(band, &blockWidth, &this->RowsPerBlock);
+  this->RowsPerBlock = std::max(1, this->RowsPerBlock);
+  // GDAL keeps a huge block itself while its rows are asked for one by one.
+  const bool isHuge = static_cast<long long>(this->RowsPerBlock) * contents.Width > LargestBlockRow;
+  contents.RowsPerBlock = isHuge ? 1 : this->RowsPerBlock;
+}
+
 GDALRaster::GDALRaster()
   : Implementation(new Internals)
 {
@@ -124,9 +143,11 @@ std::unique_ptr<GDALRaster> GDALRaster::Open(const std::string& fileName, std::s
       " are not supported";
     return nullptr;
   }
-  int blockWidth = 1;
-  GDALGetBlockSize(band, &blockWidth, &contents.RowsPerBlock);
-  contents.RowsPerBlock = std::max(1, contents.RowsPerBlock);
+  const char* interleaving = GDALGetMetadataItem(dataset.get(), "INTERLEAVE", "IMAGE_STRUCTURE");
+  if (interleaving && std::string(interleaving) == "PIXEL")
+  {
+    contents.SamplesPerTexel = GDALGetRasterCount(dataset.get());
+  }
   contents.HasMask = (GDALGetMaskFlags(band) & (GMF_PER_DATASET | GMF_ALPHA)) != 0;
 
   int declared = 0;
@@ -156,7 +177,7 @@ std::unique_ptr<GDALRaster> GDALRaster::Open(const std::string& fileName, std::s
     }
   }
   raster->Implementation->Type = GDALGetRasterDataType(band);
-  raster->Implementation->Band = band;
+  raster->Implementation->SetBand(band, contents);
   raster->Implementation->Dataset = std::move(dataset);
   return raster;
 }
@@ -168,9 +189,35 @@ bool GDALRaster::Claims(const std::string& fileName)
   return driver && std::string(GDALGetDriverShortName(driver)) == "PNG";
 }
 
+void GDALRaster::SelectLevel(int width, int height)
+{
+  GDALSession session;
+  const GDALRasterBandH finest = this->Implementation->Band;
+  for (int i = 0; i < GDALGetOverviewCount(finest); ++i)
+  {
+    const GDALRasterBandH band = GDALGetOverview(finest, i);
+    if (band &&
+      this->IsBetterLevel(
+        GDALGetRasterBandXSize(band), GDALGetRasterBandYSize(band), width, height) &&
+      GDALGetRasterDataType(band) == this->Implementation->Type &&
+      GDALGetMaskFlags(band) == GDALGetMaskFlags(finest))
+    {
+      this->Implementation->SetBand(band, this->Contents);
+    }
+  }
+}
+
 bool GDALRaster::ReadRows(int first, int count, void* samples, std::string& error)
 {
   GDALSession session;
+  // GDAL would keep blocks that were read up to a share of the machine's memory.
+  if (first % this->Implementation->RowsPerBlock == 0)
+  {
+    if (const GDALDatasetH dataset = GDALGetBandDataset(this->Implementation->Band))
+    {
+      GDALFlushCache(dataset);
+    }
+  }
   if (GDALRasterIO(this->Implementation->Band, GF_Read, 0, first, this->Contents.Width, count,
         samples, this->Contents.Width, count, this->Implementation->Type, 0, 0) == CE_None)
   {

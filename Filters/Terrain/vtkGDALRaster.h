@@ -30,6 +30,7 @@ public:
    */
   static bool Claims(const std::string& fileName);
 
+  void SelectLevel(int width, int height) override;
   bool ReadRows(int first, int count, void* samples, std::string& error) override;
   bool ReadMask(int first, int count, unsigned char* mask, std::string& error) override;
 

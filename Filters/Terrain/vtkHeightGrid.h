@@ -9,19 +9,25 @@
 #ifndef vtkHeightGrid_h
 #define vtkHeightGrid_h
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace relevo
 {
+class HeightReduction;
+
 /**
- * Takes the rows of a raster one after the other, in any order, and turns them into one float per
- * sample, row 0 at v = 0.
+ * Takes the rows of a raster, one after the other, and turns them into one float per sample, or the
+ * means of a smaller grid, row 0 at v = 0.
  */
 class HeightGrid
 {
 public:
+  HeightGrid();
+  ~HeightGrid();
+
   /// How samples become heights.
   struct Reading
   {
@@ -33,12 +39,15 @@ public:
     bool FlipRows = false;
   };
 
-  /// False, and why in `error`, when there is no memory for so many samples.
-  bool Allocate(int width, int height, const Reading& reading, std::string& error);
+  /**
+   * For a raster of `source` columns and rows, kept as `size` columns and rows, at most as many.
+   * False, and why in `error`, when there is no memory for so many samples.
+   */
+  bool Allocate(const int source[2], const int size[2], const Reading& reading, std::string& error);
 
   /**
-   * Takes rows [first, first + count) of the source, of one of VTK's numeric types. `stride`
-   * samples lie between one and the next; mask may be nullptr.
+   * Takes the next rows, [first, first + count), of one of VTK's numeric types. `stride` samples
+   * lie between one and the next; mask may be nullptr.
    */
   void SetRows(
     int first, int count, int type, const void* samples, int stride, const unsigned char* mask);
@@ -60,7 +69,7 @@ public:
   const double* GetRange() const { return this->Statistics.Range; }
 
 private:
-  // Of some rows of the source, in its own row order.
+  // Of some rows.
   struct RowStatistics
   {
     double Range[2];
@@ -72,11 +81,20 @@ private:
   };
 
   template <typename T>
-  RowStatistics SetRow(int row, const T* samples, int stride, const unsigned char* mask);
+  RowStatistics Decode(int row, const T* samples, int stride, const unsigned char* mask,
+    float* heights, unsigned char* validity) const;
+  RowStatistics Decode(int row, int type, const void* samples, std::size_t start, int stride,
+    const unsigned char* mask, float* heights, unsigned char* validity) const;
+  void SetReducedRows(
+    int first, int count, int type, const void* samples, int stride, const unsigned char* mask);
+  void SetMeans(int row, const double* sums, const double* areas);
+  std::size_t RowStart(int row) const;
 
+  int Source[2] = { 0, 0 };
   int Width = 0;
   int Height = 0;
   Reading How;
+  std::unique_ptr<HeightReduction> Reduction; // null where every sample is kept
   std::unique_ptr<float[]> Samples;
   std::unique_ptr<unsigned char[]> Validity;
   RowStatistics Statistics;

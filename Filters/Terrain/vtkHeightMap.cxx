@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightMap.h"
 
+#include "HeightReduction.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkHeightGrid.h"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <vector>
 
 namespace
@@ -21,11 +23,19 @@ namespace
 // About what one read takes: large enough to be efficient, small beside the heights themselves.
 constexpr long long SamplesPerRead = 1 << 20;
 
-int rowsPerRead(int width, int rowsPerBlock, int height)
+int rowsPerRead(const relevo::Raster::Description& contents)
 {
-  const long long rows = std::max<long long>(1, SamplesPerRead / std::max(1, width));
-  const long long blocks = std::max<long long>(1, rows / rowsPerBlock);
-  return static_cast<int>(std::min<long long>(blocks * rowsPerBlock, height));
+  const long long width = static_cast<long long>(contents.Width) * contents.SamplesPerTexel;
+  const long long rows = std::max(1LL, SamplesPerRead / width);
+  const long long blocks = std::max(1LL, rows / contents.RowsPerBlock);
+  return static_cast<int>(std::min<long long>(blocks * contents.RowsPerBlock, contents.Height));
+}
+
+const char* const NothingToRead = "There is neither a file name nor an image to read heights from.";
+
+std::string toText(const int size[2])
+{
+  return std::to_string(size[0]) + " x " + std::to_string(size[1]);
 }
 
 // A change of no-data values: two NaNs are the same.
@@ -42,8 +52,10 @@ vtkHeightMap::vtkHeightMap()
   , NoDataValue(std::numeric_limits<double>::quiet_NaN())
   , NoDataValueSet(false)
   , DeclaredNoDataValue(std::numeric_limits<double>::quiet_NaN())
+  , MaximumDimension(16384)
   , AbortExecute(false)
   , Dimensions{ 0, 0 }
+  , FullDimensions{ 0, 0 }
   , Range{ 0.0, 0.0 }
 {
 }
@@ -106,13 +118,19 @@ bool vtkHeightMap::Update()
     this->Grid.reset();
     this->DeclaredNoDataValue = std::numeric_limits<double>::quiet_NaN();
     std::fill_n(this->Dimensions, 2, 0);
+    std::fill_n(this->FullDimensions, 2, 0);
     std::fill_n(this->Range, 2, 0.0);
     this->SamplesTime.Modified();
-    if (this->Read(this->Failure))
+    const bool isRead = this->Read(this->Failure);
+    if (isRead)
     {
       this->Failure.clear();
     }
-    else if (this->AbortExecute)
+    else
+    {
+      std::fill_n(this->FullDimensions, 2, 0);
+    }
+    if (!isRead && this->AbortExecute)
     {
       return false; // the next Update() starts anew
     }
@@ -141,7 +159,7 @@ bool vtkHeightMap::Read(std::string& error)
   }
   else
   {
-    error = "There is neither a file name nor an image to read heights from.";
+    error = NothingToRead;
   }
   if (!read)
   {
@@ -151,6 +169,41 @@ bool vtkHeightMap::Read(std::string& error)
   this->Dimensions[1] = grid->GetHeight();
   std::copy_n(grid->GetRange(), 2, this->Range);
   this->Grid = std::move(grid);
+  if (!std::equal(this->Dimensions, this->Dimensions + 2, this->FullDimensions))
+  {
+    vtkWarningMacro(<< (this->ImageData ? "The image" : this->FileName) << " has "
+                    << toText(this->FullDimensions) << " heights, more than "
+                    << this->MaximumDimension << " a side: it is reduced to "
+                    << toText(this->Dimensions) << ", each the mean of those that it covers. "
+                    << "For more detail cut out a part of it (gdal_translate -srcwin), or raise "
+                    << "MaximumDimension where textures may be that large.");
+  }
+  return true;
+}
+
+bool vtkHeightMap::UpdateInformation()
+{
+  if (this->ImageData)
+  {
+    int dimensions[3];
+    this->ImageData->GetDimensions(dimensions);
+    std::copy_n(dimensions, 2, this->FullDimensions);
+    return true;
+  }
+  if (!this->FileName || !*this->FileName)
+  {
+    vtkErrorMacro(<< NothingToRead);
+    return false;
+  }
+  std::string error;
+  const auto raster = relevo::Raster::Open(this->FileName, error);
+  if (!raster)
+  {
+    vtkErrorMacro(<< "Cannot read " << this->FileName << ": " << error << ".");
+    return false;
+  }
+  this->FullDimensions[0] = raster->Describe().Width;
+  this->FullDimensions[1] = raster->Describe().Height;
   return true;
 }
 
@@ -161,7 +214,16 @@ bool vtkHeightMap::ReadFile(relevo::HeightGrid& grid, std::string& error)
   {
     return false;
   }
-  const relevo::Raster::Description& contents = raster->Describe();
+  const relevo::Raster::Description& contents = raster->Describe(); // of the level that is read
+  this->FullDimensions[0] = contents.Width;
+  this->FullDimensions[1] = contents.Height;
+  int size[2];
+  relevo::GetReducedSize(this->FullDimensions, this->MaximumDimension, size);
+  if (!std::equal(size, size + 2, this->FullDimensions))
+  {
+    raster->SelectLevel(size[0], size[1]);
+  }
+  const int source[2] = { contents.Width, contents.Height };
   relevo::HeightGrid::Reading reading;
   if (contents.NoData)
   {
@@ -177,27 +239,32 @@ bool vtkHeightMap::ReadFile(relevo::HeightGrid& grid, std::string& error)
   reading.Offset = contents.Offset;
   reading.FlipColumns = contents.Location.FlipColumns;
   reading.FlipRows = contents.Location.FlipRows;
-  if (!grid.Allocate(contents.Width, contents.Height, reading, error))
+  if (!grid.Allocate(source, size, reading, error))
   {
     return false;
   }
 
-  const int rows = rowsPerRead(contents.Width, contents.RowsPerBlock, contents.Height);
+  const int rows = rowsPerRead(contents);
   const std::size_t samplesPerRead = static_cast<std::size_t>(rows) * contents.Width;
-  const auto samples =
-    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(contents.Type));
-  samples->SetNumberOfValues(static_cast<vtkIdType>(samplesPerRead));
-  std::vector<unsigned char> mask(contents.HasMask ? samplesPerRead : 0);
+  const std::unique_ptr<char[]> samples(
+    new (std::nothrow) char[samplesPerRead * vtkDataArray::GetDataTypeSize(contents.Type)]);
+  std::unique_ptr<unsigned char[]> mask(
+    contents.HasMask ? new (std::nothrow) unsigned char[samplesPerRead] : nullptr);
+  if (!samples || (contents.HasMask && !mask))
+  {
+    error = "no memory for " + std::to_string(rows) + " rows of " + std::to_string(contents.Width) +
+      " heights";
+    return false;
+  }
   for (int first = 0; first < contents.Height; first += rows)
   {
     const int count = std::min(rows, contents.Height - first);
-    void* buffer = samples->GetVoidPointer(0);
-    if (!raster->ReadRows(first, count, buffer, error) ||
-      (contents.HasMask && !raster->ReadMask(first, count, mask.data(), error)))
+    if (!raster->ReadRows(first, count, samples.get(), error) ||
+      (mask && !raster->ReadMask(first, count, mask.get(), error)))
     {
       return false;
     }
-    grid.SetRows(first, count, contents.Type, buffer, 1, contents.HasMask ? mask.data() : nullptr);
+    grid.SetRows(first, count, contents.Type, samples.get(), 1, mask.get());
     double progress = static_cast<double>(first + count) / contents.Height;
     this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
     if (this->AbortExecute)
@@ -253,7 +320,10 @@ bool vtkHeightMap::ReadImage(relevo::HeightGrid& grid, std::string& error)
     }
   }
   reading.HasMask = !mask.empty();
-  if (!grid.Allocate(dimensions[0], dimensions[1], reading, error))
+  std::copy_n(dimensions, 2, this->FullDimensions);
+  int reduced[2];
+  relevo::GetReducedSize(dimensions, this->MaximumDimension, reduced);
+  if (!grid.Allocate(dimensions, reduced, reading, error))
   {
     return false;
   }
@@ -270,6 +340,16 @@ void vtkHeightMap::GetDimensions(int dimensions[2])
 int* vtkHeightMap::GetDimensions()
 {
   return this->Dimensions;
+}
+
+void vtkHeightMap::GetFullDimensions(int dimensions[2])
+{
+  std::copy_n(this->FullDimensions, 2, dimensions);
+}
+
+int* vtkHeightMap::GetFullDimensions()
+{
+  return this->FullDimensions;
 }
 
 void vtkHeightMap::GetRange(double range[2])
@@ -322,7 +402,9 @@ void vtkHeightMap::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "ImageData: " << this->ImageData.Get() << "\n";
   os << indent << "NoDataValue: " << this->GetNoDataValue() << "\n";
-  os << indent << "Dimensions: " << this->Dimensions[0] << " x " << this->Dimensions[1] << "\n";
+  os << indent << "MaximumDimension: " << this->MaximumDimension << "\n";
+  os << indent << "Dimensions: " << toText(this->Dimensions) << "\n";
+  os << indent << "FullDimensions: " << toText(this->FullDimensions) << "\n";
   os << indent << "Range: " << this->Range[0] << ", " << this->Range[1] << "\n";
   os << indent << "HasNoData: " << this->HasNoData() << "\n";
 }

@@ -15,6 +15,12 @@
  * n x m x 1 points; v = 0 is its first row. Blanked points have no data. Origin, spacing and extent
  * do not matter. An image, once set, wins over the file; Update() follows its modification time.
  *
+ * Sizes: more than MaximumDimension texels a side are reduced, with a warning, to the largest size
+ * of the same proportions that has no more; each height is then the mean of those with data that it
+ * covers, by area. The file is read row by row, or its overview or mip level that is just large
+ * enough, so that memory is that of what is kept: 4 bytes a texel, 5 where there may be no data,
+ * and 1.7 more for a moment where some have none.
+ *
  * No data: samples equal, in the raster's own type, to the value that the file declares (through
  * GDAL) or to NoDataValue, and those that the file's mask excludes. They take smooth heights from
  * the valid neighbours (vtkHeightField::GetValidity tells them apart).
@@ -80,6 +86,16 @@ public:
 
   //@{
   /**
+   * The most texels that are kept per side, 0 for any number. Default 16384, which every texture of
+   * OpenGL 4.1 and later can have; a graphics card may take more or, before 4.1, less
+   * (vtkTextureObject::GetMaximumTextureSize()).
+   */
+  vtkSetClampMacro(MaximumDimension, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MaximumDimension, int);
+  //@}
+
+  //@{
+  /**
    * Stops a running Update(), which returns false without an error.
    */
   vtkSetMacro(AbortExecute, bool);
@@ -89,12 +105,27 @@ public:
 
   bool Update() override;
 
+  /**
+   * Reads the file's header alone: GetFullDimensions(). Returns false, after an ErrorEvent, when
+   * that cannot be done.
+   */
+  bool UpdateInformation();
+
   //@{
   /**
    * Number of columns and rows; (0, 0) before a successful Update().
    */
   void GetDimensions(int dimensions[2]) override;
   int* GetDimensions() VTK_SIZEHINT(2);
+  //@}
+
+  //@{
+  /**
+   * Number of columns and rows of the file or the image, before any reduction; (0, 0) before a
+   * successful Update() or UpdateInformation().
+   */
+  void GetFullDimensions(int dimensions[2]);
+  int* GetFullDimensions() VTK_SIZEHINT(2);
   //@}
 
   //@{
@@ -131,6 +162,7 @@ protected:
   double NoDataValue;
   bool NoDataValueSet;
   double DeclaredNoDataValue;
+  int MaximumDimension;
   bool AbortExecute;
 
 private:
@@ -144,6 +176,7 @@ private:
   std::shared_ptr<const relevo::HeightGrid> Grid; // null after a failure
   std::string Failure;
   int Dimensions[2];
+  int FullDimensions[2];
   double Range[2];
   vtkTimeStamp UpdateTime;
   vtkTimeStamp SamplesTime;

@@ -14,7 +14,11 @@ namespace relevo
 struct OpenImageIORaster::Internals
 {
   std::unique_ptr<OIIO::ImageInput> Input;
-  OIIO::TypeDesc Format;
+  OIIO::TypeDesc Format; // as read
+  OIIO::ImageSpec Spec;  // of the version in use
+  int Subimage = 0;
+  int MipLevel = 0;
+  bool Reads = true; // else the alternative does
 };
 
 namespace
@@ -22,6 +26,7 @@ namespace
 // Of the TIFF specification, section 8.
 constexpr int MinIsWhite = 0;
 constexpr int Palette = 3;
+constexpr int ReducedResolution = 1; // of NewSubfileType
 
 struct SampleType
 {
@@ -102,8 +107,10 @@ std::unique_ptr<OpenImageIORaster> OpenImageIORaster::Open(
   raster->Contents.Width = spec.width;
   raster->Contents.Height = spec.height;
   raster->Contents.RowsPerBlock = std::max(1, spec.tile_height);
+  raster->Contents.SamplesPerTexel = spec.nchannels;
   raster->Contents.Type = type->VTKType;
   raster->Contents.Location.SetSize(spec.width, spec.height);
+  raster->Implementation->Spec = spec;
   raster->Implementation->Input = std::move(input);
   raster->Implementation->Format = type->Read;
   return raster;
@@ -117,23 +124,69 @@ bool OpenImageIORaster::SetAlternative(std::unique_ptr<Raster>& alternative)
   {
     return false;
   }
-  const int rowsPerBlock = this->Contents.RowsPerBlock;
+  const Description own = this->Contents;
   this->Contents = other;
-  this->Contents.RowsPerBlock = rowsPerBlock;
+  this->Contents.RowsPerBlock = own.RowsPerBlock;
+  this->Contents.SamplesPerTexel = own.SamplesPerTexel;
   this->Alternative = std::move(alternative);
   return true;
 }
 
+void OpenImageIORaster::SelectLevel(int width, int height)
+{
+  Internals& own = *this->Implementation;
+  if (this->Alternative)
+  {
+    this->Alternative->SelectLevel(width, height);
+    const Description& other = this->Alternative->Describe();
+    own.Reads = other.Width == this->Contents.Width && other.Height == this->Contents.Height;
+    if (!own.Reads)
+    {
+      this->Contents = other;
+    }
+    return;
+  }
+  const auto select = [&](int subimage, int mipLevel)
+  {
+    const OIIO::ImageSpec spec = own.Input->spec(subimage, mipLevel);
+    const bool isVersion =
+      subimage == 0 || spec.get_int_attribute("tiff:subfiletype") == ReducedResolution;
+    if (isVersion && spec.channelformat(0) == own.Spec.channelformat(0) &&
+      this->IsBetterLevel(spec.width, spec.height, width, height))
+    {
+      own.Spec = spec;
+      own.Subimage = subimage;
+      own.MipLevel = mipLevel;
+      this->Contents.Width = spec.width;
+      this->Contents.Height = spec.height;
+      this->Contents.RowsPerBlock = std::max(1, spec.tile_height);
+    }
+    return spec.width > 0;
+  };
+  for (int subimage = 0; select(subimage, 0); ++subimage)
+  {
+    for (int mipLevel = 1; select(subimage, mipLevel); ++mipLevel)
+    {
+    }
+  }
+  own.Input->geterror(); // that there is no further one
+}
+
 bool OpenImageIORaster::ReadRows(int first, int count, void* samples, std::string& error)
 {
-  OIIO::ImageInput& input = *this->Implementation->Input;
-  const OIIO::ImageSpec& spec = input.spec();
+  const Internals& own = *this->Implementation;
+  if (!own.Reads)
+  {
+    return this->Alternative->ReadRows(first, count, samples, error);
+  }
+  OIIO::ImageInput& input = *own.Input;
+  const OIIO::ImageSpec& spec = own.Spec;
   const int begin = spec.y + first;
   const bool read = spec.tile_width > 0
-    ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, begin, begin + count, spec.z, spec.z + 1,
-        0, 1, this->Implementation->Format, samples)
+    ? input.read_tiles(own.Subimage, own.MipLevel, spec.x, spec.x + spec.width, begin,
+        begin + count, spec.z, spec.z + 1, 0, 1, own.Format, samples)
     : input.read_scanlines(
-        0, 0, begin, begin + count, spec.z, 0, 1, this->Implementation->Format, samples);
+        own.Subimage, own.MipLevel, begin, begin + count, spec.z, 0, 1, own.Format, samples);
   // Truncated strips are reported, yet the call may succeed (OpenImageIO 2.4).
   if (read && !input.has_error())
   {

@@ -27,11 +27,13 @@ public:
 
   /**
    * Takes over what another reader says of the same file and turns to it for rows that
-   * OpenImageIO cannot read (the empty blocks of sparse files). False when the two disagree on
+   * OpenImageIO cannot read (the empty blocks of sparse files), and for smaller versions that it
+   * knows. False when the two disagree on
    * size or type.
    */
   bool SetAlternative(std::unique_ptr<Raster>& alternative);
 
+  void SelectLevel(int width, int height) override;
   bool ReadRows(int first, int count, void* samples, std::string& error) override;
 
 private:

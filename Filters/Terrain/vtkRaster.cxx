@@ -37,9 +37,9 @@ std::string obstacle(const std::string& fileName)
   }
   return "";
 }
-}
 
-std::unique_ptr<Raster> Raster::Open(const std::string& fileName, std::string& error)
+// By the library that shall read it.
+std::unique_ptr<Raster> openAny(const std::string& fileName, std::string& error)
 {
   error = obstacle(fileName);
   if (!error.empty())
@@ -69,6 +69,26 @@ std::unique_ptr<Raster> Raster::Open(const std::string& fileName, std::string& e
   }
   return pixels;
 #endif
+}
+}
+
+std::unique_ptr<Raster> Raster::Open(const std::string& fileName, std::string& error)
+{
+  auto raster = openAny(fileName, error);
+  if (raster && (raster->Contents.Width < 1 || raster->Contents.Height < 1))
+  {
+    error = "it has " + std::to_string(raster->Contents.Width) + " x " +
+      std::to_string(raster->Contents.Height) + " texels";
+    return nullptr;
+  }
+  return raster;
+}
+
+bool Raster::IsBetterLevel(int levelWidth, int levelHeight, int width, int height) const
+{
+  return levelWidth >= width && levelHeight >= height && levelWidth <= this->Contents.Width &&
+    levelHeight <= this->Contents.Height &&
+    (levelWidth < this->Contents.Width || levelHeight < this->Contents.Height);
 }
 
 bool Raster::ReadMask(int, int, unsigned char*, std::string& error)

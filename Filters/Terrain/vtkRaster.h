@@ -37,9 +37,10 @@ public:
   {
     int Width = 0;
     int Height = 0;
-    int RowsPerBlock = 1; ///< reading whole multiples of these rows is efficient
-    int Type = 0;         ///< VTK's type of the samples as read
-    bool HasMask = false; ///< validity comes from a mask as well
+    int RowsPerBlock = 1;    ///< reading whole multiples of these rows is efficient
+    int SamplesPerTexel = 1; ///< that are read, not only kept
+    int Type = 0;            ///< VTK's type of the samples as read
+    bool HasMask = false;    ///< validity comes from a mask as well
     std::optional<double> NoData;
     double Scale = 1.0; ///< height = Scale * sample + Offset
     double Offset = 0.0;
@@ -48,6 +49,13 @@ public:
   };
 
   const Description& Describe() const { return this->Contents; }
+
+  /**
+   * Turns to a smaller version of the raster that the file holds as well (overviews, mip levels):
+   * the smallest of at least this size. Rows and their description are of that version then, the
+   * location is the same. Nothing happens where there is none.
+   */
+  virtual void SelectLevel(int width, int height) = 0;
 
   /**
    * Reads rows [first, first + count) of the file, Width samples of the described type each.
@@ -63,6 +71,9 @@ protected:
   Raster() = default;
   Raster(const Raster&) = delete;
   void operator=(const Raster&) = delete;
+
+  /// Whether a version of that size is smaller than the one in use, and large enough.
+  bool IsBetterLevel(int levelWidth, int levelHeight, int width, int height) const;
 
   Description Contents;
 };

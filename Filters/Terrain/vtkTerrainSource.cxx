@@ -31,6 +31,17 @@ namespace
 // Shares of the progress.
 constexpr double HeightsShare = 0.6;
 constexpr double MeshShare = 0.1;
+
+// The part of an inner object's message that says what is wrong, without its class, address and
+// source line.
+std::string getText(void* message)
+{
+  std::string text(static_cast<const char*>(message));
+  const std::size_t start = text.find("): ");
+  text.erase(0, start == std::string::npos ? 0 : start + 3);
+  text.erase(text.find_last_not_of("\n") + 1);
+  return text;
+}
 }
 
 vtkStandardNewMacro(vtkTerrainSource);
@@ -46,6 +57,7 @@ vtkTerrainSource::vtkTerrainSource()
 {
   this->SetNumberOfInputPorts(0);
   this->HeightMap->AddObserver(vtkCommand::ErrorEvent, this, &vtkTerrainSource::ForwardError);
+  this->HeightMap->AddObserver(vtkCommand::WarningEvent, this, &vtkTerrainSource::ForwardWarning);
   this->HeightMap->AddObserver(vtkCommand::ProgressEvent, this, &vtkTerrainSource::ForwardProgress);
   this->Displacement->SetHeightMap(this->HeightMap);
   this->Displacement->SetDirection(0.0, 0.0, 1.0);
@@ -89,6 +101,21 @@ void vtkTerrainSource::SetNoDataValue(double value)
 double vtkTerrainSource::GetNoDataValue()
 {
   return this->HeightMap->GetNoDataValue();
+}
+
+void vtkTerrainSource::UnsetNoDataValue()
+{
+  this->HeightMap->UnsetNoDataValue();
+}
+
+void vtkTerrainSource::SetMaximumDimension(int dimension)
+{
+  this->HeightMap->SetMaximumDimension(dimension);
+}
+
+int vtkTerrainSource::GetMaximumDimension()
+{
+  return this->HeightMap->GetMaximumDimension();
 }
 
 void vtkTerrainSource::SetNoDataPolicy(int policy)
@@ -177,12 +204,12 @@ vtkMTimeType vtkTerrainSource::GetMTime()
 
 void vtkTerrainSource::ForwardError(vtkObject*, unsigned long, void* message)
 {
-  // The part that says what is wrong, without the inner object's class, address and source line.
-  std::string text(static_cast<const char*>(message));
-  const std::size_t start = text.find("): ");
-  text.erase(0, start == std::string::npos ? 0 : start + 3);
-  text.erase(text.find_last_not_of("\n") + 1);
-  vtkErrorMacro(<< text);
+  vtkErrorMacro(<< getText(message));
+}
+
+void vtkTerrainSource::ForwardWarning(vtkObject*, unsigned long, void* message)
+{
+  vtkWarningMacro(<< getText(message));
 }
 
 void vtkTerrainSource::ForwardProgress(vtkObject*, unsigned long, void* progress)
@@ -241,7 +268,8 @@ bool vtkTerrainSource::Build(vtkPolyData* output, std::string& error)
   const int* texels = this->HeightMap->GetDimensions();
   if (!isFile)
   {
-    location.SetSize(texels[0], texels[1]);
+    const int* full = this->HeightMap->GetFullDimensions();
+    location.SetSize(full[0], full[1]);
   }
   this->Frame.reset(new relevo::TerrainFrame(location));
   this->VerticalUnit = verticalUnit;

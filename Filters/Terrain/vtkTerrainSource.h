@@ -125,10 +125,20 @@ public:
   //@{
   /**
    * A sample value that means "no data", besides what the file declares; see
-   * vtkHeightMap::SetNoDataValue.
+   * vtkHeightMap::SetNoDataValue and UnsetNoDataValue.
    */
   virtual void SetNoDataValue(double value);
   virtual double GetNoDataValue();
+  virtual void UnsetNoDataValue();
+  //@}
+
+  //@{
+  /**
+   * The most heights that are kept per side, default 16384, 0 for any number; more are reduced,
+   * with a warning: see vtkHeightMap::SetMaximumDimension. Extent and coordinates stay.
+   */
+  virtual void SetMaximumDimension(int dimension);
+  virtual int GetMaximumDimension();
   //@}
 
   //@{
@@ -214,6 +224,7 @@ private:
   bool CheckImagery(std::string& error);
   bool UpdateImagery(const relevo::Georeference& location, std::string& error);
   void ForwardError(vtkObject* caller, unsigned long event, void* message);
+  void ForwardWarning(vtkObject* caller, unsigned long event, void* message);
   void ForwardProgress(vtkObject* caller, unsigned long event, void* progress);
 
   vtkNew<vtkHeightMap> HeightMap;

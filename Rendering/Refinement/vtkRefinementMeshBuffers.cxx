@@ -202,7 +202,8 @@ bool RefinementMeshBuffers::UploadHeights(
   {
     this->Error = "the height map has " + std::to_string(size[0]) + " x " +
       std::to_string(size[1]) + " samples, and a texture of this OpenGL at most " +
-      std::to_string(most) + " a side";
+      std::to_string(most) + " a side: SetMaximumDimension(" + std::to_string(most) +
+      ") of vtkHeightMap reduces it";
     return false;
   }
   const unsigned int width = static_cast<unsigned int>(size[0]);
