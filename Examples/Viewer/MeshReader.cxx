@@ -5,6 +5,7 @@
 #ifdef VIEWER_HAS_EXODUS
 #include "ExodusReader.h"
 #endif
+#include "GLTFReader.h"
 #include "MeshPoints.h"
 #include "ViewerArguments.h"
 #include "ViewerFile.h"
@@ -17,13 +18,19 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
+#if __has_include("vtkOFFReader.h")
+#include "vtkOFFReader.h"
+#endif
 #include "vtkPLYReader.h"
 #include "vtkPolyData.h"
 #include "vtkSTLReader.h"
+#include "vtkVersion.h"
 #include "vtkXMLPolyDataReader.h"
+#include "vtkXMLUnstructuredGridReader.h"
 
 #include <functional>
 #include <map>
+#include <vector>
 
 namespace
 {
@@ -39,14 +46,16 @@ Mesh Read(const std::string& fileName, ViewerMessages& messages)
   return reader->GetOutput();
 }
 
-Mesh ReadLegacy(const std::string& fileName, ViewerMessages& messages)
+// Of a data set that is no surface itself, the surface.
+template <typename Reader>
+Mesh ReadSurface(const std::string& fileName, ViewerMessages& messages)
 {
-  vtkNew<vtkGenericDataObjectReader> reader;
+  vtkNew<Reader> reader;
   messages.Observe(reader, "reading");
   reader->SetFileName(fileName.c_str());
   reader->Update();
   messages.Check();
-  auto* data = vtkDataSet::SafeDownCast(reader->GetOutput());
+  auto* data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
   if (!data)
   {
     throw ViewerError("cannot read " + fileName + ": it holds no data set of points and cells");
@@ -69,13 +78,30 @@ const std::map<std::string, Function>& GetReaders()
 #ifdef VIEWER_HAS_EXODUS
     { ".ex2", ReadExodus },
 #endif
+    { ".glb", ReadGLTF },
+    { ".gltf", ReadGLTF },
     { ".obj", Read<vtkOBJReader> },
+#if __has_include("vtkOFFReader.h") // VTK 9.4 and later
+    { ".off", Read<vtkOFFReader> },
+#endif
     { ".ply", Read<vtkPLYReader> },
     { ".stl", Read<vtkSTLReader> },
-    { ".vtk", ReadLegacy },
+    { ".vtk", ReadSurface<vtkGenericDataObjectReader> },
     { ".vtp", Read<vtkXMLPolyDataReader> },
+    { ".vtu", ReadSurface<vtkXMLUnstructuredGridReader> },
   };
   return readers;
+}
+
+Mesh ReadFormat(const std::string& fileName, ViewerMessages& messages)
+{
+  const auto reader = GetReaders().find(GetExtension(fileName));
+  if (reader != GetReaders().end())
+  {
+    return reader->second(fileName, messages);
+  }
+  throw ViewerError("VTK " + std::string(vtkVersion::GetVTKVersion()) + " reads no " +
+    GetExtension(fileName) + " files; meshes are read from " + GetMeshFormats());
 }
 
 void CheckPoints(vtkPolyData* mesh, const std::string& fileName)
@@ -100,7 +126,20 @@ void CheckPoints(vtkPolyData* mesh, const std::string& fileName)
 //------------------------------------------------------------------------------
 bool IsMeshFile(const std::string& fileName)
 {
-  return GetReaders().count(GetExtension(fileName)) > 0;
+  const std::string extension = GetExtension(fileName);
+  // Meshes, whether or not this VTK reads them.
+  return GetReaders().count(extension) > 0 || extension == ".ex2" || extension == ".off";
+}
+
+//------------------------------------------------------------------------------
+std::string GetMeshFormats()
+{
+  std::vector<std::string> extensions;
+  for (const auto& reader : GetReaders())
+  {
+    extensions.push_back(reader.first);
+  }
+  return JoinWords(extensions) + " files";
 }
 
 //------------------------------------------------------------------------------
@@ -110,7 +149,7 @@ Mesh ReadMesh(const std::string& fileName, ViewerMessages& messages)
   Mesh mesh;
   try
   {
-    mesh = GetReaders().at(GetExtension(fileName))(fileName, messages);
+    mesh = ReadFormat(fileName, messages);
     messages.Check();
   }
   catch (const std::exception& error)

@@ -13,12 +13,16 @@
 class vtkPolyData;
 class ViewerMessages;
 
-/// By the name: .vtp, .ply, .obj, .stl, .vtk or, where VTK reads them, .ex2.
+/// By the name: an extension of a mesh's file, also where this VTK reads none of that kind.
 bool IsMeshFile(const std::string& fileName);
 
+/// What can be read, as ".ply, .stl or .vtp files".
+std::string GetMeshFormats();
+
 /**
- * The polygons and strips of a file; of another data set than polygonal ones in a .vtk or .ex2 file
- * its outer surface. Throws ViewerError where there are none, or where a point is not finite.
+ * The polygons and strips of a file; of another data set than polygonal ones in a .vtk, .vtu or
+ * .ex2 file its outer surface. Throws ViewerError where there are none, or where a point is not
+ * finite.
  */
 vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& fileName, ViewerMessages& messages);
 

@@ -3,9 +3,11 @@
 #include "TerrainScene.h"
 
 #include "MeshPoints.h"
+#include "MeshReader.h"
 #include "ReliefMetric.h"
 #include "TerrainColours.h"
 #include "TerrainProbe.h"
+#include "ViewerFile.h"
 #include "ViewerMetric.h"
 
 #include "vtkActor.h"
@@ -74,7 +76,7 @@ void TerrainScene::ReadTerrain()
   }
   this->Source->SetExaggeration(this->Options.Exaggeration);
   this->Source->Update();
-  this->Messages.Check();
+  this->CheckReading();
   // Without the corners of faces that were left out.
   this->Mesh->ShallowCopy(DropUnusedPoints(this->Source->GetOutput()));
   if (this->Mesh->GetNumberOfCells() == 0)
@@ -82,6 +84,23 @@ void TerrainScene::ReadTerrain()
     throw ViewerError(this->Options.Input + " has no terrain to draw");
   }
   this->Probe = std::make_unique<TerrainProbe>(this->Mesh, this->Source->GetHeightMap());
+}
+
+//------------------------------------------------------------------------------
+void TerrainScene::CheckReading()
+{
+  try
+  {
+    this->Messages.Check();
+  }
+  catch (const ViewerError& error)
+  {
+    // A mesh, perhaps, in a format that has no reader here.
+    const std::string text = error.what();
+    const bool isUnknown =
+      text.find("Cannot read " + this->Options.Input) == 0 && CanRead(this->Options.Input);
+    throw ViewerError(isUnknown ? text + " Meshes are read from " + GetMeshFormats() + "." : text);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -24,6 +24,7 @@ public:
 private:
   void AddExportedData(vtkPolyData* mesh) override;
   void ReadTerrain();
+  void CheckReading();
   /// Of the raster, in its unit, at the mesh's texture coordinates.
   void AddHeights(vtkPolyData* mesh);
   void MakeDisplacedMesh();

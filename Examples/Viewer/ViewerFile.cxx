@@ -12,6 +12,16 @@
 
 namespace
 {
+// Why there is nothing to read, "" where there is.
+std::string GetInputError(const std::string& fileName)
+{
+  std::ifstream file(fileName);
+  return !file                                ? "the file does not exist or is not readable"
+    : std::filesystem::is_directory(fileName) ? "it is a folder"
+    : file.peek() == std::ifstream::traits_type::eof() ? "the file is empty"
+                                                       : "";
+}
+
 // Why a file can neither be made nor replaced, "" where it can.
 std::string GetOutputError(const std::filesystem::path& file)
 {
@@ -34,15 +44,17 @@ std::string GetOutputError(const std::filesystem::path& file)
 //------------------------------------------------------------------------------
 void CheckFile(const std::string& fileName)
 {
-  std::ifstream file(fileName);
-  const char* reason = !file                  ? "the file does not exist or is not readable"
-    : std::filesystem::is_directory(fileName) ? "it is a folder"
-    : file.peek() == std::ifstream::traits_type::eof() ? "the file is empty"
-                                                       : nullptr;
-  if (reason)
+  const std::string error = GetInputError(fileName);
+  if (!error.empty())
   {
-    throw ViewerError("cannot read " + fileName + ": " + reason);
+    throw ViewerError("cannot read " + fileName + ": " + error);
   }
+}
+
+//------------------------------------------------------------------------------
+bool CanRead(const std::string& fileName)
+{
+  return GetInputError(fileName).empty();
 }
 
 //------------------------------------------------------------------------------

@@ -12,6 +12,9 @@
 /// throws ViewerError.
 void CheckFile(const std::string& fileName);
 
+/// Whether there is something in it.
+bool CanRead(const std::string& fileName);
+
 /// Nor does anyone want to wait for what cannot be written: throws ViewerError where a file can
 /// neither be made nor replaced. Makes none.
 void CheckOutput(const std::string& fileName);

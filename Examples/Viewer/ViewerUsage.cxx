@@ -7,7 +7,8 @@ const char* GetUsage()
   return R"(relevo-view FILE [options]
 
 Draws a height map (GeoTIFF, SRTM .hgt, USGS DEM, PNG, OpenEXR ...) or a mesh (.vtp, .ply, .obj,
-.stl, .vtk, .ex2), refined where it matters: a window when there is a display, a picture with --output.
+.stl, .gltf, .glb, .off, .vtk, .vtu, .ex2), refined where it matters: a window when there is a
+display, a picture with --output.
 
 The surface:
   --surface NAME         linear (default for height maps), pn (default for meshes; curved PN

@@ -1,0 +1,282 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""relevo-view with scenes and volumes: .gltf and .glb, .vtu, .off; formats that nothing reads."""
+
+import base64
+import json
+import math
+import os
+import pathlib
+import struct
+import unittest
+
+import vtkmodules.vtkIOGeometry
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, vtkUnstructuredGrid
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridWriter
+
+from ViewerProgram import ViewerProgram
+
+DATA = pathlib.Path(os.environ.get("RELEVO_TEST_DATA") or "/nonexistent")
+FLOAT, UNSIGNED_SHORT = 5126, 5123
+TRIANGLES, TRIANGLE_STRIP = 4, 5
+CUBE = [(i & 1, i >> 1 & 1, i >> 2) for i in range(8)]
+# Seen from outside counter-clockwise.
+CUBE_FACES = [0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4] + [
+    2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5,
+]
+
+
+class Scene:
+    """A glTF document that grows."""
+
+    def __init__(self):
+        self.data = b""
+        self.document = {
+            "asset": {"version": "2.0"},
+            "scene": 0,
+            "scenes": [{"nodes": []}],
+            **{key: [] for key in ("nodes", "meshes", "materials", "accessors", "bufferViews")},
+        }
+
+    def add(self, key, value):
+        self.document[key].append(value)
+        return len(self.document[key]) - 1
+
+    def add_values(self, values, target):
+        """Of an accessor: tuples of floats, or indices."""
+        is_vector = isinstance(values[0], tuple)
+        flat = [x for value in values for x in value] if is_vector else values
+        part = struct.pack(f"<{len(flat)}{'f' if is_vector else 'H'}", *flat)
+        view = {"buffer": 0, "byteOffset": len(self.data), "byteLength": len(part), "target": target}
+        self.data += part + bytes(-len(part) % 4)
+        accessor = {
+            "bufferView": self.add("bufferViews", view),
+            "componentType": FLOAT if is_vector else UNSIGNED_SHORT,
+            "count": len(values),
+            "type": f"VEC{len(values[0])}" if is_vector else "SCALAR",
+        }
+        if is_vector:
+            accessor["min"] = [min(column) for column in zip(*values)]
+            accessor["max"] = [max(column) for column in zip(*values)]
+        return self.add("accessors", accessor)
+
+    def primitive(self, points, indices, mode=TRIANGLES, color=None, **attributes):
+        result = {
+            "attributes": {"POSITION": self.add_values(points, 34962)},
+            "indices": self.add_values(indices, 34963),
+            "mode": mode,
+        }
+        for name, values in attributes.items():
+            result["attributes"][name] = self.add_values(values, 34962)
+        if color:
+            material = {"pbrMetallicRoughness": {"baseColorFactor": color}}
+            result["material"] = self.add("materials", material)
+        return result
+
+    def add_node(self, *primitives, root=True, **node):
+        if primitives:
+            node["mesh"] = self.add("meshes", {"primitives": list(primitives)})
+        index = self.add("nodes", node)
+        if root:
+            self.document["scenes"][0]["nodes"].append(index)
+        return index
+
+    def write(self, path):
+        document = {key: value for key, value in self.document.items() if value}
+        document["buffers"] = [{"byteLength": len(self.data)}]
+        if path.suffix == ".gltf":
+            code = base64.b64encode(self.data).decode()
+            document["buffers"][0]["uri"] = "data:application/octet-stream;base64," + code
+            path.write_text(json.dumps(document))
+            return path
+        text = json.dumps(document).encode()
+        text += b" " * (-len(text) % 4)
+        length = 12 + 8 + len(text) + 8 + len(self.data)
+        path.write_bytes(
+            b"glTF" + struct.pack("<II", 2, length)
+            + struct.pack("<I", len(text)) + b"JSON" + text
+            + struct.pack("<I", len(self.data)) + b"BIN\0" + self.data
+        )
+        return path
+
+
+def volume(mesh):
+    """Above 0 where the triangles of a closed mesh face out."""
+    total = 0
+    for i in range(mesh.GetNumberOfCells()):
+        ids = mesh.GetCell(i).GetPointIds()
+        a, b, c = (mesh.GetPoint(ids.GetId(k)) for k in range(3))
+        total += a[0] * (b[1] * c[2] - b[2] * c[1])
+        total += a[1] * (b[2] * c[0] - b[0] * c[2])
+        total += a[2] * (b[0] * c[1] - b[1] * c[0])
+    return total / 6
+
+
+class TestViewerFormats(ViewerProgram):
+    def export(self, file, *arguments):
+        self.view(file, "--export=e.vtp", "--surface=linear", "--level=0", *arguments)
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(str(self.folder / "e.vtp"))
+        reader.Update()
+        return reader.GetOutput()
+
+    def assert_bounds(self, mesh, expected):
+        for one, other in zip(mesh.GetBounds(), expected):
+            self.assertAlmostEqual(one, other, places=5)
+
+    def colors(self, mesh):
+        """Of the points, by their places."""
+        array = mesh.GetPointData().GetArray("Color")
+        self.assertEqual(array.GetNumberOfComponents(), 3)
+        return {
+            tuple(round(x, 5) for x in mesh.GetPoint(i)): array.GetTuple3(i)
+            for i in range(mesh.GetNumberOfPoints())
+        }
+
+    def test_transforms(self):
+        """A cube in a node that is turned by 90 degrees about z, in one that is moved and scaled."""
+        scene = Scene()
+        half = math.sqrt(0.5)
+        inner = scene.add_node(
+            scene.primitive(CUBE, CUBE_FACES), rotation=[0, 0, half, half], root=False
+        )
+        scene.add_node(children=[inner], translation=[10, 20, 30], scale=[1, 2, 3])
+        for suffix in (".gltf", ".glb"):
+            mesh = self.export(scene.write(self.folder / f"cube{suffix}"))
+            self.assertEqual(mesh.GetNumberOfCells(), 12)
+            self.assert_bounds(mesh, (9, 10, 20, 22, 30, 33))
+            self.assertAlmostEqual(volume(mesh), 6, places=4)
+            self.assertIsNone(mesh.GetPointData().GetArray("Color"))
+
+    def test_primitives_and_colours(self):
+        """Of materials and of points, both, and neither; strips are triangles."""
+        scene = Scene()
+        square = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)]
+        strip = scene.primitive(square, [0, 1, 2, 3], TRIANGLE_STRIP, color=[1, 0.2159, 0, 1])
+        triangle = scene.primitive(
+            [(5, 0, 0), (6, 0, 0), (5, 1, 0)], [0, 1, 2], color=[1, 0.5, 0.2159, 1],
+            COLOR_0=[(1.0, 1.0, 1.0), (0.0, 1.0, 1.0), (0.0, 0.0, 1.0)],
+        )
+        scene.add_node(strip, triangle)
+        scene.add_node(scene.primitive([(8, 0, 0), (9, 0, 0), (8, 1, 0)], [0, 1, 2]))
+        file = scene.write(self.folder / "colours.gltf")
+        mesh = self.export(file)
+        self.assertEqual(mesh.GetNumberOfCells(), 4)
+        colors = self.colors(mesh)
+        self.assertEqual(colors[0, 0, 0], (255, 128, 0))  # 0.2159 is 128/255 in sRGB
+        self.assertEqual(colors[1, 1, 0], (255, 128, 0))
+        self.assertEqual(colors[5, 0, 0], (255, 188, 128))
+        self.assertEqual(colors[6, 0, 0], (0, 188, 128))
+        self.assertEqual(colors[5, 1, 0], (0, 0, 128))
+        self.assertEqual(colors[8, 0, 0], (255, 255, 255))
+        self.view(file, "--output=p.png", "--size=64x48")
+
+    def test_mirrored_nodes(self):
+        """They face out too, as glTF wants it, whether triangles or strips."""
+        scene = Scene()
+        strip = [0, 2, 1, 3, 7, 2, 6, 0, 4, 1, 5, 7, 4, 6]  # around a cube
+        for x, primitive in (
+            (0, scene.primitive(CUBE, CUBE_FACES)),
+            (5, scene.primitive(CUBE, strip, TRIANGLE_STRIP)),
+        ):
+            scene.add_node(primitive, translation=[x, 0, 0])
+            scene.add_node(primitive, primitive, translation=[-x - 2, 0, 0], scale=[-1, 1, 1])
+        mesh = self.export(scene.write(self.folder / "mirrored.gltf"))
+        self.assertEqual(mesh.GetNumberOfCells(), 6 * 12)
+        self.assertAlmostEqual(volume(mesh), 6, places=4)
+
+    def test_bad_scenes(self):
+        """Cut short, or parts that refer to what is not there."""
+        scene = Scene()
+        scene.add_node(scene.primitive(CUBE, CUBE_FACES))
+        good = scene.write(self.folder / "good.glb").read_bytes()
+        names = []
+
+        def write(name, content):
+            names.append(name)
+            (self.folder / name).write_bytes(content)
+
+        write("cut.glb", good[: len(good) // 2])
+        write("header.glb", good[:12])
+        write("text.gltf", b"no scene\n")
+        write("number.gltf", b"3\n")
+        write("bare.gltf", b'{"asset": {"version": "2.0"}}')
+        text = scene.write(self.folder / "good.gltf").read_text()
+        for name, change in (
+            ("lost", lambda d: d["buffers"][0].update(uri="lost.bin")),
+            ("attribute", lambda d: d["meshes"][0]["primitives"][0]["attributes"].update(NORMAL=9)),
+            ("indices", lambda d: d["meshes"][0]["primitives"][0].update(indices=9)),
+            ("view", lambda d: d["accessors"][0].update(bufferView=9)),
+            ("count", lambda d: d["accessors"][0].update(count=99)),
+            ("points", lambda d: d["meshes"][0]["primitives"][0].update(attributes={})),
+            ("node", lambda d: d["scenes"][0].update(nodes=[9])),
+            ("mesh", lambda d: d["nodes"][0].update(mesh=9)),
+            ("skin", lambda d: d["nodes"][0].update(skin=9)),
+            ("circle", lambda d: d["nodes"][0].update(children=[0])),
+            ("scene", lambda d: d.update(scene=9)),
+        ):
+            document = json.loads(text)
+            change(document)
+            write(name + ".gltf", json.dumps(document).encode())
+        for name in names:
+            self.assert_error(1, ["cannot read " + name], name, "--output=n.png")
+        beyond = Scene()
+        beyond.add_node(beyond.primitive(CUBE[:3], [0, 1, 9]))
+        beyond.write(self.folder / "beyond.gltf")
+        self.assert_error(1, ["point 9 of 3"], "beyond.gltf", "--output=n.png")
+
+    def test_volume(self):
+        """Its surface; the array of the points goes along."""
+        grid = vtkUnstructuredGrid()
+        points = vtkPoints()
+        for corner in CUBE:
+            points.InsertNextPoint(corner)
+        points.InsertNextPoint(9, 9, 9)  # of no cell
+        grid.SetPoints(points)
+        grid.InsertNextCell(VTK_HEXAHEDRON, 8, (0, 1, 3, 2, 4, 5, 7, 6))
+        writer = vtkXMLUnstructuredGridWriter()
+        writer.SetInputData(grid)
+        writer.SetFileName(str(self.folder / "cube.vtu"))
+        writer.Write()
+        mesh = self.export("cube.vtu")
+        self.assertEqual(mesh.GetNumberOfCells(), 12)
+        self.assertAlmostEqual(volume(mesh), 1)
+        (self.folder / "text.vtu").write_text("no grid\n")
+        (self.folder / "cut.vtu").write_bytes((self.folder / "cube.vtu").read_bytes()[:600])
+        for name in ("text.vtu", "cut.vtu", "missing.vtu"):
+            self.assert_error(1, [name], name, "--output=n.png")
+
+    def test_real_volume(self):
+        file = DATA / "volume" / "can.vtu"
+        if not file.exists():
+            self.skipTest("no volumes in RELEVO_TEST_DATA")
+        self.assertGreater(self.statistic("coarse faces", file, "--array=EQPS"), 2000)
+        self.view(file, "--array=DISPL", "--output=p.png", "--size=64x48")
+
+    def test_off(self):
+        """Where VTK reads it; else the error says what can be read."""
+        (self.folder / "a.off").write_text("OFF\n3 1 3\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+        if hasattr(vtkmodules.vtkIOGeometry, "vtkOFFReader"):
+            self.assertEqual(self.export("a.off").GetNumberOfCells(), 1)
+        else:
+            self.assert_error(
+                1, ["a.off", "VTK", ".off", ".gltf", ".ply", ".vtu"], "a.off", "--output=n.png"
+            )
+
+    def test_other_formats(self):
+        """What no reader knows might be a mesh: the error says which there are."""
+        formats = [".glb", ".gltf", ".obj", ".ply", ".stl", ".vtk", ".vtp or .vtu files"]
+        for name in ("a.dae", "a", "a.tif"):
+            (self.folder / name).write_text("neither heights nor a mesh\n")
+            self.assert_error(1, ["Cannot read " + name, *formats], name, "--output=n.png")
+        # Not where it is something else that is wrong.
+        (self.folder / "empty.dae").write_text("")
+        for name in ("empty.dae", "missing.dae"):
+            run = self.view(name, "--output=n.png", code=1)
+            self.assertIn(name, run.stderr)
+            self.assertNotIn(".gltf", run.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["TestViewerFormats"])
