@@ -27,6 +27,9 @@
  * Where a displacement leaves holes, triangles over no-data are left out. Then, and where points
  * are not finite, points that no cell uses are left out as well.
  *
+ * Cells whose vtkGhostType says that another piece has them (DUPLICATECELL) count as neighbours and
+ * are left out.
+ *
  * Errors: no recipe, no cells, cells that refer to missing points, depth-tags or texture
  * coordinates that cannot be used, a metric or height map that fails, not enough memory. The output
  * is then empty.

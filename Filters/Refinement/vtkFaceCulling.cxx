@@ -37,10 +37,23 @@ vec3 Load(const float* v)
 {
   return vec3(v[0], v[1], v[2]);
 }
+
+// The point (x, y, z, w) that lies on three planes: their cross product.
+dvec4 Intersect(const dvec4& a, const dvec4& b, const dvec4& c)
+{
+  const auto minor = [&](int i, int j, int k)
+  { return dot(dvec3(a[i], a[j], a[k]), cross(dvec3(b[i], b[j], b[k]), dvec3(c[i], c[j], c[k]))); };
+  return dvec4(minor(1, 2, 3), -minor(0, 2, 3), minor(0, 1, 3), -minor(0, 1, 2));
 }
 
-CullingView::CullingView(
-  vtkCamera* camera, double aspect, vtkMatrix4x4* modelToWorld, const RefinementMesh& mesh)
+dvec4 Normalize(const dvec4& plane)
+{
+  return plane / length(dvec3(plane));
+}
+}
+
+CullingView::CullingView(vtkCamera* camera, double aspect, vtkMatrix4x4* modelToWorld,
+  const RefinementMesh& mesh, const std::array<double, 2>& margins)
 {
   const dvec3 origin(mesh.Origin[0], mesh.Origin[1], mesh.Origin[2]);
   dmat4 toWorld = MakeMatrix(modelToWorld);
@@ -48,29 +61,35 @@ CullingView::CullingView(
   const dmat4 toClip =
     MakeMatrix(camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0)) * toWorld;
   const dmat4 rows = transpose(toClip);
+  const dvec4 right = rows[3] * (1.0 + margins[0]);
+  const dvec4 upper = rows[3] * (1.0 + margins[1]);
   // Not the near and far planes: VTK may clamp depths. The last plane goes through the eye.
-  const dvec4 planes[NumberOfPlanes] = { rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1],
-    rows[3] - rows[1], rows[3] };
-  this->Parallel = camera->GetParallelProjection() != 0;
+  const dvec4 planes[NumberOfPlanes] = { right + rows[0], right - rows[0], upper + rows[1],
+    upper - rows[1], rows[3] };
+  this->Parallel = dvec3(rows[3]) == dvec3(0.0);
   this->Valid = true;
   for (int i = 0; i < NumberOfPlanes; ++i)
   {
     const bool everything = this->Parallel && i == 4;
-    const dvec4 plane =
-      everything ? dvec4(0.0, 0.0, 0.0, 1.0) : planes[i] / length(dvec3(planes[i]));
+    const dvec4 plane = everything ? dvec4(0.0, 0.0, 0.0, 1.0) : Normalize(planes[i]);
     for (int c = 0; c < 4; ++c)
     {
       this->Planes[i][c] = static_cast<float>(plane[c]);
       this->Valid = this->Valid && std::isfinite(this->Planes[i][c]);
     }
   }
+  const dvec4 nearest = Normalize(rows[3] + rows[2]);
+  for (int c = 0; c < 4; ++c)
+  {
+    this->Near[c] = static_cast<float>(nearest[c]);
+    this->Valid = this->Valid && std::isfinite(this->Near[c]);
+  }
 
-  dvec3 position;
-  dvec3 focalPoint;
-  camera->GetPosition(&position[0]);
-  camera->GetFocalPoint(&focalPoint[0]);
-  const dvec4 eye =
-    inverse(toWorld) * (this->Parallel ? dvec4(position - focalPoint, 0.0) : dvec4(position, 1.0));
+  // From the matrix, not from the camera's position: views may be sheared, transformed or stereo.
+  const dvec4 point = Intersect(Normalize(planes[0]), Normalize(planes[2]),
+    this->Parallel ? dvec4(0.0, 0.0, 0.0, 1.0) : Normalize(rows[3]));
+  const dvec3 towardsEye = dvec3(point) * (dot(dvec3(rows[2]), dvec3(point)) < 0.0 ? 1.0 : -1.0);
+  const dvec3 eye = this->Parallel ? towardsEye : dvec3(point) / point.w;
   for (int c = 0; c < 3; ++c)
   {
     this->Eye[c] = static_cast<float>(eye[c]);
@@ -81,6 +100,7 @@ CullingView::CullingView(
 bool CullingView::operator==(const CullingView& other) const
 {
   return std::equal(this->Planes[0], this->Planes[0] + 4 * NumberOfPlanes, other.Planes[0]) &&
+    std::equal(this->Near, this->Near + 4, other.Near) &&
     std::equal(this->Eye, this->Eye + 3, other.Eye) && this->Parallel == other.Parallel &&
     this->Valid == other.Valid;
 }
@@ -173,21 +193,18 @@ void FaceCulling::BuildCones(const RefinementMesh& mesh, vtkAdaptiveRefinement* 
     });
 }
 
-bool FaceCulling::IsOutside(const float eye[3]) const
+bool FaceCulling::IsUncut(const CullingView& view) const
 {
-  for (int c = 0; c < 3; ++c)
-  {
-    if (eye[c] < this->Low[c] || eye[c] > this->High[c])
-    {
-      return true;
-    }
-  }
-  return false;
+  const vec3 middle = 0.5f * (Load(this->Low) + Load(this->High));
+  const vec3 halfSides = 0.5f * (Load(this->High) - Load(this->Low));
+  // The box lies wholly on the other side of the plane turned over.
+  return isBoxBeyond(
+    middle, halfSides, vec4(-view.Near[0], -view.Near[1], -view.Near[2], -view.Near[3]));
 }
 
 bool FaceCulling::HidesBehind(const CullingView& view, bool behind) const
 {
-  return behind && this->Closed && (view.Parallel || this->IsOutside(view.Eye));
+  return behind && this->Closed && view.Valid && this->IsUncut(view);
 }
 
 int FaceCulling::FindHidden(

@@ -15,6 +15,7 @@
 
 #include "RelevoFiltersRefinementModule.h" // for export macro
 
+#include <array>  // for margins
 #include <vector> // for members
 
 class vtkAdaptiveRefinement;
@@ -32,15 +33,18 @@ class RefinementMesh;
 struct RELEVOFILTERSREFINEMENT_EXPORT CullingView
 {
   /**
-   * `aspect` is width over height. A matrix that cannot be inverted gives a view that hides
-   * nothing.
+   * `aspect` is width over height. `margins` are what drawn things reach beyond their points to the
+   * sides and up and down, as shares of half the width and height. A matrix that cannot be inverted
+   * gives a view that hides nothing.
    */
-  CullingView(
-    vtkCamera* camera, double aspect, vtkMatrix4x4* modelToWorld, const RefinementMesh& mesh);
+  CullingView(vtkCamera* camera, double aspect, vtkMatrix4x4* modelToWorld,
+    const RefinementMesh& mesh, const std::array<double, 2>& margins = { { 0.0, 0.0 } });
 
   static constexpr int NumberOfPlanes = 5;
   /// Sides of the frustum and the plane of the eye, pointing inside.
   float Planes[NumberOfPlanes][4];
+  /// The near plane, pointing inside.
+  float Near[4];
   /// Position of the eye, or with a parallel camera the direction towards it.
   float Eye[3];
   bool Parallel;
@@ -57,7 +61,8 @@ public:
 
   /**
    * Mark the faces that cannot be seen, a byte per face. With `behind`, those too that face away
-   * from an eye outside the closed surface they belong to. Returns how many are marked.
+   * from an eye outside the closed surface they belong to, all of which lies beyond the near plane.
+   * Returns how many are marked.
    */
   int FindHidden(const CullingView& view, bool behind, std::vector<unsigned char>& hidden) const;
 
@@ -71,8 +76,8 @@ public:
   /// the box's sides, reach behind the middle along normals; axis of the cone, 0.
   const std::vector<float>& GetData() const { return this->Data; }
 
-  /// Whether an eye is outside the box of the whole mesh.
-  bool IsOutside(const float eye[3]) const;
+  /// Whether the near plane cuts nothing of the whole mesh: the eye is outside then.
+  bool IsUncut(const CullingView& view) const;
 
 private:
   void BuildBoxes(const RefinementMesh& mesh, vtkAdaptiveRefinement* recipe);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRefinedPolyDataBuilder.h"
 
+#include "GhostCells.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -329,14 +330,21 @@ void RefinedPolyDataBuilder::BuildOtherPoints(const PointDataInterpolation& data
   }
 }
 
-void RefinedPolyDataBuilder::CopyCells(vtkCellArray* from, vtkCellArray* to) const
+void RefinedPolyDataBuilder::CopyCells(vtkCellArray* from, vtkIdType firstCell, vtkCellArray* to)
 {
+  const GhostCells ghosts(this->Input);
   to->AllocateEstimate(from->GetNumberOfCells(), 2);
   auto cells = vtk::TakeSmartPointer(from->NewIterator());
   for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
   {
     vtkIdType size;
     const vtkIdType* ids;
+    const vtkIdType cell = firstCell + cells->GetCurrentCellId();
+    if (ghosts.Has(cell))
+    {
+      continue;
+    }
+    this->OtherCells.push_back(cell);
     cells->GetCurrentCell(size, ids);
     to->InsertNextCell(static_cast<int>(size));
     for (vtkIdType i = 0; i < size; ++i)
@@ -353,13 +361,13 @@ void RefinedPolyDataBuilder::BuildCells(vtkPolyData* output)
   if (this->Input->GetNumberOfVerts() > 0)
   {
     vtkNew<vtkCellArray> verts;
-    this->CopyCells(this->Input->GetVerts(), verts);
+    this->CopyCells(this->Input->GetVerts(), 0, verts);
     output->SetVerts(verts);
   }
   if (this->Input->GetNumberOfLines() > 0)
   {
     vtkNew<vtkCellArray> lines;
-    this->CopyCells(this->Input->GetLines(), lines);
+    this->CopyCells(this->Input->GetLines(), this->Input->GetNumberOfVerts(), lines);
     output->SetLines(lines);
   }
   vtkNew<vtkIdTypeArray> offsets;
@@ -381,16 +389,13 @@ void RefinedPolyDataBuilder::BuildCells(vtkPolyData* output)
 void RefinedPolyDataBuilder::BuildCellData(vtkPolyData* output)
 {
   // Cells in their order: vertices, lines, triangles.
-  const vtkIdType others = this->Input->GetNumberOfVerts() + this->Input->GetNumberOfLines();
+  const vtkIdType others = static_cast<vtkIdType>(this->OtherCells.size());
   const vtkIdType numberOfCells = others + this->GetNumberOfTriangles();
   vtkNew<vtkIdTypeArray> originals;
   originals->SetName(OriginalCellIds);
   originals->SetNumberOfValues(numberOfCells);
   vtkIdType* ids = originals->GetPointer(0);
-  for (vtkIdType i = 0; i < others; ++i)
-  {
-    ids[i] = i;
-  }
+  std::copy(this->OtherCells.begin(), this->OtherCells.end(), ids);
   for (size_t f = 0; f < this->Mesh.Faces.size(); ++f)
   {
     std::fill(ids + others + this->FirstTriangles[f], ids + others + this->FirstTriangles[f + 1],

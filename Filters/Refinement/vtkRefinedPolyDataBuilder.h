@@ -78,7 +78,8 @@ private:
   {
     return this->NewIds.empty() ? point : this->NewIds[static_cast<size_t>(point)];
   }
-  void CopyCells(vtkCellArray* from, vtkCellArray* to) const;
+  /// Copy vertices or lines, whose ids begin with `firstCell`, but for ghosts.
+  void CopyCells(vtkCellArray* from, vtkIdType firstCell, vtkCellArray* to);
 
   vtkPolyData* Input;
   const RefinementMesh& Mesh;
@@ -98,6 +99,8 @@ private:
   /// Ids in the output of the points of vertices and lines; empty when they share the faces'.
   std::vector<vtkIdType> IdsOfOtherCells;
   vtkIdType NumberOfPoints = 0;
+  /// Ids in the input of the vertices and lines of the output.
+  std::vector<vtkIdType> OtherCells;
 
   vtkNew<vtkIdTypeArray> Connectivity;
   vtkNew<vtkPoints> Points;

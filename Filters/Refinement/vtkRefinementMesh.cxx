@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRefinementMesh.h"
 
+#include "GhostCells.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -103,7 +104,36 @@ bool RefinementMesh::Build(vtkPolyData* input, vtkAdaptiveRefinement* recipe, bo
       this->Directions = this->Normals;
     }
   }
+  this->RemoveGhosts(input);
   return true;
+}
+
+void RefinementMesh::RemoveGhosts(vtkPolyData* input)
+{
+  const GhostCells ghosts(input);
+  if (!ghosts.AreAmong(0, input->GetNumberOfCells()))
+  {
+    return;
+  }
+  // Keeps the numbers that belong to the faces that stay: `each` per face.
+  const auto keep = [&](auto& numbers, size_t each)
+  {
+    auto next = numbers.begin();
+    for (size_t f = 0; f < this->Faces.size() && !numbers.empty(); ++f)
+    {
+      if (!ghosts.Has(this->Faces[f].Cell))
+      {
+        next = std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(f * each), each, next);
+      }
+    }
+    numbers.erase(next, numbers.end());
+  };
+  keep(this->Vectors, 3 * static_cast<size_t>(this->VectorsPerFace));
+  keep(this->Seams, 9);
+  this->FacePlaceEdges.clear(); // has done its work
+  this->Faces.erase(std::remove_if(this->Faces.begin(), this->Faces.end(),
+                      [&](const RefinementFace& face) { return ghosts.Has(face.Cell); }),
+    this->Faces.end());
 }
 
 bool RefinementMesh::SplitsNormals(vtkRefinementSurface* surface) const

@@ -81,7 +81,8 @@ public:
     return this->Places.empty() ? point : static_cast<int>(this->Places[point]);
   }
 
-  /// The coarse triangles, in the order of the input's polygons, then strips.
+  /// The coarse triangles, in the order of the input's polygons, then strips; without ghosts, which
+  /// count for normals and frames all the same.
   std::vector<RefinementFace> Faces;
 
   /// Lowest coincident point per point; empty when none coincide.
@@ -145,6 +146,7 @@ public:
 private:
   bool CheckCells(vtkPolyData* input);
   void BuildFaces(vtkPolyData* input);
+  void RemoveGhosts(vtkPolyData* input);
   void BuildPoints(vtkPolyData* input);
   void BuildNormals(vtkPolyData* input);
   void ComputeMissingNormals();

@@ -32,6 +32,12 @@ inline bool IsAborted(vtkAlgorithm* algorithm)
  * are to be visible; up to VTK 9.4 it does so only together with the edges of surfaces.
  */
 constexpr bool VerticesNeedNoEdges = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 5, 0);
+
+/**
+ * The vertex attribute that says where a texture of a lookup table has a point's colour.
+ */
+constexpr const char* ColorCoordinates =
+  VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0) ? "colorTCoord" : "tcoord";
 }
 
 #endif

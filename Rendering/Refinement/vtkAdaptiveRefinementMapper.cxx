@@ -102,7 +102,16 @@ void vtkAdaptiveRefinementMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->ExtraAttributes = other->ExtraAttributes;
     this->SetVBOShiftScaleMethod(other->GetVBOShiftScaleMethod());
   }
-  this->Superclass::ShallowCopy(mapper); // sets VTK's colour mode
+  if (vtkOpenGLPolyDataMapper* other = vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
+  {
+    this->SetPointIdArrayName(other->GetPointIdArrayName());
+    this->SetCompositeIdArrayName(other->GetCompositeIdArrayName());
+    this->SetProcessIdArrayName(other->GetProcessIdArrayName());
+    this->SetCellIdArrayName(other->GetCellIdArrayName());
+  }
+  // Not the superclass's: VTK 9.1 warns of its own deprecated methods there, and has the copy's
+  // actor lose its vtkShaderProperty. Sets VTK's colour mode.
+  this->vtkPolyDataMapper::ShallowCopy(mapper);
   if (vtkAdaptiveRefinementMapper* other = vtkAdaptiveRefinementMapper::SafeDownCast(mapper))
   {
     this->SetRefinementColorMode(other->RefinementColorMode);
@@ -112,6 +121,37 @@ void vtkAdaptiveRefinementMapper::ShallowCopy(vtkAbstractMapper* mapper)
 bool vtkAdaptiveRefinementMapper::IsComposite()
 {
   return vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)) != nullptr;
+}
+
+bool vtkAdaptiveRefinementMapper::HasBlocks(bool translucent)
+{
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    return false;
+  }
+  if (!this->GetInput())
+  {
+    this->Update(); // asked before it is drawn
+  }
+  bool found = false;
+  if (this->IsComposite())
+  {
+    this->UpdateBlocks();
+    this->ForEachBlock([&](vtkAdaptiveRefinementMapper* block)
+      { found = found || block->HasTranslucentPolygonalGeometry() == translucent; });
+  }
+  return found;
+}
+
+bool vtkAdaptiveRefinementMapper::HasOpaqueGeometry()
+{
+  return this->HasBlocks(false) || (!this->IsComposite() && this->Superclass::HasOpaqueGeometry());
+}
+
+bool vtkAdaptiveRefinementMapper::HasTranslucentPolygonalGeometry()
+{
+  return this->HasBlocks(true) ||
+    (!this->IsComposite() && this->Superclass::HasTranslucentPolygonalGeometry());
 }
 
 //------------------------------------------------------------------------------
@@ -188,9 +228,14 @@ void vtkAdaptiveRefinementMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor*
   }
   vtkRefinementSurface* surface = this->Refinement->GetSurface();
   vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
-  vtkDataArray* scalars = this->GetScalarsToInterpolate();
-  data.ColorsValid =
-    scalars && data.Colors.Upload(window, scalars, this->GetLookupTable(), this->ArrayComponent);
+  vtkAbstractArray* scalars = this->GetScalarsToInterpolate();
+  data.Colors.Clear();
+  if (scalars &&
+    !data.Colors.Upload(window, scalars, this->GetLookupTable(), this->ArrayComponent,
+      this->ColorCoordinates != nullptr))
+  {
+    data.Colors.Clear(); // VTK's colours of the coarse points do
+  }
   ++data.NumberOfBufferBuilds;
   data.UploadValid = data.Buffers.UploadMesh(window, mesh, surface, positions, primitives);
   if (!data.UploadValid)
@@ -199,16 +244,15 @@ void vtkAdaptiveRefinementMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor*
   }
 }
 
-vtkDataArray* vtkAdaptiveRefinementMapper::GetScalarsToInterpolate()
+vtkAbstractArray* vtkAdaptiveRefinementMapper::GetScalarsToInterpolate()
 {
-  if (this->VBOs->GetNumberOfComponents("scalarColor") == 0)
+  if (this->VBOs->GetNumberOfComponents("scalarColor") == 0 && !this->ColorCoordinates)
   {
     return nullptr;
   }
   int cellFlag = 0;
-  vtkDataArray* scalars =
-    vtkDataArray::SafeDownCast(vtkAbstractMapper::GetAbstractScalars(this->GetInput(),
-      this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag));
+  vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(this->GetInput(),
+    this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
   const bool direct = this->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS ||
     (this->ColorMode == VTK_COLOR_MODE_DEFAULT && vtkUnsignedCharArray::SafeDownCast(scalars));
   return cellFlag == 0 && !direct ? scalars : nullptr;

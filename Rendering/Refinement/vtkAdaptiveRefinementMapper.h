@@ -14,9 +14,17 @@
  * Input: a vtkPolyData, or a composite data set (vtkMultiBlockDataSet) whose vtkPolyData leaves are
  * drawn. Polygons are cut into fans; vertices and lines are drawn as they are. Scalars and
  * texture coordinates are interpolated over the refined surface, and coloured as
- * InterpolateScalarsBeforeMapping says. Hardware selection returns the input's cells and points.
+ * InterpolateScalarsBeforeMapping says; whole numbers stay whole, names and bits are the nearest
+ * point's. Where numbers are categories (vtkScalarsToColors::IndexedLookup), colours of points are
+ * interpolated instead, for lack of a category between two. Hardware selection returns the input's
+ * cells and points. Translucent faces need depth peeling: else their order shows, which is by
+ * patterns.
  * Where vertices are visible (vtkProperty), one shared by several faces is drawn for each of them:
  * translucent ones look denser than vtkPolyDataMapper's.
+ *
+ * SetPiece(), SetNumberOfPieces() and SetGhostLevel() ask the pipeline for a piece. Cells whose
+ * vtkGhostType says that another piece draws them (DUPLICATECELL) are not drawn, unlike by
+ * vtkPolyDataMapper. GetBounds() is of all that surface and displacement can reach.
  *
  * Levels are evaluated again only when the mesh, the recipe or, for view-dependent metrics, the
  * camera, the actor's matrix or the viewport changed. The displacement's scale, offset and
@@ -79,8 +87,9 @@ public:
   /**
    * Whether coarse faces that face away are left out, on by default, where that cannot be seen: of
    * a closed surface that winds outwards, linear, of PN or Phong triangles, not displaced, drawn as
-   * an opaque surface, unclipped and from outside. Needs FrustumCulling. At most single pixels of
-   * the outline differ, where front and back have the same depth.
+   * an opaque surface without shaders of the user's, unclipped, also by the near plane, and from
+   * outside. Needs FrustumCulling. At most single pixels of the outline differ, where front and
+   * back have the same depth.
    */
   void SetBackFaceCulling(bool culling);
   vtkGetMacro(BackFaceCulling, bool);
@@ -289,9 +298,9 @@ public:
   //@}
 
   /**
-   * Triangles of the surface in the last render. Of ARKFPI and ARK the polygons that
-   * vtkAdaptiveRefinementFilter would give for the same recipe and camera; those of culled faces
-   * are counted. Of the other methods what they drew, without those of culled faces.
+   * Triangles of the surface in the last render, those of culled faces counted. Of ARKFPI and ARK
+   * the polygons that vtkAdaptiveRefinementFilter gives for the same recipe and camera; of the
+   * other methods what they make of the same levels, those over no-data counted.
    */
   vtkIdType GetNumberOfDrawnTriangles();
 
@@ -344,10 +353,10 @@ public:
 
   //@{
   /**
-   * Bounds of what is drawn: surface and displacement enlarge them by what they can reach.
+   * Of a composite data set that has both, each block is drawn in its own pass.
    */
-  double* GetBounds() VTK_SIZEHINT(6) override;
-  void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
+  bool HasOpaqueGeometry() override;
+  bool HasTranslucentPolygonalGeometry() override;
   //@}
 
   void RenderPiece(vtkRenderer* ren, vtkActor* act) override;
@@ -364,6 +373,9 @@ protected:
   ~vtkAdaptiveRefinementMapper() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  /**
+   * Bounds of what is drawn: surface and displacement enlarge them by what they can reach.
+   */
   void ComputeBounds() override;
   bool GetNeedToRebuildBufferObjects(vtkRenderer* ren, vtkActor* act) override;
   void BuildBufferObjects(vtkRenderer* ren, vtkActor* act) override;
@@ -415,7 +427,9 @@ private:
   friend struct vtkInternals;
 
   bool IsComposite();
-  vtkDataArray* GetScalarsToInterpolate();
+  /// Whether a composite input has blocks that are translucent, or such that are not.
+  bool HasBlocks(bool translucent);
+  vtkAbstractArray* GetScalarsToInterpolate();
   bool CheckOpenGL(vtkRenderer* ren);
   bool Report(bool valid);
   bool UpdateMesh();

@@ -52,7 +52,6 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   relevo::RefinementPatternBuffer Patterns;
   relevo::RefinementInstances Instances;
   relevo::RefinementColors Colors;
-  bool ColorsValid = false;
   relevo::RefinementLevelTable LevelTable;
   relevo::RefinementFaceColors FaceColors;
   vtkTimeStamp UploadTime;

@@ -9,6 +9,7 @@
 #include "vtkCamera.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkFaceCulling.h"
+#include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -17,6 +18,8 @@
 #include "vtkProperty.h"
 #include "vtkRefinementView.h"
 #include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
+#include "vtkTexture.h"
 #include "vtkTimerLog.h"
 
 #include <algorithm>
@@ -74,14 +77,49 @@ vtkRefinementView MakeView(vtkRenderer* ren, vtkActor* act)
   return view;
 }
 
+// Which of the actor's own shaders, if any, write vertices.
+bool MovesVertices(vtkActor* act)
+{
+  vtkShaderProperty* shaders = act->GetShaderProperty();
+  bool moves = shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode();
+  for (int i = 0; i < shaders->GetNumberOfShaderReplacements(); ++i)
+  {
+    moves = moves || shaders->GetNthShaderReplacementTypeAsString(i) != "Fragment";
+  }
+  return moves;
+}
+
 // What a camera sees of a mesh; nullptr to draw all of it.
 std::unique_ptr<relevo::CullingView> MakeCullingView(
   bool culled, vtkRenderer* ren, vtkActor* act, const relevo::RefinementMesh& mesh)
 {
-  return std::unique_ptr<relevo::CullingView>(culled
-      ? new relevo::CullingView(
-          ren->GetActiveCamera(), ren->GetTiledAspectRatio(), act->GetMatrix(), mesh)
-      : nullptr);
+  if (!culled || MovesVertices(act))
+  {
+    return nullptr;
+  }
+  // Lines and points are drawn wider than they are.
+  vtkProperty* property = act->GetProperty();
+  double width = 0.0;
+  if (property->GetRepresentation() != VTK_SURFACE || property->GetVertexVisibility())
+  {
+    width = std::max(property->GetLineWidth(), property->GetPointSize());
+  }
+  const std::array<double, 2> margins = { { width / std::max(ren->GetSize()[0], 1),
+    width / std::max(ren->GetSize()[1], 1) } };
+  return std::make_unique<relevo::CullingView>(
+    ren->GetActiveCamera(), ren->GetTiledAspectRatio(), act->GetMatrix(), mesh, margins);
+}
+
+// Whether an actor drawn as opaque lets through what is behind it in some places.
+bool HasGaps(vtkActor* act)
+{
+  vtkTexture* texture = act->GetTexture();
+  vtkImageData* image = texture ? texture->GetInput() : nullptr;
+  vtkShaderProperty* shaders = act->GetShaderProperty();
+  return act->GetForceOpaque() || act->GetProperty()->GetOpacity() < 1.0 ||
+    act->GetProperty()->GetTexture("albedoTex") ||
+    (texture && (!image || image->GetNumberOfScalarComponents() != 3)) ||
+    shaders->HasFragmentShaderCode() || shaders->GetNumberOfShaderReplacements() > 0;
 }
 }
 
@@ -226,23 +264,9 @@ bool vtkAdaptiveRefinementMapper::HidesBackFaces(vtkRenderer* ren, vtkActor* act
   return this->BackFaceCulling && !ren->GetSelector() &&
     property->GetRepresentation() == VTK_SURFACE && !property->GetFrontfaceCulling() &&
     !property->GetVertexVisibility() && !property->GetEdgeVisibility() &&
-    !act->HasTranslucentPolygonalGeometry() && this->GetNumberOfClippingPlanes() == 0 &&
+    !act->IsRenderingTranslucentPolygonalGeometry() && !this->HasTranslucentPolygonalGeometry() &&
+    !HasGaps(act) && !MovesVertices(act) && this->GetNumberOfClippingPlanes() == 0 &&
     act->GetMatrix()->Determinant() > 0.0;
-}
-
-double* vtkAdaptiveRefinementMapper::GetBounds()
-{
-  if (!this->GetNumberOfInputConnections(0))
-  {
-    vtkMath::UninitializeBounds(this->Bounds);
-    return this->Bounds;
-  }
-  if (!this->Static)
-  {
-    this->GetInputAlgorithm()->Update();
-  }
-  this->ComputeBounds();
-  return this->Bounds;
 }
 
 void vtkAdaptiveRefinementMapper::ComputeBounds()
@@ -274,5 +298,5 @@ void vtkAdaptiveRefinementMapper::ComputeBounds()
     }
     return;
   }
-  data.State.GetBounds(this->GetInput(), this->Refinement, this->Bounds);
+  data.State.GetBounds(this->Refinement, this->Bounds);
 }

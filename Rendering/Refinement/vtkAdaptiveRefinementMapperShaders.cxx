@@ -53,7 +53,8 @@ relevo::RefinementShaderOptions vtkAdaptiveRefinementMapper::vtkInternals::GetSh
   options.HasDisplacement = displacement != nullptr;
   options.AlongNormal = displacement && displacement->IsAlongNormal();
   options.ColorMode = cellBO != &this->Vertices ? mapper->RefinementColorMode : COLOR_BY_SCALARS;
-  options.HasScalars = this->ColorsValid && options.ColorMode == COLOR_BY_SCALARS;
+  options.Scalars = options.ColorMode == COLOR_BY_SCALARS ? this->Colors.GetKind()
+                                                          : relevo::RefinementColors::BY_VTK;
   mapper->ExtendShaders(cellBO, options);
   return options;
 }

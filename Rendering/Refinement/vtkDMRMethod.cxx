@@ -65,8 +65,7 @@ int DMRMethod::Draw(const RefinementDrawing& drawing, vtkShaderProgram* program,
 
 vtkIdType DMRMethod::GetNumberOfTriangles(const RefinementDrawing& drawing) const
 {
-  const auto slot = this->Slots.find(drawing.Slot);
-  return slot == this->Slots.end() ? 0 : slot->second.Stream.GetNumberOfTriangles();
+  return RefinementStream::CountTriangles(*drawing.Mesh, drawing.Selection->GetSelection());
 }
 
 vtkTypeInt64 DMRMethod::GetMemorySize() const

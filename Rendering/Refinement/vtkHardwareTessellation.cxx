@@ -146,9 +146,10 @@ int HardwareTessellation::Draw(
 vtkIdType HardwareTessellation::GetNumberOfTriangles(const RefinementDrawing& drawing) const
 {
   vtkIdType triangles = 0;
-  for (const PatternGroup& group : drawing.Selection->GetSelection().Groups)
+  const PatternSelection& selection = drawing.Selection->GetSelection();
+  for (int face = 0; face < selection.GetNumberOfFaces(); ++face)
   {
-    triangles += group.Count * CountTriangles(group.Pattern->Segments);
+    triangles += CountTriangles(selection.GetFacePattern(face).Pattern->Segments);
   }
   return triangles;
 }

@@ -13,6 +13,8 @@
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 
+#include <set>
+
 namespace relevo
 {
 RefinementBlocks::RefinementBlocks() = default;
@@ -21,7 +23,8 @@ RefinementBlocks::~RefinementBlocks() = default;
 void RefinementBlocks::Update(vtkAdaptiveRefinementMapper* parent, vtkCompositeDataSet* input)
 {
   const bool changed = this->SyncTime < parent->GetMTime();
-  std::map<unsigned int, vtkSmartPointer<vtkAdaptiveRefinementMapper>> mappers;
+  // In place: this is also asked for while the blocks draw.
+  std::set<unsigned int> indices;
   auto iterator = vtk::TakeSmartPointer(input->NewIterator());
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
   {
@@ -31,13 +34,10 @@ void RefinementBlocks::Update(vtkAdaptiveRefinementMapper* parent, vtkCompositeD
       continue;
     }
     const unsigned int index = iterator->GetCurrentFlatIndex();
-    auto found = this->Mappers.find(index);
-    vtkSmartPointer<vtkAdaptiveRefinementMapper> mapper;
-    if (found != this->Mappers.end())
-    {
-      mapper = found->second;
-    }
-    else
+    indices.insert(index);
+    vtkSmartPointer<vtkAdaptiveRefinementMapper>& mapper = this->Mappers[index];
+    const bool isNew = !mapper;
+    if (isNew)
     {
       mapper.TakeReference(parent->NewInstance());
       mapper->SetPopulateSelectionSettings(0);
@@ -50,17 +50,23 @@ void RefinementBlocks::Update(vtkAdaptiveRefinementMapper* parent, vtkCompositeD
       mapper->AddObserver(vtkCommand::ErrorEvent, command);
       mapper->AddObserver(vtkCommand::WarningEvent, command);
     }
-    if (changed || found == this->Mappers.end())
+    if (changed || isNew)
     {
       mapper->ShallowCopy(parent);
+      // The piece is the parent's: what it was given is drawn.
+      mapper->SetNumberOfPieces(1);
+      mapper->SetNumberOfSubPieces(1);
+      mapper->SetGhostLevel(0);
     }
     if (mapper->GetInputDataObject(0, 0) != leaf)
     {
       mapper->SetInputDataObject(leaf);
     }
-    mappers[index] = mapper;
   }
-  this->Mappers.swap(mappers);
+  for (auto block = this->Mappers.begin(); block != this->Mappers.end();)
+  {
+    block = indices.count(block->first) ? std::next(block) : this->Mappers.erase(block);
+  }
   if (changed)
   {
     this->SyncTime.Modified();
@@ -74,8 +80,16 @@ void RefinementBlocks::Render(vtkRenderer* ren, vtkActor* act)
   {
     selector->BeginRenderProp();
   }
+  // An actor that is drawn in both passes has blocks for either.
+  const bool drawnTwice =
+    !selector && act->HasOpaqueGeometry() && act->HasTranslucentPolygonalGeometry();
+  const bool translucent = act->IsRenderingTranslucentPolygonalGeometry() != 0;
   for (auto& block : this->Mappers)
   {
+    if (drawnTwice && block.second->HasTranslucentPolygonalGeometry() != translucent)
+    {
+      continue;
+    }
     if (selector && selector->GetCurrentPass() == vtkHardwareSelector::COMPOSITE_INDEX_PASS)
     {
       selector->RenderCompositeIndex(block.first);

@@ -21,9 +21,11 @@ class RefinementColorTable
 {
 public:
   /**
-   * Sample a table. The shader's values are less `bias` (0 for tables of logarithms).
+   * Sample a table where values are to be looked up. The shader's values are less `bias` (0 for
+   * tables of logarithms).
    */
-  bool Upload(vtkOpenGLRenderWindow* window, vtkScalarsToColors* table, double bias);
+  bool Upload(vtkOpenGLRenderWindow* window, vtkScalarsToColors* table, double bias,
+    const double dataRange[2]);
 
   void Activate(vtkShaderProgram* program);
   void Deactivate() { this->Colors.Deactivate(); }
@@ -33,15 +35,22 @@ public:
     this->Colors.ReleaseGraphicsResources(window);
   }
 
+  /// Whether colours change with the logarithm of values.
+  static bool IsLogarithmic(vtkScalarsToColors* table);
+
   /// The colour and opacity of a value, in [0, 1].
   static std::array<float, 4> GetColor(vtkScalarsToColors* table, double value);
 
 private:
+  /// Set what is sampled: NumberOfColors between Ends.
+  void ChooseSamples(vtkScalarsToColors* table, const double dataRange[2]);
+
   RefinementBuffer Colors;
   int NumberOfColors = 0;
+  double Ends[2] = { 0.0, 0.0 };
   bool Log = false;
   float Minimum = 0.0f;
-  float Factor = 0.0f;
+  float Span = 0.0f;
 };
 }
 

@@ -3,67 +3,165 @@
 #include "vtkRefinementColors.h"
 
 #include "vtkDataArray.h"
+#include "vtkLookupTable.h"
 #include "vtkScalarsToColors.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace relevo
 {
-bool RefinementColors::Upload(
-  vtkOpenGLRenderWindow* window, vtkDataArray* scalars, vtkScalarsToColors* table, int component)
+namespace
 {
-  if (table->GetIndexedLookup())
-  {
-    return false;
-  }
-  // Which components make the number that is mapped; see vtkScalarsToColors::MapScalars().
-  const int numberOfComponents = scalars->GetNumberOfComponents();
-  int first = 0;
-  int count = 1;
-  if (numberOfComponents > 1)
+// Which components make the number that is looked up.
+struct Choice
+{
+  int First = 0;
+  int Count = 1; // 0: the table's mapping is not a function of one number
+  bool IsLength = false;
+};
+
+// See vtkScalarsToColors::MapScalars().
+Choice ChooseComponents(int components, vtkScalarsToColors* table, int component)
+{
+  Choice choice;
+  if (components > 1)
   {
     if (component >= 0)
     {
-      first = component;
+      choice.First = component;
     }
     else if (table->GetVectorMode() == vtkScalarsToColors::COMPONENT)
     {
-      first = table->GetVectorComponent();
+      choice.First = table->GetVectorComponent();
     }
     else if (table->GetVectorMode() == vtkScalarsToColors::MAGNITUDE)
     {
       const int size = table->GetVectorSize();
-      first = size > 0 ? table->GetVectorComponent() : 0;
-      count = size > 0 ? size : numberOfComponents;
+      choice.First = size > 0 ? table->GetVectorComponent() : 0;
+      choice.Count = size > 0 ? size : components;
     }
     else
     {
-      return false;
+      choice.Count = 0;
     }
-    first = std::min(std::max(first, 0), numberOfComponents - 1);
-    count = std::min(count, numberOfComponents - first);
+    choice.First = std::min(std::max(choice.First, 0), components - 1);
+    choice.Count = std::min(choice.Count, components - choice.First);
   }
-  if (count > 4)
+  choice.IsLength = choice.Count > 1;
+  return choice;
+}
+
+// See vtkMapper::MapScalarsToTexture().
+Choice ChooseTextureComponents(int components, vtkScalarsToColors* table)
+{
+  Choice choice;
+  choice.First = table->GetVectorComponent();
+  if ((table->GetVectorMode() == vtkScalarsToColors::MAGNITUDE && components > 1) ||
+    choice.First < 0 || choice.First >= components)
+  {
+    choice = { 0, components, true };
+  }
+  return choice;
+}
+}
+
+bool RefinementColors::Upload(vtkOpenGLRenderWindow* window, vtkAbstractArray* scalars,
+  vtkScalarsToColors* table, int component, bool byTexture)
+{
+  this->Kind = BY_VTK;
+  vtkDataArray* numbers = vtkDataArray::SafeDownCast(scalars);
+  if (!numbers || numbers->GetDataType() == VTK_BIT)
+  {
+    this->Kind = byTexture ? BY_VTK : BY_NEAREST;
+    return true;
+  }
+  const double* tableRange = table->GetRange();
+  const bool isLog = RefinementColorTable::IsLogarithmic(table);
+  // Of categories, and of tables for logarithms of negative numbers, VTK's colours do.
+  if (table->GetIndexedLookup() || (table->UsingLogScale() && !(tableRange[0] > 0.0)))
+  {
+    return true;
+  }
+  const int components = numbers->GetNumberOfComponents();
+  const Choice choice = byTexture ? ChooseTextureComponents(components, table)
+                                  : ChooseComponents(components, table, component);
+  if (choice.Count < 1)
+  {
+    return true;
+  }
+  this->Whole = numbers->GetDataType() != VTK_FLOAT && numbers->GetDataType() != VTK_DOUBLE;
+  // Differences to the minimum keep the digits of narrow ranges far from zero.
+  this->Bias = choice.IsLength || isLog ? 0.0 : tableRange[0];
+  if (this->Whole)
+  {
+    constexpr double mostExact = 1 << 24;
+    const double largest = std::max(std::abs(tableRange[0]), std::abs(tableRange[1]));
+    this->Bias = largest < mostExact ? 0.0 : std::floor(this->Bias);
+  }
+  double range[2];
+  if (!this->UploadValues(window, numbers, choice.First, choice.Count, choice.IsLength, range))
   {
     return false;
   }
-  this->Magnitude = count > 1;
-  // Differences to the minimum keep the digits of narrow ranges far from zero.
-  const double bias = this->Magnitude || table->UsingLogScale() ? 0.0 : table->GetRange()[0];
-  const int texel = count == 1 ? 1 : 4;
+  if (byTexture)
+  {
+    this->SetCoordinates(table);
+    this->Kind = BY_TEXTURE;
+    return true;
+  }
+  this->Kind = BY_VALUE;
+  return this->Table.Upload(window, table, this->Bias, range);
+}
+
+bool RefinementColors::UploadValues(vtkOpenGLRenderWindow* window, vtkDataArray* scalars, int first,
+  int count, bool isLength, double range[2])
+{
+  this->Texels = isLength ? (count + 3) / 4 : 0;
+  const int perPoint = isLength ? 4 * this->Texels : 1;
   const vtkIdType numberOfPoints = scalars->GetNumberOfTuples();
-  std::vector<float> values(static_cast<size_t>(texel) * numberOfPoints, 0.0f);
+  std::vector<float> values(static_cast<size_t>(perPoint) * numberOfPoints, 0.0f);
+  range[0] = std::numeric_limits<double>::max();
+  range[1] = std::numeric_limits<double>::lowest();
+  double largest = 0.0; // squared length
   for (vtkIdType i = 0; i < numberOfPoints; ++i)
   {
+    double squares = 0.0;
     for (int c = 0; c < count; ++c)
     {
-      values[static_cast<size_t>(texel) * i + c] =
-        static_cast<float>(scalars->GetComponent(i, first + c) - bias);
+      const double value = scalars->GetComponent(i, first + c);
+      values[static_cast<size_t>(perPoint) * i + c] = static_cast<float>(value - this->Bias);
+      squares += value * value;
+      range[0] = std::min(range[0], value);
+      range[1] = std::max(range[1], value);
     }
+    largest = squares > largest ? squares : largest;
   }
+  if (isLength)
+  {
+    // Between points a vector can be shorter than at any of them.
+    range[0] = 0.0;
+    range[1] = std::sqrt(largest);
+  }
+  return this->Scalars.Upload(window, values, isLength ? 4 : 1);
+}
 
-  return this->Scalars.Upload(window, values, texel) && this->Table.Upload(window, table, bias);
+void RefinementColors::SetCoordinates(vtkScalarsToColors* table)
+{
+  // As vtkMapper has it: a texel more at either end, for the colours below and above the range.
+  double range[2] = { table->GetRange()[0], table->GetRange()[1] };
+  const bool isLog = table->UsingLogScale() != 0;
+  if (isLog)
+  {
+    vtkLookupTable::GetLogRange(range, range);
+  }
+  const double texel =
+    (range[1] - range[0]) / static_cast<double>(table->GetNumberOfAvailableColors());
+  this->Coordinates[0] = static_cast<float>(range[0] - texel - this->Bias);
+  this->Coordinates[1] = static_cast<float>(1.0 / (range[1] - range[0] + 2.0 * texel));
+  this->Coordinates[2] = isLog ? 1.0f : 0.0f;
 }
 
 void RefinementColors::Activate(vtkShaderProgram* program)
@@ -74,7 +172,9 @@ void RefinementColors::Activate(vtkShaderProgram* program)
   }
   this->Scalars.Activate(program, "relevoScalars");
   this->Table.Activate(program);
-  program->SetUniformi("relevoScalarMagnitude", this->Magnitude ? 1 : 0);
+  program->SetUniformi("relevoScalarTexels", this->Texels);
+  program->SetUniformi("relevoScalarsWhole", this->Whole ? 1 : 0);
+  program->SetUniform3f("relevoScalarCoordinates", this->Coordinates);
 }
 
 void RefinementColors::Deactivate()

@@ -5,8 +5,8 @@
  * @brief   point scalars and their lookup table on the GPU
  *
  * VTK colours the coarse points and interpolates colours; over a refined surface scalars are
- * interpolated first and each refined point is coloured, as a mapper of the refined mesh would.
- * Private to the module.
+ * interpolated first and each refined point is coloured, as a mapper of the refined mesh would. The
+ * coarse points themselves keep the colours that VTK gives them. Private to the module.
  */
 #ifndef vtkRefinementColors_h
 #define vtkRefinementColors_h
@@ -14,6 +14,7 @@
 #include "vtkRefinementBuffer.h"     // for members
 #include "vtkRefinementColorTable.h" // for members
 
+class vtkAbstractArray;
 class vtkDataArray;
 class vtkScalarsToColors;
 
@@ -22,13 +23,25 @@ namespace relevo
 class RefinementColors
 {
 public:
+  /// How points between the coarse ones come to their colours.
+  enum KindType
+  {
+    BY_VTK,     // VTK's colours or texture coordinates are interpolated
+    BY_VALUE,   // values are interpolated and looked up
+    BY_TEXTURE, // values are interpolated, which tells where VTK's texture of the table has them
+    BY_NEAREST  // from the nearest corner
+  };
+
   /**
    * Take point scalars that are mapped through a lookup table (not direct colours). `component` is
-   * that of vtkMapper, -1 to leave the choice to the table. False when the table's mapping is not
-   * a function of one number: VTK's interpolation of colours then remains.
+   * that of vtkMapper, -1 to leave the choice to the table. `byTexture` says that VTK colours by a
+   * texture. False when they do not fit on the GPU.
    */
-  bool Upload(
-    vtkOpenGLRenderWindow* window, vtkDataArray* scalars, vtkScalarsToColors* table, int component);
+  bool Upload(vtkOpenGLRenderWindow* window, vtkAbstractArray* scalars, vtkScalarsToColors* table,
+    int component, bool byTexture);
+
+  KindType GetKind() const { return this->Kind; }
+  void Clear() { this->Kind = BY_VTK; }
 
   void Activate(vtkShaderProgram* program);
   void Deactivate();
@@ -36,9 +49,18 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  /// Components first, first + 1, ...: a number, or a vector whose length counts.
+  bool UploadValues(vtkOpenGLRenderWindow* window, vtkDataArray* scalars, int first, int count,
+    bool isLength, double range[2]);
+  void SetCoordinates(vtkScalarsToColors* table);
+
   RefinementBuffer Scalars;
   RefinementColorTable Table;
-  bool Magnitude = false;
+  KindType Kind = BY_VTK;
+  int Texels = 0; // per point; 0 for a single number
+  bool Whole = false;
+  double Bias = 0.0;
+  float Coordinates[3] = { 0.0f, 0.0f, 0.0f }; // minimum, 1 / width, log
 };
 }
 

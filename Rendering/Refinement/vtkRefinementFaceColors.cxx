@@ -98,7 +98,8 @@ bool RefinementFaceColors::UploadTags(vtkOpenGLRenderWindow* window, const Refin
   if (tableTimes != this->TableTimes)
   {
     this->TableTimes = tableTimes;
-    if (!this->Table.Upload(window, table, 0.0))
+    const double range[2] = { 0.0, static_cast<double>(highest) };
+    if (!this->Table.Upload(window, table, 0.0, range))
     {
       return false;
     }

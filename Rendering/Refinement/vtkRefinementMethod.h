@@ -115,8 +115,8 @@ public:
     const RefinementDrawing& drawing, vtkShaderProgram* program, Primitives primitives) = 0;
 
   /**
-   * Triangles that Draw() draws, where they are others than those of vtkAdaptiveRefinementFilter;
-   * else -1.
+   * Triangles that Draw() draws if no face is hidden, where they are others than those of
+   * vtkAdaptiveRefinementFilter; else -1.
    */
   virtual vtkIdType GetNumberOfTriangles(const RefinementDrawing&) const { return -1; }
 

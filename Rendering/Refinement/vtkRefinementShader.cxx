@@ -17,6 +17,7 @@
 #include "relevoRefineVS.h"
 #include "relevoWeights.h"
 
+#include "vtkRelevoCompatibility.h"
 #include "vtkShaderProgram.h"
 
 #include <regex>
@@ -43,6 +44,25 @@ void InsertBeforeMain(std::string& source, const std::string& text)
 void InsertAfterVersion(std::string& source, const std::string& text)
 {
   vtkShaderProgram::Substitute(source, "//VTK::System::Dec", "//VTK::System::Dec\n" + text, false);
+}
+
+// What scalars make of an attribute; coarse points keep what VTK gave them.
+std::string GetScalarStatement(
+  RefinementColors::KindType kind, const std::string& attribute, const std::string& sampler)
+{
+  if (kind == RefinementColors::BY_VALUE && attribute == "scalarColor")
+  {
+    return "  if (!relevoIsCorner(w)) { scalarColor = relevoScalarColor(w); }\n";
+  }
+  if (kind == RefinementColors::BY_NEAREST && attribute == "scalarColor")
+  {
+    return "  scalarColor = texelFetch(" + sampler + ", relevoFace[relevoNearestCorner(w)]);\n";
+  }
+  if (kind == RefinementColors::BY_TEXTURE && attribute == ColorCoordinates)
+  {
+    return "  if (!relevoIsCorner(w)) { " + attribute + " = relevoScalarCoordinate(w); }\n";
+  }
+  return {};
 }
 
 std::string GetDefines(const RefinementShaderOptions& options, bool edges, bool lines)
@@ -74,7 +94,9 @@ std::string GetDefines(const RefinementShaderOptions& options, bool edges, bool 
   define(options.HasHoles, "RELEVO_HOLES");
   define(options.IsMorphing, "RELEVO_MORPH");
   define(options.IsIndirect, "RELEVO_INDIRECT");
-  define(options.HasScalars, "RELEVO_SCALARS");
+  define(options.Scalars == RefinementColors::BY_VALUE, "RELEVO_SCALARS");
+  define(options.Scalars == RefinementColors::BY_TEXTURE, "RELEVO_SCALAR_COORDINATES");
+  define(options.Scalars == RefinementColors::BY_NEAREST, "RELEVO_NEAREST_SCALARS");
   define(options.ColorMode == vtkAdaptiveRefinementMapper::COLOR_BY_LEVEL ||
       options.ColorMode == vtkAdaptiveRefinementMapper::COLOR_BY_PATTERN,
     "RELEVO_COLORS_OF_FACES");
@@ -131,10 +153,6 @@ std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, b
     {
       takesNormal = true;
     }
-    else if (name == "scalarColor" && options.HasScalars)
-    {
-      fetches << "  scalarColor = relevoScalarColor(w);\n";
-    }
     else if (name != "vertexMC")
     {
       attributes.push_back(name);
@@ -144,7 +162,8 @@ std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, b
       samplers << "uniform samplerBuffer " << sampler << ";\n";
       fetches << "  " << name << " = weightedSum(texelFetch(" << sampler
               << ", relevoFace.x), texelFetch(" << sampler << ", relevoFace.y), texelFetch("
-              << sampler << ", relevoFace.z), w)" << components << ";\n";
+              << sampler << ", relevoFace.z), w)" << components << ";\n"
+              << GetScalarStatement(options.Scalars, name, sampler);
     }
     rest = match.suffix();
   }
@@ -180,9 +199,10 @@ std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, b
   {
     text << relevoHeightMap << relevoHeight << relevoDisplacementVS << relevoDisplacement;
   }
-  if (options.HasScalars)
+  if (options.Scalars != RefinementColors::BY_VTK)
   {
-    text << relevoColorTable << relevoColorsVS;
+    text << (options.Scalars == RefinementColors::BY_VALUE ? relevoColorTable : "")
+         << relevoColorsVS;
   }
   if (options.ColorMode != vtkAdaptiveRefinementMapper::COLOR_BY_SCALARS)
   {

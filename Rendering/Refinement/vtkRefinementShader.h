@@ -16,6 +16,7 @@
 #include <string> // for members
 #include <vector> // for members
 
+#include "vtkRefinementColors.h"     // for KindType
 #include "vtkRefinementLevelTable.h" // for RefinementColorMode
 #include "vtkShader.h"               // for vtkShader::Type
 
@@ -62,8 +63,8 @@ struct RefinementShaderOptions
   bool IsMorphing = false;
   /// Whether draws are indirect, and each instance brings its faces along.
   bool IsIndirect = false;
-  /// Whether point scalars are interpolated before they are coloured.
-  bool HasScalars = false;
+  /// How points between the coarse ones come to the colours of scalars.
+  RefinementColors::KindType Scalars = RefinementColors::BY_VTK;
   /// What faces are coloured by.
   RefinementColorMode ColorMode = vtkAdaptiveRefinementMapper::COLOR_BY_SCALARS;
   ShaderExtension Extension;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRefinementState.h"
 
+#include "GhostCells.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
@@ -90,6 +91,7 @@ bool RefinementState::UpdateMesh(vtkPolyData* input, vtkAdaptiveRefinement* reci
       "or non-finite coordinates).";
   }
   this->PreparedInput->ShallowCopy(input);
+  EmptyGhosts(input, this->PreparedInput);
   if (!mesh->Normals.empty() && !input->GetPointData()->GetNormals())
   {
     vtkNew<vtkFloatArray> normals;
@@ -103,8 +105,9 @@ bool RefinementState::UpdateMesh(vtkPolyData* input, vtkAdaptiveRefinement* reci
   return true;
 }
 
-void RefinementState::GetBounds(vtkPolyData* input, vtkAdaptiveRefinement* recipe, double bounds[6])
+void RefinementState::GetBounds(vtkAdaptiveRefinement* recipe, double bounds[6])
 {
+  vtkPolyData* input = this->PreparedInput; // without vertices and lines that are ghosts
   Dependencies dependencies;
   AppendObject(dependencies, recipe->GetDisplacement());
   AppendObject(dependencies, recipe->GetSurface());

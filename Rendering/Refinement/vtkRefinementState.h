@@ -77,7 +77,7 @@ public:
   /**
    * Bounds of all that is drawn, for a valid mesh: refined faces, vertices and lines.
    */
-  void GetBounds(vtkPolyData* input, vtkAdaptiveRefinement* recipe, double bounds[6]);
+  void GetBounds(vtkAdaptiveRefinement* recipe, double bounds[6]);
 
   //@{
   /**
@@ -91,7 +91,7 @@ public:
   bool IsMeshValid() const { return this->MeshValid; }
   vtkMTimeType GetMeshTime() const { return this->MeshTime; }
 
-  /// The input, with normals where they had to be computed.
+  /// The input, with normals where they had to be computed and ghosts emptied: see EmptyGhosts().
   vtkPolyData* GetPreparedInput() { return this->PreparedInput; }
 
   /// Of the last view.

@@ -220,6 +220,19 @@ bool RefinementStream::Refine(vtkOpenGLRenderWindow* window, const RefinementMes
   return true;
 }
 
+vtkIdType RefinementStream::CountTriangles(
+  const RefinementMesh& mesh, const PatternSelection& selection)
+{
+  TriangleSplit split;
+  vtkIdType count = 0;
+  for (int face = 0; face < selection.GetNumberOfFaces(); ++face)
+  {
+    count +=
+      split.Count(MakeCoarseTriangle(mesh.Faces[face], selection.GetFacePattern(face)).Left).back();
+  }
+  return count;
+}
+
 std::vector<RefinementStreamVertex> RefinementStream::Read() const
 {
   std::vector<Vertex> vertices(3 * static_cast<size_t>(this->NumberOfTriangles));

@@ -72,6 +72,9 @@ public:
 
   vtkIdType GetNumberOfTriangles() const { return this->NumberOfTriangles; }
 
+  /// What Refine() would make if no face were hidden.
+  static vtkIdType CountTriangles(const RefinementMesh& mesh, const PatternSelection& selection);
+
   /// OpenGL's name of the buffer of RefinementStreamVertex, three per triangle.
   unsigned int GetHandle() const { return this->Handle; }
 

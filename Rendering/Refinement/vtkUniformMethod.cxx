@@ -95,14 +95,13 @@ int UniformMethod::Draw(
 
 vtkIdType UniformMethod::GetNumberOfTriangles(const RefinementDrawing& drawing) const
 {
+  const PatternSelection& selection = drawing.Selection->GetSelection();
+  const int most = GetMostSegments(selection);
   vtkIdType count = 0;
-  const auto slot = this->Slots.find(drawing.Slot);
-  if (slot != this->Slots.end())
+  for (int face = 0; face < selection.GetNumberOfFaces(); ++face)
   {
-    for (const PatternGroup& group : slot->second.Groups)
-    {
-      count += static_cast<vtkIdType>(group.Count) * group.Pattern->GetNumberOfTriangles();
-    }
+    const vtkIdType n = this->GetSegments(selection, face, most);
+    count += n * n;
   }
   return count;
 }

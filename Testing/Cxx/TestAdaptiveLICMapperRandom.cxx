@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Hostile meshes, fields, settings and cameras in random order: nothing crashes, and a scene that
 // is drawn again looks as it did.
+#include "RelevoDice.h"
 #include "RelevoLICVectors.h"
 #include "RelevoTestMeshes.h"
 
@@ -12,29 +13,12 @@
 #include "vtkPlane.h"
 
 #include <limits>
-#include <random>
 
 namespace
 {
 using namespace RelevoMeshes;
 
-class Dice
-{
-public:
-  explicit Dice(unsigned int seed)
-    : Random(seed)
-  {
-  }
-  int Throw(int sides)
-  {
-    return static_cast<int>(this->Random() % static_cast<unsigned int>(sides));
-  }
-  double Share() { return this->Random() / 4294967296.0; }
-  double Signed() { return 2.0 * this->Share() - 1.0; }
-
-private:
-  std::mt19937 Random;
-};
+using Dice = RelevoDice;
 
 // Degenerate, collinear, far away, tiny, without normals, with lines and vertices.
 Mesh MakeMesh(Dice& dice)

@@ -14,8 +14,11 @@
 #include "vtkRenderPassCollection.h"
 #include "vtkReverseSense.h"
 #include "vtkSequencePass.h"
+#include "vtkShaderProperty.h"
 #include "vtkShadowMapBakerPass.h"
 #include "vtkShadowMapPass.h"
+#include "vtkTexture.h"
+#include "vtkTransform.h"
 
 namespace
 {
@@ -41,12 +44,127 @@ void Shade(vtkRenderer* renderer)
   cameraPass->SetDelegatePass(sequence);
   vtkOpenGLRenderer::SafeDownCast(renderer)->SetPass(cameraPass);
 }
+
+// Where a closed surface shows its inside, or what is drawn reaches beyond the points of faces:
+// against vtkPolyDataMapper, which leaves nothing out.
+void TestOpened(RelevoCheck& check, RelevoComparison& comparison)
+{
+  vtkNew<vtkPNTriangleSurface> curved;
+  const auto compare = [&](const std::string& name, size_t pixels, vtkAdaptiveRefinement* recipe,
+                         const RelevoComparison::Builder& change)
+  {
+    RelevoScene twin(RelevoScene::Twin);
+    RelevoScene refining(RelevoScene::Refining);
+    for (RelevoScene* scene : { &twin, &refining })
+    {
+      scene->Add(TexturedSphere(24, 20), recipe);
+      scene->Renderer->GetActiveCamera()->SetPosition(0.5, 0.8, 2.0);
+      scene->Renderer->GetActiveCamera()->SetClippingRange(0.1, 10.0);
+      change(*scene);
+      scene->Render();
+    }
+    refining.GetMapper(0)->BackFaceCullingOn();
+    refining.Render();
+    RelevoTolerance tolerance;
+    tolerance.Color = recipe ? 2 : 0;
+    tolerance.Depth = recipe ? 2e-6 : 0.0;
+    tolerance.Pixels = pixels;
+    comparison.Compare("Culling." + name + (recipe ? ".Curved" : ""), tolerance,
+      RelevoPicture(refining.Window), RelevoPicture(twin.Window));
+    return refining.GetMapper(0)->GetNumberOfCulledFaces();
+  };
+  constexpr size_t outline = 12;
+  for (const auto& recipe : { vtkSmartPointer<vtkAdaptiveRefinement>(), MakeRecipe(3, curved) })
+  {
+    const auto getCamera = [](RelevoScene& s) { return s.Renderer->GetActiveCamera(); };
+    const vtkIdType hidden = compare("Uncut", outline, recipe, [](RelevoScene&) {});
+    CHECK(hidden > 100);
+    for (double nearPlane : { 1.8, 2.1, 2.5 })
+    {
+      const std::string name = "Near." + std::to_string(nearPlane);
+      const vtkIdType cut = compare(name, outline, recipe,
+        [&](RelevoScene& s) { getCamera(s)->SetClippingRange(nearPlane, 10.0); });
+      CHECK(cut == 0);
+      compare(name + ".Parallel", outline, recipe,
+        [&](RelevoScene& s)
+        {
+          getCamera(s)->SetClippingRange(nearPlane, 10.0);
+          getCamera(s)->ParallelProjectionOn();
+        });
+    }
+    compare("CutOut", outline, recipe,
+      [](RelevoScene& s)
+      {
+        vtkNew<vtkImageData> image;
+        image->SetDimensions(8, 8, 1);
+        image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+        auto* texel = static_cast<unsigned char*>(image->GetScalarPointer());
+        for (int i = 0; i < 256; ++i)
+        {
+          texel[i] = static_cast<unsigned char>(i % 4 < 3 ? 200 : 255 * (i / 4 % 2));
+        }
+        vtkNew<vtkTexture> texture;
+        texture->SetInputData(image);
+        s.GetActor(0)->SetTexture(texture);
+      });
+    compare("Discarded", outline, recipe,
+      [](RelevoScene& s)
+      {
+        s.GetActor(0)->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true,
+          "//VTK::Light::Impl\n  if (mod(gl_FragCoord.x, 16.0) < 8.0 && gl_FrontFacing) discard;\n",
+          false);
+      });
+    compare("ForcedOpaque", outline, recipe,
+      [](RelevoScene& s)
+      {
+        s.GetActor(0)->ForceOpaqueOn();
+        s.GetActor(0)->GetProperty()->SetOpacity(0.999);
+      });
+    for (bool parallel : { false, true })
+    {
+      compare(parallel ? "Sheared.Parallel" : "Sheared", outline, recipe,
+        [&](RelevoScene& s)
+        {
+          vtkNew<vtkTransform> transform;
+          transform->Translate(0.6, -0.4, 0.7);
+          transform->RotateY(25.0);
+          getCamera(s)->SetUserViewTransform(transform);
+          getCamera(s)->SetViewShear(0.4, 0.3, 1.0);
+          getCamera(s)->SetParallelProjection(parallel);
+        });
+    }
+  }
+  compare("MovedVertices", 0, nullptr,
+    [](RelevoScene& s)
+    {
+      // Mostly out of sight as it is, in sight by the actor's shader.
+      s.Renderer->GetActiveCamera()->SetViewAngle(20.0);
+      s.GetActor(0)->SetPosition(-0.7, 0.0, 0.0);
+      s.GetActor(0)->GetShaderProperty()->AddVertexShaderReplacement("//VTK::Normal::Impl", true,
+        "//VTK::Normal::Impl\n  vec4 aside = vertexMC + vec4(0.7, 0.0, 0.0, 0.0);\n", false);
+      s.GetActor(0)->GetShaderProperty()->AddVertexShaderReplacement("//VTK::PositionVC::Impl",
+        true, "//VTK::PositionVC::Impl\n  gl_Position = MCDCMatrix * aside;\n", false);
+    });
+  for (int representation : { VTK_POINTS, VTK_WIREFRAME })
+  {
+    compare("Wide." + std::to_string(representation), 0, nullptr,
+      [&](RelevoScene& s)
+      {
+        vtkProperty* property = s.GetActor(0)->GetProperty();
+        property->SetRepresentation(representation);
+        property->SetLineWidth(25);
+        property->SetPointSize(25);
+        s.Renderer->GetActiveCamera()->SetViewAngle(14.0);
+      });
+  }
+}
 }
 
 int TestAdaptiveRefinementMapperCulling(int argc, char* argv[])
 {
   RelevoCheck check;
   RelevoComparison comparison(check, argc, argv);
+  TestOpened(check, comparison);
   vtkNew<vtkPNTriangleSurface> curved;
   vtkNew<RelevoHeights> heights;
   heights->FillRandom(17, 13, 4);

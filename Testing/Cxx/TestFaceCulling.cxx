@@ -112,7 +112,7 @@ Counts Look(vtkPolyData* input, vtkAdaptiveRefinement* recipe, std::mt19937& ran
   std::vector<unsigned char> hidden;
   Counts counts;
   counts.Hidden = culling.FindHidden(view, true, hidden);
-  const bool backsHidden = culling.IsClosed() && (view.Parallel || culling.IsOutside(view.Eye));
+  const bool backsHidden = culling.IsClosed() && culling.IsUncut(view);
 
   vtkNew<vtkMatrix4x4> toClip;
   vtkMatrix4x4::Multiply4x4(

@@ -2,7 +2,7 @@
 
 uniform samplerBuffer relevoColorTable; // colours, then those below, above and for NaN
 uniform float relevoTableMinimum;       // less the bias; of the logarithms for a log scale
-uniform float relevoTableFactor;        // 1 / (maximum - minimum)
+uniform float relevoTableSpan;          // maximum - minimum
 uniform int relevoTableColors;          // number of colours of the table
 uniform int relevoTableLog;             // 1 for a log scale
 
@@ -10,9 +10,10 @@ vec4 relevoTableColor(float value)
 {
   if (relevoTableLog == 1)
   {
-    value = value > 0.0 ? log2(value) * 0.30102999566 : relevoTableMinimum - 1.0;
+    // As VTK has it: what has no logarithm is at the lower end.
+    value = value > 0.0 ? log2(value) * 0.30102999566 : (value <= 0.0 ? relevoTableMinimum : value);
   }
-  float t = (value - relevoTableMinimum) * relevoTableFactor;
+  float t = (value - relevoTableMinimum) / relevoTableSpan;
   int index = clamp(int(floor(t * float(relevoTableColors))), 0, relevoTableColors - 1);
   index = t < 0.0 ? relevoTableColors : (t > 1.0 ? relevoTableColors + 1 : index);
   index = value != value ? relevoTableColors + 2 : index;

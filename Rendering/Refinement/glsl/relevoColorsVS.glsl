@@ -1,11 +1,71 @@
 // Scalars interpolated over the refined surface, then mapped to colours.
 
-uniform samplerBuffer relevoScalars; // components less the table's bias, per point
-uniform int relevoScalarMagnitude;   // 1 for the length of a vector
+uniform samplerBuffer relevoScalars;  // components less the table's bias, per point
+uniform int relevoScalarTexels;       // per point; 0 for one number, more for a vector's length
+uniform int relevoScalarsWhole;       // 1 for whole numbers, which stay so between the points
+uniform vec3 relevoScalarCoordinates; // of textures: minimum, 1 / width, 1 for a log scale
 
+bool relevoIsCorner(vec3 w)
+{
+  return max(w.x, max(w.y, w.z)) == 1.0;
+}
+
+// Of no account without weight, even where it is NaN.
+vec4 relevoScalarsAt(int corner, float weight, int k)
+{
+  return weight == 0.0
+    ? vec4(0.0)
+    : texelFetch(relevoScalars, relevoFace[corner] * max(relevoScalarTexels, 1) + k);
+}
+
+vec4 relevoScalarsOf(vec3 w, int k)
+{
+  vec4 scalars = weightedSum(
+    relevoScalarsAt(0, w.x, k), relevoScalarsAt(1, w.y, k), relevoScalarsAt(2, w.z, k), w);
+  return relevoScalarsWhole == 1 ? sign(scalars) * floor(abs(scalars) + 0.5) : scalars;
+}
+
+float relevoScalar(vec3 w)
+{
+  if (relevoScalarTexels == 0)
+  {
+    return relevoScalarsOf(w, 0).x;
+  }
+  float sum = 0.0;
+  for (int k = 0; k < relevoScalarTexels; ++k)
+  {
+    vec4 scalars = relevoScalarsOf(w, k);
+    sum += dot(scalars, scalars);
+  }
+  return sqrt(sum);
+}
+
+#ifdef RELEVO_SCALARS
 vec4 relevoScalarColor(vec3 w)
 {
-  vec4 scalars = weightedSum(texelFetch(relevoScalars, relevoFace.x),
-    texelFetch(relevoScalars, relevoFace.y), texelFetch(relevoScalars, relevoFace.z), w);
-  return relevoTableColor(relevoScalarMagnitude == 1 ? length(scalars) : scalars.x);
+  return relevoTableColor(relevoScalar(w));
+}
+#endif
+
+// Where VTK's texture of a table has the colour.
+vec2 relevoScalarCoordinate(vec3 w)
+{
+  float value = relevoScalar(w);
+  if (value != value)
+  {
+    return vec2(0.5, 1.0);
+  }
+  if (relevoScalarCoordinates.z == 1.0)
+  {
+    value = value > 0.0 ? log2(value) * 0.30102999566 : relevoScalarCoordinates.x;
+  }
+  return vec2(
+    clamp((value - relevoScalarCoordinates.x) * relevoScalarCoordinates.y, -1000.0, 1000.0), 0.49);
+}
+
+// What takes no values between its own, as a name, has the nearest corner's; see RefinedPoint.
+int relevoNearestCorner(vec3 w)
+{
+  int first = w.y > w.x ? 1 : 0;
+  return w.z > w[first] ? 2 : first;
 }
