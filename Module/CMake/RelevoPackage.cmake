@@ -23,8 +23,19 @@ install(
   DESTINATION "${relevo_cmake_destination}"
   COMPONENT   development)
 
-# Sourced by users of the build tree.
+# Sourced by users, of the build tree and of an installed one; both may be moved.
+set(relevo_env_folder "build")
+set(relevo_env_to_prefix ".")
 configure_file("${CMAKE_CURRENT_LIST_DIR}/env.sh.in" "${CMAKE_BINARY_DIR}/env.sh" @ONLY)
+set(relevo_env_destination "${CMAKE_INSTALL_DATADIR}/relevo")
+set(relevo_env_folder "PREFIX/${relevo_env_destination}")
+file(RELATIVE_PATH relevo_env_to_prefix "/prefix/${relevo_env_destination}" "/prefix")
+set(installed_env "${CMAKE_BINARY_DIR}/${relevo_env_destination}/env.sh")
+configure_file("${CMAKE_CURRENT_LIST_DIR}/env.sh.in" "${installed_env}" @ONLY)
+install(
+  FILES       "${installed_env}"
+  DESTINATION "${relevo_env_destination}"
+  COMPONENT   runtime)
 
 install(
   FILES       "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/README.md"

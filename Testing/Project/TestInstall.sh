@@ -9,8 +9,8 @@ build=$1 prefix=$2 python=$3 destination=$4
 rm -rf "$prefix"
 cmake --install "$build" --prefix "$prefix" >/dev/null
 
-if grep -rl --include='*.cmake' -F "$build" "$prefix"; then
-  echo "the package configuration names the build tree"
+if grep -rl --include='*.cmake' --include='env.sh' -F -e "$build" -e "$prefix" "$prefix"; then
+  echo "an installed file names the build tree, or where it lies"
   exit 1
 fi
 while IFS= read -r -d '' file; do
@@ -37,3 +37,34 @@ fi
 if [ -x "$prefix/bin/relevo-view" ]; then
   "$prefix/bin/relevo-view" --help >/dev/null
 fi
+
+# env.sh, of the build tree, of the installed one, and of that when it has been moved.
+check_environment() {
+  local folder=$1 file=$2 shell=$3
+  "$shell" -euc '. "$1"
+    found=$(command -v relevo-view || echo none)
+    [ ! -x "$2/bin/relevo-view" ] || [ "$found" = "$2/bin/relevo-view" ] ||
+      { echo "$1: relevo-view is $found"; exit 1; }
+    [ ! -d "$2/$4" ] || "$3" -c "
+import relevo, sys
+assert relevo.__file__.startswith(sys.argv[1] + \"/\"), relevo.__file__" "$2"
+    [ -z "${relevo_prefix+set}" ]' "$shell" "$file" "$folder" "$python" "$destination" ||
+    { echo "$file: not in $shell"; exit 1; }
+}
+check_environments() {
+  local folder=$1 file=$2 shell
+  for shell in bash dash zsh sh; do
+    if command -v "$shell" >/dev/null; then
+      check_environment "$folder" "$folder/$file" "$shell"
+      (cd "$folder/.." && check_environment "$folder" "./${folder##*/}/$file" "$shell")
+    fi
+  done
+}
+unset PYTHONPATH
+check_environments "$build" env.sh
+check_environments "$prefix" share/relevo/env.sh
+moved="$prefix moved"
+rm -rf "$moved"
+mv "$prefix" "$moved"
+trap 'mv "$moved" "$prefix"' EXIT
+check_environments "$moved" share/relevo/env.sh
