@@ -1,0 +1,91 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Builds Relevo and runs its tests on other releases of Debian, and so with other versions of VTK:
+# each in a folder of its own that debootstrap fills. Needs root; running it again reuses the folder.
+#
+#   bash Testing/matrix.sh [12|13|sid]... [-- arguments of ctest...]
+#
+#   12     VTK 9.1
+#   13     VTK 9.3
+#   sid    VTK 9.6 or later
+#
+# Without a release it runs all three. RELEVO_MATRIX_DIR is where the folders go (default:
+# build-matrix); RELEVO_TEST_DATA is a folder of larger real data, as for Testing/run.sh.
+# It closes with one line for each release, and exits with 0 only if the tests passed on all.
+set -euo pipefail
+
+source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+matrix_dir=${RELEVO_MATRIX_DIR:-$source_dir/build-matrix}
+
+declare -A suites=([12]=bookworm [13]=trixie [sid]=sid)
+releases=()
+while [ $# -gt 0 ] && [ "$1" != -- ]; do
+  if [ -z "${suites[$1]:-}" ]; then
+    echo "matrix.sh: error: no release named $1; there are 12, 13 and sid" >&2
+    exit 2
+  fi
+  releases+=("$1")
+  shift
+done
+if [ $# -gt 0 ]; then
+  shift
+fi
+if [ ${#releases[@]} -eq 0 ]; then
+  releases=(12 13 sid)
+fi
+if [ "$(id -u)" -ne 0 ]; then
+  echo "matrix.sh: error: this needs root, to install packages into a folder and to enter it" >&2
+  exit 1
+fi
+for program in debootstrap unshare; do
+  if ! command -v "$program" >/dev/null; then
+    echo "matrix.sh: error: there is no $program; apt-get install debootstrap util-linux" >&2
+    exit 1
+  fi
+done
+
+# Fills the folder $2 with the release $1. What broke off half-way is done again.
+install_release() {
+  if [ ! -e "$2/installed" ]; then
+    rm -rf "$2"
+    mkdir -p "$2"
+    debootstrap --variant=minbase "${suites[$1]}" "$2/root"
+    touch "$2/installed"
+  fi
+  mkdir -p "$2/root/source" "$2/root/data" "$2/root/build"
+}
+
+# Runs the tests in the folder $1. The mounts go with the process that made them.
+run_tests() {
+  root=$1/root data=$2 source=$source_dir unshare --mount bash -euc '
+    mount --bind -o ro "$source" "$root/source"
+    if [ -n "$data" ]; then
+      mount --bind -o ro "$data" "$root/data"
+    fi
+    mount --bind /dev "$root/dev"
+    mount --bind /sys "$root/sys"
+    mount --bind /tmp "$root/tmp" # X servers inside and outside must not take the same number
+    mount -t proc proc "$root/proc"
+    exec chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 \
+      RELEVO_BUILD_DIR=/build ${data:+RELEVO_TEST_DATA=/data} \
+      bash /source/Testing/run.sh "$@"' matrix.sh "${@:3}"
+}
+
+data=${RELEVO_TEST_DATA:+$(cd "$RELEVO_TEST_DATA" && pwd)}
+failed=0
+summary=()
+for release in "${releases[@]}"; do
+  folder=$matrix_dir/$release
+  install_release "$release" "$folder"
+  result=passed
+  if ! run_tests "$folder" "$data" "$@"; then
+    result=failed
+    failed=1
+  fi
+  version=$(chroot "$folder/root" dpkg-query -W -f '${Version}' libvtk9-dev 2>/dev/null || true)
+  summary+=("Debian $release, VTK ${version:-not installed}: $result")
+done
+printf '%s\n' "${summary[@]}"
+exit $failed
