@@ -281,7 +281,14 @@ public:
   void SetColorModeToPattern() { this->SetRefinementColorMode(COLOR_BY_PATTERN); }
   void SetColorModeToMetric() { this->SetRefinementColorMode(COLOR_BY_METRIC); }
   int GetRefinementColorMode() { return this->RefinementColorMode; }
+#ifdef __GNUC__ // vtkAdaptiveLICMapper hides it on purpose: g++ 13 and later warn here, clang there
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Woverloaded-virtual"
+#endif
   void SetColorMode(int mode) override;
+#ifdef __GNUC__
+#pragma GCC diagnostic pop
+#endif
   //@}
 
   //@{
@@ -403,7 +410,9 @@ protected:
    * For subclasses that add to the vertex shader of a helper's faces: they fill in
    * options.Extension. Shaders are written anew when it has changed.
    */
-  virtual void ExtendShaders(const vtkOpenGLHelper*, relevo::RefinementShaderOptions&) {}
+  virtual void ExtendShaders(const vtkOpenGLHelper*, relevo::RefinementShaderOptions&)
+  {
+  }
 
   /**
    * One pass over the input, all blocks of a composite data set.
