@@ -10,7 +10,9 @@
  * refinement and displacement and are projected on its tangent plane, pixel by pixel, then on the
  * screen. Names and defaults are those of VTK's vtkSurfaceLICInterface, here on the mapper itself;
  * lengths are in pixels of the window. To have levels follow the field, give the recipe a
- * vtkFieldVariationDepthTagMetric.
+ * vtkCompositeDepthTagMetric, mode MAXIMUM, of vtkFieldVariationDepthTagMetric and
+ * vtkScreenEdgeDepthTagMetric, and MaximumLevel 3: the variation knows nothing of pixels, and each
+ * level more makes four times the triangles where it is high.
  *
  * The vectors are chosen by SetInputArrayToProcess(0, 0, 0, association, name): an array of three
  * components, or of two (x and y), of points (interpolated linearly) or of cells (constant in each

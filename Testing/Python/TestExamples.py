@@ -324,6 +324,10 @@ class TestExamples(unittest.TestCase):
         self.assertGreater(min(len(each) for each in shades), 50)
         self.assertEqual(flat.GetNumberOfDrawnTriangles(), coarse.GetOutput().GetNumberOfCells())
         self.assertGreater(fine.GetNumberOfDrawnTriangles(), flat.GetNumberOfDrawnTriangles())
+        # Not many for each coarse face, whatever the vectors do.
+        self.assertLessEqual(
+            fine.GetNumberOfDrawnTriangles(), 64 * flat.GetNumberOfDrawnTriangles()
+        )
 
     def test_readme_shows_the_example(self):
         example = (SOURCE / "Examples/Python/terrain.py").read_text()
