@@ -5,6 +5,7 @@
 #include "MeshColours.h"
 #include "MeshMapping.h"
 #include "MeshReader.h"
+#include "OffscreenWindow.h"
 #include "ViewerFlow.h"
 #include "ViewerMetric.h"
 
@@ -160,6 +161,11 @@ void MeshScene::ReadHeights()
   this->Messages.Observe(heights, "reading heights");
   this->Messages.Observe(this->Displacement);
   heights->SetFileName(this->Options.Heights.c_str());
+  if (this->Options.NoDataValue)
+  {
+    heights->SetNoDataValue(*this->Options.NoDataValue);
+  }
+  FitIntoTexture(heights, "");
   heights->Update();
   this->Messages.Check();
   double range[2];

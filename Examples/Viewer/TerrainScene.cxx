@@ -4,6 +4,7 @@
 
 #include "MeshPoints.h"
 #include "MeshReader.h"
+#include "OffscreenWindow.h"
 #include "ReliefMetric.h"
 #include "TerrainColours.h"
 #include "TerrainProbe.h"
@@ -74,7 +75,13 @@ void TerrainScene::ReadTerrain()
   {
     this->Source->SetNoDataPolicyToFill();
   }
+  if (this->Options.NoDataValue)
+  {
+    this->Source->SetNoDataValue(*this->Options.NoDataValue);
+  }
   this->Source->SetExaggeration(this->Options.Exaggeration);
+  FitIntoTexture(this->Source->GetHeightMap(), this->Options.Imagery.c_str());
+  this->Source->SetMaximumImagerySize(this->Source->GetMaximumDimension());
   this->Source->Update();
   this->CheckReading();
   // Without the corners of faces that were left out.

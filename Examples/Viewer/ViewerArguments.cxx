@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <sstream>
 
 namespace
@@ -27,6 +29,13 @@ std::vector<std::string> Split(const std::string& text)
     parts.push_back(part);
   }
   return parts;
+}
+
+std::string ToLowerCase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return text;
 }
 
 std::string ToText(double value)
@@ -66,6 +75,16 @@ double ToNumber(const std::string& option, const std::string& text, double lowes
     throw Wants(option, "a number from " + ToText(lowest) + " to " + ToText(highest), text);
   }
   return value;
+}
+
+//------------------------------------------------------------------------------
+double ToSample(const std::string& option, const std::string& text)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  const std::map<std::string, double> words = { { "nan", std::nan("") }, { "inf", infinity },
+    { "-inf", -infinity } };
+  const auto word = words.find(ToLowerCase(text));
+  return word != words.end() ? word->second : ToNumber(option, text);
 }
 
 //------------------------------------------------------------------------------
@@ -169,10 +188,7 @@ std::string GetExtension(const std::string& fileName)
   {
     return std::string();
   }
-  std::string extension = fileName.substr(dot);
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return extension;
+  return ToLowerCase(fileName.substr(dot));
 }
 
 //------------------------------------------------------------------------------

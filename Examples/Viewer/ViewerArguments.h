@@ -18,6 +18,9 @@
 /// Finite.
 double ToNumber(const std::string& option, const std::string& text);
 
+/// A value that a raster may hold: a finite number, nan, inf or -inf.
+double ToSample(const std::string& option, const std::string& text);
+
 double ToPositiveNumber(const std::string& option, const std::string& text);
 
 /// From `lowest` to `highest`.

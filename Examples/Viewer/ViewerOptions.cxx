@@ -91,6 +91,9 @@ private:
           options.FillNoData =
             ToChoice<bool>(option, value, { { "hole", false }, { "fill", true } });
         } },
+      { "--no-data-value",
+        [&](const auto& option, const auto& value)
+        { options.NoDataValue = ToSample(option, value); } },
       { "--surface",
         [&](const auto& option, const auto& value)
         {
@@ -329,7 +332,7 @@ private:
       { "--array", "--feature-angle", "--height", "--mapping", "--up" }, options.IsMesh, "meshes");
     const bool hasHeights = !options.IsMesh || !options.Heights.empty();
     this->CheckUse({ "--scale", "--offset" }, options.IsMesh && hasHeights, "--height");
-    this->CheckUse({ "--no-data" }, hasHeights, "--height");
+    this->CheckUse({ "--no-data", "--no-data-value" }, hasHeights, "--height");
     this->CheckUse({ "--mapping" }, hasHeights || !options.Imagery.empty(), "--height or --image");
     this->CheckUse({ "--alpha" }, options.GetSurface() == Surface::Phong, "--surface phong");
     this->CheckUse({ "--amplitude", "--frequency" }, options.GetSurface() == Surface::Procedural,

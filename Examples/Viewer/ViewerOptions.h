@@ -59,6 +59,7 @@ struct ViewerOptions
   std::optional<double> Frequency; // of Procedural
   std::string Imagery;
   bool FillNoData = false;
+  std::optional<double> NoDataValue; // NaN for NaN
 
   // Terrain alone.
   int ImageryBands[3] = { 0, 0, 0 }; // as vtkTerrainSource has them

@@ -21,6 +21,7 @@ The surface:
   --image FILE           drape a picture over it. On height maps: georeferenced, also as --imagery;
                          without one, colours show the height. On meshes: PNG, JPEG, TIFF or BMP
   --no-data hole|fill    leave out where heights have no data (default), or fill it in smoothly
+  --no-data-value V      heights equal to V, a number or nan, have no data, beside what the file says
 
 Height maps:
   --imagery-bands R,G,B  which bands of the picture, from 1, are red, green and blue (default: as

@@ -3,6 +3,7 @@
 /**
  * @brief   draws a height map or a mesh: in a window, or into a picture
  */
+#include "OffscreenWindow.h"
 #include "ViewerFile.h"
 #include "ViewerMessages.h"
 #include "ViewerOptions.h"
@@ -12,10 +13,6 @@
 
 #include "vtkRenderWindow.h"
 #include "vtkSmartPointer.h"
-
-#ifdef VIEWER_HAS_EGL
-#include "vtkEGLOffscreenRenderWindow.h"
-#endif
 
 #include <iostream>
 #include <memory>
@@ -29,17 +26,6 @@ enum ExitCode
   BadInput = 1,
   BadUsage = 2
 };
-
-vtkSmartPointer<vtkRenderWindow> NewOffscreenWindow()
-{
-#ifdef VIEWER_HAS_EGL
-  return vtkSmartPointer<vtkEGLOffscreenRenderWindow>::New();
-#else
-  auto window = vtkSmartPointer<vtkRenderWindow>::New();
-  window->SetOffScreenRendering(1);
-  return window;
-#endif
-}
 
 void Draw(ViewerScene& scene, const ViewerOptions& options, ViewerMessages& messages)
 {
