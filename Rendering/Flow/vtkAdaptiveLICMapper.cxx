@@ -251,11 +251,6 @@ bool vtkAdaptiveLICMapper::vtkInternals::Prepare(vtkRenderer* ren, vtkActor* act
     self->GetInputAlgorithm()->Update();
   }
   vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
-  if (this->Window && this->Window != window)
-  {
-    self->ReleaseGraphicsResources(this->Window); // before anything is made for this one
-  }
-  this->Window = window;
   std::string problem = this->FindProblem();
   if (problem.empty())
   {
@@ -391,7 +386,6 @@ void vtkAdaptiveLICMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
   vtkInternals& lic = *this->LIC;
-  lic.Window = nullptr;
   lic.Screen = nullptr;
   for (auto& screen : lic.Screens)
   {

@@ -17,10 +17,9 @@
 #include "vtkNew.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLHelper.h"
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkRefinementBuffer.h"
+#include "vtkSmartPointer.h"
 #include "vtkTimeStamp.h"
-#include "vtkWeakPointer.h"
 
 #include <map>
 #include <string>
@@ -28,6 +27,7 @@
 #include <vector>
 
 class vtkCamera;
+class vtkFloatArray;
 
 struct vtkAdaptiveLICMapper::vtkInternals
 {
@@ -47,6 +47,12 @@ struct vtkAdaptiveLICMapper::vtkInternals
   // The vectors of this mapper's polydata.
   vtkOpenGLHelper* Vectors = nullptr; // draws them
   bool HasVectors = false;
+  bool AreOfCells = false;
+  vtkSmartPointer<vtkFloatArray> Prepared;
+  vtkPolyData* PreparedInput = nullptr; // to compare, never read
+  vtkTimeStamp PreparedTime;
+  vtkTimeStamp CellVectorsTime;
+  void PrepareVectors(vtkAdaptiveLICMapper* self, vtkPolyData* input);
   double Unit = 1.0;       // of the vectors on the graphics card, which then are about 1 long
   bool HasNormals = false; // on the refined surface
   bool HasPointNormals = false;
@@ -57,7 +63,7 @@ struct vtkAdaptiveLICMapper::vtkInternals
   std::string VectorProblem;
   double Longest = 0.0;
 
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // that the following belongs to
+  // Of the window that draws.
   relevo::LICNoise Noise;
   relevo::LICImage Image;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;

@@ -23,11 +23,14 @@
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkProperty.h"
 #include "vtkRefinementShader.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 #include "vtkTransform.h"
+
+#include <algorithm>
 
 namespace
 {
@@ -74,18 +77,31 @@ void SetMatrix(vtkShaderProgram* program, const char* name, const double matrix[
 }
 }
 
+void vtkAdaptiveLICMapper::vtkInternals::PrepareVectors(
+  vtkAdaptiveLICMapper* self, vtkPolyData* input)
+{
+  const vtkMTimeType time = std::max(self->GetMTime(), input->GetMTime());
+  if (this->PreparedTime > time && this->PreparedInput == input)
+  {
+    return; // built for another actor
+  }
+  this->PreparedTime.Modified();
+  this->PreparedInput = input;
+  const relevo::LICArray vectors = self->FindArray(input);
+  this->HasVectors = vectors.Array != nullptr;
+  this->AreOfCells = vectors.IsOfCells;
+  const double longest = vectors.FindLongest(self->NoDataMagnitude);
+  this->Unit = longest > 0.0 ? longest : 1.0;
+  this->Prepared = this->HasVectors ? vectors.Prepare(self->NoDataMagnitude, this->Unit) : nullptr;
+}
+
 void vtkAdaptiveLICMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor* act)
 {
   vtkInternals& lic = *this->LIC;
   vtkPolyData* input = this->CurrentInput;
-  const relevo::LICArray vectors = this->FindArray(input);
-  lic.HasVectors = vectors.Array != nullptr;
-  const double longest = vectors.FindLongest(this->NoDataMagnitude);
-  lic.Unit = longest > 0.0 ? longest : 1.0;
-  vtkSmartPointer<vtkFloatArray> prepared =
-    lic.HasVectors ? vectors.Prepare(this->NoDataMagnitude, lic.Unit) : nullptr;
+  lic.PrepareVectors(this, input);
   this->VBOs->CacheDataArray(
-    "relevoLICVector", vectors.IsOfCells ? nullptr : prepared.Get(), ren, VTK_FLOAT);
+    "relevoLICVector", lic.AreOfCells ? nullptr : lic.Prepared.Get(), ren, VTK_FLOAT);
   // Linear surfaces have none of their own; VTK's depend on lights.
   vtkDataArray* normals = lic.HasVectors ? input->GetPointData()->GetNormals() : nullptr;
   lic.HasPointNormals = normals && normals->GetNumberOfTuples() == input->GetNumberOfPoints();
@@ -93,13 +109,20 @@ void vtkAdaptiveLICMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor* act)
     "relevoLICPointNormal", lic.HasPointNormals ? normals : nullptr, ren, VTK_FLOAT);
   this->Superclass::BuildBufferObjects(ren, act);
 
+  // Other representations show none.
+  if (act->GetProperty()->GetRepresentation() != VTK_SURFACE ||
+    lic.CellVectorsTime > lic.PreparedTime)
+  {
+    return;
+  }
+  lic.CellVectorsTime.Modified();
   lic.CellVectors.ReleaseGraphicsResources(ren->GetRenderWindow());
-  if (lic.HasVectors && vectors.IsOfCells)
+  if (lic.HasVectors && lic.AreOfCells)
   {
     std::vector<float> values(4 * this->CellCellMap->GetSize());
     for (size_t i = 0; i < this->CellCellMap->GetSize(); ++i)
     {
-      prepared->GetTypedTuple(this->CellCellMap->GetValue(i), &values[4 * i]);
+      lic.Prepared->GetTypedTuple(this->CellCellMap->GetValue(i), &values[4 * i]);
     }
     if (!lic.CellVectors.Upload(
           vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()), values, 4))

@@ -45,6 +45,16 @@ std::vector<EGLDisplay> CandidateDisplays()
 
 struct vtkEGLOffscreenRenderWindow::EGLContextHolder
 {
+  // A context that is current in this thread.
+  struct Current
+  {
+    EGLDisplay Display = eglGetCurrentDisplay();
+    EGLSurface Draw = eglGetCurrentSurface(EGL_DRAW);
+    EGLSurface Read = eglGetCurrentSurface(EGL_READ);
+    EGLContext Context = eglGetCurrentContext();
+  };
+  std::vector<Current> Pushed;
+
   EGLDisplay Display = EGL_NO_DISPLAY;
   EGLSurface Surface = EGL_NO_SURFACE;
   EGLContext Context = EGL_NO_CONTEXT;
@@ -182,6 +192,31 @@ void vtkEGLOffscreenRenderWindow::MakeCurrent()
 bool vtkEGLOffscreenRenderWindow::IsCurrent()
 {
   return this->Context && eglGetCurrentContext() == this->Context->Context;
+}
+
+//------------------------------------------------------------------------------
+void vtkEGLOffscreenRenderWindow::PushContext()
+{
+  if (this->Context)
+  {
+    this->Context->Pushed.emplace_back();
+    this->MakeCurrent();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkEGLOffscreenRenderWindow::PopContext()
+{
+  if (!this->Context || this->Context->Pushed.empty())
+  {
+    return;
+  }
+  const EGLContextHolder::Current last = this->Context->Pushed.back();
+  this->Context->Pushed.pop_back();
+  if (last.Context != EGL_NO_CONTEXT && last.Context != eglGetCurrentContext())
+  {
+    eglMakeCurrent(last.Display, last.Draw, last.Read, last.Context);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -43,6 +43,8 @@ public:
    */
   void MakeCurrent() override;
   bool IsCurrent() override;
+  void PushContext() override;
+  void PopContext() override;
   void Render() override;
   void Finalize() override;
   void OpenGLInit() override;

@@ -6,7 +6,6 @@
 
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
-#include "vtkCellArray.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
@@ -17,19 +16,13 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLCellToVTKCellMap.h"
-#include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLVertexBufferObject.h"
-#include "vtkOpenGLVertexBufferObjectGroup.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRefinementComputeProgram.h"
-#include "vtkRefinementSurface.h"
 #include "vtkRelevoCompatibility.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cstring>
@@ -57,6 +50,8 @@ vtkStandardNewMacro(vtkAdaptiveRefinementMapper);
 vtkAdaptiveRefinementMapper::vtkAdaptiveRefinementMapper()
   : Internals(new vtkInternals)
 {
+  this->Internals->Context->OnRelease = [this](vtkWindow* window)
+  { this->ReleaseGraphicsResources(window); };
 }
 
 vtkAdaptiveRefinementMapper::~vtkAdaptiveRefinementMapper()
@@ -155,7 +150,7 @@ bool vtkAdaptiveRefinementMapper::HasTranslucentPolygonalGeometry()
 }
 
 //------------------------------------------------------------------------------
-// Buffers
+// Context
 
 bool vtkAdaptiveRefinementMapper::CheckOpenGL(vtkRenderer*)
 {
@@ -192,90 +187,14 @@ bool vtkAdaptiveRefinementMapper::CheckOpenGL(vtkRenderer*)
   return data.ContextValid;
 }
 
-bool vtkAdaptiveRefinementMapper::GetNeedToRebuildBufferObjects(vtkRenderer* ren, vtkActor* act)
-{
-  const bool needed = this->Superclass::GetNeedToRebuildBufferObjects(ren, act);
-  return needed || this->Internals->UploadTime < this->Internals->State.GetMeshTime();
-}
-
-void vtkAdaptiveRefinementMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor* act)
-{
-  this->Superclass::BuildBufferObjects(ren, act);
-  vtkInternals& data = *this->Internals;
-  data.UploadTime.Modified();
-  data.UploadValid = false;
-  const relevo::RefinementMesh& mesh = data.State.GetMesh();
-  vtkOpenGLVertexBufferObject* positions = this->VBOs->GetVBO("vertexMC");
-  if (!data.State.IsMeshValid() || mesh.Faces.empty() || !positions)
-  {
-    return;
-  }
-
-  // The ids that VTK would draw cells with: they index its cell textures and its selections.
-  vtkPolyData* input = this->CurrentInput;
-  vtkCellArray* cells[4] = { input->GetVerts(), input->GetLines(), input->GetPolys(),
-    input->GetStrips() };
-  this->CellCellMap->Update(cells, act->GetProperty()->GetRepresentation(), input->GetPoints());
-  std::vector<int> primitiveOfCell(static_cast<size_t>(input->GetNumberOfCells()), 0);
-  for (size_t i = this->CellCellMap->GetSize(); i-- > 0;)
-  {
-    primitiveOfCell[this->CellCellMap->GetValue(i)] = static_cast<int>(i);
-  }
-  std::vector<int> primitives(mesh.Faces.size());
-  for (size_t f = 0; f < primitives.size(); ++f)
-  {
-    primitives[f] = primitiveOfCell[mesh.Faces[f].Cell];
-  }
-  vtkRefinementSurface* surface = this->Refinement->GetSurface();
-  vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
-  vtkAbstractArray* scalars = this->GetScalarsToInterpolate();
-  data.Colors.Clear();
-  if (scalars &&
-    !data.Colors.Upload(window, scalars, this->GetLookupTable(), this->ArrayComponent,
-      this->ColorCoordinates != nullptr))
-  {
-    data.Colors.Clear(); // VTK's colours of the coarse points do
-  }
-  ++data.NumberOfBufferBuilds;
-  data.UploadValid = data.Buffers.UploadMesh(window, mesh, surface, positions, primitives);
-  if (!data.UploadValid)
-  {
-    vtkErrorMacro("Cannot draw the input: " << data.Buffers.GetError() << ".");
-  }
-}
-
-vtkAbstractArray* vtkAdaptiveRefinementMapper::GetScalarsToInterpolate()
-{
-  if (this->VBOs->GetNumberOfComponents("scalarColor") == 0 && !this->ColorCoordinates)
-  {
-    return nullptr;
-  }
-  int cellFlag = 0;
-  vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(this->GetInput(),
-    this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
-  const bool direct = this->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS ||
-    (this->ColorMode == VTK_COLOR_MODE_DEFAULT && vtkUnsignedCharArray::SafeDownCast(scalars));
-  return cellFlag == 0 && !direct ? scalars : nullptr;
-}
-
-void vtkAdaptiveRefinementMapper::BuildIBO(vtkRenderer* ren, vtkActor* act, vtkPolyData* poly)
-{
-  // Faces are drawn from patterns: VTK needs indices of vertices and lines only.
-  vtkNew<vtkPolyData> others;
-  others->ShallowCopy(poly);
-  others->SetPolys(nullptr);
-  others->SetStrips(nullptr);
-  this->Superclass::BuildIBO(ren, act, others);
-  // From VTK 9.3 on the flags of edges to draw start with places for vertices and lines. They are
-  // about faces, whose shader has flags of its own.
-  this->EdgeValues.clear();
-}
-
 void vtkAdaptiveRefinementMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  // Comes back to this method from within the context that the resources belong to.
-  this->Superclass::ReleaseGraphicsResources(window);
   vtkInternals& data = *this->Internals;
+  if (data.Context->Release())
+  {
+    return; // came back to this method, from within the context that the resources belong to
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
   data.Buffers.ReleaseGraphicsResources(window);
   data.Patterns.ReleaseGraphicsResources();
   data.Instances.ReleaseGraphicsResources(window);
@@ -284,7 +203,8 @@ void vtkAdaptiveRefinementMapper::ReleaseGraphicsResources(vtkWindow* window)
     method.second->ReleaseGraphicsResources(window);
   }
   data.MethodProblem.clear();
-  data.MethodFailure.clear();
+  data.Failure = {};
+  data.ReleaseLooks(window);
   data.Colors.ReleaseGraphicsResources(window);
   data.Clock.ReleaseGraphicsResources();
   data.Compute.ReleaseGraphicsResources();
@@ -310,6 +230,8 @@ void vtkAdaptiveRefinementMapper::ReleaseGraphicsResources(vtkWindow* window)
 void vtkAdaptiveRefinementMapper::RenderPiece(vtkRenderer* ren, vtkActor* act)
 {
   vtkInternals& data = *this->Internals;
+  // Releases what is in the context of another window, which some windows leave current then.
+  data.Context->SetContext(vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()));
   if (data.IsBlock || !this->UseAllocatedRenderTime || ren->GetSelector())
   {
     this->RenderRefined(ren, act);
@@ -389,12 +311,12 @@ void vtkAdaptiveRefinementMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* a
     this->CurrentInput = data.State.GetPreparedInput();
   }
   this->Superclass::RenderPieceStart(ren, act);
+  this->FollowLook(ren, act);
   if (!meshValid || !data.UploadValid)
   {
     return;
   }
-  vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
-  data.Window = window;
+  vtkOpenGLRenderWindow* window = data.GetWindow();
   this->ChooseMethod(ren, act);
   this->UpdateBudget(ren, act);
   data.OnGPU = this->SelectsOnGPU();

@@ -440,6 +440,9 @@ private:
   bool HasBlocks(bool translucent);
   vtkAbstractArray* GetScalarsToInterpolate();
   bool CheckOpenGL(vtkRenderer* ren);
+  void FollowLook(vtkRenderer* ren, vtkActor* act);
+  bool UploadMesh(vtkRenderer* ren);
+  bool UploadFaces(vtkRenderer* ren, vtkActor* act);
   bool Report(bool valid);
   bool UpdateMesh();
   bool UpdateSelection(vtkRenderer* ren, vtkActor* act);

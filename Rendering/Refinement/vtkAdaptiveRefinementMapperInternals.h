@@ -9,6 +9,8 @@
 #ifndef vtkAdaptiveRefinementMapperInternals_h
 #define vtkAdaptiveRefinementMapperInternals_h
 
+#include "ActorLook.h"
+#include "ContextWatch.h"
 #include "vtkAdaptiveRefinementMapper.h"
 #include "vtkLevelBudget.h"
 #include "vtkNew.h"
@@ -28,7 +30,6 @@
 #include "vtkRenderClock.h"
 #include "vtkShaderProgram.h"
 #include "vtkTimeStamp.h"
-#include "vtkWeakPointer.h"
 
 #include <map>
 #include <memory>
@@ -47,7 +48,9 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
 
   relevo::RefinementState State;
 
-  // GPU side.
+  // GPU side, of one context.
+  vtkNew<relevo::ContextWatch> Context;
+  vtkOpenGLRenderWindow* GetWindow() const { return this->Context->GetContext(); }
   relevo::RefinementMeshBuffers Buffers;
   relevo::RefinementPatternBuffer Patterns;
   relevo::RefinementInstances Instances;
@@ -55,6 +58,7 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   relevo::RefinementLevelTable LevelTable;
   relevo::RefinementFaceColors FaceColors;
   vtkTimeStamp UploadTime;
+  relevo::Dependencies UploadDependencies;
   bool UploadValid = false;
   bool ContextChecked = false;
   bool ContextValid = false;
@@ -66,10 +70,8 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   // How faces are drawn: the methods that have been in use, and the one of this render.
   std::map<int, std::unique_ptr<relevo::RefinementMethod>> Methods;
   int MethodInUse = METHOD_ARKFPI;
-  std::string MethodProblem;      // said last
-  std::string MethodFailure;      // of the method's own shaders, until these change or the method
-  std::string MethodFailureCause; // see GetShaderCause()
-  bool HasLines = false;          // a wireframe is drawn
+  std::string MethodProblem; // said last
+  bool HasLines = false;     // a wireframe is drawn
   relevo::RefinementMethod& GetMethod();
   /// Without a recipe there is nothing to upload, only to count.
   relevo::RefinementDrawing GetDrawing(vtkAdaptiveRefinement* recipe);
@@ -79,10 +81,9 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   bool ComputeValid = false; // the context can, and nothing has failed
   bool OnGPU = false;        // in the last render
   double ComputeSeconds = 0.0;
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // whose context has them
-  vtkMTimeType ReadTime = 0;                    // of what was read back
-  int NumberOfUsedPatterns = 0;                 // of that
-  int NumberOfHiddenFaces = 0;                  // and of that
+  vtkMTimeType ReadTime = 0;    // of what was read back
+  int NumberOfUsedPatterns = 0; // of that
+  int NumberOfHiddenFaces = 0;  // and of that
 
   int CountUsedPatterns() const
   {
@@ -113,6 +114,32 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   };
   std::map<const vtkOpenGLHelper*, ProgramState> Programs;
   vtkNew<vtkShaderProgram> NoProgram;
+
+  // Of the method's own shaders, until these change or the method.
+  struct MethodFailure
+  {
+    std::string Text;
+    std::string Cause; // see GetShaderCause()
+  };
+  MethodFailure Failure;
+
+  // The programs of all helpers, VTK's included, are those of one look; the other looks' wait here.
+  struct Look
+  {
+    std::map<vtkOpenGLHelper*, std::unique_ptr<vtkOpenGLHelper>> Helpers;
+    std::map<const vtkOpenGLHelper*, primitiveInfo> Info;
+    std::map<const vtkOpenGLHelper*, ProgramState> Programs;
+    MethodFailure Failure;
+    unsigned long LastUse = 0;
+  };
+  std::map<relevo::Dependencies, Look> Looks;
+  relevo::Dependencies CurrentLook;
+  unsigned long LookUse = 0;
+  bool HasVertexIndices = false; // VTK's own, of vertices to be seen
+  void SwapLook(vtkAdaptiveRefinementMapper* mapper, Look& look);
+  void ReleaseLooks(vtkWindow* window);
+  /// No program of the method's is used any more.
+  void ForgetPrograms(int method);
 
   relevo::RefinementBlocks Blocks;
 

@@ -37,7 +37,11 @@ void vtkAdaptiveRefinementMapper::SetMethod(int method)
   if (this->Method != method)
   {
     this->Internals->MethodProblem.clear();
-    this->Internals->MethodFailure.clear();
+    this->Internals->Failure = {};
+    for (auto& look : this->Internals->Looks)
+    {
+      look.second.Failure = {};
+    }
   }
   this->Method = method;
   this->Internals->Blocks.ForEach(
@@ -58,7 +62,7 @@ relevo::RefinementDrawing vtkAdaptiveRefinementMapper::vtkInternals::GetDrawing(
   vtkAdaptiveRefinement* recipe)
 {
   const int slot = this->State.GetSelectionSlot();
-  return { this->Window, &this->State.GetMesh(), &this->State.GetSelection(), slot,
+  return { this->GetWindow(), &this->State.GetMesh(), &this->State.GetSelection(), slot,
     this->OnGPU ? &this->Compute.GetView(slot) : nullptr,
     recipe ? recipe->GetPatternTable() : nullptr, this->HasLines, &this->Patterns,
     &this->Instances };
@@ -87,11 +91,6 @@ void vtkAdaptiveRefinementMapper::ChooseMethod(vtkRenderer* ren, vtkActor* act)
   else
   {
     problem = method.GetObstacle(relevo::GetPatternFamily(this->Refinement, this->GetInput()));
-    if (data.MethodFailureCause != vtkInternals::GetShaderCause(this->Refinement, act))
-    {
-      data.MethodFailure.clear();
-    }
-    problem = problem.empty() ? data.MethodFailure : problem;
   }
   if (problem != data.MethodProblem)
   {
@@ -102,11 +101,16 @@ void vtkAdaptiveRefinementMapper::ChooseMethod(vtkRenderer* ren, vtkActor* act)
                                   << " cannot be used: " << problem << ". ARKFPI draws.");
     }
   }
+  if (data.Failure.Cause != vtkInternals::GetShaderCause(this->Refinement, act))
+  {
+    data.Failure = {};
+  }
   using Primitives = relevo::RefinementMethod::Primitives;
   const Primitives faces =
     GetPrimitives(this->GetOpenGLMode(representation, data.Faces.PrimitiveType), false);
   const bool hasVertices = vtkInternals::AreVerticesDrawn(act->GetProperty(), ren->GetSelector());
-  if (!problem.empty() || !method.CanDraw(this->PointPicking ? Primitives::CORNERS : faces) ||
+  if (!problem.empty() || !data.Failure.Text.empty() ||
+    !method.CanDraw(this->PointPicking ? Primitives::CORNERS : faces) ||
     (hasVertices && !method.CanDraw(Primitives::POINTS)))
   {
     data.MethodInUse = METHOD_ARKFPI;
@@ -116,12 +120,7 @@ void vtkAdaptiveRefinementMapper::ChooseMethod(vtkRenderer* ren, vtkActor* act)
   {
     if (other.first != this->Method && other.first != data.MethodInUse)
     {
-      for (vtkOpenGLHelper* helper : data.Helpers)
-      {
-        int& owner = data.Programs[helper].Method;
-        helper->Program = owner == other.first ? nullptr : helper->Program;
-        owner = owner == other.first ? -1 : owner;
-      }
+      data.ForgetPrograms(other.first);
       other.second->ReleaseGraphicsResources(ren->GetRenderWindow());
     }
   }
@@ -130,11 +129,10 @@ void vtkAdaptiveRefinementMapper::ChooseMethod(vtkRenderer* ren, vtkActor* act)
 void vtkAdaptiveRefinementMapper::GiveUpMethod(vtkRenderer* ren, vtkActor* act)
 {
   vtkInternals& data = *this->Internals;
-  data.MethodFailureCause = vtkInternals::GetShaderCause(this->Refinement, act);
-  data.MethodFailure = "Its shaders cannot be built: " + data.GetMethod().GetError();
-  data.MethodProblem = data.MethodFailure; // said here
+  data.Failure = { "Its shaders cannot be built: " + data.GetMethod().GetError(),
+    vtkInternals::GetShaderCause(this->Refinement, act) };
   vtkErrorMacro("The method " << relevo::RefinementMethod::GetName(this->Method)
-                              << " cannot be used: " << data.MethodFailure << ". ARKFPI draws.");
+                              << " cannot be used: " << data.Failure.Text << ". ARKFPI draws.");
   data.MethodInUse = METHOD_ARKFPI;
   data.Drawable =
     data.GetMethod().Upload(data.GetDrawing(this->Refinement)) && this->UpdateFaceColors(ren);

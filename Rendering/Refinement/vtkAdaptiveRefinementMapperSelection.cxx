@@ -230,13 +230,13 @@ void vtkAdaptiveRefinementMapper::ReadSelection()
 {
   vtkInternals& data = *this->Internals;
   const int slot = data.State.GetSelectionSlot();
-  const vtkMTimeType time = data.OnGPU && data.Window ? data.Compute.GetTime(slot) : 0;
+  const vtkMTimeType time = data.OnGPU && data.GetWindow() ? data.Compute.GetTime(slot) : 0;
   if (time == 0 || time == data.ReadTime)
   {
     return;
   }
   data.ReadTime = time;
-  data.Window->MakeCurrent();
+  data.GetWindow()->PushContext();
   const relevo::RefinementMesh& mesh = data.State.GetSelection().GetMesh();
   std::vector<float> morphTags;
   if (data.Instances.GetMorphTags())
@@ -248,6 +248,7 @@ void vtkAdaptiveRefinementMapper::ReadSelection()
   data.State.AssignSelection(*data.Compute.GetFamily(), data.Compute.GetPatterns(),
     data.Compute.ReadEntries(slot), std::move(morphTags));
   const std::vector<int> counts = data.Compute.ReadCounts(slot);
+  data.GetWindow()->PopContext();
   data.NumberOfHiddenFaces =
     static_cast<int>(mesh.Faces.size()) - std::accumulate(counts.begin(), counts.end(), 0);
   // Two keys share a pattern, of which one turns it over.

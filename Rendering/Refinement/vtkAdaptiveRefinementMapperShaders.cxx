@@ -177,13 +177,9 @@ void vtkAdaptiveRefinementMapper::SetMapperShaderParameters(
   vtkInternals& data = *this->Internals;
   vtkInternals::ProgramState& program = data.Programs[&cellBO];
   vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
-  if (cellBO.AttributeUpdateTime < cellBO.ShaderSourceTime ||
-    cellBO.AttributeUpdateTime < cellBO.VAO->GetMTime() ||
-    cellBO.AttributeUpdateTime < data.UploadTime)
-  {
-    data.Buffers.AliasAttributes(window, this->VBOs, program.Attributes);
-    cellBO.AttributeUpdateTime.Modified();
-  }
+  // Another actor may have had VTK take buffers away and bring them back.
+  data.Buffers.AliasAttributes(window, this->VBOs, program.Attributes);
+  cellBO.AttributeUpdateTime.Modified();
   data.Buffers.Activate(cellBO.Program);
   data.Colors.Activate(cellBO.Program);
   data.FaceColors.Activate(cellBO.Program);

@@ -80,11 +80,18 @@ unsigned int RefinementBuffer::GetHandle() const
 
 bool RefinementBuffer::Alias(vtkOpenGLRenderWindow* window, vtkOpenGLVertexBufferObject* buffer)
 {
+  const vtkMTimeType time = buffer->GetUploadTime();
+  if (this->Texture && this->AliasTime == time)
+  {
+    return true; // no two uploads have the same time
+  }
   const bool bytes = buffer->GetDataType() == VTK_UNSIGNED_CHAR;
   // Rows of bytes are padded to four.
-  return this->CreateTexture(window, buffer->GetNumberOfTuples(),
+  const bool created = this->CreateTexture(window, buffer->GetNumberOfTuples(),
     bytes ? 4 : static_cast<int>(buffer->GetNumberOfComponents()), buffer->GetDataType(), buffer, 0,
     0);
+  this->AliasTime = created ? time : 0;
+  return created;
 }
 
 bool RefinementBuffer::CreateTexture(vtkOpenGLRenderWindow* window, size_t texels, int components,
@@ -142,5 +149,6 @@ void RefinementBuffer::ReleaseGraphicsResources(vtkWindow* window)
     this->Buffer = nullptr;
   }
   this->MemorySize = 0;
+  this->AliasTime = 0;
 }
 }

@@ -56,7 +56,8 @@ public:
   unsigned int GetHandle() const;
 
   /**
-   * Read a vertex buffer of VTK's (floats, or unsigned bytes as fractions).
+   * Read a vertex buffer of VTK's (floats, or unsigned bytes as fractions), as it was uploaded
+   * last.
    */
   bool Alias(vtkOpenGLRenderWindow* window, vtkOpenGLVertexBufferObject* buffer);
 
@@ -85,6 +86,7 @@ private:
   vtkSmartPointer<vtkOpenGLBufferObject> Buffer;
   vtkSmartPointer<vtkTextureObject> Texture;
   vtkTypeInt64 MemorySize = 0;
+  vtkMTimeType AliasTime = 0; // of the upload that is read
 };
 }
 

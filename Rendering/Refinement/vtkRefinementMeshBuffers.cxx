@@ -68,17 +68,11 @@ RefinementMeshBuffers::RefinementMeshBuffers() = default;
 RefinementMeshBuffers::~RefinementMeshBuffers() = default;
 
 bool RefinementMeshBuffers::UploadMesh(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh,
-  vtkRefinementSurface* surface, vtkOpenGLVertexBufferObject* positions,
-  const std::vector<int>& primitives)
+  vtkRefinementSurface* surface, vtkOpenGLVertexBufferObject* positions)
 {
   this->Error = RefinementBuffer::GetTooLarge();
-  std::vector<int> faces(4 * mesh.Faces.size());
-  for (size_t f = 0; f < mesh.Faces.size(); ++f)
-  {
-    std::copy_n(mesh.Faces[f].Corners, 3, &faces[4 * f]);
-    faces[4 * f + 3] = primitives[f] << 3 | mesh.Faces[f].HiddenEdges;
-  }
-  if (!this->Faces.Upload(window, faces, 4) || !this->Points.Alias(window, positions))
+  this->ReleaseFaces(window);
+  if (!this->Points.Alias(window, positions))
   {
     return false;
   }
@@ -107,6 +101,38 @@ bool RefinementMeshBuffers::UploadMesh(vtkOpenGLRenderWindow* window, const Refi
   }
   this->Error.clear();
   return true;
+}
+
+bool RefinementMeshBuffers::UseFaces(int representation)
+{
+  const auto faces = this->FacesOfRepresentations.find(representation);
+  this->Faces = faces == this->FacesOfRepresentations.end() ? nullptr : &faces->second;
+  return this->Faces != nullptr;
+}
+
+bool RefinementMeshBuffers::UploadFaces(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh,
+  const std::vector<int>& primitives, int representation)
+{
+  std::vector<int> faces(4 * mesh.Faces.size());
+  for (size_t f = 0; f < mesh.Faces.size(); ++f)
+  {
+    std::copy_n(mesh.Faces[f].Corners, 3, &faces[4 * f]);
+    faces[4 * f + 3] = primitives[f] << 3 | mesh.Faces[f].HiddenEdges;
+  }
+  this->Faces = &this->FacesOfRepresentations[representation];
+  const bool uploaded = this->Faces->Upload(window, faces, 4);
+  this->Error = uploaded ? "" : RefinementBuffer::GetTooLarge();
+  return uploaded;
+}
+
+void RefinementMeshBuffers::ReleaseFaces(vtkWindow* window)
+{
+  for (auto& faces : this->FacesOfRepresentations)
+  {
+    faces.second.ReleaseGraphicsResources(window);
+  }
+  this->FacesOfRepresentations.clear();
+  this->Faces = nullptr;
 }
 
 bool RefinementMeshBuffers::UploadPointData(
@@ -286,7 +312,10 @@ void RefinementMeshBuffers::Describe(
 
 void RefinementMeshBuffers::Activate(vtkShaderProgram* program)
 {
-  this->Faces.Activate(program, "relevoFaces");
+  if (this->Faces)
+  {
+    this->Faces->Activate(program, "relevoFaces");
+  }
   this->Points.Activate(program, "relevoPoints");
   this->PointData.Activate(program, "relevoPointData");
   this->Vectors.Activate(program, "relevoVectors");
@@ -309,8 +338,11 @@ void RefinementMeshBuffers::Activate(vtkShaderProgram* program)
 
 void RefinementMeshBuffers::Deactivate()
 {
-  for (RefinementBuffer* buffer :
-    { &this->Faces, &this->Points, &this->PointData, &this->Vectors, &this->Seams })
+  if (this->Faces)
+  {
+    this->Faces->Deactivate();
+  }
+  for (RefinementBuffer* buffer : { &this->Points, &this->PointData, &this->Vectors, &this->Seams })
   {
     buffer->Deactivate();
   }
@@ -363,8 +395,12 @@ void RefinementMeshBuffers::SetUniforms(
 vtkTypeInt64 RefinementMeshBuffers::GetMemorySize() const
 {
   vtkTypeInt64 size = this->HeightMemory;
+  for (const auto& faces : this->FacesOfRepresentations)
+  {
+    size += faces.second.GetMemorySize();
+  }
   for (const RefinementBuffer* buffer :
-    { &this->Faces, &this->Points, &this->PointData, &this->Vectors, &this->Seams })
+    { &this->Points, &this->PointData, &this->Vectors, &this->Seams })
   {
     size += buffer->GetMemorySize();
   }
@@ -373,8 +409,8 @@ vtkTypeInt64 RefinementMeshBuffers::GetMemorySize() const
 
 void RefinementMeshBuffers::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (RefinementBuffer* buffer :
-    { &this->Faces, &this->Points, &this->PointData, &this->Vectors, &this->Seams })
+  this->ReleaseFaces(window);
+  for (RefinementBuffer* buffer : { &this->Points, &this->PointData, &this->Vectors, &this->Seams })
   {
     buffer->ReleaseGraphicsResources(window);
   }

@@ -43,13 +43,25 @@ public:
   void operator=(const RefinementMeshBuffers&) = delete;
 
   /**
-   * Upload the mesh, prepared for the surface (nullptr for none). `positions` is VTK's vertexMC,
-   * whose shift and scale the surface's vectors must share; `primitives` gives, per face, the id
-   * that VTK would have drawn it with. False, with GetError(), when the GPU cannot hold it.
+   * Upload the mesh, prepared for the surface (nullptr for none), but for its faces. `positions` is
+   * VTK's vertexMC, whose shift and scale the surface's vectors must share. False, with GetError(),
+   * when the GPU cannot hold it.
    */
   bool UploadMesh(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh,
-    vtkRefinementSurface* surface, vtkOpenGLVertexBufferObject* positions,
-    const std::vector<int>& primitives);
+    vtkRefinementSurface* surface, vtkOpenGLVertexBufferObject* positions);
+
+  /**
+   * Take the mesh's faces of a representation (see vtkProperty). False when they have not been
+   * uploaded since the mesh was.
+   */
+  bool UseFaces(int representation);
+
+  /**
+   * Upload the mesh's faces of a representation, and take them. `primitives` gives, per face, the
+   * id that VTK would have drawn it with. False, with GetError(), when the GPU cannot hold them.
+   */
+  bool UploadFaces(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh,
+    const std::vector<int>& primitives, int representation);
 
   /**
    * Upload the heights if they changed; nullptr for a height of zero everywhere.
@@ -57,7 +69,7 @@ public:
   bool UploadHeights(vtkOpenGLRenderWindow* window, vtkHeightField* heights, bool withValidity);
 
   /// OpenGL's name of the faces' buffer; 0 for none.
-  unsigned int GetFaces() const { return this->Faces.GetHandle(); }
+  unsigned int GetFaces() const { return this->Faces ? this->Faces->GetHandle() : 0; }
 
   /// Alias VTK's vertex buffers for the attributes that the refining shaders read.
   bool AliasAttributes(vtkOpenGLRenderWindow* window, vtkOpenGLVertexBufferObjectGroup* vbos,
@@ -77,7 +89,8 @@ public:
   const std::string& GetError() const { return this->Error; }
 
 private:
-  RefinementBuffer Faces;
+  std::map<int, RefinementBuffer> FacesOfRepresentations;
+  RefinementBuffer* Faces = nullptr; // one of them
   RefinementBuffer Points;
   RefinementBuffer PointData;
   RefinementBuffer Vectors;
@@ -88,6 +101,7 @@ private:
   vtkHeightField* HeightSource = nullptr; // to compare, never read
   vtkMTimeType HeightTime = 0;
   vtkTypeInt64 HeightMemory = 0;
+  void ReleaseFaces(vtkWindow* window);
   bool UploadPointData(
     vtkOpenGLRenderWindow* window, const RefinementMesh& mesh, vtkRefinementSurface* surface);
   bool UploadVectors(

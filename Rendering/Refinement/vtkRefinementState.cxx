@@ -151,21 +151,24 @@ SelectionInput RefinementState::GetSelectionInput(
 }
 
 ViewSelection& RefinementState::FindView(
-  vtkPolyData* input, vtkAdaptiveRefinement* recipe, vtkCamera* camera)
+  vtkPolyData* input, vtkAdaptiveRefinement* recipe, const vtkRefinementView& view)
 {
   vtkDepthTagMetric* metric = GetMetricInUse(recipe, input);
-  const vtkCamera* key = metric && metric->IsViewDependent() ? camera : nullptr;
+  const vtkCamera* camera = metric && metric->IsViewDependent() ? view.Camera : nullptr;
+  const vtkMatrix4x4* placement =
+    metric && metric->IsPlacementDependent() ? view.ModelToWorld : nullptr;
   size_t oldest = 0;
-  size_t view = 0;
-  while (view < this->ViewUses.size() &&
-    (this->ViewUses[view].LastUse == 0 || this->ViewUses[view].Camera != key))
+  size_t slot = 0;
+  while (slot < this->ViewUses.size() &&
+    (this->ViewUses[slot].LastUse == 0 || this->ViewUses[slot].Camera != camera ||
+      this->ViewUses[slot].ModelToWorld != placement))
   {
-    oldest = this->ViewUses[view].LastUse < this->ViewUses[oldest].LastUse ? view : oldest;
-    ++view;
+    oldest = this->ViewUses[slot].LastUse < this->ViewUses[oldest].LastUse ? slot : oldest;
+    ++slot;
   }
-  view = view < this->ViewUses.size() ? view : oldest;
-  this->ViewUses[view] = { key, ++this->NumberOfUses };
-  return this->Views[view];
+  slot = slot < this->ViewUses.size() ? slot : oldest;
+  this->ViewUses[slot] = { camera, placement, ++this->NumberOfUses };
+  return this->Views[slot];
 }
 
 const FaceCulling& RefinementState::GetCulling(vtkAdaptiveRefinement* recipe)
@@ -204,7 +207,7 @@ void RefinementState::UpdateHoles(vtkAdaptiveRefinement* recipe)
 bool RefinementState::UpdateTags(
   vtkPolyData* input, vtkAdaptiveRefinement* recipe, const vtkRefinementView& view, bool onGPU)
 {
-  this->Current = &this->FindView(input, recipe, view.Camera);
+  this->Current = &this->FindView(input, recipe, view);
   std::string error;
   const bool valid =
     this->Current->UpdateTags(this->GetSelectionInput(input, recipe), view, onGPU, error);

@@ -23,6 +23,7 @@
 
 class vtkAdaptiveRefinement;
 class vtkCamera;
+class vtkMatrix4x4;
 class vtkPolyData;
 struct vtkRefinementView;
 
@@ -52,7 +53,8 @@ public:
 
   /**
    * Evaluate levels and group faces, for a valid mesh. False when depth-tags cannot be used. Of
-   * several views (passes with cameras of their own, several renderers) the latest are kept.
+   * several views (passes with cameras of their own, several renderers or actors) the latest are
+   * kept.
    * `culling` tells what of the mesh is out of sight, `behind` whether back faces of closed
    * surfaces are; nullptr draws all faces. With `onGPU` only tags are evaluated: the GPU does the
    * rest.
@@ -106,7 +108,8 @@ public:
   vtkIdType GetNumberOfSelections() const { return this->NumberOfSelections; }
 
 private:
-  ViewSelection& FindView(vtkPolyData* input, vtkAdaptiveRefinement* recipe, vtkCamera* camera);
+  ViewSelection& FindView(
+    vtkPolyData* input, vtkAdaptiveRefinement* recipe, const vtkRefinementView& view);
   SelectionInput GetSelectionInput(vtkPolyData* input, vtkAdaptiveRefinement* recipe) const;
   void UpdateHoles(vtkAdaptiveRefinement* recipe);
 
@@ -128,7 +131,9 @@ private:
 
   struct View
   {
-    const vtkCamera* Camera = nullptr; // to compare, never read
+    // To compare, never read.
+    const vtkCamera* Camera = nullptr;
+    const vtkMatrix4x4* ModelToWorld = nullptr;
     vtkTypeUInt64 LastUse = 0;
   };
   std::array<ViewSelection, MostViews> Views;

@@ -5,8 +5,10 @@
 #include "RelevoTestMeshes.h"
 
 #include "vtkCameraPass.h"
+#include "vtkCellData.h"
 #include "vtkLight.h"
 #include "vtkOpenGLRenderer.h"
+#include "vtkPointDataToCellData.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkSSAAPass.h"
@@ -149,6 +151,52 @@ int TestAdaptiveLICMapperWindows(int argc, char* argv[])
       view->Scene->ResetCameras();
     }
     compare("SharedActors", shared.Draw(), separate.Draw());
+  }
+
+  // A surface with edges and a wireframe beside one that shows LIC alone, of points and of cells.
+  for (const bool ofCells : { false, true })
+  {
+    std::vector<RelevoPicture> pictures;
+    for (const bool isShared : { false, true })
+    {
+      View view;
+      Mesh mesh = MakeMesh();
+      if (ofCells)
+      {
+        vtkNew<vtkPointDataToCellData> toCells;
+        toCells->SetInputData(mesh);
+        toCells->Update();
+        mesh->GetCellData()->AddArray(toCells->GetOutput()->GetCellData()->GetArray("Flow"));
+        mesh->GetPointData()->RemoveArray("Flow");
+      }
+      for (int i = 0; i < 3; ++i)
+      {
+        vtkActor* actor = view.Scene->Add(mesh, MakeRecipe(1));
+        RelevoLICVectors::GetMapper(actor)->SetInputArrayToProcess(
+          0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, "Flow");
+        actor->SetPosition(0.7 * i - 0.7, 0.3 * i, 0);
+        actor->GetProperty()->SetEdgeVisibility(i == 1);
+        actor->GetProperty()->SetRepresentation(i == 2 ? VTK_WIREFRAME : VTK_SURFACE);
+        actor->SetMapper(isShared ? view.Scene->GetActor(1)->GetMapper() : actor->GetMapper());
+      }
+      view.Scene->Renderer->RemoveActor(view.Actor);
+      view.Scene->ResetCameras();
+      pictures.push_back(view.Draw());
+      vtkAdaptiveLICMapper* lic = RelevoLICVectors::GetMapper(view.Scene->GetActor(1));
+      view.Draw();
+      const vtkIdType buffers = lic->GetNumberOfBufferBuilds();
+      const vtkIdType shaders = lic->GetNumberOfShaderBuilds();
+      const auto convolutions = lic->GetNumberOfConvolutions();
+      pictures.push_back(view.Draw());
+      CHECK(lic->GetNumberOfBufferBuilds() == buffers);
+      CHECK(lic->GetNumberOfShaderBuilds() == shaders);
+      CHECK(lic->GetNumberOfConvolutions() == convolutions);
+    }
+    for (size_t i = 1; i < pictures.size(); ++i)
+    {
+      compare(std::string("SharedLooks") + (ofCells ? "OfCells" : "") + std::to_string(i),
+        pictures[i], pictures[0]);
+    }
   }
 
   // Windows: one mapper in two, by turns.

@@ -109,6 +109,22 @@ class TestEGLOffscreenRenderWindow(unittest.TestCase):
         del second
         self.assert_same(picture(first), before)
 
+    def test_mapper_in_two_windows(self):
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputConnection(vtkSphereSource().GetOutputPort())
+        windows = []
+        for _ in range(2):
+            actor = vtkActor()
+            actor.SetMapper(mapper)
+            renderer = vtkRenderer()
+            renderer.AddActor(actor)
+            windows.append(relevo.vtkEGLOffscreenRenderWindow())
+            pictures = [show(windows[-1], renderer)]
+        for _ in range(2):
+            pictures += [picture(window) for window in windows]
+        for other in pictures[1:]:
+            self.assert_same(other, pictures[0])
+
     def test_renderer_outlives_window(self):
         renderer = make_renderer()
         window = relevo.vtkEGLOffscreenRenderWindow()

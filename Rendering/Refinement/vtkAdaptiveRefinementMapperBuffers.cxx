@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The coarse mesh on the GPU: when it is uploaded, and what of it.
+#include "vtkAdaptiveRefinementMapperInternals.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkActor.h"
+#include "vtkAdaptiveRefinement.h"
+#include "vtkCellArray.h"
+#include "vtkOpenGLCellToVTKCellMap.h"
+#include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkUnsignedCharArray.h"
+
+namespace
+{
+// Not when VTK has uploaded the positions: that is later for each actor, though nothing moved.
+relevo::Dependencies GetUploadDependencies(
+  vtkMTimeType meshTime, vtkMTimeType mapperTime, vtkOpenGLVertexBufferObject* positions)
+{
+  relevo::Dependencies dependencies = { meshTime, mapperTime };
+  relevo::Append(dependencies, positions, static_cast<vtkMTimeType>(positions->GetHandle()));
+  if (positions->GetCoordShiftAndScaleEnabled())
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      relevo::AppendBits(dependencies, positions->GetShift()[i]);
+      relevo::AppendBits(dependencies, positions->GetScale()[i]);
+    }
+  }
+  return dependencies;
+}
+}
+
+bool vtkAdaptiveRefinementMapper::GetNeedToRebuildBufferObjects(vtkRenderer* ren, vtkActor* act)
+{
+  const bool needed = this->Superclass::GetNeedToRebuildBufferObjects(ren, act);
+  return needed || this->Internals->UploadTime < this->Internals->State.GetMeshTime();
+}
+
+void vtkAdaptiveRefinementMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor* act)
+{
+  // VTK comes here for every actor whose property is another than the last one's, too.
+  this->Superclass::BuildBufferObjects(ren, act);
+  vtkInternals& data = *this->Internals;
+  data.UploadTime.Modified();
+  vtkOpenGLVertexBufferObject* positions = this->VBOs->GetVBO("vertexMC");
+  if (!data.State.IsMeshValid() || data.State.GetMesh().Faces.empty() || !positions)
+  {
+    data.UploadValid = false;
+    return;
+  }
+  vtkPolyData* input = this->CurrentInput;
+  vtkCellArray* cells[4] = { input->GetVerts(), input->GetLines(), input->GetPolys(),
+    input->GetStrips() };
+  this->CellCellMap->Update(cells, act->GetProperty()->GetRepresentation(), input->GetPoints());
+
+  const relevo::Dependencies dependencies =
+    GetUploadDependencies(data.State.GetMeshTime(), this->GetMTime(), positions);
+  if (!data.UploadValid || dependencies != data.UploadDependencies)
+  {
+    data.UploadDependencies = dependencies;
+    data.UploadValid = this->UploadMesh(ren);
+  }
+  data.UploadValid = data.UploadValid && this->UploadFaces(ren, act);
+  if (!data.UploadValid)
+  {
+    vtkErrorMacro("Cannot draw the input: " << data.Buffers.GetError() << ".");
+  }
+}
+
+bool vtkAdaptiveRefinementMapper::UploadMesh(vtkRenderer* ren)
+{
+  vtkInternals& data = *this->Internals;
+  vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
+  vtkAbstractArray* scalars = this->GetScalarsToInterpolate();
+  data.Colors.Clear();
+  if (scalars &&
+    !data.Colors.Upload(window, scalars, this->GetLookupTable(), this->ArrayComponent,
+      this->ColorCoordinates != nullptr))
+  {
+    data.Colors.Clear(); // VTK's colours of the coarse points do
+  }
+  ++data.NumberOfBufferBuilds;
+  return data.Buffers.UploadMesh(
+    window, data.State.GetMesh(), this->Refinement->GetSurface(), this->VBOs->GetVBO("vertexMC"));
+}
+
+bool vtkAdaptiveRefinementMapper::UploadFaces(vtkRenderer* ren, vtkActor* act)
+{
+  vtkInternals& data = *this->Internals;
+  const int representation = act->GetProperty()->GetRepresentation();
+  if (data.Buffers.UseFaces(representation))
+  {
+    return true;
+  }
+  // The ids that VTK would draw cells with: they index its cell textures and its selections.
+  const relevo::RefinementMesh& mesh = data.State.GetMesh();
+  std::vector<int> primitiveOfCell(static_cast<size_t>(this->CurrentInput->GetNumberOfCells()), 0);
+  for (size_t i = this->CellCellMap->GetSize(); i-- > 0;)
+  {
+    primitiveOfCell[this->CellCellMap->GetValue(i)] = static_cast<int>(i);
+  }
+  std::vector<int> primitives(mesh.Faces.size());
+  for (size_t f = 0; f < primitives.size(); ++f)
+  {
+    primitives[f] = primitiveOfCell[mesh.Faces[f].Cell];
+  }
+  return data.Buffers.UploadFaces(
+    vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()), mesh, primitives, representation);
+}
+
+vtkAbstractArray* vtkAdaptiveRefinementMapper::GetScalarsToInterpolate()
+{
+  if (this->VBOs->GetNumberOfComponents("scalarColor") == 0 && !this->ColorCoordinates)
+  {
+    return nullptr;
+  }
+  int cellFlag = 0;
+  vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(this->GetInput(),
+    this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
+  const bool direct = this->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS ||
+    (this->ColorMode == VTK_COLOR_MODE_DEFAULT && vtkUnsignedCharArray::SafeDownCast(scalars));
+  return cellFlag == 0 && !direct ? scalars : nullptr;
+}
+
+void vtkAdaptiveRefinementMapper::BuildIBO(vtkRenderer* ren, vtkActor* act, vtkPolyData* poly)
+{
+  // Faces are drawn from patterns: VTK needs indices of vertices and lines only.
+  vtkNew<vtkPolyData> others;
+  others->ShallowCopy(poly);
+  others->SetPolys(nullptr);
+  others->SetStrips(nullptr);
+  // VTK does not notice that vertices are to be seen, or no longer.
+  const bool withVertices = act->GetProperty()->GetVertexVisibility() != 0;
+  if (this->Internals->HasVertexIndices != withVertices)
+  {
+    this->Internals->HasVertexIndices = withVertices;
+    this->IBOBuildState.Clear();
+  }
+  this->Superclass::BuildIBO(ren, act, others);
+  if (!withVertices)
+  {
+    this->Primitives[PrimitiveVertices].IBO->IndexCount = 0;
+  }
+  // From VTK 9.3 on the flags of edges to draw start with places for vertices and lines. They are
+  // about faces, whose shader has flags of its own.
+  this->EdgeValues.clear();
+}
