@@ -111,6 +111,19 @@ void vtkAdaptiveRefinement::SetLevelOffset(double levels)
   }
 }
 
+void vtkAdaptiveRefinement::SetNoDataMagnitude(double magnitude)
+{
+  if (!(magnitude > 0.0))
+  {
+    vtkErrorMacro("NoDataMagnitude must be more than 0, got " << magnitude << ".");
+  }
+  else if (this->NoDataMagnitude != magnitude)
+  {
+    this->NoDataMagnitude = magnitude;
+    this->Modified();
+  }
+}
+
 void vtkAdaptiveRefinement::SetSurface(vtkRefinementSurface* surface)
 {
   if (this->Surface != surface)
@@ -165,6 +178,7 @@ void vtkAdaptiveRefinement::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LevelOffset: " << this->LevelOffset << "\n";
   os << indent << "SegmentPolicy: " << this->SegmentPolicy << "\n";
   os << indent << "Geomorphing: " << this->Geomorphing << "\n";
+  os << indent << "NoDataMagnitude: " << this->NoDataMagnitude << "\n";
   os << indent << "Metric: " << this->Metric.Get() << "\n";
   os << indent << "Surface: " << this->Surface.Get() << "\n";
   os << indent << "Displacement: " << this->Displacement.Get() << "\n";

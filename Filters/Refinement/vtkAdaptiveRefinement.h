@@ -149,6 +149,20 @@ public:
   vtkDisplacement* GetDisplacement();
   //@}
 
+  //@{
+  /**
+   * From which absolute value of a component on a vector, a tuple of 2 or 3 components, stands for
+   * "no data", as in (-1e9, 0, 0); more than 0, default 1e8, infinity for none. Vectors and single
+   * numbers that are not finite stand for it always. Of point data that are interpolated there are
+   * none between points of which one has none: NaN, or in arrays of integers, which have no NaN,
+   * what the nearest of those points has. The input's points keep what they have. Normals, tangents
+   * and texture coordinates are data whatever they are. Another value is an error and changes
+   * nothing.
+   */
+  void SetNoDataMagnitude(double magnitude);
+  vtkGetMacro(NoDataMagnitude, double);
+  //@}
+
   /**
    * The patterns, shared by all that evaluate this recipe.
    */
@@ -168,6 +182,7 @@ protected:
   double LevelOffset = 0.0;
   int SegmentPolicy = POWERS_OF_TWO;
   int Geomorphing = GEOMORPHING_AUTOMATIC;
+  double NoDataMagnitude = 1e8;
   vtkSmartPointer<vtkDepthTagMetric> Metric;
   vtkSmartPointer<vtkRefinementSurface> Surface;
   vtkSmartPointer<vtkDisplacement> Displacement;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveRefinementFilter.h"
 
+#include "FloatRange.h"
+
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCamera.h"
 #include "vtkDisplacement.h"
@@ -113,6 +115,12 @@ bool vtkAdaptiveRefinementFilter::Prepare(
   if (recipe->GetDisplacement() && !recipe->GetDisplacement()->Update())
   {
     vtkErrorMacro("The displacement's height map could not be read.");
+    return false;
+  }
+  const std::string excess = relevo::FindExcess(recipe);
+  if (!excess.empty())
+  {
+    vtkErrorMacro("Cannot refine the input: " << excess << ".");
     return false;
   }
   const std::string lack =

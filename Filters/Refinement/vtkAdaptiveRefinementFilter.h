@@ -19,7 +19,8 @@
  * accurate to a float's digits about the middle of the mesh.
  *
  * Point data are interpolated linearly and keep their type: integers are rounded; strings, bits and
- * ghost flags are the nearest coarse point's; global and pedigree ids are left out. "Normals", unit
+ * ghost flags are the nearest coarse point's; global and pedigree ids are left out. What stands for
+ * no data spreads as no data, see vtkAdaptiveRefinement::SetNoDataMagnitude(). "Normals", unit
  * float vectors of the refined surface, take the place of the input's normals. Cell data are passed
  * on, and the cell array "vtkOriginalCellIds" (vtkIdType) names the input's cell; cell normals end
  * where the surface is not linear or is displaced, and global ids become a plain array.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointDataInterpolation.h"
 
+#include "NoDataTuples.h"
+
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
@@ -51,10 +53,11 @@ template <typename T>
 class TypedPair : public PointDataInterpolation::ArrayPair
 {
 public:
-  TypedPair(const T* from, T* to, int numberOfComponents)
+  TypedPair(const T* from, T* to, int numberOfComponents, NoDataTuples&& noData)
     : From(from)
     , To(to)
     , NumberOfComponents(numberOfComponents)
+    , NoData(std::move(noData))
   {
   }
   void Interpolate(const int corners[3], const std::vector<RefinedPoint>& points) override
@@ -69,6 +72,12 @@ public:
         continue;
       }
       T* to = this->To + point.Id * this->NumberOfComponents;
+      const int noDataCorner = this->NoData.FindCorner(corners, w);
+      if (noDataCorner >= 0)
+      {
+        this->SpreadNoData(corners[noDataCorner], to, std::is_integral<T>());
+        continue;
+      }
       for (int c = 0; c < this->NumberOfComponents; ++c)
       {
         // A corner without weight must not count even where it is NaN.
@@ -90,13 +99,25 @@ public:
 private:
   const T* GetFrom(vtkIdType point) const { return this->From + point * this->NumberOfComponents; }
 
+  // Integers have no NaN: what stands for no data at the corner does so here.
+  void SpreadNoData(vtkIdType corner, T* to, std::true_type) const
+  {
+    std::copy_n(this->GetFrom(corner), this->NumberOfComponents, to);
+  }
+  void SpreadNoData(vtkIdType, T* to, std::false_type) const
+  {
+    std::fill_n(to, this->NumberOfComponents, std::numeric_limits<T>::quiet_NaN());
+  }
+
   const T* From;
   T* To;
   int NumberOfComponents;
+  NoDataTuples NoData;
 };
 
 struct MakeTypedPair
 {
+  NoDataTuples NoData;
   std::unique_ptr<PointDataInterpolation::ArrayPair> Result;
 
   template <typename T>
@@ -104,8 +125,8 @@ struct MakeTypedPair
   {
     if (auto* typed = vtkAOSDataArrayTemplate<T>::FastDownCast(from))
     {
-      this->Result.reset(
-        new TypedPair<T>(typed->GetPointer(0), to->GetPointer(0), to->GetNumberOfComponents()));
+      this->Result.reset(new TypedPair<T>(typed->GetPointer(0), to->GetPointer(0),
+        to->GetNumberOfComponents(), std::move(this->NoData)));
     }
   }
   // Other layouts go the general way.
@@ -119,16 +140,24 @@ struct MakeTypedPair
 class GeneralPair : public PointDataInterpolation::ArrayPair
 {
 public:
-  GeneralPair(vtkDataArray* from, vtkDataArray* to)
+  GeneralPair(vtkDataArray* from, vtkDataArray* to, NoDataTuples&& noData)
     : From(from)
     , To(to)
     , IsInteger(to->GetDataType() != VTK_FLOAT && to->GetDataType() != VTK_DOUBLE)
+    , NoData(std::move(noData))
   {
   }
   void Interpolate(const int corners[3], const std::vector<RefinedPoint>& points) override
   {
     for (const RefinedPoint& point : points)
     {
+      const int nearest = point.GetNearestCorner();
+      const int noDataCorner = this->NoData.FindCorner(corners, point.Weights);
+      if (point.Weights[nearest] == 1.0f || (noDataCorner >= 0 && this->IsInteger))
+      {
+        this->Copy(corners[noDataCorner >= 0 ? noDataCorner : nearest], point.Id);
+        continue;
+      }
       for (int c = 0; c < this->To->GetNumberOfComponents(); ++c)
       {
         double sum = 0.0;
@@ -137,6 +166,7 @@ public:
           const float w = point.Weights[i];
           sum += w == 0.0f ? 0.0 : w * this->From->GetComponent(corners[i], c);
         }
+        sum = noDataCorner >= 0 ? std::numeric_limits<double>::quiet_NaN() : sum;
         this->To->SetComponent(point.Id, c, this->IsInteger ? std::round(sum) : sum);
       }
     }
@@ -150,6 +180,7 @@ private:
   vtkDataArray* From;
   vtkDataArray* To;
   bool IsInteger;
+  NoDataTuples NoData;
 };
 
 bool IsInterpolated(vtkAbstractArray* array)
@@ -184,8 +215,8 @@ vtkAbstractArray* AddArrayLike(vtkDataSetAttributes* from, vtkAbstractArray* sou
   return target;
 }
 
-PointDataInterpolation::PointDataInterpolation(
-  vtkPointData* from, vtkIdType numberOfInputPoints, vtkPointData* to, vtkIdType numberOfPoints)
+PointDataInterpolation::PointDataInterpolation(vtkPointData* from, vtkIdType numberOfInputPoints,
+  vtkPointData* to, vtkIdType numberOfPoints, double noDataMagnitude)
 {
   for (int a = 0; a < from->GetNumberOfArrays(); ++a)
   {
@@ -208,10 +239,15 @@ PointDataInterpolation::PointDataInterpolation(
     vtkDataArray* numbers = vtkDataArray::SafeDownCast(source);
     vtkDataArray* result = vtkDataArray::SafeDownCast(target);
     MakeTypedPair make;
+    if (source != from->GetNormals() && source != from->GetTCoords() &&
+      source != from->GetTangents())
+    {
+      make.NoData = NoDataTuples(numbers, noDataMagnitude);
+    }
     vtkArrayDispatch::Dispatch::Execute(result, make, numbers);
     if (!make.Result)
     {
-      make.Result.reset(new GeneralPair(numbers, result));
+      make.Result.reset(new GeneralPair(numbers, result, std::move(make.NoData)));
     }
     this->Arrays.push_back(std::move(make.Result));
   }

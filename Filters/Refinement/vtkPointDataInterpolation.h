@@ -6,7 +6,7 @@
  *
  * Numeric arrays keep their type: integers are rounded to nearest. What cannot be interpolated
  * (strings, bits, ghost flags) takes the value of the nearest corner; global and pedigree ids,
- * which name coarse points, are left out.
+ * which name coarse points, are left out. What stands for no data spreads as no data.
  *
  * Private to the module's own sources.
  */
@@ -39,9 +39,10 @@ public:
   /**
    * Allocates in `to` an array of numberOfPoints tuples for each array of `from`, with the same
    * name and the same part as attribute. Arrays too short for numberOfInputPoints are left out.
+   * For noDataMagnitude see NoDataTuples.
    */
-  PointDataInterpolation(
-    vtkPointData* from, vtkIdType numberOfInputPoints, vtkPointData* to, vtkIdType numberOfPoints);
+  PointDataInterpolation(vtkPointData* from, vtkIdType numberOfInputPoints, vtkPointData* to,
+    vtkIdType numberOfPoints, double noDataMagnitude);
   ~PointDataInterpolation();
 
   /// Names of the arrays left out because they are too short.

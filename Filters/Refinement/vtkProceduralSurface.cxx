@@ -74,9 +74,9 @@ vtkProceduralSurface::~vtkProceduralSurface() = default;
 
 void vtkProceduralSurface::SetAmplitude(double amplitude)
 {
-  if (!std::isfinite(amplitude))
+  if (!std::isfinite(static_cast<float>(amplitude)))
   {
-    vtkErrorMacro("Amplitude must be finite, got " << amplitude << ".");
+    vtkErrorMacro("Amplitude must be finite, also as a float, got " << amplitude << ".");
   }
   else if (this->Amplitude != amplitude)
   {
@@ -87,9 +87,11 @@ void vtkProceduralSurface::SetAmplitude(double amplitude)
 
 void vtkProceduralSurface::SetFrequency(double frequency)
 {
-  if (!std::isfinite(frequency))
+  constexpr double most = 1e30; // phases are computed in floats
+  if (!(std::abs(frequency) <= most))
   {
-    vtkErrorMacro("Frequency must be finite, got " << frequency << ".");
+    vtkErrorMacro(
+      "Frequency must be at most " << most << " in absolute value, got " << frequency << ".");
   }
   else if (this->Frequency != frequency)
   {
@@ -155,9 +157,10 @@ void vtkProceduralSurface::SetUniformValues(const char* name, const std::vector<
     vtkErrorMacro("A uniform needs a name.");
     return;
   }
-  if (!std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }))
+  if (!std::all_of(values.begin(), values.end(),
+        [](double v) { return std::isfinite(static_cast<float>(v)); }))
   {
-    vtkErrorMacro("Uniform \"" << name << "\" must be finite.");
+    vtkErrorMacro("Uniform \"" << name << "\" must be finite, also as floats.");
     return;
   }
   const std::vector<float> floats(values.begin(), values.end());

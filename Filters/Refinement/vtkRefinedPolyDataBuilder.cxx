@@ -221,8 +221,8 @@ bool RefinedPolyDataBuilder::BuildPoints(vtkPolyData* output)
     this->Normals->SetNumberOfComponents(3);
     this->Normals->SetNumberOfTuples(this->NumberOfPoints);
   }
-  const PointDataInterpolation data(
-    inputData, this->Input->GetNumberOfPoints(), output->GetPointData(), this->NumberOfPoints);
+  const PointDataInterpolation data(inputData, this->Input->GetNumberOfPoints(),
+    output->GetPointData(), this->NumberOfPoints, this->Recipe->GetNoDataMagnitude());
   this->ShortArrays = data.GetShortArrays();
 
   const bool done = this->ForFaces(0.6,

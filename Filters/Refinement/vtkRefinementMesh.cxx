@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRefinementMesh.h"
 
+#include "FloatRange.h"
 #include "GhostCells.h"
+
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkDisplacement.h"
 #include "vtkFaceBounds.h"
+#include "vtkLinearSurface.h"
 #include "vtkLocalPoints.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
@@ -66,6 +69,11 @@ bool RefinementMesh::Build(vtkPolyData* input, vtkAdaptiveRefinement* recipe, bo
 
   vtkRefinementSurface* surface = recipe->GetSurface();
   vtkDisplacement* displacement = recipe->GetDisplacement();
+  if (!this->CheckRange(
+        input, !displacement && (!surface || vtkLinearSurface::SafeDownCast(surface))))
+  {
+    return false;
+  }
   if (displacement || (surface && surface->NeedsNormals()) ||
     (keepNormals && input->GetPointData()->GetNormals()))
   {
@@ -243,6 +251,45 @@ bool RefinementMesh::CheckCells(vtkPolyData* input)
         }
       }
       ++cell;
+    }
+  }
+  return true;
+}
+
+bool RefinementMesh::CheckRange(vtkPolyData* input, bool isFlat)
+{
+  const double most =
+    isFlat ? static_cast<double>(std::numeric_limits<float>::max()) : LargestLength;
+  const auto isWithin = [most](float x) { return std::abs(x) <= most; };
+  if (std::all_of(this->Points.begin(), this->Points.end(), isWithin))
+  {
+    return true;
+  }
+  for (vtkCellArray* cells : { input->GetPolys(), input->GetStrips() })
+  {
+    auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
+    for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
+    {
+      vtkIdType size;
+      const vtkIdType* ids;
+      iterator->GetCurrentCell(size, ids);
+      for (vtkIdType i = 0; i < size; ++i)
+      {
+        double x[3];
+        input->GetPoint(ids[i], x);
+        const bool isFinite = std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+        if (isFinite &&
+          !std::all_of(&this->Points[3 * ids[i]], &this->Points[3 * ids[i]] + 3, isWithin))
+        {
+          std::ostringstream text;
+          text << "point " << ids[i] << " at (" << x[0] << ", " << x[1] << ", " << x[2]
+               << ") is farther than " << most << " from the middle of the mesh, more than floats "
+               << (isFlat ? "hold" : "leave room for where faces are curved or displaced")
+               << ": scale the mesh down";
+          this->Error = text.str();
+          return false;
+        }
+      }
     }
   }
   return true;

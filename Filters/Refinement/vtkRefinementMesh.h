@@ -147,6 +147,8 @@ private:
   bool CheckCells(vtkPolyData* input);
   void BuildFaces(vtkPolyData* input);
   void RemoveGhosts(vtkPolyData* input);
+  /// Whether floats have room for the faces; `isFlat` tells that corners are all that is computed.
+  bool CheckRange(vtkPolyData* input, bool isFlat);
   void BuildPoints(vtkPolyData* input);
   void BuildNormals(vtkPolyData* input);
   void ComputeMissingNormals();

@@ -81,7 +81,7 @@ bool vtkAdaptiveRefinementMapper::UploadMesh(vtkRenderer* ren)
   data.Colors.Clear();
   if (scalars &&
     !data.Colors.Upload(window, scalars, this->GetLookupTable(), this->ArrayComponent,
-      this->ColorCoordinates != nullptr))
+      this->ColorCoordinates != nullptr, this->Refinement->GetNoDataMagnitude()))
   {
     data.Colors.Clear(); // VTK's colours of the coarse points do
   }

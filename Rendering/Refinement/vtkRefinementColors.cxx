@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRefinementColors.h"
 
+#include "NoDataTuples.h"
+
 #include "vtkDataArray.h"
 #include "vtkLookupTable.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkScalarsToColors.h"
 #include "vtkShaderProgram.h"
 
@@ -69,9 +72,10 @@ Choice ChooseTextureComponents(int components, vtkScalarsToColors* table)
 }
 
 bool RefinementColors::Upload(vtkOpenGLRenderWindow* window, vtkAbstractArray* scalars,
-  vtkScalarsToColors* table, int component, bool byTexture)
+  vtkScalarsToColors* table, int component, bool byTexture, double noDataMagnitude)
 {
   this->Kind = BY_VTK;
+  this->NoData.ReleaseGraphicsResources(window);
   vtkDataArray* numbers = vtkDataArray::SafeDownCast(scalars);
   if (!numbers || numbers->GetDataType() == VTK_BIT)
   {
@@ -102,7 +106,8 @@ bool RefinementColors::Upload(vtkOpenGLRenderWindow* window, vtkAbstractArray* s
     this->Bias = largest < mostExact ? 0.0 : std::floor(this->Bias);
   }
   double range[2];
-  if (!this->UploadValues(window, numbers, choice.First, choice.Count, choice.IsLength, range))
+  if (!this->UploadValues(window, numbers, choice.First, choice.Count, choice.IsLength, range) ||
+    !this->UploadNoData(window, numbers, noDataMagnitude))
   {
     return false;
   }
@@ -164,14 +169,32 @@ void RefinementColors::SetCoordinates(vtkScalarsToColors* table)
   this->Coordinates[2] = isLog ? 1.0f : 0.0f;
 }
 
+bool RefinementColors::UploadNoData(
+  vtkOpenGLRenderWindow* window, vtkDataArray* scalars, double noDataMagnitude)
+{
+  const NoDataTuples noData(scalars, noDataMagnitude);
+  if (noData.IsEmpty())
+  {
+    this->NoData.ReleaseGraphicsResources(window);
+    return true;
+  }
+  const std::vector<unsigned char>& marks = noData.GetMarks();
+  return this->NoData.Upload(window, std::vector<float>(marks.begin(), marks.end()), 1);
+}
+
 void RefinementColors::Activate(vtkShaderProgram* program)
 {
+  this->NoData.Activate(program, "relevoNoData");
   if (!program->IsUniformUsed("relevoScalars"))
   {
     return;
   }
   this->Scalars.Activate(program, "relevoScalars");
   this->Table.Activate(program);
+  if (program->IsUniformUsed("relevoNotANumber"))
+  {
+    program->SetUniformf("relevoNotANumber", std::numeric_limits<float>::quiet_NaN());
+  }
   program->SetUniformi("relevoScalarTexels", this->Texels);
   program->SetUniformi("relevoScalarsWhole", this->Whole ? 1 : 0);
   program->SetUniform3f("relevoScalarCoordinates", this->Coordinates);
@@ -179,17 +202,19 @@ void RefinementColors::Activate(vtkShaderProgram* program)
 
 void RefinementColors::Deactivate()
 {
+  this->NoData.Deactivate();
   this->Scalars.Deactivate();
   this->Table.Deactivate();
 }
 
 vtkTypeInt64 RefinementColors::GetMemorySize() const
 {
-  return this->Scalars.GetMemorySize() + this->Table.GetMemorySize();
+  return this->NoData.GetMemorySize() + this->Scalars.GetMemorySize() + this->Table.GetMemorySize();
 }
 
 void RefinementColors::ReleaseGraphicsResources(vtkWindow* window)
 {
+  this->NoData.ReleaseGraphicsResources(window);
   this->Scalars.ReleaseGraphicsResources(window);
   this->Table.ReleaseGraphicsResources(window);
 }

@@ -35,12 +35,14 @@ public:
   /**
    * Take point scalars that are mapped through a lookup table (not direct colours). `component` is
    * that of vtkMapper, -1 to leave the choice to the table. `byTexture` says that VTK colours by a
-   * texture. False when they do not fit on the GPU.
+   * texture. For noDataMagnitude see NoDataTuples. False when they do not fit on the GPU.
    */
   bool Upload(vtkOpenGLRenderWindow* window, vtkAbstractArray* scalars, vtkScalarsToColors* table,
-    int component, bool byTexture);
+    int component, bool byTexture, double noDataMagnitude);
 
   KindType GetKind() const { return this->Kind; }
+  /// Whether some of the values stand for no data.
+  bool HasNoData() const { return this->Kind != BY_VTK && !this->NoData.IsEmpty(); }
   void Clear() { this->Kind = BY_VTK; }
 
   void Activate(vtkShaderProgram* program);
@@ -52,9 +54,11 @@ private:
   /// Components first, first + 1, ...: a number, or a vector whose length counts.
   bool UploadValues(vtkOpenGLRenderWindow* window, vtkDataArray* scalars, int first, int count,
     bool isLength, double range[2]);
+  bool UploadNoData(vtkOpenGLRenderWindow* window, vtkDataArray* scalars, double noDataMagnitude);
   void SetCoordinates(vtkScalarsToColors* table);
 
   RefinementBuffer Scalars;
+  RefinementBuffer NoData;
   RefinementColorTable Table;
   KindType Kind = BY_VTK;
   int Texels = 0; // per point; 0 for a single number

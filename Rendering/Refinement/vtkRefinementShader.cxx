@@ -14,6 +14,7 @@
 #include "relevoHeight.h"
 #include "relevoHeightMap.h"
 #include "relevoMorph.h"
+#include "relevoNoDataVS.h"
 #include "relevoRefineVS.h"
 #include "relevoWeights.h"
 
@@ -94,6 +95,7 @@ std::string GetDefines(const RefinementShaderOptions& options, bool edges, bool 
   define(options.HasHoles, "RELEVO_HOLES");
   define(options.IsMorphing, "RELEVO_MORPH");
   define(options.IsIndirect, "RELEVO_INDIRECT");
+  define(options.HasNoData, "RELEVO_NO_DATA");
   define(options.Scalars == RefinementColors::BY_VALUE, "RELEVO_SCALARS");
   define(options.Scalars == RefinementColors::BY_TEXTURE, "RELEVO_SCALAR_COORDINATES");
   define(options.Scalars == RefinementColors::BY_NEAREST, "RELEVO_NEAREST_SCALARS");
@@ -202,7 +204,7 @@ std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, b
   if (options.Scalars != RefinementColors::BY_VTK)
   {
     text << (options.Scalars == RefinementColors::BY_VALUE ? relevoColorTable : "")
-         << relevoColorsVS;
+         << (options.HasNoData ? relevoNoDataVS : "") << relevoColorsVS;
   }
   if (options.ColorMode != vtkAdaptiveRefinementMapper::COLOR_BY_SCALARS)
   {

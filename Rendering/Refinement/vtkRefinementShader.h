@@ -65,6 +65,8 @@ struct RefinementShaderOptions
   bool IsIndirect = false;
   /// How points between the coarse ones come to the colours of scalars.
   RefinementColors::KindType Scalars = RefinementColors::BY_VTK;
+  /// Whether some scalars stand for no data.
+  bool HasNoData = false;
   /// What faces are coloured by.
   RefinementColorMode ColorMode = vtkAdaptiveRefinementMapper::COLOR_BY_SCALARS;
   ShaderExtension Extension;

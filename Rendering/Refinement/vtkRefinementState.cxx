@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRefinementState.h"
 
+#include "FloatRange.h"
 #include "GhostCells.h"
+
 #include "vtkAdaptiveRefinement.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
@@ -19,6 +21,7 @@
 #include "vtkRefinementView.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace relevo
@@ -46,7 +49,18 @@ std::string RefinementState::TakeWarning()
   return Take(this->Warning);
 }
 
-bool RefinementState::UpdateMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe)
+bool RefinementState::CheckRange(vtkAdaptiveRefinement* recipe)
+{
+  const std::string excess = FindExcess(recipe);
+  if (excess != this->Excess)
+  {
+    this->Excess = excess;
+    this->Error = excess.empty() ? "" : "Cannot refine the input: " + excess + ".";
+  }
+  return excess.empty();
+}
+
+bool RefinementState::BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe)
 {
   // Only what the prepared mesh depends on: not the displacement's live values.
   Dependencies dependencies;
@@ -59,6 +73,7 @@ bool RefinementState::UpdateMesh(vtkPolyData* input, vtkAdaptiveRefinement* reci
     Append(dependencies, surface, surface ? surface->GetPreparationMTime() : 0);
     Append(dependencies, displacement, displacement && displacement->IsAlongNormal() ? 1 : 0);
     AppendObject(dependencies, displacement ? displacement->GetHeightMap() : nullptr);
+    AppendBits(dependencies, recipe->GetNoDataMagnitude()); // of the colours of its points
   }
   if (dependencies == this->MeshDependencies)
   {
@@ -131,7 +146,12 @@ void RefinementState::GetBounds(vtkAdaptiveRefinement* recipe, double bounds[6])
         iterator->GetCurrentCell(size, ids);
         for (vtkIdType i = 0; i < size; ++i)
         {
-          box.AddPoint(input->GetPoint(ids[i]));
+          double x[3];
+          input->GetPoint(ids[i], x);
+          if (std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]))
+          {
+            box.AddPoint(x);
+          }
         }
       }
     }

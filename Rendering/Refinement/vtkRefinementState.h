@@ -36,9 +36,13 @@ public:
   ~RefinementState();
 
   /**
-   * Prepare the mesh. False when the recipe cannot be applied to the input.
+   * Prepare the mesh. False when the recipe cannot be applied to the input, or its numbers are too
+   * large.
    */
-  bool UpdateMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe);
+  bool UpdateMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe)
+  {
+    return this->BuildMesh(input, recipe) && this->CheckRange(recipe);
+  }
 
   /**
    * Evaluate the tags for a view, for a valid mesh. False when they cannot be used.
@@ -110,6 +114,8 @@ public:
 private:
   ViewSelection& FindView(
     vtkPolyData* input, vtkAdaptiveRefinement* recipe, const vtkRefinementView& view);
+  bool BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe);
+  bool CheckRange(vtkAdaptiveRefinement* recipe);
   SelectionInput GetSelectionInput(vtkPolyData* input, vtkAdaptiveRefinement* recipe) const;
   void UpdateHoles(vtkAdaptiveRefinement* recipe);
 
@@ -144,6 +150,7 @@ private:
 
   std::string Error;
   std::string Warning;
+  std::string Excess; // said last
 };
 }
 

@@ -37,8 +37,8 @@ RELEVO_FUNCTION vec4 weightedSum(vec4 a, vec4 b, vec4 c, vec3 w)
   return sum;
 }
 
-// The unit vector of v, or the zero vector. Scaled first: the squares of small or large components
-// are beyond a float.
+// The unit vector of v, or the zero vector where v is zero or not finite. Scaled first: the squares
+// of small or large components are beyond a float.
 RELEVO_FUNCTION vec3 unitVector(vec3 v)
 {
   float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
@@ -47,5 +47,6 @@ RELEVO_FUNCTION vec3 unitVector(vec3 v)
     return vec3(0.0f);
   }
   vec3 scaled = v / largest;
-  return scaled / sqrt(dot(scaled, scaled));
+  float squared = dot(scaled, scaled);
+  return squared > 0.0f ? scaled / sqrt(squared) : vec3(0.0f);
 }

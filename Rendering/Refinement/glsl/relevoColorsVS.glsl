@@ -25,8 +25,28 @@ vec4 relevoScalarsOf(vec3 w, int k)
   return relevoScalarsWhole == 1 ? sign(scalars) * floor(abs(scalars) + 0.5) : scalars;
 }
 
+// What takes no values between its own, as a name, has the nearest corner's; see RefinedPoint.
+int relevoNearestCorner(vec3 w)
+{
+  int first = w.y > w.x ? 1 : 0;
+  return w.z > w[first] ? 2 : first;
+}
+
 float relevoScalar(vec3 w)
 {
+#ifdef RELEVO_NO_DATA
+  vec3 none = relevoNoDataWeights(w);
+  if (none != vec3(0.0))
+  {
+    if (relevoScalarsWhole == 0)
+    {
+      return relevoNotANumber;
+    }
+    // Whole numbers have no NaN: what stands for no data does so here.
+    int corner = relevoNearestCorner(none);
+    w = vec3(corner == 0 ? 1.0 : 0.0, corner == 1 ? 1.0 : 0.0, corner == 2 ? 1.0 : 0.0);
+  }
+#endif
   if (relevoScalarTexels == 0)
   {
     return relevoScalarsOf(w, 0).x;
@@ -63,9 +83,3 @@ vec2 relevoScalarCoordinate(vec3 w)
     clamp((value - relevoScalarCoordinates.x) * relevoScalarCoordinates.y, -1000.0, 1000.0), 0.49);
 }
 
-// What takes no values between its own, as a name, has the nearest corner's; see RefinedPoint.
-int relevoNearestCorner(vec3 w)
-{
-  int first = w.y > w.x ? 1 : 0;
-  return w.z > w[first] ? 2 : first;
-}

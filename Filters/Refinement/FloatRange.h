@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @brief   how large numbers may be so that nothing computed from them in floats overflows
+ *
+ * Both evaluators of a recipe ask, and say the same.
+ *
+ * Not wrapped: for the modules' own sources.
+ */
+#ifndef FloatRange_h
+#define FloatRange_h
+
+#include "RelevoFiltersRefinementModule.h" // for export macro
+
+#include <string> // for sentences
+
+class vtkAdaptiveRefinement;
+
+#ifndef __VTK_WRAP__
+namespace relevo
+{
+/// Of coordinates relative to a mesh's middle where faces are curved or displaced, and of what
+/// moves them.
+constexpr double LargestLength = 1e30;
+
+/**
+ * Which of the recipe's numbers that change live moves points too far, as a clause; empty for none.
+ * Its height map must be up to date.
+ */
+RELEVOFILTERSREFINEMENT_EXPORT std::string FindExcess(vtkAdaptiveRefinement* recipe);
+}
+#endif
+
+#endif
