@@ -36,6 +36,7 @@ struct Choice
   RelevoDice& Dice;
   std::ostream& Log;
   int Level;
+  bool& IsTranslucent; // by a table
 };
 
 inline vtkSmartPointer<vtkDataArray> MakeNumbers(RelevoDice& dice)
@@ -118,6 +119,7 @@ inline vtkSmartPointer<vtkScalarsToColors> MakeLookupTable(const Choice& choice)
   table->SetAboveRangeColor(0.0, 1.0, 1.0, 1.0);
   table->SetNanColor(0.9, 0.9, 0.2, 1.0);
   table->Build();
+  choice.IsTranslucent = choice.IsTranslucent || !table->IsOpaque();
   choice.Log << " table of " << table->GetNumberOfTableValues() << (table->GetScale() ? " log" : "")
              << (table->IsOpaque() ? "" : " translucent");
   return table;
@@ -157,6 +159,7 @@ inline vtkSmartPointer<vtkScalarsToColors> MakeFunction(const Choice& choice)
       opacity->AddPoint(10.0, 0.5);
       function->SetScalarOpacityFunction(opacity);
       function->EnableOpacityMappingOn();
+      choice.IsTranslucent = true;
       choice.Log << " with opacity";
     }
     function->Build();

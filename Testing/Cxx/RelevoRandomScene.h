@@ -30,12 +30,12 @@ public:
     : Kind(kind)
     , Window(window)
     , Dice(seed)
-    , Choice{ this->Dice, log, this->Dice.Throw(2) ? 2 : 0 }
+    , Choice{ this->Dice, log, this->Dice.Throw(2) ? 2 : 0, this->IsTranslucent }
   {
     log << (this->Choice.Level ? "level 2\n" : "level 0\n");
-    window->SetSize(64 + 16 * this->Dice.Throw(4), 48 + 16 * this->Dice.Throw(3));
+    window->SetSize(64 + 16 * this->Dice.Throw(3), 48 + 16 * this->Dice.Throw(2));
     this->AddRenderers();
-    for (int i = 1 + this->Dice.Throw(3); i > 0; --i)
+    for (int i = 1 + this->Dice.Throw(2); i > 0; --i)
     {
       this->AddActor();
     }
@@ -88,6 +88,7 @@ public:
         std::vector<RelevoRandomMapping::Setting> settings;
         RelevoRandomMapping::AddColorSettings(this->Choice, settings);
         this->Apply(group, settings);
+        this->FillProperty(group.Actors.front()->GetProperty());
         break;
       }
       case 3:
@@ -124,7 +125,7 @@ private:
       renderer->SetLayer(layer);
       renderer->SetBackground(0.2, 0.25, 0.3);
       renderer->SetUseDepthPeeling(1);
-      renderer->SetMaximumNumberOfPeels(12);
+      renderer->SetMaximumNumberOfPeels(4);
       renderer->SetOcclusionRatio(0.0);
       renderer->SetTwoSidedLighting(this->Dice.Throw(5) != 0);
       if (this->Dice.Once(4))
@@ -170,6 +171,7 @@ private:
                           : Sphere(6 + dice.Throw(8), 5 + dice.Throw(5));
     const double centre[3] = { 0.6 * dice.Signed(), 0.6 * dice.Signed(), 0.6 * dice.Signed() };
     mesh = Moved(mesh, kind == 4 ? 0.3 : 1.0, centre, dice.Throw(2) ? VTK_DOUBLE : VTK_FLOAT);
+    this->HasOtherCells = this->HasOtherCells || mesh->GetNumberOfVerts() > 0;
     const bool isFlat = dice.Once(6);
     for (vtkIdType i = 0; isFlat && i < mesh->GetNumberOfPoints(); ++i)
     {
@@ -207,7 +209,7 @@ private:
   void AddActor()
   {
     const bool isComposite = this->Dice.Once(4);
-    const int numberOfBlocks = isComposite ? 2 + this->Dice.Throw(2) : 1;
+    const int numberOfBlocks = isComposite ? 2 : 1;
     this->Choice.Log << " actor of " << numberOfBlocks << "\n";
     vtkNew<vtkMultiBlockDataSet> blocks;
     std::vector<Mesh> meshes;
@@ -326,16 +328,20 @@ private:
     property->SetInterpolation(dice.Throw(3));
     property->SetOpacity(dice.Throw(4) ? 1.0 : 0.2 + 0.7 * dice.Share());
     // OpenGL may draw a line there as other pixels than the line back, and refined edges need not
-    // run as the filter's do.
+    // run as the filter's do; and the filter's triangles have diagonals that polygons have not.
     const bool hasLines = this->Choice.Level == 0;
     property->SetRepresentation(dice.Throw(4) ? VTK_SURFACE
         : hasLines && dice.Throw(2)           ? VTK_WIREFRAME
                                               : VTK_POINTS);
-    property->SetEdgeVisibility(dice.Once(5));
+    // Where lines or points that overlap let through what is behind them, their order and number
+    // show. VTK 9.1 draws other edges where a mesh has vertices or lines, too.
+    const bool isOpaque = property->GetOpacity() == 1.0 && !this->IsTranslucent;
+    property->SetRepresentation(isOpaque ? property->GetRepresentation() : VTK_SURFACE);
+    property->SetEdgeVisibility(dice.Once(5) && !this->HasOtherCells && isOpaque && hasLines);
     property->SetEdgeColor(0.1, 0.1, dice.Share());
     property->SetVertexVisibility(
       this->Choice.Level == 0 && property->GetOpacity() == 1.0 && dice.Once(6));
-    property->SetLineWidth(dice.Throw(2) ? 1.0f : 3.0f);
+    property->SetLineWidth(dice.Throw(2) && isOpaque ? 3.0f : 1.0f);
     property->SetPointSize(dice.Throw(2) ? 1.0f : 5.0f);
     property->SetRenderLinesAsTubes(dice.Once(8));
     property->SetRenderPointsAsSpheres(dice.Once(8));
@@ -419,6 +425,8 @@ private:
 
   const RelevoScene::KindType Kind;
   vtkRenderWindow* Window;
+  bool HasOtherCells = false; // than faces
+  bool IsTranslucent = false; // by a table
   RelevoDice Dice;
   RelevoRandomMapping::Choice Choice;
   std::vector<vtkSmartPointer<vtkRenderer>> Renderers;
