@@ -4,10 +4,12 @@
 
 #include "MeshColours.h"
 #include "MeshMapping.h"
+#include "MeshProbe.h"
 #include "MeshReader.h"
 #include "OffscreenWindow.h"
 #include "ViewerFlow.h"
 #include "ViewerMetric.h"
+#include "ViewerText.h"
 
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
@@ -31,6 +33,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 namespace
 {
@@ -245,12 +249,18 @@ void MeshScene::SetColours()
 }
 
 //------------------------------------------------------------------------------
-void MeshScene::SetArrayColours()
+vtkDataArray* MeshScene::GetArray()
 {
   vtkDataSetAttributes* data = this->HasPointArray
     ? static_cast<vtkDataSetAttributes*>(this->Mesh->GetPointData())
     : this->Mesh->GetCellData();
-  vtkDataArray* array = data->GetArray(this->ArrayName.c_str());
+  return data->GetArray(this->ArrayName.c_str());
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::SetArrayColours()
+{
+  vtkDataArray* array = this->GetArray();
   this->HasPointArray ? this->Mapper->SetScalarModeToUsePointFieldData()
                       : this->Mapper->SetScalarModeToUseCellFieldData();
   this->Mapper->SelectColorArray(this->ArrayName.c_str());
@@ -309,4 +319,26 @@ vtkSmartPointer<vtkPolyData> MeshScene::GetSurface()
       this->Options.Input + ": no triangle has three corners of its own, and heights");
   }
   return filter->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+std::string MeshScene::Describe(const double point[3], double resolution)
+{
+  std::string text = "x " + FormatNumber(point[0], resolution) + "  y " +
+    FormatNumber(point[1], resolution) + "  z " + FormatNumber(point[2], resolution);
+  if (!this->ArrayName.empty())
+  {
+    if (!this->Probe)
+    {
+      this->Probe = std::make_unique<MeshProbe>(this->Mesh, this->GetArray(), this->HasPointArray);
+    }
+    std::ostringstream value;
+    value << std::setprecision(4);
+    for (double component : this->Probe->GetValue(point))
+    {
+      value << " " << component;
+    }
+    text += "\n" + this->ArrayName + value.str();
+  }
+  return text;
 }

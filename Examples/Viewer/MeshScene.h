@@ -14,6 +14,7 @@
 
 #include <string>
 
+class MeshProbe;
 class vtkDataArray;
 class vtkDisplacement;
 
@@ -23,6 +24,9 @@ public:
   /// Reads the files; throws ViewerError.
   MeshScene(const ViewerOptions& options, ViewerMessages& messages);
   ~MeshScene() override;
+
+  std::string GetUnit() override { return ""; }
+  std::string Describe(const double point[3], double resolution) override;
 
 private:
   void ReadMesh();
@@ -34,6 +38,7 @@ private:
   vtkSmartPointer<vtkDepthTagMetric> MakeMeshMetric();
   void SetColours();
   void SetArrayColours();
+  vtkDataArray* GetArray();
   std::optional<std::array<double, 3>> GetCentre();
   vtkSmartPointer<vtkPolyData> GetSurface();
 
@@ -41,6 +46,7 @@ private:
   // The array that colours the mesh: empty for none, and whether its numbers are of points.
   std::string ArrayName;
   bool HasPointArray = false;
+  std::unique_ptr<MeshProbe> Probe; // of that array, from the first question on
   // Of streaks; nullptr for none.
   vtkSmartPointer<vtkDataArray> Vectors;
 };

@@ -14,27 +14,39 @@
 #include <vector>
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> MakeHypsometricTint(vtkHeightField* heights)
+vtkSmartPointer<vtkScalarsToColors> MakeHeightColours(const double range[2])
+{
+  const double colours[][3] = { { 0.27, 0.47, 0.29 }, { 0.53, 0.64, 0.39 }, { 0.83, 0.79, 0.55 },
+    { 0.70, 0.55, 0.37 }, { 0.58, 0.49, 0.44 }, { 0.97, 0.97, 0.97 } };
+  // Of a plain, too, the lowest colour is that of its height.
+  const double extent = range[1] > range[0] ? range[1] - range[0] : 1.0;
+  auto tint = vtkSmartPointer<vtkColorTransferFunction>::New();
+  for (int i = 0; i < 6; ++i)
+  {
+    tint->AddRGBPoint(range[0] + 0.2 * i * extent, colours[i][0], colours[i][1], colours[i][2]);
+  }
+  return tint;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> MakeHypsometricTint(vtkHeightField* heights, vtkScalarsToColors* tint)
 {
   const int largestTexture = 4096;
-  vtkNew<vtkColorTransferFunction> tint;
-  tint->AddRGBPoint(0.00, 0.27, 0.47, 0.29);
-  tint->AddRGBPoint(0.20, 0.53, 0.64, 0.39);
-  tint->AddRGBPoint(0.40, 0.83, 0.79, 0.55);
-  tint->AddRGBPoint(0.60, 0.70, 0.55, 0.37);
-  tint->AddRGBPoint(0.80, 0.58, 0.49, 0.44);
-  tint->AddRGBPoint(1.00, 0.97, 0.97, 0.97);
   const int numberOfColours = 256;
+  double range[2];
+  std::copy_n(tint->GetRange(), 2, range);
   std::vector<double> colours(3 * numberOfColours);
-  tint->GetTable(0.0, 1.0, numberOfColours, colours.data());
+  for (int i = 0; i < numberOfColours; ++i)
+  {
+    tint->GetColor(
+      range[0] + i * (range[1] - range[0]) / (numberOfColours - 1), &colours[3 * size_t(i)]);
+  }
 
   int size[2];
-  double range[2];
   heights->GetDimensions(size);
-  heights->GetRange(range);
   size[0] = std::min(size[0], largestTexture);
   size[1] = std::min(size[1], largestTexture);
-  const double toColour = range[1] > range[0] ? (numberOfColours - 1) / (range[1] - range[0]) : 0.0;
+  const double toColour = (numberOfColours - 1) / (range[1] - range[0]);
 
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(size[0], size[1], 1);

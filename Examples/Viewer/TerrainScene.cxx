@@ -10,6 +10,7 @@
 #include "TerrainProbe.h"
 #include "ViewerFile.h"
 #include "ViewerMetric.h"
+#include "ViewerText.h"
 
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
@@ -25,6 +26,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkSMPTools.h"
+#include "vtkScalarsToColors.h"
 #include "vtkTerrainSource.h"
 
 #include <algorithm>
@@ -201,7 +203,12 @@ void TerrainScene::SetColours()
   const bool isPhotograph = image != nullptr;
   if (!isPhotograph)
   {
-    image = MakeHypsometricTint(this->Source->GetDisplacement()->GetHeightMap());
+    const auto colours = MakeHeightColours(this->Source->GetHeightMap()->GetRange());
+    image = MakeHypsometricTint(this->Source->GetHeightMap(), colours);
+    if (this->Options.Color == ViewerOptions::ColorType::Own)
+    {
+      this->AddLegend(colours, HeightName, 5);
+    }
   }
   else if (this->Options.Stretch)
   {
@@ -243,4 +250,40 @@ std::optional<std::array<double, 3>> TerrainScene::GetCentre()
   return {
     { { place[0], place[1], displacement->GetOffset() + displacement->GetScale() * height } }
   };
+}
+
+//------------------------------------------------------------------------------
+std::string TerrainScene::GetUnit()
+{
+  return *this->Source->GetCoordinateSystem() ? "m" : "";
+}
+
+//------------------------------------------------------------------------------
+std::string TerrainScene::Describe(const double point[3], double resolution)
+{
+  const std::string unit = this->GetUnit().empty() ? "" : " " + this->GetUnit();
+  std::string text = "x " + FormatNumber(point[0], resolution) + unit + "  y " +
+    FormatNumber(point[1], resolution) + unit;
+  double height;
+  if (this->Probe->GetHeight(point[0], point[1], height))
+  {
+    text += "  height " + FormatNumber(height, resolution);
+  }
+  double map[3];
+  if (this->Source->TerrainToMap(point, map))
+  {
+    const double metresInDegree = 111320.0;
+    const bool isGeographic = this->Source->IsGeographic();
+    const bool isKnown = *this->Source->GetCoordinateSystem();
+    const double exactness = isGeographic ? resolution / metresInDegree : resolution;
+    text += std::string(isGeographic ? "\nlongitude "
+                : isKnown            ? "\neast "
+                                     : "\ncolumn ") +
+      FormatNumber(map[0], exactness) +
+      (isGeographic ? "  latitude "
+          : isKnown ? "  north "
+                    : "  row ") +
+      FormatNumber(map[1], exactness);
+  }
+  return text;
 }

@@ -21,6 +21,9 @@ public:
   TerrainScene(const ViewerOptions& options, ViewerMessages& messages);
   ~TerrainScene() override;
 
+  std::string GetUnit() override;
+  std::string Describe(const double point[3], double resolution) override;
+
 private:
   void AddExportedData(vtkPolyData* mesh) override;
   void ReadTerrain();

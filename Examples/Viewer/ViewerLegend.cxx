@@ -6,13 +6,34 @@
 #include "vtkScalarsToColors.h"
 #include "vtkTextProperty.h"
 
-vtkSmartPointer<vtkScalarBarActor> MakeLegend(
-  vtkScalarsToColors* table, const std::string& title, int numberOfLabels, int height)
+#include <algorithm>
+#include <cmath>
+
+namespace
 {
-  const int rowHeight = 20; // pixels
+// Neighbouring labels differ by two digits at least; thousands and hundredths are written out.
+std::string GetLabelFormat(const double range[2], int numberOfLabels)
+{
+  const double largest = std::max(std::abs(range[0]), std::abs(range[1]));
+  const double step = (range[1] - range[0]) / (numberOfLabels - 1);
+  if (!(step >= 1e-4 && largest < 1e6))
+  {
+    return "%.3g";
+  }
+  const int decimals = static_cast<int>(std::max(std::ceil(1.0 - std::log10(step)), 0.0));
+  return "%." + std::to_string(decimals) + "f";
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkScalarBarActor> MakeLegend(
+  vtkScalarsToColors* table, const std::string& title, int numberOfLabels, const int size[2])
+{
+  const int rowHeight = 20;      // pixels
+  const double narrowest = 80.0; // pixels, for words
   const int rows =
     table->GetIndexedLookup() ? static_cast<int>(table->GetNumberOfAnnotatedValues()) : 10;
-  const double share = static_cast<double>(rowHeight) * (rows + 2) / height;
+  const double share = static_cast<double>(rowHeight) * (rows + 2) / size[1];
   if (share > 0.90)
   {
     return nullptr;
@@ -21,7 +42,7 @@ vtkSmartPointer<vtkScalarBarActor> MakeLegend(
   legend->SetLookupTable(table);
   legend->SetTitle(title.c_str());
   legend->SetNumberOfLabels(numberOfLabels);
-  legend->SetLabelFormat("%.3g");
+  legend->SetLabelFormat(GetLabelFormat(table->GetRange(), numberOfLabels).c_str());
   if (table->GetIndexedLookup())
   {
     legend->SetTextPositionToPrecedeScalarBar(); // which puts annotations on the other side
@@ -30,10 +51,11 @@ vtkSmartPointer<vtkScalarBarActor> MakeLegend(
   legend->SetAnnotationLeaderPadding(6);
   legend->UnconstrainedFontSizeOn();
   legend->SetBarRatio(0.25);
-  legend->SetWidth(0.08);
+  legend->SetWidth(std::max(0.08, narrowest / size[0]));
   legend->SetHeight(share);
   // The title of a continuous bar stands above it.
-  const double headroom = table->GetIndexedLookup() ? 0.0 : static_cast<double>(rowHeight) / height;
+  const double headroom =
+    table->GetIndexedLookup() ? 0.0 : static_cast<double>(rowHeight) / size[1];
   legend->SetPosition(0.015, 0.98 - headroom - share);
   for (vtkTextProperty* text : { legend->GetTitleTextProperty(), legend->GetLabelTextProperty(),
          legend->GetAnnotationTextProperty() })

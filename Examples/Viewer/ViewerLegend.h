@@ -13,9 +13,9 @@
 class vtkScalarBarActor;
 class vtkScalarsToColors;
 
-/// For a picture of that height; nullptr where it would not fit. Labels are numbers of the table's
+/// For a picture of that size; nullptr where it would not fit. Labels are numbers of the table's
 /// range, or its annotations where it has an indexed lookup.
 vtkSmartPointer<vtkScalarBarActor> MakeLegend(
-  vtkScalarsToColors* table, const std::string& title, int numberOfLabels, int height);
+  vtkScalarsToColors* table, const std::string& title, int numberOfLabels, const int size[2]);
 
 #endif

@@ -135,6 +135,9 @@ struct UsageError : std::runtime_error
 ViewerOptions ParseOptions(int argc, char* argv[]);
 
 /// The text of --help.
-const char* GetUsage();
+std::string GetUsage();
+
+/// What mouse and keys do in the window, a line for each.
+const char* GetWindowUsage();
 
 #endif

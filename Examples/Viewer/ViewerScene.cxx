@@ -127,7 +127,7 @@ void ViewerScene::AddLegend(vtkScalarsToColors* table, const std::string& title,
     return;
   }
   this->HasLegend = true;
-  if (auto legend = MakeLegend(table, title, numberOfLabels, this->Options.Size[1]))
+  if (auto legend = MakeLegend(table, title, numberOfLabels, this->Options.Size))
   {
     this->Renderer->AddViewProp(legend);
   }

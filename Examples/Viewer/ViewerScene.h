@@ -38,6 +38,13 @@ public:
 
   vtkRenderer* GetRenderer() { return this->Renderer; }
 
+  /// The unit of lengths, "m" or "".
+  virtual std::string GetUnit() = 0;
+
+  /// Where a point of the surface is and what is there, in lines; lengths as exact as the
+  /// resolution.
+  virtual std::string Describe(const double point[3], double resolution) = 0;
+
   /// Writes the refined mesh as it is seen; throws ViewerError.
   void Export(const std::string& fileName);
 

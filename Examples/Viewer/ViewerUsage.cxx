@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewerOptions.h"
 
-const char* GetUsage()
+namespace
 {
-  return R"(relevo-view FILE [options]
+const char* const Options = R"(relevo-view FILE [options]
 
 Draws a height map (GeoTIFF, SRTM .hgt, USGS DEM, PNG, OpenEXR ...) or a mesh (.vtp, .ply, .obj,
 .stl, .gltf, .glb, .off, .vtk, .vtu, .ex2), refined where it matters: a window when there is a
@@ -105,9 +105,30 @@ The picture:
   --help                 this text
   --version              the version of Relevo
 
-In the window: left button turns, middle or shift + left moves, right or wheel zooms, w and s
-switch wireframe and surface, r resets the view, q leaves.
+In the window:
+)";
 
+const char* const ExitCodes = R"(
 Exit codes: 0 success, 1 bad input, 2 bad usage.
 )";
+}
+
+//------------------------------------------------------------------------------
+std::string GetUsage()
+{
+  return std::string(Options) + GetWindowUsage() + "\n" + ExitCodes;
+}
+
+//------------------------------------------------------------------------------
+const char* GetWindowUsage()
+{
+  return R"(  left button             turn
+  middle, shift + left    move
+  right button, wheel     zoom
+  r                       all in view
+  w, s                    edges, surface
+  c                       print what is under the mouse
+  i                       save a picture, under a new name
+  h                       this help
+  q, e                    leave)";
 }

@@ -3,10 +3,15 @@
 #include "ViewerWindow.h"
 
 #include "TerrainStyle.h"
+#include "ViewerHelp.h"
 #include "ViewerMessages.h"
 #include "ViewerOptions.h"
+#include "ViewerReadout.h"
+#include "ViewerScaleBar.h"
 #include "ViewerScene.h"
+#include "ViewerScreenshot.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkInteractorStyleTrackballCamera.h"
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
@@ -43,6 +48,16 @@ vtkSmartPointer<vtkInteractorStyle> MakeStyle(bool isMesh)
       ? static_cast<vtkInteractorStyle*>(vtkInteractorStyleTrackballCamera::New())
       : TerrainStyle::New());
 }
+
+// Events that wait are those of a window that will be gone: the X server ends programs that ask
+// where the mouse is in it.
+void Leave(vtkObject* caller, unsigned long, void*, void*)
+{
+  auto* interactor = static_cast<vtkRenderWindowInteractor*>(caller);
+  interactor->Disable();
+  interactor->ProcessEvents();
+  interactor->TerminateApp();
+}
 }
 
 //------------------------------------------------------------------------------
@@ -64,6 +79,13 @@ void ShowWindow(ViewerScene& scene, const ViewerOptions& options, ViewerMessages
   vtkNew<vtkRenderWindowInteractor> interactor;
   interactor->SetRenderWindow(window);
   interactor->SetInteractorStyle(MakeStyle(options.IsMesh));
+  vtkNew<vtkCallbackCommand> leave;
+  leave->SetCallback(Leave);
+  interactor->AddObserver(vtkCommand::ExitEvent, leave);
+  const ViewerScaleBar scaleBar(scene.GetRenderer(), scene.GetUnit());
+  const ViewerReadout readout(interactor, scene);
+  const ViewerHelp help(interactor, scene.GetRenderer());
+  const ViewerScreenshot screenshot(interactor, options.Input, messages);
   scene.Draw(window);
   interactor->Start();
 }

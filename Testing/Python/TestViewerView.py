@@ -7,8 +7,9 @@ import unittest
 
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
-from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+from vtkmodules.vtkIOImage import vtkPNGWriter
 
+from ViewerPictures import find, is_surface, read_picture
 from ViewerProgram import ViewerProgram
 from ViewerScenes import make_sphere, write_hill, write_mesh, write_sphere
 
@@ -24,32 +25,10 @@ class TestViewerView(ViewerProgram):
         cls.heights = write_hill(cls.folder)
         cls.mesh = write_sphere(cls.folder)
 
-    def picture(self, *arguments):
+    def picture(self, *arguments, size=SIZE):
         """Rows of (red, green, blue), the lowest first."""
-        self.view(*arguments, SIZE, "--output=view.png")
-        reader = vtkPNGReader()
-        reader.SetFileName(str(self.folder / "view.png"))
-        reader.Update()
-        image = reader.GetOutput()
-        return [
-            [
-                tuple(image.GetScalarComponentAsFloat(i, j, 0, c) for c in range(3))
-                for i in range(WIDTH)
-            ]
-            for j in range(HEIGHT)
-        ]
-
-    def shown(self, picture, is_shown=None):
-        """Left, right, lowest and highest pixel that is not sky, or that is of some kind."""
-        is_shown = is_shown or (lambda r, g, b: b < r + 10)
-        pixels = [
-            (i, j)
-            for j, row in enumerate(picture)
-            for i, colour in enumerate(row)
-            if is_shown(*colour)
-        ]
-        columns, rows = zip(*pixels)
-        return min(columns), max(columns), min(rows), max(rows)
+        self.view(*arguments, size, "--output=view.png")
+        return read_picture(self.folder / "view.png")
 
     def brightness(self, picture, columns, rows):
         values = [sum(picture[j][i]) for j in rows for i in columns]
@@ -57,7 +36,7 @@ class TestViewerView(ViewerProgram):
 
     def assert_fits(self, picture):
         """As large as it can be, and in the middle."""
-        left, right, low, high = self.shown(picture)
+        left, right, low, high = find(picture, is_surface)
         self.assertAlmostEqual(left + right, WIDTH - 1, delta=4)
         self.assertAlmostEqual(low + high, HEIGHT - 1, delta=4)
         self.assertGreater(max((right - left) / WIDTH, (high - low) / HEIGHT), 0.88)
@@ -91,31 +70,31 @@ class TestViewerView(ViewerProgram):
         widths = {}
         for zoom in (1, 4):
             picture = self.picture(*common, f"--center={x},{y}", f"--zoom={zoom}")
-            left, right, low, high = self.shown(picture, is_dot)
+            left, right, low, high = find(picture, is_dot)
             self.assertAlmostEqual(0.5 * (left + right), 0.5 * (WIDTH - 1), delta=1.5)
             self.assertAlmostEqual(0.5 * (low + high), 0.5 * (HEIGHT - 1), delta=1.5)
             widths[zoom] = right - left + 1
         self.assertAlmostEqual(widths[4] / widths[1], 4, delta=1)
         # With a height of its own: another part of the picture.
         high_up = self.picture(*common, f"--center={x},{y},30")
-        _, _, low, high = self.shown(high_up, is_dot)
+        _, _, low, high = find(high_up, is_dot)
         self.assertLess(high, 0.4 * HEIGHT)
 
     def test_center_of_mesh(self):
         """The pole of a sphere seen from its side: half of the picture is sky."""
         picture = self.picture(self.mesh, "--up=z", "--view=0,0", "--center=0,0,0.5", "--zoom=1.5")
-        _, _, low, high = self.shown(picture)
+        _, _, low, high = find(picture, is_surface)
         self.assertEqual(low, 0)
         self.assertAlmostEqual(high, 0.5 * HEIGHT, delta=3)
 
     def test_zoom(self):
         """Of what is in the middle, without falling into it."""
-        whole = self.shown(self.picture(self.mesh, "--view=0,0"))
-        half = self.shown(self.picture(self.mesh, "--view=0,0", "--zoom=0.5"))
+        whole = find(self.picture(self.mesh, "--view=0,0"), is_surface)
+        half = find(self.picture(self.mesh, "--view=0,0", "--zoom=0.5"), is_surface)
         self.assertAlmostEqual((whole[1] - whole[0]) / (half[1] - half[0]), 2, delta=0.3)
         for zoom in ("4", "20"):
             picture = self.picture(self.mesh, "--view=0,0", f"--zoom={zoom}")
-            self.assertEqual(self.shown(picture), (0, WIDTH - 1, 0, HEIGHT - 1))
+            self.assertEqual(find(picture, is_surface), (0, WIDTH - 1, 0, HEIGHT - 1))
 
     def test_light(self):
         """The side that faces the light is brighter, whatever the side."""
@@ -171,6 +150,27 @@ class TestViewerView(ViewerProgram):
         writer.SetFileName(str(name))
         writer.SetInputData(image)
         writer.Write()
+
+    def test_height_legend(self):
+        """Beside a terrain in the colours of its heights: from green to white; none where not."""
+
+        def bar(*arguments):
+            """What is at the left of a picture that has room for one."""
+            picture = self.picture(self.heights, *arguments, size="--size=300x300")
+            return [colour for row in picture for colour in row[:20]]
+
+        def count(pixels, colour):
+            return sum(
+                all(abs(a - 255 * b) < 6 for a, b in zip(pixel, colour)) for pixel in pixels
+            )
+
+        green, white = (0.27, 0.47, 0.29), (0.97, 0.97, 0.97)
+        shown = bar()
+        self.assertGreater(count(shown, green), 0)
+        self.assertGreater(count(shown, white), 0)
+        for arguments in (("--no-legend",), ("--image", self.write_dot(0, 0))):
+            beside = bar(*arguments)
+            self.assertEqual(count(beside, green) + count(beside, white), 0)
 
     def test_bad_usage(self):
         for file, words, argument in (

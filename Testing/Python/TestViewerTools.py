@@ -1,0 +1,198 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""What relevo-view's window tells: place, height and value under the mouse, scale, help, pictures."""
+
+import math
+import os
+import pathlib
+import re
+import unittest
+
+from vtkmodules.vtkFiltersSources import vtkRegularPolygonSource
+
+from ViewerPictures import find, is_dark, is_surface, read_picture
+from ViewerProgram import ViewerProgram
+from ViewerScenes import hill, write_hill, write_mesh, write_sphere
+from ViewerWindow import Display, Window, wait
+
+DATA = pathlib.Path(os.environ.get("RELEVO_TEST_DATA") or "/nonexistent")
+WIDTH, HEIGHT = 320, 240
+MIDDLE = (WIDTH // 2, HEIGHT // 2)
+
+
+def numbers(line):
+    """x, y, Latitude and so on, by their names; several for vectors."""
+    found = {}
+    for name, values in re.findall(r"([A-Za-z]+)((?: -?[\d.e+-]+)+)", line.split(": ", 1)[1]):
+        values = [float(value) for value in values.split()]
+        found[name] = values if len(values) > 1 else values[0]
+    return found
+
+
+class TestViewerTools(ViewerProgram):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.heights = write_hill(cls.folder)
+        cls.mesh = write_sphere(cls.folder)
+        cls.display = Display()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.display.stop()
+        super().tearDownClass()
+
+    def window(self, *arguments):
+        """With the mouse in its sky."""
+        window = Window(self.display, self.folder, *arguments, f"--size={WIDTH}x{HEIGHT}")
+        window.move(WIDTH - 2, 2)
+        return window
+
+    def close(self, window):
+        window.key("q")
+        self.assertEqual(window.leave(), (0, ""))
+
+    def under_mouse(self, window, x, y):
+        """What c prints with the mouse at a pixel."""
+        window.move(x, y)
+        window.key("c")
+        return window.expect("here: ")
+
+    def picture(self, window):
+        window.key("i")
+        name = window.expect("picture: ").removeprefix("picture: ")
+        return read_picture(self.folder / name)
+
+    def test_readout_of_terrain(self):
+        """The place in the middle is the one asked for; heights are the hill's, not exaggerated."""
+        window = self.window(
+            self.heights, "--center=8,5", "--zoom=1.5", "--exaggeration=1.5", "--view=200,30"
+        )
+        here = numbers(self.under_mouse(window, *MIDDLE))
+        self.assertAlmostEqual(here["x"], 8, delta=0.3)
+        self.assertAlmostEqual(here["y"], 5, delta=0.3)
+        places = set()
+        for x, y in (MIDDLE, (140, 180), (180, 200), (150, 160)):
+            here = numbers(self.under_mouse(window, x, y))
+            column, row = here["x"] + 24, here["y"] + 16
+            self.assertAlmostEqual(here["column"], column, delta=0.11)
+            self.assertAlmostEqual(here["row"], row, delta=0.11)
+            self.assertAlmostEqual(here["height"], hill(column / 48, row / 32), delta=1.0)
+            places.add((here["x"], here["y"]))
+        self.assertEqual(len(places), 4)
+        self.assertEqual(self.under_mouse(window, WIDTH - 2, 2), "here: nothing")
+        self.close(window)
+
+    def test_readout_of_mesh(self):
+        """On the curved surface, with the value of the array that colours it."""
+        window = self.window(self.mesh, "--array=Latitude", "--up=z")
+        for x, y in (MIDDLE, (130, 100), (180, 150)):
+            here = numbers(self.under_mouse(window, x, y))
+            self.assertAlmostEqual(math.hypot(here["x"], here["y"], here["z"]), 0.5, delta=0.01)
+            self.assertAlmostEqual(here["Latitude"], here["z"], delta=0.02)
+        self.close(window)
+        window = self.window(self.mesh, "--lic=Around", "--up=z")
+        here = numbers(self.under_mouse(window, *MIDDLE))
+        self.assertAlmostEqual(here["Around"][0], -here["y"], delta=0.05)
+        self.assertAlmostEqual(here["Around"][1], here["x"], delta=0.05)
+        self.close(window)
+
+    def test_readout_of_coordinates(self):
+        file = DATA / "relief" / "luxembourg_elev.tif"
+        if not file.exists():
+            self.skipTest("no RELEVO_TEST_DATA")
+        window = self.window(file, "--center=0,0", "--zoom=8")
+        here = numbers(self.under_mouse(window, *MIDDLE))
+        # It covers 5.74167 to 6.53333 degrees east and 49.44167 to 50.19167 degrees north.
+        self.assertAlmostEqual(here["longitude"], 6.1375, delta=0.002)
+        self.assertAlmostEqual(here["latitude"], 49.81667, delta=0.002)
+        self.close(window)
+
+    def test_readout_in_picture(self):
+        """Where the mouse rests on the surface words come up in the corner, and go in the sky."""
+
+        def count_dark():
+            corner = [row[:120] for row in self.picture(window)[8:40]]
+            return sum(is_dark(*colour) for row in corner for colour in row)
+
+        window = self.window(self.mesh, "--array=Latitude")
+        before = count_dark()
+        window.move(*MIDDLE)
+        wait(lambda: count_dark() > before + 100, "words in the corner")
+        window.move(WIDTH - 2, 2)
+        wait(lambda: count_dark() == before, "an empty corner again")
+        self.close(window)
+
+    def test_scale_bar(self):
+        """1, 2 or 5 times a power of ten, measured by a disc of diameter 1 in the focal plane."""
+        disc = vtkRegularPolygonSource()
+        disc.SetNumberOfSides(60)
+        disc.GeneratePolylineOff()
+        disc.Update()
+        file = write_mesh(self.folder, "disc.vtp", disc.GetOutput())
+        for zoom in ("1", "0.6", "0.17"):
+            window = self.window(file, "--view=180,0", "--surface=linear", f"--zoom={zoom}")
+            picture = self.picture(window)
+            self.close(window)
+            left, right, _, _ = find(picture[50:], is_surface)
+            start, end, _, _ = find([picture[16]], is_dark)
+            length = (end - start) / (right - left + 1)
+            self.assertLess(end - start, 0.21 * WIDTH)
+            self.assertGreater(end - start, 0.2 * WIDTH / 2.6)
+            power = 10 ** math.floor(math.log10(length) + 0.02)
+            self.assertTrue(
+                any(abs(length / power / digit - 1) < 0.07 for digit in (1, 2, 5)), length
+            )
+
+    def test_help(self):
+        """Comes with h and goes with it."""
+        window = self.window(self.mesh)
+        before = self.picture(window)
+        window.key("h")
+        shown = self.picture(window)
+        light = sum(min(colour) > 215 for row in shown for colour in row)
+        self.assertGreater(light, 0.2 * WIDTH * HEIGHT)
+        window.key("h")
+        self.assertEqual(self.picture(window), before)
+        self.close(window)
+        usage = self.view("--help").stdout
+        for words in ("In the window", "save a picture", "q, e"):
+            self.assertIn(words, usage)
+
+    def test_pictures(self):
+        """As large as the window, of what it shows, into new files."""
+        own = self.folder / "sphere-2.png"
+        own.write_text("mine")
+        for file in self.folder.glob("sphere-*.png"):
+            if file != own:
+                file.unlink()
+        window = self.window(self.mesh)
+        names = []
+        for _ in range(2):
+            window.key("i")
+            names.append(window.expect("picture: "))
+        self.assertEqual(names, ["picture: sphere-1.png", "picture: sphere-3.png"])
+        self.assertEqual(own.read_text(), "mine")
+        picture = read_picture(self.folder / "sphere-1.png")
+        self.assertEqual((len(picture[0]), len(picture)), (WIDTH, HEIGHT))
+        left, right, low, high = find(picture, is_surface)
+        self.assertGreater(high - low, 0.7 * HEIGHT)
+        self.close(window)
+
+    def test_picture_that_cannot_be_written(self):
+        """A warning; the window stays."""
+        folder = self.folder / "gone"
+        folder.mkdir()
+        window = Window(self.display, folder, self.mesh)
+        folder.rmdir()
+        window.key("i")
+        window.key("c")
+        window.expect("here: ")
+        window.key("q")
+        code, errors = window.leave()
+        self.assertEqual(code, 0)
+        self.assertRegex(errors, r"\Arelevo-view: warning: cannot write sphere-1.png: [^\n]+\n\Z")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["TestViewerTools"])
