@@ -40,6 +40,7 @@ clang
 clang-format
 gdal-bin
 git
+glslang-tools
 xauth
 xdotool
 xvfb

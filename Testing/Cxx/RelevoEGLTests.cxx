@@ -1,13 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests run again with RELEVO_TEST_WINDOW=EGL: their windows are vtkEGLOffscreenRenderWindow.
+// Tests run again with RELEVO_TEST_WINDOW=EGL: their windows are vtkEGLOffscreenRenderWindow. With
+// RELEVO_TEST_DEBUG_OUTPUT=1, too, what OpenGL has to say of errors and undefined behaviour is
+// printed, as "OpenGL says"; MESA_DEBUG=context has Mesa say all it knows.
 #include "vtkEGLOffscreenRenderWindow.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkRelevoOpenGL.h"
 #include "vtkVersion.h"
 
 #include <cstdlib>
 #include <cstring>
+#include <iostream>
 
 #ifndef VTK_FUTURE_CONST // from VTK 9.4 on
 #define VTK_FUTURE_CONST
@@ -15,7 +19,53 @@
 
 namespace
 {
-VTK_CREATE_CREATE_FUNCTION(vtkEGLOffscreenRenderWindow);
+bool IsAsking = false; // for an error, to see whether it is told
+bool IsTold = false;
+
+void GLAPIENTRY Tell(
+  GLenum, GLenum type, GLuint, GLenum, GLsizei, const GLchar* message, const void*)
+{
+  if (type != GL_DEBUG_TYPE_ERROR && type != GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR &&
+    type != GL_DEBUG_TYPE_DEPRECATED_BEHAVIOR && type != GL_DEBUG_TYPE_PORTABILITY)
+  {
+    return;
+  }
+  IsTold = true;
+  if (!IsAsking)
+  {
+    std::cerr << "OpenGL says: " << message << std::endl;
+  }
+}
+
+void TurnDebugOutputOn()
+{
+  IsTold = false;
+  if (glDebugMessageCallback)
+  {
+    glEnable(GL_DEBUG_OUTPUT);
+    glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+    glDebugMessageCallback(Tell, nullptr);
+    IsAsking = true;
+    glEnable(GL_NO_ERROR); // nothing that can be enabled
+    glGetError();
+    IsAsking = false;
+  }
+  if (!IsTold)
+  {
+    std::cerr << "no debug output" << std::endl;
+  }
+}
+
+vtkObject* CreateWindow()
+{
+  vtkEGLOffscreenRenderWindow* window = vtkEGLOffscreenRenderWindow::New();
+  if (std::getenv("RELEVO_TEST_DEBUG_OUTPUT"))
+  {
+    window->Initialize();
+    TurnDebugOutputOn();
+  }
+  return window;
+}
 
 class EGLFactory : public vtkObjectFactory
 {
@@ -29,7 +79,7 @@ protected:
   EGLFactory()
   {
     this->RegisterOverride("vtkRenderWindow", "vtkEGLOffscreenRenderWindow",
-      "a window without a display", 1, vtkObjectFactoryCreatevtkEGLOffscreenRenderWindow);
+      "a window without a display", 1, CreateWindow);
   }
 };
 vtkStandardNewMacro(EGLFactory);

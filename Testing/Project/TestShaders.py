@@ -1,0 +1,113 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every shader that the mappers' tests build, through glslangValidator, the reference compiler.
+
+TestShaders.py OUTPUT PROGRAM TEST [PROGRAM TEST]...
+
+Mesa writes the programs that the tests link, VTK's included, and the validator takes each stage on
+its own. Shaders of GLSL below 4.0 are taken twice, as OpenGL with ARB_gpu_shader5 has them and
+without: the validator knows `precise` from 4.0 on only.
+"""
+
+import collections
+import concurrent.futures
+import os
+import re
+import resource
+import shutil
+import subprocess
+import sys
+import tempfile
+
+STAGES = {
+    "vertex": "vert",
+    "tessellation control": "tesc",
+    "tessellation evaluation": "tese",
+    "geometry": "geom",
+    "fragment": "frag",
+    "compute": "comp",
+}
+SECONDS = 20
+BYTES = 2 * 1024**3
+
+
+def limit():
+    resource.setrlimit(resource.RLIMIT_AS, (BYTES, BYTES))
+
+
+def variants(source):
+    version = int(re.search(r"#version (\d+)", source).group(1))
+    if version >= 400 or "GL_ARB_gpu_shader5" not in source:
+        return {"": source}
+    return {
+        "with ARB_gpu_shader5": re.sub(r"#version \d+", "#version 400", source),
+        "without ARB_gpu_shader5": source.replace("#ifndef GL_ARB_gpu_shader5", "#if 1"),
+    }
+
+
+def problems(source, stage, folder):
+    """What the validator has against it."""
+    handle, name = tempfile.mkstemp("." + STAGES[stage], dir=folder)
+    with open(handle, "w", encoding="utf-8") as file:
+        file.write(source)
+    result = subprocess.run(
+        ["glslangValidator", name],
+        stdout=subprocess.PIPE,
+        text=True,
+        timeout=SECONDS,
+        preexec_fn=limit,
+        check=False,
+    )
+    lines = [line.replace(name, "") for line in result.stdout.splitlines()]
+    # It accepts all of the extension that is used.
+    known = "extension is only partially supported: GL_ARB_gpu_shader5"
+    found = [
+        line for line in lines if line.startswith(("ERROR:", "WARNING:")) and known not in line
+    ]
+    return found if found or result.returncode == 0 else ["exit code %d" % result.returncode]
+
+
+def main(arguments):
+    if not shutil.which("glslangValidator"):
+        print("skipped: no glslangValidator")
+        return 125
+    output = os.path.abspath(arguments[0])
+    programs = os.path.join(output, "programs")
+    shutil.rmtree(output, ignore_errors=True)
+    os.makedirs(programs)
+    for program, test in zip(arguments[1::2], arguments[2::2]):
+        environment = dict(os.environ, MESA_SHADER_CAPTURE_PATH=programs)
+        # Whether the test passes is its own business.
+        subprocess.run(
+            [program, test, "-T", output], env=environment, stdout=subprocess.DEVNULL, check=False
+        )
+    shaders = collections.OrderedDict()
+    for name in sorted(os.listdir(programs)):
+        with open(os.path.join(programs, name), encoding="utf-8") as file:
+            parts = re.split(r"^\[(.*) shader\]\n", file.read(), flags=re.M)
+        for stage, source in zip(parts[1::2], parts[2::2]):
+            shaders.setdefault((stage, source.split("\n[test]")[0]), name)
+    counts = collections.Counter()
+    jobs = []
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        for (stage, source), name in shaders.items():
+            owner = "Relevo" if "relevo" in source else "VTK"
+            counts[owner, stage] += 1
+            for variant, text in variants(source).items():
+                job = pool.submit(problems, text, stage, output)
+                jobs.append((f"{owner}: {name}, {stage} shader {variant}", job))
+    failed = 0
+    for title, job in jobs:
+        for problem in job.result():
+            print(f"{title}: {problem}")
+            failed += 1
+    for (owner, stage), count in sorted(counts.items()):
+        print(f"{owner}: {count} {stage} shaders")
+    if not any(owner == "Relevo" for owner, _ in counts):
+        print("skipped: not Mesa, which writes shaders for MESA_SHADER_CAPTURE_PATH")
+        return 125
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
