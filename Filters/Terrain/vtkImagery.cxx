@@ -58,6 +58,8 @@ bool stretchPicture(const ImagerySource& source, Imagery& result, std::string& e
   }
   const int alpha = picture.spec().alpha_channel;
   const OIIO::ROI full = picture.roi();
+  result.FullSize[0] = full.width();
+  result.FullSize[1] = full.height();
   if (full.width() > source.MaximumSize || full.height() > source.MaximumSize)
   {
     const OIIO::ROI roi(0, std::min(full.width(), source.MaximumSize), 0,

@@ -26,6 +26,7 @@ struct Imagery
   int Width = 0;
   int Height = 0;
   std::vector<unsigned char> Pixels; // 3 per pixel
+  int FullSize[2] = { 0, 0 };        ///< at the picture's own resolution, before any limit
 };
 
 struct ImagerySource

@@ -212,10 +212,32 @@ double pixelsAlong(void* transformer, bool alongU)
   return segments ? length * (count - 1) / segments : 0.0;
 }
 
-int imageSize(double pixels, int maximum)
+int imageSize(double pixels)
 {
   // 1e-3 keeps a picture on the terrain's own grid at its own size.
-  return static_cast<int>(std::clamp(std::ceil(pixels - 1e-3), 1.0, static_cast<double>(maximum)));
+  return static_cast<int>(std::clamp(
+    std::ceil(pixels - 1e-3), 1.0, static_cast<double>(std::numeric_limits<int>::max())));
+}
+
+// The smallest overview that is not coarser than `reduction` of the picture's pixels; -1 for none.
+int chooseOverview(GDALDatasetH dataset, double reduction)
+{
+  const GDALRasterBandH band = GDALGetRasterBand(dataset, 1);
+  int chosen = -1;
+  double best = 1.0;
+  for (int i = 0; i < GDALGetOverviewCount(band); ++i)
+  {
+    const GDALRasterBandH overview = GDALGetOverview(band, i);
+    const int width = overview ? GDALGetRasterBandXSize(overview) : 0;
+    const double factor =
+      width > 0 ? static_cast<double>(GDALGetRasterXSize(dataset)) / width : 0.0;
+    if (factor > best && factor <= reduction)
+    {
+      chosen = i;
+      best = factor;
+    }
+  }
+  return chosen;
 }
 
 bool warpStrip(GDALDatasetH source, bool hasAlpha, GDALDatasetH strip)
@@ -288,76 +310,114 @@ bool composite(
   }
   return true;
 }
-}
 
-bool WarpImagery(const ImagerySource& source, const Georeference& terrain, Imagery& result,
-  const ImageryProgress& progress, bool& opened, std::string& error)
+// A picture as the warper takes it: its bands chosen, at its own size or at that of an overview.
+struct Picture
 {
-  GDALSession session;
-  GDALDatasetPointer dataset(GDALOpenEx(
-    source.FileName.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr));
-  opened = dataset && GDALGetRasterCount(dataset.get()) > 0;
-  if (!opened)
-  {
-    return false;
-  }
-  const bool located = hasLocation(dataset.get()) && terrain.System != Georeference::Kind::None;
+  GDALDatasetPointer Dataset;
+  GDALDatasetPointer Expanded; // from indices to colours; must outlive the view of its bands
+  GDALDatasetPointer View;
+  bool HasAlpha = false;
+  bool IsLocated = false;
 
-  GDALDatasetPointer expanded; // must outlive the view of its bands
-  if (GDALGetRasterCount(dataset.get()) == 1 &&
-    GDALGetRasterColorTable(GDALGetRasterBand(dataset.get(), 1)))
+  // No overview: -1. False without a reason in `error` when GDAL cannot open the file.
+  bool Open(const ImagerySource& source, const Georeference& terrain, int overview,
+    const GDALSession& session, std::string& error)
   {
-    expanded = translate(dataset.get(), { "-expand", "rgba" });
-  }
-  const GDALDatasetH colors = expanded ? expanded.get() : dataset.get();
-  Bands bands;
-  if (!chooseBands(colors, source.Bands, bands, error))
-  {
-    return false;
-  }
-  const GDALDatasetPointer view = selectBands(colors, bands);
-  if (!view)
-  {
-    error = session.Messages("its bands cannot be selected");
-    return false;
-  }
-  if (!located)
-  {
-    double unitSquare[6] = { 0.0, 1.0 / GDALGetRasterXSize(view.get()), 0.0, 1.0, 0.0,
-      -1.0 / GDALGetRasterYSize(view.get()) };
-    GDALSetGCPs(view.get(), 0, nullptr, "");
-    GDALSetProjection(view.get(), "");
-    GDALSetGeoTransform(view.get(), unitSquare);
-  }
-
-  {
-    const GDALDatasetPointer footprint = createStrip(terrain, located, 1, 1, 0, 1);
-    const Transformer transformer = createTransformer(view.get(), footprint.get());
-    if (!transformer)
+    const std::string level = "OVERVIEW_LEVEL=" + std::to_string(overview);
+    const char* options[] = { overview < 0 ? nullptr : level.c_str(), nullptr };
+    this->Dataset.reset(GDALOpenEx(
+      source.FileName.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, options, nullptr));
+    const GDALDatasetH dataset = this->Dataset.get();
+    if (!dataset || GDALGetRasterCount(dataset) < 1)
     {
-      error = session.Messages("its coordinate system cannot be related to the terrain's");
       return false;
     }
-    result.Width = imageSize(pixelsAlong(transformer.get(), true), source.MaximumSize);
-    result.Height = imageSize(pixelsAlong(transformer.get(), false), source.MaximumSize);
+    this->IsLocated = hasLocation(dataset) && terrain.System != Georeference::Kind::None;
+    const bool hasIndices =
+      GDALGetRasterCount(dataset) == 1 && GDALGetRasterColorTable(GDALGetRasterBand(dataset, 1));
+    this->Expanded = hasIndices ? translate(dataset, { "-expand", "rgba" }) : nullptr;
+    const GDALDatasetH colors = this->Expanded ? this->Expanded.get() : dataset;
+    Bands bands;
+    if (!chooseBands(colors, source.Bands, bands, error))
+    {
+      return false;
+    }
+    this->HasAlpha = bands.Alpha != 0;
+    this->View = selectBands(colors, bands);
+    if (!this->View)
+    {
+      error = session.Messages("its bands cannot be selected");
+      return false;
+    }
+    if (!this->IsLocated)
+    {
+      this->Stretch();
+    }
+    return true;
   }
+
+  // GDAL would keep blocks that were read up to a share of the machine's memory. What it can only
+  // read from the start is better kept.
+  void ReleaseBlocks()
+  {
+    const std::string driver = GDALGetDriverShortName(GDALGetDatasetDriver(this->Dataset.get()));
+    if (driver != "PNG" && driver != "JPEG" && driver != "GIF")
+    {
+      GDALFlushCache(this->View.get());
+      GDALFlushCache(this->Dataset.get());
+    }
+  }
+
+private:
+  // Over the unit square.
+  void Stretch()
+  {
+    double unitSquare[6] = { 0.0, 1.0 / GDALGetRasterXSize(this->View.get()), 0.0, 1.0, 0.0,
+      -1.0 / GDALGetRasterYSize(this->View.get()) };
+    GDALSetGCPs(this->View.get(), 0, nullptr, "");
+    GDALSetProjection(this->View.get(), "");
+    GDALSetGeoTransform(this->View.get(), unitSquare);
+  }
+};
+
+// Full size and size of the result.
+bool chooseSize(const Picture& picture, const Georeference& terrain, int maximum, Imagery& result)
+{
+  const GDALDatasetPointer footprint = createStrip(terrain, picture.IsLocated, 1, 1, 0, 1);
+  const Transformer transformer = createTransformer(picture.View.get(), footprint.get());
+  if (!transformer)
+  {
+    return false;
+  }
+  result.FullSize[0] = imageSize(pixelsAlong(transformer.get(), true));
+  result.FullSize[1] = imageSize(pixelsAlong(transformer.get(), false));
+  result.Width = std::min(result.FullSize[0], maximum);
+  result.Height = std::min(result.FullSize[1], maximum);
+  return true;
+}
+
+bool warp(Picture& picture, const Georeference& terrain, Imagery& result,
+  const ImageryProgress& progress, const GDALSession& session, std::string& error)
+{
   result.Pixels.assign(
     static_cast<std::size_t>(result.Width) * result.Height * NumberOfColors, NeutralGrey);
-
-  const Stretch stretch(view.get());
+  const Stretch stretch(picture.View.get());
   bool covered = false;
-  for (int first = 0; first < result.Height; first += RowsPerStrip)
+  // From the north, where files begin.
+  for (int end = result.Height; end > 0; end -= RowsPerStrip)
   {
-    const int rows = std::min(RowsPerStrip, result.Height - first);
+    const int first = std::max(0, end - RowsPerStrip);
     const GDALDatasetPointer strip =
-      createStrip(terrain, located, result.Width, result.Height, first, rows);
-    if (!strip || !warpStrip(view.get(), bands.Alpha != 0, strip.get()) ||
+      createStrip(terrain, picture.IsLocated, result.Width, result.Height, first, end - first);
+    if (!strip || !warpStrip(picture.View.get(), picture.HasAlpha, strip.get()) ||
       !composite(strip.get(), stretch, first, result, covered))
     {
       error = session.Messages("it cannot be resampled to the terrain");
       return false;
     }
-    if (!progress(static_cast<double>(first + rows) / result.Height))
+    picture.ReleaseBlocks();
+    if (!progress(1.0 - static_cast<double>(first) / result.Height))
     {
       return false;
     }
@@ -368,5 +428,39 @@ bool WarpImagery(const ImagerySource& source, const Georeference& terrain, Image
     return false;
   }
   return true;
+}
+}
+
+bool WarpImagery(const ImagerySource& source, const Georeference& terrain, Imagery& result,
+  const ImageryProgress& progress, bool& opened, std::string& error)
+{
+  GDALSession session;
+  Picture picture;
+  const bool isReady = picture.Open(source, terrain, -1, session, error);
+  opened = isReady || !error.empty();
+  if (!isReady)
+  {
+    return false;
+  }
+  if (!chooseSize(picture, terrain, source.MaximumSize, result))
+  {
+    error = session.Messages("its coordinate system cannot be related to the terrain's");
+    return false;
+  }
+  // Both as fine as the result needs.
+  const double reduction = std::min(static_cast<double>(result.FullSize[0]) / result.Width,
+    static_cast<double>(result.FullSize[1]) / result.Height);
+  const int overview = chooseOverview(picture.Dataset.get(), reduction);
+  if (overview >= 0)
+  {
+    Picture smaller;
+    if (!smaller.Open(source, terrain, overview, session, error))
+    {
+      error = session.Messages("its overview cannot be opened");
+      return false;
+    }
+    return warp(smaller, terrain, result, progress, session, error);
+  }
+  return warp(picture, terrain, result, progress, session, error);
 }
 }

@@ -13,6 +13,10 @@ namespace relevo
 {
 namespace
 {
+// A row must fit into memory: so many doubles take 512 MiB. The whole earth in texels of 10 m has
+// 4 million columns.
+constexpr int MaximumWidth = 1 << 26;
+
 // Why a file cannot be a raster, found before any library is asked; empty when it may be one.
 std::string obstacle(const std::string& fileName)
 {
@@ -75,10 +79,13 @@ std::unique_ptr<Raster> openAny(const std::string& fileName, std::string& error)
 std::unique_ptr<Raster> Raster::Open(const std::string& fileName, std::string& error)
 {
   auto raster = openAny(fileName, error);
-  if (raster && (raster->Contents.Width < 1 || raster->Contents.Height < 1))
+  if (raster &&
+    (raster->Contents.Width < 1 || raster->Contents.Height < 1 ||
+      raster->Contents.Width > MaximumWidth))
   {
     error = "it has " + std::to_string(raster->Contents.Width) + " x " +
       std::to_string(raster->Contents.Height) + " texels";
+    error += raster->Contents.Width > MaximumWidth ? ", too many columns to read a row" : "";
     return nullptr;
   }
   return raster;

@@ -379,6 +379,16 @@ bool vtkTerrainSource::UpdateImagery(const relevo::Georeference& location, std::
     error = error.empty() ? error : "Cannot drape " + source.FileName + ": " + error + ".";
     return false;
   }
+  if (imagery.FullSize[0] > imagery.Width || imagery.FullSize[1] > imagery.Height)
+  {
+    vtkWarningMacro(
+      << source.FileName << " has about " << imagery.FullSize[0] << " x " << imagery.FullSize[1]
+      << " pixels over the terrain, more than " << this->MaximumImagerySize
+      << " a side: it is draped as " << imagery.Width << " x " << imagery.Height
+      << ". For more detail cut out a part of the terrain "
+      << "(gdal_translate -srcwin), or raise MaximumImagerySize where textures may be "
+      << "that large.");
+  }
   this->Imagery->SetDimensions(imagery.Width, imagery.Height, 1);
   this->Imagery->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   std::copy(imagery.Pixels.begin(), imagery.Pixels.end(),

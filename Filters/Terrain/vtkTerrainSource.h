@@ -99,7 +99,8 @@ public:
 
   //@{
   /**
-   * The most pixels the resampled imagery may have per side, default 4096, at least 1.
+   * The most pixels the resampled imagery may have per side, default 4096, at least 1. Imagery of
+   * more is reduced, from its overviews where it has any, with a warning.
    */
   vtkSetClampMacro(MaximumImagerySize, int, 1, 65536);
   vtkGetMacro(MaximumImagerySize, int);

@@ -108,6 +108,20 @@ int TestHeightMapErrors(int argc, char* argv[])
   CHECK(complex.Write(complexName));
   ExpectError(check, map, complexName, "not supported");
 
+  // Headers that promise more than there is, or than any machine can hold.
+  for (const char* size : { "rasterXSize=\"2000000000\" rasterYSize=\"1\"",
+         "rasterXSize=\"2000000000\" rasterYSize=\"2000000000\"",
+         "rasterXSize=\"0\" rasterYSize=\"0\"", "rasterXSize=\"1\" rasterYSize=\"-3\"" })
+  {
+    const std::string promise = folders.File("HeightMapPromise.vrt");
+    std::ofstream(promise) << "<VRTDataset " << size
+                           << "><VRTRasterBand dataType=\"Float64\" band=\"1\"><SimpleSource>"
+                              "<SourceFilename relativeToVRT=\"1\">no such file.tif"
+                              "</SourceFilename><SourceBand>1</SourceBand></SimpleSource>"
+                              "</VRTRasterBand></VRTDataset>";
+    ExpectError(check, map, promise, "Cannot read");
+  }
+
   // Progress, and a stop that is no error and leaves the way open for the next try.
   double progress = 0.0;
   vtkNew<vtkCallbackCommand> observer;
