@@ -111,6 +111,14 @@ bool HoleFinder::MayHave(int face) const
   return data.HasAny(low, high);
 }
 
+bool HoleFinder::HasData(int face, const float weights[3]) const
+{
+  FaceDisplacement displaced = this->Data->Heights;
+  displaced.Face = face;
+  const vec3 w = SurfaceCorners::load(weights);
+  return displaced.heightValid(displaced.heightCoordinate(displaced.heightPoints(w), w));
+}
+
 int HoleFinder::Find(int face, const FacePattern& facePattern, unsigned char* out) const
 {
   const Internals& data = *this->Data;

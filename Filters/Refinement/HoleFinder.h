@@ -58,6 +58,11 @@ public:
    */
   bool MayHave(int face) const;
 
+  /**
+   * Whether the height at these weights has data.
+   */
+  bool HasData(int face, const float weights[3]) const;
+
 private:
   struct Internals;
   std::unique_ptr<Internals> Data;

@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveRefinementFilter.h"
 
-#include "FloatRange.h"
-
+#include "RefinementPreparation.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCamera.h"
-#include "vtkDisplacement.h"
-#include "vtkEdgeTags.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMatrix4x4.h"
@@ -16,7 +13,6 @@
 #include "vtkPolyData.h"
 #include "vtkRefinedPolyDataBuilder.h"
 #include "vtkRefinementMesh.h"
-#include "vtkRefinementSurface.h"
 #include "vtkRefinementView.h"
 #include "vtkRelevoCompatibility.h"
 #include "vtkSMPTools.h"
@@ -101,60 +97,22 @@ vtkMTimeType vtkAdaptiveRefinementFilter::GetMTime()
 bool vtkAdaptiveRefinementFilter::Prepare(
   vtkPolyData* input, relevo::RefinementMesh& mesh, relevo::PatternSelection& selection)
 {
-  vtkAdaptiveRefinement* recipe = this->Refinement;
-  if (!recipe)
-  {
-    vtkErrorMacro("No recipe: call SetRefinement() with a vtkAdaptiveRefinement.");
-    return false;
-  }
-  if (input->GetNumberOfCells() == 0)
-  {
-    vtkErrorMacro("The input has no cells: there is nothing to refine.");
-    return false;
-  }
-  if (recipe->GetDisplacement() && !recipe->GetDisplacement()->Update())
-  {
-    vtkErrorMacro("The displacement's height map could not be read.");
-    return false;
-  }
-  const std::string excess = relevo::FindExcess(recipe);
-  if (!excess.empty())
-  {
-    vtkErrorMacro("Cannot refine the input: " << excess << ".");
-    return false;
-  }
-  const std::string lack =
-    recipe->GetSurface() ? recipe->GetSurface()->GetEvaluationError() : std::string();
-  if (!lack.empty())
-  {
-    vtkErrorMacro("Cannot refine the input: " << lack << ".");
-    return false;
-  }
-  if (!mesh.Build(input, recipe, true))
-  {
-    vtkErrorMacro("Cannot refine the input: " << mesh.GetError() << ".");
-    return false;
-  }
-  if (mesh.GetNumberOfDroppedTriangles() > 0)
-  {
-    vtkWarningMacro(<< mesh.GetNumberOfDroppedTriangles()
-                    << " degenerate cells or triangles dropped (two corners at one place, fewer "
-                       "than three points, or non-finite coordinates).");
-  }
-
   vtkRefinementView view;
   view.Camera = this->Camera;
   view.ModelToWorld = this->ModelToWorld;
   std::copy_n(this->ViewportSize, 2, view.ViewportSize);
-  relevo::EdgeTags tags;
   std::string error;
-  if (!tags.Compute(recipe, input, mesh, view, error))
+  std::string warning;
+  const bool prepared = relevo::PrepareMesh(input, this->Refinement, mesh, error, warning);
+  if (!warning.empty())
   {
-    vtkErrorMacro("Cannot refine the input: " << error << ".");
+    vtkWarningMacro(<< warning);
+  }
+  if (!prepared || !relevo::SelectPatterns(input, this->Refinement, view, mesh, selection, error))
+  {
+    vtkErrorMacro(<< error);
     return false;
   }
-  selection.Select(mesh, tags, relevo::GetPatternFamily(recipe, input), recipe->GetPatternTable(),
-    static_cast<float>(recipe->GetLevelOffset()));
   return true;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFaceBounds.h"
 
+#include "HeightRanges.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDisplacement.h"
 #include "vtkMath.h"
@@ -33,12 +34,16 @@ void Extend(const float* v, double low[3], double high[3])
 }
 }
 
-FaceBounds::FaceBounds(const RefinementMesh& mesh, vtkAdaptiveRefinement* recipe)
+FaceBounds::FaceBounds(
+  const RefinementMesh& mesh, vtkAdaptiveRefinement* recipe, const HeightRanges* heights)
   : Mesh(mesh)
   , Directions(mesh.Directions.empty() ? mesh.Normals : mesh.Directions)
+  , Heights(mesh.TextureCoordinates.empty() ? nullptr : heights)
 {
   if (vtkDisplacement* displacement = recipe->GetDisplacement())
   {
+    this->Scale = displacement->GetScale();
+    this->Offset = displacement->GetOffset();
     displacement->GetReach(this->Reach);
     displacement->GetDirection(this->Fixed);
     this->AlongNormal = displacement->IsAlongNormal();
@@ -57,6 +62,35 @@ const float* FaceBounds::GetVectors(std::size_t face) const
   return this->Mesh.Vectors.empty()
     ? nullptr
     : &this->Mesh.Vectors[3 * static_cast<std::size_t>(this->Mesh.VectorsPerFace) * face];
+}
+
+// Least and largest displacement of a face's points.
+void FaceBounds::GetReach(std::size_t face, double reach[2]) const
+{
+  std::copy_n(this->Reach, 2, reach);
+  if (!this->Heights)
+  {
+    return;
+  }
+  vec2 low(std::numeric_limits<float>::max());
+  vec2 high(std::numeric_limits<float>::lowest());
+  const auto extend = [&](int point)
+  {
+    const float* uv = &this->Mesh.TextureCoordinates[2 * static_cast<std::size_t>(point)];
+    low = min(low, vec2(uv[0], uv[1]));
+    high = max(high, vec2(uv[0], uv[1]));
+  };
+  std::for_each_n(this->Mesh.Faces[face].Corners, 3, extend);
+  if (!this->Mesh.Seams.empty())
+  {
+    std::for_each_n(&this->Mesh.Seams[9 * face], 9, extend);
+  }
+  float range[2];
+  this->Heights->GetRange(low, high, range);
+  const double ends[2] = { this->Offset + this->Scale * range[0],
+    this->Offset + this->Scale * range[1] };
+  reach[0] = std::min(ends[0], ends[1]);
+  reach[1] = std::max(ends[0], ends[1]);
 }
 
 // Least and largest component of the directions a face's points can move in.
@@ -145,7 +179,9 @@ void FaceBounds::GetBox(std::size_t face, double low[3], double high[3]) const
     low[c] -= this->SurfaceReach;
     high[c] += this->SurfaceReach;
   }
-  if (this->Reach[0] == 0.0 && this->Reach[1] == 0.0)
+  double reach[2];
+  this->GetReach(face, reach);
+  if (reach[0] == 0.0 && reach[1] == 0.0)
   {
     return;
   }
@@ -153,8 +189,8 @@ void FaceBounds::GetBox(std::size_t face, double low[3], double high[3]) const
   this->GetMoves(face, moves);
   for (int c = 0; c < 3; ++c)
   {
-    const double products[4] = { this->Reach[0] * moves[c][0], this->Reach[0] * moves[c][1],
-      this->Reach[1] * moves[c][0], this->Reach[1] * moves[c][1] };
+    const double products[4] = { reach[0] * moves[c][0], reach[0] * moves[c][1],
+      reach[1] * moves[c][0], reach[1] * moves[c][1] };
     low[c] += *std::min_element(products, products + 4);
     high[c] += *std::max_element(products, products + 4);
   }

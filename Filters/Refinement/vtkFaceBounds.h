@@ -19,22 +19,30 @@ class vtkAdaptiveRefinement;
 
 namespace relevo
 {
+class HeightRanges;
 class RefinementMesh;
 
 class FaceBounds
 {
 public:
-  FaceBounds(const RefinementMesh& mesh, vtkAdaptiveRefinement* recipe);
+  /// With `heights`, those of the recipe's height map, boxes reach as far as the heights over each
+  /// face; else as far as all heights do.
+  FaceBounds(const RefinementMesh& mesh, vtkAdaptiveRefinement* recipe,
+    const HeightRanges* heights = nullptr);
 
   /// A box relative to the mesh's origin. May be called from several threads.
   void GetBox(std::size_t face, double low[3], double high[3]) const;
 
 private:
+  void GetReach(std::size_t face, double reach[2]) const;
   void GetMoves(std::size_t face, double moves[3][2]) const;
   const float* GetVectors(std::size_t face) const;
 
   const RefinementMesh& Mesh;
   const std::vector<float>& Directions;
+  const HeightRanges* Heights;
+  double Scale = 0.0;
+  double Offset = 0.0;
   bool AlongNormal = false;
   double Reach[2] = { 0.0, 0.0 };
   double Fixed[3] = { 0.0, 0.0, 0.0 };

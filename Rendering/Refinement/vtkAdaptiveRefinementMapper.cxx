@@ -52,6 +52,7 @@ vtkAdaptiveRefinementMapper::vtkAdaptiveRefinementMapper()
 {
   this->Internals->Context->OnRelease = [this](vtkWindow* window)
   { this->ReleaseGraphicsResources(window); };
+  this->InitializePicking();
 }
 
 vtkAdaptiveRefinementMapper::~vtkAdaptiveRefinementMapper()
@@ -232,6 +233,7 @@ void vtkAdaptiveRefinementMapper::RenderPiece(vtkRenderer* ren, vtkActor* act)
   vtkInternals& data = *this->Internals;
   // Releases what is in the context of another window, which some windows leave current then.
   data.Context->SetContext(vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()));
+  data.Picking.Questions.AskOther();
   if (data.IsBlock || !this->UseAllocatedRenderTime || ren->GetSelector())
   {
     this->RenderRefined(ren, act);

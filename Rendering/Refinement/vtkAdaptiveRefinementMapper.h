@@ -30,6 +30,17 @@
  * camera, the actor's matrix or the viewport changed. The displacement's scale, offset and
  * direction change live, and so do the surface's own numbers, as vtkPhongSurface::SetAlpha().
  *
+ * VTK's pickers find the surface that is drawn: vtkCellPicker its nearest point, with the normal, the
+ * input's cell and point, parametric and texture coordinates of that cell, and the block;
+ * vtkPointPicker the input's points where the surface has them; vtkPicker its bounds. They ask for
+ * the levels of the last frame, or, before one, for what the recipe gives without a view, which of
+ * metrics of the view is MaximumLevel. Inside a face, DMR, SUAPT and tessellation draw other
+ * triangles than those that are picked, ARKFPI's, which meet them on edges. What a
+ * vtkProceduralSurface's GLSL adds is not picked. The data set that vtkCellPicker gives has the
+ * input's cells and arrays, but is not the input itself, and normals are no active attribute of it;
+ * locators added to the picker are not asked, and none is needed. Subclasses of VTK's pickers find
+ * the same; a picker of another kind, which asks vtkMapper::GetInput(), gets the input.
+ *
  * Needs OpenGL 3.3 with ARB_texture_buffer_object_rgb32; with OpenGL 4.3 faces can choose their
  * patterns on the GPU (see SetSelectionDevice()). Errors (ErrorEvent of this object; the
  * surface is then not drawn, rendering goes on): no recipe, an older OpenGL, depth-tags or texture
@@ -366,6 +377,19 @@ public:
   bool HasTranslucentPolygonalGeometry() override;
   //@}
 
+  //@{
+  /**
+   * Bounds of what is drawn: surface and displacement enlarge them by what they can reach.
+   */
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  void GetBounds(double bounds[6]) override;
+  //@}
+
+  /**
+   * The input, where it is a vtkPolyData.
+   */
+  vtkPolyData* GetInput();
+
   void RenderPiece(vtkRenderer* ren, vtkActor* act) override;
   void RenderPieceStart(vtkRenderer* ren, vtkActor* act) override;
   void RenderPieceDraw(vtkRenderer* ren, vtkActor* act) override;
@@ -439,6 +463,9 @@ private:
   /// Whether a composite input has blocks that are translucent, or such that are not.
   bool HasBlocks(bool translucent);
   vtkAbstractArray* GetScalarsToInterpolate();
+  void InitializePicking();
+  vtkDataObject* ReplaceInput(vtkDataObject* input);
+  vtkPolyData* GetPickedData(bool isAsked);
   bool CheckOpenGL(vtkRenderer* ren);
   void FollowLook(vtkRenderer* ren, vtkActor* act);
   bool UploadMesh(vtkRenderer* ren);

@@ -11,6 +11,7 @@
 
 #include "ActorLook.h"
 #include "ContextWatch.h"
+#include "PickedInput.h"
 #include "vtkAdaptiveRefinementMapper.h"
 #include "vtkLevelBudget.h"
 #include "vtkNew.h"
@@ -142,6 +143,7 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   void ForgetPrograms(int method);
 
   relevo::RefinementBlocks Blocks;
+  relevo::PickedInput Picking;
 
   // Of all blocks of a composite input it is their parent's that counts.
   relevo::LevelBudget Budget;

@@ -129,6 +129,12 @@ void RefinementBlocks::ProcessSelectorPixelBuffers(
   }
 }
 
+vtkAdaptiveRefinementMapper* RefinementBlocks::Find(unsigned int flatIndex) const
+{
+  const auto found = this->Mappers.find(flatIndex);
+  return found == this->Mappers.end() ? nullptr : found->second.Get();
+}
+
 void RefinementBlocks::ForEach(const std::function<void(vtkAdaptiveRefinementMapper*)>& work) const
 {
   for (const auto& block : this->Mappers)

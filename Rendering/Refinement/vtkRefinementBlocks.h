@@ -47,6 +47,9 @@ public:
   void ProcessSelectorPixelBuffers(
     vtkHardwareSelector* selector, const std::vector<unsigned int>& pixels, vtkProp* prop);
 
+  /// The mapper of the leaf with a flat index; nullptr where there is none.
+  vtkAdaptiveRefinementMapper* Find(unsigned int flatIndex) const;
+
   void ForEach(const std::function<void(vtkAdaptiveRefinementMapper*)>& work) const;
   void Clear() { this->Mappers.clear(); }
   bool IsEmpty() const { return this->Mappers.empty(); }

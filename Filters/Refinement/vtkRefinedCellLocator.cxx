@@ -1,0 +1,401 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRefinedCellLocator.h"
+
+#include "CoarseCell.h"
+#include "RefinedSurface.h"
+#include "RefinementPreparation.h"
+#include "vtkAdaptiveRefinement.h"
+#include "vtkAdaptiveRefinementFilter.h"
+#include "vtkBoundingBox.h"
+#include "vtkCamera.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPatternSelection.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRefinementMesh.h"
+#include "vtkRefinementView.h"
+#include "vtkTimeStamp.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkRefinedCellLocator);
+
+struct vtkRefinedCellLocator::vtkInternals
+{
+  relevo::RefinementMesh Mesh;
+  vtkTimeStamp MeshTime;
+  relevo::PatternSelection Selection;
+  relevo::RefinedSurface Surface;
+  vtkDataSet* Input = nullptr; // to compare, never read
+  bool Valid = false;
+
+  vtkIdType CountOtherCells(vtkPolyData* input) const
+  {
+    return input->GetNumberOfVerts() + input->GetNumberOfLines();
+  }
+
+  vtkBoundingBox GetBox(vtkPolyData* input, vtkIdType cellId) const
+  {
+    vtkNew<vtkIdList> points;
+    relevo::GetCellPoints(input, cellId, points);
+    vtkBoundingBox box;
+    for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
+    {
+      box.AddPoint(input->GetPoint(points->GetId(i)));
+    }
+    return box;
+  }
+
+  // Append each cell once of the faces that are visited.
+  template <typename VisitFaces>
+  void AppendCells(vtkIdList* cells, const VisitFaces& visitFaces) const
+  {
+    std::vector<int> ids;
+    visitFaces([&](int face) { ids.push_back(this->Mesh.Faces[face].Cell); });
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+    for (int id : ids)
+    {
+      cells->InsertNextId(id);
+    }
+  }
+};
+
+vtkRefinedCellLocator::vtkRefinedCellLocator()
+  : Internals(new vtkInternals)
+{
+}
+
+vtkRefinedCellLocator::~vtkRefinedCellLocator() = default;
+
+void vtkRefinedCellLocator::SetRefinement(vtkAdaptiveRefinement* refinement)
+{
+  if (this->Refinement != refinement)
+  {
+    this->Refinement = refinement;
+    this->Modified();
+  }
+}
+
+vtkAdaptiveRefinement* vtkRefinedCellLocator::GetRefinement()
+{
+  return this->Refinement;
+}
+
+void vtkRefinedCellLocator::SetCamera(vtkCamera* camera)
+{
+  if (this->Camera != camera)
+  {
+    this->Camera = camera;
+    this->Modified();
+  }
+}
+
+vtkCamera* vtkRefinedCellLocator::GetCamera()
+{
+  return this->Camera;
+}
+
+void vtkRefinedCellLocator::SetModelToWorld(vtkMatrix4x4* matrix)
+{
+  if (this->ModelToWorld != matrix)
+  {
+    this->ModelToWorld = matrix;
+    this->Modified();
+  }
+}
+
+vtkMatrix4x4* vtkRefinedCellLocator::GetModelToWorld()
+{
+  return this->ModelToWorld;
+}
+
+void vtkRefinedCellLocator::SetViewportSize(int width, int height)
+{
+  if (width < 1 || height < 1)
+  {
+    vtkErrorMacro("ViewportSize must be positive, got " << width << " x " << height << ".");
+  }
+  else if (this->ViewportSize[0] != width || this->ViewportSize[1] != height)
+  {
+    this->ViewportSize[0] = width;
+    this->ViewportSize[1] = height;
+    this->Modified();
+  }
+}
+
+vtkMTimeType vtkRefinedCellLocator::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  for (vtkObject* part : { static_cast<vtkObject*>(this->Refinement),
+         static_cast<vtkObject*>(this->Camera), static_cast<vtkObject*>(this->ModelToWorld) })
+  {
+    time = part ? std::max(time, part->GetMTime()) : time;
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
+// The search structure
+
+bool vtkRefinedCellLocator::Update(bool anew)
+{
+  vtkInternals& data = *this->Internals;
+  if (!anew && data.Input == this->DataSet && this->BuildTime > this->GetMTime() &&
+    (!this->DataSet || this->BuildTime > this->DataSet->GetMTime()))
+  {
+    return data.Valid;
+  }
+  vtkPolyData* input = vtkPolyData::SafeDownCast(this->DataSet);
+  data.Valid = false;
+  if (!input)
+  {
+    vtkErrorMacro("Needs a vtkPolyData: call SetDataSet() with the coarse mesh"
+      << (this->DataSet ? std::string(", not with a ") + this->DataSet->GetClassName()
+                        : std::string())
+      << ".");
+  }
+  else
+  {
+    data.Valid = this->Prepare(input);
+  }
+  data.Input = this->DataSet;
+  this->BuildTime.Modified();
+  return data.Valid;
+}
+
+bool vtkRefinedCellLocator::Prepare(vtkPolyData* input)
+{
+  vtkInternals& data = *this->Internals;
+  std::string error;
+  std::string warning;
+  bool valid = true;
+  if (data.Input != input || data.MeshTime < input->GetMTime() || !this->Refinement ||
+    data.MeshTime < this->Refinement->GetMTime() || data.Mesh.Faces.empty())
+  {
+    valid = relevo::PrepareMesh(input, this->Refinement, data.Mesh, error, warning);
+    data.MeshTime.Modified();
+  }
+  if (!warning.empty())
+  {
+    vtkWarningMacro(<< warning);
+  }
+  vtkRefinementView view;
+  view.Camera = this->Camera;
+  view.ModelToWorld = this->ModelToWorld;
+  std::copy_n(this->ViewportSize, 2, view.ViewportSize);
+  valid = valid &&
+    relevo::SelectPatterns(input, this->Refinement, view, data.Mesh, data.Selection, error);
+  if (!valid)
+  {
+    vtkErrorMacro(<< error);
+    return false;
+  }
+  data.Surface.Update(
+    data.Mesh, data.MeshTime, this->Refinement, input->GetPointData()->GetNormals());
+  return true;
+}
+
+void vtkRefinedCellLocator::BuildLocator()
+{
+  this->Update(false);
+}
+
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+void vtkRefinedCellLocator::ForceBuildLocator()
+{
+  this->Update(true);
+}
+#endif
+
+void vtkRefinedCellLocator::FreeSearchStructure()
+{
+  this->Internals.reset(new vtkInternals);
+}
+
+void vtkRefinedCellLocator::GenerateRepresentation(int, vtkPolyData* pd)
+{
+  pd->Initialize();
+  if (!this->Update(false))
+  {
+    return;
+  }
+  vtkNew<vtkAdaptiveRefinementFilter> filter;
+  filter->SetInputDataObject(this->DataSet);
+  filter->SetRefinement(this->Refinement);
+  filter->SetCamera(this->Camera);
+  filter->SetModelToWorld(this->ModelToWorld);
+  filter->SetViewportSize(this->ViewportSize);
+  filter->Update();
+  pd->ShallowCopy(filter->GetOutput());
+}
+
+//------------------------------------------------------------------------------
+// Questions
+
+int vtkRefinedCellLocator::IntersectWithLine(const double p1[3], const double p2[3], double tol,
+  double& t, double x[3], double pcoords[3], int& subId, vtkIdType& cellId, vtkGenericCell* cell)
+{
+  cellId = -1;
+  if (!this->Update(false))
+  {
+    return 0;
+  }
+  vtkInternals& data = *this->Internals;
+  const int others = this->IntersectOtherCells(p1, p2, tol, t, x, pcoords, subId, cellId, cell);
+  relevo::SurfaceHit hit;
+  if (!data.Surface.Intersect(data.Selection, p1, p2, tol, hit) || (others && t < hit.T))
+  {
+    return others;
+  }
+  const relevo::CoarseCell coarse(static_cast<vtkPolyData*>(this->DataSet), data.Mesh, hit, cell);
+  relevo::TurnCell(cell, hit.Normal);
+  t = hit.T;
+  std::copy_n(hit.Position, 3, x);
+  std::copy_n(coarse.PCoords, 3, pcoords);
+  subId = coarse.SubId;
+  cellId = coarse.CellId;
+  return 1;
+}
+
+int vtkRefinedCellLocator::IntersectOtherCells(const double p1[3], const double p2[3], double tol,
+  double& t, double x[3], double pcoords[3], int& subId, vtkIdType& cellId, vtkGenericCell* cell)
+{
+  vtkPolyData* input = static_cast<vtkPolyData*>(this->DataSet);
+  t = std::numeric_limits<double>::max();
+  for (vtkIdType id = 0; id < this->Internals->CountOtherCells(input); ++id)
+  {
+    double here;
+    double point[3];
+    double coordinates[3];
+    int sub;
+    relevo::GetCell(input, id, cell);
+    if (cell->IntersectWithLine(p1, p2, tol, here, point, coordinates, sub) && here < t)
+    {
+      t = here;
+      std::copy_n(point, 3, x);
+      std::copy_n(coordinates, 3, pcoords);
+      subId = sub;
+      cellId = id;
+    }
+  }
+  if (cellId >= 0)
+  {
+    relevo::GetCell(input, cellId, cell);
+  }
+  return cellId >= 0 ? 1 : 0;
+}
+
+void vtkRefinedCellLocator::FindClosestPoint(const double x[3], double closestPoint[3],
+  vtkGenericCell* cell, vtkIdType& cellId, int& subId, double& dist2)
+{
+  double place[3] = { x[0], x[1], x[2] };
+  int inside;
+  this->FindClosestPointWithinRadius(place, std::numeric_limits<double>::infinity(), closestPoint,
+    cell, cellId, subId, dist2, inside);
+}
+
+vtkIdType vtkRefinedCellLocator::FindClosestPointWithinRadius(double x[3], double radius,
+  double closestPoint[3], vtkGenericCell* cell, vtkIdType& cellId, int& subId, double& dist2,
+  int& inside)
+{
+  cellId = -1;
+  inside = 0;
+  if (!this->Update(false))
+  {
+    return 0;
+  }
+  vtkInternals& data = *this->Internals;
+  vtkPolyData* input = static_cast<vtkPolyData*>(this->DataSet);
+  relevo::SurfaceHit hit;
+  if (data.Surface.FindClosest(data.Selection, x, radius, hit, dist2))
+  {
+    const relevo::CoarseCell coarse(input, data.Mesh, hit, cell);
+    std::copy_n(hit.Position, 3, closestPoint);
+    subId = coarse.SubId;
+    cellId = coarse.CellId;
+    inside = std::all_of(hit.Weights, hit.Weights + 3, [](double weight) { return weight > 0.0; });
+  }
+  for (vtkIdType id = 0; id < data.CountOtherCells(input); ++id)
+  {
+    vtkNew<vtkGenericCell> other;
+    relevo::GetCell(input, id, other);
+    std::vector<double> weights(static_cast<size_t>(other->GetNumberOfPoints()));
+    double point[3];
+    double pcoords[3];
+    double here = std::numeric_limits<double>::infinity();
+    int sub = 0;
+    const int status = other->EvaluatePosition(x, point, sub, pcoords, here, weights.data());
+    if (status >= 0 && here >= 0.0 && here < dist2)
+    {
+      dist2 = here;
+      std::copy_n(point, 3, closestPoint);
+      subId = sub;
+      cellId = id;
+      inside = status;
+      cell->SetCellType(other->GetCellType());
+      cell->DeepCopy(other);
+    }
+  }
+  return cellId >= 0 ? 1 : 0;
+}
+
+void vtkRefinedCellLocator::FindCellsWithinBounds(double* bbox, vtkIdList* cells)
+{
+  cells->Reset();
+  if (!this->Update(false))
+  {
+    return;
+  }
+  vtkPolyData* input = static_cast<vtkPolyData*>(this->DataSet);
+  for (vtkIdType id = 0; id < this->Internals->CountOtherCells(input); ++id)
+  {
+    if (vtkBoundingBox(bbox).Intersects(this->Internals->GetBox(input, id)))
+    {
+      cells->InsertNextId(id);
+    }
+  }
+  this->Internals->AppendCells(
+    cells, [&](const auto& visit) { this->Internals->Surface.ForEachFaceInBounds(bbox, visit); });
+}
+
+void vtkRefinedCellLocator::FindCellsAlongLine(
+  const double p1[3], const double p2[3], double tolerance, vtkIdList* cells)
+{
+  cells->Reset();
+  if (!this->Update(false))
+  {
+    return;
+  }
+  vtkPolyData* input = static_cast<vtkPolyData*>(this->DataSet);
+  for (vtkIdType id = 0; id < this->Internals->CountOtherCells(input); ++id)
+  {
+    vtkBoundingBox box = this->Internals->GetBox(input, id);
+    box.Inflate(tolerance);
+    if (box.IntersectsLine(p1, p2))
+    {
+      cells->InsertNextId(id);
+    }
+  }
+  this->Internals->AppendCells(cells,
+    [&](const auto& visit)
+    { this->Internals->Surface.ForEachFaceOnLine(p1, p2, tolerance, visit); });
+}
+
+void vtkRefinedCellLocator::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Refinement: " << this->Refinement.Get() << "\n";
+  os << indent << "Camera: " << this->Camera.Get() << "\n";
+  os << indent << "ModelToWorld: " << this->ModelToWorld.Get() << "\n";
+  os << indent << "ViewportSize: " << this->ViewportSize[0] << " x " << this->ViewportSize[1]
+     << "\n";
+}

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What VTK's pickers find.
+#include "vtkAdaptiveRefinementMapperInternals.h"
+
+#include "vtkAdaptiveRefinement.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+namespace relevo
+{
+vtkStandardNewMacro(PickedInputPipeline);
+
+vtkDataObject* PickedInputPipeline::GetInputData(int port, int connection)
+{
+  vtkDataObject* input = this->vtkCompositeDataPipeline::GetInputData(port, connection);
+  return port == 0 && connection == 0 && input && this->GetAlgorithm() ? this->Replace(input)
+                                                                       : input;
+}
+}
+
+void vtkAdaptiveRefinementMapper::InitializePicking()
+{
+  vtkNew<relevo::PickedInputPipeline> pipeline;
+  pipeline->Replace = [this](vtkDataObject* input) { return this->ReplaceInput(input); };
+  this->SetExecutive(pipeline);
+}
+
+vtkPolyData* vtkAdaptiveRefinementMapper::GetInput()
+{
+  this->Internals->Picking.Questions.AskOther();
+  return this->Superclass::GetInput();
+}
+
+double* vtkAdaptiveRefinementMapper::GetBounds()
+{
+  const relevo::OwnBoundsQuestion question(this->Internals->Picking.Questions);
+  return this->Superclass::GetBounds();
+}
+
+void vtkAdaptiveRefinementMapper::GetBounds(double bounds[6])
+{
+  this->Superclass::GetBounds(bounds);
+  this->Internals->Picking.Questions.AskBounds();
+}
+
+vtkDataObject* vtkAdaptiveRefinementMapper::ReplaceInput(vtkDataObject* input)
+{
+  using Questions = relevo::PickerQuestions;
+  relevo::PickedInput& picking = this->Internals->Picking;
+  vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(input);
+  const Questions::Askers asker = picking.Questions.AskInput(composite != nullptr);
+  if (asker == Questions::NO_PICKER)
+  {
+    return input;
+  }
+  const bool isAsked = asker == Questions::PICKER_OF_PARTS;
+  if (!composite)
+  {
+    vtkPolyData* picked = this->GetPickedData(isAsked);
+    return picked ? picked : input;
+  }
+  picking.Composite.TakeReference(composite->NewInstance());
+  picking.Composite->CopyStructure(composite);
+  auto iterator = vtk::TakeSmartPointer(composite->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    vtkAdaptiveRefinementMapper* block =
+      this->Internals->Blocks.Find(iterator->GetCurrentFlatIndex());
+    vtkPolyData* picked = block ? block->GetPickedData(isAsked) : nullptr;
+    picking.Composite->SetDataSet(iterator, picked ? picked : iterator->GetCurrentDataObject());
+  }
+  return picking.Composite;
+}
+
+vtkPolyData* vtkAdaptiveRefinementMapper::GetPickedData(bool isAsked)
+{
+  vtkInternals& data = *this->Internals;
+  relevo::PickedInput& picking = data.Picking;
+  vtkPolyData* input = this->GetInput();
+  if (!this->UpdateMesh() || data.State.GetMesh().Faces.empty())
+  {
+    return nullptr;
+  }
+  this->ReadSelection();
+  const relevo::RefinementMesh& mesh = data.State.GetMesh();
+  const vtkMTimeType meshTime = data.State.GetMeshTime();
+  using Levels = relevo::PickedLevels;
+  const bool morphs = data.MethodInUse == METHOD_ARKFPI || data.MethodInUse == METHOD_ARK;
+  const relevo::PatternSelection* selection =
+    picking.Levels.Get(input, this->Refinement, mesh, meshTime, data.State.GetSelection(),
+      morphs                                 ? Levels::MORPHED
+        : data.MethodInUse == METHOD_UNIFORM ? Levels::HIGHEST
+                                             : Levels::ROUNDED);
+  if (!selection)
+  {
+    return nullptr;
+  }
+  picking.Surface.Update(mesh, meshTime, this->Refinement, input->GetPointData()->GetNormals());
+  relevo::PickedSurface surface = { input, &mesh, &picking.Surface, selection, {} };
+  data.State.GetBounds(this->Refinement, surface.Bounds);
+  picking.Data->Take(surface);
+  if (isAsked)
+  {
+    picking.Data->Ask();
+  }
+  return picking.Data;
+}

@@ -1,0 +1,377 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What each of VTK's pickers tells about a refined surface: cells and their coordinates, points,
+// blocks, textures, vertices and lines; before a frame, after changes, by all methods; and that
+// they still tell of others what they did.
+#include "RelevoMethods.h"
+#include "RelevoPickers.h"
+#include "RelevoTestMeshes.h"
+
+#include "vtkAreaPicker.h"
+#include "vtkDataSetMapper.h"
+#include "vtkDisplacement.h"
+#include "vtkDistanceDepthTagMetric.h"
+#include "vtkGenericCell.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPNTriangleSurface.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPointPicker.h"
+#include "vtkPropPicker.h"
+#include "vtkTexture.h"
+#include "vtkWorldPointPicker.h"
+
+#include <limits>
+
+namespace
+{
+using namespace RelevoMeshes;
+
+// A plane of 1 x 1 at height 0 that is drawn at height 3, textured.
+struct Table
+{
+  explicit Table(vtkDataObject* mesh, RelevoScene::KindType kind = RelevoScene::Refining)
+    : Scene(kind)
+  {
+    this->Displacement->SetOffset(3.0);
+    this->Displacement->SetDirection(0.0, 0.0, 1.0);
+    this->Recipe->SetMaximumLevel(2);
+    this->Recipe->SetDisplacement(this->Displacement);
+    this->Actor = this->Scene.Add(mesh, this->Recipe);
+    this->Scene.ResetCameras();
+  }
+  vtkNew<vtkDisplacement> Displacement;
+  vtkNew<vtkAdaptiveRefinement> Recipe;
+  RelevoScene Scene;
+  vtkActor* Actor;
+};
+
+double Distance(const double* a, const double* b)
+{
+  return std::sqrt(vtkMath::Distance2BetweenPoints(a, b));
+}
+
+// Cells and coordinates in them, of triangles, quads, larger polygons and strips: they lead to the
+// point that was picked. Vertices and lines are where they were.
+void CheckCells(RelevoCheck& check)
+{
+  Mesh mesh = Mixed();
+  RelevoScene scene(RelevoScene::Refining);
+  scene.Add(mesh, MakeRecipe(2));
+  scene.MoveCamera = [](vtkCamera*) {};
+  scene.ResetCameras();
+  scene.Render();
+  vtkNew<vtkCellPicker> picker;
+  vtkNew<vtkGenericCell> cell;
+  std::vector<int> hits(static_cast<size_t>(mesh->GetNumberOfCells()), 0);
+  for (int y = 3; y < 300; y += 7)
+  {
+    for (int x = 3; x < 300; x += 7)
+    {
+      if (!picker->Pick(x + 0.3, y + 0.4, 0.0, scene.Renderer))
+      {
+        continue;
+      }
+      const vtkIdType id = picker->GetCellId();
+      if (!CHECK(id >= 0 && id < mesh->GetNumberOfCells()))
+      {
+        continue;
+      }
+      ++hits[static_cast<size_t>(id)];
+      mesh->GetCell(id, cell);
+      CHECK(cell->PointIds->IsId(picker->GetPointId()) >= 0);
+      if (cell->GetCellType() == VTK_TRIANGLE)
+      {
+        double place[3];
+        double weights[3];
+        int subId = picker->GetSubId();
+        cell->EvaluateLocation(subId, picker->GetPCoords(), place, weights);
+        CHECK_NEAR(Distance(place, picker->GetPickPosition()), 0.0, 1e-6);
+      }
+      double* nearest = mesh->GetPoint(picker->GetPointId());
+      const double distance = Distance(nearest, picker->GetPickPosition());
+      CHECK(distance < 1.5);
+    }
+  }
+  for (size_t id = 3; id < hits.size(); ++id)
+  {
+    CHECK(hits[id] > 5);
+  }
+  // A vertex by itself, by a generous tolerance.
+  picker->SetTolerance(0.01);
+  double* vertex = mesh->GetPoint(23);
+  scene.Renderer->SetWorldPoint(vertex[0], vertex[1], vertex[2], 1.0);
+  scene.Renderer->WorldToDisplay();
+  double* display = scene.Renderer->GetDisplayPoint();
+  CHECK(picker->Pick(display[0] + 1.0, display[1], 0.0, scene.Renderer));
+  CHECK(picker->GetCellId() == 0);
+  CHECK(picker->GetPointId() == 23);
+  CHECK(vtkPolyData::SafeDownCast(picker->GetDataSet()));
+  CHECK(picker->GetDataSet()->GetCellType(8) == mesh->GetCellType(8));
+}
+
+// Displaced, nothing is where the input is.
+void CheckPoints(RelevoCheck& check)
+{
+  Mesh mesh = Plane(4, 4);
+  Table table(mesh);
+  table.Scene.Render();
+  vtkRenderer* renderer = table.Scene.Renderer;
+  for (vtkIdType id = 0; id < mesh->GetNumberOfPoints(); id += 3)
+  {
+    double p[3];
+    mesh->GetPoint(id, p);
+    renderer->SetWorldPoint(p[0], p[1], 3.0, 1.0);
+    renderer->WorldToDisplay();
+    double display[3];
+    renderer->GetDisplayPoint(display);
+    vtkNew<vtkPointPicker> points;
+    points->SetTolerance(0.005);
+    CHECK(points->Pick(display[0], display[1], 0.0, renderer));
+    CHECK(points->GetPointId() == id);
+    CHECK_NEAR(points->GetPickPosition()[2], 3.0, 1e-6);
+    CHECK(points->GetDataSet() == mesh);
+    points->UseCellsOn();
+    CHECK(points->Pick(display[0], display[1], 0.0, renderer));
+    CHECK(points->GetPointId() == id);
+  }
+  vtkNew<vtkCellPicker> cells;
+  CHECK(cells->Pick(150, 150, 0.0, renderer));
+  CHECK_NEAR(cells->GetPickPosition()[2], 3.0, 1e-6);
+  CHECK_NEAR(cells->GetPickNormal()[2], 1.0, 1e-6);
+  // Bounds, and what the graphics card has drawn.
+  vtkNew<vtkPicker> bounds;
+  CHECK(bounds->Pick(150, 150, 0.0, renderer));
+  CHECK_NEAR(bounds->GetPickPosition()[2], 3.0, 1e-6);
+  CHECK(bounds->GetDataSet() == mesh);
+  vtkNew<vtkPropPicker> props;
+  CHECK(props->Pick(150, 150, 0.0, renderer));
+  CHECK_NEAR(props->GetPickPosition()[2], 3.0, 1e-2);
+  vtkNew<vtkWorldPointPicker> world;
+  world->Pick(150, 150, 0.0, renderer);
+  CHECK_NEAR(world->GetPickPosition()[2], 3.0, 1e-2);
+  vtkNew<vtkAreaPicker> area;
+  CHECK(area->AreaPick(140, 140, 160, 160, renderer) == 1);
+  // The mapper's input is still its input.
+  double ignored[6];
+  table.Actor->GetMapper()->GetBounds(ignored);
+  CHECK(vtkAdaptiveRefinementMapper::SafeDownCast(table.Actor->GetMapper())->GetInput() == mesh);
+  CHECK(table.Actor->GetMapper()->GetInput() == mesh);
+  CHECK(table.Actor->GetMapper()->GetInputDataObject(0, 0) == mesh);
+}
+
+// Changes are seen by the next pick, with a frame in between or without.
+void CheckChanges(RelevoCheck& check)
+{
+  Mesh mesh = Plane(4, 4);
+  Table table(mesh);
+  vtkNew<vtkCellPicker> picker;
+  const auto heightOf = [&](double height)
+  {
+    table.Scene.ResetCameras();
+    CHECK(picker->Pick(150, 150, 0.0, table.Scene.Renderer));
+    CHECK_NEAR(picker->GetPickPosition()[2], height, 1e-6);
+  };
+  heightOf(3.0); // never drawn
+  table.Displacement->SetOffset(-2.0);
+  heightOf(-2.0);
+  table.Scene.Render();
+  heightOf(-2.0);
+  table.Displacement->SetOffset(1.0);
+  heightOf(1.0);
+  table.Scene.Render();
+  // Another recipe, whose levels depend on a view that has not been drawn.
+  {
+    vtkNew<vtkDistanceDepthTagMetric> metric;
+    auto recipe = MakeRecipe(3, nullptr, table.Displacement);
+    recipe->SetMetric(metric);
+    table.Scene.GetMapper(0)->SetRefinement(recipe);
+    heightOf(1.0);
+    table.Scene.Render();
+    heightOf(1.0);
+    recipe->SetMaximumLevel(1);
+    heightOf(1.0);
+  }
+  mesh->GetPoints()->SetPoint(12, 0.0, 0.0, 0.5);
+  mesh->GetPoints()->Modified();
+  mesh->Modified();
+  table.Scene.ResetCameras();
+  CHECK(picker->Pick(150, 150, 0.0, table.Scene.Renderer));
+  CHECK(picker->GetPickPosition()[2] > 1.1);
+  table.Scene.GetMapper(0)->SetInputData(Plane(2, 2));
+  heightOf(1.0);
+  // Degenerate cells, and points that are no numbers.
+  Mesh bad = Plane(4, 4);
+  bad->GetPoints()->SetPoint(0, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
+  for (int n = 0; n < 4; ++n)
+  {
+    const vtkIdType ids[3] = { 1, 1, 1 };
+    bad->GetPolys()->InsertNextCell(n, ids);
+  }
+  RelevoErrors warnings(table.Scene.GetMapper(0));
+  table.Scene.GetMapper(0)->SetInputData(bad);
+  CHECK(picker->Pick(150, 150, 0.0, table.Scene.Renderer));
+  CHECK_NEAR(picker->GetPickPosition()[2], 1.0, 1e-6);
+  vtkNew<vtkPointPicker> points;
+  points->SetTolerance(0.1);
+  CHECK(points->Pick(150, 150, 0.0, table.Scene.Renderer));
+  CHECK(points->GetPointId() > 0);
+  table.Scene.GetMapper(0)->SetInputData(vtkNew<vtkPolyData>());
+  CHECK(!picker->Pick(150, 150, 0.0, table.Scene.Renderer));
+}
+
+void CheckBlocks(RelevoCheck& check)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetNumberOfBlocks(3);
+  Mesh meshes[2] = { Plane(4, 4), Plane(4, 4) };
+  const double offset[3] = { 1.2, 0.0, 0.0 };
+  meshes[1] = Moved(meshes[1], 1.0, offset, VTK_FLOAT);
+  blocks->SetBlock(0, meshes[0]);
+  blocks->SetBlock(2, meshes[1]);
+  Table table(blocks);
+  table.Scene.MoveCamera = [](vtkCamera*) {};
+  table.Scene.ResetCameras();
+  table.Scene.Render();
+  for (int block = 0; block < 2; ++block)
+  {
+    table.Scene.Renderer->SetWorldPoint(1.2 * block + 0.125, 0.125, 3.0, 1.0);
+    table.Scene.Renderer->WorldToDisplay();
+    double display[3];
+    table.Scene.Renderer->GetDisplayPoint(display);
+    vtkNew<vtkCellPicker> cells;
+    CHECK(cells->Pick(display[0], display[1], 0.0, table.Scene.Renderer));
+    CHECK_NEAR(cells->GetPickPosition()[2], 3.0, 1e-6);
+    CHECK(cells->GetFlatBlockIndex() == 1 + 2 * block);
+    double center[3];
+    meshes[block]->GetCell(cells->GetCellId())->GetParametricCenter(center);
+    CHECK(cells->GetDataSet()->GetCellData() && cells->GetCellId() == 10);
+    vtkNew<vtkPointPicker> points;
+    points->SetTolerance(0.1);
+    CHECK(points->Pick(display[0], display[1], 0.0, table.Scene.Renderer));
+    CHECK_NEAR(points->GetPickPosition()[2], 3.0, 1e-6);
+    CHECK(points->GetFlatBlockIndex() == 1 + 2 * block);
+    CHECK(points->GetCompositeDataSet() == blocks);
+    vtkNew<vtkPicker> bounds;
+    CHECK(bounds->Pick(display[0], display[1], 0.0, table.Scene.Renderer));
+    CHECK(bounds->GetFlatBlockIndex() == 1 + 2 * block);
+    CHECK_NEAR(bounds->GetPickPosition()[2], 3.0, 1e-6);
+  }
+}
+
+// The texel that is seen, on a surface and on its twin.
+void CheckTextures(RelevoCheck& check)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(64, 32, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  Mesh mesh = Torus();
+  vtkNew<RelevoHeights> waves;
+  waves->FillWaves();
+  vtkNew<vtkDisplacement> displacement;
+  displacement->SetHeightMap(waves);
+  displacement->SetScale(0.1);
+  const auto recipe = MakeRecipe(3, nullptr, displacement);
+  RelevoScene refining(RelevoScene::Refining);
+  RelevoScene twin(RelevoScene::Twin);
+  for (RelevoScene* scene : { &refining, &twin })
+  {
+    scene->Add(mesh, recipe)->SetTexture(texture);
+    scene->ResetCameras();
+    scene->Render();
+  }
+  twin.CopyCameras(refining);
+  vtkNew<vtkCellPicker> picker;
+  vtkNew<vtkCellPicker> oracle;
+  int hits = 0;
+  for (int i = 0; i < 100; ++i)
+  {
+    for (vtkCellPicker* one : { picker.Get(), oracle.Get() })
+    {
+      one->PickTextureDataOn();
+      hits += one->Pick(
+        37 * i % 300 + 0.3, 83 * i % 300 + 0.4, 0.0, (one == picker ? refining : twin).Renderer);
+    }
+    CHECK(picker->GetTexture() == oracle->GetTexture());
+    CHECK(picker->GetDataSet() == oracle->GetDataSet());
+    for (int c = 0; c < 2; ++c)
+    {
+      CHECK_NEAR(picker->GetCellIJK()[c] + picker->GetPCoords()[c],
+        oracle->GetCellIJK()[c] + oracle->GetPCoords()[c], 1e-3);
+    }
+  }
+  CHECK(hits > 30);
+}
+
+// All methods draw the same points of edges: they are picked alike, where they do not morph.
+void CheckMethods(RelevoCheck& check)
+{
+  for (int method : RelevoMethods::GetMethods())
+  {
+    RelevoScene refining(RelevoScene::Refining);
+    RelevoScene twin(RelevoScene::Twin);
+    vtkNew<vtkPNTriangleSurface> surface;
+    const auto recipe = MakeRecipe(4, surface);
+    // The uniform method has one level, the highest.
+    Mesh mesh =
+      method == RelevoMethods::Mapper::METHOD_UNIFORM ? Sphere(9, 7) : Tagged(Sphere(9, 7), 4);
+    refining.Add(mesh, recipe);
+    twin.Add(mesh, recipe);
+    refining.GetMapper(0)->SetMethod(method);
+    refining.ResetCameras();
+    twin.UpdateFilters();
+    twin.CopyCameras(refining);
+    refining.Render();
+    twin.Render();
+    CHECK(refining.GetMapper(0)->GetMethodInUse() == method);
+    CHECK(RelevoPickers::Compare(refining, twin, 40, RelevoMethods::GetName(method)) > 5);
+  }
+}
+
+// Clipping planes that are picked themselves, and other mappers, are VTK's own business.
+void CheckOthers(RelevoCheck& check)
+{
+  RelevoScene refining(RelevoScene::Refining);
+  RelevoScene twin(RelevoScene::Twin);
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.2, 0.0, 0.0);
+  plane->SetNormal(-1.0, 0.1, 0.0);
+  vtkNew<vtkPlaneCollection> planes;
+  planes->AddItem(plane);
+  for (RelevoScene* scene : { &refining, &twin })
+  {
+    vtkActor* actor = scene->Add(Sphere(20, 16), MakeRecipe(0));
+    actor->GetMapper()->SetClippingPlanes(planes);
+    vtkNew<vtkPolyDataMapper> other;
+    other->SetInputData(Cube());
+    vtkNew<vtkActor> box;
+    box->SetMapper(other);
+    box->SetPosition(1.2, 0.0, 0.0);
+    scene->Renderer->AddActor(box);
+    scene->MoveCamera = [](vtkCamera* camera) { camera->Azimuth(50.0); };
+    scene->ResetCameras();
+    scene->Render();
+  }
+  twin.CopyCameras(refining);
+  const auto alike = [](vtkCellPicker* a, vtkCellPicker* b)
+  { return a->GetClippingPlaneId() == b->GetClippingPlaneId(); };
+  CHECK(RelevoPickers::Compare(
+          refining, twin, 150, "clipping planes picked", {},
+          [](vtkCellPicker* picker) { picker->PickClippingPlanesOn(); }, alike) > 20);
+}
+}
+
+int TestAdaptiveRefinementMapperPickers(int, char*[])
+{
+  RelevoCheck check;
+  CheckCells(check);
+  CheckPoints(check);
+  CheckChanges(check);
+  CheckBlocks(check);
+  CheckTextures(check);
+  CheckMethods(check);
+  CheckOthers(check);
+  return check.GetResult();
+}
