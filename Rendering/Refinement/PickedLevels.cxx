@@ -7,6 +7,7 @@
 #include "vtkDepthTagMetric.h"
 #include "vtkEdgeTags.h"
 #include "vtkRefinementMesh.h"
+#include "vtkRefinementPattern.h"
 #include "vtkRefinementView.h"
 #include "vtkViewSelection.h"
 
@@ -83,12 +84,19 @@ void PickedLevels::Assign(
     steps[family.GetSegments(step)] = step;
   }
   std::vector<unsigned int> entries;
+  RefinementPatterns patterns(static_cast<size_t>(family.GetNumberOfKeys()));
   for (size_t f = 0; f < mesh.Faces.size(); ++f)
   {
     const int face = static_cast<int>(f);
-    entries.push_back(family.GetEntry(mesh.Faces[f].Order, steps.at(getSegments(face, 0)),
-      steps.at(getSegments(face, 1)), steps.at(getSegments(face, 2))));
+    const unsigned int entry = family.GetEntry(mesh.Faces[f].Order, steps.at(getSegments(face, 0)),
+      steps.at(getSegments(face, 1)), steps.at(getSegments(face, 2)));
+    entries.push_back(entry);
+    if (!patterns[entry >> 3])
+    {
+      patterns[entry >> 3] =
+        family.GetPattern(static_cast<int>(entry >> 3), recipe->GetPatternTable());
+    }
   }
-  this->Own.Assign(family, recipe->GetPatternTable(), std::move(entries), {});
+  this->Own.Assign(family, patterns, std::move(entries), {});
 }
 }

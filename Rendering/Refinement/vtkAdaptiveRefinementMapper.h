@@ -30,8 +30,8 @@
  * camera, the actor's matrix or the viewport changed. The displacement's scale, offset and
  * direction change live, and so do the surface's own numbers, as vtkPhongSurface::SetAlpha().
  *
- * VTK's pickers find the surface that is drawn: vtkCellPicker its nearest point, with the normal, the
- * input's cell and point, parametric and texture coordinates of that cell, and the block;
+ * VTK's pickers find the surface that is drawn: vtkCellPicker its nearest point, with the normal,
+ * the input's cell and point, parametric and texture coordinates of that cell, and the block;
  * vtkPointPicker the input's points where the surface has them; vtkPicker its bounds. They ask for
  * the levels of the last frame, or, before one, for what the recipe gives without a view, which of
  * metrics of the view is MaximumLevel. Inside a face, DMR, SUAPT and tessellation draw other

@@ -28,6 +28,8 @@ using AddTable = std::function<void(const BenchmarkTable&)>;
 void RunStaticMesh(const BenchmarkOptions& options, const AddTable& addTable);
 /// Levels per coarse face, as the camera moves.
 void RunSelection(const BenchmarkOptions& options, const AddTable& addTable);
+/// VTK's pickers on the refined surface.
+void RunPicking(const BenchmarkOptions& options, const AddTable& addTable);
 /// The CPU's own work: patterns, selection, the refinement filter.
 void RunProcessor(const BenchmarkOptions& options, const AddTable& addTable);
 /// A budget of triangles over a flight.

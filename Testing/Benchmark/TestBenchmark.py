@@ -27,7 +27,8 @@ class TestBenchmark(unittest.TestCase):
         markdown, report = self.run_benchmark()
         self.assertRegex(report["facts"]["OpenGL renderer"], ", OpenGL .*, (hardware|software)$")
         tables = {table["name"]: table["rows"] for table in report["tables"]}
-        for name in ("static-mesh-frames", "static-mesh-memory", "selection", "flight", "drawing",
+        for name in ("static-mesh-frames", "static-mesh-memory", "selection", "picking", "flight",
+                     "drawing",
                      "methods", "methods-small", "methods-work", "phong",
                      "quality-surfaces", "quality-patterns", "rules", "memory", "dem",
                      "lic-frames", "lic-pictures"):

@@ -32,6 +32,7 @@ struct Benchmark
 const std::vector<Benchmark> Benchmarks = {
   { "static-mesh", RunStaticMesh },
   { "selection", RunSelection },
+  { "picking", RunPicking },
   { "flight", RunFlight },
   { "drawing", RunDrawing },
   { "methods", RunMethods },
