@@ -123,6 +123,23 @@ class TestHeightMap(unittest.TestCase):
         self.assertTrue(heights.Update())
         self.assertFalse(heights.HasNoData())
 
+    def test_reduced(self):
+        heights = relevo.vtkHeightMap()
+        warnings = []
+        heights.AddObserver("WarningEvent", lambda *_: warnings.append(1))
+        self.assertEqual(heights.GetMaximumDimension(), 16384)
+        heights.SetImageData(make_image(40, 20, lambda i, j: 2.0 * i))
+        heights.SetMaximumDimension(20)
+        self.assertTrue(heights.Update())
+        self.assertEqual(heights.GetDimensions(), (20, 10))
+        self.assertEqual(heights.GetFullDimensions(), (40, 20))
+        self.assertEqual(heights.GetSample(3, 3), 13.0)
+        self.assertEqual(len(warnings), 1)
+        heights.SetImageData(None)
+        heights.SetFileName(self.write_png())
+        self.assertTrue(heights.UpdateInformation())
+        self.assertEqual(heights.GetFullDimensions(), (7, 5))
+
     def test_errors(self):
         heights = relevo.vtkHeightMap()
         errors = catch_errors(heights)

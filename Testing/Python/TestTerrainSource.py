@@ -77,6 +77,19 @@ class TestTerrainSource(unittest.TestCase):
             self.assertAlmostEqual(u, (x + 20) / 40, places=6)
             self.assertAlmostEqual(v, (y + 10) / 20, places=6)
 
+    def test_coordinates(self):
+        source = relevo.vtkTerrainSource()
+        place = [0.0, 0.0, 0.0]
+        self.assertFalse(source.TerrainToMap((1, 2, 3), place))
+        source.SetFileName(self.heights)
+        source.SetExaggeration(4.0)
+        source.Update()
+        self.assertFalse(source.IsGeographic())
+        self.assertTrue(source.TerrainToMap((5, -3, 8), place))
+        self.assertEqual(place, [25.0, 7.0, 2.0])
+        self.assertTrue(source.MapToTerrain((25, 7, 2), place))
+        self.assertEqual(place, [5.0, -3.0, 8.0])
+
     def test_from_memory(self):
         source = relevo.vtkTerrainSource()
         source.GetHeightMap().SetImageData(
