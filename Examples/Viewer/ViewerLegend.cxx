@@ -51,7 +51,8 @@ vtkSmartPointer<vtkScalarBarActor> MakeLegend(
   legend->SetAnnotationLeaderPadding(6);
   legend->UnconstrainedFontSizeOn();
   legend->SetBarRatio(0.25);
-  legend->SetWidth(std::max(0.08, narrowest / size[0]));
+  // What stands beside an indexed table's colours makes its own room.
+  legend->SetWidth(table->GetIndexedLookup() ? 0.08 : std::max(0.08, narrowest / size[0]));
   legend->SetHeight(share);
   // The title of a continuous bar stands above it.
   const double headroom =

@@ -34,7 +34,8 @@ bool GetDrawnPoint(vtkRenderer* renderer, const int pixel[2], double point[3])
     return false;
   }
   const double depth = renderer->GetZ(pixel[0], pixel[1]);
-  if (!(depth < 1.0))
+  // Words over the picture are at 0, the sky is at 1.
+  if (!(depth > 0.0 && depth < 1.0))
   {
     return false;
   }

@@ -152,6 +152,9 @@ class TestViewerTools(ViewerProgram):
         shown = self.picture(window)
         light = sum(min(colour) > 215 for row in shown for colour in row)
         self.assertGreater(light, 0.2 * WIDTH * HEIGHT)
+        # What is under the words is not told.
+        self.assertEqual(self.under_mouse(window, *MIDDLE), "here: nothing")
+        window.move(WIDTH - 2, 2)
         window.key("h")
         self.assertEqual(self.picture(window), before)
         self.close(window)
