@@ -50,7 +50,9 @@ void RefinementMesh::BuildNormals(vtkPolyData* input)
   this->Normals.assign(3 * static_cast<size_t>(this->NumberOfPoints), 0.0f);
   vtkDataArray* given = input->GetPointData()->GetNormals();
   bool missing = true;
-  if (given && given->GetNumberOfTuples() >= this->NumberOfPoints)
+  // An array that took another's name and place may have any number of components.
+  if (given && given->GetNumberOfComponents() == 3 &&
+    given->GetNumberOfTuples() >= this->NumberOfPoints)
   {
     missing = false;
     for (vtkIdType i = 0; i < this->NumberOfPoints; ++i)

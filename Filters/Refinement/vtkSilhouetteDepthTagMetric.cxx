@@ -60,7 +60,8 @@ public:
 private:
   void Build(vtkDataArray* normals, vtkIdType numberOfPoints)
   {
-    if (normals && normals->GetNumberOfTuples() != numberOfPoints)
+    if (normals &&
+      (normals->GetNumberOfComponents() != 3 || normals->GetNumberOfTuples() != numberOfPoints))
     {
       normals = nullptr;
     }

@@ -104,7 +104,8 @@ void vtkAdaptiveLICMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor* act)
     "relevoLICVector", lic.AreOfCells ? nullptr : lic.Prepared.Get(), ren, VTK_FLOAT);
   // Linear surfaces have none of their own; VTK's depend on lights.
   vtkDataArray* normals = lic.HasVectors ? input->GetPointData()->GetNormals() : nullptr;
-  lic.HasPointNormals = normals && normals->GetNumberOfTuples() == input->GetNumberOfPoints();
+  lic.HasPointNormals = normals && normals->GetNumberOfComponents() == 3 &&
+    normals->GetNumberOfTuples() == input->GetNumberOfPoints();
   this->VBOs->CacheDataArray(
     "relevoLICPointNormal", lic.HasPointNormals ? normals : nullptr, ren, VTK_FLOAT);
   this->Superclass::BuildBufferObjects(ren, act);

@@ -107,7 +107,8 @@ bool RefinementState::BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recip
   }
   this->PreparedInput->ShallowCopy(input);
   EmptyGhosts(input, this->PreparedInput);
-  if (!mesh->Normals.empty() && !input->GetPointData()->GetNormals())
+  vtkDataArray* given = input->GetPointData()->GetNormals();
+  if (!mesh->Normals.empty() && (!given || given->GetNumberOfComponents() != 3))
   {
     vtkNew<vtkFloatArray> normals;
     normals->SetName("Normals");
