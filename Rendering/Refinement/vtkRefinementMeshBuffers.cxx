@@ -362,6 +362,10 @@ void RefinementMeshBuffers::Deactivate()
 void RefinementMeshBuffers::SetUniforms(
   vtkShaderProgram* program, vtkAdaptiveRefinement* recipe) const
 {
+  if (program->IsUniformUsed("relevoUnitNormals"))
+  {
+    program->SetUniformi("relevoUnitNormals", recipe->GetMaximumLevel() > 0 ? 1 : 0);
+  }
   if (vtkDisplacement* displacement = recipe->GetDisplacement())
   {
     auto setFloat = [program](const char* name, double value)

@@ -166,6 +166,15 @@ std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, b
               << ", relevoFace.x), texelFetch(" << sampler << ", relevoFace.y), texelFetch("
               << sampler << ", relevoFace.z), w)" << components << ";\n"
               << GetScalarStatement(options.Scalars, name, sampler);
+      if (name == "normalMC")
+      {
+        // Unit normals, as the filter's, unless the mesh is drawn as it is.
+        samplers << "uniform int relevoUnitNormals;\n";
+        fetches << "  if (relevoUnitNormals == 1) { normalMC = unitVector(weightedSum("
+                << "unitVector(texelFetch(" << sampler << ", relevoFace.x).xyz), "
+                << "unitVector(texelFetch(" << sampler << ", relevoFace.y).xyz), "
+                << "unitVector(texelFetch(" << sampler << ", relevoFace.z).xyz), w)); }\n";
+      }
     }
     rest = match.suffix();
   }
