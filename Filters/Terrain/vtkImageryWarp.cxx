@@ -19,7 +19,10 @@ namespace relevo
 namespace
 {
 constexpr int NumberOfColors = 3;
-constexpr int RowsPerStrip = 256;
+
+// Of the result that are warped at once, and of the picture that these may take.
+constexpr double RowsPerStrip[2] = { 16.0, 256.0 };
+constexpr double PixelsPerStrip = 1 << 25;
 
 // Tolerated error of the linear approximation between exactly transformed pixels, in pixels.
 constexpr double TransformTolerance = 0.125;
@@ -397,6 +400,15 @@ bool chooseSize(const Picture& picture, const Georeference& terrain, int maximum
   return true;
 }
 
+int rowsPerStrip(const Picture& picture, const Imagery& result)
+{
+  const double pixels = std::min(static_cast<double>(result.FullSize[0]) * result.FullSize[1],
+    static_cast<double>(GDALGetRasterXSize(picture.View.get())) *
+      GDALGetRasterYSize(picture.View.get()));
+  return static_cast<int>(
+    std::clamp(PixelsPerStrip * result.Height / pixels, RowsPerStrip[0], RowsPerStrip[1]));
+}
+
 bool warp(Picture& picture, const Georeference& terrain, Imagery& result,
   const ImageryProgress& progress, const GDALSession& session, std::string& error)
 {
@@ -405,9 +417,10 @@ bool warp(Picture& picture, const Georeference& terrain, Imagery& result,
   const Stretch stretch(picture.View.get());
   bool covered = false;
   // From the north, where files begin.
-  for (int end = result.Height; end > 0; end -= RowsPerStrip)
+  const int rows = rowsPerStrip(picture, result);
+  for (int end = result.Height; end > 0; end -= rows)
   {
-    const int first = std::max(0, end - RowsPerStrip);
+    const int first = std::max(0, end - rows);
     const GDALDatasetPointer strip =
       createStrip(terrain, picture.IsLocated, result.Width, result.Height, first, end - first);
     if (!strip || !warpStrip(picture.View.get(), picture.HasAlpha, strip.get()) ||
