@@ -79,6 +79,10 @@ public:
       case 0:
         this->Choice.Log << " the window's size\n";
         this->Window->SetSize(50 + this->Dice.Throw(60), 40 + this->Dice.Throw(50));
+        for (vtkRenderer* each : this->Renderers)
+        {
+          each->GetActiveCamera()->Modified(); // VTK 9.1 may keep the matrices of the old aspect
+        }
         break;
       case 1:
         this->FillProperty(group.Actors.front()->GetProperty());
