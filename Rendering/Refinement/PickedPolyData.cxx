@@ -72,6 +72,7 @@ void PickedPolyData::Synchronize(vtkPolyData* input)
     this->ShallowCopy(input);
     this->GetPointData()->SetActiveAttribute(-1, vtkDataSetAttributes::NORMALS);
     this->FirstFaceCell = input->GetNumberOfVerts() + input->GetNumberOfLines();
+    this->LastCell = input->GetNumberOfCells() - 1;
   }
   if (this->Points != input->GetPoints())
   {
@@ -154,8 +155,7 @@ void PickedPolyData::GetCell(vtkIdType cellId, vtkGenericCell* cell)
 // The cell that is asked has given its answer.
 void PickedPolyData::EndCell()
 {
-  const bool isLast = this->CellId + 1 == this->GetNumberOfCells();
-  this->State = isLast ? ALL_TRIED : HIT_KNOWN;
+  this->State = this->CellId == this->LastCell ? ALL_TRIED : HIT_KNOWN;
 }
 
 int PickedPolyData::Answer(const double start[3], const double end[3], double tolerance, double& t,

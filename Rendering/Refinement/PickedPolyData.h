@@ -87,6 +87,7 @@ private:
   States State = NOT_ASKED;
   PickedSurface Asked{};
   vtkIdType FirstFaceCell = 0;
+  vtkIdType LastCell = -1;
   vtkIdType CellId = -1; // the face's that is asked
   vtkIdType HitCellId = -1;
   SurfaceHit Hit;
