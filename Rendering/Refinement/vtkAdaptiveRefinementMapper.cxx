@@ -307,11 +307,9 @@ void vtkAdaptiveRefinementMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* a
 {
   vtkInternals& data = *this->Internals;
   data.OnGPU = false;
-  const bool meshValid = this->CheckOpenGL(ren) && this->UpdateMesh();
-  if (meshValid)
-  {
-    this->CurrentInput = data.State.GetPreparedInput();
-  }
+  const bool contextValid = this->CheckOpenGL(ren);
+  const bool meshValid = this->UpdateMesh() && contextValid;
+  this->CurrentInput = data.State.GetPreparedInput();
   this->Superclass::RenderPieceStart(ren, act);
   this->FollowLook(ren, act);
   if (!meshValid || !data.UploadValid)

@@ -84,6 +84,9 @@ bool RefinementState::BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recip
   this->MeshTime.Modified();
   const auto mesh = std::make_shared<RefinementMesh>();
   this->Mesh = mesh;
+  // Without cells: VTK's mapper does not check what they refer to.
+  this->PreparedInput->Initialize();
+  this->PreparedInput->SetPoints(input->GetPoints());
   if (!recipe)
   {
     this->Error = "No recipe: call SetRefinement() with a vtkAdaptiveRefinement.";

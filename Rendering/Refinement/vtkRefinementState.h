@@ -97,7 +97,8 @@ public:
   bool IsMeshValid() const { return this->MeshValid; }
   vtkMTimeType GetMeshTime() const { return this->MeshTime; }
 
-  /// The input, with normals where they had to be computed and ghosts emptied: see EmptyGhosts().
+  /// What VTK can take of the input: nothing but points until a mesh is prepared. With normals
+  /// where they had to be computed and ghosts emptied: see EmptyGhosts().
   vtkPolyData* GetPreparedInput() { return this->PreparedInput; }
 
   /// Of the last view.

@@ -326,7 +326,7 @@ void TestReplacedNormals(RelevoCheck& check)
   RelevoMeshes::Mesh mesh = RelevoMeshes::Sphere(8, 6);
   vtkNew<vtkFloatArray> other;
   other->SetName("Normals");
-  other->SetNumberOfComponents(5);
+  other->SetNumberOfComponents(64);
   other->SetNumberOfTuples(mesh->GetNumberOfPoints());
   other->Fill(1.0);
   mesh->GetPointData()->AddArray(other);
