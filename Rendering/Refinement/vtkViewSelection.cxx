@@ -140,6 +140,12 @@ bool ViewSelection::UpdateLevels(const SelectionInput& input, double offset, boo
   return true;
 }
 
+const RefinementMesh& ViewSelection::GetMesh() const
+{
+  static const RefinementMesh none;
+  return this->Mesh ? *this->Mesh : none;
+}
+
 void ViewSelection::SetHoles(const HeightValidity& holes, vtkMTimeType time)
 {
   if (this->HolesTime != time)

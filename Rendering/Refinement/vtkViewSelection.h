@@ -98,7 +98,7 @@ public:
     std::vector<unsigned int> entries, std::vector<float> morphTags);
 
   /// The mesh that levels were chosen for, whatever has become of its input.
-  const RefinementMesh& GetMesh() const { return *this->Mesh; }
+  const RefinementMesh& GetMesh() const;
 
   /// When the levels and the groups last changed.
   vtkMTimeType GetLevelsTime() const { return this->LevelsTime; }
