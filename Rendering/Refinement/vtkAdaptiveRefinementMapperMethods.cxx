@@ -62,8 +62,8 @@ relevo::RefinementDrawing vtkAdaptiveRefinementMapper::vtkInternals::GetDrawing(
   vtkAdaptiveRefinement* recipe)
 {
   const int slot = this->State.GetSelectionSlot();
-  return { this->GetWindow(), &this->State.GetSelection().GetMesh(), &this->State.GetSelection(), slot,
-    this->OnGPU ? &this->Compute.GetView(slot) : nullptr,
+  return { this->GetWindow(), &this->State.GetSelection().GetMesh(), &this->State.GetSelection(),
+    slot, this->OnGPU ? &this->Compute.GetView(slot) : nullptr,
     recipe ? recipe->GetPatternTable() : nullptr, this->HasLines, &this->Patterns,
     &this->Instances };
 }
