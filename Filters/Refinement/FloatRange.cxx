@@ -35,7 +35,9 @@ std::string FindExcess(vtkAdaptiveRefinement* recipe)
   {
     displacement->GetHeightMap()->GetRange(range);
   }
-  const double highest = std::max(std::abs(range[0]), std::abs(range[1]));
+  // A map without valid heights may turn its range over.
+  const double highest =
+    range[0] > range[1] ? 0.0 : std::max(std::abs(range[0]), std::abs(range[1]));
   const double scale = std::abs(displacement->GetScale());
   // Neither by itself, nor where one takes the other back.
   if (!(scale * highest <= LargestLength) || !(scale <= std::numeric_limits<float>::max()) ||

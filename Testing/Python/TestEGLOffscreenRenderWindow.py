@@ -110,8 +110,9 @@ class TestEGLOffscreenRenderWindow(unittest.TestCase):
         self.assert_same(picture(first), before)
 
     def test_mapper_in_two_windows(self):
+        sphere = vtkSphereSource()
         mapper = vtkPolyDataMapper()
-        mapper.SetInputConnection(vtkSphereSource().GetOutputPort())
+        mapper.SetInputConnection(sphere.GetOutputPort())
         windows = []
         for _ in range(2):
             actor = vtkActor()

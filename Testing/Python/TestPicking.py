@@ -107,4 +107,4 @@ class TestPicking(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    unittest.main(argv=["TestPicking"])
