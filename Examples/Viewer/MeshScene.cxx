@@ -145,6 +145,7 @@ void MeshScene::ChooseVectors()
   }
   bool isOfPoints = false;
   this->Vectors = FindVectors(this->Options, this->Mesh, isOfPoints);
+  MarkNoData(this->Vectors);
   FollowVectors(this->Mapper, this->Vectors, isOfPoints);
   // The lengths of vectors are what one asks next.
   if (this->Options.Array.empty())

@@ -10,6 +10,7 @@
 #include "vtkCompositeDepthTagMetric.h"
 #include "vtkDataArray.h"
 #include "vtkFieldVariationDepthTagMetric.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -27,6 +28,14 @@ const double Brightness = 0.3;   // of multiplied streaks, whose mean is no more
 bool HasVectors(vtkDataArray* array)
 {
   return array && (array->GetNumberOfComponents() == 2 || array->GetNumberOfComponents() == 3);
+}
+
+// False for no data; a missing third component is 0.
+bool GetVector(vtkDataArray* vectors, vtkIdType i, double noData, double vector[3])
+{
+  vector[2] = 0.0;
+  vectors->GetTuple(i, vector);
+  return std::all_of(vector, vector + 3, [=](double c) { return std::abs(c) < noData; });
 }
 
 // "'a', 'b'"
@@ -95,6 +104,27 @@ void FollowVectors(vtkAdaptiveRefinementMapper* mapper, vtkDataArray* vectors, b
 }
 
 //------------------------------------------------------------------------------
+void MarkNoData(vtkDataArray* vectors)
+{
+  if (vectors->GetDataType() != VTK_FLOAT && vectors->GetDataType() != VTK_DOUBLE)
+  {
+    return;
+  }
+  const double noData = vtkNew<vtkAdaptiveLICMapper>()->GetNoDataMagnitude();
+  for (vtkIdType i = 0; i < vectors->GetNumberOfTuples(); ++i)
+  {
+    double vector[3];
+    if (!GetVector(vectors, i, noData, vector))
+    {
+      for (int c = 0; c < vectors->GetNumberOfComponents(); ++c)
+      {
+        vectors->SetComponent(i, c, vtkMath::Nan());
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void GetLengthRange(vtkDataArray* vectors, double range[2])
 {
   const double noData = vtkNew<vtkAdaptiveLICMapper>()->GetNoDataMagnitude();
@@ -102,9 +132,8 @@ void GetLengthRange(vtkDataArray* vectors, double range[2])
   range[1] = 0.0;
   for (vtkIdType i = 0; i < vectors->GetNumberOfTuples(); ++i)
   {
-    double vector[3] = { 0.0, 0.0, 0.0 };
-    vectors->GetTuple(i, vector);
-    if (std::all_of(vector, vector + 3, [=](double c) { return std::abs(c) < noData; }))
+    double vector[3];
+    if (GetVector(vectors, i, noData, vector))
     {
       const double length = std::hypot(vector[0], vector[1], vector[2]);
       range[0] = std::min(range[0], length);

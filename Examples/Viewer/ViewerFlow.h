@@ -26,6 +26,9 @@ vtkDataArray* FindVectors(const ViewerOptions& options, vtkPolyData* mesh, bool&
 /// Has the mapper follow them.
 void FollowVectors(vtkAdaptiveRefinementMapper* mapper, vtkDataArray* vectors, bool isOfPoints);
 
+/// Has NaN stand for no data, so that points without data look as the surface between them does.
+void MarkNoData(vtkDataArray* vectors);
+
 /// The smallest and the largest length, of vectors that are data.
 void GetLengthRange(vtkDataArray* vectors, double range[2]);
 
