@@ -146,7 +146,7 @@ vtkMTimeType vtkRefinedCellLocator::GetMTime()
 //------------------------------------------------------------------------------
 // The search structure
 
-bool vtkRefinedCellLocator::Update(bool anew)
+bool vtkRefinedCellLocator::UpdateSurface(bool anew)
 {
   vtkInternals& data = *this->Internals;
   if (!anew && data.Input == this->DataSet && this->BuildTime > this->GetMTime() &&
@@ -206,13 +206,13 @@ bool vtkRefinedCellLocator::Prepare(vtkPolyData* input)
 
 void vtkRefinedCellLocator::BuildLocator()
 {
-  this->Update(false);
+  this->UpdateSurface(false);
 }
 
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
 void vtkRefinedCellLocator::ForceBuildLocator()
 {
-  this->Update(true);
+  this->UpdateSurface(true);
 }
 #endif
 
@@ -224,7 +224,7 @@ void vtkRefinedCellLocator::FreeSearchStructure()
 void vtkRefinedCellLocator::GenerateRepresentation(int, vtkPolyData* pd)
 {
   pd->Initialize();
-  if (!this->Update(false))
+  if (!this->UpdateSurface(false))
   {
     return;
   }
@@ -245,7 +245,7 @@ int vtkRefinedCellLocator::IntersectWithLine(const double p1[3], const double p2
   double& t, double x[3], double pcoords[3], int& subId, vtkIdType& cellId, vtkGenericCell* cell)
 {
   cellId = -1;
-  if (!this->Update(false))
+  if (!this->UpdateSurface(false))
   {
     return 0;
   }
@@ -309,7 +309,7 @@ vtkIdType vtkRefinedCellLocator::FindClosestPointWithinRadius(double x[3], doubl
 {
   cellId = -1;
   inside = 0;
-  if (!this->Update(false))
+  if (!this->UpdateSurface(false))
   {
     return 0;
   }
@@ -351,7 +351,7 @@ vtkIdType vtkRefinedCellLocator::FindClosestPointWithinRadius(double x[3], doubl
 void vtkRefinedCellLocator::FindCellsWithinBounds(double* bbox, vtkIdList* cells)
 {
   cells->Reset();
-  if (!this->Update(false))
+  if (!this->UpdateSurface(false))
   {
     return;
   }
@@ -371,7 +371,7 @@ void vtkRefinedCellLocator::FindCellsAlongLine(
   const double p1[3], const double p2[3], double tolerance, vtkIdList* cells)
 {
   cells->Reset();
-  if (!this->Update(false))
+  if (!this->UpdateSurface(false))
   {
     return;
   }

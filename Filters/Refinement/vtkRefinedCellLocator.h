@@ -141,7 +141,7 @@ private:
 
   struct vtkInternals;
 
-  bool Update(bool anew);
+  bool UpdateSurface(bool anew);
   bool Prepare(vtkPolyData* input);
   int IntersectOtherCells(const double p1[3], const double p2[3], double tol, double& t,
     double x[3], double pcoords[3], int& subId, vtkIdType& cellId, vtkGenericCell* cell);
