@@ -156,7 +156,7 @@ int TestHeightMapReducedReading(int argc, char* argv[])
 {
   const RelevoTestFolders folders(argc, argv);
   RelevoCheck check;
-#ifndef __SANITIZE_ADDRESS__ // which keeps freed memory for a while
+#ifndef __SANITIZE_ADDRESS__  // which keeps freed memory for a while
   TestMemory(check, folders); // first: later ones have had the memory already
 #endif
   TestOverviews(check, folders);
