@@ -15,7 +15,7 @@ terrain.SetFileName(heightmap)
 terrain.SetExaggeration(5)
 terrain.Update()
 recipe = relevo.vtkAdaptiveRefinement()
-recipe.SetMetric(relevo.vtkDistanceDepthTagMetric())
+recipe.SetMetric(relevo.vtkDistanceDepthTagMetric())  # fine where the camera is near
 recipe.SetDisplacement(terrain.GetDisplacement())
 mapper = relevo.vtkAdaptiveRefinementMapper()
 mapper.SetInputConnection(terrain.GetOutputPort())

@@ -37,7 +37,32 @@ install(
   DESTINATION "${relevo_env_destination}"
   COMPONENT   runtime)
 
+# README.md and the pages, with the examples and pictures that they link to.
 install(
-  FILES       "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/README.md"
+  FILES
+    "${PROJECT_SOURCE_DIR}/CHANGELOG.md"
+    "${PROJECT_SOURCE_DIR}/CONTRIBUTING.md"
+    "${PROJECT_SOURCE_DIR}/LICENSE"
+    "${PROJECT_SOURCE_DIR}/README.md"
   DESTINATION "${CMAKE_INSTALL_DOCDIR}"
+  COMPONENT   runtime)
+install(
+  FILES       "${PROJECT_SOURCE_DIR}/Data/README.md"
+  DESTINATION "${CMAKE_INSTALL_DOCDIR}/Data"
+  COMPONENT   runtime)
+install(
+  DIRECTORY   "${PROJECT_SOURCE_DIR}/Module/Documentation"
+  DESTINATION "${CMAKE_INSTALL_DOCDIR}/Module"
+  COMPONENT   runtime
+  FILES_MATCHING PATTERN "*.md" PATTERN "*.jpg")
+install(
+  DIRECTORY   "${PROJECT_SOURCE_DIR}/Examples/Cxx" "${PROJECT_SOURCE_DIR}/Examples/Python"
+  DESTINATION "${CMAKE_INSTALL_DOCDIR}/Examples"
+  COMPONENT   runtime
+  PATTERN     __pycache__ EXCLUDE)
+install(
+  FILES
+    "${PROJECT_SOURCE_DIR}/Examples/relevo-view.png"
+    "${PROJECT_SOURCE_DIR}/Examples/relevo-view-wireframe.png"
+  DESTINATION "${CMAKE_INSTALL_DOCDIR}/Examples"
   COMPONENT   runtime)

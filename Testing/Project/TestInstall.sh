@@ -20,6 +20,10 @@ while IFS= read -r -d '' file; do
   fi
 done < <(find "$prefix" -type f \( -name '*.so*' -o -path '*/bin/*' \) -print0)
 
+# The installed pages link to nothing that is not installed.
+readme=$(find "$prefix/share/doc" -maxdepth 2 -name README.md)
+"$python" "$(dirname "${BASH_SOURCE[0]}")/TestPages.py" "$(dirname "$readme")" --links
+
 # The installed package, and through its RPATH the installed libraries.
 cd /
 if [ -d "$prefix/$destination/relevo" ]; then

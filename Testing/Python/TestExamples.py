@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Python examples run, and draw something; README.md shows what they hold."""
+"""The Python examples run, and draw something; the pages show what they hold."""
 
 import math
 import os
@@ -16,7 +16,7 @@ from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkImagingCore import vtkImageShrink3D
-from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+from vtkmodules.vtkIOImage import vtkJPEGReader, vtkPNGReader, vtkPNGWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
 
@@ -24,6 +24,11 @@ from GifFile import GifFile
 
 SOURCE = pathlib.Path(os.environ["RELEVO_SOURCE_DIR"])
 FLOW = pathlib.Path(os.environ.get("RELEVO_TEST_DATA", ""), "flow")
+# README.md and the pages, one after the other.
+PAGES = "\n".join(
+    page.read_text()
+    for page in (SOURCE / "README.md", *sorted((SOURCE / "Module/Documentation").glob("*.md")))
+)
 if not hasattr(relevo, "vtkEGLOffscreenRenderWindow"):
     print("skipped: built without rendering, or without EGL")
     sys.exit(125)
@@ -107,12 +112,11 @@ class TestExamples(unittest.TestCase):
     def test_metrics(self):
         names = [path.stem for path in (SOURCE / "Examples/Python/metrics").glob("*.png")]
         self.assertEqual(len(names), 9)
-        readme = (SOURCE / "README.md").read_text()
         triangles = set()
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             for metric in names:
-                self.assertIn(f"Examples/Python/metrics/{metric}.png", readme)
+                self.assertIn(f"Examples/Python/metrics/{metric}.png", PAGES)
                 run = self.run_example("metrics.py", folder, metric, "out.png")
                 self.assertEqual((run.returncode, run.stderr), (0, ""))
                 numbers = re.fullmatch(r"(\d+) faces, (\d+) triangles\n", run.stdout)
@@ -123,6 +127,22 @@ class TestExamples(unittest.TestCase):
                 reader.Update()
                 self.assertEqual(reader.GetOutput().GetDimensions(), (420, 270, 1))
         self.assertEqual(len(triangles), 9)
+
+    def test_beside(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            write_heights(folder / "left.png", lambda i, j: 20)
+            write_heights(folder / "right.png", lambda i, j: 200)
+            run = self.run_example("beside.py", folder, "left.png", "right.png", "out.jpg")
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+            reader = vtkJPEGReader()
+            reader.SetFileName(str(folder / "out.jpg"))
+            reader.Update()
+            picture = reader.GetOutput()
+            self.assertEqual(picture.GetDimensions(), (80, 40, 1))
+            for column, value in ((10, 20), (70, 200)):
+                shade = picture.GetScalarComponentAsFloat(column, 20, 0, 0)
+                self.assertAlmostEqual(shade, value, delta=3)
 
     def test_metrics_of_a_mesh(self):
         sphere = vtkSphereSource()
@@ -139,11 +159,11 @@ class TestExamples(unittest.TestCase):
             self.assertIn("screen-edge", run.stderr)
 
     def test_surfaces(self):
-        """Each figure is drawn, and the one that is kept is in README.md or beside it."""
-        readme = (SOURCE / "README.md").read_text()
+        """Each figure is drawn, and the one that is kept is in a page."""
         names = [path.stem for path in (SOURCE / "Examples/Python/surfaces").glob("*.png")]
         self.assertEqual(set(names), {"surfaces", "inflections", "fur", "parts", "relief"})
-        self.assertIn("Examples/Python/surfaces/surfaces.png", readme)
+        for name in names:
+            self.assertIn(f"Examples/Python/surfaces/{name}.png", PAGES)
         with tempfile.TemporaryDirectory() as folder:
             for name in names:
                 run = self.run_example("surfaces.py", folder, name, "out.png")
@@ -188,7 +208,7 @@ class TestExamples(unittest.TestCase):
                 reader.Update()
                 sizes.add(reader.GetOutput().GetDimensions())
             self.assertEqual(sizes, {(1080, 600, 1)})
-            self.assertIn("Examples/Python/objectspace.png", (SOURCE / "README.md").read_text())
+            self.assertIn("Examples/Python/objectspace.png", PAGES)
 
     def test_wind(self):
         """Around a cone that rises through the lid."""
@@ -218,7 +238,7 @@ class TestExamples(unittest.TestCase):
                 for i in range(size[0] // 4, 3 * size[0] // 4)
             }
             self.assertGreater(len(shades), 30)
-        self.assertIn("Examples/Python/wind.png", (SOURCE / "README.md").read_text())
+        self.assertIn("Examples/Python/wind.png", PAGES)
 
     def test_flow_around_a_cylinder(self):
         """The wind of wind.py in a layer with a hole, against the potential flow around it."""
@@ -259,11 +279,10 @@ class TestExamples(unittest.TestCase):
         self.assertLess(kept.stat().st_size, 600000)
         self.assertEqual(GifFile(kept).size, loop.size)
         self.assertEqual(len(GifFile(kept).frames), 16)
-        self.assertIn("Examples/Python/flowloop.gif", (SOURCE / "README.md").read_text())
+        self.assertIn("Examples/Python/flowloop.gif", PAGES)
 
     def test_flow(self):
         """Each figure is drawn, and is the one that is kept, but for noise."""
-        readme = (SOURCE / "README.md").read_text()
         files = {
             "plane": "SurfaceVectors.vtk",
             "disk": "disk_out_ref_surface.vtp",
@@ -273,7 +292,7 @@ class TestExamples(unittest.TestCase):
         self.assertEqual(names, {"fields", "levels", "looks", "oriented", *files})
         with tempfile.TemporaryDirectory() as folder:
             for name in sorted(names):
-                self.assertIn(f"Examples/Python/flow/{name}.png", readme)
+                self.assertIn(f"Examples/Python/flow/{name}.png", PAGES)
                 data = [str(FLOW / files[name])] if name in files else []
                 if data and not FLOW.is_dir():
                     continue
@@ -294,10 +313,10 @@ class TestExamples(unittest.TestCase):
                 self.assertEqual(run.returncode, 1)
                 self.assertIn("oriented", run.stderr)
 
-    def test_flow_of_the_readme(self):
-        """What README.md has to paste draws streaks, and so does what comes from VTK's mapper."""
-        readme = (SOURCE / "README.md").read_text()
-        pasted = [part.split("```")[0] for part in readme.split("```python\n")[1:]]
+    def test_flow_of_the_page(self):
+        """What the page on flow has to paste draws streaks, and so does what comes from VTK's mapper."""
+        page = (SOURCE / "Module/Documentation/flow.md").read_text()
+        pasted = [part.split("```")[0] for part in page.split("```python\n")[1:]]
         names = {}
         exec(next(text for text in pasted if "vtkArrayCalculator" in text), names)
         coarse = names["flow"]
@@ -328,14 +347,6 @@ class TestExamples(unittest.TestCase):
         self.assertLessEqual(
             fine.GetNumberOfDrawnTriangles(), 64 * flat.GetNumberOfDrawnTriangles()
         )
-
-    def test_readme_shows_the_example(self):
-        example = (SOURCE / "Examples/Python/terrain.py").read_text()
-        readme = (SOURCE / "README.md").read_text()
-        shown = readme.split("```python\n")[1].split("```")[0].splitlines()
-        self.assertLessEqual(len(shown), 14)
-        for line in shown:
-            self.assertIn(line.replace('"olinda.tif"', "heightmap"), example)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * A metric of one's own: deep where z is large. Prints how many triangles the halves of a sphere
+ * become.
+ */
+#include "vtkAdaptiveRefinement.h"
+#include "vtkAdaptiveRefinementFilter.h"
+#include "vtkCell.h"
+#include "vtkDepthTagMetric.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkSphereSource.h"
+
+#include <cstdlib>
+#include <iostream>
+
+namespace
+{
+class AltitudeMetric : public vtkDepthTagMetric
+{
+public:
+  static AltitudeMetric* New();
+  vtkTypeMacro(AltitudeMetric, vtkDepthTagMetric);
+
+  bool IsViewDependent() override { return false; }
+
+  // From level 0 at the bottom to the deepest level at the top.
+  bool ComputeTags(
+    vtkPolyData* mesh, const vtkRefinementView&, int maximumLevel, vtkFloatArray* tags) override
+  {
+    const double* bounds = mesh->GetBounds();
+    const double extent = bounds[5] - bounds[4];
+    tags->SetNumberOfComponents(1);
+    tags->SetNumberOfTuples(mesh->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      const double share = extent > 0.0 ? (mesh->GetPoint(i)[2] - bounds[4]) / extent : 0.0;
+      tags->SetValue(i, static_cast<float>(share * maximumLevel));
+    }
+    tags->Modified();
+    return true;
+  }
+};
+vtkStandardNewMacro(AltitudeMetric);
+}
+
+int main()
+{
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<AltitudeMetric> metric;
+  vtkNew<vtkAdaptiveRefinement> recipe;
+  recipe->SetMetric(metric);
+  recipe->SetMaximumLevel(4);
+  vtkNew<vtkAdaptiveRefinementFilter> refine;
+  refine->SetInputConnection(sphere->GetOutputPort());
+  refine->SetRefinement(recipe);
+  refine->Update();
+
+  int triangles[2] = { 0, 0 };
+  vtkPolyData* output = refine->GetOutput();
+  for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+  {
+    const double* bounds = output->GetCell(cell)->GetBounds();
+    ++triangles[bounds[4] + bounds[5] > 0.0 ? 1 : 0];
+  }
+  std::cout << triangles[0] << " triangles below, " << triangles[1] << " above\n";
+  return triangles[1] > 10 * triangles[0] ? EXIT_SUCCESS : EXIT_FAILURE;
+}

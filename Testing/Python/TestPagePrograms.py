@@ -1,0 +1,113 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The Python programs in README.md and in the pages of Module/Documentation run, off-screen.
+
+A block that follows the line <!-- continues --> goes on from the one before it in its page. Each
+program runs by itself, in a folder with my-dem.tif and my-mesh.ply.
+"""
+
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import relevo
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkTIFFWriter
+from vtkmodules.vtkIOPLY import vtkPLYWriter
+
+SOURCE = pathlib.Path(os.environ["RELEVO_SOURCE_DIR"])
+if not hasattr(relevo, "vtkEGLOffscreenRenderWindow"):
+    print("skipped: built without rendering, or without EGL")
+    sys.exit(125)
+
+
+def read_programs(page):
+    """Pairs of a line number and a text: the longest chains of blocks that continue one another."""
+    text = page.read_text()
+    programs = []
+    for match in re.finditer(r"(<!-- continues -->\n)?```python\n(.*?)```", text, re.S):
+        line = text.count("\n", 0, match.start(2)) + 1
+        if match[1]:
+            first, program = programs.pop()
+            programs.append((first, program + "\n" + match[2]))
+        else:
+            programs.append((line, match[2]))
+    return programs
+
+
+def write_inputs(folder):
+    image = vtkImageData()
+    image.SetDimensions(40, 30, 1)
+    image.AllocateScalars(VTK_UNSIGNED_CHAR, 1)
+    for j in range(30):
+        for i in range(40):
+            image.SetScalarComponentFromDouble(i, j, 0, 0, i * j // 12)
+    writer = vtkTIFFWriter()
+    writer.SetFileName(str(folder / "my-dem.tif"))
+    writer.SetInputData(image)
+    writer.Write()
+    sphere = vtkSphereSource()
+    writer = vtkPLYWriter()
+    writer.SetFileName(str(folder / "my-mesh.ply"))
+    writer.SetInputConnection(sphere.GetOutputPort())
+    writer.Write()
+
+
+class TestPagePrograms(unittest.TestCase):
+    def test_programs(self):
+        pages = [SOURCE / "README.md", *sorted((SOURCE / "Module/Documentation").glob("*.md"))]
+        environment = dict(os.environ)
+        environment.pop("DISPLAY", None)
+        count = 0
+        for page in pages:
+            for line, program in read_programs(page):
+                with self.subTest(page=page.name, line=line):
+                    with tempfile.TemporaryDirectory() as folder:
+                        write_inputs(pathlib.Path(folder))
+                        run = subprocess.run(
+                            [sys.executable, "-c", program],
+                            cwd=folder,
+                            env=environment,
+                            capture_output=True,
+                            text=True,
+                            timeout=300,
+                        )
+                        # VTK writes its errors to standard error, and goes on.
+                        self.assertEqual((run.returncode, run.stderr), (0, ""), run.stdout)
+                count += 1
+        self.assertGreater(count, 6)
+
+    def test_first_program(self):
+        """What README.md begins with is the example terrain.py, and draws a terrain."""
+        (_, program), *_ = read_programs(SOURCE / "README.md")
+        example = (SOURCE / "Examples/Python/terrain.py").read_text().splitlines()
+        names = {'"my-dem.tif"': "heightmap", '"my-dem.png"': "picture"}
+        for line in program.splitlines():
+            for name, variable in names.items():
+                line = line.replace(name, variable)
+            self.assertIn(line, example)
+        environment = dict(os.environ)
+        environment.pop("DISPLAY", None)
+        with tempfile.TemporaryDirectory() as folder:
+            write_inputs(pathlib.Path(folder))
+            subprocess.run([sys.executable, "-c", program], cwd=folder, env=environment, check=True)
+            reader = vtkPNGReader()
+            reader.SetFileName(str(pathlib.Path(folder) / "my-dem.png"))
+            reader.Update()
+            picture = reader.GetOutput()
+            shades = {
+                picture.GetScalarComponentAsFloat(i, j, 0, 0)
+                for j in range(0, 500, 10)
+                for i in range(0, 800, 10)
+            }
+            self.assertGreater(len(shades), 10)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["TestPagePrograms"])
