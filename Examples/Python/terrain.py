@@ -15,6 +15,7 @@ terrain.SetFileName(heightmap)
 terrain.SetExaggeration(5)
 terrain.Update()
 recipe = relevo.vtkAdaptiveRefinement()
+recipe.SetMaximumLevel(5)  # at most 32 segments on an edge
 recipe.SetMetric(relevo.vtkDistanceDepthTagMetric())  # fine where the camera is near
 recipe.SetDisplacement(terrain.GetDisplacement())
 mapper = relevo.vtkAdaptiveRefinementMapper()

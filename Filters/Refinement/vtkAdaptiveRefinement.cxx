@@ -15,6 +15,8 @@ vtkStandardNewMacro(vtkAdaptiveRefinement);
 vtkAdaptiveRefinement::vtkAdaptiveRefinement()
 {
   this->PatternTable = vtkSmartPointer<vtkRefinementPatternTable>::New();
+  constexpr int quick = 3; // 64 triangles for a face: a first frame that nobody waits for
+  this->PatternTable->SetMaximumLevel(quick);
 }
 
 vtkAdaptiveRefinement::~vtkAdaptiveRefinement() = default;

@@ -35,7 +35,7 @@ public:
 
   //@{
   /**
-   * The highest level of an edge, 0 to 7, default 5: an edge has at most 2^level segments. A value
+   * The highest level of an edge, 0 to 7, default 3: an edge has at most 2^level segments. A value
    * outside is an error and changes nothing.
    */
   void SetMaximumLevel(int level);

@@ -75,7 +75,7 @@ public:
 
   //@{
   /**
-   * The highest level of a point and of an edge, 0 to 7, default 5. A value outside is an error
+   * The highest level of a point and of an edge, 0 to 7, default 3. A value outside is an error
    * and changes nothing.
    */
   void SetMaximumLevel(int level);
@@ -110,7 +110,7 @@ protected:
   vtkSmartPointer<vtkDepthTagMetric> Metric;
   vtkSmartPointer<vtkCamera> Camera;
   int ViewportSize[2] = { 300, 300 };
-  int MaximumLevel = 5;
+  int MaximumLevel = 3;
   int LevelRule = vtkDepthTagMetric::PER_VERTEX;
 
 private:

@@ -231,6 +231,7 @@ void testNormals(RelevoCheck& check)
   Mesh sheet = FromTriangles(
     { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } } }, { { { 0, 1, 2 } }, { { 0, 2, 1 } } });
   vtkNew<vtkAdaptiveRefinement> recipe;
+  recipe->SetMaximumLevel(5);
   recipe->SetSurface(pn);
   Mesh refined = Refine(sheet, recipe);
   for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)

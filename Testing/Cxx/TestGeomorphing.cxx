@@ -197,6 +197,7 @@ vtkSmartPointer<vtkAdaptiveRefinement> MakeRecipe(double referenceLength)
   vtkNew<vtkScreenEdgeDepthTagMetric> metric;
   metric->SetReferenceLength(referenceLength);
   vtkSmartPointer<vtkAdaptiveRefinement> recipe = vtkSmartPointer<vtkAdaptiveRefinement>::New();
+  recipe->SetMaximumLevel(5);
   recipe->SetMetric(metric);
   return recipe;
 }

@@ -134,6 +134,7 @@ void TestRules(RelevoCheck& check)
       for (int rule : { vtkDepthTagMetric::PER_VERTEX, vtkDepthTagMetric::PER_EDGE })
       {
         vtkNew<vtkDepthTagFilter> tags;
+        tags->SetMaximumLevel(5);
         tags->SetInputData(mesh);
         tags->SetMetric(metric);
         tags->SetCamera(camera);
@@ -143,6 +144,7 @@ void TestRules(RelevoCheck& check)
           tags->GetOutput()->GetCellData()->GetAbstractArray("EdgeLevels"));
 
         vtkNew<vtkAdaptiveRefinement> recipe;
+        recipe->SetMaximumLevel(5);
         recipe->SetMetric(metric);
         recipe->SetLevelRule(rule);
         recipe->GeomorphingOff();

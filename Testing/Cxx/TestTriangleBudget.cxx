@@ -145,6 +145,7 @@ void TestUniformTags(RelevoCheck& check)
   auto mesh = MakePlane(5); // 50 faces
   SetTags(mesh, [](const double*) { return 2.25; });
   vtkNew<vtkAdaptiveRefinement> recipe;
+  recipe->SetMaximumLevel(5);
   Scene scene(mesh, recipe);
   const Budget::Part part = scene.GetPart();
   Budget budget;

@@ -29,6 +29,7 @@ struct View
 
   View()
   {
+    this->Recipe->SetMaximumLevel(5);
     this->Recipe->SetMetric(vtkNew<vtkScreenEdgeDepthTagMetric>());
     this->Mapper->SetInputData(RelevoMeshes::Plane(8, 8));
     this->Mapper->SetRefinement(this->Recipe);

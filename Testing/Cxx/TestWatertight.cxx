@@ -154,6 +154,7 @@ int TestWatertight(int, char*[])
     tags->InsertNextValue(2.5f);
     pair->GetPointData()->AddArray(tags);
     vtkNew<vtkAdaptiveRefinement> recipe;
+    recipe->SetMaximumLevel(5);
     vtkNew<vtkAdaptiveRefinementFilter> filter;
     filter->SetInputData(pair);
     filter->SetRefinement(recipe);

@@ -138,7 +138,7 @@ class TestAdaptiveRefinement(unittest.TestCase):
         self.recipe.AddObserver("ErrorEvent", self.catch)
         self.recipe.SetMaximumLevel(8)
         self.assertIn("MaximumLevel", "".join(self.messages))
-        self.assertEqual(self.recipe.GetMaximumLevel(), 5)
+        self.assertEqual(self.recipe.GetMaximumLevel(), 3)
 
     def test_documentation(self):
         for name in ("vtkAdaptiveRefinement", "vtkAdaptiveRefinementFilter", "vtkDisplacement",
