@@ -16,6 +16,7 @@ set -euo pipefail
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir=${RELEVO_BUILD_DIR:-$source_dir/build}
+. "$source_dir/Module/packages.sh"
 
 # One package a line; a|b where releases of Debian and Ubuntu name it differently.
 packages="
@@ -38,6 +39,7 @@ python3-vtk9
 testing_packages="
 clang
 clang-format
+doxygen
 gdal-bin
 git
 glslang-tools
@@ -72,64 +74,8 @@ for argument in "$@"; do
   esac
 done
 
-as_root() {
-  if [ "$(id -u)" -eq 0 ]; then
-    "$@"
-  elif command -v sudo >/dev/null; then
-    sudo "$@"
-  else
-    echo "build.sh: error: installing packages needs root or sudo: $*" >&2
-    exit 1
-  fi
-}
-
-is_installed() {
-  [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
-}
-
-# The first of the alternatives a|b that is installed or, failing that, can be.
-choose() {
-  local name
-  for name in ${1//|/ }; do
-    if "$2" "$name"; then
-      echo "$name"
-      return 0
-    fi
-  done
-  return 1
-}
-
-is_available() {
-  [ -n "$(apt-cache policy "$1" 2>/dev/null | sed -n '/Candidate: (none)/d; /Candidate:/p')" ]
-}
-
-install_missing() {
-  local missing=() wanted=() alternatives name
-  for alternatives in $packages; do
-    choose "$alternatives" is_installed >/dev/null || missing+=("$alternatives")
-  done
-  if [ ${#missing[@]} -eq 0 ]; then
-    return 0
-  fi
-  echo "build.sh: installing ${missing[*]}"
-  as_root apt-get update
-  for alternatives in "${missing[@]}"; do
-    if ! name=$(choose "$alternatives" is_available); then
-      echo "build.sh: error: this release has no package ${alternatives//|/ or }" >&2
-      exit 1
-    fi
-    wanted+=("$name")
-  done
-  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends \
-    "${wanted[@]}"
-}
-
 if [ $install = yes ]; then
-  if command -v apt-get >/dev/null; then
-    install_missing
-  else
-    echo "build.sh: no apt-get here: taking for granted what README.md lists"
-  fi
+  install_packages $packages
 fi
 
 if command -v ccache >/dev/null; then

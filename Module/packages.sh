@@ -1,0 +1,61 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Debian's and Ubuntu's packages, for the scripts that source this file.
+
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then
+    "$@"
+  elif command -v sudo >/dev/null; then
+    sudo "$@"
+  else
+    echo "${0##*/}: error: installing packages needs root or sudo: $*" >&2
+    exit 1
+  fi
+}
+
+is_installed() {
+  [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
+# The first of the alternatives a|b that is installed or, failing that, can be.
+choose() {
+  local name
+  for name in ${1//|/ }; do
+    if "$2" "$name"; then
+      echo "$name"
+      return 0
+    fi
+  done
+  return 1
+}
+
+is_available() {
+  [ -n "$(apt-cache policy "$1" 2>/dev/null | sed -n '/Candidate: (none)/d; /Candidate:/p')" ]
+}
+
+# Installs those packages that are missing; a|b where releases name one differently.
+install_packages() {
+  local missing=() wanted=() alternatives name
+  if ! command -v apt-get >/dev/null; then
+    echo "${0##*/}: no apt-get here: these packages, or what they hold, must be there: $*"
+    return 0
+  fi
+  for alternatives in "$@"; do
+    choose "$alternatives" is_installed >/dev/null || missing+=("$alternatives")
+  done
+  if [ ${#missing[@]} -eq 0 ]; then
+    return 0
+  fi
+  echo "${0##*/}: installing ${missing[*]}"
+  as_root apt-get update
+  for alternatives in "${missing[@]}"; do
+    if ! name=$(choose "$alternatives" is_available); then
+      echo "${0##*/}: error: this release has no package ${alternatives//|/ or }" >&2
+      exit 1
+    fi
+    wanted+=("$name")
+  done
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends \
+    "${wanted[@]}"
+}

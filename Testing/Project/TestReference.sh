@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+# Module/docs.sh makes a page for each public class, without a warning, and fails on one.
+#   TestReference.sh SOURCE FOLDER
+set -euo pipefail
+source=$1 folder=$2
+if ! command -v doxygen >/dev/null; then
+  echo "skipped: no doxygen"
+  exit 125
+fi
+rm -rf "$folder"
+mkdir -p "$folder"
+RELEVO_BUILD_DIR=$folder bash "$source/Module/docs.sh" --no-install | tee "$folder/log"
+test -s "$(tail -n 1 "$folder/log")"
+
+# What a class of each module says, a method of a macro and the second of a group among it.
+check() {
+  if ! grep -q "$2" "$folder/Documentation/html/class$1.html"; then
+    echo "class$1.html: no $2"
+    exit 1
+  fi
+}
+check vtkAdaptiveRefinement 'GetMaximumLevel()'
+check vtkTerrainSource 'MapToTerrain'
+check vtkPhongSurface 'GetAlpha()'
+check vtkSurfaceLineIntegralConvolution 'SetTextureSize'
+check vtkAdaptiveRefinementMapper 'SetMethodToARKFPI()'
+check vtkAdaptiveLICMapper 'SetPhase'
+check vtkEGLOffscreenRenderWindow 'no display'
+if compgen -G "$folder/Documentation/html/classrelevo*" >/dev/null; then
+  echo "private classes have pages"
+  exit 1
+fi
+
+# A copy with a reference to nothing.
+copy=$folder/copy
+mkdir -p "$copy"
+cp -r "$source/CMakeLists.txt" "$source/Module" "$source/Filters" "$source/Rendering" "$copy"
+sed -i 's/@brief /@brief @ref nothing /' "$copy/Filters/Refinement/vtkLinearSurface.h"
+if RELEVO_BUILD_DIR=$copy/build bash "$copy/Module/docs.sh" --no-install >"$folder/log" 2>&1; then
+  echo "a reference to nothing is no error"
+  exit 1
+fi
+grep -q 'vtkLinearSurface.h' "$folder/log"
