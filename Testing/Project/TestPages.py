@@ -89,6 +89,9 @@ def check_quotes(source, page):
         quoted = (page.parent / match[1]).read_text()
         if match[2] not in quoted:
             report(page.relative_to(source), f"the code quoted from {match[1]} is not there")
+    for language in re.findall(r"^```(\w+)$", text, re.M):
+        if language not in ("cmake", "cpp", "mermaid", "python"):
+            report(page.relative_to(source), f"no test reads blocks of {language}")
     blocks = len(re.findall(r"^```(?:cpp|cmake)$", text, re.M))
     quotes = len(re.findall(r"\]\([^)\s]+\):\n\n```(?:cpp|cmake)\n", text))
     if blocks != quotes:
@@ -102,6 +105,17 @@ def check_files(source, page):
     for name in set(re.findall(r"\b\w+\.(?:cxx|glsl|h)\b", page.read_text())):
         if name not in names:
             report(page.relative_to(source), f"there is no file {name}")
+
+
+def check_options(source, page):
+    """The page has the options that relevo-view --help has."""
+    options = r"(?<![\w-])--[a-z][a-z-]+"
+    usage = (source / "Examples/Viewer/ViewerUsage.cxx").read_text()
+    told = set(re.findall(rf"^  ({options})", usage, re.M))
+    shown = set(re.findall(rf"^\| `({options})", page.read_text(), re.M))
+    for option in told ^ shown:
+        where = "not in relevo-view --help" if option in shown else "not in the tables"
+        report(page.relative_to(source), f"{option} is {where}")
 
 
 def get_strings(source):
@@ -147,6 +161,7 @@ def main():
     if sys.argv[2:] == ["--links"]:
         finish(f"{len(pages)} pages")
 
+    check_options(source, documentation / "viewer.md")
     check_files(source, documentation / "architecture.md")
     check_messages(source, documentation / "errors.md")
 
