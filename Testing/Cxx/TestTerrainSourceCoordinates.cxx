@@ -13,6 +13,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkTerrainSource.h"
+#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <set>
@@ -248,6 +249,10 @@ void TestProgress(RelevoCheck& check, const RelevoTestFolders& folders)
     source->Update();
     CHECK(errors.None() && source->GetOutput()->GetNumberOfPoints() == 0);
     CHECK(source->GetImagery()->GetNumberOfPoints() == 0);
+    if (VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0) && record.Shares.back() == 1.0)
+    {
+      record.Shares.pop_back(); // VTK's pipeline says 1 in the end, aborted or not
+    }
     CHECK(record.Shares.back() > stop && record.Shares.back() < 1.0);
   }
 }
