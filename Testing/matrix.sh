@@ -64,7 +64,7 @@ run_tests() {
     if [ -n "$data" ]; then
       mount --bind -o ro "$data" "$root/data"
     fi
-    mount --bind /dev "$root/dev"
+    mount --rbind /dev "$root/dev" # with the pseudo-terminals under it
     mount --bind /sys "$root/sys"
     mount --bind /tmp "$root/tmp" # X servers inside and outside must not take the same number
     mount -t proc proc "$root/proc"
