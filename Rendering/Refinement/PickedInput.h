@@ -42,6 +42,7 @@ struct PickedInput
   PickedLevels Levels;
   vtkNew<PickedPolyData> Data;
   vtkSmartPointer<vtkCompositeDataSet> Composite;
+  vtkNew<vtkPolyData> Nothing; // of what is not pickable
 };
 }
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "BlockLook.h"
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
 #include "vtkRelevoOpenGL.h"
@@ -97,6 +98,7 @@ void vtkAdaptiveRefinementMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetLevelLookupTable(other->LevelLookupTable);
     this->ExtraAttributes = other->ExtraAttributes;
     this->SetVBOShiftScaleMethod(other->GetVBOShiftScaleMethod());
+    this->SetCompositeDataDisplayAttributes(other->GetCompositeDataDisplayAttributes());
   }
   if (vtkOpenGLPolyDataMapper* other = vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
   {
@@ -133,8 +135,12 @@ bool vtkAdaptiveRefinementMapper::HasBlocks(bool translucent)
   if (this->IsComposite())
   {
     this->UpdateBlocks();
-    this->ForEachBlock([&](vtkAdaptiveRefinementMapper* block)
-      { found = found || block->HasTranslucentPolygonalGeometry() == translucent; });
+    this->ForEachBlock(
+      [&](vtkAdaptiveRefinementMapper* block)
+      {
+        found = found ||
+          (block->GetLook().Visible && block->HasTranslucentPolygonalGeometry() == translucent);
+      });
   }
   return found;
 }
@@ -147,7 +153,8 @@ bool vtkAdaptiveRefinementMapper::HasOpaqueGeometry()
 bool vtkAdaptiveRefinementMapper::HasTranslucentPolygonalGeometry()
 {
   return this->HasBlocks(true) ||
-    (!this->IsComposite() && this->Superclass::HasTranslucentPolygonalGeometry());
+    (!this->IsComposite() &&
+      (this->GetLook().IsTranslucent() || this->Superclass::HasTranslucentPolygonalGeometry()));
 }
 
 //------------------------------------------------------------------------------
@@ -269,9 +276,18 @@ void vtkAdaptiveRefinementMapper::RenderRefined(vtkRenderer* ren, vtkActor* act)
   if (!this->IsComposite())
   {
     data.Blocks.Clear();
+    const relevo::BlockLook& look = this->GetLook();
+    if (ren->GetSelector() && !(look.Visible && look.Pickable))
+    {
+      return; // what is told of the last frame stays
+    }
     data.NumberOfDrawCalls = 0;
     data.Drawable = false;
-    this->Superclass::RenderPiece(ren, act);
+    data.OnGPU = false;
+    if (look.Visible)
+    {
+      this->Superclass::RenderPiece(ren, act);
+    }
     return;
   }
   if (ren->GetRenderWindow()->CheckAbortStatus())

@@ -12,15 +12,14 @@
  * methods of refinement are there to compare, see SetMethod().
  *
  * Input: a vtkPolyData, or a composite data set (vtkMultiBlockDataSet) whose vtkPolyData leaves are
- * drawn. Polygons are cut into fans; vertices and lines are drawn as they are. Scalars and
- * texture coordinates are interpolated over the refined surface, and coloured as
- * InterpolateScalarsBeforeMapping says; whole numbers stay whole, names and bits are the nearest
- * point's. Where numbers are categories (vtkScalarsToColors::IndexedLookup), colours of points are
- * interpolated instead, for lack of a category between two. Hardware selection returns the input's
- * cells and points. Translucent faces need depth peeling: else their order shows, which is by
- * patterns.
- * Where vertices are visible (vtkProperty), one shared by several faces is drawn for each of them:
- * translucent ones look denser than vtkPolyDataMapper's.
+ * drawn, see vtkBlockAttributesPolyDataMapper for how each looks. Polygons are cut into fans;
+ * vertices and lines are drawn as they are. Scalars and texture coordinates are interpolated over
+ * the refined surface, and coloured as InterpolateScalarsBeforeMapping says; whole numbers stay
+ * whole, names and bits are the nearest point's. Where numbers are categories
+ * (vtkScalarsToColors::IndexedLookup), colours of points are interpolated instead, for lack of a
+ * category between two. Hardware selection returns the input's cells and points. Translucent faces
+ * need depth peeling: else their order shows, which is by patterns. Visible vertices (vtkProperty)
+ * are drawn once for each face: translucent ones look denser than vtkPolyDataMapper's.
  *
  * SetPiece(), SetNumberOfPieces() and SetGhostLevel() ask the pipeline for a piece. Cells whose
  * vtkGhostType says that another piece draws them (DUPLICATECELL) are not drawn, unlike by
@@ -53,7 +52,7 @@
 #define vtkAdaptiveRefinementMapper_h
 
 #include "RelevoRenderingRefinementModule.h" // for export macro
-#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkBlockAttributesPolyDataMapper.h"
 #include "vtkSmartPointer.h" // for members
 
 #include <functional> // for ForEachBlock()
@@ -68,11 +67,12 @@ namespace relevo
 struct RefinementShaderOptions;
 }
 
-class RELEVORENDERINGREFINEMENT_EXPORT vtkAdaptiveRefinementMapper : public vtkOpenGLPolyDataMapper
+class RELEVORENDERINGREFINEMENT_EXPORT vtkAdaptiveRefinementMapper
+  : public vtkBlockAttributesPolyDataMapper
 {
 public:
   static vtkAdaptiveRefinementMapper* New();
-  vtkTypeMacro(vtkAdaptiveRefinementMapper, vtkOpenGLPolyDataMapper);
+  vtkTypeMacro(vtkAdaptiveRefinementMapper, vtkBlockAttributesPolyDataMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   //@{
@@ -448,7 +448,7 @@ protected:
    * The mappers of a composite input's blocks are of the class of this one. UpdateBlocks() has one
    * for each, with the settings that ShallowCopy() copies; it runs before they draw.
    */
-  virtual void UpdateBlocks();
+  void UpdateBlocks() override;
   void ForEachBlock(const std::function<void(vtkAdaptiveRefinementMapper*)>& work) const;
   //@}
 

@@ -88,6 +88,10 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
 
   int CountUsedPatterns() const
   {
+    if (!this->Drawable)
+    {
+      return 0;
+    }
     if (this->OnGPU)
     {
       return this->NumberOfUsedPatterns;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // What VTK's pickers find.
+#include "BlockLook.h"
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
 #include "vtkAdaptiveRefinement.h"
@@ -59,9 +60,11 @@ vtkDataObject* vtkAdaptiveRefinementMapper::ReplaceInput(vtkDataObject* input)
     return input;
   }
   const bool isAsked = asker == Questions::PICKER_OF_PARTS;
+  const auto isPickable = [](vtkAdaptiveRefinementMapper* mapper)
+  { return mapper->GetLook().Visible && mapper->GetLook().Pickable; };
   if (!composite)
   {
-    vtkPolyData* picked = this->GetPickedData(isAsked);
+    vtkPolyData* picked = isPickable(this) ? this->GetPickedData(isAsked) : picking.Nothing.Get();
     return picked ? picked : input;
   }
   picking.Composite.TakeReference(composite->NewInstance());
@@ -71,6 +74,10 @@ vtkDataObject* vtkAdaptiveRefinementMapper::ReplaceInput(vtkDataObject* input)
   {
     vtkAdaptiveRefinementMapper* block =
       this->Internals->Blocks.Find(iterator->GetCurrentFlatIndex());
+    if (block && !isPickable(block))
+    {
+      continue;
+    }
     vtkPolyData* picked = block ? block->GetPickedData(isAsked) : nullptr;
     picking.Composite->SetDataSet(iterator, picked ? picked : iterator->GetCurrentDataObject());
   }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The coarse mesh, its bounds, and which levels its faces take, on the CPU or the GPU.
+#include "BlockLook.h"
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
 #include "vtkActor.h"
@@ -155,7 +156,7 @@ void vtkAdaptiveRefinementMapper::UpdateBudget(vtkRenderer* ren, vtkActor* act)
   {
     relevo::RefinementState& state = mapper->Internals->State;
     state.IsBudgeted = isBudgeted;
-    if (isBudgeted && mapper->UpdateMesh() &&
+    if (isBudgeted && mapper->GetLook().Visible && mapper->UpdateMesh() &&
       state.UpdateTags(mapper->GetInput(), this->Refinement, view, false))
     {
       const relevo::ViewSelection& selection = state.GetSelection();
@@ -279,7 +280,13 @@ void vtkAdaptiveRefinementMapper::ComputeBounds()
     data.Blocks.Update(this, composite);
     vtkBoundingBox box;
     data.Blocks.ForEach(
-      [&box](vtkAdaptiveRefinementMapper* block) { box.AddBounds(block->GetBounds()); });
+      [&box](vtkAdaptiveRefinementMapper* block)
+      {
+        if (block->GetLook().Visible)
+        {
+          box.AddBounds(block->GetBounds());
+        }
+      });
     vtkMath::UninitializeBounds(this->Bounds);
     if (box.IsValid())
     {

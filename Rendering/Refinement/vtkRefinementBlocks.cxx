@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRefinementBlocks.h"
 
+#include "BlockLook.h"
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinementMapper.h"
 #include "vtkCallbackCommand.h"
@@ -22,7 +23,8 @@ RefinementBlocks::~RefinementBlocks() = default;
 
 void RefinementBlocks::Update(vtkAdaptiveRefinementMapper* parent, vtkCompositeDataSet* input)
 {
-  const bool changed = this->SyncTime < parent->GetMTime();
+  // How blocks look is no setting that they copy.
+  const bool changed = this->SyncTime < parent->vtkOpenGLPolyDataMapper::GetMTime();
   // In place: this is also asked for while the blocks draw.
   std::set<unsigned int> indices;
   auto iterator = vtk::TakeSmartPointer(input->NewIterator());
@@ -57,6 +59,7 @@ void RefinementBlocks::Update(vtkAdaptiveRefinementMapper* parent, vtkCompositeD
       mapper->SetNumberOfPieces(1);
       mapper->SetNumberOfSubPieces(1);
       mapper->SetGhostLevel(0);
+      mapper->SetCompositeDataDisplayAttributes(nullptr);
     }
     if (mapper->GetInputDataObject(0, 0) != leaf)
     {
@@ -67,9 +70,21 @@ void RefinementBlocks::Update(vtkAdaptiveRefinementMapper* parent, vtkCompositeD
   {
     block = indices.count(block->first) ? std::next(block) : this->Mappers.erase(block);
   }
+  this->UpdateLooks(parent->GetCompositeDataDisplayAttributes(), input);
   if (changed)
   {
     this->SyncTime.Modified();
+  }
+}
+
+void RefinementBlocks::UpdateLooks(
+  vtkCompositeDataDisplayAttributes* attributes, vtkCompositeDataSet* input)
+{
+  const BlockLooks looks = attributes ? GetBlockLooks(attributes, input) : BlockLooks();
+  for (auto& block : this->Mappers)
+  {
+    const auto look = looks.find(block.first);
+    block.second->SetLook(look == looks.end() ? BlockLook() : look->second);
   }
 }
 

@@ -18,6 +18,7 @@
 
 class vtkActor;
 class vtkAdaptiveRefinementMapper;
+class vtkCompositeDataDisplayAttributes;
 class vtkCompositeDataSet;
 class vtkHardwareSelector;
 class vtkProp;
@@ -55,6 +56,8 @@ public:
   bool IsEmpty() const { return this->Mappers.empty(); }
 
 private:
+  void UpdateLooks(vtkCompositeDataDisplayAttributes* attributes, vtkCompositeDataSet* input);
+
   std::map<unsigned int, vtkSmartPointer<vtkAdaptiveRefinementMapper>> Mappers; // by flat index
   vtkTimeStamp SyncTime;
 };

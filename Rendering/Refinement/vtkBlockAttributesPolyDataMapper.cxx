@@ -1,0 +1,264 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkBlockAttributesPolyDataMapper.h"
+
+#include "BlockLook.h"
+
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkDataObject.h"
+#include "vtkInformation.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+
+vtkBlockAttributesPolyDataMapper::vtkBlockAttributesPolyDataMapper()
+  : Look(new relevo::BlockLook)
+{
+}
+
+vtkBlockAttributesPolyDataMapper::~vtkBlockAttributesPolyDataMapper() = default;
+
+void vtkBlockAttributesPolyDataMapper::SetCompositeDataDisplayAttributes(
+  vtkCompositeDataDisplayAttributes* attributes)
+{
+  if (this->CompositeAttributes != attributes)
+  {
+    this->CompositeAttributes = attributes;
+    *this->Look = {};
+    this->Modified();
+  }
+}
+
+vtkCompositeDataDisplayAttributes*
+vtkBlockAttributesPolyDataMapper::GetCompositeDataDisplayAttributes()
+{
+  return this->CompositeAttributes;
+}
+
+vtkMTimeType vtkBlockAttributesPolyDataMapper::GetMTime()
+{
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->CompositeAttributes ? std::max(time, this->CompositeAttributes->GetMTime()) : time;
+}
+
+vtkDataObject* vtkBlockAttributesPolyDataMapper::GetTrueInput()
+{
+  return this->GetNumberOfInputConnections(0) > 0
+    ? vtkDataObject::GetData(this->GetInputInformation(0, 0))
+    : nullptr;
+}
+
+vtkDataObject* vtkBlockAttributesPolyDataMapper::FindBlock(unsigned int index)
+{
+  vtkDataObject* block = nullptr;
+  if (this->CompositeAttributes)
+  {
+    relevo::FindBlock(this->GetTrueInput(), index, block);
+  }
+  return block;
+}
+
+vtkDataObject* vtkBlockAttributesPolyDataMapper::FindBlockToSet(unsigned int index)
+{
+  vtkDataObject* input = this->GetTrueInput();
+  vtkDataObject* block = nullptr;
+  if (!input || !relevo::FindBlock(input, index, block))
+  {
+    vtkErrorMacro("There is no block with flat index "
+      << index << (input ? ": the input has fewer" : ": there is no input")
+      << ". Call Update() before blocks are named by their indices.");
+  }
+  else if (!this->CompositeAttributes)
+  {
+    this->CompositeAttributes = vtkSmartPointer<vtkCompositeDataDisplayAttributes>::New();
+  }
+  return block;
+}
+
+void vtkBlockAttributesPolyDataMapper::AttributesModified()
+{
+  if (this->CompositeAttributes)
+  {
+    this->CompositeAttributes->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+// By flat index
+
+void vtkBlockAttributesPolyDataMapper::SetBlockVisibility(unsigned int index, bool visible)
+{
+  if (vtkDataObject* block = this->FindBlockToSet(index))
+  {
+    this->CompositeAttributes->SetBlockVisibility(block, visible);
+  }
+}
+
+bool vtkBlockAttributesPolyDataMapper::GetBlockVisibility(unsigned int index)
+{
+  vtkDataObject* block = this->FindBlock(index);
+  return !block || this->CompositeAttributes->GetBlockVisibility(block);
+}
+
+void vtkBlockAttributesPolyDataMapper::RemoveBlockVisibility(unsigned int index)
+{
+  if (vtkDataObject* block = this->FindBlock(index))
+  {
+    this->CompositeAttributes->RemoveBlockVisibility(block);
+    this->AttributesModified();
+  }
+}
+
+void vtkBlockAttributesPolyDataMapper::RemoveBlockVisibilities()
+{
+  if (this->CompositeAttributes)
+  {
+    this->CompositeAttributes->RemoveBlockVisibilities();
+  }
+}
+
+void vtkBlockAttributesPolyDataMapper::SetBlockColor(unsigned int index, const double color[3])
+{
+  if (vtkDataObject* block = this->FindBlockToSet(index))
+  {
+    this->CompositeAttributes->SetBlockColor(block, color);
+  }
+}
+
+double* vtkBlockAttributesPolyDataMapper::GetBlockColor(unsigned int index)
+{
+  this->GetBlockColor(index, this->ColorResult);
+  return this->ColorResult;
+}
+
+void vtkBlockAttributesPolyDataMapper::GetBlockColor(unsigned int index, double color[3])
+{
+  std::fill_n(color, 3, 1.0);
+  if (vtkDataObject* block = this->FindBlock(index))
+  {
+    this->CompositeAttributes->GetBlockColor(block, color);
+  }
+}
+
+void vtkBlockAttributesPolyDataMapper::RemoveBlockColor(unsigned int index)
+{
+  if (vtkDataObject* block = this->FindBlock(index))
+  {
+    this->CompositeAttributes->RemoveBlockColor(block);
+    this->AttributesModified();
+  }
+}
+
+void vtkBlockAttributesPolyDataMapper::RemoveBlockColors()
+{
+  if (this->CompositeAttributes)
+  {
+    this->CompositeAttributes->RemoveBlockColors();
+  }
+}
+
+void vtkBlockAttributesPolyDataMapper::SetBlockOpacity(unsigned int index, double opacity)
+{
+  if (vtkDataObject* block = this->FindBlockToSet(index))
+  {
+    this->CompositeAttributes->SetBlockOpacity(block, opacity);
+  }
+}
+
+double vtkBlockAttributesPolyDataMapper::GetBlockOpacity(unsigned int index)
+{
+  vtkDataObject* block = this->FindBlock(index);
+  return block && this->CompositeAttributes->HasBlockOpacity(block)
+    ? this->CompositeAttributes->GetBlockOpacity(block)
+    : 1.0;
+}
+
+void vtkBlockAttributesPolyDataMapper::RemoveBlockOpacity(unsigned int index)
+{
+  if (vtkDataObject* block = this->FindBlock(index))
+  {
+    this->CompositeAttributes->RemoveBlockOpacity(block);
+    this->AttributesModified();
+  }
+}
+
+void vtkBlockAttributesPolyDataMapper::RemoveBlockOpacities()
+{
+  if (this->CompositeAttributes)
+  {
+    this->CompositeAttributes->RemoveBlockOpacities();
+  }
+}
+
+//------------------------------------------------------------------------------
+// What is drawn
+
+const relevo::BlockLook& vtkBlockAttributesPolyDataMapper::GetLook()
+{
+  // A mapper of a block has no attributes, but a parent that has said.
+  if (this->CompositeAttributes)
+  {
+    const relevo::BlockLooks looks =
+      relevo::GetBlockLooks(this->CompositeAttributes, this->GetTrueInput());
+    const auto found = looks.find(0); // not of a composite input
+    *this->Look = found == looks.end() ? relevo::BlockLook() : found->second;
+  }
+  return *this->Look;
+}
+
+void vtkBlockAttributesPolyDataMapper::SetLook(const relevo::BlockLook& look)
+{
+  *this->Look = look;
+}
+
+void vtkBlockAttributesPolyDataMapper::ReplaceShaderColor(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act)
+{
+  if (!ren->GetSelector())
+  {
+    // In all programs: a colour that comes and goes needs no other.
+    std::string fragment = shaders[vtkShader::Fragment]->GetSource();
+    vtkShaderProgram::Substitute(
+      fragment, "//VTK::Color::Dec", "uniform bool relevoBlockColored;\n//VTK::Color::Dec", false);
+    vtkShaderProgram::Substitute(fragment, "//VTK::Color::Impl",
+      "//VTK::Color::Impl\n"
+      "  if (relevoBlockColored)\n"
+      "  {\n"
+      "    ambientColor = ambientIntensity * ambientColorUniform;\n"
+      "    diffuseColor = diffuseIntensity * diffuseColorUniform;\n"
+      "  }\n",
+      false);
+    shaders[vtkShader::Fragment]->SetSource(fragment);
+  }
+  this->Superclass::ReplaceShaderColor(shaders, ren, act);
+}
+
+void vtkBlockAttributesPolyDataMapper::SetPropertyShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
+{
+  this->Superclass::SetPropertyShaderParameters(cellBO, ren, act);
+  vtkShaderProgram* program = cellBO.Program;
+  const relevo::BlockLook& look = *this->Look;
+  const bool colored = look.HasColor && !this->DrawingSelection && !this->DrawingVertices;
+  if (program->IsUniformUsed("relevoBlockColored"))
+  {
+    program->SetUniformi("relevoBlockColored", colored ? 1 : 0);
+  }
+  if (colored)
+  {
+    program->SetUniform3f("ambientColorUniform", look.Color);
+    program->SetUniform3f("diffuseColorUniform", look.Color);
+  }
+  if (look.HasOpacity && !this->DrawingSelection)
+  {
+    program->SetUniformf("opacityUniform", static_cast<float>(look.Opacity));
+  }
+}
+
+void vtkBlockAttributesPolyDataMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "CompositeDataDisplayAttributes: " << this->CompositeAttributes.Get() << "\n";
+}

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkBlockAttributesPolyDataMapper
+ * @brief   visibility, colour, opacity and pickability of the blocks of a composite input
+ *
+ * Has the methods of vtkCompositePolyDataMapper and vtkCompositePolyDataMapper2 that choose how the
+ * blocks of a composite data set look, with their names and meaning: a block is named by its flat
+ * index, or is a key of a vtkCompositeDataDisplayAttributes, and what it has no value for comes
+ * from the block that it is in and in the end from the actor. A colour replaces the actor's ambient
+ * and diffuse colour and those of scalars, an opacity the actor's. Blocks that are not visible do
+ * not count for the bounds. Blocks that are not pickable are drawn, but neither hardware selection
+ * nor VTK's pickers find them.
+ *
+ * Changes are seen in the next frame, and cost no rebuild of buffers or shaders.
+ *
+ * Unlike VTK's, the methods work before SetCompositeDataDisplayAttributes() has been called; what
+ * no value has been set for is visible, white and of opacity 1; and a block that is opaque by its
+ * own opacity is drawn also where its actor is translucent.
+ *
+ * Has no New(): vtkAdaptiveRefinementMapper is one.
+ *
+ * @sa vtkAdaptiveRefinementMapper vtkCompositeDataDisplayAttributes
+ */
+#ifndef vtkBlockAttributesPolyDataMapper_h
+#define vtkBlockAttributesPolyDataMapper_h
+
+#include "RelevoRenderingRefinementModule.h" // for export macro
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkSmartPointer.h" // for members
+
+#include <memory> // for Look
+
+class vtkCompositeDataDisplayAttributes;
+
+namespace relevo
+{
+class RefinementBlocks;
+struct BlockLook;
+}
+
+class RELEVORENDERINGREFINEMENT_EXPORT vtkBlockAttributesPolyDataMapper
+  : public vtkOpenGLPolyDataMapper
+{
+public:
+  vtkTypeMacro(vtkBlockAttributesPolyDataMapper, vtkOpenGLPolyDataMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  //@{
+  /**
+   * How blocks look; none by default. The methods below read and write it, and make one where there
+   * is none. Pickability is set on it alone (SetBlockPickability()).
+   */
+  void SetCompositeDataDisplayAttributes(vtkCompositeDataDisplayAttributes* attributes);
+  vtkCompositeDataDisplayAttributes* GetCompositeDataDisplayAttributes();
+  //@}
+
+  //@{
+  /**
+   * Whether a block is drawn, by its flat index: 0 is the input itself, its blocks follow depth
+   * first. The input must be up to date (Update()). Setting an index that the input does not have
+   * is an error and changes nothing.
+   */
+  void SetBlockVisibility(unsigned int index, bool visible);
+  bool GetBlockVisibility(unsigned int index);
+  void RemoveBlockVisibility(unsigned int index);
+  void RemoveBlockVisibilities();
+  //@}
+
+  //@{
+  /**
+   * The colour of a block, by its flat index: red, green, blue, in [0, 1].
+   */
+  void SetBlockColor(unsigned int index, const double color[3]);
+  void SetBlockColor(unsigned int index, double r, double g, double b)
+  {
+    const double color[3] = { r, g, b };
+    this->SetBlockColor(index, color);
+  }
+  double* GetBlockColor(unsigned int index) VTK_SIZEHINT(3);
+  void GetBlockColor(unsigned int index, double color[3]);
+  void RemoveBlockColor(unsigned int index);
+  void RemoveBlockColors();
+  //@}
+
+  //@{
+  /**
+   * The opacity of a block, by its flat index, in [0, 1].
+   */
+  void SetBlockOpacity(unsigned int index, double opacity);
+  double GetBlockOpacity(unsigned int index);
+  void RemoveBlockOpacity(unsigned int index);
+  void RemoveBlockOpacities();
+  //@}
+
+  /**
+   * Includes the time of the attributes.
+   */
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkBlockAttributesPolyDataMapper();
+  ~vtkBlockAttributesPolyDataMapper() override;
+
+  void ReplaceShaderColor(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act) override;
+  void SetPropertyShaderParameters(
+    vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;
+
+  /**
+   * Have a mapper for each block of a composite input.
+   */
+  virtual void UpdateBlocks() = 0;
+
+  //@{
+  /**
+   * How the one data set looks that this mapper draws: by its own attributes, or as the mapper says
+   * whose block it is.
+   */
+  const relevo::BlockLook& GetLook();
+  void SetLook(const relevo::BlockLook& look);
+  //@}
+
+private:
+  vtkBlockAttributesPolyDataMapper(const vtkBlockAttributesPolyDataMapper&) = delete;
+  void operator=(const vtkBlockAttributesPolyDataMapper&) = delete;
+
+  friend class relevo::RefinementBlocks;
+
+  /// The input, whoever asks: pickers are told another.
+  vtkDataObject* GetTrueInput();
+  vtkDataObject* FindBlock(unsigned int index);
+  /// An error where there is no such block; else makes the attributes.
+  vtkDataObject* FindBlockToSet(unsigned int index);
+  /// What VTK 9.1 forgets when single values are removed.
+  void AttributesModified();
+
+  vtkSmartPointer<vtkCompositeDataDisplayAttributes> CompositeAttributes;
+  std::unique_ptr<relevo::BlockLook> Look;
+  double ColorResult[3] = { 1.0, 1.0, 1.0 };
+};
+
+#endif
