@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Normals, directions and frames of a mesh to be refined.
-#include "vtkMath.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
+#include "GivenNormals.h"
 #include "vtkRefinementMesh.h"
 
 #include <algorithm>
@@ -48,26 +46,18 @@ double angle(const Vector& a, const Vector& b)
 void RefinementMesh::BuildNormals(vtkPolyData* input)
 {
   this->Normals.assign(3 * static_cast<size_t>(this->NumberOfPoints), 0.0f);
-  vtkDataArray* given = input->GetPointData()->GetNormals();
-  bool missing = true;
-  // An array that took another's name and place may have any number of components.
-  if (given && given->GetNumberOfComponents() == 3 &&
-    given->GetNumberOfTuples() >= this->NumberOfPoints)
+  vtkDataArray* given = GetGivenNormals(input);
+  bool missing = !given;
+  for (vtkIdType i = 0; given && i < this->NumberOfPoints; ++i)
   {
-    missing = false;
-    for (vtkIdType i = 0; i < this->NumberOfPoints; ++i)
+    double normal[3];
+    if (GetUnitNormal(given, i, normal))
     {
-      double normal[3];
-      given->GetTuple(i, normal);
-      const double length = vtkMath::Normalize(normal);
-      if (std::isfinite(length) && length > 0.0)
-      {
-        std::copy_n(normal, 3, &this->Normals[3 * static_cast<size_t>(i)]);
-      }
-      else
-      {
-        missing = true;
-      }
+      std::copy_n(normal, 3, &this->Normals[3 * static_cast<size_t>(i)]);
+    }
+    else
+    {
+      missing = true;
     }
   }
   if (missing)

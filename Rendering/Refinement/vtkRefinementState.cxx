@@ -4,6 +4,7 @@
 
 #include "FloatRange.h"
 #include "GhostCells.h"
+#include "GivenNormals.h"
 
 #include "vtkAdaptiveRefinement.h"
 #include "vtkBoundingBox.h"
@@ -75,10 +76,15 @@ bool RefinementState::BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recip
     AppendObject(dependencies, displacement ? displacement->GetHeightMap() : nullptr);
     AppendBits(dependencies, recipe->GetNoDataMagnitude()); // of the colours of its points
   }
+  // Normals that the filter would make up, where a mesh is refined.
+  const bool refines = recipe && recipe->GetMaximumLevel() > 0;
+  dependencies.push_back(refines && this->MissesNormals ? 1 : 0);
   if (dependencies == this->MeshDependencies)
   {
     return this->MeshValid;
   }
+  this->MissesNormals = relevo::MissesNormals(input);
+  dependencies.back() = refines && this->MissesNormals ? 1 : 0;
   this->MeshDependencies = dependencies;
   this->MeshValid = false;
   this->MeshTime.Modified();
@@ -97,7 +103,7 @@ bool RefinementState::BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recip
     this->Error = "The displacement's height map could not be read.";
     return false;
   }
-  if (!mesh->Build(input, recipe))
+  if (!mesh->Build(input, recipe, refines && this->MissesNormals))
   {
     this->Error = "Cannot refine the input: " + mesh->GetError() + ".";
     return false;
