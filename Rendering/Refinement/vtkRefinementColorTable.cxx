@@ -65,6 +65,20 @@ std::array<float, 4> RefinementColorTable::GetColor(vtkScalarsToColors* table, d
   return { { color[0], color[1], color[2], color[3] } };
 }
 
+bool RefinementColorTable::ChooseWhole(const double dataRange[2])
+{
+  constexpr double most = 65000.0;
+  if (!(dataRange[0] <= dataRange[1] && dataRange[1] - dataRange[0] < most))
+  {
+    return false;
+  }
+  this->Log = false;
+  this->Ends[0] = dataRange[0] - 0.5;
+  this->Ends[1] = dataRange[1] + 0.5;
+  this->NumberOfColors = static_cast<int>(dataRange[1] - dataRange[0]) + 1;
+  return true;
+}
+
 bool RefinementColorTable::IsLogarithmic(vtkScalarsToColors* table)
 {
   auto* function = vtkColorTransferFunction::SafeDownCast(table);
@@ -103,12 +117,16 @@ void RefinementColorTable::ChooseSamples(vtkScalarsToColors* table, const double
   }
 }
 
-bool RefinementColorTable::Upload(
-  vtkOpenGLRenderWindow* window, vtkScalarsToColors* table, double bias, const double dataRange[2])
+bool RefinementColorTable::Upload(vtkOpenGLRenderWindow* window, vtkScalarsToColors* table,
+  double bias, const double dataRange[2], bool whole)
 {
   table->Build();
   this->Log = IsLogarithmic(table);
-  this->ChooseSamples(table, dataRange);
+  const bool wholeSamples = whole && this->ChooseWhole(dataRange);
+  if (!wholeSamples)
+  {
+    this->ChooseSamples(table, dataRange);
+  }
   this->Log = this->Log && this->Ends[0] > 0.0 && this->Ends[1] > this->Ends[0];
   double ends[2] = { this->Ends[0], this->Ends[1] };
   if (this->Log)
@@ -125,7 +143,8 @@ bool RefinementColorTable::Upload(
   for (int i = 0; i < this->NumberOfColors; ++i)
   {
     const double value = ends[0] + (i + 0.5) / this->NumberOfColors * (ends[1] - ends[0]);
-    values->InsertNextValue(this->Log ? std::pow(10.0, value) : value);
+    values->InsertNextValue(
+      this->Log ? std::pow(10.0, value) : (wholeSamples ? std::round(value) : value));
   }
   // Next to the ends, where the table goes on; or far out, to be beyond all it has.
   const double span = std::max(this->Ends[1] - this->Ends[0], 1e-3 * std::abs(this->Ends[0]));

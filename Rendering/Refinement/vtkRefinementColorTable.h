@@ -25,7 +25,7 @@ public:
    * tables of logarithms).
    */
   bool Upload(vtkOpenGLRenderWindow* window, vtkScalarsToColors* table, double bias,
-    const double dataRange[2]);
+    const double dataRange[2], bool whole = false);
 
   void Activate(vtkShaderProgram* program);
   void Deactivate() { this->Colors.Deactivate(); }
@@ -42,7 +42,9 @@ public:
   static std::array<float, 4> GetColor(vtkScalarsToColors* table, double value);
 
 private:
-  /// Set what is sampled: NumberOfColors between Ends.
+  /// Set what is sampled: NumberOfColors between Ends. Whole numbers each have their own colour,
+  /// unless there are too many: a function may change right at one.
+  bool ChooseWhole(const double dataRange[2]);
   void ChooseSamples(vtkScalarsToColors* table, const double dataRange[2]);
 
   RefinementBuffer Colors;

@@ -118,7 +118,7 @@ bool RefinementColors::Upload(vtkOpenGLRenderWindow* window, vtkAbstractArray* s
     return true;
   }
   this->Kind = BY_VALUE;
-  return this->Table.Upload(window, table, this->Bias, range);
+  return this->Table.Upload(window, table, this->Bias, range, this->Whole && !choice.IsLength);
 }
 
 bool RefinementColors::UploadValues(vtkOpenGLRenderWindow* window, vtkDataArray* scalars, int first,

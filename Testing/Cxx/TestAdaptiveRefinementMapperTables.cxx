@@ -174,6 +174,39 @@ void TestNumbers(const Tester& tester)
   }
 }
 
+// Whole numbers right on the steps of a table: no colour of theirs may be the neighbour's.
+void TestSteps(const Tester& tester)
+{
+  vtkNew<vtkColorTransferFunction> function;
+  for (int i = 0; i < 6; ++i)
+  {
+    function->AddRGBPoint(2 * i - 1, i % 2, 0.2 * i, i == 2 ? 1.0 : 0.0, 0.5, 1.0);
+  }
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(9);
+  table->SetTableRange(1.0, 10.0);
+  table->Build();
+  vtkNew<vtkLookupTable> logarithms;
+  logarithms->DeepCopy(table);
+  logarithms->SetNumberOfTableValues(12);
+  logarithms->SetTableRange(1.0, 8.0);
+  logarithms->SetScaleToLog10();
+  logarithms->Build();
+  const std::pair<std::string, Table> tables[] = { { "Function", function.Get() },
+    { "Lookup", table.Get() }, { "LookupLog", logarithms.Get() } };
+  for (const auto& each : tables)
+  {
+    tester.Compare(
+      "Steps" + each.first, 0,
+      []
+      {
+        vtkNew<vtkIntArray> values;
+        return WithValues(values, 1);
+      },
+      each.second, [](vtkMapper*) {});
+  }
+}
+
 void TestOtherValues(const Tester& tester)
 {
   const Table table = MakeLookupTable(false, true);
@@ -289,6 +322,7 @@ int TestAdaptiveRefinementMapperTables(int argc, char* argv[])
   RelevoComparison comparison(check, argc, argv);
   const Tester tester{ comparison };
   TestNumbers(tester);
+  TestSteps(tester);
   TestOtherValues(tester);
   TestNames(tester);
   return check.GetResult();
