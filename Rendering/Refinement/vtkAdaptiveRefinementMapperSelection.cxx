@@ -22,6 +22,7 @@
 #include "vtkShaderProperty.h"
 #include "vtkTexture.h"
 #include "vtkTimerLog.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <memory>
@@ -121,6 +122,14 @@ bool HasGaps(vtkActor* act)
     act->GetProperty()->GetTexture("albedoTex") ||
     (texture && (!image || image->GetNumberOfScalarComponents() != 3)) ||
     shaders->HasFragmentShaderCode() || shaders->GetNumberOfShaderReplacements() > 0;
+}
+
+// VTK calls some colours opaque that are not, as those of vectors of four components. It draws
+// them with its opaque surfaces, and yet lets through what is behind.
+bool LetsThrough(vtkUnsignedCharArray* colors)
+{
+  return colors && colors->GetNumberOfComponents() == 4 && colors->GetNumberOfTuples() > 0 &&
+    colors->GetRange(3)[0] < 255.0;
 }
 }
 
@@ -267,8 +276,8 @@ bool vtkAdaptiveRefinementMapper::HidesBackFaces(vtkRenderer* ren, vtkActor* act
     property->GetRepresentation() == VTK_SURFACE && !property->GetFrontfaceCulling() &&
     !property->GetVertexVisibility() && !property->GetEdgeVisibility() &&
     !act->IsRenderingTranslucentPolygonalGeometry() && !this->HasTranslucentPolygonalGeometry() &&
-    !HasGaps(act) && !MovesVertices(act) && this->GetNumberOfClippingPlanes() == 0 &&
-    act->GetMatrix()->Determinant() > 0.0;
+    !HasGaps(act) && !LetsThrough(this->Colors) && !MovesVertices(act) &&
+    this->GetNumberOfClippingPlanes() == 0 && act->GetMatrix()->Determinant() > 0.0;
 }
 
 void vtkAdaptiveRefinementMapper::ComputeBounds()
