@@ -31,12 +31,22 @@ namespace RelevoRandomMapping
 // A setting, to be given to every mapper that draws the same.
 using Setting = std::function<void(vtkPolyDataMapper*)>;
 
+// What some of a scene's choices leave to others.
+struct Limits
+{
+  bool IsTranslucent = false; // by a table
+  bool HasOtherCells = false; // than faces
+  // At level 2 faces are drawn in another order than the filter's. Of points that faces share, the
+  // last one drawn is seen: are they of different colours or normals?
+  bool HasTies = false;
+};
+
 struct Choice
 {
   RelevoDice& Dice;
   std::ostream& Log;
   int Level;
-  bool& IsTranslucent; // by a table
+  RelevoRandomMapping::Limits& Limits;
 };
 
 inline vtkSmartPointer<vtkDataArray> MakeNumbers(RelevoDice& dice)
@@ -119,7 +129,7 @@ inline vtkSmartPointer<vtkScalarsToColors> MakeLookupTable(const Choice& choice)
   table->SetAboveRangeColor(0.0, 1.0, 1.0, 1.0);
   table->SetNanColor(0.9, 0.9, 0.2, 1.0);
   table->Build();
-  choice.IsTranslucent = choice.IsTranslucent || !table->IsOpaque();
+  choice.Limits.IsTranslucent = choice.Limits.IsTranslucent || !table->IsOpaque();
   choice.Log << " table of " << table->GetNumberOfTableValues() << (table->GetScale() ? " log" : "")
              << (table->IsOpaque() ? "" : " translucent");
   return table;
@@ -159,7 +169,7 @@ inline vtkSmartPointer<vtkScalarsToColors> MakeFunction(const Choice& choice)
       opacity->AddPoint(10.0, 0.5);
       function->SetScalarOpacityFunction(opacity);
       function->EnableOpacityMappingOn();
-      choice.IsTranslucent = true;
+      choice.Limits.IsTranslucent = true;
       choice.Log << " with opacity";
     }
     function->Build();
@@ -168,10 +178,33 @@ inline vtkSmartPointer<vtkScalarsToColors> MakeFunction(const Choice& choice)
   return result;
 }
 
+// A colour for each of some whole numbers, in turn, and none for others.
+inline vtkSmartPointer<vtkScalarsToColors> MakeCategories(const Choice& choice)
+{
+  RelevoDice& dice = choice.Dice;
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(2 + dice.Throw(5));
+  table->SetHueRange(dice.Share(), dice.Share());
+  table->Build();
+  table->IndexedLookupOn();
+  const int count = 3 + dice.Throw(9);
+  for (int i = 0; i < count; ++i)
+  {
+    table->SetAnnotation(vtkVariant(i - 1), "Name " + std::to_string(i));
+  }
+  table->SetNanColor(0.9, 0.9, 0.2, 1.0);
+  choice.Log << " table of " << count << " categories";
+  return table;
+}
+
 inline vtkSmartPointer<vtkScalarsToColors> MakeTable(const Choice& choice)
 {
   RelevoDice& dice = choice.Dice;
-  auto table = dice.Throw(3) ? MakeLookupTable(choice) : MakeFunction(choice);
+  // Between two categories there is none: the mapper has a blend of colours, the filter a number.
+  const int kind = dice.Throw(choice.Level > 0 ? 6 : 7);
+  auto table = kind < 4 ? MakeLookupTable(choice)
+    : kind < 6          ? MakeFunction(choice)
+                        : MakeCategories(choice);
   // Between points whose vectors are beyond the range, colours of vectors are not linear.
   const int mode = dice.Throw(choice.Level > 0 ? 2 : 3);
   table->SetVectorMode(mode == 0 ? vtkScalarsToColors::MAGNITUDE
@@ -233,6 +266,9 @@ inline void AddColorSettings(const Choice& choice, std::vector<Setting>& setting
     });
   // Field data are per cell of the coarse mesh: the filter's has other cells.
   const int mode = dice.Throw(choice.Level > 0 ? 5 : 6);
+  choice.Limits.HasTies = choice.Limits.HasTies ||
+    (isVisible && mode != VTK_SCALAR_MODE_USE_POINT_DATA &&
+      mode != VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
   const int component = dice.Throw(4) - 1;
   const bool byName = dice.Throw(2) || choice.Level > 0; // the filter numbers arrays anew
   settings.push_back(

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Scenes made of random actors, mappers, properties, cameras and renderers: the same for the same
-// seed, once with refining mappers and once with vtkPolyDataMapper.
+// Scenes made of random actors, mappers, properties, cameras, renderers and windows: the same for
+// the same seed, once with refining mappers and once with vtkPolyDataMapper.
 #ifndef RelevoRandomScene_h
 #define RelevoRandomScene_h
 
-#include "RelevoRandomMapping.h"
+#include "RelevoRandomLook.h"
 #include "RelevoScene.h"
 
 #include "vtkDisplacement.h"
@@ -13,9 +13,8 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPNTriangleSurface.h"
 #include "vtkPlane.h"
-#include "vtkTexture.h"
-#include "vtkTransform.h"
 
+#include <algorithm>
 #include <memory>
 #include <ostream>
 #include <string>
@@ -24,33 +23,40 @@
 class RelevoRandomScene
 {
 public:
-  // Renderers are added to the window, and leave it with the scene. What is made is written down.
-  RelevoRandomScene(
-    unsigned int seed, RelevoScene::KindType kind, vtkRenderWindow* window, std::ostream& log)
+  // Renderers are added to the first window, or to both, and leave them with the scene. What is
+  // made is written down.
+  RelevoRandomScene(unsigned int seed, RelevoScene::KindType kind,
+    const std::vector<vtkRenderWindow*>& windows, std::ostream& log)
     : Kind(kind)
-    , Window(window)
     , Dice(seed)
-    , Choice{ this->Dice, log, this->Dice.Throw(2) ? 2 : 0, this->IsTranslucent }
+    , Choice{ this->Dice, log, this->Dice.Throw(2) ? 2 : 0, this->Limits }
   {
     log << (this->Choice.Level ? "level 2\n" : "level 0\n");
-    window->SetSize(64 + 16 * this->Dice.Throw(3), 48 + 16 * this->Dice.Throw(2));
-    this->AddRenderers();
+    this->Windows.assign(windows.begin(), windows.begin() + (this->Dice.Once(4) ? 2 : 1));
+    for (vtkRenderWindow* window : this->Windows)
+    {
+      window->SetSize(64 + 16 * this->Dice.Throw(3), 48 + 16 * this->Dice.Throw(2));
+      this->AddRenderers(window);
+    }
     for (int i = 1 + this->Dice.Throw(2); i > 0; --i)
     {
       this->AddActor();
     }
     for (vtkRenderer* renderer : this->Renderers)
     {
-      this->PlaceCamera(renderer);
+      RelevoRandomLook::PlaceCamera(this->Choice, renderer->GetActiveCamera());
     }
   }
   ~RelevoRandomScene()
   {
-    for (vtkRenderer* renderer : this->Renderers)
+    for (vtkRenderWindow* window : this->Windows)
     {
-      this->Window->RemoveRenderer(renderer);
+      for (vtkRenderer* renderer : this->Renderers)
+      {
+        window->RemoveRenderer(renderer);
+      }
+      window->SetNumberOfLayers(1);
     }
-    this->Window->SetNumberOfLayers(1);
   }
   RelevoRandomScene(const RelevoRandomScene&) = delete;
   void operator=(const RelevoRandomScene&) = delete;
@@ -61,10 +67,22 @@ public:
     {
       filter->Update();
     }
-    this->Window->Render();
+    const bool lastFirst = this->Dice.Throw(2);
+    if (lastFirst)
+    {
+      std::reverse(this->Windows.begin(), this->Windows.end());
+    }
+    for (vtkRenderWindow* window : this->Windows)
+    {
+      window->Render();
+    }
+    this->Choice.Log << (lastFirst && this->Windows.size() > 1 ? " windows in turn\n" : "");
   }
 
   int GetLevel() const { return this->Choice.Level; }
+
+  // In the order of the last frames.
+  const std::vector<vtkRenderWindow*>& GetWindows() const { return this->Windows; }
 
   // Something else, before the next frame.
   void Change()
@@ -72,55 +90,93 @@ public:
     this->Choice.Log << " then";
     Group& group =
       this->Groups[static_cast<size_t>(this->Dice.Throw(static_cast<int>(this->Groups.size())))];
-    vtkRenderer* renderer = this->Renderers[static_cast<size_t>(
-      this->Dice.Throw(static_cast<int>(this->Renderers.size())))];
+    Look& look =
+      group.Looks[static_cast<size_t>(this->Dice.Throw(static_cast<int>(group.Looks.size())))];
     switch (this->Dice.Throw(6))
     {
       case 0:
         this->Choice.Log << " the window's size\n";
-        this->Window->SetSize(50 + this->Dice.Throw(60), 40 + this->Dice.Throw(50));
+        this->Windows.front()->SetSize(50 + this->Dice.Throw(60), 40 + this->Dice.Throw(50));
         for (vtkRenderer* each : this->Renderers)
         {
           each->GetActiveCamera()->Modified(); // VTK 9.1 may keep the matrices of the old aspect
         }
         break;
       case 1:
-        this->FillProperty(group.Actors.front()->GetProperty());
+        this->FillProperty(group, look);
         break;
       case 2:
       {
         std::vector<RelevoRandomMapping::Setting> settings;
         RelevoRandomMapping::AddColorSettings(this->Choice, settings);
         this->Apply(group, settings);
-        this->FillProperty(group.Actors.front()->GetProperty());
+        for (Look& each : group.Looks)
+        {
+          this->FillProperty(group, each);
+        }
         break;
       }
       case 3:
-        this->PlaceActors(group);
+        this->PlaceActors(group, look);
         break;
       case 4:
         this->AddClippingPlane(group);
         break;
       default:
-        this->PlaceCamera(renderer);
+        RelevoRandomLook::PlaceCamera(this->Choice, this->ChooseRenderer()->GetActiveCamera());
     }
   }
 
 private:
   using Mesh = RelevoMeshes::Mesh;
 
-  // The actor of a mesh or of blocks; the twin has an actor for each block, of the same property.
+  using Look = RelevoRandomLook::Look;
+
+  // A mesh or blocks. One mapper for all looks; the twin has one for each actor.
   struct Group
   {
-    std::vector<vtkSmartPointer<vtkActor>> Actors;
-    std::vector<vtkPolyDataMapper*> Mappers;
+    std::vector<Look> Looks;
+    std::vector<vtkSmartPointer<vtkPolyDataMapper>> Mappers;
+    int Method = 0;
   };
 
-  void AddRenderers()
+  vtkRenderer* ChooseRenderer()
+  {
+    return this
+      ->Renderers[static_cast<size_t>(this->Dice.Throw(static_cast<int>(this->Renderers.size())))];
+  }
+
+  static bool HasAnyOrder(const Group& group)
+  {
+    return group.Method == vtkAdaptiveRefinementMapper::METHOD_SUAPT ||
+      group.Method == vtkAdaptiveRefinementMapper::METHOD_UNIFORM;
+  }
+
+  void FillProperty(const Group& group, const Look& look)
+  {
+    RelevoRandomLook::FillProperty(this->Choice, look.GetProperty(), HasAnyOrder(group));
+  }
+
+  // Once and for all: VTK goes on drawing vertices that are no longer visible.
+  void AddVertices(const Group& group, const Look& look)
+  {
+    vtkProperty* property = look.GetProperty();
+    property->SetVertexVisibility(this->Dice.Once(6) && this->Choice.Level == 0 &&
+      !HasAnyOrder(group) && property->GetOpacity() == 1.0);
+    this->Choice.Log << (property->GetVertexVisibility() ? "  vertices\n" : "");
+  }
+
+  // Two looks of one mesh are never in one place.
+  void PlaceActors(const Group& group, const Look& look)
+  {
+    RelevoRandomLook::PlaceActors(this->Choice, look, group.Looks.size() > 1);
+  }
+
+  void AddRenderers(vtkRenderWindow* window)
   {
     const int layout = this->Dice.Throw(5);
     this->Choice.Log << "layout " << layout << "\n";
-    auto add = [this](double xmin, double xmax, int layer)
+    auto add = [this, window](double xmin, double xmax, int layer)
     {
       auto renderer = vtkSmartPointer<vtkRenderer>::New();
       vtkNew<vtkCamera> camera; // not from a reset of its own
@@ -140,7 +196,7 @@ private:
         light->SetColor(this->Dice.Share(), 1.0, this->Dice.Share());
         renderer->AddLight(light);
       }
-      this->Window->AddRenderer(renderer);
+      window->AddRenderer(renderer);
       this->Renderers.push_back(renderer);
     };
     if (layout == 0)
@@ -152,7 +208,7 @@ private:
     add(0.0, 1.0, 0);
     if (layout == 1)
     {
-      this->Window->SetNumberOfLayers(2);
+      window->SetNumberOfLayers(2);
       add(0.2, 0.9, 1);
     }
   }
@@ -175,7 +231,9 @@ private:
                           : Sphere(6 + dice.Throw(8), 5 + dice.Throw(5));
     const double centre[3] = { 0.6 * dice.Signed(), 0.6 * dice.Signed(), 0.6 * dice.Signed() };
     mesh = Moved(mesh, kind == 4 ? 0.3 : 1.0, centre, dice.Throw(2) ? VTK_DOUBLE : VTK_FLOAT);
-    this->HasOtherCells = this->HasOtherCells || mesh->GetNumberOfVerts() > 0;
+    this->Limits.HasOtherCells = this->Limits.HasOtherCells || mesh->GetNumberOfVerts() > 0;
+    const bool hasSplitPoints = kind == 1 || kind == 2 || kind == 7 || kind == 8;
+    this->Limits.HasTies = this->Limits.HasTies || (this->Choice.Level > 0 && hasSplitPoints);
     const bool isFlat = dice.Once(6);
     for (vtkIdType i = 0; isFlat && i < mesh->GetNumberOfPoints(); ++i)
     {
@@ -199,7 +257,7 @@ private:
     return mesh;
   }
 
-  vtkSmartPointer<vtkAdaptiveRefinement> MakeRecipe()
+  vtkSmartPointer<vtkAdaptiveRefinement> MakeRecipe(const std::vector<Mesh>& meshes)
   {
     vtkSmartPointer<vtkRefinementSurface> surface;
     if (this->Choice.Level > 0 && this->Dice.Throw(2))
@@ -207,82 +265,151 @@ private:
       surface = vtkSmartPointer<vtkPNTriangleSurface>::New();
       this->Choice.Log << "  PN triangles\n";
     }
-    return RelevoMeshes::MakeRecipe(this->Choice.Level, surface);
+    auto recipe = RelevoMeshes::MakeRecipe(this->Choice.Level, surface);
+    if (this->Choice.Level > 0 && this->Dice.Once(4))
+    {
+      this->AddDisplacement(recipe, meshes);
+    }
+    return recipe;
+  }
+
+  void AddDisplacement(vtkAdaptiveRefinement* recipe, const std::vector<Mesh>& meshes)
+  {
+    RelevoDice& dice = this->Dice;
+    vtkNew<vtkDisplacement> displacement;
+    displacement->SetOffset(0.2 * dice.Signed());
+    displacement->SetScale(0.4 * dice.Share());
+    const double direction[3] = { dice.Signed(), dice.Signed(), 1.0 };
+    const bool alongNormal = dice.Throw(2);
+    if (!alongNormal)
+    {
+      displacement->SetDirection(direction);
+    }
+    auto heights = vtk::TakeSmartPointer(RelevoHeights::New());
+    heights->FillRandom(5, 4, static_cast<unsigned int>(dice.Throw(1000)));
+    displacement->SetHeightMap(heights);
+    for (vtkPolyData* mesh : meshes)
+    {
+      if (!mesh->GetPointData()->GetTCoords())
+      {
+        RelevoMeshes::AddTextureCoordinates(mesh,
+          [](const double* x) {
+            return std::array<double, 2>{ { 0.5 + 0.4 * x[0], 0.5 + 0.4 * x[1] } };
+          });
+      }
+    }
+    recipe->SetDisplacement(displacement);
+    this->Choice.Log << (alongNormal ? "  displaced along normals\n" : "  displaced\n");
   }
 
   void AddActor()
   {
-    const bool isComposite = this->Dice.Once(4);
-    const int numberOfBlocks = isComposite ? 2 : 1;
-    this->Choice.Log << " actor of " << numberOfBlocks << "\n";
-    vtkNew<vtkMultiBlockDataSet> blocks;
+    const int numberOfBlocks = this->Dice.Once(4) ? 2 : 1;
+    const int numberOfLooks = this->Dice.Once(4) ? 2 : 1;
+    this->Choice.Log << " actor of " << numberOfBlocks
+                     << (numberOfLooks > 1 ? ", mapper shared\n" : "\n");
     std::vector<Mesh> meshes;
     for (int i = 0; i < numberOfBlocks; ++i)
     {
       meshes.push_back(this->MakeMesh());
-      blocks->SetBlock(static_cast<unsigned int>(2 * i), meshes.back());
     }
-    auto recipe = this->MakeRecipe();
+    auto recipe = this->MakeRecipe(meshes);
     std::vector<RelevoRandomMapping::Setting> settings;
     RelevoRandomMapping::AddColorSettings(this->Choice, settings);
-    const int method = this->Choice.Level == 0 ? this->Dice.Throw(6) : 0;
-    const bool culls = this->Dice.Throw(2);
 
     Group group;
-    vtkNew<vtkProperty> property;
-    this->FillProperty(property);
-    const auto add = [&](vtkPolyDataMapper* mapper)
-    {
-      auto actor = vtkSmartPointer<vtkActor>::New();
-      actor->SetMapper(mapper);
-      actor->SetProperty(property);
-      group.Actors.push_back(actor);
-      group.Mappers.push_back(mapper);
-    };
+    group.Method = this->Choice.Level == 0 ? this->Dice.Throw(6) : 0;
+    const bool culls = this->Dice.Throw(2);
+    this->Choice.Log << "  method " << group.Method << (culls ? " culls\n" : "\n");
     if (this->Kind == RelevoScene::Refining)
     {
-      vtkNew<vtkAdaptiveRefinementMapper> mapper;
-      mapper->SetRefinement(recipe);
-      mapper->SetMethod(method);
+      this->AddRefiningMapper(group, meshes, recipe);
+      auto* mapper = vtkAdaptiveRefinementMapper::SafeDownCast(group.Mappers.front());
+      mapper->SetMethod(group.Method);
       mapper->SetBackFaceCulling(culls);
-      mapper->SetInputDataObject(
-        isComposite ? blocks.Get() : static_cast<vtkDataObject*>(meshes.front()));
-      add(mapper);
     }
     else
     {
-      for (vtkPolyData* mesh : meshes)
-      {
-        vtkNew<vtkPolyDataMapper> mapper;
-        if (this->Choice.Level > 0)
-        {
-          auto filter = vtkSmartPointer<vtkAdaptiveRefinementFilter>::New();
-          filter->SetRefinement(recipe);
-          filter->SetInputData(mesh);
-          mapper->SetInputConnection(filter->GetOutputPort());
-          this->Filters.push_back(filter);
-        }
-        else
-        {
-          mapper->SetInputData(mesh);
-        }
-        add(mapper);
-      }
+      this->AddTwins(group, meshes, recipe, numberOfLooks);
     }
+    this->AddLooks(group, numberOfLooks);
     this->Apply(group, settings);
-    this->PlaceActors(group);
-    this->AddTexture(group);
-    vtkRenderer* renderer = this->Renderers[static_cast<size_t>(
-      this->Dice.Throw(static_cast<int>(this->Renderers.size())))];
-    for (vtkActor* actor : group.Actors)
+    for (Look& look : group.Looks)
     {
-      renderer->AddActor(actor);
+      this->FillProperty(group, look);
+      this->AddVertices(group, look);
+      this->PlaceActors(group, look);
+      RelevoRandomLook::AddTexture(this->Choice, look);
+      vtkRenderer* renderer = this->ChooseRenderer();
+      for (vtkActor* actor : look.Actors)
+      {
+        renderer->AddActor(actor);
+      }
     }
     if (this->Dice.Once(4))
     {
       this->AddClippingPlane(group);
     }
     this->Groups.push_back(group);
+  }
+
+  static void AddRefiningMapper(
+    Group& group, const std::vector<Mesh>& meshes, vtkAdaptiveRefinement* recipe)
+  {
+    vtkNew<vtkMultiBlockDataSet> blocks;
+    for (size_t i = 0; i < meshes.size(); ++i)
+    {
+      blocks->SetBlock(static_cast<unsigned int>(2 * i), meshes[i]);
+    }
+    vtkNew<vtkAdaptiveRefinementMapper> mapper;
+    mapper->SetRefinement(recipe);
+    mapper->SetInputDataObject(
+      meshes.size() > 1 ? blocks.Get() : static_cast<vtkDataObject*>(meshes.front()));
+    group.Mappers.push_back(mapper.Get());
+  }
+
+  void AddTwins(
+    Group& group, const std::vector<Mesh>& meshes, vtkAdaptiveRefinement* recipe, int numberOfLooks)
+  {
+    for (size_t i = 0; i < numberOfLooks * meshes.size(); ++i)
+    {
+      vtkPolyData* mesh = meshes[i % meshes.size()];
+      vtkNew<vtkPolyDataMapper> mapper;
+      if (this->Choice.Level > 0)
+      {
+        auto filter = vtkSmartPointer<vtkAdaptiveRefinementFilter>::New();
+        filter->SetRefinement(recipe);
+        filter->SetInputData(mesh);
+        mapper->SetInputConnection(filter->GetOutputPort());
+        this->Filters.push_back(filter);
+      }
+      else
+      {
+        mapper->SetInputData(mesh);
+      }
+      group.Mappers.push_back(mapper.Get());
+    }
+  }
+
+  // The mappers go round: a refining one is shared by all looks.
+  void AddLooks(Group& group, int count)
+  {
+    const size_t most = std::max<size_t>(group.Mappers.size(), static_cast<size_t>(count));
+    const size_t actors = most / static_cast<size_t>(count);
+    for (size_t i = 0; i < most; ++i)
+    {
+      if (i % actors == 0)
+      {
+        group.Looks.emplace_back();
+      }
+      vtkNew<vtkActor> actor;
+      actor->SetMapper(group.Mappers[i % group.Mappers.size()]);
+      if (i % actors > 0)
+      {
+        actor->SetProperty(group.Looks.back().GetProperty());
+      }
+      group.Looks.back().Actors.push_back(actor.Get());
+    }
   }
 
   void Apply(Group& group, const std::vector<RelevoRandomMapping::Setting>& settings)
@@ -294,94 +421,6 @@ private:
         set(mapper);
       }
     }
-  }
-
-  void AddTexture(Group& group)
-  {
-    if (this->Dice.Throw(6))
-    {
-      return;
-    }
-    this->Choice.Log << "  texture\n";
-    vtkNew<vtkImageData> image;
-    image->SetDimensions(8, 8, 1);
-    image->AllocateScalars(VTK_UNSIGNED_CHAR, this->Dice.Throw(2) ? 3 : 4);
-    auto* values = static_cast<unsigned char*>(image->GetScalarPointer());
-    for (int i = 0; i < 64 * image->GetNumberOfScalarComponents(); ++i)
-    {
-      values[i] =
-        static_cast<unsigned char>(i % 4 == 3 ? 255 * (i / 16 % 2) : this->Dice.Throw(256));
-    }
-    vtkNew<vtkTexture> texture;
-    texture->SetInputData(image);
-    texture->InterpolateOn();
-    for (vtkActor* actor : group.Actors)
-    {
-      actor->SetTexture(texture);
-    }
-  }
-
-  void FillProperty(vtkProperty* property)
-  {
-    RelevoDice& dice = this->Dice;
-    property->SetColor(dice.Share(), dice.Share(), dice.Share());
-    property->SetAmbient(0.3 * dice.Share());
-    property->SetSpecular(dice.Throw(2) ? dice.Share() : 0.0);
-    property->SetSpecularPower(1.0 + 20.0 * dice.Share());
-    property->SetLighting(dice.Throw(5) != 0);
-    property->SetInterpolation(dice.Throw(3));
-    property->SetOpacity(dice.Throw(4) ? 1.0 : 0.2 + 0.7 * dice.Share());
-    // OpenGL may draw a line there as other pixels than the line back, and refined edges need not
-    // run as the filter's do; and the filter's triangles have diagonals that polygons have not.
-    const bool hasLines = this->Choice.Level == 0;
-    property->SetRepresentation(dice.Throw(4) ? VTK_SURFACE
-        : hasLines && dice.Throw(2)           ? VTK_WIREFRAME
-                                              : VTK_POINTS);
-    // Where lines or points that overlap let through what is behind them, their order and number
-    // show. VTK 9.1 draws other edges where a mesh has vertices or lines, too.
-    const bool isOpaque = property->GetOpacity() == 1.0 && !this->IsTranslucent;
-    property->SetRepresentation(isOpaque ? property->GetRepresentation() : VTK_SURFACE);
-    property->SetEdgeVisibility(dice.Once(5) && !this->HasOtherCells && isOpaque && hasLines);
-    property->SetEdgeColor(0.1, 0.1, dice.Share());
-    property->SetVertexVisibility(
-      this->Choice.Level == 0 && property->GetOpacity() == 1.0 && dice.Once(6));
-    property->SetLineWidth(dice.Throw(2) && isOpaque ? 3.0f : 1.0f);
-    property->SetPointSize(dice.Throw(2) ? 1.0f : 5.0f);
-    property->SetRenderLinesAsTubes(dice.Once(8));
-    property->SetRenderPointsAsSpheres(dice.Once(8));
-    property->SetBackfaceCulling(dice.Once(5));
-    property->SetFrontfaceCulling(!property->GetBackfaceCulling() && dice.Once(8));
-    this->Choice.Log << "  property: representation " << property->GetRepresentation()
-                     << " interpolation " << property->GetInterpolation() << " opacity "
-                     << property->GetOpacity() << (property->GetLighting() ? "" : " unlit")
-                     << (property->GetEdgeVisibility() ? " edges" : "")
-                     << (property->GetVertexVisibility() ? " vertices" : "") << " line "
-                     << property->GetLineWidth() << " point " << property->GetPointSize()
-                     << (property->GetRenderLinesAsTubes() ? " tubes" : "")
-                     << (property->GetRenderPointsAsSpheres() ? " spheres" : "")
-                     << (property->GetBackfaceCulling() ? " no backs" : "")
-                     << (property->GetFrontfaceCulling() ? " no fronts\n" : "\n");
-  }
-
-  void PlaceActors(Group& group)
-  {
-    RelevoDice& dice = this->Dice;
-    const bool isMoved = dice.Throw(2);
-    const double numbers[] = { dice.Signed(), dice.Signed(), dice.Signed(), 180.0 * dice.Signed(),
-      dice.Once(4) ? -1.0 : 1.0, 0.5 + dice.Share() };
-    for (vtkActor* actor : group.Actors)
-    {
-      actor->SetPosition(numbers[0], numbers[1], numbers[2]);
-      actor->SetOrientation(0.0, numbers[3], 20.0);
-      actor->SetScale(1.0, numbers[4], numbers[5]);
-      if (!isMoved)
-      {
-        actor->SetPosition(0.0, 0.0, 0.0);
-        actor->SetOrientation(0.0, 0.0, 0.0);
-        actor->SetScale(1.0);
-      }
-    }
-    this->Choice.Log << (isMoved ? "  moved\n" : "  not moved\n");
   }
 
   void AddClippingPlane(Group& group)
@@ -397,40 +436,9 @@ private:
     this->Choice.Log << "  clipped\n";
   }
 
-  // From outside, from near by, from inside, or cut by the near plane. The numbers do not depend on
-  // bounds, which the two kinds of mapper need not agree on.
-  void PlaceCamera(vtkRenderer* renderer)
-  {
-    RelevoDice& dice = this->Dice;
-    const int way = dice.Throw(5);
-    const double distances[] = { 3.0, 2.0, 1.4, 0.2, 1.5 };
-    vtkCamera* camera = renderer->GetActiveCamera();
-    const double direction[3] = { dice.Signed(), dice.Signed(), 0.3 + dice.Share() };
-    const double length = distances[way] / vtkMath::Norm(direction);
-    camera->SetFocalPoint(0.1 * dice.Signed(), 0.1, 0.0);
-    camera->SetPosition(length * direction[0], length * direction[1], length * direction[2]);
-    camera->SetViewUp(0.1, 1.0, 0.2);
-    camera->SetParallelProjection(dice.Once(4));
-    camera->SetParallelScale(0.3 + dice.Share());
-    camera->SetViewAngle(20.0 + 60.0 * dice.Share());
-    camera->SetWindowCenter(dice.Once(6) ? 0.4 : 0.0, 0.0);
-    camera->SetClippingRange(way == 4 ? 1.0 + 0.6 * dice.Share() : 0.05, 10.0);
-    camera->SetUserViewTransform(nullptr);
-    if (dice.Once(10))
-    {
-      vtkNew<vtkTransform> sheared;
-      sheared->Translate(0.2, -0.1, 0.3);
-      sheared->RotateY(8.0);
-      camera->SetUserViewTransform(sheared);
-    }
-    this->Choice.Log << " camera " << way << (camera->GetParallelProjection() ? " parallel" : "")
-                     << (camera->GetUserViewTransform() ? " transformed\n" : "\n");
-  }
-
   const RelevoScene::KindType Kind;
-  vtkRenderWindow* Window;
-  bool HasOtherCells = false; // than faces
-  bool IsTranslucent = false; // by a table
+  std::vector<vtkRenderWindow*> Windows;
+  RelevoRandomMapping::Limits Limits;
   RelevoDice Dice;
   RelevoRandomMapping::Choice Choice;
   std::vector<vtkSmartPointer<vtkRenderer>> Renderers;

@@ -13,19 +13,23 @@
 
 namespace
 {
-struct Windows
+class Windows
 {
-  vtkNew<vtkRenderWindow> Refining;
-  vtkNew<vtkRenderWindow> Twin;
+public:
   Windows()
   {
-    for (vtkRenderWindow* window : { this->Refining.Get(), this->Twin.Get() })
+    for (vtkRenderWindow* window : this->All)
     {
       window->OffScreenRenderingOn(); // a new size holds at once
       window->SetMultiSamples(0);
       window->SetAlphaBitPlanes(1);
     }
   }
+  std::vector<vtkRenderWindow*> GetRefining() { return { this->All[0], this->All[1] }; }
+  std::vector<vtkRenderWindow*> GetTwins() { return { this->All[2], this->All[3] }; }
+
+private:
+  vtkNew<vtkRenderWindow> All[4];
 };
 
 struct Difference
@@ -72,8 +76,8 @@ bool TestSeed(
 {
   std::ostringstream log;
   std::ostringstream ignored;
-  RelevoRandomScene twin(seed, RelevoScene::Twin, windows.Twin, ignored);
-  RelevoRandomScene refining(seed, RelevoScene::Refining, windows.Refining, log);
+  RelevoRandomScene twin(seed, RelevoScene::Twin, windows.GetTwins(), ignored);
+  RelevoRandomScene refining(seed, RelevoScene::Refining, windows.GetRefining(), log);
   bool same = true;
   for (int frame = 0; frame < 2 && same; ++frame)
   {
@@ -83,20 +87,24 @@ bool TestSeed(
       refining.Change();
     }
     twin.Render();
-    const RelevoPicture expected(windows.Twin);
     refining.Render();
-    const RelevoPicture actual(windows.Refining);
-    const Difference difference = Compare(actual, expected, 3);
-    log << "frame " << frame << ": " << difference.Single << " single pixels differ, "
-        << difference.Wide << " others, largest " << difference.Largest << "\n";
-    const size_t ties = refining.GetLevel() == 0 ? 0 : actual.GetNumberOfPixels() / 200;
-    same = difference.Wide == 0 && difference.Single <= ties;
-    if (describe || !same)
+    for (size_t window = 0; window < twin.GetWindows().size(); ++window)
     {
-      const std::string file =
-        folder + "/Random." + std::to_string(seed) + "." + std::to_string(frame);
-      actual.Save(file + ".png");
-      expected.Save(file + ".expected.png");
+      const RelevoPicture expected(twin.GetWindows()[window]);
+      const RelevoPicture actual(refining.GetWindows()[window]);
+      const Difference difference = Compare(actual, expected, 3);
+      log << "frame " << frame << ": " << difference.Single << " single pixels differ, "
+          << difference.Wide << " others, largest " << difference.Largest << "\n";
+      const size_t ties = refining.GetLevel() == 0 ? 0 : actual.GetNumberOfPixels() / 200;
+      const bool alike = difference.Wide == 0 && difference.Single <= ties;
+      same = same && alike;
+      if (describe || !alike)
+      {
+        const std::string file = folder + "/Random." + std::to_string(seed) + "." +
+          std::to_string(frame) + std::string(window, 'b');
+        actual.Save(file + ".png");
+        expected.Save(file + ".expected.png");
+      }
     }
   }
   if (describe)
