@@ -331,11 +331,12 @@ std::string MeshScene::Describe(const double point[3], double resolution)
   {
     if (!this->Probe)
     {
-      this->Probe = std::make_unique<MeshProbe>(this->Mesh, this->GetArray(), this->HasPointArray);
+      this->Probe = std::make_unique<MeshProbe>(
+        this->Mesh, this->Recipe, this->GetArray(), this->HasPointArray);
     }
     std::ostringstream value;
     value << std::setprecision(4);
-    for (double component : this->Probe->GetValue(point))
+    for (double component : this->Probe->GetValue(point, this->Renderer))
     {
       value << " " << component;
     }

@@ -111,6 +111,27 @@ class TestViewerTerminal(ViewerProgram):
         self.assertIn("--version", self.view("--help").stdout)
         self.view("missing.tif", "--version")
 
+    def test_disk_is_full(self):
+        """What there is no room for is an error, for each format and however much fits."""
+        if os.path.exists("/dev/full"):
+            for extension in (".ply", ".obj", ".stl", ".vtp"):
+                name = "full" + extension
+                (self.folder / name).symlink_to("/dev/full")
+                self.assert_error(
+                    1, ["cannot write " + name, os.strerror(28)],  # ENOSPC
+                    "sphere.vtp", "--export=" + name)
+        for extension in (".ply", ".obj", ".stl", ".vtp"):
+            self.view("sphere.vtp", "--export=whole" + extension, "--level=1")
+            name = "large" + extension
+            # 4 blocks of 512 or 1024 bytes; without the signal, writing fails
+            run = subprocess.run(
+                ["sh", "-c", "trap '' XFSZ; ulimit -f 4; exec \"$@\"", "sh", str(PROGRAM),
+                 "sphere.vtp", "--export=" + name, "--level=4"],
+                cwd=self.folder, capture_output=True, text=True, timeout=60)
+            self.assertEqual(run.returncode, 1, name)
+            self.assertRegex(run.stderr, r"\Arelevo-view: error: [^\n]+\n\Z")
+            self.assertIn(name, run.stderr)
+
     def test_output_comes_first(self):
         """Its error is told before that of the input: nothing has been read."""
         (self.folder / "file").write_text("")

@@ -97,6 +97,17 @@ class TestViewerTools(ViewerProgram):
         self.assertAlmostEqual(here["Around"][1], here["x"], delta=0.05)
         self.close(window)
 
+    def test_readout_of_displaced_mesh(self):
+        """The value is of the face that is seen, not of the one that is nearest: inside out."""
+        window = self.window(
+            self.mesh, "--array=Latitude", "--up=z", "--height", self.heights, "--scale=1e-6",
+            "--offset=-1", "--surface=linear")
+        for x, y in (MIDDLE, (130, 100), (180, 150)):
+            here = numbers(self.under_mouse(window, x, y))
+            self.assertAlmostEqual(math.hypot(here["x"], here["y"], here["z"]), 0.5, delta=0.05)
+            self.assertAlmostEqual(here["Latitude"], -here["z"], delta=0.05)
+        self.close(window)
+
     def test_readout_of_coordinates(self):
         file = DATA / "relief" / "luxembourg_elev.tif"
         if not file.exists():
