@@ -200,6 +200,49 @@ bool RefinedSurface::Intersect(const PatternSelection& selection, const double s
   return hit.Face >= 0;
 }
 
+void RefinedSurface::IntersectAll(const PatternSelection& selection, const double start[3],
+  const double end[3], std::vector<SurfaceHit>& hits) const
+{
+  // As far apart, in lengths of the line, are two hits; what is nearer is an edge's two faces.
+  constexpr double apart = 1e-7;
+  const Internals& data = *this->Data;
+  const std::array<double, 3> from = data.ToLocal(start);
+  const std::array<double, 3> to = data.ToLocal(end);
+  RefinedTriangles triangles(
+    *data.Mesh, *data.Evaluator, data.Holes.get(), selection, data.Normals);
+  hits.clear();
+  this->ForEachFaceOnLine(start, end, 0.0,
+    [&](int face)
+    {
+      triangles.Refine(face);
+      // A displaced face can be met several times: go on behind each.
+      for (double passed = 0.0; passed < 1.0; passed = hits.back().T + apart)
+      {
+        std::array<double, 3> next;
+        for (int c = 0; c < 3; ++c)
+        {
+          next[c] = from[c] + passed * (to[c] - from[c]);
+        }
+        TrianglePoint point;
+        SurfaceHit hit;
+        hit.Face = face;
+        hit.T = std::nextafter(1.0, 2.0);
+        if (!triangles.Intersect(LineFrame(next.data(), to.data()), hit.T, point))
+        {
+          break;
+        }
+        hit.T = passed + hit.T * (1.0 - passed);
+        data.Complete(point, hit);
+        hits.push_back(hit);
+      }
+    });
+  std::sort(
+    hits.begin(), hits.end(), [](const SurfaceHit& a, const SurfaceHit& b) { return a.T < b.T; });
+  hits.erase(std::unique(hits.begin(), hits.end(),
+               [](const SurfaceHit& a, const SurfaceHit& b) { return b.T - a.T <= apart; }),
+    hits.end());
+}
+
 bool RefinedSurface::FindClosest(const PatternSelection& selection, const double place[3],
   double radius, SurfaceHit& hit, double& distance2) const
 {

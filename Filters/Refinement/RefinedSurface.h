@@ -20,6 +20,7 @@
 
 #include <functional> // for ForEachFace()
 #include <memory>     // for members
+#include <vector>     // for IntersectAll()
 
 class vtkAdaptiveRefinement;
 class vtkDataArray;
@@ -71,6 +72,10 @@ public:
   /// `tolerance`, a length.
   bool Intersect(const PatternSelection& selection, const double start[3], const double end[3],
     double tolerance, SurfaceHit& hit) const;
+
+  /// All points where a line meets the surface, each once, in the line's order.
+  void IntersectAll(const PatternSelection& selection, const double start[3], const double end[3],
+    std::vector<SurfaceHit>& hits) const;
 
   /// The point nearest to a place, if it is within `radius`; `distance2` is the square of its
   /// distance.

@@ -11,18 +11,23 @@
 #include "vtkCamera.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPatternSelection.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRefinementMesh.h"
 #include "vtkRefinementView.h"
 #include "vtkTimeStamp.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <list>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -264,6 +269,83 @@ int vtkRefinedCellLocator::IntersectWithLine(const double p1[3], const double p2
   subId = coarse.SubId;
   cellId = coarse.CellId;
   return 1;
+}
+
+int vtkRefinedCellLocator::IntersectWithLine(const double p1[3], const double p2[3], double tol,
+  vtkPoints* points, vtkIdList* cellIds, vtkGenericCell*)
+{
+  return this->FindHits(p1, p2, tol, points, cellIds) != 0 ? 1 : 0;
+}
+
+int vtkRefinedCellLocator::IntersectWithLine(
+  const double p1[3], const double p2[3], double tol, vtkPoints* points, vtkIdList* cellIds)
+{
+  return this->IntersectWithLine(p1, p2, tol, points, cellIds, nullptr);
+}
+
+int vtkRefinedCellLocator::IntersectWithLine(
+  const double p1[3], const double p2[3], vtkPoints* points, vtkIdList* cellIds)
+{
+  return this->FindHits(p1, p2, 0.0, points, cellIds);
+}
+
+int vtkRefinedCellLocator::FindHits(
+  const double p1[3], const double p2[3], double tol, vtkPoints* points, vtkIdList* cellIds)
+{
+  if (points)
+  {
+    points->Reset();
+  }
+  if (cellIds)
+  {
+    cellIds->Reset();
+  }
+  if (!this->UpdateSurface(false))
+  {
+    return 0;
+  }
+  vtkInternals& data = *this->Internals;
+  vtkPolyData* input = static_cast<vtkPolyData*>(this->DataSet);
+  std::vector<relevo::SurfaceHit> hits;
+  data.Surface.IntersectAll(data.Selection, p1, p2, hits);
+  relevo::SurfaceHit near;
+  if (hits.empty() && tol > 0.0 && data.Surface.Intersect(data.Selection, p1, p2, tol, near))
+  {
+    hits.push_back(near);
+  }
+  std::multimap<double, std::pair<const double*, vtkIdType>> found; // by place on the line
+  for (const relevo::SurfaceHit& hit : hits)
+  {
+    found.insert({ hit.T, { hit.Position, data.Mesh.Faces[hit.Face].Cell } });
+  }
+  vtkNew<vtkGenericCell> cell;
+  std::list<std::array<double, 3>> others;
+  for (vtkIdType id = 0; id < data.CountOtherCells(input); ++id)
+  {
+    double t;
+    double pcoords[3];
+    int subId;
+    others.emplace_back();
+    relevo::GetCell(input, id, cell);
+    if (cell->IntersectWithLine(p1, p2, tol, t, others.back().data(), pcoords, subId))
+    {
+      found.insert({ t, { others.back().data(), id } });
+    }
+  }
+  for (const auto& hit : found)
+  {
+    if (points)
+    {
+      points->InsertNextPoint(hit.second.first);
+    }
+    if (cellIds)
+    {
+      cellIds->InsertNextId(hit.second.second);
+    }
+  }
+  double along[3];
+  vtkMath::Subtract(p2, p1, along);
+  return found.empty() ? 0 : !hits.empty() && vtkMath::Dot(along, hits[0].Normal) > 0.0 ? -1 : 1;
 }
 
 int vtkRefinedCellLocator::IntersectOtherCells(const double p1[3], const double p2[3], double tol,

@@ -37,6 +37,7 @@
 class vtkAdaptiveRefinement;
 class vtkCamera;
 class vtkMatrix4x4;
+class vtkPoints;
 class vtkPolyData;
 
 class RELEVOFILTERSREFINEMENT_EXPORT vtkRefinedCellLocator : public vtkAbstractCellLocator
@@ -95,6 +96,30 @@ public:
 
   //@{
   /**
+   * All points where the line from p1 to p2 meets the refined surface, and vertices and lines
+   * within `tol` of it, in the line's order, with their coarse cells; where there is none of the
+   * surface, the first that the line passes within `tol`. `points` or `cellIds` may be nullptr,
+   * `cell` is not used. With `tol` returns 1 if there is one. Without, `tol` is 0, and the result
+   * is -1 if the first point is met from behind, that is if p1 lies inside a closed surface, 1 if
+   * from the front, 0 if there is none.
+   */
+  int IntersectWithLine(
+    const double p1[3], const double p2[3], vtkPoints* points, vtkIdList* cellIds) override;
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  int IntersectWithLine(const double p1[3], const double p2[3], double tol, vtkPoints* points,
+    vtkIdList* cellIds) override;
+  int IntersectWithLine(const double p1[3], const double p2[3], double tol, vtkPoints* points,
+    vtkIdList* cellIds, vtkGenericCell* cell) override;
+#else
+  int IntersectWithLine(
+    const double p1[3], const double p2[3], double tol, vtkPoints* points, vtkIdList* cellIds);
+  int IntersectWithLine(const double p1[3], const double p2[3], double tol, vtkPoints* points,
+    vtkIdList* cellIds, vtkGenericCell* cell);
+#endif
+  //@}
+
+  //@{
+  /**
    * The point of the refined surface, or of vertices and lines, that is nearest to x, the square of
    * its distance, and its coarse cell, -1 where there is none. `inside` is 1 where the point is not
    * on the border of its coarse cell.
@@ -143,6 +168,9 @@ private:
 
   bool UpdateSurface(bool anew);
   bool Prepare(vtkPolyData* input);
+  /// As IntersectWithLine() without `tol`.
+  int FindHits(
+    const double p1[3], const double p2[3], double tol, vtkPoints* points, vtkIdList* cellIds);
   int IntersectOtherCells(const double p1[3], const double p2[3], double tol, double& t,
     double x[3], double pcoords[3], int& subId, vtkIdType& cellId, vtkGenericCell* cell);
 

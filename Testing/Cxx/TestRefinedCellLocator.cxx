@@ -7,6 +7,7 @@
 #include "RelevoTestMeshes.h"
 
 #include "vtkCamera.h"
+#include "vtkCellData.h"
 #include "vtkDisplacement.h"
 #include "vtkDistanceDepthTagMetric.h"
 #include "vtkGenericCell.h"
@@ -14,12 +15,15 @@
 #include "vtkIdTypeArray.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkRefinedCellLocator.h"
 #include "vtkStaticCellLocator.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <random>
 #include <string>
 
@@ -295,6 +299,82 @@ void CheckChanges(RelevoCheck& check)
   locator->SetViewportSize(0, 5);
   CHECK(errors.Said("ViewportSize must be positive"));
 }
+
+// Every point of a line, against a walk through all cells of the filter's mesh.
+void CheckAllPoints(RelevoCheck& check)
+{
+  vtkNew<RelevoHeights> waves;
+  waves->FillWaves();
+  vtkNew<vtkDisplacement> displacement;
+  displacement->SetHeightMap(waves);
+  displacement->SetScale(0.15);
+  Twins twins(Torus(), MakeRecipe(3, nullptr, displacement));
+  double bounds[6];
+  twins.Refined->GetBounds(bounds);
+  Random random;
+  vtkDataArray* originals = twins.Refined->GetCellData()->GetArray("vtkOriginalCellIds");
+  int differing = 0;
+  int most = 0;
+  for (int line = 0; line < 60; ++line)
+  {
+    const Point from = random(bounds, 1.5);
+    const Point to = random(bounds, 1.5);
+    std::map<double, vtkIdType> expected;
+    for (vtkIdType id = 0; id < twins.Refined->GetNumberOfCells(); ++id)
+    {
+      double t;
+      double x[3];
+      double pcoords[3];
+      int subId;
+      if (twins.Refined->GetCell(id)->IntersectWithLine(
+            from.data(), to.data(), 0.0, t, x, pcoords, subId))
+      {
+        expected[t] = static_cast<vtkIdType>(originals->GetTuple1(id));
+      }
+    }
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkIdList> cells;
+    const int found =
+      twins.Locator->IntersectWithLine(from.data(), to.data(), 0.0, points, cells, nullptr);
+    CHECK(found == (points->GetNumberOfPoints() > 0 ? 1 : 0));
+    CHECK(cells->GetNumberOfIds() == points->GetNumberOfPoints());
+    bool same = points->GetNumberOfPoints() == static_cast<vtkIdType>(expected.size());
+    vtkIdType i = 0;
+    for (auto hit = expected.begin(); same && hit != expected.end(); ++hit, ++i)
+    {
+      Point p;
+      Point q;
+      points->GetPoint(i, p.data());
+      for (int c = 0; c < 3; ++c)
+      {
+        q[c] = from[c] + hit->first * (to[c] - from[c]);
+      }
+      same = Distance(p, q) < 1e-5 && cells->GetId(i) == hit->second;
+    }
+    differing += same ? 0 : 1;
+    most = std::max(most, static_cast<int>(points->GetNumberOfPoints()));
+  }
+  CHECK(differing <= 1); // through an edge within rounding
+  CHECK(most >= 4);
+
+  // From inside, from outside, past it; and lists that are not wanted.
+  vtkNew<vtkRefinedCellLocator> ball;
+  ball->SetDataSet(Sphere(12, 9));
+  ball->SetRefinement(MakeRecipe(2));
+  const double inside[3] = { 0.01, 0.02, 0.03 };
+  const double outside[3] = { 3.0, 0.1, 0.2 };
+  const double beyond[3] = { -3.0, 0.1, 0.2 };
+  const double above[3] = { 3.0, 0.1, 2.0 };
+  vtkNew<vtkPoints> points;
+  CHECK(ball->IntersectWithLine(inside, outside, points, nullptr) == -1);
+  CHECK(points->GetNumberOfPoints() == 1);
+  CHECK(ball->IntersectWithLine(outside, beyond, points, nullptr) == 1);
+  CHECK(points->GetNumberOfPoints() == 2);
+  CHECK(points->GetPoint(0)[0] > points->GetPoint(1)[0]);
+  CHECK(ball->IntersectWithLine(outside, above, points, nullptr) == 0);
+  CHECK(points->GetNumberOfPoints() == 0);
+  CHECK(ball->IntersectWithLine(outside, inside, 0.1, nullptr, nullptr) == 1);
+}
 }
 
 int TestRefinedCellLocator(int, char*[])
@@ -339,5 +419,6 @@ int TestRefinedCellLocator(int, char*[])
   CheckSphere(check);
   CheckSpecialLines(check);
   CheckChanges(check);
+  CheckAllPoints(check);
   return check.GetResult();
 }
