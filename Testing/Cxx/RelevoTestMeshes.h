@@ -322,6 +322,10 @@ inline Mesh Explode(vtkPolyData* mesh)
   for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
   {
     mesh->GetCellPoints(cell, ids);
+    if (ids->GetNumberOfIds() < 3)
+    {
+      continue; // vertices and lines
+    }
     Triangle triangle;
     for (int i = 0; i < 3; ++i)
     {
