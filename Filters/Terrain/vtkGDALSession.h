@@ -26,6 +26,7 @@ public:
   GDALSession();
   ~GDALSession();
 
+  bool HasErrors() const { return !this->Collected.empty(); }
   /// The errors so far, or `fallback`.
   std::string Messages(const std::string& fallback) const;
 

@@ -228,9 +228,10 @@ std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, b
        << (takesNormal ? "  normalMC = normal;\n" : "") << "}\n"
        << "void relevoSetAttributes(vec3 w)\n{\n"
        << fetches.str() << "}\n"
-       << options.Extension.Declarations << "void relevoExtend()\n{\n"
-       << options.Extension.Statements << "}\n"
-       << relevoRefineVS;
+       << options.Extension.Declarations
+       << "void relevoExtend();\n" // after what it reads is set: compilers warn by the text
+       << relevoRefineVS << "void relevoExtend()\n{\n"
+       << options.Extension.Statements << "}\n";
   InsertBeforeMain(vertex, text.str());
   InsertAfterVersion(vertex, GetDefines(options, edges, lines));
   vertex = std::regex_replace(

@@ -11,7 +11,7 @@ import struct
 import unittest
 
 import vtkmodules.vtkIOGeometry
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonCore import vtkPoints, vtkVersion
 from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, vtkUnstructuredGrid
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridWriter
 
@@ -224,7 +224,10 @@ class TestViewerFormats(ViewerProgram):
         beyond = Scene()
         beyond.add_node(beyond.primitive(CUBE[:3], [0, 1, 9]))
         beyond.write(self.folder / "beyond.gltf")
-        self.assert_error(1, ["point 9 of 3"], "beyond.gltf", "--output=n.png")
+        # VTK 9.6 finds it itself, and does not say what it found.
+        version = vtkVersion().GetVTKMajorVersion(), vtkVersion().GetVTKMinorVersion()
+        words = "point 9 of 3" if version < (9, 6) else "cannot read beyond.gltf"
+        self.assert_error(1, [words], "beyond.gltf", "--output=n.png")
 
     def test_volume(self):
         """Its surface; the array of the points goes along."""
