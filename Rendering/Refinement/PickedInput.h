@@ -41,6 +41,7 @@ struct PickedInput
   RefinedSurface Surface;
   PickedLevels Levels;
   vtkNew<PickedPolyData> Data;
+  vtkNew<vtkPolyData> Nothing; // of an input that cannot be refined
   vtkSmartPointer<vtkCompositeDataSet> Composite;
   vtkNew<vtkPolyData> Nothing; // of what is not pickable
 };

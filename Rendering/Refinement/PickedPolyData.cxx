@@ -106,20 +106,12 @@ int PickedPolyData::GetCellType(vtkIdType cellId)
   }
   // Another cell is asked for again: it is nearer.
   this->State = this->State == ALL_TRIED ? NOT_ASKED : this->State;
-  return this->IsFace(cellId) ? vtkPolyData::GetCellType(cellId)
-                              : relevo::GetCellType(this, cellId);
+  return relevo::GetCellType(this, cellId);
 }
 
 void PickedPolyData::GetCellPoints(vtkIdType cellId, vtkIdList* points)
 {
-  if (this->IsFace(cellId))
-  {
-    vtkPolyData::GetCellPoints(cellId, points);
-  }
-  else
-  {
-    relevo::GetCellPoints(this, cellId, points);
-  }
+  relevo::GetCellPoints(this, cellId, points);
 }
 
 void PickedPolyData::GetCell(vtkIdType cellId, vtkGenericCell* cell)
@@ -142,13 +134,9 @@ void PickedPolyData::GetCell(vtkIdType cellId, vtkGenericCell* cell)
     cell->DeepCopy(this->HitCell);
     this->State = NOT_ASKED;
   }
-  else if (this->IsFace(cellId))
-  {
-    vtkPolyData::GetCell(cellId, cell);
-  }
   else
   {
-    relevo::GetCell(this, cellId, cell);
+    relevo::GetCell(this, cellId, cell); // unlike VTK's own, of cells of too few points, too
   }
 }
 

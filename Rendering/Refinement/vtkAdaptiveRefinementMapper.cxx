@@ -14,6 +14,7 @@
 #include "vtkHardwareSelector.h"
 #include "vtkHeightField.h"
 #include "vtkInformation.h"
+#include "vtkLookupTable.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLCellToVTKCellMap.h"
@@ -382,10 +383,23 @@ bool vtkAdaptiveRefinementMapper::UpdateFaceColors(vtkRenderer* ren)
   vtkInternals& data = *this->Internals;
   vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
   vtkScalarsToColors* table = this->GetLevelLookupTable();
+  if (this->RefinementColorMode == COLOR_BY_SCALARS)
+  {
+    return true;
+  }
+  const std::string problem = relevo::RefinementColorTable::FindProblem(table, table->GetRange());
+  if (!problem.empty())
+  {
+    if (problem != data.LevelTableProblem)
+    {
+      vtkErrorMacro("Cannot colour by levels, patterns or tags: " << problem << ".");
+    }
+    table = data.LevelTable.Get(this->RefinementColorMode,
+      vtkInternals::HasWholeNumbers(this->Refinement), this->Refinement->GetMaximumLevel());
+  }
+  data.LevelTableProblem = problem;
   switch (this->RefinementColorMode)
   {
-    case COLOR_BY_SCALARS:
-      return true;
     case COLOR_BY_METRIC:
       return data.FaceColors.UploadTags(window, data.State.GetMesh(), data.State.GetSelection(),
         this->Refinement->GetLevelOffset() + this->GetLevelOffset(),

@@ -390,6 +390,13 @@ public:
    */
   vtkPolyData* GetInput();
 
+  using vtkOpenGLPolyDataMapper::MapScalars;
+  /**
+   * As of any mapper; an array that VTK cannot map (too few tuples; more components than colours
+   * have, where they are not mapped) is an error, and there are no colours.
+   */
+  vtkUnsignedCharArray* MapScalars(vtkDataSet* input, double alpha, int& cellFlag) override;
+
   void RenderPiece(vtkRenderer* ren, vtkActor* act) override;
   void RenderPieceStart(vtkRenderer* ren, vtkActor* act) override;
   void RenderPieceDraw(vtkRenderer* ren, vtkActor* act) override;

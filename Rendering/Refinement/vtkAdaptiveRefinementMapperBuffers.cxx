@@ -1,12 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The coarse mesh on the GPU: when it is uploaded, and what of it.
+#include "UsableArrays.h"
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkLookupTable.h"
 #include "vtkOpenGLCellToVTKCellMap.h"
 #include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLVertexBufferObject.h"
@@ -112,6 +115,38 @@ bool vtkAdaptiveRefinementMapper::UploadFaces(vtkRenderer* ren, vtkActor* act)
   }
   return data.Buffers.UploadFaces(
     vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()), mesh, primitives, representation);
+}
+
+vtkUnsignedCharArray* vtkAdaptiveRefinementMapper::MapScalars(
+  vtkDataSet* input, double alpha, int& cellFlag)
+{
+  vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(
+    input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
+  std::string problem;
+  if (this->ScalarVisibility && scalars)
+  {
+    problem = relevo::FindMappingProblem({ input, scalars, cellFlag, this->ColorMode,
+      this->ScalarMode == VTK_SCALAR_MODE_USE_FIELD_DATA ? this->FieldDataTupleId : -1 });
+    vtkDataArray* numbers = vtkDataArray::SafeDownCast(scalars);
+    vtkScalarsToColors* table = numbers ? numbers->GetLookupTable() : nullptr;
+    table = table ? table : this->GetLookupTable();
+    const std::string unusable = relevo::RefinementColorTable::FindProblem(
+      table, this->UseLookupTableScalarRange ? table->GetRange() : this->ScalarRange);
+    if (problem.empty() && !unusable.empty())
+    {
+      problem = "Cannot map scalars to colours: " + unusable + ".";
+    }
+  }
+  if (problem != this->Internals->ColorProblem)
+  {
+    this->Internals->ColorProblem = problem;
+    if (!problem.empty())
+    {
+      vtkErrorMacro(<< problem << " It is drawn without.");
+    }
+  }
+  vtkNew<vtkPolyData> colorless;
+  return this->Superclass::MapScalars(problem.empty() ? input : colorless, alpha, cellFlag);
 }
 
 vtkAbstractArray* vtkAdaptiveRefinementMapper::GetScalarsToInterpolate()

@@ -77,6 +77,9 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   /// Without a recipe there is nothing to upload, only to count.
   relevo::RefinementDrawing GetDrawing(vtkAdaptiveRefinement* recipe);
 
+  std::string ColorProblem; // said last
+  std::string LevelTableProblem;
+
   // Selections on the GPU.
   relevo::RefinementComputeState Compute;
   bool ComputeValid = false; // the context can, and nothing has failed

@@ -79,7 +79,7 @@ vtkDataObject* vtkAdaptiveRefinementMapper::ReplaceInput(vtkDataObject* input)
       continue;
     }
     vtkPolyData* picked = block ? block->GetPickedData(isAsked) : nullptr;
-    picking.Composite->SetDataSet(iterator, picked ? picked : iterator->GetCurrentDataObject());
+    picking.Composite->SetDataSet(iterator, picked);
   }
   return picking.Composite;
 }
@@ -89,9 +89,13 @@ vtkPolyData* vtkAdaptiveRefinementMapper::GetPickedData(bool isAsked)
   vtkInternals& data = *this->Internals;
   relevo::PickedInput& picking = data.Picking;
   vtkPolyData* input = this->GetInput();
-  if (!this->UpdateMesh() || data.State.GetMesh().Faces.empty())
+  if (!input)
   {
     return nullptr;
+  }
+  if (!this->UpdateMesh() || input->GetNumberOfPoints() == 0)
+  {
+    return picking.Nothing; // as there is nothing to be seen
   }
   this->ReadSelection();
   const relevo::RefinementMesh& mesh = data.State.GetMesh();
@@ -105,7 +109,7 @@ vtkPolyData* vtkAdaptiveRefinementMapper::GetPickedData(bool isAsked)
                                              : Levels::ROUNDED);
   if (!selection)
   {
-    return nullptr;
+    return picking.Nothing;
   }
   picking.Surface.Update(mesh, meshTime, this->Refinement, input->GetPointData()->GetNormals());
   relevo::PickedSurface surface = { input, &mesh, &picking.Surface, selection, {} };

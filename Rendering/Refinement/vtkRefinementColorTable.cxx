@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace relevo
 {
@@ -44,6 +45,7 @@ vtkPiecewiseFunction* GetOpacityFunction(vtkScalarsToColors* table)
 
 std::vector<float> GetColors(vtkScalarsToColors* table, vtkDoubleArray* values)
 {
+  table->Build(); // one that has not been has no colours
   // As vtkMapper has it: the table's own alpha does not count, the opacity of its colours does.
   const double alpha = table->GetAlpha();
   table->SetAlpha(1.0);
@@ -77,6 +79,31 @@ bool RefinementColorTable::ChooseWhole(const double dataRange[2])
   this->Ends[1] = dataRange[1] + 0.5;
   this->NumberOfColors = static_cast<int>(dataRange[1] - dataRange[0]) + 1;
   return true;
+}
+
+std::string RefinementColorTable::FindProblem(vtkScalarsToColors* table, const double range[2])
+{
+  if (!vtkLookupTable::SafeDownCast(table))
+  {
+    return "";
+  }
+  if (table->GetIndexedLookup())
+  {
+    return table->GetNumberOfAvailableColors() > 0 ? "" : "the lookup table has no colours";
+  }
+  double ends[2] = { range[0], range[1] };
+  if (table->UsingLogScale())
+  {
+    vtkLookupTable::GetLogRange(range, ends);
+  }
+  if (std::isfinite(range[1] - range[0]) && std::isfinite(ends[1] - ends[0]))
+  {
+    return "";
+  }
+  std::ostringstream problem;
+  problem << "the range of the lookup table, (" << range[0] << ", " << range[1]
+          << "), is not finite" << (table->UsingLogScale() ? ", nor are its logarithms" : "");
+  return problem.str();
 }
 
 bool RefinementColorTable::IsLogarithmic(vtkScalarsToColors* table)
@@ -120,7 +147,7 @@ void RefinementColorTable::ChooseSamples(vtkScalarsToColors* table, const double
 bool RefinementColorTable::Upload(vtkOpenGLRenderWindow* window, vtkScalarsToColors* table,
   double bias, const double dataRange[2], bool whole)
 {
-  table->Build();
+  table->Build(); // for its range
   this->Log = IsLogarithmic(table);
   const bool wholeSamples = whole && this->ChooseWhole(dataRange);
   if (!wholeSamples)

@@ -5,6 +5,7 @@
 #include "FloatRange.h"
 #include "GhostCells.h"
 #include "GivenNormals.h"
+#include "UsableArrays.h"
 
 #include "vtkAdaptiveRefinement.h"
 #include "vtkBoundingBox.h"
@@ -115,6 +116,8 @@ bool RefinementState::BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recip
       "or non-finite coordinates).";
   }
   this->PreparedInput->ShallowCopy(input);
+  const std::string unusable = RemoveUnusableArrays(this->PreparedInput);
+  this->Warning += (this->Warning.empty() || unusable.empty() ? "" : " ") + unusable;
   EmptyGhosts(input, this->PreparedInput);
   vtkDataArray* given = input->GetPointData()->GetNormals();
   if (!mesh->Normals.empty() && (!given || given->GetNumberOfComponents() != 3))

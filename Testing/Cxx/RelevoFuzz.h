@@ -8,6 +8,7 @@
 
 #include "vtkBitArray.h"
 #include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
@@ -24,12 +25,20 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <functional>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
+
+#ifdef __unix__
+#include <sys/mman.h>
+#include <unistd.h>
+#endif
 
 namespace RelevoFuzz
 {
@@ -65,6 +74,48 @@ private:
   const std::vector<int> Whole_ = { -7, 100, 1000000, std::numeric_limits<int>::max(),
     std::numeric_limits<int>::lowest() };
 };
+
+// Moves the values to where a page ends that nothing may follow: who reads past the end crashes,
+// whether or not a sanitizer has seen its code.
+template <typename Array>
+void Fence(Array* array, size_t bytes)
+{
+#ifdef __unix__
+  if (bytes == 0)
+  {
+    return;
+  }
+  static std::map<void*, std::pair<char*, size_t>> pages;
+  const size_t page = static_cast<size_t>(sysconf(_SC_PAGESIZE));
+  const size_t used = (bytes + page - 1) / page * page;
+  void* first =
+    mmap(nullptr, used + page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (first == MAP_FAILED)
+  {
+    return;
+  }
+  char* begin = static_cast<char*>(first);
+  mprotect(begin + used, page, PROT_NONE);
+  void* values = begin + used - bytes;
+  std::memcpy(values, array->GetVoidPointer(0), bytes);
+  pages[values] = { begin, used + page };
+  array->SetVoidArray(values, array->GetNumberOfValues(), 0);
+  array->SetArrayFreeFunction(
+    [](void* freed)
+    {
+      munmap(pages[freed].first, pages[freed].second);
+      pages.erase(freed);
+    });
+#endif
+}
+
+inline void Fence(vtkDataArray* array)
+{
+  const auto values = static_cast<size_t>(array->GetNumberOfValues());
+  Fence(array,
+    array->GetDataType() == VTK_BIT ? (values + 7) / 8
+                                    : values * static_cast<size_t>(array->GetDataTypeSize()));
+}
 
 inline vtkSmartPointer<vtkAbstractArray> MakeArray(Dice& dice, vtkIdType size)
 {
@@ -114,6 +165,7 @@ inline vtkSmartPointer<vtkAbstractArray> MakeArray(Dice& dice, vtkIdType size)
         numbers->SetComponent(i, c, isReal ? value : dice.Throw(2));
       }
     }
+    Fence(numbers);
   }
   return array;
 }
@@ -155,6 +207,13 @@ inline void AddArrays(Dice& dice, vtkDataSetAttributes* data, vtkIdType size)
       }
     }
   }
+}
+
+// Of an array that a mesh may have.
+inline std::string ChooseName(Dice& dice)
+{
+  return dice.Choose(std::vector<std::string>{
+    "Field", "Flow", "Normals", "Alpha", "Sharpness", "Bias", "no such array", "" });
 }
 
 inline vtkSmartPointer<vtkCellArray> MakeCells(
@@ -201,6 +260,7 @@ inline vtkSmartPointer<vtkPolyData> MakeMesh(Dice& dice)
     }
     points->InsertNextPoint(x);
   }
+  Fence(points->GetData());
   const bool dangling = dice.Once(12);
   mesh->SetPoints(points);
   mesh->SetPolys(MakeCells(dice, 8, dice.Once(2) ? 8 : 4, numberOfPoints, dangling));
@@ -216,6 +276,28 @@ inline vtkSmartPointer<vtkPolyData> MakeMesh(Dice& dice)
   AddArrays(dice, mesh->GetPointData(), numberOfPoints);
   AddArrays(dice, mesh->GetCellData(), mesh->GetNumberOfCells());
   return mesh;
+}
+
+// Whether polygons have points that are numbers only.
+inline bool IsFinite(vtkPolyData* mesh)
+{
+  auto cells = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    cells->GetCurrentCell(size, ids);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      double x[3];
+      mesh->GetPoint(ids[i], x);
+      if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 struct Call

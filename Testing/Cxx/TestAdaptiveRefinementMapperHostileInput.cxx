@@ -1,11 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells of points that do not exist, coloured, with edges and selected: an error, and nothing of it
-// reaches VTK's maps of cells, which do not check.
+// What VTK's mapper and pickers take for granted and do not check is an error, and does not reach
+// them: cells of points that do not exist, coloured, with edges and selected; arrays of too few
+// tuples; colours of five components; lookup tables without a range; cells of too few points.
 #include "RelevoPicks.h"
 #include "RelevoTestMeshes.h"
 
 #include "vtkCellData.h"
+#include "vtkCellPicker.h"
+#include "vtkLookupTable.h"
+#include "vtkPointPicker.h"
+
+#include <limits>
 
 namespace
 {
@@ -18,11 +24,119 @@ vtkSmartPointer<vtkCellArray> WithCell(vtkCellArray* cells, std::initializer_lis
   more->InsertNextCell(cell);
   return more;
 }
+vtkSmartPointer<vtkFloatArray> MakeArray(const char* name, int components, vtkIdType tuples)
+{
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  array->Fill(0.5);
+  return array;
 }
 
-int TestAdaptiveRefinementMapperHostileInput(int, char*[])
+// Draws the mesh, without its colours, after this error.
+void ExpectColorless(RelevoCheck& check, vtkPolyData* mesh, const std::string& error,
+  const std::function<void(vtkMapper*)>& set = {})
 {
-  RelevoCheck check;
+  RelevoScene scene(RelevoScene::Refining);
+  scene.Window->SetSize(50, 50);
+  scene.Add(mesh, MakeRecipe(1));
+  set ? set(scene.GetMapper(0)) : void();
+  scene.ResetCameras();
+  {
+    RelevoErrors errors(scene.GetMapper(0));
+    scene.Render();
+    CHECK(errors.Said(error));
+    scene.Render();
+    CHECK(errors.None()); // said once
+  }
+  CHECK(RelevoPicture(scene.Window).CountForeground() > 100);
+}
+
+void TestColors(RelevoCheck& check)
+{
+  Mesh mesh = Sphere(8, 6);
+  mesh->GetCellData()->SetScalars(MakeArray("Few", 1, 1));
+  ExpectColorless(check, mesh, "Cannot colour by the array \"Few\": it has values for 1 of");
+  mesh = Sphere(8, 6);
+  mesh->GetPointData()->SetScalars(MakeArray("Few", 1, 3));
+  ExpectColorless(check, mesh, "Cannot colour by the array \"Few\": it has values for 3 of");
+  mesh = Sphere(8, 6);
+  mesh->GetFieldData()->AddArray(MakeArray("Few", 1, 3));
+  ExpectColorless(check, mesh, "no value 3",
+    [](vtkMapper* mapper)
+    {
+      mapper->SetScalarModeToUseFieldData();
+      mapper->SelectColorArray("Few");
+      mapper->SetFieldDataTupleId(3);
+    });
+  mesh = Sphere(8, 6);
+  mesh->GetPointData()->SetScalars(MakeArray("Five", 5, mesh->GetNumberOfPoints()));
+  ExpectColorless(check, mesh, "\"Five\": it has 5 components",
+    [](vtkMapper* mapper) { mapper->SetColorModeToDirectScalars(); });
+  ExpectColorless(check, mesh, "is not finite",
+    [](vtkMapper* mapper)
+    { mapper->SetScalarRange(0.0, std::numeric_limits<double>::infinity()); });
+}
+
+// Of the levels; and arrays that VTK would take without being asked.
+void TestOthers(RelevoCheck& check)
+{
+  Mesh mesh = Sphere(8, 6);
+  mesh->GetPointData()->SetNormals(nullptr);
+  mesh->GetCellData()->SetNormals(MakeArray("Few", 3, 1));
+  RelevoScene scene(RelevoScene::Refining);
+  scene.Window->SetSize(50, 50);
+  scene.Add(mesh, MakeRecipe(1));
+  vtkNew<vtkLookupTable> table;
+  table->SetTableRange(0.0, std::numeric_limits<double>::quiet_NaN());
+  scene.GetMapper(0)->SetLevelLookupTable(table);
+  scene.GetMapper(0)->SetColorModeToLevel();
+  scene.ResetCameras();
+  RelevoErrors errors(scene.GetMapper(0));
+  scene.Render();
+  CHECK(errors.Said("is not finite"));
+  vtkNew<vtkLookupTable> notBuilt;
+  notBuilt->SetTableRange(0.0, 1.0);
+  scene.GetMapper(0)->SetLevelLookupTable(notBuilt);
+  scene.Render();
+  CHECK(errors.None());
+  scene.GetMapper(0)->SetLevelLookupTable(nullptr);
+  mesh->Modified();
+  scene.Render();
+  CHECK(errors.Warned("Array \"Few\" has too few tuples"));
+  CHECK(RelevoPicture(scene.Window).CountForeground() > 100);
+}
+
+// VTK's map of cells is not there where one has too few points, or what it has does not exist.
+void TestPicks(RelevoCheck& check)
+{
+  for (bool isDrawn : { true, false })
+  {
+    Mesh mesh = Sphere(8, 6);
+    mesh->SetPolys(WithCell(mesh->GetPolys(), { 0, 1 }));
+    mesh->SetLines(WithCell(mesh->GetLines(), { 0 }));
+    if (!isDrawn)
+    {
+      mesh->SetStrips(WithCell(mesh->GetStrips(), { 0, 1, 1000000000 }));
+    }
+    RelevoScene scene(RelevoScene::Refining);
+    scene.Window->SetSize(50, 50);
+    scene.Add(mesh, MakeRecipe(1));
+    scene.ResetCameras();
+    RelevoErrors errors(scene.GetMapper(0));
+    scene.Render();
+    vtkNew<vtkCellPicker> cells;
+    CHECK((cells->Pick(25.0, 25.0, 0.0, scene.Renderer) != 0) == isDrawn);
+    CHECK(!isDrawn || cells->GetCellId() > 0);
+    vtkNew<vtkPointPicker> points;
+    points->SetTolerance(0.2);
+    CHECK((points->Pick(25.0, 25.0, 0.0, scene.Renderer) != 0) == isDrawn);
+  }
+}
+
+void TestLostPoints(RelevoCheck& check)
+{
   constexpr vtkIdType lost = 1000000000;
   for (int kind = 0; kind < 4; ++kind)
   {
@@ -73,5 +187,15 @@ int TestAdaptiveRefinementMapperHostileInput(int, char*[])
       CHECK(RelevoPicture(scene.Window).CountForeground() > 100);
     }
   }
+}
+}
+
+int TestAdaptiveRefinementMapperHostileInput(int, char*[])
+{
+  RelevoCheck check;
+  TestLostPoints(check);
+  TestColors(check);
+  TestOthers(check);
+  TestPicks(check);
   return check.GetResult();
 }
