@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLICVectors.h"
 
+#include "PointBlanking.h"
 #include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
 #include "vtkSMPTools.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkVectorData.h"
 
 #include <algorithm>
@@ -73,7 +72,7 @@ class Validity
 {
 public:
   Validity(vtkImageData* image, int numberOfComponents, double noDataMagnitude)
-    : Ghosts(image->GetPointGhostArray())
+    : Blanking(image)
     , NumberOfComponents(numberOfComponents)
     , NoDataMagnitude(noDataMagnitude)
   {
@@ -81,12 +80,12 @@ public:
 
   bool HasData(vtkIdType point, const double* tuple) const
   {
-    return !(this->Ghosts && this->Ghosts->GetValue(point) & vtkDataSetAttributes::HIDDENPOINT) &&
+    return !this->Blanking.IsHidden(point) &&
       relevo::IsVectorData(tuple, this->NumberOfComponents, this->NoDataMagnitude);
   }
 
 private:
-  vtkUnsignedCharArray* Ghosts;
+  relevo::PointBlanking Blanking;
   int NumberOfComponents;
   double NoDataMagnitude;
 };

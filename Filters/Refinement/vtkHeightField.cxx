@@ -4,6 +4,7 @@
 
 #include "vtkHeightSampler.h"
 
+#include <cmath>
 #include <vector>
 
 vtkHeightField::vtkHeightField() = default;
@@ -11,7 +12,7 @@ vtkHeightField::~vtkHeightField() = default;
 
 double vtkHeightField::GetHeight(double u, double v)
 {
-  if (!this->Update())
+  if (std::isnan(u) || std::isnan(v) || !this->Update())
   {
     return 0.0;
   }
@@ -26,7 +27,7 @@ double vtkHeightField::GetHeight(double u, double v)
 
 bool vtkHeightField::IsValid(double u, double v)
 {
-  if (!this->Update())
+  if (std::isnan(u) || std::isnan(v) || !this->Update())
   {
     return false;
   }

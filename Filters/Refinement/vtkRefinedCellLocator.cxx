@@ -187,6 +187,10 @@ bool vtkRefinedCellLocator::Prepare(vtkPolyData* input)
     data.MeshTime < this->Refinement->GetMTime() || data.Mesh.Faces.empty())
   {
     valid = relevo::PrepareMesh(input, this->Refinement, data.Mesh, error, warning);
+    if (!valid)
+    {
+      data.Mesh = relevo::RefinementMesh(); // half made, to be tried anew
+    }
     data.MeshTime.Modified();
   }
   if (!warning.empty())

@@ -3,6 +3,7 @@
 #include "vtkHeightMap.h"
 
 #include "HeightReduction.h"
+#include "PointBlanking.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkHeightGrid.h"
@@ -311,12 +312,13 @@ bool vtkHeightMap::ReadImage(relevo::HeightGrid& grid, std::string& error)
     reading.NoData.push_back(this->NoDataValue);
   }
   std::vector<unsigned char> mask;
-  if (this->ImageData->HasAnyBlankPoints())
+  const relevo::PointBlanking blanking(this->ImageData);
+  if (blanking.HidesAny())
   {
     mask.resize(size);
     for (vtkIdType i = 0; i < size; ++i)
     {
-      mask[i] = this->ImageData->IsPointVisible(i);
+      mask[i] = !blanking.IsHidden(i);
     }
   }
   reading.HasMask = !mask.empty();

@@ -148,6 +148,10 @@ void OpenImageIORaster::SelectLevel(int width, int height)
   }
   const auto select = [&](int subimage, int mipLevel)
   {
+    if (!own.Input->seek_subimage(subimage, mipLevel))
+    {
+      return false; // spec() may give that of another one
+    }
     const OIIO::ImageSpec spec = own.Input->spec(subimage, mipLevel);
     const bool isVersion =
       subimage == 0 || spec.get_int_attribute("tiff:subfiletype") == ReducedResolution;

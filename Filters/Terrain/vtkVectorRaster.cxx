@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVectorRaster.h"
 
+#include "PointBlanking.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkRefinementMathematics.h"
@@ -57,12 +58,12 @@ bool VectorRaster::SetImage(
   this->NumberOfComponents = array->GetNumberOfComponents();
   this->Samples.assign(static_cast<std::size_t>(size) * this->NumberOfComponents, 0.0f);
   this->Validity.assign(size, 0);
-  const bool hasBlanks = image->HasAnyBlankPoints();
+  const PointBlanking blanking(image);
   for (vtkIdType i = 0; i < size; ++i)
   {
     double vector[3] = { 0.0, 0.0, 0.0 };
     array->GetTuple(i, vector);
-    if (IsVectorData(vector, 3, noDataMagnitude) && !(hasBlanks && !image->IsPointVisible(i)))
+    if (IsVectorData(vector, 3, noDataMagnitude) && !blanking.IsHidden(i))
     {
       this->Validity[i] = 1;
       std::copy_n(vector, this->NumberOfComponents, &this->Samples[i * this->NumberOfComponents]);

@@ -41,9 +41,8 @@ struct PickedInput
   RefinedSurface Surface;
   PickedLevels Levels;
   vtkNew<PickedPolyData> Data;
-  vtkNew<vtkPolyData> Nothing; // of an input that cannot be refined
   vtkSmartPointer<vtkCompositeDataSet> Composite;
-  vtkNew<vtkPolyData> Nothing; // of what is not pickable
+  vtkNew<vtkPolyData> Nothing; // of what is not pickable or cannot be refined
 };
 }
 

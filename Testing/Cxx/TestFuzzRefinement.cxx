@@ -1,15 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The public classes of FiltersRefinement, called in random order on random meshes: nothing
-// crashes, and triangles have finite points.
+// crashes, triangles have finite points, and what the locator finds exists.
 #include "RelevoCheck.h"
 #include "RelevoFuzzRecipe.h"
 #include "RelevoTestMeshes.h"
 
 #include "vtkCamera.h"
 #include "vtkDepthTagFilter.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkRefinedCellLocator.h"
 #include "vtkRefinementPatternSource.h"
 #include "vtkRefinementPatternTable.h"
 #include "vtkSilhouetteDepthTagMetric.h"
@@ -42,6 +45,7 @@ public:
       { "print", [this] { this->Print(); } } };
     this->Recipe.AddTo(calls);
     this->AddOtherCalls(calls);
+    this->AddLocatorCalls(calls);
     return calls;
   }
 
@@ -49,7 +53,7 @@ public:
   {
     return !RelevoFuzz::IsFinite(this->Refiner->GetOutput())
       ? "a triangle has a point that is not finite"
-      : "";
+      : this->Fault;
   }
 
 private:
@@ -58,11 +62,13 @@ private:
     auto mesh = RelevoFuzz::MakeMesh(this->D);
     this->Refiner->SetInputData(mesh);
     this->Tagger->SetInputData(mesh);
+    this->Locator->SetDataSet(mesh);
   }
   void NewRecipe()
   {
     this->Recipe.Renew();
     this->Refiner->SetRefinement(this->D.Once(20) ? nullptr : this->Recipe.Get());
+    this->Locator->SetRefinement(this->D.Once(20) ? nullptr : this->Recipe.Get());
   }
   void Update() { this->D.Once(3) ? this->Tagger->Update() : this->Refiner->Update(); }
   void Print()
@@ -71,6 +77,7 @@ private:
     this->Recipe.Print(text);
     this->Refiner->Print(text);
     this->Tagger->Print(text);
+    this->Locator->Print(text);
   }
   void AddOtherCalls(std::vector<Call>& calls)
   {
@@ -89,6 +96,9 @@ private:
           {
             this->Matrix->SetElement(this->D.Throw(3), this->D.Throw(4), this->D.Number());
             this->Refiner->SetModelToWorld(this->D.Once(3) ? nullptr : this->Matrix.Get());
+            this->Locator->SetModelToWorld(this->D.Once(3) ? nullptr : this->Matrix.Get());
+            this->Locator->SetCamera(this->D.Once(3) ? nullptr : this->Camera.Get());
+            this->Locator->SetViewportSize(this->D.Whole(), this->D.Whole());
           } },
         { "DepthTagFilter",
           [this]
@@ -110,8 +120,72 @@ private:
           } } });
   }
 
+  void AddLocatorCalls(std::vector<Call>& calls)
+  {
+    calls.insert(calls.end(),
+      { { "line", [this] { this->FindLine(); } }, { "nearest", [this] { this->FindNearest(); } },
+        { "locator's structure",
+          [this]
+          {
+            this->D.Once(2) ? this->Locator->BuildLocator() : this->Locator->FreeSearchStructure();
+            vtkNew<vtkPolyData> surface;
+            this->Locator->GenerateRepresentation(this->D.Whole(), surface);
+          } } });
+  }
+  // What is found is a cell of the mesh, at a place that is a number.
+  void CheckFound(vtkIdType cell, const double x[3])
+  {
+    vtkDataSet* mesh = this->Locator->GetDataSet();
+    if (cell < 0 || cell >= mesh->GetNumberOfCells() || !std::isfinite(x[0] + x[1] + x[2]))
+    {
+      this->Fault = "the locator finds what does not exist";
+    }
+  }
+  double Coordinate() { return this->D.Once(4) ? this->D.Number() : 4.0 * this->D.Share() - 2.0; }
+  void FindLine()
+  {
+    const double from[3] = { this->Coordinate(), this->Coordinate(), this->Coordinate() };
+    const double to[3] = { this->Coordinate(), this->Coordinate(), this->Coordinate() };
+    const double tolerance = this->D.Once(2) ? 0.0 : std::abs(this->D.Number());
+    double t;
+    double x[3];
+    double pcoords[3];
+    int subId;
+    vtkIdType cell;
+    if (this->Locator->IntersectWithLine(
+          from, to, tolerance, t, x, pcoords, subId, cell, this->Cell))
+    {
+      this->CheckFound(cell, x);
+    }
+    vtkNew<vtkIdList> cells;
+    this->Locator->FindCellsAlongLine(from, to, tolerance, cells);
+  }
+  void FindNearest()
+  {
+    double x[3] = { this->Coordinate(), this->Coordinate(), this->Coordinate() };
+    double nearest[3] = { 0.0, 0.0, 0.0 };
+    double distance2;
+    int subId;
+    int inside;
+    vtkIdType cell = -1;
+    this->Locator->FindClosestPoint(x, nearest, this->Cell, cell, subId, distance2);
+    cell >= 0 ? this->CheckFound(cell, nearest) : void();
+    if (this->Locator->FindClosestPointWithinRadius(
+          x, std::abs(this->D.Number()), nearest, this->Cell, cell, subId, distance2, inside))
+    {
+      this->CheckFound(cell, nearest);
+    }
+    double box[6] = { x[0], this->Coordinate(), x[1], this->Coordinate(), x[2],
+      this->Coordinate() };
+    vtkNew<vtkIdList> cells;
+    this->Locator->FindCellsWithinBounds(box, cells);
+  }
+
   Dice& D;
+  std::string Fault;
   RelevoFuzz::RecipeCalls Recipe;
+  vtkNew<vtkRefinedCellLocator> Locator;
+  vtkNew<vtkGenericCell> Cell;
   vtkNew<vtkAdaptiveRefinementFilter> Refiner;
   vtkNew<vtkDepthTagFilter> Tagger;
   vtkNew<vtkRefinementPatternSource> Patterns;
