@@ -57,12 +57,12 @@ public:
   virtual vtkMTimeType GetSamplesMTime() = 0;
 
   /**
-   * Height at (u, v) in [0, 1]^2 (clamped), bilinear; the fill over no-data.
+   * Height at (u, v) in [0, 1]^2 (clamped), bilinear; the fill over no-data; 0 at NaN.
    */
   double GetHeight(double u, double v);
 
   /**
-   * Whether every sample that GetHeight(u, v) draws upon has data.
+   * Whether every sample that GetHeight(u, v) draws upon has data; false at NaN.
    */
   bool IsValid(double u, double v);
 

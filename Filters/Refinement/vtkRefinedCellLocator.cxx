@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <list>
 #include <map>
@@ -415,12 +416,13 @@ vtkIdType vtkRefinedCellLocator::FindClosestPointWithinRadius(double x[3], doubl
     vtkNew<vtkGenericCell> other;
     relevo::GetCell(input, id, other);
     std::vector<double> weights(static_cast<size_t>(other->GetNumberOfPoints()));
-    double point[3];
+    double point[3] = { 0.0, 0.0, 0.0 };
     double pcoords[3];
     double here = std::numeric_limits<double>::infinity();
     int sub = 0;
     const int status = other->EvaluatePosition(x, point, sub, pcoords, here, weights.data());
-    if (status >= 0 && here >= 0.0 && here < dist2)
+    const bool isPlace = std::all_of(point, point + 3, [](double c) { return std::isfinite(c); });
+    if (status >= 0 && isPlace && here >= 0.0 && here < dist2)
     {
       dist2 = here;
       std::copy_n(point, 3, closestPoint);
