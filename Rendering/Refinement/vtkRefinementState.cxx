@@ -117,7 +117,11 @@ bool RefinementState::BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recip
   }
   this->PreparedInput->ShallowCopy(input);
   const std::string unusable = RemoveUnusableArrays(this->PreparedInput);
-  this->Warning += (this->Warning.empty() || unusable.empty() ? "" : " ") + unusable;
+  if (unusable != this->Unusable) // once, though the mesh may change in every frame
+  {
+    this->Unusable = unusable;
+    this->Warning += (this->Warning.empty() || unusable.empty() ? "" : " ") + unusable;
+  }
   EmptyGhosts(input, this->PreparedInput);
   vtkDataArray* given = input->GetPointData()->GetNormals();
   if (!mesh->Normals.empty() && (!given || given->GetNumberOfComponents() != 3))
