@@ -153,7 +153,7 @@ private:
   std::string Error;
   std::string Warning;
   std::string Unusable; // what was said of arrays last
-  std::string Excess; // said last
+  std::string Excess;   // said last
 };
 }
 
