@@ -11,7 +11,7 @@ namespace relevo
 namespace
 {
 // Each level of GDAL reports the same failure with more context: a message replaces what it quotes.
-void CPL_STDCALL Collect(CPLErr severity, CPLErrorNum, const char* text)
+void CPL_STDCALL Collect(CPLErr severity, CPLErrorNum number, const char* text)
 {
   if (severity < CE_Failure)
   {
@@ -22,12 +22,14 @@ void CPL_STDCALL Collect(CPLErr severity, CPLErrorNum, const char* text)
   {
     message.pop_back();
   }
-  auto* messages = static_cast<std::vector<std::string>*>(CPLGetErrorHandlerUserData());
-  messages->erase(
-    std::remove_if(messages->begin(), messages->end(),
+  auto* errors = static_cast<GDALSession::Collection*>(CPLGetErrorHandlerUserData());
+  errors->OfFiles = errors->OfFiles || number == CPLE_FileIO;
+  std::vector<std::string>& texts = errors->Texts;
+  texts.erase(
+    std::remove_if(texts.begin(), texts.end(),
       [&](const std::string& earlier) { return message.find(earlier) != std::string::npos; }),
-    messages->end());
-  messages->push_back(message);
+    texts.end());
+  texts.push_back(message);
 }
 }
 
@@ -35,7 +37,7 @@ GDALSession::GDALSession()
 {
   static const bool registered = (GDALAllRegister(), true);
   static_cast<void>(registered);
-  CPLPushErrorHandlerEx(&Collect, &this->Collected);
+  CPLPushErrorHandlerEx(&Collect, &this->Errors);
 }
 
 GDALSession::~GDALSession()
@@ -46,7 +48,7 @@ GDALSession::~GDALSession()
 std::string GDALSession::Messages(const std::string& fallback) const
 {
   std::string text;
-  for (const std::string& message : this->Collected)
+  for (const std::string& message : this->Errors.Texts)
   {
     text += (text.empty() ? "" : "; ") + message;
   }

@@ -23,10 +23,18 @@ namespace relevo
 class GDALSession
 {
 public:
+  struct Collection
+  {
+    std::vector<std::string> Texts;
+    bool OfFiles = false;
+  };
+
   GDALSession();
   ~GDALSession();
 
-  bool HasErrors() const { return !this->Collected.empty(); }
+  bool HasErrors() const { return !this->Errors.Texts.empty(); }
+  /// Whether a file could not be read where it should; GDAL may go on all the same.
+  bool HasFileErrors() const { return this->Errors.OfFiles; }
   /// The errors so far, or `fallback`.
   std::string Messages(const std::string& fallback) const;
 
@@ -34,7 +42,7 @@ private:
   GDALSession(const GDALSession&) = delete;
   void operator=(const GDALSession&) = delete;
 
-  std::vector<std::string> Collected;
+  Collection Errors;
 };
 
 struct GDALCloser

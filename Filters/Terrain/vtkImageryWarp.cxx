@@ -424,7 +424,7 @@ bool warp(Picture& picture, const Georeference& terrain, Imagery& result,
     const GDALDatasetPointer strip =
       createStrip(terrain, picture.IsLocated, result.Width, result.Height, first, end - first);
     if (!strip || !warpStrip(picture.View.get(), picture.HasAlpha, strip.get()) ||
-      !composite(strip.get(), stretch, first, result, covered))
+      !composite(strip.get(), stretch, first, result, covered) || session.HasFileErrors())
     {
       error = session.Messages("it cannot be resampled to the terrain");
       return false;

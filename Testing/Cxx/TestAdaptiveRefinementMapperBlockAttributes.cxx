@@ -28,6 +28,10 @@ using CompositeMapper = vtkCompositePolyDataMapper2;
 
 namespace
 {
+// Whether VTK's own mapper lets colours of blocks win over scalars: up to 9.1 it does, 9.6 does
+// not.
+constexpr bool ColorsWin = VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0);
+
 using namespace RelevoMeshes;
 
 Mesh Place(Mesh mesh, double x, double y)
@@ -157,11 +161,17 @@ void ComparePictures(RelevoCheck& check, RelevoComparison& comparison)
 
   twins.Do([](auto* mapper) { mapper->SetBlockColor(Spheres, 0.1, 0.9, 0.2); });
   twins.Do([](auto* mapper) { mapper->SetBlockColor(Right, 0.2, 0.3, 1.0); });
-  twins.Compare(comparison, "coloured");
+  if (ColorsWin)
+  {
+    twins.Compare(comparison, "coloured");
+  }
   CHECK(twins.Mapper->GetBlockColor(Right)[2] == 1.0);
   twins.Do([](auto* mapper) { mapper->RemoveBlockColor(Right); });
   twins.Do([](auto* mapper) { mapper->SetBlockColor(Box, 1.0, 0.0, 0.0); });
-  twins.Compare(comparison, "colouredOtherwise");
+  if (ColorsWin)
+  {
+    twins.Compare(comparison, "colouredOtherwise");
+  }
   twins.Do([](auto* mapper) { mapper->RemoveBlockColors(); });
   CHECK(twins.Mapper->GetNumberOfShaderBuilds() == shaders);
 
@@ -171,7 +181,10 @@ void ComparePictures(RelevoCheck& check, RelevoComparison& comparison)
   CHECK(twins.Refining.GetActor(0)->HasOpaqueGeometry());
   twins.Do([](auto* mapper) { mapper->SetBlockOpacity(Right, 1.0); });
   twins.Do([](auto* mapper) { mapper->SetBlockColor(Left, 1.0, 1.0, 0.0); });
-  twins.Compare(comparison, "opaqueInTranslucent");
+  if (ColorsWin)
+  {
+    twins.Compare(comparison, "opaqueInTranslucent");
+  }
   CHECK(twins.Mapper->GetBlockOpacity(Spheres) == 0.4);
   twins.Do([](auto* mapper) { mapper->SetBlockVisibility(Left, false); });
   twins.Compare(comparison, "onlyOpaque");
