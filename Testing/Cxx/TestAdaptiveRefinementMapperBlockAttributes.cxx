@@ -28,9 +28,9 @@ using CompositeMapper = vtkCompositePolyDataMapper2;
 
 namespace
 {
-// Whether VTK's own mapper lets colours of blocks win over scalars: up to 9.1 it does, 9.6 does
+// Whether VTK's own mapper lets colours of blocks win over scalars: up to 9.3 it does, 9.6 does
 // not.
-constexpr bool ColorsWin = VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0);
+constexpr bool ColorsWin = VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0);
 
 using namespace RelevoMeshes;
 
