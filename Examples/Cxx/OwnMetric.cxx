@@ -28,8 +28,8 @@ public:
   bool IsViewDependent() override { return false; }
 
   // From level 0 at the bottom to the deepest level at the top.
-  bool ComputeTags(
-    vtkPolyData* mesh, const vtkRefinementView&, int maximumLevel, vtkFloatArray* tags) override
+  bool ComputeTags(vtkPolyData* mesh, const relevo::RefinementView&, int maximumLevel,
+    vtkFloatArray* tags) override
   {
     const double* bounds = mesh->GetBounds();
     const double extent = bounds[5] - bounds[4];

@@ -21,13 +21,13 @@ void ReliefMetric::SetRelief(vtkPolyData* relief)
 }
 
 bool ReliefMetric::ComputeTags(
-  vtkPolyData*, const vtkRefinementView& view, int maximumLevel, vtkFloatArray* tags)
+  vtkPolyData*, const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags)
 {
   return this->Metric->ComputeTags(this->Relief, view, maximumLevel, tags);
 }
 
-bool ReliefMetric::ComputeEdgeTags(vtkPolyData*, const vtkRefinementView& view, int maximumLevel,
-  const relevo::SurfaceEdges&, vtkFloatArray* tags)
+bool ReliefMetric::ComputeEdgeTags(vtkPolyData*, const relevo::RefinementView& view,
+  int maximumLevel, const relevo::SurfaceEdges&, vtkFloatArray* tags)
 {
   this->Edges.Update(this->Relief);
   return this->Metric->ComputeEdgeTags(this->Relief, view, maximumLevel, this->Edges, tags);

@@ -10,10 +10,10 @@
 #ifndef ReliefMetric_h
 #define ReliefMetric_h
 
+#include "Mesh/SurfaceEdges.h" // for members
 #include "vtkDepthTagMetric.h"
 #include "vtkPolyData.h"     // for members
 #include "vtkSmartPointer.h" // for members
-#include "vtkSurfaceEdges.h" // for members
 
 class ReliefMetric : public vtkDepthTagMetric
 {
@@ -29,9 +29,9 @@ public:
   bool IsViewDependent() override { return this->Metric->IsViewDependent(); }
   bool IsPlacementDependent() override { return this->Metric->IsPlacementDependent(); }
   bool IsAbsolute() override { return this->Metric->IsAbsolute(); }
-  bool ComputeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+  bool ComputeTags(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
     vtkFloatArray* tags) override;
-  bool ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+  bool ComputeEdgeTags(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
     const relevo::SurfaceEdges& edges, vtkFloatArray* tags) override;
   vtkMTimeType GetMTime() override;
 

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLICNoiseSource.h"
 
+#include "Noise/GrainNoise.h"
+#include "Noise/NoiseHash.h"
+#include "Noise/PerlinNoise.h"
 #include "vtkDataObject.h"
 #include "vtkFloatArray.h"
-#include "vtkGrainNoise.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
-#include "vtkNoiseHash.h"
 #include "vtkObjectFactory.h"
-#include "vtkPerlinNoise.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 

@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLineIntegralConvolution.h"
 
+#include "Core/VTKCompatibility.h"
+#include "Image/LICPasses.h"
+#include "Image/LICPlane.h"
+#include "Image/LICVectors.h"
+#include "Image/NoiseTexels.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
@@ -10,14 +15,9 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkLICNoiseSource.h"
-#include "vtkLICPasses.h"
-#include "vtkLICPlane.h"
-#include "vtkLICVectors.h"
 #include "vtkNew.h"
-#include "vtkNoiseTexels.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkRelevoCompatibility.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 

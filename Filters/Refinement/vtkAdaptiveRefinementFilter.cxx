@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveRefinementFilter.h"
 
-#include "RefinementPreparation.h"
+#include "Core/RefinementView.h"
+#include "Core/VTKCompatibility.h"
+#include "Evaluation/PatternSelection.h"
+#include "Evaluation/RefinedPolyDataBuilder.h"
+#include "Evaluation/RefinementPreparation.h"
+#include "Mesh/RefinementMesh.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCamera.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
-#include "vtkPatternSelection.h"
 #include "vtkPolyData.h"
-#include "vtkRefinedPolyDataBuilder.h"
-#include "vtkRefinementMesh.h"
-#include "vtkRefinementView.h"
-#include "vtkRelevoCompatibility.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -97,7 +97,7 @@ vtkMTimeType vtkAdaptiveRefinementFilter::GetMTime()
 bool vtkAdaptiveRefinementFilter::Prepare(
   vtkPolyData* input, relevo::RefinementMesh& mesh, relevo::PatternSelection& selection)
 {
-  vtkRefinementView view;
+  relevo::RefinementView view;
   view.Camera = this->Camera;
   view.ModelToWorld = this->ModelToWorld;
   std::copy_n(this->ViewportSize, 2, view.ViewportSize);

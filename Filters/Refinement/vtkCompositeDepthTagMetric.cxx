@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCompositeDepthTagMetric.h"
 
+#include "Core/RefinementMathematics.h"
+#include "Core/RefinementView.h"
+#include "Core/WorldView.h"
+#include "Mesh/SurfaceEdges.h"
 #include "vtkFloatArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkRefinementMathematics.h"
-#include "vtkRefinementView.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
-#include "vtkSurfaceEdges.h"
-#include "vtkWorldView.h"
 
 #include <algorithm>
 #include <vector>
@@ -51,7 +51,7 @@ struct Part
   bool Valid = false;
 
   // The tags of edges, or those of points without edges.
-  bool Update(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+  bool Update(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
     const relevo::SurfaceEdges* edges)
   {
     const Source source{ edges != nullptr, this->Metric->GetMTime(), mesh, mesh->GetMTime(),
@@ -209,18 +209,19 @@ bool vtkCompositeDepthTagMetric::IsPlacementDependent()
 }
 
 bool vtkCompositeDepthTagMetric::ComputeTags(
-  vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel, vtkFloatArray* tags)
+  vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags)
 {
   return this->Combine(mesh, view, maximumLevel, nullptr, tags);
 }
 
-bool vtkCompositeDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view,
-  int maximumLevel, const relevo::SurfaceEdges& edges, vtkFloatArray* tags)
+bool vtkCompositeDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh,
+  const relevo::RefinementView& view, int maximumLevel, const relevo::SurfaceEdges& edges,
+  vtkFloatArray* tags)
 {
   return this->Combine(mesh, view, maximumLevel, &edges, tags);
 }
 
-bool vtkCompositeDepthTagMetric::Combine(vtkPolyData* mesh, const vtkRefinementView& view,
+bool vtkCompositeDepthTagMetric::Combine(vtkPolyData* mesh, const relevo::RefinementView& view,
   int maximumLevel, const relevo::SurfaceEdges* edges, vtkFloatArray* tags)
 {
   std::vector<Part>& parts = this->Internals->Parts;

@@ -96,10 +96,10 @@ public:
 
   bool IsViewDependent() override;
   bool IsPlacementDependent() override;
-  bool ComputeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+  bool ComputeTags(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
     vtkFloatArray* tags) override;
 #ifndef __VTK_WRAP__
-  bool ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+  bool ComputeEdgeTags(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
     const relevo::SurfaceEdges& edges, vtkFloatArray* tags) override;
 #endif
 
@@ -114,7 +114,7 @@ private:
   void operator=(const vtkCompositeDepthTagMetric&) = delete;
 
   bool Contains(vtkDepthTagMetric* metric);
-  bool Combine(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+  bool Combine(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
     const relevo::SurfaceEdges* edges, vtkFloatArray* tags);
 
   struct vtkInternals;

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCurvatureDepthTagMetric.h"
 
-#include "vtkDiscreteCurvature.h"
+#include "Core/RefinementMathematics.h"
+#include "Mesh/SurfaceTriangles.h"
+#include "Metrics/DiscreteCurvature.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkRefinementMathematics.h"
 #include "vtkSMPTools.h"
-#include "vtkSurfaceTriangles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -154,7 +154,7 @@ void vtkCurvatureDepthTagMetric::ComputeCurvatures(vtkPolyData* mesh, vtkDoubleA
 }
 
 bool vtkCurvatureDepthTagMetric::ComputeTags(
-  vtkPolyData* mesh, const vtkRefinementView&, int maximumLevel, vtkFloatArray* tags)
+  vtkPolyData* mesh, const relevo::RefinementView&, int maximumLevel, vtkFloatArray* tags)
 {
   if (this->MinimumCurvature > this->MaximumCurvature)
   {

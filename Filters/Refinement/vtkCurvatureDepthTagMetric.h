@@ -121,7 +121,7 @@ public:
   void ComputeCurvatures(vtkPolyData* mesh, vtkDoubleArray* curvatures);
 
   bool IsViewDependent() override { return false; }
-  bool ComputeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+  bool ComputeTags(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
     vtkFloatArray* tags) override;
 
 protected:

@@ -2,11 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDepthTagFilter.h"
 
+#include "Core/PointPlaces.h"
+#include "Core/RefinementMathematics.h"
+#include "Core/RefinementView.h"
+#include "Core/VTKCompatibility.h"
+#include "Mesh/SurfaceEdges.h"
+#include "Metrics/DepthTags.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
-#include "vtkDepthTags.h"
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -14,13 +19,8 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPointPlaces.h"
 #include "vtkPolyData.h"
-#include "vtkRefinementMathematics.h"
 #include "vtkRefinementPatternTable.h"
-#include "vtkRefinementView.h"
-#include "vtkRelevoCompatibility.h"
-#include "vtkSurfaceEdges.h"
 
 #include <algorithm>
 #include <string>
@@ -203,9 +203,9 @@ bool vtkDepthTagFilter::ComputeTags(vtkPolyData* input, vtkFloatArray* tags)
   return true;
 }
 
-vtkRefinementView vtkDepthTagFilter::MakeView()
+relevo::RefinementView vtkDepthTagFilter::MakeView()
 {
-  vtkRefinementView view;
+  relevo::RefinementView view;
   view.Camera = this->Camera;
   std::copy_n(this->ViewportSize, 2, view.ViewportSize);
   return view;

@@ -38,7 +38,11 @@ class vtkCamera;
 class vtkFloatArray;
 class vtkIntArray;
 class vtkPolyData;
-struct vtkRefinementView;
+
+namespace relevo
+{
+struct RefinementView;
+}
 
 class RELEVOFILTERSREFINEMENT_EXPORT vtkDepthTagFilter : public vtkPolyDataAlgorithm
 {
@@ -117,7 +121,7 @@ private:
   vtkDepthTagFilter(const vtkDepthTagFilter&) = delete;
   void operator=(const vtkDepthTagFilter&) = delete;
 
-  vtkRefinementView MakeView();
+  relevo::RefinementView MakeView();
   void ReportMetric();
   bool ComputeTags(vtkPolyData* input, vtkFloatArray* tags);
   bool TakeTags(vtkPolyData* input, vtkFloatArray* tags);

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDepthTagMetric.h"
 
+#include "Core/PointPlaces.h"
+#include "Mesh/SurfaceEdges.h"
+#include "Metrics/MetricShader.h"
 #include "vtkFloatArray.h"
-#include "vtkMetricShader.h"
 #include "vtkNew.h"
-#include "vtkPointPlaces.h"
-#include "vtkSurfaceEdges.h"
 
 vtkDepthTagMetric::vtkDepthTagMetric() = default;
 vtkDepthTagMetric::~vtkDepthTagMetric() = default;
 
-bool vtkDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view,
+bool vtkDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh, const relevo::RefinementView& view,
   int maximumLevel, const relevo::SurfaceEdges& edges, vtkFloatArray* tags)
 {
   vtkNew<vtkFloatArray> pointTags;
@@ -31,7 +31,7 @@ bool vtkDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementVi
 }
 
 bool vtkDepthTagMetric::GetShader(
-  vtkPolyData*, const vtkRefinementView&, int, const double[3], relevo::MetricShader& shader)
+  vtkPolyData*, const relevo::RefinementView&, int, const double[3], relevo::MetricShader& shader)
 {
   shader.Source = nullptr;
   return true;

@@ -23,11 +23,11 @@
 
 class vtkFloatArray;
 class vtkPolyData;
-struct vtkRefinementView;
 
 #ifndef __VTK_WRAP__
 namespace relevo
 {
+struct RefinementView;
 class SurfaceEdges;
 struct MetricShader;
 }
@@ -71,8 +71,8 @@ public:
    * Returns false, after an ErrorEvent of this object, when the metric cannot be evaluated
    * (no camera for a view-dependent metric, a missing array, absurd parameters).
    */
-  virtual bool ComputeTags(
-    vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel, vtkFloatArray* tags) = 0;
+  virtual bool ComputeTags(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
+    vtkFloatArray* tags) = 0;
 
 #ifndef __VTK_WRAP__
   /**
@@ -81,14 +81,14 @@ public:
    * Returns false as ComputeTags() does. Unless overridden, an edge has the mean of the tags of its
    * two places.
    */
-  virtual bool ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
-    const relevo::SurfaceEdges& edges, vtkFloatArray* tags);
+  virtual bool ComputeEdgeTags(vtkPolyData* mesh, const relevo::RefinementView& view,
+    int maximumLevel, const relevo::SurfaceEdges& edges, vtkFloatArray* tags);
 
   /**
    * How a shader would compute the tags of `mesh` from its points relative to `origin`; see
    * relevo::MetricShader. Unless overridden, not at all. Returns false as ComputeTags() does.
    */
-  virtual bool GetShader(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+  virtual bool GetShader(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
     const double origin[3], relevo::MetricShader& shader);
 #endif
 

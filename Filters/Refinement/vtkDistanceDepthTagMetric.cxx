@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDistanceDepthTagMetric.h"
 
+#include "Core/RefinementView.h"
+#include "Metrics/MetricEvaluation.h"
+#include "Metrics/MetricFrame.h"
 #include "vtkCamera.h"
 #include "vtkMath.h"
-#include "vtkMetricEvaluation.h"
-#include "vtkMetricFrame.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkRefinementView.h"
 
-#include "SurfaceDiagonal.h"
+#include "Mesh/SurfaceDiagonal.h"
 #include "relevoDistanceMetric.h"
 #include "relevoMetricView.h"
 
@@ -85,7 +85,7 @@ private:
 };
 
 // Pixels of a length of 1 seen from the front at a distance of 1.
-double GetPixelsAtUnitDistance(const vtkRefinementView& view)
+double GetPixelsAtUnitDistance(const relevo::RefinementView& view)
 {
   const int across = view.Camera->GetUseHorizontalViewAngle() ? 0 : 1;
   const double angle = vtkMath::RadiansFromDegrees(view.Camera->GetViewAngle());
@@ -96,7 +96,7 @@ double GetPixelsAtUnitDistance(const vtkRefinementView& view)
 class CentroidTags
 {
 public:
-  bool TagPoints(vtkDepthTagMetric* metric, vtkPolyData* mesh, const vtkRefinementView& view,
+  bool TagPoints(vtkDepthTagMetric* metric, vtkPolyData* mesh, const relevo::RefinementView& view,
     int maximumLevel, vtkFloatArray* tags)
   {
     this->Edges.Update(mesh);
@@ -122,7 +122,7 @@ public:
     return true;
   }
 
-  bool TagEdges(vtkDepthTagMetric* metric, vtkPolyData* mesh, const vtkRefinementView& view,
+  bool TagEdges(vtkDepthTagMetric* metric, vtkPolyData* mesh, const relevo::RefinementView& view,
     int maximumLevel, const relevo::SurfaceEdges& edges, vtkFloatArray* tags)
   {
     if (!this->ComputeLevels(metric, mesh, view, maximumLevel, edges.GetTriangles()))
@@ -147,8 +147,8 @@ public:
   }
 
 private:
-  bool ComputeLevels(vtkDepthTagMetric* metric, vtkPolyData* mesh, const vtkRefinementView& view,
-    int maximumLevel, const relevo::SurfaceTriangles& surface)
+  bool ComputeLevels(vtkDepthTagMetric* metric, vtkPolyData* mesh,
+    const relevo::RefinementView& view, int maximumLevel, const relevo::SurfaceTriangles& surface)
   {
     this->Points.Update(mesh->GetPoints());
     relevo::MetricShader shader;
@@ -270,7 +270,7 @@ void vtkDistanceDepthTagMetric::SetReferenceLength(double pixels)
   }
 }
 
-bool vtkDistanceDepthTagMetric::CheckView(const vtkRefinementView& view)
+bool vtkDistanceDepthTagMetric::CheckView(const relevo::RefinementView& view)
 {
   if (!view.Camera)
   {
@@ -294,7 +294,7 @@ bool vtkDistanceDepthTagMetric::CheckView(const vtkRefinementView& view)
   return true;
 }
 
-bool vtkDistanceDepthTagMetric::GetShader(vtkPolyData* mesh, const vtkRefinementView& view,
+bool vtkDistanceDepthTagMetric::GetShader(vtkPolyData* mesh, const relevo::RefinementView& view,
   int maximumLevel, const double origin[3], relevo::MetricShader& shader)
 {
   if (!this->CheckView(view))
@@ -323,15 +323,16 @@ bool vtkDistanceDepthTagMetric::GetShader(vtkPolyData* mesh, const vtkRefinement
 }
 
 bool vtkDistanceDepthTagMetric::ComputeTags(
-  vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel, vtkFloatArray* tags)
+  vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags)
 {
   return this->Measure == CENTROIDS
     ? this->Internals->Centroids.TagPoints(this, mesh, view, maximumLevel, tags)
     : this->Internals->Evaluation.TagPoints(this, mesh, view, maximumLevel, tags);
 }
 
-bool vtkDistanceDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view,
-  int maximumLevel, const relevo::SurfaceEdges& edges, vtkFloatArray* tags)
+bool vtkDistanceDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh,
+  const relevo::RefinementView& view, int maximumLevel, const relevo::SurfaceEdges& edges,
+  vtkFloatArray* tags)
 {
   return this->Measure == CENTROIDS
     ? this->Internals->Centroids.TagEdges(this, mesh, view, maximumLevel, edges, tags)

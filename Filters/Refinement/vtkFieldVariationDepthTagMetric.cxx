@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFieldVariationDepthTagMetric.h"
 
+#include "Core/RefinementMathematics.h"
+#include "Core/VectorData.h"
+#include "Mesh/SurfaceEdges.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
@@ -10,10 +13,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkRefinementMathematics.h"
 #include "vtkSMPTools.h"
-#include "vtkSurfaceEdges.h"
-#include "vtkVectorData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -231,7 +231,7 @@ void vtkFieldVariationDepthTagMetric::SetNoDataMagnitude(double magnitude)
 }
 
 bool vtkFieldVariationDepthTagMetric::ComputeTags(
-  vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel, vtkFloatArray* tags)
+  vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags)
 {
   relevo::SurfaceEdges& edges = this->Internals->Edges;
   edges.Update(mesh);
@@ -244,8 +244,9 @@ bool vtkFieldVariationDepthTagMetric::ComputeTags(
   return true;
 }
 
-bool vtkFieldVariationDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView&,
-  int maximumLevel, const relevo::SurfaceEdges& edges, vtkFloatArray* tags)
+bool vtkFieldVariationDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh,
+  const relevo::RefinementView&, int maximumLevel, const relevo::SurfaceEdges& edges,
+  vtkFloatArray* tags)
 {
   if (this->ArrayName.empty())
   {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkG1Surface.h"
 
+#include "Mesh/RefinementMesh.h"
+#include "Surfaces/PNPatch.h"
 #include "vtkObjectFactory.h"
-#include "vtkPNPatch.h"
-#include "vtkRefinementMesh.h"
 
 #include "relevoCubicPatch.h"
 #include "relevoG1Triangle.h"

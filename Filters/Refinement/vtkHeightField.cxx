@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightField.h"
 
-#include "vtkHeightSampler.h"
+#include "Surfaces/HeightSampler.h"
 
 #include <cmath>
 #include <vector>

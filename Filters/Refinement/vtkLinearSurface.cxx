@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLinearSurface.h"
 
+#include "Surfaces/SurfaceCorners.h"
 #include "vtkObjectFactory.h"
-#include "vtkSurfaceCorners.h"
 
 #include "relevoLinear.h"
 #include "relevoNormalLinear.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPNTriangleSurface.h"
 
+#include "Surfaces/PNPatch.h"
 #include "vtkObjectFactory.h"
-#include "vtkPNPatch.h"
 
 #include "relevoNormalLinear.h"
 #include "relevoNormalQuadratic.h"

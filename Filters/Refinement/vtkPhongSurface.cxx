@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPhongSurface.h"
 
-#include "vtkBezierNormalCone.h"
+#include "Core/PointArray.h"
+#include "Surfaces/BezierNormalCone.h"
+#include "Surfaces/SurfaceCorners.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointArray.h"
 #include "vtkPolyData.h"
-#include "vtkSurfaceCorners.h"
 
 #include "relevoNormalLinear.h"
 #include "relevoPhong.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkProceduralSurface.h"
 
+#include "Surfaces/SurfaceCorners.h"
 #include "vtkLinearSurface.h"
 #include "vtkObjectFactory.h"
-#include "vtkSurfaceCorners.h"
 
 #include "relevoFur.h"
 #include "relevoHeightDifferences.h"

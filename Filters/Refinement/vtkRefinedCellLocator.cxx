@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRefinedCellLocator.h"
 
-#include "CoarseCell.h"
-#include "RefinedSurface.h"
-#include "RefinementPreparation.h"
+#include "Core/RefinementView.h"
+#include "Evaluation/PatternSelection.h"
+#include "Evaluation/RefinementPreparation.h"
+#include "Intersection/CoarseCell.h"
+#include "Intersection/RefinedSurface.h"
+#include "Mesh/RefinementMesh.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkBoundingBox.h"
@@ -15,12 +18,9 @@
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPatternSelection.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkRefinementMesh.h"
-#include "vtkRefinementView.h"
 #include "vtkTimeStamp.h"
 
 #include <algorithm>
@@ -198,7 +198,7 @@ bool vtkRefinedCellLocator::Prepare(vtkPolyData* input)
   {
     vtkWarningMacro(<< warning);
   }
-  vtkRefinementView view;
+  relevo::RefinementView view;
   view.Camera = this->Camera;
   view.ModelToWorld = this->ModelToWorld;
   std::copy_n(this->ViewportSize, 2, view.ViewportSize);

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRefinementPatternTable.h"
 
+#include "Patterns/RefinementPattern.h"
+#include "Patterns/RefinementPatternFile.h"
+#include "Patterns/RefinementPatternGenerator.h"
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
@@ -9,9 +12,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkRefinementPattern.h"
-#include "vtkRefinementPatternFile.h"
-#include "vtkRefinementPatternGenerator.h"
 
 #include <algorithm>
 #include <map>
@@ -27,7 +27,7 @@ vtkStandardNewMacro(vtkRefinementPatternTable);
 struct vtkRefinementPatternTable::vtkInternals
 {
   using Key = std::tuple<int, int, int>;
-  using Pattern = std::shared_ptr<const vtkRefinementPattern>;
+  using Pattern = std::shared_ptr<const relevo::RefinementPattern>;
 
   /// The pattern of a key, or nullptr.
   Pattern Find(const Key& key) const
@@ -44,15 +44,15 @@ struct vtkRefinementPatternTable::vtkInternals
     return this->Patterns.emplace(key, pattern).first->second;
   }
 
-  void Replace(std::vector<vtkRefinementPattern>&& patterns)
+  void Replace(std::vector<relevo::RefinementPattern>&& patterns)
   {
     std::unique_lock<std::shared_mutex> lock(this->Mutex);
     this->Patterns.clear();
-    for (vtkRefinementPattern& pattern : patterns)
+    for (relevo::RefinementPattern& pattern : patterns)
     {
       const int* n = pattern.Segments;
       const Key key(n[0], n[1], n[2]);
-      this->Patterns[key] = std::make_shared<const vtkRefinementPattern>(std::move(pattern));
+      this->Patterns[key] = std::make_shared<const relevo::RefinementPattern>(std::move(pattern));
     }
   }
 
@@ -68,7 +68,7 @@ struct vtkRefinementPatternTable::vtkInternals
   }
 
 private:
-  static vtkTypeInt64 MemorySize(const vtkRefinementPattern& pattern)
+  static vtkTypeInt64 MemorySize(const relevo::RefinementPattern& pattern)
   {
     return static_cast<vtkTypeInt64>(sizeof(pattern) + pattern.Vertices.capacity() * sizeof(float) +
       (pattern.Triangles.capacity() + pattern.Lines.capacity()) * sizeof(unsigned int));
@@ -134,7 +134,7 @@ bool vtkRefinementPatternTable::IsOdd(int lambda)
   return lambda == 1 || lambda == 2 || lambda == 4 || lambda == 7;
 }
 
-std::shared_ptr<const vtkRefinementPattern> vtkRefinementPatternTable::GetPatternOfSegments(
+std::shared_ptr<const relevo::RefinementPattern> vtkRefinementPatternTable::GetPatternOfSegments(
   int n1, int n2, int n3)
 {
   if (n1 < n2 || n2 < n3 || n3 < 1 || n1 > relevo::MaximumNumberOfSegments)
@@ -148,8 +148,8 @@ std::shared_ptr<const vtkRefinementPattern> vtkRefinementPatternTable::GetPatter
   const vtkInternals::Pattern pattern = this->Internals->Find(key);
   return pattern
     ? pattern
-    : this->Internals->Add(
-        key, std::make_shared<const vtkRefinementPattern>(relevo::GeneratePattern(n1, n2, n3)));
+    : this->Internals->Add(key,
+        std::make_shared<const relevo::RefinementPattern>(relevo::GeneratePattern(n1, n2, n3)));
 }
 
 bool vtkRefinementPatternTable::GetPattern(int i, int j, int k, vtkPolyData* output)
@@ -170,7 +170,7 @@ bool vtkRefinementPatternTable::GetPattern(int i, int j, int k, vtkPolyData* out
   }
   const int lambda = vtkRefinementPatternTable::Canonicalize(levels);
   const auto made = this->GetPatternOfSegments(1 << levels[0], 1 << levels[1], 1 << levels[2]);
-  const vtkRefinementPattern& pattern = *made;
+  const relevo::RefinementPattern& pattern = *made;
   int permutation[3];
   vtkRefinementPatternTable::GetPermutation(lambda, permutation);
 
@@ -219,7 +219,7 @@ vtkTypeInt64 vtkRefinementPatternTable::GetMemorySize()
 
 bool vtkRefinementPatternTable::Write(const char* fileName)
 {
-  std::vector<std::shared_ptr<const vtkRefinementPattern>> patterns;
+  std::vector<std::shared_ptr<const relevo::RefinementPattern>> patterns;
   for (int i = 0; i <= this->MaximumLevel; ++i)
   {
     for (int j = 0; j <= i; ++j)
@@ -242,7 +242,7 @@ bool vtkRefinementPatternTable::Write(const char* fileName)
 bool vtkRefinementPatternTable::Read(const char* fileName)
 {
   int maximumLevel = 0;
-  std::vector<vtkRefinementPattern> patterns;
+  std::vector<relevo::RefinementPattern> patterns;
   const std::string error = relevo::ReadPatterns(fileName, maximumLevel, patterns);
   if (!error.empty())
   {

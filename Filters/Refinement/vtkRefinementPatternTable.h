@@ -30,7 +30,11 @@
 #include <memory> // for pointers
 
 class vtkPolyData;
-struct vtkRefinementPattern;
+
+namespace relevo
+{
+struct RefinementPattern;
+}
 
 class RELEVOFILTERSREFINEMENT_EXPORT vtkRefinementPatternTable : public vtkObject
 {
@@ -124,7 +128,7 @@ public:
    * pointer keeps the pattern, whatever becomes of the table. Other numbers are an error and give
    * the undivided triangle.
    */
-  std::shared_ptr<const vtkRefinementPattern> GetPatternOfSegments(int n1, int n2, int n3);
+  std::shared_ptr<const relevo::RefinementPattern> GetPatternOfSegments(int n1, int n2, int n3);
 #endif
 
 protected:

@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRegionDepthTagMetric.h"
 
-#include "SurfaceDiagonal.h"
+#include "Mesh/SurfaceDiagonal.h"
 
+#include "Core/RefinementMathematics.h"
+#include "Core/RefinementView.h"
+#include "Core/WorldView.h"
+#include "Mesh/SurfaceEdges.h"
 #include "vtkFloatArray.h"
 #include "vtkImplicitFunction.h"
 #include "vtkMath.h"
@@ -11,11 +15,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkRefinementMathematics.h"
-#include "vtkRefinementView.h"
 #include "vtkSMPTools.h"
-#include "vtkSurfaceEdges.h"
-#include "vtkWorldView.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +48,7 @@ double GetDistance(vtkImplicitFunction* function, dvec3 x)
 class Region
 {
 public:
-  Region(vtkRegionDepthTagMetric* metric, vtkPolyData* mesh, const vtkRefinementView& view)
+  Region(vtkRegionDepthTagMetric* metric, vtkPolyData* mesh, const relevo::RefinementView& view)
     : ToWorld(view)
     , Function(metric->GetImplicitFunction())
     , Center(metric->GetCenter()[0], metric->GetCenter()[1], metric->GetCenter()[2])
@@ -164,7 +164,7 @@ vtkMTimeType vtkRegionDepthTagMetric::GetMTime()
 }
 
 bool vtkRegionDepthTagMetric::ComputeTags(
-  vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel, vtkFloatArray* tags)
+  vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags)
 {
   if (!this->ImplicitFunction && this->Radius == 0.0)
   {
@@ -193,7 +193,7 @@ bool vtkRegionDepthTagMetric::ComputeTags(
   return true;
 }
 
-bool vtkRegionDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view,
+bool vtkRegionDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh, const relevo::RefinementView& view,
   int maximumLevel, const relevo::SurfaceEdges& edges, vtkFloatArray* tags)
 {
   vtkNew<vtkFloatArray> pointTags;

@@ -85,10 +85,10 @@ public:
 
   bool IsViewDependent() override { return false; }
   bool IsPlacementDependent() override { return true; }
-  bool ComputeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+  bool ComputeTags(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
     vtkFloatArray* tags) override;
 #ifndef __VTK_WRAP__
-  bool ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+  bool ComputeEdgeTags(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
     const relevo::SurfaceEdges& edges, vtkFloatArray* tags) override;
 #endif
 

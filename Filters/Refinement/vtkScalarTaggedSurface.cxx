@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkScalarTaggedSurface.h"
 
+#include "Core/PointArray.h"
+#include "Surfaces/PNPatch.h"
 #include "vtkObjectFactory.h"
-#include "vtkPNPatch.h"
-#include "vtkPointArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 

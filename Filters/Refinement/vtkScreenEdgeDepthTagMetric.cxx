@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkScreenEdgeDepthTagMetric.h"
 
+#include "Core/RefinementView.h"
+#include "Metrics/MetricEvaluation.h"
+#include "Metrics/MetricFrame.h"
 #include "vtkCamera.h"
-#include "vtkMetricEvaluation.h"
-#include "vtkMetricFrame.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkRefinementView.h"
 
 #include "relevoMetricView.h"
 #include "relevoScreenEdgeMetric.h"
@@ -111,7 +111,7 @@ void vtkScreenEdgeDepthTagMetric::SetMeasure(int measure)
   }
 }
 
-bool vtkScreenEdgeDepthTagMetric::GetShader(vtkPolyData* mesh, const vtkRefinementView& view,
+bool vtkScreenEdgeDepthTagMetric::GetShader(vtkPolyData* mesh, const relevo::RefinementView& view,
   int maximumLevel, const double origin[3], relevo::MetricShader& shader)
 {
   const int* size = view.ViewportSize;
@@ -157,13 +157,14 @@ bool vtkScreenEdgeDepthTagMetric::GetShader(vtkPolyData* mesh, const vtkRefineme
 }
 
 bool vtkScreenEdgeDepthTagMetric::ComputeTags(
-  vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel, vtkFloatArray* tags)
+  vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags)
 {
   return this->Internals->TagPointsByEdges(this, mesh, view, maximumLevel, tags);
 }
 
-bool vtkScreenEdgeDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view,
-  int maximumLevel, const relevo::SurfaceEdges& edges, vtkFloatArray* tags)
+bool vtkScreenEdgeDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh,
+  const relevo::RefinementView& view, int maximumLevel, const relevo::SurfaceEdges& edges,
+  vtkFloatArray* tags)
 {
   return this->Internals->TagEdges(this, mesh, view, maximumLevel, edges, tags);
 }

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSilhouetteDepthTagMetric.h"
 
-#include "vtkContourTags.h"
+#include "Core/RefinementView.h"
+#include "Mesh/SurfaceNormals.h"
+#include "Metrics/ContourTags.h"
+#include "Metrics/MetricEvaluation.h"
+#include "Metrics/MetricFrame.h"
 #include "vtkDataArray.h"
-#include "vtkMetricEvaluation.h"
-#include "vtkMetricFrame.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkRefinementView.h"
-#include "vtkSurfaceNormals.h"
 
 #include "relevoMetricView.h"
 #include "relevoSilhouetteMetric.h"
@@ -152,7 +152,7 @@ void vtkSilhouetteDepthTagMetric::SetContourWidth(double width)
   }
 }
 
-bool vtkSilhouetteDepthTagMetric::GetShader(vtkPolyData* mesh, const vtkRefinementView& view,
+bool vtkSilhouetteDepthTagMetric::GetShader(vtkPolyData* mesh, const relevo::RefinementView& view,
   int maximumLevel, const double origin[3], relevo::MetricShader& shader)
 {
   relevo::Eye eye;
@@ -183,15 +183,16 @@ bool vtkSilhouetteDepthTagMetric::GetShader(vtkPolyData* mesh, const vtkRefineme
 }
 
 bool vtkSilhouetteDepthTagMetric::ComputeTags(
-  vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel, vtkFloatArray* tags)
+  vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags)
 {
   return this->Criterion == CONTOUR
     ? this->Internals->Contour.TagPoints(this, mesh, view, maximumLevel, tags)
     : this->Internals->Evaluation.TagPoints(this, mesh, view, maximumLevel, tags);
 }
 
-bool vtkSilhouetteDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view,
-  int maximumLevel, const relevo::SurfaceEdges& edges, vtkFloatArray* tags)
+bool vtkSilhouetteDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh,
+  const relevo::RefinementView& view, int maximumLevel, const relevo::SurfaceEdges& edges,
+  vtkFloatArray* tags)
 {
   return this->Criterion == CONTOUR
     ? this->Internals->Contour.TagEdges(this, mesh, view, maximumLevel, edges, tags)

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkViewDependentDepthTagMetric.h"
 
+#include "Core/RefinementView.h"
+#include "Mesh/SurfaceNormals.h"
+#include "Metrics/MetricEvaluation.h"
+#include "Metrics/MetricFrame.h"
 #include "vtkMath.h"
-#include "vtkMetricEvaluation.h"
-#include "vtkMetricFrame.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkRefinementView.h"
-#include "vtkSurfaceNormals.h"
 
 #include "relevoMetricView.h"
 #include "relevoViewDependentMetric.h"
@@ -158,8 +158,9 @@ void vtkViewDependentDepthTagMetric::SetEdgeOnWeight(double weight)
   }
 }
 
-bool vtkViewDependentDepthTagMetric::GetShader(vtkPolyData* mesh, const vtkRefinementView& view,
-  int maximumLevel, const double origin[3], relevo::MetricShader& shader)
+bool vtkViewDependentDepthTagMetric::GetShader(vtkPolyData* mesh,
+  const relevo::RefinementView& view, int maximumLevel, const double origin[3],
+  relevo::MetricShader& shader)
 {
   relevo::Eye eye;
   std::string error;
@@ -185,13 +186,13 @@ bool vtkViewDependentDepthTagMetric::GetShader(vtkPolyData* mesh, const vtkRefin
 }
 
 bool vtkViewDependentDepthTagMetric::ComputeTags(
-  vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel, vtkFloatArray* tags)
+  vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags)
 {
   return this->Internals->TagPoints(this, mesh, view, maximumLevel, tags);
 }
 
 bool vtkViewDependentDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh,
-  const vtkRefinementView& view, int maximumLevel, const relevo::SurfaceEdges& edges,
+  const relevo::RefinementView& view, int maximumLevel, const relevo::SurfaceEdges& edges,
   vtkFloatArray* tags)
 {
   return this->Internals->TagEdges(this, mesh, view, maximumLevel, edges, tags);

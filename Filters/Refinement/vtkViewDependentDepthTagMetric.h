@@ -67,12 +67,12 @@ public:
   //@}
 
   bool IsViewDependent() override { return true; }
-  bool ComputeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+  bool ComputeTags(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
     vtkFloatArray* tags) override;
 #ifndef __VTK_WRAP__
-  bool ComputeEdgeTags(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+  bool ComputeEdgeTags(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
     const relevo::SurfaceEdges& edges, vtkFloatArray* tags) override;
-  bool GetShader(vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel,
+  bool GetShader(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
     const double origin[3], relevo::MetricShader& shader) override;
 #endif
 

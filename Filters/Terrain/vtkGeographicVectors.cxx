@@ -2,22 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeographicVectors.h"
 
+#include "Core/VTKCompatibility.h"
+#include "Core/VectorData.h"
+#include "Geodesy/MapDirections.h"
+#include "Raster/VectorRaster.h"
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMapDirections.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkRelevoCompatibility.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTerrainSource.h"
-#include "vtkVectorData.h"
-#include "vtkVectorRaster.h"
 
 #include <algorithm>
 #include <cmath>

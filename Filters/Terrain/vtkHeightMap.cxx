@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightMap.h"
 
-#include "HeightReduction.h"
-#include "PointBlanking.h"
+#include "Heights/HeightGrid.h"
+#include "Heights/HeightReduction.h"
+#include "Mesh/PointBlanking.h"
+#include "Raster/Raster.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
-#include "vtkHeightGrid.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkRaster.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>

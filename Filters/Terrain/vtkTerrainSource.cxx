@@ -2,24 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainSource.h"
 
-#include "TerrainMesh.h"
+#include "Heights/TerrainMesh.h"
 
+#include "Core/VTKCompatibility.h"
+#include "Geodesy/TerrainFrame.h"
+#include "Raster/Imagery.h"
+#include "Raster/Raster.h"
 #include "vtkCommand.h"
 #include "vtkDisplacement.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkHeightMap.h"
 #include "vtkImageData.h"
-#include "vtkImagery.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkRaster.h"
-#include "vtkRelevoCompatibility.h"
 #include "vtkStringArray.h"
-#include "vtkTerrainFrame.h"
 
 #include <algorithm>
 #include <array>

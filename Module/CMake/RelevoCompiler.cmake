@@ -21,6 +21,6 @@ endif ()
 # Warnings for a module's own files only: generated wrappers are VTK's. Call from the folder that
 # holds the module's sources.
 function (relevo_enable_warnings)
-  file(GLOB sources "${CMAKE_CURRENT_SOURCE_DIR}/*.cxx")
+  file(GLOB_RECURSE sources "${CMAKE_CURRENT_SOURCE_DIR}/*.cxx")
   set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS "${relevo_warning_flags}")
 endfunction ()

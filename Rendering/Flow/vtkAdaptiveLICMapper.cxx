@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveLICMapperInternals.h"
 
-#include "vtkRelevoOpenGL.h"
+#include "OpenGL/RelevoOpenGL.h"
 
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"

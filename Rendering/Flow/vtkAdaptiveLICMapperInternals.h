@@ -9,15 +9,15 @@
 #ifndef vtkAdaptiveLICMapperInternals_h
 #define vtkAdaptiveLICMapperInternals_h
 
+#include "Buffers/RefinementBuffer.h"
+#include "Passes/LICArray.h"
+#include "Passes/LICImage.h"
+#include "Passes/LICNoise.h"
+#include "Passes/LICScreen.h"
 #include "vtkAdaptiveLICMapper.h"
-#include "vtkLICArray.h"
-#include "vtkLICImage.h"
-#include "vtkLICNoise.h"
-#include "vtkLICScreen.h"
 #include "vtkNew.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLHelper.h"
-#include "vtkRefinementBuffer.h"
 #include "vtkSmartPointer.h"
 #include "vtkTimeStamp.h"
 

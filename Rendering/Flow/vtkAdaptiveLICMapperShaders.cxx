@@ -3,13 +3,14 @@
 // Vectors on the graphics card, and the shaders that draw them and show their LIC.
 #include "vtkAdaptiveLICMapperInternals.h"
 
+#include "OpenGL/RelevoOpenGL.h"
 #include "relevoLICApplyFS.h"
 #include "relevoLICColor.h"
 #include "relevoLICStretch.h"
 #include "relevoLICVectorsFS.h"
 #include "relevoLICVectorsVS.h"
-#include "vtkRelevoOpenGL.h"
 
+#include "Shaders/RefinementShader.h"
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkFloatArray.h"
@@ -24,7 +25,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
-#include "vtkRefinementShader.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BlockLook.h"
+#include "Blocks/BlockLook.h"
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
-#include "vtkRelevoOpenGL.h"
+#include "OpenGL/RelevoOpenGL.h"
 
+#include "Compute/RefinementComputeProgram.h"
+#include "Core/VTKCompatibility.h"
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCommand.h"
@@ -21,8 +23,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
-#include "vtkRefinementComputeProgram.h"
-#include "vtkRelevoCompatibility.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 

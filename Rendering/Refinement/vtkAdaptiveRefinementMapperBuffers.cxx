@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The coarse mesh on the GPU: when it is uploaded, and what of it.
-#include "UsableArrays.h"
+#include "State/UsableArrays.h"
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
 #include "vtkAbstractArray.h"

@@ -3,13 +3,13 @@
 // Which method draws, and its draw calls.
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
-#include "vtkRelevoOpenGL.h"
+#include "OpenGL/RelevoOpenGL.h"
 
+#include "Evaluation/PatternSelection.h"
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexArrayObject.h"
-#include "vtkPatternSelection.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"

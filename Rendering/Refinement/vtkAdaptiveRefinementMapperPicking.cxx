@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // What VTK's pickers find.
-#include "BlockLook.h"
+#include "Blocks/BlockLook.h"
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
 #include "vtkAdaptiveRefinement.h"

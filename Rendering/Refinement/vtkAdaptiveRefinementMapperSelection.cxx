@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The coarse mesh, its bounds, and which levels its faces take, on the CPU or the GPU.
-#include "BlockLook.h"
+#include "Blocks/BlockLook.h"
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
+#include "Core/RefinementView.h"
+#include "Evaluation/FaceCulling.h"
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkFaceCulling.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -17,7 +18,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
-#include "vtkRefinementView.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
 #include "vtkTexture.h"
@@ -70,9 +70,9 @@ bool vtkAdaptiveRefinementMapper::SelectsOnGPU()
 
 namespace
 {
-vtkRefinementView MakeView(vtkRenderer* ren, vtkActor* act)
+relevo::RefinementView MakeView(vtkRenderer* ren, vtkActor* act)
 {
-  vtkRefinementView view;
+  relevo::RefinementView view;
   view.Camera = ren->GetActiveCamera();
   view.ModelToWorld = act->GetMatrix();
   std::copy_n(ren->GetSize(), 2, view.ViewportSize);
@@ -136,7 +136,7 @@ bool LetsThrough(vtkUnsignedCharArray* colors)
 bool vtkAdaptiveRefinementMapper::UpdateSelection(vtkRenderer* ren, vtkActor* act)
 {
   vtkInternals& data = *this->Internals;
-  const vtkRefinementView view = MakeView(ren, act);
+  const relevo::RefinementView view = MakeView(ren, act);
   const auto culling = MakeCullingView(
     this->FrustumCulling && !data.GetMethod().DrawsHiddenFaces(), ren, act, data.State.GetMesh());
   return this->Report(data.State.UpdateSelection(this->GetInput(), this->Refinement, view,
@@ -159,7 +159,7 @@ void vtkAdaptiveRefinementMapper::UpdateBudget(vtkRenderer* ren, vtkActor* act)
       : -1.0;
   }
   const bool isBudgeted = data.Budget.SetView(ren->GetActiveCamera(), seconds);
-  const vtkRefinementView view = MakeView(ren, act);
+  const relevo::RefinementView view = MakeView(ren, act);
   std::vector<relevo::LevelBudget::Part> parts;
   const auto addPart = [&](vtkAdaptiveRefinementMapper* mapper)
   {

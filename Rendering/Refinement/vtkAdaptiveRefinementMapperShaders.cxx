@@ -3,7 +3,7 @@
 // Shaders of refined faces: when they are written, from what, and what they are given.
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
-#include "vtkRelevoOpenGL.h"
+#include "OpenGL/RelevoOpenGL.h"
 
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"

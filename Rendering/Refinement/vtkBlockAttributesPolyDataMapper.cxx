@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBlockAttributesPolyDataMapper.h"
 
-#include "BlockLook.h"
+#include "Blocks/BlockLook.h"
 
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataObject.h"

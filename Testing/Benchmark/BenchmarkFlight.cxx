@@ -8,17 +8,17 @@
 #include "BenchmarkSurface.h"
 #include "Benchmarks.h"
 
+#include "Core/RefinementView.h"
+#include "Evaluation/EdgeTags.h"
+#include "Evaluation/PatternSelection.h"
+#include "Evaluation/TriangleBudget.h"
+#include "Mesh/RefinementMesh.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCamera.h"
 #include "vtkDistanceDepthTagMetric.h"
-#include "vtkEdgeTags.h"
-#include "vtkPatternSelection.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkRefinementMesh.h"
-#include "vtkRefinementView.h"
 #include "vtkScreenEdgeDepthTagMetric.h"
-#include "vtkTriangleBudget.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +49,7 @@ FlightResult FlyWithBudget(
   relevo::RefinementMesh faces;
   faces.Build(mesh, recipe);
   vtkNew<vtkCamera> camera;
-  vtkRefinementView view;
+  relevo::RefinementView view;
   view.Camera = camera;
   view.ViewportSize[0] = 1024;
   view.ViewportSize[1] = 768;

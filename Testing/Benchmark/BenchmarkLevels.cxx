@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BenchmarkLevels.h"
 
+#include "Core/RefinementView.h"
+#include "Evaluation/EdgeTags.h"
+#include "Evaluation/PatternSelection.h"
+#include "Mesh/RefinementMesh.h"
 #include "vtkAdaptiveRefinement.h"
-#include "vtkEdgeTags.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
-#include "vtkPatternSelection.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkRefinementMesh.h"
 #include "vtkRefinementPatternTable.h"
-#include "vtkRefinementView.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,8 +8,8 @@
 
 #include "RelevoPatternQuality.h"
 
+#include "Core/RefinementMathematics.h"
 #include "vtkNew.h"
-#include "vtkRefinementMathematics.h"
 
 #include <algorithm>
 #include <array>
@@ -41,7 +41,7 @@ public:
       { { { { 1.0f, 0.0f, 0.0f } }, { { 0.0f, 1.0f, 0.0f } }, { { 0.0f, 0.0f, 1.0f } } } },
       { levels[0], levels[1], levels[2] });
   }
-  const vtkRefinementPattern& Get() const { return this->Pattern; }
+  const relevo::RefinementPattern& Get() const { return this->Pattern; }
 
 private:
   void Split(const std::array<Place, 3>& corners, const relevo::ivec3& left)
@@ -71,7 +71,7 @@ private:
     }
   }
 
-  vtkRefinementPattern Pattern;
+  relevo::RefinementPattern Pattern;
 };
 
 // Of all patterns whose highest and lowest level differ by as much.
@@ -86,7 +86,7 @@ struct Statistics
   std::vector<double> Steps;         // larger area to smaller, across each inner side
 };
 
-void Add(const vtkRefinementPattern& pattern, Statistics& statistics)
+void Add(const relevo::RefinementPattern& pattern, Statistics& statistics)
 {
   const std::vector<Shape> shapes = RelevoPatternQuality::GetShapes(pattern);
   ++statistics.Patterns;

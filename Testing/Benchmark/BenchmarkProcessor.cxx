@@ -7,15 +7,15 @@
 #include "BenchmarkSurface.h"
 #include "Benchmarks.h"
 
+#include "Core/RefinementView.h"
+#include "Evaluation/EdgeTags.h"
+#include "Evaluation/PatternSelection.h"
+#include "Mesh/RefinementMesh.h"
+#include "Patterns/RefinementPattern.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
-#include "vtkEdgeTags.h"
-#include "vtkPatternSelection.h"
 #include "vtkPolyData.h"
-#include "vtkRefinementMesh.h"
-#include "vtkRefinementPattern.h"
 #include "vtkRefinementPatternTable.h"
-#include "vtkRefinementView.h"
 
 #include <benchmark/benchmark.h>
 

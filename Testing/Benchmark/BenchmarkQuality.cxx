@@ -9,6 +9,8 @@
 
 #include "RelevoVector.h"
 
+#include "Evaluation/RefinementEvaluator.h"
+#include "Mesh/RefinementMesh.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkDataArray.h"
@@ -20,8 +22,6 @@
 #include "vtkPhongSurface.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkRefinementEvaluator.h"
-#include "vtkRefinementMesh.h"
 #include "vtkStaticCellLocator.h"
 
 #include <algorithm>

@@ -4,13 +4,13 @@
 
 #include "BenchmarkMeasure.h"
 
+#include "Compute/RefinementComputeState.h"
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCullerCollection.h"
 #include "vtkMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtkRefinementComputeState.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"

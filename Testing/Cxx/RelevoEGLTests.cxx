@@ -3,10 +3,10 @@
 // Tests run again with RELEVO_TEST_WINDOW=EGL: their windows are vtkEGLOffscreenRenderWindow. With
 // RELEVO_TEST_DEBUG_OUTPUT=1, too, what OpenGL has to say of errors and undefined behaviour is
 // printed, as "OpenGL says"; MESA_DEBUG=context has Mesa say all it knows.
+#include "OpenGL/RelevoOpenGL.h"
 #include "vtkEGLOffscreenRenderWindow.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkRelevoOpenGL.h"
 #include "vtkVersion.h"
 
 #include <cstdlib>

@@ -6,19 +6,19 @@
 
 #include "RelevoTestMeshes.h"
 
+#include "Core/RefinementView.h"
+#include "Mesh/SurfaceEdges.h"
 #include "vtkCamera.h"
 #include "vtkDepthTagMetric.h"
 #include "vtkMath.h"
-#include "vtkRefinementView.h"
-#include "vtkSurfaceEdges.h"
 
 #include <limits>
 #include <random>
 #include <vector>
 
 // The tags, or none when the metric gave none.
-inline std::vector<float> TagsOf(
-  vtkDepthTagMetric* metric, vtkPolyData* mesh, const vtkRefinementView& view, int maximumLevel)
+inline std::vector<float> TagsOf(vtkDepthTagMetric* metric, vtkPolyData* mesh,
+  const relevo::RefinementView& view, int maximumLevel)
 {
   vtkNew<vtkFloatArray> tags;
   if (!metric->ComputeTags(mesh, view, maximumLevel, tags))
@@ -30,7 +30,7 @@ inline std::vector<float> TagsOf(
 
 // The tags of edges, or none when the metric gave none.
 inline std::vector<float> EdgeTagsOf(vtkDepthTagMetric* metric, vtkPolyData* mesh,
-  const vtkRefinementView& view, int maximumLevel, const relevo::SurfaceEdges& edges)
+  const relevo::RefinementView& view, int maximumLevel, const relevo::SurfaceEdges& edges)
 {
   vtkNew<vtkFloatArray> tags;
   if (!metric->ComputeEdgeTags(mesh, view, maximumLevel, edges, tags))
@@ -82,7 +82,7 @@ inline bool SurvivesOddMeshes(vtkDepthTagMetric* metric)
     { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } } }, { { { 0, 1, 2 } }, { { 0, 2, 1 } } }));
   std::mt19937 random(3);
   vtkNew<vtkCamera> camera;
-  vtkRefinementView view;
+  relevo::RefinementView view;
   view.Camera = camera;
   relevo::SurfaceEdges edges;
   for (vtkPolyData* mesh : meshes)

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether a pattern keeps what vtkRefinementPattern.h says.
+// Whether a pattern keeps what RefinementPattern.h says.
 #ifndef RelevoPatternCheck_h
 #define RelevoPatternCheck_h
 
 #include "RelevoCheck.h"
 
-#include "vtkRefinementPattern.h"
+#include "Patterns/RefinementPattern.h"
 
 #include <algorithm>
 #include <array>
@@ -20,7 +20,7 @@ namespace RelevoPatternCheck
 using Triple = std::array<float, 3>;
 using Side = std::pair<unsigned int, unsigned int>;
 
-inline Triple Weights(const vtkRefinementPattern& pattern, unsigned int vertex)
+inline Triple Weights(const relevo::RefinementPattern& pattern, unsigned int vertex)
 {
   const float* weights = &pattern.Vertices[3 * vertex];
   return { weights[0], weights[1], weights[2] };
@@ -34,7 +34,7 @@ inline double Area(const Triple& a, const Triple& b, const Triple& c)
 }
 
 // Indices of the vertices on edge 1, 2 or 3, from corner to corner.
-inline std::vector<unsigned int> EdgeVertices(const vtkRefinementPattern& pattern, int edge)
+inline std::vector<unsigned int> EdgeVertices(const relevo::RefinementPattern& pattern, int edge)
 {
   unsigned int next = 3;
   for (int before = 0; before < edge; ++before)
@@ -51,7 +51,7 @@ inline std::vector<unsigned int> EdgeVertices(const vtkRefinementPattern& patter
 }
 
 // Exact weights, in the pattern's order, each once.
-inline void CheckVertices(RelevoCheck& check, const vtkRefinementPattern& pattern)
+inline void CheckVertices(RelevoCheck& check, const relevo::RefinementPattern& pattern)
 {
   const unsigned int count = pattern.GetNumberOfVertices();
   std::set<Triple> places;
@@ -88,7 +88,7 @@ inline void CheckVertices(RelevoCheck& check, const vtkRefinementPattern& patter
 }
 
 // A conforming, counter-clockwise triangulation, and its lines.
-inline void CheckTriangles(RelevoCheck& check, const vtkRefinementPattern& pattern)
+inline void CheckTriangles(RelevoCheck& check, const relevo::RefinementPattern& pattern)
 {
   std::map<Side, int> sides;
   double area = 0.0;

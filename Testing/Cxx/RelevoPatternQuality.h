@@ -4,7 +4,7 @@
 #ifndef RelevoPatternQuality_h
 #define RelevoPatternQuality_h
 
-#include "vtkRefinementPattern.h"
+#include "Patterns/RefinementPattern.h"
 #include "vtkRefinementPatternTable.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ struct Shape
 };
 
 /// Of each triangle. Areas count from the weights, positive if counter-clockwise.
-inline std::vector<Shape> GetShapes(const vtkRefinementPattern& pattern)
+inline std::vector<Shape> GetShapes(const relevo::RefinementPattern& pattern)
 {
   std::vector<Shape> shapes;
   for (std::size_t t = 0; t < pattern.Triangles.size(); t += 3)
@@ -56,10 +56,11 @@ inline std::vector<Shape> GetShapes(const vtkRefinementPattern& pattern)
 
 /// SUAPT (Lenz 2009, section 5): the uniform pattern of the highest of levels i >= j >= k, with
 /// each border vertex moved to the nearest point of its edge's own level.
-inline vtkRefinementPattern MakeSuaptPattern(vtkRefinementPatternTable* table, const int levels[3])
+inline relevo::RefinementPattern MakeSuaptPattern(
+  vtkRefinementPatternTable* table, const int levels[3])
 {
   const int n = 1 << levels[0];
-  vtkRefinementPattern pattern = *table->GetPatternOfSegments(n, n, n);
+  relevo::RefinementPattern pattern = *table->GetPatternOfSegments(n, n, n);
   std::size_t vertex = 3;
   for (int edge = 0; edge < 3; ++edge)
   {

@@ -6,7 +6,7 @@
 
 #include "RelevoScene.h"
 
-#include "vtkRelevoOpenGL.h"
+#include "OpenGL/RelevoOpenGL.h"
 #include "vtkShaderProperty.h"
 
 #include <array>

@@ -5,10 +5,10 @@
 #include "RelevoSurfaces.h"
 #include "RelevoTestMeshes.h"
 
+#include "Mesh/RefinementMesh.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkDisplacement.h"
-#include "vtkRefinementMesh.h"
 
 using namespace RelevoMeshes;
 

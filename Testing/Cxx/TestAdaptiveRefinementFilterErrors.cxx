@@ -4,6 +4,7 @@
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 
+#include "Mesh/RefinementMesh.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkDepthTagMetric.h"
@@ -13,7 +14,6 @@
 #include "vtkIdTypeArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPNTriangleSurface.h"
-#include "vtkRefinementMesh.h"
 #include "vtkStringArray.h"
 
 #include <limits>
@@ -37,7 +37,7 @@ public:
   }
   vtkTypeMacro(BadMetric, vtkDepthTagMetric);
   bool IsViewDependent() override { return false; }
-  bool ComputeTags(vtkPolyData*, const vtkRefinementView&, int, vtkFloatArray* tags) override
+  bool ComputeTags(vtkPolyData*, const relevo::RefinementView&, int, vtkFloatArray* tags) override
   {
     for (float value : this->Values)
     {

@@ -5,6 +5,8 @@
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 
+#include "Core/RefinementView.h"
+#include "Mesh/SurfaceEdges.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCell.h"
 #include "vtkCellData.h"
@@ -14,9 +16,7 @@
 #include "vtkLookupTable.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkRefinementPatternTable.h"
-#include "vtkRefinementView.h"
 #include "vtkScalarBarActor.h"
-#include "vtkSurfaceEdges.h"
 #include "vtkTriangleFilter.h"
 
 #include <array>
@@ -284,7 +284,7 @@ void TestTags(RelevoCheck& check)
   View view;
   view.Mapper->SetColorModeToMetric();
   const int tolerance = 4; // of colours: a pixel's centre is not quite the point
-  vtkRefinementView eye;
+  relevo::RefinementView eye;
   eye.Camera = view.Renderer->GetActiveCamera();
   std::copy_n(view.Renderer->GetSize(), 2, eye.ViewportSize);
   for (double offset : { 0.0, 0.75 })

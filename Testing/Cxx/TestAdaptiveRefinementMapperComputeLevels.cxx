@@ -5,25 +5,25 @@
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 
+#include "Buffers/RefinementPatternBuffer.h"
+#include "Compute/RefinementComputeProgram.h"
+#include "Compute/RefinementComputeState.h"
+#include "Core/RefinementView.h"
+#include "Evaluation/EdgeTags.h"
+#include "Evaluation/FaceCulling.h"
+#include "Evaluation/PatternSelection.h"
+#include "Mesh/RefinementMesh.h"
+#include "Patterns/PatternFamily.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCamera.h"
 #include "vtkCompositeDepthTagMetric.h"
 #include "vtkCurvatureDepthTagMetric.h"
 #include "vtkDepthTagMetric.h"
 #include "vtkDistanceDepthTagMetric.h"
-#include "vtkEdgeTags.h"
-#include "vtkFaceCulling.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPLYReader.h"
-#include "vtkPatternFamily.h"
-#include "vtkPatternSelection.h"
-#include "vtkRefinementComputeProgram.h"
-#include "vtkRefinementComputeState.h"
-#include "vtkRefinementMesh.h"
-#include "vtkRefinementPatternBuffer.h"
 #include "vtkRefinementPatternTable.h"
-#include "vtkRefinementView.h"
 #include "vtkRenderWindow.h"
 #include "vtkScreenEdgeDepthTagMetric.h"
 #include "vtkSilhouetteDepthTagMetric.h"
@@ -69,7 +69,7 @@ public:
 
   void Compare(const std::string& name, vtkAdaptiveRefinement* recipe)
   {
-    vtkRefinementView view;
+    relevo::RefinementView view;
     view.Camera = this->Camera;
     view.ModelToWorld = this->Transform->GetMatrix();
     view.ViewportSize[0] = 800;

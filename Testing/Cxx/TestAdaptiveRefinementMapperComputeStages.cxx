@@ -3,10 +3,10 @@
 // The compute shaders of selection against plain C++: patterns face by face, places, draw commands.
 #include "RelevoCheck.h"
 
+#include "Compute/RefinementComputeSelector.h"
+#include "Compute/RefinementComputeView.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkRefinementComputeSelector.h"
-#include "vtkRefinementComputeView.h"
 #include "vtkRenderWindow.h"
 
 #include <algorithm>

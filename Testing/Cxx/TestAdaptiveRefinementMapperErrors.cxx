@@ -209,7 +209,7 @@ int TestAdaptiveRefinementMapperErrors(int, char*[])
         return result;
       }
       bool IsViewDependent() override { return false; }
-      bool ComputeTags(vtkPolyData*, const vtkRefinementView&, int, vtkFloatArray*) override
+      bool ComputeTags(vtkPolyData*, const relevo::RefinementView&, int, vtkFloatArray*) override
       {
         return false;
       }

@@ -5,14 +5,14 @@
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 
+#include "Buffers/RefinementStream.h"
+#include "Core/RefinementView.h"
+#include "Evaluation/EdgeTags.h"
+#include "Evaluation/PatternSelection.h"
+#include "Mesh/RefinementMesh.h"
+#include "Patterns/RefinementPattern.h"
 #include "vtkAdaptiveRefinement.h"
-#include "vtkEdgeTags.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPatternSelection.h"
-#include "vtkRefinementMesh.h"
-#include "vtkRefinementPattern.h"
-#include "vtkRefinementStream.h"
-#include "vtkRefinementView.h"
 
 #include <algorithm>
 #include <set>
@@ -106,7 +106,7 @@ void TestMesh(
   CHECK(mesh.Build(input, recipe));
   relevo::EdgeTags tags;
   std::string error;
-  CHECK(tags.Compute(recipe, input, mesh, vtkRefinementView(), error));
+  CHECK(tags.Compute(recipe, input, mesh, relevo::RefinementView(), error));
   relevo::PatternSelection selection;
   selection.Select(mesh, tags, relevo::GetPatternFamily(recipe, input), recipe->GetPatternTable());
   std::vector<unsigned char> hidden(mesh.Faces.size(), 0);

@@ -6,9 +6,9 @@
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 
+#include "OpenGL/RelevoOpenGL.h"
 #include "vtkDisplacement.h"
 #include "vtkPNTriangleSurface.h"
-#include "vtkRelevoOpenGL.h"
 
 #include <malloc.h>
 #include <map>

@@ -9,10 +9,10 @@
 #include "RelevoTestMeshes.h"
 #include "RelevoVertexCapture.h"
 
+#include "Methods/HardwareTessellation.h"
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
 #include "vtkDisplacement.h"
-#include "vtkHardwareTessellation.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkOpenGLRenderWindow.h"

@@ -4,11 +4,11 @@
 #include "BenchmarkMeshes.h"
 #include "RelevoCheck.h"
 
+#include "Core/PointPlaces.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
-#include "vtkPointPlaces.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>

@@ -18,7 +18,7 @@ public:
   static GivenLevels* New();
   vtkTypeMacro(GivenLevels, vtkDepthTagMetric);
   bool IsViewDependent() override { return this->ViewDependent; }
-  bool ComputeTags(vtkPolyData*, const vtkRefinementView&, int, vtkFloatArray* tags) override
+  bool ComputeTags(vtkPolyData*, const relevo::RefinementView&, int, vtkFloatArray* tags) override
   {
     ++this->Count;
     tags->SetNumberOfTuples(static_cast<vtkIdType>(this->Levels.size()));
@@ -37,7 +37,7 @@ int TestCompositeDepthTagMetric(int, char*[])
   RelevoCheck check;
   vtkNew<vtkCompositeDepthTagMetric> metric;
   RelevoErrors errors(metric);
-  vtkRefinementView view;
+  relevo::RefinementView view;
   auto mesh = RelevoMeshes::FromTriangles(
     { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } } }, { { { 0, 1, 2 } } });
   CHECK(TagsOf(metric, mesh, view, 4).empty() && errors.Said("no metrics"));

@@ -3,6 +3,7 @@
 // vtkCurvatureDepthTagMetric against values by hand, analytic surfaces and vtkCurvatures.
 #include "RelevoCheck.h"
 
+#include "Core/RefinementView.h"
 #include "vtkCellArray.h"
 #include "vtkCurvatureDepthTagMetric.h"
 #include "vtkCurvatures.h"
@@ -16,7 +17,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolygon.h"
-#include "vtkRefinementView.h"
 #include "vtkReverseSense.h"
 #include "vtkStripper.h"
 #include "vtkTransform.h"
@@ -444,7 +444,7 @@ void TestTags(RelevoCheck& check)
   vtkNew<vtkCurvatureDepthTagMetric> metric;
   vtkNew<vtkFloatArray> tags;
   vtkNew<vtkDoubleArray> curvatures;
-  const vtkRefinementView view;
+  const relevo::RefinementView view;
   CHECK(!metric->IsViewDependent());
   CHECK(metric->GetCurvatureType() == vtkCurvatureDepthTagMetric::GAUSSIAN);
 
@@ -560,7 +560,7 @@ void TestBadInput(RelevoCheck& check)
   const double infinity = std::numeric_limits<double>::infinity();
   vtkNew<vtkCurvatureDepthTagMetric> metric;
   vtkNew<vtkFloatArray> tags;
-  const vtkRefinementView view;
+  const relevo::RefinementView view;
 
   // Repeated points, no area, an edge of three triangles, lone and broken points, cells of one and
   // two points, and ids that do not exist.

@@ -28,8 +28,8 @@ public:
   {
     this->Of.Update(mesh);
   }
-  float GetTag(
-    vtkDepthTagMetric* metric, const vtkRefinementView& view, int maximumLevel, int a, int b) const
+  float GetTag(vtkDepthTagMetric* metric, const relevo::RefinementView& view, int maximumLevel,
+    int a, int b) const
   {
     const auto tags = EdgeTagsOf(metric, this->Mesh, view, maximumLevel, this->Of);
     return tags.empty() ? -1.0f : tags[this->Of.FindEdge(a, b)];
@@ -46,7 +46,7 @@ void TestByHand(RelevoCheck& check)
   camera->SetFocalPoint(0, 0, 0);
   camera->SetViewAngle(90);
   camera->SetClippingRange(0.1, 100.0);
-  vtkRefinementView view;
+  relevo::RefinementView view;
   view.Camera = camera;
   view.ViewportSize[0] = 640;
   view.ViewportSize[1] = 400;
@@ -158,7 +158,7 @@ void TestDefault(RelevoCheck& check)
 {
   auto mesh = RelevoMeshes::Explode(RelevoMeshes::Sphere(9, 7));
   vtkNew<vtkCurvatureDepthTagMetric> curvature;
-  const vtkRefinementView view;
+  const relevo::RefinementView view;
   const auto tags = TagsOf(curvature, mesh, view, 5);
   relevo::SurfaceEdges edges;
   edges.Update(mesh);
@@ -188,8 +188,8 @@ void AddExtremes(vtkCellArray* cells, vtkFloatArray* values, const int places[2]
 
 // A mesh of little but the triangles beside one edge gives that edge the same tag, if the metric
 // knows no more than the edge and the normals at its ends.
-void TestAlone(
-  RelevoCheck& check, vtkDepthTagMetric* metric, const vtkRefinementView& view, bool keepTriangles)
+void TestAlone(RelevoCheck& check, vtkDepthTagMetric* metric, const relevo::RefinementView& view,
+  bool keepTriangles)
 {
   auto sphere = RelevoMeshes::Sphere(9, 7);
   vtkNew<vtkFloatArray> values;
@@ -240,7 +240,7 @@ int TestDepthTagMetricEdges(int, char*[])
   TestDefault(check);
 
   vtkNew<vtkCamera> camera;
-  vtkRefinementView view;
+  relevo::RefinementView view;
   view.Camera = camera;
   vtkNew<vtkScreenEdgeDepthTagMetric> screenEdge;
   vtkNew<vtkDistanceDepthTagMetric> distance;

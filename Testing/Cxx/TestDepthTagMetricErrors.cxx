@@ -88,7 +88,7 @@ RelevoMeshes::Mesh MakeMesh(float value)
 }
 
 // Levels for every metric but those named, which give an error that says `words`.
-void TestView(RelevoCheck& check, vtkPolyData* mesh, const vtkRefinementView& view,
+void TestView(RelevoCheck& check, vtkPolyData* mesh, const relevo::RefinementView& view,
   const std::vector<std::string>& failing = {}, const std::string& words = "")
 {
   relevo::SurfaceEdges edges;
@@ -133,7 +133,7 @@ int TestDepthTagMetricErrors(int, char*[])
   const double nan = std::numeric_limits<double>::quiet_NaN();
   auto mesh = MakeMesh(1.0f);
   vtkNew<vtkCamera> camera;
-  vtkRefinementView view;
+  relevo::RefinementView view;
   view.Camera = camera;
   const std::vector<std::string> ofTheView{ "distance", "pixels", "screen", "eye" };
 

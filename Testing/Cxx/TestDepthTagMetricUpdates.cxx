@@ -52,7 +52,7 @@ class Watch
 {
 public:
   // How many of the metrics gave other tags than last time.
-  int Compare(RelevoCheck& check, vtkPolyData* mesh, const vtkRefinementView& view)
+  int Compare(RelevoCheck& check, vtkPolyData* mesh, const relevo::RefinementView& view)
   {
     this->Edges.Update(mesh);
     const Metrics fresh = MakeMetrics();
@@ -89,7 +89,7 @@ void AddValues(vtkPolyData* mesh, int seed)
 }
 
 // A point that no cell uses is not drawn, and changes no tag of those that are.
-void CheckUnusedPoints(RelevoCheck& check, const vtkRefinementView& view)
+void CheckUnusedPoints(RelevoCheck& check, const relevo::RefinementView& view)
 {
   auto mesh = RelevoMeshes::Sphere(9, 7);
   AddValues(mesh, 7);
@@ -121,7 +121,7 @@ int TestDepthTagMetricUpdates(int, char*[])
   vtkNew<vtkCamera> camera;
   camera->SetPosition(1, 0.5, 2);
   camera->SetClippingRange(0.1, 10);
-  vtkRefinementView view;
+  relevo::RefinementView view;
   view.Camera = camera;
   CheckUnusedPoints(check, view);
   Watch watch;

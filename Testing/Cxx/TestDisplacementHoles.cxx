@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Samples without data: triangles over them are left out, or filled by choice.
-#include "HoleFinder.h"
+#include "Evaluation/HoleFinder.h"
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 #include "RelevoWatertight.h"
 
+#include "Core/RefinementView.h"
+#include "Evaluation/EdgeTags.h"
+#include "Evaluation/PatternSelection.h"
+#include "Mesh/RefinementMesh.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDisplacement.h"
-#include "vtkEdgeTags.h"
-#include "vtkPatternSelection.h"
-#include "vtkRefinementMesh.h"
-#include "vtkRefinementView.h"
 
 using namespace RelevoMeshes;
 

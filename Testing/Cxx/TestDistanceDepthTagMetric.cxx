@@ -4,13 +4,13 @@
 #include "RelevoCheck.h"
 #include "RelevoMetricCheck.h"
 
+#include "Core/RefinementView.h"
 #include "vtkCamera.h"
 #include "vtkDistanceDepthTagMetric.h"
 #include "vtkFloatArray.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkRefinementView.h"
 #include "vtkTransform.h"
 
 #include <initializer_list>
@@ -56,7 +56,7 @@ void TestProjectedSize(RelevoCheck& check)
   vtkNew<vtkCamera> camera;
   camera->SetPosition(0, 0, 0);
   camera->SetFocalPoint(0, 0, -1);
-  vtkRefinementView view;
+  relevo::RefinementView view;
   view.Camera = camera;
   // One level where the distance halves, from 8 on, up to the maximum at the camera itself.
   auto points = MakePoints({ { 9, 0, 0 }, { 8, 0, 0 }, { 0, 6, 0 }, { 0, 0, 4 }, { 0, -2, 0 },
@@ -129,7 +129,7 @@ void TestCentroids(RelevoCheck& check)
   metric->SetMeasureToCentroids();
   CHECK(std::string(metric->GetMeasureAsString()) == "Centroids");
   vtkNew<vtkCamera> camera;
-  vtkRefinementView view;
+  relevo::RefinementView view;
   view.Camera = camera;
   std::mt19937 random(2);
   auto sphere = RelevoMeshes::Explode(RelevoMeshes::Sphere(9, 7));
@@ -192,7 +192,7 @@ int TestDistanceDepthTagMetric(int, char*[])
   vtkNew<vtkFloatArray> tags;
   vtkNew<vtkCamera> camera;
   camera->SetPosition(0, 0, 0);
-  vtkRefinementView view;
+  relevo::RefinementView view;
   view.Camera = camera;
   CHECK(metric->IsViewDependent());
   CHECK(metric->GetMaximumDistance() == 0.0);

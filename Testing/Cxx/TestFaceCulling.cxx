@@ -5,11 +5,12 @@
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 
+#include "Evaluation/FaceCulling.h"
+#include "Mesh/RefinementMesh.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCamera.h"
 #include "vtkCellData.h"
 #include "vtkDisplacement.h"
-#include "vtkFaceCulling.h"
 #include "vtkG1Surface.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
@@ -18,7 +19,6 @@
 #include "vtkPhongSurface.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkProceduralSurface.h"
-#include "vtkRefinementMesh.h"
 #include "vtkReverseSense.h"
 #include "vtkTransform.h"
 

@@ -45,7 +45,7 @@ int TestFieldVariationDepthTagMetric(int, char*[])
   const double infinity = std::numeric_limits<double>::infinity();
   vtkNew<vtkFieldVariationDepthTagMetric> metric;
   CHECK(!metric->IsViewDependent());
-  const vtkRefinementView view; // no camera is needed
+  const relevo::RefinementView view; // no camera is needed
   metric->SetArrayName("field");
   metric->SetMaximumVariation(1.0);
   auto mesh = Strip();

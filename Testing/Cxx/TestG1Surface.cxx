@@ -6,13 +6,13 @@
 #include "RelevoTestMeshes.h"
 #include "RelevoVector.h"
 
+#include "Evaluation/RefinementEvaluator.h"
+#include "Mesh/RefinementMesh.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkG1Surface.h"
 #include "vtkPLYReader.h"
 #include "vtkPNTriangleSurface.h"
 #include "vtkQuadricDecimation.h"
-#include "vtkRefinementEvaluator.h"
-#include "vtkRefinementMesh.h"
 
 #include <algorithm>
 #include <cstdlib>

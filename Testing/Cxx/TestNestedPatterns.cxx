@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkNestedPattern: all 512 patterns are exact triangulations; for any tags of their levels no
+// NestedPattern: all 512 patterns are exact triangulations; for any tags of their levels no
 // triangle turns over; a surface is continuous where levels change, to which a pattern whose
 // vertices do not move is the control; and the points of an edge have the same bits in every face.
 #include "RelevoCheck.h"
 #include "RelevoPatternCheck.h"
 
-#include "vtkFacePattern.h"
-#include "vtkNestedPattern.h"
+#include "Patterns/FacePattern.h"
+#include "Patterns/NestedPattern.h"
 #include "vtkRefinementPatternTable.h"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ void ForEachLevels(int maximumLevel, Visitor&& visit)
   }
 }
 
-const vtkRefinementPattern& GetPattern(Levels levels)
+const relevo::RefinementPattern& GetPattern(Levels levels)
 {
   return relevo::GetNestedPattern(levels[0], levels[1], levels[2]);
 }
@@ -83,7 +83,7 @@ struct Sheet
     return { w[0], w[1], w[2] };
   }
 
-  const vtkRefinementPattern& Pattern;
+  const relevo::RefinementPattern& Pattern;
   std::vector<float> Weights;
 };
 
@@ -146,7 +146,7 @@ void TestPatterns(RelevoCheck& check)
   ForEachLevels(Highest,
     [&](const Levels& levels)
     {
-      const vtkRefinementPattern& pattern = GetPattern(levels);
+      const relevo::RefinementPattern& pattern = GetPattern(levels);
       for (int e = 0; e < 3; ++e)
       {
         CHECK(pattern.Segments[e] == 1 << levels[e]);
@@ -167,7 +167,7 @@ void TestPatterns(RelevoCheck& check)
 
 void TestThreads(RelevoCheck& check)
 {
-  std::array<std::vector<const vtkRefinementPattern*>, 4> found;
+  std::array<std::vector<const relevo::RefinementPattern*>, 4> found;
   std::vector<std::thread> threads;
   for (auto& patterns : found)
   {

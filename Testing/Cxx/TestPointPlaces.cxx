@@ -3,8 +3,8 @@
 // relevo::ComputePlaces against a map from coordinates to the first id.
 #include "RelevoCheck.h"
 
+#include "Core/PointPlaces.h"
 #include "vtkMinimalStandardRandomSequence.h"
-#include "vtkPointPlaces.h"
 #include "vtkPoints.h"
 
 #include <array>

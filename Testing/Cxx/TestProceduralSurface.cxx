@@ -6,13 +6,13 @@
 #include "RelevoTestMeshes.h"
 #include "RelevoWatertight.h"
 
+#include "Evaluation/RefinementEvaluator.h"
+#include "Mesh/RefinementMesh.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkObjectFactory.h"
 #include "vtkPNTriangleSurface.h"
 #include "vtkProceduralSurface.h"
-#include "vtkRefinementEvaluator.h"
-#include "vtkRefinementMesh.h"
 
 #include <cmath>
 #include <limits>

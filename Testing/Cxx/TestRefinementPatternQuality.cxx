@@ -5,7 +5,7 @@
 #include "RelevoCheck.h"
 #include "RelevoPatternQuality.h"
 
-#include "vtkRefinementPattern.h"
+#include "Patterns/RefinementPattern.h"
 #include "vtkRefinementPatternTable.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ double Degrees(double radians)
 }
 
 /// The smallest angle of each triangle, in degrees; degenerate triangles are left out.
-std::vector<double> SmallestAngles(const vtkRefinementPattern& pattern)
+std::vector<double> SmallestAngles(const relevo::RefinementPattern& pattern)
 {
   std::vector<double> angles;
   for (const RelevoPatternQuality::Shape& shape : RelevoPatternQuality::GetShapes(pattern))
@@ -91,7 +91,7 @@ int TestRefinementPatternQuality(int, char*[])
         const auto start = std::chrono::steady_clock::now();
         const auto made = table->GetPatternOfSegments(1 << i, 1 << j, 1 << k);
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-        const vtkRefinementPattern& pattern = *made;
+        const relevo::RefinementPattern& pattern = *made;
         slowest = std::max(slowest, seconds.count());
         total += seconds.count();
         const auto angles = SmallestAngles(pattern);

@@ -5,13 +5,13 @@
 #include "RelevoCheck.h"
 #include "RelevoPatternCheck.h"
 
+#include "Patterns/RefinementPattern.h"
 #include "vtkCellArray.h"
 #include "vtkExecutive.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkRefinementPattern.h"
 #include "vtkRefinementPatternSource.h"
 #include "vtkRefinementPatternTable.h"
 #include "vtkTestUtilities.h"
@@ -53,7 +53,7 @@ void TestPatterns(RelevoCheck& check)
   auto checkPattern = [&](int n1, int n2, int n3)
   {
     const auto made = table->GetPatternOfSegments(n1, n2, n3);
-    const vtkRefinementPattern& pattern = *made;
+    const relevo::RefinementPattern& pattern = *made;
     CHECK(pattern.Segments[0] == n1 && pattern.Segments[1] == n2 && pattern.Segments[2] == n3);
     CheckVertices(check, pattern);
     CheckTriangles(check, pattern);
@@ -266,7 +266,7 @@ void Spill(const std::string& fileName, const std::string& bytes)
   file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
-bool IsSame(const vtkRefinementPattern& a, const vtkRefinementPattern& b)
+bool IsSame(const relevo::RefinementPattern& a, const relevo::RefinementPattern& b)
 {
   return std::equal(a.Segments, a.Segments + 3, b.Segments) && a.Vertices == b.Vertices &&
     a.Triangles == b.Triangles && a.Lines == b.Lines;
@@ -280,7 +280,7 @@ void TestFile(RelevoCheck& check, const std::string& fileName)
   vtkNew<vtkRefinementPatternTable> read;
   RelevoErrors errors(read);
   const auto former = read->GetPatternOfSegments(8, 4, 1);
-  const vtkRefinementPattern copy = *former;
+  const relevo::RefinementPattern copy = *former;
   const vtkMTimeType time = read->GetMTime();
   CHECK(read->Read(fileName.c_str()));
   CHECK(errors.None());

@@ -36,7 +36,7 @@ int TestRegionDepthTagMetric(int, char*[])
   const double nan = std::nan("");
   vtkNew<vtkRegionDepthTagMetric> metric;
   CHECK(!metric->IsViewDependent());
-  vtkRefinementView view;
+  relevo::RefinementView view;
   auto mesh = Line();
 
   // A picked point.

@@ -4,7 +4,7 @@
 // relevo::RenderTimeBudget with machines whose frames take known times.
 #include "RelevoCheck.h"
 
-#include "vtkRenderTimeBudget.h"
+#include "Evaluation/RenderTimeBudget.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,11 +7,11 @@
 #include "RelevoVector.h"
 #include "RelevoWatertight.h"
 
+#include "Evaluation/RefinementEvaluator.h"
+#include "Mesh/RefinementMesh.h"
 #include "vtkDisplacement.h"
 #include "vtkDoubleArray.h"
 #include "vtkPNTriangleSurface.h"
-#include "vtkRefinementEvaluator.h"
-#include "vtkRefinementMesh.h"
 #include "vtkScalarTaggedSurface.h"
 #include "vtkStringArray.h"
 

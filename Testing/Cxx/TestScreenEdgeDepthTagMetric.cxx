@@ -20,7 +20,7 @@ int TestScreenEdgeDepthTagMetric(int, char*[])
   camera->SetViewUp(0, 1, 0);
   camera->SetViewAngle(90);
   camera->SetClippingRange(0.1, 100.0);
-  vtkRefinementView view;
+  relevo::RefinementView view;
   view.Camera = camera;
   view.ViewportSize[0] = 640;
   view.ViewportSize[1] = 400;
@@ -121,7 +121,7 @@ int TestScreenEdgeDepthTagMetric(int, char*[])
   vtkNew<vtkCamera> above;
   above->ParallelProjectionOn();
   above->SetParallelScale(256);
-  vtkRefinementView pixels;
+  relevo::RefinementView pixels;
   pixels.Camera = above;
   pixels.ViewportSize[0] = pixels.ViewportSize[1] = 512;
   metric->SetReferenceLength(1.0);

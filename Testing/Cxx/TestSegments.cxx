@@ -4,6 +4,7 @@
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 
+#include "Evaluation/PatternSelection.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkCamera.h"
@@ -11,7 +12,6 @@
 #include "vtkDepthTagFilter.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
-#include "vtkPatternSelection.h"
 #include "vtkRefinementPatternTable.h"
 #include "vtkScreenEdgeDepthTagMetric.h"
 #include "vtkSilhouetteDepthTagMetric.h"

@@ -15,7 +15,7 @@ int TestSilhouetteDepthTagMetric(int, char*[])
   CHECK(metric->GetCriterion() == vtkSilhouetteDepthTagMetric::NORMAL_ANGLE);
   vtkNew<vtkCamera> camera;
   camera->SetFocalPoint(0, 0, 0);
-  vtkRefinementView view;
+  relevo::RefinementView view;
   view.Camera = camera;
 
   // By the angle. A triangle with the normal +z, seen from its first corner's direction (0, s, c).

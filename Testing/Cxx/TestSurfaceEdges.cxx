@@ -4,8 +4,8 @@
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 
+#include "Mesh/SurfaceEdges.h"
 #include "vtkIdList.h"
-#include "vtkSurfaceEdges.h"
 
 #include <array>
 #include <map>

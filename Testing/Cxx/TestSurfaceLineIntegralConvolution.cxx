@@ -4,9 +4,9 @@
 #include "RelevoCheck.h"
 #include "RelevoSurfaceLIC.h"
 
+#include "Noise/SolidNoise.h"
 #include "vtkAppendPolyData.h"
 #include "vtkSMPTools.h"
-#include "vtkSolidNoise.h"
 
 #include <algorithm>
 #include <numeric>

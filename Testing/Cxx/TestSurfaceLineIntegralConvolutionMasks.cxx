@@ -4,9 +4,9 @@
 #include "RelevoCheck.h"
 #include "RelevoSurfaceLIC.h"
 
+#include "Noise/SolidNoise.h"
 #include "vtkExecutive.h"
 #include "vtkIntArray.h"
-#include "vtkSolidNoise.h"
 #include "vtkStringArray.h"
 
 #include <limits>

@@ -5,8 +5,8 @@
 #include "RelevoTestMeshes.h"
 #include "RelevoVector.h"
 
+#include "Surface/SurfaceStreamline.h"
 #include "vtkDoubleArray.h"
-#include "vtkSurfaceStreamline.h"
 
 #include <limits>
 #include <random>

@@ -5,21 +5,21 @@
 // and just above.
 #include "RelevoCheck.h"
 
+#include "Core/RefinementView.h"
+#include "Evaluation/EdgeTags.h"
+#include "Evaluation/PatternSelection.h"
+#include "Evaluation/TriangleBudget.h"
+#include "Mesh/RefinementMesh.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCamera.h"
 #include "vtkDepthTagMetric.h"
-#include "vtkEdgeTags.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
-#include "vtkPatternSelection.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkRefinementMesh.h"
-#include "vtkRefinementView.h"
 #include "vtkScreenEdgeDepthTagMetric.h"
 #include "vtkSphereSource.h"
-#include "vtkTriangleBudget.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,7 +69,7 @@ public:
   vtkAdaptiveRefinement* Recipe;
   relevo::RefinementMesh Mesh;
   relevo::EdgeTags Tags;
-  vtkRefinementView View;
+  relevo::RefinementView View;
   vtkNew<vtkCamera> Camera;
 };
 

@@ -26,7 +26,7 @@ int TestViewDependentDepthTagMetric(int, char*[])
   CHECK(metric->GetMaximumSpread() == 30.0 && metric->GetEdgeOnWeight() == 0.5);
   vtkNew<vtkCamera> camera;
   camera->SetFocalPoint(0, 0, 0);
-  vtkRefinementView view;
+  relevo::RefinementView view;
   view.Camera = camera;
 
   for (double weight : { 0.0, 0.5, 1.0 })

@@ -6,10 +6,10 @@
 #include "RelevoSurfaces.h"
 #include "RelevoTestMeshes.h"
 
+#include "Evaluation/RefinementEvaluator.h"
+#include "Mesh/RefinementMesh.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDisplacement.h"
-#include "vtkRefinementEvaluator.h"
-#include "vtkRefinementMesh.h"
 
 #include <cstring>
 

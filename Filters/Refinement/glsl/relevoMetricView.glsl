@@ -1,6 +1,6 @@
 // What view-dependent metrics share. GLSL and C++.
 //
-// The including side provides vec4 metricParameters[10], see vtkMetricShader.h:
+// The including side provides vec4 metricParameters[10], see MetricShader.h:
 //   0, 1        where the camera is, in the mesh's coordinates relative to the points' origin, as
 //               the sum of two floats; w of 0: the maximum level; w of 1: 1 for a parallel camera
 //   2 to 4      rows: from there to a point in the world's axes, in a unit of the metric's choice

@@ -1,4 +1,4 @@
-// Geomorphing: where the vertices of a nested pattern (vtkNestedPattern.h) stand for the fractional
+// Geomorphing: where the vertices of a nested pattern (NestedPattern.h) stand for the fractional
 // levels of a face's edges. GLSL and C++.
 //
 // Places (s, y) = 128 (w1 + w2, w2), for the weights w0, w1, w2 of the sorted corners, lie on a

@@ -1,7 +1,7 @@
 // Into how many segments the edges of a face are cut, and points on its border moved to where these
 // begin and end.
 
-uniform usamplerBuffer relevoEdgeSegments; // see vtkRefinementEdgeSegments.h
+uniform usamplerBuffer relevoEdgeSegments; // see RefinementEdgeSegments.h
 
 // Of the sorted edges (0,1), (1,2), (0,2).
 ivec3 relevoSegmentsOfFace(int face)
@@ -16,7 +16,7 @@ bool relevoIsTurned(int face)
   return texelFetch(relevoEdgeSegments, face).r >> 24 != 0u;
 }
 
-// k / n to 24 bits, as patterns have it (vtkPatternBorder.h): in integers, because GLSL leaves the
+// k / n to 24 bits, as patterns have it (PatternBorder.h): in integers, because GLSL leaves the
 // last bits of a quotient open. That of n - k is exactly one less that of k.
 float relevoSegmentEnd(int k, int n)
 {

@@ -1,7 +1,7 @@
 // The second half of the stage "group": from numbers of faces to places and draw commands. One work
 // group; each invocation has a run of keys. After relevoGroupCS.glsl.
 
-// A key's pattern, as vtkRefinementPatternBuffer holds it.
+// A key's pattern, as RefinementPatternBuffer holds it.
 struct RelevoPattern
 {
   uint Copies;

@@ -1,5 +1,5 @@
 // What the passes of the stage "tag" share. Followed by the metric's own functions, see
-// vtkMetricShader.h, which C++ compiles, too.
+// MetricShader.h, which C++ compiles, too.
 
 uniform vec4 metricParameters[10];
 

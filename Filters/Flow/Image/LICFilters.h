@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   LICFilters
+ * @brief   the shared filters of LIC images, over an image in memory
+ *
+ * Private to the module's own sources.
+ */
+#ifndef LICFilters_h
+#define LICFilters_h
+
+#include "Core/RefinementMathematics.h"
+#include "Image/LICPlane.h"
+
+namespace relevo
+{
+struct LICFilters
+{
+  vtkIdType index(ivec2 pixel) const
+  {
+    return static_cast<vtkIdType>(pixel.y) * this->Plane.Columns + pixel.x;
+  }
+  bool isInside(ivec2 pixel) const
+  {
+    return pixel.x >= 0 && pixel.y >= 0 && pixel.x < this->Plane.Columns &&
+      pixel.y < this->Plane.Rows;
+  }
+  float licValue(ivec2 pixel) const
+  {
+    return this->isInside(pixel) ? this->Values[this->index(pixel)] : 0.0f;
+  }
+  bool licIsMasked(ivec2 pixel) const
+  {
+    return !this->isInside(pixel) || this->Mask[this->index(pixel)];
+  }
+
+#include "glsl/relevoLICFilters.glsl"
+
+  const LICPlane& Plane;
+  const unsigned char* Mask; // of each sample, 0 or 1
+  const float* Values;       // of each sample
+};
+}
+
+#endif

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   LICPasses
+ * @brief   the passes that make a LIC image: convolve, sharpen, convolve again, smooth, stretch
+ *
+ * Private to the module's own sources.
+ */
+#ifndef LICPasses_h
+#define LICPasses_h
+
+#include "Image/LICKernel.h"
+#include "Image/LICPlane.h"
+#include "Image/LICVectors.h"
+
+#include <functional>
+#include <vector>
+
+namespace relevo
+{
+struct LICSettings
+{
+  float NoiseMean;
+  LICKernel Kernel; // its StepSize for the vectors as LICVectors scales them
+  bool Enhanced;
+  bool Stretched;
+  vec2 StretchFactors;
+  int NumberOfSmoothings;
+};
+
+class LICPasses
+{
+public:
+  /**
+   * Is told the share of the work that is done, in [0, 1], and says whether to go on.
+   */
+  using Watch = std::function<bool(double share)>;
+
+  LICPasses(const LICPlane& plane, const LICVectors& vectors, const LICSettings& settings);
+
+  /**
+   * Turns the image, noise, into its LIC; it stays where it is masked. False if the watch stopped
+   * it: the image is of no use then.
+   */
+  bool Run(std::vector<float>& image, const Watch& watch);
+
+private:
+  bool Convolve(std::vector<float>& image, const LICKernel& kernel);
+  bool Sharpen(std::vector<float>& image);
+  bool Smooth(std::vector<float>& image, ivec2 direction);
+  bool Stretch(std::vector<float>& image, vec2 factors);
+  template <typename Function>
+  bool ReplaceUnmasked(std::vector<float>& image, double cost, Function&& f);
+
+  const LICPlane& Plane;
+  const LICVectors& Vectors;
+  const LICSettings& Settings;
+  Watch GoOn;
+  double Done = 0.0;  // in convolved steps for each sample
+  double Total = 1.0; // the same of the whole
+};
+}
+
+#endif

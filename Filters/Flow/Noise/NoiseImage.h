@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   NoiseImage
+ * @brief   square images of a function of columns and rows
+ *
+ * Image (column, row) is element column + size * row. Private to the module's own sources.
+ */
+#ifndef NoiseImage_h
+#define NoiseImage_h
+
+#include "vtkSMPTools.h"
+#include "vtkType.h"
+
+#include <vector>
+
+namespace relevo
+{
+/// The image of f(column, row), which is called in parallel.
+template <typename Function>
+std::vector<float> MakeNoiseImage(int size, Function&& f)
+{
+  std::vector<float> image(static_cast<std::size_t>(size) * size);
+  vtkSMPTools::For(0, size,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (int row = static_cast<int>(begin); row < end; ++row)
+      {
+        float* value = image.data() + static_cast<std::size_t>(row) * size;
+        for (int column = 0; column < size; ++column)
+        {
+          value[column] = f(column, row);
+        }
+      }
+    });
+  return image;
+}
+}
+
+#endif

@@ -1,0 +1,367 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Surface/SurfaceStreamline.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// Of the longest vector: what is shorter has no direction.
+constexpr double ShortestVector = 1e-8;
+// The sine of the angle to an edge below which a vector is along it.
+constexpr double AlongEdge = 1e-5;
+// The weight of another corner below which a place is a corner.
+constexpr double AtCorner = 1e-10;
+// Share of a step below which nothing has moved.
+constexpr double NoProgress = 1e-10;
+// Pieces of a step, and those of them in a row that do not move: a line that needs more has no way.
+constexpr int MostPieces = 1000;
+constexpr int MostIdlePieces = 32;
+// Share of an edge to slide along before looking at the triangles again.
+constexpr double SlideShare = 0.125;
+constexpr int MostHalvings = 8;
+
+relevo::SurfaceStreamline::Weights AtCornerOf(int corner)
+{
+  relevo::SurfaceStreamline::Weights weights{};
+  weights[corner] = 1.0;
+  return weights;
+}
+
+int FindCornerOf(const relevo::SurfaceTriangles::Triangle& triangle, vtkIdType place)
+{
+  return static_cast<int>(std::find(triangle.begin(), triangle.end(), place) - triangle.begin());
+}
+}
+
+namespace relevo
+{
+void SurfaceStreamline::StartInside(int triangle, const Weights& weights)
+{
+  this->Triangle = triangle;
+  this->Place = weights;
+  this->Start = this->FindPlace();
+}
+
+bool SurfaceStreamline::Advance(double step)
+{
+  const double least = NoProgress * step;
+  if (this->Start >= 0)
+  {
+    if (!this->EnterAt(this->Start, step))
+    {
+      return false;
+    }
+    this->Start = -1;
+  }
+  int idle = 0;
+  for (int piece = 0; piece < MostPieces && idle < MostIdlePieces; ++piece)
+  {
+    if (step <= least)
+    {
+      return true;
+    }
+    const double before = step;
+    int corner;
+    if (!this->MoveInside(step, corner))
+    {
+      return false;
+    }
+    if (step <= least)
+    {
+      return true;
+    }
+    if (corner >= 0 && !this->Cross(corner, step))
+    {
+      return false;
+    }
+    idle = before - step > least ? 0 : idle + 1;
+  }
+  return false;
+}
+
+SurfaceStreamline::Vector SurfaceStreamline::GetPosition() const
+{
+  Vector position;
+  if (this->Start < 0)
+  {
+    return this->Vectors->GetPosition(this->Triangle, this->Place);
+  }
+  this->Vectors->GetTriangles().GetPoint(this->Start, position.data());
+  return position;
+}
+
+bool SurfaceStreamline::FindVelocity(int triangle, const Weights& weights, Weights& rates) const
+{
+  rates = this->Vectors->GetRates(triangle, weights);
+  const double length = this->Vectors->GetLength(triangle, rates);
+  if (!(length > ShortestVector))
+  {
+    return false;
+  }
+  for (double& rate : rates)
+  {
+    rate *= this->Normalized ? this->Way / length : this->Way;
+  }
+  // What is along an edge but for rounding stays on it; it would leave the surface at a border.
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    if (weights[corner] == 0.0 && rates[corner] < 0.0 &&
+      -rates[corner] * this->Vectors->GetHeight(triangle, corner) <
+        AlongEdge * (this->Normalized ? 1.0 : length))
+    {
+      rates =
+        this->GetRatesAlongEdge(triangle, corner, this->GetSpeedAlongEdge(triangle, corner, rates));
+      break;
+    }
+  }
+  return true;
+}
+
+// The rate of the way along the edge opposite to a corner, from its first end to its second.
+double SurfaceStreamline::GetSpeedAlongEdge(int triangle, int corner, const Weights& rates) const
+{
+  return rates[(corner + 2) % 3] + rates[corner] * this->Vectors->GetFoot(triangle, corner);
+}
+
+SurfaceStreamline::Weights SurfaceStreamline::GetRatesAlongEdge(
+  int triangle, int corner, double speed) const
+{
+  Weights rates{};
+  rates[(corner + 1) % 3] = -1.0;
+  rates[(corner + 2) % 3] = 1.0;
+  if (this->Normalized)
+  {
+    speed = std::copysign(1.0 / this->Vectors->GetLength(triangle, rates), speed);
+  }
+  for (double& rate : rates)
+  {
+    rate *= speed;
+  }
+  return rates;
+}
+
+SurfaceStreamline::Exit SurfaceStreamline::FindExit(const Weights& rates) const
+{
+  Exit exit{ HUGE_VAL, 0 };
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const double step = rates[corner] < 0.0 ? this->Place[corner] / -rates[corner] : HUGE_VAL;
+    if (step < exit.Step)
+    {
+      exit = { step, corner };
+    }
+  }
+  return exit;
+}
+
+// Returns how much of the step is done.
+double SurfaceStreamline::Move(const Weights& rates, double step, const Exit& exit)
+{
+  const bool leaves = exit.Step <= step;
+  const double done = leaves ? exit.Step : step;
+  double sum = 0.0;
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    double& weight = this->Place[corner];
+    weight = leaves && corner == exit.Corner ? 0.0 : std::max(weight + done * rates[corner], 0.0);
+    sum += weight;
+  }
+  for (double& weight : this->Place)
+  {
+    weight /= sum;
+  }
+  return done;
+}
+
+// One piece: to the edge that a straight line from here comes to, or less far. Sets `corner` to the
+// one opposite to the edge where it is then, or to -1.
+bool SurfaceStreamline::MoveInside(double& step, int& corner)
+{
+  Weights rates;
+  if (!this->FindVelocity(this->Triangle, this->Place, rates))
+  {
+    return false;
+  }
+  Exit exit = this->FindExit(rates);
+  double piece = std::min(step, exit.Step);
+  if (piece > 0.0)
+  {
+    Weights velocity;
+    for (int tries = 0;; ++tries)
+    {
+      Weights middle;
+      for (int i = 0; i < 3; ++i)
+      {
+        middle[i] = std::max(this->Place[i] + 0.5 * piece * rates[i], 0.0);
+      }
+      if (!this->FindVelocity(this->Triangle, middle, velocity))
+      {
+        return false;
+      }
+      exit = this->FindExit(velocity);
+      if (exit.Step > 0.0)
+      {
+        break;
+      }
+      // It bends back to the edge it comes from, after a shorter way.
+      if (tries == MostHalvings)
+      {
+        corner = exit.Corner;
+        this->Place[corner] = 0.0;
+        this->Slide(this->GetRatesAlongEdge(this->Triangle, corner,
+                      this->GetSpeedAlongEdge(this->Triangle, corner, velocity)),
+          step);
+        return true;
+      }
+      piece *= 0.5;
+    }
+    step -= this->Move(velocity, piece, exit);
+  }
+  corner = exit.Step <= piece ? exit.Corner : -1;
+  return true;
+}
+
+bool SurfaceStreamline::Cross(int corner, double& step)
+{
+  const vtkIdType place = this->FindPlace();
+  if (place >= 0)
+  {
+    return this->EnterAt(place, step);
+  }
+  const int next = this->Vectors->GetNeighbor(this->Triangle, corner);
+  Weights rates;
+  if (next < 0)
+  {
+    // What is along the border stays on it.
+    return this->FindVelocity(this->Triangle, this->Place, rates) && rates[corner] >= 0.0;
+  }
+  int third;
+  const Weights weights =
+    this->Vectors->GetWeightsBeyond(this->Triangle, corner, this->Place, third);
+  if (!this->FindVelocity(next, weights, rates))
+  {
+    return false;
+  }
+  if (rates[third] > 0.0)
+  {
+    this->Triangle = next;
+    this->Place = weights;
+    return true;
+  }
+  if (this->FindSlide(this->Triangle, this->Place, corner, rates))
+  {
+    this->Slide(rates, step);
+  }
+  return true;
+}
+
+// The velocity along the edge opposite to a corner where both triangles send the place to it: the
+// mean of theirs of which nothing is across the edge.
+bool SurfaceStreamline::FindSlide(
+  int triangle, const Weights& weights, int corner, Weights& rates) const
+{
+  const int next = this->Vectors->GetNeighbor(triangle, corner);
+  Weights mine;
+  Weights others;
+  int third = 0;
+  if (next < 0 || !this->FindVelocity(triangle, weights, mine) || mine[corner] > 0.0 ||
+    !this->FindVelocity(
+      next, this->Vectors->GetWeightsBeyond(triangle, corner, weights, third), others) ||
+    others[third] > 0.0)
+  {
+    return false;
+  }
+  const double outOfMine = -mine[corner] * this->Vectors->GetHeight(triangle, corner);
+  const double outOfOther = -others[third] * this->Vectors->GetHeight(next, third);
+  const double sum = outOfMine + outOfOther;
+  const double share = sum > 0.0 ? outOfOther / sum : 0.5;
+  // The other triangle may run along the edge the other way.
+  const auto& corners = this->Vectors->GetTriangles().GetTriangles();
+  const bool reverse = corners[triangle][(corner + 1) % 3] != corners[next][(third + 1) % 3];
+  const double other = this->GetSpeedAlongEdge(next, third, others);
+  const double speed = share * this->GetSpeedAlongEdge(triangle, corner, mine) +
+    (1.0 - share) * (reverse ? -other : other);
+  Weights unit{};
+  unit[(corner + 1) % 3] = -1.0;
+  unit[(corner + 2) % 3] = 1.0;
+  if (!(std::abs(speed) * this->Vectors->GetLength(triangle, unit) > ShortestVector))
+  {
+    return false;
+  }
+  rates = this->GetRatesAlongEdge(triangle, corner, speed);
+  return true;
+}
+
+void SurfaceStreamline::Slide(const Weights& rates, double& step)
+{
+  const Exit exit = this->FindExit(rates);
+  const double fastest = std::max({ rates[0], rates[1], rates[2] });
+  step -= this->Move(rates, std::min(step, SlideShare / fastest), exit);
+}
+
+bool SurfaceStreamline::EnterAt(vtkIdType place, double& step)
+{
+  const SurfaceTriangles& surface = this->Vectors->GetTriangles();
+  int into = -1;
+  int alongTriangle = -1;
+  Weights along{};
+  surface.ForEachTriangleIndex(place,
+    [&](vtkIdType index)
+    {
+      const int triangle = static_cast<int>(index);
+      if (into >= 0 || this->Vectors->IsBlocked(triangle))
+      {
+        return;
+      }
+      const int corner = FindCornerOf(surface.GetTriangles()[index], place);
+      const Weights weights = AtCornerOf(corner);
+      Weights rates;
+      if (!this->FindVelocity(triangle, weights, rates))
+      {
+        return;
+      }
+      const int second = (corner + 1) % 3;
+      const int third = (corner + 2) % 3;
+      if (rates[second] >= 0.0 && rates[third] >= 0.0)
+      {
+        into = triangle;
+        return;
+      }
+      for (int opposite : { second, third })
+      {
+        if (alongTriangle < 0 && this->FindSlide(triangle, weights, opposite, rates) &&
+          rates[corner] < 0.0)
+        {
+          alongTriangle = triangle;
+          along = rates;
+        }
+      }
+    });
+  if (into < 0 && alongTriangle < 0)
+  {
+    return false;
+  }
+  this->Triangle = into >= 0 ? into : alongTriangle;
+  this->Place = AtCornerOf(FindCornerOf(surface.GetTriangles()[this->Triangle], place));
+  if (into < 0)
+  {
+    this->Slide(along, step);
+  }
+  return true;
+}
+
+// The surface's point where it is; -1 elsewhere.
+vtkIdType SurfaceStreamline::FindPlace() const
+{
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    if (this->Place[(corner + 1) % 3] <= AtCorner && this->Place[(corner + 2) % 3] <= AtCorner)
+    {
+      return this->Vectors->GetTriangles().GetTriangles()[this->Triangle][corner];
+    }
+  }
+  return -1;
+}
+}

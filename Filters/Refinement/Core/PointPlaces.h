@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   PointPlaces
+ * @brief   which points of a mesh lie at the same place
+ *
+ * Split normals and texture seams give one place several point ids. What must not open a crack
+ * there (levels, displacement, curvature) is decided per place.
+ *
+ * Not wrapped: for the modules' own sources.
+ */
+#ifndef PointPlaces_h
+#define PointPlaces_h
+
+#include "RelevoFiltersRefinementModule.h" // for export macro
+#include "vtkType.h"                       // for vtkIdType
+
+#include <vector> // for return value
+
+class vtkPoints;
+
+#ifndef __VTK_WRAP__
+namespace relevo
+{
+/**
+ * For every point the lowest id of a point with exactly the same coordinates (0 equals -0; a point
+ * with a NaN is a place of its own). Empty when no two points coincide. Linear time, in parallel.
+ */
+RELEVOFILTERSREFINEMENT_EXPORT std::vector<vtkIdType> ComputePlaces(vtkPoints* points);
+
+/**
+ * Give every point the largest of the tags at its place. `places` as from ComputePlaces(); `tags`
+ * has one finite value per point.
+ */
+RELEVOFILTERSREFINEMENT_EXPORT void UniteTags(const std::vector<vtkIdType>& places, float* tags);
+}
+#endif
+
+#endif

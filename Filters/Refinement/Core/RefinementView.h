@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   RefinementView
+ * @brief   from where, and on what, a mesh is looked at: the input of view-dependent metrics
+ */
+#ifndef RefinementView_h
+#define RefinementView_h
+
+class vtkCamera;
+class vtkMatrix4x4;
+
+namespace relevo
+{
+struct RefinementView
+{
+  /// The camera, in world coordinates; nullptr when nothing is known of the view.
+  vtkCamera* Camera = nullptr;
+  /// The actor's matrix, from the mesh's coordinates to the world's; nullptr for identity.
+  vtkMatrix4x4* ModelToWorld = nullptr;
+  /// Width and height of the viewport in pixels.
+  int ViewportSize[2] = { 300, 300 };
+};
+}
+
+#endif

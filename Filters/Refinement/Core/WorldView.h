@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   WorldView
+ * @brief   a RefinementView in numbers: where the mesh lies and where the eye is
+ *
+ * Not wrapped: for the modules' own sources.
+ */
+#ifndef WorldView_h
+#define WorldView_h
+
+#include "Core/RefinementMathematics.h"
+
+#include <string> // for errors
+
+class vtkMatrix4x4;
+class vtkPolyData;
+
+namespace relevo
+{
+struct RefinementView;
+dmat4 MakeMatrix(vtkMatrix4x4* matrix);
+
+/// Where the actor's matrix puts the mesh; identity without one.
+struct Placement
+{
+  explicit Placement(const RefinementView& view);
+
+  dvec3 GetPoint(const dvec3& x) const { return dvec3(this->ModelToWorld * dvec4(x, 1.0)); }
+  /// Of any length; up to its sense also under a singular or mirroring matrix.
+  dvec3 GetNormal(const dvec3& n) const { return this->NormalToWorld * n; }
+  /// The diagonal of the mesh's own bounding box after the matrix: unlike that of the world's box
+  /// it stays the same when the actor turns. Coordinates that are not finite do not count.
+  double GetDiagonal(vtkPolyData* mesh) const;
+  /// The same of a box with these sides.
+  double GetDiagonal(const double sides[3]) const;
+
+  /// What the matrix does to angles and proportions, whatever it turns and however it scales:
+  /// lengths l of the world are those of the mesh by l^2 = Scale^2 e . Shape e.
+  dmat3 GetShape() const;
+  double GetScale() const;
+  /// Whether the shape is one that was given before, but for rounding.
+  bool HasShape(const dmat3& shape) const;
+
+  dmat4 ModelToWorld;
+  dmat3 NormalToWorld;
+};
+
+/// The vector over its length; zero when it has none or is not finite.
+dvec3 UnitOrZero(const dvec3& v);
+
+/// Where the camera looks from.
+class Eye
+{
+public:
+  /// Returns false and sets error when there is no camera or it looks nowhere.
+  bool Set(const RefinementView& view, std::string& error);
+
+  bool IsParallel() const { return this->Parallel; }
+  /// In world coordinates.
+  const dvec3& GetPosition() const { return this->Position; }
+  /// The unit vector against the direction of view.
+  const dvec3& GetBackwards() const { return this->Backwards; }
+
+private:
+  bool Parallel = false;
+  dvec3 Position{ 0.0 };
+  dvec3 Backwards{ 0.0 };
+};
+}
+
+#endif

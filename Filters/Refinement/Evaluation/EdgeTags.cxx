@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Evaluation/EdgeTags.h"
+
+#include "Core/PointPlaces.h"
+#include "Core/RefinementView.h"
+#include "Mesh/RefinementMesh.h"
+#include "Mesh/SurfaceEdges.h"
+#include "Metrics/DepthTags.h"
+#include "vtkAdaptiveRefinement.h"
+#include "vtkDataArray.h"
+#include "vtkDepthTagMetric.h"
+#include "vtkFloatArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRefinementPatternTable.h"
+#include "vtkSMPTools.h"
+
+#include <atomic>
+#include <cmath>
+
+namespace relevo
+{
+namespace
+{
+vtkAbstractArray* FindDepthTagArray(vtkAdaptiveRefinement* recipe, vtkPolyData* input)
+{
+  const char* name = recipe->GetDepthTagArrayName();
+  return name[0] ? input->GetPointData()->GetAbstractArray(name) : nullptr;
+}
+}
+
+EdgeTags::EdgeTags() = default;
+EdgeTags::~EdgeTags() = default;
+
+void EdgeTags::Reset()
+{
+  this->Edges.reset();
+  this->FaceEdges.clear();
+}
+
+const float* EdgeTags::GetValues() const
+{
+  return this->Values->GetPointer(0);
+}
+
+vtkIdType EdgeTags::GetNumberOfValues() const
+{
+  return this->Kind == UNIFORM ? 0 : this->Values->GetNumberOfTuples();
+}
+
+bool EdgeTags::Compute(vtkAdaptiveRefinement* recipe, vtkPolyData* input,
+  const RefinementMesh& mesh, const RefinementView& view, int highest, std::string& error)
+{
+  this->Kind = UNIFORM;
+  this->Shader.Source = nullptr;
+  if (vtkAbstractArray* array = FindDepthTagArray(recipe, input))
+  {
+    vtkDataArray* numbers = vtkDataArray::SafeDownCast(array);
+    if (!numbers)
+    {
+      error =
+        std::string("point array \"") + array->GetName() + "\" of depth-tags holds no numbers";
+      return false;
+    }
+    this->Values->SetNumberOfComponents(1);
+    this->Values->SetNumberOfTuples(input->GetNumberOfPoints());
+    if (!TakeDepthTags(numbers, input->GetNumberOfPoints(), this->Values->GetPointer(0), error))
+    {
+      return false;
+    }
+    this->Kind = PER_POINT;
+  }
+  else if (vtkDepthTagMetric* metric = recipe->GetMetric())
+  {
+    const bool perEdge = recipe->GetLevelRule() == vtkDepthTagMetric::PER_EDGE;
+    this->Values->Reset();
+    const bool computed = perEdge ? this->ComputePerEdge(metric, input, mesh, view, highest)
+                                  : metric->ComputeTags(input, view, highest, this->Values);
+    if (!computed)
+    {
+      error = std::string(metric->GetClassName()) + " gave no depth-tags";
+      return false;
+    }
+    const vtkIdType expected =
+      perEdge ? this->Edges->GetNumberOfEdges() : input->GetNumberOfPoints();
+    if (!this->CheckValues(expected, metric->GetClassName(), error))
+    {
+      return false;
+    }
+    this->Kind = perEdge ? PER_EDGE : PER_POINT;
+  }
+  if (this->Kind == PER_POINT && !mesh.Places.empty())
+  {
+    UniteTags(mesh.Places, this->Values->GetPointer(0));
+  }
+  return true;
+}
+
+bool EdgeTags::ComputeOrDescribe(vtkAdaptiveRefinement* recipe, vtkPolyData* input,
+  const RefinementMesh& mesh, const RefinementView& view, std::string& error)
+{
+  this->Shader.Source = nullptr;
+  vtkDepthTagMetric* metric = GetMetricInUse(recipe, input);
+  if (metric &&
+    !metric->GetShader(input, view, GetHighestTag(recipe, false), mesh.Origin, this->Shader))
+  {
+    error = std::string(metric->GetClassName()) + " gave no depth-tags";
+    return false;
+  }
+  if (!this->Shader.Source)
+  {
+    return this->Compute(recipe, input, mesh, view, error);
+  }
+  const bool perEdge = recipe->GetLevelRule() == vtkDepthTagMetric::PER_EDGE;
+  this->Kind = perEdge ? PER_EDGE : PER_POINT;
+  this->Values->Reset();
+  if (perEdge || !this->Shader.TagsPoints)
+  {
+    this->BuildEdges(input, mesh);
+  }
+  return true;
+}
+
+void EdgeTags::BuildEdges(vtkPolyData* input, const RefinementMesh& mesh)
+{
+  if (this->Edges)
+  {
+    return;
+  }
+  this->Edges = std::make_unique<SurfaceEdges>();
+  this->Edges->Update(input);
+  this->FaceEdges.resize(3 * mesh.Faces.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(mesh.Faces.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType f = begin; f < end; ++f)
+      {
+        const int* corners = mesh.Faces[f].Corners;
+        for (int e = 0; e < 3; ++e)
+        {
+          this->FaceEdges[3 * f + e] = static_cast<int>(this->Edges->FindEdge(
+            mesh.GetPlace(corners[EdgeCorners[e][0]]), mesh.GetPlace(corners[EdgeCorners[e][1]])));
+        }
+      }
+    });
+}
+
+bool EdgeTags::Compute(vtkAdaptiveRefinement* recipe, vtkPolyData* input,
+  const RefinementMesh& mesh, const RefinementView& view, std::string& error)
+{
+  return this->Compute(recipe, input, mesh, view, GetHighestTag(recipe, false), error);
+}
+
+bool EdgeTags::ComputePerEdge(vtkDepthTagMetric* metric, vtkPolyData* input,
+  const RefinementMesh& mesh, const RefinementView& view, int maximumLevel)
+{
+  this->BuildEdges(input, mesh);
+  return metric->ComputeEdgeTags(input, view, maximumLevel, *this->Edges, this->Values);
+}
+
+bool EdgeTags::CheckValues(vtkIdType expected, const std::string& source, std::string& error)
+{
+  if (this->Values->GetNumberOfComponents() != 1 || this->Values->GetNumberOfTuples() != expected)
+  {
+    error = source + " gave " + std::to_string(this->Values->GetNumberOfTuples()) +
+      " depth-tags where " + std::to_string(expected) + " are needed";
+    return false;
+  }
+  float* values = this->Values->GetPointer(0);
+  std::atomic<bool> finite(true);
+  vtkSMPTools::For(0, expected,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      bool all = true;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        all &= std::isfinite(values[i]);
+      }
+      if (!all)
+      {
+        finite = false;
+      }
+    });
+  if (!finite && !TakeDepthTags(this->Values, expected, values, error))
+  {
+    error = source + ": " + error;
+    return false;
+  }
+  return true;
+}
+
+int GetHighestTag(vtkAdaptiveRefinement* recipe, bool isMoved)
+{
+  vtkDepthTagMetric* metric = recipe->GetMetric();
+  const bool isOpen =
+    metric && metric->IsAbsolute() && (isMoved || recipe->GetLevelOffset() != 0.0);
+  return recipe->GetMaximumLevel() + (isOpen ? vtkRefinementPatternTable::HighestLevel + 1 : 0);
+}
+
+vtkDepthTagMetric* GetMetricInUse(vtkAdaptiveRefinement* recipe, vtkPolyData* input)
+{
+  return FindDepthTagArray(recipe, input) ? nullptr : recipe->GetMetric();
+}
+}

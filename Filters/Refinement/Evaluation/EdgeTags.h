@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   EdgeTags
+ * @brief   the tags that decide how deep each edge of a mesh is refined
+ *
+ * The stage "tag" of a frame: from the input's own array or the recipe's metric, one tag per point
+ * (an edge takes the mean of its two; points at one place count as one) or one per edge. Either
+ * way the tag of an edge is the same in all its faces. Memory is kept from frame to frame.
+ *
+ * Not wrapped: for the modules' own sources.
+ */
+#ifndef EdgeTags_h
+#define EdgeTags_h
+
+#include "Metrics/MetricShader.h"          // for Shader
+#include "RelevoFiltersRefinementModule.h" // for export macro
+#include "vtkNew.h"                        // for Values
+#include "vtkType.h"                       // for vtkIdType
+
+#include <memory> // for std::unique_ptr
+#include <string> // for errors
+#include <vector> // for members
+
+class vtkAdaptiveRefinement;
+class vtkDepthTagMetric;
+class vtkFloatArray;
+class vtkPolyData;
+
+#ifndef __VTK_WRAP__
+namespace relevo
+{
+struct RefinementView;
+class RefinementMesh;
+class SurfaceEdges;
+
+class RELEVOFILTERSREFINEMENT_EXPORT EdgeTags
+{
+public:
+  EdgeTags();
+  ~EdgeTags();
+  EdgeTags(const EdgeTags&) = delete;
+  void operator=(const EdgeTags&) = delete;
+
+  enum Kinds
+  {
+    UNIFORM,   // MaximumLevel everywhere: the recipe has neither metric nor array
+    PER_POINT, // Values by point id
+    PER_EDGE   // Values by GetFaceEdges()
+  };
+
+  /**
+   * Evaluate. `mesh` is the input's; call Reset() when it has been built anew. Tags of metrics go
+   * up to `highest`, see GetHighestTag(). Returns false and fills `error` when the array or the
+   * metric cannot be used.
+   */
+  bool Compute(vtkAdaptiveRefinement* recipe, vtkPolyData* input, const RefinementMesh& mesh,
+    const RefinementView& view, int highest, std::string& error);
+  /// The same where no budget moves levels.
+  bool Compute(vtkAdaptiveRefinement* recipe, vtkPolyData* input, const RefinementMesh& mesh,
+    const RefinementView& view, std::string& error);
+
+  /**
+   * The same for a GPU: a metric that shaders can evaluate is only described by GetShader(), and
+   * there are no values.
+   */
+  bool ComputeOrDescribe(vtkAdaptiveRefinement* recipe, vtkPolyData* input,
+    const RefinementMesh& mesh, const RefinementView& view, std::string& error);
+
+  /// The metric to evaluate, by the rule of GetKind(); nullptr where there are values.
+  const MetricShader* GetShader() const { return this->Shader.Source ? &this->Shader : nullptr; }
+
+  /// The edges of the mesh; per edge, and for metrics that only edges have tags of.
+  const SurfaceEdges* GetEdges() const { return this->Edges.get(); }
+
+  /// Forget the mesh.
+  void Reset();
+
+  Kinds GetKind() const { return this->Kind; }
+
+  /// Finite values.
+  const float* GetValues() const;
+  vtkIdType GetNumberOfValues() const;
+
+  /// For each face the indices of its edges (0,1), (1,2), (0,2); per edge only.
+  const std::vector<int>& GetFaceEdges() const { return this->FaceEdges; }
+
+private:
+  void BuildEdges(vtkPolyData* input, const RefinementMesh& mesh);
+  bool ComputePerEdge(vtkDepthTagMetric* metric, vtkPolyData* input, const RefinementMesh& mesh,
+    const RefinementView& view, int maximumLevel);
+  bool CheckValues(vtkIdType expected, const std::string& source, std::string& error);
+
+  Kinds Kind = UNIFORM;
+  vtkNew<vtkFloatArray> Values;
+  std::unique_ptr<SurfaceEdges> Edges;
+  std::vector<int> FaceEdges;
+  MetricShader Shader;
+};
+
+/**
+ * The level that a metric's tags are cut off at: MaximumLevel, but of an absolute metric more where
+ * an offset, the recipe's or a budget's (`isMoved`), brings higher tags down.
+ */
+RELEVOFILTERSREFINEMENT_EXPORT int GetHighestTag(vtkAdaptiveRefinement* recipe, bool isMoved);
+
+/**
+ * The metric that EdgeTags asks; nullptr where it takes an array or nothing.
+ */
+RELEVOFILTERSREFINEMENT_EXPORT vtkDepthTagMetric* GetMetricInUse(
+  vtkAdaptiveRefinement* recipe, vtkPolyData* input);
+}
+#endif
+
+#endif

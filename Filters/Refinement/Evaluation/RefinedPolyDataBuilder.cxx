@@ -1,0 +1,435 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Evaluation/RefinedPolyDataBuilder.h"
+
+#include "Core/GhostCells.h"
+#include "Evaluation/PatternSelection.h"
+#include "Evaluation/PointDataInterpolation.h"
+#include "Patterns/RefinementPattern.h"
+#include "vtkAdaptiveRefinement.h"
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkDisplacement.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRefinementSurface.h"
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace relevo
+{
+namespace
+{
+constexpr const char* OriginalCellIds = "vtkOriginalCellIds";
+
+void MarkPoints(vtkCellArray* cells, std::vector<vtkIdType>& marks)
+{
+  auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    iterator->GetCurrentCell(size, ids);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      marks[static_cast<size_t>(ids[i])] = 0;
+    }
+  }
+}
+}
+
+RefinedPolyDataBuilder::RefinedPolyDataBuilder(vtkPolyData* input, RefinementMesh& mesh,
+  const PatternSelection& selection, vtkAdaptiveRefinement* recipe, const FaceLoop& forFaces)
+  : Input(input)
+  , Mesh(mesh)
+  , Recipe(recipe)
+  , ForFaces(forFaces)
+  , Topology(mesh, selection, recipe->GetSurface(), input->GetNumberOfPoints())
+  , Evaluator(mesh, recipe)
+  , NumberOfPoints(Topology.GetNumberOfPoints())
+{
+  const HeightValidity validity = GetHoles(recipe);
+  if (validity.Samples)
+  {
+    this->Finder = std::make_unique<HoleFinder>(mesh, validity);
+  }
+}
+
+RefinedPolyDataBuilder::~RefinedPolyDataBuilder() = default;
+
+bool RefinedPolyDataBuilder::Build(vtkPolyData* output)
+{
+  if (!this->CountTriangles() || !this->BuildTriangles())
+  {
+    return false;
+  }
+  // Holes leave points that nothing uses; points that are not finite are of no use.
+  const auto isFinite = [](float x) { return std::isfinite(x); };
+  if (this->Finder || !std::all_of(this->Mesh.Points.begin(), this->Mesh.Points.end(), isFinite))
+  {
+    this->NumberUsedPoints();
+  }
+  if (this->Recipe->GetDisplacement() &&
+    this->Input->GetNumberOfVerts() + this->Input->GetNumberOfLines() > 0)
+  {
+    this->SeparateOtherCells();
+  }
+  if (!this->BuildPoints(output))
+  {
+    return false;
+  }
+  this->BuildCells(output);
+  this->BuildCellData(output);
+  output->GetFieldData()->PassData(this->Input->GetFieldData());
+  return true;
+}
+
+bool RefinedPolyDataBuilder::CountTriangles()
+{
+  const size_t numberOfFaces = this->Mesh.Faces.size();
+  this->FirstTriangles.assign(numberOfFaces + 1, 0);
+  const bool hasHoles = this->Finder != nullptr;
+  this->Holes.resize(hasHoles ? numberOfFaces : 0);
+  const bool done = this->ForFaces(hasHoles ? 0.2 : 0.02,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType f = begin; f < end; ++f)
+      {
+        const int face = static_cast<int>(f);
+        const FacePattern& pattern = this->Topology.GetPattern(face);
+        vtkIdType count = pattern.Pattern->GetNumberOfTriangles();
+        if (hasHoles && this->Finder->MayHave(face))
+        {
+          this->Holes[f].resize(static_cast<size_t>(count));
+          count -= this->Finder->Find(face, pattern, this->Holes[f].data());
+        }
+        this->FirstTriangles[f + 1] = count;
+      }
+    });
+  for (size_t f = 0; f < numberOfFaces; ++f)
+  {
+    this->FirstTriangles[f + 1] += this->FirstTriangles[f];
+  }
+  return done;
+}
+
+bool RefinedPolyDataBuilder::BuildTriangles()
+{
+  this->Connectivity->SetNumberOfValues(3 * this->GetNumberOfTriangles());
+  return this->ForFaces(0.2,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::vector<vtkIdType> points;
+      for (vtkIdType f = begin; f < end; ++f)
+      {
+        const int face = static_cast<int>(f);
+        const RefinementPattern& pattern = *this->Topology.GetPattern(face).Pattern;
+        this->Topology.GetPoints(face, points);
+        const int second = this->Topology.GetPattern(face).Mirrored ? 2 : 1;
+        const unsigned char* holes =
+          this->Holes.empty() || this->Holes[f].empty() ? nullptr : this->Holes[f].data();
+        vtkIdType* next = this->Connectivity->GetPointer(3 * this->FirstTriangles[f]);
+        for (int t = 0; t < pattern.GetNumberOfTriangles(); ++t)
+        {
+          if (holes && holes[t])
+          {
+            continue;
+          }
+          const unsigned int* vertices = &pattern.Triangles[3 * static_cast<size_t>(t)];
+          *next++ = points[vertices[0]];
+          *next++ = points[vertices[second]];
+          *next++ = points[vertices[3 - second]];
+        }
+      }
+    });
+}
+
+void RefinedPolyDataBuilder::NumberUsedPoints()
+{
+  this->NewIds.assign(static_cast<size_t>(this->NumberOfPoints), -1);
+  vtkIdType* ids = this->Connectivity->GetPointer(0);
+  const vtkIdType numberOfIds = this->Connectivity->GetNumberOfValues();
+  for (vtkIdType i = 0; i < numberOfIds; ++i)
+  {
+    this->NewIds[static_cast<size_t>(ids[i])] = 0;
+  }
+  const std::vector<vtkIdType> marks = this->MarkPointsOfOtherCells();
+  for (size_t i = 0; i < marks.size(); ++i)
+  {
+    if (marks[i] == 0 && !this->Topology.IsCorner(static_cast<vtkIdType>(i)))
+    {
+      this->NewIds[i] = 0;
+    }
+  }
+  this->NumberOfPoints = 0;
+  for (vtkIdType& id : this->NewIds)
+  {
+    id = id < 0 ? -1 : this->NumberOfPoints++;
+  }
+  for (vtkIdType i = 0; i < numberOfIds; ++i)
+  {
+    ids[i] = this->GetNewId(ids[i]);
+  }
+}
+
+std::vector<vtkIdType> RefinedPolyDataBuilder::MarkPointsOfOtherCells() const
+{
+  std::vector<vtkIdType> marks(static_cast<size_t>(this->Input->GetNumberOfPoints()), -1);
+  MarkPoints(this->Input->GetVerts(), marks);
+  MarkPoints(this->Input->GetLines(), marks);
+  return marks;
+}
+
+void RefinedPolyDataBuilder::SeparateOtherCells()
+{
+  this->IdsOfOtherCells = this->MarkPointsOfOtherCells();
+  for (size_t i = 0; i < this->IdsOfOtherCells.size(); ++i)
+  {
+    const vtkIdType point = static_cast<vtkIdType>(i);
+    if (this->IdsOfOtherCells[i] == 0)
+    {
+      this->IdsOfOtherCells[i] =
+        this->Topology.IsCorner(point) ? this->NumberOfPoints++ : this->GetNewId(point);
+    }
+  }
+}
+
+bool RefinedPolyDataBuilder::BuildPoints(vtkPolyData* output)
+{
+  const bool isFloat =
+    this->Input->GetPoints() && this->Input->GetPoints()->GetDataType() == VTK_FLOAT;
+  this->Points->SetDataType(isFloat || !this->Input->GetPoints() ? VTK_FLOAT : VTK_DOUBLE);
+  this->Points->SetNumberOfPoints(this->NumberOfPoints);
+
+  vtkNew<vtkPointData> inputData; // what is interpolated: all but the normals evaluated here
+  inputData->ShallowCopy(this->Input->GetPointData());
+  if (!this->Mesh.Normals.empty())
+  {
+    inputData->SetNormals(nullptr);
+    inputData->RemoveArray("Normals");
+    this->Normals->SetName("Normals");
+    this->Normals->SetNumberOfComponents(3);
+    this->Normals->SetNumberOfTuples(this->NumberOfPoints);
+  }
+  const PointDataInterpolation data(inputData, this->Input->GetNumberOfPoints(),
+    output->GetPointData(), this->NumberOfPoints, this->Recipe->GetNoDataMagnitude());
+  this->ShortArrays = data.GetShortArrays();
+
+  const bool done = this->ForFaces(0.6,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::vector<RefinedPoint> points;
+      for (vtkIdType f = begin; f < end; ++f)
+      {
+        this->BuildFacePoints(static_cast<int>(f), points, data);
+      }
+    });
+  if (data.HasSerialArrays())
+  {
+    std::vector<RefinedPoint> points;
+    for (int face = 0; done && face < this->Topology.GetNumberOfFaces(); ++face)
+    {
+      this->GetPointsToBuild(face, points);
+      data.InterpolateSerial(this->Mesh.Faces[face].Corners, points);
+    }
+  }
+  this->BuildOtherPoints(data);
+  if (!this->Mesh.Normals.empty())
+  {
+    output->GetPointData()->SetNormals(this->Normals);
+  }
+  output->SetPoints(this->Points);
+  return done;
+}
+
+void RefinedPolyDataBuilder::GetPointsToBuild(int face, std::vector<RefinedPoint>& points) const
+{
+  this->Topology.GetOwnedPoints(face, points);
+  if (!this->NewIds.empty())
+  {
+    for (RefinedPoint& point : points)
+    {
+      point.Id = this->GetNewId(point.Id);
+    }
+    points.erase(std::remove_if(points.begin(), points.end(),
+                   [](const RefinedPoint& point) { return point.Id < 0; }),
+      points.end());
+  }
+}
+
+void RefinedPolyDataBuilder::BuildFacePoints(
+  int face, std::vector<RefinedPoint>& points, const PointDataInterpolation& data)
+{
+  this->GetPointsToBuild(face, points);
+  const int* corners = this->Mesh.Faces[face].Corners;
+  vtkRefinementSurface* surface = this->Recipe->GetSurface();
+  const bool moved =
+    this->Recipe->GetDisplacement() || (surface && !surface->InterpolatesCorners());
+  for (const RefinedPoint& point : points)
+  {
+    float position[3];
+    float normal[3];
+    this->Evaluator.Evaluate(face, point.Weights, position, normal);
+    double place[3];
+    const int nearest = point.GetNearestCorner();
+    if (!moved && point.Weights[nearest] == 1.0f)
+    {
+      // Surfaces pass through the coarse points: keep all their digits. Adding zero makes -0 a
+      // plain 0, as in evaluated points.
+      this->Input->GetPoint(corners[nearest], place);
+      for (double& coordinate : place)
+      {
+        coordinate += 0.0;
+      }
+    }
+    else
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        place[c] = this->Mesh.Origin[c] + position[c];
+      }
+    }
+    this->Points->SetPoint(point.Id, place);
+    if (!this->Mesh.Normals.empty())
+    {
+      this->Normals->SetTypedTuple(point.Id, normal);
+    }
+  }
+  data.Interpolate(corners, points);
+}
+
+// Points that no face moves: those of vertices and lines, and unused ones.
+void RefinedPolyDataBuilder::BuildOtherPoints(const PointDataInterpolation& data)
+{
+  for (vtkIdType i = 0; i < this->Input->GetNumberOfPoints(); ++i)
+  {
+    const vtkIdType id = this->Topology.IsCorner(i)
+      ? (this->IdsOfOtherCells.empty() ? -1 : this->IdsOfOtherCells[static_cast<size_t>(i)])
+      : this->GetNewId(i);
+    if (id < 0)
+    {
+      continue;
+    }
+    this->Points->SetPoint(id, this->Input->GetPoint(i));
+    data.Copy(i, id);
+    data.CopySerial(i, id);
+    if (!this->Mesh.Normals.empty())
+    {
+      this->Normals->SetTypedTuple(id, &this->Mesh.Normals[3 * static_cast<size_t>(i)]);
+    }
+  }
+}
+
+void RefinedPolyDataBuilder::CopyCells(vtkCellArray* from, vtkIdType firstCell, vtkCellArray* to)
+{
+  const GhostCells ghosts(this->Input);
+  to->AllocateEstimate(from->GetNumberOfCells(), 2);
+  auto cells = vtk::TakeSmartPointer(from->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    const vtkIdType cell = firstCell + cells->GetCurrentCellId();
+    if (ghosts.Has(cell))
+    {
+      continue;
+    }
+    this->OtherCells.push_back(cell);
+    cells->GetCurrentCell(size, ids);
+    to->InsertNextCell(static_cast<int>(size));
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      to->InsertCellPoint(this->IdsOfOtherCells.empty()
+          ? this->GetNewId(ids[i])
+          : this->IdsOfOtherCells[static_cast<size_t>(ids[i])]);
+    }
+  }
+}
+
+void RefinedPolyDataBuilder::BuildCells(vtkPolyData* output)
+{
+  if (this->Input->GetNumberOfVerts() > 0)
+  {
+    vtkNew<vtkCellArray> verts;
+    this->CopyCells(this->Input->GetVerts(), 0, verts);
+    output->SetVerts(verts);
+  }
+  if (this->Input->GetNumberOfLines() > 0)
+  {
+    vtkNew<vtkCellArray> lines;
+    this->CopyCells(this->Input->GetLines(), this->Input->GetNumberOfVerts(), lines);
+    output->SetLines(lines);
+  }
+  vtkNew<vtkIdTypeArray> offsets;
+  offsets->SetNumberOfValues(this->GetNumberOfTriangles() + 1);
+  vtkSMPTools::For(0, this->GetNumberOfTriangles() + 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkIdType* values = offsets->GetPointer(0);
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        values[i] = 3 * i;
+      }
+    });
+  vtkNew<vtkCellArray> polys;
+  polys->SetData(offsets, this->Connectivity);
+  output->SetPolys(polys);
+}
+
+void RefinedPolyDataBuilder::BuildCellData(vtkPolyData* output)
+{
+  // Cells in their order: vertices, lines, triangles.
+  const vtkIdType others = static_cast<vtkIdType>(this->OtherCells.size());
+  const vtkIdType numberOfCells = others + this->GetNumberOfTriangles();
+  vtkNew<vtkIdTypeArray> originals;
+  originals->SetName(OriginalCellIds);
+  originals->SetNumberOfValues(numberOfCells);
+  vtkIdType* ids = originals->GetPointer(0);
+  std::copy(this->OtherCells.begin(), this->OtherCells.end(), ids);
+  for (size_t f = 0; f < this->Mesh.Faces.size(); ++f)
+  {
+    std::fill(ids + others + this->FirstTriangles[f], ids + others + this->FirstTriangles[f + 1],
+      static_cast<vtkIdType>(this->Mesh.Faces[f].Cell));
+  }
+
+  // Ids that stand for one cell no longer do so, and normals of flat coarse cells are not those of
+  // what they were refined to.
+  vtkNew<vtkCellData> inputData;
+  inputData->ShallowCopy(this->Input->GetCellData());
+  inputData->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
+  vtkRefinementSurface* surface = this->Recipe->GetSurface();
+  if (this->Recipe->GetDisplacement() || (surface && surface->NeedsNormals()))
+  {
+    inputData->SetNormals(nullptr);
+  }
+  inputData->RemoveArray(OriginalCellIds);
+
+  vtkNew<vtkIdList> cells;
+  if (inputData->GetNumberOfArrays() > 0)
+  {
+    cells->SetNumberOfIds(numberOfCells);
+    std::copy_n(ids, numberOfCells, cells->GetPointer(0));
+  }
+  for (int a = 0; a < inputData->GetNumberOfArrays(); ++a)
+  {
+    vtkAbstractArray* array = inputData->GetAbstractArray(a);
+    if (array->GetNumberOfTuples() < this->Input->GetNumberOfCells())
+    {
+      this->ShortArrays.emplace_back(array->GetName() ? array->GetName() : "");
+      continue;
+    }
+    array->GetTuples(cells, AddArrayLike(inputData, array, output->GetCellData(), numberOfCells));
+  }
+  output->GetCellData()->AddArray(originals);
+}
+}

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   RefinementEvaluator
+ * @brief   points and normals of a refined mesh, on the CPU
+ *
+ * Evaluates the same functions as the shaders, at pattern vertices of prepared faces. All methods
+ * may be called from several threads.
+ *
+ * Not wrapped: for the modules' own sources.
+ */
+#ifndef RefinementEvaluator_h
+#define RefinementEvaluator_h
+
+#include "RelevoFiltersRefinementModule.h" // for export macro
+
+#include <memory> // for std::unique_ptr
+
+class vtkAdaptiveRefinement;
+
+#ifndef __VTK_WRAP__
+namespace relevo
+{
+class RefinementMesh;
+
+class RELEVOFILTERSREFINEMENT_EXPORT RefinementEvaluator
+{
+public:
+  /**
+   * For a mesh built with the recipe. Both must outlive the evaluator, and the displacement's
+   * height map must be up to date.
+   */
+  RefinementEvaluator(const RefinementMesh& mesh, vtkAdaptiveRefinement* recipe);
+  ~RefinementEvaluator();
+
+  /**
+   * Position relative to the mesh's origin and unit normal (zero when the mesh has no normals).
+   */
+  void Evaluate(int face, const float weights[3], float position[3], float normal[3]) const;
+
+private:
+  struct Internals;
+  std::unique_ptr<Internals> Data;
+};
+}
+#endif
+
+#endif

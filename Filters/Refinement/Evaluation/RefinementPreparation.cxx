@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Evaluation/RefinementPreparation.h"
+
+#include "Core/RefinementView.h"
+#include "Evaluation/EdgeTags.h"
+#include "Evaluation/PatternSelection.h"
+#include "Mesh/RefinementMesh.h"
+#include "Surfaces/FloatRange.h"
+#include "vtkAdaptiveRefinement.h"
+#include "vtkDisplacement.h"
+#include "vtkPolyData.h"
+#include "vtkRefinementSurface.h"
+
+namespace relevo
+{
+bool PrepareMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe, RefinementMesh& mesh,
+  std::string& error, std::string& warning)
+{
+  if (!recipe)
+  {
+    error = "No recipe: call SetRefinement() with a vtkAdaptiveRefinement.";
+    return false;
+  }
+  if (input->GetNumberOfCells() == 0)
+  {
+    error = "The input has no cells: there is nothing to refine.";
+    return false;
+  }
+  if (recipe->GetDisplacement() && !recipe->GetDisplacement()->Update())
+  {
+    error = "The displacement's height map could not be read.";
+    return false;
+  }
+  const std::string excess = FindExcess(recipe);
+  if (!excess.empty())
+  {
+    error = "Cannot refine the input: " + excess + ".";
+    return false;
+  }
+  const std::string lack =
+    recipe->GetSurface() ? recipe->GetSurface()->GetEvaluationError() : std::string();
+  if (!lack.empty() || !mesh.Build(input, recipe, true))
+  {
+    error = "Cannot refine the input: " + (lack.empty() ? mesh.GetError() : lack) + ".";
+    return false;
+  }
+  if (mesh.GetNumberOfDroppedTriangles() > 0)
+  {
+    warning = std::to_string(mesh.GetNumberOfDroppedTriangles()) +
+      " degenerate cells or triangles dropped (two corners at one place, fewer than three points, "
+      "or non-finite coordinates).";
+  }
+  return true;
+}
+
+bool SelectPatterns(vtkPolyData* input, vtkAdaptiveRefinement* recipe, const RefinementView& view,
+  const RefinementMesh& mesh, PatternSelection& selection, std::string& error)
+{
+  EdgeTags tags;
+  std::string problem;
+  if (!tags.Compute(recipe, input, mesh, view, problem))
+  {
+    error = "Cannot refine the input: " + problem + ".";
+    return false;
+  }
+  selection.Select(mesh, tags, GetPatternFamily(recipe, input), recipe->GetPatternTable(),
+    static_cast<float>(recipe->GetLevelOffset()));
+  return true;
+}
+}

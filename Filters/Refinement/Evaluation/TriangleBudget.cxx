@@ -1,0 +1,323 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Evaluation/TriangleBudget.h"
+
+#include "Evaluation/FaceTags.h"
+#include "Patterns/PatternFamily.h"
+#include "Patterns/RefinementPattern.h"
+#include "Patterns/TriangleCounts.h"
+#include "vtkRefinementPatternTable.h"
+#include "vtkSMPThreadLocal.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace relevo
+{
+namespace
+{
+// Adds what `work` adds up over ranges of faces, in parallel. `sums` has the size it needs.
+template <typename Sums, typename Work>
+void SumOverFaces(const RefinementMesh& mesh, Sums& sums, const Work& work)
+{
+  vtkSMPThreadLocal<Sums> locals;
+  vtkSMPTools::For(0, static_cast<vtkIdType>(mesh.Faces.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      Sums& local = locals.Local();
+      local.resize(sums.size());
+      work(begin, end, local);
+    });
+  for (const Sums& local : locals)
+  {
+    std::transform(local.begin(), local.end(), sums.begin(), sums.begin(), std::plus<>());
+  }
+}
+
+// The step of an edge with any tag.
+int GetStep(const PatternFamily& family, float tag, int maximumLevel)
+{
+  const float clamped = clampTag(tag, 0.0f, maximumLevel);
+  return family.AreWholeNumbers() ? PatternFamily::GetWholeNumberStep(clamped)
+                                  : levelOfTag(clamped);
+}
+
+// Follows the patterns of one face as an offset rises from that of bin 0.
+class RisingFace
+{
+public:
+  RisingFace(const TriangleCounts& counts)
+    : LeastTags(counts.GetLeastTags().data())
+    , Triangles(counts.GetTriangles().data())
+    , Strides{ counts.GetNumberOfSteps() * counts.GetNumberOfSteps(), counts.GetNumberOfSteps(), 1 }
+  {
+  }
+
+  void Start(const float tags[3], const int steps[3])
+  {
+    this->Pattern = 0;
+    for (int e = 0; e < 3; ++e)
+    {
+      this->Tags[e] = tags[e];
+      this->Steps[e] = steps[e];
+      this->Pattern += steps[e] * this->Strides[e];
+      this->SetNext(e);
+    }
+  }
+
+  int GetNumberOfTriangles() const { return this->Triangles[this->Pattern]; }
+
+  // Levels to the next change, which Rise() makes.
+  float GetNext() const { return std::min({ this->Next[0], this->Next[1], this->Next[2] }); }
+  void Rise()
+  {
+    const int e = static_cast<int>(std::min_element(this->Next, this->Next + 3) - this->Next);
+    ++this->Steps[e];
+    this->Pattern += this->Strides[e];
+    this->SetNext(e);
+  }
+
+private:
+  void SetNext(int e) { this->Next[e] = this->LeastTags[this->Steps[e] + 1] - this->Tags[e]; }
+
+  const float* LeastTags;
+  const int* Triangles;
+  int Strides[3];
+  float Tags[3];
+  int Steps[3];
+  float Next[3];
+  int Pattern;
+};
+}
+
+TriangleBudget::TriangleBudget() = default;
+TriangleBudget::~TriangleBudget() = default;
+
+// Between multiples of 1 / Resolution: tags that are such multiples change well before or after.
+double TriangleBudget::GetOffset(int number)
+{
+  return (number + 0.5) / Resolution;
+}
+
+int TriangleBudget::GetNumber(double offset)
+{
+  return static_cast<int>(std::floor(offset * Resolution));
+}
+
+void TriangleBudget::UpdateCounts(const std::vector<Part>& parts, vtkRefinementPatternTable* table)
+{
+  if (this->Table != table || this->TableTime != table->GetMTime())
+  {
+    this->Table = table;
+    this->TableTime = table->GetMTime();
+    this->MaximumLevel = table->GetMaximumLevel();
+    this->Counts.clear();
+  }
+  for (const Part& part : parts)
+  {
+    auto& counts = this->Counts[part.Family];
+    if (!counts)
+    {
+      counts = std::make_unique<TriangleCounts>(*part.Family, table);
+    }
+  }
+}
+
+const TriangleCounts& TriangleBudget::GetCounts(const Part& part) const
+{
+  return *this->Counts.at(part.Family);
+}
+
+void TriangleBudget::Count(const std::vector<Part>& parts, Interval& interval) const
+{
+  const float first = static_cast<float>(GetOffset(interval.First));
+  const float width = static_cast<float>(interval.Width);
+  interval.Totals.assign(static_cast<size_t>(interval.Width) + 1, 0);
+  for (const Part& part : parts)
+  {
+    const RefinementMesh& mesh = *part.Mesh;
+    WithFaceTags(*part.Tags, this->MaximumLevel,
+      [&](const auto& getTags)
+      {
+        SumOverFaces(mesh, interval.Totals,
+          [&](vtkIdType begin, vtkIdType end, Bins& bins)
+          {
+            RisingFace face(this->GetCounts(part));
+            for (vtkIdType f = begin; f < end; ++f)
+            {
+              float tags[3];
+              getTags(f, mesh.Faces[f], tags);
+              int steps[3];
+              for (int e = 0; e < 3; ++e)
+              {
+                tags[e] += first;
+                steps[e] = GetStep(*part.Family, tags[e], this->MaximumLevel);
+              }
+              face.Start(tags, steps);
+              int count = face.GetNumberOfTriangles();
+              bins[0] += count;
+              for (float next = std::ceil(face.GetNext() * Resolution); next <= width;
+                   next = std::ceil(face.GetNext() * Resolution))
+              {
+                face.Rise();
+                bins[std::max(1, static_cast<int>(next))] += face.GetNumberOfTriangles() - count;
+                count = face.GetNumberOfTriangles();
+              }
+            }
+          });
+      });
+  }
+  for (size_t i = 1; i < interval.Totals.size(); ++i)
+  {
+    interval.Totals[i] += interval.Totals[i - 1];
+  }
+}
+
+int TriangleBudget::FindNumber(
+  const std::vector<Part>& parts, double target, int lowest, int highest, int guess)
+{
+  std::int64_t least = 0;
+  std::int64_t most = 0;
+  for (const Part& part : parts)
+  {
+    const auto faces = static_cast<std::int64_t>(part.Mesh->Faces.size());
+    least += faces;
+    most += faces * this->GetCounts(part).GetTriangles().back();
+  }
+  if (least == most)
+  {
+    return std::max(lowest, std::min(0, highest));
+  }
+  // Whether the offset wanted is not below one with so many triangles.
+  const auto isBelow = [&](std::int64_t triangles)
+  {
+    const auto count = static_cast<double>(triangles);
+    return triangles < most && (count <= target || triangles == least);
+  };
+
+  constexpr int narrow = Resolution / 8;
+  constexpr int wide = Resolution;
+  Interval interval;
+  interval.Width = narrow;
+  interval.First = std::max(lowest, std::min(guess - narrow / 2, highest - narrow));
+  bool rising = false;
+  for (;;)
+  {
+    interval.Width = std::min(interval.Width, highest - interval.First);
+    this->Count(parts, interval);
+    const int width = std::min(2 * interval.Width, wide);
+    if (!isBelow(interval.Totals.front()) && interval.First > lowest && !rising)
+    {
+      const int last = interval.First;
+      interval.First = std::max(lowest, last - width);
+      interval.Width = last - interval.First;
+    }
+    else if (isBelow(interval.Totals.back()) && interval.First + interval.Width < highest)
+    {
+      rising = true; // and never back, should rounding have made a difference of a face
+      interval.First += interval.Width;
+      interval.Width = width;
+    }
+    else
+    {
+      break;
+    }
+  }
+
+  const Bins& totals = interval.Totals;
+  const auto above = std::partition_point(totals.begin(), totals.end(), isBelow);
+  const int number = interval.First + static_cast<int>(above - totals.begin());
+  if (above == totals.end() || above == totals.begin())
+  {
+    return std::max(lowest, number - 1);
+  }
+  const auto more = static_cast<double>(*above);
+  const auto fewer = static_cast<double>(above[-1]);
+  const bool nearer = more <= (1.0 + Tolerance) * target && more - target < target - fewer;
+  return more <= target || nearer ? number : number - 1;
+}
+
+double TriangleBudget::FindOffset(const std::vector<Part>& parts, vtkRefinementPatternTable* table,
+  vtkIdType target, double lowest, double highest, double guess)
+{
+  this->UpdateCounts(parts, table);
+  const int lowestNumber = GetNumber(lowest);
+  const int highestNumber = std::max(lowestNumber, GetNumber(highest));
+  bool estimates = false;
+  for (const Part& part : parts)
+  {
+    estimates = estimates || this->GetCounts(part).AreEstimates();
+  }
+
+  // Where counts are estimates: aim again, with what is known of their error.
+  constexpr int tries = 4;
+  constexpr double goodEnough = 0.02;
+  const auto wanted = static_cast<double>(target);
+  double aim = wanted;
+  int best = GetNumber(guess);
+  double bestError = 0.0;
+  for (int i = 0; i < tries; ++i)
+  {
+    const int number = this->FindNumber(parts, aim, lowestNumber, highestNumber, best);
+    if (!estimates)
+    {
+      best = number;
+      break;
+    }
+    const auto count = static_cast<double>(CountTriangles(parts, table, GetOffset(number)));
+    const double error = std::abs(std::log(count / wanted));
+    if (i == 0 || error < bestError)
+    {
+      best = number;
+      bestError = error;
+    }
+    if (error < goodEnough || !(count > 0.0))
+    {
+      break;
+    }
+    aim *= wanted / count;
+  }
+  return std::max(lowest, std::min(GetOffset(best), highest));
+}
+
+vtkIdType TriangleBudget::CountTriangles(
+  const std::vector<Part>& parts, vtkRefinementPatternTable* table, double offset)
+{
+  const int maximumLevel = table->GetMaximumLevel();
+  vtkIdType triangles = 0;
+  for (const Part& part : parts)
+  {
+    const PatternFamily& family = *part.Family;
+    std::vector<vtkIdType> faces(static_cast<size_t>(family.GetNumberOfKeys()));
+    WithFaceTags(*part.Tags, maximumLevel,
+      [&](const auto& getTags)
+      {
+        SumOverFaces(*part.Mesh, faces,
+          [&](vtkIdType begin, vtkIdType end, std::vector<vtkIdType>& counts)
+          {
+            for (vtkIdType f = begin; f < end; ++f)
+            {
+              float tags[3];
+              getTags(f, part.Mesh->Faces[f], tags);
+              int steps[3];
+              for (int e = 0; e < 3; ++e)
+              {
+                steps[e] = GetStep(family, tags[e] + static_cast<float>(offset), maximumLevel);
+              }
+              ++counts[family.GetEntry(0, steps[0], steps[1], steps[2]) >> 3];
+            }
+          });
+      });
+    for (int key = 0; key < family.GetNumberOfKeys(); ++key)
+    {
+      if (faces[key] > 0)
+      {
+        triangles += faces[key] * family.GetPattern(key, table)->GetNumberOfTriangles();
+      }
+    }
+  }
+  return triangles;
+}
+}

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   ClosedSurface
+ * @brief   whether a mesh bounds bodies
+ *
+ * Private to the module's own sources.
+ */
+#ifndef ClosedSurface_h
+#define ClosedSurface_h
+
+namespace relevo
+{
+class RefinementMesh;
+
+/**
+ * Whether every edge between places has exactly two faces, which wind alike, and every connected
+ * part of the mesh encloses a positive volume: from outside, front faces hide all back faces.
+ */
+bool IsClosedOutwards(const RefinementMesh& mesh);
+}
+
+#endif

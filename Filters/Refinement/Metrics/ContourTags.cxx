@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Metrics/ContourTags.h"
+
+#include "Core/WorldView.h"
+#include "Metrics/MetricEvaluation.h"
+
+#include <algorithm>
+
+namespace relevo
+{
+#include "glsl/relevoMetrics.glsl"
+
+namespace
+{
+struct ContourFunctions : MetricParameters
+{
+  using MetricParameters::MetricParameters;
+#include "glsl/relevoMetricView.glsl"
+
+  bool IsParallel() const
+  {
+    return this->metricParameters[1].w > 0.0f;
+  }
+};
+}
+
+bool ContourTags::TagPoints(vtkDepthTagMetric* metric, vtkPolyData* mesh,
+  const RefinementView& view, int maximumLevel, vtkFloatArray* tags)
+{
+  this->Edges.Update(mesh);
+  if (!this->TagEdges(metric, mesh, view, maximumLevel, this->Edges, this->EdgeTags))
+  {
+    return false;
+  }
+  this->Edges.TagPoints(this->EdgeTags->GetPointer(0), tags);
+  return true;
+}
+
+bool ContourTags::TagEdges(vtkDepthTagMetric* metric, vtkPolyData* mesh, const RefinementView& view,
+  int maximumLevel, const SurfaceEdges& edges, vtkFloatArray* tags)
+{
+  this->Points.Update(mesh->GetPoints());
+  if (!metric->GetShader(mesh, view, maximumLevel, this->Points.Origin, this->Shader))
+  {
+    return false;
+  }
+  this->UpdateNormals(mesh, view);
+  this->ComputeOffsets();
+  this->ComputeHeights();
+  this->MeasureEdges(edges, tags);
+  const float width = this->Shader.Parameters[4 * 9];
+  float* values = tags->GetPointer(0);
+  vtkSMPTools::For(0, tags->GetNumberOfValues(),
+    [=](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType edge = begin; edge < end; ++edge)
+      {
+        values[edge] = contourLevel(values[edge], width, maximumLevel);
+      }
+    });
+  return true;
+}
+
+void ContourTags::MeasureEdges(const SurfaceEdges& edges, vtkFloatArray* measures) const
+{
+  ContourFunctions functions(this->Shader);
+  const bool parallel = functions.IsParallel();
+  const vec3* offsets = this->Offsets.data();
+  const float* heights = this->Heights.data();
+  relevo::TagEdges(edges, measures,
+    [=, &edges](int edge) mutable
+    {
+      float squaredDistance = 1.0f; // heights are cosines already
+      if (!parallel)
+      {
+        const int* places = edges.GetEdges()[edge].Places;
+        const vec3 middle = 0.5f * (offsets[places[0]] + offsets[places[1]]);
+        squaredDistance = functions.metricDot(middle, middle);
+      }
+      float least = 1.0f;
+      edges.ForEachSides(edge,
+        [&](int i)
+        {
+          const SurfaceEdgeSides& sides = edges.GetSides()[i];
+          const float height = heights[sides.Triangles[0]];
+          const float other = sides.Type == SurfaceEdgeSides::OPEN ? 0.0f
+            : sides.Type == SurfaceEdgeSides::FLIPPED              ? -heights[sides.Triangles[1]]
+                                                                   : heights[sides.Triangles[1]];
+          least = std::min(least, contourMeasure(height, other, squaredDistance));
+        });
+      return least;
+    });
+}
+
+void ContourTags::UpdateNormals(vtkPolyData* mesh, const RefinementView& view)
+{
+  const Placement placement(view);
+  if (!this->Surface.Update(mesh) && placement.NormalToWorld == this->NormalToWorld)
+  {
+    return;
+  }
+  this->NormalToWorld = placement.NormalToWorld;
+  const std::vector<dvec3>& areaVectors = this->Surface.GetAreaVectors();
+  this->Normals.resize(areaVectors.size());
+  this->Heights.resize(areaVectors.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(areaVectors.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType t = begin; t < end; ++t)
+      {
+        this->Normals[t] = vec3(UnitOrZero(placement.GetNormal(areaVectors[t])));
+      }
+    });
+}
+
+void ContourTags::ComputeOffsets()
+{
+  const float* x = this->Points.Coordinates.data();
+  this->Offsets.resize(static_cast<std::size_t>(this->Points.GetNumberOfPoints()));
+  vtkSMPTools::For(0, this->Points.GetNumberOfPoints(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      ContourFunctions functions(this->Shader);
+      for (vtkIdType point = begin; point < end; ++point)
+      {
+        const float* p = x + 3 * point;
+        this->Offsets[point] = functions.metricFromEye(vec3(p[0], p[1], p[2]));
+      }
+    });
+}
+
+void ContourTags::ComputeHeights()
+{
+  const auto& triangles = this->Surface.GetTriangles().GetTriangles();
+  vtkSMPTools::For(0, static_cast<vtkIdType>(triangles.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      ContourFunctions functions(this->Shader);
+      const bool parallel = functions.IsParallel();
+      const vec3 backwards = functions.metricXYZ(functions.metricParameters[5]);
+      for (vtkIdType t = begin; t < end; ++t)
+      {
+        const vec3 toEye = parallel ? backwards : -this->Offsets[triangles[t][0]];
+        this->Heights[t] = functions.metricDot(this->Normals[t], toEye);
+      }
+    });
+}
+}

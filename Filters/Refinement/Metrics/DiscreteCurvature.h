@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   DiscreteCurvature
+ * @brief   discrete Gaussian and mean curvature of a triangulated surface
+ *
+ * The operators of Meyer, Desbrun, Schroeder and Barr 2002 ("Discrete differential-geometry
+ * operators for triangulated 2-manifolds"), with their mixed area (the Voronoi area, made safe for
+ * obtuse triangles):
+ *
+ *     Gaussian  K = (2 pi - sum of the angles at the point) / A_mixed                      (eq. 9)
+ *     mean      H = |sum over edges (cot a + cot b) (x_i - x_j)| / (4 A_mixed)             (eq. 8)
+ *
+ * H is positive where the surface bends away from its normal, as a sphere with outward normals
+ * does. Polygons are taken as the fans (0, i, i + 1) that VTK's mappers draw, strips as their
+ * triangles. Points that coincide are one point, so seams are no borders.
+ *
+ * The operators need a closed ring of triangles. A point on a border, or on an edge of more than
+ * two triangles, takes the mean of its neighbours, ring by ring from the nearest points that have
+ * a closed ring; 0 where there are none. Triangles of no area keep their angles and add nothing
+ * else; triangles with two corners at one place or with a corner that is not finite are no part of
+ * the surface. A point of no triangle has curvature 0.
+ *
+ * Not wrapped: for the modules' own sources.
+ */
+#ifndef DiscreteCurvature_h
+#define DiscreteCurvature_h
+
+#include "vtkType.h" // for vtkIdType
+
+#include <vector> // for members
+
+class vtkPolyData;
+
+namespace relevo
+{
+struct DiscreteCurvature
+{
+  /// Curvatures of every point of the mesh, always finite.
+  std::vector<double> Gaussian;
+  std::vector<double> Mean;
+  /// Ids of the points of the surface, each place once.
+  std::vector<vtkIdType> Places;
+  /// Area of the surface over the number of its places.
+  double AreaOfPlace = 0.0;
+};
+
+DiscreteCurvature ComputeDiscreteCurvature(vtkPolyData* mesh);
+}
+
+#endif

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   MetricEvaluation
+ * @brief   evaluates the functions of a metric's MetricShader in C++
+ *
+ * Functions is a class that has MetricParameters as its base and includes the same files as the
+ * shader. What depends on the mesh alone is kept between evaluations. Private to the module's own
+ * sources.
+ */
+#ifndef MetricEvaluation_h
+#define MetricEvaluation_h
+
+#include "Core/LocalPoints.h"
+#include "Core/RefinementMathematics.h"
+#include "Mesh/SurfaceEdges.h"
+#include "Metrics/MetricShader.h"
+#include "vtkDepthTagMetric.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+
+#include <cstring> // for std::memcpy
+#include <vector>  // for members
+
+/// Marks what not all metrics need, as the shared files do.
+#define RELEVO_UNUSED [[maybe_unused]]
+
+namespace relevo
+{
+/// What relevoMetricView.glsl asks of its including side.
+struct MetricParameters
+{
+  vec4 metricParameters[10];
+
+  explicit MetricParameters(const MetricShader& shader)
+  {
+    static_assert(sizeof(shader.Parameters) == sizeof(this->metricParameters), "ten vectors");
+    std::memcpy(this->metricParameters, shader.Parameters.data(), sizeof(this->metricParameters));
+  }
+};
+
+template <typename Functions>
+class MetricEvaluation
+{
+public:
+  /// ComputeTags() of a metric that gives points tags of their own.
+  bool TagPoints(vtkDepthTagMetric* metric, vtkPolyData* mesh, const RefinementView& view,
+    int maximumLevel, vtkFloatArray* tags)
+  {
+    if (!this->Prepare(metric, mesh, view, maximumLevel))
+    {
+      return false;
+    }
+    tags->SetNumberOfComponents(1);
+    tags->SetNumberOfTuples(this->Points.GetNumberOfPoints());
+    float* values = tags->GetPointer(0);
+    this->ForEachPoint([values](Functions& functions, vtkIdType point, const vec4& value)
+      { values[point] = functions.metricTag(functions.metricPointMeasure(value)); });
+    tags->Modified();
+    return true;
+  }
+
+  /// ComputeTags() of a metric that only edges have tags of: the largest at a point.
+  bool TagPointsByEdges(vtkDepthTagMetric* metric, vtkPolyData* mesh, const RefinementView& view,
+    int maximumLevel, vtkFloatArray* tags)
+  {
+    if (!this->Prepare(metric, mesh, view, maximumLevel))
+    {
+      return false;
+    }
+    this->Edges.Update(mesh);
+    this->MeasureEdges(this->Edges, this->EdgeMeasures);
+    this->Edges.TagPoints(this->EdgeMeasures->GetPointer(0), tags);
+    this->TurnIntoTags(tags);
+    return true;
+  }
+
+  /// ComputeEdgeTags().
+  bool TagEdges(vtkDepthTagMetric* metric, vtkPolyData* mesh, const RefinementView& view,
+    int maximumLevel, const SurfaceEdges& edges, vtkFloatArray* tags)
+  {
+    if (!this->Prepare(metric, mesh, view, maximumLevel))
+    {
+      return false;
+    }
+    this->MeasureEdges(edges, tags);
+    this->TurnIntoTags(tags);
+    return true;
+  }
+
+private:
+  bool Prepare(
+    vtkDepthTagMetric* metric, vtkPolyData* mesh, const RefinementView& view, int maximumLevel)
+  {
+    this->Points.Update(mesh->GetPoints());
+    return metric->GetShader(mesh, view, maximumLevel, this->Points.Origin, this->Shader);
+  }
+
+  void MeasureEdges(const SurfaceEdges& edges, vtkFloatArray* measures)
+  {
+    this->Values.resize(static_cast<std::size_t>(this->Points.GetNumberOfPoints()));
+    vec4* values = this->Values.data();
+    this->ForEachPoint(
+      [values](Functions&, vtkIdType point, const vec4& value) { values[point] = value; });
+    if (this->Shader.Data)
+    {
+      for (vtkIdType point : edges.GetTriangles().GetCoincidentPoints())
+      {
+        vec4& value = values[edges.GetTriangles().GetPlace(point)];
+        value = max(value, values[point]);
+      }
+    }
+    const SurfaceEdges::Edge* ends = edges.GetEdges().data();
+    relevo::TagEdges(edges, measures,
+      [=, functions = Functions(this->Shader)](int edge) mutable
+      {
+        return functions.metricEdgeMeasure(
+          values[ends[edge].Places[0]], values[ends[edge].Places[1]]);
+      });
+  }
+
+  // Apart from the measuring, so that it is done for several at once.
+  void TurnIntoTags(vtkFloatArray* measures) const
+  {
+    float* values = measures->GetPointer(0);
+    vtkSMPTools::For(0, measures->GetNumberOfValues(),
+      [&, values](vtkIdType begin, vtkIdType end)
+      {
+        Functions functions(this->Shader);
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          values[i] = functions.metricTag(values[i]);
+        }
+      });
+  }
+
+  // Calls f(functions, point, its value) in parallel.
+  template <typename Function>
+  void ForEachPoint(Function&& f) const
+  {
+    const float* x = this->Points.Coordinates.data();
+    const float* data = this->Shader.Data ? this->Shader.Data->data() : nullptr;
+    vtkSMPTools::For(0, this->Points.GetNumberOfPoints(),
+      [&, x, data](vtkIdType begin, vtkIdType end)
+      {
+        // A copy: nothing that is written can be meant, so that it may stay in registers.
+        Functions functions(this->Shader);
+        for (vtkIdType point = begin; point < end; ++point)
+        {
+          const float* p = x + 3 * point;
+          const vec4 datum = data
+            ? vec4(data[4 * point], data[4 * point + 1], data[4 * point + 2], data[4 * point + 3])
+            : vec4(0.0f);
+          f(functions, point, functions.metricValue(vec3(p[0], p[1], p[2]), datum));
+        }
+      });
+  }
+
+  LocalPoints Points;
+  MetricShader Shader;
+  SurfaceEdges Edges;
+  std::vector<vec4> Values; // of points
+  vtkNew<vtkFloatArray> EdgeMeasures;
+};
+}
+
+#endif

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   MetricShader
+ * @brief   a view-dependent metric as functions that a shader, or C++, evaluates
+ *
+ * A compute shader of #version 430 includes Source after
+ *
+ *     #define RELEVO_FUNCTION
+ *     uniform vec4 metricParameters[10];
+ *
+ * and has of it
+ *
+ * - vec4 metricValue(vec3 x, vec4 datum): what a point contributes; x is relative to the origin
+ *   given to vtkDepthTagMetric::GetShader(), datum its four floats of Data, or 0 without;
+ * - float metricPointMeasure(vec4 value): of a point, only if TagsPoints;
+ * - float metricEdgeMeasure(vec4 a, vec4 b): of an edge between places of values a and b, that of
+ *   the lower place first;
+ * - float metricTag(float measure): the level, in [0, maximum level].
+ *
+ * Measures are 0 or more, so that their bits as unsigned integers have their order, and levels rise
+ * with them.
+ *
+ * PER_VERTEX: the tag of a point is that of its own measure if TagsPoints, and else that of the
+ * largest measure of the edges at its place.
+ *
+ * PER_EDGE: the tag of an edge is that of its measure. With Data, points that coincide have
+ * different values: of each of their components, which are 0 or more then, the largest is taken.
+ *
+ * The functions give the same bits on all processors that round sums, products, quotients and
+ * square roots as IEEE 754 demands; OpenGL leaves the last bits of quotients and roots to the
+ * driver.
+ *
+ * Not wrapped: for the modules' own sources.
+ */
+#ifndef MetricShader_h
+#define MetricShader_h
+
+#include "vtkType.h" // for vtkMTimeType
+
+#include <array>  // for Parameters
+#include <memory> // for Data
+#include <vector> // for Data
+
+#ifndef __VTK_WRAP__
+namespace relevo
+{
+struct MetricShader
+{
+  /// Text of the functions; nullptr when there are none, so that tags must be computed by
+  /// ComputeTags() or ComputeEdgeTags().
+  const char* Source = nullptr;
+  /// Whether points have tags of their own.
+  bool TagsPoints = true;
+  /// Of this frame: 10 vectors of four.
+  std::array<float, 40> Parameters{};
+  /// Four floats per point, or nullptr. Never changed: the metric makes others.
+  std::shared_ptr<const std::vector<float>> Data;
+  /// Changes whenever Data does.
+  vtkMTimeType DataTime = 0;
+};
+}
+#endif
+
+#endif

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   NestedPatternMesh
+ * @brief   the triangles of a nested pattern
+ *
+ * Private to the module's own sources; see NestedPattern.
+ */
+#ifndef NestedPatternMesh_h
+#define NestedPatternMesh_h
+
+#include "Patterns/PatternMesh.h"
+
+#include <array>
+
+namespace relevo
+{
+/**
+ * The nested pattern of the levels of edges 01, 12 and 02, each in [0, 7].
+ */
+PatternMesh MakeNestedMesh(const std::array<int, 3>& levels);
+}
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   RefinementPatternGenerator
+ * @brief   makes the triangulation of a refinement pattern
+ *
+ * Private to the module's own sources; see vtkRefinementPatternTable for what a pattern is.
+ *
+ * Equal numbers of segments give the regular subdivision. All others are a Delaunay triangulation
+ * in the equilateral triangle, graded by a size field that follows the segments of the border, and
+ * then improved by moving the inner points so that the smallest angle around each grows.
+ *
+ * Everything that decides on topology is integer arithmetic, and the rest is correctly rounded,
+ * so that every machine makes the same patterns.
+ *
+ * @sa PatternMesh PatternVertexOrder
+ */
+#ifndef RefinementPatternGenerator_h
+#define RefinementPatternGenerator_h
+
+#include "Patterns/PatternBorder.h" // for MaximumNumberOfSegments
+#include "Patterns/PatternCheck.h"  // for FindDefect
+#include "Patterns/PatternMesh.h"   // for PatternMesh
+#include "Patterns/PatternSides.h"  // for MakeLines
+#include "Patterns/RefinementPattern.h"
+
+namespace relevo
+{
+/**
+ * The pattern with `n1 >= n2 >= n3` segments on edges 1, 2 and 3, each in
+ * [1, MaximumNumberOfSegments].
+ */
+RefinementPattern GeneratePattern(int n1, int n2, int n3);
+
+/**
+ * The pattern that has a mesh, with these segments on its edges, in an order for drawing.
+ */
+RefinementPattern MakePattern(const int segments[3], PatternMesh mesh);
+}
+
+#endif

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Surfaces/FloatRange.h"
+
+#include "vtkAdaptiveRefinement.h"
+#include "vtkDisplacement.h"
+#include "vtkHeightField.h"
+#include "vtkRefinementSurface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace relevo
+{
+std::string FindExcess(vtkAdaptiveRefinement* recipe)
+{
+  std::ostringstream text;
+  vtkRefinementSurface* surface = recipe->GetSurface();
+  if (surface && !(surface->GetReach() <= LargestLength))
+  {
+    text << surface->GetClassName() << " moves points by up to " << surface->GetReach()
+         << ", more than the " << LargestLength
+         << " that floats leave room for: lower its amplitude";
+    return text.str();
+  }
+  vtkDisplacement* displacement = recipe->GetDisplacement();
+  if (!displacement)
+  {
+    return {};
+  }
+  double range[2] = { 0.0, 0.0 };
+  if (displacement->GetHeightMap())
+  {
+    displacement->GetHeightMap()->GetRange(range);
+  }
+  // A map without valid heights may turn its range over.
+  const double highest =
+    range[0] > range[1] ? 0.0 : std::max(std::abs(range[0]), std::abs(range[1]));
+  const double scale = std::abs(displacement->GetScale());
+  // Neither by itself, nor where one takes the other back.
+  if (!(scale * highest <= LargestLength) || !(scale <= std::numeric_limits<float>::max()) ||
+    !(std::abs(displacement->GetOffset()) <= LargestLength))
+  {
+    text << "the displacement of Scale " << displacement->GetScale() << " x heights of up to "
+         << highest << " + Offset " << displacement->GetOffset() << " is more than the "
+         << LargestLength
+         << " that floats leave room for: lower Scale or Offset, or declare the "
+            "heights that stand for no data (NoDataValue)";
+  }
+  return text.str();
+}
+}

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   HeightRanges
+ * @brief   the lowest and highest height over any box of texture coordinates
+ *
+ * A pyramid of ranges over blocks of 1, 2, 4, ... texels: a box is looked up in at most 3 x 3
+ * blocks.
+ *
+ * Private to the module's own sources.
+ */
+#ifndef HeightRanges_h
+#define HeightRanges_h
+
+#include "Surfaces/HeightSampler.h"
+
+#include <array>
+#include <vector>
+
+namespace relevo
+{
+class HeightRanges
+{
+public:
+  /// Of an up-to-date field, which must outlive this; nullptr for a field of one zero.
+  explicit HeightRanges(vtkHeightField* field);
+
+  /// The range of all heights sampled in [low, high].
+  void GetRange(vec2 low, vec2 high, float range[2]) const;
+
+private:
+  using Range = std::array<float, 2>;
+  struct Level
+  {
+    ivec2 Size;
+    std::vector<Range> Ranges;
+    const Range& Get(int x, int y) const
+    {
+      return this->Ranges[static_cast<size_t>(y) * this->Size.x + x];
+    }
+  };
+  Range GetTexels(ivec2 from, ivec2 to) const;
+
+  HeightSampler Sampler;
+  std::vector<Level> Levels; // of 2, 4, 8, ... texels
+};
+}
+
+#endif

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   CoordinateSystem
+ * @brief   what a coordinate system's coordinates mean, by GDAL
+ *
+ * Private to the module's own sources; only in builds with RELEVO_USE_GDAL.
+ */
+#ifndef CoordinateSystem_h
+#define CoordinateSystem_h
+
+#include "Geodesy/Georeference.h"
+
+#include <ogr_srs_api.h>
+
+#include <memory>
+#include <string>
+
+namespace relevo
+{
+struct SpatialReferenceFreer
+{
+  void operator()(void* system) const { OSRDestroySpatialReference(system); }
+};
+using SpatialReference = std::unique_ptr<void, SpatialReferenceFreer>;
+
+/**
+ * By WKT, or another definition that GDAL takes, as EPSG:32633; longitude or easting first, as
+ * rasters have them. nullptr when it is none.
+ */
+SpatialReference NewSpatialReference(const std::string& definition);
+
+/**
+ * Sets the kind, unit and ellipsoid of the location.
+ */
+void DescribeCoordinateSystem(OGRSpatialReferenceH system, Georeference& location);
+}
+
+#endif

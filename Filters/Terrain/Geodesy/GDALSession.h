@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   GDALSession
+ * @brief   GDAL ready for use, its messages collected instead of printed
+ *
+ * Private to the module's own sources; only in builds with RELEVO_USE_GDAL.
+ */
+#ifndef GDALSession_h
+#define GDALSession_h
+
+#include <gdal.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace relevo
+{
+/**
+ * Lives as long as the calls whose messages are wanted, on the thread that makes them.
+ */
+class GDALSession
+{
+public:
+  struct Collection
+  {
+    std::vector<std::string> Texts;
+    bool OfFiles = false;
+  };
+
+  GDALSession();
+  ~GDALSession();
+
+  bool HasErrors() const { return !this->Errors.Texts.empty(); }
+  /// Whether a file could not be read where it should; GDAL may go on all the same.
+  bool HasFileErrors() const { return this->Errors.OfFiles; }
+  /// The errors so far, or `fallback`.
+  std::string Messages(const std::string& fallback) const;
+
+private:
+  GDALSession(const GDALSession&) = delete;
+  void operator=(const GDALSession&) = delete;
+
+  Collection Errors;
+};
+
+struct GDALCloser
+{
+  void operator()(void* dataset) const { GDALClose(dataset); }
+};
+using GDALDatasetPointer = std::unique_ptr<void, GDALCloser>;
+}
+
+#endif

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Geodesy/MapDirections.h"
+
+#if RELEVO_HAS_GDAL
+#include "Geodesy/CoordinateSystem.h"
+#include "Geodesy/GDALSession.h"
+#include "Geodesy/GridDirections.h"
+#include "Geodesy/TangentDirections.h"
+#endif
+
+#include <cmath>
+
+namespace relevo
+{
+std::unique_ptr<MapDirections> MapDirections::New(
+  const std::string& system, const MapPlace& origin, std::string& error)
+{
+  error.clear();
+  if (!std::isfinite(origin[0]) || !std::isfinite(origin[1]))
+  {
+    error = "the origin is not finite";
+    return nullptr;
+  }
+  if (system.empty())
+  {
+    return nullptr;
+  }
+#if RELEVO_HAS_GDAL
+  GDALSession session;
+  const SpatialReference reference = NewSpatialReference(system);
+  if (!reference)
+  {
+    error = session.Messages("it is no coordinate system that GDAL knows");
+    return nullptr;
+  }
+  Georeference location;
+  DescribeCoordinateSystem(reference.get(), location);
+  if (location.System == Georeference::Kind::Unsupported)
+  {
+    error = "it is neither of longitude and latitude nor of a projection";
+    return nullptr;
+  }
+  if (location.System == Georeference::Kind::Geographic)
+  {
+    return std::make_unique<TangentDirections>(location, origin);
+  }
+  if (OSRIsLocal(reference.get()))
+  {
+    return nullptr;
+  }
+  auto directions = std::make_unique<GridDirections>(system, location, origin);
+  if (!directions->IsValid())
+  {
+    error = session.Messages("it has no way back to longitude and latitude");
+    return nullptr;
+  }
+  return directions;
+#else
+  error = "this build of Relevo is without GDAL, which knows coordinate systems";
+  return nullptr;
+#endif
+}
+}

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Heights/TerrainMesh.h"
+
+#include "Geodesy/TerrainFrame.h"
+#include "vtkCellArray.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace relevo
+{
+namespace
+{
+// A regular division of (u, v) in [0, 1]^2.
+struct Grid
+{
+  int Cells[2];
+
+  vtkIdType NumberOfPoints() const { return (this->Cells[0] + 1LL) * (this->Cells[1] + 1LL); }
+  vtkIdType NumberOfCells() const
+  {
+    return static_cast<vtkIdType>(this->Cells[0]) * this->Cells[1];
+  }
+  vtkIdType Point(int i, int j) const { return j * (this->Cells[0] + 1LL) + i; }
+  double Parameter(int axis, int i) const { return static_cast<double>(i) / this->Cells[axis]; }
+};
+
+// Squares as nearly as the side lengths allow, never finer than the texels.
+Grid divide(const double lengths[2], const int texels[2], int resolution)
+{
+  Grid grid;
+  const double longer = std::max(lengths[0], lengths[1]);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double cells = std::round(resolution * (lengths[axis] / longer));
+    grid.Cells[axis] = static_cast<int>(std::clamp(cells, 1.0, static_cast<double>(texels[axis])));
+  }
+  return grid;
+}
+
+// The texels that heights between two parameters draw upon, along one axis.
+void texelRange(double begin, double end, int texels, int range[2])
+{
+  range[0] = std::clamp(static_cast<int>(std::floor(begin * texels - 0.5)), 0, texels - 1);
+  range[1] = std::clamp(static_cast<int>(std::ceil(end * texels - 0.5)), 0, texels - 1);
+}
+
+// For each square whether any height in it draws upon a sample with data.
+std::vector<unsigned char> findSquaresWithData(
+  const Grid& grid, const int texels[2], const unsigned char* validity)
+{
+  std::vector<unsigned char> hasData(grid.NumberOfCells());
+  vtkSMPTools::For(0, grid.Cells[1],
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (int j = static_cast<int>(begin); j < end; ++j)
+      {
+        int rows[2];
+        texelRange(grid.Parameter(1, j), grid.Parameter(1, j + 1), texels[1], rows);
+        for (int i = 0; i < grid.Cells[0]; ++i)
+        {
+          int columns[2];
+          texelRange(grid.Parameter(0, i), grid.Parameter(0, i + 1), texels[0], columns);
+          bool found = false;
+          for (int row = rows[0]; row <= rows[1] && !found; ++row)
+          {
+            const unsigned char* first = validity + static_cast<std::size_t>(row) * texels[0];
+            found = std::find_if(first + columns[0], first + columns[1] + 1,
+                      [](unsigned char valid) { return valid != 0; }) != first + columns[1] + 1;
+          }
+          hasData[static_cast<std::size_t>(j) * grid.Cells[0] + i] = found;
+        }
+      }
+    });
+  return hasData;
+}
+
+double distance(const TerrainFrame& frame, double u0, double v0, double u1, double v1)
+{
+  std::array<double, 2> a;
+  std::array<double, 2> b;
+  frame.Place(u0, v0, a);
+  frame.Place(u1, v1, b);
+  return std::hypot(b[0] - a[0], b[1] - a[1]);
+}
+
+// Right triangles with alternating diagonals, so that no direction is preferred. `gridPoint` takes
+// i and j of the points in use.
+void addTriangles(const Grid& grid, const std::vector<unsigned char>& kept,
+  std::vector<int>& gridPoint, vtkPolyData* output)
+{
+  std::vector<vtkIdType> outputPoint(grid.NumberOfPoints(), -1);
+  vtkNew<vtkCellArray> triangles;
+  triangles->AllocateExact(2 * grid.NumberOfCells(), 6 * grid.NumberOfCells());
+  const auto point = [&](int i, int j)
+  {
+    vtkIdType& id = outputPoint[grid.Point(i, j)];
+    if (id < 0)
+    {
+      id = static_cast<vtkIdType>(gridPoint.size() / 2);
+      gridPoint.insert(gridPoint.end(), { i, j });
+    }
+    return id;
+  };
+  for (int j = 0; j < grid.Cells[1]; ++j)
+  {
+    for (int i = 0; i < grid.Cells[0]; ++i)
+    {
+      if (!kept[static_cast<std::size_t>(j) * grid.Cells[0] + i])
+      {
+        continue;
+      }
+      const vtkIdType corners[4] = { point(i, j), point(i + 1, j), point(i + 1, j + 1),
+        point(i, j + 1) };
+      const int start = (i + j) % 2;
+      for (int half : { 0, 2 })
+      {
+        triangles->InsertNextCell({ corners[(start + half) % 4], corners[(start + half + 1) % 4],
+          corners[(start + half + 2) % 4] });
+      }
+    }
+  }
+  output->SetPolys(triangles);
+}
+
+void addPoints(const TerrainFrame& frame, const Grid& grid, const std::vector<int>& gridPoint,
+  vtkPolyData* output)
+{
+  const vtkIdType numberOfPoints = static_cast<vtkIdType>(gridPoint.size() / 2);
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetNumberOfComponents(3);
+  coordinates->SetNumberOfTuples(numberOfPoints);
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(numberOfPoints);
+  vtkNew<vtkFloatArray> textureCoordinates;
+  textureCoordinates->SetName("TextureCoordinates");
+  textureCoordinates->SetNumberOfComponents(2);
+  textureCoordinates->SetNumberOfTuples(numberOfPoints);
+  vtkSMPTools::For(0, numberOfPoints,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        const double u = grid.Parameter(0, gridPoint[2 * id]);
+        const double v = grid.Parameter(1, gridPoint[2 * id + 1]);
+        std::array<double, 2> place;
+        frame.Place(u, v, place);
+        const float xyz[3] = { static_cast<float>(place[0]), static_cast<float>(place[1]), 0.0f };
+        const float up[3] = { 0.0f, 0.0f, 1.0f };
+        const float uv[2] = { static_cast<float>(u), static_cast<float>(v) };
+        coordinates->SetTypedTuple(id, xyz);
+        normals->SetTypedTuple(id, up);
+        textureCoordinates->SetTypedTuple(id, uv);
+      }
+    });
+
+  vtkNew<vtkPoints> points;
+  points->SetData(coordinates);
+  output->SetPoints(points);
+  output->GetPointData()->SetNormals(normals);
+  output->GetPointData()->SetTCoords(textureCoordinates);
+}
+}
+
+void BuildTerrainMesh(const TerrainFrame& frame, const int texels[2], int resolution,
+  const unsigned char* validity, vtkPolyData* output)
+{
+  const double lengths[2] = { distance(frame, 0.0, 0.5, 1.0, 0.5),
+    distance(frame, 0.5, 0.0, 0.5, 1.0) };
+  const Grid grid = divide(lengths, texels, resolution);
+  std::vector<int> gridPoint;
+  addTriangles(grid,
+    validity ? findSquaresWithData(grid, texels, validity)
+             : std::vector<unsigned char>(grid.NumberOfCells(), 1),
+    gridPoint, output);
+  addPoints(frame, grid, gridPoint, output);
+}
+}

@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Raster/GDALRaster.h"
+
+#include "Geodesy/CoordinateSystem.h"
+#include "Geodesy/GDALSession.h"
+#include "vtkType.h"
+
+#include <gdal.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace relevo
+{
+struct GDALRaster::Internals
+{
+  GDALDatasetPointer Dataset;
+  GDALRasterBandH Band = nullptr;
+  GDALDataType Type = GDT_Unknown;
+  int RowsPerBlock = 1; // as they are
+
+  void SetBand(GDALRasterBandH band, Description& contents);
+};
+
+namespace
+{
+// Samples.
+constexpr long long LargestBlockRow = 1 << 25;
+
+int vtkType(GDALDataType type)
+{
+  switch (type)
+  {
+    case GDT_Byte:
+      return VTK_UNSIGNED_CHAR;
+    case GDT_UInt16:
+      return VTK_UNSIGNED_SHORT;
+    case GDT_Int16:
+      return VTK_SHORT;
+    case GDT_UInt32:
+      return VTK_UNSIGNED_INT;
+    case GDT_Int32:
+      return VTK_INT;
+    case GDT_Float32:
+      return VTK_FLOAT;
+    case GDT_Float64:
+      return VTK_DOUBLE;
+#if GDAL_VERSION_NUM >= GDAL_COMPUTE_VERSION(3, 5, 0)
+    case GDT_UInt64:
+      return VTK_UNSIGNED_LONG_LONG;
+    case GDT_Int64:
+      return VTK_LONG_LONG;
+#endif
+#if GDAL_VERSION_NUM >= GDAL_COMPUTE_VERSION(3, 7, 0)
+    case GDT_Int8:
+      return VTK_SIGNED_CHAR;
+#endif
+    default:
+      return VTK_VOID; // complex
+  }
+}
+
+// Metres in one unit of a band, by the unit names that GDAL's drivers give.
+double metresPerUnit(std::string unit)
+{
+  std::transform(unit.begin(), unit.end(), unit.begin(),
+    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  const auto is = [&unit](std::initializer_list<const char*> names)
+  { return std::find(names.begin(), names.end(), unit) != names.end(); };
+  if (is({ "us-ft", "us survey foot", "us_survey_foot", "foot_us", "us survey feet" }))
+  {
+    return 1200.0 / 3937.0;
+  }
+  if (is({ "ft", "foot", "feet", "international foot" }))
+  {
+    return 0.3048;
+  }
+  if (is({ "cm", "centimeter", "centimetre" }))
+  {
+    return 0.01;
+  }
+  if (is({ "dm", "decimeter", "decimetre" }))
+  {
+    return 0.1;
+  }
+  if (is({ "km", "kilometer", "kilometre" }))
+  {
+    return 1000.0;
+  }
+  return 1.0;
+}
+}
+
+void GDALRaster::Internals::SetBand(GDALRasterBandH band, Description& contents)
+{
+  this->Band = band;
+  contents.Width = GDALGetRasterBandXSize(band);
+  contents.Height = GDALGetRasterBandYSize(band);
+  int blockWidth = 1;
+  GDALGetBlockSize(band, &blockWidth, &this->RowsPerBlock);
+  this->RowsPerBlock = std::max(1, this->RowsPerBlock);
+  // GDAL keeps a huge block itself while its rows are asked for one by one.
+  const bool isHuge = static_cast<long long>(this->RowsPerBlock) * contents.Width > LargestBlockRow;
+  contents.RowsPerBlock = isHuge ? 1 : this->RowsPerBlock;
+}
+
+GDALRaster::GDALRaster()
+  : Implementation(new Internals)
+{
+}
+
+GDALRaster::~GDALRaster()
+{
+  GDALSession session; // closing may have something to say
+  this->Implementation->Dataset.reset();
+}
+
+std::unique_ptr<GDALRaster> GDALRaster::Open(const std::string& fileName, std::string& error)
+{
+  GDALSession session;
+  GDALDatasetPointer dataset(GDALOpenEx(fileName.c_str(),
+    GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr, nullptr, nullptr));
+  if (!dataset)
+  {
+    error = session.Messages("not a raster that GDAL knows");
+    return nullptr;
+  }
+  if (GDALGetRasterCount(dataset.get()) < 1)
+  {
+    error = "it holds no raster band (a container of several rasters?)";
+    return nullptr;
+  }
+  auto raster = std::make_unique<GDALRaster>();
+  const GDALRasterBandH band = GDALGetRasterBand(dataset.get(), 1);
+  Description& contents = raster->Contents;
+  contents.Width = GDALGetRasterXSize(dataset.get());
+  contents.Height = GDALGetRasterYSize(dataset.get());
+  contents.Type = vtkType(GDALGetRasterDataType(band));
+  if (contents.Type == VTK_VOID)
+  {
+    error = std::string("samples of type ") + GDALGetDataTypeName(GDALGetRasterDataType(band)) +
+      " are not supported";
+    return nullptr;
+  }
+  const char* interleaving = GDALGetMetadataItem(dataset.get(), "INTERLEAVE", "IMAGE_STRUCTURE");
+  if (interleaving && std::string(interleaving) == "PIXEL")
+  {
+    contents.SamplesPerTexel = GDALGetRasterCount(dataset.get());
+  }
+  contents.HasMask = (GDALGetMaskFlags(band) & (GMF_PER_DATASET | GMF_ALPHA)) != 0;
+
+  int declared = 0;
+  const double noData = GDALGetRasterNoDataValue(band, &declared);
+  if (declared)
+  {
+    contents.NoData = noData;
+  }
+  contents.Scale = GDALGetRasterScale(band, nullptr);
+  contents.Offset = GDALGetRasterOffset(band, nullptr);
+  contents.VerticalUnit = metresPerUnit(GDALGetRasterUnitType(band));
+
+  double transform[6];
+  contents.Location.SetSize(contents.Width, contents.Height);
+  if (GDALGetGeoTransform(dataset.get(), transform) == CE_None)
+  {
+    if (!contents.Location.SetAffineTransform(transform, contents.Width, contents.Height))
+    {
+      error = "its georeference is singular: pixels without area";
+      return nullptr;
+    }
+    contents.Location.System = Georeference::Kind::Planar;
+    if (const OGRSpatialReferenceH system = GDALGetSpatialRef(dataset.get()))
+    {
+      contents.Location.WKT = GDALGetProjectionRef(dataset.get());
+      DescribeCoordinateSystem(system, contents.Location);
+    }
+  }
+  raster->Implementation->Type = GDALGetRasterDataType(band);
+  raster->Implementation->SetBand(band, contents);
+  raster->Implementation->Dataset = std::move(dataset);
+  return raster;
+}
+
+bool GDALRaster::Claims(const std::string& fileName)
+{
+  GDALSession session;
+  const GDALDriverH driver = GDALIdentifyDriver(fileName.c_str(), nullptr);
+  return driver && std::string(GDALGetDriverShortName(driver)) == "PNG";
+}
+
+void GDALRaster::SelectLevel(int width, int height)
+{
+  GDALSession session;
+  const GDALRasterBandH finest = this->Implementation->Band;
+  for (int i = 0; i < GDALGetOverviewCount(finest); ++i)
+  {
+    const GDALRasterBandH band = GDALGetOverview(finest, i);
+    if (band &&
+      this->IsBetterLevel(
+        GDALGetRasterBandXSize(band), GDALGetRasterBandYSize(band), width, height) &&
+      GDALGetRasterDataType(band) == this->Implementation->Type &&
+      GDALGetMaskFlags(band) == GDALGetMaskFlags(finest))
+    {
+      this->Implementation->SetBand(band, this->Contents);
+    }
+  }
+}
+
+bool GDALRaster::ReadRows(int first, int count, void* samples, std::string& error)
+{
+  GDALSession session;
+  // GDAL would keep blocks that were read up to a share of the machine's memory.
+  if (first % this->Implementation->RowsPerBlock == 0)
+  {
+    if (const GDALDatasetH dataset = GDALGetBandDataset(this->Implementation->Band))
+    {
+      GDALFlushCache(dataset);
+    }
+  }
+  const CPLErr result =
+    GDALRasterIO(this->Implementation->Band, GF_Read, 0, first, this->Contents.Width, count,
+      samples, this->Contents.Width, count, this->Implementation->Type, 0, 0);
+  // Of files cut short GDAL 3.13 tells, and yet returns CE_None.
+  if (result == CE_None && !session.HasErrors())
+  {
+    return true;
+  }
+  error = session.Messages("GDAL cannot read the rows from " + std::to_string(first));
+  return false;
+}
+
+bool GDALRaster::ReadMask(int first, int count, unsigned char* mask, std::string& error)
+{
+  GDALSession session;
+  if (GDALRasterIO(GDALGetMaskBand(this->Implementation->Band), GF_Read, 0, first,
+        this->Contents.Width, count, mask, this->Contents.Width, count, GDT_Byte, 0, 0) == CE_None)
+  {
+    return true;
+  }
+  error = session.Messages("GDAL cannot read the mask of the rows from " + std::to_string(first));
+  return false;
+}
+}

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   Imagery
+ * @brief   a picture brought onto a terrain's texture coordinates
+ *
+ * Private to the module's own sources.
+ */
+#ifndef Imagery_h
+#define Imagery_h
+
+#include "Geodesy/Georeference.h"
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace relevo
+{
+/**
+ * RGB pixels over (u, v) in [0, 1]^2 of a terrain, row 0 at v = 0.
+ */
+struct Imagery
+{
+  int Width = 0;
+  int Height = 0;
+  std::vector<unsigned char> Pixels; // 3 per pixel
+  int FullSize[2] = { 0, 0 };        ///< at the picture's own resolution, before any limit
+};
+
+struct ImagerySource
+{
+  std::string FileName;
+  std::array<int, 3> Bands; ///< from 1; all 0: by the file's own declaration
+  int MaximumSize;          ///< of the result, per side
+};
+
+/// What stands where a picture has no data.
+constexpr unsigned char NeutralGrey = 128;
+
+/// Told the share done; returns false to stop.
+using ImageryProgress = std::function<bool(double)>;
+
+/**
+ * The bands, from 1, for red, green and blue where a file does not declare them: the first three;
+ * the first as grey where there are fewer; the third, second and first of five and more, which are
+ * a multispectral scene in order of wavelength (Landsat, Sentinel-2).
+ */
+std::array<int, 3> DefaultBands(int numberOfBands);
+
+/**
+ * Resamples a picture by its own georeference to the terrain's footprint, at about its own
+ * resolution; one without georeference, or for a terrain without, is stretched over the footprint.
+ * False, and why in `error`, when there is nothing to drape; false with an empty error when
+ * stopped.
+ */
+bool DrapeImagery(const ImagerySource& source, const Georeference& terrain, Imagery& result,
+  const ImageryProgress& progress, std::string& error);
+}
+
+#endif

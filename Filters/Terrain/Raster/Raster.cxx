@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Raster/Raster.h"
+
+#include "Raster/OpenImageIORaster.h"
+#if RELEVO_HAS_GDAL
+#include "Raster/GDALRaster.h"
+#endif
+
+#include <filesystem>
+
+namespace relevo
+{
+namespace
+{
+// A row must fit into memory: so many doubles take 512 MiB. The whole earth in texels of 10 m has
+// 4 million columns.
+constexpr int MaximumWidth = 1 << 26;
+
+// Why a file cannot be a raster, found before any library is asked; empty when it may be one.
+std::string obstacle(const std::string& fileName)
+{
+  namespace fs = std::filesystem;
+  if (fileName.rfind("/vsi", 0) == 0)
+  {
+    return ""; // one of GDAL's virtual files
+  }
+  std::error_code failure;
+  const fs::path path = fs::u8path(fileName);
+  if (!fs::exists(path, failure))
+  {
+    return "the file does not exist";
+  }
+  if (fs::is_directory(path, failure))
+  {
+    return "it is a folder";
+  }
+  if (fs::is_regular_file(path, failure) && fs::file_size(path, failure) == 0)
+  {
+    return "the file is empty";
+  }
+  return "";
+}
+
+// By the library that shall read it.
+std::unique_ptr<Raster> openAny(const std::string& fileName, std::string& error)
+{
+  error = obstacle(fileName);
+  if (!error.empty())
+  {
+    return nullptr;
+  }
+#if RELEVO_HAS_GDAL
+  std::unique_ptr<Raster> raster = GDALRaster::Open(fileName, error);
+  if (GDALRaster::Claims(fileName) || (raster && raster->Describe().HasMask))
+  {
+    return raster;
+  }
+  std::string pixelError;
+  auto pixels = OpenImageIORaster::Open(fileName, pixelError);
+  if (pixels && (!raster || pixels->SetAlternative(raster)))
+  {
+    error.clear();
+    return pixels;
+  }
+  return raster;
+#else
+  auto pixels = OpenImageIORaster::Open(fileName, error);
+  if (!pixels)
+  {
+    error += "; this build of Relevo is without GDAL, which reads georeferenced rasters, SRTM "
+             ".hgt, USGS DEM and more";
+  }
+  return pixels;
+#endif
+}
+}
+
+std::unique_ptr<Raster> Raster::Open(const std::string& fileName, std::string& error)
+{
+  auto raster = openAny(fileName, error);
+  if (raster &&
+    (raster->Contents.Width < 1 || raster->Contents.Height < 1 ||
+      raster->Contents.Width > MaximumWidth))
+  {
+    error = "it has " + std::to_string(raster->Contents.Width) + " x " +
+      std::to_string(raster->Contents.Height) + " texels";
+    error += raster->Contents.Width > MaximumWidth ? ", too many columns to read a row" : "";
+    return nullptr;
+  }
+  return raster;
+}
+
+bool Raster::IsBetterLevel(int levelWidth, int levelHeight, int width, int height) const
+{
+  return levelWidth >= width && levelHeight >= height && levelWidth <= this->Contents.Width &&
+    levelHeight <= this->Contents.Height &&
+    (levelWidth < this->Contents.Width || levelHeight < this->Contents.Height);
+}
+
+bool Raster::ReadMask(int, int, unsigned char*, std::string& error)
+{
+  error = "there is no mask";
+  return false;
+}
+}

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Blocks/RefinementBlocks.h"
+
+#include "Blocks/BlockLook.h"
+#include "vtkActor.h"
+#include "vtkAdaptiveRefinementMapper.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkHardwareSelector.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkRenderer.h"
+
+#include <set>
+
+namespace relevo
+{
+RefinementBlocks::RefinementBlocks() = default;
+RefinementBlocks::~RefinementBlocks() = default;
+
+void RefinementBlocks::Update(vtkAdaptiveRefinementMapper* parent, vtkCompositeDataSet* input)
+{
+  // How blocks look is no setting that they copy.
+  const bool changed = this->SyncTime < parent->vtkOpenGLPolyDataMapper::GetMTime();
+  // In place: this is also asked for while the blocks draw.
+  std::set<unsigned int> indices;
+  auto iterator = vtk::TakeSmartPointer(input->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    vtkPolyData* leaf = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject());
+    if (!leaf)
+    {
+      continue;
+    }
+    const unsigned int index = iterator->GetCurrentFlatIndex();
+    indices.insert(index);
+    vtkSmartPointer<vtkAdaptiveRefinementMapper>& mapper = this->Mappers[index];
+    const bool isNew = !mapper;
+    if (isNew)
+    {
+      mapper.TakeReference(parent->NewInstance());
+      mapper->SetPopulateSelectionSettings(0);
+      // Errors come from the object the user holds.
+      auto forward = [](vtkObject*, unsigned long event, void* client, void* text)
+      { static_cast<vtkAdaptiveRefinementMapper*>(client)->InvokeEvent(event, text); };
+      vtkNew<vtkCallbackCommand> command;
+      command->SetCallback(forward);
+      command->SetClientData(parent);
+      mapper->AddObserver(vtkCommand::ErrorEvent, command);
+      mapper->AddObserver(vtkCommand::WarningEvent, command);
+    }
+    if (changed || isNew)
+    {
+      mapper->ShallowCopy(parent);
+      // The piece is the parent's: what it was given is drawn.
+      mapper->SetNumberOfPieces(1);
+      mapper->SetNumberOfSubPieces(1);
+      mapper->SetGhostLevel(0);
+      mapper->SetCompositeDataDisplayAttributes(nullptr);
+    }
+    if (mapper->GetInputDataObject(0, 0) != leaf)
+    {
+      mapper->SetInputDataObject(leaf);
+    }
+  }
+  for (auto block = this->Mappers.begin(); block != this->Mappers.end();)
+  {
+    block = indices.count(block->first) ? std::next(block) : this->Mappers.erase(block);
+  }
+  this->UpdateLooks(parent->GetCompositeDataDisplayAttributes(), input);
+  if (changed)
+  {
+    this->SyncTime.Modified();
+  }
+}
+
+void RefinementBlocks::UpdateLooks(
+  vtkCompositeDataDisplayAttributes* attributes, vtkCompositeDataSet* input)
+{
+  const BlockLooks looks = attributes ? GetBlockLooks(attributes, input) : BlockLooks();
+  for (auto& block : this->Mappers)
+  {
+    const auto look = looks.find(block.first);
+    block.second->SetLook(look == looks.end() ? BlockLook() : look->second);
+  }
+}
+
+void RefinementBlocks::Render(vtkRenderer* ren, vtkActor* act)
+{
+  vtkHardwareSelector* selector = ren->GetSelector();
+  if (selector)
+  {
+    selector->BeginRenderProp();
+  }
+  // An actor that is drawn in both passes has blocks for either.
+  const bool drawnTwice =
+    !selector && act->HasOpaqueGeometry() && act->HasTranslucentPolygonalGeometry();
+  const bool translucent = act->IsRenderingTranslucentPolygonalGeometry() != 0;
+  for (auto& block : this->Mappers)
+  {
+    if (drawnTwice && block.second->HasTranslucentPolygonalGeometry() != translucent)
+    {
+      continue;
+    }
+    if (selector && selector->GetCurrentPass() == vtkHardwareSelector::COMPOSITE_INDEX_PASS)
+    {
+      selector->RenderCompositeIndex(block.first);
+    }
+    block.second->RenderPiece(ren, act);
+  }
+  if (selector)
+  {
+    selector->EndRenderProp();
+  }
+}
+
+void RefinementBlocks::ProcessSelectorPixelBuffers(
+  vtkHardwareSelector* selector, const std::vector<unsigned int>& pixels, vtkProp* prop)
+{
+  const unsigned char* indices =
+    selector->GetRawPixelBuffer(vtkHardwareSelector::COMPOSITE_INDEX_PASS);
+  if (!indices)
+  {
+    return;
+  }
+  std::map<unsigned int, std::vector<unsigned int>> pixelsOfBlock;
+  for (unsigned int pixel : pixels)
+  {
+    const unsigned int index = indices[pixel] | indices[pixel + 1] << 8 | indices[pixel + 2] << 16;
+    pixelsOfBlock[index].push_back(pixel);
+  }
+  for (auto& block : this->Mappers)
+  {
+    auto found = pixelsOfBlock.find(block.first);
+    if (found != pixelsOfBlock.end())
+    {
+      block.second->SetPopulateSelectionSettings(1);
+      block.second->ProcessSelectorPixelBuffers(selector, found->second, prop);
+      block.second->SetPopulateSelectionSettings(0);
+    }
+  }
+}
+
+vtkAdaptiveRefinementMapper* RefinementBlocks::Find(unsigned int flatIndex) const
+{
+  const auto found = this->Mappers.find(flatIndex);
+  return found == this->Mappers.end() ? nullptr : found->second.Get();
+}
+
+void RefinementBlocks::ForEach(const std::function<void(vtkAdaptiveRefinementMapper*)>& work) const
+{
+  for (const auto& block : this->Mappers)
+  {
+    work(block.second);
+  }
+}
+}

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   RefinementBlocks
+ * @brief   the leaves of a composite input, each drawn by a refining mapper of its own
+ *
+ * Private to the module.
+ */
+#ifndef RefinementBlocks_h
+#define RefinementBlocks_h
+
+#include "vtkSmartPointer.h" // for members
+#include "vtkTimeStamp.h"    // for SyncTime
+
+#include <functional> // for ForEach
+#include <map>        // for members
+#include <vector>     // for pixel offsets
+
+class vtkActor;
+class vtkAdaptiveRefinementMapper;
+class vtkCompositeDataDisplayAttributes;
+class vtkCompositeDataSet;
+class vtkHardwareSelector;
+class vtkProp;
+class vtkRenderer;
+
+namespace relevo
+{
+class RefinementBlocks
+{
+public:
+  RefinementBlocks();
+  ~RefinementBlocks();
+
+  /**
+   * Have one mapper per polydata leaf, with the parent's settings.
+   */
+  void Update(vtkAdaptiveRefinementMapper* parent, vtkCompositeDataSet* input);
+
+  /**
+   * Draw all leaves. In a selection each reports its flat index as composite index.
+   */
+  void Render(vtkRenderer* ren, vtkActor* act);
+
+  /**
+   * Turn drawn ids into cell ids, leaf by leaf.
+   */
+  void ProcessSelectorPixelBuffers(
+    vtkHardwareSelector* selector, const std::vector<unsigned int>& pixels, vtkProp* prop);
+
+  /// The mapper of the leaf with a flat index; nullptr where there is none.
+  vtkAdaptiveRefinementMapper* Find(unsigned int flatIndex) const;
+
+  void ForEach(const std::function<void(vtkAdaptiveRefinementMapper*)>& work) const;
+  void Clear() { this->Mappers.clear(); }
+  bool IsEmpty() const { return this->Mappers.empty(); }
+
+private:
+  void UpdateLooks(vtkCompositeDataDisplayAttributes* attributes, vtkCompositeDataSet* input);
+
+  std::map<unsigned int, vtkSmartPointer<vtkAdaptiveRefinementMapper>> Mappers; // by flat index
+  vtkTimeStamp SyncTime;
+};
+}
+
+#endif

@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Buffers/RefinementColors.h"
+
+#include "Core/NoDataTuples.h"
+
+#include "vtkDataArray.h"
+#include "vtkLookupTable.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkScalarsToColors.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace relevo
+{
+namespace
+{
+// Which components make the number that is looked up.
+struct Choice
+{
+  int First = 0;
+  int Count = 1; // 0: the table's mapping is not a function of one number
+  bool IsLength = false;
+};
+
+// See vtkScalarsToColors::MapScalars().
+Choice ChooseComponents(int components, vtkScalarsToColors* table, int component)
+{
+  Choice choice;
+  if (components > 1)
+  {
+    if (component >= 0)
+    {
+      choice.First = component;
+    }
+    else if (table->GetVectorMode() == vtkScalarsToColors::COMPONENT)
+    {
+      choice.First = table->GetVectorComponent();
+    }
+    else if (table->GetVectorMode() == vtkScalarsToColors::MAGNITUDE)
+    {
+      const int size = table->GetVectorSize();
+      choice.First = size > 0 ? table->GetVectorComponent() : 0;
+      choice.Count = size > 0 ? size : components;
+    }
+    else
+    {
+      choice.Count = 0;
+    }
+    choice.First = std::min(std::max(choice.First, 0), components - 1);
+    choice.Count = std::min(choice.Count, components - choice.First);
+  }
+  choice.IsLength = choice.Count > 1;
+  return choice;
+}
+
+// See vtkMapper::MapScalarsToTexture().
+Choice ChooseTextureComponents(int components, vtkScalarsToColors* table)
+{
+  Choice choice;
+  choice.First = table->GetVectorComponent();
+  if ((table->GetVectorMode() == vtkScalarsToColors::MAGNITUDE && components > 1) ||
+    choice.First < 0 || choice.First >= components)
+  {
+    choice = { 0, components, true };
+  }
+  return choice;
+}
+}
+
+bool RefinementColors::Upload(vtkOpenGLRenderWindow* window, vtkAbstractArray* scalars,
+  vtkScalarsToColors* table, int component, bool byTexture, double noDataMagnitude)
+{
+  this->Kind = BY_VTK;
+  this->NoData.ReleaseGraphicsResources(window);
+  vtkDataArray* numbers = vtkDataArray::SafeDownCast(scalars);
+  if (!numbers || numbers->GetDataType() == VTK_BIT)
+  {
+    this->Kind = byTexture ? BY_VTK : BY_NEAREST;
+    return true;
+  }
+  const double* tableRange = table->GetRange();
+  const bool isLog = RefinementColorTable::IsLogarithmic(table);
+  // Of categories, and of tables for logarithms of negative numbers, VTK's colours do.
+  if (table->GetIndexedLookup() || (table->UsingLogScale() && !(tableRange[0] > 0.0)))
+  {
+    return true;
+  }
+  const int components = numbers->GetNumberOfComponents();
+  const Choice choice = byTexture ? ChooseTextureComponents(components, table)
+                                  : ChooseComponents(components, table, component);
+  if (choice.Count < 1)
+  {
+    return true;
+  }
+  this->Whole = numbers->GetDataType() != VTK_FLOAT && numbers->GetDataType() != VTK_DOUBLE;
+  // Differences to the minimum keep the digits of narrow ranges far from zero.
+  this->Bias = choice.IsLength || isLog ? 0.0 : tableRange[0];
+  if (this->Whole)
+  {
+    constexpr double mostExact = 1 << 24;
+    const double largest = std::max(std::abs(tableRange[0]), std::abs(tableRange[1]));
+    this->Bias = largest < mostExact ? 0.0 : std::floor(this->Bias);
+  }
+  double range[2];
+  if (!this->UploadValues(window, numbers, choice.First, choice.Count, choice.IsLength, range) ||
+    !this->UploadNoData(window, numbers, noDataMagnitude))
+  {
+    return false;
+  }
+  if (byTexture)
+  {
+    this->SetCoordinates(table);
+    this->Kind = BY_TEXTURE;
+    return true;
+  }
+  this->Kind = BY_VALUE;
+  return this->Table.Upload(window, table, this->Bias, range, this->Whole && !choice.IsLength);
+}
+
+bool RefinementColors::UploadValues(vtkOpenGLRenderWindow* window, vtkDataArray* scalars, int first,
+  int count, bool isLength, double range[2])
+{
+  this->Texels = isLength ? (count + 3) / 4 : 0;
+  const int perPoint = isLength ? 4 * this->Texels : 1;
+  const vtkIdType numberOfPoints = scalars->GetNumberOfTuples();
+  std::vector<float> values(static_cast<size_t>(perPoint) * numberOfPoints, 0.0f);
+  range[0] = std::numeric_limits<double>::max();
+  range[1] = std::numeric_limits<double>::lowest();
+  double largest = 0.0; // squared length
+  for (vtkIdType i = 0; i < numberOfPoints; ++i)
+  {
+    double squares = 0.0;
+    for (int c = 0; c < count; ++c)
+    {
+      const double value = scalars->GetComponent(i, first + c);
+      values[static_cast<size_t>(perPoint) * i + c] = static_cast<float>(value - this->Bias);
+      squares += value * value;
+      range[0] = std::min(range[0], value);
+      range[1] = std::max(range[1], value);
+    }
+    largest = squares > largest ? squares : largest;
+  }
+  if (isLength)
+  {
+    // Between points a vector can be shorter than at any of them.
+    range[0] = 0.0;
+    range[1] = std::sqrt(largest);
+  }
+  return this->Scalars.Upload(window, values, isLength ? 4 : 1);
+}
+
+void RefinementColors::SetCoordinates(vtkScalarsToColors* table)
+{
+  // As vtkMapper has it: a texel more at either end, for the colours below and above the range.
+  double range[2] = { table->GetRange()[0], table->GetRange()[1] };
+  const bool isLog = table->UsingLogScale() != 0;
+  if (isLog)
+  {
+    vtkLookupTable::GetLogRange(range, range);
+  }
+  const double texel =
+    (range[1] - range[0]) / static_cast<double>(table->GetNumberOfAvailableColors());
+  this->Coordinates[0] = static_cast<float>(range[0] - texel - this->Bias);
+  this->Coordinates[1] = static_cast<float>(1.0 / (range[1] - range[0] + 2.0 * texel));
+  this->Coordinates[2] = isLog ? 1.0f : 0.0f;
+}
+
+bool RefinementColors::UploadNoData(
+  vtkOpenGLRenderWindow* window, vtkDataArray* scalars, double noDataMagnitude)
+{
+  const NoDataTuples noData(scalars, noDataMagnitude);
+  if (noData.IsEmpty())
+  {
+    this->NoData.ReleaseGraphicsResources(window);
+    return true;
+  }
+  const std::vector<unsigned char>& marks = noData.GetMarks();
+  return this->NoData.Upload(window, std::vector<float>(marks.begin(), marks.end()), 1);
+}
+
+void RefinementColors::Activate(vtkShaderProgram* program)
+{
+  this->NoData.Activate(program, "relevoNoData");
+  if (!program->IsUniformUsed("relevoScalars"))
+  {
+    return;
+  }
+  this->Scalars.Activate(program, "relevoScalars");
+  this->Table.Activate(program);
+  if (program->IsUniformUsed("relevoNotANumber"))
+  {
+    program->SetUniformf("relevoNotANumber", std::numeric_limits<float>::quiet_NaN());
+  }
+  program->SetUniformi("relevoScalarTexels", this->Texels);
+  program->SetUniformi("relevoScalarsWhole", this->Whole ? 1 : 0);
+  program->SetUniform3f("relevoScalarCoordinates", this->Coordinates);
+}
+
+void RefinementColors::Deactivate()
+{
+  this->NoData.Deactivate();
+  this->Scalars.Deactivate();
+  this->Table.Deactivate();
+}
+
+vtkTypeInt64 RefinementColors::GetMemorySize() const
+{
+  return this->NoData.GetMemorySize() + this->Scalars.GetMemorySize() + this->Table.GetMemorySize();
+}
+
+void RefinementColors::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->NoData.ReleaseGraphicsResources(window);
+  this->Scalars.ReleaseGraphicsResources(window);
+  this->Table.ReleaseGraphicsResources(window);
+}
+}

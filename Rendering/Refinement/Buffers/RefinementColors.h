@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   RefinementColors
+ * @brief   point scalars and their lookup table on the GPU
+ *
+ * VTK colours the coarse points and interpolates colours; over a refined surface scalars are
+ * interpolated first and each refined point is coloured, as a mapper of the refined mesh would. The
+ * coarse points themselves keep the colours that VTK gives them. Private to the module.
+ */
+#ifndef RefinementColors_h
+#define RefinementColors_h
+
+#include "Buffers/RefinementBuffer.h"     // for members
+#include "Buffers/RefinementColorTable.h" // for members
+
+class vtkAbstractArray;
+class vtkDataArray;
+class vtkScalarsToColors;
+
+namespace relevo
+{
+class RefinementColors
+{
+public:
+  /// How points between the coarse ones come to their colours.
+  enum KindType
+  {
+    BY_VTK,     // VTK's colours or texture coordinates are interpolated
+    BY_VALUE,   // values are interpolated and looked up
+    BY_TEXTURE, // values are interpolated, which tells where VTK's texture of the table has them
+    BY_NEAREST  // from the nearest corner
+  };
+
+  /**
+   * Take point scalars that are mapped through a lookup table (not direct colours). `component` is
+   * that of vtkMapper, -1 to leave the choice to the table. `byTexture` says that VTK colours by a
+   * texture. For noDataMagnitude see NoDataTuples. False when they do not fit on the GPU.
+   */
+  bool Upload(vtkOpenGLRenderWindow* window, vtkAbstractArray* scalars, vtkScalarsToColors* table,
+    int component, bool byTexture, double noDataMagnitude);
+
+  KindType GetKind() const { return this->Kind; }
+  /// Whether some of the values stand for no data.
+  bool HasNoData() const { return this->Kind != BY_VTK && !this->NoData.IsEmpty(); }
+  void Clear() { this->Kind = BY_VTK; }
+
+  void Activate(vtkShaderProgram* program);
+  void Deactivate();
+  vtkTypeInt64 GetMemorySize() const;
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  /// Components first, first + 1, ...: a number, or a vector whose length counts.
+  bool UploadValues(vtkOpenGLRenderWindow* window, vtkDataArray* scalars, int first, int count,
+    bool isLength, double range[2]);
+  bool UploadNoData(vtkOpenGLRenderWindow* window, vtkDataArray* scalars, double noDataMagnitude);
+  void SetCoordinates(vtkScalarsToColors* table);
+
+  RefinementBuffer Scalars;
+  RefinementBuffer NoData;
+  RefinementColorTable Table;
+  KindType Kind = BY_VTK;
+  int Texels = 0; // per point; 0 for a single number
+  bool Whole = false;
+  double Bias = 0.0;
+  float Coordinates[3] = { 0.0f, 0.0f, 0.0f }; // minimum, 1 / width, log
+};
+}
+
+#endif

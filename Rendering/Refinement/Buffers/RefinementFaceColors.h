@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   RefinementFaceColors
+ * @brief   colours of faces by level, by pattern or by tag, on the GPU
+ *
+ * Level and pattern are the same all over a face: vertices know the number of their pattern or of
+ * their face, and a table has a colour for each. Tags are interpolated and looked up per fragment.
+ * Nothing here depends on which faces are drawn. Private to the module.
+ */
+#ifndef RefinementFaceColors_h
+#define RefinementFaceColors_h
+
+#include "Buffers/RefinementBuffer.h"     // for members
+#include "Buffers/RefinementColorTable.h" // for members
+#include "Buffers/RefinementLevelTable.h" // for RefinementColorMode
+#include "vtkType.h"                      // for vtkMTimeType
+
+#include <vector> // for patterns
+
+class vtkAdaptiveRefinement;
+class vtkPolyData;
+class vtkScalarsToColors;
+
+namespace relevo
+{
+struct RefinementPattern;
+class RefinementMesh;
+class RefinementPatternBuffer;
+class ViewSelection;
+
+class RefinementFaceColors
+{
+public:
+  /**
+   * Have the colours of these patterns; by level, or by pattern (of whole numbers of segments, or
+   * powers of two).
+   */
+  bool UploadPatterns(vtkOpenGLRenderWindow* window, RefinementColorMode mode, bool wholeNumbers,
+    const RefinementPatternBuffer& patterns, vtkScalarsToColors* table);
+
+  /**
+   * The same face by face, for vertices that belong to no pattern on the GPU: of the pattern that
+   * each face's levels ask for.
+   */
+  bool UploadFaces(vtkOpenGLRenderWindow* window, RefinementColorMode mode, bool wholeNumbers,
+    const ViewSelection& selection, vtkScalarsToColors* table);
+
+  /**
+   * Have the tags of a selection; `offset` is added to them, and they end at `highest`.
+   */
+  bool UploadTags(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh,
+    const ViewSelection& selection, double offset, int highest, vtkScalarsToColors* table);
+
+  void Activate(vtkShaderProgram* program);
+  void Deactivate();
+  vtkTypeInt64 GetMemorySize() const;
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  RefinementBuffer Colors; // of patterns or faces
+  RefinementBuffer Tags;
+  RefinementColorTable Table;
+  bool PerEdge = false;
+  float Offset = 0.0f;
+  float Highest = 0.0f;
+
+  // What the buffers were made of.
+  std::vector<vtkMTimeType> ColorTimes;
+  std::vector<vtkMTimeType> TagTimes;
+  std::vector<vtkMTimeType> TableTimes;
+};
+}
+
+#endif

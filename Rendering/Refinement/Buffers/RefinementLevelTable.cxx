@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Buffers/RefinementLevelTable.h"
+
+#include "Patterns/PatternFamily.h"
+#include "Patterns/RefinementPattern.h"
+#include "vtkLookupTable.h"
+#include "vtkMath.h"
+#include "vtkRefinementPatternTable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace relevo
+{
+namespace
+{
+// Every eighth of matplotlib's viridis (public domain): even steps to the eye, in grey as well.
+constexpr int NumberOfAnchors = 9;
+constexpr double Viridis[NumberOfAnchors][3] = { { 0.267, 0.005, 0.329 }, { 0.278, 0.176, 0.482 },
+  { 0.231, 0.322, 0.545 }, { 0.173, 0.446, 0.557 }, { 0.129, 0.565, 0.552 },
+  { 0.153, 0.678, 0.506 }, { 0.361, 0.784, 0.388 }, { 0.667, 0.863, 0.196 },
+  { 0.993, 0.906, 0.144 } };
+
+std::array<double, 3> GetViridis(double t)
+{
+  const double place = t * (NumberOfAnchors - 1);
+  const int first = std::min(static_cast<int>(place), NumberOfAnchors - 2);
+  std::array<double, 3> color;
+  for (int c = 0; c < 3; ++c)
+  {
+    color[c] = Viridis[first][c] + (place - first) * (Viridis[first + 1][c] - Viridis[first][c]);
+  }
+  return color;
+}
+
+// Colours that follow each other differ: hues by the golden ratio, in three tones.
+std::array<double, 3> GetCategory(int i)
+{
+  constexpr double Tones[3][2] = { { 0.65, 0.90 }, { 0.40, 0.98 }, { 0.80, 0.60 } };
+  const double hue = 0.6180339887 * i - std::floor(0.6180339887 * i);
+  const double* tone = Tones[i % 3];
+  std::array<double, 3> color;
+  vtkMath::HSVToRGB(hue, tone[0], tone[1], &color[0], &color[1], &color[2]);
+  return color;
+}
+
+void SetColor(vtkLookupTable* table, int i, const std::array<double, 3>& color)
+{
+  table->SetTableValue(i, color[0], color[1], color[2], 1.0);
+}
+
+const PatternFamily& GetFamily(bool wholeNumbers)
+{
+  return wholeNumbers ? PatternFamily::GetWholeNumbers() : PatternFamily::GetPowersOfTwo();
+}
+
+int FindStep(const PatternFamily& family, int segments)
+{
+  int step = 0;
+  while (family.GetSegments(step) < segments)
+  {
+    ++step;
+  }
+  return step;
+}
+
+int GetLevel(int segments)
+{
+  int level = 0;
+  while (1 << level < segments)
+  {
+    ++level;
+  }
+  return level;
+}
+
+// As the table of patterns names them: by levels or, where edges take any number, by segments.
+std::string GetName(const PatternFamily& family, int i, int j, int k)
+{
+  const auto number = [&family](int step)
+  { return std::to_string(family.AreWholeNumbers() ? family.GetSegments(step) : step); };
+  return "[" + number(i) + ", " + number(j) + ", " + number(k) + "]";
+}
+}
+
+RefinementLevelTable::RefinementLevelTable() = default;
+RefinementLevelTable::~RefinementLevelTable() = default;
+
+double RefinementLevelTable::GetValue(
+  RefinementColorMode mode, bool wholeNumbers, const RefinementPattern& pattern)
+{
+  std::array<int, 3> segments;
+  std::copy_n(pattern.Segments, 3, segments.begin());
+  std::sort(segments.rbegin(), segments.rend());
+  if (mode != vtkAdaptiveRefinementMapper::COLOR_BY_PATTERN)
+  {
+    return GetLevel(segments[0]);
+  }
+  const PatternFamily& family = GetFamily(wholeNumbers);
+  return vtkRefinementPatternTable::GetPatternIndex(
+    FindStep(family, segments[0]), FindStep(family, segments[1]), FindStep(family, segments[2]));
+}
+
+vtkLookupTable* RefinementLevelTable::Get(
+  RefinementColorMode mode, bool wholeNumbers, int maximumLevel)
+{
+  const std::array<int, 3> key = { { mode, wholeNumbers ? 1 : 0, maximumLevel } };
+  if (key != this->Key)
+  {
+    this->Key = key;
+    this->Table->ResetAnnotations();
+    this->Table->SetIndexedLookup(mode != vtkAdaptiveRefinementMapper::COLOR_BY_METRIC);
+    switch (mode)
+    {
+      case vtkAdaptiveRefinementMapper::COLOR_BY_PATTERN:
+        this->MakePatterns(GetFamily(wholeNumbers), maximumLevel);
+        break;
+      case vtkAdaptiveRefinementMapper::COLOR_BY_METRIC:
+        this->MakeTags(maximumLevel);
+        break;
+      default:
+        this->MakeLevels(maximumLevel);
+    }
+  }
+  return this->Table;
+}
+
+void RefinementLevelTable::MakeLevels(int maximumLevel)
+{
+  this->Table->SetNumberOfTableValues(maximumLevel + 1);
+  this->Table->SetTableRange(0.0, std::max(maximumLevel, 1));
+  for (int level = 0; level <= maximumLevel; ++level)
+  {
+    SetColor(
+      this->Table, level, GetViridis(static_cast<double>(level) / std::max(maximumLevel, 1)));
+    this->Table->SetAnnotation(level, std::to_string(level));
+  }
+}
+
+void RefinementLevelTable::MakePatterns(const PatternFamily& family, int maximumLevel)
+{
+  const int last = FindStep(family, 1 << maximumLevel);
+  const int count = vtkRefinementPatternTable::GetPatternIndex(last, last, last) + 1;
+  this->Table->SetNumberOfTableValues(count);
+  this->Table->SetTableRange(0.0, std::max(count - 1, 1));
+  for (int i = 0, index = 0; i <= last; ++i)
+  {
+    for (int j = 0; j <= i; ++j)
+    {
+      for (int k = 0; k <= j; ++k, ++index)
+      {
+        SetColor(this->Table, index, GetCategory(index));
+        this->Table->SetAnnotation(index, GetName(family, i, j, k));
+      }
+    }
+  }
+}
+
+void RefinementLevelTable::MakeTags(int maximumLevel)
+{
+  constexpr int count = 256;
+  this->Table->SetNumberOfTableValues(count);
+  this->Table->SetTableRange(0.0, std::max(maximumLevel, 1));
+  for (int i = 0; i < count; ++i)
+  {
+    SetColor(this->Table, i, GetViridis(i / (count - 1.0)));
+  }
+}
+}

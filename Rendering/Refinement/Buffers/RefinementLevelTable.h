@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   RefinementLevelTable
+ * @brief   the lookup table that shows levels, patterns or tags unless the user has one
+ *
+ * Private to the module.
+ */
+#ifndef RefinementLevelTable_h
+#define RefinementLevelTable_h
+
+#include "vtkAdaptiveRefinementMapper.h" // for RefinementColorModes
+#include "vtkNew.h"                      // for Table
+
+#include <array> // for members
+
+class vtkLookupTable;
+
+namespace relevo
+{
+struct RefinementPattern;
+class PatternFamily;
+
+using RefinementColorMode = vtkAdaptiveRefinementMapper::RefinementColorModes;
+
+class RefinementLevelTable
+{
+public:
+  RefinementLevelTable();
+  ~RefinementLevelTable();
+
+  /**
+   * The table for a mode: a colour and an annotation per level or pattern, or a range for tags.
+   */
+  vtkLookupTable* Get(RefinementColorMode mode, bool wholeNumbers, int maximumLevel);
+
+  /**
+   * What a table maps for a face of this pattern: its highest level, or the pattern's index.
+   */
+  static double GetValue(
+    RefinementColorMode mode, bool wholeNumbers, const RefinementPattern& pattern);
+
+private:
+  void MakeLevels(int maximumLevel);
+  void MakePatterns(const PatternFamily& family, int maximumLevel);
+  void MakeTags(int maximumLevel);
+
+  vtkNew<vtkLookupTable> Table;
+  std::array<int, 3> Key = { { -1, -1, -1 } }; // what the table was made for
+};
+}
+
+#endif

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Compute/RefinementComputeTags.h"
+
+#include "Mesh/RefinementMesh.h"
+#include "Mesh/SurfaceEdges.h"
+#include "Metrics/MetricShader.h"
+
+#include "relevoMeasureEdgesCS.h"
+#include "relevoMeasurePointsCS.h"
+#include "relevoTagPlacesCS.h"
+#include "relevoTagsCS.h"
+#include "relevoValuesCS.h"
+
+#include <vector>
+
+namespace relevo
+{
+namespace
+{
+constexpr const char* TooLarge = "the mesh is larger than the storage buffers of this OpenGL";
+}
+
+bool RefinementComputeTags::Fail(const std::string& error)
+{
+  this->Error = error;
+  return false;
+}
+
+bool RefinementComputeTags::UploadMesh(const RefinementMesh& mesh)
+{
+  this->NumberOfPoints = static_cast<int>(mesh.Points.size() / 3);
+  this->NumberOfEdges = -1;
+  this->HasPlaces = !mesh.Places.empty();
+  const std::vector<int> places(mesh.Places.begin(), mesh.Places.end());
+  return (this->Points.Upload(mesh.Points) && this->Places.Upload(places)) || this->Fail(TooLarge);
+}
+
+bool RefinementComputeTags::UploadEdges(const SurfaceEdges& edges)
+{
+  if (this->NumberOfEdges >= 0)
+  {
+    return true;
+  }
+  if (!this->Edges.Upload(edges.GetEdges()))
+  {
+    return this->Fail(TooLarge);
+  }
+  this->NumberOfEdges = edges.GetNumberOfEdges();
+  return true;
+}
+
+bool RefinementComputeTags::UploadData(const MetricShader& shader)
+{
+  if (!shader.Data || this->DataTime == shader.DataTime)
+  {
+    return true;
+  }
+  if (!this->Data.Upload(
+        shader.Data->data(), 4 * sizeof(float) * static_cast<size_t>(this->NumberOfPoints)))
+  {
+    return this->Fail(TooLarge);
+  }
+  this->DataTime = shader.DataTime;
+  return true;
+}
+
+bool RefinementComputeTags::Build(
+  RefinementComputeProgram& program, const MetricShader& shader, const char* stage)
+{
+  return program.Build(std::string(relevoTagsCS) + shader.Source + stage) ||
+    this->Fail(program.GetError());
+}
+
+bool RefinementComputeTags::Evaluate(const MetricShader& shader, bool perEdge)
+{
+  if (!this->UploadData(shader))
+  {
+    return false;
+  }
+  if (shader.TagsPoints && !perEdge)
+  {
+    return this->MeasurePoints(shader) && (!this->HasPlaces || this->TagPlaces(shader));
+  }
+  return this->MeasureEdges(shader, perEdge) && (perEdge || this->TagPlaces(shader));
+}
+
+void RefinementComputeTags::UseForPoints(
+  RefinementComputeProgram& program, const MetricShader& shader, bool united, unsigned int target)
+{
+  program.Use(
+    { this->Points.GetHandle(), this->Data.GetHandle(), this->Places.GetHandle(), target });
+  program.SetUniform("metricParameters", shader.Parameters.data(), 4, 10);
+  program.SetUniform("relevoHasData", shader.Data ? 1 : 0);
+  program.SetUniform("relevoHasPlaces", united ? 1 : 0);
+}
+
+bool RefinementComputeTags::MeasurePoints(const MetricShader& shader)
+{
+  RefinementComputeBuffer& target = this->HasPlaces ? this->Measures : this->Tags;
+  if (!this->Build(this->PointProgram, shader, relevoMeasurePointsCS))
+  {
+    return false;
+  }
+  if (!target.Resize(sizeof(float) * static_cast<size_t>(this->NumberOfPoints)))
+  {
+    return this->Fail(TooLarge);
+  }
+  if (this->HasPlaces)
+  {
+    target.Clear();
+  }
+  this->UseForPoints(this->PointProgram, shader, this->HasPlaces, target.GetHandle());
+  this->PointProgram.Dispatch(this->NumberOfPoints);
+  return true;
+}
+
+bool RefinementComputeTags::MeasureEdges(const MetricShader& shader, bool perEdge)
+{
+  // Without data of their own points at one place have one value.
+  const bool united = this->HasPlaces && shader.Data;
+  RefinementComputeBuffer& target = perEdge ? this->Tags : this->Measures;
+  if (!this->Build(this->ValueProgram, shader, relevoValuesCS) ||
+    !this->Build(this->EdgeProgram, shader, relevoMeasureEdgesCS))
+  {
+    return false;
+  }
+  if (!this->Values.Resize(4 * sizeof(float) * static_cast<size_t>(this->NumberOfPoints)) ||
+    !target.Resize(
+      sizeof(float) * static_cast<size_t>(perEdge ? this->NumberOfEdges : this->NumberOfPoints)))
+  {
+    return this->Fail(TooLarge);
+  }
+  if (united)
+  {
+    this->Values.Clear();
+  }
+  if (!perEdge)
+  {
+    target.Clear();
+  }
+  this->UseForPoints(this->ValueProgram, shader, united, this->Values.GetHandle());
+  this->ValueProgram.Dispatch(this->NumberOfPoints);
+
+  this->EdgeProgram.Use({ this->Edges.GetHandle(), this->Values.GetHandle(), target.GetHandle() });
+  this->EdgeProgram.SetUniform("metricParameters", shader.Parameters.data(), 4, 10);
+  this->EdgeProgram.SetUniform("relevoPerEdge", perEdge ? 1 : 0);
+  this->EdgeProgram.Dispatch(this->NumberOfEdges);
+  return true;
+}
+
+bool RefinementComputeTags::TagPlaces(const MetricShader& shader)
+{
+  if (!this->Build(this->PlaceProgram, shader, relevoTagPlacesCS))
+  {
+    return false;
+  }
+  if (!this->Tags.Resize(sizeof(float) * static_cast<size_t>(this->NumberOfPoints)))
+  {
+    return this->Fail(TooLarge);
+  }
+  this->PlaceProgram.Use(
+    { this->Measures.GetHandle(), this->Places.GetHandle(), this->Tags.GetHandle() });
+  this->PlaceProgram.SetUniform("metricParameters", shader.Parameters.data(), 4, 10);
+  this->PlaceProgram.SetUniform("relevoHasPlaces", this->HasPlaces ? 1 : 0);
+  this->PlaceProgram.Dispatch(this->NumberOfPoints);
+  return true;
+}
+
+vtkTypeInt64 RefinementComputeTags::GetMemorySize() const
+{
+  vtkTypeInt64 size = 0;
+  for (const RefinementComputeBuffer* buffer : { &this->Points, &this->Places, &this->Edges,
+         &this->Data, &this->Values, &this->Measures, &this->Tags })
+  {
+    size += buffer->GetMemorySize();
+  }
+  return size;
+}
+
+void RefinementComputeTags::ReleaseGraphicsResources()
+{
+  for (RefinementComputeProgram* program :
+    { &this->PointProgram, &this->ValueProgram, &this->EdgeProgram, &this->PlaceProgram })
+  {
+    program->ReleaseGraphicsResources();
+  }
+  for (RefinementComputeBuffer* buffer : { &this->Points, &this->Places, &this->Edges, &this->Data,
+         &this->Values, &this->Measures, &this->Tags })
+  {
+    buffer->ReleaseGraphicsResources();
+  }
+  this->NumberOfEdges = -1;
+  this->DataTime = 0;
+}
+}

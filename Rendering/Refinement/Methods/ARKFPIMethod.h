@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   ARKFPIMethod
+ * @brief   an instanced draw call for all faces that share a base pattern (Lenz 2009)
+ *
+ * Private to the module.
+ */
+#ifndef ARKFPIMethod_h
+#define ARKFPIMethod_h
+
+#include "Methods/PatternMethod.h"
+
+namespace relevo
+{
+class ARKFPIMethod : public PatternMethod
+{
+public:
+  bool TakesComputeSelection() const override { return true; }
+  bool Upload(const RefinementDrawing& drawing) override;
+  void Describe(const RefinementDrawing& drawing, RefinementShaderOptions& options) const override;
+  int Draw(
+    const RefinementDrawing& drawing, vtkShaderProgram* program, Primitives primitives) override;
+};
+}
+
+#endif

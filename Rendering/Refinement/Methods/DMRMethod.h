@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   DMRMethod
+ * @brief   dynamic mesh refinement: the stream that a geometry shader has fed back (Lorenz and
+ * Doellner 2008)
+ *
+ * Refined once per selection (RefinementStream), then drawn as plain triangles. Private to the
+ * module.
+ */
+#ifndef DMRMethod_h
+#define DMRMethod_h
+
+#include "Buffers/RefinementStream.h" // for members
+#include "Methods/RefinementMethod.h"
+
+#include <map> // for members
+
+namespace relevo
+{
+class DMRMethod : public RefinementMethod
+{
+public:
+  std::string GetObstacle(const PatternFamily& family) const override;
+  bool CanDraw(Primitives primitives) const override;
+  bool HasPatterns() const override { return false; }
+  bool Upload(const RefinementDrawing& drawing) override;
+  void Describe(const RefinementDrawing& drawing, RefinementShaderOptions& options) const override;
+  int Draw(
+    const RefinementDrawing& drawing, vtkShaderProgram* program, Primitives primitives) override;
+  vtkIdType GetNumberOfTriangles(const RefinementDrawing& drawing) const override;
+  vtkTypeInt64 GetMemorySize() const override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+private:
+  struct Slot
+  {
+    RefinementStream Stream;
+    vtkMTimeType GroupsTime = 0;
+  };
+  std::map<int, Slot> Slots;
+  RefinementSplitProgram Program;
+};
+}
+
+#endif

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Methods/HardwareTessellation.h"
+
+#include "OpenGL/RelevoOpenGL.h"
+
+#include "relevoEdgeSegments.h"
+#include "relevoTessellationTCS.h"
+#include "relevoTessellationTES.h"
+#include "relevoTessellationVS.h"
+
+#include "Buffers/RefinementInstances.h"
+#include "Compute/RefinementComputeState.h"
+#include "Patterns/RefinementPattern.h"
+#include "Shaders/RefinementShader.h"
+#include "State/ViewSelection.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace relevo
+{
+namespace
+{
+void Limit(const int segments[3], int limited[3])
+{
+  for (int e = 0; e < 3; ++e)
+  {
+    limited[e] = std::min<int>(segments[e], HardwareTessellation::MostSegments);
+  }
+}
+
+// Which faces are drawn together: those up to each of these.
+std::vector<GLint> FindEnds(const std::vector<PatternGroup>& groups)
+{
+  // Mesa's tessellator on the CPU counts the vertices of a call in 16 bits, and has faces missing
+  // from there on.
+  const vtkIdType most =
+    RefinementComputeState::IsHardware() ? std::numeric_limits<vtkIdType>::max() : 65535;
+  std::vector<GLint> ends;
+  GLint end = 0;
+  vtkIdType vertices = 0;
+  for (const PatternGroup& group : groups)
+  {
+    const vtkIdType perFace = HardwareTessellation::CountVertices(group.Pattern->Segments);
+    while (end < group.Offset + group.Count)
+    {
+      if (perFace > most - vertices)
+      {
+        ends.push_back(end);
+        vertices = 0;
+      }
+      const vtkIdType faces =
+        std::min<vtkIdType>(group.Offset + group.Count - end, (most - vertices) / perFace);
+      end += static_cast<GLint>(faces);
+      vertices += faces * perFace;
+    }
+  }
+  if (end > 0)
+  {
+    ends.push_back(end);
+  }
+  return ends;
+}
+}
+
+vtkIdType HardwareTessellation::CountTriangles(const int segments[3])
+{
+  int outer[3];
+  Limit(segments, outer);
+  int inner = *std::max_element(outer, outer + 3);
+  if (inner == 1)
+  {
+    return 1;
+  }
+  // Rings from the outside in: between the m segments of a ring's side and the n of the next
+  // ring's lie m + n triangles, and n is two less than the ring would have. What is left is a point
+  // or one triangle.
+  vtkIdType triangles = outer[0] + outer[1] + outer[2] + 3 * (inner - 2);
+  for (inner -= 2; inner > 1; inner -= 2)
+  {
+    triangles += 3 * (inner + inner - 2);
+  }
+  return triangles + inner;
+}
+
+vtkIdType HardwareTessellation::CountVertices(const int segments[3])
+{
+  int outer[3];
+  Limit(segments, outer);
+  // By Euler: the triangles have three sides each, of which all but the border's are shared.
+  return 1 + (CountTriangles(segments) + outer[0] + outer[1] + outer[2]) / 2;
+}
+
+std::string HardwareTessellation::GetMissing() const
+{
+  return TessellationPrograms::AreSupported() ? "" : "OpenGL 4.0";
+}
+
+bool HardwareTessellation::Upload(const RefinementDrawing& drawing)
+{
+  const bool uploaded =
+    drawing.Instances->Upload(drawing.Window, drawing.Slot, *drawing.Selection) &&
+    this->Segments.Upload(drawing.Window, drawing.Slot, *drawing.Mesh, *drawing.Selection);
+  this->Error = uploaded ? "" : RefinementBuffer::GetTooLarge();
+  return uploaded;
+}
+
+void HardwareTessellation::Describe(
+  const RefinementDrawing&, RefinementShaderOptions& options) const
+{
+  options.PlacementSource = std::string(relevoEdgeSegments) + relevoTessellationTES;
+}
+
+vtkShaderProgram* HardwareTessellation::BuildProgram(
+  const RefinementDrawing& drawing, const std::map<vtkShader::Type, vtkShader*>& shaders)
+{
+  const std::string control = "#define RELEVO_MOST_SEGMENTS " + std::to_string(MostSegments) +
+    "\n" + relevoEdgeSegments + relevoTessellationTCS;
+  vtkShaderProgram* program =
+    this->Programs.Build(drawing.Window, relevoTessellationVS, control, shaders);
+  this->Error = this->Programs.GetError();
+  return program;
+}
+
+int HardwareTessellation::Draw(
+  const RefinementDrawing& drawing, vtkShaderProgram* program, Primitives)
+{
+  drawing.Instances->Activate(program);
+  this->Segments.Activate(program);
+  glPatchParameteri(GL_PATCH_VERTICES, 1);
+  const std::vector<GLint> ends = FindEnds(drawing.Selection->GetSelection().Groups);
+  GLint first = 0;
+  for (GLint end : ends)
+  {
+    glDrawArrays(GL_PATCHES, first, end - first);
+    first = end;
+  }
+  this->Segments.Deactivate();
+  drawing.Instances->Deactivate();
+  return static_cast<int>(ends.size());
+}
+
+vtkIdType HardwareTessellation::GetNumberOfTriangles(const RefinementDrawing& drawing) const
+{
+  vtkIdType triangles = 0;
+  const PatternSelection& selection = drawing.Selection->GetSelection();
+  for (int face = 0; face < selection.GetNumberOfFaces(); ++face)
+  {
+    triangles += CountTriangles(selection.GetFacePattern(face).Pattern->Segments);
+  }
+  return triangles;
+}
+
+void HardwareTessellation::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Segments.ReleaseGraphicsResources(window);
+  this->Programs.ReleaseGraphicsResources(window);
+}
+}

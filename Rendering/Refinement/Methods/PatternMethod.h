@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   PatternMethod
+ * @brief   what methods share whose vertices are those of patterns (RefinementPatternBuffer)
+ *
+ * Private to the module.
+ */
+#ifndef PatternMethod_h
+#define PatternMethod_h
+
+#include "Buffers/RefinementPatternBuffer.h" // for Range
+#include "Methods/RefinementMethod.h"
+#include "OpenGL/VertexAttribute.h" // for BoundPatterns
+
+#include <vector> // for groups
+
+namespace relevo
+{
+class PatternMethod : public RefinementMethod
+{
+protected:
+  /**
+   * The patterns' vertices and triangles in the vertex array in use, as long as the object lives.
+   */
+  class BoundPatterns
+  {
+  public:
+    BoundPatterns(
+      const RefinementDrawing& drawing, vtkShaderProgram* program, Primitives primitives);
+    ~BoundPatterns();
+
+  private:
+    RefinementPatternBuffer& Patterns;
+    VertexAttribute Vertices;
+  };
+
+  /**
+   * Draw instances of a pattern. Triangles are those of that many copies.
+   */
+  static void DrawPattern(const RefinementPatternBuffer::Range& range, bool mirrored,
+    Primitives primitives, int copies, int instances);
+
+  /**
+   * Draw groups of instances, each by one call.
+   */
+  static int DrawGroups(const RefinementDrawing& drawing, vtkShaderProgram* program,
+    Primitives primitives, const std::vector<PatternGroup>& groups);
+};
+}
+
+#endif

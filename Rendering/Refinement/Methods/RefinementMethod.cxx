@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Methods/RefinementMethod.h"
+
+#include "Methods/ARKFPIMethod.h"
+#include "Methods/ARKMethod.h"
+#include "Methods/DMRMethod.h"
+#include "Methods/HardwareTessellation.h"
+#include "Methods/SUAPTMethod.h"
+#include "Methods/UniformMethod.h"
+#include "vtkAdaptiveRefinementMapper.h"
+
+namespace relevo
+{
+RefinementMethod::RefinementMethod() = default;
+RefinementMethod::~RefinementMethod() = default;
+
+std::unique_ptr<RefinementMethod> RefinementMethod::New(int method)
+{
+  switch (method)
+  {
+    case vtkAdaptiveRefinementMapper::METHOD_ARK:
+      return std::unique_ptr<RefinementMethod>(new ARKMethod);
+    case vtkAdaptiveRefinementMapper::METHOD_DMR:
+      return std::unique_ptr<RefinementMethod>(new DMRMethod);
+    case vtkAdaptiveRefinementMapper::METHOD_SUAPT:
+      return std::unique_ptr<RefinementMethod>(new SUAPTMethod);
+    case vtkAdaptiveRefinementMapper::METHOD_HARDWARE_TESSELLATION:
+      return std::unique_ptr<RefinementMethod>(new HardwareTessellation);
+    case vtkAdaptiveRefinementMapper::METHOD_UNIFORM:
+      return std::unique_ptr<RefinementMethod>(new UniformMethod);
+    default:
+      return std::unique_ptr<RefinementMethod>(new ARKFPIMethod);
+  }
+}
+
+const char* RefinementMethod::GetName(int method)
+{
+  static const char* const names[] = { "ARKFPI", "ARK", "DMR", "SUAPT", "HardwareTessellation",
+    "Uniform" };
+  return names[method];
+}
+}

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   UniformMethod
+ * @brief   every face by the uniform pattern of the highest level, instanced
+ *
+ * After Boubekeur and Schlick, Generic Mesh Refinement on GPU (2005), with instances in place of
+ * draw calls. Private to the module.
+ */
+#ifndef UniformMethod_h
+#define UniformMethod_h
+
+#include "Buffers/RefinementInstances.h" // for members
+#include "Evaluation/PatternSelection.h" // for PatternGroup
+#include "Methods/PatternMethod.h"
+
+#include <map> // for members
+
+namespace relevo
+{
+class UniformMethod : public PatternMethod
+{
+public:
+  bool Upload(const RefinementDrawing& drawing) override;
+  void Describe(const RefinementDrawing& drawing, RefinementShaderOptions& options) const override;
+  int Draw(
+    const RefinementDrawing& drawing, vtkShaderProgram* program, Primitives primitives) override;
+  vtkIdType GetNumberOfTriangles(const RefinementDrawing& drawing) const override;
+  vtkTypeInt64 GetMemorySize() const override { return this->Instances.GetMemorySize(); }
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  /// Segments on each edge of the pattern that a face takes; `most` is what any edge of the mesh
+  /// asks for.
+  virtual int GetSegments(const PatternSelection& selection, int face, int most) const;
+
+private:
+  void Group(const RefinementDrawing& drawing, std::vector<unsigned int>& instances,
+    std::vector<PatternGroup>& groups) const;
+
+  RefinementInstances Instances;
+  struct Slot
+  {
+    std::vector<PatternGroup> Groups;
+    vtkMTimeType GroupsTime = 0;
+  };
+  std::map<int, Slot> Slots;
+};
+}
+
+#endif

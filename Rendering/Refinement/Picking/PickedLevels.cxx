@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Picking/PickedLevels.h"
+
+#include "Core/RefinementView.h"
+#include "Evaluation/EdgeTags.h"
+#include "Evaluation/RefinementPreparation.h"
+#include "Mesh/RefinementMesh.h"
+#include "Patterns/RefinementPattern.h"
+#include "State/ViewSelection.h"
+#include "vtkAdaptiveRefinement.h"
+#include "vtkDepthTagMetric.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+namespace relevo
+{
+const PatternSelection* PickedLevels::Get(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
+  const RefinementMesh& mesh, vtkMTimeType meshTime, const ViewSelection& drawn, Kinds kind)
+{
+  const PatternSelection& selection = drawn.GetSelection();
+  const bool isDrawn = drawn.GetLevelsTime() > meshTime &&
+    selection.GetNumberOfFaces() == static_cast<int>(mesh.Faces.size());
+  if (isDrawn && (kind == MORPHED || (kind == ROUNDED && selection.GetMorphTags().empty())))
+  {
+    return &selection;
+  }
+  const std::vector<vtkMTimeType> times = { meshTime, isDrawn ? 1u : 0u,
+    isDrawn ? drawn.GetLevelsTime() : recipe->GetMTime(), static_cast<vtkMTimeType>(kind) };
+  if (times != this->OwnTimes)
+  {
+    this->OwnTimes = times;
+    this->Valid = isDrawn || this->SelectAnew(input, recipe, mesh);
+    if (isDrawn)
+    {
+      this->Round(selection, recipe, mesh, kind == HIGHEST);
+    }
+  }
+  return this->Valid ? &this->Own : nullptr;
+}
+
+bool PickedLevels::SelectAnew(
+  vtkPolyData* input, vtkAdaptiveRefinement* recipe, const RefinementMesh& mesh)
+{
+  vtkDepthTagMetric* metric = GetMetricInUse(recipe, input);
+  if (metric && metric->IsViewDependent())
+  {
+    this->Assign(recipe, mesh, [recipe](int, int) { return 1 << recipe->GetMaximumLevel(); });
+    return true;
+  }
+  std::string error; // said when the surface is drawn
+  return SelectPatterns(input, recipe, RefinementView(), mesh, this->Own, error);
+}
+
+void PickedLevels::Round(const PatternSelection& drawn, vtkAdaptiveRefinement* recipe,
+  const RefinementMesh& mesh, bool toHighest)
+{
+  std::vector<int> segments(3 * mesh.Faces.size());
+  for (size_t face = 0; face < mesh.Faces.size(); ++face)
+  {
+    drawn.GetFacePattern(static_cast<int>(face)).GetEdgeSegments(&segments[3 * face]);
+  }
+  if (toHighest && !segments.empty())
+  {
+    std::fill(
+      segments.begin(), segments.end(), *std::max_element(segments.begin(), segments.end()));
+  }
+  this->Assign(recipe, mesh,
+    [&segments](int face, int edge) { return segments[3 * static_cast<size_t>(face) + edge]; });
+}
+
+template <typename GetSegments>
+void PickedLevels::Assign(
+  vtkAdaptiveRefinement* recipe, const RefinementMesh& mesh, const GetSegments& getSegments)
+{
+  const PatternFamily& family = recipe->GetSegmentPolicy() == vtkAdaptiveRefinement::WHOLE_NUMBERS
+    ? PatternFamily::GetWholeNumbers()
+    : PatternFamily::GetPowersOfTwo();
+  std::map<int, int> steps;
+  for (int step = 0; step < family.GetNumberOfSteps(); ++step)
+  {
+    steps[family.GetSegments(step)] = step;
+  }
+  std::vector<unsigned int> entries;
+  RefinementPatterns patterns(static_cast<size_t>(family.GetNumberOfKeys()));
+  for (size_t f = 0; f < mesh.Faces.size(); ++f)
+  {
+    const int face = static_cast<int>(f);
+    const unsigned int entry = family.GetEntry(mesh.Faces[f].Order, steps.at(getSegments(face, 0)),
+      steps.at(getSegments(face, 1)), steps.at(getSegments(face, 2)));
+    entries.push_back(entry);
+    if (!patterns[entry >> 3])
+    {
+      patterns[entry >> 3] =
+        family.GetPattern(static_cast<int>(entry >> 3), recipe->GetPatternTable());
+    }
+  }
+  this->Own.Assign(family, patterns, std::move(entries), {});
+}
+}

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   PickedLevels
+ * @brief   the patterns that pickers find a mapper's faces refined to
+ *
+ * Those that were drawn last, as far as the method drew these: rounded where it does not morph, and
+ * all of the highest level where it draws nothing else. Where nothing has been drawn since mesh or
+ * levels changed, what the recipe asks for; of metrics of the view, whose camera is not known then,
+ * MaximumLevel everywhere.
+ *
+ * Private to the module.
+ */
+#ifndef PickedLevels_h
+#define PickedLevels_h
+
+#include "Evaluation/PatternSelection.h" // for members
+#include "vtkType.h"                     // for vtkMTimeType
+
+#include <vector> // for members
+
+class vtkAdaptiveRefinement;
+class vtkPolyData;
+
+namespace relevo
+{
+class RefinementMesh;
+class ViewSelection;
+
+class PickedLevels
+{
+public:
+  /// How the method in use draws levels.
+  enum Kinds
+  {
+    MORPHED,
+    ROUNDED,
+    HIGHEST
+  };
+
+  /**
+   * For a mesh of the input, built at `meshTime`, and what was drawn last. nullptr when the recipe
+   * cannot be applied.
+   */
+  const PatternSelection* Get(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
+    const RefinementMesh& mesh, vtkMTimeType meshTime, const ViewSelection& drawn, Kinds kind);
+
+private:
+  bool SelectAnew(vtkPolyData* input, vtkAdaptiveRefinement* recipe, const RefinementMesh& mesh);
+  void Round(const PatternSelection& drawn, vtkAdaptiveRefinement* recipe,
+    const RefinementMesh& mesh, bool toHighest);
+  template <typename GetSegments>
+  void Assign(
+    vtkAdaptiveRefinement* recipe, const RefinementMesh& mesh, const GetSegments& getSegments);
+
+  PatternSelection Own;
+  std::vector<vtkMTimeType> OwnTimes;
+  bool Valid = false;
+};
+}
+
+#endif

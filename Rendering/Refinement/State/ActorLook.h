@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What a mapper's shaders depend on beside the mapper itself: the actor and the renderer.
+ *
+ * vtkOpenGLPolyDataMapper writes shaders for the actor that it draws, and writes them anew when the
+ * actor's property has changed since, not when it draws another actor. Of a mapper that several
+ * actors or renderers share, each look has programs of its own. Private to the module.
+ */
+#ifndef ActorLook_h
+#define ActorLook_h
+
+#include "State/ViewSelection.h" // for Dependencies
+
+#include <string>  // for names
+#include <utility> // for textures
+#include <vector>  // for textures
+
+class vtkActor;
+class vtkRenderer;
+class vtkTexture;
+
+namespace relevo
+{
+/// A texture and the name that shaders know it by.
+using NamedTexture = std::pair<vtkTexture*, std::string>;
+
+/**
+ * All of an actor and of a renderer that decides how shaders read, but for what
+ * vtkOpenGLPolyDataMapper notices itself: values that change are in, the times of changes are not.
+ */
+Dependencies GetActorLook(
+  vtkRenderer* ren, vtkActor* act, const std::vector<NamedTexture>& textures);
+}
+
+#endif

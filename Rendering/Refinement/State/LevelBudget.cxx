@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "State/LevelBudget.h"
+
+#include "vtkAdaptiveRefinement.h"
+#include "vtkRefinementPatternTable.h"
+
+#include <algorithm>
+
+namespace relevo
+{
+namespace
+{
+constexpr double LargestOffset = 16.0; // of vtkAdaptiveRefinement::SetLevelOffset()
+constexpr size_t MostViews = 4;
+}
+
+void LevelBudget::AddPass(bool first, vtkIdType triangles, double seconds)
+{
+  if (first)
+  {
+    this->Times.AddFrame(this->FrameTriangles, this->FrameSeconds);
+    this->FrameSeconds = 0.0;
+  }
+  this->FrameTriangles = triangles;
+  this->FrameSeconds += seconds;
+}
+
+void LevelBudget::ForgetTimes()
+{
+  this->Times = RenderTimeBudget();
+  this->FrameTriangles = 0;
+  this->FrameSeconds = 0.0;
+  for (View& view : this->Views)
+  {
+    view.Limit = 0;
+  }
+}
+
+bool LevelBudget::SetView(const vtkCamera* camera, double seconds)
+{
+  auto view = std::find_if(this->Views.begin(), this->Views.end(),
+    [camera](const View& other) { return other.Camera == camera; });
+  if (view == this->Views.end())
+  {
+    if (this->Views.size() == MostViews)
+    {
+      this->Views.erase(this->Views.begin());
+    }
+    this->Views.emplace_back();
+    this->Views.back().Camera = camera;
+  }
+  else
+  {
+    std::rotate(view, view + 1, this->Views.end());
+  }
+  vtkIdType& limit = this->Views.back().Limit;
+  if (seconds >= 0.0)
+  {
+    limit = seconds > 0.0 ? this->Times.FindLimit(seconds, limit) : 0;
+  }
+  return this->Target > 0 || limit > 0;
+}
+
+double LevelBudget::FindOffset(const std::vector<Part>& parts, vtkAdaptiveRefinement* recipe)
+{
+  View& view = this->Views.back();
+  const bool isTarget = this->Target > 0;
+  const vtkIdType wanted =
+    isTarget && view.Limit > 0 ? std::min(this->Target, view.Limit) : this->Target + view.Limit;
+  Dependencies state = { static_cast<vtkMTimeType>(wanted), isTarget };
+  AppendBits(state, recipe->GetLevelOffset());
+  std::vector<TriangleBudget::Part> meshes;
+  for (const Part& part : parts)
+  {
+    Append(state, part.Mesh.Family, part.TagsTime);
+    meshes.push_back(part.Mesh);
+  }
+  if (state != view.State)
+  {
+    view.State = state;
+    // A limit of time takes levels away, if next to nothing, and never adds any.
+    const double highest =
+      isTarget ? LargestOffset : recipe->GetLevelOffset() - 0.5 / TriangleBudget::Resolution;
+    view.Offset = this->Triangles.FindOffset(
+      meshes, recipe->GetPatternTable(), wanted, -LargestOffset, highest, view.Offset);
+  }
+  return view.Offset - recipe->GetLevelOffset();
+}
+}

@@ -1,0 +1,284 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "State/RefinementState.h"
+
+#include "Core/GhostCells.h"
+#include "Mesh/GivenNormals.h"
+#include "State/UsableArrays.h"
+#include "Surfaces/FloatRange.h"
+
+#include "Core/RefinementView.h"
+#include "vtkAdaptiveRefinement.h"
+#include "vtkBoundingBox.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkDepthTagMetric.h"
+#include "vtkDisplacement.h"
+#include "vtkFloatArray.h"
+#include "vtkHeightField.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRefinementSurface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace relevo
+{
+namespace
+{
+std::string Take(std::string& text)
+{
+  std::string taken;
+  taken.swap(text);
+  return taken;
+}
+}
+
+RefinementState::RefinementState() = default;
+RefinementState::~RefinementState() = default;
+
+std::string RefinementState::TakeError()
+{
+  return Take(this->Error);
+}
+
+std::string RefinementState::TakeWarning()
+{
+  return Take(this->Warning);
+}
+
+bool RefinementState::CheckRange(vtkAdaptiveRefinement* recipe)
+{
+  const std::string excess = FindExcess(recipe);
+  if (excess != this->Excess)
+  {
+    this->Excess = excess;
+    this->Error = excess.empty() ? "" : "Cannot refine the input: " + excess + ".";
+  }
+  return excess.empty();
+}
+
+bool RefinementState::BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe)
+{
+  // Only what the prepared mesh depends on: not the displacement's live values.
+  Dependencies dependencies;
+  AppendObject(dependencies, input);
+  Append(dependencies, recipe, 0);
+  vtkDisplacement* displacement = recipe ? recipe->GetDisplacement() : nullptr;
+  if (recipe)
+  {
+    vtkRefinementSurface* surface = recipe->GetSurface();
+    Append(dependencies, surface, surface ? surface->GetPreparationMTime() : 0);
+    Append(dependencies, displacement, displacement && displacement->IsAlongNormal() ? 1 : 0);
+    AppendObject(dependencies, displacement ? displacement->GetHeightMap() : nullptr);
+    AppendBits(dependencies, recipe->GetNoDataMagnitude()); // of the colours of its points
+  }
+  // Normals that the filter would make up, where a mesh is refined.
+  const bool refines = recipe && recipe->GetMaximumLevel() > 0;
+  dependencies.push_back(refines && this->MissesNormals ? 1 : 0);
+  if (dependencies == this->MeshDependencies)
+  {
+    return this->MeshValid;
+  }
+  this->MissesNormals = relevo::MissesNormals(input);
+  dependencies.back() = refines && this->MissesNormals ? 1 : 0;
+  this->MeshDependencies = dependencies;
+  this->MeshValid = false;
+  this->MeshTime.Modified();
+  const auto mesh = std::make_shared<RefinementMesh>();
+  this->Mesh = mesh;
+  // Without cells: VTK's mapper does not check what they refer to.
+  this->PreparedInput->Initialize();
+  this->PreparedInput->SetPoints(input->GetPoints());
+  if (!recipe)
+  {
+    this->Error = "No recipe: call SetRefinement() with a vtkAdaptiveRefinement.";
+    return false;
+  }
+  if (displacement && !displacement->Update())
+  {
+    this->Error = "The displacement's height map could not be read.";
+    return false;
+  }
+  if (!mesh->Build(input, recipe, refines && this->MissesNormals))
+  {
+    this->Error = "Cannot refine the input: " + mesh->GetError() + ".";
+    return false;
+  }
+  if (mesh->GetNumberOfDroppedTriangles() > 0)
+  {
+    this->Warning = std::to_string(mesh->GetNumberOfDroppedTriangles()) +
+      " degenerate cells or triangles dropped (two corners at one place, fewer than three points, "
+      "or non-finite coordinates).";
+  }
+  this->PreparedInput->ShallowCopy(input);
+  const std::string unusable = RemoveUnusableArrays(this->PreparedInput);
+  if (unusable != this->Unusable) // once, though the mesh may change in every frame
+  {
+    this->Unusable = unusable;
+    this->Warning += (this->Warning.empty() || unusable.empty() ? "" : " ") + unusable;
+  }
+  EmptyGhosts(input, this->PreparedInput);
+  vtkDataArray* given = input->GetPointData()->GetNormals();
+  if (!mesh->Normals.empty() && (!given || given->GetNumberOfComponents() != 3))
+  {
+    vtkNew<vtkFloatArray> normals;
+    normals->SetName("Normals");
+    normals->SetNumberOfComponents(3);
+    normals->SetNumberOfTuples(input->GetNumberOfPoints());
+    std::copy(mesh->Normals.begin(), mesh->Normals.end(), normals->GetPointer(0));
+    this->PreparedInput->GetPointData()->SetNormals(normals);
+  }
+  this->MeshValid = true;
+  return true;
+}
+
+void RefinementState::GetBounds(vtkAdaptiveRefinement* recipe, double bounds[6])
+{
+  vtkPolyData* input = this->PreparedInput; // without vertices and lines that are ghosts
+  Dependencies dependencies;
+  AppendObject(dependencies, recipe->GetDisplacement());
+  AppendObject(dependencies, recipe->GetSurface());
+  dependencies.push_back(this->MeshTime);
+  if (dependencies != this->BoundsDependencies)
+  {
+    this->BoundsDependencies = dependencies;
+    this->Mesh->GetBounds(recipe, this->Bounds);
+    vtkBoundingBox box;
+    if (vtkMath::AreBoundsInitialized(this->Bounds))
+    {
+      box.AddBounds(this->Bounds);
+    }
+    for (vtkCellArray* cells : { input->GetVerts(), input->GetLines() })
+    {
+      auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
+      for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
+      {
+        vtkIdType size;
+        const vtkIdType* ids;
+        iterator->GetCurrentCell(size, ids);
+        for (vtkIdType i = 0; i < size; ++i)
+        {
+          double x[3];
+          input->GetPoint(ids[i], x);
+          if (std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]))
+          {
+            box.AddPoint(x);
+          }
+        }
+      }
+    }
+    vtkMath::UninitializeBounds(this->Bounds);
+    if (box.IsValid())
+    {
+      box.GetBounds(this->Bounds);
+    }
+  }
+  std::copy_n(this->Bounds, 6, bounds);
+}
+
+SelectionInput RefinementState::GetSelectionInput(
+  vtkPolyData* input, vtkAdaptiveRefinement* recipe) const
+{
+  return { input, recipe, this->Mesh, this->MeshTime, GetHighestTag(recipe, this->IsBudgeted) };
+}
+
+ViewSelection& RefinementState::FindView(
+  vtkPolyData* input, vtkAdaptiveRefinement* recipe, const RefinementView& view)
+{
+  vtkDepthTagMetric* metric = GetMetricInUse(recipe, input);
+  const vtkCamera* camera = metric && metric->IsViewDependent() ? view.Camera : nullptr;
+  const vtkMatrix4x4* placement =
+    metric && metric->IsPlacementDependent() ? view.ModelToWorld : nullptr;
+  size_t oldest = 0;
+  size_t slot = 0;
+  while (slot < this->ViewUses.size() &&
+    (this->ViewUses[slot].LastUse == 0 || this->ViewUses[slot].Camera != camera ||
+      this->ViewUses[slot].ModelToWorld != placement))
+  {
+    oldest = this->ViewUses[slot].LastUse < this->ViewUses[oldest].LastUse ? slot : oldest;
+    ++slot;
+  }
+  slot = slot < this->ViewUses.size() ? slot : oldest;
+  this->ViewUses[slot] = { camera, placement, ++this->NumberOfUses };
+  return this->Views[slot];
+}
+
+const FaceCulling& RefinementState::GetCulling(vtkAdaptiveRefinement* recipe)
+{
+  Dependencies dependencies;
+  AppendObject(dependencies, recipe->GetDisplacement());
+  AppendObject(dependencies, recipe->GetSurface());
+  dependencies.push_back(this->MeshTime);
+  if (dependencies != this->CullingDependencies)
+  {
+    this->CullingDependencies = dependencies;
+    this->Culling.Build(*this->Mesh, recipe);
+    this->CullingTime.Modified();
+  }
+  return this->Culling;
+}
+
+void RefinementState::UpdateHoles(vtkAdaptiveRefinement* recipe)
+{
+  vtkDisplacement* displacement = recipe->GetDisplacement();
+  Dependencies dependencies;
+  if (displacement && displacement->HasHoles())
+  {
+    Append(
+      dependencies, displacement->GetHeightMap(), displacement->GetHeightMap()->GetSamplesMTime());
+  }
+  if (dependencies != this->HolesDependencies)
+  {
+    this->HolesDependencies = dependencies;
+    this->Holes = GetHoles(recipe);
+    this->HolesTime.Modified();
+  }
+  this->Current->SetHoles(this->Holes, this->HolesTime);
+}
+
+bool RefinementState::UpdateTags(
+  vtkPolyData* input, vtkAdaptiveRefinement* recipe, const RefinementView& view, bool onGPU)
+{
+  this->Current = &this->FindView(input, recipe, view);
+  std::string error;
+  const bool valid =
+    this->Current->UpdateTags(this->GetSelectionInput(input, recipe), view, onGPU, error);
+  if (!error.empty())
+  {
+    this->Error = "Cannot refine the input: " + error + ".";
+  }
+  return valid;
+}
+
+bool RefinementState::UpdateSelection(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
+  const RefinementView& view, const CullingView* culling, bool behind, bool onGPU)
+{
+  if (!this->UpdateTags(input, recipe, view, onGPU))
+  {
+    return false;
+  }
+  const bool changed =
+    this->Current->UpdateLevels(this->GetSelectionInput(input, recipe), this->LevelOffset, onGPU);
+  this->NumberOfSelections += changed ? 1 : 0;
+  this->UpdateHoles(recipe);
+  if (!onGPU)
+  {
+    const FaceCulling* faces = culling ? &this->GetCulling(recipe) : nullptr;
+    this->Current->UpdateGroups({ faces, this->CullingTime, culling, behind });
+  }
+  return true;
+}
+
+void RefinementState::ForgetLevels()
+{
+  for (ViewSelection& view : this->Views)
+  {
+    view.Forget();
+  }
+}
+}

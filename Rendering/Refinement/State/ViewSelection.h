@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   ViewSelection
+ * @brief   the levels of a mesh for one view, and the faces to draw, kept until something changes
+ *
+ * Tags are evaluated anew when the mesh, the recipe or, for view-dependent metrics, the view
+ * changed, and levels when the tags or what is added to them changed; faces are grouped anew when
+ * their levels or the faces in sight changed. CPU side only.
+ * Private to the module.
+ */
+#ifndef ViewSelection_h
+#define ViewSelection_h
+
+#include "Evaluation/HoleFinder.h" // for members
+
+#include "Evaluation/EdgeTags.h"         // for members
+#include "Evaluation/FaceCulling.h"      // for LastView
+#include "Evaluation/PatternSelection.h" // for members
+#include "vtkTimeStamp.h"                // for members
+
+#include <memory> // for members
+#include <string> // for errors
+#include <vector> // for members
+
+class vtkAdaptiveRefinement;
+class vtkPolyData;
+
+namespace relevo
+{
+struct RefinementView;
+class RefinementMesh;
+
+/// Values that decide whether something must be made anew.
+using Dependencies = std::vector<vtkMTimeType>;
+
+/// What a mapper draws.
+struct SelectionInput
+{
+  vtkPolyData* Input;
+  vtkAdaptiveRefinement* Recipe;
+  std::shared_ptr<const RefinementMesh> Mesh;
+  vtkMTimeType MeshTime;
+  /// See GetHighestTag().
+  int HighestTag;
+};
+
+/// What is out of sight.
+struct CullingInput
+{
+  /// nullptr where all faces are drawn.
+  const FaceCulling* Culling;
+  vtkMTimeType CullingTime;
+  const CullingView* View;
+  /// Whether back faces of closed surfaces are out of sight too.
+  bool Behind;
+};
+
+class ViewSelection
+{
+public:
+  /**
+   * Evaluate tags if need be, or leave it to the GPU `onGPU`, see EdgeTags::ComputeOrDescribe().
+   * False, with an error the first time, when they cannot be used.
+   */
+  bool UpdateTags(
+    const SelectionInput& input, const RefinementView& view, bool onGPU, std::string& error);
+
+  const EdgeTags& GetTags() const { return this->Tags; }
+  /// When the tags last changed.
+  vtkMTimeType GetTagsTime() const { return this->TagsTime; }
+
+  /**
+   * Choose levels if need be, for valid tags. `offset` is added to the recipe's own. Returns
+   * whether they are new. With `onGPU` the GPU does the choosing.
+   */
+  bool UpdateLevels(const SelectionInput& input, double offset, bool onGPU);
+
+  /**
+   * Group the faces if need be, for valid levels.
+   */
+  void UpdateGroups(const CullingInput& culling);
+
+  /// Know what displacement leaves out of the triangles, since a time.
+  void SetHoles(const HeightValidity& holes, vtkMTimeType time);
+
+  /// Evaluate all anew, with the next update.
+  void Forget()
+  {
+    this->TagDependencies.clear();
+    this->LevelDependencies.clear();
+  }
+
+  const PatternSelection& GetSelection() const { return this->Selection; }
+
+  /// Take over what the GPU has chosen for each face; see PatternSelection::Assign().
+  void Assign(const PatternFamily& family, const RefinementPatterns& patterns,
+    std::vector<unsigned int> entries, std::vector<float> morphTags);
+
+  /// The mesh that levels were chosen for, whatever has become of its input.
+  const RefinementMesh& GetMesh() const;
+
+  /// When the levels and the groups last changed.
+  vtkMTimeType GetLevelsTime() const { return this->LevelsTime; }
+  vtkMTimeType GetGroupsTime() const { return this->GroupsTime; }
+
+  /// Seconds the last evaluation and the last grouping took.
+  double GetSeconds() const
+  {
+    return this->TagsSeconds + this->LevelsSeconds + this->GroupsSeconds;
+  }
+
+  /// Faces that were left out.
+  int GetNumberOfHiddenFaces() const { return this->NumberOfHiddenFaces; }
+
+  /// Triangles of all faces, less those over no-data.
+  vtkIdType GetNumberOfTriangles();
+
+private:
+  bool SeesTheSame(const CullingInput& culling) const;
+
+  EdgeTags Tags;
+  vtkMTimeType TagsMeshTime = 0;
+  std::shared_ptr<const RefinementMesh> Mesh;
+  PatternSelection Selection;
+  HeightValidity Holes;
+  vtkMTimeType HolesTime = 0;
+  Dependencies TagDependencies;
+  Dependencies LevelDependencies;
+  bool Valid = false; // tags
+  vtkTimeStamp TagsTime;
+  vtkTimeStamp LevelsTime;
+  vtkTimeStamp GroupsTime;
+  std::vector<unsigned char> Hidden;
+  std::vector<unsigned char> LastHidden;
+  std::unique_ptr<CullingView> LastView; // that the faces were grouped for, if faces were culled
+  vtkMTimeType LastCullingTime = 0;
+  bool LastBehind = false;
+  int NumberOfHiddenFaces = 0;
+  double TagsSeconds = 0.0;
+  double LevelsSeconds = 0.0;
+  double GroupsSeconds = 0.0;
+  vtkIdType NumberOfTriangles = -1; // not counted yet
+};
+
+//@{
+/// Add what decides.
+void Append(Dependencies& dependencies, const void* object, vtkMTimeType time);
+void AppendBits(Dependencies& dependencies, double value);
+template <typename T>
+void AppendObject(Dependencies& dependencies, T* object)
+{
+  Append(dependencies, object, object ? object->GetMTime() : 0);
+}
+//@}
+}
+
+#endif
