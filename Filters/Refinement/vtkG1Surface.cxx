@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkG1Surface.h"
 
-#include "Mesh/RefinementMesh.h"
+#include "Core/CornerOrder.h"
 #include "Surfaces/PNPatch.h"
 #include "vtkObjectFactory.h"
 

@@ -14,6 +14,11 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 
+static_assert(static_cast<int>(vtkAdaptiveRefinementMapper::METHOD_UNIFORM) ==
+      relevo::RefinementMethod::UNIFORM &&
+    static_cast<int>(vtkAdaptiveRefinementMapper::COLOR_BY_METRIC) == relevo::COLOR_BY_METRIC,
+  "private code numbers methods and colour modes as the mapper does");
+
 namespace
 {
 relevo::RefinementMethod::Primitives GetPrimitives(int mode, bool pointPicking)

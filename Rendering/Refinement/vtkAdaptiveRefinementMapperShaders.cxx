@@ -53,10 +53,8 @@ relevo::RefinementShaderOptions vtkAdaptiveRefinementMapper::vtkInternals::GetSh
   options.HasDisplacement = displacement != nullptr;
   options.AlongNormal = displacement && displacement->IsAlongNormal();
   options.ColorMode = cellBO != &this->Vertices ? mapper->RefinementColorMode : COLOR_BY_SCALARS;
-  options.Scalars = options.ColorMode == COLOR_BY_SCALARS ? this->Colors.GetKind()
-                                                          : relevo::RefinementColors::BY_VTK;
-  options.HasNoData =
-    options.Scalars != relevo::RefinementColors::BY_VTK && this->Colors.HasNoData();
+  options.Scalars = options.ColorMode == COLOR_BY_SCALARS ? this->Colors.GetKind() : relevo::BY_VTK;
+  options.HasNoData = options.Scalars != relevo::BY_VTK && this->Colors.HasNoData();
   mapper->ExtendShaders(cellBO, options);
   return options;
 }

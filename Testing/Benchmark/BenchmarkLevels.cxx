@@ -39,7 +39,7 @@ double BenchmarkLevels::FindTags(vtkPolyData* mesh, double triangles, double low
   vtkNew<vtkAdaptiveRefinement> recipe;
   recipe->SetMaximumLevel(vtkRefinementPatternTable::HighestLevel);
   relevo::RefinementMesh refinementMesh;
-  refinementMesh.Build(mesh, recipe);
+  refinementMesh.Build(mesh, recipe->GetSurface(), recipe->GetDisplacement());
   const auto count = [&](double number)
   {
     setTags(number);

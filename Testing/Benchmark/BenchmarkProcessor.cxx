@@ -49,7 +49,7 @@ void Select(benchmark::State& state, BenchmarkSurface& surface)
 {
   auto recipe = BenchmarkSurface::MakeLinearRecipe();
   relevo::RefinementMesh mesh;
-  mesh.Build(surface.GetMesh(), recipe);
+  mesh.Build(surface.GetMesh(), recipe->GetSurface(), recipe->GetDisplacement());
   relevo::EdgeTags tags;
   std::string error;
   tags.Compute(recipe, surface.GetMesh(), mesh, {}, error);

@@ -275,7 +275,7 @@ Vector GetBorderNormal(
 Statistics MeasureJumps(vtkPolyData* coarse, vtkAdaptiveRefinement* recipe)
 {
   relevo::RefinementMesh mesh;
-  mesh.Build(coarse, recipe);
+  mesh.Build(coarse, recipe->GetSurface(), recipe->GetDisplacement());
   mesh.BuildEdges();
   const relevo::RefinementEvaluator evaluator(mesh, recipe);
   std::vector<std::vector<int>> users(static_cast<size_t>(mesh.GetNumberOfEdges()));

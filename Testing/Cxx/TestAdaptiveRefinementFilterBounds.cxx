@@ -50,10 +50,10 @@ int TestAdaptiveRefinementFilterBounds(int, char*[])
         filter->SetRefinement(recipe);
         filter->Update();
         relevo::RefinementMesh refinementMesh;
-        CHECK(refinementMesh.Build(mesh.second, recipe));
+        CHECK(refinementMesh.Build(mesh.second, recipe->GetSurface(), recipe->GetDisplacement()));
         double bounds[6];
         double reached[6];
-        refinementMesh.GetBounds(recipe, bounds);
+        refinementMesh.GetBounds(recipe->GetSurface(), recipe->GetDisplacement(), bounds);
         filter->GetOutput()->GetBounds(reached);
         double margin = 0.0;
         for (int c = 0; c < 3; ++c)

@@ -78,7 +78,8 @@ public:
     relevo::EdgeTags tags;
     relevo::EdgeTags described;
     std::string error;
-    if (!this->Check.That(mesh.Build(this->Input, recipe) &&
+    if (!this->Check.That(
+          mesh.Build(this->Input, recipe->GetSurface(), recipe->GetDisplacement()) &&
             tags.Compute(recipe, this->Input, mesh, view, error) &&
             described.ComputeOrDescribe(recipe, this->Input, mesh, view, error),
           (name + " can be selected").c_str(), __FILE__, __LINE__))

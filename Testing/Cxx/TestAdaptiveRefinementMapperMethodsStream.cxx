@@ -103,7 +103,7 @@ void TestMesh(
   recipe->SetMaximumLevel(level);
   recipe->SetGeomorphing(0);
   relevo::RefinementMesh mesh;
-  CHECK(mesh.Build(input, recipe));
+  CHECK(mesh.Build(input, recipe->GetSurface(), recipe->GetDisplacement()));
   relevo::EdgeTags tags;
   std::string error;
   CHECK(tags.Compute(recipe, input, mesh, relevo::RefinementView(), error));

@@ -117,14 +117,15 @@ void testAgainstSearch(RelevoCheck& check, Mesh mesh, vtkAdaptiveRefinement* rec
   }
   // The mapper counts as the filter does.
   relevo::RefinementMesh refinementMesh;
-  CHECK(refinementMesh.Build(mesh, recipe));
+  CHECK(refinementMesh.Build(mesh, recipe->GetSurface(), recipe->GetDisplacement()));
   relevo::EdgeTags tags;
   std::string error;
   CHECK(tags.Compute(recipe, mesh, refinementMesh, {}, error));
   relevo::PatternSelection selection;
   selection.Select(
     refinementMesh, tags, relevo::GetPatternFamily(recipe, mesh), recipe->GetPatternTable());
-  CHECK(relevo::CountHoles(refinementMesh, selection, relevo::GetHoles(recipe)) ==
+  CHECK(
+    relevo::CountHoles(refinementMesh, selection, relevo::GetHoles(recipe->GetDisplacement())) ==
     full->GetNumberOfCells() - holed->GetNumberOfCells());
 }
 

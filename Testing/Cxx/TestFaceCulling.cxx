@@ -75,7 +75,7 @@ struct Counts
 Counts Look(vtkPolyData* input, vtkAdaptiveRefinement* recipe, std::mt19937& random, bool inside)
 {
   relevo::RefinementMesh mesh;
-  mesh.Build(input, recipe);
+  mesh.Build(input, recipe->GetSurface(), recipe->GetDisplacement());
   relevo::FaceCulling culling;
   culling.Build(mesh, recipe);
   Mesh refined = Refine(input, recipe);
@@ -193,7 +193,7 @@ int TestFaceCulling(int, char*[])
     recipe->SetSurface(c.Surface);
     recipe->SetDisplacement(c.Displacement);
     relevo::RefinementMesh mesh;
-    CHECK(mesh.Build(c.Input, recipe));
+    CHECK(mesh.Build(c.Input, recipe->GetSurface(), recipe->GetDisplacement()));
     relevo::FaceCulling culling;
     culling.Build(mesh, recipe);
     CHECK(culling.IsClosed() == c.Closed);
@@ -215,7 +215,7 @@ int TestFaceCulling(int, char*[])
   // Cameras without a direction, flat placements: nothing is hidden.
   relevo::RefinementMesh mesh;
   vtkNew<vtkAdaptiveRefinement> recipe;
-  CHECK(mesh.Build(Sphere(8, 6), recipe));
+  CHECK(mesh.Build(Sphere(8, 6), recipe->GetSurface(), recipe->GetDisplacement()));
   relevo::FaceCulling culling;
   culling.Build(mesh, recipe);
   vtkNew<vtkCamera> camera;

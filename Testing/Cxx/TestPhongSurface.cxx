@@ -81,7 +81,7 @@ void compare(RelevoCheck& check, vtkPolyData* mesh, vtkPhongSurface* surface,
   vtkNew<vtkAdaptiveRefinement> recipe;
   recipe->SetSurface(surface);
   relevo::RefinementMesh prepared;
-  CHECK(prepared.Build(mesh, recipe));
+  CHECK(prepared.Build(mesh, recipe->GetSurface(), recipe->GetDisplacement()));
   const relevo::RefinementEvaluator evaluator(prepared, recipe);
   for (const auto& w : { std::array<float, 3>{ { 1, 0, 0 } }, { { 0.25f, 0.75f, 0 } },
          { { 0.5f, 0, 0.5f } }, { { 0.25f, 0.25f, 0.5f } }, { { 0.125f, 0.625f, 0.25f } } })

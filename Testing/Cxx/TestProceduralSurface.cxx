@@ -89,7 +89,7 @@ void testFur(RelevoCheck& check)
     vtkNew<vtkAdaptiveRefinement> recipe;
     recipe->SetSurface(fur);
     relevo::RefinementMesh prepared;
-    CHECK(prepared.Build(mesh, recipe));
+    CHECK(prepared.Build(mesh, recipe->GetSurface(), recipe->GetDisplacement()));
     const relevo::RefinementEvaluator evaluator(prepared, recipe);
     double n[3][3];
     double p[3][3];
@@ -174,7 +174,7 @@ void testNormals(RelevoCheck& check)
     vtkNew<vtkAdaptiveRefinement> recipe;
     recipe->SetSurface(surface);
     relevo::RefinementMesh prepared;
-    CHECK(prepared.Build(mesh, recipe));
+    CHECK(prepared.Build(mesh, recipe->GetSurface(), recipe->GetDisplacement()));
     const relevo::RefinementEvaluator evaluator(prepared, recipe);
     for (const float* w : inner)
     {
@@ -238,10 +238,10 @@ void testFunctions(RelevoCheck& check)
         check.Fail(__FILE__, __LINE__, "kind " + std::to_string(kind) + ": " + fault);
       }
       relevo::RefinementMesh prepared;
-      CHECK(prepared.Build(mesh, recipe));
+      CHECK(prepared.Build(mesh, recipe->GetSurface(), recipe->GetDisplacement()));
       double bounds[6];
       double reached[6];
-      prepared.GetBounds(recipe, bounds);
+      prepared.GetBounds(recipe->GetSurface(), recipe->GetDisplacement(), bounds);
       fine->GetBounds(reached);
       for (int c = 0; c < 3; ++c)
       {

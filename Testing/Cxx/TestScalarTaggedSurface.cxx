@@ -173,7 +173,7 @@ void testControlPoints(RelevoCheck& check)
     normals->SetTuple(1, one.OtherNormal.data());
     mesh->Modified();
     relevo::RefinementMesh prepared;
-    CHECK(prepared.Build(mesh, recipe));
+    CHECK(prepared.Build(mesh, recipe->GetSurface(), recipe->GetDisplacement()));
     // Edge 0 goes from point 0 to point 1; the face's normals follow its nine edge vectors and its
     // centre, that of corner 0 for edge 0 first. Where the edge is along the direction the face
     // takes the normal of its other edge: not looked at here.
@@ -348,7 +348,7 @@ void testCrease(RelevoCheck& check)
   vtkNew<vtkScalarTaggedSurface> surface;
   const auto recipe = MakeRecipe(4, surface);
   relevo::RefinementMesh mesh;
-  CHECK(mesh.Build(sphere, recipe));
+  CHECK(mesh.Build(sphere, recipe->GetSurface(), recipe->GetDisplacement()));
   const relevo::RefinementEvaluator evaluator(mesh, recipe);
   int creases = 0;
   for (const auto& edge : sampleEdges(mesh, evaluator))
@@ -412,7 +412,7 @@ void testCusp(RelevoCheck& check)
     vtkNew<vtkScalarTaggedSurface> surface;
     const auto recipe = MakeRecipe(3, surface);
     relevo::RefinementMesh mesh;
-    CHECK(mesh.Build(tent, recipe));
+    CHECK(mesh.Build(tent, recipe->GetSurface(), recipe->GetDisplacement()));
     const relevo::RefinementEvaluator evaluator(mesh, recipe);
     std::vector<Vector> tangents;
     const double pi = vtkMath::Pi();
@@ -446,7 +446,7 @@ void testFading(RelevoCheck& check)
   vtkNew<vtkScalarTaggedSurface> surface;
   const auto recipe = MakeRecipe(4, surface);
   relevo::RefinementMesh mesh;
-  CHECK(mesh.Build(roof, recipe));
+  CHECK(mesh.Build(roof, recipe->GetSurface(), recipe->GetDisplacement()));
   const relevo::RefinementEvaluator evaluator(mesh, recipe);
   const auto edges = sampleEdges(mesh, evaluator);
   const auto getJump = [](const std::vector<std::vector<EdgeSample>>& edge, size_t k)
@@ -477,9 +477,9 @@ void testExtremes(RelevoCheck& check)
     }
     const Mesh refined = Refine(sphere, recipe);
     relevo::RefinementMesh mesh;
-    CHECK(mesh.Build(sphere, recipe));
+    CHECK(mesh.Build(sphere, recipe->GetSurface(), recipe->GetDisplacement()));
     double bounds[6];
-    mesh.GetBounds(recipe, bounds);
+    mesh.GetBounds(recipe->GetSurface(), recipe->GetDisplacement(), bounds);
     for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
     {
       const double* p = refined->GetPoint(i);

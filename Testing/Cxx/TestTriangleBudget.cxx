@@ -44,7 +44,7 @@ public:
     : Input(input)
     , Recipe(recipe)
   {
-    this->Mesh.Build(input, recipe);
+    this->Mesh.Build(input, recipe->GetSurface(), recipe->GetDisplacement());
     this->View.Camera = this->Camera;
     this->Camera->SetPosition(0.0, -1.0, 1.0);
     this->Camera->SetFocalPoint(0.0, 0.0, 0.0);

@@ -42,7 +42,7 @@ void compareFaces(RelevoCheck& check, vtkPolyData* input, vtkAdaptiveRefinement*
   SharedNormals shared, const std::string& name)
 {
   RefinementMesh mesh;
-  CHECK(mesh.Build(input, recipe));
+  CHECK(mesh.Build(input, recipe->GetSurface(), recipe->GetDisplacement()));
   const RefinementEvaluator evaluator(mesh, recipe);
   // By ends' places and step: the position's bytes; by ends' points too: the normal's.
   std::map<std::array<int, 3>, std::array<float, 3>> positions;

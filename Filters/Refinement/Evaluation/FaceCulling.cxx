@@ -119,7 +119,7 @@ void FaceCulling::Build(const RefinementMesh& mesh, vtkAdaptiveRefinement* recip
 
 void FaceCulling::BuildBoxes(const RefinementMesh& mesh, vtkAdaptiveRefinement* recipe)
 {
-  const FaceBounds bounds(mesh, recipe);
+  const FaceBounds bounds(mesh, recipe->GetSurface(), recipe->GetDisplacement());
   vtkSMPTools::For(0, static_cast<vtkIdType>(mesh.Faces.size()),
     [&](vtkIdType begin, vtkIdType end)
     {

@@ -6,7 +6,6 @@
 
 #include "Evaluation/PatternSelection.h"
 #include "Patterns/RefinementPattern.h"
-#include "vtkAdaptiveRefinement.h"
 #include "vtkDisplacement.h"
 #include "vtkHeightField.h"
 #include "vtkSMPTools.h"
@@ -28,10 +27,9 @@ HeightSampler MakeSampler(const HeightValidity& validity)
 }
 }
 
-HeightValidity GetHoles(vtkAdaptiveRefinement* recipe)
+HeightValidity GetHoles(vtkDisplacement* displacement)
 {
   HeightValidity validity;
-  vtkDisplacement* displacement = recipe->GetDisplacement();
   if (displacement && displacement->HasHoles())
   {
     displacement->GetHeightMap()->GetDimensions(validity.Dimensions);

@@ -13,7 +13,7 @@
 
 #include <memory> // for members
 
-class vtkAdaptiveRefinement;
+class vtkDisplacement;
 
 #ifndef __VTK_WRAP__
 namespace relevo
@@ -31,9 +31,9 @@ struct HeightValidity
 };
 
 /**
- * What the recipe's displacement leaves out. Its height map must be up to date.
+ * What a displacement, or nullptr, leaves out. Its height map must be up to date.
  */
-RELEVOFILTERSREFINEMENT_EXPORT HeightValidity GetHoles(vtkAdaptiveRefinement* recipe);
+RELEVOFILTERSREFINEMENT_EXPORT HeightValidity GetHoles(vtkDisplacement* displacement);
 
 /**
  * All methods may be called from several threads.

@@ -58,7 +58,7 @@ RefinedPolyDataBuilder::RefinedPolyDataBuilder(vtkPolyData* input, RefinementMes
   , Evaluator(mesh, recipe)
   , NumberOfPoints(Topology.GetNumberOfPoints())
 {
-  const HeightValidity validity = GetHoles(recipe);
+  const HeightValidity validity = GetHoles(recipe->GetDisplacement());
   if (validity.Samples)
   {
     this->Finder = std::make_unique<HoleFinder>(mesh, validity);

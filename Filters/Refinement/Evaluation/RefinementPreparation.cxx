@@ -32,7 +32,7 @@ bool PrepareMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe, RefinementMe
     error = "The displacement's height map could not be read.";
     return false;
   }
-  const std::string excess = FindExcess(recipe);
+  const std::string excess = FindExcess(recipe->GetSurface(), recipe->GetDisplacement());
   if (!excess.empty())
   {
     error = "Cannot refine the input: " + excess + ".";
@@ -40,7 +40,7 @@ bool PrepareMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe, RefinementMe
   }
   const std::string lack =
     recipe->GetSurface() ? recipe->GetSurface()->GetEvaluationError() : std::string();
-  if (!lack.empty() || !mesh.Build(input, recipe, true))
+  if (!lack.empty() || !mesh.Build(input, recipe->GetSurface(), recipe->GetDisplacement(), true))
   {
     error = "Cannot refine the input: " + (lack.empty() ? mesh.GetError() : lack) + ".";
     return false;

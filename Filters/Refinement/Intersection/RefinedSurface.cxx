@@ -103,7 +103,8 @@ void RefinedSurface::Internals::UpdateHeights(vtkDisplacement* displacement)
 
 void RefinedSurface::Internals::BuildTree(vtkAdaptiveRefinement* recipe)
 {
-  const FaceBounds bounds(*this->Mesh, recipe, this->Heights.get());
+  const FaceBounds bounds(
+    *this->Mesh, recipe->GetSurface(), recipe->GetDisplacement(), this->Heights.get());
   std::vector<FaceBox> boxes(this->Mesh->Faces.size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(boxes.size()),
     [&](vtkIdType begin, vtkIdType end)
@@ -137,7 +138,7 @@ void RefinedSurface::Update(const RefinementMesh& mesh, vtkMTimeType meshTime,
   data.Time.Modified();
   data.UpdateHeights(displacement);
   data.Evaluator.reset(new RefinementEvaluator(mesh, recipe));
-  const HeightValidity validity = GetHoles(recipe);
+  const HeightValidity validity = GetHoles(recipe->GetDisplacement());
   data.Holes.reset(validity.Samples ? new HoleFinder(mesh, validity) : nullptr);
   data.BuildTree(recipe);
 }

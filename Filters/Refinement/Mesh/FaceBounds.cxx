@@ -4,7 +4,6 @@
 
 #include "Mesh/RefinementMesh.h"
 #include "Surfaces/HeightRanges.h"
-#include "vtkAdaptiveRefinement.h"
 #include "vtkDisplacement.h"
 #include "vtkMath.h"
 #include "vtkRefinementSurface.h"
@@ -34,13 +33,13 @@ void Extend(const float* v, double low[3], double high[3])
 }
 }
 
-FaceBounds::FaceBounds(
-  const RefinementMesh& mesh, vtkAdaptiveRefinement* recipe, const HeightRanges* heights)
+FaceBounds::FaceBounds(const RefinementMesh& mesh, vtkRefinementSurface* surface,
+  vtkDisplacement* displacement, const HeightRanges* heights)
   : Mesh(mesh)
   , Directions(mesh.Directions.empty() ? mesh.Normals : mesh.Directions)
   , Heights(mesh.TextureCoordinates.empty() ? nullptr : heights)
 {
-  if (vtkDisplacement* displacement = recipe->GetDisplacement())
+  if (displacement)
   {
     this->Scale = displacement->GetScale();
     this->Offset = displacement->GetOffset();
@@ -48,7 +47,7 @@ FaceBounds::FaceBounds(
     displacement->GetDirection(this->Fixed);
     this->AlongNormal = displacement->IsAlongNormal();
   }
-  if (vtkRefinementSurface* surface = recipe->GetSurface())
+  if (surface)
   {
     this->EdgePositions = surface->GetNumberOfEdgePositions();
     this->FacePositions = surface->GetNumberOfFacePositions();

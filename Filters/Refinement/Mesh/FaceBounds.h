@@ -15,7 +15,8 @@
 #include <cstddef> // for size_t
 #include <vector>  // for members
 
-class vtkAdaptiveRefinement;
+class vtkDisplacement;
+class vtkRefinementSurface;
 
 namespace relevo
 {
@@ -25,10 +26,10 @@ class RefinementMesh;
 class FaceBounds
 {
 public:
-  /// With `heights`, those of the recipe's height map, boxes reach as far as the heights over each
-  /// face; else as far as all heights do.
-  FaceBounds(const RefinementMesh& mesh, vtkAdaptiveRefinement* recipe,
-    const HeightRanges* heights = nullptr);
+  /// With `heights`, those of the displacement's height map, boxes reach as far as the heights over
+  /// each face; else as far as all heights do.
+  FaceBounds(const RefinementMesh& mesh, vtkRefinementSurface* surface,
+    vtkDisplacement* displacement, const HeightRanges* heights = nullptr);
 
   /// A box relative to the mesh's origin. May be called from several threads.
   void GetBox(std::size_t face, double low[3], double high[3]) const;

@@ -8,7 +8,6 @@
 #include "Core/LocalPoints.h"
 #include "Core/PointPlaces.h"
 #include "Mesh/FaceBounds.h"
-#include "vtkAdaptiveRefinement.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkDisplacement.h"
@@ -33,25 +32,8 @@ bool isFinite(const float* v)
 }
 }
 
-const std::array<int, 3>& GetCornerOrder(int code)
-{
-  static const std::array<std::array<int, 3>, 6> orders = { { { { 0, 1, 2 } }, { { 1, 0, 2 } },
-    { { 1, 2, 0 } }, { { 0, 2, 1 } }, { { 2, 0, 1 } }, { { 2, 1, 0 } } } };
-  return orders[code];
-}
-
-int GetCornerOrderCode(int first, int second, int third)
-{
-  const std::array<int, 3> order = { { first, second, third } };
-  int code = 0;
-  while (GetCornerOrder(code) != order)
-  {
-    ++code;
-  }
-  return code;
-}
-
-bool RefinementMesh::Build(vtkPolyData* input, vtkAdaptiveRefinement* recipe, bool keepNormals)
+bool RefinementMesh::Build(vtkPolyData* input, vtkRefinementSurface* surface,
+  vtkDisplacement* displacement, bool keepNormals)
 {
   *this = RefinementMesh();
   if (input->GetNumberOfCells() == 0)
@@ -67,8 +49,6 @@ bool RefinementMesh::Build(vtkPolyData* input, vtkAdaptiveRefinement* recipe, bo
   this->BuildPoints(input);
   this->BuildFaces(input);
 
-  vtkRefinementSurface* surface = recipe->GetSurface();
-  vtkDisplacement* displacement = recipe->GetDisplacement();
   if (!this->CheckRange(
         input, !displacement && (!surface || vtkLinearSurface::SafeDownCast(surface))))
   {
@@ -431,10 +411,11 @@ vtkRefinementSurface::Face RefinementMesh::GetSurfaceFace(int face) const
   return result;
 }
 
-void RefinementMesh::GetBounds(vtkAdaptiveRefinement* recipe, double bounds[6]) const
+void RefinementMesh::GetBounds(
+  vtkRefinementSurface* surface, vtkDisplacement* displacement, double bounds[6]) const
 {
   vtkMath::UninitializeBounds(bounds);
-  const FaceBounds faceBounds(*this, recipe);
+  const FaceBounds faceBounds(*this, surface, displacement);
   for (size_t f = 0; f < this->Faces.size(); ++f)
   {
     double low[3];

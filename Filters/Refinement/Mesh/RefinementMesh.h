@@ -4,15 +4,16 @@
  * @class   RefinementMesh
  * @brief   a coarse mesh made ready for refinement: faces, places, normals, precomputed vectors
  *
- * Built once per input and recipe, and read by both evaluators. Polygons become fans and strips
- * become triangles, as VTK's own mapper draws them. Triangles with two corners at one place or
- * with non-finite coordinates are dropped and counted.
+ * Built once per input, surface and displacement, and read by both evaluators. Polygons become fans
+ * and strips become triangles, as VTK's own mapper draws them. Triangles with two corners at one
+ * place or with non-finite coordinates are dropped and counted.
  *
  * Not wrapped: for the modules' own sources.
  */
 #ifndef RefinementMesh_h
 #define RefinementMesh_h
 
+#include "Core/CornerOrder.h"              // for EdgeCorners
 #include "RelevoFiltersRefinementModule.h" // for export macro
 #include "vtkRefinementSurface.h"          // for Face
 #include "vtkType.h"                       // for vtkIdType
@@ -22,7 +23,7 @@
 #include <string>  // for errors
 #include <vector>  // for members
 
-class vtkAdaptiveRefinement;
+class vtkDisplacement;
 class vtkPolyData;
 
 #ifndef __VTK_WRAP__
@@ -48,27 +49,16 @@ struct RefinementFace
   bool IsTurned() const { return (this->Order & 1) != 0; }
 };
 
-/**
- * For a permutation code (0 to 5, as in relevoWeights.glsl): position j of the result takes
- * element order[j] of the original.
- */
-RELEVOFILTERSREFINEMENT_EXPORT const std::array<int, 3>& GetCornerOrder(int code);
-
-/// Inverse of GetCornerOrder().
-RELEVOFILTERSREFINEMENT_EXPORT int GetCornerOrderCode(int first, int second, int third);
-
-/// The two sorted corners of each edge of a face.
-constexpr int EdgeCorners[3][2] = { { 0, 1 }, { 1, 2 }, { 0, 2 } };
-
 class RELEVOFILTERSREFINEMENT_EXPORT RefinementMesh
 {
 public:
   /**
-   * Take a mesh and what the recipe asks for. Returns false and sets GetError() when the recipe
-   * cannot be applied to it. With `keepNormals`, Normals are filled also where only the input has
-   * them.
+   * Take a mesh and what a surface and a displacement, both of which may be nullptr, ask for.
+   * Returns false and sets GetError() when they cannot be applied to it. With `keepNormals`,
+   * Normals are filled also where only the input has them.
    */
-  bool Build(vtkPolyData* input, vtkAdaptiveRefinement* recipe, bool keepNormals = false);
+  bool Build(vtkPolyData* input, vtkRefinementSurface* surface, vtkDisplacement* displacement,
+    bool keepNormals = false);
 
   const std::string& GetError() const { return this->Error; }
 
@@ -139,9 +129,10 @@ public:
   vtkRefinementSurface::Face GetSurfaceFace(int face) const;
 
   /**
-   * Bounds of all the recipe can make of the mesh, in the input's coordinates; see FaceBounds.
+   * Bounds of all that they can make of the mesh, in the input's coordinates; see FaceBounds.
    */
-  void GetBounds(vtkAdaptiveRefinement* recipe, double bounds[6]) const;
+  void GetBounds(
+    vtkRefinementSurface* surface, vtkDisplacement* displacement, double bounds[6]) const;
 
 private:
   bool CheckCells(vtkPolyData* input);

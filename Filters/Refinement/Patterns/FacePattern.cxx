@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Patterns/FacePattern.h"
 
+#include "Core/CornerOrder.h"
 #include "Core/RefinementMathematics.h"
-#include "Mesh/RefinementMesh.h"
 #include "Patterns/RefinementPattern.h"
 
 #include <cstddef>

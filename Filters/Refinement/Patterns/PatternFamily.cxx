@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Patterns/PatternFamily.h"
 
-#include "Mesh/RefinementMesh.h"
+#include "Core/CornerOrder.h"
 #include "Patterns/NestedPattern.h"
 #include "vtkRefinementPatternTable.h"
 

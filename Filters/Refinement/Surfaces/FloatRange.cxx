@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/FloatRange.h"
 
-#include "vtkAdaptiveRefinement.h"
 #include "vtkDisplacement.h"
 #include "vtkHeightField.h"
 #include "vtkRefinementSurface.h"
@@ -14,10 +13,9 @@
 
 namespace relevo
 {
-std::string FindExcess(vtkAdaptiveRefinement* recipe)
+std::string FindExcess(vtkRefinementSurface* surface, vtkDisplacement* displacement)
 {
   std::ostringstream text;
-  vtkRefinementSurface* surface = recipe->GetSurface();
   if (surface && !(surface->GetReach() <= LargestLength))
   {
     text << surface->GetClassName() << " moves points by up to " << surface->GetReach()
@@ -25,7 +23,6 @@ std::string FindExcess(vtkAdaptiveRefinement* recipe)
          << " that floats leave room for: lower its amplitude";
     return text.str();
   }
-  vtkDisplacement* displacement = recipe->GetDisplacement();
   if (!displacement)
   {
     return {};

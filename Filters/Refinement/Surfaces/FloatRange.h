@@ -14,7 +14,8 @@
 
 #include <string> // for sentences
 
-class vtkAdaptiveRefinement;
+class vtkDisplacement;
+class vtkRefinementSurface;
 
 #ifndef __VTK_WRAP__
 namespace relevo
@@ -24,10 +25,11 @@ namespace relevo
 constexpr double LargestLength = 1e30;
 
 /**
- * Which of the recipe's numbers that change live moves points too far, as a clause; empty for none.
+ * Which of their numbers that change live moves points too far, as a clause; empty for none.
  * Its height map must be up to date.
  */
-RELEVOFILTERSREFINEMENT_EXPORT std::string FindExcess(vtkAdaptiveRefinement* recipe);
+RELEVOFILTERSREFINEMENT_EXPORT std::string FindExcess(
+  vtkRefinementSurface* surface, vtkDisplacement* displacement);
 }
 #endif
 

@@ -11,8 +11,9 @@
 #ifndef RefinementColors_h
 #define RefinementColors_h
 
-#include "Buffers/RefinementBuffer.h"     // for members
-#include "Buffers/RefinementColorTable.h" // for members
+#include "Buffers/RefinementBuffer.h"        // for members
+#include "Buffers/RefinementColorTable.h"    // for members
+#include "Shaders/RefinementShaderOptions.h" // for ScalarKind
 
 class vtkAbstractArray;
 class vtkDataArray;
@@ -23,15 +24,6 @@ namespace relevo
 class RefinementColors
 {
 public:
-  /// How points between the coarse ones come to their colours.
-  enum KindType
-  {
-    BY_VTK,     // VTK's colours or texture coordinates are interpolated
-    BY_VALUE,   // values are interpolated and looked up
-    BY_TEXTURE, // values are interpolated, which tells where VTK's texture of the table has them
-    BY_NEAREST  // from the nearest corner
-  };
-
   /**
    * Take point scalars that are mapped through a lookup table (not direct colours). `component` is
    * that of vtkMapper, -1 to leave the choice to the table. `byTexture` says that VTK colours by a
@@ -40,7 +32,7 @@ public:
   bool Upload(vtkOpenGLRenderWindow* window, vtkAbstractArray* scalars, vtkScalarsToColors* table,
     int component, bool byTexture, double noDataMagnitude);
 
-  KindType GetKind() const { return this->Kind; }
+  ScalarKind GetKind() const { return this->Kind; }
   /// Whether some of the values stand for no data.
   bool HasNoData() const { return this->Kind != BY_VTK && !this->NoData.IsEmpty(); }
   void Clear() { this->Kind = BY_VTK; }
@@ -60,7 +52,7 @@ private:
   RefinementBuffer Scalars;
   RefinementBuffer NoData;
   RefinementColorTable Table;
-  KindType Kind = BY_VTK;
+  ScalarKind Kind = BY_VTK;
   int Texels = 0; // per point; 0 for a single number
   bool Whole = false;
   double Bias = 0.0;

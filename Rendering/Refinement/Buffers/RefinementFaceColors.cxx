@@ -34,7 +34,7 @@ std::vector<float> GetTags(const RefinementMesh& mesh, const EdgeTags& tags, flo
 }
 }
 
-bool RefinementFaceColors::UploadPatterns(vtkOpenGLRenderWindow* window, RefinementColorMode mode,
+bool RefinementFaceColors::UploadPatterns(vtkOpenGLRenderWindow* window, int mode,
   bool wholeNumbers, const RefinementPatternBuffer& patterns, vtkScalarsToColors* table)
 {
   Dependencies times;
@@ -56,8 +56,8 @@ bool RefinementFaceColors::UploadPatterns(vtkOpenGLRenderWindow* window, Refinem
   return colors.empty() || this->Colors.Upload(window, colors, 4);
 }
 
-bool RefinementFaceColors::UploadFaces(vtkOpenGLRenderWindow* window, RefinementColorMode mode,
-  bool wholeNumbers, const ViewSelection& selection, vtkScalarsToColors* table)
+bool RefinementFaceColors::UploadFaces(vtkOpenGLRenderWindow* window, int mode, bool wholeNumbers,
+  const ViewSelection& selection, vtkScalarsToColors* table)
 {
   Dependencies times;
   AppendObject(times, table);

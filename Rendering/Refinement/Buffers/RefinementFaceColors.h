@@ -13,7 +13,7 @@
 
 #include "Buffers/RefinementBuffer.h"     // for members
 #include "Buffers/RefinementColorTable.h" // for members
-#include "Buffers/RefinementLevelTable.h" // for RefinementColorMode
+#include "Buffers/RefinementLevelTable.h" // for signature
 #include "vtkType.h"                      // for vtkMTimeType
 
 #include <vector> // for patterns
@@ -36,14 +36,14 @@ public:
    * Have the colours of these patterns; by level, or by pattern (of whole numbers of segments, or
    * powers of two).
    */
-  bool UploadPatterns(vtkOpenGLRenderWindow* window, RefinementColorMode mode, bool wholeNumbers,
+  bool UploadPatterns(vtkOpenGLRenderWindow* window, int mode, bool wholeNumbers,
     const RefinementPatternBuffer& patterns, vtkScalarsToColors* table);
 
   /**
    * The same face by face, for vertices that belong to no pattern on the GPU: of the pattern that
    * each face's levels ask for.
    */
-  bool UploadFaces(vtkOpenGLRenderWindow* window, RefinementColorMode mode, bool wholeNumbers,
+  bool UploadFaces(vtkOpenGLRenderWindow* window, int mode, bool wholeNumbers,
     const ViewSelection& selection, vtkScalarsToColors* table);
 
   /**

@@ -88,13 +88,12 @@ std::string GetName(const PatternFamily& family, int i, int j, int k)
 RefinementLevelTable::RefinementLevelTable() = default;
 RefinementLevelTable::~RefinementLevelTable() = default;
 
-double RefinementLevelTable::GetValue(
-  RefinementColorMode mode, bool wholeNumbers, const RefinementPattern& pattern)
+double RefinementLevelTable::GetValue(int mode, bool wholeNumbers, const RefinementPattern& pattern)
 {
   std::array<int, 3> segments;
   std::copy_n(pattern.Segments, 3, segments.begin());
   std::sort(segments.rbegin(), segments.rend());
-  if (mode != vtkAdaptiveRefinementMapper::COLOR_BY_PATTERN)
+  if (mode != COLOR_BY_PATTERN)
   {
     return GetLevel(segments[0]);
   }
@@ -103,21 +102,20 @@ double RefinementLevelTable::GetValue(
     FindStep(family, segments[0]), FindStep(family, segments[1]), FindStep(family, segments[2]));
 }
 
-vtkLookupTable* RefinementLevelTable::Get(
-  RefinementColorMode mode, bool wholeNumbers, int maximumLevel)
+vtkLookupTable* RefinementLevelTable::Get(int mode, bool wholeNumbers, int maximumLevel)
 {
   const std::array<int, 3> key = { { mode, wholeNumbers ? 1 : 0, maximumLevel } };
   if (key != this->Key)
   {
     this->Key = key;
     this->Table->ResetAnnotations();
-    this->Table->SetIndexedLookup(mode != vtkAdaptiveRefinementMapper::COLOR_BY_METRIC);
+    this->Table->SetIndexedLookup(mode != COLOR_BY_METRIC);
     switch (mode)
     {
-      case vtkAdaptiveRefinementMapper::COLOR_BY_PATTERN:
+      case COLOR_BY_PATTERN:
         this->MakePatterns(GetFamily(wholeNumbers), maximumLevel);
         break;
-      case vtkAdaptiveRefinementMapper::COLOR_BY_METRIC:
+      case COLOR_BY_METRIC:
         this->MakeTags(maximumLevel);
         break;
       default:

@@ -9,8 +9,8 @@
 #ifndef RefinementLevelTable_h
 #define RefinementLevelTable_h
 
-#include "vtkAdaptiveRefinementMapper.h" // for RefinementColorModes
-#include "vtkNew.h"                      // for Table
+#include "Shaders/RefinementShaderOptions.h" // for RefinementColorMode
+#include "vtkNew.h"                          // for Table
 
 #include <array> // for members
 
@@ -21,8 +21,6 @@ namespace relevo
 struct RefinementPattern;
 class PatternFamily;
 
-using RefinementColorMode = vtkAdaptiveRefinementMapper::RefinementColorModes;
-
 class RefinementLevelTable
 {
 public:
@@ -30,15 +28,15 @@ public:
   ~RefinementLevelTable();
 
   /**
-   * The table for a mode: a colour and an annotation per level or pattern, or a range for tags.
+   * The table for a RefinementColorMode: a colour and an annotation per level or pattern, or a
+   * range for tags.
    */
-  vtkLookupTable* Get(RefinementColorMode mode, bool wholeNumbers, int maximumLevel);
+  vtkLookupTable* Get(int mode, bool wholeNumbers, int maximumLevel);
 
   /**
    * What a table maps for a face of this pattern: its highest level, or the pattern's index.
    */
-  static double GetValue(
-    RefinementColorMode mode, bool wholeNumbers, const RefinementPattern& pattern);
+  static double GetValue(int mode, bool wholeNumbers, const RefinementPattern& pattern);
 
 private:
   void MakeLevels(int maximumLevel);

@@ -8,7 +8,6 @@
 #include "Methods/HardwareTessellation.h"
 #include "Methods/SUAPTMethod.h"
 #include "Methods/UniformMethod.h"
-#include "vtkAdaptiveRefinementMapper.h"
 
 namespace relevo
 {
@@ -19,15 +18,15 @@ std::unique_ptr<RefinementMethod> RefinementMethod::New(int method)
 {
   switch (method)
   {
-    case vtkAdaptiveRefinementMapper::METHOD_ARK:
+    case ARK:
       return std::unique_ptr<RefinementMethod>(new ARKMethod);
-    case vtkAdaptiveRefinementMapper::METHOD_DMR:
+    case DMR:
       return std::unique_ptr<RefinementMethod>(new DMRMethod);
-    case vtkAdaptiveRefinementMapper::METHOD_SUAPT:
+    case SUAPT:
       return std::unique_ptr<RefinementMethod>(new SUAPTMethod);
-    case vtkAdaptiveRefinementMapper::METHOD_HARDWARE_TESSELLATION:
+    case HARDWARE_TESSELLATION:
       return std::unique_ptr<RefinementMethod>(new HardwareTessellation);
-    case vtkAdaptiveRefinementMapper::METHOD_UNIFORM:
+    case UNIFORM:
       return std::unique_ptr<RefinementMethod>(new UniformMethod);
     default:
       return std::unique_ptr<RefinementMethod>(new ARKFPIMethod);

@@ -61,7 +61,16 @@ public:
   RefinementMethod(const RefinementMethod&) = delete;
   void operator=(const RefinementMethod&) = delete;
 
-  /// One of vtkAdaptiveRefinementMapper::Methods.
+  /// The numbers of vtkAdaptiveRefinementMapper::Methods.
+  enum Methods
+  {
+    ARKFPI = 0,
+    ARK = 1,
+    DMR = 2,
+    SUAPT = 3,
+    HARDWARE_TESSELLATION = 4,
+    UNIFORM = 5
+  };
   static std::unique_ptr<RefinementMethod> New(int method);
   static const char* GetName(int method);
 

@@ -49,17 +49,17 @@ void InsertAfterVersion(std::string& source, const std::string& text)
 
 // What scalars make of an attribute; coarse points keep what VTK gave them.
 std::string GetScalarStatement(
-  RefinementColors::KindType kind, const std::string& attribute, const std::string& sampler)
+  ScalarKind kind, const std::string& attribute, const std::string& sampler)
 {
-  if (kind == RefinementColors::BY_VALUE && attribute == "scalarColor")
+  if (kind == BY_VALUE && attribute == "scalarColor")
   {
     return "  if (!relevoIsCorner(w)) { scalarColor = relevoScalarColor(w); }\n";
   }
-  if (kind == RefinementColors::BY_NEAREST && attribute == "scalarColor")
+  if (kind == BY_NEAREST && attribute == "scalarColor")
   {
     return "  scalarColor = texelFetch(" + sampler + ", relevoFace[relevoNearestCorner(w)]);\n";
   }
-  if (kind == RefinementColors::BY_TEXTURE && attribute == ColorCoordinates)
+  if (kind == BY_TEXTURE && attribute == ColorCoordinates)
   {
     return "  if (!relevoIsCorner(w)) { " + attribute + " = relevoScalarCoordinate(w); }\n";
   }
@@ -96,9 +96,9 @@ std::string GetDefines(const RefinementShaderOptions& options, bool edges, bool 
   define(options.IsMorphing, "RELEVO_MORPH");
   define(options.IsIndirect, "RELEVO_INDIRECT");
   define(options.HasNoData, "RELEVO_NO_DATA");
-  define(options.Scalars == RefinementColors::BY_VALUE, "RELEVO_SCALARS");
-  define(options.Scalars == RefinementColors::BY_TEXTURE, "RELEVO_SCALAR_COORDINATES");
-  define(options.Scalars == RefinementColors::BY_NEAREST, "RELEVO_NEAREST_SCALARS");
+  define(options.Scalars == BY_VALUE, "RELEVO_SCALARS");
+  define(options.Scalars == BY_TEXTURE, "RELEVO_SCALAR_COORDINATES");
+  define(options.Scalars == BY_NEAREST, "RELEVO_NEAREST_SCALARS");
   define(options.ColorMode == vtkAdaptiveRefinementMapper::COLOR_BY_LEVEL ||
       options.ColorMode == vtkAdaptiveRefinementMapper::COLOR_BY_PATTERN,
     "RELEVO_COLORS_OF_FACES");
@@ -210,9 +210,9 @@ std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, b
   {
     text << relevoHeightMap << relevoHeight << relevoDisplacementVS << relevoDisplacement;
   }
-  if (options.Scalars != RefinementColors::BY_VTK)
+  if (options.Scalars != BY_VTK)
   {
-    text << (options.Scalars == RefinementColors::BY_VALUE ? relevoColorTable : "")
+    text << (options.Scalars == BY_VALUE ? relevoColorTable : "")
          << (options.HasNoData ? relevoNoDataVS : "") << relevoColorsVS;
   }
   if (options.ColorMode != vtkAdaptiveRefinementMapper::COLOR_BY_SCALARS)

@@ -53,7 +53,7 @@ std::string RefinementState::TakeWarning()
 
 bool RefinementState::CheckRange(vtkAdaptiveRefinement* recipe)
 {
-  const std::string excess = FindExcess(recipe);
+  const std::string excess = FindExcess(recipe->GetSurface(), recipe->GetDisplacement());
   if (excess != this->Excess)
   {
     this->Excess = excess;
@@ -104,7 +104,8 @@ bool RefinementState::BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recip
     this->Error = "The displacement's height map could not be read.";
     return false;
   }
-  if (!mesh->Build(input, recipe, refines && this->MissesNormals))
+  if (!mesh->Build(
+        input, recipe->GetSurface(), recipe->GetDisplacement(), refines && this->MissesNormals))
   {
     this->Error = "Cannot refine the input: " + mesh->GetError() + ".";
     return false;
@@ -147,7 +148,7 @@ void RefinementState::GetBounds(vtkAdaptiveRefinement* recipe, double bounds[6])
   if (dependencies != this->BoundsDependencies)
   {
     this->BoundsDependencies = dependencies;
-    this->Mesh->GetBounds(recipe, this->Bounds);
+    this->Mesh->GetBounds(recipe->GetSurface(), recipe->GetDisplacement(), this->Bounds);
     vtkBoundingBox box;
     if (vtkMath::AreBoundsInitialized(this->Bounds))
     {
@@ -235,7 +236,7 @@ void RefinementState::UpdateHoles(vtkAdaptiveRefinement* recipe)
   if (dependencies != this->HolesDependencies)
   {
     this->HolesDependencies = dependencies;
-    this->Holes = GetHoles(recipe);
+    this->Holes = GetHoles(recipe->GetDisplacement());
     this->HolesTime.Modified();
   }
   this->Current->SetHoles(this->Holes, this->HolesTime);

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @brief   what the shaders of a refining mapper depend on
+ *
+ * Private to the modules.
+ */
+#ifndef RefinementShaderOptions_h
+#define RefinementShaderOptions_h
+
+#include <string> // for members
+#include <vector> // for members
+
+namespace relevo
+{
+/// How points between the coarse ones come to the colours of scalars.
+enum ScalarKind
+{
+  BY_VTK,     // VTK's colours or texture coordinates are interpolated
+  BY_VALUE,   // values are interpolated and looked up
+  BY_TEXTURE, // values are interpolated, which tells where VTK's texture of the table has them
+  BY_NEAREST  // from the nearest corner
+};
+
+/// What faces are coloured by; the numbers of vtkAdaptiveRefinementMapper::RefinementColorModes.
+enum RefinementColorMode
+{
+  COLOR_BY_SCALARS = 0,
+  COLOR_BY_LEVEL = 1,
+  COLOR_BY_PATTERN = 2,
+  COLOR_BY_METRIC = 3
+};
+
+/// A value handed from the vertex shader to the fragments, through a geometry shader if there is
+/// one. VTK's naming: NameVSOutput, which it turns into NameGSOutput behind a geometry shader.
+struct ShaderVarying
+{
+  std::string Qualifier; // "flat " or nothing
+  std::string Type;
+  std::string Name;
+};
+
+/// What a subclass of the mapper adds to the vertex shader. Its statements run when the vertex is
+/// made: vertexMC, relevoNormal (unit, zero without normals) and all attributes are set.
+struct ShaderExtension
+{
+  std::vector<ShaderVarying> Varyings;
+  std::string Declarations;
+  std::string Statements;
+};
+
+/// What the shaders depend on.
+struct RefinementShaderOptions
+{
+  /// How a vertex comes to its face, see relevoFaceVS.glsl; from the method.
+  std::string PlacementSource;
+  /// The surface's functions; see vtkRefinementSurface::GetShaderSource().
+  std::string SurfaceSource;
+  int VectorsPerEdge = 0;
+  int VectorsPerFace = 0;
+  /// Texels per point, and which of them hold its direction and its values.
+  int PointStride = 1;
+  int PointDirection = 1;
+  int PointValues = 1;
+  bool HasNormals = false;
+  bool HasDisplacement = false;
+  bool AlongNormal = false;
+  bool HasDirections = false;
+  bool HasSeams = false;
+  bool HasHoles = false;
+  /// Whether vertices slide with the tags of the edges.
+  bool IsMorphing = false;
+  /// Whether draws are indirect, and each instance brings its faces along.
+  bool IsIndirect = false;
+  ScalarKind Scalars = BY_VTK;
+  /// Whether some scalars stand for no data.
+  bool HasNoData = false;
+  /// What faces are coloured by, a RefinementColorMode.
+  int ColorMode = COLOR_BY_SCALARS;
+  ShaderExtension Extension;
+
+  /// Everything above in one line, to compare.
+  std::string GetKey() const;
+};
+}
+
+#endif
