@@ -1,15 +1,28 @@
 # Compiler settings shared by every target of the project.
 
+include(CheckCXXCompilerFlag)
+
 # Contracting a*b+c would give shared edges different bits on their two sides.
-add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>)
+check_cxx_compiler_flag(-ffp-contract=off relevo_has_ffp_contract)
+if (relevo_has_ffp_contract)
+  add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>)
+elseif (MSVC)
+  add_compile_options($<$<COMPILE_LANGUAGE:CXX>:/fp:precise>)
+endif ()
 
 if (RELEVO_SANITIZE)
   add_compile_options(-fsanitize=${RELEVO_SANITIZE} -fno-omit-frame-pointer -g)
   add_link_options(-fsanitize=${RELEVO_SANITIZE})
 endif ()
 
-set(relevo_warning_flags -Wall -Wextra)
-if (RELEVO_WERROR)
+if (MSVC)
+  set(relevo_warning_flags /W3)
+else ()
+  set(relevo_warning_flags -Wall -Wextra)
+endif ()
+if (RELEVO_WERROR AND MSVC)
+  list(APPEND relevo_warning_flags /WX)
+elseif (RELEVO_WERROR)
   list(APPEND relevo_warning_flags -Werror)
   if (CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # From g++ 14 on its optimiser warns of impossible sizes in vtkSMPThreadLocal and std::vector<bool>.

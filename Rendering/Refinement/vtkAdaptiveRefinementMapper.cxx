@@ -229,7 +229,7 @@ void vtkAdaptiveRefinementMapper::ReleaseGraphicsResources(vtkWindow* window)
   data.Programs.clear();
   data.UploadValid = false;
   data.ContextChecked = false;
-  data.Blocks.ForEach(
+  this->ForEachBlock(
     [window](vtkAdaptiveRefinementMapper* block) { block->ReleaseGraphicsResources(window); });
 }
 
@@ -267,7 +267,7 @@ void vtkAdaptiveRefinementMapper::RenderPiece(vtkRenderer* ren, vtkActor* act)
   {
     addTriangles(this);
   }
-  data.Blocks.ForEach(addTriangles);
+  this->ForEachBlock(addTriangles);
   data.Budget.AddPass(vtkInternals::IsFirstPass(act), triangles, seconds);
 }
 
@@ -317,7 +317,8 @@ void vtkAdaptiveRefinementMapper::UpdateBlocks()
 void vtkAdaptiveRefinementMapper::ForEachBlock(
   const std::function<void(vtkAdaptiveRefinementMapper*)>& work) const
 {
-  this->Internals->Blocks.ForEach(work);
+  this->Internals->Blocks.ForEach([&work](vtkBlockAttributesPolyDataMapper* block)
+    { work(static_cast<vtkAdaptiveRefinementMapper*>(block)); });
 }
 
 void vtkAdaptiveRefinementMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* act)

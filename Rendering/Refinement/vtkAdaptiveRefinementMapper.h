@@ -385,9 +385,7 @@ public:
   void GetBounds(double bounds[6]) override;
   //@}
 
-  /**
-   * The input, where it is a vtkPolyData.
-   */
+  /// The input, where it is a vtkPolyData.
   vtkPolyData* GetInput();
 
   using vtkOpenGLPolyDataMapper::MapScalars;
@@ -411,9 +409,6 @@ protected:
   ~vtkAdaptiveRefinementMapper() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  /**
-   * Bounds of what is drawn: surface and displacement enlarge them by what they can reach.
-   */
   void ComputeBounds() override;
   bool GetNeedToRebuildBufferObjects(vtkRenderer* ren, vtkActor* act) override;
   void BuildBufferObjects(vtkRenderer* ren, vtkActor* act) override;
@@ -445,9 +440,7 @@ protected:
   {
   }
 
-  /**
-   * One pass over the input, all blocks of a composite data set.
-   */
+  /// One pass over the input, all blocks of a composite data set.
   virtual void RenderRefined(vtkRenderer* ren, vtkActor* act);
 
   //@{

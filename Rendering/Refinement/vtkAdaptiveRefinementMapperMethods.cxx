@@ -49,8 +49,7 @@ void vtkAdaptiveRefinementMapper::SetMethod(int method)
     }
   }
   this->Method = method;
-  this->Internals->Blocks.ForEach(
-    [method](vtkAdaptiveRefinementMapper* block) { block->SetMethod(method); });
+  this->ForEachBlock([method](vtkAdaptiveRefinementMapper* block) { block->SetMethod(method); });
 }
 
 relevo::RefinementMethod& vtkAdaptiveRefinementMapper::vtkInternals::GetMethod()
@@ -76,7 +75,7 @@ relevo::RefinementDrawing vtkAdaptiveRefinementMapper::vtkInternals::GetDrawing(
 int vtkAdaptiveRefinementMapper::GetMethodInUse()
 {
   int method = this->Internals->MethodInUse;
-  this->Internals->Blocks.ForEach(
+  this->ForEachBlock(
     [&method](vtkAdaptiveRefinementMapper* block) { method = block->GetMethodInUse(); });
   return method;
 }

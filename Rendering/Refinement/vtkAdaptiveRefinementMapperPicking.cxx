@@ -72,8 +72,8 @@ vtkDataObject* vtkAdaptiveRefinementMapper::ReplaceInput(vtkDataObject* input)
   auto iterator = vtk::TakeSmartPointer(composite->NewIterator());
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
   {
-    vtkAdaptiveRefinementMapper* block =
-      this->Internals->Blocks.Find(iterator->GetCurrentFlatIndex());
+    auto* block = static_cast<vtkAdaptiveRefinementMapper*>(
+      this->Internals->Blocks.Find(iterator->GetCurrentFlatIndex()));
     if (block && !isPickable(block))
     {
       continue;

@@ -178,7 +178,7 @@ void vtkAdaptiveRefinementMapper::UpdateBudget(vtkRenderer* ren, vtkActor* act)
   {
     addPart(this);
   }
-  data.Blocks.ForEach(addPart);
+  this->ForEachBlock(addPart);
   const double offset = parts.empty() ? 0.0 : data.Budget.FindOffset(parts, this->Refinement);
   const auto setOffset = [&](vtkAdaptiveRefinementMapper* mapper)
   {
@@ -186,7 +186,7 @@ void vtkAdaptiveRefinementMapper::UpdateBudget(vtkRenderer* ren, vtkActor* act)
     mapper->Internals->IsBlock = mapper != this;
   };
   setOffset(this);
-  data.Blocks.ForEach(setOffset);
+  this->ForEachBlock(setOffset);
 }
 
 bool vtkAdaptiveRefinementMapper::SelectOnGPU(vtkRenderer* ren, vtkActor* act)
@@ -288,7 +288,7 @@ void vtkAdaptiveRefinementMapper::ComputeBounds()
   {
     data.Blocks.Update(this, composite);
     vtkBoundingBox box;
-    data.Blocks.ForEach(
+    this->ForEachBlock(
       [&box](vtkAdaptiveRefinementMapper* block)
       {
         if (block->GetLook().Visible)

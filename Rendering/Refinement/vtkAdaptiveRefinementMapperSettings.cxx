@@ -17,14 +17,14 @@ bool vtkAdaptiveRefinementMapper::vtkInternals::HasWholeNumbers(vtkAdaptiveRefin
 void vtkAdaptiveRefinementMapper::SetFrustumCulling(bool culling)
 {
   this->FrustumCulling = culling;
-  this->Internals->Blocks.ForEach(
+  this->ForEachBlock(
     [culling](vtkAdaptiveRefinementMapper* block) { block->SetFrustumCulling(culling); });
 }
 
 void vtkAdaptiveRefinementMapper::SetBackFaceCulling(bool culling)
 {
   this->BackFaceCulling = culling;
-  this->Internals->Blocks.ForEach(
+  this->ForEachBlock(
     [culling](vtkAdaptiveRefinementMapper* block) { block->SetBackFaceCulling(culling); });
 }
 
@@ -38,14 +38,14 @@ void vtkAdaptiveRefinementMapper::SetColorMode(int mode)
 void vtkAdaptiveRefinementMapper::SetRefinementColorMode(RefinementColorModes mode)
 {
   this->RefinementColorMode = mode;
-  this->Internals->Blocks.ForEach(
+  this->ForEachBlock(
     [mode](vtkAdaptiveRefinementMapper* block) { block->SetRefinementColorMode(mode); });
 }
 
 void vtkAdaptiveRefinementMapper::SetLevelLookupTable(vtkScalarsToColors* table)
 {
   this->LevelLookupTable = table;
-  this->Internals->Blocks.ForEach(
+  this->ForEachBlock(
     [table](vtkAdaptiveRefinementMapper* block) { block->SetLevelLookupTable(table); });
 }
 
@@ -103,7 +103,7 @@ void vtkAdaptiveRefinementMapper::SetSelectionDevice(int device)
 int vtkAdaptiveRefinementMapper::GetSelectionDeviceInUse()
 {
   bool onGPU = this->Internals->OnGPU;
-  this->Internals->Blocks.ForEach([&onGPU](vtkAdaptiveRefinementMapper* block)
+  this->ForEachBlock([&onGPU](vtkAdaptiveRefinementMapper* block)
     { onGPU = onGPU || block->GetSelectionDeviceInUse() == SELECTION_DEVICE_GPU; });
   return onGPU ? SELECTION_DEVICE_GPU : SELECTION_DEVICE_CPU;
 }
@@ -117,7 +117,7 @@ vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfDrawnTriangles()
   if (!data.Blocks.IsEmpty())
   {
     vtkIdType sum = 0;
-    data.Blocks.ForEach(
+    this->ForEachBlock(
       [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfDrawnTriangles(); });
     return sum;
   }
@@ -134,7 +134,7 @@ vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfDrawnTriangles()
 int vtkAdaptiveRefinementMapper::GetNumberOfDrawCalls()
 {
   int sum = this->Internals->NumberOfDrawCalls;
-  this->Internals->Blocks.ForEach(
+  this->ForEachBlock(
     [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfDrawCalls(); });
   return sum;
 }
@@ -143,7 +143,7 @@ int vtkAdaptiveRefinementMapper::GetNumberOfUsedPatterns()
 {
   this->ReadSelection();
   int sum = this->Internals->CountUsedPatterns();
-  this->Internals->Blocks.ForEach(
+  this->ForEachBlock(
     [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfUsedPatterns(); });
   return sum;
 }
@@ -151,7 +151,7 @@ int vtkAdaptiveRefinementMapper::GetNumberOfUsedPatterns()
 vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfSelections()
 {
   vtkIdType sum = this->Internals->State.GetNumberOfSelections();
-  this->Internals->Blocks.ForEach(
+  this->ForEachBlock(
     [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfSelections(); });
   return sum;
 }
@@ -159,7 +159,7 @@ vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfSelections()
 vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfBufferBuilds()
 {
   vtkIdType sum = this->Internals->NumberOfBufferBuilds;
-  this->Internals->Blocks.ForEach(
+  this->ForEachBlock(
     [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfBufferBuilds(); });
   return sum;
 }
@@ -167,7 +167,7 @@ vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfBufferBuilds()
 vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfShaderBuilds()
 {
   vtkIdType sum = this->Internals->NumberOfShaderBuilds;
-  this->Internals->Blocks.ForEach(
+  this->ForEachBlock(
     [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfShaderBuilds(); });
   return sum;
 }
@@ -176,7 +176,7 @@ double vtkAdaptiveRefinementMapper::GetSelectionTime()
 {
   double sum = this->Internals->State.GetSelection().GetSeconds() +
     (this->Internals->OnGPU ? this->Internals->ComputeSeconds : 0.0);
-  this->Internals->Blocks.ForEach(
+  this->ForEachBlock(
     [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetSelectionTime(); });
   return sum;
 }
@@ -184,7 +184,7 @@ double vtkAdaptiveRefinementMapper::GetSelectionTime()
 vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfCoarseFaces()
 {
   vtkIdType sum = static_cast<vtkIdType>(this->Internals->State.GetMesh().Faces.size());
-  this->Internals->Blocks.ForEach(
+  this->ForEachBlock(
     [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfCoarseFaces(); });
   return sum;
 }
@@ -196,7 +196,7 @@ vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfCulledFaces()
   vtkIdType sum = data.OnGPU
     ? data.NumberOfHiddenFaces
     : (data.Drawable ? data.State.GetSelection().GetNumberOfHiddenFaces() : 0);
-  this->Internals->Blocks.ForEach(
+  this->ForEachBlock(
     [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfCulledFaces(); });
   return sum;
 }
@@ -219,7 +219,7 @@ vtkTypeInt64 vtkAdaptiveRefinementMapper::GetGraphicsMemorySize()
       sum += static_cast<vtkTypeInt64>(vbo->GetNumberOfTuples()) * vbo->GetStride();
     }
   }
-  data.Blocks.ForEach(
+  this->ForEachBlock(
     [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetGraphicsMemorySize(); });
   return sum;
 }

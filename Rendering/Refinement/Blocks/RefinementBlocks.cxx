@@ -4,7 +4,7 @@
 
 #include "Blocks/BlockLook.h"
 #include "vtkActor.h"
-#include "vtkAdaptiveRefinementMapper.h"
+#include "vtkBlockAttributesPolyDataMapper.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataIterator.h"
@@ -21,7 +21,7 @@ namespace relevo
 RefinementBlocks::RefinementBlocks() = default;
 RefinementBlocks::~RefinementBlocks() = default;
 
-void RefinementBlocks::Update(vtkAdaptiveRefinementMapper* parent, vtkCompositeDataSet* input)
+void RefinementBlocks::Update(vtkBlockAttributesPolyDataMapper* parent, vtkCompositeDataSet* input)
 {
   // How blocks look is no setting that they copy.
   const bool changed = this->SyncTime < parent->vtkOpenGLPolyDataMapper::GetMTime();
@@ -37,7 +37,7 @@ void RefinementBlocks::Update(vtkAdaptiveRefinementMapper* parent, vtkCompositeD
     }
     const unsigned int index = iterator->GetCurrentFlatIndex();
     indices.insert(index);
-    vtkSmartPointer<vtkAdaptiveRefinementMapper>& mapper = this->Mappers[index];
+    vtkSmartPointer<vtkBlockAttributesPolyDataMapper>& mapper = this->Mappers[index];
     const bool isNew = !mapper;
     if (isNew)
     {
@@ -45,7 +45,7 @@ void RefinementBlocks::Update(vtkAdaptiveRefinementMapper* parent, vtkCompositeD
       mapper->SetPopulateSelectionSettings(0);
       // Errors come from the object the user holds.
       auto forward = [](vtkObject*, unsigned long event, void* client, void* text)
-      { static_cast<vtkAdaptiveRefinementMapper*>(client)->InvokeEvent(event, text); };
+      { static_cast<vtkBlockAttributesPolyDataMapper*>(client)->InvokeEvent(event, text); };
       vtkNew<vtkCallbackCommand> command;
       command->SetCallback(forward);
       command->SetClientData(parent);
@@ -144,13 +144,14 @@ void RefinementBlocks::ProcessSelectorPixelBuffers(
   }
 }
 
-vtkAdaptiveRefinementMapper* RefinementBlocks::Find(unsigned int flatIndex) const
+vtkBlockAttributesPolyDataMapper* RefinementBlocks::Find(unsigned int flatIndex) const
 {
   const auto found = this->Mappers.find(flatIndex);
   return found == this->Mappers.end() ? nullptr : found->second.Get();
 }
 
-void RefinementBlocks::ForEach(const std::function<void(vtkAdaptiveRefinementMapper*)>& work) const
+void RefinementBlocks::ForEach(
+  const std::function<void(vtkBlockAttributesPolyDataMapper*)>& work) const
 {
   for (const auto& block : this->Mappers)
   {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   RefinementBlocks
- * @brief   the leaves of a composite input, each drawn by a refining mapper of its own
+ * @brief   the leaves of a composite input, each drawn by a mapper of its own
  *
  * Private to the module.
  */
@@ -17,7 +17,7 @@
 #include <vector>     // for pixel offsets
 
 class vtkActor;
-class vtkAdaptiveRefinementMapper;
+class vtkBlockAttributesPolyDataMapper;
 class vtkCompositeDataDisplayAttributes;
 class vtkCompositeDataSet;
 class vtkHardwareSelector;
@@ -35,7 +35,7 @@ public:
   /**
    * Have one mapper per polydata leaf, with the parent's settings.
    */
-  void Update(vtkAdaptiveRefinementMapper* parent, vtkCompositeDataSet* input);
+  void Update(vtkBlockAttributesPolyDataMapper* parent, vtkCompositeDataSet* input);
 
   /**
    * Draw all leaves. In a selection each reports its flat index as composite index.
@@ -49,16 +49,16 @@ public:
     vtkHardwareSelector* selector, const std::vector<unsigned int>& pixels, vtkProp* prop);
 
   /// The mapper of the leaf with a flat index; nullptr where there is none.
-  vtkAdaptiveRefinementMapper* Find(unsigned int flatIndex) const;
+  vtkBlockAttributesPolyDataMapper* Find(unsigned int flatIndex) const;
 
-  void ForEach(const std::function<void(vtkAdaptiveRefinementMapper*)>& work) const;
+  void ForEach(const std::function<void(vtkBlockAttributesPolyDataMapper*)>& work) const;
   void Clear() { this->Mappers.clear(); }
   bool IsEmpty() const { return this->Mappers.empty(); }
 
 private:
   void UpdateLooks(vtkCompositeDataDisplayAttributes* attributes, vtkCompositeDataSet* input);
 
-  std::map<unsigned int, vtkSmartPointer<vtkAdaptiveRefinementMapper>> Mappers; // by flat index
+  std::map<unsigned int, vtkSmartPointer<vtkBlockAttributesPolyDataMapper>> Mappers; // by flat index
   vtkTimeStamp SyncTime;
 };
 }

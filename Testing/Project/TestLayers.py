@@ -1,0 +1,119 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The layers of the modules' sources, as Module/Documentation/architecture.md draws them.
+
+No include climbs, private files lie in folders and are not called vtk*, no header takes the name
+or the include guard of one of VTK's, and folders and files stay small.
+
+    TestLayers.py SOURCE VTK_INCLUDE_FOLDER...
+"""
+
+import pathlib
+import re
+import sys
+
+# From the bottom up. A public class stands in the layer of the first pattern that its name
+# matches, else above all of them.
+LAYERS = {
+    "Filters/Refinement": [
+        ("Core", []),
+        ("Patterns", ["vtkRefinementPattern.*"]),
+        ("Surfaces", ["vtk.*Surface", "vtkDisplacement", "vtkHeightField"]),
+        ("Mesh", []),
+        ("Metrics", ["vtk.*DepthTagMetric", "vtkDepthTagFilter"]),
+        ("Evaluation", ["vtkAdaptiveRefinement"]),
+        ("Intersection", []),
+    ],
+    "Filters/Flow": [("Noise", ["vtkLICNoiseSource"]), ("Image", []), ("Surface", [])],
+    "Filters/Terrain": [("Geodesy", []), ("Raster", []), ("Heights", [])],
+    "Rendering/Refinement": [
+        ("OpenGL", []),
+        ("State", []),
+        ("Shaders", []),
+        ("Buffers", []),
+        ("Compute", []),
+        ("Methods", []),
+        ("Picking", []),
+        ("Blocks", ["vtkBlockAttributesPolyDataMapper"]),
+    ],
+    "Rendering/Flow": [("Passes", [])],
+    "Rendering/Offscreen": [],
+}
+MODULES = list(LAYERS)  # no module includes one that comes after it
+LARGEST_FOLDER = 30
+LONGEST_FILE = 500
+
+
+def main():
+    source = pathlib.Path(sys.argv[1])
+    faults = []
+    files = {}  # as includes name it: (module, layer)
+    for module, layers in LAYERS.items():
+        names = [layer for layer, _ in layers]
+        for path in sorted((source / module).rglob("*")):
+            if path.suffix not in (".h", ".cxx"):
+                continue
+            inside = path.relative_to(source / module)
+            if len(inside.parts) == 1:
+                layer = next(
+                    (
+                        index
+                        for index, (_, classes) in enumerate(layers)
+                        if any(re.fullmatch(pattern, path.stem) for pattern in classes)
+                    ),
+                    len(layers),
+                )
+                if not path.stem.startswith("vtk"):
+                    faults.append(f"{module}/{inside}: a private file lies in a folder")
+            else:
+                if inside.parts[0] not in names:
+                    faults.append(f"{module}/{inside}: {inside.parts[0]} is no layer")
+                    continue
+                layer = names.index(inside.parts[0])
+                if path.stem.startswith("vtk"):
+                    faults.append(f"{module}/{inside}: only public classes are called vtk...")
+            if inside.as_posix() in files:
+                faults.append(f"{module}/{inside}: another module has it too")
+            files[inside.as_posix()] = (path, module, layer)
+            if len(path.read_text(encoding="utf-8").splitlines()) > LONGEST_FILE:
+                faults.append(f"{module}/{inside}: has more than {LONGEST_FILE} lines")
+
+    folders = {}
+    for name, (path, module, layer) in files.items():
+        folders.setdefault(path.parent, set()).add(path.stem)
+        for include in re.findall(r'#include "([^"]+)"', path.read_text(encoding="utf-8")):
+            if include not in files or pathlib.PurePath(include).stem == path.stem:
+                continue
+            _, other, below = files[include]
+            if MODULES.index(other) > MODULES.index(module) or other == module and below > layer:
+                faults.append(f"{module}/{name}: climbs to {include}")
+    for folder, units in folders.items():
+        if len(units) > LARGEST_FOLDER:
+            faults.append(f"{folder.relative_to(source)}: has more than {LARGEST_FOLDER} units")
+
+    theirs = {}
+    for folder in sys.argv[2:]:
+        for path in pathlib.Path(folder).rglob("*.h"):
+            theirs[path.name] = path
+    guards = {}
+    for path in theirs.values():
+        for guard in re.findall(r"^#ifndef (\w+)", path.read_text(errors="replace"), re.MULTILINE):
+            guards.setdefault(guard, path)
+    for name, (path, module, _) in files.items():
+        if path.suffix != ".h":
+            continue
+        guard = re.search(r"^#ifndef (\w+)", path.read_text(encoding="utf-8"), re.MULTILINE)
+        if path.name in theirs:
+            faults.append(f"{module}/{name}: VTK has a {path.name}")
+        if not guard or guard.group(1) != path.stem + "_h":
+            faults.append(f"{module}/{name}: its include guard is not {path.stem}_h")
+        elif guard.group(1) in guards:
+            faults.append(f"{module}/{name}: VTK has an include guard {guard.group(1)}")
+
+    print("\n".join(faults))
+    print(len(files), "files,", len(theirs), "headers of VTK,", len(faults), "faults")
+    return 1 if faults or not files or not theirs else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
