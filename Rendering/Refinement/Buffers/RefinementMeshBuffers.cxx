@@ -5,7 +5,7 @@
 #include "OpenGL/RelevoOpenGL.h"
 
 #include "Mesh/RefinementMesh.h"
-#include "Shaders/RefinementShaderOptions.h"
+#include "Shaders/RefinementShader.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDisplacement.h"
 #include "vtkHeightField.h"

@@ -99,11 +99,9 @@ std::string GetDefines(const RefinementShaderOptions& options, bool edges, bool 
   define(options.Scalars == BY_VALUE, "RELEVO_SCALARS");
   define(options.Scalars == BY_TEXTURE, "RELEVO_SCALAR_COORDINATES");
   define(options.Scalars == BY_NEAREST, "RELEVO_NEAREST_SCALARS");
-  define(options.ColorMode == vtkAdaptiveRefinementMapper::COLOR_BY_LEVEL ||
-      options.ColorMode == vtkAdaptiveRefinementMapper::COLOR_BY_PATTERN,
+  define(options.ColorMode == COLOR_BY_LEVEL || options.ColorMode == COLOR_BY_PATTERN,
     "RELEVO_COLORS_OF_FACES");
-  define(
-    options.ColorMode == vtkAdaptiveRefinementMapper::COLOR_BY_METRIC, "RELEVO_COLORS_OF_TAGS");
+  define(options.ColorMode == COLOR_BY_METRIC, "RELEVO_COLORS_OF_TAGS");
   define(edges, "RELEVO_EDGES");
   define(lines, "RELEVO_LINES");
   return text.str();
@@ -187,12 +185,12 @@ std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, b
     varyings.push_back({ "", "vec3", "relevoWeights" });
     varyings.push_back({ "flat ", "int", "relevoHiddenEdges" });
   }
-  if (options.ColorMode == vtkAdaptiveRefinementMapper::COLOR_BY_METRIC)
+  if (options.ColorMode == COLOR_BY_METRIC)
   {
     varyings.push_back({ "flat ", "vec3", "relevoTags" });
     varyings.push_back({ "", "vec3", "relevoTagWeights" });
   }
-  else if (options.ColorMode != vtkAdaptiveRefinementMapper::COLOR_BY_SCALARS)
+  else if (options.ColorMode != COLOR_BY_SCALARS)
   {
     varyings.push_back({ "flat ", "vec3", "relevoColor" });
   }
@@ -215,7 +213,7 @@ std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, b
     text << (options.Scalars == BY_VALUE ? relevoColorTable : "")
          << (options.HasNoData ? relevoNoDataVS : "") << relevoColorsVS;
   }
-  if (options.ColorMode != vtkAdaptiveRefinementMapper::COLOR_BY_SCALARS)
+  if (options.ColorMode != COLOR_BY_SCALARS)
   {
     text << relevoFaceColorsVS;
   }
@@ -270,7 +268,7 @@ std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, b
   {
     declarations += varying.Qualifier + "in " + varying.Type + " " + varying.Name + "VSOutput;\n";
   }
-  if (options.ColorMode != vtkAdaptiveRefinementMapper::COLOR_BY_SCALARS)
+  if (options.ColorMode != COLOR_BY_SCALARS)
   {
     declarations += std::string(relevoColorTable) + relevoFaceColorsFS;
     vtkShaderProgram::Substitute(fragment, ColorMark,
