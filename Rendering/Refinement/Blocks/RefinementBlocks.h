@@ -58,7 +58,8 @@ public:
 private:
   void UpdateLooks(vtkCompositeDataDisplayAttributes* attributes, vtkCompositeDataSet* input);
 
-  std::map<unsigned int, vtkSmartPointer<vtkBlockAttributesPolyDataMapper>> Mappers; // by flat index
+  std::map<unsigned int, vtkSmartPointer<vtkBlockAttributesPolyDataMapper>>
+    Mappers; // by flat index
   vtkTimeStamp SyncTime;
 };
 }
