@@ -47,7 +47,7 @@ FlightResult FlyWithBudget(
   vtkPolyData* mesh, vtkAdaptiveRefinement* recipe, vtkIdType target, int numberOfFrames)
 {
   relevo::RefinementMesh faces;
-  faces.Build(mesh, recipe);
+  faces.Build(mesh, recipe->GetSurface(), recipe->GetDisplacement());
   vtkNew<vtkCamera> camera;
   relevo::RefinementView view;
   view.Camera = camera;

@@ -32,7 +32,7 @@ class Patches
 {
 public:
   Patches(vtkPolyData* mesh, vtkRefinementSurface* surface)
-    : Built((this->Recipe->SetSurface(surface), this->Mesh.Build(mesh, this->Recipe)))
+    : Built((this->Recipe->SetSurface(surface), this->Mesh.Build(mesh, surface, nullptr)))
     , Evaluator(this->Mesh, this->Recipe)
   {
   }
