@@ -19,16 +19,21 @@ namespace
 const int SmallestTextureLimit = 8192;
 
 // 0 when the file cannot be read, which is told when it is.
-int GetLongerSide(const char* fileName)
+int GetLongerSide(vtkHeightMap* raster)
 {
-  vtkNew<vtkHeightMap> raster;
-  raster->SetFileName(fileName);
   if (!raster->UpdateInformation())
   {
     return 0;
   }
   const int* size = raster->GetFullDimensions();
   return std::max(size[0], size[1]);
+}
+
+int GetLongerSide(const char* fileName)
+{
+  vtkNew<vtkHeightMap> raster;
+  raster->SetFileName(fileName);
+  return GetLongerSide(raster);
 }
 
 // 0 when there is no OpenGL, which is told when it draws.
@@ -62,7 +67,7 @@ vtkSmartPointer<vtkRenderWindow> NewOffscreenWindow()
 //------------------------------------------------------------------------------
 void FitIntoTexture(vtkHeightMap* heights, const char* picture)
 {
-  if (std::max(GetLongerSide(heights->GetFileName()), *picture ? GetLongerSide(picture) : 0) <=
+  if (std::max(GetLongerSide(heights), *picture ? GetLongerSide(picture) : 0) <=
     SmallestTextureLimit)
   {
     return;

@@ -107,7 +107,7 @@ void TerrainScene::CheckReading()
     // A mesh, perhaps, in a format that has no reader here.
     const std::string text = error.what();
     const bool isUnknown =
-      text.find("Cannot read " + this->Options.Input) == 0 && CanRead(this->Options.Input);
+      text == this->Source->GetHeightMap()->GetErrorMessage() && CanRead(this->Options.Input);
     throw ViewerError(isUnknown ? text + " Meshes are read from " + GetMeshFormats() + "." : text);
   }
 }

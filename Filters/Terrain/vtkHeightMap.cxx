@@ -24,7 +24,7 @@ namespace
 // About what one read takes: large enough to be efficient, small beside the heights themselves.
 constexpr long long SamplesPerRead = 1 << 20;
 
-int rowsPerRead(const relevo::Raster::Description& contents)
+int rowsPerRead(const relevo::RasterDescription& contents)
 {
   const long long width = static_cast<long long>(contents.Width) * contents.SamplesPerTexel;
   const long long rows = std::max(1LL, SamplesPerRead / width);
@@ -33,6 +33,11 @@ int rowsPerRead(const relevo::Raster::Description& contents)
 }
 
 const char* const NothingToRead = "There is neither a file name nor an image to read heights from.";
+
+std::string cannotRead(const std::string& fileName, const std::string& error)
+{
+  return "Cannot read " + fileName + ": " + error + ".";
+}
 
 std::string toText(const int size[2])
 {
@@ -112,58 +117,105 @@ vtkMTimeType vtkHeightMap::GetMTime()
 
 bool vtkHeightMap::Update()
 {
-  if (this->UpdateTime < this->GetMTime())
+  // A file that was opened and not read: an earlier attempt could not open it.
+  if (this->UpdateTime < this->GetMTime() || this->Raster)
   {
     this->AbortExecute = false;
-    this->Failure.clear();
-    this->Grid.reset();
-    this->DeclaredNoDataValue = std::numeric_limits<double>::quiet_NaN();
-    std::fill_n(this->Dimensions, 2, 0);
-    std::fill_n(this->FullDimensions, 2, 0);
-    std::fill_n(this->Range, 2, 0.0);
-    this->SamplesTime.Modified();
-    const bool isRead = this->Read(this->Failure);
-    if (isRead)
-    {
-      this->Failure.clear();
-    }
-    else
+    this->ErrorMessage.clear();
+    this->WarningMessage.clear();
+    this->Clear();
+    if (!this->Open() || !this->Read())
     {
       std::fill_n(this->FullDimensions, 2, 0);
     }
-    if (!isRead && this->AbortExecute)
+    if (this->AbortExecute && !this->Grid)
     {
+      this->ErrorMessage.clear();
+      this->Description.reset();
       return false; // the next Update() starts anew
     }
     this->UpdateTime.Modified();
+    if (!this->WarningMessage.empty())
+    {
+      vtkWarningMacro(<< this->WarningMessage);
+    }
   }
   if (!this->Grid)
   {
-    vtkErrorMacro(<< this->Failure);
+    vtkErrorMacro(<< this->ErrorMessage);
   }
   return this->Grid != nullptr;
 }
 
-bool vtkHeightMap::Read(std::string& error)
+bool vtkHeightMap::UpdateInformation()
+{
+  if (!this->Open())
+  {
+    vtkErrorMacro(<< this->ErrorMessage);
+    return false;
+  }
+  return true;
+}
+
+bool vtkHeightMap::Open()
+{
+  if (!this->Description || this->DescriptionTime.GetMTime() < this->GetMTime())
+  {
+    this->Raster.reset();
+    this->Description.reset();
+    if (this->ImageData)
+    {
+      this->Description = std::make_unique<relevo::RasterDescription>();
+      const int* dimensions = this->ImageData->GetDimensions();
+      this->Description->Width = dimensions[0];
+      this->Description->Height = dimensions[1];
+      this->Description->Location.SetSize(dimensions[0], dimensions[1]);
+    }
+    else if (this->FileName && *this->FileName)
+    {
+      std::string error;
+      this->Raster = relevo::Raster::Open(this->FileName, error);
+      if (!this->Raster)
+      {
+        this->ErrorMessage = cannotRead(this->FileName, error);
+        return false;
+      }
+      this->Description = std::make_unique<relevo::RasterDescription>(this->Raster->Describe());
+    }
+    else
+    {
+      this->ErrorMessage = NothingToRead;
+      return false;
+    }
+    this->ErrorMessage.clear();
+    this->DescriptionTime.Modified();
+  }
+  this->FullDimensions[0] = this->Description->Width;
+  this->FullDimensions[1] = this->Description->Height;
+  return true;
+}
+
+void vtkHeightMap::Clear()
+{
+  this->Grid.reset();
+  this->DeclaredNoDataValue = std::numeric_limits<double>::quiet_NaN();
+  std::fill_n(this->Dimensions, 2, 0);
+  std::fill_n(this->FullDimensions, 2, 0);
+  std::fill_n(this->Range, 2, 0.0);
+  this->SamplesTime.Modified();
+}
+
+bool vtkHeightMap::Read()
 {
   auto grid = std::make_unique<relevo::HeightGrid>();
-  bool read = false;
-  if (this->ImageData)
+  std::string error;
+  const bool isRead =
+    this->ImageData ? this->ReadImage(*grid, error) : this->ReadFile(*grid, error);
+  this->Raster.reset();
+  if (!isRead || !grid->Finish(error))
   {
-    read = this->ReadImage(*grid, error) && grid->Finish(error);
-    error = "The image cannot be a height map: " + error + ".";
-  }
-  else if (this->FileName && *this->FileName)
-  {
-    read = this->ReadFile(*grid, error) && grid->Finish(error);
-    error = "Cannot read " + std::string(this->FileName) + ": " + error + ".";
-  }
-  else
-  {
-    error = NothingToRead;
-  }
-  if (!read)
-  {
+    this->ErrorMessage = this->ImageData ? "The image cannot be a height map: " + error + "."
+                                         : cannotRead(this->FileName, error);
     return false;
   }
   this->Dimensions[0] = grid->GetWidth();
@@ -172,57 +224,25 @@ bool vtkHeightMap::Read(std::string& error)
   this->Grid = std::move(grid);
   if (!std::equal(this->Dimensions, this->Dimensions + 2, this->FullDimensions))
   {
-    vtkWarningMacro(<< (this->ImageData ? "The image" : this->FileName) << " has "
-                    << toText(this->FullDimensions) << " heights, more than "
-                    << this->MaximumDimension << " a side: it is reduced to "
-                    << toText(this->Dimensions) << ", each the mean of those that it covers. "
-                    << "For more detail cut out a part of it (gdal_translate -srcwin), or raise "
-                    << "MaximumDimension where textures may be that large.");
+    this->WarningMessage = std::string(this->ImageData ? "The image" : this->FileName) + " has " +
+      toText(this->FullDimensions) + " heights, more than " +
+      std::to_string(this->MaximumDimension) + " a side: it is reduced to " +
+      toText(this->Dimensions) +
+      ", each the mean of those that it covers. For more detail cut out a part of it "
+      "(gdal_translate -srcwin), or raise MaximumDimension where textures may be that large.";
   }
-  return true;
-}
-
-bool vtkHeightMap::UpdateInformation()
-{
-  if (this->ImageData)
-  {
-    int dimensions[3];
-    this->ImageData->GetDimensions(dimensions);
-    std::copy_n(dimensions, 2, this->FullDimensions);
-    return true;
-  }
-  if (!this->FileName || !*this->FileName)
-  {
-    vtkErrorMacro(<< NothingToRead);
-    return false;
-  }
-  std::string error;
-  const auto raster = relevo::Raster::Open(this->FileName, error);
-  if (!raster)
-  {
-    vtkErrorMacro(<< "Cannot read " << this->FileName << ": " << error << ".");
-    return false;
-  }
-  this->FullDimensions[0] = raster->Describe().Width;
-  this->FullDimensions[1] = raster->Describe().Height;
   return true;
 }
 
 bool vtkHeightMap::ReadFile(relevo::HeightGrid& grid, std::string& error)
 {
-  const auto raster = relevo::Raster::Open(this->FileName, error);
-  if (!raster)
-  {
-    return false;
-  }
-  const relevo::Raster::Description& contents = raster->Describe(); // of the level that is read
-  this->FullDimensions[0] = contents.Width;
-  this->FullDimensions[1] = contents.Height;
+  relevo::Raster& raster = *this->Raster;
+  const relevo::RasterDescription& contents = raster.Describe(); // of the level that is read
   int size[2];
   relevo::GetReducedSize(this->FullDimensions, this->MaximumDimension, size);
   if (!std::equal(size, size + 2, this->FullDimensions))
   {
-    raster->SelectLevel(size[0], size[1]);
+    raster.SelectLevel(size[0], size[1]);
   }
   const int source[2] = { contents.Width, contents.Height };
   relevo::HeightGrid::Reading reading;
@@ -260,8 +280,8 @@ bool vtkHeightMap::ReadFile(relevo::HeightGrid& grid, std::string& error)
   for (int first = 0; first < contents.Height; first += rows)
   {
     const int count = std::min(rows, contents.Height - first);
-    if (!raster->ReadRows(first, count, samples.get(), error) ||
-      (mask && !raster->ReadMask(first, count, mask.get(), error)))
+    if (!raster.ReadRows(first, count, samples.get(), error) ||
+      (mask && !raster.ReadMask(first, count, mask.get(), error)))
     {
       return false;
     }
@@ -322,7 +342,6 @@ bool vtkHeightMap::ReadImage(relevo::HeightGrid& grid, std::string& error)
     }
   }
   reading.HasMask = !mask.empty();
-  std::copy_n(dimensions, 2, this->FullDimensions);
   int reduced[2];
   relevo::GetReducedSize(dimensions, this->MaximumDimension, reduced);
   if (!grid.Allocate(dimensions, reduced, reading, error))

@@ -48,6 +48,8 @@ class vtkImageData;
 namespace relevo
 {
 class HeightGrid;
+class Raster;
+struct RasterDescription;
 }
 
 class RELEVOFILTERSTERRAIN_EXPORT vtkHeightMap : public vtkHeightField
@@ -106,10 +108,20 @@ public:
   bool Update() override;
 
   /**
-   * Reads the file's header alone: GetFullDimensions(). Returns false, after an ErrorEvent, when
-   * that cannot be done.
+   * Opens the file and reads its header: GetFullDimensions(). The file stays open for the next
+   * Update(), which does not open it again. Returns false, after an ErrorEvent, when the file
+   * cannot be opened.
    */
   bool UpdateInformation();
+
+  //@{
+  /**
+   * What the ErrorEvent or WarningEvent of the last Update() or UpdateInformation() said, without
+   * class and source line; "" when there was none.
+   */
+  const char* GetErrorMessage() { return this->ErrorMessage.c_str(); }
+  const char* GetWarningMessage() { return this->WarningMessage.c_str(); }
+  //@}
 
   //@{
   /**
@@ -169,12 +181,26 @@ private:
   vtkHeightMap(const vtkHeightMap&) = delete;
   void operator=(const vtkHeightMap&) = delete;
 
-  bool Read(std::string& error);
+  friend class vtkTerrainSource; // for the description
+
+  bool Open();
+  void Clear();
+  bool Read();
   bool ReadFile(relevo::HeightGrid& grid, std::string& error);
   bool ReadImage(relevo::HeightGrid& grid, std::string& error);
 
+  /// Of the file or the image, after a successful UpdateInformation().
+  const relevo::RasterDescription& Describe() const
+  {
+    return *this->Description;
+  }
+
+  std::unique_ptr<relevo::Raster> Raster; // from its opening until it is read
+  std::unique_ptr<relevo::RasterDescription> Description;
+  vtkTimeStamp DescriptionTime;
   std::shared_ptr<const relevo::HeightGrid> Grid; // null after a failure
-  std::string Failure;
+  std::string ErrorMessage;
+  std::string WarningMessage;
   int Dimensions[2];
   int FullDimensions[2];
   double Range[2];

@@ -31,17 +31,6 @@ namespace
 // Shares of the progress.
 constexpr double HeightsShare = 0.6;
 constexpr double MeshShare = 0.1;
-
-// The part of an inner object's message that says what is wrong, without its class, address and
-// source line.
-std::string getText(void* message)
-{
-  std::string text(static_cast<const char*>(message));
-  const std::size_t start = text.find("): ");
-  text.erase(0, start == std::string::npos ? 0 : start + 3);
-  text.erase(text.find_last_not_of("\n") + 1);
-  return text;
-}
 }
 
 vtkStandardNewMacro(vtkTerrainSource);
@@ -202,14 +191,14 @@ vtkMTimeType vtkTerrainSource::GetMTime()
   return std::max(this->Superclass::GetMTime(), this->HeightMap->GetMTime());
 }
 
-void vtkTerrainSource::ForwardError(vtkObject*, unsigned long, void* message)
+void vtkTerrainSource::ForwardError(vtkObject*, unsigned long, void*)
 {
-  vtkErrorMacro(<< getText(message));
+  vtkErrorMacro(<< this->HeightMap->GetErrorMessage());
 }
 
-void vtkTerrainSource::ForwardWarning(vtkObject*, unsigned long, void* message)
+void vtkTerrainSource::ForwardWarning(vtkObject*, unsigned long, void*)
 {
-  vtkWarningMacro(<< getText(message));
+  vtkWarningMacro(<< this->HeightMap->GetWarningMessage());
 }
 
 void vtkTerrainSource::ForwardProgress(vtkObject*, unsigned long, void* progress)
@@ -252,10 +241,13 @@ int vtkTerrainSource::RequestData(
 bool vtkTerrainSource::Build(vtkPolyData* output, std::string& error)
 {
   // What the headers tell comes first: the heights may be many.
-  relevo::Georeference location;
-  double verticalUnit = 1.0;
-  const bool isFile = !this->HeightMap->GetImageData() && this->GetFileName();
-  if (isFile && (!this->Locate(location, verticalUnit, error) || !this->CheckImagery(error)))
+  if (!this->HeightMap->UpdateInformation())
+  {
+    return false;
+  }
+  const relevo::Georeference location = this->HeightMap->Describe().Location;
+  const double verticalUnit = this->HeightMap->Describe().VerticalUnit;
+  if (!this->CheckLocation(location, error) || !this->CheckImagery(error))
   {
     return false;
   }
@@ -266,11 +258,6 @@ bool vtkTerrainSource::Build(vtkPolyData* output, std::string& error)
     return false;
   }
   const int* texels = this->HeightMap->GetDimensions();
-  if (!isFile)
-  {
-    const int* full = this->HeightMap->GetFullDimensions();
-    location.SetSize(full[0], full[1]);
-  }
   this->Frame.reset(new relevo::TerrainFrame(location));
   this->VerticalUnit = verticalUnit;
   this->Displacement->SetScale(this->Exaggeration * this->VerticalUnit);
@@ -298,22 +285,17 @@ void vtkTerrainSource::AddFieldData(vtkPolyData* output)
   output->GetFieldData()->AddArray(system);
 }
 
-bool vtkTerrainSource::Locate(
-  relevo::Georeference& location, double& verticalUnit, std::string& error)
+bool vtkTerrainSource::CheckLocation(const relevo::Georeference& location, std::string& error)
 {
-  const std::string name = this->GetFileName();
-  const auto raster = relevo::Raster::Open(name, error);
-  if (!raster)
+  if (this->HeightMap->GetImageData())
   {
-    error = "Cannot read " + name + ": " + error + ".";
-    return false;
+    return true;
   }
+  const std::string name = this->GetFileName();
 #if !RELEVO_HAS_GDAL
   vtkWarningMacro(<< "This build of Relevo is without GDAL: the georeference of " << name
                   << ", if it has one, is not read, and one texel is one unit.");
 #endif
-  location = raster->Describe().Location;
-  verticalUnit = raster->Describe().VerticalUnit;
   if (location.System == relevo::Georeference::Kind::Unsupported)
   {
     error = name + " is neither in longitude and latitude nor in a projection; project it first.";

@@ -221,7 +221,7 @@ private:
 
   bool Build(vtkPolyData* output, std::string& error);
   void AddFieldData(vtkPolyData* output);
-  bool Locate(relevo::Georeference& location, double& verticalUnit, std::string& error);
+  bool CheckLocation(const relevo::Georeference& location, std::string& error);
   bool CheckImagery(std::string& error);
   bool UpdateImagery(const relevo::Georeference& location, std::string& error);
   void ForwardError(vtkObject* caller, unsigned long event, void* message);

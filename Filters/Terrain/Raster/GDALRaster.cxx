@@ -20,7 +20,7 @@ struct GDALRaster::Internals
   GDALDataType Type = GDT_Unknown;
   int RowsPerBlock = 1; // as they are
 
-  void SetBand(GDALRasterBandH band, Description& contents);
+  void SetBand(GDALRasterBandH band, RasterDescription& contents);
 };
 
 namespace
@@ -92,7 +92,7 @@ double metresPerUnit(std::string unit)
 }
 }
 
-void GDALRaster::Internals::SetBand(GDALRasterBandH band, Description& contents)
+void GDALRaster::Internals::SetBand(GDALRasterBandH band, RasterDescription& contents)
 {
   this->Band = band;
   contents.Width = GDALGetRasterBandXSize(band);
@@ -133,7 +133,7 @@ std::unique_ptr<GDALRaster> GDALRaster::Open(const std::string& fileName, std::s
   }
   auto raster = std::make_unique<GDALRaster>();
   const GDALRasterBandH band = GDALGetRasterBand(dataset.get(), 1);
-  Description& contents = raster->Contents;
+  RasterDescription& contents = raster->Contents;
   contents.Width = GDALGetRasterXSize(dataset.get());
   contents.Height = GDALGetRasterYSize(dataset.get());
   contents.Type = vtkType(GDALGetRasterDataType(band));

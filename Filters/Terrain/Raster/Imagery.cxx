@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Raster/Imagery.h"
 
-#include "Raster/Raster.h"
 #if RELEVO_HAS_GDAL
 #include "Raster/ImageryWarp.h"
 #endif
@@ -115,11 +114,6 @@ std::array<int, 3> DefaultBands(int numberOfBands)
 bool DrapeImagery(const ImagerySource& source, const Georeference& terrain, Imagery& result,
   const ImageryProgress& progress, std::string& error)
 {
-  // Tells a missing or broken file from one that only the other library knows.
-  if (!Raster::Open(source.FileName, error))
-  {
-    return false;
-  }
 #if RELEVO_HAS_GDAL
   bool opened = false;
   const bool warped = WarpImagery(source, terrain, result, progress, opened, error);

@@ -118,13 +118,13 @@ std::unique_ptr<OpenImageIORaster> OpenImageIORaster::Open(
 
 bool OpenImageIORaster::SetAlternative(std::unique_ptr<Raster>& alternative)
 {
-  const Description& other = alternative->Describe();
+  const RasterDescription& other = alternative->Describe();
   if (other.Width != this->Contents.Width || other.Height != this->Contents.Height ||
     other.Type != this->Contents.Type)
   {
     return false;
   }
-  const Description own = this->Contents;
+  const RasterDescription own = this->Contents;
   this->Contents = other;
   this->Contents.RowsPerBlock = own.RowsPerBlock;
   this->Contents.SamplesPerTexel = own.SamplesPerTexel;
@@ -138,7 +138,7 @@ void OpenImageIORaster::SelectLevel(int width, int height)
   if (this->Alternative)
   {
     this->Alternative->SelectLevel(width, height);
-    const Description& other = this->Alternative->Describe();
+    const RasterDescription& other = this->Alternative->Describe();
     own.Reads = other.Width == this->Contents.Width && other.Height == this->Contents.Height;
     if (!own.Reads)
     {

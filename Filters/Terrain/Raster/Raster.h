@@ -17,6 +17,22 @@
 
 namespace relevo
 {
+/// What a file says about its first band.
+struct RasterDescription
+{
+  int Width = 0;
+  int Height = 0;
+  int RowsPerBlock = 1;    ///< reading whole multiples of these rows is efficient
+  int SamplesPerTexel = 1; ///< that are read, not only kept
+  int Type = 0;            ///< VTK's type of the samples as read
+  bool HasMask = false;    ///< validity comes from a mask as well
+  std::optional<double> NoData;
+  double Scale = 1.0; ///< height = Scale * sample + Offset
+  double Offset = 0.0;
+  double VerticalUnit = 1.0; ///< metres in one unit of the heights
+  Georeference Location;
+};
+
 class Raster
 {
 public:
@@ -32,23 +48,7 @@ public:
 
   virtual ~Raster() = default;
 
-  /// What the file says about its first band.
-  struct Description
-  {
-    int Width = 0;
-    int Height = 0;
-    int RowsPerBlock = 1;    ///< reading whole multiples of these rows is efficient
-    int SamplesPerTexel = 1; ///< that are read, not only kept
-    int Type = 0;            ///< VTK's type of the samples as read
-    bool HasMask = false;    ///< validity comes from a mask as well
-    std::optional<double> NoData;
-    double Scale = 1.0; ///< height = Scale * sample + Offset
-    double Offset = 0.0;
-    double VerticalUnit = 1.0; ///< metres in one unit of the heights
-    Georeference Location;
-  };
-
-  const Description& Describe() const { return this->Contents; }
+  const RasterDescription& Describe() const { return this->Contents; }
 
   /**
    * Turns to a smaller version of the raster that the file holds as well (overviews, mip levels):
@@ -75,7 +75,7 @@ protected:
   /// Whether a version of that size is smaller than the one in use, and large enough.
   bool IsBetterLevel(int levelWidth, int levelHeight, int width, int height) const;
 
-  Description Contents;
+  RasterDescription Contents;
 };
 }
 

@@ -29,12 +29,11 @@ def height_map(heights, no_data=float("nan")):
     result = relevo.vtkHeightMap()
     result.SetImageData(image)
     result.SetNoDataValue(no_data)
-    errors = []
-    observer = result.AddObserver("ErrorEvent", _Collector(errors))
+    observer = result.AddObserver("ErrorEvent", lambda caller, event: None)  # raised, not printed
     updated = result.Update()
     result.RemoveObserver(observer)
     if not updated:
-        raise ValueError(errors[0] if errors else "no height map can be made of this array")
+        raise ValueError(result.GetErrorMessage())
     return result
 
 
@@ -100,15 +99,3 @@ def samples(image, name=None):
     columns, rows = (sizes[axis] for axis in range(3) if axis != flat)
     values = vtk_to_numpy(array)
     return values.reshape((rows, columns) + values.shape[1:])
-
-
-class _Collector:
-    """An observer that keeps the texts of errors."""
-
-    CallDataType = "string0"
-
-    def __init__(self, texts):
-        self.texts = texts
-
-    def __call__(self, caller, event, text):
-        self.texts.append(text.partition("): ")[2].strip() or text.strip())

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// A raster is opened once for its location and its heights: what replaces the file after that is
+// not seen. Errors and warnings are the same texts in the height map and in the source.
+#include "RelevoCheck.h"
+#include "RelevoRasterFiles.h"
+#include "vtkCallbackCommand.h"
+#include "vtkDisplacement.h"
+#include "vtkExecutive.h"
+#include "vtkHeightMap.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkTerrainSource.h"
+
+#include <filesystem>
+
+namespace
+{
+constexpr double FirstCorner = 500000.0;
+constexpr double SecondCorner = 600000.0;
+
+// Two rasters of different size, place and heights; the second one goes where the first one was.
+struct Files
+{
+  std::string Name;
+  std::string Other;
+
+  explicit Files(const RelevoTestFolders& folders)
+    : Name(folders.File("TerrainOpening.tif"))
+    , Other(folders.File("TerrainOpeningOther.tif"))
+  {
+  }
+  bool Write() const
+  {
+    RelevoRaster raster;
+    raster.CoordinateSystem = "EPSG:32633";
+    raster.Width = 30;
+    raster.Height = 20;
+    raster.Transform = { FirstCorner, 10.0, 0.0, 5000000.0, 0.0, -10.0 };
+    raster.SetValues([](int, int column, int) { return 100.0 + column; });
+    const bool first = raster.Write(this->Name);
+    raster.Width = 12;
+    raster.Height = 12;
+    raster.Transform = { SecondCorner, 30.0, 0.0, 5000000.0, 0.0, -30.0 };
+    raster.SetValues([](int, int, int) { return 700.0; });
+    return first && raster.Write(this->Other);
+  }
+  void Replace() const { std::filesystem::rename(this->Other, this->Name); }
+};
+
+// Whether all that the source gives is of the first raster.
+void ExpectFirst(RelevoCheck& check, vtkTerrainSource* source)
+{
+  CHECK(source->GetExecutive()->Update() == 1);
+  CHECK(source->GetOutput()->GetNumberOfCells() > 0);
+  CHECK_NEAR(source->GetOrigin()[0], FirstCorner + 150.0, 1e-9);
+  CHECK_NEAR(source->GetOutput()->GetBounds()[1], 150.0, 1e-9);
+  CHECK(source->GetHeightMap()->GetDimensions()[0] == 30);
+  CHECK(source->GetHeightMap()->GetRange()[0] == 100.0);
+  CHECK(source->GetHeightMap()->GetRange()[1] == 129.0);
+}
+
+void TestOpenings(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  const Files files(folders);
+  {
+    // The source opens it, the height map reads it.
+    CHECK(files.Write());
+    vtkNew<vtkTerrainSource> source;
+    source->SetFileName(files.Name.c_str());
+    vtkNew<vtkCallbackCommand> replacing;
+    replacing->SetClientData(const_cast<Files*>(&files));
+    replacing->SetCallback(
+      [](vtkObject* caller, unsigned long, void* client, void*)
+      {
+        // The location is known, no height is read.
+        if (static_cast<vtkTerrainSource*>(caller)->GetProgressText() &&
+          std::filesystem::exists(static_cast<Files*>(client)->Other))
+        {
+          static_cast<Files*>(client)->Replace();
+        }
+      });
+    source->AddObserver(vtkCommand::ProgressEvent, replacing);
+    ExpectFirst(check, source);
+    CHECK(!std::filesystem::exists(files.Other));
+  }
+  {
+    // The height map opens it, the source takes the location from there.
+    CHECK(files.Write());
+    vtkNew<vtkTerrainSource> source;
+    source->SetFileName(files.Name.c_str());
+    CHECK(source->GetHeightMap()->UpdateInformation());
+    CHECK(source->GetHeightMap()->GetFullDimensions()[0] == 30);
+    files.Replace();
+    ExpectFirst(check, source);
+  }
+  {
+    // So it does when the heights were read before.
+    CHECK(files.Write());
+    vtkNew<vtkTerrainSource> source;
+    source->SetFileName(files.Name.c_str());
+    CHECK(source->GetHeightMap()->Update());
+    files.Replace();
+    ExpectFirst(check, source);
+    // Another mesh of the same raster needs no file at all.
+    std::filesystem::remove(files.Name);
+    source->SetResolution(3);
+    ExpectFirst(check, source);
+    // What says that the file has changed opens it.
+    CHECK(files.Write());
+    files.Replace();
+    source->GetHeightMap()->Modified();
+    CHECK(source->GetExecutive()->Update() == 1);
+    CHECK_NEAR(source->GetOrigin()[0], SecondCorner + 180.0, 1e-9);
+    CHECK(source->GetHeightMap()->GetRange()[1] == 700.0);
+  }
+}
+
+// A file that was missing is found by the next attempt.
+void TestLateFile(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  const Files files(folders);
+  std::filesystem::remove(files.Name);
+  vtkNew<vtkTerrainSource> source;
+  RelevoErrors errors(source);
+  RelevoErrors executive(source->GetExecutive());
+  source->SetFileName(files.Name.c_str());
+  CHECK(source->GetExecutive()->Update() == 0 && errors.Said("the file does not exist"));
+  CHECK(!source->GetHeightMap()->Update() && errors.Said("the file does not exist"));
+  CHECK(files.Write());
+  source->Modified();
+  ExpectFirst(check, source);
+  CHECK(errors.None());
+}
+
+// One sentence, in the object that failed and in the one that holds it.
+void TestMessages(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  vtkNew<vtkTerrainSource> source;
+  vtkHeightMap* heights = source->GetHeightMap();
+  CHECK(!*heights->GetErrorMessage() && !*heights->GetWarningMessage());
+  {
+    RelevoErrors errors(source);
+    RelevoErrors executive(source->GetExecutive());
+    // A name that could be taken for the end of VTK's prefix.
+    source->SetFileName(folders.File("no (such): terrain.tif").c_str());
+    source->Update();
+    const std::string text = heights->GetErrorMessage();
+    CHECK(text ==
+      "Cannot read " + folders.File("no (such): terrain.tif") + ": the file does not exist.");
+    CHECK(errors.Said("): " + text + "\n"));
+  }
+  const Files files(folders);
+  CHECK(files.Write());
+  RelevoErrors warnings(source);
+  source->SetFileName(files.Name.c_str());
+  source->SetMaximumDimension(16);
+  source->Update();
+  CHECK(!*heights->GetErrorMessage());
+  const std::string text = heights->GetWarningMessage();
+  CHECK(text.find(files.Name + " has 30 x 20 heights") == 0);
+  CHECK(warnings.Warned("): " + text + "\n"));
+  source->SetMaximumDimension(64);
+  source->Update();
+  CHECK(!*heights->GetWarningMessage() && warnings.None());
+}
+}
+
+int TestTerrainSourceOpening(int argc, char* argv[])
+{
+  const RelevoTestFolders folders(argc, argv);
+  RelevoCheck check;
+  TestOpenings(check, folders);
+  TestLateFile(check, folders);
+  TestMessages(check, folders);
+  return check.GetResult();
+}
