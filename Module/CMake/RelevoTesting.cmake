@@ -1,53 +1,58 @@
 # relevo_add_cxx_tests(<executable>
-#   TESTS <TestName>...
-#   LIBRARIES <library>...
-#   [REPEATED <TestName>...]
+#   TESTS [<folder>/]<TestName>...
+#   LIBRARIES <module>...
+#   [HELPERS <library>...]
+#   [REPEATED [<folder>/]<TestName>...]
 #   [LABELS <label>...])
 #
 # One executable for all tests of a module, one CTest test for each but for those of other modules,
-# REPEATED, which relevo_repeat_cxx_tests runs. TestName.cxx holds
+# REPEATED, which relevo_repeat_cxx_tests runs. HELPERS are of Testing/Cxx/Helpers. TestName.cxx holds
 #   int TestName(int argc, char* argv[])
 # and returns EXIT_SUCCESS, EXIT_FAILURE, or 125 when what it needs is not there. Arguments and
 # environment follow VTK's own tests:
 #   -D <folder of test data in the repository>   -T <folder to write into>
 #   -V <baseline image>                          RELEVO_TEST_DATA: folder of larger real data
 function (relevo_add_cxx_tests executable)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "TESTS;REPEATED;LIBRARIES;LABELS")
-  if (NOT arg_TESTS AND NOT arg_REPEATED)
-    return ()
-  endif ()
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "TESTS;REPEATED;HELPERS;LIBRARIES;LABELS")
   set(sources ${arg_TESTS} ${arg_REPEATED})
   list(TRANSFORM sources APPEND ".cxx")
-  create_test_sourcelist(driver "${executable}.cxx" ${sources})
-  add_executable("${executable}" ${driver})
-  target_link_libraries("${executable}" PRIVATE ${arg_LIBRARIES})
+  # The driver knows functions, and these are named without folders.
+  set(functions ${sources})
+  list(TRANSFORM functions REPLACE "^.*/" "")
+  create_test_sourcelist(driver "${executable}.cxx" ${functions})
+  list(GET driver 0 driver)
+  add_executable("${executable}" "${driver}" ${sources})
+  target_link_libraries("${executable}" PRIVATE ${arg_HELPERS} ${arg_LIBRARIES})
   vtk_module_autoinit(TARGETS "${executable}" MODULES ${arg_LIBRARIES})
   set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS "${relevo_warning_flags}")
   foreach (test IN LISTS arg_TESTS)
-    add_test(
-      NAME    "${test}"
-      COMMAND "${executable}" "${test}"
-        -D "${relevo_test_input}"
-        -T "${relevo_test_output}"
-        -V "${relevo_test_baseline}/${test}.png")
-    relevo_set_test_properties("${test}" ${arg_LABELS})
+    get_filename_component(test "${test}" NAME)
+    relevo_add_cxx_test("${executable}" "${test}" "${test}" ${arg_LABELS})
   endforeach ()
 endfunction ()
 
+# relevo_add_cxx_test(<executable> <TestName> <name> [<label>...])
+#
+# TestName of the executable as a CTest test of that name.
+function (relevo_add_cxx_test executable test name)
+  add_test(
+    NAME    "${name}"
+    COMMAND "${executable}" "${test}"
+      -D "${relevo_test_input}"
+      -T "${relevo_test_output}"
+      -V "${relevo_test_baseline}/${test}.png")
+  relevo_set_test_properties("${name}" ${ARGN})
+endfunction ()
+
 # relevo_repeat_cxx_tests(<executable> SUFFIX <suffix> ENVIRONMENT <NAME=value>...
-#   TESTS <TestName>... [LABELS <label>...])
+#   TESTS [<folder>/]<TestName>... [LABELS <label>...])
 #
 # The same tests once more, as TestName<suffix>, in another environment.
 function (relevo_repeat_cxx_tests executable)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "SUFFIX" "ENVIRONMENT;TESTS;LABELS")
   foreach (test IN LISTS arg_TESTS)
-    add_test(
-      NAME    "${test}${arg_SUFFIX}"
-      COMMAND "${executable}" "${test}"
-        -D "${relevo_test_input}"
-        -T "${relevo_test_output}"
-        -V "${relevo_test_baseline}/${test}.png")
-    relevo_set_test_properties("${test}${arg_SUFFIX}" ${arg_LABELS})
+    get_filename_component(test "${test}" NAME)
+    relevo_add_cxx_test("${executable}" "${test}" "${test}${arg_SUFFIX}" ${arg_LABELS})
     set_property(TEST "${test}${arg_SUFFIX}" APPEND PROPERTY ENVIRONMENT ${arg_ENVIRONMENT})
   endforeach ()
 endfunction ()
