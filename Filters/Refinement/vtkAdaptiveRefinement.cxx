@@ -14,31 +14,34 @@ vtkStandardNewMacro(vtkAdaptiveRefinement);
 
 vtkAdaptiveRefinement::vtkAdaptiveRefinement()
 {
-  this->PatternTable = vtkSmartPointer<vtkRefinementPatternTable>::New();
-  constexpr int quick = 3; // 64 triangles for a face: a first frame that nobody waits for
-  this->PatternTable->SetMaximumLevel(quick);
+  this->SetPatternTable(nullptr);
 }
 
 vtkAdaptiveRefinement::~vtkAdaptiveRefinement() = default;
 
 void vtkAdaptiveRefinement::SetMaximumLevel(int level)
 {
-  if (level < 0 || level > vtkRefinementPatternTable::HighestLevel)
+  const int highest = this->PatternTable->GetMaximumLevel();
+  if (level < 0 || level > highest)
   {
-    vtkErrorMacro("MaximumLevel must be in [0, " << vtkRefinementPatternTable::HighestLevel
-                                                 << "], got " << level << ".");
+    vtkErrorMacro("MaximumLevel must be in [0, "
+      << highest << "], got " << level << "."
+      << (level > highest && level <= vtkRefinementPatternTable::HighestLevel
+             ? " The pattern table has no higher level: raise its MaximumLevel, or take another "
+               "table."
+             : ""));
     return;
   }
-  if (this->PatternTable->GetMaximumLevel() != level)
+  if (this->MaximumLevel != level)
   {
-    this->PatternTable->SetMaximumLevel(level);
+    this->MaximumLevel = level;
     this->Modified();
   }
 }
 
 int vtkAdaptiveRefinement::GetMaximumLevel()
 {
-  return this->PatternTable->GetMaximumLevel();
+  return std::min(this->MaximumLevel, this->PatternTable->GetMaximumLevel());
 }
 
 void vtkAdaptiveRefinement::SetDepthTagArrayName(const char* name)
@@ -154,6 +157,21 @@ vtkDisplacement* vtkAdaptiveRefinement::GetDisplacement()
   return this->Displacement;
 }
 
+void vtkAdaptiveRefinement::SetPatternTable(vtkRefinementPatternTable* table)
+{
+  if (table && table == this->PatternTable)
+  {
+    return;
+  }
+  this->PatternTable = table;
+  if (!this->PatternTable)
+  {
+    this->PatternTable = vtkSmartPointer<vtkRefinementPatternTable>::New();
+    this->PatternTable->SetMaximumLevel(vtkRefinementPatternTable::HighestLevel);
+  }
+  this->Modified();
+}
+
 vtkRefinementPatternTable* vtkAdaptiveRefinement::GetPatternTable()
 {
   return this->PatternTable;
@@ -174,7 +192,7 @@ vtkMTimeType vtkAdaptiveRefinement::GetMTime()
 void vtkAdaptiveRefinement::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "MaximumLevel: " << this->PatternTable->GetMaximumLevel() << "\n";
+  os << indent << "MaximumLevel: " << this->GetMaximumLevel() << "\n";
   os << indent << "DepthTagArrayName: " << this->DepthTagArrayName << "\n";
   os << indent << "LevelRule: " << this->LevelRule << "\n";
   os << indent << "LevelOffset: " << this->LevelOffset << "\n";
@@ -184,4 +202,5 @@ void vtkAdaptiveRefinement::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Metric: " << this->Metric.Get() << "\n";
   os << indent << "Surface: " << this->Surface.Get() << "\n";
   os << indent << "Displacement: " << this->Displacement.Get() << "\n";
+  os << indent << "PatternTable: " << this->PatternTable.Get() << "\n";
 }

@@ -36,7 +36,9 @@ public:
   //@{
   /**
    * The highest level of an edge, 0 to 7, default 3: an edge has at most 2^level segments. A value
-   * outside is an error and changes nothing.
+   * outside, or above the pattern table's MaximumLevel, is an error and changes nothing. Where the
+   * table gets a lower MaximumLevel afterwards, as by reading a file, that holds until the table
+   * goes higher again.
    */
   void SetMaximumLevel(int level);
   int GetMaximumLevel();
@@ -99,7 +101,8 @@ public:
    * POWERS_OF_TWO (0, the default): 2^level segments. WHOLE_NUMBERS (1): 2^tag segments, rounded
    * half up to a whole number up to 16, beyond to 9 to 16 times 2, 4 or 8: segments keep closer to
    * the wanted length, at the price of many more patterns and draw calls, and without geomorphing.
-   * Another value is an error and changes nothing.
+   * A pattern table that has read a file lacks most of these patterns: an error when a surface is
+   * refined. Another value is an error and changes nothing.
    */
   void SetSegmentPolicy(int policy);
   vtkGetMacro(SegmentPolicy, int);
@@ -123,9 +126,10 @@ public:
    * starts at a vertex that is there and slides to its own place while the tag rises from half a
    * level below to half a level above (to MaximumLevel itself for the last one), so that nothing
    * pops when the camera moves. GEOMORPHING_OFF (0), GEOMORPHING_ON (1), or GEOMORPHING_AUTOMATIC
-   * (2, the default): on for metrics that depend on the view. Edges have the same segments as
-   * without; the triangles within a face are others. Needs SegmentPolicy POWERS_OF_TWO. Another
-   * value is an error and changes nothing.
+   * (2, the default): on for metrics that depend on the view, where patterns can morph. Edges have
+   * the same segments as without; the triangles within a face are others. Needs SegmentPolicy
+   * POWERS_OF_TWO. The patterns of a file cannot morph: with those, GEOMORPHING_ON is an error when
+   * a surface is refined. Another value is an error and changes nothing.
    */
   void SetGeomorphing(int mode);
   vtkGetMacro(Geomorphing, int);
@@ -163,10 +167,15 @@ public:
   vtkGetMacro(NoDataMagnitude, double);
   //@}
 
+  //@{
   /**
-   * The patterns, shared by all that evaluate this recipe.
+   * The patterns, shared by all that evaluate this recipe; by default those of a table of its own
+   * that has all levels. Recipes that are given one table share its patterns: each is made once and
+   * kept once. nullptr brings a new default table.
    */
+  void SetPatternTable(vtkRefinementPatternTable* table);
   vtkRefinementPatternTable* GetPatternTable();
+  //@}
 
   /**
    * Latest change of the recipe or of any of its parts.
@@ -177,6 +186,7 @@ protected:
   vtkAdaptiveRefinement();
   ~vtkAdaptiveRefinement() override;
 
+  int MaximumLevel = 3; // 64 triangles for a face: a first frame that nobody waits for
   std::string DepthTagArrayName = "DepthTag";
   int LevelRule = 0;
   double LevelOffset = 0.0;

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRefinementPatternTable.h"
 
+#include "Patterns/PatternBorder.h"
+#include "Patterns/PatternLibrary.h"
 #include "Patterns/RefinementPattern.h"
 #include "Patterns/RefinementPatternFile.h"
-#include "Patterns/RefinementPatternGenerator.h"
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
@@ -14,72 +15,14 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <map>
-#include <mutex>
-#include <shared_mutex>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkRefinementPatternTable);
 
-struct vtkRefinementPatternTable::vtkInternals
-{
-  using Key = std::tuple<int, int, int>;
-  using Pattern = std::shared_ptr<const relevo::RefinementPattern>;
-
-  /// The pattern of a key, or nullptr.
-  Pattern Find(const Key& key) const
-  {
-    std::shared_lock<std::shared_mutex> lock(this->Mutex);
-    const auto found = this->Patterns.find(key);
-    return found == this->Patterns.end() ? nullptr : found->second;
-  }
-
-  /// Keeps the first pattern of a key where several threads have made one.
-  Pattern Add(const Key& key, const Pattern& pattern)
-  {
-    std::unique_lock<std::shared_mutex> lock(this->Mutex);
-    return this->Patterns.emplace(key, pattern).first->second;
-  }
-
-  void Replace(std::vector<relevo::RefinementPattern>&& patterns)
-  {
-    std::unique_lock<std::shared_mutex> lock(this->Mutex);
-    this->Patterns.clear();
-    for (relevo::RefinementPattern& pattern : patterns)
-    {
-      const int* n = pattern.Segments;
-      const Key key(n[0], n[1], n[2]);
-      this->Patterns[key] = std::make_shared<const relevo::RefinementPattern>(std::move(pattern));
-    }
-  }
-
-  vtkTypeInt64 GetMemorySize() const
-  {
-    std::shared_lock<std::shared_mutex> lock(this->Mutex);
-    vtkTypeInt64 size = 0;
-    for (const auto& entry : this->Patterns)
-    {
-      size += MemorySize(*entry.second);
-    }
-    return size;
-  }
-
-private:
-  static vtkTypeInt64 MemorySize(const relevo::RefinementPattern& pattern)
-  {
-    return static_cast<vtkTypeInt64>(sizeof(pattern) + pattern.Vertices.capacity() * sizeof(float) +
-      (pattern.Triangles.capacity() + pattern.Lines.capacity()) * sizeof(unsigned int));
-  }
-
-  mutable std::shared_mutex Mutex;
-  std::map<Key, Pattern> Patterns;
-};
-
 vtkRefinementPatternTable::vtkRefinementPatternTable()
-  : Internals(new vtkInternals)
+  : Library(std::make_shared<const relevo::PatternLibrary>())
 {
 }
 
@@ -87,9 +30,12 @@ vtkRefinementPatternTable::~vtkRefinementPatternTable() = default;
 
 void vtkRefinementPatternTable::SetMaximumLevel(int level)
 {
-  if (level < 0 || level > HighestLevel)
+  const int highest = this->Library->GetHighestLevel();
+  if (level < 0 || level > highest)
   {
-    vtkErrorMacro("MaximumLevel must be in [0, " << HighestLevel << "], not " << level << ".");
+    vtkErrorMacro("MaximumLevel must be in [0, "
+      << highest << "], not " << level << "."
+      << (highest < HighestLevel ? " The file that was read has no higher level." : ""));
     return;
   }
   if (this->MaximumLevel != level)
@@ -144,12 +90,7 @@ std::shared_ptr<const relevo::RefinementPattern> vtkRefinementPatternTable::GetP
                                             << relevo::MaximumNumberOfSegments << "].");
     n1 = n2 = n3 = 1;
   }
-  const vtkInternals::Key key(n1, n2, n3);
-  const vtkInternals::Pattern pattern = this->Internals->Find(key);
-  return pattern
-    ? pattern
-    : this->Internals->Add(key,
-        std::make_shared<const relevo::RefinementPattern>(relevo::GeneratePattern(n1, n2, n3)));
+  return this->Library->GetPatternOfSegments(n1, n2, n3);
 }
 
 bool vtkRefinementPatternTable::GetPattern(int i, int j, int k, vtkPolyData* output)
@@ -214,12 +155,12 @@ bool vtkRefinementPatternTable::GetPattern(int i, int j, int k, vtkPolyData* out
 
 vtkTypeInt64 vtkRefinementPatternTable::GetMemorySize()
 {
-  return this->Internals->GetMemorySize();
+  return this->Library->GetMemorySize();
 }
 
 bool vtkRefinementPatternTable::Write(const char* fileName)
 {
-  std::vector<std::shared_ptr<const relevo::RefinementPattern>> patterns;
+  relevo::RefinementPatterns patterns;
   for (int i = 0; i <= this->MaximumLevel; ++i)
   {
     for (int j = 0; j <= i; ++j)
@@ -249,7 +190,8 @@ bool vtkRefinementPatternTable::Read(const char* fileName)
     vtkErrorMacro("Cannot read the patterns: " << error);
     return false;
   }
-  this->Internals->Replace(std::move(patterns));
+  this->Library = std::make_shared<const relevo::PatternLibrary>(
+    std::string(fileName), maximumLevel, std::move(patterns));
   this->MaximumLevel = maximumLevel;
   this->Modified();
   return true;

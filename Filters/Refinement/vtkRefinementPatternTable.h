@@ -8,7 +8,8 @@
  * carry 2^i, 2^j and 2^k equal segments. Only the canonical patterns, i >= j >= k, are kept; the
  * other orders are the same pattern read with permuted barycentrics (Lenz 2009, sections 4.2
  * to 4.4). With levels 0..L the table has (L+1)(L+2)(L+3)/6 patterns. Patterns are made on first
- * use, and are the same on every machine.
+ * use, and are the same on every machine. A table shows them, and writes and reads files of them;
+ * recipes that are given one table share its patterns (vtkAdaptiveRefinement::SetPatternTable()).
  *
  * [d, d, d] is the regular subdivision into 4^d triangles. The others are Delaunay triangulations
  * in the equilateral triangle that grow coarser from the finer edges inwards; they take between
@@ -34,6 +35,7 @@ class vtkPolyData;
 namespace relevo
 {
 struct RefinementPattern;
+class PatternLibrary;
 }
 
 class RELEVOFILTERSREFINEMENT_EXPORT vtkRefinementPatternTable : public vtkObject
@@ -50,8 +52,9 @@ public:
 
   //@{
   /**
-   * The highest level of an edge, 0 to 7, default 5. A value outside is an error and changes
-   * nothing.
+   * The highest level of an edge, 0 to 7, default 5, that the table gives and writes, and that
+   * recipes with this table refine to; how deep a recipe refines is its own MaximumLevel. A value
+   * outside, or above the levels of the file that was read, is an error and changes nothing.
    */
   void SetMaximumLevel(int level);
   vtkGetMacro(MaximumLevel, int);
@@ -89,7 +92,7 @@ public:
   static bool IsOdd(int lambda);
 
   /**
-   * Bytes held by the patterns made so far.
+   * Bytes held by the patterns made so far, those that morph included.
    */
   vtkTypeInt64 GetMemorySize();
 
@@ -98,6 +101,8 @@ public:
    * Write every canonical pattern up to MaximumLevel to a file, or replace the patterns by those
    * of such a file, which also sets MaximumLevel. Returns false, after an ErrorEvent that says what
    * is wrong, on failure; the table is then as it was. Every pattern that is read is checked.
+   * All surfaces are refined with the patterns of a file; they cannot morph, so that recipes with
+   * GEOMORPHING_AUTOMATIC do without, and they have 2^level segments on an edge.
    *
    * A file name that ends in .vtp means a vtkPolyData of all patterns side by side, as equilateral
    * triangles: the point array "Barycentrics" holds (u, v, w), the int point and cell arrays
@@ -124,11 +129,19 @@ public:
 #ifndef __VTK_WRAP__
   /**
    * The canonical pattern with segments 128 >= n1 >= n2 >= n3 >= 1 on its edges. Made on first use,
-   * in 20 ms at most on an ordinary machine; safe to call from several threads. Who keeps the
-   * pointer keeps the pattern, whatever becomes of the table. Other numbers are an error and give
-   * the undivided triangle.
+   * in 20 ms at most on an ordinary machine; safe to call from several threads. Who has the pointer
+   * has the pattern, whatever becomes of the table. Other numbers are an error and give the
+   * undivided triangle.
    */
   std::shared_ptr<const relevo::RefinementPattern> GetPatternOfSegments(int n1, int n2, int n3);
+
+  /**
+   * The patterns for surfaces: another library after each Read().
+   */
+  const std::shared_ptr<const relevo::PatternLibrary>& GetLibrary() const
+  {
+    return this->Library;
+  }
 #endif
 
 protected:
@@ -141,8 +154,7 @@ private:
   vtkRefinementPatternTable(const vtkRefinementPatternTable&) = delete;
   void operator=(const vtkRefinementPatternTable&) = delete;
 
-  struct vtkInternals;
-  std::unique_ptr<vtkInternals> Internals;
+  std::shared_ptr<const relevo::PatternLibrary> Library;
 };
 
 #endif

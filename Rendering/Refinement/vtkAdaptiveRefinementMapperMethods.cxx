@@ -12,6 +12,7 @@
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkRefinementPatternTable.h"
 #include "vtkRenderer.h"
 
 static_assert(static_cast<int>(vtkAdaptiveRefinementMapper::METHOD_UNIFORM) ==
@@ -68,8 +69,8 @@ relevo::RefinementDrawing vtkAdaptiveRefinementMapper::vtkInternals::GetDrawing(
   const int slot = this->State.GetSelectionSlot();
   return { this->GetWindow(), &this->State.GetSelection().GetMesh(), &this->State.GetSelection(),
     slot, this->OnGPU ? &this->Compute.GetView(slot) : nullptr,
-    recipe ? recipe->GetPatternTable() : nullptr, this->HasLines, &this->Patterns,
-    &this->Instances };
+    recipe ? recipe->GetPatternTable()->GetLibrary().get() : nullptr, this->HasLines,
+    &this->Patterns, &this->Instances };
 }
 
 int vtkAdaptiveRefinementMapper::GetMethodInUse()
@@ -94,7 +95,7 @@ void vtkAdaptiveRefinementMapper::ChooseMethod(vtkRenderer* ren, vtkActor* act)
   }
   else
   {
-    problem = method.GetObstacle(relevo::GetPatternFamily(this->Refinement, this->GetInput()));
+    problem = method.GetObstacle(*relevo::GetPatternFamily(this->Refinement, this->GetInput()));
   }
   if (problem != data.MethodProblem)
   {

@@ -18,6 +18,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkRefinementPatternTable.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
 #include "vtkTexture.h"
@@ -65,7 +66,7 @@ bool vtkAdaptiveRefinementMapper::SelectsOnGPU()
   return data.ComputeValid && this->Internals->GetMethod().TakesComputeSelection() &&
     !data.State.IsBudgeted && this->RefinementColorMode != COLOR_BY_METRIC &&
     relevo::RefinementComputeState::CanChooseFrom(
-      relevo::GetPatternFamily(this->Refinement, this->GetInput()));
+      *relevo::GetPatternFamily(this->Refinement, this->GetInput()));
 }
 
 namespace
@@ -170,7 +171,7 @@ void vtkAdaptiveRefinementMapper::UpdateBudget(vtkRenderer* ren, vtkActor* act)
     {
       const relevo::ViewSelection& selection = state.GetSelection();
       parts.push_back({ { &state.GetMesh(), &selection.GetTags(),
-                          &relevo::GetPatternFamily(this->Refinement, mapper->GetInput()) },
+                          relevo::GetPatternFamily(this->Refinement, mapper->GetInput()) },
         selection.GetTagsTime() });
     }
   };
@@ -195,18 +196,18 @@ bool vtkAdaptiveRefinementMapper::SelectOnGPU(vtkRenderer* ren, vtkActor* act)
   vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
   const double start = vtkTimerLog::GetUniversalTime();
   const relevo::RefinementMesh& mesh = data.State.GetMesh();
-  const relevo::PatternFamily& family =
-    relevo::GetPatternFamily(this->Refinement, this->GetInput());
+  const auto family = relevo::GetPatternFamily(this->Refinement, this->GetInput());
   const int slot = data.State.GetSelectionSlot();
   const vtkMTimeType lastTime = data.Compute.GetTime(slot);
   const relevo::ViewSelection& selection = data.State.GetSelection();
   const auto camera = MakeCullingView(this->FrustumCulling, ren, act, mesh);
   const relevo::FaceCulling* culled = camera ? &data.State.GetCulling(this->Refinement) : nullptr;
   const bool reserved =
-    data.Instances.Reserve(window, slot, mesh.Faces.size(), family.IsMorphing());
+    data.Instances.Reserve(window, slot, mesh.Faces.size(), family->IsMorphing());
   const bool valid = reserved && data.Compute.UpdateMesh(mesh, data.State.GetMeshTime()) &&
     (!culled || data.Compute.UpdateCulling(*culled, data.State.GetCullingTime())) &&
-    data.Compute.UpdatePatterns(family, this->Refinement->GetPatternTable(), data.Patterns,
+    data.Compute.UpdatePatterns(*this->Refinement->GetPatternTable()->GetLibrary(), family,
+      this->Refinement->GetMaximumLevel(), data.Patterns,
       act->GetProperty()->GetRepresentation() == VTK_WIREFRAME) &&
     data.Compute.UpdateView(window, slot, selection.GetTags(),
       static_cast<float>(this->Refinement->GetLevelOffset() + data.State.LevelOffset),
@@ -255,8 +256,8 @@ void vtkAdaptiveRefinementMapper::ReadSelection()
     relevo::RefinementComputeBuffer::ReadBuffer(
       data.Instances.GetMorphTags(), 0, morphTags.data(), morphTags.size() * sizeof(float));
   }
-  data.State.AssignSelection(*data.Compute.GetFamily(), data.Compute.GetPatterns(),
-    data.Compute.ReadEntries(slot), std::move(morphTags));
+  data.State.AssignSelection(
+    *data.Compute.GetFamily(), data.Compute.ReadEntries(slot), std::move(morphTags));
   const std::vector<int> counts = data.Compute.ReadCounts(slot);
   data.GetWindow()->PopContext();
   data.NumberOfHiddenFaces =

@@ -53,7 +53,7 @@ FlightResult FlyWithBudget(
   view.Camera = camera;
   view.ViewportSize[0] = 1024;
   view.ViewportSize[1] = 768;
-  const relevo::PatternFamily& family = relevo::GetPatternFamily(recipe, mesh);
+  const auto family = relevo::GetPatternFamily(recipe, mesh);
   relevo::EdgeTags tags;
   relevo::PatternSelection selection;
   relevo::TriangleBudget budget;
@@ -68,10 +68,10 @@ FlightResult FlyWithBudget(
     result.Tag.push_back(tagging.GetSeconds());
     const Stopwatch finding;
     const double offset = budget.FindOffset(
-      { { &faces, &tags, &family } }, recipe->GetPatternTable(), target, -16.0, 16.0, last);
+      { { &faces, &tags, family } }, recipe->GetMaximumLevel(), target, -16.0, 16.0, last);
     result.Find.push_back(finding.GetSeconds());
     const Stopwatch selecting;
-    selection.Select(faces, tags, family, recipe->GetPatternTable(), static_cast<float>(offset));
+    selection.Select(faces, tags, *family, recipe->GetMaximumLevel(), static_cast<float>(offset));
     selection.Group();
     result.Select.push_back(selecting.GetSeconds());
     const auto count = static_cast<double>(selection.GetNumberOfTriangles());

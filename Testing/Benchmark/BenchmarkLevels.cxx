@@ -49,7 +49,7 @@ double BenchmarkLevels::FindTags(vtkPolyData* mesh, double triangles, double low
     edgeTags.Compute(recipe, mesh, refinementMesh, {}, error);
     relevo::PatternSelection selection;
     selection.Select(
-      refinementMesh, edgeTags, relevo::GetPatternFamily(recipe, mesh), recipe->GetPatternTable());
+      refinementMesh, edgeTags, *relevo::GetPatternFamily(recipe, mesh), recipe->GetMaximumLevel());
     return static_cast<double>(selection.GetNumberOfTriangles());
   };
 

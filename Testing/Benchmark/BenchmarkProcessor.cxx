@@ -53,11 +53,11 @@ void Select(benchmark::State& state, BenchmarkSurface& surface)
   relevo::EdgeTags tags;
   std::string error;
   tags.Compute(recipe, surface.GetMesh(), mesh, {}, error);
-  const relevo::PatternFamily& family = relevo::GetPatternFamily(recipe, surface.GetMesh());
+  const auto family = relevo::GetPatternFamily(recipe, surface.GetMesh());
   relevo::PatternSelection selection;
   for (auto _ : state)
   {
-    selection.Select(mesh, tags, family, recipe->GetPatternTable());
+    selection.Select(mesh, tags, *family, recipe->GetMaximumLevel());
     selection.Group();
     benchmark::DoNotOptimize(selection.Instances.data());
   }

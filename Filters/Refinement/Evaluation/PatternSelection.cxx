@@ -5,6 +5,7 @@
 #include "Core/RefinementMathematics.h"
 #include "Evaluation/FaceTags.h"
 #include "Mesh/RefinementMesh.h"
+#include "Patterns/PatternLibrary.h"
 #include "Patterns/RefinementPattern.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDepthTagMetric.h"
@@ -41,19 +42,42 @@ void ForEachChunk(vtkIdType numberOfChunks, vtkIdType numberOfFaces, const Funct
 }
 }
 
-const PatternFamily& GetPatternFamily(vtkAdaptiveRefinement* recipe, vtkPolyData* input)
+std::string FindPatternObstacle(vtkAdaptiveRefinement* recipe)
 {
+  const PatternLibrary& library = *recipe->GetPatternTable()->GetLibrary();
   if (recipe->GetSegmentPolicy() == vtkAdaptiveRefinement::WHOLE_NUMBERS)
   {
-    return PatternFamily::GetWholeNumbers();
+    return library.GetObstacle(PatternLibrary::WHOLE_NUMBERS);
   }
+  return recipe->GetGeomorphing() == vtkAdaptiveRefinement::GEOMORPHING_ON
+    ? library.GetObstacle(PatternLibrary::NESTED)
+    : std::string();
+}
+
+std::shared_ptr<const PatternFamily> GetPatternFamily(
+  vtkAdaptiveRefinement* recipe, vtkPolyData* input)
+{
+  const bool wholeNumbers = recipe->GetSegmentPolicy() == vtkAdaptiveRefinement::WHOLE_NUMBERS;
   const int morphing = recipe->GetGeomorphing();
   vtkDepthTagMetric* metric = GetMetricInUse(recipe, input);
   const bool automatic = metric && metric->IsViewDependent();
-  return morphing == vtkAdaptiveRefinement::GEOMORPHING_ON ||
-      (morphing == vtkAdaptiveRefinement::GEOMORPHING_AUTOMATIC && automatic)
-    ? PatternFamily::GetNested()
-    : PatternFamily::GetPowersOfTwo();
+  std::shared_ptr<const PatternFamily> nested;
+  if (!wholeNumbers &&
+    (morphing == vtkAdaptiveRefinement::GEOMORPHING_ON ||
+      (morphing == vtkAdaptiveRefinement::GEOMORPHING_AUTOMATIC && automatic)))
+  {
+    nested = recipe->GetPatternTable()->GetLibrary()->GetFamily(PatternLibrary::NESTED);
+  }
+  return nested ? nested : GetRoundedPatternFamily(recipe);
+}
+
+std::shared_ptr<const PatternFamily> GetRoundedPatternFamily(vtkAdaptiveRefinement* recipe)
+{
+  const PatternLibrary& library = *recipe->GetPatternTable()->GetLibrary();
+  const auto family = recipe->GetSegmentPolicy() == vtkAdaptiveRefinement::WHOLE_NUMBERS
+    ? library.GetFamily(PatternLibrary::WHOLE_NUMBERS)
+    : nullptr;
+  return family ? family : library.GetFamily(PatternLibrary::POWERS_OF_TWO);
 }
 
 template <typename GetTags, typename GetStep>
@@ -95,9 +119,8 @@ void PatternSelection::SelectFaces(const RefinementMesh& mesh, const PatternFami
 }
 
 void PatternSelection::Select(const RefinementMesh& mesh, const EdgeTags& tags,
-  const PatternFamily& family, vtkRefinementPatternTable* table, float offset)
+  const PatternFamily& family, int maximumLevel, float offset)
 {
-  const int maximumLevel = table->GetMaximumLevel();
   this->Entries.resize(mesh.Faces.size());
   this->MorphTags.resize(family.IsMorphing() ? 3 * mesh.Faces.size() : 0);
   this->ResizeCounts(family);
@@ -108,7 +131,7 @@ void PatternSelection::Select(const RefinementMesh& mesh, const EdgeTags& tags,
       if (family.AreWholeNumbers())
       {
         this->SelectFaces(
-          mesh, family, offset, maximumLevel, getTags, &PatternFamily::GetWholeNumberStep);
+          mesh, family, offset, maximumLevel, getTags, &SegmentSteps::GetWholeNumberStep);
       }
       else
       {
@@ -118,18 +141,18 @@ void PatternSelection::Select(const RefinementMesh& mesh, const EdgeTags& tags,
     });
   this->Counted = true;
 
-  this->FindPatterns([&](int key) { return family.GetPattern(key, table); });
+  this->FindPatterns(family);
 }
 
-void PatternSelection::Assign(const PatternFamily& family, const RefinementPatterns& patterns,
-  std::vector<unsigned int> entries, std::vector<float> morphTags)
+void PatternSelection::Assign(
+  const PatternFamily& family, std::vector<unsigned int> entries, std::vector<float> morphTags)
 {
   this->Entries.swap(entries);
   this->MorphTags.swap(morphTags);
   this->ResizeCounts(family);
   this->CountFaces(nullptr);
   this->Counted = true;
-  this->FindPatterns([&](int key) { return patterns[key]; });
+  this->FindPatterns(family);
 }
 
 void PatternSelection::ResizeCounts(const PatternFamily& family)
@@ -142,10 +165,9 @@ void PatternSelection::ResizeCounts(const PatternFamily& family)
   }
 }
 
-template <typename GetPattern>
-void PatternSelection::FindPatterns(const GetPattern& getPattern)
+void PatternSelection::FindPatterns(const PatternFamily& family)
 {
-  const int numberOfKeys = static_cast<int>(this->Counts.front().size());
+  const int numberOfKeys = family.GetNumberOfKeys();
   this->Patterns.assign(static_cast<size_t>(numberOfKeys), nullptr);
   this->NumberOfTriangles = 0;
   for (int key = 0; key < numberOfKeys; ++key)
@@ -157,7 +179,7 @@ void PatternSelection::FindPatterns(const GetPattern& getPattern)
     }
     if (faces > 0)
     {
-      this->Patterns[key] = getPattern(key);
+      this->Patterns[key] = family.GetPattern(key);
       this->NumberOfTriangles += faces * this->Patterns[key]->GetNumberOfTriangles();
     }
   }

@@ -18,11 +18,12 @@
 #include "RelevoFiltersRefinementModule.h" // for export macro
 #include "vtkType.h"                       // for vtkIdType
 
+#include <memory> // for families
+#include <string> // for sentences
 #include <vector> // for members
 
 class vtkAdaptiveRefinement;
 class vtkPolyData;
-class vtkRefinementPatternTable;
 
 #ifndef __VTK_WRAP__
 namespace relevo
@@ -31,10 +32,22 @@ class EdgeTags;
 class RefinementMesh;
 
 /**
- * The patterns that a recipe draws an input with.
+ * Why the recipe's pattern table lacks the patterns that the recipe wants, as a sentence that says
+ * what to do; empty if it has them.
  */
-RELEVOFILTERSREFINEMENT_EXPORT const PatternFamily& GetPatternFamily(
+RELEVOFILTERSREFINEMENT_EXPORT std::string FindPatternObstacle(vtkAdaptiveRefinement* recipe);
+
+/**
+ * The patterns that a recipe draws an input with; where there is an obstacle, others.
+ */
+RELEVOFILTERSREFINEMENT_EXPORT std::shared_ptr<const PatternFamily> GetPatternFamily(
   vtkAdaptiveRefinement* recipe, vtkPolyData* input);
+
+/**
+ * The patterns that a recipe draws with where it does not morph.
+ */
+RELEVOFILTERSREFINEMENT_EXPORT std::shared_ptr<const PatternFamily> GetRoundedPatternFamily(
+  vtkAdaptiveRefinement* recipe);
 
 /**
  * Faces drawn with one pattern and one winding: a range of Instances.
@@ -52,17 +65,18 @@ class RELEVOFILTERSREFINEMENT_EXPORT PatternSelection
 {
 public:
   /**
-   * Choose a pattern for every face. `offset` is added to the tags of all edges.
+   * Choose a pattern for every face, with edges of levels up to the maximum. `offset` is added to
+   * the tags of all edges.
    */
   void Select(const RefinementMesh& mesh, const EdgeTags& tags, const PatternFamily& family,
-    vtkRefinementPatternTable* table, float offset = 0.0f);
+    int maximumLevel, float offset = 0.0f);
 
   /**
-   * Take what was chosen elsewhere: the family's entry of each face, the patterns by key and, if
-   * they morph, the tags that vertices morph by.
+   * Take what was chosen elsewhere: the family's entry of each face and, if its patterns morph, the
+   * tags that vertices morph by.
    */
-  void Assign(const PatternFamily& family, const RefinementPatterns& patterns,
-    std::vector<unsigned int> entries, std::vector<float> morphTags);
+  void Assign(
+    const PatternFamily& family, std::vector<unsigned int> entries, std::vector<float> morphTags);
 
   /**
    * Sort the faces by pattern, those of them that are not hidden: `hidden` has a byte per face, or
@@ -101,9 +115,8 @@ private:
     int maximumLevel, const GetTags& getTags, const GetStep& getStep);
   void ResizeCounts(const PatternFamily& family);
   void CountFaces(const unsigned char* hidden);
-  /// Take the patterns in use, getPattern(key) each.
-  template <typename GetPattern>
-  void FindPatterns(const GetPattern& getPattern);
+  /// Take the patterns in use.
+  void FindPatterns(const PatternFamily& family);
 
   std::vector<unsigned int> Entries; // per face, of the family
   std::vector<float> MorphTags;

@@ -38,6 +38,12 @@ bool PrepareMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe, RefinementMe
     error = "Cannot refine the input: " + excess + ".";
     return false;
   }
+  const std::string obstacle = FindPatternObstacle(recipe);
+  if (!obstacle.empty())
+  {
+    error = "Cannot refine the input: " + obstacle;
+    return false;
+  }
   const std::string lack =
     recipe->GetSurface() ? recipe->GetSurface()->GetEvaluationError() : std::string();
   if (!lack.empty() || !mesh.Build(input, recipe->GetSurface(), recipe->GetDisplacement(), true))
@@ -64,7 +70,7 @@ bool SelectPatterns(vtkPolyData* input, vtkAdaptiveRefinement* recipe, const Ref
     error = "Cannot refine the input: " + problem + ".";
     return false;
   }
-  selection.Select(mesh, tags, GetPatternFamily(recipe, input), recipe->GetPatternTable(),
+  selection.Select(mesh, tags, *GetPatternFamily(recipe, input), recipe->GetMaximumLevel(),
     static_cast<float>(recipe->GetLevelOffset()));
   return true;
 }

@@ -6,13 +6,13 @@
 #include "Patterns/PatternFamily.h"
 #include "Patterns/RefinementPattern.h"
 #include "Patterns/TriangleCounts.h"
-#include "vtkRefinementPatternTable.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 namespace relevo
 {
@@ -40,8 +40,7 @@ void SumOverFaces(const RefinementMesh& mesh, Sums& sums, const Work& work)
 int GetStep(const PatternFamily& family, float tag, int maximumLevel)
 {
   const float clamped = clampTag(tag, 0.0f, maximumLevel);
-  return family.AreWholeNumbers() ? PatternFamily::GetWholeNumberStep(clamped)
-                                  : levelOfTag(clamped);
+  return family.AreWholeNumbers() ? SegmentSteps::GetWholeNumberStep(clamped) : levelOfTag(clamped);
 }
 
 // Follows the patterns of one face as an offset rises from that of bin 0.
@@ -106,28 +105,28 @@ int TriangleBudget::GetNumber(double offset)
   return static_cast<int>(std::floor(offset * Resolution));
 }
 
-void TriangleBudget::UpdateCounts(const std::vector<Part>& parts, vtkRefinementPatternTable* table)
+void TriangleBudget::UpdateCounts(const std::vector<Part>& parts, int maximumLevel)
 {
-  if (this->Table != table || this->TableTime != table->GetMTime())
-  {
-    this->Table = table;
-    this->TableTime = table->GetMTime();
-    this->MaximumLevel = table->GetMaximumLevel();
-    this->Counts.clear();
-  }
+  decltype(this->Counts) last;
+  last.swap(this->Counts);
   for (const Part& part : parts)
   {
-    auto& counts = this->Counts[part.Family];
+    auto& counts = this->Counts[part.Family->GetMTime()];
+    if (!counts && this->MaximumLevel == maximumLevel)
+    {
+      counts = std::move(last[part.Family->GetMTime()]);
+    }
     if (!counts)
     {
-      counts = std::make_unique<TriangleCounts>(*part.Family, table);
+      counts = std::make_unique<TriangleCounts>(*part.Family, maximumLevel);
     }
   }
+  this->MaximumLevel = maximumLevel;
 }
 
 const TriangleCounts& TriangleBudget::GetCounts(const Part& part) const
 {
-  return *this->Counts.at(part.Family);
+  return *this->Counts.at(part.Family->GetMTime());
 }
 
 void TriangleBudget::Count(const std::vector<Part>& parts, Interval& interval) const
@@ -239,10 +238,10 @@ int TriangleBudget::FindNumber(
   return more <= target || nearer ? number : number - 1;
 }
 
-double TriangleBudget::FindOffset(const std::vector<Part>& parts, vtkRefinementPatternTable* table,
+double TriangleBudget::FindOffset(const std::vector<Part>& parts, int maximumLevel,
   vtkIdType target, double lowest, double highest, double guess)
 {
-  this->UpdateCounts(parts, table);
+  this->UpdateCounts(parts, maximumLevel);
   const int lowestNumber = GetNumber(lowest);
   const int highestNumber = std::max(lowestNumber, GetNumber(highest));
   bool estimates = false;
@@ -266,7 +265,7 @@ double TriangleBudget::FindOffset(const std::vector<Part>& parts, vtkRefinementP
       best = number;
       break;
     }
-    const auto count = static_cast<double>(CountTriangles(parts, table, GetOffset(number)));
+    const auto count = static_cast<double>(CountTriangles(parts, maximumLevel, GetOffset(number)));
     const double error = std::abs(std::log(count / wanted));
     if (i == 0 || error < bestError)
     {
@@ -283,9 +282,8 @@ double TriangleBudget::FindOffset(const std::vector<Part>& parts, vtkRefinementP
 }
 
 vtkIdType TriangleBudget::CountTriangles(
-  const std::vector<Part>& parts, vtkRefinementPatternTable* table, double offset)
+  const std::vector<Part>& parts, int maximumLevel, double offset)
 {
-  const int maximumLevel = table->GetMaximumLevel();
   vtkIdType triangles = 0;
   for (const Part& part : parts)
   {
@@ -314,7 +312,7 @@ vtkIdType TriangleBudget::CountTriangles(
     {
       if (faces[key] > 0)
       {
-        triangles += faces[key] * family.GetPattern(key, table)->GetNumberOfTriangles();
+        triangles += faces[key] * family.GetPattern(key)->GetNumberOfTriangles();
       }
     }
   }

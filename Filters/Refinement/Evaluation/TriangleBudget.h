@@ -28,8 +28,6 @@
 #include <utility> // for std::pair
 #include <vector>  // for members
 
-class vtkRefinementPatternTable;
-
 #ifndef __VTK_WRAP__
 namespace relevo
 {
@@ -51,7 +49,7 @@ public:
   {
     const RefinementMesh* Mesh;
     const EdgeTags* Tags;
-    const PatternFamily* Family;
+    std::shared_ptr<const PatternFamily> Family;
   };
 
   /// Offsets are found to this part of a level.
@@ -61,18 +59,17 @@ public:
   static constexpr double Tolerance = 0.05;
 
   /**
-   * The offset in [lowest, highest], in levels, at which PatternSelection::Select() selects most
-   * nearly `target` triangles for all parts together: no more, or within the tolerance. Where so
-   * many faces change at one offset that this cannot be had, the offset just before, with fewer.
-   * Where the target is out of reach, the offset that just gives all or the least there are. Counts
-   * include faces over no-data.
+   * The offset in [lowest, highest], in levels, at which, with edges of levels up to the maximum,
+   * PatternSelection::Select() selects most nearly `target` triangles for all parts together: no
+   * more, or within the tolerance. Where so many faces change at one offset that this cannot be
+   * had, the offset just before, with fewer. Where the target is out of reach, the offset that just
+   * gives all or the least there are. Counts include faces over no-data.
    */
-  double FindOffset(const std::vector<Part>& parts, vtkRefinementPatternTable* table,
-    vtkIdType target, double lowest, double highest, double guess = 0.0);
+  double FindOffset(const std::vector<Part>& parts, int maximumLevel, vtkIdType target,
+    double lowest, double highest, double guess = 0.0);
 
   /// Triangles of all parts at an offset, with all patterns that it takes.
-  static vtkIdType CountTriangles(
-    const std::vector<Part>& parts, vtkRefinementPatternTable* table, double offset);
+  static vtkIdType CountTriangles(const std::vector<Part>& parts, int maximumLevel, double offset);
 
 private:
   using Bins = std::vector<std::int64_t>;
@@ -85,14 +82,12 @@ private:
   static double GetOffset(int number);
   static int GetNumber(double offset);
 
-  void UpdateCounts(const std::vector<Part>& parts, vtkRefinementPatternTable* table);
+  void UpdateCounts(const std::vector<Part>& parts, int maximumLevel);
   const TriangleCounts& GetCounts(const Part& part) const;
   void Count(const std::vector<Part>& parts, Interval& interval) const;
   int FindNumber(const std::vector<Part>& parts, double target, int lowest, int highest, int guess);
 
-  std::map<const PatternFamily*, std::unique_ptr<TriangleCounts>> Counts;
-  const vtkRefinementPatternTable* Table = nullptr;
-  vtkMTimeType TableTime = 0;
+  std::map<vtkMTimeType, std::unique_ptr<TriangleCounts>> Counts; // of families, by their times
   int MaximumLevel = 0;
 };
 }

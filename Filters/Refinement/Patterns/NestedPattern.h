@@ -20,28 +20,25 @@
  * that are empty where the tag of edge 02 is not below that of edge 01: no fixed set of four
  * triangles can lose the middles of its edges in any order.
  *
- * Not wrapped: for the modules' own sources.
+ * Private to the module's own sources.
  *
- * @sa vtkRefinementPatternTable RefinementPattern
+ * @sa PatternLibrary RefinementPattern
  */
 #ifndef NestedPattern_h
 #define NestedPattern_h
 
-#include "RelevoFiltersRefinementModule.h" // for export macro
+#include "Patterns/RefinementPattern.h"
 
-#ifndef __VTK_WRAP__
+#include <array>
+
 namespace relevo
 {
-struct RefinementPattern;
 /**
  * The nested pattern for the levels of the edges between the sorted corners 0, 1 and 2, each in
- * [0, 7] (others are clamped), with P1, P2, P3 = corners 0, 1, 2: edge 1 of the pattern is 01,
- * edge 2 is 12, edge 3 is 02. Its weights are multiples of 1/128. Made on first use; safe to call
- * from several threads. The reference stays valid.
+ * [0, 7], with P1, P2, P3 = corners 0, 1, 2: edge 1 of the pattern is 01, edge 2 is 12, edge 3 is
+ * 02. Its weights are multiples of 1/128.
  */
-RELEVOFILTERSREFINEMENT_EXPORT const RefinementPattern& GetNestedPattern(
-  int level01, int level12, int level02);
+RefinementPattern MakeNestedPattern(const std::array<int, 3>& levels);
 }
-#endif
 
 #endif

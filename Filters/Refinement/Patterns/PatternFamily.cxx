@@ -3,47 +3,14 @@
 #include "Patterns/PatternFamily.h"
 
 #include "Core/CornerOrder.h"
-#include "Patterns/NestedPattern.h"
 #include "vtkRefinementPatternTable.h"
 
-#include <algorithm>
-#include <cmath>
+#include <utility>
 
 namespace relevo
 {
 namespace
 {
-constexpr int Levels = vtkRefinementPatternTable::HighestLevel + 1;
-constexpr int SmallSegments = 16; // up to here every whole number
-
-std::vector<int> GetDyadicSegments()
-{
-  std::vector<int> segments;
-  for (int level = 0; level < Levels; ++level)
-  {
-    segments.push_back(1 << level);
-  }
-  return segments;
-}
-
-std::vector<int> GetWholeSegments()
-{
-  std::vector<int> segments;
-  for (int n = 1; n <= SmallSegments; ++n)
-  {
-    segments.push_back(n);
-  }
-  for (int factor = 2; SmallSegments * factor <= 1 << vtkRefinementPatternTable::HighestLevel;
-       factor *= 2)
-  {
-    for (int n = SmallSegments / 2 + 1; n <= SmallSegments; ++n)
-    {
-      segments.push_back(n * factor);
-    }
-  }
-  return segments;
-}
-
 // Key and permutation code of canonical patterns.
 unsigned int MakeCanonicalEntry(int order, int step01, int step12, int step02)
 {
@@ -66,47 +33,40 @@ unsigned int MakeCanonicalEntry(int order, int step01, int step12, int step02)
 }
 }
 
-const PatternFamily& PatternFamily::GetPowersOfTwo()
+PatternFamily::PatternFamily(SegmentSteps steps, Kinds kind, PatternMaker make)
+  : Steps(std::move(steps))
+  , Morphing(kind == MORPHING)
+  , Make(std::move(make))
 {
-  static const PatternFamily family(GetDyadicSegments(), false, false);
-  return family;
+  this->MakeKeys();
+  this->MakeEntries();
+  this->Places = std::vector<Place>(this->Keys.size() / 2);
+  this->MakeTime.Modified();
 }
 
-const PatternFamily& PatternFamily::GetWholeNumbers()
-{
-  static const PatternFamily family(GetWholeSegments(), false, true);
-  return family;
-}
+PatternFamily::~PatternFamily() = default;
 
-const PatternFamily& PatternFamily::GetNested()
-{
-  static const PatternFamily family(GetDyadicSegments(), true, false);
-  return family;
-}
-
-PatternFamily::PatternFamily(std::vector<int> segments, bool morphing, bool whole)
-  : Segments(std::move(segments))
-  , Morphing(morphing)
-  , Whole(whole)
+void PatternFamily::MakeKeys()
 {
   const int n = this->GetNumberOfSteps();
-  auto addKeys = [this](int i, int j, int k)
-  {
-    this->Keys.insert(this->Keys.end(), 2,
-      { { static_cast<unsigned char>(i), static_cast<unsigned char>(j),
-        static_cast<unsigned char>(k) } });
-  };
   for (int i = 0; i < n; ++i)
   {
-    for (int j = 0; j < (morphing ? n : i + 1); ++j)
+    for (int j = 0; j < (this->Morphing ? n : i + 1); ++j)
     {
-      for (int k = 0; k < (morphing ? n : j + 1); ++k)
+      for (int k = 0; k < (this->Morphing ? n : j + 1); ++k)
       {
-        addKeys(i, j, k);
+        this->Keys.insert(this->Keys.end(), 2,
+          { { static_cast<unsigned char>(i), static_cast<unsigned char>(j),
+            static_cast<unsigned char>(k) } });
       }
     }
   }
-  this->Entries.reserve(static_cast<size_t>(6 * n * n * n));
+}
+
+void PatternFamily::MakeEntries()
+{
+  const int n = this->GetNumberOfSteps();
+  this->Entries.reserve(static_cast<std::size_t>(6 * n * n * n));
   for (int order = 0; order < 6; ++order)
   {
     const int odd = order & 1; // permutation codes 1, 3 and 5 mirror
@@ -116,7 +76,7 @@ PatternFamily::PatternFamily(std::vector<int> segments, bool morphing, bool whol
       {
         for (int c = 0; c < n; ++c)
         {
-          this->Entries.push_back(morphing
+          this->Entries.push_back(this->Morphing
               ? static_cast<unsigned int>(2 * ((a * n + b) * n + c) + odd) << 3
               : MakeCanonicalEntry(order, a, b, c));
         }
@@ -125,24 +85,10 @@ PatternFamily::PatternFamily(std::vector<int> segments, bool morphing, bool whol
   }
 }
 
-int PatternFamily::GetWholeNumberStep(float tag)
+const PatternFamily::Pattern& PatternFamily::GetPattern(int key) const
 {
-  const int doublings = std::max(static_cast<int>(std::ceil(tag)) - 4, 0);
-  const int multiple =
-    static_cast<int>(std::floor(std::exp2(tag - static_cast<float>(doublings)) + 0.5f));
-  return SmallSegments / 2 * doublings + multiple - 1;
-}
-
-std::shared_ptr<const RefinementPattern> PatternFamily::GetPattern(
-  int key, vtkRefinementPatternTable* table) const
-{
-  const auto& steps = this->Keys[key];
-  if (this->Morphing)
-  {
-    // No owner: these live as long as the program.
-    return { std::shared_ptr<void>(), &GetNestedPattern(steps[0], steps[1], steps[2]) };
-  }
-  return table->GetPatternOfSegments(
-    this->Segments[steps[0]], this->Segments[steps[1]], this->Segments[steps[2]]);
+  Place& place = this->Places[static_cast<std::size_t>(key) / 2];
+  std::call_once(place.Filled, [&] { place.Content = this->Make(this->Keys[key]); });
+  return place.Content;
 }
 }

@@ -6,21 +6,26 @@
  *
  * A family knows into how many segments an edge may be cut, its steps, and which pattern belongs to
  * the steps of a face's three edges. Faces that share a pattern and a winding share a key: they are
- * drawn together.
+ * drawn together. Patterns are made when they are first asked for. All functions are safe to call
+ * from several threads; choosing takes no lock, and a pattern that has been made none either.
  *
  * Not wrapped: for the modules' own sources.
+ *
+ * @sa PatternLibrary
  */
 #ifndef PatternFamily_h
 #define PatternFamily_h
 
+#include "Patterns/SegmentSteps.h"         // for Steps
 #include "RelevoFiltersRefinementModule.h" // for export macro
+#include "vtkTimeStamp.h"                  // for MakeTime
 
-#include <array>   // for members
-#include <cstddef> // for size_t
-#include <memory>  // for patterns
-#include <vector>  // for members
-
-class vtkRefinementPatternTable;
+#include <array>      // for members
+#include <cstddef>    // for size_t
+#include <functional> // for PatternMaker
+#include <memory>     // for patterns
+#include <mutex>      // for std::once_flag
+#include <vector>     // for members
 
 #ifndef __VTK_WRAP__
 namespace relevo
@@ -29,27 +34,34 @@ struct RefinementPattern;
 class RELEVOFILTERSREFINEMENT_EXPORT PatternFamily
 {
 public:
-  /// 2^level segments for levels 0 to 7; canonical patterns, permuted (Lenz 2009, section 4.3).
-  static const PatternFamily& GetPowersOfTwo();
+  using Pattern = std::shared_ptr<const RefinementPattern>;
 
-  /// 1 to 16 segments, then 9 to 16 times 2, 4 and 8; canonical patterns, permuted.
-  static const PatternFamily& GetWholeNumbers();
+  /// Gives the pattern for the steps of its edges 1, 2 and 3.
+  using PatternMaker = std::function<Pattern(const std::array<unsigned char, 3>&)>;
 
-  /// 2^level segments; patterns of the sorted corners whose vertices morph (NestedPattern).
-  static const PatternFamily& GetNested();
+  /// What a pattern belongs to.
+  enum Kinds
+  {
+    /// The steps of its edges in descending order; it is permuted for others (Lenz 2009, 4.3).
+    CANONICAL,
+    /// The steps of the edges between sorted corners; its vertices morph (NestedPattern).
+    MORPHING
+  };
+
+  PatternFamily(SegmentSteps steps, Kinds kind, PatternMaker make);
+  ~PatternFamily();
+  PatternFamily(const PatternFamily&) = delete;
+  void operator=(const PatternFamily&) = delete;
+
+  /// When the family was made: no other has the same time.
+  vtkMTimeType GetMTime() const { return this->MakeTime; }
 
   /// Whether vertices of the patterns morph with the tags of the edges.
   bool IsMorphing() const { return this->Morphing; }
 
-  int GetNumberOfSteps() const { return static_cast<int>(this->Segments.size()); }
-
-  /// Segments of an edge at a step.
-  int GetSegments(int step) const { return this->Segments[step]; }
-
-  /// Whether edges take any whole number of segments. The step of an edge whose tag lies in
-  /// [0, MaximumLevel] is then that of 2^tag segments, rounded half up; else it is its level.
-  bool AreWholeNumbers() const { return this->Whole; }
-  static int GetWholeNumberStep(float tag);
+  const SegmentSteps& GetSegmentSteps() const { return this->Steps; }
+  int GetNumberOfSteps() const { return this->Steps.GetNumberOfSteps(); }
+  bool AreWholeNumbers() const { return this->Steps.AreWholeNumbers(); }
 
   int GetNumberOfKeys() const { return static_cast<int>(this->Keys.size()); }
 
@@ -72,17 +84,27 @@ public:
   /// Steps of the pattern's edges 1, 2, 3.
   const std::array<unsigned char, 3>& GetSteps(int key) const { return this->Keys[key]; }
 
-  std::shared_ptr<const RefinementPattern> GetPattern(
-    int key, vtkRefinementPatternTable* table) const;
+  /// The pattern of a key: the same one at every call.
+  const Pattern& GetPattern(int key) const;
 
 private:
-  PatternFamily(std::vector<int> segments, bool morphing, bool whole);
+  void MakeKeys();
+  void MakeEntries();
 
-  std::vector<int> Segments;
-  bool Morphing;
-  bool Whole;
+  // Filled once; then it never changes.
+  struct Place
+  {
+    std::once_flag Filled;
+    Pattern Content;
+  };
+
+  const SegmentSteps Steps;
+  const bool Morphing;
+  const PatternMaker Make;
   std::vector<std::array<unsigned char, 3>> Keys;
   std::vector<unsigned int> Entries;
+  mutable std::vector<Place> Places; // by key / 2: the two windings share a pattern
+  vtkTimeStamp MakeTime;
 };
 }
 #endif

@@ -41,7 +41,7 @@ struct RefinementPattern
   }
 };
 
-/// Who refers to patterns keeps them: a table may go, or read others, while they are in use.
+/// Patterns never change, and belong to all who have a pointer to them.
 using RefinementPatterns = std::vector<std::shared_ptr<const RefinementPattern>>;
 }
 

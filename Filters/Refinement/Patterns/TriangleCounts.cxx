@@ -4,7 +4,6 @@
 
 #include "Patterns/PatternFamily.h"
 #include "Patterns/RefinementPattern.h"
-#include "vtkRefinementPatternTable.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -23,27 +22,28 @@ int EstimateTriangles(int a, int b, int c)
   return static_cast<int>(std::lround(mean * mean));
 }
 
-std::vector<float> MakeLeastTags(const PatternFamily& family, int maximumLevel)
+std::vector<float> MakeLeastTags(const SegmentSteps& steps, int maximumLevel)
 {
   std::vector<float> tags = { -std::numeric_limits<float>::infinity() };
   for (int step = 1;
-       step < family.GetNumberOfSteps() && family.GetSegments(step) <= 1 << maximumLevel; ++step)
+       step < steps.GetNumberOfSteps() && steps.GetSegments(step) <= 1 << maximumLevel; ++step)
   {
-    const double low = family.GetSegments(step - 1);
-    const double high = family.GetSegments(step);
+    const double low = steps.GetSegments(step - 1);
+    const double high = steps.GetSegments(step);
     // Levels are rounded as levels, whole numbers of segments as numbers.
     tags.push_back(static_cast<float>(
-      family.AreWholeNumbers() ? std::log2(0.5 * (low + high)) : 0.5 * std::log2(low * high)));
+      steps.AreWholeNumbers() ? std::log2(0.5 * (low + high)) : 0.5 * std::log2(low * high)));
   }
   tags.push_back(std::numeric_limits<float>::infinity());
   return tags;
 }
 }
 
-TriangleCounts::TriangleCounts(const PatternFamily& family, vtkRefinementPatternTable* table)
+TriangleCounts::TriangleCounts(const PatternFamily& family, int maximumLevel)
   : Estimates(family.AreWholeNumbers())
-  , LeastTags(MakeLeastTags(family, table->GetMaximumLevel()))
+  , LeastTags(MakeLeastTags(family.GetSegmentSteps(), maximumLevel))
 {
+  const SegmentSteps& steps = family.GetSegmentSteps();
   const int n = this->GetNumberOfSteps();
   this->Triangles.resize(static_cast<size_t>(n) * n * n);
   vtkSMPTools::For(0, static_cast<vtkIdType>(this->Triangles.size()), 1,
@@ -55,8 +55,8 @@ TriangleCounts::TriangleCounts(const PatternFamily& family, vtkRefinementPattern
         const int b = static_cast<int>(i / n % n);
         const int c = static_cast<int>(i % n);
         this->Triangles[i] = this->Estimates
-          ? EstimateTriangles(family.GetSegments(a), family.GetSegments(b), family.GetSegments(c))
-          : family.GetPattern(static_cast<int>(family.GetEntry(0, a, b, c) >> 3), table)
+          ? EstimateTriangles(steps.GetSegments(a), steps.GetSegments(b), steps.GetSegments(c))
+          : family.GetPattern(static_cast<int>(family.GetEntry(0, a, b, c) >> 3))
               ->GetNumberOfTriangles();
       }
     });

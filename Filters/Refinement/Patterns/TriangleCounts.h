@@ -11,8 +11,6 @@
 
 #include <vector> // for members
 
-class vtkRefinementPatternTable;
-
 namespace relevo
 {
 class PatternFamily;
@@ -21,10 +19,10 @@ class TriangleCounts
 {
 public:
   /**
-   * For edges up to MaximumLevel of the table. Makes the patterns, except of families of whole
-   * numbers: there are too many, and the counts are estimates.
+   * For edges up to a level. Makes the patterns, except of families of whole numbers: there are too
+   * many, and the counts are estimates.
    */
-  TriangleCounts(const PatternFamily& family, vtkRefinementPatternTable* table);
+  TriangleCounts(const PatternFamily& family, int maximumLevel);
 
   bool AreEstimates() const { return this->Estimates; }
 

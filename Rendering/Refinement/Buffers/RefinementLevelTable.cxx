@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Buffers/RefinementLevelTable.h"
 
-#include "Patterns/PatternFamily.h"
 #include "Patterns/RefinementPattern.h"
+#include "Patterns/SegmentSteps.h"
 #include "vtkLookupTable.h"
 #include "vtkMath.h"
 #include "vtkRefinementPatternTable.h"
@@ -51,21 +51,6 @@ void SetColor(vtkLookupTable* table, int i, const std::array<double, 3>& color)
   table->SetTableValue(i, color[0], color[1], color[2], 1.0);
 }
 
-const PatternFamily& GetFamily(bool wholeNumbers)
-{
-  return wholeNumbers ? PatternFamily::GetWholeNumbers() : PatternFamily::GetPowersOfTwo();
-}
-
-int FindStep(const PatternFamily& family, int segments)
-{
-  int step = 0;
-  while (family.GetSegments(step) < segments)
-  {
-    ++step;
-  }
-  return step;
-}
-
 int GetLevel(int segments)
 {
   int level = 0;
@@ -77,10 +62,10 @@ int GetLevel(int segments)
 }
 
 // As the table of patterns names them: by levels or, where edges take any number, by segments.
-std::string GetName(const PatternFamily& family, int i, int j, int k)
+std::string GetName(const SegmentSteps& steps, int i, int j, int k)
 {
-  const auto number = [&family](int step)
-  { return std::to_string(family.AreWholeNumbers() ? family.GetSegments(step) : step); };
+  const auto number = [&steps](int step)
+  { return std::to_string(steps.AreWholeNumbers() ? steps.GetSegments(step) : step); };
   return "[" + number(i) + ", " + number(j) + ", " + number(k) + "]";
 }
 }
@@ -97,9 +82,9 @@ double RefinementLevelTable::GetValue(int mode, bool wholeNumbers, const Refinem
   {
     return GetLevel(segments[0]);
   }
-  const PatternFamily& family = GetFamily(wholeNumbers);
+  const SegmentSteps steps = SegmentSteps::Make(wholeNumbers);
   return vtkRefinementPatternTable::GetPatternIndex(
-    FindStep(family, segments[0]), FindStep(family, segments[1]), FindStep(family, segments[2]));
+    steps.FindStep(segments[0]), steps.FindStep(segments[1]), steps.FindStep(segments[2]));
 }
 
 vtkLookupTable* RefinementLevelTable::Get(int mode, bool wholeNumbers, int maximumLevel)
@@ -113,7 +98,7 @@ vtkLookupTable* RefinementLevelTable::Get(int mode, bool wholeNumbers, int maxim
     switch (mode)
     {
       case COLOR_BY_PATTERN:
-        this->MakePatterns(GetFamily(wholeNumbers), maximumLevel);
+        this->MakePatterns(SegmentSteps::Make(wholeNumbers), maximumLevel);
         break;
       case COLOR_BY_METRIC:
         this->MakeTags(maximumLevel);
@@ -137,9 +122,9 @@ void RefinementLevelTable::MakeLevels(int maximumLevel)
   }
 }
 
-void RefinementLevelTable::MakePatterns(const PatternFamily& family, int maximumLevel)
+void RefinementLevelTable::MakePatterns(const SegmentSteps& steps, int maximumLevel)
 {
-  const int last = FindStep(family, 1 << maximumLevel);
+  const int last = steps.FindStep(1 << maximumLevel);
   const int count = vtkRefinementPatternTable::GetPatternIndex(last, last, last) + 1;
   this->Table->SetNumberOfTableValues(count);
   this->Table->SetTableRange(0.0, std::max(count - 1, 1));
@@ -150,7 +135,7 @@ void RefinementLevelTable::MakePatterns(const PatternFamily& family, int maximum
       for (int k = 0; k <= j; ++k, ++index)
       {
         SetColor(this->Table, index, GetCategory(index));
-        this->Table->SetAnnotation(index, GetName(family, i, j, k));
+        this->Table->SetAnnotation(index, GetName(steps, i, j, k));
       }
     }
   }

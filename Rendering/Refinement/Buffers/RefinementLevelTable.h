@@ -19,7 +19,7 @@ class vtkLookupTable;
 namespace relevo
 {
 struct RefinementPattern;
-class PatternFamily;
+class SegmentSteps;
 
 class RefinementLevelTable
 {
@@ -40,7 +40,7 @@ public:
 
 private:
   void MakeLevels(int maximumLevel);
-  void MakePatterns(const PatternFamily& family, int maximumLevel);
+  void MakePatterns(const SegmentSteps& steps, int maximumLevel);
   void MakeTags(int maximumLevel);
 
   vtkNew<vtkLookupTable> Table;

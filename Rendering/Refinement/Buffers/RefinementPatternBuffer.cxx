@@ -3,9 +3,9 @@
 #include "Buffers/RefinementPatternBuffer.h"
 
 #include "Evaluation/PatternSelection.h"
+#include "Patterns/PatternLibrary.h"
 #include "Patterns/RefinementPattern.h"
 #include "vtkOpenGLBufferObject.h"
-#include "vtkRefinementPatternTable.h"
 
 #include <algorithm>
 
@@ -33,13 +33,13 @@ const RefinementPatternBuffer::Range& RefinementPatternBuffer::GetRange(
 }
 
 void RefinementPatternBuffer::Load(
-  vtkRefinementPatternTable* table, const std::vector<PatternGroup>& groups, bool withLines)
+  const PatternLibrary& library, const std::vector<PatternGroup>& groups, bool withLines)
 {
   bool changed = false;
-  if ((withLines && !this->HasLines) || this->TableTime != table->GetMTime())
+  if ((withLines && !this->HasLines) || this->LibraryTime != library.GetMTime())
   {
     this->HasLines = withLines || this->HasLines;
-    this->TableTime = table->GetMTime();
+    this->LibraryTime = library.GetMTime();
     this->Ranges.clear();
     this->Patterns.clear();
     this->Vertices.clear();

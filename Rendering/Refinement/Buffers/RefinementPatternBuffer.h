@@ -21,10 +21,10 @@
 #include <vector> // for members
 
 class vtkOpenGLBufferObject;
-class vtkRefinementPatternTable;
 
 namespace relevo
 {
+class PatternLibrary;
 struct PatternGroup;
 
 class RELEVORENDERINGREFINEMENT_EXPORT RefinementPatternBuffer
@@ -49,10 +49,10 @@ public:
   };
 
   /**
-   * Have all patterns of these groups, and their lines if asked for, on the GPU.
+   * Have all patterns of these groups, which are of a library, and their lines if asked for, on the
+   * GPU.
    */
-  void Load(
-    vtkRefinementPatternTable* table, const std::vector<PatternGroup>& groups, bool withLines);
+  void Load(const PatternLibrary& library, const std::vector<PatternGroup>& groups, bool withLines);
 
   const Range& GetRange(const PatternGroup& group) const;
 
@@ -77,7 +77,7 @@ private:
   std::map<const RefinementPattern*, Range> Ranges; // of Patterns
   RefinementPatterns Patterns;
   bool HasLines = false;
-  vtkMTimeType TableTime = 0;
+  vtkMTimeType LibraryTime = 0;
   std::vector<float> Vertices;
   std::vector<unsigned short> Triangles;
   std::vector<float> Lines;

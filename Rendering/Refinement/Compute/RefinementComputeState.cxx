@@ -10,8 +10,8 @@
 #include "Evaluation/PatternSelection.h"
 #include "Mesh/RefinementMesh.h"
 #include "Patterns/PatternFamily.h"
+#include "Patterns/PatternLibrary.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkRefinementPatternTable.h"
 
 #include <algorithm>
 #include <cctype>
@@ -28,14 +28,13 @@ bool IsWithin(const std::array<unsigned char, 3>& steps, int maximumLevel)
   return *std::max_element(steps.begin(), steps.end()) <= maximumLevel;
 }
 
-std::vector<PatternGroup> GetAllGroups(
-  const PatternFamily& family, vtkRefinementPatternTable* table, const std::vector<int>& keys)
+std::vector<PatternGroup> GetAllGroups(const PatternFamily& family, const std::vector<int>& keys)
 {
   std::vector<PatternGroup> groups;
   groups.reserve(keys.size());
   for (int key : keys)
   {
-    groups.push_back({ family.GetPattern(key, table), PatternFamily::IsMirrored(key), 0, 0 });
+    groups.push_back({ family.GetPattern(key), PatternFamily::IsMirrored(key), 0, 0 });
   }
   return groups;
 }
@@ -175,41 +174,37 @@ bool RefinementComputeState::UpdateCulling(const FaceCulling& culling, vtkMTimeT
   return true;
 }
 
-bool RefinementComputeState::UpdatePatterns(const PatternFamily& family,
-  vtkRefinementPatternTable* table, RefinementPatternBuffer& patterns, bool withLines)
+bool RefinementComputeState::UpdatePatterns(const PatternLibrary& library,
+  const std::shared_ptr<const PatternFamily>& family, int maximumLevel,
+  RefinementPatternBuffer& patterns, bool withLines)
 {
-  if (this->Family == &family && this->Table == table && this->TableTime == table->GetMTime() &&
+  if (this->Family == family && this->MaximumLevel == maximumLevel &&
     this->PatternBufferTime == patterns.GetUploadTime() && (this->WithLines || !withLines))
   {
     return true;
   }
-  const int maximumLevel = table->GetMaximumLevel();
   this->Keys.clear();
-  for (int key = 0; key < family.GetNumberOfKeys(); ++key)
+  for (int key = 0; key < family->GetNumberOfKeys(); ++key)
   {
-    if (IsWithin(family.GetSteps(key), maximumLevel))
+    if (IsWithin(family->GetSteps(key), maximumLevel))
     {
       this->Keys.push_back(key);
     }
   }
-  const std::vector<PatternGroup> groups = GetAllGroups(family, table, this->Keys);
-  patterns.Load(table, groups, withLines);
+  const std::vector<PatternGroup> groups = GetAllGroups(*family, this->Keys);
+  patterns.Load(library, groups, withLines);
   std::vector<RefinementComputeSelector::Pattern> described;
-  this->Patterns.assign(static_cast<size_t>(family.GetNumberOfKeys()), nullptr);
-  for (size_t i = 0; i < groups.size(); ++i)
+  for (const PatternGroup& group : groups)
   {
-    const PatternGroup& group = groups[i];
-    this->Patterns[this->Keys[i]] = group.Pattern;
     described.push_back(Describe(patterns.GetRange(group), group.Mirrored));
   }
-  if (!this->Selector.UploadPatterns(
-        described, MakeTable(family, this->Keys, maximumLevel), maximumLevel, family.IsMorphing()))
+  if (!this->Selector.UploadPatterns(described, MakeTable(*family, this->Keys, maximumLevel),
+        maximumLevel, family->IsMorphing()))
   {
     return this->Fail(this->Selector.GetError());
   }
-  this->Family = &family;
-  this->Table = table;
-  this->TableTime = table->GetMTime();
+  this->Family = family;
+  this->MaximumLevel = maximumLevel;
   this->PatternBufferTime = patterns.GetUploadTime();
   this->WithLines = withLines;
   this->PatternsTime.Modified();

@@ -16,22 +16,22 @@
 #include "Compute/RefinementComputeSelector.h" // for members
 #include "Compute/RefinementComputeTags.h"     // for members
 #include "Compute/RefinementComputeView.h"     // for members
-#include "Patterns/RefinementPattern.h"        // for RefinementPatterns
 #include "RelevoRenderingRefinementModule.h"   // for export macro
 #include "vtkTimeStamp.h"                      // for members
 
 #include <map>    // for members
+#include <memory> // for Family
 #include <string> // for errors
 #include <vector> // for members
 
 class vtkOpenGLRenderWindow;
-class vtkRefinementPatternTable;
 
 namespace relevo
 {
 class EdgeTags;
 class FaceCulling;
 class PatternFamily;
+class PatternLibrary;
 class RefinementMesh;
 class RefinementPatternBuffer;
 struct CullingView;
@@ -48,12 +48,14 @@ public:
 
   //@{
   /**
-   * Take the mesh, what hides its faces, and the patterns that they can choose, all of which are
-   * loaded; each if it has changed. False, with GetError(), when the GPU cannot hold it.
+   * Take the mesh, what hides its faces, and the patterns that they can choose, of a library and of
+   * levels up to the maximum, all of which are loaded; each if it has changed. False, with
+   * GetError(), when the GPU cannot hold it.
    */
   bool UpdateMesh(const RefinementMesh& mesh, vtkMTimeType time);
   bool UpdateCulling(const FaceCulling& culling, vtkMTimeType time);
-  bool UpdatePatterns(const PatternFamily& family, vtkRefinementPatternTable* table,
+  bool UpdatePatterns(const PatternLibrary& library,
+    const std::shared_ptr<const PatternFamily>& family, int maximumLevel,
     RefinementPatternBuffer& patterns, bool withLines);
   //@}
 
@@ -74,11 +76,8 @@ public:
   bool UpdateView(vtkOpenGLRenderWindow* window, int slot, const EdgeTags& tags, float offset,
     vtkMTimeType levelsTime, const CullingView* camera, bool behind, const Targets& targets);
 
-  //@{
-  /// The patterns that faces choose from; nullptr for none yet. By key.
-  const PatternFamily* GetFamily() const { return this->Family; }
-  const RefinementPatterns& GetPatterns() const { return this->Patterns; }
-  //@}
+  /// The patterns that faces choose from; nullptr for none yet.
+  const PatternFamily* GetFamily() const { return this->Family.get(); }
 
   /// The view in a slot that has been updated.
   RefinementComputeView& GetView(int slot) { return this->Views[slot].Selection; }
@@ -122,11 +121,9 @@ private:
   vtkMTimeType MeshTime = 0;
   vtkMTimeType FaceEdgesTime = 0; // of their mesh
   vtkMTimeType CullingTime = 0;
-  std::vector<int> Keys;       // of the family, those in use
-  RefinementPatterns Patterns; // of the family; nullptr where not in use
-  const PatternFamily* Family = nullptr;
-  vtkRefinementPatternTable* Table = nullptr; // to compare
-  vtkMTimeType TableTime = 0;
+  std::vector<int> Keys; // of the family, those in use
+  std::shared_ptr<const PatternFamily> Family;
+  int MaximumLevel = 0;
   vtkMTimeType PatternBufferTime = 0;
   bool WithLines = false;
   vtkTimeStamp PatternsTime;

@@ -19,7 +19,8 @@ bool ARKFPIMethod::Upload(const RefinementDrawing& drawing)
   {
     return true; // all of it is there
   }
-  drawing.Patterns->Load(drawing.Table, drawing.Selection->GetSelection().Groups, drawing.HasLines);
+  drawing.Patterns->Load(
+    *drawing.Library, drawing.Selection->GetSelection().Groups, drawing.HasLines);
   this->Error = RefinementBuffer::GetTooLarge();
   return drawing.Instances->Upload(drawing.Window, drawing.Slot, *drawing.Selection);
 }

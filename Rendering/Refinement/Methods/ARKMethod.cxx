@@ -16,7 +16,8 @@ namespace relevo
 {
 bool ARKMethod::Upload(const RefinementDrawing& drawing)
 {
-  drawing.Patterns->Load(drawing.Table, drawing.Selection->GetSelection().Groups, drawing.HasLines);
+  drawing.Patterns->Load(
+    *drawing.Library, drawing.Selection->GetSelection().Groups, drawing.HasLines);
   return true;
 }
 

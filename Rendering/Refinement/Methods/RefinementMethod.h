@@ -21,13 +21,13 @@
 #include <string> // for sentences
 
 class vtkOpenGLRenderWindow;
-class vtkRefinementPatternTable;
 class vtkShaderProgram;
 class vtkWindow;
 
 namespace relevo
 {
 class PatternFamily;
+class PatternLibrary;
 class RefinementInstances;
 class RefinementMesh;
 class RefinementPatternBuffer;
@@ -44,8 +44,8 @@ struct RefinementDrawing
   int Slot;
   /// What the GPU has selected; nullptr where the CPU has.
   RefinementComputeView* ComputeView;
-  /// To upload from.
-  vtkRefinementPatternTable* Table;
+  /// Of the patterns; nullptr where there is no recipe.
+  const PatternLibrary* Library;
   /// Whether a wireframe is drawn.
   bool HasLines;
   RefinementPatternBuffer* Patterns;

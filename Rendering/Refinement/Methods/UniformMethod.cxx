@@ -7,10 +7,10 @@
 #include "relevoPermutedVS.h"
 
 #include "Mesh/RefinementMesh.h"
+#include "Patterns/PatternLibrary.h"
 #include "Patterns/RefinementPattern.h"
 #include "Shaders/RefinementShader.h"
 #include "State/ViewSelection.h"
-#include "vtkRefinementPatternTable.h"
 
 #include <algorithm>
 
@@ -56,7 +56,7 @@ void UniformMethod::Group(const RefinementDrawing& drawing, std::vector<unsigned
       continue;
     }
     const int n = static_cast<int>(key / 2);
-    groups.push_back({ drawing.Table->GetPatternOfSegments(n, n, n), key % 2 == 1,
+    groups.push_back({ drawing.Library->GetPatternOfSegments(n, n, n), key % 2 == 1,
       static_cast<int>(instances.size()), static_cast<int>(faces[key].size()) });
     instances.insert(instances.end(), faces[key].begin(), faces[key].end());
   }
@@ -73,7 +73,7 @@ bool UniformMethod::Upload(const RefinementDrawing& drawing)
     this->Group(drawing, instances, slot.Groups);
     slot.GroupsTime = time;
   }
-  drawing.Patterns->Load(drawing.Table, slot.Groups, drawing.HasLines);
+  drawing.Patterns->Load(*drawing.Library, slot.Groups, drawing.HasLines);
   this->Error = RefinementBuffer::GetTooLarge();
   return this->Instances.Upload(drawing.Window, drawing.Slot, instances, time);
 }

@@ -12,7 +12,6 @@
 #include "vtkDepthTagMetric.h"
 
 #include <algorithm>
-#include <map>
 #include <string>
 
 namespace relevo
@@ -75,28 +74,16 @@ template <typename GetSegments>
 void PickedLevels::Assign(
   vtkAdaptiveRefinement* recipe, const RefinementMesh& mesh, const GetSegments& getSegments)
 {
-  const PatternFamily& family = recipe->GetSegmentPolicy() == vtkAdaptiveRefinement::WHOLE_NUMBERS
-    ? PatternFamily::GetWholeNumbers()
-    : PatternFamily::GetPowersOfTwo();
-  std::map<int, int> steps;
-  for (int step = 0; step < family.GetNumberOfSteps(); ++step)
-  {
-    steps[family.GetSegments(step)] = step;
-  }
+  const auto family = GetRoundedPatternFamily(recipe);
+  const SegmentSteps& steps = family->GetSegmentSteps();
   std::vector<unsigned int> entries;
-  RefinementPatterns patterns(static_cast<size_t>(family.GetNumberOfKeys()));
+  entries.reserve(mesh.Faces.size());
   for (size_t f = 0; f < mesh.Faces.size(); ++f)
   {
     const int face = static_cast<int>(f);
-    const unsigned int entry = family.GetEntry(mesh.Faces[f].Order, steps.at(getSegments(face, 0)),
-      steps.at(getSegments(face, 1)), steps.at(getSegments(face, 2)));
-    entries.push_back(entry);
-    if (!patterns[entry >> 3])
-    {
-      patterns[entry >> 3] =
-        family.GetPattern(static_cast<int>(entry >> 3), recipe->GetPatternTable());
-    }
+    const auto step = [&](int edge) { return steps.FindStep(getSegments(face, edge)); };
+    entries.push_back(family->GetEntry(mesh.Faces[f].Order, step(0), step(1), step(2)));
   }
-  this->Own.Assign(family, patterns, std::move(entries), {});
+  this->Own.Assign(*family, std::move(entries), {});
 }
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "State/LevelBudget.h"
 
+#include "Patterns/PatternFamily.h"
 #include "vtkAdaptiveRefinement.h"
-#include "vtkRefinementPatternTable.h"
 
 #include <algorithm>
 
@@ -73,7 +73,8 @@ double LevelBudget::FindOffset(const std::vector<Part>& parts, vtkAdaptiveRefine
   std::vector<TriangleBudget::Part> meshes;
   for (const Part& part : parts)
   {
-    Append(state, part.Mesh.Family, part.TagsTime);
+    state.push_back(part.Mesh.Family->GetMTime());
+    state.push_back(part.TagsTime);
     meshes.push_back(part.Mesh);
   }
   if (state != view.State)
@@ -83,7 +84,7 @@ double LevelBudget::FindOffset(const std::vector<Part>& parts, vtkAdaptiveRefine
     const double highest =
       isTarget ? LargestOffset : recipe->GetLevelOffset() - 0.5 / TriangleBudget::Resolution;
     view.Offset = this->Triangles.FindOffset(
-      meshes, recipe->GetPatternTable(), wanted, -LargestOffset, highest, view.Offset);
+      meshes, recipe->GetMaximumLevel(), wanted, -LargestOffset, highest, view.Offset);
   }
   return view.Offset - recipe->GetLevelOffset();
 }

@@ -51,15 +51,16 @@ std::string RefinementState::TakeWarning()
   return Take(this->Warning);
 }
 
-bool RefinementState::CheckRange(vtkAdaptiveRefinement* recipe)
+bool RefinementState::Check(vtkAdaptiveRefinement* recipe)
 {
   const std::string excess = FindExcess(recipe->GetSurface(), recipe->GetDisplacement());
-  if (excess != this->Excess)
+  const std::string obstacle = excess.empty() ? FindPatternObstacle(recipe) : excess + ".";
+  if (obstacle != this->Obstacle)
   {
-    this->Excess = excess;
-    this->Error = excess.empty() ? "" : "Cannot refine the input: " + excess + ".";
+    this->Obstacle = obstacle;
+    this->Error = obstacle.empty() ? "" : "Cannot refine the input: " + obstacle;
   }
-  return excess.empty();
+  return obstacle.empty();
 }
 
 bool RefinementState::BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe)

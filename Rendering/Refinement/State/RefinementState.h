@@ -36,12 +36,12 @@ public:
   ~RefinementState();
 
   /**
-   * Prepare the mesh. False when the recipe cannot be applied to the input, or its numbers are too
-   * large.
+   * Prepare the mesh. False when the recipe cannot be applied to the input, its numbers are too
+   * large, or its pattern table lacks the patterns.
    */
   bool UpdateMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe)
   {
-    return this->BuildMesh(input, recipe) && this->CheckRange(recipe);
+    return this->BuildMesh(input, recipe) && this->Check(recipe);
   }
 
   /**
@@ -74,10 +74,10 @@ public:
   void ForgetLevels();
 
   /// See ViewSelection::Assign().
-  void AssignSelection(const PatternFamily& family, const RefinementPatterns& patterns,
-    std::vector<unsigned int> entries, std::vector<float> morphTags)
+  void AssignSelection(
+    const PatternFamily& family, std::vector<unsigned int> entries, std::vector<float> morphTags)
   {
-    this->Current->Assign(family, patterns, std::move(entries), std::move(morphTags));
+    this->Current->Assign(family, std::move(entries), std::move(morphTags));
   }
 
   /**
@@ -116,7 +116,7 @@ private:
   ViewSelection& FindView(
     vtkPolyData* input, vtkAdaptiveRefinement* recipe, const RefinementView& view);
   bool BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe);
-  bool CheckRange(vtkAdaptiveRefinement* recipe);
+  bool Check(vtkAdaptiveRefinement* recipe);
   SelectionInput GetSelectionInput(vtkPolyData* input, vtkAdaptiveRefinement* recipe) const;
   void UpdateHoles(vtkAdaptiveRefinement* recipe);
 
@@ -153,7 +153,7 @@ private:
   std::string Error;
   std::string Warning;
   std::string Unusable; // what was said of arrays last
-  std::string Excess;   // said last
+  std::string Obstacle; // said last of the recipe
 };
 }
 

@@ -9,7 +9,6 @@
 #include "vtkDepthTagMetric.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPolyData.h"
-#include "vtkRefinementPatternTable.h"
 #include "vtkTimerLog.h"
 
 #include <algorithm>
@@ -51,7 +50,7 @@ Dependencies GetTagDependencies(const SelectionInput& input, const RefinementVie
   Dependencies dependencies;
   vtkDepthTagMetric* metric = GetMetricInUse(recipe, input.Input);
   AppendObject(dependencies, metric);
-  AppendObject(dependencies, recipe->GetPatternTable()); // and with it MaximumLevel
+  dependencies.push_back(static_cast<vtkMTimeType>(recipe->GetMaximumLevel()));
   dependencies.push_back(input.MeshTime);
   dependencies.push_back(static_cast<vtkMTimeType>(input.HighestTag));
   dependencies.push_back(std::hash<std::string>()(recipe->GetDepthTagArrayName()));
@@ -113,10 +112,9 @@ bool ViewSelection::UpdateTags(
 bool ViewSelection::UpdateLevels(const SelectionInput& input, double offset, bool onGPU)
 {
   this->Mesh = input.Mesh;
-  const PatternFamily& family = GetPatternFamily(input.Recipe, input.Input);
+  const auto family = GetPatternFamily(input.Recipe, input.Input);
   const double sum = input.Recipe->GetLevelOffset() + offset;
-  Dependencies dependencies;
-  Append(dependencies, &family, this->TagsTime);
+  Dependencies dependencies = { family->GetMTime(), this->TagsTime };
   AppendBits(dependencies, sum);
   dependencies.push_back(onGPU ? 1 : 0);
   if (dependencies == this->LevelDependencies)
@@ -134,7 +132,7 @@ bool ViewSelection::UpdateLevels(const SelectionInput& input, double offset, boo
   else
   {
     this->Selection.Select(
-      *input.Mesh, this->Tags, family, input.Recipe->GetPatternTable(), static_cast<float>(sum));
+      *input.Mesh, this->Tags, *family, input.Recipe->GetMaximumLevel(), static_cast<float>(sum));
   }
   this->LevelsSeconds = vtkTimerLog::GetUniversalTime() - start;
   return true;
@@ -156,10 +154,10 @@ void ViewSelection::SetHoles(const HeightValidity& holes, vtkMTimeType time)
   }
 }
 
-void ViewSelection::Assign(const PatternFamily& family, const RefinementPatterns& patterns,
-  std::vector<unsigned int> entries, std::vector<float> morphTags)
+void ViewSelection::Assign(
+  const PatternFamily& family, std::vector<unsigned int> entries, std::vector<float> morphTags)
 {
-  this->Selection.Assign(family, patterns, std::move(entries), std::move(morphTags));
+  this->Selection.Assign(family, std::move(entries), std::move(morphTags));
   this->NumberOfTriangles = -1;
 }
 

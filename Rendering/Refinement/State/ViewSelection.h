@@ -94,8 +94,8 @@ public:
   const PatternSelection& GetSelection() const { return this->Selection; }
 
   /// Take over what the GPU has chosen for each face; see PatternSelection::Assign().
-  void Assign(const PatternFamily& family, const RefinementPatterns& patterns,
-    std::vector<unsigned int> entries, std::vector<float> morphTags);
+  void Assign(
+    const PatternFamily& family, std::vector<unsigned int> entries, std::vector<float> morphTags);
 
   /// The mesh that levels were chosen for, whatever has become of its input.
   const RefinementMesh& GetMesh() const;

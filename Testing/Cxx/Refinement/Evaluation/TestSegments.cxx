@@ -5,6 +5,7 @@
 #include "RelevoTestMeshes.h"
 
 #include "Evaluation/PatternSelection.h"
+#include "Patterns/PatternLibrary.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkCamera.h"
@@ -198,23 +199,24 @@ void TestSettings(RelevoCheck& check)
 void TestFacePatterns(RelevoCheck& check)
 {
   vtkNew<vtkRefinementPatternTable> table;
-  for (const relevo::PatternFamily* family : { &relevo::PatternFamily::GetPowersOfTwo(),
-         &relevo::PatternFamily::GetNested(), &relevo::PatternFamily::GetWholeNumbers() })
+  using Library = relevo::PatternLibrary;
+  for (const auto kind : { Library::POWERS_OF_TWO, Library::NESTED, Library::WHOLE_NUMBERS })
   {
+    const auto family = table->GetLibrary()->GetFamily(kind);
     size_t wrong = 0;
     for (int i = 0; i < 6 * 4 * 4 * 4; ++i)
     {
       const int steps[3] = { i % 4, i / 4 % 4, i / 16 % 4 };
       const unsigned int entry = family->GetEntry(i / 64, steps[0], steps[1], steps[2]);
       const int key = static_cast<int>(entry >> 3);
-      const auto kept = family->GetPattern(key, table);
+      const auto kept = family->GetPattern(key);
       const relevo::FacePattern pattern = { kept.get(), static_cast<int>(entry & 7u),
         relevo::PatternFamily::IsMirrored(key), nullptr };
       int segments[3];
       pattern.GetEdgeSegments(segments);
       for (int e = 0; e < 3; ++e)
       {
-        wrong += segments[e] != family->GetSegments(steps[e]) ? 1 : 0;
+        wrong += segments[e] != family->GetSegmentSteps().GetSegments(steps[e]) ? 1 : 0;
       }
     }
     CHECK(wrong == 0);

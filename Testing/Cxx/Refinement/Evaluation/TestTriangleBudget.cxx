@@ -54,14 +54,14 @@ public:
   {
     std::string error;
     this->Tags.Compute(this->Recipe, this->Input, this->Mesh, this->View, error);
-    return { &this->Mesh, &this->Tags, &relevo::GetPatternFamily(this->Recipe, this->Input) };
+    return { &this->Mesh, &this->Tags, relevo::GetPatternFamily(this->Recipe, this->Input) };
   }
 
   vtkIdType Select(double offset)
   {
     relevo::PatternSelection selection;
-    selection.Select(this->Mesh, this->Tags, relevo::GetPatternFamily(this->Recipe, this->Input),
-      this->Recipe->GetPatternTable(), static_cast<float>(offset));
+    selection.Select(this->Mesh, this->Tags, *relevo::GetPatternFamily(this->Recipe, this->Input),
+      this->Recipe->GetMaximumLevel(), static_cast<float>(offset));
     return selection.GetNumberOfTriangles();
   }
 
@@ -123,7 +123,7 @@ void TestSpreadTags(RelevoCheck& check, vtkAdaptiveRefinement* recipe, const std
       continue;
     }
     const double offset =
-      budget.FindOffset({ part }, recipe->GetPatternTable(), target, Lowest, Highest);
+      budget.FindOffset({ part }, recipe->GetMaximumLevel(), target, Lowest, Highest);
     const auto count = static_cast<double>(scene.Select(offset));
     check.That(std::abs(count / static_cast<double>(target) - 1.0) <= 0.05,
       (name + ": " + std::to_string(count) + " of " + std::to_string(target)).c_str(), __FILE__,
@@ -131,10 +131,10 @@ void TestSpreadTags(RelevoCheck& check, vtkAdaptiveRefinement* recipe, const std
     for (const double guess : { -16.0, -3.3, offset, offset + 0.1, 1.7, 16.0 })
     {
       Budget fresh;
-      CHECK(fresh.FindOffset({ part }, recipe->GetPatternTable(), target, Lowest, Highest, guess) ==
+      CHECK(fresh.FindOffset({ part }, recipe->GetMaximumLevel(), target, Lowest, Highest, guess) ==
         offset);
     }
-    CHECK(Budget::CountTriangles({ part }, recipe->GetPatternTable(), offset) ==
+    CHECK(Budget::CountTriangles({ part }, recipe->GetMaximumLevel(), offset) ==
       static_cast<vtkIdType>(count));
   }
 }
@@ -150,7 +150,7 @@ void TestUniformTags(RelevoCheck& check)
   const Budget::Part part = scene.GetPart();
   Budget budget;
   const auto find = [&](vtkIdType target, double lowest = Lowest, double highest = Highest)
-  { return budget.FindOffset({ part }, recipe->GetPatternTable(), target, lowest, highest); };
+  { return budget.FindOffset({ part }, recipe->GetMaximumLevel(), target, lowest, highest); };
   // From level 3 on at offset 0.25, from level 2 on at -0.75.
   CHECK_NEAR(find(3000), 0.25, Step);
   CHECK(scene.Select(find(3000)) == 800);
@@ -182,7 +182,7 @@ void TestPlainRecipes(RelevoCheck& check)
     const Budget::Part part = scene.GetPart();
     Budget budget;
     const double offset =
-      budget.FindOffset({ part }, recipe->GetPatternTable(), 4000, Lowest, Highest);
+      budget.FindOffset({ part }, recipe->GetMaximumLevel(), 4000, Lowest, Highest);
     CHECK_NEAR(offset, -0.5, Step);
     CHECK(scene.Select(offset) == 3200);
   }
@@ -190,12 +190,12 @@ void TestPlainRecipes(RelevoCheck& check)
   Scene scene(mesh, recipe);
   Budget budget;
   CHECK(std::abs(budget.FindOffset(
-          { scene.GetPart() }, recipe->GetPatternTable(), 4000, Lowest, Highest)) <= Step);
+          { scene.GetPart() }, recipe->GetMaximumLevel(), 4000, Lowest, Highest)) <= Step);
   vtkNew<vtkPolyData> nothing;
   Scene empty(nothing, recipe);
   CHECK(std::abs(budget.FindOffset(
-          { empty.GetPart() }, recipe->GetPatternTable(), 4000, Lowest, Highest)) <= Step);
-  CHECK(std::isfinite(budget.FindOffset({}, recipe->GetPatternTable(), 4000, Lowest, Highest)));
+          { empty.GetPart() }, recipe->GetMaximumLevel(), 4000, Lowest, Highest)) <= Step);
+  CHECK(std::isfinite(budget.FindOffset({}, recipe->GetMaximumLevel(), 4000, Lowest, Highest)));
 }
 
 // The least offset that reaches a target, by trying all: random tags, some far out of range.
@@ -215,7 +215,7 @@ void TestBruteForce(RelevoCheck& check)
     Budget budget;
     const vtkIdType target = mesh->GetNumberOfCells() * (2 + i);
     const double offset =
-      budget.FindOffset({ part }, recipe->GetPatternTable(), target, Lowest, Highest);
+      budget.FindOffset({ part }, recipe->GetMaximumLevel(), target, Lowest, Highest);
     const vtkIdType count = scene.Select(offset);
     const auto far = [target](vtkIdType triangles)
     {
@@ -247,7 +247,7 @@ void TestParts(RelevoCheck& check)
   Scene second(source->GetOutput(), recipe);
   Budget budget;
   const double offset = budget.FindOffset(
-    { first.GetPart(), second.GetPart() }, recipe->GetPatternTable(), 40000, Lowest, Highest);
+    { first.GetPart(), second.GetPart() }, recipe->GetMaximumLevel(), 40000, Lowest, Highest);
   CHECK_NEAR(static_cast<double>(first.Select(offset) + second.Select(offset)), 40000.0, 400.0);
 }
 
@@ -264,7 +264,7 @@ void TestFlight(RelevoCheck& check, vtkAdaptiveRefinement* recipe)
     const double distance = 2.0 * std::exp2(-0.01 * frame);
     scene.Camera->SetPosition(0.0, -0.7 * distance, 0.7 * distance);
     const double offset = budget.FindOffset(
-      { scene.GetPart() }, recipe->GetPatternTable(), 30000, Lowest, Highest, last);
+      { scene.GetPart() }, recipe->GetMaximumLevel(), 30000, Lowest, Highest, last);
     CHECK_NEAR(static_cast<double>(scene.Select(offset)), 30000.0, 1500.0);
     const float* values = scene.Tags.GetValues();
     const std::vector<float> tags(values, values + scene.Tags.GetNumberOfValues());

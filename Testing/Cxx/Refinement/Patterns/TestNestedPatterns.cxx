@@ -7,7 +7,8 @@
 #include "RelevoPatternCheck.h"
 
 #include "Patterns/FacePattern.h"
-#include "Patterns/NestedPattern.h"
+#include "Patterns/PatternLibrary.h"
+#include "Patterns/RefinementPattern.h"
 #include "vtkRefinementPatternTable.h"
 
 #include <algorithm>
@@ -40,9 +41,16 @@ void ForEachLevels(int maximumLevel, Visitor&& visit)
   }
 }
 
+// All that are asked for, kept by one library.
+const relevo::PatternLibrary& GetLibrary()
+{
+  static const relevo::PatternLibrary library;
+  return library;
+}
+
 const relevo::RefinementPattern& GetPattern(Levels levels)
 {
-  return relevo::GetNestedPattern(levels[0], levels[1], levels[2]);
+  return *GetLibrary().GetNestedPattern(levels[0], levels[1], levels[2]);
 }
 
 Levels Round(const Tags& tags, int maximumLevel)

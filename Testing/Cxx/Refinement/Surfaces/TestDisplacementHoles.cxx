@@ -123,7 +123,7 @@ void testAgainstSearch(RelevoCheck& check, Mesh mesh, vtkAdaptiveRefinement* rec
   CHECK(tags.Compute(recipe, mesh, refinementMesh, {}, error));
   relevo::PatternSelection selection;
   selection.Select(
-    refinementMesh, tags, relevo::GetPatternFamily(recipe, mesh), recipe->GetPatternTable());
+    refinementMesh, tags, *relevo::GetPatternFamily(recipe, mesh), recipe->GetMaximumLevel());
   CHECK(
     relevo::CountHoles(refinementMesh, selection, relevo::GetHoles(recipe->GetDisplacement())) ==
     full->GetNumberOfCells() - holed->GetNumberOfCells());

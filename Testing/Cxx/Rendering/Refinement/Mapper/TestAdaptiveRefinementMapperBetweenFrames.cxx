@@ -126,6 +126,7 @@ std::vector<Case> GetCases()
         vtkNew<vtkScreenEdgeDepthTagMetric> metric;
         frame.Recipe->SetMetric(metric);
       } },
+    { "another pattern table", [](Frame& frame) { frame.Recipe->SetPatternTable(nullptr); } },
     { "other heights, bounds asked",
       [](Frame& frame)
       {
@@ -166,12 +167,35 @@ void TestReadPatterns(RelevoCheck& check, const std::string& folder, int method)
   const std::string file = folder + "/BetweenFrames.patterns";
   Frame frame(method, Mapper::SELECTION_DEVICE_CPU, false);
   const Numbers before(frame.GetMapper());
+  frame.Recipe->GetPatternTable()->SetMaximumLevel(frame.Recipe->GetMaximumLevel());
   CHECK(frame.Recipe->GetPatternTable()->Write(file.c_str()));
   Frame other(method, Mapper::SELECTION_DEVICE_CPU, false);
   CHECK(other.Recipe->GetPatternTable()->Read(file.c_str()));
   CHECK(Numbers(other.GetMapper()) == before);
   other.Scene.Render();
   CHECK(Numbers(other.GetMapper()) == before);
+}
+
+// Patterns that morph belong to the recipe's table, and stay with the frame when both have gone.
+void TestMorphing(RelevoCheck& check, int device)
+{
+  Frame frame(Mapper::METHOD_ARKFPI, device, false);
+  const auto morph = [](Frame& each)
+  {
+    each.Recipe->GeomorphingOn();
+    each.Scene.Render();
+  };
+  morph(frame);
+  const Numbers before(frame.GetMapper());
+  CHECK(before.Triangles > 100 && before.UsedPatterns > 3);
+  for (const Change& change :
+    { Change(TakeRecipe), Change([](Frame& other) { other.Recipe->SetPatternTable(nullptr); }) })
+  {
+    Frame other(Mapper::METHOD_ARKFPI, device, false);
+    morph(other);
+    change(other);
+    CHECK(Numbers(other.GetMapper()) == before);
+  }
 }
 
 // The next frame counts what it draws.
@@ -226,6 +250,8 @@ int TestAdaptiveRefinementMapperBetweenFrames(int argc, char* argv[])
   }
   TestCases(check, Mapper::METHOD_ARKFPI, Mapper::SELECTION_DEVICE_CPU, true);
   TestCases(check, Mapper::METHOD_ARKFPI, Mapper::SELECTION_DEVICE_GPU, true);
+  TestMorphing(check, Mapper::SELECTION_DEVICE_CPU);
+  TestMorphing(check, Mapper::SELECTION_DEVICE_GPU);
   TestNextFrame(check);
   TestMetricData(check);
   return check.GetResult();

@@ -108,7 +108,7 @@ void TestMesh(
   std::string error;
   CHECK(tags.Compute(recipe, input, mesh, relevo::RefinementView(), error));
   relevo::PatternSelection selection;
-  selection.Select(mesh, tags, relevo::GetPatternFamily(recipe, input), recipe->GetPatternTable());
+  selection.Select(mesh, tags, *relevo::GetPatternFamily(recipe, input), recipe->GetMaximumLevel());
   std::vector<unsigned char> hidden(mesh.Faces.size(), 0);
   for (size_t f = 0; hides && f < hidden.size(); f += 3)
   {

@@ -87,8 +87,8 @@ public:
       return;
     }
     relevo::PatternSelection selection;
-    selection.Select(mesh, tags, relevo::GetPatternFamily(recipe, this->Input),
-      recipe->GetPatternTable(), static_cast<float>(recipe->GetLevelOffset()));
+    selection.Select(mesh, tags, *relevo::GetPatternFamily(recipe, this->Input),
+      recipe->GetMaximumLevel(), static_cast<float>(recipe->GetLevelOffset()));
     selection.Group();
     this->MostGroups = std::max(this->MostGroups, selection.Groups.size());
     relevo::FaceCulling culling;
@@ -129,8 +129,9 @@ private:
       this->Instances.Resize(4 * mesh.Faces.size()) &&
       this->MorphTags.Resize(12 * mesh.Faces.size()) && this->State.UpdateMesh(mesh, this->Time) &&
       this->State.UpdateCulling(culling, this->Time) &&
-      this->State.UpdatePatterns(relevo::GetPatternFamily(recipe, this->Input),
-        recipe->GetPatternTable(), this->Patterns, false));
+      this->State.UpdatePatterns(*recipe->GetPatternTable()->GetLibrary(),
+        relevo::GetPatternFamily(recipe, this->Input), recipe->GetMaximumLevel(), this->Patterns,
+        false));
     if (!prepared)
     {
       std::cerr << this->State.GetError() << "\n";
@@ -164,7 +165,7 @@ private:
   void CheckPatterns(const std::string& name, const relevo::RefinementMesh& mesh,
     const relevo::PatternSelection& selection, vtkAdaptiveRefinement* recipe, float tolerance)
   {
-    const relevo::PatternFamily& family = relevo::GetPatternFamily(recipe, this->Input);
+    const auto family = relevo::GetPatternFamily(recipe, this->Input);
     const std::vector<unsigned int> entries = this->State.ReadEntries(0);
     const std::vector<float> morphTags = this->MorphTags.Read<float>(3 * mesh.Faces.size());
     size_t wrong = 0;
@@ -173,7 +174,7 @@ private:
     {
       const relevo::FacePattern expected = selection.GetFacePattern(static_cast<int>(f));
       const int key = static_cast<int>(entries[f] >> 3);
-      wrong += family.GetPattern(key, recipe->GetPatternTable()).get() != expected.Pattern ||
+      wrong += family->GetPattern(key).get() != expected.Pattern ||
         relevo::PatternFamily::IsMirrored(key) != expected.Mirrored ||
         static_cast<int>(entries[f] & 7u) != expected.Code;
       for (size_t e = 0; expected.MorphTags && e < 3; ++e)
