@@ -27,7 +27,7 @@ from meshes import (
     set_point_array,
 )
 from vtkmodules.vtkCommonCore import VTK_FLOAT, VTK_UNSIGNED_CHAR
-from vtkmodules.vtkCommonDataModel import vtkImageData, PerlinNoise
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPerlinNoise
 from vtkmodules.vtkRenderingCore import vtkPolyDataMapper, vtkTexture
 
 # Rings around the ring, for vtkProceduralSurface.
@@ -178,7 +178,7 @@ def parts():
 
 def relief():
     """One function is both the heights and, as colours, the picture; Lenz 2009, figure 5.34."""
-    noise = PerlinNoise()
+    noise = vtkPerlinNoise()
     noise.SetFrequency(1, 1, 1)
 
     def height(x, y):
