@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Geodesy/GDALSession.h"
 
+#include <cpl_conv.h>
 #include <cpl_error.h>
 
 #include <algorithm>
@@ -10,20 +11,27 @@ namespace relevo
 {
 namespace
 {
+constexpr char LargeReadsOption[] = "GDAL_ONE_BIG_READ";
+// A warning of libjpeg, which draws grey what is missing; GDAL tells how to make it an error.
+constexpr char CutShort[] = "Premature end of JPEG file";
+constexpr char Advice[] = " (this warning can be turned";
+
 // Each level of GDAL reports the same failure with more context: a message replaces what it quotes.
 void CPL_STDCALL Collect(CPLErr severity, CPLErrorNum number, const char* text)
 {
-  if (severity < CE_Failure)
+  std::string message(text);
+  const bool isCutShort = message.find(CutShort) != std::string::npos;
+  if (severity < CE_Failure && !isCutShort)
   {
     return;
   }
-  std::string message(text);
+  message.erase(std::min(message.find(Advice), message.size()));
   while (!message.empty() && (message.back() == '.' || message.back() == '\n'))
   {
     message.pop_back();
   }
   auto* errors = static_cast<GDALSession::Collection*>(CPLGetErrorHandlerUserData());
-  errors->OfFiles = errors->OfFiles || number == CPLE_FileIO;
+  errors->OfFiles = errors->OfFiles || number == CPLE_FileIO || isCutShort;
   std::vector<std::string>& texts = errors->Texts;
   texts.erase(
     std::remove_if(texts.begin(), texts.end(),
@@ -38,10 +46,17 @@ GDALSession::GDALSession()
   static const bool registered = (GDALAllRegister(), true);
   static_cast<void>(registered);
   CPLPushErrorHandlerEx(&Collect, &this->Errors);
+  if (const char* option = CPLGetThreadLocalConfigOption(LargeReadsOption, nullptr))
+  {
+    this->LargeReads = option;
+  }
+  CPLSetThreadLocalConfigOption(LargeReadsOption, "NO");
 }
 
 GDALSession::~GDALSession()
 {
+  CPLSetThreadLocalConfigOption(
+    LargeReadsOption, this->LargeReads ? this->LargeReads->c_str() : nullptr);
   CPLPopErrorHandler();
 }
 

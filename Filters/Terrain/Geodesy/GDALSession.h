@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   GDALSession
- * @brief   GDAL ready for use, its messages collected instead of printed
+ * @brief   GDAL ready for use: its messages collected instead of printed, files cut short told
  *
  * Private to the module's own sources; only in builds with RELEVO_USE_GDAL.
  */
@@ -12,13 +12,15 @@
 #include <gdal.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace relevo
 {
 /**
- * Lives as long as the calls whose messages are wanted, on the thread that makes them.
+ * Lives as long as the calls whose messages are wanted, on the thread that makes them. Meanwhile
+ * GDAL reads raw files by lines: in larger parts it fills up with zeros what is missing.
  */
 class GDALSession
 {
@@ -43,6 +45,7 @@ private:
   void operator=(const GDALSession&) = delete;
 
   Collection Errors;
+  std::optional<std::string> LargeReads; // the option as it was
 };
 
 struct GDALCloser

@@ -4,6 +4,7 @@
 
 #include "Geodesy/CoordinateSystem.h"
 #include "Geodesy/GDALSession.h"
+#include "Raster/RawFile.h"
 #include "vtkType.h"
 
 #include <gdal.h>
@@ -18,7 +19,8 @@ struct GDALRaster::Internals
   GDALDatasetPointer Dataset;
   GDALRasterBandH Band = nullptr;
   GDALDataType Type = GDT_Unknown;
-  int RowsPerBlock = 1; // as they are
+  int RowsPerBlock = 1;   // as they are
+  std::string Truncation; // what there is to say of it when rows are read
 
   void SetBand(GDALRasterBandH band, RasterDescription& contents);
 };
@@ -176,6 +178,7 @@ std::unique_ptr<GDALRaster> GDALRaster::Open(const std::string& fileName, std::s
       DescribeCoordinateSystem(system, contents.Location);
     }
   }
+  raster->Implementation->Truncation = FindTruncation(dataset.get());
   raster->Implementation->Type = GDALGetRasterDataType(band);
   raster->Implementation->SetBand(band, contents);
   raster->Implementation->Dataset = std::move(dataset);
@@ -186,7 +189,8 @@ bool GDALRaster::Claims(const std::string& fileName)
 {
   GDALSession session;
   const GDALDriverH driver = GDALIdentifyDriver(fileName.c_str(), nullptr);
-  return driver && std::string(GDALGetDriverShortName(driver)) == "PNG";
+  const std::string name = driver ? GDALGetDriverShortName(driver) : "";
+  return name == "PNG" || name == "JPEG";
 }
 
 void GDALRaster::SelectLevel(int width, int height)
@@ -209,6 +213,11 @@ void GDALRaster::SelectLevel(int width, int height)
 
 bool GDALRaster::ReadRows(int first, int count, void* samples, std::string& error)
 {
+  if (!this->Implementation->Truncation.empty())
+  {
+    error = this->Implementation->Truncation;
+    return false;
+  }
   GDALSession session;
   // GDAL would keep blocks that were read up to a share of the machine's memory.
   if (first % this->Implementation->RowsPerBlock == 0)
@@ -234,7 +243,9 @@ bool GDALRaster::ReadMask(int first, int count, unsigned char* mask, std::string
 {
   GDALSession session;
   if (GDALRasterIO(GDALGetMaskBand(this->Implementation->Band), GF_Read, 0, first,
-        this->Contents.Width, count, mask, this->Contents.Width, count, GDT_Byte, 0, 0) == CE_None)
+        this->Contents.Width, count, mask, this->Contents.Width, count, GDT_Byte, 0,
+        0) == CE_None &&
+    !session.HasErrors())
   {
     return true;
   }

@@ -26,7 +26,8 @@ public:
 
   /**
    * Whether the file is, broken or not, of a format that only GDAL shall read: PNG, because libpng
-   * under OpenImageIO writes its errors on stderr.
+   * under OpenImageIO writes its errors on stderr, and JPEG, of which OpenImageIO does not tell
+   * when it is cut short.
    */
   static bool Claims(const std::string& fileName);
 

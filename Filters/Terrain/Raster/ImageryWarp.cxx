@@ -3,6 +3,7 @@
 #include "Raster/ImageryWarp.h"
 
 #include "Geodesy/GDALSession.h"
+#include "Raster/RawFile.h"
 
 #include <cpl_conv.h>
 #include <cpl_string.h>
@@ -333,6 +334,11 @@ struct Picture
       source.FileName.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, options, nullptr));
     const GDALDatasetH dataset = this->Dataset.get();
     if (!dataset || GDALGetRasterCount(dataset) < 1)
+    {
+      return false;
+    }
+    error = FindTruncation(dataset);
+    if (!error.empty())
     {
       return false;
     }

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Raster/OpenImageIORaster.h"
 
+#if RELEVO_HAS_GDAL
+#include "Geodesy/GDALSession.h"
+#endif
 #include "vtkType.h"
 
 #include <OpenImageIO/imageio.h>
@@ -183,6 +186,9 @@ bool OpenImageIORaster::ReadRows(int first, int count, void* samples, std::strin
   {
     return this->Alternative->ReadRows(first, count, samples, error);
   }
+#if RELEVO_HAS_GDAL
+  GDALSession session; // GDAL prints the errors of libtiff, also of other programs' calls
+#endif
   OIIO::ImageInput& input = *own.Input;
   const OIIO::ImageSpec& spec = own.Spec;
   const int begin = spec.y + first;

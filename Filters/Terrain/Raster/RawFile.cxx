@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Raster/RawFile.h"
+
+#include <cpl_vsi.h>
+#include <gdal_priv.h>
+
+#include <algorithm>
+
+namespace relevo
+{
+std::string FindTruncation(GDALDatasetH dataset)
+{
+  GDALDataset::RawBinaryLayout layout;
+  VSIStatBufL file;
+  if (!GDALDataset::FromHandle(dataset)->GetRawBinaryLayout(layout) ||
+    VSIStatL(layout.osRawFilename.c_str(), &file) != 0)
+  {
+    return "";
+  }
+  // Rows may be stored from the last to the first, and so on.
+  const auto extent = [](long long offset, int count)
+  { return std::max(0LL, offset * (count - 1)); };
+  const long long needed = static_cast<long long>(layout.nImageOffset) +
+    extent(layout.nPixelOffset, GDALGetRasterXSize(dataset)) +
+    extent(layout.nLineOffset, GDALGetRasterYSize(dataset)) +
+    extent(layout.nBandOffset, GDALGetRasterCount(dataset)) +
+    GDALGetDataTypeSizeBytes(layout.eDataType);
+  if (file.st_size >= needed)
+  {
+    return "";
+  }
+  return "the file is cut short: it has " + std::to_string(file.st_size) + " bytes of " +
+    std::to_string(needed);
+}
+}
