@@ -28,22 +28,31 @@ inline vtkDataArray* GetGivenNormals(vtkPolyData* mesh)
     : nullptr;
 }
 
-/// Makes a unit vector of the normal at a point. False where it is zero or not finite.
-inline bool GetUnitNormal(vtkDataArray* normals, vtkIdType point, double normal[3])
+/// Makes a unit vector of the normal at a point, and returns the length that it had. It is none
+/// where that is zero or not finite.
+inline double GetUnitNormal(vtkDataArray* normals, vtkIdType point, double normal[3])
 {
   normals->GetTuple(point, normal);
-  const double length = vtkMath::Normalize(normal);
+  return vtkMath::Normalize(normal);
+}
+
+inline bool IsLengthOfNormal(double length)
+{
   return std::isfinite(length) && length > 0.0;
 }
 
-/// Whether there are normals, but no direction at some of the points.
-inline bool MissesNormals(vtkPolyData* mesh)
+/// Whether there are normals that a refined mesh cannot be drawn with: without a direction, or,
+/// where vertices and lines take them as they are, of another length than 1.
+inline bool NeedsUnitNormals(vtkPolyData* mesh)
 {
+  constexpr double rounding = 1e-4;
+  const bool isRefinedAlone = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines() == 0;
   vtkDataArray* normals = GetGivenNormals(mesh);
   double normal[3];
   for (vtkIdType i = 0; normals && i < mesh->GetNumberOfPoints(); ++i)
   {
-    if (!GetUnitNormal(normals, i, normal))
+    const double length = GetUnitNormal(normals, i, normal);
+    if (!IsLengthOfNormal(length) || !(isRefinedAlone || std::abs(length - 1.0) < rounding))
     {
       return true;
     }

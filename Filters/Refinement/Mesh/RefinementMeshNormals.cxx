@@ -51,7 +51,7 @@ void RefinementMesh::BuildNormals(vtkPolyData* input)
   for (vtkIdType i = 0; given && i < this->NumberOfPoints; ++i)
   {
     double normal[3];
-    if (GetUnitNormal(given, i, normal))
+    if (IsLengthOfNormal(GetUnitNormal(given, i, normal)))
     {
       std::copy_n(normal, 3, &this->Normals[3 * static_cast<size_t>(i)]);
     }

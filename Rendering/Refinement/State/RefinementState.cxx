@@ -36,6 +36,16 @@ std::string Take(std::string& text)
   taken.swap(text);
   return taken;
 }
+
+void SetNormals(vtkPolyData* mesh, const std::vector<float>& values)
+{
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(mesh->GetNumberOfPoints());
+  std::copy(values.begin(), values.end(), normals->GetPointer(0));
+  mesh->GetPointData()->SetNormals(normals);
+}
 }
 
 RefinementState::RefinementState() = default;
@@ -78,15 +88,15 @@ bool RefinementState::BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recip
     AppendObject(dependencies, displacement ? displacement->GetHeightMap() : nullptr);
     AppendBits(dependencies, recipe->GetNoDataMagnitude()); // of the colours of its points
   }
-  // Normals that the filter would make up, where a mesh is refined.
+  // Normals as the filter would make them, where a mesh is refined.
   const bool refines = recipe && recipe->GetMaximumLevel() > 0;
-  dependencies.push_back(refines && this->MissesNormals ? 1 : 0);
+  dependencies.push_back(refines && this->NeedsUnitNormals ? 1 : 0);
   if (dependencies == this->MeshDependencies)
   {
     return this->MeshValid;
   }
-  this->MissesNormals = relevo::MissesNormals(input);
-  dependencies.back() = refines && this->MissesNormals ? 1 : 0;
+  this->NeedsUnitNormals = relevo::NeedsUnitNormals(input);
+  dependencies.back() = refines && this->NeedsUnitNormals ? 1 : 0;
   this->MeshDependencies = dependencies;
   this->MeshValid = false;
   this->MeshTime.Modified();
@@ -106,7 +116,7 @@ bool RefinementState::BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recip
     return false;
   }
   if (!mesh->Build(
-        input, recipe->GetSurface(), recipe->GetDisplacement(), refines && this->MissesNormals))
+        input, recipe->GetSurface(), recipe->GetDisplacement(), refines && this->NeedsUnitNormals))
   {
     this->Error = "Cannot refine the input: " + mesh->GetError() + ".";
     return false;
@@ -126,14 +136,10 @@ bool RefinementState::BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recip
   }
   EmptyGhosts(input, this->PreparedInput);
   vtkDataArray* given = input->GetPointData()->GetNormals();
-  if (!mesh->Normals.empty() && (!given || given->GetNumberOfComponents() != 3))
+  if (!mesh->Normals.empty() &&
+    (!given || given->GetNumberOfComponents() != 3 || (refines && this->NeedsUnitNormals)))
   {
-    vtkNew<vtkFloatArray> normals;
-    normals->SetName("Normals");
-    normals->SetNumberOfComponents(3);
-    normals->SetNumberOfTuples(input->GetNumberOfPoints());
-    std::copy(mesh->Normals.begin(), mesh->Normals.end(), normals->GetPointer(0));
-    this->PreparedInput->GetPointData()->SetNormals(normals);
+    SetNormals(this->PreparedInput, mesh->Normals);
   }
   this->MeshValid = true;
   return true;

@@ -124,7 +124,7 @@ private:
   std::shared_ptr<const RefinementMesh> Mesh = std::make_shared<RefinementMesh>();
   Dependencies MeshDependencies;
   bool MeshValid = false;
-  bool MissesNormals = false; // the input, at some points
+  bool NeedsUnitNormals = false; // of the input
   vtkTimeStamp MeshTime;
   vtkNew<vtkPolyData> PreparedInput;
 

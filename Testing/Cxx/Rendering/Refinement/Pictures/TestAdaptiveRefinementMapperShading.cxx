@@ -4,6 +4,7 @@
 // colours, textures.
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
+#include "RelevoUnevenNormals.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -158,6 +159,25 @@ int TestAdaptiveRefinementMapperShading(int argc, char* argv[])
       mesh->GetCellData()->SetNormals(normals);
       s.Add(mesh);
     });
+  // Drawn as they are where nothing is refined, also after something was.
+  comparison.Compare("Shading.UnevenNormals", Tight,
+    [](RelevoScene& s)
+    {
+      vtkProperty* property = s.Add(WithUnevenNormals(Mixed(), true))->GetProperty();
+      property->SetPointSize(8);
+      property->SetLineWidth(4);
+    },
+    { { "AfterRefinement",
+      [](RelevoScene& s)
+      {
+        if (s.Kind == RelevoScene::Refining)
+        {
+          vtkAdaptiveRefinement* recipe = s.GetMapper(0)->GetRefinement();
+          recipe->SetMaximumLevel(2);
+          s.Render();
+          recipe->SetMaximumLevel(0);
+        }
+      } } });
 
   // Lights.
   compare("Specular",

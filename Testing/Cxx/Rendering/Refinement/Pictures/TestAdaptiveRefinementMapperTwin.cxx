@@ -4,6 +4,7 @@
 // vtkAdaptiveRefinementFilter's output, and as many triangles.
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
+#include "RelevoUnevenNormals.h"
 
 #include "vtkDisplacement.h"
 #include "vtkDistanceDepthTagMetric.h"
@@ -152,6 +153,23 @@ int TestAdaptiveRefinementMapperTwin(int argc, char* argv[])
         property->SetRepresentationToPoints();
         property->SetPointSize(3);
       });
+  }
+
+  // Vertices and lines of a refined mesh take the filter's normals.
+  for (bool someAreZero : { false, true })
+  {
+    for (const auto& surface : surfaces)
+    {
+      compare(std::string(surface.Name) + (someAreZero ? ".ZeroNormals" : ".UnevenNormals"),
+        [&](RelevoScene& s)
+        {
+          vtkProperty* property =
+            s.Add(WithUnevenNormals(Mixed(), someAreZero), MakeRecipe(3, surface.Surface))
+              ->GetProperty();
+          property->SetPointSize(8);
+          property->SetLineWidth(4);
+        });
+    }
   }
 
   // Displacements.
