@@ -10,7 +10,9 @@
 #include "relevoLICVectorsFS.h"
 #include "relevoLICVectorsVS.h"
 
-#include "Shaders/RefinementShader.h"
+#include "Shaders/RefinementShaderOptions.h"
+#include "Shaders/ShaderText.h"
+#include "State/ActorLook.h"
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkFloatArray.h"
@@ -34,21 +36,6 @@
 
 namespace
 {
-// Put text before main().
-void InsertBeforeMain(vtkShader* shader, const std::string& text)
-{
-  std::string source = shader->GetSource();
-  source.insert(source.find("void main("), text);
-  shader->SetSource(source);
-}
-
-void SubstituteIn(vtkShader* shader, const std::string& tag, const std::string& text)
-{
-  std::string source = shader->GetSource();
-  vtkShaderProgram::Substitute(source, tag, text, false);
-  shader->SetSource(source);
-}
-
 // OpenGL's matrices are stored by columns.
 void SetMatrix(vtkShaderProgram* program, const char* name, vtkMatrix4x4* matrix)
 {
@@ -147,9 +134,9 @@ void vtkAdaptiveLICMapper::ExtendShaders(
     lic.HasNormals = options.HasNormals || lic.HasPointNormals;
     extension.Varyings = { { "", "vec4", "relevoLICField" },
       { "", "vec3", lic.HasNormals ? "relevoLICNormal" : "relevoLICPosition" } };
-    extension.Declarations = std::string(relevoLICVectorsVS) +
-      (ofCells ? "uniform samplerBuffer relevoLICCells;\n" : "") +
-      (root.StretchesColors() ? "// and colours\n" : "");
+    extension.Declarations =
+      std::string(relevoLICVectorsVS) + (ofCells ? "uniform samplerBuffer relevoLICCells;\n" : "");
+    extension.Key = root.StretchesColors() ? "vectors and colours" : "vectors";
     extension.Statements = std::string("  relevoLICFieldVSOutput = ") +
       (ofCells ? "texelFetch(relevoLICCells, relevoFace.w >> 3)" : "relevoLICVector") +
       ";\n"
@@ -161,7 +148,7 @@ void vtkAdaptiveLICMapper::ExtendShaders(
   }
   else if (root.Screen && !this->DrawingVertices)
   {
-    extension.Declarations = root.StretchesColors() ? "// LIC, stretched\n" : "// LIC\n";
+    extension.Key = root.StretchesColors() ? "LIC, stretched" : "LIC";
   }
 }
 
@@ -170,35 +157,42 @@ void vtkAdaptiveLICMapper::ReplaceShaderValues(
 {
   vtkInternals& lic = *this->LIC;
   vtkInternals& root = *lic.Root->LIC;
-  vtkShader* fragment = shaders[vtkShader::Fragment];
   const std::string place = "//VTK::DepthPeeling::Impl"; // the fragment has its colour
   std::string functions;
   if (this->LastBoundBO == lic.Vectors)
   {
-    SubstituteIn(shaders[vtkShader::Vertex], "//VTK::TCoord::Dec",
+    relevo::ShaderText vertex(shaders[vtkShader::Vertex], this->MissingAnchors);
+    vertex.InsertBefore("//VTK::TCoord::Dec",
       std::string(lic.CellVectors.IsEmpty() ? "in vec4 relevoLICVector;\n" : "") +
-        (lic.HasPointNormals ? "in vec3 relevoLICPointNormal;\n" : "") + "//VTK::TCoord::Dec");
-    SubstituteIn(fragment, place,
+        (lic.HasPointNormals ? "in vec3 relevoLICPointNormal;\n" : ""));
+    relevo::ShaderText fragment(shaders[vtkShader::Fragment], this->MissingAnchors);
+    fragment.InsertBefore(place,
       std::string(root.StretchesColors() ? "gl_FragData[1] = gl_FragData[0];\n  " : "") +
-        "gl_FragData[0] = relevoLICVector();\n  " + place);
+        "gl_FragData[0] = relevoLICVector();\n  ");
     functions =
       std::string(lic.HasNormals ? "#define RELEVO_LIC_NORMALS\n" : "") + relevoLICVectorsFS;
   }
   else if (this->IsFaceHelper(this->LastBoundBO) && root.Screen && !this->DrawingVertices)
   {
-    SubstituteIn(
-      fragment, place, "gl_FragData[0].rgb = RELEVO_LIC(gl_FragData[0].rgb);\n  " + place);
+    relevo::ShaderText fragment(shaders[vtkShader::Fragment], this->MissingAnchors);
+    fragment.InsertBefore(place, "gl_FragData[0].rgb = RELEVO_LIC(gl_FragData[0].rgb);\n  ");
     functions = std::string(root.StretchesColors() ? "#define RELEVO_LIC_STRETCH\n" : "") +
       relevoLICStretch + relevoLICColor + relevoLICApplyFS;
   }
   this->Superclass::ReplaceShaderValues(shaders, ren, act);
   if (!functions.empty())
   {
-    // VTK has mixed the edges that it shows into the colour by then, by `emix`.
-    functions += fragment->GetSource().find("float emix") == std::string::npos
-      ? "#define RELEVO_LIC(color) relevoLICFragment(color)\n"
-      : "#define RELEVO_LIC(color) mix(relevoLICFragment(color), color, emix)\n";
-    InsertBeforeMain(fragment, functions); // behind the varyings
+    relevo::ShaderText fragment(shaders[vtkShader::Fragment], this->MissingAnchors);
+    // VTK has mixed the edges that it shows into the colour by then.
+    const std::string edges = "float emix";
+    functions += fragment.Has(edges)
+      ? "#define RELEVO_LIC(color) mix(relevoLICFragment(color), color, emix)\n"
+      : "#define RELEVO_LIC(color) relevoLICFragment(color)\n";
+    if (!fragment.Has(edges) && this->DrawingEdges(ren, act) && !relevo::HasOwnFragments(act))
+    {
+      fragment.Miss(edges);
+    }
+    fragment.InsertBeforeMain(functions); // behind the varyings
   }
 }
 

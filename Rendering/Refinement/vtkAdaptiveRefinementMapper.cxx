@@ -213,6 +213,7 @@ void vtkAdaptiveRefinementMapper::ReleaseGraphicsResources(vtkWindow* window)
   }
   data.MethodProblem.clear();
   data.Failure = {};
+  data.ShaderProblem.clear();
   data.ReleaseLooks(window);
   data.Colors.ReleaseGraphicsResources(window);
   data.Clock.ReleaseGraphicsResources();
@@ -468,6 +469,16 @@ void vtkAdaptiveRefinementMapper::UpdateMaximumPointCellIds(vtkRenderer* ren, vt
 void vtkAdaptiveRefinementMapper::ProcessSelectorPixelBuffers(
   vtkHardwareSelector* sel, std::vector<unsigned int>& pixeloffsets, vtkProp* prop)
 {
+  if (this->Internals->LacksIds)
+  {
+    // What other passes have drawn would be found with ids of 0.
+    this->Internals->LacksIds = false;
+    unsigned char* actors = sel->GetPixelBuffer(vtkHardwareSelector::ACTOR_PASS);
+    for (unsigned int pixel : pixeloffsets)
+    {
+      std::fill_n(actors + pixel, 3, static_cast<unsigned char>(0));
+    }
+  }
   if (this->Internals->Blocks.IsEmpty())
   {
     this->Superclass::ProcessSelectorPixelBuffers(sel, pixeloffsets, prop);

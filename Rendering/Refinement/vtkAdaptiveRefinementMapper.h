@@ -414,6 +414,8 @@ protected:
   void BuildBufferObjects(vtkRenderer* ren, vtkActor* act) override;
   void BuildIBO(vtkRenderer* ren, vtkActor* act, vtkPolyData* poly) override;
   bool GetNeedToRebuildShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;
+  void BuildShaders(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act) override;
   void ReplaceShaderValues(
     std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act) override;
   void SetMapperShaderParameters(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;
@@ -436,9 +438,7 @@ protected:
    * For subclasses that add to the vertex shader of a helper's faces: they fill in
    * options.Extension. Shaders are written anew when it has changed.
    */
-  virtual void ExtendShaders(const vtkOpenGLHelper*, relevo::RefinementShaderOptions&)
-  {
-  }
+  virtual void ExtendShaders(const vtkOpenGLHelper*, relevo::RefinementShaderOptions&);
 
   /// One pass over the input, all blocks of a composite data set.
   virtual void RenderRefined(vtkRenderer* ren, vtkActor* act);

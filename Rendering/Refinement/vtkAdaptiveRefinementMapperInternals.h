@@ -79,6 +79,8 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
 
   std::string ColorProblem; // said last
   std::string LevelTableProblem;
+  std::string ShaderProblem;
+  bool LacksIds = false; // in a pass of the selection that goes on
 
   // Selections on the GPU.
   relevo::RefinementComputeState Compute;
@@ -118,7 +120,8 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
     std::string ShaderKey;
     std::string FailedKey; // of shaders that could not be built
     std::vector<std::string> Attributes;
-    int Method = -1; // whose program it is; -1 for VTK's shader cache
+    int Method = -1;           // whose program it is; -1 for VTK's shader cache
+    bool DrawsNothing = false; // for want of anchors
   };
   std::map<const vtkOpenGLHelper*, ProgramState> Programs;
   vtkNew<vtkShaderProgram> NoProgram;

@@ -155,7 +155,7 @@ void vtkAdaptiveRefinementMapper::DrawFaces(
     mode = GL_POINTS;
   }
   this->UpdateRefiningShaders(cellBO, ren, act);
-  if (!cellBO.Program || !data.Drawable)
+  if (!cellBO.Program || !data.Drawable || data.Programs[&cellBO].DrawsNothing)
   {
     return;
   }

@@ -8,6 +8,7 @@
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDisplacement.h"
+#include "vtkHardwareSelector.h"
 #include "vtkLinearSurface.h"
 #include "vtkNew.h"
 #include "vtkOpenGLVertexArrayObject.h"
@@ -124,6 +125,10 @@ bool vtkAdaptiveRefinementMapper::BuildStages(
     shaders[types[i]] = stages[i];
   }
   this->BuildShaders(shaders, ren, act);
+  if (data.Programs[&cellBO].DrawsNothing)
+  {
+    return false; // said by now; VTK's shader cache has a program for them
+  }
   vtkShaderProgram* program =
     data.GetMethod().BuildProgram(data.GetDrawing(this->Refinement), shaders);
   if (!program)
@@ -146,24 +151,61 @@ std::string vtkAdaptiveRefinementMapper::vtkInternals::GetShaderCause(
     (surface ? surface->GetShaderSource() : "");
 }
 
+void vtkAdaptiveRefinementMapper::ExtendShaders(
+  const vtkOpenGLHelper*, relevo::RefinementShaderOptions&)
+{
+}
+
+void vtkAdaptiveRefinementMapper::BuildShaders(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act)
+{
+  vtkInternals& data = *this->Internals;
+  this->MissingAnchors.clear();
+  this->Superclass::BuildShaders(shaders, ren, act);
+  const std::string problem =
+    this->MissingAnchors.empty() ? "" : relevo::Describe(this->MissingAnchors);
+  if (!problem.empty())
+  {
+    relevo::DrawNothing(shaders);
+  }
+  data.Programs[this->LastBoundBO].DrawsNothing = !problem.empty();
+  data.LacksIds = ren->GetSelector() && (data.LacksIds || !problem.empty());
+  if (problem != data.ShaderProblem)
+  {
+    data.ShaderProblem = problem;
+    if (!problem.empty())
+    {
+      vtkErrorMacro(<< problem);
+    }
+  }
+}
+
 void vtkAdaptiveRefinementMapper::ReplaceShaderValues(
   std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act)
 {
-  if (this->IsFaceHelper(this->LastBoundBO))
+  if (!this->IsFaceHelper(this->LastBoundBO))
   {
-    relevo::MarkColors(shaders);
+    this->Superclass::ReplaceShaderValues(shaders, ren, act);
+    return;
   }
+  const int mode =
+    this->GetOpenGLMode(act->GetProperty()->GetRepresentation(), this->LastBoundBO->PrimitiveType);
+  relevo::ShaderPurpose purpose;
+  purpose.HasLines = mode == GL_LINES && !this->PointPicking;
+  purpose.HasEdges =
+    this->DrawingEdges(ren, act) && !act->GetShaderProperty()->HasGeometryShaderCode();
+  purpose.HasPointIds = this->LastSelectionState == vtkHardwareSelector::POINT_ID_LOW24 ||
+    this->LastSelectionState == vtkHardwareSelector::POINT_ID_HIGH24;
+  purpose.HasCellIds = this->LastSelectionState == vtkHardwareSelector::CELL_ID_LOW24 ||
+    this->LastSelectionState == vtkHardwareSelector::CELL_ID_HIGH24;
+  purpose.HasOwnFragments = relevo::HasOwnFragments(act);
+  const relevo::RefinementShaderOptions options =
+    this->Internals->GetShaderOptions(this, this->LastBoundBO);
+  relevo::MarkColors(options, purpose, shaders, this->MissingAnchors);
   this->Superclass::ReplaceShaderValues(shaders, ren, act);
-  if (this->IsFaceHelper(this->LastBoundBO))
-  {
-    const int mode = this->PointPicking
-      ? GL_POINTS
-      : this->GetOpenGLMode(
-          act->GetProperty()->GetRepresentation(), this->LastBoundBO->PrimitiveType);
-    ++this->Internals->NumberOfShaderBuilds;
-    this->Internals->Programs[this->LastBoundBO].Attributes = relevo::RefineShaders(
-      this->Internals->GetShaderOptions(this, this->LastBoundBO), mode == GL_LINES, shaders);
-  }
+  ++this->Internals->NumberOfShaderBuilds;
+  this->Internals->Programs[this->LastBoundBO].Attributes =
+    relevo::RefineShaders(options, purpose, shaders, this->MissingAnchors);
 }
 
 void vtkAdaptiveRefinementMapper::SetMapperShaderParameters(

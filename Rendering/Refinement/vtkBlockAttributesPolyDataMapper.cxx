@@ -3,6 +3,8 @@
 #include "vtkBlockAttributesPolyDataMapper.h"
 
 #include "Blocks/BlockLook.h"
+#include "Shaders/RefinementShader.h"
+#include "State/ActorLook.h"
 
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataObject.h"
@@ -219,18 +221,14 @@ void vtkBlockAttributesPolyDataMapper::ReplaceShaderColor(
   if (!ren->GetSelector())
   {
     // In all programs: a colour that comes and goes needs no other.
-    std::string fragment = shaders[vtkShader::Fragment]->GetSource();
-    vtkShaderProgram::Substitute(
-      fragment, "//VTK::Color::Dec", "uniform bool relevoBlockColored;\n//VTK::Color::Dec", false);
-    vtkShaderProgram::Substitute(fragment, "//VTK::Color::Impl",
-      "//VTK::Color::Impl\n"
-      "  if (relevoBlockColored)\n"
+    relevo::ShaderText fragment(shaders[vtkShader::Fragment], this->MissingAnchors);
+    relevo::InsertColors(fragment, relevo::HasOwnFragments(act),
+      "\n  if (relevoBlockColored)\n"
       "  {\n"
       "    ambientColor = ambientIntensity * ambientColorUniform;\n"
       "    diffuseColor = diffuseIntensity * diffuseColorUniform;\n"
-      "  }\n",
-      false);
-    shaders[vtkShader::Fragment]->SetSource(fragment);
+      "  }\n");
+    fragment.InsertBeforeMain("uniform bool relevoBlockColored;\n");
   }
   this->Superclass::ReplaceShaderColor(shaders, ren, act);
 }

@@ -30,6 +30,8 @@
 #include "vtkSmartPointer.h" // for members
 
 #include <memory> // for Look
+#include <set>    // for MissingAnchors
+#include <string> // for MissingAnchors
 
 class vtkCompositeDataDisplayAttributes;
 
@@ -120,6 +122,11 @@ protected:
   const relevo::BlockLook& GetLook();
   void SetLook(const relevo::BlockLook& look);
   //@}
+
+  /**
+   * What VTK's text lacks of the shaders that are being written; see relevo::ShaderText.
+   */
+  std::set<std::string> MissingAnchors;
 
 private:
   vtkBlockAttributesPolyDataMapper(const vtkBlockAttributesPolyDataMapper&) = delete;

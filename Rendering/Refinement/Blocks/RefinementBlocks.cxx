@@ -24,6 +24,8 @@ RefinementBlocks::~RefinementBlocks() = default;
 void RefinementBlocks::Update(vtkBlockAttributesPolyDataMapper* parent, vtkCompositeDataSet* input)
 {
   // How blocks look is no setting that they copy.
+  this->Parent = parent;
+  this->Said.clear();
   const bool changed = this->SyncTime < parent->vtkOpenGLPolyDataMapper::GetMTime();
   // In place: this is also asked for while the blocks draw.
   std::set<unsigned int> indices;
@@ -43,14 +45,8 @@ void RefinementBlocks::Update(vtkBlockAttributesPolyDataMapper* parent, vtkCompo
     {
       mapper.TakeReference(parent->NewInstance());
       mapper->SetPopulateSelectionSettings(0);
-      // Errors come from the object the user holds.
-      auto forward = [](vtkObject*, unsigned long event, void* client, void* text)
-      { static_cast<vtkBlockAttributesPolyDataMapper*>(client)->InvokeEvent(event, text); };
-      vtkNew<vtkCallbackCommand> command;
-      command->SetCallback(forward);
-      command->SetClientData(parent);
-      mapper->AddObserver(vtkCommand::ErrorEvent, command);
-      mapper->AddObserver(vtkCommand::WarningEvent, command);
+      this->Forward(mapper, vtkCommand::ErrorEvent);
+      this->Forward(mapper, vtkCommand::WarningEvent);
     }
     if (changed || isNew)
     {
@@ -75,6 +71,25 @@ void RefinementBlocks::Update(vtkBlockAttributesPolyDataMapper* parent, vtkCompo
   {
     this->SyncTime.Modified();
   }
+}
+
+void RefinementBlocks::Forward(vtkBlockAttributesPolyDataMapper* block, unsigned long event)
+{
+  vtkNew<vtkCallbackCommand> command;
+  command->SetCallback(
+    [](vtkObject*, unsigned long id, void* client, void* data)
+    {
+      RefinementBlocks* self = static_cast<RefinementBlocks*>(client);
+      // Behind the address of the block, which VTK's macros put before what they are given.
+      const std::string text = static_cast<const char*>(data);
+      const size_t colon = text.find("): ");
+      if (self->Said.insert(colon == std::string::npos ? text : text.substr(colon)).second)
+      {
+        self->Parent->InvokeEvent(id, data);
+      }
+    });
+  command->SetClientData(this);
+  block->AddObserver(event, command);
 }
 
 void RefinementBlocks::UpdateLooks(

@@ -14,6 +14,8 @@
 
 #include <functional> // for ForEach
 #include <map>        // for members
+#include <set>        // for members
+#include <string>     // for members
 #include <vector>     // for pixel offsets
 
 class vtkActor;
@@ -56,11 +58,15 @@ public:
   bool IsEmpty() const { return this->Mappers.empty(); }
 
 private:
+  /// Have the parent say what a block says, unless another one has said the same.
+  void Forward(vtkBlockAttributesPolyDataMapper* block, unsigned long event);
   void UpdateLooks(vtkCompositeDataDisplayAttributes* attributes, vtkCompositeDataSet* input);
 
   std::map<unsigned int, vtkSmartPointer<vtkBlockAttributesPolyDataMapper>>
     Mappers; // by flat index
   vtkTimeStamp SyncTime;
+  vtkBlockAttributesPolyDataMapper* Parent = nullptr;
+  std::set<std::string> Said; // what blocks have said since the last update
 };
 }
 

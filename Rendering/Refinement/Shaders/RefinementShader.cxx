@@ -19,7 +19,6 @@
 #include "relevoWeights.h"
 
 #include "Core/VTKCompatibility.h"
-#include "vtkShaderProgram.h"
 
 #include <regex>
 #include <sstream>
@@ -30,22 +29,9 @@ namespace
 {
 // Where colours of faces replace VTK's own, in the fragment shader.
 constexpr const char* ColorMark = "//Relevo::Color::Impl";
-
-// Put text before the first main().
-void InsertBeforeMain(std::string& source, const std::string& text)
-{
-  const size_t main = source.find("void main(");
-  if (main != std::string::npos)
-  {
-    source.insert(main, text);
-  }
-}
-
-// Put text right after the directive that becomes #version.
-void InsertAfterVersion(std::string& source, const std::string& text)
-{
-  vtkShaderProgram::Substitute(source, "//VTK::System::Dec", "//VTK::System::Dec\n" + text, false);
-}
+// Where VTK writes the colours of fragments and, in the geometry shader, which sides to show.
+constexpr const char* VTKColorMark = "//VTK::Color::Impl";
+constexpr const char* EdgeMark = "//VTK::Edges::Impl";
 
 // What scalars make of an attribute; coarse points keep what VTK gave them.
 std::string GetScalarStatement(
@@ -106,78 +92,87 @@ std::string GetDefines(const RefinementShaderOptions& options, bool edges, bool 
   define(lines, "RELEVO_LINES");
   return text.str();
 }
+
+// Attributes that vertices no longer have of their own.
+struct TakenAttributes
+{
+  std::vector<std::string> Names;
+  std::string Samplers;   // declarations of where they are read from
+  std::string Fetches;    // statements that read them
+  bool HasNormal = false; // set by the refined surface
+};
+
+std::string GetFetch(
+  const RefinementShaderOptions& options, const std::string& type, const std::string& name)
+{
+  const std::string sampler = GetAttributeSampler(name);
+  const std::string components =
+    type == "float" ? ".x" : (type == "vec2" ? ".xy" : (type == "vec3" ? ".xyz" : ""));
+  std::ostringstream text;
+  text << "  " << name << " = weightedSum(texelFetch(" << sampler << ", relevoFace.x), texelFetch("
+       << sampler << ", relevoFace.y), texelFetch(" << sampler << ", relevoFace.z), w)"
+       << components << ";\n"
+       << GetScalarStatement(options.Scalars, name, sampler);
+  if (name == "normalMC")
+  {
+    // Unit normals, as the filter's, unless the mesh is drawn as it is.
+    text << "  if (relevoUnitNormals == 1) { normalMC = unitVector(weightedSum("
+         << "unitVector(texelFetch(" << sampler << ", relevoFace.x).xyz), "
+         << "unitVector(texelFetch(" << sampler << ", relevoFace.y).xyz), "
+         << "unitVector(texelFetch(" << sampler << ", relevoFace.z).xyz), w)); }\n";
+  }
+  return text.str();
 }
 
-std::string RefinementShaderOptions::GetKey() const
+// Have the attributes that VTK declares be plain globals.
+TakenAttributes TakeAttributes(const RefinementShaderOptions& options, ShaderText& vertex)
 {
-  return GetDefines(*this, false, false) + this->PlacementSource + this->SurfaceSource +
-    this->Extension.Declarations + this->Extension.Statements;
-}
-
-void MarkColors(std::map<vtkShader::Type, vtkShader*>& shaders)
-{
-  std::string fragment = shaders[vtkShader::Fragment]->GetSource();
-  vtkShaderProgram::Substitute(
-    fragment, "//VTK::Color::Impl", std::string("//VTK::Color::Impl\n  ") + ColorMark, false);
-  shaders[vtkShader::Fragment]->SetSource(fragment);
-}
-
-std::string GetAttributeSampler(const std::string& attribute)
-{
-  return "relevo_" + attribute;
-}
-
-std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, bool lines,
-  std::map<vtkShader::Type, vtkShader*>& shaders)
-{
-  std::string vertex = shaders[vtkShader::Vertex]->GetSource();
-  std::string geometry = shaders[vtkShader::Geometry]->GetSource();
-  std::string fragment = shaders[vtkShader::Fragment]->GetSource();
-  const bool edges = geometry.find("//VTK::Edges::Impl") != std::string::npos;
-
-  // Attributes become globals.
-  std::vector<std::string> attributes;
-  std::ostringstream samplers;
-  std::ostringstream fetches;
-  bool takesNormal = false;
+  TakenAttributes taken;
+  bool hasPosition = false;
   const std::regex declaration("(^|\\n)[ \\t]*(in|attribute) (float|vec2|vec3|vec4) (\\w+);");
-  std::string rest = vertex;
-  vertex.clear();
+  std::string text;
+  std::string rest = vertex.Get();
   std::smatch match;
   while (std::regex_search(rest, match, declaration))
   {
     const std::string type = match[3];
     const std::string name = match[4];
-    vertex += match.prefix().str() + match[1].str() + type + " " + name + ";";
-    if (name == "normalMC" && options.HasNormals)
+    text += match.prefix().str() + match[1].str() + type + " " + name + ";";
+    if (name == "vertexMC")
     {
-      takesNormal = true;
+      hasPosition = true;
     }
-    else if (name != "vertexMC")
+    else if (name == "normalMC" && options.HasNormals)
     {
-      attributes.push_back(name);
-      const std::string sampler = GetAttributeSampler(name);
-      const std::string components =
-        type == "float" ? ".x" : (type == "vec2" ? ".xy" : (type == "vec3" ? ".xyz" : ""));
-      samplers << "uniform samplerBuffer " << sampler << ";\n";
-      fetches << "  " << name << " = weightedSum(texelFetch(" << sampler
-              << ", relevoFace.x), texelFetch(" << sampler << ", relevoFace.y), texelFetch("
-              << sampler << ", relevoFace.z), w)" << components << ";\n"
-              << GetScalarStatement(options.Scalars, name, sampler);
-      if (name == "normalMC")
-      {
-        // Unit normals, as the filter's, unless the mesh is drawn as it is.
-        samplers << "uniform int relevoUnitNormals;\n";
-        fetches << "  if (relevoUnitNormals == 1) { normalMC = unitVector(weightedSum("
-                << "unitVector(texelFetch(" << sampler << ", relevoFace.x).xyz), "
-                << "unitVector(texelFetch(" << sampler << ", relevoFace.y).xyz), "
-                << "unitVector(texelFetch(" << sampler << ", relevoFace.z).xyz), w)); }\n";
-      }
+      taken.HasNormal = true;
+    }
+    else
+    {
+      taken.Names.push_back(name);
+      taken.Samplers += "uniform samplerBuffer " + GetAttributeSampler(name) + ";\n";
+      taken.Samplers += name == "normalMC" ? "uniform int relevoUnitNormals;\n" : "";
+      taken.Fetches += GetFetch(options, type, name);
     }
     rest = match.suffix();
   }
-  vertex += rest;
+  text += rest;
+  vertex.Set(text);
+  if (!hasPosition)
+  {
+    vertex.Miss("in vec4 vertexMC;");
+  }
+  // One that is declared in another way would be read as if vertices had it.
+  const std::regex other("(^|\\n)[ \\t]*((layout *\\([^)\\n]*\\)|\\w+)[ \\t]+)*(in|attribute)[ \\t]"
+                         "[^;()\\n]*;");
+  if (hasPosition && std::regex_search(text, other))
+  {
+    vertex.Miss("in TYPE NAME;");
+  }
+  return taken;
+}
 
+std::vector<ShaderVarying> GetVaryings(const RefinementShaderOptions& options, bool edges)
+{
   std::vector<ShaderVarying> varyings = options.Extension.Varyings;
   varyings.push_back({ "flat ", "int", "relevoPrimitiveID" });
   if (edges)
@@ -199,8 +194,13 @@ std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, b
     varyings.push_back({ "", "float", "relevoValid" });
     varyings.push_back({ "", "vec2", "relevoHeightCoordinate" });
   }
+  return varyings;
+}
 
-  // The vertex shader.
+// All functions that relevoRefine() needs, and itself.
+std::string GetVertexFunctions(const RefinementShaderOptions& options,
+  const std::vector<ShaderVarying>& varyings, const TakenAttributes& attributes)
+{
   std::ostringstream text;
   text << relevoWeights << relevoDisplacedNormal << (options.IsMorphing ? relevoMorph : "")
        << relevoFaceVS << options.PlacementSource << options.SurfaceSource;
@@ -222,47 +222,66 @@ std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, b
     text << varying.Qualifier << "out " << varying.Type << " " << varying.Name << "VSOutput;\n";
   }
   text << "int relevoPointId;\nvec3 relevoNormal = vec3(0.0);\n"
-       << samplers.str() << "void relevoSetNormal(vec3 normal)\n{\n"
-       << (takesNormal ? "  normalMC = normal;\n" : "") << "}\n"
+       << attributes.Samplers << "void relevoSetNormal(vec3 normal)\n{\n"
+       << (attributes.HasNormal ? "  normalMC = normal;\n" : "") << "}\n"
        << "void relevoSetAttributes(vec3 w)\n{\n"
-       << fetches.str() << "}\n"
+       << attributes.Fetches << "}\n"
        << options.Extension.Declarations
        << "void relevoExtend();\n" // after what it reads is set: compilers warn by the text
        << relevoRefineVS << "void relevoExtend()\n{\n"
        << options.Extension.Statements << "}\n";
-  InsertBeforeMain(vertex, text.str());
-  InsertAfterVersion(vertex, GetDefines(options, edges, lines));
-  vertex = std::regex_replace(
-    vertex, std::regex("void main\\(\\)\\s*\\{"), "void main()\n{\n  relevoRefine();\n");
-  vertex.insert(
-    vertex.rfind('}'), "\n  if (relevoHidden) { gl_Position = vec4(0.0, 0.0, 2.0, 1.0); }\n");
-  vtkShaderProgram::Substitute(vertex, "gl_VertexID", "relevoPointId");
+  return text.str();
+}
 
-  // The geometry shader hands on what the fragments need.
-  if (!geometry.empty())
+std::vector<std::string> RefineVertexShader(const RefinementShaderOptions& options,
+  const ShaderPurpose& purpose, bool edges, const std::vector<ShaderVarying>& varyings,
+  ShaderText& vertex)
+{
+  const TakenAttributes attributes = TakeAttributes(options, vertex);
+  vertex.InsertAtStart("  relevoRefine();\n");
+  vertex.InsertAtEnd("  if (relevoHidden) { gl_Position = vec4(0.0, 0.0, 2.0, 1.0); }\n");
+  vertex.InsertBeforeMain(GetVertexFunctions(options, varyings, attributes));
+  vertex.InsertAfterVersion(GetDefines(options, edges, purpose.HasLines));
+  if (purpose.HasPointIds)
   {
-    std::ostringstream declarations;
-    std::ostringstream copies;
-    for (const ShaderVarying& varying : varyings)
-    {
-      const std::string& name = varying.Name;
-      declarations << varying.Qualifier << "in " << varying.Type << " " << name << "VSOutput[];\n"
-                   << varying.Qualifier << "out " << varying.Type << " " << name << "GSOutput;\n";
-      copies << name << "GSOutput = " << name << "VSOutput[i];\n    ";
-    }
-    if (edges)
-    {
-      declarations << relevoEdgesGS;
-      vtkShaderProgram::Substitute(geometry, "//VTK::Edges::Impl",
-        "if (relevoIsHiddenSide(2, 0)) edgeEqn[2].z = lineWidth;\n"
-        "  if (relevoIsHiddenSide(1, 2)) edgeEqn[1].z = lineWidth;\n"
-        "  if (relevoIsHiddenSide(0, 1)) edgeEqn[0].z = lineWidth;\n");
-    }
-    InsertBeforeMain(geometry, declarations.str());
-    vtkShaderProgram::Substitute(geometry, "EmitVertex();", copies.str() + "EmitVertex();");
+    vertex.Replace("gl_VertexID", "relevoPointId");
   }
+  else
+  {
+    vertex.IfReplace("gl_VertexID", "relevoPointId"); // the actor's own text may say it
+  }
+  return attributes.Names;
+}
 
-  // The fragment shader knows coarse primitives and colours of faces, and leaves holes.
+// Hands on what the fragments need.
+void RefineGeometryShader(
+  bool edges, const std::vector<ShaderVarying>& varyings, ShaderText& geometry)
+{
+  std::ostringstream declarations;
+  std::ostringstream copies;
+  for (const ShaderVarying& varying : varyings)
+  {
+    const std::string& name = varying.Name;
+    declarations << varying.Qualifier << "in " << varying.Type << " " << name << "VSOutput[];\n"
+                 << varying.Qualifier << "out " << varying.Type << " " << name << "GSOutput;\n";
+    copies << name << "GSOutput = " << name << "VSOutput[i];\n    ";
+  }
+  if (edges)
+  {
+    declarations << relevoEdgesGS;
+    geometry.Replace(EdgeMark,
+      "if (relevoIsHiddenSide(2, 0)) edgeEqn[2].z = lineWidth;\n"
+      "  if (relevoIsHiddenSide(1, 2)) edgeEqn[1].z = lineWidth;\n"
+      "  if (relevoIsHiddenSide(0, 1)) edgeEqn[0].z = lineWidth;\n");
+  }
+  geometry.InsertBeforeMain(declarations.str());
+  geometry.Replace("EmitVertex();", copies.str() + "EmitVertex();");
+}
+
+// Knows coarse primitives and colours of faces, and leaves holes.
+void RefineFragmentShader(const RefinementShaderOptions& options, const ShaderPurpose& purpose,
+  const std::vector<ShaderVarying>& varyings, ShaderText& fragment)
+{
   std::string declarations;
   for (const ShaderVarying& varying : varyings)
   {
@@ -271,28 +290,82 @@ std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, b
   if (options.ColorMode != COLOR_BY_SCALARS)
   {
     declarations += std::string(relevoColorTable) + relevoFaceColorsFS;
-    vtkShaderProgram::Substitute(fragment, ColorMark,
+    fragment.IfReplace(ColorMark, // as far as MarkColors() has found a place for it
       "vec3 relevoFragment = relevoFragmentColor();\n"
       "  ambientColor = ambientIntensity * relevoFragment;\n"
       "  diffuseColor = diffuseIntensity * relevoFragment;\n"
       "  opacity = opacityUniform;\n");
   }
-  InsertAfterVersion(fragment, GetDefines(options, false, false));
+  fragment.InsertAfterVersion(GetDefines(options, false, false));
   if (options.HasHoles)
   {
     declarations += std::string(relevoHeightMap) + relevoHeight;
-    fragment = std::regex_replace(fragment, std::regex("void main\\(\\)\\s*\\{"),
-      "void main()\n{\n"
+    fragment.InsertAtStart(
       "  if (relevoValidVSOutput < 0.999 || !heightValid(relevoHeightCoordinateVSOutput)) "
       "discard;\n");
   }
-  InsertBeforeMain(fragment, declarations);
-  vtkShaderProgram::Substitute(
-    fragment, "gl_PrimitiveID + PrimitiveIDOffset", "relevoPrimitiveIDVSOutput");
+  fragment.InsertBeforeMain(declarations);
+  // Cells are asked for by selections, and by colours and normals of cells.
+  const std::string cell = "gl_PrimitiveID + PrimitiveIDOffset";
+  if (purpose.HasCellIds || fragment.Has("(textureC,") || fragment.Has("(textureN,"))
+  {
+    fragment.Replace(cell, "relevoPrimitiveIDVSOutput");
+  }
+  else
+  {
+    fragment.IfReplace(cell, "relevoPrimitiveIDVSOutput");
+  }
+}
+}
 
-  shaders[vtkShader::Vertex]->SetSource(vertex);
-  shaders[vtkShader::Geometry]->SetSource(geometry);
-  shaders[vtkShader::Fragment]->SetSource(fragment);
-  return attributes;
+std::string RefinementShaderOptions::GetKey() const
+{
+  return GetDefines(*this, false, false) + this->PlacementSource + this->SurfaceSource +
+    this->Extension.Declarations + this->Extension.Statements + this->Extension.Key;
+}
+
+void MarkColors(const RefinementShaderOptions& options, const ShaderPurpose& purpose,
+  std::map<vtkShader::Type, vtkShader*>& shaders, MissingAnchors& missing)
+{
+  if (options.ColorMode == COLOR_BY_SCALARS)
+  {
+    return;
+  }
+  ShaderText fragment(shaders[vtkShader::Fragment], missing);
+  InsertColors(fragment, purpose.HasOwnFragments, std::string("\n  ") + ColorMark);
+}
+
+void InsertColors(ShaderText& fragment, bool ownFragments, const std::string& text)
+{
+  if (ownFragments)
+  {
+    fragment.IfInsertAfter(VTKColorMark, text);
+  }
+  else
+  {
+    fragment.InsertAfter(VTKColorMark, text);
+  }
+}
+
+std::string GetAttributeSampler(const std::string& attribute)
+{
+  return "relevo_" + attribute;
+}
+
+std::vector<std::string> RefineShaders(const RefinementShaderOptions& options,
+  const ShaderPurpose& purpose, std::map<vtkShader::Type, vtkShader*>& shaders,
+  MissingAnchors& missing)
+{
+  ShaderText vertex(shaders[vtkShader::Vertex], missing);
+  ShaderText geometry(shaders[vtkShader::Geometry], missing);
+  ShaderText fragment(shaders[vtkShader::Fragment], missing);
+  const bool edges = purpose.HasEdges || geometry.Has(EdgeMark);
+  const std::vector<ShaderVarying> varyings = GetVaryings(options, edges);
+  if (!geometry.IsEmpty() || edges)
+  {
+    RefineGeometryShader(edges, varyings, geometry);
+  }
+  RefineFragmentShader(options, purpose, varyings, fragment);
+  return RefineVertexShader(options, purpose, edges, varyings, vertex);
 }
 }

@@ -17,22 +17,40 @@
 #include <vector> // for members
 
 #include "Shaders/RefinementShaderOptions.h"
-#include "vtkShader.h" // for vtkShader::Type
+#include "Shaders/ShaderText.h" // for MissingAnchors
+#include "vtkShader.h"          // for vtkShader::Type
 
 namespace relevo
 {
+/// What VTK has written shaders for.
+struct ShaderPurpose
+{
+  bool HasLines = false;        // to draw a wireframe
+  bool HasEdges = false;        // VTK's geometry shader shows the edges of faces
+  bool HasPointIds = false;     // a selection asks for points
+  bool HasCellIds = false;      // a selection asks for cells
+  bool HasOwnFragments = false; // the actor's own text may have replaced what VTK says of fragments
+};
+
 /**
- * Rewrite finished shaders of VTK's; `lines` for those that draw a wireframe. Returns the names of
- * the vertex attributes that the vertex shader now reads from the samplers
- * GetAttributeSampler(name).
+ * Rewrite finished shaders of VTK's. Returns the names of the vertex attributes that the vertex
+ * shader now reads from the samplers GetAttributeSampler(name).
  */
-std::vector<std::string> RefineShaders(const RefinementShaderOptions& options, bool lines,
-  std::map<vtkShader::Type, vtkShader*>& shaders);
+std::vector<std::string> RefineShaders(const RefinementShaderOptions& options,
+  const ShaderPurpose& purpose, std::map<vtkShader::Type, vtkShader*>& shaders,
+  MissingAnchors& missing);
 
 /**
  * Keep a place for the colours of faces, before VTK writes its own.
  */
-void MarkColors(std::map<vtkShader::Type, vtkShader*>& shaders);
+void MarkColors(const RefinementShaderOptions& options, const ShaderPurpose& purpose,
+  std::map<vtkShader::Type, vtkShader*>& shaders, MissingAnchors& missing);
+
+/**
+ * Insert text that changes the colours which VTK has given a fragment. An actor's own text may
+ * replace VTK's: then it decides on colours, and nothing is missed.
+ */
+void InsertColors(ShaderText& fragment, bool ownFragments, const std::string& text);
 
 std::string GetAttributeSampler(const std::string& attribute);
 }

@@ -47,6 +47,8 @@ struct ShaderExtension
   std::vector<ShaderVarying> Varyings;
   std::string Declarations;
   std::string Statements;
+  /// Tells apart what the subclass writes into other places of the shaders.
+  std::string Key;
 };
 
 /// What the shaders depend on.

@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <string>
+#include <vector>
 
 namespace relevo
 {
@@ -123,8 +125,8 @@ public:
   std::string VertexSource;
   std::string ControlSource;
 
-  // By their sources.
-  std::map<std::string, vtkSmartPointer<TessellationProgram>> Programs;
+  // By the sources of their stages.
+  std::map<std::vector<std::string>, vtkSmartPointer<TessellationProgram>> Programs;
 
   // Give up the last program; returns why it could not be built.
   std::string TakeFailure()
@@ -134,7 +136,9 @@ public:
     {
       return "no program";
     }
-    const std::string error = last->second->FindError();
+    const std::string error = this->HasVersion
+      ? last->second->FindError()
+      : "the vertex shader lacks the text that it is changed at (\"#version\")";
     last->second->ReleaseGraphicsResources(nullptr);
     this->Programs.erase(last);
     return error;
@@ -149,8 +153,9 @@ protected:
   {
     std::string evaluation = shaders[vtkShader::Vertex]->GetSource();
     const std::string version = GetVersion(evaluation);
-    this->LastKey = this->VertexSource + this->ControlSource + evaluation +
-      shaders[vtkShader::Geometry]->GetSource() + shaders[vtkShader::Fragment]->GetSource();
+    this->HasVersion = !version.empty();
+    this->LastKey = { this->VertexSource, this->ControlSource, evaluation,
+      shaders[vtkShader::Geometry]->GetSource(), shaders[vtkShader::Fragment]->GetSource() };
     vtkSmartPointer<TessellationProgram>& program = this->Programs[this->LastKey];
     if (!program)
     {
@@ -169,7 +174,8 @@ protected:
   int BindShader(vtkShaderProgram*) override { return 1; }
 
 private:
-  std::string LastKey;
+  std::vector<std::string> LastKey;
+  bool HasVersion = false;
 };
 vtkStandardNewMacro(TessellationProgramCache);
 

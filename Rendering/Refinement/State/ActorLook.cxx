@@ -74,4 +74,15 @@ Dependencies GetActorLook(
   Append(look, renderer->GetEnvironmentTexture(), 0);
   return look;
 }
+
+bool HasOwnFragments(vtkActor* act)
+{
+  vtkShaderProperty* shader = act->GetShaderProperty();
+  bool isOwn = shader->HasFragmentShaderCode();
+  for (int i = 0; i < shader->GetNumberOfShaderReplacements(); ++i)
+  {
+    isOwn = isOwn || shader->GetNthShaderReplacementTypeAsString(i) == "Fragment";
+  }
+  return isOwn;
+}
 }

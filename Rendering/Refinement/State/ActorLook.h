@@ -6,12 +6,13 @@
  *
  * vtkOpenGLPolyDataMapper writes shaders for the actor that it draws, and writes them anew when the
  * actor's property has changed since, not when it draws another actor. Of a mapper that several
- * actors or renderers share, each look has programs of its own. Private to the module.
+ * actors or renderers share, each look has programs of its own. Private to the modules.
  */
 #ifndef ActorLook_h
 #define ActorLook_h
 
-#include "State/ViewSelection.h" // for Dependencies
+#include "RelevoRenderingRefinementModule.h" // for export macro
+#include "State/ViewSelection.h"             // for Dependencies
 
 #include <string>  // for names
 #include <utility> // for textures
@@ -32,6 +33,9 @@ using NamedTexture = std::pair<vtkTexture*, std::string>;
  */
 Dependencies GetActorLook(
   vtkRenderer* ren, vtkActor* act, const std::vector<NamedTexture>& textures);
+
+/// Whether the actor has fragment shader text of its own.
+RELEVORENDERINGREFINEMENT_EXPORT bool HasOwnFragments(vtkActor* act);
 }
 
 #endif

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shaders/ShaderText.h"
+
+#include "vtkShaderProgram.h"
+#include "vtkVersion.h"
+
+namespace relevo
+{
+namespace
+{
+constexpr const char* Main = "void main(";
+
+const char* GetStageName(vtkShader::Type stage)
+{
+  switch (stage)
+  {
+    case vtkShader::Vertex:
+      return "vertex";
+    case vtkShader::Geometry:
+      return "geometry";
+    case vtkShader::Fragment:
+      return "fragment";
+    default:
+      return "unknown";
+  }
+}
+}
+
+ShaderText::ShaderText(vtkShader* shader, MissingAnchors& missing)
+  : Shader(shader)
+  , Missing(missing)
+  , Text(shader->GetSource())
+{
+}
+
+ShaderText::~ShaderText()
+{
+  this->Shader->SetSource(this->Text);
+}
+
+bool ShaderText::Has(const std::string& anchor) const
+{
+  return this->Text.find(anchor) != std::string::npos;
+}
+
+void ShaderText::Miss(const std::string& anchor)
+{
+  this->Missing.insert(
+    std::string(GetStageName(this->Shader->GetType())) + " shader: \"" + anchor + "\"");
+}
+
+size_t ShaderText::Find(const std::string& anchor)
+{
+  const size_t place = this->Text.find(anchor);
+  if (place == std::string::npos)
+  {
+    this->Miss(anchor);
+  }
+  return place;
+}
+
+void ShaderText::Replace(const std::string& anchor, const std::string& text)
+{
+  if (!vtkShaderProgram::Substitute(this->Text, anchor, text))
+  {
+    this->Miss(anchor);
+  }
+}
+
+void ShaderText::InsertBefore(const std::string& anchor, const std::string& text)
+{
+  const size_t place = this->Find(anchor);
+  if (place != std::string::npos)
+  {
+    this->Text.insert(place, text);
+  }
+}
+
+void ShaderText::InsertAfter(const std::string& anchor, const std::string& text)
+{
+  const size_t place = this->Find(anchor);
+  if (place != std::string::npos)
+  {
+    this->Text.insert(place + anchor.size(), text);
+  }
+}
+
+void ShaderText::IfReplace(const std::string& anchor, const std::string& text)
+{
+  vtkShaderProgram::Substitute(this->Text, anchor, text);
+}
+
+void ShaderText::IfInsertAfter(const std::string& anchor, const std::string& text)
+{
+  if (this->Has(anchor))
+  {
+    this->InsertAfter(anchor, text);
+  }
+}
+
+void ShaderText::InsertAfterVersion(const std::string& text)
+{
+  const std::string mark = "//VTK::System::Dec";
+  const size_t directive = this->Text.find("#version");
+  const size_t end =
+    directive == std::string::npos ? std::string::npos : this->Text.find('\n', directive);
+  if (!this->Has(mark) && end != std::string::npos)
+  {
+    this->Text.insert(end + 1, text);
+  }
+  else
+  {
+    this->InsertAfter(mark, "\n" + text);
+  }
+}
+
+void ShaderText::InsertBeforeMain(const std::string& text)
+{
+  this->InsertBefore(Main, text);
+}
+
+void ShaderText::InsertAtStart(const std::string& text)
+{
+  const size_t main = this->Find(Main);
+  if (main == std::string::npos)
+  {
+    return;
+  }
+  const size_t brace = this->Text.find_first_not_of(" \t\r\n", this->Text.find(')', main) + 1);
+  if (brace != std::string::npos && this->Text[brace] == '{')
+  {
+    this->Text.insert(brace + 1, "\n" + text);
+  }
+  else
+  {
+    this->Miss("{");
+  }
+}
+
+void ShaderText::InsertAtEnd(const std::string& text)
+{
+  const size_t brace = this->Text.rfind('}');
+  if (brace != std::string::npos && brace > this->Text.find(Main))
+  {
+    this->Text.insert(brace, "\n" + text);
+  }
+  else
+  {
+    this->Miss("}");
+  }
+}
+
+std::string Describe(const MissingAnchors& missing)
+{
+  std::string list;
+  for (const std::string& anchor : missing)
+  {
+    list += (list.empty() ? "" : ", ") + anchor;
+  }
+  return std::string("The shaders of VTK ") + vtkVersion::GetVTKVersion() +
+    " lack text that they are changed at (" + list +
+    "). The surface is not drawn. Use a release of VTK that Relevo supports, and have the actor's "
+    "vtkShaderProperty leave this text in place.";
+}
+
+void DrawNothing(std::map<vtkShader::Type, vtkShader*>& shaders)
+{
+  shaders[vtkShader::Vertex]->SetSource(
+    "//VTK::System::Dec\nvoid main()\n{\n  gl_Position = vec4(0.0, 0.0, 2.0, 1.0);\n}\n");
+  shaders[vtkShader::Geometry]->SetSource("");
+  shaders[vtkShader::Fragment]->SetSource(
+    "//VTK::System::Dec\n//VTK::Output::Dec\nvoid main()\n{\n  discard;\n}\n");
+}
+}
