@@ -30,6 +30,7 @@
 #include <memory>
 #include <new>
 #include <sstream>
+#include <string>
 
 namespace relevo
 {
@@ -69,6 +70,26 @@ relevo::vec2 FindRange(vtkFloatArray* values, vtkUnsignedCharArray* mask)
     }
   }
   return range;
+}
+
+// The texels of a texture that is asked for. Returns why there are none, as a sentence.
+std::string MakeTexels(const int size[2], const relevo::SurfaceTriangles& surface,
+  vtkPolyData* input, std::unique_ptr<relevo::SurfaceTexels>& texels)
+{
+  if (size[0] == 0)
+  {
+    return {};
+  }
+  vtkDataArray* coordinates = input->GetPointData()->GetTCoords();
+  if (!coordinates || coordinates->GetNumberOfComponents() < 2 ||
+    coordinates->GetNumberOfTuples() != input->GetNumberOfPoints())
+  {
+    return "The input has no texture coordinates for a texture.";
+  }
+  texels = std::make_unique<relevo::SurfaceTexels>(size, surface, coordinates);
+  return texels->GetNumberOfCoveredTexels() > 0 ? ""
+                                                : "No texel of " + std::to_string(size[0]) + " x " +
+      std::to_string(size[1]) + " has its centre in a triangle of the texture coordinates.";
 }
 
 vtkSmartPointer<vtkUnsignedCharArray> MakeBytes(const char* name, vtkIdType size)
@@ -203,22 +224,11 @@ bool vtkSurfaceLineIntegralConvolution::Run(
     return false;
   }
   std::unique_ptr<relevo::SurfaceTexels> texels;
-  if (this->TextureSize[0])
+  const std::string problem = MakeTexels(this->TextureSize, surface, input, texels);
+  if (!problem.empty())
   {
-    vtkDataArray* coordinates = input->GetPointData()->GetTCoords();
-    if (!coordinates || coordinates->GetNumberOfComponents() < 2 ||
-      coordinates->GetNumberOfTuples() != input->GetNumberOfPoints())
-    {
-      vtkErrorMacro("The input has no texture coordinates for a texture.");
-      return false;
-    }
-    texels = std::make_unique<relevo::SurfaceTexels>(this->TextureSize, surface, coordinates);
-    if (texels->GetNumberOfCoveredTexels() == 0)
-    {
-      vtkErrorMacro("No texel of " << this->TextureSize[0] << " x " << this->TextureSize[1]
-                                   << " has its centre in a triangle of the texture coordinates.");
-      return false;
-    }
+    vtkErrorMacro(<< problem);
+    return false;
   }
 
   const double grainSize = this->GrainSize > 0.0 ? this->GrainSize : FindMeanEdge(vectors);

@@ -3,7 +3,7 @@
 """The layers of the modules' sources, as Module/Documentation/architecture.md draws them.
 
 No include climbs, private files lie in folders and are not called vtk*, no header takes the name
-or the include guard of one of VTK's, and folders and files stay small.
+or the include guard of one of VTK's, and folders, files and functions stay small.
 
     TestLayers.py SOURCE VTK_INCLUDE_FOLDER...
 """
@@ -42,11 +42,34 @@ LAYERS = {
 MODULES = list(LAYERS)  # no module includes one that comes after it
 LARGEST_FOLDER = 30
 LONGEST_FILE = 500
+LONGEST_FUNCTION = 80
+NO_FUNCTION = re.compile(r"(inline |typedef )*(namespace|class|struct|union|enum|extern)\b")
+
+
+def functions(text):
+    """Where the functions of a formatted source start, and how many lines their braces enclose."""
+    lines = text.splitlines()
+    opened = []  # (indentation, line, whether a function), the innermost last
+    for number, line in enumerate(lines):
+        indentation = len(line) - len(line.lstrip())
+        if line.strip() == "{":
+            first = number
+            while first > 0 and re.search(r"[^;{}\s]$", lines[first - 1]):
+                first -= 1
+            is_function = not any(
+                NO_FUNCTION.match(head.strip()) for head in lines[first:number]
+            )
+            opened.append((indentation, number, is_function))
+        elif line.strip().startswith("}") and opened and opened[-1][0] == indentation:
+            _, start, is_function = opened.pop()
+            if is_function and not any(outer[2] for outer in opened):
+                yield start + 1, number - start - 1
 
 
 def main():
     source = pathlib.Path(sys.argv[1])
     faults = []
+    number_of_functions = 0
     files = {}  # as includes name it: (module, layer)
     for module, layers in LAYERS.items():
         names = [layer for layer, _ in layers]
@@ -77,6 +100,13 @@ def main():
             files[inside.as_posix()] = (path, module, layer)
             if len(path.read_text(encoding="utf-8").splitlines()) > LONGEST_FILE:
                 faults.append(f"{module}/{inside}: has more than {LONGEST_FILE} lines")
+            for line, length in functions(path.read_text(encoding="utf-8")):
+                number_of_functions += 1
+                if length > LONGEST_FUNCTION:
+                    faults.append(
+                        f"{module}/{inside}:{line}: a function of more than "
+                        f"{LONGEST_FUNCTION} lines ({length})"
+                    )
 
     folders = {}
     for name, (path, module, layer) in files.items():
@@ -111,8 +141,11 @@ def main():
             faults.append(f"{module}/{name}: VTK has an include guard {guard.group(1)}")
 
     print("\n".join(faults))
-    print(len(files), "files,", len(theirs), "headers of VTK,", len(faults), "faults")
-    return 1 if faults or not files or not theirs else 0
+    print(
+        f"{len(files)} files, {number_of_functions} functions, "
+        f"{len(theirs)} headers of VTK, {len(faults)} faults"
+    )
+    return 1 if faults or not number_of_functions or not theirs else 0
 
 
 if __name__ == "__main__":

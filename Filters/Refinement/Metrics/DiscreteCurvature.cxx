@@ -95,144 +95,193 @@ double FiniteOrZero(double x)
 {
   return std::isfinite(x) ? x : 0.0;
 }
-}
 
-namespace relevo
+// Curvatures of all places, from the middle of the surface to its border.
+class Curvatures
 {
-DiscreteCurvature ComputeDiscreteCurvature(vtkPolyData* mesh)
-{
-  DiscreteCurvature curvature;
-  const vtkIdType n = mesh->GetNumberOfPoints();
-  curvature.Gaussian.assign(n, 0.0);
-  curvature.Mean.assign(n, 0.0);
-  if (n == 0)
+public:
+  Curvatures(
+    const relevo::SurfaceTriangles& surface, vtkIdType size, relevo::DiscreteCurvature& result)
+    : Surface(surface)
+    , Result(result)
+    , Rings(size, Ring::None)
+    , Areas(size, 0.0)
   {
-    return curvature;
   }
-  const SurfaceTriangles surface(mesh);
-  const auto pointAt = [&surface](vtkIdType place)
+
+  // Where triangles close a ring. `neighbours` is scratch space.
+  void Measure(vtkIdType place, std::vector<vtkIdType>& neighbours)
+  {
+    if (this->Surface.GetNumberOfTriangles(place) == 0)
+    {
+      return;
+    }
+    const dvec3 x = this->GetPoint(place);
+    double angle = 0.0;
+    double mixedArea = 0.0;
+    double area = 0.0;
+    dvec3 laplacian(0.0, 0.0, 0.0);
+    dvec3 normal(0.0, 0.0, 0.0);
+    this->Surface.ForEachTriangle(place,
+      [&](vtkIdType p, vtkIdType q)
+      {
+        const Corner corner(x, this->GetPoint(p), this->GetPoint(q));
+        angle += corner.Angle;
+        mixedArea += corner.MixedArea;
+        area += corner.Area;
+        laplacian += corner.Laplacian;
+        normal += corner.Normal;
+      });
+    this->Areas[place] = area;
+    if (!HasClosedRing(this->Surface, place, neighbours))
+    {
+      this->Rings[place] = Ring::Open;
+      return;
+    }
+    this->Rings[place] = Ring::Known;
+    const double sign = glm::dot(laplacian, normal) < 0.0 ? -1.0 : 1.0;
+    this->Result.Gaussian[place] = FiniteOrZero((2.0 * vtkMath::Pi() - angle) / mixedArea);
+    this->Result.Mean[place] = FiniteOrZero(sign * glm::length(laplacian) / (4.0 * mixedArea));
+  }
+
+  // The places and their mean area.
+  void FindPlaces()
+  {
+    for (size_t place = 0; place < this->Rings.size(); ++place)
+    {
+      if (this->Rings[place] != Ring::None)
+      {
+        this->Result.Places.push_back(static_cast<vtkIdType>(place));
+        this->Result.AreaOfPlace += this->Areas[place] / 3.0;
+      }
+    }
+    if (!this->Result.Places.empty())
+    {
+      this->Result.AreaOfPlace =
+        FiniteOrZero(this->Result.AreaOfPlace / this->Result.Places.size());
+    }
+  }
+
+  // Open rings take the mean of the neighbours that have a value already, from those beside the
+  // measured ones outwards.
+  void Spread()
+  {
+    std::vector<vtkIdType> front;
+    for (vtkIdType place : this->Result.Places)
+    {
+      if (this->Rings[place] == Ring::Known)
+      {
+        front.push_back(place);
+      }
+    }
+    while (!front.empty())
+    {
+      const std::vector<vtkIdType> next = this->QueueNeighbours(front);
+      for (vtkIdType place : next)
+      {
+        this->TakeMean(place);
+      }
+      for (vtkIdType place : next)
+      {
+        this->Rings[place] = Ring::Known;
+      }
+      front = next;
+    }
+  }
+
+private:
+  dvec3 GetPoint(vtkIdType place) const
   {
     dvec3 x;
-    surface.GetPoint(place, &x[0]);
+    this->Surface.GetPoint(place, &x[0]);
     return x;
-  };
-
-  std::vector<Ring> rings(n, Ring::None);
-  std::vector<double> areas(n, 0.0);
-  vtkSMPTools::For(0, n,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      std::vector<vtkIdType> scratch;
-      for (vtkIdType place = begin; place < end; ++place)
-      {
-        if (surface.GetNumberOfTriangles(place) == 0)
-        {
-          continue;
-        }
-        const dvec3 x = pointAt(place);
-        double angle = 0.0;
-        double mixedArea = 0.0;
-        double area = 0.0;
-        dvec3 laplacian(0.0, 0.0, 0.0);
-        dvec3 normal(0.0, 0.0, 0.0);
-        surface.ForEachTriangle(place,
-          [&](vtkIdType p, vtkIdType q)
-          {
-            const Corner corner(x, pointAt(p), pointAt(q));
-            angle += corner.Angle;
-            mixedArea += corner.MixedArea;
-            area += corner.Area;
-            laplacian += corner.Laplacian;
-            normal += corner.Normal;
-          });
-        areas[place] = area;
-        if (!HasClosedRing(surface, place, scratch))
-        {
-          rings[place] = Ring::Open;
-          continue;
-        }
-        rings[place] = Ring::Known;
-        const double sign = glm::dot(laplacian, normal) < 0.0 ? -1.0 : 1.0;
-        curvature.Gaussian[place] = FiniteOrZero((2.0 * vtkMath::Pi() - angle) / mixedArea);
-        curvature.Mean[place] = FiniteOrZero(sign * glm::length(laplacian) / (4.0 * mixedArea));
-      }
-    });
-
-  // Inwards to outwards: open rings take the mean of the neighbours that have a value already.
-  std::vector<vtkIdType> front;
-  for (vtkIdType place = 0; place < n; ++place)
-  {
-    if (rings[place] != Ring::None)
-    {
-      curvature.Places.push_back(place);
-      curvature.AreaOfPlace += areas[place] / 3.0;
-    }
-    if (rings[place] == Ring::Known)
-    {
-      front.push_back(place);
-    }
   }
-  if (!curvature.Places.empty())
+
+  std::vector<vtkIdType> QueueNeighbours(const std::vector<vtkIdType>& front)
   {
-    curvature.AreaOfPlace = FiniteOrZero(curvature.AreaOfPlace / curvature.Places.size());
-  }
-  std::vector<vtkIdType> next;
-  while (!front.empty())
-  {
-    next.clear();
+    std::vector<vtkIdType> queue;
     const auto enqueue = [&](vtkIdType place)
     {
-      if (rings[place] == Ring::Open)
+      if (this->Rings[place] == Ring::Open)
       {
-        rings[place] = Ring::Queued;
-        next.push_back(place);
+        this->Rings[place] = Ring::Queued;
+        queue.push_back(place);
       }
     };
     for (vtkIdType place : front)
     {
-      surface.ForEachTriangle(place,
+      this->Surface.ForEachTriangle(place,
         [&](vtkIdType p, vtkIdType q)
         {
           enqueue(p);
           enqueue(q);
         });
     }
-    for (vtkIdType place : next)
-    {
-      double gaussian = 0.0;
-      double mean = 0.0;
-      int count = 0;
-      const auto add = [&](vtkIdType neighbour)
-      {
-        if (rings[neighbour] == Ring::Known)
-        {
-          gaussian += curvature.Gaussian[neighbour];
-          mean += curvature.Mean[neighbour];
-          ++count;
-        }
-      };
-      surface.ForEachTriangle(place,
-        [&](vtkIdType p, vtkIdType q)
-        {
-          add(p);
-          add(q);
-        });
-      curvature.Gaussian[place] = FiniteOrZero(gaussian / count);
-      curvature.Mean[place] = FiniteOrZero(mean / count);
-    }
-    for (vtkIdType place : next)
-    {
-      rings[place] = Ring::Known;
-    }
-    std::swap(front, next);
+    return queue;
   }
 
+  void TakeMean(vtkIdType place)
+  {
+    double gaussian = 0.0;
+    double mean = 0.0;
+    int count = 0;
+    const auto add = [&](vtkIdType neighbour)
+    {
+      if (this->Rings[neighbour] == Ring::Known)
+      {
+        gaussian += this->Result.Gaussian[neighbour];
+        mean += this->Result.Mean[neighbour];
+        ++count;
+      }
+    };
+    this->Surface.ForEachTriangle(place,
+      [&](vtkIdType p, vtkIdType q)
+      {
+        add(p);
+        add(q);
+      });
+    this->Result.Gaussian[place] = FiniteOrZero(gaussian / count);
+    this->Result.Mean[place] = FiniteOrZero(mean / count);
+  }
+
+  const relevo::SurfaceTriangles& Surface;
+  relevo::DiscreteCurvature& Result;
+  std::vector<Ring> Rings;
+  std::vector<double> Areas;
+};
+}
+
+namespace relevo
+{
+DiscreteCurvature ComputeDiscreteCurvature(vtkPolyData* mesh)
+{
+  DiscreteCurvature result;
+  const vtkIdType n = mesh->GetNumberOfPoints();
+  result.Gaussian.assign(n, 0.0);
+  result.Mean.assign(n, 0.0);
+  if (n == 0)
+  {
+    return result;
+  }
+  const SurfaceTriangles surface(mesh);
+  Curvatures curvatures(surface, n, result);
+  vtkSMPTools::For(0, n,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::vector<vtkIdType> neighbours;
+      for (vtkIdType place = begin; place < end; ++place)
+      {
+        curvatures.Measure(place, neighbours);
+      }
+    });
+  curvatures.FindPlaces();
+  curvatures.Spread();
   for (vtkIdType point = 0; point < n; ++point)
   {
     const vtkIdType place = surface.GetPlace(point);
-    curvature.Gaussian[point] = curvature.Gaussian[place];
-    curvature.Mean[point] = curvature.Mean[place];
+    result.Gaussian[point] = result.Gaussian[place];
+    result.Mean[point] = result.Mean[place];
   }
-  return curvature;
+  return result;
 }
 }

@@ -74,6 +74,13 @@ public:
   void ReleaseGraphicsResources();
 
 private:
+  //@{
+  /// Add a pattern of that number, over 65536, to the buffers, and to its range where it lies.
+  void AppendVertices(const RefinementPattern& pattern, float number, Range& range);
+  void AppendTriangles(const RefinementPattern& pattern, Range& range);
+  void AppendLines(const RefinementPattern& pattern, float number, Range& range);
+  //@}
+
   std::map<const RefinementPattern*, Range> Ranges; // of Patterns
   RefinementPatterns Patterns;
   bool HasLines = false;
