@@ -9,8 +9,10 @@
 #include "vtkDataSet.h"
 #include "vtkLICNoiseSource.h"
 #include "vtkLineIntegralConvolution.h"
+#include "vtkPointData.h"
 #include "vtkSurfaceLineIntegralConvolution.h"
 
+#include <cmath>
 #include <sstream>
 
 namespace

@@ -5,8 +5,10 @@
 #include "RelevoCheck.h"
 #include "RelevoFlowImages.h"
 
+#include "vtkDataArray.h"
 #include "vtkExecutive.h"
 #include "vtkLICNoiseSource.h"
+#include "vtkPointData.h"
 #include "vtkSMPTools.h"
 
 #include <limits>

@@ -8,6 +8,8 @@
 
 #include "vtkSMPTools.h"
 
+#include <iostream>
+
 namespace
 {
 constexpr int Columns = 160;

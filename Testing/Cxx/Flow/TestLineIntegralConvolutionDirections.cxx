@@ -5,6 +5,7 @@
 #include "RelevoCheck.h"
 #include "RelevoFlowImages.h"
 
+#include <iostream>
 #include <map>
 #include <string>
 

@@ -6,7 +6,10 @@
 #include "RelevoFlowImages.h"
 
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkExecutive.h"
+#include "vtkFloatArray.h"
+#include "vtkPointData.h"
 #include "vtkStringArray.h"
 
 #include <limits>

@@ -6,9 +6,14 @@
 #include "RelevoFlowImages.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
 #include "vtkLICNoiseSource.h"
 #include "vtkMatrix3x3.h"
+#include "vtkPointData.h"
 #include "vtkSOADataArrayTemplate.h"
+
+#include <iostream>
 
 namespace
 {

@@ -4,8 +4,12 @@
 #include "RelevoCheck.h"
 #include "RelevoFlowImages.h"
 
+#include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
 
+#include <iostream>
 #include <limits>
 
 namespace

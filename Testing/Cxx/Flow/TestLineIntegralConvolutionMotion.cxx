@@ -4,9 +4,12 @@
 #include "RelevoCheck.h"
 #include "RelevoFlowImages.h"
 
+#include "vtkDataArray.h"
 #include "vtkLICNoiseSource.h"
+#include "vtkPointData.h"
 
 #include <initializer_list>
+#include <iostream>
 
 namespace
 {

@@ -4,6 +4,9 @@
 #include "RelevoCheck.h"
 #include "RelevoFlowImages.h"
 
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+
 namespace
 {
 constexpr int Columns = 120;

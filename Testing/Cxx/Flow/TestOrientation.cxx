@@ -5,6 +5,7 @@
 #include "RelevoOrientation.h"
 
 #include <functional>
+#include <iostream>
 #include <random>
 
 namespace

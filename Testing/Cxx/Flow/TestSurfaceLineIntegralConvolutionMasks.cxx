@@ -5,8 +5,12 @@
 #include "RelevoSurfaceLIC.h"
 
 #include "Noise/SolidNoise.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkExecutive.h"
 #include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkStringArray.h"
 
 #include <limits>

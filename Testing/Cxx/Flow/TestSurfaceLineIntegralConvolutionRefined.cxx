@@ -6,14 +6,19 @@
 #include "RelevoCheck.h"
 #include "RelevoSurfaceLIC.h"
 
+#include "vtkAdaptiveRefinementFilter.h"
 #include "vtkCamera.h"
 #include "vtkCellLocator.h"
 #include "vtkCompositeDepthTagMetric.h"
 #include "vtkFieldVariationDepthTagMetric.h"
 #include "vtkGenericCell.h"
+#include "vtkIdList.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPointData.h"
 #include "vtkRegionDepthTagMetric.h"
 #include "vtkScreenEdgeDepthTagMetric.h"
+
+#include <iostream>
 
 namespace
 {

@@ -5,6 +5,10 @@
 #include "RelevoSurfaceLIC.h"
 
 #include "vtkExecutive.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+
+#include <iostream>
 
 namespace
 {

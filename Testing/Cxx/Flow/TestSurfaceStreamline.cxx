@@ -6,8 +6,12 @@
 #include "RelevoVector.h"
 
 #include "Surface/SurfaceStreamline.h"
+#include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkPoints.h"
 
+#include <iostream>
 #include <limits>
 #include <random>
 

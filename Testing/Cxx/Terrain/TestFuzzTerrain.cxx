@@ -13,6 +13,7 @@
 #include "vtkHeightMap.h"
 #include "vtkTerrainSource.h"
 
+#include <cmath>
 #include <sstream>
 
 namespace

@@ -7,6 +7,7 @@
 #include "RelevoRasterFiles.h"
 
 #include "vtkGeographicVectors.h"
+#include "vtkPointData.h"
 #include "vtkTerrainSource.h"
 
 #include <GeographicLib/UTMUPS.hpp>

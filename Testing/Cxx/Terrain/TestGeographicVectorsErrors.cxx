@@ -7,6 +7,8 @@
 #include "vtkCellData.h"
 #include "vtkExecutive.h"
 #include "vtkGeographicVectors.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
 #include "vtkTerrainSource.h"
 
 #include <limits>

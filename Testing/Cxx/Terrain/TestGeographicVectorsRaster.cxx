@@ -5,9 +5,12 @@
 #include "RelevoGeographicMesh.h"
 
 #include "vtkGeographicVectors.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
 #include "vtkTrivialProducer.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <cmath>
 #include <limits>
 
 namespace

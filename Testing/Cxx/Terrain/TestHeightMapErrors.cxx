@@ -8,6 +8,8 @@
 #include "vtkHeightMap.h"
 
 #include <OpenImageIO/imageio.h>
+#include <fstream>
+#include <iostream>
 
 namespace
 {

@@ -12,6 +12,7 @@
 #include "vtkSOADataArrayTemplate.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <iostream>
 #include <limits>
 
 namespace

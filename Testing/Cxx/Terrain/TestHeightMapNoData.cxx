@@ -9,6 +9,8 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iostream>
 #include <limits>
 
 namespace

@@ -8,6 +8,9 @@
 #include "vtkHeightMap.h"
 #include "vtkImageData.h"
 
+#include <cmath>
+#include <iostream>
+
 namespace
 {
 struct RealFile

@@ -15,6 +15,7 @@
 #include <gdal_utils.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
 

@@ -13,6 +13,8 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iostream>
 
 namespace
 {

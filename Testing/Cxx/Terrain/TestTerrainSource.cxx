@@ -18,6 +18,7 @@
 #include <GeographicLib/Geodesic.hpp>
 
 #include <array>
+#include <iostream>
 #include <map>
 #include <set>
 

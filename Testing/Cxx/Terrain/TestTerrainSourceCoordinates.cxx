@@ -16,6 +16,7 @@
 #include "vtkVersionMacros.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace

@@ -10,6 +10,8 @@
 #include "vtkPolyData.h"
 #include "vtkTerrainSource.h"
 
+#include <fstream>
+#include <iostream>
 #include <limits>
 
 int TestTerrainSourceErrors(int argc, char* argv[])

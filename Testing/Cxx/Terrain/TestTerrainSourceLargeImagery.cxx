@@ -11,6 +11,7 @@
 #include "vtkTerrainSource.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {

@@ -16,6 +16,8 @@
 #include "vtkTerrainSource.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iostream>
 
 namespace
 {

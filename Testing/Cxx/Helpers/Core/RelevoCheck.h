@@ -9,32 +9,16 @@
 #include "vtkObject.h"
 #include "vtkTestErrorObserver.h"
 
-#include <cmath>
 #include <cstdlib>
-#include <iostream>
 #include <string>
 
 class RelevoCheck
 {
 public:
-  bool Fail(const char* file, int line, const std::string& what)
-  {
-    std::cerr << file << ":" << line << ": " << what << "\n";
-    ++this->Failures;
-    return false;
-  }
-  bool That(bool condition, const char* text, const char* file, int line)
-  {
-    return condition || this->Fail(file, line, std::string("not so: ") + text);
-  }
+  bool Fail(const char* file, int line, const std::string& what);
+  bool That(bool condition, const char* text, const char* file, int line);
   bool Near(
-    double value, double expected, double tolerance, const char* text, const char* file, int line)
-  {
-    return std::abs(value - expected) <= tolerance ||
-      this->Fail(file, line,
-        std::string(text) + " is " + std::to_string(value) + ", not " + std::to_string(expected) +
-          " +- " + std::to_string(tolerance));
-  }
+    double value, double expected, double tolerance, const char* text, const char* file, int line);
   int GetResult() const { return this->Failures ? EXIT_FAILURE : EXIT_SUCCESS; }
 
 private:
@@ -45,40 +29,15 @@ private:
 class RelevoErrors
 {
 public:
-  explicit RelevoErrors(vtkObject* object)
-    : Object(object)
-    , Tag(object->AddObserver(vtkCommand::ErrorEvent, this->Observer))
-    , WarningTag(object->AddObserver(vtkCommand::WarningEvent, this->Observer))
-  {
-  }
-  ~RelevoErrors()
-  {
-    this->Object->RemoveObserver(this->Tag);
-    this->Object->RemoveObserver(this->WarningTag);
-  }
+  explicit RelevoErrors(vtkObject* object);
+  ~RelevoErrors();
   RelevoErrors(const RelevoErrors&) = delete;
   void operator=(const RelevoErrors&) = delete;
 
   // Whether there was an error that says `words`, and forgets it.
-  bool Said(const std::string& words)
-  {
-    const bool said = this->Observer->GetError() &&
-      this->Observer->GetErrorMessage().find(words) != std::string::npos;
-    if (!said)
-    {
-      std::cerr << "errors so far: " << this->Observer->GetErrorMessage() << "\n";
-    }
-    this->Observer->Clear();
-    return said;
-  }
+  bool Said(const std::string& words);
   // Whether there was a warning that says `words`, and forgets it.
-  bool Warned(const std::string& words)
-  {
-    const bool warned = this->Observer->GetWarning() &&
-      this->Observer->GetWarningMessage().find(words) != std::string::npos;
-    this->Observer->Clear();
-    return warned;
-  }
+  bool Warned(const std::string& words);
   bool None() const { return !this->Observer->GetError() && !this->Observer->GetWarning(); }
 
 private:

@@ -11,22 +11,7 @@
 namespace RelevoFuzz
 {
 // Of 0 to 16 points a side, mostly flat, in any plane, with arrays as a mesh has them.
-inline vtkSmartPointer<vtkImageData> MakeImage(Dice& dice)
-{
-  static const std::vector<int> sides = { 0, 1, 2, 3, 5, 8, 16, 16 };
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  int size[3] = { dice.Choose(sides), dice.Choose(sides), dice.Once(10) ? 2 : 1 };
-  std::swap(size[2], size[dice.Once(3) ? dice.Throw(3) : 2]);
-  image->SetDimensions(size);
-  if (dice.Once(4))
-  {
-    image->SetSpacing(dice.Number(), dice.Number(), dice.Number());
-    image->SetOrigin(dice.Number(), dice.Number(), dice.Number());
-  }
-  AddArrays(dice, image->GetPointData(), image->GetNumberOfPoints());
-  AddArrays(dice, image->GetCellData(), image->GetNumberOfCells());
-  return image;
-}
+vtkSmartPointer<vtkImageData> MakeImage(Dice& dice);
 }
 
 #endif

@@ -4,9 +4,6 @@
 #ifndef RelevoWarnings_h
 #define RelevoWarnings_h
 
-#include "vtkCallbackCommand.h"
-#include "vtkCommand.h"
-#include "vtkNew.h"
 #include "vtkObject.h"
 
 #include <string>
@@ -15,18 +12,7 @@
 class RelevoWarnings
 {
 public:
-  explicit RelevoWarnings(vtkObject* object)
-  {
-    vtkNew<vtkCallbackCommand> command;
-    command->SetClientData(this);
-    command->SetCallback(
-      [](vtkObject*, unsigned long, void* self, void* text)
-      {
-        ++static_cast<RelevoWarnings*>(self)->Number;
-        static_cast<RelevoWarnings*>(self)->Text = static_cast<const char*>(text);
-      });
-    object->AddObserver(vtkCommand::WarningEvent, command);
-  }
+  explicit RelevoWarnings(vtkObject* object);
   int Number = 0;
   std::string Text;
 };

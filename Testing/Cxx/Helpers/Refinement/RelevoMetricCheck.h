@@ -10,99 +10,27 @@
 #include "Mesh/SurfaceEdges.h"
 #include "vtkCamera.h"
 #include "vtkDepthTagMetric.h"
-#include "vtkMath.h"
 
-#include <limits>
 #include <random>
 #include <vector>
 
 // The tags, or none when the metric gave none.
-inline std::vector<float> TagsOf(vtkDepthTagMetric* metric, vtkPolyData* mesh,
-  const relevo::RefinementView& view, int maximumLevel)
-{
-  vtkNew<vtkFloatArray> tags;
-  if (!metric->ComputeTags(mesh, view, maximumLevel, tags))
-  {
-    return {};
-  }
-  return std::vector<float>(tags->GetPointer(0), tags->GetPointer(0) + tags->GetNumberOfTuples());
-}
+std::vector<float> TagsOf(vtkDepthTagMetric* metric, vtkPolyData* mesh,
+  const relevo::RefinementView& view, int maximumLevel);
 
 // The tags of edges, or none when the metric gave none.
-inline std::vector<float> EdgeTagsOf(vtkDepthTagMetric* metric, vtkPolyData* mesh,
-  const relevo::RefinementView& view, int maximumLevel, const relevo::SurfaceEdges& edges)
-{
-  vtkNew<vtkFloatArray> tags;
-  if (!metric->ComputeEdgeTags(mesh, view, maximumLevel, edges, tags))
-  {
-    return {};
-  }
-  return std::vector<float>(tags->GetPointer(0), tags->GetPointer(0) + tags->GetNumberOfTuples());
-}
+std::vector<float> EdgeTagsOf(vtkDepthTagMetric* metric, vtkPolyData* mesh,
+  const relevo::RefinementView& view, int maximumLevel, const relevo::SurfaceEdges& edges);
 
-inline bool AreLevels(const std::vector<float>& tags, vtkIdType number, int maximumLevel)
-{
-  bool good = static_cast<vtkIdType>(tags.size()) == number;
-  for (float tag : tags)
-  {
-    good = good && tag >= 0.0f && tag <= static_cast<float>(maximumLevel);
-  }
-  return good;
-}
+bool AreLevels(const std::vector<float>& tags, vtkIdType number, int maximumLevel);
 
 // In [-1, 1].
-inline double Random(std::mt19937& random)
-{
-  return random() / 2147483648.0 - 1.0;
-}
+double Random(std::mt19937& random);
 
 // Around the unit sphere, sometimes within it.
-inline void PlaceAtRandom(vtkCamera* camera, std::mt19937& random)
-{
-  camera->SetPosition(3 * Random(random), 3 * Random(random), 3 * Random(random));
-  camera->SetFocalPoint(Random(random), Random(random), Random(random));
-  camera->SetViewUp(Random(random), Random(random), Random(random));
-  camera->SetClippingRange(0.01, 20.0);
-  camera->SetParallelProjection(random() % 2);
-}
+void PlaceAtRandom(vtkCamera* camera, std::mt19937& random);
 
 // Every broken mesh and camera gives levels or an error, and hangs nowhere.
-inline bool SurvivesOddMeshes(vtkDepthTagMetric* metric)
-{
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const double infinity = std::numeric_limits<double>::infinity();
-  std::vector<RelevoMeshes::Mesh> meshes{ RelevoMeshes::Make(), RelevoMeshes::Mixed(),
-    RelevoMeshes::NonManifold(), RelevoMeshes::Moebius(), RelevoMeshes::Slivers(),
-    RelevoMeshes::Strips(), RelevoMeshes::Cone() };
-  meshes.push_back(RelevoMeshes::FromTriangles(
-    { { { nan, 0, 0 } }, { { 1, infinity, 0 } }, { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 2, 0, 0 } },
-      { { 0, 0, 0 } }, { { 1e300, 1e300, 0 } } },
-    { { { 0, 1, 2 } }, { { 2, 3, 4 } }, { { 2, 5, 3 } }, { { 2, 3, 6 } }, { { 2, 3, 99 } } }));
-  meshes.push_back(RelevoMeshes::FromTriangles(
-    { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } } }, { { { 0, 1, 2 } }, { { 0, 2, 1 } } }));
-  std::mt19937 random(3);
-  vtkNew<vtkCamera> camera;
-  relevo::RefinementView view;
-  view.Camera = camera;
-  relevo::SurfaceEdges edges;
-  for (vtkPolyData* mesh : meshes)
-  {
-    edges.Update(mesh);
-    for (int i = 0; i < 20; ++i)
-    {
-      PlaceAtRandom(camera, random);
-      if (i % 2 && mesh->GetNumberOfPoints() > 2)
-      {
-        camera->SetPosition(mesh->GetPoint(2)); // the eye on a vertex
-      }
-      if (!AreLevels(TagsOf(metric, mesh, view, 5), mesh->GetNumberOfPoints(), 5) ||
-        !AreLevels(EdgeTagsOf(metric, mesh, view, 5, edges), edges.GetNumberOfEdges(), 5))
-      {
-        return false;
-      }
-    }
-  }
-  return true;
-}
+bool SurvivesOddMeshes(vtkDepthTagMetric* metric);
 
 #endif

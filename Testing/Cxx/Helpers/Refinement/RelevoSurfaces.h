@@ -4,12 +4,7 @@
 #ifndef RelevoSurfaces_h
 #define RelevoSurfaces_h
 
-#include "vtkG1Surface.h"
-#include "vtkNew.h"
-#include "vtkPNTriangleSurface.h"
-#include "vtkPhongSurface.h"
-#include "vtkProceduralSurface.h"
-#include "vtkScalarTaggedSurface.h"
+#include "vtkRefinementSurface.h"
 #include "vtkSmartPointer.h"
 
 #include <string>
@@ -19,35 +14,7 @@
 // A null pointer stands for no surface, which is linear. `size` is the length of a mesh, which a
 // procedural surface's amplitude goes by; RelevoMeshes::AddRandomScalarTags() gives the mesh what
 // scalar-tagged surfaces take.
-inline std::vector<std::pair<std::string, vtkSmartPointer<vtkRefinementSurface>>>
-RelevoMakeSurfaces(double size = 1.0)
-{
-  vtkNew<vtkPNTriangleSurface> quadratic;
-  vtkNew<vtkPNTriangleSurface> linearNormals;
-  linearNormals->QuadraticNormalsOff();
-  vtkNew<vtkPhongSurface> phong;
-  vtkNew<vtkPhongSurface> partlyPhong;
-  partlyPhong->SetAlpha(0.6);
-  vtkNew<vtkProceduralSurface> fur;
-  fur->SetAmplitude(0.1 * size);
-  fur->SetFrequency(2.5);
-  vtkNew<vtkProceduralSurface> furOnPN;
-  furOnPN->SetAmplitude(-0.05 * size);
-  furOnPN->SetBaseSurface(quadratic);
-  vtkNew<vtkG1Surface> g1;
-  vtkNew<vtkG1Surface> g1Geometric;
-  g1Geometric->GeometricNormalsOn();
-  vtkNew<vtkScalarTaggedSurface> creases;
-  vtkNew<vtkScalarTaggedSurface> cusps;
-  cusps->SetDirectionArrayName(nullptr);
-  vtkNew<vtkProceduralSurface> furOnCreases;
-  furOnCreases->SetAmplitude(0.05 * size);
-  furOnCreases->SetBaseSurface(creases);
-  return { { "linear", nullptr }, { "PN, quadratic normals", quadratic },
-    { "PN, linear normals", linearNormals }, { "Phong", phong }, { "Phong 0.6", partlyPhong },
-    { "fur", fur }, { "fur on PN", furOnPN }, { "G1", g1 }, { "G1, its own normals", g1Geometric },
-    { "scalar tags", creases }, { "scalar tags without directions", cusps },
-    { "fur on scalar tags", furOnCreases } };
-}
+std::vector<std::pair<std::string, vtkSmartPointer<vtkRefinementSurface>>> RelevoMakeSurfaces(
+  double size = 1.0);
 
 #endif

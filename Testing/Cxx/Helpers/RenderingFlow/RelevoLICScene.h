@@ -13,55 +13,17 @@
 // A picture of LIC: greys, and more than 1 where there is none.
 struct RelevoLICPicture
 {
-  explicit RelevoLICPicture(vtkRenderWindow* window)
-    : RelevoLICPicture(RelevoPicture(window))
-  {
-  }
+  explicit RelevoLICPicture(vtkRenderWindow* window);
   // Masked places are red.
-  explicit RelevoLICPicture(const RelevoPicture& picture)
-    : Grey(picture.Size[0], picture.Size[1])
-    , Depths(picture.Depths)
-  {
-    for (std::size_t i = 0; i < picture.GetNumberOfPixels(); ++i)
-    {
-      const unsigned char* color = &picture.Colors[3 * i];
-      const bool isGrey = color[0] == color[1] && color[1] == color[2];
-      this->Grey.Values[i] = isGrey && picture.Depths[i] < 1.0f ? color[0] / 255.0 : VTK_DOUBLE_MAX;
-    }
-  }
+  explicit RelevoLICPicture(const RelevoPicture& picture);
 
   bool HasLIC(int column, int row) const { return this->Grey.At(column, row) <= 1.0; }
   // At the pixel and all up to `reach` pixels away.
-  bool HasLIC(int column, int row, int reach) const
-  {
-    bool has = column >= reach && row >= reach && column + reach < this->Grey.Columns &&
-      row + reach < this->Grey.Rows;
-    for (int y = row - reach; has && y <= row + reach; ++y)
-    {
-      for (int x = column - reach; has && x <= column + reach; ++x)
-      {
-        has = this->HasLIC(x, y);
-      }
-    }
-    return has;
-  }
-  double GetDepth(int column, int row) const
-  {
-    return this->Depths[static_cast<std::size_t>(row) * this->Grey.Columns + column];
-  }
+  bool HasLIC(int column, int row, int reach) const;
+  double GetDepth(int column, int row) const;
   // With the mean of noise where there is no LIC.
-  RelevoGrey GetFilled() const
-  {
-    RelevoGrey filled = this->Grey;
-    std::replace_if(
-      filled.Values.begin(), filled.Values.end(), [](double value) { return value > 1.0; }, 0.33);
-    return filled;
-  }
-  std::size_t CountLIC() const
-  {
-    return std::count_if(this->Grey.Values.begin(), this->Grey.Values.end(),
-      [](double value) { return value <= 1.0; });
-  }
+  RelevoGrey GetFilled() const;
+  std::size_t CountLIC() const;
 
   RelevoGrey Grey;
   std::vector<float> Depths;
@@ -77,139 +39,31 @@ struct RelevoLikeness
   std::size_t Different = 0;   // of pixels further apart than roundings of 8 bits
 };
 
-inline std::ostream& operator<<(std::ostream& os, const RelevoLikeness& likeness)
-{
-  return os << "SSIM " << likeness.SSIM << ", mean difference " << likeness.MeanDifference << ", "
-            << likeness.Different << " of " << likeness.Count << " pixels differ, "
-            << likeness.OneSided << " are LIC in one only";
-}
+std::ostream& operator<<(std::ostream& os, const RelevoLikeness& likeness);
 
 // The structural similarity index (Wang, Bovik, Sheikh and Simoncelli, Image Quality Assessment:
 // From Error Visibility to Structural Similarity, 2004, equation 13) of a window, from its moments.
-inline double StructuralSimilarity(const std::vector<double>& a, const std::vector<double>& b)
-{
-  const RelevoMoments ma = MomentsOf(a);
-  const RelevoMoments mb = MomentsOf(b);
-  double covariance = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    covariance += (a[i] - ma.Mean) * (b[i] - mb.Mean) / a.size();
-  }
-  const double c1 = 1e-4;
-  const double c2 = 9e-4;
-  return (2.0 * ma.Mean * mb.Mean + c1) * (2.0 * covariance + c2) /
-    ((std::pow(ma.Mean, 2.0) + std::pow(mb.Mean, 2.0) + c1) *
-      (std::pow(ma.StandardDeviation, 2.0) + std::pow(mb.StandardDeviation, 2.0) + c2));
-}
+double StructuralSimilarity(const std::vector<double>& a, const std::vector<double>& b);
 
 // The mean SSIM of windows of 8 x 8 pixels that are LIC in both, 4 pixels apart.
-inline RelevoLikeness CompareLIC(const RelevoGrey& a, const RelevoGrey& b)
-{
-  constexpr int Window = 8;
-  RelevoLikeness likeness;
-  if (a.Columns != b.Columns || a.Rows != b.Rows)
-  {
-    return likeness;
-  }
-  likeness.MeanDifference = 0.0;
-  for (std::size_t i = 0; i < a.Values.size(); ++i)
-  {
-    const bool inA = a.Values[i] <= 1.0;
-    const bool inB = b.Values[i] <= 1.0;
-    const double difference = std::abs(a.Values[i] - b.Values[i]);
-    likeness.OneSided += inA != inB ? 1 : 0;
-    likeness.Count += inA && inB ? 1 : 0;
-    likeness.MeanDifference += inA && inB ? difference : 0.0;
-    likeness.Different += inA && inB && difference > 2.5 / 255.0 ? 1 : 0;
-  }
-  likeness.MeanDifference /= std::max<std::size_t>(likeness.Count, 1);
-  std::size_t windows = 0;
-  std::vector<double> inA;
-  std::vector<double> inB;
-  for (int row = 0; row + Window <= a.Rows; row += Window / 2)
-  {
-    for (int column = 0; column + Window <= a.Columns; column += Window / 2)
-    {
-      inA.clear();
-      inB.clear();
-      for (int i = 0; i < Window * Window; ++i)
-      {
-        inA.push_back(a.At(column + i % Window, row + i / Window));
-        inB.push_back(b.At(column + i % Window, row + i / Window));
-      }
-      const auto isLIC = [](double value) { return value <= 1.0; };
-      if (std::all_of(inA.begin(), inA.end(), isLIC) && std::all_of(inB.begin(), inB.end(), isLIC))
-      {
-        likeness.SSIM += StructuralSimilarity(inA, inB);
-        ++windows;
-      }
-    }
-  }
-  likeness.SSIM /= std::max<std::size_t>(windows, 1);
-  return likeness;
-}
+RelevoLikeness CompareLIC(const RelevoGrey& a, const RelevoGrey& b);
 
-inline RelevoLikeness CompareLIC(const RelevoLICPicture& a, const RelevoLICPicture& b)
-{
-  return CompareLIC(a.Grey, b.Grey);
-}
+RelevoLikeness CompareLIC(const RelevoLICPicture& a, const RelevoLICPicture& b);
 
 // Actors are white without lights, and show nothing but the LIC; they are red where they are
 // masked.
 class RelevoLICScene
 {
 public:
-  RelevoLICScene(int width, int height)
-  {
-    this->Window->SetMultiSamples(0);
-    this->Window->SetSize(width, height);
-    this->Renderer->SetBackground(0.1, 0.2, 0.3);
-    this->Window->AddRenderer(this->Renderer);
-  }
+  RelevoLICScene(int width, int height);
 
   // Without a recipe the mesh is drawn as it is.
-  vtkAdaptiveLICMapper* Add(vtkDataObject* mesh, vtkAdaptiveRefinement* recipe = nullptr)
-  {
-    vtkNew<vtkAdaptiveLICMapper> mapper;
-    vtkSmartPointer<vtkAdaptiveRefinement> used = recipe;
-    if (!used)
-    {
-      used = vtkSmartPointer<vtkAdaptiveRefinement>::New();
-      used->SetMaximumLevel(0);
-    }
-    mapper->SetRefinement(used);
-    mapper->SetInputDataObject(mesh);
-    mapper->ScalarVisibilityOff();
-    mapper->SetLICIntensity(1.0);
-    mapper->SetMaskColor(1.0, 0.0, 0.0);
-    mapper->SetMaskIntensity(1.0);
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    actor->GetProperty()->LightingOff();
-    actor->GetProperty()->SetInterpolationToPhong();
-    this->Renderer->AddActor(actor);
-    this->Actor = actor;
-    return mapper;
-  }
+  vtkAdaptiveLICMapper* Add(vtkDataObject* mesh, vtkAdaptiveRefinement* recipe = nullptr);
 
   // A parallel camera for which pixels are units of the x-y plane, from (0, 0).
-  void LookAtPixels()
-  {
-    const int* size = this->Window->GetSize();
-    vtkCamera* camera = this->Renderer->GetActiveCamera();
-    camera->ParallelProjectionOn();
-    camera->SetParallelScale(0.5 * size[1]);
-    camera->SetFocalPoint(0.5 * size[0], 0.5 * size[1], 0.0);
-    camera->SetPosition(0.5 * size[0], 0.5 * size[1], 1000.0);
-    camera->SetViewUp(0.0, 1.0, 0.0);
-    camera->SetClippingRange(500.0, 1500.0);
-  }
+  void LookAtPixels();
 
-  RelevoLICPicture Render()
-  {
-    this->Window->Render();
-    return RelevoLICPicture(this->Window);
-  }
+  RelevoLICPicture Render();
 
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
@@ -218,32 +72,7 @@ public:
 
 // A mesh on the x-y plane whose points lie `spacing` apart, one beyond the image with pixels of
 // size 1, at pixels' centres; vectors "Flow" by the field.
-inline vtkSmartPointer<vtkPolyData> MakePixelMesh(
-  int columns, int rows, int spacing, const RelevoField& field)
-{
-  const int across = (columns + spacing - 1) / spacing + 1;
-  const int up = (rows + spacing - 1) / spacing + 1;
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(-0.5, -0.5, 0.0);
-  plane->SetPoint1(-0.5 + across * spacing, -0.5, 0.0);
-  plane->SetPoint2(-0.5, -0.5 + up * spacing, 0.0);
-  plane->SetResolution(across, up);
-  plane->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  plane->Update();
-  vtkSmartPointer<vtkPolyData> mesh = plane->GetOutput();
-  vtkNew<vtkFloatArray> vectors;
-  vectors->SetName("Flow");
-  RelevoMeshes::FillVectors(
-    mesh,
-    [&field](const std::array<double, 3>& p)
-    {
-      std::array<double, 3> vector{ { 0.0, 0.0, 0.0 } };
-      field(p[0], p[1], vector.data());
-      return vector;
-    },
-    vectors);
-  mesh->GetPointData()->SetVectors(vectors);
-  return mesh;
-}
+vtkSmartPointer<vtkPolyData> MakePixelMesh(
+  int columns, int rows, int spacing, const RelevoField& field);
 
 #endif

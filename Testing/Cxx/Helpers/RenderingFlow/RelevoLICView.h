@@ -6,10 +6,7 @@
 
 #include "RelevoLICVectors.h"
 
-#include "vtkMath.h"
-
 #include <array>
-#include <cmath>
 #include <functional>
 #include <memory>
 #include <string>
@@ -20,117 +17,27 @@ struct RelevoLICView
   // What becomes of a colour of the surface and the LIC there.
   using Formula = std::function<Color(const Color& color, double lic)>;
 
-  RelevoLICView()
-  {
-    RelevoScene::NewMapper = RelevoLICVectors::NewVisible;
-    this->Scene = std::make_shared<RelevoScene>(RelevoScene::Refining);
-  }
+  RelevoLICView();
 
   // The actor whose LIC is looked at.
-  vtkActor* Add(vtkDataObject* mesh, vtkAdaptiveRefinement* recipe = nullptr)
-  {
-    this->Actor = this->Scene->Add(mesh, recipe);
-    this->Mapper = RelevoLICVectors::GetMapper(this->Actor);
-    return this->Actor;
-  }
+  vtkActor* Add(vtkDataObject* mesh, vtkAdaptiveRefinement* recipe = nullptr);
 
-  RelevoPicture Draw()
-  {
-    this->Scene->Render();
-    return RelevoPicture(this->Scene->Window);
-  }
+  RelevoPicture Draw();
 
-  RelevoPicture DrawColors()
-  {
-    this->Mapper->EnableOff();
-    RelevoPicture picture = this->Draw();
-    this->Mapper->EnableOn();
-    return picture;
-  }
+  RelevoPicture DrawColors();
 
   // Grey; red where it is masked.
-  RelevoPicture DrawLIC()
-  {
-    const double intensity = this->Mapper->GetLICIntensity();
-    const double maskIntensity = this->Mapper->GetMaskIntensity();
-    const int mode = this->Mapper->GetColorMode();
-    const int contrast = this->Mapper->GetEnhanceContrast();
-    Color maskColor;
-    this->Mapper->GetMaskColor(maskColor.data());
-    this->Mapper->SetLICIntensity(1.0);
-    this->Mapper->SetMaskIntensity(1.0);
-    this->Mapper->SetMaskColor(1, 0, 0);
-    this->Mapper->SetColorModeToBlend();
-    if (contrast == vtkAdaptiveLICMapper::ENHANCE_CONTRAST_COLOR)
-    {
-      this->Mapper->SetEnhanceContrastToOff();
-    }
-    RelevoPicture picture = this->Draw();
-    this->Mapper->SetLICIntensity(intensity);
-    this->Mapper->SetMaskIntensity(maskIntensity);
-    this->Mapper->SetMaskColor(maskColor.data());
-    this->Mapper->SetColorMode(mode);
-    this->Mapper->SetEnhanceContrast(contrast);
-    return picture;
-  }
+  RelevoPicture DrawLIC();
 
   // Draw the view, and compare with what the formulae make of LIC and colours.
   bool Compare(RelevoComparison& comparison, const std::string& name,
-    const RelevoTolerance& tolerance, const Formula& formula, const Formula& ofMasked = nullptr)
-  {
-    const RelevoPicture colors = this->DrawColors();
-    const RelevoPicture lic = this->DrawLIC();
-    const RelevoPicture actual = this->Draw();
-    RelevoPicture expected = colors;
-    size_t masked = 0;
-    size_t shown = 0;
-    for (size_t i = 0; i < colors.GetNumberOfPixels(); ++i)
-    {
-      const Color color = At(colors, i);
-      const Color grey = At(lic, i);
-      if (colors.Depths[i] == 1.0f || grey == color)
-      {
-        continue;
-      }
-      const bool isMasked = IsMasked(grey);
-      ++(isMasked ? masked : shown);
-      const Color result = !isMasked ? formula(color, grey[0])
-        : ofMasked                   ? ofMasked(color, 0.0)
-                                     : color;
-      for (int c = 0; c < 3; ++c)
-      {
-        // What is too bright to be seen is mixed all the same.
-        expected.Colors[3 * i + c] = color[c] < 1.0
-          ? static_cast<unsigned char>(
-              std::lround(255.0 * vtkMath::ClampValue(result[c], 0.0, 1.0)))
-          : actual.Colors[3 * i + c];
-      }
-    }
-    const size_t least = colors.GetNumberOfPixels() / 20;
-    if (shown < least || (ofMasked && masked < least))
-    {
-      return comparison.Fail(name + ": too little to see");
-    }
-    return comparison.Compare(name, tolerance, actual, expected);
-  }
+    const RelevoTolerance& tolerance, const Formula& formula, const Formula& ofMasked = nullptr);
 
-  static Color At(const RelevoPicture& picture, size_t pixel)
-  {
-    return { { picture.Colors[3 * pixel] / 255.0, picture.Colors[3 * pixel + 1] / 255.0,
-      picture.Colors[3 * pixel + 2] / 255.0 } };
-  }
+  static Color At(const RelevoPicture& picture, size_t pixel);
 
   static bool IsMasked(const Color& lic) { return lic[0] != lic[1]; }
 
-  static Color Mix(const Color& a, const Color& b, double share)
-  {
-    Color result;
-    for (int i = 0; i < 3; ++i)
-    {
-      result[i] = a[i] * (1.0 - share) + b[i] * share;
-    }
-    return result;
-  }
+  static Color Mix(const Color& a, const Color& b, double share);
 
   std::shared_ptr<RelevoScene> Scene;
   vtkActor* Actor = nullptr;

@@ -9,11 +9,13 @@
 #include "RelevoFuzzStage.h"
 
 #include "vtkAdaptiveRefinementMapper.h"
+#include "vtkCellData.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPlane.h"
+#include "vtkPointData.h"
 
 #include <cmath>
 #include <sstream>

@@ -13,18 +13,12 @@ namespace RelevoMethods
 {
 using Mapper = vtkAdaptiveRefinementMapper;
 
-inline std::vector<int> GetMethods()
-{
-  return { Mapper::METHOD_ARKFPI, Mapper::METHOD_ARK, Mapper::METHOD_DMR, Mapper::METHOD_SUAPT,
-    Mapper::METHOD_UNIFORM };
-}
+std::vector<int> GetMethods();
 
-inline const char* GetName(int method)
-{
-  static const char* const names[] = { "ARKFPI", "ARK", "DMR", "SUAPT", "HardwareTessellation",
-    "Uniform" };
-  return names[method];
-}
+const char* GetName(int method);
+
+// Whether the context can do METHOD_HARDWARE_TESSELLATION.
+bool HasTessellation();
 }
 
 #endif

@@ -6,35 +6,13 @@
 
 #include "RelevoScene.h"
 
-#include "OpenGL/RelevoOpenGL.h"
-
 namespace RelevoPrimitiveCount
 {
 // Primitives of one render.
-inline vtkIdType CountPrimitives(RelevoScene& scene)
-{
-  scene.Window->MakeCurrent();
-  GLuint query = 0;
-  GLuint count = 0;
-  glGenQueries(1, &query);
-  glBeginQuery(GL_PRIMITIVES_GENERATED, query);
-  scene.Render();
-  glEndQuery(GL_PRIMITIVES_GENERATED);
-  glGetQueryObjectuiv(query, GL_QUERY_RESULT, &count);
-  glDeleteQueries(1, &query);
-  return static_cast<vtkIdType>(count);
-}
+vtkIdType CountPrimitives(RelevoScene& scene);
 
 // Those of the first actor, which draws triangles only.
-inline vtkIdType CountTriangles(RelevoScene& scene)
-{
-  scene.Render(); // all is made that a change takes
-  const vtkIdType all = CountPrimitives(scene);
-  scene.GetActor(0)->VisibilityOff();
-  const vtkIdType others = CountPrimitives(scene);
-  scene.GetActor(0)->VisibilityOn();
-  return all - others;
-}
+vtkIdType CountTriangles(RelevoScene& scene);
 }
 
 #endif

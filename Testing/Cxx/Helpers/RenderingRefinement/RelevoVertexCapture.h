@@ -6,11 +6,7 @@
 
 #include "RelevoScene.h"
 
-#include "OpenGL/RelevoOpenGL.h"
-#include "vtkShaderProperty.h"
-
 #include <array>
-#include <cstring>
 #include <set>
 
 // Adds to VTK's vertex shader that it writes down every vertex. Needs OpenGL 4.3.
@@ -20,53 +16,10 @@ public:
   // No coordinates are larger than 1e30.
   using Points = std::set<std::array<float, 3>>;
 
-  RelevoVertexCapture(vtkActor* actor, size_t mostVertices)
-    : Most(mostVertices)
-  {
-    vtkShaderProperty* shaders = actor->GetShaderProperty();
-    shaders->AddVertexShaderReplacement("//VTK::System::Dec", false, "#version 430\n", false);
-    shaders->AddVertexShaderReplacement("//VTK::CustomUniforms::Dec", true,
-      "//VTK::CustomUniforms::Dec\n"
-      "layout(std430, binding = 0) buffer CapturedVertices\n"
-      "{\n  uint capturedCount;\n  float captured[];\n};\n",
-      false);
-    shaders->AddVertexShaderReplacement("//VTK::CustomEnd::Impl", true,
-      "//VTK::CustomEnd::Impl\n"
-      "  uint place = 3u * atomicAdd(capturedCount, 1u);\n"
-      "  if (place + 2u < uint(captured.length()))\n  {\n"
-      "    captured[place] = vertexMC.x;\n"
-      "    captured[place + 1u] = vertexMC.y;\n"
-      "    captured[place + 2u] = vertexMC.z;\n  }\n",
-      false);
-  }
+  RelevoVertexCapture(vtkActor* actor, size_t mostVertices);
 
   // Those of one frame.
-  Points Capture(RelevoCheck& check, RelevoScene& scene)
-  {
-    scene.Render();
-    const GLsizeiptr size = static_cast<GLsizeiptr>((3 * this->Most + 1) * sizeof(float));
-    std::vector<float> values(3 * this->Most + 1, 0.0f);
-    GLuint buffer = 0;
-    glGenBuffers(1, &buffer);
-    glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
-    glBufferData(GL_SHADER_STORAGE_BUFFER, size, values.data(), GL_DYNAMIC_READ);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, buffer);
-    scene.Render();
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
-    glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, size, values.data());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, 0);
-    glDeleteBuffers(1, &buffer);
-    unsigned int count = 0;
-    std::memcpy(&count, values.data(), sizeof(count));
-    CHECK(count > 0 && count <= this->Most);
-    Points points;
-    for (size_t i = 0; i < std::min<size_t>(count, this->Most); ++i)
-    {
-      points.insert({ { values[3 * i + 1], values[3 * i + 2], values[3 * i + 3] } });
-    }
-    return points;
-  }
+  Points Capture(RelevoCheck& check, RelevoScene& scene);
 
 private:
   size_t Most;

@@ -8,16 +8,23 @@
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkDepthTagFilter.h"
 #include "vtkDisplacement.h"
 #include "vtkDistanceDepthTagMetric.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
+#include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPointData.h"
 #include "vtkRefinementPatternTable.h"
 #include "vtkTriangle.h"
 
+#include <cmath>
+#include <iostream>
 #include <limits>
 
 using namespace RelevoMeshes;

@@ -10,6 +10,8 @@
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkDisplacement.h"
 
+#include <random>
+
 using namespace RelevoMeshes;
 
 int TestAdaptiveRefinementFilterBounds(int, char*[])

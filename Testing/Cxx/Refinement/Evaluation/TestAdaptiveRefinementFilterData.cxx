@@ -7,17 +7,23 @@
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkBitArray.h"
+#include "vtkCellData.h"
 #include "vtkDisplacement.h"
 #include "vtkDoubleArray.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkLookupTable.h"
+#include "vtkMath.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPointData.h"
 #include "vtkSOADataArrayTemplate.h"
 #include "vtkStringArray.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <cmath>
+#include <cstdint>
 #include <limits>
 
 using namespace RelevoMeshes;

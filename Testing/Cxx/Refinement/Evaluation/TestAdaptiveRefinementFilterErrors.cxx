@@ -7,15 +7,22 @@
 #include "Mesh/RefinementMesh.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
+#include "vtkCellArray.h"
 #include "vtkDepthTagMetric.h"
 #include "vtkDisplacement.h"
 #include "vtkDoubleArray.h"
 #include "vtkExecutive.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
+#include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkStringArray.h"
+#include "vtkTexturedSphereSource.h"
 
+#include <cmath>
 #include <limits>
 
 using namespace RelevoMeshes;

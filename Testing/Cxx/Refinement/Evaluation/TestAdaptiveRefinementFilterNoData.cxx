@@ -4,11 +4,17 @@
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkIdList.h"
 #include "vtkIntArray.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkSOADataArrayTemplate.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <set>

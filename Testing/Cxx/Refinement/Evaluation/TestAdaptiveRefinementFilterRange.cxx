@@ -5,13 +5,18 @@
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 
+#include "vtkAdaptiveRefinementFilter.h"
 #include "vtkExecutive.h"
 #include "vtkG1Surface.h"
 #include "vtkLinearSurface.h"
 #include "vtkPNTriangleSurface.h"
 #include "vtkPhongSurface.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkProceduralSurface.h"
 #include "vtkScalarTaggedSurface.h"
+
+#include <cmath>
 
 namespace
 {

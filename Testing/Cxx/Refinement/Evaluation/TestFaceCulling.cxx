@@ -22,6 +22,9 @@
 #include "vtkReverseSense.h"
 #include "vtkTransform.h"
 
+#include <iostream>
+#include <random>
+
 namespace
 {
 using namespace RelevoMeshes;

@@ -6,17 +6,20 @@
 #include "RelevoFuzzRecipe.h"
 #include "RelevoTestMeshes.h"
 
+#include "vtkAdaptiveRefinementFilter.h"
 #include "vtkCamera.h"
 #include "vtkDepthTagFilter.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPointData.h"
 #include "vtkRefinedCellLocator.h"
 #include "vtkRefinementPatternSource.h"
 #include "vtkRefinementPatternTable.h"
 #include "vtkSilhouetteDepthTagMetric.h"
 
+#include <cmath>
 #include <sstream>
 
 namespace

@@ -11,6 +11,7 @@
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkCamera.h"
+#include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkDEMReader.h"
 #include "vtkDisplacement.h"
@@ -19,12 +20,15 @@
 #include "vtkMatrix4x4.h"
 #include "vtkPLYReader.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyDataNormals.h"
 #include "vtkQuadricDecimation.h"
 #include "vtkScreenEdgeDepthTagMetric.h"
 #include "vtkStaticCellLocator.h"
 #include "vtkTriangle.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>

@@ -9,6 +9,7 @@
 #include "RelevoWatertight.h"
 
 #include "vtkAdaptiveRefinement.h"
+#include "vtkAdaptiveRefinementFilter.h"
 #include "vtkCamera.h"
 #include "vtkDisplacement.h"
 #include "vtkExecutive.h"

@@ -13,9 +13,13 @@
 #include "vtkDepthTagFilter.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
 #include "vtkRefinementPatternTable.h"
 #include "vtkScreenEdgeDepthTagMetric.h"
 #include "vtkSilhouetteDepthTagMetric.h"
+
+#include <cmath>
 
 namespace
 {

@@ -9,7 +9,10 @@
 
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
 #include "vtkDisplacement.h"
+#include "vtkPointData.h"
 
 namespace
 {

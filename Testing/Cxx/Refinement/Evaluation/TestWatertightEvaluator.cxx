@@ -10,8 +10,14 @@
 #include "Mesh/RefinementMesh.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDisplacement.h"
+#include "vtkPointData.h"
+#include "vtkProceduralSurface.h"
+#include "vtkScalarTaggedSurface.h"
 
+#include <cmath>
 #include <cstring>
+#include <map>
+#include <random>
 
 namespace
 {

@@ -10,10 +10,12 @@
 #include "vtkDisplacement.h"
 #include "vtkPLYReader.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPolyDataNormals.h"
 #include "vtkXMLPolyDataReader.h"
 
 #include <cstdlib>
 #include <fstream>
+#include <iostream>
 
 using namespace RelevoMeshes;
 

@@ -8,6 +8,7 @@
 #include "vtkPoints.h"
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 

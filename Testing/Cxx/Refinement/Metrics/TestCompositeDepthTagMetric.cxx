@@ -7,7 +7,10 @@
 #include "vtkCompositeDepthTagMetric.h"
 #include "vtkDistanceDepthTagMetric.h"
 #include "vtkObjectFactory.h"
+#include "vtkPoints.h"
 #include "vtkRegionDepthTagMetric.h"
+
+#include <cmath>
 
 namespace
 {

@@ -17,6 +17,7 @@
 #include "vtkPolyData.h"
 #include "vtkScreenEdgeDepthTagMetric.h"
 
+#include <cmath>
 #include <initializer_list>
 #include <limits>
 #include <vector>

@@ -4,18 +4,21 @@
 #include "RelevoCheck.h"
 #include "RelevoMetricCheck.h"
 
+#include "vtkCellArray.h"
 #include "vtkCompositeDepthTagMetric.h"
 #include "vtkCurvatureDepthTagMetric.h"
 #include "vtkDistanceDepthTagMetric.h"
 #include "vtkFieldVariationDepthTagMetric.h"
 #include "vtkIdList.h"
 #include "vtkPlane.h"
+#include "vtkPointData.h"
 #include "vtkRegionDepthTagMetric.h"
 #include "vtkScreenEdgeDepthTagMetric.h"
 #include "vtkSilhouetteDepthTagMetric.h"
 #include "vtkViewDependentDepthTagMetric.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {

@@ -9,6 +9,7 @@
 #include "vtkCurvatureDepthTagMetric.h"
 #include "vtkDistanceDepthTagMetric.h"
 #include "vtkFieldVariationDepthTagMetric.h"
+#include "vtkPointData.h"
 #include "vtkRegionDepthTagMetric.h"
 #include "vtkScreenEdgeDepthTagMetric.h"
 #include "vtkSilhouetteDepthTagMetric.h"

@@ -5,10 +5,13 @@
 #include "RelevoCheck.h"
 #include "RelevoMetricCheck.h"
 
+#include "vtkCellArray.h"
 #include "vtkCompositeDepthTagMetric.h"
 #include "vtkCurvatureDepthTagMetric.h"
 #include "vtkDistanceDepthTagMetric.h"
 #include "vtkFieldVariationDepthTagMetric.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkRegionDepthTagMetric.h"
 #include "vtkScreenEdgeDepthTagMetric.h"
 #include "vtkSilhouetteDepthTagMetric.h"

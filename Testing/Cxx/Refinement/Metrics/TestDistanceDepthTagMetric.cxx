@@ -8,11 +8,13 @@
 #include "vtkCamera.h"
 #include "vtkDistanceDepthTagMetric.h"
 #include "vtkFloatArray.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkTransform.h"
 
+#include <cmath>
 #include <initializer_list>
 #include <limits>
 #include <string>

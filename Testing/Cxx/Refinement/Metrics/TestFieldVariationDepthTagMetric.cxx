@@ -4,11 +4,16 @@
 #include "RelevoCheck.h"
 #include "RelevoMetricCheck.h"
 
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldVariationDepthTagMetric.h"
 #include "vtkIntArray.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
 #include "vtkStringArray.h"
 
+#include <limits>
 #include <numeric>
 
 namespace

@@ -10,6 +10,8 @@
 #include "vtkSphere.h"
 #include "vtkTransform.h"
 
+#include <limits>
+
 namespace
 {
 // Points along x at 0, 1/4, 1/2 ... 3.

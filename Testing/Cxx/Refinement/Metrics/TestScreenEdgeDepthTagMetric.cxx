@@ -4,8 +4,11 @@
 #include "RelevoCheck.h"
 #include "RelevoMetricCheck.h"
 
+#include "vtkIdList.h"
 #include "vtkScreenEdgeDepthTagMetric.h"
 #include "vtkTransform.h"
+
+#include <cmath>
 
 int TestScreenEdgeDepthTagMetric(int, char*[])
 {

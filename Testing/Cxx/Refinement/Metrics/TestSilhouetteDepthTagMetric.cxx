@@ -4,8 +4,12 @@
 #include "RelevoCheck.h"
 #include "RelevoMetricCheck.h"
 
+#include "vtkMath.h"
+#include "vtkPointData.h"
 #include "vtkSilhouetteDepthTagMetric.h"
 #include "vtkTransform.h"
+
+#include <cmath>
 
 int TestSilhouetteDepthTagMetric(int, char*[])
 {

@@ -4,7 +4,11 @@
 #include "RelevoCheck.h"
 #include "RelevoMetricCheck.h"
 
+#include "vtkIdList.h"
+#include "vtkMath.h"
 #include "vtkViewDependentDepthTagMetric.h"
+
+#include <cmath>
 
 namespace
 {

@@ -6,8 +6,17 @@
 
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
+#include "vtkCellArray.h"
 #include "vtkDisplacement.h"
+#include "vtkIdList.h"
+#include "vtkMath.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+
+#include <cmath>
+#include <iostream>
+#include <random>
 
 using namespace RelevoMeshes;
 

@@ -11,7 +11,13 @@
 #include "Evaluation/PatternSelection.h"
 #include "Mesh/RefinementMesh.h"
 #include "vtkAdaptiveRefinement.h"
+#include "vtkCellData.h"
 #include "vtkDisplacement.h"
+#include "vtkIdList.h"
+#include "vtkPointData.h"
+
+#include <cmath>
+#include <random>
 
 using namespace RelevoMeshes;
 

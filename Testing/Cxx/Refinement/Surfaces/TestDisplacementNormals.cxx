@@ -5,9 +5,18 @@
 #include "RelevoTestMeshes.h"
 
 #include "vtkAdaptiveRefinement.h"
+#include "vtkCellArray.h"
 #include "vtkDisplacement.h"
+#include "vtkMath.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyDataNormals.h"
+
+#include <cmath>
+#include <iostream>
+#include <random>
 
 using namespace RelevoMeshes;
 

@@ -9,8 +9,10 @@
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkDoubleArray.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPointData.h"
 
 #include <algorithm>
+#include <random>
 
 using namespace RelevoMeshes;
 using namespace RelevoVectors;

@@ -12,10 +12,13 @@
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
+#include "vtkMath.h"
 #include "vtkPhongSurface.h"
+#include "vtkPointData.h"
 
 #include <cmath>
 #include <functional>
+#include <random>
 
 using namespace RelevoMeshes;
 

@@ -10,8 +10,10 @@
 #include "Mesh/RefinementMesh.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPointData.h"
 #include "vtkProceduralSurface.h"
 
 #include <cmath>

@@ -6,6 +6,8 @@
 
 #include "vtkPointData.h"
 
+#include <iostream>
+
 namespace
 {
 std::size_t CountRed(const RelevoLICPicture& picture)

@@ -8,6 +8,8 @@
 #include "vtkFieldVariationDepthTagMetric.h"
 #include "vtkPNTriangleSurface.h"
 
+#include <iostream>
+
 namespace
 {
 constexpr int Width = 480;

@@ -7,6 +7,10 @@
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace
 {

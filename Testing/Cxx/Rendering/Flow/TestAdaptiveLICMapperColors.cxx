@@ -7,9 +7,13 @@
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
 #include "vtkTriangleFilter.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace
 {

@@ -5,6 +5,8 @@
 // axes.
 #include "RelevoSurfaceFields.h"
 
+#include <iostream>
+
 namespace
 {
 constexpr int Width = 640;

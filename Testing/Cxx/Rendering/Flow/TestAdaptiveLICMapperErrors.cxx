@@ -10,6 +10,8 @@
 #include "vtkImageData.h"
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
 
 #include <fstream>
 #include <limits>

@@ -10,15 +10,23 @@
 #include "vtkAssembly.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkImageData.h"
 #include "vtkLODProp3D.h"
 #include "vtkLight.h"
 #include "vtkLookupTable.h"
 #include "vtkPNTriangleSurface.h"
 #include "vtkPlane.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkShaderProperty.h"
 #include "vtkTexture.h"
 #include "vtkTransform.h"
 #include "vtkTransformPolyDataFilter.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace
 {

@@ -5,6 +5,7 @@
 #include "RelevoSurfaceFields.h"
 
 #include "vtkAdaptiveLICMapper.h"
+#include "vtkDataArray.h"
 #include "vtkDisplacement.h"
 #include "vtkFieldVariationDepthTagMetric.h"
 #include "vtkLight.h"
@@ -12,6 +13,12 @@
 #include "vtkPNTriangleSurface.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+
+#include <iostream>
 
 namespace
 {

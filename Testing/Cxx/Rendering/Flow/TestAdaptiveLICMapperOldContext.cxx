@@ -6,6 +6,9 @@
 #include "RelevoTestMeshes.h"
 
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPolyDataMapper.h"
+
+#include <iostream>
 
 int TestAdaptiveLICMapperOldContext(int, char*[])
 {

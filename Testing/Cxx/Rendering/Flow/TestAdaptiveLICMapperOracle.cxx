@@ -6,6 +6,8 @@
 
 #include "vtkLICNoiseSource.h"
 
+#include <iostream>
+
 namespace
 {
 constexpr int Columns = 256;

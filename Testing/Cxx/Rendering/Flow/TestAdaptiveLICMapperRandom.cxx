@@ -11,7 +11,12 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPNTriangleSurface.h"
 #include "vtkPlane.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkProperty.h"
 
+#include <cmath>
+#include <iostream>
 #include <limits>
 
 namespace

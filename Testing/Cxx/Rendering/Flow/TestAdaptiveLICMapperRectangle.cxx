@@ -5,11 +5,16 @@
 #include "RelevoSurfaceFields.h"
 
 #include "vtkAdaptiveLICMapper.h"
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
 #include "vtkDisplacement.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 
 #include <cstdlib>
 #include <functional>
+#include <iostream>
 #include <string>
 #include <vector>
 

@@ -6,6 +6,8 @@
 
 #include "vtkDisplacement.h"
 
+#include <iostream>
+
 namespace
 {
 constexpr int Width = 480;

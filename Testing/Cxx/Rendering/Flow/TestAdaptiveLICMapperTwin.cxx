@@ -5,9 +5,14 @@
 #include "RelevoSurfaceFields.h"
 #include "RelevoSurfaces.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDisplacement.h"
+#include "vtkIdList.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkPNTriangleSurface.h"
+
+#include <iostream>
 
 namespace
 {

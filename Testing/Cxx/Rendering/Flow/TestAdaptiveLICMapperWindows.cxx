@@ -8,7 +8,10 @@
 #include "vtkCellData.h"
 #include "vtkLight.h"
 #include "vtkOpenGLRenderer.h"
+#include "vtkPointData.h"
 #include "vtkPointDataToCellData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkSSAAPass.h"
@@ -17,6 +20,9 @@
 #include "vtkShadowMapBakerPass.h"
 #include "vtkShadowMapPass.h"
 #include "vtkWindowToImageFilter.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace
 {

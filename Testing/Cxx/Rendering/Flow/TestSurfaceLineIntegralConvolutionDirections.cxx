@@ -6,7 +6,10 @@
 
 #include "vtkLookupTable.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkSurfaceLineIntegralConvolution.h"
+
+#include <iostream>
 
 namespace
 {

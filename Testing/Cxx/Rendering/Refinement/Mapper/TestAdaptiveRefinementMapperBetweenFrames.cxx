@@ -7,6 +7,8 @@
 
 #include "vtkDisplacement.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkRefinementPatternTable.h"
 #include "vtkScreenEdgeDepthTagMetric.h"
 #include "vtkViewDependentDepthTagMetric.h"

@@ -5,14 +5,21 @@
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 
+#include "vtkCellArray.h"
 #include "vtkDisplacement.h"
 #include "vtkDistanceDepthTagMetric.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkStringArray.h"
 
+#include <algorithm>
 #include <limits>
+#include <sstream>
 
 namespace
 {

@@ -6,10 +6,13 @@
 #include "RelevoPicks.h"
 #include "RelevoTestMeshes.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellPicker.h"
 #include "vtkLookupTable.h"
+#include "vtkPointData.h"
 #include "vtkPointPicker.h"
+#include "vtkProperty.h"
 
 #include <limits>
 

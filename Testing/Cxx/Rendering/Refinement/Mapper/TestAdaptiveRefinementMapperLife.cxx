@@ -5,11 +5,18 @@
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 
+#include "vtkCellArray.h"
 #include "vtkDisplacement.h"
 #include "vtkDistanceDepthTagMetric.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPNTriangleSurface.h"
 #include "vtkPlane.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkTexture.h"
 
 namespace

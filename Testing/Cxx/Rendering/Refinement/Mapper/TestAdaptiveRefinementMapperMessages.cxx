@@ -12,8 +12,12 @@
 #include "vtkPNTriangleSurface.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkShaderProperty.h"
 
+#include <iostream>
 #include <sstream>
 
 namespace

@@ -9,7 +9,10 @@
 #include "OpenGL/RelevoOpenGL.h"
 #include "vtkDisplacement.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkProperty.h"
 
+#include <algorithm>
+#include <iostream>
 #include <malloc.h>
 #include <map>
 

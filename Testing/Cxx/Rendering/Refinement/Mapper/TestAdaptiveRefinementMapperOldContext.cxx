@@ -7,6 +7,8 @@
 
 #include "vtkOpenGLRenderWindow.h"
 
+#include <iostream>
+
 int TestAdaptiveRefinementMapperOldContext(int, char*[])
 {
   RelevoCheck check;

@@ -5,16 +5,25 @@
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiBlockDataSetAlgorithm.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPointData.h"
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkSphereSource.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <array>
+#include <memory>
 
 namespace
 {

@@ -6,15 +6,23 @@
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 
+#include "vtkCellArray.h"
 #include "vtkDistanceDepthTagMetric.h"
+#include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkShaderProperty.h"
 #include "vtkTexture.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace
 {

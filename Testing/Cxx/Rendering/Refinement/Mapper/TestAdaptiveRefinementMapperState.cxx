@@ -10,8 +10,11 @@
 #include "vtkHardwareSelector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkProperty.h"
 #include "vtkRegionDepthTagMetric.h"
 #include "vtkSelection.h"
+
+#include <map>
 
 namespace
 {

@@ -11,9 +11,15 @@
 #include "vtkDisplacement.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 
 #include <algorithm>
 #include <initializer_list>
+#include <iostream>
+#include <map>
+#include <sstream>
 
 namespace
 {

@@ -5,7 +5,13 @@
 #include "RelevoPrimitiveCount.h"
 #include "RelevoTestMeshes.h"
 
+#include "vtkIdList.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
 
 namespace
 {

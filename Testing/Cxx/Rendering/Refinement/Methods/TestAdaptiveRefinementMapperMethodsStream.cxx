@@ -15,6 +15,8 @@
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
+#include <iostream>
+#include <map>
 #include <set>
 #include <utility>
 

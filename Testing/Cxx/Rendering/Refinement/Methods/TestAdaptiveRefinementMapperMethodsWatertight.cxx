@@ -8,6 +8,8 @@
 #include "vtkDisplacement.h"
 #include "vtkPNTriangleSurface.h"
 
+#include <iostream>
+
 namespace
 {
 using namespace RelevoLeaks;

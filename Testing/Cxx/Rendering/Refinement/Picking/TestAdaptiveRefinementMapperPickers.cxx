@@ -8,19 +8,26 @@
 #include "RelevoTestMeshes.h"
 
 #include "vtkAreaPicker.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDataSetMapper.h"
 #include "vtkDisplacement.h"
 #include "vtkDistanceDepthTagMetric.h"
 #include "vtkGenericCell.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPNTriangleSurface.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPointPicker.h"
+#include "vtkPoints.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkPropPicker.h"
 #include "vtkTexture.h"
 #include "vtkWorldPointPicker.h"
 
+#include <cmath>
 #include <limits>
 
 namespace

@@ -11,6 +11,7 @@
 #include "vtkPNTriangleSurface.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
+#include "vtkPolyDataMapper.h"
 
 #include <functional>
 #include <string>

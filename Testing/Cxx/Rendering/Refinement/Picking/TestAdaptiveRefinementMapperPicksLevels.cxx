@@ -5,10 +5,13 @@
 #include "RelevoPickers.h"
 #include "RelevoTestMeshes.h"
 
+#include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDistanceDepthTagMetric.h"
 #include "vtkPNTriangleSurface.h"
 #include "vtkUnsignedCharArray.h"
+
+#include <cmath>
 
 namespace
 {

@@ -6,16 +6,23 @@
 #include "RelevoTestMeshes.h"
 
 #include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
 #include "vtkDataObject.h"
 #include "vtkDisplacement.h"
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 
+#include <cmath>
+#include <iostream>
+#include <map>
 #include <set>
+#include <sstream>
 
 namespace
 {

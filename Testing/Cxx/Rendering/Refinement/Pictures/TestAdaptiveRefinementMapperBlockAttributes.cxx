@@ -23,6 +23,8 @@
 using CompositeMapper = vtkCompositePolyDataMapper;
 #else
 #include "vtkCompositePolyDataMapper2.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 using CompositeMapper = vtkCompositePolyDataMapper2;
 #endif
 

@@ -6,8 +6,13 @@
 #include "RelevoTestMeshes.h"
 
 #include "vtkDisplacement.h"
+#include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPoints.h"
+#include "vtkProperty.h"
+
+#include <cmath>
 
 namespace
 {

@@ -9,9 +9,17 @@
 #include "vtkDisplacement.h"
 #include "vtkDistanceDepthTagMetric.h"
 #include "vtkImageDifference.h"
+#include "vtkMath.h"
 #include "vtkPNGReader.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkTestUtilities.h"
 #include "vtksys/SystemTools.hxx"
+
+#include <cmath>
+#include <iostream>
 
 namespace
 {

@@ -9,7 +9,12 @@
 #include "vtkDisplacement.h"
 #include "vtkLookupTable.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace

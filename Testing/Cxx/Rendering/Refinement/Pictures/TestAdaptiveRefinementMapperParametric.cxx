@@ -8,10 +8,14 @@
 
 #include "vtkCurvatures.h"
 #include "vtkLookupTable.h"
+#include "vtkMath.h"
 #include "vtkParametricEllipsoid.h"
 #include "vtkParametricFunctionSource.h"
 #include "vtkParametricTorus.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
 
+#include <iostream>
 #include <limits>
 
 namespace

@@ -9,6 +9,8 @@
 #include "RelevoTestMeshes.h"
 
 #include "vtkAdaptiveRefinement.h"
+#include "vtkPNTriangleSurface.h"
+#include "vtkProperty.h"
 #include "vtkRefinementPatternTable.h"
 #include "vtkScreenEdgeDepthTagMetric.h"
 

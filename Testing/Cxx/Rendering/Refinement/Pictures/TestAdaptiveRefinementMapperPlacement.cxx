@@ -7,10 +7,13 @@
 
 #include "vtkCameraPass.h"
 #include "vtkLight.h"
+#include "vtkMatrix4x4.h"
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLVertexBufferObject.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkSSAOPass.h"

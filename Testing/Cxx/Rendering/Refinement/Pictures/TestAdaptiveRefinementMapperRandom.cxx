@@ -9,6 +9,10 @@
 // falls to this side or that. Neither has wider differences; those are defects.
 #include "RelevoRandomScene.h"
 
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <memory>
 #include <sstream>
 
 namespace

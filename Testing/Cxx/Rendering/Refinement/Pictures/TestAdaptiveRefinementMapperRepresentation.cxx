@@ -7,6 +7,8 @@
 
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPlane.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 
 namespace
 {

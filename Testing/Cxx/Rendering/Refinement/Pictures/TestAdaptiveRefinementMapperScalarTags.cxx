@@ -7,7 +7,10 @@
 
 #include "vtkDisplacement.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPointData.h"
 #include "vtkScalarTaggedSurface.h"
+
+#include <cmath>
 
 namespace
 {

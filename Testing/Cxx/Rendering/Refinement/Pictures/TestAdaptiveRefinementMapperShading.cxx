@@ -9,16 +9,23 @@
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkImageData.h"
 #include "vtkIntArray.h"
 #include "vtkLight.h"
 #include "vtkLookupTable.h"
+#include "vtkMath.h"
 #include "vtkOpenGLRenderer.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkPolyDataNormals.h"
 #include "vtkPolyDataTangents.h"
+#include "vtkProperty.h"
 #include "vtkRTAnalyticSource.h"
 #include "vtkShaderProperty.h"
 #include "vtkStringArray.h"
 #include "vtkTexture.h"
 #include "vtkTriangleFilter.h"
+#include "vtkUnsignedCharArray.h"
 
 namespace
 {

@@ -11,7 +11,10 @@
 #include "vtkDisplacement.h"
 #include "vtkFloatArray.h"
 #include "vtkObjectFactory.h"
+#include "vtkPhongSurface.h"
 #include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProceduralSurface.h"
 
 #include <cmath>
 

@@ -11,6 +11,9 @@
 #include "vtkIntArray.h"
 #include "vtkLookupTable.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkStringArray.h"
 
 #include <limits>

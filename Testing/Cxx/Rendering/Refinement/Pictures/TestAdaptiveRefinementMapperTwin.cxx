@@ -6,15 +6,21 @@
 #include "RelevoTestMeshes.h"
 #include "RelevoUnevenNormals.h"
 
+#include "vtkCellData.h"
 #include "vtkDisplacement.h"
 #include "vtkDistanceDepthTagMetric.h"
 #include "vtkDoubleArray.h"
+#include "vtkImageData.h"
 #include "vtkIntArray.h"
 #include "vtkLookupTable.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPNTriangleSurface.h"
 #include "vtkPlane.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkTexture.h"
+#include "vtkUnsignedCharArray.h"
 
 namespace
 {

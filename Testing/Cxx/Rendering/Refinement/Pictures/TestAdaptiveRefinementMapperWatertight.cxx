@@ -7,14 +7,20 @@
 #include "RelevoLeaks.h"
 #include "RelevoTestMeshes.h"
 
+#include "vtkCellArray.h"
 #include "vtkCleanPolyData.h"
 #include "vtkDisplacement.h"
+#include "vtkIdList.h"
 #include "vtkPLYReader.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPolyDataNormals.h"
 #include "vtkScalarTaggedSurface.h"
 #include "vtkTriangleFilter.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtksys/SystemTools.hxx"
+
+#include <iostream>
+#include <map>
 
 namespace
 {

@@ -10,6 +10,8 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkScreenEdgeDepthTagMetric.h"
 #include "vtkSilhouetteDepthTagMetric.h"
 

@@ -23,6 +23,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPLYReader.h"
+#include "vtkPoints.h"
 #include "vtkRefinementPatternTable.h"
 #include "vtkRenderWindow.h"
 #include "vtkScreenEdgeDepthTagMetric.h"
@@ -34,6 +35,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <iostream>
 #include <numeric>
 
 namespace
