@@ -13,6 +13,7 @@
 #include "vtkTerrainSource.h"
 
 #include <cpl_conv.h>
+#include <iostream>
 
 namespace
 {

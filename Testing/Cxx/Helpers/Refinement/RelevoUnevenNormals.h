@@ -5,6 +5,11 @@
 
 #include "RelevoTestMeshes.h"
 
+#include "vtkNew.h"
+#include "vtkPointData.h"
+
+#include <cmath>
+
 namespace RelevoMeshes
 {
 // The same mesh with normals of different lengths; with `someAreZero` also of none.

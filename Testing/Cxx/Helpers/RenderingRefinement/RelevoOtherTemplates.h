@@ -12,6 +12,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkVersion.h"
 
+#include <iostream>
 #include <map>
 #include <string>
 #include <vector>

@@ -6,6 +6,8 @@
 #include "RelevoOtherTemplates.h"
 #include "RelevoTestMeshes.h"
 
+#include "vtkProperty.h"
+
 namespace
 {
 using Mapper = RelevoOtherTemplates<vtkAdaptiveLICMapper>;

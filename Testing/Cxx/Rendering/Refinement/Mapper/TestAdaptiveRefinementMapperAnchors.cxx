@@ -9,7 +9,12 @@
 #include "vtkCellData.h"
 #include "vtkDisplacement.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkPointData.h"
+#include "vtkProperty.h"
 #include "vtkShaderProperty.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
 
 namespace
 {
