@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveRefinement.h"
 
+#include "Core/SettingChecks.h"
 #include "vtkDepthTagMetric.h"
 #include "vtkDisplacement.h"
 #include "vtkObjectFactory.h"
@@ -9,6 +10,11 @@
 #include "vtkRefinementSurface.h"
 
 #include <algorithm>
+
+namespace
+{
+constexpr double LargestLevelOffset = 16.0;
+}
 
 vtkStandardNewMacro(vtkAdaptiveRefinement);
 
@@ -22,17 +28,12 @@ vtkAdaptiveRefinement::~vtkAdaptiveRefinement() = default;
 void vtkAdaptiveRefinement::SetMaximumLevel(int level)
 {
   const int highest = this->PatternTable->GetMaximumLevel();
-  if (level < 0 || level > highest)
-  {
-    vtkErrorMacro("MaximumLevel must be in [0, "
-      << highest << "], got " << level << "."
-      << (level > highest && level <= vtkRefinementPatternTable::HighestLevel
-             ? " The pattern table has no higher level: raise its MaximumLevel, or take another "
-               "table."
-             : ""));
-    return;
-  }
-  if (this->MaximumLevel != level)
+  const bool isTableShort = level > highest && level <= vtkRefinementPatternTable::HighestLevel;
+  if (relevo::CheckRange(this, "MaximumLevel", level, 0, highest,
+        isTableShort ? " The pattern table has no higher level: raise its MaximumLevel, or take "
+                       "another table."
+                     : "") &&
+    this->MaximumLevel != level)
   {
     this->MaximumLevel = level;
     this->Modified();
@@ -73,60 +74,32 @@ vtkDepthTagMetric* vtkAdaptiveRefinement::GetMetric()
   return this->Metric;
 }
 
-void vtkAdaptiveRefinement::SetChoice(const char* name, int& choice, int value, int last)
-{
-  if (value < 0 || value > last)
-  {
-    vtkErrorMacro(<< name << " must be in [0, " << last << "], got " << value << ".");
-  }
-  else if (choice != value)
-  {
-    choice = value;
-    this->Modified();
-  }
-}
-
 void vtkAdaptiveRefinement::SetLevelRule(int rule)
 {
-  this->SetChoice("LevelRule", this->LevelRule, rule, vtkDepthTagMetric::PER_EDGE);
+  relevo::SetChoice(this, "LevelRule", this->LevelRule, rule, { "PER_VERTEX", "PER_EDGE" });
 }
 
 void vtkAdaptiveRefinement::SetSegmentPolicy(int policy)
 {
-  this->SetChoice("SegmentPolicy", this->SegmentPolicy, policy, WHOLE_NUMBERS);
+  relevo::SetChoice(
+    this, "SegmentPolicy", this->SegmentPolicy, policy, { "POWERS_OF_TWO", "WHOLE_NUMBERS" });
 }
 
 void vtkAdaptiveRefinement::SetGeomorphing(int mode)
 {
-  this->SetChoice("Geomorphing", this->Geomorphing, mode, GEOMORPHING_AUTOMATIC);
+  relevo::SetChoice(this, "Geomorphing", this->Geomorphing, mode,
+    { "GEOMORPHING_OFF", "GEOMORPHING_ON", "GEOMORPHING_AUTOMATIC" });
 }
 
 void vtkAdaptiveRefinement::SetLevelOffset(double levels)
 {
-  constexpr double most = 16.0;
-  if (!(levels >= -most && levels <= most))
-  {
-    vtkErrorMacro(
-      "LevelOffset must be in [" << -most << ", " << most << "], got " << levels << ".");
-  }
-  else if (this->LevelOffset != levels)
-  {
-    this->LevelOffset = levels;
-    this->Modified();
-  }
+  relevo::SetInRange(
+    this, "LevelOffset", this->LevelOffset, levels, -LargestLevelOffset, LargestLevelOffset);
 }
 
 void vtkAdaptiveRefinement::SetNoDataMagnitude(double magnitude)
 {
-  if (!(magnitude > 0.0))
-  {
-    vtkErrorMacro("NoDataMagnitude must be more than 0, got " << magnitude << ".");
-  }
-  else if (this->NoDataMagnitude != magnitude)
-  {
-    this->NoDataMagnitude = magnitude;
-    this->Modified();
-  }
+  relevo::SetNoDataMagnitude(this, this->NoDataMagnitude, magnitude);
 }
 
 void vtkAdaptiveRefinement::SetSurface(vtkRefinementSurface* surface)

@@ -199,8 +199,6 @@ protected:
   vtkSmartPointer<vtkRefinementPatternTable> PatternTable;
 
 private:
-  void SetChoice(const char* name, int& choice, int value, int last);
-
   vtkAdaptiveRefinement(const vtkAdaptiveRefinement&) = delete;
   void operator=(const vtkAdaptiveRefinement&) = delete;
 };

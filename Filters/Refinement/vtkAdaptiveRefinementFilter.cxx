@@ -3,6 +3,7 @@
 #include "vtkAdaptiveRefinementFilter.h"
 
 #include "Core/RefinementView.h"
+#include "Core/SettingChecks.h"
 #include "Core/VTKCompatibility.h"
 #include "Evaluation/PatternSelection.h"
 #include "Evaluation/RefinedPolyDataBuilder.h"
@@ -71,16 +72,7 @@ vtkMatrix4x4* vtkAdaptiveRefinementFilter::GetModelToWorld()
 
 void vtkAdaptiveRefinementFilter::SetViewportSize(int width, int height)
 {
-  if (width < 1 || height < 1)
-  {
-    vtkErrorMacro("ViewportSize must be positive, got " << width << " x " << height << ".");
-  }
-  else if (this->ViewportSize[0] != width || this->ViewportSize[1] != height)
-  {
-    this->ViewportSize[0] = width;
-    this->ViewportSize[1] = height;
-    this->Modified();
-  }
+  relevo::SetPixelSize(this, "ViewportSize", this->ViewportSize, width, height);
 }
 
 vtkMTimeType vtkAdaptiveRefinementFilter::GetMTime()

@@ -4,6 +4,7 @@
 
 #include "Core/RefinementMathematics.h"
 #include "Core/RefinementView.h"
+#include "Core/SettingChecks.h"
 #include "Core/WorldView.h"
 #include "Mesh/SurfaceEdges.h"
 #include "vtkFloatArray.h"
@@ -107,16 +108,7 @@ vtkCompositeDepthTagMetric::~vtkCompositeDepthTagMetric() = default;
 
 void vtkCompositeDepthTagMetric::SetMode(int mode)
 {
-  if (mode < MAXIMUM || mode > PRODUCT)
-  {
-    vtkErrorMacro("Mode " << mode << " is none of MAXIMUM (0), SUM (1) and PRODUCT (2).");
-    return;
-  }
-  if (this->Mode != mode)
-  {
-    this->Mode = mode;
-    this->Modified();
-  }
+  relevo::SetChoice(this, "Mode", this->Mode, mode, { "MAXIMUM", "SUM", "PRODUCT" });
 }
 
 const char* vtkCompositeDepthTagMetric::GetModeAsString()
@@ -131,9 +123,8 @@ void vtkCompositeDepthTagMetric::AddMetric(vtkDepthTagMetric* metric, double wei
     vtkErrorMacro("There is no metric to add.");
     return;
   }
-  if (!(weight >= 0.0 && weight <= LargestWeight))
+  if (!relevo::CheckRange(this, "Weight", weight, 0.0, LargestWeight))
   {
-    vtkErrorMacro("Weight " << weight << " is outside [0, " << LargestWeight << "].");
     return;
   }
   auto* composite = vtkCompositeDepthTagMetric::SafeDownCast(metric);

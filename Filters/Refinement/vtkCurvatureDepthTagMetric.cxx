@@ -3,6 +3,7 @@
 #include "vtkCurvatureDepthTagMetric.h"
 
 #include "Core/RefinementMathematics.h"
+#include "Core/SettingChecks.h"
 #include "Mesh/SurfaceTriangles.h"
 #include "Metrics/DiscreteCurvature.h"
 #include "vtkDoubleArray.h"
@@ -85,16 +86,7 @@ vtkCurvatureDepthTagMetric::~vtkCurvatureDepthTagMetric() = default;
 
 void vtkCurvatureDepthTagMetric::SetCurvatureType(int type)
 {
-  if (type != GAUSSIAN && type != MEAN)
-  {
-    vtkErrorMacro("CurvatureType " << type << " is neither GAUSSIAN (0) nor MEAN (1).");
-    return;
-  }
-  if (this->CurvatureType != type)
-  {
-    this->CurvatureType = type;
-    this->Modified();
-  }
+  relevo::SetChoice(this, "CurvatureType", this->CurvatureType, type, { "GAUSSIAN", "MEAN" });
 }
 
 const char* vtkCurvatureDepthTagMetric::GetCurvatureTypeAsString()
@@ -102,36 +94,23 @@ const char* vtkCurvatureDepthTagMetric::GetCurvatureTypeAsString()
   return this->CurvatureType == MEAN ? "Mean" : "Gaussian";
 }
 
-void vtkCurvatureDepthTagMetric::SetThreshold(const char* name, double& threshold, double curvature)
-{
-  if (!(curvature >= 0.0 && curvature <= VTK_FLOAT_MAX))
-  {
-    vtkErrorMacro(<< name << " " << curvature
-                  << " is not a finite absolute curvature: give a number from 0 on.");
-    return;
-  }
-  if (threshold != curvature)
-  {
-    threshold = curvature;
-    this->Modified();
-  }
-}
-
 void vtkCurvatureDepthTagMetric::SetMinimumCurvature(double curvature)
 {
-  this->SetThreshold("MinimumCurvature", this->MinimumCurvature, curvature);
+  relevo::SetInRange(this, "MinimumCurvature", this->MinimumCurvature, curvature, 0.0,
+    static_cast<double>(VTK_FLOAT_MAX));
 }
 
 void vtkCurvatureDepthTagMetric::SetMaximumCurvature(double curvature)
 {
-  this->SetThreshold("MaximumCurvature", this->MaximumCurvature, curvature);
+  relevo::SetInRange(this, "MaximumCurvature", this->MaximumCurvature, curvature, 0.0,
+    static_cast<double>(VTK_FLOAT_MAX));
 }
 
 void vtkCurvatureDepthTagMetric::SetQuantiles(double low, double high)
 {
   if (!(low >= 0.0 && low < high && high <= 1.0))
   {
-    vtkErrorMacro("Quantiles (" << low << ", " << high << ") are not 0 <= low < high <= 1.");
+    vtkErrorMacro("Quantiles must be 0 <= low < high <= 1, got " << low << " and " << high << ".");
     return;
   }
   if (this->Quantiles[0] != low || this->Quantiles[1] != high)

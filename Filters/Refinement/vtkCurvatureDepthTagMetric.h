@@ -137,8 +137,6 @@ private:
   vtkCurvatureDepthTagMetric(const vtkCurvatureDepthTagMetric&) = delete;
   void operator=(const vtkCurvatureDepthTagMetric&) = delete;
 
-  void SetThreshold(const char* name, double& threshold, double curvature);
-
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
 };

@@ -5,6 +5,7 @@
 #include "Core/PointPlaces.h"
 #include "Core/RefinementMathematics.h"
 #include "Core/RefinementView.h"
+#include "Core/SettingChecks.h"
 #include "Core/VTKCompatibility.h"
 #include "Mesh/SurfaceEdges.h"
 #include "Metrics/DepthTags.h"
@@ -97,46 +98,18 @@ vtkCamera* vtkDepthTagFilter::GetCamera()
 
 void vtkDepthTagFilter::SetViewportSize(int width, int height)
 {
-  if (width < 1 || height < 1)
-  {
-    vtkErrorMacro("ViewportSize " << width << " x " << height << " is not at least 1 x 1 pixels.");
-    return;
-  }
-  if (this->ViewportSize[0] != width || this->ViewportSize[1] != height)
-  {
-    this->ViewportSize[0] = width;
-    this->ViewportSize[1] = height;
-    this->Modified();
-  }
+  relevo::SetPixelSize(this, "ViewportSize", this->ViewportSize, width, height);
 }
 
 void vtkDepthTagFilter::SetMaximumLevel(int level)
 {
-  if (level < 0 || level > vtkRefinementPatternTable::HighestLevel)
-  {
-    vtkErrorMacro("MaximumLevel " << level << " is outside [0, "
-                                  << vtkRefinementPatternTable::HighestLevel << "].");
-    return;
-  }
-  if (this->MaximumLevel != level)
-  {
-    this->MaximumLevel = level;
-    this->Modified();
-  }
+  relevo::SetInRange(
+    this, "MaximumLevel", this->MaximumLevel, level, 0, vtkRefinementPatternTable::HighestLevel);
 }
 
 void vtkDepthTagFilter::SetLevelRule(int rule)
 {
-  if (rule != vtkDepthTagMetric::PER_VERTEX && rule != vtkDepthTagMetric::PER_EDGE)
-  {
-    vtkErrorMacro("LevelRule " << rule << " is neither PER_VERTEX (0) nor PER_EDGE (1).");
-    return;
-  }
-  if (this->LevelRule != rule)
-  {
-    this->LevelRule = rule;
-    this->Modified();
-  }
+  relevo::SetChoice(this, "LevelRule", this->LevelRule, rule, { "PER_VERTEX", "PER_EDGE" });
 }
 
 vtkMTimeType vtkDepthTagFilter::GetMTime()

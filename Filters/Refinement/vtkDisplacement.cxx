@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDisplacement.h"
 
+#include "Core/SettingChecks.h"
 #include "vtkHeightField.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -30,28 +31,14 @@ vtkHeightField* vtkDisplacement::GetHeightMap()
 
 void vtkDisplacement::SetScale(double scale)
 {
-  if (!std::isfinite(scale))
-  {
-    vtkErrorMacro("Scale must be finite, got " << scale << ".");
-  }
-  else if (this->Scale != scale)
-  {
-    this->Scale = scale;
-    this->Modified();
-  }
+  relevo::SetInRange(
+    this, "Scale", this->Scale, scale, -relevo::LargestDouble, relevo::LargestDouble);
 }
 
 void vtkDisplacement::SetOffset(double offset)
 {
-  if (!std::isfinite(offset))
-  {
-    vtkErrorMacro("Offset must be finite, got " << offset << ".");
-  }
-  else if (this->Offset != offset)
-  {
-    this->Offset = offset;
-    this->Modified();
-  }
+  relevo::SetInRange(
+    this, "Offset", this->Offset, offset, -relevo::LargestDouble, relevo::LargestDouble);
 }
 
 void vtkDisplacement::SetDirectionToNormal()
@@ -69,8 +56,8 @@ void vtkDisplacement::SetDirection(double x, double y, double z)
   const double length = vtkMath::Normalize(direction);
   if (!std::isfinite(length) || length == 0.0)
   {
-    vtkErrorMacro("Direction must be a finite vector of positive length, got ("
-      << x << ", " << y << ", " << z << ").");
+    vtkErrorMacro("Direction must be a finite vector that is not zero, got (" << x << ", " << y
+                                                                              << ", " << z << ").");
     return;
   }
   if (this->AlongNormal || !std::equal(direction, direction + 3, this->Direction))
@@ -79,6 +66,11 @@ void vtkDisplacement::SetDirection(double x, double y, double z)
     this->AlongNormal = false;
     this->Modified();
   }
+}
+
+void vtkDisplacement::SetNoDataPolicy(int policy)
+{
+  relevo::SetChoice(this, "NoDataPolicy", this->NoDataPolicy, policy, { "HOLE", "FILL" });
 }
 
 bool vtkDisplacement::Update()

@@ -43,7 +43,8 @@ public:
 
   //@{
   /**
-   * Factor from the map's height units to the mesh's length units, default 1. Not finite: error.
+   * Factor from the map's height units to the mesh's length units, default 1. A value that is not
+   * finite is an error and changes nothing.
    */
   void SetScale(double scale);
   vtkGetMacro(Scale, double);
@@ -51,7 +52,8 @@ public:
 
   //@{
   /**
-   * Constant added to the scaled height, in the mesh's length units, default 0.
+   * Constant added to the scaled height, in the mesh's length units, default 0. A value that is not
+   * finite is an error and changes nothing.
    */
   void SetOffset(double offset);
   vtkGetMacro(Offset, double);
@@ -80,9 +82,9 @@ public:
   //@{
   /**
    * What becomes of refined triangles over samples without data: left out (HOLE, default) or drawn
-   * at heights filled in from around (FILL).
+   * at heights filled in from around (FILL). Another value is an error and changes nothing.
    */
-  vtkSetClampMacro(NoDataPolicy, int, HOLE, FILL);
+  void SetNoDataPolicy(int policy);
   vtkGetMacro(NoDataPolicy, int);
   void SetNoDataPolicyToHole() { this->SetNoDataPolicy(HOLE); }
   void SetNoDataPolicyToFill() { this->SetNoDataPolicy(FILL); }

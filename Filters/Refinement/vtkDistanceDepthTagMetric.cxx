@@ -3,6 +3,7 @@
 #include "vtkDistanceDepthTagMetric.h"
 
 #include "Core/RefinementView.h"
+#include "Core/SettingChecks.h"
 #include "Metrics/MetricEvaluation.h"
 #include "Metrics/MetricFrame.h"
 #include "vtkCamera.h"
@@ -202,16 +203,7 @@ vtkDistanceDepthTagMetric::~vtkDistanceDepthTagMetric() = default;
 
 void vtkDistanceDepthTagMetric::SetFallOff(int fallOff)
 {
-  if (fallOff != LINEAR && fallOff != PROJECTED_SIZE)
-  {
-    vtkErrorMacro("FallOff " << fallOff << " is neither LINEAR (0) nor PROJECTED_SIZE (1).");
-    return;
-  }
-  if (this->FallOff != fallOff)
-  {
-    this->FallOff = fallOff;
-    this->Modified();
-  }
+  relevo::SetChoice(this, "FallOff", this->FallOff, fallOff, { "LINEAR", "PROJECTED_SIZE" });
 }
 
 const char* vtkDistanceDepthTagMetric::GetFallOffAsString()
@@ -221,16 +213,7 @@ const char* vtkDistanceDepthTagMetric::GetFallOffAsString()
 
 void vtkDistanceDepthTagMetric::SetMeasure(int measure)
 {
-  if (measure != VERTICES && measure != CENTROIDS)
-  {
-    vtkErrorMacro("Measure " << measure << " is neither VERTICES (0) nor CENTROIDS (1).");
-    return;
-  }
-  if (this->Measure != measure)
-  {
-    this->Measure = measure;
-    this->Modified();
-  }
+  relevo::SetChoice(this, "Measure", this->Measure, measure, { "VERTICES", "CENTROIDS" });
 }
 
 const char* vtkDistanceDepthTagMetric::GetMeasureAsString()
@@ -240,27 +223,17 @@ const char* vtkDistanceDepthTagMetric::GetMeasureAsString()
 
 void vtkDistanceDepthTagMetric::SetMaximumDistance(double distance)
 {
-  if (!(distance >= 0.0 && distance <= VTK_FLOAT_MAX))
-  {
-    vtkErrorMacro("MaximumDistance " << distance
-                                     << " is not a distance: give a finite number of world units, "
-                                        "or 0 for automatic.");
-    return;
-  }
-  if (this->MaximumDistance != distance)
-  {
-    this->MaximumDistance = distance;
-    this->Modified();
-  }
+  relevo::SetInRange(this, "MaximumDistance", this->MaximumDistance, distance, 0.0,
+    static_cast<double>(VTK_FLOAT_MAX));
 }
 
 void vtkDistanceDepthTagMetric::SetReferenceLength(double pixels)
 {
   if (pixels != 0.0 && !(pixels >= ShortestReference && pixels <= LongestReference))
   {
-    vtkErrorMacro("ReferenceLength " << pixels << " is no length of segments: give "
-                                     << ShortestReference << " to " << LongestReference
-                                     << " pixels, or 0 for none.");
+    vtkErrorMacro("ReferenceLength must be in [" << ShortestReference << ", " << LongestReference
+                                                 << "] pixels, or 0 to use MaximumDistance, got "
+                                                 << pixels << ".");
     return;
   }
   if (this->ReferenceLength != pixels)

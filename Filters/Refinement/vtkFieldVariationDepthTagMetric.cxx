@@ -3,6 +3,7 @@
 #include "vtkFieldVariationDepthTagMetric.h"
 
 #include "Core/RefinementMathematics.h"
+#include "Core/SettingChecks.h"
 #include "Core/VectorData.h"
 #include "Mesh/SurfaceEdges.h"
 #include "vtkCellData.h"
@@ -192,42 +193,19 @@ void vtkFieldVariationDepthTagMetric::SetArrayName(const char* name)
   }
 }
 
-void vtkFieldVariationDepthTagMetric::SetThreshold(
-  const char* name, double& threshold, double variation)
-{
-  if (!(variation >= 0.0 && variation <= 1.0))
-  {
-    vtkErrorMacro(<< name << " " << variation << " is outside [0, 1].");
-    return;
-  }
-  if (threshold != variation)
-  {
-    threshold = variation;
-    this->Modified();
-  }
-}
-
 void vtkFieldVariationDepthTagMetric::SetMinimumVariation(double variation)
 {
-  this->SetThreshold("MinimumVariation", this->MinimumVariation, variation);
+  relevo::SetInRange(this, "MinimumVariation", this->MinimumVariation, variation, 0.0, 1.0);
 }
 
 void vtkFieldVariationDepthTagMetric::SetMaximumVariation(double variation)
 {
-  this->SetThreshold("MaximumVariation", this->MaximumVariation, variation);
+  relevo::SetInRange(this, "MaximumVariation", this->MaximumVariation, variation, 0.0, 1.0);
 }
 
 void vtkFieldVariationDepthTagMetric::SetNoDataMagnitude(double magnitude)
 {
-  if (!(magnitude > 0.0))
-  {
-    vtkErrorMacro("NoDataMagnitude must be more than 0, got " << magnitude << ".");
-  }
-  else if (this->NoDataMagnitude != magnitude)
-  {
-    this->NoDataMagnitude = magnitude;
-    this->Modified();
-  }
+  relevo::SetNoDataMagnitude(this, this->NoDataMagnitude, magnitude);
 }
 
 bool vtkFieldVariationDepthTagMetric::ComputeTags(

@@ -107,8 +107,6 @@ private:
   vtkFieldVariationDepthTagMetric(const vtkFieldVariationDepthTagMetric&) = delete;
   void operator=(const vtkFieldVariationDepthTagMetric&) = delete;
 
-  void SetThreshold(const char* name, double& threshold, double variation);
-
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
 };

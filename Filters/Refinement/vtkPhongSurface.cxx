@@ -3,6 +3,7 @@
 #include "vtkPhongSurface.h"
 
 #include "Core/PointArray.h"
+#include "Core/SettingChecks.h"
 #include "Surfaces/BezierNormalCone.h"
 #include "Surfaces/SurfaceCorners.h"
 #include "vtkObjectFactory.h"
@@ -51,15 +52,7 @@ vtkPhongSurface::~vtkPhongSurface() = default;
 
 void vtkPhongSurface::SetAlpha(double alpha)
 {
-  if (!(alpha >= 0.0 && alpha <= 1.0))
-  {
-    vtkErrorMacro("Alpha must be in [0, 1], got " << alpha << ".");
-  }
-  else if (this->Alpha != alpha)
-  {
-    this->Alpha = alpha;
-    this->Modified();
-  }
+  relevo::SetInRange(this, "Alpha", this->Alpha, alpha, 0.0, 1.0);
 }
 
 void vtkPhongSurface::SetAlphaArrayName(const char* name)

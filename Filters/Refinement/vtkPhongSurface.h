@@ -34,7 +34,8 @@ public:
   //@{
   /**
    * How far points go from the plane triangle, 0, to the mean of their projections, 1 (the
-   * default); the paper's pictures have 0.75. Changes live. Outside [0, 1]: error, no change.
+   * default); the paper's pictures have 0.75. Changes live. A value outside [0, 1] is an
+   * error and changes nothing.
    */
   void SetAlpha(double alpha);
   vtkGetMacro(Alpha, double);

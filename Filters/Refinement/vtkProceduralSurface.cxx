@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkProceduralSurface.h"
 
+#include "Core/SettingChecks.h"
 #include "Surfaces/SurfaceCorners.h"
 #include "vtkLinearSurface.h"
 #include "vtkObjectFactory.h"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace relevo
 {
@@ -63,6 +65,13 @@ struct ProceduralFace : ProceduralBase
 };
 }
 
+namespace
+{
+// Both are floats in shaders; phases of the largest frequency are.
+constexpr double LargestFloat = std::numeric_limits<float>::max();
+constexpr double HighestFrequency = 1e30;
+}
+
 vtkStandardNewMacro(vtkProceduralSurface);
 
 vtkProceduralSurface::vtkProceduralSurface()
@@ -74,30 +83,13 @@ vtkProceduralSurface::~vtkProceduralSurface() = default;
 
 void vtkProceduralSurface::SetAmplitude(double amplitude)
 {
-  if (!std::isfinite(static_cast<float>(amplitude)))
-  {
-    vtkErrorMacro("Amplitude must be finite, also as a float, got " << amplitude << ".");
-  }
-  else if (this->Amplitude != amplitude)
-  {
-    this->Amplitude = amplitude;
-    this->Modified();
-  }
+  relevo::SetInRange(this, "Amplitude", this->Amplitude, amplitude, -LargestFloat, LargestFloat);
 }
 
 void vtkProceduralSurface::SetFrequency(double frequency)
 {
-  constexpr double most = 1e30; // phases are computed in floats
-  if (!(std::abs(frequency) <= most))
-  {
-    vtkErrorMacro(
-      "Frequency must be at most " << most << " in absolute value, got " << frequency << ".");
-  }
-  else if (this->Frequency != frequency)
-  {
-    this->Frequency = frequency;
-    this->Modified();
-  }
+  relevo::SetInRange(
+    this, "Frequency", this->Frequency, frequency, -HighestFrequency, HighestFrequency);
 }
 
 void vtkProceduralSurface::SetBaseSurface(vtkRefinementSurface* surface)

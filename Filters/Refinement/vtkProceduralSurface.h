@@ -53,8 +53,8 @@ public:
 
   //@{
   /**
-   * The height of h = 1, in the mesh's length units, default 0.05. Changes live. Not finite: error,
-   * no change.
+   * The height of h = 1, in the mesh's length units, default 0.05. Changes live. What is not
+   * finite as a float is an error and changes nothing.
    */
   void SetAmplitude(double amplitude);
   vtkGetMacro(Amplitude, double);
@@ -63,7 +63,7 @@ public:
   //@{
   /**
    * Half waves of the fur along a coarse edge, default 1; relevoFrequency in GLSL. Changes live.
-   * Not finite: error, no change.
+   * More than 1e30 in absolute value is an error and changes nothing.
    */
   void SetFrequency(double frequency);
   vtkGetMacro(Frequency, double);
@@ -90,8 +90,8 @@ public:
 
   //@{
   /**
-   * Value of a uniform, float or vec3, that the shader function declares. Changes live. Not finite:
-   * error, no change.
+   * Value of a uniform, float or vec3, that the shader function declares. Changes live. What is
+   * not finite as a float is an error and changes nothing.
    */
   void SetUniform(const char* name, double value);
   void SetUniform(const char* name, double x, double y, double z);

@@ -3,6 +3,7 @@
 #include "vtkRefinedCellLocator.h"
 
 #include "Core/RefinementView.h"
+#include "Core/SettingChecks.h"
 #include "Evaluation/PatternSelection.h"
 #include "Evaluation/RefinementPreparation.h"
 #include "Intersection/CoarseCell.h"
@@ -126,16 +127,7 @@ vtkMatrix4x4* vtkRefinedCellLocator::GetModelToWorld()
 
 void vtkRefinedCellLocator::SetViewportSize(int width, int height)
 {
-  if (width < 1 || height < 1)
-  {
-    vtkErrorMacro("ViewportSize must be positive, got " << width << " x " << height << ".");
-  }
-  else if (this->ViewportSize[0] != width || this->ViewportSize[1] != height)
-  {
-    this->ViewportSize[0] = width;
-    this->ViewportSize[1] = height;
-    this->Modified();
-  }
+  relevo::SetPixelSize(this, "ViewportSize", this->ViewportSize, width, height);
 }
 
 vtkMTimeType vtkRefinedCellLocator::GetMTime()

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRefinementPatternSource.h"
 
+#include "Core/SettingChecks.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -24,10 +25,9 @@ void vtkRefinementPatternSource::SetLevels(int i, int j, int k)
   const int levels[3] = { i, j, k };
   for (int level : levels)
   {
-    if (level < 0 || level > vtkRefinementPatternTable::HighestLevel)
+    if (!relevo::CheckRange(
+          this, "Each of the Levels", level, 0, vtkRefinementPatternTable::HighestLevel))
     {
-      vtkErrorMacro("Levels must be in [0, " << vtkRefinementPatternTable::HighestLevel << "], not "
-                                             << level << ".");
       return;
     }
   }

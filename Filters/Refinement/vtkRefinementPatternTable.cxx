@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRefinementPatternTable.h"
 
+#include "Core/SettingChecks.h"
 #include "Patterns/PatternBorder.h"
 #include "Patterns/PatternLibrary.h"
 #include "Patterns/RefinementPattern.h"
@@ -31,18 +32,8 @@ vtkRefinementPatternTable::~vtkRefinementPatternTable() = default;
 void vtkRefinementPatternTable::SetMaximumLevel(int level)
 {
   const int highest = this->Library->GetHighestLevel();
-  if (level < 0 || level > highest)
-  {
-    vtkErrorMacro("MaximumLevel must be in [0, "
-      << highest << "], not " << level << "."
-      << (highest < HighestLevel ? " The file that was read has no higher level." : ""));
-    return;
-  }
-  if (this->MaximumLevel != level)
-  {
-    this->MaximumLevel = level;
-    this->Modified();
-  }
+  relevo::SetInRange(this, "MaximumLevel", this->MaximumLevel, level, 0, highest,
+    highest < HighestLevel ? " The file that was read has no higher level." : "");
 }
 
 int vtkRefinementPatternTable::GetNumberOfPatterns()
@@ -85,9 +76,9 @@ std::shared_ptr<const relevo::RefinementPattern> vtkRefinementPatternTable::GetP
 {
   if (n1 < n2 || n2 < n3 || n3 < 1 || n1 > relevo::MaximumNumberOfSegments)
   {
-    vtkErrorMacro("There is no pattern of " << n1 << ", " << n2 << ", " << n3
-                                            << " segments: they must descend and be in [1, "
-                                            << relevo::MaximumNumberOfSegments << "].");
+    vtkErrorMacro("There is no pattern of "
+      << n1 << ", " << n2 << ", " << n3 << " segments: they must be in descending order and in [1, "
+      << relevo::MaximumNumberOfSegments << "].");
     n1 = n2 = n3 = 1;
   }
   return this->Library->GetPatternOfSegments(n1, n2, n3);

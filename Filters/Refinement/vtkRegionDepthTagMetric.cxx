@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRegionDepthTagMetric.h"
 
+#include "Core/SettingChecks.h"
 #include "Mesh/SurfaceDiagonal.h"
 
 #include "Core/RefinementMathematics.h"
@@ -119,42 +120,19 @@ vtkImplicitFunction* vtkRegionDepthTagMetric::GetImplicitFunction()
 
 void vtkRegionDepthTagMetric::SetCenter(double x, double y, double z)
 {
-  const double center[3] = { x, y, z };
-  if (!(std::isfinite(x) && std::isfinite(y) && std::isfinite(z)))
-  {
-    vtkErrorMacro("Center (" << x << ", " << y << ", " << z << ") is not finite.");
-    return;
-  }
-  if (!std::equal(center, center + 3, this->Center))
-  {
-    std::copy_n(center, 3, this->Center);
-    this->Modified();
-  }
-}
-
-void vtkRegionDepthTagMetric::SetLength(const char* name, double& length, double value)
-{
-  if (!(value >= 0.0 && value <= VTK_FLOAT_MAX))
-  {
-    vtkErrorMacro(<< name << " " << value
-                  << " is not a length: give a finite number of world units, 0 or more.");
-    return;
-  }
-  if (length != value)
-  {
-    length = value;
-    this->Modified();
-  }
+  relevo::SetVector<3>(
+    this, "Center", this->Center, { x, y, z }, -relevo::LargestDouble, relevo::LargestDouble);
 }
 
 void vtkRegionDepthTagMetric::SetRadius(double radius)
 {
-  this->SetLength("Radius", this->Radius, radius);
+  relevo::SetInRange(this, "Radius", this->Radius, radius, 0.0, static_cast<double>(VTK_FLOAT_MAX));
 }
 
 void vtkRegionDepthTagMetric::SetFallOff(double distance)
 {
-  this->SetLength("FallOff", this->FallOff, distance);
+  relevo::SetInRange(
+    this, "FallOff", this->FallOff, distance, 0.0, static_cast<double>(VTK_FLOAT_MAX));
 }
 
 vtkMTimeType vtkRegionDepthTagMetric::GetMTime()

@@ -104,8 +104,6 @@ protected:
 private:
   vtkRegionDepthTagMetric(const vtkRegionDepthTagMetric&) = delete;
   void operator=(const vtkRegionDepthTagMetric&) = delete;
-
-  void SetLength(const char* name, double& length, double value);
 };
 
 #endif

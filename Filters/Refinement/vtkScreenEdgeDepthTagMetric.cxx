@@ -3,6 +3,7 @@
 #include "vtkScreenEdgeDepthTagMetric.h"
 
 #include "Core/RefinementView.h"
+#include "Core/SettingChecks.h"
 #include "Metrics/MetricEvaluation.h"
 #include "Metrics/MetricFrame.h"
 #include "vtkCamera.h"
@@ -83,32 +84,14 @@ vtkScreenEdgeDepthTagMetric::~vtkScreenEdgeDepthTagMetric() = default;
 
 void vtkScreenEdgeDepthTagMetric::SetReferenceLength(double pixels)
 {
-  if (!(pixels >= ShortestReference && pixels <= LongestReference))
-  {
-    vtkErrorMacro("ReferenceLength " << pixels << " is no length of segments: give "
-                                     << ShortestReference << " to " << LongestReference
-                                     << " pixels.");
-    return;
-  }
-  if (this->ReferenceLength != pixels)
-  {
-    this->ReferenceLength = pixels;
-    this->Modified();
-  }
+  relevo::SetInRange(
+    this, "ReferenceLength", this->ReferenceLength, pixels, ShortestReference, LongestReference);
 }
 
 void vtkScreenEdgeDepthTagMetric::SetMeasure(int measure)
 {
-  if (measure != PROJECTED_LENGTH && measure != SPHERE_DIAMETER)
-  {
-    vtkErrorMacro(
-      "Measure " << measure << " is neither PROJECTED_LENGTH (0) nor SPHERE_DIAMETER (1).");
-  }
-  else if (this->Measure != measure)
-  {
-    this->Measure = measure;
-    this->Modified();
-  }
+  relevo::SetChoice(
+    this, "Measure", this->Measure, measure, { "PROJECTED_LENGTH", "SPHERE_DIAMETER" });
 }
 
 bool vtkScreenEdgeDepthTagMetric::GetShader(vtkPolyData* mesh, const relevo::RefinementView& view,

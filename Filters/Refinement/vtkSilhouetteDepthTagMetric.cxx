@@ -3,6 +3,7 @@
 #include "vtkSilhouetteDepthTagMetric.h"
 
 #include "Core/RefinementView.h"
+#include "Core/SettingChecks.h"
 #include "Mesh/SurfaceNormals.h"
 #include "Metrics/ContourTags.h"
 #include "Metrics/MetricEvaluation.h"
@@ -120,16 +121,7 @@ vtkSilhouetteDepthTagMetric::~vtkSilhouetteDepthTagMetric() = default;
 
 void vtkSilhouetteDepthTagMetric::SetCriterion(int criterion)
 {
-  if (criterion != NORMAL_ANGLE && criterion != CONTOUR)
-  {
-    vtkErrorMacro("Criterion " << criterion << " is neither NORMAL_ANGLE (0) nor CONTOUR (1).");
-    return;
-  }
-  if (this->Criterion != criterion)
-  {
-    this->Criterion = criterion;
-    this->Modified();
-  }
+  relevo::SetChoice(this, "Criterion", this->Criterion, criterion, { "NORMAL_ANGLE", "CONTOUR" });
 }
 
 const char* vtkSilhouetteDepthTagMetric::GetCriterionAsString()
@@ -139,17 +131,7 @@ const char* vtkSilhouetteDepthTagMetric::GetCriterionAsString()
 
 void vtkSilhouetteDepthTagMetric::SetContourWidth(double width)
 {
-  if (!(width >= NarrowestContour && width <= 1.0))
-  {
-    vtkErrorMacro(
-      "ContourWidth " << width << " is no cosine from " << NarrowestContour << " to 1.");
-    return;
-  }
-  if (this->ContourWidth != width)
-  {
-    this->ContourWidth = width;
-    this->Modified();
-  }
+  relevo::SetInRange(this, "ContourWidth", this->ContourWidth, width, NarrowestContour, 1.0);
 }
 
 bool vtkSilhouetteDepthTagMetric::GetShader(vtkPolyData* mesh, const relevo::RefinementView& view,

@@ -3,6 +3,7 @@
 #include "vtkViewDependentDepthTagMetric.h"
 
 #include "Core/RefinementView.h"
+#include "Core/SettingChecks.h"
 #include "Mesh/SurfaceNormals.h"
 #include "Metrics/MetricEvaluation.h"
 #include "Metrics/MetricFrame.h"
@@ -131,31 +132,12 @@ vtkViewDependentDepthTagMetric::~vtkViewDependentDepthTagMetric() = default;
 
 void vtkViewDependentDepthTagMetric::SetMaximumSpread(double degrees)
 {
-  if (!(degrees >= SmallestSpread && degrees <= 180.0))
-  {
-    vtkErrorMacro(
-      "MaximumSpread " << degrees << " is outside [" << SmallestSpread << ", 180] degrees.");
-    return;
-  }
-  if (this->MaximumSpread != degrees)
-  {
-    this->MaximumSpread = degrees;
-    this->Modified();
-  }
+  relevo::SetInRange(this, "MaximumSpread", this->MaximumSpread, degrees, SmallestSpread, 180.0);
 }
 
 void vtkViewDependentDepthTagMetric::SetEdgeOnWeight(double weight)
 {
-  if (!(weight >= 0.0 && weight <= 1.0))
-  {
-    vtkErrorMacro("EdgeOnWeight " << weight << " is outside [0, 1].");
-    return;
-  }
-  if (this->EdgeOnWeight != weight)
-  {
-    this->EdgeOnWeight = weight;
-    this->Modified();
-  }
+  relevo::SetInRange(this, "EdgeOnWeight", this->EdgeOnWeight, weight, 0.0, 1.0);
 }
 
 bool vtkViewDependentDepthTagMetric::GetShader(vtkPolyData* mesh,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeographicVectors.h"
 
+#include "Core/SettingChecks.h"
 #include "Core/VTKCompatibility.h"
 #include "Core/VectorData.h"
 #include "Geodesy/MapDirections.h"
@@ -27,6 +28,7 @@
 namespace
 {
 constexpr double NoDataMagnitude = 1e8;
+constexpr double LargestExaggeration = VTK_FLOAT_MAX;
 constexpr vtkIdType PointsAtOnce = 65536; // between two looks at progress and abort
 constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
 
@@ -171,18 +173,16 @@ void vtkGeographicVectors::SetCoordinateSystem(const char* definition)
   }
 }
 
+void vtkGeographicVectors::SetOrigin(double x, double y, double z)
+{
+  relevo::SetVector<3>(
+    this, "Origin", this->Origin, { x, y, z }, -relevo::LargestDouble, relevo::LargestDouble);
+}
+
 void vtkGeographicVectors::SetExaggeration(double exaggeration)
 {
-  if (!std::isfinite(exaggeration))
-  {
-    vtkErrorMacro(<< "Exaggeration must be finite, not " << exaggeration << ".");
-    return;
-  }
-  if (this->Exaggeration != exaggeration)
-  {
-    this->Exaggeration = exaggeration;
-    this->Modified();
-  }
+  relevo::SetInRange(this, "Exaggeration", this->Exaggeration, exaggeration, -LargestExaggeration,
+    LargestExaggeration);
 }
 
 void vtkGeographicVectors::SetOutputArrayName(const char* name)

@@ -91,15 +91,17 @@ public:
   //@{
   /**
    * Without a terrain: the coordinates in that system (longitude first) of x = y = 0; z does not
-   * matter. Default (0, 0, 0).
+   * matter. Default (0, 0, 0). A value that is not finite is an error and changes nothing.
    */
-  vtkSetVector3Macro(Origin, double);
+  virtual void SetOrigin(double x, double y, double z);
+  void SetOrigin(const double origin[3]) { this->SetOrigin(origin[0], origin[1], origin[2]); }
   vtkGetVector3Macro(Origin, double);
   //@}
 
   //@{
   /**
-   * Without a terrain: the factor on the third component, default 1. Not finite: error.
+   * Without a terrain: the factor on the third component, default 1. NaN, or more than 1e38 in
+   * absolute value, is an error and changes nothing.
    */
   virtual void SetExaggeration(double exaggeration);
   vtkGetMacro(Exaggeration, double);

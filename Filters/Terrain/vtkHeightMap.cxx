@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightMap.h"
 
+#include "Core/SettingChecks.h"
 #include "Heights/HeightGrid.h"
 #include "Heights/HeightReduction.h"
 #include "Mesh/PointBlanking.h"
@@ -107,6 +108,11 @@ void vtkHeightMap::UnsetNoDataValue()
     this->NoDataValueSet = false;
     this->Modified();
   }
+}
+
+void vtkHeightMap::SetMaximumDimension(int dimension)
+{
+  relevo::SetInRange(this, "MaximumDimension", this->MaximumDimension, dimension, 0, VTK_INT_MAX);
 }
 
 vtkMTimeType vtkHeightMap::GetMTime()

@@ -90,9 +90,9 @@ public:
   /**
    * The most texels that are kept per side, 0 for any number. Default 16384, which every texture of
    * OpenGL 4.1 and later can have; a graphics card may take more or, before 4.1, less
-   * (vtkTextureObject::GetMaximumTextureSize()).
+   * (vtkTextureObject::GetMaximumTextureSize()). Less than 0 is an error and changes nothing.
    */
-  vtkSetClampMacro(MaximumDimension, int, 0, VTK_INT_MAX);
+  virtual void SetMaximumDimension(int dimension);
   vtkGetMacro(MaximumDimension, int);
   //@}
 

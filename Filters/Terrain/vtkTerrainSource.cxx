@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainSource.h"
 
-#include "Heights/TerrainMesh.h"
-
+#include "Core/SettingChecks.h"
 #include "Core/VTKCompatibility.h"
 #include "Geodesy/TerrainFrame.h"
+#include "Heights/TerrainMesh.h"
 #include "Raster/Imagery.h"
 #include "Raster/Raster.h"
 #include "vtkCommand.h"
@@ -31,6 +31,9 @@ namespace
 // Shares of the progress.
 constexpr double HeightsShare = 0.6;
 constexpr double MeshShare = 0.1;
+
+constexpr int LargestImagerySize = 65536; // pixels a side
+constexpr double LargestExaggeration = VTK_FLOAT_MAX;
 }
 
 vtkStandardNewMacro(vtkTerrainSource);
@@ -67,14 +70,39 @@ char* vtkTerrainSource::GetFileName()
   return this->HeightMap->GetFileName();
 }
 
-void vtkTerrainSource::SetExaggeration(double exaggeration)
+void vtkTerrainSource::SetImageryBands(int red, int green, int blue)
 {
-  if (!std::isfinite(exaggeration))
+  const int bands[3] = { red, green, blue };
+  const bool isDefault = red == 0 && green == 0 && blue == 0;
+  if (!isDefault && std::any_of(bands, bands + 3, [](int band) { return band < 1; }))
   {
-    vtkErrorMacro(<< "Exaggeration must be finite, not " << exaggeration << ".");
+    vtkErrorMacro(<< "ImageryBands must be three bands, counted from 1, or (0, 0, 0), got (" << red
+                  << ", " << green << ", " << blue << ").");
     return;
   }
-  if (this->Exaggeration != exaggeration)
+  if (!std::equal(bands, bands + 3, this->ImageryBands))
+  {
+    std::copy_n(bands, 3, this->ImageryBands);
+    this->Modified();
+  }
+}
+
+void vtkTerrainSource::SetMaximumImagerySize(int pixels)
+{
+  relevo::SetInRange(
+    this, "MaximumImagerySize", this->MaximumImagerySize, pixels, 1, LargestImagerySize);
+}
+
+void vtkTerrainSource::SetResolution(int squares)
+{
+  relevo::SetInRange(this, "Resolution", this->Resolution, squares, 1, VTK_INT_MAX);
+}
+
+void vtkTerrainSource::SetExaggeration(double exaggeration)
+{
+  if (relevo::CheckRange(
+        this, "Exaggeration", exaggeration, -LargestExaggeration, LargestExaggeration) &&
+    this->Exaggeration != exaggeration)
   {
     this->Exaggeration = exaggeration;
     this->Displacement->SetScale(exaggeration * this->VerticalUnit);
@@ -99,7 +127,10 @@ void vtkTerrainSource::UnsetNoDataValue()
 
 void vtkTerrainSource::SetMaximumDimension(int dimension)
 {
-  this->HeightMap->SetMaximumDimension(dimension);
+  if (relevo::CheckRange(this, "MaximumDimension", dimension, 0, VTK_INT_MAX))
+  {
+    this->HeightMap->SetMaximumDimension(dimension);
+  }
 }
 
 int vtkTerrainSource::GetMaximumDimension()
@@ -109,12 +140,8 @@ int vtkTerrainSource::GetMaximumDimension()
 
 void vtkTerrainSource::SetNoDataPolicy(int policy)
 {
-  if (policy != vtkDisplacement::HOLE && policy != vtkDisplacement::FILL)
-  {
-    vtkErrorMacro(<< "There is no no-data policy " << policy << ".");
-    return;
-  }
-  if (this->GetNoDataPolicy() != policy)
+  if (relevo::CheckChoice(this, "NoDataPolicy", policy, { "HOLE", "FILL" }) &&
+    this->GetNoDataPolicy() != policy)
   {
     this->Displacement->SetNoDataPolicy(policy);
     this->Modified();

@@ -91,33 +91,38 @@ public:
    * those that the file declares so; else the first three, or the first alone as grey, or, of five
    * and more, the third, second and first: a multispectral scene in order of wavelength, as Landsat
    * and Sentinel-2 have them. Bytes are taken as they are, georeferenced imagery of other types is
-   * stretched from its smallest to its largest value.
+   * stretched from its smallest to its largest value. A number below 1 among others is an error and
+   * changes nothing.
    */
-  vtkSetVector3Macro(ImageryBands, int);
+  virtual void SetImageryBands(int red, int green, int blue);
+  void SetImageryBands(const int bands[3]) { this->SetImageryBands(bands[0], bands[1], bands[2]); }
   vtkGetVector3Macro(ImageryBands, int);
   //@}
 
   //@{
   /**
-   * The most pixels the resampled imagery may have per side, default 4096, at least 1. Imagery of
-   * more is reduced, from its overviews where it has any, with a warning.
+   * The most pixels the resampled imagery may have per side, 1 to 65536, default 4096. Imagery of
+   * more is reduced, from its overviews where it has any, with a warning. Another value is an error
+   * and changes nothing.
    */
-  vtkSetClampMacro(MaximumImagerySize, int, 1, 65536);
+  virtual void SetMaximumImagerySize(int pixels);
   vtkGetMacro(MaximumImagerySize, int);
   //@}
 
   //@{
   /**
-   * Squares of two coarse faces along the longer side, default 128, at least 1, at most one per
-   * texel; the shorter side has as many as keep them about square.
+   * Squares of two coarse faces along the longer side, default 128, at most one per texel; the
+   * shorter side has as many as keep them about square. Less than 1 is an error and changes
+   * nothing.
    */
-  vtkSetClampMacro(Resolution, int, 1, VTK_INT_MAX);
+  virtual void SetResolution(int squares);
   vtkGetMacro(Resolution, int);
   //@}
 
   //@{
   /**
-   * Factor on the heights, default 1. Not finite: error.
+   * Factor on the heights, default 1. NaN, or more than 1e38 in absolute value, is an error and
+   * changes nothing.
    */
   virtual void SetExaggeration(double exaggeration);
   vtkGetMacro(Exaggeration, double);
@@ -125,7 +130,7 @@ public:
 
   //@{
   /**
-   * A sample value that means "no data", besides what the file declares; see
+   * A sample value that means "no data", besides what the file declares; NaN for NaN samples. See
    * vtkHeightMap::SetNoDataValue and UnsetNoDataValue.
    */
   virtual void SetNoDataValue(double value);
@@ -136,7 +141,8 @@ public:
   //@{
   /**
    * The most heights that are kept per side, default 16384, 0 for any number; more are reduced,
-   * with a warning: see vtkHeightMap::SetMaximumDimension. Extent and coordinates stay.
+   * with a warning: see vtkHeightMap::SetMaximumDimension. Extent and coordinates stay. Less than 0
+   * is an error and changes nothing.
    */
   virtual void SetMaximumDimension(int dimension);
   virtual int GetMaximumDimension();
@@ -145,6 +151,7 @@ public:
   //@{
   /**
    * Leave out (vtkDisplacement::HOLE, default) or fill (vtkDisplacement::FILL) what has no data.
+   * Another value is an error and changes nothing.
    */
   virtual void SetNoDataPolicy(int policy);
   virtual int GetNoDataPolicy();

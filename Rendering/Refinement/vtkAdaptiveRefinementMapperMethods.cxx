@@ -3,6 +3,7 @@
 // Which method draws, and its draw calls.
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
+#include "Core/SettingChecks.h"
 #include "OpenGL/RelevoOpenGL.h"
 
 #include "Evaluation/PatternSelection.h"
@@ -34,10 +35,10 @@ relevo::RefinementMethod::Primitives GetPrimitives(int mode, bool pointPicking)
 
 void vtkAdaptiveRefinementMapper::SetMethod(int method)
 {
-  if (method < METHOD_ARKFPI || method > METHOD_UNIFORM)
+  if (!relevo::CheckChoice(this, "Method", method,
+        { "METHOD_ARKFPI", "METHOD_ARK", "METHOD_DMR", "METHOD_SUAPT",
+          "METHOD_HARDWARE_TESSELLATION", "METHOD_UNIFORM" }))
   {
-    vtkErrorMacro(
-      "Method is in [" << METHOD_ARKFPI << ", " << METHOD_UNIFORM << "], not " << method << ".");
     return;
   }
   if (this->Method != method)

@@ -3,6 +3,7 @@
 // Settings that need no new buffers, and what is told of the last render.
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
+#include "Core/SettingChecks.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkLookupTable.h"
 #include "vtkOpenGLVertexBufferObject.h"
@@ -62,12 +63,10 @@ vtkScalarsToColors* vtkAdaptiveRefinementMapper::GetLevelLookupTable()
 
 void vtkAdaptiveRefinementMapper::SetTargetNumberOfTriangles(vtkIdType triangles)
 {
-  if (triangles < 0)
+  if (relevo::CheckRange<vtkIdType>(this, "TargetNumberOfTriangles", triangles, 0, VTK_ID_MAX))
   {
-    vtkErrorMacro("TargetNumberOfTriangles must not be negative, got " << triangles << ".");
-    return;
+    this->Internals->Budget.Target = triangles;
   }
-  this->Internals->Budget.Target = triangles;
 }
 
 vtkIdType vtkAdaptiveRefinementMapper::GetTargetNumberOfTriangles()
@@ -87,12 +86,9 @@ double vtkAdaptiveRefinementMapper::GetLevelOffset()
 
 void vtkAdaptiveRefinementMapper::SetSelectionDevice(int device)
 {
-  if (device < SELECTION_DEVICE_AUTOMATIC || device > SELECTION_DEVICE_GPU)
-  {
-    vtkErrorMacro("SelectionDevice is 0 (automatic), 1 (CPU) or 2 (GPU), not " << device << ".");
-    return;
-  }
-  if (this->SelectionDevice != device)
+  if (relevo::CheckChoice(this, "SelectionDevice", device,
+        { "SELECTION_DEVICE_AUTOMATIC", "SELECTION_DEVICE_CPU", "SELECTION_DEVICE_GPU" }) &&
+    this->SelectionDevice != device)
   {
     this->SelectionDevice = device;
     this->Internals->ContextChecked = false;

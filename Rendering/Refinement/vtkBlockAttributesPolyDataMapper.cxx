@@ -3,9 +3,9 @@
 #include "vtkBlockAttributesPolyDataMapper.h"
 
 #include "Blocks/BlockLook.h"
+#include "Core/SettingChecks.h"
 #include "Shaders/RefinementShader.h"
 #include "State/ActorLook.h"
-
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
@@ -123,7 +123,9 @@ void vtkBlockAttributesPolyDataMapper::RemoveBlockVisibilities()
 
 void vtkBlockAttributesPolyDataMapper::SetBlockColor(unsigned int index, const double color[3])
 {
-  if (vtkDataObject* block = this->FindBlockToSet(index))
+  vtkDataObject* block = this->FindBlockToSet(index);
+  if (block &&
+    relevo::CheckVector<3>(this, "BlockColor", { color[0], color[1], color[2] }, 0.0, 1.0))
   {
     this->CompositeAttributes->SetBlockColor(block, color);
   }
@@ -163,7 +165,8 @@ void vtkBlockAttributesPolyDataMapper::RemoveBlockColors()
 
 void vtkBlockAttributesPolyDataMapper::SetBlockOpacity(unsigned int index, double opacity)
 {
-  if (vtkDataObject* block = this->FindBlockToSet(index))
+  vtkDataObject* block = this->FindBlockToSet(index);
+  if (block && relevo::CheckRange(this, "BlockOpacity", opacity, 0.0, 1.0))
   {
     this->CompositeAttributes->SetBlockOpacity(block, opacity);
   }

@@ -71,7 +71,8 @@ public:
 
   //@{
   /**
-   * The colour of a block, by its flat index: red, green, blue, in [0, 1].
+   * The colour of a block, by its flat index: red, green, blue, in [0, 1]. Another value is an
+   * error and changes nothing.
    */
   void SetBlockColor(unsigned int index, const double color[3]);
   void SetBlockColor(unsigned int index, double r, double g, double b)
@@ -87,7 +88,8 @@ public:
 
   //@{
   /**
-   * The opacity of a block, by its flat index, in [0, 1].
+   * The opacity of a block, by its flat index, in [0, 1]. Another value is an error and changes
+   * nothing.
    */
   void SetBlockOpacity(unsigned int index, double opacity);
   double GetBlockOpacity(unsigned int index);

@@ -137,7 +137,7 @@ class TestTerrainSource(unittest.TestCase):
         self.assertEqual(len(errors), 2)
         self.assertEqual(len(executive), 2)
         source.SetExaggeration(math.inf)
-        self.assertIn("finite", errors[-1])
+        self.assertIn("Exaggeration must be in [", errors[-1])
         self.assertEqual(source.GetExaggeration(), 1.0)
         source.SetImageryFileName(None)
         source.Update()

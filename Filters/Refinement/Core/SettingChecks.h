@@ -23,71 +23,65 @@
 
 namespace relevo
 {
-/// Of what can be sent to a shader.
-constexpr double LargestFloat = VTK_FLOAT_MAX;
+constexpr double LargestDouble = std::numeric_limits<double>::max();
 
-/// "in [0, 1]", "at least 0", "a finite float": the rest of a sentence that begins "NAME must be".
+/// "must be in [0, 1]", "must be at least 0", "must be a finite number".
 template <typename T>
 std::string DescribeRange(T lowest, T highest)
 {
-  const bool isUnlimited = highest == std::numeric_limits<T>::max();
-  const bool isFloat = std::is_floating_point<T>::value && highest == static_cast<T>(LargestFloat);
   std::ostringstream text;
-  if (std::is_floating_point<T>::value && (isUnlimited || isFloat))
+  if (highest < std::numeric_limits<T>::max())
   {
-    text << (isFloat ? "a finite float" : "a finite number");
-    if (lowest != -highest)
-    {
-      text << " of at least " << lowest;
-    }
+    text << "must be in [" << lowest << ", " << highest << "]";
   }
-  else if (isUnlimited)
+  else if (lowest == std::numeric_limits<T>::lowest())
   {
-    text << "at least " << lowest;
+    text << "must be a finite number";
   }
   else
   {
-    text << "in [" << lowest << ", " << highest << "]";
+    text << "must be at least " << lowest
+         << (std::is_floating_point<T>::value ? " and finite" : "");
   }
   return text.str();
 }
 
 /**
  * Whether the value is in [lowest, highest], which NaN never is; else an ErrorEvent of the object.
+ * `hint` is a sentence that follows the error's own.
  */
 template <typename T>
-bool CheckRange(vtkObject* object, const char* name, T value, T lowest, T highest)
+bool CheckRange(
+  vtkObject* object, const char* name, T value, T lowest, T highest, const char* hint = "")
 {
   const bool isInRange = value >= lowest && value <= highest;
   if (!isInRange)
   {
     vtkErrorWithObjectMacro(
-      object, << name << " must be " << DescribeRange(lowest, highest) << ", got " << value << ".");
+      object, << name << " " << DescribeRange(lowest, highest) << ", got " << value << "." << hint);
   }
   return isInRange;
 }
 
 template <typename T>
-void SetInRange(vtkObject* object, const char* name, T& setting, T value, T lowest, T highest)
+void SetInRange(vtkObject* object, const char* name, T& setting, T value, T lowest, T highest,
+  const char* hint = "")
 {
-  if (CheckRange(object, name, value, lowest, highest) && setting != value)
+  if (CheckRange(object, name, value, lowest, highest, hint) && setting != value)
   {
     setting = value;
     object->Modified();
   }
 }
 
-/// "HOLE (0) or FILL (1)", by the names of 0, 1 and so on.
+/// "must be one of HOLE (0), FILL (1)", by the names of 0, 1 and so on.
 inline std::string DescribeChoices(std::initializer_list<const char*> names)
 {
   std::ostringstream text;
-  std::size_t value = 0;
+  int value = 0;
   for (const char* name : names)
   {
-    text << (value == 0                     ? ""
-                : value + 1 == names.size() ? " or "
-                                            : ", ")
-         << name << " (" << value << ")";
+    text << (value == 0 ? "must be one of " : ", ") << name << " (" << value << ")";
     ++value;
   }
   return text.str();
@@ -103,7 +97,7 @@ inline bool CheckChoice(
   if (!isChoice)
   {
     vtkErrorWithObjectMacro(
-      object, << name << " must be " << DescribeChoices(names) << ", got " << value << ".");
+      object, << name << " " << DescribeChoices(names) << ", got " << value << ".");
   }
   return isChoice;
 }
@@ -134,7 +128,7 @@ bool CheckVector(vtkObject* object, const char* name, const std::array<double, S
     {
       text << (text.tellp() > 0 ? ", " : "(") << value;
     }
-    vtkErrorWithObjectMacro(object, << "Each component of " << name << " must be "
+    vtkErrorWithObjectMacro(object, << "Each component of " << name << " "
                                     << DescribeRange(lowest, highest) << ", got " << text.str()
                                     << ").");
   }

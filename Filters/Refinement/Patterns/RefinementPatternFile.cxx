@@ -395,7 +395,8 @@ std::string ReadVTP(
     const int index = patternOfCell->GetValue(cells->GetCurrentCellId());
     if (size != 3 || index < 0 || index >= count)
     {
-      return name + " has a cell that is no triangle or of no existing pattern.";
+      return name +
+        " has a cell that is not a triangle, or belongs to a pattern that does not exist.";
     }
     for (vtkIdType i = 0; i < 3; ++i)
     {

@@ -17,11 +17,6 @@ std::unique_ptr<MapDirections> MapDirections::New(
   const std::string& system, const MapPlace& origin, std::string& error)
 {
   error.clear();
-  if (!std::isfinite(origin[0]) || !std::isfinite(origin[1]))
-  {
-    error = "the origin is not finite";
-    return nullptr;
-  }
   if (system.empty())
   {
     return nullptr;

@@ -402,9 +402,11 @@ void TestRecipe(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(displacement->GetScale() == 2.5);
   RelevoErrors errors(source);
   source->SetExaggeration(std::numeric_limits<double>::quiet_NaN());
-  CHECK(errors.Said("finite") && source->GetExaggeration() == 2.5);
+  CHECK(errors.Said("Exaggeration must be in [-1e+38, 1e+38], got") &&
+    source->GetExaggeration() == 2.5);
   source->SetNoDataPolicy(7);
-  CHECK(errors.Said("policy") && source->GetNoDataPolicy() == vtkDisplacement::HOLE);
+  CHECK(errors.Said("NoDataPolicy must be one of HOLE (0), FILL (1), got") &&
+    source->GetNoDataPolicy() == vtkDisplacement::HOLE);
 
   const RelevoRaster raster = MakeRaster(16, 16, { 0.0, 1.0, 0.0, 16.0, 0.0, -1.0 }, "EPSG:32633");
   const std::string name = folders.File("TerrainRecipe.tif");

@@ -186,11 +186,11 @@ void TestSettings(RelevoCheck& check)
   vtkNew<vtkAdaptiveRefinement> recipe;
   RelevoErrors errors(recipe);
   recipe->SetLevelRule(2);
-  CHECK(errors.Said("LevelRule must be in [0, 1]"));
+  CHECK(errors.Said("LevelRule must be one of PER_VERTEX (0), PER_EDGE (1)"));
   recipe->SetSegmentPolicy(-1);
-  CHECK(errors.Said("SegmentPolicy must be in [0, 1]"));
+  CHECK(errors.Said("SegmentPolicy must be one of POWERS_OF_TWO (0), WHOLE_NUMBERS (1)"));
   recipe->SetGeomorphing(3);
-  CHECK(errors.Said("Geomorphing must be in [0, 2]"));
+  CHECK(errors.Said(", GEOMORPHING_AUTOMATIC (2), got"));
   recipe->SetLevelOffset(vtkMath::Nan());
   CHECK(errors.Said("LevelOffset must be in [-16, 16]"));
   CHECK(recipe->GetLevelRule() == vtkDepthTagMetric::PER_VERTEX);

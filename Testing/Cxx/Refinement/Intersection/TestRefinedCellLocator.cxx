@@ -299,7 +299,7 @@ void CheckChanges(RelevoCheck& check)
   heightOf();
   CHECK(errors.Said("Needs a vtkPolyData"));
   locator->SetViewportSize(0, 5);
-  CHECK(errors.Said("ViewportSize must be positive"));
+  CHECK(errors.Said("ViewportSize must be at least 1 x 1 pixels"));
 }
 
 // Every point of a line, against a walk through all cells of the filter's mesh.

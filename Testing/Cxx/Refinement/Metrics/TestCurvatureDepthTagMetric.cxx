@@ -380,7 +380,7 @@ void TestBadInput(RelevoCheck& check)
   RelevoErrors errors(metric);
   metric->SetCurvatureTypeToMean();
   metric->SetCurvatureType(2);
-  CHECK(errors.Said("CurvatureType 2"));
+  CHECK(errors.Said("CurvatureType must be one of GAUSSIAN (0), MEAN (1), got 2"));
   CHECK(metric->GetCurvatureType() == vtkCurvatureDepthTagMetric::MEAN);
   for (double bad : { -1.0, nan, infinity })
   {

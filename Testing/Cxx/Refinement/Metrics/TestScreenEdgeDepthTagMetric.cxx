@@ -81,7 +81,7 @@ int TestScreenEdgeDepthTagMetric(int, char*[])
   CHECK(TagsOf(metric, endOn, view, 6)[3] == 0.0f);
   RelevoErrors measureErrors(metric);
   metric->SetMeasure(2);
-  CHECK(measureErrors.Said("neither PROJECTED_LENGTH (0) nor SPHERE_DIAMETER (1)"));
+  CHECK(measureErrors.Said("must be one of PROJECTED_LENGTH (0), SPHERE_DIAMETER (1)"));
 
   // Parallel: a height of 2 * 2 units in 400 pixels, also behind the eye.
   camera->ParallelProjectionOn();

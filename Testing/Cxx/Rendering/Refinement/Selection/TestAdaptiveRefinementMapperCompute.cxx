@@ -120,7 +120,7 @@ int TestAdaptiveRefinementMapperCompute(int argc, char* argv[])
     Mapper* mapper = Mapper::SafeDownCast(actor->GetMapper());
     RelevoErrors errors(mapper);
     mapper->SetSelectionDevice(3);
-    CHECK(errors.Said("SelectionDevice is 0"));
+    CHECK(errors.Said("SelectionDevice must be one of SELECTION_DEVICE_AUTOMATIC (0)"));
     CHECK(mapper->GetSelectionDevice() == RelevoScene::GetSelectionDevice());
     mapper->SetSelectionDeviceToGPU();
     scene.ResetCameras();
