@@ -260,7 +260,7 @@ bool vtkDistanceDepthTagMetric::CheckView(const relevo::RefinementView& view)
   if (this->ReferenceLength > 0.0 && this->MaximumDistance == 0.0 &&
     !(GetPixelsAtUnitDistance(view) > 0.0))
   {
-    vtkErrorMacro("The viewport has no pixels that ReferenceLength could count: it is "
+    vtkErrorMacro("The viewport has no pixels to measure ReferenceLength in: it is "
       << view.ViewportSize[0] << " x " << view.ViewportSize[1] << ".");
     return false;
   }

@@ -152,7 +152,7 @@ void vtkProceduralSurface::SetUniformValues(const char* name, const std::vector<
   if (!std::all_of(values.begin(), values.end(),
         [](double v) { return std::isfinite(static_cast<float>(v)); }))
   {
-    vtkErrorMacro("Uniform \"" << name << "\" must be finite, also as floats.");
+    vtkErrorMacro("Uniform \"" << name << "\" must be finite as a float.");
     return;
   }
   const std::vector<float> floats(values.begin(), values.end());

@@ -114,7 +114,7 @@ bool vtkScreenEdgeDepthTagMetric::GetShader(vtkPolyData* mesh, const relevo::Ref
   // 1 unless the camera is broken or its view sheared.
   if (!(std::abs(glm::determinant(directions)) > 1e-9))
   {
-    vtkErrorMacro("The camera's view-up is along its view direction, or its view is flat.");
+    vtkErrorMacro("The camera's view-up is parallel to its view direction, or its view is flat.");
     return false;
   }
   static const std::string source = std::string(relevoMetricView) + relevoScreenEdgeMetric;

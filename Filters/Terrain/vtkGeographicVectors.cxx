@@ -294,7 +294,7 @@ vtkDataArray* vtkGeographicVectors::ChooseArray(
   const char* place = port == 0 ? "mesh" : "image";
   if (port < 0 || port > 1 || !inputVector[port]->GetInformationObject(0))
   {
-    vtkErrorMacro(<< "The vectors are to come from input " << port << ", where there is none.");
+    vtkErrorMacro(<< "The vectors are expected from input " << port << ", which has no data.");
     return nullptr;
   }
   const std::string name =
@@ -310,7 +310,7 @@ vtkDataArray* vtkGeographicVectors::ChooseArray(
   {
     vtkErrorMacro(<< "The array \"" << name << "\" of the " << place << " has "
                   << array->GetNumberOfComponents()
-                  << " components in place of 2 or 3: east, north and maybe up.");
+                  << " components instead of 2 or 3: east, north and maybe up.");
     return nullptr;
   }
   isOfRaster = port == 1;

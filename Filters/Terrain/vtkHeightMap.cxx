@@ -33,7 +33,7 @@ int rowsPerRead(const relevo::RasterDescription& contents)
   return static_cast<int>(std::min<long long>(blocks * contents.RowsPerBlock, contents.Height));
 }
 
-const char* const NothingToRead = "There is neither a file name nor an image to read heights from.";
+const char* const NothingToRead = "There is neither a file name nor an image to read heights from: call SetFileName() or SetImageData().";
 
 std::string cannotRead(const std::string& fileName, const std::string& error)
 {
@@ -279,7 +279,7 @@ bool vtkHeightMap::ReadFile(relevo::HeightGrid& grid, std::string& error)
     contents.HasMask ? new (std::nothrow) unsigned char[samplesPerRead] : nullptr);
   if (!samples || (contents.HasMask && !mask))
   {
-    error = "no memory for " + std::to_string(rows) + " rows of " + std::to_string(contents.Width) +
+    error = "not enough memory for " + std::to_string(rows) + " rows of " + std::to_string(contents.Width) +
       " heights";
     return false;
   }
@@ -310,7 +310,7 @@ bool vtkHeightMap::ReadImage(relevo::HeightGrid& grid, std::string& error)
   if (dimensions[0] < 1 || dimensions[1] < 1 || dimensions[2] != 1)
   {
     error = "it has " + std::to_string(dimensions[0]) + " x " + std::to_string(dimensions[1]) +
-      " x " + std::to_string(dimensions[2]) + " points in place of n x m x 1";
+      " x " + std::to_string(dimensions[2]) + " points instead of n x m x 1";
     return false;
   }
   const vtkIdType size = static_cast<vtkIdType>(dimensions[0]) * dimensions[1];

@@ -157,11 +157,11 @@ void vtkEGLOffscreenRenderWindow::CreateContext()
   }
   if (isBlocked)
   {
-    vtkErrorMacro("a window on a display holds OpenGL in this thread: delete it first");
+    vtkErrorMacro("A window on a display already uses OpenGL in this thread: delete it first.");
   }
   else
   {
-    vtkErrorMacro("EGL offers no device with OpenGL 3.2 core");
+    vtkErrorMacro("No EGL device offers OpenGL 3.2 with the core profile.");
   }
 }
 
@@ -260,7 +260,7 @@ void vtkEGLOffscreenRenderWindow::OpenGLInitContext()
     this->GlewInitValid = result == GLEW_OK || result == GLEW_ERROR_NO_GLX_DISPLAY;
     if (!this->GlewInitValid || !GLEW_VERSION_3_2)
     {
-      vtkErrorMacro("OpenGL's functions could not be loaded");
+      vtkErrorMacro("OpenGL's functions could not be loaded.");
       return;
     }
     this->ContextCreationTime.Modified();

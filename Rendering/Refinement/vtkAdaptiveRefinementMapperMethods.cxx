@@ -92,7 +92,7 @@ void vtkAdaptiveRefinementMapper::ChooseMethod(vtkRenderer* ren, vtkActor* act)
   std::string problem = method.GetMissing();
   if (!problem.empty())
   {
-    problem = "Needs " + problem + ", which this context has not";
+    problem = "Needs " + problem + ", which this OpenGL context does not have";
   }
   else
   {

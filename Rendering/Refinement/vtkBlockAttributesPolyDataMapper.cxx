@@ -70,7 +70,7 @@ vtkDataObject* vtkBlockAttributesPolyDataMapper::FindBlockToSet(unsigned int ind
   {
     vtkErrorMacro("There is no block with flat index "
       << index << (input ? ": the input has fewer" : ": there is no input")
-      << ". Call Update() before blocks are named by their indices.");
+      << ". Call Update() before you set attributes of blocks by their flat index.");
   }
   else if (!this->CompositeAttributes)
   {

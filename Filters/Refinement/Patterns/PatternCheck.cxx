@@ -52,7 +52,7 @@ const char* FindDefectOfVertices(
     const bool isInside = weights[0] > 0 && weights[1] > 0 && weights[2] > 0;
     if (i < border.size() ? weights != border[i] : !isInside)
     {
-      return "a vertex is not where its place in the list says";
+      return "a vertex is not at the position that its index stands for";
     }
     points.push_back({ weights[1], weights[2] });
   }
@@ -95,7 +95,7 @@ const char* FindDefectOfSides(const RefinementPattern& pattern)
   {
     if (!Contains(sides, segment))
     {
-      return "a segment of its border is no side of a triangle";
+      return "a segment of its border is not an edge of any triangle";
     }
   }
   const auto numberOfOpenSides = std::count_if(sides.begin(), sides.end(),
@@ -122,7 +122,7 @@ const char* FindDefect(const RefinementPattern& pattern)
   if (numberOfVertices < numberOfBorderVertices || // Euler's formula:
     pattern.GetNumberOfTriangles() != 2 * numberOfVertices - 2 - numberOfBorderVertices)
   {
-    return "its numbers of vertices and triangles do not fit together";
+    return "its numbers of vertices and triangles contradict each other";
   }
   std::vector<PatternPoint> points;
   const char* defect = FindDefectOfVertices(pattern, points);

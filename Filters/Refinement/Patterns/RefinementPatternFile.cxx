@@ -360,7 +360,7 @@ std::string ReadVTP(
   }
   if (polyData->GetNumberOfCells() != polyData->GetNumberOfPolys())
   {
-    return name + " has cells that are no triangles.";
+    return name + " has cells that are not triangles.";
   }
   if (!IsLevel(level->GetValue(0)))
   {
@@ -434,7 +434,7 @@ std::string ReadPatterns(
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(fileName, ignored))
   {
-    return std::string(fileName) + " is no file.";
+    return std::string(fileName) + " is not a file.";
   }
   std::string error = IsVTP(fileName) ? ReadVTP(fileName, maximumLevel, patterns)
                                       : ReadBinary(fileName, maximumLevel, patterns);

@@ -26,14 +26,14 @@ std::unique_ptr<MapDirections> MapDirections::New(
   const SpatialReference reference = NewSpatialReference(system);
   if (!reference)
   {
-    error = session.Messages("it is no coordinate system that GDAL knows");
+    error = session.Messages("GDAL does not know it");
     return nullptr;
   }
   Georeference location;
   DescribeCoordinateSystem(reference.get(), location);
   if (location.System == Georeference::Kind::Unsupported)
   {
-    error = "it is neither of longitude and latitude nor of a projection";
+    error = "it uses neither longitude and latitude nor a projection";
     return nullptr;
   }
   if (location.System == Georeference::Kind::Geographic)
@@ -47,12 +47,12 @@ std::unique_ptr<MapDirections> MapDirections::New(
   auto directions = std::make_unique<GridDirections>(system, location, origin);
   if (!directions->IsValid())
   {
-    error = session.Messages("it has no way back to longitude and latitude");
+    error = session.Messages("its coordinates cannot be converted to longitude and latitude");
     return nullptr;
   }
   return directions;
 #else
-  error = "this build of Relevo is without GDAL, which knows coordinate systems";
+  error = "this build of Relevo has no GDAL, which coordinate systems need";
   return nullptr;
 #endif
 }

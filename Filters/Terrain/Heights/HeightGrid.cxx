@@ -98,7 +98,7 @@ bool HeightGrid::Allocate(
       : nullptr);
   if (!this->Samples || (!this->Validity && (reading.HasMask || !reading.NoData.empty())))
   {
-    error = "no memory for " + std::to_string(this->Width) + " x " + std::to_string(this->Height) +
+    error = "not enough memory for " + std::to_string(this->Width) + " x " + std::to_string(this->Height) +
       " heights";
     return false;
   }

@@ -125,12 +125,12 @@ std::unique_ptr<GDALRaster> GDALRaster::Open(const std::string& fileName, std::s
     GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr, nullptr, nullptr));
   if (!dataset)
   {
-    error = session.Messages("not a raster that GDAL knows");
+    error = session.Messages("GDAL does not recognise it as a raster");
     return nullptr;
   }
   if (GDALGetRasterCount(dataset.get()) < 1)
   {
-    error = "it holds no raster band (a container of several rasters?)";
+    error = "it has no raster band; it may be a container of several rasters";
     return nullptr;
   }
   auto raster = std::make_unique<GDALRaster>();
@@ -168,7 +168,7 @@ std::unique_ptr<GDALRaster> GDALRaster::Open(const std::string& fileName, std::s
   {
     if (!contents.Location.SetAffineTransform(transform, contents.Width, contents.Height))
     {
-      error = "its georeference is singular: pixels without area";
+      error = "its georeference is singular: its pixels have no area";
       return nullptr;
     }
     contents.Location.System = Georeference::Kind::Planar;

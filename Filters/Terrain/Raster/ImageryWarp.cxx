@@ -463,7 +463,7 @@ bool WarpImagery(const ImagerySource& source, const Georeference& terrain, Image
   }
   if (!chooseSize(picture, terrain, source.MaximumSize, result))
   {
-    error = session.Messages("its coordinate system cannot be related to the terrain's");
+    error = session.Messages("its coordinate system cannot be converted to the terrain's");
     return false;
   }
   // Both as fine as the result needs.

@@ -75,7 +75,7 @@ std::unique_ptr<OpenImageIORaster> OpenImageIORaster::Open(
   const std::string extension = std::filesystem::path(fileName).extension().string();
   if (std::string(input->format_name()) == "targa" && extension != ".tga" && extension != ".TGA")
   {
-    error = "the format is not known";
+    error = "its format is not known";
     return nullptr;
   }
 
@@ -92,12 +92,12 @@ std::unique_ptr<OpenImageIORaster> OpenImageIORaster::Open(
   const int photometric = spec.get_int_attribute("tiff:PhotometricInterpretation", -1);
   if (photometric == MinIsWhite || photometric == Palette)
   {
-    error = "its samples would be inverted or looked up in a palette";
+    error = "OpenImageIO would invert its samples or look them up in a palette";
     return nullptr;
   }
   if (format == OIIO::TypeDesc::DOUBLE && spec.tile_width > 0)
   {
-    error = "tiles of 64 bit samples are not read (OpenImageIO 2.4 leaves them undefined)";
+    error = "tiles of 64-bit samples cannot be read: OpenImageIO 2.4 leaves them undefined";
     return nullptr;
   }
   if (bits > 0 && bits != static_cast<int>(8 * format.size()))

@@ -85,7 +85,7 @@ std::unique_ptr<Raster> Raster::Open(const std::string& fileName, std::string& e
   {
     error = "it has " + std::to_string(raster->Contents.Width) + " x " +
       std::to_string(raster->Contents.Height) + " texels";
-    error += raster->Contents.Width > MaximumWidth ? ", too many columns to read a row" : "";
+    error += raster->Contents.Width > MaximumWidth ? ", so that a row is too long to be read" : "";
     return nullptr;
   }
   return raster;

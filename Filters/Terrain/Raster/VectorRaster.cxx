@@ -44,7 +44,7 @@ bool VectorRaster::SetImage(
   if (dimensions[0] < 1 || dimensions[1] < 1 || dimensions[2] != 1)
   {
     error = "it has " + std::to_string(dimensions[0]) + " x " + std::to_string(dimensions[1]) +
-      " x " + std::to_string(dimensions[2]) + " points in place of n x m x 1";
+      " x " + std::to_string(dimensions[2]) + " points instead of n x m x 1";
     return false;
   }
   if (array->GetNumberOfTuples() != size)

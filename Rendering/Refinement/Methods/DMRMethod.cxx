@@ -18,7 +18,7 @@ namespace relevo
 std::string DMRMethod::GetObstacle(const PatternFamily& family) const
 {
   return family.AreWholeNumbers()
-    ? "It halves edges, and the recipe wants whole numbers of segments"
+    ? "It halves edges, but the recipe asks for whole numbers of segments"
     : "";
 }
 

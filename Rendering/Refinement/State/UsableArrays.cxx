@@ -93,12 +93,12 @@ std::string FindMappingProblem(const ScalarMapping& mapping)
   if (isDirect && (components < 1 || components > 4))
   {
     return what + std::to_string(components) +
-      " components, and colours have 1 to 4. Have them mapped by a lookup table "
+      " components, but colours have 1 to 4. Map them by a lookup table "
       "(SetColorModeToMapScalars()).";
   }
   if (isDirect && vtkCharArray::SafeDownCast(scalars))
   {
-    return what + "type char, and colours are unsigned char.";
+    return what + "type char, but colours are unsigned char.";
   }
   return "";
 }

@@ -107,7 +107,7 @@ void TestSystems(RelevoCheck& check)
   item.Filter->SetCoordinateSystem("nonsense");
   CHECK(item.Says("\"nonsense\" cannot be used"));
   item.Filter->SetCoordinateSystem("EPSG:4978"); // geocentric
-  CHECK(item.Says("neither of longitude and latitude"));
+  CHECK(item.Says("neither longitude and latitude nor"));
   item.Filter->SetCoordinateSystem("EPSG:32633");
   item.Filter->SetOrigin(500000.0, 0.0, 0.0);
   item.Filter->Update();

@@ -116,7 +116,7 @@ int TestHeightMapImage(int, char*[])
   volume->SetDimensions(2, 2, 2);
   volume->AllocateScalars(VTK_FLOAT, 1);
   map->SetImageData(volume);
-  CHECK(!map->Update() && errors.Said("2 x 2 x 2 points in place of n x m x 1"));
+  CHECK(!map->Update() && errors.Said("2 x 2 x 2 points instead of n x m x 1"));
   vtkNew<vtkImageData> empty;
   map->SetImageData(empty);
   CHECK(!map->Update() && errors.Said("0 x 0 x 0"));
