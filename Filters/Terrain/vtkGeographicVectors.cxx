@@ -29,7 +29,7 @@ namespace
 {
 constexpr double NoDataMagnitude = 1e8;
 constexpr double LargestExaggeration = VTK_FLOAT_MAX;
-constexpr vtkIdType PointsAtOnce = 65536; // between two looks at progress and abort
+constexpr vtkIdType PointsAtOnce = 65536; // between two checks of progress and abort
 constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
 
 bool hasVectors(vtkDataArray* array)
@@ -247,7 +247,7 @@ int vtkGeographicVectors::RequestData(
   vtkDataArray* array = this->ChooseArray(inputVector, isOfRaster);
   std::unique_ptr<relevo::MapDirections> directions;
   double exaggeration = 1.0;
-  if (!array || !this->Locate(directions, exaggeration)) // has told why
+  if (!array || !this->Locate(directions, exaggeration)) // has reported the error
   {
     return 0;
   }

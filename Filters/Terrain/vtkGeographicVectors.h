@@ -26,8 +26,8 @@
  * The vectors are a point array of the mesh or, with an image at the second input, one of the
  * image's: a raster over the same extent as the height map, which is sampled by the mesh's texture
  * coordinates as heights are (vtkHeightField: row 0 south, at v = 0, texels' centres at (i + 0.5) /
- * n, bilinear), at its points: have as many of them as the image has
- * (vtkTerrainSource::SetResolution). The image's origin, spacing and own extent do not matter.
+ * n, bilinear). It is sampled at the mesh's points alone: give the mesh about as many as the image
+ * has (vtkTerrainSource::SetResolution). The image's origin, spacing and own extent do not matter.
  * SetInputArrayToProcess(0, port, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name) chooses the
  * array, port 0 for the mesh's and 1 for the image's; else it is the image's, or without one the
  * mesh's active vectors, or the first point array of 2 or 3 components that is neither normals nor

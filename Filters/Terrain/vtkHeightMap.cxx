@@ -33,7 +33,8 @@ int rowsPerRead(const relevo::RasterDescription& contents)
   return static_cast<int>(std::min<long long>(blocks * contents.RowsPerBlock, contents.Height));
 }
 
-const char* const NothingToRead = "There is neither a file name nor an image to read heights from: call SetFileName() or SetImageData().";
+const char* const NothingToRead = "There is neither a file name nor an image to read heights from: "
+                                  "call SetFileName() or SetImageData().";
 
 std::string cannotRead(const std::string& fileName, const std::string& error)
 {
@@ -251,22 +252,22 @@ bool vtkHeightMap::ReadFile(relevo::HeightGrid& grid, std::string& error)
     raster.SelectLevel(size[0], size[1]);
   }
   const int source[2] = { contents.Width, contents.Height };
-  relevo::HeightGrid::Reading reading;
+  relevo::HeightGrid::SampleEncoding encoding;
   if (contents.NoData)
   {
     this->DeclaredNoDataValue = *contents.NoData;
-    reading.NoData.push_back(*contents.NoData);
+    encoding.NoData.push_back(*contents.NoData);
   }
   if (this->NoDataValueSet)
   {
-    reading.NoData.push_back(this->NoDataValue);
+    encoding.NoData.push_back(this->NoDataValue);
   }
-  reading.HasMask = contents.HasMask;
-  reading.Scale = contents.Scale;
-  reading.Offset = contents.Offset;
-  reading.FlipColumns = contents.Location.FlipColumns;
-  reading.FlipRows = contents.Location.FlipRows;
-  if (!grid.Allocate(source, size, reading, error))
+  encoding.HasMask = contents.HasMask;
+  encoding.Scale = contents.Scale;
+  encoding.Offset = contents.Offset;
+  encoding.FlipColumns = contents.Location.FlipColumns;
+  encoding.FlipRows = contents.Location.FlipRows;
+  if (!grid.Allocate(source, size, encoding, error))
   {
     return false;
   }
@@ -279,8 +280,8 @@ bool vtkHeightMap::ReadFile(relevo::HeightGrid& grid, std::string& error)
     contents.HasMask ? new (std::nothrow) unsigned char[samplesPerRead] : nullptr);
   if (!samples || (contents.HasMask && !mask))
   {
-    error = "not enough memory for " + std::to_string(rows) + " rows of " + std::to_string(contents.Width) +
-      " heights";
+    error = "not enough memory for " + std::to_string(rows) + " rows of " +
+      std::to_string(contents.Width) + " heights";
     return false;
   }
   for (int first = 0; first < contents.Height; first += rows)
@@ -332,10 +333,10 @@ bool vtkHeightMap::ReadImage(relevo::HeightGrid& grid, std::string& error)
     samples->DeepCopy(scalars);
   }
 
-  relevo::HeightGrid::Reading reading;
+  relevo::HeightGrid::SampleEncoding encoding;
   if (this->NoDataValueSet)
   {
-    reading.NoData.push_back(this->NoDataValue);
+    encoding.NoData.push_back(this->NoDataValue);
   }
   std::vector<unsigned char> mask;
   const relevo::PointBlanking blanking(this->ImageData);
@@ -347,10 +348,10 @@ bool vtkHeightMap::ReadImage(relevo::HeightGrid& grid, std::string& error)
       mask[i] = !blanking.IsHidden(i);
     }
   }
-  reading.HasMask = !mask.empty();
+  encoding.HasMask = !mask.empty();
   int reduced[2];
   relevo::GetReducedSize(dimensions, this->MaximumDimension, reduced);
-  if (!grid.Allocate(dimensions, reduced, reading, error))
+  if (!grid.Allocate(dimensions, reduced, encoding, error))
   {
     return false;
   }

@@ -262,7 +262,7 @@ int vtkTerrainSource::RequestData(
     vtkErrorMacro(<< error);
     return 0;
   }
-  return relevo::IsAborted(this) ? 1 : 0; // else the height map has told why
+  return relevo::IsAborted(this) ? 1 : 0; // else the height map has reported the error
 }
 
 bool vtkTerrainSource::Build(vtkPolyData* output, std::string& error)

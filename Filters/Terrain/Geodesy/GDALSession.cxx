@@ -12,11 +12,12 @@ namespace relevo
 namespace
 {
 constexpr char LargeReadsOption[] = "GDAL_ONE_BIG_READ";
-// A warning of libjpeg, which draws grey what is missing; GDAL tells how to make it an error.
+// A warning of libjpeg, which draws grey what is missing; GDAL appends how to make it an error.
 constexpr char CutShort[] = "Premature end of JPEG file";
 constexpr char Advice[] = " (this warning can be turned";
 
-// Each level of GDAL reports the same failure with more context: a message replaces what it quotes.
+// Each level of GDAL reports the same failure with more context: a message replaces those that it
+// quotes.
 void CPL_STDCALL Collect(CPLErr severity, CPLErrorNum number, const char* text)
 {
   std::string message(text);
@@ -31,7 +32,7 @@ void CPL_STDCALL Collect(CPLErr severity, CPLErrorNum number, const char* text)
     message.pop_back();
   }
   auto* errors = static_cast<GDALSession::Collection*>(CPLGetErrorHandlerUserData());
-  errors->OfFiles = errors->OfFiles || number == CPLE_FileIO || isCutShort;
+  errors->HasFileErrors = errors->HasFileErrors || number == CPLE_FileIO || isCutShort;
   std::vector<std::string>& texts = errors->Texts;
   texts.erase(
     std::remove_if(texts.begin(), texts.end(),

@@ -28,15 +28,15 @@ public:
   struct Collection
   {
     std::vector<std::string> Texts;
-    bool OfFiles = false;
+    bool HasFileErrors = false;
   };
 
   GDALSession();
   ~GDALSession();
 
   bool HasErrors() const { return !this->Errors.Texts.empty(); }
-  /// Whether a file could not be read where it should; GDAL may go on all the same.
-  bool HasFileErrors() const { return this->Errors.OfFiles; }
+  /// Whether part of a file could not be read; GDAL may continue all the same.
+  bool HasFileErrors() const { return this->Errors.HasFileErrors; }
   /// The errors so far, or `fallback`.
   std::string Messages(const std::string& fallback) const;
 

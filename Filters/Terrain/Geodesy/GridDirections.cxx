@@ -16,10 +16,10 @@ namespace relevo
 namespace
 {
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Step = 50.0;           // metres: of the two sides of a difference each
+constexpr double Step = 50.0;           // metres on each side of a central difference
 constexpr double LargestTurn = 0.01;    // radians of longitude, next to the poles
 constexpr double SmallestRadius = 0.01; // metres of a parallel that still has an east
-constexpr double CutRatio = 100.0;      // of the halves of a difference
+constexpr double CutRatio = 100.0;      // between the two halves of a difference
 constexpr int PlacesAtOnce = 1024;
 
 struct TransformationFreer

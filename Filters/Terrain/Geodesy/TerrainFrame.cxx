@@ -14,7 +14,7 @@ namespace
 {
 constexpr double CosineOfHorizon = 0.1;
 
-// Of the search for the place on the ellipsoid above which a point of the plane lies.
+// Limits of the search for the point of the ellipsoid below a point of the plane.
 constexpr int MaximumNumberOfSteps = 20;
 constexpr double SearchTolerance = 1e-7; // metres
 
@@ -58,7 +58,7 @@ bool TerrainFrame::Place(double u, double v, std::array<double, 2>& place) const
 
 bool TerrainFrame::IsWithinHorizon() const
 {
-  constexpr int samples = 64; // along each side, beside the first
+  constexpr int samples = 64; // along each side, after the first
   for (int i = 0; this->Frame && i <= samples; ++i)
   {
     for (int j = 0; j <= samples; ++j)
@@ -118,7 +118,7 @@ bool TerrainFrame::ToCoordinates(
     }
     if (std::abs(height) < SearchTolerance)
     {
-      // Rasters count from 0 to 360 as well.
+      // Some rasters count longitude from 0 to 360.
       const double center = this->Center[0] * unit;
       longitude += 360.0 * std::round((center - longitude) / 360.0);
       coordinates = { longitude / unit, north / unit };

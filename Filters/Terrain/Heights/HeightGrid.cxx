@@ -17,7 +17,7 @@ namespace relevo
 {
 namespace
 {
-// What is reduced at once: enough for many threads, little beside the result.
+// Samples that are reduced at once: enough for many threads, few compared with the result.
 constexpr int RowsPerPart = 64;
 
 // A no-data value in the samples' own type: a declared -3.4e38 is the float nearest to it.
@@ -81,25 +81,25 @@ HeightGrid::HeightGrid() = default;
 HeightGrid::~HeightGrid() = default;
 
 bool HeightGrid::Allocate(
-  const int source[2], const int size[2], const Reading& reading, std::string& error)
+  const int source[2], const int size[2], const SampleEncoding& encoding, std::string& error)
 {
   std::copy_n(source, 2, this->Source);
   this->Width = size[0];
   this->Height = size[1];
-  this->How = reading;
+  this->Encoding = encoding;
   this->Statistics = RowStatistics();
   this->Reduction.reset(
     std::equal(source, source + 2, size) ? nullptr : new HeightReduction(source, size));
   const std::size_t number = static_cast<std::size_t>(this->Width) * this->Height;
   // Not cleared: a false size in a broken file costs nothing until its rows are read.
   this->Samples.reset(new (std::nothrow) float[number]);
-  this->Validity.reset(reading.HasMask || !reading.NoData.empty()
+  this->Validity.reset(encoding.HasMask || !encoding.NoData.empty()
       ? new (std::nothrow) unsigned char[number]
       : nullptr);
-  if (!this->Samples || (!this->Validity && (reading.HasMask || !reading.NoData.empty())))
+  if (!this->Samples || (!this->Validity && (encoding.HasMask || !encoding.NoData.empty())))
   {
-    error = "not enough memory for " + std::to_string(this->Width) + " x " + std::to_string(this->Height) +
-      " heights";
+    error = "not enough memory for " + std::to_string(this->Width) + " x " +
+      std::to_string(this->Height) + " heights";
     return false;
   }
   return true;
@@ -107,7 +107,8 @@ bool HeightGrid::Allocate(
 
 std::size_t HeightGrid::RowStart(int row) const
 {
-  return static_cast<std::size_t>(this->How.FlipRows ? this->Height - 1 - row : row) * this->Width;
+  return static_cast<std::size_t>(this->Encoding.FlipRows ? this->Height - 1 - row : row) *
+    this->Width;
 }
 
 template <typename T>
@@ -115,8 +116,8 @@ HeightGrid::RowStatistics HeightGrid::Decode(int row, const T* samples, int stri
   const unsigned char* mask, float* heights, unsigned char* validity) const
 {
   RowStatistics statistics;
-  const NoDataValues<T> noData(this->How.NoData);
-  const bool scaled = this->How.Scale != 1.0 || this->How.Offset != 0.0;
+  const NoDataValues<T> noData(this->Encoding.NoData);
+  const bool scaled = this->Encoding.Scale != 1.0 || this->Encoding.Offset != 0.0;
   for (int column = 0; column < this->Source[0]; ++column)
   {
     const T sample = samples[static_cast<std::size_t>(column) * stride];
@@ -132,7 +133,8 @@ HeightGrid::RowStatistics HeightGrid::Decode(int row, const T* samples, int stri
       continue;
     }
     const float height = scaled
-      ? static_cast<float>(static_cast<double>(sample) * this->How.Scale + this->How.Offset)
+      ? static_cast<float>(
+          static_cast<double>(sample) * this->Encoding.Scale + this->Encoding.Offset)
       : static_cast<float>(sample);
     heights[column] = height;
     if (!std::isfinite(height))
@@ -184,7 +186,7 @@ void HeightGrid::SetRows(
           this->Validity ? this->Validity.get() + this->RowStart(row) : nullptr;
         statistics[i] = this->Decode(row, type, samples, static_cast<std::size_t>(i) * this->Width,
           stride, mask, heights, validity);
-        if (this->How.FlipColumns)
+        if (this->Encoding.FlipColumns)
         {
           std::reverse(heights, heights + this->Width);
           std::reverse(validity, validity ? validity + this->Width : nullptr);
@@ -241,7 +243,8 @@ void HeightGrid::SetMeans(int row, const double* sums, const double* areas)
   const std::size_t start = this->RowStart(row);
   for (int column = 0; column < this->Width; ++column)
   {
-    const std::size_t index = start + (this->How.FlipColumns ? this->Width - 1 - column : column);
+    const std::size_t index =
+      start + (this->Encoding.FlipColumns ? this->Width - 1 - column : column);
     const bool valid = areas[column] > 0.0;
     const float height = valid ? static_cast<float>(sums[column] / areas[column]) : 0.0f;
     this->Samples[index] = height;

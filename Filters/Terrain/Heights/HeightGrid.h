@@ -29,7 +29,7 @@ public:
   ~HeightGrid();
 
   /// How samples become heights.
-  struct Reading
+  struct SampleEncoding
   {
     std::vector<double> NoData; ///< samples equal to one of these, in their own type, have no data
     bool HasMask = false;       ///< masks come with the rows
@@ -43,7 +43,8 @@ public:
    * For a raster of `source` columns and rows, kept as `size` columns and rows, at most as many.
    * False, and why in `error`, when there is no memory for so many samples.
    */
-  bool Allocate(const int source[2], const int size[2], const Reading& reading, std::string& error);
+  bool Allocate(
+    const int source[2], const int size[2], const SampleEncoding& encoding, std::string& error);
 
   /**
    * Takes the next rows, [first, first + count), of one of VTK's numeric types. `stride` samples
@@ -69,7 +70,7 @@ public:
   const double* GetRange() const { return this->Statistics.Range; }
 
 private:
-  // Of some rows.
+  // What is counted over some rows.
   struct RowStatistics
   {
     double Range[2];
@@ -93,7 +94,7 @@ private:
   int Source[2] = { 0, 0 };
   int Width = 0;
   int Height = 0;
-  Reading How;
+  SampleEncoding Encoding;
   std::unique_ptr<HeightReduction> Reduction; // null where every sample is kept
   std::unique_ptr<float[]> Samples;
   std::unique_ptr<unsigned char[]> Validity;

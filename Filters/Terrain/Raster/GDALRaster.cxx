@@ -19,15 +19,15 @@ struct GDALRaster::Internals
   GDALDatasetPointer Dataset;
   GDALRasterBandH Band = nullptr;
   GDALDataType Type = GDT_Unknown;
-  int RowsPerBlock = 1;   // as they are
-  std::string Truncation; // what there is to say of it when rows are read
+  int RowsPerBlock = 1;   // of the file; Description has 1 for huge blocks
+  std::string Truncation; // the error when rows of a truncated file are read
 
   void SetBand(GDALRasterBandH band, RasterDescription& contents);
 };
 
 namespace
 {
-// Samples.
+// Samples in a row of blocks that are read at once.
 constexpr long long LargestBlockRow = 1 << 25;
 
 int vtkType(GDALDataType type)
@@ -114,7 +114,7 @@ GDALRaster::GDALRaster()
 
 GDALRaster::~GDALRaster()
 {
-  GDALSession session; // closing may have something to say
+  GDALSession session; // collects what GDAL reports while it closes the file
   this->Implementation->Dataset.reset();
 }
 
@@ -219,7 +219,7 @@ bool GDALRaster::ReadRows(int first, int count, void* samples, std::string& erro
     return false;
   }
   GDALSession session;
-  // GDAL would keep blocks that were read up to a share of the machine's memory.
+  // GDAL keeps the blocks it has read, up to a share of the machine's memory.
   if (first % this->Implementation->RowsPerBlock == 0)
   {
     if (const GDALDatasetH dataset = GDALGetBandDataset(this->Implementation->Band))
@@ -230,7 +230,7 @@ bool GDALRaster::ReadRows(int first, int count, void* samples, std::string& erro
   const CPLErr result =
     GDALRasterIO(this->Implementation->Band, GF_Read, 0, first, this->Contents.Width, count,
       samples, this->Contents.Width, count, this->Implementation->Type, 0, 0);
-  // Of files cut short GDAL 3.13 tells, and yet returns CE_None.
+  // GDAL 3.13 reports truncated files, but still returns CE_None.
   if (result == CE_None && !session.HasErrors())
   {
     return true;

@@ -25,9 +25,9 @@ public:
   ~GDALRaster() override;
 
   /**
-   * Whether the file is, broken or not, of a format that only GDAL shall read: PNG, because libpng
-   * under OpenImageIO writes its errors on stderr, and JPEG, of which OpenImageIO does not tell
-   * when it is cut short.
+   * Whether the file is, broken or not, of a format that is left to GDAL: PNG, because libpng
+   * writes its errors on stderr when OpenImageIO calls it, and JPEG, because OpenImageIO does not
+   * say when a file is truncated.
    */
   static bool Claims(const std::string& fileName);
 

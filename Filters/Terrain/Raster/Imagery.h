@@ -36,10 +36,10 @@ struct ImagerySource
   int MaximumSize;          ///< of the result, per side
 };
 
-/// What stands where a picture has no data.
+/// The colour where a picture has no data.
 constexpr unsigned char NeutralGrey = 128;
 
-/// Told the share done; returns false to stop.
+/// Called with the share that is done; returns false to stop.
 using ImageryProgress = std::function<bool(double)>;
 
 /**

@@ -21,7 +21,7 @@ namespace
 {
 constexpr int NumberOfColors = 3;
 
-// Of the result that are warped at once, and of the picture that these may take.
+// Rows of the result that are warped at once, and pixels of the picture that they may cover.
 constexpr double RowsPerStrip[2] = { 16.0, 256.0 };
 constexpr double PixelsPerStrip = 1 << 25;
 
@@ -52,7 +52,7 @@ struct WarpOperationFreer
   }
 };
 
-// The bands for red, green and blue, and the one for alpha or 0.
+// The bands for red, green and blue, and for alpha; 0 for none.
 struct Bands
 {
   std::array<int, NumberOfColors> Colors;
@@ -366,7 +366,7 @@ struct Picture
     return true;
   }
 
-  // GDAL would keep blocks that were read up to a share of the machine's memory. What it can only
+  // GDAL keeps the blocks it has read, up to a share of the machine's memory. What it can only
   // read from the start is better kept.
   void ReleaseBlocks()
   {
@@ -466,7 +466,7 @@ bool WarpImagery(const ImagerySource& source, const Georeference& terrain, Image
     error = session.Messages("its coordinate system cannot be converted to the terrain's");
     return false;
   }
-  // Both as fine as the result needs.
+  // The coarsest version of the picture that the result does not need finer.
   const double reduction = std::min(static_cast<double>(result.FullSize[0]) / result.Width,
     static_cast<double>(result.FullSize[1]) / result.Height);
   const int overview = chooseOverview(picture.Dataset.get(), reduction);

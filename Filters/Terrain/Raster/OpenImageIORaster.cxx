@@ -26,10 +26,10 @@ struct OpenImageIORaster::Internals
 
 namespace
 {
-// Of the TIFF specification, section 8.
+// Values of tags in section 8 of the TIFF specification.
 constexpr int MinIsWhite = 0;
 constexpr int Palette = 3;
-constexpr int ReducedResolution = 1; // of NewSubfileType
+constexpr int ReducedResolution = 1; // a bit of NewSubfileType
 
 struct SampleType
 {
@@ -153,7 +153,7 @@ void OpenImageIORaster::SelectLevel(int width, int height)
   {
     if (!own.Input->seek_subimage(subimage, mipLevel))
     {
-      return false; // spec() may give that of another one
+      return false; // else spec() may describe another subimage
     }
     const OIIO::ImageSpec spec = own.Input->spec(subimage, mipLevel);
     const bool isVersion =
@@ -176,7 +176,7 @@ void OpenImageIORaster::SelectLevel(int width, int height)
     {
     }
   }
-  own.Input->geterror(); // that there is no further one
+  own.Input->geterror(); // clears the error that there is no further subimage
 }
 
 bool OpenImageIORaster::ReadRows(int first, int count, void* samples, std::string& error)

@@ -28,8 +28,7 @@ public:
   /**
    * Takes over what another reader says of the same file and turns to it for rows that
    * OpenImageIO cannot read (the empty blocks of sparse files), and for smaller versions that it
-   * knows. False when the two disagree on
-   * size or type.
+   * knows. False when the two disagree on size or type.
    */
   bool SetAlternative(std::unique_ptr<Raster>& alternative);
 

@@ -13,11 +13,11 @@ namespace relevo
 {
 namespace
 {
-// A row must fit into memory: so many doubles take 512 MiB. The whole earth in texels of 10 m has
+// A row must fit into memory: this many doubles take 512 MiB. The whole earth in texels of 10 m has
 // 4 million columns.
 constexpr int MaximumWidth = 1 << 26;
 
-// Why a file cannot be a raster, found before any library is asked; empty when it may be one.
+// Why a file cannot be a raster, without asking a library; empty when it may be one.
 std::string obstacle(const std::string& fileName)
 {
   namespace fs = std::filesystem;
@@ -42,7 +42,7 @@ std::string obstacle(const std::string& fileName)
   return "";
 }
 
-// By the library that shall read it.
+// With the library that is to read it.
 std::unique_ptr<Raster> openAny(const std::string& fileName, std::string& error)
 {
   error = obstacle(fileName);

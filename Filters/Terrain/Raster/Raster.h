@@ -40,9 +40,9 @@ public:
    * Opens a file; nullptr, and why in `error`, when that cannot be done.
    *
    * OpenImageIO reads the pixels of every format it knows. GDAL, where it was built in, reads
-   * the others and tells the georeference, the no-data value, scale and offset. It also reads what
-   * it claims for itself and what OpenImageIO has no notion of: validity masks and samples with
-   * fewer bits than their type.
+   * the others and gives the georeference, the no-data value, scale and offset. It also reads the
+   * formats that GDALRaster::Claims() and what OpenImageIO does not support: validity masks and
+   * samples with fewer bits than their type.
    */
   static std::unique_ptr<Raster> Open(const std::string& fileName, std::string& error);
 
@@ -51,9 +51,9 @@ public:
   const RasterDescription& Describe() const { return this->Contents; }
 
   /**
-   * Turns to a smaller version of the raster that the file holds as well (overviews, mip levels):
-   * the smallest of at least this size. Rows and their description are of that version then, the
-   * location is the same. Nothing happens where there is none.
+   * Selects a smaller version of the raster in the same file (overviews, mip levels): the smallest
+   * of at least this size. Rows and their description are then those of that version; the location
+   * stays. Does nothing where there is none.
    */
   virtual void SelectLevel(int width, int height) = 0;
 
