@@ -46,8 +46,8 @@ public:
 
   //@{
   /**
-   * Name of the point array of depth-tags, one float level per point, default "DepthTag". Where
-   * the mesh has it, it wins over the metric. An edge takes the mean of its two points' tags,
+   * Name of the point array of depth-tags, one float level per point, default "DepthTag". If the
+   * mesh has it, it is used and the metric is not. An edge takes the mean of its two points' tags,
    * rounded half up and clamped to [0, MaximumLevel]. NaN is an error.
    */
   void SetDepthTagArrayName(const char* name);
@@ -56,7 +56,7 @@ public:
 
   //@{
   /**
-   * How deep each point shall be refined. Neither metric nor array: MaximumLevel everywhere.
+   * The metric that gives the levels. With neither metric nor array: MaximumLevel everywhere.
    */
   void SetMetric(vtkDepthTagMetric* metric);
   vtkDepthTagMetric* GetMetric();
@@ -66,8 +66,8 @@ public:
   /**
    * Where a metric sets levels: vtkDepthTagMetric::PER_VERTEX (0, the default; an edge takes the
    * mean of its points' tags) or vtkDepthTagMetric::PER_EDGE (1; an edge's level comes from the
-   * edge alone: fewer triangles for segments as long as wanted, though edges that the metric thinks
-   * little of get no help from their neighbours). Another value is an error and changes nothing.
+   * edge alone: fewer triangles for segments of the same length, but an edge of low level is not
+   * refined because its neighbours are). Another value is an error and changes nothing.
    * Depth-tags of an array are always per point.
    */
   void SetLevelRule(int rule);
@@ -79,8 +79,8 @@ public:
   //@{
   /**
    * Added to the tags of all edges before they are rounded and clamped, in levels, -16 to 16;
-   * default 0. One level more doubles the segments of every edge: with
-   * vtkScreenEdgeDepthTagMetric as half the ReferenceLength does, up to the ends of its range.
+   * default 0. One level more doubles the segments of every edge, as half the ReferenceLength of a
+   * vtkScreenEdgeDepthTagMetric does within its range.
    * Another value is an error and changes nothing.
    */
   void SetLevelOffset(double levels);
@@ -99,7 +99,7 @@ public:
   //@{
   /**
    * POWERS_OF_TWO (0, the default): 2^level segments. WHOLE_NUMBERS (1): 2^tag segments, rounded
-   * half up to a whole number up to 16, beyond to 9 to 16 times 2, 4 or 8: segments keep closer to
+   * half up to a whole number; above 16 to one of 9 to 16 times 2, 4 or 8. Segments are closer to
    * the wanted length, at the price of many more patterns and draw calls, and without geomorphing.
    * A pattern table that has read a file lacks most of these patterns: an error when a surface is
    * refined. Another value is an error and changes nothing.
@@ -122,14 +122,14 @@ public:
 
   //@{
   /**
-   * Whether the surface is a continuous function of the tags: a vertex that a higher level adds
-   * starts at a vertex that is there and slides to its own place while the tag rises from half a
-   * level below to half a level above (to MaximumLevel itself for the last one), so that nothing
-   * pops when the camera moves. GEOMORPHING_OFF (0), GEOMORPHING_ON (1), or GEOMORPHING_AUTOMATIC
-   * (2, the default): on for metrics that depend on the view, where patterns can morph. Edges have
-   * the same segments as without; the triangles within a face are others. Needs SegmentPolicy
-   * POWERS_OF_TWO. The patterns of a file cannot morph: with those, GEOMORPHING_ON is an error when
-   * a surface is refined. Another value is an error and changes nothing.
+   * Whether the surface is a continuous function of the tags, so that nothing pops when the camera
+   * moves: a vertex that a higher level adds starts at an existing vertex and slides to its own
+   * place while the tag rises from half a level below to half a level above (for the last level: to
+   * MaximumLevel). GEOMORPHING_OFF (0), GEOMORPHING_ON (1), or GEOMORPHING_AUTOMATIC (2, the
+   * default): on for metrics that depend on the view, where patterns can morph. Edges have the same
+   * segments as without; the triangles within a face differ. Needs SegmentPolicy POWERS_OF_TWO.
+   * The patterns of a file cannot morph: with those, GEOMORPHING_ON is an error when a surface is
+   * refined. Another value is an error and changes nothing.
    */
   void SetGeomorphing(int mode);
   vtkGetMacro(Geomorphing, int);
@@ -155,13 +155,13 @@ public:
 
   //@{
   /**
-   * From which absolute value of a component on a vector, a tuple of 2 or 3 components, stands for
-   * "no data", as in (-1e9, 0, 0); more than 0, default 1e8, infinity for none. Vectors and single
-   * numbers that are not finite stand for it always. Of point data that are interpolated there are
-   * none between points of which one has none: NaN, or in arrays of integers, which have no NaN,
-   * what the nearest of those points has. The input's points keep what they have. Normals, tangents
-   * and texture coordinates are data whatever they are. Another value is an error and changes
-   * nothing.
+   * A vector, a tuple of 2 or 3 components, stands for "no data" if the absolute value of a
+   * component is at least this, as in (-1e9, 0, 0); more than 0, default 1e8, infinity for never.
+   * Vectors and single numbers that are not finite always stand for it. Where point data are
+   * interpolated between points of which one has no data, the result has none either: it is NaN, or
+   * in arrays of integers the value of the nearest of those points. The input's points keep their
+   * values. Normals, tangents and texture coordinates always count as data. Another value is an
+   * error and changes nothing.
    */
   void SetNoDataMagnitude(double magnitude);
   vtkGetMacro(NoDataMagnitude, double);

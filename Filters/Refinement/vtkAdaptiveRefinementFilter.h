@@ -10,20 +10,21 @@
  * Input: a vtkPolyData with polygons of any size and triangle strips; polygons are cut into fans as
  * VTK's mappers do. Vertices and lines pass through and stay where they are: where the displacement
  * moves a face's points, they get points of their own. Triangles with two corners at one place or
- * with non-finite coordinates are dropped, with their count in a warning.
+ * with coordinates that are not finite are dropped; a warning says how many.
  *
  * Output: triangles that wind as their coarse cell does and share points as the input's cells do,
  * unless the surface has a crease there; the input's points come first. Watertight to the bit: an
  * edge's points are the same from both sides, also where points coincide without being shared
- * (creases, split normals, texture seams). Float points stay float; all others become double,
- * accurate to a float's digits about the middle of the mesh.
+ * (creases, split normals, texture seams). Float points stay float; all others become double, with
+ * the precision of floats relative to the middle of the mesh.
  *
  * Point data are interpolated linearly and keep their type: integers are rounded; strings, bits and
- * ghost flags are the nearest coarse point's; global and pedigree ids are left out. What stands for
- * no data spreads as no data, see vtkAdaptiveRefinement::SetNoDataMagnitude(). "Normals", unit
- * float vectors of the refined surface, take the place of the input's normals. Cell data are passed
- * on, and the cell array "vtkOriginalCellIds" (vtkIdType) names the input's cell; cell normals end
- * where the surface is not linear or is displaced, and global ids become a plain array.
+ * ghost flags are those of the nearest coarse point; global and pedigree ids are left out. See
+ * vtkAdaptiveRefinement::SetNoDataMagnitude() for values that stand for no data. "Normals", unit
+ * float vectors of the refined surface, replace the input's normals. Cell data are passed on, and
+ * the cell array "vtkOriginalCellIds" (vtkIdType) holds the ids of the input's cells. Cell normals
+ * are left out where the surface is not linear or is displaced, and global ids become a plain
+ * array.
  *
  * Where a displacement leaves holes, triangles over no-data are left out. Then, and where points
  * are not finite, points that no cell uses are left out as well.
@@ -73,7 +74,7 @@ public:
 
   //@{
   /**
-   * The camera of view-dependent metrics, in world coordinates.
+   * The camera for metrics that depend on the view, in world coordinates.
    */
   void SetCamera(vtkCamera* camera);
   vtkCamera* GetCamera();
@@ -81,8 +82,8 @@ public:
 
   //@{
   /**
-   * Width and height in pixels of the viewport of view-dependent metrics, default 300 x 300.
-   * Sizes below 1 are an error and change nothing.
+   * Width and height of the viewport in pixels, for metrics that depend on the view; default
+   * (300, 300). Less than 1 is an error and changes nothing.
    */
   void SetViewportSize(int width, int height);
   void SetViewportSize(const int size[2]) { this->SetViewportSize(size[0], size[1]); }

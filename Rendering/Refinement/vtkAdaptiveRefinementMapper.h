@@ -6,24 +6,26 @@
  *
  * Draws a coarse surface as its recipe says: each coarse triangle takes a pattern, the triangles
  * that share a base pattern are drawn by one instanced call, and the vertex shader maps the
- * pattern's points onto the surface and displaces them (ARKFPI, Lenz 2009). Everything else is
- * vtkOpenGLPolyDataMapper: lights, textures, lookup tables, opacity, clipping planes,
- * representations, selection. At level 0 without displacement the picture is the same. Other
- * methods of refinement are there to compare, see SetMethod().
+ * pattern's points onto the surface and displaces them. This is Lenz's adaptive refinement kernel
+ * with fewer patterns and instancing (ARKFPI, 2009). SetMethod() offers others for comparison, such
+ * as dynamic mesh refinement (DMR) and semi-uniform adaptive patch tessellation (SUAPT). Everything
+ * else is vtkOpenGLPolyDataMapper: lights, textures, lookup tables, opacity, clipping planes,
+ * representations, selection. At level 0 without displacement the picture is the same.
  *
  * Input: a vtkPolyData, or a composite data set (vtkMultiBlockDataSet) whose vtkPolyData leaves are
  * drawn, see vtkBlockAttributesPolyDataMapper for how each looks. Polygons are cut into fans;
  * vertices and lines are drawn as they are. Scalars and texture coordinates are interpolated over
- * the refined surface, and coloured as InterpolateScalarsBeforeMapping says; whole numbers stay
- * whole, names and bits are the nearest point's. Where numbers are categories
- * (vtkScalarsToColors::IndexedLookup), colours of points are interpolated instead, for lack of a
- * category between two. Hardware selection returns the input's cells and points. Translucent faces
- * need depth peeling: else their order shows, which is by patterns. Visible vertices (vtkProperty)
- * are drawn once for each face: translucent ones look denser than vtkPolyDataMapper's.
+ * the refined surface, and coloured as InterpolateScalarsBeforeMapping says. Integers stay
+ * integers; strings and bits are those of the nearest point. Where scalars are categories
+ * (vtkScalarsToColors::IndexedLookup), colours of points are interpolated instead, because there is
+ * no category between two others. Hardware selection returns the input's cells and points.
+ * Translucent faces need depth peeling: faces are drawn pattern by pattern, not back to front.
+ * Visible vertices (vtkProperty) are drawn once for each face: translucent ones look denser than
+ * vtkPolyDataMapper's.
  *
  * SetPiece(), SetNumberOfPieces() and SetGhostLevel() ask the pipeline for a piece. Cells whose
- * vtkGhostType says that another piece draws them (DUPLICATECELL) are not drawn, unlike by
- * vtkPolyDataMapper. GetBounds() is of all that surface and displacement can reach.
+ * vtkGhostType says that another piece draws them (DUPLICATECELL) are not drawn; vtkPolyDataMapper
+ * draws them. GetBounds() contains everything that the surface and the displacement can reach.
  *
  * Levels are evaluated again only when the mesh, the recipe or, for view-dependent metrics, the
  * camera, the actor's matrix or the viewport changed. The displacement's scale, offset and
@@ -31,18 +33,18 @@
  *
  * VTK's pickers find the surface that is drawn: vtkCellPicker its nearest point, with the normal,
  * the input's cell and point, parametric and texture coordinates of that cell, and the block;
- * vtkPointPicker the input's points where the surface has them; vtkPicker its bounds. They ask for
- * the levels of the last frame, or, before one, for what the recipe gives without a view, which of
- * metrics of the view is MaximumLevel. Inside a face, DMR, SUAPT and tessellation draw other
- * triangles than those that are picked, ARKFPI's, which meet them on edges. What a
- * vtkProceduralSurface's GLSL adds is not picked. The data set that vtkCellPicker gives has the
- * input's cells and arrays, but is not the input itself, and normals are no active attribute of it;
- * locators added to the picker are not asked, and none is needed. Subclasses of VTK's pickers find
- * the same; a picker of another kind, which asks vtkMapper::GetInput(), gets the input.
+ * vtkPointPicker the input's points where the surface has them; vtkPicker its bounds. They use the
+ * levels of the last frame. Before the first frame they use what the recipe gives without a view:
+ * MaximumLevel where the metric depends on the view. Picked are the triangles of ARKFPI; those of
+ * DMR, SUAPT and hardware tessellation differ from them inside a face, but not on its edges. The
+ * GLSL of a vtkProceduralSurface does not affect picking. The data set that vtkCellPicker returns
+ * has the input's cells and arrays, but is not the input itself, and normals are not an active
+ * attribute of it. Locators that are added to the picker are ignored; none is needed. Subclasses of
+ * VTK's pickers find the same; any other picker, which calls vtkMapper::GetInput(), gets the input.
  *
  * Needs OpenGL 3.3 with ARB_texture_buffer_object_rgb32; with OpenGL 4.3 faces can choose their
- * patterns on the GPU (see SetSelectionDevice()). Errors (ErrorEvent of this object; the
- * surface is then not drawn, rendering goes on): no recipe, an older OpenGL, depth-tags or texture
+ * patterns on the GPU (see SetSelectionDevice()). Errors (ErrorEvent of this object; the surface is
+ * then not drawn, and rendering continues): no recipe, an older OpenGL, depth-tags or texture
  * coordinates that cannot be used, a metric or height map that fails, a mesh or height map larger
  * than OpenGL can hold.
  *
@@ -85,9 +87,8 @@ public:
 
   //@{
   /**
-   * Whether coarse faces outside the view are left out, on by default. What counts is the frustum
-   * of the camera of each pass, and the whole reach of surface and displacement: the picture is the
-   * same.
+   * Whether coarse faces are left out, on by default, if nothing that surface and displacement can
+   * make of them lies in the frustum of the pass's camera. The picture stays the same.
    */
   void SetFrustumCulling(bool culling);
   vtkGetMacro(FrustumCulling, bool);
@@ -96,11 +97,11 @@ public:
 
   //@{
   /**
-   * Whether coarse faces that face away are left out, on by default, where that cannot be seen: of
-   * a closed surface that winds outwards, linear, of PN or Phong triangles, not displaced, drawn as
-   * an opaque surface without shaders of the user's, unclipped, also by the near plane, and from
-   * outside. Needs FrustumCulling. At most single pixels of the outline differ, where front and
-   * back have the same depth.
+   * Whether coarse faces that face away from the camera are left out where they cannot be seen; on
+   * by default. This holds for closed surfaces whose faces wind outwards, seen from outside; linear
+   * or of PN or Phong triangles, without displacement; opaque, with VTK's own shaders; and not
+   * clipped, not even by the near plane. Needs FrustumCulling. At most a few pixels of the outline
+   * differ, where front and back have the same depth.
    */
   void SetBackFaceCulling(bool culling);
   vtkGetMacro(BackFaceCulling, bool);
@@ -122,51 +123,51 @@ public:
 
   //@{
   /**
-   * METHOD_ARKFPI (0, the default): one instanced draw call for all faces that share a base
-   * pattern (Lenz 2009).
+   * METHOD_ARKFPI (0, the default), the adaptive refinement kernel with fewer patterns and
+   * instancing: one instanced draw call for all faces that share a base pattern (Lenz 2009).
    *
-   * METHOD_ARK (1): one draw call per face, whose number, permutation and tags the CPU hands over
-   * (Boubekeur and Schlick, A Flexible Kernel for Adaptive Mesh Refinement on GPU, 2008). The same
-   * vertices in the same order as ARKFPI, and the same picture to the bit. As in the paper no face
-   * is culled: there are as many draw calls as coarse faces, and time grows with their number.
+   * METHOD_ARK (1), the adaptive refinement kernel: one draw call per face, with the face's number,
+   * permutation and tags from the CPU (Boubekeur and Schlick, A Flexible Kernel for Adaptive Mesh
+   * Refinement on GPU, 2008). Same vertices, order and picture as ARKFPI, to the bit. As in the
+   * paper, no face is culled: there are as many draw calls as coarse faces, and time grows with
+   * them.
    *
-   * METHOD_DMR (2): a geometry shader splits triangles once per pass where edges have levels left,
-   * and transform feedback hands them to the next pass (Lorenz and Doellner, Dynamic Mesh
-   * Refinement on GPU using Geometry Shaders, 2008). An edge is cut at its middle; what joins two
-   * middles has the mean of their edges' levels less one, what joins a middle and a corner half of
-   * the edge's. A pass makes at most four triangles of one, so level d takes d passes. The refined
-   * triangles stay on the GPU, 48 bytes each, until levels or faces in sight change: memory grows
-   * with what is drawn, and while it is made with the pass before it, too. Cannot draw whole
-   * numbers of segments.
+   * METHOD_DMR (2), dynamic mesh refinement: in each pass a geometry shader splits the triangles
+   * whose edges have levels left, and transform feedback passes them on to the next pass (Lorenz
+   * and Doellner, Dynamic Mesh Refinement on GPU using Geometry Shaders, 2008). An edge is cut at
+   * its middle. A new edge between two middles has the mean of the two edges' levels less one; one
+   * between a middle and a corner has half of the edge's level. A pass makes at most four triangles
+   * of one, so level d takes d passes. The refined triangles stay on the GPU, 48 bytes each, until
+   * the levels or the visible faces change: memory grows with what is drawn, and each pass also
+   * needs the triangles of the pass before. Edges can have powers of two of segments only.
    *
-   * METHOD_SUAPT (3), semi-uniform adaptive patches: each face has the uniform pattern of its
-   * highest edge, instanced, and the shader moves the vertices on its coarser edges to where these
-   * have points (as compared in Lenz 2009). Leaves triangles without area there, which are drawn
-   * all the same, and abrupt transitions between fine and coarse.
+   * METHOD_SUAPT (3), semi-uniform adaptive patch tessellation: each face has the uniform pattern
+   * of its highest edge, instanced, and the shader moves the vertices on its coarser edges to the
+   * points of these edges (as compared in Lenz 2009). This leaves triangles without area, which
+   * are drawn all the same, and abrupt transitions between fine and coarse.
    *
-   * METHOD_HARDWARE_TESSELLATION (4): one patch per face, which the tessellator of OpenGL 4.0 cuts
-   * up. Edges have at most 64 segments: level 7 is drawn as level 6. Inside, a face has as many
-   * segments as the edge that has most, n, which leaves the best triangles but about 1.5 n^2 of
-   * them, also where the other edges have fewer. Whole numbers of segments can be drawn. One draw
-   * call; OpenGL on the CPU takes one for each 65535 vertices. A shader of the actor's own
-   * (vtkShaderProperty) runs where vertices are made; if it cannot, that is an error and ARKFPI
-   * draws until it is another or the method is set again.
+   * METHOD_HARDWARE_TESSELLATION (4): one patch per face, which the tessellator of OpenGL 4.0
+   * divides. Edges have at most 64 segments: level 7 is drawn as level 6. Inside, a face has as
+   * many segments as its finest edge, n. The triangles are the best shaped of all methods, but
+   * there are about 1.5 n^2 of them even where the other edges are coarse. Edges can have any whole
+   * number of segments. One draw call; software OpenGL takes one for each 65535 vertices. A vertex
+   * shader that the actor's vtkShaderProperty changes runs in the tessellation evaluation stage; if
+   * it cannot run there, that is an error and ARKFPI draws until that shader or the method changes.
    *
-   * METHOD_UNIFORM (5): all faces have the uniform pattern of the highest level that any edge of
-   * the mesh has, instanced (after Boubekeur and Schlick, Generic Mesh Refinement on GPU, 2005).
-   * Nothing is adaptive.
+   * METHOD_UNIFORM (5): all faces have the uniform pattern of the highest level of any edge of the
+   * mesh, instanced (after Boubekeur and Schlick, Generic Mesh Refinement on GPU, 2005).
    *
-   * Under all of them the same levels of edges give the same points on edges, but for
-   * METHOD_UNIFORM, and surfaces without cracks. Only ARKFPI draws what the GPU has selected; the
-   * others select on the CPU whatever SetSelectionDevice() says. ARKFPI and ARK can morph
-   * (vtkAdaptiveRefinement::SetGeomorphing()), the others draw rounded levels. What DMR and
+   * All methods but METHOD_UNIFORM put the same points on edges of the same levels, and all draw
+   * surfaces without cracks. Only ARKFPI draws what the GPU has selected; the others select on the
+   * CPU whatever SetSelectionDevice() says. ARKFPI and ARK can morph
+   * (vtkAdaptiveRefinement::SetGeomorphing()); the others draw rounded levels. What DMR and
    * hardware tessellation cannot draw is drawn by ARKFPI: wireframes, points, visible vertices and
-   * picking of points. Faces are coloured by the levels or the pattern that their edges ask for;
-   * under SUAPT and UNIFORM by those of the uniform pattern. Targets and time budgets
+   * picking of points. Faces coloured by level or pattern show what their edges ask for; under
+   * SUAPT and UNIFORM they show the uniform pattern. Targets and time budgets
    * (SetTargetNumberOfTriangles()) count ARKFPI's triangles. Where OpenGL lacks something that a
    * method needs, or the method cannot draw such levels, an error says so once and ARKFPI draws.
    *
-   * A change uploads no mesh again. A value of no method is an error and changes nothing.
+   * A change does not upload the mesh again. Another value is an error and changes nothing.
    */
   void SetMethod(int method);
   vtkGetMacro(Method, int);
@@ -179,7 +180,7 @@ public:
   //@}
 
   /**
-   * The method that the last render used; of a composite data set, that of its last part.
+   * The method that the last render used; for a composite data set, that of its last part.
    */
   int GetMethodInUse();
 
@@ -197,20 +198,21 @@ public:
   /**
    * SELECTION_DEVICE_CPU (1): on the CPU, with as many threads as vtkSMPTools has.
    * SELECTION_DEVICE_GPU (2): in compute shaders, which feed indirect draws; nothing is read back
-   * but statistics when they are asked for. Needs OpenGL 4.3: without, an error says so once and
-   * the CPU does it. SELECTION_DEVICE_AUTOMATIC (0, the default): on the GPU where OpenGL has 4.3
-   * and is not a program on the CPU itself (llvmpipe, softpipe, swr), which is slower at it.
+   * but statistics when they are asked for. Needs OpenGL 4.3: without it, an error says so once and
+   * the CPU does it. SELECTION_DEVICE_AUTOMATIC (0, the default): on the GPU where there is OpenGL
+   * 4.3, unless OpenGL itself runs on the CPU (llvmpipe, softpipe, swr), where that is slower.
+   * Another value is an error and changes nothing.
    *
-   * Metrics of the view that are functions of a shader (by distance, by edges on the screen, by the
-   * angle of normals, view-dependent) are evaluated on the GPU, too; what others give is uploaded.
-   * Levels are the same from both for the same depth-tags. Depth-tags are the same as far as the
+   * View-dependent metrics that have a shader (distance, screen edges, silhouettes by the angle of
+   * normals, view-dependent) are evaluated on the GPU, too; tags of other metrics are uploaded. For
+   * the same depth-tags both devices give the same levels. Depth-tags are the same as far as the
    * driver rounds quotients and square roots as IEEE 754 demands; where it does not, an edge whose
-   * tag is halfway between two levels may get the other. The order in which the faces of a
-   * pattern are drawn is not defined on the GPU. On the GPU all patterns up to MaximumLevel are
-   * loaded with the first picture. Another value is an error and changes nothing.
+   * tag is halfway between two levels may get the other one. The GPU draws the faces of a pattern
+   * in no defined order. It loads all patterns up to MaximumLevel with the first picture.
    *
-   * Left to the CPU: whole numbers of segments (vtkAdaptiveRefinement::SetSegmentPolicy()), whose
-   * tables are too large; budgets in force and faces coloured by the metric, which need the tags.
+   * The CPU always selects whole numbers of segments (vtkAdaptiveRefinement::SetSegmentPolicy()),
+   * whose tables are too large for the GPU, and where the tags are needed: while a target or time
+   * budget applies, and for faces coloured by the metric.
    */
   void SetSelectionDevice(int device);
   vtkGetMacro(SelectionDevice, int);
@@ -220,23 +222,22 @@ public:
   //@}
 
   /**
-   * What the last render used: SELECTION_DEVICE_CPU or SELECTION_DEVICE_GPU; of a composite data
-   * set, the GPU if any of its parts did.
+   * What the last render used: SELECTION_DEVICE_CPU or SELECTION_DEVICE_GPU; for a composite data
+   * set, the GPU if any of its parts used it.
    */
   int GetSelectionDeviceInUse();
 
   //@{
   /**
-   * How many triangles to draw, 0 (the default) for what the recipe says. Otherwise each selection
-   * adds to all levels what brings GetNumberOfDrawnTriangles() nearest to the target: within 5 %
-   * where that can be had, with culled faces and those over no-data counted. All blocks of a
-   * composite input share the target. Levels depend on the view and the target alone, not on
-   * earlier frames, so that nothing swings. Where many edges have the same level before they are
-   * rounded, as at the ends of a metric's range, their faces change together and the target may
-   * be missed from below: have the metric ask for about as much as the target. That goes for edges
-   * beside and behind the eye too, as good as endless to vtkScreenEdgeDepthTagMetric;
-   * vtkDistanceDepthTagMetric knows none. Selects on the CPU.
-   * A negative value is an error and changes nothing.
+   * How many triangles to draw; 0, the default, for as many as the recipe gives. Otherwise each
+   * selection adds the same offset to all levels, the one that brings GetNumberOfDrawnTriangles()
+   * nearest to the target: within 5 % where that is possible. Culled faces and those over no-data
+   * count. All blocks of a composite input share the target. Levels depend on the view and the
+   * target alone, not on earlier frames, so they do not oscillate. Where many edges have the same
+   * level before rounding, as at the ends of a metric's range, their faces change together and the
+   * result may stay below the target: choose a metric that asks for about as many triangles. Edges
+   * beside and behind the eye, endless to vtkScreenEdgeDepthTagMetric, are such edges too. With a
+   * target the CPU selects. A negative value is an error and changes nothing.
    */
   void SetTargetNumberOfTriangles(vtkIdType triangles);
   vtkIdType GetTargetNumberOfTriangles();
@@ -246,12 +247,12 @@ public:
   /**
    * Whether a frame may take no longer than the time VTK allots to the actor, on by default:
    * vtkProp::GetAllocatedRenderTime() in seconds, its share of 1 / DesiredUpdateRate of the window,
-   * or of its renderer's time where that is less. Interaction styles ask for 15 frames a second
-   * while the mouse is down, ParaView likewise, and for as good as none for still pictures; the
-   * default of a window is still. Where the latest frames say that a frame would take longer,
-   * levels are lowered so that it takes 85 % of the time. They are raised again when there is time
-   * for it, with a gap between the two: a still camera settles in a few frames, and then nothing
-   * changes. The time is that of drawing this mapper's surface, on the CPU and on the GPU.
+   * or of its renderer's time where that is less. Interaction styles and ParaView ask for 15 frames
+   * a second while the mouse is down, and for almost no frame rate otherwise, as windows do by
+   * default. If a frame would take longer, judging by the latest ones, levels are lowered so that
+   * it takes 85 % of the time, and raised again when there is clearly time: with a still camera
+   * they settle within a few frames. Counted is drawing this mapper's surface, on the CPU and the
+   * GPU.
    */
   void SetUseAllocatedRenderTime(bool use);
   vtkGetMacro(UseAllocatedRenderTime, bool);
@@ -306,19 +307,20 @@ public:
   /**
    * The colours of levels (mapped from 0, 1, ..., MaximumLevel), of patterns (mapped from
    * vtkRefinementPatternTable::GetPatternIndex(); where edges take any whole number of segments,
-   * from that of their places in the sequence 1, 2, ..., 16, 18, 20, ...) or of tags. The table's
-   * opacity is not used. By default, and after nullptr, one table that follows the mode, the
-   * recipe's MaximumLevel and its segments: viridis, or for patterns colours that tell them apart.
-   * Its levels and patterns are annotated, so a vtkScalarBarActor of this table is a legend.
+   * with the positions of these numbers in the sequence 1, 2, ..., 16, 18, 20, ... for levels) or
+   * of tags. The table's opacity is not used. By default, and after nullptr, a table that follows
+   * the mode, the recipe's MaximumLevel and its segments: viridis, or distinct colours for
+   * patterns. Its levels and patterns are annotated, so a vtkScalarBarActor of this table is a
+   * legend.
    */
   void SetLevelLookupTable(vtkScalarsToColors* table);
   vtkScalarsToColors* GetLevelLookupTable();
   //@}
 
   /**
-   * Triangles of the surface in the last render, those of culled faces counted. Of ARKFPI and ARK
-   * the polygons that vtkAdaptiveRefinementFilter gives for the same recipe and camera; of the
-   * other methods what they make of the same levels, those over no-data counted.
+   * Triangles of the surface in the last render, including those of culled faces. With ARKFPI and
+   * ARK as many as vtkAdaptiveRefinementFilter gives for the same recipe and camera; with the other
+   * methods, what they make of the same levels, including triangles over no-data.
    */
   vtkIdType GetNumberOfDrawnTriangles();
 
@@ -328,8 +330,7 @@ public:
   vtkIdType GetNumberOfCulledFaces();
 
   /**
-   * Draw calls of the last render for refined faces. One that draws many patterns indirectly counts
-   * as one. With ARK as many as faces are drawn.
+   * Draw calls of the last render for refined faces; an indirect call counts as one.
    */
   int GetNumberOfDrawCalls();
 
@@ -347,15 +348,15 @@ public:
   /**
    * How often the coarse mesh has been uploaded, and how often shaders have been written, since the
    * mapper was made. Neither grows with the values that change live: a displacement's scale, offset
-   * and direction, and what the surface says of its own.
+   * and direction, and the surface's own numbers.
    */
   vtkIdType GetNumberOfBufferBuilds();
   vtkIdType GetNumberOfShaderBuilds();
   //@}
 
   /**
-   * Seconds the last evaluation of levels took: tag, select and group, without the upload. What the
-   * GPU does counts only as long as it takes to hand it over.
+   * Seconds the last evaluation of levels took: tag, select and group, without the upload. Work on
+   * the GPU counts only with the time that it takes to submit it.
    */
   double GetSelectionTime();
 
@@ -371,7 +372,7 @@ public:
 
   //@{
   /**
-   * Of a composite data set that has both, each block is drawn in its own pass.
+   * A composite data set can have both: each block is drawn in its own pass.
    */
   bool HasOpaqueGeometry() override;
   bool HasTranslucentPolygonalGeometry() override;
@@ -390,8 +391,8 @@ public:
 
   using vtkOpenGLPolyDataMapper::MapScalars;
   /**
-   * As of any mapper; an array that VTK cannot map (too few tuples; more components than colours
-   * have, where they are not mapped) is an error, and there are no colours.
+   * As vtkMapper's. An array that VTK cannot map (too few tuples, or unmapped with more components
+   * than a colour has) is an error, and there are no colours.
    */
   vtkUnsignedCharArray* MapScalars(vtkDataSet* input, double alpha, int& cellFlag) override;
 
@@ -423,10 +424,9 @@ protected:
 
   //@{
   /**
-   * For subclasses that draw the refined faces once more, with a shader of their own:
-   * DrawFaces() of what AddFaceHelper() gives, which is this mapper's, draws them, from within
-   * RenderPieceDraw() and where IsDrawable(). IsFaceHelper() is true of all that draw refined
-   * faces.
+   * For subclasses that draw the refined faces once more, with a shader of their own.
+   * AddFaceHelper() makes a helper of this mapper; DrawFaces() draws the faces with it, within
+   * RenderPieceDraw() and if IsDrawable(). IsFaceHelper(): whether a helper draws refined faces.
    */
   vtkOpenGLHelper* AddFaceHelper();
   bool IsFaceHelper(const vtkOpenGLHelper* helper) const;

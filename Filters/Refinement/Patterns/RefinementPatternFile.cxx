@@ -395,8 +395,7 @@ std::string ReadVTP(
     const int index = patternOfCell->GetValue(cells->GetCurrentCellId());
     if (size != 3 || index < 0 || index >= count)
     {
-      return name +
-        " has a cell that is not a triangle, or belongs to a pattern that does not exist.";
+      return name + " has a cell that is not a triangle of an existing pattern.";
     }
     for (vtkIdType i = 0; i < 3; ++i)
     {
