@@ -11,8 +11,8 @@
  *     PRODUCT              MaximumLevel * product_i  (l_i / MaximumLevel)^w_i
  *
  * clamped to [0, MaximumLevel]; by the rule PER_EDGE, that of an edge from the levels that the
- * metrics give it. So the maximum refines what any metric wants, the product only what
- * all want; a weight of 0 leaves a metric out.
+ * metrics give it. The maximum refines what any of the metrics asks for, the product only what all
+ * ask for; a weight of 0 leaves a metric out.
  *
  * It depends on the view if any of its metrics does. The tags of those that do not are kept while
  * neither the metric, the mesh, the actor's matrix nor MaximumLevel changes.
@@ -70,7 +70,7 @@ public:
   void AddMetric(vtkDepthTagMetric* metric, double weight = 1.0);
 
   /**
-   * Leave no metric.
+   * Remove all metrics.
    */
   void RemoveAllMetrics();
 
@@ -80,12 +80,12 @@ public:
   int GetNumberOfMetrics();
 
   /**
-   * The metric added as number `index`, counted from 0; None (nullptr) when there is no such.
+   * The metric added as number `index`, counted from 0; None (nullptr) if there is none.
    */
   vtkDepthTagMetric* GetMetric(int index);
 
   /**
-   * The weight of the metric added as number `index`, counted from 0; 0 when there is no such.
+   * The weight of the metric added as number `index`, counted from 0; 0 if there is none.
    */
   double GetWeight(int index);
 

@@ -17,11 +17,11 @@
  * Gaussian K = (2 pi - sum of the angles at the point) / A_mixed (eq. 9), mean H = half the length
  * of the cotangent Laplacian (eq. 8). Polygons are taken as the fans that VTK's mappers draw,
  * strips as their triangles. Points at the same coordinates count as one, so seams of texture
- * coordinates and split normals are no borders. A point on a border of the surface, or on an edge
+ * coordinates and split normals are not borders. A point on a border of the surface, or on an edge
  * of more than two triangles, has no closed ring of triangles to measure: it takes the mean of its
  * neighbours, ring by ring from the nearest points that have one (0 where there are none).
  * Curvatures are finite for any mesh: triangles of no area or with a point that is not finite are
- * left out, and a point of no triangle has curvature 0.
+ * left out, and a point without triangles has curvature 0.
  *
  * @sa vtkDepthTagFilter vtkAdaptiveRefinement vtkDistanceDepthTagMetric vtkCurvatures
  */
@@ -53,9 +53,9 @@ public:
 
   //@{
   /**
-   * Which curvature is measured: GAUSSIAN (0, the default; it is 0 on all that can be unrolled,
-   * such as cylinders and straight ridges) or MEAN (1). Another value is an error and changes
-   * nothing.
+   * Which curvature is measured: GAUSSIAN (0, the default; it is 0 on surfaces that can be
+   * unrolled, such as cylinders and straight ridges) or MEAN (1). Another value is an error and
+   * changes nothing.
    */
   void SetCurvatureType(int type);
   vtkGetMacro(CurvatureType, int);

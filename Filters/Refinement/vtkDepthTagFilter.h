@@ -15,12 +15,11 @@
  *   triangles have (-1, -1, -1).
  *
  * Without a metric the tags are the input's own point array "DepthTag", one number per point, which
- * may exceed [0, MaximumLevel]: only the levels of edges are clamped. LevelRule does not count
- * then.
+ * may exceed [0, MaximumLevel]: only the levels of edges are clamped. LevelRule is not used then.
  *
  * Errors, with an empty output: neither metric nor array; an array of another length or with a
- * NaN; a metric that depends on the view without a camera; a metric that fails. To the project's
- * own metrics a point with a coordinate that is not finite has level 0.
+ * NaN; a metric that depends on the view without a camera; a metric that fails. Relevo's own
+ * metrics give level 0 to a point with a coordinate that is not finite.
  *
  * A vtkAdaptiveRefinement that is given the output uses "DepthTag" in place of its own metric.
  *
@@ -53,7 +52,7 @@ public:
 
   //@{
   /**
-   * How deep each point shall be refined. None (the default): the input's array "DepthTag".
+   * The metric that gives the tags. None (the default): the input's array "DepthTag".
    */
   void SetMetric(vtkDepthTagMetric* metric);
   vtkDepthTagMetric* GetMetric();

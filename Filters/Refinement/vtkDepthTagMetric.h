@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkDepthTagMetric
- * @brief   how deep each point of a mesh shall be refined
+ * @brief   how deep each point of a mesh is to be refined
  *
  * A metric gives depth-tags: float levels in [0, MaximumLevel], MaximumLevel where refinement is
- * wanted most. An edge of level l, its tag rounded half up, is split into 2^l segments. By which
- * rule edges get their tags, the user of the metric decides:
+ * wanted most. An edge of level l, its tag rounded half up, is split into 2^l segments. The user of
+ * the metric chooses the rule by which edges get their tags:
  *
  * - PER_VERTEX: the metric gives every point a tag, and an edge has the mean of its two points'
  *   tags, the larger where points coincide (Lenz 2009, eqs. 3.1 to 3.3).
@@ -54,14 +54,14 @@ public:
   virtual bool IsViewDependent() = 0;
 
   /**
-   * Whether the tags depend on where the mesh stands in the world, so that they must be computed
-   * anew when its actor moves. What depends on the view does.
+   * Whether the tags depend on where the mesh lies in the world, so that they must be computed anew
+   * when its actor moves. True for metrics that depend on the view.
    */
   virtual bool IsPlacementDependent() { return this->IsViewDependent(); }
 
   /**
-   * Whether a level says how many segments an edge needs, so that MaximumLevel only cuts levels
-   * off; otherwise levels are shares of MaximumLevel. Levels that are cut off are lost to a level
+   * Whether a level says how many segments an edge needs, so that MaximumLevel only limits levels;
+   * otherwise levels are shares of MaximumLevel. Levels that are cut off are lost to a level
    * offset, which asks for more of them.
    */
   virtual bool IsAbsolute() { return false; }
@@ -69,7 +69,8 @@ public:
   /**
    * Fill `tags` with one level per point of `mesh`, each finite and in [0, maximumLevel].
    * Returns false, after an ErrorEvent of this object, when the metric cannot be evaluated
-   * (no camera for a view-dependent metric, a missing array, absurd parameters).
+   * (no camera for a view-dependent metric, a missing array, parameters that contradict each
+   * other).
    */
   virtual bool ComputeTags(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
     vtkFloatArray* tags) = 0;

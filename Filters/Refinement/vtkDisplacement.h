@@ -91,8 +91,8 @@ public:
   //@}
 
   /**
-   * Bring the height map up to date; false, after an ErrorEvent of this object, if it has none of
-   * its samples.
+   * Bring the height map up to date; false, after an ErrorEvent of this object, if it has no
+   * samples.
    */
   bool Update();
 

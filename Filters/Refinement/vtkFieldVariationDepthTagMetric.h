@@ -22,10 +22,10 @@
  *
  *     level = MaximumLevel * (x - low) / (high - low)
  *
- * clamped to [0, MaximumLevel]; by the rule PER_EDGE that of an edge is with its own x. Values that
- * are NaN or infinite make no variation, so that an array of nothing else, as a constant one, has
- * level 0 everywhere; so has a point of no triangle. Neither do vectors without data: with a
- * component of at least NoDataMagnitude, as -1e9. The metric does not depend on the view.
+ * clamped to [0, MaximumLevel]; by the rule PER_EDGE the tag of an edge uses its own x. Values that
+ * are NaN or infinite make no variation, nor do vectors without data: with a component of at least
+ * NoDataMagnitude, as -1e9. An array of nothing else has level 0 everywhere, as a constant one has.
+ * A point without triangles has level 0. The metric does not depend on the view.
  *
  * Errors when tags are computed: no ArrayName; no array of numbers of that name in the mesh; one
  * with another number of tuples than points or cells.
@@ -78,9 +78,9 @@ public:
 
   //@{
   /**
-   * From which absolute value on a component of a vector stands for "no data"; more than 0, default
-   * 1e8. Values of arrays with one component are all data. Another value is an error and changes
-   * nothing.
+   * A vector stands for "no data" if the absolute value of a component is at least this; more than
+   * 0, default 1e8. In arrays of one component all values are data. Another value is an error and
+   * changes nothing.
    */
   void SetNoDataMagnitude(double magnitude);
   vtkGetMacro(NoDataMagnitude, double);

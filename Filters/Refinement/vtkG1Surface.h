@@ -25,12 +25,12 @@
  * The surface interpolates the coarse points and, where faces around a point see the same normal
  * there, the normals; it reproduces planes. Along creases, where they see different ones, the
  * curves of the sides are averaged: the surface stays closed, each side keeps its own tangent
- * planes but for the crease's ends, and shading is sharp. Where normals are at odds with a triangle
- * the patch is kept tame, and tangent planes do not quite join: inner points stay within half the
+ * planes but for the crease's ends, and shading is sharp. Where normals contradict a triangle the
+ * patch is restrained, and tangent planes do not quite join: inner points stay within half the
  * length of the longest edge from where PN triangles have their centre point.
  *
  * Normals that are the surface's own also show how it undulates between coarse points, which the
- * interpolated ones of PN triangles pass over: on coarse scans PN triangles look the smoother.
+ * interpolated ones of PN triangles hide: on coarse scans PN triangles look smoother.
  *
  * Point normals of the input are used; where there are none they are computed from the faces.
  * Where the patch itself is degenerate, geometric normals are interpolated ones.

@@ -29,7 +29,7 @@ public:
   //@{
   /**
    * Whether normals vary quadratically, which keeps inflections (default), or linearly. The normal
-   * amid an edge is n110 = normalize(N1 + N2 - v12 (P2 - P1)),
+   * in the middle of an edge is n110 = normalize(N1 + N2 - v12 (P2 - P1)),
    * v12 = 2 (P2 - P1) . (N1 + N2) / ((P2 - P1) . (P2 - P1)).
    */
   vtkSetMacro(QuadraticNormals, bool);

@@ -13,7 +13,7 @@
  *
  * Point normals of the input are used; where there are none they are computed from the faces.
  *
- * Errors: an array of AlphaArrayName that is missing, is no array of one number per point, or has
+ * Errors: an array of AlphaArrayName that is missing, does not have one number per point, or has
  * numbers that are not finite.
  *
  * @sa vtkAdaptiveRefinement vtkPNTriangleSurface
@@ -43,9 +43,9 @@ public:
 
   //@{
   /**
-   * Name of a point array of one component that is taken in the place of Alpha and interpolated
-   * linearly; numbers outside [0, 1] are clamped, coincident points share the mean of theirs. Empty
-   * (the default) for none.
+   * Name of a point array of one component that is used instead of Alpha and interpolated linearly;
+   * numbers outside [0, 1] are clamped, coincident points share the mean of theirs. Empty (the
+   * default) for none.
    */
   void SetAlphaArrayName(const char* name);
   const char* GetAlphaArrayName();

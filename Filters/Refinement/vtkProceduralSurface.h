@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkProceduralSurface
- * @brief   a surface moved along its normals by a function: fur, or one of the user's own
+ * @brief   a surface moved along its normals by a function: fur, or one of your own
  *
  * The point is V = B + Amplitude h N: B is the base surface's point, N the sum of the corners' unit
  * normals by the barycentric weights, not made unit, and h a height in [-1, 1]. By default h is the
@@ -22,10 +22,10 @@
  *
  * `position` is the base surface's point in the mesh's own coordinates, `normal` the unit normal,
  * `weights` the barycentric weights of the corners in an order of Relevo's own. On the border of a
- * coarse triangle weights are handed over as zeros: two triangles then compute the same height for
- * their common edge, whatever the function, and the surface stays closed. Let a function of the
- * weights go to zero there, or it jumps. Heights beyond [-1, 1] are clamped; one that is not a
- * number is 0.
+ * coarse triangle all weights are passed as zeros: two triangles then compute the same height for
+ * their common edge, whatever the function, and the surface stays closed. A function of the weights
+ * must go to zero there, or it jumps. Heights beyond [-1, 1] are clamped; one that is not a number
+ * is 0.
  *
  * vtkAdaptiveRefinementMapper draws any function. vtkAdaptiveRefinementFilter cannot run GLSL: it
  * gives an error, unless a C++ subclass overrides HasHeightFunction() and EvaluateHeight().
@@ -121,7 +121,7 @@ public:
   }
 
   /**
-   * The height for vtkAdaptiveRefinementFilter, in the place of the shader function. May be called
+   * The height for vtkAdaptiveRefinementFilter, which replaces the shader function. May be called
    * from several threads.
    */
   virtual double EvaluateHeight(

@@ -6,20 +6,20 @@
  *
  * A cell locator of a coarse vtkPolyData, SetDataSet(), whose answers are those of its refined,
  * displaced surface: places on what vtkAdaptiveRefinementFilter would make, cell ids and parametric
- * coordinates of the coarse cells. Only the faces that a question is about are refined, so that a
- * line takes microseconds. Vertices and lines of the data set are found as they are.
+ * coordinates of the coarse cells. Only the faces that a query needs are refined, so that a line
+ * takes microseconds. Vertices and lines of the data set are found as they are.
  *
  * For whatever takes a vtkAbstractCellLocator. vtkAdaptiveRefinementMapper needs none: VTK's
  * pickers find the refined surface there by themselves. With a vtkPolyDataMapper of the coarse
  * mesh, vtkCellPicker::AddLocator() makes the picker find the refined surface.
  *
  * Levels are those that the recipe gives for Camera, ModelToWorld and ViewportSize, as in the
- * filter. The search structure is built with the first question and whenever the data set, the
- * recipe or, for metrics of the view, the camera has changed; BuildLocator() does it beforehand.
- * Questions of several threads are answered at once after BuildLocator().
+ * filter. The search structure is built by the first query, and again whenever the data set, the
+ * recipe or, for metrics that depend on the view, the camera has changed. BuildLocator() builds it
+ * beforehand; after it, several threads can query at once.
  *
  * Coordinates are those of the data set. Errors (ErrorEvent; nothing is found): no data set or one
- * that is no vtkPolyData, no recipe, depth-tags or texture coordinates that cannot be used, a
+ * that is not a vtkPolyData, no recipe, depth-tags or texture coordinates that cannot be used, a
  * metric or height map that fails.
  *
  * @sa vtkAdaptiveRefinementFilter vtkAdaptiveRefinementMapper
@@ -57,7 +57,7 @@ public:
 
   //@{
   /**
-   * From where metrics of the view look, in world coordinates; none by default.
+   * The camera for metrics that depend on the view, in world coordinates; none by default.
    */
   void SetCamera(vtkCamera* camera);
   vtkCamera* GetCamera();
@@ -142,7 +142,7 @@ public:
 
   //@{
   /**
-   * Build what questions need, if something has changed; forget it.
+   * Build the search structure if something has changed; free it.
    */
   void BuildLocator() override;
   void FreeSearchStructure() override;

@@ -39,15 +39,15 @@ public:
 
   //@{
   /**
-   * The table that the pattern is taken from; by default an own one with MaximumLevel 7. nullptr
-   * brings a new default table.
+   * The table that the pattern is taken from; by default its own, with MaximumLevel 7. nullptr
+   * restores the default.
    */
   void SetTable(vtkRefinementPatternTable* table);
   vtkRefinementPatternTable* GetTable();
   //@}
 
   /**
-   * Also the table's time.
+   * Includes the table's time.
    */
   vtkMTimeType GetMTime() override;
 

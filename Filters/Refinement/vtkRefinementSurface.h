@@ -59,7 +59,7 @@ public:
   virtual int GetNumberOfPointValues() { return 0; }
 
   /**
-   * How many of these, from the first on, its shader asks for: 0 to 4.
+   * How many of these, from the first on, its shader uses: 0 to 4.
    */
   virtual int GetNumberOfShaderValues() { return 0; }
 
@@ -88,7 +88,7 @@ public:
 #ifndef __VTK_WRAP__
   /**
    * Fill GetNumberOfPointValues() numbers for each point of the mesh. False, with an error to show
-   * the user, when it has not what is needed.
+   * the user, when the mesh lacks what is needed.
    */
   virtual bool GetPointValues(vtkPolyData* mesh, float* values, std::string& error);
 

@@ -43,9 +43,9 @@
  *
  * Points without tags, or with zeros, give vtkPNTriangleSurface with quadratic normals to the last
  * bit. Tags beyond their range are clamped; the length and the sign of Delta do not count, nor does
- * its part along the normal, and one along the normal is as none. Coincident points share the mean
- * of their tags. With a displacement along the normal, a mesh that has sharp or biased points moves
- * along its linear point normals, as one with split normals does.
+ * its part along the normal; a Delta along the normal counts as none. Coincident points share the
+ * mean of their tags. With a displacement along the normal, a mesh that has sharp or biased points
+ * moves along its linear point normals, as one with split normals does.
  *
  * An array with another number of components, too few tuples or numbers that are not finite is an
  * error of the filter or the mapper that uses it.

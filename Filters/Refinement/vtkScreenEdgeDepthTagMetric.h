@@ -11,9 +11,9 @@
  * of the longest edge at the point, and at most MaximumLevel. That is the tessellation level
  * T = max(1, d / L_ref) of Nellmeldin 2013 ("Desarrollo de algoritmos de teselacion adaptativa en
  * GPU", eq. 2) as the level of 2^level = T segments. An edge's own level, the rounded mean of its
- * two points' tags, thus leaves it segments of at most sqrt(2) ReferenceLength on the mean over
- * its length, as long as MaximumLevel allows. By the rule PER_EDGE the level is that of the edge's
- * own d: the segments are as long with fewer triangles.
+ * two points' tags, thus leaves it segments of at most sqrt(2) ReferenceLength on average, as far
+ * as MaximumLevel allows. By the rule PER_EDGE the level is that of the edge's own d: the segments
+ * are as long with fewer triangles.
  *
  * Lengths are those of the straight coarse edges (the diagonals of the triangle fans of polygons
  * included), projected by the camera to a viewport of the given size, also beyond its border. With

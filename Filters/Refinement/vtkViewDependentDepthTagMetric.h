@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkViewDependentDepthTagMetric
- * @brief   refines what is bent, the more the more it is seen edge-on
+ * @brief   refines curved parts, most where they are seen edge-on
  *
- * What the metric of Boubekeur 2010 ("A view-dependent adaptivity metric for real time mesh
- * tessellation") is after: little where the surface is flat or faces the eye, much where its
+ * Has the aim of the metric of Boubekeur 2010 ("A view-dependent adaptivity metric for real time
+ * mesh tessellation"): low levels where the surface is flat or faces the eye, high ones where its
  * normals spread and where it is part of the silhouette. Its formula as printed in Nellmeldin 2013
  * (eqs. 3 to 9) is 1 over a length and lowest on silhouettes; this one has no unit and rises with
  * both. With, at a point, in world coordinates,
