@@ -156,7 +156,7 @@ private:
     {
       for (int joint : skin.Joints)
       {
-        Require(IsIn(joint, this->Model.Nodes), "a skin refers to a node that is not there");
+        Require(IsIn(joint, this->Model.Nodes), "a skin refers to a node that does not exist");
       }
       if (skin.InverseBindMatricesAccessorId >= 0)
       {
@@ -184,9 +184,9 @@ private:
         Require(!isVisited[index], "node " + std::to_string(index) + " has two parents");
         isVisited[index] = true;
         Require(node.Mesh < 0 || IsIn(node.Mesh, this->Model.Meshes),
-          "node " + std::to_string(index) + " has a mesh that is not there");
+          "node " + std::to_string(index) + " has a mesh that does not exist");
         Require(node.Skin < 0 || IsIn(node.Skin, this->Model.Skins),
-          "node " + std::to_string(index) + " has a skin that is not there");
+          "node " + std::to_string(index) + " has a skin that does not exist");
         open.insert(open.end(), node.Children.begin(), node.Children.end());
       }
     }
@@ -202,7 +202,7 @@ void CheckGLTF(const std::string& fileName)
   vtkNew<Loader> loader;
   if (!loader->LoadModelMetaDataFromFile(fileName))
   {
-    throw ViewerError("it is no glTF scene, or cut short");
+    throw ViewerError("it is not a glTF scene, or it is truncated");
   }
   Checker(*loader->GetInternalModel()).Check();
 }

@@ -18,7 +18,7 @@ vtkSmartPointer<vtkImageData> ReadImage(const std::string& fileName, ViewerMessa
     vtkImageReader2Factory::CreateImageReader2(fileName.c_str()));
   if (!reader)
   {
-    throw ViewerError("cannot read " + fileName + ": it is no PNG, JPEG, TIFF or BMP");
+    throw ViewerError("cannot read " + fileName + ": it is not a PNG, JPEG, TIFF or BMP file");
   }
   messages.Observe(reader, "reading");
   reader->SetFileName(fileName.c_str());

@@ -58,7 +58,7 @@ Mesh ReadSurface(const std::string& fileName, ViewerMessages& messages)
   auto* data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
   if (!data)
   {
-    throw ViewerError("cannot read " + fileName + ": it holds no data set of points and cells");
+    throw ViewerError("cannot read " + fileName + ": it has no data set with points and cells");
   }
   if (auto* mesh = vtkPolyData::SafeDownCast(data))
   {
@@ -100,7 +100,7 @@ Mesh ReadFormat(const std::string& fileName, ViewerMessages& messages)
   {
     return reader->second(fileName, messages);
   }
-  throw ViewerError("VTK " + std::string(vtkVersion::GetVTKVersion()) + " reads no " +
+  throw ViewerError("VTK " + std::string(vtkVersion::GetVTKVersion()) + " cannot read " +
     GetExtension(fileName) + " files; meshes are read from " + GetMeshFormats());
 }
 

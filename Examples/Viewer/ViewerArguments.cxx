@@ -14,9 +14,9 @@ namespace
 const int LargestBand = 65535;
 const int LargestSize = 16384;
 
-UsageError Wants(const std::string& option, const std::string& what, const std::string& text)
+UsageError BadValue(const std::string& option, const std::string& what, const std::string& text)
 {
-  return UsageError(option + " wants " + what + ", not '" + text + "'");
+  return UsageError(option + " needs " + what + ", not '" + text + "'");
 }
 
 // What stands between commas.
@@ -61,7 +61,7 @@ double ToNumber(const std::string& option, const std::string& text)
   }
   if (end == 0 || end != text.size() || !std::isfinite(value))
   {
-    throw Wants(option, "a number", text);
+    throw BadValue(option, "a number", text);
   }
   return value;
 }
@@ -72,7 +72,7 @@ double ToNumber(const std::string& option, const std::string& text, double lowes
   const double value = ToNumber(option, text);
   if (value < lowest || value > highest)
   {
-    throw Wants(option, "a number from " + ToText(lowest) + " to " + ToText(highest), text);
+    throw BadValue(option, "a number from " + ToText(lowest) + " to " + ToText(highest), text);
   }
   return value;
 }
@@ -93,7 +93,7 @@ double ToPositiveNumber(const std::string& option, const std::string& text)
   const double value = ToNumber(option, text);
   if (value <= 0.0)
   {
-    throw Wants(option, "a number above 0", text);
+    throw BadValue(option, "a number above 0", text);
   }
   return value;
 }
@@ -104,7 +104,7 @@ int ToInteger(const std::string& option, const std::string& text, int lowest, in
   const double value = ToNumber(option, text);
   if (value != std::floor(value) || value < lowest || value > highest)
   {
-    throw Wants(option,
+    throw BadValue(option,
       "a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest), text);
   }
   return static_cast<int>(value);
@@ -117,7 +117,7 @@ std::vector<double> ToNumbers(
   const std::vector<std::string> parts = Split(text);
   if (parts.size() != Split(form).size())
   {
-    throw Wants(option, form, text);
+    throw BadValue(option, form, text);
   }
   std::vector<double> numbers;
   std::transform(parts.begin(), parts.end(), std::back_inserter(numbers),
@@ -140,7 +140,7 @@ std::vector<double> ToPlace(const std::string& option, const std::string& text, 
   const std::size_t numbers = Split(text).size();
   if (numbers != 3 && (isOnMesh || numbers != 2))
   {
-    throw Wants(option, isOnMesh ? "X,Y,Z" : "X,Y or X,Y,Z", text);
+    throw BadValue(option, isOnMesh ? "X,Y,Z" : "X,Y or X,Y,Z", text);
   }
   return ToNumbers(option, text, numbers == 3 ? "X,Y,Z" : "X,Y");
 }
@@ -151,7 +151,7 @@ void ToSize(const std::string& option, const std::string& text, int size[2])
   const std::size_t cross = text.find('x');
   if (cross == std::string::npos)
   {
-    throw Wants(option, "WIDTHxHEIGHT", text);
+    throw BadValue(option, "WIDTHxHEIGHT", text);
   }
   size[0] = ToInteger(option, text.substr(0, cross), 1, LargestSize);
   size[1] = ToInteger(option, text.substr(cross + 1), 1, LargestSize);
@@ -163,7 +163,7 @@ void ToBands(const std::string& option, const std::string& text, int bands[3])
   const std::vector<std::string> parts = Split(text);
   if (parts.size() != 3)
   {
-    throw Wants(option, "three bands, as 3,2,1", text);
+    throw BadValue(option, "three bands, as 3,2,1", text);
   }
   std::transform(parts.begin(), parts.end(), bands,
     [&](const std::string& part) { return ToInteger(option, part, 1, LargestBand); });
@@ -175,7 +175,7 @@ std::string ToFileName(
 {
   if (std::find(extensions.begin(), extensions.end(), GetExtension(text)) == extensions.end())
   {
-    throw Wants(option, "the name of a " + JoinWords(extensions) + " file", text);
+    throw BadValue(option, "the name of a " + JoinWords(extensions) + " file", text);
   }
   return text;
 }

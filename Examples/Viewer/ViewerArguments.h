@@ -69,7 +69,7 @@ T ToChoice(const std::string& option, const std::string& text,
     }
     words.push_back(choice.first);
   }
-  throw UsageError(option + " wants " + JoinWords(words) + ", not '" + text + "'");
+  throw UsageError(option + " needs " + JoinWords(words) + ", not '" + text + "'");
 }
 
 #endif

@@ -55,7 +55,7 @@ void WriteText(const std::string& text, const std::string& fileName)
 // device is not read back.
 [[noreturn]] void FailShort(const std::string& fileName)
 {
-  Fail(fileName, "the file is not whole, as where a disk is full");
+  Fail(fileName, "the file is incomplete; the disk may be full");
 }
 
 // As long as its header says.

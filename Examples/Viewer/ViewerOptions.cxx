@@ -46,7 +46,7 @@ public:
     }
     if (this->Options.Input.empty())
     {
-      throw UsageError("which height map or mesh?");
+      throw UsageError("no height map or mesh is given");
     }
     this->Options.IsMesh = IsMeshFile(this->Options.Input);
     this->Check();
@@ -159,7 +159,7 @@ private:
         {
           if (value.empty())
           {
-            throw UsageError(option + " wants the name of an array of vectors");
+            throw UsageError(option + " needs the name of an array of vectors");
           }
           options.Vectors = value;
         } },
@@ -288,7 +288,7 @@ private:
       if (!this->Options.Input.empty())
       {
         throw UsageError(
-          "one height map or mesh, please: '" + this->Options.Input + "' or '" + argument + "'");
+          "more than one height map or mesh: '" + this->Options.Input + "' and '" + argument + "'");
       }
       this->Options.Input = argument;
       return 0;
@@ -303,7 +303,7 @@ private:
     }
     if (equals == std::string::npos && !next)
     {
-      throw UsageError(option + " wants a value");
+      throw UsageError(option + " needs a value");
     }
     this->Given.insert(option);
     setting->second(option, equals == std::string::npos ? next : argument.substr(equals + 1));
@@ -359,7 +359,7 @@ private:
         ToNumbers("--region", this->Region, options.IsMesh ? "X,Y,Z,RADIUS" : "X,Y,RADIUS");
       if (options.Region->back() <= 0.0)
       {
-        throw UsageError("--region wants a radius above 0, not '" + this->Region + "'");
+        throw UsageError("--region needs a radius above 0, not '" + this->Region + "'");
       }
     }
     if (this->Given.count("--center"))
@@ -368,7 +368,7 @@ private:
     }
     if (options.Budget > 0 && !options.Export.empty())
     {
-      throw UsageError("--budget is for what is drawn, not for --export");
+      throw UsageError("--budget does not go with --export: it limits what is drawn");
     }
   }
 

@@ -95,7 +95,7 @@ class TestViewerTerrain(ViewerProgram):
             self.assert_error(
                 2, ["--no-data-value", f"'{value}'"], self.heights, "--no-data-value", value
             )
-        self.assert_error(2, ["--no-data-value", "wants"], self.heights, "--no-data-value")
+        self.assert_error(2, ["--no-data-value", "needs"], self.heights, "--no-data-value")
         self.assert_error(
             1, ["has data"], self.flat(), "--no-data-value=7", "--output", "never.png"
         )
