@@ -212,7 +212,7 @@ bool vtkAdaptiveRefinementMapper::SelectOnGPU(vtkRenderer* ren, vtkActor* act)
     data.Compute.UpdateView(window, slot, selection.GetTags(),
       static_cast<float>(this->Refinement->GetLevelOffset() + data.State.LevelOffset),
       selection.GetLevelsTime(), camera.get(),
-      culled && culled->HidesBehind(*camera, this->HidesBackFaces(ren, act)), data.GetTargets());
+      culled && culled->HidesBackFaces(*camera, this->HidesBackFaces(ren, act)), data.GetTargets());
   if (data.Compute.GetTime(slot) != lastTime)
   {
     data.ComputeSeconds = vtkTimerLog::GetUniversalTime() - start;

@@ -202,13 +202,13 @@ bool FaceCulling::IsUncut(const CullingView& view) const
     middle, halfSides, vec4(-view.Near[0], -view.Near[1], -view.Near[2], -view.Near[3]));
 }
 
-bool FaceCulling::HidesBehind(const CullingView& view, bool behind) const
+bool FaceCulling::HidesBackFaces(const CullingView& view, bool hideBackFaces) const
 {
-  return behind && this->Closed && view.Valid && this->IsUncut(view);
+  return hideBackFaces && this->Closed && view.Valid && this->IsUncut(view);
 }
 
 int FaceCulling::FindHidden(
-  const CullingView& view, bool behind, std::vector<unsigned char>& hidden) const
+  const CullingView& view, bool hideBackFaces, std::vector<unsigned char>& hidden) const
 {
   const size_t numberOfFaces = this->Data.size() / Stride;
   hidden.resize(numberOfFaces);
@@ -223,7 +223,7 @@ int FaceCulling::FindHidden(
     planes[i] = vec4(Load(view.Planes[i]), view.Planes[i][3]);
   }
   const vec3 eye = Load(view.Eye);
-  const bool turned = this->HidesBehind(view, behind);
+  const bool turned = this->HidesBackFaces(view, hideBackFaces);
   std::atomic<int> count(0);
   vtkSMPTools::For(0, static_cast<vtkIdType>(numberOfFaces),
     [&](vtkIdType begin, vtkIdType end)

@@ -64,10 +64,11 @@ public:
    * from an eye outside the closed surface they belong to, all of which lies beyond the near plane.
    * Returns how many are marked.
    */
-  int FindHidden(const CullingView& view, bool behind, std::vector<unsigned char>& hidden) const;
+  int FindHidden(
+    const CullingView& view, bool hideBackFaces, std::vector<unsigned char>& hidden) const;
 
   /// Whether faces that face away from a view are hidden, if they are to be.
-  bool HidesBehind(const CullingView& view, bool behind) const;
+  bool HidesBackFaces(const CullingView& view, bool hideBackFaces) const;
 
   /// Whether the mesh is a closed surface, all of it turned outside, whose normals are bounded.
   bool IsClosed() const { return this->Closed; }

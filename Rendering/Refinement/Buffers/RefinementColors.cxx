@@ -96,10 +96,10 @@ bool RefinementColors::Upload(vtkOpenGLRenderWindow* window, vtkAbstractArray* s
   {
     return true;
   }
-  this->Whole = numbers->GetDataType() != VTK_FLOAT && numbers->GetDataType() != VTK_DOUBLE;
+  this->AreIntegers = numbers->GetDataType() != VTK_FLOAT && numbers->GetDataType() != VTK_DOUBLE;
   // Differences to the minimum keep the digits of narrow ranges far from zero.
   this->Bias = choice.IsLength || isLog ? 0.0 : tableRange[0];
-  if (this->Whole)
+  if (this->AreIntegers)
   {
     constexpr double mostExact = 1 << 24;
     const double largest = std::max(std::abs(tableRange[0]), std::abs(tableRange[1]));
@@ -118,7 +118,8 @@ bool RefinementColors::Upload(vtkOpenGLRenderWindow* window, vtkAbstractArray* s
     return true;
   }
   this->Kind = BY_VALUE;
-  return this->Table.Upload(window, table, this->Bias, range, this->Whole && !choice.IsLength);
+  return this->Table.Upload(
+    window, table, this->Bias, range, this->AreIntegers && !choice.IsLength);
 }
 
 bool RefinementColors::UploadValues(vtkOpenGLRenderWindow* window, vtkDataArray* scalars, int first,
@@ -196,7 +197,7 @@ void RefinementColors::Activate(vtkShaderProgram* program)
     program->SetUniformf("relevoNotANumber", std::numeric_limits<float>::quiet_NaN());
   }
   program->SetUniformi("relevoScalarTexels", this->Texels);
-  program->SetUniformi("relevoScalarsWhole", this->Whole ? 1 : 0);
+  program->SetUniformi("relevoScalarsAreIntegers", this->AreIntegers ? 1 : 0);
   program->SetUniform3f("relevoScalarCoordinates", this->Coordinates);
 }
 

@@ -54,7 +54,7 @@ private:
   RefinementColorTable Table;
   ScalarKind Kind = BY_VTK;
   int Texels = 0; // per point; 0 for a single number
-  bool Whole = false;
+  bool AreIntegers = false;
   double Bias = 0.0;
   float Coordinates[3] = { 0.0f, 0.0f, 0.0f }; // minimum, 1 / width, log
 };

@@ -98,7 +98,7 @@ void RefinementComputeSelector::Count(RefinementComputeView& view, const Camera*
     program.SetUniform("relevoPlanes", camera->Planes[0], 4, Camera::NumberOfPlanes);
     program.SetUniform("relevoEye", camera->Eye, 3);
     program.SetUniform("relevoParallel", camera->Parallel ? 1 : 0);
-    program.SetUniform("relevoBehind", camera->Behind ? 1 : 0);
+    program.SetUniform("relevoHidesBackFaces", camera->HidesBackFaces ? 1 : 0);
   }
   program.Dispatch(this->NumberOfFaces);
 }

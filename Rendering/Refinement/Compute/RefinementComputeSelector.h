@@ -94,7 +94,7 @@ public:
     float Planes[NumberOfPlanes][4];
     float Eye[3];
     bool Parallel;
-    bool Behind; // whether faces that face away are hidden
+    bool HidesBackFaces; // whether faces that face away are hidden
   };
 
   /**

@@ -82,7 +82,7 @@ std::vector<unsigned int> MakeTable(
 }
 
 // All that decides what a camera sees.
-std::vector<float> GetSight(const CullingView* view, bool behind)
+std::vector<float> GetSight(const CullingView* view, bool hideBackFaces)
 {
   std::vector<float> sight;
   if (view && view->Valid)
@@ -90,12 +90,12 @@ std::vector<float> GetSight(const CullingView* view, bool behind)
     sight.assign(view->Planes[0], view->Planes[0] + 4 * CullingView::NumberOfPlanes);
     sight.insert(sight.end(), view->Eye, view->Eye + 3);
     sight.push_back(view->Parallel ? 1.0f : 0.0f);
-    sight.push_back(behind ? 1.0f : 0.0f);
+    sight.push_back(hideBackFaces ? 1.0f : 0.0f);
   }
   return sight;
 }
 
-RefinementComputeSelector::Camera MakeCamera(const CullingView& view, bool behind)
+RefinementComputeSelector::Camera MakeCamera(const CullingView& view, bool hideBackFaces)
 {
   RefinementComputeSelector::Camera camera;
   static_assert(
@@ -103,7 +103,7 @@ RefinementComputeSelector::Camera MakeCamera(const CullingView& view, bool behin
   std::copy_n(view.Planes[0], 4 * CullingView::NumberOfPlanes, camera.Planes[0]);
   std::copy_n(view.Eye, 3, camera.Eye);
   camera.Parallel = view.Parallel;
-  camera.Behind = behind;
+  camera.HidesBackFaces = hideBackFaces;
   return camera;
 }
 }
@@ -260,12 +260,12 @@ bool RefinementComputeState::Select(
 
 bool RefinementComputeState::UpdateView(vtkOpenGLRenderWindow* window, int slot,
   const EdgeTags& tags, float offset, vtkMTimeType levelsTime, const CullingView* camera,
-  bool behind, const Targets& targets)
+  bool hideBackFaces, const Targets& targets)
 {
   View& view = this->Views[slot];
   const bool select = view.LevelsTime != levelsTime || view.GroupsTime < this->PatternsTime ||
     view.Instances != targets.Instances;
-  const std::vector<float> sight = GetSight(camera, behind);
+  const std::vector<float> sight = GetSight(camera, hideBackFaces);
   if (!select && view.Sight == sight && view.CullingTime == this->CullingTime)
   {
     return true;
@@ -276,7 +276,7 @@ bool RefinementComputeState::UpdateView(vtkOpenGLRenderWindow* window, int slot,
   {
     const bool culled = camera && camera->Valid;
     const RefinementComputeSelector::Camera eye =
-      culled ? MakeCamera(*camera, behind) : RefinementComputeSelector::Camera();
+      culled ? MakeCamera(*camera, hideBackFaces) : RefinementComputeSelector::Camera();
     this->Selector.Group(view.Selection, culled ? &eye : nullptr, targets.Instances);
     view.LevelsTime = levelsTime;
     view.Instances = targets.Instances;

@@ -74,7 +74,7 @@ public:
    * hold it.
    */
   bool UpdateView(vtkOpenGLRenderWindow* window, int slot, const EdgeTags& tags, float offset,
-    vtkMTimeType levelsTime, const CullingView* camera, bool behind, const Targets& targets);
+    vtkMTimeType levelsTime, const CullingView* camera, bool hideBackFaces, const Targets& targets);
 
   /// The patterns that faces choose from; nullptr for none yet.
   const PatternFamily* GetFamily() const { return this->Family.get(); }

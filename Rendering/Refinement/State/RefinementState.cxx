@@ -264,7 +264,7 @@ bool RefinementState::UpdateTags(
 }
 
 bool RefinementState::UpdateSelection(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
-  const RefinementView& view, const CullingView* culling, bool behind, bool onGPU)
+  const RefinementView& view, const CullingView* culling, bool hideBackFaces, bool onGPU)
 {
   if (!this->UpdateTags(input, recipe, view, onGPU))
   {
@@ -277,7 +277,7 @@ bool RefinementState::UpdateSelection(vtkPolyData* input, vtkAdaptiveRefinement*
   if (!onGPU)
   {
     const FaceCulling* faces = culling ? &this->GetCulling(recipe) : nullptr;
-    this->Current->UpdateGroups({ faces, this->CullingTime, culling, behind });
+    this->Current->UpdateGroups({ faces, this->CullingTime, culling, hideBackFaces });
   }
   return true;
 }

@@ -64,7 +64,7 @@ public:
    * rest.
    */
   bool UpdateSelection(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
-    const RefinementView& view, const CullingView* culling, bool behind, bool onGPU);
+    const RefinementView& view, const CullingView* culling, bool hideBackFaces, bool onGPU);
 
   /// What of the mesh is out of sight, and when it was made.
   const FaceCulling& GetCulling(vtkAdaptiveRefinement* recipe);

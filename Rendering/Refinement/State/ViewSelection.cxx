@@ -168,7 +168,7 @@ bool ViewSelection::SeesTheSame(const CullingInput& culling) const
     return !culling.Culling && !this->LastView;
   }
   return *this->LastView == *culling.View && this->LastCullingTime == culling.CullingTime &&
-    this->LastBehind == culling.Behind;
+    this->LastHidesBackFaces == culling.HidesBackFaces;
 }
 
 void ViewSelection::UpdateGroups(const CullingInput& culling)
@@ -185,11 +185,11 @@ void ViewSelection::UpdateGroups(const CullingInput& culling)
     this->LastHidden.swap(this->Hidden);
     const int last = this->NumberOfHiddenFaces;
     this->NumberOfHiddenFaces = culling.Culling
-      ? culling.Culling->FindHidden(*culling.View, culling.Behind, this->Hidden)
+      ? culling.Culling->FindHidden(*culling.View, culling.HidesBackFaces, this->Hidden)
       : 0;
     this->LastView.reset(culling.Culling ? new CullingView(*culling.View) : nullptr);
     this->LastCullingTime = culling.CullingTime;
-    this->LastBehind = culling.Behind;
+    this->LastHidesBackFaces = culling.HidesBackFaces;
     if (sameLevels && this->NumberOfHiddenFaces == last &&
       (last == 0 || this->Hidden == this->LastHidden))
     {

@@ -53,7 +53,7 @@ struct CullingInput
   vtkMTimeType CullingTime;
   const CullingView* View;
   /// Whether back faces of closed surfaces are out of sight too.
-  bool Behind;
+  bool HidesBackFaces;
 };
 
 class ViewSelection
@@ -135,7 +135,7 @@ private:
   std::vector<unsigned char> LastHidden;
   std::unique_ptr<CullingView> LastView; // that the faces were grouped for, if faces were culled
   vtkMTimeType LastCullingTime = 0;
-  bool LastBehind = false;
+  bool LastHidesBackFaces = false;
   int NumberOfHiddenFaces = 0;
   double TagsSeconds = 0.0;
   double LevelsSeconds = 0.0;

@@ -2,7 +2,7 @@
 
 uniform samplerBuffer relevoScalars;  // components less the table's bias, per point
 uniform int relevoScalarTexels;       // per point; 0 for one number, more for a vector's length
-uniform int relevoScalarsWhole;       // 1 for whole numbers, which stay so between the points
+uniform int relevoScalarsAreIntegers; // 1 for whole numbers, which stay so between the points
 uniform vec3 relevoScalarCoordinates; // of textures: minimum, 1 / width, 1 for a log scale
 
 bool relevoIsCorner(vec3 w)
@@ -22,7 +22,7 @@ vec4 relevoScalarsOf(vec3 w, int k)
 {
   vec4 scalars = weightedSum(
     relevoScalarsAt(0, w.x, k), relevoScalarsAt(1, w.y, k), relevoScalarsAt(2, w.z, k), w);
-  return relevoScalarsWhole == 1 ? sign(scalars) * floor(abs(scalars) + 0.5) : scalars;
+  return relevoScalarsAreIntegers == 1 ? sign(scalars) * floor(abs(scalars) + 0.5) : scalars;
 }
 
 // What takes no values between its own, as a name, has the nearest corner's; see RefinedPoint.
@@ -38,7 +38,7 @@ float relevoScalar(vec3 w)
   vec3 none = relevoNoDataWeights(w);
   if (none != vec3(0.0))
   {
-    if (relevoScalarsWhole == 0)
+    if (relevoScalarsAreIntegers == 0)
     {
       return relevoNotANumber;
     }

@@ -14,11 +14,11 @@ layout(std430, binding = 1) buffer Counts { uint counts[]; };
 layout(std430, binding = 2) writeonly buffer Ranks { uint ranks[]; };
 layout(std430, binding = 3) readonly buffer Extents { RelevoExtent extents[]; };
 
-uniform int relevoCulled;      // 0: all faces are drawn
+uniform int relevoCulled;         // 0: all faces are drawn
 uniform vec4 relevoPlanes[5];
-uniform vec3 relevoEye;        // or with a parallel camera the direction to it
+uniform vec3 relevoEye;           // or with a parallel camera the direction to it
 uniform int relevoParallel;
-uniform int relevoBehind;      // 1: faces that face away are hidden
+uniform int relevoHidesBackFaces; // 1: faces that face away are hidden
 
 bool relevoIsHidden(int face)
 {
@@ -31,7 +31,7 @@ bool relevoIsHidden(int face)
     }
   }
   bool parallel = relevoParallel != 0;
-  return relevoBehind != 0 &&
+  return relevoHidesBackFaces != 0 &&
     facesAway(extent.Axis.xyz, extent.Middle.w,
       parallel ? relevoEye : relevoEye - extent.Middle.xyz, parallel ? 0.0 : extent.Half.w);
 }

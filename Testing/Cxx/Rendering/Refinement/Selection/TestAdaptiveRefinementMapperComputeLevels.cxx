@@ -149,7 +149,7 @@ private:
     {
       return this->State.UpdateView(this->Window, 0, tags,
         static_cast<float>(recipe->GetLevelOffset()), this->LevelsTime, &sight,
-        culling.HidesBehind(sight, true),
+        culling.HidesBackFaces(sight, true),
         { this->Faces.GetHandle(), this->Instances.GetHandle(), this->MorphTags.GetHandle() });
     };
     RelevoCheck& check = this->Check;
