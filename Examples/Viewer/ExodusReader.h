@@ -13,7 +13,7 @@
 class vtkPolyData;
 class ViewerMessages;
 
-/// Of the first time step, with the arrays of nodes and elements.
+/// The first time step, with the arrays of nodes and elements.
 vtkSmartPointer<vtkPolyData> ReadExodus(const std::string& fileName, ViewerMessages& messages);
 
 #endif

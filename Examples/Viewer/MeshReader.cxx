@@ -46,7 +46,7 @@ Mesh Read(const std::string& fileName, ViewerMessages& messages)
   return reader->GetOutput();
 }
 
-// Of a data set that is no surface itself, the surface.
+// The surface of a data set that is not a surface itself.
 template <typename Reader>
 Mesh ReadSurface(const std::string& fileName, ViewerMessages& messages)
 {

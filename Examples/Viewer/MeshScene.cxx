@@ -38,7 +38,7 @@
 
 namespace
 {
-// Of the edges of all polygons, in the mesh's units.
+// The mean length of all polygons' edges, in the mesh's units.
 double GetMeanEdgeLength(vtkPolyData* mesh)
 {
   double sum = 0.0;

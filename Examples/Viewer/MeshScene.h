@@ -47,7 +47,7 @@ private:
   std::string ArrayName;
   bool HasPointArray = false;
   std::unique_ptr<MeshProbe> Probe; // of that array, from the first question on
-  // Of streaks; nullptr for none.
+  // Vectors of the streaks; nullptr for none.
   vtkSmartPointer<vtkDataArray> Vectors;
 };
 

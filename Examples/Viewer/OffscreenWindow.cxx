@@ -15,10 +15,10 @@
 
 namespace
 {
-// Of graphics cards with OpenGL 3.3; making a context to ask costs time.
+// That of every graphics card with OpenGL 3.3: making a context to ask costs time.
 const int SmallestTextureLimit = 8192;
 
-// 0 when the file cannot be read, which is told when it is.
+// 0 when the file cannot be opened; reading it reports why.
 int GetLongerSide(vtkHeightMap* raster)
 {
   if (!raster->UpdateInformation())
@@ -36,7 +36,7 @@ int GetLongerSide(const char* fileName)
   return GetLongerSide(raster);
 }
 
-// 0 when there is no OpenGL, which is told when it draws.
+// 0 without OpenGL; drawing reports that.
 int GetTextureLimit()
 {
   const auto window = NewOffscreenWindow();

@@ -38,7 +38,7 @@ bool TerrainProbe::GetHeight(double x, double y, double& height)
   }
   vtkNew<vtkIdList> corners;
   this->Mesh->GetCellPoints(cell, corners);
-  // Of triangles.
+  // Weights in a triangle.
   const double weights[3] = { 1.0 - place[0] - place[1], place[0], place[1] };
   vtkDataArray* coordinates = this->Mesh->GetPointData()->GetTCoords();
   double uv[2] = { 0.0, 0.0 };

@@ -28,7 +28,7 @@ private:
   void AddExportedData(vtkPolyData* mesh) override;
   void ReadTerrain();
   void CheckReading();
-  /// Of the raster, in its unit, at the mesh's texture coordinates.
+  /// The raster's heights, in its unit, at the mesh's texture coordinates.
   void AddHeights(vtkPolyData* mesh);
   void MakeDisplacedMesh();
   int GetDefaultLevel();

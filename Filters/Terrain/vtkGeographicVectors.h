@@ -13,7 +13,7 @@
  * x and y point to where on the map one gets by going that way over the earth, and are as long as
  * the vector's part to the east and north: a speed stays that speed. z is the third component
  * times Exaggeration, as heights are, or 0 for vectors of two components. Level vectors stay level;
- * to follow the relief they want to be projected on it, as vtkAdaptiveLICMapper does. By the
+ * to follow the relief, project them on it, as vtkAdaptiveLICMapper does. By the
  * terrain's coordinate system:
  *
  * - Longitude and latitude: rotated by the matrix of GeographicLib::LocalCartesian, from the

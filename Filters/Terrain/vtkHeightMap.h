@@ -189,7 +189,7 @@ private:
   bool ReadFile(relevo::HeightGrid& grid, std::string& error);
   bool ReadImage(relevo::HeightGrid& grid, std::string& error);
 
-  /// Of the file or the image, after a successful UpdateInformation().
+  /// What the file or the image is, after a successful UpdateInformation().
   const relevo::RasterDescription& Describe() const
   {
     return *this->Description;

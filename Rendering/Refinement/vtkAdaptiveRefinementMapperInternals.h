@@ -80,7 +80,7 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   std::string ColorProblem; // said last
   std::string LevelTableProblem;
   std::string ShaderProblem;
-  bool LacksIds = false; // in a pass of the selection that goes on
+  bool LacksIds = false; // in the pass of a selection that has begun
 
   // Selections on the GPU.
   relevo::RefinementComputeState Compute;
@@ -126,7 +126,7 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   std::map<const vtkOpenGLHelper*, ProgramState> Programs;
   vtkNew<vtkShaderProgram> NoProgram;
 
-  // Of the method's own shaders, until these change or the method.
+  // Why the method's own shaders failed, until they or the method change.
   struct MethodFailure
   {
     std::string Text;
@@ -155,7 +155,7 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   relevo::RefinementBlocks Blocks;
   relevo::PickedInput Picking;
 
-  // Of all blocks of a composite input it is their parent's that counts.
+  // The blocks of a composite input use their parent's.
   relevo::LevelBudget Budget;
   relevo::RenderClock Clock;
   bool IsBlock = false;

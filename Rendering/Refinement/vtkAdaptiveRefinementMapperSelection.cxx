@@ -307,7 +307,7 @@ void vtkAdaptiveRefinementMapper::ComputeBounds()
   data.Blocks.Clear();
   if (!this->UpdateMesh())
   {
-    // Of the points only: vtkPolyData does not check what cells refer to.
+    // Bounds of the points alone: vtkPolyData does not check what cells refer to.
     vtkPoints* points = this->GetInput() ? this->GetInput()->GetPoints() : nullptr;
     vtkMath::UninitializeBounds(this->Bounds);
     if (points && points->GetNumberOfPoints() > 0)

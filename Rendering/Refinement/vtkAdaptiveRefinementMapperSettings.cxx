@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Settings that need no new buffers, and what is told of the last render.
+// Settings that need no new buffers, and statistics of the last render.
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
 #include "Core/SettingChecks.h"
@@ -122,7 +122,7 @@ vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfDrawnTriangles()
     return 0;
   }
   this->ReadSelection();
-  // Of the last frame: the recipe and the input may be others by now.
+  // For the last frame: the recipe and the input may have changed since.
   const vtkIdType triangles = data.GetMethod().GetNumberOfTriangles(data.GetDrawing(nullptr));
   return triangles >= 0 ? triangles : data.State.GetNumberOfTriangles();
 }

@@ -12,7 +12,7 @@
 
 namespace
 {
-// Of the finite coordinates; 0 where there are none.
+// The middle of the finite coordinates; 0 without any.
 double GetMiddle(vtkDataArray* points, int axis)
 {
   double low = std::numeric_limits<double>::infinity();

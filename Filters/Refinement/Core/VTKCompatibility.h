@@ -15,7 +15,7 @@
 namespace relevo
 {
 /**
- * Whether the algorithm shall stop: by its own flag and, since VTK 9.3, also because an algorithm
+ * Whether the algorithm is to stop: by its own flag and, since VTK 9.3, also because an algorithm
  * that it is part of or that it depends on was aborted.
  */
 inline bool IsAborted(vtkAlgorithm* algorithm)

@@ -27,7 +27,8 @@ struct Placement
   explicit Placement(const RefinementView& view);
 
   dvec3 GetPoint(const dvec3& x) const { return dvec3(this->ModelToWorld * dvec4(x, 1.0)); }
-  /// Of any length; up to its sense also under a singular or mirroring matrix.
+  /// A normal in world coordinates, of any length; its sign may be wrong under a singular or
+  /// mirroring matrix.
   dvec3 GetNormal(const dvec3& n) const { return this->NormalToWorld * n; }
   /// The diagonal of the mesh's own bounding box after the matrix: unlike that of the world's box
   /// it stays the same when the actor turns. Coordinates that are not finite do not count.
@@ -53,7 +54,7 @@ dvec3 UnitOrZero(const dvec3& v);
 class Eye
 {
 public:
-  /// Returns false and sets error when there is no camera or it looks nowhere.
+  /// Returns false and sets error when there is no camera or it has no direction.
   bool Set(const RefinementView& view, std::string& error);
 
   bool IsParallel() const { return this->Parallel; }

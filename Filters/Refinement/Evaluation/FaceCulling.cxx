@@ -30,7 +30,7 @@ namespace
 {
 constexpr size_t Stride = 12; // floats per face
 
-// Of the size of a mesh: boxes and planes are kept as floats.
+// As a share of the size of a mesh: boxes and planes are kept as floats.
 constexpr double Tolerance = 1e-6;
 
 vec3 Load(const float* v)

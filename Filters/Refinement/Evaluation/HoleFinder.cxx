@@ -42,7 +42,7 @@ struct HoleFinder::Internals
 {
   HeightValidity Validity;          // which Heights refers to
   mutable FaceDisplacement Heights; // shared functions change nothing, but do not say so
-  // Of samples without data below and left of each texel: whether a box holds any.
+  // The samples without data below and left of each texel, to tell whether a box contains any.
   std::vector<int> Sums;
 
   int CountTexels(ivec2 low, ivec2 high) const
@@ -148,7 +148,7 @@ int HoleFinder::Find(int face, const FacePattern& facePattern, unsigned char* ou
     {
       hole = data.HasAny(
         min(min(uvs[v[0]], uvs[v[1]]), uvs[v[2]]), max(max(uvs[v[0]], uvs[v[1]]), uvs[v[2]]));
-      // The box is no smaller than the triangle: look at the samples inside.
+      // The box is larger than the triangle: look at the samples inside.
       if (hole)
       {
         const vec2 a = displaced.heightPosition(uvs[v[0]]);

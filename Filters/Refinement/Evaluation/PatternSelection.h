@@ -32,7 +32,7 @@ class EdgeTags;
 class RefinementMesh;
 
 /**
- * Why the recipe's pattern table lacks the patterns that the recipe wants, as a sentence that says
+ * Why the recipe's pattern table lacks the patterns that the recipe needs, as a sentence that says
  * what to do; empty if it has them.
  */
 RELEVOFILTERSREFINEMENT_EXPORT std::string FindPatternObstacle(vtkAdaptiveRefinement* recipe);
@@ -84,7 +84,7 @@ public:
    */
   void Group(const unsigned char* hidden = nullptr);
 
-  /// Of the faces grouped: face << 3 | permutation code (relevoWeights.glsl), sorted by group; by
+  /// The grouped faces: face << 3 | permutation code (relevoWeights.glsl), sorted by group; by
   /// face within a group.
   std::vector<unsigned int> Instances;
   std::vector<PatternGroup> Groups;

@@ -99,7 +99,7 @@ public:
 private:
   const T* GetFrom(vtkIdType point) const { return this->From + point * this->NumberOfComponents; }
 
-  // Integers have no NaN: what stands for no data at the corner does so here.
+  // Integers have no NaN: the corner's value for "no data" is used here too.
   void SpreadNoData(vtkIdType corner, T* to, std::true_type) const
   {
     std::copy_n(this->GetFrom(corner), this->NumberOfComponents, to);

@@ -37,7 +37,7 @@ class PointDataInterpolation;
 
 /**
  * Calls `work` for ranges that make up all faces, perhaps in parallel; `share` of the whole task.
- * Returns false when it was told to stop before the end.
+ * Returns false when it was stopped before the end.
  */
 using FaceLoop =
   std::function<bool(double share, const std::function<void(vtkIdType, vtkIdType)>& work)>;

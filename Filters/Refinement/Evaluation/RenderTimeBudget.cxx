@@ -35,7 +35,7 @@ void RenderTimeBudget::AddFrame(vtkIdType triangles, double seconds)
     this->Costs.erase(this->Costs.begin());
   }
   this->Costs.push_back(seconds / count);
-  // Of few the smaller ones count; a single one, when nothing else is known.
+  // Of a few costs the smaller ones count; a single one only when nothing else is known.
   if (this->Costs.size() > 1 || !(this->Cost > 0.0))
   {
     std::vector<double> sorted = this->Costs;

@@ -189,7 +189,7 @@ int TriangleBudget::FindNumber(
   {
     return std::max(lowest, std::min(0, highest));
   }
-  // Whether the offset wanted is not below one with so many triangles.
+  // Whether the wanted offset is at or above one that gives this number of triangles.
   const auto isBelow = [&](std::int64_t triangles)
   {
     const auto count = static_cast<double>(triangles);

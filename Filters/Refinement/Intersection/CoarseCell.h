@@ -40,7 +40,7 @@ struct RELEVOFILTERSREFINEMENT_EXPORT CoarseCell
   vtkIdType CellId = -1;
   /// The triangle of a strip, as VTK counts them; else the cell's own.
   int SubId = 0;
-  /// Of the cell, or of the strip's triangle, where the point was before it was moved.
+  /// In the cell, or in the strip's triangle, where the point was before it was moved.
   double PCoords[3] = { 0.0, 0.0, 0.0 };
 
   /**

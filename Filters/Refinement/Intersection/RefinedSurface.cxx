@@ -40,7 +40,7 @@ FaceBox MakeBox(const FaceBounds& bounds, size_t face)
     const double margin = 1e-6 * (std::abs(low[c]) + std::abs(high[c]) + high[c] - low[c]);
     low[c] -= margin;
     high[c] += margin;
-    // Bounds that are no numbers hold anything.
+    // Bounds that are NaN contain everything.
     box.Low[c] = low[c] > -most ? static_cast<float>(std::min<double>(low[c], most)) : -most;
     box.High[c] = high[c] < most ? static_cast<float>(std::max<double>(high[c], -most)) : most;
   }
@@ -216,7 +216,7 @@ void RefinedSurface::IntersectAll(const PatternSelection& selection, const doubl
     [&](int face)
     {
       triangles.Refine(face);
-      // A displaced face can be met several times: go on behind each.
+      // A displaced face can be met several times: continue behind each.
       for (double passed = 0.0; passed < 1.0; passed = hits.back().T + apart)
       {
         std::array<double, 3> next;

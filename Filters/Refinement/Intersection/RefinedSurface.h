@@ -43,7 +43,7 @@ struct SurfaceHit
   /// Unit normal, interpolated between refined points where the mesh or the input has normals;
   /// else that of the refined triangle.
   double Normal[3] = { 0.0, 0.0, 1.0 };
-  /// Of the face's sorted corners: where in the coarse face the point was before it was moved.
+  /// The weights of the face's sorted corners where the point was before it was moved.
   double Weights[3] = { 0.0, 0.0, 0.0 };
 };
 

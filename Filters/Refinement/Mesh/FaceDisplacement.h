@@ -17,7 +17,7 @@ namespace relevo
 {
 struct FaceDisplacement : HeightSampler
 {
-  /// Of which only heights are asked.
+  /// For heights alone.
   FaceDisplacement(const RefinementMesh& mesh, const HeightSampler& heights)
     : HeightSampler(heights)
     , Mesh(mesh)

@@ -6,7 +6,7 @@
  *
  * Polygons are taken as the fans (0, i, i + 1) that VTK's mappers draw, strips as their triangles.
  * Points that coincide are one place, named by its lowest point id. Triangles with two corners at
- * one place or with a corner that is not finite are no part of the surface.
+ * one place or with a corner that is not finite are not part of the surface.
  *
  * Not wrapped: for the modules' own sources.
  */

@@ -119,7 +119,7 @@ private:
     }
   }
 
-  /// The vertex that stands for the one at a place of any level.
+  /// The vertex at a place, of whatever level.
   int GetVertex(Place place)
   {
     place = this->GetOrigin(place);
@@ -183,7 +183,7 @@ private:
   std::array<int, 3> Levels;
   int Highest;
   int Inner;
-  /// Of the vertex at each place, -1 where there is none yet.
+  /// The number of the vertex at each place, -1 where there is none yet.
   std::vector<int> Numbers;
 };
 }

@@ -12,7 +12,7 @@ using namespace relevo;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// Some patterns would go on for 120 sweeps, but their smallest angle no longer grows.
+/// Some patterns would take 120 sweeps, but their smallest angle no longer grows.
 constexpr int MaximumNumberOfSweeps = 24;
 
 /// A star whose smallest angle is at least 38 degrees stays: sqrt(3) times the cotangent. To ask

@@ -14,8 +14,8 @@ namespace relevo
 {
 namespace
 {
-// Of a pattern by its segments: exact where they are equal, else mostly within 20 %, and no sums
-// over many faces are farther off than 10 %.
+// The triangles of a pattern by its segments: exact where they are equal, else mostly within 20 %;
+// sums over many faces are within 10 %.
 int EstimateTriangles(int a, int b, int c)
 {
   const double mean = (a + b + c) / 3.0;

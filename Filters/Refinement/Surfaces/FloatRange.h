@@ -20,8 +20,8 @@ class vtkRefinementSurface;
 #ifndef __VTK_WRAP__
 namespace relevo
 {
-/// Of coordinates relative to a mesh's middle where faces are curved or displaced, and of what
-/// moves them.
+/// The largest coordinate relative to a mesh's middle where faces are curved or displaced, and the
+/// largest displacement.
 constexpr double LargestLength = 1e30;
 
 /**

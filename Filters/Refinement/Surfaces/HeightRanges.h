@@ -22,7 +22,7 @@ namespace relevo
 class HeightRanges
 {
 public:
-  /// Of an up-to-date field, which must outlive this; nullptr for a field of one zero.
+  /// The field must be up to date and outlive this; nullptr is a field of one sample, 0.
   explicit HeightRanges(vtkHeightField* field);
 
   /// The range of all heights sampled in [low, high].

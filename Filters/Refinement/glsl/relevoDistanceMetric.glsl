@@ -26,7 +26,7 @@ RELEVO_FUNCTION float metricPointMeasure(vec4 value)
   return value.x;
 }
 
-// Of the nearer end.
+// The measure of the nearer end.
 RELEVO_FUNCTION float metricEdgeMeasure(vec4 a, vec4 b)
 {
   return max(a.x, b.x);

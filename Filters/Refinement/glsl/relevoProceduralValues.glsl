@@ -3,7 +3,7 @@
 uniform float relevoAmplitude;
 uniform float relevoFrequency;
 
-// Of a height: by the position in the mesh's coordinates, and by each weight by itself.
+// The derivatives of a height: by the position in the mesh's coordinates, and by each weight alone.
 struct HeightGradient
 {
   vec3 ByPosition;

@@ -76,7 +76,7 @@ struct Curvature
 };
 
 // From one side to the other. Where the grid is cut, as at the antimeridian, one half of the way
-// is as good as endless: twice the other half.
+// is as good as infinite: twice the other half.
 MapPlace difference(const Coordinates& sides, int low, const MapPlace& centre, double scale)
 {
   const double lower[2] = { centre[0] - sides.X[low], centre[1] - sides.Y[low] };

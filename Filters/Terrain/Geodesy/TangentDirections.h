@@ -21,7 +21,7 @@ namespace relevo
 class TangentDirections : public MapDirections
 {
 public:
-  /// Of a geographic system; the origin in its coordinates.
+  /// For a geographic system; the origin in its coordinates.
   TangentDirections(const Georeference& system, const MapPlace& origin);
   ~TangentDirections() override;
 

@@ -23,7 +23,7 @@ RefinementBlocks::~RefinementBlocks() = default;
 
 void RefinementBlocks::Update(vtkBlockAttributesPolyDataMapper* parent, vtkCompositeDataSet* input)
 {
-  // How blocks look is no setting that they copy.
+  // The look of blocks is not among the settings that they copy.
   this->Parent = parent;
   this->Said.clear();
   const bool changed = this->SyncTime < parent->vtkOpenGLPolyDataMapper::GetMTime();

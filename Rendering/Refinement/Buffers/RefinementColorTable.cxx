@@ -22,7 +22,7 @@ namespace relevo
 {
 namespace
 {
-// Of a function that has no colours of its own number.
+// For a function, which has no number of colours of its own.
 constexpr int Samples = 8192;
 
 // Colours of a lookup table, each the same all over its part of the range; 0 for a function.
@@ -45,7 +45,7 @@ vtkPiecewiseFunction* GetOpacityFunction(vtkScalarsToColors* table)
 
 std::vector<float> GetColors(vtkScalarsToColors* table, vtkDoubleArray* values)
 {
-  table->Build(); // one that has not been has no colours
+  table->Build(); // a table has no colours before
   // As vtkMapper has it: the table's own alpha does not count, the opacity of its colours does.
   const double alpha = table->GetAlpha();
   table->SetAlpha(1.0);
@@ -173,7 +173,7 @@ bool RefinementColorTable::Upload(vtkOpenGLRenderWindow* window, vtkScalarsToCol
     values->InsertNextValue(
       this->Log ? std::pow(10.0, value) : (wholeSamples ? std::round(value) : value));
   }
-  // Next to the ends, where the table goes on; or far out, to be beyond all it has.
+  // Next to the ends, where the table continues; or far out, beyond all it has.
   const double span = std::max(this->Ends[1] - this->Ends[0], 1e-3 * std::abs(this->Ends[0]));
   const double out = span > 0.0 ? span : 1.0;
   const bool ends0 = dataRange[0] < this->Ends[0];

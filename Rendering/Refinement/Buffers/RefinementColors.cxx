@@ -84,7 +84,7 @@ bool RefinementColors::Upload(vtkOpenGLRenderWindow* window, vtkAbstractArray* s
   }
   const double* tableRange = table->GetRange();
   const bool isLog = RefinementColorTable::IsLogarithmic(table);
-  // Of categories, and of tables for logarithms of negative numbers, VTK's colours do.
+  // For categories, and for logarithms of negative numbers, VTK's own colours are used.
   if (table->GetIndexedLookup() || (table->UsingLogScale() && !(tableRange[0] > 0.0)))
   {
     return true;

@@ -4,7 +4,7 @@
  * @class   RefinementInstances
  * @brief   which faces are drawn, and how their patterns lie on them, on the GPU
  *
- * Of several views, each in a slot from 0 on; the one that was made or uploaded last is drawn.
+ * Each of several views has a slot, from 0 on; the one made or uploaded last is drawn.
  * Private to the module.
  */
 #ifndef RefinementInstances_h
@@ -34,7 +34,7 @@ public:
     vtkMTimeType time);
 
   /**
-   * Have room for a selection of so many faces that compute shaders make.
+   * Make room for a selection of this number of faces, which compute shaders fill in.
    */
   bool Reserve(vtkOpenGLRenderWindow* window, int slot, size_t faces, bool morphing);
 

@@ -29,7 +29,7 @@ class RefinementMesh;
 /// A vertex of a triangle: three in a row are one.
 struct RefinementStreamVertex
 {
-  /// Of the face's sorted corners; exact.
+  /// The weights of the face's sorted corners; exact.
   float Weights[3];
   /// face << 3 | levels left of the edge to the triangle's next vertex.
   unsigned int Face;

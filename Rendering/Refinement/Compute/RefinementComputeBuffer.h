@@ -28,7 +28,7 @@ public:
   //@{
   /**
    * Take room for that many bytes, at least one value's, with undefined contents; or store values.
-   * False when shaders of this context cannot reach so many.
+   * False when shaders of this context cannot access that many.
    */
   bool Resize(std::size_t bytes);
   template <typename T>

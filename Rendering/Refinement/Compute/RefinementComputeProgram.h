@@ -4,7 +4,7 @@
  * @class   RefinementComputeProgram
  * @brief   a compute shader: built, given its buffers and uniforms, and run
  *
- * VTK before 9.4 knows no compute stage. Needs a current context with OpenGL 4.3. Run it between
+ * VTK before 9.4 has no compute stage. Needs a current context with OpenGL 4.3. Run it between
  * Begin() and End(), which leave OpenGL as VTK believes it to be. Private to the module and
  * its tests.
  */
@@ -50,7 +50,7 @@ public:
 
   //@{
   /**
-   * Set a uniform of the program in use; one that it has not is ignored.
+   * Set a uniform of the program in use; one that it does not have is ignored.
    */
   void SetUniform(const char* name, int value);
   void SetUniform(const char* name, float value);

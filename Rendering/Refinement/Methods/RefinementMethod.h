@@ -44,7 +44,7 @@ struct RefinementDrawing
   int Slot;
   /// What the GPU has selected; nullptr where the CPU has.
   RefinementComputeView* ComputeView;
-  /// Of the patterns; nullptr where there is no recipe.
+  /// The patterns; nullptr without a recipe.
   const PatternLibrary* Library;
   /// Whether a wireframe is drawn.
   bool HasLines;
@@ -103,7 +103,7 @@ public:
   virtual void Describe(
     const RefinementDrawing& drawing, RefinementShaderOptions& options) const = 0;
 
-  /// Whether its shaders run in stages that VTK's programs have not: BuildProgram() makes them.
+  /// Whether its shaders run in stages that VTK's programs do not have: BuildProgram() makes them.
   virtual bool HasStages() const { return false; }
 
   /**

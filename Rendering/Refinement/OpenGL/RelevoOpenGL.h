@@ -4,7 +4,7 @@
  * @class   RelevoOpenGL
  * @brief   the OpenGL entry points, by whichever loader this VTK has (GLEW, from 9.4 on glad)
  *
- * Both know OpenGL 4.5; a function that the context has not is a null pointer.
+ * Both know OpenGL 4.5; a function that the context does not have is a null pointer.
  */
 #ifndef RelevoOpenGL_h
 #define RelevoOpenGL_h

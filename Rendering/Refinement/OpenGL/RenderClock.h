@@ -4,7 +4,7 @@
  * @class   RenderClock
  * @brief   how long drawing takes, on the CPU and on the GPU, without waiting for either
  *
- * The GPU tells its time when it is done, mostly a frame later: the time of the latest that is
+ * The GPU gives its time when it is done, mostly a frame later: the time of the latest that is
  * known is added. Software renderers draw on the CPU partly while commands are given and partly
  * afterwards, in what they call the GPU's time: the sum is right there, too, and for a graphics
  * card more than enough.

@@ -4,8 +4,8 @@
  * @class   VertexAttribute
  * @brief   an attribute of the vertex array in use, for as long as the object lives
  *
- * VTK's vertex array knows no integers, and leaves attributes enabled for programs that have others
- * in their places. Private to the module.
+ * VTK's vertex array does not support integers, and leaves attributes enabled for programs that
+ * have others in their places. Private to the module.
  */
 #ifndef VertexAttribute_h
 #define VertexAttribute_h
@@ -19,7 +19,7 @@ namespace relevo
 class VertexAttribute
 {
 public:
-  /// Of what type its components are; both have four bytes.
+  /// The types of its components; both have four bytes.
   enum Types
   {
     FLOAT,

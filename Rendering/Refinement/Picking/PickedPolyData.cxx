@@ -30,7 +30,7 @@ public:
     Slot::Get(cell) = this;
   }
 
-  // Of no type, so that vtkGenericCell::SetCellType() puts another into its place.
+  // No type, so that vtkGenericCell::SetCellType() replaces it.
   int GetCellType() override { return -1; }
 
   int IntersectWithLine(const double p1[3], const double p2[3], double tol, double& t, double x[3],
@@ -192,7 +192,7 @@ void PickedPolyData::MovePoints()
   {
     this->MovedPoints->SetDataType(given->GetDataType());
     this->MovedPoints->DeepCopy(given);
-    // Where there is no surface, out of reach: VTK takes points that are no numbers for near ones.
+    // Out of reach where there is no surface: VTK takes points that are NaN for near ones.
     const double nowhere[3] = { VTK_FLOAT_MAX, VTK_FLOAT_MAX, VTK_FLOAT_MAX };
     for (vtkIdType point = 0; point < given->GetNumberOfPoints(); ++point)
     {

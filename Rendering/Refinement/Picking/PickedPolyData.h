@@ -12,7 +12,7 @@
  *   all others are empty. Until then this is no vtkPolyData, as of other data sets vtkCellPicker
  *   tries only what clipping planes leave of a line. The cell that it takes in the end to compute
  *   weights and a normal from is the coarse one, turned to face as the refined surface does; for
- *   that, normals are no active attribute here.
+ *   that, normals are not an active attribute here.
  * - vtkPointPicker counts the points first, and then sees them where the refined surface has them.
  *
  * After that it is like any other vtkPolyData. Private to the module.

@@ -121,7 +121,7 @@ public:
   static TessellationProgramCache* New();
   vtkTypeMacro(TessellationProgramCache, vtkOpenGLShaderCache);
 
-  // Of the programs to be made.
+  // What the programs are made from.
   std::string VertexSource;
   std::string ControlSource;
 
@@ -200,7 +200,7 @@ vtkShaderProgram* TessellationPrograms::Build(vtkOpenGLRenderWindow* window,
   this->Error.clear();
   if (program)
   {
-    program->RemoveObservers(vtkCommand::ErrorEvent); // from now on they are told
+    program->RemoveObservers(vtkCommand::ErrorEvent); // from now on errors are reported
   }
   else
   {

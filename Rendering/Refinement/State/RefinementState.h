@@ -4,7 +4,7 @@
  * @class   RefinementState
  * @brief   what a mapper has computed of its input and recipe: mesh, bounds, levels
  *
- * Each is made anew only when something it depends on has changed; what went wrong is said once,
+ * Each is made anew only when something it depends on has changed; an error is reported once,
  * when it is made. CPU side only. Private to the module.
  */
 #ifndef RefinementState_h
@@ -59,7 +59,7 @@ public:
    * Evaluate levels and group faces, for a valid mesh. False when depth-tags cannot be used. Of
    * several views (passes with cameras of their own, several renderers or actors) the latest are
    * kept.
-   * `culling` tells what of the mesh is out of sight, `behind` whether back faces of closed
+   * `culling` tells what of the mesh is out of sight, `hideBackFaces` whether back faces of closed
    * surfaces are; nullptr draws all faces. With `onGPU` only tags are evaluated: the GPU does the
    * rest.
    */
@@ -101,7 +101,7 @@ public:
   /// where they had to be computed and ghosts emptied: see EmptyGhosts().
   vtkPolyData* GetPreparedInput() { return this->PreparedInput; }
 
-  /// Of the last view.
+  /// The selection of the last view.
   const ViewSelection& GetSelection() const { return *this->Current; }
   /// Where that view is kept, in [0, MostViews).
   int GetSelectionSlot() const { return static_cast<int>(this->Current - this->Views.data()); }

@@ -4,7 +4,7 @@
  * @class   UsableArrays
  * @brief   which arrays of a mesh VTK's mapper can take
  *
- * It takes for granted that an array has a tuple for each point or cell, and reads past its end
+ * It assumes that an array has a tuple for each point or cell, and reads past its end
  * where there are fewer. Private to the module.
  */
 #ifndef UsableArrays_h

@@ -97,7 +97,7 @@ public:
   void Assign(
     const PatternFamily& family, std::vector<unsigned int> entries, std::vector<float> morphTags);
 
-  /// The mesh that levels were chosen for, whatever has become of its input.
+  /// The mesh that levels were chosen for, even if its input has changed since.
   const RefinementMesh& GetMesh() const;
 
   /// When the levels and the groups last changed.

@@ -10,7 +10,7 @@ bool relevoIsCorner(vec3 w)
   return max(w.x, max(w.y, w.z)) == 1.0;
 }
 
-// Of no account without weight, even where it is NaN.
+// A corner without weight does not count, even where it is NaN.
 vec4 relevoScalarsAt(int corner, float weight, int k)
 {
   return weight == 0.0
@@ -42,7 +42,7 @@ float relevoScalar(vec3 w)
     {
       return relevoNotANumber;
     }
-    // Whole numbers have no NaN: what stands for no data does so here.
+    // Whole numbers have no NaN: the value for "no data" is kept.
     int corner = relevoNearestCorner(none);
     w = vec3(corner == 0 ? 1.0 : 0.0, corner == 1 ? 1.0 : 0.0, corner == 2 ? 1.0 : 0.0);
   }

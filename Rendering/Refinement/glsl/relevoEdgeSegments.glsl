@@ -3,7 +3,7 @@
 
 uniform usamplerBuffer relevoEdgeSegments; // see RefinementEdgeSegments.h
 
-// Of the sorted edges (0,1), (1,2), (0,2).
+// The segments of the sorted edges (0,1), (1,2), (0,2).
 ivec3 relevoSegmentsOfFace(int face)
 {
   uint texel = texelFetch(relevoEdgeSegments, face).r;

@@ -35,7 +35,7 @@ layout(std430, binding = 0) readonly buffer Counts { uint counts[]; };
 layout(std430, binding = 1) readonly buffer Patterns { RelevoPattern patterns[]; };
 layout(std430, binding = 2) writeonly buffer Groups { RelevoGroup groups[]; };
 layout(std430, binding = 3) writeonly buffer Triangles { RelevoElementsCommand triangles[]; };
-// Of lines, then points, then corners.
+// Commands for lines, then points, then corners.
 layout(std430, binding = 4) writeonly buffer Others { RelevoArraysCommand others[]; };
 
 uniform int relevoNumberOfKeys;
