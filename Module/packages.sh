@@ -38,7 +38,7 @@ is_available() {
 install_packages() {
   local missing=() wanted=() alternatives name
   if ! command -v apt-get >/dev/null; then
-    echo "${0##*/}: no apt-get here: these packages, or what they hold, must be there: $*"
+    echo "${0##*/}: there is no apt-get: install these packages, or what they contain, yourself: $*"
     return 0
   fi
   for alternatives in "$@"; do

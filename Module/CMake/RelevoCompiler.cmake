@@ -25,7 +25,7 @@ if (RELEVO_WERROR AND MSVC)
 elseif (RELEVO_WERROR)
   list(APPEND relevo_warning_flags -Werror)
   if (CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # From g++ 14 on its optimiser warns of impossible sizes in vtkSMPThreadLocal and std::vector<bool>.
+    # From version 14 on, g++'s optimiser warns of impossible sizes in vtkSMPThreadLocal and std::vector<bool>.
     list(APPEND relevo_warning_flags
       -Wno-error=array-bounds -Wno-error=stringop-overflow)
   endif ()

@@ -23,7 +23,7 @@ install(
   DESTINATION "${relevo_cmake_destination}"
   COMPONENT   development)
 
-# Sourced by users, of the build tree and of an installed one; both may be moved.
+# Users source it, in the build tree or an installed one; both may be moved.
 set(relevo_env_folder "build")
 set(relevo_env_to_prefix ".")
 configure_file("${CMAKE_CURRENT_LIST_DIR}/env.sh.in" "${CMAKE_BINARY_DIR}/env.sh" @ONLY)

@@ -1,5 +1,5 @@
 # Finds the Python that VTK's own package was built for, before VTK looks for one: the first
-# python3 in PATH may be another one, without vtkmodules. Sets Python3_EXECUTABLE.
+# python3 in PATH may be a different one, without vtkmodules. Sets Python3_EXECUTABLE.
 
 if (NOT Python3_EXECUTABLE)
   foreach (candidate IN ITEMS /usr/bin/python3 python3)

@@ -8,7 +8,7 @@
 # One executable for all tests of a module, one CTest test for each but for those of other modules,
 # REPEATED, which relevo_repeat_cxx_tests runs. HELPERS are of Testing/Cxx/Helpers. TestName.cxx holds
 #   int TestName(int argc, char* argv[])
-# and returns EXIT_SUCCESS, EXIT_FAILURE, or 125 when what it needs is not there. Arguments and
+# and returns EXIT_SUCCESS, EXIT_FAILURE, or 125 to skip when something it needs is missing. Arguments and
 # environment follow VTK's own tests:
 #   -D <folder of test data in the repository>   -T <folder to write into>
 #   -V <baseline image>                          RELEVO_TEST_DATA: folder of larger real data
@@ -16,7 +16,7 @@ function (relevo_add_cxx_tests executable)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "TESTS;REPEATED;HELPERS;LIBRARIES;LABELS")
   set(sources ${arg_TESTS} ${arg_REPEATED})
   list(TRANSFORM sources APPEND ".cxx")
-  # The driver knows functions, and these are named without folders.
+  # The test driver calls functions, which are named without folders.
   set(functions ${sources})
   list(TRANSFORM functions REPLACE "^.*/" "")
   create_test_sourcelist(driver "${executable}.cxx" ${functions})
