@@ -85,7 +85,7 @@ struct ViewerOptions
   std::optional<double> LICIntensity;
   double LICPhase = 0.0;
 
-  // How deep it is refined.
+  // The level of detail.
   std::optional<int> MaximumLevel;
   std::optional<int> UniformLevel;
   std::optional<MetricType> Metric;

@@ -15,13 +15,16 @@ The surface:
                          triangles), phong, st (scalar-tagged PN triangles, by the mesh's arrays
                          Sharpness, Tension, Bias and Direction), g1 (with tangent planes that
                          join), procedural (fur)
-  --alpha A              how much of phong's bulge, 0 to 1 (default 1)
-  --amplitude A          of procedural's fur, in the mesh's units (default: 0.03 of its diagonal)
+  --alpha A              how far phong bulges, from 0, flat, to 1 (default 1)
+  --amplitude A          height of procedural's fur, in the mesh's units (default: 0.03 of its
+                         diagonal)
   --frequency F          half waves of procedural's fur along a coarse edge (default 1)
-  --image FILE           drape a picture over it. On height maps: georeferenced, also as --imagery;
-                         without one, colours show the height. On meshes: PNG, JPEG, TIFF or BMP
-  --no-data hole|fill    leave out where heights have no data (default), or fill it in smoothly
-  --no-data-value V      heights equal to V, a number or nan, have no data, beside what the file says
+  --image FILE           drape a picture over the surface. On height maps: georeferenced, also as
+                         --imagery; without one, colours show the height. On meshes: PNG, JPEG,
+                         TIFF or BMP
+  --no-data hole|fill    leave places without data empty (default), or fill them in smoothly
+  --no-data-value V      heights equal to V, a number or nan, have no data, besides those that the
+                         file declares
 
 Height maps:
   --imagery-bands R,G,B  which bands of the picture, from 1, are red, green and blue (default: as
@@ -36,10 +39,10 @@ Meshes:
                          lowest place on the surface)
   --offset O             length added to every height (default 0 with --scale)
   --mapping sphere|plane how height map and picture lie on a mesh without texture coordinates:
-                         around it, from pole to pole of the up axis, mirrored on its far half so
-                         that there is no seam, or from the side of its bounding box that it is
-                         thinnest along (default: plane where that is less than a tenth of the
-                         longest side, else sphere)
+                         sphere wraps them around it, from pole to pole of the up axis, mirrored on
+                         its far half so that there is no seam; plane projects them along the
+                         shortest side of its bounding box (default: plane where that side is less
+                         than a tenth of the longest, else sphere)
   --array NAME           colour by this array, points' or cells' (default: the active scalars)
   --feature-angle DEG    keep edges sharp where faces meet at more than this angle
   --up x|y|z             the axis that points up (default y)
@@ -48,39 +51,41 @@ Meshes:
   --lic-steps N          steps of a streak each way (default 20)
   --lic-step-size PIXELS length of a step (default 1)
   --lic-contrast off|lic|color|both
-                         what to stretch to the full range of light (default off)
+                         what to stretch to full contrast (default off)
   --lic-mode blend|multiply
                          streaks over the colours (default), or as their lightness
   --lic-intensity I      the streaks' share of a blend, 0 to 1 (default 0.8)
   --lic-phase P          how far the streaks have moved, in loops: P and P + 1 look alike (default 0)
 
-How deep:
+Level of detail:
   --level N              every edge at level N, 0 to 7: an edge has 2^N segments
-  --max-level N          deepest level of the metric (default: as fine as the height map or the
+  --max-level N          highest level of the metric (default: as fine as the height map or the
                          pixels of the picture)
   --metric NAME          what to refine: distance (default for height maps; what is near),
                          screen-edge (default for meshes; what is long on the screen), curvature,
                          silhouette, contour (outlines by normals or by faces), view-dependent
-                         (bent and seen edge-on), field (where the height, or a mesh's array of
+                         (curved and seen edge-on), field (where the height, or a mesh's array of
                          points, varies), region (around a place). Default with --lic: where the
                          vectors vary, and edges of more than 10 pixels
-  --reach M              length from the camera that distance refines (default: three times the
+  --reach M              how far from the camera distance refines (default: three times the
                          diagonal)
   --pixels N             length of a segment on the screen for screen-edge (default 4) and for
                          the metric of --lic (default 10)
   --region X,Y,RADIUS    the place for region: on height maps in metres from the centre;
                          X,Y,Z,RADIUS on meshes, in their coordinates (default:
                          around the centre, or the mesh's first point)
-  --method NAME          how triangles are made: arkfpi (default; instanced patterns), ark (a draw
-                         for each face), dmr (split pass by pass, fed back), suapt (uniform patterns
-                         with snapped borders), tessellation (the graphics card's), uniform (every
-                         face as the deepest)
-  --per-edge             levels of edges by themselves, not as the mean of their ends': fewer
+  --method NAME          how triangles are made: arkfpi (default; adaptive refinement kernel with
+                         fewer patterns and instancing), ark (adaptive refinement kernel: a draw
+                         call for each face), dmr (dynamic mesh refinement: a geometry shader splits
+                         triangles pass by pass), suapt (semi-uniform adaptive patch tessellation:
+                         uniform patterns with snapped borders), tessellation (the graphics
+                         card's), uniform (every face at the highest level)
+  --per-edge             give each edge a level of its own, not the mean of its ends': fewer
                          triangles
   --segments powers|whole
                          edges of 2^level segments (default), or of any number up to 16
-  --no-geomorphing       let vertices appear where they belong, instead of sliding there
-  --budget N             about N triangles, by raising or lowering all levels
+  --no-geomorphing       let new vertices appear at their places instead of sliding there
+  --budget N             draw about N triangles: raise or lower all levels
 
 The picture:
   --color-by level|pattern|metric
@@ -91,19 +96,19 @@ The picture:
   --center X,Y[,Z]       the place in the middle of the picture: on height maps in metres from the
                          raster's centre, Z (exaggerated) by default that of the terrain; X,Y,Z on
                          meshes, in their coordinates (default: all is in view)
-  --zoom F               so many times nearer, to --center or to what is in the middle (default 1)
+  --zoom F               magnify F times, about --center or the middle (default 1)
   --light AZ,EL          where the light comes from, as --view (default 315,40; meshes 250,45);
-                         weaker lights go with it
-  --no-legend            leave out what colours mean
+                         weaker lights turn with it
+  --no-legend            draw no legend of the colours
   --stats                print faces, triangles, draw calls, graphics memory and times
-  --size WxH             of the picture or the window, in pixels (default 1280x800)
-  --output FILE.png      write a picture and leave; needs no display
-  --export FILE          write the displaced refined mesh (.vtp, .ply, .stl, .obj) and leave: height
+  --size WxH             size of the picture or the window, in pixels (default 1280x800)
+  --output FILE.png      write a picture and exit; needs no display
+  --export FILE          write the displaced refined mesh (.vtp, .ply, .stl, .obj) and exit: height
                          maps in metres, x east, y north, z up, in .vtp with Origin and CoordinateSystem
                          as field data and Height in the raster's unit as point data; meshes in
                          their own coordinates
-  --help                 this text
-  --version              the version of Relevo
+  --help                 print this text and exit
+  --version              print the version of Relevo and exit
 
 In the window:
 )";
@@ -122,13 +127,13 @@ std::string GetUsage()
 //------------------------------------------------------------------------------
 const char* GetWindowUsage()
 {
-  return R"(  left button             turn
+  return R"(  left button             rotate
   middle, shift + left    move
   right button, wheel     zoom
-  r                       all in view
+  r                       show everything
   w, s                    edges, surface
   c                       print what is under the mouse
   i                       save a picture, under a new name
   h                       this help
-  q, e                    leave)";
+  q, e                    quit)";
 }
