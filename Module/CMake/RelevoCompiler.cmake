@@ -1,35 +1,79 @@
-# Compiler settings shared by every target of the project.
+# Compiler settings shared by every target of the project. A compiler gets no flag that it does not
+# know.
 
 include(CheckCXXCompilerFlag)
 
+# relevo_add_known_flags(<list> <flag>...) appends the flags that the compiler knows to the list.
+function (relevo_add_known_flags list)
+  set(flags ${${list}})
+  foreach (flag IN LISTS ARGN)
+    string(MAKE_C_IDENTIFIER "relevo_has${flag}" is_known)
+    check_cxx_compiler_flag("${flag}" ${is_known})
+    if (${is_known})
+      list(APPEND flags "${flag}")
+    endif ()
+  endforeach ()
+  set("${list}" "${flags}" PARENT_SCOPE)
+endfunction ()
+
 # Contracting a*b+c would give shared edges different bits on their two sides.
-check_cxx_compiler_flag(-ffp-contract=off relevo_has_ffp_contract)
-if (relevo_has_ffp_contract)
-  add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>)
-elseif (MSVC)
-  add_compile_options($<$<COMPILE_LANGUAGE:CXX>:/fp:precise>)
+set(relevo_flags)
+if (MSVC)
+  relevo_add_known_flags(relevo_flags /fp:precise)
+else ()
+  relevo_add_known_flags(relevo_flags -ffp-contract=off)
 endif ()
+add_compile_options($<$<COMPILE_LANGUAGE:CXX>:${relevo_flags}>)
 
 if (RELEVO_SANITIZE)
+  set(CMAKE_REQUIRED_LINK_OPTIONS "-fsanitize=${RELEVO_SANITIZE}")
+  string(MAKE_C_IDENTIFIER "relevo_can_sanitize_${RELEVO_SANITIZE}" can_sanitize)
+  check_cxx_compiler_flag("-fsanitize=${RELEVO_SANITIZE}" ${can_sanitize})
+  unset(CMAKE_REQUIRED_LINK_OPTIONS)
+  if (NOT ${can_sanitize})
+    message(FATAL_ERROR "The compiler does not know -fsanitize=${RELEVO_SANITIZE}: "
+      "set RELEVO_SANITIZE to sanitizers that it knows, for example address,undefined.")
+  endif ()
   add_compile_options(-fsanitize=${RELEVO_SANITIZE} -fno-omit-frame-pointer -g)
   add_link_options(-fsanitize=${RELEVO_SANITIZE})
 endif ()
 
+set(relevo_warning_flags)
 if (MSVC)
-  set(relevo_warning_flags /W3)
+  relevo_add_known_flags(relevo_warning_flags /W3)
 else ()
-  set(relevo_warning_flags -Wall -Wextra)
+  relevo_add_known_flags(relevo_warning_flags -Wall -Wextra)
 endif ()
 if (RELEVO_WERROR AND MSVC)
-  list(APPEND relevo_warning_flags /WX)
+  relevo_add_known_flags(relevo_warning_flags /WX)
 elseif (RELEVO_WERROR)
-  list(APPEND relevo_warning_flags -Werror)
+  relevo_add_known_flags(relevo_warning_flags -Werror)
   if (CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # From version 14 on, g++'s optimiser warns of impossible sizes in vtkSMPThreadLocal and std::vector<bool>.
-    list(APPEND relevo_warning_flags
+    relevo_add_known_flags(relevo_warning_flags
       -Wno-error=array-bounds -Wno-error=stringop-overflow)
   endif ()
 endif ()
+
+# Most of the time a compiler reads VTK's headers. A compiler cache stores what it compiles, and
+# does not get on with precompiled headers.
+set(precompile_by_default ON)
+if (CMAKE_CXX_COMPILER_LAUNCHER)
+  set(precompile_by_default OFF)
+endif ()
+option(RELEVO_PRECOMPILE_HEADERS "Precompile the headers that most sources include"
+  ${precompile_by_default})
+
+# relevo_precompile_headers(<target>): of a target with so many sources that it is worth it.
+function (relevo_precompile_headers target)
+  get_target_property(sources "${target}" SOURCES)
+  list(FILTER sources INCLUDE REGEX "\\.cxx$")
+  list(LENGTH sources size)
+  if (RELEVO_PRECOMPILE_HEADERS AND size GREATER_EQUAL 10)
+    target_precompile_headers("${target}" PRIVATE
+      "$<$<COMPILE_LANGUAGE:CXX>:${PROJECT_SOURCE_DIR}/Module/CMake/RelevoPrecompiled.h>")
+  endif ()
+endfunction ()
 
 # Warnings for a module's own files only: generated wrappers are VTK's. Call from the folder that
 # holds the module's sources.

@@ -26,7 +26,9 @@ install(
 # Users source it, in the build tree or an installed one; both may be moved.
 set(relevo_env_folder "build")
 set(relevo_env_to_prefix ".")
-configure_file("${CMAKE_CURRENT_LIST_DIR}/env.sh.in" "${CMAKE_BINARY_DIR}/env.sh" @ONLY)
+if (relevo_is_whole)
+  configure_file("${CMAKE_CURRENT_LIST_DIR}/env.sh.in" "${CMAKE_BINARY_DIR}/env.sh" @ONLY)
+endif ()
 set(relevo_env_destination "${CMAKE_INSTALL_DATADIR}/relevo")
 set(relevo_env_folder "PREFIX/${relevo_env_destination}")
 file(RELATIVE_PATH relevo_env_to_prefix "/prefix/${relevo_env_destination}" "/prefix")

@@ -10,9 +10,10 @@
 #ifndef RefinementBuffer_h
 #define RefinementBuffer_h
 
-#include "vtkNew.h"          // for Buffer
-#include "vtkSmartPointer.h" // for Texture
-#include "vtkType.h"         // for vtkTypeInt64
+#include "RelevoRenderingRefinementModule.h" // for export macro
+#include "vtkNew.h"                          // for Buffer
+#include "vtkSmartPointer.h"                 // for Texture
+#include "vtkType.h"                         // for vtkTypeInt64
 
 #include <string> // for uniform names
 #include <vector> // for data
@@ -26,7 +27,7 @@ class vtkWindow;
 
 namespace relevo
 {
-class RefinementBuffer
+class RELEVORENDERINGREFINEMENT_EXPORT RefinementBuffer
 {
 public:
   RefinementBuffer();
