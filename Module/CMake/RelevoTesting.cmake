@@ -79,6 +79,7 @@ function (relevo_set_test_properties test)
     "RELEVO_TEST_DATA=${RELEVO_TEST_DATA}"
     "RELEVO_SOURCE_DIR=${PROJECT_SOURCE_DIR}"
     "RELEVO_BINARY_DIR=${PROJECT_BINARY_DIR}"
+    "RELEVO_VERSION=${PROJECT_VERSION}"
     "PYTHONPATH=${PROJECT_BINARY_DIR}/${RELEVO_PYTHON_DESTINATION}")
   set_tests_properties("${test}" PROPERTIES
     ENVIRONMENT      "${environment}"
