@@ -15,6 +15,29 @@
 
 #include <algorithm>
 
+namespace
+{
+using Attributes = vtkCompositeDataDisplayAttributes;
+
+void Remove(
+  Attributes* attributes, vtkDataObject* block, void (Attributes::*remove)(vtkDataObject*))
+{
+  if (block)
+  {
+    (attributes->*remove)(block);
+    attributes->Modified(); // VTK 9.1 forgets it
+  }
+}
+
+void RemoveAll(Attributes* attributes, void (Attributes::*remove)())
+{
+  if (attributes)
+  {
+    (attributes->*remove)();
+  }
+}
+}
+
 vtkBlockAttributesPolyDataMapper::vtkBlockAttributesPolyDataMapper()
   : Look(new relevo::BlockLook)
 {
@@ -79,14 +102,6 @@ vtkDataObject* vtkBlockAttributesPolyDataMapper::FindBlockToSet(unsigned int ind
   return block;
 }
 
-void vtkBlockAttributesPolyDataMapper::AttributesModified()
-{
-  if (this->CompositeAttributes)
-  {
-    this->CompositeAttributes->Modified();
-  }
-}
-
 //------------------------------------------------------------------------------
 // By flat index
 
@@ -106,19 +121,12 @@ bool vtkBlockAttributesPolyDataMapper::GetBlockVisibility(unsigned int index)
 
 void vtkBlockAttributesPolyDataMapper::RemoveBlockVisibility(unsigned int index)
 {
-  if (vtkDataObject* block = this->FindBlock(index))
-  {
-    this->CompositeAttributes->RemoveBlockVisibility(block);
-    this->AttributesModified();
-  }
+  Remove(this->CompositeAttributes, this->FindBlock(index), &Attributes::RemoveBlockVisibility);
 }
 
 void vtkBlockAttributesPolyDataMapper::RemoveBlockVisibilities()
 {
-  if (this->CompositeAttributes)
-  {
-    this->CompositeAttributes->RemoveBlockVisibilities();
-  }
+  RemoveAll(this->CompositeAttributes, &Attributes::RemoveBlockVisibilities);
 }
 
 void vtkBlockAttributesPolyDataMapper::SetBlockColor(unsigned int index, const double color[3])
@@ -148,19 +156,12 @@ void vtkBlockAttributesPolyDataMapper::GetBlockColor(unsigned int index, double 
 
 void vtkBlockAttributesPolyDataMapper::RemoveBlockColor(unsigned int index)
 {
-  if (vtkDataObject* block = this->FindBlock(index))
-  {
-    this->CompositeAttributes->RemoveBlockColor(block);
-    this->AttributesModified();
-  }
+  Remove(this->CompositeAttributes, this->FindBlock(index), &Attributes::RemoveBlockColor);
 }
 
 void vtkBlockAttributesPolyDataMapper::RemoveBlockColors()
 {
-  if (this->CompositeAttributes)
-  {
-    this->CompositeAttributes->RemoveBlockColors();
-  }
+  RemoveAll(this->CompositeAttributes, &Attributes::RemoveBlockColors);
 }
 
 void vtkBlockAttributesPolyDataMapper::SetBlockOpacity(unsigned int index, double opacity)
@@ -182,19 +183,12 @@ double vtkBlockAttributesPolyDataMapper::GetBlockOpacity(unsigned int index)
 
 void vtkBlockAttributesPolyDataMapper::RemoveBlockOpacity(unsigned int index)
 {
-  if (vtkDataObject* block = this->FindBlock(index))
-  {
-    this->CompositeAttributes->RemoveBlockOpacity(block);
-    this->AttributesModified();
-  }
+  Remove(this->CompositeAttributes, this->FindBlock(index), &Attributes::RemoveBlockOpacity);
 }
 
 void vtkBlockAttributesPolyDataMapper::RemoveBlockOpacities()
 {
-  if (this->CompositeAttributes)
-  {
-    this->CompositeAttributes->RemoveBlockOpacities();
-  }
+  RemoveAll(this->CompositeAttributes, &Attributes::RemoveBlockOpacities);
 }
 
 //------------------------------------------------------------------------------

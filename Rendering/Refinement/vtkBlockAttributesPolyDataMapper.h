@@ -141,8 +141,6 @@ private:
   vtkDataObject* FindBlock(unsigned int index);
   /// An error where there is no such block; else makes the attributes.
   vtkDataObject* FindBlockToSet(unsigned int index);
-  /// What VTK 9.1 forgets when single values are removed.
-  void AttributesModified();
 
   vtkSmartPointer<vtkCompositeDataDisplayAttributes> CompositeAttributes;
   std::unique_ptr<relevo::BlockLook> Look;
