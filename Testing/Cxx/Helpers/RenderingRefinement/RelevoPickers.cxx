@@ -11,6 +11,22 @@
 
 namespace RelevoPickers
 {
+void DrawFromFront(RelevoScene& scene, vtkPolyData* mesh, vtkAdaptiveRefinement* recipe)
+{
+  scene.Add(mesh, recipe);
+  scene.MoveCamera = [](vtkCamera*) {};
+  scene.ResetCameras();
+  scene.Render();
+}
+
+std::array<double, 2> ToDisplay(vtkRenderer* renderer, double x, double y, double z)
+{
+  renderer->SetWorldPoint(x, y, z, 1.0);
+  renderer->WorldToDisplay();
+  const double* display = renderer->GetDisplayPoint();
+  return { { display[0], display[1] } };
+}
+
 double GetLength(vtkRenderer* renderer)
 {
   double bounds[6];

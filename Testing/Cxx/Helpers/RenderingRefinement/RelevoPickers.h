@@ -8,6 +8,7 @@
 
 #include "vtkCellPicker.h"
 
+#include <array>
 #include <functional>
 #include <string>
 
@@ -20,6 +21,12 @@ struct Tolerance
   double Normal = 1e-4;
   int Lines = 0;
 };
+
+// Draws a refined mesh as it is seen along the z axis.
+void DrawFromFront(RelevoScene& scene, vtkPolyData* mesh, vtkAdaptiveRefinement* recipe);
+
+// The pixel in which a point is seen.
+std::array<double, 2> ToDisplay(vtkRenderer* renderer, double x, double y, double z);
 
 double GetLength(vtkRenderer* renderer);
 

@@ -64,10 +64,7 @@ void CheckCells(RelevoCheck& check)
 {
   Mesh mesh = Mixed();
   RelevoScene scene(RelevoScene::Refining);
-  scene.Add(mesh, MakeRecipe(2));
-  scene.MoveCamera = [](vtkCamera*) {};
-  scene.ResetCameras();
-  scene.Render();
+  RelevoPickers::DrawFromFront(scene, mesh, MakeRecipe(2));
   vtkNew<vtkCellPicker> picker;
   vtkNew<vtkGenericCell> cell;
   std::vector<int> hits(static_cast<size_t>(mesh->GetNumberOfCells()), 0);
@@ -107,9 +104,7 @@ void CheckCells(RelevoCheck& check)
   // A vertex by itself, by a generous tolerance.
   picker->SetTolerance(0.01);
   double* vertex = mesh->GetPoint(23);
-  scene.Renderer->SetWorldPoint(vertex[0], vertex[1], vertex[2], 1.0);
-  scene.Renderer->WorldToDisplay();
-  double* display = scene.Renderer->GetDisplayPoint();
+  const auto display = RelevoPickers::ToDisplay(scene.Renderer, vertex[0], vertex[1], vertex[2]);
   CHECK(picker->Pick(display[0] + 1.0, display[1], 0.0, scene.Renderer));
   CHECK(picker->GetCellId() == 0);
   CHECK(picker->GetPointId() == 23);
@@ -128,10 +123,7 @@ void CheckPoints(RelevoCheck& check)
   {
     double p[3];
     mesh->GetPoint(id, p);
-    renderer->SetWorldPoint(p[0], p[1], 3.0, 1.0);
-    renderer->WorldToDisplay();
-    double display[3];
-    renderer->GetDisplayPoint(display);
+    const auto display = RelevoPickers::ToDisplay(renderer, p[0], p[1], 3.0);
     vtkNew<vtkPointPicker> points;
     points->SetTolerance(0.005);
     CHECK(points->Pick(display[0], display[1], 0.0, renderer));
@@ -242,10 +234,8 @@ void CheckBlocks(RelevoCheck& check)
   table.Scene.Render();
   for (int block = 0; block < 2; ++block)
   {
-    table.Scene.Renderer->SetWorldPoint(1.2 * block + 0.125, 0.125, 3.0, 1.0);
-    table.Scene.Renderer->WorldToDisplay();
-    double display[3];
-    table.Scene.Renderer->GetDisplayPoint(display);
+    const auto display =
+      RelevoPickers::ToDisplay(table.Scene.Renderer, 1.2 * block + 0.125, 0.125, 3.0);
     vtkNew<vtkCellPicker> cells;
     CHECK(cells->Pick(display[0], display[1], 0.0, table.Scene.Renderer));
     CHECK_NEAR(cells->GetPickPosition()[2], 3.0, 1e-6);

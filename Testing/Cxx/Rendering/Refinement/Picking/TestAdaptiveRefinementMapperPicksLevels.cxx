@@ -65,10 +65,7 @@ void CheckGhosts(RelevoCheck& check)
   }
   mesh->GetCellData()->AddArray(ghosts);
   RelevoScene scene(RelevoScene::Refining);
-  scene.Add(mesh, MakeRecipe(2));
-  scene.MoveCamera = [](vtkCamera*) {};
-  scene.ResetCameras();
-  scene.Render();
+  RelevoPickers::DrawFromFront(scene, mesh, MakeRecipe(2));
   vtkNew<vtkCellPicker> picker;
   picker->SetTolerance(0.0);
   double center[3];
@@ -78,10 +75,7 @@ void CheckGhosts(RelevoCheck& check)
     double weights[8];
     int subId = mesh->GetCell(id)->GetParametricCenter(pcoords);
     mesh->GetCell(id)->EvaluateLocation(subId, pcoords, center, weights);
-    scene.Renderer->SetWorldPoint(center[0], center[1], center[2], 1.0);
-    scene.Renderer->WorldToDisplay();
-    double display[3];
-    scene.Renderer->GetDisplayPoint(display);
+    const auto display = RelevoPickers::ToDisplay(scene.Renderer, center[0], center[1], center[2]);
     const bool isHit = picker->Pick(display[0], display[1], 0.0, scene.Renderer) != 0;
     CHECK(isHit == (id % 3 != 0));
     CHECK(!isHit || picker->GetCellId() == id);
