@@ -346,7 +346,7 @@ void TestBadFiles(RelevoCheck& check, const std::string& folder)
   refuses(with(76, 3), "does not exist");   // the first triangle's first index
   refuses(with(76, 1), "degenerate");
   CHECK(!table->Read((folder + "/no such file").c_str()) && errors.Said("no such file"));
-  CHECK(!table->Read(folder.c_str()) && errors.Said("no file"));
+  CHECK(!table->Read(folder.c_str()) && errors.Said("is not a file."));
   CHECK(!table->Read(nullptr) && errors.Said("file name"));
   CHECK(!table->Read("") && errors.Said("file name"));
   CHECK(!table->Write(nullptr) && errors.Said("file name"));
