@@ -136,7 +136,7 @@ bool vtkAdaptiveLICMapper::vtkInternals::CanShow(vtkRenderer* ren, vtkActor* act
 
 void vtkAdaptiveLICMapper::vtkInternals::CheckVectors()
 {
-  std::vector<vtkMTimeType> times = { this->Root->GetMTime() };
+  std::vector<vtkMTimeType> times = { this->Root->BuildTime.GetMTime() };
   this->ForEachLeaf([&](vtkPolyData* leaf) { times.push_back(leaf->GetMTime()); });
   if (times == this->VectorTimes)
   {
@@ -211,7 +211,7 @@ std::vector<double> vtkAdaptiveLICMapper::vtkInternals::MakeKey(
   const auto addTime = [&key](vtkMTimeType time) { key.push_back(static_cast<double>(time)); };
   addTime(this->SettingsTime.GetMTime());
   addTime(this->Noise.GetMTime());
-  addTime(this->Root->vtkObject::GetMTime()); // a table of colours is none of it
+  addTime(this->Root->BuildTime.GetMTime()); // settings and tables of colours are none of it
   addTime(act->GetShaderProperty()->GetShaderMTime());
   vtkProperty* property = act->GetProperty();
   key.push_back(property->GetBackfaceCulling() + 2 * property->GetFrontfaceCulling());

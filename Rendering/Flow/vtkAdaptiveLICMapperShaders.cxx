@@ -67,7 +67,7 @@ void SetMatrix(vtkShaderProgram* program, const char* name, const double matrix[
 void vtkAdaptiveLICMapper::vtkInternals::PrepareVectors(
   vtkAdaptiveLICMapper* self, vtkPolyData* input)
 {
-  const vtkMTimeType time = std::max(self->GetMTime(), input->GetMTime());
+  const vtkMTimeType time = std::max(self->GetBuildMTime(), input->GetMTime());
   if (this->PreparedTime > time && this->PreparedInput == input)
   {
     return; // built for another actor

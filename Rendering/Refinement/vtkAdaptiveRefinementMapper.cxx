@@ -54,7 +54,7 @@ vtkAdaptiveRefinementMapper::vtkAdaptiveRefinementMapper()
 {
   this->Internals->Context->OnRelease = [this](vtkWindow* window)
   { this->ReleaseGraphicsResources(window); };
-  this->InitializePicking();
+  vtkInternals::InitializePicking(this);
 }
 
 vtkAdaptiveRefinementMapper::~vtkAdaptiveRefinementMapper()
@@ -89,14 +89,7 @@ void vtkAdaptiveRefinementMapper::ShallowCopy(vtkAbstractMapper* mapper)
 {
   if (vtkAdaptiveRefinementMapper* other = vtkAdaptiveRefinementMapper::SafeDownCast(mapper))
   {
-    this->SetRefinement(other->GetRefinement());
-    this->SetTargetNumberOfTriangles(other->GetTargetNumberOfTriangles());
-    this->SetUseAllocatedRenderTime(other->GetUseAllocatedRenderTime());
-    this->SetFrustumCulling(other->GetFrustumCulling());
-    this->SetBackFaceCulling(other->GetBackFaceCulling());
-    this->SetMethod(other->GetMethod());
-    this->SetSelectionDevice(other->GetSelectionDevice());
-    this->SetLevelLookupTable(other->LevelLookupTable);
+    this->CopySettings(other);
     this->ExtraAttributes = other->ExtraAttributes;
     this->SetVBOShiftScaleMethod(other->GetVBOShiftScaleMethod());
     this->SetCompositeDataDisplayAttributes(other->GetCompositeDataDisplayAttributes());
@@ -311,8 +304,13 @@ void vtkAdaptiveRefinementMapper::RenderRefined(vtkRenderer* ren, vtkActor* act)
 
 void vtkAdaptiveRefinementMapper::UpdateBlocks()
 {
-  this->Internals->Blocks.Update(
-    this, vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)));
+  vtkInternals& data = *this->Internals;
+  data.Blocks.Update(this, vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)));
+  if (data.BlockSettingsTime < this->MTime)
+  {
+    this->ForEachBlock([this](vtkAdaptiveRefinementMapper* block) { block->CopySettings(this); });
+    data.BlockSettingsTime.Modified();
+  }
 }
 
 void vtkAdaptiveRefinementMapper::ForEachBlock(

@@ -402,6 +402,8 @@ public:
   void RenderPieceFinish(vtkRenderer* ren, vtkActor* act) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
   void ShallowCopy(vtkAbstractMapper* mapper) override;
+  /// Includes the times of the recipe with all its parts, and of the table of levels.
+  vtkMTimeType GetMTime() override;
   void ProcessSelectorPixelBuffers(
     vtkHardwareSelector* sel, std::vector<unsigned int>& pixeloffsets, vtkProp* prop) override;
 
@@ -457,13 +459,10 @@ private:
   void operator=(const vtkAdaptiveRefinementMapper&) = delete;
 
   struct vtkInternals;
-  friend struct vtkInternals;
 
   bool IsComposite();
   /// Whether a composite input has blocks that are translucent, or such that are not.
   bool HasBlocks(bool translucent);
-  vtkAbstractArray* GetScalarsToInterpolate();
-  void InitializePicking();
   vtkDataObject* ReplaceInput(vtkDataObject* input);
   vtkPolyData* GetPickedData(bool isAsked);
   bool CheckOpenGL(vtkRenderer* ren);
@@ -483,6 +482,7 @@ private:
   bool BuildStages(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act);
   void GiveUpMethod(vtkRenderer* ren, vtkActor* act);
   void SetRefinementColorMode(RefinementColorModes mode);
+  void CopySettings(vtkAdaptiveRefinementMapper* other);
   bool UpdateFaceColors(vtkRenderer* ren);
   void UpdateRefiningShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act);
 

@@ -63,7 +63,7 @@ void vtkAdaptiveRefinementMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor*
   this->CellCellMap->Update(cells, act->GetProperty()->GetRepresentation(), input->GetPoints());
 
   const relevo::Dependencies dependencies =
-    GetUploadDependencies(data.State.GetMeshTime(), this->GetMTime(), positions);
+    GetUploadDependencies(data.State.GetMeshTime(), this->GetBuildMTime(), positions);
   if (!data.UploadValid || dependencies != data.UploadDependencies)
   {
     data.UploadDependencies = dependencies;
@@ -80,7 +80,7 @@ bool vtkAdaptiveRefinementMapper::UploadMesh(vtkRenderer* ren)
 {
   vtkInternals& data = *this->Internals;
   vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
-  vtkAbstractArray* scalars = this->GetScalarsToInterpolate();
+  vtkAbstractArray* scalars = vtkInternals::GetScalarsToInterpolate(this);
   data.Colors.Clear();
   if (scalars &&
     !data.Colors.Upload(window, scalars, this->GetLookupTable(), this->ArrayComponent,
@@ -149,17 +149,18 @@ vtkUnsignedCharArray* vtkAdaptiveRefinementMapper::MapScalars(
   return this->Superclass::MapScalars(problem.empty() ? input : colorless, alpha, cellFlag);
 }
 
-vtkAbstractArray* vtkAdaptiveRefinementMapper::GetScalarsToInterpolate()
+vtkAbstractArray* vtkAdaptiveRefinementMapper::vtkInternals::GetScalarsToInterpolate(
+  vtkAdaptiveRefinementMapper* mapper)
 {
-  if (this->VBOs->GetNumberOfComponents("scalarColor") == 0 && !this->ColorCoordinates)
+  if (mapper->VBOs->GetNumberOfComponents("scalarColor") == 0 && !mapper->ColorCoordinates)
   {
     return nullptr;
   }
   int cellFlag = 0;
-  vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(this->GetInput(),
-    this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
-  const bool direct = this->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS ||
-    (this->ColorMode == VTK_COLOR_MODE_DEFAULT && vtkUnsignedCharArray::SafeDownCast(scalars));
+  vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(mapper->GetInput(),
+    mapper->ScalarMode, mapper->ArrayAccessMode, mapper->ArrayId, mapper->ArrayName, cellFlag);
+  const bool direct = mapper->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS ||
+    (mapper->ColorMode == VTK_COLOR_MODE_DEFAULT && vtkUnsignedCharArray::SafeDownCast(scalars));
   return cellFlag == 0 && !direct ? scalars : nullptr;
 }
 

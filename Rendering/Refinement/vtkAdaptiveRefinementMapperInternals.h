@@ -153,6 +153,7 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   void ForgetPrograms(int method);
 
   relevo::RefinementBlocks Blocks;
+  vtkTimeStamp BlockSettingsTime; // of what they have copied
   relevo::PickedInput Picking;
 
   // The blocks of a composite input use their parent's.
@@ -178,6 +179,12 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   static bool AreVerticesDrawn(vtkProperty* property, vtkHardwareSelector* selector);
 
   static bool HasWholeNumbers(vtkAdaptiveRefinement* recipe);
+
+  /// Have VTK's pickers get what is drawn.
+  static void InitializePicking(vtkAdaptiveRefinementMapper* mapper);
+
+  /// The values that vertices between coarse points are coloured by; nullptr for none.
+  static vtkAbstractArray* GetScalarsToInterpolate(vtkAdaptiveRefinementMapper* mapper);
 
   relevo::RefinementShaderOptions GetShaderOptions(
     vtkAdaptiveRefinementMapper* mapper, const vtkOpenGLHelper* cellBO);

@@ -3,7 +3,6 @@
 // Which method draws, and its draw calls.
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
-#include "Core/SettingChecks.h"
 #include "OpenGL/RelevoOpenGL.h"
 
 #include "Evaluation/PatternSelection.h"
@@ -31,27 +30,6 @@ relevo::RefinementMethod::Primitives GetPrimitives(int mode, bool pointPicking)
     : pointPicking            ? Primitives::CORNERS
                               : Primitives::POINTS;
 }
-}
-
-void vtkAdaptiveRefinementMapper::SetMethod(int method)
-{
-  if (!relevo::CheckChoice(this, "Method", method,
-        { "METHOD_ARKFPI", "METHOD_ARK", "METHOD_DMR", "METHOD_SUAPT",
-          "METHOD_HARDWARE_TESSELLATION", "METHOD_UNIFORM" }))
-  {
-    return;
-  }
-  if (this->Method != method)
-  {
-    this->Internals->MethodProblem.clear();
-    this->Internals->Failure = {};
-    for (auto& look : this->Internals->Looks)
-    {
-      look.second.Failure = {};
-    }
-  }
-  this->Method = method;
-  this->ForEachBlock([method](vtkAdaptiveRefinementMapper* block) { block->SetMethod(method); });
 }
 
 relevo::RefinementMethod& vtkAdaptiveRefinementMapper::vtkInternals::GetMethod()

@@ -24,11 +24,12 @@ vtkDataObject* PickedInputPipeline::GetInputData(int port, int connection)
 }
 }
 
-void vtkAdaptiveRefinementMapper::InitializePicking()
+void vtkAdaptiveRefinementMapper::vtkInternals::InitializePicking(
+  vtkAdaptiveRefinementMapper* mapper)
 {
   vtkNew<relevo::PickedInputPipeline> pipeline;
-  pipeline->Replace = [this](vtkDataObject* input) { return this->ReplaceInput(input); };
-  this->SetExecutive(pipeline);
+  pipeline->Replace = [mapper](vtkDataObject* input) { return mapper->ReplaceInput(input); };
+  mapper->SetExecutive(pipeline);
 }
 
 vtkPolyData* vtkAdaptiveRefinementMapper::GetInput()

@@ -10,7 +10,6 @@
 #include "vtkAdaptiveRefinement.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -284,10 +283,9 @@ bool vtkAdaptiveRefinementMapper::HidesBackFaces(vtkRenderer* ren, vtkActor* act
 void vtkAdaptiveRefinementMapper::ComputeBounds()
 {
   vtkInternals& data = *this->Internals;
-  if (vtkCompositeDataSet* composite =
-        vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)))
+  if (this->IsComposite())
   {
-    data.Blocks.Update(this, composite);
+    this->UpdateBlocks();
     vtkBoundingBox box;
     this->ForEachBlock(
       [&box](vtkAdaptiveRefinementMapper* block)

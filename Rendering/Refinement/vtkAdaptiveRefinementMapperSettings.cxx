@@ -9,24 +9,65 @@
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 
+#include <algorithm>
+
 bool vtkAdaptiveRefinementMapper::vtkInternals::HasWholeNumbers(vtkAdaptiveRefinement* recipe)
 {
   return recipe && recipe->GetSegmentPolicy() == vtkAdaptiveRefinement::WHOLE_NUMBERS;
 }
 
-// Not Modified(): that would make VTK upload the mesh again.
+vtkMTimeType vtkAdaptiveRefinementMapper::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  for (vtkObject* part : { static_cast<vtkObject*>(this->Refinement.Get()),
+         static_cast<vtkObject*>(this->LevelLookupTable.Get()) })
+  {
+    time = part && !this->IsAskedByVTK() ? std::max(time, part->GetMTime()) : time;
+  }
+  return time;
+}
+
+void vtkAdaptiveRefinementMapper::CopySettings(vtkAdaptiveRefinementMapper* other)
+{
+  this->SetRefinement(other->GetRefinement());
+  this->SetTargetNumberOfTriangles(other->GetTargetNumberOfTriangles());
+  this->SetUseAllocatedRenderTime(other->GetUseAllocatedRenderTime());
+  this->SetFrustumCulling(other->GetFrustumCulling());
+  this->SetBackFaceCulling(other->GetBackFaceCulling());
+  this->SetMethod(other->GetMethod());
+  this->SetSelectionDevice(other->GetSelectionDevice());
+  this->SetLevelLookupTable(other->LevelLookupTable);
+  this->SetRefinementColorMode(other->RefinementColorMode);
+}
+
 void vtkAdaptiveRefinementMapper::SetFrustumCulling(bool culling)
 {
-  this->FrustumCulling = culling;
-  this->ForEachBlock(
-    [culling](vtkAdaptiveRefinementMapper* block) { block->SetFrustumCulling(culling); });
+  this->SetLive(this->FrustumCulling, culling);
 }
 
 void vtkAdaptiveRefinementMapper::SetBackFaceCulling(bool culling)
 {
-  this->BackFaceCulling = culling;
-  this->ForEachBlock(
-    [culling](vtkAdaptiveRefinementMapper* block) { block->SetBackFaceCulling(culling); });
+  this->SetLive(this->BackFaceCulling, culling);
+}
+
+void vtkAdaptiveRefinementMapper::SetMethod(int method)
+{
+  if (!relevo::CheckChoice(this, "Method", method,
+        { "METHOD_ARKFPI", "METHOD_ARK", "METHOD_DMR", "METHOD_SUAPT",
+          "METHOD_HARDWARE_TESSELLATION", "METHOD_UNIFORM" }))
+  {
+    return;
+  }
+  if (this->Method != method)
+  {
+    this->Internals->MethodProblem.clear();
+    this->Internals->Failure = {};
+    for (auto& look : this->Internals->Looks)
+    {
+      look.second.Failure = {};
+    }
+  }
+  this->SetLive(this->Method, method);
 }
 
 void vtkAdaptiveRefinementMapper::SetColorMode(int mode)
@@ -35,19 +76,14 @@ void vtkAdaptiveRefinementMapper::SetColorMode(int mode)
   this->Superclass::SetColorMode(mode);
 }
 
-// Not Modified(), as above.
 void vtkAdaptiveRefinementMapper::SetRefinementColorMode(RefinementColorModes mode)
 {
-  this->RefinementColorMode = mode;
-  this->ForEachBlock(
-    [mode](vtkAdaptiveRefinementMapper* block) { block->SetRefinementColorMode(mode); });
+  this->SetLive(this->RefinementColorMode, mode);
 }
 
 void vtkAdaptiveRefinementMapper::SetLevelLookupTable(vtkScalarsToColors* table)
 {
-  this->LevelLookupTable = table;
-  this->ForEachBlock(
-    [table](vtkAdaptiveRefinementMapper* block) { block->SetLevelLookupTable(table); });
+  this->SetLive(this->LevelLookupTable, vtkSmartPointer<vtkScalarsToColors>(table));
 }
 
 vtkScalarsToColors* vtkAdaptiveRefinementMapper::GetLevelLookupTable()
@@ -65,7 +101,7 @@ void vtkAdaptiveRefinementMapper::SetTargetNumberOfTriangles(vtkIdType triangles
 {
   if (relevo::CheckRange<vtkIdType>(this, "TargetNumberOfTriangles", triangles, 0, VTK_ID_MAX))
   {
-    this->Internals->Budget.Target = triangles;
+    this->SetLive(this->Internals->Budget.Target, triangles);
   }
 }
 
@@ -76,7 +112,7 @@ vtkIdType vtkAdaptiveRefinementMapper::GetTargetNumberOfTriangles()
 
 void vtkAdaptiveRefinementMapper::SetUseAllocatedRenderTime(bool use)
 {
-  this->UseAllocatedRenderTime = use;
+  this->SetLive(this->UseAllocatedRenderTime, use);
 }
 
 double vtkAdaptiveRefinementMapper::GetLevelOffset()
@@ -90,9 +126,8 @@ void vtkAdaptiveRefinementMapper::SetSelectionDevice(int device)
         { "SELECTION_DEVICE_AUTOMATIC", "SELECTION_DEVICE_CPU", "SELECTION_DEVICE_GPU" }) &&
     this->SelectionDevice != device)
   {
-    this->SelectionDevice = device;
     this->Internals->ContextChecked = false;
-    this->Modified();
+    this->SetLive(this->SelectionDevice, device);
   }
 }
 

@@ -10,7 +10,9 @@
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkOpenGLHelper.h"
+#include "vtkPlaneCollection.h"
 #include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -41,6 +43,7 @@ void RemoveAll(Attributes* attributes, void (Attributes::*remove)())
 vtkBlockAttributesPolyDataMapper::vtkBlockAttributesPolyDataMapper()
   : Look(new relevo::BlockLook)
 {
+  this->BuildTime.Modified();
 }
 
 vtkBlockAttributesPolyDataMapper::~vtkBlockAttributesPolyDataMapper() = default;
@@ -52,7 +55,7 @@ void vtkBlockAttributesPolyDataMapper::SetCompositeDataDisplayAttributes(
   {
     this->CompositeAttributes = attributes;
     *this->Look = {};
-    this->Modified();
+    this->SettingModified();
   }
 }
 
@@ -62,10 +65,79 @@ vtkBlockAttributesPolyDataMapper::GetCompositeDataDisplayAttributes()
   return this->CompositeAttributes;
 }
 
+//------------------------------------------------------------------------------
+// Times
+
+// VTK asks as long as it lives.
+class vtkBlockAttributesPolyDataMapper::Question
+{
+public:
+  explicit Question(vtkBlockAttributesPolyDataMapper* mapper)
+    : Mapper(mapper)
+  {
+    ++this->Mapper->NumberOfQuestions;
+  }
+  ~Question() { --this->Mapper->NumberOfQuestions; }
+  Question(const Question&) = delete;
+  void operator=(const Question&) = delete;
+
+private:
+  vtkBlockAttributesPolyDataMapper* Mapper;
+};
+
+void vtkBlockAttributesPolyDataMapper::Modified()
+{
+  this->BuildTime.Modified();
+  this->Superclass::Modified();
+}
+
+void vtkBlockAttributesPolyDataMapper::SettingModified()
+{
+  this->Superclass::Modified();
+}
+
+vtkMTimeType vtkBlockAttributesPolyDataMapper::GetBuildMTime() const
+{
+  vtkMTimeType time = this->BuildTime;
+  time = this->LookupTable ? std::max(time, this->LookupTable->GetMTime()) : time;
+  return this->ClippingPlanes ? std::max(time, this->ClippingPlanes->GetMTime()) : time;
+}
+
 vtkMTimeType vtkBlockAttributesPolyDataMapper::GetMTime()
 {
+  if (this->IsAskedByVTK())
+  {
+    return this->GetBuildMTime();
+  }
   const vtkMTimeType time = this->Superclass::GetMTime();
   return this->CompositeAttributes ? std::max(time, this->CompositeAttributes->GetMTime()) : time;
+}
+
+bool vtkBlockAttributesPolyDataMapper::GetNeedToRebuildBufferObjects(
+  vtkRenderer* ren, vtkActor* act)
+{
+  const Question question(this);
+  return this->Superclass::GetNeedToRebuildBufferObjects(ren, act);
+}
+
+void vtkBlockAttributesPolyDataMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor* act)
+{
+  const Question question(this);
+  this->Superclass::BuildBufferObjects(ren, act);
+}
+
+bool vtkBlockAttributesPolyDataMapper::GetNeedToRebuildShaders(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
+{
+  const Question question(this);
+  return this->Superclass::GetNeedToRebuildShaders(cellBO, ren, act);
+}
+
+vtkUnsignedCharArray* vtkBlockAttributesPolyDataMapper::MapScalars(
+  vtkDataSet* input, double alpha, int& cellFlag)
+{
+  const Question question(this);
+  return this->Superclass::MapScalars(input, alpha, cellFlag);
 }
 
 vtkDataObject* vtkBlockAttributesPolyDataMapper::GetTrueInput()

@@ -28,6 +28,7 @@
 #include "RelevoRenderingRefinementModule.h" // for export macro
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkSmartPointer.h" // for members
+#include "vtkTimeStamp.h"    // for members
 
 #include <memory> // for Look
 #include <set>    // for MissingAnchors
@@ -102,9 +103,43 @@ public:
    */
   vtkMTimeType GetMTime() override;
 
+  /**
+   * As VTK's own setters do: what VTK keeps on the graphics card is made anew.
+   */
+  void Modified() override;
+
+  using vtkOpenGLPolyDataMapper::MapScalars;
+  vtkUnsignedCharArray* MapScalars(vtkDataSet* input, double alpha, int& cellFlag) override;
+
 protected:
   vtkBlockAttributesPolyDataMapper();
   ~vtkBlockAttributesPolyDataMapper() override;
+
+  //@{
+  /**
+   * VTK's mapper compares GetMTime() with when it made buffers, textures and shaders. What they do
+   * not depend on must not have them made anew, so as long as VTK asks it is told GetBuildMTime():
+   * when Modified() was called, or the lookup table or clipping planes changed. Setters whose value
+   * is read in every frame call SettingModified() in place of Modified(), and SetLive() does where
+   * it changes the value.
+   */
+  void SettingModified();
+  template <typename Value>
+  void SetLive(Value& setting, const Value& value)
+  {
+    if (setting != value)
+    {
+      setting = value;
+      this->SettingModified();
+    }
+  }
+  vtkMTimeType GetBuildMTime() const;
+  vtkTimeStamp BuildTime; // of Modified()
+  bool IsAskedByVTK() const { return this->NumberOfQuestions > 0; }
+  bool GetNeedToRebuildBufferObjects(vtkRenderer* ren, vtkActor* act) override;
+  void BuildBufferObjects(vtkRenderer* ren, vtkActor* act) override;
+  bool GetNeedToRebuildShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;
+  //@}
 
   void ReplaceShaderColor(
     std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act) override;
@@ -145,6 +180,9 @@ private:
   vtkSmartPointer<vtkCompositeDataDisplayAttributes> CompositeAttributes;
   std::unique_ptr<relevo::BlockLook> Look;
   double ColorResult[3] = { 1.0, 1.0, 1.0 };
+
+  class Question;
+  int NumberOfQuestions = 0; // of VTK's that are being answered
 };
 
 #endif

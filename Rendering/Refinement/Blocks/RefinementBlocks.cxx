@@ -23,10 +23,9 @@ RefinementBlocks::~RefinementBlocks() = default;
 
 void RefinementBlocks::Update(vtkBlockAttributesPolyDataMapper* parent, vtkCompositeDataSet* input)
 {
-  // The look of blocks is not among the settings that they copy.
   this->Parent = parent;
   this->Said.clear();
-  const bool changed = this->SyncTime < parent->vtkOpenGLPolyDataMapper::GetMTime();
+  const bool changed = this->SyncTime < parent->GetBuildMTime();
   // In place: this is also asked for while the blocks draw.
   std::set<unsigned int> indices;
   auto iterator = vtk::TakeSmartPointer(input->NewIterator());

@@ -147,7 +147,8 @@ void TestSetting(RelevoCheck& check)
   view.Fly(0.5);
   const vtkIdType all = view.Mapper->GetNumberOfDrawnTriangles();
   CHECK(view.Mapper->GetLevelOffset() == 0.0);
-  const vtkMTimeType time = view.Mapper->GetMTime();
+  const vtkIdType meshes = view.Mapper->GetNumberOfBufferBuilds();
+  const vtkIdType shaders = view.Mapper->GetNumberOfShaderBuilds();
   for (const vtkIdType target : { 10000, 30000, 5000 })
   {
     view.Mapper->SetTargetNumberOfTriangles(target);
@@ -162,11 +163,14 @@ void TestSetting(RelevoCheck& check)
   view.Render();
   CHECK(view.Mapper->GetNumberOfDrawnTriangles() == all);
   CHECK(view.Mapper->GetLevelOffset() == 0.0);
-  CHECK(view.Mapper->GetMTime() == time);
+  CHECK(view.Mapper->GetNumberOfBufferBuilds() == meshes);
+  CHECK(view.Mapper->GetNumberOfShaderBuilds() == shaders);
+  const vtkMTimeType time = view.Mapper->GetMTime();
   RelevoErrors errors(view.Mapper);
   view.Mapper->SetTargetNumberOfTriangles(-1);
   CHECK(errors.Said("TargetNumberOfTriangles"));
   CHECK(view.Mapper->GetTargetNumberOfTriangles() == 0);
+  CHECK(view.Mapper->GetMTime() == time);
 }
 
 void TestBlocks(RelevoCheck& check)
