@@ -186,7 +186,7 @@ class TestDepthTags(unittest.TestCase):
         self.assertEqual(tags.GetOutput().GetNumberOfPoints(), 0)
         for level in (-1, 8):
             tags.SetMaximumLevel(level)
-            self.assertIn("MaximumLevel %d" % level, errors.take())
+            self.assertIn("MaximumLevel must be in [0, 7], got %d" % level, errors.take())
         self.assertEqual(tags.GetMaximumLevel(), 3)
         tags.SetViewportSize(0, 0)
         self.assertIn("ViewportSize", errors.take())
