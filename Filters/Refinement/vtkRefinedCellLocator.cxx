@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRefinedCellLocator.h"
 
+#include "Core/Dependencies.h"
 #include "Core/RefinementView.h"
 #include "Core/SettingChecks.h"
 #include "Evaluation/PatternSelection.h"
@@ -41,7 +42,8 @@ struct vtkRefinedCellLocator::vtkInternals
   vtkTimeStamp MeshTime;
   relevo::PatternSelection Selection;
   relevo::RefinedSurface Surface;
-  vtkDataSet* Input = nullptr; // to compare, never read
+  relevo::Dependencies MeshDependencies;
+  relevo::Dependencies SurfaceDependencies;
   bool Valid = false;
 
   vtkIdType CountOtherCells(vtkPolyData* input) const
@@ -147,8 +149,9 @@ vtkMTimeType vtkRefinedCellLocator::GetMTime()
 bool vtkRefinedCellLocator::UpdateSurface(bool anew)
 {
   vtkInternals& data = *this->Internals;
-  if (!anew && data.Input == this->DataSet && this->BuildTime > this->GetMTime() &&
-    (!this->DataSet || this->BuildTime > this->DataSet->GetMTime()))
+  relevo::Dependencies dependencies = relevo::Dependencies::On(this->GetMTime());
+  dependencies.AddObject(this->DataSet);
+  if (!data.SurfaceDependencies.Update(dependencies) && !anew)
   {
     return data.Valid;
   }
@@ -165,7 +168,6 @@ bool vtkRefinedCellLocator::UpdateSurface(bool anew)
   {
     data.Valid = this->Prepare(input);
   }
-  data.Input = this->DataSet;
   this->BuildTime.Modified();
   return data.Valid;
 }
@@ -176,13 +178,16 @@ bool vtkRefinedCellLocator::Prepare(vtkPolyData* input)
   std::string error;
   std::string warning;
   bool valid = true;
-  if (data.Input != input || data.MeshTime < input->GetMTime() || !this->Refinement ||
-    data.MeshTime < this->Refinement->GetMTime() || data.Mesh.Faces.empty())
+  relevo::Dependencies dependencies;
+  dependencies.AddObject(input);
+  dependencies.AddObject(this->Refinement.Get());
+  if (data.MeshDependencies.Update(dependencies))
   {
     valid = relevo::PrepareMesh(input, this->Refinement, data.Mesh, error, warning);
     if (!valid)
     {
       data.Mesh = relevo::RefinementMesh(); // half made, to be tried anew
+      data.MeshDependencies.Clear();
     }
     data.MeshTime.Modified();
   }

@@ -25,14 +25,14 @@ namespace
 relevo::Dependencies GetUploadDependencies(
   vtkMTimeType meshTime, vtkMTimeType mapperTime, vtkOpenGLVertexBufferObject* positions)
 {
-  relevo::Dependencies dependencies = { meshTime, mapperTime };
-  relevo::Append(dependencies, positions, static_cast<vtkMTimeType>(positions->GetHandle()));
+  relevo::Dependencies dependencies = relevo::Dependencies::On(meshTime, mapperTime);
+  dependencies.AddObject(positions, static_cast<vtkMTimeType>(positions->GetHandle()));
   if (positions->GetCoordShiftAndScaleEnabled())
   {
     for (int i = 0; i < 3; ++i)
     {
-      relevo::AppendBits(dependencies, positions->GetShift()[i]);
-      relevo::AppendBits(dependencies, positions->GetScale()[i]);
+      dependencies.Add(positions->GetShift()[i]);
+      dependencies.Add(positions->GetScale()[i]);
     }
   }
   return dependencies;

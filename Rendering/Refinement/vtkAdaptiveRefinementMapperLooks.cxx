@@ -52,12 +52,12 @@ void vtkAdaptiveRefinementMapper::vtkInternals::SwapLook(
 void vtkAdaptiveRefinementMapper::FollowLook(vtkRenderer* ren, vtkActor* act)
 {
   vtkInternals& data = *this->Internals;
-  relevo::Dependencies look = relevo::GetActorLook(ren, act, this->GetTextures(act));
+  const relevo::Dependencies look = relevo::GetActorLook(ren, act, this->GetTextures(act));
   if (data.CurrentLook == look)
   {
     return;
   }
-  if (!data.CurrentLook.empty())
+  if (!data.CurrentLook.IsEmpty())
   {
     vtkInternals::Look& last = data.Looks[data.CurrentLook];
     data.SwapLook(this, last);
@@ -65,7 +65,7 @@ void vtkAdaptiveRefinementMapper::FollowLook(vtkRenderer* ren, vtkActor* act)
     data.SwapLook(this, next);
     next.LastUse = ++data.LookUse;
   }
-  data.CurrentLook.swap(look);
+  data.CurrentLook = look;
   if (data.Looks.size() > MostLooks)
   {
     const auto oldest = std::min_element(data.Looks.begin(), data.Looks.end(),

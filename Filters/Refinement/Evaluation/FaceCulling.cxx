@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Evaluation/FaceCulling.h"
 
+#include "Core/Dependencies.h"
 #include "Core/RefinementMathematics.h"
 #include "Core/WorldView.h"
 #include "Mesh/ClosedSurface.h"
@@ -97,12 +98,13 @@ CullingView::CullingView(vtkCamera* camera, double aspect, vtkMatrix4x4* modelTo
   }
 }
 
-bool CullingView::operator==(const CullingView& other) const
+void CullingView::AddTo(Dependencies& dependencies) const
 {
-  return std::equal(this->Planes[0], this->Planes[0] + 4 * NumberOfPlanes, other.Planes[0]) &&
-    std::equal(this->Near, this->Near + 4, other.Near) &&
-    std::equal(this->Eye, this->Eye + 3, other.Eye) && this->Parallel == other.Parallel &&
-    this->Valid == other.Valid;
+  std::for_each(this->Planes[0], this->Planes[0] + 4 * NumberOfPlanes,
+    [&](float value) { dependencies.Add(value); });
+  std::for_each(this->Eye, this->Eye + 3, [&](float value) { dependencies.Add(value); });
+  dependencies.Add(this->Parallel);
+  dependencies.Add(this->Valid);
 }
 
 void FaceCulling::Build(const RefinementMesh& mesh, vtkAdaptiveRefinement* recipe)

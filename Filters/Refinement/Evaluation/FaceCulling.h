@@ -25,6 +25,7 @@ class vtkMatrix4x4;
 #ifndef __VTK_WRAP__
 namespace relevo
 {
+class Dependencies;
 class RefinementMesh;
 
 /**
@@ -50,7 +51,8 @@ struct RELEVOFILTERSREFINEMENT_EXPORT CullingView
   bool Parallel;
   bool Valid;
 
-  bool operator==(const CullingView& other) const;
+  /// All but the near plane, of which FaceCulling::HidesBackFaces() tells what matters.
+  void AddTo(Dependencies& dependencies) const;
 };
 
 class RELEVOFILTERSREFINEMENT_EXPORT FaceCulling
@@ -60,9 +62,9 @@ public:
   void Build(const RefinementMesh& mesh, vtkAdaptiveRefinement* recipe);
 
   /**
-   * Mark the faces that cannot be seen, a byte per face. With `behind`, those too that face away
-   * from an eye outside the closed surface they belong to, all of which lies beyond the near plane.
-   * Returns how many are marked.
+   * Mark the faces that cannot be seen, a byte per face. With `hideBackFaces`, those too that face
+   * away from an eye outside the closed surface they belong to, all of which lies beyond the near
+   * plane. Returns how many are marked.
    */
   int FindHidden(
     const CullingView& view, bool hideBackFaces, std::vector<unsigned char>& hidden) const;

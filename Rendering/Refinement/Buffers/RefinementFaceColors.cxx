@@ -37,11 +37,9 @@ std::vector<float> GetTags(const RefinementMesh& mesh, const EdgeTags& tags, flo
 bool RefinementFaceColors::UploadPatterns(vtkOpenGLRenderWindow* window, int mode,
   bool wholeNumbers, const RefinementPatternBuffer& patterns, vtkScalarsToColors* table)
 {
-  Dependencies times;
-  AppendObject(times, table);
-  times.push_back(patterns.GetUploadTime());
-  times.insert(times.end(), { static_cast<vtkMTimeType>(mode), wholeNumbers ? 1u : 0u });
-  if (times == this->ColorTimes)
+  Dependencies dependencies = Dependencies::On(patterns.GetUploadTime(), mode, wholeNumbers);
+  dependencies.AddObject(table);
+  if (dependencies == this->ColorDependencies)
   {
     return true;
   }
@@ -52,18 +50,17 @@ bool RefinementFaceColors::UploadPatterns(vtkOpenGLRenderWindow* window, int mod
       table, RefinementLevelTable::GetValue(mode, wholeNumbers, *pattern));
     colors.insert(colors.end(), color.begin(), color.end());
   }
-  this->ColorTimes = times;
+  this->ColorDependencies = dependencies;
   return colors.empty() || this->Colors.Upload(window, colors, 4);
 }
 
 bool RefinementFaceColors::UploadFaces(vtkOpenGLRenderWindow* window, int mode, bool wholeNumbers,
   const ViewSelection& selection, vtkScalarsToColors* table)
 {
-  Dependencies times;
-  AppendObject(times, table);
-  Append(times, &selection, selection.GetLevelsTime());
-  times.insert(times.end(), { static_cast<vtkMTimeType>(mode), wholeNumbers ? 1u : 0u });
-  if (times == this->ColorTimes)
+  Dependencies dependencies = Dependencies::On(mode, wholeNumbers);
+  dependencies.AddObject(table);
+  dependencies.AddObject(&selection, selection.GetLevelsTime());
+  if (dependencies == this->ColorDependencies)
   {
     return true;
   }
@@ -84,7 +81,7 @@ bool RefinementFaceColors::UploadFaces(vtkOpenGLRenderWindow* window, int mode, 
     }
     colors.insert(colors.end(), color->second.begin(), color->second.end());
   }
-  this->ColorTimes = times;
+  this->ColorDependencies = dependencies;
   return colors.empty() || this->Colors.Upload(window, colors, 4);
 }
 
@@ -93,22 +90,20 @@ bool RefinementFaceColors::UploadTags(vtkOpenGLRenderWindow* window, const Refin
 {
   this->Offset = static_cast<float>(offset);
   this->Highest = static_cast<float>(highest);
-  Dependencies tableTimes;
-  AppendObject(tableTimes, table);
-  if (tableTimes != this->TableTimes)
+  Dependencies tableDependencies;
+  tableDependencies.AddObject(table);
+  if (this->TableDependencies.Update(tableDependencies))
   {
-    this->TableTimes = tableTimes;
     const double range[2] = { 0.0, static_cast<double>(highest) };
     if (!this->Table.Upload(window, table, 0.0, range))
     {
       return false;
     }
   }
-  Dependencies tagTimes;
-  Append(tagTimes, &selection, selection.GetLevelsTime());
-  if (tagTimes != this->TagTimes)
+  Dependencies tagDependencies;
+  tagDependencies.AddObject(&selection, selection.GetLevelsTime());
+  if (this->TagDependencies.Update(tagDependencies))
   {
-    this->TagTimes = tagTimes;
     const EdgeTags& tags = selection.GetTags();
     this->PerEdge = tags.GetKind() != EdgeTags::PER_POINT;
     return this->Tags.Upload(window, GetTags(mesh, tags, this->Highest), this->PerEdge ? 3 : 1);
@@ -146,8 +141,8 @@ void RefinementFaceColors::ReleaseGraphicsResources(vtkWindow* window)
   this->Colors.ReleaseGraphicsResources(window);
   this->Tags.ReleaseGraphicsResources(window);
   this->Table.ReleaseGraphicsResources(window);
-  this->ColorTimes.clear();
-  this->TagTimes.clear();
-  this->TableTimes.clear();
+  this->ColorDependencies.Clear();
+  this->TagDependencies.Clear();
+  this->TableDependencies.Clear();
 }
 }

@@ -14,7 +14,7 @@
 #include "Buffers/RefinementBuffer.h"     // for members
 #include "Buffers/RefinementColorTable.h" // for members
 #include "Buffers/RefinementLevelTable.h" // for signature
-#include "vtkType.h"                      // for vtkMTimeType
+#include "Core/Dependencies.h"            // for members
 
 #include <vector> // for patterns
 
@@ -66,9 +66,9 @@ private:
   float Highest = 0.0f;
 
   // What the buffers were made of.
-  std::vector<vtkMTimeType> ColorTimes;
-  std::vector<vtkMTimeType> TagTimes;
-  std::vector<vtkMTimeType> TableTimes;
+  Dependencies ColorDependencies;
+  Dependencies TagDependencies;
+  Dependencies TableDependencies;
 };
 }
 

@@ -9,6 +9,7 @@
 #include "vtkRefinementPatternTable.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -89,10 +90,8 @@ double RefinementLevelTable::GetValue(int mode, bool wholeNumbers, const Refinem
 
 vtkLookupTable* RefinementLevelTable::Get(int mode, bool wholeNumbers, int maximumLevel)
 {
-  const std::array<int, 3> key = { { mode, wholeNumbers ? 1 : 0, maximumLevel } };
-  if (key != this->Key)
+  if (this->TableDependencies.Update(Dependencies::On(mode, wholeNumbers, maximumLevel)))
   {
-    this->Key = key;
     this->Table->ResetAnnotations();
     this->Table->SetIndexedLookup(mode != COLOR_BY_METRIC);
     switch (mode)

@@ -9,10 +9,9 @@
 #ifndef RefinementLevelTable_h
 #define RefinementLevelTable_h
 
+#include "Core/Dependencies.h"               // for members
 #include "Shaders/RefinementShaderOptions.h" // for RefinementColorMode
 #include "vtkNew.h"                          // for Table
-
-#include <array> // for members
 
 class vtkLookupTable;
 
@@ -44,7 +43,7 @@ private:
   void MakeTags(int maximumLevel);
 
   vtkNew<vtkLookupTable> Table;
-  std::array<int, 3> Key = { { -1, -1, -1 } }; // what the table was made for
+  Dependencies TableDependencies;
 };
 }
 

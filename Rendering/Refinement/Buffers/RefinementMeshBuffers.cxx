@@ -210,9 +210,9 @@ bool RefinementMeshBuffers::UploadVectors(
 bool RefinementMeshBuffers::UploadHeights(
   vtkOpenGLRenderWindow* window, vtkHeightField* heights, bool withValidity)
 {
-  const vtkMTimeType time = heights ? heights->GetSamplesMTime() : 1;
-  if (this->Heights && this->HeightSource == heights && this->HeightTime == time &&
-    withValidity == (this->Validity != nullptr))
+  Dependencies dependencies = Dependencies::On(withValidity);
+  dependencies.AddObject(heights, heights ? heights->GetSamplesMTime() : 0);
+  if (this->Heights && this->HeightDependencies == dependencies)
   {
     return true;
   }
@@ -266,8 +266,7 @@ bool RefinementMeshBuffers::UploadHeights(
     this->Heights = nullptr;
     return false;
   }
-  this->HeightSource = heights;
-  this->HeightTime = time;
+  this->HeightDependencies = dependencies;
   return true;
 }
 

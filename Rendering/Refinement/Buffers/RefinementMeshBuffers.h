@@ -11,8 +11,9 @@
 
 #include "Buffers/RefinementBuffer.h"
 
-#include "vtkSmartPointer.h" // for textures
-#include "vtkType.h"         // for vtkMTimeType
+#include "Core/Dependencies.h" // for members
+#include "vtkSmartPointer.h"   // for textures
+#include "vtkType.h"           // for vtkMTimeType
 
 #include <map>    // for members
 #include <memory> // for members
@@ -98,8 +99,7 @@ private:
   std::map<std::string, std::unique_ptr<RefinementBuffer>> Attributes;
   vtkSmartPointer<vtkTextureObject> Heights;
   vtkSmartPointer<vtkTextureObject> Validity;
-  vtkHeightField* HeightSource = nullptr; // to compare, never read
-  vtkMTimeType HeightTime = 0;
+  Dependencies HeightDependencies;
   vtkTypeInt64 HeightMemory = 0;
   void ReleaseFaces(vtkWindow* window);
   bool UploadPointData(

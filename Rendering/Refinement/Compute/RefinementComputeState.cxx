@@ -82,15 +82,13 @@ std::vector<unsigned int> MakeTable(
 }
 
 // All that decides what a camera sees.
-std::vector<float> GetSight(const CullingView* view, bool hideBackFaces)
+Dependencies GetSight(const CullingView* view, bool hideBackFaces)
 {
-  std::vector<float> sight;
+  Dependencies sight;
   if (view && view->Valid)
   {
-    sight.assign(view->Planes[0], view->Planes[0] + 4 * CullingView::NumberOfPlanes);
-    sight.insert(sight.end(), view->Eye, view->Eye + 3);
-    sight.push_back(view->Parallel ? 1.0f : 0.0f);
-    sight.push_back(hideBackFaces ? 1.0f : 0.0f);
+    sight.Add(hideBackFaces);
+    view->AddTo(sight);
   }
   return sight;
 }
@@ -178,8 +176,13 @@ bool RefinementComputeState::UpdatePatterns(const PatternLibrary& library,
   const std::shared_ptr<const PatternFamily>& family, int maximumLevel,
   RefinementPatternBuffer& patterns, bool withLines)
 {
-  if (this->Family == family && this->MaximumLevel == maximumLevel &&
-    this->PatternBufferTime == patterns.GetUploadTime() && (this->WithLines || !withLines))
+  this->WithLines = this->WithLines || withLines;
+  const auto dependencies = [&]
+  {
+    return Dependencies::On(
+      family->GetMTime(), maximumLevel, patterns.GetUploadTime(), this->WithLines);
+  };
+  if (this->PatternDependencies == dependencies())
   {
     return true;
   }
@@ -192,7 +195,7 @@ bool RefinementComputeState::UpdatePatterns(const PatternLibrary& library,
     }
   }
   const std::vector<PatternGroup> groups = GetAllGroups(*family, this->Keys);
-  patterns.Load(library, groups, withLines);
+  patterns.Load(library, groups, this->WithLines);
   std::vector<RefinementComputeSelector::Pattern> described;
   for (const PatternGroup& group : groups)
   {
@@ -204,9 +207,7 @@ bool RefinementComputeState::UpdatePatterns(const PatternLibrary& library,
     return this->Fail(this->Selector.GetError());
   }
   this->Family = family;
-  this->MaximumLevel = maximumLevel;
-  this->PatternBufferTime = patterns.GetUploadTime();
-  this->WithLines = withLines;
+  this->PatternDependencies = dependencies();
   this->PatternsTime.Modified();
   return true;
 }
@@ -263,10 +264,11 @@ bool RefinementComputeState::UpdateView(vtkOpenGLRenderWindow* window, int slot,
   bool hideBackFaces, const Targets& targets)
 {
   View& view = this->Views[slot];
-  const bool select = view.LevelsTime != levelsTime || view.GroupsTime < this->PatternsTime ||
-    view.Instances != targets.Instances;
-  const std::vector<float> sight = GetSight(camera, hideBackFaces);
-  if (!select && view.Sight == sight && view.CullingTime == this->CullingTime)
+  const Dependencies levels = Dependencies::On(levelsTime, this->PatternsTime, targets.Instances);
+  const bool select = view.LevelDependencies != levels;
+  Dependencies sight = GetSight(camera, hideBackFaces);
+  sight.Add(this->CullingTime);
+  if (!select && view.SightDependencies == sight)
   {
     return true;
   }
@@ -278,10 +280,8 @@ bool RefinementComputeState::UpdateView(vtkOpenGLRenderWindow* window, int slot,
     const RefinementComputeSelector::Camera eye =
       culled ? MakeCamera(*camera, hideBackFaces) : RefinementComputeSelector::Camera();
     this->Selector.Group(view.Selection, culled ? &eye : nullptr, targets.Instances);
-    view.LevelsTime = levelsTime;
-    view.Instances = targets.Instances;
-    view.Sight = sight;
-    view.CullingTime = this->CullingTime;
+    view.LevelDependencies = levels;
+    view.SightDependencies = sight;
     view.GroupsTime.Modified();
   }
   RefinementComputeProgram::End();
@@ -341,5 +341,6 @@ void RefinementComputeState::ReleaseGraphicsResources()
   this->FaceEdgesTime = 0;
   this->CullingTime = 0;
   this->Family = nullptr;
+  this->PatternDependencies.Clear();
 }
 }

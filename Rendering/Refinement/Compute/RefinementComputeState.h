@@ -16,6 +16,7 @@
 #include "Compute/RefinementComputeSelector.h" // for members
 #include "Compute/RefinementComputeTags.h"     // for members
 #include "Compute/RefinementComputeView.h"     // for members
+#include "Core/Dependencies.h"                 // for members
 #include "RelevoRenderingRefinementModule.h"   // for export macro
 #include "vtkTimeStamp.h"                      // for members
 
@@ -70,8 +71,8 @@ public:
   /**
    * Bring the selection in a slot up to date. `tags`, values or what evaluates them, are those of
    * the time `levelsTime`, and `offset` is added; `camera` is nullptr to draw all faces, and with
-   * `behind` faces that face away from it are hidden. False, with GetError(), when the GPU cannot
-   * hold it.
+   * `hideBackFaces` faces that face away from it are hidden. False, with GetError(), when the GPU
+   * cannot hold it.
    */
   bool UpdateView(vtkOpenGLRenderWindow* window, int slot, const EdgeTags& tags, float offset,
     vtkMTimeType levelsTime, const CullingView* camera, bool hideBackFaces, const Targets& targets);
@@ -101,10 +102,8 @@ private:
   struct View
   {
     RefinementComputeView Selection;
-    vtkMTimeType LevelsTime = 0;
-    unsigned int Instances = 0;
-    std::vector<float> Sight;
-    vtkMTimeType CullingTime = 0;
+    Dependencies LevelDependencies;
+    Dependencies SightDependencies;
     vtkTimeStamp GroupsTime;
   };
 
@@ -123,8 +122,7 @@ private:
   vtkMTimeType CullingTime = 0;
   std::vector<int> Keys; // of the family, those in use
   std::shared_ptr<const PatternFamily> Family;
-  int MaximumLevel = 0;
-  vtkMTimeType PatternBufferTime = 0;
+  Dependencies PatternDependencies;
   bool WithLines = false;
   vtkTimeStamp PatternsTime;
   std::string Error;

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 namespace relevo
 {
@@ -26,11 +27,9 @@ const PatternSelection* PickedLevels::Get(vtkPolyData* input, vtkAdaptiveRefinem
   {
     return &selection;
   }
-  const std::vector<vtkMTimeType> times = { meshTime, isDrawn ? 1u : 0u,
-    isDrawn ? drawn.GetLevelsTime() : recipe->GetMTime(), static_cast<vtkMTimeType>(kind) };
-  if (times != this->OwnTimes)
+  if (this->OwnDependencies.Update(Dependencies::On(
+        meshTime, isDrawn, isDrawn ? drawn.GetLevelsTime() : recipe->GetMTime(), kind)))
   {
-    this->OwnTimes = times;
     this->Valid = isDrawn || this->SelectAnew(input, recipe, mesh);
     if (isDrawn)
     {

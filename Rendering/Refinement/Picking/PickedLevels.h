@@ -14,10 +14,9 @@
 #ifndef PickedLevels_h
 #define PickedLevels_h
 
+#include "Core/Dependencies.h"           // for members
 #include "Evaluation/PatternSelection.h" // for members
 #include "vtkType.h"                     // for vtkMTimeType
-
-#include <vector> // for members
 
 class vtkAdaptiveRefinement;
 class vtkPolyData;
@@ -54,7 +53,7 @@ private:
     vtkAdaptiveRefinement* recipe, const RefinementMesh& mesh, const GetSegments& getSegments);
 
   PatternSelection Own;
-  std::vector<vtkMTimeType> OwnTimes;
+  Dependencies OwnDependencies;
   bool Valid = false;
 };
 }

@@ -65,10 +65,10 @@ PickedPolyData::~PickedPolyData() = default;
 
 void PickedPolyData::Synchronize(vtkPolyData* input)
 {
-  if (this->Source != input || this->SourceTime != input->GetMTime())
+  Dependencies dependencies;
+  dependencies.AddObject(input);
+  if (this->SourceDependencies.Update(dependencies))
   {
-    this->Source = input;
-    this->SourceTime = input->GetMTime();
     this->ShallowCopy(input);
     this->GetPointData()->SetActiveAttribute(-1, vtkDataSetAttributes::NORMALS);
     this->FirstFaceCell = input->GetNumberOfVerts() + input->GetNumberOfLines();
@@ -188,7 +188,9 @@ void PickedPolyData::MovePoints()
 {
   const PickedSurface& asked = this->Asked;
   vtkPoints* given = asked.Input->GetPoints();
-  if (this->MovedTime < std::max(asked.Surface->GetTime(), this->SourceTime))
+  Dependencies dependencies = this->SourceDependencies;
+  dependencies.Add(asked.Surface->GetTime());
+  if (this->MovedDependencies.Update(dependencies))
   {
     this->MovedPoints->SetDataType(given->GetDataType());
     this->MovedPoints->DeepCopy(given);
@@ -217,7 +219,6 @@ void PickedPolyData::MovePoints()
         }
       }
     }
-    this->MovedTime = this->MovedPoints->GetMTime();
   }
   this->SetPoints(this->MovedPoints);
 }

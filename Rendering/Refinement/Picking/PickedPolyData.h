@@ -20,6 +20,7 @@
 #ifndef PickedPolyData_h
 #define PickedPolyData_h
 
+#include "Core/Dependencies.h"           // for members
 #include "Intersection/RefinedSurface.h" // for members
 #include "vtkNew.h"                      // for members
 #include "vtkPolyData.h"
@@ -94,10 +95,9 @@ private:
   vtkNew<vtkGenericCell> HitCell; // turned
   int HitSubId = 0;
   double HitPCoords[3] = { 0.0, 0.0, 0.0 };
-  vtkPolyData* Source = nullptr; // to compare, never read
-  vtkMTimeType SourceTime = 0;
+  Dependencies SourceDependencies;
   vtkNew<vtkPoints> MovedPoints;
-  vtkMTimeType MovedTime = 0;
+  Dependencies MovedDependencies;
   vtkSmartPointer<FaceCell> Face;
 };
 }

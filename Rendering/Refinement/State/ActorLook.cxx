@@ -13,13 +13,11 @@
 #include "vtkTexture.h"
 #include "vtkUniforms.h"
 
-#include <functional>
-
 namespace relevo
 {
 namespace
 {
-void AppendProperty(Dependencies& look, vtkProperty* property)
+void AddProperty(Dependencies& look, vtkProperty* property)
 {
   const double width = property->GetLineWidth();
   for (int value : { property->GetRepresentation(), property->GetInterpolation(),
@@ -28,9 +26,9 @@ void AppendProperty(Dependencies& look, vtkProperty* property)
          property->GetRenderPointsAsSpheres() ? 1 : 0, property->GetRenderLinesAsTubes() ? 1 : 0,
          property->GetCoatStrength() > 0.0 ? 1 : 0, property->GetAnisotropy() != 0.0 ? 1 : 0 })
   {
-    look.push_back(static_cast<vtkMTimeType>(value));
+    look.Add(value);
   }
-  AppendBits(look, width); // wider lines than OpenGL has come from a geometry shader
+  look.Add(width); // wider lines than OpenGL has come from a geometry shader
 }
 
 // Most actors have nothing of their own there.
@@ -56,22 +54,23 @@ Dependencies GetActorLook(
   vtkRenderer* ren, vtkActor* act, const std::vector<NamedTexture>& textures)
 {
   Dependencies look;
-  AppendProperty(look, act->GetProperty());
+  AddProperty(look, act->GetProperty());
   // An object that takes the place of a deleted one is newer than the shaders, and VTK sees that.
-  Append(look, GetOwnShader(act->GetShaderProperty()), act->GetBackfaceProperty() ? 1 : 0);
-  Append(look, GetOwnKeys(act->GetPropertyKeys()), textures.size());
+  look.AddObject(GetOwnShader(act->GetShaderProperty()), act->GetBackfaceProperty() ? 1 : 0);
+  look.AddObject(GetOwnKeys(act->GetPropertyKeys()), textures.size());
   for (const NamedTexture& texture : textures)
   {
-    Append(look, texture.first, std::hash<std::string>()(texture.second));
+    look.AddObject(texture.first, 0);
+    look.Add(texture.second);
   }
   vtkOpenGLRenderer* renderer = vtkOpenGLRenderer::SafeDownCast(ren);
   for (int value : { renderer->GetLightingComplexity(), renderer->GetLightingCount(),
          renderer->GetUseImageBasedLighting() ? 1 : 0, renderer->GetUseSphericalHarmonics() ? 1 : 0,
          ren->GetActiveCamera()->GetParallelProjection() ? 1 : 0 })
   {
-    look.push_back(static_cast<vtkMTimeType>(value));
+    look.Add(value);
   }
-  Append(look, renderer->GetEnvironmentTexture(), 0);
+  look.AddObject(renderer->GetEnvironmentTexture(), 0);
   return look;
 }
 

@@ -11,8 +11,8 @@
 #ifndef ActorLook_h
 #define ActorLook_h
 
+#include "Core/Dependencies.h"               // for looks
 #include "RelevoRenderingRefinementModule.h" // for export macro
-#include "State/ViewSelection.h"             // for Dependencies
 
 #include <string>  // for names
 #include <utility> // for textures

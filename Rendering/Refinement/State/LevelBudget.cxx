@@ -68,18 +68,16 @@ double LevelBudget::FindOffset(const std::vector<Part>& parts, vtkAdaptiveRefine
   const bool isTarget = this->Target > 0;
   const vtkIdType wanted =
     isTarget && view.Limit > 0 ? std::min(this->Target, view.Limit) : this->Target + view.Limit;
-  Dependencies state = { static_cast<vtkMTimeType>(wanted), isTarget };
-  AppendBits(state, recipe->GetLevelOffset());
+  Dependencies state = Dependencies::On(wanted, isTarget, recipe->GetLevelOffset());
   std::vector<TriangleBudget::Part> meshes;
   for (const Part& part : parts)
   {
-    state.push_back(part.Mesh.Family->GetMTime());
-    state.push_back(part.TagsTime);
+    state.Add(part.Mesh.Family->GetMTime());
+    state.Add(part.TagsTime);
     meshes.push_back(part.Mesh);
   }
-  if (state != view.State)
+  if (view.State.Update(state))
   {
-    view.State = state;
     // A limit of time takes levels away, if next to nothing, and never adds any.
     const double highest =
       isTarget ? LargestOffset : recipe->GetLevelOffset() - 0.5 / TriangleBudget::Resolution;

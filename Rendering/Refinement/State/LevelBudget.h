@@ -10,9 +10,9 @@
 #ifndef LevelBudget_h
 #define LevelBudget_h
 
+#include "Core/Dependencies.h"           // for members
 #include "Evaluation/RenderTimeBudget.h" // for members
 #include "Evaluation/TriangleBudget.h"   // for members
-#include "State/ViewSelection.h"         // for Dependencies
 
 #include <vector> // for members
 

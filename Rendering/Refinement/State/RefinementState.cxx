@@ -77,27 +77,31 @@ bool RefinementState::BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recip
 {
   // Only what the prepared mesh depends on: not the displacement's live values.
   Dependencies dependencies;
-  AppendObject(dependencies, input);
-  Append(dependencies, recipe, 0);
+  dependencies.AddObject(input);
+  dependencies.AddObject(recipe, 0);
   vtkDisplacement* displacement = recipe ? recipe->GetDisplacement() : nullptr;
   if (recipe)
   {
     vtkRefinementSurface* surface = recipe->GetSurface();
-    Append(dependencies, surface, surface ? surface->GetPreparationMTime() : 0);
-    Append(dependencies, displacement, displacement && displacement->IsAlongNormal() ? 1 : 0);
-    AppendObject(dependencies, displacement ? displacement->GetHeightMap() : nullptr);
-    AppendBits(dependencies, recipe->GetNoDataMagnitude()); // of the colours of its points
+    dependencies.AddObject(surface, surface ? surface->GetPreparationMTime() : 0);
+    dependencies.AddObject(displacement, displacement && displacement->IsAlongNormal() ? 1 : 0);
+    dependencies.AddObject(displacement ? displacement->GetHeightMap() : nullptr);
+    dependencies.Add(recipe->GetNoDataMagnitude()); // of the colours of its points
   }
   // Normals as the filter would make them, where a mesh is refined.
   const bool refines = recipe && recipe->GetMaximumLevel() > 0;
-  dependencies.push_back(refines && this->NeedsUnitNormals ? 1 : 0);
-  if (dependencies == this->MeshDependencies)
+  const auto withNormals = [&]
+  {
+    Dependencies all = dependencies;
+    all.Add(refines && this->NeedsUnitNormals);
+    return all;
+  };
+  if (withNormals() == this->MeshDependencies)
   {
     return this->MeshValid;
   }
   this->NeedsUnitNormals = relevo::NeedsUnitNormals(input);
-  dependencies.back() = refines && this->NeedsUnitNormals ? 1 : 0;
-  this->MeshDependencies = dependencies;
+  this->MeshDependencies = withNormals();
   this->MeshValid = false;
   this->MeshTime.Modified();
   const auto mesh = std::make_shared<RefinementMesh>();
@@ -149,12 +153,11 @@ void RefinementState::GetBounds(vtkAdaptiveRefinement* recipe, double bounds[6])
 {
   vtkPolyData* input = this->PreparedInput; // without vertices and lines that are ghosts
   Dependencies dependencies;
-  AppendObject(dependencies, recipe->GetDisplacement());
-  AppendObject(dependencies, recipe->GetSurface());
-  dependencies.push_back(this->MeshTime);
-  if (dependencies != this->BoundsDependencies)
+  dependencies.AddObject(recipe->GetDisplacement());
+  dependencies.AddObject(recipe->GetSurface());
+  dependencies.Add(this->MeshTime);
+  if (this->BoundsDependencies.Update(dependencies))
   {
-    this->BoundsDependencies = dependencies;
     this->Mesh->GetBounds(recipe->GetSurface(), recipe->GetDisplacement(), this->Bounds);
     vtkBoundingBox box;
     if (vtkMath::AreBoundsInitialized(this->Bounds))
@@ -219,12 +222,11 @@ ViewSelection& RefinementState::FindView(
 const FaceCulling& RefinementState::GetCulling(vtkAdaptiveRefinement* recipe)
 {
   Dependencies dependencies;
-  AppendObject(dependencies, recipe->GetDisplacement());
-  AppendObject(dependencies, recipe->GetSurface());
-  dependencies.push_back(this->MeshTime);
-  if (dependencies != this->CullingDependencies)
+  dependencies.AddObject(recipe->GetDisplacement());
+  dependencies.AddObject(recipe->GetSurface());
+  dependencies.Add(this->MeshTime);
+  if (this->CullingDependencies.Update(dependencies))
   {
-    this->CullingDependencies = dependencies;
     this->Culling.Build(*this->Mesh, recipe);
     this->CullingTime.Modified();
   }
@@ -237,12 +239,11 @@ void RefinementState::UpdateHoles(vtkAdaptiveRefinement* recipe)
   Dependencies dependencies;
   if (displacement && displacement->HasHoles())
   {
-    Append(
-      dependencies, displacement->GetHeightMap(), displacement->GetHeightMap()->GetSamplesMTime());
+    dependencies.AddObject(
+      displacement->GetHeightMap(), displacement->GetHeightMap()->GetSamplesMTime());
   }
-  if (dependencies != this->HolesDependencies)
+  if (this->HolesDependencies.Update(dependencies))
   {
-    this->HolesDependencies = dependencies;
     this->Holes = GetHoles(recipe->GetDisplacement());
     this->HolesTime.Modified();
   }

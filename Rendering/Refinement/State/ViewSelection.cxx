@@ -12,8 +12,7 @@
 #include "vtkTimerLog.h"
 
 #include <algorithm>
-#include <cstring>
-#include <functional>
+#include <string>
 #include <utility>
 
 namespace relevo
@@ -21,11 +20,11 @@ namespace relevo
 namespace
 {
 // What there is to see, not when the camera was last touched.
-void AppendView(Dependencies& dependencies, const RefinementView& view)
+void AddView(Dependencies& dependencies, const RefinementView& view)
 {
   for (int length : view.ViewportSize)
   {
-    dependencies.push_back(static_cast<vtkMTimeType>(length));
+    dependencies.Add(length);
   }
   vtkCamera* camera = view.Camera;
   const double aspect =
@@ -33,67 +32,46 @@ void AppendView(Dependencies& dependencies, const RefinementView& view)
   vtkMatrix4x4* matrix = camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
   for (int i = 0; i < 16; ++i)
   {
-    AppendBits(dependencies, matrix->GetData()[i]);
+    dependencies.Add(matrix->GetData()[i]);
   }
   for (int i = 0; i < 3; ++i)
   {
-    AppendBits(dependencies, camera->GetPosition()[i]);
-    AppendBits(dependencies, camera->GetFocalPoint()[i]);
-    AppendBits(dependencies, camera->GetViewUp()[i]);
+    dependencies.Add(camera->GetPosition()[i]);
+    dependencies.Add(camera->GetFocalPoint()[i]);
+    dependencies.Add(camera->GetViewUp()[i]);
   }
-  AppendBits(dependencies, camera->GetParallelProjection());
+  dependencies.Add(camera->GetParallelProjection());
 }
 
-Dependencies GetTagDependencies(const SelectionInput& input, const RefinementView& view)
+Dependencies GetTagDependencies(const SelectionInput& input, const RefinementView& view, bool onGPU)
 {
   vtkAdaptiveRefinement* recipe = input.Recipe;
-  Dependencies dependencies;
   vtkDepthTagMetric* metric = GetMetricInUse(recipe, input.Input);
-  AppendObject(dependencies, metric);
-  dependencies.push_back(static_cast<vtkMTimeType>(recipe->GetMaximumLevel()));
-  dependencies.push_back(input.MeshTime);
-  dependencies.push_back(static_cast<vtkMTimeType>(input.HighestTag));
-  dependencies.push_back(std::hash<std::string>()(recipe->GetDepthTagArrayName()));
-  dependencies.push_back(static_cast<vtkMTimeType>(recipe->GetLevelRule()));
+  Dependencies dependencies = Dependencies::On(recipe->GetMaximumLevel(), input.MeshTime,
+    input.HighestTag, std::string(recipe->GetDepthTagArrayName()), recipe->GetLevelRule(), onGPU);
+  dependencies.AddObject(metric);
   if (metric && metric->IsPlacementDependent())
   {
     for (int i = 0; view.ModelToWorld && i < 16; ++i)
     {
-      AppendBits(dependencies, view.ModelToWorld->GetData()[i]);
+      dependencies.Add(view.ModelToWorld->GetData()[i]);
     }
   }
   if (metric && metric->IsViewDependent())
   {
-    AppendView(dependencies, view);
+    AddView(dependencies, view);
   }
   return dependencies;
 }
 }
 
-void AppendBits(Dependencies& dependencies, double value)
-{
-  static_assert(sizeof(vtkMTimeType) == sizeof(double), "a double's bits fit a time stamp");
-  vtkMTimeType bits;
-  std::memcpy(&bits, &value, sizeof(bits));
-  dependencies.push_back(bits);
-}
-
-void Append(Dependencies& dependencies, const void* object, vtkMTimeType time)
-{
-  dependencies.push_back(static_cast<vtkMTimeType>(reinterpret_cast<size_t>(object)));
-  dependencies.push_back(time);
-}
-
 bool ViewSelection::UpdateTags(
   const SelectionInput& input, const RefinementView& view, bool onGPU, std::string& error)
 {
-  Dependencies dependencies = GetTagDependencies(input, view);
-  dependencies.push_back(onGPU ? 1 : 0);
-  if (dependencies == this->TagDependencies)
+  if (!this->TagDependencies.Update(GetTagDependencies(input, view, onGPU)))
   {
     return this->Valid;
   }
-  this->TagDependencies = dependencies;
   this->TagsTime.Modified();
 
   const double start = vtkTimerLog::GetUniversalTime();
@@ -114,14 +92,11 @@ bool ViewSelection::UpdateLevels(const SelectionInput& input, double offset, boo
   this->Mesh = input.Mesh;
   const auto family = GetPatternFamily(input.Recipe, input.Input);
   const double sum = input.Recipe->GetLevelOffset() + offset;
-  Dependencies dependencies = { family->GetMTime(), this->TagsTime };
-  AppendBits(dependencies, sum);
-  dependencies.push_back(onGPU ? 1 : 0);
-  if (dependencies == this->LevelDependencies)
+  if (!this->LevelDependencies.Update(
+        Dependencies::On(family->GetMTime(), this->TagsTime, sum, onGPU)))
   {
     return false;
   }
-  this->LevelDependencies = dependencies;
   this->LevelsTime.Modified();
   this->NumberOfTriangles = -1;
   const double start = vtkTimerLog::GetUniversalTime();
@@ -161,36 +136,30 @@ void ViewSelection::Assign(
   this->NumberOfTriangles = -1;
 }
 
-bool ViewSelection::SeesTheSame(const CullingInput& culling) const
-{
-  if (!culling.Culling || !this->LastView)
-  {
-    return !culling.Culling && !this->LastView;
-  }
-  return *this->LastView == *culling.View && this->LastCullingTime == culling.CullingTime &&
-    this->LastHidesBackFaces == culling.HidesBackFaces;
-}
-
 void ViewSelection::UpdateGroups(const CullingInput& culling)
 {
-  const bool sameLevels = this->GroupsTime > this->LevelsTime;
-  const bool sameView = this->SeesTheSame(culling);
-  if (sameLevels && sameView)
+  Dependencies sight;
+  if (culling.Culling)
+  {
+    sight = Dependencies::On(
+      culling.CullingTime, culling.Culling->HidesBackFaces(*culling.View, culling.HidesBackFaces));
+    culling.View->AddTo(sight);
+  }
+  const bool newLevels = this->GroupDependencies.Update(Dependencies::On(this->LevelsTime));
+  const bool newSight = this->SightDependencies.Update(sight);
+  if (!newLevels && !newSight)
   {
     return;
   }
   const double start = vtkTimerLog::GetUniversalTime();
-  if (!sameView)
+  if (newSight)
   {
     this->LastHidden.swap(this->Hidden);
     const int last = this->NumberOfHiddenFaces;
     this->NumberOfHiddenFaces = culling.Culling
       ? culling.Culling->FindHidden(*culling.View, culling.HidesBackFaces, this->Hidden)
       : 0;
-    this->LastView.reset(culling.Culling ? new CullingView(*culling.View) : nullptr);
-    this->LastCullingTime = culling.CullingTime;
-    this->LastHidesBackFaces = culling.HidesBackFaces;
-    if (sameLevels && this->NumberOfHiddenFaces == last &&
+    if (!newLevels && this->NumberOfHiddenFaces == last &&
       (last == 0 || this->Hidden == this->LastHidden))
     {
       return;

@@ -12,10 +12,10 @@
 #ifndef ViewSelection_h
 #define ViewSelection_h
 
-#include "Evaluation/HoleFinder.h" // for members
-
+#include "Core/Dependencies.h"           // for members
 #include "Evaluation/EdgeTags.h"         // for members
-#include "Evaluation/FaceCulling.h"      // for LastView
+#include "Evaluation/FaceCulling.h"      // for CullingInput
+#include "Evaluation/HoleFinder.h"       // for members
 #include "Evaluation/PatternSelection.h" // for members
 #include "vtkTimeStamp.h"                // for members
 
@@ -30,9 +30,6 @@ namespace relevo
 {
 struct RefinementView;
 class RefinementMesh;
-
-/// Values that decide whether something must be made anew.
-using Dependencies = std::vector<vtkMTimeType>;
 
 /// What a mapper draws.
 struct SelectionInput
@@ -87,8 +84,8 @@ public:
   /// Evaluate all anew, with the next update.
   void Forget()
   {
-    this->TagDependencies.clear();
-    this->LevelDependencies.clear();
+    this->TagDependencies.Clear();
+    this->LevelDependencies.Clear();
   }
 
   const PatternSelection& GetSelection() const { return this->Selection; }
@@ -117,8 +114,6 @@ public:
   vtkIdType GetNumberOfTriangles();
 
 private:
-  bool SeesTheSame(const CullingInput& culling) const;
-
   EdgeTags Tags;
   vtkMTimeType TagsMeshTime = 0;
   std::shared_ptr<const RefinementMesh> Mesh;
@@ -127,32 +122,20 @@ private:
   vtkMTimeType HolesTime = 0;
   Dependencies TagDependencies;
   Dependencies LevelDependencies;
-  bool Valid = false; // tags
+  Dependencies GroupDependencies; // but for what is in sight
+  Dependencies SightDependencies; // on nothing where no faces were culled
+  bool Valid = false;             // tags
   vtkTimeStamp TagsTime;
   vtkTimeStamp LevelsTime;
   vtkTimeStamp GroupsTime;
   std::vector<unsigned char> Hidden;
   std::vector<unsigned char> LastHidden;
-  std::unique_ptr<CullingView> LastView; // that the faces were grouped for, if faces were culled
-  vtkMTimeType LastCullingTime = 0;
-  bool LastHidesBackFaces = false;
   int NumberOfHiddenFaces = 0;
   double TagsSeconds = 0.0;
   double LevelsSeconds = 0.0;
   double GroupsSeconds = 0.0;
   vtkIdType NumberOfTriangles = -1; // not counted yet
 };
-
-//@{
-/// Add what decides.
-void Append(Dependencies& dependencies, const void* object, vtkMTimeType time);
-void AppendBits(Dependencies& dependencies, double value);
-template <typename T>
-void AppendObject(Dependencies& dependencies, T* object)
-{
-  Append(dependencies, object, object ? object->GetMTime() : 0);
-}
-//@}
 }
 
 #endif

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   Dependencies
+ * @brief   what something was made from, to tell whether it has to be made anew
+ *
+ * A list of numbers, texts, and objects with the time of what matters of them. All that asks "has
+ * it changed?" makes the list of now and compares it with the list of then. Objects are compared,
+ * never read.
+ */
+#ifndef Dependencies_h
+#define Dependencies_h
+
+#include "RelevoFiltersRefinementModule.h" // for export macro
+#include "vtkTimeStamp.h"                  // for times
+#include "vtkType.h"                       // for vtkMTimeType
+
+#include <cstddef>     // for size_t
+#include <string>      // for texts
+#include <type_traits> // for whole numbers
+#include <vector>      // for members
+
+namespace relevo
+{
+class RELEVOFILTERSREFINEMENT_EXPORT Dependencies
+{
+public:
+  /// On nothing, as what has not been made yet.
+  Dependencies() = default;
+
+  /// On these, see Add().
+  template <typename... T>
+  static Dependencies On(const T&... values)
+  {
+    Dependencies dependencies;
+    (dependencies.Add(values), ...);
+    return dependencies;
+  }
+
+  //@{
+  /**
+   * Add a number, as a time, a flag or an enumerator, by its bits; or a text.
+   */
+  template <typename T,
+    std::enable_if_t<std::is_integral<T>::value || std::is_enum<T>::value, int> = 0>
+  void Add(T value)
+  {
+    this->Values.push_back(static_cast<vtkMTimeType>(value));
+  }
+  void Add(double value);
+  void Add(const vtkTimeStamp& time) { this->Values.push_back(time.GetMTime()); }
+  void Add(const std::string& text);
+  //@}
+
+  /// Add which object it is, or nullptr for none, and when what matters of it changed.
+  void AddObject(const void* object, vtkMTimeType time)
+  {
+    this->Add(reinterpret_cast<std::size_t>(object));
+    this->Add(time);
+  }
+
+  /// Add an object, or nullptr for none, all of which matters.
+  template <typename T>
+  void AddObject(T* object)
+  {
+    this->AddObject(object, object ? object->GetMTime() : 0);
+  }
+
+  /// Become those of now. Returns whether they are others.
+  bool Update(const Dependencies& now)
+  {
+    const bool changed = *this != now;
+    *this = now;
+    return changed;
+  }
+
+  bool IsEmpty() const { return this->Values.empty(); }
+  void Clear() { this->Values.clear(); }
+
+  bool operator==(const Dependencies& other) const { return this->Values == other.Values; }
+  bool operator!=(const Dependencies& other) const { return !(*this == other); }
+  bool operator<(const Dependencies& other) const { return this->Values < other.Values; }
+
+private:
+  std::vector<vtkMTimeType> Values;
+};
+}
+
+#endif
