@@ -2,9 +2,56 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReliefMetric.h"
 
+#include "Metrics/MetricEvaluator.h"
+#include "Metrics/MetricMesh.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
+
+namespace
+{
+// Tags of points and edges of the relief are those of the mesh: it has them in the same order.
+class ReliefEvaluator : public relevo::MetricEvaluator
+{
+public:
+  ReliefEvaluator(ReliefMetric* metric, const std::shared_ptr<relevo::MetricMesh>& mesh)
+    : MetricEvaluator(mesh)
+    , Metric(metric)
+    , Relief(std::make_shared<relevo::MetricMesh>())
+  {
+  }
+
+  bool ComputeTags(
+    const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags) override
+  {
+    return this->Update().ComputeTags(view, maximumLevel, tags);
+  }
+
+  bool ComputeEdgeTags(
+    const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags) override
+  {
+    return this->Update().ComputeEdgeTags(view, maximumLevel, tags);
+  }
+
+private:
+  // That of the metric for the relief.
+  relevo::MetricEvaluator& Update()
+  {
+    this->Relief->Update(this->Metric->GetRelief());
+    if (this->Evaluated != this->Metric->GetMetric())
+    {
+      this->Evaluated = this->Metric->GetMetric();
+      this->Evaluator = relevo::MakeEvaluator(this->Evaluated, this->Relief);
+    }
+    return *this->Evaluator;
+  }
+
+  vtkSmartPointer<ReliefMetric> Metric;
+  std::shared_ptr<relevo::MetricMesh> Relief;
+  vtkSmartPointer<vtkDepthTagMetric> Evaluated;
+  std::unique_ptr<relevo::MetricEvaluator> Evaluator;
+};
+}
 
 vtkStandardNewMacro(ReliefMetric);
 
@@ -20,17 +67,10 @@ void ReliefMetric::SetRelief(vtkPolyData* relief)
   this->Modified();
 }
 
-bool ReliefMetric::ComputeTags(
-  vtkPolyData*, const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags)
+std::unique_ptr<relevo::MetricEvaluator> ReliefMetric::NewEvaluator(
+  const std::shared_ptr<relevo::MetricMesh>& mesh)
 {
-  return this->Metric->ComputeTags(this->Relief, view, maximumLevel, tags);
-}
-
-bool ReliefMetric::ComputeEdgeTags(vtkPolyData*, const relevo::RefinementView& view,
-  int maximumLevel, const relevo::SurfaceEdges&, vtkFloatArray* tags)
-{
-  this->Edges.Update(this->Relief);
-  return this->Metric->ComputeEdgeTags(this->Relief, view, maximumLevel, this->Edges, tags);
+  return std::make_unique<ReliefEvaluator>(this, mesh);
 }
 
 vtkMTimeType ReliefMetric::GetMTime()

@@ -10,7 +10,6 @@
 #ifndef ReliefMetric_h
 #define ReliefMetric_h
 
-#include "Mesh/SurfaceEdges.h" // for members
 #include "vtkDepthTagMetric.h"
 #include "vtkPolyData.h"     // for members
 #include "vtkSmartPointer.h" // for members
@@ -22,23 +21,22 @@ public:
   vtkTypeMacro(ReliefMetric, vtkDepthTagMetric);
 
   void SetMetric(vtkDepthTagMetric* metric);
+  vtkDepthTagMetric* GetMetric() { return this->Metric; }
 
   /// The relief, with the points and cells of the mesh that will be refined.
   void SetRelief(vtkPolyData* relief);
+  vtkPolyData* GetRelief() { return this->Relief; }
 
   bool IsViewDependent() override { return this->Metric->IsViewDependent(); }
   bool IsPlacementDependent() override { return this->Metric->IsPlacementDependent(); }
   bool IsAbsolute() override { return this->Metric->IsAbsolute(); }
-  bool ComputeTags(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
-    vtkFloatArray* tags) override;
-  bool ComputeEdgeTags(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
-    const relevo::SurfaceEdges& edges, vtkFloatArray* tags) override;
+  std::unique_ptr<relevo::MetricEvaluator> NewEvaluator(
+    const std::shared_ptr<relevo::MetricMesh>& mesh) override;
   vtkMTimeType GetMTime() override;
 
 private:
   vtkSmartPointer<vtkDepthTagMetric> Metric;
   vtkSmartPointer<vtkPolyData> Relief;
-  relevo::SurfaceEdges Edges; // of the relief, in the order of the mesh's
 };
 
 #endif

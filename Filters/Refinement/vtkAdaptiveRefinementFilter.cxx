@@ -9,6 +9,7 @@
 #include "Evaluation/RefinedPolyDataBuilder.h"
 #include "Evaluation/RefinementPreparation.h"
 #include "Mesh/RefinementMesh.h"
+#include "Metrics/TagSource.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCamera.h"
 #include "vtkInformation.h"
@@ -25,7 +26,11 @@
 
 vtkStandardNewMacro(vtkAdaptiveRefinementFilter);
 
-vtkAdaptiveRefinementFilter::vtkAdaptiveRefinementFilter() = default;
+vtkAdaptiveRefinementFilter::vtkAdaptiveRefinementFilter()
+  : Sources(new relevo::TagSources)
+{
+}
+
 vtkAdaptiveRefinementFilter::~vtkAdaptiveRefinementFilter() = default;
 
 void vtkAdaptiveRefinementFilter::SetRefinement(vtkAdaptiveRefinement* refinement)
@@ -100,7 +105,9 @@ bool vtkAdaptiveRefinementFilter::Prepare(
   {
     vtkWarningMacro(<< warning);
   }
-  if (!prepared || !relevo::SelectPatterns(input, this->Refinement, view, mesh, selection, error))
+  if (!prepared ||
+    !relevo::SelectPatterns(
+      input, this->Refinement, view, mesh, this->Sources->Find(input), selection, error))
   {
     vtkErrorMacro(<< error);
     return false;

@@ -45,6 +45,8 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // for members
 
+#include <memory> // for members
+
 class vtkAdaptiveRefinement;
 class vtkCamera;
 class vtkMatrix4x4;
@@ -54,6 +56,7 @@ namespace relevo
 {
 class PatternSelection;
 class RefinementMesh;
+class TagSources;
 }
 #endif
 
@@ -120,6 +123,8 @@ private:
   /// Check everything and select levels; false after an ErrorEvent.
   bool Prepare(
     vtkPolyData* input, relevo::RefinementMesh& mesh, relevo::PatternSelection& selection);
+
+  std::unique_ptr<relevo::TagSources> Sources;
 #endif
 
   vtkAdaptiveRefinementFilter(const vtkAdaptiveRefinementFilter&) = delete;

@@ -7,6 +7,8 @@
 #include "Core/SettingChecks.h"
 #include "Core/WorldView.h"
 #include "Mesh/SurfaceEdges.h"
+#include "Metrics/MetricEvaluator.h"
+#include "Metrics/MetricMesh.h"
 #include "vtkFloatArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -26,6 +28,7 @@ namespace
 constexpr double LargestWeight = 1e6;
 
 // What the tags of a metric that does not depend on the view were computed from.
+// What tags that do not depend on the view were computed from.
 struct Source
 {
   bool OfEdges = false;
@@ -43,46 +46,124 @@ struct Source
   }
 };
 
-struct Part
+// One of the metrics, evaluated for a mesh.
+class Part
 {
-  vtkSmartPointer<vtkDepthTagMetric> Metric;
-  double Weight = 1.0;
-  vtkSmartPointer<vtkFloatArray> Tags = vtkSmartPointer<vtkFloatArray>::New();
-  Source Of{};
-  bool Valid = false;
-
-  // The tags of edges, or those of points without edges.
-  bool Update(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
-    const relevo::SurfaceEdges* edges)
+public:
+  // Be that of a metric, which may be another than last time.
+  void SetMetric(vtkDepthTagMetric* metric, const std::shared_ptr<relevo::MetricMesh>& mesh)
   {
-    const Source source{ edges != nullptr, this->Metric->GetMTime(), mesh, mesh->GetMTime(),
-      maximumLevel, relevo::MakeMatrix(view.ModelToWorld) };
+    if (this->Metric != metric)
+    {
+      this->Metric = metric;
+      this->Evaluator = relevo::MakeEvaluator(metric, mesh);
+      this->Valid = false;
+    }
+  }
+
+  // Compute tags of edges or of points, unless they are there.
+  bool Update(const relevo::RefinementView& view, int maximumLevel, bool ofEdges)
+  {
+    relevo::MetricMesh& mesh = this->Evaluator->GetMesh();
+    vtkPolyData* polyData = mesh.GetPolyData();
+    Source source{ ofEdges, this->Metric->GetMTime(), polyData, polyData->GetMTime(),
+      maximumLevel };
+    if (this->Metric->IsPlacementDependent())
+    {
+      source.ModelToWorld = relevo::MakeMatrix(view.ModelToWorld);
+    }
     if (!this->Valid || this->Metric->IsViewDependent() || !(source == this->Of))
     {
-      this->Valid = edges
-        ? this->Metric->ComputeEdgeTags(mesh, view, maximumLevel, *edges, this->Tags) &&
-          this->Tags->GetNumberOfValues() == edges->GetNumberOfEdges()
-        : this->Metric->ComputeTags(mesh, view, maximumLevel, this->Tags) &&
-          this->Tags->GetNumberOfValues() == mesh->GetNumberOfPoints();
       this->Of = source;
+      this->Valid = ofEdges ? this->Evaluator->ComputeEdgeTags(view, maximumLevel, this->Tags) &&
+          this->Tags->GetNumberOfValues() == mesh.GetEdges()->GetNumberOfEdges()
+                            : this->Evaluator->ComputeTags(view, maximumLevel, this->Tags) &&
+          this->Tags->GetNumberOfValues() == polyData->GetNumberOfPoints();
     }
     return this->Valid;
   }
+
+  vtkFloatArray* GetTags() const { return this->Tags; }
+
+private:
+  vtkSmartPointer<vtkDepthTagMetric> Metric;
+  std::unique_ptr<relevo::MetricEvaluator> Evaluator;
+  vtkSmartPointer<vtkFloatArray> Tags = vtkSmartPointer<vtkFloatArray>::New();
+  Source Of;
+  bool Valid = false;
 };
 
-// Takes f(level, tag of the part, weight) of all parts, one after the other, from `start` on.
+class CompositeEvaluator : public relevo::MetricEvaluator
+{
+public:
+  CompositeEvaluator(
+    vtkCompositeDepthTagMetric* metric, const std::shared_ptr<relevo::MetricMesh>& mesh)
+    : MetricEvaluator(mesh)
+    , Metric(metric)
+    , Mesh(mesh)
+  {
+  }
+
+  bool ComputeTags(
+    const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags) override
+  {
+    return this->UpdateParts(view, maximumLevel, false) && this->Combine(maximumLevel, tags);
+  }
+
+  bool ComputeEdgeTags(
+    const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags) override
+  {
+    return this->UpdateParts(view, maximumLevel, true) && this->Combine(maximumLevel, tags);
+  }
+
+private:
+  bool UpdateParts(const relevo::RefinementView& view, int maximumLevel, bool ofEdges);
+  bool Combine(int maximumLevel, vtkFloatArray* tags);
+  template <typename Function>
+  void CombineParts(float start, vtkFloatArray* tags, Function&& f);
+
+  vtkSmartPointer<vtkCompositeDepthTagMetric> Metric;
+  std::shared_ptr<relevo::MetricMesh> Mesh; // of all parts
+  std::vector<Part> Parts;
+};
+
+bool CompositeEvaluator::UpdateParts(
+  const relevo::RefinementView& view, int maximumLevel, bool ofEdges)
+{
+  const int numberOfParts = this->Metric->GetNumberOfMetrics();
+  if (numberOfParts == 0)
+  {
+    vtkErrorWithObjectMacro(this->Metric.Get(), "There are no metrics to combine: call AddMetric.");
+    return false;
+  }
+  this->Parts.resize(numberOfParts);
+  for (int i = 0; i < numberOfParts; ++i)
+  {
+    vtkDepthTagMetric* metric = this->Metric->GetMetric(i);
+    this->Parts[i].SetMetric(metric, this->Mesh);
+    if (!this->Parts[i].Update(view, maximumLevel, ofEdges))
+    {
+      vtkErrorWithObjectMacro(this->Metric.Get(),
+        "Metric " << i << ", a " << metric->GetClassName()
+                  << ", gave no tags for this mesh and view: see its own error.");
+      return false;
+    }
+  }
+  return true;
+}
+
 template <typename Function>
-void CombineParts(const std::vector<Part>& parts, float start, vtkFloatArray* tags, Function&& f)
+void CompositeEvaluator::CombineParts(float start, vtkFloatArray* tags, Function&& f)
 {
   float* levels = tags->GetPointer(0);
   vtkSMPTools::For(0, tags->GetNumberOfValues(),
     [&, levels](vtkIdType begin, vtkIdType end)
     {
       std::fill(levels + begin, levels + end, start);
-      for (const Part& part : parts)
+      for (std::size_t part = 0; part < this->Parts.size(); ++part)
       {
-        const float* tag = part.Tags->GetPointer(0);
-        const float weight = static_cast<float>(part.Weight);
+        const float* tag = this->Parts[part].GetTags()->GetPointer(0);
+        const float weight = static_cast<float>(this->Metric->GetWeight(static_cast<int>(part)));
         for (vtkIdType i = begin; i < end; ++i)
         {
           levels[i] = f(levels[i], tag[i], weight);
@@ -90,10 +171,40 @@ void CombineParts(const std::vector<Part>& parts, float start, vtkFloatArray* ta
       }
     });
 }
+
+bool CompositeEvaluator::Combine(int maximumLevel, vtkFloatArray* tags)
+{
+  tags->SetNumberOfComponents(1);
+  tags->SetNumberOfTuples(this->Parts[0].GetTags()->GetNumberOfTuples());
+  switch (this->Metric->GetMode())
+  {
+    case vtkCompositeDepthTagMetric::SUM:
+      this->CombineParts(0.0f, tags,
+        [=](float level, float part, float weight)
+        { return relevo::summedLevel(level, part, weight, maximumLevel); });
+      break;
+    case vtkCompositeDepthTagMetric::PRODUCT:
+      this->CombineParts(static_cast<float>(maximumLevel), tags,
+        [=](float level, float part, float weight)
+        { return relevo::multipliedLevel(level, part, weight, maximumLevel); });
+      break;
+    default:
+      this->CombineParts(0.0f, tags,
+        [=](float level, float part, float weight)
+        { return relevo::largestLevel(level, part, weight, maximumLevel); });
+  }
+  tags->Modified();
+  return true;
+}
 }
 
 struct vtkCompositeDepthTagMetric::vtkInternals
 {
+  struct Part
+  {
+    vtkSmartPointer<vtkDepthTagMetric> Metric;
+    double Weight = 1.0;
+  };
   std::vector<Part> Parts;
 };
 
@@ -133,17 +244,14 @@ void vtkCompositeDepthTagMetric::AddMetric(vtkDepthTagMetric* metric, double wei
     vtkErrorMacro("The metric cannot be added: it would contain itself.");
     return;
   }
-  Part part;
-  part.Metric = metric;
-  part.Weight = weight;
-  this->Internals->Parts.push_back(part);
+  this->Internals->Parts.push_back({ metric, weight });
   this->Modified();
 }
 
 bool vtkCompositeDepthTagMetric::Contains(vtkDepthTagMetric* metric)
 {
   return std::any_of(this->Internals->Parts.begin(), this->Internals->Parts.end(),
-    [metric](const Part& part)
+    [metric](const vtkInternals::Part& part)
     {
       auto* composite = vtkCompositeDepthTagMetric::SafeDownCast(part.Metric);
       return part.Metric == metric || (composite && composite->Contains(metric));
@@ -180,7 +288,7 @@ double vtkCompositeDepthTagMetric::GetWeight(int index)
 vtkMTimeType vtkCompositeDepthTagMetric::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
-  for (const Part& part : this->Internals->Parts)
+  for (const vtkInternals::Part& part : this->Internals->Parts)
   {
     time = std::max(time, part.Metric->GetMTime());
   }
@@ -190,68 +298,19 @@ vtkMTimeType vtkCompositeDepthTagMetric::GetMTime()
 bool vtkCompositeDepthTagMetric::IsViewDependent()
 {
   return std::any_of(this->Internals->Parts.begin(), this->Internals->Parts.end(),
-    [](const Part& part) { return part.Metric->IsViewDependent(); });
+    [](const vtkInternals::Part& part) { return part.Metric->IsViewDependent(); });
 }
 
 bool vtkCompositeDepthTagMetric::IsPlacementDependent()
 {
   return std::any_of(this->Internals->Parts.begin(), this->Internals->Parts.end(),
-    [](const Part& part) { return part.Metric->IsPlacementDependent(); });
+    [](const vtkInternals::Part& part) { return part.Metric->IsPlacementDependent(); });
 }
 
-bool vtkCompositeDepthTagMetric::ComputeTags(
-  vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags)
+std::unique_ptr<relevo::MetricEvaluator> vtkCompositeDepthTagMetric::NewEvaluator(
+  const std::shared_ptr<relevo::MetricMesh>& mesh)
 {
-  return this->Combine(mesh, view, maximumLevel, nullptr, tags);
-}
-
-bool vtkCompositeDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh,
-  const relevo::RefinementView& view, int maximumLevel, const relevo::SurfaceEdges& edges,
-  vtkFloatArray* tags)
-{
-  return this->Combine(mesh, view, maximumLevel, &edges, tags);
-}
-
-bool vtkCompositeDepthTagMetric::Combine(vtkPolyData* mesh, const relevo::RefinementView& view,
-  int maximumLevel, const relevo::SurfaceEdges* edges, vtkFloatArray* tags)
-{
-  std::vector<Part>& parts = this->Internals->Parts;
-  if (parts.empty())
-  {
-    vtkErrorMacro("There are no metrics to combine: call AddMetric.");
-    return false;
-  }
-  for (std::size_t i = 0; i < parts.size(); ++i)
-  {
-    if (!parts[i].Update(mesh, view, maximumLevel, edges))
-    {
-      vtkErrorMacro("Metric " << i << ", a " << parts[i].Metric->GetClassName()
-                              << ", gave no tags for this mesh and view: see its own error.");
-      return false;
-    }
-  }
-
-  tags->SetNumberOfComponents(1);
-  tags->SetNumberOfTuples(parts[0].Tags->GetNumberOfTuples());
-  switch (this->Mode)
-  {
-    case SUM:
-      CombineParts(parts, 0.0f, tags,
-        [=](float level, float part, float weight)
-        { return relevo::summedLevel(level, part, weight, maximumLevel); });
-      break;
-    case PRODUCT:
-      CombineParts(parts, static_cast<float>(maximumLevel), tags,
-        [=](float level, float part, float weight)
-        { return relevo::multipliedLevel(level, part, weight, maximumLevel); });
-      break;
-    default:
-      CombineParts(parts, 0.0f, tags,
-        [=](float level, float part, float weight)
-        { return relevo::largestLevel(level, part, weight, maximumLevel); });
-  }
-  tags->Modified();
-  return true;
+  return std::make_unique<CompositeEvaluator>(this, mesh);
 }
 
 void vtkCompositeDepthTagMetric::PrintSelf(ostream& os, vtkIndent indent)
@@ -259,7 +318,7 @@ void vtkCompositeDepthTagMetric::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Mode: " << this->GetModeAsString() << "\n";
   os << indent << "NumberOfMetrics: " << this->GetNumberOfMetrics() << "\n";
-  for (const Part& part : this->Internals->Parts)
+  for (const vtkInternals::Part& part : this->Internals->Parts)
   {
     os << indent << "Metric: " << part.Metric.Get() << ", weight " << part.Weight << "\n";
   }

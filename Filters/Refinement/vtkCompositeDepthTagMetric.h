@@ -14,8 +14,8 @@
  * metrics give it. The maximum refines what any of the metrics asks for, the product only what all
  * ask for; a weight of 0 leaves a metric out.
  *
- * It depends on the view if any of its metrics does. The tags of those that do not are kept while
- * neither the metric, the mesh, the actor's matrix nor MaximumLevel changes.
+ * It depends on the view if any of its metrics does. What refines a mesh keeps the tags of those
+ * that do not while neither the metric, the mesh, the actor's matrix nor MaximumLevel changes.
  *
  * Errors when tags are computed: no metrics; a metric that fails, after its own error.
  *
@@ -96,11 +96,9 @@ public:
 
   bool IsViewDependent() override;
   bool IsPlacementDependent() override;
-  bool ComputeTags(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
-    vtkFloatArray* tags) override;
 #ifndef __VTK_WRAP__
-  bool ComputeEdgeTags(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
-    const relevo::SurfaceEdges& edges, vtkFloatArray* tags) override;
+  std::unique_ptr<relevo::MetricEvaluator> NewEvaluator(
+    const std::shared_ptr<relevo::MetricMesh>& mesh) override;
 #endif
 
 protected:
@@ -114,8 +112,6 @@ private:
   void operator=(const vtkCompositeDepthTagMetric&) = delete;
 
   bool Contains(vtkDepthTagMetric* metric);
-  bool Combine(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
-    const relevo::SurfaceEdges* edges, vtkFloatArray* tags);
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -6,11 +6,14 @@
 #include "Core/SettingChecks.h"
 #include "Mesh/SurfaceTriangles.h"
 #include "Metrics/DiscreteCurvature.h"
+#include "Metrics/MetricEvaluator.h"
+#include "Metrics/MetricMesh.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,65 +26,97 @@ namespace relevo
 namespace
 {
 constexpr double FlatAngle = 1e-3; // radians
+
+const std::vector<double>& GetValues(const relevo::DiscreteCurvature& curvature, int type)
+{
+  return type == vtkCurvatureDepthTagMetric::MEAN ? curvature.Mean : curvature.Gaussian;
 }
 
-struct vtkCurvatureDepthTagMetric::vtkInternals
+// The thresholds when nothing else is asked for.
+void GetAutomaticThresholds(const relevo::DiscreteCurvature& curvature, int type,
+  const double quantiles[2], double thresholds[2])
 {
-  relevo::GeometryStamp Of{};
-  relevo::DiscreteCurvature Curvature;
-
-  const relevo::DiscreteCurvature& Update(vtkPolyData* mesh)
+  std::fill_n(thresholds, 2, 0.0);
+  std::vector<double> magnitudes;
+  magnitudes.reserve(curvature.Places.size());
+  for (vtkIdType place : curvature.Places)
   {
-    const relevo::GeometryStamp stamp = relevo::MakeGeometryStamp(mesh);
-    if (this->Of != stamp)
+    magnitudes.push_back(std::abs(GetValues(curvature, type)[place]));
+  }
+  if (magnitudes.empty() || curvature.AreaOfPlace <= 0.0)
+  {
+    return;
+  }
+  for (int i = 0; i < 2; ++i)
+  {
+    if (quantiles[i] > 0.0)
     {
-      this->Curvature = relevo::ComputeDiscreteCurvature(mesh);
-      this->Of = stamp;
+      const auto quantile = magnitudes.begin() +
+        static_cast<std::ptrdiff_t>(quantiles[i] * static_cast<double>(magnitudes.size() - 1));
+      std::nth_element(magnitudes.begin(), quantile, magnitudes.end());
+      thresholds[i] = *quantile;
     }
-    return this->Curvature;
+  }
+  const double flat = FlatAngle / std::sqrt(curvature.AreaOfPlace);
+  const bool isMean = type == vtkCurvatureDepthTagMetric::MEAN;
+  thresholds[1] = std::max(thresholds[1], isMean ? flat : flat * flat);
+}
+
+class CurvatureEvaluator : public relevo::MetricEvaluator
+{
+public:
+  CurvatureEvaluator(
+    vtkCurvatureDepthTagMetric* metric, const std::shared_ptr<relevo::MetricMesh>& mesh)
+    : MetricEvaluator(mesh)
+    , Metric(metric)
+  {
   }
 
-  const std::vector<double>& GetValues(int type) const
+  bool ComputeTags(const relevo::RefinementView&, int maximumLevel, vtkFloatArray* tags) override
   {
-    return type == MEAN ? this->Curvature.Mean : this->Curvature.Gaussian;
-  }
-
-  // The thresholds when nothing else is asked for.
-  void GetAutomaticThresholds(int type, const double quantiles[2], double thresholds[2]) const
-  {
-    std::fill_n(thresholds, 2, 0.0);
-    std::vector<double> magnitudes;
-    magnitudes.reserve(this->Curvature.Places.size());
-    for (vtkIdType place : this->Curvature.Places)
+    double thresholds[2] = { this->Metric->GetMinimumCurvature(),
+      this->Metric->GetMaximumCurvature() };
+    if (thresholds[0] > thresholds[1])
     {
-      magnitudes.push_back(std::abs(this->GetValues(type)[place]));
+      vtkErrorWithObjectMacro(this->Metric.Get(),
+        "MinimumCurvature " << thresholds[0] << " is above MaximumCurvature " << thresholds[1]
+                            << ".");
+      return false;
     }
-    if (magnitudes.empty() || this->Curvature.AreaOfPlace <= 0.0)
+    const relevo::DiscreteCurvature& curvature = this->GetMesh().GetCurvature();
+    const int type = this->Metric->GetCurvatureType();
+    const std::vector<double>& values = GetValues(curvature, type);
+    if (thresholds[1] == 0.0)
     {
-      return;
+      GetAutomaticThresholds(curvature, type, this->Metric->GetQuantiles(), thresholds);
     }
-    for (int i = 0; i < 2; ++i)
-    {
-      if (quantiles[i] > 0.0)
+    const auto narrow = [](double value)
+    { return static_cast<float>(std::min<double>(value, VTK_FLOAT_MAX)); };
+    const float low = narrow(thresholds[0]);
+    const float high = narrow(thresholds[1]);
+    tags->SetNumberOfComponents(1);
+    tags->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+    float* levels = tags->GetPointer(0);
+    vtkSMPTools::For(0, static_cast<vtkIdType>(values.size()),
+      [&](vtkIdType begin, vtkIdType end)
       {
-        const auto quantile = magnitudes.begin() +
-          static_cast<std::ptrdiff_t>(quantiles[i] * static_cast<double>(magnitudes.size() - 1));
-        std::nth_element(magnitudes.begin(), quantile, magnitudes.end());
-        thresholds[i] = *quantile;
-      }
-    }
-    const double flat = FlatAngle / std::sqrt(this->Curvature.AreaOfPlace);
-    thresholds[1] = std::max(thresholds[1], type == MEAN ? flat : flat * flat);
+        for (vtkIdType id = begin; id < end; ++id)
+        {
+          levels[id] = relevo::rangeLevel(narrow(std::abs(values[id])), low, high, maximumLevel);
+        }
+      });
+    tags->Modified();
+    return true;
   }
+
+private:
+  vtkSmartPointer<vtkCurvatureDepthTagMetric> Metric;
 };
+}
 
 vtkStandardNewMacro(vtkCurvatureDepthTagMetric);
 
-vtkCurvatureDepthTagMetric::vtkCurvatureDepthTagMetric()
-  : Internals(new vtkInternals)
-{
-}
-
+vtkCurvatureDepthTagMetric::vtkCurvatureDepthTagMetric() = default;
 vtkCurvatureDepthTagMetric::~vtkCurvatureDepthTagMetric() = default;
 
 void vtkCurvatureDepthTagMetric::SetCurvatureType(int type)
@@ -123,8 +158,9 @@ void vtkCurvatureDepthTagMetric::SetQuantiles(double low, double high)
 
 void vtkCurvatureDepthTagMetric::ComputeCurvatures(vtkPolyData* mesh, vtkDoubleArray* curvatures)
 {
-  this->Internals->Update(mesh);
-  const std::vector<double>& values = this->Internals->GetValues(this->CurvatureType);
+  const relevo::DiscreteCurvature curvature =
+    relevo::ComputeDiscreteCurvature(relevo::SurfaceTriangles(mesh));
+  const std::vector<double>& values = GetValues(curvature, this->CurvatureType);
   curvatures->SetName(this->CurvatureType == MEAN ? "Mean_Curvature" : "Gauss_Curvature");
   curvatures->SetNumberOfComponents(1);
   curvatures->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
@@ -132,39 +168,10 @@ void vtkCurvatureDepthTagMetric::ComputeCurvatures(vtkPolyData* mesh, vtkDoubleA
   curvatures->Modified();
 }
 
-bool vtkCurvatureDepthTagMetric::ComputeTags(
-  vtkPolyData* mesh, const relevo::RefinementView&, int maximumLevel, vtkFloatArray* tags)
+std::unique_ptr<relevo::MetricEvaluator> vtkCurvatureDepthTagMetric::NewEvaluator(
+  const std::shared_ptr<relevo::MetricMesh>& mesh)
 {
-  if (this->MinimumCurvature > this->MaximumCurvature)
-  {
-    vtkErrorMacro("MinimumCurvature " << this->MinimumCurvature << " is above MaximumCurvature "
-                                      << this->MaximumCurvature << ".");
-    return false;
-  }
-  this->Internals->Update(mesh);
-  const std::vector<double>& values = this->Internals->GetValues(this->CurvatureType);
-  double thresholds[2] = { this->MinimumCurvature, this->MaximumCurvature };
-  if (this->MaximumCurvature == 0.0)
-  {
-    this->Internals->GetAutomaticThresholds(this->CurvatureType, this->Quantiles, thresholds);
-  }
-  const auto narrow = [](double curvature)
-  { return static_cast<float>(std::min<double>(curvature, VTK_FLOAT_MAX)); };
-  const float low = narrow(thresholds[0]);
-  const float high = narrow(thresholds[1]);
-  tags->SetNumberOfComponents(1);
-  tags->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
-  float* levels = tags->GetPointer(0);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(values.size()),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType id = begin; id < end; ++id)
-      {
-        levels[id] = relevo::rangeLevel(narrow(std::abs(values[id])), low, high, maximumLevel);
-      }
-    });
-  tags->Modified();
-  return true;
+  return std::make_unique<CurvatureEvaluator>(this, mesh);
 }
 
 void vtkCurvatureDepthTagMetric::PrintSelf(ostream& os, vtkIndent indent)

@@ -31,8 +31,6 @@
 #include "RelevoFiltersRefinementModule.h" // for export macro
 #include "vtkDepthTagMetric.h"
 
-#include <memory> // for std::unique_ptr
-
 class vtkDoubleArray;
 
 class RELEVOFILTERSREFINEMENT_EXPORT vtkCurvatureDepthTagMetric : public vtkDepthTagMetric
@@ -116,13 +114,15 @@ public:
    * Fill `curvatures` with the chosen curvature of every point of `mesh`, with its sign: mean
    * curvature is positive where the surface bends away from its normal, as a sphere with outward
    * normals does. The array gets one component and vtkCurvatures' name, "Gauss_Curvature" or
-   * "Mean_Curvature". Kept until the mesh's points or polygons change.
+   * "Mean_Curvature".
    */
   void ComputeCurvatures(vtkPolyData* mesh, vtkDoubleArray* curvatures);
 
   bool IsViewDependent() override { return false; }
-  bool ComputeTags(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
-    vtkFloatArray* tags) override;
+#ifndef __VTK_WRAP__
+  std::unique_ptr<relevo::MetricEvaluator> NewEvaluator(
+    const std::shared_ptr<relevo::MetricMesh>& mesh) override;
+#endif
 
 protected:
   vtkCurvatureDepthTagMetric();
@@ -136,9 +136,6 @@ protected:
 private:
   vtkCurvatureDepthTagMetric(const vtkCurvatureDepthTagMetric&) = delete;
   void operator=(const vtkCurvatureDepthTagMetric&) = delete;
-
-  struct vtkInternals;
-  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

@@ -9,6 +9,9 @@
 #include "Core/VTKCompatibility.h"
 #include "Mesh/SurfaceEdges.h"
 #include "Metrics/DepthTags.h"
+#include "Metrics/MetricEvaluator.h"
+#include "Metrics/MetricMesh.h"
+#include "Metrics/TagSource.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -65,7 +68,11 @@ void SetEdgeLevels(vtkPolyData* mesh, vtkIntArray* edgeLevels, Function&& f)
 
 vtkStandardNewMacro(vtkDepthTagFilter);
 
-vtkDepthTagFilter::vtkDepthTagFilter() = default;
+vtkDepthTagFilter::vtkDepthTagFilter()
+  : Sources(new relevo::TagSources)
+{
+}
+
 vtkDepthTagFilter::~vtkDepthTagFilter() = default;
 
 void vtkDepthTagFilter::SetMetric(vtkDepthTagMetric* metric)
@@ -168,7 +175,9 @@ bool vtkDepthTagFilter::ComputeTags(vtkPolyData* input, vtkFloatArray* tags)
                                 << " depends on the view and there is no camera: call SetCamera.");
     return false;
   }
-  if (!this->Metric->ComputeTags(input, this->MakeView(), this->MaximumLevel, tags))
+  relevo::MetricEvaluator& evaluator =
+    this->Sources->Find(input)->GetEvaluator(this->Metric, input);
+  if (!evaluator.ComputeTags(this->MakeView(), this->MaximumLevel, tags))
   {
     this->ReportMetric();
     return false;
@@ -222,10 +231,11 @@ bool vtkDepthTagFilter::ComputeEdgeLevels(
       { return relevo::edgeLevel(tags[a], tags[b], this->MaximumLevel); });
     return true;
   }
-  relevo::SurfaceEdges edges;
-  edges.Update(input);
+  relevo::MetricEvaluator& evaluator =
+    this->Sources->Find(input)->GetEvaluator(this->Metric, input);
+  const relevo::SurfaceEdges& edges = *evaluator.GetMesh().GetEdges();
   vtkNew<vtkFloatArray> edgeTags;
-  if (!this->Metric->ComputeEdgeTags(input, this->MakeView(), this->MaximumLevel, edges, edgeTags))
+  if (!evaluator.ComputeEdgeTags(this->MakeView(), this->MaximumLevel, edgeTags))
   {
     this->ReportMetric();
     return false;

@@ -33,6 +33,8 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // for members
 
+#include <memory> // for members
+
 class vtkCamera;
 class vtkFloatArray;
 class vtkIntArray;
@@ -41,6 +43,7 @@ class vtkPolyData;
 namespace relevo
 {
 struct RefinementView;
+class TagSources;
 }
 
 class RELEVOFILTERSREFINEMENT_EXPORT vtkDepthTagFilter : public vtkPolyDataAlgorithm
@@ -125,6 +128,8 @@ private:
   bool ComputeTags(vtkPolyData* input, vtkFloatArray* tags);
   bool TakeTags(vtkPolyData* input, vtkFloatArray* tags);
   bool ComputeEdgeLevels(vtkPolyData* input, const float* tags, vtkIntArray* edgeLevels);
+
+  std::unique_ptr<relevo::TagSources> Sources;
 };
 
 #endif

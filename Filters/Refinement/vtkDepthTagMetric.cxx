@@ -2,39 +2,63 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDepthTagMetric.h"
 
-#include "Core/PointPlaces.h"
-#include "Mesh/SurfaceEdges.h"
+#include "Metrics/MetricEvaluator.h"
+#include "Metrics/MetricMesh.h"
 #include "Metrics/MetricShader.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
+#include "vtkPolyData.h"
 
 vtkDepthTagMetric::vtkDepthTagMetric() = default;
 vtkDepthTagMetric::~vtkDepthTagMetric() = default;
 
+bool vtkDepthTagMetric::ComputeTags(
+  vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags)
+{
+  if (const auto evaluator = this->NewEvaluator(std::make_shared<relevo::MetricMesh>(mesh)))
+  {
+    return evaluator->ComputeTags(view, maximumLevel, tags);
+  }
+  vtkErrorMacro("This metric has no tags: override ComputeTags() or NewEvaluator().");
+  return false;
+}
+
 bool vtkDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh, const relevo::RefinementView& view,
   int maximumLevel, const relevo::SurfaceEdges& edges, vtkFloatArray* tags)
 {
+  if (const auto evaluator = this->NewEvaluator(std::make_shared<relevo::MetricMesh>(mesh)))
+  {
+    return evaluator->ComputeEdgeTags(view, maximumLevel, tags);
+  }
   vtkNew<vtkFloatArray> pointTags;
   if (!this->ComputeTags(mesh, view, maximumLevel, pointTags))
   {
     return false;
   }
-  float* ofPoints = pointTags->GetPointer(0);
-  relevo::UniteTags(edges.GetTriangles().GetPlaces(), ofPoints);
-  relevo::TagEdges(edges, tags,
-    [&](int edge)
-    {
-      const int* places = edges.GetEdges()[edge].Places;
-      return 0.5f * (ofPoints[places[0]] + ofPoints[places[1]]);
-    });
+  if (!relevo::TagEdgesByPoints(edges, pointTags, tags))
+  {
+    vtkErrorMacro("ComputeTags() gave " << pointTags->GetNumberOfValues() << " tags for "
+                                        << mesh->GetNumberOfPoints() << " points.");
+    return false;
+  }
   return true;
 }
 
-bool vtkDepthTagMetric::GetShader(
-  vtkPolyData*, const relevo::RefinementView&, int, const double[3], relevo::MetricShader& shader)
+bool vtkDepthTagMetric::GetShader(vtkPolyData* mesh, const relevo::RefinementView& view,
+  int maximumLevel, const double origin[3], relevo::MetricShader& shader)
 {
+  if (const auto evaluator = this->NewEvaluator(std::make_shared<relevo::MetricMesh>(mesh)))
+  {
+    return evaluator->GetShader(view, maximumLevel, origin, shader);
+  }
   shader.Source = nullptr;
   return true;
+}
+
+std::unique_ptr<relevo::MetricEvaluator> vtkDepthTagMetric::NewEvaluator(
+  const std::shared_ptr<relevo::MetricMesh>&)
+{
+  return nullptr;
 }
 
 void vtkDepthTagMetric::PrintSelf(ostream& os, vtkIndent indent)

@@ -13,6 +13,13 @@
  * - PER_EDGE: the metric gives every edge a tag of its own, from what is known of that edge alone,
  *   so that the triangles beside it agree (Lenz 2009, future work).
  *
+ * A metric holds parameters and nothing about a mesh. Mappers and filters evaluate it by a
+ * relevo::MetricEvaluator of their own for each mesh, so that metrics are shared freely, by the
+ * blocks of a mapper and by filters in several threads alike.
+ *
+ * A metric of one's own overrides ComputeTags(); one that computes much of a mesh that it can use
+ * again, as when the camera moves, overrides NewEvaluator() instead.
+ *
  * @sa vtkAdaptiveRefinement vtkDepthTagFilter
  */
 #ifndef vtkDepthTagMetric_h
@@ -21,6 +28,8 @@
 #include "RelevoFiltersRefinementModule.h" // for export macro
 #include "vtkObject.h"
 
+#include <memory> // for NewEvaluator
+
 class vtkFloatArray;
 class vtkPolyData;
 
@@ -28,6 +37,8 @@ class vtkPolyData;
 namespace relevo
 {
 struct RefinementView;
+class MetricEvaluator;
+class MetricMesh;
 class SurfaceEdges;
 struct MetricShader;
 }
@@ -70,27 +81,35 @@ public:
    * Fill `tags` with one level per point of `mesh`, each finite and in [0, maximumLevel].
    * Returns false, after an ErrorEvent of this object, when the metric cannot be evaluated
    * (no camera for a view-dependent metric, a missing array, parameters that contradict each
-   * other).
+   * other). Unless overridden, an evaluator is made and asked.
    */
-  virtual bool ComputeTags(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
-    vtkFloatArray* tags) = 0;
+  virtual bool ComputeTags(
+    vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags);
 
 #ifndef __VTK_WRAP__
   /**
    * Fill `tags` with one level per edge of `mesh`, in the order of `edges`, each finite and in
    * [0, maximumLevel], and depending on the edge alone. `edges` are those of `mesh` as it is.
-   * Returns false as ComputeTags() does. Unless overridden, an edge has the mean of the tags of its
-   * two places.
+   * Returns false as ComputeTags() does. Unless overridden, an evaluator is made and asked; without
+   * one, an edge has the mean of the tags of its two places.
    */
   virtual bool ComputeEdgeTags(vtkPolyData* mesh, const relevo::RefinementView& view,
     int maximumLevel, const relevo::SurfaceEdges& edges, vtkFloatArray* tags);
 
   /**
    * How a shader would compute the tags of `mesh` from its points relative to `origin`; see
-   * relevo::MetricShader. Unless overridden, not at all. Returns false as ComputeTags() does.
+   * relevo::MetricShader. Returns false as ComputeTags() does. Unless overridden, an evaluator is
+   * made and asked; without one, there is no shader.
    */
   virtual bool GetShader(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
     const double origin[3], relevo::MetricShader& shader);
+
+  /**
+   * What evaluates this metric for a mesh and keeps what it computes of it. Unless overridden none
+   * (nullptr): the metric itself is asked whenever tags are needed.
+   */
+  virtual std::unique_ptr<relevo::MetricEvaluator> NewEvaluator(
+    const std::shared_ptr<relevo::MetricMesh>& mesh);
 #endif
 
 protected:

@@ -4,16 +4,16 @@
 
 #include "Core/RefinementView.h"
 #include "Core/SettingChecks.h"
-#include "Metrics/MetricEvaluation.h"
+#include "Mesh/SurfaceDiagonal.h"
+#include "Metrics/FunctionEvaluator.h"
 #include "Metrics/MetricFrame.h"
+#include "relevoDistanceMetric.h"
+#include "relevoMetricView.h"
 #include "vtkCamera.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-
-#include "Mesh/SurfaceDiagonal.h"
-#include "relevoDistanceMetric.h"
-#include "relevoMetricView.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,18 +43,25 @@ constexpr double AutomaticDistance = 3.0;
 constexpr double ShortestReference = 0.01; // pixels
 constexpr double LongestReference = 1e6;
 
+// Pixels of a length of 1 seen from the front at a distance of 1.
+double GetPixelsAtUnitDistance(const relevo::RefinementView& view)
+{
+  const int across = view.Camera->GetUseHorizontalViewAngle() ? 0 : 1;
+  const double angle = vtkMath::RadiansFromDegrees(view.Camera->GetViewAngle());
+  return view.ViewportSize[across] / (2.0 * std::tan(0.5 * angle));
+}
+
 // The mean length of the sides of a mesh's triangles, kept until the mesh or its shape changes.
 class MeanSide
 {
 public:
-  double Get(vtkPolyData* mesh, const relevo::Placement& placement)
+  double Get(relevo::MetricMesh& mesh, const relevo::Placement& placement)
   {
-    const relevo::GeometryStamp stamp = relevo::MakeGeometryStamp(mesh);
-    if (stamp != this->Of || !placement.HasShape(this->Shape))
+    if (mesh.GetTime() != this->MeshTime || !placement.HasShape(this->Shape))
     {
-      this->Of = stamp;
+      this->MeshTime = mesh.GetTime();
       this->Shape = placement.GetShape();
-      this->Compute(relevo::SurfaceTriangles(mesh));
+      this->Compute(*mesh.GetTriangles());
     }
     return placement.GetScale() * this->Length;
   }
@@ -80,125 +87,192 @@ private:
     this->Length = sides > 0.0 && std::isfinite(sum) ? sum / sides : 0.0;
   }
 
-  relevo::GeometryStamp Of{};
+  vtkMTimeType MeshTime = 0;
   dmat3 Shape{ 0.0 };
   double Length = 0.0;
 };
 
-// Pixels of a length of 1 seen from the front at a distance of 1.
-double GetPixelsAtUnitDistance(const relevo::RefinementView& view)
-{
-  const int across = view.Camera->GetUseHorizontalViewAngle() ? 0 : 1;
-  const double angle = vtkMath::RadiansFromDegrees(view.Camera->GetViewAngle());
-  return view.ViewportSize[across] / (2.0 * std::tan(0.5 * angle));
-}
-
-// Tags by the distance of triangles.
-class CentroidTags
+class DistanceEvaluator : public relevo::FunctionEvaluator<DistanceFunctions>
 {
 public:
-  bool TagPoints(vtkDepthTagMetric* metric, vtkPolyData* mesh, const relevo::RefinementView& view,
-    int maximumLevel, vtkFloatArray* tags)
+  DistanceEvaluator(
+    vtkDistanceDepthTagMetric* metric, const std::shared_ptr<relevo::MetricMesh>& mesh)
+    : FunctionEvaluator(mesh)
+    , Metric(metric)
   {
-    this->Edges.Update(mesh);
-    const relevo::SurfaceTriangles& surface = this->Edges.GetTriangles();
-    if (!this->ComputeLevels(metric, mesh, view, maximumLevel, surface))
-    {
-      return false;
-    }
-    tags->SetNumberOfComponents(1);
-    tags->SetNumberOfTuples(surface.GetNumberOfPoints());
-    vtkSMPTools::For(0, surface.GetNumberOfPoints(),
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType point = begin; point < end; ++point)
-        {
-          float level = 0.0f;
-          surface.ForEachTriangleIndex(surface.GetPlace(point),
-            [&](vtkIdType t) { level = std::max(level, this->Levels[t]); });
-          tags->SetValue(point, level);
-        }
-      });
-    tags->Modified();
-    return true;
   }
 
-  bool TagEdges(vtkDepthTagMetric* metric, vtkPolyData* mesh, const relevo::RefinementView& view,
-    int maximumLevel, const relevo::SurfaceEdges& edges, vtkFloatArray* tags)
-  {
-    if (!this->ComputeLevels(metric, mesh, view, maximumLevel, edges.GetTriangles()))
-    {
-      return false;
-    }
-    relevo::TagEdges(edges, tags,
-      [&](int edge)
-      {
-        float level = 0.0f;
-        edges.ForEachSides(edge,
-          [&](int i)
-          {
-            for (int t : edges.GetSides()[i].Triangles)
-            {
-              level = t < 0 ? level : std::max(level, this->Levels[t]);
-            }
-          });
-        return level;
-      });
-    return true;
-  }
+  bool GetShader(const relevo::RefinementView& view, int maximumLevel, const double origin[3],
+    relevo::MetricShader& shader) override;
+  bool ComputeTags(
+    const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags) override;
+  bool ComputeEdgeTags(
+    const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags) override;
 
 private:
-  bool ComputeLevels(vtkDepthTagMetric* metric, vtkPolyData* mesh,
-    const relevo::RefinementView& view, int maximumLevel, const relevo::SurfaceTriangles& surface)
+  bool CheckView(const relevo::RefinementView& view);
+  double GetFarthest(const relevo::RefinementView& view, const relevo::Placement& placement);
+  bool MeasuresCentroids()
   {
-    this->Points.Update(mesh->GetPoints());
-    relevo::MetricShader shader;
-    if (!metric->GetShader(mesh, view, maximumLevel, this->Points.Origin, shader))
-    {
-      return false;
-    }
-    const auto& triangles = surface.GetTriangles();
-    this->Levels.resize(triangles.size());
-    const float* x = this->Points.Coordinates.data();
-    vtkSMPTools::For(0, static_cast<vtkIdType>(triangles.size()),
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        DistanceFunctions functions(shader);
-        for (vtkIdType t = begin; t < end; ++t)
-        {
-          glm::vec3 sum(0.0f);
-          for (vtkIdType corner : triangles[t])
-          {
-            sum += glm::vec3(x[3 * corner], x[3 * corner + 1], x[3 * corner + 2]);
-          }
-          const glm::vec4 value = functions.metricValue(sum / 3.0f, glm::vec4(0.0f));
-          this->Levels[t] = functions.metricTag(functions.metricPointMeasure(value));
-        }
-      });
-    return true;
+    return this->Metric->GetMeasure() == vtkDistanceDepthTagMetric::CENTROIDS;
   }
+  bool ComputeLevels(const relevo::RefinementView& view, int maximumLevel);
 
-  relevo::LocalPoints Points;
-  relevo::SurfaceEdges Edges;
-  std::vector<float> Levels; // of triangles
+  vtkSmartPointer<vtkDistanceDepthTagMetric> Metric;
+  MeanSide Side;
+  std::vector<float> Levels; // of triangles, by their centroids
 };
+
+bool DistanceEvaluator::CheckView(const relevo::RefinementView& view)
+{
+  if (!view.Camera)
+  {
+    vtkErrorWithObjectMacro(this->Metric.Get(), "There is no camera to measure distances from.");
+    return false;
+  }
+  const double* x = view.Camera->GetPosition();
+  if (!std::isfinite(x[0] + x[1] + x[2]))
+  {
+    vtkErrorWithObjectMacro(this->Metric.Get(),
+      "The camera's position (" << x[0] << ", " << x[1] << ", " << x[2] << ") is not finite.");
+    return false;
+  }
+  if (this->Metric->GetReferenceLength() > 0.0 && this->Metric->GetMaximumDistance() == 0.0 &&
+    !(GetPixelsAtUnitDistance(view) > 0.0))
+  {
+    vtkErrorWithObjectMacro(this->Metric.Get(),
+      "The viewport has no pixels to measure ReferenceLength in: it is "
+        << view.ViewportSize[0] << " x " << view.ViewportSize[1] << ".");
+    return false;
+  }
+  return true;
 }
 
-struct vtkDistanceDepthTagMetric::vtkInternals
+double DistanceEvaluator::GetFarthest(
+  const relevo::RefinementView& view, const relevo::Placement& placement)
 {
-  relevo::MetricEvaluation<DistanceFunctions> Evaluation;
-  CentroidTags Centroids;
-  MeanSide Side;
-  relevo::SurfaceDiagonal Diagonal;
-};
+  if (this->Metric->GetMaximumDistance() > 0.0)
+  {
+    return this->Metric->GetMaximumDistance();
+  }
+  const double pixels = this->Metric->GetReferenceLength();
+  return pixels > 0.0
+    ? this->Side.Get(this->GetMesh(), placement) / pixels * GetPixelsAtUnitDistance(view)
+    : AutomaticDistance * this->GetMesh().GetDiagonal().Get(placement);
+}
+
+bool DistanceEvaluator::GetShader(const relevo::RefinementView& view, int maximumLevel,
+  const double origin[3], relevo::MetricShader& shader)
+{
+  if (!this->CheckView(view))
+  {
+    return false;
+  }
+  const relevo::Placement placement(view);
+  static const std::string source = std::string(relevoMetricView) + relevoDistanceMetric;
+  shader.Source = this->MeasuresCentroids() ? nullptr : source.c_str();
+  shader.TagsPoints = true;
+  shader.Data = nullptr;
+  dvec3 camera;
+  view.Camera->GetPosition(&camera[0]);
+  relevo::MetricFrame frame(shader, placement, camera, origin, maximumLevel);
+  frame.SetUnit(this->GetFarthest(view, placement));
+  const bool isProjected = this->Metric->GetFallOff() == vtkDistanceDepthTagMetric::PROJECTED_SIZE;
+  frame.SetOwn(isProjected ? 1.0 : 0.0);
+  return true;
+}
+
+bool DistanceEvaluator::ComputeLevels(const relevo::RefinementView& view, int maximumLevel)
+{
+  const relevo::LocalPoints& points = this->GetMesh().GetPoints();
+  relevo::MetricShader shader;
+  if (!this->GetShader(view, maximumLevel, points.Origin, shader))
+  {
+    return false;
+  }
+  const auto& triangles = this->GetMesh().GetTriangles()->GetTriangles();
+  this->Levels.resize(triangles.size());
+  const float* x = points.Coordinates.data();
+  vtkSMPTools::For(0, static_cast<vtkIdType>(triangles.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      DistanceFunctions functions(shader);
+      for (vtkIdType t = begin; t < end; ++t)
+      {
+        glm::vec3 sum(0.0f);
+        for (vtkIdType corner : triangles[t])
+        {
+          sum += glm::vec3(x[3 * corner], x[3 * corner + 1], x[3 * corner + 2]);
+        }
+        const glm::vec4 value = functions.metricValue(sum / 3.0f, glm::vec4(0.0f));
+        this->Levels[t] = functions.metricTag(functions.metricPointMeasure(value));
+      }
+    });
+  return true;
+}
+
+bool DistanceEvaluator::ComputeTags(
+  const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags)
+{
+  if (!this->MeasuresCentroids())
+  {
+    return this->TagPoints(view, maximumLevel, tags);
+  }
+  if (!this->ComputeLevels(view, maximumLevel))
+  {
+    return false;
+  }
+  const relevo::SurfaceTriangles& surface = *this->GetMesh().GetTriangles();
+  tags->SetNumberOfComponents(1);
+  tags->SetNumberOfTuples(surface.GetNumberOfPoints());
+  vtkSMPTools::For(0, surface.GetNumberOfPoints(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType point = begin; point < end; ++point)
+      {
+        float level = 0.0f;
+        surface.ForEachTriangleIndex(
+          surface.GetPlace(point), [&](vtkIdType t) { level = std::max(level, this->Levels[t]); });
+        tags->SetValue(point, level);
+      }
+    });
+  tags->Modified();
+  return true;
+}
+
+bool DistanceEvaluator::ComputeEdgeTags(
+  const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags)
+{
+  if (!this->MeasuresCentroids())
+  {
+    return this->FunctionEvaluator::ComputeEdgeTags(view, maximumLevel, tags);
+  }
+  if (!this->ComputeLevels(view, maximumLevel))
+  {
+    return false;
+  }
+  const relevo::SurfaceEdges& edges = *this->GetMesh().GetEdges();
+  relevo::TagEdges(edges, tags,
+    [&](int edge)
+    {
+      float level = 0.0f;
+      edges.ForEachSides(edge,
+        [&](int i)
+        {
+          for (int t : edges.GetSides()[i].Triangles)
+          {
+            level = t < 0 ? level : std::max(level, this->Levels[t]);
+          }
+        });
+      return level;
+    });
+  return true;
+}
+}
 
 vtkStandardNewMacro(vtkDistanceDepthTagMetric);
 
-vtkDistanceDepthTagMetric::vtkDistanceDepthTagMetric()
-  : Internals(new vtkInternals)
-{
-}
-
+vtkDistanceDepthTagMetric::vtkDistanceDepthTagMetric() = default;
 vtkDistanceDepthTagMetric::~vtkDistanceDepthTagMetric() = default;
 
 void vtkDistanceDepthTagMetric::SetFallOff(int fallOff)
@@ -243,73 +317,10 @@ void vtkDistanceDepthTagMetric::SetReferenceLength(double pixels)
   }
 }
 
-bool vtkDistanceDepthTagMetric::CheckView(const relevo::RefinementView& view)
+std::unique_ptr<relevo::MetricEvaluator> vtkDistanceDepthTagMetric::NewEvaluator(
+  const std::shared_ptr<relevo::MetricMesh>& mesh)
 {
-  if (!view.Camera)
-  {
-    vtkErrorMacro("There is no camera to measure distances from.");
-    return false;
-  }
-  const double* x = view.Camera->GetPosition();
-  if (!std::isfinite(x[0] + x[1] + x[2]))
-  {
-    vtkErrorMacro(
-      "The camera's position (" << x[0] << ", " << x[1] << ", " << x[2] << ") is not finite.");
-    return false;
-  }
-  if (this->ReferenceLength > 0.0 && this->MaximumDistance == 0.0 &&
-    !(GetPixelsAtUnitDistance(view) > 0.0))
-  {
-    vtkErrorMacro("The viewport has no pixels to measure ReferenceLength in: it is "
-      << view.ViewportSize[0] << " x " << view.ViewportSize[1] << ".");
-    return false;
-  }
-  return true;
-}
-
-bool vtkDistanceDepthTagMetric::GetShader(vtkPolyData* mesh, const relevo::RefinementView& view,
-  int maximumLevel, const double origin[3], relevo::MetricShader& shader)
-{
-  if (!this->CheckView(view))
-  {
-    return false;
-  }
-  const relevo::Placement placement(view);
-  double farthest = this->MaximumDistance;
-  if (farthest == 0.0)
-  {
-    farthest = this->ReferenceLength > 0.0
-      ? this->Internals->Side.Get(mesh, placement) / this->ReferenceLength *
-        GetPixelsAtUnitDistance(view)
-      : AutomaticDistance * this->Internals->Diagonal.Get(mesh, placement);
-  }
-  static const std::string source = std::string(relevoMetricView) + relevoDistanceMetric;
-  shader.Source = this->Measure == CENTROIDS ? nullptr : source.c_str();
-  shader.TagsPoints = true;
-  shader.Data = nullptr;
-  dvec3 camera;
-  view.Camera->GetPosition(&camera[0]);
-  relevo::MetricFrame frame(shader, placement, camera, origin, maximumLevel);
-  frame.SetUnit(farthest);
-  frame.SetOwn(this->FallOff == PROJECTED_SIZE ? 1.0 : 0.0);
-  return true;
-}
-
-bool vtkDistanceDepthTagMetric::ComputeTags(
-  vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags)
-{
-  return this->Measure == CENTROIDS
-    ? this->Internals->Centroids.TagPoints(this, mesh, view, maximumLevel, tags)
-    : this->Internals->Evaluation.TagPoints(this, mesh, view, maximumLevel, tags);
-}
-
-bool vtkDistanceDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh,
-  const relevo::RefinementView& view, int maximumLevel, const relevo::SurfaceEdges& edges,
-  vtkFloatArray* tags)
-{
-  return this->Measure == CENTROIDS
-    ? this->Internals->Centroids.TagEdges(this, mesh, view, maximumLevel, edges, tags)
-    : this->Internals->Evaluation.TagEdges(this, mesh, view, maximumLevel, edges, tags);
+  return std::make_unique<DistanceEvaluator>(this, mesh);
 }
 
 void vtkDistanceDepthTagMetric::PrintSelf(ostream& os, vtkIndent indent)

@@ -47,8 +47,6 @@
 #include "RelevoFiltersRefinementModule.h" // for export macro
 #include "vtkDepthTagMetric.h"
 
-#include <memory> // for std::unique_ptr
-
 class RELEVOFILTERSREFINEMENT_EXPORT vtkDistanceDepthTagMetric : public vtkDepthTagMetric
 {
 public:
@@ -127,13 +125,9 @@ public:
   //@}
 
   bool IsViewDependent() override { return true; }
-  bool ComputeTags(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
-    vtkFloatArray* tags) override;
 #ifndef __VTK_WRAP__
-  bool ComputeEdgeTags(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
-    const relevo::SurfaceEdges& edges, vtkFloatArray* tags) override;
-  bool GetShader(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
-    const double origin[3], relevo::MetricShader& shader) override;
+  std::unique_ptr<relevo::MetricEvaluator> NewEvaluator(
+    const std::shared_ptr<relevo::MetricMesh>& mesh) override;
 #endif
 
 protected:
@@ -148,11 +142,6 @@ protected:
 private:
   vtkDistanceDepthTagMetric(const vtkDistanceDepthTagMetric&) = delete;
   void operator=(const vtkDistanceDepthTagMetric&) = delete;
-
-  bool CheckView(const relevo::RefinementView& view);
-
-  struct vtkInternals;
-  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

@@ -6,6 +6,8 @@
 #include "Core/SettingChecks.h"
 #include "Core/VectorData.h"
 #include "Mesh/SurfaceEdges.h"
+#include "Metrics/MetricEvaluator.h"
+#include "Metrics/MetricMesh.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
@@ -15,6 +17,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -167,20 +170,145 @@ std::vector<double> ComputeVariations(
     });
   return variations;
 }
+
+// Where a mesh has the array of a name.
+struct FoundArray
+{
+  vtkDataArray* Array = nullptr;
+  bool OfCells = false;
+};
+
+class FieldVariationEvaluator : public relevo::MetricEvaluator
+{
+public:
+  FieldVariationEvaluator(
+    vtkFieldVariationDepthTagMetric* metric, const std::shared_ptr<relevo::MetricMesh>& mesh)
+    : MetricEvaluator(mesh)
+    , Metric(metric)
+  {
+  }
+
+  bool ComputeTags(
+    const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags) override
+  {
+    vtkNew<vtkFloatArray> edgeTags;
+    if (!this->ComputeEdgeTags(view, maximumLevel, edgeTags))
+    {
+      return false;
+    }
+    this->GetMesh().GetEdges()->TagPoints(edgeTags->GetPointer(0), tags);
+    return true;
+  }
+
+  bool ComputeEdgeTags(
+    const relevo::RefinementView&, int maximumLevel, vtkFloatArray* tags) override
+  {
+    const FoundArray found = this->CheckParameters() ? this->FindArray() : FoundArray();
+    if (!found.Array)
+    {
+      return false;
+    }
+    this->UpdateVariations(found);
+    const double maximum = this->Metric->GetMaximumVariation();
+    const float low = static_cast<float>(this->Metric->GetMinimumVariation());
+    const float high =
+      static_cast<float>(maximum > 0.0 ? maximum : GetAutomaticMaximum(this->Variations));
+    relevo::TagEdges(*this->GetMesh().GetEdges(), tags,
+      [&](int edge)
+      {
+        return relevo::rangeLevel(
+          static_cast<float>(this->Variations[edge]), low, high, maximumLevel);
+      });
+    return true;
+  }
+
+private:
+  bool CheckParameters();
+  FoundArray FindArray();
+  void UpdateVariations(const FoundArray& found);
+
+  vtkSmartPointer<vtkFieldVariationDepthTagMetric> Metric;
+  std::vector<double> Variations; // of edges
+  // What they were computed from.
+  vtkMTimeType MeshTime = 0;
+  vtkDataArray* Array = nullptr;
+  vtkMTimeType ArrayTime = 0;
+  double NoDataMagnitude = 0.0;
+};
+
+bool FieldVariationEvaluator::CheckParameters()
+{
+  if (!this->Metric->GetArrayName()[0])
+  {
+    vtkErrorWithObjectMacro(
+      this->Metric.Get(), "There is no array to measure the variation of: call SetArrayName.");
+    return false;
+  }
+  const double minimum = this->Metric->GetMinimumVariation();
+  const double maximum = this->Metric->GetMaximumVariation();
+  if (minimum > maximum)
+  {
+    vtkErrorWithObjectMacro(this->Metric.Get(),
+      "MinimumVariation " << minimum << " is above MaximumVariation " << maximum << ".");
+    return false;
+  }
+  return true;
 }
 
-struct vtkFieldVariationDepthTagMetric::vtkInternals
+FoundArray FieldVariationEvaluator::FindArray()
 {
-  relevo::SurfaceEdges Edges;
-};
+  vtkPolyData* mesh = this->GetMesh().GetPolyData();
+  const char* name = this->Metric->GetArrayName();
+  FoundArray found;
+  found.Array = mesh->GetPointData()->GetArray(name);
+  found.OfCells = !found.Array;
+  if (found.OfCells)
+  {
+    found.Array = mesh->GetCellData()->GetArray(name);
+  }
+  if (!found.Array)
+  {
+    vtkErrorWithObjectMacro(this->Metric.Get(),
+      "The mesh has no point or cell array of numbers named \"" << name << "\".");
+    return found;
+  }
+  const vtkIdType tuples = found.Array->GetNumberOfTuples();
+  const int components = found.Array->GetNumberOfComponents();
+  const vtkIdType expected = found.OfCells ? mesh->GetNumberOfCells() : mesh->GetNumberOfPoints();
+  if (tuples != expected || components < 1)
+  {
+    vtkErrorWithObjectMacro(this->Metric.Get(),
+      "The array \"" << name << "\" has " << tuples << " tuples of " << components
+                     << " components for " << expected << (found.OfCells ? " cells." : " points."));
+    found.Array = nullptr;
+  }
+  return found;
+}
+
+void FieldVariationEvaluator::UpdateVariations(const FoundArray& found)
+{
+  const vtkMTimeType meshTime = this->GetMesh().GetTime();
+  const vtkMTimeType arrayTime = found.Array->GetMTime();
+  const double noDataMagnitude = this->Metric->GetNoDataMagnitude();
+  if (this->MeshTime == meshTime && this->Array == found.Array && this->ArrayTime == arrayTime &&
+    this->NoDataMagnitude == noDataMagnitude)
+  {
+    return;
+  }
+  this->MeshTime = meshTime;
+  this->Array = found.Array;
+  this->ArrayTime = arrayTime;
+  this->NoDataMagnitude = noDataMagnitude;
+  const relevo::SurfaceEdges& edges = *this->GetMesh().GetEdges();
+  Field field(found.Array, noDataMagnitude);
+  field.SetExtent(edges.GetTriangles(), found.OfCells);
+  this->Variations = ComputeVariations(edges, field, found.OfCells);
+}
+}
 
 vtkStandardNewMacro(vtkFieldVariationDepthTagMetric);
 
-vtkFieldVariationDepthTagMetric::vtkFieldVariationDepthTagMetric()
-  : Internals(new vtkInternals)
-{
-}
-
+vtkFieldVariationDepthTagMetric::vtkFieldVariationDepthTagMetric() = default;
 vtkFieldVariationDepthTagMetric::~vtkFieldVariationDepthTagMetric() = default;
 
 void vtkFieldVariationDepthTagMetric::SetArrayName(const char* name)
@@ -208,67 +336,10 @@ void vtkFieldVariationDepthTagMetric::SetNoDataMagnitude(double magnitude)
   relevo::SetNoDataMagnitude(this, this->NoDataMagnitude, magnitude);
 }
 
-bool vtkFieldVariationDepthTagMetric::ComputeTags(
-  vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags)
+std::unique_ptr<relevo::MetricEvaluator> vtkFieldVariationDepthTagMetric::NewEvaluator(
+  const std::shared_ptr<relevo::MetricMesh>& mesh)
 {
-  relevo::SurfaceEdges& edges = this->Internals->Edges;
-  edges.Update(mesh);
-  vtkNew<vtkFloatArray> edgeTags;
-  if (!this->ComputeEdgeTags(mesh, view, maximumLevel, edges, edgeTags))
-  {
-    return false;
-  }
-  edges.TagPoints(edgeTags->GetPointer(0), tags);
-  return true;
-}
-
-bool vtkFieldVariationDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh,
-  const relevo::RefinementView&, int maximumLevel, const relevo::SurfaceEdges& edges,
-  vtkFloatArray* tags)
-{
-  if (this->ArrayName.empty())
-  {
-    vtkErrorMacro("There is no array to measure the variation of: call SetArrayName.");
-    return false;
-  }
-  if (this->MinimumVariation > this->MaximumVariation)
-  {
-    vtkErrorMacro("MinimumVariation " << this->MinimumVariation << " is above MaximumVariation "
-                                      << this->MaximumVariation << ".");
-    return false;
-  }
-  vtkDataArray* array = mesh->GetPointData()->GetArray(this->ArrayName.c_str());
-  const bool ofCells = !array;
-  if (ofCells)
-  {
-    array = mesh->GetCellData()->GetArray(this->ArrayName.c_str());
-  }
-  if (!array)
-  {
-    vtkErrorMacro(
-      "The mesh has no point or cell array of numbers named \"" << this->ArrayName << "\".");
-    return false;
-  }
-  const vtkIdType expected = ofCells ? mesh->GetNumberOfCells() : mesh->GetNumberOfPoints();
-  if (array->GetNumberOfTuples() != expected || array->GetNumberOfComponents() < 1)
-  {
-    vtkErrorMacro("The array \"" << this->ArrayName << "\" has " << array->GetNumberOfTuples()
-                                 << " tuples of " << array->GetNumberOfComponents()
-                                 << " components for " << expected
-                                 << (ofCells ? " cells." : " points."));
-    return false;
-  }
-
-  Field field(array, this->NoDataMagnitude);
-  field.SetExtent(edges.GetTriangles(), ofCells);
-  const std::vector<double> variations = ComputeVariations(edges, field, ofCells);
-  const float low = static_cast<float>(this->MinimumVariation);
-  const float high = static_cast<float>(
-    this->MaximumVariation > 0.0 ? this->MaximumVariation : GetAutomaticMaximum(variations));
-  relevo::TagEdges(edges, tags,
-    [&](int edge)
-    { return relevo::rangeLevel(static_cast<float>(variations[edge]), low, high, maximumLevel); });
-  return true;
+  return std::make_unique<FieldVariationEvaluator>(this, mesh);
 }
 
 void vtkFieldVariationDepthTagMetric::PrintSelf(ostream& os, vtkIndent indent)

@@ -38,7 +38,6 @@
 #include "RelevoFiltersRefinementModule.h" // for export macro
 #include "vtkDepthTagMetric.h"
 
-#include <memory> // for std::unique_ptr
 #include <string> // for ArrayName
 
 class RELEVOFILTERSREFINEMENT_EXPORT vtkFieldVariationDepthTagMetric : public vtkDepthTagMetric
@@ -87,11 +86,9 @@ public:
   //@}
 
   bool IsViewDependent() override { return false; }
-  bool ComputeTags(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
-    vtkFloatArray* tags) override;
 #ifndef __VTK_WRAP__
-  bool ComputeEdgeTags(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
-    const relevo::SurfaceEdges& edges, vtkFloatArray* tags) override;
+  std::unique_ptr<relevo::MetricEvaluator> NewEvaluator(
+    const std::shared_ptr<relevo::MetricMesh>& mesh) override;
 #endif
 
 protected:
@@ -106,9 +103,6 @@ protected:
 private:
   vtkFieldVariationDepthTagMetric(const vtkFieldVariationDepthTagMetric&) = delete;
   void operator=(const vtkFieldVariationDepthTagMetric&) = delete;
-
-  struct vtkInternals;
-  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

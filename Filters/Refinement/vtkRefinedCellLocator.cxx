@@ -10,6 +10,7 @@
 #include "Intersection/CoarseCell.h"
 #include "Intersection/RefinedSurface.h"
 #include "Mesh/RefinementMesh.h"
+#include "Metrics/TagSource.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkBoundingBox.h"
@@ -41,6 +42,7 @@ struct vtkRefinedCellLocator::vtkInternals
   relevo::RefinementMesh Mesh;
   vtkTimeStamp MeshTime;
   relevo::PatternSelection Selection;
+  std::shared_ptr<relevo::TagSource> Tags = std::make_shared<relevo::TagSource>();
   relevo::RefinedSurface Surface;
   relevo::Dependencies MeshDependencies;
   relevo::Dependencies SurfaceDependencies;
@@ -200,7 +202,8 @@ bool vtkRefinedCellLocator::Prepare(vtkPolyData* input)
   view.ModelToWorld = this->ModelToWorld;
   std::copy_n(this->ViewportSize, 2, view.ViewportSize);
   valid = valid &&
-    relevo::SelectPatterns(input, this->Refinement, view, data.Mesh, data.Selection, error);
+    relevo::SelectPatterns(
+      input, this->Refinement, view, data.Mesh, data.Tags, data.Selection, error);
   if (!valid)
   {
     vtkErrorMacro(<< error);

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRegionDepthTagMetric.h"
 
-#include "Core/SettingChecks.h"
-#include "Mesh/SurfaceDiagonal.h"
-
 #include "Core/RefinementMathematics.h"
 #include "Core/RefinementView.h"
+#include "Core/SettingChecks.h"
 #include "Core/WorldView.h"
+#include "Mesh/SurfaceDiagonal.h"
 #include "Mesh/SurfaceEdges.h"
+#include "Metrics/MetricEvaluator.h"
+#include "Metrics/MetricMesh.h"
 #include "vtkFloatArray.h"
 #include "vtkImplicitFunction.h"
 #include "vtkMath.h"
@@ -17,6 +18,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,14 +51,14 @@ double GetDistance(vtkImplicitFunction* function, dvec3 x)
 class Region
 {
 public:
-  Region(vtkRegionDepthTagMetric* metric, vtkPolyData* mesh, const relevo::RefinementView& view)
+  Region(
+    vtkRegionDepthTagMetric* metric, relevo::MetricMesh& mesh, const relevo::RefinementView& view)
     : ToWorld(view)
     , Function(metric->GetImplicitFunction())
     , Center(metric->GetCenter()[0], metric->GetCenter()[1], metric->GetCenter()[2])
     , Radius(metric->GetRadius())
-    , FallOff(metric->GetFallOff() > 0.0
-          ? metric->GetFallOff()
-          : AutomaticFallOff * relevo::SurfaceDiagonal().Get(mesh, this->ToWorld))
+    , FallOff(metric->GetFallOff() > 0.0 ? metric->GetFallOff()
+                                         : AutomaticFallOff * mesh.GetDiagonal().Get(this->ToWorld))
   {
   }
 
@@ -97,6 +99,87 @@ private:
   double Radius;
   double FallOff;
 };
+
+class RegionEvaluator : public relevo::MetricEvaluator
+{
+public:
+  RegionEvaluator(vtkRegionDepthTagMetric* metric, const std::shared_ptr<relevo::MetricMesh>& mesh)
+    : MetricEvaluator(mesh)
+    , Metric(metric)
+  {
+  }
+
+  bool ComputeTags(
+    const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags) override;
+  bool ComputeEdgeTags(
+    const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags) override;
+
+private:
+  vtkSmartPointer<vtkRegionDepthTagMetric> Metric;
+};
+
+bool RegionEvaluator::ComputeTags(
+  const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags)
+{
+  if (!this->Metric->GetImplicitFunction() && this->Metric->GetRadius() == 0.0)
+  {
+    vtkErrorWithObjectMacro(this->Metric.Get(),
+      "There is no region: call SetImplicitFunction, or SetCenter and SetRadius.");
+    return false;
+  }
+  vtkPolyData* mesh = this->GetMesh().GetPolyData();
+  const vtkIdType numberOfPoints = mesh->GetNumberOfPoints();
+  tags->SetNumberOfComponents(1);
+  tags->SetNumberOfTuples(numberOfPoints);
+  if (numberOfPoints == 0)
+  {
+    return true;
+  }
+  const Region region(this->Metric, this->GetMesh(), view);
+  region.For(numberOfPoints,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType point = begin; point < end; ++point)
+      {
+        dvec3 x;
+        mesh->GetPoints()->GetPoint(point, &x[0]);
+        tags->SetValue(point, region.GetLevel(x, maximumLevel));
+      }
+    });
+  tags->Modified();
+  return true;
+}
+
+bool RegionEvaluator::ComputeEdgeTags(
+  const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags)
+{
+  vtkNew<vtkFloatArray> pointTags;
+  if (!this->ComputeTags(view, maximumLevel, pointTags))
+  {
+    return false;
+  }
+  const relevo::SurfaceEdges& edges = *this->GetMesh().GetEdges();
+  const Region region(this->Metric, this->GetMesh(), view);
+  tags->SetNumberOfComponents(1);
+  tags->SetNumberOfTuples(edges.GetNumberOfEdges());
+  region.For(edges.GetNumberOfEdges(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType edge = begin; edge < end; ++edge)
+      {
+        const int* places = edges.GetEdges()[edge].Places;
+        dvec3 ends[2];
+        edges.GetTriangles().GetPoint(places[0], &ends[0][0]);
+        edges.GetTriangles().GetPoint(places[1], &ends[1][0]);
+        const dvec3 middle = 0.5 * ends[0] + 0.5 * ends[1];
+        tags->SetValue(edge,
+          std::max({ pointTags->GetValue(places[0]), region.GetLevel(middle, maximumLevel),
+            pointTags->GetValue(places[1]) }));
+      }
+    });
+  tags->Modified();
+  return true;
+}
 }
 
 vtkStandardNewMacro(vtkRegionDepthTagMetric);
@@ -141,64 +224,10 @@ vtkMTimeType vtkRegionDepthTagMetric::GetMTime()
   return this->ImplicitFunction ? std::max(own, this->ImplicitFunction->GetMTime()) : own;
 }
 
-bool vtkRegionDepthTagMetric::ComputeTags(
-  vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags)
+std::unique_ptr<relevo::MetricEvaluator> vtkRegionDepthTagMetric::NewEvaluator(
+  const std::shared_ptr<relevo::MetricMesh>& mesh)
 {
-  if (!this->ImplicitFunction && this->Radius == 0.0)
-  {
-    vtkErrorMacro("There is no region: call SetImplicitFunction, or SetCenter and SetRadius.");
-    return false;
-  }
-  const vtkIdType numberOfPoints = mesh->GetNumberOfPoints();
-  tags->SetNumberOfComponents(1);
-  tags->SetNumberOfTuples(numberOfPoints);
-  if (numberOfPoints == 0)
-  {
-    return true;
-  }
-  const Region region(this, mesh, view);
-  region.For(numberOfPoints,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType point = begin; point < end; ++point)
-      {
-        dvec3 x;
-        mesh->GetPoints()->GetPoint(point, &x[0]);
-        tags->SetValue(point, region.GetLevel(x, maximumLevel));
-      }
-    });
-  tags->Modified();
-  return true;
-}
-
-bool vtkRegionDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh, const relevo::RefinementView& view,
-  int maximumLevel, const relevo::SurfaceEdges& edges, vtkFloatArray* tags)
-{
-  vtkNew<vtkFloatArray> pointTags;
-  if (!this->ComputeTags(mesh, view, maximumLevel, pointTags))
-  {
-    return false;
-  }
-  const Region region(this, mesh, view);
-  tags->SetNumberOfComponents(1);
-  tags->SetNumberOfTuples(edges.GetNumberOfEdges());
-  region.For(edges.GetNumberOfEdges(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType edge = begin; edge < end; ++edge)
-      {
-        const int* places = edges.GetEdges()[edge].Places;
-        dvec3 ends[2];
-        edges.GetTriangles().GetPoint(places[0], &ends[0][0]);
-        edges.GetTriangles().GetPoint(places[1], &ends[1][0]);
-        const dvec3 middle = 0.5 * ends[0] + 0.5 * ends[1];
-        tags->SetValue(edge,
-          std::max({ pointTags->GetValue(places[0]), region.GetLevel(middle, maximumLevel),
-            pointTags->GetValue(places[1]) }));
-      }
-    });
-  tags->Modified();
-  return true;
+  return std::make_unique<RegionEvaluator>(this, mesh);
 }
 
 void vtkRegionDepthTagMetric::PrintSelf(ostream& os, vtkIndent indent)

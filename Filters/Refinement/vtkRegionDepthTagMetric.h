@@ -85,11 +85,9 @@ public:
 
   bool IsViewDependent() override { return false; }
   bool IsPlacementDependent() override { return true; }
-  bool ComputeTags(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
-    vtkFloatArray* tags) override;
 #ifndef __VTK_WRAP__
-  bool ComputeEdgeTags(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
-    const relevo::SurfaceEdges& edges, vtkFloatArray* tags) override;
+  std::unique_ptr<relevo::MetricEvaluator> NewEvaluator(
+    const std::shared_ptr<relevo::MetricMesh>& mesh) override;
 #endif
 
 protected:

@@ -4,11 +4,12 @@
 
 #include "Core/RefinementView.h"
 #include "Core/SettingChecks.h"
-#include "Metrics/MetricEvaluation.h"
+#include "Metrics/FunctionEvaluator.h"
 #include "Metrics/MetricFrame.h"
 #include "vtkCamera.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include "relevoMetricView.h"
 #include "relevoScreenEdgeMetric.h"
@@ -66,20 +67,93 @@ double GetScale(const dmat4& screen)
   const dmat4 rows = glm::transpose(screen);
   return std::max(glm::length(glm::dvec3(rows[X])), glm::length(glm::dvec3(rows[Y])));
 }
+
+class ScreenEdgeEvaluator : public relevo::FunctionEvaluator<relevo::ScreenEdgeFunctions>
+{
+public:
+  ScreenEdgeEvaluator(
+    vtkScreenEdgeDepthTagMetric* metric, const std::shared_ptr<relevo::MetricMesh>& mesh)
+    : FunctionEvaluator(mesh)
+    , Metric(metric)
+  {
+  }
+
+  bool GetShader(const relevo::RefinementView& view, int maximumLevel, const double origin[3],
+    relevo::MetricShader& shader) override;
+
+  bool ComputeTags(
+    const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags) override
+  {
+    return this->TagPointsByEdges(view, maximumLevel, tags);
+  }
+
+private:
+  bool CheckView(const relevo::RefinementView& view, relevo::Eye& eye);
+
+  vtkSmartPointer<vtkScreenEdgeDepthTagMetric> Metric;
+};
+
+bool ScreenEdgeEvaluator::CheckView(const relevo::RefinementView& view, relevo::Eye& eye)
+{
+  const int* size = view.ViewportSize;
+  if (size[0] < 1 || size[1] < 1)
+  {
+    vtkErrorWithObjectMacro(this->Metric.Get(),
+      "The viewport has no pixels: it is " << size[0] << " x " << size[1] << ".");
+    return false;
+  }
+  std::string error;
+  if (!eye.Set(view, error))
+  {
+    vtkErrorWithObjectMacro(this->Metric.Get(), << error << ".");
+    return false;
+  }
+  const glm::dmat3 directions(relevo::MakeMatrix(view.Camera->GetViewTransformMatrix()));
+  // 1 unless the camera is broken or its view sheared.
+  if (!(std::abs(glm::determinant(directions)) > 1e-9))
+  {
+    vtkErrorWithObjectMacro(this->Metric.Get(),
+      "The camera's view-up is parallel to its view direction, or its view is flat.");
+    return false;
+  }
+  return true;
 }
 
-struct vtkScreenEdgeDepthTagMetric::vtkInternals
-  : relevo::MetricEvaluation<relevo::ScreenEdgeFunctions>
+bool ScreenEdgeEvaluator::GetShader(const relevo::RefinementView& view, int maximumLevel,
+  const double origin[3], relevo::MetricShader& shader)
 {
-};
+  relevo::Eye eye;
+  if (!this->CheckView(view, eye))
+  {
+    return false;
+  }
+  static const std::string source = std::string(relevoMetricView) + relevoScreenEdgeMetric;
+  shader.Source = source.c_str();
+  shader.TagsPoints = false;
+  shader.Data = nullptr;
+  const relevo::Placement placement(view);
+  relevo::MetricFrame frame(shader, placement, eye.GetPosition(), origin, maximumLevel);
+  const dmat4 screen =
+    MakeScreenMatrix(view.Camera, view.ViewportSize, this->Metric->GetReferenceLength());
+  if (this->Metric->GetMeasure() == vtkScreenEdgeDepthTagMetric::PROJECTED_LENGTH)
+  {
+    frame.SetMatrix(screen * placement.ModelToWorld);
+    frame.SetOwn(0.0);
+    return true;
+  }
+  // In units of the mesh, so that squares are within the range of floats.
+  const double unit = placement.GetDiagonal(this->GetMesh().GetPolyData());
+  const double scale = GetScale(screen) * (view.Camera->GetParallelProjection() ? unit : 1.0);
+  frame.SetUnit(unit);
+  frame.SetDirections(eye);
+  frame.SetOwn(scale * scale);
+  return true;
+}
+}
 
 vtkStandardNewMacro(vtkScreenEdgeDepthTagMetric);
 
-vtkScreenEdgeDepthTagMetric::vtkScreenEdgeDepthTagMetric()
-  : Internals(new vtkInternals)
-{
-}
-
+vtkScreenEdgeDepthTagMetric::vtkScreenEdgeDepthTagMetric() = default;
 vtkScreenEdgeDepthTagMetric::~vtkScreenEdgeDepthTagMetric() = default;
 
 void vtkScreenEdgeDepthTagMetric::SetReferenceLength(double pixels)
@@ -94,62 +168,10 @@ void vtkScreenEdgeDepthTagMetric::SetMeasure(int measure)
     this, "Measure", this->Measure, measure, { "PROJECTED_LENGTH", "SPHERE_DIAMETER" });
 }
 
-bool vtkScreenEdgeDepthTagMetric::GetShader(vtkPolyData* mesh, const relevo::RefinementView& view,
-  int maximumLevel, const double origin[3], relevo::MetricShader& shader)
+std::unique_ptr<relevo::MetricEvaluator> vtkScreenEdgeDepthTagMetric::NewEvaluator(
+  const std::shared_ptr<relevo::MetricMesh>& mesh)
 {
-  const int* size = view.ViewportSize;
-  if (size[0] < 1 || size[1] < 1)
-  {
-    vtkErrorMacro("The viewport has no pixels: it is " << size[0] << " x " << size[1] << ".");
-    return false;
-  }
-  relevo::Eye eye;
-  std::string error;
-  if (!eye.Set(view, error))
-  {
-    vtkErrorMacro(<< error << ".");
-    return false;
-  }
-  const glm::dmat3 directions(relevo::MakeMatrix(view.Camera->GetViewTransformMatrix()));
-  // 1 unless the camera is broken or its view sheared.
-  if (!(std::abs(glm::determinant(directions)) > 1e-9))
-  {
-    vtkErrorMacro("The camera's view-up is parallel to its view direction, or its view is flat.");
-    return false;
-  }
-  static const std::string source = std::string(relevoMetricView) + relevoScreenEdgeMetric;
-  shader.Source = source.c_str();
-  shader.TagsPoints = false;
-  shader.Data = nullptr;
-  const relevo::Placement placement(view);
-  relevo::MetricFrame frame(shader, placement, eye.GetPosition(), origin, maximumLevel);
-  const dmat4 screen = MakeScreenMatrix(view.Camera, size, this->ReferenceLength);
-  if (this->Measure == PROJECTED_LENGTH)
-  {
-    frame.SetMatrix(screen * placement.ModelToWorld);
-    frame.SetOwn(0.0);
-    return true;
-  }
-  // In units of the mesh, so that squares are within the range of floats.
-  const double unit = placement.GetDiagonal(mesh);
-  const double scale = GetScale(screen) * (view.Camera->GetParallelProjection() ? unit : 1.0);
-  frame.SetUnit(unit);
-  frame.SetDirections(eye);
-  frame.SetOwn(scale * scale);
-  return true;
-}
-
-bool vtkScreenEdgeDepthTagMetric::ComputeTags(
-  vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags)
-{
-  return this->Internals->TagPointsByEdges(this, mesh, view, maximumLevel, tags);
-}
-
-bool vtkScreenEdgeDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh,
-  const relevo::RefinementView& view, int maximumLevel, const relevo::SurfaceEdges& edges,
-  vtkFloatArray* tags)
-{
-  return this->Internals->TagEdges(this, mesh, view, maximumLevel, edges, tags);
+  return std::make_unique<ScreenEdgeEvaluator>(this, mesh);
 }
 
 void vtkScreenEdgeDepthTagMetric::PrintSelf(ostream& os, vtkIndent indent)

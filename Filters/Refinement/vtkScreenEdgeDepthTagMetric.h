@@ -39,8 +39,6 @@
 #include "RelevoFiltersRefinementModule.h" // for export macro
 #include "vtkDepthTagMetric.h"
 
-#include <memory> // for std::unique_ptr
-
 class RELEVOFILTERSREFINEMENT_EXPORT vtkScreenEdgeDepthTagMetric : public vtkDepthTagMetric
 {
 public:
@@ -79,13 +77,9 @@ public:
 
   bool IsViewDependent() override { return true; }
   bool IsAbsolute() override { return true; }
-  bool ComputeTags(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
-    vtkFloatArray* tags) override;
 #ifndef __VTK_WRAP__
-  bool ComputeEdgeTags(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
-    const relevo::SurfaceEdges& edges, vtkFloatArray* tags) override;
-  bool GetShader(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
-    const double origin[3], relevo::MetricShader& shader) override;
+  std::unique_ptr<relevo::MetricEvaluator> NewEvaluator(
+    const std::shared_ptr<relevo::MetricMesh>& mesh) override;
 #endif
 
 protected:
@@ -98,9 +92,6 @@ protected:
 private:
   vtkScreenEdgeDepthTagMetric(const vtkScreenEdgeDepthTagMetric&) = delete;
   void operator=(const vtkScreenEdgeDepthTagMetric&) = delete;
-
-  struct vtkInternals;
-  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

@@ -6,12 +6,13 @@
 #include "Core/SettingChecks.h"
 #include "Mesh/SurfaceNormals.h"
 #include "Metrics/ContourTags.h"
-#include "Metrics/MetricEvaluation.h"
+#include "Metrics/FunctionEvaluator.h"
 #include "Metrics/MetricFrame.h"
 #include "vtkDataArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include "relevoMetricView.h"
 #include "relevoSilhouetteMetric.h"
@@ -42,15 +43,16 @@ constexpr double NarrowestContour = 0.001;
 class PointNormals
 {
 public:
-  void Update(vtkPolyData* mesh)
+  void Update(relevo::MetricMesh& mesh)
   {
-    vtkDataArray* normals = mesh->GetPointData()->GetNormals();
+    vtkDataArray* normals = mesh.GetPolyData()->GetPointData()->GetNormals();
     const vtkMTimeType time = normals ? normals->GetMTime() : 0;
-    if (this->Surface.Update(mesh) || normals != this->Of || time != this->OfTime)
+    if (mesh.GetTime() != this->MeshTime || normals != this->Of || time != this->OfTime)
     {
+      this->MeshTime = mesh.GetTime();
       this->Of = normals;
       this->OfTime = time;
-      this->Build(normals, mesh->GetNumberOfPoints());
+      this->Build(normals, mesh.GetNormals());
       this->Time.Modified();
     }
   }
@@ -59,8 +61,9 @@ public:
   vtkMTimeType GetTime() const { return this->Time.GetMTime(); }
 
 private:
-  void Build(vtkDataArray* normals, vtkIdType numberOfPoints)
+  void Build(vtkDataArray* normals, const relevo::SurfaceNormals& surface)
   {
+    const vtkIdType numberOfPoints = surface.GetTriangles().GetNumberOfPoints();
     if (normals &&
       (normals->GetNumberOfComponents() != 3 || normals->GetNumberOfTuples() != numberOfPoints))
     {
@@ -82,8 +85,8 @@ private:
           }
           if (normal == dvec3(0.0))
           {
-            const vtkIdType place = this->Surface.GetTriangles().GetPlace(point);
-            normal = relevo::UnitOrZero(this->Surface.GetAreaVectorAt(place));
+            const vtkIdType place = surface.GetTriangles().GetPlace(point);
+            normal = relevo::UnitOrZero(surface.GetAreaVectorAt(place));
           }
           float* datum = data->data() + 4 * point;
           for (int c = 0; c < 3; ++c)
@@ -95,28 +98,79 @@ private:
       });
   }
 
-  relevo::SurfaceNormals Surface;
+  vtkMTimeType MeshTime = 0;
   vtkDataArray* Of = nullptr;
   vtkMTimeType OfTime = 0;
   std::shared_ptr<const std::vector<float>> Data;
   vtkTimeStamp Time;
 };
-}
 
-struct vtkSilhouetteDepthTagMetric::vtkInternals
+class SilhouetteEvaluator : public relevo::FunctionEvaluator<relevo::SilhouetteFunctions>
 {
+public:
+  SilhouetteEvaluator(
+    vtkSilhouetteDepthTagMetric* metric, const std::shared_ptr<relevo::MetricMesh>& mesh)
+    : FunctionEvaluator(mesh)
+    , Metric(metric)
+  {
+  }
+
+  bool GetShader(const relevo::RefinementView& view, int maximumLevel, const double origin[3],
+    relevo::MetricShader& shader) override
+  {
+    relevo::Eye eye;
+    std::string error;
+    if (!eye.Set(view, error))
+    {
+      vtkErrorWithObjectMacro(this->Metric.Get(), << error << ".");
+      return false;
+    }
+    const relevo::Placement placement(view);
+    relevo::MetricFrame frame(shader, placement, eye.GetPosition(), origin, maximumLevel);
+    const double diagonal = placement.GetDiagonal(this->GetMesh().GetPolyData());
+    frame.SetUnit(diagonal > 0.0 ? diagonal : 1.0);
+    frame.SetDirections(eye);
+    frame.SetOwn(this->Metric->GetContourWidth());
+    shader.TagsPoints = !this->IsContour();
+    shader.Source = nullptr;
+    shader.Data = nullptr;
+    if (shader.TagsPoints)
+    {
+      static const std::string source = std::string(relevoMetricView) + relevoSilhouetteMetric;
+      shader.Source = source.c_str();
+      this->Normals.Update(this->GetMesh());
+      shader.Data = this->Normals.GetData();
+      shader.DataTime = this->Normals.GetTime();
+    }
+    return true;
+  }
+
+  bool ComputeTags(
+    const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags) override
+  {
+    return this->IsContour() ? this->Contour.TagPoints(*this, view, maximumLevel, tags)
+                             : this->TagPoints(view, maximumLevel, tags);
+  }
+
+  bool ComputeEdgeTags(
+    const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags) override
+  {
+    return this->IsContour() ? this->Contour.TagEdges(*this, view, maximumLevel, tags)
+                             : this->FunctionEvaluator::ComputeEdgeTags(view, maximumLevel, tags);
+  }
+
+private:
+  bool IsContour() { return this->Metric->GetCriterion() == vtkSilhouetteDepthTagMetric::CONTOUR; }
+
+  vtkSmartPointer<vtkSilhouetteDepthTagMetric> Metric;
   PointNormals Normals;
-  relevo::MetricEvaluation<relevo::SilhouetteFunctions> Evaluation;
   relevo::ContourTags Contour;
 };
+}
 
 vtkStandardNewMacro(vtkSilhouetteDepthTagMetric);
 
-vtkSilhouetteDepthTagMetric::vtkSilhouetteDepthTagMetric()
-  : Internals(new vtkInternals)
-{
-}
-
+vtkSilhouetteDepthTagMetric::vtkSilhouetteDepthTagMetric() = default;
 vtkSilhouetteDepthTagMetric::~vtkSilhouetteDepthTagMetric() = default;
 
 void vtkSilhouetteDepthTagMetric::SetCriterion(int criterion)
@@ -134,51 +188,10 @@ void vtkSilhouetteDepthTagMetric::SetContourWidth(double width)
   relevo::SetInRange(this, "ContourWidth", this->ContourWidth, width, NarrowestContour, 1.0);
 }
 
-bool vtkSilhouetteDepthTagMetric::GetShader(vtkPolyData* mesh, const relevo::RefinementView& view,
-  int maximumLevel, const double origin[3], relevo::MetricShader& shader)
+std::unique_ptr<relevo::MetricEvaluator> vtkSilhouetteDepthTagMetric::NewEvaluator(
+  const std::shared_ptr<relevo::MetricMesh>& mesh)
 {
-  relevo::Eye eye;
-  std::string error;
-  if (!eye.Set(view, error))
-  {
-    vtkErrorMacro(<< error << ".");
-    return false;
-  }
-  const relevo::Placement placement(view);
-  relevo::MetricFrame frame(shader, placement, eye.GetPosition(), origin, maximumLevel);
-  const double diagonal = placement.GetDiagonal(mesh);
-  frame.SetUnit(diagonal > 0.0 ? diagonal : 1.0);
-  frame.SetDirections(eye);
-  frame.SetOwn(this->ContourWidth);
-  shader.TagsPoints = this->Criterion == NORMAL_ANGLE;
-  shader.Source = nullptr;
-  shader.Data = nullptr;
-  if (shader.TagsPoints)
-  {
-    static const std::string source = std::string(relevoMetricView) + relevoSilhouetteMetric;
-    shader.Source = source.c_str();
-    this->Internals->Normals.Update(mesh);
-    shader.Data = this->Internals->Normals.GetData();
-    shader.DataTime = this->Internals->Normals.GetTime();
-  }
-  return true;
-}
-
-bool vtkSilhouetteDepthTagMetric::ComputeTags(
-  vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags)
-{
-  return this->Criterion == CONTOUR
-    ? this->Internals->Contour.TagPoints(this, mesh, view, maximumLevel, tags)
-    : this->Internals->Evaluation.TagPoints(this, mesh, view, maximumLevel, tags);
-}
-
-bool vtkSilhouetteDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh,
-  const relevo::RefinementView& view, int maximumLevel, const relevo::SurfaceEdges& edges,
-  vtkFloatArray* tags)
-{
-  return this->Criterion == CONTOUR
-    ? this->Internals->Contour.TagEdges(this, mesh, view, maximumLevel, edges, tags)
-    : this->Internals->Evaluation.TagEdges(this, mesh, view, maximumLevel, edges, tags);
+  return std::make_unique<SilhouetteEvaluator>(this, mesh);
 }
 
 void vtkSilhouetteDepthTagMetric::PrintSelf(ostream& os, vtkIndent indent)

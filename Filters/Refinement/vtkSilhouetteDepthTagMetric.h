@@ -45,8 +45,6 @@
 #include "RelevoFiltersRefinementModule.h" // for export macro
 #include "vtkDepthTagMetric.h"
 
-#include <memory> // for std::unique_ptr
-
 class RELEVOFILTERSREFINEMENT_EXPORT vtkSilhouetteDepthTagMetric : public vtkDepthTagMetric
 {
 public:
@@ -90,13 +88,9 @@ public:
   //@}
 
   bool IsViewDependent() override { return true; }
-  bool ComputeTags(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
-    vtkFloatArray* tags) override;
 #ifndef __VTK_WRAP__
-  bool ComputeEdgeTags(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
-    const relevo::SurfaceEdges& edges, vtkFloatArray* tags) override;
-  bool GetShader(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
-    const double origin[3], relevo::MetricShader& shader) override;
+  std::unique_ptr<relevo::MetricEvaluator> NewEvaluator(
+    const std::shared_ptr<relevo::MetricMesh>& mesh) override;
 #endif
 
 protected:
@@ -109,9 +103,6 @@ protected:
 private:
   vtkSilhouetteDepthTagMetric(const vtkSilhouetteDepthTagMetric&) = delete;
   void operator=(const vtkSilhouetteDepthTagMetric&) = delete;
-
-  struct vtkInternals;
-  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

@@ -5,11 +5,12 @@
 #include "Core/RefinementView.h"
 #include "Core/SettingChecks.h"
 #include "Mesh/SurfaceNormals.h"
-#include "Metrics/MetricEvaluation.h"
+#include "Metrics/FunctionEvaluator.h"
 #include "Metrics/MetricFrame.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include "relevoMetricView.h"
 #include "relevoViewDependentMetric.h"
@@ -49,14 +50,15 @@ double AngleBetween(const dvec3& a, const dvec3& b)
 class Spreads
 {
 public:
-  void Update(vtkPolyData* mesh, const relevo::Placement& placement, double maximumSpread)
+  void Update(relevo::MetricMesh& mesh, const relevo::Placement& placement, double maximumSpread)
   {
-    if (this->Surface.Update(mesh) || !placement.HasShape(this->Shape) ||
+    if (mesh.GetTime() != this->MeshTime || !placement.HasShape(this->Shape) ||
       maximumSpread != this->MaximumSpread)
     {
+      this->MeshTime = mesh.GetTime();
       this->Shape = placement.GetShape();
       this->MaximumSpread = maximumSpread;
-      this->Build(placement);
+      this->Build(mesh.GetNormals(), placement);
       this->Time.Modified();
     }
   }
@@ -65,9 +67,9 @@ public:
   vtkMTimeType GetTime() const { return this->Time.GetMTime(); }
 
 private:
-  void Build(const relevo::Placement& placement)
+  void Build(const relevo::SurfaceNormals& surface, const relevo::Placement& placement)
   {
-    const relevo::SurfaceTriangles& triangles = this->Surface.GetTriangles();
+    const relevo::SurfaceTriangles& triangles = surface.GetTriangles();
     const auto data = std::make_shared<std::vector<float>>(
       4 * static_cast<std::size_t>(triangles.GetNumberOfPoints()));
     this->Data = data;
@@ -77,28 +79,28 @@ private:
         for (vtkIdType point = begin; point < end; ++point)
         {
           const vtkIdType place = triangles.GetPlace(point);
-          const dvec3 mean = relevo::UnitOrZero(this->Surface.GetAreaVectorAt(place));
+          const dvec3 mean = relevo::UnitOrZero(surface.GetAreaVectorAt(place));
           float* datum = data->data() + 4 * point;
           for (int c = 0; c < 3; ++c)
           {
             datum[c] = static_cast<float>(mean[c]);
           }
           datum[3] =
-            static_cast<float>(this->GetSpread(place, mean, placement) / this->MaximumSpread);
+            static_cast<float>(GetSpread(surface, place, mean, placement) / this->MaximumSpread);
         }
       });
   }
 
   // In the world's coordinates.
-  double GetSpread(vtkIdType place, const dvec3& mean, const relevo::Placement& placement) const
+  static double GetSpread(const relevo::SurfaceNormals& surface, vtkIdType place, const dvec3& mean,
+    const relevo::Placement& placement)
   {
     const dvec3 worldMean = relevo::UnitOrZero(placement.GetNormal(mean));
     double spread = 0.0;
-    this->Surface.GetTriangles().ForEachTriangleIndex(place,
+    surface.GetTriangles().ForEachTriangleIndex(place,
       [&](vtkIdType t)
       {
-        const dvec3 normal =
-          relevo::UnitOrZero(placement.GetNormal(this->Surface.GetAreaVectors()[t]));
+        const dvec3 normal = relevo::UnitOrZero(placement.GetNormal(surface.GetAreaVectors()[t]));
         if (normal != dvec3(0.0))
         {
           spread = std::max(spread, AngleBetween(worldMean, normal));
@@ -107,27 +109,64 @@ private:
     return spread;
   }
 
-  relevo::SurfaceNormals Surface;
+  vtkMTimeType MeshTime = 0;
   dmat3 Shape{ 0.0 };
   double MaximumSpread = 0.0;
   std::shared_ptr<const std::vector<float>> Data;
   vtkTimeStamp Time;
 };
-}
 
-struct vtkViewDependentDepthTagMetric::vtkInternals
-  : relevo::MetricEvaluation<relevo::ViewDependentFunctions>
+class ViewDependentEvaluator : public relevo::FunctionEvaluator<relevo::ViewDependentFunctions>
 {
-  Spreads Of;
+public:
+  ViewDependentEvaluator(
+    vtkViewDependentDepthTagMetric* metric, const std::shared_ptr<relevo::MetricMesh>& mesh)
+    : FunctionEvaluator(mesh)
+    , Metric(metric)
+  {
+  }
+
+  bool GetShader(const relevo::RefinementView& view, int maximumLevel, const double origin[3],
+    relevo::MetricShader& shader) override
+  {
+    relevo::Eye eye;
+    std::string error;
+    if (!eye.Set(view, error))
+    {
+      vtkErrorWithObjectMacro(this->Metric.Get(), << error << ".");
+      return false;
+    }
+    static const std::string source = std::string(relevoMetricView) + relevoViewDependentMetric;
+    shader.Source = source.c_str();
+    shader.TagsPoints = true;
+    const relevo::Placement placement(view);
+    this->PointSpreads.Update(
+      this->GetMesh(), placement, vtkMath::RadiansFromDegrees(this->Metric->GetMaximumSpread()));
+    shader.Data = this->PointSpreads.GetData();
+    shader.DataTime = this->PointSpreads.GetTime();
+    relevo::MetricFrame frame(shader, placement, eye.GetPosition(), origin, maximumLevel);
+    const double diagonal = placement.GetDiagonal(this->GetMesh().GetPolyData());
+    frame.SetUnit(diagonal > 0.0 ? diagonal : 1.0);
+    frame.SetDirections(eye);
+    frame.SetOwn(this->Metric->GetEdgeOnWeight());
+    return true;
+  }
+
+  bool ComputeTags(
+    const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags) override
+  {
+    return this->TagPoints(view, maximumLevel, tags);
+  }
+
+private:
+  vtkSmartPointer<vtkViewDependentDepthTagMetric> Metric;
+  Spreads PointSpreads;
 };
+}
 
 vtkStandardNewMacro(vtkViewDependentDepthTagMetric);
 
-vtkViewDependentDepthTagMetric::vtkViewDependentDepthTagMetric()
-  : Internals(new vtkInternals)
-{
-}
-
+vtkViewDependentDepthTagMetric::vtkViewDependentDepthTagMetric() = default;
 vtkViewDependentDepthTagMetric::~vtkViewDependentDepthTagMetric() = default;
 
 void vtkViewDependentDepthTagMetric::SetMaximumSpread(double degrees)
@@ -140,44 +179,10 @@ void vtkViewDependentDepthTagMetric::SetEdgeOnWeight(double weight)
   relevo::SetInRange(this, "EdgeOnWeight", this->EdgeOnWeight, weight, 0.0, 1.0);
 }
 
-bool vtkViewDependentDepthTagMetric::GetShader(vtkPolyData* mesh,
-  const relevo::RefinementView& view, int maximumLevel, const double origin[3],
-  relevo::MetricShader& shader)
+std::unique_ptr<relevo::MetricEvaluator> vtkViewDependentDepthTagMetric::NewEvaluator(
+  const std::shared_ptr<relevo::MetricMesh>& mesh)
 {
-  relevo::Eye eye;
-  std::string error;
-  if (!eye.Set(view, error))
-  {
-    vtkErrorMacro(<< error << ".");
-    return false;
-  }
-  static const std::string source = std::string(relevoMetricView) + relevoViewDependentMetric;
-  shader.Source = source.c_str();
-  shader.TagsPoints = true;
-  const relevo::Placement placement(view);
-  Spreads& spreads = this->Internals->Of;
-  spreads.Update(mesh, placement, vtkMath::RadiansFromDegrees(this->MaximumSpread));
-  shader.Data = spreads.GetData();
-  shader.DataTime = spreads.GetTime();
-  relevo::MetricFrame frame(shader, placement, eye.GetPosition(), origin, maximumLevel);
-  const double diagonal = placement.GetDiagonal(mesh);
-  frame.SetUnit(diagonal > 0.0 ? diagonal : 1.0);
-  frame.SetDirections(eye);
-  frame.SetOwn(this->EdgeOnWeight);
-  return true;
-}
-
-bool vtkViewDependentDepthTagMetric::ComputeTags(
-  vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags)
-{
-  return this->Internals->TagPoints(this, mesh, view, maximumLevel, tags);
-}
-
-bool vtkViewDependentDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh,
-  const relevo::RefinementView& view, int maximumLevel, const relevo::SurfaceEdges& edges,
-  vtkFloatArray* tags)
-{
-  return this->Internals->TagEdges(this, mesh, view, maximumLevel, edges, tags);
+  return std::make_unique<ViewDependentEvaluator>(this, mesh);
 }
 
 void vtkViewDependentDepthTagMetric::PrintSelf(ostream& os, vtkIndent indent)

@@ -64,15 +64,4 @@ void LocalPoints::Build(vtkPoints* points)
       }
     });
 }
-
-void LocalPoints::Update(vtkPoints* points)
-{
-  const vtkMTimeType time = points ? points->GetMTime() : 0;
-  if (points != this->Of || time != this->Time)
-  {
-    this->Build(points);
-    this->Of = points;
-    this->Time = time;
-  }
-}
 }

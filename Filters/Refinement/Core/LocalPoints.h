@@ -26,8 +26,6 @@ class LocalPoints
 public:
   /// Take the points; nullptr for none.
   void Build(vtkPoints* points);
-  /// The same, unless they are those of last time and have not changed.
-  void Update(vtkPoints* points);
 
   vtkIdType GetNumberOfPoints() const
   {
@@ -38,10 +36,6 @@ public:
   double Origin[3] = { 0.0, 0.0, 0.0 };
   /// 3 floats per point.
   std::vector<float> Coordinates;
-
-private:
-  vtkPoints* Of = nullptr;
-  vtkMTimeType Time = 0;
 };
 }
 #endif

@@ -81,15 +81,21 @@ double Placement::GetDiagonal(const double sides[3]) const
   return std::sqrt(squared);
 }
 
-double Placement::GetDiagonal(vtkPolyData* mesh) const
+void GetFiniteSides(vtkPolyData* mesh, double sides[3])
 {
-  double sides[3] = { 0.0, 0.0, 0.0 };
+  std::fill_n(sides, 3, 0.0);
   for (int axis = 0; axis < 3 && mesh->GetNumberOfPoints() > 0; ++axis)
   {
     double range[2];
     mesh->GetPoints()->GetData()->GetFiniteRange(range, axis);
     sides[axis] = std::max(range[1] - range[0], 0.0);
   }
+}
+
+double Placement::GetDiagonal(vtkPolyData* mesh) const
+{
+  double sides[3];
+  GetFiniteSides(mesh, sides);
   return this->GetDiagonal(sides);
 }
 

@@ -21,6 +21,9 @@ namespace relevo
 struct RefinementView;
 dmat4 MakeMatrix(vtkMatrix4x4* matrix);
 
+/// The sides of the mesh's own bounding box. Coordinates that are not finite do not count.
+void GetFiniteSides(vtkPolyData* mesh, double sides[3]);
+
 /// Where the actor's matrix puts the mesh; identity without one.
 struct Placement
 {

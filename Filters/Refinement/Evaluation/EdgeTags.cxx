@@ -7,6 +7,9 @@
 #include "Mesh/RefinementMesh.h"
 #include "Mesh/SurfaceEdges.h"
 #include "Metrics/DepthTags.h"
+#include "Metrics/MetricEvaluator.h"
+#include "Metrics/MetricMesh.h"
+#include "Metrics/TagSource.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDataArray.h"
 #include "vtkDepthTagMetric.h"
@@ -18,6 +21,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <utility>
 
 namespace relevo
 {
@@ -30,8 +34,23 @@ vtkAbstractArray* FindDepthTagArray(vtkAdaptiveRefinement* recipe, vtkPolyData* 
 }
 }
 
-EdgeTags::EdgeTags() = default;
+EdgeTags::EdgeTags()
+  : EdgeTags(std::make_shared<TagSource>())
+{
+}
+
+EdgeTags::EdgeTags(std::shared_ptr<TagSource> source)
+  : Source(std::move(source))
+{
+}
+
 EdgeTags::~EdgeTags() = default;
+
+void EdgeTags::SetSource(std::shared_ptr<TagSource> source)
+{
+  this->Source = std::move(source);
+  this->Reset();
+}
 
 void EdgeTags::Reset()
 {
@@ -75,8 +94,13 @@ bool EdgeTags::Compute(vtkAdaptiveRefinement* recipe, vtkPolyData* input,
   {
     const bool perEdge = recipe->GetLevelRule() == vtkDepthTagMetric::PER_EDGE;
     this->Values->Reset();
-    const bool computed = perEdge ? this->ComputePerEdge(metric, input, mesh, view, highest)
-                                  : metric->ComputeTags(input, view, highest, this->Values);
+    MetricEvaluator& evaluator = this->Source->GetEvaluator(metric, input);
+    if (perEdge)
+    {
+      this->BuildEdges(input, mesh);
+    }
+    const bool computed = perEdge ? evaluator.ComputeEdgeTags(view, highest, this->Values)
+                                  : evaluator.ComputeTags(view, highest, this->Values);
     if (!computed)
     {
       error = std::string(metric->GetClassName()) + " gave no depth-tags";
@@ -103,7 +127,8 @@ bool EdgeTags::ComputeOrDescribe(vtkAdaptiveRefinement* recipe, vtkPolyData* inp
   this->Shader.Source = nullptr;
   vtkDepthTagMetric* metric = GetMetricInUse(recipe, input);
   if (metric &&
-    !metric->GetShader(input, view, GetHighestTag(recipe, false), mesh.Origin, this->Shader))
+    !this->Source->GetEvaluator(metric, input)
+       .GetShader(view, GetHighestTag(recipe, false), mesh.Origin, this->Shader))
   {
     error = std::string(metric->GetClassName()) + " gave no depth-tags";
     return false;
@@ -124,12 +149,12 @@ bool EdgeTags::ComputeOrDescribe(vtkAdaptiveRefinement* recipe, vtkPolyData* inp
 
 void EdgeTags::BuildEdges(vtkPolyData* input, const RefinementMesh& mesh)
 {
-  if (this->Edges)
+  const std::shared_ptr<const SurfaceEdges>& edges = this->Source->GetMesh(input).GetEdges();
+  if (this->Edges == edges)
   {
     return;
   }
-  this->Edges = std::make_unique<SurfaceEdges>();
-  this->Edges->Update(input);
+  this->Edges = edges;
   this->FaceEdges.resize(3 * mesh.Faces.size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(mesh.Faces.size()),
     [&](vtkIdType begin, vtkIdType end)
@@ -150,13 +175,6 @@ bool EdgeTags::Compute(vtkAdaptiveRefinement* recipe, vtkPolyData* input,
   const RefinementMesh& mesh, const RefinementView& view, std::string& error)
 {
   return this->Compute(recipe, input, mesh, view, GetHighestTag(recipe, false), error);
-}
-
-bool EdgeTags::ComputePerEdge(vtkDepthTagMetric* metric, vtkPolyData* input,
-  const RefinementMesh& mesh, const RefinementView& view, int maximumLevel)
-{
-  this->BuildEdges(input, mesh);
-  return metric->ComputeEdgeTags(input, view, maximumLevel, *this->Edges, this->Values);
 }
 
 bool EdgeTags::CheckValues(vtkIdType expected, const std::string& source, std::string& error)

@@ -6,7 +6,8 @@
  *
  * The stage "tag" of a frame: from the input's own array or the recipe's metric, one tag per point
  * (an edge takes the mean of its two; points at one place count as one) or one per edge. Either
- * way the tag of an edge is the same in all its faces. Memory is kept from frame to frame.
+ * way the tag of an edge is the same in all its faces. Memory is kept from frame to frame. What is
+ * known of the mesh itself is in a TagSource, which the tags for several views may share.
  *
  * Not wrapped: for the modules' own sources.
  */
@@ -33,11 +34,14 @@ namespace relevo
 struct RefinementView;
 class RefinementMesh;
 class SurfaceEdges;
+class TagSource;
 
 class RELEVOFILTERSREFINEMENT_EXPORT EdgeTags
 {
 public:
+  /// With a source of its own, or a shared one.
   EdgeTags();
+  explicit EdgeTags(std::shared_ptr<TagSource> source);
   ~EdgeTags();
   EdgeTags(const EdgeTags&) = delete;
   void operator=(const EdgeTags&) = delete;
@@ -73,8 +77,14 @@ public:
   /// The edges of the mesh; per edge, and for metrics that only edges have tags of.
   const SurfaceEdges* GetEdges() const { return this->Edges.get(); }
 
-  /// Forget the mesh.
+  /// Forget the faces.
   void Reset();
+
+  //@{
+  /// What the tags are computed from.
+  void SetSource(std::shared_ptr<TagSource> source);
+  const std::shared_ptr<TagSource>& GetSource() const { return this->Source; }
+  //@}
 
   Kinds GetKind() const { return this->Kind; }
 
@@ -87,13 +97,12 @@ public:
 
 private:
   void BuildEdges(vtkPolyData* input, const RefinementMesh& mesh);
-  bool ComputePerEdge(vtkDepthTagMetric* metric, vtkPolyData* input, const RefinementMesh& mesh,
-    const RefinementView& view, int maximumLevel);
   bool CheckValues(vtkIdType expected, const std::string& source, std::string& error);
 
   Kinds Kind = UNIFORM;
   vtkNew<vtkFloatArray> Values;
-  std::unique_ptr<SurfaceEdges> Edges;
+  std::shared_ptr<TagSource> Source;
+  std::shared_ptr<const SurfaceEdges> Edges;
   std::vector<int> FaceEdges;
   MetricShader Shader;
 };

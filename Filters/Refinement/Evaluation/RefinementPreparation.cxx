@@ -61,9 +61,10 @@ bool PrepareMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe, RefinementMe
 }
 
 bool SelectPatterns(vtkPolyData* input, vtkAdaptiveRefinement* recipe, const RefinementView& view,
-  const RefinementMesh& mesh, PatternSelection& selection, std::string& error)
+  const RefinementMesh& mesh, const std::shared_ptr<TagSource>& source, PatternSelection& selection,
+  std::string& error)
 {
-  EdgeTags tags;
+  EdgeTags tags(source);
   std::string problem;
   if (!tags.Compute(recipe, input, mesh, view, problem))
   {

@@ -3,6 +3,7 @@
 #include "Mesh/SurfaceDiagonal.h"
 
 #include "Core/WorldView.h"
+#include "Mesh/SurfaceTriangles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,21 +11,13 @@
 
 namespace relevo
 {
-double SurfaceDiagonal::Get(vtkPolyData* mesh, const Placement& placement)
+SurfaceDiagonal::SurfaceDiagonal(vtkPolyData* mesh, const SurfaceTriangles& surface)
 {
-  const GeometryStamp stamp = MakeGeometryStamp(mesh);
-  if (stamp != this->Of)
+  if (surface.GetTriangles().empty())
   {
-    this->Of = stamp;
-    this->Compute(mesh);
+    GetFiniteSides(mesh, this->Sides);
+    return;
   }
-  return this->HasTriangles ? placement.GetDiagonal(this->Sides) : placement.GetDiagonal(mesh);
-}
-
-void SurfaceDiagonal::Compute(vtkPolyData* mesh)
-{
-  const SurfaceTriangles surface(mesh);
-  this->HasTriangles = !surface.GetTriangles().empty();
   double low[3];
   double high[3];
   std::fill_n(low, 3, std::numeric_limits<double>::infinity());
@@ -49,5 +42,10 @@ void SurfaceDiagonal::Compute(vtkPolyData* mesh)
   {
     this->Sides[axis] = std::max(high[axis] - low[axis], 0.0);
   }
+}
+
+double SurfaceDiagonal::Get(const Placement& placement) const
+{
+  return placement.GetDiagonal(this->Sides);
 }
 }

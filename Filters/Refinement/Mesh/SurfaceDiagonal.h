@@ -9,30 +9,25 @@
 #ifndef SurfaceDiagonal_h
 #define SurfaceDiagonal_h
 
-#include "Mesh/SurfaceTriangles.h" // for members
-
 class vtkPolyData;
 
-#ifndef __VTK_WRAP__
 namespace relevo
 {
 struct Placement;
+class SurfaceTriangles;
 
 class SurfaceDiagonal
 {
 public:
+  SurfaceDiagonal(vtkPolyData* mesh, const SurfaceTriangles& surface);
+
   /// The diagonal of the bounding box of the mesh's triangles, in the world's units: see
   /// Placement::GetDiagonal(). Points that no triangle uses do not count, unless there is none.
-  double Get(vtkPolyData* mesh, const Placement& placement);
+  double Get(const Placement& placement) const;
 
 private:
-  void Compute(vtkPolyData* mesh);
-
-  GeometryStamp Of{};
-  bool HasTriangles = false;
   double Sides[3] = { 0.0, 0.0, 0.0 };
 };
 }
-#endif
 
 #endif

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace
 {
@@ -71,6 +72,13 @@ std::vector<Side> MakeSides(
 
 namespace relevo
 {
+SurfaceEdges::SurfaceEdges(std::shared_ptr<const SurfaceTriangles> triangles)
+  : Triangles(std::move(triangles))
+{
+  this->BuildEdges();
+  this->BuildUses();
+}
+
 bool SurfaceEdges::Update(vtkPolyData* mesh)
 {
   const GeometryStamp stamp = MakeGeometryStamp(mesh);
@@ -78,21 +86,16 @@ bool SurfaceEdges::Update(vtkPolyData* mesh)
   {
     return false;
   }
+  *this = SurfaceEdges(std::make_shared<SurfaceTriangles>(mesh));
   this->Of = stamp;
-  this->Triangles = SurfaceTriangles(mesh);
-  this->BuildEdges();
-  this->BuildUses();
   return true;
 }
 
 void SurfaceEdges::BuildEdges()
 {
-  this->Edges.clear();
-  this->Sides.clear();
-  this->FirstSides.clear();
-  const vtkIdType numberOfPlaces = this->Triangles.GetNumberOfPoints();
+  const vtkIdType numberOfPlaces = this->Triangles->GetNumberOfPoints();
   std::vector<int> starts(numberOfPlaces + 1, 0);
-  const std::vector<Side> sides = MakeSides(this->Triangles.GetTriangles(), starts);
+  const std::vector<Side> sides = MakeSides(this->Triangles->GetTriangles(), starts);
   this->Edges.reserve(sides.size() / 2);
   this->Sides.reserve(sides.size() / 2);
   this->FirstEdges.assign(1, 0);
@@ -132,7 +135,7 @@ void SurfaceEdges::BuildEdges()
 
 void SurfaceEdges::BuildUses()
 {
-  this->Starts.assign(this->Triangles.GetNumberOfPoints() + 1, 0);
+  this->Starts.assign(this->Triangles->GetNumberOfPoints() + 1, 0);
   for (const Edge& edge : this->Edges)
   {
     ++this->Starts[edge.Places[0]];
@@ -154,7 +157,7 @@ int SurfaceEdges::FindEdge(vtkIdType a, vtkIdType b) const
 {
   const vtkIdType low = std::min(a, b);
   const vtkIdType high = std::max(a, b);
-  if (low < 0 || low >= this->Triangles.GetNumberOfPoints())
+  if (low < 0 || low >= this->Triangles->GetNumberOfPoints())
   {
     return -1;
   }
@@ -168,7 +171,7 @@ int SurfaceEdges::FindEdge(vtkIdType a, vtkIdType b) const
 
 void SurfaceEdges::TagPoints(const float* edgeTags, vtkFloatArray* tags) const
 {
-  const vtkIdType numberOfPoints = this->Triangles.GetNumberOfPoints();
+  const vtkIdType numberOfPoints = this->Triangles->GetNumberOfPoints();
   tags->SetNumberOfComponents(1);
   tags->SetNumberOfTuples(numberOfPoints);
   float* values = tags->GetPointer(0);
@@ -177,7 +180,7 @@ void SurfaceEdges::TagPoints(const float* edgeTags, vtkFloatArray* tags) const
     {
       for (vtkIdType point = begin; point < end; ++point)
       {
-        const vtkIdType place = this->Triangles.GetPlace(point);
+        const vtkIdType place = this->Triangles->GetPlace(point);
         float tag = 0.0f;
         for (int i = this->Starts[place]; i < this->Starts[place + 1]; ++i)
         {

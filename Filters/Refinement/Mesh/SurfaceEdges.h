@@ -7,8 +7,7 @@
  * An edge is a pair of places that at least one triangle joins. Edges are counted from 0, in the
  * order of their places, so that an edge is found in logarithmic time.
  *
- * Kept between evaluations until the mesh's points or polygons change, as view-dependent metrics
- * need them every frame.
+ * Of given triangles, or of a mesh that it follows.
  *
  * Not wrapped: for the modules' own sources.
  */
@@ -20,6 +19,7 @@
 #include "vtkFloatArray.h"                 // for TagEdges
 #include "vtkSMPTools.h"                   // for TagEdges
 
+#include <memory> // for members
 #include <vector> // for members
 
 class vtkPolyData;
@@ -53,10 +53,14 @@ public:
     int Places[2];
   };
 
-  /// Follow the mesh; returns whether it had changed.
+  /// No edges, until Update().
+  SurfaceEdges() = default;
+  explicit SurfaceEdges(std::shared_ptr<const SurfaceTriangles> triangles);
+
+  /// Follow the mesh; returns whether its points or polygons had changed.
   bool Update(vtkPolyData* mesh);
 
-  const SurfaceTriangles& GetTriangles() const { return this->Triangles; }
+  const SurfaceTriangles& GetTriangles() const { return *this->Triangles; }
 
   int GetNumberOfEdges() const { return static_cast<int>(this->Edges.size()); }
   /// All edges, sorted by their places.
@@ -84,7 +88,7 @@ private:
   void BuildUses();
 
   GeometryStamp Of{};
-  SurfaceTriangles Triangles;
+  std::shared_ptr<const SurfaceTriangles> Triangles = std::make_shared<SurfaceTriangles>();
   std::vector<Edge> Edges;
   std::vector<int> FirstEdges; // of those whose lower place it is, per place
   std::vector<SurfaceEdgeSides> Sides;

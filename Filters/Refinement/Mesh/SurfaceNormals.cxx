@@ -2,21 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/SurfaceNormals.h"
 
-#include "vtkPolyData.h"
 #include "vtkSMPTools.h"
+
+#include <utility>
 
 namespace relevo
 {
-bool SurfaceNormals::Update(vtkPolyData* mesh)
+SurfaceNormals::SurfaceNormals(std::shared_ptr<const SurfaceTriangles> surface)
+  : Triangles(std::move(surface))
 {
-  const GeometryStamp stamp = MakeGeometryStamp(mesh);
-  if (this->Of == stamp)
-  {
-    return false;
-  }
-  this->Of = stamp;
-  this->Triangles = SurfaceTriangles(mesh);
-  const std::vector<SurfaceTriangles::Triangle>& triangles = this->Triangles.GetTriangles();
+  const std::vector<SurfaceTriangles::Triangle>& triangles = this->Triangles->GetTriangles();
   this->AreaVectors.resize(triangles.size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(triangles.size()),
     [&](vtkIdType begin, vtkIdType end)
@@ -26,18 +21,17 @@ bool SurfaceNormals::Update(vtkPolyData* mesh)
         dvec3 corners[3];
         for (int corner = 0; corner < 3; ++corner)
         {
-          this->Triangles.GetPoint(triangles[t][corner], &corners[corner][0]);
+          this->Triangles->GetPoint(triangles[t][corner], &corners[corner][0]);
         }
         this->AreaVectors[t] = cross(corners[1] - corners[0], corners[2] - corners[0]);
       }
     });
-  return true;
 }
 
 dvec3 SurfaceNormals::GetAreaVectorAt(vtkIdType place) const
 {
   dvec3 sum(0.0);
-  this->Triangles.ForEachTriangleIndex(place, [&](vtkIdType t) { sum += this->AreaVectors[t]; });
+  this->Triangles->ForEachTriangleIndex(place, [&](vtkIdType t) { sum += this->AreaVectors[t]; });
   return sum;
 }
 }

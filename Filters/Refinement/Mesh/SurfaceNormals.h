@@ -4,8 +4,8 @@
  * @class   SurfaceNormals
  * @brief   the normals of a mesh's triangles, and of its places
  *
- * Kept between evaluations until the mesh's points or polygons change. In the mesh's coordinates:
- * an actor's matrix takes area vectors to the world by its cofactors, see Placement::GetNormal().
+ * In the mesh's coordinates: an actor's matrix takes area vectors to the world by its cofactors,
+ * see Placement::GetNormal().
  *
  * Not wrapped: for the modules' own sources.
  */
@@ -15,27 +15,24 @@
 #include "Core/RefinementMathematics.h"
 #include "Mesh/SurfaceTriangles.h"
 
+#include <memory> // for members
 #include <vector> // for members
-
-class vtkPolyData;
 
 namespace relevo
 {
 class SurfaceNormals
 {
 public:
-  /// Follow the mesh; returns whether it had changed.
-  bool Update(vtkPolyData* mesh);
+  explicit SurfaceNormals(std::shared_ptr<const SurfaceTriangles> triangles);
 
-  const SurfaceTriangles& GetTriangles() const { return this->Triangles; }
+  const SurfaceTriangles& GetTriangles() const { return *this->Triangles; }
   /// Per triangle its normal, twice as long as its area.
   const std::vector<dvec3>& GetAreaVectors() const { return this->AreaVectors; }
   /// The sum of the area vectors of the triangles at a place.
   dvec3 GetAreaVectorAt(vtkIdType place) const;
 
 private:
-  GeometryStamp Of{};
-  SurfaceTriangles Triangles;
+  std::shared_ptr<const SurfaceTriangles> Triangles;
   std::vector<dvec3> AreaVectors;
 };
 }

@@ -3,7 +3,8 @@
 #include "Metrics/ContourTags.h"
 
 #include "Core/WorldView.h"
-#include "Metrics/MetricEvaluation.h"
+#include "Mesh/SurfaceNormals.h"
+#include "Metrics/FunctionEvaluator.h"
 
 #include <algorithm>
 
@@ -25,30 +26,29 @@ struct ContourFunctions : MetricParameters
 };
 }
 
-bool ContourTags::TagPoints(vtkDepthTagMetric* metric, vtkPolyData* mesh,
-  const RefinementView& view, int maximumLevel, vtkFloatArray* tags)
+bool ContourTags::TagPoints(
+  MetricEvaluator& evaluator, const RefinementView& view, int maximumLevel, vtkFloatArray* tags)
 {
-  this->Edges.Update(mesh);
-  if (!this->TagEdges(metric, mesh, view, maximumLevel, this->Edges, this->EdgeTags))
+  if (!this->TagEdges(evaluator, view, maximumLevel, this->EdgeTags))
   {
     return false;
   }
-  this->Edges.TagPoints(this->EdgeTags->GetPointer(0), tags);
+  evaluator.GetMesh().GetEdges()->TagPoints(this->EdgeTags->GetPointer(0), tags);
   return true;
 }
 
-bool ContourTags::TagEdges(vtkDepthTagMetric* metric, vtkPolyData* mesh, const RefinementView& view,
-  int maximumLevel, const SurfaceEdges& edges, vtkFloatArray* tags)
+bool ContourTags::TagEdges(
+  MetricEvaluator& evaluator, const RefinementView& view, int maximumLevel, vtkFloatArray* tags)
 {
-  this->Points.Update(mesh->GetPoints());
-  if (!metric->GetShader(mesh, view, maximumLevel, this->Points.Origin, this->Shader))
+  MetricMesh& mesh = evaluator.GetMesh();
+  if (!evaluator.GetShader(view, maximumLevel, mesh.GetPoints().Origin, this->Shader))
   {
     return false;
   }
   this->UpdateNormals(mesh, view);
-  this->ComputeOffsets();
-  this->ComputeHeights();
-  this->MeasureEdges(edges, tags);
+  this->ComputeOffsets(mesh);
+  this->ComputeHeights(mesh);
+  this->MeasureEdges(*mesh.GetEdges(), tags);
   const float width = this->Shader.Parameters[4 * 9];
   float* values = tags->GetPointer(0);
   vtkSMPTools::For(0, tags->GetNumberOfValues(),
@@ -93,15 +93,16 @@ void ContourTags::MeasureEdges(const SurfaceEdges& edges, vtkFloatArray* measure
     });
 }
 
-void ContourTags::UpdateNormals(vtkPolyData* mesh, const RefinementView& view)
+void ContourTags::UpdateNormals(MetricMesh& mesh, const RefinementView& view)
 {
   const Placement placement(view);
-  if (!this->Surface.Update(mesh) && placement.NormalToWorld == this->NormalToWorld)
+  if (this->NormalsTime == mesh.GetTime() && placement.NormalToWorld == this->NormalToWorld)
   {
     return;
   }
+  this->NormalsTime = mesh.GetTime();
   this->NormalToWorld = placement.NormalToWorld;
-  const std::vector<dvec3>& areaVectors = this->Surface.GetAreaVectors();
+  const std::vector<dvec3>& areaVectors = mesh.GetNormals().GetAreaVectors();
   this->Normals.resize(areaVectors.size());
   this->Heights.resize(areaVectors.size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(areaVectors.size()),
@@ -114,11 +115,12 @@ void ContourTags::UpdateNormals(vtkPolyData* mesh, const RefinementView& view)
     });
 }
 
-void ContourTags::ComputeOffsets()
+void ContourTags::ComputeOffsets(MetricMesh& mesh)
 {
-  const float* x = this->Points.Coordinates.data();
-  this->Offsets.resize(static_cast<std::size_t>(this->Points.GetNumberOfPoints()));
-  vtkSMPTools::For(0, this->Points.GetNumberOfPoints(),
+  const LocalPoints& points = mesh.GetPoints();
+  const float* x = points.Coordinates.data();
+  this->Offsets.resize(static_cast<std::size_t>(points.GetNumberOfPoints()));
+  vtkSMPTools::For(0, points.GetNumberOfPoints(),
     [&](vtkIdType begin, vtkIdType end)
     {
       ContourFunctions functions(this->Shader);
@@ -130,9 +132,9 @@ void ContourTags::ComputeOffsets()
     });
 }
 
-void ContourTags::ComputeHeights()
+void ContourTags::ComputeHeights(MetricMesh& mesh)
 {
-  const auto& triangles = this->Surface.GetTriangles().GetTriangles();
+  const auto& triangles = mesh.GetTriangles()->GetTriangles();
   vtkSMPTools::For(0, static_cast<vtkIdType>(triangles.size()),
     [&](vtkIdType begin, vtkIdType end)
     {

@@ -13,45 +13,44 @@
 #ifndef ContourTags_h
 #define ContourTags_h
 
-#include "Core/LocalPoints.h"
-#include "Mesh/SurfaceEdges.h"
-#include "Mesh/SurfaceNormals.h"
+#include "Core/RefinementMathematics.h"
 #include "Metrics/MetricShader.h"
 #include "vtkNew.h"
+#include "vtkType.h" // for vtkMTimeType
 
 #include <vector> // for members
 
-class vtkDepthTagMetric;
-class vtkPolyData;
+class vtkFloatArray;
 
 namespace relevo
 {
 struct RefinementView;
+class MetricEvaluator;
+class MetricMesh;
+class SurfaceEdges;
 class ContourTags
 {
 public:
-  /// ComputeTags() of a metric whose GetShader() gives parameters 0 to 8 and, as 9.x, the cosine
-  /// at which levels end.
-  bool TagPoints(vtkDepthTagMetric* metric, vtkPolyData* mesh, const RefinementView& view,
-    int maximumLevel, vtkFloatArray* tags);
+  /// ComputeTags() of an evaluator whose GetShader() gives parameters 0 to 8 and, as 9.x, the
+  /// cosine at which levels end.
+  bool TagPoints(
+    MetricEvaluator& evaluator, const RefinementView& view, int maximumLevel, vtkFloatArray* tags);
   /// ComputeEdgeTags().
-  bool TagEdges(vtkDepthTagMetric* metric, vtkPolyData* mesh, const RefinementView& view,
-    int maximumLevel, const SurfaceEdges& edges, vtkFloatArray* tags);
+  bool TagEdges(
+    MetricEvaluator& evaluator, const RefinementView& view, int maximumLevel, vtkFloatArray* tags);
 
 private:
-  void UpdateNormals(vtkPolyData* mesh, const RefinementView& view);
-  void ComputeOffsets();
-  void ComputeHeights();
+  void UpdateNormals(MetricMesh& mesh, const RefinementView& view);
+  void ComputeOffsets(MetricMesh& mesh);
+  void ComputeHeights(MetricMesh& mesh);
   void MeasureEdges(const SurfaceEdges& edges, vtkFloatArray* measures) const;
 
-  LocalPoints Points;
   MetricShader Shader;
-  SurfaceNormals Surface;
+  vtkMTimeType NormalsTime = 0; // of the mesh
   dmat3 NormalToWorld{ 0.0 };
   std::vector<vec3> Offsets;  // of points from the eye, in the world's axes
   std::vector<vec3> Normals;  // of triangles, of unit length in the world
   std::vector<float> Heights; // of the eye over triangles
-  SurfaceEdges Edges;
   vtkNew<vtkFloatArray> EdgeTags;
 };
 }

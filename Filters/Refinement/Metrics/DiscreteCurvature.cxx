@@ -5,7 +5,6 @@
 #include "Core/RefinementMathematics.h"
 #include "Mesh/SurfaceTriangles.h"
 #include "vtkMath.h"
-#include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -253,17 +252,16 @@ private:
 
 namespace relevo
 {
-DiscreteCurvature ComputeDiscreteCurvature(vtkPolyData* mesh)
+DiscreteCurvature ComputeDiscreteCurvature(const SurfaceTriangles& surface)
 {
   DiscreteCurvature result;
-  const vtkIdType n = mesh->GetNumberOfPoints();
+  const vtkIdType n = surface.GetNumberOfPoints();
   result.Gaussian.assign(n, 0.0);
   result.Mean.assign(n, 0.0);
   if (n == 0)
   {
     return result;
   }
-  const SurfaceTriangles surface(mesh);
   Curvatures curvatures(surface, n, result);
   vtkSMPTools::For(0, n,
     [&](vtkIdType begin, vtkIdType end)

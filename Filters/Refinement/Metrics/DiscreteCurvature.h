@@ -30,13 +30,13 @@
 
 #include <vector> // for members
 
-class vtkPolyData;
-
 namespace relevo
 {
+class SurfaceTriangles;
+
 struct DiscreteCurvature
 {
-  /// Curvatures of every point of the mesh, always finite.
+  /// Curvatures of every point of the surface's mesh, always finite.
   std::vector<double> Gaussian;
   std::vector<double> Mean;
   /// Ids of the points of the surface, each place once.
@@ -45,7 +45,7 @@ struct DiscreteCurvature
   double AreaOfPlace = 0.0;
 };
 
-DiscreteCurvature ComputeDiscreteCurvature(vtkPolyData* mesh);
+DiscreteCurvature ComputeDiscreteCurvature(const SurfaceTriangles& surface);
 }
 
 #endif

@@ -54,7 +54,7 @@ struct MetricShader
   bool TagsPoints = true;
   /// Of this frame: 10 vectors of four.
   std::array<float, 40> Parameters{};
-  /// Four floats per point, or nullptr. Never changed: the metric makes others.
+  /// Four floats per point, or nullptr. Never changed: the evaluator makes others.
   std::shared_ptr<const std::vector<float>> Data;
   /// Changes whenever Data does.
   vtkMTimeType DataTime = 0;

@@ -30,7 +30,7 @@ const PatternSelection* PickedLevels::Get(vtkPolyData* input, vtkAdaptiveRefinem
   if (this->OwnDependencies.Update(Dependencies::On(
         meshTime, isDrawn, isDrawn ? drawn.GetLevelsTime() : recipe->GetMTime(), kind)))
   {
-    this->Valid = isDrawn || this->SelectAnew(input, recipe, mesh);
+    this->Valid = isDrawn || this->SelectAnew(input, recipe, mesh, drawn);
     if (isDrawn)
     {
       this->Round(selection, recipe, mesh, kind == HIGHEST);
@@ -39,8 +39,8 @@ const PatternSelection* PickedLevels::Get(vtkPolyData* input, vtkAdaptiveRefinem
   return this->Valid ? &this->Own : nullptr;
 }
 
-bool PickedLevels::SelectAnew(
-  vtkPolyData* input, vtkAdaptiveRefinement* recipe, const RefinementMesh& mesh)
+bool PickedLevels::SelectAnew(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
+  const RefinementMesh& mesh, const ViewSelection& drawn)
 {
   vtkDepthTagMetric* metric = GetMetricInUse(recipe, input);
   if (metric && metric->IsViewDependent())
@@ -49,7 +49,8 @@ bool PickedLevels::SelectAnew(
     return true;
   }
   std::string error; // said when the surface is drawn
-  return SelectPatterns(input, recipe, RefinementView(), mesh, this->Own, error);
+  return SelectPatterns(
+    input, recipe, RefinementView(), mesh, drawn.GetTags().GetSource(), this->Own, error);
 }
 
 void PickedLevels::Round(const PatternSelection& drawn, vtkAdaptiveRefinement* recipe,

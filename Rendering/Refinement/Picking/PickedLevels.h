@@ -45,7 +45,8 @@ public:
     const RefinementMesh& mesh, vtkMTimeType meshTime, const ViewSelection& drawn, Kinds kind);
 
 private:
-  bool SelectAnew(vtkPolyData* input, vtkAdaptiveRefinement* recipe, const RefinementMesh& mesh);
+  bool SelectAnew(vtkPolyData* input, vtkAdaptiveRefinement* recipe, const RefinementMesh& mesh,
+    const ViewSelection& drawn);
   void Round(const PatternSelection& drawn, vtkAdaptiveRefinement* recipe,
     const RefinementMesh& mesh, bool toHighest);
   template <typename GetSegments>

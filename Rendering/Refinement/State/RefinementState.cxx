@@ -4,6 +4,7 @@
 
 #include "Core/GhostCells.h"
 #include "Mesh/GivenNormals.h"
+#include "Metrics/TagSource.h"
 #include "State/UsableArrays.h"
 #include "Surfaces/FloatRange.h"
 
@@ -48,7 +49,15 @@ void SetNormals(vtkPolyData* mesh, const std::vector<float>& values)
 }
 }
 
-RefinementState::RefinementState() = default;
+RefinementState::RefinementState()
+{
+  const auto source = std::make_shared<TagSource>();
+  for (ViewSelection& view : this->Views)
+  {
+    view.SetTagSource(source);
+  }
+}
+
 RefinementState::~RefinementState() = default;
 
 std::string RefinementState::TakeError()

@@ -19,9 +19,10 @@
 #include "Evaluation/PatternSelection.h" // for members
 #include "vtkTimeStamp.h"                // for members
 
-#include <memory> // for members
-#include <string> // for errors
-#include <vector> // for members
+#include <memory>  // for members
+#include <string>  // for errors
+#include <utility> // for std::move
+#include <vector>  // for members
 
 class vtkAdaptiveRefinement;
 class vtkPolyData;
@@ -30,6 +31,7 @@ namespace relevo
 {
 struct RefinementView;
 class RefinementMesh;
+class TagSource;
 
 /// What a mapper draws.
 struct SelectionInput
@@ -56,6 +58,9 @@ struct CullingInput
 class ViewSelection
 {
 public:
+  /// Compute tags from what other views share.
+  void SetTagSource(std::shared_ptr<TagSource> source) { this->Tags.SetSource(std::move(source)); }
+
   /**
    * Evaluate tags if need be, or leave it to the GPU `onGPU`, see EdgeTags::ComputeOrDescribe().
    * False, with an error the first time, when they cannot be used.

@@ -2,30 +2,54 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RelevoMetricCheck.h"
 
+#include "Metrics/MetricEvaluator.h"
 #include "vtkNew.h"
 
 #include <limits>
+
+namespace
+{
+// The tags, or none where they could not be computed.
+std::vector<float> Take(bool computed, vtkFloatArray* tags)
+{
+  const float* values = tags->GetPointer(0);
+  return std::vector<float>(values, values + (computed ? tags->GetNumberOfTuples() : 0));
+}
+}
 
 std::vector<float> TagsOf(vtkDepthTagMetric* metric, vtkPolyData* mesh,
   const relevo::RefinementView& view, int maximumLevel)
 {
   vtkNew<vtkFloatArray> tags;
-  if (!metric->ComputeTags(mesh, view, maximumLevel, tags))
-  {
-    return {};
-  }
-  return std::vector<float>(tags->GetPointer(0), tags->GetPointer(0) + tags->GetNumberOfTuples());
+  return Take(metric->ComputeTags(mesh, view, maximumLevel, tags), tags);
 }
 
 std::vector<float> EdgeTagsOf(vtkDepthTagMetric* metric, vtkPolyData* mesh,
   const relevo::RefinementView& view, int maximumLevel, const relevo::SurfaceEdges& edges)
 {
   vtkNew<vtkFloatArray> tags;
-  if (!metric->ComputeEdgeTags(mesh, view, maximumLevel, edges, tags))
-  {
-    return {};
-  }
-  return std::vector<float>(tags->GetPointer(0), tags->GetPointer(0) + tags->GetNumberOfTuples());
+  return Take(metric->ComputeEdgeTags(mesh, view, maximumLevel, edges, tags), tags);
+}
+
+KeptMetric::KeptMetric(vtkDepthTagMetric* metric)
+  : Metric(metric)
+{
+}
+
+std::vector<float> KeptMetric::GetTags(
+  vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel)
+{
+  vtkNew<vtkFloatArray> tags;
+  relevo::MetricEvaluator& evaluator = this->Source.GetEvaluator(this->Metric, mesh);
+  return Take(evaluator.ComputeTags(view, maximumLevel, tags), tags);
+}
+
+std::vector<float> KeptMetric::GetEdgeTags(
+  vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel)
+{
+  vtkNew<vtkFloatArray> tags;
+  relevo::MetricEvaluator& evaluator = this->Source.GetEvaluator(this->Metric, mesh);
+  return Take(evaluator.ComputeEdgeTags(view, maximumLevel, tags), tags);
 }
 
 bool AreLevels(const std::vector<float>& tags, vtkIdType number, int maximumLevel)

@@ -8,8 +8,10 @@
 
 #include "Core/RefinementView.h"
 #include "Mesh/SurfaceEdges.h"
+#include "Metrics/TagSource.h"
 #include "vtkCamera.h"
 #include "vtkDepthTagMetric.h"
+#include "vtkSmartPointer.h"
 
 #include <random>
 #include <vector>
@@ -21,6 +23,23 @@ std::vector<float> TagsOf(vtkDepthTagMetric* metric, vtkPolyData* mesh,
 // The tags of edges, or none when the metric gave none.
 std::vector<float> EdgeTagsOf(vtkDepthTagMetric* metric, vtkPolyData* mesh,
   const relevo::RefinementView& view, int maximumLevel, const relevo::SurfaceEdges& edges);
+
+// A metric as mappers and filters ask it, which keep its evaluator.
+class KeptMetric
+{
+public:
+  explicit KeptMetric(vtkDepthTagMetric* metric);
+
+  // The tags, or none when the metric gave none.
+  std::vector<float> GetTags(
+    vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel);
+  std::vector<float> GetEdgeTags(
+    vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel);
+
+private:
+  vtkSmartPointer<vtkDepthTagMetric> Metric;
+  relevo::TagSource Source;
+};
 
 bool AreLevels(const std::vector<float>& tags, vtkIdType number, int maximumLevel);
 

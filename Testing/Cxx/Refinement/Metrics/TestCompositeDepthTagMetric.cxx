@@ -68,21 +68,23 @@ int TestCompositeDepthTagMetric(int, char*[])
   CHECK(TagsOf(metric, mesh, view, 4) == tags);
 
   // What does not depend on the view is kept until something changes; the rest is not.
+  KeptMetric kept(metric);
+  CHECK(kept.GetTags(mesh, view, 4) == tags);
   const int firstCount = first->Count;
   second->ViewDependent = true;
   CHECK(metric->IsViewDependent());
   const int secondCount = second->Count;
-  TagsOf(metric, mesh, view, 4);
+  kept.GetTags(mesh, view, 4);
   CHECK(first->Count == firstCount && second->Count > secondCount);
-  TagsOf(metric, mesh, view, 5);
+  kept.GetTags(mesh, view, 5);
   CHECK(first->Count == firstCount + 1);
   mesh->GetPoints()->Modified();
-  TagsOf(metric, mesh, view, 5);
+  kept.GetTags(mesh, view, 5);
   CHECK(first->Count == firstCount + 2);
   const vtkMTimeType time = metric->GetMTime();
   first->Modified();
   CHECK(metric->GetMTime() > time);
-  TagsOf(metric, mesh, view, 5);
+  kept.GetTags(mesh, view, 5);
   CHECK(first->Count == firstCount + 3);
 
   // Real ones, and nested: never less than any part by the maximum, never more by the product.

@@ -5,6 +5,8 @@
 #include "RelevoCurvatures.h"
 
 #include "Core/RefinementView.h"
+#include "Metrics/DiscreteCurvature.h"
+#include "Metrics/MetricMesh.h"
 #include "vtkCellArray.h"
 #include "vtkCurvatureDepthTagMetric.h"
 #include "vtkDoubleArray.h"
@@ -317,15 +319,19 @@ void TestTags(RelevoCheck& check)
     }
   }
 
-  // What was computed is kept until the mesh changes.
+  // What was computed for evaluators is kept until the mesh changes.
   auto sphere = MakeSphere(1.0, 2);
   metric->SetCurvatureTypeToMean();
   metric->ComputeCurvatures(sphere, curvatures);
   const double before = curvatures->GetValue(0);
+  relevo::MetricMesh shape(sphere);
+  CHECK(shape.GetCurvature().Mean[0] == before);
   sphere->GetPoints()->SetPoint(0, 0, 0, 0);
-  metric->ComputeCurvatures(sphere, curvatures);
-  CHECK(curvatures->GetValue(0) == before);
+  shape.Update(sphere);
+  CHECK(shape.GetCurvature().Mean[0] == before);
   sphere->GetPoints()->Modified();
+  shape.Update(sphere);
+  CHECK(shape.GetCurvature().Mean[0] != before);
   metric->ComputeCurvatures(sphere, curvatures);
   CHECK(curvatures->GetValue(0) != before);
 }

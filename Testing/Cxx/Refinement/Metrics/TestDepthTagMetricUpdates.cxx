@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What metrics keep from frame to frame: after every change of mesh, view and settings they give
-// what metrics give that see it for the first time.
+// What the evaluators of metrics keep from frame to frame: after every change of mesh, view and
+// settings they give what metrics give that see it for the first time.
 #include "RelevoCheck.h"
 #include "RelevoMetricCheck.h"
 
@@ -17,6 +17,8 @@
 #include "vtkSilhouetteDepthTagMetric.h"
 #include "vtkTransform.h"
 #include "vtkViewDependentDepthTagMetric.h"
+
+#include <memory>
 
 namespace
 {
@@ -54,6 +56,14 @@ Metrics MakeMetrics()
 class Watch
 {
 public:
+  Watch()
+  {
+    for (vtkDepthTagMetric* metric : MakeMetrics())
+    {
+      this->Kept.push_back(std::make_unique<KeptMetric>(metric));
+    }
+  }
+
   // How many of the metrics gave other tags than last time.
   int Compare(RelevoCheck& check, vtkPolyData* mesh, const relevo::RefinementView& view)
   {
@@ -63,9 +73,9 @@ public:
     this->Last.resize(fresh.size());
     for (std::size_t i = 0; i < fresh.size(); ++i)
     {
-      const auto tags = TagsOf(this->Kept[i], mesh, view, 5);
+      const auto tags = this->Kept[i]->GetTags(mesh, view, 5);
       CHECK(tags == TagsOf(fresh[i], mesh, view, 5));
-      CHECK(EdgeTagsOf(this->Kept[i], mesh, view, 5, this->Edges) ==
+      CHECK(this->Kept[i]->GetEdgeTags(mesh, view, 5) ==
         EdgeTagsOf(fresh[i], mesh, view, 5, this->Edges));
       CHECK(AreLevels(tags, mesh->GetNumberOfPoints(), 5));
       changes += tags != this->Last[i];
@@ -75,7 +85,7 @@ public:
   }
 
 private:
-  Metrics Kept = MakeMetrics();
+  std::vector<std::unique_ptr<KeptMetric>> Kept;
   relevo::SurfaceEdges Edges;
   std::vector<std::vector<float>> Last;
 };

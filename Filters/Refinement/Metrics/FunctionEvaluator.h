@@ -1,23 +1,23 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   MetricEvaluation
+ * @class   FunctionEvaluator
  * @brief   evaluates the functions of a metric's MetricShader in C++
  *
  * Functions is a class that has MetricParameters as its base and includes the same files as the
- * shader. What depends on the mesh alone is kept between evaluations. Private to the module's own
- * sources.
+ * shader, which subclasses give by GetShader(). Private to the module's own sources.
  */
-#ifndef MetricEvaluation_h
-#define MetricEvaluation_h
+#ifndef FunctionEvaluator_h
+#define FunctionEvaluator_h
 
 #include "Core/LocalPoints.h"
 #include "Core/RefinementMathematics.h"
 #include "Mesh/SurfaceEdges.h"
+#include "Metrics/MetricEvaluator.h"
+#include "Metrics/MetricMesh.h"
 #include "Metrics/MetricShader.h"
-#include "vtkDepthTagMetric.h"
+#include "vtkFloatArray.h"
 #include "vtkNew.h"
-#include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
 #include <cstring> // for std::memcpy
@@ -41,19 +41,32 @@ struct MetricParameters
 };
 
 template <typename Functions>
-class MetricEvaluation
+class FunctionEvaluator : public MetricEvaluator
 {
 public:
-  /// ComputeTags() of a metric that gives points tags of their own.
-  bool TagPoints(vtkDepthTagMetric* metric, vtkPolyData* mesh, const RefinementView& view,
-    int maximumLevel, vtkFloatArray* tags)
+  bool ComputeEdgeTags(const RefinementView& view, int maximumLevel, vtkFloatArray* tags) override
   {
-    if (!this->Prepare(metric, mesh, view, maximumLevel))
+    if (!this->Describe(view, maximumLevel))
+    {
+      return false;
+    }
+    this->MeasureEdges(*this->GetMesh().GetEdges(), tags);
+    this->TurnIntoTags(tags);
+    return true;
+  }
+
+protected:
+  using MetricEvaluator::MetricEvaluator;
+
+  /// ComputeTags() of a metric that gives points tags of their own.
+  bool TagPoints(const RefinementView& view, int maximumLevel, vtkFloatArray* tags)
+  {
+    if (!this->Describe(view, maximumLevel))
     {
       return false;
     }
     tags->SetNumberOfComponents(1);
-    tags->SetNumberOfTuples(this->Points.GetNumberOfPoints());
+    tags->SetNumberOfTuples(this->GetMesh().GetPoints().GetNumberOfPoints());
     float* values = tags->GetPointer(0);
     this->ForEachPoint([values](Functions& functions, vtkIdType point, const vec4& value)
       { values[point] = functions.metricTag(functions.metricPointMeasure(value)); });
@@ -62,44 +75,28 @@ public:
   }
 
   /// ComputeTags() of a metric that only edges have tags of: the largest at a point.
-  bool TagPointsByEdges(vtkDepthTagMetric* metric, vtkPolyData* mesh, const RefinementView& view,
-    int maximumLevel, vtkFloatArray* tags)
+  bool TagPointsByEdges(const RefinementView& view, int maximumLevel, vtkFloatArray* tags)
   {
-    if (!this->Prepare(metric, mesh, view, maximumLevel))
+    if (!this->Describe(view, maximumLevel))
     {
       return false;
     }
-    this->Edges.Update(mesh);
-    this->MeasureEdges(this->Edges, this->EdgeMeasures);
-    this->Edges.TagPoints(this->EdgeMeasures->GetPointer(0), tags);
-    this->TurnIntoTags(tags);
-    return true;
-  }
-
-  /// ComputeEdgeTags().
-  bool TagEdges(vtkDepthTagMetric* metric, vtkPolyData* mesh, const RefinementView& view,
-    int maximumLevel, const SurfaceEdges& edges, vtkFloatArray* tags)
-  {
-    if (!this->Prepare(metric, mesh, view, maximumLevel))
-    {
-      return false;
-    }
-    this->MeasureEdges(edges, tags);
+    const SurfaceEdges& edges = *this->GetMesh().GetEdges();
+    this->MeasureEdges(edges, this->EdgeMeasures);
+    edges.TagPoints(this->EdgeMeasures->GetPointer(0), tags);
     this->TurnIntoTags(tags);
     return true;
   }
 
 private:
-  bool Prepare(
-    vtkDepthTagMetric* metric, vtkPolyData* mesh, const RefinementView& view, int maximumLevel)
+  bool Describe(const RefinementView& view, int maximumLevel)
   {
-    this->Points.Update(mesh->GetPoints());
-    return metric->GetShader(mesh, view, maximumLevel, this->Points.Origin, this->Shader);
+    return this->GetShader(view, maximumLevel, this->GetMesh().GetPoints().Origin, this->Shader);
   }
 
   void MeasureEdges(const SurfaceEdges& edges, vtkFloatArray* measures)
   {
-    this->Values.resize(static_cast<std::size_t>(this->Points.GetNumberOfPoints()));
+    this->Values.resize(static_cast<std::size_t>(this->GetMesh().GetPoints().GetNumberOfPoints()));
     vec4* values = this->Values.data();
     this->ForEachPoint(
       [values](Functions&, vtkIdType point, const vec4& value) { values[point] = value; });
@@ -139,9 +136,10 @@ private:
   template <typename Function>
   void ForEachPoint(Function&& f) const
   {
-    const float* x = this->Points.Coordinates.data();
+    const LocalPoints& points = this->GetMesh().GetPoints();
+    const float* x = points.Coordinates.data();
     const float* data = this->Shader.Data ? this->Shader.Data->data() : nullptr;
-    vtkSMPTools::For(0, this->Points.GetNumberOfPoints(),
+    vtkSMPTools::For(0, points.GetNumberOfPoints(),
       [&, x, data](vtkIdType begin, vtkIdType end)
       {
         // A copy: nothing that is written can be meant, so that it may stay in registers.
@@ -157,9 +155,7 @@ private:
       });
   }
 
-  LocalPoints Points;
-  MetricShader Shader;
-  SurfaceEdges Edges;
+  MetricShader Shader;      // of the last view
   std::vector<vec4> Values; // of points
   vtkNew<vtkFloatArray> EdgeMeasures;
 };

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   MetricEvaluator
+ * @brief   a depth-tag metric evaluated for one mesh
+ *
+ * A metric holds parameters; what it computes of a mesh is held by its evaluator for that mesh,
+ * which belongs to the mapper or filter that refines the mesh. So one metric serves any number of
+ * meshes, and mappers and filters in several threads. An evaluator looks at its metric's parameters
+ * whenever it is asked, and is to be used by one thread at a time.
+ *
+ * Made by vtkDepthTagMetric::NewEvaluator(). Its functions are those of vtkDepthTagMetric.
+ */
+#ifndef MetricEvaluator_h
+#define MetricEvaluator_h
+
+#include "RelevoFiltersRefinementModule.h" // for export macro
+
+#include <memory> // for members
+
+class vtkDepthTagMetric;
+class vtkFloatArray;
+
+namespace relevo
+{
+struct MetricShader;
+struct RefinementView;
+class MetricMesh;
+class SurfaceEdges;
+
+class RELEVOFILTERSREFINEMENT_EXPORT MetricEvaluator
+{
+public:
+  MetricEvaluator(const MetricEvaluator&) = delete;
+  void operator=(const MetricEvaluator&) = delete;
+  virtual ~MetricEvaluator();
+
+  /// See vtkDepthTagMetric::ComputeTags().
+  virtual bool ComputeTags(const RefinementView& view, int maximumLevel, vtkFloatArray* tags) = 0;
+
+  /// See vtkDepthTagMetric::ComputeEdgeTags(); the edges are those of the mesh. Unless overridden,
+  /// an edge has the mean of the tags of its two places.
+  virtual bool ComputeEdgeTags(const RefinementView& view, int maximumLevel, vtkFloatArray* tags);
+
+  /// See vtkDepthTagMetric::GetShader(). Unless overridden, there is none.
+  virtual bool GetShader(
+    const RefinementView& view, int maximumLevel, const double origin[3], MetricShader& shader);
+
+  /// The mesh, as it is.
+  MetricMesh& GetMesh() const { return *this->Mesh; }
+
+protected:
+  explicit MetricEvaluator(std::shared_ptr<MetricMesh> mesh);
+
+private:
+  std::shared_ptr<MetricMesh> Mesh;
+};
+
+/// The metric's own evaluator; if it has none, one that asks the metric itself.
+RELEVOFILTERSREFINEMENT_EXPORT std::unique_ptr<MetricEvaluator> MakeEvaluator(
+  vtkDepthTagMetric* metric, const std::shared_ptr<MetricMesh>& mesh);
+
+/// Give every edge the mean of the tags of its two places, the larger tags where points coincide.
+/// The tags of points are united on the way. False if points have not one tag each.
+bool TagEdgesByPoints(const SurfaceEdges& edges, vtkFloatArray* pointTags, vtkFloatArray* tags);
+}
+
+#endif

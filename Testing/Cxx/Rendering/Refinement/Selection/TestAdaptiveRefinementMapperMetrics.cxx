@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkAdaptiveRefinementMapper with 64 blocks under a moving camera: what a metric computes of a
+// block it computes once, wherever levels are chosen, and the filter gives as many triangles.
+#include "RelevoMeshArrays.h"
+#include "RelevoScene.h"
+#include "RelevoWatched.h"
+
+#include "vtkCompositeDepthTagMetric.h"
+#include "vtkCurvatureDepthTagMetric.h"
+#include "vtkDistanceDepthTagMetric.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRegionDepthTagMetric.h"
+#include "vtkScreenEdgeDepthTagMetric.h"
+#include "vtkSilhouetteDepthTagMetric.h"
+#include "vtkViewDependentDepthTagMetric.h"
+
+namespace
+{
+using Mapper = vtkAdaptiveRefinementMapper;
+
+constexpr int NumberOfFrames = 3;
+constexpr int NumberOfBlocks = 64;
+
+vtkSmartPointer<vtkAdaptiveRefinement> MakeRecipe(vtkDepthTagMetric* metric, int rule)
+{
+  auto recipe = vtkSmartPointer<vtkAdaptiveRefinement>::New();
+  recipe->SetMaximumLevel(2);
+  recipe->SetMetric(metric);
+  recipe->SetLevelRule(rule);
+  return recipe;
+}
+
+vtkIdType CountFilterTriangles(
+  vtkMultiBlockDataSet* blocks, vtkAdaptiveRefinement* recipe, RelevoScene& scene)
+{
+  vtkIdType triangles = 0;
+  vtkNew<vtkAdaptiveRefinementFilter> filter;
+  filter->SetRefinement(recipe);
+  filter->SetCamera(scene.Renderer->GetActiveCamera());
+  filter->SetViewportSize(scene.Renderer->GetSize()[0], scene.Renderer->GetSize()[1]);
+  for (unsigned int block = 0; block < blocks->GetNumberOfBlocks(); ++block)
+  {
+    filter->SetInputDataObject(blocks->GetBlock(block));
+    filter->Update();
+    triangles += filter->GetOutput()->GetNumberOfPolys();
+  }
+  return triangles;
+}
+
+// Draws frames with a metric that is new to the mapper; then nothing of a mesh is looked at again.
+void DrawFrames(
+  RelevoCheck& check, RelevoScene& scene, vtkMultiBlockDataSet* blocks, vtkDepthTagMetric* metric)
+{
+  scene.Render();
+  RelevoWatchedFloats::GetReads() = 0;
+  for (int frame = 1; frame < NumberOfFrames; ++frame)
+  {
+    scene.Renderer->GetActiveCamera()->Azimuth(7.0);
+    scene.Renderer->ResetCameraClippingRange();
+    scene.Render();
+  }
+  if (!CHECK(RelevoWatchedFloats::GetReads() == 0))
+  {
+    std::cerr << metric->GetClassName() << ": " << RelevoWatchedFloats::GetReads()
+              << " points are read again\n";
+  }
+  Mapper* mapper = scene.GetMapper(0);
+  CHECK(mapper->GetNumberOfDrawnTriangles() > 4 * NumberOfBlocks);
+  CHECK(mapper->GetNumberOfDrawnTriangles() ==
+    CountFilterTriangles(blocks, mapper->GetRefinement(), scene));
+}
+
+// The metrics of Relevo that know something of a mesh, and all of them as one.
+void TestOwnMetrics(RelevoCheck& check, vtkMultiBlockDataSet* blocks, int device)
+{
+  vtkNew<vtkCurvatureDepthTagMetric> curvature;
+  vtkNew<vtkViewDependentDepthTagMetric> viewDependent;
+  vtkNew<vtkSilhouetteDepthTagMetric> silhouette;
+  vtkNew<vtkSilhouetteDepthTagMetric> contour;
+  contour->SetCriterionToContour();
+  vtkNew<vtkScreenEdgeDepthTagMetric> screenEdge;
+  vtkNew<vtkDistanceDepthTagMetric> distance;
+  vtkNew<vtkDistanceDepthTagMetric> pixels;
+  pixels->SetReferenceLength(4.0);
+  vtkNew<vtkRegionDepthTagMetric> region;
+  region->SetRadius(3.0);
+  vtkNew<vtkCompositeDepthTagMetric> all;
+  all->SetModeToSum();
+  std::vector<vtkDepthTagMetric*> metrics{ curvature, viewDependent, silhouette, contour,
+    screenEdge, distance, pixels, region };
+  for (vtkDepthTagMetric* metric : metrics)
+  {
+    all->AddMetric(metric, 0.2);
+  }
+  metrics.push_back(all);
+
+  RelevoScene scene(RelevoScene::Refining);
+  const auto recipe = MakeRecipe(nullptr, vtkDepthTagMetric::PER_VERTEX);
+  scene.Add(blocks, recipe);
+  scene.GetMapper(0)->SetSelectionDevice(device);
+  scene.ResetCameras();
+  scene.Render();
+  scene.Render();
+  // Without a metric nothing more is read of the mesh; curvature reads it.
+  RelevoWatchedFloats::GetReads() = 0;
+  scene.Render();
+  CHECK(RelevoWatchedFloats::GetReads() == 0);
+  recipe->SetMetric(curvature);
+  scene.Render();
+  CHECK(RelevoWatchedFloats::GetReads() > 10 * NumberOfBlocks);
+  for (vtkDepthTagMetric* metric : metrics)
+  {
+    recipe->SetMetric(metric);
+    DrawFrames(check, scene, blocks, metric);
+  }
+  recipe->SetLevelRule(vtkDepthTagMetric::PER_EDGE);
+  DrawFrames(check, scene, blocks, all);
+}
+
+// A metric of one's own: an evaluator for each block, which meets one mesh.
+void TestOneEvaluatorPerBlock(
+  RelevoCheck& check, vtkMultiBlockDataSet* blocks, int device, int rule)
+{
+  vtkNew<RelevoWatchedMetric> metric;
+  RelevoScene scene(RelevoScene::Refining);
+  scene.Add(blocks, MakeRecipe(metric, rule));
+  scene.GetMapper(0)->SetSelectionDevice(device);
+  scene.ResetCameras();
+  for (int frame = 1; frame <= NumberOfFrames; ++frame)
+  {
+    scene.Render();
+    CHECK(metric->Evaluators == NumberOfBlocks && metric->Preparations == NumberOfBlocks);
+    CHECK(metric->Evaluations == frame * NumberOfBlocks);
+    scene.Renderer->GetActiveCamera()->Azimuth(7.0);
+  }
+  // A block that has moved is new, the others are not; so is one with other colours.
+  auto* moved = vtkPolyData::SafeDownCast(blocks->GetBlock(5));
+  moved->GetPoints()->SetPoint(0, 0.1, 0.2, 0.3);
+  moved->GetPoints()->Modified();
+  blocks->Modified();
+  scene.Render();
+  CHECK(metric->Evaluators == NumberOfBlocks && metric->Preparations == NumberOfBlocks + 1);
+  RelevoMeshes::AddTags(moved, 1, 3);
+  moved->GetPointData()->GetArray("DepthTag")->SetName("Colors");
+  blocks->Modified();
+  scene.Render();
+  CHECK(metric->Preparations == NumberOfBlocks + 1);
+}
+}
+
+int TestAdaptiveRefinementMapperMetrics(int, char*[])
+{
+  RelevoCheck check;
+  for (int device : { Mapper::SELECTION_DEVICE_CPU, Mapper::SELECTION_DEVICE_GPU })
+  {
+    TestOwnMetrics(check, MakeWatchedBlocks(), device);
+    for (int rule : { vtkDepthTagMetric::PER_VERTEX, vtkDepthTagMetric::PER_EDGE })
+    {
+      TestOneEvaluatorPerBlock(check, MakeWatchedBlocks(), device, rule);
+    }
+  }
+  return check.GetResult();
+}
