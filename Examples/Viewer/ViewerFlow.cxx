@@ -10,6 +10,7 @@
 #include "vtkCompositeDepthTagMetric.h"
 #include "vtkDataArray.h"
 #include "vtkFieldVariationDepthTagMetric.h"
+#include "vtkLICSettings.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -65,13 +66,14 @@ vtkSmartPointer<vtkAdaptiveRefinementMapper> MakeMapper(const ViewerOptions& opt
     return vtkSmartPointer<vtkAdaptiveRefinementMapper>::New();
   }
   vtkNew<vtkAdaptiveLICMapper> mapper;
-  mapper->SetNumberOfSteps(options.LICSteps.value_or(mapper->GetNumberOfSteps()));
-  mapper->SetStepSize(options.LICStepSize.value_or(mapper->GetStepSize()));
-  mapper->SetEnhanceContrast(options.LICContrast.value_or(mapper->GetEnhanceContrast()));
-  mapper->SetColorMode(options.LICMode.value_or(mapper->GetColorMode()));
-  mapper->SetMapModeBias(Brightness);
-  mapper->SetLICIntensity(options.LICIntensity.value_or(mapper->GetLICIntensity()));
-  mapper->SetPhase(options.LICPhase);
+  vtkLICSettings* lic = mapper->GetLICInterface();
+  lic->SetNumberOfSteps(options.LICSteps.value_or(lic->GetNumberOfSteps()));
+  lic->SetStepSize(options.LICStepSize.value_or(lic->GetStepSize()));
+  lic->SetEnhanceContrast(options.LICContrast.value_or(lic->GetEnhanceContrast()));
+  lic->SetColorMode(options.LICMode.value_or(lic->GetColorMode()));
+  lic->SetMapModeBias(Brightness);
+  lic->SetLICIntensity(options.LICIntensity.value_or(lic->GetLICIntensity()));
+  lic->SetPhase(options.LICPhase);
   return mapper.Get();
 }
 
@@ -110,7 +112,7 @@ void MarkNoData(vtkDataArray* vectors)
   {
     return;
   }
-  const double noData = vtkNew<vtkAdaptiveLICMapper>()->GetNoDataMagnitude();
+  const double noData = vtkNew<vtkLICSettings>()->GetNoDataMagnitude();
   for (vtkIdType i = 0; i < vectors->GetNumberOfTuples(); ++i)
   {
     double vector[3];
@@ -127,7 +129,7 @@ void MarkNoData(vtkDataArray* vectors)
 //------------------------------------------------------------------------------
 void GetLengthRange(vtkDataArray* vectors, double range[2])
 {
-  const double noData = vtkNew<vtkAdaptiveLICMapper>()->GetNoDataMagnitude();
+  const double noData = vtkNew<vtkLICSettings>()->GetNoDataMagnitude();
   range[0] = VTK_DOUBLE_MAX;
   range[1] = 0.0;
   for (vtkIdType i = 0; i < vectors->GetNumberOfTuples(); ++i)

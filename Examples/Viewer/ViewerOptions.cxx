@@ -6,7 +6,8 @@
 #include "ViewerArguments.h"
 #include "ViewerExport.h"
 
-#include "vtkAdaptiveLICMapper.h"
+#include "vtkAdaptiveRefinementMapper.h"
+#include "vtkLICSettings.h"
 
 #include <functional>
 #include <limits>
@@ -152,7 +153,7 @@ private:
   void AddFlow()
   {
     ViewerOptions& options = this->Options;
-    using Mapper = vtkAdaptiveLICMapper;
+    using LIC = vtkLICSettings;
     this->AllSettings.insert({
       { "--lic",
         [&](const auto& option, const auto& value)
@@ -167,9 +168,8 @@ private:
         [&](const auto& option, const auto& value)
         {
           options.LICContrast = ToChoice<int>(option, value,
-            { { "off", Mapper::ENHANCE_CONTRAST_OFF }, { "lic", Mapper::ENHANCE_CONTRAST_LIC },
-              { "color", Mapper::ENHANCE_CONTRAST_COLOR },
-              { "both", Mapper::ENHANCE_CONTRAST_BOTH } });
+            { { "off", LIC::ENHANCE_CONTRAST_OFF }, { "lic", LIC::ENHANCE_CONTRAST_LIC },
+              { "color", LIC::ENHANCE_CONTRAST_COLOR }, { "both", LIC::ENHANCE_CONTRAST_BOTH } });
         } },
       { "--lic-intensity",
         [&](const auto& option, const auto& value)
@@ -178,7 +178,7 @@ private:
         [&](const auto& option, const auto& value)
         {
           options.LICMode = ToChoice<int>(option, value,
-            { { "blend", Mapper::COLOR_MODE_BLEND }, { "multiply", Mapper::COLOR_MODE_MAP } });
+            { { "blend", LIC::COLOR_MODE_BLEND }, { "multiply", LIC::COLOR_MODE_MAP } });
         } },
       { "--lic-phase",
         [&](const auto& option, const auto& value)
@@ -343,8 +343,8 @@ private:
                      "--lic-step-size", "--lic-steps" },
       hasFlow, "--lic");
     this->CheckUse({ "--lic-intensity" },
-      options.LICMode.value_or(vtkAdaptiveLICMapper::COLOR_MODE_BLEND) ==
-        vtkAdaptiveLICMapper::COLOR_MODE_BLEND,
+      options.LICMode.value_or(vtkLICSettings::COLOR_MODE_BLEND) ==
+        vtkLICSettings::COLOR_MODE_BLEND,
       "--lic-mode blend");
     this->CheckUse({ "--metric", "--max-level", "--per-edge" }, !options.UniformLevel,
       "metrics, not with --level");

@@ -80,8 +80,8 @@ struct ViewerOptions
   std::string Vectors;
   std::optional<int> LICSteps;
   std::optional<double> LICStepSize; // pixels
-  std::optional<int> LICContrast;    // of vtkAdaptiveLICMapper
-  std::optional<int> LICMode;        // of vtkAdaptiveLICMapper
+  std::optional<int> LICContrast;    // of vtkLICSettings
+  std::optional<int> LICMode;        // of vtkLICSettings
   std::optional<double> LICIntensity;
   double LICPhase = 0.0;
 

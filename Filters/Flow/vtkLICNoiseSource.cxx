@@ -4,6 +4,7 @@
 
 #include "Noise/GrainNoise.h"
 #include "Noise/NoiseHash.h"
+#include "Noise/NoiseRanges.h"
 #include "Noise/PerlinNoise.h"
 #include "vtkDataObject.h"
 #include "vtkFloatArray.h"
@@ -21,7 +22,6 @@
 
 namespace
 {
-constexpr int LargestSize = 16384;
 constexpr double LargestSmoothing = 100.0;
 }
 
@@ -42,10 +42,11 @@ std::string vtkLICNoiseSource::FindError() const
   {
     error << "NoiseType " << this->NoiseType << " is none of UNIFORM (0), GAUSSIAN (1), PERLIN (2)";
   }
-  else if (this->NoiseTextureSize < 2 || this->NoiseTextureSize > LargestSize)
+  else if (this->NoiseTextureSize < relevo::SmallestNoiseTexture ||
+    this->NoiseTextureSize > relevo::LargestNoiseTexture)
   {
-    error << "NoiseTextureSize " << this->NoiseTextureSize << " is outside [2, " << LargestSize
-          << "]";
+    error << "NoiseTextureSize " << this->NoiseTextureSize << " is outside ["
+          << relevo::SmallestNoiseTexture << ", " << relevo::LargestNoiseTexture << "]";
   }
   else if (this->NoiseGrainSize < 1 || this->NoiseGrainSize >= this->NoiseTextureSize)
   {
@@ -58,9 +59,10 @@ std::string vtkLICNoiseSource::FindError() const
     error << "MinNoiseValue " << this->MinNoiseValue << " and MaxNoiseValue " << this->MaxNoiseValue
           << " are not 0 <= min < max <= 1";
   }
-  else if (this->NumberOfNoiseLevels < 2)
+  else if (this->NumberOfNoiseLevels < relevo::FewestNoiseLevels)
   {
-    error << "NumberOfNoiseLevels " << this->NumberOfNoiseLevels << " is less than 2";
+    error << "NumberOfNoiseLevels " << this->NumberOfNoiseLevels << " is less than "
+          << relevo::FewestNoiseLevels;
   }
   else if (!isShare(this->ImpulseNoiseProbability) || !isShare(this->ImpulseNoiseBackgroundValue))
   {
@@ -81,7 +83,7 @@ int vtkLICNoiseSource::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkInformation* information = outputVector->GetInformationObject(0);
-  const int last = std::min(std::max(this->NoiseTextureSize, 1), LargestSize) - 1;
+  const int last = std::min(std::max(this->NoiseTextureSize, 1), relevo::LargestNoiseTexture) - 1;
   const int extent[6] = { 0, last, 0, last, 0, 0 };
   information->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
   const double origin[3] = { 0.0, 0.0, 0.0 };

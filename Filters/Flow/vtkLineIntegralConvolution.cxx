@@ -3,6 +3,9 @@
 #include "vtkLineIntegralConvolution.h"
 
 #include "Core/VTKCompatibility.h"
+#include "Image/ChosenNoise.h"
+#include "Image/ForwardedSettings.h"
+#include "Image/LICPassSettings.h"
 #include "Image/LICPasses.h"
 #include "Image/LICPlane.h"
 #include "Image/LICVectors.h"
@@ -14,7 +17,6 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkLICNoiseSource.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -22,7 +24,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 
 namespace
@@ -68,6 +69,7 @@ std::vector<float> Tile(const relevo::NoiseTexels& tile, const relevo::LICPlane&
 vtkStandardNewMacro(vtkLineIntegralConvolution);
 
 vtkLineIntegralConvolution::vtkLineIntegralConvolution()
+  : LICSettings(vtkSmartPointer<vtkLICSettings>::New())
 {
   this->SetNumberOfInputPorts(2);
   this->SetInputArrayToProcess(
@@ -110,48 +112,6 @@ int vtkLineIntegralConvolution::RequestUpdateExtent(
   return 1;
 }
 
-std::string vtkLineIntegralConvolution::FindError() const
-{
-  const double low = this->LowLICContrastEnhancementFactor;
-  const double high = this->HighLICContrastEnhancementFactor;
-  std::ostringstream error;
-  if (this->NumberOfSteps < 1)
-  {
-    error << "NumberOfSteps " << this->NumberOfSteps << " is less than 1";
-  }
-  else if (!(this->StepSize > 0.0) || !std::isfinite(this->StepSize))
-  {
-    error << "StepSize " << this->StepSize << " is not a positive number";
-  }
-  else if (this->EnhanceContrast != ENHANCE_CONTRAST_OFF &&
-    this->EnhanceContrast != ENHANCE_CONTRAST_LIC)
-  {
-    error << "EnhanceContrast " << this->EnhanceContrast << " is neither OFF (0) nor LIC (1)";
-  }
-  else if (!std::isfinite(low) || !std::isfinite(high) || low + high >= 1.0)
-  {
-    error << "LowLICContrastEnhancementFactor " << low << " and HighLICContrastEnhancementFactor "
-          << high << " are not numbers whose sum is less than 1";
-  }
-  else if (this->AntiAlias < 0)
-  {
-    error << "AntiAlias " << this->AntiAlias << " is negative";
-  }
-  else if (std::isnan(this->MaskThreshold))
-  {
-    error << "MaskThreshold is not a number";
-  }
-  else if (!(this->NoDataMagnitude > 0.0))
-  {
-    error << "NoDataMagnitude " << this->NoDataMagnitude << " is not positive";
-  }
-  else if (!std::isfinite(this->Phase))
-  {
-    error << "Phase " << this->Phase << " is not a finite number";
-  }
-  return error.str();
-}
-
 vtkDataArray* vtkLineIntegralConvolution::FindVectors(
   vtkInformationVector** inputVector, std::string& error)
 {
@@ -186,41 +146,23 @@ vtkDataArray* vtkLineIntegralConvolution::FindVectors(
 bool vtkLineIntegralConvolution::MakeNoise(vtkInformationVector* noiseVector,
   const relevo::LICPlane& plane, std::vector<float>& noise, float& mean, std::string& error)
 {
-  vtkNew<vtkLICNoiseSource> source;
   vtkImageData* image = vtkImageData::GetData(noiseVector);
-  if (!image)
+  relevo::NoiseTexels read;
+  if (image && !read.Read(image, error))
   {
-    source->Update();
-    image = source->GetOutput();
-  }
-  relevo::NoiseTexels tile;
-  if (!tile.Read(image, error))
-  {
+    error = "The noise " + error + ".";
     return false;
   }
+  relevo::ChosenNoise chosen;
+  if (!image && !chosen.Update(this->LICSettings))
+  {
+    error = chosen.GetError();
+    return false;
+  }
+  const relevo::NoiseTexels& tile = image ? read : chosen.GetTexels();
   noise = Tile(tile, plane);
   mean = tile.GetMean();
   return true;
-}
-
-relevo::LICSettings vtkLineIntegralConvolution::MakeSettings(
-  const relevo::LICVectors& vectors, float noiseMean) const
-{
-  const double unit = this->NormalizeVectors ? 1.0 : vectors.GetLongest();
-  relevo::LICSettings settings;
-  settings.NoiseMean = noiseMean;
-  settings.Kernel.Steps = this->NumberOfSteps;
-  settings.Kernel.StepSize =
-    static_cast<float>(std::min(this->StepSize * unit, static_cast<double>(VTK_FLOAT_MAX)));
-  settings.Kernel.Normalized = this->NormalizeVectors;
-  settings.Kernel.Oriented = this->OrientedLIC;
-  settings.Kernel.Phase = relevo::licWrapPhase(this->Phase);
-  settings.Enhanced = this->EnhancedLIC;
-  settings.Stretched = this->EnhanceContrast == ENHANCE_CONTRAST_LIC;
-  settings.StretchFactors =
-    relevo::vec2(this->LowLICContrastEnhancementFactor, this->HighLICContrastEnhancementFactor);
-  settings.NumberOfSmoothings = this->AntiAlias;
-  return settings;
 }
 
 int vtkLineIntegralConvolution::RequestData(
@@ -229,10 +171,10 @@ int vtkLineIntegralConvolution::RequestData(
   vtkImageData* input = vtkImageData::GetData(inputVector[0]);
   vtkImageData* output = vtkImageData::GetData(outputVector);
   output->Initialize();
-  std::string error = this->FindError();
+  std::string error = relevo::FindContrastError(this->LICSettings);
   if (!error.empty())
   {
-    vtkErrorMacro(<< error << ".");
+    vtkErrorMacro(<< error);
     return 0;
   }
 
@@ -240,7 +182,8 @@ int vtkLineIntegralConvolution::RequestData(
   vtkDataArray* array = nullptr;
   relevo::LICVectors vectors;
   if (!plane.Find(input, error) || !(array = this->FindVectors(inputVector, error)) ||
-    !vectors.Read(input, array, plane, this->NoDataMagnitude, this->MaskThreshold, error))
+    !vectors.Read(input, array, plane, this->LICSettings->GetNoDataMagnitude(),
+      this->LICSettings->GetMaskThreshold(), error))
   {
     vtkErrorMacro("The input " << error << ".");
     return 0;
@@ -249,11 +192,12 @@ int vtkLineIntegralConvolution::RequestData(
   float mean;
   if (!this->MakeNoise(inputVector[1], plane, image, mean, error))
   {
-    vtkErrorMacro("The noise " << error << ".");
+    vtkErrorMacro(<< error);
     return 0;
   }
 
-  const relevo::LICSettings settings = this->MakeSettings(vectors, mean);
+  const relevo::LICPassSettings settings =
+    relevo::MakeLICPassSettings(this->LICSettings, vectors.GetLongest(), mean);
   relevo::LICPasses passes(plane, vectors, settings);
   const auto watch = [this](double share)
   {
@@ -279,21 +223,32 @@ int vtkLineIntegralConvolution::RequestData(
   return 1;
 }
 
+//------------------------------------------------------------------------------
+// Settings
+
+relevoLICSettingsMacro(vtkLineIntegralConvolution);
+
+vtkMTimeType vtkLineIntegralConvolution::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->LICSettings->GetMTime());
+}
+
+relevoForwardMacro(vtkLineIntegralConvolution, NumberOfSteps, int);
+relevoForwardMacro(vtkLineIntegralConvolution, StepSize, double);
+relevoForwardMacro(vtkLineIntegralConvolution, NormalizeVectors, bool);
+relevoForwardMacro(vtkLineIntegralConvolution, EnhancedLIC, bool);
+relevoForwardMacro(vtkLineIntegralConvolution, LowLICContrastEnhancementFactor, double);
+relevoForwardMacro(vtkLineIntegralConvolution, HighLICContrastEnhancementFactor, double);
+relevoForwardMacro(vtkLineIntegralConvolution, AntiAlias, int);
+relevoForwardMacro(vtkLineIntegralConvolution, MaskThreshold, double);
+relevoForwardMacro(vtkLineIntegralConvolution, NoDataMagnitude, double);
+relevoForwardMacro(vtkLineIntegralConvolution, OrientedLIC, bool);
+relevoForwardMacro(vtkLineIntegralConvolution, Phase, double);
+relevoForwardGreyContrastMacro(vtkLineIntegralConvolution);
+
 void vtkLineIntegralConvolution::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfSteps: " << this->NumberOfSteps << "\n";
-  os << indent << "StepSize: " << this->StepSize << "\n";
-  os << indent << "NormalizeVectors: " << this->NormalizeVectors << "\n";
-  os << indent << "EnhancedLIC: " << this->EnhancedLIC << "\n";
-  os << indent << "EnhanceContrast: " << this->EnhanceContrast << "\n";
-  os << indent << "LowLICContrastEnhancementFactor: " << this->LowLICContrastEnhancementFactor
-     << "\n";
-  os << indent << "HighLICContrastEnhancementFactor: " << this->HighLICContrastEnhancementFactor
-     << "\n";
-  os << indent << "AntiAlias: " << this->AntiAlias << "\n";
-  os << indent << "MaskThreshold: " << this->MaskThreshold << "\n";
-  os << indent << "NoDataMagnitude: " << this->NoDataMagnitude << "\n";
-  os << indent << "OrientedLIC: " << this->OrientedLIC << "\n";
-  os << indent << "Phase: " << this->Phase << "\n";
+  os << indent << "LICSettings:\n";
+  this->LICSettings->PrintSelf(os, indent.GetNextIndent());
 }

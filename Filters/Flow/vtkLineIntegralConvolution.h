@@ -7,7 +7,8 @@
  * B. Cabral, L. Leedom, "Imaging Vector Fields Using Line Integral Convolution", SIGGRAPH 1993; in
  * two passes by A. Okada, D. Kao, "Enhanced Line Integral Convolution with Flow Feature Detection",
  * 1997. Runs on all processors that vtkSMPTools uses; their number does not change the result.
- * Names and defaults are those of vtkSurfaceLICInterface.
+ * Settings are those of its vtkLICSettings, which it can share with a mapper and other filters. The
+ * setters here change that object.
  *
  * Input 0: a vtkImageData, flat along an axis (n x m x 1, n x 1 x m or 1 x n x m points), with
  * vectors of any type as a point array: by SetInputArrayToProcess(0, ...), or the active vectors,
@@ -18,7 +19,8 @@
  * Input 1, optional (SetNoiseConnection, SetNoiseData): noise, a flat vtkImageData whose active
  * point scalars, first component, are in [0, 1], or unsigned char or unsigned short for the same
  * range. Its first sample lies on the first sample of input 0; it is repeated in both directions,
- * and looked up at the nearest sample. Default: vtkLICNoiseSource with its own defaults.
+ * and looked up at the nearest sample. Without it, the noise that the settings choose: a
+ * NoiseDataSet, a file, or what vtkLICNoiseSource generates, by default with its own defaults.
  *
  * Output: a vtkImageData of the same extent, with the float point scalars "LIC" in [0, 1] and the
  * unsigned char point array "LICMask": 1 where the noise stays as it is, since there is no LIC, and
@@ -33,15 +35,18 @@
  *
  * Errors, with an empty output: an input that is empty or not flat; an array that is not there or
  * not of 2 or 3 components for each point; cell arrays; a spacing of zero; noise without scalars or
- * with values outside [0, 1]; settings outside the ranges stated below.
+ * with values outside [0, 1], or that cannot be read or made; contrast enhancement factors whose
+ * sum is not less than 1. A setting out of its range is an error and changes nothing.
  *
- * @sa vtkLICNoiseSource
+ * @sa vtkLICSettings vtkLICNoiseSource
  */
 #ifndef vtkLineIntegralConvolution_h
 #define vtkLineIntegralConvolution_h
 
 #include "RelevoFiltersFlowModule.h" // for export macro
 #include "vtkImageAlgorithm.h"
+#include "vtkLICSettings.h"  // for enumerators
+#include "vtkSmartPointer.h" // for members
 
 #include <string> // for messages
 #include <vector> // for images
@@ -50,8 +55,6 @@ class vtkDataArray;
 namespace relevo
 {
 struct LICPlane;
-class LICVectors;
-struct LICSettings;
 }
 
 class RELEVOFILTERSFLOW_EXPORT vtkLineIntegralConvolution : public vtkImageAlgorithm
@@ -71,28 +74,36 @@ public:
 
   //@{
   /**
-   * How many steps a streamline goes each way, at least 1, default 20: the mean of 41 samples of
-   * the noise. In the second pass of EnhancedLIC half as many.
+   * All settings; never nullptr: a nullptr gives the filter new ones with their defaults.
    */
-  vtkSetMacro(NumberOfSteps, int);
-  vtkGetMacro(NumberOfSteps, int);
+  void SetLICSettings(vtkLICSettings* settings);
+  vtkLICSettings* GetLICSettings() const;
+  //@}
+
+  //@{
+  /**
+   * How many steps a streamline goes each way, 1 to 100000, default 20. See vtkLICSettings.
+   */
+  void SetNumberOfSteps(int steps);
+  int GetNumberOfSteps();
   //@}
 
   //@{
   /**
    * Length of a step in samples of the image, more than 0, default 1; without NormalizeVectors,
-   * times the length of the vector in samples.
+   * times the length of the vector in samples. See vtkLICSettings.
    */
-  vtkSetMacro(StepSize, double);
-  vtkGetMacro(StepSize, double);
+  void SetStepSize(double size);
+  double GetStepSize();
   //@}
 
   //@{
   /**
-   * Whether all streamlines are equally long (the default), or by how long the vectors are.
+   * Whether all streamlines are equally long (the default), or by how long the vectors are. See
+   * vtkLICSettings.
    */
-  vtkSetMacro(NormalizeVectors, bool);
-  vtkGetMacro(NormalizeVectors, bool);
+  void SetNormalizeVectors(bool normalize);
+  bool GetNormalizeVectors();
   vtkBooleanMacro(NormalizeVectors, bool);
   //@}
 
@@ -100,26 +111,28 @@ public:
   /**
    * Whether the result, its edges enhanced by adding the Laplacian, is the noise of a second pass,
    * which gives finer and longer lines (the default), or is the mean along the streamlines itself.
+   * See vtkLICSettings.
    */
-  vtkSetMacro(EnhancedLIC, bool);
-  vtkGetMacro(EnhancedLIC, bool);
+  void SetEnhancedLIC(bool enhanced);
+  bool GetEnhancedLIC();
   vtkBooleanMacro(EnhancedLIC, bool);
   //@}
 
   enum
   {
-    ENHANCE_CONTRAST_OFF = 0,
-    ENHANCE_CONTRAST_LIC = 1
+    ENHANCE_CONTRAST_OFF = vtkLICSettings::ENHANCE_CONTRAST_OFF,
+    ENHANCE_CONTRAST_LIC = vtkLICSettings::ENHANCE_CONTRAST_LIC
   };
 
   //@{
   /**
    * ENHANCE_CONTRAST_OFF (0, the default) or ENHANCE_CONTRAST_LIC (1): values are stretched, as
    * (L - m) / (M - m), so that the smallest is 0 and the largest 1, of those that are not masked;
-   * after the first pass of two, and in the end.
+   * after the first pass of two, and in the end. An image of streaks has no colours: of shared
+   * settings, only what they say about the LIC counts. See vtkLICSettings.
    */
-  vtkSetMacro(EnhanceContrast, int);
-  vtkGetMacro(EnhanceContrast, int);
+  void SetEnhanceContrast(int mode);
+  int GetEnhanceContrast();
   void SetEnhanceContrastToOff() { this->SetEnhanceContrast(ENHANCE_CONTRAST_OFF); }
   void SetEnhanceContrastToLIC() { this->SetEnhanceContrast(ENHANCE_CONTRAST_LIC); }
   //@}
@@ -127,49 +140,51 @@ public:
   //@{
   /**
    * How much further the values are stretched in the end: m = min + low * (max - min) and M = max -
-   * high * (max - min), clamped to [0, 1]. The factors' sum is less than 1; default 0 and 0.
+   * high * (max - min), clamped to [0, 1]. Both are in [-1, 1], default 0, and their sum is less
+   * than
+   * 1. See vtkLICSettings.
    */
-  vtkSetMacro(LowLICContrastEnhancementFactor, double);
-  vtkGetMacro(LowLICContrastEnhancementFactor, double);
-  vtkSetMacro(HighLICContrastEnhancementFactor, double);
-  vtkGetMacro(HighLICContrastEnhancementFactor, double);
+  void SetLowLICContrastEnhancementFactor(double factor);
+  double GetLowLICContrastEnhancementFactor();
+  void SetHighLICContrastEnhancementFactor(double factor);
+  double GetHighLICContrastEnhancementFactor();
   //@}
 
   //@{
   /**
-   * How often the result is smoothed by a small Gaussian filter, at least 0, the default.
+   * How often the result is smoothed by a small Gaussian filter, at least 0, the default. See
+   * vtkLICSettings.
    */
-  vtkSetMacro(AntiAlias, int);
-  vtkGetMacro(AntiAlias, int);
+  void SetAntiAlias(int passes);
+  int GetAntiAlias();
   //@}
 
   //@{
   /**
    * Samples whose vector is no longer, in units of the array, are masked. Default 0; a negative one
-   * masks no zero vectors. Streamlines run through them.
+   * masks no zero vectors. Streamlines run through them. See vtkLICSettings.
    */
-  vtkSetMacro(MaskThreshold, double);
-  vtkGetMacro(MaskThreshold, double);
+  void SetMaskThreshold(double threshold);
+  double GetMaskThreshold();
   //@}
 
   //@{
   /**
    * From which absolute value on a component stands for "no data", as -1e9 does; more than 0,
-   * default 1e8.
+   * default 1e8. See vtkLICSettings.
    */
-  vtkSetMacro(NoDataMagnitude, double);
-  vtkGetMacro(NoDataMagnitude, double);
+  void SetNoDataMagnitude(double magnitude);
+  double GetNoDataMagnitude();
   //@}
 
   //@{
   /**
-   * Whether the weights rise upstream, so that, with sparse noise (ImpulseNoiseProbability of
-   * vtkLICNoiseSource), lines grow brighter downstream: their heads show which of the two ways the
-   * vectors point (R. Wegenkittl et al., "Animating Flow Fields: Rendering of Oriented Line
-   * Integral Convolution", 1997). Default off.
+   * Whether the weights rise upstream, so that, with sparse noise (ImpulseNoiseProbability), lines
+   * grow brighter downstream: their heads show which of the two ways the vectors point. Default
+   * off. See vtkLICSettings.
    */
-  vtkSetMacro(OrientedLIC, bool);
-  vtkGetMacro(OrientedLIC, bool);
+  void SetOrientedLIC(bool oriented);
+  bool GetOrientedLIC();
   vtkBooleanMacro(OrientedLIC, bool);
   //@}
 
@@ -178,11 +193,14 @@ public:
    * For animations: as it grows by 1, the pattern moves downstream by 3 NumberOfSteps + 1 steps and
    * fades into what it was; a loop of as many frames moves by one step in each. The contrast stays
    * as it is, except close to where streamlines end. Whole numbers give the same image as the
-   * default, 0. Others take about twice as long.
+   * default, 0. Others take about twice as long. See vtkLICSettings.
    */
-  vtkSetMacro(Phase, double);
-  vtkGetMacro(Phase, double);
+  void SetPhase(double phase);
+  double GetPhase();
   //@}
+
+  /// That of the settings counts, too.
+  vtkMTimeType GetMTime() override;
 
 protected:
   vtkLineIntegralConvolution();
@@ -196,28 +214,15 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  int NumberOfSteps = 20;
-  double StepSize = 1.0;
-  bool NormalizeVectors = true;
-  bool EnhancedLIC = true;
-  int EnhanceContrast = ENHANCE_CONTRAST_OFF;
-  double LowLICContrastEnhancementFactor = 0.0;
-  double HighLICContrastEnhancementFactor = 0.0;
-  int AntiAlias = 0;
-  double MaskThreshold = 0.0;
-  double NoDataMagnitude = 1e8;
-  bool OrientedLIC = false;
-  double Phase = 0.0;
-
 private:
   vtkLineIntegralConvolution(const vtkLineIntegralConvolution&) = delete;
   void operator=(const vtkLineIntegralConvolution&) = delete;
 
-  std::string FindError() const;
   vtkDataArray* FindVectors(vtkInformationVector** inputVector, std::string& error);
   bool MakeNoise(vtkInformationVector* noiseVector, const relevo::LICPlane& plane,
     std::vector<float>& noise, float& mean, std::string& error);
-  relevo::LICSettings MakeSettings(const relevo::LICVectors& vectors, float noiseMean) const;
+
+  vtkSmartPointer<vtkLICSettings> LICSettings;
 };
 
 #endif

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSurfaceLineIntegralConvolution.h"
 
+#include "Core/SettingChecks.h"
 #include "Core/VTKCompatibility.h"
 #include "Core/VectorData.h"
-#include "Image/LICKernel.h"
+#include "Image/ForwardedSettings.h"
+#include "Image/LICPassSettings.h"
 #include "Noise/SolidNoise.h"
 #include "Surface/SurfaceConvolution.h"
 #include "Surface/SurfaceField.h"
@@ -29,7 +31,6 @@
 #include <cmath>
 #include <memory>
 #include <new>
-#include <sstream>
 #include <string>
 
 namespace relevo
@@ -39,7 +40,6 @@ namespace relevo
 
 namespace
 {
-constexpr int MostSteps = 100000;
 constexpr int LargestTexture = 16384;
 
 double FindMeanEdge(const relevo::SurfaceVectors& vectors)
@@ -104,6 +104,7 @@ vtkSmartPointer<vtkUnsignedCharArray> MakeBytes(const char* name, vtkIdType size
 vtkStandardNewMacro(vtkSurfaceLineIntegralConvolution);
 
 vtkSurfaceLineIntegralConvolution::vtkSurfaceLineIntegralConvolution()
+  : LICSettings(vtkSmartPointer<vtkLICSettings>::New())
 {
   this->SetNumberOfOutputPorts(2);
   this->SetInputArrayToProcess(
@@ -130,50 +131,6 @@ int vtkSurfaceLineIntegralConvolution::RequestInformation(
   return 1;
 }
 
-std::string vtkSurfaceLineIntegralConvolution::FindError() const
-{
-  const auto isLength = [](double value) { return value >= 0.0 && std::isfinite(value); };
-  const double low = this->LowLICContrastEnhancementFactor;
-  const double high = this->HighLICContrastEnhancementFactor;
-  const int* size = this->TextureSize;
-  std::ostringstream error;
-  if (this->NumberOfSteps < 1 || this->NumberOfSteps > MostSteps)
-  {
-    error << "NumberOfSteps " << this->NumberOfSteps << " is outside [1, " << MostSteps << "]";
-  }
-  else if (!isLength(this->StepSize) || !isLength(this->GrainSize))
-  {
-    error << "StepSize " << this->StepSize << " or GrainSize " << this->GrainSize
-          << " is neither a length nor 0, for an automatic one";
-  }
-  else if (this->EnhanceContrast != ENHANCE_CONTRAST_OFF &&
-    this->EnhanceContrast != ENHANCE_CONTRAST_LIC)
-  {
-    error << "EnhanceContrast " << this->EnhanceContrast << " is neither OFF (0) nor LIC (1)";
-  }
-  else if (!(low >= 0.0 && high >= 0.0 && low + high < 1.0))
-  {
-    error << "LowLICContrastEnhancementFactor " << low << " and HighLICContrastEnhancementFactor "
-          << high << " are not at least 0 with a sum of less than 1";
-  }
-  else if (std::isnan(this->MaskThreshold) || !(this->NoDataMagnitude > 0.0))
-  {
-    error << "MaskThreshold " << this->MaskThreshold << " is no number, or NoDataMagnitude "
-          << this->NoDataMagnitude << " is not more than 0";
-  }
-  else if (!std::isfinite(this->Phase))
-  {
-    error << "Phase " << this->Phase << " is not finite";
-  }
-  else if ((size[0] || size[1]) &&
-    (std::min(size[0], size[1]) < 1 || std::max(size[0], size[1]) > LargestTexture))
-  {
-    error << "TextureSize " << size[0] << " x " << size[1] << " is neither 0 x 0 nor within [1, "
-          << LargestTexture << "]";
-  }
-  return error.str();
-}
-
 int vtkSurfaceLineIntegralConvolution::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -181,10 +138,10 @@ int vtkSurfaceLineIntegralConvolution::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkImageData* texture = vtkImageData::GetData(outputVector, 1);
   texture->Initialize();
-  const std::string error = this->FindError();
+  const std::string error = relevo::FindContrastError(this->LICSettings);
   if (!error.empty())
   {
-    vtkErrorMacro(<< error << ".");
+    vtkErrorMacro(<< error);
     return 0;
   }
   const relevo::SurfaceField field =
@@ -216,7 +173,8 @@ int vtkSurfaceLineIntegralConvolution::RequestData(
 bool vtkSurfaceLineIntegralConvolution::Run(
   vtkPolyData* input, const relevo::SurfaceField& field, vtkPolyData* output, vtkImageData* texture)
 {
-  const relevo::SurfaceVectors vectors(input, field.Vectors, field.OfCells, this->NoDataMagnitude);
+  const relevo::SurfaceVectors vectors(
+    input, field.Vectors, field.OfCells, this->LICSettings->GetNoDataMagnitude());
   const relevo::SurfaceTriangles& surface = vectors.GetTriangles();
   if (surface.GetTriangles().empty())
   {
@@ -232,12 +190,10 @@ bool vtkSurfaceLineIntegralConvolution::Run(
   }
 
   const double grainSize = this->GrainSize > 0.0 ? this->GrainSize : FindMeanEdge(vectors);
-  const double unit = this->NormalizeVectors ? 1.0 : vectors.GetLongest();
-  const relevo::LICKernel kernel{ this->NumberOfSteps,
-    static_cast<float>(this->StepSize > 0.0 ? this->StepSize * unit : grainSize),
-    this->NormalizeVectors, this->OrientedLIC,
-    static_cast<float>(this->Phase - std::floor(this->Phase)) };
-  const relevo::SolidNoise noise(grainSize, this->NoiseGeneratorSeed);
+  const double unit = this->LICSettings->GetNormalizeVectors() ? 1.0 : vectors.GetLongest();
+  const relevo::LICKernel kernel = relevo::MakeLICKernel(this->LICSettings,
+    this->StepSize > 0.0 ? this->StepSize * unit : this->LICSettings->GetStepSize() * grainSize);
+  const relevo::SolidNoise noise(grainSize, this->LICSettings->GetNoiseGeneratorSeed());
   const relevo::SurfaceConvolution convolution(vectors, noise, kernel);
 
   const vtkIdType numberOfPoints = input->GetNumberOfPoints();
@@ -264,11 +220,12 @@ bool vtkSurfaceLineIntegralConvolution::Run(
   }
 
   std::function<float(float)> contrast = [](float value) { return value; };
-  if (this->EnhanceContrast == ENHANCE_CONTRAST_LIC)
+  if (this->LICSettings->EnhancesLICContrast())
   {
     const relevo::vec2 range = FindRange(values, mask);
     const relevo::vec2 factors(
-      this->LowLICContrastEnhancementFactor, this->HighLICContrastEnhancementFactor);
+      static_cast<float>(this->LICSettings->GetLowLICContrastEnhancementFactor()),
+      static_cast<float>(this->LICSettings->GetHighLICContrastEnhancementFactor()));
     contrast = [=](float value) { return relevo::licStretch(value, range, factors); };
     for (vtkIdType point = 0; point < numberOfPoints; ++point)
     {
@@ -293,12 +250,13 @@ void vtkSurfaceLineIntegralConvolution::MaskPoints(vtkPolyData* input,
   vtkUnsignedCharArray* mask)
 {
   const relevo::SurfaceTriangles& surface = vectors.GetTriangles();
+  const double noData = this->LICSettings->GetNoDataMagnitude();
+  const double threshold = this->LICSettings->GetMaskThreshold();
   const auto isMasked = [&](vtkIdType tuple)
   {
     double v[3];
     field.Vectors->GetTuple(tuple, v);
-    return !relevo::IsVectorData(v, 3, this->NoDataMagnitude) ||
-      vtkMath::Norm(v) <= this->MaskThreshold;
+    return !relevo::IsVectorData(v, 3, noData) || vtkMath::Norm(v) <= threshold;
   };
   vtkSMPTools::For(0, input->GetNumberOfPoints(),
     [&](vtkIdType begin, vtkIdType end)
@@ -369,22 +327,60 @@ bool vtkSurfaceLineIntegralConvolution::ForParts(vtkIdType size, double shareFro
   return true;
 }
 
+//------------------------------------------------------------------------------
+// Settings
+
+relevoLICSettingsMacro(vtkSurfaceLineIntegralConvolution);
+
+vtkMTimeType vtkSurfaceLineIntegralConvolution::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->LICSettings->GetMTime());
+}
+
+relevoForwardMacro(vtkSurfaceLineIntegralConvolution, NumberOfSteps, int);
+relevoForwardMacro(vtkSurfaceLineIntegralConvolution, NormalizeVectors, bool);
+relevoForwardMacro(vtkSurfaceLineIntegralConvolution, NoiseGeneratorSeed, int);
+relevoForwardMacro(vtkSurfaceLineIntegralConvolution, LowLICContrastEnhancementFactor, double);
+relevoForwardMacro(vtkSurfaceLineIntegralConvolution, HighLICContrastEnhancementFactor, double);
+relevoForwardMacro(vtkSurfaceLineIntegralConvolution, MaskThreshold, double);
+relevoForwardMacro(vtkSurfaceLineIntegralConvolution, NoDataMagnitude, double);
+relevoForwardMacro(vtkSurfaceLineIntegralConvolution, OrientedLIC, bool);
+relevoForwardMacro(vtkSurfaceLineIntegralConvolution, Phase, double);
+relevoForwardGreyContrastMacro(vtkSurfaceLineIntegralConvolution);
+
+void vtkSurfaceLineIntegralConvolution::SetStepSize(double size)
+{
+  relevo::SetInRange(this, "StepSize", this->StepSize, size, 0.0, relevo::LargestDouble);
+}
+
+void vtkSurfaceLineIntegralConvolution::SetGrainSize(double size)
+{
+  relevo::SetInRange(this, "GrainSize", this->GrainSize, size, 0.0, relevo::LargestDouble);
+}
+
+void vtkSurfaceLineIntegralConvolution::SetTextureSize(int width, int height)
+{
+  int(&size)[2] = this->TextureSize;
+  const bool isNone = width == 0 && height == 0;
+  if (!isNone && (std::min(width, height) < 1 || std::max(width, height) > LargestTexture))
+  {
+    vtkErrorMacro("TextureSize must be 0 x 0 or from 1 x 1 to "
+      << LargestTexture << " x " << LargestTexture << ", got " << width << " x " << height << ".");
+  }
+  else if (size[0] != width || size[1] != height)
+  {
+    size[0] = width;
+    size[1] = height;
+    this->Modified();
+  }
+}
+
 void vtkSurfaceLineIntegralConvolution::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfSteps: " << this->NumberOfSteps << "\n";
   os << indent << "StepSize: " << this->StepSize << "\n";
-  os << indent << "NormalizeVectors: " << this->NormalizeVectors << "\n";
   os << indent << "GrainSize: " << this->GrainSize << "\n";
-  os << indent << "NoiseGeneratorSeed: " << this->NoiseGeneratorSeed << "\n";
-  os << indent << "EnhanceContrast: " << this->EnhanceContrast << "\n";
-  os << indent << "LowLICContrastEnhancementFactor: " << this->LowLICContrastEnhancementFactor
-     << "\n";
-  os << indent << "HighLICContrastEnhancementFactor: " << this->HighLICContrastEnhancementFactor
-     << "\n";
-  os << indent << "MaskThreshold: " << this->MaskThreshold << "\n";
-  os << indent << "NoDataMagnitude: " << this->NoDataMagnitude << "\n";
-  os << indent << "OrientedLIC: " << this->OrientedLIC << "\n";
-  os << indent << "Phase: " << this->Phase << "\n";
   os << indent << "TextureSize: " << this->TextureSize[0] << " x " << this->TextureSize[1] << "\n";
+  os << indent << "LICSettings:\n";
+  this->LICSettings->PrintSelf(os, indent.GetNextIndent());
 }

@@ -8,9 +8,11 @@
  * through noise, step by step, and takes the mean of what it meets, downstream and upstream. There
  * is no camera in it: the result is the same from every view and can be written to files. After
  * Nellmeldin 2013, "Desarrollo de algoritmos de teselacion adaptativa en GPU", section 9, with
- * noise that fills space, so that there are neither seams nor texture coordinates to be made. Names
- * and defaults are those of vtkLineIntegralConvolution. The number of threads does not change the
- * result.
+ * noise that fills space, so that there are neither seams nor texture coordinates to be made. The
+ * number of threads does not change the result.
+ *
+ * Settings are those of its vtkLICSettings, which it can share with a mapper and other filters, but
+ * for StepSize, GrainSize and TextureSize. The other setters here change that object.
  *
  * Input: a vtkPolyData with polygons or triangle strips of any size and a point or cell array of 3
  * components: by SetInputArrayToProcess(0, ...), or the active vectors, of the points if they have
@@ -54,15 +56,19 @@
  *
  * Errors, with empty outputs: no polygons; vectors that are not there, not of 3 components or not
  * one for each point or cell; a TextureSize without texture coordinates, or with none in [0, 1];
- * settings outside the ranges stated below; not enough memory.
+ * contrast enhancement factors whose sum is not less than 1; not enough memory. A setting out of
+ * its range is an error and changes nothing.
  *
- * @sa vtkLineIntegralConvolution vtkAdaptiveRefinementFilter vtkFieldVariationDepthTagMetric
+ * @sa vtkLICSettings vtkLineIntegralConvolution vtkAdaptiveRefinementFilter
+ * vtkFieldVariationDepthTagMetric
  */
 #ifndef vtkSurfaceLineIntegralConvolution_h
 #define vtkSurfaceLineIntegralConvolution_h
 
 #include "RelevoFiltersFlowModule.h" // for export macro
+#include "vtkLICSettings.h"          // for enumerators
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // for members
 
 #include <functional> // for loops
 #include <string>     // for messages
@@ -89,29 +95,40 @@ public:
 
   //@{
   /**
-   * How many steps a streamline goes each way, 1 to 100000, default 20: the mean of 41 samples of
-   * the noise.
+   * All settings but the length of a step, GrainSize and TextureSize; never nullptr: a nullptr
+   * gives the filter new ones with their defaults.
    */
-  vtkSetMacro(NumberOfSteps, int);
-  vtkGetMacro(NumberOfSteps, int);
+  void SetLICSettings(vtkLICSettings* settings);
+  vtkLICSettings* GetLICSettings() const;
+  //@}
+
+  //@{
+  /**
+   * How many steps a streamline goes each way, 1 to 100000, default 20: the mean of 41 samples of
+   * the noise. See vtkLICSettings.
+   */
+  void SetNumberOfSteps(int steps);
+  int GetNumberOfSteps();
   //@}
 
   //@{
   /**
    * Length of a step, in units of the points' coordinates; without NormalizeVectors, times the
-   * length of the vector. 0, the default, is automatic: a grain, without NormalizeVectors for the
-   * longest vector.
+   * length of the vector. 0, the default, is automatic: as many grains as the StepSize of the
+   * vtkLICSettings says, by default 1, without NormalizeVectors for the longest vector. This one is
+   * not shared: it depends on the mesh.
    */
-  vtkSetMacro(StepSize, double);
+  void SetStepSize(double size);
   vtkGetMacro(StepSize, double);
   //@}
 
   //@{
   /**
-   * Whether all streamlines are equally long (the default), or by how long the vectors are.
+   * Whether all streamlines are equally long (the default), or by how long the vectors are. See
+   * vtkLICSettings.
    */
-  vtkSetMacro(NormalizeVectors, bool);
-  vtkGetMacro(NormalizeVectors, bool);
+  void SetNormalizeVectors(bool normalize);
+  bool GetNormalizeVectors();
   vtkBooleanMacro(NormalizeVectors, bool);
   //@}
 
@@ -121,32 +138,33 @@ public:
    * default, is automatic: the mean length of the edges. The noise is anchored at the origin: two
    * meshes that meet have the same noise where they do if their grains are the same.
    */
-  vtkSetMacro(GrainSize, double);
+  void SetGrainSize(double size);
   vtkGetMacro(GrainSize, double);
   //@}
 
   //@{
   /**
-   * Another number gives other noise of the same kind; default 1.
+   * Another number gives other noise of the same kind; default 1. See vtkLICSettings.
    */
-  vtkSetMacro(NoiseGeneratorSeed, int);
-  vtkGetMacro(NoiseGeneratorSeed, int);
+  void SetNoiseGeneratorSeed(int seed);
+  int GetNoiseGeneratorSeed();
   //@}
 
   enum
   {
-    ENHANCE_CONTRAST_OFF = 0,
-    ENHANCE_CONTRAST_LIC = 1
+    ENHANCE_CONTRAST_OFF = vtkLICSettings::ENHANCE_CONTRAST_OFF,
+    ENHANCE_CONTRAST_LIC = vtkLICSettings::ENHANCE_CONTRAST_LIC
   };
 
   //@{
   /**
    * ENHANCE_CONTRAST_OFF (0, the default) or ENHANCE_CONTRAST_LIC (1): values are stretched, as
    * (L - m) / (M - m), so that the smallest is 0 and the largest 1, of the points that are not
-   * masked; the texture like the points.
+   * masked; the texture like the points. Of shared settings, only what they say about the LIC
+   * counts, not about colours. See vtkLICSettings.
    */
-  vtkSetMacro(EnhanceContrast, int);
-  vtkGetMacro(EnhanceContrast, int);
+  void SetEnhanceContrast(int mode);
+  int GetEnhanceContrast();
   void SetEnhanceContrastToOff() { this->SetEnhanceContrast(ENHANCE_CONTRAST_OFF); }
   void SetEnhanceContrastToLIC() { this->SetEnhanceContrast(ENHANCE_CONTRAST_LIC); }
   //@}
@@ -154,60 +172,63 @@ public:
   //@{
   /**
    * How much further the values are stretched: m = min + low * (max - min) and M = max - high *
-   * (max - min), clamped to [0, 1]. Each is at least 0, and their sum is less than 1; default 0 and
-   * 0.
+   * (max - min), clamped to [0, 1]. Both are in [-1, 1], default 0, and their sum is less than 1.
+   * See vtkLICSettings.
    */
-  vtkSetMacro(LowLICContrastEnhancementFactor, double);
-  vtkGetMacro(LowLICContrastEnhancementFactor, double);
-  vtkSetMacro(HighLICContrastEnhancementFactor, double);
-  vtkGetMacro(HighLICContrastEnhancementFactor, double);
+  void SetLowLICContrastEnhancementFactor(double factor);
+  double GetLowLICContrastEnhancementFactor();
+  void SetHighLICContrastEnhancementFactor(double factor);
+  double GetHighLICContrastEnhancementFactor();
   //@}
 
   //@{
   /**
    * Points whose vector is no longer, in units of the array, are masked. Default 0; a negative one
-   * masks no zero vectors. Streamlines run through them.
+   * masks no zero vectors. Streamlines run through them. See vtkLICSettings.
    */
-  vtkSetMacro(MaskThreshold, double);
-  vtkGetMacro(MaskThreshold, double);
+  void SetMaskThreshold(double threshold);
+  double GetMaskThreshold();
   //@}
 
   //@{
   /**
    * From which absolute value on a component stands for "no data", as -1e9 does; more than 0,
-   * default 1e8.
+   * default 1e8. See vtkLICSettings.
    */
-  vtkSetMacro(NoDataMagnitude, double);
-  vtkGetMacro(NoDataMagnitude, double);
+  void SetNoDataMagnitude(double magnitude);
+  double GetNoDataMagnitude();
   //@}
 
   //@{
   /**
    * Whether the weights rise upstream, so that lines grow brighter downstream from a bright grain:
-   * their heads show which of the two ways the vectors point (R. Wegenkittl et al., "Animating Flow
-   * Fields: Rendering of Oriented Line Integral Convolution", 1997). Default off.
+   * their heads show which of the two ways the vectors point. Default off. See vtkLICSettings.
    */
-  vtkSetMacro(OrientedLIC, bool);
-  vtkGetMacro(OrientedLIC, bool);
+  void SetOrientedLIC(bool oriented);
+  bool GetOrientedLIC();
   vtkBooleanMacro(OrientedLIC, bool);
   //@}
 
   //@{
   /**
    * For animations: as it grows by 1, the pattern moves 3 NumberOfSteps + 1 steps downstream and
-   * fades into what it was. Whole numbers give the same as the default, 0.
+   * fades into what it was. Whole numbers give the same as the default, 0. See vtkLICSettings.
    */
-  vtkSetMacro(Phase, double);
-  vtkGetMacro(Phase, double);
+  void SetPhase(double phase);
+  double GetPhase();
   //@}
 
   //@{
   /**
    * Width and height in texels of output 1, each 1 to 16384; 0 and 0, the default, for none.
    */
-  vtkSetVector2Macro(TextureSize, int);
+  void SetTextureSize(int width, int height);
+  void SetTextureSize(const int size[2]) { this->SetTextureSize(size[0], size[1]); }
   vtkGetVector2Macro(TextureSize, int);
   //@}
+
+  /// That of the settings counts, too.
+  vtkMTimeType GetMTime() override;
 
 protected:
   vtkSurfaceLineIntegralConvolution();
@@ -219,25 +240,14 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  int NumberOfSteps = 20;
   double StepSize = 0.0;
-  bool NormalizeVectors = true;
   double GrainSize = 0.0;
-  int NoiseGeneratorSeed = 1;
-  int EnhanceContrast = ENHANCE_CONTRAST_OFF;
-  double LowLICContrastEnhancementFactor = 0.0;
-  double HighLICContrastEnhancementFactor = 0.0;
-  double MaskThreshold = 0.0;
-  double NoDataMagnitude = 1e8;
-  bool OrientedLIC = false;
-  double Phase = 0.0;
   int TextureSize[2] = { 0, 0 };
 
 private:
   vtkSurfaceLineIntegralConvolution(const vtkSurfaceLineIntegralConvolution&) = delete;
   void operator=(const vtkSurfaceLineIntegralConvolution&) = delete;
 
-  std::string FindError() const;
 #ifndef __VTK_WRAP__
   bool Run(vtkPolyData* input, const relevo::SurfaceField& field, vtkPolyData* output,
     vtkImageData* texture);
@@ -249,6 +259,8 @@ private:
   bool ForParts(vtkIdType size, double shareFrom, double shareTo,
     const std::function<void(vtkIdType, vtkIdType)>& work);
 #endif
+
+  vtkSmartPointer<vtkLICSettings> LICSettings;
 };
 
 #endif

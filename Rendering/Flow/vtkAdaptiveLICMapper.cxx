@@ -86,9 +86,13 @@ private:
 }
 
 vtkAdaptiveLICMapper::vtkAdaptiveLICMapper()
-  : LIC(new vtkInternals(this))
+  : LICSettings(vtkSmartPointer<vtkLICSettings>::New())
+  , LIC(new vtkInternals(this))
 {
   this->LIC->Vectors = this->AddFaceHelper();
+  vtkNew<vtkAdaptiveRefinement> coarse;
+  coarse->SetMaximumLevel(0);
+  this->SetRefinement(coarse);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, vtkDataSetAttributes::VECTORS);
 }
@@ -158,7 +162,7 @@ void vtkAdaptiveLICMapper::vtkInternals::CheckVectors()
       const relevo::LICArray vectors = this->Root->FindArray(leaf);
       problem = problem.empty() ? vectors.Problem : problem;
       hasArray = hasArray || vectors.Array;
-      longest = std::max(longest, vectors.FindLongest(this->Root->NoDataMagnitude));
+      longest = std::max(longest, vectors.FindLongest(this->Root->GetNoDataMagnitude()));
     });
   this->Longest = std::max(longest, 0.0);
   if (problem.empty() && hasFaces && !hasArray)
@@ -179,7 +183,7 @@ std::string vtkAdaptiveLICMapper::vtkInternals::FindProblem()
   {
     return this->VectorProblem;
   }
-  return this->Noise.Update() ? "" : this->Noise.GetError();
+  return this->Noise.Update(this->Root->LICSettings) ? "" : this->Noise.GetError();
 }
 
 relevo::LICScreen& vtkAdaptiveLICMapper::vtkInternals::GetScreen(vtkRenderer* ren, vtkActor* act)
@@ -209,8 +213,7 @@ std::vector<double> vtkAdaptiveLICMapper::vtkInternals::MakeKey(
     key.insert(key.end(), matrix->GetData(), matrix->GetData() + 16);
   }
   const auto addTime = [&key](vtkMTimeType time) { key.push_back(static_cast<double>(time)); };
-  addTime(this->SettingsTime.GetMTime());
-  addTime(this->Noise.GetMTime());
+  this->AddSettings(key);
   addTime(this->Root->BuildTime.GetMTime()); // settings and tables of colours are none of it
   addTime(act->GetShaderProperty()->GetShaderMTime());
   vtkProperty* property = act->GetProperty();
@@ -242,7 +245,8 @@ bool vtkAdaptiveLICMapper::vtkInternals::Prepare(vtkRenderer* ren, vtkActor* act
 {
   vtkAdaptiveLICMapper* self = this->Root;
   this->Screen = nullptr;
-  if (!self->Enable || !CanShow(ren, act) || !self->GetInputAlgorithm() || !self->GetRefinement())
+  if (!self->GetEnable() || !CanShow(ren, act) || !self->GetInputAlgorithm() ||
+    !self->GetRefinement())
   {
     return false;
   }
@@ -317,7 +321,8 @@ bool vtkAdaptiveLICMapper::vtkInternals::Draw(
       screen.SetBounds(act->GetBounds(),
         ren->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
           ren->GetTiledAspectRatio(), -1, 1));
-      done = this->Image.Convolve(window, this->Framebuffer, screen, noise, this->GetSettings());
+      done =
+        this->Image.Convolve(window, this->Framebuffer, screen, noise, this->GetPassSettings());
       ++this->Root->NumberOfConvolutions;
     }
     done = done &&
@@ -337,11 +342,23 @@ bool vtkAdaptiveLICMapper::vtkInternals::Draw(
 
 void vtkAdaptiveLICMapper::RenderRefined(vtkRenderer* ren, vtkActor* act)
 {
-  if (this->LIC->Root == this)
+  vtkInternals& lic = *this->LIC;
+  if (lic.NoDataMagnitude != this->GetNoDataMagnitude())
   {
-    this->LIC->Prepare(ren, act);
+    lic.NoDataMagnitude = this->GetNoDataMagnitude();
+    this->BuildTime.Modified(); // buffers are without no-data
+  }
+  if (lic.Root == this)
+  {
+    lic.Prepare(ren, act);
   }
   this->Superclass::RenderRefined(ren, act);
+}
+
+vtkMTimeType vtkAdaptiveLICMapper::GetMTime()
+{
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->IsAskedByVTK() ? time : std::max(time, this->LICSettings->GetMTime());
 }
 
 void vtkAdaptiveLICMapper::UpdateBlocks()

@@ -8,8 +8,10 @@
  * convolved along the streamlines on the screen (after Laramee, Jobard and Hauser, Image Space
  * Based Visualization of Unsteady Flow on Surfaces, 2003). Vectors go with the surface through
  * refinement and displacement and are projected on its tangent plane, pixel by pixel, then on the
- * screen. Names and defaults are those of VTK's vtkSurfaceLICInterface, here on the mapper itself;
- * lengths are in pixels of the window. To have levels follow the field, give the recipe a
+ * screen. The settings are one object, vtkLICSettings, with the names and defaults of VTK's
+ * vtkSurfaceLICInterface: GetLICInterface() returns it, and the setters here change it. Lengths are
+ * in pixels of the window. The recipe is by default one of MaximumLevel 0: the mesh is drawn as it
+ * is, as by VTK's vtkSurfaceLICMapper. To have levels follow the field, give the recipe a
  * vtkCompositeDepthTagMetric, mode MAXIMUM, of vtkFieldVariationDepthTagMetric and
  * vtkScreenEdgeDepthTagMetric, and MaximumLevel 3: the variation knows nothing of pixels, and each
  * level more makes four times the triangles where it is high.
@@ -39,13 +41,16 @@
  * nothing but no-data, noise that cannot be made or read, an older OpenGL. A setting out of its
  * range is an error and changes nothing.
  *
- * @sa vtkLineIntegralConvolution vtkSurfaceLineIntegralConvolution vtkFieldVariationDepthTagMetric
+ * @sa vtkLICSettings vtkLineIntegralConvolution vtkSurfaceLineIntegralConvolution
+ * vtkFieldVariationDepthTagMetric
  */
 #ifndef vtkAdaptiveLICMapper_h
 #define vtkAdaptiveLICMapper_h
 
 #include "RelevoRenderingFlowModule.h" // for export macro
 #include "vtkAdaptiveRefinementMapper.h"
+#include "vtkLICSettings.h"  // for enumerators
+#include "vtkSmartPointer.h" // for members
 
 #include <memory> // for vtkInternals
 
@@ -65,255 +70,150 @@ public:
 
   //@{
   /**
-   * Whether there are streaks at all, on by default.
+   * All settings of the streaks; never nullptr: a nullptr gives the mapper new ones with their
+   * defaults. Several mappers and filters can share an object, and ShallowCopy() shares it. They
+   * are part of the mapper: its GetMTime() counts them. GetLICInterface() is what
+   * vtkSurfaceLICMapper calls it.
+   */
+  void SetLICSettings(vtkLICSettings* settings);
+  vtkLICSettings* GetLICSettings() const;
+  vtkLICSettings* GetLICInterface() const { return this->GetLICSettings(); }
+  //@}
+
+  //@{
+  /**
+   * Whether there are streaks at all, on by default. See vtkLICSettings.
    */
   void SetEnable(int enable);
-  vtkGetMacro(Enable, int);
+  int GetEnable();
   vtkBooleanMacro(Enable, int);
   //@}
 
   //@{
   /**
-   * Steps of a streamline each way, at least 1, default 20.
+   * Streamlines: how many steps each way (default 20) of how many pixels (default 1), all equally
+   * long (on) or as long as vectors. See vtkLICSettings.
    */
   void SetNumberOfSteps(int steps);
-  vtkGetMacro(NumberOfSteps, int);
-  //@}
-
-  //@{
-  /**
-   * Length of a step in pixels, above 0, default 1. Where vectors are not normalised, of a vector
-   * that is 1 unit long on the screen's plane.
-   */
+  int GetNumberOfSteps();
   void SetStepSize(double size);
-  vtkGetMacro(StepSize, double);
-  //@}
-
-  //@{
-  /**
-   * Whether all vectors count as equally long, on by default. Off: steps are as long as vectors,
-   * and so are streaks.
-   */
+  double GetStepSize();
   void SetNormalizeVectors(int normalize);
-  vtkGetMacro(NormalizeVectors, int);
+  int GetNormalizeVectors();
   vtkBooleanMacro(NormalizeVectors, int);
   //@}
 
   //@{
   /**
-   * Whether the result, with its edges sharpened, is convolved once more, with half as many steps;
-   * on by default (Okada and Kao, Enhanced Line Integral Convolution with Flow Feature Detection,
-   * 1997).
+   * Whether noise is convolved twice (on), streaks have heads (off), and how far they have moved,
+   * in loops (0). See vtkLICSettings.
    */
   void SetEnhancedLIC(int enhanced);
-  vtkGetMacro(EnhancedLIC, int);
+  int GetEnhancedLIC();
   vtkBooleanMacro(EnhancedLIC, int);
-  //@}
-
-  //@{
-  /**
-   * Whether streaks tell the direction too, off by default: weights fall off upstream, so what
-   * flows from a dot fades out towards its tail (Wegenkittl, Groeller and Purgathofer, Animating
-   * Flow Fields: Rendering of Oriented Line Integral Convolution, 1997). Best without EnhancedLIC
-   * and with sparse noise: SetNoiseType(NOISE_TYPE_UNIFORM), SetImpulseNoiseProbability(0.02),
-   * SetNoiseGrainSize(3), and either light dots (SetMinNoiseValue(0.9)) or dark ones
-   * (SetMaxNoiseValue(0.02), SetImpulseNoiseBackgroundValue(1)).
-   */
   void SetOrientedLIC(int oriented);
-  vtkGetMacro(OrientedLIC, int);
+  int GetOrientedLIC();
   vtkBooleanMacro(OrientedLIC, int);
-  //@}
-
-  //@{
-  /**
-   * How far the pattern has moved down the flow, in loops of 3 NumberOfSteps + 1 steps; default 0.
-   * Whole numbers look alike, so phases i / n for i = 0 ... n - 1 make an animation without a seam.
-   */
   void SetPhase(double phase);
-  vtkGetMacro(Phase, double);
+  double GetPhase();
   //@}
 
   enum
   {
-    ENHANCE_CONTRAST_OFF = 0,
-    ENHANCE_CONTRAST_LIC = 1,
-    ENHANCE_CONTRAST_COLOR = 3,
-    ENHANCE_CONTRAST_BOTH = 4
+    ENHANCE_CONTRAST_OFF = vtkLICSettings::ENHANCE_CONTRAST_OFF,
+    ENHANCE_CONTRAST_LIC = vtkLICSettings::ENHANCE_CONTRAST_LIC,
+    ENHANCE_CONTRAST_COLOR = vtkLICSettings::ENHANCE_CONTRAST_COLOR,
+    ENHANCE_CONTRAST_BOTH = vtkLICSettings::ENHANCE_CONTRAST_BOTH
   };
 
   //@{
   /**
-   * Whether the range of greys is stretched: of the LIC (ENHANCE_CONTRAST_LIC, 1), after each
-   * convolution; of the lightness of the colours combined with it (ENHANCE_CONTRAST_COLOR, 3); both
-   * (ENHANCE_CONTRAST_BOTH, 4); neither (ENHANCE_CONTRAST_OFF, 0, the default). m and M become 0
-   * and 1, m being the least value on the surface plus the low factor's share of the range, M the
-   * largest less the high factor's.
+   * Whether the range of greys (1), of the lightness of colours (3) or of both (4) is stretched; by
+   * default of neither (0). The factors are the shares of the range that are cut off at its ends,
+   * default 0. AntiAlias: how often the LIC is smoothed, default 0. See vtkLICSettings.
    */
   void SetEnhanceContrast(int mode);
-  vtkGetMacro(EnhanceContrast, int);
+  int GetEnhanceContrast();
   void SetEnhanceContrastToOff() { this->SetEnhanceContrast(ENHANCE_CONTRAST_OFF); }
   void SetEnhanceContrastToLIC() { this->SetEnhanceContrast(ENHANCE_CONTRAST_LIC); }
   void SetEnhanceContrastToColor() { this->SetEnhanceContrast(ENHANCE_CONTRAST_COLOR); }
   void SetEnhanceContrastToBoth() { this->SetEnhanceContrast(ENHANCE_CONTRAST_BOTH); }
-  //@}
-
-  //@{
-  /**
-   * See SetEnhanceContrast(); in [0, 1], default 0.
-   */
   void SetLowLICContrastEnhancementFactor(double factor);
-  vtkGetMacro(LowLICContrastEnhancementFactor, double);
+  double GetLowLICContrastEnhancementFactor();
   void SetHighLICContrastEnhancementFactor(double factor);
-  vtkGetMacro(HighLICContrastEnhancementFactor, double);
+  double GetHighLICContrastEnhancementFactor();
   void SetLowColorContrastEnhancementFactor(double factor);
-  vtkGetMacro(LowColorContrastEnhancementFactor, double);
+  double GetLowColorContrastEnhancementFactor();
   void SetHighColorContrastEnhancementFactor(double factor);
-  vtkGetMacro(HighColorContrastEnhancementFactor, double);
-  //@}
-
-  //@{
-  /**
-   * How often the LIC is smoothed, by a Gaussian of 3 x 3 pixels; default 0.
-   */
+  double GetHighColorContrastEnhancementFactor();
   void SetAntiAlias(int passes);
-  vtkGetMacro(AntiAlias, int);
+  int GetAntiAlias();
   vtkBooleanMacro(AntiAlias, int);
   //@}
 
   //@{
   /**
-   * Vectors at most this long, in the units of the array, leave no streaks; default 0. Negative for
-   * streaks of noise even where vectors are zero.
+   * Where there are no streaks: for vectors at most MaskThreshold long (0), or projected on the
+   * surface (off), and for no-data, of NoDataMagnitude (1e8) or more. MaskIntensity (0) is
+   * MaskColor's share of the colour there. See vtkLICSettings.
    */
   void SetMaskThreshold(double threshold);
-  vtkGetMacro(MaskThreshold, double);
-  //@}
-
-  //@{
-  /**
-   * Whether it is the vector's projection on the surface that SetMaskThreshold() is about, off by
-   * default: the vector itself.
-   */
+  double GetMaskThreshold();
   void SetMaskOnSurface(int onSurface);
-  vtkGetMacro(MaskOnSurface, int);
+  int GetMaskOnSurface();
   vtkBooleanMacro(MaskOnSurface, int);
-  //@}
-
-  //@{
-  /**
-   * Where there are no streaks, MaskColor's share of the colour: MaskIntensity, in [0, 1], default
-   * 0; the rest is the surface's own. MaskColor: default (0.5, 0.5, 0.5).
-   */
   void SetMaskColor(double red, double green, double blue);
   void SetMaskColor(const double color[3]) { this->SetMaskColor(color[0], color[1], color[2]); }
-  vtkGetVector3Macro(MaskColor, double);
+  double* GetMaskColor() VTK_SIZEHINT(3);
+  void GetMaskColor(double color[3]);
+  void GetMaskColor(double& red, double& green, double& blue);
   void SetMaskIntensity(double intensity);
-  vtkGetMacro(MaskIntensity, double);
-  //@}
-
-  //@{
-  /**
-   * Vectors with a component of at least this magnitude, and those that are not finite, are
-   * no-data; default 1e8, which takes in the usual marks (-1e9, 1e20, 1e30). Above 0.
-   */
+  double GetMaskIntensity();
   void SetNoDataMagnitude(double magnitude);
-  vtkGetMacro(NoDataMagnitude, double);
+  double GetNoDataMagnitude();
   //@}
-
-  enum
-  {
-    COLOR_MODE_BLEND = 0,
-    COLOR_MODE_MAP = 1
-  };
-
-#ifdef __clang__
-#pragma clang diagnostic push
-#pragma clang diagnostic ignored "-Woverloaded-virtual"
-#endif
-  //@{
-  /**
-   * How the LIC is combined with the surface's colours: COLOR_MODE_BLEND (0, the default), LIC x
-   * LICIntensity + colour x (1 - LICIntensity); COLOR_MODE_MAP (1), colour x (LIC + MapModeBias).
-   * How scalars become colours is up to SetColorModeToDefault(), SetColorModeToMapScalars() and
-   * SetColorModeToDirectScalars(), and through a pointer to a vtkMapper to its SetColorMode(),
-   * which this one hides and does not override.
-   */
-  void SetColorMode(const int& mode);
-  int GetColorMode() const
-  {
-    return this->LICColorMode;
-  }
-  void SetColorModeToBlend()
-  {
-    this->SetColorMode(COLOR_MODE_BLEND);
-  }
-  void SetColorModeToMultiply()
-  {
-    this->SetColorMode(COLOR_MODE_MAP);
-  }
-  void SetColorModeToMap()
-  {
-    this->SetColorMode(COLOR_MODE_MAP);
-  }
-  //@}
-#ifdef __clang__
-#pragma clang diagnostic pop
-#endif
 
   //@{
   /**
-   * The LIC's share in COLOR_MODE_BLEND, in [0, 1], default 0.8.
+   * How the LIC is combined with the surface's colours: blended, with LICIntensity (0.8) as its
+   * share (the default), or multiplied with them, after MapModeBias (0) has been added; "map" is
+   * VTK's word for that. The setting itself is ColorMode of GetLICInterface(). SetColorMode() of
+   * the mapper, SetColorModeToDefault() and its like are vtkMapper's, and about how scalars become
+   * colours.
    */
+  void SetColorModeToBlend();
+  void SetColorModeToMultiply();
+  void SetColorModeToMap();
   void SetLICIntensity(double intensity);
-  vtkGetMacro(LICIntensity, double);
-  //@}
-
-  //@{
-  /**
-   * Added to the LIC in COLOR_MODE_MAP, in [-1, 1], default 0.
-   */
+  double GetLICIntensity();
   void SetMapModeBias(double bias);
-  vtkGetMacro(MapModeBias, double);
+  double GetMapModeBias();
   //@}
 
   //@{
   /**
-   * An image to take for noise, tiled from the viewport's lower left corner: flat, of the first
-   * component of its active scalars, in [0, 1] (unsigned char and unsigned short: shares of the
-   * largest). nullptr, the default, for generated noise.
+   * An image, or an image file, to use as noise; both nullptr, the default, for generated noise.
+   * See vtkLICSettings.
    */
   void SetNoiseDataSet(vtkImageData* image);
   vtkImageData* GetNoiseDataSet();
-  //@}
-
-  //@{
-  /**
-   * An image file to take for noise, of any format that vtkImageReader2Factory knows; unset by
-   * default. SetNoiseDataSet() goes before it.
-   */
   void SetNoiseFileName(const char* name);
   const char* GetNoiseFileName();
   //@}
 
   enum
   {
-    NOISE_TYPE_UNIFORM = 0,
-    NOISE_TYPE_GAUSSIAN = 1,
-    NOISE_TYPE_PERLIN = 2
+    NOISE_TYPE_UNIFORM = vtkLICSettings::NOISE_TYPE_UNIFORM,
+    NOISE_TYPE_GAUSSIAN = vtkLICSettings::NOISE_TYPE_GAUSSIAN,
+    NOISE_TYPE_PERLIN = vtkLICSettings::NOISE_TYPE_PERLIN
   };
 
   //@{
   /**
-   * The noise that is generated, by vtkLICNoiseSource; there are the ranges. GenerateNoiseTexture
-   * off: always that of the defaults; it is on by default. NoiseType: NOISE_TYPE_UNIFORM (0),
-   * _GAUSSIAN (1, the default) or _PERLIN (2). NoiseTextureSize: pixels a side of what is tiled,
-   * default 200. NoiseGrainSize: pixels a side of one value, default 1. MinNoiseValue and
-   * MaxNoiseValue: in [0, 1], default 0 and 0.8. NumberOfNoiseLevels: of different values, default
-   * 256. ImpulseNoiseProbability: the share of grains that have noise, default 1; the others have
-   * ImpulseNoiseBackgroundValue, default 0. NoiseGeneratorSeed: default 1.
+   * The noise that vtkLICNoiseSource generates. See vtkLICSettings for ranges and defaults.
    */
   void SetGenerateNoiseTexture(int generate);
-  vtkGetMacro(GenerateNoiseTexture, int);
+  int GetGenerateNoiseTexture();
   vtkBooleanMacro(GenerateNoiseTexture, int);
   void SetNoiseType(int type);
   int GetNoiseType();
@@ -334,6 +234,11 @@ public:
   void SetNoiseGeneratorSeed(int seed);
   int GetNoiseGeneratorSeed();
   //@}
+
+  /**
+   * That of the settings counts, too.
+   */
+  vtkMTimeType GetMTime() override;
 
   /**
    * How often noise has been convolved since the mapper was made, for all renderers and actors.
@@ -364,28 +269,6 @@ protected:
     std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act) override;
   void SetMapperShaderParameters(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;
 
-  int Enable = 1;
-  int NumberOfSteps = 20;
-  double StepSize = 1.0;
-  int NormalizeVectors = 1;
-  int EnhancedLIC = 1;
-  int OrientedLIC = 0;
-  double Phase = 0.0;
-  int EnhanceContrast = ENHANCE_CONTRAST_OFF;
-  double LowLICContrastEnhancementFactor = 0.0;
-  double HighLICContrastEnhancementFactor = 0.0;
-  double LowColorContrastEnhancementFactor = 0.0;
-  double HighColorContrastEnhancementFactor = 0.0;
-  int AntiAlias = 0;
-  double MaskThreshold = 0.0;
-  int MaskOnSurface = 0;
-  double MaskColor[3] = { 0.5, 0.5, 0.5 };
-  double MaskIntensity = 0.0;
-  double NoDataMagnitude = 1e8;
-  int LICColorMode = COLOR_MODE_BLEND;
-  double LICIntensity = 0.8;
-  double MapModeBias = 0.0;
-  int GenerateNoiseTexture = 1;
   vtkIdType NumberOfConvolutions = 0;
 
 private:
@@ -396,6 +279,7 @@ private:
 
   struct vtkInternals;
   friend struct vtkInternals;
+  vtkSmartPointer<vtkLICSettings> LICSettings;
   std::unique_ptr<vtkInternals> LIC;
 };
 

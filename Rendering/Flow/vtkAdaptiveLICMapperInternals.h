@@ -10,6 +10,7 @@
 #define vtkAdaptiveLICMapperInternals_h
 
 #include "Buffers/RefinementBuffer.h"
+#include "Image/LICPassSettings.h"
 #include "Passes/LICArray.h"
 #include "Passes/LICImage.h"
 #include "Passes/LICNoise.h"
@@ -41,8 +42,9 @@ struct vtkAdaptiveLICMapper::vtkInternals
   bool IsDrawingVectors = false;       // what the root draws now
   relevo::LICScreen* Screen = nullptr; // that the surface shows now; nullptr for none
 
-  vtkTimeStamp SettingsTime;
   std::string Problem; // said last
+
+  double NoDataMagnitude = 0.0; // of the buffers
 
   // The vectors of this mapper's polydata.
   vtkOpenGLHelper* Vectors = nullptr; // draws them
@@ -72,9 +74,10 @@ struct vtkAdaptiveLICMapper::vtkInternals
   unsigned long Use = 0;
   relevo::LICScreen& GetScreen(vtkRenderer* ren, vtkActor* act);
 
-  relevo::LICSettings GetSettings() const;
+  relevo::LICPassSettings GetPassSettings() const;
   relevo::LICColoring GetColoring() const;
   bool StretchesColors() const;
+  void AddSettings(std::vector<double>& key) const;
 
   static bool CanShow(vtkRenderer* ren, vtkActor* act);
   void CheckVectors();

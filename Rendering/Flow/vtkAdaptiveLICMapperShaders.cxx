@@ -77,9 +77,10 @@ void vtkAdaptiveLICMapper::vtkInternals::PrepareVectors(
   const relevo::LICArray vectors = self->FindArray(input);
   this->HasVectors = vectors.Array != nullptr;
   this->AreOfCells = vectors.IsOfCells;
-  const double longest = vectors.FindLongest(self->NoDataMagnitude);
+  const double longest = vectors.FindLongest(self->GetNoDataMagnitude());
   this->Unit = longest > 0.0 ? longest : 1.0;
-  this->Prepared = this->HasVectors ? vectors.Prepare(self->NoDataMagnitude, this->Unit) : nullptr;
+  this->Prepared =
+    this->HasVectors ? vectors.Prepare(self->GetNoDataMagnitude(), this->Unit) : nullptr;
 }
 
 void vtkAdaptiveLICMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor* act)
@@ -200,7 +201,7 @@ void vtkAdaptiveLICMapper::vtkInternals::SetVectorUniforms(
   vtkAdaptiveLICMapper* block, vtkShaderProgram* program, vtkRenderer* ren, vtkActor* act)
 {
   vtkInternals& lic = *block->LIC;
-  const vtkAdaptiveLICMapper* self = lic.Root;
+  vtkLICSettings* settings = lic.Root->LICSettings;
   vtkCamera* camera = ren->GetActiveCamera();
   vtkNew<vtkMatrix4x4> modelView;
   vtkMatrix4x4::Multiply4x4(camera->GetModelViewTransformMatrix(), act->GetMatrix(), modelView);
@@ -224,11 +225,12 @@ void vtkAdaptiveLICMapper::vtkInternals::SetVectorUniforms(
     vtkMatrix4x4::Multiply4x4(modelView, block->VBOInverseTransform->GetMatrix(), modelView);
   }
   SetMatrix(program, "relevoLICFromVertex", modelView);
-  const double longest = self->LIC->Longest;
+  const double longest = lic.Root->LIC->Longest;
   program->SetUniformf(
     "relevoLICScale", static_cast<float>(longest > 0.0 ? lic.Unit / longest : 1.0));
-  program->SetUniformf("relevoLICThreshold", static_cast<float>(self->MaskThreshold / lic.Unit));
-  program->SetUniformi("relevoLICMaskOnSurface", self->MaskOnSurface);
+  program->SetUniformf(
+    "relevoLICThreshold", static_cast<float>(settings->GetMaskThreshold() / lic.Unit));
+  program->SetUniformi("relevoLICMaskOnSurface", settings->GetMaskOnSurface());
   int viewport[4];
   vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow())
     ->GetState()
@@ -252,7 +254,7 @@ void vtkAdaptiveLICMapper::vtkInternals::SetImageUniforms(vtkShaderProgram* prog
   read("relevoLICImage", screen.Image);
   read("relevoLICRange", screen.Range);
   this->GetColoring().SetUniforms(program);
-  const vtkAdaptiveLICMapper* self = this->Root;
+  vtkLICSettings* settings = this->Root->LICSettings;
   if (program->IsUniformUsed("relevoLICOrigin"))
   {
     program->SetUniform2i("relevoLICOrigin", screen.Viewport);
@@ -260,13 +262,14 @@ void vtkAdaptiveLICMapper::vtkInternals::SetImageUniforms(vtkShaderProgram* prog
   }
   if (program->IsUniformUsed("relevoLICMaskColor"))
   {
-    program->SetUniform3f("relevoLICMaskColor", self->MaskColor);
-    program->SetUniformf("relevoLICMaskIntensity", static_cast<float>(self->MaskIntensity));
+    program->SetUniform3f("relevoLICMaskColor", settings->GetMaskColor());
+    program->SetUniformf(
+      "relevoLICMaskIntensity", static_cast<float>(settings->GetMaskIntensity()));
   }
   if (program->IsUniformUsed("relevoLICFactors"))
   {
-    const float factors[2] = { static_cast<float>(self->LowColorContrastEnhancementFactor),
-      static_cast<float>(self->HighColorContrastEnhancementFactor) };
+    const float factors[2] = { static_cast<float>(settings->GetLowColorContrastEnhancementFactor()),
+      static_cast<float>(settings->GetHighColorContrastEnhancementFactor()) };
     program->SetUniform2f("relevoLICFactors", factors);
   }
 }

@@ -293,14 +293,7 @@ public:
   void SetColorModeToPattern() { this->SetRefinementColorMode(COLOR_BY_PATTERN); }
   void SetColorModeToMetric() { this->SetRefinementColorMode(COLOR_BY_METRIC); }
   int GetRefinementColorMode() { return this->RefinementColorMode; }
-#ifdef __GNUC__ // vtkAdaptiveLICMapper hides it on purpose: g++ 13 and later warn here, clang there
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Woverloaded-virtual"
-#endif
   void SetColorMode(int mode) override;
-#ifdef __GNUC__
-#pragma GCC diagnostic pop
-#endif
   //@}
 
   //@{

@@ -25,7 +25,11 @@ LAYERS = {
         ("Evaluation", ["vtkAdaptiveRefinement"]),
         ("Intersection", []),
     ],
-    "Filters/Flow": [("Noise", ["vtkLICNoiseSource"]), ("Image", []), ("Surface", [])],
+    "Filters/Flow": [
+        ("Noise", ["vtkLICNoiseSource", "vtkLICSettings"]),
+        ("Image", []),
+        ("Surface", []),
+    ],
     "Filters/Terrain": [("Geodesy", []), ("Raster", []), ("Heights", [])],
     "Rendering/Refinement": [
         ("OpenGL", []),

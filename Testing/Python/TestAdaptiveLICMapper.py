@@ -42,7 +42,6 @@ DEFAULTS = {
     "MaskOnSurface": 0,
     "MaskColor": (0.5, 0.5, 0.5),
     "MaskIntensity": 0.0,
-    "ColorMode": 0,
     "LICIntensity": 0.8,
     "MapModeBias": 0.0,
     "NoiseDataSet": None,
@@ -78,7 +77,6 @@ CHANGED = {
     "MaskOnSurface": 1,
     "MaskColor": (0.25, 0.5, 1.0),
     "MaskIntensity": 0.5,
-    "ColorMode": 1,
     "LICIntensity": 0.5,
     "MapModeBias": -0.5,
     "GenerateNoiseTexture": 0,
@@ -170,7 +168,7 @@ class TestAdaptiveLICMapper(unittest.TestCase):
             self.assertEqual(getattr(copy, "Get" + name)(), value, name)
         for mode, number in (("Blend", 0), ("Multiply", 1), ("Map", 1)):
             getattr(mapper, "SetColorModeTo" + mode)()
-            self.assertEqual(mapper.GetColorMode(), number)
+            self.assertEqual(mapper.GetLICInterface().GetColorMode(), number)
         for mode, number in (("Off", 0), ("LIC", 1), ("Color", 3), ("Both", 4)):
             getattr(mapper, "SetEnhanceContrastTo" + mode)()
             self.assertEqual(mapper.GetEnhanceContrast(), number)

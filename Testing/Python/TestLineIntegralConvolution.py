@@ -138,7 +138,7 @@ class TestLineIntegralConvolution(unittest.TestCase):
         filter.SetInputData(arrays.image(numpy.ones((3, 3, 2))))
         filter.SetNumberOfSteps(0)
         filter.Update()
-        self.assertIn("NumberOfSteps 0", messages.pop())
+        self.assertIn("NumberOfSteps must be in [1, 100000], got 0.", messages.pop())
         filter.SetNumberOfSteps(1)
         filter.Update()
         self.assertEqual(messages, [])

@@ -27,8 +27,8 @@ OTHERS = {
     "vtkDisplacement.SetDirection": "the direction is made a unit vector",
     "vtkAdaptiveRefinementMapper.SetColorMode": "VTK's, which takes any number",
 }
-# Noise and streaks: what is out of range may also be an error when they are made.
-LATE = ("LIC", "LineIntegralConvolution")
+# What is out of range may also be an error when the noise is made.
+LATE = ("LICNoiseSource",)
 # Switches that are integers, as vtkSurfaceLICInterface has them: all but 0 is on.
 SWITCHES = ("Enable", "NormalizeVectors", "EnhancedLIC", "OrientedLIC", "MaskOnSurface", "GenerateNoiseTexture")
 

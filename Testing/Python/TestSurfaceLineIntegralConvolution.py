@@ -108,10 +108,18 @@ class TestSurfaceLineIntegralConvolution(unittest.TestCase):
             lic.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
             lic.SetInputData(plane)
             for name, value in setting.items():
+                before = getattr(lic, "Get" + name)()
                 getattr(lic, "Set" + name)(value)
+                self.assertEqual(errors, [1])  # said at once, and kept as it was
+                self.assertEqual(getattr(lic, "Get" + name)(), before)
             lic.Update()
             self.assertEqual(errors, [1])
-            self.assertEqual(lic.GetOutput().GetNumberOfPoints(), 0)
+            self.assertEqual(lic.GetOutput().GetNumberOfPoints(), plane.GetNumberOfPoints())
+        lic.SetLowLICContrastEnhancementFactor(0.5)
+        lic.SetHighLICContrastEnhancementFactor(0.5)  # nothing is left of the range
+        lic.Update()
+        self.assertEqual(errors, [1, 1])
+        self.assertEqual(lic.GetOutput().GetNumberOfPoints(), 0)
 
     def test_documentation(self):
         text = relevo.vtkSurfaceLineIntegralConvolution.__doc__

@@ -31,7 +31,8 @@ double Cost(const relevo::LICKernel& kernel)
 
 namespace relevo
 {
-LICPasses::LICPasses(const LICPlane& plane, const LICVectors& vectors, const LICSettings& settings)
+LICPasses::LICPasses(
+  const LICPlane& plane, const LICVectors& vectors, const LICPassSettings& settings)
   : Plane(plane)
   , Vectors(vectors)
   , Settings(settings)

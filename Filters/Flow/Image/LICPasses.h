@@ -9,7 +9,7 @@
 #ifndef LICPasses_h
 #define LICPasses_h
 
-#include "Image/LICKernel.h"
+#include "Image/LICPassSettings.h"
 #include "Image/LICPlane.h"
 #include "Image/LICVectors.h"
 
@@ -18,16 +18,6 @@
 
 namespace relevo
 {
-struct LICSettings
-{
-  float NoiseMean;
-  LICKernel Kernel; // its StepSize for the vectors as LICVectors scales them
-  bool Enhanced;
-  bool Stretched;
-  vec2 StretchFactors;
-  int NumberOfSmoothings;
-};
-
 class LICPasses
 {
 public:
@@ -36,7 +26,7 @@ public:
    */
   using Watch = std::function<bool(double share)>;
 
-  LICPasses(const LICPlane& plane, const LICVectors& vectors, const LICSettings& settings);
+  LICPasses(const LICPlane& plane, const LICVectors& vectors, const LICPassSettings& settings);
 
   /**
    * Turns the image, noise, into its LIC; it stays where it is masked. False if the watch stopped
@@ -54,7 +44,7 @@ private:
 
   const LICPlane& Plane;
   const LICVectors& Vectors;
-  const LICSettings& Settings;
+  const LICPassSettings& Settings;
   Watch GoOn;
   double Done = 0.0;  // in convolved steps for each sample
   double Total = 1.0; // the same of the whole

@@ -131,7 +131,7 @@ vec4 relevoFilter()
 LICImage::~LICImage() = default;
 
 bool LICImage::Convolve(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
-  LICScreen& screen, vtkTextureObject* noise, const LICSettings& settings)
+  LICScreen& screen, vtkTextureObject* noise, const LICPassSettings& settings)
 {
   if (!this->Spare || this->Spare->GetContext() != window ||
     this->Spare->GetWidth() != screen.Image->GetWidth() ||

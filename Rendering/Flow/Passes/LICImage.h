@@ -10,7 +10,7 @@
 #ifndef LICImage_h
 #define LICImage_h
 
-#include "Image/LICPasses.h" // for LICSettings
+#include "Image/LICPassSettings.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -50,7 +50,7 @@ public:
    * cannot be had.
    */
   bool Convolve(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
-    LICScreen& screen, vtkTextureObject* noise, const LICSettings& settings);
+    LICScreen& screen, vtkTextureObject* noise, const LICPassSettings& settings);
 
   /**
    * The range of the lightness of the screen's colours with its LIC.

@@ -33,7 +33,31 @@ bool Fails(vtkLineIntegralConvolution* filter, const std::string& words)
   return errors.Said(words) && empty;
 }
 
+// Out of range: said at once, and nothing changes.
 void TestSetting(RelevoCheck& check, const Change& spoil, const Change& mend, const char* words)
+{
+  vtkNew<vtkLineIntegralConvolution> filter;
+  filter->SetInputData(MakeImage());
+  const auto before = RunLIC(filter);
+  const vtkMTimeType time = filter->GetMTime();
+  CHECK(!before.empty());
+  {
+    RelevoErrors errors(filter);
+    spoil(filter);
+    CHECK(errors.Said(words));
+  }
+  CHECK(filter->GetMTime() == time);
+  filter->Modified();
+  CHECK(RunLIC(filter) == before);
+  RelevoErrors errors(filter);
+  mend(filter);
+  CHECK(!RunLIC(filter).empty());
+  CHECK(errors.None());
+}
+
+// In range, but not together with the others.
+void TestSettingsTogether(
+  RelevoCheck& check, const Change& spoil, const Change& mend, const char* words)
 {
   vtkNew<vtkLineIntegralConvolution> filter;
   filter->SetInputData(MakeImage());
@@ -49,7 +73,7 @@ void TestSettings(RelevoCheck& check)
   using Filter = vtkLineIntegralConvolution;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
-  for (int steps : { 0, -3 })
+  for (int steps : { 0, -3, 100001 })
   {
     TestSetting(
       check, [=](Filter* f) { f->SetNumberOfSteps(steps); },
@@ -65,9 +89,18 @@ void TestSettings(RelevoCheck& check)
   {
     TestSetting(
       check, [=](Filter* f) { f->SetEnhanceContrast(contrast); },
-      [](Filter* f) { f->SetEnhanceContrast(1); }, "neither OFF (0) nor LIC (1)");
+      [](Filter* f) { f->SetEnhanceContrast(1); },
+      "EnhanceContrast must be one of OFF (0), LIC (1)");
   }
-  for (double factor : { 1.0, 2.0, nan, infinity })
+  TestSettingsTogether(
+    check, [](Filter* f) { f->SetLowLICContrastEnhancementFactor(1.0); },
+    [](Filter* f) { f->SetLowLICContrastEnhancementFactor(0.5); },
+    "LowLICContrastEnhancementFactor");
+  TestSettingsTogether(
+    check, [](Filter* f) { f->SetHighLICContrastEnhancementFactor(1.0); },
+    [](Filter* f) { f->SetHighLICContrastEnhancementFactor(0.0); },
+    "HighLICContrastEnhancementFactor");
+  for (double factor : { -1.1, 1.1, 2.0, nan, infinity })
   {
     TestSetting(
       check, [=](Filter* f) { f->SetLowLICContrastEnhancementFactor(factor); },
@@ -80,7 +113,7 @@ void TestSettings(RelevoCheck& check)
   }
   TestSetting(
     check, [](Filter* f) { f->SetAntiAlias(-1); }, [](Filter* f) { f->SetAntiAlias(0); },
-    "AntiAlias -1");
+    "AntiAlias must be at least 0, got -1");
   TestSetting(
     check, [=](Filter* f) { f->SetMaskThreshold(nan); }, [](Filter* f) { f->SetMaskThreshold(0); },
     "MaskThreshold");

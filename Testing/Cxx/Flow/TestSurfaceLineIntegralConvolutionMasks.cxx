@@ -180,7 +180,6 @@ void CheckOddMeshes(RelevoCheck& check)
         });
       vtkNew<vtkSurfaceLineIntegralConvolution> filter;
       filter->SetNormalizeVectors(round < 2);
-      filter->SetEnhanceContrast(round);
       filter->SetEnhanceContrast(round % 2);
       const RelevoSurfaceLIC lic(filter, mesh);
       CHECK(lic.IsValid());
@@ -205,12 +204,19 @@ void CheckErrors(RelevoCheck& check)
     return errors.Said(words) && lic.Values.empty() &&
       filter->GetOutput()->GetNumberOfPoints() == 0;
   };
+  // Said at once, and nothing changes.
   const auto rejects =
     [&](const std::function<void(vtkSurfaceLineIntegralConvolution*)>& set, const char* words)
   {
     const auto filter = MakeFilter();
+    const RelevoSurfaceLIC before(filter, plane);
+    const vtkMTimeType time = filter->GetMTime();
+    RelevoErrors errors(filter);
     set(filter);
-    return fails(filter, plane, words);
+    const bool said = errors.Said(words) && filter->GetMTime() == time;
+    filter->Modified();
+    const RelevoSurfaceLIC after(filter, plane);
+    return said && errors.None() && after.IsValid() && after.Values == before.Values;
   };
   using Filter = vtkSurfaceLineIntegralConvolution;
   for (int steps : { 0, -1, 100001 })
@@ -227,12 +233,15 @@ void CheckErrors(RelevoCheck& check)
   CHECK(rejects([=](Filter* f) { f->SetNoDataMagnitude(0.0); }, "NoDataMagnitude"));
   CHECK(rejects([=](Filter* f) { f->SetNoDataMagnitude(nan); }, "NoDataMagnitude"));
   CHECK(rejects([=](Filter* f) { f->SetEnhanceContrast(2); }, "EnhanceContrast"));
-  CHECK(rejects([=](Filter* f) { f->SetLowLICContrastEnhancementFactor(-0.1); }, "Low"));
-  CHECK(rejects([=](Filter* f) { f->SetHighLICContrastEnhancementFactor(1.0); }, "High"));
+  CHECK(rejects([=](Filter* f) { f->SetLowLICContrastEnhancementFactor(-1.1); }, "Low"));
+  CHECK(rejects([=](Filter* f) { f->SetHighLICContrastEnhancementFactor(1.1); }, "High"));
   CHECK(rejects([=](Filter* f) { f->SetTextureSize(0, 5); }, "TextureSize"));
   CHECK(rejects([=](Filter* f) { f->SetTextureSize(5, 20000); }, "TextureSize"));
 
   const auto filter = MakeFilter();
+  filter->SetHighLICContrastEnhancementFactor(1.0); // nothing is left of the range
+  CHECK(fails(filter, plane, "High"));
+  filter->SetHighLICContrastEnhancementFactor(0.0);
   CHECK(fails(filter, RelevoMeshes::Plane(3, 3), "no array of 3 components"));
   CHECK(fails(filter, RelevoMeshes::Make(), "no array of 3 components"));
   auto lines = RelevoMeshes::Make();

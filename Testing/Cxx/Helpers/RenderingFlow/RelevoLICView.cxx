@@ -37,7 +37,7 @@ RelevoPicture RelevoLICView::DrawLIC()
 {
   const double intensity = this->Mapper->GetLICIntensity();
   const double maskIntensity = this->Mapper->GetMaskIntensity();
-  const int mode = this->Mapper->GetColorMode();
+  const int mode = this->Mapper->GetLICInterface()->GetColorMode();
   const int contrast = this->Mapper->GetEnhanceContrast();
   Color maskColor;
   this->Mapper->GetMaskColor(maskColor.data());
@@ -53,7 +53,7 @@ RelevoPicture RelevoLICView::DrawLIC()
   this->Mapper->SetLICIntensity(intensity);
   this->Mapper->SetMaskIntensity(maskIntensity);
   this->Mapper->SetMaskColor(maskColor.data());
-  this->Mapper->SetColorMode(mode);
+  this->Mapper->GetLICInterface()->SetColorMode(mode);
   this->Mapper->SetEnhanceContrast(contrast);
   return picture;
 }

@@ -133,7 +133,7 @@ int TestAdaptiveLICMapperColors(int argc, char* argv[])
     {
       for (const double factor : { 0.0, 0.2 })
       {
-        view.Mapper->SetColorMode(mode);
+        view.Mapper->GetLICInterface()->SetColorMode(mode);
         view.Mapper->SetLICIntensity(0.5);
         view.Mapper->SetLowColorContrastEnhancementFactor(factor);
         view.Mapper->SetHighColorContrastEnhancementFactor(0.5 * factor);

@@ -254,10 +254,14 @@ int TestAdaptiveLICMapperErrors(int argc, char* argv[])
     testSetting("MaskColor", [&]() { mapper->SetMaskColor(NaN, 0, 0); });
     testSetting("EnhanceContrast", [&]() { mapper->SetEnhanceContrast(2); });
     testSetting("EnhanceContrast", [&]() { mapper->SetEnhanceContrast(5); });
-    testSetting("ColorMode", [&]() { mapper->SetColorMode(2); });
+    {
+      RelevoErrors errors(mapper->GetLICInterface());
+      mapper->GetLICInterface()->SetColorMode(2);
+      CHECK(errors.Said("ColorMode") && Equal(view.Draw(), picture));
+    }
     testSetting("NoDataMagnitude", [&]() { mapper->SetNoDataMagnitude(0.0); });
     testSetting("NoDataMagnitude", [&]() { mapper->SetNoDataMagnitude(NaN); });
-    testSetting("LowLICContrast", [&]() { mapper->SetLowLICContrastEnhancementFactor(-0.1); });
+    testSetting("LowLICContrast", [&]() { mapper->SetLowLICContrastEnhancementFactor(-1.1); });
     testSetting("HighColorContrast", [&]() { mapper->SetHighColorContrastEnhancementFactor(1.1); });
   }
   {
@@ -297,11 +301,19 @@ int TestAdaptiveLICMapperErrors(int argc, char* argv[])
     mapper->SetNoiseFileName(nullptr);
     testShows(view, "generated noise");
     mapper->SetNoiseTextureSize(0);
+    CHECK(view.Errors.Said("NoiseTextureSize must be in [2, 16384], got 0."));
+    testShows(view, "the noise as it was");
+    mapper->SetNoiseGrainSize(300);
     testFails(view, "Noise cannot be made");
-    mapper->SetNoiseTextureSize(100);
+    mapper->SetNoiseTextureSize(400);
     testShows(view, "a noise size");
     mapper->SetImpulseNoiseProbability(NaN);
+    CHECK(view.Errors.Said("ImpulseNoiseProbability"));
+    testShows(view, "the noise as it was");
+    mapper->SetMinNoiseValue(0.9);
     testFails(view, "Noise cannot be made");
+    mapper->SetMaxNoiseValue(1.0);
+    mapper->SetNoiseGrainSize(1);
     mapper->SetImpulseNoiseProbability(0.5);
     testShows(view, "sparse noise");
     mapper->GenerateNoiseTextureOff();
@@ -331,9 +343,12 @@ int TestAdaptiveLICMapperErrors(int argc, char* argv[])
     scene.Render();
     CHECK(errors.None()); // without bounds it is not drawn
     mapper->SetInputData(MakeSphere());
+    const vtkSmartPointer<vtkAdaptiveRefinement> recipe = mapper->GetRefinement();
+    CHECK(recipe && recipe->GetMaximumLevel() == 0);
+    mapper->SetRefinement(nullptr);
     scene.Render();
     CHECK(errors.Said("No recipe"));
-    mapper->SetRefinement(MakeRecipe(0));
+    mapper->SetRefinement(recipe);
     scene.ResetCameras();
     scene.Render();
     CHECK(errors.None());

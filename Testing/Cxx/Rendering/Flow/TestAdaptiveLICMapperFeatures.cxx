@@ -418,26 +418,24 @@ int TestAdaptiveLICMapperFeatures(int argc, char* argv[])
     mapper->SetNoiseGeneratorSeed(5);
     view.Scene->ResetCameras();
     const RelevoPicture expected = view.Draw();
-    vtkMapper* base = mapper;
-    CHECK(base->GetColorMode() == VTK_COLOR_MODE_DIRECT_SCALARS);
-    CHECK(mapper->GetColorMode() == vtkAdaptiveLICMapper::COLOR_MODE_MAP);
+    CHECK(mapper->GetColorMode() == VTK_COLOR_MODE_DIRECT_SCALARS);
+    CHECK(mapper->GetLICInterface()->GetColorMode() == vtkLICSettings::COLOR_MODE_MAP);
     vtkNew<vtkAdaptiveLICMapper> copy;
     copy->ShallowCopy(mapper);
     copy->BackFaceCullingOff();
     actor->SetMapper(copy);
     comparison.Compare("LICFeatures.Copy", {}, view.Draw(), expected);
     copy->SetColorModeToBlend();
-    base = copy;
-    CHECK(base->GetColorMode() == VTK_COLOR_MODE_DIRECT_SCALARS);
-    base->SetColorModeToMapScalars();
-    CHECK(base->GetColorMode() == VTK_COLOR_MODE_MAP_SCALARS);
-    CHECK(copy->GetColorMode() == vtkAdaptiveLICMapper::COLOR_MODE_BLEND);
+    CHECK(copy->GetColorMode() == VTK_COLOR_MODE_DIRECT_SCALARS);
+    copy->SetColorMode(VTK_COLOR_MODE_MAP_SCALARS);
+    CHECK(copy->GetColorMode() == VTK_COLOR_MODE_MAP_SCALARS);
+    CHECK(copy->GetLICInterface()->GetColorMode() == vtkLICSettings::COLOR_MODE_BLEND);
     vtkNew<vtkPolyDataMapper> plain;
     plain->SetColorModeToDirectScalars();
     plain->SetInputData(mesh);
     copy->ShallowCopy(plain);
-    CHECK(base->GetColorMode() == VTK_COLOR_MODE_DIRECT_SCALARS);
-    CHECK(copy->GetColorMode() == vtkAdaptiveLICMapper::COLOR_MODE_BLEND);
+    CHECK(copy->GetColorMode() == VTK_COLOR_MODE_DIRECT_SCALARS);
+    CHECK(copy->GetLICInterface()->GetColorMode() == vtkLICSettings::COLOR_MODE_BLEND);
   }
   return check.GetResult();
 }

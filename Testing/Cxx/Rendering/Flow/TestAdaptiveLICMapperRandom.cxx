@@ -93,7 +93,7 @@ void ChangeSettings(Dice& dice, vtkAdaptiveLICMapper* mapper)
   mapper->SetMaskThreshold(dice.Throw(2) ? dice.Signed() : -1.0);
   mapper->SetMaskOnSurface(dice.Throw(2));
   mapper->SetMaskIntensity(dice.Share());
-  mapper->SetColorMode(dice.Throw(2));
+  mapper->GetLICInterface()->SetColorMode(dice.Throw(2));
   mapper->SetLICIntensity(dice.Share());
   mapper->SetMapModeBias(dice.Signed());
   mapper->SetNoiseType(dice.Throw(3));

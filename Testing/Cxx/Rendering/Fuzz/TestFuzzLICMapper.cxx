@@ -38,6 +38,12 @@ private:
             this->ChooseMapper()->SetInputArrayToProcess(
               0, 0, 0, this->D.Throw(3), RelevoFuzz::ChooseName(this->D).c_str());
           } },
+        { "shared settings",
+          [this]
+          {
+            vtkLICSettings* other = this->ChooseMapper()->GetLICSettings();
+            this->ChooseMapper()->SetLICSettings(this->D.Once(3) ? nullptr : other);
+          } },
         { "enable", [this] { this->ChooseMapper()->SetEnable(this->D.Throw(3) != 0); } },
         { "steps",
           [this]
@@ -78,7 +84,7 @@ private:
           [this]
           {
             vtkAdaptiveLICMapper* mapper = this->ChooseMapper();
-            mapper->SetColorMode(this->D.Whole());
+            mapper->GetLICInterface()->SetColorMode(this->D.Whole());
             mapper->SetLICIntensity(this->Share());
             mapper->SetMapModeBias(this->Share());
           } } });

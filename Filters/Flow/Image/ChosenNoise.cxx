@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Image/ChosenNoise.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkExecutive.h"
+#include "vtkImageData.h"
+#include "vtkImageReader2.h"
+#include "vtkImageReader2Factory.h"
+#include "vtkLICNoiseSource.h"
+#include "vtkLICSettings.h"
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+#include <fstream>
+
+namespace relevo
+{
+namespace
+{
+// The first counts: the executive's comes after the algorithm's.
+void KeepMessage(vtkObject*, unsigned long, void* client, void* text)
+{
+  std::string& message = *static_cast<std::string*>(client);
+  message = message.empty() ? static_cast<const char*>(text) : message;
+}
+
+// Runs an algorithm whose errors the user shall hear from the object that takes the noise.
+std::string RunQuietly(vtkAlgorithm* algorithm)
+{
+  std::string message;
+  vtkNew<vtkCallbackCommand> listener;
+  listener->SetCallback(KeepMessage);
+  listener->SetClientData(&message);
+  for (vtkObject* object :
+    { static_cast<vtkObject*>(algorithm), static_cast<vtkObject*>(algorithm->GetExecutive()) })
+  {
+    object->AddObserver(vtkCommand::ErrorEvent, listener);
+  }
+  algorithm->Update();
+  algorithm->RemoveObserver(listener);
+  algorithm->GetExecutive()->RemoveObserver(listener);
+  return message;
+}
+}
+
+ChosenNoise::Choice ChosenNoise::GetChoice(vtkLICSettings* settings)
+{
+  vtkImageData* image = settings->GetNoiseDataSet();
+  const char* fileName = settings->GetNoiseFileName();
+  std::vector<double> numbers;
+  if (settings->GetGenerateNoiseTexture())
+  {
+    numbers = { static_cast<double>(settings->GetNoiseType()),
+      static_cast<double>(settings->GetNoiseTextureSize()),
+      static_cast<double>(settings->GetNoiseGrainSize()), settings->GetMinNoiseValue(),
+      settings->GetMaxNoiseValue(), static_cast<double>(settings->GetNumberOfNoiseLevels()),
+      settings->GetImpulseNoiseProbability(), settings->GetImpulseNoiseBackgroundValue(),
+      static_cast<double>(settings->GetNoiseGeneratorSeed()) };
+  }
+  return Choice(image, image ? image->GetMTime() : 0, fileName ? fileName : "", numbers);
+}
+
+bool ChosenNoise::Update(vtkLICSettings* settings)
+{
+  const Choice choice = GetChoice(settings);
+  if (this->Version == 0 || choice != this->Last)
+  {
+    this->Last = choice;
+    ++this->Version;
+    this->Error.clear();
+    vtkImageData* image = settings->GetNoiseDataSet();
+    const char* fileName = settings->GetNoiseFileName();
+    const bool made = image ? this->ReadImage(image, "The noise image")
+      : fileName            ? this->ReadFile(fileName)
+                            : this->Generate(settings);
+    if (!made)
+    {
+      this->Texels.Values.clear();
+    }
+  }
+  return this->Error.empty();
+}
+
+bool ChosenNoise::ReadImage(vtkImageData* image, const std::string& what)
+{
+  std::string error;
+  if (!this->Texels.Read(image, error))
+  {
+    this->Error = what + " " + error + ".";
+    return false;
+  }
+  return true;
+}
+
+bool ChosenNoise::ReadFile(const std::string& fileName)
+{
+  const std::string what = "The noise file \"" + fileName + "\"";
+  if (!std::ifstream(fileName))
+  {
+    this->Error = what + " cannot be opened.";
+    return false;
+  }
+  auto reader = vtk::TakeSmartPointer(vtkImageReader2Factory::CreateImageReader2(fileName.c_str()));
+  if (!reader)
+  {
+    this->Error = what + " is of no image format that VTK reads.";
+    return false;
+  }
+  reader->SetFileName(fileName.c_str());
+  if (!RunQuietly(reader).empty())
+  {
+    this->Error = what + " cannot be read.";
+    return false;
+  }
+  return this->ReadImage(reader->GetOutput(), what);
+}
+
+bool ChosenNoise::Generate(vtkLICSettings* settings)
+{
+  vtkNew<vtkLICNoiseSource> source;
+  if (settings->GetGenerateNoiseTexture())
+  {
+    source->SetNoiseType(settings->GetNoiseType());
+    source->SetNoiseTextureSize(settings->GetNoiseTextureSize());
+    source->SetNoiseGrainSize(settings->GetNoiseGrainSize());
+    source->SetMinNoiseValue(settings->GetMinNoiseValue());
+    source->SetMaxNoiseValue(settings->GetMaxNoiseValue());
+    source->SetNumberOfNoiseLevels(settings->GetNumberOfNoiseLevels());
+    source->SetImpulseNoiseProbability(settings->GetImpulseNoiseProbability());
+    source->SetImpulseNoiseBackgroundValue(settings->GetImpulseNoiseBackgroundValue());
+    source->SetNoiseGeneratorSeed(settings->GetNoiseGeneratorSeed());
+  }
+  const std::string message = RunQuietly(source);
+  if (!message.empty())
+  {
+    this->Error = "Noise cannot be made: " + message;
+    return false;
+  }
+  return this->ReadImage(source->GetOutput(), "The generated noise");
+}
+}
