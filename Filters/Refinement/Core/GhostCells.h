@@ -16,7 +16,6 @@
 class vtkPolyData;
 class vtkUnsignedCharArray;
 
-#ifndef __VTK_WRAP__
 namespace relevo
 {
 class RELEVOFILTERSREFINEMENT_EXPORT GhostCells
@@ -39,6 +38,5 @@ private:
  */
 RELEVOFILTERSREFINEMENT_EXPORT void EmptyGhosts(vtkPolyData* input, vtkPolyData* output);
 }
-#endif
 
 #endif

@@ -6,8 +6,6 @@
  *
  * Points that are floats stay as they are. Others become floats relative to the middle of the
  * finite ones. The same place has the same bits: there is no -0.
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef LocalPoints_h
 #define LocalPoints_h
@@ -18,7 +16,6 @@
 
 class vtkPoints;
 
-#ifndef __VTK_WRAP__
 namespace relevo
 {
 class LocalPoints
@@ -38,6 +35,5 @@ public:
   std::vector<float> Coordinates;
 };
 }
-#endif
 
 #endif

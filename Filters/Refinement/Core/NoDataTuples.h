@@ -5,8 +5,6 @@
  *
  * Between points there are data only where all the points that a value is interpolated from have
  * some. The rule is vtkAdaptiveRefinement::SetNoDataMagnitude()'s.
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef NoDataTuples_h
 #define NoDataTuples_h
@@ -19,7 +17,6 @@
 
 class vtkDataArray;
 
-#ifndef __VTK_WRAP__
 namespace relevo
 {
 class RELEVOFILTERSREFINEMENT_EXPORT NoDataTuples
@@ -56,6 +53,5 @@ private:
   std::vector<unsigned char> Marks;
 };
 }
-#endif
 
 #endif

@@ -6,8 +6,6 @@
  *
  * Split normals and texture seams give one place several point ids. What must not open a crack
  * there (levels, displacement, curvature) is decided per place.
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef PointPlaces_h
 #define PointPlaces_h
@@ -19,7 +17,6 @@
 
 class vtkPoints;
 
-#ifndef __VTK_WRAP__
 namespace relevo
 {
 /**
@@ -34,6 +31,5 @@ RELEVOFILTERSREFINEMENT_EXPORT std::vector<vtkIdType> ComputePlaces(vtkPoints* p
  */
 RELEVOFILTERSREFINEMENT_EXPORT void UniteTags(const std::vector<vtkIdType>& places, float* tags);
 }
-#endif
 
 #endif

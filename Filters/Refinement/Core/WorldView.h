@@ -3,8 +3,6 @@
 /**
  * @class   WorldView
  * @brief   a RefinementView in numbers: where the mesh lies and where the eye is
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef WorldView_h
 #define WorldView_h

@@ -8,8 +8,6 @@
  * (an edge takes the mean of its two; points at one place count as one) or one per edge. Either
  * way the tag of an edge is the same in all its faces. Memory is kept from frame to frame. What is
  * known of the mesh itself is in a TagSource, which the tags for several views may share.
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef EdgeTags_h
 #define EdgeTags_h
@@ -28,7 +26,6 @@ class vtkDepthTagMetric;
 class vtkFloatArray;
 class vtkPolyData;
 
-#ifndef __VTK_WRAP__
 namespace relevo
 {
 struct RefinementView;
@@ -119,6 +116,5 @@ RELEVOFILTERSREFINEMENT_EXPORT int GetHighestTag(vtkAdaptiveRefinement* recipe, 
 RELEVOFILTERSREFINEMENT_EXPORT vtkDepthTagMetric* GetMetricInUse(
   vtkAdaptiveRefinement* recipe, vtkPolyData* input);
 }
-#endif
 
 #endif

@@ -7,8 +7,6 @@
  * A face is hidden when the box that holds all its refined points lies outside the frustum, or
  * when it is part of a closed surface and every normal it can have faces away from the eye. Neither
  * is ever said of a face that could be seen.
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef FaceCulling_h
 #define FaceCulling_h
@@ -22,7 +20,6 @@ class vtkAdaptiveRefinement;
 class vtkCamera;
 class vtkMatrix4x4;
 
-#ifndef __VTK_WRAP__
 namespace relevo
 {
 class Dependencies;
@@ -92,6 +89,5 @@ private:
   bool Closed = false;
 };
 }
-#endif
 
 #endif

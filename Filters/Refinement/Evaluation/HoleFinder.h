@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @brief   the triangles of refined faces that a displacement with holes leaves out
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef HoleFinder_h
 #define HoleFinder_h
@@ -15,7 +13,6 @@
 
 class vtkDisplacement;
 
-#ifndef __VTK_WRAP__
 namespace relevo
 {
 class PatternSelection;
@@ -74,6 +71,5 @@ private:
 RELEVOFILTERSREFINEMENT_EXPORT vtkIdType CountHoles(
   const RefinementMesh& mesh, const PatternSelection& selection, const HeightValidity& validity);
 }
-#endif
 
 #endif

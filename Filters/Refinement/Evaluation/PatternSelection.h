@@ -6,8 +6,6 @@
  *
  * The stages select and group of a frame (Lenz 2009, sections 4.4 and 4.5): the steps of a face's
  * edges choose its pattern, and the faces to be drawn are sorted by pattern.
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef PatternSelection_h
 #define PatternSelection_h
@@ -25,7 +23,6 @@
 class vtkAdaptiveRefinement;
 class vtkPolyData;
 
-#ifndef __VTK_WRAP__
 namespace relevo
 {
 class EdgeTags;
@@ -126,6 +123,5 @@ private:
   vtkIdType NumberOfTriangles = 0;
 };
 }
-#endif
 
 #endif

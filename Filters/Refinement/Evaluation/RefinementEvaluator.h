@@ -6,8 +6,6 @@
  *
  * Evaluates the same functions as the shaders, at pattern vertices of prepared faces. All methods
  * may be called from several threads.
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef RefinementEvaluator_h
 #define RefinementEvaluator_h
@@ -18,7 +16,6 @@
 
 class vtkAdaptiveRefinement;
 
-#ifndef __VTK_WRAP__
 namespace relevo
 {
 class RefinementMesh;
@@ -43,6 +40,5 @@ private:
   std::unique_ptr<Internals> Data;
 };
 }
-#endif
 
 #endif

@@ -3,8 +3,6 @@
 /**
  * @class   RefinementPreparation
  * @brief   what the CPU needs to refine a mesh: checked, prepared, levels chosen
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef RefinementPreparation_h
 #define RefinementPreparation_h
@@ -17,7 +15,6 @@
 class vtkAdaptiveRefinement;
 class vtkPolyData;
 
-#ifndef __VTK_WRAP__
 namespace relevo
 {
 struct RefinementView;
@@ -37,6 +34,5 @@ RELEVOFILTERSREFINEMENT_EXPORT bool SelectPatterns(vtkPolyData* input,
   const std::shared_ptr<TagSource>& source, PatternSelection& selection, std::string& error);
 //@}
 }
-#endif
 
 #endif

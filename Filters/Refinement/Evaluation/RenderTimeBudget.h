@@ -25,7 +25,6 @@
 
 #include <vector> // for members
 
-#ifndef __VTK_WRAP__
 namespace relevo
 {
 class RELEVOFILTERSREFINEMENT_EXPORT RenderTimeBudget
@@ -49,6 +48,5 @@ private:
   double Cost = 0.0;
 };
 }
-#endif
 
 #endif

@@ -12,8 +12,6 @@
  *
  * The offset is a function of the tags alone; the guess saves time and changes nothing. So nothing
  * can oscillate, and along a smooth flight the offset is as smooth as the tags.
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef TriangleBudget_h
 #define TriangleBudget_h
@@ -28,7 +26,6 @@
 #include <utility> // for std::pair
 #include <vector>  // for members
 
-#ifndef __VTK_WRAP__
 namespace relevo
 {
 class EdgeTags;
@@ -91,6 +88,5 @@ private:
   int MaximumLevel = 0;
 };
 }
-#endif
 
 #endif

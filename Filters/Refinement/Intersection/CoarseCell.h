@@ -3,8 +3,6 @@
 /**
  * @class   CoarseCell
  * @brief   the input's cell that a point of the refined surface was made of
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef CoarseCell_h
 #define CoarseCell_h
@@ -16,7 +14,6 @@ class vtkGenericCell;
 class vtkIdList;
 class vtkPolyData;
 
-#ifndef __VTK_WRAP__
 namespace relevo
 {
 class RefinementMesh;
@@ -56,6 +53,5 @@ struct RELEVOFILTERSREFINEMENT_EXPORT CoarseCell
  */
 RELEVOFILTERSREFINEMENT_EXPORT void TurnCell(vtkGenericCell* cell, const double normal[3]);
 }
-#endif
 
 #endif

@@ -9,8 +9,6 @@
  * both faces, and the test of a triangle (Woop, Benthin and Wald, Watertight Ray/Triangle
  * Intersection, 2013) finds the same side of an edge from both: no line slips through between two
  * faces.
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef RefinedSurface_h
 #define RefinedSurface_h
@@ -25,7 +23,6 @@
 class vtkAdaptiveRefinement;
 class vtkDataArray;
 
-#ifndef __VTK_WRAP__
 namespace relevo
 {
 class PatternSelection;
@@ -96,6 +93,5 @@ private:
   std::unique_ptr<Internals> Data;
 };
 }
-#endif
 
 #endif

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @brief   the normals that a mesh comes with, which may lack a direction at some points
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef GivenNormals_h
 #define GivenNormals_h
@@ -15,7 +13,6 @@
 
 #include <cmath>
 
-#ifndef __VTK_WRAP__
 namespace relevo
 {
 /// Normals of all points, or null: an array that took another's name and place may have any size.
@@ -60,6 +57,5 @@ inline bool NeedsUnitNormals(vtkPolyData* mesh)
   return false;
 }
 }
-#endif
 
 #endif

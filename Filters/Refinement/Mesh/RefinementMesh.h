@@ -7,8 +7,6 @@
  * Built once per input, surface and displacement, and read by both evaluators. Polygons become fans
  * and strips become triangles, as VTK's own mapper draws them. Triangles with two corners at one
  * place or with non-finite coordinates are dropped and counted.
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef RefinementMesh_h
 #define RefinementMesh_h
@@ -26,7 +24,6 @@
 class vtkDisplacement;
 class vtkPolyData;
 
-#ifndef __VTK_WRAP__
 namespace relevo
 {
 /**
@@ -163,6 +160,5 @@ private:
   std::vector<std::array<int, 2>> PlaceEdgePairs;
 };
 }
-#endif
 
 #endif

@@ -3,8 +3,6 @@
 /**
  * @class   SurfaceDiagonal
  * @brief   how large a mesh is, as it is drawn
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef SurfaceDiagonal_h
 #define SurfaceDiagonal_h

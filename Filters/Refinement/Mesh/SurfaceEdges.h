@@ -8,8 +8,6 @@
  * order of their places, so that an edge is found in logarithmic time.
  *
  * Of given triangles, or of a mesh that it follows.
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef SurfaceEdges_h
 #define SurfaceEdges_h
@@ -24,7 +22,6 @@
 
 class vtkPolyData;
 
-#ifndef __VTK_WRAP__
 namespace relevo
 {
 /// Two triangles that meet at an edge, or one that meets none.
@@ -116,6 +113,5 @@ void TagEdges(const SurfaceEdges& edges, vtkFloatArray* tags, Function&& f)
   tags->Modified();
 }
 }
-#endif
 
 #endif

@@ -6,8 +6,6 @@
  *
  * In the mesh's coordinates: an actor's matrix takes area vectors to the world by its cofactors,
  * see Placement::GetNormal().
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef SurfaceNormals_h
 #define SurfaceNormals_h

@@ -7,8 +7,6 @@
  * Polygons are taken as the fans (0, i, i + 1) that VTK's mappers draw, strips as their triangles.
  * Points that coincide are one place, named by its lowest point id. Triangles with two corners at
  * one place or with a corner that is not finite are not part of the surface.
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef SurfaceTriangles_h
 #define SurfaceTriangles_h
@@ -24,7 +22,6 @@
 class vtkCellArray;
 class vtkPolyData;
 
-#ifndef __VTK_WRAP__
 namespace relevo
 {
 /// Identifies the points and cells that something was computed from. Modification times are unique
@@ -104,6 +101,5 @@ private:
   std::vector<vtkIdType> Uses;   // 3 * triangle + corner
 };
 }
-#endif
 
 #endif

@@ -3,8 +3,6 @@
 /**
  * @class   DepthTags
  * @brief   depth-tags that the user brings, checked
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef DepthTags_h
 #define DepthTags_h

@@ -20,8 +20,6 @@
  * a closed ring; 0 where there are none. Triangles of no area keep their angles and add nothing
  * else; triangles with two corners at one place or with a corner that is not finite are no part of
  * the surface. A point of no triangle has curvature 0.
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef DiscreteCurvature_h
 #define DiscreteCurvature_h

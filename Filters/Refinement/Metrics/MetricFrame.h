@@ -7,8 +7,6 @@
  * What is computed once a frame is computed here, in doubles, so that what is computed for each
  * point can be floats: points are taken relative to the camera before anything else, exactly
  * (its position is the sum of two floats), so that nothing is lost far from the origin.
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef MetricFrame_h
 #define MetricFrame_h

@@ -30,8 +30,6 @@
  * The functions give the same bits on all processors that round sums, products, quotients and
  * square roots as IEEE 754 demands; OpenGL leaves the last bits of quotients and roots to the
  * driver.
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef MetricShader_h
 #define MetricShader_h
@@ -42,7 +40,6 @@
 #include <memory> // for Data
 #include <vector> // for Data
 
-#ifndef __VTK_WRAP__
 namespace relevo
 {
 struct MetricShader
@@ -60,6 +57,5 @@ struct MetricShader
   vtkMTimeType DataTime = 0;
 };
 }
-#endif
 
 #endif

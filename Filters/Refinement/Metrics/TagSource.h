@@ -6,8 +6,6 @@
  *
  * Owned by what refines the mesh, a mapper's block or a filter, so that nothing is computed twice
  * from frame to frame. To be used by one thread at a time.
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef TagSource_h
 #define TagSource_h

@@ -3,15 +3,12 @@
 /**
  * @class   FacePattern
  * @brief   how a pattern lies on a face
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef FacePattern_h
 #define FacePattern_h
 
 #include "RelevoFiltersRefinementModule.h" // for export macro
 
-#ifndef __VTK_WRAP__
 namespace relevo
 {
 struct RefinementPattern;
@@ -32,6 +29,5 @@ struct RELEVOFILTERSREFINEMENT_EXPORT FacePattern
   void GetEdgeSegments(int segments[3]) const;
 };
 }
-#endif
 
 #endif

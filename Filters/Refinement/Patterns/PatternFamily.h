@@ -27,7 +27,6 @@
 #include <mutex>      // for std::once_flag
 #include <vector>     // for members
 
-#ifndef __VTK_WRAP__
 namespace relevo
 {
 struct RefinementPattern;
@@ -107,6 +106,5 @@ private:
   vtkTimeStamp MakeTime;
 };
 }
-#endif
 
 #endif

@@ -8,8 +8,6 @@
  * library never changes, except that it makes patterns when they are first asked for: a
  * vtkRefinementPatternTable that reads a file takes another library. Patterns and families belong
  * to all who have a pointer to them, and outlive the library. Safe to call from several threads.
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef PatternLibrary_h
 #define PatternLibrary_h
@@ -24,7 +22,6 @@
 #include <string>  // for members
 #include <vector>  // for constructor
 
-#ifndef __VTK_WRAP__
 namespace relevo
 {
 struct RefinementPattern;
@@ -91,6 +88,5 @@ private:
   vtkTimeStamp MakeTime;
 };
 }
-#endif
 
 #endif

@@ -6,8 +6,6 @@
  *
  * The numbers of segments in ascending order, from 1. A step is a place in this order; of powers of
  * two it is the level.
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef SegmentSteps_h
 #define SegmentSteps_h
@@ -16,7 +14,6 @@
 
 #include <vector> // for members
 
-#ifndef __VTK_WRAP__
 namespace relevo
 {
 class RELEVOFILTERSREFINEMENT_EXPORT SegmentSteps
@@ -45,6 +42,5 @@ private:
   bool Whole = false;
 };
 }
-#endif
 
 #endif

@@ -3,8 +3,6 @@
 /**
  * @class   TriangleSplit
  * @brief   how many triangles progressive splitting makes (glsl/relevoSplit.glsl)
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef TriangleSplit_h
 #define TriangleSplit_h
@@ -16,7 +14,6 @@
 #include <array> // for Counts
 #include <map>   // for members
 
-#ifndef __VTK_WRAP__
 namespace relevo
 {
 class RELEVOFILTERSREFINEMENT_EXPORT TriangleSplit
@@ -37,6 +34,5 @@ private:
   std::map<Levels, Counts> Known;
 };
 }
-#endif
 
 #endif

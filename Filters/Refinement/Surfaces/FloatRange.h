@@ -4,8 +4,6 @@
  * @brief   how large numbers may be so that nothing computed from them in floats overflows
  *
  * Both evaluators of a recipe ask, and say the same.
- *
- * Not wrapped: for the modules' own sources.
  */
 #ifndef FloatRange_h
 #define FloatRange_h
@@ -17,7 +15,6 @@
 class vtkDisplacement;
 class vtkRefinementSurface;
 
-#ifndef __VTK_WRAP__
 namespace relevo
 {
 /// The largest coordinate relative to a mesh's middle where faces are curved or displaced, and the
@@ -31,6 +28,5 @@ constexpr double LargestLength = 1e30;
 RELEVOFILTERSREFINEMENT_EXPORT std::string FindExcess(
   vtkRefinementSurface* surface, vtkDisplacement* displacement);
 }
-#endif
 
 #endif

@@ -3,8 +3,6 @@
 /**
  * @class   BlockLook
  * @brief   how a block of a composite data set looks, by vtkCompositeDataDisplayAttributes
- *
- * Private to the module.
  */
 #ifndef BlockLook_h
 #define BlockLook_h

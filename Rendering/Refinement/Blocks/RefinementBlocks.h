@@ -3,8 +3,6 @@
 /**
  * @class   RefinementBlocks
  * @brief   the leaves of a composite input, each drawn by a mapper of its own
- *
- * Private to the module.
  */
 #ifndef RefinementBlocks_h
 #define RefinementBlocks_h

@@ -3,8 +3,6 @@
 /**
  * @class   RefinementColorTable
  * @brief   a lookup table on the GPU, for glsl/relevoColorTable.glsl
- *
- * Private to the module.
  */
 #ifndef RefinementColorTable_h
 #define RefinementColorTable_h

@@ -3,8 +3,6 @@
 /**
  * @class   RefinementLevelTable
  * @brief   the lookup table that shows levels, patterns or tags unless the user has one
- *
- * Private to the module.
  */
 #ifndef RefinementLevelTable_h
 #define RefinementLevelTable_h

@@ -3,8 +3,6 @@
 /**
  * @class   RefinementMeshBuffers
  * @brief   a prepared coarse mesh and its height map on the GPU
- *
- * Private to the module.
  */
 #ifndef RefinementMeshBuffers_h
 #define RefinementMeshBuffers_h

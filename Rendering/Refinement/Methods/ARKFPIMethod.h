@@ -3,8 +3,6 @@
 /**
  * @class   ARKFPIMethod
  * @brief   an instanced draw call for all faces that share a base pattern (Lenz 2009)
- *
- * Private to the module.
  */
 #ifndef ARKFPIMethod_h
 #define ARKFPIMethod_h

@@ -3,8 +3,6 @@
 /**
  * @class   PatternMethod
  * @brief   what methods share whose vertices are those of patterns (RefinementPatternBuffer)
- *
- * Private to the module.
  */
 #ifndef PatternMethod_h
 #define PatternMethod_h

@@ -8,8 +8,6 @@
  * known is added. Software renderers draw on the CPU partly while commands are given and partly
  * afterwards, in what they call the GPU's time: the sum is right there, too, and for a graphics
  * card more than enough.
- *
- * Private to the module.
  */
 #ifndef RenderClock_h
 #define RenderClock_h

@@ -3,8 +3,6 @@
 /**
  * @class   ShaderLog
  * @brief   compiles and links shaders that VTK knows nothing of, and says what is wrong with them
- *
- * Private to the module.
  */
 #ifndef ShaderLog_h
 #define ShaderLog_h

@@ -3,8 +3,6 @@
 /**
  * @class   PickedInput
  * @brief   gives pickers the refined surface where they ask a mapper for its input
- *
- * Private to the module.
  */
 #ifndef PickedInput_h
 #define PickedInput_h

@@ -8,8 +8,6 @@
  * all of the highest level where it draws nothing else. Where nothing has been drawn since mesh or
  * levels changed, what the recipe asks for; of metrics of the view, whose camera is not known then,
  * MaximumLevel everywhere.
- *
- * Private to the module.
  */
 #ifndef PickedLevels_h
 #define PickedLevels_h

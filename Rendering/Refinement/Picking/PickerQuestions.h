@@ -8,8 +8,6 @@
  * could override. What they ask beforehand gives them away: GetBounds(double[6]), which VTK calls
  * nowhere else, and then, with nothing in between, the input; where it is composite, once more.
  * vtkPicker asks for the center first, and with it for GetBounds().
- *
- * Private to the module.
  */
 #ifndef PickerQuestions_h
 #define PickerQuestions_h
