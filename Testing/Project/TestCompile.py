@@ -47,6 +47,8 @@ AUTHORS_HEADERS = {
     "Core/RefinementView.h",
     "Mesh/SurfaceEdges.h",
     "Mesh/SurfaceTriangles.h",
+    "Metrics/MetricEvaluator.h",
+    "Metrics/MetricMesh.h",
     "Metrics/MetricShader.h",
 }
 
