@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLICNoiseSource.h"
 
+#include "Core/SettingChecks.h"
 #include "Noise/GrainNoise.h"
 #include "Noise/NoiseHash.h"
 #include "Noise/NoiseRanges.h"
@@ -34,47 +35,70 @@ vtkLICNoiseSource::vtkLICNoiseSource()
 
 vtkLICNoiseSource::~vtkLICNoiseSource() = default;
 
+void vtkLICNoiseSource::SetNoiseType(int type)
+{
+  relevo::SetChoice(this, "NoiseType", this->NoiseType, type,
+    { "NOISE_TYPE_UNIFORM", "NOISE_TYPE_GAUSSIAN", "NOISE_TYPE_PERLIN" });
+}
+
+void vtkLICNoiseSource::SetNoiseTextureSize(int length)
+{
+  relevo::SetInRange(this, "NoiseTextureSize", this->NoiseTextureSize, length,
+    relevo::SmallestNoiseTexture, relevo::LargestNoiseTexture);
+}
+
+void vtkLICNoiseSource::SetNoiseGrainSize(int length)
+{
+  relevo::SetInRange(
+    this, "NoiseGrainSize", this->NoiseGrainSize, length, 1, relevo::LargestNoiseTexture - 1);
+}
+
+void vtkLICNoiseSource::SetMinNoiseValue(double value)
+{
+  relevo::SetInRange(this, "MinNoiseValue", this->MinNoiseValue, value, 0.0, 1.0);
+}
+
+void vtkLICNoiseSource::SetMaxNoiseValue(double value)
+{
+  relevo::SetInRange(this, "MaxNoiseValue", this->MaxNoiseValue, value, 0.0, 1.0);
+}
+
+void vtkLICNoiseSource::SetGaussianNoiseSmoothing(double deviation)
+{
+  relevo::SetInRange(
+    this, "GaussianNoiseSmoothing", this->GaussianNoiseSmoothing, deviation, 0.0, LargestSmoothing);
+}
+
+void vtkLICNoiseSource::SetNumberOfNoiseLevels(int levels)
+{
+  relevo::SetInRange(this, "NumberOfNoiseLevels", this->NumberOfNoiseLevels, levels,
+    relevo::FewestNoiseLevels, VTK_INT_MAX);
+}
+
+void vtkLICNoiseSource::SetImpulseNoiseProbability(double probability)
+{
+  relevo::SetInRange(
+    this, "ImpulseNoiseProbability", this->ImpulseNoiseProbability, probability, 0.0, 1.0);
+}
+
+void vtkLICNoiseSource::SetImpulseNoiseBackgroundValue(double value)
+{
+  relevo::SetInRange(
+    this, "ImpulseNoiseBackgroundValue", this->ImpulseNoiseBackgroundValue, value, 0.0, 1.0);
+}
+
 std::string vtkLICNoiseSource::FindError() const
 {
-  const auto isShare = [](double value) { return value >= 0.0 && value <= 1.0; };
   std::ostringstream error;
-  if (this->NoiseType < NOISE_TYPE_UNIFORM || this->NoiseType > NOISE_TYPE_PERLIN)
+  if (this->NoiseGrainSize >= this->NoiseTextureSize)
   {
-    error << "NoiseType " << this->NoiseType << " is none of UNIFORM (0), GAUSSIAN (1), PERLIN (2)";
+    error << "NoiseGrainSize must be less than NoiseTextureSize, got " << this->NoiseGrainSize
+          << " and " << this->NoiseTextureSize << ".";
   }
-  else if (this->NoiseTextureSize < relevo::SmallestNoiseTexture ||
-    this->NoiseTextureSize > relevo::LargestNoiseTexture)
+  else if (this->MinNoiseValue >= this->MaxNoiseValue)
   {
-    error << "NoiseTextureSize " << this->NoiseTextureSize << " is outside ["
-          << relevo::SmallestNoiseTexture << ", " << relevo::LargestNoiseTexture << "]";
-  }
-  else if (this->NoiseGrainSize < 1 || this->NoiseGrainSize >= this->NoiseTextureSize)
-  {
-    error << "NoiseGrainSize " << this->NoiseGrainSize << " is not at least 1 and less than "
-          << "NoiseTextureSize, " << this->NoiseTextureSize;
-  }
-  else if (!isShare(this->MinNoiseValue) || !isShare(this->MaxNoiseValue) ||
-    this->MinNoiseValue >= this->MaxNoiseValue)
-  {
-    error << "MinNoiseValue " << this->MinNoiseValue << " and MaxNoiseValue " << this->MaxNoiseValue
-          << " are not 0 <= min < max <= 1";
-  }
-  else if (this->NumberOfNoiseLevels < relevo::FewestNoiseLevels)
-  {
-    error << "NumberOfNoiseLevels " << this->NumberOfNoiseLevels << " is less than "
-          << relevo::FewestNoiseLevels;
-  }
-  else if (!isShare(this->ImpulseNoiseProbability) || !isShare(this->ImpulseNoiseBackgroundValue))
-  {
-    error << "ImpulseNoiseProbability " << this->ImpulseNoiseProbability
-          << " or ImpulseNoiseBackgroundValue " << this->ImpulseNoiseBackgroundValue
-          << " is outside [0, 1]";
-  }
-  else if (!(this->GaussianNoiseSmoothing >= 0.0 &&
-             this->GaussianNoiseSmoothing <= LargestSmoothing))
-  {
-    error << "GaussianNoiseSmoothing " << this->GaussianNoiseSmoothing << " is outside [0, "
-          << LargestSmoothing << "]";
+    error << "MinNoiseValue must be less than MaxNoiseValue, got " << this->MinNoiseValue << " and "
+          << this->MaxNoiseValue << ".";
   }
   return error.str();
 }
@@ -83,7 +107,7 @@ int vtkLICNoiseSource::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkInformation* information = outputVector->GetInformationObject(0);
-  const int last = std::min(std::max(this->NoiseTextureSize, 1), relevo::LargestNoiseTexture) - 1;
+  const int last = this->NoiseTextureSize - 1;
   const int extent[6] = { 0, last, 0, last, 0, 0 };
   information->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
   const double origin[3] = { 0.0, 0.0, 0.0 };
@@ -99,10 +123,10 @@ int vtkLICNoiseSource::RequestData(
 {
   vtkImageData* output = vtkImageData::GetData(outputVector);
   output->Initialize();
-  const std::string error = this->FindError();
-  if (!error.empty())
+  this->ErrorMessage = this->FindError();
+  if (!this->ErrorMessage.empty())
   {
-    vtkErrorMacro(<< error << ".");
+    vtkErrorMacro(<< this->ErrorMessage);
     return 0;
   }
 

@@ -9,9 +9,9 @@
  * its upper one. It depends on the settings alone, not on the machine or its threads. Names and
  * defaults are those of vtkSurfaceLICInterface, whose numbers differ, though.
  *
- * Errors, with an empty output: an unknown NoiseType; a NoiseTextureSize outside [2, 16384]; a
- * NoiseGrainSize below 1 or not below NoiseTextureSize; noise values that are not 0 <= Min < Max <=
- * 1; less than 2 levels; a probability or background value outside [0, 1].
+ * Errors, with an empty output: a NoiseGrainSize that is not below NoiseTextureSize; a
+ * MinNoiseValue that is not below MaxNoiseValue. A setting out of its range is an error and changes
+ * nothing.
  *
  * @sa vtkLineIntegralConvolution
  */
@@ -47,9 +47,10 @@ public:
    * LIC, and so, within 5 %, is the contrast of what the defaults make of it;
    * NOISE_TYPE_PERLIN (2), smooth noise of several octaves (Perlin, Improving Noise, 2002), the
    * coarsest with a period of about NoiseGrainSize texels, each of the next ones half as long and
-   * high, down to two texels; it reaches the minimum and the maximum.
+   * high, down to two texels; it reaches the minimum and the maximum. Another value is an error and
+   * changes nothing.
    */
-  vtkSetMacro(NoiseType, int);
+  virtual void SetNoiseType(int type);
   vtkGetMacro(NoiseType, int);
   void SetNoiseTypeToUniform() { this->SetNoiseType(NOISE_TYPE_UNIFORM); }
   void SetNoiseTypeToGaussian() { this->SetNoiseType(NOISE_TYPE_GAUSSIAN); }
@@ -58,28 +59,31 @@ public:
 
   //@{
   /**
-   * Number of texels along each side, 2 to 16384, default 200.
+   * Number of texels along each side, 2 to 16384, default 200. Another value is an error and
+   * changes nothing.
    */
-  vtkSetMacro(NoiseTextureSize, int);
+  virtual void SetNoiseTextureSize(int length);
   vtkGetMacro(NoiseTextureSize, int);
   //@}
 
   //@{
   /**
    * Number of texels along each side of the squares of one value (of Perlin noise: its longest
-   * period), default 1.
+   * period), default 1. Less than 1, or more than 16383, is an error and changes nothing; at least
+   * NoiseTextureSize is an error when the noise is made.
    */
-  vtkSetMacro(NoiseGrainSize, int);
+  virtual void SetNoiseGrainSize(int length);
   vtkGetMacro(NoiseGrainSize, int);
   //@}
 
   //@{
   /**
-   * The smallest and the largest value, in [0, 1]; default 0 and 0.8.
+   * The smallest and the largest value, in [0, 1]; default 0 and 0.8. Another value is an error and
+   * changes nothing; a minimum that is not below the maximum is an error when the noise is made.
    */
-  vtkSetMacro(MinNoiseValue, double);
+  virtual void SetMinNoiseValue(double value);
   vtkGetMacro(MinNoiseValue, double);
-  vtkSetMacro(MaxNoiseValue, double);
+  virtual void SetMaxNoiseValue(double value);
   vtkGetMacro(MaxNoiseValue, double);
   //@}
 
@@ -88,29 +92,30 @@ public:
    * How much the values of neighbours are alike in NOISE_TYPE_GAUSSIAN: as a Gaussian filter of
    * this standard deviation, in grains, makes independent ones; their mean and spread stay as they
    * are. 0 (independent) to 100, default 1: with less of the finest detail, which follows no
-   * direction, lines show theirs better.
+   * direction, lines show theirs better. Another value is an error and changes nothing.
    */
-  vtkSetMacro(GaussianNoiseSmoothing, double);
+  virtual void SetGaussianNoiseSmoothing(double deviation);
   vtkGetMacro(GaussianNoiseSmoothing, double);
   //@}
 
   //@{
   /**
    * How many different values there are, evenly spaced from the smallest to the largest; at least
-   * 2, default 256.
+   * 2, default 256. Less is an error and changes nothing.
    */
-  vtkSetMacro(NumberOfNoiseLevels, int);
+  virtual void SetNumberOfNoiseLevels(int levels);
   vtkGetMacro(NumberOfNoiseLevels, int);
   //@}
 
   //@{
   /**
    * Share of the grains (of Perlin noise: of the texels) that have noise, in [0, 1], default 1. The
-   * others have ImpulseNoiseBackgroundValue, default 0.
+   * others have ImpulseNoiseBackgroundValue, in [0, 1], default 0. Another value is an error and
+   * changes nothing.
    */
-  vtkSetMacro(ImpulseNoiseProbability, double);
+  virtual void SetImpulseNoiseProbability(double probability);
   vtkGetMacro(ImpulseNoiseProbability, double);
-  vtkSetMacro(ImpulseNoiseBackgroundValue, double);
+  virtual void SetImpulseNoiseBackgroundValue(double value);
   vtkGetMacro(ImpulseNoiseBackgroundValue, double);
   //@}
 
@@ -121,6 +126,12 @@ public:
   vtkSetMacro(NoiseGeneratorSeed, int);
   vtkGetMacro(NoiseGeneratorSeed, int);
   //@}
+
+  /**
+   * What the last Update() reported as an error, without class and source line; "" when there was
+   * none.
+   */
+  const char* GetErrorMessage() { return this->ErrorMessage.c_str(); }
 
 protected:
   vtkLICNoiseSource();
@@ -149,6 +160,8 @@ private:
   std::string FindError() const;
   std::vector<float> MakeUnitNoise() const;
   void MapToLevels(const std::vector<float>& image, float* noise) const;
+
+  std::string ErrorMessage;
 };
 
 #endif

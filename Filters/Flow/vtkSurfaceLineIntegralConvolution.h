@@ -21,7 +21,7 @@
  * meshes and the borders of blocks. Between the points of a triangle vectors are interpolated
  * linearly; what counts is their part in the triangle's plane. Lines end where the surface does,
  * where more than two triangles share an edge, at triangles without area or with a corner without
- * data, where the vectors are zero or stand on the surface, and where they meet head-on.
+ * data, where the vectors are zero or perpendicular to the surface, and where they meet head-on.
  *
  * Output 0: the input with the float point array "LIC", in [0, 1], as active scalars, and the
  * unsigned char point array "LICMask": 1 where the value is the noise as it is, since there is no

@@ -20,7 +20,7 @@
  * components, or of two (x and y), of points (interpolated linearly) or of cells (constant in each
  * cell); by default the active vectors, of points if there are any. Where there is nothing to
  * follow the surface is drawn without streaks, see SetMaskThreshold(): no-data (not finite, or a
- * component of at least NoDataMagnitude), zero, and vectors that stand on the surface.
+ * component of at least NoDataMagnitude), zero, and vectors that are perpendicular to the surface.
  *
  * The streaks are combined with the colours that the surface has otherwise, lit: a white actor
  * without lighting and LICIntensity 1 shows the grey LIC itself. Opacity, depth peeling, clipping

@@ -132,10 +132,9 @@ bool ChosenNoise::Generate(vtkLICSettings* settings)
     source->SetImpulseNoiseBackgroundValue(settings->GetImpulseNoiseBackgroundValue());
     source->SetNoiseGeneratorSeed(settings->GetNoiseGeneratorSeed());
   }
-  const std::string message = RunQuietly(source);
-  if (!message.empty())
+  if (!RunQuietly(source).empty())
   {
-    this->Error = "Noise cannot be made: " + message;
+    this->Error = std::string("Noise cannot be made: ") + source->GetErrorMessage();
     return false;
   }
   return this->ReadImage(source->GetOutput(), "The generated noise");

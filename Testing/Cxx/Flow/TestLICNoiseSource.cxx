@@ -244,53 +244,79 @@ void TestError(RelevoCheck& check, const Change& spoil, const char* words)
   CHECK(source->GetOutput()->GetPointData()->GetNumberOfArrays() == 0);
 }
 
+// Out of range: an error at once, and the noise stays as it was.
+void TestRefusal(RelevoCheck& check, const Change& spoil, const char* words)
+{
+  vtkNew<vtkLICNoiseSource> source;
+  source->Update();
+  const vtkMTimeType time = source->GetMTime();
+  RelevoErrors errors(source);
+  spoil(source);
+  CHECK(errors.Said(words) && source->GetMTime() == time);
+  source->Update();
+  CHECK(errors.None() && source->GetOutput()->GetNumberOfPoints() == 200 * 200);
+}
+
 void TestErrors(RelevoCheck& check)
 {
   using Source = vtkLICNoiseSource;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (int type : { -1, 3 })
   {
-    TestError(
+    TestRefusal(
       check, [=](Source* s) { s->SetNoiseType(type); }, "NoiseType");
   }
   for (int size : { 1, 0, -7, 16385, std::numeric_limits<int>::max() })
   {
-    TestError(
+    TestRefusal(
       check, [=](Source* s) { s->SetNoiseTextureSize(size); }, "NoiseTextureSize");
   }
-  for (int size : { 0, -1, 200, 201 })
+  for (int size : { 0, -1, 16384 })
   {
-    TestError(
+    TestRefusal(
       check, [=](Source* s) { s->SetNoiseGrainSize(size); }, "NoiseGrainSize");
   }
-  for (double value : { -0.1, 0.8, 0.9, nan })
+  for (double value : { -0.1, 1.1, nan })
   {
-    TestError(
+    TestRefusal(
       check, [=](Source* s) { s->SetMinNoiseValue(value); }, "MinNoiseValue");
   }
-  for (double value : { 0.0, 1.1, nan })
+  for (double value : { -0.1, 1.1, nan })
   {
-    TestError(
+    TestRefusal(
       check, [=](Source* s) { s->SetMaxNoiseValue(value); }, "MaxNoiseValue");
   }
   for (int levels : { 1, 0, -2 })
   {
-    TestError(
+    TestRefusal(
       check, [=](Source* s) { s->SetNumberOfNoiseLevels(levels); }, "NumberOfNoiseLevels");
   }
   for (double value : { -0.1, 1.1, nan })
   {
-    TestError(
+    TestRefusal(
       check, [=](Source* s) { s->SetImpulseNoiseProbability(value); }, "ImpulseNoiseProbability");
-    TestError(
+    TestRefusal(
       check, [=](Source* s) { s->SetImpulseNoiseBackgroundValue(value); },
       "ImpulseNoiseBackgroundValue");
   }
   for (double value : { -0.1, 101.0, nan })
   {
-    TestError(
+    TestRefusal(
       check, [=](Source* s) { s->SetGaussianNoiseSmoothing(value); }, "Smoothing");
   }
+  // Settings that contradict one another: an error when the noise is made.
+  for (int size : { 200, 201 })
+  {
+    TestError(
+      check, [=](Source* s) { s->SetNoiseGrainSize(size); }, "less than NoiseTextureSize");
+  }
+  for (double value : { 0.8, 0.9 })
+  {
+    TestError(
+      check, [=](Source* s) { s->SetMinNoiseValue(value); }, "less than MaxNoiseValue");
+  }
+  TestError(
+    check, [=](Source* s) { s->SetMaxNoiseValue(0.0); }, "less than MaxNoiseValue, got 0 and 0.");
 }
 }
 
