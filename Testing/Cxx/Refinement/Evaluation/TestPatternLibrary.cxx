@@ -10,12 +10,14 @@
 #include "Evaluation/PatternSelection.h"
 #include "Evaluation/RefinementPreparation.h"
 #include "Mesh/RefinementMesh.h"
+#include "Metrics/TagSource.h"
 #include "Patterns/PatternLibrary.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCellArray.h"
 #include "vtkRefinementPatternTable.h"
 
 #include <array>
+#include <memory>
 #include <thread>
 
 namespace
@@ -109,7 +111,9 @@ void TestSelectionLife(RelevoCheck& check)
     std::string error;
     std::string warning;
     CHECK(relevo::PrepareMesh(input, recipe, mesh, error, warning));
-    CHECK(relevo::SelectPatterns(input, recipe, relevo::RefinementView(), mesh, selection, error));
+    const auto tags = std::make_shared<relevo::TagSource>();
+    CHECK(relevo::SelectPatterns(
+      input, recipe, relevo::RefinementView(), mesh, tags, selection, error));
     recipe = nullptr;
     vtkIdType triangles = 0;
     for (int face = 0; face < selection.GetNumberOfFaces(); ++face)
