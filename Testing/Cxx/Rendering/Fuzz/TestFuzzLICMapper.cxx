@@ -38,12 +38,6 @@ private:
             this->ChooseMapper()->SetInputArrayToProcess(
               0, 0, 0, this->D.Throw(3), RelevoFuzz::ChooseName(this->D).c_str());
           } },
-        { "shared settings",
-          [this]
-          {
-            vtkLICSettings* other = this->ChooseMapper()->GetLICSettings();
-            this->ChooseMapper()->SetLICSettings(this->D.Once(3) ? nullptr : other);
-          } },
         { "enable", [this] { this->ChooseMapper()->SetEnable(this->D.Throw(3) != 0); } },
         { "steps",
           [this]
