@@ -321,13 +321,17 @@ class TestExamples(unittest.TestCase):
         exec(next(text for text in pasted if "vtkArrayCalculator" in text), names)
         coarse = names["flow"]
         fine = names["mapper"]
-        exec(next(text for text in pasted if "vtkSurfaceLICMapper" in text), names)
+        ported = next(text for text in pasted if "vtkSurfaceLICMapper" in text)
+        exec(ported.split("# new\n")[0], names)
         flat = names["mapper"]
         self.assertIsNot(flat, fine)
+        exec(ported, names)
+        refined = names["mapper"]
         flat.SetInputConnection(coarse.GetOutputPort())
         self.assertEqual(flat.GetNumberOfSteps(), 40)
         shades = []
-        for mapper in (fine, flat):
+        refined.SetInputConnection(coarse.GetOutputPort())
+        for mapper in (fine, flat, refined):
             actor = vtkActor()
             actor.SetMapper(mapper)
             renderer = vtkRenderer()
@@ -342,6 +346,9 @@ class TestExamples(unittest.TestCase):
             shades.append({pixels.GetTuple3(i) for i in range(pixels.GetNumberOfTuples())})
         self.assertGreater(min(len(each) for each in shades), 50)
         self.assertEqual(flat.GetNumberOfDrawnTriangles(), coarse.GetOutput().GetNumberOfCells())
+        self.assertEqual(
+            refined.GetNumberOfDrawnTriangles(), 64 * flat.GetNumberOfDrawnTriangles()
+        )
         self.assertGreater(fine.GetNumberOfDrawnTriangles(), flat.GetNumberOfDrawnTriangles())
         # Not many for each coarse face, whatever the vectors do.
         self.assertLessEqual(

@@ -186,12 +186,15 @@ void TestProjected(RelevoCheck& check, const RelevoTestFolders& folders)
     std::string(OSRGetAuthorityCode(system, nullptr)) == "32633");
   OSRDestroySpatialReference(system);
 
-  // Never finer than the texels, never coarser than one square.
+  // Never finer than the texels, never coarser than one square: no square at all is an error.
   source->SetResolution(100000);
   source->Update();
   CHECK(source->GetOutput()->GetNumberOfCells() == 2 * 100 * 60);
+  RelevoErrors errors(source);
   source->SetResolution(0);
-  CHECK(source->GetResolution() == 1);
+  CHECK(errors.Said("Resolution"));
+  CHECK(source->GetResolution() == 100000);
+  source->SetResolution(1);
   source->Update();
   CHECK(source->GetOutput()->GetNumberOfCells() == 2);
   CheckMesh(check, source->GetOutput());
