@@ -14,17 +14,12 @@
 
 namespace relevo
 {
-bool PrepareMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe, RefinementMesh& mesh,
-  std::string& error, std::string& warning)
+bool BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe, bool keepNormals,
+  RefinementMesh& mesh, std::string& error, std::string& warning)
 {
   if (!recipe)
   {
     error = "No recipe: call SetRefinement() with a vtkAdaptiveRefinement.";
-    return false;
-  }
-  if (input->GetNumberOfCells() == 0)
-  {
-    error = "The input has no cells: there is nothing to refine.";
     return false;
   }
   if (recipe->GetDisplacement() && !recipe->GetDisplacement()->Update())
@@ -32,23 +27,9 @@ bool PrepareMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe, RefinementMe
     error = "The displacement's height map could not be read.";
     return false;
   }
-  const std::string excess = FindExcess(recipe->GetSurface(), recipe->GetDisplacement());
-  if (!excess.empty())
+  if (!mesh.Build(input, recipe->GetSurface(), recipe->GetDisplacement(), keepNormals))
   {
-    error = "Cannot refine the input: " + excess + ".";
-    return false;
-  }
-  const std::string obstacle = FindPatternObstacle(recipe);
-  if (!obstacle.empty())
-  {
-    error = "Cannot refine the input: " + obstacle;
-    return false;
-  }
-  const std::string lack =
-    recipe->GetSurface() ? recipe->GetSurface()->GetEvaluationError() : std::string();
-  if (!lack.empty() || !mesh.Build(input, recipe->GetSurface(), recipe->GetDisplacement(), true))
-  {
-    error = "Cannot refine the input: " + (lack.empty() ? mesh.GetError() : lack) + ".";
+    error = "Cannot refine the input: " + mesh.GetError() + ".";
     return false;
   }
   if (mesh.GetNumberOfDroppedTriangles() > 0)
@@ -58,6 +39,34 @@ bool PrepareMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe, RefinementMe
       "or non-finite coordinates).";
   }
   return true;
+}
+
+std::string FindObstacle(vtkAdaptiveRefinement* recipe)
+{
+  const std::string excess = FindExcess(recipe->GetSurface(), recipe->GetDisplacement());
+  const std::string obstacle = excess.empty() ? FindPatternObstacle(recipe) : excess + ".";
+  return obstacle.empty() ? "" : "Cannot refine the input: " + obstacle;
+}
+
+bool PrepareMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe, RefinementMesh& mesh,
+  std::string& error, std::string& warning)
+{
+  if (recipe && input->GetNumberOfCells() == 0)
+  {
+    error = "The input has no cells: there is nothing to refine.";
+    return false;
+  }
+  if (!BuildMesh(input, recipe, true, mesh, error, warning))
+  {
+    return false;
+  }
+  error = FindObstacle(recipe);
+  if (error.empty() && recipe->GetSurface())
+  {
+    const std::string lack = recipe->GetSurface()->GetEvaluationError();
+    error = lack.empty() ? "" : "Cannot refine the input: " + lack + ".";
+  }
+  return error.empty();
 }
 
 bool SelectPatterns(vtkPolyData* input, vtkAdaptiveRefinement* recipe, const RefinementView& view,

@@ -3,10 +3,10 @@
 #include "State/RefinementState.h"
 
 #include "Core/GhostCells.h"
+#include "Evaluation/RefinementPreparation.h"
 #include "Mesh/GivenNormals.h"
 #include "Metrics/TagSource.h"
 #include "State/UsableArrays.h"
-#include "Surfaces/FloatRange.h"
 
 #include "Core/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"
@@ -72,12 +72,11 @@ std::string RefinementState::TakeWarning()
 
 bool RefinementState::Check(vtkAdaptiveRefinement* recipe)
 {
-  const std::string excess = FindExcess(recipe->GetSurface(), recipe->GetDisplacement());
-  const std::string obstacle = excess.empty() ? FindPatternObstacle(recipe) : excess + ".";
+  const std::string obstacle = FindObstacle(recipe);
   if (obstacle != this->Obstacle)
   {
     this->Obstacle = obstacle;
-    this->Error = obstacle.empty() ? "" : "Cannot refine the input: " + obstacle;
+    this->Error = obstacle;
   }
   return obstacle.empty();
 }
@@ -118,27 +117,10 @@ bool RefinementState::BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recip
   // Without cells: VTK's mapper does not check what they refer to.
   this->PreparedInput->Initialize();
   this->PreparedInput->SetPoints(input->GetPoints());
-  if (!recipe)
+  if (!relevo::BuildMesh(
+        input, recipe, refines && this->NeedsUnitNormals, *mesh, this->Error, this->Warning))
   {
-    this->Error = "No recipe: call SetRefinement() with a vtkAdaptiveRefinement.";
     return false;
-  }
-  if (displacement && !displacement->Update())
-  {
-    this->Error = "The displacement's height map could not be read.";
-    return false;
-  }
-  if (!mesh->Build(
-        input, recipe->GetSurface(), recipe->GetDisplacement(), refines && this->NeedsUnitNormals))
-  {
-    this->Error = "Cannot refine the input: " + mesh->GetError() + ".";
-    return false;
-  }
-  if (mesh->GetNumberOfDroppedTriangles() > 0)
-  {
-    this->Warning = std::to_string(mesh->GetNumberOfDroppedTriangles()) +
-      " degenerate cells or triangles dropped (two corners at one place, fewer than three points, "
-      "or non-finite coordinates).";
   }
   this->PreparedInput->ShallowCopy(input);
   const std::string unusable = RemoveUnusableArrays(this->PreparedInput);
