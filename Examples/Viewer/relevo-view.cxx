@@ -3,13 +3,13 @@
 /**
  * @brief   draws a height map or a mesh: in a window, or into a picture
  */
-#include "OffscreenWindow.h"
-#include "ViewerFile.h"
-#include "ViewerMessages.h"
-#include "ViewerOptions.h"
-#include "ViewerPicture.h"
-#include "ViewerScene.h"
-#include "ViewerWindow.h"
+#include "Scene/OffscreenWindow.h"
+#include "Files/ViewerFile.h"
+#include "Text/ViewerMessages.h"
+#include "Options/ViewerOptions.h"
+#include "Files/ViewerPicture.h"
+#include "Scene/ViewerScene.h"
+#include "Window/ViewerWindow.h"
 
 #include "vtkRenderWindow.h"
 #include "vtkSmartPointer.h"

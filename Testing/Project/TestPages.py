@@ -110,7 +110,7 @@ def check_files(source, page):
 def check_options(source, page):
     """The page has the options that relevo-view --help has."""
     options = r"(?<![\w-])--[a-z][a-z-]+"
-    usage = (source / "Examples/Viewer/ViewerUsage.cxx").read_text()
+    usage = (source / "Examples/Viewer/Options/ViewerUsage.cxx").read_text()
     told = set(re.findall(rf"^  ({options})", usage, re.M))
     shown = set(re.findall(rf"^\| `({options})", page.read_text(), re.M))
     for option in told ^ shown:

@@ -4,8 +4,8 @@
 #include "RelevoCheck.h"
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
-#include "ViewerMessages.h"
-#include "ViewerStatistics.h"
+#include "Scene/ViewerStatistics.h"
+#include "Text/ViewerMessages.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Files/ExodusReader.h"
+
+#include "Text/ViewerMessages.h"
+
+#include "vtkCompositeDataGeometryFilter.h"
+#include "vtkExodusIIReader.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> ReadExodus(const std::string& fileName, ViewerMessages& messages)
+{
+  vtkNew<vtkExodusIIReader> reader;
+  messages.Observe(reader, "reading");
+  reader->SetFileName(fileName.c_str());
+  reader->UpdateInformation();
+  messages.Check();
+  for (int type : { vtkExodusIIReader::NODAL, vtkExodusIIReader::ELEM_BLOCK })
+  {
+    reader->SetAllArrayStatus(type, 1);
+  }
+  vtkNew<vtkCompositeDataGeometryFilter> surface;
+  messages.Observe(surface, "taking the surface");
+  surface->SetInputConnection(reader->GetOutputPort());
+  surface->Update();
+  messages.Check();
+  return surface->GetOutput();
+}

@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Files/GLTFCheck.h"
+
+#include "Text/ViewerMessages.h"
+
+#include "vtkGLTFDocumentLoader.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace
+{
+using Loader = vtkGLTFDocumentLoader;
+
+class Checker
+{
+public:
+  explicit Checker(Loader::Model& model)
+    : Model(model)
+  {
+  }
+
+  void Check()
+  {
+    this->CheckBufferFiles();
+    this->CheckAccessors();
+    this->CheckMeshes();
+    this->CheckAnimations();
+    this->CheckSkins();
+    this->CheckNodes();
+  }
+
+private:
+  static void Require(bool isSo, const std::string& error)
+  {
+    if (!isSo)
+    {
+      throw ViewerError(error);
+    }
+  }
+
+  template <typename Index, typename Item>
+  static bool IsIn(Index index, const std::vector<Item>& items)
+  {
+    return index >= 0 && static_cast<std::size_t>(index) < items.size();
+  }
+
+  void CheckAccessor(long long index, const std::string& user)
+  {
+    Require(IsIn(index, this->Model.Accessors),
+      user + " refers to accessor " + std::to_string(index) + " of " +
+        std::to_string(this->Model.Accessors.size()));
+  }
+
+  void CheckBufferFiles()
+  {
+    const std::string& text = this->Model.BufferMetaData;
+    const std::regex uri(R"re("uri"\s*:\s*"([^"]*)")re");
+    const auto folder = std::filesystem::path(this->Model.FileName).parent_path();
+    for (std::sregex_iterator match(text.begin(), text.end(), uri), end; match != end; ++match)
+    {
+      const std::string name = (*match)[1];
+      std::error_code unknown;
+      Require(name.find("data:") == 0 || std::filesystem::is_regular_file(folder / name, unknown),
+        "its file " + name + " is missing");
+    }
+  }
+
+  void CheckAccessors()
+  {
+    for (std::size_t i = 0; i < this->Model.Accessors.size(); ++i)
+    {
+      const Loader::Accessor& accessor = this->Model.Accessors[i];
+      const std::string name = "accessor " + std::to_string(i);
+      if (accessor.BufferView < 0) // zeros, or sparse ones
+      {
+        continue;
+      }
+      Require(IsIn(accessor.BufferView, this->Model.BufferViews),
+        name + " refers to buffer view " + std::to_string(accessor.BufferView) + " of " +
+          std::to_string(this->Model.BufferViews.size()));
+      const Loader::BufferView& view = this->Model.BufferViews[accessor.BufferView];
+      const long long element =
+        static_cast<long long>(accessor.NumberOfComponents) * GetSize(accessor.ComponentTypeValue);
+      const long long step = view.ByteStride > 0 ? view.ByteStride : element;
+      Require(accessor.Count > 0 && accessor.ByteOffset >= 0 &&
+          accessor.ByteOffset + (accessor.Count - 1) * step + element <= view.ByteLength,
+        name + " is longer than its buffer view");
+    }
+  }
+
+  static int GetSize(Loader::ComponentType type)
+  {
+    switch (type)
+    {
+      case Loader::ComponentType::BYTE:
+      case Loader::ComponentType::UNSIGNED_BYTE:
+        return 1;
+      case Loader::ComponentType::SHORT:
+      case Loader::ComponentType::UNSIGNED_SHORT:
+        return 2;
+      default:
+        return 4;
+    }
+  }
+
+  void CheckMeshes()
+  {
+    for (const Loader::Mesh& mesh : this->Model.Meshes)
+    {
+      for (const Loader::Primitive& primitive : mesh.Primitives)
+      {
+        Require(primitive.AttributeIndices.count("POSITION") > 0, "a primitive has no points");
+        this->CheckAttributes(primitive.AttributeIndices);
+        for (const Loader::MorphTarget& target : primitive.Targets)
+        {
+          this->CheckAttributes(target.AttributeIndices);
+        }
+        if (primitive.IndicesId >= 0)
+        {
+          this->CheckAccessor(primitive.IndicesId, "a primitive");
+        }
+      }
+    }
+  }
+
+  void CheckAttributes(const std::map<std::string, int>& attributes)
+  {
+    for (const auto& attribute : attributes)
+    {
+      this->CheckAccessor(attribute.second, attribute.first);
+    }
+  }
+
+  void CheckAnimations()
+  {
+    for (const Loader::Animation& animation : this->Model.Animations)
+    {
+      for (const Loader::Animation::Sampler& sampler : animation.Samplers)
+      {
+        this->CheckAccessor(sampler.Input, "an animation");
+        this->CheckAccessor(sampler.Output, "an animation");
+      }
+    }
+  }
+
+  void CheckSkins()
+  {
+    for (const Loader::Skin& skin : this->Model.Skins)
+    {
+      for (int joint : skin.Joints)
+      {
+        Require(IsIn(joint, this->Model.Nodes), "a skin refers to a node that does not exist");
+      }
+      if (skin.InverseBindMatricesAccessorId >= 0)
+      {
+        this->CheckAccessor(skin.InverseBindMatricesAccessorId, "a skin");
+      }
+    }
+  }
+
+  // Trees: no node has two parents, nor itself among its ancestors.
+  void CheckNodes()
+  {
+    std::vector<bool> isVisited(this->Model.Nodes.size(), false);
+    std::vector<int> open;
+    for (const Loader::Scene& scene : this->Model.Scenes)
+    {
+      std::fill(isVisited.begin(), isVisited.end(), false);
+      open.assign(scene.Nodes.begin(), scene.Nodes.end());
+      while (!open.empty())
+      {
+        const int index = open.back();
+        open.pop_back();
+        Require(IsIn(index, this->Model.Nodes),
+          "there is no node " + std::to_string(index) + ", which the scene needs");
+        const Loader::Node& node = this->Model.Nodes[index];
+        Require(!isVisited[index], "node " + std::to_string(index) + " has two parents");
+        isVisited[index] = true;
+        Require(node.Mesh < 0 || IsIn(node.Mesh, this->Model.Meshes),
+          "node " + std::to_string(index) + " has a mesh that does not exist");
+        Require(node.Skin < 0 || IsIn(node.Skin, this->Model.Skins),
+          "node " + std::to_string(index) + " has a skin that does not exist");
+        open.insert(open.end(), node.Children.begin(), node.Children.end());
+      }
+    }
+  }
+
+  Loader::Model& Model;
+};
+}
+
+//------------------------------------------------------------------------------
+void CheckGLTF(const std::string& fileName)
+{
+  vtkNew<Loader> loader;
+  if (!loader->LoadModelMetaDataFromFile(fileName))
+  {
+    throw ViewerError("it is not a glTF scene, or it is truncated");
+  }
+  Checker(*loader->GetInternalModel()).Check();
+}

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Files/MeshPoints.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace
+{
+using Ids = std::vector<vtkIdType>;
+constexpr vtkIdType Unused = -1;
+
+std::array<vtkCellArray*, 4> GetCells(vtkPolyData* mesh)
+{
+  return { { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(), mesh->GetStrips() } };
+}
+
+// Calls f(number of corners, their points) for every cell.
+template <typename Function>
+void ForEachCell(vtkCellArray* cells, Function&& f)
+{
+  auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    iterator->GetCurrentCell(size, ids);
+    f(size, ids);
+  }
+}
+
+// New ids of the points, in their order; empty where a cell refers to none of them.
+Ids NumberUsedPoints(vtkPolyData* mesh)
+{
+  const vtkIdType numberOfPoints = mesh->GetNumberOfPoints();
+  Ids numbers(static_cast<size_t>(numberOfPoints), Unused);
+  bool isValid = true;
+  for (vtkCellArray* cells : GetCells(mesh))
+  {
+    ForEachCell(cells,
+      [&](vtkIdType size, const vtkIdType* ids)
+      {
+        for (vtkIdType i = 0; i < size; ++i)
+        {
+          const bool isPoint = ids[i] >= 0 && ids[i] < numberOfPoints;
+          isValid = isValid && isPoint;
+          if (isPoint)
+          {
+            numbers[ids[i]] = 0;
+          }
+        }
+      });
+  }
+  vtkIdType next = 0;
+  for (vtkIdType& number : numbers)
+  {
+    number = number == Unused ? Unused : next++;
+  }
+  return isValid ? numbers : Ids();
+}
+
+void CopyPoints(vtkPolyData* from, const Ids& numbers, vtkPolyData* to)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataType(from->GetPoints()->GetDataType());
+  vtkPointData* data = to->GetPointData();
+  data->CopyAllOn();
+  data->CopyAllocate(from->GetPointData(), from->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < from->GetNumberOfPoints(); ++i)
+  {
+    if (numbers[i] != Unused)
+    {
+      points->InsertNextPoint(from->GetPoint(i));
+      data->CopyData(from->GetPointData(), i, numbers[i]);
+    }
+  }
+  data->Squeeze();
+  to->SetPoints(points);
+}
+
+vtkSmartPointer<vtkCellArray> CopyCells(vtkCellArray* from, const Ids& numbers)
+{
+  vtkNew<vtkCellArray> to;
+  Ids corners;
+  ForEachCell(from,
+    [&](vtkIdType size, const vtkIdType* ids)
+    {
+      corners.resize(static_cast<size_t>(size));
+      std::transform(ids, ids + size, corners.begin(), [&](vtkIdType id) { return numbers[id]; });
+      to->InsertNextCell(size, corners.data());
+    });
+  return to.Get();
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> DropUnusedPoints(vtkPolyData* mesh)
+{
+  const Ids numbers = NumberUsedPoints(mesh);
+  if (std::find(numbers.begin(), numbers.end(), Unused) == numbers.end())
+  {
+    return mesh;
+  }
+  vtkNew<vtkPolyData> used;
+  CopyPoints(mesh, numbers, used);
+  used->SetVerts(CopyCells(mesh->GetVerts(), numbers));
+  used->SetLines(CopyCells(mesh->GetLines(), numbers));
+  used->SetPolys(CopyCells(mesh->GetPolys(), numbers));
+  used->SetStrips(CopyCells(mesh->GetStrips(), numbers));
+  used->GetCellData()->ShallowCopy(mesh->GetCellData());
+  used->GetFieldData()->ShallowCopy(mesh->GetFieldData());
+  return used.Get();
+}

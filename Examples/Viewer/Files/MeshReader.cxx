@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Files/MeshReader.h"
+
+#ifdef VIEWER_HAS_EXODUS
+#include "Files/ExodusReader.h"
+#endif
+#include "Files/GLTFReader.h"
+#include "Files/MeshPoints.h"
+#include "Files/ViewerFile.h"
+#include "Text/ViewerMessages.h"
+#include "Text/ViewerText.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataSet.h"
+#include "vtkGenericDataObjectReader.h"
+#include "vtkGeometryFilter.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkOBJReader.h"
+#if __has_include("vtkOFFReader.h")
+#include "vtkOFFReader.h"
+#endif
+#include "vtkPLYReader.h"
+#include "vtkPolyData.h"
+#include "vtkSTLReader.h"
+#include "vtkVersion.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLUnstructuredGridReader.h"
+
+#include <functional>
+#include <map>
+#include <vector>
+
+namespace
+{
+using Mesh = vtkSmartPointer<vtkPolyData>;
+
+template <typename Reader>
+Mesh Read(const std::string& fileName, ViewerMessages& messages)
+{
+  vtkNew<Reader> reader;
+  messages.Observe(reader, "reading");
+  reader->SetFileName(fileName.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+// The surface of a data set that is not a surface itself.
+template <typename Reader>
+Mesh ReadSurface(const std::string& fileName, ViewerMessages& messages)
+{
+  vtkNew<Reader> reader;
+  messages.Observe(reader, "reading");
+  reader->SetFileName(fileName.c_str());
+  reader->Update();
+  messages.Check();
+  auto* data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
+  if (!data)
+  {
+    throw ViewerError("cannot read " + fileName + ": it has no data set with points and cells");
+  }
+  if (auto* mesh = vtkPolyData::SafeDownCast(data))
+  {
+    return mesh;
+  }
+  vtkNew<vtkGeometryFilter> surface;
+  messages.Observe(surface, "taking the surface");
+  surface->SetInputData(data);
+  surface->Update();
+  return surface->GetOutput();
+}
+
+using Function = std::function<Mesh(const std::string&, ViewerMessages&)>;
+const std::map<std::string, Function>& GetReaders()
+{
+  static const std::map<std::string, Function> readers = {
+#ifdef VIEWER_HAS_EXODUS
+    { ".ex2", ReadExodus },
+#endif
+    { ".glb", ReadGLTF },
+    { ".gltf", ReadGLTF },
+    { ".obj", Read<vtkOBJReader> },
+#if __has_include("vtkOFFReader.h") // VTK 9.4 and later
+    { ".off", Read<vtkOFFReader> },
+#endif
+    { ".ply", Read<vtkPLYReader> },
+    { ".stl", Read<vtkSTLReader> },
+    { ".vtk", ReadSurface<vtkGenericDataObjectReader> },
+    { ".vtp", Read<vtkXMLPolyDataReader> },
+    { ".vtu", ReadSurface<vtkXMLUnstructuredGridReader> },
+  };
+  return readers;
+}
+
+Mesh ReadFormat(const std::string& fileName, ViewerMessages& messages)
+{
+  const auto reader = GetReaders().find(GetExtension(fileName));
+  if (reader != GetReaders().end())
+  {
+    return reader->second(fileName, messages);
+  }
+  throw ViewerError("VTK " + std::string(vtkVersion::GetVTKVersion()) + " cannot read " +
+    GetExtension(fileName) + " files; meshes are read from " + GetMeshFormats());
+}
+
+void CheckPoints(vtkPolyData* mesh, const std::string& fileName)
+{
+  vtkIdType number = 0;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    mesh->GetPoint(i, point);
+    number +=
+      vtkMath::IsFinite(point[0]) && vtkMath::IsFinite(point[1]) && vtkMath::IsFinite(point[2]) ? 0
+                                                                                                : 1;
+  }
+  if (number > 0)
+  {
+    throw ViewerError(fileName + ": " + std::to_string(number) + " of " +
+      std::to_string(mesh->GetNumberOfPoints()) + " points are not finite");
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+bool IsMeshFile(const std::string& fileName)
+{
+  const std::string extension = GetExtension(fileName);
+  // Meshes, whether or not this VTK reads them.
+  return GetReaders().count(extension) > 0 || extension == ".ex2" || extension == ".off";
+}
+
+//------------------------------------------------------------------------------
+std::string GetMeshFormats()
+{
+  std::vector<std::string> extensions;
+  for (const auto& reader : GetReaders())
+  {
+    extensions.push_back(reader.first);
+  }
+  return JoinWords(extensions) + " files";
+}
+
+//------------------------------------------------------------------------------
+Mesh ReadMesh(const std::string& fileName, ViewerMessages& messages)
+{
+  CheckFile(fileName);
+  Mesh mesh;
+  try
+  {
+    mesh = ReadFormat(fileName, messages);
+    messages.Check();
+  }
+  catch (const std::exception& error)
+  {
+    const std::string text = error.what();
+    throw ViewerError(
+      text.find(fileName) != std::string::npos ? text : "cannot read " + fileName + ": " + text);
+  }
+  if (!mesh || mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0)
+  {
+    throw ViewerError(fileName + " has no polygons to draw");
+  }
+  mesh = DropUnusedPoints(mesh);
+  CheckPoints(mesh, fileName);
+  return mesh;
+}

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Options/ViewerArguments.h"
+
+#include "Files/ViewerFile.h"
+
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <sstream>
+
+namespace
+{
+const int LargestBand = 65535;
+const int LargestSize = 16384;
+
+UsageError BadValue(const std::string& option, const std::string& what, const std::string& text)
+{
+  return UsageError(option + " needs " + what + ", not '" + text + "'");
+}
+
+// What stands between commas.
+std::vector<std::string> Split(const std::string& text)
+{
+  std::vector<std::string> parts;
+  std::istringstream stream(text + ",");
+  for (std::string part; std::getline(stream, part, ',');)
+  {
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+std::string ToText(double value)
+{
+  std::ostringstream stream;
+  stream << value;
+  return stream.str();
+}
+}
+
+//------------------------------------------------------------------------------
+double ToNumber(const std::string& option, const std::string& text)
+{
+  std::size_t end = 0;
+  double value = 0.0;
+  try
+  {
+    value = std::stod(text, &end);
+  }
+  catch (const std::logic_error&)
+  {
+    end = 0;
+  }
+  if (end == 0 || end != text.size() || !std::isfinite(value))
+  {
+    throw BadValue(option, "a number", text);
+  }
+  return value;
+}
+
+//------------------------------------------------------------------------------
+double ToNumber(const std::string& option, const std::string& text, double lowest, double highest)
+{
+  const double value = ToNumber(option, text);
+  if (value < lowest || value > highest)
+  {
+    throw BadValue(option, "a number from " + ToText(lowest) + " to " + ToText(highest), text);
+  }
+  return value;
+}
+
+//------------------------------------------------------------------------------
+double ToSample(const std::string& option, const std::string& text)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  const std::map<std::string, double> words = { { "nan", std::nan("") }, { "inf", infinity },
+    { "-inf", -infinity } };
+  const auto word = words.find(vtksys::SystemTools::LowerCase(text));
+  return word != words.end() ? word->second : ToNumber(option, text);
+}
+
+//------------------------------------------------------------------------------
+double ToPositiveNumber(const std::string& option, const std::string& text)
+{
+  const double value = ToNumber(option, text);
+  if (value <= 0.0)
+  {
+    throw BadValue(option, "a number above 0", text);
+  }
+  return value;
+}
+
+//------------------------------------------------------------------------------
+int ToInteger(const std::string& option, const std::string& text, int lowest, int highest)
+{
+  const double value = ToNumber(option, text);
+  if (value != std::floor(value) || value < lowest || value > highest)
+  {
+    throw BadValue(option,
+      "a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest), text);
+  }
+  return static_cast<int>(value);
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> ToNumbers(
+  const std::string& option, const std::string& text, const std::string& form)
+{
+  const std::vector<std::string> parts = Split(text);
+  if (parts.size() != Split(form).size())
+  {
+    throw BadValue(option, form, text);
+  }
+  std::vector<double> numbers;
+  std::transform(parts.begin(), parts.end(), std::back_inserter(numbers),
+    [&](const std::string& part) { return ToNumber(option, part); });
+  return numbers;
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 2> ToDirection(
+  const std::string& option, const std::string& text, double highest)
+{
+  const auto angles = ToNumbers(option, text, "AZIMUTH,ELEVATION");
+  ToNumber(option + "'s elevation", Split(text)[1], -highest, highest);
+  return { { angles[0], angles[1] } };
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> ToPlace(const std::string& option, const std::string& text, bool isOnMesh)
+{
+  const std::size_t numbers = Split(text).size();
+  if (numbers != 3 && (isOnMesh || numbers != 2))
+  {
+    throw BadValue(option, isOnMesh ? "X,Y,Z" : "X,Y or X,Y,Z", text);
+  }
+  return ToNumbers(option, text, numbers == 3 ? "X,Y,Z" : "X,Y");
+}
+
+//------------------------------------------------------------------------------
+void ToSize(const std::string& option, const std::string& text, int size[2])
+{
+  const std::size_t cross = text.find('x');
+  if (cross == std::string::npos)
+  {
+    throw BadValue(option, "WIDTHxHEIGHT", text);
+  }
+  size[0] = ToInteger(option, text.substr(0, cross), 1, LargestSize);
+  size[1] = ToInteger(option, text.substr(cross + 1), 1, LargestSize);
+}
+
+//------------------------------------------------------------------------------
+void ToBands(const std::string& option, const std::string& text, int bands[3])
+{
+  const std::vector<std::string> parts = Split(text);
+  if (parts.size() != 3)
+  {
+    throw BadValue(option, "three bands, as 3,2,1", text);
+  }
+  std::transform(parts.begin(), parts.end(), bands,
+    [&](const std::string& part) { return ToInteger(option, part, 1, LargestBand); });
+}
+
+//------------------------------------------------------------------------------
+std::string ToFileName(
+  const std::string& option, const std::string& text, const std::vector<std::string>& extensions)
+{
+  if (std::find(extensions.begin(), extensions.end(), GetExtension(text)) == extensions.end())
+  {
+    throw BadValue(option, "the name of a " + JoinWords(extensions) + " file", text);
+  }
+  return text;
+}

@@ -1,0 +1,388 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Options/ViewerOptions.h"
+
+#include "Files/MeshReader.h"
+#include "Files/ViewerExport.h"
+#include "Options/ViewerArguments.h"
+
+#include "vtkAdaptiveRefinementMapper.h"
+#include "vtkLICSettings.h"
+
+#include <functional>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace
+{
+const int HighestLevel = 7;
+const int LargestResolution = 4096;
+const int MostSteps = 1000;
+
+using Flags = std::map<std::string, std::function<void()>>;
+using Setter = std::function<void(const std::string& option, const std::string& value)>;
+using Settings = std::map<std::string, Setter>;
+
+// Reads options one by one, then checks what goes with what.
+class Parser
+{
+public:
+  ViewerOptions Parse(int argc, char* argv[])
+  {
+    this->AddFlags();
+    this->AddSurface();
+    this->AddTerrain();
+    this->AddMesh();
+    this->AddFlow();
+    this->AddLevels();
+    this->AddPicture();
+    for (int i = 1; i < argc; ++i)
+    {
+      i += this->ReadArgument(argv[i], i + 1 < argc ? argv[i + 1] : nullptr);
+    }
+    if (this->Options.Help || this->Options.Version)
+    {
+      return this->Options;
+    }
+    if (this->Options.Input.empty())
+    {
+      throw UsageError("no height map or mesh is given");
+    }
+    this->Options.IsMesh = IsMeshFile(this->Options.Input);
+    this->Check();
+    return this->Options;
+  }
+
+private:
+  void AddFlags()
+  {
+    ViewerOptions& options = this->Options;
+    this->AllFlags = {
+      { "--help", [&] { options.Help = true; } },
+      { "-h", [&] { options.Help = true; } },
+      { "--no-geomorphing", [&] { options.Geomorphing = false; } },
+      { "--no-legend", [&] { options.Legend = false; } },
+      { "--per-edge", [&] { options.PerEdge = true; } },
+      { "--stats", [&] { options.Statistics = true; } },
+      { "--stretch", [&] { options.Stretch = true; } },
+      { "--version", [&] { options.Version = true; } },
+      { "--wireframe", [&] { options.Wireframe = true; } },
+    };
+  }
+
+  void AddSurface()
+  {
+    ViewerOptions& options = this->Options;
+    const Setter imagery = [&](const auto&, const auto& value) { options.Imagery = value; };
+    this->AllSettings.insert({
+      { "--alpha",
+        [&](const auto& option, const auto& value)
+        { options.Alpha = ToNumber(option, value, 0.0, 1.0); } },
+      { "--amplitude",
+        [&](const auto& option, const auto& value)
+        { options.Amplitude = ToNumber(option, value); } },
+      { "--frequency",
+        [&](const auto& option, const auto& value)
+        { options.Frequency = ToNumber(option, value); } },
+      { "--image", imagery },
+      { "--imagery", imagery },
+      { "--no-data",
+        [&](const auto& option, const auto& value) {
+          options.FillNoData =
+            ToChoice<bool>(option, value, { { "hole", false }, { "fill", true } });
+        } },
+      { "--no-data-value",
+        [&](const auto& option, const auto& value)
+        { options.NoDataValue = ToSample(option, value); } },
+      { "--surface",
+        [&](const auto& option, const auto& value)
+        {
+          using Type = ViewerOptions::SurfaceType;
+          options.Surface = ToChoice<Type>(option, value,
+            { { "linear", Type::Linear }, { "pn", Type::PNTriangle }, { "phong", Type::Phong },
+              { "st", Type::ScalarTagged }, { "procedural", Type::Procedural },
+              { "g1", Type::G1 } });
+        } },
+    });
+  }
+
+  void AddTerrain()
+  {
+    ViewerOptions& options = this->Options;
+    this->AllSettings.insert({
+      { "--exaggeration",
+        [&](const auto& option, const auto& value)
+        { options.Exaggeration = ToNumber(option, value); } },
+      { "--imagery-bands",
+        [&](const auto& option, const auto& value)
+        { ToBands(option, value, options.ImageryBands); } },
+      { "--resolution",
+        [&](const auto& option, const auto& value)
+        { options.Resolution = ToInteger(option, value, 1, LargestResolution); } },
+    });
+  }
+
+  void AddMesh()
+  {
+    ViewerOptions& options = this->Options;
+    this->AllSettings.insert({
+      { "--array", [&](const auto&, const auto& value) { options.Array = value; } },
+      { "--feature-angle",
+        [&](const auto& option, const auto& value)
+        { options.FeatureAngle = ToNumber(option, value, 0.0, 180.0); } },
+      { "--height", [&](const auto&, const auto& value) { options.Heights = value; } },
+      { "--mapping",
+        [&](const auto& option, const auto& value)
+        {
+          using Type = ViewerOptions::MappingType;
+          options.Mapping =
+            ToChoice<Type>(option, value, { { "sphere", Type::Sphere }, { "plane", Type::Plane } });
+        } },
+      { "--offset",
+        [&](const auto& option, const auto& value) { options.Offset = ToNumber(option, value); } },
+      { "--scale",
+        [&](const auto& option, const auto& value) { options.Scale = ToNumber(option, value); } },
+      { "--up",
+        [&](const auto& option, const auto& value) {
+          options.UpAxis = ToChoice<int>(option, value, { { "x", 0 }, { "y", 1 }, { "z", 2 } });
+        } },
+    });
+  }
+
+  void AddFlow()
+  {
+    ViewerOptions& options = this->Options;
+    using LIC = vtkLICSettings;
+    this->AllSettings.insert({
+      { "--lic",
+        [&](const auto& option, const auto& value)
+        {
+          if (value.empty())
+          {
+            throw UsageError(option + " needs the name of an array of vectors");
+          }
+          options.Vectors = value;
+        } },
+      { "--lic-contrast",
+        [&](const auto& option, const auto& value)
+        {
+          options.LICContrast = ToChoice<int>(option, value,
+            { { "off", LIC::ENHANCE_CONTRAST_OFF }, { "lic", LIC::ENHANCE_CONTRAST_LIC },
+              { "color", LIC::ENHANCE_CONTRAST_COLOR }, { "both", LIC::ENHANCE_CONTRAST_BOTH } });
+        } },
+      { "--lic-intensity",
+        [&](const auto& option, const auto& value)
+        { options.LICIntensity = ToNumber(option, value, 0.0, 1.0); } },
+      { "--lic-mode",
+        [&](const auto& option, const auto& value)
+        {
+          options.LICMode = ToChoice<int>(option, value,
+            { { "blend", LIC::COLOR_MODE_BLEND }, { "multiply", LIC::COLOR_MODE_MAP } });
+        } },
+      { "--lic-phase",
+        [&](const auto& option, const auto& value)
+        { options.LICPhase = ToNumber(option, value); } },
+      { "--lic-step-size",
+        [&](const auto& option, const auto& value)
+        { options.LICStepSize = ToPositiveNumber(option, value); } },
+      { "--lic-steps",
+        [&](const auto& option, const auto& value)
+        { options.LICSteps = ToInteger(option, value, 1, MostSteps); } },
+    });
+  }
+
+  void AddLevels()
+  {
+    ViewerOptions& options = this->Options;
+    this->AllSettings.insert({
+      { "--budget",
+        [&](const auto& option, const auto& value)
+        { options.Budget = ToInteger(option, value, 1, std::numeric_limits<int>::max()); } },
+      { "--level",
+        [&](const auto& option, const auto& value)
+        { options.UniformLevel = ToInteger(option, value, 0, HighestLevel); } },
+      { "--max-level",
+        [&](const auto& option, const auto& value)
+        { options.MaximumLevel = ToInteger(option, value, 0, HighestLevel); } },
+      { "--method",
+        [&](const auto& option, const auto& value)
+        {
+          using Mapper = vtkAdaptiveRefinementMapper;
+          options.Method = ToChoice<int>(option, value,
+            { { "arkfpi", Mapper::METHOD_ARKFPI }, { "ark", Mapper::METHOD_ARK },
+              { "dmr", Mapper::METHOD_DMR }, { "suapt", Mapper::METHOD_SUAPT },
+              { "tessellation", Mapper::METHOD_HARDWARE_TESSELLATION },
+              { "uniform", Mapper::METHOD_UNIFORM } });
+        } },
+      { "--metric",
+        [&](const auto& option, const auto& value)
+        {
+          using Type = ViewerOptions::MetricType;
+          options.Metric = ToChoice<Type>(option, value,
+            { { "distance", Type::Distance }, { "screen-edge", Type::ScreenEdge },
+              { "curvature", Type::Curvature }, { "silhouette", Type::Silhouette },
+              { "contour", Type::Contour }, { "view-dependent", Type::ViewDependent },
+              { "field", Type::Field }, { "region", Type::Region } });
+        } },
+      { "--pixels",
+        [&](const auto& option, const auto& value)
+        { options.Pixels = ToPositiveNumber(option, value); } },
+      { "--reach",
+        [&](const auto& option, const auto& value)
+        { options.Reach = ToPositiveNumber(option, value); } },
+      { "--region", [&](const auto&, const auto& value) { this->Region = value; } },
+      { "--segments",
+        [&](const auto& option, const auto& value)
+        {
+          options.WholeSegments =
+            ToChoice<bool>(option, value, { { "powers", false }, { "whole", true } });
+        } },
+    });
+  }
+
+  void AddPicture()
+  {
+    ViewerOptions& options = this->Options;
+    this->AllSettings.insert({
+      { "--center", [&](const auto&, const auto& value) { this->Center = value; } },
+      { "--color-by",
+        [&](const auto& option, const auto& value)
+        {
+          using Type = ViewerOptions::ColorType;
+          options.Color = ToChoice<Type>(option, value,
+            { { "level", Type::Level }, { "pattern", Type::Pattern }, { "metric", Type::Metric } });
+        } },
+      { "--export",
+        [&](const auto& option, const auto& value)
+        { options.Export = ToFileName(option, value, GetExportExtensions()); } },
+      { "--light",
+        [&](const auto& option, const auto& value)
+        { options.Light = ToDirection(option, value, 90.0); } },
+      { "--output",
+        [&](const auto& option, const auto& value)
+        { options.Output = ToFileName(option, value, { ".png" }); } },
+      { "--size",
+        [&](const auto& option, const auto& value) { ToSize(option, value, options.Size); } },
+      { "--view",
+        [&](const auto& option, const auto& value)
+        { options.View = ToDirection(option, value, 89.0); } },
+      { "--zoom",
+        [&](const auto& option, const auto& value)
+        { options.Zoom = ToPositiveNumber(option, value); } },
+    });
+  }
+
+  // Returns how many of the next arguments it has used up.
+  int ReadArgument(const std::string& argument, const char* next)
+  {
+    const auto flag = this->AllFlags.find(argument);
+    if (flag != this->AllFlags.end())
+    {
+      this->Given.insert(argument);
+      flag->second();
+      return 0;
+    }
+    if (argument.size() < 2 || argument[0] != '-')
+    {
+      if (!this->Options.Input.empty())
+      {
+        throw UsageError(
+          "more than one height map or mesh: '" + this->Options.Input + "' and '" + argument + "'");
+      }
+      this->Options.Input = argument;
+      return 0;
+    }
+    // --option VALUE or --option=VALUE
+    const std::size_t equals = argument.find('=');
+    const std::string option = argument.substr(0, equals);
+    const auto setting = this->AllSettings.find(option);
+    if (setting == this->AllSettings.end())
+    {
+      throw UsageError("unknown option '" + option + "'");
+    }
+    if (equals == std::string::npos && !next)
+    {
+      throw UsageError(option + " needs a value");
+    }
+    this->Given.insert(option);
+    setting->second(option, equals == std::string::npos ? next : argument.substr(equals + 1));
+    return equals == std::string::npos ? 1 : 0;
+  }
+
+  void CheckUse(const std::vector<std::string>& names, bool isUseful, const std::string& partner)
+  {
+    for (const std::string& option : names)
+    {
+      if (this->Given.count(option) && !isUseful)
+      {
+        throw UsageError(option + " goes with " + partner);
+      }
+    }
+  }
+
+  void Check()
+  {
+    ViewerOptions& options = this->Options;
+    using Metric = ViewerOptions::MetricType;
+    using Surface = ViewerOptions::SurfaceType;
+    this->CheckUse({ "--exaggeration", "--imagery-bands", "--resolution", "--stretch" },
+      !options.IsMesh, "height maps");
+    this->CheckUse(
+      { "--array", "--feature-angle", "--height", "--mapping", "--up" }, options.IsMesh, "meshes");
+    const bool hasHeights = !options.IsMesh || !options.Heights.empty();
+    this->CheckUse({ "--scale", "--offset" }, options.IsMesh && hasHeights, "--height");
+    this->CheckUse({ "--no-data", "--no-data-value" }, hasHeights, "--height");
+    this->CheckUse({ "--mapping" }, hasHeights || !options.Imagery.empty(), "--height or --image");
+    this->CheckUse({ "--alpha" }, options.GetSurface() == Surface::Phong, "--surface phong");
+    this->CheckUse({ "--amplitude", "--frequency" }, options.GetSurface() == Surface::Procedural,
+      "--surface procedural");
+    const bool hasFlow = !options.Vectors.empty();
+    this->CheckUse({ "--lic" }, options.IsMesh, "meshes");
+    this->CheckUse({ "--lic-contrast", "--lic-intensity", "--lic-mode", "--lic-phase",
+                     "--lic-step-size", "--lic-steps" },
+      hasFlow, "--lic");
+    this->CheckUse({ "--lic-intensity" },
+      options.LICMode.value_or(vtkLICSettings::COLOR_MODE_BLEND) ==
+        vtkLICSettings::COLOR_MODE_BLEND,
+      "--lic-mode blend");
+    this->CheckUse({ "--metric", "--max-level", "--per-edge" }, !options.UniformLevel,
+      "metrics, not with --level");
+    this->CheckUse({ "--pixels" },
+      options.GetMetric() == Metric::ScreenEdge && !options.UniformLevel, "--metric screen-edge");
+    this->CheckUse({ "--reach" }, options.GetMetric() == Metric::Distance && !options.UniformLevel,
+      "--metric distance");
+    this->CheckUse({ "--region" }, options.GetMetric() == Metric::Region, "--metric region");
+    if (this->Given.count("--region"))
+    {
+      options.Region =
+        ToNumbers("--region", this->Region, options.IsMesh ? "X,Y,Z,RADIUS" : "X,Y,RADIUS");
+      if (options.Region->back() <= 0.0)
+      {
+        throw UsageError("--region needs a radius above 0, not '" + this->Region + "'");
+      }
+    }
+    if (this->Given.count("--center"))
+    {
+      options.Center = ToPlace("--center", this->Center, options.IsMesh);
+    }
+    if (options.Budget > 0 && !options.Export.empty())
+    {
+      throw UsageError("--budget does not go with --export: it limits what is drawn");
+    }
+  }
+
+  ViewerOptions Options;
+  Flags AllFlags;
+  Settings AllSettings;
+  std::set<std::string> Given;
+  std::string Center;
+  std::string Region;
+};
+}
+
+//------------------------------------------------------------------------------
+ViewerOptions ParseOptions(int argc, char* argv[])
+{
+  return Parser().Parse(argc, argv);
+}

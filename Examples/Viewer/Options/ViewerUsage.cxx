@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Options/ViewerOptions.h"
+
+namespace
+{
+const char* const Options = R"(relevo-view FILE [options]
+
+Draws a height map (GeoTIFF, SRTM .hgt, USGS DEM, PNG, OpenEXR ...) or a mesh (.vtp, .ply, .obj,
+.stl, .gltf, .glb, .off, .vtk, .vtu, .ex2), refined where it matters: a window when there is a
+display, a picture with --output.
+
+The surface:
+  --surface NAME         linear (default for height maps), pn (default for meshes; curved PN
+                         triangles), phong, st (scalar-tagged PN triangles, by the mesh's arrays
+                         Sharpness, Tension, Bias and Direction), g1 (with tangent planes that
+                         join), procedural (fur)
+  --alpha A              how far phong bulges, from 0, flat, to 1 (default 1)
+  --amplitude A          height of procedural's fur, in the mesh's units (default: 0.03 of its
+                         diagonal)
+  --frequency F          half waves of procedural's fur along a coarse edge (default 1)
+  --image FILE           drape a picture over the surface. On height maps: georeferenced, also as
+                         --imagery; without one, colours show the height. On meshes: PNG, JPEG,
+                         TIFF or BMP
+  --no-data hole|fill    leave places without data empty (default), or fill them in smoothly
+  --no-data-value V      heights equal to V, a number or nan, have no data, besides those that the
+                         file declares
+
+Height maps:
+  --imagery-bands R,G,B  which bands of the picture, from 1, are red, green and blue (default: as
+                         the file says, else 1,2,3)
+  --stretch              stretch the contrast of each band, as raw satellite images need
+  --exaggeration X       factor on heights (default 1)
+  --resolution N         coarse squares along the longer side (default 128)
+
+Meshes:
+  --height FILE          move the surface by a height map along its normals
+  --scale S              length per unit of height (default: a relief of 0.05 of the diagonal, its
+                         lowest place on the surface)
+  --offset O             length added to every height (default 0 with --scale)
+  --mapping sphere|plane how height map and picture lie on a mesh without texture coordinates:
+                         sphere wraps them around it, from pole to pole of the up axis, mirrored on
+                         its far half so that there is no seam; plane projects them along the
+                         shortest side of its bounding box (default: plane where that side is less
+                         than a tenth of the longest, else sphere)
+  --array NAME           colour by this array, points' or cells' (default: the active scalars)
+  --feature-angle DEG    keep edges sharp where faces meet at more than this angle
+  --up x|y|z             the axis that points up (default y)
+  --lic ARRAY            streaks along this array of 2 or 3 components, points' or cells', by line
+                         integral convolution; without --array and --image coloured by length
+  --lic-steps N          steps of a streak each way (default 20)
+  --lic-step-size PIXELS length of a step (default 1)
+  --lic-contrast off|lic|color|both
+                         what to stretch to full contrast (default off)
+  --lic-mode blend|multiply
+                         streaks over the colours (default), or as their lightness
+  --lic-intensity I      the streaks' share of a blend, 0 to 1 (default 0.8)
+  --lic-phase P          how far the streaks have moved, in loops: P and P + 1 look alike (default 0)
+
+Level of detail:
+  --level N              every edge at level N, 0 to 7: an edge has 2^N segments
+  --max-level N          highest level of the metric (default: as fine as the height map or the
+                         pixels of the picture)
+  --metric NAME          what to refine: distance (default for height maps; what is near),
+                         screen-edge (default for meshes; what is long on the screen), curvature,
+                         silhouette, contour (outlines by normals or by faces), view-dependent
+                         (curved and seen edge-on), field (where the height, or a mesh's array of
+                         points, varies), region (around a place). Default with --lic: where the
+                         vectors vary, and edges of more than 10 pixels
+  --reach M              how far from the camera distance refines (default: three times the
+                         diagonal)
+  --pixels N             length of a segment on the screen for screen-edge (default 4) and for
+                         the metric of --lic (default 10)
+  --region X,Y,RADIUS    the place for region: on height maps in metres from the centre;
+                         X,Y,Z,RADIUS on meshes, in their coordinates (default:
+                         around the centre, or the mesh's first point)
+  --method NAME          how triangles are made: arkfpi (default; adaptive refinement kernel with
+                         fewer patterns and instancing), ark (adaptive refinement kernel: a draw
+                         call for each face), dmr (dynamic mesh refinement: a geometry shader splits
+                         triangles pass by pass), suapt (semi-uniform adaptive patch tessellation:
+                         uniform patterns with snapped borders), tessellation (the graphics
+                         card's), uniform (every face at the highest level)
+  --per-edge             give each edge a level of its own, not the mean of its ends': fewer
+                         triangles
+  --segments powers|whole
+                         edges of 2^level segments (default), or of any number up to 16
+  --no-geomorphing       let new vertices appear at their places instead of sliding there
+  --budget N             draw about N triangles: raise or lower all levels
+
+The picture:
+  --color-by level|pattern|metric
+                         show these instead of the surface's own colours, with a legend
+  --wireframe            draw the edges of the refined triangles
+  --view AZ,EL           where the camera stands, in degrees: azimuth, clockwise from north (for
+                         meshes with y up, from -z), and elevation (default 192,38; meshes 205,20)
+  --center X,Y[,Z]       the place in the middle of the picture: on height maps in metres from the
+                         raster's centre, Z (exaggerated) by default that of the terrain; X,Y,Z on
+                         meshes, in their coordinates (default: all is in view)
+  --zoom F               magnify F times, about --center or the middle (default 1)
+  --light AZ,EL          where the light comes from, as --view (default 315,40; meshes 250,45);
+                         weaker lights turn with it
+  --no-legend            draw no legend of the colours
+  --stats                print faces, triangles, draw calls, graphics memory and times
+  --size WxH             size of the picture or the window, in pixels (default 1280x800)
+  --output FILE.png      write a picture and exit; needs no display
+  --export FILE          write the displaced refined mesh (.vtp, .ply, .stl, .obj) and exit: height
+                         maps in metres, x east, y north, z up, in .vtp with Origin and CoordinateSystem
+                         as field data and Height in the raster's unit as point data; meshes in
+                         their own coordinates
+  --help                 print this text and exit
+  --version              print the version of Relevo and exit
+
+In the window:
+)";
+
+const char* const ExitCodes = R"(
+Exit codes: 0 success, 1 bad input, 2 bad usage.
+)";
+}
+
+//------------------------------------------------------------------------------
+std::string GetUsage()
+{
+  return std::string(Options) + GetWindowUsage() + "\n" + ExitCodes;
+}
+
+//------------------------------------------------------------------------------
+const char* GetWindowUsage()
+{
+  return R"(  left button             rotate
+  middle, shift + left    move
+  right button, wheel     zoom
+  r                       show everything
+  w, s                    edges, surface
+  c                       print what is under the mouse
+  i                       save a picture, under a new name
+  h                       this help
+  q, e                    quit)";
+}

@@ -1,0 +1,346 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/MeshScene.h"
+
+#include "Files/MeshReader.h"
+#include "Scene/MeshColours.h"
+#include "Scene/MeshMapping.h"
+#include "Scene/MeshProbe.h"
+#include "Scene/OffscreenWindow.h"
+#include "Scene/ViewerFlow.h"
+#include "Scene/ViewerMetric.h"
+#include "Text/ViewerText.h"
+
+#include "vtkActor.h"
+#include "vtkAdaptiveRefinement.h"
+#include "vtkAdaptiveRefinementFilter.h"
+#include "vtkAdaptiveRefinementMapper.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDepthTagMetric.h"
+#include "vtkDisplacement.h"
+#include "vtkHeightMap.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkProperty.h"
+#include "vtkRefinementSurface.h"
+#include "vtkScalarsToColors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace
+{
+// The mean length of all polygons' edges, in the mesh's units.
+double GetMeanEdgeLength(vtkPolyData* mesh)
+{
+  double sum = 0.0;
+  vtkIdType number = 0;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    mesh->GetCellPoints(cell, corners);
+    const vtkIdType size = corners->GetNumberOfIds();
+    for (vtkIdType i = 0; size > 2 && i < size; ++i)
+    {
+      double a[3];
+      double b[3];
+      mesh->GetPoint(corners->GetId(i), a);
+      mesh->GetPoint(corners->GetId((i + 1) % size), b);
+      sum += std::sqrt(vtkMath::Distance2BetweenPoints(a, b));
+      ++number;
+    }
+  }
+  return number > 0 ? sum / number : 0.0;
+}
+}
+
+//------------------------------------------------------------------------------
+MeshScene::MeshScene(const ViewerOptions& options, ViewerMessages& messages)
+  : ViewerScene(options, messages)
+{
+  this->ReadMesh();
+  this->ChooseArray();
+  this->ChooseVectors();
+  this->ReadHeights();
+  this->Show(options.MaximumLevel.value_or(this->GetDefaultLevel()), this->MakeMeshMetric());
+  this->SetColours();
+  this->SetLevelColours();
+  // From above the viewer's left shoulder, and a little from the right and from behind.
+  const int up = options.UpAxis;
+  this->SetLights(
+    { { { 250.0, 45.0, up }, 0.95 }, { { 150.0, 15.0, up }, 0.45 }, { { 10.0, 40.0, up }, 0.30 } });
+  this->SetCamera(this->GetSurface(), { 205.0, 20.0, up }, this->GetCentre());
+}
+
+//------------------------------------------------------------------------------
+MeshScene::~MeshScene() = default;
+
+//------------------------------------------------------------------------------
+void MeshScene::ReadMesh()
+{
+  this->Mesh->ShallowCopy(::ReadMesh(this->Options.Input, this->Messages));
+  if (this->Options.FeatureAngle)
+  {
+    this->SplitNormals();
+  }
+  const bool isMapped = !this->Options.Heights.empty() || !this->Options.Imagery.empty();
+  if (isMapped && !this->Mesh->GetPointData()->GetTCoords())
+  {
+    AddTextureCoordinates(this->Mesh, this->Options);
+  }
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::SplitNormals()
+{
+  vtkNew<vtkPolyDataNormals> normals;
+  this->Messages.Observe(normals, "splitting");
+  normals->SetInputData(this->Mesh);
+  normals->SetFeatureAngle(*this->Options.FeatureAngle);
+  normals->ConsistencyOff(); // cells stay as they wind
+  normals->Update();
+  this->Messages.Check();
+  this->Mesh->ShallowCopy(normals->GetOutput());
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::ChooseArray()
+{
+  vtkPointData* points = this->Mesh->GetPointData();
+  vtkCellData* cells = this->Mesh->GetCellData();
+  const char* name = this->Options.Array.c_str();
+  vtkDataArray* ofPoints =
+    this->Options.Array.empty() ? points->GetScalars() : points->GetArray(name);
+  vtkDataArray* ofCells = this->Options.Array.empty() ? cells->GetScalars() : cells->GetArray(name);
+  if (!this->Options.Array.empty() && !ofPoints && !ofCells)
+  {
+    throw ViewerError(this->Options.Input + " has no array of numbers '" + name + "'");
+  }
+  vtkDataArray* array = ofPoints ? ofPoints : ofCells;
+  if (array && array->GetNumberOfTuples() > 0)
+  {
+    if (!array->GetName())
+    {
+      array->SetName("Scalars");
+    }
+    this->ArrayName = array->GetName();
+    this->HasPointArray = ofPoints != nullptr;
+  }
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::ChooseVectors()
+{
+  if (this->Options.Vectors.empty())
+  {
+    return;
+  }
+  bool isOfPoints = false;
+  this->Vectors = FindVectors(this->Options, this->Mesh, isOfPoints);
+  MarkNoData(this->Vectors);
+  FollowVectors(this->Mapper, this->Vectors, isOfPoints);
+  // The lengths of vectors are what one asks next.
+  if (this->Options.Array.empty())
+  {
+    this->ArrayName = this->Options.Vectors;
+    this->HasPointArray = isOfPoints;
+  }
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::ReadHeights()
+{
+  if (this->Options.Heights.empty())
+  {
+    return;
+  }
+  vtkNew<vtkHeightMap> heights;
+  this->Messages.Observe(heights, "reading heights");
+  this->Messages.Observe(this->Displacement);
+  heights->SetFileName(this->Options.Heights.c_str());
+  if (this->Options.NoDataValue)
+  {
+    heights->SetNoDataValue(*this->Options.NoDataValue);
+  }
+  FitIntoTexture(heights, "");
+  heights->Update();
+  this->Messages.Check();
+  double range[2];
+  heights->GetRange(range);
+  this->Displacement->SetHeightMap(heights);
+  if (this->Options.Scale)
+  {
+    this->Displacement->SetScale(*this->Options.Scale);
+  }
+  else
+  {
+    // A relief that can be seen, its lowest place on the surface.
+    const double relief = range[1] - range[0];
+    const double scale = relief > 0.0 ? 0.05 * this->Mesh->GetLength() / relief : 0.0;
+    this->Displacement->SetScale(scale);
+    this->Displacement->SetOffset(-scale * range[0]);
+  }
+  if (this->Options.Offset)
+  {
+    this->Displacement->SetOffset(*this->Options.Offset);
+  }
+  if (this->Options.FillNoData)
+  {
+    this->Displacement->SetNoDataPolicyToFill();
+  }
+  this->Recipe->SetDisplacement(this->Displacement);
+}
+
+//------------------------------------------------------------------------------
+int MeshScene::GetDefaultLevel()
+{
+  // Levels of edges on the screen end by themselves.
+  if (this->Options.GetMetric() == ViewerOptions::MetricType::ScreenEdge &&
+    !this->Options.IsFlowMetric())
+  {
+    return 7;
+  }
+  // Else down to about the same length, for an edge as the mesh has them and the whole in view.
+  const double pixels = this->Options.Zoom *
+    std::max(this->Options.Size[0], this->Options.Size[1]) * GetMeanEdgeLength(this->Mesh) /
+    this->Mesh->GetLength();
+  const double level = std::ceil(std::log2(pixels / ViewerOptions::DefaultPixels));
+  return static_cast<int>(std::min(std::max(level, 0.0), 7.0));
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDepthTagMetric> MeshScene::MakeMeshMetric()
+{
+  const bool isOfVectors = this->Vectors && this->Options.Array.empty();
+  auto metric = MakeMetric(this->Options, this->Mesh,
+    isOfVectors || this->HasPointArray ? this->ArrayName : std::string());
+  this->Messages.Observe(metric);
+  return metric;
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::SetColours()
+{
+  vtkProperty* property = this->Actor->GetProperty();
+  property->SetColor(0.80, 0.78, 0.74);
+  property->SetAmbient(0.12);
+  property->SetDiffuse(0.80);
+  property->SetSpecular(0.18);
+  property->SetSpecularPower(30.0);
+  property->SetInterpolationToPhong();
+  this->Mapper->ScalarVisibilityOff();
+  if (!this->Options.Imagery.empty())
+  {
+    property->SetColor(1.0, 1.0, 1.0);
+    this->SetTexture(ReadImage(this->Options.Imagery, this->Messages));
+  }
+  // A picture says more than scalars that nobody asked for.
+  else if (!this->ArrayName.empty())
+  {
+    this->SetArrayColours();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* MeshScene::GetArray()
+{
+  vtkDataSetAttributes* data = this->HasPointArray
+    ? static_cast<vtkDataSetAttributes*>(this->Mesh->GetPointData())
+    : this->Mesh->GetCellData();
+  return data->GetArray(this->ArrayName.c_str());
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::SetArrayColours()
+{
+  vtkDataArray* array = this->GetArray();
+  this->HasPointArray ? this->Mapper->SetScalarModeToUsePointFieldData()
+                      : this->Mapper->SetScalarModeToUseCellFieldData();
+  this->Mapper->SelectColorArray(this->ArrayName.c_str());
+  this->Mapper->ScalarVisibilityOn();
+  // Bytes of three components are colours already.
+  if (array->GetDataType() == VTK_UNSIGNED_CHAR && array->GetNumberOfComponents() >= 3)
+  {
+    return;
+  }
+  double range[2];
+  array == this->Vectors
+    ? GetLengthRange(array, range)
+    : array->GetFiniteRange(range, array->GetNumberOfComponents() > 1 ? -1 : 0);
+  const auto colours = MakeColours(range);
+  this->Mapper->SetLookupTable(colours);
+  this->Mapper->InterpolateScalarsBeforeMappingOn();
+  if (this->Options.Color == ViewerOptions::ColorType::Own)
+  {
+    this->AddLegend(colours, this->ArrayName, 5);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::optional<std::array<double, 3>> MeshScene::GetCentre()
+{
+  if (!this->Options.Center)
+  {
+    return std::nullopt;
+  }
+  const std::vector<double>& place = *this->Options.Center;
+  return { { { place[0], place[1], place[2] } } };
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> MeshScene::GetSurface()
+{
+  const vtkIdType enough = 100000;
+  int level = 3;
+  while (level > 0 && (this->Mesh->GetNumberOfCells() << (2 * level)) > enough)
+  {
+    --level;
+  }
+  vtkNew<vtkAdaptiveRefinement> recipe;
+  recipe->SetMaximumLevel(level);
+  recipe->SetSurface(this->Recipe->GetSurface());
+  recipe->SetDisplacement(this->Recipe->GetDisplacement());
+  vtkNew<vtkAdaptiveRefinementFilter> filter;
+  this->Messages.Observe(filter, "measuring");
+  filter->SetInputData(this->Mesh);
+  filter->SetRefinement(recipe);
+  filter->Update();
+  this->Messages.Check();
+  if (filter->GetOutput()->GetNumberOfCells() == 0)
+  {
+    throw ViewerError(
+      this->Options.Input + ": no triangle has three corners of its own, and heights");
+  }
+  return filter->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+std::string MeshScene::Describe(const double point[3], double resolution)
+{
+  std::string text = "x " + FormatNumber(point[0], resolution) + "  y " +
+    FormatNumber(point[1], resolution) + "  z " + FormatNumber(point[2], resolution);
+  if (!this->ArrayName.empty())
+  {
+    if (!this->Probe)
+    {
+      this->Probe = std::make_unique<MeshProbe>(
+        this->Mesh, this->Recipe, this->GetArray(), this->HasPointArray);
+    }
+    std::ostringstream value;
+    value << std::setprecision(4);
+    for (double component : this->Probe->GetValue(point, this->Renderer))
+    {
+      value << " " << component;
+    }
+    text += "\n" + this->ArrayName + value.str();
+  }
+  return text;
+}

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   MeshScene
+ * @brief   a mesh on a curved surface, moved by a height map, in the colours of an array or a
+ * picture
+ */
+#ifndef MeshScene_h
+#define MeshScene_h
+
+#include "Scene/ViewerScene.h"
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class MeshProbe;
+class vtkDataArray;
+class vtkDisplacement;
+
+class MeshScene : public ViewerScene
+{
+public:
+  /// Reads the files; throws ViewerError.
+  MeshScene(const ViewerOptions& options, ViewerMessages& messages);
+  ~MeshScene() override;
+
+  std::string GetUnit() override { return ""; }
+  std::string Describe(const double point[3], double resolution) override;
+
+private:
+  void ReadMesh();
+  void SplitNormals();
+  void ReadHeights();
+  void ChooseArray();
+  void ChooseVectors();
+  int GetDefaultLevel();
+  vtkSmartPointer<vtkDepthTagMetric> MakeMeshMetric();
+  void SetColours();
+  void SetArrayColours();
+  vtkDataArray* GetArray();
+  std::optional<std::array<double, 3>> GetCentre();
+  vtkSmartPointer<vtkPolyData> GetSurface();
+
+  vtkNew<vtkDisplacement> Displacement;
+  // The array that colours the mesh: empty for none, and whether its numbers are of points.
+  std::string ArrayName;
+  bool HasPointArray = false;
+  std::unique_ptr<MeshProbe> Probe; // of that array, from the first question on
+  // Vectors of the streaks; nullptr for none.
+  vtkSmartPointer<vtkDataArray> Vectors;
+};
+
+#endif

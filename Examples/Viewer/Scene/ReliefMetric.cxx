@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/ReliefMetric.h"
+
+#include "Metrics/MetricEvaluator.h"
+#include "Metrics/MetricMesh.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+
+namespace
+{
+// Tags of points and edges of the relief are those of the mesh: it has them in the same order.
+class ReliefEvaluator : public relevo::MetricEvaluator
+{
+public:
+  ReliefEvaluator(ReliefMetric* metric, const std::shared_ptr<relevo::MetricMesh>& mesh)
+    : MetricEvaluator(mesh)
+    , Metric(metric)
+    , Relief(std::make_shared<relevo::MetricMesh>())
+  {
+  }
+
+  bool ComputeTags(
+    const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags) override
+  {
+    return this->Update().ComputeTags(view, maximumLevel, tags);
+  }
+
+  bool ComputeEdgeTags(
+    const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags) override
+  {
+    return this->Update().ComputeEdgeTags(view, maximumLevel, tags);
+  }
+
+private:
+  // That of the metric for the relief.
+  relevo::MetricEvaluator& Update()
+  {
+    this->Relief->Update(this->Metric->GetRelief());
+    if (this->Evaluated != this->Metric->GetMetric())
+    {
+      this->Evaluated = this->Metric->GetMetric();
+      this->Evaluator = relevo::MakeEvaluator(this->Evaluated, this->Relief);
+    }
+    return *this->Evaluator;
+  }
+
+  vtkSmartPointer<ReliefMetric> Metric;
+  std::shared_ptr<relevo::MetricMesh> Relief;
+  vtkSmartPointer<vtkDepthTagMetric> Evaluated;
+  std::unique_ptr<relevo::MetricEvaluator> Evaluator;
+};
+}
+
+vtkStandardNewMacro(ReliefMetric);
+
+void ReliefMetric::SetMetric(vtkDepthTagMetric* metric)
+{
+  this->Metric = metric;
+  this->Modified();
+}
+
+void ReliefMetric::SetRelief(vtkPolyData* relief)
+{
+  this->Relief = relief;
+  this->Modified();
+}
+
+std::unique_ptr<relevo::MetricEvaluator> ReliefMetric::NewEvaluator(
+  const std::shared_ptr<relevo::MetricMesh>& mesh)
+{
+  return std::make_unique<ReliefEvaluator>(this, mesh);
+}
+
+vtkMTimeType ReliefMetric::GetMTime()
+{
+  return std::max({ this->Superclass::GetMTime(), this->Metric ? this->Metric->GetMTime() : 0,
+    this->Relief ? this->Relief->GetMTime() : 0 });
+}

@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/TerrainScene.h"
+
+#include "Files/MeshPoints.h"
+#include "Files/MeshReader.h"
+#include "Files/ViewerFile.h"
+#include "Scene/OffscreenWindow.h"
+#include "Scene/ReliefMetric.h"
+#include "Scene/TerrainColours.h"
+#include "Scene/TerrainProbe.h"
+#include "Scene/ViewerMetric.h"
+#include "Text/ViewerText.h"
+
+#include "vtkActor.h"
+#include "vtkAdaptiveRefinement.h"
+#include "vtkDataArray.h"
+#include "vtkDepthTagMetric.h"
+#include "vtkDisplacement.h"
+#include "vtkFloatArray.h"
+#include "vtkHeightField.h"
+#include "vtkHeightMap.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkSMPTools.h"
+#include "vtkScalarsToColors.h"
+#include "vtkTerrainSource.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace
+{
+const int Up = 2;
+const char* const HeightName = "Height";
+}
+
+//------------------------------------------------------------------------------
+TerrainScene::TerrainScene(const ViewerOptions& options, ViewerMessages& messages)
+  : ViewerScene(options, messages)
+{
+  this->Messages.Observe(this->Source, "reading");
+  this->ReadTerrain();
+  this->MakeDisplacedMesh();
+  this->Recipe->SetDisplacement(this->Source->GetDisplacement());
+  this->Show(options.MaximumLevel.value_or(this->GetDefaultLevel()), this->MakeReliefMetric());
+  this->SetColours();
+  this->SetLevelColours();
+  // From the north-west, as on maps, and a little from the other side.
+  this->SetLights({ { { 315.0, 40.0, Up }, 1.0 }, { { 160.0, 50.0, Up }, 0.35 } });
+  // From a little west of south.
+  this->SetCamera(this->DisplacedMesh, { 192.0, 38.0, Up }, this->GetCentre());
+}
+
+//------------------------------------------------------------------------------
+TerrainScene::~TerrainScene() = default;
+
+//------------------------------------------------------------------------------
+void TerrainScene::ReadTerrain()
+{
+  this->Source->SetFileName(this->Options.Input.c_str());
+  if (!this->Options.Imagery.empty())
+  {
+    this->Source->SetImageryFileName(this->Options.Imagery.c_str());
+    this->Source->SetImageryBands(
+      this->Options.ImageryBands[0], this->Options.ImageryBands[1], this->Options.ImageryBands[2]);
+  }
+  if (this->Options.Resolution)
+  {
+    this->Source->SetResolution(*this->Options.Resolution);
+  }
+  if (this->Options.FillNoData)
+  {
+    this->Source->SetNoDataPolicyToFill();
+  }
+  if (this->Options.NoDataValue)
+  {
+    this->Source->SetNoDataValue(*this->Options.NoDataValue);
+  }
+  this->Source->SetExaggeration(this->Options.Exaggeration);
+  FitIntoTexture(this->Source->GetHeightMap(), this->Options.Imagery.c_str());
+  this->Source->SetMaximumImagerySize(this->Source->GetMaximumDimension());
+  this->Source->Update();
+  this->CheckReading();
+  // Without the corners of faces that were left out.
+  this->Mesh->ShallowCopy(DropUnusedPoints(this->Source->GetOutput()));
+  if (this->Mesh->GetNumberOfCells() == 0)
+  {
+    throw ViewerError(this->Options.Input + " has no terrain to draw");
+  }
+  this->Probe = std::make_unique<TerrainProbe>(this->Mesh, this->Source->GetHeightMap());
+}
+
+//------------------------------------------------------------------------------
+void TerrainScene::CheckReading()
+{
+  try
+  {
+    this->Messages.Check();
+  }
+  catch (const ViewerError& error)
+  {
+    // A mesh, perhaps, in a format that has no reader here.
+    const std::string text = error.what();
+    const bool isUnknown =
+      text == this->Source->GetHeightMap()->GetErrorMessage() && CanRead(this->Options.Input);
+    throw ViewerError(isUnknown ? text + " Meshes are read from " + GetMeshFormats() + "." : text);
+  }
+}
+
+//------------------------------------------------------------------------------
+void TerrainScene::AddHeights(vtkPolyData* mesh)
+{
+  vtkHeightField* heights = this->Source->GetHeightMap();
+  vtkDataArray* coordinates = mesh->GetPointData()->GetTCoords();
+  const vtkIdType numberOfPoints = mesh->GetNumberOfPoints();
+  vtkNew<vtkFloatArray> values;
+  values->SetName(HeightName);
+  values->SetNumberOfValues(numberOfPoints);
+  vtkSMPTools::For(0, numberOfPoints,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        values->SetValue(i,
+          static_cast<float>(
+            heights->GetHeight(coordinates->GetComponent(i, 0), coordinates->GetComponent(i, 1))));
+      }
+    });
+  mesh->GetPointData()->AddArray(values);
+}
+
+//------------------------------------------------------------------------------
+void TerrainScene::MakeDisplacedMesh()
+{
+  vtkDisplacement* displacement = this->Source->GetDisplacement();
+  this->DisplacedMesh->ShallowCopy(this->Mesh);
+  this->AddHeights(this->DisplacedMesh);
+  vtkDataArray* heights = this->DisplacedMesh->GetPointData()->GetArray(HeightName);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->DeepCopy(this->Mesh->GetPoints());
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    points->GetPoint(i, point);
+    point[2] += displacement->GetOffset() + displacement->GetScale() * heights->GetComponent(i, 0);
+    points->SetPoint(i, point);
+  }
+  this->DisplacedMesh->SetPoints(points);
+  this->DisplacedMesh->GetPointData()->SetNormals(nullptr); // those of the flat mesh
+}
+
+//------------------------------------------------------------------------------
+void TerrainScene::AddExportedData(vtkPolyData* mesh)
+{
+  this->AddHeights(mesh);
+}
+
+//------------------------------------------------------------------------------
+int TerrainScene::GetDefaultLevel()
+{
+  // As fine as the height map; a picture that nobody can walk into needs nothing below its pixels.
+  int size[2];
+  this->Source->GetHeightMap()->GetDimensions(size);
+  const int texels = std::max(size[0], size[1]);
+  const int squares = std::min(this->Source->GetResolution(), texels);
+  int segments = texels;
+  if (!this->Options.Output.empty() && this->Options.Export.empty())
+  {
+    const double pixels =
+      this->Options.Zoom * std::max(this->Options.Size[0], this->Options.Size[1]);
+    segments = static_cast<int>(std::min<double>(segments, std::ceil(pixels)));
+  }
+  int level = static_cast<int>(std::ceil(std::log2(static_cast<double>(segments) / squares)));
+  // Only what touches the camera gets the full level of the distance metric.
+  if (this->Options.GetMetric() == ViewerOptions::MetricType::Distance)
+  {
+    ++level;
+  }
+  return std::min(std::max(level, 0), 7);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDepthTagMetric> TerrainScene::MakeReliefMetric()
+{
+  const auto own = MakeMetric(this->Options, this->DisplacedMesh, HeightName);
+  this->Messages.Observe(own);
+  auto metric = vtkSmartPointer<ReliefMetric>::New();
+  metric->SetMetric(own);
+  metric->SetRelief(this->DisplacedMesh);
+  return metric;
+}
+
+//------------------------------------------------------------------------------
+void TerrainScene::SetColours()
+{
+  vtkSmartPointer<vtkImageData> image = this->Source->GetImagery();
+  const bool isPhotograph = image != nullptr;
+  if (!isPhotograph)
+  {
+    const auto colours = MakeHeightColours(this->Source->GetHeightMap()->GetRange());
+    image = MakeHypsometricTint(this->Source->GetHeightMap(), colours);
+    if (this->Options.Color == ViewerOptions::ColorType::Own)
+    {
+      this->AddLegend(colours, HeightName, 5);
+    }
+  }
+  else if (this->Options.Stretch)
+  {
+    image = StretchContrast(image);
+  }
+  this->SetTexture(image);
+
+  // A photograph has shadows of its own.
+  vtkProperty* property = this->Actor->GetProperty();
+  property->SetAmbient(isPhotograph ? 0.30 : 0.15);
+  property->SetDiffuse(isPhotograph ? 0.80 : 0.85);
+  property->SetInterpolationToPhong();
+}
+
+//------------------------------------------------------------------------------
+std::optional<std::array<double, 3>> TerrainScene::GetCentre()
+{
+  if (!this->Options.Center)
+  {
+    return std::nullopt;
+  }
+  const std::vector<double>& place = *this->Options.Center;
+  if (place.size() == 3)
+  {
+    return { { { place[0], place[1], place[2] } } };
+  }
+  double height;
+  if (!this->Probe->GetHeight(place[0], place[1], height))
+  {
+    double bounds[6];
+    this->Mesh->GetBounds(bounds);
+    std::ostringstream message;
+    message << this->Options.Input << " has no height at --center " << place[0] << "," << place[1]
+            << "; its x goes from " << bounds[0] << " to " << bounds[1] << ", its y from "
+            << bounds[2] << " to " << bounds[3] << "; X,Y,Z needs no height";
+    throw ViewerError(message.str());
+  }
+  vtkDisplacement* displacement = this->Source->GetDisplacement();
+  return {
+    { { place[0], place[1], displacement->GetOffset() + displacement->GetScale() * height } }
+  };
+}
+
+//------------------------------------------------------------------------------
+std::string TerrainScene::GetUnit()
+{
+  return *this->Source->GetCoordinateSystem() ? "m" : "";
+}
+
+//------------------------------------------------------------------------------
+std::string TerrainScene::Describe(const double point[3], double resolution)
+{
+  const std::string unit = this->GetUnit().empty() ? "" : " " + this->GetUnit();
+  std::string text = "x " + FormatNumber(point[0], resolution) + unit + "  y " +
+    FormatNumber(point[1], resolution) + unit;
+  double height;
+  if (this->Probe->GetHeight(point[0], point[1], height))
+  {
+    text += "  height " + FormatNumber(height, resolution);
+  }
+  double map[3];
+  if (this->Source->TerrainToMap(point, map))
+  {
+    const double metresInDegree = 111320.0;
+    const bool isGeographic = this->Source->IsGeographic();
+    const bool isKnown = *this->Source->GetCoordinateSystem();
+    const double exactness = isGeographic ? resolution / metresInDegree : resolution;
+    text += std::string(isGeographic ? "\nlongitude "
+                : isKnown            ? "\neast "
+                                     : "\ncolumn ") +
+      FormatNumber(map[0], exactness) +
+      (isGeographic ? "  latitude "
+          : isKnown ? "  north "
+                    : "  row ") +
+      FormatNumber(map[1], exactness);
+  }
+  return text;
+}

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   TerrainScene
+ * @brief   a height map, with its imagery or in the colours of its heights
+ */
+#ifndef TerrainScene_h
+#define TerrainScene_h
+
+#include "Scene/ViewerScene.h"
+
+#include "vtkSmartPointer.h"
+
+class TerrainProbe;
+class vtkTerrainSource;
+
+class TerrainScene : public ViewerScene
+{
+public:
+  /// Reads the files; throws ViewerError.
+  TerrainScene(const ViewerOptions& options, ViewerMessages& messages);
+  ~TerrainScene() override;
+
+  std::string GetUnit() override;
+  std::string Describe(const double point[3], double resolution) override;
+
+private:
+  void AddExportedData(vtkPolyData* mesh) override;
+  void ReadTerrain();
+  void CheckReading();
+  /// The raster's heights, in its unit, at the mesh's texture coordinates.
+  void AddHeights(vtkPolyData* mesh);
+  void MakeDisplacedMesh();
+  int GetDefaultLevel();
+  vtkSmartPointer<vtkDepthTagMetric> MakeReliefMetric();
+  void SetColours();
+  std::optional<std::array<double, 3>> GetCentre();
+
+  vtkNew<vtkTerrainSource> Source;
+  // The coarse mesh as the displacement moves it: what the camera and the metrics look at.
+  vtkNew<vtkPolyData> DisplacedMesh;
+  std::unique_ptr<TerrainProbe> Probe;
+};
+
+#endif

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/ViewerMetric.h"
+
+#include "Options/ViewerOptions.h"
+#include "Scene/ViewerFlow.h"
+#include "Text/ViewerMessages.h"
+
+#include "vtkCurvatureDepthTagMetric.h"
+#include "vtkCylinder.h"
+#include "vtkDistanceDepthTagMetric.h"
+#include "vtkFieldVariationDepthTagMetric.h"
+#include "vtkImplicitFunction.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkRegionDepthTagMetric.h"
+#include "vtkScreenEdgeDepthTagMetric.h"
+#include "vtkSilhouetteDepthTagMetric.h"
+#include "vtkSphere.h"
+#include "vtkViewDependentDepthTagMetric.h"
+
+#include <algorithm>
+
+namespace
+{
+using Metric = vtkSmartPointer<vtkDepthTagMetric>;
+
+Metric MakeDistance(const ViewerOptions& options)
+{
+  vtkNew<vtkDistanceDepthTagMetric> metric;
+  metric->SetMaximumDistance(options.Reach.value_or(0.0));
+  return metric.Get();
+}
+
+Metric MakeScreenEdge(const ViewerOptions& options)
+{
+  vtkNew<vtkScreenEdgeDepthTagMetric> metric;
+  metric->SetReferenceLength(options.Pixels.value_or(ViewerOptions::DefaultPixels));
+  if (options.IsMesh)
+  {
+    // What bulges above an edge that is seen end-on is seen in full.
+    metric->SetMeasureToSphereDiameter();
+  }
+  return metric.Get();
+}
+
+// Mean curvature, for the Gaussian one is blind to straight ridges and valleys.
+Metric MakeCurvature()
+{
+  vtkNew<vtkCurvatureDepthTagMetric> metric;
+  metric->SetCurvatureTypeToMean();
+  return metric.Get();
+}
+
+Metric MakeSilhouette(bool contour)
+{
+  vtkNew<vtkSilhouetteDepthTagMetric> metric;
+  metric->SetCriterion(
+    contour ? vtkSilhouetteDepthTagMetric::CONTOUR : vtkSilhouetteDepthTagMetric::NORMAL_ANGLE);
+  return metric.Get();
+}
+
+Metric MakeFieldVariation(const ViewerOptions& options, const std::string& arrayName)
+{
+  if (arrayName.empty())
+  {
+    throw ViewerError(
+      options.Input + " has no array of points for --metric field; --array NAME chooses one");
+  }
+  vtkNew<vtkFieldVariationDepthTagMetric> metric;
+  metric->SetArrayName(arrayName.c_str());
+  return metric.Get();
+}
+
+// On a terrain a place is one whatever the height.
+vtkSmartPointer<vtkImplicitFunction> MakePlace(
+  const ViewerOptions& options, const double centre[3], double radius)
+{
+  if (options.IsMesh)
+  {
+    vtkNew<vtkSphere> sphere;
+    sphere->SetCenter(centre[0], centre[1], centre[2]);
+    sphere->SetRadius(radius);
+    return sphere.Get();
+  }
+  vtkNew<vtkCylinder> cylinder;
+  cylinder->SetAxis(0.0, 0.0, 1.0);
+  cylinder->SetCenter(centre[0], centre[1], 0.0);
+  cylinder->SetRadius(radius);
+  return cylinder.Get();
+}
+
+// Around a place; by default a terrain's middle, or a mesh's first point, which is on its surface.
+Metric MakeRegion(const ViewerOptions& options, vtkPolyData* mesh)
+{
+  double bounds[6];
+  double centre[3];
+  mesh->GetBounds(bounds);
+  options.IsMesh ? mesh->GetPoint(0, centre) : mesh->GetCenter(centre);
+  double radius = 0.1 * std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]);
+  if (options.Region)
+  {
+    std::copy(options.Region->begin(), options.Region->end() - 1, centre);
+    radius = options.Region->back();
+  }
+  vtkNew<vtkRegionDepthTagMetric> metric;
+  metric->SetImplicitFunction(MakePlace(options, centre, radius));
+  metric->SetFallOff(2.0 * radius);
+  return metric.Get();
+}
+}
+
+//------------------------------------------------------------------------------
+Metric MakeMetric(const ViewerOptions& options, vtkPolyData* mesh, const std::string& arrayName)
+{
+  if (options.IsFlowMetric())
+  {
+    return MakeFlowMetric(options);
+  }
+  switch (options.GetMetric())
+  {
+    case ViewerOptions::MetricType::Distance:
+      return MakeDistance(options);
+    case ViewerOptions::MetricType::ScreenEdge:
+      return MakeScreenEdge(options);
+    case ViewerOptions::MetricType::Curvature:
+      return MakeCurvature();
+    case ViewerOptions::MetricType::Silhouette:
+      return MakeSilhouette(false);
+    case ViewerOptions::MetricType::Contour:
+      return MakeSilhouette(true);
+    case ViewerOptions::MetricType::ViewDependent:
+      return Metric::Take(vtkViewDependentDepthTagMetric::New());
+    case ViewerOptions::MetricType::Field:
+      return MakeFieldVariation(options, arrayName);
+    case ViewerOptions::MetricType::Region:
+      return MakeRegion(options, mesh);
+  }
+  return nullptr;
+}

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/ViewerStatistics.h"
+
+#include "Text/ViewerMessages.h"
+
+#include "vtkAdaptiveRefinementMapper.h"
+#include "vtkCamera.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include <chrono>
+#include <iomanip>
+#include <ostream>
+
+//------------------------------------------------------------------------------
+void DrawWithStatistics(vtkAdaptiveRefinementMapper* mapper, vtkRenderer* renderer,
+  vtkRenderWindow* window, ViewerMessages& messages, std::ostream& stream)
+{
+  // The first frame makes buffers and shaders. It has hardly another camera than the second, which
+  // chooses levels anew and is the one that stays.
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const double angle = camera->GetViewAngle();
+  camera->SetViewAngle(angle * (1.0 + 1e-6));
+  window->Render();
+  messages.Check();
+  camera->SetViewAngle(angle);
+  window->WaitForCompletion();
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  window->Render();
+  window->WaitForCompletion();
+  const double milliseconds =
+    std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  messages.Check();
+
+  stream << std::fixed << std::setprecision(1)
+         << "coarse faces: " << mapper->GetNumberOfCoarseFaces() << "\n"
+         << "culled faces: " << mapper->GetNumberOfCulledFaces() << "\n"
+         << "drawn triangles: " << mapper->GetNumberOfDrawnTriangles() << "\n"
+         << "patterns: " << mapper->GetNumberOfUsedPatterns() << "\n"
+         << "draw calls: " << mapper->GetNumberOfDrawCalls() << "\n"
+         << "graphics memory: " << mapper->GetGraphicsMemorySize() / 1048576.0 << " MiB\n"
+         << "selection time: " << 1000.0 * mapper->GetSelectionTime() << " ms\n"
+         << "frame time: " << milliseconds << " ms" << std::endl;
+}

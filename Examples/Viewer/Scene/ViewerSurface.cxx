@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/ViewerSurface.h"
+
+#include "Options/ViewerOptions.h"
+
+#include "vtkG1Surface.h"
+#include "vtkLinearSurface.h"
+#include "vtkNew.h"
+#include "vtkPNTriangleSurface.h"
+#include "vtkPhongSurface.h"
+#include "vtkProceduralSurface.h"
+#include "vtkScalarTaggedSurface.h"
+
+namespace
+{
+using Surface = vtkSmartPointer<vtkRefinementSurface>;
+
+Surface MakePhong(const ViewerOptions& options)
+{
+  vtkNew<vtkPhongSurface> surface;
+  if (options.Alpha)
+  {
+    surface->SetAlpha(*options.Alpha);
+  }
+  return surface.Get();
+}
+
+Surface MakeProcedural(const ViewerOptions& options, double diagonal)
+{
+  vtkNew<vtkProceduralSurface> surface;
+  surface->SetAmplitude(options.Amplitude.value_or(0.03 * diagonal));
+  if (options.Frequency)
+  {
+    surface->SetFrequency(*options.Frequency);
+  }
+  return surface.Get();
+}
+}
+
+//------------------------------------------------------------------------------
+Surface MakeSurface(const ViewerOptions& options, double diagonal)
+{
+  switch (options.GetSurface())
+  {
+    case ViewerOptions::SurfaceType::Linear:
+      return Surface::Take(vtkLinearSurface::New());
+    case ViewerOptions::SurfaceType::PNTriangle:
+      return Surface::Take(vtkPNTriangleSurface::New());
+    case ViewerOptions::SurfaceType::Phong:
+      return MakePhong(options);
+    case ViewerOptions::SurfaceType::ScalarTagged:
+      return Surface::Take(vtkScalarTaggedSurface::New());
+    case ViewerOptions::SurfaceType::Procedural:
+      return MakeProcedural(options, diagonal);
+    case ViewerOptions::SurfaceType::G1:
+      return Surface::Take(vtkG1Surface::New());
+  }
+  return nullptr;
+}

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Window/ViewerReadout.h"
+
+#include "Scene/ViewerScene.h"
+#include "Text/ViewerText.h"
+#include "Window/ViewerScaleBar.h"
+
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkTextActor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+namespace
+{
+const int Margin = 10;          // pixels
+const unsigned long Rest = 100; // milliseconds
+
+// What was drawn last in a pixel, by its depth: the refined and displaced surface, at the cost of
+// reading one pixel. False for nothing.
+bool GetDrawnPoint(vtkRenderer* renderer, const int pixel[2], double point[3])
+{
+  const int* size = renderer->GetSize();
+  if (pixel[0] < 0 || pixel[0] >= size[0] || pixel[1] < 0 || pixel[1] >= size[1])
+  {
+    return false;
+  }
+  const double depth = renderer->GetZ(pixel[0], pixel[1]);
+  // Words over the picture are at 0, the sky is at 1.
+  if (!(depth > 0.0 && depth < 1.0))
+  {
+    return false;
+  }
+  double clip[4] = { 2.0 * (pixel[0] + 0.5) / size[0] - 1.0, 2.0 * (pixel[1] + 0.5) / size[1] - 1.0,
+    2.0 * depth - 1.0, 1.0 };
+  vtkNew<vtkMatrix4x4> toWorld;
+  vtkMatrix4x4::Invert(renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+                         renderer->GetTiledAspectRatio(), -1.0, 1.0),
+    toWorld);
+  toWorld->MultiplyPoint(clip, clip);
+  for (int i = 0; i < 3; ++i)
+  {
+    point[i] = clip[i] / clip[3];
+  }
+  return std::isfinite(point[0] + point[1] + point[2]);
+}
+
+// The length of a pixel there.
+double GetResolution(vtkRenderer* renderer, const double point[3])
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const double pixel = GetPixelLength(camera, renderer->GetSize()[1]);
+  return camera->GetParallelProjection()
+    ? pixel
+    : pixel * std::sqrt(vtkMath::Distance2BetweenPoints(point, camera->GetPosition())) /
+      camera->GetDistance();
+}
+}
+
+//------------------------------------------------------------------------------
+ViewerReadout::ViewerReadout(vtkRenderWindowInteractor* interactor, ViewerScene& scene)
+  : Scene(scene)
+  , Text(MakeText())
+{
+  this->Text->SetPosition(Margin, Margin);
+  scene.GetRenderer()->AddViewProp(this->Text);
+  for (unsigned long event : { vtkCommand::MouseMoveEvent, vtkCommand::MouseWheelForwardEvent,
+         vtkCommand::MouseWheelBackwardEvent, vtkCommand::KeyPressEvent, vtkCommand::LeaveEvent })
+  {
+    interactor->AddObserver(event, this, &ViewerReadout::OnChange);
+  }
+  interactor->AddObserver(vtkCommand::TimerEvent, this, &ViewerReadout::OnTimer);
+  interactor->AddObserver(vtkCommand::KeyPressEvent, this, &ViewerReadout::OnKey);
+}
+
+//------------------------------------------------------------------------------
+ViewerReadout::~ViewerReadout() = default;
+
+//------------------------------------------------------------------------------
+void ViewerReadout::OnChange(vtkObject* caller, unsigned long, void*)
+{
+  auto* interactor = static_cast<vtkRenderWindowInteractor*>(caller);
+  if (this->Timer > 0)
+  {
+    interactor->DestroyTimer(this->Timer);
+  }
+  this->Timer = interactor->CreateOneShotTimer(Rest);
+}
+
+//------------------------------------------------------------------------------
+void ViewerReadout::OnTimer(vtkObject* caller, unsigned long, void* data)
+{
+  if (*static_cast<int*>(data) != this->Timer)
+  {
+    return;
+  }
+  this->Timer = 0;
+  auto* interactor = static_cast<vtkRenderWindowInteractor*>(caller);
+  const std::string text = this->Describe(interactor);
+  const bool isShown = !text.empty();
+  if (isShown != (this->Text->GetVisibility() != 0) || (isShown && text != this->Text->GetInput()))
+  {
+    this->Text->SetInput(text.c_str());
+    this->Text->SetVisibility(isShown);
+    interactor->Render();
+  }
+}
+
+//------------------------------------------------------------------------------
+void ViewerReadout::OnKey(vtkObject* caller, unsigned long, void*)
+{
+  auto* interactor = static_cast<vtkRenderWindowInteractor*>(caller);
+  if (interactor->GetKeyCode() == 'c')
+  {
+    std::string text = this->Describe(interactor);
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    std::cout << "here: " << (text.empty() ? "nothing" : text) << std::endl;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string ViewerReadout::Describe(vtkRenderWindowInteractor* interactor)
+{
+  vtkRenderer* renderer = this->Scene.GetRenderer();
+  double point[3];
+  return GetDrawnPoint(renderer, interactor->GetEventPosition(), point)
+    ? this->Scene.Describe(point, GetResolution(renderer, point))
+    : std::string();
+}

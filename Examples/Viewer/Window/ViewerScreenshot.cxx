@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Window/ViewerScreenshot.h"
+
+#include "Files/ViewerPicture.h"
+#include "Text/ViewerMessages.h"
+
+#include "vtkCommand.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <system_error>
+
+//------------------------------------------------------------------------------
+ViewerScreenshot::ViewerScreenshot(
+  vtkRenderWindowInteractor* interactor, const std::string& input, ViewerMessages& messages)
+  : Stem(std::filesystem::path(input).stem().string())
+  , Messages(messages)
+{
+  interactor->AddObserver(vtkCommand::KeyPressEvent, this, &ViewerScreenshot::OnKey);
+}
+
+//------------------------------------------------------------------------------
+void ViewerScreenshot::OnKey(vtkObject* caller, unsigned long, void*)
+{
+  auto* interactor = static_cast<vtkRenderWindowInteractor*>(caller);
+  if (interactor->GetKeyCode() != 'i')
+  {
+    return;
+  }
+  try
+  {
+    const std::string fileName = this->MakeFile();
+    WritePicture(interactor->GetRenderWindow(), fileName, this->Messages);
+    std::cout << "picture: " << fileName << std::endl;
+  }
+  catch (const ViewerError& error)
+  {
+    // The window stays.
+    std::cerr << "relevo-view: warning: " << error.what() << std::endl;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string ViewerScreenshot::MakeFile() const
+{
+  // Made before it is written, so that no other window takes the name.
+  for (int number = 1;; ++number)
+  {
+    const std::string fileName = this->Stem + "-" + std::to_string(number) + ".png";
+    if (std::FILE* file = std::fopen(fileName.c_str(), "wx"))
+    {
+      std::fclose(file);
+      return fileName;
+    }
+    if (errno != EEXIST)
+    {
+      throw ViewerError("cannot write " + fileName + ": " + std::generic_category().message(errno));
+    }
+  }
+}
