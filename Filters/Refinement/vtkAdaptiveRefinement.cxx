@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveRefinement.h"
 
+#include "Core/LatestTime.h"
 #include "Core/SettingChecks.h"
 #include "vtkDepthTagMetric.h"
 #include "vtkDisplacement.h"
@@ -60,14 +61,7 @@ const char* vtkAdaptiveRefinement::GetDepthTagArrayName()
   return this->DepthTagArrayName.c_str();
 }
 
-void vtkAdaptiveRefinement::SetMetric(vtkDepthTagMetric* metric)
-{
-  if (this->Metric != metric)
-  {
-    this->Metric = metric;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkAdaptiveRefinement, Metric, vtkDepthTagMetric);
 
 vtkDepthTagMetric* vtkAdaptiveRefinement::GetMetric()
 {
@@ -102,28 +96,14 @@ void vtkAdaptiveRefinement::SetNoDataMagnitude(double magnitude)
   relevo::SetNoDataMagnitude(this, this->NoDataMagnitude, magnitude);
 }
 
-void vtkAdaptiveRefinement::SetSurface(vtkRefinementSurface* surface)
-{
-  if (this->Surface != surface)
-  {
-    this->Surface = surface;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkAdaptiveRefinement, Surface, vtkRefinementSurface);
 
 vtkRefinementSurface* vtkAdaptiveRefinement::GetSurface()
 {
   return this->Surface;
 }
 
-void vtkAdaptiveRefinement::SetDisplacement(vtkDisplacement* displacement)
-{
-  if (this->Displacement != displacement)
-  {
-    this->Displacement = displacement;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkAdaptiveRefinement, Displacement, vtkDisplacement);
 
 vtkDisplacement* vtkAdaptiveRefinement::GetDisplacement()
 {
@@ -152,14 +132,9 @@ vtkRefinementPatternTable* vtkAdaptiveRefinement::GetPatternTable()
 
 vtkMTimeType vtkAdaptiveRefinement::GetMTime()
 {
-  vtkMTimeType time = this->Superclass::GetMTime();
-  for (vtkObject* part :
-    { static_cast<vtkObject*>(this->Metric), static_cast<vtkObject*>(this->Surface),
-      static_cast<vtkObject*>(this->Displacement), static_cast<vtkObject*>(this->PatternTable) })
-  {
-    time = part ? std::max(time, part->GetMTime()) : time;
-  }
-  return time;
+  return relevo::GetLatestTime(this->Superclass::GetMTime(),
+    { this->Metric.Get(), this->Surface.Get(), this->Displacement.Get(),
+      this->PatternTable.Get() });
 }
 
 void vtkAdaptiveRefinement::PrintSelf(ostream& os, vtkIndent indent)

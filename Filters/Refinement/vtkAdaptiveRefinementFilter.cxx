@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveRefinementFilter.h"
 
+#include "Core/LatestTime.h"
 #include "Core/RefinementView.h"
 #include "Core/SettingChecks.h"
 #include "Core/VTKCompatibility.h"
@@ -19,7 +20,6 @@
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
-#include <algorithm>
 #include <new>
 #include <string>
 #include <vector>
@@ -33,42 +33,21 @@ vtkAdaptiveRefinementFilter::vtkAdaptiveRefinementFilter()
 
 vtkAdaptiveRefinementFilter::~vtkAdaptiveRefinementFilter() = default;
 
-void vtkAdaptiveRefinementFilter::SetRefinement(vtkAdaptiveRefinement* refinement)
-{
-  if (this->Refinement != refinement)
-  {
-    this->Refinement = refinement;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkAdaptiveRefinementFilter, Refinement, vtkAdaptiveRefinement);
 
 vtkAdaptiveRefinement* vtkAdaptiveRefinementFilter::GetRefinement()
 {
   return this->Refinement;
 }
 
-void vtkAdaptiveRefinementFilter::SetCamera(vtkCamera* camera)
-{
-  if (this->Camera != camera)
-  {
-    this->Camera = camera;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkAdaptiveRefinementFilter, Camera, vtkCamera);
 
 vtkCamera* vtkAdaptiveRefinementFilter::GetCamera()
 {
   return this->Camera;
 }
 
-void vtkAdaptiveRefinementFilter::SetModelToWorld(vtkMatrix4x4* matrix)
-{
-  if (this->ModelToWorld != matrix)
-  {
-    this->ModelToWorld = matrix;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkAdaptiveRefinementFilter, ModelToWorld, vtkMatrix4x4);
 
 vtkMatrix4x4* vtkAdaptiveRefinementFilter::GetModelToWorld()
 {
@@ -82,22 +61,15 @@ void vtkAdaptiveRefinementFilter::SetViewportSize(int width, int height)
 
 vtkMTimeType vtkAdaptiveRefinementFilter::GetMTime()
 {
-  vtkMTimeType time = this->Superclass::GetMTime();
-  for (vtkObject* part : { static_cast<vtkObject*>(this->Refinement),
-         static_cast<vtkObject*>(this->Camera), static_cast<vtkObject*>(this->ModelToWorld) })
-  {
-    time = part ? std::max(time, part->GetMTime()) : time;
-  }
-  return time;
+  return relevo::GetLatestTime(this->Superclass::GetMTime(),
+    { this->Refinement.Get(), this->Camera.Get(), this->ModelToWorld.Get() });
 }
 
 bool vtkAdaptiveRefinementFilter::Prepare(
   vtkPolyData* input, relevo::RefinementMesh& mesh, relevo::PatternSelection& selection)
 {
-  relevo::RefinementView view;
-  view.Camera = this->Camera;
-  view.ModelToWorld = this->ModelToWorld;
-  std::copy_n(this->ViewportSize, 2, view.ViewportSize);
+  const relevo::RefinementView view{ this->Camera, this->ModelToWorld,
+    { this->ViewportSize[0], this->ViewportSize[1] } };
   std::string error;
   std::string warning;
   const bool prepared = relevo::PrepareMesh(input, this->Refinement, mesh, error, warning);

@@ -75,28 +75,14 @@ vtkDepthTagFilter::vtkDepthTagFilter()
 
 vtkDepthTagFilter::~vtkDepthTagFilter() = default;
 
-void vtkDepthTagFilter::SetMetric(vtkDepthTagMetric* metric)
-{
-  if (this->Metric != metric)
-  {
-    this->Metric = metric;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkDepthTagFilter, Metric, vtkDepthTagMetric);
 
 vtkDepthTagMetric* vtkDepthTagFilter::GetMetric()
 {
   return this->Metric;
 }
 
-void vtkDepthTagFilter::SetCamera(vtkCamera* camera)
-{
-  if (this->Camera != camera)
-  {
-    this->Camera = camera;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkDepthTagFilter, Camera, vtkCamera);
 
 vtkCamera* vtkDepthTagFilter::GetCamera()
 {
@@ -187,9 +173,8 @@ bool vtkDepthTagFilter::ComputeTags(vtkPolyData* input, vtkFloatArray* tags)
 
 relevo::RefinementView vtkDepthTagFilter::MakeView()
 {
-  relevo::RefinementView view;
-  view.Camera = this->Camera;
-  std::copy_n(this->ViewportSize, 2, view.ViewportSize);
+  const relevo::RefinementView view{ this->Camera, nullptr,
+    { this->ViewportSize[0], this->ViewportSize[1] } };
   return view;
 }
 

@@ -18,7 +18,8 @@
  * blocks of a mapper and by filters in several threads alike.
  *
  * A metric of one's own overrides ComputeTags(); one that computes much of a mesh that it can use
- * again, as when the camera moves, overrides NewEvaluator() instead.
+ * again, as when the camera moves, overrides NewEvaluator() instead. So does a subclass of a metric
+ * that has an evaluator, as all of Relevo's have: where there is one, ComputeTags() is not asked.
  *
  * @sa vtkAdaptiveRefinement vtkDepthTagFilter
  */

@@ -15,14 +15,7 @@ vtkStandardNewMacro(vtkDisplacement);
 vtkDisplacement::vtkDisplacement() = default;
 vtkDisplacement::~vtkDisplacement() = default;
 
-void vtkDisplacement::SetHeightMap(vtkHeightField* heights)
-{
-  if (this->HeightMap != heights)
-  {
-    this->HeightMap = heights;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkDisplacement, HeightMap, vtkHeightField);
 
 vtkHeightField* vtkDisplacement::GetHeightMap()
 {

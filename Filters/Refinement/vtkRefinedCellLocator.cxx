@@ -3,6 +3,7 @@
 #include "vtkRefinedCellLocator.h"
 
 #include "Core/Dependencies.h"
+#include "Core/LatestTime.h"
 #include "Core/RefinementView.h"
 #include "Core/SettingChecks.h"
 #include "Evaluation/PatternSelection.h"
@@ -87,42 +88,21 @@ vtkRefinedCellLocator::vtkRefinedCellLocator()
 
 vtkRefinedCellLocator::~vtkRefinedCellLocator() = default;
 
-void vtkRefinedCellLocator::SetRefinement(vtkAdaptiveRefinement* refinement)
-{
-  if (this->Refinement != refinement)
-  {
-    this->Refinement = refinement;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkRefinedCellLocator, Refinement, vtkAdaptiveRefinement);
 
 vtkAdaptiveRefinement* vtkRefinedCellLocator::GetRefinement()
 {
   return this->Refinement;
 }
 
-void vtkRefinedCellLocator::SetCamera(vtkCamera* camera)
-{
-  if (this->Camera != camera)
-  {
-    this->Camera = camera;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkRefinedCellLocator, Camera, vtkCamera);
 
 vtkCamera* vtkRefinedCellLocator::GetCamera()
 {
   return this->Camera;
 }
 
-void vtkRefinedCellLocator::SetModelToWorld(vtkMatrix4x4* matrix)
-{
-  if (this->ModelToWorld != matrix)
-  {
-    this->ModelToWorld = matrix;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkRefinedCellLocator, ModelToWorld, vtkMatrix4x4);
 
 vtkMatrix4x4* vtkRefinedCellLocator::GetModelToWorld()
 {
@@ -136,13 +116,8 @@ void vtkRefinedCellLocator::SetViewportSize(int width, int height)
 
 vtkMTimeType vtkRefinedCellLocator::GetMTime()
 {
-  vtkMTimeType time = this->Superclass::GetMTime();
-  for (vtkObject* part : { static_cast<vtkObject*>(this->Refinement),
-         static_cast<vtkObject*>(this->Camera), static_cast<vtkObject*>(this->ModelToWorld) })
-  {
-    time = part ? std::max(time, part->GetMTime()) : time;
-  }
-  return time;
+  return relevo::GetLatestTime(this->Superclass::GetMTime(),
+    { this->Refinement.Get(), this->Camera.Get(), this->ModelToWorld.Get() });
 }
 
 //------------------------------------------------------------------------------
@@ -197,10 +172,8 @@ bool vtkRefinedCellLocator::Prepare(vtkPolyData* input)
   {
     vtkWarningMacro(<< warning);
   }
-  relevo::RefinementView view;
-  view.Camera = this->Camera;
-  view.ModelToWorld = this->ModelToWorld;
-  std::copy_n(this->ViewportSize, 2, view.ViewportSize);
+  const relevo::RefinementView view{ this->Camera, this->ModelToWorld,
+    { this->ViewportSize[0], this->ViewportSize[1] } };
   valid = valid &&
     relevo::SelectPatterns(
       input, this->Refinement, view, data.Mesh, data.Tags, data.Selection, error);

@@ -187,14 +187,7 @@ vtkStandardNewMacro(vtkRegionDepthTagMetric);
 vtkRegionDepthTagMetric::vtkRegionDepthTagMetric() = default;
 vtkRegionDepthTagMetric::~vtkRegionDepthTagMetric() = default;
 
-void vtkRegionDepthTagMetric::SetImplicitFunction(vtkImplicitFunction* function)
-{
-  if (this->ImplicitFunction != function)
-  {
-    this->ImplicitFunction = function;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkRegionDepthTagMetric, ImplicitFunction, vtkImplicitFunction);
 
 vtkImplicitFunction* vtkRegionDepthTagMetric::GetImplicitFunction()
 {

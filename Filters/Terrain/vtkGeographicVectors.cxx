@@ -149,14 +149,7 @@ vtkGeographicVectors::vtkGeographicVectors()
 
 vtkGeographicVectors::~vtkGeographicVectors() = default;
 
-void vtkGeographicVectors::SetTerrain(vtkTerrainSource* terrain)
-{
-  if (this->Terrain != terrain)
-  {
-    this->Terrain = terrain;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkGeographicVectors, Terrain, vtkTerrainSource);
 
 vtkTerrainSource* vtkGeographicVectors::GetTerrain()
 {

@@ -73,14 +73,7 @@ vtkHeightMap::~vtkHeightMap()
   this->SetFileName(nullptr);
 }
 
-void vtkHeightMap::SetImageData(vtkImageData* image)
-{
-  if (this->ImageData != image)
-  {
-    this->ImageData = image;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkHeightMap, ImageData, vtkImageData);
 
 vtkImageData* vtkHeightMap::GetImageData()
 {

@@ -63,14 +63,7 @@ vtkAdaptiveRefinementMapper::~vtkAdaptiveRefinementMapper()
   this->ReleaseGraphicsResources(nullptr);
 }
 
-void vtkAdaptiveRefinementMapper::SetRefinement(vtkAdaptiveRefinement* refinement)
-{
-  if (this->Refinement != refinement)
-  {
-    this->Refinement = refinement;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkAdaptiveRefinementMapper, Refinement, vtkAdaptiveRefinement);
 
 vtkAdaptiveRefinement* vtkAdaptiveRefinementMapper::GetRefinement()
 {

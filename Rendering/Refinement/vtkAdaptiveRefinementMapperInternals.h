@@ -118,7 +118,7 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   struct ProgramState
   {
     std::string ShaderKey;
-    std::string FailedKey; // of shaders that could not be built
+    relevo::Dependencies FailedSources; // of shaders that could not be built
     std::vector<std::string> Attributes;
     int Method = -1;           // whose program it is; -1 for VTK's shader cache
     bool DrawsNothing = false; // for want of anchors

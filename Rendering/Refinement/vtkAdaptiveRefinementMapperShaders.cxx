@@ -64,8 +64,12 @@ void vtkAdaptiveRefinementMapper::UpdateRefiningShaders(
   vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
 {
   vtkInternals& data = *this->Internals;
-  const std::string key = data.GetShaderOptions(this, &cellBO).GetKey();
-  if (data.Programs[&cellBO].FailedKey == key)
+  const auto getSources = [&]
+  {
+    return relevo::Dependencies::On(
+      data.GetShaderOptions(this, &cellBO).GetKey(), act->GetShaderProperty()->GetShaderMTime());
+  };
+  if (data.Programs[&cellBO].FailedSources == getSources())
   {
     return;
   }
@@ -82,9 +86,13 @@ void vtkAdaptiveRefinementMapper::UpdateRefiningShaders(
   if (!cellBO.Program)
   {
     // Said once, until something changes; the method may have been given up meanwhile.
-    data.Programs[&cellBO].FailedKey = data.GetShaderOptions(this, &cellBO).GetKey();
+    data.Programs[&cellBO].FailedSources = getSources();
     vtkErrorMacro("The shaders could not be built; OpenGL's own message says why. A "
                   "vtkProceduralSurface's ShaderFunction is part of them.");
+  }
+  else
+  {
+    data.Programs[&cellBO].FailedSources.Clear();
   }
 }
 
