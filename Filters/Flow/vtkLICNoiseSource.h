@@ -89,10 +89,10 @@ public:
 
   //@{
   /**
-   * How much the values of neighbours are alike in NOISE_TYPE_GAUSSIAN: as a Gaussian filter of
-   * this standard deviation, in grains, makes independent ones; their mean and spread stay as they
-   * are. 0 (independent) to 100, default 1: with less of the finest detail, which follows no
-   * direction, lines show theirs better. Another value is an error and changes nothing.
+   * Standard deviation, in grains, of the Gaussian filter that smooths the noise of
+   * NOISE_TYPE_GAUSSIAN; mean and spread of the values stay as they are. 0 (no filter) to 100,
+   * default 1: lines show their direction better in noise without the finest detail. Another value
+   * is an error and changes nothing.
    */
   virtual void SetGaussianNoiseSmoothing(double deviation);
   vtkGetMacro(GaussianNoiseSmoothing, double);

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkLICSettings
- * @brief   how line integral convolution looks: the settings of the mapper and of the filters
+ * @brief   settings for line integral convolution, shared by the mapper and the filters
  *
  * vtkAdaptiveLICMapper, vtkLineIntegralConvolution and vtkSurfaceLineIntegralConvolution each have
  * one, GetLICSettings(), and can share one, SetLICSettings(). Their own setters change this object.
- * It counts as part of them: when it changes, mappers draw again and filters run again.
+ * Changing it makes the mappers draw again and the filters execute again.
  *
  * Names, numbers and defaults are those of VTK's vtkSurfaceLICInterface, and the mapper's
  * GetLICInterface() returns this object, so that scripts for vtkSurfaceLICMapper run as they are.
@@ -19,8 +19,8 @@
  * NoiseGeneratorSeed, those of noise, too: its noise fills space.
  *
  * A value out of its range is an error (ErrorEvent) and changes nothing. If it was given to a
- * setter of a mapper or filter, the error is that object's. Of the settings that are on (1) or off
- * (0), every number but 0 means on.
+ * setter of a mapper or filter, the error is that object's. For settings that are on (1) or off
+ * (0), any number but 0 means on.
  *
  * @sa vtkAdaptiveLICMapper vtkLineIntegralConvolution vtkSurfaceLineIntegralConvolution
  */
@@ -127,9 +127,9 @@ public:
   /**
    * Whether the range of greys is stretched: of the LIC (ENHANCE_CONTRAST_LIC, 1), after each
    * convolution; of the lightness of the colours combined with it (ENHANCE_CONTRAST_COLOR, 3); both
-   * (ENHANCE_CONTRAST_BOTH, 4); neither (ENHANCE_CONTRAST_OFF, 0, the default). m and M become 0
-   * and 1, m being the least value on the surface plus the low factor's share of the range, M the
-   * largest less the high factor's.
+   * (ENHANCE_CONTRAST_BOTH, 4); neither (ENHANCE_CONTRAST_OFF, 0, the default). Values are mapped
+   * linearly: min + low * (max - min) becomes 0, and max - high * (max - min) becomes 1, with the
+   * least and the largest value on the surface and the two factors.
    */
   void SetEnhanceContrast(int mode);
   int GetEnhanceContrast() const { return this->Values.EnhanceContrast; }
@@ -203,7 +203,8 @@ public:
   //@{
   /**
    * Vectors with a component of at least this magnitude, and those that are not finite, are
-   * no-data; default 1e8, which takes in the usual marks (-1e9, 1e20, 1e30). Above 0.
+   * no-data; default 1e8, which covers the usual fill values (-1e9, 1e20, 1e30). Must be greater
+   * than 0.
    */
   void SetNoDataMagnitude(double magnitude);
   double GetNoDataMagnitude() const { return this->Values.NoDataMagnitude; }
@@ -280,7 +281,7 @@ public:
    * share of grains that have noise, in [0, 1], default 1; the others have
    * ImpulseNoiseBackgroundValue, in [0, 1], default 0. NoiseGeneratorSeed: default 1.
    *
-   * Whether two of them fit together is not checked before noise is made.
+   * Whether they fit together is checked when the noise is generated.
    */
   void SetGenerateNoiseTexture(int generate);
   int GetGenerateNoiseTexture() const { return this->Values.GenerateNoiseTexture; }
@@ -329,13 +330,13 @@ public:
   void ShallowCopy(vtkLICSettings* other);
 
   /**
-   * That of the NoiseDataSet counts, too.
+   * Includes the modification time of the NoiseDataSet.
    */
   vtkMTimeType GetMTime() override;
 
   /**
-   * For classes whose own setters call those of this object: make a change (a function of these
-   * settings) whose errors are `holder`'s, who was asked for it. C++ only.
+   * For classes whose own setters call those of this object: apply a change (a function of these
+   * settings) and report its errors on `holder`. C++ only.
    */
   template <typename Change>
   void ChangeFor(vtkObject* holder, const Change& change)

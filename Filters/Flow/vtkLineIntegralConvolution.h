@@ -30,8 +30,8 @@
  *   point is blanked. They count as zero vectors: nothing else depends on what is stored there;
  * - whose vector in the plane is no longer than MaskThreshold, with the default 0 zero vectors.
  *
- * A streamline ends where it leaves the image or comes to a sample with no vector, and nothing is
- * taken from there: close to the border fewer samples count.
+ * A streamline ends where it leaves the image or comes to a sample with no vector. Samples beyond
+ * its end are ignored, so that fewer are averaged near the border.
  *
  * Errors, with an empty output: an input that is empty or not flat; an array that is not there or
  * not of 2 or 3 components for each point; cell arrays; a spacing of zero; noise without scalars or
@@ -109,9 +109,9 @@ public:
 
   //@{
   /**
-   * Whether the result, its edges enhanced by adding the Laplacian, is the noise of a second pass,
-   * which gives finer and longer lines (the default), or is the mean along the streamlines itself.
-   * See vtkLICSettings.
+   * Whether the result of the first pass is sharpened (the Laplacian is added) and convolved a
+   * second time, which gives finer and longer lines. Default on; off, the mean along the
+   * streamlines is the result. See vtkLICSettings.
    */
   void SetEnhancedLIC(bool enhanced);
   bool GetEnhancedLIC();
@@ -141,8 +141,7 @@ public:
   /**
    * How much further the values are stretched in the end: m = min + low * (max - min) and M = max -
    * high * (max - min), clamped to [0, 1]. Both are in [-1, 1], default 0, and their sum is less
-   * than
-   * 1. See vtkLICSettings.
+   * than 1. See vtkLICSettings.
    */
   void SetLowLICContrastEnhancementFactor(double factor);
   double GetLowLICContrastEnhancementFactor();
@@ -199,7 +198,7 @@ public:
   double GetPhase();
   //@}
 
-  /// That of the settings counts, too.
+  /// Includes the modification time of the settings.
   vtkMTimeType GetMTime() override;
 
 protected:

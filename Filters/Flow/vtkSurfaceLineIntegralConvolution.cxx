@@ -174,7 +174,7 @@ bool vtkSurfaceLineIntegralConvolution::Run(
   vtkPolyData* input, const relevo::SurfaceField& field, vtkPolyData* output, vtkImageData* texture)
 {
   const relevo::SurfaceVectors vectors(
-    input, field.Vectors, field.OfCells, this->LICSettings->GetNoDataMagnitude());
+    input, field.Vectors, field.IsCellData, this->LICSettings->GetNoDataMagnitude());
   const relevo::SurfaceTriangles& surface = vectors.GetTriangles();
   if (surface.GetTriangles().empty())
   {
@@ -269,7 +269,7 @@ void vtkSurfaceLineIntegralConvolution::MaskPoints(vtkPolyData* input,
           {
             masked = masked &&
               (vectors.IsBlocked(static_cast<int>(triangle)) ||
-                isMasked(field.OfCells ? surface.GetCell(triangle) : point));
+                isMasked(field.IsCellData ? surface.GetCell(triangle) : point));
           });
         mask->SetValue(point, masked ? 1 : 0);
       }

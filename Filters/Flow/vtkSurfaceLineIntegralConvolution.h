@@ -4,15 +4,15 @@
  * @class   vtkSurfaceLineIntegralConvolution
  * @brief   shows the directions of vectors on a surface: solid noise, blurred along streamlines
  *
- * Line integral convolution in object space: every point of the mesh advances along the vectors
- * through noise, step by step, and takes the mean of what it meets, downstream and upstream. There
- * is no camera in it: the result is the same from every view and can be written to files. After
- * Nellmeldin 2013, "Desarrollo de algoritmos de teselacion adaptativa en GPU", section 9, with
- * noise that fills space, so that there are neither seams nor texture coordinates to be made. The
- * number of threads does not change the result.
+ * Line integral convolution in object space: a streamline is traced from every point of the mesh,
+ * downstream and upstream, and the noise along it is averaged. The result does not depend on a
+ * camera and can be written to files. After Nellmeldin 2013, "Desarrollo de algoritmos de
+ * teselacion adaptativa en GPU", section 9, with noise that fills space, so that there are neither
+ * seams nor texture coordinates to be made. The number of threads does not change the result.
  *
  * Settings are those of its vtkLICSettings, which it can share with a mapper and other filters, but
- * for StepSize, GrainSize and TextureSize. The other setters here change that object.
+ * for GrainSize and TextureSize, which are its own, and StepSize, which overrides theirs. The other
+ * setters here change that object.
  *
  * Input: a vtkPolyData with polygons or triangle strips of any size and a point or cell array of 3
  * components: by SetInputArrayToProcess(0, ...), or the active vectors, of the points if they have
@@ -50,8 +50,8 @@
  * and GeomorphingOff() in its recipe, so that segments are equally long. A field that is known
  * everywhere, from a formula or by vtkProbeFilter, is best taken anew at the refined points.
  *
- * GrainSize is then better set than automatic: noise finer than the triangles only flickers from
- * point to point, and automatic noise changes with the mesh. On a mesh that stays coarse, use the
+ * Set GrainSize explicitly in that case: noise finer than the triangles only flickers from point to
+ * point, and the automatic size changes with the mesh. On a mesh that stays coarse, use the
  * texture.
  *
  * Errors, with empty outputs: no polygons; vectors that are not there, not of 3 components or not
@@ -95,8 +95,8 @@ public:
 
   //@{
   /**
-   * All settings but the length of a step, GrainSize and TextureSize; never nullptr: a nullptr
-   * gives the filter new ones with their defaults.
+   * All settings but StepSize, GrainSize and TextureSize. Never nullptr: passing nullptr gives the
+   * filter new ones with their defaults.
    */
   void SetLICSettings(vtkLICSettings* settings);
   vtkLICSettings* GetLICSettings() const;
@@ -192,8 +192,8 @@ public:
 
   //@{
   /**
-   * From which absolute value on a component stands for "no data", as -1e9 does; more than 0,
-   * default 1e8. See vtkLICSettings.
+   * A component of at least this absolute value, as -1e9, means "no data"; more than 0, default
+   * 1e8. See vtkLICSettings.
    */
   void SetNoDataMagnitude(double magnitude);
   double GetNoDataMagnitude();
@@ -227,7 +227,7 @@ public:
   vtkGetVector2Macro(TextureSize, int);
   //@}
 
-  /// That of the settings counts, too.
+  /// Includes the modification time of the settings.
   vtkMTimeType GetMTime() override;
 
 protected:

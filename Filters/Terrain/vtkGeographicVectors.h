@@ -10,11 +10,10 @@
  * a vtkTerrainSource or refined from one, with the vectors in its own coordinates as active point
  * vectors (float, 3 components).
  *
- * x and y point to where on the map one gets by going that way over the earth, and are as long as
- * the vector's part to the east and north: a speed stays that speed. z is the third component
- * times Exaggeration, as heights are, or 0 for vectors of two components. Level vectors stay level;
- * to follow the relief, project them on it, as vtkAdaptiveLICMapper does. By the
- * terrain's coordinate system:
+ * x and y give the direction on the map. They are as long as the vector's part to the east and
+ * north, so that a speed is unchanged. z is the third component times Exaggeration, as heights are,
+ * or 0 for vectors of two components. Level vectors stay level; to follow the relief, project them
+ * on it, as vtkAdaptiveLICMapper does. By the terrain's coordinate system:
  *
  * - Longitude and latitude: rotated by the matrix of GeographicLib::LocalCartesian, from the
  *   place's horizon into the frame at the origin. What leans out of the tangent plane by the
@@ -34,8 +33,9 @@
  * texture coordinates.
  *
  * No data are vectors with a component that is not finite or of at least 1e8 in absolute value, and
- * blanked points of the image; of samples, those that one without data has a weight in. They are
- * NaN in the output, as where the map has no such place, and at the poles, which have no east.
+ * blanked points of the image; of the image, samples that are interpolated from a texel without
+ * data. They are NaN in the output, as where the map has no such place, and at the poles, which
+ * have no east.
  *
  * Errors, with an empty output: no such array, or one of other than 2 or 3 components or as many
  * tuples as points; an image without texture coordinates of the mesh, or one that is not n x m x 1

@@ -315,8 +315,9 @@ bool vtkHeightMap::ReadImage(relevo::HeightGrid& grid, std::string& error)
   }
   if (scalars->GetNumberOfTuples() != size || scalars->GetDataType() == VTK_BIT)
   {
-    error = std::string("its point scalars are ") + std::to_string(scalars->GetNumberOfTuples()) +
-      " of type " + scalars->GetDataTypeAsString() + " for " + std::to_string(size) + " points";
+    error = std::string("its point scalars must be numbers, one tuple for each of ") +
+      std::to_string(size) + " points; there are " + std::to_string(scalars->GetNumberOfTuples()) +
+      " tuples of type " + scalars->GetDataTypeAsString();
     return false;
   }
   vtkSmartPointer<vtkDataArray> samples = scalars;

@@ -13,13 +13,14 @@
  *
  * Images (SetImageData): the active point scalars of any type, first component, of an image that is
  * n x m x 1 points; v = 0 is its first row. Blanked points have no data. Origin, spacing and extent
- * do not matter. An image, once set, wins over the file; Update() follows its modification time.
+ * do not matter. An image, once set, takes precedence over the file; Update() follows its
+ * modification time.
  *
  * Sizes: more than MaximumDimension texels a side are reduced, with a warning, to the largest size
  * of the same proportions that has no more; each height is then the mean of those with data that it
  * covers, by area. The file is read row by row, or its overview or mip level that is just large
- * enough, so that memory is that of what is kept: 4 bytes a texel, 5 where there may be no data,
- * and 1.7 more for a moment where some have none.
+ * enough, so that memory depends on the reduced size: 4 bytes per texel, 5 where there may be no
+ * data, and 1.7 more while gaps are filled.
  *
  * No data: samples equal, in the raster's own type, to the value that the file declares (through
  * GDAL) or to NoDataValue, and those that the file's mask excludes. They take smooth heights from

@@ -331,8 +331,8 @@ bool vtkTerrainSource::CheckLocation(const relevo::Georeference& location, std::
   if (!relevo::TerrainFrame(location).IsWithinHorizon())
   {
     error = name +
-      " reaches beyond the horizon of its centre, where its tangent plane is no map of the earth; "
-      "project it first, or cut it to less than 80 degrees around the centre.";
+      " reaches beyond the horizon of its centre, where a tangent plane cannot map the earth; "
+      "project it first (gdalwarp -t_srs), or crop it to less than 80 degrees around the centre.";
     return false;
   }
   return true;

@@ -28,8 +28,7 @@
  * its own georeference and coordinate system to the terrain's footprint, at about its own
  * resolution, up to MaximumImagerySize. Where it has no data, or does not reach, it is neutral grey
  * (128, 128, 128). A picture without georeference, or on a terrain without, is stretched over the
- * whole footprint. Where only one of the two names its coordinate system they count as being in the
- * same.
+ * whole footprint. If only one of the two declares a coordinate system, both are assumed to use it.
  *
  * Errors (ErrorEvent of this object, empty output): those of vtkHeightMap; a raster in geocentric
  * coordinates; one in degrees that reaches beyond the horizon of its centre (about 84 degrees away:

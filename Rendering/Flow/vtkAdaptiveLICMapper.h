@@ -13,8 +13,8 @@
  * in pixels of the window. The recipe is by default one of MaximumLevel 0: the mesh is drawn as it
  * is, as by VTK's vtkSurfaceLICMapper. To have levels follow the field, give the recipe a
  * vtkCompositeDepthTagMetric, mode MAXIMUM, of vtkFieldVariationDepthTagMetric and
- * vtkScreenEdgeDepthTagMetric, and MaximumLevel 3: the variation knows nothing of pixels, and each
- * level more makes four times the triangles where it is high.
+ * vtkScreenEdgeDepthTagMetric, and MaximumLevel 3: field variation ignores the size on the screen,
+ * and each further level quadruples the triangles where it is high.
  *
  * The vectors are chosen by SetInputArrayToProcess(0, 0, 0, association, name): an array of three
  * components, or of two (x and y), of points (interpolated linearly) or of cells (constant in each
@@ -33,7 +33,7 @@
  * or the settings change; GetNumberOfConvolutions() counts. It costs memory for the viewport: about
  * 36 bytes a pixel, 52 with the contrast of colours enhanced, see GetGraphicsMemorySize().
  *
- * What suits colours that mean something: SetColorModeToMultiply(), SetEnhanceContrastToLIC() and
+ * Recommended where colours encode data: SetColorModeToMultiply(), SetEnhanceContrastToLIC() and
  * SetMapModeBias(0.3).
  *
  * Needs textures of floating point numbers that can be drawn to (OpenGL 3.0). Errors (ErrorEvent of
@@ -236,7 +236,7 @@ public:
   //@}
 
   /**
-   * That of the settings counts, too.
+   * Includes the modification time of the settings.
    */
   vtkMTimeType GetMTime() override;
 

@@ -37,9 +37,9 @@ public:
   }
 
 private:
-  static void Require(bool isSo, const std::string& error)
+  static void Require(bool condition, const std::string& error)
   {
-    if (!isSo)
+    if (!condition)
     {
       throw ViewerError(error);
     }

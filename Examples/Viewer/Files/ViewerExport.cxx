@@ -59,7 +59,7 @@ void WriteText(const std::string& text, const std::string& fileName)
 }
 
 // As long as its header says.
-void Finish(vtkPLYWriter*, vtkPolyData* mesh, const std::string& fileName)
+void CheckWritten(vtkPLYWriter*, vtkPolyData* mesh, const std::string& fileName)
 {
   if (!std::filesystem::is_regular_file(fileName))
   {
@@ -98,7 +98,7 @@ void Finish(vtkPLYWriter*, vtkPolyData* mesh, const std::string& fileName)
 }
 
 // One line for each point, polygon and line; the last of them is whole.
-void Finish(vtkOBJWriter*, vtkPolyData* mesh, const std::string& fileName)
+void CheckWritten(vtkOBJWriter*, vtkPolyData* mesh, const std::string& fileName)
 {
   if (!std::filesystem::is_regular_file(fileName))
   {
@@ -120,7 +120,7 @@ void Finish(vtkOBJWriter*, vtkPolyData* mesh, const std::string& fileName)
   }
 }
 
-void Finish(vtkAlgorithm*, vtkPolyData*, const std::string&)
+void CheckWritten(vtkAlgorithm*, vtkPolyData*, const std::string&)
 {
 }
 
@@ -137,7 +137,7 @@ bool Write(vtkPolyData* mesh, const std::string& fileName, ViewerMessages& messa
   {
     return false;
   }
-  Finish(writer.Get(), mesh, fileName);
+  CheckWritten(writer.Get(), mesh, fileName);
   return true;
 }
 

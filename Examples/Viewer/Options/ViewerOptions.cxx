@@ -279,7 +279,7 @@ private:
     const auto flag = this->AllFlags.find(argument);
     if (flag != this->AllFlags.end())
     {
-      this->Given.insert(argument);
+      this->GivenOptions.insert(argument);
       flag->second();
       return 0;
     }
@@ -305,16 +305,17 @@ private:
     {
       throw UsageError(option + " needs a value");
     }
-    this->Given.insert(option);
+    this->GivenOptions.insert(option);
     setting->second(option, equals == std::string::npos ? next : argument.substr(equals + 1));
     return equals == std::string::npos ? 1 : 0;
   }
 
-  void CheckUse(const std::vector<std::string>& names, bool isUseful, const std::string& partner)
+  void RequirePartner(
+    const std::vector<std::string>& names, bool isUseful, const std::string& partner)
   {
     for (const std::string& option : names)
     {
-      if (this->Given.count(option) && !isUseful)
+      if (this->GivenOptions.count(option) && !isUseful)
       {
         throw UsageError(option + " goes with " + partner);
       }
@@ -326,34 +327,40 @@ private:
     ViewerOptions& options = this->Options;
     using Metric = ViewerOptions::MetricType;
     using Surface = ViewerOptions::SurfaceType;
-    this->CheckUse({ "--exaggeration", "--imagery-bands", "--resolution", "--stretch" },
+    this->RequirePartner({ "--exaggeration", "--imagery-bands", "--resolution", "--stretch" },
       !options.IsMesh, "height maps");
-    this->CheckUse(
+    this->RequirePartner(
       { "--array", "--feature-angle", "--height", "--mapping", "--up" }, options.IsMesh, "meshes");
     const bool hasHeights = !options.IsMesh || !options.Heights.empty();
-    this->CheckUse({ "--scale", "--offset" }, options.IsMesh && hasHeights, "--height");
-    this->CheckUse({ "--no-data", "--no-data-value" }, hasHeights, "--height");
-    this->CheckUse({ "--mapping" }, hasHeights || !options.Imagery.empty(), "--height or --image");
-    this->CheckUse({ "--alpha" }, options.GetSurface() == Surface::Phong, "--surface phong");
-    this->CheckUse({ "--amplitude", "--frequency" }, options.GetSurface() == Surface::Procedural,
-      "--surface procedural");
+    this->RequirePartner({ "--scale", "--offset" }, options.IsMesh && hasHeights, "--height");
+    this->RequirePartner({ "--no-data", "--no-data-value" }, hasHeights, "--height");
+    this->RequirePartner(
+      { "--mapping" }, hasHeights || !options.Imagery.empty(), "--height or --image");
+    this->RequirePartner({ "--alpha" }, options.GetSurface() == Surface::Phong, "--surface phong");
+    this->RequirePartner({ "--amplitude", "--frequency" },
+      options.GetSurface() == Surface::Procedural, "--surface procedural");
     const bool hasFlow = !options.Vectors.empty();
-    this->CheckUse({ "--lic" }, options.IsMesh, "meshes");
-    this->CheckUse({ "--lic-contrast", "--lic-intensity", "--lic-mode", "--lic-phase",
-                     "--lic-step-size", "--lic-steps" },
+    this->RequirePartner({ "--lic" }, options.IsMesh, "meshes");
+    this->RequirePartner({ "--lic-contrast", "--lic-intensity", "--lic-mode", "--lic-phase",
+                           "--lic-step-size", "--lic-steps" },
       hasFlow, "--lic");
-    this->CheckUse({ "--lic-intensity" },
+    this->RequirePartner({ "--lic-intensity" },
       options.LICMode.value_or(vtkLICSettings::COLOR_MODE_BLEND) ==
         vtkLICSettings::COLOR_MODE_BLEND,
       "--lic-mode blend");
-    this->CheckUse({ "--metric", "--max-level", "--per-edge" }, !options.UniformLevel,
-      "metrics, not with --level");
-    this->CheckUse({ "--pixels" },
+    for (const char* option : { "--metric", "--max-level", "--per-edge" })
+    {
+      if (options.UniformLevel && this->GivenOptions.count(option))
+      {
+        throw UsageError(std::string(option) + " cannot be combined with --level");
+      }
+    }
+    this->RequirePartner({ "--pixels" },
       options.GetMetric() == Metric::ScreenEdge && !options.UniformLevel, "--metric screen-edge");
-    this->CheckUse({ "--reach" }, options.GetMetric() == Metric::Distance && !options.UniformLevel,
-      "--metric distance");
-    this->CheckUse({ "--region" }, options.GetMetric() == Metric::Region, "--metric region");
-    if (this->Given.count("--region"))
+    this->RequirePartner({ "--reach" },
+      options.GetMetric() == Metric::Distance && !options.UniformLevel, "--metric distance");
+    this->RequirePartner({ "--region" }, options.GetMetric() == Metric::Region, "--metric region");
+    if (this->GivenOptions.count("--region"))
     {
       options.Region =
         ToNumbers("--region", this->Region, options.IsMesh ? "X,Y,Z,RADIUS" : "X,Y,RADIUS");
@@ -362,7 +369,7 @@ private:
         throw UsageError("--region needs a radius above 0, not '" + this->Region + "'");
       }
     }
-    if (this->Given.count("--center"))
+    if (this->GivenOptions.count("--center"))
     {
       options.Center = ToPlace("--center", this->Center, options.IsMesh);
     }
@@ -375,7 +382,7 @@ private:
   ViewerOptions Options;
   Flags AllFlags;
   Settings AllSettings;
-  std::set<std::string> Given;
+  std::set<std::string> GivenOptions;
   std::string Center;
   std::string Region;
 };

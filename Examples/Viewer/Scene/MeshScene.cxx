@@ -146,7 +146,7 @@ void MeshScene::ChooseVectors()
   bool isOfPoints = false;
   this->Vectors = FindVectors(this->Options, this->Mesh, isOfPoints);
   MarkNoData(this->Vectors);
-  FollowVectors(this->Mapper, this->Vectors, isOfPoints);
+  SetVectorArray(this->Mapper, this->Vectors, isOfPoints);
   // The lengths of vectors are what one asks next.
   if (this->Options.Array.empty())
   {
@@ -298,9 +298,9 @@ std::optional<std::array<double, 3>> MeshScene::GetCentre()
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> MeshScene::GetSurface()
 {
-  const vtkIdType enough = 100000;
+  const vtkIdType maximumNumberOfCells = 100000;
   int level = 3;
-  while (level > 0 && (this->Mesh->GetNumberOfCells() << (2 * level)) > enough)
+  while (level > 0 && (this->Mesh->GetNumberOfCells() << (2 * level)) > maximumNumberOfCells)
   {
     --level;
   }
@@ -316,8 +316,7 @@ vtkSmartPointer<vtkPolyData> MeshScene::GetSurface()
   this->Messages.Check();
   if (filter->GetOutput()->GetNumberOfCells() == 0)
   {
-    throw ViewerError(
-      this->Options.Input + ": no triangle has three corners of its own, and heights");
+    throw ViewerError(this->Options.Input + ": every triangle is degenerate or has no heights");
   }
   return filter->GetOutput();
 }

@@ -243,7 +243,8 @@ std::optional<std::array<double, 3>> TerrainScene::GetCentre()
     std::ostringstream message;
     message << this->Options.Input << " has no height at --center " << place[0] << "," << place[1]
             << "; its x goes from " << bounds[0] << " to " << bounds[1] << ", its y from "
-            << bounds[2] << " to " << bounds[3] << "; X,Y,Z needs no height";
+            << bounds[2] << " to " << bounds[3]
+            << "; give Z as well to look at a place without terrain";
     throw ViewerError(message.str());
   }
   vtkDisplacement* displacement = this->Source->GetDisplacement();

@@ -98,7 +98,7 @@ vtkDataArray* FindVectors(const ViewerOptions& options, vtkPolyData* mesh, bool&
 }
 
 //------------------------------------------------------------------------------
-void FollowVectors(vtkAdaptiveRefinementMapper* mapper, vtkDataArray* vectors, bool isOfPoints)
+void SetVectorArray(vtkAdaptiveRefinementMapper* mapper, vtkDataArray* vectors, bool isOfPoints)
 {
   mapper->SetInputArrayToProcess(0, 0, 0,
     isOfPoints ? vtkDataObject::FIELD_ASSOCIATION_POINTS : vtkDataObject::FIELD_ASSOCIATION_CELLS,

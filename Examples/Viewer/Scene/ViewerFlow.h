@@ -24,7 +24,7 @@ vtkSmartPointer<vtkAdaptiveRefinementMapper> MakeMapper(const ViewerOptions& opt
 vtkDataArray* FindVectors(const ViewerOptions& options, vtkPolyData* mesh, bool& isOfPoints);
 
 /// Has the mapper follow them.
-void FollowVectors(vtkAdaptiveRefinementMapper* mapper, vtkDataArray* vectors, bool isOfPoints);
+void SetVectorArray(vtkAdaptiveRefinementMapper* mapper, vtkDataArray* vectors, bool isOfPoints);
 
 /// Has NaN stand for no data, so that points without data look as the surface between them does.
 void MarkNoData(vtkDataArray* vectors);

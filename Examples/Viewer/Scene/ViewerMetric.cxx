@@ -73,7 +73,7 @@ Metric MakeFieldVariation(const ViewerOptions& options, const std::string& array
 }
 
 // On a terrain a place is one whatever the height.
-vtkSmartPointer<vtkImplicitFunction> MakePlace(
+vtkSmartPointer<vtkImplicitFunction> MakeRegionFunction(
   const ViewerOptions& options, const double centre[3], double radius)
 {
   if (options.IsMesh)
@@ -104,7 +104,7 @@ Metric MakeRegion(const ViewerOptions& options, vtkPolyData* mesh)
     radius = options.Region->back();
   }
   vtkNew<vtkRegionDepthTagMetric> metric;
-  metric->SetImplicitFunction(MakePlace(options, centre, radius));
+  metric->SetImplicitFunction(MakeRegionFunction(options, centre, radius));
   metric->SetFallOff(2.0 * radius);
   return metric.Get();
 }

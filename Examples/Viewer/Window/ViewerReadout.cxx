@@ -21,8 +21,8 @@
 
 namespace
 {
-const int Margin = 10;          // pixels
-const unsigned long Rest = 100; // milliseconds
+const int Margin = 10;                // pixels
+const unsigned long HoverDelay = 100; // milliseconds
 
 // What was drawn last in a pixel, by its depth: the refined and displaced surface, at the cost of
 // reading one pixel. False for nothing.
@@ -92,7 +92,7 @@ void ViewerReadout::OnChange(vtkObject* caller, unsigned long, void*)
   {
     interactor->DestroyTimer(this->Timer);
   }
-  this->Timer = interactor->CreateOneShotTimer(Rest);
+  this->Timer = interactor->CreateOneShotTimer(HoverDelay);
 }
 
 //------------------------------------------------------------------------------

@@ -43,7 +43,7 @@ std::string FindContrastError(vtkLICSettings* settings)
   if (low + high >= 1.0)
   {
     error << "LowLICContrastEnhancementFactor " << low << " and HighLICContrastEnhancementFactor "
-          << high << " leave nothing of the range: their sum has to be less than 1.";
+          << high << " must add up to less than 1.";
   }
   return error.str();
 }

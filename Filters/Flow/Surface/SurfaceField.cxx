@@ -33,58 +33,59 @@ vtkDataArray* FindFirst(vtkDataSetAttributes* data, vtkIdType numberOfTuples)
   return nullptr;
 }
 
-vtkIdType GetSize(vtkPolyData* mesh, bool ofCells)
+vtkIdType GetSize(vtkPolyData* mesh, bool isCellData)
 {
-  return ofCells ? mesh->GetNumberOfCells() : mesh->GetNumberOfPoints();
+  return isCellData ? mesh->GetNumberOfCells() : mesh->GetNumberOfPoints();
 }
 
-vtkDataSetAttributes* GetData(vtkPolyData* mesh, bool ofCells)
+vtkDataSetAttributes* GetData(vtkPolyData* mesh, bool isCellData)
 {
-  return mesh->GetAttributes(ofCells ? vtkDataObject::CELL : vtkDataObject::POINT);
+  return mesh->GetAttributes(isCellData ? vtkDataObject::CELL : vtkDataObject::POINT);
 }
 }
 
 namespace relevo
 {
-SurfaceField FindSurfaceField(vtkPolyData* mesh, vtkInformation* wanted)
+SurfaceField FindSurfaceField(vtkPolyData* mesh, vtkInformation* inputArray)
 {
-  const int association = wanted->Get(vtkDataObject::FIELD_ASSOCIATION());
-  const char* name = wanted->Get(vtkDataObject::FIELD_NAME());
-  const int attribute = wanted->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE());
+  const int association = inputArray->Get(vtkDataObject::FIELD_ASSOCIATION());
+  const char* name = inputArray->Get(vtkDataObject::FIELD_NAME());
+  const int attribute = inputArray->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE());
   std::ostringstream error;
   error << "has no array of 3 components";
   if (name)
   {
     error << " named \"" << name << '"';
   }
-  for (bool ofCells : { false, true })
+  for (bool isCellData : { false, true })
   {
     if (association ==
-      (ofCells ? vtkDataObject::FIELD_ASSOCIATION_POINTS : vtkDataObject::FIELD_ASSOCIATION_CELLS))
+      (isCellData ? vtkDataObject::FIELD_ASSOCIATION_POINTS
+                  : vtkDataObject::FIELD_ASSOCIATION_CELLS))
     {
       continue;
     }
-    vtkDataSetAttributes* data = GetData(mesh, ofCells);
+    vtkDataSetAttributes* data = GetData(mesh, isCellData);
     vtkDataArray* array = name ? data->GetArray(name) : data->GetAttribute(attribute);
-    const vtkIdType size = GetSize(mesh, ofCells);
+    const vtkIdType size = GetSize(mesh, isCellData);
     if (CanBeVectors(array, size))
     {
-      return { array, ofCells, "" };
+      return { array, isCellData, "" };
     }
     if (array && name)
     {
       error << "; there are " << array->GetNumberOfTuples() << " tuples of "
             << array->GetNumberOfComponents() << " for " << size
-            << (ofCells ? " cells" : " points");
+            << (isCellData ? " cells" : " points");
     }
   }
-  for (bool ofCells : { false, true })
+  for (bool isCellData : { false, true })
   {
     vtkDataArray* array =
-      name ? nullptr : FindFirst(GetData(mesh, ofCells), GetSize(mesh, ofCells));
+      name ? nullptr : FindFirst(GetData(mesh, isCellData), GetSize(mesh, isCellData));
     if (array)
     {
-      return { array, ofCells, "" };
+      return { array, isCellData, "" };
     }
   }
   return { nullptr, false, error.str() };

@@ -20,16 +20,16 @@ namespace relevo
 struct SurfaceField
 {
   vtkDataArray* Vectors = nullptr;
-  bool OfCells = false;
+  bool IsCellData = false;
   /// Why there are no vectors, as what the input lacks.
   std::string Error;
 };
 
 /**
- * `wanted` is an algorithm's information of an input array. By its attribute, and not by a name, an
- * array that cannot be the vectors gives way to the first one that can.
+ * `inputArray` is an algorithm's information of an input array. By its attribute, and not by a
+ * name, an array that cannot be the vectors gives way to the first one that can.
  */
-SurfaceField FindSurfaceField(vtkPolyData* mesh, vtkInformation* wanted);
+SurfaceField FindSurfaceField(vtkPolyData* mesh, vtkInformation* inputArray);
 }
 
 #endif

@@ -10,11 +10,11 @@ namespace
 // Of the longest vector: what is shorter has no direction.
 constexpr double ShortestVector = 1e-8;
 // The sine of the angle to an edge below which a vector is along it.
-constexpr double AlongEdge = 1e-5;
+constexpr double EdgeTolerance = 1e-5;
 // The weight of another corner below which a place is a corner.
-constexpr double AtCorner = 1e-10;
+constexpr double CornerTolerance = 1e-10;
 // Share of a step below which nothing has moved.
-constexpr double NoProgress = 1e-10;
+constexpr double MinimumProgress = 1e-10;
 // Pieces of a step, and those of them in a row that do not move: a line that needs more has no way.
 constexpr int MostPieces = 1000;
 constexpr int MostIdlePieces = 32;
@@ -22,7 +22,7 @@ constexpr int MostIdlePieces = 32;
 constexpr double SlideShare = 0.125;
 constexpr int MostHalvings = 8;
 
-relevo::SurfaceStreamline::Weights AtCornerOf(int corner)
+relevo::SurfaceStreamline::Weights MakeCornerWeights(int corner)
 {
   relevo::SurfaceStreamline::Weights weights{};
   weights[corner] = 1.0;
@@ -40,20 +40,20 @@ namespace relevo
 void SurfaceStreamline::StartInside(int triangle, const Weights& weights)
 {
   this->Triangle = triangle;
-  this->Place = weights;
-  this->Start = this->FindPlace();
+  this->CurrentWeights = weights;
+  this->StartPlace = this->FindCornerPlace();
 }
 
 bool SurfaceStreamline::Advance(double step)
 {
-  const double least = NoProgress * step;
-  if (this->Start >= 0)
+  const double least = MinimumProgress * step;
+  if (this->StartPlace >= 0)
   {
-    if (!this->EnterAt(this->Start, step))
+    if (!this->EnterAt(this->StartPlace, step))
     {
       return false;
     }
-    this->Start = -1;
+    this->StartPlace = -1;
   }
   int idle = 0;
   for (int piece = 0; piece < MostPieces && idle < MostIdlePieces; ++piece)
@@ -84,11 +84,11 @@ bool SurfaceStreamline::Advance(double step)
 SurfaceStreamline::Vector SurfaceStreamline::GetPosition() const
 {
   Vector position;
-  if (this->Start < 0)
+  if (this->StartPlace < 0)
   {
-    return this->Vectors->GetPosition(this->Triangle, this->Place);
+    return this->Vectors->GetPosition(this->Triangle, this->CurrentWeights);
   }
-  this->Vectors->GetTriangles().GetPoint(this->Start, position.data());
+  this->Vectors->GetTriangles().GetPoint(this->StartPlace, position.data());
   return position;
 }
 
@@ -102,14 +102,14 @@ bool SurfaceStreamline::FindVelocity(int triangle, const Weights& weights, Weigh
   }
   for (double& rate : rates)
   {
-    rate *= this->Normalized ? this->Way / length : this->Way;
+    rate *= this->Normalized ? this->Direction / length : this->Direction;
   }
   // What is along an edge but for rounding stays on it; it would leave the surface at a border.
   for (int corner = 0; corner < 3; ++corner)
   {
     if (weights[corner] == 0.0 && rates[corner] < 0.0 &&
       -rates[corner] * this->Vectors->GetHeight(triangle, corner) <
-        AlongEdge * (this->Normalized ? 1.0 : length))
+        EdgeTolerance * (this->Normalized ? 1.0 : length))
     {
       rates =
         this->GetRatesAlongEdge(triangle, corner, this->GetSpeedAlongEdge(triangle, corner, rates));
@@ -147,7 +147,8 @@ SurfaceStreamline::Exit SurfaceStreamline::FindExit(const Weights& rates) const
   Exit exit{ HUGE_VAL, 0 };
   for (int corner = 0; corner < 3; ++corner)
   {
-    const double step = rates[corner] < 0.0 ? this->Place[corner] / -rates[corner] : HUGE_VAL;
+    const double step =
+      rates[corner] < 0.0 ? this->CurrentWeights[corner] / -rates[corner] : HUGE_VAL;
     if (step < exit.Step)
     {
       exit = { step, corner };
@@ -164,11 +165,11 @@ double SurfaceStreamline::Move(const Weights& rates, double step, const Exit& ex
   double sum = 0.0;
   for (int corner = 0; corner < 3; ++corner)
   {
-    double& weight = this->Place[corner];
+    double& weight = this->CurrentWeights[corner];
     weight = leaves && corner == exit.Corner ? 0.0 : std::max(weight + done * rates[corner], 0.0);
     sum += weight;
   }
-  for (double& weight : this->Place)
+  for (double& weight : this->CurrentWeights)
   {
     weight /= sum;
   }
@@ -180,7 +181,7 @@ double SurfaceStreamline::Move(const Weights& rates, double step, const Exit& ex
 bool SurfaceStreamline::MoveInside(double& step, int& corner)
 {
   Weights rates;
-  if (!this->FindVelocity(this->Triangle, this->Place, rates))
+  if (!this->FindVelocity(this->Triangle, this->CurrentWeights, rates))
   {
     return false;
   }
@@ -194,7 +195,7 @@ bool SurfaceStreamline::MoveInside(double& step, int& corner)
       Weights middle;
       for (int i = 0; i < 3; ++i)
       {
-        middle[i] = std::max(this->Place[i] + 0.5 * piece * rates[i], 0.0);
+        middle[i] = std::max(this->CurrentWeights[i] + 0.5 * piece * rates[i], 0.0);
       }
       if (!this->FindVelocity(this->Triangle, middle, velocity))
       {
@@ -209,7 +210,7 @@ bool SurfaceStreamline::MoveInside(double& step, int& corner)
       if (tries == MostHalvings)
       {
         corner = exit.Corner;
-        this->Place[corner] = 0.0;
+        this->CurrentWeights[corner] = 0.0;
         this->Slide(this->GetRatesAlongEdge(this->Triangle, corner,
                       this->GetSpeedAlongEdge(this->Triangle, corner, velocity)),
           step);
@@ -225,7 +226,7 @@ bool SurfaceStreamline::MoveInside(double& step, int& corner)
 
 bool SurfaceStreamline::Cross(int corner, double& step)
 {
-  const vtkIdType place = this->FindPlace();
+  const vtkIdType place = this->FindCornerPlace();
   if (place >= 0)
   {
     return this->EnterAt(place, step);
@@ -235,11 +236,11 @@ bool SurfaceStreamline::Cross(int corner, double& step)
   if (next < 0)
   {
     // What is along the border stays on it.
-    return this->FindVelocity(this->Triangle, this->Place, rates) && rates[corner] >= 0.0;
+    return this->FindVelocity(this->Triangle, this->CurrentWeights, rates) && rates[corner] >= 0.0;
   }
   int third;
   const Weights weights =
-    this->Vectors->GetWeightsBeyond(this->Triangle, corner, this->Place, third);
+    this->Vectors->GetNeighborWeights(this->Triangle, corner, this->CurrentWeights, third);
   if (!this->FindVelocity(next, weights, rates))
   {
     return false;
@@ -247,10 +248,10 @@ bool SurfaceStreamline::Cross(int corner, double& step)
   if (rates[third] > 0.0)
   {
     this->Triangle = next;
-    this->Place = weights;
+    this->CurrentWeights = weights;
     return true;
   }
-  if (this->FindSlide(this->Triangle, this->Place, corner, rates))
+  if (this->FindSlide(this->Triangle, this->CurrentWeights, corner, rates))
   {
     this->Slide(rates, step);
   }
@@ -268,7 +269,7 @@ bool SurfaceStreamline::FindSlide(
   int third = 0;
   if (next < 0 || !this->FindVelocity(triangle, weights, mine) || mine[corner] > 0.0 ||
     !this->FindVelocity(
-      next, this->Vectors->GetWeightsBeyond(triangle, corner, weights, third), others) ||
+      next, this->Vectors->GetNeighborWeights(triangle, corner, weights, third), others) ||
     others[third] > 0.0)
   {
     return false;
@@ -304,19 +305,19 @@ void SurfaceStreamline::Slide(const Weights& rates, double& step)
 bool SurfaceStreamline::EnterAt(vtkIdType place, double& step)
 {
   const SurfaceTriangles& surface = this->Vectors->GetTriangles();
-  int into = -1;
+  int entered = -1;
   int alongTriangle = -1;
   Weights along{};
   surface.ForEachTriangleIndex(place,
     [&](vtkIdType index)
     {
       const int triangle = static_cast<int>(index);
-      if (into >= 0 || this->Vectors->IsBlocked(triangle))
+      if (entered >= 0 || this->Vectors->IsBlocked(triangle))
       {
         return;
       }
       const int corner = FindCornerOf(surface.GetTriangles()[index], place);
-      const Weights weights = AtCornerOf(corner);
+      const Weights weights = MakeCornerWeights(corner);
       Weights rates;
       if (!this->FindVelocity(triangle, weights, rates))
       {
@@ -326,7 +327,7 @@ bool SurfaceStreamline::EnterAt(vtkIdType place, double& step)
       const int third = (corner + 2) % 3;
       if (rates[second] >= 0.0 && rates[third] >= 0.0)
       {
-        into = triangle;
+        entered = triangle;
         return;
       }
       for (int opposite : { second, third })
@@ -339,13 +340,14 @@ bool SurfaceStreamline::EnterAt(vtkIdType place, double& step)
         }
       }
     });
-  if (into < 0 && alongTriangle < 0)
+  if (entered < 0 && alongTriangle < 0)
   {
     return false;
   }
-  this->Triangle = into >= 0 ? into : alongTriangle;
-  this->Place = AtCornerOf(FindCornerOf(surface.GetTriangles()[this->Triangle], place));
-  if (into < 0)
+  this->Triangle = entered >= 0 ? entered : alongTriangle;
+  this->CurrentWeights =
+    MakeCornerWeights(FindCornerOf(surface.GetTriangles()[this->Triangle], place));
+  if (entered < 0)
   {
     this->Slide(along, step);
   }
@@ -353,11 +355,12 @@ bool SurfaceStreamline::EnterAt(vtkIdType place, double& step)
 }
 
 // The surface's point where it is; -1 elsewhere.
-vtkIdType SurfaceStreamline::FindPlace() const
+vtkIdType SurfaceStreamline::FindCornerPlace() const
 {
   for (int corner = 0; corner < 3; ++corner)
   {
-    if (this->Place[(corner + 1) % 3] <= AtCorner && this->Place[(corner + 2) % 3] <= AtCorner)
+    if (this->CurrentWeights[(corner + 1) % 3] <= CornerTolerance &&
+      this->CurrentWeights[(corner + 2) % 3] <= CornerTolerance)
     {
       return this->Vectors->GetTriangles().GetTriangles()[this->Triangle][corner];
     }

@@ -29,13 +29,13 @@ public:
   /// which the longest vector goes its length 1.
   SurfaceStreamline(const SurfaceVectors& vectors, bool forward, bool normalized)
     : Vectors(&vectors)
-    , Way(forward ? 1.0 : -1.0)
+    , Direction(forward ? 1.0 : -1.0)
     , Normalized(normalized)
   {
   }
 
   /// Begin at a place of the surface's points.
-  void StartAt(vtkIdType place) { this->Start = place; }
+  void StartAt(vtkIdType place) { this->StartPlace = place; }
   /// Begin in a triangle.
   void StartInside(int triangle, const Weights& weights);
 
@@ -65,15 +65,15 @@ private:
   bool Cross(int corner, double& step);
   bool EnterAt(vtkIdType place, double& step);
   void Slide(const Weights& rates, double& step);
-  vtkIdType FindPlace() const;
+  vtkIdType FindCornerPlace() const;
 
   const SurfaceVectors* Vectors;
-  double Way;
+  double Direction; // 1 downstream, -1 upstream
   bool Normalized;
 
-  vtkIdType Start = -1; // a place not yet left for a triangle
+  vtkIdType StartPlace = -1; // a place not yet left for a triangle
   int Triangle = -1;
-  Weights Place{};
+  Weights CurrentWeights{};
 };
 }
 

@@ -11,13 +11,13 @@
 namespace
 {
 // Twice the area of the triangle (a, b, p), positive to the left of the way from a to b.
-double Side(const double a[2], const double b[2], const double p[2])
+double GetDoubleArea(const double a[2], const double b[2], const double p[2])
 {
   return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
 }
 
 // A centre on a side but for the rounding of float texture coordinates is inside.
-constexpr double Outside = -1e-5;
+constexpr double MinimumWeight = -1e-5;
 
 // Of a point by the corners of a triangle; false outside.
 bool FindWeights(
@@ -30,14 +30,14 @@ bool FindWeights(
     const int j = (corner + 2) % 3;
     const double a[2] = { x[i], y[i] };
     const double b[2] = { x[j], y[j] };
-    weights[corner] = Side(a, b, p);
+    weights[corner] = GetDoubleArea(a, b, p);
     area += weights[corner];
   }
   double sum = 0.0;
   for (double& weight : weights)
   {
     weight /= area;
-    if (!(weight >= Outside)) // not so for the NaN of a triangle without area
+    if (!(weight >= MinimumWeight)) // not so for the NaN of a triangle without area
     {
       return false;
     }
@@ -89,10 +89,10 @@ void SurfaceTexels::Cover(int triangle)
     return;
   }
   const auto first = [](const double* x) {
-    return std::ceil(std::max(std::min({ x[0], x[1], x[2] }) + Outside, 0.0));
+    return std::ceil(std::max(std::min({ x[0], x[1], x[2] }) + MinimumWeight, 0.0));
   };
   const auto last = [](const double* x, int size) {
-    return std::floor(std::min(std::max({ x[0], x[1], x[2] }) - Outside, size - 1.0));
+    return std::floor(std::min(std::max({ x[0], x[1], x[2] }) - MinimumWeight, size - 1.0));
   };
   const double lastColumn = last(corners.X, this->Size[0]);
   const double lastRow = last(corners.Y, this->Size[1]);
@@ -141,19 +141,19 @@ std::vector<vtkIdType> SurfaceTexels::FindNearestCovered() const
     const vtkIdType dy = a / width - b / width;
     return dx * dx + dy * dy;
   };
-  const auto offer = [&](vtkIdType x, vtkIdType y, int dx, int dy)
+  const auto updateNearest = [&](vtkIdType x, vtkIdType y, int dx, int dy)
   {
     if (x + dx < 0 || x + dx >= width || y + dy < 0 || y + dy >= height)
     {
       return;
     }
     const vtkIdType texel = y * width + x;
-    const vtkIdType offered = nearest[(y + dy) * width + x + dx];
-    if (offered >= 0 &&
+    const vtkIdType candidate = nearest[(y + dy) * width + x + dx];
+    if (candidate >= 0 &&
       (nearest[texel] < 0 ||
-        squaredDistance(texel, offered) < squaredDistance(texel, nearest[texel])))
+        squaredDistance(texel, candidate) < squaredDistance(texel, nearest[texel])))
     {
-      nearest[texel] = offered;
+      nearest[texel] = candidate;
     }
   };
   for (int sweep = 0; sweep < 2; ++sweep)
@@ -164,14 +164,14 @@ std::vector<vtkIdType> SurfaceTexels::FindNearestCovered() const
       const vtkIdType y = sweep ? height - 1 - i : i;
       for (vtkIdType x = 0; x < width; ++x)
       {
-        offer(x, y, -1, 0);
-        offer(x, y, -1, back);
-        offer(x, y, 0, back);
-        offer(x, y, 1, back);
+        updateNearest(x, y, -1, 0);
+        updateNearest(x, y, -1, back);
+        updateNearest(x, y, 0, back);
+        updateNearest(x, y, 1, back);
       }
       for (vtkIdType x = width - 1; x >= 0; --x)
       {
-        offer(x, y, 1, 0);
+        updateNearest(x, y, 1, 0);
       }
     }
   }

@@ -31,7 +31,7 @@ int FindThirdCorner(const relevo::SurfaceTriangles::Triangle& triangle, vtkIdTyp
 namespace relevo
 {
 SurfaceVectors::SurfaceVectors(
-  vtkPolyData* mesh, vtkDataArray* vectors, bool ofCells, double noDataMagnitude)
+  vtkPolyData* mesh, vtkDataArray* vectors, bool isCellData, double noDataMagnitude)
 {
   this->Edges.Update(mesh);
   const SurfaceTriangles& triangles = this->GetTriangles();
@@ -48,7 +48,7 @@ SurfaceVectors::SurfaceVectors(
     {
       for (int triangle = static_cast<int>(begin); triangle < end; ++triangle)
       {
-        this->SetRates(triangle, vectors, ofCells, noDataMagnitude);
+        this->SetRates(triangle, vectors, isCellData, noDataMagnitude);
       }
     });
   this->FindNeighbors();
@@ -68,7 +68,7 @@ void SurfaceVectors::FindLongest(vtkDataArray* vectors, double noDataMagnitude)
 }
 
 void SurfaceVectors::SetRates(
-  int triangle, vtkDataArray* vectors, bool ofCells, double noDataMagnitude)
+  int triangle, vtkDataArray* vectors, bool isCellData, double noDataMagnitude)
 {
   Facet& facet = this->Facets[triangle];
   std::fill_n(facet.Neighbors, 3, -1);
@@ -92,12 +92,12 @@ void SurfaceVectors::SetRates(
   {
     double v[3];
     vectors->GetTuple(
-      ofCells ? triangles.GetCell(triangle) : triangles.GetPoints(triangle)[corner], v);
+      isCellData ? triangles.GetCell(triangle) : triangles.GetPoints(triangle)[corner], v);
     facet.Blocked = facet.Blocked || !IsVectorData(v, 3, noDataMagnitude);
-    const bool none = facet.Blocked || this->Longest == 0.0;
-    const double alongA = none ? 0.0 : vtkMath::Dot(v, a) / this->Longest;
-    const double alongB = none ? 0.0 : vtkMath::Dot(v, b) / this->Longest;
-    const double scale = none ? 0.0 : 1.0 / squaredArea;
+    const bool isZero = facet.Blocked || this->Longest == 0.0;
+    const double alongA = isZero ? 0.0 : vtkMath::Dot(v, a) / this->Longest;
+    const double alongB = isZero ? 0.0 : vtkMath::Dot(v, b) / this->Longest;
+    const double scale = isZero ? 0.0 : 1.0 / squaredArea;
     facet.Rates[corner][0] = (facet.Metric[2] * alongA - facet.Metric[1] * alongB) * scale;
     facet.Rates[corner][1] = (facet.Metric[0] * alongB - facet.Metric[1] * alongA) * scale;
   }
@@ -109,16 +109,16 @@ void SurfaceVectors::FindNeighbors()
   const auto& sides = this->Edges.GetSides();
   for (const SurfaceEdgeSides& side : sides)
   {
-    const int* two = side.Triangles;
-    if (side.Type == SurfaceEdgeSides::OPEN || this->IsBlocked(two[0]) || this->IsBlocked(two[1]))
+    const int* pair = side.Triangles;
+    if (side.Type == SurfaceEdgeSides::OPEN || this->IsBlocked(pair[0]) || this->IsBlocked(pair[1]))
     {
       continue;
     }
     const int* places = this->Edges.GetEdges()[side.Edge].Places;
     for (int i = 0; i < 2; ++i)
     {
-      const int corner = FindThirdCorner(triangles[two[i]], places[0], places[1]);
-      this->Facets[two[i]].Neighbors[corner] = two[1 - i];
+      const int corner = FindThirdCorner(triangles[pair[i]], places[0], places[1]);
+      this->Facets[pair[i]].Neighbors[corner] = pair[1 - i];
     }
   }
 }
@@ -137,17 +137,17 @@ SurfaceVectors::Vector SurfaceVectors::GetPosition(int triangle, const Weights& 
   return position;
 }
 
-SurfaceVectors::Weights SurfaceVectors::GetWeightsBeyond(
+SurfaceVectors::Weights SurfaceVectors::GetNeighborWeights(
   int triangle, int corner, const Weights& weights, int& third) const
 {
   const auto& triangles = this->GetTriangles().GetTriangles();
   const int next = this->GetNeighbor(triangle, corner);
   const vtkIdType first = triangles[triangle][(corner + 1) % 3];
   third = FindThirdCorner(triangles[next], first, triangles[triangle][(corner + 2) % 3]);
-  const bool ahead = triangles[next][(third + 1) % 3] == first;
+  const bool hasSameOrder = triangles[next][(third + 1) % 3] == first;
   Weights beyond{};
-  beyond[(third + (ahead ? 1 : 2)) % 3] = weights[(corner + 1) % 3];
-  beyond[(third + (ahead ? 2 : 1)) % 3] = weights[(corner + 2) % 3];
+  beyond[(third + (hasSameOrder ? 1 : 2)) % 3] = weights[(corner + 1) % 3];
+  beyond[(third + (hasSameOrder ? 2 : 1)) % 3] = weights[(corner + 2) % 3];
   return beyond;
 }
 

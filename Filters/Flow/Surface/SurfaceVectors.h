@@ -35,7 +35,7 @@ public:
 
   /// `vectors` has three components and a tuple for every point or cell of `mesh`, whose points
   /// must stay.
-  SurfaceVectors(vtkPolyData* mesh, vtkDataArray* vectors, bool ofCells, double noDataMagnitude);
+  SurfaceVectors(vtkPolyData* mesh, vtkDataArray* vectors, bool isCellData, double noDataMagnitude);
 
   const SurfaceTriangles& GetTriangles() const { return this->Edges.GetTriangles(); }
   const SurfaceEdges& GetEdges() const { return this->Edges; }
@@ -63,7 +63,7 @@ public:
 
   /// The weights of a place on the edge opposite to a corner in the triangle beyond, which there
   /// must be, and its corner `third` that is not on the edge.
-  Weights GetWeightsBeyond(int triangle, int corner, const Weights& weights, int& third) const;
+  Weights GetNeighborWeights(int triangle, int corner, const Weights& weights, int& third) const;
 
   /// The distance of a corner from the opposite edge.
   double GetHeight(int triangle, int corner) const;
@@ -87,7 +87,7 @@ private:
   /// The squared length of the edge opposite to a corner.
   double GetSquaredSide(int triangle, int corner) const;
   void FindLongest(vtkDataArray* vectors, double noDataMagnitude);
-  void SetRates(int triangle, vtkDataArray* vectors, bool ofCells, double noDataMagnitude);
+  void SetRates(int triangle, vtkDataArray* vectors, bool isCellData, double noDataMagnitude);
   void FindNeighbors();
 
   SurfaceEdges Edges;

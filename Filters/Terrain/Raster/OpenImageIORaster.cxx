@@ -92,7 +92,7 @@ std::unique_ptr<OpenImageIORaster> OpenImageIORaster::Open(
   const int photometric = spec.get_int_attribute("tiff:PhotometricInterpretation", -1);
   if (photometric == MinIsWhite || photometric == Palette)
   {
-    error = "OpenImageIO would invert its samples or look them up in a palette";
+    error = "palette and min-is-white files can only be read with GDAL";
     return nullptr;
   }
   if (format == OIIO::TypeDesc::DOUBLE && spec.tile_width > 0)
@@ -102,7 +102,7 @@ std::unique_ptr<OpenImageIORaster> OpenImageIORaster::Open(
   }
   if (bits > 0 && bits != static_cast<int>(8 * format.size()))
   {
-    error = "samples of " + std::to_string(bits) + " bits would be rescaled";
+    error = "samples of " + std::to_string(bits) + " bits can only be read with GDAL";
     return nullptr;
   }
 
