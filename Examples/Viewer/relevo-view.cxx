@@ -3,12 +3,12 @@
 /**
  * @brief   draws a height map or a mesh: in a window, or into a picture
  */
-#include "Scene/OffscreenWindow.h"
 #include "Files/ViewerFile.h"
-#include "Text/ViewerMessages.h"
-#include "Options/ViewerOptions.h"
 #include "Files/ViewerPicture.h"
+#include "Options/ViewerOptions.h"
+#include "Scene/OffscreenWindow.h"
 #include "Scene/ViewerScene.h"
+#include "Text/ViewerMessages.h"
 #include "Window/ViewerWindow.h"
 
 #include "vtkRenderWindow.h"
