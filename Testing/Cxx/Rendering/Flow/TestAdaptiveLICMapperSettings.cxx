@@ -5,6 +5,7 @@
 #include "RelevoCheck.h"
 #include "RelevoLICScene.h"
 #include "RelevoLICVectors.h"
+#include "RelevoPictures.h"
 
 #include "vtkActor.h"
 #include "vtkMultiBlockDataSet.h"
@@ -16,6 +17,8 @@
 
 namespace
 {
+using RelevoPictures::Equal;
+
 RelevoMeshes::Mesh MakeMesh()
 {
   RelevoMeshes::Mesh mesh = RelevoMeshes::Sphere(16, 12);
@@ -127,11 +130,6 @@ struct View
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkRenderWindow> Window;
 };
-
-bool Equal(const RelevoPicture& a, const RelevoPicture& b)
-{
-  return a.Colors == b.Colors && a.Depths == b.Depths;
-}
 
 void TestProgram(RelevoCheck& check)
 {

@@ -5,10 +5,10 @@
 #include "RelevoMethods.h"
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
+#include "RelevoTextures.h"
 
 #include "vtkCellArray.h"
 #include "vtkDistanceDepthTagMetric.h"
-#include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
@@ -53,21 +53,6 @@ Mesh MakeMesh()
   mesh->SetLines(lines);
   mesh->SetVerts(vertices);
   return mesh;
-}
-
-vtkSmartPointer<vtkTexture> MakeTexture()
-{
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(8, 8, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  for (int i = 0; i < 8 * 8 * 3; ++i)
-  {
-    static_cast<unsigned char*>(image->GetScalarPointer())[i] =
-      static_cast<unsigned char>(i * 41 % 256);
-  }
-  vtkNew<vtkTexture> texture;
-  texture->SetInputData(image);
-  return texture.Get();
 }
 
 // What an actor can look like.
@@ -118,7 +103,7 @@ std::vector<Look> MakeLooks()
     { "Unlit", with([](vtkProperty* p) { p->LightingOff(); }) },
     { "PBR", with([](vtkProperty* p) { p->SetInterpolationToPBR(); }) },
     { "Translucent", with([](vtkProperty* p) { p->SetOpacity(0.5); }) },
-    { "Textured", [](vtkActor* actor) { actor->SetTexture(MakeTexture()); } },
+    { "Textured", [](vtkActor* actor) { actor->SetTexture(RelevoTextures::MakeMotley()); } },
     { "OwnShader",
       [](vtkActor* actor)
       {
