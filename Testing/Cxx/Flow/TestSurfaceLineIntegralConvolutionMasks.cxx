@@ -20,6 +20,8 @@ namespace
 {
 using namespace RelevoVectors;
 
+using Filter = vtkSurfaceLineIntegralConvolution;
+
 constexpr double Grain = 0.05;
 
 vtkSmartPointer<vtkSurfaceLineIntegralConvolution> MakeFilter()
@@ -191,95 +193,107 @@ void CheckOddMeshes(RelevoCheck& check)
   }
 }
 
-void CheckErrors(RelevoCheck& check)
+// Whether there is no output, and an error that says `words`.
+bool Fails(Filter* filter, vtkPolyData* mesh, const char* words)
+{
+  RelevoErrors errors(filter);
+  RelevoErrors ofExecutive(filter->GetExecutive());
+  const RelevoSurfaceLIC lic(filter, mesh);
+  return errors.Said(words) && lic.Values.empty() && filter->GetOutput()->GetNumberOfPoints() == 0;
+}
+
+// Whether a setting is an error at once, and changes nothing.
+bool Rejects(const std::function<void(Filter*)>& set, const char* words)
+{
+  const auto plane = PlaneWith(1.0);
+  const auto filter = MakeFilter();
+  const RelevoSurfaceLIC before(filter, plane);
+  const vtkMTimeType time = filter->GetMTime();
+  RelevoErrors errors(filter);
+  set(filter);
+  const bool said = errors.Said(words) && filter->GetMTime() == time;
+  filter->Modified();
+  const RelevoSurfaceLIC after(filter, plane);
+  return said && errors.None() && after.IsValid() && after.Values == before.Values;
+}
+
+void CheckSettings(RelevoCheck& check)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  auto plane = PlaneWith(1.0);
-  const auto fails =
-    [&](vtkSurfaceLineIntegralConvolution* filter, vtkPolyData* mesh, const char* words)
-  {
-    RelevoErrors errors(filter);
-    RelevoErrors ofExecutive(filter->GetExecutive());
-    const RelevoSurfaceLIC lic(filter, mesh);
-    return errors.Said(words) && lic.Values.empty() &&
-      filter->GetOutput()->GetNumberOfPoints() == 0;
-  };
-  // Said at once, and nothing changes.
-  const auto rejects =
-    [&](const std::function<void(vtkSurfaceLineIntegralConvolution*)>& set, const char* words)
-  {
-    const auto filter = MakeFilter();
-    const RelevoSurfaceLIC before(filter, plane);
-    const vtkMTimeType time = filter->GetMTime();
-    RelevoErrors errors(filter);
-    set(filter);
-    const bool said = errors.Said(words) && filter->GetMTime() == time;
-    filter->Modified();
-    const RelevoSurfaceLIC after(filter, plane);
-    return said && errors.None() && after.IsValid() && after.Values == before.Values;
-  };
-  using Filter = vtkSurfaceLineIntegralConvolution;
   for (int steps : { 0, -1, 100001 })
   {
-    CHECK(rejects([=](Filter* f) { f->SetNumberOfSteps(steps); }, "NumberOfSteps"));
+    CHECK(Rejects([=](Filter* f) { f->SetNumberOfSteps(steps); }, "NumberOfSteps"));
   }
   for (double bad : { -0.1, nan, static_cast<double>(HUGE_VAL) })
   {
-    CHECK(rejects([=](Filter* f) { f->SetStepSize(bad); }, "StepSize"));
-    CHECK(rejects([=](Filter* f) { f->SetGrainSize(bad); }, "GrainSize"));
+    CHECK(Rejects([=](Filter* f) { f->SetStepSize(bad); }, "StepSize"));
+    CHECK(Rejects([=](Filter* f) { f->SetGrainSize(bad); }, "GrainSize"));
   }
-  CHECK(rejects([=](Filter* f) { f->SetPhase(nan); }, "Phase"));
-  CHECK(rejects([=](Filter* f) { f->SetMaskThreshold(nan); }, "MaskThreshold"));
-  CHECK(rejects([=](Filter* f) { f->SetNoDataMagnitude(0.0); }, "NoDataMagnitude"));
-  CHECK(rejects([=](Filter* f) { f->SetNoDataMagnitude(nan); }, "NoDataMagnitude"));
-  CHECK(rejects([=](Filter* f) { f->SetEnhanceContrast(2); }, "EnhanceContrast"));
-  CHECK(rejects([=](Filter* f) { f->SetLowLICContrastEnhancementFactor(-1.1); }, "Low"));
-  CHECK(rejects([=](Filter* f) { f->SetHighLICContrastEnhancementFactor(1.1); }, "High"));
-  CHECK(rejects([=](Filter* f) { f->SetTextureSize(0, 5); }, "TextureSize"));
-  CHECK(rejects([=](Filter* f) { f->SetTextureSize(5, 20000); }, "TextureSize"));
+  CHECK(Rejects([=](Filter* f) { f->SetPhase(nan); }, "Phase"));
+  CHECK(Rejects([=](Filter* f) { f->SetMaskThreshold(nan); }, "MaskThreshold"));
+  CHECK(Rejects([=](Filter* f) { f->SetNoDataMagnitude(0.0); }, "NoDataMagnitude"));
+  CHECK(Rejects([=](Filter* f) { f->SetNoDataMagnitude(nan); }, "NoDataMagnitude"));
+  CHECK(Rejects([=](Filter* f) { f->SetEnhanceContrast(2); }, "EnhanceContrast"));
+  CHECK(Rejects([=](Filter* f) { f->SetLowLICContrastEnhancementFactor(-1.1); }, "Low"));
+  CHECK(Rejects([=](Filter* f) { f->SetHighLICContrastEnhancementFactor(1.1); }, "High"));
+  CHECK(Rejects([=](Filter* f) { f->SetTextureSize(0, 5); }, "TextureSize"));
+  CHECK(Rejects([=](Filter* f) { f->SetTextureSize(5, 20000); }, "TextureSize"));
+}
 
-  const auto filter = MakeFilter();
+void CheckRange(RelevoCheck& check, Filter* filter, vtkPolyData* plane)
+{
   filter->SetHighLICContrastEnhancementFactor(1.0); // nothing is left of the range
-  CHECK(fails(filter, plane, "High"));
+  CHECK(Fails(filter, plane, "High"));
   filter->SetHighLICContrastEnhancementFactor(0.0);
-  CHECK(fails(filter, RelevoMeshes::Plane(3, 3), "no array of 3 components"));
-  CHECK(fails(filter, RelevoMeshes::Make(), "no array of 3 components"));
+}
+
+void CheckInputs(RelevoCheck& check, Filter* filter, vtkPolyData* plane)
+{
+  CHECK(Fails(filter, RelevoMeshes::Plane(3, 3), "no array of 3 components"));
+  CHECK(Fails(filter, RelevoMeshes::Make(), "no array of 3 components"));
   auto lines = RelevoMeshes::Make();
   lines->SetPoints(plane->GetPoints());
   lines->GetPointData()->ShallowCopy(plane->GetPointData());
-  CHECK(fails(filter, lines, "no polygons"));
+  CHECK(Fails(filter, lines, "no polygons"));
   lines->SetLines(vtkSmartPointer<vtkCellArray>::New());
   lines->GetLines()->InsertNextCell({ 0, 1 });
-  CHECK(fails(filter, lines, "no polygons"));
-  // By name.
+  CHECK(Fails(filter, lines, "no polygons"));
+}
+
+void CheckNamedArrays(RelevoCheck& check, Filter* filter, vtkPolyData* plane)
+{
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "no such array");
-  CHECK(fails(filter, plane, "\"no such array\""));
+  CHECK(Fails(filter, plane, "\"no such array\""));
   vtkNew<vtkFloatArray> pairs;
   pairs->SetName("pairs");
   pairs->SetNumberOfComponents(2);
   pairs->SetNumberOfTuples(plane->GetNumberOfPoints());
   plane->GetPointData()->AddArray(pairs);
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "pairs");
-  CHECK(fails(filter, plane, "tuples of 2"));
+  CHECK(Fails(filter, plane, "tuples of 2"));
   vtkNew<vtkStringArray> words;
   words->SetName("words");
   words->SetNumberOfTuples(plane->GetNumberOfPoints());
   plane->GetPointData()->AddArray(words);
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "words");
-  CHECK(fails(filter, plane, "\"words\""));
+  CHECK(Fails(filter, plane, "\"words\""));
   vtkNew<vtkFloatArray> few;
   few->SetName("few");
   few->SetNumberOfComponents(3);
   few->SetNumberOfTuples(7);
   plane->GetPointData()->AddArray(few);
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "few");
-  CHECK(fails(filter, plane, "7 tuples of 3"));
+  CHECK(Fails(filter, plane, "7 tuples of 3"));
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Velocity");
-  CHECK(fails(filter, plane, "\"Velocity\""));
+  CHECK(Fails(filter, plane, "\"Velocity\""));
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Velocity");
   CHECK(RelevoSurfaceLIC(filter, plane).IsValid());
+}
 
-  // Not by name: the first that can be, and no normals.
+// Without a name it is the first array that can be, and no normals.
+void CheckFirstArray(RelevoCheck& check)
+{
+  auto plane = PlaneWith(1.0);
   plane->GetPointData()->SetActiveVectors(nullptr);
   vtkNew<vtkFloatArray> normals;
   normals->SetName("Normals");
@@ -289,10 +303,21 @@ void CheckErrors(RelevoCheck& check)
   auto withNormals = RelevoMeshes::Plane(40, 40);
   withNormals->GetPointData()->Initialize();
   withNormals->GetPointData()->SetNormals(normals);
-  CHECK(fails(MakeFilter(), withNormals, "no array of 3 components"));
+  CHECK(Fails(MakeFilter(), withNormals, "no array of 3 components"));
   withNormals->GetPointData()->AddArray(plane->GetPointData()->GetArray("Velocity"));
   CHECK(RelevoSurfaceLIC(MakeFilter(), withNormals).Values ==
     RelevoSurfaceLIC(MakeFilter(), PlaneWith(1.0)).Values);
+}
+
+void CheckErrors(RelevoCheck& check)
+{
+  CheckSettings(check);
+  const auto filter = MakeFilter();
+  auto plane = PlaneWith(1.0);
+  CheckRange(check, filter, plane);
+  CheckInputs(check, filter, plane);
+  CheckNamedArrays(check, filter, plane); // after which the filter works
+  CheckFirstArray(check);
 }
 }
 

@@ -117,17 +117,85 @@ void CheckCircles(RelevoCheck& check, int n)
   CHECK(largest < 0.5 * edge * edge);
 }
 
-// Straight lines on a plane of random triangles, from all points, as far as the border; however its
-// triangles wind, and with points of their own.
-void CheckPlane(RelevoCheck& check)
+// Axes of a plane that is turned in space.
+struct Axes
 {
-  auto plane = RelevoMeshes::Plane(9, 7);
+  Vector E1 = normalize({ { 0.6, 0.3, -0.5 } });
+  Vector E2 = normalize(cross(this->E1, { { 0.1, 0.9, 0.2 } }));
+  Vector Normal = cross(this->E1, this->E2);
+};
+
+// One field for all of a square of side 1 about the origin: lines are straight.
+class StraightField
+{
+public:
+  StraightField(vtkPolyData* mesh, const Axes& axes, double degrees)
+    : Square(mesh)
+    , Along(axes)
+    , Toward{ { std::cos(vtkMath::RadiansFromDegrees(degrees)),
+        std::sin(vtkMath::RadiansFromDegrees(degrees)) } }
+    , Way(this->Toward[0] * axes.E1 + this->Toward[1] * axes.E2)
+    // What stands on the surface does not count.
+    , Lines(mesh,
+        [this](const Vector& p) { return (2.0 + p[0]) * this->Way + p[1] * this->Along.Normal; })
+  {
+  }
+
+  // A line from the point goes straight on, as far as the border.
+  void CheckLine(RelevoCheck& check, vtkIdType point) const
+  {
+    constexpr double Step = 0.03;
+    Vector start;
+    this->Square->GetPoint(point, start.data());
+    const double most = this->GetWayToBorder(start);
+    int done;
+    const int steps = static_cast<int>((most - 1e-9) / Step);
+    const Vector end = this->Lines.Walk(point, true, Step, steps, &done);
+    CHECK(done == steps);
+    if (steps > 0)
+    {
+      CHECK(length(end - (start + steps * Step * this->Way)) < 1e-6);
+    }
+    if (most > 1e-6)
+    {
+      // It ends at the border, and there it is.
+      const Vector border = this->Lines.Walk(point, true, Step, steps + 2, &done);
+      CHECK(done == steps || std::abs(most - (steps + 1) * Step) < 1e-6);
+      CHECK(length(border - (start + most * this->Way)) < 1e-6);
+    }
+  }
+
+private:
+  double GetWayToBorder(const Vector& start) const
+  {
+    const double at[2] = { dot(start, this->Along.E1), dot(start, this->Along.E2) };
+    double most = 1e9;
+    for (int i = 0; i < 2; ++i)
+    {
+      if (std::abs(this->Toward[i]) > 1e-9)
+      {
+        most = std::min(most, (std::copysign(0.5, this->Toward[i]) - at[i]) / this->Toward[i]);
+      }
+    }
+    return most;
+  }
+
+  vtkSmartPointer<vtkPolyData> Square;
+  Axes Along;
+  std::array<double, 2> Toward;
+  Vector Way;
+  Field Lines;
+};
+
+// The quads of a mesh become triangles, by either diagonal, which wind either way.
+void SplitAtRandom(vtkPolyData* mesh)
+{
   std::mt19937 random(3);
   vtkNew<vtkCellArray> triangles;
-  for (vtkIdType cell = 0; cell < plane->GetNumberOfCells(); ++cell)
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
   {
     vtkNew<vtkIdList> quad;
-    plane->GetCellPoints(cell, quad);
+    mesh->GetCellPoints(cell, quad);
     const vtkIdType turn = static_cast<vtkIdType>(random() % 2);
     for (vtkIdType half : { 0, 2 })
     {
@@ -143,65 +211,40 @@ void CheckPlane(RelevoCheck& check)
       triangles->InsertNextCell(3, corners);
     }
   }
-  plane->SetPolys(triangles);
-  // Turned in space.
-  const Vector e1 = normalize({ { 0.6, 0.3, -0.5 } });
-  const Vector e2 = normalize(cross(e1, { { 0.1, 0.9, 0.2 } }));
-  const Vector normal = cross(e1, e2);
-  std::vector<Vector> flat;
-  for (vtkIdType i = 0; i < plane->GetNumberOfPoints(); ++i)
-  {
-    Vector p;
-    plane->GetPoint(i, p.data());
-    flat.push_back({ { p[0], p[1], 0.0 } });
-  }
+  mesh->SetPolys(triangles);
+}
+
+void Tilt(vtkPolyData* mesh, const Axes& axes)
+{
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  for (const Vector& p : flat)
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
-    points->InsertNextPoint((p[0] * e1 + p[1] * e2).data());
+    Vector p;
+    mesh->GetPoint(i, p.data());
+    points->InsertNextPoint((p[0] * axes.E1 + p[1] * axes.E2).data());
   }
-  plane->SetPoints(points);
+  mesh->SetPoints(points);
+}
+
+// Straight lines on a plane of random triangles, from all points, as far as the border; however its
+// triangles wind, and with points of their own.
+void CheckPlane(RelevoCheck& check)
+{
+  auto plane = RelevoMeshes::Plane(9, 7);
+  SplitAtRandom(plane);
+  const Axes axes;
+  Tilt(plane, axes);
   auto exploded = RelevoMeshes::Explode(plane);
-  constexpr double Step = 0.03;
   // Along the edges as well: on the border as far as its end.
   for (double degrees : { 0.0, 90.0, 37.0, 161.0, 254.0 })
   {
-    const double angle = vtkMath::RadiansFromDegrees(degrees);
-    const Vector way = std::cos(angle) * e1 + std::sin(angle) * e2;
     for (vtkPolyData* mesh : { plane.Get(), exploded.Get() })
     {
-      // What stands on the surface does not count.
-      const Field field(mesh, [&](const Vector& p) { return (2.0 + p[0]) * way + p[1] * normal; });
+      const StraightField field(mesh, axes, degrees);
       for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
       {
-        Vector start;
-        mesh->GetPoint(point, start.data());
-        const double at[2] = { dot(start, e1), dot(start, e2) };
-        const double toward[2] = { std::cos(angle), std::sin(angle) };
-        double most = 1e9;
-        for (int i = 0; i < 2; ++i)
-        {
-          if (std::abs(toward[i]) > 1e-9)
-          {
-            most = std::min(most, (std::copysign(0.5, toward[i]) - at[i]) / toward[i]);
-          }
-        }
-        int done;
-        const int steps = static_cast<int>((most - 1e-9) / Step);
-        const Vector end = field.Walk(point, true, Step, steps, &done);
-        CHECK(done == steps);
-        if (steps > 0)
-        {
-          CHECK(length(end - (start + steps * Step * way)) < 1e-6);
-        }
-        if (most > 1e-6)
-        {
-          // It ends at the border, and there it is.
-          const Vector border = field.Walk(point, true, Step, steps + 2, &done);
-          CHECK(done == steps || std::abs(most - (steps + 1) * Step) < 1e-6);
-          CHECK(length(border - (start + most * way)) < 1e-6);
-        }
+        field.CheckLine(check, point);
       }
     }
   }
