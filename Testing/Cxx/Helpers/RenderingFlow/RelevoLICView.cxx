@@ -19,6 +19,18 @@ vtkActor* RelevoLICView::Add(vtkDataObject* mesh, vtkAdaptiveRefinement* recipe)
   return this->Actor;
 }
 
+void RelevoLICView::LookDown(double scale, int pixels)
+{
+  this->Scene->Window->SetSize(pixels, pixels);
+  vtkCamera* camera = this->Scene->Renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetPosition(0, 0, 5);
+  camera->SetFocalPoint(0, 0, 0);
+  camera->SetViewUp(0, 1, 0);
+  camera->SetParallelScale(scale);
+  this->Scene->Renderer->ResetCameraClippingRange();
+}
+
 RelevoPicture RelevoLICView::Draw()
 {
   this->Scene->Render();

@@ -22,6 +22,9 @@ struct RelevoLICView
   // The actor whose LIC is looked at.
   vtkActor* Add(vtkDataObject* mesh, vtkAdaptiveRefinement* recipe = nullptr);
 
+  // Along the z axis without perspective, at what is up to `scale` away from it in x and y.
+  void LookDown(double scale, int pixels);
+
   RelevoPicture Draw();
 
   RelevoPicture DrawColors();

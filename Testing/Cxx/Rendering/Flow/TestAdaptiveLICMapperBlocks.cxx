@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A LIC on blocks: vectors of points, of cells, or none; nested and empty blocks.
 #include "RelevoLICVectors.h"
+#include "RelevoPictures.h"
 #include "RelevoTestMeshes.h"
 
 #include "vtkCellData.h"
@@ -9,7 +10,6 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace
@@ -88,72 +88,85 @@ struct View
 RelevoPicture Quarter(const RelevoPicture& picture, int column, int row, int margin)
 {
   const int size = Size / 2 - 2 * margin;
-  RelevoPicture part(size, size);
-  for (int y = 0; y < size; ++y)
-  {
-    const size_t from = static_cast<size_t>(row * Size / 2 + margin + y) * Size +
-      static_cast<size_t>(column * Size / 2 + margin);
-    std::copy_n(
-      &picture.Colors[3 * from], 3 * size, &part.Colors[3 * static_cast<size_t>(y) * size]);
-    std::copy_n(&picture.Depths[from], size, &part.Depths[static_cast<size_t>(y) * size]);
-  }
-  return part;
-}
+  return RelevoPictures::Crop(
+    picture, column * Size / 2 + margin, row * Size / 2 + margin, size, size);
 }
 
-int TestAdaptiveLICMapperBlocks(int argc, char* argv[])
+// Vectors of points, to the right; of cells, upwards; none; and nested, to the upper left.
+struct Blocks
 {
-  RelevoCheck check;
-  RelevoComparison comparison(check, argc, argv);
-  RelevoScene::NewMapper = NewMapper;
+  const Mesh Points = WithPointVectors(Square(0, 0), 3, 0);
+  const Mesh Cells = WithCellVectors(Square(1, 0), 0, 0.5);
+  const Mesh Bare = Square(0, 1);
+  const Mesh Nested = WithPointVectors(Square(1, 1), -1, 1);
+  View All{ this->Gather() };
+  const RelevoPicture Picture = this->All.Draw();
 
-  // Vectors of points, to the right; of cells, upwards; none; and nested, to the upper left.
-  const Mesh points = WithPointVectors(Square(0, 0), 3, 0);
-  const Mesh cells = WithCellVectors(Square(1, 0), 0, 0.5);
-  const Mesh none = Square(0, 1);
-  const Mesh nested = WithPointVectors(Square(1, 1), -1, 1);
-  vtkNew<vtkMultiBlockDataSet> inner;
-  inner->SetBlock(1, nested);
-  inner->SetBlock(2, vtkSmartPointer<vtkPolyData>::New());
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, points);
-  blocks->SetBlock(1, nullptr);
-  blocks->SetBlock(2, cells);
-  blocks->SetBlock(3, none);
-  blocks->SetBlock(4, inner);
-  blocks->SetBlock(5, vtkSmartPointer<vtkMultiBlockDataSet>::New());
-  View view(blocks);
-  const RelevoPicture picture = view.Draw();
-  CHECK(view.Errors.None());
-  CHECK(view.Mapper->GetNumberOfConvolutions() == 1);
-  view.Draw();
-  CHECK(view.Mapper->GetNumberOfConvolutions() == 1);
+  vtkSmartPointer<vtkMultiBlockDataSet> Gather() const
+  {
+    vtkNew<vtkMultiBlockDataSet> inner;
+    inner->SetBlock(1, this->Nested);
+    inner->SetBlock(2, vtkSmartPointer<vtkPolyData>::New());
+    auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+    blocks->SetBlock(0, this->Points);
+    blocks->SetBlock(1, nullptr);
+    blocks->SetBlock(2, this->Cells);
+    blocks->SetBlock(3, this->Bare);
+    blocks->SetBlock(4, inner);
+    blocks->SetBlock(5, vtkSmartPointer<vtkMultiBlockDataSet>::New());
+    return blocks;
+  }
 
-  // Each as if it were alone, away from its neighbours.
+  RelevoPicture DrawPlain()
+  {
+    this->All.Mapper->EnableOff();
+    RelevoPicture plain = this->All.Draw();
+    this->All.Mapper->EnableOn();
+    return plain;
+  }
+};
+
+// One for all blocks.
+void TestConvolutions(RelevoCheck& check, Blocks& blocks)
+{
+  CHECK(blocks.All.Errors.None());
+  CHECK(blocks.All.Mapper->GetNumberOfConvolutions() == 1);
+  blocks.All.Draw();
+  CHECK(blocks.All.Mapper->GetNumberOfConvolutions() == 1);
+}
+
+// Each block is as if it were alone, away from its neighbours.
+void TestNeighbours(RelevoCheck& check, RelevoComparison& comparison, const Blocks& blocks)
+{
   const struct
   {
     const char* Name;
     Mesh Block;
     int Column;
     int Row;
-  } parts[] = { { "Points", points, 0, 0 }, { "Cells", cells, 1, 0 }, { "Nested", nested, 1, 1 } };
+  } parts[] = { { "Points", blocks.Points, 0, 0 }, { "Cells", blocks.Cells, 1, 0 },
+    { "Nested", blocks.Nested, 1, 1 } };
   for (const auto& part : parts)
   {
     View alone(part.Block);
     comparison.Compare(std::string("LICBlocks.") + part.Name, { 0, 1e-6, 0 },
-      Quarter(picture, part.Column, part.Row, Reach),
+      Quarter(blocks.Picture, part.Column, part.Row, Reach),
       Quarter(alone.Draw(), part.Column, part.Row, Reach));
     CHECK(alone.Errors.None());
   }
-  view.Mapper->EnableOff();
-  const RelevoPicture plain = view.Draw();
-  view.Mapper->EnableOn();
-  CHECK(Quarter(picture, 0, 1, 2).Colors == Quarter(plain, 0, 1, 2).Colors);
+}
 
-  // Streaks go with their block's vectors up to its border: neighbours differ less along them.
+void TestBlockWithoutVectors(RelevoCheck& check, const Blocks& blocks, const RelevoPicture& plain)
+{
+  CHECK(Quarter(blocks.Picture, 0, 1, 2).Colors == Quarter(plain, 0, 1, 2).Colors);
+}
+
+// Streaks go with their block's vectors up to its border: neighbours differ less along them.
+void TestStreaks(RelevoCheck& check, const Blocks& blocks)
+{
   for (const int column : { 0, 1 })
   {
-    const RelevoPicture part = Quarter(picture, column, 0, 1);
+    const RelevoPicture part = Quarter(blocks.Picture, column, 0, 1);
     double along[2] = { 0.0, 0.0 };
     for (int y = 0; y + 1 < part.Size[1]; ++y)
     {
@@ -166,29 +179,40 @@ int TestAdaptiveLICMapperBlocks(int argc, char* argv[])
     }
     CHECK(2.0 * along[column] < along[1 - column]);
   }
+}
 
-  // A block that changes or loses its vectors; one with something else is an error.
-  points->GetPointData()->RemoveArray("Flow");
-  points->Modified();
-  const RelevoPicture fewer = view.Draw();
-  CHECK(view.Errors.None());
+void TestLostVectors(
+  RelevoCheck& check, RelevoComparison& comparison, Blocks& blocks, const RelevoPicture& plain)
+{
+  blocks.Points->GetPointData()->RemoveArray("Flow");
+  blocks.Points->Modified();
+  const RelevoPicture fewer = blocks.All.Draw();
+  CHECK(blocks.All.Errors.None());
   CHECK(Quarter(fewer, 0, 0, 2).Colors == Quarter(plain, 0, 0, 2).Colors);
-  comparison.Compare(
-    "LICBlocks.Kept", { 0, 0.0, 0 }, Quarter(fewer, 1, 1, Reach), Quarter(picture, 1, 1, Reach));
+  comparison.Compare("LICBlocks.Kept", { 0, 0.0, 0 }, Quarter(fewer, 1, 1, Reach),
+    Quarter(blocks.Picture, 1, 1, Reach));
+}
+
+// Something else of their name is an error.
+void TestReplacedVectors(
+  RelevoCheck& check, RelevoComparison& comparison, Blocks& blocks, const RelevoPicture& plain)
+{
   vtkNew<vtkFloatArray> scalars;
   scalars->SetName("Flow");
-  scalars->SetNumberOfTuples(points->GetNumberOfPoints());
+  scalars->SetNumberOfTuples(blocks.Points->GetNumberOfPoints());
   scalars->Fill(1.0);
-  points->GetPointData()->AddArray(scalars);
-  points->Modified();
-  CHECK(view.Draw().Colors == plain.Colors);
-  CHECK(view.Errors.Said("\"Flow\" has 1 component"));
-  WithPointVectors(points, 3, 0);
-  points->Modified();
-  comparison.Compare("LICBlocks.Again", {}, view.Draw(), picture);
-  CHECK(view.Errors.None());
+  blocks.Points->GetPointData()->AddArray(scalars);
+  blocks.Points->Modified();
+  CHECK(blocks.All.Draw().Colors == plain.Colors);
+  CHECK(blocks.All.Errors.Said("\"Flow\" has 1 component"));
+  WithPointVectors(blocks.Points, 3, 0);
+  blocks.Points->Modified();
+  comparison.Compare("LICBlocks.Again", {}, blocks.All.Draw(), blocks.Picture);
+  CHECK(blocks.All.Errors.None());
+}
 
-  // Without any vectors.
+void TestNoVectors(RelevoCheck& check)
+{
   vtkNew<vtkMultiBlockDataSet> bare;
   bare->SetBlock(0, Square(0, 0));
   bare->SetBlock(1, Square(1, 1));
@@ -198,5 +222,23 @@ int TestAdaptiveLICMapperBlocks(int argc, char* argv[])
   CHECK(nothing.Errors.Said("no array of vectors"));
   nothing.Draw();
   CHECK(nothing.Errors.None());
+}
+}
+
+int TestAdaptiveLICMapperBlocks(int argc, char* argv[])
+{
+  RelevoCheck check;
+  RelevoComparison comparison(check, argc, argv);
+  RelevoScene::NewMapper = NewMapper;
+
+  Blocks blocks;
+  TestConvolutions(check, blocks);
+  TestNeighbours(check, comparison, blocks);
+  const RelevoPicture plain = blocks.DrawPlain();
+  TestBlockWithoutVectors(check, blocks, plain);
+  TestStreaks(check, blocks);
+  TestLostVectors(check, comparison, blocks, plain);
+  TestReplacedVectors(check, comparison, blocks, plain);
+  TestNoVectors(check);
   return check.GetResult();
 }

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 namespace
 {
@@ -76,6 +77,215 @@ Color WithLightness(const Color& color, double lightness)
   }
   return result;
 }
+
+// Where there is a surface with a LIC.
+bool HasLIC(const RelevoPicture& lic, size_t pixel)
+{
+  return lic.Depths[pixel] < 1.0f && !RelevoLICView::IsMasked(RelevoLICView::At(lic, pixel));
+}
+
+size_t CountLIC(const RelevoPicture& lic)
+{
+  size_t count = 0;
+  for (size_t i = 0; i < lic.GetNumberOfPixels(); ++i)
+  {
+    count += HasLIC(lic, i) ? 1 : 0;
+  }
+  return count;
+}
+
+// Of pixels with a LIC.
+std::array<double, 2> FindRange(
+  const RelevoPicture& lic, const std::function<double(size_t)>& getValue)
+{
+  std::array<double, 2> range{ { 1.0, 0.0 } };
+  for (size_t i = 0; i < lic.GetNumberOfPixels(); ++i)
+  {
+    if (HasLIC(lic, i))
+    {
+      const double value = getValue(i);
+      range = { { std::min(range[0], value), std::max(range[1], value) } };
+    }
+  }
+  return range;
+}
+
+std::array<double, 2> FindRange(const RelevoPicture& lic)
+{
+  return FindRange(lic, [&lic](size_t i) { return RelevoLICView::At(lic, i)[0]; });
+}
+
+void TestGreys(RelevoCheck& check, RelevoLICView& view)
+{
+  const RelevoPicture lic = view.DrawLIC();
+  CHECK(CountLIC(lic) > 5000);
+  const std::array<double, 2> range = FindRange(lic);
+  CHECK(range[1] - range[0] > 0.2);
+}
+
+void TestBlend(RelevoComparison& comparison, RelevoLICView& view)
+{
+  for (const double intensity : { 0.0, 0.3, 0.8, 1.0 })
+  {
+    view.Mapper->SetLICIntensity(intensity);
+    view.Compare(comparison, "LICColors.Blend" + std::to_string(intensity),
+      { intensity == 0.0 ? 0 : 2, 0.0, 0 },
+      [intensity](const Color& color, double value) {
+        return RelevoLICView::Mix(color, Color{ { value, value, value } }, intensity);
+      });
+  }
+}
+
+void TestMultiply(RelevoComparison& comparison, RelevoLICView& view)
+{
+  view.Mapper->SetColorModeToMultiply();
+  for (const double bias : { 0.0, 0.4, -0.3, 1.0 })
+  {
+    view.Mapper->SetMapModeBias(bias);
+    view.Compare(comparison, "LICColors.Multiply" + std::to_string(bias),
+      { bias == 1.0 ? 0 : 2, 0.0, 0 },
+      [bias](const Color& color, double value)
+      {
+        return RelevoLICView::Mix(
+          Color{ { 0, 0, 0 } }, color, vtkMath::ClampValue(value + bias, 0.0, 1.0));
+      });
+  }
+  view.Mapper->SetMapModeBias(0.0);
+}
+
+// Lightness stretched, of either mode; the range is that of pixels with LIC.
+void TestLightnessContrast(
+  RelevoComparison& comparison, RelevoLICView& view, int mode, double factor)
+{
+  view.Mapper->GetLICInterface()->SetColorMode(mode);
+  view.Mapper->SetLICIntensity(0.5);
+  view.Mapper->SetLowColorContrastEnhancementFactor(factor);
+  view.Mapper->SetHighColorContrastEnhancementFactor(0.5 * factor);
+  const auto combine = [mode](const Color& color, double value)
+  {
+    return mode == 0 ? RelevoLICView::Mix(color, Color{ { value, value, value } }, 0.5)
+                     : RelevoLICView::Mix(Color{ { 0, 0, 0 } }, color, value);
+  };
+  const RelevoPicture colors = view.DrawColors();
+  const RelevoPicture greys = view.DrawLIC();
+  const std::array<double, 2> lightness = FindRange(greys,
+    [&](size_t i)
+    { return Lightness(combine(RelevoLICView::At(colors, i), RelevoLICView::At(greys, i)[0])); });
+  view.Compare(comparison, "LICColors.Lightness" + std::to_string(mode) + std::to_string(factor),
+    { 8, 0.0, 0 },
+    [&](const Color& color, double value)
+    {
+      const Color combined = combine(color, value);
+      return WithLightness(combined, Stretch(Lightness(combined), lightness, factor, 0.5 * factor));
+    });
+}
+
+void TestLightnessContrasts(RelevoComparison& comparison, RelevoLICView& view)
+{
+  view.Mapper->SetEnhanceContrastToColor();
+  for (const int mode : { 0, 1 })
+  {
+    for (const double factor : { 0.0, 0.2 })
+    {
+      TestLightnessContrast(comparison, view, mode, factor);
+    }
+  }
+  view.Mapper->SetEnhanceContrastToOff();
+}
+
+void TestLICContrast(RelevoComparison& comparison)
+{
+  RelevoLICView view = MakeView(Colored());
+  view.Mapper->EnhancedLICOff();
+  const RelevoPicture plain = view.DrawLIC();
+  const std::array<double, 2> range = FindRange(plain);
+  view.Mapper->SetEnhanceContrastToLIC();
+  for (const double factor : { 0.0, 0.25 })
+  {
+    view.Mapper->SetLowLICContrastEnhancementFactor(0.5 * factor);
+    view.Mapper->SetHighLICContrastEnhancementFactor(factor);
+    RelevoPicture expected = plain;
+    for (size_t i = 0; i < plain.GetNumberOfPixels(); ++i)
+    {
+      if (HasLIC(plain, i))
+      {
+        std::fill_n(&expected.Colors[3 * i], 3,
+          static_cast<unsigned char>(std::lround(
+            255.0 * Stretch(RelevoLICView::At(plain, i)[0], range, 0.5 * factor, factor))));
+      }
+    }
+    comparison.Compare(
+      "LICColors.Contrast" + std::to_string(factor), { 4, 0.0, 0 }, view.DrawLIC(), expected);
+  }
+}
+
+void TestMasks(RelevoComparison& comparison)
+{
+  const auto field = [](const double* p) {
+    return std::array<double, 3>{ { 0.0, p[0] > 0.0 ? 1.0 : 0.0, 0.0 } };
+  };
+  for (const double intensity : { 0.0, 0.6, 1.0 })
+  {
+    Mesh mesh = Colored();
+    RelevoLICVectors::AddVectors(mesh, field, "Half");
+    RelevoLICView view = MakeView(mesh);
+    view.Mapper->SetMaskColor(0.1, 0.9, 0.4);
+    view.Mapper->SetMaskIntensity(intensity);
+    view.Compare(
+      comparison, "LICColors.Mask" + std::to_string(intensity), { 2, 0.0, 0 },
+      [](const Color& color, double value) {
+        return RelevoLICView::Mix(color, Color{ { value, value, value } }, 0.8);
+      },
+      [intensity](const Color& color, double) {
+        return RelevoLICView::Mix(color, Color{ { 0.1, 0.9, 0.4 } }, intensity);
+      });
+  }
+}
+
+// A square of side 2 that fills the picture; vectors are 1 + x long, and slanted by 60 degrees.
+RelevoLICView MakeSquareView()
+{
+  Mesh mesh = Plane(8, 8);
+  const double origin[3] = { 0, 0, 0 };
+  mesh = Moved(mesh, 2.0, origin, VTK_FLOAT);
+  RelevoLICVectors::AddVectors(mesh,
+    [](const double* p)
+    {
+      const double length = 1.0 + p[0];
+      return std::array<double, 3>{ { 0.0, 0.5 * length, std::sqrt(0.75) * length } };
+    });
+  RelevoLICView view = MakeView(mesh);
+  view.LookDown(1.0, 200);
+  return view;
+}
+
+// The length of the vectors where the LIC begins.
+double FindBorder(RelevoLICView& view)
+{
+  const RelevoPicture lic = view.DrawLIC();
+  int first = 0;
+  while (first < 200 &&
+    RelevoLICView::IsMasked(RelevoLICView::At(lic, static_cast<size_t>(100 * 200 + first))))
+  {
+    ++first;
+  }
+  return 0.01 * first;
+}
+
+// Masked by the length of vectors, or of their projections.
+void TestThreshold(RelevoCheck& check)
+{
+  RelevoLICView view = MakeSquareView();
+  CHECK_NEAR(FindBorder(view), 0.0, 0.011);
+  view.Mapper->SetMaskThreshold(0.7);
+  CHECK_NEAR(FindBorder(view), 0.7, 0.011);
+  view.Mapper->MaskOnSurfaceOn();
+  CHECK_NEAR(FindBorder(view), 1.4, 0.011);
+  view.Mapper->SetMaskThreshold(1.5);
+  CHECK_NEAR(FindBorder(view), 2.0, 1e-9);
+  view.Mapper->SetMaskThreshold(-1.0);
+  CHECK_NEAR(FindBorder(view), 0.0, 1e-9);
+}
 }
 
 int TestAdaptiveLICMapperColors(int argc, char* argv[])
@@ -83,185 +293,13 @@ int TestAdaptiveLICMapperColors(int argc, char* argv[])
   RelevoCheck check;
   RelevoComparison comparison(check, argc, argv);
 
-  auto compare = [&](const std::string& name, RelevoLICView& view, int tolerance,
-                   const RelevoLICView::Formula& formula,
-                   const RelevoLICView::Formula& ofMasked = nullptr) {
-    view.Compare(comparison, "LICColors." + name, { tolerance, 0.0, 0 }, formula, ofMasked);
-  };
-
-  {
-    RelevoLICView view = MakeView(Colored());
-    const RelevoPicture lic = view.DrawLIC();
-    size_t grey = 0;
-    std::array<double, 2> range{ { 1.0, 0.0 } };
-    for (size_t i = 0; i < lic.GetNumberOfPixels(); ++i)
-    {
-      if (lic.Depths[i] < 1.0f && !RelevoLICView::IsMasked(RelevoLICView::At(lic, i)))
-      {
-        ++grey;
-        range = { { std::min(range[0], RelevoLICView::At(lic, i)[0]),
-          std::max(range[1], RelevoLICView::At(lic, i)[0]) } };
-      }
-    }
-    CHECK(grey > 5000);
-    CHECK(range[1] - range[0] > 0.2);
-
-    for (const double intensity : { 0.0, 0.3, 0.8, 1.0 })
-    {
-      view.Mapper->SetLICIntensity(intensity);
-      compare("Blend" + std::to_string(intensity), view, intensity == 0.0 ? 0 : 2,
-        [intensity](const Color& color, double value) {
-          return RelevoLICView::Mix(color, Color{ { value, value, value } }, intensity);
-        });
-    }
-    view.Mapper->SetColorModeToMultiply();
-    for (const double bias : { 0.0, 0.4, -0.3, 1.0 })
-    {
-      view.Mapper->SetMapModeBias(bias);
-      compare("Multiply" + std::to_string(bias), view, bias == 1.0 ? 0 : 2,
-        [bias](const Color& color, double value)
-        {
-          return RelevoLICView::Mix(
-            Color{ { 0, 0, 0 } }, color, vtkMath::ClampValue(value + bias, 0.0, 1.0));
-        });
-    }
-    view.Mapper->SetMapModeBias(0.0);
-
-    // Lightness stretched, of either mode; the range is that of pixels with LIC.
-    view.Mapper->SetEnhanceContrastToColor();
-    for (const int mode : { 0, 1 })
-    {
-      for (const double factor : { 0.0, 0.2 })
-      {
-        view.Mapper->GetLICInterface()->SetColorMode(mode);
-        view.Mapper->SetLICIntensity(0.5);
-        view.Mapper->SetLowColorContrastEnhancementFactor(factor);
-        view.Mapper->SetHighColorContrastEnhancementFactor(0.5 * factor);
-        const auto combine = [mode](const Color& color, double value)
-        {
-          return mode == 0 ? RelevoLICView::Mix(color, Color{ { value, value, value } }, 0.5)
-                           : RelevoLICView::Mix(Color{ { 0, 0, 0 } }, color, value);
-        };
-        const RelevoPicture colors = view.DrawColors();
-        const RelevoPicture greys = view.DrawLIC();
-        std::array<double, 2> lightness{ { 1.0, 0.0 } };
-        for (size_t i = 0; i < colors.GetNumberOfPixels(); ++i)
-        {
-          if (colors.Depths[i] < 1.0f && !RelevoLICView::IsMasked(RelevoLICView::At(greys, i)))
-          {
-            const double l =
-              Lightness(combine(RelevoLICView::At(colors, i), RelevoLICView::At(greys, i)[0]));
-            lightness = { { std::min(lightness[0], l), std::max(lightness[1], l) } };
-          }
-        }
-        compare("Lightness" + std::to_string(mode) + std::to_string(factor), view, 8,
-          [&](const Color& color, double value)
-          {
-            const Color combined = combine(color, value);
-            return WithLightness(
-              combined, Stretch(Lightness(combined), lightness, factor, 0.5 * factor));
-          });
-      }
-    }
-    view.Mapper->SetEnhanceContrastToOff();
-  }
-
-  // The LIC's own contrast.
-  {
-    RelevoLICView view = MakeView(Colored());
-    view.Mapper->EnhancedLICOff();
-    const RelevoPicture plain = view.DrawLIC();
-    std::array<double, 2> range{ { 1.0, 0.0 } };
-    for (size_t i = 0; i < plain.GetNumberOfPixels(); ++i)
-    {
-      if (plain.Depths[i] < 1.0f && !RelevoLICView::IsMasked(RelevoLICView::At(plain, i)))
-      {
-        range = { { std::min(range[0], RelevoLICView::At(plain, i)[0]),
-          std::max(range[1], RelevoLICView::At(plain, i)[0]) } };
-      }
-    }
-    view.Mapper->SetEnhanceContrastToLIC();
-    for (const double factor : { 0.0, 0.25 })
-    {
-      view.Mapper->SetLowLICContrastEnhancementFactor(0.5 * factor);
-      view.Mapper->SetHighLICContrastEnhancementFactor(factor);
-      RelevoPicture expected = plain;
-      for (size_t i = 0; i < plain.GetNumberOfPixels(); ++i)
-      {
-        if (plain.Depths[i] < 1.0f && !RelevoLICView::IsMasked(RelevoLICView::At(plain, i)))
-        {
-          std::fill_n(&expected.Colors[3 * i], 3,
-            static_cast<unsigned char>(std::lround(
-              255.0 * Stretch(RelevoLICView::At(plain, i)[0], range, 0.5 * factor, factor))));
-        }
-      }
-      comparison.Compare(
-        "LICColors.Contrast" + std::to_string(factor), { 4, 0.0, 0 }, view.DrawLIC(), expected);
-    }
-  }
-
-  // Masks: by the length of vectors, or of their projections.
-  {
-    const auto field = [](const double* p) {
-      return std::array<double, 3>{ { 0.0, p[0] > 0.0 ? 1.0 : 0.0, 0.0 } };
-    };
-    for (const double intensity : { 0.0, 0.6, 1.0 })
-    {
-      Mesh mesh = Colored();
-      RelevoLICVectors::AddVectors(mesh, field, "Half");
-      RelevoLICView view = MakeView(mesh);
-      view.Mapper->SetMaskColor(0.1, 0.9, 0.4);
-      view.Mapper->SetMaskIntensity(intensity);
-      compare(
-        "Mask" + std::to_string(intensity), view, 2,
-        [](const Color& color, double value) {
-          return RelevoLICView::Mix(color, Color{ { value, value, value } }, 0.8);
-        },
-        [intensity](const Color& color, double) {
-          return RelevoLICView::Mix(color, Color{ { 0.1, 0.9, 0.4 } }, intensity);
-        });
-    }
-  }
-  {
-    // A square of side 2 that fills the picture; vectors are 1 + x long, and slanted by 60 degrees.
-    Mesh mesh = Plane(8, 8);
-    const double origin[3] = { 0, 0, 0 };
-    mesh = Moved(mesh, 2.0, origin, VTK_FLOAT);
-    RelevoLICVectors::AddVectors(mesh,
-      [](const double* p)
-      {
-        const double length = 1.0 + p[0];
-        return std::array<double, 3>{ { 0.0, 0.5 * length, std::sqrt(0.75) * length } };
-      });
-    RelevoLICView view = MakeView(mesh);
-    vtkCamera* camera = view.Scene->Renderer->GetActiveCamera();
-    camera->ParallelProjectionOn();
-    camera->SetPosition(0, 0, 5);
-    camera->SetFocalPoint(0, 0, 0);
-    camera->SetViewUp(0, 1, 0);
-    camera->SetParallelScale(1.0);
-    view.Scene->Renderer->ResetCameraClippingRange();
-    view.Scene->Window->SetSize(200, 200);
-    const auto findBorder = [&view]()
-    {
-      const RelevoPicture lic = view.DrawLIC();
-      int first = 0;
-      while (first < 200 &&
-        RelevoLICView::IsMasked(RelevoLICView::At(lic, static_cast<size_t>(100 * 200 + first))))
-      {
-        ++first;
-      }
-      return 0.01 * first; // length of the vectors there
-    };
-    CHECK_NEAR(findBorder(), 0.0, 0.011);
-    view.Mapper->SetMaskThreshold(0.7);
-    CHECK_NEAR(findBorder(), 0.7, 0.011);
-    view.Mapper->MaskOnSurfaceOn();
-    CHECK_NEAR(findBorder(), 1.4, 0.011);
-    view.Mapper->SetMaskThreshold(1.5);
-    CHECK_NEAR(findBorder(), 2.0, 1e-9);
-    view.Mapper->SetMaskThreshold(-1.0);
-    CHECK_NEAR(findBorder(), 0.0, 1e-9);
-  }
+  RelevoLICView view = MakeView(Colored());
+  TestGreys(check, view);
+  TestBlend(comparison, view);
+  TestMultiply(comparison, view);
+  TestLightnessContrasts(comparison, view);
+  TestLICContrast(comparison);
+  TestMasks(comparison);
+  TestThreshold(check);
   return check.GetResult();
 }
