@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A LIC is the same in every viewport, window and pass of its size, and lives as long as they do.
 #include "RelevoLICView.h"
+#include "RelevoPictures.h"
 #include "RelevoTestMeshes.h"
 
 #include "vtkCameraPass.h"
@@ -27,6 +28,7 @@
 namespace
 {
 using namespace RelevoMeshes;
+using RelevoPictures::Crop;
 
 constexpr int Width = 160;
 constexpr int Height = 120;
@@ -55,19 +57,10 @@ struct View : public RelevoLICView
   }
 };
 
-// A part of a picture.
-RelevoPicture Crop(
-  const RelevoPicture& picture, int x, int y, int width = Width, int height = Height)
+// The part of a larger window.
+RelevoPicture Crop(const RelevoPicture& picture, int x, int y)
 {
-  RelevoPicture part(width, height);
-  for (int row = 0; row < height; ++row)
-  {
-    const size_t from = static_cast<size_t>(y + row) * picture.Size[0] + x;
-    const size_t to = static_cast<size_t>(row) * width;
-    std::copy_n(&picture.Colors[3 * from], 3 * width, &part.Colors[3 * to]);
-    std::copy_n(&picture.Depths[from], width, &part.Depths[to]);
-  }
-  return part;
+  return Crop(picture, x, y, Width, Height);
 }
 
 // Mean and standard deviation of the greys that are not background.
@@ -94,330 +87,402 @@ int FindBrightest(const RelevoPicture& picture)
 {
   return *std::max_element(picture.Colors.begin(), picture.Colors.end());
 }
+
+// What windows show, against a window that shows nothing else.
+struct Windows
+{
+  explicit Windows(RelevoComparison& comparison)
+    : Comparison(comparison)
+  {
+  }
+
+  bool Compare(const std::string& name, const RelevoPicture& actual, const RelevoPicture& expected)
+  {
+    return this->Comparison.Compare("LICWindows." + name, { 0, 1e-5, 0 }, actual, expected);
+  }
+  bool Compare(const std::string& name, const RelevoPicture& actual)
+  {
+    return this->Compare(name, actual, this->Expected);
+  }
+
+  RelevoComparison& Comparison;
+  View Alone;
+  View AloneOther{ Other };
+  const RelevoPicture Expected = this->Alone.Draw();
+  const RelevoPicture ExpectedOther = this->AloneOther.Draw();
+};
+
+// A viewport offset from the origin.
+void TestOffset(Windows& windows)
+{
+  View view;
+  view.Scene->Window->SetSize(2 * Width, 2 * Height);
+  view.Scene->Renderer->SetViewport(0.25, 0.25, 0.75, 0.75);
+  windows.Compare("Offset", Crop(view.Draw(), Width / 2, Height / 2));
+}
+
+// Viewports side by side, whose actors may share a mapper.
+void TestSideBySide(RelevoCheck& check, Windows& windows, bool shared)
+{
+  View view;
+  view.Scene->Window->SetSize(2 * Width, Height);
+  view.Scene->Renderer->SetViewport(0, 0, 0.5, 1);
+  vtkRenderer* right = view.Scene->AddRenderer(0.5, 0, 1, 1);
+  right->SetBackground(0.1, 0.2, 0.3);
+  right->GetActiveCamera()->DeepCopy(view.Scene->Renderer->GetActiveCamera());
+  vtkActor* actor = view.Scene->Add(right, MakeMesh(Other), MakeRecipe(1));
+  RelevoLICVectors::GetMapper(actor)->SetLICIntensity(1.0);
+  if (shared)
+  {
+    actor->SetMapper(view.Mapper);
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    const RelevoPicture picture = view.Draw();
+    const std::string name = (shared ? "Shared" : "Beside") + std::to_string(i);
+    windows.Compare(name + "Left", Crop(picture, 0, 0));
+    windows.Compare(
+      name + "Right", Crop(picture, Width, 0), shared ? windows.Expected : windows.ExpectedOther);
+  }
+  CHECK(view.Mapper->GetNumberOfConvolutions() == (shared ? 2 : 1));
+}
+
+// Actors in one renderer, the halves of a picture: what one mapper draws for both.
+void TestSharedActors(Windows& windows)
+{
+  View separate;
+  View shared;
+  for (View* view : { &separate, &shared })
+  {
+    view->Actor->SetPosition(-0.6, 0, 0);
+    vtkActor* second = view->Scene->Add(MakeMesh(), MakeRecipe(1));
+    RelevoLICVectors::GetMapper(second)->SetLICIntensity(1.0);
+    second->SetPosition(0.6, 0.1, 0);
+    if (view == &shared)
+    {
+      second->SetMapper(view->Mapper);
+    }
+    view->Scene->ResetCameras();
+  }
+  windows.Compare("SharedActors", shared.Draw(), separate.Draw());
+}
+
+void MoveVectorsToCells(vtkPolyData* mesh)
+{
+  vtkNew<vtkPointDataToCellData> toCells;
+  toCells->SetInputData(mesh);
+  toCells->Update();
+  mesh->GetCellData()->AddArray(toCells->GetOutput()->GetCellData()->GetArray("Flow"));
+  mesh->GetPointData()->RemoveArray("Flow");
+}
+
+// A surface with edges and a wireframe beside one that shows LIC alone.
+void AddLooks(View& view, vtkPolyData* mesh, bool isShared)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    vtkActor* actor = view.Scene->Add(mesh, MakeRecipe(1));
+    RelevoLICVectors::GetMapper(actor)->SetInputArrayToProcess(
+      0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, "Flow");
+    actor->SetPosition(0.7 * i - 0.7, 0.3 * i, 0);
+    actor->GetProperty()->SetEdgeVisibility(i == 1);
+    actor->GetProperty()->SetRepresentation(i == 2 ? VTK_WIREFRAME : VTK_SURFACE);
+    actor->SetMapper(isShared ? view.Scene->GetActor(1)->GetMapper() : actor->GetMapper());
+  }
+  view.Scene->Renderer->RemoveActor(view.Actor);
+  view.Scene->ResetCameras();
+}
+
+void TestSharedLooks(RelevoCheck& check, Windows& windows, bool ofCells)
+{
+  std::vector<RelevoPicture> pictures;
+  for (const bool isShared : { false, true })
+  {
+    View view;
+    Mesh mesh = MakeMesh();
+    if (ofCells)
+    {
+      MoveVectorsToCells(mesh);
+    }
+    AddLooks(view, mesh, isShared);
+    pictures.push_back(view.Draw());
+    vtkAdaptiveLICMapper* lic = RelevoLICVectors::GetMapper(view.Scene->GetActor(1));
+    view.Draw();
+    const vtkIdType buffers = lic->GetNumberOfBufferBuilds();
+    const vtkIdType shaders = lic->GetNumberOfShaderBuilds();
+    const auto convolutions = lic->GetNumberOfConvolutions();
+    pictures.push_back(view.Draw());
+    CHECK(lic->GetNumberOfBufferBuilds() == buffers);
+    CHECK(lic->GetNumberOfShaderBuilds() == shaders);
+    CHECK(lic->GetNumberOfConvolutions() == convolutions);
+  }
+  for (size_t i = 1; i < pictures.size(); ++i)
+  {
+    windows.Compare(std::string("SharedLooks") + (ofCells ? "OfCells" : "") + std::to_string(i),
+      pictures[i], pictures[0]);
+  }
+}
+
+// One mapper in two windows, by turns.
+void TestTwoWindows(Windows& windows)
+{
+  View first;
+  RelevoScene second(RelevoScene::Refining);
+  second.Window->SetSize(Width, Height);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(first.Mapper);
+  second.Renderer->AddActor(actor);
+  second.CopyCameras(*first.Scene);
+  for (int i = 0; i < 2; ++i)
+  {
+    windows.Compare("FirstWindow" + std::to_string(i), first.Draw());
+    second.Render();
+    windows.Compare("SecondWindow" + std::to_string(i), RelevoPicture(second.Window));
+  }
+}
+
+void TestOffScreen(Windows& windows)
+{
+  View view;
+  view.Scene->Window->OffScreenRenderingOn();
+  windows.Compare("OffScreen", view.Draw());
+}
+
+void TestSizes(RelevoCheck& check, Windows& windows)
+{
+  View view;
+  view.Scene->Window->SetDPI(240);
+  windows.Compare("DPI", view.Draw());
+  view.Scene->Window->SetSize(2 * Width, 2 * Height);
+  const RelevoPicture large = view.Draw();
+  CHECK_NEAR(GetMoments(large)[0], GetMoments(windows.Expected)[0], 5.0);
+  view.Scene->Window->SetSize(Width, Height);
+  windows.Compare("SizedBack", view.Draw());
+  view.Mapper->ReleaseGraphicsResources(view.Scene->Window);
+  windows.Compare("Released", view.Draw());
+  view.Scene->Window->Finalize();
+  windows.Compare("Reopened", view.Draw());
+}
+
+// Of one pixel, and of one row.
+void TestFewPixels(RelevoCheck& check)
+{
+  View view;
+  view.Scene->Window->OffScreenRenderingOn();
+  RelevoErrors errors(view.Mapper);
+  for (const std::array<int, 2>& size :
+    { std::array<int, 2>{ { 1, 1 } }, { { 40, 1 } }, { { 1, 40 } } })
+  {
+    view.Scene->Window->SetSize(size[0], size[1]);
+    view.Mapper->SetEnhanceContrastToBoth();
+    view.Mapper->SetAntiAlias(2);
+    view.Draw();
+  }
+  CHECK(errors.None());
+  // A viewport that has no pixels.
+  view.Scene->Renderer->SetViewport(0, 0, 0, 0);
+  view.Scene->Window->SetSize(30, 30);
+  view.Draw();
+  CHECK(errors.None());
+}
+
+// Without the LIC a silhouette would be as white as the actor.
+void TestMultiSamples(RelevoCheck& check, Windows& windows)
+{
+  View view;
+  view.Scene->Window->SetMultiSamples(8);
+  const RelevoPicture smooth = view.Draw();
+  CHECK(FindBrightest(smooth) <= FindBrightest(windows.Expected) + 2);
+  size_t different = 0;
+  for (size_t i = 0; i < smooth.Colors.size(); ++i)
+  {
+    different += std::abs(smooth.Colors[i] - windows.Expected.Colors[i]) > 2 ? 1 : 0;
+  }
+  CHECK(different < smooth.Colors.size() / 20);
+}
+
+// In four tiles: as a whole but for streamlines that would cross their borders.
+void TestTiles(RelevoCheck& check, Windows& windows)
+{
+  View view;
+  view.Draw();
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(view.Scene->Window);
+  grab->SetScale(2);
+  grab->ReadFrontBufferOff();
+  grab->Update();
+  RelevoPicture tiled(2 * Width, 2 * Height);
+  const auto* colors = static_cast<unsigned char*>(grab->GetOutput()->GetScalarPointer());
+  CHECK(
+    grab->GetOutput()->GetNumberOfPoints() == static_cast<vtkIdType>(tiled.GetNumberOfPixels()));
+  std::copy_n(colors, tiled.Colors.size(), tiled.Colors.begin());
+  windows.Compare("AfterTiles", view.Draw());
+  view.Scene->Window->SetSize(2 * Width, 2 * Height);
+  const RelevoPicture whole = view.Draw();
+  const int size = 60;
+  const int corners[2][2] = { { Width - 20 - size, Width + 20 },
+    { Height - 20 - size, Height + 20 } };
+  for (int i = 0; i < 4; ++i)
+  {
+    const int x = corners[0][i % 2];
+    const int y = corners[1][i / 2];
+    RelevoPicture part = Crop(tiled, x, y, size, size);
+    const RelevoPicture expectedPart = Crop(whole, x, y, size, size);
+    part.Depths = expectedPart.Depths;
+    CHECK(windows.Comparison.Compare(
+      "LICWindows.Tile" + std::to_string(i), { 1, 0.0, 20 }, part, expectedPart));
+  }
+}
+
+// Two eyes: each sees what its camera sees.
+void TestEyes(RelevoCheck& check, Windows& windows)
+{
+  View view;
+  vtkRenderWindow* window = view.Scene->Window;
+  view.Scene->Renderer->GetActiveCamera()->SetEyeAngle(10.0);
+  window->StereoRenderOn();
+  window->SetStereoTypeToLeft();
+  const RelevoPicture left = view.Draw();
+  window->SetStereoTypeToRight();
+  const RelevoPicture right = view.Draw();
+  window->SetStereoTypeToSplitViewportHorizontal();
+  view.Draw();
+  window->SetStereoTypeToRedBlue();
+  const RelevoPicture both = view.Draw();
+  size_t wrong = 0;
+  for (size_t i = 0; i < both.GetNumberOfPixels(); ++i)
+  {
+    const bool isGrey = left.Depths[i] < 1.0f && right.Depths[i] < 1.0f;
+    wrong += isGrey &&
+        (std::abs(both.Colors[3 * i] - left.Colors[3 * i]) > 2 ||
+          std::abs(both.Colors[3 * i + 2] - right.Colors[3 * i]) > 2)
+      ? 1
+      : 0;
+  }
+  CHECK(left.Colors != right.Colors);
+  CHECK(wrong == 0);
+  for (const RelevoPicture* picture : { &left, &right })
+  {
+    CHECK_NEAR(GetMoments(*picture)[0], GetMoments(windows.Expected)[0], 3.0);
+    CHECK_NEAR(GetMoments(*picture)[1], GetMoments(windows.Expected)[1], 3.0);
+  }
+  window->StereoRenderOff();
+  windows.Compare("OneEye", view.Draw());
+}
+
+void SetPass(View& view, vtkRenderPass* pass)
+{
+  vtkOpenGLRenderer::SafeDownCast(view.Scene->Renderer)->SetPass(pass);
+}
+
+void TestRenderPasses(RelevoCheck& check, Windows& windows)
+{
+  View view;
+  vtkNew<vtkRenderStepsPass> steps;
+  SetPass(view, steps);
+  windows.Compare("StepsPass", view.Draw());
+  SetPass(view, nullptr);
+  windows.Compare("NoPass", view.Draw());
+  vtkNew<vtkSSAAPass> smooth;
+  smooth->SetDelegatePass(steps);
+  SetPass(view, smooth);
+  const RelevoPicture picture = view.Draw();
+  CHECK_NEAR(GetMoments(picture)[0], GetMoments(windows.Expected)[0], 5.0);
+  CHECK(FindBrightest(picture) <= FindBrightest(windows.Expected) + 2);
+  vtkNew<vtkSSAOPass> occlusion;
+  occlusion->SetDelegatePass(steps);
+  occlusion->SetRadius(1e-6); // nothing is occluded
+  SetPass(view, occlusion);
+  const RelevoPicture open = view.Draw();
+  CHECK_NEAR(GetMoments(open)[1], GetMoments(windows.Expected)[1], 3.0);
+}
+
+// Nothing is in the shade; cameras of lights have no part in the picture.
+void TestShadows(Windows& windows)
+{
+  View view;
+  vtkNew<vtkLight> light;
+  light->PositionalOn();
+  light->SetPosition(4, 4, 4);
+  light->SetFocalPoint(0, 0, 0);
+  light->SetConeAngle(60);
+  view.Scene->Renderer->AddLight(light);
+  vtkNew<vtkShadowMapPass> shadows;
+  vtkNew<vtkRenderPassCollection> passes;
+  passes->AddItem(shadows->GetShadowMapBakerPass());
+  passes->AddItem(shadows);
+  vtkNew<vtkSequencePass> sequence;
+  sequence->SetPasses(passes);
+  vtkNew<vtkCameraPass> camera;
+  camera->SetDelegatePass(sequence);
+  SetPass(view, camera);
+  windows.Compare("Shadows", view.Draw());
+  windows.Compare("ShadowsAgain", view.Draw());
+}
+
+// The mapper goes before the window, and the window before the mapper.
+void TestLifetimes(RelevoCheck& check, Windows& windows)
+{
+  RelevoLICView view;
+  {
+    vtkNew<vtkAdaptiveLICMapper> mapper;
+    mapper->SetInputData(MakeMesh());
+    mapper->SetRefinement(MakeRecipe(1));
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    view.Scene->Renderer->AddActor(actor);
+    view.Scene->ResetCameras();
+    view.Draw();
+    CHECK(mapper->GetNumberOfConvolutions() == 1);
+    view.Scene->Renderer->RemoveActor(actor);
+  }
+  view.Draw();
+  vtkNew<vtkAdaptiveLICMapper> survivor;
+  survivor->SetInputData(MakeMesh());
+  survivor->SetRefinement(MakeRecipe(1));
+  survivor->SetLICIntensity(1.0);
+  survivor->BackFaceCullingOff();
+  survivor->SetNumberOfSteps(8);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(survivor);
+  view.Scene->Renderer->AddActor(actor);
+  view.Scene->ResetCameras();
+  view.Draw();
+  view.Scene.reset();
+  RelevoScene next(RelevoScene::Refining);
+  next.Window->SetSize(Width, Height);
+  next.Renderer->AddActor(actor);
+  next.CopyCameras(*windows.Alone.Scene);
+  next.Render();
+  windows.Compare("Survivor", RelevoPicture(next.Window));
+}
 }
 
 int TestAdaptiveLICMapperWindows(int argc, char* argv[])
 {
   RelevoCheck check;
   RelevoComparison comparison(check, argc, argv);
-  View alone;
-  View aloneOther(Other);
-  const RelevoPicture expected = alone.Draw();
-  const RelevoPicture expectedOther = aloneOther.Draw();
-  const auto compare = [&](const std::string& name, const RelevoPicture& actual,
-                         const RelevoPicture& picture) {
-    return comparison.Compare("LICWindows." + name, { 0, 1e-5, 0 }, actual, picture);
-  };
-  CHECK(GetMoments(expected)[1] > 15.0);
-
-  // Viewports: offset from the origin, side by side, with actors that share a mapper.
-  {
-    View view;
-    view.Scene->Window->SetSize(2 * Width, 2 * Height);
-    view.Scene->Renderer->SetViewport(0.25, 0.25, 0.75, 0.75);
-    compare("Offset", Crop(view.Draw(), Width / 2, Height / 2), expected);
-  }
+  Windows windows(comparison);
+  CHECK(GetMoments(windows.Expected)[1] > 15.0);
+  TestOffset(windows);
   for (const bool shared : { false, true })
   {
-    View view;
-    view.Scene->Window->SetSize(2 * Width, Height);
-    view.Scene->Renderer->SetViewport(0, 0, 0.5, 1);
-    vtkRenderer* right = view.Scene->AddRenderer(0.5, 0, 1, 1);
-    right->SetBackground(0.1, 0.2, 0.3);
-    right->GetActiveCamera()->DeepCopy(view.Scene->Renderer->GetActiveCamera());
-    vtkActor* actor = view.Scene->Add(right, MakeMesh(Other), MakeRecipe(1));
-    RelevoLICVectors::GetMapper(actor)->SetLICIntensity(1.0);
-    if (shared)
-    {
-      actor->SetMapper(view.Mapper);
-    }
-    for (int i = 0; i < 3; ++i)
-    {
-      const RelevoPicture picture = view.Draw();
-      const std::string name = (shared ? "Shared" : "Beside") + std::to_string(i);
-      compare(name + "Left", Crop(picture, 0, 0), expected);
-      compare(name + "Right", Crop(picture, Width, 0), shared ? expected : expectedOther);
-    }
-    CHECK(view.Mapper->GetNumberOfConvolutions() == (shared ? 2 : 1));
+    TestSideBySide(check, windows, shared);
   }
-  // Actors in one renderer, the halves of a picture: what one mapper draws for both.
-  {
-    View separate;
-    View shared;
-    for (View* view : { &separate, &shared })
-    {
-      view->Actor->SetPosition(-0.6, 0, 0);
-      vtkActor* second = view->Scene->Add(MakeMesh(), MakeRecipe(1));
-      RelevoLICVectors::GetMapper(second)->SetLICIntensity(1.0);
-      second->SetPosition(0.6, 0.1, 0);
-      if (view == &shared)
-      {
-        second->SetMapper(view->Mapper);
-      }
-      view->Scene->ResetCameras();
-    }
-    compare("SharedActors", shared.Draw(), separate.Draw());
-  }
-
-  // A surface with edges and a wireframe beside one that shows LIC alone, of points and of cells.
+  TestSharedActors(windows);
   for (const bool ofCells : { false, true })
   {
-    std::vector<RelevoPicture> pictures;
-    for (const bool isShared : { false, true })
-    {
-      View view;
-      Mesh mesh = MakeMesh();
-      if (ofCells)
-      {
-        vtkNew<vtkPointDataToCellData> toCells;
-        toCells->SetInputData(mesh);
-        toCells->Update();
-        mesh->GetCellData()->AddArray(toCells->GetOutput()->GetCellData()->GetArray("Flow"));
-        mesh->GetPointData()->RemoveArray("Flow");
-      }
-      for (int i = 0; i < 3; ++i)
-      {
-        vtkActor* actor = view.Scene->Add(mesh, MakeRecipe(1));
-        RelevoLICVectors::GetMapper(actor)->SetInputArrayToProcess(
-          0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, "Flow");
-        actor->SetPosition(0.7 * i - 0.7, 0.3 * i, 0);
-        actor->GetProperty()->SetEdgeVisibility(i == 1);
-        actor->GetProperty()->SetRepresentation(i == 2 ? VTK_WIREFRAME : VTK_SURFACE);
-        actor->SetMapper(isShared ? view.Scene->GetActor(1)->GetMapper() : actor->GetMapper());
-      }
-      view.Scene->Renderer->RemoveActor(view.Actor);
-      view.Scene->ResetCameras();
-      pictures.push_back(view.Draw());
-      vtkAdaptiveLICMapper* lic = RelevoLICVectors::GetMapper(view.Scene->GetActor(1));
-      view.Draw();
-      const vtkIdType buffers = lic->GetNumberOfBufferBuilds();
-      const vtkIdType shaders = lic->GetNumberOfShaderBuilds();
-      const auto convolutions = lic->GetNumberOfConvolutions();
-      pictures.push_back(view.Draw());
-      CHECK(lic->GetNumberOfBufferBuilds() == buffers);
-      CHECK(lic->GetNumberOfShaderBuilds() == shaders);
-      CHECK(lic->GetNumberOfConvolutions() == convolutions);
-    }
-    for (size_t i = 1; i < pictures.size(); ++i)
-    {
-      compare(std::string("SharedLooks") + (ofCells ? "OfCells" : "") + std::to_string(i),
-        pictures[i], pictures[0]);
-    }
+    TestSharedLooks(check, windows, ofCells);
   }
-
-  // Windows: one mapper in two, by turns.
-  {
-    View first;
-    RelevoScene second(RelevoScene::Refining);
-    second.Window->SetSize(Width, Height);
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(first.Mapper);
-    second.Renderer->AddActor(actor);
-    second.CopyCameras(*first.Scene);
-    for (int i = 0; i < 2; ++i)
-    {
-      compare("FirstWindow" + std::to_string(i), first.Draw(), expected);
-      second.Render();
-      compare("SecondWindow" + std::to_string(i), RelevoPicture(second.Window), expected);
-    }
-  }
-  {
-    View view;
-    view.Scene->Window->OffScreenRenderingOn();
-    compare("OffScreen", view.Draw(), expected);
-  }
-  {
-    View view;
-    view.Scene->Window->SetDPI(240);
-    compare("DPI", view.Draw(), expected);
-    view.Scene->Window->SetSize(2 * Width, 2 * Height);
-    const RelevoPicture large = view.Draw();
-    CHECK_NEAR(GetMoments(large)[0], GetMoments(expected)[0], 5.0);
-    view.Scene->Window->SetSize(Width, Height);
-    compare("SizedBack", view.Draw(), expected);
-    view.Mapper->ReleaseGraphicsResources(view.Scene->Window);
-    compare("Released", view.Draw(), expected);
-    view.Scene->Window->Finalize();
-    compare("Reopened", view.Draw(), expected);
-  }
-  {
-    // Of one pixel, and of one row.
-    View view;
-    view.Scene->Window->OffScreenRenderingOn();
-    RelevoErrors errors(view.Mapper);
-    for (const std::array<int, 2>& size :
-      { std::array<int, 2>{ { 1, 1 } }, { { 40, 1 } }, { { 1, 40 } } })
-    {
-      view.Scene->Window->SetSize(size[0], size[1]);
-      view.Mapper->SetEnhanceContrastToBoth();
-      view.Mapper->SetAntiAlias(2);
-      view.Draw();
-    }
-    CHECK(errors.None());
-    // A viewport that has no pixels.
-    view.Scene->Renderer->SetViewport(0, 0, 0, 0);
-    view.Scene->Window->SetSize(30, 30);
-    view.Draw();
-    CHECK(errors.None());
-  }
-  {
-    // Without the LIC a silhouette would be as white as the actor.
-    View view;
-    view.Scene->Window->SetMultiSamples(8);
-    const RelevoPicture smooth = view.Draw();
-    CHECK(FindBrightest(smooth) <= FindBrightest(expected) + 2);
-    size_t different = 0;
-    for (size_t i = 0; i < smooth.Colors.size(); ++i)
-    {
-      different += std::abs(smooth.Colors[i] - expected.Colors[i]) > 2 ? 1 : 0;
-    }
-    CHECK(different < smooth.Colors.size() / 20);
-  }
-  {
-    // In four tiles: as a whole but for streamlines that would cross their borders.
-    View view;
-    view.Draw();
-    vtkNew<vtkWindowToImageFilter> grab;
-    grab->SetInput(view.Scene->Window);
-    grab->SetScale(2);
-    grab->ReadFrontBufferOff();
-    grab->Update();
-    RelevoPicture tiled(2 * Width, 2 * Height);
-    const auto* colors = static_cast<unsigned char*>(grab->GetOutput()->GetScalarPointer());
-    CHECK(
-      grab->GetOutput()->GetNumberOfPoints() == static_cast<vtkIdType>(tiled.GetNumberOfPixels()));
-    std::copy_n(colors, tiled.Colors.size(), tiled.Colors.begin());
-    compare("AfterTiles", view.Draw(), expected);
-    view.Scene->Window->SetSize(2 * Width, 2 * Height);
-    const RelevoPicture whole = view.Draw();
-    const int size = 60;
-    const int corners[2][2] = { { Width - 20 - size, Width + 20 },
-      { Height - 20 - size, Height + 20 } };
-    for (int i = 0; i < 4; ++i)
-    {
-      const int x = corners[0][i % 2];
-      const int y = corners[1][i / 2];
-      RelevoPicture part = Crop(tiled, x, y, size, size);
-      const RelevoPicture expectedPart = Crop(whole, x, y, size, size);
-      part.Depths = expectedPart.Depths;
-      CHECK(comparison.Compare(
-        "LICWindows.Tile" + std::to_string(i), { 1, 0.0, 20 }, part, expectedPart));
-    }
-  }
-  {
-    // Two eyes: each sees what its camera sees.
-    View view;
-    vtkRenderWindow* window = view.Scene->Window;
-    view.Scene->Renderer->GetActiveCamera()->SetEyeAngle(10.0);
-    window->StereoRenderOn();
-    window->SetStereoTypeToLeft();
-    const RelevoPicture left = view.Draw();
-    window->SetStereoTypeToRight();
-    const RelevoPicture right = view.Draw();
-    window->SetStereoTypeToSplitViewportHorizontal();
-    view.Draw();
-    window->SetStereoTypeToRedBlue();
-    const RelevoPicture both = view.Draw();
-    size_t wrong = 0;
-    for (size_t i = 0; i < both.GetNumberOfPixels(); ++i)
-    {
-      const bool isGrey = left.Depths[i] < 1.0f && right.Depths[i] < 1.0f;
-      wrong += isGrey &&
-          (std::abs(both.Colors[3 * i] - left.Colors[3 * i]) > 2 ||
-            std::abs(both.Colors[3 * i + 2] - right.Colors[3 * i]) > 2)
-        ? 1
-        : 0;
-    }
-    CHECK(left.Colors != right.Colors);
-    CHECK(wrong == 0);
-    for (const RelevoPicture* picture : { &left, &right })
-    {
-      CHECK_NEAR(GetMoments(*picture)[0], GetMoments(expected)[0], 3.0);
-      CHECK_NEAR(GetMoments(*picture)[1], GetMoments(expected)[1], 3.0);
-    }
-    window->StereoRenderOff();
-    compare("OneEye", view.Draw(), expected);
-  }
-
-  // Render passes.
-  const auto setPass = [](View& view, vtkRenderPass* pass)
-  { vtkOpenGLRenderer::SafeDownCast(view.Scene->Renderer)->SetPass(pass); };
-  {
-    View view;
-    vtkNew<vtkRenderStepsPass> steps;
-    setPass(view, steps);
-    compare("StepsPass", view.Draw(), expected);
-    setPass(view, nullptr);
-    compare("NoPass", view.Draw(), expected);
-    vtkNew<vtkSSAAPass> smooth;
-    smooth->SetDelegatePass(steps);
-    setPass(view, smooth);
-    const RelevoPicture picture = view.Draw();
-    CHECK_NEAR(GetMoments(picture)[0], GetMoments(expected)[0], 5.0);
-    CHECK(FindBrightest(picture) <= FindBrightest(expected) + 2);
-    vtkNew<vtkSSAOPass> occlusion;
-    occlusion->SetDelegatePass(steps);
-    occlusion->SetRadius(1e-6); // nothing is occluded
-    setPass(view, occlusion);
-    const RelevoPicture open = view.Draw();
-    CHECK_NEAR(GetMoments(open)[1], GetMoments(expected)[1], 3.0);
-  }
-  {
-    // Nothing is in the shade; cameras of lights have no part in the picture.
-    View view;
-    vtkNew<vtkLight> light;
-    light->PositionalOn();
-    light->SetPosition(4, 4, 4);
-    light->SetFocalPoint(0, 0, 0);
-    light->SetConeAngle(60);
-    view.Scene->Renderer->AddLight(light);
-    vtkNew<vtkShadowMapPass> shadows;
-    vtkNew<vtkRenderPassCollection> passes;
-    passes->AddItem(shadows->GetShadowMapBakerPass());
-    passes->AddItem(shadows);
-    vtkNew<vtkSequencePass> sequence;
-    sequence->SetPasses(passes);
-    vtkNew<vtkCameraPass> camera;
-    camera->SetDelegatePass(sequence);
-    setPass(view, camera);
-    compare("Shadows", view.Draw(), expected);
-    compare("ShadowsAgain", view.Draw(), expected);
-  }
-
-  // The mapper goes before the window, and the window before the mapper.
-  {
-    RelevoLICView view;
-    {
-      vtkNew<vtkAdaptiveLICMapper> mapper;
-      mapper->SetInputData(MakeMesh());
-      mapper->SetRefinement(MakeRecipe(1));
-      vtkNew<vtkActor> actor;
-      actor->SetMapper(mapper);
-      view.Scene->Renderer->AddActor(actor);
-      view.Scene->ResetCameras();
-      view.Draw();
-      CHECK(mapper->GetNumberOfConvolutions() == 1);
-      view.Scene->Renderer->RemoveActor(actor);
-    }
-    view.Draw();
-    vtkNew<vtkAdaptiveLICMapper> survivor;
-    survivor->SetInputData(MakeMesh());
-    survivor->SetRefinement(MakeRecipe(1));
-    survivor->SetLICIntensity(1.0);
-    survivor->BackFaceCullingOff();
-    survivor->SetNumberOfSteps(8);
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(survivor);
-    view.Scene->Renderer->AddActor(actor);
-    view.Scene->ResetCameras();
-    view.Draw();
-    view.Scene.reset();
-    RelevoScene next(RelevoScene::Refining);
-    next.Window->SetSize(Width, Height);
-    next.Renderer->AddActor(actor);
-    next.CopyCameras(*alone.Scene);
-    next.Render();
-    compare("Survivor", RelevoPicture(next.Window), expected);
-  }
+  TestTwoWindows(windows);
+  TestOffScreen(windows);
+  TestSizes(check, windows);
+  TestFewPixels(check);
+  TestMultiSamples(check, windows);
+  TestTiles(check, windows);
+  TestEyes(check, windows);
+  TestRenderPasses(check, windows);
+  TestShadows(windows);
+  TestLifetimes(check, windows);
   return check.GetResult();
 }
