@@ -25,6 +25,8 @@ namespace
 {
 using namespace RelevoMeshes;
 
+const double NaN = std::numeric_limits<double>::quiet_NaN();
+
 // Claims more samples than any texture holds, and has none.
 class HugeHeights : public vtkHeightField
 {
@@ -53,16 +55,35 @@ public:
   const unsigned char* GetValidity() override { return nullptr; }
 };
 
+// A metric that cannot be evaluated.
+class NoMetric : public vtkDepthTagMetric
+{
+public:
+  static NoMetric* New()
+  {
+    NoMetric* result = new NoMetric;
+    result->InitializeObjectBase();
+    return result;
+  }
+  bool IsViewDependent() override { return false; }
+  bool ComputeTags(vtkPolyData*, const relevo::RefinementView&, int, vtkFloatArray*) override
+  {
+    return false;
+  }
+};
+
 // A refining actor beside an ordinary one, which is drawn whatever happens to the other.
 struct View
 {
+  RelevoCheck& Check;
   RelevoScene Scene{ RelevoScene::Refining };
   vtkNew<vtkAdaptiveRefinement> Recipe;
   vtkAdaptiveRefinementMapper* Mapper;
   RelevoErrors Errors;
 
-  explicit View(vtkDataObject* mesh)
-    : Mapper(vtkAdaptiveRefinementMapper::SafeDownCast(Scene.Add(mesh, Recipe)->GetMapper()))
+  View(RelevoCheck& check, vtkDataObject* mesh)
+    : Check(check)
+    , Mapper(vtkAdaptiveRefinementMapper::SafeDownCast(Scene.Add(mesh, Recipe)->GetMapper()))
     , Errors(Mapper)
   {
     this->Recipe->SetMaximumLevel(2);
@@ -92,227 +113,246 @@ struct View
     }
     return count;
   }
-};
-}
-
-int TestAdaptiveRefinementMapperErrors(int, char*[])
-{
-  RelevoCheck check;
-  const double nan = std::numeric_limits<double>::quiet_NaN();
 
   // An error with these words, nothing but the other actor drawn, silence from then on.
-  auto testFails = [&](View& view, const std::string& words)
+  void TestFails(const std::string& words)
   {
-    const auto drawn = view.Draw();
-    const bool said = view.Errors.Said(words);
-    view.Draw();
-    view.Scene.Renderer->GetActiveCamera()->Azimuth(1);
-    const auto again = view.Draw();
-    const bool quiet = view.Errors.None();
+    const auto drawn = this->Draw();
+    const bool said = this->Errors.Said(words);
+    this->Draw();
+    this->Scene.Renderer->GetActiveCamera()->Azimuth(1);
+    const auto again = this->Draw();
+    const bool quiet = this->Errors.None();
     const bool nothing =
-      drawn[0] == 0 && again[0] == 0 && view.Mapper->GetNumberOfDrawnTriangles() == 0;
+      drawn[0] == 0 && again[0] == 0 && this->Mapper->GetNumberOfDrawnTriangles() == 0;
     if (!said || !quiet || !nothing || drawn[1] == 0 || again[1] == 0)
     {
       std::ostringstream text;
       text << "\"" << words << "\"" << (said ? "" : ": not said") << (quiet ? "" : ": said again")
            << (nothing ? "" : ": something is drawn") << (drawn[1] ? "" : ": no other actor");
-      check.Fail(__FILE__, __LINE__, text.str());
+      this->Check.Fail(__FILE__, __LINE__, text.str());
     }
-  };
-  auto testWorks = [&](View& view, const std::string& what)
+  }
+
+  void TestWorks(const std::string& what)
   {
-    const auto drawn = view.Draw();
-    if (drawn[0] == 0 || drawn[1] == 0 || !view.Errors.None() ||
-      view.Mapper->GetNumberOfDrawnTriangles() == 0)
+    const auto drawn = this->Draw();
+    if (drawn[0] == 0 || drawn[1] == 0 || !this->Errors.None() ||
+      this->Mapper->GetNumberOfDrawnTriangles() == 0)
     {
-      check.Fail(__FILE__, __LINE__, what + ": not drawn again");
+      this->Check.Fail(__FILE__, __LINE__, what + ": not drawn again");
     }
-  };
+  }
+};
 
-  {
-    View view(Cube());
-    testWorks(view, "cube");
-    view.Mapper->SetRefinement(nullptr);
-    testFails(view, "No recipe");
-    view.Mapper->SetRefinement(view.Recipe);
-    testWorks(view, "recipe");
-  }
-  {
-    Mesh mesh = Sphere(8, 6);
-    AddTags(mesh, 1, 3);
-    View view(mesh);
-    testWorks(view, "tags");
-    mesh->GetPointData()->GetArray("DepthTag")->SetComponent(7, 0, nan);
-    mesh->Modified();
-    testFails(view, "is NaN at point 7");
-    mesh->GetPointData()->GetArray("DepthTag")->SetComponent(7, 0, 2);
-    mesh->Modified();
-    testWorks(view, "tags put right");
-    mesh->GetPointData()->GetArray("DepthTag")->SetNumberOfTuples(5);
-    mesh->Modified();
-    testFails(view, "5 tuples");
-    view.Recipe->SetDepthTagArrayName("Other");
-    testWorks(view, "no tags");
-    vtkNew<vtkFloatArray> pairs;
-    pairs->SetName("Other");
-    pairs->SetNumberOfComponents(2);
-    pairs->SetNumberOfTuples(mesh->GetNumberOfPoints());
-    pairs->Fill(1);
-    mesh->GetPointData()->AddArray(pairs);
-    testFails(view, "2 components");
-    vtkNew<vtkStringArray> words;
-    words->SetName("Words");
-    words->SetNumberOfValues(mesh->GetNumberOfPoints());
-    mesh->GetPointData()->AddArray(words);
-    view.Recipe->SetDepthTagArrayName("Words");
-    testFails(view, "holds no numbers");
-  }
-  {
-    vtkNew<RelevoHeights> heights;
-    heights->FillRandom(10, 10, 1);
-    vtkNew<vtkDisplacement> displacement;
-    displacement->SetHeightMap(heights);
-    displacement->SetScale(0.1);
-    Mesh mesh = Sphere(8, 6);
-    View view(mesh);
-    view.Recipe->SetDisplacement(displacement);
-    testFails(view, "texture coordinates");
-    AddTextureCoordinates(mesh,
-      [](const double* p) {
-        return std::array<double, 2>{ { p[0] + 0.5, p[1] + 0.5 } };
-      });
-    testWorks(view, "texture coordinates");
-    mesh->GetPointData()->GetTCoords()->SetComponent(3, 1, nan);
-    mesh->Modified();
-    view.Draw();
-    CHECK(view.Errors.Said("texture coordinate"));
-    mesh->GetPointData()->GetTCoords()->SetComponent(3, 1, 0.5);
-    mesh->Modified();
-    testWorks(view, "texture coordinates put right");
+void TestRecipe(RelevoCheck& check)
+{
+  View view(check, Cube());
+  view.TestWorks("cube");
+  view.Mapper->SetRefinement(nullptr);
+  view.TestFails("No recipe");
+  view.Mapper->SetRefinement(view.Recipe);
+  view.TestWorks("recipe");
+}
 
-    vtkNew<HugeHeights> huge;
-    displacement->SetHeightMap(huge);
-    testFails(view, "1048576 x 3");
-    displacement->SetHeightMap(heights);
-    testWorks(view, "heights put right");
+void TestTags(RelevoCheck& check)
+{
+  Mesh mesh = Sphere(8, 6);
+  AddTags(mesh, 1, 3);
+  View view(check, mesh);
+  view.TestWorks("tags");
+  mesh->GetPointData()->GetArray("DepthTag")->SetComponent(7, 0, NaN);
+  mesh->Modified();
+  view.TestFails("is NaN at point 7");
+  mesh->GetPointData()->GetArray("DepthTag")->SetComponent(7, 0, 2);
+  mesh->Modified();
+  view.TestWorks("tags put right");
+  mesh->GetPointData()->GetArray("DepthTag")->SetNumberOfTuples(5);
+  mesh->Modified();
+  view.TestFails("5 tuples");
+  view.Recipe->SetDepthTagArrayName("Other");
+  view.TestWorks("no tags");
+  vtkNew<vtkFloatArray> pairs;
+  pairs->SetName("Other");
+  pairs->SetNumberOfComponents(2);
+  pairs->SetNumberOfTuples(mesh->GetNumberOfPoints());
+  pairs->Fill(1);
+  mesh->GetPointData()->AddArray(pairs);
+  view.TestFails("2 components");
+  vtkNew<vtkStringArray> words;
+  words->SetName("Words");
+  words->SetNumberOfValues(mesh->GetNumberOfPoints());
+  mesh->GetPointData()->AddArray(words);
+  view.Recipe->SetDepthTagArrayName("Words");
+  view.TestFails("holds no numbers");
+}
 
-    vtkNew<RelevoHeights> none;
-    RelevoErrors ofHeights(none);
-    RelevoErrors ofDisplacement(displacement);
-    displacement->SetHeightMap(none);
-    testFails(view, "height map could not be read");
-    none->FillRandom(10, 10, 1);
-    testWorks(view, "heights filled");
-  }
-  {
-    // A metric that cannot be evaluated.
-    class NoMetric : public vtkDepthTagMetric
-    {
-    public:
-      static NoMetric* New()
-      {
-        NoMetric* result = new NoMetric;
-        result->InitializeObjectBase();
-        return result;
-      }
-      bool IsViewDependent() override { return false; }
-      bool ComputeTags(vtkPolyData*, const relevo::RefinementView&, int, vtkFloatArray*) override
-      {
-        return false;
-      }
-    };
-    vtkNew<NoMetric> metric;
-    View view(Cube());
-    view.Recipe->SetMetric(metric);
-    testFails(view, "gave no depth-tags");
-    view.Recipe->SetMetric(nullptr);
-    testWorks(view, "metric");
-  }
-  {
-    // Nothing to draw is no error.
-    vtkNew<vtkPolyData> nothing;
-    View view(nothing);
-    CHECK(view.Draw()[0] == 0);
-    CHECK(view.Mapper->GetNumberOfDrawnTriangles() == 0);
-    CHECK(view.Mapper->GetNumberOfDrawCalls() == 0);
-    Mesh lone = Make();
-    lone->SetPoints(Cube()->GetPoints());
-    view.Mapper->SetInputDataObject(lone);
-    CHECK(view.Draw()[0] == 0);
-    vtkNew<vtkCellArray> verts;
-    verts->InsertNextCell({ 0, 1, 2, 3 });
-    lone->SetVerts(verts);
-    view.Scene.GetActor(0)->GetProperty()->SetPointSize(5);
-    CHECK(view.Draw()[0] > 0); // vertices alone
-    vtkNew<vtkMultiBlockDataSet> blocks;
-    view.Mapper->SetInputDataObject(blocks);
-    CHECK(view.Draw()[0] == 0);
-    CHECK(view.Errors.None());
-  }
-  {
-    // Points that are no numbers, and cells without area: a warning, and the rest is drawn.
-    Mesh mesh = Sphere(8, 6);
-    mesh->GetPoints()->SetPoint(9, nan, 0, 0);
-    View view(mesh);
-    vtkNew<vtkPNTriangleSurface> surface;
-    view.Recipe->SetSurface(surface);
-    const auto drawn = view.Draw();
-    CHECK(drawn[0] > 100);
-    CHECK(view.Errors.Warned("degenerate"));
-    CHECK(view.Draw() == drawn);
-    CHECK(view.Errors.None());
-    double bounds[6];
-    view.Mapper->GetBounds(bounds);
-    CHECK(bounds[1] <= 0.51 && bounds[0] >= -0.51);
-    vtkNew<vtkAdaptiveRefinementFilter> filter;
-    RelevoErrors ofFilter(filter);
-    filter->SetInputData(mesh);
-    filter->SetRefinement(view.Recipe);
-    filter->Update();
-    CHECK(view.Mapper->GetNumberOfDrawnTriangles() == filter->GetOutput()->GetNumberOfPolys());
-  }
-  {
-    // Cells that refer to points that are not there.
-    Mesh mesh = Cube();
-    View view(mesh);
-    testWorks(view, "cube");
-    vtkNew<vtkCellArray> polys;
-    polys->InsertNextCell({ 0, 1, 2 });
-    polys->InsertNextCell({ 0, 1, 99 });
-    vtkNew<vtkPolyData> broken;
-    broken->SetPoints(mesh->GetPoints());
-    broken->SetPolys(polys);
-    view.Mapper->SetInputDataObject(broken);
-    testFails(view, "cell 1 refers to point 99 of 24");
-  }
-  {
-    // Blocks: errors come from the mapper that the user holds; other blocks are drawn.
-    Mesh good = Cube();
-    Mesh bad = Sphere(8, 6);
-    AddTags(bad, 1, 2);
-    bad->GetPointData()->GetArray("DepthTag")->SetComponent(2, 0, nan);
-    vtkNew<vtkMultiBlockDataSet> blocks;
-    blocks->SetBlock(0, good);
-    blocks->SetBlock(1, bad);
-    View view(blocks);
-    CHECK(view.Draw()[0] > 0);
-    CHECK(view.Errors.Said("is NaN at point 2"));
-    CHECK(view.Mapper->GetNumberOfDrawnTriangles() == 12 * 16);
-    view.Draw();
-    CHECK(view.Errors.None());
-    view.Mapper->SetRefinement(nullptr);
-    view.Draw();
-    CHECK(view.Errors.Said("No recipe"));
-  }
-  {
-    // An input of another type.
-    vtkNew<vtkAdaptiveRefinementMapper> mapper;
-    mapper->SetRefinement(vtkSmartPointer<vtkAdaptiveRefinement>::New());
-    CHECK(mapper->GetNumberOfDrawnTriangles() == 0 && mapper->GetNumberOfDrawCalls() == 0);
-    CHECK(mapper->GetNumberOfCoarseFaces() == 0 && mapper->GetGraphicsMemorySize() == 0);
-    std::ostringstream text;
-    mapper->Print(text);
-    CHECK(text.str().find("NumberOfDrawnTriangles: 0") != std::string::npos);
-  }
+void TestTextureCoordinates(RelevoCheck& check, View& view, vtkPolyData* mesh)
+{
+  view.TestFails("texture coordinates");
+  AddTextureCoordinates(mesh,
+    [](const double* p) {
+      return std::array<double, 2>{ { p[0] + 0.5, p[1] + 0.5 } };
+    });
+  view.TestWorks("texture coordinates");
+  mesh->GetPointData()->GetTCoords()->SetComponent(3, 1, NaN);
+  mesh->Modified();
+  view.Draw();
+  CHECK(view.Errors.Said("texture coordinate"));
+  mesh->GetPointData()->GetTCoords()->SetComponent(3, 1, 0.5);
+  mesh->Modified();
+  view.TestWorks("texture coordinates put right");
+}
+
+void TestHeights(View& view, vtkDisplacement* displacement)
+{
+  vtkSmartPointer<vtkHeightField> heights = displacement->GetHeightMap();
+  vtkNew<HugeHeights> huge;
+  displacement->SetHeightMap(huge);
+  view.TestFails("1048576 x 3");
+  displacement->SetHeightMap(heights);
+  view.TestWorks("heights put right");
+
+  vtkNew<RelevoHeights> none;
+  RelevoErrors ofHeights(none);
+  RelevoErrors ofDisplacement(displacement);
+  displacement->SetHeightMap(none);
+  view.TestFails("height map could not be read");
+  none->FillRandom(10, 10, 1);
+  view.TestWorks("heights filled");
+}
+
+void TestDisplacement(RelevoCheck& check)
+{
+  vtkNew<RelevoHeights> heights;
+  heights->FillRandom(10, 10, 1);
+  vtkNew<vtkDisplacement> displacement;
+  displacement->SetHeightMap(heights);
+  displacement->SetScale(0.1);
+  Mesh mesh = Sphere(8, 6);
+  View view(check, mesh);
+  view.Recipe->SetDisplacement(displacement);
+  TestTextureCoordinates(check, view, mesh);
+  TestHeights(view, displacement);
+}
+
+void TestMetric(RelevoCheck& check)
+{
+  vtkNew<NoMetric> metric;
+  View view(check, Cube());
+  view.Recipe->SetMetric(metric);
+  view.TestFails("gave no depth-tags");
+  view.Recipe->SetMetric(nullptr);
+  view.TestWorks("metric");
+}
+
+// Nothing to draw is no error.
+void TestNothing(RelevoCheck& check)
+{
+  vtkNew<vtkPolyData> nothing;
+  View view(check, nothing);
+  CHECK(view.Draw()[0] == 0);
+  CHECK(view.Mapper->GetNumberOfDrawnTriangles() == 0);
+  CHECK(view.Mapper->GetNumberOfDrawCalls() == 0);
+  Mesh lone = Make();
+  lone->SetPoints(Cube()->GetPoints());
+  view.Mapper->SetInputDataObject(lone);
+  CHECK(view.Draw()[0] == 0);
+  vtkNew<vtkCellArray> verts;
+  verts->InsertNextCell({ 0, 1, 2, 3 });
+  lone->SetVerts(verts);
+  view.Scene.GetActor(0)->GetProperty()->SetPointSize(5);
+  CHECK(view.Draw()[0] > 0); // vertices alone
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  view.Mapper->SetInputDataObject(blocks);
+  CHECK(view.Draw()[0] == 0);
+  CHECK(view.Errors.None());
+}
+
+// Points that are no numbers, and cells without area: a warning, and the rest is drawn.
+void TestPoints(RelevoCheck& check)
+{
+  Mesh mesh = Sphere(8, 6);
+  mesh->GetPoints()->SetPoint(9, NaN, 0, 0);
+  View view(check, mesh);
+  vtkNew<vtkPNTriangleSurface> surface;
+  view.Recipe->SetSurface(surface);
+  const auto drawn = view.Draw();
+  CHECK(drawn[0] > 100);
+  CHECK(view.Errors.Warned("degenerate"));
+  CHECK(view.Draw() == drawn);
+  CHECK(view.Errors.None());
+  double bounds[6];
+  view.Mapper->GetBounds(bounds);
+  CHECK(bounds[1] <= 0.51 && bounds[0] >= -0.51);
+  vtkNew<vtkAdaptiveRefinementFilter> filter;
+  RelevoErrors ofFilter(filter);
+  filter->SetInputData(mesh);
+  filter->SetRefinement(view.Recipe);
+  filter->Update();
+  CHECK(view.Mapper->GetNumberOfDrawnTriangles() == filter->GetOutput()->GetNumberOfPolys());
+}
+
+// Cells that refer to points that are not there.
+void TestCells(RelevoCheck& check)
+{
+  Mesh mesh = Cube();
+  View view(check, mesh);
+  view.TestWorks("cube");
+  vtkNew<vtkCellArray> polys;
+  polys->InsertNextCell({ 0, 1, 2 });
+  polys->InsertNextCell({ 0, 1, 99 });
+  vtkNew<vtkPolyData> broken;
+  broken->SetPoints(mesh->GetPoints());
+  broken->SetPolys(polys);
+  view.Mapper->SetInputDataObject(broken);
+  view.TestFails("cell 1 refers to point 99 of 24");
+}
+
+// Blocks: errors come from the mapper that the user holds; other blocks are drawn.
+void TestBlocks(RelevoCheck& check)
+{
+  Mesh good = Cube();
+  Mesh bad = Sphere(8, 6);
+  AddTags(bad, 1, 2);
+  bad->GetPointData()->GetArray("DepthTag")->SetComponent(2, 0, NaN);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, good);
+  blocks->SetBlock(1, bad);
+  View view(check, blocks);
+  CHECK(view.Draw()[0] > 0);
+  CHECK(view.Errors.Said("is NaN at point 2"));
+  CHECK(view.Mapper->GetNumberOfDrawnTriangles() == 12 * 16);
+  view.Draw();
+  CHECK(view.Errors.None());
+  view.Mapper->SetRefinement(nullptr);
+  view.Draw();
+  CHECK(view.Errors.Said("No recipe"));
+}
+
+void TestNoInput(RelevoCheck& check)
+{
+  vtkNew<vtkAdaptiveRefinementMapper> mapper;
+  mapper->SetRefinement(vtkSmartPointer<vtkAdaptiveRefinement>::New());
+  CHECK(mapper->GetNumberOfDrawnTriangles() == 0 && mapper->GetNumberOfDrawCalls() == 0);
+  CHECK(mapper->GetNumberOfCoarseFaces() == 0 && mapper->GetGraphicsMemorySize() == 0);
+  std::ostringstream text;
+  mapper->Print(text);
+  CHECK(text.str().find("NumberOfDrawnTriangles: 0") != std::string::npos);
+}
+}
+
+int TestAdaptiveRefinementMapperErrors(int, char*[])
+{
+  RelevoCheck check;
+  TestRecipe(check);
+  TestTags(check);
+  TestDisplacement(check);
+  TestMetric(check);
+  TestNothing(check);
+  TestPoints(check);
+  TestCells(check);
+  TestBlocks(check);
+  TestNoInput(check);
   return check.GetResult();
 }

@@ -4,13 +4,12 @@
 // renderers, windows, released resources.
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
+#include "RelevoTextures.h"
 
 #include "vtkCellArray.h"
 #include "vtkDisplacement.h"
 #include "vtkDistanceDepthTagMetric.h"
 #include "vtkIdList.h"
-#include "vtkImageData.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkPNTriangleSurface.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
@@ -49,23 +48,10 @@ void SetInput(RelevoScene& scene, vtkPolyData* mesh)
 {
   vtkPolyDataMapper::SafeDownCast(scene.GetActor(0)->GetMapper())->SetInputData(mesh);
 }
-}
 
-int TestAdaptiveRefinementMapperLife(int argc, char* argv[])
+// Properties change one after the other on the same mapper.
+void TestProperties(RelevoComparison& comparison)
 {
-  RelevoCheck check;
-  RelevoComparison comparison(check, argc, argv);
-
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(8, 8, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  for (int i = 0; i < 8 * 8 * 3; ++i)
-  {
-    static_cast<unsigned char*>(image->GetScalarPointer())[i] =
-      static_cast<unsigned char>(i * 41 % 256);
-  }
-
-  // Properties, one after the other on the same mapper.
   comparison.Compare("Life.Properties", Tight,
     [](RelevoScene& s)
     {
@@ -103,12 +89,7 @@ int TestAdaptiveRefinementMapperLife(int argc, char* argv[])
         [](RelevoScene& s) { s.GetActor(0)->GetMapper()->InterpolateScalarsBeforeMappingOn(); } },
       { "NoScalars", [](RelevoScene& s) { s.GetActor(0)->GetMapper()->ScalarVisibilityOff(); } },
       { "Texture",
-        [&](RelevoScene& s)
-        {
-          vtkNew<vtkTexture> texture;
-          texture->SetInputData(image);
-          s.GetActor(0)->SetTexture(texture);
-        } },
+        [](RelevoScene& s) { s.GetActor(0)->SetTexture(RelevoTextures::MakeMotley()); } },
       { "NoTexture",
         [](RelevoScene& s)
         {
@@ -128,8 +109,10 @@ int TestAdaptiveRefinementMapperLife(int argc, char* argv[])
       { "Whole", [](RelevoScene& s) { s.GetActor(0)->GetMapper()->RemoveAllClippingPlanes(); } },
       { "Unlit", [](RelevoScene& s) { GetProperty(s)->LightingOff(); } },
       { "Lit", [](RelevoScene& s) { GetProperty(s)->LightingOn(); } } });
+}
 
-  // Input.
+void TestInput(RelevoComparison& comparison)
+{
   Mesh moving = Sphere(12, 10);
   Mesh sphere = Sphere(8, 6);
   comparison.Compare("Life.Input", Tight, [](RelevoScene& s) { s.Add(Cube()); },
@@ -165,62 +148,85 @@ int TestAdaptiveRefinementMapperLife(int argc, char* argv[])
       { "Smaller", [&](RelevoScene& s) { SetInput(s, sphere); } },
       { "Strips", [&](RelevoScene& s) { SetInput(s, Strips()); } },
       { "Cone", [&](RelevoScene& s) { SetInput(s, Cone()); } } });
+}
 
-  // The recipe.
-  vtkNew<vtkPNTriangleSurface> surface;
-  vtkNew<RelevoHeights> heights;
-  heights->FillRandom(20, 20, 1);
-  vtkNew<RelevoHeights> others;
-  others->FillRandom(33, 14, 2);
-  vtkNew<vtkDisplacement> displacement;
-  displacement->SetHeightMap(heights);
-  displacement->SetScale(0.1);
-  vtkNew<vtkAdaptiveRefinement> recipe;
-  recipe->SetMaximumLevel(0);
+// A recipe, and what it consists of.
+struct Parts
+{
+  Parts()
+  {
+    this->Heights->FillRandom(20, 20, 1);
+    this->Others->FillRandom(33, 14, 2);
+    this->Displacement->SetHeightMap(this->Heights);
+    this->Displacement->SetScale(0.1);
+    this->Recipe->SetMaximumLevel(0);
+  }
+
+  // The recipe has all of them.
+  void Join()
+  {
+    this->Recipe->SetMaximumLevel(4);
+    this->Recipe->SetSurface(this->Surface);
+    this->Recipe->SetDisplacement(this->Displacement);
+  }
+
+  void AddTo(RelevoScene& scene)
+  {
+    Mesh mesh = TexturedSphere(9, 7);
+    AddTags(mesh, 3, 4);
+    SetScalars(mesh, 3);
+    scene.Add(mesh, this->Recipe)->GetProperty()->EdgeVisibilityOff();
+  }
+
+  vtkNew<vtkPNTriangleSurface> Surface;
+  vtkNew<RelevoHeights> Heights;
+  vtkNew<RelevoHeights> Others;
+  vtkNew<vtkDisplacement> Displacement;
+  vtkNew<vtkAdaptiveRefinement> Recipe;
+};
+
+void TestRecipe(RelevoComparison& comparison, Parts& parts)
+{
   comparison.Compare("Life.Recipe", Close,
     [&](RelevoScene& s)
     {
       Mesh mesh = TexturedSphere(9, 7);
       AddTags(mesh, 3, 5);
       mesh->GetPointData()->GetArray("DepthTag")->SetName("Mine");
-      s.Add(mesh, recipe);
+      s.Add(mesh, parts.Recipe);
     },
-    { { "Level3", [&](RelevoScene&) { recipe->SetMaximumLevel(3); } },
-      { "Surface", [&](RelevoScene&) { recipe->SetSurface(surface); } },
-      { "Level5", [&](RelevoScene&) { recipe->SetMaximumLevel(5); } },
-      { "Tags", [&](RelevoScene&) { recipe->SetDepthTagArrayName("Mine"); } },
-      { "LinearNormals", [&](RelevoScene&) { surface->QuadraticNormalsOff(); } },
-      { "Displaced", [&](RelevoScene&) { recipe->SetDisplacement(displacement); } },
-      { "Scale", [&](RelevoScene&) { displacement->SetScale(0.2); } },
-      { "Offset", [&](RelevoScene&) { displacement->SetOffset(-0.1); } },
-      { "Direction", [&](RelevoScene&) { displacement->SetDirection(0, 1, 1); } },
-      { "Normal", [&](RelevoScene&) { displacement->SetDirectionToNormal(); } },
-      { "OtherHeights", [&](RelevoScene&) { displacement->SetHeightMap(others); } },
-      { "ChangedHeights", [&](RelevoScene&) { others->FillRandom(20, 40, 5); } },
-      { "NoHeights", [&](RelevoScene&) { displacement->SetHeightMap(nullptr); } },
-      { "Heights", [&](RelevoScene&) { displacement->SetHeightMap(heights); } },
-      { "NoSurface", [&](RelevoScene&) { recipe->SetSurface(nullptr); } },
-      { "NotDisplaced", [&](RelevoScene&) { recipe->SetDisplacement(nullptr); } },
-      { "Coarse", [&](RelevoScene&) { recipe->SetMaximumLevel(0); } } });
+    { { "Level3", [&](RelevoScene&) { parts.Recipe->SetMaximumLevel(3); } },
+      { "Surface", [&](RelevoScene&) { parts.Recipe->SetSurface(parts.Surface); } },
+      { "Level5", [&](RelevoScene&) { parts.Recipe->SetMaximumLevel(5); } },
+      { "Tags", [&](RelevoScene&) { parts.Recipe->SetDepthTagArrayName("Mine"); } },
+      { "LinearNormals", [&](RelevoScene&) { parts.Surface->QuadraticNormalsOff(); } },
+      { "Displaced", [&](RelevoScene&) { parts.Recipe->SetDisplacement(parts.Displacement); } },
+      { "Scale", [&](RelevoScene&) { parts.Displacement->SetScale(0.2); } },
+      { "Offset", [&](RelevoScene&) { parts.Displacement->SetOffset(-0.1); } },
+      { "Direction", [&](RelevoScene&) { parts.Displacement->SetDirection(0, 1, 1); } },
+      { "Normal", [&](RelevoScene&) { parts.Displacement->SetDirectionToNormal(); } },
+      { "OtherHeights", [&](RelevoScene&) { parts.Displacement->SetHeightMap(parts.Others); } },
+      { "ChangedHeights", [&](RelevoScene&) { parts.Others->FillRandom(20, 40, 5); } },
+      { "NoHeights", [&](RelevoScene&) { parts.Displacement->SetHeightMap(nullptr); } },
+      { "Heights", [&](RelevoScene&) { parts.Displacement->SetHeightMap(parts.Heights); } },
+      { "NoSurface", [&](RelevoScene&) { parts.Recipe->SetSurface(nullptr); } },
+      { "NotDisplaced", [&](RelevoScene&) { parts.Recipe->SetDisplacement(nullptr); } },
+      { "Coarse", [&](RelevoScene&) { parts.Recipe->SetMaximumLevel(0); } } });
+}
 
-  // Resources released between renders: of the actor, of the whole window.
-  recipe->SetMaximumLevel(4);
-  recipe->SetSurface(surface);
-  recipe->SetDisplacement(displacement);
-  const auto displaced = [&](RelevoScene& s)
-  {
-    Mesh mesh = TexturedSphere(9, 7);
-    AddTags(mesh, 3, 4);
-    SetScalars(mesh, 3);
-    s.Add(mesh, recipe)->GetProperty()->EdgeVisibilityOff();
-  };
-  comparison.Compare("Life.Release", Close, displaced,
+// Resources released between renders: of the actor, of the whole window.
+void TestRelease(RelevoComparison& comparison, Parts& parts)
+{
+  comparison.Compare("Life.Release", Close, [&](RelevoScene& s) { parts.AddTo(s); },
     { { "Again", [](RelevoScene&) {} },
       { "Actor", [](RelevoScene& s) { s.GetActor(0)->ReleaseGraphicsResources(s.Window); } },
       { "Window", [](RelevoScene& s) { s.Window->Finalize(); } },
       { "Resized", [](RelevoScene& s) { s.Window->SetSize(250, 200); } } });
+}
 
-  // One mapper in two renderers with different cameras, levels that depend on the view.
+// One mapper in two renderers with different cameras, levels that depend on the view.
+void TestRenderers(RelevoComparison& comparison, vtkRefinementSurface* surface)
+{
   vtkNew<vtkDistanceDepthTagMetric> metric;
   metric->SetMaximumDistance(5);
   vtkNew<vtkAdaptiveRefinement> nearby;
@@ -248,13 +254,11 @@ int TestAdaptiveRefinementMapperLife(int argc, char* argv[])
       }
     },
     { { "Moved", [](RelevoScene& s) { s.GetRenderers()[1]->GetActiveCamera()->Dolly(1.5); } } });
+}
 
-  // One mapper in two windows by turns, then without the first.
-  RelevoScene scene(RelevoScene::Refining);
-  displaced(scene);
-  scene.ResetCameras();
-  scene.Render();
-  const RelevoPicture expected(scene.Window);
+// One mapper in two windows by turns, then without the first.
+void TestWindows(RelevoComparison& comparison, RelevoScene& scene, const RelevoPicture& expected)
+{
   {
     RelevoScene second(RelevoScene::Refining);
     second.Renderer->AddActor(scene.GetActor(0));
@@ -270,12 +274,16 @@ int TestAdaptiveRefinementMapperLife(int argc, char* argv[])
   }
   scene.Render();
   comparison.Compare("Life.LeftWindow", { 0, 0, 0 }, RelevoPicture(scene.Window), expected);
+}
 
-  // A mapper that outlives its window, and one that never had any.
+// A mapper that outlives its window.
+void TestSurvivor(
+  RelevoComparison& comparison, Parts& parts, RelevoScene& scene, const RelevoPicture& expected)
+{
   vtkSmartPointer<vtkActor> survivor;
   {
     RelevoScene first(RelevoScene::Refining);
-    displaced(first);
+    parts.AddTo(first);
     first.CopyCameras(scene);
     first.Render();
     survivor = first.GetActor(0);
@@ -285,7 +293,35 @@ int TestAdaptiveRefinementMapperLife(int argc, char* argv[])
   next.CopyCameras(scene);
   next.Render();
   comparison.Compare("Life.NextWindow", { 0, 0, 0 }, RelevoPicture(next.Window), expected);
+}
+
+// A mapper that never had a window.
+void TestNoWindow()
+{
   vtkNew<vtkAdaptiveRefinementMapper> unused;
   unused->ReleaseGraphicsResources(nullptr);
+}
+}
+
+int TestAdaptiveRefinementMapperLife(int argc, char* argv[])
+{
+  RelevoCheck check;
+  RelevoComparison comparison(check, argc, argv);
+
+  TestProperties(comparison);
+  TestInput(comparison);
+  Parts parts;
+  TestRecipe(comparison, parts);
+  parts.Join();
+  TestRelease(comparison, parts);
+  TestRenderers(comparison, parts.Surface);
+  RelevoScene scene(RelevoScene::Refining);
+  parts.AddTo(scene);
+  scene.ResetCameras();
+  scene.Render();
+  const RelevoPicture expected(scene.Window);
+  TestWindows(comparison, scene, expected);
+  TestSurvivor(comparison, parts, scene, expected);
+  TestNoWindow();
   return check.GetResult();
 }

@@ -82,220 +82,299 @@ struct View
     return this->Buffers == 0 && this->Shaders == 0 && this->Selections == 0;
   }
 };
+
+vtkSmartPointer<vtkDisplacement> MakeDisplacement()
+{
+  vtkNew<RelevoHeights> heights;
+  heights->FillRandom(20, 30, 2);
+  auto displacement = vtkSmartPointer<vtkDisplacement>::New();
+  displacement->SetHeightMap(heights);
+  displacement->SetScale(0.1);
+  return displacement;
+}
+
+void TestFirstRender(RelevoCheck& check, View& view)
+{
+  CHECK(view.Mapper->GetNumberOfSelections() == 0);
+  view.Render();
+  CHECK(view.Buffers == 1 && view.Shaders >= 1 && view.Selections == 1);
+}
+
+// A moving camera and live values need no work.
+void TestLiveValues(RelevoCheck& check, View& view, vtkDisplacement* displacement)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    view.Render();
+    CHECK(view.DidNothing());
+    view.Renderer->GetActiveCamera()->Azimuth(10);
+    view.Renderer->ResetCameraClippingRange();
+    view.Render();
+    CHECK(view.DidNothing());
+    view.Actor->RotateX(10);
+    view.Render();
+    CHECK(view.DidNothing());
+    displacement->SetScale(0.1 + 0.01 * i);
+    view.Render();
+    CHECK(view.DidNothing());
+    displacement->SetOffset(0.1 * i);
+    view.Render();
+    CHECK(view.DidNothing());
+  }
+  view.Window->SetSize(240, 220);
+  view.Render();
+  CHECK(view.Selections == 0);
+}
+
+void TestLevelsAlone(RelevoCheck& check, View& view)
+{
+  view.Recipe->SetMaximumLevel(4);
+  view.Render();
+  CHECK(view.Selections == 1 && view.Buffers == 0 && view.Shaders == 0);
+}
+
+// Passes draw many times, with levels chosen once.
+void TestPasses(RelevoCheck& check, View& view)
+{
+  view.Renderer->UseDepthPeelingOn();
+  view.Actor->GetProperty()->SetOpacity(0.5);
+  view.Render();
+  CHECK(view.Selections == 0);
+  view.Render();
+  CHECK(view.Selections == 0 && view.Buffers == 0);
+}
+
+// So do selections.
+void TestSelection(RelevoCheck& check, View& view)
+{
+  view.Actor->GetProperty()->SetOpacity(1);
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(view.Renderer);
+  selector->SetArea(0, 0, 199, 199);
+  const vtkIdType before = view.Mapper->GetNumberOfSelections();
+  vtkSmartPointer<vtkSelection> selection;
+  selection.TakeReference(selector->Select());
+  CHECK(selection->GetNumberOfNodes() == 1);
+  CHECK(view.Mapper->GetNumberOfSelections() == before);
+  view.Render();
+  CHECK(view.Selections == 0);
+}
+
+// A direction instead of the normal is another shader; its value is live.
+void TestDirection(RelevoCheck& check, View& view, vtkDisplacement* displacement)
+{
+  displacement->SetDirection(0, 0, 1);
+  view.Render();
+  CHECK(view.Shaders >= 1);
+  displacement->SetDirection(0, 1, 1);
+  view.Render();
+  CHECK(view.DidNothing());
+}
+
+void TestReport(RelevoCheck& check, View& view)
+{
+  CHECK(view.Mapper->GetNumberOfCoarseFaces() == 12 * 2 * 7); // none flat at the poles
+  CHECK(view.Mapper->GetNumberOfUsedPatterns() > 5);
+  CHECK(view.Mapper->GetNumberOfDrawCalls() >= view.Mapper->GetNumberOfUsedPatterns());
+  CHECK(view.Mapper->GetNumberOfDrawCalls() <= 2 * view.Mapper->GetNumberOfUsedPatterns());
+  CHECK(view.Mapper->GetSelectionTime() > 0 && view.Mapper->GetSelectionTime() < 10);
+}
+
+void TestDisplaced(RelevoCheck& check, vtkDisplacement* displacement)
+{
+  vtkNew<vtkPNTriangleSurface> surface;
+  Mesh tagged = TexturedSphere(12, 8);
+  AddTags(tagged, 4, 5);
+  View view(tagged);
+  view.Recipe->SetMaximumLevel(5);
+  view.Recipe->SetSurface(surface);
+  view.Recipe->SetDisplacement(displacement);
+  TestFirstRender(check, view);
+  TestLiveValues(check, view, displacement);
+  TestLevelsAlone(check, view);
+  TestPasses(check, view);
+  TestSelection(check, view);
+  TestDirection(check, view, displacement);
+  TestReport(check, view);
+}
+
+// Levels that depend on where the mesh stands, but not on the view.
+void TestLevelsByPlace(RelevoCheck& check)
+{
+  vtkNew<vtkRegionDepthTagMetric> metric;
+  metric->SetCenter(0.5, 0, 0);
+  metric->SetRadius(0.3);
+  View view(TexturedSphere(12, 8));
+  view.Recipe->SetMaximumLevel(4);
+  view.Recipe->SetMetric(metric);
+  view.Render();
+  CHECK(view.Selections == 1);
+  view.Renderer->GetActiveCamera()->Azimuth(10);
+  view.Render();
+  CHECK(view.DidNothing());
+  const vtkIdType before = view.Mapper->GetNumberOfDrawnTriangles();
+  view.Actor->SetPosition(-0.5, 0, 0);
+  view.Render();
+  CHECK(view.Selections == 1 && view.Buffers == 0 && view.Shaders == 0);
+  CHECK(view.Mapper->GetNumberOfDrawnTriangles() < before);
+}
+
+void TestCamera(RelevoCheck& check, View& view)
+{
+  view.Render();
+  CHECK(view.Selections == 1);
+  view.Render();
+  CHECK(view.DidNothing());
+  const vtkIdType few = view.Mapper->GetNumberOfDrawnTriangles();
+  view.Renderer->GetActiveCamera()->Dolly(1.8);
+  view.Render();
+  CHECK(view.Selections == 1 && view.Buffers == 0 && view.Shaders == 0);
+  CHECK(view.Mapper->GetNumberOfDrawnTriangles() > few);
+}
+
+void TestPlacement(RelevoCheck& check, View& view)
+{
+  view.Actor->SetPosition(0.1, 0, 0);
+  view.Render();
+  CHECK(view.Selections == 1);
+  view.Actor->SetScale(0.7);
+  view.Render();
+  CHECK(view.Selections == 1);
+}
+
+void TestViewport(RelevoCheck& check, View& view)
+{
+  view.Window->SetSize(300, 260);
+  view.Render();
+  CHECK(view.Selections == 1);
+  view.Renderer->SetViewport(0, 0, 0.5, 1);
+  view.Render();
+  CHECK(view.Selections == 1);
+}
+
+void TestOtherMetric(RelevoCheck& check, View& view, vtkDistanceDepthTagMetric* metric)
+{
+  metric->SetMaximumDistance(5);
+  view.Render();
+  CHECK(view.Selections == 1 && view.Shaders == 0);
+}
+
+void TestOtherCamera(RelevoCheck& check, View& view)
+{
+  vtkNew<vtkCamera> other;
+  other->DeepCopy(view.Renderer->GetActiveCamera());
+  view.Renderer->SetActiveCamera(other);
+  view.Render();
+  CHECK(view.Selections == 1);
+}
+
+// Depth peeling and selections see the same camera many times.
+void TestSameCamera(RelevoCheck& check, View& view)
+{
+  view.Renderer->UseDepthPeelingOn();
+  view.Actor->GetProperty()->SetOpacity(0.5);
+  view.Render();
+  view.Render();
+  CHECK(view.Selections == 0);
+}
+
+// An array of the mesh's own wins, and no view matters any more.
+void TestOwnTags(RelevoCheck& check, View& view, vtkPolyData* mesh)
+{
+  AddTags(mesh, 1, 3);
+  mesh->Modified();
+  view.Render();
+  CHECK(view.Selections == 1);
+  view.Renderer->GetActiveCamera()->Dolly(1.2);
+  view.Render();
+  CHECK(view.DidNothing());
+}
+
+// Levels that depend on the view.
+void TestLevelsByView(RelevoCheck& check)
+{
+  vtkNew<vtkDistanceDepthTagMetric> metric;
+  metric->SetMaximumDistance(6);
+  Mesh mesh = TexturedSphere(12, 8);
+  View view(mesh);
+  view.Recipe->SetMaximumLevel(6);
+  view.Recipe->SetMetric(metric);
+  TestCamera(check, view);
+  TestPlacement(check, view);
+  TestViewport(check, view);
+  TestOtherMetric(check, view, metric);
+  TestOtherCamera(check, view);
+  TestSameCamera(check, view);
+  TestOwnTags(check, view, mesh);
+}
+
+// Several cameras in turn: each keeps its levels.
+void TestSeveralCameras(RelevoCheck& check)
+{
+  vtkNew<vtkDistanceDepthTagMetric> metric;
+  View view(TexturedSphere(12, 8));
+  view.Recipe->SetMetric(metric);
+  vtkNew<vtkRenderer> second;
+  view.Renderer->SetViewport(0, 0, 0.5, 1);
+  second->SetViewport(0.5, 0, 1, 1);
+  second->AddActor(view.Actor);
+  view.Window->AddRenderer(second);
+  second->ResetCamera();
+  second->GetActiveCamera()->Zoom(2);
+  view.Render();
+  CHECK(view.Selections == 2);
+  view.Render();
+  CHECK(view.DidNothing());
+  second->GetActiveCamera()->Azimuth(20);
+  view.Render();
+  CHECK(view.Selections == 1);
+  // A camera that was touched, but is as it was.
+  second->GetActiveCamera()->Modified();
+  view.Renderer->GetActiveCamera()->Azimuth(20);
+  view.Renderer->GetActiveCamera()->Azimuth(-20);
+  view.Renderer->GetActiveCamera()->SetPosition(1, 2, 3);
+  view.Render();
+  CHECK(view.Selections == 1);
+}
+
+// Memory: what the coarse mesh and one pattern take, whatever is drawn.
+void TestMemory(RelevoCheck& check, vtkDisplacement* displacement)
+{
+  Mesh plane = Plane(50, 40);
+  const vtkTypeInt64 points = plane->GetNumberOfPoints();
+  const vtkTypeInt64 faces = 2 * plane->GetNumberOfCells();
+  View view(plane);
+  view.Recipe->SetMaximumLevel(0);
+  CHECK(view.Mapper->GetGraphicsMemorySize() == 0);
+  view.Render();
+  const vtkTypeInt64 coarse = view.Mapper->GetGraphicsMemorySize();
+  CHECK(coarse >= points * 12 + faces * 12);
+  CHECK(coarse <= points * 100 + faces * 60);
+  view.Recipe->SetMaximumLevel(6);
+  view.Render();
+  CHECK(view.Mapper->GetNumberOfDrawnTriangles() == faces * 4096);
+  CHECK(view.Mapper->GetNumberOfDrawCalls() <= 2);
+  CHECK(view.Mapper->GetNumberOfUsedPatterns() == 1);
+  const vtkTypeInt64 fine = view.Mapper->GetGraphicsMemorySize();
+  CHECK(fine > coarse && fine < coarse + 200000);
+  view.Recipe->SetDisplacement(displacement);
+  view.Render();
+  CHECK(view.Mapper->GetGraphicsMemorySize() >= fine + 20 * 30 * 4);
+  view.Actor->ReleaseGraphicsResources(view.Window);
+  CHECK(view.Mapper->GetGraphicsMemorySize() == 0);
+  view.Render();
+  CHECK(view.Mapper->GetGraphicsMemorySize() > fine);
+}
 }
 
 int TestAdaptiveRefinementMapperState(int, char*[])
 {
   RelevoCheck check;
-  vtkNew<vtkPNTriangleSurface> surface;
-  vtkNew<RelevoHeights> heights;
-  heights->FillRandom(20, 30, 2);
-  vtkNew<vtkDisplacement> displacement;
-  displacement->SetHeightMap(heights);
-  displacement->SetScale(0.1);
-
-  Mesh mesh = TexturedSphere(12, 8);
-  {
-    Mesh tagged = Make();
-    tagged->DeepCopy(mesh);
-    AddTags(tagged, 4, 5);
-    View view(tagged);
-    view.Recipe->SetMaximumLevel(5);
-    view.Recipe->SetSurface(surface);
-    view.Recipe->SetDisplacement(displacement);
-    CHECK(view.Mapper->GetNumberOfSelections() == 0);
-    view.Render();
-    CHECK(view.Buffers == 1 && view.Shaders >= 1 && view.Selections == 1);
-
-    // A moving camera and live values need no work.
-    for (int i = 0; i < 3; ++i)
-    {
-      view.Render();
-      CHECK(view.DidNothing());
-      view.Renderer->GetActiveCamera()->Azimuth(10);
-      view.Renderer->ResetCameraClippingRange();
-      view.Render();
-      CHECK(view.DidNothing());
-      view.Actor->RotateX(10);
-      view.Render();
-      CHECK(view.DidNothing());
-      displacement->SetScale(0.1 + 0.01 * i);
-      view.Render();
-      CHECK(view.DidNothing());
-      displacement->SetOffset(0.1 * i);
-      view.Render();
-      CHECK(view.DidNothing());
-    }
-    view.Window->SetSize(240, 220);
-    view.Render();
-    CHECK(view.Selections == 0);
-
-    // Levels alone.
-    view.Recipe->SetMaximumLevel(4);
-    view.Render();
-    CHECK(view.Selections == 1 && view.Buffers == 0 && view.Shaders == 0);
-
-    // Passes and selections draw many times.
-    view.Renderer->UseDepthPeelingOn();
-    view.Actor->GetProperty()->SetOpacity(0.5);
-    view.Render();
-    CHECK(view.Selections == 0);
-    view.Render();
-    CHECK(view.Selections == 0 && view.Buffers == 0);
-    view.Actor->GetProperty()->SetOpacity(1);
-    vtkNew<vtkHardwareSelector> selector;
-    selector->SetRenderer(view.Renderer);
-    selector->SetArea(0, 0, 199, 199);
-    const vtkIdType before = view.Mapper->GetNumberOfSelections();
-    vtkSmartPointer<vtkSelection> selection;
-    selection.TakeReference(selector->Select());
-    CHECK(selection->GetNumberOfNodes() == 1);
-    CHECK(view.Mapper->GetNumberOfSelections() == before);
-    view.Render();
-    CHECK(view.Selections == 0);
-
-    // A direction instead of the normal is another shader; its value is live.
-    displacement->SetDirection(0, 0, 1);
-    view.Render();
-    CHECK(view.Shaders >= 1);
-    displacement->SetDirection(0, 1, 1);
-    view.Render();
-    CHECK(view.DidNothing());
-
-    // What is reported.
-    CHECK(view.Mapper->GetNumberOfCoarseFaces() == 12 * 2 * 7); // none flat at the poles
-    CHECK(view.Mapper->GetNumberOfUsedPatterns() > 5);
-    CHECK(view.Mapper->GetNumberOfDrawCalls() >= view.Mapper->GetNumberOfUsedPatterns());
-    CHECK(view.Mapper->GetNumberOfDrawCalls() <= 2 * view.Mapper->GetNumberOfUsedPatterns());
-    CHECK(view.Mapper->GetSelectionTime() > 0 && view.Mapper->GetSelectionTime() < 10);
-  }
-
-  // Levels that depend on where the mesh stands, but not on the view.
-  {
-    vtkNew<vtkRegionDepthTagMetric> metric;
-    metric->SetCenter(0.5, 0, 0);
-    metric->SetRadius(0.3);
-    View view(mesh);
-    view.Recipe->SetMaximumLevel(4);
-    view.Recipe->SetMetric(metric);
-    view.Render();
-    CHECK(view.Selections == 1);
-    view.Renderer->GetActiveCamera()->Azimuth(10);
-    view.Render();
-    CHECK(view.DidNothing());
-    const vtkIdType before = view.Mapper->GetNumberOfDrawnTriangles();
-    view.Actor->SetPosition(-0.5, 0, 0);
-    view.Render();
-    CHECK(view.Selections == 1 && view.Buffers == 0 && view.Shaders == 0);
-    CHECK(view.Mapper->GetNumberOfDrawnTriangles() < before);
-  }
-
-  // Levels that depend on the view.
-  {
-    vtkNew<vtkDistanceDepthTagMetric> metric;
-    metric->SetMaximumDistance(6);
-    View view(mesh);
-    view.Recipe->SetMaximumLevel(6);
-    view.Recipe->SetMetric(metric);
-    view.Render();
-    CHECK(view.Selections == 1);
-    view.Render();
-    CHECK(view.DidNothing());
-    const vtkIdType few = view.Mapper->GetNumberOfDrawnTriangles();
-    view.Renderer->GetActiveCamera()->Dolly(1.8);
-    view.Render();
-    CHECK(view.Selections == 1 && view.Buffers == 0 && view.Shaders == 0);
-    CHECK(view.Mapper->GetNumberOfDrawnTriangles() > few);
-    view.Actor->SetPosition(0.1, 0, 0);
-    view.Render();
-    CHECK(view.Selections == 1);
-    view.Actor->SetScale(0.7);
-    view.Render();
-    CHECK(view.Selections == 1);
-    view.Window->SetSize(300, 260);
-    view.Render();
-    CHECK(view.Selections == 1);
-    view.Renderer->SetViewport(0, 0, 0.5, 1);
-    view.Render();
-    CHECK(view.Selections == 1);
-    metric->SetMaximumDistance(5);
-    view.Render();
-    CHECK(view.Selections == 1 && view.Shaders == 0);
-    vtkNew<vtkCamera> other;
-    other->DeepCopy(view.Renderer->GetActiveCamera());
-    view.Renderer->SetActiveCamera(other);
-    view.Render();
-    CHECK(view.Selections == 1);
-    // Depth peeling and selections see the same camera many times.
-    view.Renderer->UseDepthPeelingOn();
-    view.Actor->GetProperty()->SetOpacity(0.5);
-    view.Render();
-    view.Render();
-    CHECK(view.Selections == 0);
-    // An array of the mesh's own wins, and no view matters any more.
-    AddTags(mesh, 1, 3);
-    mesh->Modified();
-    view.Render();
-    CHECK(view.Selections == 1);
-    view.Renderer->GetActiveCamera()->Dolly(1.2);
-    view.Render();
-    CHECK(view.DidNothing());
-  }
-
-  // Several cameras in turn: each keeps its levels.
-  {
-    vtkNew<vtkDistanceDepthTagMetric> metric;
-    View view(TexturedSphere(12, 8));
-    view.Recipe->SetMetric(metric);
-    vtkNew<vtkRenderer> second;
-    view.Renderer->SetViewport(0, 0, 0.5, 1);
-    second->SetViewport(0.5, 0, 1, 1);
-    second->AddActor(view.Actor);
-    view.Window->AddRenderer(second);
-    second->ResetCamera();
-    second->GetActiveCamera()->Zoom(2);
-    view.Render();
-    CHECK(view.Selections == 2);
-    view.Render();
-    CHECK(view.DidNothing());
-    second->GetActiveCamera()->Azimuth(20);
-    view.Render();
-    CHECK(view.Selections == 1);
-    // A camera that was touched, but is as it was.
-    second->GetActiveCamera()->Modified();
-    view.Renderer->GetActiveCamera()->Azimuth(20);
-    view.Renderer->GetActiveCamera()->Azimuth(-20);
-    view.Renderer->GetActiveCamera()->SetPosition(1, 2, 3);
-    view.Render();
-    CHECK(view.Selections == 1);
-  }
-
-  // Memory: what the coarse mesh and one pattern take, whatever is drawn.
-  {
-    Mesh plane = Plane(50, 40);
-    const vtkTypeInt64 points = plane->GetNumberOfPoints();
-    const vtkTypeInt64 faces = 2 * plane->GetNumberOfCells();
-    View view(plane);
-    view.Recipe->SetMaximumLevel(0);
-    CHECK(view.Mapper->GetGraphicsMemorySize() == 0);
-    view.Render();
-    const vtkTypeInt64 coarse = view.Mapper->GetGraphicsMemorySize();
-    CHECK(coarse >= points * 12 + faces * 12);
-    CHECK(coarse <= points * 100 + faces * 60);
-    view.Recipe->SetMaximumLevel(6);
-    view.Render();
-    CHECK(view.Mapper->GetNumberOfDrawnTriangles() == faces * 4096);
-    CHECK(view.Mapper->GetNumberOfDrawCalls() <= 2);
-    CHECK(view.Mapper->GetNumberOfUsedPatterns() == 1);
-    const vtkTypeInt64 fine = view.Mapper->GetGraphicsMemorySize();
-    CHECK(fine > coarse && fine < coarse + 200000);
-    view.Recipe->SetDisplacement(displacement);
-    view.Render();
-    CHECK(view.Mapper->GetGraphicsMemorySize() >= fine + 20 * 30 * 4);
-    view.Actor->ReleaseGraphicsResources(view.Window);
-    CHECK(view.Mapper->GetGraphicsMemorySize() == 0);
-    view.Render();
-    CHECK(view.Mapper->GetGraphicsMemorySize() > fine);
-  }
+  const auto displacement = MakeDisplacement();
+  TestDisplaced(check, displacement);
+  TestLevelsByPlace(check);
+  TestLevelsByView(check);
+  TestSeveralCameras(check);
+  TestMemory(check, displacement);
   return check.GetResult();
 }
