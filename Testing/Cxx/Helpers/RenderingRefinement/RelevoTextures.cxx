@@ -7,18 +7,36 @@
 
 namespace RelevoTextures
 {
-vtkSmartPointer<vtkTexture> MakeMotley()
+vtkSmartPointer<vtkTexture> Make(
+  int width, int height, int components, const std::function<Texel(int x, int y)>& getTexel)
 {
   vtkNew<vtkImageData> image;
-  image->SetDimensions(8, 8, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  for (int i = 0; i < 8 * 8 * 3; ++i)
+  image->SetDimensions(width, height, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, components);
+  auto* value = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (int y = 0; y < height; ++y)
   {
-    static_cast<unsigned char*>(image->GetScalarPointer())[i] =
-      static_cast<unsigned char>(i * 41 % 256);
+    for (int x = 0; x < width; ++x)
+    {
+      const Texel texel = getTexel(x, y);
+      for (int c = 0; c < components; ++c)
+      {
+        *value++ = static_cast<unsigned char>(texel[static_cast<size_t>(c)]);
+      }
+    }
   }
   auto texture = vtkSmartPointer<vtkTexture>::New();
   texture->SetInputData(image);
   return texture;
+}
+
+vtkSmartPointer<vtkTexture> MakeMotley()
+{
+  return Make(8, 8, 3,
+    [](int x, int y)
+    {
+      const int i = 3 * (8 * y + x);
+      return Texel{ { i * 41 % 256, (i + 1) * 41 % 256, (i + 2) * 41 % 256, 255 } };
+    });
 }
 }
