@@ -3,27 +3,23 @@
 // At level 0 vtkAdaptiveRefinementMapper draws what vtkPolyDataMapper draws: matrices, large
 // coordinates, cameras, viewports, multisampling, render passes.
 #include "RelevoScene.h"
+#include "RelevoShadows.h"
 #include "RelevoTestMeshes.h"
 
-#include "vtkCameraPass.h"
 #include "vtkLight.h"
 #include "vtkMatrix4x4.h"
-#include "vtkOpaquePass.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkRenderPassCollection.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkSSAOPass.h"
-#include "vtkSequencePass.h"
-#include "vtkShadowMapBakerPass.h"
-#include "vtkShadowMapPass.h"
 
 namespace
 {
 using namespace RelevoMeshes;
+using Compare = std::function<void(const std::string&, const RelevoComparison::Builder&)>;
 
 const RelevoTolerance Tight{ 1, 2e-7, 0 };
 
@@ -32,16 +28,9 @@ Mesh Double(vtkPolyData* mesh, double scale, double x, double y, double z)
   const double offset[3] = { x, y, z };
   return Moved(mesh, scale, offset, VTK_DOUBLE);
 }
-}
 
-int TestAdaptiveRefinementMapperPlacement(int argc, char* argv[])
+void TestActors(const Compare& compare)
 {
-  RelevoCheck check;
-  RelevoComparison comparison(check, argc, argv);
-  auto compare = [&](const std::string& name, const RelevoComparison::Builder& build)
-  { comparison.Compare("Placement." + name, Tight, build); };
-
-  // Actors.
   compare("Rotated",
     [](RelevoScene& s)
     {
@@ -75,8 +64,10 @@ int TestAdaptiveRefinementMapperPlacement(int argc, char* argv[])
       shear->SetElement(2, 0, -0.4);
       s.Add(Sphere(12, 10))->SetUserMatrix(shear);
     });
+}
 
-  // Coordinates.
+void TestCoordinates(const Compare& compare)
+{
   compare(
     "LargeDouble", [](RelevoScene& s) { s.Add(Double(Sphere(12, 10), 100, 5e6, -4e6, 3e6)); });
   compare("LargeDoubleCellsAndEdges",
@@ -111,8 +102,10 @@ int TestAdaptiveRefinementMapperPlacement(int argc, char* argv[])
   compare("HugeFlatNormals",
     [](RelevoScene& s)
     { s.Add(Double(Sphere(12, 10), 1e9, 0, 0, 0))->GetProperty()->SetInterpolationToFlat(); });
+}
 
-  // Cameras and windows.
+void TestCameras(const Compare& compare)
+{
   compare("Parallel",
     [](RelevoScene& s)
     {
@@ -136,6 +129,10 @@ int TestAdaptiveRefinementMapperPlacement(int argc, char* argv[])
         camera->SetViewAngle(80);
       };
     });
+}
+
+void TestWindows(const Compare& compare)
+{
   compare("Viewports",
     [](RelevoScene& s)
     {
@@ -175,8 +172,10 @@ int TestAdaptiveRefinementMapperPlacement(int argc, char* argv[])
       s.Renderer->UseFXAAOn();
       s.Add(Sphere(12, 10));
     });
+}
 
-  // Render passes.
+void TestRenderPasses(const Compare& compare)
+{
   compare("Shadows",
     [](RelevoScene& s)
     {
@@ -190,15 +189,7 @@ int TestAdaptiveRefinementMapperPlacement(int argc, char* argv[])
       light->SetFocalPoint(0, 0, 0);
       light->SetConeAngle(45);
       s.Renderer->AddLight(light);
-      vtkNew<vtkShadowMapPass> shadows;
-      vtkNew<vtkRenderPassCollection> passes;
-      passes->AddItem(shadows->GetShadowMapBakerPass());
-      passes->AddItem(shadows);
-      vtkNew<vtkSequencePass> sequence;
-      sequence->SetPasses(passes);
-      vtkNew<vtkCameraPass> camera;
-      camera->SetDelegatePass(sequence);
-      vtkOpenGLRenderer::SafeDownCast(s.Renderer)->SetPass(camera);
+      vtkOpenGLRenderer::SafeDownCast(s.Renderer)->SetPass(RelevoMakeShadowPass());
     });
   compare("AmbientOcclusion",
     [](RelevoScene& s)
@@ -214,5 +205,20 @@ int TestAdaptiveRefinementMapperPlacement(int argc, char* argv[])
       occlusion->SetDelegatePass(steps);
       vtkOpenGLRenderer::SafeDownCast(s.Renderer)->SetPass(occlusion);
     });
+}
+}
+
+int TestAdaptiveRefinementMapperPlacement(int argc, char* argv[])
+{
+  RelevoCheck check;
+  RelevoComparison comparison(check, argc, argv);
+  auto compare = [&](const std::string& name, const RelevoComparison::Builder& build)
+  { comparison.Compare("Placement." + name, Tight, build); };
+
+  TestActors(compare);
+  TestCoordinates(compare);
+  TestCameras(compare);
+  TestWindows(compare);
+  TestRenderPasses(compare);
   return check.GetResult();
 }

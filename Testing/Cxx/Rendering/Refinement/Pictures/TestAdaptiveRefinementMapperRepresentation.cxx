@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // At level 0 vtkAdaptiveRefinementMapper draws what vtkPolyDataMapper draws: representations,
 // edges, culling, translucency, clipping, all kinds of cells.
+#include "RelevoNamedMeshes.h"
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 
@@ -13,12 +14,9 @@
 namespace
 {
 using namespace RelevoMeshes;
-
-struct NamedMesh
-{
-  std::string Name;
-  Mesh Data;
-};
+using Compare = std::function<void(const std::string&, const RelevoComparison::Builder&)>;
+using ChangeActor = std::function<void(vtkActor*)>;
+using CompareActor = std::function<void(const std::string&, const ChangeActor&)>;
 
 // The mesh with cells of one kind only: 0 vertices and lines, 1 polygons, 2 strips.
 Mesh Part(vtkPolyData* mesh, int kind)
@@ -42,119 +40,135 @@ Mesh Part(vtkPolyData* mesh, int kind)
 }
 
 const RelevoTolerance Tight{ 1, 5e-7, 0 };
+
+// A picture of an actor of the mesh that was changed.
+void CompareMesh(RelevoComparison& comparison, const NamedMesh& mesh, const std::string& name,
+  const ChangeActor& change)
+{
+  // A strip's lines run the other way, so other pixels are nearest to them, and the tubes that
+  // VTK 9.3 and later lengthen by the direction end elsewhere.
+  const RelevoTolerance lines{ 1, 1e-6, 60 };
+  const bool ofStrips = mesh.Name == "Strips" || mesh.Name == "Mixed";
+  comparison.Compare("Representation." + mesh.Name + "." + name, ofStrips ? lines : Tight,
+    [&](RelevoScene& s)
+    {
+      // vtkPolyDataMapper shows wrong edges where polygons are not the only cells: its twin
+      // has an actor for each kind.
+      const bool apart = s.Kind == RelevoScene::Twin && mesh.Name == "Mixed";
+      for (int kind = 0; kind < (apart ? 3 : 1); ++kind)
+      {
+        vtkActor* actor = s.Add(apart ? Part(mesh.Data, kind) : mesh.Data);
+        actor->GetProperty()->SetColor(0.9, 0.8, 0.6);
+        change(actor);
+      }
+    });
 }
 
-int TestAdaptiveRefinementMapperRepresentation(int argc, char* argv[])
+void TestWireframe(const CompareActor& compare)
 {
-  RelevoCheck check;
-  RelevoComparison comparison(check, argc, argv);
-  auto compare = [&](const std::string& name, const RelevoComparison::Builder& build)
-  { comparison.Compare("Representation." + name, Tight, build); };
-
-  const NamedMesh meshes[] = { { "Triangles", Sphere(9, 7) }, { "Quads", Plane(4, 3) },
-    { "Cube", Cube() }, { "Polygons", Cone() }, { "Strips", Strips() }, { "Mixed", Mixed() } };
-  for (const NamedMesh& mesh : meshes)
-  {
-    auto each = [&](const std::string& name, const std::function<void(vtkActor*)>& change)
+  compare("Wireframe", [](vtkActor* a) { a->GetProperty()->SetRepresentationToWireframe(); });
+  compare("WideWireframe",
+    [](vtkActor* a)
     {
-      // A strip's lines run the other way, so other pixels are nearest to them, and the tubes that
-      // VTK 9.3 and later lengthen by the direction end elsewhere.
-      const RelevoTolerance lines{ 1, 1e-6, 60 };
-      const bool ofStrips = mesh.Name == "Strips" || mesh.Name == "Mixed";
-      comparison.Compare("Representation." + mesh.Name + "." + name, ofStrips ? lines : Tight,
-        [&](RelevoScene& s)
-        {
-          // vtkPolyDataMapper shows wrong edges where polygons are not the only cells: its twin
-          // has an actor for each kind.
-          const bool apart = s.Kind == RelevoScene::Twin && mesh.Name == "Mixed";
-          for (int kind = 0; kind < (apart ? 3 : 1); ++kind)
-          {
-            vtkActor* actor = s.Add(apart ? Part(mesh.Data, kind) : mesh.Data);
-            actor->GetProperty()->SetColor(0.9, 0.8, 0.6);
-            change(actor);
-          }
-        });
-    };
-    each("Surface", [](vtkActor*) {});
-    each("Wireframe", [](vtkActor* a) { a->GetProperty()->SetRepresentationToWireframe(); });
-    each("WideWireframe",
-      [](vtkActor* a)
-      {
-        a->GetProperty()->SetRepresentationToWireframe();
-        a->GetProperty()->SetLineWidth(4);
-      });
-    each("UnlitWireframe",
-      [](vtkActor* a)
-      {
-        a->GetProperty()->SetRepresentationToWireframe();
-        a->GetProperty()->LightingOff();
-      });
-    each("FlatWireframe",
-      [](vtkActor* a)
-      {
-        a->GetProperty()->SetRepresentationToWireframe();
-        a->GetProperty()->SetInterpolationToFlat();
-      });
-    each("Edges", [](vtkActor* a) { a->GetProperty()->EdgeVisibilityOn(); });
-    each("WideEdges",
-      [](vtkActor* a)
-      {
-        a->GetProperty()->EdgeVisibilityOn();
-        a->GetProperty()->SetLineWidth(3);
-        a->GetProperty()->SetEdgeColor(1, 0, 0);
-      });
-    each("FlatEdges",
-      [](vtkActor* a)
-      {
-        a->GetProperty()->EdgeVisibilityOn();
-        a->GetProperty()->SetInterpolationToFlat();
-      });
-    each("EdgesAndVertices",
-      [](vtkActor* a)
-      {
-        a->GetProperty()->EdgeVisibilityOn();
-        a->GetProperty()->VertexVisibilityOn();
-        a->GetProperty()->SetVertexColor(0, 1, 0);
-        a->GetProperty()->SetPointSize(7);
-      });
-    each("Vertices",
-      [](vtkActor* a)
-      {
-        a->GetProperty()->VertexVisibilityOn();
-        a->GetProperty()->SetPointSize(7);
-      });
-    each("Points",
-      [](vtkActor* a)
-      {
-        a->GetProperty()->SetRepresentationToPoints();
-        a->GetProperty()->SetPointSize(8);
-      });
-    each("PointsAsSpheres",
-      [](vtkActor* a)
-      {
-        a->GetProperty()->SetRepresentationToPoints();
-        a->GetProperty()->RenderPointsAsSpheresOn();
-        a->GetProperty()->SetPointSize(20);
-      });
-    each("LinesAsTubes",
-      [](vtkActor* a)
-      {
-        a->GetProperty()->SetRepresentationToWireframe();
-        a->GetProperty()->RenderLinesAsTubesOn();
-        a->GetProperty()->SetLineWidth(8);
-      });
-    each("EdgesAsTubes",
-      [](vtkActor* a)
-      {
-        a->GetProperty()->EdgeVisibilityOn();
-        a->GetProperty()->RenderLinesAsTubesOn();
-        a->GetProperty()->SetLineWidth(8);
-      });
-    each("Translucent", [](vtkActor* a) { a->GetProperty()->SetOpacity(0.5); });
-  }
+      a->GetProperty()->SetRepresentationToWireframe();
+      a->GetProperty()->SetLineWidth(4);
+    });
+  compare("UnlitWireframe",
+    [](vtkActor* a)
+    {
+      a->GetProperty()->SetRepresentationToWireframe();
+      a->GetProperty()->LightingOff();
+    });
+  compare("FlatWireframe",
+    [](vtkActor* a)
+    {
+      a->GetProperty()->SetRepresentationToWireframe();
+      a->GetProperty()->SetInterpolationToFlat();
+    });
+}
 
-  // Sides.
-  auto open = [&](const std::string& name, const std::function<void(vtkActor*)>& change)
+void TestEdges(const CompareActor& compare)
+{
+  compare("Edges", [](vtkActor* a) { a->GetProperty()->EdgeVisibilityOn(); });
+  compare("WideEdges",
+    [](vtkActor* a)
+    {
+      a->GetProperty()->EdgeVisibilityOn();
+      a->GetProperty()->SetLineWidth(3);
+      a->GetProperty()->SetEdgeColor(1, 0, 0);
+    });
+  compare("FlatEdges",
+    [](vtkActor* a)
+    {
+      a->GetProperty()->EdgeVisibilityOn();
+      a->GetProperty()->SetInterpolationToFlat();
+    });
+  compare("EdgesAndVertices",
+    [](vtkActor* a)
+    {
+      a->GetProperty()->EdgeVisibilityOn();
+      a->GetProperty()->VertexVisibilityOn();
+      a->GetProperty()->SetVertexColor(0, 1, 0);
+      a->GetProperty()->SetPointSize(7);
+    });
+}
+
+void TestPoints(const CompareActor& compare)
+{
+  compare("Vertices",
+    [](vtkActor* a)
+    {
+      a->GetProperty()->VertexVisibilityOn();
+      a->GetProperty()->SetPointSize(7);
+    });
+  compare("Points",
+    [](vtkActor* a)
+    {
+      a->GetProperty()->SetRepresentationToPoints();
+      a->GetProperty()->SetPointSize(8);
+    });
+  compare("PointsAsSpheres",
+    [](vtkActor* a)
+    {
+      a->GetProperty()->SetRepresentationToPoints();
+      a->GetProperty()->RenderPointsAsSpheresOn();
+      a->GetProperty()->SetPointSize(20);
+    });
+}
+
+void TestTubes(const CompareActor& compare)
+{
+  compare("LinesAsTubes",
+    [](vtkActor* a)
+    {
+      a->GetProperty()->SetRepresentationToWireframe();
+      a->GetProperty()->RenderLinesAsTubesOn();
+      a->GetProperty()->SetLineWidth(8);
+    });
+  compare("EdgesAsTubes",
+    [](vtkActor* a)
+    {
+      a->GetProperty()->EdgeVisibilityOn();
+      a->GetProperty()->RenderLinesAsTubesOn();
+      a->GetProperty()->SetLineWidth(8);
+    });
+}
+
+void TestMesh(RelevoComparison& comparison, const NamedMesh& mesh)
+{
+  const CompareActor compare = [&](const std::string& name, const ChangeActor& change)
+  { CompareMesh(comparison, mesh, name, change); };
+  compare("Surface", [](vtkActor*) {});
+  TestWireframe(compare);
+  TestEdges(compare);
+  TestPoints(compare);
+  TestTubes(compare);
+  compare("Translucent", [](vtkActor* a) { a->GetProperty()->SetOpacity(0.5); });
+}
+
+void TestSides(const Compare& compare)
+{
+  auto open = [&](const std::string& name, const ChangeActor& change)
   {
     compare("Open." + name,
       [&](RelevoScene& s)
@@ -180,70 +194,79 @@ int TestAdaptiveRefinementMapperRepresentation(int argc, char* argv[])
       a->GetProperty()->BackfaceCullingOn();
       a->GetProperty()->SetRepresentationToWireframe();
     });
+}
 
-  // Translucency.
+void TestTranslucency(const Compare& compare)
+{
+  compare("One", [](RelevoScene& s) { s.Add(Sphere(12, 10))->GetProperty()->SetOpacity(0.4); });
+  compare("TwoOverlapping",
+    [](RelevoScene& s)
+    {
+      vtkActor* first = s.Add(Sphere(12, 10));
+      first->GetProperty()->SetOpacity(0.4);
+      first->GetProperty()->SetColor(1, 0, 0);
+      vtkActor* second = s.Add(Cube());
+      second->GetProperty()->SetOpacity(0.6);
+      second->GetProperty()->SetColor(0, 1, 0);
+      second->SetPosition(0.3, 0.2, 0.1);
+      vtkActor* third = s.Add(Cone());
+      third->SetScale(0.3);
+    });
+  compare("OverOtherMappers",
+    [](RelevoScene& s)
+    {
+      s.Add(Sphere(12, 10))->GetProperty()->SetOpacity(0.4);
+      vtkNew<vtkPolyDataMapper> mapper;
+      mapper->SetInputData(Cube());
+      vtkNew<vtkActor> actor;
+      actor->SetMapper(mapper);
+      actor->SetPosition(0.3, 0.2, 0.1);
+      actor->GetProperty()->SetOpacity(0.5);
+      actor->GetProperty()->SetColor(0, 0, 1);
+      s.Renderer->AddActor(actor);
+    });
+  compare("Wireframe",
+    [](RelevoScene& s)
+    {
+      vtkProperty* property = s.Add(Sphere(12, 10))->GetProperty();
+      property->SetOpacity(0.4);
+      property->SetRepresentationToWireframe();
+      property->SetLineWidth(3);
+    });
+  compare("Edges",
+    [](RelevoScene& s)
+    {
+      vtkProperty* property = s.Add(Cube())->GetProperty();
+      property->SetOpacity(0.4);
+      property->EdgeVisibilityOn();
+      property->SetLineWidth(3);
+    });
+}
+
+// Both ways to draw what is translucent.
+void TestPeeling(const Compare& compare)
+{
   for (bool peeling : { false, true })
   {
-    const std::string how = peeling ? "Peeled." : "Blended.";
-    auto translucent = [&](const std::string& name, const RelevoComparison::Builder& build)
-    {
-      compare(how + name,
-        [&](RelevoScene& s)
-        {
-          s.Window->AlphaBitPlanesOn();
-          s.Renderer->SetUseDepthPeeling(peeling);
-          s.Renderer->SetMaximumNumberOfPeels(20);
-          s.Renderer->SetOcclusionRatio(0.0);
-          build(s);
-        });
-    };
-    translucent(
-      "One", [](RelevoScene& s) { s.Add(Sphere(12, 10))->GetProperty()->SetOpacity(0.4); });
-    translucent("TwoOverlapping",
-      [](RelevoScene& s)
+    const std::string prefix = peeling ? "Peeled." : "Blended.";
+    TestTranslucency(
+      [&](const std::string& name, const RelevoComparison::Builder& build)
       {
-        vtkActor* first = s.Add(Sphere(12, 10));
-        first->GetProperty()->SetOpacity(0.4);
-        first->GetProperty()->SetColor(1, 0, 0);
-        vtkActor* second = s.Add(Cube());
-        second->GetProperty()->SetOpacity(0.6);
-        second->GetProperty()->SetColor(0, 1, 0);
-        second->SetPosition(0.3, 0.2, 0.1);
-        vtkActor* third = s.Add(Cone());
-        third->SetScale(0.3);
-      });
-    translucent("OverOtherMappers",
-      [](RelevoScene& s)
-      {
-        s.Add(Sphere(12, 10))->GetProperty()->SetOpacity(0.4);
-        vtkNew<vtkPolyDataMapper> mapper;
-        mapper->SetInputData(Cube());
-        vtkNew<vtkActor> actor;
-        actor->SetMapper(mapper);
-        actor->SetPosition(0.3, 0.2, 0.1);
-        actor->GetProperty()->SetOpacity(0.5);
-        actor->GetProperty()->SetColor(0, 0, 1);
-        s.Renderer->AddActor(actor);
-      });
-    translucent("Wireframe",
-      [](RelevoScene& s)
-      {
-        vtkProperty* property = s.Add(Sphere(12, 10))->GetProperty();
-        property->SetOpacity(0.4);
-        property->SetRepresentationToWireframe();
-        property->SetLineWidth(3);
-      });
-    translucent("Edges",
-      [](RelevoScene& s)
-      {
-        vtkProperty* property = s.Add(Cube())->GetProperty();
-        property->SetOpacity(0.4);
-        property->EdgeVisibilityOn();
-        property->SetLineWidth(3);
+        compare(prefix + name,
+          [&](RelevoScene& s)
+          {
+            s.Window->AlphaBitPlanesOn();
+            s.Renderer->SetUseDepthPeeling(peeling);
+            s.Renderer->SetMaximumNumberOfPeels(20);
+            s.Renderer->SetOcclusionRatio(0.0);
+            build(s);
+          });
       });
   }
+}
 
-  // Clipping and coincident topology.
+void TestClipping(const Compare& compare)
+{
   auto addPlanes = [](vtkMapper* mapper)
   {
     for (int i = 0; i < 2; ++i)
@@ -272,6 +295,10 @@ int TestAdaptiveRefinementMapperRepresentation(int argc, char* argv[])
       plane->SetNormal(-1, 0.5, 0);
       s.Add(Mixed())->GetMapper()->AddClippingPlane(plane);
     });
+}
+
+void TestCoincidentTopology(const Compare& compare)
+{
   compare("CoincidentTopology",
     [](RelevoScene& s)
     {
@@ -292,8 +319,10 @@ int TestAdaptiveRefinementMapperRepresentation(int argc, char* argv[])
       above->GetMapper()->SetResolveCoincidentTopologyToPolygonOffset();
       above->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(-2, -2);
     });
+}
 
-  // Composite data.
+void TestBlocks(const Compare& compare)
+{
   vtkNew<vtkMultiBlockDataSet> inner;
   inner->SetBlock(0, Sphere(8, 6));
   const double offset[3] = { 1.2, 0.3, 0.0 };
@@ -311,5 +340,24 @@ int TestAdaptiveRefinementMapperRepresentation(int argc, char* argv[])
       s.Add(blocks)->GetProperty()->SetOpacity(0.4);
       s.Renderer->UseDepthPeelingOn();
     });
+}
+}
+
+int TestAdaptiveRefinementMapperRepresentation(int argc, char* argv[])
+{
+  RelevoCheck check;
+  RelevoComparison comparison(check, argc, argv);
+  auto compare = [&](const std::string& name, const RelevoComparison::Builder& build)
+  { comparison.Compare("Representation." + name, Tight, build); };
+
+  for (const NamedMesh& mesh : MakeNamedMeshes())
+  {
+    TestMesh(comparison, mesh);
+  }
+  TestSides(compare);
+  TestPeeling(compare);
+  TestClipping(compare);
+  TestCoincidentTopology(compare);
+  TestBlocks(compare);
   return check.GetResult();
 }

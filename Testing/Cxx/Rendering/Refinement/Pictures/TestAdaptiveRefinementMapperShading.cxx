@@ -4,12 +4,12 @@
 // colours, textures.
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
+#include "RelevoTextures.h"
 #include "RelevoUnevenNormals.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkImageData.h"
 #include "vtkIntArray.h"
 #include "vtkLight.h"
 #include "vtkLookupTable.h"
@@ -20,16 +20,14 @@
 #include "vtkPolyDataNormals.h"
 #include "vtkPolyDataTangents.h"
 #include "vtkProperty.h"
-#include "vtkRTAnalyticSource.h"
 #include "vtkShaderProperty.h"
-#include "vtkStringArray.h"
-#include "vtkTexture.h"
 #include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
 
 namespace
 {
 using namespace RelevoMeshes;
+using Compare = std::function<void(const std::string&, const RelevoComparison::Builder&)>;
 
 Mesh WithPointScalars()
 {
@@ -54,6 +52,17 @@ Mesh WithCellScalars(Mesh mesh)
   }
   mesh->GetCellData()->SetScalars(values);
   return mesh;
+}
+
+void AddFieldScalars(vtkPolyData* mesh, vtkIdType count)
+{
+  vtkNew<vtkFloatArray> field;
+  field->SetName("Field");
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    field->InsertNextValue(static_cast<float>((i * 37) % 11));
+  }
+  mesh->GetFieldData()->AddArray(field);
 }
 
 // Colours of the points or of the cells.
@@ -82,25 +91,10 @@ Mesh WithColors(Mesh mesh, int components, bool ofCells)
 
 vtkSmartPointer<vtkTexture> Checks(bool interpolate, bool translucent = false)
 {
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(16, 8, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, translucent ? 4 : 3);
-  for (int y = 0; y < 8; ++y)
-  {
-    for (int x = 0; x < 16; ++x)
-    {
-      unsigned char* pixel = static_cast<unsigned char*>(image->GetScalarPointer(x, y, 0));
-      pixel[0] = static_cast<unsigned char>(16 * x);
-      pixel[1] = static_cast<unsigned char>((x + y) % 2 ? 255 : 60);
-      pixel[2] = static_cast<unsigned char>(32 * y);
-      if (translucent)
-      {
-        pixel[3] = static_cast<unsigned char>(x % 4 ? 255 : 100);
-      }
-    }
-  }
-  auto texture = vtkSmartPointer<vtkTexture>::New();
-  texture->SetInputData(image);
+  auto texture = RelevoTextures::Make(16, 8, translucent ? 4 : 3,
+    [](int x, int y) {
+      return RelevoTextures::Texel{ { 16 * x, (x + y) % 2 ? 255 : 60, 32 * y, x % 4 ? 255 : 100 } };
+    });
   texture->SetInterpolate(interpolate);
   return texture;
 }
@@ -116,16 +110,9 @@ void AddLight(RelevoScene& scene, double x, double y, double z, double r, double
 // Nothing is interpolated in another order than vtkPolyDataMapper's: the last bit of a fragment's
 // value may differ, and with it the last bit of a colour; a depth has 24 bits.
 const RelevoTolerance Tight{ 1, 2e-7, 0 };
-}
 
-int TestAdaptiveRefinementMapperShading(int argc, char* argv[])
+void TestNormals(const Compare& compare)
 {
-  RelevoCheck check;
-  RelevoComparison comparison(check, argc, argv);
-  auto compare = [&](const std::string& name, const RelevoComparison::Builder& build)
-  { comparison.Compare("Shading." + name, Tight, build); };
-
-  // Normals and shading.
   compare("Normals", [](RelevoScene& s) { s.Add(Sphere(12, 10)); });
   compare("NoNormals", [](RelevoScene& s) { s.Add(Cone())->GetProperty()->SetColor(1, 0.8, 0.2); });
   compare(
@@ -166,7 +153,11 @@ int TestAdaptiveRefinementMapperShading(int argc, char* argv[])
       mesh->GetCellData()->SetNormals(normals);
       s.Add(mesh);
     });
-  // Drawn as they are where nothing is refined, also after something was.
+}
+
+// Drawn as they are where nothing is refined, also after something was.
+void TestUnevenNormals(RelevoComparison& comparison)
+{
   comparison.Compare("Shading.UnevenNormals", Tight,
     [](RelevoScene& s)
     {
@@ -185,8 +176,10 @@ int TestAdaptiveRefinementMapperShading(int argc, char* argv[])
           recipe->SetMaximumLevel(0);
         }
       } } });
+}
 
-  // Lights.
+void TestLights(const Compare& compare)
+{
   compare("Specular",
     [](RelevoScene& s)
     {
@@ -222,6 +215,10 @@ int TestAdaptiveRefinementMapperShading(int argc, char* argv[])
         s.Renderer->AddLight(light);
       }
     });
+}
+
+void TestPhysicallyBased(const Compare& compare)
+{
   compare("PhysicallyBased",
     [](RelevoScene& s)
     {
@@ -243,8 +240,10 @@ int TestAdaptiveRefinementMapperShading(int argc, char* argv[])
       property->SetInterpolationToPBR();
       property->SetNormalTexture(Checks(true));
     });
+}
 
-  // Scalars.
+void TestPointScalars(const Compare& compare)
+{
   for (bool interpolated : { false, true })
   {
     compare(interpolated ? "InterpolatedScalars" : "Scalars",
@@ -291,6 +290,10 @@ int TestAdaptiveRefinementMapperShading(int argc, char* argv[])
     });
   compare("ScalarsOff",
     [](RelevoScene& s) { s.Add(WithPointScalars())->GetMapper()->ScalarVisibilityOff(); });
+}
+
+void TestSelectedArray(const Compare& compare)
+{
   compare("SelectedArray",
     [](RelevoScene& s)
     {
@@ -308,6 +311,10 @@ int TestAdaptiveRefinementMapperShading(int argc, char* argv[])
       mapper->ColorByArrayComponent("Vectors", 1);
       mapper->SetScalarRange(0, 6);
     });
+}
+
+void TestIndexedLookup(const Compare& compare)
+{
   compare("IndexedLookup",
     [](RelevoScene& s)
     {
@@ -322,6 +329,10 @@ int TestAdaptiveRefinementMapperShading(int argc, char* argv[])
       vtkActor* actor = s.Add(WithCellScalars(Sphere(9, 7)));
       actor->GetMapper()->SetLookupTable(table);
     });
+}
+
+void TestDirectColors(const Compare& compare)
+{
   for (int components : { 1, 2, 3, 4 })
   {
     const std::string number = std::to_string(components);
@@ -337,6 +348,10 @@ int TestAdaptiveRefinementMapperShading(int argc, char* argv[])
       mapper->SetColorModeToMapScalars();
       mapper->SetScalarRange(0, 255);
     });
+}
+
+void TestCellScalars(const Compare& compare)
+{
   compare("CellScalars",
     [](RelevoScene& s)
     { s.Add(WithCellScalars(Sphere(9, 7)))->GetMapper()->SetScalarRange(0, 10); });
@@ -360,17 +375,15 @@ int TestAdaptiveRefinementMapperShading(int argc, char* argv[])
       actor->GetMapper()->SetScalarRange(0, 10);
       actor->GetProperty()->SetInterpolationToFlat();
     });
+}
+
+void TestFieldScalars(const Compare& compare)
+{
   compare("FieldScalars",
     [](RelevoScene& s)
     {
       Mesh mesh = Sphere(9, 7);
-      vtkNew<vtkFloatArray> field;
-      field->SetName("Field");
-      for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
-      {
-        field->InsertNextValue(static_cast<float>((i * 37) % 11));
-      }
-      mesh->GetFieldData()->AddArray(field);
+      AddFieldScalars(mesh, mesh->GetNumberOfCells());
       vtkMapper* mapper = s.Add(mesh)->GetMapper();
       mapper->SetScalarModeToUseFieldData();
       mapper->SelectColorArray("Field");
@@ -381,21 +394,17 @@ int TestAdaptiveRefinementMapperShading(int argc, char* argv[])
     [](RelevoScene& s)
     {
       Mesh mesh = Strips();
-      vtkNew<vtkFloatArray> field;
-      field->SetName("Field");
       // Per triangle of the strips, as VTK's strips take field data.
-      for (vtkIdType i = 0; i < 400; ++i)
-      {
-        field->InsertNextValue(static_cast<float>((i * 37) % 11));
-      }
-      mesh->GetFieldData()->AddArray(field);
+      AddFieldScalars(mesh, 400);
       vtkMapper* mapper = s.Add(mesh)->GetMapper();
       mapper->SetScalarModeToUseFieldData();
       mapper->SelectColorArray("Field");
       mapper->SetScalarRange(0, 10);
     });
+}
 
-  // Textures.
+void TestTextures(const Compare& compare)
+{
   for (bool interpolate : { false, true })
   {
     compare(interpolate ? "TextureLinear" : "TextureNearest",
@@ -420,8 +429,11 @@ int TestAdaptiveRefinementMapperShading(int argc, char* argv[])
       actor->SetTexture(Checks(true));
       actor->GetProperty()->SetTexture("other", Checks(false));
     });
+}
 
-  // Shaders that the user replaces.
+// Shaders that the user replaces.
+void TestReplacedShaders(const Compare& compare)
+{
   compare("ReplacedFragmentShader",
     [](RelevoScene& s)
     {
@@ -445,5 +457,27 @@ int TestAdaptiveRefinementMapperShading(int argc, char* argv[])
       shaders->AddFragmentShaderReplacement("//VTK::Color::Impl", true,
         "//VTK::Color::Impl\n  diffuseColor = abs(myVertexMC.xyz) * 2.0;\n", false);
     });
+}
+}
+
+int TestAdaptiveRefinementMapperShading(int argc, char* argv[])
+{
+  RelevoCheck check;
+  RelevoComparison comparison(check, argc, argv);
+  auto compare = [&](const std::string& name, const RelevoComparison::Builder& build)
+  { comparison.Compare("Shading." + name, Tight, build); };
+
+  TestNormals(compare);
+  TestUnevenNormals(comparison);
+  TestLights(compare);
+  TestPhysicallyBased(compare);
+  TestPointScalars(compare);
+  TestSelectedArray(compare);
+  TestIndexedLookup(compare);
+  TestDirectColors(compare);
+  TestCellScalars(compare);
+  TestFieldScalars(compare);
+  TestTextures(compare);
+  TestReplacedShaders(compare);
   return check.GetResult();
 }
