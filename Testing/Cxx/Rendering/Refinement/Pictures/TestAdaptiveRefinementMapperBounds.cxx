@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bounds of vtkAdaptiveRefinementMapper contain what it draws and not much more; cameras see it
 // whole.
+#include "RelevoDisplacements.h"
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 
-#include "vtkDisplacement.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPNTriangleSurface.h"
@@ -18,179 +18,203 @@ namespace
 {
 using namespace RelevoMeshes;
 
-vtkSmartPointer<vtkDisplacement> Displace(vtkHeightField* heights, double scale, double offset)
+// The bounds of what the filter makes of the mesh are within the mapper's.
+void CheckContained(RelevoCheck& check, const std::string& name, vtkPolyData* mesh,
+  vtkAdaptiveRefinement* recipe, vtkAdaptiveRefinementMapper* mapper)
 {
-  auto displacement = vtkSmartPointer<vtkDisplacement>::New();
-  displacement->SetHeightMap(heights);
-  displacement->SetScale(scale);
-  displacement->SetOffset(offset);
-  return displacement;
+  vtkNew<vtkAdaptiveRefinementFilter> filter;
+  filter->SetInputData(mesh);
+  filter->SetRefinement(recipe);
+  filter->Update();
+  double drawn[6];
+  filter->GetOutput()->GetCellsBounds(drawn);
+  double bounds[6];
+  mapper->GetBounds(bounds);
+  const double length = filter->GetOutput()->GetLength();
+  for (int i = 0; i < 6; ++i)
+  {
+    const double outside = (i % 2 ? 1.0 : -1.0) * (drawn[i] - bounds[i]);
+    if (!(outside <= 1e-6 * length))
+    {
+      check.Fail(__FILE__, __LINE__,
+        name + ": bound " + std::to_string(i) + " is exceeded by " + std::to_string(outside));
+    }
+  }
+}
+
+// What ResetCamera shows has a rim of background on all sides.
+void CheckSeenWhole(RelevoCheck& check, const std::string& name, RelevoScene& scene)
+{
+  for (int view = 0; view < 6; ++view)
+  {
+    scene.Renderer->ResetCamera();
+    scene.Renderer->GetActiveCamera()->Azimuth(63);
+    scene.Renderer->GetActiveCamera()->Elevation(view % 2 ? 25 : -20);
+    scene.Renderer->ResetCameraClippingRange();
+    scene.Render();
+    const RelevoPicture picture(scene.Window);
+    bool cut = false;
+    bool clipped = false;
+    for (int y = 0; y < picture.Size[1]; ++y)
+    {
+      for (int x = 0; x < picture.Size[0]; ++x)
+      {
+        const size_t i = static_cast<size_t>(y) * picture.Size[0] + x;
+        const bool rim = x == 0 || y == 0 || x + 1 == picture.Size[0] || y + 1 == picture.Size[1];
+        const bool background = picture.Colors[3 * i] < 100;
+        cut = cut || (rim && !background);
+        clipped = clipped || (!background && picture.Depths[i] <= 0.0f);
+      }
+    }
+    if (cut || clipped || picture.CountForeground() < 2000)
+    {
+      check.Fail(__FILE__, __LINE__,
+        name + (cut ? ": cut by the window's rim" : ": clipped") + " in view " +
+          std::to_string(view));
+    }
+  }
+}
+
+void CheckBounds(
+  RelevoCheck& check, const std::string& name, vtkPolyData* mesh, vtkAdaptiveRefinement* recipe)
+{
+  RelevoScene scene(RelevoScene::Refining);
+  scene.Add(mesh, recipe)->GetProperty()->LightingOff();
+  CheckContained(check, name, mesh, recipe, scene.GetMapper(0));
+  CheckSeenWhole(check, name, scene);
+}
+
+void TestContained(RelevoCheck& check)
+{
+  vtkNew<vtkPNTriangleSurface> surface;
+  vtkNew<RelevoHeights> rough;
+  rough->FillRandom(32, 32, 1);
+  CheckBounds(check, "sphere", Sphere(9, 7), MakeRecipe(4, surface, nullptr));
+  CheckBounds(check, "coarse sphere", Sphere(4, 3), MakeRecipe(4, surface, nullptr));
+  CheckBounds(check, "rough sphere", TexturedSphere(9, 7),
+    MakeRecipe(5, surface, MakeDisplacement(rough, 1)));
+  CheckBounds(check, "sunken sphere", TexturedSphere(9, 7),
+    MakeRecipe(5, surface, MakeDisplacement(rough, -0.2, -0.1)));
+  CheckBounds(
+    check, "rough cube", Cube(), MakeRecipe(5, surface, MakeDisplacement(rough, 0.5, 0.1)));
+  CheckBounds(
+    check, "rough linear cube", Cube(), MakeRecipe(5, nullptr, MakeDisplacement(rough, 0.5, 0.1)));
+  CheckBounds(
+    check, "mountain", Plane(3, 3), MakeRecipe(6, nullptr, MakeDisplacement(rough, 3, 5)));
+  auto slanted = MakeDisplacementAlong(1, 2, 3, rough, 2);
+  CheckBounds(check, "slanted mountain", Plane(3, 3), MakeRecipe(6, nullptr, slanted));
+  const double far[3] = { 5e6, -4e6, 3e6 };
+  CheckBounds(check, "far sphere", Moved(TexturedSphere(9, 7), 100, far, VTK_DOUBLE),
+    MakeRecipe(4, surface, MakeDisplacement(rough, 30, 0)));
+  CheckBounds(check, "mixed cells", Mixed(), MakeRecipe(3, surface, nullptr));
+}
+
+// Tight: a flat plane grows along its normal only, by exactly the reach.
+void TestTight(RelevoCheck& check)
+{
+  vtkNew<RelevoHeights> rough;
+  rough->FillRandom(32, 32, 1);
+  vtkNew<vtkAdaptiveRefinementMapper> mapper;
+  mapper->SetInputDataObject(Plane(4, 5));
+  auto displacement = MakeDisplacement(rough, 10, -2);
+  mapper->SetRefinement(MakeRecipe(4, nullptr, displacement));
+  double range[2];
+  rough->GetRange(range);
+  double bounds[6];
+  mapper->GetBounds(bounds);
+  CHECK_NEAR(bounds[0], -0.5, 1e-6);
+  CHECK_NEAR(bounds[1], 0.5, 1e-6);
+  CHECK_NEAR(bounds[2], -0.5, 1e-6);
+  CHECK_NEAR(bounds[3], 0.5, 1e-6);
+  CHECK_NEAR(bounds[4], 10 * range[0] - 2, 1e-5);
+  CHECK_NEAR(bounds[5], 10 * range[1] - 2, 1e-5);
+
+  // They follow changes at once.
+  displacement->SetScale(0);
+  displacement->SetOffset(7);
+  mapper->GetBounds(bounds);
+  CHECK_NEAR(bounds[4], 7, 1e-6);
+  CHECK_NEAR(bounds[5], 7, 1e-6);
+  displacement->SetDirection(1, 0, 0);
+  mapper->GetBounds(bounds);
+  CHECK_NEAR(bounds[0], 6.5, 1e-6);
+  CHECK_NEAR(bounds[1], 7.5, 1e-6);
+  CHECK_NEAR(bounds[5], 0, 1e-6);
+  mapper->GetRefinement()->SetDisplacement(nullptr);
+  mapper->GetBounds(bounds);
+  CHECK_NEAR(bounds[1], 0.5, 1e-6);
+  mapper->SetInputDataObject(Sphere(60, 40));
+  mapper->GetBounds(bounds);
+  CHECK_NEAR(bounds[5], 0.5, 1e-6);
+}
+
+// An offset sphere: within one part in a hundred.
+void TestOffset(RelevoCheck& check)
+{
+  vtkNew<vtkPNTriangleSurface> surface;
+  vtkNew<vtkAdaptiveRefinementMapper> mapper;
+  Mesh sphere = TexturedSphere(60, 30);
+  mapper->SetInputDataObject(sphere);
+  mapper->SetRefinement(MakeRecipe(2, surface, MakeDisplacement(nullptr, 1, 0.5)));
+  double bounds[6];
+  mapper->GetBounds(bounds);
+  for (int i = 0; i < 6; ++i)
+  {
+    CHECK(std::abs(bounds[i]) >= 0.9999 && std::abs(bounds[i]) <= 1.01);
+  }
+}
+
+// Vertices and lines beside the faces, and all blocks, are within.
+void TestOtherCells(RelevoCheck& check)
+{
+  vtkNew<vtkPNTriangleSurface> surface;
+  vtkNew<vtkAdaptiveRefinementMapper> mapper;
+  Mesh lone = Mixed();
+  lone->GetPoints()->SetPoint(23, 50, 0, 0); // a vertex's
+  mapper->SetInputDataObject(lone);
+  mapper->SetRefinement(MakeRecipe(2, surface, nullptr));
+  double bounds[6];
+  mapper->GetBounds(bounds);
+  CHECK_NEAR(bounds[1], 50, 1e-5);
+
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, TexturedSphere(9, 7));
+  const double up[3] = { 0, 0, 5 };
+  blocks->SetBlock(2, Moved(TexturedSphere(20, 15), 1, up, VTK_FLOAT));
+  mapper->SetInputDataObject(blocks);
+  mapper->GetBounds(bounds);
+  CHECK(bounds[4] <= -0.5 && bounds[4] > -0.52);
+  CHECK(bounds[5] >= 5.5 && bounds[5] < 5.52);
+  mapper->GetRefinement()->SetDisplacement(MakeDisplacement(nullptr, 1, 1));
+  mapper->GetBounds(bounds);
+  CHECK(bounds[5] >= 6.5 && bounds[5] < 6.55);
+  blocks->SetBlock(2, nullptr);
+  mapper->GetBounds(bounds);
+  CHECK(bounds[5] >= 1.5 && bounds[5] < 1.7);
+}
+
+// No input, no cells: no bounds, no crash.
+void TestNothing(RelevoCheck& check)
+{
+  vtkNew<vtkAdaptiveRefinementMapper> mapper;
+  mapper->SetRefinement(MakeRecipe(2, nullptr, nullptr));
+  CHECK(!vtkMath::AreBoundsInitialized(mapper->GetBounds()));
+  vtkNew<vtkPolyData> nothing;
+  mapper->SetInputDataObject(nothing);
+  CHECK(!vtkMath::AreBoundsInitialized(mapper->GetBounds()));
+  vtkNew<vtkMultiBlockDataSet> none;
+  mapper->SetInputDataObject(none);
+  CHECK(!vtkMath::AreBoundsInitialized(mapper->GetBounds()));
 }
 }
 
 int TestAdaptiveRefinementMapperBounds(int, char*[])
 {
   RelevoCheck check;
-  vtkNew<vtkPNTriangleSurface> surface;
-  vtkNew<RelevoHeights> rough;
-  rough->FillRandom(32, 32, 1);
-
-  // Contained, and seen whole: what ResetCamera shows has a rim of background on all sides.
-  auto testContains = [&](const std::string& name, vtkPolyData* mesh, vtkAdaptiveRefinement* recipe)
-  {
-    vtkNew<vtkAdaptiveRefinementFilter> filter;
-    filter->SetInputData(mesh);
-    filter->SetRefinement(recipe);
-    filter->Update();
-    double drawn[6];
-    filter->GetOutput()->GetCellsBounds(drawn);
-    RelevoScene scene(RelevoScene::Refining);
-    scene.Add(mesh, recipe)->GetProperty()->LightingOff();
-    double bounds[6];
-    scene.GetMapper(0)->GetBounds(bounds);
-    const double length = filter->GetOutput()->GetLength();
-    for (int i = 0; i < 6; ++i)
-    {
-      const double outside = (i % 2 ? 1.0 : -1.0) * (drawn[i] - bounds[i]);
-      if (!(outside <= 1e-6 * length))
-      {
-        check.Fail(__FILE__, __LINE__,
-          name + ": bound " + std::to_string(i) + " is exceeded by " + std::to_string(outside));
-      }
-    }
-    for (int view = 0; view < 6; ++view)
-    {
-      scene.Renderer->ResetCamera();
-      scene.Renderer->GetActiveCamera()->Azimuth(63);
-      scene.Renderer->GetActiveCamera()->Elevation(view % 2 ? 25 : -20);
-      scene.Renderer->ResetCameraClippingRange();
-      scene.Render();
-      const RelevoPicture picture(scene.Window);
-      bool cut = false;
-      bool clipped = false;
-      for (int y = 0; y < picture.Size[1]; ++y)
-      {
-        for (int x = 0; x < picture.Size[0]; ++x)
-        {
-          const size_t i = static_cast<size_t>(y) * picture.Size[0] + x;
-          const bool rim = x == 0 || y == 0 || x + 1 == picture.Size[0] || y + 1 == picture.Size[1];
-          const bool background = picture.Colors[3 * i] < 100;
-          cut = cut || (rim && !background);
-          clipped = clipped || (!background && picture.Depths[i] <= 0.0f);
-        }
-      }
-      if (cut || clipped || picture.CountForeground() < 2000)
-      {
-        check.Fail(__FILE__, __LINE__,
-          name + (cut ? ": cut by the window's rim" : ": clipped") + " in view " +
-            std::to_string(view));
-      }
-    }
-  };
-  testContains("sphere", Sphere(9, 7), MakeRecipe(4, surface, nullptr));
-  testContains("coarse sphere", Sphere(4, 3), MakeRecipe(4, surface, nullptr));
-  testContains("rough sphere", TexturedSphere(9, 7), MakeRecipe(5, surface, Displace(rough, 1, 0)));
-  testContains(
-    "sunken sphere", TexturedSphere(9, 7), MakeRecipe(5, surface, Displace(rough, -0.2, -0.1)));
-  testContains("rough cube", Cube(), MakeRecipe(5, surface, Displace(rough, 0.5, 0.1)));
-  testContains("rough linear cube", Cube(), MakeRecipe(5, nullptr, Displace(rough, 0.5, 0.1)));
-  testContains("mountain", Plane(3, 3), MakeRecipe(6, nullptr, Displace(rough, 3, 5)));
-  auto slanted = Displace(rough, 2, 0);
-  slanted->SetDirection(1, 2, 3);
-  testContains("slanted mountain", Plane(3, 3), MakeRecipe(6, nullptr, slanted));
-  const double far[3] = { 5e6, -4e6, 3e6 };
-  testContains("far sphere", Moved(TexturedSphere(9, 7), 100, far, VTK_DOUBLE),
-    MakeRecipe(4, surface, Displace(rough, 30, 0)));
-  testContains("mixed cells", Mixed(), MakeRecipe(3, surface, nullptr));
-
-  // Tight: a flat plane grows along its normal only, by exactly the reach.
-  {
-    vtkNew<vtkAdaptiveRefinementMapper> mapper;
-    mapper->SetInputDataObject(Plane(4, 5));
-    auto displacement = Displace(rough, 10, -2);
-    mapper->SetRefinement(MakeRecipe(4, nullptr, displacement));
-    double range[2];
-    rough->GetRange(range);
-    double bounds[6];
-    mapper->GetBounds(bounds);
-    CHECK_NEAR(bounds[0], -0.5, 1e-6);
-    CHECK_NEAR(bounds[1], 0.5, 1e-6);
-    CHECK_NEAR(bounds[2], -0.5, 1e-6);
-    CHECK_NEAR(bounds[3], 0.5, 1e-6);
-    CHECK_NEAR(bounds[4], 10 * range[0] - 2, 1e-5);
-    CHECK_NEAR(bounds[5], 10 * range[1] - 2, 1e-5);
-
-    // They follow changes at once.
-    displacement->SetScale(0);
-    displacement->SetOffset(7);
-    mapper->GetBounds(bounds);
-    CHECK_NEAR(bounds[4], 7, 1e-6);
-    CHECK_NEAR(bounds[5], 7, 1e-6);
-    displacement->SetDirection(1, 0, 0);
-    mapper->GetBounds(bounds);
-    CHECK_NEAR(bounds[0], 6.5, 1e-6);
-    CHECK_NEAR(bounds[1], 7.5, 1e-6);
-    CHECK_NEAR(bounds[5], 0, 1e-6);
-    mapper->GetRefinement()->SetDisplacement(nullptr);
-    mapper->GetBounds(bounds);
-    CHECK_NEAR(bounds[1], 0.5, 1e-6);
-    mapper->SetInputDataObject(Sphere(60, 40));
-    mapper->GetBounds(bounds);
-    CHECK_NEAR(bounds[5], 0.5, 1e-6);
-  }
-
-  // An offset sphere: within one part in a hundred.
-  {
-    vtkNew<vtkAdaptiveRefinementMapper> mapper;
-    Mesh sphere = TexturedSphere(60, 30);
-    mapper->SetInputDataObject(sphere);
-    mapper->SetRefinement(MakeRecipe(2, surface, Displace(nullptr, 1, 0.5)));
-    double bounds[6];
-    mapper->GetBounds(bounds);
-    for (int i = 0; i < 6; ++i)
-    {
-      CHECK(std::abs(bounds[i]) >= 0.9999 && std::abs(bounds[i]) <= 1.01);
-    }
-  }
-
-  // Vertices and lines beside the faces, and all blocks, are within.
-  {
-    vtkNew<vtkAdaptiveRefinementMapper> mapper;
-    Mesh lone = Mixed();
-    lone->GetPoints()->SetPoint(23, 50, 0, 0); // a vertex's
-    mapper->SetInputDataObject(lone);
-    mapper->SetRefinement(MakeRecipe(2, surface, nullptr));
-    double bounds[6];
-    mapper->GetBounds(bounds);
-    CHECK_NEAR(bounds[1], 50, 1e-5);
-
-    vtkNew<vtkMultiBlockDataSet> blocks;
-    blocks->SetBlock(0, TexturedSphere(9, 7));
-    const double up[3] = { 0, 0, 5 };
-    blocks->SetBlock(2, Moved(TexturedSphere(20, 15), 1, up, VTK_FLOAT));
-    mapper->SetInputDataObject(blocks);
-    mapper->GetBounds(bounds);
-    CHECK(bounds[4] <= -0.5 && bounds[4] > -0.52);
-    CHECK(bounds[5] >= 5.5 && bounds[5] < 5.52);
-    mapper->GetRefinement()->SetDisplacement(Displace(nullptr, 1, 1));
-    mapper->GetBounds(bounds);
-    CHECK(bounds[5] >= 6.5 && bounds[5] < 6.55);
-    blocks->SetBlock(2, nullptr);
-    mapper->GetBounds(bounds);
-    CHECK(bounds[5] >= 1.5 && bounds[5] < 1.7);
-  }
-
-  // No input, no cells: no bounds, no crash.
-  {
-    vtkNew<vtkAdaptiveRefinementMapper> mapper;
-    mapper->SetRefinement(MakeRecipe(2, nullptr, nullptr));
-    CHECK(!vtkMath::AreBoundsInitialized(mapper->GetBounds()));
-    vtkNew<vtkPolyData> nothing;
-    mapper->SetInputDataObject(nothing);
-    CHECK(!vtkMath::AreBoundsInitialized(mapper->GetBounds()));
-    vtkNew<vtkMultiBlockDataSet> none;
-    mapper->SetInputDataObject(none);
-    CHECK(!vtkMath::AreBoundsInitialized(mapper->GetBounds()));
-  }
+  TestContained(check);
+  TestTight(check);
+  TestOffset(check);
+  TestOtherCells(check);
+  TestNothing(check);
   return check.GetResult();
 }

@@ -168,83 +168,98 @@ void TestWholeNumbers(RelevoCheck& check)
   }
 }
 
-// Tags between the points of a face are linear; those of edges hold along the edge.
-void TestTags(RelevoCheck& check)
+constexpr int Tolerance = 4; // of colours: a pixel's centre is not quite the point
+
+relevo::RefinementView GetEye(View& view)
 {
-  View view;
-  view.Mapper->SetColorModeToMetric();
-  const int tolerance = 4; // of colours: a pixel's centre is not quite the point
   relevo::RefinementView eye;
   eye.Camera = view.Renderer->GetActiveCamera();
   std::copy_n(view.Renderer->GetSize(), 2, eye.ViewportSize);
-  for (double offset : { 0.0, 0.75 })
-  {
-    for (int geomorphing : { 0, 1 })
-    {
-      view.Recipe->SetLevelOffset(offset);
-      view.Recipe->SetGeomorphing(geomorphing);
-      view.Recipe->SetLevelRuleToPerVertex();
-      view.Render();
-      vtkScalarsToColors* table = view.Mapper->GetLevelLookupTable();
-      CHECK(table->GetRange()[0] == 0.0 && table->GetRange()[1] == MaximumLevel);
-      vtkNew<vtkFloatArray> tags;
-      view.Metric->ComputeTags(view.Plane, eye, MaximumLevel, tags);
-      const auto expect = [&](double tag)
-      { return GetColor(table, std::min(std::max(tag + offset, 0.0), double(MaximumLevel))); };
-      int points = 0;
-      for (vtkIdType f = 0; f < view.Plane->GetNumberOfCells(); ++f)
-      {
-        for (const Weights& w : { Weights{ { 0.6, 0.2, 0.2 } }, Weights{ { 0.1, 0.3, 0.6 } } })
-        {
-          double tag = 0.0;
-          for (int i = 0; i < 3; ++i)
-          {
-            tag += w[i] * tags->GetValue(view.Plane->GetCell(f)->GetPointId(i));
-          }
-          Color color{};
-          if (view.GetColorAt(f, w, color))
-          {
-            CHECK(IsNear(color, expect(tag), tolerance));
-            ++points;
-          }
-        }
-      }
-      CHECK(points > 40);
+  return eye;
+}
 
-      view.Recipe->SetLevelRuleToPerEdge();
-      view.Render();
-      relevo::SurfaceEdges edges;
-      edges.Update(view.Plane);
-      view.Metric->ComputeEdgeTags(view.Plane, eye, MaximumLevel, edges, tags);
-      points = 0;
-      for (vtkIdType f = 0; f < view.Plane->GetNumberOfCells(); ++f)
+Color GetColorForTag(View& view, double tag)
+{
+  const double moved = tag + view.Recipe->GetLevelOffset();
+  return GetColor(view.Mapper->GetLevelLookupTable(),
+    std::min(std::max(moved, 0.0), static_cast<double>(MaximumLevel)));
+}
+
+// Tags between the points of a face are linear.
+void CheckTagsOfPoints(RelevoCheck& check, View& view)
+{
+  view.Recipe->SetLevelRuleToPerVertex();
+  view.Render();
+  vtkScalarsToColors* table = view.Mapper->GetLevelLookupTable();
+  CHECK(table->GetRange()[0] == 0.0 && table->GetRange()[1] == MaximumLevel);
+  vtkNew<vtkFloatArray> tags;
+  view.Metric->ComputeTags(view.Plane, GetEye(view), MaximumLevel, tags);
+  int points = 0;
+  for (vtkIdType f = 0; f < view.Plane->GetNumberOfCells(); ++f)
+  {
+    for (const Weights& w : { Weights{ { 0.6, 0.2, 0.2 } }, Weights{ { 0.1, 0.3, 0.6 } } })
+    {
+      double tag = 0.0;
+      for (int i = 0; i < 3; ++i)
       {
-        for (int e = 0; e < 3; ++e)
-        {
-          for (double t : { 0.3, 0.5, 0.7 })
-          {
-            Weights w{ { 0.005, 0.005, 0.005 } }; // hardly inside
-            w[e] = 0.995 * t;
-            w[(e + 1) % 3] = 0.995 * (1.0 - t);
-            vtkCell* cell = view.Plane->GetCell(f);
-            const int edge = edges.FindEdge(cell->GetPointId(e), cell->GetPointId((e + 1) % 3));
-            bool open = false; // half of its pixels show the background
-            edges.ForEachSides(edge,
-              [&](int i) { open = edges.GetSides()[i].Type == relevo::SurfaceEdgeSides::OPEN; });
-            Color color{};
-            if (!open && view.GetColorAt(f, w, color))
-            {
-              CHECK(IsNear(color, expect(tags->GetValue(edge)), 3 * tolerance));
-              ++points;
-            }
-          }
-        }
+        tag += w[i] * tags->GetValue(view.Plane->GetCell(f)->GetPointId(i));
       }
-      CHECK(points > 100);
+      Color color{};
+      if (view.GetColorAt(f, w, color))
+      {
+        CHECK(IsNear(color, GetColorForTag(view, tag), Tolerance));
+        ++points;
+      }
     }
   }
+  CHECK(points > 40);
+}
 
-  // A budget's offset counts.
+// Half of an open edge's pixels show the background.
+bool IsOpen(const relevo::SurfaceEdges& edges, int edge)
+{
+  bool open = false;
+  edges.ForEachSides(
+    edge, [&](int i) { open = edges.GetSides()[i].Type == relevo::SurfaceEdgeSides::OPEN; });
+  return open;
+}
+
+// Tags of edges hold along the edge.
+void CheckTagsOfEdges(RelevoCheck& check, View& view)
+{
+  view.Recipe->SetLevelRuleToPerEdge();
+  view.Render();
+  relevo::SurfaceEdges edges;
+  edges.Update(view.Plane);
+  vtkNew<vtkFloatArray> tags;
+  view.Metric->ComputeEdgeTags(view.Plane, GetEye(view), MaximumLevel, edges, tags);
+  int points = 0;
+  for (vtkIdType f = 0; f < view.Plane->GetNumberOfCells(); ++f)
+  {
+    for (int e = 0; e < 3; ++e)
+    {
+      for (double t : { 0.3, 0.5, 0.7 })
+      {
+        Weights w{ { 0.005, 0.005, 0.005 } }; // hardly inside
+        w[e] = 0.995 * t;
+        w[(e + 1) % 3] = 0.995 * (1.0 - t);
+        vtkCell* cell = view.Plane->GetCell(f);
+        const int edge = edges.FindEdge(cell->GetPointId(e), cell->GetPointId((e + 1) % 3));
+        Color color{};
+        if (!IsOpen(edges, edge) && view.GetColorAt(f, w, color))
+        {
+          CHECK(IsNear(color, GetColorForTag(view, tags->GetValue(edge)), 3 * Tolerance));
+          ++points;
+        }
+      }
+    }
+  }
+  CHECK(points > 100);
+}
+
+// A budget's offset counts.
+void CheckTagsOfBudget(RelevoCheck& check, View& view)
+{
   view.Recipe->SetLevelRuleToPerVertex();
   view.Recipe->SetLevelOffset(0.0);
   view.Mapper->SetTargetNumberOfTriangles(2000);
@@ -256,8 +271,11 @@ void TestTags(RelevoCheck& check)
   view.Recipe->SetLevelOffset(budgeted);
   view.Render();
   CHECK(view.Picture->Colors == colors);
+}
 
-  // Neither metric nor array: the highest level.
+// Neither metric nor array: the highest level.
+void CheckTagsWithoutMetric(RelevoCheck& check, View& view)
+{
   view.Recipe->SetMetric(nullptr);
   view.Recipe->SetLevelOffset(-1.0);
   view.Render();
@@ -265,8 +283,26 @@ void TestTags(RelevoCheck& check)
   for (vtkIdType f = 0; f < view.Plane->GetNumberOfCells(); ++f)
   {
     Color color{};
-    CHECK(!view.GetColorAt(f, { { 0.3, 0.3, 0.4 } }, color) || IsNear(color, expected, tolerance));
+    CHECK(!view.GetColorAt(f, { { 0.3, 0.3, 0.4 } }, color) || IsNear(color, expected, Tolerance));
   }
+}
+
+void TestTags(RelevoCheck& check)
+{
+  View view;
+  view.Mapper->SetColorModeToMetric();
+  for (double offset : { 0.0, 0.75 })
+  {
+    for (int geomorphing : { 0, 1 })
+    {
+      view.Recipe->SetLevelOffset(offset);
+      view.Recipe->SetGeomorphing(geomorphing);
+      CheckTagsOfPoints(check, view);
+      CheckTagsOfEdges(check, view);
+    }
+  }
+  CheckTagsOfBudget(check, view);
+  CheckTagsWithoutMetric(check, view);
 }
 
 // VTK's modes, and its own shading once more.

@@ -3,10 +3,10 @@
 // Pictures that vtkAdaptiveRefinementMapper draws, against baselines that were looked at. The other
 // tests compare with vtkPolyDataMapper; these hold what both have in common. A new picture is
 // written to the folder after -T; copied into Testing/Baseline it becomes the baseline.
+#include "RelevoDisplacements.h"
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 
-#include "vtkDisplacement.h"
 #include "vtkDistanceDepthTagMetric.h"
 #include "vtkImageDifference.h"
 #include "vtkMath.h"
@@ -24,6 +24,7 @@
 namespace
 {
 using namespace RelevoMeshes;
+using Compare = std::function<void(const std::string&, const RelevoComparison::Builder&)>;
 
 // Largest difference of two pictures after vtkImageDifference's allowance for shifted and
 // anti-aliased pixels, summed over the picture; VTK's own tests accept 10 to 15.
@@ -61,6 +62,122 @@ void CompareWithBaseline(RelevoCheck& check, RelevoScene& scene, const std::stri
         std::to_string(difference->GetThresholdedError()));
   }
 }
+
+void TestPatterns(const Compare& compare)
+{
+  vtkNew<vtkPNTriangleSurface> surface;
+  compare("Patterns",
+    [&](RelevoScene& s)
+    {
+      Mesh mesh = Sphere(10, 8);
+      AddTags(mesh, 2, 4);
+      vtkNew<vtkAdaptiveRefinement> recipe;
+      recipe->SetMaximumLevel(4);
+      recipe->SetSurface(surface);
+      vtkProperty* property = s.Add(mesh, recipe)->GetProperty();
+      property->SetColor(0.95, 0.85, 0.6);
+      property->EdgeVisibilityOn();
+    });
+}
+
+void TestCurved(const Compare& compare)
+{
+  vtkNew<vtkPNTriangleSurface> surface;
+  compare("Curved",
+    [&](RelevoScene& s)
+    {
+      Mesh mesh = Sphere(6, 5);
+      vtkNew<vtkAdaptiveRefinement> recipe;
+      recipe->SetSurface(surface);
+      vtkProperty* property = s.Add(mesh, recipe)->GetProperty();
+      property->SetColor(0.3, 0.6, 0.9);
+      property->SetSpecular(0.8);
+      property->SetSpecularPower(40);
+    });
+}
+
+void TestDisplaced(const Compare& compare)
+{
+  vtkNew<vtkPNTriangleSurface> surface;
+  vtkNew<RelevoHeights> waves;
+  waves->Fill(64, 64,
+    [](double u, double v)
+    { return std::sin(6 * vtkMath::Pi() * u) * std::sin(5 * vtkMath::Pi() * v); });
+  compare("Displaced",
+    [&](RelevoScene& s)
+    {
+      vtkNew<vtkAdaptiveRefinement> recipe;
+      recipe->SetMaximumLevel(6);
+      recipe->SetSurface(surface);
+      recipe->SetDisplacement(MakeDisplacement(waves, 0.06));
+      s.Add(TexturedSphere(12, 8), recipe)->GetProperty()->SetColor(0.8, 0.5, 0.3);
+    });
+}
+
+void TestHole(const Compare& compare)
+{
+  vtkNew<RelevoHeights> crater;
+  crater->Fill(80, 80,
+    [](double u, double v)
+    {
+      const double r = std::hypot(u - 0.5, v - 0.5);
+      return std::exp(-80 * (r - 0.25) * (r - 0.25));
+    });
+  crater->Punch([](int x, int y) { return std::hypot(x - 39.5, y - 39.5) < 8; });
+  compare("Hole",
+    [&](RelevoScene& s)
+    {
+      vtkNew<vtkAdaptiveRefinement> recipe;
+      recipe->SetMaximumLevel(6);
+      recipe->SetDisplacement(MakeDisplacement(crater, 0.2));
+      s.Add(Plane(3, 3), recipe)->GetProperty()->SetColor(0.5, 0.7, 0.4);
+      s.MoveCamera = [](vtkCamera* camera) { camera->Elevation(-50); };
+    });
+}
+
+void TestScalars(const Compare& compare)
+{
+  vtkNew<vtkPNTriangleSurface> surface;
+  compare("Scalars",
+    [&](RelevoScene& s)
+    {
+      Mesh mesh = Strips();
+      vtkNew<vtkFloatArray> values;
+      for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+      {
+        values->InsertNextValue(static_cast<float>(mesh->GetPoint(i)[2]));
+      }
+      mesh->GetPointData()->SetScalars(values);
+      vtkNew<vtkAdaptiveRefinement> recipe;
+      recipe->SetMaximumLevel(4);
+      recipe->SetSurface(surface);
+      vtkMapper* mapper = s.Add(mesh, recipe)->GetMapper();
+      mapper->SetScalarRange(-0.5, 0.5);
+      mapper->InterpolateScalarsBeforeMappingOn();
+    });
+}
+
+void TestDistance(const Compare& compare)
+{
+  compare("Distance",
+    [&](RelevoScene& s)
+    {
+      vtkNew<vtkDistanceDepthTagMetric> metric;
+      metric->SetMaximumDistance(2);
+      vtkNew<vtkAdaptiveRefinement> recipe;
+      recipe->SetMaximumLevel(5);
+      recipe->SetMetric(metric);
+      vtkProperty* property = s.Add(Plane(6, 6), recipe)->GetProperty();
+      property->SetRepresentationToWireframe();
+      property->SetColor(0.1, 0.2, 0.5);
+      property->LightingOff();
+      s.MoveCamera = [](vtkCamera* camera)
+      {
+        camera->Elevation(-60);
+        camera->Dolly(2);
+      };
+    });
+}
 }
 
 int TestAdaptiveRefinementMapperImages(int argc, char* argv[])
@@ -84,101 +201,11 @@ int TestAdaptiveRefinementMapperImages(int argc, char* argv[])
     CompareWithBaseline(check, scene, name, baselines, folder);
   };
 
-  vtkNew<vtkPNTriangleSurface> surface;
-  vtkNew<RelevoHeights> waves;
-  waves->Fill(64, 64,
-    [](double u, double v)
-    { return std::sin(6 * vtkMath::Pi() * u) * std::sin(5 * vtkMath::Pi() * v); });
-  vtkNew<RelevoHeights> crater;
-  crater->Fill(80, 80,
-    [](double u, double v)
-    {
-      const double r = std::hypot(u - 0.5, v - 0.5);
-      return std::exp(-80 * (r - 0.25) * (r - 0.25));
-    });
-  crater->Punch([](int x, int y) { return std::hypot(x - 39.5, y - 39.5) < 8; });
-
-  compare("Patterns",
-    [&](RelevoScene& s)
-    {
-      Mesh mesh = Sphere(10, 8);
-      AddTags(mesh, 2, 4);
-      vtkNew<vtkAdaptiveRefinement> recipe;
-      recipe->SetMaximumLevel(4);
-      recipe->SetSurface(surface);
-      vtkProperty* property = s.Add(mesh, recipe)->GetProperty();
-      property->SetColor(0.95, 0.85, 0.6);
-      property->EdgeVisibilityOn();
-    });
-  compare("Curved",
-    [&](RelevoScene& s)
-    {
-      Mesh mesh = Sphere(6, 5);
-      vtkNew<vtkAdaptiveRefinement> recipe;
-      recipe->SetSurface(surface);
-      vtkProperty* property = s.Add(mesh, recipe)->GetProperty();
-      property->SetColor(0.3, 0.6, 0.9);
-      property->SetSpecular(0.8);
-      property->SetSpecularPower(40);
-    });
-  compare("Displaced",
-    [&](RelevoScene& s)
-    {
-      vtkNew<vtkDisplacement> displacement;
-      displacement->SetHeightMap(waves);
-      displacement->SetScale(0.06);
-      vtkNew<vtkAdaptiveRefinement> recipe;
-      recipe->SetMaximumLevel(6);
-      recipe->SetSurface(surface);
-      recipe->SetDisplacement(displacement);
-      s.Add(TexturedSphere(12, 8), recipe)->GetProperty()->SetColor(0.8, 0.5, 0.3);
-    });
-  compare("Hole",
-    [&](RelevoScene& s)
-    {
-      vtkNew<vtkDisplacement> displacement;
-      displacement->SetHeightMap(crater);
-      displacement->SetScale(0.2);
-      vtkNew<vtkAdaptiveRefinement> recipe;
-      recipe->SetMaximumLevel(6);
-      recipe->SetDisplacement(displacement);
-      s.Add(Plane(3, 3), recipe)->GetProperty()->SetColor(0.5, 0.7, 0.4);
-      s.MoveCamera = [](vtkCamera* camera) { camera->Elevation(-50); };
-    });
-  compare("Scalars",
-    [&](RelevoScene& s)
-    {
-      Mesh mesh = Strips();
-      vtkNew<vtkFloatArray> values;
-      for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-      {
-        values->InsertNextValue(static_cast<float>(mesh->GetPoint(i)[2]));
-      }
-      mesh->GetPointData()->SetScalars(values);
-      vtkNew<vtkAdaptiveRefinement> recipe;
-      recipe->SetMaximumLevel(4);
-      recipe->SetSurface(surface);
-      vtkMapper* mapper = s.Add(mesh, recipe)->GetMapper();
-      mapper->SetScalarRange(-0.5, 0.5);
-      mapper->InterpolateScalarsBeforeMappingOn();
-    });
-  compare("Distance",
-    [&](RelevoScene& s)
-    {
-      vtkNew<vtkDistanceDepthTagMetric> metric;
-      metric->SetMaximumDistance(2);
-      vtkNew<vtkAdaptiveRefinement> recipe;
-      recipe->SetMaximumLevel(5);
-      recipe->SetMetric(metric);
-      vtkProperty* property = s.Add(Plane(6, 6), recipe)->GetProperty();
-      property->SetRepresentationToWireframe();
-      property->SetColor(0.1, 0.2, 0.5);
-      property->LightingOff();
-      s.MoveCamera = [](vtkCamera* camera)
-      {
-        camera->Elevation(-60);
-        camera->Dolly(2);
-      };
-    });
+  TestPatterns(compare);
+  TestCurved(compare);
+  TestDisplaced(compare);
+  TestHole(compare);
+  TestScalars(compare);
+  TestDistance(compare);
   return check.GetResult();
 }
