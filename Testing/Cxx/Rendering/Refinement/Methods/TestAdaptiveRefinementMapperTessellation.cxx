@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Hardware tessellation as the method of vtkAdaptiveRefinementMapper. In a context older than
 // OpenGL 4.0 (MESA_GL_VERSION_OVERRIDE=3.3) only that it says so.
+#include "RelevoDisplacements.h"
 #include "RelevoMethods.h"
 #include "RelevoPicks.h"
 #include "RelevoPrimitiveCount.h"
@@ -10,7 +11,6 @@
 
 #include "Methods/HardwareTessellation.h"
 #include "vtkDataObject.h"
-#include "vtkDisplacement.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPNTriangleSurface.h"
 #include "vtkPlane.h"
@@ -80,46 +80,58 @@ struct Tester
   }
 };
 
-void TestPictures(const Tester& tester)
-{
-  vtkNew<vtkPNTriangleSurface> surface;
-  vtkNew<RelevoHeights> smooth;
-  smooth->FillWaves();
-  vtkNew<RelevoHeights> holes;
-  holes->FillWavesWithHoles();
-  auto displace = [](vtkHeightField* heights, double scale)
-  {
-    auto displacement = vtkSmartPointer<vtkDisplacement>::New();
-    displacement->SetHeightMap(heights);
-    displacement->SetScale(scale);
-    return displacement;
-  };
+// A plane face is the same whatever it is cut into.
+const RelevoTolerance Tight{ 1, 1e-6, 10 };
+// Points inside differ, and what lies between them: the more, the coarser.
+const RelevoTolerance Fine{ 4, 1e-3, 200 };
+const RelevoTolerance Close{ 8, 5e-2, 900 };
 
-  // A plane face is the same whatever it is cut into.
-  const RelevoTolerance tight{ 1, 1e-6, 10 };
-  tester.Compare("Flat", tight,
+void TestFlat(const Tester& tester)
+{
+  tester.Compare("Flat", Tight,
     [](RelevoScene& s)
     { s.Add(Tagged(Sphere(9, 7), 6), MakeRecipe(6))->GetProperty()->SetInterpolationToFlat(); });
-  // Points inside differ, and what lies between them: the more, the coarser.
-  const RelevoTolerance fine{ 4, 1e-3, 200 };
-  const RelevoTolerance close{ 8, 5e-2, 900 };
+}
+
+void TestSurfaces(const Tester& tester)
+{
   const RelevoTolerance steep{ 48, 5e-2, 300 };
   for (const auto& kind : RelevoMakeSurfaces())
   {
     const bool isSteep = kind.first.find("fur") != std::string::npos;
-    tester.Compare(kind.first, isSteep ? steep : fine,
+    tester.Compare(kind.first, isSteep ? steep : Fine,
       [&](RelevoScene& s) { s.Add(Sphere(9, 7), MakeRecipe(5, kind.second)); });
   }
-  tester.Compare("Tagged", close,
+}
+
+void TestTagged(const Tester& tester)
+{
+  vtkNew<vtkPNTriangleSurface> surface;
+  tester.Compare("Tagged", Close,
     [&](RelevoScene& s) { s.Add(Tagged(Sphere(9, 7), 5), MakeRecipe(5, surface)); });
-  tester.Compare("Displaced", close,
-    [&](RelevoScene& s) { s.Add(Plane(5, 4), MakeRecipe(5, nullptr, displace(smooth, 0.05))); });
-  tester.Compare("Holes", close,
-    [&](RelevoScene& s) { s.Add(Plane(5, 4), MakeRecipe(5, nullptr, displace(holes, 0.03))); });
-  tester.Compare("Turned", fine,
+}
+
+void TestDisplaced(const Tester& tester)
+{
+  vtkNew<RelevoHeights> smooth;
+  smooth->FillWaves();
+  vtkNew<RelevoHeights> holes;
+  holes->FillWavesWithHoles();
+  tester.Compare("Displaced", Close,
+    [&](RelevoScene& s)
+    { s.Add(Plane(5, 4), MakeRecipe(5, nullptr, MakeDisplacement(smooth, 0.05))); });
+  tester.Compare("Holes", Close,
+    [&](RelevoScene& s)
+    { s.Add(Plane(5, 4), MakeRecipe(5, nullptr, MakeDisplacement(holes, 0.03))); });
+}
+
+void TestLook(const Tester& tester)
+{
+  vtkNew<vtkPNTriangleSurface> surface;
+  tester.Compare("Turned", Fine,
     [&](RelevoScene& s)
     { s.Add(Moebius(), MakeRecipe(5, surface))->GetProperty()->BackfaceCullingOn(); });
-  tester.Compare("Scalars", fine,
+  tester.Compare("Scalars", Fine,
     [&](RelevoScene& s)
     {
       Mesh mesh = Sphere(9, 7);
@@ -127,22 +139,26 @@ void TestPictures(const Tester& tester)
       vtkMapper* mapper = s.Add(mesh, MakeRecipe(5, surface))->GetMapper();
       mapper->InterpolateScalarsBeforeMappingOn();
     });
-  tester.Compare("Clipped", fine,
+  tester.Compare("Clipped", Fine,
     [&](RelevoScene& s)
     {
       vtkNew<vtkPlane> plane;
       plane->SetNormal(1, 0.5, 0.2);
       s.Add(Sphere(9, 7), MakeRecipe(5, surface))->GetMapper()->AddClippingPlane(plane);
     });
-  tester.Compare("Peeled", fine,
+  tester.Compare("Peeled", Fine,
     [&](RelevoScene& s)
     {
       s.Renderer->UseDepthPeelingOn();
       s.Add(Sphere(9, 7), MakeRecipe(5, surface))->GetProperty()->SetOpacity(0.5);
     });
+}
+
+void TestColors(const Tester& tester)
+{
   for (int mode : { 0, 1, 2 })
   {
-    tester.Compare("Colors" + std::to_string(mode), tight,
+    tester.Compare("Colors" + std::to_string(mode), Tight,
       [&](RelevoScene& s)
       {
         s.Add(Tagged(Sphere(9, 7), 5), MakeRecipe(5))->GetProperty()->SetInterpolationToFlat();
@@ -151,7 +167,12 @@ void TestPictures(const Tester& tester)
                       : s.GetMapper(0)->SetColorModeToMetric();
       });
   }
-  tester.Compare("Blocks", fine,
+}
+
+void TestBlocks(const Tester& tester)
+{
+  vtkNew<vtkPNTriangleSurface> surface;
+  tester.Compare("Blocks", Fine,
     [&](RelevoScene& s)
     {
       const double aside[3] = { 0.5, 0.3, 0 };
@@ -160,10 +181,13 @@ void TestPictures(const Tester& tester)
       blocks->SetBlock(1, Moved(Sphere(9, 7), 0.5, aside, VTK_FLOAT));
       s.Add(blocks, MakeRecipe(5, surface));
     });
-  // The tessellator draws no lines and points: ARKFPI does.
+}
+
+// The tessellator draws no lines and points: ARKFPI does.
+void TestLinesAndPoints(RelevoCheck& check)
+{
   for (int representation : { VTK_WIREFRAME, VTK_POINTS })
   {
-    RelevoCheck& check = tester.check;
     RelevoScene scene(RelevoScene::Refining);
     scene.Add(Sphere(9, 7), MakeRecipe(3))->GetProperty()->SetRepresentation(representation);
     scene.GetMapper(0)->SetMethodToHardwareTessellation();
@@ -273,9 +297,7 @@ void TestLife(RelevoCheck& check, RelevoComparison& comparison)
 {
   vtkNew<RelevoHeights> rough;
   rough->FillRandom(32, 32, 9);
-  vtkNew<vtkDisplacement> displacement;
-  displacement->SetHeightMap(rough);
-  displacement->SetScale(0.1);
+  auto displacement = MakeDisplacement(rough, 0.1);
   auto recipe = MakeRecipe(3, nullptr, displacement);
   Mesh mesh = Textured(Sphere(9, 7));
   RelevoScene scenes[2] = { RelevoScene(RelevoScene::Refining),
@@ -393,7 +415,14 @@ int TestAdaptiveRefinementMapperTessellation(int argc, char* argv[])
     return check.GetResult();
   }
   const Tester tester{ check, comparison };
-  TestPictures(tester);
+  TestFlat(tester);
+  TestSurfaces(tester);
+  TestTagged(tester);
+  TestDisplaced(tester);
+  TestLook(tester);
+  TestColors(tester);
+  TestBlocks(tester);
+  TestLinesAndPoints(check);
   TestEdges(tester);
   TestSelection(check);
   TestCounts(check);
