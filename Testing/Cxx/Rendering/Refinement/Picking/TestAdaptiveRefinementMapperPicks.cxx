@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // VTK's own vtkCellPicker finds the surface that is drawn: what it finds on a vtkPolyDataMapper of
 // the filter's output, for every kind of surface, level, input, camera and matrix.
+#include "RelevoDisplacements.h"
 #include "RelevoPickers.h"
 #include "RelevoSurfaces.h"
 #include "RelevoTestMeshes.h"
 
-#include "vtkDisplacement.h"
 #include "vtkDistanceDepthTagMetric.h"
 #include "vtkPNTriangleSurface.h"
 #include "vtkPlane.h"
@@ -20,14 +20,6 @@ namespace
 {
 using namespace RelevoMeshes;
 using Builder = std::function<void(RelevoScene&)>;
-
-vtkSmartPointer<vtkDisplacement> Displace(vtkHeightField* heights, double scale)
-{
-  auto displacement = vtkSmartPointer<vtkDisplacement>::New();
-  displacement->SetHeightMap(heights);
-  displacement->SetScale(scale);
-  return displacement;
-}
 
 class Pairs
 {
@@ -59,17 +51,16 @@ public:
 private:
   RelevoCheck& Check;
 };
-}
 
-int TestAdaptiveRefinementMapperPicks(int, char*[])
+vtkSmartPointer<vtkDisplacement> MakeWaves(double scale)
 {
-  RelevoCheck check;
-  Pairs pairs(check);
   vtkNew<RelevoHeights> waves;
   waves->FillWaves();
-  vtkNew<RelevoHeights> holes;
-  holes->FillWavesWithHoles();
+  return MakeDisplacement(waves, scale);
+}
 
+void TestSurfaces(Pairs& pairs)
+{
   for (const auto& surface : RelevoMakeSurfaces(0.5))
   {
     pairs.Compare(surface.first,
@@ -84,9 +75,13 @@ int TestAdaptiveRefinementMapperPicks(int, char*[])
       {
         Mesh mesh = Tagged(Torus(), 3);
         AddRandomScalarTags(mesh, 5);
-        s.Add(mesh, MakeRecipe(3, surface.second, Displace(waves, 0.1)));
+        s.Add(mesh, MakeRecipe(3, surface.second, MakeWaves(0.1)));
       });
   }
+}
+
+void TestMeshes(Pairs& pairs)
+{
   pairs.Compare("level 0", [&](RelevoScene& s) { s.Add(Sphere(9, 7), MakeRecipe(0)); });
   pairs.Compare("split normals", [&](RelevoScene& s) { s.Add(Cube(), MakeRecipe(2)); });
   pairs.Compare("strips", [&](RelevoScene& s) { s.Add(Tagged(Strips(), 4), MakeRecipe(4)); });
@@ -94,14 +89,22 @@ int TestAdaptiveRefinementMapperPicks(int, char*[])
     [&](RelevoScene& s) { s.Add(Tagged(Explode(Sphere(9, 7)), 3), MakeRecipe(3)); });
   pairs.Compare("faces on both sides", [&](RelevoScene& s) { s.Add(Moebius(), MakeRecipe(2)); });
   pairs.Compare("slivers", [&](RelevoScene& s) { s.Add(Slivers(), MakeRecipe(3)); });
+}
+
+void TestHoles(Pairs& pairs)
+{
+  vtkNew<RelevoHeights> holes;
+  holes->FillWavesWithHoles();
   pairs.Compare("holes",
     [&](RelevoScene& s)
     {
       Mesh mesh = Tagged(Plane(6, 5), 5);
-      s.Add(mesh, MakeRecipe(5, nullptr, Displace(holes, 0.2)));
+      s.Add(mesh, MakeRecipe(5, nullptr, MakeDisplacement(holes, 0.2)));
     });
+}
 
-  // Levels.
+void TestLevels(Pairs& pairs)
+{
   pairs.Compare("levels of the view, morphing",
     [&](RelevoScene& s)
     {
@@ -115,27 +118,34 @@ int TestAdaptiveRefinementMapperPicks(int, char*[])
   pairs.Compare("whole segments, moved levels",
     [&](RelevoScene& s)
     {
-      auto recipe = MakeRecipe(4, nullptr, Displace(waves, 0.1));
+      auto recipe = MakeRecipe(4, nullptr, MakeWaves(0.1));
       recipe->SetSegmentPolicyToWholeNumbers();
       recipe->SetLevelOffset(-0.7);
       s.Add(Tagged(Torus(), 4), recipe);
     });
+}
 
-  // Cameras and matrices.
-  const auto turned = [&](RelevoScene& s, double scale)
-  {
-    vtkActor* actor = s.Add(Tagged(Torus(), 3), MakeRecipe(3, nullptr, Displace(waves, 0.1)));
-    actor->SetScale(scale, 2.0, 0.5);
-    actor->RotateX(40.0);
-    actor->SetPosition(100.0, -20.0, 7.0);
-  };
-  pairs.Compare("turned", [&](RelevoScene& s) { turned(s, 1.5); });
-  pairs.Compare("mirrored", [&](RelevoScene& s) { turned(s, -1.5); });
+void AddTurned(RelevoScene& s, double scale)
+{
+  vtkActor* actor = s.Add(Tagged(Torus(), 3), MakeRecipe(3, nullptr, MakeWaves(0.1)));
+  actor->SetScale(scale, 2.0, 0.5);
+  actor->RotateX(40.0);
+  actor->SetPosition(100.0, -20.0, 7.0);
+}
+
+void TestMatrices(Pairs& pairs)
+{
+  pairs.Compare("turned", [&](RelevoScene& s) { AddTurned(s, 1.5); });
+  pairs.Compare("mirrored", [&](RelevoScene& s) { AddTurned(s, -1.5); });
+}
+
+void TestCameras(Pairs& pairs)
+{
   pairs.Compare("parallel projection",
     [&](RelevoScene& s)
     {
       s.MoveCamera = [](vtkCamera* camera) { camera->ParallelProjectionOn(); };
-      turned(s, 1.0);
+      AddTurned(s, 1.0);
     });
   pairs.Compare("from inside",
     [&](RelevoScene& s)
@@ -145,17 +155,24 @@ int TestAdaptiveRefinementMapperPicks(int, char*[])
         camera->SetPosition(0.1, 0.05, 0.0);
         camera->SetFocalPoint(1.0, 0.3, 0.2);
       };
-      s.Add(Tagged(TexturedSphere(9, 7), 4), MakeRecipe(4, nullptr, Displace(waves, 0.05)));
+      s.Add(Tagged(TexturedSphere(9, 7), 4), MakeRecipe(4, nullptr, MakeWaves(0.05)));
     });
+}
+
+void TestFarFromOrigin(Pairs& pairs)
+{
   pairs.Compare("far from the origin",
     [&](RelevoScene& s)
     {
       const double offset[3] = { 5e5, -4e6, 1e3 };
       s.Add(Moved(Tagged(Torus(), 3), 100.0, offset, VTK_DOUBLE),
-        MakeRecipe(3, nullptr, Displace(waves, 10.0)));
+        MakeRecipe(3, nullptr, MakeWaves(10.0)));
     });
+}
 
-  // What clipping planes take away is not hit, but what lies behind it.
+// What clipping planes take away is not hit, but what lies behind it.
+void TestClipping(Pairs& pairs)
+{
   pairs.Compare("clipped",
     [&](RelevoScene& s)
     {
@@ -164,9 +181,24 @@ int TestAdaptiveRefinementMapperPicks(int, char*[])
       plane->SetNormal(-0.3, 0.2, -1.0);
       vtkNew<vtkPlaneCollection> planes;
       planes->AddItem(plane);
-      vtkActor* actor = s.Add(Tagged(Torus(), 3), MakeRecipe(3, nullptr, Displace(waves, 0.1)));
+      vtkActor* actor = s.Add(Tagged(Torus(), 3), MakeRecipe(3, nullptr, MakeWaves(0.1)));
       actor->GetMapper()->SetClippingPlanes(planes);
       actor->RotateX(10.0);
     });
+}
+}
+
+int TestAdaptiveRefinementMapperPicks(int, char*[])
+{
+  RelevoCheck check;
+  Pairs pairs(check);
+  TestSurfaces(pairs);
+  TestMeshes(pairs);
+  TestHoles(pairs);
+  TestLevels(pairs);
+  TestMatrices(pairs);
+  TestCameras(pairs);
+  TestFarFromOrigin(pairs);
+  TestClipping(pairs);
   return check.GetResult();
 }

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Hardware selection of what vtkAdaptiveRefinementMapper draws gives the input's cells and points,
 // pixel by pixel those that it gives of vtkPolyDataMapper's.
+#include "RelevoDisplacements.h"
+#include "RelevoNamedMeshes.h"
 #include "RelevoPicks.h"
 #include "RelevoTestMeshes.h"
 
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
-#include "vtkDisplacement.h"
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMultiBlockDataSet.h"
@@ -97,144 +98,168 @@ void CheckHits(RelevoCheck& check, const std::string& name, const std::vector<Hi
     check.Fail(__FILE__, __LINE__, name + ": nothing was hit");
   }
 }
+
+constexpr int Points = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+constexpr int Cells = vtkDataObject::FIELD_ASSOCIATION_CELLS;
+
+struct Recipes
+{
+  vtkSmartPointer<vtkAdaptiveRefinement> Curved;
+  vtkSmartPointer<vtkAdaptiveRefinement> Displaced;
+
+  Recipes()
+  {
+    vtkNew<vtkPNTriangleSurface> surface;
+    vtkNew<RelevoHeights> heights;
+    heights->FillRandom(20, 20, 3);
+    this->Curved = MakeRecipe(4, surface);
+    this->Displaced = MakeRecipe(4, surface, MakeDisplacement(heights, 0.2));
+  }
+};
+
+void CheckRepresentation(RelevoCheck& check, const NamedMesh& mesh, int representation)
+{
+  Pair pair(
+    [&](RelevoScene& s)
+    {
+      vtkProperty* property = s.Add(mesh.Data)->GetProperty();
+      property->SetRepresentation(representation);
+      property->SetPointSize(9);
+      property->SetLineWidth(5);
+    });
+  const std::string name =
+    mesh.Name + " as " + pair.Twin.GetActor(0)->GetProperty()->GetRepresentationAsString();
+  // A strip's lines run the other way, so other pixels are nearest to them.
+  const bool ordered = representation == VTK_SURFACE;
+  const size_t tolerance = ordered ? 0 : 50;
+  CheckHits(check, name + ", cells", SelectPixels(pair.Refining, Cells),
+    SelectPixels(pair.Twin, Cells), tolerance);
+  CheckHits(check, name + ", points", SelectPixels(pair.Refining, Points),
+    SelectPixels(pair.Twin, Points), tolerance);
+  if (ordered)
+  {
+    CHECK(SelectArea(pair.Refining, Cells, 0, 0, 299, 299) ==
+      SelectArea(pair.Twin, Cells, 0, 0, 299, 299));
+    CHECK(SelectArea(pair.Refining, Cells, 140, 150, 160, 165) ==
+      SelectArea(pair.Twin, Cells, 140, 150, 160, 165));
+    CHECK(SelectArea(pair.Refining, Points, 0, 0, 299, 299) ==
+      SelectArea(pair.Twin, Points, 0, 0, 299, 299));
+    CHECK(!SelectArea(pair.Refining, Cells, 0, 0, 299, 299).empty());
+  }
 }
 
-int TestAdaptiveRefinementMapperSelection(int, char*[])
+// As vtkPolyDataMapper in every representation.
+void TestLevel0(RelevoCheck& check)
 {
-  RelevoCheck check;
-  const int points = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  const int cells = vtkDataObject::FIELD_ASSOCIATION_CELLS;
-  vtkNew<vtkPNTriangleSurface> surface;
-  vtkNew<RelevoHeights> heights;
-  heights->FillRandom(20, 20, 3);
-  vtkNew<vtkDisplacement> displacement;
-  displacement->SetHeightMap(heights);
-  displacement->SetScale(0.2);
-  vtkNew<vtkAdaptiveRefinement> recipe;
-  recipe->SetMaximumLevel(4);
-  recipe->SetSurface(surface);
-  recipe->SetDisplacement(displacement);
-  vtkNew<vtkAdaptiveRefinement> curved;
-  curved->SetMaximumLevel(4);
-  curved->SetSurface(surface);
-
-  const struct
-  {
-    const char* Name;
-    Mesh Data;
-  } meshes[] = { { "Triangles", Sphere(9, 7) }, { "Quads", Plane(4, 3) }, { "Cube", Cube() },
-    { "Polygons", Cone() }, { "Strips", Strips() }, { "Mixed", Mixed() } };
-
-  // Level 0: as vtkPolyDataMapper in every representation.
-  for (const auto& mesh : meshes)
+  for (const NamedMesh& mesh : MakeNamedMeshes())
   {
     for (int representation : { VTK_SURFACE, VTK_WIREFRAME, VTK_POINTS })
     {
-      Pair pair(
-        [&](RelevoScene& s)
-        {
-          vtkProperty* property = s.Add(mesh.Data)->GetProperty();
-          property->SetRepresentation(representation);
-          property->SetPointSize(9);
-          property->SetLineWidth(5);
-        });
-      const std::string name = std::string(mesh.Name) + " as " +
-        pair.Twin.GetActor(0)->GetProperty()->GetRepresentationAsString();
-      // A strip's lines run the other way, so other pixels are nearest to them.
-      const bool ordered = representation == VTK_SURFACE;
-      const size_t tolerance = ordered ? 0 : 50;
-      CheckHits(check, name + ", cells", SelectPixels(pair.Refining, cells),
-        SelectPixels(pair.Twin, cells), tolerance);
-      CheckHits(check, name + ", points", SelectPixels(pair.Refining, points),
-        SelectPixels(pair.Twin, points), tolerance);
-      if (ordered)
-      {
-        CHECK(SelectArea(pair.Refining, cells, 0, 0, 299, 299) ==
-          SelectArea(pair.Twin, cells, 0, 0, 299, 299));
-        CHECK(SelectArea(pair.Refining, cells, 140, 150, 160, 165) ==
-          SelectArea(pair.Twin, cells, 140, 150, 160, 165));
-        CHECK(SelectArea(pair.Refining, points, 0, 0, 299, 299) ==
-          SelectArea(pair.Twin, points, 0, 0, 299, 299));
-        CHECK(!SelectArea(pair.Refining, cells, 0, 0, 299, 299).empty());
-      }
+      CheckRepresentation(check, mesh, representation);
     }
   }
+}
 
-  // Refined: the filter's cells know which of the input's they come from.
-  auto coarse = [](RelevoScene& twin, std::vector<Hit> hits)
+// The filter's cells know which of the input's they come from.
+std::vector<Hit> ToCoarse(RelevoScene& twin, std::vector<Hit> hits)
+{
+  for (Hit& hit : hits)
   {
-    for (Hit& hit : hits)
+    if (hit.Actor >= 0)
     {
-      if (hit.Actor >= 0)
-      {
-        vtkPolyData* output = vtkPolyData::SafeDownCast(
-          twin.GetActor(static_cast<size_t>(hit.Actor))->GetMapper()->GetInputDataObject(0, 0));
-        hit.Id = static_cast<vtkIdType>(
-          output->GetCellData()->GetArray("vtkOriginalCellIds")->GetComponent(hit.Id, 0));
-      }
+      vtkPolyData* output = vtkPolyData::SafeDownCast(
+        twin.GetActor(static_cast<size_t>(hit.Actor))->GetMapper()->GetInputDataObject(0, 0));
+      hit.Id = static_cast<vtkIdType>(
+        output->GetCellData()->GetArray("vtkOriginalCellIds")->GetComponent(hit.Id, 0));
     }
-    return hits;
-  };
-  for (const auto& mesh : meshes)
-  {
-    Mesh tagged = Make();
-    tagged->DeepCopy(mesh.Data);
-    AddTags(tagged, 8, 4);
-    AddTextureCoordinates(tagged,
-      [](const double* p) {
-        return std::array<double, 2>{ { 0.2 * p[0] + 0.4, 0.2 * p[1] + 0.4 } };
-      });
-    Pair pair(
-      [&](RelevoScene& s)
-      {
-        // Lines stay where they are, also beside faces that are displaced; the filter's go along.
-        s.Add(tagged, std::string(mesh.Name) == "Mixed" ? curved.Get() : recipe.Get());
-        vtkActor* second = s.Add(TexturedSphere(6, 5), recipe);
-        second->SetPosition(1, 0.2, 0.1);
-        second->GetProperty()->SetPointSize(7);
-      });
-    const std::string name = std::string(mesh.Name) + ", refined";
-    // A pixel at a rim may go to the neighbour; see TestAdaptiveRefinementMapperTwin.
-    CheckHits(check, name, SelectPixels(pair.Refining, cells),
-      coarse(pair.Twin, SelectPixels(pair.Twin, cells)), 10);
-
-    // Points: the input's only, each where the filter's point of the same id is.
-    const std::vector<Hit> hits = SelectPixels(pair.Refining, points);
-    vtkPolyData* output =
-      vtkPolyData::SafeDownCast(pair.Twin.GetActor(0)->GetMapper()->GetInputDataObject(0, 0));
-    size_t found = 0;
-    for (size_t i = 0; i < hits.size(); ++i)
-    {
-      if (hits[i].Actor != 0)
-      {
-        continue;
-      }
-      if (hits[i].Id < 0 || hits[i].Id >= tagged->GetNumberOfPoints())
-      {
-        check.Fail(__FILE__, __LINE__, name + ": point " + std::to_string(hits[i].Id));
-        break;
-      }
-      double world[3];
-      output->GetPoint(hits[i].Id, world);
-      vtkRenderer* renderer = pair.Refining.Renderer;
-      renderer->SetWorldPoint(world[0], world[1], world[2], 1.0);
-      renderer->WorldToDisplay();
-      const double dx = renderer->GetDisplayPoint()[0] - static_cast<double>(i % 300);
-      const double dy = renderer->GetDisplayPoint()[1] - static_cast<double>(i / 300);
-      if (dx * dx + dy * dy > 10.0 * 10.0)
-      {
-        check.Fail(__FILE__, __LINE__,
-          name + ": point " + std::to_string(hits[i].Id) + " is hit " +
-            std::to_string(std::sqrt(dx * dx + dy * dy)) + " pixels off");
-        break;
-      }
-      ++found;
-    }
-    std::cout << name << ": points in " << found << " pixels" << std::endl;
-    CHECK(found > 10);
   }
+  return hits;
+}
 
-  // Blocks: the flat index is the composite index; ids are the block's own.
+// The input's points only, each where the filter's point of the same id is.
+void CheckPoints(RelevoCheck& check, const std::string& name, Pair& pair, vtkIdType numberOfPoints)
+{
+  const std::vector<Hit> hits = SelectPixels(pair.Refining, Points);
+  vtkPolyData* output =
+    vtkPolyData::SafeDownCast(pair.Twin.GetActor(0)->GetMapper()->GetInputDataObject(0, 0));
+  size_t found = 0;
+  for (size_t i = 0; i < hits.size(); ++i)
+  {
+    if (hits[i].Actor != 0)
+    {
+      continue;
+    }
+    if (hits[i].Id < 0 || hits[i].Id >= numberOfPoints)
+    {
+      check.Fail(__FILE__, __LINE__, name + ": point " + std::to_string(hits[i].Id));
+      break;
+    }
+    double world[3];
+    output->GetPoint(hits[i].Id, world);
+    vtkRenderer* renderer = pair.Refining.Renderer;
+    renderer->SetWorldPoint(world[0], world[1], world[2], 1.0);
+    renderer->WorldToDisplay();
+    const double dx = renderer->GetDisplayPoint()[0] - static_cast<double>(i % 300);
+    const double dy = renderer->GetDisplayPoint()[1] - static_cast<double>(i / 300);
+    if (dx * dx + dy * dy > 10.0 * 10.0)
+    {
+      check.Fail(__FILE__, __LINE__,
+        name + ": point " + std::to_string(hits[i].Id) + " is hit " +
+          std::to_string(std::sqrt(dx * dx + dy * dy)) + " pixels off");
+      break;
+    }
+    ++found;
+  }
+  std::cout << name << ": points in " << found << " pixels" << std::endl;
+  CHECK(found > 10);
+}
+
+void CheckRefined(RelevoCheck& check, const NamedMesh& mesh, const Recipes& recipes)
+{
+  Mesh tagged = Make();
+  tagged->DeepCopy(mesh.Data);
+  AddTags(tagged, 8, 4);
+  AddTextureCoordinates(tagged,
+    [](const double* p) {
+      return std::array<double, 2>{ { 0.2 * p[0] + 0.4, 0.2 * p[1] + 0.4 } };
+    });
+  Pair pair(
+    [&](RelevoScene& s)
+    {
+      // Lines stay where they are, also beside faces that are displaced; the filter's go along.
+      s.Add(tagged, mesh.Name == "Mixed" ? recipes.Curved : recipes.Displaced);
+      vtkActor* second = s.Add(TexturedSphere(6, 5), recipes.Displaced);
+      second->SetPosition(1, 0.2, 0.1);
+      second->GetProperty()->SetPointSize(7);
+    });
+  const std::string name = mesh.Name + ", refined";
+  // A pixel at a rim may go to the neighbour; see TestAdaptiveRefinementMapperTwin.
+  CheckHits(check, name, SelectPixels(pair.Refining, Cells),
+    ToCoarse(pair.Twin, SelectPixels(pair.Twin, Cells)), 10);
+  CheckPoints(check, name, pair, tagged->GetNumberOfPoints());
+}
+
+void TestRefined(RelevoCheck& check, const Recipes& recipes)
+{
+  for (const NamedMesh& mesh : MakeNamedMeshes())
+  {
+    CheckRefined(check, mesh, recipes);
+  }
+}
+
+// Picking leaves no trace in the picture.
+void CheckNoTrace(RelevoCheck& check, Pair& pair)
+{
+  const RelevoPicture before(pair.Refining.Window);
+  pair.Refining.Render();
+  const RelevoPicture after(pair.Refining.Window);
+  pair.Twin.Render();
+  CHECK(after.CountForeground() == RelevoPicture(pair.Twin.Window).CountForeground());
+}
+
+// The flat index is the composite index; ids are the block's own.
+void TestBlocks(RelevoCheck& check, const Recipes& recipes)
+{
   const double aside[3] = { 1.1, 0.3, 0.0 };
   const double behind[3] = { -1.0, -0.4, 0.0 };
   const std::map<int, Mesh> blocks = { { 2, TexturedSphere(8, 6) },
@@ -252,16 +277,16 @@ int TestAdaptiveRefinementMapperSelection(int, char*[])
     {
       if (s.Kind == RelevoScene::Refining)
       {
-        s.Add(outer, recipe);
+        s.Add(outer, recipes.Displaced);
         return;
       }
       for (const auto& block : blocks)
       {
-        s.Add(block.second, recipe);
+        s.Add(block.second, recipes.Displaced);
         flatIndices.push_back(block.first);
       }
     });
-  std::vector<Hit> expected = coarse(pair.Twin, SelectPixels(pair.Twin, cells));
+  std::vector<Hit> expected = ToCoarse(pair.Twin, SelectPixels(pair.Twin, Cells));
   for (Hit& hit : expected)
   {
     if (hit.Actor >= 0)
@@ -270,7 +295,7 @@ int TestAdaptiveRefinementMapperSelection(int, char*[])
       hit.Actor = 0;
     }
   }
-  std::vector<Hit> hits = SelectPixels(pair.Refining, cells);
+  std::vector<Hit> hits = SelectPixels(pair.Refining, Cells);
   for (Hit& hit : hits)
   {
     hit.Block = hit.Actor < 0 ? -1 : hit.Block;
@@ -281,18 +306,23 @@ int TestAdaptiveRefinementMapperSelection(int, char*[])
   }
   CheckHits(check, "Blocks, cells", hits, expected, 10);
   std::set<vtkIdType> indices;
-  for (const auto& item : SelectArea(pair.Refining, cells, 0, 0, 299, 299))
+  for (const auto& item : SelectArea(pair.Refining, Cells, 0, 0, 299, 299))
   {
     CHECK(item[0] == 0 && blocks.count(static_cast<int>(item[1])) &&
       item[2] < blocks.at(static_cast<int>(item[1]))->GetNumberOfCells());
     indices.insert(item[1]);
   }
   CHECK(indices.size() == 3);
-  // Picking leaves no trace in the picture.
-  const RelevoPicture before(pair.Refining.Window);
-  pair.Refining.Render();
-  const RelevoPicture after(pair.Refining.Window);
-  pair.Twin.Render();
-  CHECK(after.CountForeground() == RelevoPicture(pair.Twin.Window).CountForeground());
+  CheckNoTrace(check, pair);
+}
+}
+
+int TestAdaptiveRefinementMapperSelection(int, char*[])
+{
+  RelevoCheck check;
+  const Recipes recipes;
+  TestLevel0(check);
+  TestRefined(check, recipes);
+  TestBlocks(check, recipes);
   return check.GetResult();
 }
