@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkAdaptiveRefinementMapper draws the same, and counts the same, wherever faces choose their
 // patterns; on the GPU, too, it does nothing twice.
+#include "RelevoDisplacements.h"
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 
-#include "vtkDisplacement.h"
 #include "vtkDistanceDepthTagMetric.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -96,69 +96,94 @@ vtkSmartPointer<vtkAdaptiveRefinement> MakeRecipe(int level, vtkDepthTagMetric* 
   recipe->SetDisplacement(displacement);
   return recipe;
 }
+
+vtkSmartPointer<vtkDistanceDepthTagMetric> MakeDistanceMetric()
+{
+  auto metric = vtkSmartPointer<vtkDistanceDepthTagMetric>::New();
+  metric->SetMaximumDistance(4.0);
+  return metric;
 }
 
-int TestAdaptiveRefinementMapperCompute(int argc, char* argv[])
+void CheckSettings(RelevoCheck& check, Mapper* mapper, RelevoErrors& errors)
 {
-  RelevoCheck check;
-  RelevoComparison comparison(check, argc, argv);
-  vtkNew<vtkDistanceDepthTagMetric> distance;
-  distance->SetMaximumDistance(4.0);
-  vtkNew<vtkScreenEdgeDepthTagMetric> edges;
-  edges->SetReferenceLength(6.0);
-  vtkNew<vtkSilhouetteDepthTagMetric> silhouette;
-  vtkNew<vtkPNTriangleSurface> curved;
-  vtkNew<RelevoHeights> heights;
-  heights->FillRandom(17, 13, 4);
-  vtkNew<vtkDisplacement> displacement;
-  displacement->SetHeightMap(heights);
-  displacement->SetScale(0.1);
+  mapper->SetSelectionDevice(3);
+  CHECK(errors.Said("SelectionDevice must be one of SELECTION_DEVICE_AUTOMATIC (0)"));
+  CHECK(mapper->GetSelectionDevice() == RelevoScene::GetSelectionDevice());
+}
 
+// Said once; the CPU draws.
+void CheckWithoutCompute(RelevoCheck& check, RelevoScene& scene, RelevoErrors& errors)
+{
+  Mapper* mapper = scene.GetMapper(0);
+  CHECK(errors.Said("Selection on the GPU needs OpenGL 4.3"));
+  scene.Render();
+  CHECK(errors.None());
+  CHECK(RelevoPicture(scene.Window).CountForeground() > 1000);
+  CHECK(mapper->GetNumberOfDrawnTriangles() > 200);
+}
+
+void CheckSelectedOnce(RelevoCheck& check, RelevoScene& scene)
+{
+  Mapper* mapper = scene.GetMapper(0);
+  CHECK(mapper->GetNumberOfDrawCalls() == 1);
+  const vtkIdType selections = mapper->GetNumberOfSelections();
+  scene.Render();
+  CHECK(mapper->GetNumberOfSelections() == selections);
+  CHECK(mapper->GetSelectionTime() > 0.0); // of the first picture
+}
+
+// What was not read before the GPU's memory is released cannot be known; after a render it is.
+void CheckReleased(RelevoCheck& check, RelevoScene& scene)
+{
+  Mapper* mapper = scene.GetMapper(0);
+  const vtkIdType triangles = mapper->GetNumberOfDrawnTriangles();
+  scene.Renderer->GetActiveCamera()->Azimuth(20.0);
+  scene.Render();
+  mapper->ReleaseGraphicsResources(scene.Window);
+  mapper->GetNumberOfDrawnTriangles();
+  scene.Renderer->GetActiveCamera()->Azimuth(-20.0);
+  scene.Render();
+  mapper->GetRefinement()->GeomorphingOff(); // these patterns are of the next picture
+  CHECK(mapper->GetNumberOfDrawnTriangles() == triangles);
+}
+
+// Whether the GPU can choose; if not, that the mapper says so.
+bool TestDevice(RelevoCheck& check)
+{
+  RelevoScene scene(RelevoScene::Refining);
+  vtkActor* actor = scene.Add(Sphere(12, 10), MakeRecipe(4, MakeDistanceMetric()));
+  Mapper* mapper = Mapper::SafeDownCast(actor->GetMapper());
+  RelevoErrors errors(mapper);
+  CheckSettings(check, mapper, errors);
+  mapper->SetSelectionDeviceToGPU();
+  scene.ResetCameras();
+  scene.Render();
+  const bool hasCompute = HasCompute(scene.Window);
+  CHECK((mapper->GetSelectionDeviceInUse() == Mapper::SELECTION_DEVICE_GPU) == hasCompute);
+  if (!hasCompute)
   {
-    RelevoScene scene(RelevoScene::Refining);
-    vtkActor* actor = scene.Add(Sphere(12, 10), MakeRecipe(4, distance));
-    Mapper* mapper = Mapper::SafeDownCast(actor->GetMapper());
-    RelevoErrors errors(mapper);
-    mapper->SetSelectionDevice(3);
-    CHECK(errors.Said("SelectionDevice must be one of SELECTION_DEVICE_AUTOMATIC (0)"));
-    CHECK(mapper->GetSelectionDevice() == RelevoScene::GetSelectionDevice());
-    mapper->SetSelectionDeviceToGPU();
-    scene.ResetCameras();
-    scene.Render();
-    const bool hasCompute = HasCompute(scene.Window);
-    CHECK((mapper->GetSelectionDeviceInUse() == Mapper::SELECTION_DEVICE_GPU) == hasCompute);
-    if (!hasCompute)
-    {
-      // Said once; the CPU draws.
-      CHECK(errors.Said("Selection on the GPU needs OpenGL 4.3"));
-      scene.Render();
-      CHECK(errors.None());
-      CHECK(RelevoPicture(scene.Window).CountForeground() > 1000);
-      CHECK(mapper->GetNumberOfDrawnTriangles() > 200);
-      return check.GetResult();
-    }
-    CHECK(errors.None());
-    CHECK(mapper->GetNumberOfDrawCalls() == 1);
-    const vtkIdType selections = mapper->GetNumberOfSelections();
-    scene.Render();
-    CHECK(mapper->GetNumberOfSelections() == selections);
-    CHECK(mapper->GetSelectionTime() > 0.0); // of the first picture
-    const vtkIdType triangles = mapper->GetNumberOfDrawnTriangles();
-
-    // What was not read before the GPU's memory is released cannot be known; after a render it is.
-    scene.Renderer->GetActiveCamera()->Azimuth(20.0);
-    scene.Render();
-    mapper->ReleaseGraphicsResources(scene.Window);
-    mapper->GetNumberOfDrawnTriangles();
-    scene.Renderer->GetActiveCamera()->Azimuth(-20.0);
-    scene.Render();
-    mapper->GetRefinement()->GeomorphingOff(); // these patterns are of the next picture
-    CHECK(mapper->GetNumberOfDrawnTriangles() == triangles);
-    CHECK(errors.None());
+    CheckWithoutCompute(check, scene, errors);
+    return false;
   }
+  CHECK(errors.None());
+  CheckSelectedOnce(check, scene);
+  CheckReleased(check, scene);
+  CHECK(errors.None());
+  return true;
+}
 
+void TestCurved(RelevoCheck& check, RelevoComparison& comparison)
+{
+  const auto distance = MakeDistanceMetric();
+  vtkNew<vtkPNTriangleSurface> curved;
   Compare(check, comparison, "Distance",
     [&](RelevoScene& s) { s.Add(Sphere(24, 20), MakeRecipe(4, distance, curved)); });
+}
+
+void TestPerEdge(RelevoCheck& check, RelevoComparison& comparison)
+{
+  vtkNew<vtkScreenEdgeDepthTagMetric> edges;
+  edges->SetReferenceLength(6.0);
   Compare(check, comparison, "PerEdge",
     [&](RelevoScene& s)
     {
@@ -167,6 +192,11 @@ int TestAdaptiveRefinementMapperCompute(int argc, char* argv[])
       recipe->SetLevelOffset(0.3);
       s.Add(Sphere(24, 20), recipe);
     });
+}
+
+void TestNoMorphing(RelevoCheck& check, RelevoComparison& comparison)
+{
+  vtkNew<vtkSilhouetteDepthTagMetric> silhouette;
   Compare(check, comparison, "NoMorphing",
     [&](RelevoScene& s)
     {
@@ -174,9 +204,25 @@ int TestAdaptiveRefinementMapperCompute(int argc, char* argv[])
       recipe->GeomorphingOff();
       s.Add(Sphere(24, 20), recipe);
     });
+}
+
+void TestDisplaced(RelevoCheck& check, RelevoComparison& comparison)
+{
+  const auto distance = MakeDistanceMetric();
+  vtkNew<vtkPNTriangleSurface> curved;
+  vtkNew<RelevoHeights> heights;
+  heights->FillRandom(17, 13, 4);
   Compare(check, comparison, "Displaced",
     [&](RelevoScene& s)
-    { s.Add(TexturedSphere(12, 10), MakeRecipe(4, distance, curved, displacement)); });
+    {
+      s.Add(
+        TexturedSphere(12, 10), MakeRecipe(4, distance, curved, MakeDisplacement(heights, 0.1)));
+    });
+}
+
+void TestRepresentations(RelevoCheck& check, RelevoComparison& comparison)
+{
+  const auto distance = MakeDistanceMetric();
   Compare(check, comparison, "Wireframe",
     [&](RelevoScene& s)
     { s.Add(Mixed(), MakeRecipe(3, distance))->GetProperty()->SetRepresentationToWireframe(); });
@@ -194,6 +240,11 @@ int TestAdaptiveRefinementMapperCompute(int argc, char* argv[])
       property->EdgeVisibilityOn();
       property->VertexVisibilityOn();
     });
+}
+
+void TestBlocks(RelevoCheck& check, RelevoComparison& comparison)
+{
+  const auto distance = MakeDistanceMetric();
   Compare(check, comparison, "Blocks",
     [&](RelevoScene& s)
     {
@@ -203,6 +254,11 @@ int TestAdaptiveRefinementMapperCompute(int argc, char* argv[])
       blocks->SetBlock(2, Cone());
       s.Add(blocks, MakeRecipe(4, distance));
     });
+}
+
+void TestColors(RelevoCheck& check, RelevoComparison& comparison)
+{
+  const auto distance = MakeDistanceMetric();
   Compare(check, comparison, "Levels",
     [&](RelevoScene& s)
     {
@@ -217,6 +273,11 @@ int TestAdaptiveRefinementMapperCompute(int argc, char* argv[])
       s.GetMapper(0)->SetColorModeToMetric();
     },
     Mapper::SELECTION_DEVICE_CPU);
+}
+
+void TestWholeNumbers(RelevoCheck& check, RelevoComparison& comparison)
+{
+  const auto distance = MakeDistanceMetric();
   Compare(
     check, comparison, "WholeNumbers",
     [&](RelevoScene& s)
@@ -226,5 +287,24 @@ int TestAdaptiveRefinementMapperCompute(int argc, char* argv[])
       s.Add(Cube(), recipe);
     },
     Mapper::SELECTION_DEVICE_CPU);
+}
+}
+
+int TestAdaptiveRefinementMapperCompute(int argc, char* argv[])
+{
+  RelevoCheck check;
+  RelevoComparison comparison(check, argc, argv);
+  if (!TestDevice(check))
+  {
+    return check.GetResult();
+  }
+  TestCurved(check, comparison);
+  TestPerEdge(check, comparison);
+  TestNoMorphing(check, comparison);
+  TestDisplaced(check, comparison);
+  TestRepresentations(check, comparison);
+  TestBlocks(check, comparison);
+  TestColors(check, comparison);
+  TestWholeNumbers(check, comparison);
   return check.GetResult();
 }
