@@ -56,17 +56,30 @@ Mesh MakePiece(const Request& request)
   return whole;
 }
 
-// Remembers what it was asked for last.
-class PieceSource : public vtkPolyDataAlgorithm
+void SetPieces(vtkPolyData* output, const Request& request)
+{
+  output->ShallowCopy(MakePiece(request));
+}
+
+void SetPieces(vtkMultiBlockDataSet* output, const Request& request)
+{
+  const double aside[3] = { 1.5, 0.0, 0.0 };
+  output->SetBlock(0, MakePiece(request));
+  output->SetBlock(2, Moved(MakePiece(request), 0.7, aside, VTK_FLOAT));
+}
+
+// Makes pieces, and remembers which it was asked for last.
+template <typename Base>
+class PieceAlgorithm : public Base
 {
 public:
-  static PieceSource* New() { VTK_STANDARD_NEW_BODY(PieceSource); }
-  vtkTypeMacro(PieceSource, vtkPolyDataAlgorithm);
+  static PieceAlgorithm* New() { VTK_STANDARD_NEW_BODY(PieceAlgorithm); }
+  vtkTemplateTypeMacro(PieceAlgorithm, Base);
   Request Last{ { -1, -1, -1 } };
   int Executions = 0;
 
 protected:
-  PieceSource() { this->SetNumberOfInputPorts(0); }
+  PieceAlgorithm() { this->SetNumberOfInputPorts(0); }
   int RequestInformation(
     vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
   {
@@ -77,38 +90,13 @@ protected:
   {
     this->Last = GetRequest(output->GetInformationObject(0));
     ++this->Executions;
-    vtkPolyData::GetData(output)->ShallowCopy(MakePiece(this->Last));
+    SetPieces(this->GetOutput(), this->Last);
     return 1;
   }
 };
 
-class PieceBlocksSource : public vtkMultiBlockDataSetAlgorithm
-{
-public:
-  static PieceBlocksSource* New() { VTK_STANDARD_NEW_BODY(PieceBlocksSource); }
-  vtkTypeMacro(PieceBlocksSource, vtkMultiBlockDataSetAlgorithm);
-  Request Last{ { -1, -1, -1 } };
-  int Executions = 0;
-
-protected:
-  PieceBlocksSource() { this->SetNumberOfInputPorts(0); }
-  int RequestInformation(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
-  {
-    output->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
-    return 1;
-  }
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
-  {
-    this->Last = GetRequest(output->GetInformationObject(0));
-    ++this->Executions;
-    const double aside[3] = { 1.5, 0.0, 0.0 };
-    vtkMultiBlockDataSet* blocks = vtkMultiBlockDataSet::GetData(output);
-    blocks->SetBlock(0, MakePiece(this->Last));
-    blocks->SetBlock(2, Moved(MakePiece(this->Last), 0.7, aside, VTK_FLOAT));
-    return 1;
-  }
-};
+using PieceSource = PieceAlgorithm<vtkPolyDataAlgorithm>;
+using PieceBlocksSource = PieceAlgorithm<vtkMultiBlockDataSetAlgorithm>;
 
 struct View
 {
