@@ -379,8 +379,12 @@ public:
   void GetBounds(double bounds[6]) override;
   //@}
 
-  /// The input, where it is a vtkPolyData.
+  //@{
+  /// The input, if it is a vtkPolyData, and whatever it is: never what pickers get in its place.
   vtkPolyData* GetInput();
+  vtkDataSet* GetInputAsDataSet();
+  vtkDataObject* GetInputDataObject(int port, int connection);
+  //@}
 
   using vtkOpenGLPolyDataMapper::MapScalars;
   /**

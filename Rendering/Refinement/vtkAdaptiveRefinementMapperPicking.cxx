@@ -38,6 +38,17 @@ vtkPolyData* vtkAdaptiveRefinementMapper::GetInput()
   return this->Superclass::GetInput();
 }
 
+vtkDataSet* vtkAdaptiveRefinementMapper::GetInputAsDataSet()
+{
+  return this->GetInput();
+}
+
+vtkDataObject* vtkAdaptiveRefinementMapper::GetInputDataObject(int port, int connection)
+{
+  this->Internals->Picking.Questions.AskOther();
+  return this->Superclass::GetInputDataObject(port, connection);
+}
+
 double* vtkAdaptiveRefinementMapper::GetBounds()
 {
   const relevo::OwnBoundsQuestion question(this->Internals->Picking.Questions);

@@ -7,7 +7,9 @@
  * VTK's pickers intersect a mapper's input by themselves, and say nothing about it that a mapper
  * could override. What they ask beforehand gives them away: GetBounds(double[6]), which VTK calls
  * nowhere else, and then, with nothing in between, the input; where it is composite, once more.
- * vtkPicker asks for the center first, and with it for GetBounds().
+ * vtkPicker asks for the center first, and with it for GetBounds(). A picker that misses the bounds
+ * leaves the question open: pickers ask a vtkMapper, so the mapper's own class answers all that its
+ * users ask of it by the input itself.
  */
 #ifndef PickerQuestions_h
 #define PickerQuestions_h
