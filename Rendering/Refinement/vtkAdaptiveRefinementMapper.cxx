@@ -9,8 +9,6 @@
 #include "Core/VTKCompatibility.h"
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
-#include "vtkCommand.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkDisplacement.h"
 #include "vtkHardwareSelector.h"
@@ -54,6 +52,8 @@ vtkAdaptiveRefinementMapper::vtkAdaptiveRefinementMapper()
 {
   this->Internals->Context->OnRelease = [this](vtkWindow* window)
   { this->ReleaseGraphicsResources(window); };
+  this->Internals->Blocks.OnRemove = [this](vtkBlockAttributesPolyDataMapper* block)
+  { this->Internals->AddCounts(static_cast<vtkAdaptiveRefinementMapper*>(block)); };
   vtkInternals::InitializePicking(this);
 }
 
@@ -101,47 +101,6 @@ void vtkAdaptiveRefinementMapper::ShallowCopy(vtkAbstractMapper* mapper)
   {
     this->SetRefinementColorMode(other->RefinementColorMode);
   }
-}
-
-bool vtkAdaptiveRefinementMapper::IsComposite()
-{
-  return vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)) != nullptr;
-}
-
-bool vtkAdaptiveRefinementMapper::HasBlocks(bool translucent)
-{
-  if (this->GetNumberOfInputConnections(0) == 0)
-  {
-    return false;
-  }
-  if (!this->GetInput())
-  {
-    this->Update(); // asked before it is drawn
-  }
-  bool found = false;
-  if (this->IsComposite())
-  {
-    this->UpdateBlocks();
-    this->ForEachBlock(
-      [&](vtkAdaptiveRefinementMapper* block)
-      {
-        found = found ||
-          (block->GetLook().Visible && block->HasTranslucentPolygonalGeometry() == translucent);
-      });
-  }
-  return found;
-}
-
-bool vtkAdaptiveRefinementMapper::HasOpaqueGeometry()
-{
-  return this->HasBlocks(false) || (!this->IsComposite() && this->Superclass::HasOpaqueGeometry());
-}
-
-bool vtkAdaptiveRefinementMapper::HasTranslucentPolygonalGeometry()
-{
-  return this->HasBlocks(true) ||
-    (!this->IsComposite() &&
-      (this->GetLook().IsTranslucent() || this->Superclass::HasTranslucentPolygonalGeometry()));
 }
 
 //------------------------------------------------------------------------------
@@ -226,6 +185,10 @@ void vtkAdaptiveRefinementMapper::ReleaseGraphicsResources(vtkWindow* window)
 void vtkAdaptiveRefinementMapper::RenderPiece(vtkRenderer* ren, vtkActor* act)
 {
   vtkInternals& data = *this->Internals;
+  if (this->IsComposite())
+  {
+    this->ReleaseMesh(ren);
+  }
   // Releases what is in the context of another window, which some windows leave current then.
   data.Context->SetContext(vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()));
   data.Picking.Questions.AskOther();
@@ -250,11 +213,7 @@ void vtkAdaptiveRefinementMapper::RenderPiece(vtkRenderer* ren, vtkActor* act)
         : internals.State.GetSelection().GetSelection().GetNumberOfTriangles();
     }
   };
-  if (data.Blocks.IsEmpty())
-  {
-    addTriangles(this);
-  }
-  this->ForEachBlock(addTriangles);
+  this->ForEachPart(addTriangles);
   data.Budget.AddPass(vtkInternals::IsFirstPass(act), triangles, seconds);
 }
 
@@ -264,6 +223,7 @@ void vtkAdaptiveRefinementMapper::RenderRefined(vtkRenderer* ren, vtkActor* act)
   if (!this->IsComposite())
   {
     data.Blocks.Clear();
+    data.DrawsBlocks = false;
     const relevo::BlockLook& look = this->GetLook();
     if (ren->GetSelector() && !(look.Visible && look.Pickable))
     {
@@ -276,41 +236,11 @@ void vtkAdaptiveRefinementMapper::RenderRefined(vtkRenderer* ren, vtkActor* act)
     {
       this->Superclass::RenderPiece(ren, act);
     }
-    return;
   }
-  if (ren->GetRenderWindow()->CheckAbortStatus())
+  else
   {
-    return;
+    this->RenderBlocks(ren, act);
   }
-  this->InvokeEvent(vtkCommand::StartEvent, nullptr);
-  if (!this->Static)
-  {
-    this->GetInputAlgorithm()->Update();
-  }
-  this->InvokeEvent(vtkCommand::EndEvent, nullptr);
-  data.NumberOfDrawCalls = 0;
-  this->UpdateBlocks();
-  this->UpdateBudget(ren, act);
-  data.Blocks.Render(ren, act);
-  this->UpdateProgress(1.0);
-}
-
-void vtkAdaptiveRefinementMapper::UpdateBlocks()
-{
-  vtkInternals& data = *this->Internals;
-  data.Blocks.Update(this, vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)));
-  if (data.BlockSettingsTime < this->MTime)
-  {
-    this->ForEachBlock([this](vtkAdaptiveRefinementMapper* block) { block->CopySettings(this); });
-    data.BlockSettingsTime.Modified();
-  }
-}
-
-void vtkAdaptiveRefinementMapper::ForEachBlock(
-  const std::function<void(vtkAdaptiveRefinementMapper*)>& work) const
-{
-  this->Internals->Blocks.ForEach([&work](vtkBlockAttributesPolyDataMapper* block)
-    { work(static_cast<vtkAdaptiveRefinementMapper*>(block)); });
 }
 
 void vtkAdaptiveRefinementMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* act)

@@ -317,32 +317,31 @@ public:
    */
   vtkIdType GetNumberOfDrawnTriangles();
 
+  //@{
   /**
-   * Coarse faces that the last render left out because they could not be seen.
+   * Coarse triangles of the last render, 0 if nothing could be drawn, and those of them that it
+   * left out because they could not be seen.
    */
+  vtkIdType GetNumberOfCoarseFaces();
   vtkIdType GetNumberOfCulledFaces();
-
-  /**
-   * Draw calls of the last render for refined faces; an indirect call counts as one.
-   */
-  int GetNumberOfDrawCalls();
-
-  /**
-   * Base patterns that the levels of the last render ask for: those that ARKFPI and ARK draw.
-   */
-  int GetNumberOfUsedPatterns();
-
-  /**
-   * How often levels have been evaluated since the mapper was made.
-   */
-  vtkIdType GetNumberOfSelections();
+  //@}
 
   //@{
   /**
-   * How often the coarse mesh has been uploaded, and how often shaders have been written, since the
-   * mapper was made. Neither grows with the values that change live: a displacement's scale, offset
-   * and direction, and the surface's own numbers.
+   * Draw calls of the last render for refined faces, of which an indirect call counts as one, and
+   * base patterns that its levels ask for: those that ARKFPI and ARK draw.
    */
+  int GetNumberOfDrawCalls();
+  int GetNumberOfUsedPatterns();
+  //@}
+
+  //@{
+  /**
+   * How often levels have been evaluated, the coarse mesh uploaded and shaders written, since the
+   * mapper was made. The latter two do not grow with the values that change live: a displacement's
+   * scale, offset and direction, and the surface's own numbers.
+   */
+  vtkIdType GetNumberOfSelections();
   vtkIdType GetNumberOfBufferBuilds();
   vtkIdType GetNumberOfShaderBuilds();
   //@}
@@ -352,11 +351,6 @@ public:
    * the GPU counts only with the time that it takes to submit it.
    */
   double GetSelectionTime();
-
-  /**
-   * Coarse triangles of the input.
-   */
-  vtkIdType GetNumberOfCoarseFaces();
 
   /**
    * Bytes on the GPU: coarse buffers (VTK's own included), patterns and height textures.
@@ -433,22 +427,22 @@ protected:
   bool IsDrawable() const;
   //@}
 
-  /**
-   * For subclasses that add to the vertex shader of a helper's faces: they fill in
-   * options.Extension. Shaders are written anew when it has changed.
-   */
+  /// For subclasses that add to the vertex shader of a helper's faces: they fill in
+  /// options.Extension. Shaders are written anew when it has changed.
   virtual void ExtendShaders(const vtkOpenGLHelper*, relevo::RefinementShaderOptions&);
 
-  /// One pass over the input, all blocks of a composite data set.
+  /// One pass over the input: of a composite data set, the blocks that belong to the pass.
   virtual void RenderRefined(vtkRenderer* ren, vtkActor* act);
 
   //@{
   /**
    * The mappers of a composite input's blocks are of the class of this one. UpdateBlocks() has one
-   * for each, with the settings that ShallowCopy() copies; it runs before they draw.
+   * for each, with the settings that ShallowCopy() copies; it runs before they draw. Whether
+   * RenderRefined() draws all visible blocks, whatever the pass is: by default it does not.
    */
   void UpdateBlocks() override;
   void ForEachBlock(const std::function<void(vtkAdaptiveRefinementMapper*)>& work) const;
+  virtual bool DrawsAllBlocks() const { return false; }
   //@}
 
 private:
@@ -460,6 +454,11 @@ private:
   bool IsComposite();
   /// Whether a composite input has blocks that are translucent, or such that are not.
   bool HasBlocks(bool translucent);
+  void RenderBlocks(vtkRenderer* ren, vtkActor* act);
+  /// Of the input before, when it has blocks now.
+  void ReleaseMesh(vtkRenderer* ren);
+  /// What the last render drew: this mapper, or those of its blocks.
+  void ForEachPart(const std::function<void(vtkAdaptiveRefinementMapper*)>& work);
   vtkDataObject* ReplaceInput(vtkDataObject* input);
   vtkPolyData* GetPickedData(bool isAsked);
   bool CheckOpenGL(vtkRenderer* ren);

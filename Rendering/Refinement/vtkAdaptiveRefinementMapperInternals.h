@@ -63,7 +63,7 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   bool UploadValid = false;
   bool ContextChecked = false;
   bool ContextValid = false;
-  bool Drawable = false;
+  bool Drawable = false; // in the last render
   int NumberOfDrawCalls = 0;
   vtkIdType NumberOfBufferBuilds = 0;
   vtkIdType NumberOfShaderBuilds = 0;
@@ -91,24 +91,12 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   int NumberOfUsedPatterns = 0; // of that
   int NumberOfHiddenFaces = 0;  // and of that
 
-  int CountUsedPatterns() const
-  {
-    if (!this->Drawable)
-    {
-      return 0;
-    }
-    if (this->OnGPU)
-    {
-      return this->NumberOfUsedPatterns;
-    }
-    int count = 0;
-    const auto& groups = this->State.GetSelection().GetSelection().Groups;
-    for (size_t i = 0; i < groups.size(); ++i)
-    {
-      count += i == 0 || groups[i].Pattern != groups[i - 1].Pattern;
-    }
-    return count;
-  }
+  //@{
+  /// Of what this mapper itself has drawn in the last render, after ReadSelection().
+  int CountUsedPatterns() const;
+  vtkIdType CountCoarseFaces() const;
+  vtkIdType CountCulledFaces() const;
+  //@}
 
   // What draws refined faces, and their vertices when those are shown.
   vtkOpenGLHelper Faces;
@@ -153,7 +141,10 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   void ForgetPrograms(int method);
 
   relevo::RefinementBlocks Blocks;
-  vtkTimeStamp BlockSettingsTime; // of what they have copied
+  vtkMTimeType BlockSettingsTime = 0; // of the settings that they have copied
+  bool DrawsBlocks = false;           // in the last render
+  /// Count on where a block that is removed ends.
+  void AddCounts(vtkAdaptiveRefinementMapper* block);
   relevo::PickedInput Picking;
 
   // The blocks of a composite input use their parent's.

@@ -133,51 +133,123 @@ void vtkAdaptiveRefinementMapper::SetSelectionDevice(int device)
 
 int vtkAdaptiveRefinementMapper::GetSelectionDeviceInUse()
 {
-  bool onGPU = this->Internals->OnGPU;
-  this->ForEachBlock([&onGPU](vtkAdaptiveRefinementMapper* block)
-    { onGPU = onGPU || block->GetSelectionDeviceInUse() == SELECTION_DEVICE_GPU; });
+  bool onGPU = false;
+  this->ForEachPart(
+    [&onGPU](vtkAdaptiveRefinementMapper* part) { onGPU = onGPU || part->Internals->OnGPU; });
   return onGPU ? SELECTION_DEVICE_GPU : SELECTION_DEVICE_CPU;
 }
 
 //------------------------------------------------------------------------------
-// Statistics
+// Statistics of the last render
 
 vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfDrawnTriangles()
 {
-  vtkInternals& data = *this->Internals;
-  if (!data.Blocks.IsEmpty())
-  {
-    vtkIdType sum = 0;
-    this->ForEachBlock(
-      [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfDrawnTriangles(); });
-    return sum;
-  }
-  if (!data.Drawable)
-  {
-    return 0;
-  }
-  this->ReadSelection();
-  // For the last frame: the recipe and the input may have changed since.
-  const vtkIdType triangles = data.GetMethod().GetNumberOfTriangles(data.GetDrawing(nullptr));
-  return triangles >= 0 ? triangles : data.State.GetNumberOfTriangles();
+  vtkIdType sum = 0;
+  this->ForEachPart(
+    [&sum](vtkAdaptiveRefinementMapper* part)
+    {
+      vtkInternals& data = *part->Internals;
+      if (!data.Drawable)
+      {
+        return;
+      }
+      part->ReadSelection();
+      // For the last frame: the recipe and the input may have changed since.
+      const vtkIdType triangles = data.GetMethod().GetNumberOfTriangles(data.GetDrawing(nullptr));
+      sum += triangles >= 0 ? triangles : data.State.GetNumberOfTriangles();
+    });
+  return sum;
 }
 
 int vtkAdaptiveRefinementMapper::GetNumberOfDrawCalls()
 {
-  int sum = this->Internals->NumberOfDrawCalls;
-  this->ForEachBlock(
-    [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfDrawCalls(); });
+  int sum = 0;
+  this->ForEachPart(
+    [&sum](vtkAdaptiveRefinementMapper* part) { sum += part->Internals->NumberOfDrawCalls; });
   return sum;
+}
+
+int vtkAdaptiveRefinementMapper::vtkInternals::CountUsedPatterns() const
+{
+  if (!this->Drawable)
+  {
+    return 0;
+  }
+  if (this->OnGPU)
+  {
+    return this->NumberOfUsedPatterns;
+  }
+  int count = 0;
+  const auto& groups = this->State.GetSelection().GetSelection().Groups;
+  for (size_t i = 0; i < groups.size(); ++i)
+  {
+    count += i == 0 || groups[i].Pattern != groups[i - 1].Pattern;
+  }
+  return count;
 }
 
 int vtkAdaptiveRefinementMapper::GetNumberOfUsedPatterns()
 {
-  this->ReadSelection();
-  int sum = this->Internals->CountUsedPatterns();
-  this->ForEachBlock(
-    [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfUsedPatterns(); });
+  int sum = 0;
+  this->ForEachPart(
+    [&sum](vtkAdaptiveRefinementMapper* part)
+    {
+      part->ReadSelection();
+      sum += part->Internals->CountUsedPatterns();
+    });
   return sum;
 }
+
+double vtkAdaptiveRefinementMapper::GetSelectionTime()
+{
+  double sum = 0.0;
+  this->ForEachPart(
+    [&sum](vtkAdaptiveRefinementMapper* part)
+    {
+      const vtkInternals& data = *part->Internals;
+      sum += data.State.GetSelection().GetSeconds() + (data.OnGPU ? data.ComputeSeconds : 0.0);
+    });
+  return sum;
+}
+
+vtkIdType vtkAdaptiveRefinementMapper::vtkInternals::CountCoarseFaces() const
+{
+  return this->Drawable ? static_cast<vtkIdType>(this->State.GetSelection().GetMesh().Faces.size())
+                        : 0;
+}
+
+vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfCoarseFaces()
+{
+  vtkIdType sum = 0;
+  this->ForEachPart(
+    [&sum](vtkAdaptiveRefinementMapper* part) { sum += part->Internals->CountCoarseFaces(); });
+  return sum;
+}
+
+vtkIdType vtkAdaptiveRefinementMapper::vtkInternals::CountCulledFaces() const
+{
+  if (!this->Drawable)
+  {
+    return 0;
+  }
+  return this->OnGPU ? this->NumberOfHiddenFaces
+                     : this->State.GetSelection().GetNumberOfHiddenFaces();
+}
+
+vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfCulledFaces()
+{
+  vtkIdType sum = 0;
+  this->ForEachPart(
+    [&sum](vtkAdaptiveRefinementMapper* part)
+    {
+      part->ReadSelection();
+      sum += part->Internals->CountCulledFaces();
+    });
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+// Statistics since the mapper was made
 
 vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfSelections()
 {
@@ -203,34 +275,7 @@ vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfShaderBuilds()
   return sum;
 }
 
-double vtkAdaptiveRefinementMapper::GetSelectionTime()
-{
-  double sum = this->Internals->State.GetSelection().GetSeconds() +
-    (this->Internals->OnGPU ? this->Internals->ComputeSeconds : 0.0);
-  this->ForEachBlock(
-    [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetSelectionTime(); });
-  return sum;
-}
-
-vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfCoarseFaces()
-{
-  vtkIdType sum = static_cast<vtkIdType>(this->Internals->State.GetMesh().Faces.size());
-  this->ForEachBlock(
-    [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfCoarseFaces(); });
-  return sum;
-}
-
-vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfCulledFaces()
-{
-  this->ReadSelection();
-  const vtkInternals& data = *this->Internals;
-  vtkIdType sum = data.OnGPU
-    ? data.NumberOfHiddenFaces
-    : (data.Drawable ? data.State.GetSelection().GetNumberOfHiddenFaces() : 0);
-  this->ForEachBlock(
-    [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfCulledFaces(); });
-  return sum;
-}
+//------------------------------------------------------------------------------
 
 vtkTypeInt64 vtkAdaptiveRefinementMapper::GetGraphicsMemorySize()
 {

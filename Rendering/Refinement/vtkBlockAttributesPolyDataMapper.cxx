@@ -271,10 +271,9 @@ const relevo::BlockLook& vtkBlockAttributesPolyDataMapper::GetLook()
   // A mapper of a block has no attributes, but a parent that has said.
   if (this->CompositeAttributes)
   {
-    const relevo::BlockLooks looks =
-      relevo::GetBlockLooks(this->CompositeAttributes, this->GetTrueInput());
-    const auto found = looks.find(0); // not of a composite input
-    *this->Look = found == looks.end() ? relevo::BlockLook() : found->second;
+    // The look of a composite input has no index.
+    *this->Look =
+      relevo::FindLook(relevo::GetBlockLooks(this->CompositeAttributes, this->GetTrueInput()), 0);
   }
   return *this->Look;
 }

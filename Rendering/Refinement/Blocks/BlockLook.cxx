@@ -51,6 +51,10 @@ void ApplyOwn(vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* bloc
 BlockLooks GetBlockLooks(vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* input)
 {
   BlockLooks looks;
+  if (!attributes)
+  {
+    return looks;
+  }
   unsigned int nextIndex = 0;
   Visit(input, nextIndex, BlockLook(),
     [&](vtkDataObject* block, unsigned int index, BlockLook& look)

@@ -7,6 +7,8 @@
 #ifndef BlockLook_h
 #define BlockLook_h
 
+#include "RelevoRenderingRefinementModule.h" // for export macro
+
 #include <map>
 
 class vtkCompositeDataDisplayAttributes;
@@ -30,8 +32,17 @@ struct BlockLook
 /// By the flat index of a leaf.
 using BlockLooks = std::map<unsigned int, BlockLook>;
 
-/// The looks of all leaves of a tree, or of the one data object that the input is.
-BlockLooks GetBlockLooks(vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* input);
+/// The looks of all leaves of a tree, or of the one data object that the input is; none without
+/// attributes.
+RELEVORENDERINGREFINEMENT_EXPORT BlockLooks GetBlockLooks(
+  vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* input);
+
+/// The look of a leaf; the default one where it has none.
+inline BlockLook FindLook(const BlockLooks& looks, unsigned int flatIndex)
+{
+  const auto look = looks.find(flatIndex);
+  return look == looks.end() ? BlockLook() : look->second;
+}
 
 /**
  * The data object with a flat index: 0 is the input itself, a tree's nodes follow depth first.

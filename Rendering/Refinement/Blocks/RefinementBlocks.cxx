@@ -18,6 +18,16 @@
 
 namespace relevo
 {
+namespace
+{
+// What VTK's macros were given: they put the file and the address of the object before it.
+std::string GetMessage(const std::string& text)
+{
+  const size_t colon = text.find("): ");
+  return colon == std::string::npos ? text : text.substr(colon);
+}
+}
+
 RefinementBlocks::RefinementBlocks() = default;
 RefinementBlocks::~RefinementBlocks() = default;
 
@@ -25,8 +35,7 @@ void RefinementBlocks::Update(vtkBlockAttributesPolyDataMapper* parent, vtkCompo
 {
   this->Parent = parent;
   this->Said.clear();
-  const bool changed = this->SyncTime < parent->GetBuildMTime();
-  // In place: this is also asked for while the blocks draw.
+  const bool changed = this->ParentTime != parent->GetBuildMTime();
   std::set<unsigned int> indices;
   auto iterator = vtk::TakeSmartPointer(input->NewIterator());
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
@@ -63,13 +72,25 @@ void RefinementBlocks::Update(vtkBlockAttributesPolyDataMapper* parent, vtkCompo
   }
   for (auto block = this->Mappers.begin(); block != this->Mappers.end();)
   {
-    block = indices.count(block->first) ? std::next(block) : this->Mappers.erase(block);
+    if (indices.count(block->first))
+    {
+      ++block;
+      continue;
+    }
+    this->OnRemove(block->second);
+    block = this->Mappers.erase(block);
   }
   this->UpdateLooks(parent->GetCompositeDataDisplayAttributes(), input);
-  if (changed)
+  this->ParentTime = parent->GetBuildMTime(); // copying may have made its lookup table
+}
+
+void RefinementBlocks::Clear()
+{
+  for (const auto& block : this->Mappers)
   {
-    this->SyncTime.Modified();
+    this->OnRemove(block.second);
   }
+  this->Mappers.clear();
 }
 
 void RefinementBlocks::Forward(vtkBlockAttributesPolyDataMapper* block, unsigned long event)
@@ -79,12 +100,23 @@ void RefinementBlocks::Forward(vtkBlockAttributesPolyDataMapper* block, unsigned
     [](vtkObject*, unsigned long id, void* client, void* data)
     {
       RefinementBlocks* self = static_cast<RefinementBlocks*>(client);
-      // Behind the address of the block, which VTK's macros put before what they are given.
-      const std::string text = static_cast<const char*>(data);
-      const size_t colon = text.find("): ");
-      if (self->Said.insert(colon == std::string::npos ? text : text.substr(colon)).second)
+      const char* text = static_cast<const char*>(data);
+      if (!self->Said.insert(GetMessage(text)).second)
+      {
+        return;
+      }
+      // As VTK's macros do: to the observers, or to the output window where there are none.
+      if (self->Parent->HasObserver(id))
       {
         self->Parent->InvokeEvent(id, data);
+      }
+      else if (id == vtkCommand::ErrorEvent)
+      {
+        vtkOutputWindowDisplayErrorText(text);
+      }
+      else
+      {
+        vtkOutputWindowDisplayWarningText(text);
       }
     });
   command->SetClientData(this);
@@ -94,16 +126,16 @@ void RefinementBlocks::Forward(vtkBlockAttributesPolyDataMapper* block, unsigned
 void RefinementBlocks::UpdateLooks(
   vtkCompositeDataDisplayAttributes* attributes, vtkCompositeDataSet* input)
 {
-  const BlockLooks looks = attributes ? GetBlockLooks(attributes, input) : BlockLooks();
+  const BlockLooks looks = GetBlockLooks(attributes, input);
   for (auto& block : this->Mappers)
   {
-    const auto look = looks.find(block.first);
-    block.second->SetLook(look == looks.end() ? BlockLook() : look->second);
+    block.second->SetLook(FindLook(looks, block.first));
   }
 }
 
-void RefinementBlocks::Render(vtkRenderer* ren, vtkActor* act)
+void RefinementBlocks::Render(vtkRenderer* ren, vtkActor* act, bool drawsAll)
 {
+  this->Rendering = true;
   vtkHardwareSelector* selector = ren->GetSelector();
   if (selector)
   {
@@ -111,7 +143,7 @@ void RefinementBlocks::Render(vtkRenderer* ren, vtkActor* act)
   }
   // An actor that is drawn in both passes has blocks for either.
   const bool drawnTwice =
-    !selector && act->HasOpaqueGeometry() && act->HasTranslucentPolygonalGeometry();
+    !drawsAll && !selector && act->HasOpaqueGeometry() && act->HasTranslucentPolygonalGeometry();
   const bool translucent = act->IsRenderingTranslucentPolygonalGeometry() != 0;
   for (auto& block : this->Mappers)
   {
@@ -129,6 +161,7 @@ void RefinementBlocks::Render(vtkRenderer* ren, vtkActor* act)
   {
     selector->EndRenderProp();
   }
+  this->Rendering = false;
 }
 
 void RefinementBlocks::ProcessSelectorPixelBuffers(

@@ -8,9 +8,9 @@
 #define RefinementBlocks_h
 
 #include "vtkSmartPointer.h" // for members
-#include "vtkTimeStamp.h"    // for SyncTime
+#include "vtkType.h"         // for vtkMTimeType
 
-#include <functional> // for ForEach
+#include <functional> // for OnRemove, ForEach()
 #include <map>        // for members
 #include <set>        // for members
 #include <string>     // for members
@@ -38,9 +38,13 @@ public:
   void Update(vtkBlockAttributesPolyDataMapper* parent, vtkCompositeDataSet* input);
 
   /**
-   * Draw all leaves. In a selection each reports its flat index as composite index.
+   * Draw the leaves of the pass, opaque or translucent ones, or all of them. In a selection each
+   * reports its flat index as composite index.
    */
-  void Render(vtkRenderer* ren, vtkActor* act);
+  void Render(vtkRenderer* ren, vtkActor* act, bool drawsAll);
+
+  /// Whether Render() is at work: the blocks are to stay as they are.
+  bool IsRendering() const { return this->Rendering; }
 
   /**
    * Turn drawn ids into cell ids, leaf by leaf.
@@ -52,17 +56,21 @@ public:
   vtkBlockAttributesPolyDataMapper* Find(unsigned int flatIndex) const;
 
   void ForEach(const std::function<void(vtkBlockAttributesPolyDataMapper*)>& work) const;
-  void Clear() { this->Mappers.clear(); }
+  void Clear();
   bool IsEmpty() const { return this->Mappers.empty(); }
 
+  /// Called with the mapper of a leaf that is gone, before it is deleted.
+  std::function<void(vtkBlockAttributesPolyDataMapper*)> OnRemove;
+
 private:
-  /// Have the parent say what a block says, unless another one has said the same.
+  /// Report what a block says as the parent's, unless another block has said the same.
   void Forward(vtkBlockAttributesPolyDataMapper* block, unsigned long event);
   void UpdateLooks(vtkCompositeDataDisplayAttributes* attributes, vtkCompositeDataSet* input);
 
   std::map<unsigned int, vtkSmartPointer<vtkBlockAttributesPolyDataMapper>>
-    Mappers; // by flat index
-  vtkTimeStamp SyncTime;
+    Mappers;                   // by flat index
+  vtkMTimeType ParentTime = 0; // GetBuildMTime() that the mappers were copied at
+  bool Rendering = false;
   vtkBlockAttributesPolyDataMapper* Parent = nullptr;
   std::set<std::string> Said; // what blocks have said since the last update
 };

@@ -51,11 +51,7 @@ void SetNormals(vtkPolyData* mesh, const std::vector<float>& values)
 
 RefinementState::RefinementState()
 {
-  const auto source = std::make_shared<TagSource>();
-  for (ViewSelection& view : this->Views)
-  {
-    view.SetTagSource(source);
-  }
+  this->Clear();
 }
 
 RefinementState::~RefinementState() = default;
@@ -272,6 +268,22 @@ bool RefinementState::UpdateSelection(vtkPolyData* input, vtkAdaptiveRefinement*
     this->Current->UpdateGroups({ faces, this->CullingTime, culling, hideBackFaces });
   }
   return true;
+}
+
+void RefinementState::Clear()
+{
+  this->Mesh = std::make_shared<RefinementMesh>();
+  this->MeshDependencies.Clear();
+  this->MeshValid = false;
+  this->PreparedInput->Initialize();
+  const auto source = std::make_shared<TagSource>();
+  this->Views = std::vector<ViewSelection>(MostViews);
+  for (ViewSelection& view : this->Views)
+  {
+    view.SetTagSource(source);
+  }
+  this->ViewUses = {};
+  this->Current = this->Views.data();
 }
 
 void RefinementState::ForgetLevels()

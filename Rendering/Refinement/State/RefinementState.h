@@ -20,6 +20,7 @@
 #include <memory>  // for members
 #include <string>  // for messages
 #include <utility> // for std::move
+#include <vector>  // for members
 
 class vtkAdaptiveRefinement;
 class vtkCamera;
@@ -93,6 +94,11 @@ public:
   std::string TakeWarning();
   //@}
 
+  /// Forget the mesh and its views; GetNumberOfSelections() counts on.
+  void Clear();
+  /// Whether there has been an input since then.
+  bool HasMesh() const { return !this->MeshDependencies.IsEmpty(); }
+
   const RefinementMesh& GetMesh() const { return *this->Mesh; }
   bool IsMeshValid() const { return this->MeshValid; }
   vtkMTimeType GetMeshTime() const { return this->MeshTime; }
@@ -111,6 +117,7 @@ public:
   vtkIdType GetNumberOfTriangles() { return this->Current->GetNumberOfTriangles(); }
 
   vtkIdType GetNumberOfSelections() const { return this->NumberOfSelections; }
+  void AddSelections(vtkIdType selections) { this->NumberOfSelections += selections; }
 
 private:
   ViewSelection& FindView(
@@ -144,9 +151,9 @@ private:
     const vtkMatrix4x4* ModelToWorld = nullptr;
     vtkTypeUInt64 LastUse = 0;
   };
-  std::array<ViewSelection, MostViews> Views;
+  std::vector<ViewSelection> Views; // MostViews of them
   std::array<View, MostViews> ViewUses;
-  ViewSelection* Current = Views.data();
+  ViewSelection* Current = nullptr;
   vtkTypeUInt64 NumberOfUses = 0;
   vtkIdType NumberOfSelections = 0;
 

@@ -23,12 +23,14 @@ using Mapper = vtkAdaptiveRefinementMapper;
 struct Numbers
 {
   vtkIdType Triangles;
+  vtkIdType CoarseFaces;
   vtkIdType CulledFaces;
   int DrawCalls;
   int UsedPatterns;
 
   explicit Numbers(Mapper* mapper)
     : Triangles(mapper->GetNumberOfDrawnTriangles())
+    , CoarseFaces(mapper->GetNumberOfCoarseFaces())
     , CulledFaces(mapper->GetNumberOfCulledFaces())
     , DrawCalls(mapper->GetNumberOfDrawCalls())
     , UsedPatterns(mapper->GetNumberOfUsedPatterns())
@@ -36,8 +38,9 @@ struct Numbers
   }
   bool operator==(const Numbers& other) const
   {
-    return this->Triangles == other.Triangles && this->CulledFaces == other.CulledFaces &&
-      this->DrawCalls == other.DrawCalls && this->UsedPatterns == other.UsedPatterns;
+    return this->Triangles == other.Triangles && this->CoarseFaces == other.CoarseFaces &&
+      this->CulledFaces == other.CulledFaces && this->DrawCalls == other.DrawCalls &&
+      this->UsedPatterns == other.UsedPatterns;
   }
 };
 

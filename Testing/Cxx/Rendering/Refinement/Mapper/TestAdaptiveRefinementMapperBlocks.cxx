@@ -1,0 +1,264 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The blocks of a composite input: what they report is heard, what they count is not lost, and all
+// sub-pieces are drawn.
+#include "RelevoScene.h"
+#include "RelevoTestMeshes.h"
+
+#include "vtkCellArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkMultiBlockDataSetAlgorithm.h"
+#include "vtkOutputWindow.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <limits>
+
+namespace
+{
+using namespace RelevoMeshes;
+using Mapper = vtkAdaptiveRefinementMapper;
+using Blocks = vtkSmartPointer<vtkMultiBlockDataSet>;
+
+// Keeps what is shown.
+class Shown : public vtkOutputWindow
+{
+public:
+  static Shown* New() { VTK_STANDARD_NEW_BODY(Shown); }
+  vtkTypeMacro(Shown, vtkOutputWindow);
+  void DisplayErrorText(const char* text) override { this->Errors.emplace_back(text); }
+  void DisplayWarningText(const char* text) override { this->Warnings.emplace_back(text); }
+  std::vector<std::string> Errors;
+  std::vector<std::string> Warnings;
+};
+
+bool IsOne(const std::vector<std::string>& texts, const char* words)
+{
+  return texts.size() == 1 && texts[0].find(words) != std::string::npos;
+}
+
+Mesh At(double x)
+{
+  const double place[3] = { x, 0.0, 0.0 };
+  return Moved(Plane(3, 3), 1.0, place, VTK_FLOAT);
+}
+
+Blocks MakeBlocks(const std::vector<Mesh>& meshes)
+{
+  auto blocks = Blocks::New();
+  for (const Mesh& mesh : meshes)
+  {
+    blocks->SetBlock(blocks->GetNumberOfBlocks(), mesh);
+  }
+  return blocks;
+}
+
+// Nobody observes the mapper: errors and warnings are shown, once for all blocks.
+void TestOutputWindow(RelevoCheck& check)
+{
+  vtkNew<Shown> shown;
+  vtkOutputWindow::SetInstance(shown);
+  const Blocks blocks = MakeBlocks({ At(0.0), At(2.0) });
+  RelevoScene scene(RelevoScene::Refining);
+  scene.Add(blocks, MakeRecipe(1));
+  scene.ResetCameras();
+  scene.Render();
+  CHECK(shown->Errors.empty() && shown->Warnings.empty());
+
+  Mapper* mapper = scene.GetMapper(0);
+  const vtkSmartPointer<vtkAdaptiveRefinement> recipe = mapper->GetRefinement();
+  mapper->SetRefinement(nullptr);
+  scene.Render();
+  CHECK(IsOne(shown->Errors, "No recipe"));
+  CHECK(shown->Warnings.empty());
+  shown->Errors.clear();
+  mapper->SetRefinement(recipe);
+  scene.Render();
+  CHECK(shown->Errors.empty());
+
+  Mesh degenerate = At(4.0);
+  degenerate->GetPolys()->InsertNextCell({ 0, 0, 1 });
+  blocks->SetBlock(2, degenerate);
+  scene.Render();
+  CHECK(IsOne(shown->Warnings, "degenerate"));
+  CHECK(shown->Errors.empty());
+  shown->Warnings.clear();
+
+  vtkObject::GlobalWarningDisplayOff();
+  mapper->SetRefinement(nullptr);
+  scene.Render();
+  vtkObject::GlobalWarningDisplayOn();
+  CHECK(shown->Errors.empty());
+
+  // Who observes it is told, and nothing is shown.
+  RelevoErrors errors(mapper);
+  mapper->SetRefinement(recipe);
+  scene.Render();
+  mapper->SetRefinement(nullptr);
+  scene.Render();
+  CHECK(errors.Said("No recipe"));
+  CHECK(shown->Errors.empty() && shown->Warnings.empty());
+  vtkOutputWindow::SetInstance(nullptr);
+}
+
+struct Counts
+{
+  vtkIdType Selections;
+  vtkIdType BufferBuilds;
+  vtkIdType ShaderBuilds;
+
+  explicit Counts(Mapper* mapper)
+    : Selections(mapper->GetNumberOfSelections())
+    , BufferBuilds(mapper->GetNumberOfBufferBuilds())
+    , ShaderBuilds(mapper->GetNumberOfShaderBuilds())
+  {
+  }
+  bool operator==(const Counts& other) const
+  {
+    return this->Selections == other.Selections && this->BufferBuilds == other.BufferBuilds &&
+      this->ShaderBuilds == other.ShaderBuilds;
+  }
+  bool IsAtLeast(const Counts& other) const
+  {
+    return this->Selections >= other.Selections && this->BufferBuilds >= other.BufferBuilds &&
+      this->ShaderBuilds >= other.ShaderBuilds;
+  }
+};
+
+// A mesh that blocks take the place of, and the other way round.
+void TestReplaced(RelevoCheck& check, int device)
+{
+  const Mesh mesh = Sphere(40, 30);
+  const Blocks blocks = MakeBlocks({ At(0.0), At(2.0) });
+  RelevoScene scene(RelevoScene::Refining);
+  scene.Add(mesh, MakeRecipe(2));
+  Mapper* mapper = scene.GetMapper(0);
+  mapper->SetSelectionDevice(device);
+  scene.ResetCameras();
+  scene.Render();
+  const vtkIdType triangles = mapper->GetNumberOfDrawnTriangles();
+  const vtkTypeInt64 memory = mapper->GetGraphicsMemorySize();
+  const Counts before(mapper);
+
+  // Bounds are asked between the frames; the numbers are still those of the last one.
+  mapper->SetInputDataObject(blocks);
+  mapper->GetBounds();
+  CHECK(mapper->GetNumberOfDrawnTriangles() == triangles);
+  CHECK(Counts(mapper) == before);
+  scene.ResetCameras();
+  scene.Render();
+  RelevoScene alone(RelevoScene::Refining);
+  alone.Add(blocks, MakeRecipe(2));
+  Mapper* expected = alone.GetMapper(0);
+  expected->SetSelectionDevice(device);
+  alone.ResetCameras();
+  alone.Render();
+  CHECK(mapper->GetNumberOfDrawnTriangles() == expected->GetNumberOfDrawnTriangles());
+  CHECK(mapper->GetNumberOfCoarseFaces() == expected->GetNumberOfCoarseFaces());
+  CHECK(mapper->GetNumberOfCulledFaces() == expected->GetNumberOfCulledFaces());
+  CHECK(mapper->GetNumberOfDrawCalls() == expected->GetNumberOfDrawCalls());
+  CHECK(mapper->GetNumberOfUsedPatterns() == expected->GetNumberOfUsedPatterns());
+  CHECK(mapper->GetSelectionDeviceInUse() == expected->GetSelectionDeviceInUse());
+  CHECK(mapper->GetGraphicsMemorySize() == expected->GetGraphicsMemorySize());
+  CHECK(mapper->GetGraphicsMemorySize() < memory);
+  const Counts after(mapper);
+  CHECK(after.IsAtLeast(before) && after.Selections > before.Selections);
+
+  // What goes away has been counted.
+  blocks->RemoveBlock(1u);
+  scene.Render();
+  CHECK(Counts(mapper).IsAtLeast(after));
+  mapper->SetInputData(mesh);
+  scene.ResetCameras();
+  scene.Render();
+  CHECK(mapper->GetNumberOfDrawnTriangles() == triangles);
+  CHECK(mapper->GetGraphicsMemorySize() == memory);
+  CHECK(Counts(mapper).IsAtLeast(after));
+}
+
+// What cannot be drawn has no faces, nor such that are culled.
+void TestFailed(RelevoCheck& check, int device)
+{
+  const Mesh mesh = Sphere(12, 9);
+  AddTags(mesh, 2, 3);
+  RelevoScene scene(RelevoScene::Refining);
+  scene.Add(mesh, MakeRecipe(2));
+  Mapper* mapper = scene.GetMapper(0);
+  mapper->SetSelectionDevice(device);
+  scene.ResetCameras();
+  scene.Renderer->GetActiveCamera()->Zoom(3.0);
+  scene.Render();
+  CHECK(mapper->GetNumberOfCulledFaces() > 0);
+  CHECK(mapper->GetNumberOfCulledFaces() < mapper->GetNumberOfCoarseFaces());
+  vtkDataArray* tags = mesh->GetPointData()->GetArray("DepthTag");
+  tags->SetComponent(0, 0, std::numeric_limits<double>::quiet_NaN());
+  tags->Modified();
+  RelevoErrors errors(mapper);
+  scene.Render();
+  CHECK(errors.Said("NaN"));
+  CHECK(mapper->GetNumberOfCulledFaces() == 0 && mapper->GetNumberOfCoarseFaces() == 0);
+  CHECK(mapper->GetNumberOfUsedPatterns() == 0 && mapper->GetNumberOfDrawnTriangles() == 0);
+}
+
+// Two blocks in each piece, at a place of its own.
+class Source : public vtkMultiBlockDataSetAlgorithm
+{
+public:
+  static Source* New() { VTK_STANDARD_NEW_BODY(Source); }
+  vtkTypeMacro(Source, vtkMultiBlockDataSetAlgorithm);
+
+protected:
+  Source() { this->SetNumberOfInputPorts(0); }
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
+  {
+    output->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+    return 1;
+  }
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
+  {
+    const int piece =
+      vtkStreamingDemandDrivenPipeline::GetUpdatePiece(output->GetInformationObject(0));
+    vtkMultiBlockDataSet::GetData(output)->ShallowCopy(
+      MakeBlocks({ At(4.0 * piece), At(4.0 * piece + 2.0) }));
+    return 1;
+  }
+};
+
+void TestSubPieces(RelevoCheck& check, RelevoComparison& comparison)
+{
+  vtkNew<Source> source;
+  RelevoScene pieces(RelevoScene::Refining);
+  pieces.Add(MakeBlocks({}), MakeRecipe(1));
+  pieces.GetMapper(0)->SetInputConnection(source->GetOutputPort());
+  pieces.GetMapper(0)->SetNumberOfSubPieces(2);
+  RelevoScene whole(RelevoScene::Refining);
+  whole.Add(MakeBlocks({ At(0.0), At(2.0), At(4.0), At(6.0) }), MakeRecipe(1));
+  whole.ResetCameras();
+  whole.Render();
+  pieces.CopyCameras(whole);
+  for (int frame = 0; frame < 2; ++frame)
+  {
+    pieces.Render();
+    comparison.Compare("Blocks.SubPieces." + std::to_string(frame), {},
+      RelevoPicture(pieces.Window), RelevoPicture(whole.Window));
+  }
+  CHECK(RelevoPicture(whole.Window).CountForeground() > 100);
+}
+}
+
+int TestAdaptiveRefinementMapperBlocks(int argc, char* argv[])
+{
+  RelevoCheck check;
+  RelevoComparison comparison(check, argc, argv);
+  TestOutputWindow(check);
+  for (const int device : { Mapper::SELECTION_DEVICE_CPU, Mapper::SELECTION_DEVICE_GPU })
+  {
+    TestReplaced(check, device);
+    TestFailed(check, device);
+  }
+  TestSubPieces(check, comparison);
+  return check.GetResult();
+}
