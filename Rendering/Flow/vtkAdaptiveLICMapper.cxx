@@ -106,9 +106,11 @@ template <typename Work>
 void vtkAdaptiveLICMapper::vtkInternals::ForEachLeaf(const Work& work)
 {
   vtkDataObject* input = this->Root->GetInputDataObject(0, 0);
+  const relevo::BlockLooks looks =
+    relevo::GetBlockLooks(this->Root->GetCompositeDataDisplayAttributes(), input);
   if (vtkPolyData* mesh = vtkPolyData::SafeDownCast(input))
   {
-    work(mesh);
+    work(mesh, relevo::FindLook(looks, 0));
   }
   else if (vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(input))
   {
@@ -117,7 +119,7 @@ void vtkAdaptiveLICMapper::vtkInternals::ForEachLeaf(const Work& work)
     {
       if (vtkPolyData* leaf = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject()))
       {
-        work(leaf);
+        work(leaf, relevo::FindLook(looks, iterator->GetCurrentFlatIndex()));
       }
     }
   }
@@ -140,19 +142,20 @@ bool vtkAdaptiveLICMapper::vtkInternals::CanShow(vtkRenderer* ren, vtkActor* act
 
 void vtkAdaptiveLICMapper::vtkInternals::CheckVectors()
 {
-  std::vector<vtkMTimeType> times = { this->Root->BuildTime.GetMTime() };
-  this->ForEachLeaf([&](vtkPolyData* leaf) { times.push_back(leaf->GetMTime()); });
-  if (times == this->VectorTimes)
+  relevo::Dependencies dependencies =
+    relevo::Dependencies::On(this->Root->BuildTime, this->Root->GetNoDataMagnitude());
+  this->ForEachLeaf(
+    [&](vtkPolyData* leaf, const relevo::BlockLook&) { dependencies.AddObject(leaf); });
+  if (!this->VectorDependencies.Update(dependencies))
   {
     return;
   }
-  this->VectorTimes = times;
   std::string problem;
   double longest = -1.0;
   bool hasFaces = false;
   bool hasArray = false;
   this->ForEachLeaf(
-    [&](vtkPolyData* leaf)
+    [&](vtkPolyData* leaf, const relevo::BlockLook&)
     {
       if (leaf->GetNumberOfPolys() == 0 && leaf->GetNumberOfStrips() == 0)
       {
@@ -183,7 +186,16 @@ std::string vtkAdaptiveLICMapper::vtkInternals::FindProblem()
   {
     return this->VectorProblem;
   }
-  return this->Noise.Update(this->Root->LICSettings) ? "" : this->Noise.GetError();
+  vtkLICSettings* settings = this->Root->LICSettings;
+  for (const std::string& error :
+    { relevo::FindContrastError(settings), relevo::FindColorContrastError(settings) })
+  {
+    if (!error.empty())
+    {
+      return error;
+    }
+  }
+  return this->Noise.Update(settings) ? "" : this->Noise.GetError();
 }
 
 relevo::LICScreen& vtkAdaptiveLICMapper::vtkInternals::GetScreen(vtkRenderer* ren, vtkActor* act)
@@ -200,45 +212,50 @@ relevo::LICScreen& vtkAdaptiveLICMapper::vtkInternals::GetScreen(vtkRenderer* re
   return screen;
 }
 
-std::vector<double> vtkAdaptiveLICMapper::vtkInternals::MakeKey(
+relevo::Dependencies vtkAdaptiveLICMapper::vtkInternals::GetScreenDependencies(
   vtkRenderer* ren, vtkActor* act, const relevo::LICScreen& screen)
 {
-  std::vector<double> key(screen.Viewport + 2, screen.Viewport + 4);
-  key.insert(key.end(), screen.PartOrigin, screen.PartOrigin + 2);
+  relevo::Dependencies dependencies = relevo::Dependencies::On(
+    screen.Viewport[2], screen.Viewport[3], screen.PartOrigin[0], screen.PartOrigin[1]);
   vtkCamera* camera = ren->GetActiveCamera();
   for (vtkMatrix4x4* matrix :
     { camera->GetModelViewTransformMatrix(),
       camera->GetProjectionTransformMatrix(ren->GetTiledAspectRatio(), -1, 1), act->GetMatrix() })
   {
-    key.insert(key.end(), matrix->GetData(), matrix->GetData() + 16);
+    std::for_each(matrix->GetData(), matrix->GetData() + 16,
+      [&dependencies](double element) { dependencies.Add(element); });
   }
-  const auto addTime = [&key](vtkMTimeType time) { key.push_back(static_cast<double>(time)); };
-  this->AddSettings(key);
-  addTime(this->Root->BuildTime.GetMTime()); // settings and tables of colours are none of it
-  addTime(act->GetShaderProperty()->GetShaderMTime());
+  this->AddSettings(dependencies);
+  dependencies.Add(this->Root->BuildTime);
+  dependencies.Add(act->GetShaderProperty()->GetShaderMTime());
   vtkProperty* property = act->GetProperty();
-  key.push_back(property->GetBackfaceCulling() + 2 * property->GetFrontfaceCulling());
+  dependencies.Add(property->GetBackfaceCulling());
+  dependencies.Add(property->GetFrontfaceCulling());
   if (vtkPlaneCollection* planes = this->Root->GetClippingPlanes())
   {
     for (int i = 0; i < planes->GetNumberOfItems(); ++i)
     {
-      addTime(planes->GetItem(i)->GetMTime());
+      dependencies.AddObject(planes->GetItem(i));
     }
   }
   if (vtkAdaptiveRefinement* recipe = this->Root->GetRefinement())
   {
-    addTime(recipe->GetMTime());
+    dependencies.AddObject(recipe);
     vtkDisplacement* displacement = recipe->GetDisplacement();
-    if (displacement && displacement->GetHeightMap())
-    {
-      addTime(displacement->GetHeightMap()->GetMTime());
-    }
+    dependencies.AddObject(displacement ? displacement->GetHeightMap() : nullptr);
   }
-  this->ForEachLeaf([&](vtkPolyData* leaf) { addTime(leaf->GetMTime()); });
-  key.push_back(static_cast<double>(this->Root->GetNumberOfSelections()));
-  key.push_back(this->Root->GetLevelOffset());
-  key.push_back(this->Root->GetMethod());
-  return key;
+  this->ForEachLeaf(
+    [&](vtkPolyData* leaf, const relevo::BlockLook& look)
+    {
+      dependencies.AddObject(leaf);
+      // VTK draws nothing where the surface is clear. Other colours and opacities do not matter.
+      const bool isClear = (look.HasOpacity ? look.Opacity : property->GetOpacity()) <= 0.0;
+      dependencies.Add(look.Visible && !isClear);
+    });
+  dependencies.Add(this->Root->GetNumberOfSelections());
+  dependencies.Add(this->Root->GetLevelOffset());
+  dependencies.Add(this->Root->GetMethod());
+  return dependencies;
 }
 
 bool vtkAdaptiveLICMapper::vtkInternals::Prepare(vtkRenderer* ren, vtkActor* act)
@@ -254,29 +271,10 @@ bool vtkAdaptiveLICMapper::vtkInternals::Prepare(vtkRenderer* ren, vtkActor* act
   {
     self->GetInputAlgorithm()->Update();
   }
-  vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
   std::string problem = this->FindProblem();
   if (problem.empty())
   {
-    relevo::LICScreen& screen = this->GetScreen(ren, act);
-    window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, screen.Viewport);
-    if (screen.Viewport[2] < 1 || screen.Viewport[3] < 1)
-    {
-      return false;
-    }
-    FindPartOrigin(ren, screen.PartOrigin);
-    const bool allocated = screen.Allocate(window, this->StretchesColors());
-    const bool convolve = allocated && screen.Key != this->MakeKey(ren, act, screen);
-    if (allocated &&
-      (!(convolve || this->StretchesColors()) || this->Draw(ren, act, screen, convolve)))
-    {
-      this->Screen = &screen;
-    }
-    else
-    {
-      problem = "OpenGL cannot make or draw to textures of floating point numbers of the "
-                "viewport's size, or the shaders could not be built.";
-    }
+    problem = this->UpdateScreen(ren, act);
   }
   if (problem != this->Problem)
   {
@@ -289,10 +287,34 @@ bool vtkAdaptiveLICMapper::vtkInternals::Prepare(vtkRenderer* ren, vtkActor* act
   return this->Screen != nullptr;
 }
 
+std::string vtkAdaptiveLICMapper::vtkInternals::UpdateScreen(vtkRenderer* ren, vtkActor* act)
+{
+  vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
+  relevo::LICScreen& screen = this->GetScreen(ren, act);
+  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, screen.Viewport);
+  if (screen.Viewport[2] < 1 || screen.Viewport[3] < 1)
+  {
+    return "";
+  }
+  FindPartOrigin(ren, screen.PartOrigin);
+  if (!screen.Allocate(window, this->StretchesColors()))
+  {
+    return relevo::LICImage::GetTextureProblem();
+  }
+  const bool convolve = screen.Sources != this->GetScreenDependencies(ren, act, screen);
+  const std::string problem =
+    convolve || this->StretchesColors() ? this->Draw(ren, act, screen, convolve) : "";
+  if (problem.empty())
+  {
+    this->Screen = &screen;
+  }
+  return problem;
+}
+
 //------------------------------------------------------------------------------
 // Drawing
 
-bool vtkAdaptiveLICMapper::vtkInternals::Draw(
+std::string vtkAdaptiveLICMapper::vtkInternals::Draw(
   vtkRenderer* ren, vtkActor* act, relevo::LICScreen& screen, bool convolve)
 {
   vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
@@ -300,13 +322,13 @@ bool vtkAdaptiveLICMapper::vtkInternals::Draw(
   vtkTextureObject* noise = this->Noise.GetTexture(window);
   if (!noise)
   {
-    return false;
+    return relevo::LICImage::GetTextureProblem();
   }
   state->PushFramebufferBindings();
   state->Push();
   this->Framebuffer->SetContext(window);
-  bool done = screen.Begin(window, this->Framebuffer);
-  if (done)
+  std::string problem = relevo::LICImage::GetTextureProblem();
+  if (screen.Begin(window, this->Framebuffer))
   {
     this->IsDrawingVectors = true;
     {
@@ -315,12 +337,11 @@ bool vtkAdaptiveLICMapper::vtkInternals::Draw(
     }
     this->IsDrawingVectors = false;
     screen.End(window, this->Framebuffer);
+    bool done = true;
     if (convolve)
     {
-      screen.Key.clear();
-      screen.SetBounds(act->GetBounds(),
-        ren->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
-          ren->GetTiledAspectRatio(), -1, 1));
+      screen.Sources.Clear();
+      this->SetBounds(ren, act, screen);
       done =
         this->Image.Convolve(window, this->Framebuffer, screen, noise, this->GetPassSettings());
       ++this->Root->NumberOfConvolutions;
@@ -328,16 +349,29 @@ bool vtkAdaptiveLICMapper::vtkInternals::Draw(
     done = done &&
       (!this->StretchesColors() ||
         this->Image.FindColorRange(window, this->Framebuffer, screen, this->GetColoring()));
+    problem = done ? "" : this->Image.GetProblem();
     this->Framebuffer->RemoveColorAttachment(0);
     this->Framebuffer->DeactivateDrawBuffers();
   }
   state->Pop();
   state->PopFramebufferBindings();
-  if (done)
+  if (problem.empty())
   {
-    screen.Key = this->MakeKey(ren, act, screen); // with the levels that were drawn
+    screen.Sources = this->GetScreenDependencies(ren, act, screen); // with the levels drawn
   }
-  return done;
+  return problem;
+}
+
+void vtkAdaptiveLICMapper::vtkInternals::SetBounds(
+  vtkRenderer* ren, vtkActor* act, relevo::LICScreen& screen)
+{
+  // Those of the actor are of the first sub-piece, and have the pipeline make it again.
+  this->Root->ComputeBounds();
+  vtkNew<vtkMatrix4x4> project;
+  vtkMatrix4x4::Multiply4x4(ren->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+                              ren->GetTiledAspectRatio(), -1, 1),
+    act->GetMatrix(), project);
+  screen.SetBounds(this->Root->Bounds, project);
 }
 
 void vtkAdaptiveLICMapper::RenderRefined(vtkRenderer* ren, vtkActor* act)
@@ -366,6 +400,12 @@ void vtkAdaptiveLICMapper::UpdateBlocks()
   this->Superclass::UpdateBlocks();
   this->ForEachBlock([this](vtkAdaptiveRefinementMapper* block)
     { vtkAdaptiveLICMapper::SafeDownCast(block)->LIC->Root = this; });
+}
+
+bool vtkAdaptiveLICMapper::DrawsAllBlocks() const
+{
+  // One image holds the streaks of opaque and translucent blocks.
+  return this->LIC->IsDrawingVectors;
 }
 
 void vtkAdaptiveLICMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* act)
@@ -412,6 +452,7 @@ void vtkAdaptiveLICMapper::ReleaseGraphicsResources(vtkWindow* window)
   lic.Image.ReleaseGraphicsResources(window);
   lic.Noise.ReleaseGraphicsResources(window);
   lic.CellVectors.ReleaseGraphicsResources(window);
+  lic.CellVectorDependencies.Clear();
   lic.Framebuffer->ReleaseGraphicsResources(window);
 }
 

@@ -9,7 +9,9 @@
 #ifndef vtkAdaptiveLICMapperInternals_h
 #define vtkAdaptiveLICMapperInternals_h
 
+#include "Blocks/BlockLook.h"
 #include "Buffers/RefinementBuffer.h"
+#include "Core/Dependencies.h"
 #include "Image/LICPassSettings.h"
 #include "Passes/LICArray.h"
 #include "Passes/LICImage.h"
@@ -20,12 +22,10 @@
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkSmartPointer.h"
-#include "vtkTimeStamp.h"
 
 #include <map>
 #include <string>
 #include <tuple>
-#include <vector>
 
 class vtkCamera;
 class vtkFloatArray;
@@ -51,17 +51,16 @@ struct vtkAdaptiveLICMapper::vtkInternals
   bool HasVectors = false;
   bool AreOfCells = false;
   vtkSmartPointer<vtkFloatArray> Prepared;
-  vtkPolyData* PreparedInput = nullptr; // to compare, never read
-  vtkTimeStamp PreparedTime;
-  vtkTimeStamp CellVectorsTime;
+  relevo::Dependencies PreparedDependencies;
   void PrepareVectors(vtkAdaptiveLICMapper* self, vtkPolyData* input);
   double Unit = 1.0;       // of the vectors on the graphics card, which then are about 1 long
   bool HasNormals = false; // on the refined surface
   bool HasPointNormals = false;
   relevo::RefinementBuffer CellVectors; // of VTK's primitives; empty for vectors of points
+  relevo::Dependencies CellVectorDependencies;
 
-  // The vectors of all blocks, as they were at these times.
-  std::vector<vtkMTimeType> VectorTimes;
+  // The vectors of all blocks.
+  relevo::Dependencies VectorDependencies;
   std::string VectorProblem;
   double Longest = 0.0;
 
@@ -77,18 +76,25 @@ struct vtkAdaptiveLICMapper::vtkInternals
   relevo::LICPassSettings GetPassSettings() const;
   relevo::LICColoring GetColoring() const;
   bool StretchesColors() const;
-  void AddSettings(std::vector<double>& key) const;
+  void AddSettings(relevo::Dependencies& dependencies) const;
 
   static bool CanShow(vtkRenderer* ren, vtkActor* act);
   void CheckVectors();
   std::string FindProblem();
   bool Prepare(vtkRenderer* ren, vtkActor* act);
-  bool Draw(vtkRenderer* ren, vtkActor* act, relevo::LICScreen& screen, bool convolve);
-  std::vector<double> MakeKey(vtkRenderer* ren, vtkActor* act, const relevo::LICScreen& screen);
+  //@{
+  /// Have a screen with the LIC; what hinders, as a sentence.
+  std::string UpdateScreen(vtkRenderer* ren, vtkActor* act);
+  std::string Draw(vtkRenderer* ren, vtkActor* act, relevo::LICScreen& screen, bool convolve);
+  //@}
+  void SetBounds(vtkRenderer* ren, vtkActor* act, relevo::LICScreen& screen);
+  relevo::Dependencies GetScreenDependencies(
+    vtkRenderer* ren, vtkActor* act, const relevo::LICScreen& screen);
   static void SetVectorUniforms(
     vtkAdaptiveLICMapper* block, vtkShaderProgram* program, vtkRenderer* ren, vtkActor* act);
   void SetImageUniforms(vtkShaderProgram* program);
 
+  /// Calls work(leaf, look) for the meshes of the input.
   template <typename Work>
   void ForEachLeaf(const Work& work);
 };

@@ -101,17 +101,15 @@ bool vtkAdaptiveLICMapper::vtkInternals::StretchesColors() const
 }
 
 // What is convolved: not how it is combined with colours.
-void vtkAdaptiveLICMapper::vtkInternals::AddSettings(std::vector<double>& key) const
+void vtkAdaptiveLICMapper::vtkInternals::AddSettings(relevo::Dependencies& dependencies) const
 {
   const relevo::LICPassSettings pass = this->GetPassSettings();
   vtkLICSettings* settings = this->Root->LICSettings;
-  key.insert(key.end(),
-    { static_cast<double>(this->Noise.GetVersion()), static_cast<double>(pass.Kernel.Steps),
-      pass.Kernel.StepSize, pass.Kernel.Normalized ? 1.0 : 0.0, pass.Kernel.Oriented ? 1.0 : 0.0,
-      pass.Kernel.Phase, pass.Enhanced ? 1.0 : 0.0, pass.Stretched ? 1.0 : 0.0,
-      pass.StretchFactors.x, pass.StretchFactors.y, static_cast<double>(pass.NumberOfSmoothings),
-      settings->GetMaskThreshold(), static_cast<double>(settings->GetMaskOnSurface()),
-      settings->GetNoDataMagnitude() });
+  const auto add = [&dependencies](auto... values) { (dependencies.Add(values), ...); };
+  add(this->Noise.GetVersion(), pass.Kernel.Steps, pass.Kernel.StepSize, pass.Kernel.Normalized,
+    pass.Kernel.Oriented, pass.Kernel.Phase, pass.Enhanced, pass.Stretched, pass.StretchFactors.x,
+    pass.StretchFactors.y, pass.NumberOfSmoothings, settings->GetMaskThreshold(),
+    settings->GetMaskOnSurface(), settings->GetNoDataMagnitude());
 }
 
 //------------------------------------------------------------------------------

@@ -67,13 +67,13 @@ void SetMatrix(vtkShaderProgram* program, const char* name, const double matrix[
 void vtkAdaptiveLICMapper::vtkInternals::PrepareVectors(
   vtkAdaptiveLICMapper* self, vtkPolyData* input)
 {
-  const vtkMTimeType time = std::max(self->GetBuildMTime(), input->GetMTime());
-  if (this->PreparedTime > time && this->PreparedInput == input)
+  relevo::Dependencies dependencies =
+    relevo::Dependencies::On(self->GetBuildMTime(), self->GetNoDataMagnitude());
+  dependencies.AddObject(input);
+  if (!this->PreparedDependencies.Update(dependencies))
   {
     return; // built for another actor
   }
-  this->PreparedTime.Modified();
-  this->PreparedInput = input;
   const relevo::LICArray vectors = self->FindArray(input);
   this->HasVectors = vectors.Array != nullptr;
   this->AreOfCells = vectors.IsOfCells;
@@ -100,11 +100,10 @@ void vtkAdaptiveLICMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor* act)
 
   // Other representations show none.
   if (act->GetProperty()->GetRepresentation() != VTK_SURFACE ||
-    lic.CellVectorsTime > lic.PreparedTime)
+    !lic.CellVectorDependencies.Update(lic.PreparedDependencies))
   {
     return;
   }
-  lic.CellVectorsTime.Modified();
   lic.CellVectors.ReleaseGraphicsResources(ren->GetRenderWindow());
   if (lic.HasVectors && lic.AreOfCells)
   {

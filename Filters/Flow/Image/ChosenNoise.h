@@ -9,13 +9,11 @@
 #ifndef ChosenNoise_h
 #define ChosenNoise_h
 
-#include "Image/NoiseTexels.h"
+#include "Core/Dependencies.h"       // for members
+#include "Image/NoiseTexels.h"       // for members
 #include "RelevoFiltersFlowModule.h" // for export macro
-#include "vtkType.h"
 
 #include <string> // for members
-#include <tuple>  // for members
-#include <vector> // for members
 
 class vtkImageData;
 class vtkLICSettings;
@@ -27,7 +25,7 @@ class RELEVOFILTERSFLOW_EXPORT ChosenNoise
 public:
   /**
    * Has the texels that the settings choose; other settings than those of noise change nothing.
-   * False, with GetError() as a sentence, if they cannot be had.
+   * False, with GetError() as a sentence, if they cannot be had; the next call tries again.
    */
   bool Update(vtkLICSettings* settings);
   const NoiseTexels& GetTexels() const { return this->Texels; }
@@ -37,15 +35,11 @@ public:
   int GetVersion() const { return this->Version; }
 
 private:
-  // An image, as it was at a time, a file, and numbers.
-  using Choice = std::tuple<vtkImageData*, vtkMTimeType, std::string, std::vector<double>>;
-  static Choice GetChoice(vtkLICSettings* settings);
-
   bool ReadImage(vtkImageData* image, const std::string& what);
   bool ReadFile(const std::string& fileName);
   bool Generate(vtkLICSettings* settings);
 
-  Choice Last;
+  Dependencies Sources; // of the texels; on nothing where there are none
   int Version = 0;
   NoiseTexels Texels;
   std::string Error;

@@ -10,6 +10,20 @@
 
 namespace relevo
 {
+namespace
+{
+std::string FindError(const char* range, double low, double high)
+{
+  std::ostringstream error;
+  if (low + high >= 1.0)
+  {
+    error << "Low" << range << "ContrastEnhancementFactor " << low << " and High" << range
+          << "ContrastEnhancementFactor " << high << " must add up to less than 1.";
+  }
+  return error.str();
+}
+}
+
 LICKernel MakeLICKernel(vtkLICSettings* settings, double stepSize)
 {
   LICKernel kernel;
@@ -37,14 +51,13 @@ LICPassSettings MakeLICPassSettings(vtkLICSettings* settings, double longest, fl
 
 std::string FindContrastError(vtkLICSettings* settings)
 {
-  const double low = settings->GetLowLICContrastEnhancementFactor();
-  const double high = settings->GetHighLICContrastEnhancementFactor();
-  std::ostringstream error;
-  if (low + high >= 1.0)
-  {
-    error << "LowLICContrastEnhancementFactor " << low << " and HighLICContrastEnhancementFactor "
-          << high << " must add up to less than 1.";
-  }
-  return error.str();
+  return FindError("LIC", settings->GetLowLICContrastEnhancementFactor(),
+    settings->GetHighLICContrastEnhancementFactor());
+}
+
+std::string FindColorContrastError(vtkLICSettings* settings)
+{
+  return FindError("Color", settings->GetLowColorContrastEnhancementFactor(),
+    settings->GetHighColorContrastEnhancementFactor());
 }
 }

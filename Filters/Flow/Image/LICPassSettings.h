@@ -39,8 +39,12 @@ struct LICPassSettings
 RELEVOFILTERSFLOW_EXPORT LICPassSettings MakeLICPassSettings(
   vtkLICSettings* settings, double longest, float noiseMean);
 
-/// Why the range of greys cannot be stretched by these factors, as a sentence; empty if it can.
-std::string FindContrastError(vtkLICSettings* settings);
+//@{
+/// Why the range of greys, or of the lightness of colours, cannot be stretched by these factors, as
+/// a sentence; empty if it can.
+RELEVOFILTERSFLOW_EXPORT std::string FindContrastError(vtkLICSettings* settings);
+RELEVOFILTERSFLOW_EXPORT std::string FindColorContrastError(vtkLICSettings* settings);
+//@}
 }
 
 #endif

@@ -46,7 +46,7 @@ bool LICPasses::Run(std::vector<float>& image, const Watch& watch)
   const bool enhanced = this->Settings.Enhanced;
   const bool stretched = this->Settings.Stretched;
   const int smoothings = this->Settings.NumberOfSmoothings;
-  this->GoOn = watch;
+  this->ProgressWatch = watch;
   this->Done = 0.0;
   this->Total = Cost(first) + (enhanced ? FilterCost + Cost(second) : 0.0) +
     (enhanced && stretched ? FilterCost : 0.0) + (stretched ? FilterCost : 0.0) +
@@ -92,7 +92,7 @@ bool LICPasses::ReplaceUnmasked(std::vector<float>& image, double cost, Function
           }
         }
       });
-    if (!this->GoOn((this->Done + cost * last / rows) / this->Total))
+    if (!this->ProgressWatch((this->Done + cost * last / rows) / this->Total))
     {
       return false;
     }

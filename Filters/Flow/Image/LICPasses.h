@@ -45,7 +45,7 @@ private:
   const LICPlane& Plane;
   const LICVectors& Vectors;
   const LICPassSettings& Settings;
-  Watch GoOn;
+  Watch ProgressWatch;
   double Done = 0.0;  // in convolved steps for each sample
   double Total = 1.0; // the same of the whole
 };

@@ -4,9 +4,9 @@
  * @class   Dependencies
  * @brief   what something was made from, to tell whether it has to be made anew
  *
- * A list of numbers, texts, and objects with the time of what matters of them. All that asks "has
- * it changed?" makes the list of now and compares it with the list of then. Objects are compared,
- * never read.
+ * A list of numbers, texts, and objects with the time of what matters of them. What asks "has it
+ * changed?" compares the list of now with the list of then, or, where it depends on a single time
+ * stamp, compares that as it is. Objects are compared, never read.
  */
 #ifndef Dependencies_h
 #define Dependencies_h

@@ -30,6 +30,8 @@ namespace
 {
 constexpr int ReductionSize = 16; // as in relevoLICRangeFS.glsl
 
+constexpr const char* ShaderProblem = "The shaders of the LIC could not be built.";
+
 void SetSize(vtkShaderProgram* program, const char* name, int width, int height)
 {
   const int size[2] = { width, height };
@@ -130,6 +132,11 @@ vec4 relevoFilter()
 
 LICImage::~LICImage() = default;
 
+const char* LICImage::GetTextureProblem()
+{
+  return "OpenGL cannot make or draw to textures of floating point numbers of the viewport's size.";
+}
+
 bool LICImage::Convolve(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
   LICScreen& screen, vtkTextureObject* noise, const LICPassSettings& settings)
 {
@@ -141,6 +148,7 @@ bool LICImage::Convolve(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObjec
       NewFloatTexture(window, screen.Viewport[2], screen.Viewport[3], 2, false));
     if (!this->Spare)
     {
+      this->Problem = GetTextureProblem();
       return false;
     }
   }
@@ -169,6 +177,7 @@ bool LICImage::ApplyConvolution(
   vtkShaderProgram* program = work.Begin(*this->ConvolvePass);
   if (!program)
   {
+    this->Problem = ShaderProblem;
     return false;
   }
   LICPass::Read(program, "vectors", work.Screen.Vectors);
@@ -205,6 +214,7 @@ bool LICImage::ApplyFilter(Work& work, Filter filter, ivec2 direction, vec2 fact
   vtkShaderProgram* program = work.Begin(pass);
   if (!program)
   {
+    this->Problem = ShaderProblem;
     return false;
   }
   LICPass::Read(program, "image", work.Screen.Image);
@@ -243,6 +253,7 @@ vtkSmartPointer<vtkTextureObject> LICImage::FindRange(
       vtk::TakeSmartPointer(NewFloatTexture(work.Window, smallerWidth, smallerHeight, 2, false));
     if (!program || !target)
     {
+      this->Problem = target ? ShaderProblem : GetTextureProblem();
       return nullptr;
     }
     SetSize(program, "sourceSize", width, height);

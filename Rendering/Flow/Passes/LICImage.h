@@ -46,17 +46,23 @@ public:
   void operator=(const LICImage&) = delete;
 
   /**
-   * Convolve noise along the screen's vectors into its image. False when a program or a texture
-   * cannot be had.
+   * Convolve noise along the screen's vectors into its image. False, with GetProblem(), when a
+   * program or a texture cannot be had.
    */
   bool Convolve(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
     LICScreen& screen, vtkTextureObject* noise, const LICPassSettings& settings);
 
   /**
-   * The range of the lightness of the screen's colours with its LIC.
+   * The range of the lightness of the screen's colours with its LIC. False as above.
    */
   bool FindColorRange(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
     LICScreen& screen, const LICColoring& coloring);
+
+  //@{
+  /// As sentences: what failed, and that a texture did.
+  const char* GetProblem() const { return this->Problem; }
+  static const char* GetTextureProblem();
+  //@}
 
   void ReleaseGraphicsResources(vtkWindow* window);
   vtkTypeInt64 GetMemorySize() const;
@@ -84,6 +90,7 @@ private:
   std::unique_ptr<LICPass> ColorRangePass; // of colours with an image
   std::unique_ptr<LICPass> ReducePass;     // of ranges
   vtkSmartPointer<vtkTextureObject> Spare;
+  const char* Problem = "";
 };
 }
 

@@ -33,7 +33,7 @@ public:
   /// The program, in use; nullptr when it cannot be built.
   vtkShaderProgram* Begin(vtkOpenGLRenderWindow* window);
 
-  /// Have a sampler of the program read a texture, until End().
+  /// Have a sampler of the program read a texture, until that is deactivated.
   static void Read(vtkShaderProgram* program, const char* sampler, vtkTextureObject* texture);
 
   /// Run it over the target, which takes the place of the framebuffer's colours, or over a

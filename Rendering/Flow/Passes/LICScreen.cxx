@@ -29,7 +29,7 @@ bool LICScreen::Allocate(vtkOpenGLRenderWindow* window, bool withColors)
   };
   if (!fits(this->Vectors) || !fits(this->Image) || !fits(this->Depth))
   {
-    this->Key.clear();
+    this->Sources.Clear();
     this->Vectors.TakeReference(NewFloatTexture(window, width, height, 4, true));
     this->Image.TakeReference(NewFloatTexture(window, width, height, 2, false));
     this->Depth = vtkSmartPointer<vtkTextureObject>::New();
@@ -59,10 +59,10 @@ void LICScreen::SetBounds(const double bounds[6], vtkMatrix4x4* project)
   bool isInFront = vtkMath::AreBoundsInitialized(bounds) != 0;
   for (int corner = 0; corner < 8; ++corner)
   {
-    const double world[4] = { bounds[corner & 1], bounds[2 + (corner >> 1 & 1)],
+    const double place[4] = { bounds[corner & 1], bounds[2 + (corner >> 1 & 1)],
       bounds[4 + (corner >> 2)], 1.0 };
     double clip[4];
-    project->MultiplyPoint(world, clip);
+    project->MultiplyPoint(place, clip);
     isInFront = isInFront && clip[3] > 0.0;
     for (int i = 0; i < 2; ++i)
     {
@@ -135,7 +135,7 @@ void LICScreen::ReleaseGraphicsResources(vtkWindow* window)
       *texture = nullptr;
     }
   }
-  this->Key.clear();
+  this->Sources.Clear();
 }
 
 vtkTypeInt64 LICScreen::GetMemorySize() const

@@ -9,10 +9,9 @@
 #ifndef LICScreen_h
 #define LICScreen_h
 
+#include "Core/Dependencies.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
-
-#include <vector> // for the key
 
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
@@ -32,7 +31,7 @@ struct LICScreen
   vtkSmartPointer<vtkTextureObject> Depth;
   vtkSmartPointer<vtkTextureObject> Image; // the LIC, and the vectors' mark
   vtkSmartPointer<vtkTextureObject> Range; // of the colours' lightness, where it is asked for
-  std::vector<double> Key;                 // what Vectors and Image were made from
+  Dependencies Sources;                    // what Vectors and Image were made from
   unsigned long LastUse = 0;
 
   /**
@@ -41,8 +40,8 @@ struct LICScreen
   bool Allocate(vtkOpenGLRenderWindow* window, bool withColors);
 
   /**
-   * Find the rectangle of what lies within bounds: `project` takes the world to the viewport, from
-   * -1 to 1.
+   * Find the rectangle of what lies within bounds: `project` takes them to the viewport, from -1 to
+   * 1.
    */
   void SetBounds(const double bounds[6], vtkMatrix4x4* project);
 

@@ -28,7 +28,7 @@ vec4 relevoLICVector()
   vec3 model = relevoLICScale * relevoLICFieldVSOutput.xyz;
   // What counts as zero to the convolution is zero here: it has no direction.
   float modelLength = length(model) > 1e-18 ? length(model) / relevoLICScale : 0.0;
-  // Behind 0.999 a corner of the face has no vector.
+  // Below 0.999 a corner of the face has no vector.
   if (relevoLICFieldVSOutput.w < 0.999 || !(normalLength > 0.0))
   {
     return none;

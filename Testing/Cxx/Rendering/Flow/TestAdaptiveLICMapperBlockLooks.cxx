@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Streaks follow the visibility and the opacity of blocks, and the sub-piece that is drawn.
+#include "RelevoLICScene.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkMultiBlockDataSetAlgorithm.h"
+#include "vtkProperty.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+namespace
+{
+using namespace RelevoMeshes;
+
+constexpr int Width = 80;
+constexpr int Height = 60;
+
+// Covers pixels from a column on, at a depth.
+Mesh MakeStrip(int firstColumn, int columns, double z)
+{
+  const Mesh mesh = MakePixelMesh(columns, Height, 4,
+    [](double, double, double* vector)
+    {
+      vector[0] = 1.0;
+      vector[1] = 0.5;
+    });
+  const double place[3] = { static_cast<double>(firstColumn), 0.0, z };
+  return Moved(mesh, 1.0, place, VTK_DOUBLE);
+}
+
+// Whether the colour varies in the middle of a half, left (0) or right (1).
+bool HasStreaks(const RelevoPicture& picture, int half)
+{
+  int low = 255;
+  int high = 0;
+  for (int row = 20; row < 40; ++row)
+  {
+    for (int column = 10 + half * Width / 2; column < 30 + half * Width / 2; ++column)
+    {
+      const int red = picture.Colors[3 * (static_cast<std::size_t>(row) * Width + column)];
+      low = std::min(low, red);
+      high = std::max(high, red);
+    }
+  }
+  return high - low > 20;
+}
+
+RelevoPicture Draw(RelevoLICScene& scene)
+{
+  scene.Window->Render();
+  return RelevoPicture(scene.Window);
+}
+
+// A block that reaches to the right border, and one before the left half.
+struct Scene : public RelevoLICScene
+{
+  static constexpr unsigned int Back = 1;
+  static constexpr unsigned int Front = 2;
+
+  explicit Scene(int firstColumn = 0)
+    : RelevoLICScene(Width, Height)
+  {
+    this->Data->SetBlock(0, MakeStrip(firstColumn, Width - firstColumn, 0.0));
+    this->Data->SetBlock(1, MakeStrip(0, Width / 2 - 8, 10.0));
+    this->Mapper = this->Add(this->Data);
+    this->LookAtPixels();
+  }
+
+  vtkNew<vtkMultiBlockDataSet> Data;
+  vtkAdaptiveLICMapper* Mapper;
+};
+
+using Change = std::function<void(Scene&)>;
+
+// What a mapper shows that has drawn nothing else.
+RelevoPicture DrawAlone(const Change& change)
+{
+  Scene scene;
+  change(scene);
+  return Draw(scene);
+}
+
+// Hidden and shown again, a block takes its streaks with it, and leaves the others theirs.
+void TestVisibility(RelevoCheck& check)
+{
+  Scene scene;
+  CHECK(HasStreaks(Draw(scene), 0));
+  vtkIdType convolutions = 1;
+  const auto look = [&](const Change& change, vtkIdType more)
+  {
+    change(scene);
+    const RelevoPicture picture = Draw(scene);
+    CHECK(picture.Colors == DrawAlone(change).Colors);
+    convolutions += more;
+    CHECK(scene.Mapper->GetNumberOfConvolutions() == convolutions);
+    return picture;
+  };
+  const Change hideFront = [](Scene& s) { s.Mapper->SetBlockVisibility(Scene::Front, false); };
+  const Change hideBack = [](Scene& s)
+  {
+    s.Mapper->SetBlockVisibility(Scene::Front, true);
+    s.Mapper->SetBlockVisibility(Scene::Back, false);
+  };
+  const RelevoPicture back = look(hideFront, 1);
+  CHECK(HasStreaks(back, 0) && HasStreaks(back, 1));
+  const RelevoPicture front = look(hideBack, 1);
+  CHECK(HasStreaks(front, 0) && !HasStreaks(front, 1));
+  const RelevoPicture both = look([](Scene& s) { s.Mapper->RemoveBlockVisibilities(); }, 1);
+  CHECK(HasStreaks(both, 0) && HasStreaks(both, 1));
+  // Colours do not matter.
+  scene.Mapper->SetBlockColor(Scene::Front, 1.0, 0.5, 0.5);
+  scene.Render();
+  CHECK(scene.Mapper->GetNumberOfConvolutions() == convolutions);
+}
+
+// One image serves the opaque pass and the translucent one.
+void TestOpacity(RelevoCheck& check)
+{
+  Scene beside(Width / 2);
+  beside.Mapper->SetBlockOpacity(Scene::Front, 0.5);
+  for (int frame = 0; frame < 2; ++frame)
+  {
+    const RelevoPicture picture = Draw(beside);
+    CHECK(HasStreaks(picture, 0) && HasStreaks(picture, 1));
+    CHECK(beside.Mapper->GetNumberOfConvolutions() == 1);
+  }
+
+  // What is clear hides no vectors.
+  Scene scene;
+  scene.Mapper->SetBlockOpacity(Scene::Front, 0.0);
+  CHECK(HasStreaks(Draw(scene), 0));
+  scene.Mapper->SetBlockOpacity(Scene::Front, 1.0);
+  CHECK(Draw(scene).Colors == DrawAlone([](Scene&) {}).Colors);
+  CHECK(scene.Mapper->GetNumberOfConvolutions() == 2);
+}
+
+// The same for the one mesh that is the input.
+void TestMesh(RelevoCheck& check)
+{
+  RelevoLICScene scene(Width, Height);
+  vtkAdaptiveLICMapper* mapper = scene.Add(MakeStrip(0, Width, 0.0));
+  scene.LookAtPixels();
+  mapper->SetBlockVisibility(0, false);
+  CHECK(!HasStreaks(Draw(scene), 0));
+  mapper->SetBlockVisibility(0, true);
+  CHECK(HasStreaks(Draw(scene), 0));
+  scene.Actor->GetProperty()->SetOpacity(0.0);
+  scene.Renderer->GetActiveCamera()->Roll(1.0);
+  CHECK(!HasStreaks(Draw(scene), 0));
+  scene.Actor->GetProperty()->SetOpacity(1.0);
+  CHECK(HasStreaks(Draw(scene), 0));
+}
+
+// One half of the window in each of two pieces.
+class Source : public vtkMultiBlockDataSetAlgorithm
+{
+public:
+  static Source* New() { VTK_STANDARD_NEW_BODY(Source); }
+  vtkTypeMacro(Source, vtkMultiBlockDataSetAlgorithm);
+
+protected:
+  Source() { this->SetNumberOfInputPorts(0); }
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
+  {
+    output->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+    return 1;
+  }
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
+  {
+    const int piece =
+      vtkStreamingDemandDrivenPipeline::GetUpdatePiece(output->GetInformationObject(0));
+    vtkMultiBlockDataSet::GetData(output)->SetBlock(
+      0, MakeStrip(piece * Width / 2, Width / 2 - 8, 0.0));
+    return 1;
+  }
+};
+
+void TestSubPieces(RelevoCheck& check)
+{
+  RelevoLICScene scene(Width, Height);
+  vtkAdaptiveLICMapper* mapper = scene.Add(vtkSmartPointer<vtkMultiBlockDataSet>::New());
+  vtkNew<Source> source;
+  mapper->SetInputConnection(source->GetOutputPort());
+  mapper->SetNumberOfSubPieces(2);
+  scene.LookAtPixels();
+  for (int frame = 0; frame < 2; ++frame)
+  {
+    const RelevoPicture picture = Draw(scene);
+    CHECK(HasStreaks(picture, 0) && HasStreaks(picture, 1));
+  }
+}
+}
+
+int TestAdaptiveLICMapperBlockLooks(int, char*[])
+{
+  RelevoCheck check;
+  TestVisibility(check);
+  TestOpacity(check);
+  TestMesh(check);
+  TestSubPieces(check);
+  return check.GetResult();
+}
