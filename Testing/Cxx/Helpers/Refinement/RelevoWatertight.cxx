@@ -77,51 +77,80 @@ int GetLevel(const std::vector<double>& tags, vtkIdType a, vtkIdType b, int maxi
   return static_cast<int>(std::min<double>(std::max(mean, 0.0), maximumLevel));
 }
 
-std::string FindFault(vtkPolyData* coarse, vtkPolyData* fine, int maximumLevel, bool morphing)
+namespace
 {
-  const std::vector<vtkIdType> places = Weld(coarse->GetPoints(), true);
-  const std::vector<vtkIdType> welded = Weld(fine->GetPoints(), false);
-  const auto coarseTriangles = GetTriangles(coarse, places);
-
-  // Tags of places.
-  std::vector<double> tags;
-  if (vtkDataArray* array = coarse->GetPointData()->GetArray("DepthTag"))
+// A coarse mesh and a fine one: what the first asks of the second. Each step is empty when all is
+// well, else what is wrong.
+class Comparison
+{
+public:
+  Comparison(vtkPolyData* coarse, vtkPolyData* fine, int maximumLevel)
+    : Places(Weld(coarse->GetPoints(), true))
+    , Welded(Weld(fine->GetPoints(), false))
+    , CoarseTriangles(GetTriangles(coarse, this->Places))
+    , MaximumLevel(maximumLevel)
   {
-    tags.assign(places.size(), -1e300);
-    for (size_t i = 0; i < places.size(); ++i)
+    if (vtkDataArray* array = coarse->GetPointData()->GetArray("DepthTag"))
     {
-      tags[places[i]] = std::max(tags[places[i]], array->GetComponent(i, 0));
+      this->Tags.assign(this->Places.size(), -1e300);
+      for (size_t i = 0; i < this->Places.size(); ++i)
+      {
+        double& tag = this->Tags[this->Places[i]];
+        tag = std::max(tag, array->GetComponent(i, 0));
+      }
     }
   }
 
   // Every place is one point of the fine mesh.
-  std::map<vtkIdType, vtkIdType> corners; // place to welded fine point
-  std::set<vtkIdType> isCorner;
-  EdgeUses coarseEdges;
-  for (const auto& triangle : coarseTriangles)
+  std::string FindCorners();
+  std::string FindFineEdges(vtkPolyData* fine, bool morphing);
+  // Edges that are not used once in each direction must be pieces of such coarse edges.
+  std::string CompareOpenEdges();
+  // Nothing is missing or double: Euler's V - E + F is the same before and after.
+  std::string CompareEuler() const;
+
+private:
+  Uses GetFineUses(vtkIdType from, vtkIdType to);
+  bool HasPath(vtkIdType from, vtkIdType next, vtkIdType to, int segments, const Uses& uses);
+
+  std::vector<vtkIdType> Places; // of coarse points
+  std::vector<vtkIdType> Welded; // of fine points
+  std::vector<std::array<vtkIdType, 3>> CoarseTriangles;
+  std::vector<double> Tags; // of places
+  int MaximumLevel;
+
+  std::map<vtkIdType, vtkIdType> Corners; // place to welded fine point
+  std::set<vtkIdType> IsCorner;
+  EdgeUses CoarseEdges;
+
+  EdgeUses FineEdges;
+  size_t NumberOfTriangles = 0;
+  std::map<vtkIdType, std::vector<vtkIdType>> Open; // the other ends of each point's open edges
+};
+
+std::string Comparison::FindCorners()
+{
+  for (const auto& triangle : this->CoarseTriangles)
   {
     for (int i = 0; i < 3; ++i)
     {
-      const vtkIdType place = places[triangle[i]];
-      const vtkIdType point = welded[triangle[i]];
-      const auto known = corners.emplace(place, point);
+      const vtkIdType place = this->Places[triangle[i]];
+      const vtkIdType point = this->Welded[triangle[i]];
+      const auto known = this->Corners.emplace(place, point);
       if (known.first->second != point)
       {
         return "points " + std::to_string(place) + " and " + std::to_string(triangle[i]) +
           " lie at one place and come apart";
       }
-      isCorner.insert(point);
-      Use(coarseEdges, place, places[triangle[(i + 1) % 3]]);
+      this->IsCorner.insert(point);
+      Use(this->CoarseEdges, place, this->Places[triangle[(i + 1) % 3]]);
     }
   }
-  if (isCorner.size() != corners.size())
-  {
-    return "two places became one";
-  }
+  return this->IsCorner.size() == this->Corners.size() ? "" : "two places became one";
+}
 
-  // Edges that are not used once in each direction must be pieces of such coarse edges.
-  EdgeUses fineEdges;
-  size_t numberOfTriangles = 0;
+std::string Comparison::FindFineEdges(vtkPolyData* fine, bool morphing)
+{
   vtkIdType size;
   const vtkIdType* ids;
   auto polys = vtk::TakeSmartPointer(fine->GetPolys()->NewIterator());
@@ -132,7 +161,7 @@ std::string FindFault(vtkPolyData* coarse, vtkPolyData* fine, int maximumLevel, 
     {
       return "a cell that is no triangle";
     }
-    const vtkIdType w[3] = { welded[ids[0]], welded[ids[1]], welded[ids[2]] };
+    const vtkIdType w[3] = { this->Welded[ids[0]], this->Welded[ids[1]], this->Welded[ids[2]] };
     if (w[0] == w[1] || w[1] == w[2] || w[2] == w[0])
     {
       if (morphing)
@@ -141,54 +170,67 @@ std::string FindFault(vtkPolyData* coarse, vtkPolyData* fine, int maximumLevel, 
       }
       return "a triangle with two corners at one place";
     }
-    ++numberOfTriangles;
+    ++this->NumberOfTriangles;
     for (int i = 0; i < 3; ++i)
     {
-      Use(fineEdges, w[i], w[(i + 1) % 3]);
+      Use(this->FineEdges, w[i], w[(i + 1) % 3]);
     }
   }
+  return "";
+}
+
+Uses Comparison::GetFineUses(vtkIdType from, vtkIdType to)
+{
+  const Uses uses = this->FineEdges[{ std::min(from, to), std::max(from, to) }];
+  return from < to ? uses : Uses(uses.second, uses.first);
+}
+
+// Whether that many open edges with these uses lead from one corner by way of `next` to the other.
+bool Comparison::HasPath(
+  vtkIdType from, vtkIdType next, vtkIdType to, int segments, const Uses& uses)
+{
+  vtkIdType last = from;
+  vtkIdType here = next;
+  int length = 1;
+  bool same = this->GetFineUses(last, here) == uses;
+  while (same && !this->IsCorner.count(here) && this->Open[here].size() == 2 && length < segments)
+  {
+    const vtkIdType onward = this->Open[here][this->Open[here][0] == last ? 1 : 0];
+    last = here;
+    here = onward;
+    same = this->GetFineUses(last, here) == uses;
+    ++length;
+  }
+  return same && here == to && length == segments;
+}
+
+std::string Comparison::CompareOpenEdges()
+{
   const Uses inside(1, 1);
-  std::map<vtkIdType, std::vector<vtkIdType>> open;
   size_t numberOfOpen = 0;
-  for (const auto& edge : fineEdges)
+  for (const auto& edge : this->FineEdges)
   {
     if (edge.second != inside)
     {
-      open[edge.first.first].push_back(edge.first.second);
-      open[edge.first.second].push_back(edge.first.first);
+      this->Open[edge.first.first].push_back(edge.first.second);
+      this->Open[edge.first.second].push_back(edge.first.first);
       ++numberOfOpen;
     }
   }
-  auto usesFrom = [&fineEdges](vtkIdType a, vtkIdType b)
-  {
-    const Uses uses = fineEdges[{ std::min(a, b), std::max(a, b) }];
-    return a < b ? uses : Uses(uses.second, uses.first);
-  };
-  for (const auto& edge : coarseEdges)
+  for (const auto& edge : this->CoarseEdges)
   {
     if (edge.second == inside)
     {
       continue;
     }
-    const vtkIdType from = corners[edge.first.first];
-    const vtkIdType to = corners[edge.first.second];
-    const int segments = 1 << GetLevel(tags, edge.first.first, edge.first.second, maximumLevel);
+    const vtkIdType from = this->Corners[edge.first.first];
+    const vtkIdType to = this->Corners[edge.first.second];
+    const int segments =
+      1 << GetLevel(this->Tags, edge.first.first, edge.first.second, this->MaximumLevel);
     bool found = false;
-    for (vtkIdType next : open[from])
+    for (vtkIdType next : this->Open[from])
     {
-      vtkIdType last = from;
-      vtkIdType here = next;
-      int length = 1;
-      bool same = usesFrom(last, here) == edge.second;
-      while (same && !isCorner.count(here) && open[here].size() == 2 && length < segments)
-      {
-        const vtkIdType onward = open[here][open[here][0] == last ? 1 : 0];
-        last = here;
-        here = onward;
-        same = usesFrom(last, here) == edge.second;
-        ++length;
-      }
-      found |= same && here == to && length == segments;
+      found |= this->HasPath(from, next, to, segments, edge.second);
     }
     if (!found)
     {
@@ -197,26 +239,41 @@ std::string FindFault(vtkPolyData* coarse, vtkPolyData* fine, int maximumLevel, 
     }
     numberOfOpen -= segments;
   }
-  if (numberOfOpen != 0)
-  {
-    return std::to_string(numberOfOpen) + " fine edges that should not be open";
-  }
+  return numberOfOpen == 0 ? ""
+                           : std::to_string(numberOfOpen) + " fine edges that should not be open";
+}
 
-  // Nothing is missing or double: Euler's V - E + F is the same before and after.
+std::string Comparison::CompareEuler() const
+{
   std::set<vtkIdType> used;
-  for (const auto& edge : fineEdges)
+  for (const auto& edge : this->FineEdges)
   {
     used.insert(edge.first.first);
     used.insert(edge.first.second);
   }
   const auto euler = [](size_t v, size_t e, size_t f)
   { return static_cast<long>(v) - static_cast<long>(e) + static_cast<long>(f); };
-  const long before = euler(corners.size(), coarseEdges.size(), coarseTriangles.size());
-  const long after = euler(used.size(), fineEdges.size(), numberOfTriangles);
-  if (before != after)
+  const long before =
+    euler(this->Corners.size(), this->CoarseEdges.size(), this->CoarseTriangles.size());
+  const long after = euler(used.size(), this->FineEdges.size(), this->NumberOfTriangles);
+  return before == after
+    ? ""
+    : "Euler characteristic " + std::to_string(after) + ", not " + std::to_string(before);
+}
+}
+
+std::string FindFault(vtkPolyData* coarse, vtkPolyData* fine, int maximumLevel, bool morphing)
+{
+  Comparison comparison(coarse, fine, maximumLevel);
+  std::string fault = comparison.FindCorners();
+  if (fault.empty())
   {
-    return "Euler characteristic " + std::to_string(after) + ", not " + std::to_string(before);
+    fault = comparison.FindFineEdges(fine, morphing);
   }
-  return "";
+  if (fault.empty())
+  {
+    fault = comparison.CompareOpenEdges();
+  }
+  return fault.empty() ? comparison.CompareEuler() : fault;
 }
 }
