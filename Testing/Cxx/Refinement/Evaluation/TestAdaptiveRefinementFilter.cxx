@@ -26,6 +26,7 @@
 #include <cmath>
 #include <iostream>
 #include <limits>
+#include <numeric>
 
 using namespace RelevoMeshes;
 
@@ -160,6 +161,87 @@ void testEdgeLevels(RelevoCheck& check)
   CHECK(refine(triangle, recipe)->GetNumberOfPolys() == 16);
 }
 
+// Normals of triangles of twice their area: summed up, and their lengths summed up.
+struct Area
+{
+  void Add(const double p[3][3])
+  {
+    double normal[3];
+    vtkTriangle::ComputeNormalDirection(p[0], p[1], p[2], normal);
+    vtkMath::Add(this->Vector, normal, this->Vector);
+    this->Sum += vtkMath::Norm(normal);
+  }
+  double Vector[3] = { 0, 0, 0 };
+  double Sum = 0.0;
+};
+
+// Of the pieces of each coarse cell, which lie inside it.
+std::vector<Area> getFineAreas(RelevoCheck& check, vtkPolyData* mesh, vtkPolyData* refined)
+{
+  vtkDataArray* originals = refined->GetCellData()->GetArray("vtkOriginalCellIds");
+  CHECK(vtkIdTypeArray::SafeDownCast(originals) != nullptr);
+  const vtkIdType n = mesh->GetNumberOfCells();
+  std::vector<Area> areas(static_cast<size_t>(n));
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < refined->GetNumberOfCells(); ++cell)
+  {
+    const vtkIdType original = static_cast<vtkIdType>(originals->GetTuple1(cell));
+    CHECK(original >= 0 && original < n);
+    if (refined->GetCellType(cell) != VTK_TRIANGLE)
+    {
+      CHECK(original == cell);
+      continue;
+    }
+    double p[3][3];
+    refined->GetCellPoints(cell, ids);
+    double bounds[6];
+    mesh->GetCell(original)->GetBounds(bounds);
+    for (int i = 0; i < 3; ++i)
+    {
+      refined->GetPoint(ids->GetId(i), p[i]);
+      for (int c = 0; c < 3; ++c)
+      {
+        CHECK(p[i][c] >= bounds[2 * c] - 1e-6 && p[i][c] <= bounds[2 * c + 1] + 1e-6);
+      }
+    }
+    areas[original].Add(p);
+  }
+  return areas;
+}
+
+// Of a coarse cell; of none that is no polygon or strip.
+Area getCoarseArea(vtkPolyData* mesh, vtkIdType cell)
+{
+  vtkNew<vtkPolyData> one;
+  one->SetPoints(mesh->GetPoints());
+  vtkNew<vtkIdList> ids;
+  vtkNew<vtkCellArray> cells;
+  mesh->GetCellPoints(cell, ids);
+  cells->InsertNextCell(ids);
+  const int type = mesh->GetCellType(cell);
+  if (type == VTK_TRIANGLE_STRIP)
+  {
+    one->SetStrips(cells);
+  }
+  else if (mesh->GetCell(cell)->GetCellDimension() == 2)
+  {
+    one->SetPolys(cells);
+  }
+  std::vector<vtkIdType> places(static_cast<size_t>(mesh->GetNumberOfPoints()));
+  std::iota(places.begin(), places.end(), vtkIdType(0));
+  Area area;
+  for (const auto& triangle : RelevoWatertight::GetTriangles(one, places))
+  {
+    double p[3][3];
+    for (int i = 0; i < 3; ++i)
+    {
+      mesh->GetPoint(triangle[i], p[i]);
+    }
+    area.Add(p);
+  }
+  return area;
+}
+
 // The pieces of each coarse cell make up its area, on its side, inside it.
 void testWinding(RelevoCheck& check)
 {
@@ -171,77 +253,14 @@ void testWinding(RelevoCheck& check)
     for (unsigned int seed = 0; seed < 5; ++seed)
     {
       AddTags(mesh, seed, 5);
-      Mesh refined = refine(mesh, recipe);
-      vtkDataArray* originals = refined->GetCellData()->GetArray("vtkOriginalCellIds");
-      CHECK(vtkIdTypeArray::SafeDownCast(originals) != nullptr);
-      const vtkIdType n = mesh->GetNumberOfCells();
-      std::vector<std::array<double, 3>> areas(static_cast<size_t>(n), { { 0, 0, 0 } });
-      std::vector<double> sums(static_cast<size_t>(n), 0.0);
-      vtkNew<vtkIdList> ids;
-      for (vtkIdType cell = 0; cell < refined->GetNumberOfCells(); ++cell)
+      const auto fine = getFineAreas(check, mesh, refine(mesh, recipe));
+      for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
       {
-        const vtkIdType original = static_cast<vtkIdType>(originals->GetTuple1(cell));
-        CHECK(original >= 0 && original < n);
-        if (refined->GetCellType(cell) != VTK_TRIANGLE)
-        {
-          CHECK(original == cell);
-          continue;
-        }
-        double p[3][3];
-        double normal[3];
-        refined->GetCellPoints(cell, ids);
-        double bounds[6];
-        mesh->GetCell(original)->GetBounds(bounds);
-        for (int i = 0; i < 3; ++i)
-        {
-          refined->GetPoint(ids->GetId(i), p[i]);
-          for (int c = 0; c < 3; ++c)
-          {
-            CHECK(p[i][c] >= bounds[2 * c] - 1e-6 && p[i][c] <= bounds[2 * c + 1] + 1e-6);
-          }
-        }
-        vtkTriangle::ComputeNormalDirection(p[0], p[1], p[2], normal);
-        vtkMath::Add(areas[original].data(), normal, areas[original].data());
-        sums[original] += vtkMath::Norm(normal);
-      }
-      for (vtkIdType cell = 0; cell < n; ++cell)
-      {
-        // The same of the coarse cell.
-        double area[3] = { 0, 0, 0 };
-        double sum = 0.0;
-        vtkNew<vtkPolyData> one;
-        one->SetPoints(mesh->GetPoints());
-        vtkNew<vtkCellArray> cells;
-        mesh->GetCellPoints(cell, ids);
-        cells->InsertNextCell(ids);
-        const int type = mesh->GetCellType(cell);
-        if (type == VTK_TRIANGLE_STRIP)
-        {
-          one->SetStrips(cells);
-        }
-        else if (mesh->GetCell(cell)->GetCellDimension() == 2)
-        {
-          one->SetPolys(cells);
-        }
-        std::vector<vtkIdType> places(static_cast<size_t>(mesh->GetNumberOfPoints()));
-        for (size_t i = 0; i < places.size(); ++i)
-        {
-          places[i] = static_cast<vtkIdType>(i);
-        }
-        for (const auto& triangle : RelevoWatertight::GetTriangles(one, places))
-        {
-          double p[3][3];
-          double normal[3];
-          for (int i = 0; i < 3; ++i)
-          {
-            mesh->GetPoint(triangle[i], p[i]);
-          }
-          vtkTriangle::ComputeNormalDirection(p[0], p[1], p[2], normal);
-          vtkMath::Add(area, normal, area);
-          sum += vtkMath::Norm(normal);
-        }
-        CHECK(std::sqrt(vtkMath::Distance2BetweenPoints(area, areas[cell].data())) <= 1e-5 * sum);
-        CHECK_NEAR(sums[cell], sum, 1e-5 * sum);
+        const Area area = getCoarseArea(mesh, cell);
+        const double sum = area.Sum;
+        CHECK(
+          std::sqrt(vtkMath::Distance2BetweenPoints(area.Vector, fine[cell].Vector)) <= 1e-5 * sum);
+        CHECK_NEAR(fine[cell].Sum, sum, 1e-5 * sum);
       }
     }
   }

@@ -25,6 +25,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <string>
+#include <vector>
 
 using namespace RelevoMeshes;
 
@@ -53,12 +55,12 @@ void addField(vtkPolyData* mesh, const char* name, int components)
   mesh->GetPointData()->AddArray(array);
 }
 
-void testPointData(RelevoCheck& check)
+// Arrays that hold, component by component, a field that is linear in space.
+const std::vector<const char*> LinearFields = { "double", "float", "int", "long", "colours",
+  "vectors", "five", "apart", "apart integers" };
+
+void addLinearFields(vtkPolyData* mesh)
 {
-  // A cube from 0 to 4: the field is whole at its corners.
-  const double middle[3] = { 2, 2, 2 };
-  Mesh mesh = Moved(Cube(), 4.0, middle, VTK_DOUBLE);
-  AddTags(mesh, 3, 5);
   addField<vtkDoubleArray>(mesh, "double", 1);
   addField<vtkFloatArray>(mesh, "float", 1);
   addField<vtkIntArray>(mesh, "int", 1);
@@ -68,16 +70,12 @@ void testPointData(RelevoCheck& check)
   addField<vtkFloatArray>(mesh, "five", 5);
   addField<vtkSOADataArrayTemplate<double>>(mesh, "apart", 2);
   addField<vtkSOADataArrayTemplate<int>>(mesh, "apart integers", 2);
-  const std::vector<const char*> names = { "double", "float", "int", "long", "colours", "vectors",
-    "five", "apart", "apart integers" };
-  vtkPointData* data = mesh->GetPointData();
-  data->SetActiveScalars("colours");
-  data->SetActiveVectors("vectors");
-  vtkNew<vtkLookupTable> lut;
-  data->GetArray("double")->SetLookupTable(lut);
-  data->GetArray("vectors")->SetComponentName(1, "second");
-  data->GetNormals()->SetName("given normals");
+}
 
+// Arrays that are not interpolated: words, bits, ids, ghosts, large integers, one without a name,
+// one that is too short.
+void addOtherPointArrays(vtkPolyData* mesh)
+{
   vtkNew<vtkStringArray> strings;
   strings->SetName("strings");
   vtkNew<vtkBitArray> bits;
@@ -101,34 +99,41 @@ void testPointData(RelevoCheck& check)
     large->InsertNextValue(std::numeric_limits<std::int64_t>::max() - (i % 2));
     unnamed->InsertNextValue(7.0f);
   }
-  data->AddArray(strings);
-  data->AddArray(bits);
-  data->AddArray(ghosts);
-  data->AddArray(large);
-  data->AddArray(unnamed);
-  data->SetGlobalIds(globalIds);
-  data->SetPedigreeIds(pedigreeIds);
   vtkNew<vtkDoubleArray> tooShort;
   tooShort->SetName("short");
   tooShort->InsertNextValue(1.0);
+  vtkPointData* data = mesh->GetPointData();
+  for (vtkAbstractArray* array :
+    std::initializer_list<vtkAbstractArray*>{ strings, bits, ghosts, large, unnamed })
+  {
+    data->AddArray(array);
+  }
+  data->SetGlobalIds(globalIds);
+  data->SetPedigreeIds(pedigreeIds);
   data->AddArray(tooShort);
+}
 
-  vtkNew<vtkAdaptiveRefinement> recipe;
-  recipe->SetMaximumLevel(4);
+// The filter's output, after the warning about the array that is too short.
+Mesh refineWithShortArray(RelevoCheck& check, vtkPolyData* mesh, vtkAdaptiveRefinement* recipe)
+{
   vtkNew<vtkAdaptiveRefinementFilter> filter;
   RelevoErrors errors(filter);
   filter->SetInputData(mesh);
   filter->SetRefinement(recipe);
   filter->Update();
   CHECK(errors.Warned("short"));
-  Mesh refined = filter->GetOutput();
-  vtkPointData* result = refined->GetPointData();
+  return filter->GetOutput();
+}
+
+// Linear fields stay linear, up to the rounding of integers.
+void checkLinearFields(RelevoCheck& check, vtkPolyData* mesh, vtkPolyData* refined)
+{
   const vtkIdType n = refined->GetNumberOfPoints();
   CHECK(n > 200);
-  for (const char* name : names)
+  for (const char* name : LinearFields)
   {
-    vtkDataArray* from = data->GetArray(name);
-    vtkDataArray* to = result->GetArray(name);
+    vtkDataArray* from = mesh->GetPointData()->GetArray(name);
+    vtkDataArray* to = refined->GetPointData()->GetArray(name);
     if (!CHECK(to && to->GetNumberOfTuples() == n))
     {
       continue;
@@ -145,25 +150,43 @@ void testPointData(RelevoCheck& check)
       }
     }
   }
+}
+
+std::string getWords(vtkPolyData* mesh, vtkIdType point)
+{
+  auto* strings = static_cast<vtkStringArray*>(mesh->GetPointData()->GetAbstractArray("strings"));
+  return strings->GetValue(point);
+}
+
+vtkTypeInt64 getLarge(vtkPolyData* mesh, vtkIdType point)
+{
+  return static_cast<vtkTypeInt64Array*>(mesh->GetPointData()->GetArray("large"))->GetValue(point);
+}
+
+// The input's points come first, with all their digits; others take values of one of them.
+void checkOtherPointArrays(RelevoCheck& check, vtkPolyData* mesh, vtkPolyData* refined)
+{
+  vtkPointData* result = refined->GetPointData();
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
-    // The input's points come first, with all their digits.
     CHECK(vtkMath::Distance2BetweenPoints(refined->GetPoint(i), mesh->GetPoint(i)) == 0.0);
-    CHECK(static_cast<vtkStringArray*>(result->GetAbstractArray("strings"))->GetValue(i) ==
-      "point " + std::to_string(i));
-    CHECK(static_cast<vtkTypeInt64Array*>(result->GetArray("large"))->GetValue(i) ==
-      large->GetValue(i));
+    CHECK(getWords(refined, i) == "point " + std::to_string(i));
+    CHECK(getLarge(refined, i) == getLarge(mesh, i));
     CHECK(result->GetArray("bits")->GetTuple1(i) == i % 2);
   }
-  for (vtkIdType i = 0; i < n; ++i)
+  for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
   {
-    CHECK(static_cast<vtkStringArray*>(result->GetAbstractArray("strings"))
-            ->GetValue(i)
-            .find("point ") == 0);
+    CHECK(getWords(refined, i).find("point ") == 0);
     const double ghost = result->GetArray("vtkGhostType")->GetTuple1(i);
     CHECK(ghost == 0.0 || ghost == 4.0);
-    CHECK(static_cast<vtkTypeInt64Array*>(result->GetArray("large"))->GetValue(i) > 0);
+    CHECK(getLarge(refined, i) > 0);
   }
+}
+
+// What arrays stand for, and what else they hold; ids and arrays that are too short are gone.
+void checkPointAttributes(RelevoCheck& check, vtkPolyData* refined, vtkLookupTable* lut)
+{
+  vtkPointData* result = refined->GetPointData();
   CHECK(result->GetScalars() && result->GetScalars()->GetName() == std::string("colours"));
   CHECK(result->GetVectors() && result->GetVectors()->GetName() == std::string("vectors"));
   CHECK(result->GetTCoords() && result->GetTCoords()->GetName() == std::string("TCoords"));
@@ -174,7 +197,31 @@ void testPointData(RelevoCheck& check)
   CHECK(!result->GetGlobalIds() && !result->GetArray("global"));
   CHECK(!result->GetPedigreeIds() && !result->GetArray("pedigree"));
   CHECK(!result->GetArray("short"));
-  CHECK(result->GetArray("DepthTag")->GetNumberOfTuples() == n);
+  CHECK(result->GetArray("DepthTag")->GetNumberOfTuples() == refined->GetNumberOfPoints());
+}
+
+void testPointData(RelevoCheck& check)
+{
+  // A cube from 0 to 4: the field is whole at its corners.
+  const double middle[3] = { 2, 2, 2 };
+  Mesh mesh = Moved(Cube(), 4.0, middle, VTK_DOUBLE);
+  AddTags(mesh, 3, 5);
+  addLinearFields(mesh);
+  vtkPointData* data = mesh->GetPointData();
+  data->SetActiveScalars("colours");
+  data->SetActiveVectors("vectors");
+  vtkNew<vtkLookupTable> lut;
+  data->GetArray("double")->SetLookupTable(lut);
+  data->GetArray("vectors")->SetComponentName(1, "second");
+  data->GetNormals()->SetName("given normals");
+  addOtherPointArrays(mesh);
+
+  vtkNew<vtkAdaptiveRefinement> recipe;
+  recipe->SetMaximumLevel(4);
+  Mesh refined = refineWithShortArray(check, mesh, recipe);
+  checkLinearFields(check, mesh, refined);
+  checkOtherPointArrays(check, mesh, refined);
+  checkPointAttributes(check, refined, lut);
 }
 
 // Normals are unit vectors, also where the given ones are of any length or unusable.
@@ -267,11 +314,9 @@ void testNaN(RelevoCheck& check)
   }
 }
 
-void testCellData(RelevoCheck& check)
+// One array of every kind, a value for each cell, and field data.
+void addCellData(vtkPolyData* mesh)
 {
-  Mesh mesh = Mixed();
-  AddTags(mesh, 4, 4);
-  vtkCellData* data = mesh->GetCellData();
   vtkNew<vtkIntArray> integers;
   integers->SetName("integers");
   vtkNew<vtkUnsignedCharArray> colours;
@@ -291,8 +336,7 @@ void testCellData(RelevoCheck& check)
   vtkNew<vtkDoubleArray> tooShort;
   tooShort->SetName("short");
   tooShort->InsertNextValue(1.0);
-  const vtkIdType n = mesh->GetNumberOfCells();
-  for (vtkIdType i = 0; i < n; ++i)
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
   {
     integers->InsertNextValue(static_cast<int>(100 + i));
     colours->InsertNextTuple3(i, 2 * i, 3 * i);
@@ -302,6 +346,7 @@ void testCellData(RelevoCheck& check)
     originals->InsertNextValue(77);
     bits->InsertNextValue(i % 2);
   }
+  vtkCellData* data = mesh->GetCellData();
   for (vtkAbstractArray* array :
     std::initializer_list<vtkAbstractArray*>{ integers, strings, originals, bits, tooShort })
   {
@@ -314,24 +359,12 @@ void testCellData(RelevoCheck& check)
   note->SetName("note");
   note->InsertNextValue("kept");
   mesh->GetFieldData()->AddArray(note);
+}
 
-  vtkNew<vtkAdaptiveRefinement> recipe;
-  recipe->SetMaximumLevel(3);
-  vtkNew<vtkAdaptiveRefinementFilter> filter;
-  RelevoErrors errors(filter);
-  filter->SetInputData(mesh);
-  filter->SetRefinement(recipe);
-  filter->Update();
-  CHECK(errors.Warned("short"));
-  Mesh refined = filter->GetOutput();
+// Every cell has the values of the one that it is a piece of, and each of those has pieces.
+void checkPieces(RelevoCheck& check, vtkPolyData* refined, vtkIdTypeArray* ids, vtkIdType n)
+{
   vtkCellData* result = refined->GetCellData();
-  CHECK(refined->GetNumberOfVerts() == 2 && refined->GetNumberOfLines() == 1);
-  CHECK(refined->GetNumberOfStrips() == 0);
-  vtkIdTypeArray* ids = vtkIdTypeArray::SafeDownCast(result->GetArray("vtkOriginalCellIds"));
-  if (!CHECK(ids && ids->GetNumberOfTuples() == refined->GetNumberOfCells()))
-  {
-    return;
-  }
   std::vector<int> pieces(static_cast<size_t>(n), 0);
   for (vtkIdType cell = 0; cell < refined->GetNumberOfCells(); ++cell)
   {
@@ -349,6 +382,26 @@ void testCellData(RelevoCheck& check)
   {
     CHECK(count > 0);
   }
+}
+
+void testCellData(RelevoCheck& check)
+{
+  Mesh mesh = Mixed();
+  AddTags(mesh, 4, 4);
+  addCellData(mesh);
+
+  vtkNew<vtkAdaptiveRefinement> recipe;
+  recipe->SetMaximumLevel(3);
+  Mesh refined = refineWithShortArray(check, mesh, recipe);
+  vtkCellData* result = refined->GetCellData();
+  CHECK(refined->GetNumberOfVerts() == 2 && refined->GetNumberOfLines() == 1);
+  CHECK(refined->GetNumberOfStrips() == 0);
+  vtkIdTypeArray* ids = vtkIdTypeArray::SafeDownCast(result->GetArray("vtkOriginalCellIds"));
+  if (!CHECK(ids && ids->GetNumberOfTuples() == refined->GetNumberOfCells()))
+  {
+    return;
+  }
+  checkPieces(check, refined, ids, mesh->GetNumberOfCells());
   CHECK(result->GetScalars()->GetName() == std::string("colours"));
   CHECK(!result->GetGlobalIds());
   CHECK(result->GetNormals() != nullptr);
@@ -362,7 +415,7 @@ void testCellData(RelevoCheck& check)
   CHECK(line->GetNumberOfIds() == 3 && line->GetId(2) == 2);
 
   // Normals of flat cells do not describe what they become.
-  data->RemoveArray("short");
+  mesh->GetCellData()->RemoveArray("short");
   vtkNew<vtkPNTriangleSurface> pn;
   recipe->SetSurface(pn);
   CHECK(!Refine(mesh, recipe)->GetCellData()->GetNormals());

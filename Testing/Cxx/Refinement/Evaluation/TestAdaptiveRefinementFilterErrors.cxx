@@ -253,6 +253,153 @@ void testDisplacement(RelevoCheck& check)
   CHECK(filter->GetOutput()->GetNumberOfLines() == 1);
 }
 
+void testNoCells(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter)
+{
+  filter->SetInputData(Make());
+  expectError(check, filter, "no cells");
+  Mesh loose = Make();
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(1.0, 2.0, 3.0);
+  loose->SetPoints(points);
+  filter->SetInputData(loose);
+  expectError(check, filter, "no cells");
+}
+
+// Cells without their points, of all four kinds.
+void testMissingPoints(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter)
+{
+  for (int cells = 0; cells < 4; ++cells)
+  {
+    for (vtkIdType bad : { vtkIdType(8), vtkIdType(-1), vtkIdType(1) << 40 })
+    {
+      Mesh mesh = Sphere(3, 4);
+      const vtkIdType known = mesh->GetNumberOfPoints();
+      CHECK(known == 8);
+      vtkNew<vtkCellArray> broken;
+      broken->InsertNextCell({ 0, 1, bad });
+      cells == 0     ? mesh->SetVerts(broken)
+        : cells == 1 ? mesh->SetLines(broken)
+        : cells == 2 ? mesh->SetPolys(broken)
+                     : mesh->SetStrips(broken);
+      filter->SetInputData(mesh);
+      expectError(check, filter, "refers to point " + std::to_string(bad));
+    }
+  }
+  Mesh noPoints = Make();
+  noPoints->SetPolys(Sphere(3, 4)->GetPolys());
+  filter->SetInputData(noPoints);
+  expectError(check, filter, "refers to point");
+}
+
+// Points that are not finite: their triangles are dropped, with a warning, and they too.
+void testInfinitePoints(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter)
+{
+  for (double bad : { NaN, Infinity, -Infinity, 1e300 })
+  {
+    Mesh mesh = Moved(Sphere(6, 5), 1.0, std::array<double, 3>{ { 0, 0, 0 } }.data(), VTK_DOUBLE);
+    mesh->GetPoints()->SetPoint(9, 0.1, bad, 0.2);
+    int around = 0;
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+    {
+      mesh->GetCellPoints(cell, ids);
+      around += ids->IsId(9) >= 0 ? 1 : 0;
+    }
+    filter->SetInputData(mesh);
+    if (bad == 1e300)
+    {
+      // The middle is so far away that no point is within a float's reach of it.
+      expectError(check, filter, "farther than");
+      continue;
+    }
+    RelevoErrors errors(filter);
+    expectSuccess(check, filter);
+    CHECK(errors.Warned(std::to_string(around) + " degenerate"));
+    CHECK(filter->GetOutput()->GetNumberOfPolys() == (mesh->GetNumberOfPolys() - around) * 16);
+  }
+}
+
+// Degenerate cells are counted.
+void testDegenerateCells(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter)
+{
+  Mesh degenerate = Sphere(6, 5);
+  degenerate->GetPolys()->InsertNextCell({ 1, 1, 2 });
+  degenerate->GetPolys()->InsertNextCell({ 1, 2 });
+  degenerate->GetPolys()->InsertNextCell({ 5 });
+  vtkNew<vtkCellArray> strips;
+  strips->InsertNextCell({ 1, 2, 2, 3 });
+  degenerate->SetStrips(strips);
+  filter->SetInputData(degenerate);
+  {
+    RelevoErrors errors(filter);
+    expectSuccess(check, filter);
+    CHECK(errors.Warned("5 degenerate"));
+  }
+  // Nothing but those: an empty mesh.
+  Mesh nothing = FromTriangles({ { { 0, 0, 0 } }, { { 1, 0, 0 } } }, { { { 0, 1, 1 } } });
+  filter->SetInputData(nothing);
+  {
+    RelevoErrors errors(filter);
+    CHECK(filter->GetExecutive()->Update() == 1);
+    CHECK(errors.Warned("1 degenerate"));
+    CHECK(filter->GetOutput()->GetNumberOfCells() == 0);
+  }
+}
+
+// At the ends of what floats hold; slivers.
+void testSizes(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter)
+{
+  for (double scale : { 1e-30, 1e-18, 1e15, 1e25 })
+  {
+    filter->SetInputData(
+      Moved(Sphere(6, 5), scale, std::array<double, 3>{ { 0, 0, 0 } }.data(), VTK_FLOAT));
+    expectSuccess(check, filter);
+    CHECK(filter->GetOutput()->GetNumberOfPolys() > 0);
+  }
+  // A sphere closed to rounding only, with slivers of 1e-17 at a pole; without normals, too.
+  vtkNew<vtkTexturedSphereSource> source;
+  source->Update();
+  filter->SetInputData(source->GetOutput());
+  RelevoErrors errors(filter);
+  expectSuccess(check, filter);
+  source->GetOutput()->GetPointData()->SetNormals(nullptr);
+  expectSuccess(check, filter);
+}
+
+// Normals that cannot be used are computed.
+void testNormals(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter)
+{
+  Mesh sphere = Sphere(6, 5);
+  vtkDataArray* normals = sphere->GetPointData()->GetNormals();
+  for (vtkIdType i = 0; i < normals->GetNumberOfTuples(); ++i)
+  {
+    normals->SetComponent(i, 1, i % 2 ? NaN : Infinity);
+  }
+  filter->SetInputData(sphere);
+  expectSuccess(check, filter);
+  // Fewer normals than points.
+  normals->SetNumberOfTuples(3);
+  filter->SetInputData(sphere);
+  expectSuccess(check, filter);
+}
+
+// A bad block does not take the others with it.
+void testBlocks(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, Make());
+  blocks->SetBlock(1, Sphere(6, 5));
+  filter->SetInputDataObject(blocks);
+  RelevoErrors errors(filter);
+  RelevoErrors executive(filter->GetExecutive());
+  filter->Update();
+  CHECK(errors.Said("no cells"));
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  auto* second = output ? vtkPolyData::SafeDownCast(output->GetBlock(1)) : nullptr;
+  CHECK(second && second->GetNumberOfPolys() > 0);
+}
+
+// With all combinations of surface and displacement.
 void testMeshes(RelevoCheck& check)
 {
   vtkNew<vtkPNTriangleSurface> pn;
@@ -266,132 +413,14 @@ void testMeshes(RelevoCheck& check)
   {
     recipe->SetSurface(kind % 2 ? pn.Get() : nullptr);
     recipe->SetDisplacement(kind / 2 ? displacement.Get() : nullptr);
-
-    filter->SetInputData(Make());
-    expectError(check, filter, "no cells");
-    Mesh loose = Make();
-    vtkNew<vtkPoints> points;
-    points->InsertNextPoint(1.0, 2.0, 3.0);
-    loose->SetPoints(points);
-    filter->SetInputData(loose);
-    expectError(check, filter, "no cells");
-
-    // Cells without their points, of all four kinds.
-    for (int cells = 0; cells < 4; ++cells)
-    {
-      for (vtkIdType bad : { vtkIdType(8), vtkIdType(-1), vtkIdType(1) << 40 })
-      {
-        Mesh mesh = Sphere(3, 4);
-        const vtkIdType known = mesh->GetNumberOfPoints();
-        CHECK(known == 8);
-        vtkNew<vtkCellArray> broken;
-        broken->InsertNextCell({ 0, 1, bad });
-        cells == 0     ? mesh->SetVerts(broken)
-          : cells == 1 ? mesh->SetLines(broken)
-          : cells == 2 ? mesh->SetPolys(broken)
-                       : mesh->SetStrips(broken);
-        filter->SetInputData(mesh);
-        expectError(check, filter, "refers to point " + std::to_string(bad));
-      }
-    }
-    Mesh noPoints = Make();
-    noPoints->SetPolys(Sphere(3, 4)->GetPolys());
-    filter->SetInputData(noPoints);
-    expectError(check, filter, "refers to point");
-
-    // Points that are not finite: their triangles are dropped, with a warning, and they too.
-    for (double bad : { NaN, Infinity, -Infinity, 1e300 })
-    {
-      Mesh mesh = Moved(Sphere(6, 5), 1.0, std::array<double, 3>{ { 0, 0, 0 } }.data(), VTK_DOUBLE);
-      mesh->GetPoints()->SetPoint(9, 0.1, bad, 0.2);
-      int around = 0;
-      vtkNew<vtkIdList> ids;
-      for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
-      {
-        mesh->GetCellPoints(cell, ids);
-        around += ids->IsId(9) >= 0 ? 1 : 0;
-      }
-      filter->SetInputData(mesh);
-      if (bad == 1e300)
-      {
-        // The middle is so far away that no point is within a float's reach of it.
-        expectError(check, filter, "farther than");
-        continue;
-      }
-      RelevoErrors errors(filter);
-      expectSuccess(check, filter);
-      CHECK(errors.Warned(std::to_string(around) + " degenerate"));
-      CHECK(filter->GetOutput()->GetNumberOfPolys() == (mesh->GetNumberOfPolys() - around) * 16);
-    }
-
-    // Degenerate cells are counted.
-    Mesh degenerate = Sphere(6, 5);
-    degenerate->GetPolys()->InsertNextCell({ 1, 1, 2 });
-    degenerate->GetPolys()->InsertNextCell({ 1, 2 });
-    degenerate->GetPolys()->InsertNextCell({ 5 });
-    vtkNew<vtkCellArray> strips;
-    strips->InsertNextCell({ 1, 2, 2, 3 });
-    degenerate->SetStrips(strips);
-    filter->SetInputData(degenerate);
-    {
-      RelevoErrors errors(filter);
-      expectSuccess(check, filter);
-      CHECK(errors.Warned("5 degenerate"));
-    }
-    // Nothing but those: an empty mesh.
-    Mesh nothing = FromTriangles({ { { 0, 0, 0 } }, { { 1, 0, 0 } } }, { { { 0, 1, 1 } } });
-    filter->SetInputData(nothing);
-    {
-      RelevoErrors errors(filter);
-      CHECK(filter->GetExecutive()->Update() == 1);
-      CHECK(errors.Warned("1 degenerate"));
-      CHECK(filter->GetOutput()->GetNumberOfCells() == 0);
-    }
-    // Sizes at the ends of what floats hold.
-    for (double scale : { 1e-30, 1e-18, 1e15, 1e25 })
-    {
-      filter->SetInputData(
-        Moved(Sphere(6, 5), scale, std::array<double, 3>{ { 0, 0, 0 } }.data(), VTK_FLOAT));
-      expectSuccess(check, filter);
-      CHECK(filter->GetOutput()->GetNumberOfPolys() > 0);
-    }
-    // A sphere closed to rounding only, with slivers of 1e-17 at a pole; without normals, too.
-    vtkNew<vtkTexturedSphereSource> source;
-    source->Update();
-    filter->SetInputData(source->GetOutput());
-    {
-      RelevoErrors errors(filter);
-      expectSuccess(check, filter);
-      source->GetOutput()->GetPointData()->SetNormals(nullptr);
-      expectSuccess(check, filter);
-    }
-    // Normals that cannot be used are computed.
-    Mesh sphere = Sphere(6, 5);
-    vtkDataArray* normals = sphere->GetPointData()->GetNormals();
-    for (vtkIdType i = 0; i < normals->GetNumberOfTuples(); ++i)
-    {
-      normals->SetComponent(i, 1, i % 2 ? NaN : Infinity);
-    }
-    filter->SetInputData(sphere);
-    expectSuccess(check, filter);
-    // Fewer normals than points.
-    normals->SetNumberOfTuples(3);
-    filter->SetInputData(sphere);
-    expectSuccess(check, filter);
+    testNoCells(check, filter);
+    testMissingPoints(check, filter);
+    testInfinitePoints(check, filter);
+    testDegenerateCells(check, filter);
+    testSizes(check, filter);
+    testNormals(check, filter);
   }
-
-  // A bad block does not take the others with it.
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, Make());
-  blocks->SetBlock(1, Sphere(6, 5));
-  filter->SetInputDataObject(blocks);
-  RelevoErrors errors(filter);
-  RelevoErrors executive(filter->GetExecutive());
-  filter->Update();
-  CHECK(errors.Said("no cells"));
-  auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
-  auto* second = output ? vtkPolyData::SafeDownCast(output->GetBlock(1)) : nullptr;
-  CHECK(second && second->GetNumberOfPolys() > 0);
+  testBlocks(check, filter);
 }
 }
 

@@ -99,16 +99,10 @@ void compareFaces(RelevoCheck& check, vtkPolyData* input, vtkAdaptiveRefinement*
   }
   CHECK(compared > 0);
 }
-}
-
-int TestWatertightEvaluator(int, char*[])
+// Zeros of both signs in points and normals.
+RelevoMeshes::Mesh makeBothZeros()
 {
-  using namespace RelevoMeshes;
-  RelevoCheck check;
-  vtkNew<RelevoHeights> heights;
-  heights->FillRandom(19, 31, 2);
-  // Zeros of both signs in points and normals.
-  Mesh flat = FromTriangles(
+  RelevoMeshes::Mesh flat = RelevoMeshes::FromTriangles(
     { { { -1, 0, 0 } }, { { 0, -1, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 0 } } },
     { { { 0, 1, 4 } }, { { 1, 2, 4 } }, { { 2, 3, 4 } }, { { 3, 0, 4 } } });
   vtkNew<vtkFloatArray> normals;
@@ -120,76 +114,105 @@ int TestWatertightEvaluator(int, char*[])
   normals->SetTuple3(0, 0.0, 0.6, -0.8);
   normals->SetTuple3(2, 0.0, -0.6, -0.8);
   flat->GetPointData()->SetNormals(normals);
-  Mesh split = Explode(Sphere(9, 7));
-  PerturbNormals(split, 8, 0.9);
-  // Triangles at random among few places, several points at each: edges with any number of faces,
-  // normals and charts of all kinds.
+  return flat;
+}
+
+// Triangles at random among few places, several points at each: edges with any number of faces,
+// normals and charts of all kinds.
+RelevoMeshes::Mesh makeSoup()
+{
   std::mt19937 random(12);
   std::vector<std::array<double, 3>> places;
   for (int i = 0; i < 60; ++i)
   {
     places.push_back({ { random() % 3 - 1.0, random() % 3 - 1.0, random() % 2 - 0.5 } });
   }
-  std::vector<Triangle> triangles;
+  std::vector<RelevoMeshes::Triangle> triangles;
   for (int i = 0; i < 300; ++i)
   {
-    Triangle triangle;
+    RelevoMeshes::Triangle triangle;
     for (vtkIdType& corner : triangle)
     {
       corner = static_cast<vtkIdType>(random() % 60);
     }
     triangles.push_back(triangle);
   }
-  Mesh soup = FromTriangles(places, triangles);
-  vtkNew<vtkFloatArray> soupNormals;
-  soupNormals->SetNumberOfComponents(3);
-  soupNormals->SetNumberOfTuples(60);
-  soupNormals->Fill(0.0);
-  soup->GetPointData()->SetNormals(soupNormals);
-  PerturbNormals(soup, 13, 1.0);
-  const double utm[3] = { 412345.678, 5654321.987, 312.5 };
-  const std::pair<const char*, Mesh> meshes[] = { { "sphere", Sphere(12, 9) },
-    { "textured sphere", TexturedSphere(12, 9) }, { "cube", Cube() }, { "cone", Cone() },
-    { "non-manifold", NonManifold() }, { "Moebius strip", Moebius() }, { "split normals", split },
-    { "both zeros", flat }, { "negative zeros", NegativeZeros() }, { "slivers", Slivers() },
-    { "soup", soup }, { "projected metres", Moved(split, 2000.0, utm, VTK_DOUBLE) } };
+  RelevoMeshes::Mesh soup = RelevoMeshes::FromTriangles(places, triangles);
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(60);
+  normals->Fill(0.0);
+  soup->GetPointData()->SetNormals(normals);
+  RelevoMeshes::PerturbNormals(soup, 13, 1.0);
+  return soup;
+}
 
-  for (const auto& mesh : meshes)
+std::vector<std::pair<std::string, RelevoMeshes::Mesh>> makeMeshes()
+{
+  using namespace RelevoMeshes;
+  Mesh split = Explode(Sphere(9, 7));
+  PerturbNormals(split, 8, 0.9);
+  const double utm[3] = { 412345.678, 5654321.987, 312.5 };
+  return { { "sphere", Sphere(12, 9) }, { "textured sphere", TexturedSphere(12, 9) },
+    { "cube", Cube() }, { "cone", Cone() }, { "non-manifold", NonManifold() },
+    { "Moebius strip", Moebius() }, { "split normals", split }, { "both zeros", makeBothZeros() },
+    { "negative zeros", NegativeZeros() }, { "slivers", Slivers() }, { "soup", makeSoup() },
+    { "projected metres", Moved(split, 2000.0, utm, VTK_DOUBLE) } };
+}
+
+// Creases, and cusps alone.
+SharedNormals getSharedNormals(vtkRefinementSurface* surface)
+{
+  auto* procedural = vtkProceduralSurface::SafeDownCast(surface);
+  auto* tagged =
+    vtkScalarTaggedSurface::SafeDownCast(procedural ? procedural->GetBaseSurface() : surface);
+  const bool creased = tagged && *tagged->GetDirectionArrayName();
+  return creased ? NOWHERE : (tagged ? INSIDE_EDGES : EVERYWHERE);
+}
+
+// None, a constant, heights along the normal and along a direction.
+constexpr int NumberOfDisplacements = 4;
+vtkSmartPointer<vtkDisplacement> makeDisplacement(int kind, vtkHeightField* heights)
+{
+  if (kind == 0)
+  {
+    return nullptr;
+  }
+  auto displacement = vtkSmartPointer<vtkDisplacement>::New();
+  displacement->SetHeightMap(kind > 1 ? heights : nullptr);
+  displacement->SetScale(0.3);
+  displacement->SetOffset(0.1);
+  if (kind == 3)
+  {
+    displacement->SetDirection(-1.0, 0.0, 2.0);
+  }
+  return displacement;
+}
+}
+
+int TestWatertightEvaluator(int, char*[])
+{
+  RelevoCheck check;
+  vtkNew<RelevoHeights> heights;
+  heights->FillRandom(19, 31, 2);
+  for (const auto& mesh : makeMeshes())
   {
     if (!mesh.second->GetPointData()->GetTCoords())
     {
-      AddRandomTextureCoordinates(mesh.second, 5);
+      RelevoMeshes::AddRandomTextureCoordinates(mesh.second, 5);
     }
-    AddRandomScalarTags(mesh.second, 7);
+    RelevoMeshes::AddRandomScalarTags(mesh.second, 7);
     double bounds[6];
     mesh.second->GetBounds(bounds);
     for (const auto& surface : RelevoMakeSurfaces(bounds[1] - bounds[0]))
     {
-      for (int displaced = 0; displaced < 4; ++displaced)
+      for (int displaced = 0; displaced < NumberOfDisplacements; ++displaced)
       {
         vtkNew<vtkAdaptiveRefinement> recipe;
         recipe->SetSurface(surface.second);
-        // Creases, and cusps alone.
-        auto* procedural = vtkProceduralSurface::SafeDownCast(surface.second);
-        auto* tagged = vtkScalarTaggedSurface::SafeDownCast(
-          procedural ? procedural->GetBaseSurface() : surface.second.Get());
-        const bool creased = tagged && *tagged->GetDirectionArrayName();
-        const SharedNormals shared = creased ? NOWHERE : (tagged ? INSIDE_EDGES : EVERYWHERE);
-        if (displaced > 0)
-        {
-          vtkNew<vtkDisplacement> displacement;
-          displacement->SetHeightMap(displaced > 1 ? heights.Get() : nullptr);
-          displacement->SetScale(0.3);
-          displacement->SetOffset(0.1);
-          if (displaced == 3)
-          {
-            displacement->SetDirection(-1.0, 0.0, 2.0);
-          }
-          recipe->SetDisplacement(displacement);
-        }
-        compareFaces(check, mesh.second, recipe, shared,
-          std::string(mesh.first) + ", " + surface.first + ", displacement " +
-            std::to_string(displaced));
+        recipe->SetDisplacement(makeDisplacement(displaced, heights));
+        compareFaces(check, mesh.second, recipe, getSharedNormals(surface.second),
+          mesh.first + ", " + surface.first + ", displacement " + std::to_string(displaced));
       }
     }
   }
