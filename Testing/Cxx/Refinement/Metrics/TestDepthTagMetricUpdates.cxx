@@ -2,21 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the evaluators of metrics keep from frame to frame: after every change of mesh, view and
 // settings they give what metrics give that see it for the first time.
+#include "RelevoAllMetrics.h"
 #include "RelevoCheck.h"
 #include "RelevoMetricCheck.h"
 
 #include "vtkCellArray.h"
-#include "vtkCompositeDepthTagMetric.h"
-#include "vtkCurvatureDepthTagMetric.h"
-#include "vtkDistanceDepthTagMetric.h"
-#include "vtkFieldVariationDepthTagMetric.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkRegionDepthTagMetric.h"
-#include "vtkScreenEdgeDepthTagMetric.h"
-#include "vtkSilhouetteDepthTagMetric.h"
 #include "vtkTransform.h"
-#include "vtkViewDependentDepthTagMetric.h"
 
 #include <memory>
 
@@ -26,30 +19,8 @@ using Metrics = std::vector<vtkSmartPointer<vtkDepthTagMetric>>;
 
 Metrics MakeMetrics()
 {
-  vtkNew<vtkDistanceDepthTagMetric> distance;
-  vtkNew<vtkDistanceDepthTagMetric> pixels;
-  pixels->SetReferenceLength(5.0);
-  vtkNew<vtkDistanceDepthTagMetric> centroids;
-  centroids->SetMeasureToCentroids();
-  vtkNew<vtkScreenEdgeDepthTagMetric> screen;
-  vtkNew<vtkSilhouetteDepthTagMetric> silhouette;
-  vtkNew<vtkSilhouetteDepthTagMetric> contour;
-  contour->SetCriterionToContour();
-  vtkNew<vtkViewDependentDepthTagMetric> viewDependent;
-  vtkNew<vtkCurvatureDepthTagMetric> curvature;
-  vtkNew<vtkFieldVariationDepthTagMetric> field;
-  field->SetArrayName("Values");
-  vtkNew<vtkRegionDepthTagMetric> region;
-  region->SetRadius(0.4);
-  Metrics metrics{ distance.Get(), pixels.Get(), centroids.Get(), screen.Get(), silhouette.Get(),
-    contour.Get(), viewDependent.Get(), curvature.Get(), field.Get(), region.Get() };
-  vtkNew<vtkCompositeDepthTagMetric> composite;
-  composite->SetModeToSum();
-  for (vtkDepthTagMetric* metric : metrics)
-  {
-    composite->AddMetric(metric, 0.05);
-  }
-  metrics.push_back(composite.Get());
+  Metrics metrics = RelevoMakeAllMetrics("Values");
+  metrics.push_back(RelevoMakeSum(metrics, 0.05));
   return metrics;
 }
 

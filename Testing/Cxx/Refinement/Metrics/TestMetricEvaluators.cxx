@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Evaluators of metrics: one for each mesh, owned by the filter; metrics without; composites whose
 // parts change; one recipe in two filters in two threads.
+#include "RelevoAllMetrics.h"
 #include "RelevoCheck.h"
 #include "RelevoMetricCheck.h"
 #include "RelevoWatched.h"
@@ -12,11 +13,6 @@
 #include "vtkCompositeDepthTagMetric.h"
 #include "vtkCurvatureDepthTagMetric.h"
 #include "vtkDepthTagFilter.h"
-#include "vtkDistanceDepthTagMetric.h"
-#include "vtkFieldVariationDepthTagMetric.h"
-#include "vtkRegionDepthTagMetric.h"
-#include "vtkScreenEdgeDepthTagMetric.h"
-#include "vtkSilhouetteDepthTagMetric.h"
 #include "vtkViewDependentDepthTagMetric.h"
 
 #include <thread>
@@ -176,34 +172,6 @@ void TestComposite(RelevoCheck& check)
 //------------------------------------------------------------------------------
 // Threads
 
-// All that there is; their sum.
-vtkSmartPointer<vtkCompositeDepthTagMetric> MakeAll()
-{
-  vtkNew<vtkDistanceDepthTagMetric> distance;
-  vtkNew<vtkDistanceDepthTagMetric> pixels;
-  pixels->SetReferenceLength(5.0);
-  vtkNew<vtkDistanceDepthTagMetric> centroids;
-  centroids->SetMeasureToCentroids();
-  vtkNew<vtkScreenEdgeDepthTagMetric> screen;
-  vtkNew<vtkSilhouetteDepthTagMetric> silhouette;
-  vtkNew<vtkSilhouetteDepthTagMetric> contour;
-  contour->SetCriterionToContour();
-  vtkNew<vtkViewDependentDepthTagMetric> viewDependent;
-  vtkNew<vtkCurvatureDepthTagMetric> curvature;
-  vtkNew<vtkFieldVariationDepthTagMetric> field;
-  field->SetArrayName("Normals");
-  vtkNew<vtkRegionDepthTagMetric> region;
-  region->SetRadius(0.4);
-  auto all = vtkSmartPointer<vtkCompositeDepthTagMetric>::New();
-  all->SetModeToSum();
-  for (vtkDepthTagMetric* metric : std::initializer_list<vtkDepthTagMetric*>{ distance, pixels,
-         centroids, screen, silhouette, contour, viewDependent, curvature, field, region })
-  {
-    all->AddMetric(metric, 0.15);
-  }
-  return all;
-}
-
 // A filter with a mesh and a camera of its own, and what it gave.
 class Runner
 {
@@ -247,7 +215,7 @@ void TestThreads(RelevoCheck& check, int rule)
   constexpr int repetitions = 150;
   const auto run = [&](bool inThreads)
   {
-    auto recipe = MakeRecipe(MakeAll());
+    auto recipe = MakeRecipe(RelevoMakeSum(RelevoMakeAllMetrics("Normals"), 0.15));
     recipe->SetLevelRule(rule);
     Runner first(RelevoMeshes::Sphere(11, 9), recipe);
     Runner second(RelevoMeshes::Torus(10, 7), recipe);
