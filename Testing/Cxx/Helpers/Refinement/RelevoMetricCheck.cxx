@@ -3,7 +3,6 @@
 #include "RelevoMetricCheck.h"
 
 #include "Metrics/MetricEvaluator.h"
-#include "vtkNew.h"
 
 #include <limits>
 
@@ -50,6 +49,18 @@ std::vector<float> KeptMetric::GetEdgeTags(
   vtkNew<vtkFloatArray> tags;
   relevo::MetricEvaluator& evaluator = this->Source.GetEvaluator(this->Metric, mesh);
   return Take(evaluator.ComputeEdgeTags(view, maximumLevel, tags), tags);
+}
+
+FrontView::FrontView()
+{
+  this->Camera->SetPosition(0, 0, 2);
+  this->Camera->SetFocalPoint(0, 0, 0);
+  this->Camera->SetViewUp(0, 1, 0);
+  this->Camera->SetViewAngle(90);
+  this->Camera->SetClippingRange(0.1, 100.0);
+  this->View.Camera = this->Camera;
+  this->View.ViewportSize[0] = 640;
+  this->View.ViewportSize[1] = 400;
 }
 
 bool AreLevels(const std::vector<float>& tags, vtkIdType number, int maximumLevel)

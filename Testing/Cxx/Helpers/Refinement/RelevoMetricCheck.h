@@ -11,6 +11,7 @@
 #include "Metrics/TagSource.h"
 #include "vtkCamera.h"
 #include "vtkDepthTagMetric.h"
+#include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
 #include <random>
@@ -39,6 +40,18 @@ public:
 private:
   vtkSmartPointer<vtkDepthTagMetric> Metric;
   relevo::TagSource Source;
+};
+
+// A camera at (0, 0, 2) that looks at the origin: 90 degrees and 400 pixels of height, there 100
+// pixels for a unit.
+struct FrontView
+{
+  FrontView();
+  FrontView(const FrontView&) = delete;
+  void operator=(const FrontView&) = delete;
+
+  vtkNew<vtkCamera> Camera;
+  relevo::RefinementView View;
 };
 
 bool AreLevels(const std::vector<float>& tags, vtkIdType number, int maximumLevel);

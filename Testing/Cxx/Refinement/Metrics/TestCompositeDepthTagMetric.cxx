@@ -33,63 +33,83 @@ public:
   int Count = 0;
 };
 vtkStandardNewMacro(GivenLevels);
-}
 
-int TestCompositeDepthTagMetric(int, char*[])
+// Two metrics that give levels to a triangle, and a composite for them.
+struct Pair
 {
-  RelevoCheck check;
-  vtkNew<vtkCompositeDepthTagMetric> metric;
-  RelevoErrors errors(metric);
-  relevo::RefinementView view;
-  auto mesh = RelevoMeshes::FromTriangles(
+  Pair()
+  {
+    this->First->Levels = { 0, 1, 4 };
+    this->Second->Levels = { 3, 2, 4 };
+  }
+  std::vector<float> GetTags(int maximumLevel)
+  {
+    return TagsOf(this->Metric, this->Mesh, this->View, maximumLevel);
+  }
+
+  vtkNew<vtkCompositeDepthTagMetric> Metric;
+  vtkNew<GivenLevels> First;
+  vtkNew<GivenLevels> Second;
+  relevo::RefinementView View;
+  RelevoMeshes::Mesh Mesh = RelevoMeshes::FromTriangles(
     { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } } }, { { { 0, 1, 2 } } });
-  CHECK(TagsOf(metric, mesh, view, 4).empty() && errors.Said("no metrics"));
+};
+
+void TestModes(RelevoCheck& check, Pair& pair)
+{
+  vtkCompositeDepthTagMetric* metric = pair.Metric;
+  RelevoErrors errors(metric);
+  CHECK(pair.GetTags(4).empty() && errors.Said("no metrics"));
   CHECK(!metric->IsViewDependent() && metric->GetNumberOfMetrics() == 0);
 
-  vtkNew<GivenLevels> first;
-  vtkNew<GivenLevels> second;
-  first->Levels = { 0, 1, 4 };
-  second->Levels = { 3, 2, 4 };
-  metric->AddMetric(first);
-  metric->AddMetric(second, 0.5);
-  CHECK(metric->GetNumberOfMetrics() == 2 && metric->GetMetric(1) == second.Get());
+  metric->AddMetric(pair.First);
+  metric->AddMetric(pair.Second, 0.5);
+  CHECK(metric->GetNumberOfMetrics() == 2 && metric->GetMetric(1) == pair.Second.Get());
   CHECK(metric->GetWeight(0) == 1.0 && metric->GetWeight(1) == 0.5);
   CHECK(!metric->GetMetric(2) && !metric->GetMetric(-1) && metric->GetWeight(2) == 0.0);
-  CHECK(TagsOf(metric, mesh, view, 4) == std::vector<float>({ 1.5f, 1.0f, 4.0f }));
+  CHECK(pair.GetTags(4) == std::vector<float>({ 1.5f, 1.0f, 4.0f }));
   metric->SetModeToSum();
-  CHECK(TagsOf(metric, mesh, view, 4) == std::vector<float>({ 1.5f, 2.0f, 4.0f }));
+  CHECK(pair.GetTags(4) == std::vector<float>({ 1.5f, 2.0f, 4.0f }));
   metric->SetModeToProduct();
-  auto tags = TagsOf(metric, mesh, view, 4);
+  const auto tags = pair.GetTags(4);
   CHECK_NEAR(tags[0], 0.0, 1e-6);
   CHECK_NEAR(tags[1], 4.0 * 0.25 * std::sqrt(0.5), 1e-5);
   CHECK_NEAR(tags[2], 4.0, 1e-6);
-  CHECK(TagsOf(metric, mesh, view, 0) == std::vector<float>(3, 0.0f));
-  metric->AddMetric(second, 0.0);
-  CHECK(TagsOf(metric, mesh, view, 4) == tags);
+  CHECK(pair.GetTags(0) == std::vector<float>(3, 0.0f));
+  metric->AddMetric(pair.Second, 0.0);
+  CHECK(pair.GetTags(4) == tags);
+}
 
-  // What does not depend on the view is kept until something changes; the rest is not.
+// What does not depend on the view is kept until something changes; the rest is not.
+void TestKept(RelevoCheck& check, Pair& pair)
+{
+  vtkCompositeDepthTagMetric* metric = pair.Metric;
   KeptMetric kept(metric);
-  CHECK(kept.GetTags(mesh, view, 4) == tags);
-  const int firstCount = first->Count;
-  second->ViewDependent = true;
+  CHECK(kept.GetTags(pair.Mesh, pair.View, 4) == pair.GetTags(4));
+  const int firstCount = pair.First->Count;
+  pair.Second->ViewDependent = true;
   CHECK(metric->IsViewDependent());
-  const int secondCount = second->Count;
-  kept.GetTags(mesh, view, 4);
-  CHECK(first->Count == firstCount && second->Count > secondCount);
-  kept.GetTags(mesh, view, 5);
-  CHECK(first->Count == firstCount + 1);
-  mesh->GetPoints()->Modified();
-  kept.GetTags(mesh, view, 5);
-  CHECK(first->Count == firstCount + 2);
+  const int secondCount = pair.Second->Count;
+  kept.GetTags(pair.Mesh, pair.View, 4);
+  CHECK(pair.First->Count == firstCount && pair.Second->Count > secondCount);
+  kept.GetTags(pair.Mesh, pair.View, 5);
+  CHECK(pair.First->Count == firstCount + 1);
+  pair.Mesh->GetPoints()->Modified();
+  kept.GetTags(pair.Mesh, pair.View, 5);
+  CHECK(pair.First->Count == firstCount + 2);
   const vtkMTimeType time = metric->GetMTime();
-  first->Modified();
+  pair.First->Modified();
   CHECK(metric->GetMTime() > time);
-  kept.GetTags(mesh, view, 5);
-  CHECK(first->Count == firstCount + 3);
+  kept.GetTags(pair.Mesh, pair.View, 5);
+  CHECK(pair.First->Count == firstCount + 3);
+}
 
-  // Real ones, and nested: never less than any part by the maximum, never more by the product.
+// Real ones, and nested: never less than any part by the maximum, never more by the product.
+void TestNested(RelevoCheck& check)
+{
   std::mt19937 random(6);
   vtkNew<vtkCamera> camera;
+  relevo::RefinementView view;
   view.Camera = camera;
   auto sphere = RelevoMeshes::Sphere(12, 9);
   vtkNew<vtkDistanceDepthTagMetric> distance;
@@ -122,8 +142,13 @@ int TestCompositeDepthTagMetric(int, char*[])
     }
   }
   CHECK(SurvivesOddMeshes(all));
+}
 
-  // Errors.
+// No metric, cycles, weights, modes; errors leave the metric as it was.
+void TestErrors(RelevoCheck& check, Pair& pair)
+{
+  vtkCompositeDepthTagMetric* metric = pair.Metric;
+  RelevoErrors errors(metric);
   const int before = metric->GetNumberOfMetrics();
   metric->AddMetric(nullptr);
   CHECK(errors.Said("no metric"));
@@ -137,18 +162,37 @@ int TestCompositeDepthTagMetric(int, char*[])
   CHECK(errors.Said("contain itself"));
   for (double bad : { -1.0, 1e9, std::nan("") })
   {
-    metric->AddMetric(first, bad);
+    metric->AddMetric(pair.First, bad);
     CHECK(errors.Said("Weight"));
   }
   CHECK(metric->GetNumberOfMetrics() == before);
   metric->SetMode(3);
   CHECK(errors.Said("Mode") && metric->GetMode() == vtkCompositeDepthTagMetric::PRODUCT);
+}
+
+// A part that fails says why, and the composite which one it is.
+void TestFailingPart(RelevoCheck& check, Pair& pair)
+{
+  vtkCompositeDepthTagMetric* metric = pair.Metric;
+  RelevoErrors errors(metric);
+  vtkNew<vtkDistanceDepthTagMetric> distance; // without a camera
   metric->RemoveAllMetrics();
   CHECK(metric->GetNumberOfMetrics() == 0);
   metric->AddMetric(distance);
-  view.Camera = nullptr;
-  RelevoErrors ofPart(distance);
-  CHECK(TagsOf(metric, mesh, view, 4).empty());
-  CHECK(ofPart.Said("no camera") && errors.Said("vtkDistanceDepthTagMetric"));
+  RelevoErrors partErrors(distance);
+  CHECK(pair.GetTags(4).empty());
+  CHECK(partErrors.Said("no camera") && errors.Said("vtkDistanceDepthTagMetric"));
+}
+}
+
+int TestCompositeDepthTagMetric(int, char*[])
+{
+  RelevoCheck check;
+  Pair pair;
+  TestModes(check, pair);
+  TestKept(check, pair);
+  TestNested(check);
+  TestErrors(check, pair);
+  TestFailingPart(check, pair);
   return check.GetResult();
 }

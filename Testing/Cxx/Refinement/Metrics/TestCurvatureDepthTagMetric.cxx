@@ -30,9 +30,9 @@ namespace
 {
 using namespace RelevoCurvatures;
 
-void TestByHand(RelevoCheck& check)
+// Four angles of 60 degrees and a third of four equilateral triangles at each point.
+void TestOctahedron(RelevoCheck& check)
 {
-  // Octahedron: four angles of 60 degrees and a third of four equilateral triangles at each point.
   auto octahedron =
     MakeMesh({ { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 } },
       { { 0, 2, 4 }, { 2, 1, 4 }, { 1, 3, 4 }, { 3, 0, 4 }, { 2, 0, 5 }, { 1, 2, 5 }, { 3, 1, 5 },
@@ -49,9 +49,12 @@ void TestByHand(RelevoCheck& check)
     octahedron->ReverseCell(cell);
   }
   CHECK_NEAR(LargestError(Mean(octahedron), [](size_t) { return -1.0; }), 0.0, 1e-12);
+}
 
-  // A flat pyramid, obtuse at its apex: half of each triangle is the apex's. The border takes the
-  // apex's value.
+// A flat pyramid, obtuse at its apex: half of each triangle is the apex's. The border takes the
+// apex's value.
+void TestPyramid(RelevoCheck& check)
+{
   const double h = 0.1;
   auto pyramid = MakeMesh(
     { { 1, 0, 0 }, { -0.5, std::sqrt(0.75), 0 }, { -0.5, -std::sqrt(0.75), 0 }, { 0, 0, h } },
@@ -66,25 +69,18 @@ void TestByHand(RelevoCheck& check)
     LargestError(Gaussian(pyramid), [=](size_t) { return (2 * Pi - 3 * angle) / (1.5 * face); }),
     0.0, 1e-12);
   CHECK_NEAR(LargestError(Mean(pyramid), [=](size_t) { return mean; }), 0.0, 1e-12);
+}
 
-  // Obtuse elsewhere: a quarter of such a triangle. A saddle of four points around the middle.
-  auto saddle = MakeMesh({ { 0, 0, 0 }, { 4, 0, 1 }, { 0, 1, -1 }, { -4, 0, 1 }, { 0, -1, -1 } },
-    { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 4 }, { 0, 4, 1 } });
-  const double a = std::acos(-1.0 / std::sqrt(17.0 * 2.0)); // obtuse at the middle after all
-  const double triangle = 0.5 * std::sqrt(34.0) * std::sin(a);
-  CHECK_NEAR(Gaussian(saddle)[0], (2 * Pi - 4 * a) / (2 * triangle), 1e-12);
-  auto roof = MakeMesh({ { 0, 0, 1 }, { 1, 0, 0 }, { 1.2, 0.2, -3 }, { -1, 1, 0 }, { -1, -1, 0 } },
-    { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 4 }, { 0, 4, 1 } });
-  double sum = 0.0;
-  double mixed = 0.0;
-  for (vtkIdType cell = 0; cell < 4; ++cell)
+// A triangle's angle at its first corner, and that corner's part of its area.
+struct Corner
+{
+  explicit Corner(vtkCell* triangle)
   {
-    vtkIdList* ids = roof->GetCell(cell)->GetPointIds();
     double x[3][3];
     double length[3]; // opposite to each corner
     for (int i = 0; i < 3; ++i)
     {
-      roof->GetPoint(ids->GetId(i), x[i]);
+      triangle->GetPoints()->GetPoint(i, x[i]);
     }
     for (int i = 0; i < 3; ++i)
     {
@@ -98,12 +94,34 @@ void TestByHand(RelevoCheck& check)
       angles[i] = std::acos((b * b + c * c - length[i] * length[i]) / (2 * b * c));
     }
     const double whole = 0.5 * length[1] * length[2] * std::sin(angles[0]);
-    sum += angles[0];
-    mixed += angles[0] > Pi / 2                 ? whole / 2
+    this->Angle = angles[0];
+    this->Area = angles[0] > Pi / 2             ? whole / 2
       : std::max(angles[1], angles[2]) > Pi / 2 ? whole / 4
                                                 : (length[1] * length[1] / std::tan(angles[1]) +
                                                     length[2] * length[2] / std::tan(angles[2])) /
         8;
+  }
+  double Angle;
+  double Area;
+};
+
+// Obtuse elsewhere: a quarter of such a triangle. A saddle of four points around the middle.
+void TestObtuse(RelevoCheck& check)
+{
+  auto saddle = MakeMesh({ { 0, 0, 0 }, { 4, 0, 1 }, { 0, 1, -1 }, { -4, 0, 1 }, { 0, -1, -1 } },
+    { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 4 }, { 0, 4, 1 } });
+  const double a = std::acos(-1.0 / std::sqrt(17.0 * 2.0)); // obtuse at the middle after all
+  const double triangle = 0.5 * std::sqrt(34.0) * std::sin(a);
+  CHECK_NEAR(Gaussian(saddle)[0], (2 * Pi - 4 * a) / (2 * triangle), 1e-12);
+  auto roof = MakeMesh({ { 0, 0, 1 }, { 1, 0, 0 }, { 1.2, 0.2, -3 }, { -1, 1, 0 }, { -1, -1, 0 } },
+    { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 4 }, { 0, 4, 1 } });
+  double sum = 0.0;
+  double mixed = 0.0;
+  for (vtkIdType cell = 0; cell < 4; ++cell)
+  {
+    const Corner corner(roof->GetCell(cell));
+    sum += corner.Angle;
+    mixed += corner.Area;
   }
   CHECK_NEAR(Gaussian(roof)[0], (2 * Pi - sum) / mixed, 1e-12);
 }
@@ -217,7 +235,9 @@ void TestRepresentations(RelevoCheck& check)
   CHECK_NEAR(LargestDifference(Mean(soup), expected), 0.0, 1e-11);
 }
 
-void TestTags(RelevoCheck& check)
+// By default of Gaussian curvature: linear between the thresholds, clamped outside, for the
+// absolute value.
+void TestThresholds(RelevoCheck& check)
 {
   vtkNew<vtkCurvatureDepthTagMetric> metric;
   vtkNew<vtkFloatArray> tags;
@@ -226,7 +246,6 @@ void TestTags(RelevoCheck& check)
   CHECK(!metric->IsViewDependent());
   CHECK(metric->GetCurvatureType() == vtkCurvatureDepthTagMetric::GAUSSIAN);
 
-  // Linear between the thresholds, clamped outside, for the absolute value.
   auto torus = MakeTorus(3.0, 1.0, 60, 40);
   metric->SetMinimumCurvature(0.1);
   metric->SetMaximumCurvature(0.3);
@@ -251,10 +270,14 @@ void TestTags(RelevoCheck& check)
   metric->SetMaximumCurvature(0.1); // a step
   CHECK(metric->ComputeTags(torus, view, 6, tags));
   CHECK(tags->GetRange()[0] == 6.0);
+}
 
-  // Automatic thresholds: a sphere is curved everywhere, a plane nowhere, however it lies.
-  metric->SetMinimumCurvature(0.0);
-  metric->SetMaximumCurvature(0.0);
+// A sphere is curved everywhere, a plane nowhere, however it lies.
+void TestAutomaticThresholds(RelevoCheck& check)
+{
+  vtkNew<vtkCurvatureDepthTagMetric> metric; // thresholds of 0
+  vtkNew<vtkFloatArray> tags;
+  const relevo::RefinementView view;
   vtkNew<vtkTransform> transform;
   transform->RotateX(37.0);
   transform->RotateZ(11.0);
@@ -269,6 +292,7 @@ void TestTags(RelevoCheck& check)
       x[2] = 0.0;
     }));
   turned->Update();
+  auto torus = MakeTorus(3.0, 1.0, 60, 40);
   for (int type : { vtkCurvatureDepthTagMetric::GAUSSIAN, vtkCurvatureDepthTagMetric::MEAN })
   {
     metric->SetCurvatureType(type);
@@ -280,8 +304,15 @@ void TestTags(RelevoCheck& check)
     CHECK(metric->ComputeTags(torus, view, 7, tags));
     CHECK(tags->GetRange()[0] < 3.5 && tags->GetRange()[1] == 7.0);
   }
+}
 
-  // Quantiles: so many points have no level, and so many the highest.
+// So many points have no level, and so many the highest.
+void TestQuantiles(RelevoCheck& check)
+{
+  vtkNew<vtkCurvatureDepthTagMetric> metric;
+  metric->SetCurvatureTypeToMean();
+  vtkNew<vtkFloatArray> tags;
+  const relevo::RefinementView view;
   CHECK(metric->GetQuantiles()[0] == 0.0 && metric->GetQuantiles()[1] == 0.95);
   auto bumps = MakeGrid(80, 80,
     [](double u, double v, double x[3])
@@ -307,19 +338,22 @@ void TestTags(RelevoCheck& check)
     CHECK_NEAR(most / n, 1.0 - quantiles[1], 0.002);
   }
   metric->SetQuantiles(0.3, 0.8);
+  RelevoErrors errors(metric);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double bad[][2] = { { -0.1, 0.5 }, { 0.5, 0.5 }, { 0.6, 0.5 }, { 0.5, 1.1 }, { nan, 0.5 },
+    { 0.5, nan } };
+  for (const double* quantiles : bad)
   {
-    RelevoErrors errors(metric);
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const double bad[][2] = { { -0.1, 0.5 }, { 0.5, 0.5 }, { 0.6, 0.5 }, { 0.5, 1.1 }, { nan, 0.5 },
-      { 0.5, nan } };
-    for (const double* quantiles : bad)
-    {
-      metric->SetQuantiles(quantiles);
-      CHECK(errors.Said("Quantiles") && metric->GetQuantiles()[0] == 0.3);
-    }
+    metric->SetQuantiles(quantiles);
+    CHECK(errors.Said("Quantiles") && metric->GetQuantiles()[0] == 0.3);
   }
+}
 
-  // What was computed for evaluators is kept until the mesh changes.
+// What was computed for evaluators is kept until the mesh changes.
+void TestKept(RelevoCheck& check)
+{
+  vtkNew<vtkCurvatureDepthTagMetric> metric;
+  vtkNew<vtkDoubleArray> curvatures;
   auto sphere = MakeSphere(1.0, 2);
   metric->SetCurvatureTypeToMean();
   metric->ComputeCurvatures(sphere, curvatures);
@@ -406,10 +440,15 @@ void TestBadInput(RelevoCheck& check)
 int TestCurvatureDepthTagMetric(int, char*[])
 {
   RelevoCheck check;
-  TestByHand(check);
+  TestOctahedron(check);
+  TestPyramid(check);
+  TestObtuse(check);
   TestAnalytic(check);
   TestRepresentations(check);
-  TestTags(check);
+  TestThresholds(check);
+  TestAutomaticThresholds(check);
+  TestQuantiles(check);
+  TestKept(check);
   TestBadInput(check);
   return check.GetResult();
 }

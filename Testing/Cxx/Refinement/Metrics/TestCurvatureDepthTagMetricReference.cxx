@@ -21,7 +21,8 @@ namespace
 {
 using namespace RelevoCurvatures;
 
-void TestVtkCurvatures(RelevoCheck& check)
+// The bunny, or a sphere where there is none.
+vtkSmartPointer<vtkPolyData> ReadMesh()
 {
   const char* data = std::getenv("RELEVO_TEST_DATA");
   const std::string bunny = data ? std::string(data) + "/mesh/bunny.ply" : std::string();
@@ -37,7 +38,12 @@ void TestVtkCurvatures(RelevoCheck& check)
     std::cout << "no bunny.ply: a sphere instead\n";
     mesh = MakeSphere(1.0, 3);
   }
+  return mesh;
+}
 
+// Points of cells that are not on a border.
+std::vector<vtkIdType> FindInnerPoints(vtkPolyData* mesh)
+{
   vtkNew<vtkFeatureEdges> edges;
   edges->SetInputData(mesh);
   edges->FeatureEdgesOff();
@@ -62,10 +68,13 @@ void TestVtkCurvatures(RelevoCheck& check)
       inner.push_back(id);
     }
   }
-  CHECK(inner.size() > 600);
+  return inner;
+}
 
-  // vtkCurvatures divides the same angle defect by a third of the triangles' area; the mixed area
-  // is between a quarter and half of each.
+// vtkCurvatures divides the same angle defect by a third of the triangles' area; the mixed area
+// is between a quarter and half of each.
+void TestGaussian(RelevoCheck& check, vtkPolyData* mesh, const std::vector<vtkIdType>& inner)
+{
   vtkNew<vtkCurvatures> reference;
   reference->SetInputData(mesh);
   reference->SetCurvatureTypeToGaussian();
@@ -74,7 +83,6 @@ void TestVtkCurvatures(RelevoCheck& check)
     reference->GetOutput()->GetPointData()->GetArray("Gauss_Curvature");
   const auto gaussian = Gaussian(mesh);
   size_t within = 0;
-  std::vector<double> magnitudes;
   for (vtkIdType id : inner)
   {
     const double expected = referenceGaussian->GetComponent(id, 0);
@@ -86,8 +94,13 @@ void TestVtkCurvatures(RelevoCheck& check)
   std::cout << within << " of " << inner.size() << " Gaussian curvatures within vtkCurvatures' "
             << "bounds\n";
   CHECK(within == inner.size());
+}
 
-  // Its mean curvature comes from the angles between triangles: equal in the limit only.
+// Its mean curvature comes from the angles between triangles: equal in the limit only.
+void TestMean(RelevoCheck& check, vtkPolyData* mesh, const std::vector<vtkIdType>& inner)
+{
+  vtkNew<vtkCurvatures> reference;
+  reference->SetInputData(mesh);
   reference->SetCurvatureTypeToMean();
   reference->Update();
   vtkDataArray* referenceMean = reference->GetOutput()->GetPointData()->GetArray("Mean_Curvature");
@@ -114,6 +127,10 @@ void TestVtkCurvatures(RelevoCheck& check)
 int TestCurvatureDepthTagMetricReference(int, char*[])
 {
   RelevoCheck check;
-  TestVtkCurvatures(check);
+  const auto mesh = ReadMesh();
+  const auto inner = FindInnerPoints(mesh);
+  CHECK(inner.size() > 600);
+  TestGaussian(check, mesh, inner);
+  TestMean(check, mesh, inner);
   return check.GetResult();
 }

@@ -43,6 +43,11 @@ vtkSmartPointer<vtkPolyData> MakeMesh(std::initializer_list<std::vector<double>>
   return mesh;
 }
 
+vtkSmartPointer<vtkPolyData> MakeTriangle()
+{
+  return MakeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } });
+}
+
 void SetTags(vtkPolyData* mesh, std::initializer_list<float> values)
 {
   vtkNew<vtkFloatArray> tags;
@@ -235,7 +240,7 @@ void TestPassThrough(RelevoCheck& check)
 
 void TestUpdates(RelevoCheck& check)
 {
-  auto mesh = MakeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } });
+  auto mesh = MakeTriangle();
   vtkNew<vtkDistanceDepthTagMetric> distance;
   distance->SetMaximumDistance(10.0);
   vtkNew<vtkCurvatureDepthTagMetric> curvature;
@@ -277,19 +282,25 @@ void TestUpdates(RelevoCheck& check)
   CHECK(runs == 6);
 }
 
-void TestErrors(RelevoCheck& check)
+// What the filter says, and its executive once more.
+struct FilterErrors : RelevoErrors
 {
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  auto mesh = MakeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } });
-  vtkNew<vtkDistanceDepthTagMetric> distance;
-  vtkNew<vtkCurvatureDepthTagMetric> curvature;
-  vtkNew<vtkCamera> camera;
+  explicit FilterErrors(vtkDepthTagFilter* filter)
+    : RelevoErrors(filter)
+    , Executive(filter->GetExecutive())
+  {
+  }
+  RelevoErrors Executive;
+};
+
+void TestMetricErrors(RelevoCheck& check)
+{
   vtkNew<vtkDepthTagFilter> filter;
-  filter->SetInputData(mesh);
-  RelevoErrors errors(filter);
-  RelevoErrors executive(filter->GetExecutive());
+  filter->SetInputData(MakeTriangle());
+  FilterErrors errors(filter);
 
   // Neither metric nor array; a good run before leaves nothing behind.
+  vtkNew<vtkCurvatureDepthTagMetric> curvature;
   filter->SetMetric(curvature);
   filter->Update();
   CHECK(errors.None() && Tags(filter)->GetNumberOfTuples() == 3);
@@ -298,6 +309,7 @@ void TestErrors(RelevoCheck& check)
   CHECK(errors.Said("no metric"));
   CHECK(IsEmpty(filter));
 
+  vtkNew<vtkDistanceDepthTagMetric> distance;
   filter->SetMetric(distance);
   filter->Update();
   CHECK(errors.Said("SetCamera"));
@@ -313,21 +325,32 @@ void TestErrors(RelevoCheck& check)
   }
   CHECK(errors.Said("vtkCurvatureDepthTagMetric"));
   CHECK(IsEmpty(filter));
+}
 
-  // Tags of the user's own that are not one finite number per point.
-  filter->SetMetric(nullptr);
+// Tags of the user's own that are not one finite number per point.
+void TestTagErrors(RelevoCheck& check)
+{
+  auto mesh = MakeTriangle();
+  vtkNew<vtkDepthTagFilter> filter;
+  filter->SetInputData(mesh);
+  FilterErrors errors(filter);
   SetTags(mesh, { 1.0f, 2.0f });
   filter->Update();
   CHECK(errors.Said("2 tuples"));
   CHECK(IsEmpty(filter));
-  SetTags(mesh, { 1.0f, nan, 2.0f });
+  SetTags(mesh, { 1.0f, std::numeric_limits<float>::quiet_NaN(), 2.0f });
   filter->Update();
   CHECK(errors.Said("at point 1"));
   CHECK(IsEmpty(filter));
   SetTags(mesh, { 1.0f, 1.0f, 2.0f });
   filter->Update();
   CHECK(errors.None() && Tags(filter)->GetNumberOfTuples() == 3);
+}
 
+void TestSettingErrors(RelevoCheck& check)
+{
+  vtkNew<vtkDepthTagFilter> filter;
+  RelevoErrors errors(filter);
   for (int bad : { -1, 8 })
   {
     filter->SetMaximumLevel(bad);
@@ -337,16 +360,25 @@ void TestErrors(RelevoCheck& check)
   filter->SetViewportSize(0, 100);
   CHECK(errors.Said("ViewportSize"));
   CHECK(filter->GetViewportSize()[0] == 300 && filter->GetViewportSize()[1] == 300);
+}
 
-  // Points that are not finite get level 0.
-  filter->SetMaximumLevel(5);
-  auto broken = MakeMesh(
-    { { 0, 0, 0 }, { nan, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } }, { { 0, 1, 2 }, { 0, 2, 3 } });
+// Points that are not finite, points that are not there, nothing at all.
+void TestBrokenMeshes(RelevoCheck& check)
+{
+  vtkNew<vtkCamera> camera;
   camera->SetPosition(0, 0, 0);
+  vtkNew<vtkDistanceDepthTagMetric> distance;
   distance->SetMaximumDistance(10.0);
-  filter->SetInputData(broken);
+  vtkNew<vtkDepthTagFilter> filter;
+  filter->SetMaximumLevel(5);
   filter->SetMetric(distance);
   filter->SetCamera(camera);
+  FilterErrors errors(filter);
+
+  // Points that are not finite get level 0.
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  filter->SetInputData(MakeMesh(
+    { { 0, 0, 0 }, { nan, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } }, { { 0, 1, 2 }, { 0, 2, 3 } }));
   filter->Update();
   CHECK(errors.None());
   CHECK(Tags(filter)->GetValue(0) == 5.0f && Tags(filter)->GetValue(1) == 0.0f);
@@ -360,7 +392,7 @@ void TestErrors(RelevoCheck& check)
   // Nothing in, nothing out, but the arrays are there.
   vtkNew<vtkPolyData> empty;
   filter->SetInputData(empty);
-  curvature->SetMinimumCurvature(0.0);
+  vtkNew<vtkCurvatureDepthTagMetric> curvature;
   for (vtkDepthTagMetric* metric : std::vector<vtkDepthTagMetric*>{ distance, curvature })
   {
     filter->SetMetric(metric);
@@ -379,6 +411,9 @@ int TestDepthTagFilter(int, char*[])
   TestLevelRule(check);
   TestPassThrough(check);
   TestUpdates(check);
-  TestErrors(check);
+  TestMetricErrors(check);
+  TestTagErrors(check);
+  TestSettingErrors(check);
+  TestBrokenMeshes(check);
   return check.GetResult();
 }

@@ -29,130 +29,179 @@ public:
   explicit Edges(vtkPolyData* mesh)
     : Mesh(mesh)
   {
-    this->Of.Update(mesh);
+    this->Surface.Update(mesh);
   }
   float GetTag(vtkDepthTagMetric* metric, const relevo::RefinementView& view, int maximumLevel,
     int a, int b) const
   {
-    const auto tags = EdgeTagsOf(metric, this->Mesh, view, maximumLevel, this->Of);
-    return tags.empty() ? -1.0f : tags[this->Of.FindEdge(a, b)];
+    const auto tags = EdgeTagsOf(metric, this->Mesh, view, maximumLevel, this->Surface);
+    return tags.empty() ? -1.0f : tags[this->Surface.FindEdge(a, b)];
   }
 
   RelevoMeshes::Mesh Mesh;
-  relevo::SurfaceEdges Of;
+  relevo::SurfaceEdges Surface;
 };
 
-void TestByHand(RelevoCheck& check)
+// The edges of point 0 are 0.8 and 0.6 long, that of 1 and 2 is 1.
+Edges MakeTriangle()
 {
-  vtkNew<vtkCamera> camera;
-  camera->SetPosition(0, 0, 2);
-  camera->SetFocalPoint(0, 0, 0);
-  camera->SetViewAngle(90);
-  camera->SetClippingRange(0.1, 100.0);
-  relevo::RefinementView view;
-  view.Camera = camera;
-  view.ViewportSize[0] = 640;
-  view.ViewportSize[1] = 400;
-  auto mesh = RelevoMeshes::FromTriangles(
-    { { { 0, 0, 0 } }, { { 0.8, 0, 0 } }, { { 0, 0.6, 0 } } }, { { { 0, 1, 2 } } });
-  const Edges triangle(mesh);
+  return Edges(RelevoMeshes::FromTriangles(
+    { { { 0, 0, 0 } }, { { 0.8, 0, 0 } }, { { 0, 0.6, 0 } } }, { { { 0, 1, 2 } } }));
+}
 
-  // 100 pixels for a unit: each edge its own length.
-  vtkNew<vtkScreenEdgeDepthTagMetric> screenEdge;
-  CHECK_NEAR(triangle.GetTag(screenEdge, view, 6, 0, 1), 3.0, 1e-5);
-  CHECK_NEAR(triangle.GetTag(screenEdge, view, 6, 0, 2), std::log2(6.0), 1e-5);
-  CHECK_NEAR(triangle.GetTag(screenEdge, view, 6, 1, 2), std::log2(10.0), 1e-5);
+// Two triangles that meet at a right angle.
+Edges MakeRoof()
+{
+  return Edges(RelevoMeshes::FromTriangles(
+    { { { 0, -1, 0 } }, { { 0, 1, 0 } }, { { 1, 0, -1 } }, { { -1, 0, -1 } } },
+    { { { 0, 2, 1 } }, { { 0, 1, 3 } } }));
+}
 
-  // The nearer end.
-  vtkNew<vtkDistanceDepthTagMetric> distance;
-  distance->SetMaximumDistance(4.0);
-  CHECK_NEAR(triangle.GetTag(distance, view, 6, 0, 1), 3.0, 1e-5);
-  CHECK_NEAR(triangle.GetTag(distance, view, 6, 1, 2), 6.0 * (1.0 - std::sqrt(4.36) / 4.0), 1e-5);
-
-  // A ball that touches the middle of an edge and neither of its ends.
-  vtkNew<vtkRegionDepthTagMetric> region;
-  region->SetCenter(0.4, -0.2, 0);
-  region->SetRadius(0.15);
-  region->SetFallOff(0.1);
-  CHECK_NEAR(triangle.GetTag(region, view, 6, 0, 1), 3.0, 1e-5); // half of the fall-off away
-  CHECK(triangle.GetTag(region, view, 6, 0, 2) == 0.0f);
-  vtkNew<vtkPlane> plane;
-  plane->SetOrigin(0.7, 0, 0);
-  plane->SetNormal(-1, 0, 0);
-  region->SetImplicitFunction(plane);
-  CHECK(triangle.GetTag(region, view, 6, 0, 1) == 6.0f);
-  CHECK(triangle.GetTag(region, view, 6, 0, 2) == 0.0f);
-
-  // The variation of an edge's own points.
+void AddValues(vtkPolyData* triangle)
+{
   vtkNew<vtkFloatArray> values;
   values->SetName("Values");
   for (float value : { 0.0f, 4.0f, 1.0f })
   {
     values->InsertNextValue(value);
   }
-  mesh->GetPointData()->AddArray(values);
+  triangle->GetPointData()->AddArray(values);
+}
+
+// 100 pixels for a unit: each edge its own length.
+void TestScreenEdge(RelevoCheck& check)
+{
+  const FrontView front;
+  const Edges triangle = MakeTriangle();
+  vtkNew<vtkScreenEdgeDepthTagMetric> screenEdge;
+  CHECK_NEAR(triangle.GetTag(screenEdge, front.View, 6, 0, 1), 3.0, 1e-5);
+  CHECK_NEAR(triangle.GetTag(screenEdge, front.View, 6, 0, 2), std::log2(6.0), 1e-5);
+  CHECK_NEAR(triangle.GetTag(screenEdge, front.View, 6, 1, 2), std::log2(10.0), 1e-5);
+}
+
+// The nearer end.
+void TestDistance(RelevoCheck& check)
+{
+  const FrontView front;
+  const Edges triangle = MakeTriangle();
+  vtkNew<vtkDistanceDepthTagMetric> distance;
+  distance->SetMaximumDistance(4.0);
+  CHECK_NEAR(triangle.GetTag(distance, front.View, 6, 0, 1), 3.0, 1e-5);
+  CHECK_NEAR(
+    triangle.GetTag(distance, front.View, 6, 1, 2), 6.0 * (1.0 - std::sqrt(4.36) / 4.0), 1e-5);
+}
+
+// A ball that touches the middle of an edge and neither of its ends; a half space.
+void TestRegion(RelevoCheck& check)
+{
+  const FrontView front;
+  const Edges triangle = MakeTriangle();
+  vtkNew<vtkRegionDepthTagMetric> region;
+  region->SetCenter(0.4, -0.2, 0);
+  region->SetRadius(0.15);
+  region->SetFallOff(0.1);
+  CHECK_NEAR(triangle.GetTag(region, front.View, 6, 0, 1), 3.0, 1e-5); // half of the fall-off away
+  CHECK(triangle.GetTag(region, front.View, 6, 0, 2) == 0.0f);
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.7, 0, 0);
+  plane->SetNormal(-1, 0, 0);
+  region->SetImplicitFunction(plane);
+  CHECK(triangle.GetTag(region, front.View, 6, 0, 1) == 6.0f);
+  CHECK(triangle.GetTag(region, front.View, 6, 0, 2) == 0.0f);
+}
+
+// The variation of an edge's own points.
+void TestFieldVariation(RelevoCheck& check)
+{
+  const FrontView front;
+  const Edges triangle = MakeTriangle();
+  AddValues(triangle.Mesh);
   vtkNew<vtkFieldVariationDepthTagMetric> field;
   field->SetArrayName("Values");
   field->SetMaximumVariation(1.0);
-  CHECK_NEAR(triangle.GetTag(field, view, 4, 0, 1), 4.0, 1e-5);
-  CHECK_NEAR(triangle.GetTag(field, view, 4, 0, 2), 1.0, 1e-5);
-  CHECK_NEAR(triangle.GetTag(field, view, 4, 1, 2), 3.0, 1e-5);
+  CHECK_NEAR(triangle.GetTag(field, front.View, 4, 0, 1), 4.0, 1e-5);
+  CHECK_NEAR(triangle.GetTag(field, front.View, 4, 0, 2), 1.0, 1e-5);
+  CHECK_NEAR(triangle.GetTag(field, front.View, 4, 1, 2), 3.0, 1e-5);
+}
 
-  // The least cosine of the two ends; where one faces the eye and the other does not, the contour.
+// The least cosine of the two ends; where one faces the eye and the other does not, the contour.
+void TestSilhouette(RelevoCheck& check)
+{
+  const FrontView front;
+  const Edges triangle = MakeTriangle();
   vtkNew<vtkSilhouetteDepthTagMetric> silhouette;
   vtkNew<vtkFloatArray> normals;
   normals->SetNumberOfComponents(3);
   normals->InsertNextTuple3(0, 0, 1);
   normals->InsertNextTuple3(0, 3, 4);
   normals->InsertNextTuple3(0, 0, -1);
-  mesh->GetPointData()->SetNormals(normals);
-  camera->ParallelProjectionOn();
-  CHECK_NEAR(triangle.GetTag(silhouette, view, 5, 0, 1), 1.0, 1e-5);
-  CHECK(triangle.GetTag(silhouette, view, 5, 0, 2) == 5.0f);
-  CHECK(triangle.GetTag(silhouette, view, 5, 1, 2) == 5.0f);
+  triangle.Mesh->GetPointData()->SetNormals(normals);
+  front.Camera->ParallelProjectionOn();
+  CHECK_NEAR(triangle.GetTag(silhouette, front.View, 5, 0, 1), 1.0, 1e-5);
+  CHECK(triangle.GetTag(silhouette, front.View, 5, 0, 2) == 5.0f);
+  CHECK(triangle.GetTag(silhouette, front.View, 5, 1, 2) == 5.0f);
   silhouette->SetCriterionToContour();
-  CHECK(triangle.GetTag(silhouette, view, 5, 0, 1) == 5.0f); // the border
+  CHECK(triangle.GetTag(silhouette, front.View, 5, 0, 1) == 5.0f); // the border
+}
 
-  // Two triangles that meet at a right angle, seen along the bisector: no contour but the border.
-  const Edges roof(RelevoMeshes::FromTriangles(
-    { { { 0, -1, 0 } }, { { 0, 1, 0 } }, { { 1, 0, -1 } }, { { -1, 0, -1 } } },
-    { { { 0, 2, 1 } }, { { 0, 1, 3 } } }));
+// A ridge seen along the bisector of its triangles: no contour but the border.
+void TestContour(RelevoCheck& check)
+{
+  const FrontView front;
+  const Edges roof = MakeRoof();
+  vtkNew<vtkSilhouetteDepthTagMetric> silhouette;
+  silhouette->SetCriterionToContour();
   silhouette->SetContourWidth(1.0);
-  CHECK_NEAR(roof.GetTag(silhouette, view, 5, 0, 1), 5.0 * (1.0 - std::sqrt(0.5)), 1e-5);
-  CHECK(roof.GetTag(silhouette, view, 5, 0, 2) == 5.0f);
+  front.Camera->ParallelProjectionOn();
+  CHECK_NEAR(roof.GetTag(silhouette, front.View, 5, 0, 1), 5.0 * (1.0 - std::sqrt(0.5)), 1e-5);
+  CHECK(roof.GetTag(silhouette, front.View, 5, 0, 2) == 5.0f);
 
-  camera->ParallelProjectionOff();
-  camera->SetPosition(0, 0, 0); // the eye on the middle of the ridge
-  camera->SetFocalPoint(0, 0, -1);
-  CHECK(roof.GetTag(silhouette, view, 5, 0, 1) == 5.0f);
-  camera->SetPosition(0, 0, 2);
-  camera->SetFocalPoint(0, 0, 0);
+  front.Camera->ParallelProjectionOff();
+  front.Camera->SetPosition(0, 0, 0); // the eye on the middle of the ridge
+  front.Camera->SetFocalPoint(0, 0, -1);
+  CHECK(roof.GetTag(silhouette, front.View, 5, 0, 1) == 5.0f);
+}
 
-  // The more bent end; both ends of the ridge are bent by 45 degrees, the others are flat.
+// The more bent end; both ends of the ridge are bent by 45 degrees, the others are flat.
+void TestViewDependent(RelevoCheck& check)
+{
+  const FrontView front;
+  const Edges roof = MakeRoof();
   vtkNew<vtkViewDependentDepthTagMetric> viewDependent;
   viewDependent->SetMaximumSpread(90.0);
   viewDependent->SetEdgeOnWeight(0.0);
-  CHECK_NEAR(roof.GetTag(viewDependent, view, 4, 0, 1), 2.0, 1e-5);
-  CHECK_NEAR(roof.GetTag(viewDependent, view, 4, 0, 2), 2.0, 1e-5);
+  CHECK_NEAR(roof.GetTag(viewDependent, front.View, 4, 0, 1), 2.0, 1e-5);
+  CHECK_NEAR(roof.GetTag(viewDependent, front.View, 4, 0, 2), 2.0, 1e-5);
+}
 
-  // Of the levels that the metrics give to the edge.
+// Of the levels that the metrics give to the edge.
+void TestComposite(RelevoCheck& check)
+{
+  const FrontView front;
+  const Edges triangle = MakeTriangle();
+  AddValues(triangle.Mesh);
+  vtkNew<vtkScreenEdgeDepthTagMetric> screenEdge;
+  vtkNew<vtkFieldVariationDepthTagMetric> field;
+  field->SetArrayName("Values");
+  field->SetMaximumVariation(1.0);
   vtkNew<vtkCompositeDepthTagMetric> composite;
   composite->AddMetric(screenEdge);
   composite->AddMetric(field, 0.5);
-  camera->ParallelProjectionOff();
   for (int edge = 0; edge < 3; ++edge)
   {
     const int a = edge;
     const int b = (edge + 1) % 3;
-    const float first = triangle.GetTag(screenEdge, view, 6, a, b);
-    const float second = 0.5f * triangle.GetTag(field, view, 6, a, b);
+    const float first = triangle.GetTag(screenEdge, front.View, 6, a, b);
+    const float second = 0.5f * triangle.GetTag(field, front.View, 6, a, b);
     composite->SetModeToMaximum();
-    CHECK_NEAR(triangle.GetTag(composite, view, 6, a, b), std::max(first, second), 1e-5);
+    CHECK_NEAR(triangle.GetTag(composite, front.View, 6, a, b), std::max(first, second), 1e-5);
     composite->SetModeToSum();
-    CHECK_NEAR(triangle.GetTag(composite, view, 6, a, b), std::min(first + second, 6.0f), 1e-5);
+    CHECK_NEAR(
+      triangle.GetTag(composite, front.View, 6, a, b), std::min(first + second, 6.0f), 1e-5);
     // Tags of points are not mistaken for those of edges.
-    CHECK(TagsOf(composite, mesh, view, 6).size() == 3);
-    CHECK(TagsOf(composite, mesh, view, 6) != EdgeTagsOf(composite, mesh, view, 6, triangle.Of));
+    const auto tags = TagsOf(composite, triangle.Mesh, front.View, 6);
+    CHECK(tags.size() == 3);
+    CHECK(tags != EdgeTagsOf(composite, triangle.Mesh, front.View, 6, triangle.Surface));
   }
 }
 
@@ -234,14 +283,10 @@ void TestAlone(RelevoCheck& check, vtkDepthTagMetric* metric, const relevo::Refi
       EdgeTagsOf(metric, alone, view, 5, few)[few.FindEdge(places[0], places[1])] == tags[edge]);
   }
 }
-}
 
-int TestDepthTagMetricEdges(int, char*[])
+// All metrics that can, from random cameras.
+void TestAlone(RelevoCheck& check)
 {
-  RelevoCheck check;
-  TestByHand(check);
-  TestDefault(check);
-
   vtkNew<vtkCamera> camera;
   relevo::RefinementView view;
   view.Camera = camera;
@@ -268,5 +313,21 @@ int TestDepthTagMetricEdges(int, char*[])
       TestAlone(check, metric, view, metric == contour);
     }
   }
+}
+}
+
+int TestDepthTagMetricEdges(int, char*[])
+{
+  RelevoCheck check;
+  TestScreenEdge(check);
+  TestDistance(check);
+  TestRegion(check);
+  TestFieldVariation(check);
+  TestSilhouette(check);
+  TestContour(check);
+  TestViewDependent(check);
+  TestComposite(check);
+  TestDefault(check);
+  TestAlone(check);
   return check.GetResult();
 }

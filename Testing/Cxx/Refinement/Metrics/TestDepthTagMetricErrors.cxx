@@ -126,102 +126,133 @@ void TestView(RelevoCheck& check, vtkPolyData* mesh, const relevo::RefinementVie
     }
   }
 }
-}
 
-int TestDepthTagMetricErrors(int, char*[])
+// A mesh, a camera that sees it, and what metrics make of them.
+struct Scene
 {
-  RelevoCheck check;
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  auto mesh = MakeMesh(1.0f);
-  vtkNew<vtkCamera> camera;
-  relevo::RefinementView view;
-  view.Camera = camera;
-  const std::vector<std::string> ofTheView{ "distance", "pixels", "screen", "eye" };
+  Scene() { this->View.Camera = this->Camera; }
+  void Expect(RelevoCheck& check, const std::vector<std::string>& failing = {},
+    const std::string& words = "") const
+  {
+    TestView(check, this->Mesh, this->View, failing, words);
+  }
 
-  // The camera inside the mesh, on a vertex, in the middle of a face, on its focal point; far away
-  // and close by; of any kind.
+  RelevoMeshes::Mesh Mesh = MakeMesh(1.0f);
+  vtkNew<vtkCamera> Camera;
+  relevo::RefinementView View;
+};
+
+const double NaN = std::numeric_limits<double>::quiet_NaN();
+const std::vector<std::string> ViewDependent{ "distance", "pixels", "screen", "eye" };
+
+// The camera inside the mesh, on a vertex, in the middle of a face, on its focal point; far away
+// and close by; of any kind.
+void TestCameras(RelevoCheck& check, Scene& scene)
+{
+  vtkCamera* camera = scene.Camera;
   for (bool parallel : { false, true })
   {
     camera->SetParallelProjection(parallel);
     camera->SetFocalPoint(0, 0, -1);
     camera->SetPosition(0, 0, 0);
-    TestView(check, mesh, view);
-    camera->SetPosition(mesh->GetPoint(5));
-    TestView(check, mesh, view);
+    scene.Expect(check);
+    camera->SetPosition(scene.Mesh->GetPoint(5));
+    scene.Expect(check);
     camera->SetPosition(0, 0, 1e12);
-    TestView(check, mesh, view);
+    scene.Expect(check);
     camera->SetPosition(0, 0, 1e200);
-    TestView(check, mesh, view, { "screen" }, "its view is flat");
+    scene.Expect(check, { "screen" }, "its view is flat");
     camera->SetPosition(0, 0, 2);
     for (double angle : { 1e-8, 179.9 })
     {
       camera->SetViewAngle(angle);
-      TestView(check, mesh, view);
+      scene.Expect(check);
     }
     camera->SetViewAngle(30);
     camera->SetParallelScale(1e-30);
-    TestView(check, mesh, view);
+    scene.Expect(check);
     camera->SetParallelScale(1);
     camera->SetClippingRange(1e-20, 1e20);
-    TestView(check, mesh, view);
+    scene.Expect(check);
     camera->SetClippingRange(0.01, 1000);
     // No direction: distances do not need one.
     camera->SetFocalPoint(0, 0, 2);
-    TestView(check, mesh, view, { "screen", "eye" }, "no direction");
-    camera->SetFocalPoint(nan, 0, 0);
-    TestView(check, mesh, view, { "screen", "eye" }, "not finite");
+    scene.Expect(check, { "screen", "eye" }, "no direction");
+    camera->SetFocalPoint(NaN, 0, 0);
+    scene.Expect(check, { "screen", "eye" }, "not finite");
     camera->SetFocalPoint(0, 0, 0);
-    camera->SetPosition(nan, 0, 0);
-    TestView(check, mesh, view, ofTheView, "not finite");
+    camera->SetPosition(NaN, 0, 0);
+    scene.Expect(check, ViewDependent, "not finite");
     camera->SetPosition(0, 0, 2);
     camera->SetViewUp(0, 0, 1);
-    TestView(check, mesh, view, { "screen" }, "view-up");
+    scene.Expect(check, { "screen" }, "view-up");
     camera->SetViewUp(0, 1, 0);
   }
-  view.Camera = nullptr;
-  TestView(check, mesh, view, ofTheView, "no camera");
-  view.Camera = camera;
+  scene.View.Camera = nullptr;
+  scene.Expect(check, ViewDependent, "no camera");
+  scene.View.Camera = camera;
+}
 
-  // A viewport without an area.
+// A viewport without an area.
+void TestViewports(RelevoCheck& check, Scene& scene)
+{
+  int* size = scene.View.ViewportSize;
   for (int width : { 0, -5 })
   {
-    view.ViewportSize[0] = width;
-    TestView(check, mesh, view, { "screen" }, "no pixels");
-    std::swap(view.ViewportSize[0], view.ViewportSize[1]);
-    TestView(check, mesh, view, { "screen", "pixels" }, "no pixels");
-    view.ViewportSize[0] = view.ViewportSize[1] = 300;
+    size[0] = width;
+    scene.Expect(check, { "screen" }, "no pixels");
+    std::swap(size[0], size[1]);
+    scene.Expect(check, { "screen", "pixels" }, "no pixels");
+    size[0] = size[1] = 300;
   }
+}
 
-  // Matrices that flatten, mirror, blow up or are broken.
+// Matrices that flatten, mirror, blow up or are broken.
+void TestMatrices(RelevoCheck& check, Scene& scene)
+{
   for (const std::array<double, 3>& scale :
     std::vector<std::array<double, 3>>{ { { 1, 1, 0 } }, { { 0, 0, 0 } }, { { -1, 1, 1 } },
-      { { 1e20, 1, 1e-20 } }, { { 1e-200, 1, 1 } }, { { nan, 1, 1 } } })
+      { { 1e20, 1, 1e-20 } }, { { 1e-200, 1, 1 } }, { { NaN, 1, 1 } } })
   {
     vtkNew<vtkMatrix4x4> matrix;
     for (int c = 0; c < 3; ++c)
     {
       matrix->SetElement(c, c, scale[c]);
     }
-    view.ModelToWorld = matrix;
-    TestView(check, mesh, view);
+    scene.View.ModelToWorld = matrix;
+    scene.Expect(check);
   }
-  view.ModelToWorld = nullptr;
+  scene.View.ModelToWorld = nullptr;
+}
 
-  // Meshes that are tiny, huge, far away; without an array, and with one of nothing but NaN.
+// Meshes that are tiny, huge, far away; without an array, and with one of nothing but NaN.
+void TestMeshes(RelevoCheck& check, Scene& scene)
+{
   for (double scale : { 1e-30, 1e-12, 1e12, 1e30 })
   {
     const double none[3] = { 0, 0, 0 };
-    auto scaled = RelevoMeshes::Moved(mesh, scale, none, VTK_DOUBLE);
-    scaled->GetPointData()->AddArray(mesh->GetPointData()->GetArray("Values"));
-    TestView(check, scaled, view);
-    camera->SetPosition(0, 0, 2 * scale);
+    auto scaled = RelevoMeshes::Moved(scene.Mesh, scale, none, VTK_DOUBLE);
+    scaled->GetPointData()->AddArray(scene.Mesh->GetPointData()->GetArray("Values"));
+    TestView(check, scaled, scene.View);
+    scene.Camera->SetPosition(0, 0, 2 * scale);
     if (scale > 1e-20)
     {
-      TestView(check, scaled, view);
+      TestView(check, scaled, scene.View);
     }
-    camera->SetPosition(0, 0, 2);
+    scene.Camera->SetPosition(0, 0, 2);
   }
-  TestView(check, MakeMesh(std::nanf("")), view);
-  TestView(check, RelevoMeshes::Sphere(9, 7), view, { "field" }, "no point or cell array");
+  TestView(check, MakeMesh(std::nanf("")), scene.View);
+  TestView(check, RelevoMeshes::Sphere(9, 7), scene.View, { "field" }, "no point or cell array");
+}
+}
+
+int TestDepthTagMetricErrors(int, char*[])
+{
+  RelevoCheck check;
+  Scene scene;
+  TestCameras(check, scene); // leaves the camera as the others want it
+  TestViewports(check, scene);
+  TestMatrices(check, scene);
+  TestMeshes(check, scene);
   return check.GetResult();
 }

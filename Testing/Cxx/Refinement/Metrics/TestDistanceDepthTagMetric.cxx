@@ -35,10 +35,7 @@ vtkSmartPointer<vtkPolyData> MakePoints(
   mesh->SetPoints(points);
   return mesh;
 }
-}
 
-namespace
-{
 // An equilateral triangle with sides of `side`, around the z axis at the height z.
 RelevoMeshes::Mesh MakeTriangle(double side, double z)
 {
@@ -181,6 +178,151 @@ void TestCentroids(RelevoCheck& check)
   metric->SetMeasure(2);
   CHECK(errors.Said("Measure") && metric->GetMeasure() == 1);
 }
+
+const double Infinity = std::numeric_limits<double>::infinity();
+const double NaN = std::numeric_limits<double>::quiet_NaN();
+
+// A metric, a camera at the origin, and the tags of the last mesh.
+struct Scene
+{
+  Scene()
+  {
+    this->Camera->SetPosition(0, 0, 0);
+    this->View.Camera = this->Camera;
+  }
+  bool Compute(vtkPolyData* mesh, int maximumLevel)
+  {
+    return this->Metric->ComputeTags(mesh, this->View, maximumLevel, this->Tags);
+  }
+
+  vtkNew<vtkDistanceDepthTagMetric> Metric;
+  vtkNew<vtkFloatArray> Tags;
+  vtkNew<vtkCamera> Camera;
+  relevo::RefinementView View;
+};
+
+vtkSmartPointer<vtkPolyData> MakeSixPoints()
+{
+  return MakePoints(
+    { { 0, 0, 0 }, { 0, 1, 0 }, { 1.5, 0, -2 }, { 0, 0, 5 }, { 7, 0, 0 }, { 3, 4, 0 } });
+}
+
+// MaximumLevel at the camera, 0 from MaximumDistance on, linear between.
+void TestLinear(RelevoCheck& check)
+{
+  Scene scene;
+  CHECK(scene.Metric->IsViewDependent());
+  CHECK(scene.Metric->GetMaximumDistance() == 0.0);
+
+  scene.Metric->SetMaximumDistance(5.0);
+  auto mesh = MakeSixPoints();
+  CHECK(scene.Compute(mesh, 4));
+  CHECK(scene.Tags->GetNumberOfTuples() == 6 && scene.Tags->GetNumberOfComponents() == 1);
+  const double levels[6] = { 4.0, 3.2, 2.0, 0.0, 0.0, 0.0 };
+  for (int i = 0; i < 6; ++i)
+  {
+    CHECK_NEAR(scene.Tags->GetValue(i), levels[i], 1e-6);
+  }
+  CHECK(scene.Compute(mesh, 0));
+  CHECK(scene.Tags->GetValue(0) == 0.0f);
+}
+
+// Distances are the world's: (1, 0, 0) goes to (2, 0, 3).
+void TestWorld(RelevoCheck& check)
+{
+  Scene scene;
+  scene.Metric->SetMaximumDistance(5.0);
+  vtkNew<vtkTransform> transform;
+  transform->Translate(0, 0, 3);
+  transform->Scale(2, 2, 2);
+  scene.View.ModelToWorld = transform->GetMatrix();
+  CHECK(scene.Compute(MakePoints({ { 1, 0, 0 } }), 4));
+  CHECK_NEAR(scene.Tags->GetValue(0), 4.0 * (1.0 - std::sqrt(13.0) / 5.0), 1e-6);
+}
+
+// Automatic: three diagonals of the box in world units, however the actor is turned.
+void TestAutomatic(RelevoCheck& check)
+{
+  Scene scene;
+  scene.Camera->SetPosition(0, 0, 9);
+  auto box = MakePoints({ { 0, 0, 0 }, { 1, 2, 2 } });
+  vtkNew<vtkTransform> transform;
+  for (double angle : { 0.0, 30.0 })
+  {
+    transform->Identity();
+    transform->RotateX(angle);
+    transform->RotateY(2 * angle);
+    transform->Scale(2, 2, 2);
+    scene.View.ModelToWorld = transform->GetMatrix();
+    CHECK(scene.Compute(box, 5));
+    CHECK_NEAR(scene.Tags->GetValue(0), 5.0 * (1.0 - 9.0 / 18.0), 1e-6);
+  }
+  scene.View.ModelToWorld = nullptr;
+  // One point has no extent: nothing to refine, nothing to divide by.
+  CHECK(scene.Compute(MakePoints({ { 1, 1, 1 } }), 5));
+  CHECK(scene.Tags->GetValue(0) == 0.0f);
+}
+
+// Points that are not finite get level 0 and do not disturb the others.
+void TestBrokenPoints(RelevoCheck& check)
+{
+  Scene scene;
+  scene.Camera->SetPosition(0, 0, 9);
+  auto broken = MakePoints(
+    { { 0, 0, 0 }, { NaN, 0, 0 }, { 0, Infinity, 0 }, { 1, 2, 2 }, { 0, 0, -Infinity } });
+  CHECK(scene.Compute(broken, 5));
+  const float first = scene.Tags->GetValue(0);
+  CHECK(scene.Tags->GetValue(1) == 0.0f && scene.Tags->GetValue(2) == 0.0f &&
+    scene.Tags->GetValue(4) == 0.0f);
+  CHECK(scene.Compute(MakePoints({ { 0, 0, 0 }, { 1, 2, 2 } }), 5));
+  CHECK(first == scene.Tags->GetValue(0));
+  auto huge = MakePoints({ { 0, 0, 0 }, { 1e300, 0, 0 }, { -1e300, 1e300, 0 } });
+  CHECK(scene.Compute(huge, 5));
+  for (vtkIdType i = 0; i < 3; ++i)
+  {
+    CHECK(scene.Tags->GetValue(i) >= 0.0f && scene.Tags->GetValue(i) <= 5.0f);
+  }
+}
+
+// Far from the origin distances keep their digits; no points have no tags.
+void TestFarAndEmpty(RelevoCheck& check)
+{
+  Scene scene;
+  scene.Metric->SetMaximumDistance(1.0);
+  scene.Camera->SetPosition(5e6, 4e6, 100.0);
+  CHECK(scene.Compute(MakePoints({ { 5e6, 4e6, 100.25 } }), 4));
+  CHECK_NEAR(scene.Tags->GetValue(0), 3.0, 1e-6);
+
+  vtkNew<vtkPolyData> empty;
+  CHECK(scene.Compute(empty, 4));
+  CHECK(scene.Tags->GetNumberOfTuples() == 0);
+}
+
+void TestErrors(RelevoCheck& check)
+{
+  Scene scene;
+  scene.Metric->SetMaximumDistance(1.0);
+  RelevoErrors errors(scene.Metric);
+  for (double bad : { -1.0, Infinity, NaN })
+  {
+    const vtkMTimeType time = scene.Metric->GetMTime();
+    scene.Metric->SetMaximumDistance(bad);
+    CHECK(errors.Said("MaximumDistance"));
+    CHECK(scene.Metric->GetMaximumDistance() == 1.0 && scene.Metric->GetMTime() == time);
+  }
+  auto mesh = MakeSixPoints();
+  scene.View.Camera = nullptr;
+  CHECK(!scene.Compute(mesh, 4));
+  CHECK(errors.Said("no camera"));
+  scene.View.Camera = scene.Camera;
+  scene.Camera->SetPosition(NaN, 0, 0);
+  CHECK(!scene.Compute(mesh, 4));
+  CHECK(errors.Said("not finite"));
+
+  const vtkMTimeType time = scene.Metric->GetMTime();
+  scene.Metric->SetMaximumDistance(2.0);
+  CHECK(scene.Metric->GetMTime() > time && errors.None());
+}
 }
 
 int TestDistanceDepthTagMetric(int, char*[])
@@ -188,103 +330,11 @@ int TestDistanceDepthTagMetric(int, char*[])
   RelevoCheck check;
   TestProjectedSize(check);
   TestCentroids(check);
-  const double infinity = std::numeric_limits<double>::infinity();
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  vtkNew<vtkDistanceDepthTagMetric> metric;
-  vtkNew<vtkFloatArray> tags;
-  vtkNew<vtkCamera> camera;
-  camera->SetPosition(0, 0, 0);
-  relevo::RefinementView view;
-  view.Camera = camera;
-  CHECK(metric->IsViewDependent());
-  CHECK(metric->GetMaximumDistance() == 0.0);
-
-  // The mapping: MaximumLevel at the camera, 0 from MaximumDistance on, linear between.
-  metric->SetMaximumDistance(5.0);
-  auto mesh =
-    MakePoints({ { 0, 0, 0 }, { 0, 1, 0 }, { 1.5, 0, -2 }, { 0, 0, 5 }, { 7, 0, 0 }, { 3, 4, 0 } });
-  CHECK(metric->ComputeTags(mesh, view, 4, tags));
-  CHECK(tags->GetNumberOfTuples() == 6 && tags->GetNumberOfComponents() == 1);
-  const double levels[6] = { 4.0, 3.2, 2.0, 0.0, 0.0, 0.0 };
-  for (int i = 0; i < 6; ++i)
-  {
-    CHECK_NEAR(tags->GetValue(i), levels[i], 1e-6);
-  }
-  CHECK(metric->ComputeTags(mesh, view, 0, tags));
-  CHECK(tags->GetValue(0) == 0.0f);
-
-  // Distances are the world's: (1, 0, 0) goes to (2, 0, 3).
-  vtkNew<vtkTransform> transform;
-  transform->Translate(0, 0, 3);
-  transform->Scale(2, 2, 2);
-  view.ModelToWorld = transform->GetMatrix();
-  CHECK(metric->ComputeTags(MakePoints({ { 1, 0, 0 } }), view, 4, tags));
-  CHECK_NEAR(tags->GetValue(0), 4.0 * (1.0 - std::sqrt(13.0) / 5.0), 1e-6);
-
-  // Automatic: three diagonals of the box in world units, however the actor is turned.
-  metric->SetMaximumDistance(0.0);
-  auto box = MakePoints({ { 0, 0, 0 }, { 1, 2, 2 } });
-  camera->SetPosition(0, 0, 9);
-  for (double angle : { 0.0, 30.0 })
-  {
-    transform->Identity();
-    transform->RotateX(angle);
-    transform->RotateY(2 * angle);
-    transform->Scale(2, 2, 2);
-    view.ModelToWorld = transform->GetMatrix();
-    CHECK(metric->ComputeTags(box, view, 5, tags));
-    CHECK_NEAR(tags->GetValue(0), 5.0 * (1.0 - 9.0 / 18.0), 1e-6);
-  }
-  view.ModelToWorld = nullptr;
-  // One point has no extent: nothing to refine, nothing to divide by.
-  CHECK(metric->ComputeTags(MakePoints({ { 1, 1, 1 } }), view, 5, tags));
-  CHECK(tags->GetValue(0) == 0.0f);
-
-  // Points that are not finite get level 0 and do not disturb the others.
-  auto broken = MakePoints(
-    { { 0, 0, 0 }, { nan, 0, 0 }, { 0, infinity, 0 }, { 1, 2, 2 }, { 0, 0, -infinity } });
-  CHECK(metric->ComputeTags(broken, view, 5, tags));
-  CHECK(tags->GetValue(1) == 0.0f && tags->GetValue(2) == 0.0f && tags->GetValue(4) == 0.0f);
-  const float first = tags->GetValue(0);
-  CHECK(metric->ComputeTags(box, view, 5, tags));
-  CHECK(first == tags->GetValue(0));
-  auto huge = MakePoints({ { 0, 0, 0 }, { 1e300, 0, 0 }, { -1e300, 1e300, 0 } });
-  CHECK(metric->ComputeTags(huge, view, 5, tags));
-  for (vtkIdType i = 0; i < 3; ++i)
-  {
-    CHECK(tags->GetValue(i) >= 0.0f && tags->GetValue(i) <= 5.0f);
-  }
-
-  // Far from the origin distances keep their digits.
-  metric->SetMaximumDistance(1.0);
-  camera->SetPosition(5e6, 4e6, 100.0);
-  CHECK(metric->ComputeTags(MakePoints({ { 5e6, 4e6, 100.25 } }), view, 4, tags));
-  CHECK_NEAR(tags->GetValue(0), 3.0, 1e-6);
-
-  // No points.
-  vtkNew<vtkPolyData> empty;
-  CHECK(metric->ComputeTags(empty, view, 4, tags));
-  CHECK(tags->GetNumberOfTuples() == 0);
-
-  // Errors.
-  RelevoErrors errors(metric);
-  for (double bad : { -1.0, infinity, nan })
-  {
-    const vtkMTimeType time = metric->GetMTime();
-    metric->SetMaximumDistance(bad);
-    CHECK(errors.Said("MaximumDistance"));
-    CHECK(metric->GetMaximumDistance() == 1.0 && metric->GetMTime() == time);
-  }
-  view.Camera = nullptr;
-  CHECK(!metric->ComputeTags(mesh, view, 4, tags));
-  CHECK(errors.Said("no camera"));
-  view.Camera = camera;
-  camera->SetPosition(nan, 0, 0);
-  CHECK(!metric->ComputeTags(mesh, view, 4, tags));
-  CHECK(errors.Said("not finite"));
-
-  const vtkMTimeType time = metric->GetMTime();
-  metric->SetMaximumDistance(2.0);
-  CHECK(metric->GetMTime() > time && errors.None());
+  TestLinear(check);
+  TestWorld(check);
+  TestAutomatic(check);
+  TestBrokenPoints(check);
+  TestFarAndEmpty(check);
+  TestErrors(check);
   return check.GetResult();
 }

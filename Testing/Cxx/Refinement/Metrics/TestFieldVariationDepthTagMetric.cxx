@@ -41,105 +41,131 @@ RelevoMeshes::Mesh Strip()
                                        { { 1, 1, 0 } }, { { 2, 0, 0 } }, { { 2, 1, 0 } } },
     { { { 0, 2, 1 } }, { { 1, 2, 3 } }, { { 2, 4, 3 } }, { { 3, 4, 5 } } });
 }
-}
 
-int TestFieldVariationDepthTagMetric(int, char*[])
+const double NaN = std::nan("");
+const double Infinity = std::numeric_limits<double>::infinity();
+
+// A strip, and the metric of its array "field".
+struct Scene
 {
-  RelevoCheck check;
-  const double nan = std::nan("");
-  const double infinity = std::numeric_limits<double>::infinity();
-  vtkNew<vtkFieldVariationDepthTagMetric> metric;
-  CHECK(!metric->IsViewDependent());
-  const relevo::RefinementView view; // no camera is needed
-  metric->SetArrayName("field");
-  metric->SetMaximumVariation(1.0);
-  auto mesh = Strip();
-  const auto expect = [&](const std::vector<double>& levels)
+  Scene()
   {
-    const auto tags = TagsOf(metric, mesh, view, 4);
+    this->Metric->SetArrayName("field");
+    this->Metric->SetMaximumVariation(1.0);
+  }
+  vtkPointData* GetPointData() { return this->Mesh->GetPointData(); }
+  std::vector<float> GetTags(int maximumLevel)
+  {
+    return TagsOf(this->Metric, this->Mesh, this->View, maximumLevel);
+  }
+  void Expect(RelevoCheck& check, const std::vector<double>& levels)
+  {
+    const auto tags = this->GetTags(4);
     CHECK(tags.size() == levels.size());
     for (std::size_t i = 0; i < tags.size() && i < levels.size(); ++i)
     {
       CHECK_NEAR(tags[i], levels[i], 1e-5);
     }
-  };
+  }
 
-  // A scalar, relative to its range of 8.
-  AddArray<vtkIntArray>(mesh->GetPointData(), 1, { -4, -4, -2, -2, 4, 0 });
-  expect({ 1, 1, 3, 3, 3, 2 });
-  metric->SetMinimumVariation(0.25);
-  metric->SetMaximumVariation(0.5);
-  expect({ 0, 0, 4, 4, 4, 4 });
-  metric->SetMinimumVariation(0.0);
-  metric->SetMaximumVariation(1.0);
+  vtkNew<vtkFieldVariationDepthTagMetric> Metric;
+  RelevoMeshes::Mesh Mesh = Strip();
+  relevo::RefinementView View; // no camera is needed
+};
+
+// Relative to its range of 8.
+void TestScalar(RelevoCheck& check)
+{
+  Scene scene;
+  CHECK(!scene.Metric->IsViewDependent());
+  AddArray<vtkIntArray>(scene.GetPointData(), 1, { -4, -4, -2, -2, 4, 0 });
+  scene.Expect(check, { 1, 1, 3, 3, 3, 2 });
+  scene.Metric->SetMinimumVariation(0.25);
+  scene.Metric->SetMaximumVariation(0.5);
+  scene.Expect(check, { 0, 0, 4, 4, 4, 4 });
+  scene.Metric->SetMinimumVariation(0.0);
+  scene.Metric->SetMaximumVariation(1.0);
   // Values that are not finite make no variation.
-  AddArray<vtkDoubleArray>(mesh->GetPointData(), 1, { 0, nan, 1, infinity, -infinity, 4 });
-  expect({ 1, 0, 1, 0, 0, 0 });
-  AddArray<vtkDoubleArray>(mesh->GetPointData(), 1, std::vector<double>(6, nan));
-  expect(std::vector<double>(6, 0.0));
-  AddArray<vtkDoubleArray>(mesh->GetPointData(), 1, std::vector<double>(6, 7.0));
-  expect(std::vector<double>(6, 0.0));
-  AddArray<vtkDoubleArray>(mesh->GetPointData(), 1, { -1e308, 1e308, 0, 0, 0, 0 });
-  CHECK(AreLevels(TagsOf(metric, mesh, view, 4), 6, 4));
+  AddArray<vtkDoubleArray>(scene.GetPointData(), 1, { 0, NaN, 1, Infinity, -Infinity, 4 });
+  scene.Expect(check, { 1, 0, 1, 0, 0, 0 });
+  AddArray<vtkDoubleArray>(scene.GetPointData(), 1, std::vector<double>(6, NaN));
+  scene.Expect(check, std::vector<double>(6, 0.0));
+  AddArray<vtkDoubleArray>(scene.GetPointData(), 1, std::vector<double>(6, 7.0));
+  scene.Expect(check, std::vector<double>(6, 0.0));
+  AddArray<vtkDoubleArray>(scene.GetPointData(), 1, { -1e308, 1e308, 0, 0, 0, 0 });
+  CHECK(AreLevels(scene.GetTags(4), 6, 4));
+}
 
-  // Vectors: the angle over 180 degrees, or the difference of lengths over the longest.
+// The angle over 180 degrees, or the difference of lengths over the longest.
+void TestVectors(RelevoCheck& check)
+{
+  Scene scene;
   AddArray<vtkDoubleArray>(
-    mesh->GetPointData(), 3, { 8, 0, 0, 8, 0, 0, 8, 0, 0, 0, 8, 0, 0, 2, 0, 0, 0, 0 });
-  expect({ 0, 2, 3, 4, 3, 4 });
+    scene.GetPointData(), 3, { 8, 0, 0, 8, 0, 0, 8, 0, 0, 0, 8, 0, 0, 2, 0, 0, 0, 0 });
+  scene.Expect(check, { 0, 2, 3, 4, 3, 4 });
   // Opposite vectors; ones too short to have a direction; a NaN in one component.
-  AddArray<vtkDoubleArray>(mesh->GetPointData(), 2, { 1, 0, -1, 0, -1, 0, -1, nan, 0, 1e-9, 0, 0 });
-  expect({ 4, 4, 4, 0, 4, 0 });
+  AddArray<vtkDoubleArray>(scene.GetPointData(), 2, { 1, 0, -1, 0, -1, 0, -1, NaN, 0, 1e-9, 0, 0 });
+  scene.Expect(check, { 4, 4, 4, 0, 4, 0 });
   // What stands for no data makes no variation and does not count as the longest.
-  for (double sentinel : { -1e9, 1e20, 1e8, infinity })
+  for (double sentinel : { -1e9, 1e20, 1e8, Infinity })
   {
     AddArray<vtkDoubleArray>(
-      mesh->GetPointData(), 2, { 8, 0, 8, 0, 8, 0, 0, 8, sentinel, 2, 0, 0 });
-    expect({ 0, 2, 2, 4, 0, 4 });
+      scene.GetPointData(), 2, { 8, 0, 8, 0, 8, 0, 0, 8, sentinel, 2, 0, 0 });
+    scene.Expect(check, { 0, 2, 2, 4, 0, 4 });
   }
-  metric->SetNoDataMagnitude(1e10);
-  AddArray<vtkDoubleArray>(mesh->GetPointData(), 2, { 1, 0, 1, 0, 1, 0, 1, 0, -1e9, 0, 1, 0 });
-  expect({ 0, 0, 4, 4, 4, 4 });
-  metric->SetNoDataMagnitude(1e8);
+  scene.Metric->SetNoDataMagnitude(1e10);
+  AddArray<vtkDoubleArray>(scene.GetPointData(), 2, { 1, 0, 1, 0, 1, 0, 1, 0, -1e9, 0, 1, 0 });
+  scene.Expect(check, { 0, 0, 4, 4, 4, 4 });
+  scene.Metric->SetNoDataMagnitude(1e8);
   // Small angles keep their digits, in any dimension.
-  metric->SetMaximumVariation(1e-6);
-  AddArray<vtkDoubleArray>(mesh->GetPointData(), 4,
+  scene.Metric->SetMaximumVariation(1e-6);
+  AddArray<vtkDoubleArray>(scene.GetPointData(), 4,
     { 1, 0, 0, 0, 1, 0, 0, 0.5e-6 * vtkMath::Pi(), 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0,
       0 });
-  expect({ 2, 2, 2, 2, 0, 0 });
-  metric->SetMaximumVariation(1.0);
+  scene.Expect(check, { 2, 2, 2, 2, 0, 0 });
+}
 
-  // Cells: the jump over an edge between two of them, 0 over the border. Verts and lines come
-  // first.
-  mesh->GetPointData()->RemoveArray("field");
-  AddArray<vtkDoubleArray>(mesh->GetCellData(), 1, { 0, 0, 4, 2 });
-  expect({ 0, 0, 4, 4, 2, 0 });
+// The jump over an edge between two cells, 0 over the border. Verts and lines come first.
+void TestCells(RelevoCheck& check)
+{
+  Scene scene;
+  vtkCellData* data = scene.Mesh->GetCellData();
+  AddArray<vtkDoubleArray>(data, 1, { 0, 0, 4, 2 });
+  scene.Expect(check, { 0, 0, 4, 4, 2, 0 });
   vtkNew<vtkCellArray> verts;
   verts->InsertNextCell({ 0 });
-  mesh->SetVerts(verts);
-  AddArray<vtkDoubleArray>(mesh->GetCellData(), 1, { 9, 9, 9, 5, 1 });
-  expect({ 0, 0, 2, 2, 2, 0 });
+  scene.Mesh->SetVerts(verts);
+  AddArray<vtkDoubleArray>(data, 1, { 9, 9, 9, 5, 1 });
+  scene.Expect(check, { 0, 0, 2, 2, 2, 0 });
   // The points' array wins.
-  AddArray<vtkIntArray>(mesh->GetPointData(), 1, std::vector<double>(6, 1));
-  expect(std::vector<double>(6, 0.0));
+  AddArray<vtkIntArray>(scene.GetPointData(), 1, std::vector<double>(6, 1));
+  scene.Expect(check, std::vector<double>(6, 0.0));
+}
 
-  // Automatic: what 95 % of the edges do not exceed; the scale of the values does not matter.
-  metric->SetMaximumVariation(0.0);
+// A plane whose "field" is scale x^2 + offset, with x from 0 on.
+RelevoMeshes::Mesh MakeParabola(double scale, double offset)
+{
   auto plane = RelevoMeshes::Plane(20, 20);
-  std::vector<double> square;
-  std::vector<double> scaled;
+  std::vector<double> values;
   for (vtkIdType point = 0; point < plane->GetNumberOfPoints(); ++point)
   {
     const double x = plane->GetPoint(point)[0] + 0.5;
-    square.push_back(x * x);
-    scaled.push_back(1e12 * x * x + 3e11);
+    values.push_back(scale * x * x + offset);
   }
-  AddArray<vtkDoubleArray>(plane->GetPointData(), 1, square);
-  const auto tags = TagsOf(metric, plane, view, 5);
-  AddArray<vtkDoubleArray>(plane->GetPointData(), 1, scaled);
-  const auto ofScaled = TagsOf(metric, plane, view, 5);
+  AddArray<vtkDoubleArray>(plane->GetPointData(), 1, values);
+  return plane;
+}
+
+// Automatic: what 95 % of the edges do not exceed; the scale of the values does not matter.
+void TestAutomatic(RelevoCheck& check)
+{
+  Scene scene;
+  scene.Metric->SetMaximumVariation(0.0);
+  const auto tags = TagsOf(scene.Metric, MakeParabola(1.0, 0.0), scene.View, 5);
+  const auto scaled = TagsOf(scene.Metric, MakeParabola(1e12, 3e11), scene.View, 5);
   for (std::size_t i = 0; i < tags.size(); ++i)
   {
-    CHECK_NEAR(ofScaled[i], tags[i], 1e-3);
+    CHECK_NEAR(scaled[i], tags[i], 1e-3);
     if (i > 0 && i % 21)
     {
       CHECK(tags[i] >= tags[i - 1]); // steeper with x
@@ -153,38 +179,63 @@ int TestFieldVariationDepthTagMetric(int, char*[])
     std::vector<double> values(odd->GetNumberOfCells());
     std::iota(values.begin(), values.end(), 0.0);
     AddArray<vtkDoubleArray>(odd->GetCellData(), 1, values);
-    CHECK(AreLevels(TagsOf(metric, odd, view, 5), odd->GetNumberOfPoints(), 5));
+    CHECK(AreLevels(TagsOf(scene.Metric, odd, scene.View, 5), odd->GetNumberOfPoints(), 5));
   }
+}
 
-  // Errors.
+void TestSettingErrors(RelevoCheck& check)
+{
+  vtkNew<vtkFieldVariationDepthTagMetric> metric;
   RelevoErrors errors(metric);
-  for (double bad : { -0.1, 1.1, nan })
+  for (double bad : { -0.1, 1.1, NaN })
   {
     metric->SetMinimumVariation(bad);
     CHECK(errors.Said("MinimumVariation") && metric->GetMinimumVariation() == 0.0);
     metric->SetMaximumVariation(bad);
     CHECK(errors.Said("MaximumVariation") && metric->GetMaximumVariation() == 0.0);
   }
-  for (double bad : { 0.0, -1.0, nan })
+  for (double bad : { 0.0, -1.0, NaN })
   {
     metric->SetNoDataMagnitude(bad);
     CHECK(errors.Said("NoDataMagnitude") && metric->GetNoDataMagnitude() == 1e8);
   }
+}
+
+// Thresholds that contradict one another, and arrays that are absent or unfit.
+void TestArrayErrors(RelevoCheck& check)
+{
+  Scene scene;
+  scene.Metric->SetMaximumVariation(0.0);
+  scene.Mesh = MakeParabola(1e12, 3e11);
+  vtkFieldVariationDepthTagMetric* metric = scene.Metric;
+  RelevoErrors errors(metric);
   metric->SetMinimumVariation(0.5);
-  CHECK(TagsOf(metric, plane, view, 5).empty() && errors.Said("above"));
+  CHECK(scene.GetTags(5).empty() && errors.Said("above"));
   metric->SetMinimumVariation(0.0);
   metric->SetArrayName("absent");
-  CHECK(TagsOf(metric, plane, view, 5).empty() && errors.Said("\"absent\""));
+  CHECK(scene.GetTags(5).empty() && errors.Said("\"absent\""));
   vtkNew<vtkStringArray> words;
   words->SetName("words");
-  words->SetNumberOfTuples(plane->GetNumberOfPoints());
-  plane->GetPointData()->AddArray(words);
+  words->SetNumberOfTuples(scene.Mesh->GetNumberOfPoints());
+  scene.GetPointData()->AddArray(words);
   metric->SetArrayName("words");
-  CHECK(TagsOf(metric, plane, view, 5).empty() && errors.Said("array of numbers"));
+  CHECK(scene.GetTags(5).empty() && errors.Said("array of numbers"));
   metric->SetArrayName("field");
-  AddArray<vtkDoubleArray>(plane->GetPointData(), 1, { 1, 2, 3 });
-  CHECK(TagsOf(metric, plane, view, 5).empty() && errors.Said("3 tuples"));
+  AddArray<vtkDoubleArray>(scene.GetPointData(), 1, { 1, 2, 3 });
+  CHECK(scene.GetTags(5).empty() && errors.Said("3 tuples"));
   metric->SetArrayName(nullptr);
-  CHECK(TagsOf(metric, plane, view, 5).empty() && errors.Said("SetArrayName"));
+  CHECK(scene.GetTags(5).empty() && errors.Said("SetArrayName"));
+}
+}
+
+int TestFieldVariationDepthTagMetric(int, char*[])
+{
+  RelevoCheck check;
+  TestScalar(check);
+  TestVectors(check);
+  TestCells(check);
+  TestAutomatic(check);
+  TestSettingErrors(check);
+  TestArrayErrors(check);
   return check.GetResult();
 }

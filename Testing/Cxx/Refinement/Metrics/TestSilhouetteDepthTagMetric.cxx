@@ -11,28 +11,62 @@
 
 #include <cmath>
 
-int TestSilhouetteDepthTagMetric(int, char*[])
+namespace
 {
-  RelevoCheck check;
-  vtkNew<vtkSilhouetteDepthTagMetric> metric;
-  CHECK(metric->IsViewDependent());
-  CHECK(metric->GetCriterion() == vtkSilhouetteDepthTagMetric::NORMAL_ANGLE);
-  vtkNew<vtkCamera> camera;
-  camera->SetFocalPoint(0, 0, 0);
-  relevo::RefinementView view;
-  view.Camera = camera;
+// A metric and a camera that looks at the origin.
+struct Scene
+{
+  Scene()
+  {
+    this->Camera->SetFocalPoint(0, 0, 0);
+    this->Camera->SetPosition(0, 0, 5);
+    this->View.Camera = this->Camera;
+  }
+  std::vector<float> GetTags(vtkPolyData* mesh, int maximumLevel)
+  {
+    return TagsOf(this->Metric, mesh, this->View, maximumLevel);
+  }
 
-  // By the angle. A triangle with the normal +z, seen from its first corner's direction (0, s, c).
-  auto triangle = RelevoMeshes::FromTriangles(
+  vtkNew<vtkSilhouetteDepthTagMetric> Metric;
+  vtkNew<vtkCamera> Camera;
+  relevo::RefinementView View;
+};
+
+// With the normal +z.
+RelevoMeshes::Mesh MakeTriangle()
+{
+  return RelevoMeshes::FromTriangles(
     { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } } }, { { { 0, 1, 2 } } });
+}
+
+// With normals of its own, of which zero and NaN do not count.
+RelevoMeshes::Mesh MakeTriangleWithNormals()
+{
+  auto triangle = MakeTriangle();
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  normals->InsertNextTuple3(0, 3, 4);
+  normals->InsertNextTuple3(0, 0, 0);
+  normals->InsertNextTuple3(std::nanf(""), 0, 1);
+  triangle->GetPointData()->SetNormals(normals);
+  return triangle;
+}
+
+// A triangle seen from its first corner's direction (0, s, c).
+void TestNormalAngle(RelevoCheck& check)
+{
+  Scene scene;
+  CHECK(scene.Metric->IsViewDependent());
+  CHECK(scene.Metric->GetCriterion() == vtkSilhouetteDepthTagMetric::NORMAL_ANGLE);
+  auto triangle = MakeTriangle();
   for (bool parallel : { false, true })
   {
-    camera->SetParallelProjection(parallel);
+    scene.Camera->SetParallelProjection(parallel);
     for (double degrees : { 0.0, 30.0, 60.0, 90.0, 150.0, 180.0 })
     {
       const double angle = vtkMath::RadiansFromDegrees(degrees);
-      camera->SetPosition(0, 5 * std::sin(angle), 5 * std::cos(angle));
-      const auto tags = TagsOf(metric, triangle, view, 4);
+      scene.Camera->SetPosition(0, 5 * std::sin(angle), 5 * std::cos(angle));
+      const auto tags = scene.GetTags(triangle, 4);
       CHECK_NEAR(tags[0], 4.0 * (1.0 - std::abs(std::cos(angle))), 1e-5);
       if (parallel)
       {
@@ -40,39 +74,39 @@ int TestSilhouetteDepthTagMetric(int, char*[])
       }
     }
   }
-  camera->ParallelProjectionOff();
+}
 
-  // The mesh's own normals win; zero and NaN ones do not count.
-  camera->SetPosition(0, 0, 5);
-  vtkNew<vtkFloatArray> normals;
-  normals->SetNumberOfComponents(3);
-  normals->InsertNextTuple3(0, 3, 4);
-  normals->InsertNextTuple3(0, 0, 0);
-  normals->InsertNextTuple3(std::nanf(""), 0, 1);
-  triangle->GetPointData()->SetNormals(normals);
-  auto tags = TagsOf(metric, triangle, view, 5);
+// The mesh's own normals win.
+void TestOwnNormals(RelevoCheck& check)
+{
+  Scene scene;
+  auto triangle = MakeTriangleWithNormals();
+  const auto tags = scene.GetTags(triangle, 5);
   CHECK_NEAR(tags[0], 5.0 * (1.0 - 0.8), 1e-5);
   CHECK_NEAR(tags[1], 5.0 * (1.0 - 5.0 / std::sqrt(26.0)), 1e-5);
   CHECK_NEAR(tags[2], tags[1], 1e-5);
   // Normals under a matrix that stretches: (0, 3, 4) becomes (0, 3, 4 / 2).
   vtkNew<vtkTransform> transform;
   transform->Scale(1, 1, 2);
-  view.ModelToWorld = transform->GetMatrix();
-  CHECK_NEAR(TagsOf(metric, triangle, view, 5)[0], 5.0 * (1.0 - 2.0 / std::sqrt(13.0)), 1e-5);
-  view.ModelToWorld = nullptr;
+  scene.View.ModelToWorld = transform->GetMatrix();
+  CHECK_NEAR(scene.GetTags(triangle, 5)[0], 5.0 * (1.0 - 2.0 / std::sqrt(13.0)), 1e-5);
+  scene.View.ModelToWorld = nullptr;
 
   // The eye on a vertex.
-  camera->SetFocalPoint(0, 0, -1);
-  camera->SetPosition(0, 0, 0);
-  CHECK(TagsOf(metric, triangle, view, 5)[0] == 5.0f);
-  CHECK(SurvivesOddMeshes(metric));
+  scene.Camera->SetFocalPoint(0, 0, -1);
+  scene.Camera->SetPosition(0, 0, 0);
+  CHECK(scene.GetTags(triangle, 5)[0] == 5.0f);
+  CHECK(SurvivesOddMeshes(scene.Metric));
+}
 
-  // On a fine sphere seen from the distance D the contour is where the radius has the cosine 1 / D,
-  // and nowhere else is the level higher.
+// On a fine sphere seen from the distance D the contour is where the radius has the cosine 1 / D,
+// and nowhere else is the level higher.
+void TestFineSphere(RelevoCheck& check)
+{
+  Scene scene;
   auto sphere = RelevoMeshes::Sphere(64, 63);
-  camera->SetFocalPoint(0, 0, 0);
-  camera->SetPosition(0, 0, 1.5); // of a radius of 1/2: D = 3
-  tags = TagsOf(metric, sphere, view, 5);
+  scene.Camera->SetPosition(0, 0, 1.5); // of a radius of 1/2: D = 3
+  const auto tags = scene.GetTags(sphere, 5);
   for (vtkIdType point = 0; point < sphere->GetNumberOfPoints(); ++point)
   {
     double x[3];
@@ -81,38 +115,54 @@ int TestSilhouetteDepthTagMetric(int, char*[])
     const double cosine = vtkMath::Dot(x, toEye) / (vtkMath::Norm(x) * vtkMath::Norm(toEye));
     CHECK_NEAR(tags[point], 5.0 * (1.0 - std::abs(cosine)), 1e-4);
   }
+}
 
-  // By the contour. A triangle is nothing but border.
-  metric->SetCriterionToContour();
-  CHECK(std::string(metric->GetCriterionAsString()) == "Contour");
-  camera->ParallelProjectionOn();
-  camera->SetPosition(0, 0, 5);
-  CHECK(TagsOf(metric, triangle, view, 5) == std::vector<float>(3, 5.0f));
+// A triangle is nothing but border.
+void TestBorder(RelevoCheck& check)
+{
+  Scene scene;
+  scene.Metric->SetCriterionToContour();
+  CHECK(std::string(scene.Metric->GetCriterionAsString()) == "Contour");
+  scene.Camera->ParallelProjectionOn();
+  CHECK(scene.GetTags(MakeTriangleWithNormals(), 5) == std::vector<float>(3, 5.0f));
+}
 
-  // A tube of many sides, seen across: contour where a strip faces away, fading to 0 with the
-  // cosine over the width.
-  const int sides = 64;
-  std::vector<std::array<double, 3>> points;
-  std::vector<RelevoMeshes::Triangle> triangles;
-  for (int i = 0; i < sides; ++i)
+// A tube of many sides around the y axis, and its contour seen across.
+struct TubeScene : Scene
+{
+  TubeScene()
   {
-    const double angle = 2.0 * vtkMath::Pi() * i / sides;
-    for (double y : { -3.0, 0.0, 3.0 })
+    for (int i = 0; i < Sides; ++i)
     {
-      points.push_back({ { std::cos(angle), y, std::sin(angle) } });
+      const double angle = 2.0 * vtkMath::Pi() * i / Sides;
+      for (double y : { -3.0, 0.0, 3.0 })
+      {
+        this->Points.push_back({ { std::cos(angle), y, std::sin(angle) } });
+      }
+      const vtkIdType here = 3 * i;
+      const vtkIdType there = 3 * ((i + 1) % Sides);
+      for (vtkIdType row : { 0, 1 })
+      {
+        this->Triangles.push_back({ { here + row, here + row + 1, there + row } });
+        this->Triangles.push_back({ { there + row, here + row + 1, there + row + 1 } });
+      }
     }
-    const vtkIdType here = 3 * i;
-    const vtkIdType there = 3 * ((i + 1) % sides);
-    for (vtkIdType row : { 0, 1 })
-    {
-      triangles.push_back({ { here + row, here + row + 1, there + row } });
-      triangles.push_back({ { there + row, here + row + 1, there + row + 1 } });
-    }
+    this->Metric->SetCriterionToContour();
+    this->Metric->SetContourWidth(0.3);
+    this->Camera->ParallelProjectionOn();
   }
-  auto tube = RelevoMeshes::FromTriangles(points, triangles);
-  metric->SetContourWidth(0.3);
-  camera->SetPosition(0, 0, 5);
-  tags = TagsOf(metric, tube, view, 5);
+
+  static constexpr int Sides = 64;
+  std::vector<std::array<double, 3>> Points;
+  std::vector<RelevoMeshes::Triangle> Triangles;
+};
+
+// Contour where a strip faces away, fading to 0 with the cosine over the width.
+void TestTube(RelevoCheck& check)
+{
+  TubeScene scene;
+  constexpr int sides = TubeScene::Sides;
+  const auto tags = scene.GetTags(RelevoMeshes::FromTriangles(scene.Points, scene.Triangles), 5);
   int contours = 0;
   int faded = 0;
   for (int i = 0; i < sides; ++i)
@@ -128,10 +178,16 @@ int TestSilhouetteDepthTagMetric(int, char*[])
     faded += tags[3 * i + 1] > 0.0f && tags[3 * i + 1] < 5.0f;
   }
   CHECK(contours == 2 && faded > 4);
-  // Seams are no borders, and neither are triangles that wind against each other.
-  tags = TagsOf(metric, tube, view, 5);
-  const auto exploded = RelevoMeshes::Explode(tube);
-  const auto ofExploded = TagsOf(metric, exploded, view, 5);
+}
+
+// Seams are no borders, and neither are triangles that wind against each other.
+void TestSeams(RelevoCheck& check)
+{
+  TubeScene scene;
+  auto& triangles = scene.Triangles;
+  auto tube = RelevoMeshes::FromTriangles(scene.Points, triangles);
+  const auto tags = scene.GetTags(tube, 5);
+  const auto ofExploded = scene.GetTags(RelevoMeshes::Explode(tube), 5);
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
     for (int corner = 0; corner < 3; ++corner)
@@ -143,29 +199,41 @@ int TestSilhouetteDepthTagMetric(int, char*[])
       std::swap(triangles[i][0], triangles[i][1]);
     }
   }
-  const auto flipped = TagsOf(metric, RelevoMeshes::FromTriangles(points, triangles), view, 5);
+  const auto flipped = scene.GetTags(RelevoMeshes::FromTriangles(scene.Points, triangles), 5);
   for (std::size_t i = 0; i < tags.size(); ++i)
   {
     CHECK_NEAR(flipped[i], tags[i], 1e-5);
   }
-  CHECK(SurvivesOddMeshes(metric));
+  CHECK(SurvivesOddMeshes(scene.Metric));
+}
 
-  // A wider contour never gives less, over random cameras.
+// A wider contour never gives less, over random cameras.
+void TestWidths(RelevoCheck& check)
+{
+  Scene scene;
+  scene.Metric->SetCriterionToContour();
+  auto sphere = RelevoMeshes::Sphere(64, 63);
   std::mt19937 random(2);
   for (int i = 0; i < 100; ++i)
   {
-    PlaceAtRandom(camera, random);
-    metric->SetContourWidth(0.1);
-    const auto narrow = TagsOf(metric, sphere, view, 5);
-    metric->SetContourWidth(0.4);
-    const auto wide = TagsOf(metric, sphere, view, 5);
+    PlaceAtRandom(scene.Camera, random);
+    scene.Metric->SetContourWidth(0.1);
+    const auto narrow = scene.GetTags(sphere, 5);
+    scene.Metric->SetContourWidth(0.4);
+    const auto wide = scene.GetTags(sphere, 5);
     for (std::size_t point = 0; point < wide.size(); ++point)
     {
       CHECK(wide[point] >= narrow[point]);
     }
   }
+}
 
-  // Errors.
+void TestErrors(RelevoCheck& check)
+{
+  Scene scene;
+  vtkSilhouetteDepthTagMetric* metric = scene.Metric;
+  metric->SetCriterionToContour();
+  metric->SetContourWidth(0.4);
   RelevoErrors errors(metric);
   for (double bad : { 0.0, -1.0, 1.5, std::nan("") })
   {
@@ -174,10 +242,25 @@ int TestSilhouetteDepthTagMetric(int, char*[])
   }
   metric->SetCriterion(2);
   CHECK(errors.Said("Criterion") && metric->GetCriterion() == vtkSilhouetteDepthTagMetric::CONTOUR);
-  camera->SetPosition(1, 2, 3);
-  camera->SetFocalPoint(1, 2, 3);
-  CHECK(TagsOf(metric, triangle, view, 5).empty() && errors.Said("no direction"));
-  view.Camera = nullptr;
-  CHECK(TagsOf(metric, triangle, view, 5).empty() && errors.Said("no camera"));
+  auto triangle = MakeTriangleWithNormals();
+  scene.Camera->SetPosition(1, 2, 3);
+  scene.Camera->SetFocalPoint(1, 2, 3);
+  CHECK(scene.GetTags(triangle, 5).empty() && errors.Said("no direction"));
+  scene.View.Camera = nullptr;
+  CHECK(scene.GetTags(triangle, 5).empty() && errors.Said("no camera"));
+}
+}
+
+int TestSilhouetteDepthTagMetric(int, char*[])
+{
+  RelevoCheck check;
+  TestNormalAngle(check);
+  TestOwnNormals(check);
+  TestFineSphere(check);
+  TestBorder(check);
+  TestTube(check);
+  TestSeams(check);
+  TestWidths(check);
+  TestErrors(check);
   return check.GetResult();
 }

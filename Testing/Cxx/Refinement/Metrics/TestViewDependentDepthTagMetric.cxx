@@ -20,75 +20,95 @@ RelevoMeshes::Mesh Pyramid(double slope)
     { { { 0, 0, 0 } }, { { 1, 1, -h } }, { { -1, 1, -h } }, { { -1, -1, -h } }, { { 1, -1, -h } } },
     { { { 0, 1, 2 } }, { { 0, 2, 3 } }, { { 0, 3, 4 } }, { { 0, 4, 1 } } });
 }
-}
 
-int TestViewDependentDepthTagMetric(int, char*[])
+// A metric and a camera that looks at the origin.
+struct Scene
 {
-  RelevoCheck check;
-  vtkNew<vtkViewDependentDepthTagMetric> metric;
-  CHECK(metric->IsViewDependent());
-  CHECK(metric->GetMaximumSpread() == 30.0 && metric->GetEdgeOnWeight() == 0.5);
-  vtkNew<vtkCamera> camera;
-  camera->SetFocalPoint(0, 0, 0);
-  relevo::RefinementView view;
-  view.Camera = camera;
-
-  for (double weight : { 0.0, 0.5, 1.0 })
+  Scene()
   {
-    metric->SetEdgeOnWeight(weight);
-    for (bool parallel : { false, true })
+    this->Camera->SetFocalPoint(0, 0, 0);
+    this->View.Camera = this->Camera;
+  }
+  std::vector<float> GetTags(vtkPolyData* mesh, int maximumLevel)
+  {
+    return TagsOf(this->Metric, mesh, this->View, maximumLevel);
+  }
+
+  vtkNew<vtkViewDependentDepthTagMetric> Metric;
+  vtkNew<vtkCamera> Camera;
+  relevo::RefinementView View;
+};
+
+// Pyramids seen from all sides; the metric has no unit.
+void TestPyramids(RelevoCheck& check, Scene& scene, double weight, double scale)
+{
+  float ofView = -1.0f;
+  for (double turn = 0.0; turn <= 90.0; turn += 10.0)
+  {
+    const double angle = vtkMath::RadiansFromDegrees(turn);
+    scene.Camera->SetPosition(7 * scale * std::sin(angle), 0, 7 * scale * std::cos(angle));
+    float ofSpread = -1.0f;
+    for (double slope = 0.0; slope <= 40.0; slope += 5.0)
     {
-      camera->SetParallelProjection(parallel);
-      for (double scale : { 1e-6, 1.0, 1e6 }) // the metric has no unit
+      const double none[3] = { 0, 0, 0 };
+      auto mesh =
+        RelevoMeshes::Moved(Pyramid(vtkMath::RadiansFromDegrees(slope)), scale, none, VTK_DOUBLE);
+      const auto tags = scene.GetTags(mesh, 6);
+      const double expected =
+        std::min(1.0, slope / 30.0 * (1.0 - weight + weight * (1.0 - std::abs(std::cos(angle)))));
+      CHECK_NEAR(tags[0], 6.0 * expected, 1e-4);
+      CHECK(tags[0] >= ofSpread - 1e-5f);
+      ofSpread = tags[0];
+      if (slope == 20.0)
       {
-        float ofView = -1.0f;
-        for (double turn = 0.0; turn <= 90.0; turn += 10.0)
-        {
-          const double angle = vtkMath::RadiansFromDegrees(turn);
-          camera->SetPosition(7 * scale * std::sin(angle), 0, 7 * scale * std::cos(angle));
-          float ofSpread = -1.0f;
-          for (double slope = 0.0; slope <= 40.0; slope += 5.0)
-          {
-            const double none[3] = { 0, 0, 0 };
-            auto mesh = RelevoMeshes::Moved(
-              Pyramid(vtkMath::RadiansFromDegrees(slope)), scale, none, VTK_DOUBLE);
-            const auto tags = TagsOf(metric, mesh, view, 6);
-            const double expected = std::min(
-              1.0, slope / 30.0 * (1.0 - weight + weight * (1.0 - std::abs(std::cos(angle)))));
-            CHECK_NEAR(tags[0], 6.0 * expected, 1e-4);
-            CHECK(tags[0] >= ofSpread - 1e-5f);
-            ofSpread = tags[0];
-            if (slope == 20.0)
-            {
-              CHECK(tags[0] >= ofView - 1e-5f);
-              CHECK(weight == 0.0 || turn == 0.0 || tags[0] > ofView);
-              ofView = tags[0];
-            }
-          }
-        }
+        CHECK(tags[0] >= ofView - 1e-5f);
+        CHECK(weight == 0.0 || turn == 0.0 || tags[0] > ofView);
+        ofView = tags[0];
       }
     }
   }
+}
 
-  // Flat is flat from everywhere, and over random cameras a greater limit never gives more.
+void TestSpreadAndView(RelevoCheck& check)
+{
+  Scene scene;
+  CHECK(scene.Metric->IsViewDependent());
+  CHECK(scene.Metric->GetMaximumSpread() == 30.0 && scene.Metric->GetEdgeOnWeight() == 0.5);
+  for (double weight : { 0.0, 0.5, 1.0 })
+  {
+    scene.Metric->SetEdgeOnWeight(weight);
+    for (bool parallel : { false, true })
+    {
+      scene.Camera->SetParallelProjection(parallel);
+      for (double scale : { 1e-6, 1.0, 1e6 })
+      {
+        TestPyramids(check, scene, weight, scale);
+      }
+    }
+  }
+}
+
+// Flat is flat from everywhere, and over random cameras a greater limit never gives more.
+void TestRandomCameras(RelevoCheck& check)
+{
+  Scene scene;
   std::mt19937 random(4);
-  metric->SetEdgeOnWeight(0.5);
   auto plane = RelevoMeshes::Plane(4, 4);
   auto sphere = RelevoMeshes::Sphere(12, 9);
   auto exploded = RelevoMeshes::Explode(sphere);
   vtkNew<vtkIdList> ids;
   for (int i = 0; i < 100; ++i)
   {
-    PlaceAtRandom(camera, random);
-    metric->SetMaximumSpread(20.0);
-    for (float tag : TagsOf(metric, plane, view, 5))
+    PlaceAtRandom(scene.Camera, random);
+    scene.Metric->SetMaximumSpread(20.0);
+    for (float tag : scene.GetTags(plane, 5))
     {
       CHECK(tag < 1e-3f);
     }
-    const auto tags = TagsOf(metric, sphere, view, 5);
+    const auto tags = scene.GetTags(sphere, 5);
     CHECK(AreLevels(tags, sphere->GetNumberOfPoints(), 5));
     // Points that coincide are one point.
-    const auto ofExploded = TagsOf(metric, exploded, view, 5);
+    const auto ofExploded = scene.GetTags(exploded, 5);
     for (vtkIdType cell = 0; cell < sphere->GetNumberOfCells(); ++cell)
     {
       sphere->GetCellPoints(cell, ids);
@@ -97,26 +117,32 @@ int TestViewDependentDepthTagMetric(int, char*[])
         CHECK_NEAR(ofExploded[3 * cell + corner], tags[ids->GetId(corner)], 1e-4);
       }
     }
-    metric->SetMaximumSpread(40.0);
-    const auto less = TagsOf(metric, sphere, view, 5);
+    scene.Metric->SetMaximumSpread(40.0);
+    const auto less = scene.GetTags(sphere, 5);
     for (std::size_t point = 0; point < tags.size(); ++point)
     {
       CHECK(less[point] <= tags[point]);
     }
   }
+}
 
-  // The eye on the apex; a fold whose normals cancel out.
-  camera->SetPosition(0, 0, 0);
-  camera->SetFocalPoint(0, 0, -1);
-  camera->ParallelProjectionOff();
-  metric->SetMaximumSpread(30.0);
-  CHECK_NEAR(TagsOf(metric, Pyramid(vtkMath::RadiansFromDegrees(15.0)), view, 6)[0], 3.0, 1e-4);
+// The eye on the apex; a fold whose normals cancel out.
+void TestOddMeshes(RelevoCheck& check)
+{
+  Scene scene;
+  scene.Camera->SetPosition(0, 0, 0);
+  scene.Camera->SetFocalPoint(0, 0, -1);
+  CHECK_NEAR(scene.GetTags(Pyramid(vtkMath::RadiansFromDegrees(15.0)), 6)[0], 3.0, 1e-4);
   auto fold = RelevoMeshes::FromTriangles(
     { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } } }, { { { 0, 1, 2 } }, { { 0, 2, 1 } } });
-  CHECK(TagsOf(metric, fold, view, 6)[0] == 6.0f);
-  CHECK(SurvivesOddMeshes(metric));
+  CHECK(scene.GetTags(fold, 6)[0] == 6.0f);
+  CHECK(SurvivesOddMeshes(scene.Metric));
+}
 
-  // Errors.
+void TestErrors(RelevoCheck& check)
+{
+  Scene scene;
+  vtkViewDependentDepthTagMetric* metric = scene.Metric;
   RelevoErrors errors(metric);
   for (double bad : { 0.0, -1.0, 181.0, std::nan("") })
   {
@@ -128,10 +154,21 @@ int TestViewDependentDepthTagMetric(int, char*[])
     metric->SetEdgeOnWeight(bad);
     CHECK(errors.Said("EdgeOnWeight") && metric->GetEdgeOnWeight() == 0.5);
   }
-  camera->SetPosition(1, 2, 3);
-  camera->SetFocalPoint(1, 2, 3);
-  CHECK(TagsOf(metric, plane, view, 5).empty() && errors.Said("no direction"));
-  view.Camera = nullptr;
-  CHECK(TagsOf(metric, plane, view, 5).empty() && errors.Said("no camera"));
+  auto plane = RelevoMeshes::Plane(4, 4);
+  scene.Camera->SetPosition(1, 2, 3);
+  scene.Camera->SetFocalPoint(1, 2, 3);
+  CHECK(scene.GetTags(plane, 5).empty() && errors.Said("no direction"));
+  scene.View.Camera = nullptr;
+  CHECK(scene.GetTags(plane, 5).empty() && errors.Said("no camera"));
+}
+}
+
+int TestViewDependentDepthTagMetric(int, char*[])
+{
+  RelevoCheck check;
+  TestSpreadAndView(check);
+  TestRandomCameras(check);
+  TestOddMeshes(check);
+  TestErrors(check);
   return check.GetResult();
 }
