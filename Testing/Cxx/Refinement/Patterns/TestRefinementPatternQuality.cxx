@@ -14,6 +14,7 @@
 #include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <memory>
 #include <vector>
 
 namespace
@@ -68,6 +69,141 @@ double Mean(const std::vector<double>& values)
   }
   return sum / values.size();
 }
+
+// Numbers of triangles by their smallest angle, in steps of 5 degrees.
+using Histogram = std::array<int, 12>;
+
+void AddAngles(Histogram& histogram, const std::vector<double>& angles)
+{
+  for (double angle : angles)
+  {
+    ++histogram[std::min(11, static_cast<int>(angle / 5.0))];
+  }
+}
+
+// Of our patterns or of SUAPT's.
+struct Quality
+{
+  void Add(int difference, const std::vector<double>& angles)
+  {
+    this->Minima[difference].push_back(Minimum(angles));
+    this->Counts[difference].push_back(angles.size());
+    AddAngles(this->Angles, angles);
+  }
+
+  // Of each adaptive pattern, by the difference of its levels.
+  std::array<std::vector<double>, HighestLevel + 1> Minima;
+  std::array<std::vector<double>, HighestLevel + 1> Counts;
+  Histogram Angles = {};
+};
+
+// What is gathered over all patterns.
+struct Survey
+{
+  Quality Ours;
+  Quality Suapt;
+  // Triangles against the geometric and the arithmetic mean of the levels' uniform patterns.
+  double Fewest = 10.0;
+  double Most = 0.0;
+  // Seconds.
+  double Slowest = 0.0;
+  double Total = 0.0;
+};
+
+std::shared_ptr<const relevo::RefinementPattern> MakeTimedPattern(
+  vtkRefinementPatternTable* table, const int levels[3], Survey& survey)
+{
+  const auto start = std::chrono::steady_clock::now();
+  auto pattern = table->GetPatternOfSegments(1 << levels[0], 1 << levels[1], 1 << levels[2]);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  survey.Slowest = std::max(survey.Slowest, seconds.count());
+  survey.Total += seconds.count();
+  return pattern;
+}
+
+void TestPattern(
+  RelevoCheck& check, vtkRefinementPatternTable* table, const int levels[3], Survey& survey)
+{
+  const auto made = MakeTimedPattern(table, levels, survey);
+  const relevo::RefinementPattern& pattern = *made;
+  const auto angles = SmallestAngles(pattern);
+  CHECK(static_cast<int>(angles.size()) == pattern.GetNumberOfTriangles());
+  const int i = levels[0];
+  const int j = levels[1];
+  const int k = levels[2];
+  if (i == k)
+  {
+    CHECK_NEAR(Minimum(angles), 60.0, 1e-4);
+    CHECK(pattern.GetNumberOfTriangles() == 1 << (2 * i));
+    return;
+  }
+
+  // Between the geometric and the arithmetic mean of the levels' uniform patterns.
+  const double geometric = std::pow(4.0, (i + j + k) / 3.0);
+  const double arithmetic = (std::pow(4.0, i) + std::pow(4.0, j) + std::pow(4.0, k)) / 3.0;
+  survey.Fewest = std::min(survey.Fewest, pattern.GetNumberOfTriangles() / geometric);
+  survey.Most = std::max(survey.Most, pattern.GetNumberOfTriangles() / arithmetic);
+
+  const auto suapt = SmallestAngles(RelevoPatternQuality::MakeSuaptPattern(table, levels));
+  const int difference = i - k;
+  survey.Ours.Add(difference, angles);
+  survey.Suapt.Add(difference, suapt);
+  // Across one level SUAPT's halved equilateral triangles have the largest angle possible.
+  CHECK(difference == 1 ? Minimum(angles) > Minimum(suapt) - 0.1
+                        : Minimum(angles) > 1.8 * Minimum(suapt));
+  CHECK(Minimum(angles) > 0.8 * LargestPossibleAngle(1 << difference));
+}
+
+void Print(const Survey& survey, vtkRefinementPatternTable* table)
+{
+  std::cout << std::fixed << std::setprecision(2)
+            << "Smallest angles (degrees) of adaptive patterns, by the difference of levels\n\n"
+            << "| difference | patterns | possible | smallest | mean of smallest | mean triangles "
+               "| SUAPT smallest | SUAPT mean of smallest | SUAPT mean triangles |\n"
+            << "|---|---|---|---|---|---|---|---|---|\n";
+  const Quality& ours = survey.Ours;
+  const Quality& suapt = survey.Suapt;
+  for (int d = 1; d <= HighestLevel; ++d)
+  {
+    std::cout << "| " << d << " | " << ours.Minima[d].size() << " | "
+              << LargestPossibleAngle(1 << d) << " | " << Minimum(ours.Minima[d]) << " | "
+              << Mean(ours.Minima[d]) << " | " << Mean(ours.Counts[d]) << " | "
+              << Minimum(suapt.Minima[d]) << " | " << Mean(suapt.Minima[d]) << " | "
+              << Mean(suapt.Counts[d]) << " |\n";
+  }
+  std::cout << "\nTriangles by smallest angle, in steps of 5 degrees\nours:  ";
+  for (int count : ours.Angles)
+  {
+    std::cout << " " << count;
+  }
+  std::cout << "\nSUAPT: ";
+  for (int count : suapt.Angles)
+  {
+    std::cout << " " << count;
+  }
+  std::cout << "\n\nTriangles against the geometric mean of 4^level: at least " << survey.Fewest
+            << "; against the arithmetic mean: at most " << survey.Most
+            << "\nTime: " << 1e3 * survey.Total << " ms for all patterns, " << 1e3 * survey.Slowest
+            << " ms for the slowest; memory: " << table->GetMemorySize() << " bytes\n";
+}
+
+// Measured 30.0, 20.0, 17.6, 13.9, 11.3, 9.3, 8.2 degrees.
+void TestSurvey(RelevoCheck& check, const Survey& survey)
+{
+  const Quality& ours = survey.Ours;
+  const Quality& suapt = survey.Suapt;
+  const double bounds[HighestLevel + 1] = { 0.0, 29.9, 19.5, 17.0, 13.5, 11.0, 9.0, 8.0 };
+  for (int d = 1; d <= HighestLevel; ++d)
+  {
+    CHECK(Minimum(ours.Minima[d]) > bounds[d]);
+    CHECK(Mean(ours.Counts[d]) < Mean(suapt.Counts[d]));
+    CHECK(d == 1 || Mean(ours.Minima[d]) > 2.0 * Mean(suapt.Minima[d]));
+  }
+  CHECK(30 * (ours.Angles[0] + ours.Angles[1]) < suapt.Angles[0] + suapt.Angles[1]);
+  CHECK(ours.Angles[0] == 0);
+  CHECK(survey.Fewest > 0.8);
+  CHECK(survey.Most < 1.5);
+}
 }
 
 int TestRefinementPatternQuality(int, char*[])
@@ -75,14 +211,7 @@ int TestRefinementPatternQuality(int, char*[])
   RelevoCheck check;
   vtkNew<vtkRefinementPatternTable> table;
   table->SetMaximumLevel(HighestLevel);
-
-  std::array<std::vector<double>, HighestLevel + 1> minima, suaptMinima, counts, suaptCounts;
-  std::array<int, 12> histogram = {};
-  std::array<int, 12> suaptHistogram = {};
-  double slowest = 0.0;
-  double total = 0.0;
-  double fewest = 10.0;
-  double most = 0.0;
+  Survey survey;
   for (int i = 0; i <= HighestLevel; ++i)
   {
     for (int j = 0; j <= i; ++j)
@@ -90,87 +219,11 @@ int TestRefinementPatternQuality(int, char*[])
       for (int k = 0; k <= j; ++k)
       {
         const int levels[3] = { i, j, k };
-        const auto start = std::chrono::steady_clock::now();
-        const auto made = table->GetPatternOfSegments(1 << i, 1 << j, 1 << k);
-        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-        const relevo::RefinementPattern& pattern = *made;
-        slowest = std::max(slowest, seconds.count());
-        total += seconds.count();
-        const auto angles = SmallestAngles(pattern);
-        CHECK(static_cast<int>(angles.size()) == pattern.GetNumberOfTriangles());
-        if (i == k)
-        {
-          CHECK_NEAR(Minimum(angles), 60.0, 1e-4);
-          CHECK(pattern.GetNumberOfTriangles() == 1 << (2 * i));
-          continue;
-        }
-
-        // Between the geometric and the arithmetic mean of the levels' uniform patterns.
-        const double geometric = std::pow(4.0, (i + j + k) / 3.0);
-        const double arithmetic = (std::pow(4.0, i) + std::pow(4.0, j) + std::pow(4.0, k)) / 3.0;
-        fewest = std::min(fewest, pattern.GetNumberOfTriangles() / geometric);
-        most = std::max(most, pattern.GetNumberOfTriangles() / arithmetic);
-
-        const auto suapt = SmallestAngles(RelevoPatternQuality::MakeSuaptPattern(table, levels));
-        const int difference = i - k;
-        minima[difference].push_back(Minimum(angles));
-        counts[difference].push_back(angles.size());
-        suaptMinima[difference].push_back(Minimum(suapt));
-        suaptCounts[difference].push_back(suapt.size());
-        // Across one level SUAPT's halved equilateral triangles have the largest angle possible.
-        CHECK(difference == 1 ? Minimum(angles) > Minimum(suapt) - 0.1
-                              : Minimum(angles) > 1.8 * Minimum(suapt));
-        CHECK(Minimum(angles) > 0.8 * LargestPossibleAngle(1 << (i - k)));
-        for (double angle : angles)
-        {
-          ++histogram[std::min(11, static_cast<int>(angle / 5.0))];
-        }
-        for (double angle : suapt)
-        {
-          ++suaptHistogram[std::min(11, static_cast<int>(angle / 5.0))];
-        }
+        TestPattern(check, table, levels, survey);
       }
     }
   }
-
-  std::cout << std::fixed << std::setprecision(2)
-            << "Smallest angles (degrees) of adaptive patterns, by the difference of levels\n\n"
-            << "| difference | patterns | possible | smallest | mean of smallest | mean triangles "
-               "| SUAPT smallest | SUAPT mean of smallest | SUAPT mean triangles |\n"
-            << "|---|---|---|---|---|---|---|---|---|\n";
-  for (int d = 1; d <= HighestLevel; ++d)
-  {
-    std::cout << "| " << d << " | " << minima[d].size() << " | " << LargestPossibleAngle(1 << d)
-              << " | " << Minimum(minima[d]) << " | " << Mean(minima[d]) << " | " << Mean(counts[d])
-              << " | " << Minimum(suaptMinima[d]) << " | " << Mean(suaptMinima[d]) << " | "
-              << Mean(suaptCounts[d]) << " |\n";
-  }
-  std::cout << "\nTriangles by smallest angle, in steps of 5 degrees\nours:  ";
-  for (int count : histogram)
-  {
-    std::cout << " " << count;
-  }
-  std::cout << "\nSUAPT: ";
-  for (int count : suaptHistogram)
-  {
-    std::cout << " " << count;
-  }
-  std::cout << "\n\nTriangles against the geometric mean of 4^level: at least " << fewest
-            << "; against the arithmetic mean: at most " << most << "\nTime: " << 1e3 * total
-            << " ms for all patterns, " << 1e3 * slowest
-            << " ms for the slowest; memory: " << table->GetMemorySize() << " bytes\n";
-
-  // Measured 30.0, 20.0, 17.6, 13.9, 11.3, 9.3, 8.2 degrees.
-  const double bounds[HighestLevel + 1] = { 0.0, 29.9, 19.5, 17.0, 13.5, 11.0, 9.0, 8.0 };
-  for (int d = 1; d <= HighestLevel; ++d)
-  {
-    CHECK(Minimum(minima[d]) > bounds[d]);
-    CHECK(Mean(counts[d]) < Mean(suaptCounts[d]));
-    CHECK(d == 1 || Mean(minima[d]) > 2.0 * Mean(suaptMinima[d]));
-  }
-  CHECK(30 * (histogram[0] + histogram[1]) < suaptHistogram[0] + suaptHistogram[1]);
-  CHECK(histogram[0] == 0);
-  CHECK(fewest > 0.8);
-  CHECK(most < 1.5);
+  Print(survey, table);
+  TestSurvey(check, survey);
   return check.GetResult();
 }

@@ -294,75 +294,97 @@ void TestFile(RelevoCheck& check, const std::string& fileName)
     });
 }
 
-void TestBadFiles(RelevoCheck& check, const std::string& folder)
+// The bytes of a good file, what becomes of them, and a table that must refuse that.
+struct BadFiles
 {
-  vtkNew<vtkRefinementPatternTable> writer;
-  writer->SetMaximumLevel(2);
-  const std::string good = folder + "/RefinementPatterns.good";
-  CHECK(writer->Write(good.c_str()));
-  const std::string bytes = Slurp(good);
-  // Signature, version 1, MaximumLevel 2, ten patterns, the first of 1, 1, 1 segments.
-  const unsigned char head[] = { 'R', 'e', 'l', 'e', 'v', 'o', 'R', 'P', 1, 0, 0, 0, 2, 0, 0, 0, 10,
-    0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 3, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0x80, 0x3f };
-  CHECK(bytes.size() > sizeof(head) && std::memcmp(bytes.data(), head, sizeof(head)) == 0);
-
-  vtkNew<vtkRefinementPatternTable> table;
-  RelevoErrors errors(table);
-  const auto before = table->GetPatternOfSegments(4, 2, 1);
-  const std::string bad = folder + "/RefinementPatterns.bad";
-  auto refuses = [&](const std::string& damaged, const std::string& words)
+  explicit BadFiles(const char* folder)
+    : Folder(folder)
   {
-    Spill(bad, damaged);
-    CHECK(!table->Read(bad.c_str()));
-    CHECK(errors.Said(words));
-    CHECK(errors.None());
-  };
-  auto with = [&](std::size_t place, std::uint32_t value)
+    this->Writer->SetMaximumLevel(2);
+  }
+  std::string WriteGood(RelevoCheck& check, const std::string& name)
+  {
+    const std::string good = this->Folder + name;
+    CHECK(this->Writer->Write(good.c_str()));
+    return Slurp(good);
+  }
+  void Refuse(RelevoCheck& check, const std::string& damaged, const std::string& words)
+  {
+    Spill(this->Bad, damaged);
+    CHECK(!this->Table->Read(this->Bad.c_str()));
+    CHECK(this->Errors.Said(words));
+    CHECK(this->Errors.None());
+  }
+
+  std::string Folder;
+  std::string Bad = this->Folder + "/RefinementPatterns.bad";
+  vtkNew<vtkRefinementPatternTable> Writer;
+  vtkNew<vtkRefinementPatternTable> Table;
+  RelevoErrors Errors{ this->Table };
+};
+
+void TestTruncated(RelevoCheck& check, BadFiles& files, const std::string& bytes)
+{
+  for (std::size_t length = 0; length < bytes.size(); length += length < 64 ? 1 : 41)
+  {
+    files.Refuse(check, bytes.substr(0, length), length < 8 ? "not a file" : "truncated");
+  }
+  files.Refuse(check, std::string(1000, 'x'), "not a file");
+  files.Refuse(check, bytes + "more", "after its last pattern");
+}
+
+void TestWrongNumbers(RelevoCheck& check, BadFiles& files, const std::string& bytes)
+{
+  auto refuses = [&](std::size_t place, std::uint32_t value, const std::string& words)
   {
     std::string damaged = bytes;
     for (int i = 0; i < 4; ++i)
     {
       damaged[place + i] = static_cast<char>((value >> (8 * i)) & 0xff);
     }
-    return damaged;
+    files.Refuse(check, damaged, words);
   };
-  for (std::size_t length = 0; length < bytes.size(); length += length < 64 ? 1 : 41)
-  {
-    refuses(bytes.substr(0, length), length < 8 ? "not a file" : "truncated");
-  }
-  refuses(std::string(1000, 'x'), "not a file");
-  refuses(bytes + "more", "after its last pattern");
-  refuses(with(8, 2), "version 2");
-  refuses(with(12, 8), "out of range");
-  refuses(with(12, 0xffffffff), "out of range");
-  refuses(with(16, 0xffffffff), "patterns instead of");
-  refuses(with(20, 2), "is not where it should be");
-  refuses(with(32, 0xffffffff), "truncated");
-  refuses(with(36, 0x7fffffff), "truncated");
-  refuses(with(40, 0x7fc00000), "weights"); // NaN
-  refuses(with(40, 0x7f800000), "weights"); // infinity
-  refuses(with(40, 0xbf800000), "weights"); // -1
-  refuses(with(40, 0x3f000000), "weights"); // 0.5, 0, 0
-  refuses(with(76, 3), "does not exist");   // the first triangle's first index
-  refuses(with(76, 1), "degenerate");
-  CHECK(!table->Read((folder + "/no such file").c_str()) && errors.Said("no such file"));
-  CHECK(!table->Read(folder.c_str()) && errors.Said("is not a file."));
+  refuses(8, 2, "version 2");
+  refuses(12, 8, "out of range");
+  refuses(12, 0xffffffff, "out of range");
+  refuses(16, 0xffffffff, "patterns instead of");
+  refuses(20, 2, "is not where it should be");
+  refuses(32, 0xffffffff, "truncated");
+  refuses(36, 0x7fffffff, "truncated");
+  refuses(40, 0x7fc00000, "weights"); // NaN
+  refuses(40, 0x7f800000, "weights"); // infinity
+  refuses(40, 0xbf800000, "weights"); // -1
+  refuses(40, 0x3f000000, "weights"); // 0.5, 0, 0
+  refuses(76, 3, "does not exist");   // the first triangle's first index
+  refuses(76, 1, "degenerate");
+}
+
+void TestFileNames(RelevoCheck& check, BadFiles& files)
+{
+  vtkRefinementPatternTable* table = files.Table;
+  RelevoErrors& errors = files.Errors;
+  CHECK(!table->Read((files.Folder + "/no such file").c_str()) && errors.Said("no such file"));
+  CHECK(!table->Read(files.Folder.c_str()) && errors.Said("is not a file."));
   CHECK(!table->Read(nullptr) && errors.Said("file name"));
   CHECK(!table->Read("") && errors.Said("file name"));
   CHECK(!table->Write(nullptr) && errors.Said("file name"));
-  CHECK(!table->Write((folder + "/no such folder/x").c_str()) && errors.Said("cannot be written"));
+  CHECK(!table->Write((files.Folder + "/no such folder/x").c_str()) &&
+    errors.Said("cannot be written"));
+}
 
-  // Any other damage is refused, or leaves valid patterns (a shifted inner point).
+// Any other damage is refused, or leaves valid patterns (a shifted inner point).
+void TestRandomDamage(RelevoCheck& check, const BadFiles& files, const std::string& bytes)
+{
   std::uint32_t random = 1;
   for (int attempt = 0; attempt < 500; ++attempt)
   {
     random = random * 1664525u + 1013904223u;
     std::string damaged = bytes;
     damaged[(random >> 8) % bytes.size()] ^= static_cast<char>(1 + (random & 0x7f));
-    Spill(bad, damaged);
+    Spill(files.Bad, damaged);
     vtkNew<vtkRefinementPatternTable> victim;
     RelevoErrors victimErrors(victim);
-    if (victim->Read(bad.c_str()))
+    if (victim->Read(files.Bad.c_str()))
     {
       ForEachLevels(2,
         [&](int i, int j, int k)
@@ -378,22 +400,40 @@ void TestBadFiles(RelevoCheck& check, const std::string& folder)
       CHECK(victim->GetMaximumLevel() == 5 && victim->GetMemorySize() == 0);
     }
   }
+}
 
-  const std::string vtp = folder + "/RefinementPatterns.bad.vtp";
-  const std::string goodVTP = folder + "/RefinementPatterns.good.vtp";
-  CHECK(writer->Write(goodVTP.c_str()));
-  const std::string xml = Slurp(goodVTP);
+void TestBadVTP(RelevoCheck& check, BadFiles& files, const std::string& bytes)
+{
+  const std::string vtp = files.Folder + "/RefinementPatterns.bad.vtp";
+  const std::string xml = files.WriteGood(check, "/RefinementPatterns.good.vtp");
   for (std::size_t length : { std::size_t(0), std::size_t(20), xml.size() / 4, xml.size() / 2 })
   {
     Spill(vtp, xml.substr(0, length));
-    CHECK(!table->Read(vtp.c_str()));
-    CHECK(errors.Said("RefinementPatterns.bad.vtp"));
+    CHECK(!files.Table->Read(vtp.c_str()));
+    CHECK(files.Errors.Said("RefinementPatterns.bad.vtp"));
   }
   Spill(vtp, bytes);
-  CHECK(!table->Read(vtp.c_str()) && errors.Said("RefinementPatterns.bad.vtp"));
+  CHECK(!files.Table->Read(vtp.c_str()) && files.Errors.Said("RefinementPatterns.bad.vtp"));
+}
 
-  CHECK(table->GetMaximumLevel() == 5);
-  CHECK(before == table->GetPatternOfSegments(4, 2, 1));
+// What cannot be read leaves the table as it was.
+void TestBadFiles(RelevoCheck& check, const char* folder)
+{
+  BadFiles files(folder);
+  const std::string bytes = files.WriteGood(check, "/RefinementPatterns.good");
+  // Signature, version 1, MaximumLevel 2, ten patterns, the first of 1, 1, 1 segments.
+  const unsigned char head[] = { 'R', 'e', 'l', 'e', 'v', 'o', 'R', 'P', 1, 0, 0, 0, 2, 0, 0, 0, 10,
+    0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 3, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0x80, 0x3f };
+  CHECK(bytes.size() > sizeof(head) && std::memcmp(bytes.data(), head, sizeof(head)) == 0);
+
+  const auto before = files.Table->GetPatternOfSegments(4, 2, 1);
+  TestTruncated(check, files, bytes);
+  TestWrongNumbers(check, files, bytes);
+  TestFileNames(check, files);
+  TestRandomDamage(check, files, bytes);
+  TestBadVTP(check, files, bytes);
+  CHECK(files.Table->GetMaximumLevel() == 5);
+  CHECK(before == files.Table->GetPatternOfSegments(4, 2, 1));
 }
 
 void TestThreads(RelevoCheck& check)
