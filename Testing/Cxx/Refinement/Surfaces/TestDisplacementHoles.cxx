@@ -145,77 +145,109 @@ void addX(vtkPolyData* mesh)
   }
   mesh->GetPointData()->AddArray(x);
 }
-}
 
-int TestDisplacementHoles(int, char*[])
+// Heights, and a recipe that displaces by them.
+struct Scene
 {
-  RelevoCheck check;
-  vtkNew<RelevoHeights> heights;
-  vtkNew<vtkDisplacement> displacement;
-  displacement->SetHeightMap(heights);
-  CHECK(displacement->GetNoDataPolicy() == vtkDisplacement::HOLE);
-  displacement->SetScale(0.1);
-  vtkNew<vtkAdaptiveRefinement> recipe;
-  recipe->SetDisplacement(displacement);
-
-  // Triangles larger and smaller than texels; holes inside, at the border, in a corner.
-  const int sizes[][2] = { { 37, 29 }, { 7, 5 }, { 101, 3 } };
-  for (const auto& size : sizes)
+  Scene()
   {
-    for (int level : { 1, 3, 4 })
-    {
-      for (unsigned int seed = 0; seed < 4; ++seed)
-      {
-        heights->FillRandom(size[0], size[1], seed);
-        std::mt19937 random(seed);
-        const int holeX = static_cast<int>(random() % size[0]);
-        const int holeY = static_cast<int>(random() % size[1]);
-        heights->Punch([&](int x, int y)
-          { return (x == holeX && y == holeY) || (seed == 3 && x == 0 && y == 0); });
-        recipe->SetMaximumLevel(level);
-        Mesh plane = Plane(3, 3);
-        addX(plane);
-        // A skewed chart, so that no sample lies on an edge.
-        vtkDataArray* uvs = plane->GetPointData()->GetTCoords();
-        for (vtkIdType i = 0; i < uvs->GetNumberOfTuples(); ++i)
-        {
-          double uv[2];
-          uvs->GetTuple(i, uv);
-          uvs->SetTuple2(i, 0.02 + 0.9 * uv[0] + 0.07 * uv[1], 0.97 * uv[1] - 0.03 * uv[0] + 0.03);
-        }
-        displacement->SetDirection(0.0, 0.0, 1.0);
-        if (size[0] * level < 100)
-        {
-          displacement->SetNoDataPolicyToHole();
-          Mesh holed = Refine(plane, recipe);
-          if (holed->GetNumberOfCells() == 18 << 2 * level || holed->GetNumberOfCells() == 0)
-          {
-            continue; // the hole lies beside the chart, or covers all
-          }
-          testAgainstSearch(check, plane, recipe, heights, displacement);
-        }
-      }
-    }
+    this->Displacement->SetHeightMap(this->Heights);
+    this->Displacement->SetScale(0.1);
+    this->Recipe->SetDisplacement(this->Displacement);
   }
 
-  // Fill keeps every triangle, and the surface stays closed.
+  vtkNew<RelevoHeights> Heights;
+  vtkNew<vtkDisplacement> Displacement;
+  vtkNew<vtkAdaptiveRefinement> Recipe;
+};
+
+// Along the normal, at level 4.
+struct SquareScene : Scene
+{
+  SquareScene()
+  {
+    this->Heights->FillRandom(16, 16, 5);
+    this->Recipe->SetMaximumLevel(4);
+    this->Displacement->SetDirectionToNormal();
+  }
+};
+
+// With a skewed chart, so that no sample lies on an edge.
+Mesh makeSkewedPlane()
+{
+  Mesh plane = Plane(3, 3);
+  addX(plane);
+  vtkDataArray* uvs = plane->GetPointData()->GetTCoords();
+  for (vtkIdType i = 0; i < uvs->GetNumberOfTuples(); ++i)
+  {
+    double uv[2];
+    uvs->GetTuple(i, uv);
+    uvs->SetTuple2(i, 0.02 + 0.9 * uv[0] + 0.07 * uv[1], 0.97 * uv[1] - 0.03 * uv[0] + 0.03);
+  }
+  return plane;
+}
+
+Mesh makeChartedSphere()
+{
   Mesh sphere = Sphere(8, 6);
   AddTextureCoordinates(sphere,
     [](const double* p) {
       return std::array<double, 2>{ { p[0] + 0.5, p[1] + 0.5 } };
     });
   AddTags(sphere, 4, 4);
-  heights->FillRandom(16, 16, 5);
-  heights->Punch([](int x, int y) { return x > 5 && x < 9 && y > 5 && y < 9; });
-  recipe->SetMaximumLevel(4);
-  displacement->SetDirectionToNormal();
-  displacement->SetNoDataPolicyToFill();
-  CHECK(!displacement->HasHoles());
-  CHECK(RelevoWatertight::FindFault(sphere, Refine(sphere, recipe), 4).empty());
-  displacement->SetNoDataPolicyToHole();
-  CHECK(displacement->HasHoles());
-  Mesh holed = Refine(sphere, recipe);
-  // What is left still meets to the bit: no edge is used thrice, or twice in one direction.
+  return sphere;
+}
+
+// Triangles larger and smaller than texels; holes inside, at the border, in a corner.
+void testRandomHoles(RelevoCheck& check)
+{
+  Scene scene;
+  CHECK(scene.Displacement->GetNoDataPolicy() == vtkDisplacement::HOLE);
+  scene.Displacement->SetDirection(0.0, 0.0, 1.0);
+  const int sizes[][2] = { { 37, 29 }, { 7, 5 }, { 101, 3 } };
+  for (const auto& size : sizes)
+  {
+    for (int level : { 1, 3, 4 })
+    {
+      if (size[0] * level >= 100)
+      {
+        continue;
+      }
+      for (unsigned int seed = 0; seed < 4; ++seed)
+      {
+        scene.Heights->FillRandom(size[0], size[1], seed);
+        std::mt19937 random(seed);
+        const int holeX = static_cast<int>(random() % size[0]);
+        const int holeY = static_cast<int>(random() % size[1]);
+        scene.Heights->Punch([&](int x, int y)
+          { return (x == holeX && y == holeY) || (seed == 3 && x == 0 && y == 0); });
+        scene.Recipe->SetMaximumLevel(level);
+        Mesh plane = makeSkewedPlane();
+        scene.Displacement->SetNoDataPolicyToHole();
+        Mesh holed = Refine(plane, scene.Recipe);
+        if (holed->GetNumberOfCells() == 18 << 2 * level || holed->GetNumberOfCells() == 0)
+        {
+          continue; // the hole lies beside the chart, or covers all
+        }
+        testAgainstSearch(check, plane, scene.Recipe, scene.Heights, scene.Displacement);
+      }
+    }
+  }
+}
+
+// Fill keeps every triangle, and the surface stays closed; with holes it meets to the bit where it
+// is left: no edge is used thrice, or twice in one direction.
+void testClosed(RelevoCheck& check)
+{
+  SquareScene scene;
+  Mesh sphere = makeChartedSphere();
+  scene.Heights->Punch([](int x, int y) { return x > 5 && x < 9 && y > 5 && y < 9; });
+  scene.Displacement->SetNoDataPolicyToFill();
+  CHECK(!scene.Displacement->HasHoles());
+  CHECK(RelevoWatertight::FindFault(sphere, Refine(sphere, scene.Recipe), 4).empty());
+  scene.Displacement->SetNoDataPolicyToHole();
+  CHECK(scene.Displacement->HasHoles());
+  Mesh holed = Refine(sphere, scene.Recipe);
   RelevoWatertight::EdgeUses edges;
   const auto welded = RelevoWatertight::Weld(holed->GetPoints(), false);
   for (const auto& triangle : RelevoWatertight::GetTriangles(holed, welded))
@@ -229,28 +261,48 @@ int TestDisplacementHoles(int, char*[])
   {
     CHECK(edge.second.first <= 1 && edge.second.second <= 1);
   }
+}
 
-  // No data at all: nothing is left but what is no triangle.
-  heights->Punch([](int, int) { return true; });
-  CHECK(Refine(sphere, recipe)->GetNumberOfCells() == 0);
-  CHECK(Refine(sphere, recipe)->GetNumberOfPoints() == 0);
+// No data at all: nothing is left but what is no triangle.
+void testNoData(RelevoCheck& check)
+{
+  SquareScene scene;
+  scene.Heights->Punch([](int, int) { return true; });
+  Mesh sphere = makeChartedSphere();
+  CHECK(Refine(sphere, scene.Recipe)->GetNumberOfCells() == 0);
+  CHECK(Refine(sphere, scene.Recipe)->GetNumberOfPoints() == 0);
   Mesh mixed = Mixed();
   AddTextureCoordinates(mixed,
     [](const double* p) {
       return std::array<double, 2>{ { p[0] / 6.0, p[1] / 4.0 } };
     });
-  Mesh rest = Refine(mixed, recipe);
+  Mesh rest = Refine(mixed, scene.Recipe);
   CHECK(rest->GetNumberOfCells() == 3 && rest->GetNumberOfVerts() == 2);
   CHECK(rest->GetNumberOfPoints() == 5); // 0, 1, 2, 22, 23
-  // All the same texture coordinates: one sample decides.
+}
+
+// All the same texture coordinates: one sample decides.
+void testOneSample(RelevoCheck& check)
+{
+  SquareScene scene;
   Mesh point = Plane(1, 1);
   AddTextureCoordinates(point,
     [](const double*) {
       return std::array<double, 2>{ { 0.53, 0.53 } };
     });
-  heights->Punch([](int x, int y) { return x == 0 && y == 0; });
-  CHECK(Refine(point, recipe)->GetNumberOfCells() == 2 * 256);
-  heights->Punch([](int x, int y) { return x == 8 && y == 8; });
-  CHECK(Refine(point, recipe)->GetNumberOfCells() == 0);
+  scene.Heights->Punch([](int x, int y) { return x == 0 && y == 0; });
+  CHECK(Refine(point, scene.Recipe)->GetNumberOfCells() == 2 * 256);
+  scene.Heights->Punch([](int x, int y) { return x == 8 && y == 8; });
+  CHECK(Refine(point, scene.Recipe)->GetNumberOfCells() == 0);
+}
+}
+
+int TestDisplacementHoles(int, char*[])
+{
+  RelevoCheck check;
+  testRandomHoles(check);
+  testClosed(check);
+  testNoData(check);
+  testOneSample(check);
   return check.GetResult();
 }

@@ -183,6 +183,72 @@ Deviation compareWithFaces(vtkPolyData* refined, double margin)
   return result;
 }
 
+Vector getSpherePoint(double u, double v)
+{
+  const double a = 2.0 * vtkMath::Pi() * u;
+  const double b = vtkMath::Pi() * (v - 0.5);
+  return { { 0.5 * std::cos(a) * std::cos(b), 0.5 * std::sin(a) * std::cos(b),
+    0.5 * std::sin(b) } };
+}
+
+Vector getCylinderPoint(double u, double v)
+{
+  const double a = 2.0 * vtkMath::Pi() * u;
+  return { { 0.5 * std::cos(a), 0.5 * std::sin(a), 2.0 * v } };
+}
+
+Vector getTorusPoint(double u, double v)
+{
+  const double a = 2.0 * vtkMath::Pi() * u;
+  const double b = 2.0 * vtkMath::Pi() * v;
+  const double r = 1.0 + 0.4 * std::cos(b);
+  return { { r * std::cos(a), r * std::sin(a), 0.4 * std::sin(b) } };
+}
+
+using Shape = Vector (*)(double u, double v);
+
+// A grid over [0, 1]^2 with a seam; normals from differences.
+Mesh makeGrid(Shape shape)
+{
+  const int nu = 32;
+  const int nv = 24;
+  std::vector<Vector> points;
+  std::vector<Triangle> triangles;
+  vtkNew<vtkFloatArray> uvs;
+  uvs->SetNumberOfComponents(2);
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  for (int j = 0; j <= nv; ++j)
+  {
+    for (int i = 0; i <= nu; ++i)
+    {
+      const double u = static_cast<double>(i) / nu;
+      const double v = 0.1 + 0.8 * j / nv;
+      points.push_back(shape(u, v));
+      uvs->InsertNextTuple2(u, v);
+      const double e = 1e-5;
+      Vector du = shape(u + e, v);
+      Vector dv = shape(u, v + e);
+      vtkMath::Subtract(du, points.back(), du);
+      vtkMath::Subtract(dv, points.back(), dv);
+      Vector n;
+      vtkMath::Cross(du.data(), dv.data(), n.data());
+      vtkMath::Normalize(n.data());
+      normals->InsertNextTuple(n.data());
+      if (i < nu && j < nv)
+      {
+        const vtkIdType a = j * (nu + 1) + i;
+        triangles.push_back({ { a, a + 1, a + nu + 2 } });
+        triangles.push_back({ { a, a + nu + 2, a + nu + 1 } });
+      }
+    }
+  }
+  Mesh mesh = FromTriangles(points, triangles);
+  mesh->GetPointData()->SetTCoords(uvs);
+  mesh->GetPointData()->SetNormals(normals);
+  return mesh;
+}
+
 // Bumps on spheres, cylinders and tori: normals follow them.
 void testBumps(RelevoCheck& check)
 {
@@ -197,71 +263,11 @@ void testBumps(RelevoCheck& check)
   recipe->SetMaximumLevel(4);
   recipe->SetDisplacement(displacement);
   recipe->SetSurface(pn);
-
-  const double pi = vtkMath::Pi();
-  const std::pair<const char*, std::function<Vector(double, double)>> shapes[] = {
-    { "sphere",
-      [pi](double u, double v)
-      {
-        const double a = 2.0 * pi * u;
-        const double b = pi * (v - 0.5);
-        return Vector{ { 0.5 * std::cos(a) * std::cos(b), 0.5 * std::sin(a) * std::cos(b),
-          0.5 * std::sin(b) } };
-      } },
-    { "cylinder",
-      [pi](double u, double v)
-      {
-        const double a = 2.0 * pi * u;
-        return Vector{ { 0.5 * std::cos(a), 0.5 * std::sin(a), 2.0 * v } };
-      } },
-    { "torus",
-      [pi](double u, double v)
-      {
-        const double a = 2.0 * pi * u;
-        const double b = 2.0 * pi * v;
-        const double r = 1.0 + 0.4 * std::cos(b);
-        return Vector{ { r * std::cos(a), r * std::sin(a), 0.4 * std::sin(b) } };
-      } }
-  };
+  const std::pair<const char*, Shape> shapes[] = { { "sphere", getSpherePoint },
+    { "cylinder", getCylinderPoint }, { "torus", getTorusPoint } };
   for (const auto& shape : shapes)
   {
-    // A grid over [0, 1]^2 with a seam; normals from differences.
-    const int nu = 32;
-    const int nv = 24;
-    std::vector<Vector> points;
-    std::vector<Triangle> triangles;
-    vtkNew<vtkFloatArray> uvs;
-    uvs->SetNumberOfComponents(2);
-    vtkNew<vtkFloatArray> normals;
-    normals->SetNumberOfComponents(3);
-    for (int j = 0; j <= nv; ++j)
-    {
-      for (int i = 0; i <= nu; ++i)
-      {
-        const double u = static_cast<double>(i) / nu;
-        const double v = 0.1 + 0.8 * j / nv;
-        points.push_back(shape.second(u, v));
-        uvs->InsertNextTuple2(u, v);
-        const double e = 1e-5;
-        Vector du = shape.second(u + e, v);
-        Vector dv = shape.second(u, v + e);
-        vtkMath::Subtract(du, points.back(), du);
-        vtkMath::Subtract(dv, points.back(), dv);
-        Vector n;
-        vtkMath::Cross(du.data(), dv.data(), n.data());
-        vtkMath::Normalize(n.data());
-        normals->InsertNextTuple(n.data());
-        if (i < nu && j < nv)
-        {
-          const vtkIdType a = j * (nu + 1) + i;
-          triangles.push_back({ { a, a + 1, a + nu + 2 } });
-          triangles.push_back({ { a, a + nu + 2, a + nu + 1 } });
-        }
-      }
-    }
-    Mesh mesh = FromTriangles(points, triangles);
-    mesh->GetPointData()->SetTCoords(uvs);
-    mesh->GetPointData()->SetNormals(normals);
+    Mesh mesh = makeGrid(shape.second);
     Mesh bumpy = Refine(mesh, recipe);
     const Deviation deviation = compareWithFaces(bumpy, 0.15);
     std::cout << shape.first << ": normals deviate by " << deviation.Mean << " degrees on average, "

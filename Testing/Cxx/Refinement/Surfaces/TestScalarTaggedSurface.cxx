@@ -50,7 +50,54 @@ void setTags(vtkPolyData* mesh, vtkIdType point, const Tags& tags)
   data->GetArray("Direction")->SetTuple(point, tags.Direction.data());
 }
 
-// One edge from the origin, whose normal is z, to (3, 0, -3): e . N = -3, across it (3, 0, 0).
+// The edge from the origin, whose normal is z, to (3, 0, -3): e . N = -3, across it (3, 0, 0).
+struct EdgeCase
+{
+  Tags At;
+  Vector Control; // near the origin
+  Vector Normal;  // at the origin for this edge, of any length
+  Vector OtherNormal = { { 0, 0, 1 } };
+};
+
+const double C30 = std::sqrt(0.75);
+
+const EdgeCase EdgeCases[] = {
+  { {}, { { 1, 0, 0 } }, { { 0, 0, 1 } } },
+  { { 0, 0.5, 0, {} }, { { 0.5, 0, 0 } }, { { 0, 0, 1 } } },
+  { { 0, 1, 0, {} }, { { 0, 0, 0 } }, { { 0, 0, 1 } } },
+  { { 0, -1, 0, {} }, { { 2, 0, 0 } }, { { 0, 0, 1 } } },
+  { { 0, 0, 1, {} }, { { 1, 0, 1 } }, { { -1, 0, 1 } } },
+  { { 0, 0, 0.5, {} }, { { 1, 0, 0.5 } }, { { -0.5, 0, 1 } } },
+  { { 0, 0, -1, {} }, { { 1, 0, -1 } }, { { 1, 0, 1 } } },
+  { { 1, 0, 0, {} }, { { 1, 0, -1 } }, { { 1, 0, 1 } } },
+  { { 0.25, 0, 0, {} }, { { 1, 0, -0.25 } }, { { 0.25, 0, 1 } } },
+  // With directions: along the edge, across it, at 30, 45 and 60 degrees, of other lengths, with
+  // a part along the normal, and along the normal alone.
+  { { 1, 0, 0, { { 2, 0, 0 } } }, { { 1, 0, 0 } }, { { 0, 0, 1 } } },
+  { { 1, 0, 0, { { -3, 0, 0 } } }, { { 1, 0, 0 } }, { { 0, 0, 1 } } },
+  { { 1, 0, 0, { { 1, 0, 5 } } }, { { 1, 0, 0 } }, { { 0, 0, 1 } } },
+  { { 1, 0, 0, { { 0, 9, 0 } } }, { { 1, 0, -1 } }, { { 1, 0, 1 } } },
+  { { 1, 0, 0, { { 0, 0, 7 } } }, { { 1, 0, -1 } }, { { 1, 0, 1 } } },
+  // s = 0.5; the slope is 0.5 x / |x|^2, x = (1/4, -C30 / 2, 0).
+  { { 1, 0, 0, { { C30, 0.5, 0 } } }, { { 1, 0, -0.5 } }, { { 0.5, -C30, 1 } } },
+  { { 1, 0, 0, { { 0.7, 0.7, 0 } } }, { { 1, 0, -1 } }, { { 1, -1, 1 } } },
+  { { 1, 0, 0, { { 0.5, C30, 0 } } }, { { 1, 0, -1 } }, { { 1, -0.5 / C30, 1 } } },
+  // The other end's normal turned: (t . D) (Nj . D) / (1 + Ni . Nj) = 3 C30 0.6 C30 / 1.8 = 0.75,
+  // so that hx = -2.25, and again s = 0.5. It does not count without direction or across it.
+  { { 1, 0, 0, { { C30, 0.5, 0 } } }, { { 1, 0, -0.375 } }, { { 0.375, -0.75 * C30, 1 } },
+    { { 0.6, 0, 0.8 } } },
+  { { 1, 0, 0, { { 0, 1, 0 } } }, { { 1, 0, -1 } }, { { 1, 0, 1 } }, { { 0.6, 0, 0.8 } } },
+  { { 1, 0, 0, {} }, { { 1, 0, -1 } }, { { 1, 0, 1 } }, { { 0.6, 0, 0.8 } } },
+  { { 0.5, 0.5, 0.5, {} }, { { 0.5, 0, -0.125 } }, { { 0.25, 0, 1 } } },
+  // Beyond the ranges.
+  { { 7, 0, 0, {} }, { { 1, 0, -1 } }, { { 1, 0, 1 } } },
+  { { -7, 0, 0, {} }, { { 1, 0, 0 } }, { { 0, 0, 1 } } },
+  { { 0, 7, 0, {} }, { { 0, 0, 0 } }, { { 0, 0, 1 } } },
+  { { 0, -7, 0, {} }, { { 2, 0, 0 } }, { { 0, 0, 1 } } },
+  { { 0, 0, 7, {} }, { { 1, 0, 1 } }, { { -1, 0, 1 } } },
+  { { 0, 0, -7, {} }, { { 1, 0, -1 } }, { { 1, 0, 1 } } },
+};
+
 void testControlPoints(RelevoCheck& check)
 {
   Mesh mesh =
@@ -63,52 +110,8 @@ void testControlPoints(RelevoCheck& check)
   mesh->GetPointData()->SetNormals(normals);
   vtkNew<vtkScalarTaggedSurface> surface;
   const auto recipe = MakeRecipe(3, surface);
-
-  const double c30 = std::sqrt(0.75);
-  const struct
-  {
-    Tags At;
-    Vector Control; // near the origin
-    Vector Normal;  // at the origin for this edge, of any length
-    Vector OtherNormal = { { 0, 0, 1 } };
-  } cases[] = {
-    { {}, { { 1, 0, 0 } }, { { 0, 0, 1 } } },
-    { { 0, 0.5, 0, {} }, { { 0.5, 0, 0 } }, { { 0, 0, 1 } } },
-    { { 0, 1, 0, {} }, { { 0, 0, 0 } }, { { 0, 0, 1 } } },
-    { { 0, -1, 0, {} }, { { 2, 0, 0 } }, { { 0, 0, 1 } } },
-    { { 0, 0, 1, {} }, { { 1, 0, 1 } }, { { -1, 0, 1 } } },
-    { { 0, 0, 0.5, {} }, { { 1, 0, 0.5 } }, { { -0.5, 0, 1 } } },
-    { { 0, 0, -1, {} }, { { 1, 0, -1 } }, { { 1, 0, 1 } } },
-    { { 1, 0, 0, {} }, { { 1, 0, -1 } }, { { 1, 0, 1 } } },
-    { { 0.25, 0, 0, {} }, { { 1, 0, -0.25 } }, { { 0.25, 0, 1 } } },
-    // With directions: along the edge, across it, at 30, 45 and 60 degrees, of other lengths, with
-    // a part along the normal, and along the normal alone.
-    { { 1, 0, 0, { { 2, 0, 0 } } }, { { 1, 0, 0 } }, { { 0, 0, 1 } } },
-    { { 1, 0, 0, { { -3, 0, 0 } } }, { { 1, 0, 0 } }, { { 0, 0, 1 } } },
-    { { 1, 0, 0, { { 1, 0, 5 } } }, { { 1, 0, 0 } }, { { 0, 0, 1 } } },
-    { { 1, 0, 0, { { 0, 9, 0 } } }, { { 1, 0, -1 } }, { { 1, 0, 1 } } },
-    { { 1, 0, 0, { { 0, 0, 7 } } }, { { 1, 0, -1 } }, { { 1, 0, 1 } } },
-    // s = 0.5; the slope is 0.5 x / |x|^2, x = (1/4, -c30 / 2, 0).
-    { { 1, 0, 0, { { c30, 0.5, 0 } } }, { { 1, 0, -0.5 } }, { { 0.5, -c30, 1 } } },
-    { { 1, 0, 0, { { 0.7, 0.7, 0 } } }, { { 1, 0, -1 } }, { { 1, -1, 1 } } },
-    { { 1, 0, 0, { { 0.5, c30, 0 } } }, { { 1, 0, -1 } }, { { 1, -0.5 / c30, 1 } } },
-    // The other end's normal turned: (t . D) (Nj . D) / (1 + Ni . Nj) = 3 c30 0.6 c30 / 1.8 = 0.75,
-    // so that hx = -2.25, and again s = 0.5. It does not count without direction or across it.
-    { { 1, 0, 0, { { c30, 0.5, 0 } } }, { { 1, 0, -0.375 } }, { { 0.375, -0.75 * c30, 1 } },
-      { { 0.6, 0, 0.8 } } },
-    { { 1, 0, 0, { { 0, 1, 0 } } }, { { 1, 0, -1 } }, { { 1, 0, 1 } }, { { 0.6, 0, 0.8 } } },
-    { { 1, 0, 0, {} }, { { 1, 0, -1 } }, { { 1, 0, 1 } }, { { 0.6, 0, 0.8 } } },
-    { { 0.5, 0.5, 0.5, {} }, { { 0.5, 0, -0.125 } }, { { 0.25, 0, 1 } } },
-    // Beyond the ranges.
-    { { 7, 0, 0, {} }, { { 1, 0, -1 } }, { { 1, 0, 1 } } },
-    { { -7, 0, 0, {} }, { { 1, 0, 0 } }, { { 0, 0, 1 } } },
-    { { 0, 7, 0, {} }, { { 0, 0, 0 } }, { { 0, 0, 1 } } },
-    { { 0, -7, 0, {} }, { { 2, 0, 0 } }, { { 0, 0, 1 } } },
-    { { 0, 0, 7, {} }, { { 1, 0, 1 } }, { { -1, 0, 1 } } },
-    { { 0, 0, -7, {} }, { { 1, 0, -1 } }, { { 1, 0, 1 } } },
-  };
   int number = 0;
-  for (const auto& one : cases)
+  for (const auto& one : EdgeCases)
   {
     setTags(mesh, 0, one.At);
     normals->SetTuple(1, one.OtherNormal.data());
