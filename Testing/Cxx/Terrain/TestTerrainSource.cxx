@@ -93,26 +93,26 @@ double CheckMesh(RelevoCheck& check, vtkPolyData* mesh)
 RelevoRaster MakeRaster(
   int width, int height, const std::vector<double>& transform, const std::string& coordinateSystem)
 {
-  RelevoRaster raster;
-  raster.Width = width;
-  raster.Height = height;
-  raster.Type = GDT_Int16;
-  raster.Transform = transform;
-  raster.CoordinateSystem = coordinateSystem;
-  raster.SetValues([](int, int column, int row) { return 100 + column + row; });
-  return raster;
+  return RelevoRaster::MakeSlope(width, height, transform, coordinateSystem, 100.0);
+}
+
+// Of a raster that goes into a file, with that many squares along the longer side.
+vtkSmartPointer<vtkTerrainSource> MakeSource(
+  RelevoCheck& check, const RelevoRaster& raster, const std::string& name, int resolution)
+{
+  CHECK(raster.Write(name));
+  auto source = vtkSmartPointer<vtkTerrainSource>::New();
+  source->SetFileName(name.c_str());
+  source->SetResolution(resolution);
+  source->Update();
+  return source;
 }
 
 void TestGeographic(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const RelevoRaster raster =
     MakeRaster(80, 50, { 10.0, 0.01, 0.0, 46.0, 0.0, -0.01 }, "EPSG:4326");
-  const std::string name = folders.File("TerrainGeographic.tif");
-  CHECK(raster.Write(name));
-  vtkNew<vtkTerrainSource> source;
-  source->SetFileName(name.c_str());
-  source->SetResolution(16);
-  source->Update();
+  const auto source = MakeSource(check, raster, folders.File("TerrainGeographic.tif"), 16);
   vtkPolyData* mesh = source->GetOutput();
   CheckMesh(check, mesh);
   const double longitude0 = 10.4;
@@ -149,12 +149,7 @@ void TestEllipsoid(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const RelevoRaster raster =
     MakeRaster(40, 40, { 2.0, 0.01, 0.0, 52.0, 0.0, -0.01 }, "EPSG:4807"); // NTF (Paris), grads
-  const std::string name = folders.File("TerrainGrads.tif");
-  CHECK(raster.Write(name));
-  vtkNew<vtkTerrainSource> source;
-  source->SetFileName(name.c_str());
-  source->SetResolution(8);
-  source->Update();
+  const auto source = MakeSource(check, raster, folders.File("TerrainGrads.tif"), 8);
   vtkPolyData* mesh = source->GetOutput();
   const vtkIdType corner = FindPoint(mesh, 1.0, 1.0);
   CHECK(corner >= 0);
@@ -168,12 +163,7 @@ void TestProjected(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const RelevoRaster raster =
     MakeRaster(100, 60, { 500010.0, 30.0, 0.0, 5100020.0, 0.0, -20.0 }, "EPSG:32633");
-  const std::string name = folders.File("TerrainProjected.tif");
-  CHECK(raster.Write(name));
-  vtkNew<vtkTerrainSource> source;
-  source->SetFileName(name.c_str());
-  source->SetResolution(10);
-  source->Update();
+  const auto source = MakeSource(check, raster, folders.File("TerrainProjected.tif"), 10);
   vtkPolyData* mesh = source->GetOutput();
   CHECK_NEAR(CheckMesh(check, mesh), 3000.0 * 1200.0, 1.0);
   CHECK(mesh->GetNumberOfCells() == 2 * 10 * 4);
@@ -272,12 +262,7 @@ void TestOrientations(RelevoCheck& check, const RelevoTestFolders& folders)
         const double y = transform[3] + transform[5] * (row + 0.5);
         return x + 2.0 * y;
       });
-    const std::string name = folders.File("TerrainOrientation.tif");
-    CHECK(raster.Write(name));
-    vtkNew<vtkTerrainSource> source;
-    source->SetFileName(name.c_str());
-    source->SetResolution(16);
-    source->Update();
+    const auto source = MakeSource(check, raster, folders.File("TerrainOrientation.tif"), 16);
     vtkPolyData* mesh = source->GetOutput();
     CHECK_NEAR(CheckMesh(check, mesh), 800.0 * 500.0, 1.0);
     const vtkIdType southWest = FindPoint(mesh, 0.0, 0.0);
@@ -290,12 +275,7 @@ void TestOrientations(RelevoCheck& check, const RelevoTestFolders& folders)
   // Columns to the north-east, rows to the south-east.
   RelevoRaster turned = MakeRaster(40, 20, { 1000.0, 6.0, 6.0, 2000.0, 6.0, -6.0 }, "EPSG:32633");
   turned.SetValues([](int, int column, int row) { return column - 3 * row; });
-  const std::string name = folders.File("TerrainTurned.tif");
-  CHECK(turned.Write(name));
-  vtkNew<vtkTerrainSource> source;
-  source->SetFileName(name.c_str());
-  source->SetResolution(8);
-  source->Update();
+  const auto source = MakeSource(check, turned, folders.File("TerrainTurned.tif"), 8);
   vtkPolyData* mesh = source->GetOutput();
   CHECK_NEAR(CheckMesh(check, mesh), 800.0 * 72.0, 1.0);
   // The file's first corner has u = 0, v = 1.

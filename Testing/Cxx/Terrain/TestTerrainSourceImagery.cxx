@@ -24,23 +24,10 @@ int Color(vtkImageData* image, int i, int j, int component)
   return static_cast<unsigned char*>(image->GetScalarPointer(i, j, 0))[component];
 }
 
-RelevoRaster MakeTerrain(
-  int width, int height, const std::vector<double>& transform, const std::string& coordinateSystem)
-{
-  RelevoRaster raster;
-  raster.Width = width;
-  raster.Height = height;
-  raster.Type = GDT_Int16;
-  raster.Transform = transform;
-  raster.CoordinateSystem = coordinateSystem;
-  raster.SetValues([](int, int column, int row) { return column + row; });
-  return raster;
-}
-
 RelevoRaster MakePicture(int width, int height, int bands, const std::vector<double>& transform,
   const std::string& coordinateSystem)
 {
-  RelevoRaster raster = MakeTerrain(width, height, transform, coordinateSystem);
+  RelevoRaster raster = RelevoRaster::MakeSlope(width, height, transform, coordinateSystem);
   raster.Type = GDT_Byte;
   raster.NumberOfBands = bands;
   raster.SetValues(
@@ -97,7 +84,7 @@ void TestSameGrid(RelevoCheck& check, const RelevoTestFolders& folders)
   RelevoErrors errors(source);
   RelevoErrors executive(source->GetExecutive()); // it tells every failure once more
 
-  CHECK(MakeTerrain(40, 30, utm, "EPSG:32633").Write(terrain));
+  CHECK(RelevoRaster::MakeSlope(40, 30, utm, "EPSG:32633").Write(terrain));
   const RelevoRaster rgb = MakePicture(40, 30, 3, utm, "EPSG:32633");
   CHECK(rgb.Write(file));
   CHECK(SamePixels(Drape(source, terrain, file), rgb, { 0, 1, 2 }));
@@ -128,7 +115,7 @@ void TestSameGrid(RelevoCheck& check, const RelevoTestFolders& folders)
   // Neither has a place on earth.
   const RelevoRaster plain = MakePicture(64, 32, 3, {}, "");
   CHECK(plain.Write(folders.File("Imagery.png"), "PNG"));
-  CHECK(MakeTerrain(40, 30, {}, "").Write(folders.File("ImageryPlain.tif")));
+  CHECK(RelevoRaster::MakeSlope(40, 30, {}, "").Write(folders.File("ImageryPlain.tif")));
   CHECK(SamePixels(Drape(source, folders.File("ImageryPlain.tif"), folders.File("Imagery.png")),
     plain, { 0, 1, 2 }));
   // Only the terrain has.
@@ -202,8 +189,8 @@ void TestOtherCoordinateSystem(RelevoCheck& check, const RelevoTestFolders& fold
   const std::string pictureName = folders.File("ImageryUTM.tif");
   const std::string terrainName = folders.File("ImageryDegrees.tif");
   CHECK(picture.Write(pictureName));
-  CHECK(
-    MakeTerrain(50, 25, { 14.0, 0.004, 0.0, 45.1, 0.0, -0.004 }, "EPSG:4326").Write(terrainName));
+  CHECK(RelevoRaster::MakeSlope(50, 25, { 14.0, 0.004, 0.0, 45.1, 0.0, -0.004 }, "EPSG:4326")
+          .Write(terrainName));
 
   vtkNew<vtkTerrainSource> source;
   vtkImageData* image = Drape(source, terrainName, pictureName);
@@ -246,7 +233,7 @@ void TestPixels(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const std::vector<double> utm = { 500000.0, 10.0, 0.0, 5000000.0, 0.0, -10.0 };
   const std::string terrain = folders.File("ImageryPixelsTerrain.tif");
-  CHECK(MakeTerrain(8, 8, utm, "EPSG:32633").Write(terrain));
+  CHECK(RelevoRaster::MakeSlope(8, 8, utm, "EPSG:32633").Write(terrain));
   vtkNew<vtkTerrainSource> source;
 
   RelevoRaster voids = MakePicture(8, 8, 3, utm, "EPSG:32633");

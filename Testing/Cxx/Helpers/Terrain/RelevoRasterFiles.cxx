@@ -103,6 +103,19 @@ bool RelevoRaster::Write(const std::string& fileName, const char* driver) const
   return written;
 }
 
+RelevoRaster RelevoRaster::MakeSlope(int width, int height, const std::vector<double>& transform,
+  const std::string& coordinateSystem, double first)
+{
+  RelevoRaster raster;
+  raster.Width = width;
+  raster.Height = height;
+  raster.Type = GDT_Int16;
+  raster.Transform = transform;
+  raster.CoordinateSystem = coordinateSystem;
+  raster.SetValues([=](int, int column, int row) { return first + column + row; });
+  return raster;
+}
+
 RelevoRaster RelevoRaster::Read(const std::string& fileName)
 {
   RelevoRaster raster;

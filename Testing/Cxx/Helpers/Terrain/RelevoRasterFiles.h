@@ -58,6 +58,10 @@ struct RelevoRaster
 
   bool Write(const std::string& fileName, const char* driver = "GTiff") const;
 
+  // Heights of whole metres that rise by one with every column and row, from that in the first.
+  static RelevoRaster MakeSlope(int width, int height, const std::vector<double>& transform,
+    const std::string& coordinateSystem, double first = 0.0);
+
   // The first band as GDAL sees it.
   static RelevoRaster Read(const std::string& fileName);
 };
