@@ -30,47 +30,57 @@ void ExpectError(
   CHECK(!map->GetSamples() && !map->GetValidity() && !map->HasNoData());
   CHECK(map->GetHeight(0.5, 0.5) == 0.0 && !map->IsValid(0.5, 0.5));
 }
-}
 
-int TestHeightMapErrors(int argc, char* argv[])
+// A map that reads a good file between the bad ones, and that file's raster.
+struct Scene
 {
-  const RelevoTestFolders folders(argc, argv);
-  RelevoCheck check;
-
-  RelevoRaster raster;
-  raster.Width = 120;
-  raster.Height = 300;
-  raster.Type = GDT_UInt16;
-  raster.SetValues([](int, int column, int row) { return (column * 977 + row * 131) % 60000; });
-  const std::string good = folders.File("HeightMapErrorsGood.tif");
-  CHECK(raster.Write(good));
-
-  vtkNew<vtkHeightMap> map;
-  const auto expectGood = [&]
+  Scene(RelevoCheck& check, const RelevoTestFolders& folders)
+    : Good(folders.File("HeightMapErrorsGood.tif"))
   {
-    RelevoErrors errors(map);
-    map->SetFileName(good.c_str());
-    CHECK(map->Update() && errors.None());
-    CHECK(map->GetDimensions()[0] == 120 && map->GetDimensions()[1] == 300);
-  };
-  expectGood();
+    this->Raster.Width = 120;
+    this->Raster.Height = 300;
+    this->Raster.Type = GDT_UInt16;
+    this->Raster.SetValues(
+      [](int, int column, int row) { return (column * 977 + row * 131) % 60000; });
+    CHECK(this->Raster.Write(this->Good));
+  }
+  void ExpectGood(RelevoCheck& check)
+  {
+    RelevoErrors errors(this->Map);
+    this->Map->SetFileName(this->Good.c_str());
+    CHECK(this->Map->Update() && errors.None());
+    CHECK(this->Map->GetDimensions()[0] == 120 && this->Map->GetDimensions()[1] == 300);
+  }
 
-  ExpectError(check, map, folders.File("no such file.tif"), "does not exist");
-  expectGood();
-  ExpectError(check, map, folders.Output, "folder");
+  std::string Good;
+  RelevoRaster Raster;
+  vtkNew<vtkHeightMap> Map;
+};
+
+// Nothing, folders, text.
+void TestNoImages(RelevoCheck& check, const RelevoTestFolders& folders, Scene& scene)
+{
+  scene.ExpectGood(check);
+  ExpectError(check, scene.Map, folders.File("no such file.tif"), "does not exist");
+  scene.ExpectGood(check);
+  ExpectError(check, scene.Map, folders.Output, "folder");
   const std::string empty = folders.File("HeightMapEmpty.tif");
   std::ofstream(empty).close();
-  ExpectError(check, map, empty, "empty");
+  ExpectError(check, scene.Map, empty, "empty");
   for (const char* extension : { "tif", "png", "exr", "hgt", "dem", "txt" })
   {
     const std::string text = folders.File(std::string("HeightMapText.") + extension);
     std::ofstream(text) << "This is no image, whatever its name may say.\n"
                         << std::string(4000, 'x');
-    ExpectError(check, map, text, "Cannot read");
+    ExpectError(check, scene.Map, text, "Cannot read");
   }
-  expectGood();
+  scene.ExpectGood(check);
+}
 
-  // Truncated: TIFF in all its layouts, PNG, EXR, SRTM.
+// In all its layouts.
+void TestTruncatedTIFF(RelevoCheck& check, const RelevoTestFolders& folders, Scene& scene)
+{
+  RelevoRaster raster = scene.Raster;
   for (const char* compression : { "NONE", "LZW", "DEFLATE" })
   {
     for (const char* tiled : { "NO", "YES" })
@@ -82,35 +92,45 @@ int TestHeightMapErrors(int argc, char* argv[])
       for (double share : { 0.001, 0.3, 0.9 })
       {
         RelevoTruncate(whole, half, share);
-        ExpectError(check, map, half, "Cannot read");
+        ExpectError(check, scene.Map, half, "Cannot read");
       }
     }
   }
-  raster.Options.clear();
+}
+
+// PNG, EXR, SRTM.
+void TestTruncated(RelevoCheck& check, const RelevoTestFolders& folders, Scene& scene)
+{
   const std::string png = folders.File("HeightMapWhole.png");
-  CHECK(raster.Write(png, "PNG"));
+  CHECK(scene.Raster.Write(png, "PNG"));
   RelevoTruncate(png, folders.File("HeightMapHalf.png"), 0.5);
-  ExpectError(check, map, folders.File("HeightMapHalf.png"), "Cannot read");
+  ExpectError(check, scene.Map, folders.File("HeightMapHalf.png"), "Cannot read");
   const std::string exr = folders.File("HeightMapWhole.exr");
   auto output = OIIO::ImageOutput::create(exr);
-  const std::vector<float> values(raster.Values.begin(), raster.Values.end());
+  const std::vector<float> values(scene.Raster.Values.begin(), scene.Raster.Values.end());
   CHECK(output && output->open(exr, OIIO::ImageSpec(120, 300, 1, OIIO::TypeDesc::FLOAT)) &&
     output->write_image(OIIO::TypeDesc::FLOAT, values.data()) && output->close());
   RelevoTruncate(exr, folders.File("HeightMapHalf.exr"), 0.5);
-  ExpectError(check, map, folders.File("HeightMapHalf.exr"), "Cannot read");
+  ExpectError(check, scene.Map, folders.File("HeightMapHalf.exr"), "Cannot read");
   const std::string hgt = folders.File("N10E020.hgt");
   std::ofstream(hgt, std::ios::binary) << std::string(1201 * 1000, '\0');
-  ExpectError(check, map, hgt, "Cannot read");
-  expectGood();
+  ExpectError(check, scene.Map, hgt, "Cannot read");
+  scene.ExpectGood(check);
+}
 
-  // No georeference can be like this.
-  RelevoRaster complex = raster;
+// No georeference can be like this.
+void TestComplex(RelevoCheck& check, const RelevoTestFolders& folders, Scene& scene)
+{
+  RelevoRaster complex = scene.Raster;
   complex.Type = GDT_CFloat32;
-  const std::string complexName = folders.File("HeightMapComplex.tif");
-  CHECK(complex.Write(complexName));
-  ExpectError(check, map, complexName, "not supported");
+  const std::string name = folders.File("HeightMapComplex.tif");
+  CHECK(complex.Write(name));
+  ExpectError(check, scene.Map, name, "not supported");
+}
 
-  // Headers that promise more than there is, or than any machine can hold.
+// Headers that promise more than there is, or than any machine can hold.
+void TestPromises(RelevoCheck& check, const RelevoTestFolders& folders, Scene& scene)
+{
   for (const char* size : { "rasterXSize=\"2000000000\" rasterYSize=\"1\"",
          "rasterXSize=\"2000000000\" rasterYSize=\"2000000000\"",
          "rasterXSize=\"0\" rasterYSize=\"0\"", "rasterXSize=\"1\" rasterYSize=\"-3\"" })
@@ -121,10 +141,13 @@ int TestHeightMapErrors(int argc, char* argv[])
                               "<SourceFilename relativeToVRT=\"1\">no such file.tif"
                               "</SourceFilename><SourceBand>1</SourceBand></SimpleSource>"
                               "</VRTRasterBand></VRTDataset>";
-    ExpectError(check, map, promise, "Cannot read");
+    ExpectError(check, scene.Map, promise, "Cannot read");
   }
+}
 
-  // Progress, and a stop that is no error and leaves the way open for the next try.
+// Progress, and a stop that is no error and leaves the way open for the next try.
+void TestStop(RelevoCheck& check, Scene& scene)
+{
   double progress = 0.0;
   vtkNew<vtkCallbackCommand> observer;
   observer->SetClientData(&progress);
@@ -134,15 +157,30 @@ int TestHeightMapErrors(int argc, char* argv[])
       *static_cast<double*>(client) = *static_cast<double*>(share);
       static_cast<vtkHeightMap*>(caller)->AbortExecuteOn();
     });
+  vtkHeightMap* map = scene.Map;
   const unsigned long tag = map->AddObserver(vtkCommand::ProgressEvent, observer);
   {
     RelevoErrors errors(map);
-    map->SetFileName(good.c_str());
+    map->SetFileName(scene.Good.c_str());
     CHECK(!map->Update() && errors.None());
     CHECK(progress > 0.0 && progress <= 1.0);
     CHECK(!map->GetSamples());
   }
   map->RemoveObserver(tag);
   CHECK(map->Update() && map->GetSamples());
+}
+}
+
+int TestHeightMapErrors(int argc, char* argv[])
+{
+  const RelevoTestFolders folders(argc, argv);
+  RelevoCheck check;
+  Scene scene(check, folders);
+  TestNoImages(check, folders, scene);
+  TestTruncatedTIFF(check, folders, scene);
+  TestTruncated(check, folders, scene);
+  TestComplex(check, folders, scene);
+  TestPromises(check, folders, scene);
+  TestStop(check, scene);
   return check.GetResult();
 }

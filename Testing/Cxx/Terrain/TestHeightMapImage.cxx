@@ -44,11 +44,9 @@ bool HoldsTestImage(vtkHeightMap* map)
   }
   return same && map->GetRange()[0] == 100.0 && map->GetRange()[1] == 111.0;
 }
-}
 
-int TestHeightMapImage(int, char*[])
+void TestTypes(RelevoCheck& check)
 {
-  RelevoCheck check;
   for (int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT,
          VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG,
          VTK_UNSIGNED_LONG_LONG, VTK_ID_TYPE, VTK_FLOAT, VTK_DOUBLE })
@@ -64,19 +62,18 @@ int TestHeightMapImage(int, char*[])
       }
     }
   }
+}
 
+// What heights come from an image, and that they follow it.
+void TestImage(RelevoCheck& check, vtkHeightMap* map)
+{
   const auto image = MakeImage(VTK_DOUBLE, 1);
-  vtkNew<vtkHeightMap> map;
-  RelevoErrors errors(map);
-  CHECK(!map->Update());
-  CHECK(errors.Said("neither a file name nor an image"));
   map->SetImageData(image);
   CHECK(HoldsTestImage(map));
   CHECK(map->GetSamplesMTime() > 0);
   CHECK_NEAR(map->GetHeight(0.5 / 4, 0.5 / 3), 100.0, 1e-3);
   CHECK_NEAR(map->GetHeight(0.5, 0.5), 105.5, 1e-3);
 
-  // Follows the image.
   const vtkMTimeType before = map->GetSamplesMTime();
   image->GetPointData()->GetScalars()->SetComponent(0, 0, -7.0);
   image->GetPointData()->GetScalars()->Modified();
@@ -93,15 +90,20 @@ int TestHeightMapImage(int, char*[])
   }
   image->GetPointData()->SetScalars(soa);
   CHECK(HoldsTestImage(map));
+}
 
-  // Blanked points.
+void TestBlankedPoints(RelevoCheck& check, vtkHeightMap* map)
+{
   const auto blanked = MakeImage(VTK_FLOAT, 1);
   blanked->AllocatePointGhostArray()->SetValue(5, vtkDataSetAttributes::HIDDENPOINT);
   map->SetImageData(blanked);
   CHECK(map->Update() && map->HasNoData() && !map->GetValidity()[5] && map->GetValidity()[4]);
   CHECK_NEAR(map->GetSample(1, 1), 105.0, 0.5);
+}
 
-  // What cannot be heights.
+// What cannot be heights.
+void TestUnfitImages(RelevoCheck& check, vtkHeightMap* map, RelevoErrors& errors)
+{
   const auto hasNaN = MakeImage(VTK_DOUBLE, 1);
   hasNaN->GetPointData()->GetScalars()->SetComponent(
     6, 0, std::numeric_limits<double>::quiet_NaN());
@@ -128,12 +130,30 @@ int TestHeightMapImage(int, char*[])
   tooFew->SetNumberOfTuples(3);
   bare->GetPointData()->SetScalars(tooFew);
   CHECK(!map->Update() && errors.Said("point scalars are 3"));
+}
 
-  // Without the image it is the file's turn again.
+// Without the image it is the file's turn again.
+void TestFileInstead(RelevoCheck& check, vtkHeightMap* map, RelevoErrors& errors)
+{
   map->SetImageData(nullptr);
   map->SetFileName("nowhere.tif");
   CHECK(!map->Update() && errors.Said("nowhere.tif"));
   CHECK(map->GetDimensions()[0] == 0 && map->GetRange()[1] == 0.0);
   CHECK(map->GetSample(0, 0) == 0.0);
+}
+}
+
+int TestHeightMapImage(int, char*[])
+{
+  RelevoCheck check;
+  TestTypes(check);
+  vtkNew<vtkHeightMap> map;
+  RelevoErrors errors(map);
+  CHECK(!map->Update());
+  CHECK(errors.Said("neither a file name nor an image"));
+  TestImage(check, map);
+  TestBlankedPoints(check, map);
+  TestUnfitImages(check, map, errors);
+  TestFileInstead(check, map, errors);
   return check.GetResult();
 }

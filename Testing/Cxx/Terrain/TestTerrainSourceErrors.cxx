@@ -14,87 +14,109 @@
 #include <iostream>
 #include <limits>
 
-int TestTerrainSourceErrors(int argc, char* argv[])
+namespace
 {
-  const RelevoTestFolders folders(argc, argv);
-  RelevoCheck check;
-  RelevoRaster raster;
-  raster.Width = 36;
-  raster.Height = 18;
-  raster.SetValues([](int, int column, int row) { return column + row; });
-  raster.Transform = { 10.0, 0.1, 0.0, 50.0, 0.0, -0.1 };
-  raster.CoordinateSystem = "EPSG:4326";
-  const std::string good = folders.File("TerrainErrorsGood.tif");
-  CHECK(raster.Write(good));
-
-  vtkNew<vtkTerrainSource> source;
-  RelevoErrors errors(source);
-  RelevoErrors executive(source->GetExecutive()); // it tells every failure once more
-  const auto fails = [&](const std::string& name, const std::string& reason)
+// A source that reads a good file between the bad ones, and that file's raster.
+struct Scene
+{
+  Scene(RelevoCheck& check, const RelevoTestFolders& folders)
+    : Good(folders.File("TerrainErrorsGood.tif"))
   {
-    source->SetFileName(name.c_str());
-    CHECK(source->GetExecutive()->Update() == 0);
-    if (!CHECK(errors.Said(reason)))
+    this->Raster.Width = 36;
+    this->Raster.Height = 18;
+    this->Raster.SetValues([](int, int column, int row) { return column + row; });
+    this->Raster.Transform = { 10.0, 0.1, 0.0, 50.0, 0.0, -0.1 };
+    this->Raster.CoordinateSystem = "EPSG:4326";
+    CHECK(this->Raster.Write(this->Good));
+  }
+  void Fails(RelevoCheck& check, const std::string& name, const std::string& reason)
+  {
+    this->Source->SetFileName(name.c_str());
+    CHECK(this->Source->GetExecutive()->Update() == 0);
+    if (!CHECK(this->Errors.Said(reason)))
     {
       std::cerr << "  for " << name << "\n";
     }
-    CHECK(source->GetOutput()->GetNumberOfPoints() == 0);
-    CHECK(source->GetOutput()->GetNumberOfCells() == 0);
-    CHECK(std::string(source->GetCoordinateSystem()).empty());
-  };
-  const auto works = [&]
+    CHECK(this->Source->GetOutput()->GetNumberOfPoints() == 0);
+    CHECK(this->Source->GetOutput()->GetNumberOfCells() == 0);
+    CHECK(std::string(this->Source->GetCoordinateSystem()).empty());
+  }
+  void Works(RelevoCheck& check)
   {
-    source->SetFileName(good.c_str());
-    CHECK(source->GetExecutive()->Update() == 1 && errors.None());
-    CHECK(source->GetOutput()->GetNumberOfCells() > 0);
-  };
+    this->Source->SetFileName(this->Good.c_str());
+    CHECK(this->Source->GetExecutive()->Update() == 1 && this->Errors.None());
+    CHECK(this->Source->GetOutput()->GetNumberOfCells() > 0);
+  }
 
-  CHECK(source->GetExecutive()->Update() == 0);
-  CHECK(errors.Said("neither a file name nor an image"));
-  works();
-  fails(folders.File("no such terrain.tif"), "no such terrain.tif: the file does not exist");
-  works();
+  std::string Good;
+  RelevoRaster Raster;
+  vtkNew<vtkTerrainSource> Source;
+  RelevoErrors Errors{ this->Source };
+  RelevoErrors Executive{ this->Source->GetExecutive() }; // it tells every failure once more
+};
+
+void TestNoRasters(RelevoCheck& check, const RelevoTestFolders& folders, Scene& scene)
+{
+  CHECK(scene.Source->GetExecutive()->Update() == 0);
+  CHECK(scene.Errors.Said("neither a file name nor an image"));
+  scene.Works(check);
+  scene.Fails(
+    check, folders.File("no such terrain.tif"), "no such terrain.tif: the file does not exist");
+  scene.Works(check);
   std::ofstream(folders.File("TerrainEmpty.hgt")).close();
-  fails(folders.File("TerrainEmpty.hgt"), "the file is empty");
+  scene.Fails(check, folders.File("TerrainEmpty.hgt"), "the file is empty");
   std::ofstream(folders.File("TerrainText.tif")) << "text";
-  fails(folders.File("TerrainText.tif"), "TerrainText.tif");
-  RelevoTruncate(good, folders.File("TerrainHalf.tif"), 0.6);
-  fails(folders.File("TerrainHalf.tif"), "TerrainHalf.tif");
+  scene.Fails(check, folders.File("TerrainText.tif"), "TerrainText.tif");
+  RelevoTruncate(scene.Good, folders.File("TerrainHalf.tif"), 0.6);
+  scene.Fails(check, folders.File("TerrainHalf.tif"), "TerrainHalf.tif");
+}
 
-  RelevoRaster bad = raster;
+// No data at all; NaN, which may stand for no data.
+void TestHeights(RelevoCheck& check, const RelevoTestFolders& folders, Scene& scene)
+{
+  RelevoRaster bad = scene.Raster;
   bad.NoData = -1.0;
   std::fill(bad.Values.begin(), bad.Values.end(), -1.0);
   CHECK(bad.Write(folders.File("TerrainVoid.tif")));
-  fails(folders.File("TerrainVoid.tif"), "none of the 648 heights has data");
-  bad = raster;
+  scene.Fails(check, folders.File("TerrainVoid.tif"), "none of the 648 heights has data");
+  bad = scene.Raster;
   bad.Values[40] = std::numeric_limits<double>::quiet_NaN();
   CHECK(bad.Write(folders.File("TerrainNaN.tif")));
-  fails(folders.File("TerrainNaN.tif"),
+  scene.Fails(check, folders.File("TerrainNaN.tif"),
     "1 of 648 heights are NaN or infinite, the first in column 4, row 1");
-  source->SetNoDataValue(std::numeric_limits<double>::quiet_NaN());
-  CHECK(source->GetExecutive()->Update() == 1 && errors.None());
+  scene.Source->SetNoDataValue(std::numeric_limits<double>::quiet_NaN());
+  CHECK(scene.Source->GetExecutive()->Update() == 1 && scene.Errors.None());
+}
 
-  // The whole earth does not lie on one tangent plane.
-  bad = raster;
+// The whole earth does not lie on one tangent plane.
+void TestPlaces(RelevoCheck& check, const RelevoTestFolders& folders, Scene& scene)
+{
+  RelevoRaster bad = scene.Raster;
   bad.Transform = { -180.0, 10.0, 0.0, 90.0, 0.0, -10.0 };
   CHECK(bad.Write(folders.File("TerrainEarth.tif")));
-  fails(folders.File("TerrainEarth.tif"), "beyond the horizon");
+  scene.Fails(check, folders.File("TerrainEarth.tif"), "beyond the horizon");
   bad.CoordinateSystem = "EPSG:4978";
   CHECK(bad.Write(folders.File("TerrainGeocentric.tif")));
-  fails(folders.File("TerrainGeocentric.tif"), "project it first");
+  scene.Fails(check, folders.File("TerrainGeocentric.tif"), "project it first");
   // What headers tell is told before the heights are read, which are none here.
   for (const char* name : { "TerrainEarth", "TerrainGeocentric" })
   {
     const std::string half = folders.File(std::string(name) + "Half.tif");
     RelevoTruncate(folders.File(std::string(name) + ".tif"), half, 0.6);
-    fails(half, name == std::string("TerrainEarth") ? "beyond the horizon" : "project it first");
+    scene.Fails(
+      check, half, name == std::string("TerrainEarth") ? "beyond the horizon" : "project it first");
   }
-  source->SetImageryFileName("no such picture.tif");
-  fails(folders.File("TerrainHalf.tif"), "no such picture.tif: the file does not exist");
-  source->SetImageryFileName(nullptr);
-  works();
+  scene.Source->SetImageryFileName("no such picture.tif");
+  scene.Fails(
+    check, folders.File("TerrainHalf.tif"), "no such picture.tif: the file does not exist");
+  scene.Source->SetImageryFileName(nullptr);
+  scene.Works(check);
+}
 
-  // A stop is no error, and leaves nothing half done.
+// A stop is no error, and leaves nothing half done.
+void TestStop(RelevoCheck& check, const RelevoTestFolders& folders, Scene& scene)
+{
+  vtkTerrainSource* source = scene.Source;
   vtkNew<vtkCallbackCommand> observer;
   observer->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
     { static_cast<vtkAlgorithm*>(caller)->AbortExecuteOn(); });
@@ -102,11 +124,23 @@ int TestTerrainSourceErrors(int argc, char* argv[])
   source->SetResolution(5);
   source->SetFileName(folders.File("TerrainNaN.tif").c_str());
   source->Update();
-  CHECK(errors.None() && source->GetOutput()->GetNumberOfPoints() == 0);
+  CHECK(scene.Errors.None() && source->GetOutput()->GetNumberOfPoints() == 0);
   source->RemoveObserver(tag);
   source->SetAbortExecute(0);
   source->Modified();
   source->Update();
-  CHECK(errors.None() && source->GetOutput()->GetNumberOfCells() > 0);
+  CHECK(scene.Errors.None() && source->GetOutput()->GetNumberOfCells() > 0);
+}
+}
+
+int TestTerrainSourceErrors(int argc, char* argv[])
+{
+  const RelevoTestFolders folders(argc, argv);
+  RelevoCheck check;
+  Scene scene(check, folders);
+  TestNoRasters(check, folders, scene);
+  TestHeights(check, folders, scene);
+  TestPlaces(check, folders, scene);
+  TestStop(check, folders, scene);
   return check.GetResult();
 }
