@@ -89,6 +89,73 @@ int ShowUsage()
   return 2;
 }
 
+struct Arguments
+{
+  // False where there is one that is not known.
+  bool Parse(int argc, char* argv[])
+  {
+    for (int i = 1; i < argc; ++i)
+    {
+      const std::string argument = argv[i];
+      if (argument == "--quick")
+      {
+        this->Options.Quick = true;
+      }
+      else if (argument == "--full")
+      {
+        this->Options.Full = true;
+      }
+      else if (argument == "--height-map" && i + 1 < argc)
+      {
+        this->Options.HeightMap = argv[++i];
+      }
+      else if (argument == "--paraview" && i + 1 < argc)
+      {
+        this->Options.ParaView = argv[++i];
+      }
+      else if (argument == "--output" && i + 1 < argc)
+      {
+        this->Output = argv[++i];
+      }
+      else if (std::any_of(Benchmarks.begin(), Benchmarks.end(),
+                 [&](const Benchmark& benchmark) { return argument == benchmark.Name; }))
+      {
+        this->Names.push_back(argument);
+      }
+      else
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  BenchmarkOptions Options;
+  std::string Output;
+  std::vector<std::string> Names;
+};
+
+bool CanRead(const std::string& file)
+{
+  if (!std::ifstream(file))
+  {
+    std::cerr << "relevo-benchmark: error: cannot read " << file << std::endl;
+    return false;
+  }
+  return true;
+}
+
+// All where none is named.
+std::vector<Benchmark> ChooseBenchmarks(const std::vector<std::string>& names)
+{
+  std::vector<Benchmark> chosen;
+  std::copy_if(Benchmarks.begin(), Benchmarks.end(), std::back_inserter(chosen),
+    [&names](const Benchmark& benchmark) {
+      return names.empty() || std::find(names.begin(), names.end(), benchmark.Name) != names.end();
+    });
+  return chosen;
+}
+
 // For the shell.
 std::string Quote(const std::string& text)
 {
@@ -111,6 +178,30 @@ std::string GetProcessor()
     }
   }
   return std::string();
+}
+
+void AddFacts(BenchmarkReport& report, const std::vector<Benchmark>& chosen)
+{
+  if (std::any_of(chosen.begin(), chosen.end(),
+        [](const Benchmark& benchmark) { return benchmark.NeedsOpenGL; }))
+  {
+    report.AddFact("OpenGL renderer", BenchmarkView().GetOpenGLRenderer());
+  }
+  report.AddFact("VTK", vtkVersion::GetVTKVersion());
+  report.AddFact("Machine",
+    GetProcessor() + std::to_string(std::thread::hardware_concurrency()) + " logical cores");
+}
+
+bool WriteJson(const BenchmarkReport& report, const std::string& output)
+{
+  std::ofstream file(output);
+  report.WriteJson(file);
+  if (!file.flush())
+  {
+    std::cerr << "relevo-benchmark: error: cannot write " << output << std::endl;
+    return false;
+  }
+  return true;
 }
 }
 
@@ -144,88 +235,30 @@ int main(int argc, char* argv[])
   {
     return Measure({ argv + 2, argv + argc });
   }
-  BenchmarkOptions options;
+  Arguments arguments;
+  if (!arguments.Parse(argc, argv))
+  {
+    return ShowUsage();
+  }
+  BenchmarkOptions& options = arguments.Options;
   std::error_code error;
   options.ProgramFolder =
     std::filesystem::read_symlink("/proc/self/exe", error).parent_path().string();
-  std::string output;
-  std::vector<std::string> names;
-  for (int i = 1; i < argc; ++i)
+  if ((!options.HeightMap.empty() && !CanRead(options.HeightMap)) ||
+    (!options.ParaView.empty() && !CanRead(options.ParaView + "/bin/paraview-python")))
   {
-    const std::string argument = argv[i];
-    if (argument == "--quick")
-    {
-      options.Quick = true;
-    }
-    else if (argument == "--full")
-    {
-      options.Full = true;
-    }
-    else if (argument == "--height-map" && i + 1 < argc)
-    {
-      options.HeightMap = argv[++i];
-    }
-    else if (argument == "--paraview" && i + 1 < argc)
-    {
-      options.ParaView = argv[++i];
-    }
-    else if (argument == "--output" && i + 1 < argc)
-    {
-      output = argv[++i];
-    }
-    else if (std::any_of(Benchmarks.begin(), Benchmarks.end(),
-               [&](const Benchmark& benchmark) { return argument == benchmark.Name; }))
-    {
-      names.push_back(argument);
-    }
-    else
-    {
-      return ShowUsage();
-    }
-  }
-
-  if (!options.HeightMap.empty() && !std::ifstream(options.HeightMap))
-  {
-    std::cerr << "relevo-benchmark: error: cannot read " << options.HeightMap << std::endl;
     return EXIT_FAILURE;
   }
 
-  const std::string python = options.ParaView + "/bin/paraview-python";
-  if (!options.ParaView.empty() && !std::ifstream(python))
-  {
-    std::cerr << "relevo-benchmark: error: cannot read " << python << std::endl;
-    return EXIT_FAILURE;
-  }
-
-  std::vector<Benchmark> chosen;
-  std::copy_if(Benchmarks.begin(), Benchmarks.end(), std::back_inserter(chosen),
-    [&names](const Benchmark& benchmark) {
-      return names.empty() || std::find(names.begin(), names.end(), benchmark.Name) != names.end();
-    });
+  const std::vector<Benchmark> chosen = ChooseBenchmarks(arguments.Names);
   BenchmarkReport report;
-  if (std::any_of(chosen.begin(), chosen.end(),
-        [](const Benchmark& benchmark) { return benchmark.NeedsOpenGL; }))
-  {
-    report.AddFact("OpenGL renderer", BenchmarkView().GetOpenGLRenderer());
-  }
-  report.AddFact("VTK", vtkVersion::GetVTKVersion());
-  report.AddFact("Machine",
-    GetProcessor() + std::to_string(std::thread::hardware_concurrency()) + " logical cores");
+  AddFacts(report, chosen);
   report.WriteFacts(std::cout);
   auto addTable = [&](const BenchmarkTable& table) { report.Add(table, std::cout); };
   for (const Benchmark& benchmark : chosen)
   {
     benchmark.Run(options, addTable);
   }
-  if (!output.empty())
-  {
-    std::ofstream file(output);
-    report.WriteJson(file);
-    if (!file.flush())
-    {
-      std::cerr << "relevo-benchmark: error: cannot write " << output << std::endl;
-      return EXIT_FAILURE;
-    }
-  }
-  return EXIT_SUCCESS;
+  return arguments.Output.empty() || WriteJson(report, arguments.Output) ? EXIT_SUCCESS
+                                                                         : EXIT_FAILURE;
 }
