@@ -129,7 +129,7 @@ void TestUnfitImages(RelevoCheck& check, vtkHeightMap* map, RelevoErrors& errors
   vtkNew<vtkFloatArray> tooFew;
   tooFew->SetNumberOfTuples(3);
   bare->GetPointData()->SetScalars(tooFew);
-  CHECK(!map->Update() && errors.Said("point scalars are 3"));
+  CHECK(!map->Update() && errors.Said("there are 3 tuples"));
 }
 
 // Without the image it is the file's turn again.
