@@ -4,12 +4,12 @@
 // side its coarse triangle faces: of a closed surface, each pixel is covered by as many triangles
 // seen from the front as from the back, so the front faces alone and the back faces alone must
 // fill exactly the same pixels.
+#include "RelevoDisplacements.h"
 #include "RelevoLeaks.h"
 #include "RelevoTestMeshes.h"
 
 #include "vtkCellArray.h"
 #include "vtkCleanPolyData.h"
-#include "vtkDisplacement.h"
 #include "vtkIdList.h"
 #include "vtkPLYReader.h"
 #include "vtkPNTriangleSurface.h"
@@ -81,98 +81,146 @@ Mesh Close(vtkAlgorithm* reader)
   AddRandomTextureCoordinates(mesh, 3);
   return mesh;
 }
-}
 
-int TestAdaptiveRefinementMapperWatertight(int, char*[])
+// What a mesh is refined to.
+struct Variant
 {
-  RelevoCheck check;
-  vtkNew<vtkPNTriangleSurface> surface;
-  vtkNew<vtkScalarTaggedSurface> taggedSurface;
-  vtkNew<RelevoHeights> rough;
-  rough->FillRandom(64, 64, 9);
-  const int level = 5;
+  bool Curved = false;
+  bool Displaced = false;
+  bool Morphing = false;
+  bool Tagged = false;
 
-  auto testClosed = [&](const std::string& name, Mesh mesh, int views)
+  std::string GetName() const
+  {
+    const std::string surface = this->Tagged ? ", tagged" : this->Curved ? ", curved" : "";
+    return surface + (this->Displaced ? ", displaced" : "") + (this->Morphing ? ", morphing" : "");
+  }
+};
+
+const Variant Variants[] = {
+  { false, false, false, false },
+  { true, false, false, false },
+  { false, true, false, false },
+  { true, true, false, false },
+  { true, true, true, false },
+  { false, false, false, true },
+  { false, true, false, true },
+};
+
+class Tester
+{
+public:
+  explicit Tester(RelevoCheck& aCheck)
+    : check(aCheck)
+  {
+    this->Rough->FillRandom(64, 64, 9);
+  }
+
+  // Refines a closed mesh to each of the variants.
+  void CheckClosed(const std::string& name, Mesh mesh, int views) const
   {
     if (!IsClosed(mesh))
     {
-      check.Fail(__FILE__, __LINE__, name + " is not closed: nothing is tested");
+      this->check.Fail(__FILE__, __LINE__, name + " is not closed: nothing is tested");
       return;
     }
+    AddTags(mesh, 5, Level);
+    AddRandomScalarTags(mesh, 8);
+    for (const Variant& variant : Variants)
+    {
+      this->CheckVariant(name, mesh, views, variant);
+    }
+  }
+
+private:
+  static constexpr int Level = 5;
+
+  vtkSmartPointer<vtkAdaptiveRefinement> MakeRecipe(vtkPolyData* mesh, const Variant& variant) const
+  {
     double bounds[6];
     mesh->GetBounds(bounds);
-    AddTags(mesh, 5, level);
-    AddRandomScalarTags(mesh, 8);
-    vtkNew<vtkDisplacement> displacement;
-    displacement->SetHeightMap(rough);
-    displacement->SetScale(0.1 * (bounds[1] - bounds[0]));
-    for (int kind = 0; kind < 7; ++kind)
+    vtkRefinementSurface* surface = variant.Curved ? this->Surface.Get() : nullptr;
+    if (variant.Tagged)
     {
-      const bool morphing = kind == 4;
-      const bool tagged = kind > 4;
-      const bool curved = kind & 1 || morphing;
-      const bool displaced = kind & 2 || morphing;
-      vtkNew<vtkAdaptiveRefinement> recipe;
-      recipe->SetMaximumLevel(level);
-      recipe->SetSurface(curved ? surface.Get() : nullptr);
-      if (tagged)
-      {
-        recipe->SetSurface(taggedSurface);
-      }
-      recipe->SetDisplacement(displaced ? displacement.Get() : nullptr);
-      recipe->SetGeomorphing(morphing);
-      RelevoScene scene(RelevoScene::Refining);
-      AddWhite(scene, mesh, recipe);
-      size_t covered = 0;
-      const size_t leaks = CountLeaks(scene, views, covered);
-      std::cout << name
-                << (tagged      ? ", tagged"
-                       : curved ? ", curved"
-                                : "")
-                << (displaced ? ", displaced" : "") << (morphing ? ", morphing" : "") << ": "
-                << leaks << " leaks in " << covered << " pixels" << std::endl;
-      // Vertices on their way make slivers, and OpenGL now and then takes the front of one for its
-      // back: the filter's mesh, which is closed to the bit, shows the same pixel.
-      const size_t slivers = morphing ? 2 : 0;
-      check.That(leaks <= slivers && covered > 50000, "closed without leaks", __FILE__, __LINE__);
-      if (leaks > slivers)
-      {
-        check.Fail(__FILE__, __LINE__, name + " leaks");
-      }
+      surface = this->TaggedSurface;
     }
-  };
+    vtkSmartPointer<vtkDisplacement> displacement;
+    if (variant.Displaced)
+    {
+      displacement = MakeDisplacement(this->Rough, 0.1 * (bounds[1] - bounds[0]));
+    }
+    auto recipe = RelevoMeshes::MakeRecipe(Level, surface, displacement);
+    recipe->SetGeomorphing(variant.Morphing);
+    return recipe;
+  }
+
+  void CheckVariant(
+    const std::string& name, vtkPolyData* mesh, int views, const Variant& variant) const
+  {
+    RelevoScene scene(RelevoScene::Refining);
+    AddWhite(scene, mesh, this->MakeRecipe(mesh, variant));
+    size_t covered = 0;
+    const size_t leaks = CountLeaks(scene, views, covered);
+    std::cout << name << variant.GetName() << ": " << leaks << " leaks in " << covered << " pixels"
+              << std::endl;
+    // Vertices on their way make slivers, and OpenGL now and then takes the front of one for its
+    // back: the filter's mesh, which is closed to the bit, shows the same pixel.
+    const size_t slivers = variant.Morphing ? 2 : 0;
+    this->check.That(
+      leaks <= slivers && covered > 50000, "closed without leaks", __FILE__, __LINE__);
+    if (leaks > slivers)
+    {
+      this->check.Fail(__FILE__, __LINE__, name + " leaks");
+    }
+  }
+
+  RelevoCheck& check;
+  vtkNew<vtkPNTriangleSurface> Surface;
+  vtkNew<vtkScalarTaggedSurface> TaggedSurface;
+  vtkNew<RelevoHeights> Rough;
+};
+
+void TestMadeMeshes(const Tester& tester)
+{
   Mesh sphere = Sphere(12, 8);
   AddRandomTextureCoordinates(sphere, 1);
-  testClosed("Sphere", sphere, 50);
-  testClosed("SphereWithTextureSeam", TexturedSphere(12, 8), 60);
-  testClosed("CubeWithSplitNormals", Cube(), 60);
-  testClosed("Torus", Torus(), 50);
+  tester.CheckClosed("Sphere", sphere, 50);
+  tester.CheckClosed("SphereWithTextureSeam", TexturedSphere(12, 8), 60);
+  tester.CheckClosed("CubeWithSplitNormals", Cube(), 60);
+  tester.CheckClosed("Torus", Torus(), 50);
   Mesh strips = Strips();
   AddRandomTextureCoordinates(strips, 4);
-  testClosed("Strips", strips, 20);
+  tester.CheckClosed("Strips", strips, 20);
   Mesh exploded = Explode(Sphere(9, 7));
   PerturbNormals(exploded, 2, 0.5);
   AddRandomTextureCoordinates(exploded, 6);
-  testClosed("EveryTriangleWithPointsOfItsOwn", exploded, 50);
+  tester.CheckClosed("EveryTriangleWithPointsOfItsOwn", exploded, 50);
   const double far[3] = { 5e6, -4e6, 3e6 };
-  testClosed("FarAway", Moved(TexturedSphere(12, 8), 100, far, VTK_DOUBLE), 20);
+  tester.CheckClosed("FarAway", Moved(TexturedSphere(12, 8), 100, far, VTK_DOUBLE), 20);
+}
 
+void TestReadMeshes(const Tester& tester)
+{
   const char* folder = std::getenv("RELEVO_TEST_DATA");
   const std::string meshes = std::string(folder ? folder : "") + "/mesh/";
   if (vtksys::SystemTools::FileExists(meshes + "bunny.ply"))
   {
     vtkNew<vtkPLYReader> reader;
     reader->SetFileName((meshes + "bunny.ply").c_str());
-    testClosed("Bunny", Close(reader), 8);
+    tester.CheckClosed("Bunny", Close(reader), 8);
   }
   if (vtksys::SystemTools::FileExists(meshes + "cow.vtp"))
   {
     vtkNew<vtkXMLPolyDataReader> reader;
     reader->SetFileName((meshes + "cow.vtp").c_str());
-    testClosed("Cow", Close(reader), 8);
+    tester.CheckClosed("Cow", Close(reader), 8);
   }
+}
 
-  // The counter sees cracks: the halves of a sphere with different levels along their seam.
+// The counter sees cracks: the halves of a sphere with different levels along their seam.
+void TestCounter(RelevoCheck& check)
+{
+  vtkNew<vtkPNTriangleSurface> surface;
   Mesh whole = Sphere(12, 8);
   RelevoScene cracked(RelevoScene::Refining);
   for (int half = 0; half < 2; ++half)
@@ -199,5 +247,15 @@ int TestAdaptiveRefinementMapperWatertight(int, char*[])
   const size_t cracks = CountLeaks(cracked, 10, covered);
   std::cout << "Levels that do not agree: " << cracks << " leaks" << std::endl;
   CHECK(cracks > 100);
+}
+}
+
+int TestAdaptiveRefinementMapperWatertight(int, char*[])
+{
+  RelevoCheck check;
+  const Tester tester(check);
+  TestMadeMeshes(tester);
+  TestReadMeshes(tester);
+  TestCounter(check);
   return check.GetResult();
 }
