@@ -3,9 +3,9 @@
 // A LIC is the same in every viewport, window and pass of its size, and lives as long as they do.
 #include "RelevoLICView.h"
 #include "RelevoPictures.h"
+#include "RelevoShadows.h"
 #include "RelevoTestMeshes.h"
 
-#include "vtkCameraPass.h"
 #include "vtkCellData.h"
 #include "vtkLight.h"
 #include "vtkOpenGLRenderer.h"
@@ -13,13 +13,9 @@
 #include "vtkPointDataToCellData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkRenderPassCollection.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkSSAAPass.h"
 #include "vtkSSAOPass.h"
-#include "vtkSequencePass.h"
-#include "vtkShadowMapBakerPass.h"
-#include "vtkShadowMapPass.h"
 #include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
@@ -407,15 +403,7 @@ void TestShadows(Windows& windows)
   light->SetFocalPoint(0, 0, 0);
   light->SetConeAngle(60);
   view.Scene->Renderer->AddLight(light);
-  vtkNew<vtkShadowMapPass> shadows;
-  vtkNew<vtkRenderPassCollection> passes;
-  passes->AddItem(shadows->GetShadowMapBakerPass());
-  passes->AddItem(shadows);
-  vtkNew<vtkSequencePass> sequence;
-  sequence->SetPasses(passes);
-  vtkNew<vtkCameraPass> camera;
-  camera->SetDelegatePass(sequence);
-  SetPass(view, camera);
+  SetPass(view, RelevoMakeShadowPass());
   windows.Compare("Shadows", view.Draw());
   windows.Compare("ShadowsAgain", view.Draw());
 }
