@@ -26,6 +26,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
 #include "vtkShaderProperty.h"
 #include "vtkTextureObject.h"
 
@@ -244,11 +245,13 @@ relevo::Dependencies vtkAdaptiveLICMapper::vtkInternals::GetScreenDependencies(
     vtkDisplacement* displacement = recipe->GetDisplacement();
     dependencies.AddObject(displacement ? displacement->GetHeightMap() : nullptr);
   }
+  // VTK draws nothing where the surface is clear. Other colours and opacities do not matter.
+  vtkScalarsToColors* table = this->Root->LookupTable;
+  dependencies.AddObject(table && !table->IsOpaque() ? table : nullptr);
   this->ForEachLeaf(
     [&](vtkPolyData* leaf, const relevo::BlockLook& look)
     {
       dependencies.AddObject(leaf);
-      // VTK draws nothing where the surface is clear. Other colours and opacities do not matter.
       const bool isClear = (look.HasOpacity ? look.Opacity : property->GetOpacity()) <= 0.0;
       dependencies.Add(look.Visible && !isClear);
     });

@@ -1,12 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Streaks follow the visibility and the opacity of blocks, and the sub-piece that is drawn.
+// Streaks follow the visibility and the opacity of blocks and surfaces, and the sub-piece that is
+// drawn.
 #include "RelevoLICScene.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkLookupTable.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiBlockDataSetAlgorithm.h"
+#include "vtkPointData.h"
 #include "vtkProperty.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -153,6 +156,33 @@ void TestMesh(RelevoCheck& check)
   CHECK(HasStreaks(Draw(scene), 0));
 }
 
+// A table of colours of which the left half's is clear at first.
+void TestTable(RelevoCheck& check)
+{
+  const Mesh mesh = MakeStrip(0, Width, 0.0);
+  vtkNew<vtkFloatArray> scalars;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    scalars->InsertNextValue(static_cast<float>(mesh->GetPoint(i)[0]));
+  }
+  mesh->GetPointData()->SetScalars(scalars);
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(2);
+  table->SetTableValue(0, 1.0, 1.0, 1.0, 0.0);
+  table->SetTableValue(1, 1.0, 1.0, 1.0, 1.0);
+  RelevoLICScene scene(Width, Height);
+  vtkAdaptiveLICMapper* mapper = scene.Add(mesh);
+  mapper->SetLookupTable(table);
+  mapper->SetScalarRange(0.0, Width);
+  mapper->ScalarVisibilityOn();
+  mapper->InterpolateScalarsBeforeMappingOn();
+  scene.LookAtPixels();
+  const RelevoPicture picture = Draw(scene);
+  CHECK(!HasStreaks(picture, 0) && HasStreaks(picture, 1));
+  table->SetTableValue(0, 1.0, 1.0, 1.0, 1.0);
+  CHECK(HasStreaks(Draw(scene), 0));
+}
+
 // One half of the window in each of two pieces.
 class Source : public vtkMultiBlockDataSetAlgorithm
 {
@@ -200,6 +230,7 @@ int TestAdaptiveLICMapperBlockLooks(int, char*[])
   TestVisibility(check);
   TestOpacity(check);
   TestMesh(check);
+  TestTable(check);
   TestSubPieces(check);
   return check.GetResult();
 }
