@@ -14,6 +14,11 @@ set -euo pipefail
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir=${RELEVO_BUILD_DIR:-$source_dir/build}
 
+bash "$source_dir/Module/build.sh"
+viewer=$build_dir/bin/relevo-view
+# Its help has two spaces or more after an option without a value, one before a value.
+flags=$("$viewer" --help | sed -nE 's/^  (--[a-z-]+)  .*/\1/p')
+
 # What the arguments already say. Paths in them count from where the caller stands.
 file='' output='' leaves=no option=''
 for argument in "$@"; do
@@ -23,21 +28,15 @@ for argument in "$@"; do
     continue
   fi
   case $argument in
-    -h | --help | --version) leaves=$argument ;;
+    -h | --help | --version) exec "$viewer" "$argument" ;;
     --output=*) output=${argument#*=} ;;
     --export | --export=*) leaves=yes ;;&
-    --no-geomorphing | --per-edge | --stats | --stretch | --wireframe | --*=*) ;;
-    --*) option=$argument ;;
+    --*=*) ;;
+    --*) grep -qxF -e "$argument" <<<"$flags" || option=$argument ;;
     *) file=$argument ;;
   esac
 done
 [ -z "$output" ] || leaves=yes
-
-bash "$source_dir/Module/build.sh"
-viewer=$build_dir/bin/relevo-view
-case $leaves in
-  -*) exec "$viewer" "$leaves" ;;
-esac
 
 arguments=("$@")
 if [ -z "$file" ]; then

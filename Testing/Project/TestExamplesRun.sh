@@ -34,6 +34,12 @@ check() {
 }
 check 0 "$folder/here/out.png" heights.pgm --size 64x48 --output out.png
 check 0 "$folder/out.png" --output=../out.png --size 64x48 --wireframe --stats heights.pgm
+# Every option without a value: what follows it is no value of it.
+for flag in $("$build/bin/relevo-view" --help | sed -nE 's/^  (--[a-z-]+)  .*/\1/p'); do
+  case $flag in --help | --version) continue ;; esac
+  rm -f flag.png
+  check 0 "$folder/here/flag.png" "$flag" heights.pgm "$flag" --output flag.png --size 64x48
+done
 rm -f "$build/relevo-view.png"
 check 0 "$build/relevo-view.png" heights.pgm --size 64x48
 check 0 "$build/relevo-view.png" heights.pgm --size 64x48 --export mesh.vtp

@@ -5,6 +5,7 @@
 import math
 import os
 import pathlib
+import re
 import subprocess
 import unittest
 
@@ -55,7 +56,14 @@ class TestViewer(ViewerProgram):
         return reader.GetOutput()
 
     def test_help(self):
-        self.assertIn("--exaggeration", self.view("--help").stdout)
+        """Two spaces after options without a value, as Examples/run.sh counts on."""
+        usage = self.view("--help").stdout
+        self.assertIn("--exaggeration", usage)
+        flags = set(re.findall(r"^  (--[a-z-]+)  ", usage, re.MULTILINE))
+        self.assertIn("--no-legend", flags)
+        self.assertNotIn("--output", flags)
+        for flag in flags - {"--help", "--version"}:
+            self.assert_error(2, ["no height map or mesh is given"], flag)
 
     def test_bad_usage(self):
         self.assert_error(2, ["height map"])
