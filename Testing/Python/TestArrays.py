@@ -35,6 +35,22 @@ class TestArrays(unittest.TestCase):
                 self.assertEqual(tuple(made.GetRange()), (heights.min(), heights.max()))
                 self.assertEqual(tuple(made.GetDimensions()), heights.shape[::-1])
 
+    def test_byte_orders_and_widths(self):
+        """Numbers as files have them: of .hgt, FITS, netCDF; halves; wider than doubles."""
+        for dtype in ("<i2", ">i2", ">u4", "<f4", ">f4", ">f8", "<f2", ">f2", "longdouble"):
+            values = numpy.array([[1, 2, 3], [258, 5, 6]], dtype=dtype)
+            self.assertEqual(tuple(arrays.height_map(values).GetRange()), (1.0, 258.0), dtype)
+            back = arrays.samples(arrays.image(values))
+            numpy.testing.assert_array_equal(back, values.astype(float), dtype)
+            vectors = arrays.image(numpy.stack([values, values], axis=2), "Vectors")
+            numpy.testing.assert_array_equal(arrays.samples(vectors, "Vectors")[..., 1], values)
+
+    def test_numbers_that_are_not_real(self):
+        for dtype in ("complex64", "complex128", "bool", "timedelta64[s]", "object"):
+            for make in (arrays.height_map, arrays.image):
+                with self.assertRaisesRegex(ValueError, "real numbers"):
+                    make(numpy.zeros((2, 2), dtype))
+
     def test_no_data(self):
         heights = numpy.array([[1.0, numpy.nan], [2.0, 3.0]])
         self.assertTrue(arrays.height_map(heights).HasNoData())

@@ -9,18 +9,28 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 import relevo
 
 
+def _real_numbers(values, name):
+    """An array as VTK takes it: in the machine's byte order, of float or double if not whole."""
+    values = numpy.asarray(values)
+    if values.dtype.kind not in "iuf":
+        raise ValueError(f"{name} must be real numbers, not {values.dtype}")
+    if values.dtype.kind == "f" and values.dtype.itemsize not in (4, 8):
+        return values.astype(numpy.float32 if values.dtype.itemsize < 4 else numpy.float64)
+    return values.astype(values.dtype.newbyteorder("="), copy=False)
+
+
 def height_map(heights, no_data=float("nan")):
     """A vtkHeightMap of a two-dimensional array.
 
-    heights: any real numbers, shape (rows, columns), row 0 the northern one, as rasters come from
-        files; at least 2 x 2. The array is copied.
+    heights: any real numbers in any byte order, shape (rows, columns), row 0 the northern one, as
+        rasters come from files; at least 2 x 2. The array is copied.
     no_data: the value that stands for "no data" (default: NaN).
 
-    Raises ValueError for another shape, and when no sample has data.
+    Raises ValueError for another shape, other values, and when no sample has data.
     """
-    heights = numpy.asarray(heights)
-    if heights.ndim != 2 or not numpy.issubdtype(heights.dtype, numpy.number):
-        raise ValueError(f"heights must be a 2-D array of numbers, not {heights.dtype} {heights.shape}")
+    heights = _real_numbers(heights, "heights")
+    if heights.ndim != 2:
+        raise ValueError(f"heights must be a 2-D array, not of shape {heights.shape}")
     rows, columns = heights.shape
     image = vtkImageData()
     image.SetDimensions(columns, rows, 1)
@@ -56,16 +66,17 @@ def triangles(mesh):
 def image(values, name="Values", spacing=(1.0, 1.0)):
     """A flat vtkImageData with a point array, for vtkLineIntegralConvolution and its noise.
 
-    values: any real numbers, shape (rows, columns), which become the active scalars, or (rows,
-        columns, components); row 0 is the lowest in y, as VTK has it. The array is copied.
+    values: any real numbers in any byte order, shape (rows, columns), which become the active
+        scalars, or (rows, columns, components); row 0 is the lowest in y, as VTK has it. The array
+        is copied.
     name: the array's name.
     spacing: distances of columns and of rows.
 
-    Raises ValueError for another shape or an empty array.
+    Raises ValueError for another shape, other values or an empty array.
     """
-    values = numpy.asarray(values)
-    if values.ndim not in (2, 3) or not values.size or not numpy.issubdtype(values.dtype, numpy.number):
-        raise ValueError(f"values must be a 2-D or 3-D array of numbers, not {values.dtype} {values.shape}")
+    values = _real_numbers(values, "values")
+    if values.ndim not in (2, 3) or not values.size:
+        raise ValueError(f"values must be a 2-D or 3-D array, not of shape {values.shape}")
     rows, columns = values.shape[:2]
     result = vtkImageData()
     result.SetDimensions(columns, rows, 1)
