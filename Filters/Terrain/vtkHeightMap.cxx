@@ -209,10 +209,17 @@ bool vtkHeightMap::Read()
 {
   auto grid = std::make_unique<relevo::HeightGrid>();
   std::string error;
-  const bool isRead =
-    this->ImageData ? this->ReadImage(*grid, error) : this->ReadFile(*grid, error);
+  bool isRead = false;
+  try
+  {
+    isRead = this->ImageData ? this->ReadImage(*grid, error) : this->ReadFile(*grid, error);
+  }
+  catch (const std::bad_alloc&)
+  {
+    error = "not enough memory for " + toText(this->FullDimensions) + " heights";
+  }
   this->Raster.reset();
-  if (!isRead || !grid->Finish(error))
+  if (!isRead)
   {
     this->ErrorMessage = this->ImageData ? "The image cannot be a height map: " + error + "."
                                          : cannotRead(this->FileName, error);
@@ -293,7 +300,15 @@ bool vtkHeightMap::ReadFile(relevo::HeightGrid& grid, std::string& error)
       return false;
     }
   }
-  return true;
+  if (grid.Finish(error))
+  {
+    return true;
+  }
+  if (!std::equal(source, source + 2, this->FullDimensions))
+  {
+    error = "in its overview of " + toText(source) + ", " + error;
+  }
+  return false;
 }
 
 bool vtkHeightMap::ReadImage(relevo::HeightGrid& grid, std::string& error)
@@ -351,7 +366,7 @@ bool vtkHeightMap::ReadImage(relevo::HeightGrid& grid, std::string& error)
   }
   grid.SetRows(0, dimensions[1], samples->GetDataType(), samples->GetVoidPointer(0),
     samples->GetNumberOfComponents(), mask.empty() ? nullptr : mask.data());
-  return true;
+  return grid.Finish(error);
 }
 
 void vtkHeightMap::GetDimensions(int dimensions[2])

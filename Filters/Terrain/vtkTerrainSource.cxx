@@ -20,10 +20,12 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <new>
 #include <sstream>
 
 namespace
@@ -246,7 +248,17 @@ int vtkTerrainSource::RequestData(
   this->Frame.reset();
   std::fill_n(this->Origin, 3, 0.0);
   std::string error;
-  if (this->Build(output, error))
+  bool isBuilt = false;
+  try
+  {
+    isBuilt = this->Build(output, error);
+  }
+  catch (const std::bad_alloc&)
+  {
+    error = "Not enough memory for a mesh of Resolution " + std::to_string(this->Resolution) +
+      " and imagery of up to " + std::to_string(this->MaximumImagerySize) + " pixels a side.";
+  }
+  if (isBuilt)
   {
     this->UpdateProgress(1.0);
     return 1;
@@ -292,8 +304,12 @@ bool vtkTerrainSource::Build(vtkPolyData* output, std::string& error)
   std::copy_n(this->Frame->GetCenter().data(), 2, this->Origin);
 
   const bool hasHoles = this->GetNoDataPolicy() == vtkDisplacement::HOLE;
-  relevo::BuildTerrainMesh(*this->Frame, texels, this->Resolution,
-    hasHoles ? this->HeightMap->GetValidity() : nullptr, output);
+  if (!relevo::BuildTerrainMesh(
+        *this->Frame, texels, this->Resolution, hasHoles ? this->HeightMap->GetValidity() : nullptr,
+        [this] { return !relevo::IsAborted(this); }, output))
+  {
+    return false;
+  }
   this->AddFieldData(output);
   this->UpdateProgress(HeightsShare + MeshShare);
   return !relevo::IsAborted(this) && this->UpdateImagery(location, error);
@@ -328,7 +344,20 @@ bool vtkTerrainSource::CheckLocation(const relevo::Georeference& location, std::
     error = name + " is neither in longitude and latitude nor in a projection; project it first.";
     return false;
   }
-  if (!relevo::TerrainFrame(location).IsWithinHorizon())
+  if (location.System == relevo::Georeference::Kind::NoEllipsoid)
+  {
+    error = name + " has an unsupported ellipsoid: its flattening is not less than 1. Give the " +
+      "file the right coordinate system (gdal_edit.py -a_srs).";
+    return false;
+  }
+  const relevo::TerrainFrame frame(location);
+  if (!frame.FitsMesh())
+  {
+    error = name + " has a georeference that no mesh can have: its corners are at one place, or " +
+      "farther apart than floats can tell. Give the file the right one (gdal_edit.py -a_ullr).";
+    return false;
+  }
+  if (!frame.IsWithinHorizon())
   {
     error = name +
       " reaches beyond the horizon of its centre, where a tangent plane cannot map the earth; "
@@ -398,11 +427,13 @@ bool vtkTerrainSource::UpdateImagery(const relevo::Georeference& location, std::
       << "(gdal_translate -srcwin), or raise MaximumImagerySize where textures may be "
       << "that large.");
   }
+  vtkNew<vtkUnsignedCharArray> pixels;
+  pixels->SetName("Imagery");
+  pixels->SetNumberOfComponents(3);
+  pixels->SetArray(imagery.Pixels.release(), static_cast<vtkIdType>(imagery.GetNumberOfValues()), 0,
+    vtkUnsignedCharArray::VTK_DATA_ARRAY_DELETE);
   this->Imagery->SetDimensions(imagery.Width, imagery.Height, 1);
-  this->Imagery->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  std::copy(imagery.Pixels.begin(), imagery.Pixels.end(),
-    static_cast<unsigned char*>(this->Imagery->GetScalarPointer()));
-  this->Imagery->GetPointData()->GetScalars()->SetName("Imagery");
+  this->Imagery->GetPointData()->SetScalars(pixels);
   this->Imagery->Modified();
   this->ImageryTime.Modified();
   this->ImageryState = state.str();

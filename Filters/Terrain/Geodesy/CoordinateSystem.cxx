@@ -40,6 +40,10 @@ void DescribeCoordinateSystem(OGRSpatialReferenceH system, Georeference& locatio
     const double inverse = OSRGetInvFlattening(system, nullptr);
     location.SemiMajorAxis = axis;
     location.Flattening = inverse != 0.0 ? 1.0 / inverse : 0.0;
+    if (!std::isfinite(axis) || !std::isfinite(location.Flattening) || location.Flattening >= 1.0)
+    {
+      location.System = Georeference::Kind::NoEllipsoid;
+    }
   }
 }
 }

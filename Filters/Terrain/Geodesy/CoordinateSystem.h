@@ -31,7 +31,8 @@ using SpatialReference = std::unique_ptr<void, SpatialReferenceFreer>;
 SpatialReference NewSpatialReference(const std::string& definition);
 
 /**
- * Sets the kind, unit and ellipsoid of the location.
+ * Sets the kind, unit and ellipsoid of the location. PROJ takes any number for an axis and a
+ * flattening; GeographicLib throws where there is no such ellipsoid.
  */
 void DescribeCoordinateSystem(OGRSpatialReferenceH system, Georeference& location);
 }

@@ -22,10 +22,11 @@ struct Georeference
 {
   enum class Kind
   {
-    None,       ///< columns and rows only
-    Planar,     ///< lengths: projected, local, or a transform without a coordinate system
-    Geographic, ///< angles: longitude and latitude
-    Unsupported ///< e.g. geocentric
+    None,        ///< columns and rows only
+    Planar,      ///< lengths: projected, local, or a transform without a coordinate system
+    Geographic,  ///< angles: longitude and latitude
+    Unsupported, ///< e.g. geocentric
+    NoEllipsoid  ///< angles or lengths on an ellipsoid that is none
   };
 
   Kind System = Kind::None;

@@ -33,7 +33,6 @@ public:
 private:
   struct Projection;
 
-  std::unique_ptr<Projection> NewProjection() const;
   void EvaluateSome(Projection& projection, const MapPlace* places, MapAxes* axes, int count) const;
 
   std::string Definition;

@@ -36,6 +36,11 @@ std::unique_ptr<MapDirections> MapDirections::New(
     error = "it uses neither longitude and latitude nor a projection";
     return nullptr;
   }
+  if (location.System == Georeference::Kind::NoEllipsoid)
+  {
+    error = "its ellipsoid is unsupported: its flattening is not less than 1";
+    return nullptr;
+  }
   if (location.System == Georeference::Kind::Geographic)
   {
     return std::make_unique<TangentDirections>(location, origin);

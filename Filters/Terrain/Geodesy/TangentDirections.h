@@ -13,8 +13,10 @@
 
 namespace relevo
 {
+class TangentPlane;
+
 /**
- * The rotation of GeographicLib::LocalCartesian at the place on the ellipsoid. A vector that is
+ * The rotation of the tangent plane at the place on the ellipsoid. A vector that is
  * level there leans out of the tangent plane; what counts is its part in the plane, for z counts
  * from the ellipsoid.
  */
@@ -28,8 +30,7 @@ public:
   void Evaluate(const std::vector<MapPlace>& places, std::vector<MapAxes>& axes) const override;
 
 private:
-  struct Tangent;
-  std::unique_ptr<Tangent> Frame;
+  std::unique_ptr<TangentPlane> Plane;
 };
 }
 

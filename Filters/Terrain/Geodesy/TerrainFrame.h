@@ -16,12 +16,13 @@
 
 namespace relevo
 {
+class TangentPlane;
+
 /**
  * Terrain coordinates: x east, y north, origin at the raster's centre.
  *
- * Longitude and latitude: GeographicLib::LocalCartesian at the centre and height 0, on the
- * coordinate system's ellipsoid. Lengths: differences from the centre, in metres. No georeference:
- * differences in texels.
+ * Longitude and latitude: the tangent plane at the centre. Lengths: differences from the centre, in
+ * metres. No georeference: differences in texels.
  */
 class TerrainFrame
 {
@@ -32,14 +33,17 @@ public:
   /// The centre in the raster's coordinates.
   const std::array<double, 2>& GetCenter() const { return this->Center; }
 
-  /**
-   * The place of (u, v). False where the tangent plane no longer is a map of the ellipsoid: near
-   * and beyond the horizon, about 84 degrees from the centre.
-   */
+  /// The place of (u, v). False beyond the horizon.
   bool Place(double u, double v, std::array<double, 2>& place) const;
 
   /// Whether the whole footprint has places.
   bool IsWithinHorizon() const;
+
+  /// From the middle of a side to that of the side across, along u and along v.
+  std::array<double, 2> GetLengths() const;
+
+  /// Whether the footprint has an extent, and floats have room for its places.
+  bool FitsMesh() const;
 
   //@{
   /**
@@ -50,14 +54,12 @@ public:
   //@}
 
   /// Whether the raster's coordinates are longitude and latitude.
-  bool IsGeographic() const { return this->Frame != nullptr; }
+  bool IsGeographic() const { return this->Plane != nullptr; }
 
 private:
-  struct Tangent;
-
   Georeference Location;
   std::array<double, 2> Center;
-  std::unique_ptr<Tangent> Frame; // for longitude and latitude only
+  std::unique_ptr<TangentPlane> Plane; // for longitude and latitude only
 };
 }
 

@@ -35,7 +35,7 @@ struct Grid
 };
 
 // Squares as nearly as the side lengths allow, never finer than the texels.
-Grid divide(const double lengths[2], const int texels[2], int resolution)
+Grid divide(const std::array<double, 2>& lengths, const int texels[2], int resolution)
 {
   Grid grid;
   const double longer = std::max(lengths[0], lengths[1]);
@@ -84,19 +84,10 @@ std::vector<unsigned char> findSquaresWithData(
   return hasData;
 }
 
-double distance(const TerrainFrame& frame, double u0, double v0, double u1, double v1)
-{
-  std::array<double, 2> a;
-  std::array<double, 2> b;
-  frame.Place(u0, v0, a);
-  frame.Place(u1, v1, b);
-  return std::hypot(b[0] - a[0], b[1] - a[1]);
-}
-
 // Right triangles with alternating diagonals, so that no direction is preferred. `gridPoint` takes
 // i and j of the points in use.
-void addTriangles(const Grid& grid, const std::vector<unsigned char>& kept,
-  std::vector<int>& gridPoint, vtkPolyData* output)
+bool addTriangles(const Grid& grid, const std::vector<unsigned char>& kept,
+  const std::function<bool()>& goesOn, std::vector<int>& gridPoint, vtkPolyData* output)
 {
   std::vector<vtkIdType> outputPoint(grid.NumberOfPoints(), -1);
   vtkNew<vtkCellArray> triangles;
@@ -113,6 +104,10 @@ void addTriangles(const Grid& grid, const std::vector<unsigned char>& kept,
   };
   for (int j = 0; j < grid.Cells[1]; ++j)
   {
+    if (!goesOn())
+    {
+      return false;
+    }
     for (int i = 0; i < grid.Cells[0]; ++i)
     {
       if (!kept[static_cast<std::size_t>(j) * grid.Cells[0] + i])
@@ -130,6 +125,7 @@ void addTriangles(const Grid& grid, const std::vector<unsigned char>& kept,
     }
   }
   output->SetPolys(triangles);
+  return true;
 }
 
 void addPoints(const TerrainFrame& frame, const Grid& grid, const std::vector<int>& gridPoint,
@@ -173,17 +169,19 @@ void addPoints(const TerrainFrame& frame, const Grid& grid, const std::vector<in
 }
 }
 
-void BuildTerrainMesh(const TerrainFrame& frame, const int texels[2], int resolution,
-  const unsigned char* validity, vtkPolyData* output)
+bool BuildTerrainMesh(const TerrainFrame& frame, const int texels[2], int resolution,
+  const unsigned char* validity, const std::function<bool()>& goesOn, vtkPolyData* output)
 {
-  const double lengths[2] = { distance(frame, 0.0, 0.5, 1.0, 0.5),
-    distance(frame, 0.5, 0.0, 0.5, 1.0) };
-  const Grid grid = divide(lengths, texels, resolution);
+  const Grid grid = divide(frame.GetLengths(), texels, resolution);
   std::vector<int> gridPoint;
-  addTriangles(grid,
+  const bool isComplete = addTriangles(grid,
     validity ? findSquaresWithData(grid, texels, validity)
              : std::vector<unsigned char>(grid.NumberOfCells(), 1),
-    gridPoint, output);
-  addPoints(frame, grid, gridPoint, output);
+    goesOn, gridPoint, output);
+  if (isComplete)
+  {
+    addPoints(frame, grid, gridPoint, output);
+  }
+  return isComplete;
 }
 }

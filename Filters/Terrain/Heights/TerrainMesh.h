@@ -9,6 +9,8 @@
 #ifndef TerrainMesh_h
 #define TerrainMesh_h
 
+#include <functional>
+
 class vtkPolyData;
 
 namespace relevo
@@ -21,10 +23,11 @@ class TerrainFrame;
  * `validity`, one byte a texel, is not nullptr, squares without any sample that has data are left
  * out.
  *
- * Points have normals (+z) and texture coordinates, u east and v north.
+ * Points have normals (+z) and texture coordinates, u east and v north. `goesOn` is asked after
+ * every row of squares; false when it has said no.
  */
-void BuildTerrainMesh(const TerrainFrame& frame, const int texels[2], int resolution,
-  const unsigned char* validity, vtkPolyData* output);
+bool BuildTerrainMesh(const TerrainFrame& frame, const int texels[2], int resolution,
+  const unsigned char* validity, const std::function<bool()>& goesOn, vtkPolyData* output);
 }
 
 #endif

@@ -10,6 +10,7 @@
 #include <OpenImageIO/imagebufalgo.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace relevo
 {
@@ -72,7 +73,7 @@ bool stretchPicture(const ImagerySource& source, Imagery& result, std::string& e
   }
   result.Width = picture.spec().width;
   result.Height = picture.spec().height;
-  result.Pixels.resize(static_cast<std::size_t>(result.Width) * result.Height * 3);
+  result.Pixels.reset(new unsigned char[result.GetNumberOfValues()]);
   const int numberOfChannels = picture.nchannels();
   std::vector<unsigned char> row(static_cast<std::size_t>(result.Width) * numberOfChannels);
   for (int y = 0; y < result.Height; ++y)
@@ -86,7 +87,7 @@ bool stretchPicture(const ImagerySource& source, Imagery& result, std::string& e
       return false;
     }
     unsigned char* pixel =
-      result.Pixels.data() + static_cast<std::size_t>(result.Height - 1 - y) * result.Width * 3;
+      result.Pixels.get() + static_cast<std::size_t>(result.Height - 1 - y) * result.Width * 3;
     for (int x = 0; x < result.Width; ++x)
     {
       const unsigned char* values = row.data() + static_cast<std::size_t>(x) * numberOfChannels;

@@ -13,8 +13,8 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <string>
-#include <vector>
 
 namespace relevo
 {
@@ -25,8 +25,13 @@ struct Imagery
 {
   int Width = 0;
   int Height = 0;
-  std::vector<unsigned char> Pixels; // 3 per pixel
-  int FullSize[2] = { 0, 0 };        ///< at the picture's own resolution, before any limit
+  std::unique_ptr<unsigned char[]> Pixels; // 3 per pixel
+  int FullSize[2] = { 0, 0 };              ///< at the picture's own resolution, before any limit
+
+  std::size_t GetNumberOfValues() const
+  {
+    return static_cast<std::size_t>(this->Width) * this->Height * 3;
+  }
 };
 
 struct ImagerySource
@@ -53,7 +58,7 @@ std::array<int, 3> DefaultBands(int numberOfBands);
  * Resamples a picture by its own georeference to the terrain's footprint, at about its own
  * resolution; one without georeference, or for a terrain without, is stretched over the footprint.
  * False, and why in `error`, when there is nothing to drape; false with an empty error when
- * stopped.
+ * stopped. Throws std::bad_alloc.
  */
 bool DrapeImagery(const ImagerySource& source, const Georeference& terrain, Imagery& result,
   const ImageryProgress& progress, std::string& error);

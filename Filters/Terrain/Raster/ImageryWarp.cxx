@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace relevo
 {
@@ -207,9 +208,10 @@ double pixelsAlong(void* transformer, bool alongU)
   int segments = 0;
   for (int i = 1; i < count; ++i)
   {
-    if (success[i - 1] && success[i])
+    const double step = std::hypot(x[i] - x[i - 1], y[i] - y[i - 1]);
+    if (success[i - 1] && success[i] && std::isfinite(step))
     {
-      length += std::hypot(x[i] - x[i - 1], y[i] - y[i - 1]);
+      length += step;
       ++segments;
     }
   }
@@ -285,7 +287,7 @@ bool warpStrip(GDALDatasetH source, bool hasAlpha, GDALDatasetH strip)
       GDALGetRasterXSize(strip), GDALGetRasterYSize(strip)) == CE_None;
 }
 
-// The strip's colours over grey into the result, from row `first`. Returns whether any was covered.
+// The strip's colours over grey into the result, from row `first`. Tells whether any was covered.
 bool composite(
   GDALDatasetH strip, const Stretch& stretch, int first, Imagery& result, bool& covered)
 {
@@ -300,7 +302,7 @@ bool composite(
     return false;
   }
   unsigned char* color =
-    result.Pixels.data() + static_cast<std::size_t>(first) * result.Width * NumberOfColors;
+    result.Pixels.get() + static_cast<std::size_t>(first) * result.Width * NumberOfColors;
   for (std::size_t i = 0; i < values.size(); i += components)
   {
     const double opacity = std::clamp(values[i + NumberOfColors] / 255.0, 0.0, 1.0);
@@ -418,8 +420,7 @@ int rowsPerStrip(const Picture& picture, const Imagery& result)
 bool warp(Picture& picture, const Georeference& terrain, Imagery& result,
   const ImageryProgress& progress, const GDALSession& session, std::string& error)
 {
-  result.Pixels.assign(
-    static_cast<std::size_t>(result.Width) * result.Height * NumberOfColors, NeutralGrey);
+  result.Pixels.reset(new unsigned char[result.GetNumberOfValues()]);
   const Stretch stretch(picture.View.get());
   bool covered = false;
   // From the north, where files begin.

@@ -60,6 +60,34 @@ void WriteFiles(const RelevoTestFolders& folders)
   }
 }
 
+// Rasters wherever random numbers put them.
+void WritePlaces(const RelevoTestFolders& folders)
+{
+  Dice dice(11);
+  const std::vector<std::string> systems = { "", "EPSG:4326", "EPSG:32633",
+    "GEOGCS[\"egg\",DATUM[\"egg\",SPHEROID[\"egg\",6378137,0.5]],PRIMEM[\"Greenwich\",0],"
+    "UNIT[\"degree\",0.0174532925199433]]" };
+  for (int i = 0; i < 12; ++i)
+  {
+    RelevoRaster raster;
+    raster.Width = 1 + dice.Throw(4);
+    raster.Height = 1 + dice.Throw(4);
+    raster.Type = GDT_Byte;
+    raster.SetValues([](int, int column, int row) { return column + row; });
+    raster.CoordinateSystem = dice.Choose(systems);
+    for (int j = 0; j < 6; ++j)
+    {
+      raster.Transform.push_back(
+        dice.Once(3) ? std::pow(10.0, dice.Throw(600) - 300) : dice.Number());
+    }
+    const std::string name = folders.File("FuzzTerrainPlace" + std::to_string(i) + ".tif");
+    if (raster.Write(name))
+    {
+      Files.push_back(name);
+    }
+  }
+}
+
 class Machine
 {
 public:
@@ -249,7 +277,9 @@ private:
 int TestFuzzTerrain(int argc, char* argv[])
 {
   RelevoCheck check;
-  WriteFiles(RelevoTestFolders(argc, argv));
+  const RelevoTestFolders folders(argc, argv);
+  WriteFiles(folders);
+  WritePlaces(folders);
   CHECK(Files.size() > 20);
   int calls = 0;
   CHECK(RelevoFuzz::Run<Machine>(400, 40, calls) == 0);
