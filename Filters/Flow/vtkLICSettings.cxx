@@ -14,6 +14,7 @@
 namespace
 {
 constexpr int MostSteps = 100000;
+constexpr int MostSmoothings = 1000;
 }
 
 vtkStandardNewMacro(vtkLICSettings);
@@ -124,7 +125,10 @@ void vtkLICSettings::SetPhase(double phase)
 
 void vtkLICSettings::SetAntiAlias(int passes)
 {
-  this->SetInRange("AntiAlias", this->Values.AntiAlias, passes, 0, VTK_INT_MAX);
+  if (relevo::CheckRange(this->GetErrorSource(), "AntiAlias", passes, 0, VTK_INT_MAX))
+  {
+    this->SetInRange("AntiAlias", this->Values.AntiAlias, passes, 0, MostSmoothings);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -160,7 +160,7 @@ public:
 
   //@{
   /**
-   * How often the LIC is smoothed, by a Gaussian of 3 x 3 pixels; at least 0, the default.
+   * How often the LIC is smoothed, by a Gaussian of 3 x 3 pixels: 0, the default, to 1000.
    */
   void SetAntiAlias(int passes);
   int GetAntiAlias() const { return this->Values.AntiAlias; }

@@ -24,6 +24,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <new>
 #include <sstream>
 
 namespace
@@ -171,6 +172,21 @@ int vtkLineIntegralConvolution::RequestData(
   vtkImageData* input = vtkImageData::GetData(inputVector[0]);
   vtkImageData* output = vtkImageData::GetData(outputVector);
   output->Initialize();
+  try
+  {
+    return this->Convolve(inputVector, input, output);
+  }
+  catch (const std::bad_alloc&)
+  {
+    output->Initialize();
+    vtkErrorMacro("Not enough memory for " << input->GetNumberOfPoints() << " points.");
+    return 0;
+  }
+}
+
+int vtkLineIntegralConvolution::Convolve(
+  vtkInformationVector** inputVector, vtkImageData* input, vtkImageData* output)
+{
   std::string error = relevo::FindContrastError(this->LICSettings);
   if (!error.empty())
   {

@@ -220,6 +220,7 @@ private:
   vtkDataArray* FindVectors(vtkInformationVector** inputVector, std::string& error);
   bool MakeNoise(vtkInformationVector* noiseVector, const relevo::LICPlane& plane,
     std::vector<float>& noise, float& mean, std::string& error);
+  int Convolve(vtkInformationVector** inputVector, vtkImageData* input, vtkImageData* output);
 
   vtkSmartPointer<vtkLICSettings> LICSettings;
 };

@@ -90,7 +90,7 @@ BAD = {
     "HighLICContrastEnhancementFactor": (-1.1, 1.1),
     "LowColorContrastEnhancementFactor": (-1.1, 1.1),
     "HighColorContrastEnhancementFactor": (-1.1, 1.1),
-    "AntiAlias": (-1,),
+    "AntiAlias": (-1, 1001),
     "LICIntensity": (-0.1, 1.1, math.nan),
     "MapModeBias": (-1.1, 1.1),
     "NoiseType": (-1, 3),

@@ -4,10 +4,17 @@
 
 #include "vtkImageData.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace relevo
 {
+namespace
+{
+// Floats tell the middle of a sample from its sides up to here.
+constexpr int LargestSide = 1 << 22;
+}
+
 bool LICPlane::Find(vtkImageData* image, std::string& error)
 {
   int size[3];
@@ -15,6 +22,11 @@ bool LICPlane::Find(vtkImageData* image, std::string& error)
   if (size[0] < 1 || size[1] < 1 || size[2] < 1)
   {
     error = "is empty";
+    return false;
+  }
+  if (*std::max_element(size, size + 3) > LargestSide)
+  {
+    error = "has more than " + std::to_string(LargestSide) + " points a side";
     return false;
   }
   const int flat = size[2] == 1 ? 2 : size[1] == 1 ? 1 : 0;

@@ -21,8 +21,8 @@ namespace relevo
 {
 struct LICPlane
 {
-  /// Takes the first of XY, XZ and YZ that the image is flat in. False, and why, if it is empty or
-  /// flat in none of them.
+  /// Takes the first of XY, XZ and YZ that the image is flat in. False, and why, if it is empty,
+  /// flat in none of them or too large for places in floats.
   bool Find(vtkImageData* image, std::string& error);
 
   vtkIdType GetNumberOfSamples() const

@@ -54,7 +54,7 @@ std::vector<Setting> MakeSettings()
     { relevoSettingMacro(HighLICContrastEnhancementFactor, double), 0, factor, noFactor },
     { relevoSettingMacro(LowColorContrastEnhancementFactor, double), 0, factor, noFactor },
     { relevoSettingMacro(HighColorContrastEnhancementFactor, double), 0, factor, noFactor },
-    { relevoSettingMacro(AntiAlias, int), 0, { 2, 0 }, { -1 } },
+    { relevoSettingMacro(AntiAlias, int), 0, { 2, 1000, 0 }, { -1, 1001 } },
     { relevoSettingMacro(MaskThreshold, double), 0, { -1, 0.5, Infinity }, { NaN } },
     { relevoSettingMacro(MaskOnSurface, int), 0, { 1, 0 }, {} },
     { relevoSettingMacro(MaskIntensity, double), 0, share, noShare },

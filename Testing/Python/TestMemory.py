@@ -1,0 +1,99 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""What does not fit into memory is an error, and the program goes on."""
+
+import contextlib
+import pathlib
+import re
+import resource
+import sys
+import tempfile
+import unittest
+
+import relevo
+from ErrorMessages import catch_errors
+from vtkmodules.util.vtkConstants import VTK_FLOAT, VTK_UNSIGNED_CHAR
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkPNGWriter
+
+MEBIBYTE = 1 << 20
+STATUS = pathlib.Path("/proc/self/status")
+if not STATUS.exists():
+    print("skipped: how much memory is in use is not known")
+    sys.exit(125)
+
+
+@contextlib.contextmanager
+def little_memory(size):
+    """So many more bytes of address space."""
+    old = resource.getrlimit(resource.RLIMIT_AS)
+    in_use = 1024 * int(re.search(r"VmSize:\s+(\d+)", STATUS.read_text())[1])
+    resource.setrlimit(resource.RLIMIT_AS, (in_use + size, old[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_AS, old)
+
+
+def make_image(width, height, scalar_type, components=1):
+    image = vtkImageData()
+    image.SetDimensions(width, height, 1)
+    image.AllocateScalars(scalar_type, components)
+    array = image.GetPointData().GetScalars()
+    for c in range(components):
+        array.FillComponent(c, 1.0)
+    array.SetName("Values")
+    return image
+
+
+class TestMemory(unittest.TestCase):
+    def test_imagery(self):
+        """12 GiB of it, of a small picture in a large terrain."""
+        with tempfile.TemporaryDirectory() as folder:
+            for name, step in (("terrain", 100.0), ("imagery", 0.001)):
+                writer = vtkPNGWriter()
+                writer.SetInputData(make_image(8, 8, VTK_UNSIGNED_CHAR))
+                writer.SetFileName(f"{folder}/{name}.png")
+                writer.Write()
+                place = f"{step}\n0\n0\n{-step}\n400\n400\n"
+                pathlib.Path(folder, name + ".pgw").write_text(place)
+            source = relevo.vtkTerrainSource()
+            errors = catch_errors(source)
+            catch_errors(source.GetExecutive())
+            source.SetFileName(f"{folder}/terrain.png")
+            source.Update()
+            if source.GetOutput().GetBounds()[1] < 100:
+                self.skipTest("without GDAL nothing is georeferenced")
+            source.SetImageryFileName(f"{folder}/imagery.png")
+            source.SetMaximumImagerySize(65536)
+            with little_memory(2048 * MEBIBYTE):
+                source.Update()
+            self.assertIn("Not enough memory for a mesh of Resolution 128 and imagery", errors[-1])
+            self.assertEqual(source.GetOutput().GetNumberOfPoints(), 0)
+            source.SetImageryFileName(None)
+            source.Update()
+            self.assertGreater(source.GetOutput().GetNumberOfPoints(), 0)
+
+    def test_heights(self):
+        heights = relevo.vtkHeightMap()
+        errors = catch_errors(heights)
+        heights.SetImageData(make_image(6000, 6000, VTK_UNSIGNED_CHAR))
+        with little_memory(32 * MEBIBYTE):
+            self.assertFalse(heights.Update())
+        self.assertIn("not enough memory for 6000 x 6000 heights", errors[-1])
+
+    def test_streaks(self):
+        streaks = relevo.vtkLineIntegralConvolution()
+        errors = catch_errors(streaks)
+        catch_errors(streaks.GetExecutive())
+        streaks.SetInputData(make_image(4000, 4000, VTK_FLOAT, 2))
+        with little_memory(32 * MEBIBYTE):
+            streaks.Update()
+        self.assertIn("Not enough memory for 16000000 points", errors[-1])
+        streaks.SetInputData(make_image(40, 40, VTK_FLOAT, 2))
+        streaks.Update()
+        self.assertEqual(streaks.GetOutput().GetNumberOfPoints(), 1600)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["TestMemory"])
