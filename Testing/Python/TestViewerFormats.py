@@ -101,6 +101,15 @@ class Scene:
         return path
 
 
+def sparse(indices, values):
+    """One value, by the buffer views of its index and of itself."""
+    return {
+        "count": 1,
+        "indices": {"bufferView": indices, "componentType": UNSIGNED_SHORT},
+        "values": {"bufferView": values},
+    }
+
+
 def volume(mesh):
     """Above 0 where the triangles of a closed mesh face out."""
     total = 0
@@ -209,6 +218,14 @@ class TestViewerFormats(ViewerProgram):
             ("indices", lambda d: d["meshes"][0]["primitives"][0].update(indices=9)),
             ("view", lambda d: d["accessors"][0].update(bufferView=9)),
             ("count", lambda d: d["accessors"][0].update(count=99)),
+            ("no view", lambda d: d["accessors"][1].pop("bufferView")),
+            ("buffer", lambda d: d["bufferViews"][0].update(buffer=9)),
+            ("negative", lambda d: d["bufferViews"][0].update(buffer=-1)),
+            ("offset", lambda d: d["bufferViews"][0].update(byteOffset=10**9)),
+            ("length", lambda d: [x.update(byteLength=10**9) for x in d["bufferViews"]]),
+            ("normals", lambda d: d["meshes"][0]["primitives"][0]["attributes"].update(NORMAL=1)),
+            ("sparse", lambda d: d["accessors"][0].update(sparse=sparse(0, 0))),
+            ("sparse view", lambda d: d["accessors"][0].update(sparse=sparse(9, 9))),
             ("points", lambda d: d["meshes"][0]["primitives"][0].update(attributes={})),
             ("node", lambda d: d["scenes"][0].update(nodes=[9])),
             ("mesh", lambda d: d["nodes"][0].update(mesh=9)),
@@ -228,6 +245,63 @@ class TestViewerFormats(ViewerProgram):
         version = vtkVersion().GetVTKMajorVersion(), vtkVersion().GetVTKMinorVersion()
         words = "point 9 of 3" if version < (9, 6) else "cannot read beyond.gltf"
         self.assert_error(1, [words], "beyond.gltf", "--output=n.png")
+
+    def test_corners_that_do_not_exist(self):
+        """Whatever is asked of the mesh first."""
+        points = ["v 0 0 0", "v 1 0 0", "v 0 1 0"]
+        (self.folder / "beyond.obj").write_text("\n".join(points + ["f 1 2 3", "f 1 2 70000001\n"]))
+        grid = vtkUnstructuredGrid()
+        points = vtkPoints()
+        for corner in CUBE:
+            points.InsertNextPoint(corner)
+        grid.SetPoints(points)
+        grid.InsertNextCell(VTK_HEXAHEDRON, 8, (0, 1, 3, 2, 4, 5, 7, 6))
+        grid.InsertNextCell(VTK_HEXAHEDRON, 8, (0, 1, 3, 2, 4, 5, 7, 70000000))
+        writer = vtkXMLUnstructuredGridWriter()
+        writer.SetInputData(grid)
+        writer.SetFileName(str(self.folder / "beyond.vtu"))
+        writer.Write()
+        for name in ("beyond.obj", "beyond.vtu"):
+            for more in ([], ["--metric=curvature"], ["--feature-angle=30"]):
+                self.assert_error(
+                    1, [name, "cell 1 refers to point 70000000 of"], name, "--output=n.png", *more
+                )
+
+    def test_one_place(self):
+        """A mesh whose points are all the same."""
+        (self.folder / "place.obj").write_text(3 * "v 1 1 1\n" + "f 1 2 3\n")
+        for more in ([], ["--metric=curvature"]):
+            run = self.view("place.obj", "--output=n.png", *more, code=1)
+            self.assertIn("error: place.obj: no triangle has three corners", run.stderr)
+
+    def test_buffers_that_are_too_short(self):
+        """For the views of them: in a .glb file, in a data URI, in a file beside it."""
+        scene = Scene()
+        scene.add_node(scene.primitive(CUBE, CUBE_FACES))
+        whole = scene.data
+        scene.data = whole[:-8]
+        for name in ("short.glb", "short.gltf"):
+            scene.write(self.folder / name)
+            self.assert_error(1, ["buffer view 1 is longer than its buffer"], name, "--output=n.png")
+        scene.data = whole
+        document = json.loads(scene.write(self.folder / "beside.gltf").read_text())
+        document["buffers"][0]["uri"] = "beside.bin"
+        (self.folder / "beside.gltf").write_text(json.dumps(document))
+        (self.folder / "beside.bin").write_bytes(whole)
+        self.assertEqual(self.export("beside.gltf").GetNumberOfCells(), 12)
+        (self.folder / "beside.bin").write_bytes(whole[:-8])
+        self.assert_error(1, ["beside.bin is cut short"], "beside.gltf", "--output=n.png")
+
+    def test_large_data_uri(self):
+        """Of hundreds of kilobytes."""
+        size = 120
+        points = [(i, j, 0.0) for j in range(size) for i in range(size)]
+        corners = [j * size + i for j in range(size - 1) for i in range(size - 1)]
+        faces = [id for corner in corners for id in (corner, corner + 1, corner + size)]
+        scene = Scene()
+        scene.add_node(scene.primitive(points, faces))
+        mesh = self.export(scene.write(self.folder / "large.gltf"))
+        self.assertEqual(mesh.GetNumberOfCells(), len(corners))
 
     def test_volume(self):
         """Its surface; the array of the points goes along."""

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/GLTFCheck.h"
 
+#include "Files/GLTFBuffers.h"
 #include "Text/ViewerMessages.h"
 
 #include "vtkGLTFDocumentLoader.h"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <regex>
 #include <string>
 #include <vector>
 
@@ -28,7 +28,8 @@ public:
 
   void Check()
   {
-    this->CheckBufferFiles();
+    this->CheckBuffers();
+    this->CheckViews();
     this->CheckAccessors();
     this->CheckMeshes();
     this->CheckAnimations();
@@ -56,19 +57,48 @@ private:
     Require(IsIn(index, this->Model.Accessors),
       user + " refers to accessor " + std::to_string(index) + " of " +
         std::to_string(this->Model.Accessors.size()));
+    // VTK would write sparse values to whatever places the file names.
+    Require(!this->Model.Accessors[index].IsSparse,
+      user + " refers to accessor " + std::to_string(index) + ", which is sparse");
   }
 
-  void CheckBufferFiles()
+  void CheckBuffers()
   {
-    const std::string& text = this->Model.BufferMetaData;
-    const std::regex uri(R"re("uri"\s*:\s*"([^"]*)")re");
+    this->Buffers = ParseGLTFBuffers(this->Model.BufferMetaData);
     const auto folder = std::filesystem::path(this->Model.FileName).parent_path();
-    for (std::sregex_iterator match(text.begin(), text.end(), uri), end; match != end; ++match)
+    for (std::size_t i = 0; i < this->Buffers.size(); ++i)
     {
-      const std::string name = (*match)[1];
-      std::error_code unknown;
-      Require(name.find("data:") == 0 || std::filesystem::is_regular_file(folder / name, unknown),
-        "its file " + name + " is missing");
+      GLTFBuffer& buffer = this->Buffers[i];
+      if (buffer.URI.empty())
+      {
+        // The binary part of the file, and nothing for others.
+        buffer.ByteLength = i == 0 ? GetGLBLength(this->Model.FileName) : 0;
+      }
+      else if (buffer.URI.find("data:") != 0)
+      {
+        std::error_code unknown;
+        Require(std::filesystem::is_regular_file(folder / buffer.URI, unknown),
+          "its file " + buffer.URI + " is missing");
+        Require(static_cast<long long>(std::filesystem::file_size(folder / buffer.URI, unknown)) >=
+            buffer.ByteLength,
+          "its file " + buffer.URI + " is cut short");
+      }
+    }
+  }
+
+  void CheckViews()
+  {
+    for (std::size_t i = 0; i < this->Model.BufferViews.size(); ++i)
+    {
+      const Loader::BufferView& view = this->Model.BufferViews[i];
+      const std::string name = "buffer view " + std::to_string(i);
+      Require(IsIn(view.Buffer, this->Buffers),
+        name + " refers to buffer " + std::to_string(view.Buffer) + " of " +
+          std::to_string(this->Buffers.size()));
+      Require(view.ByteOffset >= 0 && view.ByteLength >= 0 && view.ByteStride >= 0 &&
+          static_cast<long long>(view.ByteOffset) + view.ByteLength <=
+            this->Buffers[view.Buffer].ByteLength,
+        name + " is longer than its buffer");
     }
   }
 
@@ -78,9 +108,9 @@ private:
     {
       const Loader::Accessor& accessor = this->Model.Accessors[i];
       const std::string name = "accessor " + std::to_string(i);
-      if (accessor.BufferView < 0) // zeros, or sparse ones
+      if (accessor.BufferView < 0)
       {
-        continue;
+        continue; // zeros
       }
       Require(IsIn(accessor.BufferView, this->Model.BufferViews),
         name + " refers to buffer view " + std::to_string(accessor.BufferView) + " of " +
@@ -117,24 +147,33 @@ private:
       for (const Loader::Primitive& primitive : mesh.Primitives)
       {
         Require(primitive.AttributeIndices.count("POSITION") > 0, "a primitive has no points");
-        this->CheckAttributes(primitive.AttributeIndices);
+        const long long points = primitive.AttributeIndices.at("POSITION");
+        this->CheckAccessor(points, "POSITION");
+        const int count = this->Model.Accessors[points].Count;
+        this->CheckAttributes(primitive.AttributeIndices, count);
         for (const Loader::MorphTarget& target : primitive.Targets)
         {
-          this->CheckAttributes(target.AttributeIndices);
+          this->CheckAttributes(target.AttributeIndices, count);
         }
         if (primitive.IndicesId >= 0)
         {
           this->CheckAccessor(primitive.IndicesId, "a primitive");
+          Require(this->Model.Accessors[primitive.IndicesId].BufferView >= 0,
+            "the indices of a primitive are in no buffer view");
         }
       }
     }
   }
 
-  void CheckAttributes(const std::map<std::string, int>& attributes)
+  void CheckAttributes(const std::map<std::string, int>& attributes, int numberOfPoints)
   {
     for (const auto& attribute : attributes)
     {
       this->CheckAccessor(attribute.second, attribute.first);
+      const int count = this->Model.Accessors[attribute.second].Count;
+      Require(count == numberOfPoints,
+        attribute.first + " has " + std::to_string(count) + " values for " +
+          std::to_string(numberOfPoints) + " points");
     }
   }
 
@@ -193,6 +232,7 @@ private:
   }
 
   Loader::Model& Model;
+  std::vector<GLTFBuffer> Buffers;
 };
 }
 

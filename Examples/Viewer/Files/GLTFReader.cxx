@@ -3,6 +3,7 @@
 #include "Files/GLTFReader.h"
 
 #include "Files/GLTFCheck.h"
+#include "Files/MeshPoints.h"
 #include "Text/ViewerMessages.h"
 
 #include "vtkAppendPolyData.h"
@@ -165,6 +166,7 @@ vtkSmartPointer<vtkPolyData> ReadGLTF(const std::string& fileName, ViewerMessage
   messages.Observe(append);
   for (const Part& part : parts)
   {
+    CheckCorners(part.Mesh); // after the next line they would be points of other parts
     append->AddInputData(MakeMesh(part, hasColors));
   }
   if (!parts.empty())

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/MeshPoints.h"
 
+#include "Text/ViewerMessages.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
@@ -9,9 +11,11 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <vector>
 
 namespace
@@ -38,12 +42,10 @@ void ForEachCell(vtkCellArray* cells, Function&& f)
   }
 }
 
-// New ids of the points, in their order; empty where a cell refers to none of them.
+// New ids of the points, in their order.
 Ids NumberUsedPoints(vtkPolyData* mesh)
 {
-  const vtkIdType numberOfPoints = mesh->GetNumberOfPoints();
-  Ids numbers(static_cast<size_t>(numberOfPoints), Unused);
-  bool isValid = true;
+  Ids numbers(static_cast<size_t>(mesh->GetNumberOfPoints()), Unused);
   for (vtkCellArray* cells : GetCells(mesh))
   {
     ForEachCell(cells,
@@ -51,12 +53,7 @@ Ids NumberUsedPoints(vtkPolyData* mesh)
       {
         for (vtkIdType i = 0; i < size; ++i)
         {
-          const bool isPoint = ids[i] >= 0 && ids[i] < numberOfPoints;
-          isValid = isValid && isPoint;
-          if (isPoint)
-          {
-            numbers[ids[i]] = 0;
-          }
+          numbers[ids[i]] = 0;
         }
       });
   }
@@ -65,7 +62,7 @@ Ids NumberUsedPoints(vtkPolyData* mesh)
   {
     number = number == Unused ? Unused : next++;
   }
-  return isValid ? numbers : Ids();
+  return numbers;
 }
 
 void CopyPoints(vtkPolyData* from, const Ids& numbers, vtkPolyData* to)
@@ -100,6 +97,40 @@ vtkSmartPointer<vtkCellArray> CopyCells(vtkCellArray* from, const Ids& numbers)
     });
   return to.Get();
 }
+}
+
+//------------------------------------------------------------------------------
+void CheckCorners(vtkPointSet* mesh)
+{
+  std::vector<vtkCellArray*> groups;
+  if (auto* surface = vtkPolyData::SafeDownCast(mesh))
+  {
+    const auto cells = GetCells(surface);
+    groups.assign(cells.begin(), cells.end());
+  }
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh);
+  if (grid && grid->GetCells())
+  {
+    groups.push_back(grid->GetCells());
+  }
+  const vtkIdType numberOfPoints = mesh->GetNumberOfPoints();
+  vtkIdType cell = 0;
+  for (vtkCellArray* cells : groups)
+  {
+    ForEachCell(cells,
+      [&](vtkIdType size, const vtkIdType* ids)
+      {
+        for (vtkIdType i = 0; i < size; ++i)
+        {
+          if (ids[i] < 0 || ids[i] >= numberOfPoints)
+          {
+            throw ViewerError("cell " + std::to_string(cell) + " refers to point " +
+              std::to_string(ids[i]) + " of " + std::to_string(numberOfPoints));
+          }
+        }
+        ++cell;
+      });
+  }
 }
 
 //------------------------------------------------------------------------------

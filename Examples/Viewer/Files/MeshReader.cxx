@@ -22,6 +22,7 @@
 #include "vtkOFFReader.h"
 #endif
 #include "vtkPLYReader.h"
+#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkSTLReader.h"
 #include "vtkVersion.h"
@@ -63,6 +64,10 @@ Mesh ReadSurface(const std::string& fileName, ViewerMessages& messages)
   if (auto* mesh = vtkPolyData::SafeDownCast(data))
   {
     return mesh;
+  }
+  if (auto* points = vtkPointSet::SafeDownCast(data))
+  {
+    CheckCorners(points);
   }
   vtkNew<vtkGeometryFilter> surface;
   messages.Observe(surface, "taking the surface");
@@ -151,6 +156,10 @@ Mesh ReadMesh(const std::string& fileName, ViewerMessages& messages)
   {
     mesh = ReadFormat(fileName, messages);
     messages.Check();
+    if (mesh)
+    {
+      CheckCorners(mesh);
+    }
   }
   catch (const std::exception& error)
   {

@@ -212,6 +212,10 @@ int MeshScene::GetDefaultLevel()
   const double pixels = this->Options.Zoom *
     std::max(this->Options.Size[0], this->Options.Size[1]) * GetMeanEdgeLength(this->Mesh) /
     this->Mesh->GetLength();
+  if (!(pixels > 0.0)) // NaN where all points are at one place
+  {
+    return 0;
+  }
   const double level = std::ceil(std::log2(pixels / ViewerOptions::DefaultPixels));
   return static_cast<int>(std::min(std::max(level, 0.0), 7.0));
 }
