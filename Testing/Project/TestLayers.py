@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The layers of the modules' sources, as Module/Documentation/architecture.md draws them.
 
-No include climbs, private files lie in folders and are not called vtk*, no header takes the name
-or the include guard of one of VTK's, and folders, files and functions stay small: folders and files
+No include climbs, at a module's root lie its public classes alone, private files are not called
+vtk*, no header takes the name or the include guard of one of VTK's, and folders, files and functions stay small: folders and files
 of tests, too.
 
     TestLayers.py SOURCE VTK_INCLUDE_FOLDER...
@@ -52,6 +52,28 @@ LONGEST_FUNCTION = 80
 NO_FUNCTION = re.compile(r"(inline |typedef )*(namespace|class|struct|union|enum|extern)\b")
 
 
+def is_public(header):
+    """Whether a header at a module's root declares the class that it is named after."""
+    return header.exists() and f"TypeMacro({header.stem}," in header.read_text(encoding="utf-8")
+
+
+def is_of_public_class(path):
+    """A file at a module's root: a public class, what it keeps, or a part of its source."""
+    if path.suffix == ".h":
+        return is_public(path) or is_public(path.with_name(path.stem.removesuffix("Internals") + ".h"))
+    headers = [header for header in path.parent.glob("*.h") if path.stem.startswith(header.stem)]
+    return any(is_public(header) for header in headers) or path.stem == "relevo-view"
+
+
+def find_unlisted(source):
+    """Modules that LAYERS does not have, so that nothing looks at them."""
+    for top in ("Filters", "Rendering"):
+        for path in sorted((source / top).rglob("vtk.module")):
+            module = path.parent.relative_to(source).as_posix()
+            if module not in LAYERS:
+                yield f"{module}: add the module and its layers to LAYERS in TestLayers.py"
+
+
 def functions(text):
     """Where the functions of a formatted source start, and how many lines their braces enclose."""
     lines = text.splitlines()
@@ -90,7 +112,7 @@ def find_large(source):
 
 def main():
     source = pathlib.Path(sys.argv[1])
-    faults = []
+    faults = list(find_unlisted(source))
     number_of_functions = 0
     files = {}  # as includes name it: (module, layer)
     for module, layers in LAYERS.items():
@@ -108,7 +130,7 @@ def main():
                     ),
                     len(layers),
                 )
-                if not path.stem.startswith("vtk") and path.stem != "relevo-view":
+                if not is_of_public_class(path):
                     faults.append(f"{module}/{inside}: a private file lies in a folder")
             else:
                 if inside.parts[0] not in names:
@@ -129,7 +151,9 @@ def main():
                     )
 
     for name, (path, module, layer) in files.items():
-        for include in re.findall(r'#include "([^"]+)"', path.read_text(encoding="utf-8")):
+        for include in re.findall(r'#include [<"]([^>"]+)', path.read_text(encoding="utf-8")):
+            if ".." in pathlib.PurePath(include).parts:
+                faults.append(f"{module}/{name}: names {include} from where it lies")
             if include not in files or pathlib.PurePath(include).stem == path.stem:
                 continue
             _, other, below = files[include]
