@@ -3,6 +3,21 @@
 #   vtk_module_build writes.
 include(CMakePackageConfigHelpers)
 
+# Static libraries leave it to their users to link what they need.
+set(relevo_link_dependencies)
+set(relevo_find_modules)
+if (NOT BUILD_SHARED_LIBS)
+  set(relevo_link_dependencies glm GeographicLib OpenImageIO)
+  set(relevo_find_modules "${PROJECT_SOURCE_DIR}/Filters/Terrain/CMake/FindGeographicLib.cmake")
+  get_target_property(libraries Relevo::FiltersTerrain LINK_LIBRARIES)
+  if ("GDAL::GDAL" IN_LIST libraries)
+    list(APPEND relevo_link_dependencies GDAL)
+  endif ()
+  if (TARGET Relevo::RenderingOffscreen)
+    list(APPEND relevo_link_dependencies "OpenGL COMPONENTS OpenGL EGL")
+  endif ()
+  file(COPY ${relevo_find_modules} DESTINATION "${CMAKE_BINARY_DIR}/${relevo_cmake_destination}")
+endif ()
 string(REPLACE "Relevo::" "" relevo_components "${relevo_modules}")
 set(relevo_vtk_components ${relevo_required})
 list(TRANSFORM relevo_vtk_components REPLACE "^VTK::" "")
@@ -20,6 +35,7 @@ install(
   FILES
     "${CMAKE_BINARY_DIR}/${relevo_cmake_destination}/RelevoConfig.cmake"
     "${CMAKE_BINARY_DIR}/${relevo_cmake_destination}/RelevoConfigVersion.cmake"
+    ${relevo_find_modules}
   DESTINATION "${relevo_cmake_destination}"
   COMPONENT   development)
 
@@ -38,6 +54,15 @@ install(
   FILES       "${installed_env}"
   DESTINATION "${relevo_env_destination}"
   COMPONENT   runtime)
+
+# A project that Relevo is a part of has its own pages, beside which Relevo's licence lies.
+if (NOT relevo_is_whole)
+  install(
+    FILES       "${PROJECT_SOURCE_DIR}/LICENSE"
+    DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/doc/Relevo"
+    COMPONENT   runtime)
+  return ()
+endif ()
 
 # README.md and the pages, with the examples and pictures that they link to.
 install(
