@@ -3,8 +3,8 @@
 """The layers of the modules' sources, as Module/Documentation/architecture.md draws them.
 
 No include climbs, at a module's root lie its public classes alone, private files are not called
-vtk*, no header takes the name or the include guard of one of VTK's, and folders, files and functions stay small: folders and files
-of tests, too.
+vtk*, no header takes the name or the include guard of one of VTK's, and folders, files and
+functions stay small, those of tests, too.
 
     TestLayers.py SOURCE VTK_INCLUDE_FOLDER...
 """
@@ -95,16 +95,25 @@ def functions(text):
 
 
 def find_large(source):
-    """Files of too many lines, and folders of too many units: a header with its source is one."""
+    """Files and functions of too many lines, and folders of too many units: a header with its
+    source is one.
+    """
     folders = {}
     for top in ("Filters", "Rendering", "Examples", "Testing"):
         for path in sorted((source / top).rglob("*")):
             if path.suffix not in (".cxx", ".h", ".py"):
                 continue
-            if len(path.read_text(encoding="utf-8").splitlines()) > LONGEST_FILE:
-                yield f"{path.relative_to(source)}: has more than {LONGEST_FILE} lines"
+            name, text = path.relative_to(source), path.read_text(encoding="utf-8")
+            if len(text.splitlines()) > LONGEST_FILE:
+                yield f"{name}: has more than {LONGEST_FILE} lines"
             if path.suffix != ".py":
                 folders.setdefault(path.parent, set()).add(path.stem)
+                for line, length in functions(text):
+                    if length > LONGEST_FUNCTION:
+                        yield (
+                            f"{name}:{line}: a function of more than {LONGEST_FUNCTION} lines "
+                            f"({length})"
+                        )
     for folder, units in folders.items():
         if len(units) > LARGEST_FOLDER:
             yield f"{folder.relative_to(source)}: has more than {LARGEST_FOLDER} units"
@@ -113,7 +122,6 @@ def find_large(source):
 def main():
     source = pathlib.Path(sys.argv[1])
     faults = list(find_unlisted(source))
-    number_of_functions = 0
     files = {}  # as includes name it: (module, layer)
     for module, layers in LAYERS.items():
         names = [layer for layer, _ in layers]
@@ -142,13 +150,6 @@ def main():
             if inside.as_posix() in files:
                 faults.append(f"{module}/{inside}: another module has it too")
             files[inside.as_posix()] = (path, module, layer)
-            for line, length in functions(path.read_text(encoding="utf-8")):
-                number_of_functions += 1
-                if length > LONGEST_FUNCTION:
-                    faults.append(
-                        f"{module}/{inside}:{line}: a function of more than "
-                        f"{LONGEST_FUNCTION} lines ({length})"
-                    )
 
     for name, (path, module, layer) in files.items():
         for include in re.findall(r'#include [<"]([^>"]+)', path.read_text(encoding="utf-8")):
@@ -160,6 +161,9 @@ def main():
             if MODULES.index(other) > MODULES.index(module) or other == module and below > layer:
                 faults.append(f"{module}/{name}: climbs to {include}")
     faults += find_large(source)
+    number_of_functions = sum(
+        len(list(functions(path.read_text(encoding="utf-8")))) for path, _, _ in files.values()
+    )
 
     theirs = {}
     for folder in sys.argv[2:]:
