@@ -52,16 +52,6 @@ void SetColor(vtkLookupTable* table, int i, const std::array<double, 3>& color)
   table->SetTableValue(i, color[0], color[1], color[2], 1.0);
 }
 
-int GetLevel(int segments)
-{
-  int level = 0;
-  while (1 << level < segments)
-  {
-    ++level;
-  }
-  return level;
-}
-
 // As the table of patterns names them: by levels or, where edges take any number, by segments.
 std::string GetName(const SegmentSteps& steps, int i, int j, int k)
 {
@@ -73,6 +63,16 @@ std::string GetName(const SegmentSteps& steps, int i, int j, int k)
 
 RefinementLevelTable::RefinementLevelTable() = default;
 RefinementLevelTable::~RefinementLevelTable() = default;
+
+int RefinementLevelTable::GetLevel(int segments)
+{
+  int level = 0;
+  while (1 << level < segments)
+  {
+    ++level;
+  }
+  return level;
+}
 
 double RefinementLevelTable::GetValue(int mode, bool wholeNumbers, const RefinementPattern& pattern)
 {

@@ -35,6 +35,9 @@ public:
    */
   static double GetValue(int mode, bool wholeNumbers, const RefinementPattern& pattern);
 
+  /// The lowest level, of 2^level segments, with at least so many.
+  static int GetLevel(int segments);
+
 private:
   void MakeLevels(int maximumLevel);
   void MakePatterns(const SegmentSteps& steps, int maximumLevel);

@@ -8,6 +8,7 @@
 #include "relevoSplitGS.h"
 #include "relevoSplitVS.h"
 
+#include "Buffers/RefinementLevelTable.h"
 #include "Evaluation/PatternSelection.h"
 #include "Mesh/RefinementMesh.h"
 #include "OpenGL/ShaderLog.h"
@@ -36,16 +37,6 @@ enum Attributes : GLuint
 constexpr const char* Header = "#version 150\n"
                                "#define RELEVO_FUNCTION\n";
 
-int GetLevel(int segments)
-{
-  int level = 0;
-  while (segments >> level > 1)
-  {
-    ++level;
-  }
-  return level;
-}
-
 // A face's corners in the order of its cell, and the levels of the edges between them.
 struct CoarseTriangle
 {
@@ -57,7 +48,8 @@ CoarseTriangle MakeCoarseTriangle(const RefinementFace& face, const FacePattern&
 {
   int segments[3];
   pattern.GetEdgeSegments(segments);
-  const int levels[3] = { GetLevel(segments[0]), GetLevel(segments[1]), GetLevel(segments[2]) };
+  int levels[3];
+  std::transform(segments, segments + 3, levels, RefinementLevelTable::GetLevel);
   return face.IsTurned() ? CoarseTriangle{ { 0, 2, 1 }, { { levels[2], levels[1], levels[0] } } }
                          : CoarseTriangle{ { 0, 1, 2 }, { { levels[0], levels[1], levels[2] } } };
 }

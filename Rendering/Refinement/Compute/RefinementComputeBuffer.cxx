@@ -13,12 +13,25 @@ namespace
 // A binding that VTK leaves alone.
 constexpr GLenum Target = GL_COPY_WRITE_BUFFER;
 
+GLint64 GetMostBytes()
+{
+  GLint64 most = 0;
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
+  return most;
+}
+
 class Binding
 {
 public:
   explicit Binding(unsigned int handle) { glBindBuffer(Target, handle); }
   ~Binding() { glBindBuffer(Target, 0); }
 };
+}
+
+std::string RefinementComputeBuffer::GetTooLarge(const std::string& what)
+{
+  return "the storage buffers of this OpenGL, of at most " + std::to_string(GetMostBytes()) +
+    " bytes, are too small for " + what;
 }
 
 bool RefinementComputeBuffer::Resize(std::size_t bytes)
@@ -29,9 +42,7 @@ bool RefinementComputeBuffer::Resize(std::size_t bytes)
 bool RefinementComputeBuffer::Upload(const void* values, std::size_t bytes)
 {
   const std::size_t size = std::max<std::size_t>(bytes, 16); // empty buffers cannot be bound
-  GLint64 most = 0;
-  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
-  if (static_cast<GLint64>(size) > most)
+  if (static_cast<GLint64>(size) > GetMostBytes())
   {
     return false;
   }

@@ -14,6 +14,7 @@
 #include "vtkType.h"                         // for vtkTypeInt64
 
 #include <cstddef> // for std::size_t
+#include <string>  // for errors
 #include <vector>  // for data
 
 namespace relevo
@@ -55,6 +56,9 @@ public:
   }
   static void ReadBuffer(unsigned int handle, std::size_t offset, void* values, std::size_t bytes);
   //@}
+
+  /// What to say when something does not fit, with the limit of the current context.
+  static std::string GetTooLarge(const std::string& what = "the mesh");
 
   /// OpenGL's name of the buffer; 0 for none.
   unsigned int GetHandle() const { return this->Handle; }

@@ -14,9 +14,10 @@
 
 namespace relevo
 {
-namespace
+bool RefinementComputeSelector::Fail(const std::string& error)
 {
-constexpr const char* TooLarge = "the mesh is larger than the storage buffers of this OpenGL";
+  this->Error = error;
+  return false;
 }
 
 bool RefinementComputeSelector::BuildPrograms()
@@ -35,8 +36,7 @@ bool RefinementComputeSelector::BuildPrograms()
   {
     if (!stage.Program.Build(stage.Source))
     {
-      this->Error = stage.Program.GetError();
-      return false;
+      return this->Fail(stage.Program.GetError());
     }
   }
   return true;
@@ -44,36 +44,34 @@ bool RefinementComputeSelector::BuildPrograms()
 
 bool RefinementComputeSelector::UploadOrders(const std::vector<unsigned char>& orders)
 {
-  this->Error = TooLarge;
   this->NumberOfFaces = static_cast<int>(orders.size());
   std::vector<unsigned char> padded = orders; // to whole integers
   padded.resize((orders.size() + 3) / 4 * 4, 0);
-  return this->Orders.Upload(padded);
+  return this->Orders.Upload(padded) || this->Fail(RefinementComputeBuffer::GetTooLarge());
 }
 
 bool RefinementComputeSelector::UploadCulling(const std::vector<float>& data)
 {
-  this->Error = TooLarge;
-  return this->Culling.Upload(data);
+  return this->Culling.Upload(data) || this->Fail(RefinementComputeBuffer::GetTooLarge());
 }
 
 bool RefinementComputeSelector::UploadPatterns(const std::vector<Pattern>& patterns,
   const std::vector<unsigned int>& table, int maximumLevel, bool morphing)
 {
-  this->Error = "the patterns are larger than the storage buffers of this OpenGL";
   this->NumberOfKeys = static_cast<int>(patterns.size());
   this->MaximumLevel = maximumLevel;
   this->Morphing = morphing;
-  return this->Patterns.Upload(patterns) && this->Table.Upload(table) && this->BuildPrograms();
+  return ((this->Patterns.Upload(patterns) && this->Table.Upload(table)) ||
+           this->Fail(RefinementComputeBuffer::GetTooLarge("the patterns"))) &&
+    this->BuildPrograms();
 }
 
 bool RefinementComputeSelector::Select(
   RefinementComputeView& view, const Tags& tags, unsigned int morphTags)
 {
-  this->Error = TooLarge;
   if (!view.Resize(this->NumberOfFaces, this->NumberOfKeys))
   {
-    return false;
+    return this->Fail(RefinementComputeBuffer::GetTooLarge());
   }
   RefinementComputeProgram& program = this->SelectProgram;
   program.Use({ tags.Elements, this->Orders.GetHandle(), tags.Values, this->Table.GetHandle(),

@@ -108,6 +108,7 @@ public:
   const std::string& GetError() const { return this->Error; }
 
 private:
+  bool Fail(const std::string& error);
   bool BuildPrograms();
   void Count(RefinementComputeView& view, const Camera* camera);
 

@@ -20,8 +20,6 @@ namespace relevo
 {
 namespace
 {
-constexpr const char* TooLarge = "the mesh is larger than the storage buffers of this OpenGL";
-
 // The steps of powers of two are levels.
 bool IsWithin(const std::array<unsigned char, 3>& steps, int maximumLevel)
 {
@@ -39,7 +37,7 @@ std::vector<PatternGroup> GetAllGroups(const PatternFamily& family, const std::v
   return groups;
 }
 
-RefinementComputeSelector::Pattern Describe(
+RefinementComputeSelector::Pattern MakePattern(
   const RefinementPatternBuffer::Range& range, bool mirrored)
 {
   const int firstIndex = range.FirstIndex + (mirrored ? range.NumberOfIndices * range.Copies : 0);
@@ -199,7 +197,7 @@ bool RefinementComputeState::UpdatePatterns(const PatternLibrary& library,
   std::vector<RefinementComputeSelector::Pattern> described;
   for (const PatternGroup& group : groups)
   {
-    described.push_back(Describe(patterns.GetRange(group), group.Mirrored));
+    described.push_back(MakePattern(patterns.GetRange(group), group.Mirrored));
   }
   if (!this->Selector.UploadPatterns(described, MakeTable(*family, this->Keys, maximumLevel),
         maximumLevel, family->IsMorphing()))
@@ -218,7 +216,7 @@ bool RefinementComputeState::UpdateTags(const EdgeTags& tags)
   {
     if (!this->FaceEdges.Upload(tags.GetFaceEdges()))
     {
-      return this->Fail(TooLarge);
+      return this->Fail(RefinementComputeBuffer::GetTooLarge());
     }
     this->FaceEdgesTime = this->MeshTime;
   }
@@ -227,7 +225,7 @@ bool RefinementComputeState::UpdateTags(const EdgeTags& tags)
   {
     return this->Values.Upload(
              tags.GetValues(), sizeof(float) * static_cast<size_t>(tags.GetNumberOfValues())) ||
-      this->Fail(TooLarge);
+      this->Fail(RefinementComputeBuffer::GetTooLarge());
   }
   const bool perEdge = tags.GetKind() == EdgeTags::PER_EDGE;
   const bool needsEdges = perEdge || !shader->TagsPoints;

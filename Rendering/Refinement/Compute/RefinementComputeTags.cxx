@@ -16,11 +16,6 @@
 
 namespace relevo
 {
-namespace
-{
-constexpr const char* TooLarge = "the mesh is larger than the storage buffers of this OpenGL";
-}
-
 bool RefinementComputeTags::Fail(const std::string& error)
 {
   this->Error = error;
@@ -33,7 +28,8 @@ bool RefinementComputeTags::UploadMesh(const RefinementMesh& mesh)
   this->NumberOfEdges = -1;
   this->HasPlaces = !mesh.Places.empty();
   const std::vector<int> places(mesh.Places.begin(), mesh.Places.end());
-  return (this->Points.Upload(mesh.Points) && this->Places.Upload(places)) || this->Fail(TooLarge);
+  return (this->Points.Upload(mesh.Points) && this->Places.Upload(places)) ||
+    this->Fail(RefinementComputeBuffer::GetTooLarge());
 }
 
 bool RefinementComputeTags::UploadEdges(const SurfaceEdges& edges)
@@ -44,7 +40,7 @@ bool RefinementComputeTags::UploadEdges(const SurfaceEdges& edges)
   }
   if (!this->Edges.Upload(edges.GetEdges()))
   {
-    return this->Fail(TooLarge);
+    return this->Fail(RefinementComputeBuffer::GetTooLarge());
   }
   this->NumberOfEdges = edges.GetNumberOfEdges();
   return true;
@@ -59,7 +55,7 @@ bool RefinementComputeTags::UploadData(const MetricShader& shader)
   if (!this->Data.Upload(
         shader.Data->data(), 4 * sizeof(float) * static_cast<size_t>(this->NumberOfPoints)))
   {
-    return this->Fail(TooLarge);
+    return this->Fail(RefinementComputeBuffer::GetTooLarge());
   }
   this->DataTime = shader.DataTime;
   return true;
@@ -104,7 +100,7 @@ bool RefinementComputeTags::MeasurePoints(const MetricShader& shader)
   }
   if (!target.Resize(sizeof(float) * static_cast<size_t>(this->NumberOfPoints)))
   {
-    return this->Fail(TooLarge);
+    return this->Fail(RefinementComputeBuffer::GetTooLarge());
   }
   if (this->HasPlaces)
   {
@@ -129,7 +125,7 @@ bool RefinementComputeTags::MeasureEdges(const MetricShader& shader, bool perEdg
     !target.Resize(
       sizeof(float) * static_cast<size_t>(perEdge ? this->NumberOfEdges : this->NumberOfPoints)))
   {
-    return this->Fail(TooLarge);
+    return this->Fail(RefinementComputeBuffer::GetTooLarge());
   }
   if (united)
   {
@@ -157,7 +153,7 @@ bool RefinementComputeTags::TagPlaces(const MetricShader& shader)
   }
   if (!this->Tags.Resize(sizeof(float) * static_cast<size_t>(this->NumberOfPoints)))
   {
-    return this->Fail(TooLarge);
+    return this->Fail(RefinementComputeBuffer::GetTooLarge());
   }
   this->PlaceProgram.Use(
     { this->Measures.GetHandle(), this->Places.GetHandle(), this->Tags.GetHandle() });

@@ -3,6 +3,7 @@
 #include "State/LevelBudget.h"
 
 #include "Patterns/PatternFamily.h"
+#include "State/RefinementState.h"
 #include "vtkAdaptiveRefinement.h"
 
 #include <algorithm>
@@ -12,7 +13,6 @@ namespace relevo
 namespace
 {
 constexpr double LargestOffset = 16.0; // of vtkAdaptiveRefinement::SetLevelOffset()
-constexpr size_t MostViews = 4;
 }
 
 void LevelBudget::AddPass(bool first, vtkIdType triangles, double seconds)
@@ -26,24 +26,13 @@ void LevelBudget::AddPass(bool first, vtkIdType triangles, double seconds)
   this->FrameSeconds += seconds;
 }
 
-void LevelBudget::ForgetTimes()
-{
-  this->Times = RenderTimeBudget();
-  this->FrameTriangles = 0;
-  this->FrameSeconds = 0.0;
-  for (View& view : this->Views)
-  {
-    view.Limit = 0;
-  }
-}
-
 bool LevelBudget::SetView(const vtkCamera* camera, double seconds)
 {
   auto view = std::find_if(this->Views.begin(), this->Views.end(),
     [camera](const View& other) { return other.Camera == camera; });
   if (view == this->Views.end())
   {
-    if (this->Views.size() == MostViews)
+    if (this->Views.size() == RefinementState::MostViews)
     {
       this->Views.erase(this->Views.begin());
     }

@@ -51,9 +51,6 @@ public:
    */
   double FindOffset(const std::vector<Part>& parts, vtkAdaptiveRefinement* recipe);
 
-  /// Forget limits of time.
-  void ForgetTimes();
-
 private:
   struct View
   {
