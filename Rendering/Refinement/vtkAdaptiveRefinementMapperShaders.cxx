@@ -171,7 +171,7 @@ void vtkAdaptiveRefinementMapper::BuildShaders(
   this->MissingAnchors.clear();
   this->Superclass::BuildShaders(shaders, ren, act);
   const std::string problem =
-    this->MissingAnchors.empty() ? "" : relevo::Describe(this->MissingAnchors);
+    this->MissingAnchors.empty() ? "" : relevo::DescribeMissing(this->MissingAnchors);
   if (!problem.empty())
   {
     relevo::DrawNothing(shaders);

@@ -25,6 +25,29 @@ const char* GetStageName(vtkShader::Type stage)
       return "unknown";
   }
 }
+
+// The brace that closes the one at a place; those in comments do not count.
+size_t FindClosingBrace(const std::string& text, size_t place)
+{
+  int depth = 0;
+  while ((place = text.find_first_of("{}/", place)) != std::string::npos)
+  {
+    if (text[place] == '/')
+    {
+      const bool isLine = text.compare(place, 2, "//") == 0;
+      const bool isBlock = text.compare(place, 2, "/*") == 0;
+      place = isLine ? text.find('\n', place) : isBlock ? text.find("*/", place + 2) : place + 1;
+      continue;
+    }
+    depth += text[place] == '{' ? 1 : -1;
+    if (depth == 0)
+    {
+      return place;
+    }
+    ++place;
+  }
+  return place;
+}
 }
 
 ShaderText::ShaderText(vtkShader* shader, MissingAnchors& missing)
@@ -120,30 +143,42 @@ void ShaderText::InsertBeforeMain(const std::string& text)
   this->InsertBefore(Main, text);
 }
 
-void ShaderText::InsertAtStart(const std::string& text)
+size_t ShaderText::FindBody()
 {
   const size_t main = this->Find(Main);
   if (main == std::string::npos)
   {
-    return;
+    return main;
   }
   const size_t brace = this->Text.find_first_not_of(" \t\r\n", this->Text.find(')', main) + 1);
-  if (brace != std::string::npos && this->Text[brace] == '{')
-  {
-    this->Text.insert(brace + 1, "\n" + text);
-  }
-  else
+  if (brace == std::string::npos || this->Text[brace] != '{')
   {
     this->Miss("{");
+    return std::string::npos;
+  }
+  return brace;
+}
+
+void ShaderText::InsertAtStart(const std::string& text)
+{
+  const size_t brace = this->FindBody();
+  if (brace != std::string::npos)
+  {
+    this->Text.insert(brace + 1, "\n" + text);
   }
 }
 
 void ShaderText::InsertAtEnd(const std::string& text)
 {
-  const size_t brace = this->Text.rfind('}');
-  if (brace != std::string::npos && brace > this->Text.find(Main))
+  const size_t start = this->FindBody();
+  if (start == std::string::npos)
   {
-    this->Text.insert(brace, "\n" + text);
+    return;
+  }
+  const size_t end = FindClosingBrace(this->Text, start);
+  if (end != std::string::npos)
+  {
+    this->Text.insert(end, "\n" + text);
   }
   else
   {
@@ -151,7 +186,7 @@ void ShaderText::InsertAtEnd(const std::string& text)
   }
 }
 
-std::string Describe(const MissingAnchors& missing)
+std::string DescribeMissing(const MissingAnchors& missing)
 {
   std::string list;
   for (const std::string& anchor : missing)

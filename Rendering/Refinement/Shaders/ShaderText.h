@@ -61,9 +61,8 @@ public:
 
   //@{
   /**
-   * Put text behind the version, which is VTK's mark or a directive of the user's; before the first
-   * main(); where its body starts; and where the last function ends, which is main() in VTK's
-   * templates.
+   * Put text after the version, which is VTK's mark or a directive of the user's; before the first
+   * main(); where its body starts; and where it ends.
    */
   void InsertAfterVersion(const std::string& text);
   void InsertBeforeMain(const std::string& text);
@@ -77,6 +76,8 @@ public:
 private:
   /// Where an anchor starts; npos, and it is remembered, if it is not there.
   size_t Find(const std::string& anchor);
+  /// Where the brace that opens the body of main() stands.
+  size_t FindBody();
 
   vtkShader* Shader;
   MissingAnchors& Missing;
@@ -84,7 +85,7 @@ private:
 };
 
 /// An error message: which anchors this release of VTK lacks, and what to do.
-RELEVORENDERINGREFINEMENT_EXPORT std::string Describe(const MissingAnchors& missing);
+RELEVORENDERINGREFINEMENT_EXPORT std::string DescribeMissing(const MissingAnchors& missing);
 
 /// Have shaders compile and leave no pixel.
 void DrawNothing(std::map<vtkShader::Type, vtkShader*>& shaders);
