@@ -157,6 +157,11 @@ void vtkAdaptiveRefinementMapper::ReleaseGraphicsResources(vtkWindow* window)
     method.second->ReleaseGraphicsResources(window);
   }
   data.MethodProblem.clear();
+  data.HeightProblem.clear();
+  data.FaceColorsValid = true;
+  data.SelectionProblem.clear();
+  data.FailedSelection.Clear();
+  data.FailedUploads.clear();
   data.Failure = {};
   data.ShaderProblem.clear();
   data.ReleaseLooks(window);
@@ -256,59 +261,52 @@ void vtkAdaptiveRefinementMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* a
   {
     return;
   }
-  vtkOpenGLRenderWindow* window = data.GetWindow();
   this->ChooseMethod(ren, act);
   this->UpdateBudget(ren, act);
   data.OnGPU = this->SelectsOnGPU();
-  if (!this->UpdateSelection(ren, act))
+  if (!this->UpdateSelection(ren, act) || !this->UploadHeights())
   {
     return;
   }
-
-  vtkDisplacement* displacement = this->Refinement->GetDisplacement();
-  data.Drawable = true;
-  if (displacement)
-  {
-    data.Drawable =
-      data.Buffers.UploadHeights(window, displacement->GetHeightMap(), displacement->HasHoles());
-  }
-  if (data.Drawable && data.OnGPU)
+  if (data.OnGPU)
   {
     data.OnGPU = this->SelectOnGPU(ren, act);
     if (!data.OnGPU && !this->UpdateSelection(ren, act))
     {
-      data.Drawable = false;
       return;
     }
   }
-  std::string error = data.Buffers.GetError();
+  data.Drawable = this->UploadMethod();
   if (data.Drawable)
   {
-    relevo::RefinementMethod& method = data.GetMethod();
-    data.Drawable = method.Upload(data.GetDrawing(this->Refinement));
-    error = method.GetError();
-  }
-  if (!data.Drawable)
-  {
-    vtkErrorMacro("Cannot draw the input: " << error << ".");
-    data.UploadValid = false; // said once, until something changes
-    return;
-  }
-  if (!this->UpdateFaceColors(ren))
-  {
-    vtkErrorMacro(
-      "The colours of levels, patterns or tags could not be sent to the graphics card.");
+    this->UpdateFaceColors();
   }
 }
 
-bool vtkAdaptiveRefinementMapper::UpdateFaceColors(vtkRenderer* ren)
+bool vtkAdaptiveRefinementMapper::UploadHeights()
 {
   vtkInternals& data = *this->Internals;
-  vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
+  const bool valid =
+    data.Buffers.UploadHeights(data.GetWindow(), this->Refinement->GetDisplacement());
+  const std::string problem = valid ? "" : data.Buffers.GetError();
+  if (problem != data.HeightProblem)
+  {
+    data.HeightProblem = problem;
+    if (!valid)
+    {
+      vtkErrorMacro("Cannot draw the input: " << problem << ".");
+    }
+  }
+  return valid;
+}
+
+void vtkAdaptiveRefinementMapper::UpdateFaceColors()
+{
+  vtkInternals& data = *this->Internals;
   vtkScalarsToColors* table = this->GetLevelLookupTable();
   if (this->RefinementColorMode == COLOR_BY_SCALARS)
   {
-    return true;
+    return;
   }
   const std::string problem = relevo::RefinementColorTable::FindProblem(table, table->GetRange());
   if (!problem.empty())
@@ -321,19 +319,32 @@ bool vtkAdaptiveRefinementMapper::UpdateFaceColors(vtkRenderer* ren)
       vtkInternals::HasWholeNumbers(this->Refinement), this->Refinement->GetMaximumLevel());
   }
   data.LevelTableProblem = problem;
-  switch (this->RefinementColorMode)
+  const bool valid = this->UploadFaceColors(table);
+  if (!valid && data.FaceColorsValid)
   {
-    case COLOR_BY_METRIC:
-      return data.FaceColors.UploadTags(window, data.State.GetMesh(), data.State.GetSelection(),
-        this->Refinement->GetLevelOffset() + this->GetLevelOffset(),
-        this->Refinement->GetMaximumLevel(), table);
-    default:
-      return data.GetMethod().HasPatterns()
-        ? data.FaceColors.UploadPatterns(window, this->RefinementColorMode,
-            vtkInternals::HasWholeNumbers(this->Refinement), data.Patterns, table)
-        : data.FaceColors.UploadFaces(window, this->RefinementColorMode,
-            vtkInternals::HasWholeNumbers(this->Refinement), data.State.GetSelection(), table);
+    vtkErrorMacro("The colours of levels, patterns or tags do not fit on the graphics card: "
+      << relevo::RefinementBuffer::GetTooLarge() << ".");
   }
+  data.FaceColorsValid = valid;
+}
+
+bool vtkAdaptiveRefinementMapper::UploadFaceColors(vtkScalarsToColors* table)
+{
+  vtkInternals& data = *this->Internals;
+  vtkOpenGLRenderWindow* window = data.GetWindow();
+  const bool wholeNumbers = vtkInternals::HasWholeNumbers(this->Refinement);
+  const relevo::ViewSelection& selection = data.State.GetSelection();
+  if (this->RefinementColorMode == COLOR_BY_METRIC)
+  {
+    return data.FaceColors.UploadTags(window, data.State.GetMesh(), selection,
+      this->Refinement->GetLevelOffset() + this->GetLevelOffset(),
+      this->Refinement->GetMaximumLevel(), table);
+  }
+  return data.GetMethod().HasPatterns()
+    ? data.FaceColors.UploadPatterns(
+        window, this->RefinementColorMode, wholeNumbers, data.Patterns, table)
+    : data.FaceColors.UploadFaces(
+        window, this->RefinementColorMode, wholeNumbers, selection, table);
 }
 
 bool vtkAdaptiveRefinementMapper::vtkInternals::AreVerticesDrawn(

@@ -164,8 +164,8 @@ public:
    * hardware tessellation cannot draw is drawn by ARKFPI: wireframes, points, visible vertices and
    * picking of points. Faces coloured by level or pattern show what their edges ask for; under
    * SUAPT and UNIFORM they show the uniform pattern. Targets and time budgets
-   * (SetTargetNumberOfTriangles()) count ARKFPI's triangles. Where OpenGL lacks something that a
-   * method needs, or the method cannot draw such levels, an error says so once and ARKFPI draws.
+   * (SetTargetNumberOfTriangles()) count ARKFPI's triangles. Where OpenGL lacks what a method
+   * needs, or room for it, or it cannot draw such levels, an error says so once and ARKFPI draws.
    *
    * A change does not upload the mesh again. Another value is an error and changes nothing.
    */
@@ -471,15 +471,19 @@ private:
   void UpdateBudget(vtkRenderer* ren, vtkActor* act);
   bool SelectsOnGPU();
   bool SelectOnGPU(vtkRenderer* ren, vtkActor* act);
-  void GiveUpGPU(const std::string& reason);
+  void ReportSelection(const std::string& problem);
   void ReadSelection();
   bool HidesBackFaces(vtkRenderer* ren, vtkActor* act);
   void ChooseMethod(vtkRenderer* ren, vtkActor* act);
   bool BuildStages(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act);
-  void GiveUpMethod(vtkRenderer* ren, vtkActor* act);
+  bool UploadHeights();
+  bool UploadMethod();
+  void GiveUpMethod(vtkActor* act);
+  void SayUnusable(const std::string& problem);
   void SetRefinementColorMode(RefinementColorModes mode);
   void CopySettings(vtkAdaptiveRefinementMapper* other);
-  bool UpdateFaceColors(vtkRenderer* ren);
+  void UpdateFaceColors();
+  bool UploadFaceColors(vtkScalarsToColors* table);
   void UpdateRefiningShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act);
 
   vtkSmartPointer<vtkAdaptiveRefinement> Refinement;

@@ -41,8 +41,14 @@ relevo::Dependencies GetUploadDependencies(
 
 bool vtkAdaptiveRefinementMapper::GetNeedToRebuildBufferObjects(vtkRenderer* ren, vtkActor* act)
 {
+  const vtkInternals& data = *this->Internals;
   const bool needed = this->Superclass::GetNeedToRebuildBufferObjects(ren, act);
-  return needed || this->Internals->UploadTime < this->Internals->State.GetMeshTime();
+  // With a shift and scale by the camera VTK moves the positions without asking.
+  vtkOpenGLVertexBufferObject* positions = this->VBOs->GetVBO("vertexMC");
+  const bool moved = data.UploadValid && positions &&
+    data.UploadDependencies !=
+      GetUploadDependencies(data.State.GetMeshTime(), this->GetBuildMTime(), positions);
+  return needed || moved || data.UploadTime < data.State.GetMeshTime();
 }
 
 void vtkAdaptiveRefinementMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor* act)
@@ -142,7 +148,7 @@ vtkUnsignedCharArray* vtkAdaptiveRefinementMapper::MapScalars(
     this->Internals->ColorProblem = problem;
     if (!problem.empty())
     {
-      vtkErrorMacro(<< problem << " It is drawn without.");
+      vtkErrorMacro(<< problem << " The surface is drawn without these colours.");
     }
   }
   vtkNew<vtkPolyData> colorless;

@@ -26,6 +26,7 @@
 #include "State/LevelBudget.h"
 #include "State/RefinementState.h"
 #include "vtkAdaptiveRefinementMapper.h"
+#include "vtkLinearSurface.h"
 #include "vtkNew.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -58,6 +59,7 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   relevo::RefinementColors Colors;
   relevo::RefinementLevelTable LevelTable;
   relevo::RefinementFaceColors FaceColors;
+  bool FaceColorsValid = true;
   vtkTimeStamp UploadTime;
   relevo::Dependencies UploadDependencies;
   bool UploadValid = false;
@@ -72,20 +74,25 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   std::map<int, std::unique_ptr<relevo::RefinementMethod>> Methods;
   int MethodInUse = METHOD_ARKFPI;
   std::string MethodProblem; // said last
-  bool HasLines = false;     // a wireframe is drawn
+  /// What each method's selections, by view, were made of that did not fit; not tried again.
+  std::map<int, std::map<int, relevo::Dependencies>> FailedUploads;
+  bool HasLines = false; // a wireframe is drawn
   relevo::RefinementMethod& GetMethod();
   /// Without a recipe there is nothing to upload, only to count.
   relevo::RefinementDrawing GetDrawing(vtkAdaptiveRefinement* recipe);
 
   std::string ColorProblem; // said last
+  std::string HeightProblem;
   std::string LevelTableProblem;
   std::string ShaderProblem;
   bool LacksIds = false; // in the pass of a selection that has begun
 
   // Selections on the GPU.
   relevo::RefinementComputeState Compute;
-  bool ComputeValid = false; // the context can, and nothing has failed
-  bool OnGPU = false;        // in the last render
+  bool ComputeValid = false;            // the context can
+  relevo::Dependencies FailedSelection; // see GetSelectionSources()
+  std::string SelectionProblem;         // said last
+  bool OnGPU = false;                   // in the last render
   double ComputeSeconds = 0.0;
   vtkMTimeType ReadTime = 0;    // of what was read back
   int NumberOfUsedPatterns = 0; // of that
@@ -105,8 +112,11 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   std::vector<vtkOpenGLHelper*> Helpers = { &this->Faces, &this->Vertices }; // all
   struct ProgramState
   {
-    std::string ShaderKey;
-    relevo::Dependencies FailedSources; // of shaders that could not be built
+    relevo::RefinementShaderOptions Options; // of this frame
+    relevo::Dependencies Key;                // of these
+    bool HasNewKey = false;                  // since the last frame
+    relevo::Dependencies Times;              // of what else users change of shaders
+    bool HasFailed = false;                  // they could not be built
     std::vector<std::string> Attributes;
     int Method = -1;           // whose program it is; -1 for VTK's shader cache
     bool DrawsNothing = false; // for want of anchors
@@ -114,13 +124,8 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   std::map<const vtkOpenGLHelper*, ProgramState> Programs;
   vtkNew<vtkShaderProgram> NoProgram;
 
-  // Why the method's own shaders failed, until they or the method change.
-  struct MethodFailure
-  {
-    std::string Text;
-    std::string Cause; // see GetShaderCause()
-  };
-  MethodFailure Failure;
+  // What the method's own shaders were made from when they failed, see GetShaderSources().
+  relevo::Dependencies Failure;
 
   // The programs of all helpers, VTK's included, are those of one look; the other looks' wait here.
   struct Look
@@ -128,7 +133,7 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
     std::map<vtkOpenGLHelper*, std::unique_ptr<vtkOpenGLHelper>> Helpers;
     std::map<const vtkOpenGLHelper*, primitiveInfo> Info;
     std::map<const vtkOpenGLHelper*, ProgramState> Programs;
-    MethodFailure Failure;
+    relevo::Dependencies Failure;
     unsigned long LastUse = 0;
   };
   std::map<relevo::Dependencies, Look> Looks;
@@ -164,7 +169,10 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   static double GetAllocatedTime(vtkRenderer* ren, vtkActor* act);
 
   /// What of a method's shaders is up to the user.
-  static std::string GetShaderCause(vtkAdaptiveRefinement* recipe, vtkActor* act);
+  static relevo::Dependencies GetShaderSources(vtkAdaptiveRefinement* recipe, vtkActor* act);
+
+  /// What a selection on the GPU is made from, but for the view.
+  relevo::Dependencies GetSelectionSources(vtkAdaptiveRefinementMapper* mapper) const;
 
   /// Whether VTK's own mapper would draw the vertices of faces.
   static bool AreVerticesDrawn(vtkProperty* property, vtkHardwareSelector* selector);
@@ -177,8 +185,10 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   /// The values that vertices between coarse points are coloured by; nullptr for none.
   static vtkAbstractArray* GetScalarsToInterpolate(vtkAdaptiveRefinementMapper* mapper);
 
-  relevo::RefinementShaderOptions GetShaderOptions(
+  /// Have the options of a helper's shaders, and their key, as they are now.
+  ProgramState& UpdateShaderOptions(
     vtkAdaptiveRefinementMapper* mapper, const vtkOpenGLHelper* cellBO);
+  vtkNew<vtkLinearSurface> Linear; // where the recipe has no surface
 };
 
 #endif

@@ -15,13 +15,28 @@
 #include "vtkRefinementPatternTable.h"
 #include "vtkRenderer.h"
 
-static_assert(static_cast<int>(vtkAdaptiveRefinementMapper::METHOD_UNIFORM) ==
-      relevo::RefinementMethod::UNIFORM &&
-    static_cast<int>(vtkAdaptiveRefinementMapper::COLOR_BY_METRIC) == relevo::COLOR_BY_METRIC,
-  "private code numbers methods and colour modes as the mapper does");
-
 namespace
 {
+// Private code numbers methods and colour modes as the mapper does.
+using Mapper = vtkAdaptiveRefinementMapper;
+using Method = relevo::RefinementMethod;
+template <typename A, typename B>
+constexpr bool AreSame(A a, B b)
+{
+  return static_cast<int>(a) == static_cast<int>(b);
+}
+static_assert(AreSame(Mapper::METHOD_ARKFPI, Method::ARKFPI), "ARKFPI");
+static_assert(AreSame(Mapper::METHOD_ARK, Method::ARK), "ARK");
+static_assert(AreSame(Mapper::METHOD_DMR, Method::DMR), "DMR");
+static_assert(AreSame(Mapper::METHOD_SUAPT, Method::SUAPT), "SUAPT");
+static_assert(
+  AreSame(Mapper::METHOD_HARDWARE_TESSELLATION, Method::HARDWARE_TESSELLATION), "tessellation");
+static_assert(AreSame(Mapper::METHOD_UNIFORM, Method::UNIFORM), "uniform");
+static_assert(AreSame(Mapper::COLOR_BY_SCALARS, relevo::COLOR_BY_SCALARS), "scalars");
+static_assert(AreSame(Mapper::COLOR_BY_LEVEL, relevo::COLOR_BY_LEVEL), "level");
+static_assert(AreSame(Mapper::COLOR_BY_PATTERN, relevo::COLOR_BY_PATTERN), "pattern");
+static_assert(AreSame(Mapper::COLOR_BY_METRIC, relevo::COLOR_BY_METRIC), "metric");
+
 relevo::RefinementMethod::Primitives GetPrimitives(int mode, bool pointPicking)
 {
   using Primitives = relevo::RefinementMethod::Primitives;
@@ -70,7 +85,7 @@ void vtkAdaptiveRefinementMapper::ChooseMethod(vtkRenderer* ren, vtkActor* act)
   std::string problem = method.GetMissing();
   if (!problem.empty())
   {
-    problem = "Needs " + problem + ", which this OpenGL context does not have";
+    problem = "it needs " + problem + ", which this OpenGL context does not have";
   }
   else
   {
@@ -81,19 +96,19 @@ void vtkAdaptiveRefinementMapper::ChooseMethod(vtkRenderer* ren, vtkActor* act)
     data.MethodProblem = problem;
     if (!problem.empty())
     {
-      vtkErrorMacro("The method " << relevo::RefinementMethod::GetName(this->Method)
-                                  << " cannot be used: " << problem << ". ARKFPI draws.");
+      this->SayUnusable(problem);
     }
   }
-  if (data.Failure.Cause != vtkInternals::GetShaderCause(this->Refinement, act))
+  if (!data.Failure.IsEmpty() &&
+    data.Failure != vtkInternals::GetShaderSources(this->Refinement, act))
   {
-    data.Failure = {};
+    data.Failure.Clear();
   }
   using Primitives = relevo::RefinementMethod::Primitives;
   const Primitives faces =
     GetPrimitives(this->GetOpenGLMode(representation, data.Faces.PrimitiveType), false);
   const bool hasVertices = vtkInternals::AreVerticesDrawn(act->GetProperty(), ren->GetSelector());
-  if (!problem.empty() || !data.Failure.Text.empty() ||
+  if (!problem.empty() || !data.Failure.IsEmpty() ||
     !method.CanDraw(this->PointPicking ? Primitives::CORNERS : faces) ||
     (hasVertices && !method.CanDraw(Primitives::POINTS)))
   {
@@ -105,21 +120,64 @@ void vtkAdaptiveRefinementMapper::ChooseMethod(vtkRenderer* ren, vtkActor* act)
     if (other.first != this->Method && other.first != data.MethodInUse)
     {
       data.ForgetPrograms(other.first);
+      if (other.first != METHOD_ARKFPI) // which stands in for all
+      {
+        data.FailedUploads.erase(other.first);
+      }
       other.second->ReleaseGraphicsResources(ren->GetRenderWindow());
     }
   }
 }
 
-void vtkAdaptiveRefinementMapper::GiveUpMethod(vtkRenderer* ren, vtkActor* act)
+void vtkAdaptiveRefinementMapper::SayUnusable(const std::string& problem)
+{
+  vtkErrorMacro("The method " << relevo::RefinementMethod::GetName(this->Method)
+                              << " cannot be used: " << problem
+                              << ". The method ARKFPI is used instead.");
+}
+
+bool vtkAdaptiveRefinementMapper::UploadMethod()
 {
   vtkInternals& data = *this->Internals;
-  data.Failure = { "Its shaders cannot be built: " + data.GetMethod().GetError(),
-    vtkInternals::GetShaderCause(this->Refinement, act) };
-  vtkErrorMacro("The method " << relevo::RefinementMethod::GetName(this->Method)
-                              << " cannot be used: " << data.Failure.Text << ". ARKFPI draws.");
+  const relevo::RefinementDrawing drawing = data.GetDrawing(this->Refinement);
+  const relevo::Dependencies sources =
+    relevo::Dependencies::On(drawing.Selection->GetGroupsTime(), data.OnGPU);
+  std::map<int, relevo::Dependencies>& failures = data.FailedUploads[data.MethodInUse];
+  const auto failure = failures.find(drawing.Slot);
+  if (failure == failures.end() || failure->second != sources)
+  {
+    if (data.GetMethod().Upload(drawing))
+    {
+      failures.erase(drawing.Slot);
+      return true;
+    }
+    const bool isSaid = !failures.empty();
+    failures[drawing.Slot] = sources;
+    if (!isSaid && data.MethodInUse == METHOD_ARKFPI)
+    {
+      vtkErrorMacro("Cannot draw the input: " << data.GetMethod().GetError() << ".");
+    }
+    else if (!isSaid)
+    {
+      this->SayUnusable(data.GetMethod().GetError());
+    }
+  }
+  if (data.MethodInUse == METHOD_ARKFPI)
+  {
+    return false;
+  }
   data.MethodInUse = METHOD_ARKFPI;
-  data.Drawable =
-    data.GetMethod().Upload(data.GetDrawing(this->Refinement)) && this->UpdateFaceColors(ren);
+  return this->UploadMethod();
+}
+
+void vtkAdaptiveRefinementMapper::GiveUpMethod(vtkActor* act)
+{
+  vtkInternals& data = *this->Internals;
+  data.Failure = vtkInternals::GetShaderSources(this->Refinement, act);
+  this->SayUnusable("its shaders cannot be built: " + data.GetMethod().GetError());
+  data.MethodInUse = METHOD_ARKFPI;
+  data.Drawable = this->UploadMethod();
+  this->UpdateFaceColors();
 }
 
 void vtkAdaptiveRefinementMapper::DrawFaces(

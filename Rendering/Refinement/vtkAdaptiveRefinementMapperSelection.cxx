@@ -10,6 +10,7 @@
 #include "vtkAdaptiveRefinement.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
+#include "vtkDepthTagMetric.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -65,7 +66,19 @@ bool vtkAdaptiveRefinementMapper::SelectsOnGPU()
   return data.ComputeValid && this->Internals->GetMethod().TakesComputeSelection() &&
     !data.State.IsBudgeted && this->RefinementColorMode != COLOR_BY_METRIC &&
     relevo::RefinementComputeState::CanChooseFrom(
-      *relevo::GetPatternFamily(this->Refinement, this->GetInput()));
+      *relevo::GetPatternFamily(this->Refinement, this->GetInput())) &&
+    (data.FailedSelection.IsEmpty() || data.FailedSelection != data.GetSelectionSources(this));
+}
+
+relevo::Dependencies vtkAdaptiveRefinementMapper::vtkInternals::GetSelectionSources(
+  vtkAdaptiveRefinementMapper* mapper) const
+{
+  vtkAdaptiveRefinement* recipe = mapper->Refinement;
+  relevo::Dependencies sources = relevo::Dependencies::On(this->State.GetMeshTime(),
+    relevo::GetPatternFamily(recipe, mapper->GetInput())->GetMTime(), recipe->GetMaximumLevel(),
+    recipe->GetLevelRule());
+  sources.AddObject(recipe->GetMetric());
+  return sources;
 }
 
 namespace
@@ -216,23 +229,29 @@ bool vtkAdaptiveRefinementMapper::SelectOnGPU(vtkRenderer* ren, vtkActor* act)
   {
     data.ComputeSeconds = vtkTimerLog::GetUniversalTime() - start;
   }
-  if (!valid)
-  {
-    this->GiveUpGPU(reserved ? data.Compute.GetError() : relevo::RefinementBuffer::GetTooLarge());
-  }
+  this->ReportSelection(valid ? ""
+      : reserved              ? data.Compute.GetError()
+                              : relevo::RefinementBuffer::GetTooLarge());
   return valid;
 }
 
-void vtkAdaptiveRefinementMapper::GiveUpGPU(const std::string& reason)
+void vtkAdaptiveRefinementMapper::ReportSelection(const std::string& problem)
 {
-  this->Internals->ComputeValid = false; // said once, until something changes
+  vtkInternals& data = *this->Internals;
+  data.FailedSelection = problem.empty() ? relevo::Dependencies() : data.GetSelectionSources(this);
+  const bool isNew = problem != data.SelectionProblem;
+  data.SelectionProblem = problem;
+  if (problem.empty() || !isNew)
+  {
+    return;
+  }
   if (this->SelectionDevice == SELECTION_DEVICE_GPU)
   {
-    vtkErrorMacro("Selection on the GPU failed: " << reason << ". It is done on the CPU.");
+    vtkErrorMacro("Selection on the GPU failed: " << problem << ". It is done on the CPU.");
   }
   else
   {
-    vtkWarningMacro("Selection on the GPU failed: " << reason << ". It is done on the CPU.");
+    vtkWarningMacro("Selection on the GPU failed: " << problem << ". It is done on the CPU.");
   }
 }
 

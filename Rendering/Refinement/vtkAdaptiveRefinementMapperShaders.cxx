@@ -5,11 +5,11 @@
 
 #include "OpenGL/RelevoOpenGL.h"
 
+#include "Core/VTKCompatibility.h"
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDisplacement.h"
 #include "vtkHardwareSelector.h"
-#include "vtkLinearSurface.h"
 #include "vtkNew.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkProperty.h"
@@ -40,59 +40,47 @@ bool vtkAdaptiveRefinementMapper::IsDrawable() const
   return this->Internals->Drawable;
 }
 
-relevo::RefinementShaderOptions vtkAdaptiveRefinementMapper::vtkInternals::GetShaderOptions(
+vtkAdaptiveRefinementMapper::vtkInternals::ProgramState&
+vtkAdaptiveRefinementMapper::vtkInternals::UpdateShaderOptions(
   vtkAdaptiveRefinementMapper* mapper, const vtkOpenGLHelper* cellBO)
 {
   vtkAdaptiveRefinement* recipe = mapper->Refinement;
-  relevo::RefinementShaderOptions options;
-  this->Buffers.Describe(this->State.GetMesh(), options);
-  vtkNew<vtkLinearSurface> linear;
+  ProgramState& program = this->Programs[cellBO];
+  relevo::RefinementShaderOptions& options = program.Options;
+  options = {};
+  this->Buffers.FillOptions(this->State.GetMesh(), options);
   vtkRefinementSurface* surface = recipe->GetSurface();
-  options.SurfaceSource = (surface ? surface : linear.Get())->GetShaderSource();
+  options.SurfaceSource = (surface ? surface : this->Linear.Get())->GetShaderSource();
   vtkDisplacement* displacement = recipe->GetDisplacement();
-  this->GetMethod().Describe(this->GetDrawing(recipe), options);
+  this->GetMethod().FillOptions(this->GetDrawing(recipe), options);
   options.HasDisplacement = displacement != nullptr;
   options.AlongNormal = displacement && displacement->IsAlongNormal();
   options.ColorMode = cellBO != &this->Vertices ? mapper->RefinementColorMode : COLOR_BY_SCALARS;
   options.Scalars = options.ColorMode == COLOR_BY_SCALARS ? this->Colors.GetKind() : relevo::BY_VTK;
   options.HasNoData = options.Scalars != relevo::BY_VTK && this->Colors.HasNoData();
   mapper->ExtendShaders(cellBO, options);
-  return options;
+  program.HasNewKey = program.Key.Update(options.GetKey());
+  return program;
 }
 
 void vtkAdaptiveRefinementMapper::UpdateRefiningShaders(
   vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
 {
   vtkInternals& data = *this->Internals;
-  const auto getSources = [&]
+  vtkInternals::ProgramState& program = data.UpdateShaderOptions(this, &cellBO);
+  const bool changed = program.Times.Update(
+    relevo::Dependencies::On(act->GetShaderProperty()->GetShaderMTime(), this->GetBuildMTime()));
+  if (program.HasFailed && !program.HasNewKey && !changed)
   {
-    return relevo::Dependencies::On(
-      data.GetShaderOptions(this, &cellBO).GetKey(), act->GetShaderProperty()->GetShaderMTime());
-  };
-  if (data.Programs[&cellBO].FailedSources == getSources())
-  {
-    return;
-  }
-  if (!cellBO.Program)
-  {
-    // VTK asks the last program for its time when it cannot build the next.
-    cellBO.Program = data.NoProgram;
+    return; // there is no program
   }
   this->UpdateShaders(cellBO, ren, act);
-  if (cellBO.Program == data.NoProgram)
+  program.HasFailed = !cellBO.Program;
+  if (program.HasFailed)
   {
-    cellBO.Program = nullptr;
-  }
-  if (!cellBO.Program)
-  {
-    // Said once, until something changes; the method may have been given up meanwhile.
-    data.Programs[&cellBO].FailedSources = getSources();
     vtkErrorMacro("The shaders could not be built; OpenGL's own message says why. A "
-                  "vtkProceduralSurface's ShaderFunction is part of them.");
-  }
-  else
-  {
-    data.Programs[&cellBO].FailedSources.Clear();
+                  "vtkProceduralSurface's ShaderFunction and the actor's vtkShaderProperty are "
+                  "part of them.");
   }
 }
 
@@ -104,17 +92,16 @@ bool vtkAdaptiveRefinementMapper::GetNeedToRebuildShaders(
   {
     vtkInternals& data = *this->Internals;
     vtkInternals::ProgramState& program = data.Programs[&cellBO];
-    const std::string key = data.GetShaderOptions(this, &cellBO).GetKey();
-    needed = needed || key != program.ShaderKey || cellBO.Program == data.NoProgram;
-    program.ShaderKey = key;
+    needed = needed || program.HasNewKey;
     if (needed)
     {
+      // One of other sources must not draw in place of one that cannot be built.
+      cellBO.Program = relevo::AsksLastProgram ? data.NoProgram.Get() : nullptr;
       program.Method = -1;
       if (data.GetMethod().HasStages() && this->BuildStages(cellBO, ren, act))
       {
         return false; // VTK's shader cache binds it like any other
       }
-      program.ShaderKey = data.GetShaderOptions(this, &cellBO).GetKey();
     }
   }
   return needed;
@@ -141,7 +128,8 @@ bool vtkAdaptiveRefinementMapper::BuildStages(
     data.GetMethod().BuildProgram(data.GetDrawing(this->Refinement), shaders);
   if (!program)
   {
-    this->GiveUpMethod(ren, act);
+    this->GiveUpMethod(act);
+    data.UpdateShaderOptions(this, &cellBO);
     return false;
   }
   cellBO.Program = program;
@@ -151,12 +139,12 @@ bool vtkAdaptiveRefinementMapper::BuildStages(
   return true;
 }
 
-std::string vtkAdaptiveRefinementMapper::vtkInternals::GetShaderCause(
+relevo::Dependencies vtkAdaptiveRefinementMapper::vtkInternals::GetShaderSources(
   vtkAdaptiveRefinement* recipe, vtkActor* act)
 {
   vtkRefinementSurface* surface = recipe->GetSurface();
-  return std::to_string(act->GetShaderProperty()->GetShaderMTime()) +
-    (surface ? surface->GetShaderSource() : "");
+  return relevo::Dependencies::On(act->GetShaderProperty()->GetShaderMTime(),
+    surface ? surface->GetShaderSource() : std::string());
 }
 
 void vtkAdaptiveRefinementMapper::ExtendShaders(
@@ -207,13 +195,12 @@ void vtkAdaptiveRefinementMapper::ReplaceShaderValues(
   purpose.HasCellIds = this->LastSelectionState == vtkHardwareSelector::CELL_ID_LOW24 ||
     this->LastSelectionState == vtkHardwareSelector::CELL_ID_HIGH24;
   purpose.HasOwnFragments = relevo::HasOwnFragments(act);
-  const relevo::RefinementShaderOptions options =
-    this->Internals->GetShaderOptions(this, this->LastBoundBO);
+  vtkInternals::ProgramState& program = this->Internals->Programs[this->LastBoundBO];
+  const relevo::RefinementShaderOptions& options = program.Options;
   relevo::MarkColors(options, purpose, shaders, this->MissingAnchors);
   this->Superclass::ReplaceShaderValues(shaders, ren, act);
   ++this->Internals->NumberOfShaderBuilds;
-  this->Internals->Programs[this->LastBoundBO].Attributes =
-    relevo::RefineShaders(options, purpose, shaders, this->MissingAnchors);
+  program.Attributes = relevo::RefineShaders(options, purpose, shaders, this->MissingAnchors);
 }
 
 void vtkAdaptiveRefinementMapper::SetMapperShaderParameters(

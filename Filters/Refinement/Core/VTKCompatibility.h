@@ -34,6 +34,12 @@ inline bool IsAborted(vtkAlgorithm* algorithm)
 constexpr bool VerticesNeedNoEdges = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 5, 0);
 
 /**
+ * Whether VTK's mapper, where it cannot build a program, asks the one before for its time, which
+ * must not be missing then; from VTK 9.3 on it goes on with that one.
+ */
+constexpr bool AsksLastProgram = VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0);
+
+/**
  * The vertex attribute that says where a texture of a lookup table has a point's colour.
  */
 constexpr const char* ColorCoordinates =

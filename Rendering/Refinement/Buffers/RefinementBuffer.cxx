@@ -14,12 +14,24 @@
 
 namespace relevo
 {
+namespace
+{
+size_t GetMostTexels()
+{
+  GLint most = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+  return static_cast<size_t>(most);
+}
+}
+
 RefinementBuffer::RefinementBuffer() = default;
 RefinementBuffer::~RefinementBuffer() = default;
 
-const char* RefinementBuffer::GetTooLarge()
+std::string RefinementBuffer::GetTooLarge()
 {
-  return "the mesh is larger than the buffer textures of this OpenGL";
+  return "the mesh is larger than the buffer textures of this OpenGL, of at most " +
+    std::to_string(GetMostTexels()) +
+    " texels; draw it as several blocks of a vtkMultiBlockDataSet";
 }
 
 bool RefinementBuffer::Upload(
@@ -97,9 +109,7 @@ bool RefinementBuffer::Alias(vtkOpenGLRenderWindow* window, vtkOpenGLVertexBuffe
 bool RefinementBuffer::CreateTexture(vtkOpenGLRenderWindow* window, size_t texels, int components,
   int dataType, vtkOpenGLBufferObject* buffer, int integerFormat, int integerInternalFormat)
 {
-  GLint most = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-  if (texels > static_cast<size_t>(most))
+  if (texels > GetMostTexels())
   {
     return false;
   }

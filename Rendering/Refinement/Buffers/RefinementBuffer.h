@@ -74,8 +74,8 @@ public:
   vtkTypeInt64 GetMemorySize() const { return this->MemorySize; }
   bool IsEmpty() const { return this->Texture == nullptr; }
 
-  /// What to say when a mesh does not fit.
-  static const char* GetTooLarge();
+  /// What to say when a mesh does not fit, with the limit of the current context.
+  static std::string GetTooLarge();
 
 private:
   template <typename T>

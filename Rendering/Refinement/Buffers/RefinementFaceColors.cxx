@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Buffers/RefinementFaceColors.h"
 
+#include "Buffers/RefinementLevelTable.h"
 #include "Buffers/RefinementPatternBuffer.h"
 #include "Evaluation/EdgeTags.h"
 #include "Mesh/RefinementMesh.h"
@@ -50,8 +51,18 @@ bool RefinementFaceColors::UploadPatterns(vtkOpenGLRenderWindow* window, int mod
       table, RefinementLevelTable::GetValue(mode, wholeNumbers, *pattern));
     colors.insert(colors.end(), color.begin(), color.end());
   }
+  return this->UploadColors(window, colors, dependencies);
+}
+
+bool RefinementFaceColors::UploadColors(
+  vtkOpenGLRenderWindow* window, const std::vector<float>& colors, const Dependencies& dependencies)
+{
+  if (!colors.empty() && !this->Colors.Upload(window, colors, 4))
+  {
+    return false;
+  }
   this->ColorDependencies = dependencies;
-  return colors.empty() || this->Colors.Upload(window, colors, 4);
+  return true;
 }
 
 bool RefinementFaceColors::UploadFaces(vtkOpenGLRenderWindow* window, int mode, bool wholeNumbers,
@@ -81,8 +92,7 @@ bool RefinementFaceColors::UploadFaces(vtkOpenGLRenderWindow* window, int mode, 
     }
     colors.insert(colors.end(), color->second.begin(), color->second.end());
   }
-  this->ColorDependencies = dependencies;
-  return colors.empty() || this->Colors.Upload(window, colors, 4);
+  return this->UploadColors(window, colors, dependencies);
 }
 
 bool RefinementFaceColors::UploadTags(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh,
@@ -90,23 +100,28 @@ bool RefinementFaceColors::UploadTags(vtkOpenGLRenderWindow* window, const Refin
 {
   this->Offset = static_cast<float>(offset);
   this->Highest = static_cast<float>(highest);
-  Dependencies tableDependencies;
+  Dependencies tableDependencies = Dependencies::On(highest);
   tableDependencies.AddObject(table);
-  if (this->TableDependencies.Update(tableDependencies))
+  if (this->TableDependencies != tableDependencies)
   {
     const double range[2] = { 0.0, static_cast<double>(highest) };
     if (!this->Table.Upload(window, table, 0.0, range))
     {
       return false;
     }
+    this->TableDependencies = tableDependencies;
   }
   Dependencies tagDependencies;
   tagDependencies.AddObject(&selection, selection.GetLevelsTime());
-  if (this->TagDependencies.Update(tagDependencies))
+  if (this->TagDependencies != tagDependencies)
   {
     const EdgeTags& tags = selection.GetTags();
     this->PerEdge = tags.GetKind() != EdgeTags::PER_POINT;
-    return this->Tags.Upload(window, GetTags(mesh, tags, this->Highest), this->PerEdge ? 3 : 1);
+    if (!this->Tags.Upload(window, GetTags(mesh, tags, this->Highest), this->PerEdge ? 3 : 1))
+    {
+      return false;
+    }
+    this->TagDependencies = tagDependencies;
   }
   return true;
 }

@@ -13,18 +13,14 @@
 
 #include "Buffers/RefinementBuffer.h"     // for members
 #include "Buffers/RefinementColorTable.h" // for members
-#include "Buffers/RefinementLevelTable.h" // for signature
 #include "Core/Dependencies.h"            // for members
 
-#include <vector> // for patterns
+#include <vector> // for colours
 
-class vtkAdaptiveRefinement;
-class vtkPolyData;
 class vtkScalarsToColors;
 
 namespace relevo
 {
-struct RefinementPattern;
 class RefinementMesh;
 class RefinementPatternBuffer;
 class ViewSelection;
@@ -58,6 +54,9 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  bool UploadColors(vtkOpenGLRenderWindow* window, const std::vector<float>& colors,
+    const Dependencies& dependencies);
+
   RefinementBuffer Colors; // of patterns or faces
   RefinementBuffer Tags;
   RefinementColorTable Table;

@@ -70,13 +70,7 @@ RefinementMeshBuffers::~RefinementMeshBuffers() = default;
 bool RefinementMeshBuffers::UploadMesh(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh,
   vtkRefinementSurface* surface, vtkOpenGLVertexBufferObject* positions)
 {
-  this->Error = RefinementBuffer::GetTooLarge();
   this->ReleaseFaces(window);
-  if (!this->Points.Alias(window, positions))
-  {
-    return false;
-  }
-
   std::fill_n(this->PositionShift, 3, 0.0);
   std::fill_n(this->PositionScale, 3, 1.0);
   if (positions->GetCoordShiftAndScaleEnabled())
@@ -84,23 +78,21 @@ bool RefinementMeshBuffers::UploadMesh(vtkOpenGLRenderWindow* window, const Refi
     std::copy_n(positions->GetShift().begin(), 3, this->PositionShift);
     std::copy_n(positions->GetScale().begin(), 3, this->PositionScale);
   }
-  if (!this->UploadPointData(window, mesh, surface) || !this->UploadVectors(window, mesh, surface))
-  {
-    return false;
-  }
-  if (!mesh.Seams.empty())
-  {
-    if (!this->Seams.Upload(window, mesh.Seams, 1))
-    {
-      return false;
-    }
-  }
-  else
+  const bool uploaded = this->Points.Alias(window, positions) &&
+    this->UploadPointData(window, mesh, surface) && this->UploadVectors(window, mesh, surface) &&
+    this->UploadSeams(window, mesh);
+  this->Error = uploaded ? "" : RefinementBuffer::GetTooLarge();
+  return uploaded;
+}
+
+bool RefinementMeshBuffers::UploadSeams(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh)
+{
+  if (mesh.Seams.empty())
   {
     this->Seams.ReleaseGraphicsResources(window);
+    return true;
   }
-  this->Error.clear();
-  return true;
+  return this->Seams.Upload(window, mesh.Seams, 1);
 }
 
 bool RefinementMeshBuffers::UseFaces(int representation)
@@ -208,8 +200,15 @@ bool RefinementMeshBuffers::UploadVectors(
 }
 
 bool RefinementMeshBuffers::UploadHeights(
-  vtkOpenGLRenderWindow* window, vtkHeightField* heights, bool withValidity)
+  vtkOpenGLRenderWindow* window, vtkDisplacement* displacement)
 {
+  if (!displacement)
+  {
+    this->ReleaseHeights(window);
+    return true;
+  }
+  vtkHeightField* heights = displacement->GetHeightMap();
+  const bool withValidity = displacement->HasHoles();
   Dependencies dependencies = Dependencies::On(withValidity);
   dependencies.AddObject(heights, heights ? heights->GetSamplesMTime() : 0);
   if (this->Heights && this->HeightDependencies == dependencies)
@@ -234,12 +233,9 @@ bool RefinementMeshBuffers::UploadHeights(
   }
   const unsigned int width = static_cast<unsigned int>(size[0]);
   const unsigned int height = static_cast<unsigned int>(size[1]);
+  this->ReleaseHeights(window);
   auto create = [&](vtkSmartPointer<vtkTextureObject>& texture, int type, const void* data)
   {
-    if (texture)
-    {
-      texture->ReleaseGraphicsResources(window);
-    }
     texture = vtkSmartPointer<vtkTextureObject>::New();
     texture->SetContext(window);
     texture->SetMinificationFilter(vtkTextureObject::Nearest);
@@ -255,15 +251,10 @@ bool RefinementMeshBuffers::UploadHeights(
     created = create(this->Validity, VTK_UNSIGNED_CHAR, heights->GetValidity()) && created;
     this->HeightMemory += static_cast<vtkTypeInt64>(width) * height;
   }
-  else if (this->Validity)
-  {
-    this->Validity->ReleaseGraphicsResources(window);
-    this->Validity = nullptr;
-  }
   if (!created)
   {
     this->Error = "the height map's texture could not be created";
-    this->Heights = nullptr;
+    this->ReleaseHeights(window);
     return false;
   }
   this->HeightDependencies = dependencies;
@@ -273,7 +264,6 @@ bool RefinementMeshBuffers::UploadHeights(
 bool RefinementMeshBuffers::AliasAttributes(vtkOpenGLRenderWindow* window,
   vtkOpenGLVertexBufferObjectGroup* vbos, const std::vector<std::string>& attributes)
 {
-  this->Error = RefinementBuffer::GetTooLarge();
   for (const std::string& name : attributes)
   {
     vtkOpenGLVertexBufferObject* vbo = vbos->GetVBO(name.c_str());
@@ -288,13 +278,14 @@ bool RefinementMeshBuffers::AliasAttributes(vtkOpenGLRenderWindow* window,
     }
     if (!buffer->Alias(window, vbo))
     {
+      this->Error = RefinementBuffer::GetTooLarge();
       return false;
     }
   }
   return true;
 }
 
-void RefinementMeshBuffers::Describe(
+void RefinementMeshBuffers::FillOptions(
   const RefinementMesh& mesh, RefinementShaderOptions& options) const
 {
   options.VectorsPerEdge = mesh.VectorsPerEdge;
@@ -422,6 +413,11 @@ void RefinementMeshBuffers::ReleaseGraphicsResources(vtkWindow* window)
     attribute.second->ReleaseGraphicsResources(window);
   }
   this->Attributes.clear();
+  this->ReleaseHeights(window);
+}
+
+void RefinementMeshBuffers::ReleaseHeights(vtkWindow* window)
+{
   for (vtkSmartPointer<vtkTextureObject>* texture : { &this->Heights, &this->Validity })
   {
     if (*texture)

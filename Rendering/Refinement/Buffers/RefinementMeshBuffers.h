@@ -19,7 +19,7 @@
 #include <vector> // for members
 
 class vtkAdaptiveRefinement;
-class vtkHeightField;
+class vtkDisplacement;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexBufferObject;
 class vtkOpenGLVertexBufferObjectGroup;
@@ -63,9 +63,11 @@ public:
     const std::vector<int>& primitives, int representation);
 
   /**
-   * Upload the heights if they changed; nullptr for a height of zero everywhere.
+   * Upload the heights of a displacement if they changed, zero everywhere where it has no height
+   * map; without a displacement (nullptr) there are none. False, with GetError(), when the GPU
+   * cannot hold them.
    */
-  bool UploadHeights(vtkOpenGLRenderWindow* window, vtkHeightField* heights, bool withValidity);
+  bool UploadHeights(vtkOpenGLRenderWindow* window, vtkDisplacement* displacement);
 
   /// OpenGL's name of the faces' buffer; 0 for none.
   unsigned int GetFaces() const { return this->Faces ? this->Faces->GetHandle() : 0; }
@@ -75,7 +77,7 @@ public:
     const std::vector<std::string>& attributes);
 
   /// Fill in what the shaders depend on.
-  void Describe(const RefinementMesh& mesh, RefinementShaderOptions& options) const;
+  void FillOptions(const RefinementMesh& mesh, RefinementShaderOptions& options) const;
 
   void Activate(vtkShaderProgram* program);
   void Deactivate();
@@ -100,10 +102,12 @@ private:
   Dependencies HeightDependencies;
   vtkTypeInt64 HeightMemory = 0;
   void ReleaseFaces(vtkWindow* window);
+  void ReleaseHeights(vtkWindow* window);
   bool UploadPointData(
     vtkOpenGLRenderWindow* window, const RefinementMesh& mesh, vtkRefinementSurface* surface);
   bool UploadVectors(
     vtkOpenGLRenderWindow* window, const RefinementMesh& mesh, vtkRefinementSurface* surface);
+  bool UploadSeams(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh);
 
   // Of VTK's vertexMC: (p - shift) * scale.
   double PositionShift[3] = { 0.0, 0.0, 0.0 };

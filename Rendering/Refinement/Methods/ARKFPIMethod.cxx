@@ -21,11 +21,11 @@ bool ARKFPIMethod::Upload(const RefinementDrawing& drawing)
   }
   drawing.Patterns->Load(
     *drawing.Library, drawing.Selection->GetSelection().Groups, drawing.HasLines);
-  this->Error = RefinementBuffer::GetTooLarge();
-  return drawing.Instances->Upload(drawing.Window, drawing.Slot, *drawing.Selection);
+  return drawing.Instances->Upload(drawing.Window, drawing.Slot, *drawing.Selection) ||
+    this->FailForSize();
 }
 
-void ARKFPIMethod::Describe(
+void ARKFPIMethod::FillOptions(
   const RefinementDrawing& drawing, RefinementShaderOptions& options) const
 {
   options.IsIndirect = drawing.ComputeView != nullptr;

@@ -16,7 +16,8 @@ class ARKFPIMethod : public PatternMethod
 public:
   bool TakesComputeSelection() const override { return true; }
   bool Upload(const RefinementDrawing& drawing) override;
-  void Describe(const RefinementDrawing& drawing, RefinementShaderOptions& options) const override;
+  void FillOptions(
+    const RefinementDrawing& drawing, RefinementShaderOptions& options) const override;
   int Draw(
     const RefinementDrawing& drawing, vtkShaderProgram* program, Primitives primitives) override;
 };

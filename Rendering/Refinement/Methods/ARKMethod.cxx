@@ -21,7 +21,8 @@ bool ARKMethod::Upload(const RefinementDrawing& drawing)
   return true;
 }
 
-void ARKMethod::Describe(const RefinementDrawing& drawing, RefinementShaderOptions& options) const
+void ARKMethod::FillOptions(
+  const RefinementDrawing& drawing, RefinementShaderOptions& options) const
 {
   options.IsMorphing = !drawing.Selection->GetSelection().GetMorphTags().empty();
   options.PlacementSource = std::string(relevoPatternVS) + relevoElementVS + relevoPermutedVS;

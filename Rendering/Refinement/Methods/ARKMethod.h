@@ -20,7 +20,8 @@ class ARKMethod : public PatternMethod
 public:
   bool DrawsHiddenFaces() const override { return true; }
   bool Upload(const RefinementDrawing& drawing) override;
-  void Describe(const RefinementDrawing& drawing, RefinementShaderOptions& options) const override;
+  void FillOptions(
+    const RefinementDrawing& drawing, RefinementShaderOptions& options) const override;
   int Draw(
     const RefinementDrawing& drawing, vtkShaderProgram* program, Primitives primitives) override;
 };

@@ -18,7 +18,7 @@ namespace relevo
 std::string DMRMethod::GetObstacle(const PatternFamily& family) const
 {
   return family.AreWholeNumbers()
-    ? "It halves edges, but the recipe asks for whole numbers of segments"
+    ? "it halves edges, but the recipe asks for whole numbers of segments"
     : "";
 }
 
@@ -43,7 +43,7 @@ bool DMRMethod::Upload(const RefinementDrawing& drawing)
   return true;
 }
 
-void DMRMethod::Describe(const RefinementDrawing&, RefinementShaderOptions& options) const
+void DMRMethod::FillOptions(const RefinementDrawing&, RefinementShaderOptions& options) const
 {
   options.PlacementSource = relevoStreamVS;
 }

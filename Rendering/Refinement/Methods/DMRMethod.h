@@ -25,7 +25,8 @@ public:
   bool CanDraw(Primitives primitives) const override;
   bool HasPatterns() const override { return false; }
   bool Upload(const RefinementDrawing& drawing) override;
-  void Describe(const RefinementDrawing& drawing, RefinementShaderOptions& options) const override;
+  void FillOptions(
+    const RefinementDrawing& drawing, RefinementShaderOptions& options) const override;
   int Draw(
     const RefinementDrawing& drawing, vtkShaderProgram* program, Primitives primitives) override;
   vtkIdType GetNumberOfTriangles(const RefinementDrawing& drawing) const override;

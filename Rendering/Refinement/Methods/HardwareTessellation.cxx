@@ -101,14 +101,13 @@ std::string HardwareTessellation::GetMissing() const
 
 bool HardwareTessellation::Upload(const RefinementDrawing& drawing)
 {
-  const bool uploaded =
-    drawing.Instances->Upload(drawing.Window, drawing.Slot, *drawing.Selection) &&
-    this->Segments.Upload(drawing.Window, drawing.Slot, *drawing.Mesh, *drawing.Selection);
-  this->Error = uploaded ? "" : RefinementBuffer::GetTooLarge();
-  return uploaded;
+  return (drawing.Instances->Upload(drawing.Window, drawing.Slot, *drawing.Selection) &&
+           this->Segments.Upload(
+             drawing.Window, drawing.Slot, *drawing.Mesh, *drawing.Selection)) ||
+    this->FailForSize();
 }
 
-void HardwareTessellation::Describe(
+void HardwareTessellation::FillOptions(
   const RefinementDrawing&, RefinementShaderOptions& options) const
 {
   options.PlacementSource = std::string(relevoEdgeSegments) + relevoTessellationTES;

@@ -47,7 +47,8 @@ public:
   bool HasPatterns() const override { return false; }
   bool HasStages() const override { return true; }
   bool Upload(const RefinementDrawing& drawing) override;
-  void Describe(const RefinementDrawing& drawing, RefinementShaderOptions& options) const override;
+  void FillOptions(
+    const RefinementDrawing& drawing, RefinementShaderOptions& options) const override;
   vtkShaderProgram* BuildProgram(const RefinementDrawing& drawing,
     const std::map<vtkShader::Type, vtkShader*>& shaders) override;
   int Draw(

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Methods/RefinementMethod.h"
 
+#include "Buffers/RefinementBuffer.h"
 #include "Methods/ARKFPIMethod.h"
 #include "Methods/ARKMethod.h"
 #include "Methods/DMRMethod.h"
@@ -13,6 +14,12 @@ namespace relevo
 {
 RefinementMethod::RefinementMethod() = default;
 RefinementMethod::~RefinementMethod() = default;
+
+bool RefinementMethod::FailForSize()
+{
+  this->Error = RefinementBuffer::GetTooLarge();
+  return false;
+}
 
 std::unique_ptr<RefinementMethod> RefinementMethod::New(int method)
 {

@@ -77,7 +77,7 @@ public:
   /// What the current context lacks for it, as a clause ("OpenGL 4.0"); empty for nothing.
   virtual std::string GetMissing() const { return {}; }
 
-  /// Why it cannot draw such levels, as a sentence; empty if it can.
+  /// Why it cannot draw such levels, as a clause ("it halves edges ..."); empty if it can.
   virtual std::string GetObstacle(const PatternFamily&) const { return {}; }
 
   /// Whether it draws these primitives, with its own picture of a wireframe.
@@ -100,7 +100,7 @@ public:
   const std::string& GetError() const { return this->Error; }
 
   /// Fill in what the shaders depend on.
-  virtual void Describe(
+  virtual void FillOptions(
     const RefinementDrawing& drawing, RefinementShaderOptions& options) const = 0;
 
   /// Whether its shaders run in stages that VTK's programs do not have: BuildProgram() makes them.
@@ -135,6 +135,9 @@ public:
 
 protected:
   RefinementMethod();
+
+  /// Say that the mesh does not fit into buffer textures; returns false.
+  bool FailForSize();
 
   std::string Error;
 };

@@ -24,10 +24,11 @@ int SUAPTMethod::GetSegments(const PatternSelection& selection, int face, int) c
 bool SUAPTMethod::Upload(const RefinementDrawing& drawing)
 {
   return this->UniformMethod::Upload(drawing) &&
-    this->Edges.Upload(drawing.Window, drawing.Slot, *drawing.Mesh, *drawing.Selection);
+    (this->Edges.Upload(drawing.Window, drawing.Slot, *drawing.Mesh, *drawing.Selection) ||
+      this->FailForSize());
 }
 
-void SUAPTMethod::Describe(const RefinementDrawing&, RefinementShaderOptions& options) const
+void SUAPTMethod::FillOptions(const RefinementDrawing&, RefinementShaderOptions& options) const
 {
   options.PlacementSource =
     std::string(relevoPatternVS) + relevoInstancedVS + relevoEdgeSegments + relevoSnappedVS;

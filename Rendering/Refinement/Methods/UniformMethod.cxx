@@ -69,16 +69,20 @@ bool UniformMethod::Upload(const RefinementDrawing& drawing)
   std::vector<unsigned int> instances;
   if (slot.GroupsTime != time)
   {
+    slot.GroupsTime = 0;
     slot.Groups.clear();
     this->Group(drawing, instances, slot.Groups);
-    slot.GroupsTime = time;
   }
   drawing.Patterns->Load(*drawing.Library, slot.Groups, drawing.HasLines);
-  this->Error = RefinementBuffer::GetTooLarge();
-  return this->Instances.Upload(drawing.Window, drawing.Slot, instances, time);
+  if (!this->Instances.Upload(drawing.Window, drawing.Slot, instances, time))
+  {
+    return this->FailForSize();
+  }
+  slot.GroupsTime = time;
+  return true;
 }
 
-void UniformMethod::Describe(const RefinementDrawing&, RefinementShaderOptions& options) const
+void UniformMethod::FillOptions(const RefinementDrawing&, RefinementShaderOptions& options) const
 {
   options.PlacementSource = std::string(relevoPatternVS) + relevoInstancedVS + relevoPermutedVS;
 }

@@ -22,7 +22,8 @@ class UniformMethod : public PatternMethod
 {
 public:
   bool Upload(const RefinementDrawing& drawing) override;
-  void Describe(const RefinementDrawing& drawing, RefinementShaderOptions& options) const override;
+  void FillOptions(
+    const RefinementDrawing& drawing, RefinementShaderOptions& options) const override;
   int Draw(
     const RefinementDrawing& drawing, vtkShaderProgram* program, Primitives primitives) override;
   vtkIdType GetNumberOfTriangles(const RefinementDrawing& drawing) const override;

@@ -318,10 +318,18 @@ void RefineFragmentShader(const RefinementShaderOptions& options, const ShaderPu
 }
 }
 
-std::string RefinementShaderOptions::GetKey() const
+Dependencies RefinementShaderOptions::GetKey() const
 {
-  return GetDefines(*this, false, false) + this->PlacementSource + this->SurfaceSource +
-    this->Extension.Declarations + this->Extension.Statements + this->Extension.Key;
+  Dependencies key =
+    Dependencies::On(GetDefines(*this, false, false), this->PlacementSource, this->SurfaceSource,
+      this->Extension.Declarations, this->Extension.Statements, this->Extension.Key);
+  for (const ShaderVarying& varying : this->Extension.Varyings)
+  {
+    key.Add(varying.Qualifier);
+    key.Add(varying.Type);
+    key.Add(varying.Name);
+  }
+  return key;
 }
 
 void MarkColors(const RefinementShaderOptions& options, const ShaderPurpose& purpose,

@@ -8,6 +8,8 @@
 #ifndef RefinementShaderOptions_h
 #define RefinementShaderOptions_h
 
+#include "Core/Dependencies.h" // for GetKey
+
 #include <string> // for members
 #include <vector> // for members
 
@@ -32,7 +34,7 @@ enum RefinementColorMode
 };
 
 /// A value handed from the vertex shader to the fragments, through a geometry shader if there is
-/// one. VTK's naming: NameVSOutput, which it turns into NameGSOutput behind a geometry shader.
+/// one. VTK's naming: NameVSOutput, which it turns into NameGSOutput after a geometry shader.
 struct ShaderVarying
 {
   std::string Qualifier; // "flat " or nothing
@@ -81,8 +83,8 @@ struct RefinementShaderOptions
   int ColorMode = COLOR_BY_SCALARS;
   ShaderExtension Extension;
 
-  /// Everything above in one line, to compare.
-  std::string GetKey() const;
+  /// Everything above, to compare.
+  Dependencies GetKey() const;
 };
 }
 

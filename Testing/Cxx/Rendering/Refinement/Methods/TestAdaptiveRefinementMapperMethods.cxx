@@ -267,7 +267,7 @@ void TestSubstitute(RelevoCheck& check, RelevoComparison& comparison)
   subject.Recipe->SetSegmentPolicyToWholeNumbers();
   const RelevoPicture expected = subject.Draw(Mapper::METHOD_ARKFPI);
   const RelevoPicture actual = subject.Draw(Mapper::METHOD_DMR);
-  CHECK(errors.Said("DMR cannot be used: It halves edges"));
+  CHECK(errors.Said("DMR cannot be used: it halves edges"));
   CHECK(mapper->GetMethod() == Mapper::METHOD_DMR);
   CHECK(mapper->GetMethodInUse() == Mapper::METHOD_ARKFPI);
   comparison.Compare("WholeNumbers", RelevoTolerance(), actual, expected);
