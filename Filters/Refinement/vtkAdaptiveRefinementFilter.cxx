@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveRefinementFilter.h"
 
-#include "Core/LatestTime.h"
-#include "Core/RefinementView.h"
 #include "Core/SettingChecks.h"
 #include "Core/VTKCompatibility.h"
 #include "Evaluation/PatternSelection.h"
@@ -11,15 +9,15 @@
 #include "Evaluation/RefinementPreparation.h"
 #include "Mesh/RefinementMesh.h"
 #include "Metrics/TagSource.h"
+#include "Metrics/ViewTime.h"
 #include "vtkAdaptiveRefinement.h"
-#include "vtkCamera.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
+#include <algorithm>
 #include <new>
 #include <string>
 #include <vector>
@@ -61,15 +59,21 @@ void vtkAdaptiveRefinementFilter::SetViewportSize(int width, int height)
 
 vtkMTimeType vtkAdaptiveRefinementFilter::GetMTime()
 {
-  return relevo::GetLatestTime(this->Superclass::GetMTime(),
-    { this->Refinement.Get(), this->Camera.Get(), this->ModelToWorld.Get() });
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->Refinement
+    ? std::max({ own, this->Refinement->GetMTime(),
+        relevo::GetViewTime(this->Refinement->GetMetric(), this->MakeView()) })
+    : own;
+}
+
+relevo::RefinementView vtkAdaptiveRefinementFilter::MakeView() const
+{
+  return { this->Camera, this->ModelToWorld, { this->ViewportSize[0], this->ViewportSize[1] } };
 }
 
 bool vtkAdaptiveRefinementFilter::Prepare(
   vtkPolyData* input, relevo::RefinementMesh& mesh, relevo::PatternSelection& selection)
 {
-  const relevo::RefinementView view{ this->Camera, this->ModelToWorld,
-    { this->ViewportSize[0], this->ViewportSize[1] } };
   std::string error;
   std::string warning;
   const bool prepared = relevo::PrepareMesh(input, this->Refinement, mesh, error, warning);
@@ -78,8 +82,8 @@ bool vtkAdaptiveRefinementFilter::Prepare(
     vtkWarningMacro(<< warning);
   }
   if (!prepared ||
-    !relevo::SelectPatterns(
-      input, this->Refinement, view, mesh, this->Sources->Find(input), selection, error))
+    !relevo::SelectPatterns(input, this->Refinement, this->MakeView(), mesh,
+      this->Sources->Find(input), selection, error))
   {
     vtkErrorMacro(<< error);
     return false;

@@ -51,14 +51,13 @@ class vtkAdaptiveRefinement;
 class vtkCamera;
 class vtkMatrix4x4;
 
-#ifndef __VTK_WRAP__
 namespace relevo
 {
+struct RefinementView;
 class PatternSelection;
 class RefinementMesh;
 class TagSources;
 }
-#endif
 
 class RELEVOFILTERSREFINEMENT_EXPORT vtkAdaptiveRefinementFilter : public vtkPolyDataAlgorithm
 {
@@ -102,7 +101,8 @@ public:
   //@}
 
   /**
-   * Latest change of the filter, its recipe or its camera.
+   * Latest change of the filter, its recipe or, for metrics that depend on them, Camera and
+   * ModelToWorld.
    */
   vtkMTimeType GetMTime() override;
 
@@ -119,13 +119,13 @@ protected:
   int ViewportSize[2] = { 300, 300 };
 
 private:
-#ifndef __VTK_WRAP__
+  relevo::RefinementView MakeView() const;
+
   /// Check everything and select levels; false after an ErrorEvent.
   bool Prepare(
     vtkPolyData* input, relevo::RefinementMesh& mesh, relevo::PatternSelection& selection);
 
   std::unique_ptr<relevo::TagSources> Sources;
-#endif
 
   vtkAdaptiveRefinementFilter(const vtkAdaptiveRefinementFilter&) = delete;
   void operator=(const vtkAdaptiveRefinementFilter&) = delete;

@@ -4,7 +4,6 @@
 
 #include "Core/PointPlaces.h"
 #include "Core/RefinementMathematics.h"
-#include "Core/RefinementView.h"
 #include "Core/SettingChecks.h"
 #include "Core/VTKCompatibility.h"
 #include "Mesh/SurfaceEdges.h"
@@ -12,7 +11,7 @@
 #include "Metrics/MetricEvaluator.h"
 #include "Metrics/MetricMesh.h"
 #include "Metrics/TagSource.h"
-#include "vtkCamera.h"
+#include "Metrics/ViewTime.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
@@ -89,6 +88,13 @@ vtkCamera* vtkDepthTagFilter::GetCamera()
   return this->Camera;
 }
 
+vtkCxxSetSmartPointerMacro(vtkDepthTagFilter, ModelToWorld, vtkMatrix4x4);
+
+vtkMatrix4x4* vtkDepthTagFilter::GetModelToWorld()
+{
+  return this->ModelToWorld;
+}
+
 void vtkDepthTagFilter::SetViewportSize(int width, int height)
 {
   relevo::SetPixelSize(this, "ViewportSize", this->ViewportSize, width, height);
@@ -107,16 +113,10 @@ void vtkDepthTagFilter::SetLevelRule(int rule)
 
 vtkMTimeType vtkDepthTagFilter::GetMTime()
 {
-  vtkMTimeType time = this->Superclass::GetMTime();
-  if (this->Metric)
-  {
-    time = std::max(time, this->Metric->GetMTime());
-    if (this->Camera && this->Metric->IsViewDependent())
-    {
-      time = std::max(time, this->Camera->GetMTime());
-    }
-  }
-  return time;
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->Metric ? std::max({ own, this->Metric->GetMTime(),
+                          relevo::GetViewTime(this->Metric, this->MakeView()) })
+                      : own;
 }
 
 int vtkDepthTagFilter::RequestData(
@@ -171,11 +171,9 @@ bool vtkDepthTagFilter::ComputeTags(vtkPolyData* input, vtkFloatArray* tags)
   return true;
 }
 
-relevo::RefinementView vtkDepthTagFilter::MakeView()
+relevo::RefinementView vtkDepthTagFilter::MakeView() const
 {
-  const relevo::RefinementView view{ this->Camera, nullptr,
-    { this->ViewportSize[0], this->ViewportSize[1] } };
-  return view;
+  return { this->Camera, this->ModelToWorld, { this->ViewportSize[0], this->ViewportSize[1] } };
 }
 
 void vtkDepthTagFilter::ReportMetric()
@@ -241,6 +239,7 @@ void vtkDepthTagFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Metric: " << this->Metric.Get() << "\n";
   os << indent << "Camera: " << this->Camera.Get() << "\n";
+  os << indent << "ModelToWorld: " << this->ModelToWorld.Get() << "\n";
   os << indent << "ViewportSize: " << this->ViewportSize[0] << " x " << this->ViewportSize[1]
      << "\n";
   os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";

@@ -38,6 +38,7 @@
 class vtkCamera;
 class vtkFloatArray;
 class vtkIntArray;
+class vtkMatrix4x4;
 class vtkPolyData;
 
 namespace relevo
@@ -63,7 +64,7 @@ public:
 
   //@{
   /**
-   * The camera, for metrics that depend on the view; the mesh is taken to be in world coordinates.
+   * The camera for metrics that depend on the view, in world coordinates.
    */
   void SetCamera(vtkCamera* camera);
   vtkCamera* GetCamera();
@@ -77,6 +78,14 @@ public:
   void SetViewportSize(int width, int height);
   void SetViewportSize(const int size[2]) { this->SetViewportSize(size[0], size[1]); }
   vtkGetVector2Macro(ViewportSize, int);
+  //@}
+
+  //@{
+  /**
+   * From the input's coordinates to the camera's world (an actor's matrix); none means identity.
+   */
+  void SetModelToWorld(vtkMatrix4x4* matrix);
+  vtkMatrix4x4* GetModelToWorld();
   //@}
 
   //@{
@@ -102,7 +111,8 @@ public:
   //@}
 
   /**
-   * Includes the metric's time, and the camera's where the metric depends on the view.
+   * Latest change of the filter, its metric or, where the metric depends on them, Camera and
+   * ModelToWorld.
    */
   vtkMTimeType GetMTime() override;
 
@@ -115,6 +125,7 @@ protected:
 
   vtkSmartPointer<vtkDepthTagMetric> Metric;
   vtkSmartPointer<vtkCamera> Camera;
+  vtkSmartPointer<vtkMatrix4x4> ModelToWorld;
   int ViewportSize[2] = { 300, 300 };
   int MaximumLevel = 3;
   int LevelRule = vtkDepthTagMetric::PER_VERTEX;
@@ -123,7 +134,7 @@ private:
   vtkDepthTagFilter(const vtkDepthTagFilter&) = delete;
   void operator=(const vtkDepthTagFilter&) = delete;
 
-  relevo::RefinementView MakeView();
+  relevo::RefinementView MakeView() const;
   void ReportMetric();
   bool ComputeTags(vtkPolyData* input, vtkFloatArray* tags);
   bool TakeTags(vtkPolyData* input, vtkFloatArray* tags);

@@ -3,8 +3,6 @@
 #include "vtkRefinedCellLocator.h"
 
 #include "Core/Dependencies.h"
-#include "Core/LatestTime.h"
-#include "Core/RefinementView.h"
 #include "Core/SettingChecks.h"
 #include "Evaluation/PatternSelection.h"
 #include "Evaluation/RefinementPreparation.h"
@@ -12,14 +10,13 @@
 #include "Intersection/RefinedSurface.h"
 #include "Mesh/RefinementMesh.h"
 #include "Metrics/TagSource.h"
+#include "Metrics/ViewTime.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkBoundingBox.h"
-#include "vtkCamera.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkMath.h"
-#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -46,8 +43,12 @@ struct vtkRefinedCellLocator::vtkInternals
   std::shared_ptr<relevo::TagSource> Tags = std::make_shared<relevo::TagSource>();
   relevo::RefinedSurface Surface;
   relevo::Dependencies MeshDependencies;
-  relevo::Dependencies SurfaceDependencies;
   bool Valid = false;
+
+  // What the surface was made of. Queries in several threads compare it: they may not write.
+  const vtkDataSet* Input = nullptr; // to compare, never read
+  vtkMTimeType InputTime = 0;
+  vtkMTimeType SettingsTime = 0;
 
   vtkIdType CountOtherCells(vtkPolyData* input) const
   {
@@ -61,7 +62,9 @@ struct vtkRefinedCellLocator::vtkInternals
     vtkBoundingBox box;
     for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
     {
-      box.AddPoint(input->GetPoint(points->GetId(i)));
+      double point[3]; // GetPoint(id) alone has one place for all threads
+      input->GetPoint(points->GetId(i), point);
+      box.AddPoint(point);
     }
     return box;
   }
@@ -116,22 +119,34 @@ void vtkRefinedCellLocator::SetViewportSize(int width, int height)
 
 vtkMTimeType vtkRefinedCellLocator::GetMTime()
 {
-  return relevo::GetLatestTime(this->Superclass::GetMTime(),
-    { this->Refinement.Get(), this->Camera.Get(), this->ModelToWorld.Get() });
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->Refinement
+    ? std::max({ own, this->Refinement->GetMTime(),
+        relevo::GetViewTime(this->Refinement->GetMetric(), this->MakeView()) })
+    : own;
+}
+
+relevo::RefinementView vtkRefinedCellLocator::MakeView() const
+{
+  return { this->Camera, this->ModelToWorld, { this->ViewportSize[0], this->ViewportSize[1] } };
 }
 
 //------------------------------------------------------------------------------
 // The search structure
 
-bool vtkRefinedCellLocator::UpdateSurface(bool anew)
+bool vtkRefinedCellLocator::UpdateSurface()
 {
   vtkInternals& data = *this->Internals;
-  relevo::Dependencies dependencies = relevo::Dependencies::On(this->GetMTime());
-  dependencies.AddObject(this->DataSet);
-  if (!data.SurfaceDependencies.Update(dependencies) && !anew)
+  const vtkMTimeType settingsTime = this->GetMTime();
+  const vtkMTimeType inputTime = this->DataSet ? this->DataSet->GetMTime() : 0;
+  if (data.SettingsTime == settingsTime && data.Input == this->DataSet &&
+    data.InputTime == inputTime)
   {
     return data.Valid;
   }
+  data.SettingsTime = settingsTime;
+  data.Input = this->DataSet;
+  data.InputTime = inputTime;
   vtkPolyData* input = vtkPolyData::SafeDownCast(this->DataSet);
   data.Valid = false;
   if (!input)
@@ -172,11 +187,9 @@ bool vtkRefinedCellLocator::Prepare(vtkPolyData* input)
   {
     vtkWarningMacro(<< warning);
   }
-  const relevo::RefinementView view{ this->Camera, this->ModelToWorld,
-    { this->ViewportSize[0], this->ViewportSize[1] } };
   valid = valid &&
     relevo::SelectPatterns(
-      input, this->Refinement, view, data.Mesh, data.Tags, data.Selection, error);
+      input, this->Refinement, this->MakeView(), data.Mesh, data.Tags, data.Selection, error);
   if (!valid)
   {
     vtkErrorMacro(<< error);
@@ -189,13 +202,14 @@ bool vtkRefinedCellLocator::Prepare(vtkPolyData* input)
 
 void vtkRefinedCellLocator::BuildLocator()
 {
-  this->UpdateSurface(false);
+  this->UpdateSurface();
 }
 
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
 void vtkRefinedCellLocator::ForceBuildLocator()
 {
-  this->UpdateSurface(true);
+  this->FreeSearchStructure();
+  this->UpdateSurface();
 }
 #endif
 
@@ -207,7 +221,7 @@ void vtkRefinedCellLocator::FreeSearchStructure()
 void vtkRefinedCellLocator::GenerateRepresentation(int, vtkPolyData* pd)
 {
   pd->Initialize();
-  if (!this->UpdateSurface(false))
+  if (!this->UpdateSurface())
   {
     return;
   }
@@ -228,7 +242,7 @@ int vtkRefinedCellLocator::IntersectWithLine(const double p1[3], const double p2
   double& t, double x[3], double pcoords[3], int& subId, vtkIdType& cellId, vtkGenericCell* cell)
 {
   cellId = -1;
-  if (!this->UpdateSurface(false))
+  if (!this->UpdateSurface())
   {
     return 0;
   }
@@ -278,7 +292,7 @@ int vtkRefinedCellLocator::FindHits(
   {
     cellIds->Reset();
   }
-  if (!this->UpdateSurface(false))
+  if (!this->UpdateSurface())
   {
     return 0;
   }
@@ -369,7 +383,7 @@ vtkIdType vtkRefinedCellLocator::FindClosestPointWithinRadius(double x[3], doubl
 {
   cellId = -1;
   inside = 0;
-  if (!this->UpdateSurface(false))
+  if (!this->UpdateSurface())
   {
     return 0;
   }
@@ -412,7 +426,7 @@ vtkIdType vtkRefinedCellLocator::FindClosestPointWithinRadius(double x[3], doubl
 void vtkRefinedCellLocator::FindCellsWithinBounds(double* bbox, vtkIdList* cells)
 {
   cells->Reset();
-  if (!this->UpdateSurface(false))
+  if (!this->UpdateSurface())
   {
     return;
   }
@@ -432,7 +446,7 @@ void vtkRefinedCellLocator::FindCellsAlongLine(
   const double p1[3], const double p2[3], double tolerance, vtkIdList* cells)
 {
   cells->Reset();
-  if (!this->UpdateSurface(false))
+  if (!this->UpdateSurface())
   {
     return;
   }

@@ -40,6 +40,11 @@ class vtkMatrix4x4;
 class vtkPoints;
 class vtkPolyData;
 
+namespace relevo
+{
+struct RefinementView;
+}
+
 class RELEVOFILTERSREFINEMENT_EXPORT vtkRefinedCellLocator : public vtkAbstractCellLocator
 {
 public:
@@ -76,9 +81,14 @@ public:
    * Width and height of the viewport in pixels, (300, 300) by default. Less than 1 is an error.
    */
   void SetViewportSize(int width, int height);
+  void SetViewportSize(const int size[2]) { this->SetViewportSize(size[0], size[1]); }
   vtkGetVector2Macro(ViewportSize, int);
   //@}
 
+  /**
+   * Latest change of the locator, its recipe or, for metrics that depend on them, Camera and
+   * ModelToWorld.
+   */
   vtkMTimeType GetMTime() override;
 
   using vtkAbstractCellLocator::FindClosestPoint;
@@ -148,6 +158,9 @@ public:
   void FreeSearchStructure() override;
   //@}
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  /**
+   * Build all of it anew, though nothing says that it has changed.
+   */
   void ForceBuildLocator() override;
 #endif
 
@@ -166,7 +179,8 @@ private:
 
   struct vtkInternals;
 
-  bool UpdateSurface(bool anew);
+  relevo::RefinementView MakeView() const;
+  bool UpdateSurface();
   bool Prepare(vtkPolyData* input);
   /// As IntersectWithLine() without `tol`.
   int FindHits(

@@ -34,7 +34,7 @@ vtkIdType MeshProbe::FindFace(
 {
   vtkCamera* camera = renderer->GetActiveCamera();
   this->Locator->SetCamera(camera);
-  this->Locator->SetViewportSize(renderer->GetSize()[0], renderer->GetSize()[1]);
+  this->Locator->SetViewportSize(renderer->GetSize());
   const double depths = 1e-3; // what a pixel's depth may be off by, of the distance
   double start[3];
   double end[3];

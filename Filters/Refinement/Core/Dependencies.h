@@ -66,11 +66,14 @@ public:
     this->AddObject(object, object ? object->GetMTime() : 0);
   }
 
-  /// Become those of now. Returns whether they are others.
+  /// Become those of now. Returns whether they are others; writes nothing where they are the same.
   bool Update(const Dependencies& now)
   {
     const bool changed = *this != now;
-    *this = now;
+    if (changed)
+    {
+      *this = now;
+    }
     return changed;
   }
 
