@@ -117,10 +117,9 @@ void vtkAdaptiveRefinement::SetPatternTable(vtkRefinementPatternTable* table)
     return;
   }
   this->PatternTable = table;
-  if (!this->PatternTable)
+  if (!table)
   {
-    this->PatternTable = vtkSmartPointer<vtkRefinementPatternTable>::New();
-    this->PatternTable->SetMaximumLevel(vtkRefinementPatternTable::HighestLevel);
+    this->PatternTable = vtkRefinementPatternTable::MakeDefault();
   }
   this->Modified();
 }

@@ -170,8 +170,8 @@ public:
   //@{
   /**
    * The patterns, shared by all that evaluate this recipe; by default those of a table of its own
-   * that has all levels. Recipes that are given one table share its patterns: each is made once and
-   * kept once. nullptr brings a new default table.
+   * that has all levels. A pattern of these default tables is made once and kept once for all
+   * recipes, as one is of a table that recipes are given. nullptr brings a new default table.
    */
   void SetPatternTable(vtkRefinementPatternTable* table);
   vtkRefinementPatternTable* GetPatternTable();

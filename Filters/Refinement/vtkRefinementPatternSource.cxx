@@ -45,10 +45,9 @@ void vtkRefinementPatternSource::SetTable(vtkRefinementPatternTable* table)
     return;
   }
   this->Table = table;
-  if (!this->Table)
+  if (!table)
   {
-    this->Table = vtkSmartPointer<vtkRefinementPatternTable>::New();
-    this->Table->SetMaximumLevel(vtkRefinementPatternTable::HighestLevel);
+    this->Table = vtkRefinementPatternTable::MakeDefault();
   }
   this->Modified();
 }

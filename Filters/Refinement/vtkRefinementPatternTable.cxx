@@ -3,8 +3,10 @@
 #include "vtkRefinementPatternTable.h"
 
 #include "Core/SettingChecks.h"
+#include "Patterns/CanonicalOrder.h"
 #include "Patterns/PatternBorder.h"
 #include "Patterns/PatternLibrary.h"
+#include "Patterns/PatternStore.h"
 #include "Patterns/RefinementPattern.h"
 #include "Patterns/RefinementPatternFile.h"
 #include "vtkCellArray.h"
@@ -20,6 +22,8 @@
 #include <utility>
 #include <vector>
 
+static_assert(vtkRefinementPatternTable::HighestLevel == relevo::HighestLevel, "one limit");
+
 vtkStandardNewMacro(vtkRefinementPatternTable);
 
 vtkRefinementPatternTable::vtkRefinementPatternTable()
@@ -28,6 +32,15 @@ vtkRefinementPatternTable::vtkRefinementPatternTable()
 }
 
 vtkRefinementPatternTable::~vtkRefinementPatternTable() = default;
+
+vtkSmartPointer<vtkRefinementPatternTable> vtkRefinementPatternTable::MakeDefault()
+{
+  auto table = vtkSmartPointer<vtkRefinementPatternTable>::New();
+  table->Library =
+    std::make_shared<const relevo::PatternLibrary>(relevo::PatternStore::GetShared());
+  table->SetMaximumLevel(HighestLevel);
+  return table;
+}
 
 void vtkRefinementPatternTable::SetMaximumLevel(int level)
 {
@@ -43,32 +56,22 @@ int vtkRefinementPatternTable::GetNumberOfPatterns()
 
 int vtkRefinementPatternTable::Canonicalize(int ijk[3])
 {
-  int lambda = 0;
-  auto order = [&](int first, int second, int weight)
-  {
-    if (ijk[first] < ijk[second])
-    {
-      std::swap(ijk[first], ijk[second]);
-      lambda += weight;
-    }
-  };
-  order(0, 1, 1);
-  order(0, 2, 2);
-  order(1, 2, 4);
-  return lambda;
+  return relevo::Canonicalize(ijk);
 }
 
 void vtkRefinementPatternTable::GetPermutation(int lambda, int permutation[3])
 {
-  // lambda = 3 cannot occur: it reads the pattern as it is.
-  static constexpr int Permutations[8][3] = { { 0, 1, 2 }, { 2, 1, 0 }, { 0, 2, 1 }, { 0, 1, 2 },
-    { 1, 0, 2 }, { 2, 0, 1 }, { 1, 2, 0 }, { 0, 2, 1 } };
-  std::copy(Permutations[lambda & 7], Permutations[lambda & 7] + 3, permutation);
+  relevo::GetPermutation(lambda, permutation);
 }
 
 bool vtkRefinementPatternTable::IsOdd(int lambda)
 {
-  return lambda == 1 || lambda == 2 || lambda == 4 || lambda == 7;
+  return relevo::IsOdd(lambda);
+}
+
+int vtkRefinementPatternTable::GetPatternIndex(int i, int j, int k)
+{
+  return relevo::GetPatternIndex(i, j, k);
 }
 
 std::shared_ptr<const relevo::RefinementPattern> vtkRefinementPatternTable::GetPatternOfSegments(

@@ -27,6 +27,7 @@
 
 #include "RelevoFiltersRefinementModule.h" // for export macro
 #include "vtkObject.h"
+#include "vtkSmartPointer.h" // for MakeDefault()
 
 #include <memory> // for pointers
 
@@ -92,7 +93,8 @@ public:
   static bool IsOdd(int lambda);
 
   /**
-   * Bytes held by the patterns made so far, those that morph included.
+   * Bytes held by the patterns made so far, those that morph included; of the table that a recipe
+   * brings, by those of all such tables.
    */
   vtkTypeInt64 GetMemorySize();
 
@@ -121,12 +123,15 @@ public:
    * Position of the canonical levels i >= j >= k in a list of all patterns: the order [0,0,0],
    * [1,0,0], [1,1,0], [1,1,1], [2,0,0], ..., which does not depend on MaximumLevel.
    */
-  static int GetPatternIndex(int i, int j, int k)
-  {
-    return i * (i + 1) * (i + 2) / 6 + j * (j + 1) / 2 + k;
-  }
+  static int GetPatternIndex(int i, int j, int k);
 
 #ifndef __VTK_WRAP__
+  /**
+   * A table of all levels. Patterns that such tables make are made once and kept once for all of
+   * them, as long as there is one.
+   */
+  static vtkSmartPointer<vtkRefinementPatternTable> MakeDefault();
+
   /**
    * The canonical pattern with segments 128 >= n1 >= n2 >= n3 >= 1 on its edges. Made on first use,
    * in 20 ms at most on an ordinary machine; safe to call from several threads. Who has the pointer

@@ -9,6 +9,8 @@
 #ifndef PatternBorder_h
 #define PatternBorder_h
 
+#include "Patterns/CanonicalOrder.h"
+
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -16,7 +18,7 @@
 namespace relevo
 {
 /// The most segments an edge may have.
-constexpr int MaximumNumberOfSegments = 128;
+constexpr int MaximumNumberOfSegments = 1 << HighestLevel;
 
 /// A vertex's weights for (P1, P2, P3), in units that the user chooses.
 using PatternWeights = std::array<std::int64_t, 3>;

@@ -3,7 +3,7 @@
 #include "Patterns/PatternFamily.h"
 
 #include "Core/CornerOrder.h"
-#include "vtkRefinementPatternTable.h"
+#include "Patterns/CanonicalOrder.h"
 
 #include <utility>
 
@@ -23,11 +23,11 @@ unsigned int MakeCanonicalEntry(int order, int step01, int step12, int step02)
   {
     steps[(corners[j] + 1) % 3] = lacking[j];
   }
-  const int lambda = vtkRefinementPatternTable::Canonicalize(steps);
+  const int lambda = Canonicalize(steps);
   int permutation[3];
-  vtkRefinementPatternTable::GetPermutation(lambda, permutation);
-  const int pattern = vtkRefinementPatternTable::GetPatternIndex(steps[0], steps[1], steps[2]);
-  const int key = 2 * pattern + (vtkRefinementPatternTable::IsOdd(lambda) ? 1 : 0);
+  GetPermutation(lambda, permutation);
+  const int pattern = GetPatternIndex(steps[0], steps[1], steps[2]);
+  const int key = 2 * pattern + (IsOdd(lambda) ? 1 : 0);
   return static_cast<unsigned int>(key << 3 |
     GetCornerOrderCode(permutation[corners[0]], permutation[corners[1]], permutation[corners[2]]));
 }

@@ -2,18 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Patterns/PatternLibrary.h"
 
+#include "Patterns/CanonicalOrder.h"
 #include "Patterns/PatternFamily.h"
 #include "Patterns/PatternStore.h"
-#include "vtkRefinementPatternTable.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace relevo
 {
 PatternLibrary::PatternLibrary()
-  : HighestLevel(vtkRefinementPatternTable::HighestLevel)
-  , Store(std::make_shared<PatternStore>())
+  : PatternLibrary(std::make_shared<PatternStore>())
+{
+}
+
+PatternLibrary::PatternLibrary(std::shared_ptr<PatternStore> store)
+  : HighestLevel(relevo::HighestLevel)
+  , Store(std::move(store))
 {
   this->MakeTime.Modified();
 }
@@ -79,14 +83,6 @@ std::shared_ptr<const PatternFamily> PatternLibrary::MakeFamily(Families family)
 PatternLibrary::Pattern PatternLibrary::GetPatternOfSegments(int n1, int n2, int n3) const
 {
   return this->Store->GetCanonical({ n1, n2, n3 });
-}
-
-PatternLibrary::Pattern PatternLibrary::GetNestedPattern(
-  int level01, int level12, int level02) const
-{
-  const auto clamp = [](int level)
-  { return std::clamp(level, 0, vtkRefinementPatternTable::HighestLevel); };
-  return this->Store->GetNested({ clamp(level01), clamp(level12), clamp(level02) });
 }
 
 vtkTypeInt64 PatternLibrary::GetMemorySize() const

@@ -4,7 +4,8 @@
  * @class   PatternLibrary
  * @brief   hands out patterns by family
  *
- * The families of one library share their patterns, and all who use a library share its families. A
+ * The families of one library share their patterns, and all who use a library share its families.
+ * Libraries may have one PatternStore: they too share their patterns. A
  * library never changes, except that it makes patterns when they are first asked for: a
  * vtkRefinementPatternTable that reads a file takes another library. Patterns and families belong
  * to all who have a pointer to them, and outlive the library. Safe to call from several threads.
@@ -32,8 +33,10 @@ class RELEVOFILTERSREFINEMENT_EXPORT PatternLibrary
 public:
   using Pattern = std::shared_ptr<const RefinementPattern>;
 
-  /// The patterns that RefinementPatternGenerator and NestedPattern make.
+  /// The patterns that RefinementPatternGenerator and NestedPattern make, in a store of its own or
+  /// one that others have too.
   PatternLibrary();
+  explicit PatternLibrary(std::shared_ptr<PatternStore> store);
 
   /// Those of a file: canonical patterns of all levels up to the highest.
   PatternLibrary(
@@ -69,10 +72,7 @@ public:
   /// The canonical pattern with segments 128 >= n1 >= n2 >= n3 >= 1 on its edges.
   Pattern GetPatternOfSegments(int n1, int n2, int n3) const;
 
-  /// The nested pattern of levels in [0, 7]; others are clamped.
-  Pattern GetNestedPattern(int level01, int level12, int level02) const;
-
-  /// Bytes of the patterns made so far.
+  /// Bytes of the patterns made so far, all that are in the store.
   vtkTypeInt64 GetMemorySize() const;
 
 private:

@@ -21,6 +21,20 @@ PatternStore::PatternStore(std::vector<RefinementPattern>&& canonical)
   }
 }
 
+std::shared_ptr<PatternStore> PatternStore::GetShared()
+{
+  static std::mutex mutex;
+  static std::weak_ptr<PatternStore> shared;
+  const std::lock_guard<std::mutex> lock(mutex);
+  std::shared_ptr<PatternStore> store = shared.lock();
+  if (!store)
+  {
+    store = std::make_shared<PatternStore>();
+    shared = store;
+  }
+  return store;
+}
+
 template <typename Make>
 PatternStore::Pattern PatternStore::Get(const Key& key, const Make& make)
 {

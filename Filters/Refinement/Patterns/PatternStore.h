@@ -33,6 +33,9 @@ public:
   /// A store that has these canonical patterns.
   explicit PatternStore(std::vector<RefinementPattern>&& canonical);
 
+  /// The store of all who ask for it, kept as long as one of them keeps it.
+  static std::shared_ptr<PatternStore> GetShared();
+
   /// See vtkRefinementPatternTable::GetPatternOfSegments(), for valid numbers.
   Pattern GetCanonical(const std::array<int, 3>& segments);
 

@@ -15,7 +15,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkRefinementPatternTable.h"
 #include "vtkSmartPointer.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
@@ -138,7 +137,7 @@ std::string Name(const relevo::RefinementPattern& pattern)
 /// Whether MaximumLevel is one that a table can have.
 bool IsLevel(std::int64_t level)
 {
-  return level >= 0 && level <= vtkRefinementPatternTable::HighestLevel;
+  return level >= 0 && level <= relevo::HighestLevel;
 }
 
 /// All patterns for levels up to a maximum, with nothing but their segments.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Patterns/SegmentSteps.h"
 
+#include "Patterns/CanonicalOrder.h"
 #include "Patterns/PatternBorder.h"
-#include "vtkRefinementPatternTable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,8 +45,7 @@ SegmentSteps SegmentSteps::MakeWholeNumbers()
 
 SegmentSteps SegmentSteps::Make(bool wholeNumbers)
 {
-  return wholeNumbers ? MakeWholeNumbers()
-                      : MakePowersOfTwo(vtkRefinementPatternTable::HighestLevel);
+  return wholeNumbers ? MakeWholeNumbers() : MakePowersOfTwo(HighestLevel);
 }
 
 int SegmentSteps::FindStep(int segments) const

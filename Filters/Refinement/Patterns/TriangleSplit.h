@@ -7,8 +7,8 @@
 #ifndef TriangleSplit_h
 #define TriangleSplit_h
 
+#include "Patterns/CanonicalOrder.h"       // for HighestLevel
 #include "RelevoFiltersRefinementModule.h" // for export macro
-#include "vtkRefinementPatternTable.h"     // for HighestLevel
 #include "vtkType.h"                       // for vtkIdType
 
 #include <array> // for Counts
@@ -22,11 +22,11 @@ public:
   using Levels = std::array<int, 3>;
 
   /// Triangles after 0, 1, 2, ... steps.
-  using Counts = std::array<vtkIdType, vtkRefinementPatternTable::HighestLevel + 1>;
+  using Counts = std::array<vtkIdType, HighestLevel + 1>;
 
   /**
    * What becomes of a triangle with so many levels left on its edges (0,1), (1,2), (2,0), each at
-   * most vtkRefinementPatternTable::HighestLevel. Kept for the next call.
+   * most HighestLevel. Kept for the next call.
    */
   const Counts& Count(const Levels& left);
 

@@ -7,6 +7,7 @@
 #include "RelevoPatternCheck.h"
 
 #include "Patterns/FacePattern.h"
+#include "Patterns/PatternFamily.h"
 #include "Patterns/PatternLibrary.h"
 #include "Patterns/RefinementPattern.h"
 #include "vtkRefinementPatternTable.h"
@@ -52,7 +53,13 @@ const relevo::PatternLibrary& GetLibrary()
 
 const relevo::RefinementPattern& GetPattern(Levels levels)
 {
-  return *GetLibrary().GetNestedPattern(levels[0], levels[1], levels[2]);
+  for (int& level : levels)
+  {
+    level = std::clamp(level, 0, vtkRefinementPatternTable::HighestLevel);
+  }
+  const auto family = GetLibrary().GetFamily(relevo::PatternLibrary::NESTED);
+  const unsigned int entry = family->GetEntry(0, levels[0], levels[1], levels[2]);
+  return *family->GetPattern(static_cast<int>(entry >> 3));
 }
 
 Levels Round(const Tags& tags, int maximumLevel)

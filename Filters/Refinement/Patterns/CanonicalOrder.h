@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @brief   levels in descending order, and what it takes to read a pattern in another one
+ *
+ * vtkRefinementPatternTable shows the same to users.
+ */
+#ifndef CanonicalOrder_h
+#define CanonicalOrder_h
+
+namespace relevo
+{
+/// The highest level of an edge.
+constexpr int HighestLevel = 7;
+
+//@{
+/// See vtkRefinementPatternTable.
+int Canonicalize(int ijk[3]);
+void GetPermutation(int lambda, int permutation[3]);
+bool IsOdd(int lambda);
+constexpr int GetPatternIndex(int i, int j, int k)
+{
+  return i * (i + 1) * (i + 2) / 6 + j * (j + 1) / 2 + k;
+}
+//@}
+}
+
+#endif
