@@ -28,7 +28,7 @@ vtkAdaptiveRefinement::~vtkAdaptiveRefinement() = default;
 
 void vtkAdaptiveRefinement::SetMaximumLevel(int level)
 {
-  const int highest = this->PatternTable->GetMaximumLevel();
+  const int highest = this->PatternTable->GetHighestOfRecipes();
   const bool isTableShort = level > highest && level <= vtkRefinementPatternTable::HighestLevel;
   if (relevo::CheckRange(this, "MaximumLevel", level, 0, highest,
         isTableShort ? " The pattern table has no higher level: raise its MaximumLevel, or take "
@@ -43,7 +43,7 @@ void vtkAdaptiveRefinement::SetMaximumLevel(int level)
 
 int vtkAdaptiveRefinement::GetMaximumLevel()
 {
-  return std::min(this->MaximumLevel, this->PatternTable->GetMaximumLevel());
+  return std::min(this->MaximumLevel, this->PatternTable->GetHighestOfRecipes());
 }
 
 void vtkAdaptiveRefinement::SetDepthTagArrayName(const char* name)

@@ -36,9 +36,10 @@ public:
   //@{
   /**
    * The highest level of an edge, 0 to 7, default 3: an edge has at most 2^level segments. A value
-   * outside, or above the pattern table's MaximumLevel, is an error and changes nothing. Where the
-   * table gets a lower MaximumLevel afterwards, as by reading a file, that holds until the table
-   * goes higher again.
+   * outside, or above a MaximumLevel that the pattern table was given or has read from a file, is
+   * an error and changes nothing. Where the table gets a lower one afterwards, or another table has
+   * one, that holds until the table goes higher again; if it is a file's, a warning says so when a
+   * surface is refined.
    */
   void SetMaximumLevel(int level);
   int GetMaximumLevel();
@@ -127,7 +128,8 @@ public:
    * place while the tag rises from half a level below to half a level above (for the last level: to
    * MaximumLevel). GEOMORPHING_OFF (0), GEOMORPHING_ON (1), or GEOMORPHING_AUTOMATIC (2, the
    * default): on for metrics that depend on the view, where patterns can morph. Edges have the same
-   * segments as without; the triangles within a face differ. Needs SegmentPolicy POWERS_OF_TWO.
+   * segments as without; the triangles within a face differ. Needs SegmentPolicy POWERS_OF_TWO:
+   * with WHOLE_NUMBERS nothing morphs, and GEOMORPHING_ON is a warning when a surface is refined.
    * The patterns of a file cannot morph: with those, GEOMORPHING_ON is an error when a surface is
    * refined. Another value is an error and changes nothing.
    */
@@ -181,6 +183,16 @@ public:
    * Latest change of the recipe or of any of its parts.
    */
   vtkMTimeType GetMTime() override;
+
+#ifndef __VTK_WRAP__
+  /**
+   * What SetMaximumLevel() was given, though the pattern table may not go so high.
+   */
+  int GetAskedMaximumLevel() const
+  {
+    return this->MaximumLevel;
+  }
+#endif
 
 protected:
   vtkAdaptiveRefinement();

@@ -88,6 +88,11 @@ bool vtkAdaptiveRefinementFilter::Prepare(
     vtkErrorMacro(<< error);
     return false;
   }
+  const std::string shortfall = relevo::FindNewShortfall(this->Refinement, this->Shortfall);
+  if (!shortfall.empty())
+  {
+    vtkWarningMacro(<< shortfall);
+  }
   return true;
 }
 

@@ -46,6 +46,7 @@
 #include "vtkSmartPointer.h" // for members
 
 #include <memory> // for members
+#include <string> // for members
 
 class vtkAdaptiveRefinement;
 class vtkCamera;
@@ -126,6 +127,7 @@ private:
     vtkPolyData* input, relevo::RefinementMesh& mesh, relevo::PatternSelection& selection);
 
   std::unique_ptr<relevo::TagSources> Sources;
+  std::string Shortfall; // that was warned of
 
   vtkAdaptiveRefinementFilter(const vtkAdaptiveRefinementFilter&) = delete;
   void operator=(const vtkAdaptiveRefinementFilter&) = delete;

@@ -37,6 +37,12 @@ public:
   virtual bool Update() = 0;
 
   /**
+   * Why the last Update() failed, as its ErrorEvent said it; "" where it did not fail. Unless
+   * overridden always "".
+   */
+  virtual const char* GetErrorMessage() { return ""; }
+
+  /**
    * Number of texels in x and y; (0, 0) before a successful Update().
    */
   virtual void GetDimensions(int dimensions[2]) = 0;

@@ -44,6 +44,7 @@ struct vtkRefinedCellLocator::vtkInternals
   relevo::RefinedSurface Surface;
   relevo::Dependencies MeshDependencies;
   bool Valid = false;
+  std::string Shortfall; // that was warned of
 
   // What the surface was made of. Queries in several threads compare it: they may not write.
   const vtkDataSet* Input = nullptr; // to compare, never read
@@ -194,6 +195,11 @@ bool vtkRefinedCellLocator::Prepare(vtkPolyData* input)
   {
     vtkErrorMacro(<< error);
     return false;
+  }
+  const std::string shortfall = relevo::FindNewShortfall(this->Refinement, data.Shortfall);
+  if (!shortfall.empty())
+  {
+    vtkWarningMacro(<< shortfall);
   }
   data.Surface.Update(
     data.Mesh, data.MeshTime, this->Refinement, input->GetPointData()->GetNormals());

@@ -45,8 +45,13 @@ vtkSmartPointer<vtkRefinementPatternTable> vtkRefinementPatternTable::MakeDefaul
 void vtkRefinementPatternTable::SetMaximumLevel(int level)
 {
   const int highest = this->Library->GetHighestLevel();
-  relevo::SetInRange(this, "MaximumLevel", this->MaximumLevel, level, 0, highest,
-    highest < HighestLevel ? " The file that was read has no higher level." : "");
+  if (relevo::CheckRange(this, "MaximumLevel", level, 0, highest,
+        highest < HighestLevel ? " The file that was read has no higher level." : "") &&
+    (this->MaximumLevel != level || this->HighestOfRecipes != level))
+  {
+    this->MaximumLevel = this->HighestOfRecipes = level;
+    this->Modified();
+  }
 }
 
 int vtkRefinementPatternTable::GetNumberOfPatterns()
@@ -186,7 +191,7 @@ bool vtkRefinementPatternTable::Read(const char* fileName)
   }
   this->Library = std::make_shared<const relevo::PatternLibrary>(
     std::string(fileName), maximumLevel, std::move(patterns));
-  this->MaximumLevel = maximumLevel;
+  this->MaximumLevel = this->HighestOfRecipes = maximumLevel;
   this->Modified();
   return true;
 }

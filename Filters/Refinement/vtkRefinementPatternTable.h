@@ -53,9 +53,9 @@ public:
 
   //@{
   /**
-   * The highest level of an edge, 0 to 7, default 5, that the table gives and writes, and that
-   * recipes with this table refine to; how deep a recipe refines is its own MaximumLevel. A value
-   * outside, or above the levels of the file that was read, is an error and changes nothing.
+   * The highest level of an edge, 0 to 7, default 5, that the table gives and writes. How deep a
+   * recipe refines is its own MaximumLevel; but no deeper than this one, once it was set or read
+   * from a file. A value outside, or above the levels of the file, is an error and changes nothing.
    */
   void SetMaximumLevel(int level);
   vtkGetMacro(MaximumLevel, int);
@@ -141,6 +141,15 @@ public:
   std::shared_ptr<const relevo::RefinementPattern> GetPatternOfSegments(int n1, int n2, int n3);
 
   /**
+   * The highest level that recipes with this table refine to: MaximumLevel where it was set or read
+   * from a file, else HighestLevel.
+   */
+  int GetHighestOfRecipes() const
+  {
+    return this->HighestOfRecipes;
+  }
+
+  /**
    * The patterns for surfaces: another library after each Read().
    */
   const std::shared_ptr<const relevo::PatternLibrary>& GetLibrary() const
@@ -159,6 +168,7 @@ private:
   vtkRefinementPatternTable(const vtkRefinementPatternTable&) = delete;
   void operator=(const vtkRefinementPatternTable&) = delete;
 
+  int HighestOfRecipes = HighestLevel;
   std::shared_ptr<const relevo::PatternLibrary> Library;
 };
 

@@ -120,7 +120,7 @@ public:
    * What the ErrorEvent or WarningEvent of the last Update() or UpdateInformation() said, without
    * class and source line; "" when there was none.
    */
-  const char* GetErrorMessage() { return this->ErrorMessage.c_str(); }
+  const char* GetErrorMessage() override { return this->ErrorMessage.c_str(); }
   const char* GetWarningMessage() { return this->WarningMessage.c_str(); }
   //@}
 

@@ -54,6 +54,22 @@ std::string FindPatternObstacle(vtkAdaptiveRefinement* recipe)
     : std::string();
 }
 
+std::string FindPatternShortfall(vtkAdaptiveRefinement* recipe)
+{
+  const PatternLibrary& library = *recipe->GetPatternTable()->GetLibrary();
+  if (recipe->GetSegmentPolicy() == vtkAdaptiveRefinement::WHOLE_NUMBERS &&
+    recipe->GetGeomorphing() == vtkAdaptiveRefinement::GEOMORPHING_ON)
+  {
+    return "Nothing morphs: edges have whole numbers of segments, and only 2^level segments can. "
+           "Call SetSegmentPolicyToPowersOfTwo() or GeomorphingOff().";
+  }
+  return recipe->GetAskedMaximumLevel() > library.GetHighestLevel() ? "MaximumLevel is " +
+      std::to_string(recipe->GetAskedMaximumLevel()) + ", but the patterns of " +
+      library.GetFileName() + " end at level " + std::to_string(library.GetHighestLevel()) +
+      ". Call SetMaximumLevel(), or take another pattern table, with SetPatternTable()."
+                                                                    : std::string();
+}
+
 std::shared_ptr<const PatternFamily> GetPatternFamily(
   vtkAdaptiveRefinement* recipe, vtkPolyData* input)
 {

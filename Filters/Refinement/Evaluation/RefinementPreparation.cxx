@@ -9,27 +9,40 @@
 #include "Surfaces/FloatRange.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDisplacement.h"
+#include "vtkHeightField.h"
 #include "vtkPolyData.h"
 #include "vtkRefinementSurface.h"
 
+#include <utility>
+
 namespace relevo
 {
-bool BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe, bool keepNormals,
-  RefinementMesh& mesh, std::string& error, std::string& warning)
+namespace
+{
+bool ReadHeights(vtkAdaptiveRefinement* recipe, std::string& error)
 {
   if (!recipe)
   {
     error = "No recipe: call SetRefinement() with a vtkAdaptiveRefinement.";
     return false;
   }
-  if (recipe->GetDisplacement() && !recipe->GetDisplacement()->Update())
+  vtkDisplacement* displacement = recipe->GetDisplacement();
+  if (displacement && !displacement->Update())
   {
-    error = "The displacement's height map could not be read.";
+    const std::string reason = displacement->GetHeightMap()->GetErrorMessage();
+    error = "The displacement's height map could not be read" +
+      (reason.empty() ? std::string(".") : ": " + reason);
     return false;
   }
+  return true;
+}
+
+bool BuildFaces(vtkPolyData* input, vtkAdaptiveRefinement* recipe, bool keepNormals,
+  RefinementMesh& mesh, std::string& error, std::string& warning)
+{
   if (!mesh.Build(input, recipe->GetSurface(), recipe->GetDisplacement(), keepNormals))
   {
-    error = "Cannot refine the input: " + mesh.GetError() + ".";
+    error = MakeError(mesh.GetError());
     return false;
   }
   if (mesh.GetNumberOfDroppedTriangles() > 0)
@@ -40,12 +53,29 @@ bool BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe, bool keepNorma
   }
   return true;
 }
+}
+
+bool BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe, bool keepNormals,
+  RefinementMesh& mesh, std::string& error, std::string& warning)
+{
+  return ReadHeights(recipe, error) && BuildFaces(input, recipe, keepNormals, mesh, error, warning);
+}
 
 std::string FindObstacle(vtkAdaptiveRefinement* recipe)
 {
-  const std::string excess = FindExcess(recipe->GetSurface(), recipe->GetDisplacement());
-  const std::string obstacle = excess.empty() ? FindPatternObstacle(recipe) : excess + ".";
-  return obstacle.empty() ? "" : "Cannot refine the input: " + obstacle;
+  const std::string obstacle = FindRangeObstacle(recipe->GetSurface(), recipe->GetDisplacement());
+  return obstacle.empty() ? FindPatternObstacle(recipe) : obstacle;
+}
+
+std::string MakeError(const std::string& obstacle)
+{
+  return obstacle.empty() ? obstacle : "Cannot refine the input: " + obstacle + ".";
+}
+
+std::string FindNewShortfall(vtkAdaptiveRefinement* recipe, std::string& last)
+{
+  const std::string shortfall = FindPatternShortfall(recipe);
+  return std::exchange(last, shortfall) == shortfall ? std::string() : shortfall;
 }
 
 bool PrepareMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe, RefinementMesh& mesh,
@@ -56,17 +86,17 @@ bool PrepareMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe, RefinementMe
     error = "The input has no cells: there is nothing to refine.";
     return false;
   }
-  if (!BuildMesh(input, recipe, true, mesh, error, warning))
+  if (!ReadHeights(recipe, error))
   {
     return false;
   }
-  error = FindObstacle(recipe);
-  if (error.empty() && recipe->GetSurface())
+  std::string obstacle = FindObstacle(recipe);
+  if (obstacle.empty() && recipe->GetSurface())
   {
-    const std::string lack = recipe->GetSurface()->GetEvaluationError();
-    error = lack.empty() ? "" : "Cannot refine the input: " + lack + ".";
+    obstacle = recipe->GetSurface()->GetEvaluationError();
   }
-  return error.empty();
+  error = MakeError(obstacle);
+  return error.empty() && BuildFaces(input, recipe, true, mesh, error, warning);
 }
 
 bool SelectPatterns(vtkPolyData* input, vtkAdaptiveRefinement* recipe, const RefinementView& view,
@@ -74,10 +104,10 @@ bool SelectPatterns(vtkPolyData* input, vtkAdaptiveRefinement* recipe, const Ref
   std::string& error)
 {
   EdgeTags tags(source);
-  std::string problem;
-  if (!tags.Compute(recipe, input, mesh, view, problem))
+  std::string obstacle;
+  if (!tags.Compute(recipe, input, mesh, view, obstacle))
   {
-    error = "Cannot refine the input: " + problem + ".";
+    error = MakeError(obstacle);
     return false;
   }
   selection.Select(mesh, tags, *GetPatternFamily(recipe, input), recipe->GetMaximumLevel(),

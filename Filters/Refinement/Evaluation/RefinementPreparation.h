@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   RefinementPreparation
  * @brief   what is needed to refine a mesh: checked, prepared, levels chosen
  *
  * The mapper asks BuildMesh() when the mesh or the recipe's parts have changed, and FindObstacle()
  * in every frame; the filter and the locator ask PrepareMesh() for both, and SelectPatterns().
+ *
+ * An obstacle is a clause that says why a mesh cannot be refined, here and in the functions called;
+ * an error is what the user is shown.
  */
 #ifndef RefinementPreparation_h
 #define RefinementPreparation_h
@@ -33,10 +35,20 @@ RELEVOFILTERSREFINEMENT_EXPORT bool BuildMesh(vtkPolyData* input, vtkAdaptiveRef
   bool keepNormals, RefinementMesh& mesh, std::string& error, std::string& warning);
 
 /**
- * Why a mesh that is built cannot be refined with the recipe's settings as they are now: an error
- * to show the user, or empty.
+ * Why a mesh that is built cannot be refined with the recipe's settings as they are now; empty
+ * where it can.
  */
 RELEVOFILTERSREFINEMENT_EXPORT std::string FindObstacle(vtkAdaptiveRefinement* recipe);
+
+/// The error that an obstacle makes; empty for none.
+RELEVOFILTERSREFINEMENT_EXPORT std::string MakeError(const std::string& obstacle);
+
+/**
+ * What the recipe asks for and does not get, as a warning to show the user. Empty for nothing, and
+ * for what `last` says already; `last` becomes it.
+ */
+RELEVOFILTERSREFINEMENT_EXPORT std::string FindNewShortfall(
+  vtkAdaptiveRefinement* recipe, std::string& last);
 
 //@{
 /**

@@ -39,11 +39,11 @@ std::string PatternLibrary::GetObstacle(Families family) const
   {
     return {};
   }
-  const std::string otherTable = ", or take another pattern table, with SetPatternTable().";
-  return family == WHOLE_NUMBERS ? "The pattern table has the patterns of " + this->FileName +
-      ", which have 2^level segments on an edge: call SetSegmentPolicyToPowersOfTwo()" + otherTable
-                                 : "The pattern table has the patterns of " + this->FileName +
-      ", whose vertices cannot morph: call GeomorphingOff()" + otherTable;
+  return "the pattern table has the patterns of " + this->FileName +
+    (family == WHOLE_NUMBERS
+        ? ", which have 2^level segments on an edge: call SetSegmentPolicyToPowersOfTwo()"
+        : ", whose vertices cannot morph: call GeomorphingOff()") +
+    ", or take another pattern table, with SetPatternTable()";
 }
 
 std::shared_ptr<const PatternFamily> PatternLibrary::GetFamily(Families family) const

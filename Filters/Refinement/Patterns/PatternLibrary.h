@@ -49,6 +49,9 @@ public:
   /// When the library was made: no other has the same time.
   vtkMTimeType GetMTime() const { return this->MakeTime; }
 
+  /// The file that the patterns were read from; empty for none.
+  const std::string& GetFileName() const { return this->FileName; }
+
   /// The highest level of an edge that all families have.
   int GetHighestLevel() const { return this->HighestLevel; }
 
@@ -62,7 +65,7 @@ public:
     NESTED
   };
 
-  /// Why the library lacks a family, as a sentence that says what to do; empty if it has it. There
+  /// Why the library lacks a family, as a clause that says what to do; empty if it has it. There
   /// are always POWERS_OF_TWO.
   std::string GetObstacle(Families family) const;
 

@@ -72,9 +72,15 @@ bool RefinementState::Check(vtkAdaptiveRefinement* recipe)
   if (obstacle != this->Obstacle)
   {
     this->Obstacle = obstacle;
-    this->Error = obstacle;
+    this->Error = MakeError(obstacle);
   }
-  return obstacle.empty();
+  if (!obstacle.empty())
+  {
+    return false;
+  }
+  const std::string shortfall = FindNewShortfall(recipe, this->Shortfall);
+  this->Warning += (this->Warning.empty() || shortfall.empty() ? "" : " ") + shortfall;
+  return true;
 }
 
 bool RefinementState::BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe)
@@ -241,12 +247,12 @@ bool RefinementState::UpdateTags(
   vtkPolyData* input, vtkAdaptiveRefinement* recipe, const RefinementView& view, bool onGPU)
 {
   this->Current = &this->FindView(input, recipe, view);
-  std::string error;
+  std::string obstacle;
   const bool valid =
-    this->Current->UpdateTags(this->GetSelectionInput(input, recipe), view, onGPU, error);
-  if (!error.empty())
+    this->Current->UpdateTags(this->GetSelectionInput(input, recipe), view, onGPU, obstacle);
+  if (!obstacle.empty())
   {
-    this->Error = "Cannot refine the input: " + error + ".";
+    this->Error = MakeError(obstacle);
   }
   return valid;
 }

@@ -159,8 +159,9 @@ private:
 
   std::string Error;
   std::string Warning;
-  std::string Unusable; // what was said of arrays last
-  std::string Obstacle; // said last of the recipe
+  std::string Unusable;  // what was said of arrays last
+  std::string Obstacle;  // said last of the recipe
+  std::string Shortfall; // the same
 };
 }
 

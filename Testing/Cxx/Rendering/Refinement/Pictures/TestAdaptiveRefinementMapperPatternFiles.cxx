@@ -109,6 +109,22 @@ void TestObstacles(RelevoCheck& check, vtkRefinementPatternTable* table)
   const vtkIdType drawn = scene.GetMapper(0)->GetNumberOfDrawnTriangles();
   CHECK(drawn == Refine(Sphere(9, 7), recipe)->GetNumberOfPolys());
 }
+
+// Levels that the file does not have are a warning, once.
+void TestShortfall(RelevoCheck& check, vtkRefinementPatternTable* table)
+{
+  const auto recipe = MakeRecipe(FileLevel + 1);
+  recipe->SetPatternTable(table);
+  RelevoScene scene(RelevoScene::Refining);
+  scene.Add(Sphere(9, 7), recipe);
+  RelevoErrors errors(scene.GetMapper(0));
+  scene.ResetCameras();
+  scene.Render();
+  CHECK(errors.Warned("end at level"));
+  CHECK(scene.GetMapper(0)->GetNumberOfDrawnTriangles() > 0);
+  scene.Render();
+  CHECK(errors.None());
+}
 }
 
 int TestAdaptiveRefinementMapperPatternFiles(int argc, char* argv[])
@@ -124,6 +140,7 @@ int TestAdaptiveRefinementMapperPatternFiles(int argc, char* argv[])
     TestViewDependent(comparison, table);
     TestMethods(check, table);
     TestObstacles(check, table);
+    TestShortfall(check, table);
   }
   return check.GetResult();
 }
