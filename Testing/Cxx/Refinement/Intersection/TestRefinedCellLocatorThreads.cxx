@@ -142,6 +142,45 @@ void TestThreads(RelevoCheck& check)
   CHECK(locator->GetBuildTime() == built);
 }
 
+// Vertices are looked at one by one: threads must not share the place of a point.
+void TestVertices(RelevoCheck& check)
+{
+  const Mesh mesh = MakeInput();
+  vtkNew<vtkRefinedCellLocator> locator;
+  locator->SetDataSet(mesh);
+  locator->SetRefinement(MakeRecipe(1));
+  locator->BuildLocator();
+  const auto count = [&locator]
+  {
+    vtkNew<vtkIdList> cells;
+    double box[6] = { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 };
+    locator->FindCellsWithinBounds(box, cells);
+    return cells->GetNumberOfIds();
+  };
+  std::array<int, 4> wrong{};
+  std::vector<std::thread> threads;
+  const vtkIdType expected = count();
+  for (int& number : wrong)
+  {
+    threads.emplace_back(
+      [&]
+      {
+        for (int i = 0; i < 2000; ++i)
+        {
+          number += count() == expected ? 0 : 1;
+        }
+      });
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  for (int number : wrong)
+  {
+    CHECK(number == 0);
+  }
+}
+
 double GetHeight(vtkRefinedCellLocator* locator)
 {
   const double from[3] = { 0.1, 0.2, 9.0 };
@@ -186,6 +225,7 @@ int TestRefinedCellLocatorThreads(int, char*[])
 {
   RelevoCheck check;
   TestThreads(check);
+  TestVertices(check);
   TestForced(check);
   return check.GetResult();
 }
