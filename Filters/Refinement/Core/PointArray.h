@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   PointArray
  * @brief   takes numbers per point from an array that the user names
  *
  * Private to the module's own sources.

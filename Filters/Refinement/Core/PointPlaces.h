@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   PointPlaces
  * @brief   which points of a mesh lie at the same place
  *
  * Split normals and texture seams give one place several point ids. What must not open a crack

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   RefinementMathematics
  * @brief   lets C++ compile the GLSL files that the shaders include
  *
  * Include this header, then include a file of glsl/ inside namespace relevo, or inside a class of

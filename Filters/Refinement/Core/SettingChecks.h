@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   SettingChecks
  * @brief   what a setter does with a value that is out of range: an ErrorEvent, and the old value
  *          is kept
  *

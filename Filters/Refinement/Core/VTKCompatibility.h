@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   VTKCompatibility
  * @brief   what differs between the releases of VTK that Relevo builds with: 9.1 to 9.6
  *
  * The loader of OpenGL's functions differs as well: RelevoOpenGL.h, as filters know no OpenGL.

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   VectorData
  * @brief   which vectors are data, and which stand for none
  *
  * Private to the modules' own sources.

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   WorldView
  * @brief   a RefinementView in numbers: where the mesh lies and where the eye is
  */
 #ifndef WorldView_h

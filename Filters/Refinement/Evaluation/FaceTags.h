@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   FaceTags
  * @brief   the tags of the edges of faces, wherever tags are kept
  *
  * Private to the module's own sources.

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   ClosedSurface
  * @brief   whether a mesh bounds bodies
  *
  * Private to the module's own sources.

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   NestedPattern
  * @brief   patterns whose vertices can move, so that fractional levels change a surface smoothly
  *
  * A nested pattern belongs to the levels of the edges of a face whose corners are sorted by place.

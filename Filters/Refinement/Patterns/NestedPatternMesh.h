@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   NestedPatternMesh
  * @brief   the triangles of a nested pattern
  *
  * Private to the module's own sources; see NestedPattern.

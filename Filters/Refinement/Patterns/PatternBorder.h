@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   PatternBorder
  * @brief   the vertices on the border of a pattern, in integers
  *
  * Private to the module's own sources.

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   PatternCheck
  * @brief   whether a pattern is what a refined face needs
  *
  * Private to the module's own sources.

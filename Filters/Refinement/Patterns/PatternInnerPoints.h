@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   PatternInnerPoints
  * @brief   where the points inside a graded pattern start
  *
  * At corners where edges of different segments meet, the tips of a fan of triangles; elsewhere the

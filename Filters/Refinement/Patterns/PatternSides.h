@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   PatternSides
  * @brief   the sides of a pattern's triangles
  *
  * Private to the module's own sources.

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   PatternVertexOrder
  * @brief   an order of triangles and vertices that suits a cache of transformed vertices
  *
  * Private to the module's own sources.

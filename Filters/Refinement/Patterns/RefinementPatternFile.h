@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   RefinementPatternFile
  * @brief   files of refinement patterns
  *
  * Private to the module's own sources. vtkRefinementPatternTable::Write() describes the formats.

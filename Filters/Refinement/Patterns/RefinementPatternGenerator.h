@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   RefinementPatternGenerator
  * @brief   makes the triangulation of a refinement pattern
  *
  * Private to the module's own sources; see vtkRefinementPatternTable for what a pattern is.

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   BezierNormalCone
  * @brief   a cone that holds all normals of a Bezier triangle
  *
  * Private to the module's own sources.

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   PNPatch
  * @brief   what the surfaces that build on PN triangles share
  *
  * A. Vlachos, J. Peters, C. Boyd, J. Mitchell, "Curved PN Triangles", I3D 2001. Edge vectors 0 and
