@@ -117,6 +117,7 @@ vtkMTimeType vtkHeightMap::GetMTime()
 
 bool vtkHeightMap::Update()
 {
+  const std::lock_guard<std::recursive_mutex> lock(this->UpdateMutex);
   // A file that was opened and not read: an earlier attempt could not open it.
   if (this->UpdateTime < this->GetMTime() || this->Raster)
   {
@@ -149,6 +150,7 @@ bool vtkHeightMap::Update()
 
 bool vtkHeightMap::UpdateInformation()
 {
+  const std::lock_guard<std::recursive_mutex> lock(this->UpdateMutex);
   if (!this->Open())
   {
     vtkErrorMacro(<< this->ErrorMessage);

@@ -31,6 +31,8 @@
  * with data; an image that is not flat or has no scalars.
  *
  * ProgressEvent reports the share read so far; AbortExecuteOn(), from an observer, stops it.
+ * Filters in several threads may share a height map: the first that needs it reads it, and the
+ * others wait.
  *
  * @sa vtkDisplacement vtkTerrainSource
  */
@@ -43,6 +45,7 @@
 #include "vtkTimeStamp.h"    // for the caches
 
 #include <memory> // for the grid
+#include <mutex>  // for updates
 #include <string> // for messages
 
 class vtkImageData;
@@ -207,6 +210,7 @@ private:
   double Range[2];
   vtkTimeStamp UpdateTime;
   vtkTimeStamp SamplesTime;
+  std::recursive_mutex UpdateMutex; // recursive: observers of an update may ask for heights
 };
 
 #endif
