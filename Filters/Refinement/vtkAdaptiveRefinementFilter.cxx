@@ -83,7 +83,7 @@ bool vtkAdaptiveRefinementFilter::Prepare(
   }
   if (!prepared ||
     !relevo::SelectPatterns(input, this->Refinement, this->MakeView(), mesh,
-      this->Sources->Find(input), selection, error))
+      this->Sources->Find(this, input), selection, error))
   {
     vtkErrorMacro(<< error);
     return false;

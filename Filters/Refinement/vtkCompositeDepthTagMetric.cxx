@@ -2,20 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCompositeDepthTagMetric.h"
 
+#include "Core/Dependencies.h"
 #include "Core/RefinementMathematics.h"
 #include "Core/RefinementView.h"
 #include "Core/SettingChecks.h"
-#include "Core/WorldView.h"
-#include "Mesh/SurfaceEdges.h"
+#include "Metrics/DepthTags.h"
 #include "Metrics/MetricEvaluator.h"
 #include "Metrics/MetricMesh.h"
 #include "vtkFloatArray.h"
+#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 namespace relevo
@@ -27,25 +29,6 @@ namespace
 {
 constexpr double LargestWeight = 1e6;
 
-// What the tags of a metric that does not depend on the view were computed from.
-// What tags that do not depend on the view were computed from.
-struct Source
-{
-  bool OfEdges = false;
-  vtkMTimeType MetricTime = 0;
-  vtkPolyData* Mesh = nullptr;
-  vtkMTimeType MeshTime = 0;
-  int MaximumLevel = 0;
-  glm::dmat4 ModelToWorld{ 1.0 };
-
-  bool operator==(const Source& other) const
-  {
-    return this->OfEdges == other.OfEdges && this->MetricTime == other.MetricTime &&
-      this->Mesh == other.Mesh && this->MeshTime == other.MeshTime &&
-      this->MaximumLevel == other.MaximumLevel && this->ModelToWorld == other.ModelToWorld;
-  }
-};
-
 // One of the metrics, evaluated for a mesh.
 class Part
 {
@@ -53,44 +36,42 @@ public:
   // Be that of a metric, which may be another than last time.
   void SetMetric(vtkDepthTagMetric* metric, const std::shared_ptr<relevo::MetricMesh>& mesh)
   {
-    if (this->Metric != metric)
+    if (!this->Evaluator || this->Evaluator->GetMetric() != metric)
     {
-      this->Metric = metric;
       this->Evaluator = relevo::MakeEvaluator(metric, mesh);
-      this->Valid = false;
+      this->TagDependencies.Clear();
     }
   }
 
-  // Compute tags of edges or of points, unless they are there.
-  bool Update(const relevo::RefinementView& view, int maximumLevel, bool ofEdges)
+  // Compute tags, unless they are there.
+  bool Update(
+    const relevo::RefinementView& view, int maximumLevel, bool perEdge, std::string& error)
   {
-    relevo::MetricMesh& mesh = this->Evaluator->GetMesh();
-    vtkPolyData* polyData = mesh.GetPolyData();
-    Source source{ ofEdges, this->Metric->GetMTime(), polyData, polyData->GetMTime(),
-      maximumLevel };
-    if (this->Metric->IsPlacementDependent())
+    vtkDepthTagMetric* metric = this->Evaluator->GetMetric();
+    relevo::Dependencies dependencies = relevo::Dependencies::On(perEdge, maximumLevel);
+    dependencies.AddObject(metric);
+    dependencies.AddObject(this->Evaluator->GetMesh().GetPolyData());
+    if (metric->IsPlacementDependent() && view.ModelToWorld)
     {
-      source.ModelToWorld = relevo::MakeMatrix(view.ModelToWorld);
+      const double* matrix = view.ModelToWorld->GetData();
+      std::for_each(matrix, matrix + 16, [&](double value) { dependencies.Add(value); });
     }
-    if (!this->Valid || this->Metric->IsViewDependent() || !(source == this->Of))
+    const bool changed = this->TagDependencies.Update(dependencies);
+    if ((changed || metric->IsViewDependent()) &&
+      !relevo::ComputeDepthTags(*this->Evaluator, view, maximumLevel, perEdge, this->Tags, error))
     {
-      this->Of = source;
-      this->Valid = ofEdges ? this->Evaluator->ComputeEdgeTags(view, maximumLevel, this->Tags) &&
-          this->Tags->GetNumberOfValues() == mesh.GetEdges()->GetNumberOfEdges()
-                            : this->Evaluator->ComputeTags(view, maximumLevel, this->Tags) &&
-          this->Tags->GetNumberOfValues() == polyData->GetNumberOfPoints();
+      this->TagDependencies.Clear();
+      return false;
     }
-    return this->Valid;
+    return true;
   }
 
   vtkFloatArray* GetTags() const { return this->Tags; }
 
 private:
-  vtkSmartPointer<vtkDepthTagMetric> Metric;
   std::unique_ptr<relevo::MetricEvaluator> Evaluator;
   vtkSmartPointer<vtkFloatArray> Tags = vtkSmartPointer<vtkFloatArray>::New();
-  Source Of;
-  bool Valid = false;
+  relevo::Dependencies TagDependencies; // but for the view
 };
 
 class CompositeEvaluator : public relevo::MetricEvaluator
@@ -98,7 +79,7 @@ class CompositeEvaluator : public relevo::MetricEvaluator
 public:
   CompositeEvaluator(
     vtkCompositeDepthTagMetric* metric, const std::shared_ptr<relevo::MetricMesh>& mesh)
-    : MetricEvaluator(mesh)
+    : MetricEvaluator(metric, mesh)
     , Metric(metric)
     , Mesh(mesh)
   {
@@ -117,7 +98,7 @@ public:
   }
 
 private:
-  bool UpdateParts(const relevo::RefinementView& view, int maximumLevel, bool ofEdges);
+  bool UpdateParts(const relevo::RefinementView& view, int maximumLevel, bool perEdge);
   bool Combine(int maximumLevel, vtkFloatArray* tags);
   template <typename Function>
   void CombineParts(float start, vtkFloatArray* tags, Function&& f);
@@ -128,7 +109,7 @@ private:
 };
 
 bool CompositeEvaluator::UpdateParts(
-  const relevo::RefinementView& view, int maximumLevel, bool ofEdges)
+  const relevo::RefinementView& view, int maximumLevel, bool perEdge)
 {
   const int numberOfParts = this->Metric->GetNumberOfMetrics();
   if (numberOfParts == 0)
@@ -139,13 +120,11 @@ bool CompositeEvaluator::UpdateParts(
   this->Parts.resize(numberOfParts);
   for (int i = 0; i < numberOfParts; ++i)
   {
-    vtkDepthTagMetric* metric = this->Metric->GetMetric(i);
-    this->Parts[i].SetMetric(metric, this->Mesh);
-    if (!this->Parts[i].Update(view, maximumLevel, ofEdges))
+    this->Parts[i].SetMetric(this->Metric->GetMetric(i), this->Mesh);
+    std::string error;
+    if (!this->Parts[i].Update(view, maximumLevel, perEdge, error))
     {
-      vtkErrorWithObjectMacro(this->Metric.Get(),
-        "Metric " << i << ", a " << metric->GetClassName()
-                  << ", gave no tags for this mesh and view: see its own error.");
+      vtkErrorWithObjectMacro(this->Metric.Get(), "Metric " << i << ": " << error << ".");
       return false;
     }
   }

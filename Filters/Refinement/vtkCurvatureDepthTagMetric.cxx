@@ -8,6 +8,7 @@
 #include "Metrics/DiscreteCurvature.h"
 #include "Metrics/MetricEvaluator.h"
 #include "Metrics/MetricMesh.h"
+#include "Metrics/SurfaceShape.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkObjectFactory.h"
@@ -67,7 +68,7 @@ class CurvatureEvaluator : public relevo::MetricEvaluator
 public:
   CurvatureEvaluator(
     vtkCurvatureDepthTagMetric* metric, const std::shared_ptr<relevo::MetricMesh>& mesh)
-    : MetricEvaluator(mesh)
+    : MetricEvaluator(metric, mesh)
     , Metric(metric)
   {
   }
@@ -83,7 +84,7 @@ public:
                             << ".");
       return false;
     }
-    const relevo::DiscreteCurvature& curvature = this->GetMesh().GetCurvature();
+    const relevo::DiscreteCurvature& curvature = relevo::GetShape(this->GetMesh()).GetCurvature();
     const int type = this->Metric->GetCurvatureType();
     const std::vector<double>& values = GetValues(curvature, type);
     if (thresholds[1] == 0.0)

@@ -8,7 +8,6 @@
 #include "Core/VTKCompatibility.h"
 #include "Mesh/SurfaceEdges.h"
 #include "Metrics/DepthTags.h"
-#include "Metrics/MetricEvaluator.h"
 #include "Metrics/MetricMesh.h"
 #include "Metrics/TagSource.h"
 #include "Metrics/ViewTime.h"
@@ -74,7 +73,18 @@ vtkDepthTagFilter::vtkDepthTagFilter()
 
 vtkDepthTagFilter::~vtkDepthTagFilter() = default;
 
-vtkCxxSetSmartPointerMacro(vtkDepthTagFilter, Metric, vtkDepthTagMetric);
+void vtkDepthTagFilter::SetMetric(vtkDepthTagMetric* metric)
+{
+  if (this->Metric != metric)
+  {
+    this->Metric = metric;
+    if (!metric)
+    {
+      this->Sources->Clear();
+    }
+    this->Modified();
+  }
+}
 
 vtkDepthTagMetric* vtkDepthTagFilter::GetMetric()
 {
@@ -161,14 +171,7 @@ bool vtkDepthTagFilter::ComputeTags(vtkPolyData* input, vtkFloatArray* tags)
                                 << " depends on the view and there is no camera: call SetCamera.");
     return false;
   }
-  relevo::MetricEvaluator& evaluator =
-    this->Sources->Find(input)->GetEvaluator(this->Metric, input);
-  if (!evaluator.ComputeTags(this->MakeView(), this->MaximumLevel, tags))
-  {
-    this->ReportMetric();
-    return false;
-  }
-  return true;
+  return this->AskMetric(input, false, tags);
 }
 
 relevo::RefinementView vtkDepthTagFilter::MakeView() const
@@ -176,10 +179,17 @@ relevo::RefinementView vtkDepthTagFilter::MakeView() const
   return { this->Camera, this->ModelToWorld, { this->ViewportSize[0], this->ViewportSize[1] } };
 }
 
-void vtkDepthTagFilter::ReportMetric()
+bool vtkDepthTagFilter::AskMetric(vtkPolyData* input, bool perEdge, vtkFloatArray* tags)
 {
-  vtkErrorMacro("The metric " << this->Metric->GetClassName()
-                              << " gave no tags for this mesh and view: see its own error.");
+  relevo::TagSource& source = *this->Sources->Find(this, input);
+  std::string error;
+  if (!relevo::ComputeDepthTags(source.GetEvaluator(this->Metric, input), this->MakeView(),
+        this->MaximumLevel, perEdge, tags, error))
+  {
+    vtkErrorMacro("The metric " << error << ".");
+    return false;
+  }
+  return true;
 }
 
 bool vtkDepthTagFilter::TakeTags(vtkPolyData* input, vtkFloatArray* tags)
@@ -214,15 +224,12 @@ bool vtkDepthTagFilter::ComputeEdgeLevels(
       { return relevo::edgeLevel(tags[a], tags[b], this->MaximumLevel); });
     return true;
   }
-  relevo::MetricEvaluator& evaluator =
-    this->Sources->Find(input)->GetEvaluator(this->Metric, input);
-  const relevo::SurfaceEdges& edges = *evaluator.GetMesh().GetEdges();
   vtkNew<vtkFloatArray> edgeTags;
-  if (!evaluator.ComputeEdgeTags(this->MakeView(), this->MaximumLevel, edgeTags))
+  if (!this->AskMetric(input, true, edgeTags))
   {
-    this->ReportMetric();
     return false;
   }
+  const relevo::SurfaceEdges& edges = *this->Sources->Find(this, input)->GetMesh(input).GetEdges();
   SetEdgeLevels(input, edgeLevels,
     [&](vtkIdType a, vtkIdType b)
     {

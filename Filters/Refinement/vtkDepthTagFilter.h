@@ -18,8 +18,9 @@
  * may exceed [0, MaximumLevel]: only the levels of edges are clamped. LevelRule is not used then.
  *
  * Errors, with an empty output: neither metric nor array; an array of another length or with a
- * NaN; a metric that depends on the view without a camera; a metric that fails. Relevo's own
- * metrics give level 0 to a point with a coordinate that is not finite.
+ * NaN; a metric that depends on the view without a camera; a metric that fails, or gives another
+ * number of tags than there are points or edges, or a NaN. Relevo's own metrics give level 0 to a
+ * point with a coordinate that is not finite.
  *
  * A vtkAdaptiveRefinement that is given the output uses "DepthTag" in place of its own metric.
  *
@@ -135,7 +136,7 @@ private:
   void operator=(const vtkDepthTagFilter&) = delete;
 
   relevo::RefinementView MakeView() const;
-  void ReportMetric();
+  bool AskMetric(vtkPolyData* input, bool perEdge, vtkFloatArray* tags);
   bool ComputeTags(vtkPolyData* input, vtkFloatArray* tags);
   bool TakeTags(vtkPolyData* input, vtkFloatArray* tags);
   bool ComputeEdgeLevels(vtkPolyData* input, const float* tags, vtkIntArray* edgeLevels);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDepthTagMetric.h"
 
+#include "Metrics/DepthTags.h"
 #include "Metrics/MetricEvaluator.h"
 #include "Metrics/MetricMesh.h"
 #include "Metrics/MetricShader.h"
@@ -35,13 +36,7 @@ bool vtkDepthTagMetric::ComputeEdgeTags(vtkPolyData* mesh, const relevo::Refinem
   {
     return false;
   }
-  if (!relevo::TagEdgesByPoints(edges, pointTags, tags))
-  {
-    vtkErrorMacro("ComputeTags() gave " << pointTags->GetNumberOfValues() << " tags for "
-                                        << mesh->GetNumberOfPoints() << " points.");
-    return false;
-  }
-  return true;
+  return relevo::TagEdgesByPoints(this, edges, pointTags, tags);
 }
 
 bool vtkDepthTagMetric::GetShader(vtkPolyData* mesh, const relevo::RefinementView& view,
@@ -51,7 +46,7 @@ bool vtkDepthTagMetric::GetShader(vtkPolyData* mesh, const relevo::RefinementVie
   {
     return evaluator->GetShader(view, maximumLevel, origin, shader);
   }
-  shader.Source = nullptr;
+  shader.Source.clear();
   return true;
 }
 

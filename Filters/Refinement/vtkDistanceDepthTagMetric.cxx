@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDistanceDepthTagMetric.h"
 
+#include "Core/Dependencies.h"
 #include "Core/RefinementView.h"
 #include "Core/SettingChecks.h"
-#include "Mesh/SurfaceDiagonal.h"
 #include "Metrics/FunctionEvaluator.h"
 #include "Metrics/MetricFrame.h"
 #include "relevoDistanceMetric.h"
@@ -57,9 +57,9 @@ class MeanSide
 public:
   double Get(relevo::MetricMesh& mesh, const relevo::Placement& placement)
   {
-    if (mesh.GetTime() != this->MeshTime || !placement.HasShape(this->Shape))
+    const bool changed = this->LengthDependencies.Update(relevo::Dependencies::On(mesh.GetTime()));
+    if (changed || !placement.HasShape(this->Shape))
     {
-      this->MeshTime = mesh.GetTime();
       this->Shape = placement.GetShape();
       this->Compute(*mesh.GetTriangles());
     }
@@ -87,9 +87,9 @@ private:
     this->Length = sides > 0.0 && std::isfinite(sum) ? sum / sides : 0.0;
   }
 
-  vtkMTimeType MeshTime = 0;
-  dmat3 Shape{ 0.0 };
   double Length = 0.0;
+  relevo::Dependencies LengthDependencies; // but for the shape, which is compared with a tolerance
+  dmat3 Shape{ 0.0 };
 };
 
 class DistanceEvaluator : public relevo::FunctionEvaluator<DistanceFunctions>
@@ -97,7 +97,7 @@ class DistanceEvaluator : public relevo::FunctionEvaluator<DistanceFunctions>
 public:
   DistanceEvaluator(
     vtkDistanceDepthTagMetric* metric, const std::shared_ptr<relevo::MetricMesh>& mesh)
-    : FunctionEvaluator(mesh)
+    : FunctionEvaluator(metric, mesh)
     , Metric(metric)
   {
   }
@@ -158,7 +158,7 @@ double DistanceEvaluator::GetFarthest(
   const double pixels = this->Metric->GetReferenceLength();
   return pixels > 0.0
     ? this->Side.Get(this->GetMesh(), placement) / pixels * GetPixelsAtUnitDistance(view)
-    : AutomaticDistance * this->GetMesh().GetDiagonal().Get(placement);
+    : AutomaticDistance * relevo::GetShape(this->GetMesh()).GetDiagonal().Get(placement);
 }
 
 bool DistanceEvaluator::GetShader(const relevo::RefinementView& view, int maximumLevel,
@@ -169,8 +169,8 @@ bool DistanceEvaluator::GetShader(const relevo::RefinementView& view, int maximu
     return false;
   }
   const relevo::Placement placement(view);
-  static const std::string source = std::string(relevoMetricView) + relevoDistanceMetric;
-  shader.Source = this->MeasuresCentroids() ? nullptr : source.c_str();
+  shader.Source =
+    this->MeasuresCentroids() ? "" : std::string(relevoMetricView) + relevoDistanceMetric;
   shader.TagsPoints = true;
   shader.Data = nullptr;
   dvec3 camera;
@@ -184,7 +184,7 @@ bool DistanceEvaluator::GetShader(const relevo::RefinementView& view, int maximu
 
 bool DistanceEvaluator::ComputeLevels(const relevo::RefinementView& view, int maximumLevel)
 {
-  const relevo::LocalPoints& points = this->GetMesh().GetPoints();
+  const relevo::LocalPoints& points = relevo::GetShape(this->GetMesh()).GetPoints();
   relevo::MetricShader shader;
   if (!this->GetShader(view, maximumLevel, points.Origin, shader))
   {

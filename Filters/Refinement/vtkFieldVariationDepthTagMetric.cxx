@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFieldVariationDepthTagMetric.h"
 
+#include "Core/Dependencies.h"
 #include "Core/RefinementMathematics.h"
 #include "Core/SettingChecks.h"
 #include "Core/VectorData.h"
@@ -183,7 +184,7 @@ class FieldVariationEvaluator : public relevo::MetricEvaluator
 public:
   FieldVariationEvaluator(
     vtkFieldVariationDepthTagMetric* metric, const std::shared_ptr<relevo::MetricMesh>& mesh)
-    : MetricEvaluator(mesh)
+    : MetricEvaluator(metric, mesh)
     , Metric(metric)
   {
   }
@@ -229,11 +230,7 @@ private:
 
   vtkSmartPointer<vtkFieldVariationDepthTagMetric> Metric;
   std::vector<double> Variations; // of edges
-  // What they were computed from.
-  vtkMTimeType MeshTime = 0;
-  vtkDataArray* Array = nullptr;
-  vtkMTimeType ArrayTime = 0;
-  double NoDataMagnitude = 0.0;
+  relevo::Dependencies VariationDependencies;
 };
 
 bool FieldVariationEvaluator::CheckParameters()
@@ -287,18 +284,14 @@ FoundArray FieldVariationEvaluator::FindArray()
 
 void FieldVariationEvaluator::UpdateVariations(const FoundArray& found)
 {
-  const vtkMTimeType meshTime = this->GetMesh().GetTime();
-  const vtkMTimeType arrayTime = found.Array->GetMTime();
   const double noDataMagnitude = this->Metric->GetNoDataMagnitude();
-  if (this->MeshTime == meshTime && this->Array == found.Array && this->ArrayTime == arrayTime &&
-    this->NoDataMagnitude == noDataMagnitude)
+  relevo::Dependencies dependencies =
+    relevo::Dependencies::On(this->GetMesh().GetTime(), found.OfCells, noDataMagnitude);
+  dependencies.AddObject(found.Array);
+  if (!this->VariationDependencies.Update(dependencies))
   {
     return;
   }
-  this->MeshTime = meshTime;
-  this->Array = found.Array;
-  this->ArrayTime = arrayTime;
-  this->NoDataMagnitude = noDataMagnitude;
   const relevo::SurfaceEdges& edges = *this->GetMesh().GetEdges();
   Field field(found.Array, noDataMagnitude);
   field.SetExtent(edges.GetTriangles(), found.OfCells);

@@ -6,10 +6,10 @@
 #include "Core/RefinementView.h"
 #include "Core/SettingChecks.h"
 #include "Core/WorldView.h"
-#include "Mesh/SurfaceDiagonal.h"
 #include "Mesh/SurfaceEdges.h"
 #include "Metrics/MetricEvaluator.h"
 #include "Metrics/MetricMesh.h"
+#include "Metrics/SurfaceShape.h"
 #include "vtkFloatArray.h"
 #include "vtkImplicitFunction.h"
 #include "vtkMath.h"
@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 namespace relevo
 {
@@ -51,14 +52,16 @@ double GetDistance(vtkImplicitFunction* function, dvec3 x)
 class Region
 {
 public:
-  Region(
-    vtkRegionDepthTagMetric* metric, relevo::MetricMesh& mesh, const relevo::RefinementView& view)
+  Region(vtkRegionDepthTagMetric* metric, std::mutex& functionMutex, relevo::MetricMesh& mesh,
+    const relevo::RefinementView& view)
     : ToWorld(view)
     , Function(metric->GetImplicitFunction())
+    , FunctionMutex(functionMutex)
     , Center(metric->GetCenter()[0], metric->GetCenter()[1], metric->GetCenter()[2])
     , Radius(metric->GetRadius())
-    , FallOff(metric->GetFallOff() > 0.0 ? metric->GetFallOff()
-                                         : AutomaticFallOff * mesh.GetDiagonal().Get(this->ToWorld))
+    , FallOff(metric->GetFallOff() > 0.0
+          ? metric->GetFallOff()
+          : AutomaticFallOff * relevo::GetShape(mesh).GetDiagonal().Get(this->ToWorld))
   {
   }
 
@@ -77,13 +80,14 @@ public:
       maximumLevel);
   }
 
-  // Calls f(begin, end) for parts of n things; by one thread where a function of VTK's is asked,
-  // which do not promise to be safe in several.
+  // Calls f(begin, end) for parts of n things. A function of VTK's is asked by one thread at a
+  // time: some of them write members when they are evaluated.
   template <typename Work>
   void For(vtkIdType n, Work&& f) const
   {
     if (this->Function)
     {
+      const std::lock_guard<std::mutex> lock(this->FunctionMutex);
       f(0, n);
     }
     else
@@ -95,6 +99,7 @@ public:
 private:
   relevo::Placement ToWorld;
   vtkImplicitFunction* Function;
+  std::mutex& FunctionMutex;
   dvec3 Center;
   double Radius;
   double FallOff;
@@ -103,9 +108,11 @@ private:
 class RegionEvaluator : public relevo::MetricEvaluator
 {
 public:
-  RegionEvaluator(vtkRegionDepthTagMetric* metric, const std::shared_ptr<relevo::MetricMesh>& mesh)
-    : MetricEvaluator(mesh)
+  RegionEvaluator(vtkRegionDepthTagMetric* metric, std::mutex& functionMutex,
+    const std::shared_ptr<relevo::MetricMesh>& mesh)
+    : MetricEvaluator(metric, mesh)
     , Metric(metric)
+    , FunctionMutex(functionMutex)
   {
   }
 
@@ -116,6 +123,7 @@ public:
 
 private:
   vtkSmartPointer<vtkRegionDepthTagMetric> Metric;
+  std::mutex& FunctionMutex; // the metric's
 };
 
 bool RegionEvaluator::ComputeTags(
@@ -135,7 +143,7 @@ bool RegionEvaluator::ComputeTags(
   {
     return true;
   }
-  const Region region(this->Metric, this->GetMesh(), view);
+  const Region region(this->Metric, this->FunctionMutex, this->GetMesh(), view);
   region.For(numberOfPoints,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -159,7 +167,7 @@ bool RegionEvaluator::ComputeEdgeTags(
     return false;
   }
   const relevo::SurfaceEdges& edges = *this->GetMesh().GetEdges();
-  const Region region(this->Metric, this->GetMesh(), view);
+  const Region region(this->Metric, this->FunctionMutex, this->GetMesh(), view);
   tags->SetNumberOfComponents(1);
   tags->SetNumberOfTuples(edges.GetNumberOfEdges());
   region.For(edges.GetNumberOfEdges(),
@@ -220,7 +228,7 @@ vtkMTimeType vtkRegionDepthTagMetric::GetMTime()
 std::unique_ptr<relevo::MetricEvaluator> vtkRegionDepthTagMetric::NewEvaluator(
   const std::shared_ptr<relevo::MetricMesh>& mesh)
 {
-  return std::make_unique<RegionEvaluator>(this, mesh);
+  return std::make_unique<RegionEvaluator>(this, this->FunctionMutex, mesh);
 }
 
 void vtkRegionDepthTagMetric::PrintSelf(ostream& os, vtkIndent indent)

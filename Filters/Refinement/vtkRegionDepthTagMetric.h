@@ -16,7 +16,8 @@
  *
  * For the ball d is exact. For a function f it is f / |grad f| (Taubin 1991), exact for planes and
  * functions that are distances, and near the border of others; where the gradient is 0 outside, or
- * the function is not a number, the level is 0. Functions are evaluated by one thread.
+ * the function is not a number, the level is 0. A function is asked by one thread at a time, also
+ * where filters in several threads share the metric; do not give it to a second metric then.
  *
  * The metric does not depend on the view, but on where the actor's matrix puts the mesh. A point
  * that is not finite has level 0. A region that the mesh does not reach is none: level 0
@@ -30,6 +31,8 @@
 #include "RelevoFiltersRefinementModule.h" // for export macro
 #include "vtkDepthTagMetric.h"
 #include "vtkSmartPointer.h" // for ImplicitFunction
+
+#include <mutex> // for ImplicitFunction
 
 class vtkImplicitFunction;
 
@@ -100,6 +103,7 @@ protected:
   double FallOff = 0.0;
 
 private:
+  std::mutex FunctionMutex; // held while the function is asked
   vtkRegionDepthTagMetric(const vtkRegionDepthTagMetric&) = delete;
   void operator=(const vtkRegionDepthTagMetric&) = delete;
 };

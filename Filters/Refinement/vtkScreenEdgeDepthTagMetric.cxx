@@ -73,7 +73,7 @@ class ScreenEdgeEvaluator : public relevo::FunctionEvaluator<relevo::ScreenEdgeF
 public:
   ScreenEdgeEvaluator(
     vtkScreenEdgeDepthTagMetric* metric, const std::shared_ptr<relevo::MetricMesh>& mesh)
-    : FunctionEvaluator(mesh)
+    : FunctionEvaluator(metric, mesh)
     , Metric(metric)
   {
   }
@@ -127,8 +127,7 @@ bool ScreenEdgeEvaluator::GetShader(const relevo::RefinementView& view, int maxi
   {
     return false;
   }
-  static const std::string source = std::string(relevoMetricView) + relevoScreenEdgeMetric;
-  shader.Source = source.c_str();
+  shader.Source = std::string(relevoMetricView) + relevoScreenEdgeMetric;
   shader.TagsPoints = false;
   shader.Data = nullptr;
   const relevo::Placement placement(view);

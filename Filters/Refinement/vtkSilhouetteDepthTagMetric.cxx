@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSilhouetteDepthTagMetric.h"
 
+#include "Core/Dependencies.h"
 #include "Core/RefinementView.h"
 #include "Core/SettingChecks.h"
 #include "Mesh/SurfaceNormals.h"
@@ -46,19 +47,15 @@ public:
   void Update(relevo::MetricMesh& mesh)
   {
     vtkDataArray* normals = mesh.GetPolyData()->GetPointData()->GetNormals();
-    const vtkMTimeType time = normals ? normals->GetMTime() : 0;
-    if (mesh.GetTime() != this->MeshTime || normals != this->Of || time != this->OfTime)
+    relevo::Dependencies dependencies = relevo::Dependencies::On(mesh.GetTime());
+    dependencies.AddObject(normals);
+    if (this->DataDependencies.Update(dependencies))
     {
-      this->MeshTime = mesh.GetTime();
-      this->Of = normals;
-      this->OfTime = time;
-      this->Build(normals, mesh.GetNormals());
-      this->Time.Modified();
+      this->Build(normals, relevo::GetShape(mesh).GetNormals());
     }
   }
 
   const std::shared_ptr<const std::vector<float>>& GetData() const { return this->Data; }
-  vtkMTimeType GetTime() const { return this->Time.GetMTime(); }
 
 private:
   void Build(vtkDataArray* normals, const relevo::SurfaceNormals& surface)
@@ -98,11 +95,8 @@ private:
       });
   }
 
-  vtkMTimeType MeshTime = 0;
-  vtkDataArray* Of = nullptr;
-  vtkMTimeType OfTime = 0;
   std::shared_ptr<const std::vector<float>> Data;
-  vtkTimeStamp Time;
+  relevo::Dependencies DataDependencies;
 };
 
 class SilhouetteEvaluator : public relevo::FunctionEvaluator<relevo::SilhouetteFunctions>
@@ -110,7 +104,7 @@ class SilhouetteEvaluator : public relevo::FunctionEvaluator<relevo::SilhouetteF
 public:
   SilhouetteEvaluator(
     vtkSilhouetteDepthTagMetric* metric, const std::shared_ptr<relevo::MetricMesh>& mesh)
-    : FunctionEvaluator(mesh)
+    : FunctionEvaluator(metric, mesh)
     , Metric(metric)
   {
   }
@@ -132,15 +126,13 @@ public:
     frame.SetDirections(eye);
     frame.SetOwn(this->Metric->GetContourWidth());
     shader.TagsPoints = !this->IsContour();
-    shader.Source = nullptr;
+    shader.Source.clear();
     shader.Data = nullptr;
     if (shader.TagsPoints)
     {
-      static const std::string source = std::string(relevoMetricView) + relevoSilhouetteMetric;
-      shader.Source = source.c_str();
+      shader.Source = std::string(relevoMetricView) + relevoSilhouetteMetric;
       this->Normals.Update(this->GetMesh());
       shader.Data = this->Normals.GetData();
-      shader.DataTime = this->Normals.GetTime();
     }
     return true;
   }

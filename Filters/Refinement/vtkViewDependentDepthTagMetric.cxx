@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkViewDependentDepthTagMetric.h"
 
+#include "Core/Dependencies.h"
 #include "Core/RefinementView.h"
 #include "Core/SettingChecks.h"
 #include "Mesh/SurfaceNormals.h"
@@ -52,22 +53,20 @@ class Spreads
 public:
   void Update(relevo::MetricMesh& mesh, const relevo::Placement& placement, double maximumSpread)
   {
-    if (mesh.GetTime() != this->MeshTime || !placement.HasShape(this->Shape) ||
-      maximumSpread != this->MaximumSpread)
+    const bool changed =
+      this->DataDependencies.Update(relevo::Dependencies::On(mesh.GetTime(), maximumSpread));
+    if (changed || !placement.HasShape(this->Shape))
     {
-      this->MeshTime = mesh.GetTime();
       this->Shape = placement.GetShape();
-      this->MaximumSpread = maximumSpread;
-      this->Build(mesh.GetNormals(), placement);
-      this->Time.Modified();
+      this->Build(relevo::GetShape(mesh).GetNormals(), placement, maximumSpread);
     }
   }
 
   const std::shared_ptr<const std::vector<float>>& GetData() const { return this->Data; }
-  vtkMTimeType GetTime() const { return this->Time.GetMTime(); }
 
 private:
-  void Build(const relevo::SurfaceNormals& surface, const relevo::Placement& placement)
+  void Build(
+    const relevo::SurfaceNormals& surface, const relevo::Placement& placement, double maximumSpread)
   {
     const relevo::SurfaceTriangles& triangles = surface.GetTriangles();
     const auto data = std::make_shared<std::vector<float>>(
@@ -85,8 +84,7 @@ private:
           {
             datum[c] = static_cast<float>(mean[c]);
           }
-          datum[3] =
-            static_cast<float>(GetSpread(surface, place, mean, placement) / this->MaximumSpread);
+          datum[3] = static_cast<float>(GetSpread(surface, place, mean, placement) / maximumSpread);
         }
       });
   }
@@ -109,11 +107,9 @@ private:
     return spread;
   }
 
-  vtkMTimeType MeshTime = 0;
-  dmat3 Shape{ 0.0 };
-  double MaximumSpread = 0.0;
   std::shared_ptr<const std::vector<float>> Data;
-  vtkTimeStamp Time;
+  relevo::Dependencies DataDependencies; // but for the shape, which is compared with a tolerance
+  dmat3 Shape{ 0.0 };
 };
 
 class ViewDependentEvaluator : public relevo::FunctionEvaluator<relevo::ViewDependentFunctions>
@@ -121,7 +117,7 @@ class ViewDependentEvaluator : public relevo::FunctionEvaluator<relevo::ViewDepe
 public:
   ViewDependentEvaluator(
     vtkViewDependentDepthTagMetric* metric, const std::shared_ptr<relevo::MetricMesh>& mesh)
-    : FunctionEvaluator(mesh)
+    : FunctionEvaluator(metric, mesh)
     , Metric(metric)
   {
   }
@@ -136,14 +132,12 @@ public:
       vtkErrorWithObjectMacro(this->Metric.Get(), << error << ".");
       return false;
     }
-    static const std::string source = std::string(relevoMetricView) + relevoViewDependentMetric;
-    shader.Source = source.c_str();
+    shader.Source = std::string(relevoMetricView) + relevoViewDependentMetric;
     shader.TagsPoints = true;
     const relevo::Placement placement(view);
     this->PointSpreads.Update(
       this->GetMesh(), placement, vtkMath::RadiansFromDegrees(this->Metric->GetMaximumSpread()));
     shader.Data = this->PointSpreads.GetData();
-    shader.DataTime = this->PointSpreads.GetTime();
     relevo::MetricFrame frame(shader, placement, eye.GetPosition(), origin, maximumLevel);
     const double diagonal = placement.GetDiagonal(this->GetMesh().GetPolyData());
     frame.SetUnit(diagonal > 0.0 ? diagonal : 1.0);

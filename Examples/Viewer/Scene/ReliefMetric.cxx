@@ -15,7 +15,7 @@ class ReliefEvaluator : public relevo::MetricEvaluator
 {
 public:
   ReliefEvaluator(ReliefMetric* metric, const std::shared_ptr<relevo::MetricMesh>& mesh)
-    : MetricEvaluator(mesh)
+    : MetricEvaluator(metric, mesh)
     , Metric(metric)
     , Relief(std::make_shared<relevo::MetricMesh>())
   {
@@ -38,17 +38,16 @@ private:
   relevo::MetricEvaluator& Update()
   {
     this->Relief->Update(this->Metric->GetRelief());
-    if (this->Evaluated != this->Metric->GetMetric())
+    vtkDepthTagMetric* metric = this->Metric->GetMetric();
+    if (!this->Evaluator || this->Evaluator->GetMetric() != metric)
     {
-      this->Evaluated = this->Metric->GetMetric();
-      this->Evaluator = relevo::MakeEvaluator(this->Evaluated, this->Relief);
+      this->Evaluator = relevo::MakeEvaluator(metric, this->Relief);
     }
     return *this->Evaluator;
   }
 
   vtkSmartPointer<ReliefMetric> Metric;
   std::shared_ptr<relevo::MetricMesh> Relief;
-  vtkSmartPointer<vtkDepthTagMetric> Evaluated;
   std::unique_ptr<relevo::MetricEvaluator> Evaluator;
 };
 }

@@ -32,8 +32,8 @@ namespace relevo
 {
 SurfaceVectors::SurfaceVectors(
   vtkPolyData* mesh, vtkDataArray* vectors, bool isCellData, double noDataMagnitude)
+  : Edges(mesh)
 {
-  this->Edges.Update(mesh);
   const SurfaceTriangles& triangles = this->GetTriangles();
   this->Points.resize(triangles.GetNumberOfPoints());
   for (std::size_t point = 0; point < this->Points.size(); ++point)

@@ -19,8 +19,6 @@
 #include "vtkRefinementPatternTable.h"
 #include "vtkSMPTools.h"
 
-#include <atomic>
-#include <cmath>
 #include <utility>
 
 namespace relevo
@@ -72,7 +70,7 @@ bool EdgeTags::Compute(vtkAdaptiveRefinement* recipe, vtkPolyData* input,
   const RefinementMesh& mesh, const RefinementView& view, int highest, std::string& error)
 {
   this->Kind = UNIFORM;
-  this->Shader.Source = nullptr;
+  this->Shader = MetricShader();
   if (vtkAbstractArray* array = FindDepthTagArray(recipe, input))
   {
     vtkDataArray* numbers = vtkDataArray::SafeDownCast(array);
@@ -93,26 +91,21 @@ bool EdgeTags::Compute(vtkAdaptiveRefinement* recipe, vtkPolyData* input,
   else if (vtkDepthTagMetric* metric = recipe->GetMetric())
   {
     const bool perEdge = recipe->GetLevelRule() == vtkDepthTagMetric::PER_EDGE;
-    this->Values->Reset();
     MetricEvaluator& evaluator = this->Source->GetEvaluator(metric, input);
     if (perEdge)
     {
       this->BuildEdges(input, mesh);
     }
-    const bool computed = perEdge ? evaluator.ComputeEdgeTags(view, highest, this->Values)
-                                  : evaluator.ComputeTags(view, highest, this->Values);
-    if (!computed)
-    {
-      error = std::string(metric->GetClassName()) + " gave no depth-tags";
-      return false;
-    }
-    const vtkIdType expected =
-      perEdge ? this->Edges->GetNumberOfEdges() : input->GetNumberOfPoints();
-    if (!this->CheckValues(expected, metric->GetClassName(), error))
+    if (!ComputeDepthTags(evaluator, view, highest, perEdge, this->Values, error))
     {
       return false;
     }
     this->Kind = perEdge ? PER_EDGE : PER_POINT;
+  }
+  if (!GetMetricInUse(recipe, input))
+  {
+    this->Source->Clear();
+    this->Reset();
   }
   if (this->Kind == PER_POINT && !mesh.Places.empty())
   {
@@ -124,16 +117,16 @@ bool EdgeTags::Compute(vtkAdaptiveRefinement* recipe, vtkPolyData* input,
 bool EdgeTags::ComputeOrDescribe(vtkAdaptiveRefinement* recipe, vtkPolyData* input,
   const RefinementMesh& mesh, const RefinementView& view, std::string& error)
 {
-  this->Shader.Source = nullptr;
+  this->Shader = MetricShader();
   vtkDepthTagMetric* metric = GetMetricInUse(recipe, input);
   if (metric &&
     !this->Source->GetEvaluator(metric, input)
        .GetShader(view, GetHighestTag(recipe, false), mesh.Origin, this->Shader))
   {
-    error = std::string(metric->GetClassName()) + " gave no depth-tags";
+    error = GetNoTagsError(metric);
     return false;
   }
-  if (!this->Shader.Source)
+  if (this->Shader.Source.empty())
   {
     return this->Compute(recipe, input, mesh, view, error);
   }
@@ -175,37 +168,6 @@ bool EdgeTags::Compute(vtkAdaptiveRefinement* recipe, vtkPolyData* input,
   const RefinementMesh& mesh, const RefinementView& view, std::string& error)
 {
   return this->Compute(recipe, input, mesh, view, GetHighestTag(recipe, false), error);
-}
-
-bool EdgeTags::CheckValues(vtkIdType expected, const std::string& source, std::string& error)
-{
-  if (this->Values->GetNumberOfComponents() != 1 || this->Values->GetNumberOfTuples() != expected)
-  {
-    error = source + " gave " + std::to_string(this->Values->GetNumberOfTuples()) +
-      " depth-tags where " + std::to_string(expected) + " are needed";
-    return false;
-  }
-  float* values = this->Values->GetPointer(0);
-  std::atomic<bool> finite(true);
-  vtkSMPTools::For(0, expected,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      bool all = true;
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        all &= std::isfinite(values[i]);
-      }
-      if (!all)
-      {
-        finite = false;
-      }
-    });
-  if (!finite && !TakeDepthTags(this->Values, expected, values, error))
-  {
-    error = source + ": " + error;
-    return false;
-  }
-  return true;
 }
 
 int GetHighestTag(vtkAdaptiveRefinement* recipe, bool isMoved)

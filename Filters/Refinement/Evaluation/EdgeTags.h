@@ -69,7 +69,10 @@ public:
     const RefinementMesh& mesh, const RefinementView& view, std::string& error);
 
   /// The metric to evaluate, by the rule of GetKind(); nullptr where there are values.
-  const MetricShader* GetShader() const { return this->Shader.Source ? &this->Shader : nullptr; }
+  const MetricShader* GetShader() const
+  {
+    return this->Shader.Source.empty() ? nullptr : &this->Shader;
+  }
 
   /// The edges of the mesh; per edge, and for metrics that only edges have tags of.
   const SurfaceEdges* GetEdges() const { return this->Edges.get(); }
@@ -94,7 +97,6 @@ public:
 
 private:
   void BuildEdges(vtkPolyData* input, const RefinementMesh& mesh);
-  bool CheckValues(vtkIdType expected, const std::string& source, std::string& error);
 
   Kinds Kind = UNIFORM;
   vtkNew<vtkFloatArray> Values;

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/SurfaceEdges.h"
 
-#include "vtkPolyData.h"
-
 #include <algorithm>
 #include <tuple>
 #include <utility>
@@ -79,16 +77,9 @@ SurfaceEdges::SurfaceEdges(std::shared_ptr<const SurfaceTriangles> triangles)
   this->BuildUses();
 }
 
-bool SurfaceEdges::Update(vtkPolyData* mesh)
+SurfaceEdges::SurfaceEdges(vtkPolyData* mesh)
+  : SurfaceEdges(std::make_shared<SurfaceTriangles>(mesh))
 {
-  const GeometryStamp stamp = MakeGeometryStamp(mesh);
-  if (this->Of == stamp)
-  {
-    return false;
-  }
-  *this = SurfaceEdges(std::make_shared<SurfaceTriangles>(mesh));
-  this->Of = stamp;
-  return true;
 }
 
 void SurfaceEdges::BuildEdges()

@@ -6,8 +6,6 @@
  *
  * An edge is a pair of places that at least one triangle joins. Edges are counted from 0, in the
  * order of their places, so that an edge is found in logarithmic time.
- *
- * Of given triangles, or of a mesh that it follows.
  */
 #ifndef SurfaceEdges_h
 #define SurfaceEdges_h
@@ -50,12 +48,8 @@ public:
     int Places[2];
   };
 
-  /// No edges, until Update().
-  SurfaceEdges() = default;
   explicit SurfaceEdges(std::shared_ptr<const SurfaceTriangles> triangles);
-
-  /// Follow the mesh; returns whether its points or polygons had changed.
-  bool Update(vtkPolyData* mesh);
+  explicit SurfaceEdges(vtkPolyData* mesh);
 
   const SurfaceTriangles& GetTriangles() const { return *this->Triangles; }
 
@@ -84,8 +78,7 @@ private:
   void BuildEdges();
   void BuildUses();
 
-  GeometryStamp Of{};
-  std::shared_ptr<const SurfaceTriangles> Triangles = std::make_shared<SurfaceTriangles>();
+  std::shared_ptr<const SurfaceTriangles> Triangles;
   std::vector<Edge> Edges;
   std::vector<int> FirstEdges; // of those whose lower place it is, per place
   std::vector<SurfaceEdgeSides> Sides;

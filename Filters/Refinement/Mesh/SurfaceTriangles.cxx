@@ -29,14 +29,6 @@ void ForEachCell(vtkCellArray* cells, Function&& f)
 
 namespace relevo
 {
-GeometryStamp MakeGeometryStamp(vtkPolyData* mesh)
-{
-  const auto of = [](vtkObject* object)
-  { return std::pair<const void*, vtkMTimeType>(object, object ? object->GetMTime() : 0); };
-  return { of(mesh->GetPoints()), of(mesh->GetVerts()), of(mesh->GetLines()), of(mesh->GetPolys()),
-    of(mesh->GetStrips()) };
-}
-
 SurfaceTriangles::SurfaceTriangles(vtkPolyData* mesh)
   : Points(mesh->GetPoints())
   , Places(ComputePlaces(mesh->GetPoints()))

@@ -11,30 +11,24 @@
 #ifndef SurfaceTriangles_h
 #define SurfaceTriangles_h
 
-#include "vtkPoints.h"       // for GetPoint
-#include "vtkSmartPointer.h" // for members
-#include "vtkType.h"         // for vtkIdType
+#include "RelevoFiltersRefinementModule.h" // for export macro
+#include "vtkPoints.h"                     // for GetPoint
+#include "vtkSmartPointer.h"               // for members
+#include "vtkType.h"                       // for vtkIdType
 
-#include <array>   // for Triangle
-#include <utility> // for GeometryStamp
-#include <vector>  // for members
+#include <array>  // for Triangle
+#include <vector> // for members
 
 class vtkCellArray;
 class vtkPolyData;
 
 namespace relevo
 {
-/// Identifies the points and cells that something was computed from. Modification times are unique
-/// among all objects, so a new object at an old address is not mistaken for the old one.
-using GeometryStamp = std::array<std::pair<const void*, vtkMTimeType>, 5>;
-GeometryStamp MakeGeometryStamp(vtkPolyData* mesh);
-
-class SurfaceTriangles
+class RELEVOFILTERSREFINEMENT_EXPORT SurfaceTriangles
 {
 public:
   using Triangle = std::array<vtkIdType, 3>;
 
-  SurfaceTriangles() = default;
   /// The mesh's points are referred to, and kept.
   explicit SurfaceTriangles(vtkPolyData* mesh);
 

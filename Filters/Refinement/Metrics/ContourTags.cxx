@@ -3,7 +3,6 @@
 #include "Metrics/ContourTags.h"
 
 #include "Core/WorldView.h"
-#include "Mesh/SurfaceNormals.h"
 #include "Metrics/FunctionEvaluator.h"
 
 #include <algorithm>
@@ -41,7 +40,7 @@ bool ContourTags::TagEdges(
   MetricEvaluator& evaluator, const RefinementView& view, int maximumLevel, vtkFloatArray* tags)
 {
   MetricMesh& mesh = evaluator.GetMesh();
-  if (!evaluator.GetShader(view, maximumLevel, mesh.GetPoints().Origin, this->Shader))
+  if (!evaluator.GetShader(view, maximumLevel, GetShape(mesh).GetPoints().Origin, this->Shader))
   {
     return false;
   }
@@ -96,13 +95,14 @@ void ContourTags::MeasureEdges(const SurfaceEdges& edges, vtkFloatArray* measure
 void ContourTags::UpdateNormals(MetricMesh& mesh, const RefinementView& view)
 {
   const Placement placement(view);
-  if (this->NormalsTime == mesh.GetTime() && placement.NormalToWorld == this->NormalToWorld)
+  Dependencies dependencies = Dependencies::On(mesh.GetTime());
+  const double* matrix = &placement.NormalToWorld[0][0];
+  std::for_each(matrix, matrix + 9, [&](double value) { dependencies.Add(value); });
+  if (!this->NormalDependencies.Update(dependencies))
   {
     return;
   }
-  this->NormalsTime = mesh.GetTime();
-  this->NormalToWorld = placement.NormalToWorld;
-  const std::vector<dvec3>& areaVectors = mesh.GetNormals().GetAreaVectors();
+  const std::vector<dvec3>& areaVectors = GetShape(mesh).GetNormals().GetAreaVectors();
   this->Normals.resize(areaVectors.size());
   this->Heights.resize(areaVectors.size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(areaVectors.size()),
@@ -117,7 +117,7 @@ void ContourTags::UpdateNormals(MetricMesh& mesh, const RefinementView& view)
 
 void ContourTags::ComputeOffsets(MetricMesh& mesh)
 {
-  const LocalPoints& points = mesh.GetPoints();
+  const LocalPoints& points = GetShape(mesh).GetPoints();
   const float* x = points.Coordinates.data();
   this->Offsets.resize(static_cast<std::size_t>(points.GetNumberOfPoints()));
   vtkSMPTools::For(0, points.GetNumberOfPoints(),

@@ -13,10 +13,10 @@
 #ifndef ContourTags_h
 #define ContourTags_h
 
+#include "Core/Dependencies.h"
 #include "Core/RefinementMathematics.h"
 #include "Metrics/MetricShader.h"
 #include "vtkNew.h"
-#include "vtkType.h" // for vtkMTimeType
 
 #include <vector> // for members
 
@@ -46,10 +46,9 @@ private:
   void MeasureEdges(const SurfaceEdges& edges, vtkFloatArray* measures) const;
 
   MetricShader Shader;
-  vtkMTimeType NormalsTime = 0; // of the mesh
-  dmat3 NormalToWorld{ 0.0 };
-  std::vector<vec3> Offsets;  // of points from the eye, in the world's axes
-  std::vector<vec3> Normals;  // of triangles, of unit length in the world
+  std::vector<vec3> Offsets; // of points from the eye, in the world's axes
+  std::vector<vec3> Normals; // of triangles, of unit length in the world
+  Dependencies NormalDependencies;
   std::vector<float> Heights; // of the eye over triangles
   vtkNew<vtkFloatArray> EdgeTags;
 };

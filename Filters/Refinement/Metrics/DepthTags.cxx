@@ -2,19 +2,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Metrics/DepthTags.h"
 
-#include "vtkDataArray.h"
+#include "Core/PointPlaces.h"
+#include "Mesh/SurfaceEdges.h"
+#include "Metrics/MetricEvaluator.h"
+#include "Metrics/MetricMesh.h"
+#include "vtkFloatArray.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <sstream>
 
+namespace relevo
+{
 namespace
 {
 constexpr double LargestTag = 1e38;
+
+float LimitTag(double tag)
+{
+  return static_cast<float>(std::min(std::max(tag, -LargestTag), LargestTag));
 }
 
-namespace relevo
+bool AreFinite(const float* values, vtkIdType number)
 {
+  std::atomic<bool> finite(true);
+  vtkSMPTools::For(0, number,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      bool all = true;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        all &= std::isfinite(values[i]);
+      }
+      if (!all)
+      {
+        finite = false;
+      }
+    });
+  return finite;
+}
+}
+
 bool TakeDepthTags(vtkDataArray* array, vtkIdType numberOfPoints, float* tags, std::string& error)
 {
   std::ostringstream text;
@@ -35,8 +66,75 @@ bool TakeDepthTags(vtkDataArray* array, vtkIdType numberOfPoints, float* tags, s
       error = text.str();
       return false;
     }
-    tags[point] = static_cast<float>(std::min(std::max(tag, -LargestTag), LargestTag));
+    tags[point] = LimitTag(tag);
   }
+  return true;
+}
+
+bool ComputeDepthTags(MetricEvaluator& evaluator, const RefinementView& view, int maximumLevel,
+  bool perEdge, vtkFloatArray* tags, std::string& error)
+{
+  tags->Reset();
+  tags->SetNumberOfComponents(1);
+  if (!(perEdge ? evaluator.ComputeEdgeTags(view, maximumLevel, tags)
+                : evaluator.ComputeTags(view, maximumLevel, tags)))
+  {
+    error = GetNoTagsError(evaluator.GetMetric());
+    return false;
+  }
+  MetricMesh& mesh = evaluator.GetMesh();
+  const vtkIdType expected =
+    perEdge ? mesh.GetEdges()->GetNumberOfEdges() : mesh.GetPolyData()->GetNumberOfPoints();
+  std::ostringstream text;
+  text << evaluator.GetMetric()->GetClassName();
+  if (tags->GetNumberOfComponents() != 1 || tags->GetNumberOfTuples() != expected)
+  {
+    text << " gave " << tags->GetNumberOfValues() << " tags for " << expected
+         << (perEdge ? " edges" : " points");
+    error = text.str();
+    return false;
+  }
+  float* values = tags->GetPointer(0);
+  if (AreFinite(values, expected))
+  {
+    return true;
+  }
+  const float* nan = std::find_if(values, values + expected, [](float v) { return std::isnan(v); });
+  if (nan != values + expected)
+  {
+    text << " gave a tag that is NaN at " << (perEdge ? "edge " : "point ") << nan - values;
+    error = text.str();
+    return false;
+  }
+  std::transform(values, values + expected, values, LimitTag);
+  return true;
+}
+
+std::string GetNoTagsError(vtkDepthTagMetric* metric)
+{
+  return std::string(metric->GetClassName()) +
+    " gave no depth-tags for this mesh and view: see its own error";
+}
+
+bool TagEdgesByPoints(vtkDepthTagMetric* metric, const SurfaceEdges& edges,
+  vtkFloatArray* pointTags, vtkFloatArray* tags)
+{
+  const vtkIdType numberOfPoints = edges.GetTriangles().GetNumberOfPoints();
+  if (pointTags->GetNumberOfValues() != numberOfPoints)
+  {
+    vtkErrorWithObjectMacro(metric,
+      "ComputeTags() gave " << pointTags->GetNumberOfValues() << " tags for " << numberOfPoints
+                            << " points.");
+    return false;
+  }
+  float* values = pointTags->GetPointer(0);
+  UniteTags(edges.GetTriangles().GetPlaces(), values);
+  TagEdges(edges, tags,
+    [&](int edge)
+    {
+      const int* places = edges.GetEdges()[edge].Places;
+      return 0.5f * (values[places[0]] + values[places[1]]);
+    });
   return true;
 }
 }

@@ -16,6 +16,7 @@
 #include "Metrics/MetricEvaluator.h"
 #include "Metrics/MetricMesh.h"
 #include "Metrics/MetricShader.h"
+#include "Metrics/SurfaceShape.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkSMPTools.h"
@@ -66,7 +67,7 @@ protected:
       return false;
     }
     tags->SetNumberOfComponents(1);
-    tags->SetNumberOfTuples(this->GetMesh().GetPoints().GetNumberOfPoints());
+    tags->SetNumberOfTuples(this->GetPoints().GetNumberOfPoints());
     float* values = tags->GetPointer(0);
     this->ForEachPoint([values](Functions& functions, vtkIdType point, const vec4& value)
       { values[point] = functions.metricTag(functions.metricPointMeasure(value)); });
@@ -89,14 +90,16 @@ protected:
   }
 
 private:
+  const LocalPoints& GetPoints() const { return GetShape(this->GetMesh()).GetPoints(); }
+
   bool Describe(const RefinementView& view, int maximumLevel)
   {
-    return this->GetShader(view, maximumLevel, this->GetMesh().GetPoints().Origin, this->Shader);
+    return this->GetShader(view, maximumLevel, this->GetPoints().Origin, this->Shader);
   }
 
   void MeasureEdges(const SurfaceEdges& edges, vtkFloatArray* measures)
   {
-    this->Values.resize(static_cast<std::size_t>(this->GetMesh().GetPoints().GetNumberOfPoints()));
+    this->Values.resize(static_cast<std::size_t>(this->GetPoints().GetNumberOfPoints()));
     vec4* values = this->Values.data();
     this->ForEachPoint(
       [values](Functions&, vtkIdType point, const vec4& value) { values[point] = value; });
@@ -136,7 +139,7 @@ private:
   template <typename Function>
   void ForEachPoint(Function&& f) const
   {
-    const LocalPoints& points = this->GetMesh().GetPoints();
+    const LocalPoints& points = this->GetPoints();
     const float* x = points.Coordinates.data();
     const float* data = this->Shader.Data ? this->Shader.Data->data() : nullptr;
     vtkSMPTools::For(0, points.GetNumberOfPoints(),

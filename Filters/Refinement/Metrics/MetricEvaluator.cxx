@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Metrics/MetricEvaluator.h"
 
-#include "Core/PointPlaces.h"
-#include "Mesh/SurfaceEdges.h"
+#include "Metrics/DepthTags.h"
 #include "Metrics/MetricMesh.h"
 #include "Metrics/MetricShader.h"
-#include "vtkDepthTagMetric.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
 #include <utility>
 
@@ -23,37 +20,34 @@ class PlainEvaluator : public MetricEvaluator
 {
 public:
   PlainEvaluator(vtkDepthTagMetric* metric, const std::shared_ptr<MetricMesh>& mesh)
-    : MetricEvaluator(mesh)
-    , Metric(metric)
+    : MetricEvaluator(metric, mesh)
   {
   }
 
   bool ComputeTags(const RefinementView& view, int maximumLevel, vtkFloatArray* tags) override
   {
-    return this->Metric->ComputeTags(this->GetMesh().GetPolyData(), view, maximumLevel, tags);
+    return this->GetMetric()->ComputeTags(this->GetMesh().GetPolyData(), view, maximumLevel, tags);
   }
 
   bool ComputeEdgeTags(const RefinementView& view, int maximumLevel, vtkFloatArray* tags) override
   {
     MetricMesh& mesh = this->GetMesh();
-    return this->Metric->ComputeEdgeTags(
+    return this->GetMetric()->ComputeEdgeTags(
       mesh.GetPolyData(), view, maximumLevel, *mesh.GetEdges(), tags);
   }
 
   bool GetShader(const RefinementView& view, int maximumLevel, const double origin[3],
     MetricShader& shader) override
   {
-    return this->Metric->GetShader(
+    return this->GetMetric()->GetShader(
       this->GetMesh().GetPolyData(), view, maximumLevel, origin, shader);
   }
-
-private:
-  vtkSmartPointer<vtkDepthTagMetric> Metric;
 };
 }
 
-MetricEvaluator::MetricEvaluator(std::shared_ptr<MetricMesh> mesh)
-  : Mesh(std::move(mesh))
+MetricEvaluator::MetricEvaluator(vtkDepthTagMetric* metric, std::shared_ptr<MetricMesh> mesh)
+  : Metric(metric)
+  , Mesh(std::move(mesh))
 {
 }
 
@@ -63,16 +57,13 @@ bool MetricEvaluator::ComputeEdgeTags(
   const RefinementView& view, int maximumLevel, vtkFloatArray* tags)
 {
   vtkNew<vtkFloatArray> pointTags;
-  if (!this->ComputeTags(view, maximumLevel, pointTags))
-  {
-    return false;
-  }
-  return TagEdgesByPoints(*this->Mesh->GetEdges(), pointTags, tags);
+  return this->ComputeTags(view, maximumLevel, pointTags) &&
+    TagEdgesByPoints(this->Metric, *this->Mesh->GetEdges(), pointTags, tags);
 }
 
 bool MetricEvaluator::GetShader(const RefinementView&, int, const double[3], MetricShader& shader)
 {
-  shader.Source = nullptr;
+  shader.Source.clear();
   return true;
 }
 
@@ -85,22 +76,5 @@ std::unique_ptr<MetricEvaluator> MakeEvaluator(
     evaluator = std::make_unique<PlainEvaluator>(metric, mesh);
   }
   return evaluator;
-}
-
-bool TagEdgesByPoints(const SurfaceEdges& edges, vtkFloatArray* pointTags, vtkFloatArray* tags)
-{
-  if (pointTags->GetNumberOfValues() != edges.GetTriangles().GetNumberOfPoints())
-  {
-    return false;
-  }
-  float* ofPoints = pointTags->GetPointer(0);
-  UniteTags(edges.GetTriangles().GetPlaces(), ofPoints);
-  TagEdges(edges, tags,
-    [&](int edge)
-    {
-      const int* places = edges.GetEdges()[edge].Places;
-      return 0.5f * (ofPoints[places[0]] + ofPoints[places[1]]);
-    });
-  return true;
 }
 }

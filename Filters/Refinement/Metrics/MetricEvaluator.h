@@ -15,10 +15,11 @@
 #define MetricEvaluator_h
 
 #include "RelevoFiltersRefinementModule.h" // for export macro
+#include "vtkDepthTagMetric.h"             // for members
+#include "vtkSmartPointer.h"               // for members
 
 #include <memory> // for members
 
-class vtkDepthTagMetric;
 class vtkFloatArray;
 
 namespace relevo
@@ -26,7 +27,6 @@ namespace relevo
 struct MetricShader;
 struct RefinementView;
 class MetricMesh;
-class SurfaceEdges;
 
 class RELEVOFILTERSREFINEMENT_EXPORT MetricEvaluator
 {
@@ -46,23 +46,22 @@ public:
   virtual bool GetShader(
     const RefinementView& view, int maximumLevel, const double origin[3], MetricShader& shader);
 
+  /// The metric, which lives as long as its evaluators.
+  vtkDepthTagMetric* GetMetric() const { return this->Metric; }
   /// The mesh, as it is.
   MetricMesh& GetMesh() const { return *this->Mesh; }
 
 protected:
-  explicit MetricEvaluator(std::shared_ptr<MetricMesh> mesh);
+  MetricEvaluator(vtkDepthTagMetric* metric, std::shared_ptr<MetricMesh> mesh);
 
 private:
+  vtkSmartPointer<vtkDepthTagMetric> Metric;
   std::shared_ptr<MetricMesh> Mesh;
 };
 
 /// The metric's own evaluator; if it has none, one that asks the metric itself.
 RELEVOFILTERSREFINEMENT_EXPORT std::unique_ptr<MetricEvaluator> MakeEvaluator(
   vtkDepthTagMetric* metric, const std::shared_ptr<MetricMesh>& mesh);
-
-/// Give every edge the mean of the tags of its two places, the larger tags where points coincide.
-/// The tags of points are united on the way. False if points have not one tag each.
-bool TagEdgesByPoints(const SurfaceEdges& edges, vtkFloatArray* pointTags, vtkFloatArray* tags);
 }
 
 #endif

@@ -4,14 +4,15 @@
  * @class   MetricMesh
  * @brief   a mesh and what metrics need to know of its shape
  *
- * Its triangles, edges, normals and so on. Each is computed when it is first asked for and kept
- * until the mesh's points or cells change, so that all metrics that look at one mesh share it. To
- * be used by one thread at a time.
+ * Triangles and edges are computed when they are first asked for and kept until the mesh's points
+ * or cells change, so that all metrics that look at one mesh share them. To be used by one thread
+ * at a time.
  */
 #ifndef MetricMesh_h
 #define MetricMesh_h
 
 #include "RelevoFiltersRefinementModule.h" // for export macro
+#include "vtkTimeStamp.h"                  // for members
 #include "vtkType.h"                       // for vtkMTimeType
 
 #include <memory> // for members
@@ -20,16 +21,15 @@ class vtkPolyData;
 
 namespace relevo
 {
-class LocalPoints;
-class SurfaceDiagonal;
+class Dependencies;
 class SurfaceEdges;
-class SurfaceNormals;
+class SurfaceShape;
 class SurfaceTriangles;
-struct DiscreteCurvature;
 
 class RELEVOFILTERSREFINEMENT_EXPORT MetricMesh
 {
 public:
+  /// No mesh, until Update().
   MetricMesh();
   explicit MetricMesh(vtkPolyData* mesh);
   MetricMesh(const MetricMesh&) = delete;
@@ -42,24 +42,18 @@ public:
 
   vtkPolyData* GetPolyData() const { return this->Mesh; }
   /// Another one whenever the points or cells are.
-  vtkMTimeType GetTime() const;
+  vtkMTimeType GetTime() const { return this->ShapeTime; }
 
   const std::shared_ptr<const SurfaceTriangles>& GetTriangles();
   const std::shared_ptr<const SurfaceEdges>& GetEdges();
 
-  //@{
-  /// For the module's own metrics.
-  const LocalPoints& GetPoints();
-  const SurfaceNormals& GetNormals();
-  const SurfaceDiagonal& GetDiagonal();
-  const DiscreteCurvature& GetCurvature();
-  //@}
-
 private:
-  struct Shape;
+  friend SurfaceShape& GetShape(MetricMesh& mesh);
 
   vtkPolyData* Mesh = nullptr;
-  std::unique_ptr<Shape> Known;
+  std::unique_ptr<SurfaceShape> Shape;
+  std::unique_ptr<Dependencies> ShapeDependencies;
+  vtkTimeStamp ShapeTime;
 };
 }
 

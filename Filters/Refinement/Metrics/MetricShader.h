@@ -34,27 +34,25 @@
 #ifndef MetricShader_h
 #define MetricShader_h
 
-#include "vtkType.h" // for vtkMTimeType
-
 #include <array>  // for Parameters
 #include <memory> // for Data
+#include <string> // for Source
 #include <vector> // for Data
 
 namespace relevo
 {
 struct MetricShader
 {
-  /// Text of the functions; nullptr when there are none, so that tags must be computed by
+  /// Text of the functions; empty when there are none, so that tags must be computed by
   /// ComputeTags() or ComputeEdgeTags().
-  const char* Source = nullptr;
+  std::string Source;
   /// Whether points have tags of their own.
   bool TagsPoints = true;
   /// Of this frame: 10 vectors of four.
   std::array<float, 40> Parameters{};
-  /// Four floats per point, or nullptr. Never changed: the evaluator makes others.
+  /// Four floats per point of the mesh, or nullptr. They must not change: give another vector
+  /// instead, which tells that they are others.
   std::shared_ptr<const std::vector<float>> Data;
-  /// Changes whenever Data does.
-  vtkMTimeType DataTime = 0;
 };
 }
 

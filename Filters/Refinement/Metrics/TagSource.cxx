@@ -4,16 +4,17 @@
 
 #include "Metrics/MetricEvaluator.h"
 #include "Metrics/MetricMesh.h"
-#include "vtkDepthTagMetric.h"
+#include "vtkAlgorithm.h"
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
+#include <iterator>
 
 namespace relevo
 {
 TagSource::TagSource()
-  : Mesh(new MetricMesh)
 {
+  this->Clear();
 }
 
 TagSource::~TagSource() = default;
@@ -27,28 +28,55 @@ MetricMesh& TagSource::GetMesh(vtkPolyData* mesh)
 MetricEvaluator& TagSource::GetEvaluator(vtkDepthTagMetric* metric, vtkPolyData* mesh)
 {
   this->Mesh->Update(mesh);
-  if (this->Metric != metric)
+  if (!this->Evaluator || this->Evaluator->GetMetric() != metric)
   {
-    this->Metric = metric;
     this->Evaluator = MakeEvaluator(metric, this->Mesh);
   }
   return *this->Evaluator;
 }
 
+void TagSource::Clear()
+{
+  this->Evaluator.reset();
+  this->Mesh = std::make_shared<MetricMesh>();
+}
+
 TagSources::TagSources() = default;
 TagSources::~TagSources() = default;
 
-const std::shared_ptr<TagSource>& TagSources::Find(vtkPolyData* mesh)
+const std::shared_ptr<TagSource>& TagSources::Find(vtkAlgorithm* filter, vtkPolyData* mesh)
 {
-  const auto isGone = [](const auto& source) { return !source.first; };
-  this->Sources.erase(
-    std::remove_if(this->Sources.begin(), this->Sources.end(), isGone), this->Sources.end());
-  auto found = std::find_if(this->Sources.begin(), this->Sources.end(),
-    [mesh](const auto& source) { return source.first == mesh; });
-  if (found == this->Sources.end())
+  // The same for all blocks of an update, and another for the next one.
+  auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(filter->GetExecutive());
+  const vtkMTimeType update = pipeline ? pipeline->GetPipelineMTime() : 0;
+  const bool isNext = update != this->Update;
+  if (isNext)
   {
-    found = this->Sources.insert(found, { mesh, std::make_shared<TagSource>() });
+    this->LastUpdate = this->Update;
+    this->Update = update;
   }
-  return found->second;
+  if (isNext || this->Sources.count(mesh) == 0)
+  {
+    this->DropUnused();
+  }
+  Entry& entry = this->Sources[mesh];
+  if (!entry.Source)
+  {
+    entry.Source = std::make_shared<TagSource>();
+  }
+  entry.Mesh = mesh;
+  entry.Update = update;
+  return entry.Source;
+}
+
+void TagSources::DropUnused()
+{
+  for (auto source = this->Sources.begin(); source != this->Sources.end();)
+  {
+    const Entry& entry = source->second;
+    const bool isUsed =
+      entry.Mesh && (entry.Update == this->Update || entry.Update == this->LastUpdate);
+    source = isUsed ? std::next(source) : this->Sources.erase(source);
+  }
 }
 }

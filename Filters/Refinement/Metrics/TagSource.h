@@ -11,13 +11,13 @@
 #define TagSource_h
 
 #include "RelevoFiltersRefinementModule.h" // for export macro
-#include "vtkSmartPointer.h"               // for members
+#include "vtkType.h"                       // for vtkMTimeType
 #include "vtkWeakPointer.h"                // for members
 
-#include <memory>  // for members
-#include <utility> // for members
-#include <vector>  // for members
+#include <map>    // for members
+#include <memory> // for members
 
+class vtkAlgorithm;
 class vtkDepthTagMetric;
 class vtkPolyData;
 
@@ -40,15 +40,17 @@ public:
   /// The metric's evaluator for a mesh, as it is.
   MetricEvaluator& GetEvaluator(vtkDepthTagMetric* metric, vtkPolyData* mesh);
 
+  /// Forget all that is known, where no metric is asked any more.
+  void Clear();
+
 private:
   std::shared_ptr<MetricMesh> Mesh;
-  vtkSmartPointer<vtkDepthTagMetric> Metric; // of the evaluator
   std::unique_ptr<MetricEvaluator> Evaluator;
 };
 
 /**
- * Those of all meshes that a filter has met and that still exist: it is run for one block of a
- * composite input after the other.
+ * Those of the meshes that a filter meets: it is run for one block of a composite input after the
+ * other. A source is dropped when its mesh is gone, or when the last update has not asked for it.
  */
 class RELEVOFILTERSREFINEMENT_EXPORT TagSources
 {
@@ -58,10 +60,23 @@ public:
   TagSources(const TagSources&) = delete;
   void operator=(const TagSources&) = delete;
 
-  const std::shared_ptr<TagSource>& Find(vtkPolyData* mesh);
+  /// The source of a mesh, to be asked for while the filter runs.
+  const std::shared_ptr<TagSource>& Find(vtkAlgorithm* filter, vtkPolyData* mesh);
+
+  void Clear() { this->Sources.clear(); }
 
 private:
-  std::vector<std::pair<vtkWeakPointer<vtkPolyData>, std::shared_ptr<TagSource>>> Sources;
+  struct Entry
+  {
+    std::shared_ptr<TagSource> Source;
+    vtkWeakPointer<vtkPolyData> Mesh;
+    vtkMTimeType Update = 0; // that asked for it last
+  };
+  void DropUnused();
+
+  std::map<vtkPolyData*, Entry> Sources;
+  vtkMTimeType Update = 0; // the pipeline's time of it
+  vtkMTimeType LastUpdate = 0;
 };
 }
 

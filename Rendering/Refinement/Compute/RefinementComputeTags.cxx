@@ -48,16 +48,25 @@ bool RefinementComputeTags::UploadEdges(const SurfaceEdges& edges)
 
 bool RefinementComputeTags::UploadData(const MetricShader& shader)
 {
-  if (!shader.Data || this->DataTime == shader.DataTime)
+  if (!shader.Data)
   {
     return true;
   }
-  if (!this->Data.Upload(
-        shader.Data->data(), 4 * sizeof(float) * static_cast<size_t>(this->NumberOfPoints)))
+  const size_t expected = 4 * static_cast<size_t>(this->NumberOfPoints);
+  if (shader.Data->size() != expected)
+  {
+    return this->Fail("the metric's shader has data of " + std::to_string(shader.Data->size()) +
+      " floats where " + std::to_string(expected) + " are needed, four for each point");
+  }
+  if (this->UploadedData == shader.Data)
+  {
+    return true;
+  }
+  if (!this->Data.Upload(*shader.Data))
   {
     return this->Fail(RefinementComputeBuffer::GetTooLarge());
   }
-  this->DataTime = shader.DataTime;
+  this->UploadedData = shader.Data;
   return true;
 }
 
@@ -187,6 +196,6 @@ void RefinementComputeTags::ReleaseGraphicsResources()
     buffer->ReleaseGraphicsResources();
   }
   this->NumberOfEdges = -1;
-  this->DataTime = 0;
+  this->UploadedData.reset();
 }
 }

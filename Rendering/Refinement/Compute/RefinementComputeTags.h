@@ -16,9 +16,11 @@
 
 #include "Compute/RefinementComputeBuffer.h"  // for members
 #include "Compute/RefinementComputeProgram.h" // for members
-#include "vtkType.h"                          // for vtkMTimeType
+#include "vtkType.h"                          // for vtkTypeInt64
 
+#include <memory> // for members
 #include <string> // for errors
+#include <vector> // for members
 
 namespace relevo
 {
@@ -66,7 +68,7 @@ private:
   int NumberOfPoints = 0;
   int NumberOfEdges = -1; // not taken yet
   bool HasPlaces = false;
-  vtkMTimeType DataTime = 0;
+  std::shared_ptr<const std::vector<float>> UploadedData; // kept, so that no other has its address
   RefinementComputeProgram PointProgram;
   RefinementComputeProgram ValueProgram;
   RefinementComputeProgram EdgeProgram;

@@ -104,10 +104,9 @@ bool SurvivesOddMeshes(vtkDepthTagMetric* metric)
   vtkNew<vtkCamera> camera;
   relevo::RefinementView view;
   view.Camera = camera;
-  relevo::SurfaceEdges edges;
   for (vtkPolyData* mesh : meshes)
   {
-    edges.Update(mesh);
+    const relevo::SurfaceEdges edges(mesh);
     for (int i = 0; i < 20; ++i)
     {
       PlaceAtRandom(camera, random);

@@ -21,10 +21,13 @@ class WatchedEvaluator : public relevo::MetricEvaluator
 {
 public:
   WatchedEvaluator(RelevoWatchedMetric* metric, const std::shared_ptr<relevo::MetricMesh>& mesh)
-    : MetricEvaluator(mesh)
+    : MetricEvaluator(metric, mesh)
     , Metric(metric)
   {
+    ++this->Metric->LivingEvaluators;
   }
+
+  ~WatchedEvaluator() override { --this->Metric->LivingEvaluators; }
 
   bool ComputeTags(
     const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags) override

@@ -43,6 +43,7 @@ public:
     const std::shared_ptr<relevo::MetricMesh>& mesh) override;
 
   std::atomic<int> Evaluators{ 0 };
+  std::atomic<int> LivingEvaluators{ 0 };
   // How often an evaluator met a mesh that was new to it, and how often one gave tags.
   std::atomic<int> Preparations{ 0 };
   std::atomic<int> Evaluations{ 0 };

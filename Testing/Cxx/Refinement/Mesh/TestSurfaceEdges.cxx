@@ -70,8 +70,7 @@ std::map<Pair, Uses> FindEdges(vtkPolyData* mesh)
 void TestMesh(RelevoCheck& check, vtkPolyData* mesh)
 {
   const auto expected = FindEdges(mesh);
-  relevo::SurfaceEdges edges;
-  CHECK(edges.Update(mesh) && !edges.Update(mesh));
+  const relevo::SurfaceEdges edges(mesh);
   CHECK(edges.GetNumberOfEdges() == static_cast<int>(expected.size()));
   int index = 0;
   for (const auto& item : expected) // sorted, as the edges are

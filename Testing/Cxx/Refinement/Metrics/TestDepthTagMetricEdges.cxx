@@ -28,8 +28,8 @@ class Edges
 public:
   explicit Edges(vtkPolyData* mesh)
     : Mesh(mesh)
+    , Surface(mesh)
   {
-    this->Surface.Update(mesh);
   }
   float GetTag(vtkDepthTagMetric* metric, const relevo::RefinementView& view, int maximumLevel,
     int a, int b) const
@@ -212,8 +212,7 @@ void TestDefault(RelevoCheck& check)
   vtkNew<vtkCurvatureDepthTagMetric> curvature;
   const relevo::RefinementView view;
   const auto tags = TagsOf(curvature, mesh, view, 5);
-  relevo::SurfaceEdges edges;
-  edges.Update(mesh);
+  const relevo::SurfaceEdges edges(mesh);
   const auto edgeTags = EdgeTagsOf(curvature, mesh, view, 5, edges);
   CHECK(AreLevels(edgeTags, edges.GetNumberOfEdges(), 5));
   for (int edge = 0; edge < edges.GetNumberOfEdges(); ++edge)
@@ -251,8 +250,7 @@ void TestAlone(RelevoCheck& check, vtkDepthTagMetric* metric, const relevo::Refi
     values->InsertNextValue(static_cast<float>((point * 37) % 11));
   }
   sphere->GetPointData()->AddArray(values);
-  relevo::SurfaceEdges edges;
-  edges.Update(sphere);
+  const relevo::SurfaceEdges edges(sphere);
   const auto tags = EdgeTagsOf(metric, sphere, view, 5, edges);
   CHECK(AreLevels(tags, edges.GetNumberOfEdges(), 5));
   CHECK(*std::max_element(tags.begin(), tags.end()) > 0.0f);
@@ -277,8 +275,7 @@ void TestAlone(RelevoCheck& check, vtkDepthTagMetric* metric, const relevo::Refi
     RelevoMeshes::Mesh alone = RelevoMeshes::Make();
     alone->ShallowCopy(sphere);
     alone->SetPolys(cells);
-    relevo::SurfaceEdges few;
-    few.Update(alone);
+    const relevo::SurfaceEdges few(alone);
     CHECK(
       EdgeTagsOf(metric, alone, view, 5, few)[few.FindEdge(places[0], places[1])] == tags[edge]);
   }

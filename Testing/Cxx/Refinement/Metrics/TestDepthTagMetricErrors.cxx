@@ -92,8 +92,7 @@ RelevoMeshes::Mesh MakeMesh(float value)
 void TestView(RelevoCheck& check, vtkPolyData* mesh, const relevo::RefinementView& view,
   const std::vector<std::string>& failing = {}, const std::string& words = "")
 {
-  relevo::SurfaceEdges edges;
-  edges.Update(mesh);
+  const relevo::SurfaceEdges edges(mesh);
   for (const Named& named : MakeMetrics())
   {
     RelevoErrors errors(named.Metric);

@@ -38,7 +38,7 @@ public:
   // How many of the metrics gave other tags than last time.
   int Compare(RelevoCheck& check, vtkPolyData* mesh, const relevo::RefinementView& view)
   {
-    this->Edges.Update(mesh);
+    const relevo::SurfaceEdges edges(mesh);
     const Metrics fresh = MakeMetrics();
     int changes = 0;
     this->Last.resize(fresh.size());
@@ -46,8 +46,8 @@ public:
     {
       const auto tags = this->Kept[i]->GetTags(mesh, view, 5);
       CHECK(tags == TagsOf(fresh[i], mesh, view, 5));
-      CHECK(this->Kept[i]->GetEdgeTags(mesh, view, 5) ==
-        EdgeTagsOf(fresh[i], mesh, view, 5, this->Edges));
+      CHECK(
+        this->Kept[i]->GetEdgeTags(mesh, view, 5) == EdgeTagsOf(fresh[i], mesh, view, 5, edges));
       CHECK(AreLevels(tags, mesh->GetNumberOfPoints(), 5));
       changes += tags != this->Last[i];
       this->Last[i] = tags;
@@ -57,7 +57,6 @@ public:
 
 private:
   std::vector<std::unique_ptr<KeptMetric>> Kept;
-  relevo::SurfaceEdges Edges;
   std::vector<std::vector<float>> Last;
 };
 

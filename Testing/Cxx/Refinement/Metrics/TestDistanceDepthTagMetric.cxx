@@ -132,8 +132,7 @@ void TestCentroids(RelevoCheck& check)
   view.Camera = camera;
   std::mt19937 random(2);
   auto sphere = RelevoMeshes::Explode(RelevoMeshes::Sphere(9, 7));
-  relevo::SurfaceEdges edges;
-  edges.Update(sphere);
+  const relevo::SurfaceEdges edges(sphere);
   const relevo::SurfaceTriangles& surface = edges.GetTriangles();
   for (int i = 0; i < 5; ++i)
   {

@@ -13,10 +13,20 @@
 #include "vtkCompositeDepthTagMetric.h"
 #include "vtkCurvatureDepthTagMetric.h"
 #include "vtkDepthTagFilter.h"
+#include "vtkImageData.h"
+#include "vtkImplicitDataSet.h"
+#include "vtkImplicitFunction.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkRegionDepthTagMetric.h"
 #include "vtkViewDependentDepthTagMetric.h"
 
+#include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <thread>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -63,6 +73,77 @@ void TestFilters(RelevoCheck& check)
   vtkNew<RelevoWatchedMetric> other;
   TestFilter<vtkDepthTagFilter>(
     check, other, [&](vtkDepthTagFilter* filter) { filter->SetMetric(other); });
+}
+
+// What filters know of meshes that they refine no more is forgotten, though the meshes live on.
+template <typename Filter, typename Setter>
+void TestMemory(RelevoCheck& check, RelevoWatchedMetric* metric, const Setter& set)
+{
+  vtkNew<vtkCamera> camera;
+  vtkNew<Filter> filter;
+  vtkNew<vtkCompositeDataPipeline> pipeline;
+  filter->SetExecutive(pipeline);
+  filter->SetCamera(camera);
+  set(filter.Get());
+  std::vector<RelevoMeshes::Mesh> meshes;
+  for (int i = 0; i < 20; ++i)
+  {
+    meshes.push_back(RelevoMeshes::Cube());
+    filter->SetInputData(meshes.back());
+    filter->Update();
+    CHECK(metric->Evaluators == i + 1 && metric->LivingEvaluators <= 2);
+  }
+  // Blocks that are kept elsewhere, when others take their place.
+  auto blocks = MakeWatchedBlocks(2);
+  const auto others = MakeWatchedBlocks(2);
+  filter->SetInputDataObject(blocks);
+  vtkNew<vtkMultiBlockDataSet> kept;
+  kept->ShallowCopy(blocks);
+  filter->Update();
+  for (unsigned int i = 0; i < 4; ++i)
+  {
+    blocks->SetBlock(i, others->GetBlock(i));
+  }
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    camera->Azimuth(9.0);
+    filter->Update();
+    CHECK(metric->Evaluators == 28);
+  }
+  CHECK(metric->LivingEvaluators == 4);
+}
+
+void TestMemory(RelevoCheck& check)
+{
+  vtkNew<RelevoWatchedMetric> metric;
+  const auto recipe = MakeRecipe(metric);
+  TestMemory<vtkAdaptiveRefinementFilter>(
+    check, metric, [&](vtkAdaptiveRefinementFilter* filter) { filter->SetRefinement(recipe); });
+  CHECK(metric->LivingEvaluators == 0);
+
+  // Without a metric nothing is kept.
+  vtkNew<vtkCamera> camera;
+  vtkNew<vtkAdaptiveRefinementFilter> refine;
+  refine->SetInputData(RelevoMeshes::Cube());
+  refine->SetRefinement(recipe);
+  refine->SetCamera(camera);
+  refine->Update();
+  CHECK(metric->LivingEvaluators == 1);
+  recipe->SetMetric(nullptr);
+  refine->Update();
+  CHECK(metric->LivingEvaluators == 0);
+
+  vtkNew<RelevoWatchedMetric> other;
+  TestMemory<vtkDepthTagFilter>(
+    check, other, [&](vtkDepthTagFilter* filter) { filter->SetMetric(other); });
+  vtkNew<vtkDepthTagFilter> tag;
+  tag->SetInputData(RelevoMeshes::Cube());
+  tag->SetCamera(camera);
+  tag->SetMetric(other);
+  tag->Update();
+  CHECK(other->LivingEvaluators == 1);
+  tag->SetMetric(nullptr);
+  CHECK(other->LivingEvaluators == 0);
 }
 
 // How often points are read when a filter runs for the first time and after its camera moved.
@@ -152,8 +233,7 @@ void TestComposite(RelevoCheck& check)
     {
       camera->Azimuth(10.0);
       CHECK(kept.GetTags(mesh, view, 4) == TagsOf(composite, mesh, view, 4));
-      relevo::SurfaceEdges edges;
-      edges.Update(mesh);
+      const relevo::SurfaceEdges edges(mesh);
       CHECK(kept.GetEdgeTags(mesh, view, 4) == EdgeTagsOf(composite, mesh, view, 4, edges));
     }
   };
@@ -210,12 +290,11 @@ private:
   vtkNew<vtkAdaptiveRefinementFilter> Filter;
 };
 
-void TestThreads(RelevoCheck& check, int rule)
+void TestThreads(RelevoCheck& check, vtkDepthTagMetric* metric, int rule, int repetitions)
 {
-  constexpr int repetitions = 150;
   const auto run = [&](bool inThreads)
   {
-    auto recipe = MakeRecipe(RelevoMakeSum(RelevoMakeAllMetrics("Normals"), 0.15));
+    auto recipe = MakeRecipe(metric);
     recipe->SetLevelRule(rule);
     Runner first(RelevoMeshes::Sphere(11, 9), recipe);
     Runner second(RelevoMeshes::Torus(10, 7), recipe);
@@ -235,8 +314,66 @@ void TestThreads(RelevoCheck& check, int rule)
   const auto together = run(true);
   const auto apart = run(false);
   CHECK(together == apart);
-  CHECK(apart.first.size() == repetitions && apart.first[0] != apart.first[1]);
+  CHECK(static_cast<int>(apart.first.size()) == repetitions);
+  CHECK(!metric->IsViewDependent() || apart.first[0] != apart.first[1]);
   CHECK(apart.first[0].first > 1000 && apart.second[0].first > 1000);
+}
+
+// A ball that can be asked by one thread at a time, as many functions of VTK, and tells whether it
+// was asked by two.
+class WatchedFunction : public vtkImplicitFunction
+{
+public:
+  static WatchedFunction* New() { VTK_STANDARD_NEW_BODY(WatchedFunction); }
+  vtkTypeMacro(WatchedFunction, vtkImplicitFunction);
+
+  using vtkImplicitFunction::EvaluateFunction;
+  double EvaluateFunction(double x[3]) override
+  {
+    this->Overlaps += ++this->Askers > 1;
+    std::this_thread::sleep_for(std::chrono::microseconds(20));
+    --this->Askers;
+    return vtkMath::Norm(x) - 0.45;
+  }
+  void EvaluateGradient(double x[3], double gradient[3]) override
+  {
+    std::copy_n(x, 3, gradient);
+    vtkMath::Normalize(gradient);
+  }
+
+  std::atomic<int> Overlaps{ 0 };
+
+private:
+  std::atomic<int> Askers{ 0 };
+};
+
+void TestFunctionInThreads(RelevoCheck& check)
+{
+  vtkNew<vtkRegionDepthTagMetric> region;
+  vtkNew<WatchedFunction> watched;
+  region->SetImplicitFunction(watched);
+  region->SetFallOff(3.0);
+  for (int rule : { vtkDepthTagMetric::PER_VERTEX, vtkDepthTagMetric::PER_EDGE })
+  {
+    TestThreads(check, region, rule, 5);
+  }
+  CHECK(watched->Overlaps == 0);
+
+  // One that writes a member when it is asked.
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(9, 9, 9);
+  image->SetOrigin(-2, -2, -2);
+  image->SetSpacing(0.5, 0.5, 0.5);
+  vtkNew<vtkFloatArray> distances;
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    distances->InsertNextValue(static_cast<float>(vtkMath::Norm(image->GetPoint(i)) - 0.3));
+  }
+  image->GetPointData()->SetScalars(distances);
+  vtkNew<vtkImplicitDataSet> values;
+  values->SetDataSet(image);
+  region->SetImplicitFunction(values);
+  TestThreads(check, region, vtkDepthTagMetric::PER_VERTEX, 50);
 }
 }
 
@@ -244,10 +381,14 @@ int TestMetricEvaluators(int, char*[])
 {
   RelevoCheck check;
   TestFilters(check);
+  TestMemory(check);
   TestCurvature(check);
   TestErrors(check);
   TestComposite(check);
-  TestThreads(check, vtkDepthTagMetric::PER_VERTEX);
-  TestThreads(check, vtkDepthTagMetric::PER_EDGE);
+  for (int rule : { vtkDepthTagMetric::PER_VERTEX, vtkDepthTagMetric::PER_EDGE })
+  {
+    TestThreads(check, RelevoMakeSum(RelevoMakeAllMetrics("Normals"), 0.15), rule, 150);
+  }
+  TestFunctionInThreads(check);
   return check.GetResult();
 }

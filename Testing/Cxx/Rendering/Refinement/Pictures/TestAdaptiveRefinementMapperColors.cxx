@@ -229,8 +229,7 @@ void CheckTagsOfEdges(RelevoCheck& check, View& view)
 {
   view.Recipe->SetLevelRuleToPerEdge();
   view.Render();
-  relevo::SurfaceEdges edges;
-  edges.Update(view.Plane);
+  const relevo::SurfaceEdges edges(view.Plane);
   vtkNew<vtkFloatArray> tags;
   view.Metric->ComputeEdgeTags(view.Plane, GetEye(view), MaximumLevel, edges, tags);
   int points = 0;
