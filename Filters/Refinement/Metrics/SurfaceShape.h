@@ -17,8 +17,9 @@
 #include "Mesh/SurfaceNormals.h"
 #include "Mesh/SurfaceTriangles.h"
 #include "Metrics/DiscreteCurvature.h"
-#include "vtkNew.h"      // for members
-#include "vtkPolyData.h" // for members
+#include "RelevoFiltersRefinementModule.h" // for export macro
+#include "vtkNew.h"                        // for members
+#include "vtkPolyData.h"                   // for members
 
 #include <memory> // for members
 
@@ -26,7 +27,7 @@ namespace relevo
 {
 class MetricMesh;
 
-class SurfaceShape
+class RELEVOFILTERSREFINEMENT_EXPORT SurfaceShape
 {
 public:
   /// The mesh's points and cells are referred to, and kept: they must stay as they are.
@@ -50,7 +51,7 @@ private:
 };
 
 /// The shape of a mesh as it was when it was last updated.
-SurfaceShape& GetShape(MetricMesh& mesh);
+RELEVOFILTERSREFINEMENT_EXPORT SurfaceShape& GetShape(MetricMesh& mesh);
 }
 
 #endif

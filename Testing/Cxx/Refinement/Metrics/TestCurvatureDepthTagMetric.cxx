@@ -7,6 +7,7 @@
 #include "Core/RefinementView.h"
 #include "Metrics/DiscreteCurvature.h"
 #include "Metrics/MetricMesh.h"
+#include "Metrics/SurfaceShape.h"
 #include "vtkCellArray.h"
 #include "vtkCurvatureDepthTagMetric.h"
 #include "vtkDoubleArray.h"
@@ -358,14 +359,14 @@ void TestKept(RelevoCheck& check)
   metric->SetCurvatureTypeToMean();
   metric->ComputeCurvatures(sphere, curvatures);
   const double before = curvatures->GetValue(0);
-  relevo::MetricMesh shape(sphere);
-  CHECK(shape.GetCurvature().Mean[0] == before);
+  relevo::MetricMesh mesh(sphere);
+  CHECK(relevo::GetShape(mesh).GetCurvature().Mean[0] == before);
   sphere->GetPoints()->SetPoint(0, 0, 0, 0);
-  shape.Update(sphere);
-  CHECK(shape.GetCurvature().Mean[0] == before);
+  mesh.Update(sphere);
+  CHECK(relevo::GetShape(mesh).GetCurvature().Mean[0] == before);
   sphere->GetPoints()->Modified();
-  shape.Update(sphere);
-  CHECK(shape.GetCurvature().Mean[0] != before);
+  mesh.Update(sphere);
+  CHECK(relevo::GetShape(mesh).GetCurvature().Mean[0] != before);
   metric->ComputeCurvatures(sphere, curvatures);
   CHECK(curvatures->GetValue(0) != before);
 }
