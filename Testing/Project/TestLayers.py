@@ -101,13 +101,14 @@ def find_large(source):
     folders = {}
     for top in ("Filters", "Rendering", "Examples", "Testing"):
         for path in sorted((source / top).rglob("*")):
-            if path.suffix not in (".cxx", ".h", ".py"):
+            if path.suffix not in (".cxx", ".glsl", ".h", ".py"):
                 continue
             name, text = path.relative_to(source), path.read_text(encoding="utf-8")
             if len(text.splitlines()) > LONGEST_FILE:
                 yield f"{name}: has more than {LONGEST_FILE} lines"
             if path.suffix != ".py":
                 folders.setdefault(path.parent, set()).add(path.stem)
+            if path.suffix in (".cxx", ".h"):
                 for line, length in functions(text):
                     if length > LONGEST_FUNCTION:
                         yield (
