@@ -22,7 +22,7 @@ mapper = relevo.vtkAdaptiveRefinementMapper()
 mapper.SetInputConnection(terrain.GetOutputPort())
 mapper.SetRefinement(recipe)
 
-# From here on it is VTK as ever.
+# The rest is ordinary VTK.
 actor = vtkActor()
 actor.SetMapper(mapper)
 actor.GetProperty().SetColor(0.9, 0.8, 0.65)

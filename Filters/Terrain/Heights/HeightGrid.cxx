@@ -275,7 +275,7 @@ bool HeightGrid::Finish(std::string& error)
       " heights are NaN or infinite, the first in column " +
       std::to_string(statistics.FirstNonFinite[0]) + ", row " +
       std::to_string(statistics.FirstNonFinite[1]) +
-      "; if they mark missing data, call SetNoDataValue() with that value";
+      "; if they mean no data, call SetNoDataValue() with that value";
     return false;
   }
   if (statistics.NumberOfInvalid == static_cast<long long>(this->Width) * this->Height)
