@@ -71,7 +71,9 @@ public:
     for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
     {
       double toEye[3];
-      vtkMath::Subtract(eye, mesh->GetPoint(i), toEye);
+      double point[3];
+      mesh->GetPoint(i, point);
+      vtkMath::Subtract(eye, point, toEye);
       vtkMath::Normalize(toEye);
       const double cosine = vtkMath::Dot(toEye, this->Normals[i].data());
       const double sine = std::sqrt(1.0 - std::min(cosine * cosine, 1.0));

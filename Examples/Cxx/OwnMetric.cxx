@@ -37,7 +37,9 @@ public:
     tags->SetNumberOfTuples(mesh->GetNumberOfPoints());
     for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
     {
-      const double share = extent > 0.0 ? (mesh->GetPoint(i)[2] - bounds[4]) / extent : 0.0;
+      double point[3];
+      mesh->GetPoint(i, point);
+      const double share = extent > 0.0 ? (point[2] - bounds[4]) / extent : 0.0;
       tags->SetValue(i, static_cast<float>(share * maximumLevel));
     }
     tags->Modified();

@@ -25,9 +25,9 @@ namespace relevo
 struct DistanceFunctions : MetricParameters
 {
   using MetricParameters::MetricParameters;
-#include "glsl/relevoMetricView.glsl"
+#include "glsl/Metrics/relevoMetricView.glsl"
 
-#include "glsl/relevoDistanceMetric.glsl"
+#include "glsl/Metrics/relevoDistanceMetric.glsl"
 };
 }
 

@@ -26,7 +26,7 @@
 
 namespace relevo
 {
-#include "glsl/relevoMetrics.glsl"
+#include "glsl/Metrics/relevoMetrics.glsl"
 }
 
 namespace

@@ -22,9 +22,9 @@ namespace relevo
 struct ScreenEdgeFunctions : MetricParameters
 {
   using MetricParameters::MetricParameters;
-#include "glsl/relevoMetricView.glsl"
+#include "glsl/Metrics/relevoMetricView.glsl"
 
-#include "glsl/relevoScreenEdgeMetric.glsl"
+#include "glsl/Metrics/relevoScreenEdgeMetric.glsl"
 };
 }
 

@@ -27,9 +27,9 @@ namespace relevo
 struct SilhouetteFunctions : MetricParameters
 {
   using MetricParameters::MetricParameters;
-#include "glsl/relevoMetricView.glsl"
+#include "glsl/Metrics/relevoMetricView.glsl"
 
-#include "glsl/relevoSilhouetteMetric.glsl"
+#include "glsl/Metrics/relevoSilhouetteMetric.glsl"
 };
 }
 

@@ -27,9 +27,9 @@ namespace relevo
 struct ViewDependentFunctions : MetricParameters
 {
   using MetricParameters::MetricParameters;
-#include "glsl/relevoMetricView.glsl"
+#include "glsl/Metrics/relevoMetricView.glsl"
 
-#include "glsl/relevoViewDependentMetric.glsl"
+#include "glsl/Metrics/relevoViewDependentMetric.glsl"
 };
 }
 

@@ -9,14 +9,14 @@
 
 namespace relevo
 {
-#include "glsl/relevoMetrics.glsl"
+#include "glsl/Metrics/relevoMetrics.glsl"
 
 namespace
 {
 struct ContourFunctions : MetricParameters
 {
   using MetricParameters::MetricParameters;
-#include "glsl/relevoMetricView.glsl"
+#include "glsl/Metrics/relevoMetricView.glsl"
 
   bool IsParallel() const
   {
