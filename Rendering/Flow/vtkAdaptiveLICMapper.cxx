@@ -188,15 +188,18 @@ std::string vtkAdaptiveLICMapper::vtkInternals::FindProblem()
     return this->VectorProblem;
   }
   vtkLICSettings* settings = this->Root->LICSettings;
-  for (const std::string& error :
-    { relevo::FindContrastError(settings), relevo::FindColorContrastError(settings) })
+  // Factors that are not used may be any, as for vtkSurfaceLICMapper.
+  std::string error =
+    settings->EnhancesLICContrast() ? relevo::FindContrastError(settings) : std::string();
+  if (error.empty() && settings->EnhancesColorContrast())
   {
-    if (!error.empty())
-    {
-      return error;
-    }
+    error = relevo::FindColorContrastError(settings);
   }
-  return this->Noise.Update(settings) ? "" : this->Noise.GetError();
+  if (error.empty() && !this->Noise.Update(settings))
+  {
+    error = this->Noise.GetError();
+  }
+  return error;
 }
 
 relevo::LICScreen& vtkAdaptiveLICMapper::vtkInternals::GetScreen(vtkRenderer* ren, vtkActor* act)

@@ -38,8 +38,9 @@
  *
  * Needs textures of floating point numbers that can be drawn to (OpenGL 3.0). Errors (ErrorEvent of
  * this object; the surface is drawn without streaks): no vectors, another number of components,
- * nothing but no-data, noise that cannot be made or read, low and high factors of contrast whose
- * sum is 1 or more, an older OpenGL. A setting out of its range is an error and changes nothing.
+ * nothing but no-data, noise that cannot be made or read, low and high factors of a contrast in use
+ * whose sum is 1 or more, an older OpenGL. A setting out of its range is an error and changes
+ * nothing.
  *
  * @sa vtkLICSettings vtkLineIntegralConvolution vtkSurfaceLineIntegralConvolution
  * vtkFieldVariationDepthTagMetric

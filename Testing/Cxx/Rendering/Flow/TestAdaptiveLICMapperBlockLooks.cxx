@@ -3,9 +3,8 @@
 // Streaks follow the visibility and the opacity of blocks and surfaces, and the sub-piece that is
 // drawn.
 #include "RelevoLICScene.h"
+#include "RelevoPieceSource.h"
 
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkLookupTable.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiBlockDataSetAlgorithm.h"
@@ -183,36 +182,17 @@ void TestTable(RelevoCheck& check)
   CHECK(HasStreaks(Draw(scene), 0));
 }
 
-// One half of the window in each of two pieces.
-class Source : public vtkMultiBlockDataSetAlgorithm
-{
-public:
-  static Source* New() { VTK_STANDARD_NEW_BODY(Source); }
-  vtkTypeMacro(Source, vtkMultiBlockDataSetAlgorithm);
-
-protected:
-  Source() { this->SetNumberOfInputPorts(0); }
-  int RequestInformation(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
-  {
-    output->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
-    return 1;
-  }
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
-  {
-    const int piece =
-      vtkStreamingDemandDrivenPipeline::GetUpdatePiece(output->GetInformationObject(0));
-    vtkMultiBlockDataSet::GetData(output)->SetBlock(
-      0, MakeStrip(piece * Width / 2, Width / 2 - 8, 0.0));
-    return 1;
-  }
-};
-
 void TestSubPieces(RelevoCheck& check)
 {
   RelevoLICScene scene(Width, Height);
   vtkAdaptiveLICMapper* mapper = scene.Add(vtkSmartPointer<vtkMultiBlockDataSet>::New());
-  vtkNew<Source> source;
+  // One half of the window in each of two pieces.
+  vtkNew<RelevoPieceSource<vtkMultiBlockDataSetAlgorithm>> source;
+  source->Make = [&source](vtkInformation* request)
+  {
+    const int piece = vtkStreamingDemandDrivenPipeline::GetUpdatePiece(request);
+    source->GetOutput()->SetBlock(0, MakeStrip(piece * Width / 2, Width / 2 - 8, 0.0));
+  };
   mapper->SetInputConnection(source->GetOutputPort());
   mapper->SetNumberOfSubPieces(2);
   scene.LookAtPixels();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Noise that could not be had is tried again, and noise is made anew for what it is made from
-// alone; factors of contrast that do not fit together are an error, as they are to the filters.
+// alone; factors of contrast that do not fit together are an error where they are used.
 #include "RelevoLICScene.h"
 
 #include "vtkImageData.h"
@@ -118,6 +118,14 @@ void TestContrast(RelevoCheck& check)
   scene.Render();
   CHECK(scene.Errors.None());
   CHECK(mapper->GetNumberOfConvolutions() == 1);
+
+  // Factors that are not used are not checked, as by vtkSurfaceLICMapper.
+  mapper->SetHighLICContrastEnhancementFactor(0.6);
+  mapper->SetHighColorContrastEnhancementFactor(0.5);
+  mapper->SetEnhanceContrastToOff();
+  scene.Render();
+  CHECK(scene.Errors.None());
+  CHECK(mapper->GetNumberOfConvolutions() == 2);
 }
 }
 

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The blocks of a composite input: what they report is heard, what they count is not lost, and all
 // sub-pieces are drawn.
+#include "RelevoPieceSource.h"
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 
 #include "vtkCellArray.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiBlockDataSetAlgorithm.h"
 #include "vtkOutputWindow.h"
@@ -202,34 +201,15 @@ void TestFailed(RelevoCheck& check, int device)
   CHECK(mapper->GetNumberOfUsedPatterns() == 0 && mapper->GetNumberOfDrawnTriangles() == 0);
 }
 
-// Two blocks in each piece, at a place of its own.
-class Source : public vtkMultiBlockDataSetAlgorithm
-{
-public:
-  static Source* New() { VTK_STANDARD_NEW_BODY(Source); }
-  vtkTypeMacro(Source, vtkMultiBlockDataSetAlgorithm);
-
-protected:
-  Source() { this->SetNumberOfInputPorts(0); }
-  int RequestInformation(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
-  {
-    output->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
-    return 1;
-  }
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
-  {
-    const int piece =
-      vtkStreamingDemandDrivenPipeline::GetUpdatePiece(output->GetInformationObject(0));
-    vtkMultiBlockDataSet::GetData(output)->ShallowCopy(
-      MakeBlocks({ At(4.0 * piece), At(4.0 * piece + 2.0) }));
-    return 1;
-  }
-};
-
 void TestSubPieces(RelevoCheck& check, RelevoComparison& comparison)
 {
-  vtkNew<Source> source;
+  // Two blocks in each piece, at a place of its own.
+  vtkNew<RelevoPieceSource<vtkMultiBlockDataSetAlgorithm>> source;
+  source->Make = [&source](vtkInformation* request)
+  {
+    const int piece = vtkStreamingDemandDrivenPipeline::GetUpdatePiece(request);
+    source->GetOutput()->ShallowCopy(MakeBlocks({ At(4.0 * piece), At(4.0 * piece + 2.0) }));
+  };
   RelevoScene pieces(RelevoScene::Refining);
   pieces.Add(MakeBlocks({}), MakeRecipe(1));
   pieces.GetMapper(0)->SetInputConnection(source->GetOutputPort());

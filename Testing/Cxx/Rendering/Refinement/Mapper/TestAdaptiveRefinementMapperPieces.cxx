@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The mapper asks the pipeline for the piece that it was told to draw, as vtkPolyDataMapper does,
 // and leaves out what is another piece's.
+#include "RelevoPieceSource.h"
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 
@@ -9,7 +10,6 @@
 #include "vtkCellData.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiBlockDataSetAlgorithm.h"
 #include "vtkPNTriangleSurface.h"
@@ -70,28 +70,23 @@ void SetPieces(vtkMultiBlockDataSet* output, const Request& request)
 
 // Makes pieces, and remembers which it was asked for last.
 template <typename Base>
-class PieceAlgorithm : public Base
+class PieceAlgorithm : public RelevoPieceSource<Base>
 {
 public:
   static PieceAlgorithm* New() { VTK_STANDARD_NEW_BODY(PieceAlgorithm); }
-  vtkTemplateTypeMacro(PieceAlgorithm, Base);
+  vtkTemplateTypeMacro(PieceAlgorithm, RelevoPieceSource<Base>);
   Request Last{ { -1, -1, -1 } };
   int Executions = 0;
 
 protected:
-  PieceAlgorithm() { this->SetNumberOfInputPorts(0); }
-  int RequestInformation(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
+  PieceAlgorithm()
   {
-    output->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
-    return 1;
-  }
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
-  {
-    this->Last = GetRequest(output->GetInformationObject(0));
-    ++this->Executions;
-    SetPieces(this->GetOutput(), this->Last);
-    return 1;
+    this->Make = [this](vtkInformation* request)
+    {
+      this->Last = GetRequest(request);
+      ++this->Executions;
+      SetPieces(this->GetOutput(), this->Last);
+    };
   }
 };
 

@@ -73,6 +73,7 @@ int TestAdaptiveRefinementMapperMethodsCount(int, char*[])
       for (int method : GetMethods())
       {
         mapper->SetMethod(method);
+        CHECK(mapper->GetMethod() == method);
         mapper->FrustumCullingOff();
         const vtkIdType counted = CountTriangles(scene);
         const vtkIdType drawn = mapper->GetNumberOfDrawnTriangles();
