@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/GLTFBuffers.h"
 
+#include "vtk_jsoncpp.h"
+
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <fstream>
+#include <memory>
 
 namespace
 {
@@ -24,65 +26,30 @@ std::uint32_t ReadNumber(std::istream& file)
   }
   return number;
 }
-
-// From one quotation mark to the next, where `position` is left.
-std::string ReadString(const std::string& text, std::size_t& position)
-{
-  std::string string;
-  for (++position; position < text.size() && text[position] != '"'; ++position)
-  {
-    position += text[position] == '\\' ? 1 : 0;
-    string += text[position];
-  }
-  return string;
-}
 }
 
 //------------------------------------------------------------------------------
 std::vector<GLTFBuffer> ParseGLTFBuffers(const std::string& text)
 {
   std::vector<GLTFBuffer> buffers;
-  const int inBuffer = 2; // objects in an array
-  int depth = 0;
-  std::string key;
-  std::string string;
-  for (std::size_t i = 0; i < text.size(); ++i)
+  Json::Value array;
+  const std::unique_ptr<Json::CharReader> reader(Json::CharReaderBuilder().newCharReader());
+  if (!reader->parse(text.data(), text.data() + text.size(), &array, nullptr) || !array.isArray())
   {
-    const bool isOfBuffer = depth == inBuffer && !buffers.empty();
-    switch (text[i])
+    return buffers;
+  }
+  for (const Json::Value& item : array)
+  {
+    GLTFBuffer buffer;
+    if (item.isObject() && item["uri"].isString())
     {
-      case '"':
-        string = ReadString(text, i);
-        if (isOfBuffer && key == "uri")
-        {
-          buffers.back().URI = string;
-        }
-        break;
-      case ':':
-        key = string;
-        if (isOfBuffer && key == "byteLength")
-        {
-          buffers.back().ByteLength = std::atoll(text.c_str() + i + 1);
-        }
-        break;
-      case ',':
-        key.clear();
-        break;
-      case '{':
-      case '[':
-        key.clear();
-        if (++depth == inBuffer)
-        {
-          buffers.emplace_back();
-        }
-        break;
-      case '}':
-      case ']':
-        --depth;
-        break;
-      default:
-        break;
+      buffer.URI = item["uri"].asString();
     }
+    if (item.isObject() && item["byteLength"].isInt64())
+    {
+      buffer.ByteLength = item["byteLength"].asInt64();
+    }
+    buffers.push_back(buffer);
   }
   return buffers;
 }

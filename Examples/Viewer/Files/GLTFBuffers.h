@@ -16,8 +16,8 @@ struct GLTFBuffer
 };
 
 /**
- * From the text of the array "buffers", which has been found to be JSON. Pictures and coordinates
- * may be in it, so that strings are megabytes long.
+ * From the text of the array "buffers", JSON; empty where it is not. Pictures and coordinates may
+ * be in it, so that strings are megabytes long.
  */
 std::vector<GLTFBuffer> ParseGLTFBuffers(const std::string& text);
 
