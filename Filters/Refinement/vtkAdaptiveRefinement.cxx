@@ -12,11 +12,6 @@
 
 #include <algorithm>
 
-namespace
-{
-constexpr double LargestLevelOffset = 16.0;
-}
-
 vtkStandardNewMacro(vtkAdaptiveRefinement);
 
 vtkAdaptiveRefinement::vtkAdaptiveRefinement()
@@ -87,8 +82,8 @@ void vtkAdaptiveRefinement::SetGeomorphing(int mode)
 
 void vtkAdaptiveRefinement::SetLevelOffset(double levels)
 {
-  relevo::SetInRange(
-    this, "LevelOffset", this->LevelOffset, levels, -LargestLevelOffset, LargestLevelOffset);
+  relevo::SetInRange(this, "LevelOffset", this->LevelOffset, levels, this->GetLevelOffsetMinValue(),
+    this->GetLevelOffsetMaxValue());
 }
 
 void vtkAdaptiveRefinement::SetNoDataMagnitude(double magnitude)

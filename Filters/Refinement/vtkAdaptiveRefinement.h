@@ -86,6 +86,8 @@ public:
    */
   void SetLevelOffset(double levels);
   vtkGetMacro(LevelOffset, double);
+  double GetLevelOffsetMinValue() const { return -16.0; }
+  double GetLevelOffsetMaxValue() const { return 16.0; }
   //@}
 
   /**

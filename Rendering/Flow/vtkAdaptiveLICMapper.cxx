@@ -3,6 +3,7 @@
 #include "vtkAdaptiveLICMapperInternals.h"
 
 #include "OpenGL/RelevoOpenGL.h"
+#include "Passes/LICHoles.h"
 
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
@@ -26,7 +27,6 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
-#include "vtkScalarsToColors.h"
 #include "vtkShaderProperty.h"
 #include "vtkTextureObject.h"
 
@@ -248,9 +248,7 @@ relevo::Dependencies vtkAdaptiveLICMapper::vtkInternals::GetScreenDependencies(
     vtkDisplacement* displacement = recipe->GetDisplacement();
     dependencies.AddObject(displacement ? displacement->GetHeightMap() : nullptr);
   }
-  // VTK draws nothing where the surface is clear. Other colours and opacities do not matter.
-  vtkScalarsToColors* table = this->Root->LookupTable;
-  dependencies.AddObject(table && !table->IsOpaque() ? table : nullptr);
+  relevo::AddHoles(dependencies, act, this->Root->LookupTable);
   this->ForEachLeaf(
     [&](vtkPolyData* leaf, const relevo::BlockLook& look)
     {

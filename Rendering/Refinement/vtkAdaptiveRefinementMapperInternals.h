@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   vtkAdaptiveRefinementMapperInternals
+ * @file
  * @brief   what a vtkAdaptiveRefinementMapper keeps
  *
  * Private to the mapper's own sources.

@@ -76,7 +76,7 @@ vtkDataObject* vtkAdaptiveRefinementMapper::ReplaceInput(vtkDataObject* input)
   { return mapper->GetLook().Visible && mapper->GetLook().Pickable; };
   if (!composite)
   {
-    vtkPolyData* picked = isPickable(this) ? this->GetPickedData(isAsked) : picking.Nothing.Get();
+    vtkPolyData* picked = isPickable(this) ? this->GetPickedData(isAsked) : picking.Empty.Get();
     return picked ? picked : input;
   }
   picking.Composite.TakeReference(composite->NewInstance());
@@ -107,7 +107,7 @@ vtkPolyData* vtkAdaptiveRefinementMapper::GetPickedData(bool isAsked)
   }
   if (!this->UpdateMesh() || input->GetNumberOfPoints() == 0)
   {
-    return picking.Nothing; // as there is nothing to be seen
+    return picking.Empty; // as there is nothing to be seen
   }
   this->ReadSelection();
   const relevo::RefinementMesh& mesh = data.State.GetMesh();
@@ -121,7 +121,7 @@ vtkPolyData* vtkAdaptiveRefinementMapper::GetPickedData(bool isAsked)
                                              : Levels::ROUNDED);
   if (!selection)
   {
-    return picking.Nothing;
+    return picking.Empty;
   }
   picking.Surface.Update(mesh, meshTime, this->Refinement, input->GetPointData()->GetNormals());
   relevo::PickedSurface surface = { input, &mesh, &picking.Surface, selection, {} };

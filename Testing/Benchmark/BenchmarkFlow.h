@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   BenchmarkFlow
+ * @file
  * @brief   surfaces with vectors, and how they look along -z
  */
 #ifndef BenchmarkFlow_h

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   BenchmarkLICPicture
+ * @file
  * @brief   figures of a picture of grey LIC
  */
 #ifndef BenchmarkLICPicture_h

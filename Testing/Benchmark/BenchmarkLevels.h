@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   BenchmarkLevels
+ * @file
  * @brief   depth-tags of a coarse mesh that refine it to a wanted number of triangles
  */
 #ifndef BenchmarkLevels_h

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   BenchmarkMeasure
+ * @file
  * @brief   clock, statistics and the process's own memory
  */
 #ifndef BenchmarkMeasure_h

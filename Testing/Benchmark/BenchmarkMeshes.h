@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   BenchmarkMeshes
+ * @file
  * @brief   coarse meshes with the numbers of faces that published figures were measured with
  *
  * Triangles that wind outwards, with point normals that are split at creases. Lengths are about one

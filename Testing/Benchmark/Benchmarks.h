@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   Benchmarks
+ * @file
  * @brief   what can be measured; each adds its tables to the report
  */
 #ifndef Benchmarks_h

@@ -166,14 +166,14 @@ def main():
         len(list(functions(path.read_text(encoding="utf-8")))) for path, _, _ in files.values()
     )
 
-    theirs = {}
-    for folder in sys.argv[2:]:
-        for path in pathlib.Path(folder).rglob("*.h"):
-            theirs[path.name] = path
-    guards = {}
-    for path in theirs.values():
-        for guard in re.findall(r"^#ifndef (\w+)", path.read_text(errors="replace"), re.MULTILINE):
-            guards.setdefault(guard, path)
+    theirs = set()
+    guards = set()
+    for folder in map(pathlib.Path, sys.argv[2:]):
+        for path in folder.rglob("*.h"):
+            text = path.read_text(errors="replace")
+            guards.update(re.findall(r"^#ifndef (\w+)", text, re.MULTILINE))
+            if path.parent == folder:  # those below are included with their folder's name
+                theirs.add(path.name)
     for name, (path, module, _) in files.items():
         if path.suffix != ".h":
             continue

@@ -59,6 +59,22 @@ class TestArrays(unittest.TestCase):
         self.assertTrue(arrays.height_map(marked, no_data=-9999).HasNoData())
         self.assertFalse(arrays.height_map(marked).HasNoData())
 
+    def test_masked_arrays(self):
+        """As rasterio and netCDF4 give them."""
+        for dtype in ("int16", "uint8", ">i4", "float32", "float16", "float64"):
+            values = numpy.array([[1, 99], [2, 3]], dtype=dtype)
+            masked = numpy.ma.masked_equal(values, 99)
+            made = arrays.height_map(masked)
+            self.assertTrue(made.HasNoData(), dtype)
+            self.assertEqual(tuple(made.GetRange()), (1.0, 3.0), dtype)
+            self.assertTrue(arrays.height_map(masked, no_data=3).HasNoData())
+            back = arrays.samples(arrays.image(masked))
+            numpy.testing.assert_array_equal(back, [[1.0, numpy.nan], [2.0, 3.0]], dtype)
+            unmasked = numpy.ma.masked_array(values)
+            self.assertEqual(tuple(arrays.height_map(unmasked).GetRange()), (1.0, 99.0))
+        with self.assertRaises(ValueError):
+            arrays.height_map(numpy.ma.masked_all((3, 3)))
+
     def test_bad_arrays(self):
         for bad in (numpy.zeros(4), numpy.zeros((2, 2, 2)), numpy.array([["a", "b"], ["c", "d"]])):
             with self.assertRaises(ValueError):

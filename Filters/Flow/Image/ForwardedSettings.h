@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   ForwardedSettings
+ * @file
  * @brief   the setters of a class that has vtkLICSettings as a member LICSettings
  *
  * Private to the modules' own sources.

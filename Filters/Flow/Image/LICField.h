@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   LICField
+ * @struct  LICField
  * @brief   the shared convolution of one pixel over the samples of an image
  *
  * Private to the module's own sources.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   LICFilters
+ * @struct  LICFilters
  * @brief   the shared filters of LIC images, over an image in memory
  *
  * Private to the module's own sources.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   LICKernel
+ * @file
  * @brief   the shared weights of line integral convolution, in C++
  *
  * Private to the module's own sources.

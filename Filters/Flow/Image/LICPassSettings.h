@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   LICPassSettings
+ * @struct  LICPassSettings
  * @brief   the settings of line integral convolution as its passes need them, on the CPU and the
  * GPU
  *

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   LICPlane
+ * @struct  LICPlane
  * @brief   the two axes that a flat image extends along
  *
  * Sample (i, j) is the image's point i + Columns * j, whichever the axes are.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   GrainNoise
+ * @file
  * @brief   square noise images with one random number for each grain, about [0, 1]
  *
  * They are as NoiseImage has them, and tile. Private to the module's own sources.

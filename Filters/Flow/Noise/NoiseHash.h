@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   NoiseHash
+ * @file
  * @brief   the shared random numbers of places, in C++
  *
  * Private to the module's own sources.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   NoiseImage
+ * @file
  * @brief   square images of a function of columns and rows
  *
  * Image (column, row) is element column + size * row. Private to the module's own sources.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   NoiseRanges
+ * @file
  * @brief   what the settings of noise may be
  */
 #ifndef NoiseRanges_h

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   PerlinNoise
+ * @file
  * @brief   square noise images of octaves of gradient noise, in [0, 1]
  *
  * K. Perlin, "Improving Noise", 2002. Image (column, row) is element column + size * row. They

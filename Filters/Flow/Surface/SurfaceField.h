@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   SurfaceField
+ * @struct  SurfaceField
  * @brief   which of a mesh's arrays are the vectors that a filter has been asked for
  *
  * Private to the module's own sources.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   CoarseCell
+ * @struct  CoarseCell
  * @brief   the input's cell that a point of the refined surface was made of
  */
 #ifndef CoarseCell_h

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   NormalSplits
+ * @struct  NormalSplits
  * @brief   points and edges of a mesh, apart where the surface gives faces different normals
  *
  * A surface may give the faces around a point or an edge normals of their own: a crease. Faces that

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   DiscreteCurvature
+ * @struct  DiscreteCurvature
  * @brief   discrete Gaussian and mean curvature of a triangulated surface
  *
  * The operators of Meyer, Desbrun, Schroeder and Barr 2002 ("Discrete differential-geometry

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   MetricShader
+ * @struct  MetricShader
  * @brief   a view-dependent metric as functions that a shader, or C++, evaluates
  *
  * A compute shader of #version 430 includes Source after

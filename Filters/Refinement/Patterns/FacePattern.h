@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   FacePattern
+ * @struct  FacePattern
  * @brief   how a pattern lies on a face
  */
 #ifndef FacePattern_h

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   PatternMesh
+ * @struct  PatternMesh
  * @brief   a pattern in the making, in integers
  *
  * Private to the module's own sources.

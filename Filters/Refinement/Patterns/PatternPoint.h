@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   PatternPoint
+ * @struct  PatternPoint
  * @brief   points of a pattern in integers, and exact predicates on them
  *
  * Private to the module's own sources. Lengths, angles and circles are those of the equilateral

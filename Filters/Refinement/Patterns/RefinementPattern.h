@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   RefinementPattern
+ * @struct  RefinementPattern
  * @brief   one subdivided triangle, as plain data
  *
  * Vertices are barycentric triples (u, v, w) for (P1, P2, P3), each triple summing to 1 exactly

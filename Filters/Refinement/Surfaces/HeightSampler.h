@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   HeightSampler
+ * @struct  HeightSampler
  * @brief   the shared height functions over an up-to-date vtkHeightField, or none
  *
  * Private to the module's own sources.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   SurfaceCorners
+ * @struct  SurfaceCorners
  * @brief   what the shared surface functions ask of their including side, in C++
  *
  * Private to the module's own sources.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   CoordinateSystem
+ * @file
  * @brief   what a coordinate system's coordinates mean, by GDAL
  *
  * Private to the module's own sources; only in builds with RELEVO_USE_GDAL.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   NoDataFill
+ * @file
  * @brief   heights where a raster has no data
  *
  * Private to the module's own sources.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   TerrainMesh
+ * @file
  * @brief   the coarse triangles of a terrain, flat, at z = 0
  *
  * Private to the module's own sources.

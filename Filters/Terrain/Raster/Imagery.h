@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   Imagery
+ * @struct  Imagery
  * @brief   a picture brought onto a terrain's texture coordinates
  *
  * Private to the module's own sources.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   ImageryWarp
+ * @file
  * @brief   imagery through GDAL's warper
  *
  * Private to the module's own sources; only in builds with RELEVO_USE_GDAL.

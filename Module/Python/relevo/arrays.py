@@ -9,11 +9,17 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 import relevo
 
 
-def _real_numbers(values, name):
-    """An array as VTK takes it: in the machine's byte order, of float or double if not whole."""
-    values = numpy.asarray(values)
+def _real_numbers(values, name, masked=numpy.nan):
+    """An array as VTK takes it: in the machine's byte order, of float or double if not whole.
+
+    masked: what masked values become.
+    """
+    values = numpy.asanyarray(values)
     if values.dtype.kind not in "iuf":
         raise ValueError(f"{name} must be real numbers, not {values.dtype}")
+    if numpy.ma.is_masked(values):
+        values = values.astype(numpy.result_type(values.dtype, numpy.float32)).filled(masked)
+    values = numpy.asarray(values)
     if values.dtype.kind == "f" and values.dtype.itemsize not in (4, 8):
         return values.astype(numpy.float32 if values.dtype.itemsize < 4 else numpy.float64)
     return values.astype(values.dtype.newbyteorder("="), copy=False)
@@ -23,12 +29,13 @@ def height_map(heights, no_data=float("nan")):
     """A vtkHeightMap of a two-dimensional array.
 
     heights: any real numbers in any byte order, shape (rows, columns), row 0 the northern one, as
-        rasters come from files; at least 2 x 2. The array is copied.
+        rasters come from files; at least 2 x 2. The array is copied. Masked values (numpy.ma) have
+        no data.
     no_data: the value that stands for "no data" (default: NaN).
 
     Raises ValueError for another shape, other values, and when no sample has data.
     """
-    heights = _real_numbers(heights, "heights")
+    heights = _real_numbers(heights, "heights", no_data)
     if heights.ndim != 2:
         raise ValueError(f"heights must be a 2-D array, not of shape {heights.shape}")
     rows, columns = heights.shape
@@ -68,7 +75,7 @@ def image(values, name="Values", spacing=(1.0, 1.0)):
 
     values: any real numbers in any byte order, shape (rows, columns), which become the active
         scalars, or (rows, columns, components); row 0 is the lowest in y, as VTK has it. The array
-        is copied.
+        is copied. Masked values (numpy.ma) become NaN.
     name: the array's name.
     spacing: distances of columns and of rows.
 

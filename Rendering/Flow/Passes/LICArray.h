@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   LICArray
+ * @struct  LICArray
  * @brief   a mapper's array of vectors: checked, and without what is no-data
  *
  * Private to the module's own sources.

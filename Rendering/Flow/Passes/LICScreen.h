@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   LICScreen
+ * @struct  LICScreen
  * @brief   what one camera sees of an actor's vectors, and its LIC
  *
  * Private to the module's own sources.

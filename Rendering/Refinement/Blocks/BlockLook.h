@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   BlockLook
+ * @struct  BlockLook
  * @brief   how a block of a composite data set looks, by vtkCompositeDataDisplayAttributes
  */
 #ifndef BlockLook_h

@@ -34,7 +34,7 @@ RefinementBlocks::~RefinementBlocks() = default;
 void RefinementBlocks::Update(vtkBlockAttributesPolyDataMapper* parent, vtkCompositeDataSet* input)
 {
   this->Parent = parent;
-  this->Said.clear();
+  this->Messages.clear();
   const bool changed = this->ParentTime != parent->GetBuildMTime();
   std::set<unsigned int> indices;
   auto iterator = vtk::TakeSmartPointer(input->NewIterator());
@@ -101,7 +101,7 @@ void RefinementBlocks::Forward(vtkBlockAttributesPolyDataMapper* block, unsigned
     {
       RefinementBlocks* self = static_cast<RefinementBlocks*>(client);
       const char* text = static_cast<const char*>(data);
-      if (!self->Said.insert(GetMessage(text)).second)
+      if (!self->Messages.insert(GetMessage(text)).second)
       {
         return;
       }

@@ -72,7 +72,7 @@ private:
   vtkMTimeType ParentTime = 0; // GetBuildMTime() that the mappers were copied at
   bool Rendering = false;
   vtkBlockAttributesPolyDataMapper* Parent = nullptr;
-  std::set<std::string> Said; // what blocks have said since the last update
+  std::set<std::string> Messages; // of blocks since the last update
 };
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   RelevoOpenGL
+ * @file
  * @brief   the OpenGL entry points, by whichever loader this VTK has (GLEW, from 9.4 on glad)
  *
  * Both know OpenGL 4.5; a function that the context does not have is a null pointer.

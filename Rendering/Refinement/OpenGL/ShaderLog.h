@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   ShaderLog
+ * @file
  * @brief   compiles and links shaders that VTK knows nothing of, and says what is wrong with them
  */
 #ifndef ShaderLog_h

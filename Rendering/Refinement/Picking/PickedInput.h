@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   PickedInput
+ * @struct  PickedInput
  * @brief   gives pickers the refined surface where they ask a mapper for its input
  */
 #ifndef PickedInput_h
@@ -40,7 +40,7 @@ struct PickedInput
   PickedLevels Levels;
   vtkNew<PickedPolyData> Data;
   vtkSmartPointer<vtkCompositeDataSet> Composite;
-  vtkNew<vtkPolyData> Nothing; // of what is not pickable or cannot be refined
+  vtkNew<vtkPolyData> Empty; // of what is not pickable or cannot be refined
 };
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   RefinementShader
+ * @file
  * @brief   turns the shaders of VTK's polydata mapper into refining ones
  *
  * VTK writes its vertex shader in terms of attributes (vertexMC, normalMC, scalarColor, ...). Here

@@ -10,11 +10,6 @@
 
 namespace relevo
 {
-namespace
-{
-constexpr double LargestOffset = 16.0; // of vtkAdaptiveRefinement::SetLevelOffset()
-}
-
 void LevelBudget::AddPass(bool first, vtkIdType triangles, double seconds)
 {
   if (first)
@@ -68,10 +63,10 @@ double LevelBudget::FindOffset(const std::vector<Part>& parts, vtkAdaptiveRefine
   if (view.State.Update(state))
   {
     // A limit of time takes levels away, if next to nothing, and never adds any.
-    const double highest =
-      isTarget ? LargestOffset : recipe->GetLevelOffset() - 0.5 / TriangleBudget::Resolution;
-    view.Offset = this->Triangles.FindOffset(
-      meshes, recipe->GetMaximumLevel(), wanted, -LargestOffset, highest, view.Offset);
+    const double highest = isTarget ? recipe->GetLevelOffsetMaxValue()
+                                    : recipe->GetLevelOffset() - 0.5 / TriangleBudget::Resolution;
+    view.Offset = this->Triangles.FindOffset(meshes, recipe->GetMaximumLevel(), wanted,
+      recipe->GetLevelOffsetMinValue(), highest, view.Offset);
   }
   return view.Offset - recipe->GetLevelOffset();
 }

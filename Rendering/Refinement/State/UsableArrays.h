@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   UsableArrays
+ * @file
  * @brief   which arrays of a mesh VTK's mapper can take
  *
  * It assumes that an array has a tuple for each point or cell, and reads past its end

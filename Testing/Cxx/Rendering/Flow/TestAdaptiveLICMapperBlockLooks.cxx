@@ -5,12 +5,14 @@
 #include "RelevoLICScene.h"
 #include "RelevoPieceSource.h"
 
+#include "vtkImageData.h"
 #include "vtkLookupTable.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiBlockDataSetAlgorithm.h"
 #include "vtkPointData.h"
 #include "vtkProperty.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTexture.h"
 
 namespace
 {
@@ -182,6 +184,38 @@ void TestTable(RelevoCheck& check)
   CHECK(HasStreaks(Draw(scene), 0));
 }
 
+// An image of which the left half is clear at first.
+void TestTexture(RelevoCheck& check)
+{
+  const Mesh mesh = MakeStrip(0, Width, 0.0);
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetNumberOfComponents(2);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    coordinates->InsertNextTuple2(mesh->GetPoint(i)[0] / Width, 0.5);
+  }
+  mesh->GetPointData()->SetTCoords(coordinates);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 1, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  image->GetPointData()->GetScalars()->Fill(255);
+  image->SetScalarComponentFromDouble(0, 0, 0, 3, 0);
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  RelevoLICScene scene(Width, Height);
+  vtkAdaptiveLICMapper* mapper = scene.Add(mesh);
+  scene.Actor->SetTexture(texture);
+  scene.LookAtPixels();
+  const RelevoPicture picture = Draw(scene);
+  CHECK(!HasStreaks(picture, 0) && HasStreaks(picture, 1));
+  image->SetScalarComponentFromDouble(0, 0, 0, 3, 255);
+  image->Modified();
+  CHECK(HasStreaks(Draw(scene), 0));
+  CHECK(mapper->GetNumberOfConvolutions() == 2);
+  Draw(scene);
+  CHECK(mapper->GetNumberOfConvolutions() == 2);
+}
+
 void TestSubPieces(RelevoCheck& check)
 {
   RelevoLICScene scene(Width, Height);
@@ -211,6 +245,7 @@ int TestAdaptiveLICMapperBlockLooks(int, char*[])
   TestOpacity(check);
   TestMesh(check);
   TestTable(check);
+  TestTexture(check);
   TestSubPieces(check);
   return check.GetResult();
 }

@@ -13,6 +13,7 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPNTriangleSurface.h"
 #include "vtkPointPicker.h"
+#include "vtkProperty.h"
 #include "vtkVersionMacros.h"
 
 #include <map>
