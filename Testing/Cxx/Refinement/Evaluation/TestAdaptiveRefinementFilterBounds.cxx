@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bounds of a mesh under a recipe hold all that the filter makes of it, and not much more.
 #include "RelevoCheck.h"
+#include "RelevoDisplacements.h"
 #include "RelevoSurfaces.h"
 #include "RelevoTestMeshes.h"
 
 #include "Mesh/RefinementMesh.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
-#include "vtkDisplacement.h"
 
 #include <random>
 
@@ -35,10 +35,8 @@ int TestAdaptiveRefinementFilterBounds(int, char*[])
         // Heights from -0.5 to 0.5 without and with an offset, so that both ends count.
         std::mt19937 random(7);
         heights->Fill(20, 20, [&random](double, double) { return random() / 4294967296.0 - 0.5; });
-        vtkNew<vtkDisplacement> displacement;
-        displacement->SetHeightMap(heights);
-        displacement->SetScale((displaced == 2 ? -0.3 : 0.3) * size);
-        displacement->SetOffset(displaced == 2 ? 0.2 * size : 0.0);
+        auto displacement = MakeDisplacement(
+          heights, (displaced == 2 ? -0.3 : 0.3) * size, displaced == 2 ? 0.2 * size : 0.0);
         if (displaced == 3)
         {
           displacement->SetDirection(1.0, -0.5, 0.0);

@@ -3,6 +3,7 @@
 // Numbers beyond what floats leave room for: an error of the filter that says which, and never a
 // point or a normal that is not finite.
 #include "RelevoCheck.h"
+#include "RelevoDisplacements.h"
 #include "RelevoTestMeshes.h"
 
 #include "vtkAdaptiveRefinementFilter.h"
@@ -93,10 +94,7 @@ void TestDisplacements(RelevoCheck& check)
   {
     vtkNew<RelevoHeights> heights;
     heights->Fill(16, 16, [&](double u, double v) { return each.Height * std::sin(9 * u) * v; });
-    vtkNew<vtkDisplacement> displacement;
-    displacement->SetHeightMap(heights);
-    displacement->SetScale(each.Scale);
-    displacement->SetOffset(each.Offset);
+    auto displacement = MakeDisplacement(heights, each.Scale, each.Offset);
     for (bool alongNormal : { true, false })
     {
       if (!alongNormal)

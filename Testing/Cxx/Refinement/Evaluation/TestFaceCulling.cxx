@@ -3,6 +3,7 @@
 // A face is hidden only where none of its refined triangles can be seen, and most that cannot be
 // seen are hidden.
 #include "RelevoCheck.h"
+#include "RelevoDisplacements.h"
 #include "RelevoTestMeshes.h"
 
 #include "Evaluation/FaceCulling.h"
@@ -160,9 +161,7 @@ int TestFaceCulling(int, char*[])
   vtkNew<vtkG1Surface> g1;
   vtkNew<RelevoHeights> heights;
   heights->FillRandom(17, 13, 4);
-  vtkNew<vtkDisplacement> displacement;
-  displacement->SetHeightMap(heights);
-  displacement->SetScale(0.4);
+  auto displacement = MakeDisplacement(heights, 0.4);
   vtkNew<vtkReverseSense> reversed;
   reversed->SetInputData(Sphere(16, 12));
   reversed->ReverseCellsOn();

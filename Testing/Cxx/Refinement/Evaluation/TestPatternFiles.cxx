@@ -3,6 +3,7 @@
 // Patterns that were read from a file refine every surface, and watertight; what they cannot do is
 // one error that says what to do.
 #include "RelevoCheck.h"
+#include "RelevoDisplacements.h"
 #include "RelevoPatternFiles.h"
 #include "RelevoSurfaces.h"
 #include "RelevoTestMeshes.h"
@@ -58,9 +59,7 @@ void TestSurfaces(RelevoCheck& check, vtkRefinementPatternTable* table)
 {
   vtkNew<RelevoHeights> rough;
   rough->FillRandom(64, 64, 9);
-  vtkNew<vtkDisplacement> displacement;
-  displacement->SetHeightMap(rough);
-  displacement->SetScale(0.05);
+  auto displacement = MakeDisplacement(rough, 0.05);
   Mesh mesh = Tagged(TexturedSphere(10, 7), FileLevel);
   AddRandomScalarTags(mesh, 4);
   for (const auto& surface : RelevoMakeSurfaces(0.3))

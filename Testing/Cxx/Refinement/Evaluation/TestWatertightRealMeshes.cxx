@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Scanned and modelled meshes, refined and displaced, are closed to the bit where they were.
 #include "RelevoCheck.h"
+#include "RelevoDisplacements.h"
 #include "RelevoTestMeshes.h"
 #include "RelevoWatertight.h"
 
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
-#include "vtkDisplacement.h"
 #include "vtkPLYReader.h"
 #include "vtkPNTriangleSurface.h"
 #include "vtkPolyDataNormals.h"
@@ -54,9 +54,7 @@ int TestWatertightRealMeshes(int, char*[])
   {
     CHECK(mesh.second->GetNumberOfPolys() > 1000);
     const double size = mesh.second->GetLength();
-    vtkNew<vtkDisplacement> displacement;
-    displacement->SetHeightMap(heights);
-    displacement->SetScale(0.003 * size);
+    auto displacement = MakeDisplacement(heights, 0.003 * size);
     for (int split = 0; split < 2; ++split)
     {
       Mesh input = mesh.second;

@@ -3,6 +3,7 @@
 // vtkRefinedCellLocator finds what VTK's own locator finds on the filter's output: where lines meet
 // it, on which cell, its nearest point. Lines through edges and vertices do not slip through.
 #include "RelevoCheck.h"
+#include "RelevoDisplacements.h"
 #include "RelevoSurfaces.h"
 #include "RelevoTestMeshes.h"
 
@@ -307,9 +308,7 @@ void CheckAllPoints(RelevoCheck& check)
 {
   vtkNew<RelevoHeights> waves;
   waves->FillWaves();
-  vtkNew<vtkDisplacement> displacement;
-  displacement->SetHeightMap(waves);
-  displacement->SetScale(0.15);
+  auto displacement = MakeDisplacement(waves, 0.15);
   Twins twins(Torus(), MakeRecipe(3, nullptr, displacement));
   double bounds[6];
   twins.Refined->GetBounds(bounds);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shading normals of displaced surfaces, against analytic ones and against those of the faces.
 #include "RelevoCheck.h"
+#include "RelevoDisplacements.h"
 #include "RelevoTestMeshes.h"
 
 #include "vtkAdaptiveRefinement.h"
@@ -73,10 +74,7 @@ void testPlane(RelevoCheck& check)
         uv[1][0] * st[0] + uv[1][1] * st[1] + uv[1][2]);
     }
     const double scale = 0.1 + 0.1 * number();
-    vtkNew<vtkDisplacement> displacement;
-    displacement->SetHeightMap(heights);
-    displacement->SetScale(scale);
-    displacement->SetOffset(0.3);
+    auto displacement = MakeDisplacement(heights, scale, 0.3);
     Vector direction;
     mesh->GetPointData()->GetNormals()->GetTuple(0, direction.data());
     if (sample % 2)
@@ -254,10 +252,7 @@ void testBumps(RelevoCheck& check)
 {
   vtkNew<RelevoHeights> heights;
   heights->Fill(256, 256, [](double u, double v) { return wave(3.0 * u, 2.0 * v); });
-  vtkNew<vtkDisplacement> displacement;
-  displacement->SetHeightMap(heights);
-  displacement->SetScale(0.04);
-  displacement->SetOffset(0.05);
+  auto displacement = MakeDisplacement(heights, 0.04, 0.05);
   vtkNew<vtkPNTriangleSurface> pn;
   vtkNew<vtkAdaptiveRefinement> recipe;
   recipe->SetMaximumLevel(4);

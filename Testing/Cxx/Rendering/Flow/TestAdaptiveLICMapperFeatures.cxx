@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A LIC beside all else that a mapper does: half of the picture's colours are the LIC, half those
 // of the surface without it. Actors' matrices, picks, copies.
+#include "RelevoDisplacements.h"
 #include "RelevoLICView.h"
 #include "RelevoPicks.h"
 #include "RelevoTestMeshes.h"
@@ -106,9 +107,7 @@ void TestSurfaces(Features& features)
   vtkNew<vtkPNTriangleSurface> surface;
   vtkNew<RelevoHeights> waves;
   waves->FillWaves();
-  vtkNew<vtkDisplacement> displacement;
-  displacement->SetHeightMap(waves);
-  displacement->SetScale(0.1);
+  auto displacement = MakeDisplacement(waves, 0.1);
 
   features.Compare("Linear", Sphere(12, 10), MakeRecipe(0), [](RelevoLICView&) {});
   features.Compare("Curved", Sphere(8, 6), MakeRecipe(4, surface), [](RelevoLICView&) {});

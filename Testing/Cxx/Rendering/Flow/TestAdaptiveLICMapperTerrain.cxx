@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Wind over displaced terrain, by vtkAdaptiveLICMapper: it follows the slopes, and there is none
 // over holes.
+#include "RelevoDisplacements.h"
 #include "RelevoSurfaceFields.h"
-
-#include "vtkDisplacement.h"
 
 #include <iostream>
 
@@ -46,9 +45,7 @@ void TestSlopes(RelevoCheck& check)
 {
   vtkNew<RelevoHeights> heights;
   heights->Fill(256, 256, HeightAt);
-  vtkNew<vtkDisplacement> displacement;
-  displacement->SetHeightMap(heights);
-  displacement->SetScale(Relief);
+  auto displacement = RelevoMeshes::MakeDisplacement(heights, Relief);
   RelevoLICScene scene(Width, Height);
   scene.Add(WithField(RelevoMeshes::Plane(16, 16), Wind),
     RelevoMeshes::MakeRecipe(4, nullptr, displacement));
@@ -76,9 +73,7 @@ void TestHoles(RelevoCheck& check)
 {
   vtkNew<RelevoHeights> heights;
   heights->FillWavesWithHoles();
-  vtkNew<vtkDisplacement> displacement;
-  displacement->SetHeightMap(heights);
-  displacement->SetScale(Relief);
+  auto displacement = RelevoMeshes::MakeDisplacement(heights, Relief);
   RelevoLICScene scene(Width, Height);
   scene.Add(
     WithField(RelevoMeshes::Plane(8, 8), Wind), RelevoMeshes::MakeRecipe(4, nullptr, displacement));

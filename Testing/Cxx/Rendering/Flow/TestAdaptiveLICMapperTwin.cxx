@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkAdaptiveLICMapper shows the same on what it refines as on what vtkAdaptiveRefinementFilter has
 // refined: on every surface, over displaced terrain, with every method, whole or in blocks.
+#include "RelevoDisplacements.h"
 #include "RelevoSurfaceFields.h"
 #include "RelevoSurfaces.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDisplacement.h"
 #include "vtkIdList.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPNTriangleSurface.h"
@@ -77,9 +77,7 @@ void TestTerrain(RelevoCheck& check)
   const Mesh wind = MakeWind(8);
   vtkNew<RelevoHeights> heights;
   heights->FillWavesWithHoles();
-  vtkNew<vtkDisplacement> displacement;
-  displacement->SetHeightMap(heights);
-  displacement->SetScale(0.1);
+  auto displacement = RelevoMeshes::MakeDisplacement(heights, 0.1);
   const auto recipe = RelevoMeshes::MakeRecipe(4, nullptr, displacement);
   Expect(check, "terrain", Draw(wind, recipe), Draw(RelevoMeshes::Refine(wind, recipe)), 0.01);
 }

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // VTK's shaders are changed at anchors. One that is not there is an error that names it, and
 // nothing is drawn; where the actor's own shaders take one away, they decide.
+#include "RelevoDisplacements.h"
 #include "RelevoOtherTemplates.h"
 #include "RelevoPicks.h"
 #include "RelevoTestMeshes.h"
 
 #include "vtkCellData.h"
-#include "vtkDisplacement.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkProperty.h"
@@ -98,9 +98,7 @@ void AddWithHoles(RelevoScene& scene)
 {
   vtkNew<RelevoHeights> heights;
   heights->FillWavesWithHoles();
-  vtkNew<vtkDisplacement> displacement;
-  displacement->SetHeightMap(heights);
-  displacement->SetScale(0.1);
+  auto displacement = MakeDisplacement(heights, 0.1);
   scene.Add(Plane(4, 4), MakeRecipe(3, nullptr, displacement));
 }
 

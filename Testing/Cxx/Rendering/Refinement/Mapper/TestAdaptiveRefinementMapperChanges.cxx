@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // After a change the mapper draws what a new one would: nothing is left of what was taken away, and
 // what has failed is tried again once something has changed, not before.
+#include "RelevoDisplacements.h"
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkCommand.h"
 #include "vtkDepthTagMetric.h"
-#include "vtkDisplacement.h"
 #include "vtkG1Surface.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -102,9 +102,7 @@ void TestDisplacement(RelevoCheck& check)
 {
   vtkNew<RelevoHeights> heights;
   heights->FillWavesWithHoles();
-  vtkNew<vtkDisplacement> displacement;
-  displacement->SetHeightMap(heights);
-  displacement->SetScale(0.1);
+  auto displacement = MakeDisplacement(heights, 0.1);
   auto recipe = MakeRecipe(3, nullptr, displacement);
   RelevoScene scene(RelevoScene::Refining);
   const Mesh mesh = Plane(4, 4);
@@ -237,10 +235,7 @@ void TestCamera(RelevoCheck& check, RelevoComparison& comparison)
   vtkNew<vtkG1Surface> surface;
   vtkNew<RelevoHeights> heights;
   heights->FillWaves();
-  vtkNew<vtkDisplacement> displacement;
-  displacement->SetHeightMap(heights);
-  displacement->SetScale(0.2);
-  displacement->SetDirection(0.0, 0.0, 1.0);
+  auto displacement = MakeDisplacementAlong(0.0, 0.0, 1.0, heights, 0.2);
   const Mesh mesh = Textured(Torus());
   const auto recipe = MakeRecipe(3, surface, displacement);
   RelevoScene twin(RelevoScene::Twin);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bad input: vtkAdaptiveRefinementMapper says once what is wrong, draws nothing, and rendering
 // goes on; put right, it draws again.
+#include "RelevoDisplacements.h"
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 
@@ -226,9 +227,7 @@ void TestDisplacement(RelevoCheck& check)
 {
   vtkNew<RelevoHeights> heights;
   heights->FillRandom(10, 10, 1);
-  vtkNew<vtkDisplacement> displacement;
-  displacement->SetHeightMap(heights);
-  displacement->SetScale(0.1);
+  auto displacement = MakeDisplacement(heights, 0.1);
   Mesh mesh = Sphere(8, 6);
   View view(check, mesh);
   view.Recipe->SetDisplacement(displacement);

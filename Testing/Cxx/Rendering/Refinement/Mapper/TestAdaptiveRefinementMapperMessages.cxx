@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Ordinary scenes say nothing.
+#include "RelevoDisplacements.h"
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 
-#include "vtkDisplacement.h"
 #include "vtkLookupTable.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
@@ -88,10 +88,7 @@ int TestAdaptiveRefinementMapperMessages(int, char*[])
   vtkNew<vtkPNTriangleSurface> surface;
   vtkNew<RelevoHeights> heights;
   heights->FillWaves();
-  vtkNew<vtkDisplacement> displacement;
-  displacement->SetHeightMap(heights);
-  displacement->SetScale(0.1);
-  displacement->SetDirection(0, 0, 1);
+  auto displacement = MakeDisplacementAlong(0, 0, 1, heights, 0.1);
 
   const double aside[3] = { 1.5, 0.0, 0.0 };
   Mesh other = Vectors(Moved(Sphere(7, 6), 1.0, aside, VTK_FLOAT));

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Mappers, recipes and windows come and go, in any order: OpenGL has as many objects as before.
 // RELEVO_TEST_ROUNDS=500 does it so often, and prints the memory in use.
+#include "RelevoDisplacements.h"
 #include "RelevoMethods.h"
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 
 #include "OpenGL/RelevoOpenGL.h"
-#include "vtkDisplacement.h"
 #include "vtkPNTriangleSurface.h"
 #include "vtkProperty.h"
 
@@ -43,9 +43,7 @@ vtkSmartPointer<vtkAdaptiveRefinement> MakeDisplacedRecipe()
 {
   vtkNew<RelevoHeights> heights;
   heights->FillRandom(8, 8, 1);
-  vtkNew<vtkDisplacement> displacement;
-  displacement->SetHeightMap(heights);
-  displacement->SetScale(0.1);
+  auto displacement = MakeDisplacement(heights, 0.1);
   vtkNew<vtkPNTriangleSurface> surface;
   vtkNew<vtkAdaptiveRefinement> recipe;
   recipe->SetMaximumLevel(2);

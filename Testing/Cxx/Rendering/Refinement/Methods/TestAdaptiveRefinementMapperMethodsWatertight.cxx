@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // No pixel shows a crack between faces of random levels, by any method (see RelevoLeaks.h).
+#include "RelevoDisplacements.h"
 #include "RelevoLeaks.h"
 #include "RelevoMethods.h"
 #include "RelevoTestMeshes.h"
 
-#include "vtkDisplacement.h"
 #include "vtkPNTriangleSurface.h"
 
 #include <iostream>
@@ -29,9 +29,7 @@ void TestClosed(RelevoCheck& check, const std::string& name, Mesh mesh, bool who
   mesh->GetBounds(bounds);
   vtkNew<RelevoHeights> rough;
   rough->FillRandom(64, 64, 9);
-  vtkNew<vtkDisplacement> displacement;
-  displacement->SetHeightMap(rough);
-  displacement->SetScale(0.1 * (bounds[1] - bounds[0]));
+  auto displacement = MakeDisplacement(rough, 0.1 * (bounds[1] - bounds[0]));
   vtkNew<vtkPNTriangleSurface> surface;
   vtkNew<vtkAdaptiveRefinement> recipe;
   recipe->SetMaximumLevel(level);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Hardware tessellation leaves no cracks: shared points to the bit, no pixel to be seen through.
+#include "RelevoDisplacements.h"
 #include "RelevoLeaks.h"
 #include "RelevoMethods.h"
 #include "RelevoSurfaces.h"
@@ -8,7 +9,6 @@
 #include "RelevoVertexCapture.h"
 
 #include "vtkCellData.h"
-#include "vtkDisplacement.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkPNTriangleSurface.h"
@@ -101,9 +101,7 @@ void TestLeaks(RelevoCheck& check)
   vtkNew<vtkPNTriangleSurface> surface;
   vtkNew<RelevoHeights> rough;
   rough->FillRandom(64, 64, 9);
-  vtkNew<vtkDisplacement> displacement;
-  displacement->SetHeightMap(rough);
-  displacement->SetScale(0.1);
+  auto displacement = MakeDisplacement(rough, 0.1);
   const struct
   {
     const char* Name;

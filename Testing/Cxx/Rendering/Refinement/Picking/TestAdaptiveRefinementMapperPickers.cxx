@@ -3,6 +3,7 @@
 // What each of VTK's pickers tells about a refined surface: cells and their coordinates, points,
 // blocks, textures, vertices and lines; before a frame, after changes, by all methods; and that
 // they still tell of others what they did.
+#include "RelevoDisplacements.h"
 #include "RelevoMethods.h"
 #include "RelevoPickers.h"
 #include "RelevoTestMeshes.h"
@@ -267,9 +268,7 @@ void CheckTextures(RelevoCheck& check)
   Mesh mesh = Torus();
   vtkNew<RelevoHeights> waves;
   waves->FillWaves();
-  vtkNew<vtkDisplacement> displacement;
-  displacement->SetHeightMap(waves);
-  displacement->SetScale(0.1);
+  auto displacement = MakeDisplacement(waves, 0.1);
   const auto recipe = MakeRecipe(3, nullptr, displacement);
   RelevoScene refining(RelevoScene::Refining);
   RelevoScene twin(RelevoScene::Twin);

@@ -3,12 +3,12 @@
 // Every surface drawn as the filter makes it; what changes live changes the picture, rebuilds
 // nothing and stays equal to the filter's; functions of the user's own.
 #include "RelevoCheck.h"
+#include "RelevoDisplacements.h"
 #include "RelevoScene.h"
 #include "RelevoSurfaces.h"
 #include "RelevoTestMeshes.h"
 
 #include "vtkAdaptiveRefinement.h"
-#include "vtkDisplacement.h"
 #include "vtkFloatArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPhongSurface.h"
@@ -36,9 +36,7 @@ void testTwins(RelevoComparison& comparison)
 {
   vtkNew<RelevoHeights> heights;
   heights->FillRandom(40, 30, 3);
-  vtkNew<vtkDisplacement> displacement;
-  displacement->SetHeightMap(heights);
-  displacement->SetScale(0.1);
+  auto displacement = MakeDisplacement(heights, 0.1);
   const double far[3] = { 5e6, -4e6, 100 };
   for (const auto& surface : RelevoMakeSurfaces())
   {
@@ -82,9 +80,7 @@ void testLive(RelevoCheck& check, RelevoComparison& comparison)
 {
   vtkNew<RelevoHeights> heights;
   heights->FillRandom(40, 30, 3);
-  vtkNew<vtkDisplacement> displacement;
-  displacement->SetHeightMap(heights);
-  displacement->SetScale(0.05);
+  auto displacement = MakeDisplacement(heights, 0.05);
   vtkNew<vtkPhongSurface> phong;
   vtkNew<vtkProceduralSurface> fur;
   fur->SetAmplitude(0.05);

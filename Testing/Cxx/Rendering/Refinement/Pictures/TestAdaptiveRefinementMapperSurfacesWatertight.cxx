@@ -3,6 +3,7 @@
 // No pixel shows a crack in any of the surfaces, displaced along their normals too, and their faces
 // share points to the bit; normals are split everywhere or nowhere.
 #include "RelevoCheck.h"
+#include "RelevoDisplacements.h"
 #include "RelevoLeaks.h"
 #include "RelevoScene.h"
 #include "RelevoSurfaces.h"
@@ -55,9 +56,7 @@ int TestAdaptiveRefinementMapperSurfacesWatertight(int, char*[])
   RelevoCheck check;
   vtkNew<RelevoHeights> rough;
   rough->FillRandom(64, 64, 9);
-  vtkNew<vtkDisplacement> displacement;
-  displacement->SetHeightMap(rough);
-  displacement->SetScale(0.05);
+  auto displacement = MakeDisplacement(rough, 0.05);
   Mesh split = Explode(Sphere(9, 7));
   PerturbNormals(split, 2, 0.5);
   AddRandomTextureCoordinates(split, 6);
