@@ -18,24 +18,7 @@ source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir=${RELEVO_BUILD_DIR:-$source_dir/build}
 . "$source_dir/Module/packages.sh"
 
-# One package a line; a|b where releases of Debian and Ubuntu name it differently.
-packages="
-ca-certificates
-cmake
-g++
-libegl-dev
-libgdal-dev
-libgeographiclib-dev|libgeographic-dev
-libgl1-mesa-dri
-libglm-dev
-libopenimageio-dev
-libvtk9-dev
-ninja-build
-openimageio-tools
-python3-dev
-python3-numpy
-python3-vtk9
-"
+packages=$build_packages
 testing_packages="
 clang
 clang-format

@@ -3,6 +3,25 @@
 #
 # Debian's and Ubuntu's packages, for the scripts that source this file.
 
+# What a build needs, one package a line; a|b where releases of Debian and Ubuntu name it differently.
+build_packages="
+ca-certificates
+cmake
+g++
+libegl-dev
+libgdal-dev
+libgeographiclib-dev|libgeographic-dev
+libgl1-mesa-dri
+libglm-dev
+libopenimageio-dev
+libvtk9-dev
+ninja-build
+openimageio-tools
+python3-dev
+python3-numpy
+python3-vtk9
+"
+
 as_root() {
   if [ "$(id -u)" -eq 0 ]; then
     "$@"

@@ -40,6 +40,12 @@ install(
   COMPONENT   development)
 
 # Users source it, in the build tree or an installed one; both may be moved.
+set(relevo_env_purpose
+  "puts Relevo's programs and, for ${Python3_EXECUTABLE}, `import relevo` on the paths")
+string(CONFIGURE [[
+  PATH="$relevo_prefix/@CMAKE_INSTALL_BINDIR@${PATH:+:$PATH}"
+  PYTHONPATH="$relevo_prefix/@RELEVO_PYTHON_DESTINATION@${PYTHONPATH:+:$PYTHONPATH}"
+  export PATH PYTHONPATH]] relevo_env_settings @ONLY)
 set(relevo_env_folder "build")
 set(relevo_env_to_prefix ".")
 if (relevo_is_whole)

@@ -6,14 +6,16 @@
 # of its own, with the libraries of Debian's that it needs and the machine has not. Nothing is
 # installed: the packages conflict with those of VTK.
 #
-#   bash Testing/Benchmark/ParaView/fetch.sh PREFIX
+#   bash Testing/Benchmark/ParaView/fetch.sh PREFIX [PACKAGE...]
+#
+# PACKAGEs are unpacked besides, as paraview-dev for Module/ParaView/build.sh.
 #
 # Leaves PREFIX/bin/paraview-python: Python with ParaView's modules. Then
 # relevo-benchmark --paraview PREFIX lic
 set -euo pipefail
 
-if [ $# -ne 1 ]; then
-  echo "usage: fetch.sh PREFIX" >&2
+if [ $# -lt 1 ]; then
+  echo "usage: fetch.sh PREFIX [PACKAGE...]" >&2
   exit 2
 fi
 mkdir -p "$1/bin"
@@ -21,7 +23,7 @@ prefix=$(cd "$1" && pwd)
 packages_dir=$(mktemp -d)
 trap 'rm -rf "$packages_dir"' EXIT
 
-packages=(paraview python3-paraview)
+packages=(paraview python3-paraview "${@:2}")
 # What would be installed along with them, if it were.
 mapfile -t libraries < <(apt-get --simulate install --no-install-recommends "${packages[@]}" |
   sed -n 's/^Inst \(lib[^ ]*\) .*/\1/p' | grep -v -e '-dev$')

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkAdaptiveRefinementRepresentation.h"
+
+#include "vtkAdaptiveRefinement.h"
+#include "vtkAdaptiveRefinementMapper.h"
+#include "vtkAlgorithm.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkDataObject.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVLODActor.h"
+#include "vtkPVRenderView.h"
+#include "vtkSelection.h"
+
+vtkStandardNewMacro(vtkAdaptiveRefinementRepresentation);
+
+vtkAdaptiveRefinementRepresentation::vtkAdaptiveRefinementRepresentation()
+{
+  // The base draws a decimated surface with a mapper of its own while the view moves.
+  this->SuppressLOD = true;
+  vtkNew<vtkAdaptiveRefinementMapper> mapper;
+  this->SetMapper(mapper);
+}
+
+vtkAdaptiveRefinementRepresentation::~vtkAdaptiveRefinementRepresentation() = default;
+
+void vtkAdaptiveRefinementRepresentation::SetMapper(vtkAdaptiveRefinementMapper* mapper)
+{
+  if (!mapper)
+  {
+    vtkErrorMacro("SetMapper(nullptr): there must be a mapper.");
+    return;
+  }
+  if (this->Mapper == mapper)
+  {
+    return;
+  }
+  mapper->SetProcessIdArrayName("vtkProcessId");
+  mapper->SetCompositeIdArrayName("vtkCompositeIndex");
+  vtkNew<vtkSelection> selection;
+  mapper->SetSelection(selection);
+  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+  mapper->SetCompositeDataDisplayAttributes(attributes);
+  mapper->Register(this);
+  this->Mapper->UnRegister(this);
+  this->Mapper = mapper;
+  this->Actor->SetMapper(mapper);
+  this->BackfaceActor->SetMapper(mapper);
+  this->SetArrayIdNames(nullptr, nullptr);
+  this->BlockAttrChanged = true;
+  this->Modified();
+}
+
+vtkAdaptiveRefinementMapper* vtkAdaptiveRefinementRepresentation::GetMapper()
+{
+  return vtkAdaptiveRefinementMapper::SafeDownCast(this->Mapper);
+}
+
+void vtkAdaptiveRefinementRepresentation::SetRefinementColorMode(int mode)
+{
+  if (mode < 0 || mode > vtkAdaptiveRefinementMapper::COLOR_BY_METRIC)
+  {
+    vtkErrorMacro("RefinementColorMode must be from 0 to 3, got " << mode << ".");
+    return;
+  }
+  if (this->RefinementColorMode != mode)
+  {
+    this->RefinementColorMode = mode;
+    this->Modified();
+  }
+}
+
+// The base's settings make it the scalars again.
+void vtkAdaptiveRefinementRepresentation::ApplyColorMode()
+{
+  vtkAdaptiveRefinementMapper* mapper = this->GetMapper();
+  switch (this->RefinementColorMode)
+  {
+    case vtkAdaptiveRefinementMapper::COLOR_BY_LEVEL:
+      mapper->SetColorModeToLevel();
+      break;
+    case vtkAdaptiveRefinementMapper::COLOR_BY_PATTERN:
+      mapper->SetColorModeToPattern();
+      break;
+    case vtkAdaptiveRefinementMapper::COLOR_BY_METRIC:
+      mapper->SetColorModeToMetric();
+      break;
+    default:
+      mapper->SetColorModeToScalars();
+  }
+}
+
+void vtkAdaptiveRefinementRepresentation::SetSuppressLOD(bool)
+{
+}
+
+void vtkAdaptiveRefinementRepresentation::SetArrayIdNames(
+  const char* pointArray, const char* cellArray)
+{
+  vtkAdaptiveRefinementMapper* mapper = this->GetMapper();
+  mapper->SetPointIdArrayName(pointArray ? pointArray : "vtkOriginalPointIds");
+  mapper->SetCellIdArrayName(cellArray ? cellArray : "vtkOriginalCellIds");
+}
+
+int vtkAdaptiveRefinementRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  const bool attributesChanged = this->BlockAttrChanged;
+  const vtkMTimeType attributesTime = this->BlockAttributeTime;
+  if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
+  {
+    return 0;
+  }
+  if (request == vtkPVView::REQUEST_UPDATE())
+  {
+    this->GiveBounds(inInfo);
+  }
+  else if (request == vtkPVView::REQUEST_RENDER())
+  {
+    this->ApplyColorMode();
+    // The base does this for VTK's composite mapper alone.
+    vtkDataObject* data = vtkPVView::GetDeliveredPiece(inInfo, this);
+    if (data && (attributesChanged || attributesTime < data->GetMTime()))
+    {
+      this->PopulateBlockAttributes(this->GetMapper()->GetCompositeDataDisplayAttributes(), data);
+    }
+  }
+  return 1;
+}
+
+void vtkAdaptiveRefinementRepresentation::GiveBounds(vtkInformation* inInfo)
+{
+  vtkDataObject* data = this->MultiBlockMaker->GetOutputDataObject(0);
+  this->Measure->SetRefinement(this->GetMapper()->GetRefinement());
+  this->Measure->SetInputDataObject(data);
+  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+  this->PopulateBlockAttributes(attributes, data);
+  this->Measure->SetCompositeDataDisplayAttributes(attributes);
+  this->Measure->GetBounds(this->VisibleDataBounds);
+  vtkNew<vtkMatrix4x4> matrix;
+  this->Actor->GetMatrix(matrix);
+  vtkPVRenderView::SetGeometryBounds(inInfo, this, this->VisibleDataBounds, matrix);
+}
+
+void vtkAdaptiveRefinementRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Mapper:\n";
+  this->Mapper->PrintSelf(os, indent.GetNextIndent());
+}

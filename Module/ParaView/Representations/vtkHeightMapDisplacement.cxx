@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeightMapDisplacement.h"
+
+#include "vtkHeightMap.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkHeightMapDisplacement);
+
+vtkHeightMapDisplacement::vtkHeightMapDisplacement() = default;
+vtkHeightMapDisplacement::~vtkHeightMapDisplacement() = default;
+
+void vtkHeightMapDisplacement::SetHeightMapFileName(const char* name)
+{
+  const bool isNamed = name && *name;
+  this->Map->SetFileName(isNamed ? name : nullptr);
+  this->SetHeightMap(isNamed ? this->Map.Get() : nullptr);
+}
+
+void vtkHeightMapDisplacement::SetMaximumDimension(int dimension)
+{
+  this->Map->SetMaximumDimension(dimension);
+}
+
+void vtkHeightMapDisplacement::SetAlongNormals(bool along)
+{
+  this->AlongNormals = along;
+  if (along)
+  {
+    this->SetDirectionToNormal();
+  }
+  else
+  {
+    this->SetDirection(this->FixedDirection);
+  }
+}
+
+void vtkHeightMapDisplacement::SetFixedDirection(double x, double y, double z)
+{
+  const double direction[3] = { x, y, z };
+  std::copy(direction, direction + 3, this->FixedDirection);
+  this->SetAlongNormals(this->AlongNormals);
+}
+
+void vtkHeightMapDisplacement::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

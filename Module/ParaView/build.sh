@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Builds the plugin for ParaView into build-paraview/: installs what is missing (Debian, Ubuntu),
+# takes the ParaView that is installed or unpacks Debian's into the build folder, where it does not
+# get in the way of VTK's own packages, compiles, and leaves build-paraview/env.sh to source. After
+# that paraview, pvserver, pvbatch and pvpython load the plugin Relevo themselves.
+#
+#   bash Module/ParaView/build.sh [--no-install] [CMake's own arguments...]
+#
+#   --no-install   leave the machine's packages alone
+#
+# RELEVO_PARAVIEW_BUILD_DIR is the folder to build in (default: build-paraview beside README.md).
+# ParaView_DIR, of the environment or as CMake's argument -DParaView_DIR=..., names another ParaView,
+# 5.11 or later.
+set -euo pipefail
+
+source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+build_dir=${RELEVO_PARAVIEW_BUILD_DIR:-$source_dir/build-paraview}
+. "$source_dir/Module/packages.sh"
+
+install=yes
+cmake_arguments=()
+for argument in "$@"; do
+  case $argument in
+    --no-install) install=no ;;
+    -h | --help)
+      sed -n '/^# Builds/,/^set /p' "${BASH_SOURCE[0]}" | sed '$d; s/^# \{0,1\}//'
+      exit 0
+      ;;
+    -DParaView_DIR=*) ParaView_DIR=${argument#*=} ;;
+    *) cmake_arguments+=("$argument") ;;
+  esac
+done
+
+if [ $install = yes ]; then
+  install_packages $build_packages openmpi-bin
+fi
+
+# An installed one, or one of Debian's packages that are unpacked and not installed.
+if [ -z "${ParaView_DIR:-}" ]; then
+  prefix=/usr
+  if ! is_installed paraview-dev; then
+    prefix=$build_dir/paraview
+    if ! ls -d "$prefix"/usr/lib/*/cmake/paraview-* >/dev/null 2>&1; then
+      bash "$source_dir/Testing/Benchmark/ParaView/fetch.sh" "$prefix" paraview-dev
+    fi
+    prefix+=/usr
+  fi
+  ParaView_DIR=$(ls -d "$prefix"/lib/*/cmake/paraview-* | tail -n 1)
+fi
+
+if command -v ccache >/dev/null; then
+  cmake_arguments=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache
+    "${cmake_arguments[@]}")
+fi
+if [ ! -f "$build_dir/CMakeCache.txt" ] && command -v ninja >/dev/null; then
+  cmake_arguments=(-G Ninja "${cmake_arguments[@]}")
+fi
+cmake -S "$source_dir" -B "$build_dir" -DRELEVO_BUILD_PARAVIEW=ON -DRELEVO_WRAP_PYTHON=OFF \
+  -DRELEVO_BUILD_EXAMPLES=OFF -DParaView_DIR="$ParaView_DIR" "${cmake_arguments[@]}"
+cmake --build "$build_dir" --parallel "$(nproc)"
+
+echo "build.sh: built; now:  . $build_dir/env.sh"

@@ -1,0 +1,161 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The representation Adaptive Refinement: like Surface, and like the filter's mesh."""
+
+import os
+import tempfile
+
+from paraview import servermanager, simple, smstate
+
+import RelevoParaView as relevo
+
+
+def sphere(**properties):
+    return simple.Sphere(ThetaResolution=9, PhiResolution=7, **properties)
+
+
+class TestRepresentation(relevo.TestCase):
+    def compare(self, source, pixels=0, twin=None, prepare=None, **properties):
+        """The picture of Adaptive Refinement against that of Surface."""
+        views = relevo.view(), relevo.view()
+        refined = relevo.show(source, views[0], **properties)
+        surface = relevo.show(twin or source, views[1], "Surface")
+        for representation in refined, surface:
+            if prepare:
+                prepare(representation)
+        simple.ResetCamera(views[1])
+        relevo.copy_camera(views[1], views[0])
+        self.assert_same_picture(*views, pixels)
+        return refined
+
+    def test_every_data_set(self):
+        """With a surface: level 0 is Surface to the pixel."""
+        wavelet = simple.Wavelet(WholeExtent=[0, 6, 0, 5, 0, 4])
+        kinds = {
+            "image": wavelet,
+            "unstructured": simple.Tetrahedralize(Input=wavelet),
+            "structured": simple.Transform(Input=wavelet),
+            "polygons": sphere(),
+            "blocks": simple.GroupDatasets(Input=[sphere(), sphere(Center=[1, 0, 0])]),
+        }
+        for name, source in kinds.items():
+            with self.subTest(name):
+                self.compare(source, MaximumLevel=0, Metric="None")
+
+    def test_looks(self):
+        looks = {
+            "points": lambda r: setattr(r, "DiffuseColor", [0.2, 0.6, 0.9]),
+            "opacity": lambda r: setattr(r, "Opacity", 0.4),
+            "transform": lambda r: setattr(r, "Orientation", [20, 30, 40]),
+            "backface": lambda r: setattr(r, "BackfaceRepresentation", "Cull Frontface"),
+            "specular": lambda r: setattr(r, "Specular", 0.7),
+        }
+        for name, prepare in looks.items():
+            with self.subTest(name):
+                self.compare(sphere(), prepare=prepare, MaximumLevel=0, Metric="None")
+
+    def test_colours(self):
+        """Of points and of cells."""
+        elevation = simple.Elevation(Input=sphere())
+        for array in ("POINTS", "Elevation"), ("CELLS", "Cell"):
+            source = elevation if array[0] == "POINTS" else simple.PointDatatoCellData(Input=elevation)
+            self.compare(
+                source,
+                prepare=lambda r: simple.ColorBy(r, (array[0], "Elevation")),
+                MaximumLevel=0,
+                Metric="None",
+            )
+
+    def test_the_filter_is_its_twin(self):
+        for surface in "PN Triangles", "Phong Tessellation", "G1":
+            mesh = simple.AdaptiveRefinement(Input=sphere(), MaximumLevel=3, Surface=surface)
+            with self.subTest(surface):
+                self.compare(
+                    sphere(), 20, mesh, MaximumLevel=3, Metric="None", Surface=surface
+                )
+
+    def test_bounds_of_what_is_displaced(self):
+        """A view is reset to what the displacement can reach."""
+        view = relevo.view()
+        shown = relevo.show(sphere(), view, Metric="None", Displacement="Height Map")
+        shown.Displacement.Offset = 2.0
+        simple.ResetCamera(view)
+        view.Update()
+        bounds = view.GetClientSideObject().GetRenderer().ComputeVisiblePropBounds()
+        self.assertLess(bounds[0], -2.3)
+        self.assertGreater(bounds[1], 2.3)
+        picture = relevo.picture(view)
+        border = [picture[0], picture[-1], picture[:, 0], picture[:, -1]]
+        self.assertTrue(all((line == picture[0, 0]).all() for line in border))
+        self.assertGreater(relevo.foreground(picture), 5000)
+
+    def test_settings_act_live(self):
+        view = relevo.view()
+        shown = relevo.show(sphere(), view, MaximumLevel=4, Metric="None")
+        simple.ResetCamera(view)
+        pictures = [relevo.picture(view)]
+        for name, value in (
+            ("Surface", "PN Triangles"),
+            ("RefinementColorMode", "Pattern"),
+            ("Metric", "Silhouette"),
+            ("MaximumLevel", 3),
+            ("LevelOffset", -1.0),
+            ("TargetNumberOfTriangles", 400),
+        ):
+            setattr(shown, name, value)
+            pictures.append(relevo.picture(view))
+            self.assertGreater(relevo.differing(*pictures[-2:], 0), 20, name)
+
+    def test_blocks(self):
+        """Visibility, colour and opacity of blocks."""
+        left = sphere(registrationName="Left")
+        right = sphere(registrationName="Right", Center=[1.2, 0, 0])
+        blocks = simple.GroupDatasets(Input=[left, right])
+
+        def hide(representation):
+            representation.BlockSelectors = ["/Root/Left"]
+
+        def colour(representation):
+            representation.BlockColors = ["/Root/Right", "1", "0", "0"]
+
+        for prepare in hide, colour:
+            with self.subTest(prepare.__name__):
+                self.compare(blocks, prepare=prepare, MaximumLevel=0, Metric="None")
+
+    def test_selection(self):
+        """Cells by a rectangle have the ids that Surface gives."""
+        found = []
+        for representation in "Surface", "Adaptive Refinement":
+            view = relevo.view()
+            source = sphere()
+            relevo.show(source, view, representation)
+            simple.ResetCamera(view)
+            simple.Render(view)
+            simple.SetActiveSource(source)
+            simple.SelectSurfaceCells(Rectangle=[100, 60, 200, 140], View=view)
+            selection = servermanager._getPyProxy(source.GetSelectionInput(0))
+            found.append(list(selection.Input[0].IDs))
+        self.assertGreater(len(found[0]), 5)
+        self.assertEqual(*found)
+
+    def test_state_files(self):
+        view = relevo.view()
+        shown = relevo.show(sphere(), view, MaximumLevel=3, Metric="Curvature", Surface="PN Triangles")
+        shown.RefinementColorMode = "Level"
+        shown.Metric.Quantiles = [0.1, 0.8]
+        simple.ResetCamera(view)
+        expected = relevo.picture(view)
+        script = smstate.get_state()
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "state.pvsm")
+            simple.SaveState(path)
+            loads = (lambda: simple.LoadState(path)), (lambda: exec(script, {"__name__": "state"}))
+            for load in loads:
+                relevo.clear()
+                load()
+                view = simple.GetActiveViewOrCreate("RenderView")
+                self.assertEqual(relevo.differing(relevo.picture(view), expected, 0), 0)
+
+
+if __name__ == "__main__":
+    relevo.main()

@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Runs the tests of the plugin for ParaView that Module/ParaView/build.sh has built. Exits with 0 if
+# all passed, with 125 if there is no plugin.
+#
+#   bash Testing/ParaView/run.sh [NAME...]
+#
+# RELEVO_PARAVIEW_BUILD_DIR is the folder it was built in (default: build-paraview beside README.md).
+set -euo pipefail
+
+source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+build_dir=${RELEVO_PARAVIEW_BUILD_DIR:-$source_dir/build-paraview}
+if [ ! -f "$build_dir/env.sh" ]; then
+  echo "skipped: there is no plugin; bash Module/ParaView/build.sh builds it"
+  exit 125
+fi
+. "$build_dir/env.sh"
+export PYTHONDONTWRITEBYTECODE=1
+if [ -z "${DISPLAY:-}" ]; then
+  exec xvfb-run -a -s "-noreset -screen 0 1280x1024x24" bash "${BASH_SOURCE[0]}" "$@"
+fi
+
+names=("$@")
+if [ ${#names[@]} -eq 0 ]; then
+  names=(TestFilters TestRepresentation)
+fi
+failed=()
+for name in "${names[@]}"; do
+  pvbatch "$source_dir/Testing/ParaView/$name.py" || failed+=("$name")
+done
+if [ ${#failed[@]} -gt 0 ]; then
+  echo "failed: ${failed[*]}" >&2
+  exit 1
+fi
