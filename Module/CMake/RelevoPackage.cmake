@@ -89,7 +89,10 @@ install(
   COMPONENT   runtime
   FILES_MATCHING PATTERN "*.md" PATTERN "*.jpg")
 install(
-  DIRECTORY   "${PROJECT_SOURCE_DIR}/Examples/Cxx" "${PROJECT_SOURCE_DIR}/Examples/Python"
+  DIRECTORY
+    "${PROJECT_SOURCE_DIR}/Examples/Cxx"
+    "${PROJECT_SOURCE_DIR}/Examples/ParaView"
+    "${PROJECT_SOURCE_DIR}/Examples/Python"
   DESTINATION "${CMAKE_INSTALL_DOCDIR}/Examples"
   COMPONENT   runtime
   PATTERN     __pycache__ EXCLUDE)

@@ -138,6 +138,28 @@ class TestRepresentation(relevo.TestCase):
         self.assertGreater(len(found[0]), 5)
         self.assertEqual(*found)
 
+    def test_streaks(self):
+        """Adaptive LIC shows streaks, and takes the settings of Surface LIC and of the recipe."""
+        flow = simple.Calculator(Input=sphere(), ResultArrayName="Flow")
+        flow.Function = "iHat*coordsY-jHat*coordsX+kHat"
+        view = relevo.view()
+        shown = relevo.show(flow, view)
+        simple.ResetCamera(view)
+        smooth = relevo.picture(view)
+        shown.SelectInputVectors = ["POINTS", "Flow"]
+        shown.Representation = "Adaptive LIC"
+        pictures = [smooth, relevo.picture(view)]
+        self.assertGreater(relevo.differing(*pictures), relevo.foreground(smooth) / 2)
+        for name, value in (
+            ("NumberOfSteps", 10),
+            ("OrientedLIC", 1),
+            ("Surface", "PN Triangles"),
+            ("MaximumLevel", 1),
+        ):
+            setattr(shown, name, value)
+            pictures.append(relevo.picture(view))
+            self.assertGreater(relevo.differing(*pictures[-2:]), 20, name)
+
     def test_state_files(self):
         view = relevo.view()
         shown = relevo.show(sphere(), view, MaximumLevel=3, Metric="Curvature", Surface="PN Triangles")
