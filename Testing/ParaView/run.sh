@@ -24,11 +24,27 @@ fi
 
 names=("$@")
 if [ ${#names[@]} -eq 0 ]; then
-  names=(TestFilters TestRepresentation)
+  names=(TestFilters TestRepresentation TestRanks)
 fi
+
+# In a container Open MPI is asked to run as root, and on more ranks than there are processors.
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+pictures=$(mktemp --suffix=.npz)
+trap 'rm -f "$pictures"' EXIT
+run_test() {
+  local script=$source_dir/Testing/ParaView/$1.py ranks
+  if [ "$1" != TestRanks ]; then
+    pvbatch "$script"
+    return
+  fi
+  for ranks in 1 2 4; do
+    timeout 120 mpirun --oversubscribe -n $ranks pvbatch "$script" "$pictures" || return 1
+  done
+}
+
 failed=()
 for name in "${names[@]}"; do
-  pvbatch "$source_dir/Testing/ParaView/$name.py" || failed+=("$name")
+  run_test "$name" || failed+=("$name")
 done
 if [ ${#failed[@]} -gt 0 ]; then
   echo "failed: ${failed[*]}" >&2

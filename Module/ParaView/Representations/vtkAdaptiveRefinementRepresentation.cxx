@@ -6,12 +6,16 @@
 #include "vtkAdaptiveRefinementMapper.h"
 #include "vtkAlgorithm.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkDataObject.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkGhostCellsGenerator.h"
 #include "vtkMatrix4x4.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
+#include "vtkPolyData.h"
 #include "vtkSelection.h"
 
 vtkStandardNewMacro(vtkAdaptiveRefinementRepresentation);
@@ -102,6 +106,36 @@ void vtkAdaptiveRefinementRepresentation::SetArrayIdNames(
   vtkAdaptiveRefinementMapper* mapper = this->GetMapper();
   mapper->SetPointIdArrayName(pointArray ? pointArray : "vtkOriginalPointIds");
   mapper->SetCellIdArrayName(cellArray ? cellArray : "vtkOriginalCellIds");
+}
+
+int vtkAdaptiveRefinementRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const int result = this->Superclass::RequestData(request, inputVector, outputVector);
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  auto blocks = vtkDataObjectTree::SafeDownCast(this->MultiBlockMaker->GetOutputDataObject(0));
+  if (!controller || controller->GetNumberOfProcesses() < 2 || !blocks)
+  {
+    return result;
+  }
+  // The exchange is collective: all processes go through all blocks, empty ones too.
+  auto iterator = vtk::TakeSmartPointer(blocks->NewTreeIterator());
+  iterator->SkipEmptyNodesOff();
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    vtkSmartPointer<vtkPolyData> own = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject());
+    vtkNew<vtkPolyData> empty;
+    vtkNew<vtkGhostCellsGenerator> generator;
+    generator->SetInputData(own ? own.Get() : empty.Get());
+    generator->BuildIfRequiredOff();
+    generator->SetNumberOfGhostLayers(1);
+    generator->Update();
+    if (own)
+    {
+      blocks->SetDataSet(iterator, generator->GetOutputDataObject(0));
+    }
+  }
+  return result;
 }
 
 int vtkAdaptiveRefinementRepresentation::ProcessViewRequest(

@@ -66,6 +66,13 @@ protected:
   vtkAdaptiveRefinementRepresentation();
   ~vtkAdaptiveRefinementRepresentation() override;
 
+  /**
+   * Of several processes, each gets a layer of the faces around its own, which are not drawn:
+   * levels and curved surfaces at the border depend on them.
+   */
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
 private:
   vtkAdaptiveRefinementRepresentation(const vtkAdaptiveRefinementRepresentation&) = delete;
   void operator=(const vtkAdaptiveRefinementRepresentation&) = delete;
