@@ -48,8 +48,8 @@ public:
    * visit may lower. getDistance(box, nearest) gives more than nearest for what need not be
    * visited.
    */
-  template <typename GetDistance, typename Visit>
-  void Visit(double& nearest, const GetDistance& getDistance, const Visit& visit) const;
+  template <typename GetDistance, typename Visitor>
+  void Visit(double& nearest, const GetDistance& getDistance, const Visitor& visit) const;
 
   const FaceBox& GetBox(int face) const { return this->Boxes[face]; }
   bool IsEmpty() const { return this->Boxes.empty(); }
