@@ -2,20 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveRefinementRepresentation.h"
 
+#include "GhostFaces.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementMapper.h"
 #include "vtkAlgorithm.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataObjectTree.h"
-#include "vtkDataObjectTreeIterator.h"
-#include "vtkGhostCellsGenerator.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
-#include "vtkPolyData.h"
 #include "vtkSelection.h"
 
 vtkStandardNewMacro(vtkAdaptiveRefinementRepresentation);
@@ -113,27 +111,10 @@ int vtkAdaptiveRefinementRepresentation::RequestData(
 {
   const int result = this->Superclass::RequestData(request, inputVector, outputVector);
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  auto blocks = vtkDataObjectTree::SafeDownCast(this->MultiBlockMaker->GetOutputDataObject(0));
-  if (!controller || controller->GetNumberOfProcesses() < 2 || !blocks)
+  auto tree = vtkDataObjectTree::SafeDownCast(this->MultiBlockMaker->GetOutputDataObject(0));
+  if (controller && controller->GetNumberOfProcesses() > 1 && tree)
   {
-    return result;
-  }
-  // The exchange is collective: all processes go through all blocks, empty ones too.
-  auto iterator = vtk::TakeSmartPointer(blocks->NewTreeIterator());
-  iterator->SkipEmptyNodesOff();
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-  {
-    vtkSmartPointer<vtkPolyData> own = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject());
-    vtkNew<vtkPolyData> empty;
-    vtkNew<vtkGhostCellsGenerator> generator;
-    generator->SetInputData(own ? own.Get() : empty.Get());
-    generator->BuildIfRequiredOff();
-    generator->SetNumberOfGhostLayers(1);
-    generator->Update();
-    if (own)
-    {
-      blocks->SetDataSet(iterator, generator->GetOutputDataObject(0));
-    }
+    relevo::AddGhostFaces(tree, controller);
   }
   return result;
 }
