@@ -37,6 +37,8 @@ class TestRepresentation(relevo.TestCase):
             "structured": simple.Transform(Input=wavelet),
             "polygons": sphere(),
             "blocks": simple.GroupDatasets(Input=[sphere(), sphere(Center=[1, 0, 0])]),
+            "refined grids": simple.AMRGaussianPulseSource(),
+            "trees": simple.HyperTreeGridRandom(),
         }
         for name, source in kinds.items():
             with self.subTest(name):
