@@ -6,7 +6,15 @@ import unittest
 
 import numpy
 from paraview import simple
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkPNGWriter
+
+STYLES = "Adaptive Refinement", "Surface"
+
+
+def sphere(**properties):
+    return simple.Sphere(ThetaResolution=9, PhiResolution=7, **properties)
 
 
 def view(size=(300, 200)):
@@ -24,9 +32,13 @@ def show(source, in_view, representation="Adaptive Refinement", **properties):
     result = simple.Show(source, in_view)
     result.Representation = representation
     result.ColorArrayName = ["POINTS", ""]
-    for name, value in properties.items():
-        setattr(result, name, value)
+    set_properties(result, properties)
     return result
+
+
+def set_properties(proxy, properties):
+    for name, value in properties.items():
+        setattr(proxy, name, value)
 
 
 def picture(of_view):
@@ -52,6 +64,27 @@ def copy_camera(source, target):
         setattr(target, name, getattr(source, name))
 
 
+def write_heights(path, size=33):
+    """A hill in the middle of a raster of 16 bits."""
+    middle = (size - 1) / 2
+    row, column = numpy.mgrid[:size, :size] - middle
+    heights = 10 * numpy.clip(1 - numpy.hypot(row, column) / middle, 0, None)
+    write_png(path, heights.astype(numpy.uint16))
+
+
+def write_png(path, values):
+    """Rows x columns, or rows x columns x components; the lowest row first."""
+    image = vtkImageData()
+    image.SetDimensions(values.shape[1], values.shape[0], 1)
+    components = values.shape[2] if values.ndim > 2 else 1
+    scalars = numpy_to_vtk(values.reshape(-1, components), deep=1)
+    image.GetPointData().SetScalars(scalars)
+    writer = vtkPNGWriter()
+    writer.SetInputData(image)
+    writer.SetFileName(path)
+    writer.Write()
+
+
 def clear():
     """Deletes views first: ParaView 5.11 does not end well after ResetSession() with two windows."""
     for each in simple.GetViews():
@@ -69,6 +102,19 @@ class TestCase(unittest.TestCase):
         expected = picture(other)
         self.assertGreater(foreground(expected), 1000)
         self.assertLessEqual(differing(picture(one), expected), pixels)
+
+    def compare(self, source, pixels=0, twin=None, prepare=None, styles=STYLES, **properties):
+        """The picture of Adaptive Refinement with these properties against that of Surface."""
+        views = view(), view()
+        refined = show(source, views[0], styles[0], **properties)
+        surface = show(twin or source, views[1], styles[1])
+        for representation in refined, surface:
+            if prepare:
+                prepare(representation)
+        simple.ResetCamera(views[1])
+        copy_camera(views[1], views[0])
+        self.assert_same_picture(*views, pixels)
+        return refined
 
 
 def main():

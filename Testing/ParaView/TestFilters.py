@@ -6,27 +6,8 @@ import os
 import tempfile
 
 from paraview import simple
-from vtkmodules.vtkCommonCore import VTK_UNSIGNED_SHORT
-from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOImage import vtkPNGWriter
 
 import RelevoParaView as relevo
-
-
-def write_heights(path, size=33):
-    """A hill in the middle of a raster of 16 bits."""
-    image = vtkImageData()
-    image.SetDimensions(size, size, 1)
-    image.AllocateScalars(VTK_UNSIGNED_SHORT, 1)
-    middle = (size - 1) / 2
-    for row in range(size):
-        for column in range(size):
-            distance = ((column - middle) ** 2 + (row - middle) ** 2) ** 0.5 / middle
-            image.SetScalarComponentFromDouble(column, row, 0, 0, 10 * max(0, 1 - distance))
-    writer = vtkPNGWriter()
-    writer.SetInputData(image)
-    writer.SetFileName(path)
-    writer.Write()
 
 
 class TestFilters(relevo.TestCase):
@@ -63,7 +44,7 @@ class TestFilters(relevo.TestCase):
         """A coarse mesh, which the displacement lifts."""
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "heights.png")
-            write_heights(path)
+            relevo.write_heights(path)
             terrain = simple.TerrainSource(FileName=path, Resolution=8)
             terrain.UpdatePipeline()
             self.assertEqual(terrain.GetDataInformation().GetNumberOfCells(), 128)

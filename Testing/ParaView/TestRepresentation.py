@@ -8,26 +8,10 @@ import tempfile
 from paraview import servermanager, simple, smstate
 
 import RelevoParaView as relevo
-
-
-def sphere(**properties):
-    return simple.Sphere(ThetaResolution=9, PhiResolution=7, **properties)
+from RelevoParaView import sphere
 
 
 class TestRepresentation(relevo.TestCase):
-    def compare(self, source, pixels=0, twin=None, prepare=None, **properties):
-        """The picture of Adaptive Refinement against that of Surface."""
-        views = relevo.view(), relevo.view()
-        refined = relevo.show(source, views[0], **properties)
-        surface = relevo.show(twin or source, views[1], "Surface")
-        for representation in refined, surface:
-            if prepare:
-                prepare(representation)
-        simple.ResetCamera(views[1])
-        relevo.copy_camera(views[1], views[0])
-        self.assert_same_picture(*views, pixels)
-        return refined
-
     def test_every_data_set(self):
         """With a surface: level 0 is Surface to the pixel."""
         wavelet = simple.Wavelet(WholeExtent=[0, 6, 0, 5, 0, 4])
