@@ -8,12 +8,12 @@ mpirun -n RANKS pvbatch TestRanks.py FILE.npz
 import sys
 
 import numpy
-from mpi4py import MPI
 from paraview import simple
+from paraview.modules.vtkRemotingCore import vtkProcessModule
 
 import RelevoParaView as relevo
 
-RANK = MPI.COMM_WORLD.Get_rank()
+RANKS = vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
 # Pixels of 60000 that may differ; ParaView's own Surface differs, too, where ranks are blended.
 CASES = {
     "Level 0": (10, {"MaximumLevel": 0, "Metric": "None"}),
@@ -48,21 +48,19 @@ def draw_all():
 
 def main(path):
     pictures = draw_all()
-    if RANK > 0:
-        return 0
-    if MPI.COMM_WORLD.Get_size() == 1:
+    if RANKS == 1:
         numpy.savez(path, **pictures)
         return 0 if all(relevo.foreground(each) > 1000 for each in pictures.values()) else 1
     failed = 0
     expected = numpy.load(path)
     for name, (most, _) in CASES.items():
         different = relevo.differing(pictures[name], expected[name])
-        print(f"{MPI.COMM_WORLD.Get_size()} ranks, {name}: {different} pixels differ", flush=True)
+        print(f"{RANKS} ranks, {name}: {different} pixels differ", flush=True)
         failed += different > most
     return failed
 
 
 if __name__ == "__main__":
-    status = MPI.COMM_WORLD.bcast(main(sys.argv[1]))
+    status = main(sys.argv[1])
     if status:  # else pvbatch ends MPI
         sys.exit(status)

@@ -30,7 +30,7 @@ class TestRepresentation(relevo.TestCase):
 
     def test_looks(self):
         looks = {
-            "points": lambda r: setattr(r, "DiffuseColor", [0.2, 0.6, 0.9]),
+            "colour": lambda r: setattr(r, "DiffuseColor", [0.2, 0.6, 0.9]),
             "opacity": lambda r: setattr(r, "Opacity", 0.4),
             "transform": lambda r: setattr(r, "Orientation", [20, 30, 40]),
             "backface": lambda r: setattr(r, "BackfaceRepresentation", "Cull Frontface"),
@@ -42,15 +42,16 @@ class TestRepresentation(relevo.TestCase):
 
     def test_colours(self):
         """Of points and of cells."""
-        elevation = simple.Elevation(Input=sphere())
-        for array in ("POINTS", "Elevation"), ("CELLS", "Cell"):
-            source = elevation if array[0] == "POINTS" else simple.PointDatatoCellData(Input=elevation)
-            self.compare(
-                source,
-                prepare=lambda r: simple.ColorBy(r, (array[0], "Elevation")),
-                MaximumLevel=0,
-                Metric="None",
-            )
+        points = simple.Elevation(Input=sphere())
+        cells = simple.PointDatatoCellData(Input=points)
+        for source, association in (points, "POINTS"), (cells, "CELLS"):
+            with self.subTest(association):
+                self.compare(
+                    source,
+                    prepare=lambda r: simple.ColorBy(r, (association, "Elevation")),
+                    MaximumLevel=0,
+                    Metric="None",
+                )
 
     def test_the_filter_is_its_twin(self):
         for surface in "PN Triangles", "Phong Tessellation", "G1":
@@ -104,7 +105,10 @@ class TestRepresentation(relevo.TestCase):
         def colour(representation):
             representation.BlockColors = ["/Root/Right", "1", "0", "0"]
 
-        for prepare in hide, colour:
+        def fade(representation):
+            representation.BlockOpacities = ["/Root/Right", "0.3"]
+
+        for prepare in hide, colour, fade:
             with self.subTest(prepare.__name__):
                 self.compare(blocks, prepare=prepare, MaximumLevel=0, Metric="None")
 
@@ -145,6 +149,17 @@ class TestRepresentation(relevo.TestCase):
             setattr(shown, name, value)
             pictures.append(relevo.picture(view))
             self.assertGreater(relevo.differing(*pictures[-2:]), 20, name)
+
+    def test_one_error_for_a_bad_height_map(self):
+        view = relevo.view()
+        shown = relevo.show(sphere(), view, MaximumLevel=1, Displacement="Height Map")
+        errors = []
+        displacement = shown.Displacement.SMProxy.GetClientSideObject()
+        displacement.AddObserver("ErrorEvent", lambda caller, event: errors.append(event))
+        shown.Displacement.HeightMapFileName = __file__
+        for _ in range(2):
+            simple.Render(view)
+        self.assertEqual(len(errors), 1)
 
     def test_state_files(self):
         view = relevo.view()

@@ -5,7 +5,9 @@
 # Runs the tests of the plugin for ParaView that Module/ParaView/build.sh has built. Exits with 0 if
 # all passed, with 125 if there is no plugin.
 #
-#   bash Testing/ParaView/run.sh [NAME...]
+#   bash Testing/ParaView/run.sh [--no-install] [NAME...]
+#
+#   --no-install   leave the machine's packages alone
 #
 # RELEVO_PARAVIEW_BUILD_DIR is the folder it was built in (default: build-paraview beside README.md).
 set -euo pipefail
@@ -16,10 +18,17 @@ if [ ! -f "$build_dir/env.sh" ]; then
   echo "skipped: there is no plugin; bash Module/ParaView/build.sh builds it"
   exit 125
 fi
+if [ "${1:-}" = --no-install ]; then
+  shift
+else
+  . "$source_dir/Module/packages.sh"
+  install_packages openmpi-bin xauth xvfb
+fi
+
 . "$build_dir/env.sh"
 export PYTHONDONTWRITEBYTECODE=1
 if [ -z "${DISPLAY:-}" ]; then
-  exec xvfb-run -a -s "-noreset -screen 0 1280x1024x24" bash "${BASH_SOURCE[0]}" "$@"
+  exec xvfb-run -a -s "-noreset -screen 0 1280x1024x24" bash "${BASH_SOURCE[0]}" --no-install "$@"
 fi
 
 names=("$@")

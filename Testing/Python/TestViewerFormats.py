@@ -210,6 +210,7 @@ class TestViewerFormats(ViewerProgram):
         write("header.glb", good[:12])
         write("text.gltf", b"no scene\n")
         write("number.gltf", b"3\n")
+        write("deep.gltf", b"[" * 2000 + b"]" * 2000)
         write("bare.gltf", b'{"asset": {"version": "2.0"}}')
         text = scene.write(self.folder / "good.gltf").read_text()
         for name, change in (

@@ -153,7 +153,11 @@ void vtkAdaptiveRefinementRepresentation::GiveBounds(vtkInformation* inInfo)
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
   this->PopulateBlockAttributes(attributes, data);
   this->Measure->SetCompositeDataDisplayAttributes(attributes);
+  // What is wrong with the recipe, the mapper says when it draws.
+  const int display = vtkObject::GetGlobalWarningDisplay();
+  vtkObject::GlobalWarningDisplayOff();
   this->Measure->GetBounds(this->VisibleDataBounds);
+  vtkObject::SetGlobalWarningDisplay(display);
   vtkNew<vtkMatrix4x4> matrix;
   this->Actor->GetMatrix(matrix);
   vtkPVRenderView::SetGeometryBounds(inInfo, this, this->VisibleDataBounds, matrix);

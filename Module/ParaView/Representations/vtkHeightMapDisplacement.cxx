@@ -47,4 +47,9 @@ void vtkHeightMapDisplacement::SetFixedDirection(double x, double y, double z)
 void vtkHeightMapDisplacement::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Map:\n";
+  this->Map->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "AlongNormals: " << this->AlongNormals << "\n";
+  os << indent << "FixedDirection: " << this->FixedDirection[0] << " " << this->FixedDirection[1]
+     << " " << this->FixedDirection[2] << "\n";
 }

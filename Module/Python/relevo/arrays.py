@@ -9,16 +9,16 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 import relevo
 
 
-def _real_numbers(values, name, masked=numpy.nan):
+def _real_numbers(values, name):
     """An array as VTK takes it: in the machine's byte order, of float or double if not whole.
 
-    masked: what masked values become.
+    Masked values become NaN.
     """
     values = numpy.asanyarray(values)
     if values.dtype.kind not in "iuf":
         raise ValueError(f"{name} must be real numbers, not {values.dtype}")
     if numpy.ma.is_masked(values):
-        values = values.astype(numpy.result_type(values.dtype, numpy.float32)).filled(masked)
+        values = values.astype(numpy.result_type(values.dtype, numpy.float32)).filled(numpy.nan)
     values = numpy.asarray(values)
     if values.dtype.kind == "f" and values.dtype.itemsize not in (4, 8):
         return values.astype(numpy.float32 if values.dtype.itemsize < 4 else numpy.float64)
@@ -35,7 +35,11 @@ def height_map(heights, no_data=float("nan")):
 
     Raises ValueError for another shape, other values, and when no sample has data.
     """
-    heights = _real_numbers(heights, "heights", no_data)
+    if numpy.ma.is_masked(heights):
+        # NaN then stands for all: not every type of numbers can hold no_data.
+        heights = numpy.ma.masked_where(heights == no_data, heights)
+        no_data = float("nan")
+    heights = _real_numbers(heights, "heights")
     if heights.ndim != 2:
         raise ValueError(f"heights must be a 2-D array, not of shape {heights.shape}")
     rows, columns = heights.shape
