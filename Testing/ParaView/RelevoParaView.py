@@ -8,7 +8,7 @@ import numpy
 from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
 STYLES = "Adaptive Refinement", "Surface"
 
@@ -44,7 +44,11 @@ def set_properties(proxy, properties):
 def picture(of_view):
     """What a view shows: rows x columns x 3 unsigned bytes, the lowest row first."""
     simple.Render(of_view)
-    image = of_view.CaptureWindow(1)
+    return pixels(of_view.CaptureWindow(1))
+
+
+def pixels(image):
+    """Rows x columns x 3 unsigned bytes, the lowest row first."""
     columns, rows, _ = image.GetDimensions()
     return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(rows, columns, -1)[..., :3].copy()
 
@@ -83,6 +87,13 @@ def write_png(path, values):
     writer.SetInputData(image)
     writer.SetFileName(path)
     writer.Write()
+
+
+def read_png(path):
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    reader.Update()
+    return pixels(reader.GetOutput())
 
 
 def clear():

@@ -147,7 +147,8 @@ int vtkAdaptiveRefinementRepresentation::ProcessViewRequest(
 
 void vtkAdaptiveRefinementRepresentation::GiveBounds(vtkInformation* inInfo)
 {
-  vtkDataObject* data = this->MultiBlockMaker->GetOutputDataObject(0);
+  // What the view shows: in an animation it may be cached, and the pipeline be at another time.
+  vtkDataObject* data = vtkPVView::GetPiece(inInfo, this);
   this->Measure->SetRefinement(this->GetMapper()->GetRefinement());
   this->Measure->SetInputDataObject(data);
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
