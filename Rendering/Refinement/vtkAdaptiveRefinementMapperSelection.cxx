@@ -83,12 +83,20 @@ relevo::Dependencies vtkAdaptiveRefinementMapper::vtkInternals::GetSelectionSour
 
 namespace
 {
+// Pixels that the camera sees: of a picture drawn in tiles those of one, as the camera is zoomed.
+std::array<int, 2> GetSize(vtkRenderer* ren)
+{
+  const int* size = ren->GetSize();
+  const int* tiles = ren->GetVTKWindow()->GetTileScale();
+  return { { size[0] / tiles[0], size[1] / tiles[1] } };
+}
+
 relevo::RefinementView MakeView(vtkRenderer* ren, vtkActor* act)
 {
   relevo::RefinementView view;
   view.Camera = ren->GetActiveCamera();
   view.ModelToWorld = act->GetMatrix();
-  std::copy_n(ren->GetSize(), 2, view.ViewportSize);
+  std::copy_n(GetSize(ren).data(), 2, view.ViewportSize);
   return view;
 }
 
@@ -119,8 +127,9 @@ std::unique_ptr<relevo::CullingView> MakeCullingView(
   {
     width = std::max(property->GetLineWidth(), property->GetPointSize());
   }
-  const std::array<double, 2> margins = { { width / std::max(ren->GetSize()[0], 1),
-    width / std::max(ren->GetSize()[1], 1) } };
+  const std::array<int, 2> size = GetSize(ren);
+  const std::array<double, 2> margins = { { width / std::max(size[0], 1),
+    width / std::max(size[1], 1) } };
   return std::make_unique<relevo::CullingView>(
     ren->GetActiveCamera(), ren->GetTiledAspectRatio(), act->GetMatrix(), mesh, margins);
 }
