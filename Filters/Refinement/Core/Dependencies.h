@@ -18,6 +18,7 @@
 #include <cstddef>     // for size_t
 #include <string>      // for texts
 #include <type_traits> // for whole numbers
+#include <utility>     // for move
 #include <vector>      // for members
 
 namespace relevo
@@ -67,12 +68,12 @@ public:
   }
 
   /// Become those of now. Returns whether they are others; writes nothing where they are the same.
-  bool Update(const Dependencies& now)
+  bool Update(Dependencies now)
   {
     const bool changed = *this != now;
     if (changed)
     {
-      *this = now;
+      *this = std::move(now);
     }
     return changed;
   }

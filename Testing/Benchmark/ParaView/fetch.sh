@@ -31,6 +31,11 @@ mapfile -t libraries < <(apt-get --simulate install --no-install-recommends "${p
 for package in "$packages_dir"/*.deb; do
   dpkg -x "$package" "$prefix"
 done
+# Debian renames the modules of Python, but ParaView's files for CMake know the names from before.
+find "$prefix/usr/lib/python3" -name '*.cpython-*.so' -print0 |
+  while IFS= read -r -d '' module; do
+    ln -sf "${module##*/}" "${module%%.cpython-*}.so"
+  done
 
 # It finds its folder by its own place, so PREFIX may move.
 cat >"$prefix/bin/paraview-python" <<'EOF'
