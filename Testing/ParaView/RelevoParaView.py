@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Views, pictures and comparisons for tests that pvbatch runs."""
 
+import re
 import unittest
 
 import numpy
@@ -61,6 +62,13 @@ def differing(one, other, tolerance=2):
 def foreground(of_picture):
     """How many pixels do not have the colour of the lower left corner."""
     return differing(of_picture, numpy.broadcast_to(of_picture[0, 0], of_picture.shape), 0)
+
+
+def statistic(view, name):
+    """A number that the mapper of the last surface shown prints."""
+    actors = list(view.GetClientSideObject().GetRenderer().GetActors())
+    texts = [str(actor.GetMapper()) for actor in actors if actor.GetVisibility()]
+    return int(re.findall(rf"\b{name}: (\d+)", "".join(texts))[-1])
 
 
 def copy_camera(source, target):
