@@ -8,6 +8,7 @@
 #include "Geodesy/MapDirections.h"
 #include "Raster/VectorRaster.h"
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -18,6 +19,7 @@
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
 #include "vtkTerrainSource.h"
 
 #include <algorithm>
@@ -119,6 +121,20 @@ bool sampleVectors(vtkPolyData* mesh, vtkImageData* image, vtkDataArray* array,
     },
     vectors);
   return true;
+}
+
+// Where vtkTerrainSource says that its mesh lies.
+void takePlace(vtkPolyData* mesh, std::string& system, double origin[3])
+{
+  vtkFieldData* fields = mesh->GetFieldData();
+  auto* name = vtkStringArray::SafeDownCast(fields->GetAbstractArray("CoordinateSystem"));
+  vtkDataArray* place = fields->GetArray("Origin");
+  if (name && name->GetNumberOfValues() == 1 && place && place->GetNumberOfTuples() == 1 &&
+    place->GetNumberOfComponents() == 3)
+  {
+    system = name->GetValue(0);
+    place->GetTuple(0, origin);
+  }
 }
 
 // The direction by the axes, the length as it is.
@@ -240,7 +256,7 @@ int vtkGeographicVectors::RequestData(
   vtkDataArray* array = this->ChooseArray(inputVector, isOfRaster);
   std::unique_ptr<relevo::MapDirections> directions;
   double exaggeration = 1.0;
-  if (!array || !this->Locate(directions, exaggeration)) // has reported the error
+  if (!array || !this->Locate(input, directions, exaggeration)) // has reported the error
   {
     return 0;
   }
@@ -311,10 +327,11 @@ vtkDataArray* vtkGeographicVectors::ChooseArray(
 }
 
 bool vtkGeographicVectors::Locate(
-  std::unique_ptr<relevo::MapDirections>& directions, double& exaggeration)
+  vtkPolyData* mesh, std::unique_ptr<relevo::MapDirections>& directions, double& exaggeration)
 {
   std::string system = this->CoordinateSystem;
-  const double* origin = this->Origin;
+  double origin[3];
+  this->GetOrigin(origin);
   exaggeration = this->Exaggeration;
   if (this->Terrain)
   {
@@ -325,8 +342,12 @@ bool vtkGeographicVectors::Locate(
       return false;
     }
     system = this->Terrain->GetCoordinateSystem();
-    origin = this->Terrain->GetOrigin();
+    this->Terrain->GetOrigin(origin);
     exaggeration = this->Terrain->GetExaggeration();
+  }
+  else if (system.empty())
+  {
+    takePlace(mesh, system, origin);
   }
   std::string error;
   directions = relevo::MapDirections::New(system, { origin[0], origin[1] }, error);

@@ -82,7 +82,8 @@ public:
   //@{
   /**
    * Without a terrain: the coordinate system, as WKT or whatever else GDAL takes, as "EPSG:32633".
-   * Empty, the default: not known, x is east.
+   * Empty, the default: what the mesh's field data say, "CoordinateSystem" and "Origin" as of
+   * vtkTerrainSource; without them it is not known, x is east.
    */
   virtual void SetCoordinateSystem(const char* definition);
   const char* GetCoordinateSystem() { return this->CoordinateSystem.c_str(); }
@@ -90,7 +91,7 @@ public:
 
   //@{
   /**
-   * Without a terrain: the coordinates in that system (longitude first) of x = y = 0; z does not
+   * With a CoordinateSystem: the coordinates in it (longitude first) of x = y = 0; z does not
    * matter. Default (0, 0, 0). A value that is not finite is an error and changes nothing.
    */
   virtual void SetOrigin(double x, double y, double z);
@@ -149,7 +150,8 @@ private:
   void operator=(const vtkGeographicVectors&) = delete;
 
   vtkDataArray* ChooseArray(vtkInformationVector** inputVector, bool& isOfRaster);
-  bool Locate(std::unique_ptr<relevo::MapDirections>& directions, double& exaggeration);
+  bool Locate(
+    vtkPolyData* mesh, std::unique_ptr<relevo::MapDirections>& directions, double& exaggeration);
   bool Turn(vtkPolyData* mesh, const relevo::MapDirections* directions, double exaggeration,
     vtkFloatArray* vectors);
 };

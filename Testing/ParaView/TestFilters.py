@@ -1,16 +1,98 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The filters Adaptive Refinement and Depth Tags, and the source Terrain."""
+"""The filters and the source of the menu Relevo."""
 
+import math
 import os
 import tempfile
 
-from paraview import simple
+import numpy
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import RelevoParaView as relevo
 
 
+def with_vectors(source, function):
+    """A source with the point vectors "Flow", up to date."""
+    result = simple.Calculator(Input=source, ResultArrayName="Flow", Function=function)
+    result.UpdatePipeline()
+    return result
+
+
+def point_values(source, name):
+    return vtk_to_numpy(servermanager.Fetch(source).GetPointData().GetArray(name))
+
+
 class TestFilters(relevo.TestCase):
+    def assert_streaks(self, values, axis):
+        """Neighbours are alike along the axis, and unlike across."""
+        along, across = (numpy.abs(numpy.diff(values, axis=each)).mean() for each in (axis, 1 - axis))
+        self.assertLess(along, 0.5 * across)
+
+    def test_menu(self):
+        for name in (
+            "AdaptiveRefinement",
+            "DepthTags",
+            "GeographicVectors",
+            "ImageLineIntegralConvolution",
+            "SurfaceLineIntegralConvolution",
+            "TerrainSource",
+        ):
+            group = "sources" if name == "TerrainSource" else "filters"
+            proxy = servermanager.ProxyManager().GetPrototypeProxy(group, name)
+            self.assertTrue(proxy.GetHints().FindNestedElementByName("ShowInMenu"), name)
+            self.assertTrue(proxy.GetDocumentation().GetShortHelp(), name)
+
+    def test_arrays_of_the_input(self):
+        """Are listed, and chosen, by filters and representations alike."""
+        source = simple.Elevation(Input=simple.Sphere(Center=[5, 6, 7]))
+        source.UpdatePipeline()
+        shown = relevo.show(source, relevo.view())
+        filters = simple.AdaptiveRefinement(Input=source), simple.DepthTags(Input=source)
+        for holder in (shown, *filters):
+            holder.Metric = "Variation of an Array"
+            names = holder.Metric.GetProperty("ArrayName").GetAvailable()
+            self.assertEqual(names, ["Elevation", "Normals"])
+            self.assertEqual(holder.Metric.ArrayName, "Elevation")
+            holder.Metric = "Region"
+            self.assertLess(math.dist(holder.Metric.Center, [5, 6, 7]), 1e-6)
+        for holder in shown, filters[0]:
+            tags = holder.GetProperty("DepthTagArrayName").GetAvailable()
+            self.assertEqual(tags, ["DepthTag", "Elevation"])
+            holder.Surface = "Phong Tessellation"
+            self.assertEqual(
+                holder.Surface.GetProperty("AlphaArrayName").GetAvailable(), ["", "Elevation"]
+            )
+            self.assertEqual(holder.Surface.AlphaArrayName, "")
+
+    def test_streaks_on_surfaces(self):
+        """Around an axis: alike along the circles, unlike from one to the next."""
+        sphere = simple.Sphere(ThetaResolution=60, PhiResolution=60)
+        flow = with_vectors(sphere, "iHat*coordsY-jHat*coordsX")
+        streaks = simple.SurfaceLineIntegralConvolution(Input=flow)
+        self.assertEqual(list(streaks.Vectors), ["POINTS", "Flow"])
+        values = point_values(streaks, "LIC")[2:].reshape(60, 58)  # poles, then meridians
+        self.assert_streaks(values, 0)
+
+    def test_streaks_of_images(self):
+        wavelet = simple.Wavelet(WholeExtent=[0, 40, 0, 40, 0, 0])
+        streaks = simple.ImageLineIntegralConvolution(Input=with_vectors(wavelet, "iHat"))
+        values = point_values(streaks, "LIC").reshape(41, 41)
+        self.assert_streaks(values, 1)
+
+    def test_geographic_vectors(self):
+        """North on UTM's zone 33, some way east of 15 E."""
+        north = with_vectors(simple.Plane(), "jHat+2*kHat")
+        turned = simple.GeographicVectors(Input=north, CoordinateSystem="EPSG:32633")
+        turned.Origin = [660000.0, 5592500.0, 0.0]
+        turned.Exaggeration = 3.0
+        x, y, z = point_values(turned, "Flow")[0]
+        # Convergence of the meridian that is 2.254 degrees east, at 50.46 degrees north.
+        convergence = math.atan(math.tan(math.radians(2.254)) * math.sin(math.radians(50.46)))
+        self.assertAlmostEqual(math.atan2(x, y), -convergence, delta=2e-4)
+        self.assertAlmostEqual(z, 6.0, places=5)
+
     def test_refinement(self):
         """4^level triangles for each face, also for blocks."""
         sphere = simple.Sphere(ThetaResolution=8, PhiResolution=6)

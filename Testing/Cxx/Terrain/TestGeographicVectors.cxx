@@ -248,6 +248,13 @@ void TestTerrain(RelevoCheck& check, const RelevoTestFolders& folders)
   terrain->SetExaggeration(3.0);
   filter->Update();
   CHECK(RelevoVectorOf(filter->GetOutput(), 0, "Turned")[2] == 3.0);
+
+  // The mesh itself says where it lies.
+  const auto known = RelevoVectorOf(filter->GetOutput(), 0, "Turned");
+  filter->SetTerrain(nullptr);
+  filter->SetExaggeration(3.0);
+  filter->Update();
+  CHECK(RelevoVectorOf(filter->GetOutput(), 0, "Turned") == known);
 }
 
 // Many points, over several parts and threads, as each alone.
