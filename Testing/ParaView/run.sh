@@ -33,7 +33,7 @@ fi
 
 names=("$@")
 if [ ${#names[@]} -eq 0 ]; then
-  names=(TestFilters TestRepresentation TestLooks TestTime TestSettings TestRanks)
+  names=(TestFilters TestRepresentation TestLooks TestTime TestSettings TestSelection TestRanks)
 fi
 
 # In a container Open MPI is asked to run as root, and on more ranks than there are processors.
@@ -41,12 +41,13 @@ export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 pictures=$(mktemp --suffix=.npz)
 trap 'rm -f "$pictures"' EXIT
 run_test() {
-  local script=$source_dir/Testing/ParaView/$1.py ranks
-  if [ "$1" != TestRanks ]; then
-    pvbatch "$script"
-    return
-  fi
-  for ranks in 1 2 4; do
+  local script=$source_dir/Testing/ParaView/$1.py counts ranks
+  case $1 in
+    TestRanks) counts="1 2 4" ;;
+    TestSelection) counts="1 2" ;;
+    *) counts=1 ;;
+  esac
+  for ranks in $counts; do
     timeout 120 mpirun --oversubscribe -n $ranks pvbatch "$script" "$pictures" || return 1
   done
 }

@@ -5,6 +5,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkGhostCellsGenerator.h"
@@ -109,6 +110,18 @@ void AddVerticesAndLines(vtkPolyData* faces, vtkPolyData* mesh)
   ofFaces->ShallowCopy(all);
 }
 
+// Points at borders have got the data of another process; but its ids are not those of this one.
+void KeepPointIds(vtkPolyData* faces, vtkPolyData* mesh)
+{
+  const char* name = "vtkOriginalPointIds";
+  vtkDataArray* own = mesh->GetPointData()->GetArray(name);
+  vtkDataArray* ids = faces->GetPointData()->GetArray(name);
+  if (own && ids)
+  {
+    ids->InsertTuples(0, own->GetNumberOfTuples(), 0, own);
+  }
+}
+
 // Pieces of one surface, and the leaves of the tree that they come from.
 struct Surface
 {
@@ -204,6 +217,7 @@ void AddGhostFaces(vtkDataObjectTree* tree, vtkMultiProcessController* controlle
       if (mesh && faces)
       {
         AddVerticesAndLines(faces, mesh);
+        KeepPointIds(faces, mesh);
         parent->SetDataSet(leaf, faces);
       }
       ++piece;
