@@ -150,6 +150,29 @@ class TestRepresentation(relevo.TestCase):
             pictures.append(relevo.picture(view))
             self.assertGreater(relevo.differing(*pictures[-2:]), 20, name)
 
+    def test_panel(self):
+        """It has the settings of streaks for Surface LIC and for Adaptive LIC."""
+        proxy = relevo.show(sphere(), relevo.view()).SMProxy
+        groups = {}  # the last one of a property counts
+        for group in map(proxy.GetPropertyGroup, range(proxy.GetNumberOfPropertyGroups())):
+            for i in range(group.GetNumberOfProperties()):
+                groups[group.GetPropertyName(i)] = group
+
+        def values(element):
+            for each in map(element.GetNestedElement, range(element.GetNumberOfNestedElements())):
+                yield from [each.GetAttribute("value")] if each.GetAttribute("value") else values(each)
+
+        for names, expected in (
+            (("MaximumLevel", "Metric", "Method"), {"Adaptive Refinement", "Adaptive LIC"}),
+            (("OrientedLIC", "Phase"), {"Adaptive LIC"}),
+            (
+                ("SelectInputVectors", "StepSize", "LICIntensity", "MaskColor", "NoiseType"),
+                {"Adaptive LIC", "Surface LIC"},
+            ),
+        ):
+            for name in names:
+                self.assertLessEqual(expected, set(values(groups[name].GetHints())), name)
+
     def test_one_error_for_a_bad_height_map(self):
         view = relevo.view()
         shown = relevo.show(sphere(), view, MaximumLevel=1, Displacement="Height Map")

@@ -39,6 +39,8 @@ void vtkAdaptiveRefinementRepresentation::SetMapper(vtkAdaptiveRefinementMapper*
   {
     return;
   }
+  // ParaView's window would show progress, and take the OpenGL context, in the midst of drawing.
+  mapper->RemoveObservers(vtkCommand::ProgressEvent);
   mapper->SetProcessIdArrayName("vtkProcessId");
   mapper->SetCompositeIdArrayName("vtkCompositeIndex");
   vtkNew<vtkSelection> selection;
