@@ -122,6 +122,25 @@ class TestFilters(relevo.TestCase):
             counts.append(mesh.GetDataInformation().GetNumberOfCells())
         self.assertEqual(*counts)
 
+    def test_composite_metric(self):
+        """The larger level of two metrics."""
+        sphere = simple.Elevation(Input=simple.Sphere(ThetaResolution=16, PhiResolution=12))
+        tags = simple.DepthTags(Input=sphere, MaximumLevel=5, Metric="Variation of an Array")
+        tags.Metric.ArrayName = "Elevation"
+        expected = point_values(tags, "DepthTag")
+        tags.Metric = "Region"
+        tags.Metric.Center = [0.5, 0, 0]
+        expected = numpy.maximum(expected, 0.5 * point_values(tags, "DepthTag"))
+        tags.Metric = "Composite"
+        tags.Metric.First = "Variation of an Array"
+        tags.Metric.First.ArrayName = "Elevation"
+        tags.Metric.Second = "Region"
+        tags.Metric.Second.Center = [0.5, 0, 0]
+        first = point_values(tags, "DepthTag")
+        tags.Metric.SecondWeight = 0.5
+        numpy.testing.assert_allclose(point_values(tags, "DepthTag"), expected, atol=1e-5)
+        self.assertGreater(abs(first - expected).max(), 0.1)
+
     def test_terrain(self):
         """A coarse mesh, which the displacement lifts."""
         with tempfile.TemporaryDirectory() as folder:

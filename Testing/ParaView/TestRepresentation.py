@@ -186,9 +186,12 @@ class TestRepresentation(relevo.TestCase):
 
     def test_state_files(self):
         view = relevo.view()
-        shown = relevo.show(sphere(), view, MaximumLevel=3, Metric="Curvature", Surface="PN Triangles")
+        shown = relevo.show(sphere(), view, MaximumLevel=3, Metric="Composite", Surface="PN Triangles")
         shown.RefinementColorMode = "Level"
-        shown.Metric.Quantiles = [0.1, 0.8]
+        shown.Metric.First = "Silhouette"
+        shown.Metric.Second = "Curvature"
+        shown.Metric.Second.Quantiles = [0.1, 0.8]
+        shown.Metric.SecondWeight = 0.7
         simple.ResetCamera(view)
         expected = relevo.picture(view)
         script = smstate.get_state()

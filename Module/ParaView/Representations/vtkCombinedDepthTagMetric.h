@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkCombinedDepthTagMetric
+ * @brief   up to three depth-tag metrics as one, by single values
+ *
+ * A vtkCompositeDepthTagMetric as ParaView sets it. Without any metric it is an error when tags are
+ * computed.
+ *
+ * @sa vtkCompositeDepthTagMetric
+ */
+#ifndef vtkCombinedDepthTagMetric_h
+#define vtkCombinedDepthTagMetric_h
+
+#include "RelevoParaViewRepresentationsModule.h" // for export macro
+#include "vtkCompositeDepthTagMetric.h"
+#include "vtkSmartPointer.h" // for members
+
+class RELEVOPARAVIEWREPRESENTATIONS_EXPORT vtkCombinedDepthTagMetric
+  : public vtkCompositeDepthTagMetric
+{
+public:
+  static vtkCombinedDepthTagMetric* New();
+  vtkTypeMacro(vtkCombinedDepthTagMetric, vtkCompositeDepthTagMetric);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  //@{
+  /**
+   * The metrics; nullptr, the default, for none.
+   */
+  void SetFirst(vtkDepthTagMetric* metric) { this->SetPart(0, metric); }
+  void SetSecond(vtkDepthTagMetric* metric) { this->SetPart(1, metric); }
+  void SetThird(vtkDepthTagMetric* metric) { this->SetPart(2, metric); }
+  //@}
+
+  //@{
+  /**
+   * Their weights, from 0 to 1e6, default 1. Another value is an error and leaves the metric out.
+   */
+  void SetFirstWeight(double weight) { this->SetWeight(0, weight); }
+  void SetSecondWeight(double weight) { this->SetWeight(1, weight); }
+  void SetThirdWeight(double weight) { this->SetWeight(2, weight); }
+  //@}
+
+protected:
+  vtkCombinedDepthTagMetric();
+  ~vtkCombinedDepthTagMetric() override;
+
+private:
+  vtkCombinedDepthTagMetric(const vtkCombinedDepthTagMetric&) = delete;
+  void operator=(const vtkCombinedDepthTagMetric&) = delete;
+
+  void SetPart(int index, vtkDepthTagMetric* metric);
+  void SetWeight(int index, double weight);
+  void Combine();
+
+  vtkSmartPointer<vtkDepthTagMetric> Parts[3];
+  double Weights[3] = { 1.0, 1.0, 1.0 };
+};
+
+#endif
