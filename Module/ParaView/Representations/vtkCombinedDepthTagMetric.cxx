@@ -20,6 +20,11 @@ void vtkCombinedDepthTagMetric::SetPart(int index, vtkDepthTagMetric* metric)
 
 void vtkCombinedDepthTagMetric::SetWeight(int index, double weight)
 {
+  if (!(weight >= 0.0 && weight <= 1e6))
+  {
+    vtkErrorMacro("Weights must be from 0 to 1e6, got " << weight << ".");
+    return;
+  }
   if (this->Weights[index] != weight)
   {
     this->Weights[index] = weight;

@@ -35,11 +35,14 @@ public:
 
   //@{
   /**
-   * Their weights, from 0 to 1e6, default 1. Another value is an error and leaves the metric out.
+   * Their weights, from 0 to 1e6, default 1. Another value is an error and changes nothing.
    */
   void SetFirstWeight(double weight) { this->SetWeight(0, weight); }
+  double GetFirstWeight() { return this->Weights[0]; }
   void SetSecondWeight(double weight) { this->SetWeight(1, weight); }
+  double GetSecondWeight() { return this->Weights[1]; }
   void SetThirdWeight(double weight) { this->SetWeight(2, weight); }
+  double GetThirdWeight() { return this->Weights[2]; }
   //@}
 
 protected:

@@ -19,9 +19,19 @@ void vtkHeightMapDisplacement::SetHeightMapFileName(const char* name)
   this->SetHeightMap(isNamed ? this->Map.Get() : nullptr);
 }
 
+const char* vtkHeightMapDisplacement::GetHeightMapFileName()
+{
+  return this->Map->GetFileName();
+}
+
 void vtkHeightMapDisplacement::SetMaximumDimension(int dimension)
 {
   this->Map->SetMaximumDimension(dimension);
+}
+
+int vtkHeightMapDisplacement::GetMaximumDimension()
+{
+  return this->Map->GetMaximumDimension();
 }
 
 void vtkHeightMapDisplacement::SetAlongNormals(bool along)

@@ -24,15 +24,21 @@ public:
   vtkTypeMacro(vtkHeightMapDisplacement, vtkDisplacement);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  //@{
   /**
    * The raster of heights; nullptr or empty, the default, for none.
    */
   void SetHeightMapFileName(VTK_FILEPATH const char* name);
+  VTK_FILEPATH const char* GetHeightMapFileName();
+  //@}
 
+  //@{
   /**
    * Larger rasters are read at a reduced size, see vtkHeightMap::SetMaximumDimension().
    */
   void SetMaximumDimension(int dimension);
+  int GetMaximumDimension();
+  //@}
 
   //@{
   /**
@@ -40,7 +46,9 @@ public:
    * 1) by default.
    */
   void SetAlongNormals(bool along);
+  vtkGetMacro(AlongNormals, bool);
   void SetFixedDirection(double x, double y, double z);
+  vtkGetVector3Macro(FixedDirection, double);
   //@}
 
 protected:

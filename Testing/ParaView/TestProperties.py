@@ -1,0 +1,150 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Properties of the plugin's proxies have the defaults and the ranges of the classes.
+
+A copy of every proxy has a property more for each, which asks the class for the value.
+"""
+
+import glob
+import os
+import tempfile
+import xml.etree.ElementTree as ElementTree
+
+from paraview import servermanager, simple
+from vtkmodules.vtkCommonCore import vtkObject
+
+import RelevoParaView as relevo
+
+PROXIES = os.path.join(os.path.dirname(__file__), "..", "..", "Module", "ParaView", "Proxies")
+GROUP = "relevo_test"
+SURFACE_LIC = "vtkLICSettings"  # has the defaults of ParaView's Surface LIC instead,
+OWN_SETTINGS = {"OrientedLIC", "Phase", "NoDataMagnitude"}  # but for these
+PAIR = "TextureSize"  # both numbers are 0, or neither
+
+
+def read_properties():
+    """The elements of properties with one setter each, by class and name."""
+    result = {}
+    for path in sorted(glob.glob(os.path.join(PROXIES, "*.xml"))):
+        for proxy in ElementTree.parse(path).iterfind("ProxyGroup/*[@class]"):
+            for each in proxy:
+                if each.tag.endswith("VectorProperty") and each.get("element_types") is None:
+                    result.setdefault(proxy.get("class"), {})[each.get("name")] = each
+    return result
+
+
+def getter(element):
+    return "G" + element.get("command")[1:]
+
+
+def write_proxies(properties, path):
+    """For each class one proxy with getters alone, and one with setters, too."""
+    root = ElementTree.Element("ServerManagerConfiguration")
+    group = ElementTree.SubElement(root, "ProxyGroup", name=GROUP)
+    for name, elements in properties.items():
+        for suffix in "Getters", "Setters":
+            proxy = ElementTree.SubElement(group, "Proxy", {"name": name + suffix, "class": name})
+            for each in elements.values():
+                attributes = {
+                    "name": getter(each),
+                    "command": getter(each),
+                    "number_of_elements": each.get("number_of_elements"),
+                    "default_values": "none",
+                    "information_only": "1",
+                }
+                ElementTree.SubElement(proxy, each.tag, attributes)
+                if suffix == "Setters":
+                    attributes = dict(each.attrib, default_values="none")
+                    ElementTree.SubElement(proxy, each.tag, attributes)
+    ElementTree.ElementTree(root).write(path)
+
+
+def values(of_property):
+    return [of_property.GetElement(i) for i in range(of_property.GetNumberOfElements())]
+
+
+def ends(element):
+    """What to try: which component, a value, and whether it is in the domain."""
+    domain = element.find("IntRangeDomain")
+    if domain is None:
+        domain = element.find("DoubleRangeDomain")
+    if domain is not None and "min" in domain.keys():
+        value = float(domain.get("min").split()[0])
+        yield from ((0, value, True), (0, value - 1, False))
+    if domain is not None and "max" in domain.keys():
+        value = float(domain.get("max").split()[-1])
+        yield from ((-1, value, True), (-1, value + 1, False))
+    entries = [int(each.get("value")) for each in element.iterfind("EnumerationDomain/Entry")]
+    yield from ((0, each, True) for each in entries)
+    if entries:
+        yield 0, max(entries) + 1, False
+
+
+class TestProperties(relevo.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.properties = read_properties()
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "RelevoTest.xml")
+            write_proxies(cls.properties, path)
+            simple.LoadPlugin(path, remote=False, ns=globals())
+
+    def setUp(self):
+        vtkObject.GlobalWarningDisplayOff()  # values that are refused are errors
+
+    def tearDown(self):
+        vtkObject.GlobalWarningDisplayOn()
+        super().tearDown()
+
+    def make(self, name):
+        proxy = servermanager.ProxyManager().NewProxy(GROUP, name)
+        proxy.UpdateVTKObjects()
+        return proxy
+
+    def ask(self, proxy, element):
+        proxy.UpdatePropertyInformation()
+        return values(proxy.GetProperty(getter(element)))
+
+    def test_defaults(self):
+        count = 0
+        for name, elements in self.properties.items():
+            proxy = self.make(name + "Getters")
+            for each in elements.values() if name != SURFACE_LIC else ():
+                given = each.get("default_values", "").split()
+                expected = [type(x)(y) for x, y in zip(self.ask(proxy, each), given)]
+                if each.tag == "StringVectorProperty":
+                    expected = [each.get("default_values", "")]
+                self.assertEqual(self.ask(proxy, each), expected, (name, each.get("name")))
+                count += 1
+        self.assertGreater(count, 60)
+
+    def test_surface_lic(self):
+        """Its settings have the same defaults in Adaptive LIC."""
+        theirs = relevo.show(simple.Sphere(), relevo.view(), "Surface LIC").SMProxy
+        for each in self.properties[SURFACE_LIC].values():
+            if each.get("name") not in OWN_SETTINGS:
+                known = values(theirs.GetProperty(each.get("name")))
+                given = [float(x) for x in each.get("default_values").split()]
+                self.assertEqual(list(map(float, known)), given, each.get("name"))
+
+    def test_ranges(self):
+        """The classes take the ends of a range, and nothing beyond."""
+        count = 0
+        for name, elements in self.properties.items():
+            for each in elements.values():
+                for component, value, is_valid in ends(each) if each.get("name") != PAIR else ():
+                    proxy = self.make(name + "Setters")
+                    setter = proxy.GetProperty(each.get("name"))
+                    tried = self.ask(proxy, each)
+                    tried[component] = type(tried[0])(value)
+                    for i, number in enumerate(tried):
+                        setter.SetElement(i, number)
+                    proxy.UpdateVTKObjects()
+                    taken = self.ask(proxy, each) == tried
+                    self.assertEqual(taken, is_valid, (name, each.get("name"), tried))
+                    count += 1
+        self.assertGreater(count, 100)
+
+
+if __name__ == "__main__":
+    relevo.main()
