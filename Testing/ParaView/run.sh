@@ -33,7 +33,7 @@ fi
 
 names=("$@")
 if [ ${#names[@]} -eq 0 ]; then
-  names=(TestFilters TestProperties TestRepresentation TestLooks TestTime TestSettings TestSelection TestRanks)
+  names=(TestFilters TestProperties TestEquivalents TestRepresentation TestLooks TestTime TestSettings TestSelection TestRanks)
 fi
 
 # In a container Open MPI is asked to run as root, and on more ranks than there are processors.

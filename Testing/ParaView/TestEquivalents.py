@@ -1,0 +1,100 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the page says to those who come from Warp By Scalar, Extrusion Surface and Surface LIC."""
+
+import glob
+import os
+import pathlib
+import tempfile
+
+import numpy
+import paraview
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import RelevoParaView as relevo
+
+
+def points(source):
+    return vtk_to_numpy(servermanager.Fetch(source).GetPoints().GetData())
+
+
+def find_plugin(name):
+    """The file of one of ParaView's own plugins, or None."""
+    prefix = pathlib.Path(paraview.__file__).parents[4]
+    return next(map(str, prefix.glob(f"lib*/**/plugins/{name}/{name}.so")), None)
+
+
+class TestEquivalents(relevo.TestCase):
+    def test_warp_by_scalar(self):
+        """The same places over the centres of the raster's texels."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "heights.png")
+            heights = numpy.random.default_rng(1).integers(0, 1000, (17, 17))
+            relevo.write_png(path, heights.astype(numpy.uint16))
+            image = simple.PNGSeriesReader(FileNames=[path])
+            terrain = simple.TerrainSource(FileName=path, Resolution=17)
+            flat = points(simple.AdaptiveRefinement(Input=terrain, MaximumLevel=1))
+            numbers = {tuple(each): i for i, each in enumerate(numpy.round(2 * flat).astype(int))}
+            for scale, normal in (0.01, [0, 0, 1]), (-0.02, [0, 0.6, 0.8]):
+                warped = simple.WarpByScalar(Input=image, ScaleFactor=scale, Normal=normal)
+                warped.Scalars = ["POINTS", "PNGImage"]
+                raised = simple.AdaptiveRefinement(Input=terrain, MaximumLevel=1)
+                raised.Displacement = "Height Map"
+                relevo.set_properties(raised.Displacement, {
+                    "HeightMapFileName": path,
+                    "Scale": scale,
+                    "AlongNormals": 0,
+                    "FixedDirection": normal,
+                })
+                found = points(raised)
+                for i, expected in enumerate(points(warped) - [8, 8, 0]):
+                    row, column = divmod(i, 17)
+                    number = numbers[2 * (column - 8), 2 * (row - 8), 0]
+                    self.assertLess(abs(found[number] - expected).max(), 1e-4)
+
+    def test_extrusion_surface(self):
+        """A sphere of length 1 that grows by 20 percent of it."""
+        plugin = find_plugin("EmbossingRepresentations")
+        if not plugin:
+            self.skipTest("this ParaView has no Extrusion Surface")
+        simple.LoadPlugin(plugin, remote=False, ns=globals())
+        resolution = {"ThetaResolution": 24, "PhiResolution": 24}
+        source = simple.Calculator(Input=simple.Sphere(**resolution), Function="1")
+        sources = source, source, simple.Sphere(Radius=0.7, **resolution)
+        names = "Extrusion Surface", "Adaptive Refinement", "Surface"
+        views = [relevo.view() for _ in names]
+        shown = [relevo.show(*each) for each in zip(sources, views, names)]
+        relevo.set_properties(shown[0], {
+            "ExtrusionInputDataArray": ["POINTS", "Result"],
+            "ExtrusionNormalizeData": 0,
+            "ExtrusionFactor": 20,
+        })
+        relevo.set_properties(shown[1], {"Metric": "None", "MaximumLevel": 0})
+        shown[1].Displacement = "Height Map"
+        shown[1].Displacement.Offset = 0.2
+        for view in views:
+            relevo.picture(view)  # the first frame of a session moves the camera
+        simple.ResetCamera(views[2])
+        for view in views[:2]:
+            relevo.copy_camera(views[2], view)
+            self.assert_same_picture(view, views[2], 100)
+
+    def test_surface_lic(self):
+        """All its settings are there, but for these."""
+        shown = relevo.show(simple.Sphere(), relevo.view()).SMProxy
+        groups = map(shown.GetPropertyGroup, range(shown.GetNumberOfPropertyGroups()))
+        names = {
+            group.GetPropertyName(i)
+            for group in groups
+            if group.GetXMLLabel().startswith("SurfaceLIC:")
+            for i in range(group.GetNumberOfProperties())
+        }
+        self.assertGreater(len(names), 25)
+        ours = servermanager.ProxyManager().NewProxy("representations", "AdaptiveLICRepresentation")
+        missing = {name for name in names if not ours.GetProperty(name)}
+        self.assertEqual(missing, {"CompositeStrategy", "UseLICForLOD", "WriteLog"})
+
+
+if __name__ == "__main__":
+    relevo.main()
