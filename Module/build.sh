@@ -18,7 +18,7 @@ source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir=${RELEVO_BUILD_DIR:-$source_dir/build}
 . "$source_dir/Module/packages.sh"
 
-packages=$build_packages
+packages=$build_packages$vtk_packages
 testing_packages="
 clang
 clang-format

@@ -3,7 +3,7 @@
 #
 # Debian's and Ubuntu's packages, for the scripts that source this file.
 
-# What a build needs, one package a line; a|b where releases of Debian and Ubuntu name it differently.
+# What a build needs, VTK apart, one package a line; a|b where releases of Debian and Ubuntu name it differently.
 build_packages="
 ca-certificates
 cmake
@@ -14,11 +14,13 @@ libgeographiclib-dev|libgeographic-dev
 libgl1-mesa-dri
 libglm-dev
 libopenimageio-dev
-libvtk9-dev
 ninja-build
 openimageio-tools
 python3-dev
 python3-numpy
+"
+vtk_packages="
+libvtk9-dev
 python3-vtk9
 "
 

@@ -2,14 +2,14 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Builds Relevo and runs its tests on other releases of Debian, and so with other versions of VTK:
-# each in a folder of its own that debootstrap fills. Needs root; running it again reuses the folder.
+# Builds Relevo and the plugin for ParaView and runs their tests on other releases of Debian, and so
+# with other versions of VTK and ParaView: each in a folder of its own that debootstrap fills. Needs root; running it again reuses the folder.
 #
 #   bash Testing/matrix.sh [12|13|sid]... [-- arguments of ctest...]
 #
-#   12     VTK 9.1
-#   13     VTK 9.3
-#   sid    VTK 9.6 or later
+#   12     VTK 9.1, ParaView 5.11
+#   13     VTK 9.3, ParaView 5.13
+#   sid    VTK 9.6, ParaView 6.1, or later
 #
 # Without a release it runs all three. RELEVO_MATRIX_DIR is where the folders go (default:
 # build-matrix); RELEVO_TEST_DATA is a folder of larger real data, as for Testing/run.sh.
@@ -69,8 +69,10 @@ run_tests() {
     mount --bind /tmp "$root/tmp" # X servers inside and outside must not take the same number
     mount -t proc proc "$root/proc"
     exec chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 \
-      RELEVO_BUILD_DIR=/build ${data:+RELEVO_TEST_DATA=/data} \
-      bash /source/Testing/run.sh "$@"' matrix.sh "${@:3}"
+      RELEVO_BUILD_DIR=/build RELEVO_PARAVIEW_BUILD_DIR=/build-paraview \
+      ${data:+RELEVO_TEST_DATA=/data} bash -ec "
+        bash /source/Module/ParaView/build.sh -DRELEVO_WERROR=ON
+        bash /source/Testing/run.sh \"\$@\"" matrix.sh "$@"' matrix.sh "${@:3}"
 }
 
 data=${RELEVO_TEST_DATA:+$(cd "$RELEVO_TEST_DATA" && pwd)}

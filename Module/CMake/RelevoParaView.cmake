@@ -8,6 +8,10 @@ endif ()
 find_package(Python3 REQUIRED COMPONENTS Interpreter Development)
 find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingViews)
 
-# A process may find the libraries for the installed VTK, too: these have names of their own.
 set(relevo_component paraview)
-set(relevo_library_suffix "paraview${ParaView_VERSION_SIMPLE}")
+# Libraries for a VTK of ParaView's own have names of their own, as a process may find those for the
+# installed VTK, too. With the installed VTK they are those of the Python package, by name as well: a
+# process loads only one of two with the same name.
+if (VTK_DIR MATCHES "/paraview-[^/]+/vtk$")
+  set(relevo_library_suffix "paraview${ParaView_VERSION_SIMPLE}")
+endif ()

@@ -34,14 +34,33 @@ for argument in "$@"; do
   esac
 done
 
+# What ParaView's VTK is compiled with and runs with. VTK's own packages would bring it, but in most
+# releases would also remove an installed ParaView.
+paraview_packages="
+libdouble-conversion-dev
+libeigen3-dev
+libfontconfig-dev|libfontconfig1-dev
+libfreetype-dev
+libgl-dev
+libglew-dev
+libutfcpp-dev
+mpi-default-dev
+openmpi-bin
+python3-mpi4py
+"
 if [ $install = yes ]; then
-  install_packages $build_packages openmpi-bin
+  install_packages $build_packages $paraview_packages
+  if apt-cache depends python3-paraview 2>/dev/null | grep -q 'Depends: python3-vtk9'; then
+    install_packages $vtk_packages
+  fi
 fi
 
-# An installed one, or one of Debian's packages that are unpacked and not installed.
+# An installed one, or one of Debian's packages that are unpacked and not installed. Debian 13 and
+# later install files for CMake that name modules of Python which are not there.
 if [ -z "${ParaView_DIR:-}" ]; then
   prefix=/usr
-  if ! is_installed paraview-dev; then
+  if ! is_installed paraview-dev ||
+    [ ! -e /usr/lib/python3/dist-packages/paraview/modules/vtkRemotingViews.so ]; then
     prefix=$build_dir/paraview
     if ! ls -d "$prefix"/usr/lib/*/cmake/paraview-* >/dev/null 2>&1; then
       bash "$source_dir/Testing/Benchmark/ParaView/fetch.sh" "$prefix" paraview-dev

@@ -6,6 +6,7 @@ import re
 import unittest
 
 import numpy
+import paraview
 from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -38,8 +39,12 @@ def show(source, in_view, representation="Adaptive Refinement", **properties):
 
 
 def set_properties(proxy, properties):
+    """By the names of ParaView 5.11, which later versions know when they are asked to."""
+    version = paraview.compatibility
+    version.major, version.minor = 5, 11
     for name, value in properties.items():
         setattr(proxy, name, value)
+    version.major = version.minor = None
 
 
 def picture(of_view):

@@ -9,7 +9,8 @@
 #
 #   --no-install   leave the machine's packages alone
 #
-# RELEVO_PARAVIEW_BUILD_DIR is the folder it was built in (default: build-paraview beside README.md).
+# RELEVO_PARAVIEW_BUILD_DIR is the folder it was built in (default: build-paraview beside README.md),
+# RELEVO_BUILD_DIR that of the Python package, for TestPackage (default: build).
 set -euo pipefail
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -25,6 +26,10 @@ else
   install_packages openmpi-bin xauth xvfb
 fi
 
+package_dir=${RELEVO_BUILD_DIR:-$source_dir/build}
+if [ -f "$package_dir/env.sh" ]; then
+  . "$package_dir/env.sh"
+fi
 . "$build_dir/env.sh"
 export PYTHONDONTWRITEBYTECODE=1
 if [ -z "${DISPLAY:-}" ]; then
@@ -33,7 +38,8 @@ fi
 
 names=("$@")
 if [ ${#names[@]} -eq 0 ]; then
-  names=(TestFilters TestProperties TestEquivalents TestRepresentation TestLooks TestTime TestSettings TestSelection TestRanks)
+  names=(TestFilters TestProperties TestPackage TestEquivalents TestRepresentation TestLooks TestTime
+    TestSettings TestSelection TestRanks)
 fi
 
 # In a container Open MPI is asked to run as root, and on more ranks than there are processors.
