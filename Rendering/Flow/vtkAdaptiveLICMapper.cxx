@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveLICMapperInternals.h"
 
-#include "OpenGL/RelevoOpenGL.h"
 #include "Passes/LICHoles.h"
 
 #include "vtkActor.h"
@@ -13,77 +12,26 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkDisplacement.h"
 #include "vtkHeightField.h"
-#include "vtkInformation.h"
-#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLRenderPass.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
-#include <cmath>
 
 vtkStandardNewMacro(vtkAdaptiveLICMapper);
 
 namespace
 {
 constexpr size_t MostScreens = 8;
-
-// Where what is drawn starts in the renderer's viewport, in pixels: not at its corner where a
-// window draws a picture larger than itself in parts, as for vtkWindowToImageFilter.
-void FindPartOrigin(vtkRenderer* ren, int origin[2])
-{
-  vtkRenderWindow* window = ren->GetRenderWindow();
-  const int* size = window->GetSize(); // of the whole picture
-  for (int i = 0; i < 2; ++i)
-  {
-    const double first = std::max(0.0, window->GetTileViewport()[i] - ren->GetViewport()[i]);
-    origin[i] = static_cast<int>(std::lround(first * size[i]));
-  }
-}
-
-// Takes the render passes from an actor as long as it lives. They are about what is seen, and some
-// set draw buffers of their own whenever the actor is drawn.
-class WithoutRenderPasses
-{
-public:
-  explicit WithoutRenderPasses(vtkActor* actor)
-    : Keys(actor->GetPropertyKeys())
-  {
-    vtkInformationObjectBaseVectorKey* key = vtkOpenGLRenderPass::RenderPasses();
-    for (int i = 0; this->Keys && i < key->Length(this->Keys); ++i)
-    {
-      this->Passes.emplace_back(key->Get(this->Keys, i));
-    }
-    if (!this->Passes.empty())
-    {
-      this->Keys->Remove(key);
-    }
-  }
-  ~WithoutRenderPasses()
-  {
-    for (vtkObjectBase* pass : this->Passes)
-    {
-      vtkOpenGLRenderPass::RenderPasses()->Append(this->Keys, pass);
-    }
-  }
-  WithoutRenderPasses(const WithoutRenderPasses&) = delete;
-  void operator=(const WithoutRenderPasses&) = delete;
-
-private:
-  vtkInformation* Keys;
-  std::vector<vtkSmartPointer<vtkObjectBase>> Passes;
-};
 }
 
 vtkAdaptiveLICMapper::vtkAdaptiveLICMapper()
@@ -138,11 +86,17 @@ relevo::LICArray vtkAdaptiveLICMapper::FindArray(vtkPolyData* input)
 
 bool vtkAdaptiveLICMapper::vtkInternals::CanShow(vtkRenderer* ren, vtkActor* act)
 {
-  return !ren->GetSelector() && act->GetProperty()->GetRepresentation() == VTK_SURFACE;
+  return this->Root->GetEnable() && !ren->GetSelector() &&
+    act->GetProperty()->GetRepresentation() == VTK_SURFACE && this->Root->GetInputAlgorithm() &&
+    this->Root->GetRefinement();
 }
 
 void vtkAdaptiveLICMapper::vtkInternals::CheckVectors()
 {
+  if (!this->Root->GetStatic())
+  {
+    this->Root->GetInputAlgorithm()->Update();
+  }
   relevo::Dependencies dependencies =
     relevo::Dependencies::On(this->Root->BuildTime, this->Root->GetNoDataMagnitude());
   this->ForEachLeaf(
@@ -151,10 +105,7 @@ void vtkAdaptiveLICMapper::vtkInternals::CheckVectors()
   {
     return;
   }
-  std::string problem;
-  double longest = -1.0;
-  bool hasFaces = false;
-  bool hasArray = false;
+  VectorFacts facts;
   this->ForEachLeaf(
     [&](vtkPolyData* leaf, const relevo::BlockLook&)
     {
@@ -162,31 +113,32 @@ void vtkAdaptiveLICMapper::vtkInternals::CheckVectors()
       {
         return;
       }
-      hasFaces = true;
+      facts.HasFaces = true;
       const relevo::LICArray vectors = this->Root->FindArray(leaf);
-      problem = problem.empty() ? vectors.Problem : problem;
-      hasArray = hasArray || vectors.Array;
-      longest = std::max(longest, vectors.FindLongest(this->Root->GetNoDataMagnitude()));
+      facts.Problem = facts.Problem.empty() ? vectors.Problem : facts.Problem;
+      facts.HasArray = facts.HasArray || vectors.Array;
+      facts.Longest =
+        std::max(facts.Longest, vectors.FindLongest(this->Root->GetNoDataMagnitude()));
     });
-  this->Longest = std::max(longest, 0.0);
-  if (problem.empty() && hasFaces && !hasArray)
-  {
-    problem = "The input has no array of vectors that SetInputArrayToProcess(0, ...) chooses.";
-  }
-  else if (problem.empty() && hasFaces && longest < 0.0)
-  {
-    problem = "All vectors are no-data: not finite, or of NoDataMagnitude or more.";
-  }
-  this->VectorProblem = problem;
+  this->OwnVectors = facts;
 }
 
-std::string vtkAdaptiveLICMapper::vtkInternals::FindProblem()
+std::string vtkAdaptiveLICMapper::vtkInternals::FindVectorProblem() const
 {
-  this->CheckVectors();
-  if (!this->VectorProblem.empty())
+  const VectorFacts& facts = this->AllVectors;
+  if (facts.Problem.empty() && facts.HasFaces && !facts.HasArray)
   {
-    return this->VectorProblem;
+    return "The input has no array of vectors that SetInputArrayToProcess(0, ...) chooses.";
   }
+  if (facts.Problem.empty() && facts.HasFaces && facts.Longest < 0.0)
+  {
+    return "All vectors are no-data: not finite, or of NoDataMagnitude or more.";
+  }
+  return facts.Problem;
+}
+
+std::string vtkAdaptiveLICMapper::vtkInternals::FindSettingsProblem()
+{
   vtkLICSettings* settings = this->Root->LICSettings;
   // Factors that are not used may be any, as for vtkSurfaceLICMapper.
   std::string error =
@@ -230,6 +182,7 @@ relevo::Dependencies vtkAdaptiveLICMapper::vtkInternals::GetScreenDependencies(
       [&dependencies](double element) { dependencies.Add(element); });
   }
   this->AddSettings(dependencies);
+  dependencies.Add(this->IsTogether());
   dependencies.Add(this->Root->BuildTime);
   dependencies.Add(act->GetShaderProperty()->GetShaderMTime());
   vtkProperty* property = act->GetProperty();
@@ -262,121 +215,8 @@ relevo::Dependencies vtkAdaptiveLICMapper::vtkInternals::GetScreenDependencies(
   return dependencies;
 }
 
-bool vtkAdaptiveLICMapper::vtkInternals::Prepare(vtkRenderer* ren, vtkActor* act)
-{
-  vtkAdaptiveLICMapper* self = this->Root;
-  this->Screen = nullptr;
-  if (!self->GetEnable() || !CanShow(ren, act) || !self->GetInputAlgorithm() ||
-    !self->GetRefinement())
-  {
-    return false;
-  }
-  if (!self->GetStatic())
-  {
-    self->GetInputAlgorithm()->Update();
-  }
-  std::string problem = this->FindProblem();
-  if (problem.empty())
-  {
-    problem = this->UpdateScreen(ren, act);
-  }
-  if (problem != this->Problem)
-  {
-    this->Problem = problem;
-    if (!problem.empty())
-    {
-      vtkErrorWithObjectMacro(self, << problem << " The surface has no LIC.");
-    }
-  }
-  return this->Screen != nullptr;
-}
-
-std::string vtkAdaptiveLICMapper::vtkInternals::UpdateScreen(vtkRenderer* ren, vtkActor* act)
-{
-  vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
-  relevo::LICScreen& screen = this->GetScreen(ren, act);
-  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, screen.Viewport);
-  if (screen.Viewport[2] < 1 || screen.Viewport[3] < 1)
-  {
-    return "";
-  }
-  FindPartOrigin(ren, screen.PartOrigin);
-  if (!screen.Allocate(window, this->StretchesColors()))
-  {
-    return relevo::LICImage::GetTextureProblem();
-  }
-  const bool convolve = screen.Sources != this->GetScreenDependencies(ren, act, screen);
-  const std::string problem =
-    convolve || this->StretchesColors() ? this->Draw(ren, act, screen, convolve) : "";
-  if (problem.empty())
-  {
-    this->Screen = &screen;
-  }
-  return problem;
-}
-
 //------------------------------------------------------------------------------
-// Drawing
-
-std::string vtkAdaptiveLICMapper::vtkInternals::Draw(
-  vtkRenderer* ren, vtkActor* act, relevo::LICScreen& screen, bool convolve)
-{
-  vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
-  vtkOpenGLState* state = window->GetState();
-  vtkTextureObject* noise = this->Noise.GetTexture(window);
-  if (!noise)
-  {
-    return relevo::LICImage::GetTextureProblem();
-  }
-  state->PushFramebufferBindings();
-  state->Push();
-  this->Framebuffer->SetContext(window);
-  std::string problem = relevo::LICImage::GetTextureProblem();
-  if (screen.Begin(window, this->Framebuffer))
-  {
-    this->IsDrawingVectors = true;
-    {
-      WithoutRenderPasses plain(act);
-      this->Root->Superclass::RenderRefined(ren, act);
-    }
-    this->IsDrawingVectors = false;
-    screen.End(window, this->Framebuffer);
-    bool done = true;
-    if (convolve)
-    {
-      screen.Sources.Clear();
-      this->SetBounds(ren, act, screen);
-      done =
-        this->Image.Convolve(window, this->Framebuffer, screen, noise, this->GetPassSettings());
-      ++this->Root->NumberOfConvolutions;
-    }
-    done = done &&
-      (!this->StretchesColors() ||
-        this->Image.FindColorRange(window, this->Framebuffer, screen, this->GetColoring()));
-    problem = done ? "" : this->Image.GetProblem();
-    this->Framebuffer->RemoveColorAttachment(0);
-    this->Framebuffer->DeactivateDrawBuffers();
-  }
-  state->Pop();
-  state->PopFramebufferBindings();
-  if (problem.empty())
-  {
-    screen.Sources = this->GetScreenDependencies(ren, act, screen); // with the levels drawn
-  }
-  return problem;
-}
-
-void vtkAdaptiveLICMapper::vtkInternals::SetBounds(
-  vtkRenderer* ren, vtkActor* act, relevo::LICScreen& screen)
-{
-  // Those of the actor are of the first sub-piece, and have the pipeline make it again.
-  this->Root->ComputeBounds();
-  vtkNew<vtkMatrix4x4> project;
-  vtkMatrix4x4::Multiply4x4(ren->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
-                              ren->GetTiledAspectRatio(), -1, 1),
-    act->GetMatrix(), project);
-  screen.SetBounds(this->Root->Bounds, project);
-}
+// Rendering
 
 void vtkAdaptiveLICMapper::RenderRefined(vtkRenderer* ren, vtkActor* act)
 {
@@ -385,6 +225,11 @@ void vtkAdaptiveLICMapper::RenderRefined(vtkRenderer* ren, vtkActor* act)
   {
     lic.NoDataMagnitude = this->GetNoDataMagnitude();
     this->BuildTime.Modified(); // buffers are without no-data
+  }
+  if (lic.OwnPart)
+  {
+    lic.TakePart(ren, act);
+    return;
   }
   if (lic.Root == this)
   {
@@ -448,6 +293,10 @@ void vtkAdaptiveLICMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->Superclass::ReleaseGraphicsResources(window);
   vtkInternals& lic = *this->LIC;
   lic.Screen = nullptr;
+  if (lic.OwnPart)
+  {
+    lic.OwnPart->Screen = nullptr;
+  }
   for (auto& screen : lic.Screens)
   {
     screen.second.ReleaseGraphicsResources(window);

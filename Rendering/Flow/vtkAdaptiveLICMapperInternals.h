@@ -16,6 +16,7 @@
 #include "Passes/LICArray.h"
 #include "Passes/LICImage.h"
 #include "Passes/LICNoise.h"
+#include "Passes/LICProcesses.h"
 #include "Passes/LICScreen.h"
 #include "vtkAdaptiveLICMapper.h"
 #include "vtkNew.h"
@@ -24,11 +25,15 @@
 #include "vtkSmartPointer.h"
 
 #include <map>
+#include <set>
 #include <string>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 class vtkCamera;
 class vtkFloatArray;
+class vtkMultiProcessController;
 
 struct vtkAdaptiveLICMapper::vtkInternals
 {
@@ -60,9 +65,16 @@ struct vtkAdaptiveLICMapper::vtkInternals
   relevo::Dependencies CellVectorDependencies;
 
   // The vectors of all blocks.
+  struct VectorFacts
+  {
+    bool HasFaces = false;
+    bool HasArray = false;
+    double Longest = -1.0; // negative if there is none
+    std::string Problem;   // of an array
+  };
   relevo::Dependencies VectorDependencies;
-  std::string VectorProblem;
-  double Longest = 0.0;
+  VectorFacts OwnVectors;
+  VectorFacts AllVectors; // with those of other processes
 
   // Of the window that draws.
   relevo::LICNoise Noise;
@@ -78,14 +90,20 @@ struct vtkAdaptiveLICMapper::vtkInternals
   bool StretchesColors() const;
   void AddSettings(relevo::Dependencies& dependencies) const;
 
-  static bool CanShow(vtkRenderer* ren, vtkActor* act);
+  bool CanShow(vtkRenderer* ren, vtkActor* act);
   void CheckVectors();
-  std::string FindProblem();
-  bool Prepare(vtkRenderer* ren, vtkActor* act);
+  std::string FindVectorProblem() const;
+  std::string FindSettingsProblem();
+  void SetProblem(const std::string& problem);
+  void Prepare(vtkRenderer* ren, vtkActor* act);
   //@{
   /// Have a screen with the LIC; what hinders, as a sentence.
   std::string UpdateScreen(vtkRenderer* ren, vtkActor* act);
-  std::string Draw(vtkRenderer* ren, vtkActor* act, relevo::LICScreen& screen, bool convolve);
+  std::string AllocateScreen(vtkRenderer* ren, relevo::LICScreen& screen);
+  std::string DrawVectors(
+    vtkRenderer* ren, vtkActor* act, relevo::LICScreen& screen, std::vector<float>* vectors);
+  std::string DrawImage(vtkRenderer* ren, relevo::LICScreen& screen, bool convolve,
+    const relevo::LICImage::RangeMerger& merge);
   //@}
   void SetBounds(vtkRenderer* ren, vtkActor* act, relevo::LICScreen& screen);
   relevo::Dependencies GetScreenDependencies(
@@ -93,6 +111,25 @@ struct vtkAdaptiveLICMapper::vtkInternals
   static void SetVectorUniforms(
     vtkAdaptiveLICMapper* block, vtkShaderProgram* program, vtkRenderer* ren, vtkActor* act);
   void SetImageUniforms(vtkShaderProgram* program);
+
+  // Drawing a picture together with other processes: this one's part while they agree on it.
+  struct Part
+  {
+    vtkActor* Actor = nullptr;           // that the mapper is drawn for
+    relevo::LICScreen* Screen = nullptr; // if there are to be streaks
+    bool IsChanged = false;
+    bool DrawsVectors = false; // else it finds the above
+    std::vector<float> Vectors;
+    std::string Problem;
+  };
+  vtkSmartPointer<vtkMultiProcessController> Controller;
+  std::unique_ptr<Part> OwnPart;
+  std::set<std::pair<vtkRenderer*, vtkActor*>> TookPart;
+  bool IsTogether() const;
+  void TakePart(vtkRenderer* ren, vtkActor* act);
+  bool Agree(bool tookPart, bool& changed);
+  int CountRanges(bool convolve) const; // that processes merge
+  void DrawTogether(vtkRenderer* ren, vtkActor* act, bool changed);
 
   /// Calls work(leaf, look) for the meshes of the input.
   template <typename Work>

@@ -86,7 +86,8 @@ relevoForwardMacro(vtkAdaptiveLICMapper, NoiseGeneratorSeed, int);
 
 relevo::LICPassSettings vtkAdaptiveLICMapper::vtkInternals::GetPassSettings() const
 {
-  return relevo::MakeLICPassSettings(this->Root->LICSettings, this->Longest, this->Noise.GetMean());
+  return relevo::MakeLICPassSettings(
+    this->Root->LICSettings, std::max(this->AllVectors.Longest, 0.0), this->Noise.GetMean());
 }
 
 relevo::LICColoring vtkAdaptiveLICMapper::vtkInternals::GetColoring() const

@@ -33,6 +33,7 @@
 #include "vtkTransform.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -78,7 +79,8 @@ void vtkAdaptiveLICMapper::vtkInternals::PrepareVectors(
   this->HasVectors = vectors.Array != nullptr;
   this->AreOfCells = vectors.IsOfCells;
   const double longest = vectors.FindLongest(self->GetNoDataMagnitude());
-  this->Unit = longest > 0.0 ? longest : 1.0;
+  // A power of two: the shaders' numbers are the same to the bit, whatever else a mapper draws.
+  this->Unit = longest > 0.0 ? std::exp2(std::ceil(std::log2(longest))) : 1.0;
   this->Prepared =
     this->HasVectors ? vectors.Prepare(self->GetNoDataMagnitude(), this->Unit) : nullptr;
 }
@@ -167,8 +169,10 @@ void vtkAdaptiveLICMapper::ReplaceShaderValues(
         (lic.HasPointNormals ? "in vec3 relevoLICPointNormal;\n" : ""));
     relevo::ShaderText fragment(shaders[vtkShader::Fragment], this->MissingAnchors);
     fragment.InsertBefore(place,
-      std::string(root.StretchesColors() ? "gl_FragData[1] = gl_FragData[0];\n  " : "") +
-        "gl_FragData[0] = relevoLICVector();\n  ");
+      std::string(root.StretchesColors() ? "vec3 relevoColor = gl_FragData[0].rgb;\n  " : "") +
+        "gl_FragData[0] = relevoLICVector();\n  " +
+        (root.StretchesColors() ? "gl_FragData[1] = vec4(relevoColor, gl_FragData[0].w);\n  "
+                                : ""));
     functions =
       std::string(lic.HasNormals ? "#define RELEVO_LIC_NORMALS\n" : "") + relevoLICVectorsFS;
   }
@@ -224,7 +228,7 @@ void vtkAdaptiveLICMapper::vtkInternals::SetVectorUniforms(
     vtkMatrix4x4::Multiply4x4(modelView, block->VBOInverseTransform->GetMatrix(), modelView);
   }
   SetMatrix(program, "relevoLICFromVertex", modelView);
-  const double longest = lic.Root->LIC->Longest;
+  const double longest = lic.Root->LIC->AllVectors.Longest;
   program->SetUniformf(
     "relevoLICScale", static_cast<float>(longest > 0.0 ? lic.Unit / longest : 1.0));
   program->SetUniformf(

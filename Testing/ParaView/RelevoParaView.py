@@ -8,6 +8,7 @@ import unittest
 import numpy
 import paraview
 from paraview import simple
+from paraview.modules.vtkRemotingCore import vtkProcessModule
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
@@ -107,6 +108,22 @@ def read_png(path):
     reader.SetFileName(path)
     reader.Update()
     return pixels(reader.GetOutput())
+
+
+def compare_with_one_rank(path, pictures, limits):
+    """On one rank writes pictures to a file; on several compares them with those, and returns how
+    many differ at more pixels than they may."""
+    ranks = vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
+    if ranks == 1:
+        numpy.savez(path, **pictures)
+        return sum(foreground(each) < 1000 for each in pictures.values())
+    failed = 0
+    expected = numpy.load(path)
+    for name, picture in pictures.items():
+        different = differing(picture, expected[name])
+        print(f"{ranks} ranks, {name}: {different} pixels differ", flush=True)
+        failed += different > limits[name]
+    return failed
 
 
 def clear():

@@ -39,7 +39,7 @@ fi
 names=("$@")
 if [ ${#names[@]} -eq 0 ]; then
   names=(TestFilters TestProperties TestPackage TestEquivalents TestRepresentation TestLooks TestTime
-    TestSettings TestSelection TestRanks)
+    TestSettings TestSelection TestRanks TestLICRanks)
 fi
 
 # In a container Open MPI is asked to run as root, and on more ranks than there are processors.
@@ -50,6 +50,7 @@ run_test() {
   local script=$source_dir/Testing/ParaView/$1.py counts ranks
   case $1 in
     TestRanks) counts="1 2 4" ;;
+    TestLICRanks) counts="1 4" ;;
     TestSelection) counts="1 2" ;;
     *) counts=1 ;;
   esac

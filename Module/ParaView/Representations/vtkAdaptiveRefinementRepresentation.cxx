@@ -22,6 +22,9 @@ vtkAdaptiveRefinementRepresentation::vtkAdaptiveRefinementRepresentation()
 {
   // The base draws a decimated surface with a mapper of its own while the view moves.
   this->SuppressLOD = true;
+  // Else vtkPVLODActor has a new one for each picture, and shaders are made anew.
+  this->Actor->GetShaderProperty();
+  this->BackfaceActor->GetShaderProperty();
   vtkNew<vtkAdaptiveRefinementMapper> mapper;
   this->SetMapper(mapper);
 }

@@ -22,6 +22,8 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace relevo
@@ -58,10 +60,12 @@ void LICColoring::SetUniforms(vtkShaderProgram* program) const
 
 struct LICImage::Work
 {
-  Work(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer, LICScreen& screen)
+  Work(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer, LICScreen& screen,
+    const RangeMerger& merge)
     : Window(window)
     , Framebuffer(framebuffer)
     , Screen(screen)
+    , Merge(merge)
   {
     vtkOpenGLState* state = window->GetState();
     for (unsigned int capability : { GL_BLEND, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_CULL_FACE })
@@ -85,6 +89,7 @@ struct LICImage::Work
   vtkOpenGLRenderWindow* Window;
   vtkOpenGLFramebufferObject* Framebuffer;
   LICScreen& Screen;
+  const RangeMerger& Merge;
 };
 
 LICImage::LICImage()
@@ -138,7 +143,8 @@ const char* LICImage::GetTextureProblem()
 }
 
 bool LICImage::Convolve(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
-  LICScreen& screen, vtkTextureObject* noise, const LICPassSettings& settings)
+  LICScreen& screen, vtkTextureObject* noise, const LICPassSettings& settings,
+  const RangeMerger& merge)
 {
   if (!this->Spare || this->Spare->GetContext() != window ||
     this->Spare->GetWidth() != screen.Image->GetWidth() ||
@@ -152,7 +158,7 @@ bool LICImage::Convolve(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObjec
       return false;
     }
   }
-  Work work(window, framebuffer, screen);
+  Work work(window, framebuffer, screen, merge);
   const LICKernel& kernel = settings.Kernel;
   const auto stretch = [&](vec2 factors)
   { return !settings.Stretched || this->ApplyFilter(work, CONTRAST, ivec2(0), factors); };
@@ -169,6 +175,20 @@ bool LICImage::Convolve(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObjec
       this->ApplyFilter(work, SMOOTH, ivec2(0, 1));
   }
   return done && stretch(settings.StretchFactors);
+}
+
+int LICImage::CountRanges(const LICPassSettings& settings)
+{
+  return settings.Stretched ? (settings.Enhanced ? 2 : 1) : 0;
+}
+
+int LICImage::FindReach(const LICPassSettings& settings)
+{
+  // No vector is longer than 1. One pixel more is for sharpening, one for interpolation.
+  const LICKernel second = licSecondKernel(settings.Kernel);
+  const double length = std::min(1.0 * second.Steps * second.StepSize, 1e6);
+  return settings.NumberOfSmoothings +
+    (settings.Enhanced ? static_cast<int>(std::ceil(length)) + 2 : 0);
 }
 
 bool LICImage::ApplyConvolution(
@@ -192,7 +212,7 @@ bool LICImage::ApplyConvolution(
   program->SetUniformi("oriented", kernel.Oriented);
   program->SetUniformf("phase", kernel.Phase);
   program->SetUniformf("noiseMean", noiseMean);
-  this->ConvolvePass->Draw(work.Framebuffer, this->Spare, work.Screen.Rectangle);
+  this->ConvolvePass->Draw(work.Framebuffer, this->Spare, work.Screen.Convolved);
   noise->Deactivate();
   work.Screen.Vectors->Deactivate();
   std::swap(work.Screen.Image, this->Spare);
@@ -227,7 +247,7 @@ bool LICImage::ApplyFilter(Work& work, Filter filter, ivec2 direction, vec2 fact
   {
     program->SetUniform2i("direction", &direction.x);
   }
-  pass.Draw(work.Framebuffer, this->Spare, work.Screen.Rectangle);
+  pass.Draw(work.Framebuffer, this->Spare, work.Screen.Convolved);
   work.Screen.Image->Deactivate();
   if (range)
   {
@@ -241,6 +261,7 @@ vtkSmartPointer<vtkTextureObject> LICImage::FindRange(
   Work& work, LICPass& first, const LICColoring* coloring)
 {
   vtkSmartPointer<vtkTextureObject> source;
+  const int* rectangle = work.Screen.Rectangle;
   int width = work.Screen.Viewport[2];
   int height = work.Screen.Viewport[3];
   do
@@ -256,7 +277,11 @@ vtkSmartPointer<vtkTextureObject> LICImage::FindRange(
       this->Problem = target ? ShaderProblem : GetTextureProblem();
       return nullptr;
     }
-    SetSize(program, "sourceSize", width, height);
+    const int left = source ? 0 : rectangle[0];
+    const int bottom = source ? 0 : rectangle[1];
+    SetSize(program, "sourceFirst", left, bottom);
+    SetSize(program, "sourceEnd", source ? width : left + rectangle[2],
+      source ? height : bottom + rectangle[3]);
     if (source)
     {
       LICPass::Read(program, "ranges", source);
@@ -287,13 +312,25 @@ vtkSmartPointer<vtkTextureObject> LICImage::FindRange(
     width = smallerWidth;
     height = smallerHeight;
   } while (width > 1 || height > 1);
+  if (work.Merge)
+  {
+    float range[2];
+    work.Framebuffer->ActivateReadBuffer(0);
+    glReadPixels(0, 0, 1, 1, GL_RG, GL_FLOAT, range);
+    work.Framebuffer->DeactivateReadBuffer();
+    work.Merge(range);
+    source->Activate();
+    glTexSubImage2D(source->GetTarget(), 0, 0, 0, 1, 1, GL_RG, GL_FLOAT, range);
+    source->Deactivate();
+  }
   return source;
 }
 
 bool LICImage::FindColorRange(vtkOpenGLRenderWindow* window,
-  vtkOpenGLFramebufferObject* framebuffer, LICScreen& screen, const LICColoring& coloring)
+  vtkOpenGLFramebufferObject* framebuffer, LICScreen& screen, const LICColoring& coloring,
+  const RangeMerger& merge)
 {
-  Work work(window, framebuffer, screen);
+  Work work(window, framebuffer, screen, merge);
   screen.Range = this->FindRange(work, *this->ColorRangePass, &coloring);
   return screen.Range != nullptr;
 }

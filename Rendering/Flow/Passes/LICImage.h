@@ -14,7 +14,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
-#include <memory> // for passes
+#include <functional> // for ranges
+#include <memory>     // for passes
 
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
@@ -40,23 +41,32 @@ struct LICColoring
 class LICImage
 {
 public:
+  /// What makes the range, (least, largest), of this image that of a whole that it is a part of.
+  using RangeMerger = std::function<void(float range[2])>;
+
   LICImage();
   ~LICImage();
   LICImage(const LICImage&) = delete;
   void operator=(const LICImage&) = delete;
 
   /**
-   * Convolve noise along the screen's vectors into its image. False, with GetProblem(), when a
-   * program or a texture cannot be had.
+   * Convolve noise along the screen's vectors into its image. `merge`, if it is there, is called
+   * CountRanges() times. False, with GetProblem(), when a program or a texture cannot be had.
    */
   bool Convolve(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
-    LICScreen& screen, vtkTextureObject* noise, const LICPassSettings& settings);
+    LICScreen& screen, vtkTextureObject* noise, const LICPassSettings& settings,
+    const RangeMerger& merge);
+  static int CountRanges(const LICPassSettings& settings);
+
+  /// How far, in pixels, the passes after the first look around a pixel.
+  static int FindReach(const LICPassSettings& settings);
 
   /**
-   * The range of the lightness of the screen's colours with its LIC. False as above.
+   * The range of the lightness of the screen's colours with its LIC; calls `merge` once. False as
+   * above.
    */
   bool FindColorRange(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
-    LICScreen& screen, const LICColoring& coloring);
+    LICScreen& screen, const LICColoring& coloring, const RangeMerger& merge);
 
   //@{
   /// As sentences: what failed, and that a texture did.

@@ -86,6 +86,17 @@ void LICScreen::SetBounds(const double bounds[6], vtkMatrix4x4* project)
     this->Rectangle[i] = first;
     this->Rectangle[2 + i] = std::max(last - first, 0);
   }
+  this->GrowConvolved(0);
+}
+
+void LICScreen::GrowConvolved(int margin)
+{
+  for (int i = 0; i < 2; ++i)
+  {
+    const int last = this->Rectangle[i] + this->Rectangle[2 + i] + margin;
+    this->Convolved[i] = std::max(this->Rectangle[i] - margin, 0);
+    this->Convolved[2 + i] = std::min(last, this->Viewport[2 + i]) - this->Convolved[i];
+  }
 }
 
 bool LICScreen::Begin(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer)
@@ -122,6 +133,25 @@ void LICScreen::End(vtkOpenGLRenderWindow*, vtkOpenGLFramebufferObject* framebuf
   framebuffer->RemoveDepthAttachment();
   framebuffer->RemoveColorAttachments(this->Colors ? 2 : 1);
   framebuffer->DeactivateDrawBuffers();
+}
+
+std::vector<float> LICScreen::ReadVectors(
+  vtkOpenGLFramebufferObject* framebuffer, const int rectangle[4]) const
+{
+  std::vector<float> vectors(static_cast<size_t>(4) * rectangle[2] * rectangle[3]);
+  framebuffer->ActivateReadBuffer(0);
+  glReadPixels(
+    rectangle[0], rectangle[1], rectangle[2], rectangle[3], GL_RGBA, GL_FLOAT, vectors.data());
+  framebuffer->DeactivateReadBuffer();
+  return vectors;
+}
+
+void LICScreen::WriteVectors(const int rectangle[4], const std::vector<float>& vectors)
+{
+  this->Vectors->Activate();
+  glTexSubImage2D(this->Vectors->GetTarget(), 0, rectangle[0], rectangle[1], rectangle[2],
+    rectangle[3], GL_RGBA, GL_FLOAT, vectors.data());
+  this->Vectors->Deactivate();
 }
 
 void LICScreen::ReleaseGraphicsResources(vtkWindow* window)

@@ -1,12 +1,14 @@
 // Least and largest value of 16 x 16 texels: of the image first, then of ranges.
-uniform ivec2 sourceSize;
+uniform ivec2 sourceFirst; // of the texels that count
+uniform ivec2 sourceEnd;   // one past the last
 
 vec2 relevoRange(ivec2 texel);
 
 vec4 relevoReduce()
 {
-  ivec2 first = 16 * ivec2(gl_FragCoord.xy);
-  ivec2 last = min(first + ivec2(16), sourceSize);
+  ivec2 corner = 16 * ivec2(gl_FragCoord.xy);
+  ivec2 first = max(corner, sourceFirst);
+  ivec2 last = min(corner + ivec2(16), sourceEnd);
   vec2 range = vec2(1e30, -1e30);
   for (int y = first.y; y < last.y; ++y)
   {
