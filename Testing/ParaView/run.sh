@@ -38,8 +38,8 @@ fi
 
 names=("$@")
 if [ ${#names[@]} -eq 0 ]; then
-  names=(TestFilters TestProperties TestPackage TestEquivalents TestRepresentation TestLooks TestTime
-    TestSettings TestSelection TestRanks TestLICRanks)
+  names=(TestFilters TestProperties TestPackage TestEquivalents TestExamples TestRepresentation
+    TestLooks TestTime TestSettings TestSelection TestRanks TestLICRanks)
 fi
 
 # In a container Open MPI is asked to run as root, and on more ranks than there are processors.
