@@ -94,7 +94,7 @@ public:
    * Bring the height map up to date; false, after an ErrorEvent of this object, if it has no
    * samples.
    */
-  bool Update();
+  virtual bool Update();
 
   /**
    * The smallest and largest displacement any point can have, in length units.

@@ -43,6 +43,18 @@ bool HasExtension(const char* name)
   return false;
 }
 
+std::string GetRenderer()
+{
+  const GLubyte* name = glGetString(GL_RENDERER);
+  return name ? reinterpret_cast<const char*>(name) : "";
+}
+
+// Mesa's softpipe has them, but reads other texels than asked for.
+bool HasBuffersOfThreeFloats(GLint major)
+{
+  return (major > 3 || HasExtension("GL_ARB_texture_buffer_object_rgb32")) &&
+    GetRenderer() != "softpipe";
+}
 }
 
 vtkStandardNewMacro(vtkAdaptiveRefinementMapper);
@@ -117,13 +129,14 @@ bool vtkAdaptiveRefinementMapper::CheckOpenGL(vtkRenderer*)
     glGetIntegerv(GL_MAJOR_VERSION, &major);
     glGetIntegerv(GL_MINOR_VERSION, &minor);
     const bool instancing = major > 3 || (major == 3 && minor >= 3);
-    const bool rgbBuffers = major > 3 || HasExtension("GL_ARB_texture_buffer_object_rgb32");
+    const bool rgbBuffers = HasBuffersOfThreeFloats(major);
     data.ContextValid = instancing && rgbBuffers;
     if (!data.ContextValid)
     {
       vtkErrorMacro("Refinement needs OpenGL 3.3 with ARB_texture_buffer_object_rgb32 (part of "
                     "OpenGL 4.0); this context has OpenGL "
-        << major << "." << minor << (rgbBuffers ? " with it." : " without it."));
+        << major << "." << minor << (rgbBuffers ? " with it" : " without one that works") << " ("
+        << GetRenderer() << ").");
     }
     data.ComputeValid = data.ContextValid && this->SelectionDevice != SELECTION_DEVICE_CPU &&
       relevo::RefinementComputeProgram::IsSupported();

@@ -39,7 +39,7 @@ fi
 names=("$@")
 if [ ${#names[@]} -eq 0 ]; then
   names=(TestFilters TestProperties TestPackage TestEquivalents TestExamples TestRepresentation
-    TestLooks TestTime TestSettings TestSelection TestRanks TestLICRanks)
+    TestLooks TestTime TestSettings TestSelection TestBadInput TestRanks TestLICRanks)
 fi
 
 # In a container Open MPI is asked to run as root, and on more ranks than there are processors.
@@ -52,7 +52,10 @@ run_test() {
     TestRanks) counts="1 2 4" ;;
     TestLICRanks) counts="1 4" ;;
     TestSelection) counts="1 2" ;;
-    *) counts=1 ;;
+    *)
+      pvbatch "$script"
+      return
+      ;;
   esac
   for ranks in $counts; do
     timeout 120 mpirun --oversubscribe -n $ranks pvbatch "$script" "$pictures" || return 1

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightMapDisplacement.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkHeightMap.h"
 #include "vtkObjectFactory.h"
 
@@ -52,6 +53,19 @@ void vtkHeightMapDisplacement::SetFixedDirection(double x, double y, double z)
   const double direction[3] = { x, y, z };
   std::copy(direction, direction + 3, this->FixedDirection);
   this->SetAlongNormals(this->AlongNormals);
+}
+
+bool vtkHeightMapDisplacement::Update()
+{
+  // VTK prints no error that has an observer.
+  vtkNew<vtkCallbackCommand> quiet;
+  quiet->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+  const unsigned long ofMap = this->Map->AddObserver(vtkCommand::ErrorEvent, quiet);
+  const unsigned long own = this->AddObserver(vtkCommand::ErrorEvent, quiet);
+  const bool valid = this->Superclass::Update();
+  this->Map->RemoveObserver(ofMap);
+  this->RemoveObserver(own);
+  return valid;
 }
 
 void vtkHeightMapDisplacement::PrintSelf(ostream& os, vtkIndent indent)

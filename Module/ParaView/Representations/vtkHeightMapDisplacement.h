@@ -51,6 +51,12 @@ public:
   vtkGetVector3Macro(FixedDirection, double);
   //@}
 
+  /**
+   * Prints no error: what draws or refines says in one why the raster cannot be read. Observers get
+   * the ErrorEvent.
+   */
+  bool Update() override;
+
 protected:
   vtkHeightMapDisplacement();
   ~vtkHeightMapDisplacement() override;

@@ -1,0 +1,236 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Bad input is told once, not in every frame; the rest of the scene is drawn, and nothing hangs.
+
+The tests run scenes in processes of their own: pvbatch TestBadInput.py SCENE...
+"""
+
+import os
+import re
+import socket
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as ElementTree
+
+from paraview import simple
+
+import RelevoParaView as relevo
+from RelevoParaView import sphere
+
+RANK = """
+from paraview.modules.vtkRemotingCore import vtkProcessModule
+rank = vtkProcessModule.GetProcessModule().GetPartitionId()
+"""
+ARRAY_ON_RANK_0 = (
+    RANK
+    + """
+from vtkmodules.vtkCommonCore import vtkFloatArray
+values = vtkFloatArray()
+values.SetName("Values")
+values.SetNumberOfTuples(output.GetNumberOfPoints())
+values.Fill(1)
+if rank == 0:
+    output.GetPointData().AddArray(values)
+"""
+)
+NOTHING_ON_RANK_0 = RANK + "if rank == 0:\n    output.VTKObject.Initialize()\n"
+NOT_A_NUMBER = """
+from vtkmodules.vtkCommonCore import vtkPoints
+points = vtkPoints()
+points.DeepCopy(output.VTKObject.GetPoints())
+points.SetPoint(3, float("nan"), 0, 0)
+output.VTKObject.SetPoints(points)
+"""
+
+# Not what MPI has set for this process: others would take themselves for parts of it.
+ENVIRONMENT = {
+    name: value
+    for name, value in os.environ.items()
+    if not name.startswith(("OMPI_", "PMIX_")) or name.startswith("OMPI_ALLOW")
+}
+
+
+def changed(script):
+    return simple.ProgrammableFilter(Input=sphere(), Script=script, CopyArrays=1)
+
+
+def show_displaced(view, source, path):
+    shown = relevo.show(source, view, Displacement="Height Map")
+    shown.Displacement.HeightMapFileName = path
+    shown.Displacement.Scale = 0.02
+
+
+def show_variation(view, source):
+    shown = relevo.show(source, view, Metric="Variation of an Array")
+    shown.Metric.ArrayName = "Values"
+
+
+
+SCENES = {
+    "good": lambda view: relevo.show(sphere(), view),
+    "no file": lambda view: show_displaced(view, sphere(), "/nowhere/heights.png"),
+    # Relative: only rank 0 runs in the folder that has it.
+    "file": lambda view: show_displaced(
+        view, simple.TextureMaptoSphere(Input=sphere()), "heights.png"
+    ),
+    "no texture coordinates": lambda view: show_displaced(view, sphere(), "heights.png"),
+    "no array": lambda view: show_variation(view, sphere()),
+    "array on rank 0": lambda view: show_variation(view, changed(ARRAY_ON_RANK_0)),
+    "nothing on rank 0": lambda view: relevo.show(changed(NOTHING_ON_RANK_0), view),
+    "not a number": lambda view: relevo.show(changed(NOT_A_NUMBER), view),
+}
+
+
+def draw(name):
+    """A good sphere beside what is wrong; two frames, each from elsewhere."""
+    relevo.clear()
+    view = relevo.view()
+    relevo.show(simple.Sphere(Center=[1.5, 0, 0]), view, "Surface")
+    relevo.picture(view)
+    SCENES[name](view)
+    for distance in 6.2, 6:
+        view.CameraPosition = [0.7, 0, distance]
+        view.CameraFocalPoint = [0.7, 0, 0]
+        picture = relevo.picture(view)
+    columns = picture.shape[1]
+    halves = picture[:, : columns // 2], picture[:, columns // 2 :]
+    print("drawn:", *map(relevo.foreground, halves), flush=True)
+
+
+class TestBadInput(relevo.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        relevo.write_heights(os.path.join(self.folder, "heights.png"))
+
+    def run_scenes(self, names, ranks=1, **environment):
+        """The errors and warnings of each scene, and the pixels of what was bad."""
+        command = ["mpirun", "--oversubscribe"]
+        for folder in (self.folder, "/")[:ranks]:
+            command += ["-n", "1", "--wdir", folder, "pvbatch", os.path.abspath(__file__), *names, ":"]
+        return self.read_scenes(names, command[:-1], environment)
+
+    def read_scenes(self, names, command, environment):
+        result = subprocess.run(
+            command,
+            env={**ENVIRONMENT, **environment},
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            timeout=180,  # none hangs, but the machine may be busy
+        )
+        self.assertEqual(result.returncode, 0, result.stdout)
+        scenes = result.stdout.split("drawn: ")
+        self.assertEqual(len(scenes), len(names) + 1, result.stdout)
+        found = {}
+        for name, text, after in zip(names, scenes, scenes[1:]):
+            bad, good = map(int, after.split("\n")[0].split())
+            self.assertGreater(good, 2000, name)
+            found[name] = re.findall(r"(?:ERR|WARN)\|[^|]*?(vtk\w+ \(0x\w+\): .*)", text), bad
+        return found
+
+    def assert_told(self, found, *words):
+        """One message for each of `words`, in this order; returns the pixels of what was bad."""
+        messages, bad = found
+        self.assertEqual(len(messages), len(words), messages)
+        for message, expected in zip(messages, words):
+            self.assertIn(expected, message)
+        return bad
+
+    def test_one_process(self):
+        words = {
+            "no file": ["Cannot read /nowhere/heights.png: the file does not exist."],
+            "no texture coordinates": ["needs texture coordinates"],
+            "no array": ['array of numbers named "Values"', "see its own error"],
+        }
+        found = self.run_scenes([*words, "not a number", "good"])
+        for name, expected in words.items():
+            with self.subTest(name):
+                self.assertEqual(self.assert_told(found[name], *expected), 0)
+        self.assertGreater(self.assert_told(found["not a number"], "degenerate"), 2000)
+        self.assertGreater(self.assert_told(found["good"]), 2000)
+
+    def test_one_of_two_processes(self):
+        """It tells, and the other one draws its part."""
+        words = {
+            "file": ["Cannot read heights.png: the file does not exist."],
+            "array on rank 0": ['array of numbers named "Values"', "see its own error"],
+            "nothing on rank 0": [],
+        }
+        found = self.run_scenes(words, ranks=2)
+        for name, expected in words.items():
+            with self.subTest(name):
+                bad = self.assert_told(found[name], *expected)
+                self.assertGreater(bad, 500)
+                self.assertLess(bad, 2500)
+
+    def test_old_opengl(self):
+        for told, environment in (
+            (["Refinement needs OpenGL 3.3"], {"MESA_GL_VERSION_OVERRIDE": "3.2"}),
+            (["without one that works (softpipe)"], {"GALLIUM_DRIVER": "softpipe"}),
+            ([], {"MESA_GL_VERSION_OVERRIDE": "4.2"}),
+        ):
+            with self.subTest(environment):
+                found = self.run_scenes(["good"], **environment)["good"]
+                self.assertEqual(self.assert_told(found, *told) > 2000, not told)
+
+    def test_server_without_plugin(self):
+        with socket.socket() as probe:
+            probe.bind(("", 0))
+            port = str(probe.getsockname()[1])
+        bare = {name: value for name, value in ENVIRONMENT.items() if name != "PV_PLUGIN_PATH"}
+        server = subprocess.Popen(
+            ["timeout", "60", "pvserver", "--server-port=" + port],
+            env=bare,
+            stdout=subprocess.PIPE,
+            text=True,
+        )
+        self.addCleanup(server.communicate)
+        self.addCleanup(server.kill)
+        while "Accepting" not in server.stdout.readline():
+            self.assertIsNone(server.poll())
+        command = ["pvpython", os.path.abspath(__file__), "good"]
+        messages, bad = self.read_scenes(["good"], command, {"RELEVO_PORT": port})["good"]
+        self.assertEqual(bad, 0)
+        self.assertEqual(len(messages), 2)  # of the client, and of the server
+        for message in messages:
+            self.assertIn("No representation was found with Name: Adaptive Refinement", message)
+
+    def test_states_of_other_versions(self):
+        """Properties that a state file has not have their defaults; unknown ones are ignored."""
+        view = relevo.view()
+        relevo.show(sphere(), view, MaximumLevel=2, Metric="Curvature", Surface="PN Triangles")
+        relevo.picture(view)
+        simple.ResetCamera(view)
+        expected = relevo.picture(view)
+        path = os.path.join(self.folder, "state.pvsm")
+        simple.SaveState(path)
+        relevo.clear()
+        state = ElementTree.parse(path)
+        removed = 0
+        for proxy in state.iter("Proxy"):
+            properties = proxy.findall("Property")
+            if not any(each.get("name") == "LevelRule" for each in properties):
+                continue
+            for each in properties:
+                if each.get("name") in ("SegmentPolicy", "Displacement", "RefinementColorMode"):
+                    proxy.remove(each)
+                    removed += 1
+            unknown = {"name": "Unknown", "id": proxy.get("id") + ".Unknown"}
+            ElementTree.SubElement(proxy, "Property", {**unknown, "number_of_elements": "0"})
+        self.assertGreaterEqual(removed, 3)
+        state.write(path)
+        simple.LoadState(path)
+        picture = relevo.picture(simple.GetActiveView())
+        self.assertEqual(relevo.differing(picture, expected, 0), 0)
+
+
+if __name__ == "__main__":
+    if "RELEVO_PORT" in os.environ:
+        simple.Connect("localhost", int(os.environ["RELEVO_PORT"]))
+    for scene in sys.argv[1:]:
+        draw(scene)
+    if len(sys.argv) == 1:
+        relevo.main()
