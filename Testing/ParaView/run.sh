@@ -58,7 +58,7 @@ run_test() {
       ;;
   esac
   for ranks in $counts; do
-    timeout 120 mpirun --oversubscribe -n $ranks pvbatch "$script" "$pictures" || return 1
+    timeout 300 mpirun --oversubscribe -n $ranks pvbatch "$script" "$pictures" || return 1
   done
 }
 
