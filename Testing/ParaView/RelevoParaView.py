@@ -12,6 +12,7 @@ from paraview.modules.vtkRemotingCore import vtkProcessModule
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 STYLES = "Adaptive Refinement", "Surface"
 
@@ -52,6 +53,16 @@ def picture(of_view):
     """What a view shows: rows x columns x 3 unsigned bytes, the lowest row first."""
     simple.Render(of_view)
     return pixels(of_view.CaptureWindow(1))
+
+
+def drawn(view):
+    """What the latest frame of a view was; nothing is drawn anew."""
+    grabber = vtkWindowToImageFilter()
+    grabber.SetInput(view.GetRenderWindow())
+    grabber.ShouldRerenderOff()
+    grabber.ReadFrontBufferOff()
+    grabber.Update()
+    return pixels(grabber.GetOutput())
 
 
 def pixels(image):

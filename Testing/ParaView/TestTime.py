@@ -132,6 +132,33 @@ class TestViews(relevo.TestCase):
         self.assert_same_picture(views[1], views[2])
         self.assertGreater(relevo.differing(*map(relevo.picture, views[:2])), 100)
 
+    def test_interaction(self):
+        """Nothing is decimated, as Surface is; what takes too long is refined less."""
+        source = simple.Sphere(ThetaResolution=60, PhiResolution=40)
+        decimated = {}
+        for representation in "Surface", "Adaptive Refinement":
+            view = relevo.view()
+            view.LODThreshold = 0
+            view.LODResolution = 0
+            shown = relevo.show(source, view, representation)
+            if representation == "Adaptive Refinement":
+                relevo.set_properties(shown, {"MaximumLevel": 0, "Metric": "None"})
+            relevo.picture(view)
+            simple.ResetCamera(view)
+            still = relevo.picture(view)
+            view.InteractiveRender()
+            decimated[representation] = relevo.differing(relevo.drawn(view), still, 0)
+        self.assertGreater(decimated["Surface"], 100)
+        self.assertEqual(decimated["Adaptive Refinement"], 0)
+        shown.MaximumLevel = 5
+        triangles = []
+        # Two frames, as the first one tells how long it takes; then one, and two.
+        for render in relevo.picture, lambda each: each.InteractiveRender(), relevo.picture:
+            render(view)
+            triangles.append(relevo.statistic(view, "NumberOfDrawnTriangles"))
+        self.assertLess(triangles[1], triangles[0] / 4)
+        self.assertEqual(triangles[2], triangles[0])
+
     def test_large_screenshot(self):
         """Larger than the window: drawn in tiles, with the levels of a window of that size."""
         size = [900, 600]
