@@ -11,14 +11,13 @@ from paraview import simple
 
 import RelevoParaView as relevo
 
-# Pixels of 60000 that may differ; ParaView's own Surface differs, too, where ranks are blended.
+# Pixels of 60000 that may differ.
 CASES = {
     "Level 0": (10, {"MaximumLevel": 0, "Metric": "None"}),
     "Level 2": (10, {"MaximumLevel": 2, "Metric": "None"}),
     "PN Triangles": (10, {"MaximumLevel": 2, "Metric": "None", "Surface": "PN Triangles"}),
     "Curvature": (10, {"MaximumLevel": 4, "Metric": "Curvature", "Geomorphing": "Off"}),
     "Screen": (10, {"MaximumLevel": 4, "Geomorphing": "Off", "Surface": "PN Triangles"}),
-    "Opacity": (100, {"MaximumLevel": 2, "Metric": "None", "Opacity": 0.5}),
 }
 
 

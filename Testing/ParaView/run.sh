@@ -39,7 +39,8 @@ fi
 names=("$@")
 if [ ${#names[@]} -eq 0 ]; then
   names=(TestFilters TestProperties TestPackage TestEquivalents TestExamples TestRepresentation
-    TestLooks TestTime TestSettings TestSelection TestBadInput TestRanks TestLICRanks)
+    TestLooks TestTime TestSettings TestSelection TestBadInput TestRanks TestLICRanks
+    TestTranslucent)
 fi
 
 # In a container Open MPI is asked to run as root, and on more ranks than there are processors.
@@ -50,7 +51,7 @@ run_test() {
   local script=$source_dir/Testing/ParaView/$1.py counts ranks
   case $1 in
     TestRanks) counts="1 2 4" ;;
-    TestLICRanks) counts="1 4" ;;
+    TestLICRanks | TestTranslucent) counts="1 4" ;;
     TestSelection) counts="1 2" ;;
     *)
       pvbatch "$script"

@@ -7,10 +7,12 @@
  * Each face's points and positions (surfaces lie within their convex hull, or within the surface's
  * own reach of it), moved by up to the displacement's reach along the normals the face can have.
  *
- * Private to the module's own sources.
+ * Private to the modules.
  */
 #ifndef FaceBounds_h
 #define FaceBounds_h
+
+#include "RelevoFiltersRefinementModule.h" // for export macro
 
 #include <cstddef> // for size_t
 #include <vector>  // for members
@@ -23,7 +25,7 @@ namespace relevo
 class HeightRanges;
 class RefinementMesh;
 
-class FaceBounds
+class RELEVOFILTERSREFINEMENT_EXPORT FaceBounds
 {
 public:
   /// With `heights`, those of the displacement's height map, boxes reach as far as the heights over

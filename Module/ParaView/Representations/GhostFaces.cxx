@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GhostFaces.h"
 
+#include "SurfaceLeaves.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
@@ -10,7 +11,6 @@
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkGhostCellsGenerator.h"
 #include "vtkIdList.h"
-#include "vtkMultiPieceDataSet.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSet.h"
@@ -135,36 +135,6 @@ struct Surface
     this->Leaves.push_back(mesh);
   }
 };
-
-// Calls f(tree, iterator at one of its leaves) for all leaves, and start() before each surface:
-// partitions are pieces of one, any other leaf is a surface of its own.
-template <typename Start, typename Function>
-void ForEachLeaf(vtkDataObjectTree* tree, Start&& start, Function&& f)
-{
-  const bool hasPieces =
-    vtkPartitionedDataSet::SafeDownCast(tree) || vtkMultiPieceDataSet::SafeDownCast(tree);
-  if (hasPieces)
-  {
-    start();
-  }
-  auto iterator = vtk::TakeSmartPointer(tree->NewTreeIterator());
-  iterator->SkipEmptyNodesOff();
-  iterator->VisitOnlyLeavesOff();
-  iterator->TraverseSubTreeOff();
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-  {
-    if (auto subTree = vtkDataObjectTree::SafeDownCast(iterator->GetCurrentDataObject()))
-    {
-      ForEachLeaf(subTree, start, f);
-      continue;
-    }
-    if (!hasPieces)
-    {
-      start();
-    }
-    f(tree, iterator.Get());
-  }
-}
 
 void AddGhosts(vtkPartitionedDataSet* pieces)
 {

@@ -3,6 +3,7 @@
 #include "vtkAdaptiveRefinementRepresentation.h"
 
 #include "GhostFaces.h"
+#include "OrderedCompositing.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementMapper.h"
 #include "vtkAlgorithm.h"
@@ -19,6 +20,7 @@
 vtkStandardNewMacro(vtkAdaptiveRefinementRepresentation);
 
 vtkAdaptiveRefinementRepresentation::vtkAdaptiveRefinementRepresentation()
+  : Order(new relevo::OrderedCompositing)
 {
   // The base draws a decimated surface with a mapper of its own while the view moves.
   this->SuppressLOD = true;
@@ -127,8 +129,10 @@ int vtkAdaptiveRefinementRepresentation::RequestData(
 int vtkAdaptiveRefinementRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
 {
-  const bool attributesChanged = this->BlockAttrChanged;
-  const vtkMTimeType attributesTime = this->BlockAttributeTime;
+  if (request == vtkPVView::REQUEST_RENDER())
+  {
+    return this->RequestRender(request, inInfo, outInfo);
+  }
   if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
   {
     return 0;
@@ -136,16 +140,44 @@ int vtkAdaptiveRefinementRepresentation::ProcessViewRequest(
   if (request == vtkPVView::REQUEST_UPDATE())
   {
     this->GiveBounds(inInfo);
-  }
-  else if (request == vtkPVView::REQUEST_RENDER())
-  {
-    this->ApplyColorMode();
-    // The base does this for VTK's composite mapper alone.
-    vtkDataObject* data = vtkPVView::GetDeliveredPiece(inInfo, this);
-    if (data && (attributesChanged || attributesTime < data->GetMTime()))
+    if (!this->UseDataPartitions)
     {
-      this->PopulateBlockAttributes(this->GetMapper()->GetCompositeDataDisplayAttributes(), data);
+      relevo::OrderedCompositing::GiveSpace(inInfo, this, this->VisibleDataBounds);
     }
+  }
+  return 1;
+}
+
+int vtkAdaptiveRefinementRepresentation::RequestRender(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  const bool attributesChanged = this->BlockAttrChanged;
+  // The base has its mapper draw what was delivered. If that is not what is to be drawn, this would
+  // build all buffers anew in each frame.
+  vtkMapper* mapper = this->Mapper;
+  this->Mapper = this->Unused;
+  const int result = this->Superclass::ProcessViewRequest(request, inInfo, outInfo);
+  this->Mapper = mapper;
+  if (!result)
+  {
+    return 0;
+  }
+  vtkDataObject* data = vtkPVView::GetDeliveredPiece(inInfo, this);
+  if (auto view = vtkPVRenderView::SafeDownCast(inInfo->Get(vtkPVView::VIEW())))
+  {
+    vtkNew<vtkMatrix4x4> matrix;
+    this->Actor->GetMatrix(matrix);
+    data = this->Order->Update(view, data, this->GetMapper()->GetRefinement(), matrix);
+  }
+  this->Order->Clip(mapper);
+  mapper->SetInputDataObject(data);
+  this->UpdateColoringParameters();
+  this->ApplyColorMode();
+  // The base does this for VTK's composite mapper alone.
+  if (data && (attributesChanged || this->AttributesTime != data->GetMTime()))
+  {
+    this->PopulateBlockAttributes(this->GetMapper()->GetCompositeDataDisplayAttributes(), data);
+    this->AttributesTime = data->GetMTime();
   }
   return 1;
 }

@@ -19,7 +19,14 @@
 #include "vtkGeometryRepresentationWithFaces.h"
 #include "vtkNew.h" // for Measure
 
+#include <memory> // for Order
+
 class vtkAdaptiveRefinementMapper;
+
+namespace relevo
+{
+class OrderedCompositing;
+}
 
 class RELEVOPARAVIEWREPRESENTATIONS_EXPORT vtkAdaptiveRefinementRepresentation
   : public vtkGeometryRepresentationWithFaces
@@ -79,9 +86,14 @@ private:
 
   void ApplyColorMode();
   void GiveBounds(vtkInformation* inInfo);
+  int RequestRender(
+    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo);
 
   // Measures what will be drawn, before it is where the mapper draws.
   vtkNew<vtkAdaptiveRefinementMapper> Measure;
+  vtkNew<vtkAdaptiveRefinementMapper> Unused; // stands for the mapper where the base sets it
+  const std::unique_ptr<relevo::OrderedCompositing> Order;
+  vtkMTimeType AttributesTime = 0; // of the data whose blocks' attributes the mapper has
   int RefinementColorMode = 0;
 };
 

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @brief   the surfaces of a tree of data sets, and their pieces
+ *
+ * Private to the module.
+ */
+#ifndef SurfaceLeaves_h
+#define SurfaceLeaves_h
+
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkMultiPieceDataSet.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkSmartPointer.h"
+
+namespace relevo
+{
+/**
+ * Call f(tree, iterator at one of its leaves) for all leaves, and start() before each surface:
+ * partitions are pieces of one, any other leaf is a surface of its own.
+ */
+template <typename Start, typename Function>
+void ForEachLeaf(vtkDataObjectTree* tree, Start&& start, Function&& f)
+{
+  const bool hasPieces =
+    vtkPartitionedDataSet::SafeDownCast(tree) || vtkMultiPieceDataSet::SafeDownCast(tree);
+  if (hasPieces)
+  {
+    start();
+  }
+  auto iterator = vtk::TakeSmartPointer(tree->NewTreeIterator());
+  iterator->SkipEmptyNodesOff();
+  iterator->VisitOnlyLeavesOff();
+  iterator->TraverseSubTreeOff();
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    if (auto subTree = vtkDataObjectTree::SafeDownCast(iterator->GetCurrentDataObject()))
+    {
+      ForEachLeaf(subTree, start, f);
+      continue;
+    }
+    if (!hasPieces)
+    {
+      start();
+    }
+    f(tree, iterator.Get());
+  }
+}
+}
+
+#endif
