@@ -76,8 +76,10 @@ class TestEquivalents(relevo.TestCase):
         for view in views:
             relevo.picture(view)  # the first frame of a session moves the camera
         simple.ResetCamera(views[2])
-        for view in views[:2]:
+        for view in views[1::-1]:
             relevo.copy_camera(views[2], view)
+            if view is views[0] and relevo.foreground(relevo.picture(view)) == 0:
+                self.skipTest("this ParaView's Extrusion Surface draws nothing")
             self.assert_same_picture(view, views[2], 100)
 
     def test_surface_lic(self):
