@@ -51,6 +51,7 @@ public:
     relevo::Dependencies dependencies = relevo::Dependencies::On(perEdge, maximumLevel);
     dependencies.AddObject(metric);
     dependencies.AddObject(this->Evaluator->GetMesh().GetPolyData());
+    dependencies.Add(this->Evaluator->GetMesh().GetTime());
     if (metric->IsPlacementDependent() && view.ModelToWorld)
     {
       const double* matrix = view.ModelToWorld->GetData();
@@ -67,6 +68,7 @@ public:
   }
 
   vtkFloatArray* GetTags() const { return this->Tags; }
+  relevo::MetricEvaluator& GetEvaluator() { return *this->Evaluator; }
 
 private:
   std::unique_ptr<relevo::MetricEvaluator> Evaluator;
@@ -97,7 +99,18 @@ public:
     return this->UpdateParts(view, maximumLevel, true) && this->Combine(maximumLevel, tags);
   }
 
+  void ShareNumbers(const relevo::RefinementView& view, const relevo::PieceReduction& pieces,
+    relevo::WholeSurface& whole) override
+  {
+    this->UpdateMetrics();
+    for (Part& part : this->Parts)
+    {
+      part.GetEvaluator().ShareNumbers(view, pieces, whole);
+    }
+  }
+
 private:
+  void UpdateMetrics();
   bool UpdateParts(const relevo::RefinementView& view, int maximumLevel, bool perEdge);
   bool Combine(int maximumLevel, vtkFloatArray* tags);
   template <typename Function>
@@ -108,6 +121,15 @@ private:
   std::vector<Part> Parts;
 };
 
+void CompositeEvaluator::UpdateMetrics()
+{
+  this->Parts.resize(this->Metric->GetNumberOfMetrics());
+  for (std::size_t i = 0; i < this->Parts.size(); ++i)
+  {
+    this->Parts[i].SetMetric(this->Metric->GetMetric(static_cast<int>(i)), this->Mesh);
+  }
+}
+
 bool CompositeEvaluator::UpdateParts(
   const relevo::RefinementView& view, int maximumLevel, bool perEdge)
 {
@@ -117,10 +139,9 @@ bool CompositeEvaluator::UpdateParts(
     vtkErrorWithObjectMacro(this->Metric.Get(), "There are no metrics to combine: call AddMetric.");
     return false;
   }
-  this->Parts.resize(numberOfParts);
+  this->UpdateMetrics();
   for (int i = 0; i < numberOfParts; ++i)
   {
-    this->Parts[i].SetMetric(this->Metric->GetMetric(i), this->Mesh);
     std::string error;
     if (!this->Parts[i].Update(view, maximumLevel, perEdge, error))
     {

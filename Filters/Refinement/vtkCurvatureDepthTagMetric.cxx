@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCurvatureDepthTagMetric.h"
 
+#include "Core/GhostCells.h"
+#include "Core/PieceReduction.h"
+#include "Core/PointPlaces.h"
 #include "Core/RefinementMathematics.h"
 #include "Core/SettingChecks.h"
 #include "Mesh/SurfaceTriangles.h"
+#include "Metrics/CollectOnce.h"
 #include "Metrics/DiscreteCurvature.h"
 #include "Metrics/MetricEvaluator.h"
 #include "Metrics/MetricMesh.h"
@@ -18,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace relevo
 {
@@ -33,20 +38,14 @@ const std::vector<double>& GetValues(const relevo::DiscreteCurvature& curvature,
   return type == vtkCurvatureDepthTagMetric::MEAN ? curvature.Mean : curvature.Gaussian;
 }
 
-// The thresholds when nothing else is asked for.
-void GetAutomaticThresholds(const relevo::DiscreteCurvature& curvature, int type,
-  const double quantiles[2], double thresholds[2])
+// The thresholds when nothing else is asked for, of places of a mean area.
+std::vector<double> GetAutomaticThresholds(
+  std::vector<double> magnitudes, double areaOfPlace, int type, const double quantiles[2])
 {
-  std::fill_n(thresholds, 2, 0.0);
-  std::vector<double> magnitudes;
-  magnitudes.reserve(curvature.Places.size());
-  for (vtkIdType place : curvature.Places)
+  std::vector<double> thresholds(2, 0.0);
+  if (magnitudes.empty() || !(areaOfPlace > 0.0) || !std::isfinite(areaOfPlace))
   {
-    magnitudes.push_back(std::abs(GetValues(curvature, type)[place]));
-  }
-  if (magnitudes.empty() || curvature.AreaOfPlace <= 0.0)
-  {
-    return;
+    return thresholds;
   }
   for (int i = 0; i < 2; ++i)
   {
@@ -58,9 +57,10 @@ void GetAutomaticThresholds(const relevo::DiscreteCurvature& curvature, int type
       thresholds[i] = *quantile;
     }
   }
-  const double flat = FlatAngle / std::sqrt(curvature.AreaOfPlace);
+  const double flat = FlatAngle / std::sqrt(areaOfPlace);
   const bool isMean = type == vtkCurvatureDepthTagMetric::MEAN;
   thresholds[1] = std::max(thresholds[1], isMean ? flat : flat * flat);
+  return thresholds;
 }
 
 class CurvatureEvaluator : public relevo::MetricEvaluator
@@ -73,7 +73,8 @@ public:
   {
   }
 
-  bool ComputeTags(const relevo::RefinementView&, int maximumLevel, vtkFloatArray* tags) override
+  bool ComputeTags(
+    const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags) override
   {
     double thresholds[2] = { this->Metric->GetMinimumCurvature(),
       this->Metric->GetMaximumCurvature() };
@@ -89,7 +90,8 @@ public:
     const std::vector<double>& values = GetValues(curvature, type);
     if (thresholds[1] == 0.0)
     {
-      GetAutomaticThresholds(curvature, type, this->Metric->GetQuantiles(), thresholds);
+      const std::vector<double> automatic = this->GetNumbers(view);
+      std::copy(automatic.begin(), automatic.end(), thresholds);
     }
     const auto narrow = [](double value)
     { return static_cast<float>(std::min<double>(value, VTK_FLOAT_MAX)); };
@@ -110,7 +112,63 @@ public:
     return true;
   }
 
+protected:
+  // The automatic thresholds.
+  std::vector<double> ComputeNumbers(
+    const relevo::RefinementView&, const relevo::PieceReduction& pieces) override
+  {
+    if (this->Metric->GetMaximumCurvature() > 0.0)
+    {
+      return {};
+    }
+    relevo::SurfaceShape& shape = relevo::GetShape(this->GetMesh());
+    const int type = this->Metric->GetCurvatureType();
+    const relevo::DiscreteCurvature& curvature = shape.GetCurvature();
+    const relevo::SurfaceTriangles& surface = *shape.GetTriangles();
+    const relevo::GhostCells ghosts(this->GetMesh().GetPolyData());
+    std::vector<vtkIdType> places;
+    std::vector<double> magnitudes;
+    magnitudes.reserve(curvature.Places.size());
+    for (vtkIdType place : curvature.Places)
+    {
+      bool isOwn = false;
+      surface.ForEachTriangleIndex(
+        place, [&](vtkIdType t) { isOwn = isOwn || !ghosts.Has(surface.GetCell(t)); });
+      if (isOwn)
+      {
+        places.push_back(place);
+        magnitudes.push_back(std::abs(GetValues(curvature, type)[place]));
+      }
+    }
+    magnitudes = relevo::CollectOnce(pieces, std::move(magnitudes),
+      [&](std::size_t i)
+      {
+        double x[3];
+        surface.GetPoint(places[i], x);
+        return relevo::HashPlace(x);
+      });
+    std::vector<double> area(1, this->GetArea());
+    pieces.Add(area);
+    const double areaOfPlace = area[0] / static_cast<double>(magnitudes.size());
+    return GetAutomaticThresholds(
+      std::move(magnitudes), areaOfPlace, type, this->Metric->GetQuantiles());
+  }
+
 private:
+  // Of what is no ghost.
+  double GetArea()
+  {
+    const relevo::SurfaceNormals& normals = relevo::GetShape(this->GetMesh()).GetNormals();
+    const relevo::GhostCells ghosts(this->GetMesh().GetPolyData());
+    double area = 0.0;
+    for (std::size_t t = 0; t < normals.GetAreaVectors().size(); ++t)
+    {
+      const vtkIdType cell = normals.GetTriangles().GetCell(static_cast<vtkIdType>(t));
+      area += ghosts.Has(cell) ? 0.0 : 0.5 * glm::length(normals.GetAreaVectors()[t]);
+    }
+    return area;
+  }
+
   vtkSmartPointer<vtkCurvatureDepthTagMetric> Metric;
 };
 }

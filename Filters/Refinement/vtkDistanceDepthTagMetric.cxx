@@ -3,6 +3,8 @@
 #include "vtkDistanceDepthTagMetric.h"
 
 #include "Core/Dependencies.h"
+#include "Core/GhostCells.h"
+#include "Core/PieceReduction.h"
 #include "Core/RefinementView.h"
 #include "Core/SettingChecks.h"
 #include "Metrics/FunctionEvaluator.h"
@@ -51,27 +53,34 @@ double GetPixelsAtUnitDistance(const relevo::RefinementView& view)
   return view.ViewportSize[across] / (2.0 * std::tan(0.5 * angle));
 }
 
-// The mean length of the sides of a mesh's triangles, kept until the mesh or its shape changes.
-class MeanSide
+// The lengths of the sides of a mesh's triangles, but for a scale, kept until the mesh or its shape
+// changes.
+class SideLengths
 {
 public:
-  double Get(relevo::MetricMesh& mesh, const relevo::Placement& placement)
+  // Their sum and number.
+  const std::vector<double>& Get(relevo::MetricMesh& mesh, const relevo::Placement& placement)
   {
     const bool changed = this->LengthDependencies.Update(relevo::Dependencies::On(mesh.GetTime()));
     if (changed || !placement.HasShape(this->Shape))
     {
       this->Shape = placement.GetShape();
-      this->Compute(*mesh.GetTriangles());
+      this->Compute(*mesh.GetTriangles(), relevo::GhostCells(mesh.GetPolyData()));
     }
-    return placement.GetScale() * this->Length;
+    return this->Lengths;
   }
 
 private:
-  void Compute(const relevo::SurfaceTriangles& surface)
+  void Compute(const relevo::SurfaceTriangles& surface, const relevo::GhostCells& ghosts)
   {
-    double sum = 0.0;
-    for (const auto& triangle : surface.GetTriangles())
+    this->Lengths.assign(2, 0.0);
+    for (std::size_t t = 0; t < surface.GetTriangles().size(); ++t)
     {
+      if (ghosts.Has(surface.GetCell(static_cast<vtkIdType>(t))))
+      {
+        continue;
+      }
+      const relevo::SurfaceTriangles::Triangle& triangle = surface.GetTriangles()[t];
       dvec3 corners[3];
       for (int corner = 0; corner < 3; ++corner)
       {
@@ -80,14 +89,13 @@ private:
       for (int corner = 0; corner < 3; ++corner)
       {
         const dvec3 side = corners[(corner + 1) % 3] - corners[corner];
-        sum += std::sqrt(std::max(glm::dot(side, this->Shape * side), 0.0));
+        this->Lengths[0] += std::sqrt(std::max(glm::dot(side, this->Shape * side), 0.0));
+        this->Lengths[1] += 1.0;
       }
     }
-    const auto sides = 3.0 * static_cast<double>(surface.GetTriangles().size());
-    this->Length = sides > 0.0 && std::isfinite(sum) ? sum / sides : 0.0;
   }
 
-  double Length = 0.0;
+  std::vector<double> Lengths{ 0.0, 0.0 };
   relevo::Dependencies LengthDependencies; // but for the shape, which is compared with a tolerance
   dmat3 Shape{ 0.0 };
 };
@@ -109,6 +117,20 @@ public:
   bool ComputeEdgeTags(
     const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags) override;
 
+protected:
+  // The mean length of the sides of triangles, but for a scale.
+  std::vector<double> ComputeNumbers(
+    const relevo::RefinementView& view, const relevo::PieceReduction& pieces) override
+  {
+    if (this->Metric->GetMaximumDistance() > 0.0 || this->Metric->GetReferenceLength() == 0.0)
+    {
+      return {};
+    }
+    std::vector<double> lengths = this->Sides.Get(this->GetMesh(), relevo::Placement(view));
+    pieces.Add(lengths);
+    return { lengths[1] > 0.0 && std::isfinite(lengths[0]) ? lengths[0] / lengths[1] : 0.0 };
+  }
+
 private:
   bool CheckView(const relevo::RefinementView& view);
   double GetFarthest(const relevo::RefinementView& view, const relevo::Placement& placement);
@@ -119,7 +141,7 @@ private:
   bool ComputeLevels(const relevo::RefinementView& view, int maximumLevel);
 
   vtkSmartPointer<vtkDistanceDepthTagMetric> Metric;
-  MeanSide Side;
+  SideLengths Sides;
   std::vector<float> Levels; // of triangles, by their centroids
 };
 
@@ -157,8 +179,8 @@ double DistanceEvaluator::GetFarthest(
   }
   const double pixels = this->Metric->GetReferenceLength();
   return pixels > 0.0
-    ? this->Side.Get(this->GetMesh(), placement) / pixels * GetPixelsAtUnitDistance(view)
-    : AutomaticDistance * relevo::GetShape(this->GetMesh()).GetDiagonal().Get(placement);
+    ? placement.GetScale() * this->GetNumbers(view)[0] / pixels * GetPixelsAtUnitDistance(view)
+    : AutomaticDistance * placement.GetDiagonal(relevo::GetShape(this->GetMesh()).GetCornerBox());
 }
 
 bool DistanceEvaluator::GetShader(const relevo::RefinementView& view, int maximumLevel,

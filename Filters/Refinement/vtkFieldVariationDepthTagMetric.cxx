@@ -3,10 +3,13 @@
 #include "vtkFieldVariationDepthTagMetric.h"
 
 #include "Core/Dependencies.h"
+#include "Core/GhostCells.h"
+#include "Core/PieceReduction.h"
 #include "Core/RefinementMathematics.h"
 #include "Core/SettingChecks.h"
 #include "Core/VectorData.h"
 #include "Mesh/SurfaceEdges.h"
+#include "Metrics/CollectOnce.h"
 #include "Metrics/MetricEvaluator.h"
 #include "Metrics/MetricMesh.h"
 #include "vtkCellData.h"
@@ -22,6 +25,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace relevo
@@ -60,9 +67,9 @@ public:
     }
   }
 
-  // Takes the extent from the tuples of a surface's points or cells: what is not drawn does not
-  // count.
-  void SetExtent(const relevo::SurfaceTriangles& surface, bool ofCells)
+  // The least, with its sign turned, and the largest of the tuples of a surface's points or cells:
+  // what is not drawn does not count.
+  std::vector<double> GetLimits(const relevo::SurfaceTriangles& surface, bool ofCells) const
   {
     double lowest = VTK_DOUBLE_MAX;
     double highest = -VTK_DOUBLE_MAX;
@@ -82,7 +89,13 @@ public:
         include(ofCells ? surface.GetCell(triangle) : point);
       }
     }
-    this->Extent = this->NumberOfComponents == 1 ? highest - lowest : highest;
+    return { -lowest, highest };
+  }
+
+  // By the limits of the whole surface.
+  void SetExtent(const std::vector<double>& limits)
+  {
+    this->Extent = this->NumberOfComponents == 1 ? limits[1] + limits[0] : limits[1];
   }
 
   // In [0, 1].
@@ -202,18 +215,17 @@ public:
   }
 
   bool ComputeEdgeTags(
-    const relevo::RefinementView&, int maximumLevel, vtkFloatArray* tags) override
+    const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags) override
   {
     const FoundArray found = this->CheckParameters() ? this->FindArray() : FoundArray();
     if (!found.Array)
     {
       return false;
     }
-    this->UpdateVariations(found);
-    const double maximum = this->Metric->GetMaximumVariation();
+    const std::vector<double> numbers = this->GetNumbers(view);
+    this->UpdateVariations(found, numbers);
     const float low = static_cast<float>(this->Metric->GetMinimumVariation());
-    const float high =
-      static_cast<float>(maximum > 0.0 ? maximum : GetAutomaticMaximum(this->Variations));
+    const float high = static_cast<float>(numbers[2]);
     relevo::TagEdges(*this->GetMesh().GetEdges(), tags,
       [&](int edge)
       {
@@ -223,12 +235,22 @@ public:
     return true;
   }
 
+protected:
+  // The limits of the field and the variation of the highest level.
+  std::vector<double> ComputeNumbers(
+    const relevo::RefinementView& view, const relevo::PieceReduction& pieces) override;
+
 private:
   bool CheckParameters();
   FoundArray FindArray();
-  void UpdateVariations(const FoundArray& found);
+  FoundArray FindUsableArray(std::string* error = nullptr);
+  void UpdateLimits(const FoundArray& found);
+  void UpdateVariations(const FoundArray& found, const std::vector<double>& limits);
+  std::vector<int> FindOwnEdges();
 
   vtkSmartPointer<vtkFieldVariationDepthTagMetric> Metric;
+  std::vector<double> Limits; // of the mesh's own field
+  relevo::Dependencies LimitDependencies;
   std::vector<double> Variations; // of edges
   relevo::Dependencies VariationDependencies;
 };
@@ -252,7 +274,7 @@ bool FieldVariationEvaluator::CheckParameters()
   return true;
 }
 
-FoundArray FieldVariationEvaluator::FindArray()
+FoundArray FieldVariationEvaluator::FindUsableArray(std::string* error)
 {
   vtkPolyData* mesh = this->GetMesh().GetPolyData();
   const char* name = this->Metric->GetArrayName();
@@ -263,39 +285,121 @@ FoundArray FieldVariationEvaluator::FindArray()
   {
     found.Array = mesh->GetCellData()->GetArray(name);
   }
+  std::ostringstream text;
+  const vtkIdType expected = found.OfCells ? mesh->GetNumberOfCells() : mesh->GetNumberOfPoints();
   if (!found.Array)
   {
-    vtkErrorWithObjectMacro(this->Metric.Get(),
-      "The mesh has no point or cell array of numbers named \"" << name << "\".");
-    return found;
+    text << "The mesh has no point or cell array of numbers named \"" << name << "\".";
   }
-  const vtkIdType tuples = found.Array->GetNumberOfTuples();
-  const int components = found.Array->GetNumberOfComponents();
-  const vtkIdType expected = found.OfCells ? mesh->GetNumberOfCells() : mesh->GetNumberOfPoints();
-  if (tuples != expected || components < 1)
+  else if (found.Array->GetNumberOfTuples() != expected || found.Array->GetNumberOfComponents() < 1)
   {
-    vtkErrorWithObjectMacro(this->Metric.Get(),
-      "The array \"" << name << "\" has " << tuples << " tuples of " << components
-                     << " components for " << expected << (found.OfCells ? " cells." : " points."));
+    text << "The array \"" << name << "\" has " << found.Array->GetNumberOfTuples() << " tuples of "
+         << found.Array->GetNumberOfComponents() << " components for " << expected
+         << (found.OfCells ? " cells." : " points.");
     found.Array = nullptr;
+  }
+  if (error)
+  {
+    *error = text.str();
   }
   return found;
 }
 
-void FieldVariationEvaluator::UpdateVariations(const FoundArray& found)
+FoundArray FieldVariationEvaluator::FindArray()
+{
+  std::string error;
+  const FoundArray found = this->FindUsableArray(&error);
+  if (!found.Array)
+  {
+    vtkErrorWithObjectMacro(this->Metric.Get(), << error);
+  }
+  return found;
+}
+
+void FieldVariationEvaluator::UpdateLimits(const FoundArray& found)
 {
   const double noDataMagnitude = this->Metric->GetNoDataMagnitude();
   relevo::Dependencies dependencies =
     relevo::Dependencies::On(this->GetMesh().GetTime(), found.OfCells, noDataMagnitude);
   dependencies.AddObject(found.Array);
-  if (!this->VariationDependencies.Update(dependencies))
+  if (this->LimitDependencies.Update(dependencies))
   {
-    return;
+    this->Limits =
+      Field(found.Array, noDataMagnitude).GetLimits(*this->GetMesh().GetTriangles(), found.OfCells);
   }
+}
+
+void FieldVariationEvaluator::UpdateVariations(
+  const FoundArray& found, const std::vector<double>& limits)
+{
+  const double noDataMagnitude = this->Metric->GetNoDataMagnitude();
+  relevo::Dependencies dependencies = relevo::Dependencies::On(
+    this->GetMesh().GetTime(), found.OfCells, noDataMagnitude, limits[0], limits[1]);
+  dependencies.AddObject(found.Array);
+  if (this->VariationDependencies.Update(dependencies))
+  {
+    Field field(found.Array, noDataMagnitude);
+    field.SetExtent(limits);
+    this->Variations = ComputeVariations(*this->GetMesh().GetEdges(), field, found.OfCells);
+  }
+}
+
+// Those of faces that are no ghosts.
+std::vector<int> FieldVariationEvaluator::FindOwnEdges()
+{
   const relevo::SurfaceEdges& edges = *this->GetMesh().GetEdges();
-  Field field(found.Array, noDataMagnitude);
-  field.SetExtent(edges.GetTriangles(), found.OfCells);
-  this->Variations = ComputeVariations(edges, field, found.OfCells);
+  const relevo::GhostCells ghosts(this->GetMesh().GetPolyData());
+  std::vector<int> own;
+  own.reserve(edges.GetEdges().size());
+  for (int edge = 0; edge < edges.GetNumberOfEdges(); ++edge)
+  {
+    bool isOwn = false;
+    edges.ForEachSides(edge,
+      [&](int i)
+      {
+        for (int t : edges.GetSides()[i].Triangles)
+        {
+          isOwn = isOwn || (t >= 0 && !ghosts.Has(edges.GetTriangles().GetCell(t)));
+        }
+      });
+    if (isOwn)
+    {
+      own.push_back(edge);
+    }
+  }
+  return own;
+}
+
+std::vector<double> FieldVariationEvaluator::ComputeNumbers(
+  const relevo::RefinementView&, const relevo::PieceReduction& pieces)
+{
+  const FoundArray found = this->FindUsableArray();
+  std::vector<double> numbers{ -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
+  if (found.Array)
+  {
+    this->UpdateLimits(found);
+    numbers = this->Limits;
+  }
+  pieces.TakeLargest(numbers);
+  double highest = this->Metric->GetMaximumVariation();
+  if (!(highest > 0.0))
+  {
+    const relevo::SurfaceEdges& edges = *this->GetMesh().GetEdges();
+    std::vector<int> own;
+    std::vector<double> variations;
+    if (found.Array)
+    {
+      this->UpdateVariations(found, numbers);
+      own = this->FindOwnEdges();
+      std::transform(own.begin(), own.end(), std::back_inserter(variations),
+        [this](int edge) { return this->Variations[edge]; });
+    }
+    highest = GetAutomaticMaximum(relevo::CollectOnce(pieces, std::move(variations),
+      [&](std::size_t i)
+      { return relevo::HashEdge(edges.GetTriangles(), edges.GetEdges()[own[i]].Places); }));
+  }
+  numbers.push_back(highest);
+  return numbers;
 }
 }
 

@@ -61,7 +61,7 @@ public:
     , Radius(metric->GetRadius())
     , FallOff(metric->GetFallOff() > 0.0
           ? metric->GetFallOff()
-          : AutomaticFallOff * relevo::GetShape(mesh).GetDiagonal().Get(this->ToWorld))
+          : AutomaticFallOff * this->ToWorld.GetDiagonal(relevo::GetShape(mesh).GetCornerBox()))
   {
   }
 

@@ -141,7 +141,7 @@ bool ScreenEdgeEvaluator::GetShader(const relevo::RefinementView& view, int maxi
     return true;
   }
   // In units of the mesh, so that squares are within the range of floats.
-  const double unit = placement.GetDiagonal(this->GetMesh().GetPolyData());
+  const double unit = placement.GetDiagonal(relevo::GetShape(this->GetMesh()).GetPointBox());
   const double scale = GetScale(screen) * (view.Camera->GetParallelProjection() ? unit : 1.0);
   frame.SetUnit(unit);
   frame.SetDirections(eye);

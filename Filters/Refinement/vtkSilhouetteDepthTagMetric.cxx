@@ -121,7 +121,7 @@ public:
     }
     const relevo::Placement placement(view);
     relevo::MetricFrame frame(shader, placement, eye.GetPosition(), origin, maximumLevel);
-    const double diagonal = placement.GetDiagonal(this->GetMesh().GetPolyData());
+    const double diagonal = placement.GetDiagonal(relevo::GetShape(this->GetMesh()).GetPointBox());
     frame.SetUnit(diagonal > 0.0 ? diagonal : 1.0);
     frame.SetDirections(eye);
     frame.SetOwn(this->Metric->GetContourWidth());

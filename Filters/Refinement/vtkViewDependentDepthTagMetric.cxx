@@ -139,7 +139,7 @@ public:
       this->GetMesh(), placement, vtkMath::RadiansFromDegrees(this->Metric->GetMaximumSpread()));
     shader.Data = this->PointSpreads.GetData();
     relevo::MetricFrame frame(shader, placement, eye.GetPosition(), origin, maximumLevel);
-    const double diagonal = placement.GetDiagonal(this->GetMesh().GetPolyData());
+    const double diagonal = placement.GetDiagonal(relevo::GetShape(this->GetMesh()).GetPointBox());
     frame.SetUnit(diagonal > 0.0 ? diagonal : 1.0);
     frame.SetDirections(eye);
     frame.SetOwn(this->Metric->GetEdgeOnWeight());

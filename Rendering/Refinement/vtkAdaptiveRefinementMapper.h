@@ -62,11 +62,13 @@
 #include <string>     // for reasons
 
 class vtkAdaptiveRefinement;
+class vtkMultiProcessController;
 class vtkScalarsToColors;
 
 namespace relevo
 {
 struct RefinementShaderOptions;
+class PieceReduction;
 }
 
 class RELEVORENDERINGREFINEMENT_EXPORT vtkAdaptiveRefinementMapper
@@ -123,14 +125,13 @@ public:
 
   //@{
   /**
-   * METHOD_ARKFPI (0, the default), the adaptive refinement kernel with fewer patterns and
-   * instancing: one instanced draw call for all faces that share a base pattern (Lenz 2009).
+   * METHOD_ARKFPI (0, the default): one instanced draw call for all faces that share a base pattern
+   * (Lenz 2009).
    *
    * METHOD_ARK (1), the adaptive refinement kernel: one draw call per face, with the face's number,
    * permutation and tags from the CPU (Boubekeur and Schlick, A Flexible Kernel for Adaptive Mesh
-   * Refinement on GPU, 2008). Same vertices, order and picture as ARKFPI, to the bit. As in the
-   * paper, no face is culled: there are as many draw calls as coarse faces, and time grows with
-   * them.
+   * Refinement on GPU, 2008). Same vertices, order and picture as ARKFPI, to the bit. No face is
+   * culled: there are as many draw calls as coarse faces.
    *
    * METHOD_DMR (2), dynamic mesh refinement: in each pass a geometry shader splits the triangles
    * whose edges have levels left, and transform feedback passes them on to the next pass (Lorenz
@@ -138,19 +139,16 @@ public:
    * its middle. A new edge between two middles has the mean of the two edges' levels less one; one
    * between a middle and a corner has half of the edge's level. A pass makes at most four triangles
    * of one, so level d takes d passes. The refined triangles stay on the GPU, 48 bytes each, until
-   * the levels or the visible faces change: memory grows with what is drawn, and each pass also
-   * needs the triangles of the pass before. Edges can have powers of two of segments only.
+   * the levels or the visible faces change. Edges can have powers of two of segments only.
    *
    * METHOD_SUAPT (3), semi-uniform adaptive patch tessellation: each face has the uniform pattern
    * of its highest edge, instanced, and the shader moves the vertices on its coarser edges to the
-   * points of these edges (as compared in Lenz 2009). This leaves triangles without area, which
-   * are drawn all the same, and abrupt transitions between fine and coarse.
+   * points of these edges (as compared in Lenz 2009), which leaves triangles without area.
    *
    * METHOD_HARDWARE_TESSELLATION (4): one patch per face, which the tessellator of OpenGL 4.0
-   * divides. Edges have at most 64 segments: level 7 is drawn as level 6. Inside, a face has as
-   * many segments as its finest edge, n. The triangles are the best shaped of all methods, but
-   * there are about 1.5 n^2 of them even where the other edges are coarse. Edges can have any whole
-   * number of segments. One draw call; software OpenGL takes one for each 65535 vertices. A vertex
+   * divides. Edges have at most 64 segments: level 7 is drawn as level 6. There are about 1.5 n^2
+   * well shaped triangles, n the segments of the finest edge. Edges can have any whole number of
+   * segments. One draw call; software OpenGL takes one for each 65535 vertices. A vertex
    * shader that the actor's vtkShaderProperty changes runs in the tessellation evaluation stage; if
    * it cannot run there, that is an error and ARKFPI draws until that shader or the method changes.
    *
@@ -179,9 +177,7 @@ public:
   void SetMethodToUniform() { this->SetMethod(METHOD_UNIFORM); }
   //@}
 
-  /**
-   * The method that the last render used; for a composite data set, that of its last part.
-   */
+  /// The method that the last render used; for a composite data set, that of its last part.
   int GetMethodInUse();
 
   /**
@@ -211,8 +207,7 @@ public:
    * in no defined order. It loads all patterns up to MaximumLevel with the first picture.
    *
    * The CPU always selects whole numbers of segments (vtkAdaptiveRefinement::SetSegmentPolicy()),
-   * whose tables are too large for the GPU, and where the tags are needed: while a target or time
-   * budget applies, and for faces coloured by the metric.
+   * and where tags are needed: for a target or time budget, and colours of the metric.
    */
   void SetSelectionDevice(int device);
   vtkGetMacro(SelectionDevice, int);
@@ -236,8 +231,8 @@ public:
    * target alone, not on earlier frames, so they do not oscillate. Where many edges have the same
    * level before rounding, as at the ends of a metric's range, their faces change together and the
    * result may stay below the target: choose a metric that asks for about as many triangles. Edges
-   * beside and behind the eye, endless to vtkScreenEdgeDepthTagMetric, are such edges too. With a
-   * target the CPU selects. A negative value is an error and changes nothing.
+   * beside and behind the eye, endless to vtkScreenEdgeDepthTagMetric, are such edges too. A
+   * negative value is an error and changes nothing.
    */
   void SetTargetNumberOfTriangles(vtkIdType triangles);
   vtkIdType GetTargetNumberOfTriangles();
@@ -248,16 +243,24 @@ public:
    * Whether a frame may take no longer than the time VTK allots to the actor, on by default:
    * vtkProp::GetAllocatedRenderTime() in seconds, its share of 1 / DesiredUpdateRate of the window,
    * or of its renderer's time where that is less. Interaction styles and ParaView ask for 15 frames
-   * a second while the mouse is down, and for almost no frame rate otherwise, as windows do by
-   * default. If a frame would take longer, judging by the latest ones, levels are lowered so that
-   * it takes 85 % of the time, and raised again when there is clearly time: with a still camera
-   * they settle within a few frames. Counted is drawing this mapper's surface, on the CPU and the
-   * GPU.
+   * a second while the mouse is down, and for almost no frame rate otherwise. If a frame would take
+   * longer, judging by the latest ones, levels are lowered so that it takes 85 % of the time, and
+   * raised again when there is clearly time: with a still camera they settle within a few frames.
+   * Counted is drawing this mapper's surface, on the CPU and the GPU.
    */
   void SetUseAllocatedRenderTime(bool use);
   vtkGetMacro(UseAllocatedRenderTime, bool);
   vtkBooleanMacro(UseAllocatedRenderTime, bool);
   //@}
+
+  /**
+   * Collective, before a frame is drawn: the mappers of several processes, each of which has a
+   * piece of every block, with a layer of ghost cells, agree on what their levels and points have
+   * in common: one offset for target and time, the quantiles and ranges of metrics, and the place
+   * that coordinates are taken relative to. All processes call it, whatever they have. Without a
+   * controller (nullptr), or with one process, this mapper is on its own, the default.
+   */
+  void AgreeWithProcesses(vtkMultiProcessController* controller, vtkRenderer* ren, vtkActor* act);
 
   /**
    * What the target or the allotted time has added to the recipe's LevelOffset in the last render,
@@ -302,9 +305,8 @@ public:
    * vtkRefinementPatternTable::GetPatternIndex(); where edges take any whole number of segments,
    * with the positions of these numbers in the sequence 1, 2, ..., 16, 18, 20, ... for levels) or
    * of tags. The table's opacity is not used. By default, and after nullptr, a table that follows
-   * the mode, the recipe's MaximumLevel and its segments: viridis, or distinct colours for
-   * patterns. Its levels and patterns are annotated, so a vtkScalarBarActor of this table is a
-   * legend.
+   * the mode and the recipe: viridis, or distinct colours for patterns. It is annotated, so a
+   * vtkScalarBarActor of this table is a legend.
    */
   void SetLevelLookupTable(vtkScalarsToColors* table);
   vtkScalarsToColors* GetLevelLookupTable();
@@ -313,7 +315,7 @@ public:
   /**
    * Triangles of the surface in the last render, including those of culled faces. With ARKFPI and
    * ARK as many as vtkAdaptiveRefinementFilter gives for the same recipe and camera; with the other
-   * methods, what they make of the same levels, including triangles over no-data.
+   * methods, what they make of the same levels, also over no-data.
    */
   vtkIdType GetNumberOfDrawnTriangles();
 
@@ -328,8 +330,8 @@ public:
 
   //@{
   /**
-   * Draw calls of the last render for refined faces, of which an indirect call counts as one, and
-   * base patterns that its levels ask for: those that ARKFPI and ARK draw.
+   * Draw calls of the last render for refined faces (an indirect call is one), and base patterns
+   * that its levels ask for: those that ARKFPI and ARK draw.
    */
   int GetNumberOfDrawCalls();
   int GetNumberOfUsedPatterns();
@@ -347,20 +349,15 @@ public:
   //@}
 
   /**
-   * Seconds the last evaluation of levels took: tag, select and group, without the upload. Work on
-   * the GPU counts only with the time that it takes to submit it.
+   * Seconds the last evaluation of levels took, without the upload; on the GPU, to submit it.
    */
   double GetSelectionTime();
 
-  /**
-   * Bytes on the GPU: coarse buffers (VTK's own included), patterns and height textures.
-   */
+  /// Bytes on the GPU: coarse buffers (VTK's own included), patterns and height textures.
   virtual vtkTypeInt64 GetGraphicsMemorySize();
 
   //@{
-  /**
-   * A composite data set can have both: each block is drawn in its own pass.
-   */
+  /// A composite data set can have both: each block is drawn in its own pass.
   bool HasOpaqueGeometry() override;
   bool HasTranslucentPolygonalGeometry() override;
   //@}
@@ -468,7 +465,8 @@ private:
   bool Report(bool valid);
   bool UpdateMesh();
   bool UpdateSelection(vtkRenderer* ren, vtkActor* act);
-  void UpdateBudget(vtkRenderer* ren, vtkActor* act);
+  void UpdateBudget(
+    vtkRenderer* ren, vtkActor* act, const relevo::PieceReduction* pieces = nullptr);
   bool SelectsOnGPU();
   bool SelectOnGPU(vtkRenderer* ren, vtkActor* act);
   void ReportSelection(const std::string& problem);

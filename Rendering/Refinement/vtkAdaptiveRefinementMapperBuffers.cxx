@@ -4,11 +4,13 @@
 #include "State/UsableArrays.h"
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
+#include "Core/WholeSurface.h"
 #include "vtkAbstractArray.h"
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkLookupTable.h"
 #include "vtkOpenGLCellToVTKCellMap.h"
 #include "vtkOpenGLIndexBufferObject.h"
@@ -37,6 +39,47 @@ relevo::Dependencies GetUploadDependencies(
   }
   return dependencies;
 }
+
+bool FollowsCamera(int shiftScaleMethod)
+{
+  using Method = vtkOpenGLVertexBufferObject::ShiftScaleMethod;
+  return shiftScaleMethod == static_cast<int>(Method::NEAR_PLANE_SHIFT_SCALE) ||
+    shiftScaleMethod == static_cast<int>(Method::FOCAL_POINT_SHIFT_SCALE);
+}
+}
+
+// VTK shifts and scales positions by the box of the mesh. Those of a piece are shifted and scaled
+// by the box of the whole, so that other pieces have the same bits at the border.
+void vtkAdaptiveRefinementMapper::vtkInternals::BuildBufferObjectsOfPiece(
+  vtkAdaptiveRefinementMapper* mapper, vtkRenderer* ren, vtkActor* act)
+{
+  const relevo::FiniteBox& box = mapper->Internals->State.GetWhole()->PointBox;
+  vtkNew<vtkDoubleArray> corners;
+  corners->SetNumberOfComponents(3);
+  corners->InsertNextTuple(box.Low.data());
+  corners->InsertNextTuple(box.High.data());
+  const auto method = mapper->ShiftScaleMethod;
+  vtkNew<vtkOpenGLVertexBufferObject> whole;
+  whole->SetCoordShiftAndScaleMethod(
+    static_cast<vtkOpenGLVertexBufferObject::ShiftScaleMethod>(method));
+  whole->UpdateShiftScale(corners);
+
+  // The buffer that VTK will use, and nothing to fill it with yet.
+  vtkDataArray* points = mapper->CurrentInput->GetPoints()->GetData();
+  mapper->VBOs->CacheDataArray("vertexMC", points, ren, VTK_FLOAT);
+  vtkOpenGLVertexBufferObject* positions = mapper->VBOs->GetVBO("vertexMC");
+  mapper->VBOs->ClearAllDataArrays();
+  const bool isShifted = whole->GetCoordShiftAndScaleEnabled();
+  positions->SetShift(isShifted ? whole->GetShift() : std::vector<double>(3, 0.0));
+  positions->SetScale(isShifted ? whole->GetScale() : std::vector<double>(3, 1.0));
+  if (positions->GetUploadTime() < positions->GetMTime())
+  {
+    positions->UploadDataArray(points); // VTK would not, where the points are as they were
+  }
+  mapper->ShiftScaleMethod = static_cast<decltype(mapper->ShiftScaleMethod)>(
+    vtkOpenGLVertexBufferObject::ShiftScaleMethod::MANUAL_SHIFT_SCALE);
+  mapper->vtkBlockAttributesPolyDataMapper::BuildBufferObjects(ren, act);
+  mapper->ShiftScaleMethod = method;
 }
 
 bool vtkAdaptiveRefinementMapper::GetNeedToRebuildBufferObjects(vtkRenderer* ren, vtkActor* act)
@@ -54,8 +97,16 @@ bool vtkAdaptiveRefinementMapper::GetNeedToRebuildBufferObjects(vtkRenderer* ren
 void vtkAdaptiveRefinementMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor* act)
 {
   // VTK comes here for every actor whose property is another than the last one's, too.
-  this->Superclass::BuildBufferObjects(ren, act);
   vtkInternals& data = *this->Internals;
+  if (data.State.GetWhole() && this->CurrentInput->GetNumberOfPoints() > 0 &&
+    !FollowsCamera(this->ShiftScaleMethod))
+  {
+    vtkInternals::BuildBufferObjectsOfPiece(this, ren, act);
+  }
+  else
+  {
+    this->Superclass::BuildBufferObjects(ren, act);
+  }
   data.UploadTime.Modified();
   vtkOpenGLVertexBufferObject* positions = this->VBOs->GetVBO("vertexMC");
   if (!data.State.IsMeshValid() || data.State.GetMesh().Faces.empty() || !positions)

@@ -17,6 +17,7 @@
 #include "Buffers/RefinementMeshBuffers.h"
 #include "Buffers/RefinementPatternBuffer.h"
 #include "Compute/RefinementComputeState.h"
+#include "Core/RefinementView.h"
 #include "Methods/RefinementMethod.h"
 #include "OpenGL/ContextWatch.h"
 #include "OpenGL/RenderClock.h"
@@ -98,6 +99,9 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   int NumberOfUsedPatterns = 0; // of that
   int NumberOfHiddenFaces = 0;  // and of that
 
+  static void BuildBufferObjectsOfPiece(
+    vtkAdaptiveRefinementMapper* mapper, vtkRenderer* ren, vtkActor* act);
+
   //@{
   /// Of what this mapper itself has drawn in the last render, after ReadSelection().
   int CountUsedPatterns() const;
@@ -154,6 +158,13 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
 
   // The blocks of a composite input use their parent's.
   relevo::LevelBudget Budget;
+  bool AgreesWithProcesses = false; // before each frame
+  relevo::Dependencies WholeDependencies;
+  /// This mapper or those of its blocks, by flat index.
+  static std::map<unsigned int, vtkAdaptiveRefinementMapper*> FindParts(
+    vtkAdaptiveRefinementMapper* mapper);
+  static void AgreeOnWhole(vtkAdaptiveRefinement* recipe, vtkAdaptiveRefinementMapper* part,
+    const relevo::RefinementView& view, const relevo::PieceReduction& pieces);
   relevo::RenderClock Clock;
   bool IsBlock = false;
 
@@ -162,6 +173,8 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
     return { this->Buffers.GetFaces(), this->Instances.GetInstances(),
       this->Instances.GetMorphTags() };
   }
+
+  static relevo::RefinementView MakeView(vtkRenderer* ren, vtkActor* act);
 
   /// Whether VTK has not drawn the actor yet in this frame.
   static bool IsFirstPass(vtkActor* act);

@@ -4,6 +4,7 @@
 #include "Blocks/BlockLook.h"
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
+#include "Core/PieceReduction.h"
 #include "Core/RefinementView.h"
 #include "Evaluation/FaceCulling.h"
 #include "vtkActor.h"
@@ -91,7 +92,10 @@ std::array<int, 2> GetSize(vtkRenderer* ren)
   return { { size[0] / tiles[0], size[1] / tiles[1] } };
 }
 
-relevo::RefinementView MakeView(vtkRenderer* ren, vtkActor* act)
+}
+
+relevo::RefinementView vtkAdaptiveRefinementMapper::vtkInternals::MakeView(
+  vtkRenderer* ren, vtkActor* act)
 {
   relevo::RefinementView view;
   view.Camera = ren->GetActiveCamera();
@@ -100,6 +104,8 @@ relevo::RefinementView MakeView(vtkRenderer* ren, vtkActor* act)
   return view;
 }
 
+namespace
+{
 // Which of the actor's own shaders, if any, write vertices.
 bool MovesVertices(vtkActor* act)
 {
@@ -158,30 +164,37 @@ bool LetsThrough(vtkUnsignedCharArray* colors)
 bool vtkAdaptiveRefinementMapper::UpdateSelection(vtkRenderer* ren, vtkActor* act)
 {
   vtkInternals& data = *this->Internals;
-  const relevo::RefinementView view = MakeView(ren, act);
+  const relevo::RefinementView view = vtkInternals::MakeView(ren, act);
   const auto culling = MakeCullingView(
     this->FrustumCulling && !data.GetMethod().DrawsHiddenFaces(), ren, act, data.State.GetMesh());
   return this->Report(data.State.UpdateSelection(this->GetInput(), this->Refinement, view,
     culling.get(), this->HidesBackFaces(ren, act), data.OnGPU));
 }
 
-void vtkAdaptiveRefinementMapper::UpdateBudget(vtkRenderer* ren, vtkActor* act)
+void vtkAdaptiveRefinementMapper::UpdateBudget(
+  vtkRenderer* ren, vtkActor* act, const relevo::PieceReduction* pieces)
 {
   vtkInternals& data = *this->Internals;
-  if (data.IsBlock)
+  if (data.IsBlock || (data.AgreesWithProcesses && !pieces))
   {
     return;
   }
   double seconds = 0.0;
   if (this->UseAllocatedRenderTime)
   {
-    // What has been seen is picked, and later passes show what the first has shown.
-    seconds = vtkInternals::IsFirstPass(act) && !ren->GetSelector()
-      ? vtkInternals::GetAllocatedTime(ren, act)
-      : -1.0;
+    // What has been seen is picked, and later passes show what the first has shown. Before a frame,
+    // the actor has not been allotted its time yet.
+    seconds = ren->GetSelector()       ? -1.0
+      : pieces                         ? ren->GetAllocatedRenderTime()
+      : vtkInternals::IsFirstPass(act) ? vtkInternals::GetAllocatedTime(ren, act)
+                                       : -1.0;
   }
-  const bool isBudgeted = data.Budget.SetView(ren->GetActiveCamera(), seconds);
-  const relevo::RefinementView view = MakeView(ren, act);
+  std::vector<double> budgets(1, data.Budget.SetView(ren->GetActiveCamera(), seconds) ? 1.0 : 0.0);
+  const relevo::PieceReduction alone;
+  const relevo::PieceReduction& all = pieces ? *pieces : alone;
+  all.TakeLargest(budgets);
+  const bool isBudgeted = budgets[0] > 0.0;
+  const relevo::RefinementView view = vtkInternals::MakeView(ren, act);
   std::vector<relevo::LevelBudget::Part> parts;
   const auto addPart = [&](vtkAdaptiveRefinementMapper* mapper)
   {
@@ -201,7 +214,8 @@ void vtkAdaptiveRefinementMapper::UpdateBudget(vtkRenderer* ren, vtkActor* act)
     addPart(this);
   }
   this->ForEachBlock(addPart);
-  const double offset = parts.empty() ? 0.0 : data.Budget.FindOffset(parts, this->Refinement);
+  const bool isSought = isBudgeted && this->Refinement && (pieces || !parts.empty());
+  const double offset = isSought ? data.Budget.FindOffset(parts, this->Refinement, all) : 0.0;
   const auto setOffset = [&](vtkAdaptiveRefinementMapper* mapper)
   {
     mapper->Internals->State.LevelOffset = offset;

@@ -50,7 +50,7 @@ trap 'rm -f "$pictures"' EXIT
 run_test() {
   local script=$source_dir/Testing/ParaView/$1.py counts ranks
   case $1 in
-    TestRanks) counts="1 2 4" ;;
+    TestRanks) counts="1 2 4 7" ;;
     TestLICRanks | TestTranslucent) counts="1 4" ;;
     TestSelection) counts="1 2" ;;
     *)

@@ -47,6 +47,7 @@ AUTHORS_HEADERS = {
     "Core/RefinementView.h",
     "Mesh/SurfaceEdges.h",
     "Mesh/SurfaceTriangles.h",
+    "Core/PieceReduction.h",
     "Metrics/MetricEvaluator.h",
     "Metrics/MetricMesh.h",
     "Metrics/MetricShader.h",

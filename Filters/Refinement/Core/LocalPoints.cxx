@@ -7,32 +7,22 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-
-namespace
-{
-// The middle of the finite coordinates; 0 without any.
-double GetMiddle(vtkDataArray* points, int axis)
-{
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (vtkIdType i = 0; i < points->GetNumberOfTuples(); ++i)
-  {
-    const double x = points->GetComponent(i, axis);
-    if (std::isfinite(x))
-    {
-      low = std::min(low, x);
-      high = std::max(high, x);
-    }
-  }
-  return low <= high ? 0.5 * low + 0.5 * high : 0.0;
-}
-}
 
 namespace relevo
 {
-void LocalPoints::Build(vtkPoints* points)
+FiniteBox MeasurePoints(vtkPoints* points)
+{
+  FiniteBox box;
+  for (vtkIdType i = 0; points && i < points->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    points->GetPoint(i, point);
+    box.Add(point);
+  }
+  return box;
+}
+
+void LocalPoints::Build(vtkPoints* points, const FiniteBox* whole)
 {
   this->Coordinates.clear();
   std::fill_n(this->Origin, 3, 0.0);
@@ -43,9 +33,10 @@ void LocalPoints::Build(vtkPoints* points)
   vtkDataArray* data = points->GetData();
   if (data->GetDataType() != VTK_FLOAT)
   {
+    const FiniteBox box = whole ? *whole : MeasurePoints(points);
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->Origin[axis] = GetMiddle(data, axis);
+      this->Origin[axis] = box.GetMiddle(axis);
     }
   }
   this->Coordinates.resize(3 * static_cast<size_t>(data->GetNumberOfTuples()));

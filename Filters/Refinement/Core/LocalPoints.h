@@ -5,12 +5,14 @@
  * @brief   the points of a mesh as floats that keep the digits of large coordinates
  *
  * Points that are floats stay as they are. Others become floats relative to the middle of the
- * finite ones. The same place has the same bits: there is no -0.
+ * finite ones, or of those of the whole surface that they are a piece of. The same place has the
+ * same bits: there is no -0.
  */
 #ifndef LocalPoints_h
 #define LocalPoints_h
 
-#include "vtkType.h" // for vtkIdType
+#include "Core/FiniteBox.h" // for MeasurePoints()
+#include "vtkType.h"        // for vtkIdType
 
 #include <vector> // for members
 
@@ -18,11 +20,14 @@ class vtkPoints;
 
 namespace relevo
 {
+/// The box of points; nullptr for none.
+FiniteBox MeasurePoints(vtkPoints* points);
+
 class LocalPoints
 {
 public:
-  /// Take the points; nullptr for none.
-  void Build(vtkPoints* points);
+  /// Take the points, nullptr for none. `whole` is the box of a surface that they are a piece of.
+  void Build(vtkPoints* points, const FiniteBox* whole = nullptr);
 
   vtkIdType GetNumberOfPoints() const
   {

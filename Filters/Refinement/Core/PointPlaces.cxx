@@ -153,6 +153,11 @@ std::vector<vtkIdType> ComputePlaces(vtkPoints* points)
   return worker.Coincident ? std::move(worker.Places) : std::vector<vtkIdType>();
 }
 
+std::uint64_t HashPlace(const double x[3])
+{
+  return Hash({ x[0], x[1], x[2] });
+}
+
 void UniteTags(const std::vector<vtkIdType>& places, float* tags)
 {
   const vtkIdType n = static_cast<vtkIdType>(places.size());

@@ -12,7 +12,8 @@
 #include "RelevoFiltersRefinementModule.h" // for export macro
 #include "vtkType.h"                       // for vtkIdType
 
-#include <vector> // for return value
+#include <cstdint> // for HashPlace()
+#include <vector>  // for return value
 
 class vtkPoints;
 
@@ -23,6 +24,9 @@ namespace relevo
  * with a NaN is a place of its own). Empty when no two points coincide. Linear time, in parallel.
  */
 RELEVOFILTERSREFINEMENT_EXPORT std::vector<vtkIdType> ComputePlaces(vtkPoints* points);
+
+/// A number that places have for themselves, as far as 64 bits go.
+std::uint64_t HashPlace(const double x[3]);
 
 /**
  * Give every point the largest of the tags at its place. `places` as from ComputePlaces(); `tags`

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/WorldView.h"
 
+#include "Core/FiniteBox.h"
 #include "Core/RefinementView.h"
 #include "vtkCamera.h"
-#include "vtkDataArray.h"
 #include "vtkMatrix4x4.h"
-#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,36 +66,18 @@ bool Placement::HasShape(const dmat3& shape) const
   return largest < 1e-9;
 }
 
-double Placement::GetDiagonal(const double sides[3]) const
+double Placement::GetDiagonal(const FiniteBox& box) const
 {
   double squared = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {
     for (int row = 0; row < 3; ++row)
     {
-      const double component = sides[axis] * this->ModelToWorld[axis][row];
+      const double component = box.GetSide(axis) * this->ModelToWorld[axis][row];
       squared += component * component;
     }
   }
   return std::sqrt(squared);
-}
-
-void GetFiniteSides(vtkPolyData* mesh, double sides[3])
-{
-  std::fill_n(sides, 3, 0.0);
-  for (int axis = 0; axis < 3 && mesh->GetNumberOfPoints() > 0; ++axis)
-  {
-    double range[2];
-    mesh->GetPoints()->GetData()->GetFiniteRange(range, axis);
-    sides[axis] = std::max(range[1] - range[0], 0.0);
-  }
-}
-
-double Placement::GetDiagonal(vtkPolyData* mesh) const
-{
-  double sides[3];
-  GetFiniteSides(mesh, sides);
-  return this->GetDiagonal(sides);
 }
 
 dvec3 UnitOrZero(const dvec3& v)

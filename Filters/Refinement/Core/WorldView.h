@@ -11,15 +11,12 @@
 #include <string> // for errors
 
 class vtkMatrix4x4;
-class vtkPolyData;
 
 namespace relevo
 {
+struct FiniteBox;
 struct RefinementView;
 dmat4 MakeMatrix(vtkMatrix4x4* matrix);
-
-/// The sides of the mesh's own bounding box. Coordinates that are not finite do not count.
-void GetFiniteSides(vtkPolyData* mesh, double sides[3]);
 
 /// Where the actor's matrix puts the mesh; identity without one.
 struct Placement
@@ -30,11 +27,9 @@ struct Placement
   /// A normal in world coordinates, of any length; its sign may be wrong under a singular or
   /// mirroring matrix.
   dvec3 GetNormal(const dvec3& n) const { return this->NormalToWorld * n; }
-  /// The diagonal of the mesh's own bounding box after the matrix: unlike that of the world's box
-  /// it stays the same when the actor turns. Coordinates that are not finite do not count.
-  double GetDiagonal(vtkPolyData* mesh) const;
-  /// The same of a box with these sides.
-  double GetDiagonal(const double sides[3]) const;
+  /// The diagonal of a box in the mesh's coordinates after the matrix: unlike that of the world's
+  /// box it stays the same when the actor turns.
+  double GetDiagonal(const FiniteBox& box) const;
 
   /// What the matrix does to angles and proportions, whatever it turns and however it scales:
   /// lengths l of the world are those of the mesh by l^2 = Scale^2 e . Shape e.

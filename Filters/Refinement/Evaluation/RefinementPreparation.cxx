@@ -38,9 +38,9 @@ bool ReadHeights(vtkAdaptiveRefinement* recipe, std::string& error)
 }
 
 bool BuildFaces(vtkPolyData* input, vtkAdaptiveRefinement* recipe, bool keepNormals,
-  RefinementMesh& mesh, std::string& error, std::string& warning)
+  const WholeSurface* whole, RefinementMesh& mesh, std::string& error, std::string& warning)
 {
-  if (!mesh.Build(input, recipe->GetSurface(), recipe->GetDisplacement(), keepNormals))
+  if (!mesh.Build(input, recipe->GetSurface(), recipe->GetDisplacement(), keepNormals, whole))
   {
     error = MakeError(mesh.GetError());
     return false;
@@ -56,9 +56,10 @@ bool BuildFaces(vtkPolyData* input, vtkAdaptiveRefinement* recipe, bool keepNorm
 }
 
 bool BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe, bool keepNormals,
-  RefinementMesh& mesh, std::string& error, std::string& warning)
+  const WholeSurface* whole, RefinementMesh& mesh, std::string& error, std::string& warning)
 {
-  return ReadHeights(recipe, error) && BuildFaces(input, recipe, keepNormals, mesh, error, warning);
+  return ReadHeights(recipe, error) &&
+    BuildFaces(input, recipe, keepNormals, whole, mesh, error, warning);
 }
 
 std::string FindObstacle(vtkAdaptiveRefinement* recipe)
@@ -96,7 +97,7 @@ bool PrepareMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe, RefinementMe
     obstacle = recipe->GetSurface()->GetEvaluationError();
   }
   error = MakeError(obstacle);
-  return error.empty() && BuildFaces(input, recipe, true, mesh, error, warning);
+  return error.empty() && BuildFaces(input, recipe, true, nullptr, mesh, error, warning);
 }
 
 bool SelectPatterns(vtkPolyData* input, vtkAdaptiveRefinement* recipe, const RefinementView& view,

@@ -26,13 +26,15 @@ struct RefinementView;
 class PatternSelection;
 class RefinementMesh;
 class TagSource;
+struct WholeSurface;
 
 /**
  * Reads the displacement's height map and builds the mesh. False, with an error to show the user,
- * where that cannot be done. `keepNormals`: as RefinementMesh::Build() has it.
+ * where that cannot be done. `keepNormals` and `whole`: as RefinementMesh::Build() has them.
  */
 RELEVOFILTERSREFINEMENT_EXPORT bool BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
-  bool keepNormals, RefinementMesh& mesh, std::string& error, std::string& warning);
+  bool keepNormals, const WholeSurface* whole, RefinementMesh& mesh, std::string& error,
+  std::string& warning);
 
 /**
  * Why a mesh that is built cannot be refined with the recipe's settings as they are now; empty

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <utility>
 
 namespace relevo
@@ -34,6 +35,15 @@ void SumOverFaces(const RefinementMesh& mesh, Sums& sums, const Work& work)
   {
     std::transform(local.begin(), local.end(), sums.begin(), sums.begin(), std::plus<>());
   }
+}
+
+// Whole numbers, which doubles have room for.
+void AddPieces(std::vector<std::int64_t>& numbers, const PieceReduction& pieces)
+{
+  std::vector<double> sums(numbers.begin(), numbers.end());
+  pieces.Add(sums);
+  std::transform(sums.begin(), sums.end(), numbers.begin(),
+    [](double sum) { return static_cast<std::int64_t>(sum); });
 }
 
 // The step of an edge with any tag.
@@ -168,23 +178,21 @@ void TriangleBudget::Count(const std::vector<Part>& parts, Interval& interval) c
           });
       });
   }
-  for (size_t i = 1; i < interval.Totals.size(); ++i)
-  {
-    interval.Totals[i] += interval.Totals[i - 1];
-  }
 }
 
-int TriangleBudget::FindNumber(
-  const std::vector<Part>& parts, double target, int lowest, int highest, int guess)
+int TriangleBudget::FindNumber(const std::vector<Part>& parts, double target, int lowest,
+  int highest, int guess, const PieceReduction& pieces)
 {
-  std::int64_t least = 0;
-  std::int64_t most = 0;
+  Bins extremes(2, 0);
   for (const Part& part : parts)
   {
     const auto faces = static_cast<std::int64_t>(part.Mesh->Faces.size());
-    least += faces;
-    most += faces * this->GetCounts(part).GetTriangles().back();
+    extremes[0] += faces;
+    extremes[1] += faces * this->GetCounts(part).GetTriangles().back();
   }
+  AddPieces(extremes, pieces);
+  const std::int64_t least = extremes[0];
+  const std::int64_t most = extremes[1];
   if (least == most)
   {
     return std::max(lowest, std::min(0, highest));
@@ -206,6 +214,8 @@ int TriangleBudget::FindNumber(
   {
     interval.Width = std::min(interval.Width, highest - interval.First);
     this->Count(parts, interval);
+    AddPieces(interval.Totals, pieces);
+    std::partial_sum(interval.Totals.begin(), interval.Totals.end(), interval.Totals.begin());
     const int width = std::min(2 * interval.Width, wide);
     if (!isBelow(interval.Totals.front()) && interval.First > lowest && !rising)
     {
@@ -239,16 +249,17 @@ int TriangleBudget::FindNumber(
 }
 
 double TriangleBudget::FindOffset(const std::vector<Part>& parts, int maximumLevel,
-  vtkIdType target, double lowest, double highest, double guess)
+  vtkIdType target, double lowest, double highest, double guess, const PieceReduction& pieces)
 {
   this->UpdateCounts(parts, maximumLevel);
   const int lowestNumber = GetNumber(lowest);
   const int highestNumber = std::max(lowestNumber, GetNumber(highest));
-  bool estimates = false;
+  std::vector<double> estimates(1, 0.0);
   for (const Part& part : parts)
   {
-    estimates = estimates || this->GetCounts(part).AreEstimates();
+    estimates[0] = this->GetCounts(part).AreEstimates() ? 1.0 : estimates[0];
   }
+  pieces.TakeLargest(estimates);
 
   // Where counts are estimates: aim again, with what is known of their error.
   constexpr int tries = 4;
@@ -259,13 +270,15 @@ double TriangleBudget::FindOffset(const std::vector<Part>& parts, int maximumLev
   double bestError = 0.0;
   for (int i = 0; i < tries; ++i)
   {
-    const int number = this->FindNumber(parts, aim, lowestNumber, highestNumber, best);
-    if (!estimates)
+    const int number = this->FindNumber(parts, aim, lowestNumber, highestNumber, best, pieces);
+    if (estimates[0] == 0.0)
     {
       best = number;
       break;
     }
-    const auto count = static_cast<double>(CountTriangles(parts, maximumLevel, GetOffset(number)));
+    Bins counts(1, CountTriangles(parts, maximumLevel, GetOffset(number)));
+    AddPieces(counts, pieces);
+    const auto count = static_cast<double>(counts[0]);
     const double error = std::abs(std::log(count / wanted));
     if (i == 0 || error < bestError)
     {

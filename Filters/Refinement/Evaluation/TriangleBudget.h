@@ -16,6 +16,7 @@
 #ifndef TriangleBudget_h
 #define TriangleBudget_h
 
+#include "Core/PieceReduction.h"           // for the default
 #include "RelevoFiltersRefinementModule.h" // for export macro
 #include "vtkType.h"                       // for vtkIdType
 
@@ -60,10 +61,12 @@ public:
    * PatternSelection::Select() selects most nearly `target` triangles for all parts together: no
    * more, or within the tolerance. Where so many faces change at one offset that this cannot be
    * had, the offset just before, with fewer. Where the target is out of reach, the offset that just
-   * gives all or the least there are. Counts include faces over no-data.
+   * gives all or the least there are. Counts include faces over no-data. Where other processes have
+   * `pieces`, theirs are counted too. Collective.
    */
   double FindOffset(const std::vector<Part>& parts, int maximumLevel, vtkIdType target,
-    double lowest, double highest, double guess = 0.0);
+    double lowest, double highest, double guess = 0.0,
+    const PieceReduction& pieces = PieceReduction());
 
   /// Triangles of all parts at an offset, with all patterns that it takes.
   static vtkIdType CountTriangles(const std::vector<Part>& parts, int maximumLevel, double offset);
@@ -82,7 +85,8 @@ private:
   void UpdateCounts(const std::vector<Part>& parts, int maximumLevel);
   const TriangleCounts& GetCounts(const Part& part) const;
   void Count(const std::vector<Part>& parts, Interval& interval) const;
-  int FindNumber(const std::vector<Part>& parts, double target, int lowest, int highest, int guess);
+  int FindNumber(const std::vector<Part>& parts, double target, int lowest, int highest, int guess,
+    const PieceReduction& pieces);
 
   std::map<vtkMTimeType, std::unique_ptr<TriangleCounts>> Counts; // of families, by their times
   int MaximumLevel = 0;

@@ -7,6 +7,7 @@
 
 #include "Core/LocalPoints.h"
 #include "Core/PointPlaces.h"
+#include "Core/WholeSurface.h"
 #include "Mesh/FaceBounds.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -33,7 +34,7 @@ bool isFinite(const float* v)
 }
 
 bool RefinementMesh::Build(vtkPolyData* input, vtkRefinementSurface* surface,
-  vtkDisplacement* displacement, bool keepNormals)
+  vtkDisplacement* displacement, bool keepNormals, const WholeSurface* whole)
 {
   *this = RefinementMesh();
   if (input->GetNumberOfCells() == 0)
@@ -46,7 +47,7 @@ bool RefinementMesh::Build(vtkPolyData* input, vtkRefinementSurface* surface,
   }
   this->NumberOfPoints = static_cast<int>(input->GetNumberOfPoints());
   this->Places = ComputePlaces(input->GetPoints());
-  this->BuildPoints(input);
+  this->BuildPoints(input, whole);
   this->BuildFaces(input);
 
   if (!this->CheckRange(
@@ -91,6 +92,10 @@ bool RefinementMesh::Build(vtkPolyData* input, vtkRefinementSurface* surface,
     {
       this->Directions = this->Normals;
     }
+  }
+  if (whole && whole->HasDirections && this->Directions.empty())
+  {
+    this->Directions = this->Normals;
   }
   this->RemoveGhosts(input);
   return true;
@@ -186,10 +191,10 @@ bool RefinementMesh::BuildValues(vtkPolyData* input, vtkRefinementSurface* surfa
   return true;
 }
 
-void RefinementMesh::BuildPoints(vtkPolyData* input)
+void RefinementMesh::BuildPoints(vtkPolyData* input, const WholeSurface* whole)
 {
   LocalPoints points;
-  points.Build(input->GetPoints());
+  points.Build(input->GetPoints(), whole ? &whole->PointBox : nullptr);
   std::copy_n(points.Origin, 3, this->Origin);
   this->Points = std::move(points.Coordinates);
 }

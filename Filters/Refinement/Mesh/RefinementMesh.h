@@ -26,6 +26,8 @@ class vtkPolyData;
 
 namespace relevo
 {
+struct WholeSurface;
+
 /**
  * A coarse triangle. Its corners are sorted by place, so that an edge's two ends come in the same
  * order in every face that shares it.
@@ -52,10 +54,10 @@ public:
   /**
    * Take a mesh and what a surface and a displacement, both of which may be nullptr, ask for.
    * Returns false and sets GetError() when they cannot be applied to it. With `keepNormals`,
-   * Normals are filled also where only the input has them.
+   * Normals are filled also where only the input has them. `whole` is what the mesh is a piece of.
    */
   bool Build(vtkPolyData* input, vtkRefinementSurface* surface, vtkDisplacement* displacement,
-    bool keepNormals = false);
+    bool keepNormals = false, const WholeSurface* whole = nullptr);
 
   const std::string& GetError() const { return this->Error; }
 
@@ -137,7 +139,7 @@ private:
   void RemoveGhosts(vtkPolyData* input);
   /// Whether floats have room for the faces; `isFlat` tells that corners are all that is computed.
   bool CheckRange(vtkPolyData* input, bool isFlat);
-  void BuildPoints(vtkPolyData* input);
+  void BuildPoints(vtkPolyData* input, const WholeSurface* whole);
   void BuildNormals(vtkPolyData* input);
   void ComputeMissingNormals();
   void BuildDirections();

@@ -27,7 +27,6 @@ struct Corner
 {
   double Angle = 0.0;
   double MixedArea = 0.0;
-  double Area = 0.0;
   dvec3 Laplacian{ 0.0, 0.0, 0.0 };
   dvec3 Normal{ 0.0, 0.0, 0.0 }; // twice the area long
 
@@ -49,15 +48,15 @@ struct Corner
     }
     const double cotP = dotP / twiceArea;
     const double cotQ = dotQ / twiceArea;
-    this->Area = 0.5 * twiceArea;
+    const double area = 0.5 * twiceArea;
     this->Laplacian = (-cotQ) * toP + (-cotP) * toQ;
     if (dotX < 0.0)
     {
-      this->MixedArea = 0.5 * this->Area;
+      this->MixedArea = 0.5 * area;
     }
     else if (dotP < 0.0 || dotQ < 0.0)
     {
-      this->MixedArea = 0.25 * this->Area;
+      this->MixedArea = 0.25 * area;
     }
     else // the Voronoi area
     {
@@ -104,7 +103,6 @@ public:
     : Surface(surface)
     , Result(result)
     , Rings(size, Ring::None)
-    , Areas(size, 0.0)
   {
   }
 
@@ -118,7 +116,6 @@ public:
     const dvec3 x = this->GetPoint(place);
     double angle = 0.0;
     double mixedArea = 0.0;
-    double area = 0.0;
     dvec3 laplacian(0.0, 0.0, 0.0);
     dvec3 normal(0.0, 0.0, 0.0);
     this->Surface.ForEachTriangle(place,
@@ -127,11 +124,9 @@ public:
         const Corner corner(x, this->GetPoint(p), this->GetPoint(q));
         angle += corner.Angle;
         mixedArea += corner.MixedArea;
-        area += corner.Area;
         laplacian += corner.Laplacian;
         normal += corner.Normal;
       });
-    this->Areas[place] = area;
     if (!HasClosedRing(this->Surface, place, neighbours))
     {
       this->Rings[place] = Ring::Open;
@@ -143,7 +138,6 @@ public:
     this->Result.Mean[place] = FiniteOrZero(sign * glm::length(laplacian) / (4.0 * mixedArea));
   }
 
-  // The places and their mean area.
   void FindPlaces()
   {
     for (size_t place = 0; place < this->Rings.size(); ++place)
@@ -151,13 +145,7 @@ public:
       if (this->Rings[place] != Ring::None)
       {
         this->Result.Places.push_back(static_cast<vtkIdType>(place));
-        this->Result.AreaOfPlace += this->Areas[place] / 3.0;
       }
-    }
-    if (!this->Result.Places.empty())
-    {
-      this->Result.AreaOfPlace =
-        FiniteOrZero(this->Result.AreaOfPlace / this->Result.Places.size());
     }
   }
 
@@ -246,7 +234,6 @@ private:
   const relevo::SurfaceTriangles& Surface;
   relevo::DiscreteCurvature& Result;
   std::vector<Ring> Rings;
-  std::vector<double> Areas;
 };
 }
 

@@ -39,8 +39,6 @@ struct DiscreteCurvature
   std::vector<double> Mean;
   /// Ids of the points of the surface, each place once.
   std::vector<vtkIdType> Places;
-  /// Area of the surface over the number of its places.
-  double AreaOfPlace = 0.0;
 };
 
 DiscreteCurvature ComputeDiscreteCurvature(const SurfaceTriangles& surface);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Metrics/MetricEvaluator.h"
 
+#include "Core/PieceReduction.h"
+#include "Core/WholeSurface.h"
 #include "Metrics/DepthTags.h"
 #include "Metrics/MetricMesh.h"
 #include "Metrics/MetricShader.h"
@@ -65,6 +67,30 @@ bool MetricEvaluator::GetShader(const RefinementView&, int, const double[3], Met
 {
   shader.Source.clear();
   return true;
+}
+
+void MetricEvaluator::ShareNumbers(
+  const RefinementView& view, const PieceReduction& pieces, WholeSurface& whole)
+{
+  whole.Numbers[this->Metric] = this->ComputeNumbers(view, pieces);
+}
+
+std::vector<double> MetricEvaluator::ComputeNumbers(const RefinementView&, const PieceReduction&)
+{
+  return {};
+}
+
+std::vector<double> MetricEvaluator::GetNumbers(const RefinementView& view)
+{
+  if (const WholeSurface* whole = this->Mesh->GetWhole())
+  {
+    const auto shared = whole->Numbers.find(this->Metric);
+    if (shared != whole->Numbers.end() && !shared->second.empty())
+    {
+      return shared->second;
+    }
+  }
+  return this->ComputeNumbers(view, PieceReduction());
 }
 
 std::unique_ptr<MetricEvaluator> MakeEvaluator(

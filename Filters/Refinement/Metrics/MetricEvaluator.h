@@ -19,6 +19,7 @@
 #include "vtkSmartPointer.h"               // for members
 
 #include <memory> // for members
+#include <vector> // for numbers
 
 class vtkFloatArray;
 
@@ -27,6 +28,8 @@ namespace relevo
 struct MetricShader;
 struct RefinementView;
 class MetricMesh;
+class PieceReduction;
+struct WholeSurface;
 
 class RELEVOFILTERSREFINEMENT_EXPORT MetricEvaluator
 {
@@ -46,6 +49,11 @@ public:
   virtual bool GetShader(
     const RefinementView& view, int maximumLevel, const double origin[3], MetricShader& shader);
 
+  /// Have the numbers that this metric, and those that it is made of, need of the whole surface
+  /// that the mesh is a piece of. Collective. Unless overridden, those of ComputeNumbers().
+  virtual void ShareNumbers(
+    const RefinementView& view, const PieceReduction& pieces, WholeSurface& whole);
+
   /// The metric, which lives as long as its evaluators.
   vtkDepthTagMetric* GetMetric() const { return this->Metric; }
   /// The mesh, as it is.
@@ -53,6 +61,14 @@ public:
 
 protected:
   MetricEvaluator(vtkDepthTagMetric* metric, std::shared_ptr<MetricMesh> mesh);
+
+  /// Numbers of a whole surface that tags depend on, as quantiles, from all its pieces. Collective,
+  /// and silent where tags are an error. Unless overridden there are none.
+  virtual std::vector<double> ComputeNumbers(
+    const RefinementView& view, const PieceReduction& pieces);
+
+  /// Those of the whole that the mesh is a piece of; without one, those of the mesh.
+  std::vector<double> GetNumbers(const RefinementView& view);
 
 private:
   vtkSmartPointer<vtkDepthTagMetric> Metric;

@@ -8,6 +8,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <utility>
+
 namespace relevo
 {
 MetricMesh::MetricMesh()
@@ -36,7 +38,22 @@ void MetricMesh::Update(vtkPolyData* mesh)
   if (this->ShapeDependencies->Update(dependencies))
   {
     this->Shape = std::make_unique<SurfaceShape>(mesh);
+    this->Shape->SetWhole(this->Whole);
     this->ShapeTime.Modified();
+  }
+}
+
+void MetricMesh::SetWhole(std::shared_ptr<const WholeSurface> whole)
+{
+  if (this->Whole == whole)
+  {
+    return;
+  }
+  this->Whole = std::move(whole);
+  this->ShapeTime.Modified();
+  if (this->Shape)
+  {
+    this->Shape->SetWhole(this->Whole);
   }
 }
 

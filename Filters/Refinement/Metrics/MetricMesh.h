@@ -25,6 +25,7 @@ class Dependencies;
 class SurfaceEdges;
 class SurfaceShape;
 class SurfaceTriangles;
+struct WholeSurface;
 
 class RELEVOFILTERSREFINEMENT_EXPORT MetricMesh
 {
@@ -40,8 +41,14 @@ public:
   /// and cells are the same objects and have not changed.
   void Update(vtkPolyData* mesh);
 
+  //@{
+  /// What the mesh is a piece of; nullptr, the default, where it is the whole.
+  void SetWhole(std::shared_ptr<const WholeSurface> whole);
+  const WholeSurface* GetWhole() const { return this->Whole.get(); }
+  //@}
+
   vtkPolyData* GetPolyData() const { return this->Mesh; }
-  /// Another one whenever the points or cells are.
+  /// Another one whenever the points, the cells or the whole are.
   vtkMTimeType GetTime() const { return this->ShapeTime; }
 
   const std::shared_ptr<const SurfaceTriangles>& GetTriangles();
@@ -51,6 +58,7 @@ private:
   friend SurfaceShape& GetShape(MetricMesh& mesh);
 
   vtkPolyData* Mesh = nullptr;
+  std::shared_ptr<const WholeSurface> Whole;
   std::unique_ptr<SurfaceShape> Shape;
   std::unique_ptr<Dependencies> ShapeDependencies;
   vtkTimeStamp ShapeTime;

@@ -2,11 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Metrics/SurfaceShape.h"
 
+#include <utility>
+
 namespace relevo
 {
 SurfaceShape::SurfaceShape(vtkPolyData* mesh)
 {
   this->Mesh->CopyStructure(mesh);
+}
+
+void SurfaceShape::SetWhole(std::shared_ptr<const WholeSurface> whole)
+{
+  this->Whole = std::move(whole);
+  this->Points.reset();
 }
 
 const std::shared_ptr<const SurfaceTriangles>& SurfaceShape::GetTriangles()
@@ -32,7 +40,7 @@ const LocalPoints& SurfaceShape::GetPoints()
   if (!this->Points)
   {
     this->Points = std::make_unique<LocalPoints>();
-    this->Points->Build(this->Mesh->GetPoints());
+    this->Points->Build(this->Mesh->GetPoints(), this->Whole ? &this->Whole->PointBox : nullptr);
   }
   return *this->Points;
 }
@@ -46,13 +54,28 @@ const SurfaceNormals& SurfaceShape::GetNormals()
   return *this->Normals;
 }
 
-const SurfaceDiagonal& SurfaceShape::GetDiagonal()
+const WholeSurface& SurfaceShape::GetOwnBoxes()
 {
-  if (!this->Diagonal)
+  if (!this->Boxes)
   {
-    this->Diagonal = std::make_unique<SurfaceDiagonal>(this->Mesh, *this->GetTriangles());
+    this->Boxes = std::make_unique<WholeSurface>();
+    this->Boxes->PointBox = MeasurePoints(this->Mesh->GetPoints());
+    const SurfaceTriangles& surface = *this->GetTriangles();
+    for (const SurfaceTriangles::Triangle& triangle : surface.GetTriangles())
+    {
+      for (vtkIdType corner : triangle)
+      {
+        double point[3];
+        surface.GetPoint(corner, point);
+        this->Boxes->CornerBox.Add(point);
+      }
+    }
+    if (surface.GetTriangles().empty())
+    {
+      this->Boxes->CornerBox = this->Boxes->PointBox;
+    }
   }
-  return *this->Diagonal;
+  return *this->Boxes;
 }
 
 const DiscreteCurvature& SurfaceShape::GetCurvature()

@@ -12,7 +12,7 @@
 #define SurfaceShape_h
 
 #include "Core/LocalPoints.h"
-#include "Mesh/SurfaceDiagonal.h"
+#include "Core/WholeSurface.h"
 #include "Mesh/SurfaceEdges.h"
 #include "Mesh/SurfaceNormals.h"
 #include "Mesh/SurfaceTriangles.h"
@@ -33,20 +33,32 @@ public:
   /// The mesh's points and cells are referred to, and kept: they must stay as they are.
   explicit SurfaceShape(vtkPolyData* mesh);
 
+  /// What the mesh is a piece of; nullptr where it is the whole.
+  void SetWhole(std::shared_ptr<const WholeSurface> whole);
+
   const std::shared_ptr<const SurfaceTriangles>& GetTriangles();
   const std::shared_ptr<const SurfaceEdges>& GetEdges();
   const LocalPoints& GetPoints();
   const SurfaceNormals& GetNormals();
-  const SurfaceDiagonal& GetDiagonal();
   const DiscreteCurvature& GetCurvature();
+  //@{
+  /// Of the whole.
+  const FiniteBox& GetPointBox() { return this->GetBoxes().PointBox; }
+  const FiniteBox& GetCornerBox() { return this->GetBoxes().CornerBox; }
+  //@}
+  /// Of the mesh itself.
+  const WholeSurface& GetOwnBoxes();
 
 private:
+  const WholeSurface& GetBoxes() { return this->Whole ? *this->Whole : this->GetOwnBoxes(); }
+
   vtkNew<vtkPolyData> Mesh;
   std::shared_ptr<const SurfaceTriangles> Triangles;
   std::shared_ptr<const SurfaceEdges> Edges;
   std::unique_ptr<LocalPoints> Points;
   std::unique_ptr<SurfaceNormals> Normals;
-  std::unique_ptr<SurfaceDiagonal> Diagonal;
+  std::unique_ptr<WholeSurface> Boxes;
+  std::shared_ptr<const WholeSurface> Whole;
   std::unique_ptr<DiscreteCurvature> Curvature;
 };
 

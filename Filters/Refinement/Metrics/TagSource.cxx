@@ -9,6 +9,7 @@
 #include "vtkPolyData.h"
 
 #include <iterator>
+#include <utility>
 
 namespace relevo
 {
@@ -18,6 +19,12 @@ TagSource::TagSource()
 }
 
 TagSource::~TagSource() = default;
+
+void TagSource::SetWhole(std::shared_ptr<const WholeSurface> whole)
+{
+  this->Whole = std::move(whole);
+  this->Mesh->SetWhole(this->Whole);
+}
 
 MetricMesh& TagSource::GetMesh(vtkPolyData* mesh)
 {
@@ -39,6 +46,7 @@ void TagSource::Clear()
 {
   this->Evaluator.reset();
   this->Mesh = std::make_shared<MetricMesh>();
+  this->Mesh->SetWhole(this->Whole);
 }
 
 TagSources::TagSources() = default;

@@ -25,6 +25,7 @@ namespace relevo
 {
 class MetricEvaluator;
 class MetricMesh;
+struct WholeSurface;
 
 class RELEVOFILTERSREFINEMENT_EXPORT TagSource
 {
@@ -33,6 +34,9 @@ public:
   ~TagSource();
   TagSource(const TagSource&) = delete;
   void operator=(const TagSource&) = delete;
+
+  /// What meshes are pieces of, see MetricMesh::SetWhole().
+  void SetWhole(std::shared_ptr<const WholeSurface> whole);
 
   /// The shape of a mesh, as it is.
   MetricMesh& GetMesh(vtkPolyData* mesh);
@@ -44,6 +48,7 @@ public:
   void Clear();
 
 private:
+  std::shared_ptr<const WholeSurface> Whole;
   std::shared_ptr<MetricMesh> Mesh;
   std::unique_ptr<MetricEvaluator> Evaluator;
 };

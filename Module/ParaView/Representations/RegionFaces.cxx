@@ -3,6 +3,7 @@
 #include "RegionFaces.h"
 
 #include "Core/GhostCells.h"
+#include "FaceOrder.h"
 #include "Mesh/FaceBounds.h"
 #include "Mesh/RefinementMesh.h"
 #include "SurfaceLeaves.h"
@@ -251,6 +252,13 @@ std::vector<vtkSmartPointer<vtkPolyData>> Unite(
   }
   std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
   std::transform(pieces.begin(), pieces.end(), std::back_inserter(surfaces), Append);
+  for (vtkPolyData* surface : surfaces)
+  {
+    if (surface)
+    {
+      SortByPosition(surface);
+    }
+  }
   return surfaces;
 }
 

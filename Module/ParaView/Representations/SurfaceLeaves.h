@@ -18,11 +18,15 @@ namespace relevo
 {
 /**
  * Call f(tree, iterator at one of its leaves) for all leaves, and start() before each surface:
- * partitions are pieces of one, any other leaf is a surface of its own.
+ * partitions are pieces of one, any other leaf is a surface of its own. A nullptr has none.
  */
 template <typename Start, typename Function>
 void ForEachLeaf(vtkDataObjectTree* tree, Start&& start, Function&& f)
 {
+  if (!tree)
+  {
+    return;
+  }
   const bool hasPieces =
     vtkPartitionedDataSet::SafeDownCast(tree) || vtkMultiPieceDataSet::SafeDownCast(tree);
   if (hasPieces)
@@ -46,6 +50,13 @@ void ForEachLeaf(vtkDataObjectTree* tree, Start&& start, Function&& f)
     }
     f(tree, iterator.Get());
   }
+}
+
+template <typename Function>
+void ForEachLeaf(vtkDataObjectTree* tree, Function&& f)
+{
+  ForEachLeaf(
+    tree, [] {}, f);
 }
 }
 

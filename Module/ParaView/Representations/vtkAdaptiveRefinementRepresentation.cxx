@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveRefinementRepresentation.h"
 
-#include "GhostFaces.h"
 #include "OrderedCompositing.h"
+#include "SurfacePieces.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementMapper.h"
 #include "vtkAlgorithm.h"
+#include "vtkCommand.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataObjectTree.h"
 #include "vtkMatrix4x4.h"
@@ -15,12 +16,20 @@
 #include "vtkObjectFactory.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
+#include "vtkRenderer.h"
 #include "vtkSelection.h"
+
+struct vtkAdaptiveRefinementRepresentation::vtkInternals
+{
+  relevo::SurfacePieces Pieces;
+  relevo::OrderedCompositing Order;
+  unsigned long StartTag = 0; // of the observer of the view's renderer
+};
 
 vtkStandardNewMacro(vtkAdaptiveRefinementRepresentation);
 
 vtkAdaptiveRefinementRepresentation::vtkAdaptiveRefinementRepresentation()
-  : Order(new relevo::OrderedCompositing)
+  : Internals(new vtkInternals)
 {
   // The base draws a decimated surface with a mapper of its own while the view moves.
   this->SuppressLOD = true;
@@ -113,17 +122,49 @@ void vtkAdaptiveRefinementRepresentation::SetArrayIdNames(
   mapper->SetCellIdArrayName(cellArray ? cellArray : "vtkOriginalCellIds");
 }
 
-int vtkAdaptiveRefinementRepresentation::RequestData(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void vtkAdaptiveRefinementRepresentation::Update()
 {
-  const int result = this->Superclass::RequestData(request, inputVector, outputVector);
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  auto tree = vtkDataObjectTree::SafeDownCast(this->MultiBlockMaker->GetOutputDataObject(0));
-  if (controller && controller->GetNumberOfProcesses() > 1 && tree)
+  this->Superclass::Update();
+  this->Internals->Pieces.Update(
+    vtkDataObjectTree::SafeDownCast(this->MultiBlockMaker->GetOutputDataObject(0)),
+    vtkMultiProcessController::GetGlobalController());
+}
+
+bool vtkAdaptiveRefinementRepresentation::AddToView(vtkView* view)
+{
+  auto renderView = vtkPVRenderView::SafeDownCast(view);
+  if (renderView)
   {
-    relevo::AddGhostFaces(tree, controller);
+    // After the processes have got the camera, on all that draw, whether they see anything or not.
+    constexpr float afterSynchronization = -1.0f;
+    this->Internals->StartTag = renderView->GetRenderer()->AddObserver(vtkCommand::StartEvent, this,
+      &vtkAdaptiveRefinementRepresentation::AgreeWithProcesses, afterSynchronization);
   }
-  return result;
+  return this->Superclass::AddToView(view);
+}
+
+bool vtkAdaptiveRefinementRepresentation::RemoveFromView(vtkView* view)
+{
+  if (auto renderView = vtkPVRenderView::SafeDownCast(view))
+  {
+    renderView->GetRenderer()->RemoveObserver(this->Internals->StartTag);
+  }
+  return this->Superclass::RemoveFromView(view);
+}
+
+void vtkAdaptiveRefinementRepresentation::AgreeWithProcesses()
+{
+  auto view = vtkPVRenderView::SafeDownCast(this->GetView());
+  if (!view || !this->GetVisibility())
+  {
+    return;
+  }
+  const bool isDistributed = view->GetUsedLODForLastRender()
+    ? view->GetUseDistributedRenderingForLODRender()
+    : view->GetUseDistributedRenderingForRender();
+  this->GetMapper()->AgreeWithProcesses(
+    isDistributed ? vtkMultiProcessController::GetGlobalController() : nullptr, view->GetRenderer(),
+    this->Actor);
 }
 
 int vtkAdaptiveRefinementRepresentation::ProcessViewRequest(
@@ -167,9 +208,9 @@ int vtkAdaptiveRefinementRepresentation::RequestRender(
   {
     vtkNew<vtkMatrix4x4> matrix;
     this->Actor->GetMatrix(matrix);
-    data = this->Order->Update(view, data, this->GetMapper()->GetRefinement(), matrix);
+    data = this->Internals->Order.Update(view, data, this->GetMapper()->GetRefinement(), matrix);
   }
-  this->Order->Clip(mapper);
+  this->Internals->Order.Clip(mapper);
   mapper->SetInputDataObject(data);
   this->UpdateColoringParameters();
   this->ApplyColorMode();

@@ -19,14 +19,9 @@
 #include "vtkGeometryRepresentationWithFaces.h"
 #include "vtkNew.h" // for Measure
 
-#include <memory> // for Order
+#include <memory> // for Internals
 
 class vtkAdaptiveRefinementMapper;
-
-namespace relevo
-{
-class OrderedCompositing;
-}
 
 class RELEVOPARAVIEWREPRESENTATIONS_EXPORT vtkAdaptiveRefinementRepresentation
   : public vtkGeometryRepresentationWithFaces
@@ -66,6 +61,13 @@ public:
    */
   void SetArrayIdNames(const char* pointArray, const char* cellArray) override;
 
+  /**
+   * Collective over the processes that have the data: each gets the faces around its own, which are
+   * not drawn, because levels and curved surfaces at the border depend on them.
+   */
+  void Update() override;
+  using Superclass::Update;
+
   int ProcessViewRequest(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
 
@@ -73,12 +75,8 @@ protected:
   vtkAdaptiveRefinementRepresentation();
   ~vtkAdaptiveRefinementRepresentation() override;
 
-  /**
-   * Of several processes, each gets a layer of the faces around its own, which are not drawn:
-   * levels and curved surfaces at the border depend on them.
-   */
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
 
 private:
   vtkAdaptiveRefinementRepresentation(const vtkAdaptiveRefinementRepresentation&) = delete;
@@ -88,12 +86,15 @@ private:
   void GiveBounds(vtkInformation* inInfo);
   int RequestRender(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo);
+  void AgreeWithProcesses();
+
+  struct vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
 
   // Measures what will be drawn, before it is where the mapper draws.
   vtkNew<vtkAdaptiveRefinementMapper> Measure;
   vtkNew<vtkAdaptiveRefinementMapper> Unused; // stands for the mapper where the base sets it
-  const std::unique_ptr<relevo::OrderedCompositing> Order;
-  vtkMTimeType AttributesTime = 0; // of the data whose blocks' attributes the mapper has
+  vtkMTimeType AttributesTime = 0;            // of the data whose blocks' attributes the mapper has
   int RefinementColorMode = 0;
 };
 

@@ -197,6 +197,16 @@ vtkBlockAttributesPolyDataMapper* RefinementBlocks::Find(unsigned int flatIndex)
   return found == this->Mappers.end() ? nullptr : found->second.Get();
 }
 
+std::vector<unsigned int> RefinementBlocks::GetFlatIndices() const
+{
+  std::vector<unsigned int> indices;
+  for (const auto& mapper : this->Mappers)
+  {
+    indices.push_back(mapper.first);
+  }
+  return indices;
+}
+
 void RefinementBlocks::ForEach(
   const std::function<void(vtkBlockAttributesPolyDataMapper*)>& work) const
 {

@@ -55,6 +55,8 @@ public:
   /// The mapper of the leaf with a flat index; nullptr where there is none.
   vtkBlockAttributesPolyDataMapper* Find(unsigned int flatIndex) const;
 
+  /// Of the leaves that are drawn.
+  std::vector<unsigned int> GetFlatIndices() const;
   void ForEach(const std::function<void(vtkBlockAttributesPolyDataMapper*)>& work) const;
   void Clear();
   bool IsEmpty() const { return this->Mappers.empty(); }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "State/LevelBudget.h"
 
+#include "Core/PieceReduction.h"
 #include "Patterns/PatternFamily.h"
 #include "State/RefinementState.h"
 #include "vtkAdaptiveRefinement.h"
@@ -46,13 +47,12 @@ bool LevelBudget::SetView(const vtkCamera* camera, double seconds)
   return this->Target > 0 || limit > 0;
 }
 
-double LevelBudget::FindOffset(const std::vector<Part>& parts, vtkAdaptiveRefinement* recipe)
+double LevelBudget::FindOffset(
+  const std::vector<Part>& parts, vtkAdaptiveRefinement* recipe, const PieceReduction& pieces)
 {
   View& view = this->Views.back();
-  const bool isTarget = this->Target > 0;
-  const vtkIdType wanted =
-    isTarget && view.Limit > 0 ? std::min(this->Target, view.Limit) : this->Target + view.Limit;
-  Dependencies state = Dependencies::On(wanted, isTarget, recipe->GetLevelOffset());
+  Dependencies state =
+    Dependencies::On(this->Target, view.Limit, recipe->GetLevelOffset(), recipe->GetMaximumLevel());
   std::vector<TriangleBudget::Part> meshes;
   for (const Part& part : parts)
   {
@@ -60,13 +60,27 @@ double LevelBudget::FindOffset(const std::vector<Part>& parts, vtkAdaptiveRefine
     state.Add(part.TagsTime);
     meshes.push_back(part.Mesh);
   }
-  if (view.State.Update(state))
+  std::vector<double> changed(1, view.State != state ? 1.0 : 0.0);
+  pieces.TakeLargest(changed);
+  if (changed[0] > 0.0)
   {
+    view.State = state;
     // A limit of time takes levels away, if next to nothing, and never adds any.
-    const double highest = isTarget ? recipe->GetLevelOffsetMaxValue()
-                                    : recipe->GetLevelOffset() - 0.5 / TriangleBudget::Resolution;
-    view.Offset = this->Triangles.FindOffset(meshes, recipe->GetMaximumLevel(), wanted,
-      recipe->GetLevelOffsetMinValue(), highest, view.Offset);
+    double offset = this->Target > 0 ? recipe->GetLevelOffsetMaxValue()
+                                     : recipe->GetLevelOffset() - 0.5 / TriangleBudget::Resolution;
+    const auto keepTo = [&](vtkIdType triangles, const PieceReduction& counted)
+    {
+      if (triangles > 0)
+      {
+        offset = this->Triangles.FindOffset(meshes, recipe->GetMaximumLevel(), triangles,
+          recipe->GetLevelOffsetMinValue(), offset, view.Offset, counted);
+      }
+    };
+    keepTo(this->Target, pieces);
+    keepTo(view.Limit, PieceReduction()); // each process has its own time
+    std::vector<double> negated(1, -offset);
+    pieces.TakeLargest(negated);
+    view.Offset = -negated[0];
   }
   return view.Offset - recipe->GetLevelOffset();
 }

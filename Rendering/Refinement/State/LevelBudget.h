@@ -21,6 +21,7 @@ class vtkCamera;
 
 namespace relevo
 {
+class PieceReduction;
 class LevelBudget
 {
 public:
@@ -47,9 +48,11 @@ public:
   bool SetView(const vtkCamera* camera, double seconds);
 
   /**
-   * The offset, in levels, to be added to the recipe's own, for all parts of the view.
+   * The offset, in levels, to be added to the recipe's own, for all parts of the view: of several
+   * processes, the one that all can keep to. Collective.
    */
-  double FindOffset(const std::vector<Part>& parts, vtkAdaptiveRefinement* recipe);
+  double FindOffset(
+    const std::vector<Part>& parts, vtkAdaptiveRefinement* recipe, const PieceReduction& pieces);
 
 private:
   struct View

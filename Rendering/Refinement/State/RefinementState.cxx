@@ -3,6 +3,7 @@
 #include "State/RefinementState.h"
 
 #include "Core/GhostCells.h"
+#include "Core/WholeSurface.h"
 #include "Evaluation/RefinementPreparation.h"
 #include "Mesh/GivenNormals.h"
 #include "Metrics/TagSource.h"
@@ -83,12 +84,29 @@ bool RefinementState::Check(vtkAdaptiveRefinement* recipe)
   return true;
 }
 
+void RefinementState::SetWhole(std::shared_ptr<const WholeSurface> whole)
+{
+  const bool isSame = whole == this->Whole || (whole && this->Whole && *whole == *this->Whole);
+  if (!isSame)
+  {
+    this->Whole = std::move(whole);
+    this->WholeTime.Modified();
+    this->Source->SetWhole(this->Whole);
+  }
+}
+
 bool RefinementState::BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe)
 {
   // Only what the prepared mesh depends on: not the displacement's live values.
   Dependencies dependencies;
   dependencies.AddObject(input);
   dependencies.AddObject(recipe, 0);
+  dependencies.Add(this->Whole && this->Whole->HasDirections);
+  for (int axis = 0; this->Whole && axis < 3; ++axis)
+  {
+    dependencies.Add(this->Whole->PointBox.Low[axis]);
+    dependencies.Add(this->Whole->PointBox.High[axis]);
+  }
   vtkDisplacement* displacement = recipe ? recipe->GetDisplacement() : nullptr;
   if (recipe)
   {
@@ -119,8 +137,8 @@ bool RefinementState::BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recip
   // Without cells: VTK's mapper does not check what they refer to.
   this->PreparedInput->Initialize();
   this->PreparedInput->SetPoints(input->GetPoints());
-  if (!relevo::BuildMesh(
-        input, recipe, refines && this->NeedsUnitNormals, *mesh, this->Error, this->Warning))
+  if (!relevo::BuildMesh(input, recipe, refines && this->NeedsUnitNormals, this->Whole.get(), *mesh,
+        this->Error, this->Warning))
   {
     return false;
   }
@@ -188,7 +206,8 @@ void RefinementState::GetBounds(vtkAdaptiveRefinement* recipe, double bounds[6])
 SelectionInput RefinementState::GetSelectionInput(
   vtkPolyData* input, vtkAdaptiveRefinement* recipe) const
 {
-  return { input, recipe, this->Mesh, this->MeshTime, GetHighestTag(recipe, this->IsBudgeted) };
+  return { input, recipe, this->Mesh, this->MeshTime, this->WholeTime,
+    GetHighestTag(recipe, this->IsBudgeted) };
 }
 
 ViewSelection& RefinementState::FindView(
@@ -282,11 +301,12 @@ void RefinementState::Clear()
   this->MeshDependencies.Clear();
   this->MeshValid = false;
   this->PreparedInput->Initialize();
-  const auto source = std::make_shared<TagSource>();
+  this->Source = std::make_shared<TagSource>();
+  this->Source->SetWhole(this->Whole);
   this->Views = std::vector<ViewSelection>(MostViews);
   for (ViewSelection& view : this->Views)
   {
-    view.SetTagSource(source);
+    view.SetTagSource(this->Source);
   }
   this->ViewUses = {};
   this->Current = this->Views.data();

@@ -30,11 +30,21 @@ class vtkPolyData;
 namespace relevo
 {
 struct RefinementView;
+struct WholeSurface;
+class TagSource;
+
 class RefinementState
 {
 public:
   RefinementState();
   ~RefinementState();
+
+  /// What the mesh is a piece of; nullptr, the default, where it is the whole.
+  void SetWhole(std::shared_ptr<const WholeSurface> whole);
+  const std::shared_ptr<const WholeSurface>& GetWhole() const { return this->Whole; }
+
+  /// What tags are computed from.
+  TagSource& GetTagSource() { return *this->Source; }
 
   /**
    * Prepare the mesh. False when the recipe cannot be applied to the input, its numbers are too
@@ -127,6 +137,9 @@ private:
   SelectionInput GetSelectionInput(vtkPolyData* input, vtkAdaptiveRefinement* recipe) const;
   void UpdateHoles(vtkAdaptiveRefinement* recipe);
 
+  std::shared_ptr<const WholeSurface> Whole;
+  vtkTimeStamp WholeTime;
+  std::shared_ptr<TagSource> Source;
   // Shared with the views that it was drawn in.
   std::shared_ptr<const RefinementMesh> Mesh = std::make_shared<RefinementMesh>();
   Dependencies MeshDependencies;

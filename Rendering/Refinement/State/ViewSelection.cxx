@@ -47,8 +47,9 @@ Dependencies GetTagDependencies(const SelectionInput& input, const RefinementVie
 {
   vtkAdaptiveRefinement* recipe = input.Recipe;
   vtkDepthTagMetric* metric = GetMetricInUse(recipe, input.Input);
-  Dependencies dependencies = Dependencies::On(recipe->GetMaximumLevel(), input.MeshTime,
-    input.HighestTag, std::string(recipe->GetDepthTagArrayName()), recipe->GetLevelRule(), onGPU);
+  Dependencies dependencies =
+    Dependencies::On(recipe->GetMaximumLevel(), input.MeshTime, input.WholeTime, input.HighestTag,
+      std::string(recipe->GetDepthTagArrayName()), recipe->GetLevelRule(), onGPU);
   dependencies.AddObject(metric);
   if (metric && metric->IsPlacementDependent())
   {

@@ -40,6 +40,8 @@ struct SelectionInput
   vtkAdaptiveRefinement* Recipe;
   std::shared_ptr<const RefinementMesh> Mesh;
   vtkMTimeType MeshTime;
+  /// When what is known of the whole changed that the mesh is a piece of.
+  vtkMTimeType WholeTime;
   /// See GetHighestTag().
   int HighestTag;
 };

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "GhostFaces.h"
+#include "SurfacePieces.h"
+
+#include "FaceOrder.h"
 
 #include "SurfaceLeaves.h"
 #include "vtkCellArray.h"
@@ -136,61 +138,140 @@ struct Surface
   }
 };
 
+// Two layers: what is computed at the border depends on the normals and curvatures of the points
+// around it, and these on the faces around them.
+constexpr int NumberOfLayers = 2;
+
 void AddGhosts(vtkPartitionedDataSet* pieces)
 {
   vtkNew<vtkGhostCellsGenerator> generator;
   generator->SetInputData(pieces);
   generator->BuildIfRequiredOff();
-  generator->SetNumberOfGhostLayers(1);
+  generator->SetNumberOfGhostLayers(NumberOfLayers);
   generator->Update();
   pieces->ShallowCopy(generator->GetOutputDataObject(0));
 }
+
+// When each part of a mesh was last changed, and which it is.
+void AddTimes(vtkPolyData* mesh, std::vector<vtkMTimeType>& times)
+{
+  const auto add = [&times](vtkObject* object)
+  {
+    times.push_back(reinterpret_cast<std::size_t>(object));
+    times.push_back(object ? object->GetMTime() : 0);
+  };
+  add(mesh->GetPoints());
+  for (vtkObject* cells :
+    { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(), mesh->GetStrips() })
+  {
+    add(cells);
+  }
+  for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(mesh->GetPointData()),
+         static_cast<vtkDataSetAttributes*>(mesh->GetCellData()) })
+  {
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      add(data->GetAbstractArray(i));
+    }
+    for (int type = 0; type < vtkDataSetAttributes::NUM_ATTRIBUTES; ++type)
+    {
+      times.push_back(reinterpret_cast<std::size_t>(data->GetAbstractAttribute(type)));
+    }
+  }
+}
 }
 
-void AddGhostFaces(vtkDataObjectTree* tree, vtkMultiProcessController* controller)
+// Returns whether they are others than last time.
+bool SurfacePieces::FindOwn(vtkDataObjectTree* tree)
+{
+  Leaves own;
+  std::vector<vtkMTimeType> times;
+  ForEachLeaf(tree,
+    [&](vtkDataObjectTree*, vtkDataObjectTreeIterator* leaf)
+    {
+      auto mesh = vtkPolyData::SafeDownCast(leaf->GetCurrentDataObject());
+      // Where the tree has not been made anew, it has what was made.
+      const std::size_t i = own.size();
+      const bool isMade = mesh && i < this->Made.size() && this->Made[i] == mesh;
+      own.emplace_back(isMade ? this->Own[i].Get() : mesh);
+      times.push_back(own.size());
+      if (own.back())
+      {
+        AddTimes(own.back(), times);
+      }
+    });
+  const bool changed = times != this->OwnTimes || own.size() != this->Made.size();
+  this->Own = own;
+  this->OwnTimes = times;
+  return changed;
+}
+
+void SurfacePieces::Make(vtkDataObjectTree* tree, vtkMultiProcessController* controller)
 {
   std::vector<Surface> surfaces;
+  auto own = this->Own.begin();
   ForEachLeaf(
     tree, [&] { surfaces.emplace_back(); },
-    [&](vtkDataObjectTree*, vtkDataObjectTreeIterator* leaf)
-    { surfaces.back().AddLeaf(vtkPolyData::SafeDownCast(leaf->GetCurrentDataObject())); });
-
-  // Where processes have other trees, they still take part in all exchanges.
-  const int own = static_cast<int>(surfaces.size());
-  int most = own;
-  controller->AllReduce(&own, &most, 1, vtkCommunicator::MAX_OP);
-  surfaces.resize(static_cast<std::size_t>(most));
+    [&](vtkDataObjectTree*, vtkDataObjectTreeIterator*) { surfaces.back().AddLeaf(*own++); });
+  if (controller)
+  {
+    // Where processes have other trees, they still take part in all exchanges.
+    const int number = static_cast<int>(surfaces.size());
+    int most = number;
+    controller->AllReduce(&number, &most, 1, vtkCommunicator::MAX_OP);
+    surfaces.resize(static_cast<std::size_t>(most));
+  }
+  this->Made.clear();
   for (Surface& surface : surfaces)
   {
-    if (surface.Leaves.empty())
+    const std::size_t leaves = surface.Leaves.size();
+    if (leaves == 0)
     {
       surface.AddLeaf(nullptr);
     }
-    AddGhosts(surface.Pieces);
-  }
-
-  auto surface = surfaces.begin();
-  unsigned int piece = 0;
-  bool isFirst = true;
-  ForEachLeaf(
-    tree,
-    [&]
+    if (controller || leaves > 1)
     {
-      surface += isFirst ? 0 : 1;
-      isFirst = false;
-      piece = 0;
-    },
+      AddGhosts(surface.Pieces);
+    }
+    for (unsigned int i = 0; i < leaves; ++i)
+    {
+      auto faces = vtkPolyData::SafeDownCast(surface.Pieces->GetPartitionAsDataObject(i));
+      if (surface.Leaves[i] && faces)
+      {
+        KeepPointIds(faces, surface.Leaves[i]);
+        AddVerticesAndLines(faces, surface.Leaves[i]);
+        SortByPosition(faces);
+      }
+      this->Made.emplace_back(surface.Leaves[i] ? faces : nullptr);
+    }
+  }
+}
+
+void SurfacePieces::Update(vtkDataObjectTree* tree, vtkMultiProcessController* controller)
+{
+  if (controller && controller->GetNumberOfProcesses() < 2)
+  {
+    controller = nullptr;
+  }
+  const int own = this->FindOwn(tree) ? 1 : 0;
+  int changed = own;
+  if (controller)
+  {
+    controller->AllReduce(&own, &changed, 1, vtkCommunicator::MAX_OP);
+  }
+  if (changed != 0)
+  {
+    this->Make(tree, controller);
+  }
+  auto made = this->Made.begin();
+  ForEachLeaf(tree,
     [&](vtkDataObjectTree* parent, vtkDataObjectTreeIterator* leaf)
     {
-      vtkPolyData* mesh = surface->Leaves[piece];
-      auto faces = vtkPolyData::SafeDownCast(surface->Pieces->GetPartitionAsDataObject(piece));
-      if (mesh && faces)
+      if (*made && leaf->GetCurrentDataObject() != *made)
       {
-        AddVerticesAndLines(faces, mesh);
-        KeepPointIds(faces, mesh);
-        parent->SetDataSet(leaf, faces);
+        parent->SetDataSet(leaf, *made);
       }
-      ++piece;
+      ++made;
     });
 }
 }

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @brief   numbers of places and edges of a surface, of which neighbouring pieces have some in
+ * common
+ *
+ * Private to the module.
+ */
+#ifndef CollectOnce_h
+#define CollectOnce_h
+
+#include <cstdint>    // for keys
+#include <functional> // for GetKey
+#include <vector>     // for numbers
+
+namespace relevo
+{
+class PieceReduction;
+class SurfaceTriangles;
+
+/// A key of an edge, the same in both directions.
+std::uint64_t HashEdge(const SurfaceTriangles& surface, const int places[2]);
+
+/**
+ * Of the numbers of all pieces, one for each key. getKey(i) is that of values[i]. Collective.
+ */
+std::vector<double> CollectOnce(const PieceReduction& pieces, std::vector<double> values,
+  const std::function<std::uint64_t(std::size_t)>& getKey);
+}
+
+#endif

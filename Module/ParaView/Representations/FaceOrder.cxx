@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FaceOrder.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numeric>
+
+namespace relevo
+{
+namespace
+{
+// Numbers that can be compared.
+double GetNumber(vtkDataArray* array, vtkIdType id, int component)
+{
+  const double value = array->GetComponent(id, component);
+  return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
+}
+
+// The ids 0 to n - 1 by a comparison, equal ones as they are.
+template <typename Less>
+std::vector<vtkIdType> SortIds(vtkIdType n, const Less& less)
+{
+  std::vector<vtkIdType> ids(static_cast<std::size_t>(n));
+  std::iota(ids.begin(), ids.end(), 0);
+  vtkSMPTools::Sort(ids.begin(), ids.end(),
+    [&less](vtkIdType a, vtkIdType b) { return less(a, b) || (!less(b, a) && a < b); });
+  return ids;
+}
+
+std::vector<vtkIdType> SortPoints(vtkPolyData* mesh)
+{
+  std::vector<vtkDataArray*> arrays;
+  for (vtkDataArray* array : { mesh->GetPoints()->GetData(), mesh->GetPointData()->GetTCoords(),
+         mesh->GetPointData()->GetNormals() })
+  {
+    if (array)
+    {
+      arrays.push_back(array);
+    }
+  }
+  return SortIds(mesh->GetNumberOfPoints(),
+    [&arrays](vtkIdType a, vtkIdType b)
+    {
+      for (vtkDataArray* array : arrays)
+      {
+        for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+        {
+          const double ofA = GetNumber(array, a, c);
+          const double ofB = GetNumber(array, b, c);
+          if (ofA != ofB)
+          {
+            return ofA < ofB;
+          }
+        }
+      }
+      return false;
+    });
+}
+
+template <typename Attributes>
+void Rearrange(Attributes* data, const std::vector<vtkIdType>& order)
+{
+  vtkNew<vtkIdList> ids;
+  ids->SetNumberOfIds(static_cast<vtkIdType>(order.size()));
+  std::copy(order.begin(), order.end(), ids->GetPointer(0));
+  vtkNew<Attributes> sorted;
+  sorted->CopyAllOn();
+  sorted->CopyAllocate(data, ids->GetNumberOfIds());
+  sorted->CopyData(data, ids, vtkIdType(0));
+  data->ShallowCopy(sorted);
+}
+
+// Cells with the new ids of their points; in the order of these, if asked for.
+class RenumberedCells
+{
+public:
+  RenumberedCells(vtkCellArray* cells, const std::vector<vtkIdType>& newIds)
+  {
+    auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
+    for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
+    {
+      vtkIdType size;
+      const vtkIdType* ids;
+      iterator->GetCurrentCell(size, ids);
+      std::transform(ids, ids + size, std::back_inserter(this->Points),
+        [&newIds](vtkIdType id) { return newIds[static_cast<std::size_t>(id)]; });
+      this->Starts.push_back(this->Points.size());
+    }
+    this->Order.resize(this->Starts.size() - 1);
+    std::iota(this->Order.begin(), this->Order.end(), 0);
+  }
+
+  void Sort()
+  {
+    this->Order = SortIds(static_cast<vtkIdType>(this->Order.size()),
+      [this](vtkIdType a, vtkIdType b)
+      {
+        return std::lexicographical_compare(
+          this->At(a), this->At(a + 1), this->At(b), this->At(b + 1));
+      });
+  }
+
+  vtkSmartPointer<vtkCellArray> GetCells() const
+  {
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    cells->AllocateExact(
+      static_cast<vtkIdType>(this->Order.size()), static_cast<vtkIdType>(this->Points.size()));
+    for (vtkIdType cell : this->Order)
+    {
+      cells->InsertNextCell(this->At(cell + 1) - this->At(cell), this->At(cell));
+    }
+    return cells;
+  }
+
+  // The former cell of each.
+  const std::vector<vtkIdType>& GetOrder() const { return this->Order; }
+
+private:
+  const vtkIdType* At(vtkIdType cell) const
+  {
+    return this->Points.data() + this->Starts[static_cast<std::size_t>(cell)];
+  }
+
+  std::vector<vtkIdType> Points;
+  std::vector<std::size_t> Starts{ 0 };
+  std::vector<vtkIdType> Order;
+};
+
+void SortCells(vtkPolyData* mesh, const std::vector<vtkIdType>& newIds)
+{
+  RenumberedCells verts(mesh->GetVerts(), newIds);
+  RenumberedCells lines(mesh->GetLines(), newIds);
+  RenumberedCells polys(mesh->GetPolys(), newIds);
+  RenumberedCells strips(mesh->GetStrips(), newIds);
+  polys.Sort();
+  std::vector<vtkIdType> order;
+  vtkIdType first = 0;
+  for (const RenumberedCells* cells : { &verts, &lines, &polys, &strips })
+  {
+    std::transform(cells->GetOrder().begin(), cells->GetOrder().end(), std::back_inserter(order),
+      [first](vtkIdType cell) { return first + cell; });
+    first = static_cast<vtkIdType>(order.size());
+  }
+  mesh->SetVerts(verts.GetCells());
+  mesh->SetLines(lines.GetCells());
+  mesh->SetPolys(polys.GetCells());
+  mesh->SetStrips(strips.GetCells());
+  Rearrange(mesh->GetCellData(), order);
+}
+}
+
+void SortByPosition(vtkPolyData* mesh)
+{
+  if (mesh->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  const std::vector<vtkIdType> order = SortPoints(mesh);
+  std::vector<vtkIdType> newIds(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    newIds[static_cast<std::size_t>(order[i])] = static_cast<vtkIdType>(i);
+  }
+  const vtkNew<vtkPoints> points;
+  points->SetDataType(mesh->GetPoints()->GetDataType());
+  points->SetNumberOfPoints(mesh->GetNumberOfPoints());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    points->GetData()->SetTuple(static_cast<vtkIdType>(i), order[i], mesh->GetPoints()->GetData());
+  }
+  SortCells(mesh, newIds);
+  Rearrange(mesh->GetPointData(), order);
+  mesh->SetPoints(points);
+}
+}

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What the mappers of several processes agree on, each of which has pieces of the same surfaces.
+#include "vtkAdaptiveRefinementMapperInternals.h"
+
+#include "Core/LocalPoints.h"
+#include "Core/WholeSurface.h"
+#include "Metrics/MetricEvaluator.h"
+#include "Metrics/SurfaceShape.h"
+#include "Metrics/TagSource.h"
+#include "State/ProcessReduction.h"
+#include "vtkActor.h"
+#include "vtkAdaptiveRefinement.h"
+#include "vtkDepthTagMetric.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMultiProcessController.h"
+#include "vtkPolyData.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace
+{
+// The box of a piece becomes that of the whole.
+void Unite(relevo::FiniteBox& box, const relevo::PieceReduction& pieces)
+{
+  std::vector<double> limits;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    limits.insert(limits.end(), { -box.Low[axis], box.High[axis] });
+  }
+  pieces.TakeLargest(limits);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    box.Low[axis] = -limits[2 * axis];
+    box.High[axis] = limits[2 * axis + 1];
+  }
+}
+}
+
+std::map<unsigned int, vtkAdaptiveRefinementMapper*>
+vtkAdaptiveRefinementMapper::vtkInternals::FindParts(vtkAdaptiveRefinementMapper* mapper)
+{
+  std::map<unsigned int, vtkAdaptiveRefinementMapper*> parts;
+  if (mapper->GetNumberOfInputConnections(0) == 0)
+  {
+    return parts;
+  }
+  mapper->Update();
+  if (mapper->IsComposite())
+  {
+    mapper->UpdateBlocks();
+    for (unsigned int index : mapper->Internals->Blocks.GetFlatIndices())
+    {
+      parts[index] =
+        static_cast<vtkAdaptiveRefinementMapper*>(mapper->Internals->Blocks.Find(index));
+    }
+  }
+  else if (mapper->GetInput())
+  {
+    parts[0] = mapper;
+  }
+  return parts;
+}
+
+// What a piece, nullptr where this process has none, and those of other processes are together.
+void vtkAdaptiveRefinementMapper::vtkInternals::AgreeOnWhole(vtkAdaptiveRefinement* recipe,
+  vtkAdaptiveRefinementMapper* part, const relevo::RefinementView& view,
+  const relevo::PieceReduction& pieces)
+{
+  relevo::RefinementState none;
+  relevo::RefinementState& state = part ? part->Internals->State : none;
+  vtkNew<vtkPolyData> empty;
+  vtkPolyData* mesh = part ? part->GetInput() : empty.Get();
+  const auto whole = std::make_shared<relevo::WholeSurface>();
+  if (state.GetWhole())
+  {
+    *whole = *state.GetWhole();
+  }
+  whole->PointBox = relevo::MeasurePoints(mesh->GetPoints());
+  whole->HasDirections = false;
+  Unite(whole->PointBox, pieces);
+  state.SetWhole(std::make_shared<relevo::WholeSurface>(*whole)); // what it is built by
+
+  if (part && !part->UpdateMesh())
+  {
+    mesh = empty;
+  }
+  std::vector<double> directions(1, state.GetMesh().Directions.empty() ? 0.0 : 1.0);
+  pieces.TakeLargest(directions);
+  whole->HasDirections = directions[0] > 0.0;
+
+  relevo::TagSource source; // what is known of an invalid mesh is not to be asked for
+  relevo::TagSource& tags = mesh == empty ? source : state.GetTagSource();
+  whole->CornerBox = relevo::GetShape(tags.GetMesh(mesh)).GetOwnBoxes().CornerBox;
+  Unite(whole->CornerBox, pieces);
+  whole->Numbers.clear();
+  if (vtkDepthTagMetric* metric = recipe->GetMetric())
+  {
+    tags.GetEvaluator(metric, mesh).ShareNumbers(view, pieces, *whole);
+  }
+  state.SetWhole(whole);
+}
+
+void vtkAdaptiveRefinementMapper::AgreeWithProcesses(
+  vtkMultiProcessController* controller, vtkRenderer* ren, vtkActor* act)
+{
+  vtkInternals& data = *this->Internals;
+  data.AgreesWithProcesses = controller && controller->GetNumberOfProcesses() > 1;
+  std::map<unsigned int, vtkAdaptiveRefinementMapper*> parts = vtkInternals::FindParts(this);
+  if (!data.AgreesWithProcesses || !this->Refinement)
+  {
+    data.WholeDependencies.Clear();
+    for (const auto& part : parts)
+    {
+      part.second->Internals->State.SetWhole(nullptr);
+    }
+    return;
+  }
+  const relevo::RefinementView view = vtkInternals::MakeView(ren, act);
+  relevo::Dependencies now;
+  now.AddObject(this->Refinement.Get());
+  vtkDepthTagMetric* metric = this->Refinement->GetMetric();
+  if (metric && metric->IsPlacementDependent())
+  {
+    std::for_each(view.ModelToWorld->GetData(), view.ModelToWorld->GetData() + 16,
+      [&now](double value) { now.Add(value); });
+  }
+  std::vector<double> indices;
+  for (const auto& part : parts)
+  {
+    now.Add(part.first);
+    now.AddObject(part.second->GetInput());
+    indices.push_back(part.first);
+  }
+  const relevo::ProcessReduction pieces(controller);
+  std::vector<double> changed(1, data.WholeDependencies.Update(now) ? 1.0 : 0.0);
+  pieces.TakeLargest(changed);
+  if (changed[0] > 0.0)
+  {
+    indices = pieces.Collect(std::move(indices));
+    for (double index : std::set<double>(indices.begin(), indices.end()))
+    {
+      const auto part = parts.find(static_cast<unsigned int>(index));
+      vtkInternals::AgreeOnWhole(
+        this->Refinement, part == parts.end() ? nullptr : part->second, view, pieces);
+    }
+  }
+  this->UpdateBudget(ren, act, &pieces);
+}
