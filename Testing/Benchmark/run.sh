@@ -11,12 +11,16 @@
 # NAME is one of those that --help lists. --quick shows that everything runs, --full takes sizes
 # and repetitions that are for graphics cards. RELEVO_TEST_DATA names a folder of larger real data.
 # --paraview names a folder that ParaView/fetch.sh has filled: lic compares with its VTK.
+# The NAME paraview, alone, measures the plugin that Module/ParaView/build.sh has built.
 #
 # The build folder can be copied to another machine with the same VTK, whatever the path: there
 # run bin/relevo-benchmark of the copy. It needs no display (EGL), and names the renderer.
 set -euo pipefail
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+if [ "${*:-}" = paraview ]; then
+  exec bash "$source_dir/Testing/Benchmark/ParaView/run.sh"
+fi
 build_dir=${RELEVO_BUILD_DIR:-$source_dir/build}
 
 bash "$source_dir/Module/build.sh" --benchmark >&2

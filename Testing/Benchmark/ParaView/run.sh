@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Measures the plugin for ParaView that Module/ParaView/build.sh has built: Markdown on stdout.
+#
+#   bash Testing/Benchmark/run.sh paraview
+set -euo pipefail
+
+source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../.." && pwd)
+build_dir=${RELEVO_PARAVIEW_BUILD_DIR:-$source_dir/build-paraview}
+if [ -z "${DISPLAY:-}" ]; then
+  exec xvfb-run -a -s "-noreset -screen 0 1280x1024x24" bash "${BASH_SOURCE[0]}"
+fi
+. "$build_dir/env.sh"
+export PYTHONPATH=$source_dir/Testing/ParaView:$PYTHONPATH PYTHONDONTWRITEBYTECODE=1
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+script=$source_dir/Testing/Benchmark/ParaView/paraview.py
+pictures=$(mktemp --suffix=.npz)
+trap 'rm -f "$pictures"' EXIT
+
+echo "| ranks | scene | pixels over 2 of 255 that differ from one rank | frame, camera moving |"
+echo "|---:|---|---:|---:|"
+for ranks in 1 4; do
+  mpirun --oversubscribe -n $ranks pvbatch "$script" ranks "$pictures" 2>/dev/null
+done
+echo
+echo "| 512 x 512 heights, another scale in each frame | frame |"
+echo "|---|---:|"
+pvbatch "$script" displaced 2>/dev/null
+echo
+echo "| 4096 x 4096 heights | first picture | memory |"
+echo "|---|---:|---:|"
+for way in relevo paraview; do
+  pvbatch "$script" raster $way 2>/dev/null
+done
