@@ -112,6 +112,10 @@ void vtkAdaptiveRefinementMapper::AgreeWithProcesses(
 {
   vtkInternals& data = *this->Internals;
   data.AgreesWithProcesses = controller && controller->GetNumberOfProcesses() > 1;
+  if (!data.AgreesWithProcesses && data.WholeDependencies.IsEmpty())
+  {
+    return;
+  }
   std::map<unsigned int, vtkAdaptiveRefinementMapper*> parts = vtkInternals::FindParts(this);
   if (!data.AgreesWithProcesses || !this->Refinement)
   {
