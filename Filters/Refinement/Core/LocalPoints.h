@@ -11,8 +11,9 @@
 #ifndef LocalPoints_h
 #define LocalPoints_h
 
-#include "Core/FiniteBox.h" // for MeasurePoints()
-#include "vtkType.h"        // for vtkIdType
+#include "Core/FiniteBox.h"                // for MeasurePoints()
+#include "RelevoFiltersRefinementModule.h" // for export macro
+#include "vtkType.h"                       // for vtkIdType
 
 #include <vector> // for members
 
@@ -21,7 +22,7 @@ class vtkPoints;
 namespace relevo
 {
 /// The box of points; nullptr for none.
-FiniteBox MeasurePoints(vtkPoints* points);
+RELEVOFILTERSREFINEMENT_EXPORT FiniteBox MeasurePoints(vtkPoints* points);
 
 class LocalPoints
 {

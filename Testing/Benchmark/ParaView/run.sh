@@ -15,22 +15,23 @@ fi
 . "$build_dir/env.sh"
 export PYTHONPATH=$source_dir/Testing/ParaView:$PYTHONPATH PYTHONDONTWRITEBYTECODE=1
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-script=$source_dir/Testing/Benchmark/ParaView/paraview.py
+script=$source_dir/Testing/Benchmark/ParaView/plugin.py
 pictures=$(mktemp --suffix=.npz)
-trap 'rm -f "$pictures"' EXIT
+messages=$(mktemp)
+heights=$(mktemp --suffix=.png)
+trap 'rm -f "$pictures" "$messages" "$heights"' EXIT
+measure() {
+  "$@" 2>"$messages" || { cat "$messages" >&2; exit 1; }
+}
 
 echo "| ranks | scene | pixels over 2 of 255 that differ from one rank | frame, camera moving |"
 echo "|---:|---|---:|---:|"
 for ranks in 1 4; do
-  mpirun --oversubscribe -n $ranks pvbatch "$script" ranks "$pictures" 2>/dev/null
+  measure mpirun --oversubscribe -n $ranks pvbatch "$script" ranks "$pictures"
 done
-echo
-echo "| 512 x 512 heights, another scale in each frame | frame |"
-echo "|---|---:|"
-pvbatch "$script" displaced 2>/dev/null
 echo
 echo "| 4096 x 4096 heights | first picture | memory |"
 echo "|---|---:|---:|"
-for way in relevo paraview; do
-  pvbatch "$script" raster $way 2>/dev/null
+for way in write Relevo ParaView; do
+  measure pvbatch "$script" raster $way "$heights"
 done
