@@ -3,7 +3,6 @@
 #include "SurfacePieces.h"
 
 #include "FaceOrder.h"
-
 #include "SurfaceLeaves.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -29,6 +28,38 @@ namespace relevo
 {
 namespace
 {
+bool HasArraysOfLength(vtkFieldData* data, vtkIdType length)
+{
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    if (data->GetAbstractArray(i)->GetNumberOfTuples() < length)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Whether cells have points and data. What lacks them the mapper gets as it is, and says so.
+bool IsSound(vtkPolyData* mesh)
+{
+  for (vtkCellArray* cells :
+    { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(), mesh->GetStrips() })
+  {
+    double range[2] = { 0.0, -1.0 };
+    if (cells->GetNumberOfConnectivityIds() > 0)
+    {
+      cells->GetConnectivityArray()->GetRange(range);
+    }
+    if (range[0] < 0.0 || range[1] >= static_cast<double>(mesh->GetNumberOfPoints()))
+    {
+      return false;
+    }
+  }
+  return HasArraysOfLength(mesh->GetPointData(), mesh->GetNumberOfPoints()) &&
+    HasArraysOfLength(mesh->GetCellData(), mesh->GetNumberOfCells());
+}
+
 vtkIdType CountCellsBeforeFaces(vtkPolyData* mesh)
 {
   return mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
@@ -128,10 +159,11 @@ void KeepPointIds(vtkPolyData* faces, vtkPolyData* mesh)
 struct Surface
 {
   vtkSmartPointer<vtkPartitionedDataSet> Pieces = vtkSmartPointer<vtkPartitionedDataSet>::New();
-  std::vector<vtkPolyData*> Leaves;
+  std::vector<vtkPolyData*> Leaves; // nullptr where there is nothing to exchange
 
   void AddLeaf(vtkPolyData* mesh)
   {
+    mesh = mesh && IsSound(mesh) ? mesh : nullptr;
     this->Pieces->SetPartition(static_cast<unsigned int>(this->Leaves.size()),
       mesh ? ExtractFaces(mesh).Get() : vtkNew<vtkPolyData>().Get());
     this->Leaves.push_back(mesh);
