@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveLICRepresentation.h"
 
+#include "ReducedProjection.h"
 #include "vtkAdaptiveLICMapper.h"
-#include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkInformation.h"
-#include "vtkMatrix4x4.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -16,50 +15,6 @@
 #include "vtkRenderer.h"
 
 vtkStandardNewMacro(vtkAdaptiveLICRepresentation);
-
-namespace
-{
-// ParaView draws smaller pictures while the view moves: IceT has the camera project to a corner of
-// the window, and so must what is prepared for it.
-class ReducedProjection
-{
-public:
-  ReducedProjection(vtkRenderer* ren, int factor)
-    : Camera(factor > 1 ? ren->GetActiveCamera() : nullptr)
-  {
-    if (!this->Camera)
-    {
-      return;
-    }
-    vtkNew<vtkMatrix4x4> toCorner;
-    for (int i = 0; i < 2; ++i)
-    {
-      const int size = ren->GetRenderWindow()->GetActualSize()[i];
-      const double share = static_cast<double>(size / factor) / size;
-      toCorner->SetElement(i, i, share);
-      toCorner->SetElement(i, 3, share - 1.0);
-    }
-    vtkNew<vtkMatrix4x4> projection;
-    vtkMatrix4x4::Multiply4x4(toCorner,
-      this->Camera->GetProjectionTransformMatrix(ren->GetTiledAspectRatio(), -1, 1), projection);
-    this->Camera->SetExplicitProjectionTransformMatrix(projection);
-    this->Camera->UseExplicitProjectionTransformMatrixOn();
-  }
-  ~ReducedProjection()
-  {
-    if (this->Camera)
-    {
-      this->Camera->UseExplicitProjectionTransformMatrixOff();
-      this->Camera->SetExplicitProjectionTransformMatrix(nullptr);
-    }
-  }
-  ReducedProjection(const ReducedProjection&) = delete;
-  void operator=(const ReducedProjection&) = delete;
-
-private:
-  vtkCamera* Camera;
-};
-}
 
 vtkAdaptiveLICRepresentation::vtkAdaptiveLICRepresentation()
 {
@@ -125,10 +80,7 @@ void vtkAdaptiveLICRepresentation::PrepareTogether()
   {
     return;
   }
-  const bool isInteractive = ren->GetRenderWindow()->GetDesiredUpdateRate() >= 1.0;
-  ReducedProjection reduced(ren,
-    isInteractive ? this->RenderView->GetInteractiveRenderImageReductionFactor()
-                  : this->RenderView->GetStillRenderImageReductionFactor());
+  const relevo::ReducedProjection reduced(this->RenderView);
   for (vtkActor* actor :
     { static_cast<vtkActor*>(this->Actor), static_cast<vtkActor*>(this->BackfaceActor) })
   {

@@ -3,6 +3,7 @@
 #include "vtkAdaptiveRefinementRepresentation.h"
 
 #include "OrderedCompositing.h"
+#include "ReducedProjection.h"
 #include "SurfacePieces.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementMapper.h"
@@ -162,9 +163,15 @@ void vtkAdaptiveRefinementRepresentation::AgreeWithProcesses()
   const bool isDistributed = view->GetUsedLODForLastRender()
     ? view->GetUseDistributedRenderingForLODRender()
     : view->GetUseDistributedRenderingForRender();
+  vtkRenderer* ren = view->GetRenderer();
+  if (!isDistributed)
+  {
+    this->GetMapper()->AgreeWithProcesses(nullptr, ren, this->Actor);
+    return;
+  }
+  const relevo::ReducedProjection reduced(view);
   this->GetMapper()->AgreeWithProcesses(
-    isDistributed ? vtkMultiProcessController::GetGlobalController() : nullptr, view->GetRenderer(),
-    this->Actor);
+    vtkMultiProcessController::GetGlobalController(), ren, this->Actor);
 }
 
 int vtkAdaptiveRefinementRepresentation::ProcessViewRequest(
