@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Views, pictures and comparisons for tests that pvbatch runs."""
 
+import pathlib
 import re
 import unittest
 
@@ -15,6 +16,12 @@ from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 STYLES = "Adaptive Refinement", "Surface"
+
+
+def find_plugin(name):
+    """The file of one of ParaView's own plugins, or None."""
+    prefix = pathlib.Path(paraview.__file__).parents[4]
+    return next(map(str, prefix.glob(f"lib*/**/plugins/{name}/{name}.so")), None)
 
 
 def sphere(**properties):

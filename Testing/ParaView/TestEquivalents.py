@@ -4,11 +4,9 @@
 
 import glob
 import os
-import pathlib
 import tempfile
 
 import numpy
-import paraview
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -17,12 +15,6 @@ import RelevoParaView as relevo
 
 def points(source):
     return vtk_to_numpy(servermanager.Fetch(source).GetPoints().GetData())
-
-
-def find_plugin(name):
-    """The file of one of ParaView's own plugins, or None."""
-    prefix = pathlib.Path(paraview.__file__).parents[4]
-    return next(map(str, prefix.glob(f"lib*/**/plugins/{name}/{name}.so")), None)
 
 
 class TestEquivalents(relevo.TestCase):
@@ -55,7 +47,7 @@ class TestEquivalents(relevo.TestCase):
 
     def test_extrusion_surface(self):
         """A sphere of length 1 that grows by 20 percent of it."""
-        plugin = find_plugin("EmbossingRepresentations")
+        plugin = relevo.find_plugin("EmbossingRepresentations")
         if not plugin:
             self.skipTest("this ParaView has no Extrusion Surface")
         simple.LoadPlugin(plugin, remote=False, ns=globals())

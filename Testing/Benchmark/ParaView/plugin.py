@@ -3,11 +3,16 @@
 """Measures the plugin for ParaView; run.sh beside this file says in which order.
 
     [mpirun -n RANKS] pvbatch plugin.py ranks FILE.npz
+    mpirun -n RANKS pvbatch plugin.py agreement
+    mpirun -n RANKS pvbatch --sym plugin.py interactive SECONDS...
+    pvbatch plugin.py plain
+    pvbatch plugin.py displaced FILE.png
     pvbatch plugin.py raster write|Relevo|ParaView FILE.png
 
 Prints rows of Markdown tables.
 """
 
+import re
 import resource
 import statistics
 import sys
@@ -16,12 +21,19 @@ import time
 import numpy
 from paraview import simple
 from paraview.modules.vtkRemotingCore import vtkProcessModule
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
+from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
 import RelevoParaView as relevo
 
 RANKS = vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
+RANK = vtkProcessModule.GetProcessModule().GetPartitionId()
 SURFACE = "Surface"
 REFINED = "Adaptive Refinement"
+CURVED = {"MaximumLevel": 3, "Surface": "PN Triangles"}
+LEVEL_0 = {"MaximumLevel": 0, "Metric": "None"}
 
 
 def median_ms(actions, frames=5):
@@ -36,7 +48,8 @@ def median_ms(actions, frames=5):
 
 
 def row(*cells):
-    print("| " + " | ".join(str(cell) for cell in cells) + " |", flush=True)
+    if RANK == 0:
+        print("| " + " | ".join(str(cell) for cell in cells) + " |", flush=True)
 
 
 def look_from(view, position):
@@ -44,24 +57,50 @@ def look_from(view, position):
     view.CameraFocalPoint = [0, 0, 0]
 
 
+def isosurface(half=60):
+    """Of a cube of that many cells from its middle to a side."""
+    wavelet = simple.Wavelet(WholeExtent=3 * [-half, half])
+    return simple.Contour(Input=wavelet, ContourBy=["POINTS", "RTData"], Isosurfaces=[150])
+
+
+def shown_in_view(source, representation=REFINED, **properties):
+    """What is shown, and its view, whose camera may be moved."""
+    view = relevo.view((1280, 800))
+    view.UseFXAA = 0
+    shown = relevo.show(source, view, representation, **properties)
+    simple.Render(view)  # the first frame of a session moves the camera
+    return shown, view
+
+
+def over_ranks(operation, number):
+    """Collective: MAX_OP, MIN_OP or SUM_OP."""
+    result = vtkDoubleArray()
+    result.SetNumberOfValues(1)
+    vtkMultiProcessController.GetGlobalController().AllReduce(
+        numpy_to_vtk(numpy.array([float(number)])), result, getattr(vtkCommunicator, operation)
+    )
+    return result.GetValue(0)
+
+
+def refined_actor(view):
+    actors = view.GetClientSideObject().GetRenderer().GetActors()
+    name = "vtkAdaptiveRefinementMapper"
+    return next(each for each in actors if each.GetVisibility() and each.GetMapper().IsA(name))
+
+
 def ranks(path):
     """Pictures against those of one rank, and frames while the camera moves."""
-    wavelet = simple.Wavelet(WholeExtent=[-60, 60, -60, 60, -60, 60])
-    contour = simple.Contour(Input=wavelet, ContourBy=["POINTS", "RTData"], Isosurfaces=[150])
-    curved = {"MaximumLevel": 3, "Surface": "PN Triangles"}
+    contour = isosurface()
     looks = {
         "Surface": (SURFACE, {}),
         "Surface, translucent": (SURFACE, {"Opacity": 0.5}),
-        "Refined": (REFINED, curved),
-        "Refined, translucent": (REFINED, {**curved, "Opacity": 0.5}),
-        "Level 0": (REFINED, {"MaximumLevel": 0, "Metric": "None"}),
+        "Refined": (REFINED, CURVED),
+        "Refined, translucent": (REFINED, {**CURVED, "Opacity": 0.5}),
+        "Level 0": (REFINED, LEVEL_0),
     }
     pictures, times = {}, {}
     for name, (representation, properties) in looks.items():
-        view = relevo.view((1280, 800))
-        view.UseFXAA = 0
-        relevo.show(contour, view, representation, **properties)
-        simple.Render(view)  # the first frame of a session moves the camera
+        _, view = shown_in_view(contour, representation, **properties)
         look_from(view, [120, 90, 180])
         pictures[name] = relevo.picture(view)
 
@@ -78,6 +117,155 @@ def ranks(path):
     for name, drawn in pictures.items():
         differing = relevo.differing(drawn, expected[name])
         row(RANKS, f"{name}, {faces} faces", differing, f"{times[name]:.0f} ms")
+
+
+def agreement():
+    """What ranks tell each other before each frame, while the camera moves."""
+    contour = isosurface()
+    contour.UpdatePipeline()
+    faces = contour.GetDataInformation().GetNumberOfCells()
+    for name, properties in {
+        "Refined": CURVED,
+        "Refined, curvature": {**CURVED, "Metric": "Curvature"},
+        "Refined, 500000 triangles": {**CURVED, "TargetNumberOfTriangles": 500000},
+    }.items():
+        _, view = shown_in_view(contour, **properties)
+        renderer = view.GetClientSideObject().GetRenderer()
+        moments = []
+        # Its own priority is -1.
+        for priority in -0.9, -1.1:
+            observer = lambda *_: moments.append(time.perf_counter())  # noqa: E731
+            renderer.AddObserver("StartEvent", observer, priority)
+
+        def move(frame, view=view):
+            look_from(view, [120 + frame, 90, 180])
+            simple.Render(view)
+
+        frame = median_ms({name: move}, 9)[name]
+        agreed = 1000 * statistics.median(numpy.diff(moments)[-17::2])
+        row(f"{name}, {faces} faces", f"{agreed:.1f} ms", f"{frame:.0f} ms")
+        simple.Delete(view)
+
+
+def interactive(*seconds):
+    """Frames that are asked to take so long, while the camera moves around a sphere. At level 0 they
+    take the least time possible. There are no cracks where all ranks have one offset of levels."""
+    sphere = simple.Sphere(ThetaResolution=1000, PhiResolution=1001)
+    shown, view = shown_in_view(sphere, **LEVEL_0)
+    renderer = view.GetClientSideObject().GetRenderer()
+    allowed = [1 / 15]  # what ParaView asks for
+    # On all ranks, before they agree on levels.
+    give = lambda *_: renderer.SetAllocatedRenderTime(allowed[-1])  # noqa: E731
+    renderer.AddObserver("StartEvent", give, -0.5)
+
+    def move(frame):
+        look_from(view, [0.8, 0.1 * frame, 0.8])
+        view.SMProxy.InteractiveRender()
+
+    def measure(name):
+        frame = median_ms({name: move}, 9)[name]
+        triangles = over_ranks("SUM_OP", relevo.statistic(view, "NumberOfDrawnTriangles"))
+        mapper = str(refined_actor(view).GetMapper())
+        offset = float(re.search(r"\bLevelOffset: (\S+)", mapper).group(1))
+        spread = over_ranks("MAX_OP", offset) - over_ranks("MIN_OP", offset)
+        asked = 1000 * allowed[-1]
+        row(name, f"{asked:.0f} ms", f"{frame:.0f} ms", f"{triangles:.0f}", f"{spread:g}")
+
+    measure("Level 0")
+    relevo.set_properties(shown, {**CURVED, "Metric": "Edge Length on Screen"})
+    shown.Metric.ReferenceLength = 0.1
+    for each in map(float, seconds):
+        allowed.append(each)
+        measure("Refined")
+
+
+def plain():
+    """Frames of ParaView's view and of a window of VTK's with the same mapper, in turn."""
+    for name, source, properties in (
+        ("Level 0", isosurface(), LEVEL_0),
+        ("Refined", isosurface(), CURVED),
+        ("Refined, sphere of 96 faces", simple.Sphere(Radius=100), CURVED),
+    ):
+        _, view = shown_in_view(source, **properties)
+        whole = view.GetClientSideObject().GetRenderer()
+        actor, renderer, window = vtkActor(), vtkRenderer(), vtkRenderWindow()
+        original = refined_actor(view)
+        mapper = original.GetMapper().NewInstance()
+        mapper.ShallowCopy(original.GetMapper())
+        mapper.SetInputDataObject(original.GetMapper().GetInputDataObject(0, 0))
+        actor.SetMapper(mapper)
+        actor.SetProperty(original.GetProperty())
+        renderer.AddActor(actor)
+        renderer.SetBackground(whole.GetBackground())
+        renderer.SetActiveCamera(whole.GetActiveCamera())
+        renderer.AutomaticLightCreationOff()
+        for light in whole.GetLights():
+            renderer.AddLight(light)
+        window.SetSize(view.ViewSize)
+        window.SetMultiSamples(0)
+        window.AddRenderer(renderer)
+
+        def in_paraview(frame, view=view):
+            look_from(view, [120 + frame, 90, 180])
+            simple.Render(view)
+            view.GetRenderWindow().WaitForCompletion()
+
+        def in_plain_vtk(_, window=window):
+            window.Render()
+            window.WaitForCompletion()
+
+        times = median_ms({"ParaView": in_paraview, "VTK": in_plain_vtk}, 9)
+        grabber = vtkWindowToImageFilter()
+        grabber.SetInput(window)
+        grabber.Update()
+        differing = relevo.differing(relevo.picture(view), relevo.pixels(grabber.GetOutput()))
+        row(name, *(f"{each:.0f} ms" for each in times.values()), differing)
+        window.Finalize()
+        simple.Delete(view)
+
+
+def displaced(path):
+    """512 x 512 heights, scaled anew or seen from elsewhere in every frame."""
+    simple.LoadPlugin(relevo.find_plugin("EmbossingRepresentations"), remote=False, ns=globals())
+    y, x = numpy.mgrid[:512, :512] / 511 - 0.5
+    waves = (numpy.sin(12 * x) * numpy.cos(9 * y) + 1) / 2
+    relevo.write_png(path, (65535 * waves).astype(numpy.uint16))
+    fine = simple.Calculator(
+        Input=simple.Plane(XResolution=511, YResolution=511),
+        Function="(sin(12*coordsX)*cos(9*coordsY)+1)/2",
+    )
+    coarse = simple.Plane(XResolution=64, YResolution=64)
+    extruded = {"ExtrusionInputDataArray": ["POINTS", "Result"], "ExtrusionNormalizeData": 0}
+    refined = {"Displacement": "Height Map", "MaximumLevel": 3}
+    looks = {
+        "Extrusion Surface": (fine, "Extrusion Surface", extruded),
+        "Adaptive Refinement": (coarse, REFINED, refined),
+        "Adaptive Refinement, level 3 all over": (coarse, REFINED, {**refined, "Metric": "None"}),
+    }
+    scaled, moved, bounds = {}, {}, {}
+    for name, (source, representation, properties) in looks.items():
+        shown, view = shown_in_view(source, representation, **properties)
+        if source is coarse:
+            shown.Displacement.HeightMapFileName = path
+        look_from(view, [0, -1, 1])
+
+        def scale(frame, view=view, shown=shown):
+            if shown.Representation == REFINED:
+                shown.Displacement.Scale = (0.1 + 0.01 * frame) / 65535
+            else:
+                shown.ExtrusionFactor = 10 + frame
+            simple.Render(view)
+
+        def move(frame, view=view):
+            look_from(view, [0.01 * frame, -1, 1])
+            simple.Render(view)
+
+        scaled[name], moved[name] = scale, move
+        bounds[name] = view.GetClientSideObject().GetRenderer().ComputeVisiblePropBounds
+    times = median_ms(scaled), median_ms(moved)
+    for name in looks:
+        heights = " to ".join(f"{height:.3f}" for height in bounds[name]()[4:])
+        row(name, f"{times[0][name]:.0f} ms", f"{times[1][name]:.0f} ms", heights)
 
 
 def raster(way, path):

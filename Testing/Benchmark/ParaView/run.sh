@@ -30,6 +30,22 @@ for ranks in 1 4; do
   measure mpirun --oversubscribe -n $ranks pvbatch "$script" ranks "$pictures"
 done
 echo
+echo "| 4 ranks, camera moving | agreement before a frame | frame |"
+echo "|---|---:|---:|"
+measure mpirun --oversubscribe -n 4 pvbatch "$script" agreement
+echo
+echo "| 2 M faces, 4 ranks | time asked for | frame | triangles | offsets of levels, spread |"
+echo "|---|---:|---:|---:|---:|"
+measure mpirun --oversubscribe -n 4 pvbatch --sym "$script" interactive 1 1.5 2
+echo
+echo "| 1 rank | frame in pvbatch | in plain VTK | pixels over 2 of 255 that differ |"
+echo "|---|---:|---:|---:|"
+measure pvbatch "$script" plain
+echo
+echo "| 512 x 512 heights | frame, another scale | frame, camera moving | bounds, true: 0 to 0.15 |"
+echo "|---|---:|---:|---:|"
+measure pvbatch "$script" displaced "$heights"
+echo
 echo "| 4096 x 4096 heights | first picture | memory |"
 echo "|---|---:|---:|"
 for way in write Relevo ParaView; do
