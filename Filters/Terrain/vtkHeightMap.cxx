@@ -148,6 +148,14 @@ bool vtkHeightMap::Update()
   return this->Grid != nullptr;
 }
 
+void vtkHeightMap::ReleaseHeights()
+{
+  const std::lock_guard<std::recursive_mutex> lock(this->UpdateMutex);
+  this->Clear();
+  this->Description.reset(); // for Update() to open the file again
+  this->UpdateTime = vtkTimeStamp();
+}
+
 bool vtkHeightMap::UpdateInformation()
 {
   const std::lock_guard<std::recursive_mutex> lock(this->UpdateMutex);

@@ -112,6 +112,11 @@ public:
   bool Update() override;
 
   /**
+   * Frees the heights. Until the next Update(), which reads them again, there are none.
+   */
+  void ReleaseHeights();
+
+  /**
    * Opens the file and reads its header: GetFullDimensions(). The file stays open for the next
    * Update(), which does not open it again. Returns false, after an ErrorEvent, when the file
    * cannot be opened.

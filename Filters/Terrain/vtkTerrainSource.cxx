@@ -47,6 +47,7 @@ vtkTerrainSource::vtkTerrainSource()
   , Resolution(128)
   , Exaggeration(1.0)
   , Origin{ 0.0, 0.0, 0.0 }
+  , KeepHeights(true)
   , VerticalUnit(1.0)
 {
   this->SetNumberOfInputPorts(0);
@@ -260,6 +261,10 @@ int vtkTerrainSource::RequestData(
   }
   if (isBuilt)
   {
+    if (!this->KeepHeights)
+    {
+      this->HeightMap->ReleaseHeights();
+    }
     this->UpdateProgress(1.0);
     return 1;
   }
@@ -451,6 +456,7 @@ void vtkTerrainSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumImagerySize: " << this->MaximumImagerySize << "\n";
   os << indent << "Resolution: " << this->Resolution << "\n";
   os << indent << "Exaggeration: " << this->Exaggeration << "\n";
+  os << indent << "KeepHeights: " << (this->KeepHeights ? "On\n" : "Off\n");
   os << indent << "Origin: " << this->Origin[0] << ", " << this->Origin[1] << ", "
      << this->Origin[2] << "\n";
   os << indent << "CoordinateSystem: " << this->CoordinateSystem << "\n";

@@ -158,6 +158,16 @@ public:
   void SetNoDataPolicyToFill();
   //@}
 
+  //@{
+  /**
+   * Whether the height map keeps its heights when the mesh is made, on by default. Off saves their
+   * memory where only the mesh is used; see vtkHeightMap::ReleaseHeights().
+   */
+  vtkSetMacro(KeepHeights, bool);
+  vtkGetMacro(KeepHeights, bool);
+  vtkBooleanMacro(KeepHeights, bool);
+  //@}
+
   /**
    * The relief: direction +z, Scale = Exaggeration (times the metres in the heights' unit),
    * Offset 0. The same object from the start.
@@ -239,6 +249,7 @@ private:
   vtkNew<vtkImageData> Imagery;
   std::unique_ptr<relevo::TerrainFrame> Frame; // null before a successful update
   std::string CoordinateSystem;
+  bool KeepHeights;
   double VerticalUnit; // metres in one unit of the heights
   vtkTimeStamp ImageryTime;
   std::string ImageryState; // the settings that the imagery was made with

@@ -116,6 +116,29 @@ void TestOpenings(RelevoCheck& check, const RelevoTestFolders& folders)
   }
 }
 
+// Heights that are not kept are read by who asks for them, from the file as it then is.
+void TestReleasedHeights(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  const Files files(folders);
+  CHECK(files.Write());
+  vtkNew<vtkTerrainSource> source;
+  vtkHeightMap* heights = source->GetHeightMap();
+  source->SetFileName(files.Name.c_str());
+  source->KeepHeightsOff();
+  CHECK(source->GetExecutive()->Update() == 1);
+  CHECK(source->GetOutput()->GetNumberOfCells() > 0);
+  CHECK(heights->GetDimensions()[0] == 0 && !heights->GetSamples());
+  CHECK(source->GetDisplacement()->Update());
+  ExpectFirst(check, source);
+  heights->ReleaseHeights();
+  files.Replace();
+  CHECK(
+    heights->Update() && heights->GetDimensions()[0] == 12 && heights->GetSamples()[0] == 700.0f);
+  source->SetResolution(3);
+  CHECK(source->GetExecutive()->Update() == 1);
+  CHECK(source->GetOutput()->GetNumberOfCells() == 18 && !heights->GetSamples());
+}
+
 // A file that was missing is found by the next attempt.
 void TestLateFile(RelevoCheck& check, const RelevoTestFolders& folders)
 {
@@ -171,6 +194,7 @@ int TestTerrainSourceOpening(int argc, char* argv[])
   const RelevoTestFolders folders(argc, argv);
   RelevoCheck check;
   TestOpenings(check, folders);
+  TestReleasedHeights(check, folders);
   TestLateFile(check, folders);
   TestMessages(check, folders);
   return check.GetResult();
