@@ -86,23 +86,29 @@ PLAIN = {
 }
 
 
-def curved(metric="Edge Length on Screen", surface="PN Triangles", **properties):
+def curved(surface="PN Triangles", **properties):
     """What differs from PLAIN; dictionaries are properties of what is chosen."""
-    return {"MaximumLevel": 4, "Metric": metric, "Surface": surface, **properties}
+    return {
+        "MaximumLevel": 4,
+        "Metric": "Edge Length on Screen",
+        "of_metric": {"ReferenceLength": 2.0, "Measure": "Projected Length"},
+        "Surface": surface,
+        **properties,
+    }
 
 
 def metric(name, **properties):
-    return curved(name, RefinementColorMode="Metric", of_metric=properties)
+    return curved(Metric=name, RefinementColorMode="Metric", of_metric=properties)
 
 
 CASES = {
     "contour": {
         "flat": {"MaximumLevel": 0},
-        "uniform": {},
+        "uniform": {"Surface": "PN Triangles"},
         "PN": curved(),
-        "Phong": curved(surface="Phong Tessellation"),
-        "G1": curved(surface="G1"),
-        "procedural": curved(surface="Procedural"),
+        "Phong": curved("Phong Tessellation"),
+        "G1": curved("G1"),
+        "procedural": curved("Procedural"),
         "per edge": curved(LevelRule="Per Edge"),
         "whole numbers": curved(SegmentPolicy="Whole Numbers"),
         "displaced": curved(Displacement="Height Map", of_displacement={"Offset": 1.5}),
@@ -120,7 +126,7 @@ CASES = {
     },
     "without normals": {
         "PN": curved(),
-        "G1": curved(surface="G1"),
+        "G1": curved("G1"),
         "displaced": curved(Displacement="Height Map", of_displacement={"Offset": 0.5}),
         "Gaussian": metric("Curvature", CurvatureType="Gaussian"),
     },
