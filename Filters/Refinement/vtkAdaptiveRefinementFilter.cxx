@@ -2,17 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveRefinementFilter.h"
 
+#include "Core/RefinementView.h"
 #include "Core/SettingChecks.h"
 #include "Core/VTKCompatibility.h"
+#include "Core/WholeSurface.h"
 #include "Evaluation/PatternSelection.h"
 #include "Evaluation/RefinedPolyDataBuilder.h"
 #include "Evaluation/RefinementPreparation.h"
 #include "Mesh/RefinementMesh.h"
+#include "Metrics/PieceAgreement.h"
 #include "Metrics/TagSource.h"
 #include "Metrics/ViewTime.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
@@ -57,6 +61,13 @@ void vtkAdaptiveRefinementFilter::SetViewportSize(int width, int height)
   relevo::SetPixelSize(this, "ViewportSize", this->ViewportSize, width, height);
 }
 
+vtkCxxSetSmartPointerMacro(vtkAdaptiveRefinementFilter, Controller, vtkMultiProcessController);
+
+vtkMultiProcessController* vtkAdaptiveRefinementFilter::GetController()
+{
+  return this->Controller;
+}
+
 vtkMTimeType vtkAdaptiveRefinementFilter::GetMTime()
 {
   const vtkMTimeType own = this->Superclass::GetMTime();
@@ -74,16 +85,30 @@ relevo::RefinementView vtkAdaptiveRefinementFilter::MakeView() const
 bool vtkAdaptiveRefinementFilter::Prepare(
   vtkPolyData* input, relevo::RefinementMesh& mesh, relevo::PatternSelection& selection)
 {
+  const std::shared_ptr<relevo::TagSource> source = this->Sources->Find(this, input);
+  const relevo::RefinementView view = this->MakeView();
   std::string error;
   std::string warning;
-  const bool prepared = relevo::PrepareMesh(input, this->Refinement, mesh, error, warning);
+  const bool prepared = relevo::AgreeOnPiece(this->Controller, input, *source,
+    this->Refinement ? this->Refinement->GetMetric() : nullptr, view,
+    [&](relevo::WholeSurface* whole)
+    {
+      if (!relevo::PrepareMesh(input, this->Refinement, whole, mesh, error, warning))
+      {
+        return false;
+      }
+      if (whole)
+      {
+        whole->HasDirections = !mesh.Directions.empty();
+      }
+      return true;
+    });
   if (!warning.empty())
   {
     vtkWarningMacro(<< warning);
   }
   if (!prepared ||
-    !relevo::SelectPatterns(input, this->Refinement, this->MakeView(), mesh,
-      this->Sources->Find(this, input), selection, error))
+    !relevo::SelectPatterns(input, this->Refinement, view, mesh, source, selection, error))
   {
     vtkErrorMacro(<< error);
     return false;
@@ -99,15 +124,18 @@ bool vtkAdaptiveRefinementFilter::Prepare(
 int vtkAdaptiveRefinementFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
-  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  return this->Refine(vtkPolyData::GetData(inputVector[0]), vtkPolyData::GetData(outputVector)) ? 1
+                                                                                                : 0;
+}
+
+bool vtkAdaptiveRefinementFilter::Refine(vtkPolyData* input, vtkPolyData* output)
+{
   relevo::RefinementMesh mesh;
   relevo::PatternSelection selection;
   if (!this->Prepare(input, mesh, selection))
   {
-    return 0;
+    return false;
   }
-
   // Work on the faces in parallel, a part at a time so that progress and abort come through.
   double progress = 0.1;
   const vtkIdType numberOfFaces = static_cast<vtkIdType>(mesh.Faces.size());
@@ -133,7 +161,7 @@ int vtkAdaptiveRefinementFilter::RequestData(
     if (!builder.Build(output))
     {
       output->Initialize();
-      return 1;
+      return true;
     }
     for (const std::string& name : builder.GetShortArrays())
     {
@@ -144,10 +172,10 @@ int vtkAdaptiveRefinementFilter::RequestData(
   {
     output->Initialize();
     vtkErrorMacro("Not enough memory for " << selection.GetNumberOfTriangles() << " triangles.");
-    return 0;
+    return false;
   }
   this->UpdateProgress(1.0);
-  return 1;
+  return true;
 }
 
 void vtkAdaptiveRefinementFilter::PrintSelf(ostream& os, vtkIndent indent)
@@ -156,6 +184,7 @@ void vtkAdaptiveRefinementFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Refinement: " << this->Refinement.Get() << "\n";
   os << indent << "Camera: " << this->Camera.Get() << "\n";
   os << indent << "ModelToWorld: " << this->ModelToWorld.Get() << "\n";
+  os << indent << "Controller: " << this->Controller.Get() << "\n";
   os << indent << "ViewportSize: " << this->ViewportSize[0] << " x " << this->ViewportSize[1]
      << "\n";
 }

@@ -30,7 +30,7 @@
  * are not finite, points that no cell uses are left out as well.
  *
  * Cells whose vtkGhostType says that another piece has them (DUPLICATECELL) count as neighbours and
- * are left out.
+ * are left out, with the points that no other cell uses.
  *
  * Errors: no recipe, no cells, cells that refer to missing points, depth-tags or texture
  * coordinates that cannot be used, a metric or height map that fails, not enough memory. The output
@@ -51,6 +51,7 @@
 class vtkAdaptiveRefinement;
 class vtkCamera;
 class vtkMatrix4x4;
+class vtkMultiProcessController;
 
 namespace relevo
 {
@@ -101,6 +102,18 @@ public:
   vtkMatrix4x4* GetModelToWorld();
   //@}
 
+  //@{
+  /**
+   * The processes that have the other pieces of the surface; none, the default, means that the
+   * input is all of it. What depends on the whole is then agreed on, so that the pieces fit: all
+   * processes update the filter, for as many blocks, and one may have no cells. Each piece needs
+   * two layers of ghost cells (DUPLICATECELL), and points that lie in the same order on all
+   * processes: vtkPAdaptiveRefinementFilter sees to both.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  //@}
+
   /**
    * Latest change of the filter, its recipe or, for metrics that depend on them, Camera and
    * ModelToWorld.
@@ -114,8 +127,12 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
+  /// RequestData() for one mesh: false after an ErrorEvent.
+  bool Refine(vtkPolyData* input, vtkPolyData* output);
+
   vtkSmartPointer<vtkAdaptiveRefinement> Refinement;
   vtkSmartPointer<vtkCamera> Camera;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkSmartPointer<vtkMatrix4x4> ModelToWorld;
   int ViewportSize[2] = { 300, 300 };
 

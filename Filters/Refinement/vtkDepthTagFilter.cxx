@@ -9,6 +9,7 @@
 #include "Mesh/SurfaceEdges.h"
 #include "Metrics/DepthTags.h"
 #include "Metrics/MetricMesh.h"
+#include "Metrics/PieceAgreement.h"
 #include "Metrics/TagSource.h"
 #include "Metrics/ViewTime.h"
 #include "vtkCellArray.h"
@@ -18,6 +19,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -105,6 +107,13 @@ vtkMatrix4x4* vtkDepthTagFilter::GetModelToWorld()
   return this->ModelToWorld;
 }
 
+vtkCxxSetSmartPointerMacro(vtkDepthTagFilter, Controller, vtkMultiProcessController);
+
+vtkMultiProcessController* vtkDepthTagFilter::GetController()
+{
+  return this->Controller;
+}
+
 void vtkDepthTagFilter::SetViewportSize(int width, int height)
 {
   relevo::SetPixelSize(this, "ViewportSize", this->ViewportSize, width, height);
@@ -132,35 +141,42 @@ vtkMTimeType vtkDepthTagFilter::GetMTime()
 int vtkDepthTagFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  return this->AddTags(vtkPolyData::GetData(inputVector[0]), vtkPolyData::GetData(outputVector))
+    ? 1
+    : 0;
+}
+
+bool vtkDepthTagFilter::AddTags(vtkPolyData* input, vtkPolyData* output)
+{
   output->Initialize();
+  relevo::AgreeOnPiece(this->Controller, input, *this->Sources->Find(this, input), this->Metric,
+    this->MakeView(), [](relevo::WholeSurface*) { return true; });
 
   vtkNew<vtkFloatArray> tags;
   tags->SetName(DepthTagName);
   if (!(this->Metric ? this->ComputeTags(input, tags) : this->TakeTags(input, tags)))
   {
-    return 0;
+    return false;
   }
   this->UpdateProgress(0.5);
   relevo::UniteTags(relevo::ComputePlaces(input->GetPoints()), tags->GetPointer(0));
   this->UpdateProgress(0.7);
   if (relevo::IsAborted(this))
   {
-    return 1;
+    return true;
   }
 
   vtkNew<vtkIntArray> edgeLevels;
   edgeLevels->SetName(EdgeLevelsName);
   if (!this->ComputeEdgeLevels(input, tags->GetPointer(0), edgeLevels))
   {
-    return 0;
+    return false;
   }
 
   output->ShallowCopy(input);
   output->GetPointData()->AddArray(tags);
   output->GetCellData()->AddArray(edgeLevels);
-  return 1;
+  return true;
 }
 
 bool vtkDepthTagFilter::ComputeTags(vtkPolyData* input, vtkFloatArray* tags)
@@ -247,6 +263,7 @@ void vtkDepthTagFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Metric: " << this->Metric.Get() << "\n";
   os << indent << "Camera: " << this->Camera.Get() << "\n";
   os << indent << "ModelToWorld: " << this->ModelToWorld.Get() << "\n";
+  os << indent << "Controller: " << this->Controller.Get() << "\n";
   os << indent << "ViewportSize: " << this->ViewportSize[0] << " x " << this->ViewportSize[1]
      << "\n";
   os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";

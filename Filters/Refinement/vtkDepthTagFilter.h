@@ -40,6 +40,7 @@ class vtkCamera;
 class vtkFloatArray;
 class vtkIntArray;
 class vtkMatrix4x4;
+class vtkMultiProcessController;
 class vtkPolyData;
 
 namespace relevo
@@ -111,6 +112,16 @@ public:
   void SetLevelRuleToPerEdge() { this->SetLevelRule(vtkDepthTagMetric::PER_EDGE); }
   //@}
 
+  //@{
+  /**
+   * The processes that have the other pieces of the surface; none, the default, means that the
+   * input is all of it. See vtkAdaptiveRefinementFilter::SetController() for what pieces must have,
+   * and vtkPDepthTagFilter.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  //@}
+
   /**
    * Latest change of the filter, its metric or, where the metric depends on them, Camera and
    * ModelToWorld.
@@ -124,8 +135,12 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
+  /// RequestData() for one mesh: false after an ErrorEvent.
+  bool AddTags(vtkPolyData* input, vtkPolyData* output);
+
   vtkSmartPointer<vtkDepthTagMetric> Metric;
   vtkSmartPointer<vtkCamera> Camera;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkSmartPointer<vtkMatrix4x4> ModelToWorld;
   int ViewportSize[2] = { 300, 300 };
   int MaximumLevel = 3;

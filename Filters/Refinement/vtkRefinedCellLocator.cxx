@@ -176,7 +176,7 @@ bool vtkRefinedCellLocator::Prepare(vtkPolyData* input)
   dependencies.AddObject(this->Refinement.Get());
   if (data.MeshDependencies.Update(dependencies))
   {
-    valid = relevo::PrepareMesh(input, this->Refinement, data.Mesh, error, warning);
+    valid = relevo::PrepareMesh(input, this->Refinement, nullptr, data.Mesh, error, warning);
     if (!valid)
     {
       data.Mesh = relevo::RefinementMesh(); // half made, to be tried anew

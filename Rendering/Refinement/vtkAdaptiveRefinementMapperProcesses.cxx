@@ -3,12 +3,10 @@
 // What the mappers of several processes agree on, each of which has pieces of the same surfaces.
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
-#include "Core/LocalPoints.h"
+#include "Core/ProcessReduction.h"
 #include "Core/WholeSurface.h"
-#include "Metrics/MetricEvaluator.h"
-#include "Metrics/SurfaceShape.h"
+#include "Metrics/PieceAgreement.h"
 #include "Metrics/TagSource.h"
-#include "State/ProcessReduction.h"
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDepthTagMetric.h"
@@ -23,25 +21,6 @@
 #include <set>
 #include <utility>
 #include <vector>
-
-namespace
-{
-// The box of a piece becomes that of the whole.
-void Unite(relevo::FiniteBox& box, const relevo::PieceReduction& pieces)
-{
-  std::vector<double> limits;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    limits.insert(limits.end(), { -box.Low[axis], box.High[axis] });
-  }
-  pieces.TakeLargest(limits);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    box.Low[axis] = -limits[2 * axis];
-    box.High[axis] = limits[2 * axis + 1];
-  }
-}
-}
 
 std::map<unsigned int, vtkAdaptiveRefinementMapper*>
 vtkAdaptiveRefinementMapper::vtkInternals::FindParts(vtkAdaptiveRefinementMapper* mapper)
@@ -82,28 +61,18 @@ void vtkAdaptiveRefinementMapper::vtkInternals::AgreeOnWhole(vtkAdaptiveRefineme
   {
     *whole = *state.GetWhole();
   }
-  whole->PointBox = relevo::MeasurePoints(mesh->GetPoints());
   whole->HasDirections = false;
-  Unite(whole->PointBox, pieces);
+  relevo::AgreeOnPoints(mesh, pieces, *whole);
   state.SetWhole(std::make_shared<relevo::WholeSurface>(*whole)); // what it is built by
 
   if (part && !part->UpdateMesh())
   {
     mesh = empty;
   }
-  std::vector<double> directions(1, state.GetMesh().Directions.empty() ? 0.0 : 1.0);
-  pieces.TakeLargest(directions);
-  whole->HasDirections = directions[0] > 0.0;
-
+  whole->HasDirections = !state.GetMesh().Directions.empty();
   relevo::TagSource source; // what is known of an invalid mesh is not to be asked for
-  relevo::TagSource& tags = mesh == empty ? source : state.GetTagSource();
-  whole->CornerBox = relevo::GetShape(tags.GetMesh(mesh)).GetOwnBoxes().CornerBox;
-  Unite(whole->CornerBox, pieces);
-  whole->Numbers.clear();
-  if (vtkDepthTagMetric* metric = recipe->GetMetric())
-  {
-    tags.GetEvaluator(metric, mesh).ShareNumbers(view, pieces, *whole);
-  }
+  relevo::AgreeOnShape(mesh, mesh == empty ? source : state.GetTagSource(), recipe->GetMetric(),
+    view, pieces, *whole);
   state.SetWhole(whole);
 }
 

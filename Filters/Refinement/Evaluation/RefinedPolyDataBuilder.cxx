@@ -73,9 +73,11 @@ bool RefinedPolyDataBuilder::Build(vtkPolyData* output)
   {
     return false;
   }
-  // Holes leave points that nothing uses; points that are not finite are of no use.
+  // Holes and ghosts leave points that nothing uses; points that are not finite are of no use.
   const auto isFinite = [](float x) { return std::isfinite(x); };
-  if (this->Finder || !std::all_of(this->Mesh.Points.begin(), this->Mesh.Points.end(), isFinite))
+  const vtkIdType numberOfCells = this->Input->GetNumberOfCells();
+  if (this->Finder || numberOfCells == 0 || GhostCells(this->Input).AreAmong(0, numberOfCells) ||
+    !std::all_of(this->Mesh.Points.begin(), this->Mesh.Points.end(), isFinite))
   {
     this->NumberUsedPoints();
   }
@@ -185,8 +187,11 @@ void RefinedPolyDataBuilder::NumberUsedPoints()
 std::vector<vtkIdType> RefinedPolyDataBuilder::MarkPointsOfOtherCells() const
 {
   std::vector<vtkIdType> marks(static_cast<size_t>(this->Input->GetNumberOfPoints()), -1);
-  MarkPoints(this->Input->GetVerts(), marks);
-  MarkPoints(this->Input->GetLines(), marks);
+  vtkNew<vtkPolyData> own;
+  own->ShallowCopy(this->Input);
+  EmptyGhosts(this->Input, own);
+  MarkPoints(own->GetVerts(), marks);
+  MarkPoints(own->GetLines(), marks);
   return marks;
 }
 

@@ -79,10 +79,10 @@ std::string FindNewShortfall(vtkAdaptiveRefinement* recipe, std::string& last)
   return std::exchange(last, shortfall) == shortfall ? std::string() : shortfall;
 }
 
-bool PrepareMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe, RefinementMesh& mesh,
-  std::string& error, std::string& warning)
+bool PrepareMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe, const WholeSurface* whole,
+  RefinementMesh& mesh, std::string& error, std::string& warning)
 {
-  if (recipe && input->GetNumberOfCells() == 0)
+  if (recipe && !whole && input->GetNumberOfCells() == 0)
   {
     error = "The input has no cells: there is nothing to refine.";
     return false;
@@ -97,7 +97,7 @@ bool PrepareMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe, RefinementMe
     obstacle = recipe->GetSurface()->GetEvaluationError();
   }
   error = MakeError(obstacle);
-  return error.empty() && BuildFaces(input, recipe, true, nullptr, mesh, error, warning);
+  return error.empty() && BuildFaces(input, recipe, true, whole, mesh, error, warning);
 }
 
 bool SelectPatterns(vtkPolyData* input, vtkAdaptiveRefinement* recipe, const RefinementView& view,

@@ -54,11 +54,11 @@ RELEVOFILTERSREFINEMENT_EXPORT std::string FindNewShortfall(
 
 //@{
 /**
- * Build the mesh and check the recipe; choose patterns, by tags from a source that the caller
+ * Build the mesh (a piece may have no cells) and check the recipe; choose patterns, by tags from a source that the caller
  * keeps. False, with an error to show the user, when the recipe cannot be applied.
  */
 RELEVOFILTERSREFINEMENT_EXPORT bool PrepareMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
-  RefinementMesh& mesh, std::string& error, std::string& warning);
+  const WholeSurface* whole, RefinementMesh& mesh, std::string& error, std::string& warning);
 RELEVOFILTERSREFINEMENT_EXPORT bool SelectPatterns(vtkPolyData* input,
   vtkAdaptiveRefinement* recipe, const RefinementView& view, const RefinementMesh& mesh,
   const std::shared_ptr<TagSource>& source, PatternSelection& selection, std::string& error);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Metrics/TagSource.h"
 
+#include "Core/WholeSurface.h"
 #include "Metrics/MetricEvaluator.h"
 #include "Metrics/MetricMesh.h"
 #include "vtkAlgorithm.h"
@@ -22,6 +23,10 @@ TagSource::~TagSource() = default;
 
 void TagSource::SetWhole(std::shared_ptr<const WholeSurface> whole)
 {
+  if (whole && this->Whole && *whole == *this->Whole)
+  {
+    return;
+  }
   this->Whole = std::move(whole);
   this->Mesh->SetWhole(this->Whole);
 }

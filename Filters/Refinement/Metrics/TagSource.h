@@ -35,8 +35,11 @@ public:
   TagSource(const TagSource&) = delete;
   void operator=(const TagSource&) = delete;
 
+  //@{
   /// What meshes are pieces of, see MetricMesh::SetWhole().
   void SetWhole(std::shared_ptr<const WholeSurface> whole);
+  const WholeSurface* GetWhole() const { return this->Whole.get(); }
+  //@}
 
   /// The shape of a mesh, as it is.
   MetricMesh& GetMesh(vtkPolyData* mesh);

@@ -110,7 +110,7 @@ void TestSelectionLife(RelevoCheck& check)
     relevo::PatternSelection selection;
     std::string error;
     std::string warning;
-    CHECK(relevo::PrepareMesh(input, recipe, mesh, error, warning));
+    CHECK(relevo::PrepareMesh(input, recipe, nullptr, mesh, error, warning));
     const auto tags = std::make_shared<relevo::TagSource>();
     CHECK(relevo::SelectPatterns(
       input, recipe, relevo::RefinementView(), mesh, tags, selection, error));

@@ -8,12 +8,13 @@
 #define ProcessReduction_h
 
 #include "Core/PieceReduction.h"
+#include "RelevoFiltersRefinementModule.h" // for export macro
 
 class vtkMultiProcessController;
 
 namespace relevo
 {
-class ProcessReduction : public PieceReduction
+class RELEVOFILTERSREFINEMENT_EXPORT ProcessReduction : public PieceReduction
 {
 public:
   explicit ProcessReduction(vtkMultiProcessController* controller)

@@ -12,8 +12,9 @@
 #ifndef SurfacePieces_h
 #define SurfacePieces_h
 
-#include "vtkSmartPointer.h" // for members
-#include "vtkType.h"         // for members
+#include "RelevoParaViewFiltersModule.h" // for export macro
+#include "vtkSmartPointer.h"             // for members
+#include "vtkType.h"                     // for members
 
 #include <vector> // for members
 
@@ -23,7 +24,7 @@ class vtkPolyData;
 
 namespace relevo
 {
-class SurfacePieces
+class RELEVOPARAVIEWFILTERS_EXPORT SurfacePieces
 {
 public:
   /**

@@ -3,10 +3,12 @@
 /**
  * @brief   points and faces in an order that depends on where they lie alone
  *
- * Private to the module.
+ * Not wrapped: for the sources of the plugin.
  */
 #ifndef FaceOrder_h
 #define FaceOrder_h
+
+#include "RelevoParaViewFiltersModule.h" // for export macro
 
 class vtkPolyData;
 
@@ -17,7 +19,7 @@ namespace relevo
  * then their normals), and its polygons by their points, which stay in their order. Other cells
  * stay where they are.
  */
-void SortByPosition(vtkPolyData* mesh);
+RELEVOPARAVIEWFILTERS_EXPORT void SortByPosition(vtkPolyData* mesh);
 }
 
 #endif

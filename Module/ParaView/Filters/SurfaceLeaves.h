@@ -3,7 +3,7 @@
 /**
  * @brief   the surfaces of a tree of data sets, and their pieces
  *
- * Private to the module.
+ * For the sources of the plugin.
  */
 #ifndef SurfaceLeaves_h
 #define SurfaceLeaves_h

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "State/ProcessReduction.h"
+#include "Core/ProcessReduction.h"
 
 #include "vtkCommunicator.h"
 #include "vtkMultiProcessController.h"

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Metrics/PieceAgreement.h"
+
+#include "Core/LocalPoints.h"
+#include "Core/ProcessReduction.h"
+#include "Core/WholeSurface.h"
+#include "Metrics/MetricEvaluator.h"
+#include "Metrics/SurfaceShape.h"
+#include "Metrics/TagSource.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+
+#include <memory>
+#include <vector>
+
+namespace relevo
+{
+namespace
+{
+// The box of a piece becomes that of the whole.
+void Unite(FiniteBox& box, const PieceReduction& pieces)
+{
+  std::vector<double> limits;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    limits.insert(limits.end(), { -box.Low[axis], box.High[axis] });
+  }
+  pieces.TakeLargest(limits);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    box.Low[axis] = -limits[2 * axis];
+    box.High[axis] = limits[2 * axis + 1];
+  }
+}
+}
+
+void AgreeOnPoints(vtkPolyData* piece, const PieceReduction& pieces, WholeSurface& whole)
+{
+  whole.PointBox = MeasurePoints(piece->GetPoints());
+  Unite(whole.PointBox, pieces);
+}
+
+void AgreeOnShape(vtkPolyData* piece, TagSource& source, vtkDepthTagMetric* metric,
+  const RefinementView& view, const PieceReduction& pieces, WholeSurface& whole)
+{
+  std::vector<double> directions(1, whole.HasDirections ? 1.0 : 0.0);
+  pieces.TakeLargest(directions);
+  whole.HasDirections = directions[0] > 0.0;
+  whole.CornerBox = GetShape(source.GetMesh(piece)).GetOwnBoxes().CornerBox;
+  Unite(whole.CornerBox, pieces);
+  whole.Numbers.clear();
+  if (metric)
+  {
+    source.GetEvaluator(metric, piece).ShareNumbers(view, pieces, whole);
+  }
+}
+
+bool AgreeOnPiece(vtkMultiProcessController* controller, vtkPolyData* piece, TagSource& source,
+  vtkDepthTagMetric* metric, const RefinementView& view,
+  const std::function<bool(WholeSurface*)>& prepare)
+{
+  if (!controller || controller->GetNumberOfProcesses() < 2)
+  {
+    source.SetWhole(nullptr);
+    return prepare(nullptr);
+  }
+  const ProcessReduction pieces(controller);
+  WholeSurface whole;
+  if (source.GetWhole())
+  {
+    whole = *source.GetWhole();
+  }
+  whole.HasDirections = false;
+  AgreeOnPoints(piece, pieces, whole);
+  source.SetWhole(std::make_shared<WholeSurface>(whole));
+
+  bool valid = prepare(&whole);
+  const bool hasDirections = whole.HasDirections;
+  vtkNew<vtkPolyData> empty;
+  TagSource none; // what is known of an invalid mesh is not to be asked for
+  AgreeOnShape(valid ? piece : empty.Get(), valid ? source : none, metric, view, pieces, whole);
+  source.SetWhole(std::make_shared<WholeSurface>(whole));
+  if (valid && whole.HasDirections != hasDirections)
+  {
+    valid = prepare(&whole);
+  }
+  return valid;
+}
+}

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPAdaptiveRefinementFilter.h"
+
+#include "PieceFilter.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+namespace
+{
+// From ids of the piece's cells, which the cells still have, to the input's.
+void SetOriginalIds(vtkPolyData* output)
+{
+  vtkCellData* data = output->GetCellData();
+  vtkDataArray* ids = data->GetArray(relevo::PieceFilter::CellIds);
+  vtkDataArray* originals = data->GetArray("vtkOriginalCellIds");
+  if (ids && originals)
+  {
+    originals->DeepCopy(ids);
+    originals->SetName("vtkOriginalCellIds");
+  }
+}
+
+// What was a ghost of others is the process's own mesh now.
+void RemoveFlag(vtkDataSetAttributes* data, unsigned char flag)
+{
+  const char* name = vtkDataSetAttributes::GhostArrayName();
+  auto flags = vtkUnsignedCharArray::SafeDownCast(data->GetAbstractArray(name));
+  if (!flags)
+  {
+    return;
+  }
+  bool hasOthers = false;
+  for (vtkIdType i = 0; i < flags->GetNumberOfValues(); ++i)
+  {
+    const unsigned char left = flags->GetValue(i) & ~flag;
+    flags->SetValue(i, left);
+    hasOthers = hasOthers || left != 0;
+  }
+  if (!hasOthers)
+  {
+    data->RemoveArray(name);
+  }
+}
+}
+
+vtkStandardNewMacro(vtkPAdaptiveRefinementFilter);
+
+vtkPAdaptiveRefinementFilter::vtkPAdaptiveRefinementFilter()
+  : Pieces(new relevo::PieceFilter)
+{
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+}
+
+vtkPAdaptiveRefinementFilter::~vtkPAdaptiveRefinementFilter() = default;
+
+int vtkPAdaptiveRefinementFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  relevo::PieceFilter::FillInput(info);
+  return 1;
+}
+
+int vtkPAdaptiveRefinementFilter::FillOutputPortInformation(int, vtkInformation* info)
+{
+  relevo::PieceFilter::FillOutput(info);
+  return 1;
+}
+
+vtkTypeBool vtkPAdaptiveRefinementFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    return relevo::PieceFilter::MakeOutput(inputVector, outputVector) ? 1 : 0;
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+int vtkPAdaptiveRefinementFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const auto refine = [this](vtkPolyData*, vtkPolyData* piece, vtkPolyData* output)
+  {
+    if (!this->Refine(piece, output))
+    {
+      return false;
+    }
+    SetOriginalIds(output);
+    output->GetCellData()->RemoveArray(relevo::PieceFilter::CellIds);
+    RemoveFlag(output->GetPointData(), vtkDataSetAttributes::DUPLICATEPOINT);
+    RemoveFlag(output->GetCellData(), vtkDataSetAttributes::DUPLICATECELL);
+    return true;
+  };
+  return this->Pieces->Run(inputVector, outputVector, this->Controller, refine) ? 1 : 0;
+}

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPDepthTagFilter.h"
+
+#include "PieceFilter.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkFloatArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace
+{
+// Ids of the points of a mesh; those at one place have the first one's.
+class Places
+{
+public:
+  explicit Places(vtkPolyData* mesh)
+  {
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      Position position;
+      if (GetPosition(mesh, i, position))
+      {
+        this->Ids.emplace(position, i);
+      }
+    }
+  }
+
+  // That of a point of any mesh; -1 where there is none.
+  vtkIdType Find(vtkPolyData* mesh, vtkIdType point) const
+  {
+    Position position;
+    if (!GetPosition(mesh, point, position))
+    {
+      return -1;
+    }
+    const auto found = this->Ids.find(position);
+    return found == this->Ids.end() ? -1 : found->second;
+  }
+
+private:
+  using Position = std::array<double, 3>;
+
+  static bool GetPosition(vtkPolyData* mesh, vtkIdType point, Position& position)
+  {
+    mesh->GetPoint(point, position.data());
+    return std::all_of(position.begin(), position.end(), [](double x) { return std::isfinite(x); });
+  }
+
+  std::map<Position, vtkIdType> Ids;
+};
+
+// Calls f(triangle, i, edge) for the i-th edge of all triangles, by the places of its ends.
+template <typename Function>
+void ForEachEdge(vtkPolyData* mesh, const Places& places, Function&& f)
+{
+  mesh->BuildCells();
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    if (mesh->GetCellType(cell) == VTK_TRIANGLE)
+    {
+      vtkIdType size;
+      const vtkIdType* points;
+      mesh->GetCellPoints(cell, size, points);
+      for (int i = 0; i < 3; ++i)
+      {
+        f(cell, i,
+          std::minmax({ places.Find(mesh, points[i]), places.Find(mesh, points[(i + 1) % 3]) }));
+      }
+    }
+  }
+}
+
+// From a piece with ghosts and an order of its own to what it was made of.
+void CopyTags(vtkPolyData* piece, vtkPolyData* own)
+{
+  const Places places(piece);
+  vtkDataArray* pieceTags = piece->GetPointData()->GetArray("DepthTag");
+  vtkNew<vtkFloatArray> tags;
+  tags->SetName("DepthTag");
+  tags->SetNumberOfValues(own->GetNumberOfPoints());
+  tags->FillValue(0.0f);
+  for (vtkIdType i = 0; i < own->GetNumberOfPoints(); ++i)
+  {
+    const vtkIdType place = places.Find(own, i);
+    if (place >= 0)
+    {
+      tags->SetTuple(i, place, pieceTags);
+    }
+  }
+  own->GetPointData()->AddArray(tags);
+
+  vtkDataArray* pieceLevels = piece->GetCellData()->GetArray("EdgeLevels");
+  std::map<std::pair<vtkIdType, vtkIdType>, double> levelsOfEdges;
+  ForEachEdge(piece, places,
+    [&](vtkIdType cell, int i, const std::pair<vtkIdType, vtkIdType>& edge)
+    { levelsOfEdges[edge] = pieceLevels->GetComponent(cell, i); });
+  vtkNew<vtkIntArray> levels;
+  levels->SetName("EdgeLevels");
+  levels->SetNumberOfComponents(3);
+  levels->SetNumberOfTuples(own->GetNumberOfCells());
+  levels->FillValue(-1);
+  ForEachEdge(own, places,
+    [&](vtkIdType cell, int i, const std::pair<vtkIdType, vtkIdType>& edge)
+    {
+      const auto level = levelsOfEdges.find(edge);
+      levels->SetComponent(cell, i, level == levelsOfEdges.end() ? 0.0 : level->second);
+    });
+  own->GetCellData()->AddArray(levels);
+}
+}
+
+vtkStandardNewMacro(vtkPDepthTagFilter);
+
+vtkPDepthTagFilter::vtkPDepthTagFilter()
+  : Pieces(new relevo::PieceFilter)
+{
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+}
+
+vtkPDepthTagFilter::~vtkPDepthTagFilter() = default;
+
+int vtkPDepthTagFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  relevo::PieceFilter::FillInput(info);
+  return 1;
+}
+
+int vtkPDepthTagFilter::FillOutputPortInformation(int, vtkInformation* info)
+{
+  relevo::PieceFilter::FillOutput(info);
+  return 1;
+}
+
+vtkTypeBool vtkPDepthTagFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    return relevo::PieceFilter::MakeOutput(inputVector, outputVector) ? 1 : 0;
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+int vtkPDepthTagFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const auto addTags = [this](vtkPolyData* own, vtkPolyData* piece, vtkPolyData* output)
+  {
+    vtkNew<vtkPolyData> tagged;
+    if (!this->AddTags(piece, tagged))
+    {
+      return false;
+    }
+    if (own)
+    {
+      output->ShallowCopy(own);
+      output->GetCellData()->RemoveArray(relevo::PieceFilter::CellIds);
+      CopyTags(tagged, output);
+    }
+    return true;
+  };
+  return this->Pieces->Run(inputVector, outputVector, this->Controller, addTags) ? 1 : 0;
+}
