@@ -133,6 +133,8 @@ CASES = {
     "scattered": {
         "flat": {"MaximumLevel": 0},
         "PN": curved(),
+        "mean curvature": metric("Curvature", CurvatureType="Mean"),
+        "outline": metric("Silhouette", Criterion="Contour"),
     },
 }
 

@@ -3,6 +3,7 @@
 #include "SurfacePieces.h"
 
 #include "FaceOrder.h"
+#include "SecondLayer.h"
 #include "SurfaceLeaves.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -174,14 +175,31 @@ struct Surface
 // around it, and these on the faces around them.
 constexpr int NumberOfLayers = 2;
 
-void AddGhosts(vtkPartitionedDataSet* pieces)
+void AddGhosts(vtkPartitionedDataSet* pieces, vtkMultiProcessController* controller)
 {
+  std::vector<vtkSmartPointer<vtkPolyData>> own;
+  for (unsigned int i = 0; i < pieces->GetNumberOfPartitions(); ++i)
+  {
+    own.emplace_back(vtkPolyData::SafeDownCast(pieces->GetPartition(i)));
+  }
+  AddFaceIds(own, controller);
   vtkNew<vtkGhostCellsGenerator> generator;
   generator->SetInputData(pieces);
   generator->BuildIfRequiredOff();
   generator->SetNumberOfGhostLayers(NumberOfLayers);
   generator->Update();
   pieces->ShallowCopy(generator->GetOutputDataObject(0));
+  std::vector<vtkSmartPointer<vtkPolyData>> all;
+  for (unsigned int i = 0; i < pieces->GetNumberOfPartitions(); ++i)
+  {
+    all.emplace_back(vtkPolyData::SafeDownCast(pieces->GetPartition(i)));
+  }
+  CompleteSecondLayer(own, all, controller);
+  for (unsigned int i = 0; i < pieces->GetNumberOfPartitions(); ++i)
+  {
+    all[i]->GetCellData()->RemoveArray(FaceIds);
+    pieces->SetPartition(i, all[i]);
+  }
 }
 
 // When each part of a mesh was last changed, and which it is.
@@ -263,7 +281,7 @@ void SurfacePieces::Make(vtkDataObjectTree* tree, vtkMultiProcessController* con
     }
     if (controller || leaves > 1)
     {
-      AddGhosts(surface.Pieces);
+      AddGhosts(surface.Pieces, controller);
     }
     for (unsigned int i = 0; i < leaves; ++i)
     {

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RegionFaces.h"
 
+#include "CellSubset.h"
 #include "Core/GhostCells.h"
 #include "FaceOrder.h"
 #include "Mesh/FaceBounds.h"
 #include "Mesh/RefinementMesh.h"
 #include "SurfaceLeaves.h"
 #include "vtkAdaptiveRefinement.h"
-#include "vtkAppendPolyData.h"
 #include "vtkCellData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
@@ -158,57 +158,25 @@ std::vector<vtkBoundingBox> ComputeHulls(const std::vector<Surface>& surfaces,
 }
 
 // The cells that a region needs.
-vtkSmartPointer<vtkPolyData> ExtractCells(
+vtkSmartPointer<vtkPolyData> ExtractNeeded(
   const Leaf& leaf, const vtkBoundingBox& region, const vtkBoundingBox& hull)
 {
-  const vtkIdType numberOfCells = leaf.Mesh->GetNumberOfCells();
-  auto cells = vtkSmartPointer<vtkPolyData>::New();
-  cells->ShallowCopy(leaf.Mesh);
-  vtkCellData* data = cells->GetCellData();
-  auto given =
-    vtkUnsignedCharArray::SafeDownCast(data->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  vtkNew<vtkUnsignedCharArray> types;
-  types->SetName("relevoGhostType");
-  types->SetNumberOfValues(numberOfCells);
-  vtkNew<vtkUnsignedCharArray> left; // as VTK takes it
-  left->SetName(vtkDataSetAttributes::GhostArrayName());
-  left->SetNumberOfValues(numberOfCells);
-  for (vtkIdType cell = 0; cell < numberOfCells; ++cell)
+  const std::size_t numberOfCells = leaf.Refined.size();
+  auto given = vtkUnsignedCharArray::SafeDownCast(
+    leaf.Mesh->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  std::vector<unsigned char> types(numberOfCells);
+  std::vector<bool> needed(numberOfCells);
+  for (std::size_t cell = 0; cell < numberOfCells; ++cell)
   {
-    const auto index = static_cast<std::size_t>(cell);
-    const bool isDrawn = leaf.Refined[index].Intersects(region);
-    const bool isNeeded = isDrawn || leaf.Coarse[index].Intersects(hull);
-    const unsigned char type = given ? given->GetValue(cell) : 0;
-    types->SetValue(cell,
-      isDrawn ? type : static_cast<unsigned char>(type | vtkDataSetAttributes::DUPLICATECELL));
-    left->SetValue(cell, isNeeded ? 0 : vtkDataSetAttributes::DUPLICATECELL);
+    const bool isDrawn = leaf.Refined[cell].Intersects(region);
+    needed[cell] = isDrawn || leaf.Coarse[cell].Intersects(hull);
+    types[cell] = given ? given->GetValue(static_cast<vtkIdType>(cell)) : 0;
+    types[cell] |= isDrawn ? 0 : vtkDataSetAttributes::DUPLICATECELL;
   }
-  data->AddArray(types);
-  data->AddArray(left);
-  cells->RemoveGhostCells();
-  data = cells->GetCellData();
-  vtkSmartPointer<vtkAbstractArray> kept = data->GetAbstractArray(types->GetName());
-  data->RemoveArray(types->GetName());
-  kept->SetName(vtkDataSetAttributes::GhostArrayName());
-  data->AddArray(kept);
-  return cells;
-}
-
-vtkSmartPointer<vtkPolyData> Append(const std::vector<vtkSmartPointer<vtkPolyData>>& pieces)
-{
-  vtkNew<vtkAppendPolyData> append;
-  for (vtkPolyData* piece : pieces)
-  {
-    append->AddInputData(piece);
-  }
-  if (pieces.empty())
-  {
-    return nullptr;
-  }
-  append->Update();
-  vtkSmartPointer<vtkPolyData> all = append->GetOutput();
-  all->GetFieldData()->ShallowCopy(pieces.front()->GetFieldData()); // colours of blocks
-  return all;
+  vtkNew<vtkPolyData> mesh;
+  mesh->ShallowCopy(leaf.Mesh);
+  SetGhostTypes(mesh, types);
+  return ExtractCells(mesh, needed);
 }
 
 // What a region needs of this process's surfaces, a block each.
@@ -222,13 +190,13 @@ vtkSmartPointer<vtkMultiBlockDataSet> MakeMessage(
     std::vector<vtkSmartPointer<vtkPolyData>> pieces;
     for (const Leaf& leaf : surfaces[i])
     {
-      vtkSmartPointer<vtkPolyData> piece = leaf.Mesh ? ExtractCells(leaf, region, hull) : nullptr;
+      vtkSmartPointer<vtkPolyData> piece = leaf.Mesh ? ExtractNeeded(leaf, region, hull) : nullptr;
       if (piece && piece->GetNumberOfCells() > 0)
       {
         pieces.push_back(piece);
       }
     }
-    message->SetBlock(static_cast<unsigned int>(i), Append(pieces));
+    message->SetBlock(static_cast<unsigned int>(i), AppendMeshes(pieces));
   }
   return message;
 }
@@ -251,7 +219,7 @@ std::vector<vtkSmartPointer<vtkPolyData>> Unite(
     }
   }
   std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
-  std::transform(pieces.begin(), pieces.end(), std::back_inserter(surfaces), Append);
+  std::transform(pieces.begin(), pieces.end(), std::back_inserter(surfaces), AppendMeshes);
   for (vtkPolyData* surface : surfaces)
   {
     if (surface)
