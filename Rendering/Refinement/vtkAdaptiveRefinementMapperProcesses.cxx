@@ -71,8 +71,8 @@ void vtkAdaptiveRefinementMapper::vtkInternals::AgreeOnWhole(vtkAdaptiveRefineme
   }
   whole->HasDirections = !state.GetMesh().Directions.empty();
   relevo::TagSource source; // what is known of an invalid mesh is not to be asked for
-  relevo::AgreeOnShape(mesh, mesh == empty ? source : state.GetTagSource(), recipe->GetMetric(),
-    view, pieces, *whole);
+  relevo::AgreeOnShape(
+    mesh, mesh == empty ? source : state.GetTagSource(), recipe->GetMetric(), view, pieces, *whole);
   state.SetWhole(whole);
 }
 

@@ -37,37 +37,43 @@ if [ -z "${DISPLAY:-}" ]; then
 fi
 
 names=("$@")
-if [ ${#names[@]} -eq 0 ]; then
-  names=(TestFilters TestProperties TestPackage TestEquivalents TestExamples TestRepresentation
-    TestLooks TestTime TestSettings TestSelection TestBadInput TestRanks TestLICRanks
-    TestTranslucent)
+if [ ${#names[@]} -eq 0 ]; then # those that take long first
+  names=(TestRanks TestFilterRanks TestTranslucent TestLooks TestBadInput TestRepresentation
+    TestLICRanks TestSelection TestTime TestExamples TestSettings TestEquivalents TestProperties
+    TestFilters TestPackage)
 fi
 
 # In a container Open MPI is asked to run as root, and on more ranks than there are processors.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-pictures=$(mktemp --suffix=.npz)
-trap 'rm -f "$pictures"' EXIT
+work_dir=$(mktemp -d)
+trap 'rm -rf "$work_dir"' EXIT
+export source_dir work_dir
+
 run_test() {
   local script=$source_dir/Testing/ParaView/$1.py counts ranks
   case $1 in
     TestRanks) counts="1 2 4 7" ;;
+    TestFilterRanks) counts="1 4 7" ;;
     TestLICRanks | TestTranslucent) counts="1 4" ;;
     TestSelection) counts="1 2" ;;
     *)
-      pvbatch "$script"
+      timeout 300 pvbatch "$script"
       return
       ;;
   esac
   for ranks in $counts; do
-    timeout 300 mpirun --oversubscribe -n $ranks pvbatch "$script" "$pictures" || return 1
+    timeout 300 mpirun --oversubscribe -n $ranks pvbatch "$script" "$work_dir/$1.npz" || return 1
   done
 }
 
-failed=()
-for name in "${names[@]}"; do
-  run_test "$name" || failed+=("$name")
-done
-if [ ${#failed[@]} -gt 0 ]; then
-  echo "failed: ${failed[*]}" >&2
-  exit 1
-fi
+report_test() {
+  local outcome=passed
+  SECONDS=0
+  run_test "$1" >"$work_dir/$1.log" 2>&1 || outcome=failed
+  cat "$work_dir/$1.log"
+  echo "$outcome: $1, $SECONDS s"
+  test $outcome = passed
+}
+export -f run_test report_test
+
+printf '%s\n' "${names[@]}" | xargs -P 2 -I NAME bash -c 'report_test NAME'
