@@ -105,6 +105,26 @@ class TestFilters(relevo.TestCase):
                 mesh.UpdatePipeline()
                 self.assertEqual(mesh.GetDataInformation().GetNumberOfCells(), faces * 4**level)
 
+    def test_settings_act(self):
+        """Those of what is chosen, too."""
+        mesh = simple.AdaptiveRefinement(Input=simple.Sphere(), Metric="Region")
+
+        def changes(proxy, name, value):
+            mesh.UpdatePipeline()
+            information = mesh.GetDataInformation()
+            before = information.GetBounds(), information.GetNumberOfCells()
+            setattr(proxy, name, value)
+            mesh.UpdatePipeline()
+            information = mesh.GetDataInformation()
+            return before != (information.GetBounds(), information.GetNumberOfCells())
+
+        self.assertTrue(changes(mesh.Metric, "Radius", 0.4))
+        self.assertTrue(changes(mesh.Metric, "Center", [0.5, 0, 0]))
+        self.assertTrue(changes(mesh, "MaximumLevel", 4))
+        self.assertTrue(changes(mesh, "Surface", "PN Triangles"))
+        mesh.Displacement = "Height Map"
+        self.assertTrue(changes(mesh.Displacement, "Offset", 0.5))
+
     def test_depth_tags(self):
         """What the filter tags, refinement without a metric takes up."""
         sphere = simple.Sphere(ThetaResolution=16, PhiResolution=12)

@@ -124,7 +124,7 @@ bool PieceFilter::MakeOutput(vtkInformationVector** inputVector, vtkInformationV
   return input != nullptr;
 }
 
-bool PieceFilter::Run(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
+void PieceFilter::Run(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
   vtkMultiProcessController* controller, const Work& work)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
@@ -157,12 +157,14 @@ bool PieceFilter::Run(vtkInformationVector** inputVector, vtkInformationVector* 
   {
     MakeEven(surfaces, ProcessReduction(controller));
   }
-  bool success = true;
   for (Surface& surface : surfaces)
   {
     for (Leaf& leaf : surface)
     {
-      success = work(leaf.Own, leaf.Piece, leaf.Output) && success;
+      if (leaf.Own || hasProcesses)
+      {
+        work(leaf.Own, leaf.Piece, leaf.Output);
+      }
     }
   }
   ForEachNode(tree, surfaces,
@@ -172,6 +174,5 @@ bool PieceFilter::Run(vtkInformationVector** inputVector, vtkInformationVector* 
   {
     output->ShallowCopy(surfaces[0][0].Output);
   }
-  return success;
 }
 }

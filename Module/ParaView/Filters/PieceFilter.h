@@ -36,17 +36,17 @@ public:
 
   /**
    * What makes an output of a piece, which has ghosts, the array CellIds, and an order of its own:
-   * see SurfacePieces. `own` is the piece as the input has it, but
-   * for ghosts of other processes; nullptr where this process has none and only takes part in what
-   * is collective. Returns false after an error.
+   * see SurfacePieces. `own` is the piece as the input has it, but for ghosts of other processes;
+   * nullptr where this process has none and only takes part in what is collective.
    */
-  using Work = std::function<bool(vtkPolyData* own, vtkPolyData* piece, vtkPolyData* output)>;
+  using Work = std::function<void(vtkPolyData* own, vtkPolyData* piece, vtkPolyData* output)>;
 
   /**
    * Call `work` for all pieces, on all processes in the same order. Collective. Without a
-   * controller (nullptr) this process has all pieces. Returns whether there was no error.
+   * controller (nullptr) this process has all pieces. An error leaves its output empty and is no
+   * failure of the filter: the pipeline would then run it again on one process alone.
    */
-  bool Run(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
+  void Run(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
     vtkMultiProcessController* controller, const Work& work);
 
 private:

@@ -3,15 +3,19 @@
 #include "vtkPAdaptiveRefinementFilter.h"
 
 #include "PieceFilter.h"
+#include "vtkAdaptiveRefinement.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDemandDrivenPipeline.h"
+#include "vtkDepthTagMetric.h"
+#include "vtkDisplacement.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkRefinementSurface.h"
 #include "vtkUnsignedCharArray.h"
 
 namespace
@@ -62,6 +66,21 @@ vtkPAdaptiveRefinementFilter::vtkPAdaptiveRefinementFilter()
 
 vtkPAdaptiveRefinementFilter::~vtkPAdaptiveRefinementFilter() = default;
 
+void vtkPAdaptiveRefinementFilter::SetMetric(vtkDepthTagMetric* metric)
+{
+  this->GetRefinement()->SetMetric(metric);
+}
+
+void vtkPAdaptiveRefinementFilter::SetSurface(vtkRefinementSurface* surface)
+{
+  this->GetRefinement()->SetSurface(surface);
+}
+
+void vtkPAdaptiveRefinementFilter::SetDisplacement(vtkDisplacement* displacement)
+{
+  this->GetRefinement()->SetDisplacement(displacement);
+}
+
 int vtkPAdaptiveRefinementFilter::FillInputPortInformation(int, vtkInformation* info)
 {
   relevo::PieceFilter::FillInput(info);
@@ -91,13 +110,13 @@ int vtkPAdaptiveRefinementFilter::RequestData(
   {
     if (!this->Refine(piece, output))
     {
-      return false;
+      return;
     }
     SetOriginalIds(output);
     output->GetCellData()->RemoveArray(relevo::PieceFilter::CellIds);
     RemoveFlag(output->GetPointData(), vtkDataSetAttributes::DUPLICATEPOINT);
     RemoveFlag(output->GetCellData(), vtkDataSetAttributes::DUPLICATECELL);
-    return true;
   };
-  return this->Pieces->Run(inputVector, outputVector, this->Controller, refine) ? 1 : 0;
+  this->Pieces->Run(inputVector, outputVector, this->Controller, refine);
+  return 1;
 }

@@ -20,6 +20,10 @@
 
 #include <memory> // for members
 
+class vtkDepthTagMetric;
+class vtkDisplacement;
+class vtkRefinementSurface;
+
 namespace relevo
 {
 class PieceFilter;
@@ -30,6 +34,15 @@ class RELEVOPARAVIEWFILTERS_EXPORT vtkPAdaptiveRefinementFilter : public vtkAdap
 public:
   static vtkPAdaptiveRefinementFilter* New();
   vtkTypeMacro(vtkPAdaptiveRefinementFilter, vtkAdaptiveRefinementFilter);
+
+  //@{
+  /**
+   * Set them of the recipe, which must be there.
+   */
+  void SetMetric(vtkDepthTagMetric* metric);
+  void SetSurface(vtkRefinementSurface* surface);
+  void SetDisplacement(vtkDisplacement* displacement);
+  //@}
 
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;

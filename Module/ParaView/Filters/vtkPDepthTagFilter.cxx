@@ -163,17 +163,13 @@ int vtkPDepthTagFilter::RequestData(
   const auto addTags = [this](vtkPolyData* own, vtkPolyData* piece, vtkPolyData* output)
   {
     vtkNew<vtkPolyData> tagged;
-    if (!this->AddTags(piece, tagged))
-    {
-      return false;
-    }
-    if (own)
+    if (this->AddTags(piece, tagged) && own)
     {
       output->ShallowCopy(own);
       output->GetCellData()->RemoveArray(relevo::PieceFilter::CellIds);
       CopyTags(tagged, output);
     }
-    return true;
   };
-  return this->Pieces->Run(inputVector, outputVector, this->Controller, addTags) ? 1 : 0;
+  this->Pieces->Run(inputVector, outputVector, this->Controller, addTags);
+  return 1;
 }

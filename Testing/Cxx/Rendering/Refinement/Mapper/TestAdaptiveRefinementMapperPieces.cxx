@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <set>
 
 namespace
 {
@@ -342,6 +343,13 @@ void TestGhosts(RelevoCheck& check, RelevoComparison& comparison)
     }
   }
   CHECK(next == part->GetNumberOfPolys() && next > 0);
+  std::set<vtkIdType> used;
+  for (vtkIdType cell = 0; cell < part->GetNumberOfCells(); ++cell)
+  {
+    part->GetCellPoints(cell, ids);
+    used.insert(ids->begin(), ids->end());
+  }
+  CHECK(static_cast<vtkIdType>(used.size()) == part->GetNumberOfPoints());
 }
 }
 
