@@ -54,8 +54,9 @@ RELEVOFILTERSREFINEMENT_EXPORT std::string FindNewShortfall(
 
 //@{
 /**
- * Build the mesh (a piece may have no cells) and check the recipe; choose patterns, by tags from a source that the caller
- * keeps. False, with an error to show the user, when the recipe cannot be applied.
+ * Build the mesh (a piece may have no cells) and check the recipe; choose patterns, by tags from a
+ * source that the caller keeps. False, with an error to show the user, when the recipe cannot be
+ * applied.
  */
 RELEVOFILTERSREFINEMENT_EXPORT bool PrepareMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
   const WholeSurface* whole, RefinementMesh& mesh, std::string& error, std::string& warning);

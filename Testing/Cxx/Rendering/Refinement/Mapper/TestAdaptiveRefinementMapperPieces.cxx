@@ -307,8 +307,11 @@ void TestGhosts(RelevoCheck& check, RelevoComparison& comparison)
       }
     }
   }
+}
 
-  // Ghosts are neighbours: a part of a surface is curved as the whole is.
+// Ghosts are neighbours: a part of a surface is curved as the whole is.
+void TestGhostNeighbours(RelevoCheck& check)
+{
   vtkNew<vtkPNTriangleSurface> surface;
   auto recipe = MakeRecipe(2, surface);
   Mesh whole = Explode(Sphere(9, 7));
@@ -361,5 +364,6 @@ int TestAdaptiveRefinementMapperPieces(int argc, char* argv[])
   TestRequests<PieceBlocksSource>(check, comparison, "Blocks");
   TestSphere(check, comparison);
   TestGhosts(check, comparison);
+  TestGhostNeighbours(check);
   return check.GetResult();
 }
