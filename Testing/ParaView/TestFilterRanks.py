@@ -34,6 +34,12 @@ VARIATION = {
     "SegmentPolicy": "Whole Numbers",
     "Surface": "G1",
 }
+CASES_OF_SOURCES = {
+    "contour": {**CASES, "variation": VARIATION},
+    "without normals": {case: CASES[case] for case in ("curvature", "displaced")},
+    "scattered": {case: CASES[case] for case in ("uniform", "curvature", "per edge")},
+    "blocks": {"curvature": CASES["curvature"]},
+}
 
 WITHOUT_FIELD = """
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
@@ -115,8 +121,7 @@ def make_sources():
 def make_all():
     results = {}
     for name, source in make_sources().items():
-        cases = {**CASES, "variation": VARIATION} if name == "contour" else CASES
-        for case, properties in cases.items():
+        for case, properties in CASES_OF_SOURCES[name].items():
             triangles = corners(refine(source, properties), ["Field"] if name == "contour" else [])
             results[f"{name}, {case}"] = in_order(triangles)
             results[f"{name}, {case}, open edges"] = numpy.array(count_open_edges(triangles))
