@@ -132,10 +132,12 @@ def agreement():
         _, view = shown_in_view(contour, **properties)
         renderer = view.GetClientSideObject().GetRenderer()
         moments = []
-        # Its own priority is -1.
-        for priority in -0.9, -1.1:
-            observer = lambda *_: moments.append(time.perf_counter())  # noqa: E731
-            renderer.AddObserver("StartEvent", observer, priority)
+
+        def note_time(*_, moments=moments):
+            moments.append(time.perf_counter())
+
+        for priority in -0.9, -1.1:  # its own is -1
+            renderer.AddObserver("StartEvent", note_time, priority)
 
         def move(frame, view=view):
             look_from(view, [120 + frame, 90, 180])
@@ -154,9 +156,12 @@ def interactive(*seconds):
     shown, view = shown_in_view(sphere, **LEVEL_0)
     renderer = view.GetClientSideObject().GetRenderer()
     allowed = [1 / 15]  # what ParaView asks for
+
+    def give_time(*_):
+        renderer.SetAllocatedRenderTime(allowed[-1])
+
     # On all ranks, before they agree on levels.
-    give = lambda *_: renderer.SetAllocatedRenderTime(allowed[-1])  # noqa: E731
-    renderer.AddObserver("StartEvent", give, -0.5)
+    renderer.AddObserver("StartEvent", give_time, -0.5)
 
     def move(frame):
         look_from(view, [0.8, 0.1 * frame, 0.8])
@@ -262,7 +267,7 @@ def displaced(path):
 
         scaled[name], moved[name] = scale, move
         bounds[name] = view.GetClientSideObject().GetRenderer().ComputeVisiblePropBounds
-    times = median_ms(scaled), median_ms(moved)
+    times = median_ms(scaled, 9), median_ms(moved, 9)
     for name in looks:
         heights = " to ".join(f"{height:.3f}" for height in bounds[name]()[4:])
         row(name, f"{times[0][name]:.0f} ms", f"{times[1][name]:.0f} ms", heights)
