@@ -3,6 +3,7 @@
 """Measures the plugin for ParaView; run.sh beside this file says in which order.
 
     [mpirun -n RANKS] pvbatch plugin.py ranks FILE.npz
+    [mpirun -n RANKS] pvbatch plugin.py meshes FILE.npz
     mpirun -n RANKS pvbatch plugin.py agreement
     mpirun -n RANKS pvbatch --sym plugin.py interactive SECONDS...
     pvbatch plugin.py plain
@@ -27,6 +28,7 @@ from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessControlle
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
 import RelevoParaView as relevo
+import TestFilterRanks
 
 RANKS = vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
 RANK = vtkProcessModule.GetProcessModule().GetPartitionId()
@@ -117,6 +119,30 @@ def ranks(path):
     for name, drawn in pictures.items():
         differing = relevo.differing(drawn, expected[name])
         row(RANKS, f"{name}, {faces} faces", differing, f"{times[name]:.0f} ms")
+
+
+def meshes(path):
+    """The refined pieces of all ranks together against the mesh of one rank."""
+    contour = isosurface(30)
+    contour.UpdatePipeline()
+    mesh = simple.AdaptiveRefinement(
+        Input=contour, MaximumLevel=3, Metric="Curvature", Surface="PN Triangles"
+    )
+    start = time.perf_counter()
+    mesh.UpdatePipeline()
+    seconds = time.perf_counter() - start
+    triangles = TestFilterRanks.corners(mesh, [])
+    in_order = TestFilterRanks.in_order(triangles)
+    if RANKS == 1:
+        numpy.savez(path, triangles=in_order)
+    same = numpy.array_equal(in_order, numpy.load(path)["triangles"])
+    row(
+        RANKS,
+        len(triangles),
+        TestFilterRanks.count_open_edges(triangles),
+        "the same" if same else "others",
+        f"{seconds:.1f} s",
+    )
 
 
 def agreement():

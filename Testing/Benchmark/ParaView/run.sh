@@ -30,6 +30,12 @@ for ranks in 1 4; do
   measure mpirun --oversubscribe -n $ranks pvbatch "$script" ranks "$pictures"
 done
 echo
+echo "| ranks | triangles of the filter | open edges | triangles of one rank | filter |"
+echo "|---:|---:|---:|---|---:|"
+for ranks in 1 4; do
+  measure mpirun --oversubscribe -n $ranks pvbatch "$script" meshes "$pictures"
+done
+echo
 echo "| 4 ranks, camera moving | agreement before a frame | frame |"
 echo "|---|---:|---:|"
 measure mpirun --oversubscribe -n 4 pvbatch "$script" agreement
