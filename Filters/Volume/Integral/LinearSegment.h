@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   the shared functions of the volume rendering integral, in C++ and double precision
+ *
+ * Private to the module's own sources.
+ */
+#ifndef LinearSegment_h
+#define LinearSegment_h
+
+#include "Core/RefinementMathematics.h"
+#include "RelevoFiltersVolumeModule.h" // for export macro
+
+namespace relevo
+{
+using Real = double;
+using Real3 = dvec3;
+using Real4 = dvec4;
+
+/**
+ * psi(a, b) = int_0^1 exp(-int_0^t (a (1 - u) + b u) du) dt: the mean, over a segment, of how much
+ * light passes from there to its front. a and b are extinction times length at front and back, at
+ * least 0. Relative error below 1e-13.
+ */
+RELEVOFILTERSVOLUME_EXPORT double linearSegmentPsi(double front, double back);
+
+#include "glsl/relevoLinearSegment.glsl"
+}
+
+#endif

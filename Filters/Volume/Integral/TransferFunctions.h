@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   TransferFunctions
+ * @brief   colour and extinction of scalars, as a vtkVolumeProperty gives them, along a ray
+ *
+ * The functions are taken as they evaluate themselves (colour space, midpoint, sharpness,
+ * clamping), in linear pieces. A part of a ray along which the scalars are linear is cut wherever
+ * one of them passes an end of a piece; on what is left colour and extinction count as linear.
+ *
+ * Independent components: extinction is the sum of theirs, colour the mean by extinction. Two
+ * dependent: colour by the first, extinction by the second. Four dependent: red, green, blue and
+ * opacity, from 0 to 1.
+ *
+ * Private to the module's own sources.
+ */
+#ifndef TransferFunctions_h
+#define TransferFunctions_h
+
+#include "Integral/LinearPieces.h"
+
+#include <array>  // for the scalars
+#include <string> // for messages
+#include <vector> // for members
+
+class vtkVolumeProperty;
+
+namespace relevo
+{
+constexpr int MostComponents = 4;
+using Scalars = std::array<double, MostComponents>;
+
+class RELEVOFILTERSVOLUME_EXPORT TransferFunctions
+{
+public:
+  /**
+   * false with words that follow "The volume property " where the functions cannot be used. Where a
+   * unit distance cannot be, it is taken as 1, and `warning` says so.
+   */
+  bool Read(
+    vtkVolumeProperty* property, int numberOfComponents, std::string& error, std::string& warning);
+
+  /// What is seen of a part of a ray along which the scalars are linear: premultiplied.
+  dvec4 Integrate(const Scalars& front, const Scalars& back, double length) const;
+
+  /// Where one of the functions may bend or jump: as shares of the part, with 0 and 1.
+  std::vector<double> FindCuts(const Scalars& front, const Scalars& back) const;
+
+  /// Straight colour and extinction at the ends of a part that no cut lies in.
+  std::array<dvec4, 2> Evaluate(const Scalars& front, const Scalars& back) const;
+
+private:
+  enum class Mixing
+  {
+    Independent,
+    Two,
+    Four
+  };
+  struct Curve
+  {
+    int Component;
+    double UnitDistance;
+    LinearPieces Pieces;
+  };
+  std::array<dvec4, 2> MixIndependent(const Scalars& front, const Scalars& back) const;
+  static std::array<dvec4, 2> EvaluateCurve(
+    const Curve& curve, const Scalars& front, const Scalars& back);
+
+  Mixing Mode = Mixing::Independent;
+  double UnitDistance = 1.0; // of four dependent components
+  std::vector<Curve> Curves; // colour and extinction; of two dependent, one after the other
+};
+}
+
+#endif

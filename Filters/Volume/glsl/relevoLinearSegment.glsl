@@ -1,0 +1,21 @@
+// The volume rendering integral over a segment of a ray along which colour and extinction are
+// linear. GLSL and C++: the including side says what Real, Real3 and Real4 are (float or double),
+// and gives linearSegmentPsi(). Colours are straight, results premultiplied.
+//
+// K. Moreland, E. Angel, "A Fast High Accuracy Volume Renderer for Unstructured Data", IEEE
+// Symposium on Volume Visualization and Graphics 2004: I = I0 zeta + Cb (psi - zeta) + Cf (1 - psi).
+
+// Front and back: red, green, blue and extinction per length.
+RELEVO_FUNCTION Real4 linearSegment(Real4 front, Real4 back, Real span)
+{
+  Real zeta = exp(-(front.w + back.w) * span / Real(2));
+  Real psi = linearSegmentPsi(front.w * span, back.w * span);
+  return Real4(
+    Real3(front) * (Real(1) - psi) + Real3(back) * (psi - zeta), Real(1) - zeta);
+}
+
+// What is seen of both, premultiplied.
+RELEVO_FUNCTION Real4 frontOverBack(Real4 front, Real4 back)
+{
+  return front + (Real(1) - front.w) * back;
+}
