@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   FaceTree
- * @brief   a bounding volume hierarchy over the faces of a mesh
+ * @brief   a bounding volume hierarchy over the faces, or the cells, of a mesh
  *
  * A binary tree of boxes, split at the median of the longest axis. Faces are visited nearest box
  * first, and no longer once what was found is nearer than the boxes that are left.
  *
- * Private to the module's own sources.
+ * Private to the modules' own sources.
  */
 #ifndef FaceTree_h
 #define FaceTree_h
+
+#include "RelevoFiltersRefinementModule.h" // for export macro
 
 #include <algorithm> // for std::swap
 #include <array>     // for members
@@ -25,7 +27,7 @@ struct FaceBox
 };
 
 /// A segment that boxes are tested against: points Start + t Direction with t in [0, 1].
-struct BoxSegment
+struct RELEVOFILTERSREFINEMENT_EXPORT BoxSegment
 {
   BoxSegment(const double start[3], const double end[3], double margin);
   /// Where the segment enters a box, widened by the margin; more than `last` where it does not
@@ -38,7 +40,7 @@ struct BoxSegment
   double Margin;
 };
 
-class FaceTree
+class RELEVOFILTERSREFINEMENT_EXPORT FaceTree
 {
 public:
   void Build(std::vector<FaceBox> boxes);

@@ -10,8 +10,8 @@ namespace relevo
 {
 namespace
 {
-// What is taken as the value at the end of an interval lies this far inside, as a share of it:
-// where a function jumps, rounding does not decide on which side.
+// The value at the end of an interval is extrapolated from places this far inside, as a share of
+// it: where a function jumps, rounding does not decide on which side.
 constexpr double Inset = 1e-9;
 // 2^12 pieces between two kinks are enough for the steepest curve.
 constexpr int DeepestSplit = 12;
@@ -39,9 +39,10 @@ LinearPieces::LinearPieces(const Function& function, std::vector<double> kinks, 
   {
     const double begin = kinks[i - 1];
     const double end = kinks[i];
+    const auto getEnd = [&](double at, double inset)
+    { return 2.0 * function(at + inset) - function(at + 2.0 * inset); };
     const double inset = Inset * (end - begin);
-    this->Split(
-      function, begin, end, { function(begin + inset), function(end - inset) }, tolerance, 0);
+    this->Split(function, begin, end, { getEnd(begin, inset), getEnd(end, -inset) }, tolerance, 0);
   }
   const dvec4 above = function(kinks.back() + step(kinks.back()));
   this->Pieces.push_back({ above, above });

@@ -129,16 +129,6 @@ double ReadUnitDistance(vtkVolumeProperty* property, int component, std::string&
   warning = text.str();
   return 1.0;
 }
-
-Scalars Interpolate(const Scalars& front, const Scalars& back, double share)
-{
-  Scalars result;
-  for (size_t i = 0; i < result.size(); ++i)
-  {
-    result[i] = (1.0 - share) * front[i] + share * back[i];
-  }
-  return result;
-}
 }
 
 bool TransferFunctions::Read(
@@ -276,8 +266,11 @@ std::array<dvec4, 2> TransferFunctions::EvaluateCurve(
   const double begin = front[curve.Component];
   const double end = back[curve.Component];
   const size_t piece = curve.Pieces.FindPiece(0.5 * begin + 0.5 * end);
-  const dvec4 scale(1.0, 1.0, 1.0, 1.0 / curve.UnitDistance);
-  return { { scale * curve.Pieces.Evaluate(piece, begin),
-    scale * curve.Pieces.Evaluate(piece, end) } };
+  const auto get = [&](double at)
+  {
+    const dvec4 value = max(curve.Pieces.Evaluate(piece, at), dvec4(0.0)); // rounding may be below
+    return dvec4(dvec3(value), value.w / curve.UnitDistance);
+  };
+  return { { get(begin), get(end) } };
 }
 }

@@ -30,6 +30,16 @@ namespace relevo
 constexpr int MostComponents = 4;
 using Scalars = std::array<double, MostComponents>;
 
+inline Scalars Interpolate(const Scalars& front, const Scalars& back, double share)
+{
+  Scalars result;
+  for (size_t i = 0; i < result.size(); ++i)
+  {
+    result[i] = (1.0 - share) * front[i] + share * back[i];
+  }
+  return result;
+}
+
 class RELEVOFILTERSVOLUME_EXPORT TransferFunctions
 {
 public:
@@ -39,6 +49,9 @@ public:
    */
   bool Read(
     vtkVolumeProperty* property, int numberOfComponents, std::string& error, std::string& warning);
+
+  /// Whether the scalars themselves are red, green, blue and opacity.
+  bool AreColors() const { return this->Mode == Mixing::Four; }
 
   /// What is seen of a part of a ray along which the scalars are linear: premultiplied.
   dvec4 Integrate(const Scalars& front, const Scalars& back, double length) const;

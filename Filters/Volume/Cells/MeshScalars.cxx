@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/MeshScalars.h"
+
+#include "Integral/TransferFunctions.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkSmartPointer.h"
+
+#include <sstream>
+
+namespace relevo
+{
+namespace
+{
+std::vector<vtkDataSet*> FindDataSets(vtkDataObject* input)
+{
+  std::vector<vtkDataSet*> sets;
+  const auto add = [&sets](vtkDataObject* object)
+  {
+    vtkDataSet* set = vtkDataSet::SafeDownCast(object);
+    if (set && set->GetNumberOfCells() > 0)
+    {
+      sets.push_back(set);
+    }
+  };
+  add(input);
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    vtkSmartPointer<vtkCompositeDataIterator> leaf;
+    leaf.TakeReference(composite->NewIterator());
+    for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+    {
+      add(leaf->GetCurrentDataObject());
+    }
+  }
+  return sets;
+}
+
+std::string FindFault(const MeshScalars& scalars, const std::string& name, int components)
+{
+  std::ostringstream text;
+  if (!scalars.Array)
+  {
+    text << "has no " << (name.empty() ? "active scalars" : "array \"" + name + "\"")
+         << (components > 0 ? " in one of its blocks" : "")
+         << "; choose an array by SetInputArrayToProcess()";
+    return text.str();
+  }
+  const vtkIdType tuples = scalars.Array->GetNumberOfTuples();
+  const vtkIdType wanted =
+    scalars.AreOfCells ? scalars.Mesh->GetNumberOfCells() : scalars.Mesh->GetNumberOfPoints();
+  const int given = scalars.Array->GetNumberOfComponents();
+  const std::string named = "has an array \"" + name + "\" with ";
+  if (tuples != wanted)
+  {
+    text << named << tuples << " tuples for " << wanted
+         << (scalars.AreOfCells ? " cells" : " points");
+  }
+  else if (given > MostComponents)
+  {
+    text << named << given << " components; there can be 1 to " << MostComponents;
+  }
+  else if (components > 0 && given != components)
+  {
+    text << named << components << " components in one block and " << given << " in another";
+  }
+  return text.str();
+}
+}
+
+bool FindMeshScalars(vtkDataObject* input, const FindArray& find, const std::string& name,
+  std::vector<MeshScalars>& found, std::string& error)
+{
+  found.clear();
+  for (vtkDataSet* set : FindDataSets(input))
+  {
+    int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+    vtkDataArray* array = find(set, association);
+    found.push_back({ set, array, association == vtkDataObject::FIELD_ASSOCIATION_CELLS });
+    const char* own = array ? array->GetName() : nullptr;
+    error = FindFault(found.back(), name.empty() && own ? own : name,
+      found.size() > 1 ? found.front().Array->GetNumberOfComponents() : 0);
+    if (!error.empty())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+}

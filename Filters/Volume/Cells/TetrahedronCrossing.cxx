@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/TetrahedronCrossing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace relevo
+{
+namespace
+{
+// Sines of angles below which a ray is parallel to a face.
+constexpr double Parallel = 1e-14;
+
+struct Plane
+{
+  dvec3 Point;
+  dvec3 Normal;  // of length 1, inwards
+  double Height; // of the corner opposite, more than 0
+
+  Plane(const TetrahedronCorners& corners, int opposite)
+    : Point(corners[(opposite + 1) % 4])
+  {
+    const dvec3 a = corners[(opposite + 2) % 4] - this->Point;
+    const dvec3 b = corners[(opposite + 3) % 4] - this->Point;
+    this->Normal = normalize(cross(a, b));
+    this->Height = dot(corners[opposite] - this->Point, this->Normal);
+    if (this->Height < 0.0)
+    {
+      this->Normal = -this->Normal;
+      this->Height = -this->Height;
+    }
+  }
+};
+}
+
+double ComputeSixfoldVolume(const TetrahedronCorners& corners)
+{
+  return std::abs(
+    dot(corners[1] - corners[0], cross(corners[2] - corners[0], corners[3] - corners[0])));
+}
+
+bool TetrahedronCrossing::Find(const TetrahedronCorners& corners, const Ray& ray, double margin)
+{
+  this->Begin = 0.0;
+  this->End = ray.Length;
+  for (int i = 0; i < 4; ++i)
+  {
+    const Plane plane(corners, i);
+    const double height = dot(ray.Origin - plane.Point, plane.Normal);
+    const double slope = dot(ray.Direction, plane.Normal);
+    if (std::abs(slope) < Parallel)
+    {
+      if (height < -margin)
+      {
+        return false;
+      }
+    }
+    else if (slope > 0.0)
+    {
+      this->Begin = std::max(this->Begin, -height / slope);
+    }
+    else
+    {
+      this->End = std::min(this->End, -height / slope);
+    }
+    // The share of a corner is how high a point is over the face opposite.
+    this->FrontWeights[i] = height / plane.Height;
+    this->BackWeights[i] = slope / plane.Height;
+  }
+  if (!(this->Begin < this->End))
+  {
+    return false;
+  }
+  const auto getWeights = [](const dvec4& rounded)
+  {
+    const dvec4 weights = max(rounded, dvec4(0.0));
+    return weights / (weights.x + weights.y + weights.z + weights.w);
+  };
+  const dvec4 base = this->FrontWeights;
+  const dvec4 slopes = this->BackWeights;
+  this->FrontWeights = getWeights(base + this->Begin * slopes);
+  this->BackWeights = getWeights(base + this->End * slopes);
+  return true;
+}
+}

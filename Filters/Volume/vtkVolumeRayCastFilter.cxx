@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkVolumeRayCastFilter.h"
+
+#include "Cells/MeshScalars.h"
+#include "Cells/VolumeCells.h"
+#include "Core/SettingChecks.h"
+#include "Core/VTKCompatibility.h"
+#include "Rays/Blending.h"
+#include "Rays/PixelRays.h"
+#include "vtkCamera.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <new>
+
+vtkStandardNewMacro(vtkVolumeRayCastFilter);
+
+vtkVolumeRayCastFilter::vtkVolumeRayCastFilter()
+{
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, vtkDataSetAttributes::SCALARS);
+}
+
+vtkVolumeRayCastFilter::~vtkVolumeRayCastFilter() = default;
+
+void vtkVolumeRayCastFilter::SetCamera(vtkCamera* camera)
+{
+  if (this->Camera != camera)
+  {
+    this->Camera = camera;
+    this->Modified();
+  }
+}
+
+vtkCamera* vtkVolumeRayCastFilter::GetCamera()
+{
+  return this->Camera;
+}
+
+void vtkVolumeRayCastFilter::SetVolumeProperty(vtkVolumeProperty* property)
+{
+  if (this->VolumeProperty != property)
+  {
+    this->VolumeProperty = property;
+    this->Modified();
+  }
+}
+
+vtkVolumeProperty* vtkVolumeRayCastFilter::GetVolumeProperty()
+{
+  return this->VolumeProperty;
+}
+
+void vtkVolumeRayCastFilter::SetViewportSize(int width, int height)
+{
+  relevo::SetPixelSize(this, "ViewportSize", this->ViewportSize, width, height);
+}
+
+vtkMTimeType vtkVolumeRayCastFilter::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  time = this->Camera ? std::max(time, this->Camera->GetMTime()) : time;
+  return this->VolumeProperty ? std::max(time, this->VolumeProperty->GetMTime()) : time;
+}
+
+int vtkVolumeRayCastFilter::FillInputPortInformation(int, vtkInformation* information)
+{
+  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  information->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+int vtkVolumeRayCastFilter::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* information = outputVector->GetInformationObject(0);
+  const int extent[6] = { 0, this->ViewportSize[0] - 1, 0, this->ViewportSize[1] - 1, 0, 0 };
+  const double origin[3] = { 0.0, 0.0, 0.0 };
+  const double spacing[3] = { 1.0, 1.0, 1.0 };
+  information->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  information->Set(vtkDataObject::ORIGIN(), origin, 3);
+  information->Set(vtkDataObject::SPACING(), spacing, 3);
+  vtkDataObject::SetPointDataActiveScalarInfo(information, VTK_DOUBLE, 4);
+  return 1;
+}
+
+// Of the mesh, all that it has.
+int vtkVolumeRayCastFilter::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  vtkInformation* information = inputVector[0]->GetInformationObject(0);
+  if (information->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+  {
+    information->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
+      information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), 6);
+  }
+  return 1;
+}
+
+int vtkVolumeRayCastFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkImageData* output = vtkImageData::GetData(outputVector);
+  output->Initialize();
+  if (!this->Camera || !this->VolumeProperty)
+  {
+    vtkErrorMacro("There is no " << (this->Camera ? "volume property: call SetVolumeProperty()."
+                                                  : "camera: call SetCamera()."));
+    return 0;
+  }
+  try
+  {
+    relevo::VolumeCells cells;
+    relevo::TransferFunctions functions;
+    if (!this->Read(vtkDataObject::GetData(inputVector[0]), cells, functions))
+    {
+      return 0;
+    }
+    this->Cast(cells, functions, output);
+    return 1;
+  }
+  catch (const std::bad_alloc&)
+  {
+    output->Initialize();
+    vtkErrorMacro("Not enough memory for the input or for " << this->ViewportSize[0] << " x "
+                                                            << this->ViewportSize[1] << " pixels.");
+    return 0;
+  }
+}
+
+bool vtkVolumeRayCastFilter::Read(
+  vtkDataObject* input, relevo::VolumeCells& cells, relevo::TransferFunctions& functions)
+{
+  vtkInformation* wanted = this->GetInputArrayInformation(0);
+  const std::string name =
+    wanted->Has(vtkDataObject::FIELD_NAME()) ? wanted->Get(vtkDataObject::FIELD_NAME()) : "";
+  std::vector<relevo::MeshScalars> meshes;
+  std::string error;
+  if (!relevo::FindMeshScalars(
+        input,
+        [this](vtkDataSet* mesh, int& association)
+        { return this->GetInputArrayToProcess(0, mesh, association); },
+        name, meshes, error))
+  {
+    vtkErrorMacro("The input " << error << ".");
+    return false;
+  }
+  const int components = meshes.empty() ? 1 : meshes.front().Array->GetNumberOfComponents();
+  std::string warning;
+  if (!functions.Read(this->VolumeProperty, components, error, warning))
+  {
+    vtkErrorMacro("The volume property " << error << ".");
+    return false;
+  }
+  for (const relevo::MeshScalars& mesh : meshes)
+  {
+    const bool areBytes = functions.AreColors() && vtkUnsignedCharArray::SafeDownCast(mesh.Array);
+    cells.Add(mesh.Mesh, mesh.Array, mesh.AreOfCells, areBytes ? 1.0 / 255.0 : 1.0);
+  }
+  if (cells.GetNumberOfSolidCells() == 0 && !meshes.empty())
+  {
+    vtkErrorMacro("The input has cells, but none is 3D.");
+    return false;
+  }
+  cells.Build();
+  if (!warning.empty())
+  {
+    vtkWarningMacro("The volume property " << warning << ".");
+  }
+  if (cells.GetNumberOfBadCells() > 0)
+  {
+    vtkWarningMacro(<< cells.GetNumberOfBadCells() << " of " << cells.GetNumberOfSolidCells()
+                    << " cells have no volume, or points that are not finite; they are left out.");
+  }
+  return true;
+}
+
+void vtkVolumeRayCastFilter::Cast(const relevo::VolumeCells& cells,
+  const relevo::TransferFunctions& functions, vtkImageData* output)
+{
+  const int width = this->ViewportSize[0];
+  const int height = this->ViewportSize[1];
+  const relevo::PixelRays rays(this->Camera, width, height);
+  vtkNew<vtkDoubleArray> colors;
+  colors->SetName("RGBA");
+  colors->SetNumberOfComponents(4);
+  colors->SetNumberOfTuples(static_cast<vtkIdType>(width) * height);
+  double* all = colors->GetPointer(0);
+  for (int row = 0; row < height && !relevo::IsAborted(this); ++row)
+  {
+    this->UpdateProgress(static_cast<double>(row) / height);
+    vtkSMPTools::For(0, width,
+      [&](vtkIdType first, vtkIdType last)
+      {
+        for (int column = static_cast<int>(first); column < last; ++column)
+        {
+          const relevo::dvec4 seen =
+            relevo::BlendComposite(functions, cells.Cross(rays.Make(column, row)));
+          double* color = all + 4 * (static_cast<vtkIdType>(row) * width + column);
+          std::copy(&seen.x, &seen.x + 4, color);
+        }
+      });
+  }
+  if (relevo::IsAborted(this))
+  {
+    return;
+  }
+  output->SetExtent(0, width - 1, 0, height - 1, 0, 0);
+  output->GetPointData()->SetScalars(colors);
+}
+
+void vtkVolumeRayCastFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ViewportSize: " << this->ViewportSize[0] << " " << this->ViewportSize[1] << "\n";
+  os << indent << "Camera: " << this->Camera << "\n";
+  os << indent << "VolumeProperty: " << this->VolumeProperty << "\n";
+}

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RelevoVolumes.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+vtkSmartPointer<vtkUnstructuredGrid> MakeTetrahedra(int n, const RelevoField& field, double low)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> scalars;
+  scalars->SetName("field");
+  const int side = n + 1;
+  for (int i = 0; i < side * side * side; ++i)
+  {
+    const RelevoPoint at = { { static_cast<double>(i % side) / n,
+      static_cast<double>(i / side % side) / n, static_cast<double>(i / side / side) / n } };
+    points->InsertNextPoint(low + at[0], low + at[1], low + at[2]);
+    scalars->InsertNextValue(field(at));
+  }
+  auto mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  mesh->SetPoints(points);
+  mesh->GetPointData()->SetScalars(scalars);
+  // From corner 0 to 7, along one axis after the other in each of their 6 orders.
+  const int steps[6][2] = { { 1, 3 }, { 1, 5 }, { 2, 3 }, { 2, 6 }, { 4, 5 }, { 4, 6 } };
+  for (int cube = 0; cube < n * n * n; ++cube)
+  {
+    const auto corner = [=](int c)
+    {
+      const vtkIdType x = cube % n + c % 2;
+      const vtkIdType y = cube / n % n + c / 2 % 2;
+      const vtkIdType z = cube / n / n + c / 4;
+      return x + side * (y + side * z);
+    };
+    for (const auto& step : steps)
+    {
+      const vtkIdType ids[4] = { corner(0), corner(step[0]), corner(step[1]), corner(7) };
+      mesh->InsertNextCell(VTK_TETRA, 4, ids);
+    }
+  }
+  return mesh;
+}
+
+vtkSmartPointer<vtkVolumeProperty> MakeVolumeProperty(
+  double first, double last, double unitDistance)
+{
+  auto property = vtkSmartPointer<vtkVolumeProperty>::New();
+  property->GetRGBTransferFunction()->AddRGBPoint(0.0, 1.0, 0.0, 0.0);
+  property->GetRGBTransferFunction()->AddRGBPoint(1.0, 0.0, 0.0, 1.0);
+  property->GetScalarOpacity()->RemoveAllPoints();
+  property->GetScalarOpacity()->AddPoint(0.0, first);
+  property->GetScalarOpacity()->AddPoint(1.0, last);
+  property->SetScalarOpacityUnitDistance(unitDistance);
+  return property;
+}
+
+vtkSmartPointer<vtkCamera> MakeCamera(
+  const RelevoPoint& position, const RelevoPoint& focalPoint, double angle)
+{
+  auto camera = vtkSmartPointer<vtkCamera>::New();
+  camera->SetPosition(position.data());
+  camera->SetFocalPoint(focalPoint.data());
+  camera->SetViewAngle(angle);
+  camera->SetClippingRange(1e-6, 100.0);
+  return camera;
+}
+
+std::vector<RelevoColor> Cast(vtkVolumeRayCastFilter* filter)
+{
+  filter->Update();
+  vtkDataArray* colors = filter->GetOutput()->GetPointData()->GetArray("RGBA");
+  std::vector<RelevoColor> result(colors ? colors->GetNumberOfTuples() : 0);
+  for (size_t i = 0; i < result.size(); ++i)
+  {
+    colors->GetTuple(static_cast<vtkIdType>(i), result[i].data());
+  }
+  return result;
+}
+
+std::vector<RelevoColor> Cast(
+  vtkDataObject* mesh, vtkVolumeProperty* property, vtkCamera* camera, int width, int height)
+{
+  vtkNew<vtkVolumeRayCastFilter> filter;
+  filter->SetInputDataObject(mesh);
+  filter->SetVolumeProperty(property);
+  filter->SetCamera(camera);
+  filter->SetViewportSize(width, height);
+  return Cast(filter);
+}
+
+double FindLargestDifference(const std::vector<RelevoColor>& a, const std::vector<RelevoColor>& b)
+{
+  double largest = a.size() == b.size() ? 0.0 : std::numeric_limits<double>::infinity();
+  for (size_t i = 0; i < a.size() && i < b.size(); ++i)
+  {
+    for (int c = 0; c < 4; ++c)
+    {
+      const double difference = std::abs(a[i][c] - b[i][c]);
+      largest = difference <= largest ? largest : difference; // NaN counts
+    }
+  }
+  return largest;
+}
+
+RelevoRay::RelevoRay(vtkCamera* camera, int column, int row, int width, int height)
+{
+  double forward[3];
+  double up[3];
+  double right[3];
+  camera->GetDirectionOfProjection(forward);
+  vtkMath::Cross(forward, camera->GetViewUp(), right);
+  vtkMath::Normalize(right);
+  vtkMath::Cross(right, forward, up);
+  const bool isParallel = camera->GetParallelProjection() != 0;
+  const double half = isParallel
+    ? camera->GetParallelScale()
+    : std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
+  const double x = half * (2.0 * column + 1.0 - width) / height;
+  const double y = half * (2.0 * row + 1.0 - height) / height;
+  for (int c = 0; c < 3; ++c)
+  {
+    const double aside = x * right[c] + y * up[c];
+    this->Origin[c] = camera->GetPosition()[c] + (isParallel ? aside : 0.0);
+    this->Direction[c] = forward[c] + (isParallel ? 0.0 : aside);
+  }
+  vtkMath::Normalize(this->Direction.data());
+}
+
+RelevoPoint RelevoRay::At(double t) const
+{
+  RelevoPoint point;
+  for (int c = 0; c < 3; ++c)
+  {
+    point[c] = this->Origin[c] + t * this->Direction[c];
+  }
+  return point;
+}
+
+bool RelevoRay::CutBox(double low, double high, double& begin, double& end) const
+{
+  begin = 0.0;
+  end = std::numeric_limits<double>::max();
+  for (int c = 0; c < 3; ++c)
+  {
+    const double a = (low - this->Origin[c]) / this->Direction[c];
+    const double b = (high - this->Origin[c]) / this->Direction[c];
+    begin = std::max(begin, std::min(a, b));
+    end = std::min(end, std::max(a, b));
+  }
+  return begin < end;
+}

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Meshes of 3D cells, volume properties, and pictures that vtkVolumeRayCastFilter makes of them.
+#ifndef RelevoVolumes_h
+#define RelevoVolumes_h
+
+#include "vtkCamera.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolumeProperty.h"
+#include "vtkVolumeRayCastFilter.h"
+
+#include <array>
+#include <functional>
+#include <vector>
+
+using RelevoPoint = std::array<double, 3>;
+using RelevoColor = std::array<double, 4>;
+using RelevoField = std::function<double(const RelevoPoint&)>;
+
+// A cube from `low` to low + 1, of n^3 cubes of 6 tetrahedra each, with point scalars "field".
+vtkSmartPointer<vtkUnstructuredGrid> MakeTetrahedra(
+  int n, const RelevoField& field, double low = 0.0);
+
+// Red at 0 to blue at 1, opacity from first to last in between.
+vtkSmartPointer<vtkVolumeProperty> MakeVolumeProperty(
+  double first, double last, double unitDistance = 1.0);
+
+vtkSmartPointer<vtkCamera> MakeCamera(
+  const RelevoPoint& position, const RelevoPoint& focalPoint, double angle = 30.0);
+
+// Row after row; empty where the filter had an error.
+std::vector<RelevoColor> Cast(vtkVolumeRayCastFilter* filter);
+std::vector<RelevoColor> Cast(
+  vtkDataObject* mesh, vtkVolumeProperty* property, vtkCamera* camera, int width, int height);
+
+double FindLargestDifference(const std::vector<RelevoColor>& a, const std::vector<RelevoColor>& b);
+
+// The ray through a pixel, by the camera's angles rather than matrices.
+struct RelevoRay
+{
+  RelevoRay(vtkCamera* camera, int column, int row, int width, int height);
+
+  RelevoPoint At(double t) const;
+  // Where it is inside a box of equal sides: false where it misses. Not before t = 0.
+  bool CutBox(double low, double high, double& begin, double& end) const;
+
+  RelevoPoint Origin;
+  RelevoPoint Direction;
+};
+
+#endif

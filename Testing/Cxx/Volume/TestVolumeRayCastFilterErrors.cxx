@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What vtkVolumeRayCastFilter cannot draw is an error of its own, in words that tell what is wrong,
+// with an empty output; what it can leave out is one warning.
+#include "RelevoCheck.h"
+#include "RelevoVolumes.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkExecutive.h"
+#include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+
+#include <cmath>
+#include <limits>
+
+namespace
+{
+struct Scene
+{
+  vtkSmartPointer<vtkUnstructuredGrid> Mesh =
+    MakeTetrahedra(1, [](const RelevoPoint& p) { return p[0]; });
+  vtkSmartPointer<vtkVolumeProperty> Property = MakeVolumeProperty(0.5, 1.0);
+  vtkNew<vtkVolumeRayCastFilter> Filter;
+
+  Scene()
+  {
+    this->Filter->SetInputData(this->Mesh);
+    this->Filter->SetVolumeProperty(this->Property);
+    this->Filter->SetCamera(MakeCamera({ { 3.0, 2.0, 1.5 } }, { { 0.5, 0.5, 0.5 } }));
+    this->Filter->SetViewportSize(10, 10);
+  }
+  bool Fails(const std::string& words)
+  {
+    RelevoErrors errors(this->Filter);
+    RelevoErrors executiveErrors(this->Filter->GetExecutive());
+    this->Filter->Modified();
+    this->Filter->Update();
+    return errors.Said(words) && this->Filter->GetOutput()->GetNumberOfPoints() == 0;
+  }
+  // With one warning, or none for an empty text.
+  bool Draws(const std::string& warning)
+  {
+    RelevoErrors errors(this->Filter);
+    const std::vector<RelevoColor> picture = Cast(this->Filter);
+    bool isFinite = picture.size() == 100;
+    bool isSeen = false;
+    for (const RelevoColor& color : picture)
+    {
+      isFinite = isFinite && std::isfinite(color[0]) && std::isfinite(color[3]);
+      isSeen = isSeen || color[3] > 0.01;
+    }
+    return isFinite && isSeen && (warning.empty() ? errors.None() : errors.Warned(warning));
+  }
+};
+
+void TestMissing(RelevoCheck& check)
+{
+  Scene scene;
+  CHECK(scene.Draws(""));
+  scene.Filter->SetCamera(nullptr);
+  CHECK(scene.Fails("call SetCamera()"));
+  Scene second;
+  second.Filter->SetVolumeProperty(nullptr);
+  CHECK(second.Fails("call SetVolumeProperty()"));
+  Scene third;
+  third.Filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "heat");
+  CHECK(third.Fails("has no array \"heat\""));
+  third.Filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "field");
+  CHECK(third.Draws(""));
+  third.Mesh->GetPointData()->Initialize();
+  CHECK(third.Fails("has no array \"field\""));
+  Scene fourth;
+  fourth.Mesh->GetPointData()->Initialize();
+  CHECK(fourth.Fails("has no active scalars"));
+}
+
+void TestArrays(RelevoCheck& check)
+{
+  Scene scene;
+  vtkDataArray* scalars = scene.Mesh->GetPointData()->GetScalars();
+  scalars->SetNumberOfTuples(5);
+  CHECK(scene.Fails("\"field\" with 5 tuples for 8 points"));
+  vtkNew<vtkDoubleArray> five;
+  five->SetName("five");
+  five->SetNumberOfComponents(5);
+  five->SetNumberOfTuples(8);
+  five->Fill(0.5);
+  scene.Mesh->GetPointData()->SetScalars(five);
+  CHECK(scene.Fails("\"five\" with 5 components; there can be 1 to 4"));
+  vtkNew<vtkDoubleArray> three;
+  three->SetName("five");
+  three->SetNumberOfComponents(3);
+  three->SetNumberOfTuples(8);
+  three->Fill(0.5);
+  scene.Mesh->GetPointData()->SetScalars(three);
+  CHECK(scene.Draws(""));
+  scene.Property->IndependentComponentsOff();
+  CHECK(scene.Fails("2 or 4, but the array has 3"));
+  scene.Property->IndependentComponentsOn();
+  scene.Property->GetScalarOpacity(2)->RemoveAllPoints();
+  CHECK(scene.Fails("scalar opacity function without nodes for component 2"));
+
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, scene.Mesh);
+  blocks->SetBlock(1, MakeTetrahedra(1, [](const RelevoPoint&) { return 0.0; }));
+  scene.Filter->SetInputDataObject(blocks);
+  CHECK(scene.Fails("3 components in one block and 1 in another"));
+}
+
+void TestMeshes(RelevoCheck& check)
+{
+  Scene flat;
+  vtkNew<vtkUnstructuredGrid> triangle;
+  triangle->SetPoints(flat.Mesh->GetPoints());
+  triangle->GetPointData()->ShallowCopy(flat.Mesh->GetPointData());
+  const vtkIdType ids[4] = { 0, 1, 2, 2 };
+  triangle->InsertNextCell(VTK_TRIANGLE, 3, ids);
+  flat.Filter->SetInputData(triangle);
+  CHECK(flat.Fails("none is 3D"));
+
+  Scene empty;
+  vtkNew<vtkUnstructuredGrid> nothing;
+  empty.Filter->SetInputData(nothing);
+  RelevoErrors errors(empty.Filter);
+  const auto picture = Cast(empty.Filter);
+  CHECK(picture.size() == 100 && picture[50][3] == 0.0);
+  CHECK(errors.None());
+
+  Scene spoilt;
+  spoilt.Mesh->InsertNextCell(VTK_TETRA, 4, ids);
+  spoilt.Mesh->GetPoints()->InsertNextPoint(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
+  spoilt.Mesh->GetPointData()->GetScalars()->InsertTuple1(8, 0.5);
+  const vtkIdType nan[4] = { 0, 1, 2, 8 };
+  spoilt.Mesh->InsertNextCell(VTK_TETRA, 4, nan);
+  CHECK(spoilt.Draws("2 of 8 cells have no volume"));
+
+  Scene unit;
+  unit.Property->SetScalarOpacityUnitDistance(0.0);
+  const auto expected = Cast(Scene().Filter);
+  CHECK(unit.Draws("ScalarOpacityUnitDistance of 0"));
+  CHECK(FindLargestDifference(Cast(unit.Filter), expected) == 0.0);
+
+  Scene size;
+  RelevoErrors sizeErrors(size.Filter);
+  size.Filter->SetViewportSize(0, 10);
+  CHECK(sizeErrors.Said("ViewportSize must be at least 1 x 1"));
+  CHECK(size.Filter->GetViewportSize()[0] == 10);
+  size.Filter->SetViewportSize(1, 1);
+  CHECK(Cast(size.Filter).size() == 1 && Cast(size.Filter)[0][3] > 0.1);
+}
+}
+
+int TestVolumeRayCastFilterErrors(int, char*[])
+{
+  RelevoCheck check;
+  TestMissing(check);
+  TestArrays(check);
+  TestMeshes(check);
+  return check.GetResult();
+}
