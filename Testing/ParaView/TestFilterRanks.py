@@ -49,6 +49,17 @@ if vtkMultiProcessController.GetGlobalController().GetLocalProcessId() == 1:
     output.GetPointData().RemoveArray("Field")
 """
 
+WITH_IDS = """
+from vtkmodules.vtkCommonCore import vtkIdTypeArray
+output = self.GetPolyDataOutput()
+output.ShallowCopy(self.GetPolyDataInput())
+ids = vtkIdTypeArray()
+ids.SetName("Own")
+for cell in range(output.GetNumberOfCells()):
+    ids.InsertNextValue(cell)
+output.GetCellData().AddArray(ids)
+"""
+
 
 def leaves(source):
     """The meshes of all ranks."""
@@ -151,7 +162,9 @@ def tagged_corners(tags):
 def count_wrong_ids():
     """Refined cells whose vtkOriginalCellIds are not the ids that they had on their rank."""
     source = TestRanks.make_sources()["scattered"][0]
-    numbered = simple.GenerateIds(Input=source, CellIdsArrayName="Own")
+    numbered = simple.ProgrammableFilter(
+        Input=source, OutputDataSetType="vtkPolyData", Script=WITH_IDS
+    )
     wrong = 0
     for mesh in leaves(refine(numbered, CASES["uniform"])):
         own, ids = (mesh.GetCellData().GetArray(name) for name in ("Own", "vtkOriginalCellIds"))

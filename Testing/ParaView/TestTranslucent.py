@@ -27,7 +27,7 @@ def draw(view, *shown, changes=()):
         representations.append(last)
         for name, value in properties.items():
             target, _, setting = name.rpartition(".")
-            setattr(getattr(last, target) if target else last, setting, value)
+            relevo.set_properties(getattr(last, target) if target else last, {setting: value})
     for name, value in changes:
         relevo.picture(view)
         setattr(last, name, value)
