@@ -145,7 +145,8 @@ def make_all():
 def tagged_corners(tags):
     """Like corners(), with tags and the levels of edges; of triangles alone."""
     results = []
-    for mesh in leaves(tags):
+    # As a block: ParaView 6 loses cell data where it puts pieces together one of which is empty.
+    for mesh in leaves(simple.GroupDatasets(Input=[tags])):
         points = vtk_to_numpy(mesh.GetPoints().GetData())
         tag = vtk_to_numpy(mesh.GetPointData().GetArray("DepthTag"))
         levels = mesh.GetCellData().GetArray("EdgeLevels")
