@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/VolumeCells.h"
 
+#include "Cells/CurvedScalars.h"
 #include "Core/FiniteBox.h"
 #include "vtkCell.h"
 #include "vtkDataArray.h"
@@ -20,7 +21,7 @@ namespace relevo
 {
 namespace
 {
-// Of the volume of a cube as long as the longest edge: less is no volume.
+// Of the volume of a cube as long as the longest distance of corners: less is no volume.
 constexpr double LeastVolume = 1e-12;
 // Of the mesh's diagonal; boxes are floats.
 constexpr double BoxMargin = 1e-6;
@@ -35,6 +36,14 @@ bool IsFinite(const Scalars& scalars)
 bool IsFinite(const dvec3& point)
 {
   return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
+}
+
+void AddWeighed(const Scalars& scalars, double weight, Scalars& sum)
+{
+  for (size_t c = 0; c < scalars.size(); ++c)
+  {
+    sum[c] += weight * scalars[c];
+  }
 }
 
 void AddScalars(vtkDataArray* array, double scale, std::vector<Scalars>& all)
@@ -101,144 +110,248 @@ void VolumeCells::Add(vtkDataSet* mesh, vtkDataArray* array, bool isOfCells, dou
 
   const LeftOutCells leftOut(mesh);
   vtkNew<vtkGenericCell> cell;
-  vtkNew<vtkIdList> ids;
+  vtkNew<vtkIdList> split;
   vtkNew<vtkPoints> points;
+  std::vector<vtkIdType> corners;
   for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
   {
     mesh->GetCell(i, cell);
-    if (cell->GetCellDimension() != 3 || leftOut.Has(i, cell->GetPointIds()))
+    vtkIdList* ids = cell->GetPointIds();
+    if (cell->GetCellDimension() != 3 || leftOut.Has(i, ids))
     {
       continue;
     }
-    vtkIdList* corners = cell->GetPointIds();
-    if (cell->GetCellType() != VTK_TETRA)
+    const int type = cell->GetCellType();
+    const CellShape* shape = FindCellShape(type);
+    if (!shape && type != VTK_TETRA)
     {
-      cell->Triangulate(0, ids, points);
-      corners = ids;
+      cell->Triangulate(0, split, points);
+      ids = split;
     }
+    const int size = shape ? shape->NumberOfCorners : 4;
     bool isGood = false;
-    for (vtkIdType j = 0; j + 3 < corners->GetNumberOfIds(); j += 4)
+    for (vtkIdType first = 0; first + size <= ids->GetNumberOfIds(); first += size)
     {
-      const vtkIdType* id = corners->GetPointer(j);
-      isGood |= this->AddTetrahedron(
-        { { { firstPoint + id[0], firstPoint + id[1], firstPoint + id[2], firstPoint + id[3] } },
-          isOfCells ? firstCell + i : -1 });
+      corners.clear();
+      for (int corner = 0; corner < size; ++corner)
+      {
+        corners.push_back(firstPoint + ids->GetId(first + GetCorner(type, corner)));
+      }
+      isGood |= this->AddCell(shape, corners, isOfCells ? firstCell + i : -1);
     }
     this->NumberOfSolidCells++;
     this->NumberOfBadCells += isGood ? 0 : 1;
   }
 }
 
-TetrahedronCorners VolumeCells::GetCorners(const Tetrahedron& cell) const
+int VolumeCells::GetNumberOfCorners(const Cell& cell) const
+{
+  return cell.Shape ? cell.Shape->NumberOfCorners : 4;
+}
+
+vtkIdType VolumeCells::GetCornerId(const Cell& cell, int i) const
+{
+  return this->Corners[cell.FirstCorner + i];
+}
+
+TetrahedronCorners VolumeCells::GetTetrahedron(const Cell& cell) const
 {
   TetrahedronCorners corners;
   for (int i = 0; i < 4; ++i)
   {
-    corners[i] = this->Points[cell.Corners[i]];
+    corners[i] = this->Points[this->GetCornerId(cell, i)];
   }
   return corners;
 }
 
-// Whether it has a volume. What has no scalars there is transparent, and need not be kept.
-bool VolumeCells::AddTetrahedron(const Tetrahedron& cell)
+CurvedCell VolumeCells::GetCurved(const Cell& cell) const
 {
-  const TetrahedronCorners corners = this->GetCorners(cell);
-  double longest = 0.0;
-  for (int i = 0; i < 4; ++i)
+  CurvedCell curved(*cell.Shape);
+  for (int i = 0; i < cell.Shape->NumberOfCorners; ++i)
   {
-    if (!IsFinite(corners[i]))
+    curved.SetCorner(i, this->Points[this->GetCornerId(cell, i)]);
+  }
+  return curved;
+}
+
+// Whether it has a volume. What has no scalars there is transparent, and need not be kept.
+bool VolumeCells::AddCell(
+  const CellShape* shape, const std::vector<vtkIdType>& corners, vtkIdType scalars)
+{
+  const Cell cell = { shape, this->Corners.size(), scalars };
+  this->Corners.insert(this->Corners.end(), corners.begin(), corners.end());
+  const bool hasVolume = this->HasVolume(cell);
+  if (hasVolume && this->HasScalars(cell))
+  {
+    this->Cells.push_back(cell);
+  }
+  else
+  {
+    this->Corners.resize(cell.FirstCorner);
+  }
+  return hasVolume;
+}
+
+bool VolumeCells::HasVolume(const Cell& cell) const
+{
+  double longest = 0.0;
+  for (int i = 0; i < this->GetNumberOfCorners(cell); ++i)
+  {
+    const dvec3& point = this->Points[this->GetCornerId(cell, i)];
+    if (!IsFinite(point))
     {
       return false;
     }
     for (int j = 0; j < i; ++j)
     {
-      longest = std::max(longest, distance(corners[i], corners[j]));
+      longest = std::max(longest, distance(point, this->Points[this->GetCornerId(cell, j)]));
     }
   }
-  if (!(ComputeSixfoldVolume(corners) > LeastVolume * longest * longest * longest))
+  const double volume = cell.Shape ? this->GetCurved(cell).ComputeVolume()
+                                   : ComputeSixfoldVolume(this->GetTetrahedron(cell));
+  return volume > LeastVolume * longest * longest * longest;
+}
+
+bool VolumeCells::HasScalars(const Cell& cell) const
+{
+  if (cell.Scalars >= 0)
   {
-    return false;
+    return IsFinite(this->CellScalars[cell.Scalars]);
   }
-  const bool hasScalars = cell.Cell >= 0
-    ? IsFinite(this->CellScalars[cell.Cell])
-    : std::all_of(cell.Corners.begin(), cell.Corners.end(),
-        [this](vtkIdType point) { return IsFinite(this->PointScalars[point]); });
-  if (hasScalars)
+  for (int i = 0; i < this->GetNumberOfCorners(cell); ++i)
   {
-    this->Tetrahedra.push_back(cell);
+    if (!IsFinite(this->PointScalars[this->GetCornerId(cell, i)]))
+    {
+      return false;
+    }
   }
   return true;
+}
+
+FaceBox VolumeCells::GetBox(const Cell& cell) const
+{
+  dvec3 low;
+  dvec3 high;
+  if (cell.Shape)
+  {
+    this->GetCurved(cell).FindBounds(low, high);
+  }
+  else
+  {
+    const TetrahedronCorners corners = this->GetTetrahedron(cell);
+    low = min(min(corners[0], corners[1]), min(corners[2], corners[3]));
+    high = max(max(corners[0], corners[1]), max(corners[2], corners[3]));
+  }
+  FaceBox rounded;
+  for (int c = 0; c < 3; ++c)
+  {
+    rounded.Low[c] = static_cast<float>(low[c]);
+    rounded.High[c] = static_cast<float>(high[c]);
+  }
+  return rounded;
 }
 
 void VolumeCells::Build()
 {
   FiniteBox box;
-  for (const Tetrahedron& cell : this->Tetrahedra)
+  for (vtkIdType point : this->Corners)
   {
-    for (vtkIdType point : cell.Corners)
-    {
-      box.Add(&this->Points[point].x);
-    }
+    box.Add(&this->Points[point].x);
   }
   this->Center = dvec3(box.GetMiddle(0), box.GetMiddle(1), box.GetMiddle(2));
-  this->Margin = length(dvec3(box.GetSide(0), box.GetSide(1), box.GetSide(2)));
+  this->Diagonal = length(dvec3(box.GetSide(0), box.GetSide(1), box.GetSide(2)));
   for (dvec3& point : this->Points)
   {
     point -= this->Center;
   }
   std::vector<FaceBox> boxes;
-  boxes.reserve(this->Tetrahedra.size());
-  for (const Tetrahedron& cell : this->Tetrahedra)
+  boxes.reserve(this->Cells.size());
+  for (const Cell& cell : this->Cells)
   {
-    const TetrahedronCorners corners = this->GetCorners(cell);
-    const dvec3 low = min(min(corners[0], corners[1]), min(corners[2], corners[3]));
-    const dvec3 high = max(max(corners[0], corners[1]), max(corners[2], corners[3]));
-    FaceBox rounded;
-    for (int c = 0; c < 3; ++c)
-    {
-      rounded.Low[c] = static_cast<float>(low[c]);
-      rounded.High[c] = static_cast<float>(high[c]);
-    }
-    boxes.push_back(rounded);
+    boxes.push_back(this->GetBox(cell));
   }
   this->Tree.Build(std::move(boxes));
 }
 
 void VolumeCells::CrossTetrahedron(
-  const Tetrahedron& cell, const Ray& ray, std::vector<RayPart>& parts) const
+  const Cell& cell, const Ray& ray, std::vector<RayPart>& parts) const
 {
   TetrahedronCrossing crossing;
-  if (!crossing.Find(this->GetCorners(cell), ray, PlaneMargin * this->Margin))
+  if (!crossing.Find(this->GetTetrahedron(cell), ray, PlaneMargin * this->Diagonal))
   {
     return;
   }
   RayPart part = { crossing.Begin, crossing.End, {}, {} };
-  if (cell.Cell >= 0)
+  if (cell.Scalars >= 0)
   {
-    part.Front = part.Back = this->CellScalars[cell.Cell];
+    part.Front = part.Back = this->CellScalars[cell.Scalars];
   }
-  for (int i = 0; i < 4 && cell.Cell < 0; ++i)
+  for (int i = 0; i < 4 && cell.Scalars < 0; ++i)
   {
-    const Scalars& scalars = this->PointScalars[cell.Corners[i]];
-    for (size_t c = 0; c < scalars.size(); ++c)
-    {
-      part.Front[c] += crossing.FrontWeights[i] * scalars[c];
-      part.Back[c] += crossing.BackWeights[i] * scalars[c];
-    }
+    const Scalars& scalars = this->PointScalars[this->GetCornerId(cell, i)];
+    AddWeighed(scalars, crossing.FrontWeights[i], part.Front);
+    AddWeighed(scalars, crossing.BackWeights[i], part.Back);
   }
   parts.push_back(part);
+}
+
+void VolumeCells::CrossCurved(const Cell& cell, const Ray& ray, std::vector<RayPart>& parts) const
+{
+  const CurvedCell curved = this->GetCurved(cell);
+  const std::vector<std::pair<double, double>> inside =
+    curved.FindInside(ray, PlaneMargin * this->Diagonal);
+  if (inside.empty())
+  {
+    return;
+  }
+  if (cell.Scalars >= 0)
+  {
+    const Scalars& scalars = this->CellScalars[cell.Scalars];
+    for (const auto& interval : inside)
+    {
+      parts.push_back({ interval.first, interval.second, scalars, scalars });
+    }
+    return;
+  }
+  std::vector<Scalars> scalars;
+  for (int i = 0; i < cell.Shape->NumberOfCorners; ++i)
+  {
+    scalars.push_back(this->PointScalars[this->GetCornerId(cell, i)]);
+  }
+  dvec3 parameters = curved.GetCenter();
+  const CurvedScalars along(
+    [&](double at)
+    {
+      const CornerWeights weights = curved.GetWeights(ray.Origin + at * ray.Direction, parameters);
+      Scalars sum = {};
+      for (size_t i = 0; i < scalars.size(); ++i)
+      {
+        AddWeighed(scalars[i], weights[i], sum);
+      }
+      return sum;
+    },
+    scalars);
+  for (const auto& interval : inside)
+  {
+    along.Split(interval.first, interval.second, parts);
+  }
 }
 
 std::vector<RayPart> VolumeCells::Cross(const Ray& ray) const
 {
   const Ray moved = { ray.Origin - this->Center, ray.Direction, ray.Length };
   const dvec3 end = moved.Origin + moved.Length * moved.Direction;
-  const BoxSegment segment(&moved.Origin.x, &end.x, BoxMargin * this->Margin);
+  const BoxSegment segment(&moved.Origin.x, &end.x, BoxMargin * this->Diagonal);
   std::vector<RayPart> parts;
   double last = 1.0;
   this->Tree.Visit(
     last, [&](const FaceBox& box, double nearest) { return segment.GetEntry(box, nearest); },
-    [&](int cell) { this->CrossTetrahedron(this->Tetrahedra[cell], moved, parts); });
+    [&](int index)
+    {
+      const Cell& cell = this->Cells[index];
+      cell.Shape ? this->CrossCurved(cell, moved, parts)
+                 : this->CrossTetrahedron(cell, moved, parts);
+    });
   std::sort(parts.begin(), parts.end(),
     [](const RayPart& a, const RayPart& b)
     { return a.Begin < b.Begin || (a.Begin == b.Begin && a.End < b.End); });

@@ -5,14 +5,15 @@
  * @brief   the cells of data sets that rays pass through, with their scalars
  *
  * 3D cells that are neither ghosts nor blanked. Cells with scalars or points that are not finite
- * are left out, and those without volume. Tetrahedra stay as they are, other cells are split into
- * tetrahedra (vtkCell::Triangulate).
+ * are left out, and those without volume. Cells without a CellShape are split into tetrahedra
+ * (vtkCell::Triangulate).
  *
  * Private to the module's own sources.
  */
 #ifndef VolumeCells_h
 #define VolumeCells_h
 
+#include "Cells/CurvedCell.h"
 #include "Cells/Ray.h"
 #include "Cells/TetrahedronCrossing.h"
 #include "Intersection/FaceTree.h"
@@ -47,22 +48,32 @@ public:
   vtkIdType GetNumberOfBadCells() const { return this->NumberOfBadCells; }
 
 private:
-  struct Tetrahedron
+  struct Cell
   {
-    std::array<vtkIdType, 4> Corners;
-    vtkIdType Cell; // of scalars of cells, else -1
+    const CellShape* Shape; // null for tetrahedra
+    size_t FirstCorner;     // in Corners
+    vtkIdType Scalars;      // of cells, else -1
   };
-  TetrahedronCorners GetCorners(const Tetrahedron& cell) const;
-  bool AddTetrahedron(const Tetrahedron& cell);
-  void CrossTetrahedron(const Tetrahedron& cell, const Ray& ray, std::vector<RayPart>& parts) const;
+  int GetNumberOfCorners(const Cell& cell) const;
+  vtkIdType GetCornerId(const Cell& cell, int i) const;
+  TetrahedronCorners GetTetrahedron(const Cell& cell) const;
+  CurvedCell GetCurved(const Cell& cell) const;
+  bool AddCell(const CellShape* shape, const std::vector<vtkIdType>& corners, vtkIdType scalars);
+  bool HasVolume(const Cell& cell) const;
+  bool HasScalars(const Cell& cell) const;
+  FaceBox GetBox(const Cell& cell) const;
+
+  void CrossTetrahedron(const Cell& cell, const Ray& ray, std::vector<RayPart>& parts) const;
+  void CrossCurved(const Cell& cell, const Ray& ray, std::vector<RayPart>& parts) const;
 
   std::vector<dvec3> Points;
   std::vector<Scalars> PointScalars;
   std::vector<Scalars> CellScalars;
-  std::vector<Tetrahedron> Tetrahedra;
+  std::vector<vtkIdType> Corners;
+  std::vector<Cell> Cells;
   FaceTree Tree;             // of cells
   dvec3 Center = dvec3(0.0); // of what points are relative to, once built
-  double Margin = 0.0;
+  double Diagonal = 0.0;
   vtkIdType NumberOfSolidCells = 0;
   vtkIdType NumberOfBadCells = 0;
 };

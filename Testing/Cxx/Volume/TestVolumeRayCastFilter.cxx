@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pictures of meshes of tetrahedra whose scalars are linear in space, against closed forms: along a
 // ray that is in the mesh from one place to another, colour and extinction are linear.
-#include "Integral/LinearSegment.h"
 #include "RelevoCheck.h"
 #include "RelevoVolumes.h"
 
@@ -20,49 +19,15 @@
 
 namespace
 {
-using relevo::dvec4;
-
-double GetField(const RelevoPoint& p)
-{
-  return (0.2 * p[0] + 0.3 * p[1] + 0.5 * p[2]);
-}
-
-// Extinction and colour of MakeVolumeProperty(0.2, 1, 0.5) at a point of the cube that begins at
-// low.
-dvec4 GetOptics(const RelevoRay& ray, double t, double low)
-{
-  const RelevoPoint p = ray.At(t);
-  const double s = GetField({ { p[0] - low, p[1] - low, p[2] - low } });
-  return dvec4(1.0 - s, 0.0, s, (0.2 + 0.8 * s) / 0.5);
-}
-
-std::vector<RelevoColor> MakeExpected(vtkCamera* camera, int width, int height, double low)
-{
-  std::vector<RelevoColor> expected;
-  for (int i = 0; i < width * height; ++i)
-  {
-    const RelevoRay ray(camera, i % width, i / width, width, height);
-    double begin;
-    double end;
-    dvec4 color(0.0);
-    if (ray.CutBox(low, low + 1.0, begin, end))
-    {
-      color =
-        relevo::linearSegment(GetOptics(ray, begin, low), GetOptics(ray, end, low), end - begin);
-    }
-    expected.push_back({ { color.x, color.y, color.z, color.w } });
-  }
-  return expected;
-}
-
 void CheckCube(
   RelevoCheck& check, vtkCamera* camera, int width, int height, double low, double tolerance)
 {
-  const auto property = MakeVolumeProperty(0.2, 1.0, 0.5);
-  const auto picture = Cast(MakeTetrahedra(3, GetField, low), property, camera, width, height);
+  const auto property = MakeLinearProperty();
+  const auto picture =
+    Cast(MakeTetrahedra(3, GetLinearField, low), property, camera, width, height);
   CHECK(picture.size() == static_cast<size_t>(width) * height);
   CHECK_NEAR(
-    FindLargestDifference(picture, MakeExpected(camera, width, height, low)), 0.0, tolerance);
+    FindLargestDifference(picture, MakeLinearPicture(camera, width, height, low)), 0.0, tolerance);
 }
 
 void TestViews(RelevoCheck& check)
@@ -167,7 +132,7 @@ void TestPoints(RelevoCheck& check)
 {
   const auto camera = MakeCamera({ { 3.0, 2.0, 1.5 } }, { { 0.5, 0.5, 0.5 } });
   const auto property = MakeVolumeProperty(0.2, 1.0, 0.5);
-  const auto whole = MakeTetrahedra(2, GetField);
+  const auto whole = MakeTetrahedra(2, GetLinearField);
   vtkNew<vtkUnstructuredGrid> less;
   less->SetPoints(whole->GetPoints());
   less->GetPointData()->ShallowCopy(whole->GetPointData());
@@ -202,7 +167,7 @@ void TestBlocks(RelevoCheck& check)
 {
   const auto camera = MakeCamera({ { 3.0, 2.0, 1.5 } }, { { 0.5, 0.5, 0.5 } });
   const auto property = MakeVolumeProperty(0.2, 1.0, 0.5);
-  const auto whole = MakeTetrahedra(3, GetField);
+  const auto whole = MakeTetrahedra(3, GetLinearField);
   const auto expected = Cast(whole, property, camera, 30, 30);
   vtkNew<vtkMultiBlockDataSet> blocks;
   vtkNew<vtkIdList> ids;
@@ -264,7 +229,7 @@ void TestChanges(RelevoCheck& check)
   const auto camera = MakeCamera({ { 3.0, 2.0, 1.5 } }, { { 0.5, 0.5, 0.5 } });
   const auto property = MakeVolumeProperty(0.2, 1.0, 0.5);
   vtkNew<vtkVolumeRayCastFilter> filter;
-  filter->SetInputData(MakeTetrahedra(2, GetField));
+  filter->SetInputData(MakeTetrahedra(2, GetLinearField));
   filter->SetCamera(camera);
   filter->SetVolumeProperty(property);
   filter->SetViewportSize(20, 20);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RelevoVolumes.h"
 
+#include "Integral/LinearSegment.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
@@ -14,6 +15,48 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+namespace
+{
+using relevo::dvec4;
+
+// Of the linear field's property, at a place of the cube that begins at low.
+dvec4 GetOptics(const RelevoRay& ray, double t, double low)
+{
+  const RelevoPoint p = ray.At(t);
+  const double s = GetLinearField({ { p[0] - low, p[1] - low, p[2] - low } });
+  return dvec4(1.0 - s, 0.0, s, (0.2 + 0.8 * s) / 0.5);
+}
+}
+
+double GetLinearField(const RelevoPoint& at)
+{
+  return 0.2 * at[0] + 0.3 * at[1] + 0.5 * at[2];
+}
+
+vtkSmartPointer<vtkVolumeProperty> MakeLinearProperty()
+{
+  return MakeVolumeProperty(0.2, 1.0, 0.5);
+}
+
+std::vector<RelevoColor> MakeLinearPicture(vtkCamera* camera, int width, int height, double low)
+{
+  std::vector<RelevoColor> expected;
+  for (int i = 0; i < width * height; ++i)
+  {
+    const RelevoRay ray(camera, i % width, i / width, width, height);
+    double begin;
+    double end;
+    dvec4 color(0.0);
+    if (ray.CutBox(low, low + 1.0, begin, end))
+    {
+      color =
+        relevo::linearSegment(GetOptics(ray, begin, low), GetOptics(ray, end, low), end - begin);
+    }
+    expected.push_back({ { color.x, color.y, color.z, color.w } });
+  }
+  return expected;
+}
 
 vtkSmartPointer<vtkUnstructuredGrid> MakeTetrahedra(int n, const RelevoField& field, double low)
 {

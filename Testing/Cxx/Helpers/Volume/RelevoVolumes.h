@@ -36,6 +36,13 @@ std::vector<RelevoColor> Cast(
 
 double FindLargestDifference(const std::vector<RelevoColor>& a, const std::vector<RelevoColor>& b);
 
+// A field that is linear in space, from 0 to 1 in a cube of side 1, a property for it, and what is
+// seen of such a cube: along a ray colour and extinction are linear.
+double GetLinearField(const RelevoPoint& at);
+vtkSmartPointer<vtkVolumeProperty> MakeLinearProperty();
+std::vector<RelevoColor> MakeLinearPicture(
+  vtkCamera* camera, int width, int height, double low = 0.0);
+
 // The ray through a pixel, by the camera's angles rather than matrices.
 struct RelevoRay
 {

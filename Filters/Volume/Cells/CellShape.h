@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   CellShape
+ * @brief   shape functions, parameters and faces of cells that stay unsplit
+ *
+ * Private to the module's own sources.
+ */
+#ifndef CellShape_h
+#define CellShape_h
+
+#include "Cells/Ray.h"
+#include "vtkType.h"
+
+#include <array>
+#include <vector>
+
+namespace relevo
+{
+constexpr int MostCorners = 10;
+
+struct CellShape
+{
+  int NumberOfCorners;
+  dvec3 Center; // parameters
+  /// VTK's: a weight for each corner; its derivatives, all by the first parameter before the next.
+  void (*Weigh)(const double parameters[3], double* weights);
+  void (*Derive)(const double parameters[3], double* derivatives);
+  /// How far parameters are outside: at most 0 for those of the cell.
+  double (*GetOutside)(const dvec3& parameters);
+  /// Bilinear faces; of triangles the last corner counts twice.
+  std::vector<std::array<int, 4>> Faces;
+  /// Faces of three corners and the middles of the edges after them.
+  std::vector<std::array<int, 6>> QuadraticFaces;
+};
+
+/// Of a type of VTK; null for cells that are to be split. A voxel is a hexahedron whose corners
+/// come in the order of GetCornerOrder().
+const CellShape* FindCellShape(int type);
+
+/// Which of a cell's points is a corner of its shape.
+int GetCorner(int type, int corner);
+}
+
+#endif

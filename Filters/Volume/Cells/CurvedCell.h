@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   CurvedCell
+ * @brief   a cell by its shape functions: where a ray is inside, and which weights corners have
+ * there
+ *
+ * Private to the module's own sources.
+ */
+#ifndef CurvedCell_h
+#define CurvedCell_h
+
+#include "Cells/CellShape.h"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace relevo
+{
+using CornerWeights = std::array<double, MostCorners>;
+
+class CurvedCell
+{
+public:
+  explicit CurvedCell(const CellShape& shape)
+    : Shape(shape)
+  {
+  }
+  void SetCorner(int i, const dvec3& point) { this->Corners[i] = point; }
+
+  /// Of a box that the cell does not leave.
+  void FindBounds(dvec3& low, dvec3& high) const;
+
+  /// The largest volume of a cube of parameters, without a sign.
+  double ComputeVolume() const;
+
+  /// The parts of the ray in the cell, in order. Those no longer than `shortest` are left out.
+  std::vector<std::pair<double, double>> FindInside(const Ray& ray, double shortest) const;
+
+  /// Weights at a place in the cell; `parameters`, of a place nearby, become those of the place.
+  CornerWeights GetWeights(const dvec3& place, dvec3& parameters) const;
+  const dvec3& GetCenter() const { return this->Shape.Center; }
+
+private:
+  bool Locate(const dvec3& place, dvec3& parameters) const;
+  bool IsInside(const dvec3& place) const;
+  dvec3 At(const dvec3& parameters) const;
+  dmat3 Derive(const dvec3& parameters) const;
+
+  const CellShape& Shape;
+  std::array<dvec3, MostCorners> Corners;
+};
+}
+
+#endif

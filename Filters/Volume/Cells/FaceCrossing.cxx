@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/FaceCrossing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace relevo
+{
+namespace
+{
+// Of a face's parameters: hits next to its border count.
+constexpr double Margin = 1e-6;
+// Triangles of 1/2^12 of a face have at most one hit, which Newton's method finds.
+constexpr int DeepestSplit = 12;
+
+// Two directions across a ray.
+struct Across
+{
+  dvec3 First;
+  dvec3 Second;
+
+  explicit Across(const dvec3& direction)
+  {
+    const dvec3 size = abs(direction);
+    const dvec3 axis = size.x <= size.y && size.x <= size.z ? dvec3(1.0, 0.0, 0.0)
+      : size.y <= size.z                                    ? dvec3(0.0, 1.0, 0.0)
+                                                            : dvec3(0.0, 0.0, 1.0);
+    this->First = normalize(cross(direction, axis));
+    this->Second = cross(direction, this->First);
+  }
+  dvec2 operator()(const dvec3& v) const
+  {
+    return dvec2(dot(v, this->First), dot(v, this->Second));
+  }
+};
+
+double Cross2(const dvec2& a, const dvec2& b)
+{
+  return a.x * b.y - a.y * b.x;
+}
+
+bool IsShare(double u)
+{
+  return u >= -Margin && u <= 1.0 + Margin;
+}
+
+// A quadratic triangle seen along a ray from its origin: across it, and along it.
+struct SeenTriangle
+{
+  std::array<dvec3, 6> Points;
+
+  // At barycentric coordinates.
+  dvec3 At(const dvec3& w) const
+  {
+    dvec3 point(0.0);
+    for (int i = 0; i < 3; ++i)
+    {
+      point += w[i] * (2.0 * w[i] - 1.0) * this->Points[i];
+      point += 4.0 * w[i] * w[(i + 1) % 3] * this->Points[3 + i];
+    }
+    return point;
+  }
+
+  // Newton's method, from inside one of the small triangles.
+  bool Polish(dvec3& w) const
+  {
+    for (int i = 0; i < 8; ++i)
+    {
+      const dvec2 miss(this->At(w));
+      // Exact, as the triangle is quadratic.
+      const double step = 0.25;
+      const dvec2 du = (dvec2(this->At(w + step * dvec3(-1.0, 1.0, 0.0))) -
+                         dvec2(this->At(w - step * dvec3(-1.0, 1.0, 0.0)))) /
+        (2.0 * step);
+      const dvec2 dv = (dvec2(this->At(w + step * dvec3(-1.0, 0.0, 1.0))) -
+                         dvec2(this->At(w - step * dvec3(-1.0, 0.0, 1.0)))) /
+        (2.0 * step);
+      const double area = Cross2(du, dv);
+      if (area == 0.0)
+      {
+        return false;
+      }
+      const double u = -Cross2(miss, dv) / area;
+      const double v = -Cross2(du, miss) / area;
+      w += dvec3(-u - v, u, v);
+    }
+    return std::isfinite(w.x + w.y + w.z) && IsShare(w.x) && IsShare(w.y) && IsShare(w.z);
+  }
+
+  // Whether the hull of a part's Bezier points has the ray in it. Those of its edges are, by the
+  // polar form of quadratics, f(a, b) = 2 P((a + b) / 2) - (P(a) + P(b)) / 2.
+  bool MayHit(const dmat3& part) const
+  {
+    dvec2 low(std::numeric_limits<double>::max());
+    dvec2 high = -low;
+    for (int i = 0; i < 3; ++i)
+    {
+      const dvec3& a = part[i];
+      const dvec3& b = part[(i + 1) % 3];
+      const dvec2 end(this->At(a));
+      const dvec2 middle = 2.0 * dvec2(this->At(0.5 * (a + b))) - 0.5 * (end + dvec2(this->At(b)));
+      low = min(low, min(end, middle));
+      high = max(high, max(end, middle));
+    }
+    const dvec2 margin = Margin * (high - low);
+    return low.x <= margin.x && low.y <= margin.y && high.x >= -margin.x && high.y >= -margin.y;
+  }
+
+  void Find(const dmat3& part, int depth, std::vector<double>& hits) const
+  {
+    if (!this->MayHit(part))
+    {
+      return;
+    }
+    if (depth == DeepestSplit)
+    {
+      dvec3 w = (part[0] + part[1] + part[2]) / 3.0;
+      if (this->Polish(w))
+      {
+        hits.push_back(this->At(w).z);
+      }
+      return;
+    }
+    const dvec3 a = 0.5 * (part[0] + part[1]);
+    const dvec3 b = 0.5 * (part[1] + part[2]);
+    const dvec3 c = 0.5 * (part[2] + part[0]);
+    this->Find(dmat3(part[0], a, c), depth + 1, hits);
+    this->Find(dmat3(part[1], b, a), depth + 1, hits);
+    this->Find(dmat3(part[2], c, b), depth + 1, hits);
+    this->Find(dmat3(a, b, c), depth + 1, hits);
+  }
+};
+}
+
+// Across the ray, 0 = a + u b + v c + u v d: a + v c and b + v d are parallel, which is a quadratic
+// equation for v.
+void CrossBilinearFace(
+  const std::array<dvec3, 4>& corners, const Ray& ray, std::vector<double>& hits)
+{
+  const dvec3 from = corners[0] - ray.Origin;
+  const dvec3 alongU = corners[1] - corners[0];
+  const dvec3 alongV = corners[3] - corners[0];
+  const dvec3 twist = corners[2] - corners[1] - alongV;
+  const Across across(ray.Direction);
+  const dvec2 a = across(from);
+  const dvec2 b = across(alongU);
+  const dvec2 c = across(alongV);
+  const dvec2 d = across(twist);
+  const double square = Cross2(c, d);
+  const double linear = Cross2(a, d) + Cross2(c, b);
+  const double constant = Cross2(a, b);
+  const double discriminant = std::max(linear * linear - 4.0 * square * constant, 0.0);
+  const double q = -0.5 * (linear + std::copysign(std::sqrt(discriminant), linear));
+  for (const double v : { q / square, constant / q })
+  {
+    const dvec2 way = b + v * d;
+    const double u = -dot(a + v * c, way) / dot(way, way);
+    if (IsShare(u) && IsShare(v)) // false for NaN
+    {
+      hits.push_back(dot(from + u * alongU + v * alongV + u * v * twist, ray.Direction));
+    }
+  }
+}
+
+void CrossQuadraticFace(
+  const std::array<dvec3, 6>& points, const Ray& ray, std::vector<double>& hits)
+{
+  const Across across(ray.Direction);
+  SeenTriangle seen;
+  for (size_t i = 0; i < points.size(); ++i)
+  {
+    const dvec3 from = points[i] - ray.Origin;
+    seen.Points[i] = dvec3(across(from), dot(from, ray.Direction));
+  }
+  seen.Find(dmat3(1.0), 0, hits);
+}
+}

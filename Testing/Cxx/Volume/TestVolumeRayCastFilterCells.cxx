@@ -1,0 +1,296 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Cells by VTK's shape functions. Distorted as they may be, they give a linear field as it is; what
+// they make of other fields, and where they end, is that of many small tetrahedra in them.
+#include "RelevoCheck.h"
+#include "RelevoDice.h"
+#include "RelevoVolumes.h"
+
+#include "vtkCell.h"
+#include "vtkCellType.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace
+{
+// A cube of side 1 of n^3 cubes, whose inner points are moved, filled with cells.
+class DistortedCube
+{
+public:
+  DistortedCube(int n, double distortion)
+    : Side(n + 1)
+    , Distortion(distortion / n)
+  {
+    this->Mesh->SetPoints(this->Points);
+    this->Points->SetDataTypeToDouble();
+    for (int i = 0; i < this->Side * this->Side * this->Side; ++i)
+    {
+      this->AddPoint({ { static_cast<double>(i % this->Side) / n,
+        static_cast<double>(i / this->Side % this->Side) / n,
+        static_cast<double>(i / this->Side / this->Side) / n } });
+    }
+  }
+
+  vtkSmartPointer<vtkUnstructuredGrid> Fill(const std::vector<int>& types)
+  {
+    const int n = this->Side - 1;
+    for (int cube = 0; cube < n * n * n; ++cube)
+    {
+      std::array<vtkIdType, 8> corners;
+      for (int c = 0; c < 8; ++c)
+      {
+        corners[c] = cube % n + c % 2 +
+          this->Side * (cube / n % n + c / 2 % 2 + this->Side * (cube / n / n + c / 4));
+      }
+      this->FillCube(types[cube % types.size()], corners);
+    }
+    vtkNew<vtkDoubleArray> scalars;
+    scalars->SetName("field");
+    for (vtkIdType i = 0; i < this->Points->GetNumberOfPoints(); ++i)
+    {
+      RelevoPoint point;
+      this->Points->GetPoint(i, point.data());
+      scalars->InsertNextValue(GetLinearField(point));
+    }
+    this->Mesh->GetPointData()->SetScalars(scalars);
+    return this->Mesh;
+  }
+
+private:
+  vtkIdType AddPoint(RelevoPoint point)
+  {
+    const bool isInner =
+      std::all_of(point.begin(), point.end(), [](double x) { return x > 1e-9 && x < 1.0 - 1e-9; });
+    for (double& x : point)
+    {
+      x += isInner ? this->Distortion * this->Dice.Signed() : 0.0;
+    }
+    return this->Points->InsertNextPoint(point.data());
+  }
+
+  vtkIdType AddMiddle(const std::vector<vtkIdType>& points)
+  {
+    RelevoPoint middle = {};
+    for (vtkIdType id : points)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        middle[c] += this->Points->GetPoint(id)[c] / points.size();
+      }
+    }
+    return this->AddPoint(middle);
+  }
+
+  vtkIdType GetEdge(vtkIdType a, vtkIdType b)
+  {
+    const auto edge = std::minmax(a, b);
+    auto found = this->Edges.find(edge);
+    if (found == this->Edges.end())
+    {
+      found = this->Edges.emplace(edge, this->AddMiddle({ a, b })).first;
+    }
+    return found->second;
+  }
+
+  void Insert(int type, const std::array<vtkIdType, 8>& corners, std::vector<vtkIdType> ids)
+  {
+    for (vtkIdType& id : ids)
+    {
+      id = corners[id];
+    }
+    this->Mesh->InsertNextCell(type, static_cast<vtkIdType>(ids.size()), ids.data());
+  }
+
+  void FillCube(int type, const std::array<vtkIdType, 8>& c)
+  {
+    if (type == VTK_HEXAHEDRON)
+    {
+      this->Insert(type, c, { 0, 1, 3, 2, 4, 5, 7, 6 });
+    }
+    else if (type == VTK_VOXEL)
+    {
+      this->Insert(type, c, { 0, 1, 2, 3, 4, 5, 6, 7 });
+    }
+    else if (type == VTK_WEDGE)
+    {
+      this->Insert(type, c, { 0, 1, 3, 4, 5, 7 });
+      this->Insert(type, c, { 0, 3, 2, 4, 7, 6 });
+    }
+    else if (type == VTK_PYRAMID)
+    {
+      const vtkIdType top = this->AddMiddle({ c[0], c[7] });
+      const int faces[6][4] = { { 0, 1, 3, 2 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 3, 7, 6 },
+        { 0, 2, 6, 4 }, { 1, 3, 7, 5 } };
+      for (const auto& face : faces)
+      {
+        const vtkIdType ids[5] = { c[face[0]], c[face[1]], c[face[2]], c[face[3]], top };
+        this->Mesh->InsertNextCell(type, 5, ids);
+      }
+    }
+    else if (type == VTK_QUADRATIC_TETRA)
+    {
+      const int steps[6][2] = { { 1, 3 }, { 1, 5 }, { 2, 3 }, { 2, 6 }, { 4, 5 }, { 4, 6 } };
+      for (const auto& step : steps)
+      {
+        const vtkIdType p[4] = { c[0], c[step[0]], c[step[1]], c[7] };
+        const vtkIdType ids[10] = { p[0], p[1], p[2], p[3], this->GetEdge(p[0], p[1]),
+          this->GetEdge(p[1], p[2]), this->GetEdge(p[2], p[0]), this->GetEdge(p[0], p[3]),
+          this->GetEdge(p[1], p[3]), this->GetEdge(p[2], p[3]) };
+        this->Mesh->InsertNextCell(type, 10, ids);
+      }
+    }
+  }
+
+  vtkSmartPointer<vtkUnstructuredGrid> Mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vtkNew<vtkPoints> Points;
+  std::map<std::pair<vtkIdType, vtkIdType>, vtkIdType> Edges;
+  RelevoDice Dice{ 7 };
+  int Side;
+  double Distortion;
+};
+
+void TestDistorted(RelevoCheck& check)
+{
+  const std::vector<std::pair<std::vector<int>, double>> fillings = { { { VTK_VOXEL }, 0.0 },
+    { { VTK_HEXAHEDRON }, 0.25 }, { { VTK_WEDGE }, 0.2 }, { { VTK_PYRAMID }, 0.1 },
+    { { VTK_QUADRATIC_TETRA }, 0.04 }, { { VTK_PYRAMID, VTK_HEXAHEDRON }, 0.15 } };
+  const auto property = MakeLinearProperty();
+  const auto oblique = MakeCamera({ { 3.0, 2.0, 1.5 } }, { { 0.5, 0.5, 0.5 } });
+  const auto inside = MakeCamera({ { 0.4, 0.5, 0.6 } }, { { 3.0, 1.0, 0.0 } }, 80.0);
+  const auto along = MakeCamera({ { 0.5, 0.5, 4.0 } }, { { 0.5, 0.5, 0.5 } });
+  along->ParallelProjectionOn();
+  along->SetParallelScale(11.0 / 24.0); // rays 1/12 apart, some in faces where they are flat
+  for (const auto& filling : fillings)
+  {
+    const auto mesh = DistortedCube(3, filling.second).Fill(filling.first);
+    CHECK_NEAR(FindLargestDifference(
+                 Cast(mesh, property, oblique, 24, 18), MakeLinearPicture(oblique, 24, 18)),
+      0.0, 1e-5); // next to tops of pyramids, where shape functions are singular
+    CHECK_NEAR(FindLargestDifference(
+                 Cast(mesh, property, inside, 12, 12), MakeLinearPicture(inside, 12, 12)),
+      0.0, 1e-5);
+    CHECK_NEAR(
+      FindLargestDifference(Cast(mesh, property, along, 11, 11), MakeLinearPicture(along, 11, 11)),
+      0.0, 1e-8);
+  }
+}
+
+// The cell in many small tetrahedra.
+vtkSmartPointer<vtkUnstructuredGrid> Divide(vtkUnstructuredGrid* mesh)
+{
+  vtkCell* cell = mesh->GetCell(0);
+  vtkDataArray* scalars = mesh->GetPointData()->GetScalars();
+  const auto small = MakeTetrahedra(24, [](const RelevoPoint&) { return 0.0; });
+  for (vtkIdType i = 0; i < small->GetNumberOfPoints(); ++i)
+  {
+    RelevoPoint p;
+    small->GetPoint(i, p.data());
+    if (cell->GetCellType() == VTK_WEDGE)
+    {
+      p[1] *= 1.0 - p[0];
+    }
+    else if (cell->GetCellType() == VTK_QUADRATIC_TETRA)
+    {
+      p[1] *= 1.0 - p[0];
+      p[2] *= 1.0 - p[0] - p[1];
+    }
+    int part = 0;
+    double place[3];
+    double weights[10];
+    cell->EvaluateLocation(part, p.data(), place, weights);
+    small->GetPoints()->SetPoint(i, place);
+    double scalar = 0.0;
+    for (vtkIdType j = 0; j < cell->GetNumberOfPoints(); ++j)
+    {
+      scalar += weights[j] * scalars->GetComponent(cell->GetPointId(static_cast<int>(j)), 0);
+    }
+    small->GetPointData()->GetScalars()->SetComponent(i, 0, scalar);
+  }
+  return small;
+}
+
+// One cell with random points and scalars: its border and its field are curved.
+void TestCurved(RelevoCheck& check)
+{
+  RelevoDice dice(3);
+  const auto property = MakeVolumeProperty(0.0, 1.0, 0.5);
+  const auto camera = MakeCamera({ { 1.7, 1.1, 1.9 } }, { { 0.4, 0.4, 0.4 } });
+  const auto compare = [&](int type, std::vector<RelevoPoint> corners, double distortion)
+  {
+    vtkNew<vtkUnstructuredGrid> mesh;
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    vtkNew<vtkDoubleArray> scalars;
+    vtkNew<vtkIdList> ids;
+    for (RelevoPoint& corner : corners)
+    {
+      for (double& x : corner)
+      {
+        x += distortion * dice.Signed();
+      }
+      ids->InsertNextId(points->InsertNextPoint(corner.data()));
+      scalars->InsertNextValue(0.3 + 0.7 * dice.Share());
+    }
+    mesh->SetPoints(points);
+    mesh->GetPointData()->SetScalars(scalars);
+    mesh->InsertNextCell(type, ids);
+    vtkNew<vtkVolumeRayCastFilter> divided;
+    divided->SetInputData(Divide(mesh));
+    divided->SetVolumeProperty(property);
+    divided->SetCamera(camera);
+    divided->SetViewportSize(21, 21);
+    RelevoErrors warnings(divided); // of tetrahedra at tops and edges
+    CHECK_NEAR(
+      FindLargestDifference(Cast(mesh, property, camera, 21, 21), Cast(divided)), 0.0, 2e-3);
+  };
+  compare(VTK_HEXAHEDRON,
+    { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 1, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } },
+      { { 1, 0, 1 } }, { { 1, 1, 1 } }, { { 0, 1, 1 } } },
+    0.2);
+  compare(VTK_WEDGE,
+    { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } }, { { 1, 0, 1 } },
+      { { 0, 1, 1 } } },
+    0.15);
+  compare(VTK_PYRAMID,
+    { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 1, 0 } }, { { 0, 1, 0 } }, { { 0.5, 0.5, 1 } } },
+    0.15);
+  compare(VTK_QUADRATIC_TETRA,
+    { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } }, { { 0.5, 0, 0 } },
+      { { 0.5, 0.5, 0 } }, { { 0, 0.5, 0 } }, { { 0, 0, 0.5 } }, { { 0.5, 0, 0.5 } },
+      { { 0, 0.5, 0.5 } } },
+    0.08);
+}
+
+// Split by VTK, which is no matter where faces are flat.
+void TestSplit(RelevoCheck& check)
+{
+  const auto cube = DistortedCube(1, 0.0).Fill({ VTK_VOXEL });
+  vtkNew<vtkUnstructuredGrid> mesh;
+  mesh->SetPoints(cube->GetPoints());
+  mesh->GetPointData()->ShallowCopy(cube->GetPointData());
+  const vtkIdType faces[] = { 4, 0, 2, 3, 1, 4, 4, 5, 7, 6, 4, 0, 1, 5, 4, 4, 2, 6, 7, 3, 4, 0, 4,
+    6, 2, 4, 1, 3, 7, 5 };
+  const vtkIdType ids[8] = { 0, 1, 2, 3, 4, 5, 6, 7 };
+  mesh->InsertNextCell(VTK_POLYHEDRON, 8, ids, 6, faces);
+  const auto camera = MakeCamera({ { 3.0, 2.0, 1.5 } }, { { 0.5, 0.5, 0.5 } });
+  const auto picture = Cast(mesh, MakeLinearProperty(), camera, 30, 30);
+  CHECK_NEAR(FindLargestDifference(picture, MakeLinearPicture(camera, 30, 30)), 0.0, 1e-12);
+}
+}
+
+int TestVolumeRayCastFilterCells(int, char*[])
+{
+  RelevoCheck check;
+  TestDistorted(check);
+  TestCurved(check);
+  TestSplit(check);
+  return check.GetResult();
+}
