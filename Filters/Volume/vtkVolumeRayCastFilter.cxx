@@ -9,6 +9,7 @@
 #include "Rays/Blending.h"
 #include "Rays/PixelRays.h"
 #include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
@@ -69,6 +70,26 @@ vtkVolumeProperty* vtkVolumeRayCastFilter::GetVolumeProperty()
 void vtkVolumeRayCastFilter::SetViewportSize(int width, int height)
 {
   relevo::SetPixelSize(this, "ViewportSize", this->ViewportSize, width, height);
+}
+
+void vtkVolumeRayCastFilter::SetVectorMode(int mode)
+{
+  relevo::SetInRange(this, "VectorMode", this->VectorMode, mode, static_cast<int>(DISABLED),
+    static_cast<int>(COMPONENT));
+}
+
+void vtkVolumeRayCastFilter::SetVectorComponent(int component)
+{
+  relevo::SetInRange(
+    this, "VectorComponent", this->VectorComponent, component, 0, relevo::MostComponents - 1);
+}
+
+bool vtkVolumeRayCastFilter::TakesLength()
+{
+  return this->VectorMode == MAGNITUDE ||
+    (this->VectorMode == DISABLED && this->VolumeProperty->GetColorChannels() == 3 &&
+      this->VolumeProperty->GetRGBTransferFunction()->GetVectorMode() ==
+        vtkScalarsToColors::MAGNITUDE);
 }
 
 vtkMTimeType vtkVolumeRayCastFilter::GetMTime()
@@ -149,20 +170,31 @@ bool vtkVolumeRayCastFilter::Read(
   vtkInformation* wanted = this->GetInputArrayInformation(0);
   const std::string name =
     wanted->Has(vtkDataObject::FIELD_NAME()) ? wanted->Get(vtkDataObject::FIELD_NAME()) : "";
+  relevo::ScalarChoice choice;
+  choice.Component = this->TakesLength() ? relevo::ScalarChoice::Length
+    : this->VectorMode == COMPONENT      ? this->VectorComponent
+                                         : relevo::ScalarChoice::All;
+  const bool takesAll = choice.Component == relevo::ScalarChoice::All;
   std::vector<relevo::MeshScalars> meshes;
   std::string error;
   if (!relevo::FindMeshScalars(
         input,
         [this](vtkDataSet* mesh, int& association)
         { return this->GetInputArrayToProcess(0, mesh, association); },
-        name, meshes, error))
+        name, takesAll ? relevo::MostComponents : VTK_INT_MAX, meshes, error))
   {
     vtkErrorMacro("The input " << error << ".");
     return false;
   }
   const int components = meshes.empty() ? 1 : meshes.front().Array->GetNumberOfComponents();
+  if (!meshes.empty() && choice.Component >= components)
+  {
+    vtkErrorMacro("VectorComponent is " << choice.Component << ", but the array has " << components
+                                        << " components.");
+    return false;
+  }
   std::string warning;
-  if (!functions.Read(this->VolumeProperty, components, error, warning))
+  if (!functions.Read(this->VolumeProperty, takesAll ? components : 1, error, warning))
   {
     vtkErrorMacro("The volume property " << error << ".");
     return false;
@@ -170,7 +202,8 @@ bool vtkVolumeRayCastFilter::Read(
   for (const relevo::MeshScalars& mesh : meshes)
   {
     const bool areBytes = functions.AreColors() && vtkUnsignedCharArray::SafeDownCast(mesh.Array);
-    cells.Add(mesh.Mesh, mesh.Array, mesh.AreOfCells, areBytes ? 1.0 / 255.0 : 1.0);
+    choice.Scale = areBytes ? 1.0 / 255.0 : 1.0;
+    cells.Add(mesh.Mesh, mesh.Array, mesh.AreOfCells, choice);
   }
   if (cells.GetNumberOfSolidCells() == 0 && !meshes.empty())
   {
@@ -228,6 +261,8 @@ void vtkVolumeRayCastFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ViewportSize: " << this->ViewportSize[0] << " " << this->ViewportSize[1] << "\n";
+  os << indent << "VectorMode: " << this->VectorMode << "\n";
+  os << indent << "VectorComponent: " << this->VectorComponent << "\n";
   os << indent << "Camera: " << this->Camera << "\n";
   os << indent << "VolumeProperty: " << this->VolumeProperty << "\n";
 }

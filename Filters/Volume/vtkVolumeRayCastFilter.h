@@ -33,11 +33,11 @@
  * Output: a vtkImageData of ViewportSize points, a point for each pixel, row 0 the lowest, with the
  * point scalars "RGBA" of 4 doubles: colours times alpha, and alpha, without a background.
  *
- * Errors, with an empty output: no camera or property; a missing array, or one with too many
- * components or of a wrong length; no 3D cells in a mesh with cells; a function without nodes. One
- * warning each: cells without volume or with points that are not finite, which are left out, and
- * how many; a unit distance that is not more than 0, for which 1 is taken. Of an empty mesh nothing
- * is seen.
+ * Errors, with an empty output: no camera or property; a missing array, or one with too many or too
+ * few components or of a wrong length; no 3D cells in a mesh with cells; a function without nodes.
+ * One warning each: cells without volume or with points that are not finite, which are left out,
+ * and how many; a unit distance that is not more than 0, for which 1 is taken. Of an empty mesh
+ * nothing is seen.
  */
 #ifndef vtkVolumeRayCastFilter_h
 #define vtkVolumeRayCastFilter_h
@@ -88,6 +88,32 @@ public:
   vtkVolumeProperty* GetVolumeProperty();
   //@}
 
+  enum VectorModeType
+  {
+    DISABLED = -1,
+    MAGNITUDE = 0,
+    COMPONENT = 1
+  };
+
+  //@{
+  /**
+   * What of an array of several components is drawn, with the functions of component 0 of the
+   * property: MAGNITUDE (0), the length of each tuple; COMPONENT (1), the one that VectorComponent
+   * says; DISABLED (-1, the default), all components, or the length if the property has a colour
+   * function in MAGNITUDE mode.
+   */
+  void SetVectorMode(int mode);
+  vtkGetMacro(VectorMode, int);
+  //@}
+
+  //@{
+  /**
+   * Which component is drawn, with VectorMode COMPONENT: 0 to 3, default 0.
+   */
+  void SetVectorComponent(int component);
+  vtkGetMacro(VectorComponent, int);
+  //@}
+
   /// Includes the modification times of camera and property.
   vtkMTimeType GetMTime() override;
 
@@ -107,6 +133,7 @@ private:
   vtkVolumeRayCastFilter(const vtkVolumeRayCastFilter&) = delete;
   void operator=(const vtkVolumeRayCastFilter&) = delete;
 
+  bool TakesLength();
   bool Read(vtkDataObject* input, relevo::VolumeCells& cells, relevo::TransferFunctions& functions);
   void Cast(const relevo::VolumeCells& cells, const relevo::TransferFunctions& functions,
     vtkImageData* output);
@@ -114,6 +141,8 @@ private:
   vtkSmartPointer<vtkCamera> Camera;
   vtkSmartPointer<vtkVolumeProperty> VolumeProperty;
   int ViewportSize[2] = { 300, 300 };
+  int VectorMode = DISABLED;
+  int VectorComponent = 0;
 };
 
 #endif

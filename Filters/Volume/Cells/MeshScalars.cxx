@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/MeshScalars.h"
 
-#include "Integral/TransferFunctions.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -40,7 +39,7 @@ std::vector<vtkDataSet*> FindDataSets(vtkDataObject* input)
   return sets;
 }
 
-std::string FindFault(const MeshScalars& scalars, const std::string& name, int components)
+std::string FindFault(const MeshScalars& scalars, const std::string& name, int components, int most)
 {
   std::ostringstream text;
   if (!scalars.Array)
@@ -60,9 +59,9 @@ std::string FindFault(const MeshScalars& scalars, const std::string& name, int c
     text << named << tuples << " tuples for " << wanted
          << (scalars.AreOfCells ? " cells" : " points");
   }
-  else if (given > MostComponents)
+  else if (given > most)
   {
-    text << named << given << " components; there can be 1 to " << MostComponents;
+    text << named << given << " components; there can be 1 to " << most;
   }
   else if (components > 0 && given != components)
   {
@@ -72,7 +71,7 @@ std::string FindFault(const MeshScalars& scalars, const std::string& name, int c
 }
 }
 
-bool FindMeshScalars(vtkDataObject* input, const FindArray& find, const std::string& name,
+bool FindMeshScalars(vtkDataObject* input, const FindArray& find, const std::string& name, int most,
   std::vector<MeshScalars>& found, std::string& error)
 {
   found.clear();
@@ -83,7 +82,7 @@ bool FindMeshScalars(vtkDataObject* input, const FindArray& find, const std::str
     found.push_back({ set, array, association == vtkDataObject::FIELD_ASSOCIATION_CELLS });
     const char* own = array ? array->GetName() : nullptr;
     error = FindFault(found.back(), name.empty() && own ? own : name,
-      found.size() > 1 ? found.front().Array->GetNumberOfComponents() : 0);
+      found.size() > 1 ? found.front().Array->GetNumberOfComponents() : 0, most);
     if (!error.empty())
     {
       return false;

@@ -46,15 +46,29 @@ void AddWeighed(const Scalars& scalars, double weight, Scalars& sum)
   }
 }
 
-void AddScalars(vtkDataArray* array, double scale, std::vector<Scalars>& all)
+void AddScalars(vtkDataArray* array, const ScalarChoice& choice, std::vector<Scalars>& all)
 {
   const int components = array->GetNumberOfComponents();
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
   {
     Scalars scalars = {};
-    for (int c = 0; c < components; ++c)
+    if (choice.Component == ScalarChoice::All)
     {
-      scalars[c] = scale * array->GetComponent(i, c);
+      for (int c = 0; c < components; ++c)
+      {
+        scalars[c] = choice.Scale * array->GetComponent(i, c);
+      }
+    }
+    else if (choice.Component == ScalarChoice::Length)
+    {
+      for (int c = 0; c < components; ++c)
+      {
+        scalars[0] = std::hypot(scalars[0], array->GetComponent(i, c));
+      }
+    }
+    else
+    {
+      scalars[0] = array->GetComponent(i, choice.Component);
     }
     all.push_back(scalars);
   }
@@ -93,7 +107,8 @@ private:
 };
 }
 
-void VolumeCells::Add(vtkDataSet* mesh, vtkDataArray* array, bool isOfCells, double scale)
+void VolumeCells::Add(
+  vtkDataSet* mesh, vtkDataArray* array, bool isOfCells, const ScalarChoice& choice)
 {
   const vtkIdType firstPoint = static_cast<vtkIdType>(this->Points.size());
   const vtkIdType firstCell = static_cast<vtkIdType>(this->CellScalars.size());
@@ -103,7 +118,7 @@ void VolumeCells::Add(vtkDataSet* mesh, vtkDataArray* array, bool isOfCells, dou
     mesh->GetPoint(i, &point.x);
     this->Points.push_back(point);
   }
-  AddScalars(array, scale, isOfCells ? this->CellScalars : this->PointScalars);
+  AddScalars(array, choice, isOfCells ? this->CellScalars : this->PointScalars);
   // The other kind keeps pace, for further data sets.
   (isOfCells ? this->PointScalars : this->CellScalars)
     .resize(isOfCells ? this->Points.size() : firstCell);

@@ -27,14 +27,25 @@ class vtkDataSet;
 
 namespace relevo
 {
+/// Which scalars become of the tuples of an array.
+struct ScalarChoice
+{
+  enum
+  {
+    All = -2, // at most 4 components
+    Length = -1
+  };
+  int Component = All;
+  double Scale = 1.0;
+};
+
 class VolumeCells
 {
 public:
   /**
-   * Add the cells of a data set. The array has at most 4 components, and a tuple for each point, or
-   * each cell; its values count times `scale`.
+   * Add the cells of a data set. The array has a tuple for each point, or each cell.
    */
-  void Add(vtkDataSet* mesh, vtkDataArray* array, bool isOfCells, double scale);
+  void Add(vtkDataSet* mesh, vtkDataArray* array, bool isOfCells, const ScalarChoice& choice);
 
   /// After all data sets have been added.
   void Build();
