@@ -36,18 +36,26 @@ if [ -z "${DISPLAY:-}" ]; then
   exec xvfb-run -a -s "-noreset -screen 0 1280x1024x24" bash "${BASH_SOURCE[0]}" --no-install "$@"
 fi
 
-names=("$@")
-if [ ${#names[@]} -eq 0 ]; then # those that take long first
-  names=(TestRanks TestFilterRanks TestTranslucent TestLooks TestBadInput TestRepresentation
-    TestLICRanks TestSelection TestTime TestExamples TestSettings TestEquivalents TestProperties
-    TestFilters TestPackage)
+# Tests on several ranks run one after the other, and beside them those on one: ranks that wait for
+# each other slow down all that has no processor of its own.
+names_of_ranks=() names=()
+if [ $# -eq 0 ]; then
+  set -- TestRanks TestFilterRanks TestTranslucent TestLICRanks TestSelection TestLooks TestBadInput \
+    TestRepresentation TestTime TestExamples TestSettings TestEquivalents TestProperties TestFilters \
+    TestPackage
 fi
+for name in "$@"; do
+  if [[ $name =~ Ranks|Translucent|Selection ]]; then
+    names_of_ranks+=("$name")
+  else
+    names+=("$name")
+  fi
+done
 
 # In a container Open MPI is asked to run as root, and on more ranks than there are processors.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 work_dir=$(mktemp -d)
 trap 'rm -rf "$work_dir"' EXIT
-export source_dir work_dir
 
 run_test() {
   local script=$source_dir/Testing/ParaView/$1.py counts ranks
@@ -66,14 +74,20 @@ run_test() {
   done
 }
 
-report_test() {
-  local outcome=passed
-  SECONDS=0
-  run_test "$1" >"$work_dir/$1.log" 2>&1 || outcome=failed
-  cat "$work_dir/$1.log"
-  echo "$outcome: $1, $SECONDS s"
-  test $outcome = passed
+report_tests() {
+  local name outcome failed=0
+  for name in "$@"; do
+    outcome=passed
+    SECONDS=0
+    run_test "$name" >"$work_dir/$name.log" 2>&1 || outcome=failed failed=1
+    cat "$work_dir/$name.log"
+    echo "$outcome: $name, $SECONDS s"
+  done
+  return $failed
 }
-export -f run_test report_test
 
-printf '%s\n' "${names[@]}" | xargs -P 2 -I NAME bash -c 'report_test NAME'
+report_tests "${names_of_ranks[@]}" &
+failed=0
+report_tests "${names[@]}" || failed=1
+wait $! || failed=1
+exit $failed
