@@ -30,7 +30,7 @@ LAYERS = {
         ("Image", []),
         ("Surface", []),
     ],
-    "Filters/Volume": [("Integral", []), ("Cells", []), ("Rays", [])],
+    "Filters/Volume": [("Integral", []), ("Mesh", []), ("Cells", []), ("Rays", [])],
     "Filters/Terrain": [("Geodesy", []), ("Raster", []), ("Heights", [])],
     "Rendering/Refinement": [
         ("OpenGL", []),

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Faces at the same corners, against a map of sets of corners.
+#include "Mesh/FaceNeighbors.h"
+#include "RelevoCheck.h"
+#include "RelevoDice.h"
+#include "RelevoVolumes.h"
+
+#include "vtkDataSetReader.h"
+#include "vtkIdList.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <set>
+#include <string>
+
+namespace
+{
+using Faces = std::vector<std::array<int, 4>>;
+
+void CheckFaces(RelevoCheck& check, const Faces& faces, int numberOfPoints)
+{
+  std::map<std::set<int>, std::vector<int>> places;
+  for (size_t i = 0; i < faces.size(); ++i)
+  {
+    std::set<int> corners(faces[i].begin(), faces[i].end());
+    corners.erase(-1);
+    if (corners.size() > 2)
+    {
+      places[corners].push_back(static_cast<int>(i));
+    }
+  }
+  std::vector<int> others(faces.size(), -1);
+  size_t numberOfSharedByMore = 0;
+  for (const auto& place : places)
+  {
+    if (place.second.size() == 2)
+    {
+      others[place.second[0]] = place.second[1];
+      others[place.second[1]] = place.second[0];
+    }
+    numberOfSharedByMore += place.second.size() > 2 ? 1 : 0;
+  }
+  const relevo::FaceMatch match = relevo::MatchFaces(faces, numberOfPoints);
+  CHECK(match.Others == others);
+  CHECK(match.NumberOfSharedByMore == numberOfSharedByMore);
+}
+
+Faces GetFaces(vtkUnstructuredGrid* tetrahedra)
+{
+  const int corners[4][3] = { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 }, { 0, 2, 1 } };
+  Faces faces;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < tetrahedra->GetNumberOfCells(); ++i)
+  {
+    tetrahedra->GetCellPoints(i, ids);
+    for (const auto& face : corners)
+    {
+      faces.push_back({ { static_cast<int>(ids->GetId(face[0])),
+        static_cast<int>(ids->GetId(face[1])), static_cast<int>(ids->GetId(face[2])), -1 } });
+    }
+  }
+  return faces;
+}
+
+// Few points, so that corners repeat, and cells share faces with several others.
+void TestRandom(RelevoCheck& check)
+{
+  RelevoDice dice(1);
+  for (int round = 0; round < 200; ++round)
+  {
+    const int numberOfPoints = 1 + dice.Throw(12);
+    Faces faces(dice.Throw(300));
+    for (auto& face : faces)
+    {
+      for (int& corner : face)
+      {
+        corner = dice.Throw(numberOfPoints);
+      }
+      face[3] = dice.Once(2) ? -1 : face[3];
+    }
+    CheckFaces(check, faces, numberOfPoints);
+  }
+}
+
+void TestGiven(RelevoCheck& check)
+{
+  const relevo::FaceMatch match = relevo::MatchFaces(
+    { { { 4, 2, 7, -1 } }, { { 0, 1, 2, 3 } }, { { 7, 4, 2, -1 } }, { { 3, 1, 0, 2 } },
+      { { 0, 1, 2, -1 } }, { { 2, 1, 2, 0 } }, { { 5, 5, 6, -1 } }, { { 5, 6, 6, -1 } },
+      { { 1, 2, 3, -1 } }, { { 3, 2, 1, -1 } }, { { 1, 3, 2, -1 } } },
+    8);
+  CHECK(match.Others == std::vector<int>({ 2, 3, 0, 1, 5, 4, -1, -1, -1, -1, -1 }));
+  CHECK(match.NumberOfSharedByMore == 1);
+  CHECK(relevo::MatchFaces({}, 0).Others.empty());
+}
+
+void TestMeshes(RelevoCheck& check)
+{
+  const int n = 7;
+  const auto cube = MakeTetrahedra(n, GetLinearField);
+  const Faces faces = GetFaces(cube);
+  CheckFaces(check, faces, static_cast<int>(cube->GetNumberOfPoints()));
+  const relevo::FaceMatch match =
+    relevo::MatchFaces(faces, static_cast<int>(cube->GetNumberOfPoints()));
+  CHECK(std::count(match.Others.begin(), match.Others.end(), -1) == 12 * n * n);
+
+  const char* folder = std::getenv("RELEVO_TEST_DATA");
+  if (folder && *folder)
+  {
+    vtkNew<vtkDataSetReader> reader;
+    reader->SetFileName((std::string(folder) + "/volume/post.vtk").c_str());
+    reader->Update();
+    auto* post = vtkUnstructuredGrid::SafeDownCast(reader->GetOutput());
+    CHECK(post && post->GetNumberOfCells() == 8750);
+    if (post)
+    {
+      CheckFaces(check, GetFaces(post), static_cast<int>(post->GetNumberOfPoints()));
+    }
+  }
+}
+}
+
+int TestFaceNeighbors(int, char*[])
+{
+  RelevoCheck check;
+  TestRandom(check);
+  TestGiven(check);
+  TestMeshes(check);
+  return check.GetResult();
+}
