@@ -30,7 +30,8 @@ LAYERS = {
         ("Image", []),
         ("Surface", []),
     ],
-    "Filters/Volume": [("Integral", []), ("Mesh", []), ("Cells", []), ("Rays", [])],
+    "Filters/Volume": [("Integral", []), ("Mesh", []), ("Cells", []), ("Rays", []),
+                       ("Walk", [])],
     "Filters/Terrain": [("Geodesy", []), ("Raster", []), ("Heights", [])],
     "Rendering/Refinement": [
         ("OpenGL", []),

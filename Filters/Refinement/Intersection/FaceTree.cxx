@@ -10,8 +10,6 @@ namespace relevo
 {
 namespace
 {
-constexpr int MostFacesPerLeaf = 4;
-
 void Extend(FaceBox& box, const FaceBox& other)
 {
   for (int c = 0; c < 3; ++c)
@@ -59,7 +57,7 @@ double BoxSegment::GetEntry(const FaceBox& box, double last) const
   return entry <= exit ? entry : never;
 }
 
-void FaceTree::Build(std::vector<FaceBox> boxes)
+void FaceTree::Build(std::vector<FaceBox> boxes, int mostPerLeaf)
 {
   this->Boxes = std::move(boxes);
   this->Order.resize(this->Boxes.size());
@@ -68,11 +66,11 @@ void FaceTree::Build(std::vector<FaceBox> boxes)
   this->Nodes.reserve(this->Boxes.size());
   if (!this->Boxes.empty())
   {
-    this->Split(0, static_cast<int>(this->Boxes.size()));
+    this->Split(0, static_cast<int>(this->Boxes.size()), mostPerLeaf);
   }
 }
 
-void FaceTree::Split(int first, int last)
+void FaceTree::Split(int first, int last, int mostPerLeaf)
 {
   Node node = { this->Boxes[this->Order[first]], first, last - first };
   for (int i = first + 1; i < last; ++i)
@@ -81,7 +79,7 @@ void FaceTree::Split(int first, int last)
   }
   const size_t index = this->Nodes.size();
   this->Nodes.push_back(node);
-  if (node.Count <= MostFacesPerLeaf)
+  if (node.Count <= mostPerLeaf)
   {
     return;
   }
@@ -95,9 +93,9 @@ void FaceTree::Split(int first, int last)
   { return this->Boxes[face].Low[axis] + this->Boxes[face].High[axis]; };
   std::nth_element(this->Order.begin() + first, this->Order.begin() + middle,
     this->Order.begin() + last, [&center](int a, int b) { return center(a) < center(b); });
-  this->Split(first, middle);
+  this->Split(first, middle, mostPerLeaf);
   this->Nodes[index].First = static_cast<int>(this->Nodes.size());
   this->Nodes[index].Count = 0;
-  this->Split(middle, last);
+  this->Split(middle, last, mostPerLeaf);
 }
 }

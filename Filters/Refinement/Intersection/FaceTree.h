@@ -43,7 +43,8 @@ struct RELEVOFILTERSREFINEMENT_EXPORT BoxSegment
 class RELEVOFILTERSREFINEMENT_EXPORT FaceTree
 {
 public:
-  void Build(std::vector<FaceBox> boxes);
+  /// Leaves have at most so many faces.
+  void Build(std::vector<FaceBox> boxes, int mostPerLeaf = 4);
 
   /**
    * Call visit(face) for faces whose boxes `getDistance` finds no farther than `nearest`, which
@@ -53,17 +54,20 @@ public:
   template <typename GetDistance, typename Visitor>
   void Visit(double& nearest, const GetDistance& getDistance, const Visitor& visit) const;
 
+  struct Node
+  {
+    FaceBox Box;
+    int First; // of its faces in the order; of an inner node the second child, the first follows it
+    int Count; // of faces; 0 for an inner node
+  };
+  const std::vector<Node>& GetNodes() const { return this->Nodes; }
+  const std::vector<int>& GetOrder() const { return this->Order; }
+
   const FaceBox& GetBox(int face) const { return this->Boxes[face]; }
   bool IsEmpty() const { return this->Boxes.empty(); }
 
 private:
-  struct Node
-  {
-    FaceBox Box;
-    int First; // of its faces in Order; of an inner node the second child, the first follows it
-    int Count; // of faces; 0 for an inner node
-  };
-  void Split(int first, int last);
+  void Split(int first, int last, int mostPerLeaf);
 
   std::vector<FaceBox> Boxes;
   std::vector<int> Order;

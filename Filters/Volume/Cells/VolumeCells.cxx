@@ -145,6 +145,7 @@ void VolumeCells::Add(
     }
     const int size = shape ? shape->NumberOfCorners : 4;
     bool isGood = false;
+    const size_t before = this->Cells.size();
     for (vtkIdType first = 0; first + size <= ids->GetNumberOfIds(); first += size)
     {
       corners.clear();
@@ -156,6 +157,7 @@ void VolumeCells::Add(
     }
     this->NumberOfSolidCells++;
     this->NumberOfBadCells += isGood ? 0 : 1;
+    this->NumberOfDrawnCells += this->Cells.size() > before ? 1 : 0;
   }
 }
 

@@ -39,9 +39,16 @@ struct ScalarChoice
   double Scale = 1.0;
 };
 
-class VolumeCells
+class RELEVOFILTERSVOLUME_EXPORT VolumeCells
 {
 public:
+  struct Cell
+  {
+    const CellShape* Shape; // null for tetrahedra
+    size_t FirstCorner;     // in Corners
+    vtkIdType Scalars;      // of cells, else -1
+  };
+
   /**
    * Add the cells of a data set. The array has a tuple for each point, or each cell.
    */
@@ -57,16 +64,23 @@ public:
   vtkIdType GetNumberOfSolidCells() const { return this->NumberOfSolidCells; }
   /// Of these, those of no volume or with coordinates that are not finite.
   vtkIdType GetNumberOfBadCells() const { return this->NumberOfBadCells; }
+  /// Of them, those that are seen: neither bad nor with scalars that are not finite.
+  vtkIdType GetNumberOfDrawnCells() const { return this->NumberOfDrawnCells; }
 
-private:
-  struct Cell
-  {
-    const CellShape* Shape; // null for tetrahedra
-    size_t FirstCorner;     // in Corners
-    vtkIdType Scalars;      // of cells, else -1
-  };
+  //@{
+  /**
+   * What was added: cells, after splitting, and their corners among the points. Points are where
+   * they were, until Build().
+   */
+  const std::vector<Cell>& GetCells() const { return this->Cells; }
   int GetNumberOfCorners(const Cell& cell) const;
   vtkIdType GetCornerId(const Cell& cell, int i) const;
+  const std::vector<dvec3>& GetPoints() const { return this->Points; }
+  const std::vector<Scalars>& GetPointScalars() const { return this->PointScalars; }
+  const std::vector<Scalars>& GetCellScalars() const { return this->CellScalars; }
+  //@}
+
+private:
   TetrahedronCorners GetTetrahedron(const Cell& cell) const;
   CurvedCell GetCurved(const Cell& cell) const;
   bool AddCell(const CellShape* shape, const std::vector<vtkIdType>& corners, vtkIdType scalars);
@@ -87,6 +101,7 @@ private:
   double Diagonal = 0.0;
   vtkIdType NumberOfSolidCells = 0;
   vtkIdType NumberOfBadCells = 0;
+  vtkIdType NumberOfDrawnCells = 0;
 };
 }
 

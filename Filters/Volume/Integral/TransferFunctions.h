@@ -43,6 +43,14 @@ inline Scalars Interpolate(const Scalars& front, const Scalars& back, double sha
 class RELEVOFILTERSVOLUME_EXPORT TransferFunctions
 {
 public:
+  /// A component's colour and opacity; of two dependent components the second has the opacity.
+  struct Curve
+  {
+    int Component;
+    double UnitDistance;
+    LinearPieces Pieces;
+  };
+
   /**
    * false with words that follow "The volume property " where the functions cannot be used. Where a
    * unit distance cannot be, it is taken as 1, and `warning` says so.
@@ -52,6 +60,12 @@ public:
 
   /// Whether the scalars themselves are red, green, blue and opacity.
   bool AreColors() const { return this->Mode == Mixing::Four; }
+  /// Whether colour and opacity come from two components.
+  bool AreDependent() const { return this->Mode == Mixing::Two; }
+  /// None if the scalars are colours.
+  const std::vector<Curve>& GetCurves() const { return this->Curves; }
+  /// Of scalars that are colours.
+  double GetUnitDistance() const { return this->UnitDistance; }
 
   /// What is seen of a part of a ray along which the scalars are linear: premultiplied.
   dvec4 Integrate(const Scalars& front, const Scalars& back, double length) const;
@@ -68,12 +82,6 @@ private:
     Independent,
     Two,
     Four
-  };
-  struct Curve
-  {
-    int Component;
-    double UnitDistance;
-    LinearPieces Pieces;
   };
   std::array<dvec4, 2> MixIndependent(const Scalars& front, const Scalars& back) const;
   static std::array<dvec4, 2> EvaluateCurve(

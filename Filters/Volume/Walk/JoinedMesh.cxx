@@ -1,0 +1,404 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Walk/JoinedMesh.h"
+
+#include "Cells/VolumeCells.h"
+#include "Core/FiniteBox.h"
+#include "Core/PointPlaces.h"
+#include "Mesh/FaceNeighbors.h"
+#include "Walk/BorderTree.h"
+#include "vtkCellType.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace relevo
+{
+namespace
+{
+constexpr int MostFacesPerLeaf = 8;
+// Of the mesh's radius: more than what floats round.
+constexpr float TreeMargin = 1e-5f;
+constexpr size_t MostBorderFaces = size_t(1) << 24;
+constexpr std::uint32_t Unused = JoinedMesh::Nothing;
+
+using Face = std::array<int, 4>;
+
+// The steps that lead to a mesh, with what they leave to those after them.
+class JoiningMesh
+{
+public:
+  JoiningMesh(const VolumeCells& cells, int numberOfComponents, JoinedMesh& mesh)
+    : Cells(cells)
+    , NumberOfComponents(numberOfComponents)
+    , Mesh(mesh)
+  {
+  }
+
+  void JoinPoints();
+  void PlacePoints();
+  void ScaleScalars();
+  void AddCells();
+  void FindNeighbors();
+  void BuildBorder();
+  bool IsTooLarge() const { return this->Border.size() >= MostBorderFaces; }
+
+private:
+  bool HasCellScalars() const { return !this->Kept.empty() && this->Kept[0].Scalars >= 0; }
+  std::uint32_t GetPoint(const VolumeCells::Cell& cell, int i) const
+  {
+    return this->NewIds[this->Cells.GetCornerId(cell, i)];
+  }
+  void AddScalars(const Scalars& scalars, std::vector<float>& all) const;
+  void AddTetrahedron(const VolumeCells::Cell& cell);
+  void AddCurved(const VolumeCells::Cell& cell);
+  std::uint32_t& GetBehind(size_t face);
+  dvec3 GetPlace(std::uint32_t point) const;
+  FaceBox GetBox(size_t face) const;
+  void AddBorderFace(size_t face);
+
+  const VolumeCells& Cells;
+  const int NumberOfComponents;
+  JoinedMesh& Mesh;
+  std::vector<VolumeCells::Cell> Kept;   // tetrahedra first
+  std::vector<std::uint32_t> NewIds;     // of the cells' points
+  std::vector<vtkIdType> OldIds;         // of the mesh's points
+  std::vector<Face> Faces;               // of all cells
+  std::vector<std::uint32_t> FaceCells;  // of curved cells' faces, after those of tetrahedra
+  std::vector<std::uint32_t> FirstFaces; // of curved cells
+  std::vector<size_t> Border;            // faces
+};
+
+// Tetrahedra first, as the walk tells them from others by their numbers.
+void JoiningMesh::JoinPoints()
+{
+  for (const bool isCurved : { false, true })
+  {
+    for (const VolumeCells::Cell& cell : this->Cells.GetCells())
+    {
+      if ((cell.Shape != nullptr) == isCurved)
+      {
+        this->Kept.push_back(cell);
+      }
+    }
+  }
+  const std::vector<dvec3>& points = this->Cells.GetPoints();
+  const vtkIdType count = static_cast<vtkIdType>(points.size());
+  vtkNew<vtkDoubleArray> coordinates;
+  coordinates->SetNumberOfComponents(3);
+  coordinates->SetArray(const_cast<double*>(points.empty() ? nullptr : &points[0].x), 3 * count, 1);
+  vtkNew<vtkPoints> all;
+  all->SetData(coordinates);
+  const std::vector<vtkIdType> places = ComputePlaces(all);
+  this->NewIds.assign(points.size(), Unused);
+  const std::vector<Scalars>& scalars = this->Cells.GetPointScalars();
+  const auto getPlace = [&](vtkIdType point)
+  {
+    const vtkIdType place = places.empty() ? point : places[point];
+    return this->HasCellScalars() || scalars[place] == scalars[point] ? place : point;
+  };
+  for (const VolumeCells::Cell& cell : this->Kept)
+  {
+    for (int i = 0; i < this->Cells.GetNumberOfCorners(cell); ++i)
+    {
+      const vtkIdType point = this->Cells.GetCornerId(cell, i);
+      const vtkIdType place = getPlace(point);
+      if (this->NewIds[place] == Unused)
+      {
+        this->NewIds[place] = static_cast<std::uint32_t>(this->OldIds.size());
+        this->OldIds.push_back(place);
+      }
+      this->NewIds[point] = this->NewIds[place];
+    }
+  }
+}
+
+void JoiningMesh::PlacePoints()
+{
+  FiniteBox box;
+  for (vtkIdType point : this->OldIds)
+  {
+    box.Add(&this->Cells.GetPoints()[point].x);
+  }
+  this->Mesh.Center = dvec3(box.GetMiddle(0), box.GetMiddle(1), box.GetMiddle(2));
+  const double diagonal = length(dvec3(box.GetSide(0), box.GetSide(1), box.GetSide(2)));
+  this->Mesh.Radius = diagonal > 0.0 ? 0.5 * diagonal : 1.0;
+  this->Mesh.Points.resize(4 * this->OldIds.size());
+  for (size_t i = 0; i < this->OldIds.size(); ++i)
+  {
+    const dvec3& point = this->Cells.GetPoints()[this->OldIds[i]];
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Mesh.Points[4 * i + c] =
+        static_cast<float>((point[c] - this->Mesh.Center[c]) / this->Mesh.Radius);
+    }
+  }
+}
+
+void JoiningMesh::AddScalars(const Scalars& scalars, std::vector<float>& all) const
+{
+  for (int c = 0; c < (this->NumberOfComponents > 1 ? MostComponents : 1); ++c)
+  {
+    all.push_back(
+      static_cast<float>((scalars[c] - this->Mesh.ScalarLow[c]) / this->Mesh.ScalarSize[c]));
+  }
+}
+
+// To the range from 0 to 1, of which floats keep more than of what lies far from 0.
+void JoiningMesh::ScaleScalars()
+{
+  const bool areOfCells = this->HasCellScalars();
+  const std::vector<Scalars>& all =
+    areOfCells ? this->Cells.GetCellScalars() : this->Cells.GetPointScalars();
+  std::vector<vtkIdType> used = this->OldIds;
+  if (areOfCells)
+  {
+    used.clear();
+    for (const VolumeCells::Cell& cell : this->Kept)
+    {
+      used.push_back(cell.Scalars);
+    }
+  }
+  for (int c = 0; c < MostComponents; ++c)
+  {
+    double low = std::numeric_limits<double>::max();
+    double high = -low;
+    for (vtkIdType i : used)
+    {
+      low = std::min(low, all[i][c]);
+      high = std::max(high, all[i][c]);
+    }
+    const double size = 0.5 * high - 0.5 * low; // whose double may be no number
+    this->Mesh.ScalarLow[c] = used.empty() ? 0.0 : low;
+    this->Mesh.ScalarSize[c] = size > 0.0 && std::isfinite(2.0 * size) ? 2.0 * size : 1.0;
+  }
+  std::vector<float>& scalars = areOfCells ? this->Mesh.CellScalars : this->Mesh.PointScalars;
+  for (vtkIdType i : used)
+  {
+    this->AddScalars(all[i], scalars);
+  }
+  if (!areOfCells && this->NumberOfComponents == 1)
+  {
+    for (size_t i = 0; i < scalars.size(); ++i)
+    {
+      this->Mesh.Points[4 * i + 3] = scalars[i];
+    }
+    scalars = {};
+  }
+}
+
+void JoiningMesh::AddTetrahedron(const VolumeCells::Cell& cell)
+{
+  std::array<std::uint32_t, 4> points;
+  for (int i = 0; i < 4; ++i)
+  {
+    points[i] = this->GetPoint(cell, i);
+  }
+  std::sort(points.begin(), points.end());
+  this->Mesh.PointSums.push_back(points[0] ^ points[1] ^ points[2] ^ points[3]);
+  for (int i = 0; i < 4; ++i)
+  {
+    this->Faces.push_back({ { static_cast<int>(points[i == 0 ? 1 : 0]),
+      static_cast<int>(points[i <= 1 ? 2 : 1]), static_cast<int>(points[i <= 2 ? 3 : 2]), -1 } });
+  }
+}
+
+void JoiningMesh::AddCurved(const VolumeCells::Cell& cell)
+{
+  const std::uint32_t number = static_cast<std::uint32_t>(
+    this->Mesh.GetNumberOfTetrahedra() + this->Mesh.GetNumberOfCurvedCells());
+  std::array<std::uint32_t, JoinedMesh::WordsOfCurvedCell> words = {};
+  const CellShape& shape = *cell.Shape;
+  for (int i = 0; i < shape.NumberOfCorners; ++i)
+  {
+    words[i] = this->GetPoint(cell, i);
+  }
+  if (&shape != FindCellShape(VTK_HEXAHEDRON))
+  {
+    words[15] = JoinedMesh::FirstShape +
+      (&shape == FindCellShape(VTK_WEDGE)        ? 0
+          : &shape == FindCellShape(VTK_PYRAMID) ? 1
+                                                 : 2);
+  }
+  this->Mesh.CurvedCells.insert(this->Mesh.CurvedCells.end(), words.begin(), words.end());
+  this->FirstFaces.push_back(static_cast<std::uint32_t>(this->Faces.size()));
+  const auto add = [&](int a, int b, int c, int d)
+  {
+    const auto get = [&](int i) { return static_cast<int>(words[i]); };
+    this->Faces.push_back({ { get(a), get(b), get(c), d == c ? -1 : get(d) } });
+    this->FaceCells.push_back(number);
+  };
+  for (const auto& face : shape.Faces)
+  {
+    add(face[0], face[1], face[2], face[3]);
+  }
+  for (const auto& face : shape.QuadraticFaces)
+  {
+    add(face[0], face[1], face[2], face[2]);
+  }
+}
+
+void JoiningMesh::AddCells()
+{
+  for (const VolumeCells::Cell& cell : this->Kept)
+  {
+    cell.Shape ? this->AddCurved(cell) : this->AddTetrahedron(cell);
+  }
+}
+
+// Where a cell keeps who is behind its face.
+std::uint32_t& JoiningMesh::GetBehind(size_t face)
+{
+  if (face < 4 * this->Mesh.GetNumberOfTetrahedra())
+  {
+    return this->Mesh.Neighbors[face];
+  }
+  const size_t record = this->FaceCells[face - 4 * this->Mesh.GetNumberOfTetrahedra()] -
+    this->Mesh.GetNumberOfTetrahedra();
+  return this->Mesh
+    .CurvedCells[JoinedMesh::WordsOfCurvedCell * record + 10 + face - this->FirstFaces[record]];
+}
+
+void JoiningMesh::FindNeighbors()
+{
+  const size_t inTetrahedra = 4 * this->Mesh.GetNumberOfTetrahedra();
+  this->Mesh.Neighbors.resize(inTetrahedra);
+  const FaceMatch match = MatchFaces(this->Faces, static_cast<int>(this->OldIds.size()));
+  this->Mesh.NumberOfSharedFaces = match.NumberOfSharedByMore;
+  for (size_t face = 0; face < this->Faces.size(); ++face)
+  {
+    const auto other = match.Others[face];
+    std::uint32_t& behind = this->GetBehind(face);
+    if (other < 0)
+    {
+      behind = JoinedMesh::Nothing;
+      this->Border.push_back(face);
+    }
+    else
+    {
+      const size_t number = static_cast<size_t>(other);
+      behind = number < inTetrahedra ? static_cast<std::uint32_t>(number / 4)
+                                     : this->FaceCells[number - inTetrahedra];
+    }
+  }
+}
+
+dvec3 JoiningMesh::GetPlace(std::uint32_t point) const
+{
+  const float* place = &this->Mesh.Points[4 * static_cast<size_t>(point)];
+  return dvec3(place[0], place[1], place[2]);
+}
+
+// Of a face of a curved cell, that of the whole cell's: quadratic faces leave their corners' box.
+FaceBox JoiningMesh::GetBox(size_t face) const
+{
+  FiniteBox box;
+  const auto add = [&](const dvec3& place) { box.Add(&place.x); };
+  const size_t inTetrahedra = 4 * this->Mesh.GetNumberOfTetrahedra();
+  for (int point : this->Faces[face])
+  {
+    if (point >= 0)
+    {
+      add(this->GetPlace(static_cast<std::uint32_t>(point)));
+    }
+  }
+  if (face >= inTetrahedra)
+  {
+    const size_t record = this->FaceCells[face - inTetrahedra];
+    const VolumeCells::Cell& cell = this->Kept[record];
+    const CellShape& shape = *cell.Shape;
+    if (!shape.QuadraticFaces.empty())
+    {
+      const auto& corners =
+        shape.QuadraticFaces[face - this->FirstFaces[record - inTetrahedra / 4]];
+      for (int i = 0; i < 3; ++i)
+      {
+        add(2.0 * this->GetPlace(this->GetPoint(cell, corners[3 + i])) -
+          0.5 *
+            (this->GetPlace(this->GetPoint(cell, corners[i])) +
+              this->GetPlace(this->GetPoint(cell, corners[(i + 1) % 3]))));
+      }
+    }
+  }
+  FaceBox rounded;
+  for (int c = 0; c < 3; ++c)
+  {
+    const double half = 0.5 * box.GetSide(c);
+    rounded.Low[c] = static_cast<float>(box.GetMiddle(c) - half);
+    rounded.High[c] = static_cast<float>(box.GetMiddle(c) + half);
+  }
+  return rounded;
+}
+
+void JoiningMesh::AddBorderFace(size_t face)
+{
+  const auto add = [this](const std::array<std::uint32_t, 4>& words)
+  {
+    for (std::uint32_t word : words)
+    {
+      this->Mesh.BorderFaces.push_back(word);
+    }
+  };
+  const size_t inTetrahedra = 4 * this->Mesh.GetNumberOfTetrahedra();
+  if (face >= inTetrahedra)
+  {
+    const std::uint32_t cell = this->FaceCells[face - inTetrahedra];
+    const size_t record = cell - inTetrahedra / 4;
+    add({ { static_cast<std::uint32_t>(face - this->FirstFaces[record]), 0, 0, cell } });
+    return;
+  }
+  std::array<std::uint32_t, 3> corners;
+  std::copy(this->Faces[face].begin(), this->Faces[face].begin() + 3, corners.begin());
+  const std::uint32_t cell = static_cast<std::uint32_t>(face / 4);
+  const std::uint32_t last = this->Mesh.PointSums[cell] ^ corners[0] ^ corners[1] ^ corners[2];
+  const dvec3 origin = this->GetPlace(corners[0]);
+  const dvec3 normal =
+    cross(this->GetPlace(corners[1]) - origin, this->GetPlace(corners[2]) - origin);
+  if (dot(normal, this->GetPlace(last) - origin) < 0.0)
+  {
+    std::swap(corners[1], corners[2]);
+  }
+  add({ { corners[0], corners[1], corners[2], cell } });
+}
+
+void JoiningMesh::BuildBorder()
+{
+  std::vector<FaceBox> boxes;
+  boxes.reserve(this->Border.size());
+  for (size_t face : this->Border)
+  {
+    boxes.push_back(this->GetBox(face));
+  }
+  FaceTree tree;
+  tree.Build(std::move(boxes), MostFacesPerLeaf);
+  this->Mesh.BorderTree = FlattenTree(tree, TreeMargin);
+  for (int i : tree.GetOrder())
+  {
+    this->AddBorderFace(this->Border[i]);
+  }
+}
+}
+
+bool JoinedMesh::Build(const VolumeCells& cells, int numberOfComponents, std::string& error)
+{
+  *this = JoinedMesh();
+  JoiningMesh joining(cells, numberOfComponents, *this);
+  joining.JoinPoints();
+  joining.PlacePoints();
+  joining.ScaleScalars();
+  joining.AddCells();
+  joining.FindNeighbors();
+  if (joining.IsTooLarge())
+  {
+    error = "has more than 16 million faces at its border";
+    return false;
+  }
+  joining.BuildBorder();
+  return true;
+}
+}
