@@ -4,9 +4,9 @@
 
 #include "Cells/MeshScalars.h"
 #include "Cells/VolumeCells.h"
-#include "Core/SettingChecks.h"
 #include "Core/VTKCompatibility.h"
 #include "Rays/Blending.h"
+#include "Rays/ClippingPlanes.h"
 #include "Rays/PixelRays.h"
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
@@ -20,6 +20,7 @@
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -39,64 +40,12 @@ vtkVolumeRayCastFilter::vtkVolumeRayCastFilter()
 
 vtkVolumeRayCastFilter::~vtkVolumeRayCastFilter() = default;
 
-void vtkVolumeRayCastFilter::SetCamera(vtkCamera* camera)
-{
-  if (this->Camera != camera)
-  {
-    this->Camera = camera;
-    this->Modified();
-  }
-}
-
-vtkCamera* vtkVolumeRayCastFilter::GetCamera()
-{
-  return this->Camera;
-}
-
-void vtkVolumeRayCastFilter::SetVolumeProperty(vtkVolumeProperty* property)
-{
-  if (this->VolumeProperty != property)
-  {
-    this->VolumeProperty = property;
-    this->Modified();
-  }
-}
-
-vtkVolumeProperty* vtkVolumeRayCastFilter::GetVolumeProperty()
-{
-  return this->VolumeProperty;
-}
-
-void vtkVolumeRayCastFilter::SetViewportSize(int width, int height)
-{
-  relevo::SetPixelSize(this, "ViewportSize", this->ViewportSize, width, height);
-}
-
-void vtkVolumeRayCastFilter::SetVectorMode(int mode)
-{
-  relevo::SetInRange(this, "VectorMode", this->VectorMode, mode, static_cast<int>(DISABLED),
-    static_cast<int>(COMPONENT));
-}
-
-void vtkVolumeRayCastFilter::SetVectorComponent(int component)
-{
-  relevo::SetInRange(
-    this, "VectorComponent", this->VectorComponent, component, 0, relevo::MostComponents - 1);
-}
-
 bool vtkVolumeRayCastFilter::TakesLength()
 {
   return this->VectorMode == MAGNITUDE ||
     (this->VectorMode == DISABLED && this->VolumeProperty->GetColorChannels() == 3 &&
       this->VolumeProperty->GetRGBTransferFunction()->GetVectorMode() ==
         vtkScalarsToColors::MAGNITUDE);
-}
-
-vtkMTimeType vtkVolumeRayCastFilter::GetMTime()
-{
-  vtkMTimeType time = this->Superclass::GetMTime();
-  time = this->Camera ? std::max(time, this->Camera->GetMTime()) : time;
-  return this->VolumeProperty ? std::max(time, this->VolumeProperty->GetMTime()) : time;
 }
 
 int vtkVolumeRayCastFilter::FillInputPortInformation(int, vtkInformation* information)
@@ -229,6 +178,12 @@ void vtkVolumeRayCastFilter::Cast(const relevo::VolumeCells& cells,
   const int width = this->ViewportSize[0];
   const int height = this->ViewportSize[1];
   const relevo::PixelRays rays(this->Camera, width, height);
+  const relevo::ClippingPlanes planes(this->ClippingPlanes);
+  const auto mode = static_cast<relevo::BlendMode>(this->BlendMode);
+  const bool showSurfaces = this->IsoSurfaces || mode == relevo::BlendMode::IsoSurface;
+  const relevo::IsoSurfaces surfaces =
+    showSurfaces ? relevo::IsoSurfaces(this->VolumeProperty, functions) : relevo::IsoSurfaces();
+  const relevo::Blending blending(functions, mode, surfaces);
   vtkNew<vtkDoubleArray> colors;
   colors->SetName("RGBA");
   colors->SetNumberOfComponents(4);
@@ -242,8 +197,8 @@ void vtkVolumeRayCastFilter::Cast(const relevo::VolumeCells& cells,
       {
         for (int column = static_cast<int>(first); column < last; ++column)
         {
-          const relevo::dvec4 seen =
-            relevo::BlendComposite(functions, cells.Cross(rays.Make(column, row)));
+          const relevo::Ray ray = planes.Clip(rays.Make(column, row));
+          const relevo::dvec4 seen = blending.Blend(cells.Cross(ray));
           double* color = all + 4 * (static_cast<vtkIdType>(row) * width + column);
           std::copy(&seen.x, &seen.x + 4, color);
         }
@@ -255,14 +210,4 @@ void vtkVolumeRayCastFilter::Cast(const relevo::VolumeCells& cells,
   }
   output->SetExtent(0, width - 1, 0, height - 1, 0, 0);
   output->GetPointData()->SetScalars(colors);
-}
-
-void vtkVolumeRayCastFilter::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "ViewportSize: " << this->ViewportSize[0] << " " << this->ViewportSize[1] << "\n";
-  os << indent << "VectorMode: " << this->VectorMode << "\n";
-  os << indent << "VectorComponent: " << this->VectorComponent << "\n";
-  os << indent << "Camera: " << this->Camera << "\n";
-  os << indent << "VolumeProperty: " << this->VolumeProperty << "\n";
 }

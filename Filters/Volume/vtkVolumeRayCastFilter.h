@@ -24,7 +24,8 @@
  * clamping; each part of a ray is cut wherever one of them bends (R. Espinha, "Visualizacao
  * volumetrica interativa de malhas nao-estruturadas utilizando placas graficas programaveis",
  * PUC-Rio, 2005) and integrated exactly in between (K. Moreland, E. Angel, "A Fast High Accuracy
- * Volume Renderer for Unstructured Data", 2004). Nothing else of the property counts.
+ * Volume Renderer for Unstructured Data", 2004). Of the property's other settings the interpolation
+ * type and labels have no effect.
  *
  * Independent components add up their extinctions, and colours mix by them at the ends of each
  * part. Of two dependent components the first gives the colour, the second the opacity. Four are
@@ -47,6 +48,9 @@
 #include "vtkSmartPointer.h" // for members
 
 class vtkCamera;
+class vtkPlane;
+class vtkPlaneCollection;
+class vtkPlanes;
 class vtkVolumeProperty;
 
 namespace relevo
@@ -114,7 +118,70 @@ public:
   vtkGetMacro(VectorComponent, int);
   //@}
 
-  /// Includes the modification times of camera and property.
+  /// As those of vtkVolumeMapper.
+  enum BlendModes
+  {
+    COMPOSITE_BLEND,
+    MAXIMUM_INTENSITY_BLEND,
+    MINIMUM_INTENSITY_BLEND,
+    AVERAGE_INTENSITY_BLEND,
+    ADDITIVE_BLEND,
+    ISOSURFACE_BLEND
+  };
+
+  //@{
+  /**
+   * What is shown of a ray; default COMPOSITE_BLEND (0), what was said of extinction above.
+   *
+   * Maximum (1) and minimum (2): the highest or lowest scalar inside the mesh, exactly so, also
+   * inside of cells; average (3): the mean by length. Alpha is the opacity of this scalar, whatever
+   * the length, at most 1. Independent components have a scalar each, and mix by their opacities;
+   * of dependent ones all count as they are where the last, the opacity, is extreme.
+   *
+   * Additive (4): the integrals of colour times extinction, and of extinction as alpha, at most 1
+   * each.
+   *
+   * Isosurface (5): the property's IsoSurfaceValues front to back, see IsoSurfaces.
+   */
+  void SetBlendMode(int mode);
+  vtkGetMacro(BlendMode, int);
+  void SetBlendModeToComposite() { this->SetBlendMode(COMPOSITE_BLEND); }
+  void SetBlendModeToMaximumIntensity() { this->SetBlendMode(MAXIMUM_INTENSITY_BLEND); }
+  void SetBlendModeToMinimumIntensity() { this->SetBlendMode(MINIMUM_INTENSITY_BLEND); }
+  void SetBlendModeToAverageIntensity() { this->SetBlendMode(AVERAGE_INTENSITY_BLEND); }
+  void SetBlendModeToAdditive() { this->SetBlendMode(ADDITIVE_BLEND); }
+  void SetBlendModeToIsoSurface() { this->SetBlendMode(ISOSURFACE_BLEND); }
+  //@}
+
+  //@{
+  /**
+   * Whether the property's IsoSurfaceValues are drawn inside the volume, with composite blending;
+   * default off. Alpha of a surface is the opacity of its value, whatever the length, at most 1. A
+   * border of cells that has the value counts once; where the scalar has the value all along, and
+   * with scalars of cells, there is no surface. Surfaces are those of the independent component of
+   * the largest ComponentWeight, the first of equal ones; of 2 dependent components of the first,
+   * whose value also gives the opacity; of 4 of the last.
+   */
+  vtkSetMacro(IsoSurfaces, bool);
+  vtkGetMacro(IsoSurfaces, bool);
+  vtkBooleanMacro(IsoSurfaces, bool);
+  //@}
+
+  //@{
+  /**
+   * Planes that clip the volume, of which only what is on the positive side of all is seen, in
+   * world coordinates; as those of vtkAbstractMapper. Changes of planes count. Setting a vtkPlanes
+   * takes up to 6 of its planes as they are then.
+   */
+  void AddClippingPlane(vtkPlane* plane);
+  void RemoveClippingPlane(vtkPlane* plane);
+  void RemoveAllClippingPlanes();
+  void SetClippingPlanes(vtkPlaneCollection* planes);
+  void SetClippingPlanes(vtkPlanes* planes);
+  vtkPlaneCollection* GetClippingPlanes();
+  //@}
+
+  /// Includes the modification times of camera, property and clipping planes.
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -140,9 +207,12 @@ private:
 
   vtkSmartPointer<vtkCamera> Camera;
   vtkSmartPointer<vtkVolumeProperty> VolumeProperty;
+  vtkSmartPointer<vtkPlaneCollection> ClippingPlanes;
   int ViewportSize[2] = { 300, 300 };
   int VectorMode = DISABLED;
   int VectorComponent = 0;
+  int BlendMode = COMPOSITE_BLEND;
+  bool IsoSurfaces = false;
 };
 
 #endif

@@ -27,6 +27,7 @@ CurvedScalars::CurvedScalars(
     const double high = (*range.second)[c];
     const double rounding = 1e-12 * std::max(std::abs(low), std::abs(high));
     this->Tolerance[c] = (high - low) / 8192.0 + rounding;
+    this->Rounding[c] = 1e-10 * (high - low) + rounding;
   }
 }
 
@@ -46,15 +47,63 @@ void CurvedScalars::Split(const RayPart& part, int depth, std::vector<RayPart>& 
   {
     isLinear = isLinear && std::abs(scalars[c] - linear[c]) <= this->Tolerance[c];
   }
-  const RayPart first = { part.Begin, middle, part.Front, scalars };
-  const RayPart second = { middle, part.End, scalars, part.Back };
   if (isLinear || depth == DeepestSplit)
   {
-    parts.push_back(first);
-    parts.push_back(second);
+    this->AddTurns(part, scalars, parts);
     return;
   }
-  this->Split(first, depth + 1, parts);
-  this->Split(second, depth + 1, parts);
+  this->Split({ part.Begin, middle, part.Front, scalars }, depth + 1, parts);
+  this->Split({ middle, part.End, scalars, part.Back }, depth + 1, parts);
+}
+
+void CurvedScalars::AddTurns(
+  const RayPart& part, const Scalars& middle, std::vector<RayPart>& parts) const
+{
+  std::vector<std::pair<double, Scalars>> ends = { { 0.5 * (part.Begin + part.End), middle },
+    { part.End, part.Back } };
+  for (size_t c = 0; c < middle.size(); ++c)
+  {
+    double place;
+    if (this->FindTurn(part, middle, c, place))
+    {
+      ends.emplace_back(place, this->Get(place));
+    }
+  }
+  std::sort(ends.begin(), ends.end());
+  RayPart next = { part.Begin, part.Begin, part.Front, part.Front };
+  for (const auto& end : ends)
+  {
+    if (end.first > next.End)
+    {
+      next = { next.End, end.first, next.Back, end.second };
+      parts.push_back(next);
+    }
+  }
+}
+
+// Of the parabola through front, middle and back and then, as that is not all the truth, of one
+// through places close to there.
+bool CurvedScalars::FindTurn(
+  const RayPart& part, const Scalars& middle, size_t component, double& place) const
+{
+  const double front = part.Front[component];
+  const double back = part.Back[component];
+  const double first = 4.0 * middle[component] - 3.0 * front - back; // slopes at front and back
+  const double last = 3.0 * back + front - 4.0 * middle[component];
+  const double least = this->Rounding[component];
+  if (first * last >= 0.0 || std::min(std::abs(first), std::abs(last)) <= least)
+  {
+    return false;
+  }
+  const double length = part.End - part.Begin;
+  const double step = 1e-3 * length;
+  const double guess =
+    std::clamp(part.Begin + length * first / (first - last), part.Begin + step, part.End - step);
+  const double before = this->Get(guess - step)[component];
+  const double after = this->Get(guess + step)[component];
+  const double bend = before - 2.0 * this->Get(guess)[component] + after;
+  const double steps = bend == 0.0 ? 0.0 : std::clamp(0.5 * (before - after) / bend, -2.0, 2.0);
+  place = std::clamp(guess + steps * step, part.Begin, part.End);
+  return true;
 }
 }

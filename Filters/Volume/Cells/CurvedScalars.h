@@ -21,7 +21,8 @@ class CurvedScalars
 public:
   /**
    * `get` gives the scalars at a distance along the ray. Parts are halved until they are within
-   * 1/8192 of how far apart the scalars of the corners are, or 2^10 of them.
+   * 1/8192 of how far apart the scalars of the corners are, or 2^10 of them. They end where a
+   * scalar turns round, so that its extremes are those of ends.
    */
   CurvedScalars(std::function<Scalars(double)> get, const std::vector<Scalars>& corners);
 
@@ -29,9 +30,12 @@ public:
 
 private:
   void Split(const RayPart& part, int depth, std::vector<RayPart>& parts) const;
+  void AddTurns(const RayPart& part, const Scalars& middle, std::vector<RayPart>& parts) const;
+  bool FindTurn(const RayPart& part, const Scalars& middle, size_t component, double& place) const;
 
   std::function<Scalars(double)> Get;
   Scalars Tolerance;
+  Scalars Rounding;
 };
 }
 

@@ -28,6 +28,15 @@ struct RayPart
   double End;
   Scalars Front;
   Scalars Back;
+
+  /// Of shares of its length.
+  RayPart Cut(double begin, double end) const
+  {
+    const auto place = [this](double share)
+    { return (1.0 - share) * this->Begin + share * this->End; };
+    return { place(begin), place(end), Interpolate(this->Front, this->Back, begin),
+      Interpolate(this->Front, this->Back, end) };
+  }
 };
 }
 

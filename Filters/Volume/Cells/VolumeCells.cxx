@@ -356,6 +356,10 @@ void VolumeCells::CrossCurved(const Cell& cell, const Ray& ray, std::vector<RayP
 
 std::vector<RayPart> VolumeCells::Cross(const Ray& ray) const
 {
+  if (!(ray.Length > 0.0))
+  {
+    return {};
+  }
   const Ray moved = { ray.Origin - this->Center, ray.Direction, ray.Length };
   const dvec3 end = moved.Origin + moved.Length * moved.Direction;
   const BoxSegment segment(&moved.Origin.x, &end.x, BoxMargin * this->Diagonal);
@@ -376,20 +380,14 @@ std::vector<RayPart> VolumeCells::Cross(const Ray& ray) const
   // A ray in a face is in both its cells: no place counts twice.
   double reached = 0.0;
   std::vector<RayPart> once;
-  for (RayPart part : parts)
+  for (const RayPart& part : parts)
   {
-    if (part.End <= reached)
+    if (part.End > reached)
     {
-      continue;
+      const double hidden = (reached - part.Begin) / (part.End - part.Begin);
+      once.push_back(hidden > 0.0 ? part.Cut(hidden, 1.0) : part);
+      reached = part.End;
     }
-    if (part.Begin < reached)
-    {
-      part.Front =
-        Interpolate(part.Front, part.Back, (reached - part.Begin) / (part.End - part.Begin));
-      part.Begin = reached;
-    }
-    reached = part.End;
-    once.push_back(part);
   }
   return once;
 }

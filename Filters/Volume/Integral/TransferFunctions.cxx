@@ -147,6 +147,7 @@ bool TransferFunctions::Read(
   this->Mode = isIndependent  ? Mixing::Independent
     : numberOfComponents == 2 ? Mixing::Two
                               : Mixing::Four;
+  this->NumberOfComponents = numberOfComponents;
   this->Curves.clear();
   if (this->Mode == Mixing::Four)
   {
@@ -191,6 +192,19 @@ dvec4 TransferFunctions::Integrate(const Scalars& front, const Scalars& back, do
   return seen;
 }
 
+dvec4 TransferFunctions::Sum(const Scalars& front, const Scalars& back, double length) const
+{
+  const std::vector<double> cuts = this->FindCuts(front, back);
+  dvec4 sum(0.0);
+  for (size_t i = 1; i < cuts.size(); ++i)
+  {
+    const auto ends =
+      this->Evaluate(Interpolate(front, back, cuts[i - 1]), Interpolate(front, back, cuts[i]));
+    sum += linearSegmentSum(ends[0], ends[1], (cuts[i] - cuts[i - 1]) * length);
+  }
+  return sum;
+}
+
 std::vector<double> TransferFunctions::FindCuts(const Scalars& front, const Scalars& back) const
 {
   std::vector<double> cuts = { 0.0, 1.0 };
@@ -207,46 +221,87 @@ std::vector<double> TransferFunctions::FindCuts(const Scalars& front, const Scal
     }
   }
   std::sort(cuts.begin(), cuts.end());
+  cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
   return cuts;
 }
 
 std::array<dvec4, 2> TransferFunctions::Evaluate(const Scalars& front, const Scalars& back) const
 {
+  AllEnds all = this->EvaluateAll(front, back);
+  for (int end = 0; end < 2; ++end)
+  {
+    all[0][end].w /= this->Mode == Mixing::Four ? this->UnitDistance : 1.0;
+    for (size_t i = 0; i < this->Curves.size(); ++i)
+    {
+      all[i][end].w /= this->Curves[i].UnitDistance;
+    }
+  }
+  return this->Mix(all);
+}
+
+dvec4 TransferFunctions::Map(const Scalars& scalars) const
+{
+  const dvec4 mixed = this->Mix(this->EvaluateAll(scalars, scalars))[0];
+  return dvec4(dvec3(mixed), std::min(mixed.w, 1.0));
+}
+
+dvec4 TransferFunctions::MapCurve(size_t curve, const Scalars& scalars) const
+{
+  const dvec4 value = EvaluateCurve(this->Curves[curve], scalars, scalars)[0];
+  return dvec4(dvec3(value), std::min(value.w, 1.0));
+}
+
+// Straight colours and opacities.
+TransferFunctions::AllEnds TransferFunctions::EvaluateAll(
+  const Scalars& front, const Scalars& back) const
+{
+  AllEnds all;
   if (this->Mode == Mixing::Four)
   {
-    const auto get = [this](const Scalars& s)
-    {
-      const dvec4 color(s[0], s[1], s[2], s[3] / this->UnitDistance);
-      return max(color, dvec4(0.0));
-    };
-    return { { get(front), get(back) } };
+    const auto get = [](const Scalars& s)
+    { return max(dvec4(s[0], s[1], s[2], s[3]), dvec4(0.0)); };
+    all[0] = { { get(front), get(back) } };
   }
+  for (size_t i = 0; i < this->Curves.size(); ++i)
+  {
+    all[i] = EvaluateCurve(this->Curves[i], front, back);
+  }
+  return all;
+}
+
+// By the piece that the middle lies in, as the ends may be where pieces meet.
+TransferFunctions::Ends TransferFunctions::EvaluateCurve(
+  const Curve& curve, const Scalars& front, const Scalars& back)
+{
+  const double begin = front[curve.Component];
+  const double end = back[curve.Component];
+  const size_t piece = curve.Pieces.FindPiece(0.5 * begin + 0.5 * end);
+  const auto get = [&](double at)
+  {
+    return max(curve.Pieces.Evaluate(piece, at), dvec4(0.0)); // rounding may be below
+  };
+  return { { get(begin), get(end) } };
+}
+
+TransferFunctions::Ends TransferFunctions::Mix(const AllEnds& all) const
+{
   if (this->Mode == Mixing::Two)
   {
-    const auto color = EvaluateCurve(this->Curves[0], front, back);
-    const auto extinction = EvaluateCurve(this->Curves[1], front, back);
-    return { { color[0] + extinction[0], color[1] + extinction[1] } };
+    return { { all[0][0] + all[1][0], all[0][1] + all[1][1] } };
   }
-  return this->MixIndependent(front, back);
+  return this->Curves.size() <= 1 ? all[0] : this->MixIndependent(all);
 }
 
 // Where no component has any extinction, its share in the colour is the one that it has next to
 // there: what it has at the other end.
-std::array<dvec4, 2> TransferFunctions::MixIndependent(
-  const Scalars& front, const Scalars& back) const
+TransferFunctions::Ends TransferFunctions::MixIndependent(const AllEnds& all) const
 {
-  if (this->Curves.size() == 1)
-  {
-    return EvaluateCurve(this->Curves[0], front, back);
-  }
-  std::array<std::array<dvec4, 2>, MostComponents> all;
   dvec2 sums(0.0);
   for (size_t i = 0; i < this->Curves.size(); ++i)
   {
-    all[i] = EvaluateCurve(this->Curves[i], front, back);
     sums += dvec2(all[i][0].w, all[i][1].w);
   }
-  std::array<dvec4, 2> mixed = { { dvec4(0.0, 0.0, 0.0, sums[0]), dvec4(0.0, 0.0, 0.0, sums[1]) } };
+  Ends mixed = { { dvec4(0.0, 0.0, 0.0, sums[0]), dvec4(0.0, 0.0, 0.0, sums[1]) } };
   for (int end = 0; end < 2; ++end)
   {
     const int weighing = sums[end] > 0.0 ? end : 1 - end;
@@ -257,20 +312,5 @@ std::array<dvec4, 2> TransferFunctions::MixIndependent(
     }
   }
   return mixed;
-}
-
-// By the piece that the middle lies in, as the ends may be where pieces meet.
-std::array<dvec4, 2> TransferFunctions::EvaluateCurve(
-  const Curve& curve, const Scalars& front, const Scalars& back)
-{
-  const double begin = front[curve.Component];
-  const double end = back[curve.Component];
-  const size_t piece = curve.Pieces.FindPiece(0.5 * begin + 0.5 * end);
-  const auto get = [&](double at)
-  {
-    const dvec4 value = max(curve.Pieces.Evaluate(piece, at), dvec4(0.0)); // rounding may be below
-    return dvec4(dvec3(value), value.w / curve.UnitDistance);
-  };
-  return { { get(begin), get(end) } };
 }
 }

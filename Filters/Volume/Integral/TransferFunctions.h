@@ -62,6 +62,8 @@ public:
   bool AreColors() const { return this->Mode == Mixing::Four; }
   /// Whether colour and opacity come from two components.
   bool AreDependent() const { return this->Mode == Mixing::Two; }
+  bool AreIndependent() const { return this->Mode == Mixing::Independent; }
+  int GetNumberOfComponents() const { return this->NumberOfComponents; }
   /// None if the scalars are colours.
   const std::vector<Curve>& GetCurves() const { return this->Curves; }
   /// Of scalars that are colours.
@@ -70,11 +72,21 @@ public:
   /// What is seen of a part of a ray along which the scalars are linear: premultiplied.
   dvec4 Integrate(const Scalars& front, const Scalars& back, double length) const;
 
+  /// The integrals of colour times extinction, and of extinction: what nothing hides.
+  dvec4 Sum(const Scalars& front, const Scalars& back, double length) const;
+
   /// Where one of the functions may bend or jump: as shares of the part, with 0 and 1.
   std::vector<double> FindCuts(const Scalars& front, const Scalars& back) const;
 
   /// Straight colour and extinction at the ends of a part that no cut lies in.
   std::array<dvec4, 2> Evaluate(const Scalars& front, const Scalars& back) const;
+
+  /// Straight colour and opacity, whatever the length, of scalars; independent components mix by
+  /// their opacities. At most opaque.
+  dvec4 Map(const Scalars& scalars) const;
+
+  /// The same of one of the independent components alone.
+  dvec4 MapCurve(size_t curve, const Scalars& scalars) const;
 
 private:
   enum class Mixing
@@ -83,13 +95,17 @@ private:
     Two,
     Four
   };
-  std::array<dvec4, 2> MixIndependent(const Scalars& front, const Scalars& back) const;
-  static std::array<dvec4, 2> EvaluateCurve(
-    const Curve& curve, const Scalars& front, const Scalars& back);
+  using Ends = std::array<dvec4, 2>;
+  using AllEnds = std::array<Ends, MostComponents>;
+  AllEnds EvaluateAll(const Scalars& front, const Scalars& back) const;
+  static Ends EvaluateCurve(const Curve& curve, const Scalars& front, const Scalars& back);
+  Ends Mix(const AllEnds& all) const;
+  Ends MixIndependent(const AllEnds& all) const;
 
   Mixing Mode = Mixing::Independent;
+  int NumberOfComponents = 1;
   double UnitDistance = 1.0; // of four dependent components
-  std::vector<Curve> Curves; // colour and extinction; of two dependent, one after the other
+  std::vector<Curve> Curves; // of two dependent components one after the other
 };
 }
 

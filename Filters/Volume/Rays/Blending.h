@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
+ * @class   Blending
  * @brief   from what a ray passes through to the colour of a pixel
  *
  * Private to the module's own sources.
@@ -10,13 +10,46 @@
 #define Blending_h
 
 #include "Cells/Ray.h"
+#include "Rays/IsoSurfaces.h"
 
 #include <vector>
 
 namespace relevo
 {
-/// Emission and absorption, front to back; premultiplied.
-dvec4 BlendComposite(const TransferFunctions& functions, const std::vector<RayPart>& parts);
+/// By vtkVolumeMapper's numbers.
+enum class BlendMode
+{
+  Composite,
+  Maximum,
+  Minimum,
+  Average,
+  Additive,
+  IsoSurface
+};
+
+class Blending
+{
+public:
+  /// Composite and IsoSurface show the surfaces, IsoSurface nothing else.
+  Blending(const TransferFunctions& functions, BlendMode mode, const IsoSurfaces& surfaces)
+    : Functions(functions)
+    , Mode(mode)
+    , Surfaces(surfaces)
+  {
+  }
+
+  /// Premultiplied.
+  dvec4 Blend(const std::vector<RayPart>& parts) const;
+
+private:
+  dvec4 BlendComposite(const std::vector<RayPart>& parts) const;
+  dvec4 BlendIsoSurfaces(const std::vector<RayPart>& parts) const;
+  dvec4 BlendAdditive(const std::vector<RayPart>& parts) const;
+
+  const TransferFunctions& Functions;
+  const BlendMode Mode;
+  const IsoSurfaces& Surfaces;
+};
 }
 
 #endif

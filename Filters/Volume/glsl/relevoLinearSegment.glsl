@@ -19,3 +19,11 @@ RELEVO_FUNCTION Real4 frontOverBack(Real4 front, Real4 back)
 {
   return front + (Real(1) - front.w) * back;
 }
+
+// The integrals of colour times extinction, and of extinction, which are quadratic and linear.
+RELEVO_FUNCTION Real4 linearSegmentSum(Real4 front, Real4 back, Real span)
+{
+  Real3 first = Real3(front) * (Real(2) * front.w + back.w);
+  Real3 last = Real3(back) * (front.w + Real(2) * back.w);
+  return Real4((first + last) / Real(6), (front.w + back.w) / Real(2)) * span;
+}

@@ -177,6 +177,18 @@ void TestIndependent(RelevoCheck& check)
   CHECK_NEAR(seen.x, seen.w, 1e-12);
 }
 
+// Nodes of several components at one place cut once.
+void TestCuts(RelevoCheck& check)
+{
+  vtkNew<vtkVolumeProperty> property;
+  FillComponents(property, 1);
+  const auto one = Read(check, property, 1).FindCuts({ -1.0 }, { 2.0 });
+  CHECK(one.front() == 0.0 && one.back() == 1.0 && one.size() > 4);
+  property->SetColor(1, property->GetRGBTransferFunction(0));
+  property->SetScalarOpacity(1, property->GetScalarOpacity(0));
+  CHECK(Read(check, property, 2).FindCuts({ -1.0, -1.0 }, { 2.0, 2.0 }) == one);
+}
+
 void TestDependent(RelevoCheck& check)
 {
   vtkNew<vtkVolumeProperty> property;
@@ -261,6 +273,7 @@ int TestTransferFunctions(int, char*[])
   TestSpike(check);
   TestCurves(check);
   TestIndependent(check);
+  TestCuts(check);
   TestDependent(check);
   TestChord(check);
   TestErrors(check);

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rays/IsoSurfaces.h"
+
+#include "vtkContourValues.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace relevo
+{
+namespace
+{
+// Of how far the ray has come: cells no farther apart touch.
+constexpr double Touching = 1e-9;
+// Of the ray's largest scalar: at a border of cells, and where they have a value all along, scalars
+// may differ by rounding.
+constexpr double Same = 1e-10;
+constexpr double Rounding = 1e-12;
+
+int FindHeaviest(vtkVolumeProperty* property, int components)
+{
+  int heaviest = 0;
+  for (int i = 1; i < components; ++i)
+  {
+    if (property->GetComponentWeight(i) > property->GetComponentWeight(heaviest))
+    {
+      heaviest = i;
+    }
+  }
+  return heaviest;
+}
+}
+
+IsoSurfaces::IsoSurfaces(vtkVolumeProperty* property, const TransferFunctions& functions)
+{
+  vtkContourValues* values = property->GetIsoSurfaceValues();
+  for (int i = 0; i < values->GetNumberOfContours(); ++i)
+  {
+    if (std::isfinite(values->GetValue(i)))
+    {
+      this->Values.push_back(values->GetValue(i));
+    }
+  }
+  std::sort(this->Values.begin(), this->Values.end());
+  this->Values.erase(std::unique(this->Values.begin(), this->Values.end()), this->Values.end());
+  this->Component = functions.AreColors() ? MostComponents - 1
+    : functions.AreIndependent() ? FindHeaviest(property, functions.GetNumberOfComponents())
+                                 : 0;
+}
+
+std::vector<IsoCrossing> IsoSurfaces::Cross(const std::vector<RayPart>& parts) const
+{
+  std::vector<IsoCrossing> crossings;
+  if (this->Values.empty())
+  {
+    return crossings;
+  }
+  double size = 0.0;
+  for (const RayPart& part : parts)
+  {
+    size = std::max(
+      { size, std::abs(part.Front[this->Component]), std::abs(part.Back[this->Component]) });
+  }
+  double last = 0.0;
+  for (size_t i = 0; i < parts.size(); ++i)
+  {
+    const double front = parts[i].Front[this->Component];
+    const double back = parts[i].Back[this->Component];
+    const bool touches = i > 0 && parts[i].Begin - parts[i - 1].End <= Touching * parts[i].Begin &&
+      std::abs(front - last) <= Same * size;
+    this->Cross({ i, 0.0, touches ? last : front }, { i, 1.0, back }, Rounding * size, crossings);
+    last = back;
+  }
+  return crossings;
+}
+
+void IsoSurfaces::Cross(const IsoCrossing& front, const IsoCrossing& back, double rounding,
+  std::vector<IsoCrossing>& crossings) const
+{
+  const size_t first = crossings.size();
+  for (const double value : this->Values)
+  {
+    const double least = value - rounding;
+    if ((front.Value < least) != (back.Value < least))
+    {
+      const double share = (value - front.Value) / (back.Value - front.Value);
+      crossings.push_back({ front.Part, std::clamp(share, 0.0, 1.0), value });
+    }
+  }
+  if (back.Value < front.Value)
+  {
+    std::reverse(crossings.begin() + first, crossings.end());
+  }
+}
+
+dvec4 IsoSurfaces::GetColor(
+  const TransferFunctions& functions, const RayPart& part, const IsoCrossing& crossing) const
+{
+  Scalars scalars = Interpolate(part.Front, part.Back, crossing.Share);
+  scalars[this->Component] = crossing.Value;
+  if (!functions.AreColors() && !functions.AreIndependent())
+  {
+    scalars.fill(crossing.Value);
+  }
+  const dvec4 color = functions.AreIndependent()
+    ? functions.MapCurve(static_cast<size_t>(this->Component), scalars)
+    : functions.Map(scalars);
+  return dvec4(dvec3(color) * color.w, color.w);
+}
+}

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   IsoSurfaces
+ * @brief   where a ray meets the isosurfaces of a volume
+ *
+ * A scalar is on one side of a surface if it is less than its value, else on the other; a ray meets
+ * the surface where the side changes inside a cell. So a border of cells that has the value counts
+ * for one of them, and where the scalar has the value all along, nothing is met.
+ *
+ * Private to the module's own sources.
+ */
+#ifndef IsoSurfaces_h
+#define IsoSurfaces_h
+
+#include "Cells/Ray.h"
+
+#include <vector>
+
+class vtkVolumeProperty;
+
+namespace relevo
+{
+struct IsoCrossing
+{
+  size_t Part;
+  double Share; // of the part, from its front
+  double Value;
+};
+
+class IsoSurfaces
+{
+public:
+  /// None.
+  IsoSurfaces() = default;
+  /// Of the property's values, those that are numbers.
+  IsoSurfaces(vtkVolumeProperty* property, const TransferFunctions& functions);
+
+  /// Front to back.
+  std::vector<IsoCrossing> Cross(const std::vector<RayPart>& parts) const;
+
+  /// What is seen of a surface; premultiplied.
+  dvec4 GetColor(
+    const TransferFunctions& functions, const RayPart& part, const IsoCrossing& crossing) const;
+
+private:
+  // Between the ends of a part.
+  void Cross(const IsoCrossing& front, const IsoCrossing& back, double rounding,
+    std::vector<IsoCrossing>& crossings) const;
+
+  std::vector<double> Values; // in ascending order
+  int Component = 0;
+};
+}
+
+#endif

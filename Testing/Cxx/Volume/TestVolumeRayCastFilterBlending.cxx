@@ -1,0 +1,378 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Blend modes and isosurfaces, against closed forms where the scalar is linear in space and else
+// against the sum of many samples of a ray.
+#include "RelevoCheck.h"
+#include "RelevoRaySum.h"
+
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkContourValues.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+using Filter = vtkVolumeRayCastFilter;
+constexpr int Size = 17;
+
+// A filter, and what it is compared with.
+struct Scene
+{
+  explicit Scene(vtkDataObject* mesh, vtkSmartPointer<vtkVolumeProperty> property = nullptr)
+  {
+    this->Cast->SetInputDataObject(mesh);
+    this->Property = property ? property : MakeLinearProperty();
+    this->Cast->SetVolumeProperty(this->Property);
+    this->Camera = MakeCamera({ { 3.0, 2.0, 1.5 } }, { { 0.5, 0.5, 0.5 } });
+    this->Cast->SetCamera(this->Camera);
+    this->Cast->SetViewportSize(Size, Size);
+  }
+  double Differs(const std::function<RelevoColor(const RelevoRay&)>& get)
+  {
+    return FindLargestDifference(::Cast(this->Cast), MakePicture(this->Camera, Size, Size, get));
+  }
+  void SetValues(const std::vector<double>& values)
+  {
+    vtkContourValues* all = this->Property->GetIsoSurfaceValues();
+    all->SetNumberOfContours(static_cast<int>(values.size()));
+    for (size_t i = 0; i < values.size(); ++i)
+    {
+      all->SetValue(static_cast<int>(i), values[i]);
+    }
+  }
+  RelevoColor Map(double scalar) { return Premultiply(MapScalar(this->Property, scalar)); }
+
+  vtkNew<Filter> Cast;
+  vtkSmartPointer<vtkVolumeProperty> Property;
+  vtkSmartPointer<vtkCamera> Camera;
+};
+
+// One voxel whose field is not linear.
+double GetTrilinear(const RelevoPoint& p)
+{
+  return 0.1 + 0.8 * p[0] * (1.0 - p[1]) + 0.7 * p[1] * (1.0 - p[0]) * p[2] + 0.1 * p[2];
+}
+
+vtkSmartPointer<vtkImageData> MakeVoxel()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(2, 2, 2);
+  image->AllocateScalars(VTK_DOUBLE, 1);
+  for (vtkIdType i = 0; i < 8; ++i)
+  {
+    RelevoPoint point;
+    image->GetPoint(i, point.data());
+    image->GetPointData()->GetScalars()->SetComponent(i, 0, GetTrilinear(point));
+  }
+  return image;
+}
+
+void CheckScalars(
+  RelevoCheck& check, vtkDataObject* mesh, const RelevoField& field, double tolerance)
+{
+  Scene scene(mesh);
+  RelevoRaySum sum;
+  sum.Scalar = field;
+  double low;
+  double high;
+  double mean;
+  scene.Cast->SetBlendModeToMaximumIntensity();
+  CHECK(scene.Cast->GetBlendMode() == 1);
+  const auto getHigh = [&](const RelevoRay& ray)
+  { return sum.Measure(ray, low, high, mean) ? scene.Map(high) : RelevoColor(); };
+  CHECK_NEAR(scene.Differs(getHigh), 0.0, tolerance);
+  scene.Cast->SetBlendModeToMinimumIntensity();
+  CHECK(scene.Cast->GetBlendMode() == 2);
+  CHECK(scene.Differs(getHigh) > 0.1);
+  CHECK_NEAR(scene.Differs([&](const RelevoRay& ray)
+               { return sum.Measure(ray, low, high, mean) ? scene.Map(low) : RelevoColor(); }),
+    0.0, tolerance);
+  scene.Cast->SetBlendModeToAverageIntensity();
+  CHECK(scene.Cast->GetBlendMode() == 3);
+  CHECK_NEAR(scene.Differs([&](const RelevoRay& ray)
+               { return sum.Measure(ray, low, high, mean) ? scene.Map(mean) : RelevoColor(); }),
+    0.0, std::max(tolerance, 1e-4));
+}
+
+void TestScalars(RelevoCheck& check)
+{
+  CheckScalars(check, MakeTetrahedra(3, GetLinearField), GetLinearField, 1e-12);
+  CheckScalars(check, MakeVoxel(), GetTrilinear, 1e-7); // of the samples
+}
+
+// Opacities beyond 1 are 1; where there is nothing, nothing is seen.
+void TestOpaque(RelevoCheck& check)
+{
+  Scene scene(MakeTetrahedra(2, [](const RelevoPoint&) { return 0.5; }));
+  scene.Property->GetScalarOpacity()->AddPoint(0.5, 3.0);
+  for (const int mode : { 1, 2, 3 })
+  {
+    scene.Cast->SetBlendMode(mode);
+    const auto picture = Cast(scene.Cast);
+    CHECK_NEAR(picture[Size * Size / 2][3], 1.0, 1e-12);
+    CHECK_NEAR(picture[Size * Size / 2][0], 0.5, 1e-5);
+    CHECK(picture[0][3] == 0.0);
+  }
+}
+
+void TestAdditive(RelevoCheck& check)
+{
+  for (const double unit : { 0.5, 4.0 })
+  {
+    Scene scene(MakeTetrahedra(3, GetLinearField), MakeVolumeProperty(0.2, 1.0, unit));
+    scene.Property->GetScalarOpacity()->AddPoint(0.4, 0.1);
+    scene.Property->GetScalarOpacity()->AddPoint(0.45, 0.9);
+    scene.Cast->SetBlendModeToAdditive();
+    CHECK(scene.Cast->GetBlendMode() == 4);
+    RelevoRaySum sum;
+    sum.Optics = [&](const RelevoRay&, const RelevoPoint& p)
+    {
+      RelevoColor color = MapScalar(scene.Property, GetLinearField(p));
+      color[3] /= unit;
+      return color;
+    };
+    CHECK_NEAR(scene.Differs([&](const RelevoRay& ray) { return sum.Add(ray); }), 0.0, 2e-6);
+  }
+}
+
+RelevoRaySum MakeSurfaces(Scene& scene, const RelevoField& field)
+{
+  RelevoRaySum sum;
+  sum.Scalar = field;
+  vtkContourValues* values = scene.Property->GetIsoSurfaceValues();
+  sum.Values.assign(values->GetValues(), values->GetValues() + values->GetNumberOfContours());
+  std::sort(sum.Values.begin(), sum.Values.end());
+  sum.Values.erase(std::unique(sum.Values.begin(), sum.Values.end()), sum.Values.end());
+  sum.Surface = [&scene, sum](const RelevoRay&, const RelevoPoint& p)
+  {
+    const double here = sum.Scalar(p);
+    const double value = *std::min_element(sum.Values.begin(), sum.Values.end(),
+      [=](double a, double b) { return std::abs(a - here) < std::abs(b - here); });
+    return MapScalar(scene.Property, value);
+  };
+  return sum;
+}
+
+void TestIsoSurfaces(RelevoCheck& check)
+{
+  Scene scene(MakeTetrahedra(3, GetLinearField));
+  scene.SetValues({ 0.7, 0.3, 0.301, 0.3 });
+  scene.Cast->SetBlendModeToIsoSurface();
+  CHECK(scene.Cast->GetBlendMode() == 5);
+  RelevoRaySum sum = MakeSurfaces(scene, GetLinearField);
+  const auto get = [&](const RelevoRay& ray) { return sum.Composite(ray); };
+  CHECK_NEAR(scene.Differs(get), 0.0, 1e-9);
+  scene.SetValues({ 0.7, 0.3, 0.301, 0.3, std::nan(""), 2.0 });
+  CHECK_NEAR(scene.Differs(get), 0.0, 1e-9);
+
+  Scene voxel(MakeVoxel());
+  voxel.SetValues({ 0.25, 0.4, 0.55 });
+  voxel.Cast->SetBlendModeToIsoSurface();
+  sum = MakeSurfaces(voxel, GetTrilinear);
+  CHECK_NEAR(voxel.Differs([&](const RelevoRay& ray) { return sum.Composite(ray); }), 0.0, 1e-9);
+
+  // In the volume: between what is in front and what is behind.
+  Scene inside(MakeTetrahedra(3, GetLinearField));
+  inside.SetValues({ 0.35, 0.6 });
+  inside.Property->GetScalarOpacity()->AddPoint(0.35, 0.9);
+  inside.Cast->IsoSurfacesOn();
+  sum = MakeSurfaces(inside, GetLinearField);
+  sum.Optics = [&](const RelevoRay&, const RelevoPoint& p)
+  {
+    RelevoColor color = MapScalar(inside.Property, GetLinearField(p));
+    color[3] /= 0.5;
+    return color;
+  };
+  const auto getInside = [&](const RelevoRay& ray) { return sum.Composite(ray); };
+  CHECK_NEAR(inside.Differs(getInside), 0.0, 2e-4); // of pieces that a surface is in
+  inside.Cast->IsoSurfacesOff();
+  CHECK(inside.Differs(getInside) > 0.1);
+}
+
+// A surface that is a border of cells is there once, and none where a scalar stays as it is.
+void TestBorders(RelevoCheck& check)
+{
+  const auto count = [&](const RelevoField& field, double value, vtkCamera* camera)
+  {
+    Scene scene(MakeTetrahedra(4, field), MakeVolumeProperty(0.25, 0.25));
+    scene.SetValues({ value });
+    scene.Cast->SetBlendModeToIsoSurface();
+    scene.Cast->SetCamera(camera);
+    int surfaces = -1;
+    for (const RelevoColor& color : Cast(scene.Cast))
+    {
+      const double number = std::log(1.0 - color[3]) / std::log(0.75);
+      CHECK_NEAR(number, std::round(number), 1e-9);
+      const int here = static_cast<int>(std::round(number));
+      CHECK(surfaces < 0 || here == surfaces);
+      surfaces = here;
+    }
+    return surfaces;
+  };
+  const auto oblique = MakeCamera({ { 4.0, 0.6, 0.7 } }, { { 0.5, 0.5, 0.5 } }, 8.0);
+  const auto back = MakeCamera({ { -4.0, 0.6, 0.7 } }, { { 0.5, 0.5, 0.5 } }, 8.0);
+  const auto along = MakeCamera({ { 4.0, 0.5, 0.5 } }, { { 0.5, 0.5, 0.5 } });
+  along->ParallelProjectionOn();
+  along->SetParallelScale(0.4);
+  for (vtkCamera* camera : { oblique.Get(), back.Get(), along.Get() })
+  {
+    CHECK(count([](const RelevoPoint& p) { return p[0] / 3.0; }, 0.25 / 3.0, camera) == 1);
+    CHECK(count([](const RelevoPoint& p) { return p[0] - 0.5; }, 0.0, camera) == 1);
+    CHECK(count([](const RelevoPoint& p) { return 0.1 * p[0]; }, 0.04, camera) == 1);
+    CHECK(count([](const RelevoPoint&) { return 0.3; }, 0.3, camera) == 0);
+    // Up to the value, or down to it, and there to stay.
+    CHECK(count([](const RelevoPoint& p) { return std::min(p[0], 0.5) * 0.7; }, 0.35, camera) == 1);
+    CHECK(count([](const RelevoPoint& p) { return std::abs(p[0] - 0.5); }, 0.25, camera) == 2);
+    CHECK(count([](const RelevoPoint& p) { return std::max(std::abs(p[0] - 0.5), 0.25); }, 0.25,
+            camera) == 0);
+  }
+  // Scalars of cells jump, and have no surfaces.
+  const auto mesh = MakeTetrahedra(2, GetLinearField);
+  vtkNew<vtkDoubleArray> ids;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+  {
+    ids->InsertNextValue(static_cast<double>(i % 5));
+  }
+  mesh->GetPointData()->Initialize();
+  mesh->GetCellData()->SetScalars(ids);
+  Scene scene(mesh);
+  scene.SetValues({ 0.5, 2.0, 3.0 });
+  scene.Cast->SetBlendModeToIsoSurface();
+  CHECK(scene.Differs([](const RelevoRay&) { return RelevoColor(); }) == 0.0);
+}
+
+// Two components, the second of which is x.
+vtkSmartPointer<vtkUnstructuredGrid> MakeTwo()
+{
+  auto mesh = MakeTetrahedra(3, GetLinearField);
+  vtkNew<vtkDoubleArray> two;
+  two->SetNumberOfComponents(2);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    RelevoPoint point;
+    mesh->GetPoint(i, point.data());
+    two->InsertNextTuple2(GetLinearField(point), point[0]);
+  }
+  mesh->GetPointData()->SetScalars(two);
+  return mesh;
+}
+
+RelevoColor Mix(const RelevoColor& a, const RelevoColor& b)
+{
+  RelevoColor mixed;
+  const double sum = a[3] + b[3];
+  mixed[3] = std::min(sum, 1.0);
+  for (int c = 0; c < 3; ++c)
+  {
+    mixed[c] = (a[c] * a[3] + b[c] * b[3]) / sum * mixed[3];
+  }
+  return mixed;
+}
+
+void TestIndependent(RelevoCheck& check)
+{
+  Scene scene(MakeTwo(), MakeVolumeProperty(0.1, 0.7, 0.5));
+  scene.Property->GetRGBTransferFunction(1)->AddRGBPoint(0.0, 0.0, 1.0, 0.0);
+  scene.Property->GetScalarOpacity(1)->RemoveAllPoints();
+  scene.Property->GetScalarOpacity(1)->AddPoint(0.0, 0.05);
+  scene.Property->GetScalarOpacity(1)->AddPoint(1.0, 0.6);
+  scene.Property->SetScalarOpacityUnitDistance(1, 7.0); // is no matter
+  RelevoRaySum first;
+  first.Scalar = GetLinearField;
+  RelevoRaySum second;
+  second.Scalar = [](const RelevoPoint& p) { return p[0]; };
+  for (const int mode : { 1, 2, 3 })
+  {
+    scene.Cast->SetBlendMode(mode);
+    CHECK_NEAR(
+      scene.Differs(
+        [&](const RelevoRay& ray)
+        {
+          double a[4];
+          double b[4];
+          return first.Measure(ray, a[2], a[1], a[3]) && second.Measure(ray, b[2], b[1], b[3])
+            ? Mix(MapScalar(scene.Property, a[mode]), MapScalar(scene.Property, b[mode], 1))
+            : RelevoColor();
+        }),
+      0.0, 1e-5);
+  }
+  // Isosurfaces: of the first, or that of more weight.
+  scene.SetValues({ 0.4 });
+  scene.Cast->SetBlendModeToIsoSurface();
+  RelevoRaySum surfaces = MakeSurfaces(scene, GetLinearField);
+  const auto get = [&](const RelevoRay& ray) { return surfaces.Composite(ray); };
+  CHECK_NEAR(scene.Differs(get), 0.0, 1e-5);
+  scene.Property->SetComponentWeight(0, 0.5);
+  CHECK(scene.Differs(get) > 0.1);
+  surfaces.Scalar = second.Scalar;
+  surfaces.Surface = [&](const RelevoRay&, const RelevoPoint&)
+  { return MapScalar(scene.Property, 0.4, 1); };
+  CHECK_NEAR(scene.Differs(get), 0.0, 1e-5);
+}
+
+// Where the second, the opacity, is extreme: at the ends of a ray.
+void TestDependent(RelevoCheck& check)
+{
+  Scene scene(MakeTwo());
+  scene.Property->IndependentComponentsOff();
+  for (const int mode : { 1, 2 })
+  {
+    scene.Cast->SetBlendMode(mode);
+    CHECK_NEAR(scene.Differs(
+                 [&](const RelevoRay& ray)
+                 {
+                   double begin;
+                   double end;
+                   if (!ray.CutBox(0.0, 1.0, begin, end))
+                   {
+                     return RelevoColor();
+                   }
+                   const RelevoPoint front = ray.At(begin);
+                   const RelevoPoint back = ray.At(end);
+                   const bool isFront = (front[0] > back[0]) == (mode == 1);
+                   const RelevoPoint at = isFront ? front : back;
+                   RelevoColor color = MapScalar(scene.Property, GetLinearField(at));
+                   color[3] = MapScalar(scene.Property, at[0])[3];
+                   return Premultiply(color);
+                 }),
+      0.0, 1e-9);
+  }
+}
+
+void TestSetting(RelevoCheck& check)
+{
+  vtkNew<Filter> filter;
+  RelevoErrors errors(filter);
+  CHECK(filter->GetBlendMode() == 0 && !filter->GetIsoSurfaces());
+  filter->SetBlendMode(6);
+  CHECK(errors.Said("BlendMode must be one of COMPOSITE_BLEND (0)"));
+  filter->SetBlendModeToIsoSurface();
+  filter->SetBlendMode(-1);
+  CHECK(errors.Said("got -1"));
+  CHECK(filter->GetBlendMode() == 5);
+  filter->SetBlendModeToComposite();
+  CHECK(filter->GetBlendMode() == 0);
+}
+}
+
+int TestVolumeRayCastFilterBlending(int, char*[])
+{
+  RelevoCheck check;
+  TestScalars(check);
+  TestOpaque(check);
+  TestAdditive(check);
+  TestIsoSurfaces(check);
+  TestBorders(check);
+  TestIndependent(check);
+  TestDependent(check);
+  TestSetting(check);
+  return check.GetResult();
+}
