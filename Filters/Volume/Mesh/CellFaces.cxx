@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesh/CellFaces.h"
+
+#include "Core/PointPlaces.h"
+#include "Core/RefinementMathematics.h"
+#include "vtkCell.h"
+#include "vtkCellType.h"
+#include "vtkDataSet.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+
+#include <algorithm>
+#include <initializer_list>
+
+namespace relevo
+{
+namespace
+{
+using Face = std::array<int, 4>;
+
+struct FaceTable
+{
+  const Face* Faces;
+  int NumberOfFaces;
+};
+
+// By which points of a cell; empty for types that are not linear.
+FaceTable FindFaces(int type)
+{
+  static const Face tetrahedron[] = { { { 0, 1, 3, -1 } }, { { 1, 2, 3, -1 } }, { { 2, 0, 3, -1 } },
+    { { 0, 2, 1, -1 } } };
+  static const Face hexahedron[] = { { { 0, 4, 7, 3 } }, { { 1, 2, 6, 5 } }, { { 0, 1, 5, 4 } },
+    { { 3, 7, 6, 2 } }, { { 0, 3, 2, 1 } }, { { 4, 5, 6, 7 } } };
+  static const Face voxel[] = { { { 0, 4, 6, 2 } }, { { 1, 3, 7, 5 } }, { { 0, 1, 5, 4 } },
+    { { 2, 6, 7, 3 } }, { { 0, 2, 3, 1 } }, { { 4, 5, 7, 6 } } };
+  static const Face wedge[] = { { { 0, 1, 2, -1 } }, { { 3, 5, 4, -1 } }, { { 0, 3, 4, 1 } },
+    { { 1, 4, 5, 2 } }, { { 2, 5, 3, 0 } } };
+  static const Face pyramid[] = { { { 0, 3, 2, 1 } }, { { 0, 1, 4, -1 } }, { { 1, 2, 4, -1 } },
+    { { 2, 3, 4, -1 } }, { { 3, 0, 4, -1 } } };
+  switch (type)
+  {
+    case VTK_TETRA:
+      return { tetrahedron, 4 };
+    case VTK_HEXAHEDRON:
+      return { hexahedron, 6 };
+    case VTK_VOXEL:
+      return { voxel, 6 };
+    case VTK_WEDGE:
+      return { wedge, 5 };
+    case VTK_PYRAMID:
+      return { pyramid, 5 };
+    default:
+      return { nullptr, 0 };
+  }
+}
+
+// Corners of a polygon that are far apart, in turn: many of the others may lie on one line.
+Face FindShape(vtkCell* polygon)
+{
+  std::vector<dvec3> points(polygon->GetNumberOfPoints());
+  for (size_t i = 0; i < points.size(); ++i)
+  {
+    polygon->GetPoints()->GetPoint(static_cast<vtkIdType>(i), &points[i].x);
+  }
+  const auto findFarthest = [&](size_t begin, size_t end, auto getDistance)
+  {
+    size_t farthest = begin;
+    for (size_t i = begin; i < end; ++i)
+    {
+      farthest = getDistance(points[i]) > getDistance(points[farthest]) ? i : farthest;
+    }
+    return farthest;
+  };
+  const size_t opposite =
+    findFarthest(1, points.size(), [&](const dvec3& point) { return distance(point, points[0]); });
+  const auto getHeight = [&](const dvec3& point)
+  { return length(cross(point - points[0], points[opposite] - points[0])); };
+  const size_t second = findFarthest(0, opposite, getHeight);
+  const size_t last = findFarthest(opposite, points.size(), getHeight);
+  Face face;
+  int corner = 0;
+  for (size_t i : { size_t(0), second, opposite, last })
+  {
+    face[corner++] = static_cast<int>(polygon->GetPointId(static_cast<int>(i)));
+  }
+  return face;
+}
+}
+
+CellFaces::CellFaces(vtkIdType numberOfPoints, std::vector<vtkIdType> places)
+  : NumberOfPoints(numberOfPoints)
+  , Places(std::move(places))
+{
+}
+
+int CellFaces::Join(vtkIdType point)
+{
+  if (point < 0 || point >= this->NumberOfPoints)
+  {
+    this->IsPointMissing = true;
+    return 0;
+  }
+  return static_cast<int>(this->Places.empty() ? point : this->Places[point]);
+}
+
+void CellFaces::Reserve(size_t numberOfCells)
+{
+  this->Firsts.reserve(numberOfCells + 1);
+  this->Faces.reserve(4 * numberOfCells);
+}
+
+bool CellFaces::Add(int type, const vtkIdType* points)
+{
+  const FaceTable table = FindFaces(type);
+  for (int i = 0; i < table.NumberOfFaces; ++i)
+  {
+    Face face = table.Faces[i];
+    for (int& corner : face)
+    {
+      corner = corner < 0 ? -1 : this->Join(points[corner]);
+    }
+    this->Faces.push_back(face);
+  }
+  if (table.NumberOfFaces > 0)
+  {
+    this->Firsts.push_back(this->Faces.size());
+  }
+  return table.NumberOfFaces > 0;
+}
+
+void CellFaces::Add(vtkCell* cell)
+{
+  for (int i = 0; i < cell->GetNumberOfFaces(); ++i)
+  {
+    vtkCell* side = cell->GetFace(i);
+    // Corners come before the points of edges, and there are as many as edges.
+    const int size = side->GetNumberOfEdges();
+    std::vector<int> corners;
+    for (int corner = 0; corner < size; ++corner)
+    {
+      corners.push_back(this->Join(side->GetPointId(corner)));
+    }
+    if (size > 4)
+    {
+      this->Polygons[this->Faces.size()] = FindShape(side);
+      std::sort(corners.begin(), corners.end());
+    }
+    if (size > 2)
+    {
+      this->Faces.push_back({ { corners[0], corners[1], corners[2], size > 3 ? corners[3] : -1 } });
+    }
+  }
+  this->Firsts.push_back(this->Faces.size());
+}
+
+CellFaces ReadCellFaces(vtkDataSet* mesh, std::vector<vtkIdType>& cells)
+{
+  auto* pointSet = vtkPointSet::SafeDownCast(mesh);
+  CellFaces faces(mesh->GetNumberOfPoints(),
+    pointSet ? ComputePlaces(pointSet->GetPoints()) : std::vector<vtkIdType>());
+  faces.Reserve(mesh->GetNumberOfCells());
+  cells.clear();
+  cells.reserve(mesh->GetNumberOfCells());
+  vtkNew<vtkIdList> points;
+  vtkNew<vtkGenericCell> cell;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+  {
+    const int type = mesh->GetCellType(i);
+    if (FindFaces(type).NumberOfFaces > 0)
+    {
+      mesh->GetCellPoints(i, points);
+      faces.Add(type, points->GetPointer(0));
+      cells.push_back(i);
+      continue;
+    }
+    mesh->GetCell(i, cell);
+    if (cell->GetCellDimension() == 3)
+    {
+      faces.Add(cell);
+      cells.push_back(i);
+    }
+  }
+  return faces;
+}
+}

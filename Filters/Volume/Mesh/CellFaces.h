@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   CellFaces
+ * @brief   the faces of 3D cells, by the points at their corners
+ *
+ * Private to the module's own sources.
+ */
+#ifndef CellFaces_h
+#define CellFaces_h
+
+#include "RelevoFiltersVolumeModule.h" // for export macro
+#include "vtkType.h"                   // for vtkIdType
+
+#include <array>
+#include <cstddef>
+#include <unordered_map>
+#include <vector>
+
+class vtkCell;
+class vtkDataSet;
+
+namespace relevo
+{
+class RELEVOFILTERSVOLUME_EXPORT CellFaces
+{
+public:
+  /// Places as ComputePlaces() says which points coincide: these become one.
+  explicit CellFaces(vtkIdType numberOfPoints, std::vector<vtkIdType> places = {});
+
+  /// Before the first cell.
+  void Reserve(size_t numberOfCells);
+
+  /// A cell of a linear type, by the ids of its points; false for other types.
+  bool Add(int type, const vtkIdType* points);
+
+  /// Any 3D cell. Of curved faces the corners count.
+  void Add(vtkCell* cell);
+
+  /// Whether a cell had a point that there is not. Its faces are of no use.
+  bool HasMissingPoints() const { return this->IsPointMissing; }
+
+  size_t GetNumberOfCells() const { return this->Firsts.size() - 1; }
+
+  /// Cell after cell, and in turn around each face, counterclockwise where VTK's cells are seen
+  /// from outside. Of triangles the last corner is -1. Of polygons there are the lowest ids.
+  std::vector<std::array<int, 4>> Faces;
+  /// Of faces that are polygons: corners by which to find their planes and centres.
+  std::unordered_map<size_t, std::array<int, 4>> Polygons;
+  /// The first of each cell, and one more: how many there are.
+  std::vector<size_t> Firsts = { 0 };
+
+private:
+  int Join(vtkIdType point);
+
+  vtkIdType NumberOfPoints;
+  std::vector<vtkIdType> Places;
+  bool IsPointMissing = false;
+};
+
+/// All 3D cells of a mesh, and which they are. Points that coincide are one.
+RELEVOFILTERSVOLUME_EXPORT CellFaces ReadCellFaces(vtkDataSet* mesh, std::vector<vtkIdType>& cells);
+}
+
+#endif

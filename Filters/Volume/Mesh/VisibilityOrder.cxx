@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesh/VisibilityOrder.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace relevo
+{
+namespace
+{
+// Of the eye's distance, or radians: faces seen so much from the side hide nothing.
+constexpr double SideMargin = 1e-12;
+
+enum : unsigned char
+{
+  New,
+  Begun, // what is behind it is not all in the order
+  Done
+};
+
+// Positive in front of a plane, and 0 where it is seen from the side.
+double GetHeight(const dvec4& plane, const dvec4& eye)
+{
+  const double height = dot(plane, eye);
+  const double reach = length(dvec3(eye)) + std::abs(plane.w * eye.w);
+  return std::abs(height) > SideMargin * reach ? height : 0.0;
+}
+
+// Grows with the distance from the eye.
+double GetDepth(const dvec3& point, const dvec4& eye)
+{
+  const dvec3 towards = dvec3(eye) - point;
+  return eye.w > 0.0 ? dot(towards, towards) : -dot(point, dvec3(eye));
+}
+}
+
+void VisibilityOrder::Build(const std::vector<dvec3>& points, const CellFaces& cells)
+{
+  this->Mesh = LinkCells(points, cells);
+  this->FirstSlots.assign(cells.GetNumberOfCells() + 1, 0);
+  for (const CellLinks::Link& link : this->Mesh.Links)
+  {
+    for (int cell : link.Cells)
+    {
+      this->FirstSlots[cell + 1]++;
+    }
+  }
+  std::partial_sum(this->FirstSlots.begin(), this->FirstSlots.end(), this->FirstSlots.begin());
+  this->Hidden.resize(this->FirstSlots.back());
+  this->Slots.clear();
+  this->Slots.reserve(this->Mesh.Links.size());
+  std::vector<int> next = this->FirstSlots;
+  for (const CellLinks::Link& link : this->Mesh.Links)
+  {
+    this->Slots.push_back({ { next[link.Cells[0]]++, next[link.Cells[1]]++ } });
+  }
+}
+
+// Each face is tested once, so that its cells never both hide the other.
+void VisibilityOrder::FindHidden(const dvec4& eye)
+{
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Slots.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const CellLinks::Link& link = this->Mesh.Links[i];
+        const double height = GetHeight(link.Plane, eye);
+        this->Hidden[this->Slots[i][0]] = height < 0.0 ? link.Cells[1] : -1;
+        this->Hidden[this->Slots[i][1]] = height > 0.0 ? link.Cells[0] : -1;
+      }
+    });
+}
+
+// Cells with faces of the border that the eye sees, the farthest first.
+std::vector<int> VisibilityOrder::FindStarts(const dvec4& eye) const
+{
+  std::vector<std::pair<double, int>> depths;
+  for (const CellLinks::BorderFace& face : this->Mesh.Border)
+  {
+    const double depth = GetDepth(face.Center, eye);
+    if (GetHeight(face.Plane, eye) > 0.0 && std::isfinite(depth))
+    {
+      depths.emplace_back(-depth, face.Cell);
+    }
+  }
+  std::sort(depths.begin(), depths.end());
+  std::vector<int> starts;
+  starts.reserve(depths.size());
+  for (const auto& depth : depths)
+  {
+    starts.push_back(depth.second);
+  }
+  return starts;
+}
+
+// Adds a cell, after those that it hides.
+void VisibilityOrder::Visit(int start)
+{
+  const auto begin = [this](int cell)
+  {
+    this->Marks[cell] = Begun;
+    this->Stack.emplace_back(cell, this->FirstSlots[cell]);
+  };
+  if (this->Marks[start] == New)
+  {
+    begin(start);
+  }
+  while (!this->Stack.empty())
+  {
+    const int cell = this->Stack.back().first;
+    int& slot = this->Stack.back().second;
+    const int end = this->FirstSlots[cell + 1];
+    int next = -1;
+    while (slot < end && next < 0)
+    {
+      const int hidden = this->Hidden[slot++];
+      if (hidden >= 0)
+      {
+        this->NumberOfCycles += this->Marks[hidden] == Begun ? 1 : 0;
+        next = this->Marks[hidden] == New ? hidden : -1;
+      }
+    }
+    if (next >= 0)
+    {
+      begin(next);
+    }
+    else
+    {
+      this->Marks[cell] = Done;
+      this->Order.push_back(cell);
+      this->Stack.pop_back();
+    }
+  }
+}
+
+const std::vector<int>& VisibilityOrder::Sort(const dvec4& eye)
+{
+  // The eye near the mesh, or a unit vector.
+  dvec4 place = eye.w == 0.0 ? eye / length(dvec3(eye)) : eye / eye.w;
+  place -= place.w * dvec4(this->Mesh.Origin, 0.0);
+
+  const int numberOfCells = static_cast<int>(this->FirstSlots.size()) - 1;
+  this->FindHidden(place);
+  this->Marks.assign(numberOfCells, New);
+  this->Order.clear();
+  this->Order.reserve(numberOfCells);
+  this->NumberOfCycles = 0;
+  for (int start : this->FindStarts(place))
+  {
+    this->Visit(start);
+  }
+  // Cells that the eye is in, or that no border leads to.
+  for (int cell = 0; cell < numberOfCells; ++cell)
+  {
+    this->Visit(cell);
+  }
+  return this->Order;
+}
+}

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMeshVisibilitySort.h"
+
+#include "Mesh/CellFaces.h"
+#include "Mesh/VisibilityOrder.h"
+#include "vtkCamera.h"
+#include "vtkDataSet.h"
+#include "vtkIdTypeArray.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkWeakPointer.h"
+
+#include <algorithm>
+
+struct vtkMeshVisibilitySort::vtkInternals
+{
+  relevo::VisibilityOrder Order;
+  std::vector<vtkIdType> CellIds; // of what Order calls cells
+  vtkWeakPointer<vtkDataSet> BuiltFrom;
+  vtkMTimeType BuildTime = 0;
+
+  const std::vector<int>* Sorted = nullptr;
+  vtkIdType NumberOfReturned = 0;
+  vtkNew<vtkIdTypeArray> NextCells;
+};
+
+namespace
+{
+using relevo::dvec3;
+using relevo::dvec4;
+
+// In the mesh's coordinates: what the camera projects to its view's axis at no depth.
+dvec4 GetEye(vtkCamera* camera, vtkMatrix4x4* worldToModel)
+{
+  dvec4 eye(0.0, 0.0, 1.0, 0.0);
+  vtkNew<vtkMatrix4x4> inverse;
+  for (vtkMatrix4x4* matrix :
+    { camera->GetProjectionTransformMatrix(1.0, -1.0, 1.0), camera->GetViewTransformMatrix() })
+  {
+    vtkMatrix4x4::Invert(matrix, inverse);
+    inverse->MultiplyPoint(&eye.x, &eye.x);
+  }
+  worldToModel->MultiplyPoint(&eye.x, &eye.x);
+  // Depth grows away from the viewer.
+  return eye.w == 0.0 ? -eye : eye;
+}
+
+std::vector<dvec3> GetPoints(vtkDataSet* mesh)
+{
+  std::vector<dvec3> points(mesh->GetNumberOfPoints());
+  for (size_t i = 0; i < points.size(); ++i)
+  {
+    mesh->GetPoint(static_cast<vtkIdType>(i), &points[i].x);
+  }
+  return points;
+}
+}
+
+vtkStandardNewMacro(vtkMeshVisibilitySort);
+
+vtkMeshVisibilitySort::vtkMeshVisibilitySort()
+  : Internals(new vtkInternals)
+{
+}
+
+vtkMeshVisibilitySort::~vtkMeshVisibilitySort() = default;
+
+bool vtkMeshVisibilitySort::Build()
+{
+  vtkInternals& internals = *this->Internals;
+  if (internals.BuiltFrom == this->Input && internals.BuildTime == this->Input->GetMTime())
+  {
+    return true;
+  }
+  internals.BuiltFrom = nullptr;
+  if (std::max(this->Input->GetNumberOfPoints(), this->Input->GetNumberOfCells()) > VTK_INT_MAX)
+  {
+    vtkErrorMacro("The input has more than " << VTK_INT_MAX << " points or cells.");
+    return false;
+  }
+  const relevo::CellFaces cells = relevo::ReadCellFaces(this->Input, internals.CellIds);
+  if (cells.Faces.size() > VTK_INT_MAX)
+  {
+    vtkErrorMacro("The input has cells of more than " << VTK_INT_MAX << " faces.");
+    return false;
+  }
+  if (cells.HasMissingPoints())
+  {
+    vtkErrorMacro("The input has cells with points that it lacks.");
+    return false;
+  }
+  internals.Order.Build(GetPoints(this->Input), cells);
+  internals.BuiltFrom = this->Input;
+  internals.BuildTime = this->Input->GetMTime();
+  return true;
+}
+
+void vtkMeshVisibilitySort::InitTraversal()
+{
+  vtkInternals& internals = *this->Internals;
+  internals.Sorted = nullptr;
+  internals.NumberOfReturned = 0;
+  if (!this->Input || !this->Camera)
+  {
+    vtkErrorMacro(
+      "There is no " << (this->Input ? "camera: call SetCamera()." : "input: call SetInput()."));
+    return;
+  }
+  if (this->Build())
+  {
+    internals.Sorted = &internals.Order.Sort(GetEye(this->Camera, this->InverseModelTransform));
+    this->LastSortTime.Modified();
+  }
+}
+
+vtkIdTypeArray* vtkMeshVisibilitySort::GetNextCells()
+{
+  vtkInternals& internals = *this->Internals;
+  const vtkIdType size = internals.Sorted ? static_cast<vtkIdType>(internals.Sorted->size()) : 0;
+  const vtkIdType begin = internals.NumberOfReturned;
+  const vtkIdType end = std::min<vtkIdType>(size, begin + this->MaxCellsReturned);
+  if (begin == end)
+  {
+    return nullptr;
+  }
+  internals.NextCells->SetNumberOfTuples(end - begin);
+  for (vtkIdType i = begin; i < end; ++i)
+  {
+    const vtkIdType place = this->Direction == FRONT_TO_BACK ? size - 1 - i : i;
+    internals.NextCells->SetValue(i - begin, internals.CellIds[(*internals.Sorted)[place]]);
+  }
+  internals.NumberOfReturned = end;
+  return internals.NextCells;
+}
+
+vtkIdType vtkMeshVisibilitySort::GetNumberOfCycles()
+{
+  return this->Internals->Sorted ? this->Internals->Order.GetNumberOfCycles() : 0;
+}
+
+void vtkMeshVisibilitySort::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfCycles: " << this->GetNumberOfCycles() << endl;
+}

@@ -1,0 +1,297 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Traversals of vtkMeshVisibilitySort: directions, portions, changes of the input, and input that
+// is not as it should be.
+#include "RelevoCheck.h"
+#include "RelevoVisibility.h"
+#include "vtkMeshVisibilitySort.h"
+
+#include "vtkCellType.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace
+{
+using Mesh = vtkSmartPointer<vtkUnstructuredGrid>;
+
+vtkSmartPointer<vtkCamera> MakeView()
+{
+  return MakeCamera({ { 3.0, 4.0, 5.0 } }, { { 0.5, 0.5, 0.5 } });
+}
+
+// Along the rays of MakeView().
+bool IsRight(vtkDataSet* mesh, const std::vector<vtkIdType>& order)
+{
+  RelevoDice dice(1);
+  return IsEachOnce(mesh, order) &&
+    RelevoConvexCells(mesh).Compare(order, { { 3.0, 4.0, 5.0, 1.0 } }, 200, dice).Wrong == 0;
+}
+
+// So that ids are in no order from back to front.
+void Turn(vtkUnstructuredGrid* cube)
+{
+  for (vtkIdType i = 0; i < cube->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    cube->GetPoint(i, x);
+    cube->GetPoints()->SetPoint(i, 1.0 - x[2], x[1], x[0]);
+  }
+  cube->GetPoints()->Modified();
+}
+
+void TestTraversals(RelevoCheck& check)
+{
+  const Mesh mesh = MakeTetrahedra(3, GetLinearField);
+  vtkNew<vtkMeshVisibilitySort> sort;
+  sort->SetInput(mesh);
+  sort->SetCamera(MakeView());
+  CHECK(sort->GetNextCells() == nullptr);
+  const std::vector<vtkIdType> order = Traverse(sort);
+  CHECK(IsRight(mesh, order));
+  CHECK(sort->GetNextCells() == nullptr);
+
+  for (int most : { 1, 7, 162, 163 })
+  {
+    sort->SetMaxCellsReturned(most);
+    CHECK(Traverse(sort) == order);
+    sort->InitTraversal();
+    CHECK(sort->GetNextCells()->GetNumberOfTuples() == std::min(most, 162));
+  }
+  sort->SetDirectionToFrontToBack();
+  std::vector<vtkIdType> reversed = Traverse(sort);
+  std::reverse(reversed.begin(), reversed.end());
+  CHECK(reversed == order);
+  sort->SetDirectionToBackToFront();
+
+  std::ostringstream text;
+  sort->Print(text);
+  CHECK(text.str().find("NumberOfCycles: 0") != std::string::npos);
+}
+
+// The input, in place or another one, and the camera.
+void TestChanges(RelevoCheck& check)
+{
+  const Mesh mesh = MakeTetrahedra(2, GetLinearField);
+  vtkNew<vtkMeshVisibilitySort> sort;
+  sort->SetInput(mesh);
+  sort->SetCamera(MakeCamera({ { -9.0, -4.0, -5.0 } }, { { 0.5, 0.5, 0.5 } }));
+  CHECK(!IsRight(mesh, Traverse(sort)));
+  sort->SetCamera(MakeView());
+  CHECK(IsRight(mesh, Traverse(sort)));
+  Turn(mesh);
+  CHECK(IsRight(mesh, Traverse(sort)));
+  const Mesh other = MakeTetrahedra(3, GetLinearField);
+  sort->SetInput(other);
+  CHECK(IsRight(other, Traverse(sort)));
+}
+
+void TestErrors(RelevoCheck& check)
+{
+  vtkNew<vtkMeshVisibilitySort> sort;
+  RelevoErrors errors(sort);
+  CHECK(Traverse(sort).empty());
+  CHECK(errors.Said("no input"));
+  const Mesh mesh = MakeTetrahedra(1, GetLinearField);
+  sort->SetInput(mesh);
+  CHECK(Traverse(sort).empty());
+  CHECK(errors.Said("no camera"));
+  CHECK(sort->GetNumberOfCycles() == 0);
+  sort->SetCamera(MakeView());
+  CHECK(Traverse(sort).size() == 6);
+
+  const vtkIdType missing[4] = { 0, 1, 2, 8 };
+  mesh->InsertNextCell(VTK_TETRA, 4, missing);
+  mesh->Modified();
+  CHECK(Traverse(sort).empty());
+  CHECK(errors.Said("points that it lacks"));
+  mesh->SetPoints(nullptr);
+  CHECK(Traverse(sort).empty());
+  CHECK(errors.Said("points that it lacks"));
+}
+
+void TestNoCells(RelevoCheck& check)
+{
+  vtkNew<vtkMeshVisibilitySort> sort;
+  RelevoErrors errors(sort);
+  sort->SetCamera(MakeView());
+  auto mesh = Mesh::New();
+  sort->SetInput(mesh);
+  CHECK(Traverse(sort).empty());
+  mesh->SetPoints(MakeTetrahedra(1, GetLinearField)->GetPoints());
+  CHECK(Traverse(sort).empty());
+  const vtkIdType ids[4] = { 0, 1, 2, 4 };
+  mesh->InsertNextCell(VTK_TRIANGLE, 3, ids);
+  mesh->Modified();
+  CHECK(Traverse(sort).empty());
+  mesh->InsertNextCell(VTK_TETRA, 4, ids);
+  mesh->InsertNextCell(VTK_VERTEX, 1, ids);
+  mesh->InsertNextCell(VTK_EMPTY_CELL, 0, ids);
+  mesh->Modified();
+  CHECK(Traverse(sort) == std::vector<vtkIdType>({ 1 }));
+  CHECK(errors.None());
+}
+
+// Cells without volume and with points that are not finite come, too, and the rest in order.
+void TestBadCells(RelevoCheck& check)
+{
+  const Mesh mesh = MakeTetrahedra(3, GetLinearField);
+  Turn(mesh);
+  auto good = Mesh::New();
+  good->DeepCopy(mesh);
+  const vtkIdType numberOfGood = mesh->GetNumberOfCells();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  const vtkIdType bad = mesh->GetPoints()->InsertNextPoint(nan, 0.0, 0.0);
+  mesh->GetPoints()->InsertNextPoint(infinity, -infinity, nan);
+  mesh->GetPoints()->InsertNextPoint(1e300, 1e300, -1e300);
+  const vtkIdType cells[][4] = { { 0, 1, 2, bad }, { 5, 6, 7, bad + 1 }, { 0, 1, 5, bad + 2 },
+    { bad, bad, bad, bad }, { 3, 3, 3, 3 }, { 0, 1, 2, 3 } };
+  for (const auto& cell : cells)
+  {
+    mesh->InsertNextCell(VTK_TETRA, 4, cell);
+  }
+  vtkNew<vtkMeshVisibilitySort> sort;
+  RelevoErrors errors(sort);
+  sort->SetInput(mesh);
+  sort->SetCamera(MakeView());
+  std::vector<vtkIdType> order = Traverse(sort);
+  CHECK(IsEachOnce(mesh, order));
+  order.erase(std::remove_if(
+                order.begin(), order.end(), [=](vtkIdType cell) { return cell >= numberOfGood; }),
+    order.end());
+  CHECK(IsRight(good, order));
+
+  // Cameras that are of no use.
+  const auto camera = MakeView();
+  sort->SetCamera(camera);
+  camera->SetPosition(nan, infinity, 1e300);
+  CHECK(IsEachOnce(mesh, Traverse(sort)));
+  camera->SetPosition(0.5, 0.5, 0.5);
+  camera->SetFocalPoint(0.5, 0.5, 0.5);
+  CHECK(IsEachOnce(mesh, Traverse(sort)));
+  CHECK(errors.None());
+}
+
+// Tetrahedra of which points coincide, between others: what is beside them is in order.
+void TestCollapsedCells(RelevoCheck& check)
+{
+  const Mesh cube = MakeTetrahedra(2, GetLinearField);
+  auto mesh = Mesh::New();
+  mesh->SetPoints(cube->GetPoints());
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < cube->GetNumberOfCells(); ++i)
+  {
+    cube->GetCellPoints(i, ids);
+    mesh->InsertNextCell(VTK_TETRA, ids);
+  }
+  const vtkIdType numberOfGood = mesh->GetNumberOfCells();
+  for (vtkIdType i = 0; i < numberOfGood; ++i)
+  {
+    // On each of its faces.
+    cube->GetCellPoints(i, ids);
+    for (vtkIdType corner = 0; corner < 4; ++corner)
+    {
+      vtkIdType flat[4];
+      std::copy(ids->begin(), ids->end(), flat);
+      flat[corner] = flat[(corner + 1) % 4];
+      mesh->InsertNextCell(VTK_TETRA, 4, flat);
+    }
+  }
+  vtkNew<vtkMeshVisibilitySort> sort;
+  sort->SetInput(mesh);
+  for (int view = 0; view < 20; ++view)
+  {
+    // Near one corner, so that distances of faces do not order the cells.
+    const double x = 1.02 + 0.02 * view;
+    sort->SetCamera(MakeCamera({ { x, x, 1.1 } }, { { 0.5, 0.5, 0.5 } }));
+    std::vector<vtkIdType> order = Traverse(sort);
+    CHECK(IsEachOnce(mesh, order));
+    CHECK(sort->GetNumberOfCycles() == 0);
+    order.erase(std::remove_if(
+                  order.begin(), order.end(), [=](vtkIdType cell) { return cell >= numberOfGood; }),
+      order.end());
+    RelevoDice dice(1);
+    const RelevoPairs pairs =
+      RelevoConvexCells(cube).Compare(order, { { x, x, 1.1, 1.0 } }, 300, dice);
+    CHECK(pairs.All > 300);
+    CHECK(pairs.Wrong == 0);
+  }
+}
+
+// A pentagon that is split in another way from below than from above: two flat tetrahedra on each
+// other lie between, of which only the order of corners says what is up.
+void TestFlatCells(RelevoCheck& check)
+{
+  const double fifth = 0.4 * std::acos(-1.0);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (int i = 0; i < 5; ++i)
+  {
+    points->InsertNextPoint(std::cos(i * fifth), std::sin(i * fifth), 0.0);
+  }
+  points->InsertNextPoint(0.0, 0.0, -0.1);
+  points->InsertNextPoint(0.0, 0.0, 0.1);
+  const std::vector<std::array<vtkIdType, 4>> cells = { { { 0, 2, 1, 5 } }, { { 0, 3, 2, 5 } },
+    { { 0, 4, 3, 5 } }, { { 0, 1, 4, 6 } }, { { 1, 3, 4, 6 } }, { { 1, 2, 3, 6 } },
+    // From the diagonal 0 2 to 1 3, and from 0 3 to 1 4.
+    { { 2, 0, 1, 3 } }, { { 3, 0, 1, 4 } } };
+  for (bool isInsideOut : { false, true })
+  {
+    auto mesh = Mesh::New();
+    auto solid = Mesh::New();
+    mesh->SetPoints(points);
+    solid->SetPoints(points);
+    for (size_t i = 0; i < cells.size(); ++i)
+    {
+      std::array<vtkIdType, 4> ids = cells[i];
+      if (isInsideOut)
+      {
+        std::swap(ids[0], ids[1]);
+      }
+      mesh->InsertNextCell(VTK_TETRA, 4, ids.data());
+      if (i < 6)
+      {
+        solid->InsertNextCell(VTK_TETRA, 4, ids.data());
+      }
+    }
+    RelevoDice dice(1);
+    const RelevoConvexCells convex(solid);
+    vtkNew<vtkMeshVisibilitySort> sort;
+    sort->SetInput(mesh);
+    for (int view = 0; view < 40; ++view)
+    {
+      const std::array<double, 4> eye = { { 2.0 * dice.Signed(), 2.0 * dice.Signed(),
+        view % 2 ? 0.3 : -0.3, 1.0 } };
+      sort->SetCamera(MakeCamera({ { eye[0], eye[1], eye[2] } }, { { 0.0, 0.0, 0.0 } }));
+      std::vector<vtkIdType> order = Traverse(sort);
+      CHECK(IsEachOnce(mesh, order));
+      CHECK(sort->GetNumberOfCycles() == 0);
+      order.erase(
+        std::remove_if(order.begin(), order.end(), [](vtkIdType cell) { return cell > 5; }),
+        order.end());
+      const RelevoPairs pairs = convex.Compare(order, eye, 100, dice);
+      CHECK(pairs.All > 30);
+      CHECK(pairs.Wrong == 0);
+    }
+  }
+}
+}
+
+int TestMeshVisibilitySortSettings(int, char*[])
+{
+  RelevoCheck check;
+  TestTraversals(check);
+  TestChanges(check);
+  TestErrors(check);
+  TestNoCells(check);
+  TestBadCells(check);
+  TestCollapsedCells(check);
+  TestFlatCells(check);
+  return check.GetResult();
+}
