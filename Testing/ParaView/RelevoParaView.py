@@ -2,20 +2,36 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Views, pictures and comparisons for tests that pvbatch runs."""
 
+import contextlib
 import itertools
 import pathlib
 import re
+import tempfile
 import unittest
 
 import numpy
 import paraview
-from paraview import simple
+from paraview import servermanager, simple
 from paraview.modules.vtkRemotingCore import vtkProcessModule
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
+FILTER = """
+<ServerManagerConfiguration><ProxyGroup name="filters">
+  <SourceProxy name="{0}" class="{1}">
+    <InputProperty name="Input" command="SetInputConnection" />
+    {2}
+  </SourceProxy>
+</ProxyGroup></ServerManagerConfiguration>
+"""
+PROPERTY = """
+<ProxyProperty name="{0}" command="Set{0}"><ProxyListDomain name="proxy_list">
+  <Proxy group="relevo_surfaces" name="None" /><Proxy group="relevo_{1}" name="{2}" />
+</ProxyListDomain></ProxyProperty>
+"""
 STYLES = "Adaptive Refinement", "Surface"
 
 
@@ -23,6 +39,18 @@ def find_plugin(name):
     """The file of one of ParaView's own plugins, or None."""
     prefix = pathlib.Path(paraview.__file__).parents[4]
     return next(map(str, prefix.glob(f"lib*/**/plugins/{name}/{name}.so")), None)
+
+
+def define_filter(name, of_class, properties):
+    """Makes a class of filters known to all ranks, and returns what makes one. Each property is None
+    at first; it can also be the plugin's proxy of that group and name."""
+    made = {__name__: None}
+    text = "".join(PROPERTY.format(each, *properties[each]) for each in properties)
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder, f"{name}.xml")
+        path.write_text(FILTER.format(name, of_class, text), encoding="utf-8")
+        simple.LoadPlugin(str(path), remote=True, ns=made)
+    return made[name]
 
 
 def sphere(**properties):
@@ -127,6 +155,59 @@ def read_png(path):
     reader.SetFileName(path)
     reader.Update()
     return pixels(reader.GetOutput())
+
+
+def leaves(source):
+    """The meshes of all ranks."""
+    data = servermanager.Fetch(source)
+    if not data.IsA("vtkCompositeDataSet"):
+        return [data]
+    iterator = data.NewIterator()
+    result = []
+    while not iterator.IsDoneWithTraversal():
+        result.append(iterator.GetCurrentDataObject())
+        iterator.GoToNextItem()
+    return result
+
+
+def corners(source, names):
+    """Triangles x 3 corners x coordinates and point data."""
+    results = []
+    for mesh in leaves(source):
+        data = [mesh.GetPoints().GetData(), *map(mesh.GetPointData().GetArray, names)]
+        points = numpy.column_stack([vtk_to_numpy(each) for each in data])
+        ids = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray())
+        results.append(points[ids].reshape(-1, 3, points.shape[1]))
+    return numpy.concatenate(results)
+
+
+def in_order(triangles):
+    """Each with its smallest corner first, and they in order: whoever has them, and as what."""
+    corner = numpy.unique(triangles.reshape(-1, triangles.shape[2]), axis=0, return_inverse=True)[1]
+    first = corner.reshape(-1, 3).argmin(axis=1)
+    turns = (first[:, None] + numpy.arange(3)) % 3
+    turned = numpy.take_along_axis(triangles, turns[:, :, None], axis=1)
+    rows = turned.reshape(len(triangles), -1)
+    return rows[numpy.lexsort(rows.T[::-1])]
+
+
+def count_open_edges(triangles):
+    """Edges that a single triangle has, by coordinates."""
+    points = triangles[:, :, :3].reshape(-1, 3)
+    ids = numpy.unique(points, axis=0, return_inverse=True)[1].reshape(-1, 3)
+    edges = numpy.sort(numpy.concatenate([ids[:, [0, 1]], ids[:, [1, 2]], ids[:, [2, 0]]]), axis=1)
+    return numpy.count_nonzero(numpy.unique(edges, axis=0, return_counts=True)[1] == 1)
+
+
+@contextlib.contextmanager
+def messages():
+    """What is told meanwhile: a function that gives the text."""
+    window, previous = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
+    vtkOutputWindow.SetInstance(window)
+    try:
+        yield window.GetOutput
+    finally:
+        vtkOutputWindow.SetInstance(previous)
 
 
 def compare_with_one_rank(path, pictures, limits):

@@ -28,7 +28,6 @@ from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessControlle
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
 import RelevoParaView as relevo
-import TestFilterRanks
 
 RANKS = vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
 RANK = vtkProcessModule.GetProcessModule().GetPartitionId()
@@ -131,15 +130,15 @@ def meshes(path):
     start = time.perf_counter()
     mesh.UpdatePipeline()
     seconds = time.perf_counter() - start
-    triangles = TestFilterRanks.corners(mesh, [])
-    in_order = TestFilterRanks.in_order(triangles)
+    triangles = relevo.corners(mesh, [])
+    ordered = relevo.in_order(triangles)
     if RANKS == 1:
-        numpy.savez(path, triangles=in_order)
-    same = numpy.array_equal(in_order, numpy.load(path)["triangles"])
+        numpy.savez(path, triangles=ordered)
+    same = numpy.array_equal(ordered, numpy.load(path)["triangles"])
     row(
         RANKS,
         len(triangles),
-        TestFilterRanks.count_open_edges(triangles),
+        relevo.count_open_edges(triangles),
         "the same" if same else "others",
         f"{seconds:.1f} s",
     )
