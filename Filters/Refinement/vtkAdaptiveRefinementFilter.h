@@ -108,7 +108,8 @@ public:
    * input is all of it. What depends on the whole is then agreed on, so that the pieces fit: all
    * processes update the filter, for as many blocks, and one may have no cells. Each piece needs
    * two layers of ghost cells (DUPLICATECELL), and points that lie in the same order on all
-   * processes: vtkPAdaptiveRefinementFilter sees to both.
+   * processes: vtkPAdaptiveRefinementFilter of the plugin for ParaView, which sets the controller,
+   * sees to both.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();

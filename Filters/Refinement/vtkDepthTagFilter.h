@@ -116,7 +116,7 @@ public:
   /**
    * The processes that have the other pieces of the surface; none, the default, means that the
    * input is all of it. See vtkAdaptiveRefinementFilter::SetController() for what pieces must have,
-   * and vtkPDepthTagFilter.
+   * and vtkPDepthTagFilter of the plugin for ParaView, which sets it.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
