@@ -5,6 +5,7 @@
 #include "CellSubset.h"
 #include "Core/GhostCells.h"
 #include "Core/ProcessReduction.h"
+#include "Position.h"
 #include "vtkBoundingBox.h"
 #include "vtkCellData.h"
 #include "vtkIdTypeArray.h"
@@ -15,8 +16,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <numeric>
@@ -26,7 +25,6 @@ namespace relevo
 {
 namespace
 {
-using Position = std::array<double, 3>;
 using Positions = std::set<Position>; // of finite coordinates
 using Pieces = std::vector<vtkSmartPointer<vtkPolyData>>;
 
@@ -43,8 +41,7 @@ void ForEachCorner(vtkPolyData* mesh, Function&& f)
     for (vtkIdType i = 0; i < size; ++i)
     {
       Position position;
-      mesh->GetPoint(points[i], position.data());
-      if (std::all_of(position.begin(), position.end(), [](double x) { return std::isfinite(x); }))
+      if (GetPosition(mesh, points[i], position))
       {
         f(cell, position);
       }
@@ -184,7 +181,8 @@ void AddMissing(const Pieces& faces, vtkSmartPointer<vtkPolyData>& piece)
   for (vtkPolyData* mesh : faces)
   {
     vtkIdTypeArray* ids = GetFaceIds(mesh);
-    std::vector<bool> isMissing(static_cast<std::size_t>(mesh->GetNumberOfCells()));
+    std::vector<bool> isMissing(
+      static_cast<std::size_t>(ids ? ids->GetNumberOfValues() : vtkIdType(0)));
     for (std::size_t cell = 0; cell < isMissing.size(); ++cell)
     {
       isMissing[cell] = known.insert(ids->GetValue(static_cast<vtkIdType>(cell))).second;

@@ -3,6 +3,7 @@
 #include "vtkPDepthTagFilter.h"
 
 #include "PieceFilter.h"
+#include "Position.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
@@ -18,8 +19,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <map>
 #include <utility>
 
@@ -33,8 +32,8 @@ public:
   {
     for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
     {
-      Position position;
-      if (GetPosition(mesh, i, position))
+      relevo::Position position;
+      if (relevo::GetPosition(mesh, i, position))
       {
         this->Ids.emplace(position, i);
       }
@@ -44,8 +43,8 @@ public:
   // That of a point of any mesh; -1 where there is none.
   vtkIdType Find(vtkPolyData* mesh, vtkIdType point) const
   {
-    Position position;
-    if (!GetPosition(mesh, point, position))
+    relevo::Position position;
+    if (!relevo::GetPosition(mesh, point, position))
     {
       return -1;
     }
@@ -54,34 +53,27 @@ public:
   }
 
 private:
-  using Position = std::array<double, 3>;
-
-  static bool GetPosition(vtkPolyData* mesh, vtkIdType point, Position& position)
-  {
-    mesh->GetPoint(point, position.data());
-    return std::all_of(position.begin(), position.end(), [](double x) { return std::isfinite(x); });
-  }
-
-  std::map<Position, vtkIdType> Ids;
+  std::map<relevo::Position, vtkIdType> Ids;
 };
 
-// Calls f(triangle, i, edge) for the i-th edge of all triangles, by the places of its ends.
+// Calls f(triangle, i, edge) for the i-th edge of all triangles that have their points, by the
+// places of its ends.
 template <typename Function>
 void ForEachEdge(vtkPolyData* mesh, const Places& places, Function&& f)
 {
   mesh->BuildCells();
   for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
   {
-    if (mesh->GetCellType(cell) == VTK_TRIANGLE)
+    vtkIdType size;
+    const vtkIdType* points;
+    mesh->GetCellPoints(cell, size, points);
+    const bool isTriangle = mesh->GetCellType(cell) == VTK_TRIANGLE &&
+      std::all_of(
+        points, points + size, [mesh](vtkIdType point) { return relevo::HasPoint(mesh, point); });
+    for (int i = 0; isTriangle && i < 3; ++i)
     {
-      vtkIdType size;
-      const vtkIdType* points;
-      mesh->GetCellPoints(cell, size, points);
-      for (int i = 0; i < 3; ++i)
-      {
-        f(cell, i,
-          std::minmax({ places.Find(mesh, points[i]), places.Find(mesh, points[(i + 1) % 3]) }));
-      }
+      f(cell, i,
+        std::minmax({ places.Find(mesh, points[i]), places.Find(mesh, points[(i + 1) % 3]) }));
     }
   }
 }
