@@ -66,19 +66,38 @@ vtkPAdaptiveRefinementFilter::vtkPAdaptiveRefinementFilter()
 
 vtkPAdaptiveRefinementFilter::~vtkPAdaptiveRefinementFilter() = default;
 
+bool vtkPAdaptiveRefinementFilter::HasRecipe()
+{
+  if (!this->GetRefinement())
+  {
+    vtkErrorMacro("No recipe: call SetRefinement() with a vtkAdaptiveRefinement.");
+    return false;
+  }
+  return true;
+}
+
 void vtkPAdaptiveRefinementFilter::SetMetric(vtkDepthTagMetric* metric)
 {
-  this->GetRefinement()->SetMetric(metric);
+  if (this->HasRecipe())
+  {
+    this->GetRefinement()->SetMetric(metric);
+  }
 }
 
 void vtkPAdaptiveRefinementFilter::SetSurface(vtkRefinementSurface* surface)
 {
-  this->GetRefinement()->SetSurface(surface);
+  if (this->HasRecipe())
+  {
+    this->GetRefinement()->SetSurface(surface);
+  }
 }
 
 void vtkPAdaptiveRefinementFilter::SetDisplacement(vtkDisplacement* displacement)
 {
-  this->GetRefinement()->SetDisplacement(displacement);
+  if (this->HasRecipe())
+  {
+    this->GetRefinement()->SetDisplacement(displacement);
+  }
 }
 
 int vtkPAdaptiveRefinementFilter::FillInputPortInformation(int, vtkInformation* info)

@@ -37,7 +37,7 @@ public:
 
   //@{
   /**
-   * Set them of the recipe, which must be there.
+   * Set them of the recipe. Without a recipe it is an error, and changes nothing.
    */
   void SetMetric(vtkDepthTagMetric* metric);
   void SetSurface(vtkRefinementSurface* surface);
@@ -57,6 +57,8 @@ protected:
     vtkInformationVector* outputVector) override;
 
 private:
+  bool HasRecipe(); // false after an ErrorEvent
+
   std::unique_ptr<relevo::PieceFilter> Pieces;
 
   vtkPAdaptiveRefinementFilter(const vtkPAdaptiveRefinementFilter&) = delete;
