@@ -9,7 +9,7 @@ mpirun -n RANKS pvbatch TestFilterRanks.py FILE.npz
 import sys
 
 import numpy
-from paraview import servermanager, simple
+from paraview import simple
 from paraview.modules.vtkRemotingCore import vtkProcessModule
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -60,47 +60,20 @@ for cell in range(output.GetNumberOfCells()):
 output.GetCellData().AddArray(ids)
 """
 
-
-def leaves(source):
-    """The meshes of all ranks."""
-    data = servermanager.Fetch(source)
-    if not data.IsA("vtkCompositeDataSet"):
-        return [data]
-    iterator = data.NewIterator()
-    result = []
-    while not iterator.IsDoneWithTraversal():
-        result.append(iterator.GetCurrentDataObject())
-        iterator.GoToNextItem()
-    return result
-
-
-def corners(source, names):
-    """Triangles x 3 corners x coordinates and point data."""
-    results = []
-    for mesh in leaves(source):
-        data = [mesh.GetPoints().GetData(), *map(mesh.GetPointData().GetArray, names)]
-        points = numpy.column_stack([vtk_to_numpy(each) for each in data])
-        ids = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray())
-        results.append(points[ids].reshape(-1, 3, points.shape[1]))
-    return numpy.concatenate(results)
-
-
-def in_order(triangles):
-    """Each with its smallest corner first, and they in order: whoever has them, and as what."""
-    corner = numpy.unique(triangles.reshape(-1, triangles.shape[2]), axis=0, return_inverse=True)[1]
-    first = corner.reshape(-1, 3).argmin(axis=1)
-    turns = (first[:, None] + numpy.arange(3)) % 3
-    turned = numpy.take_along_axis(triangles, turns[:, :, None], axis=1)
-    rows = turned.reshape(len(triangles), -1)
-    return rows[numpy.lexsort(rows.T[::-1])]
-
-
-def count_open_edges(triangles):
-    """Edges that a single triangle has, by coordinates."""
-    points = triangles[:, :, :3].reshape(-1, 3)
-    ids = numpy.unique(points, axis=0, return_inverse=True)[1].reshape(-1, 3)
-    edges = numpy.sort(numpy.concatenate([ids[:, [0, 1]], ids[:, [1, 2]], ids[:, [2, 0]]]), axis=1)
-    return numpy.count_nonzero(numpy.unique(edges, axis=0, return_counts=True)[1] == 1)
+# Two on the first rank, one on each other.
+PIECES = """
+from vtkmodules.vtkCommonDataModel import vtkMultiPieceDataSet
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+rank = vtkMultiProcessController.GetGlobalController().GetLocalProcessId()
+pieces = vtkMultiPieceDataSet()
+for i in range(2 if rank == 0 else 1):
+    sphere = vtkSphereSource()
+    sphere.SetCenter(i, rank, 0)
+    sphere.Update()
+    pieces.SetPiece(i, sphere.GetOutput())
+self.GetOutputDataObject(0).SetBlock(0, pieces)
+"""
 
 
 def refine(source, case):
@@ -133,20 +106,21 @@ def make_all():
     results = {}
     for name, source in make_sources().items():
         for case, properties in CASES_OF_SOURCES[name].items():
-            triangles = corners(refine(source, properties), ["Field"] if name == "contour" else [])
-            results[f"{name}, {case}"] = in_order(triangles)
-            results[f"{name}, {case}, open edges"] = numpy.array(count_open_edges(triangles))
+            names = ["Field"] if name == "contour" else []
+            triangles = relevo.corners(refine(source, properties), names)
+            results[f"{name}, {case}"] = relevo.in_order(triangles)
+            results[f"{name}, {case}, open edges"] = numpy.array(relevo.count_open_edges(triangles))
         for rule in "Per Vertex", "Per Edge":
             tags = simple.DepthTags(Input=source, Metric="Curvature", LevelRule=rule)
-            results[f"{name}, tags {rule}"] = in_order(tagged_corners(tags))
+            results[f"{name}, tags {rule}"] = relevo.in_order(tagged_corners(tags))
     return results
 
 
 def tagged_corners(tags):
-    """Like corners(), with tags and the levels of edges; of triangles alone."""
+    """Like relevo.corners(), with tags and the levels of edges; of triangles alone."""
     results = []
     # As a block: ParaView 6 loses cell data where it puts pieces together one of which is empty.
-    for mesh in leaves(simple.GroupDatasets(Input=[tags])):
+    for mesh in relevo.leaves(simple.GroupDatasets(Input=[tags])):
         points = vtk_to_numpy(mesh.GetPoints().GetData())
         tag = vtk_to_numpy(mesh.GetPointData().GetArray("DepthTag"))
         levels = mesh.GetCellData().GetArray("EdgeLevels")
@@ -167,7 +141,7 @@ def count_wrong_ids():
         Input=source, OutputDataSetType="vtkPolyData", Script=WITH_IDS
     )
     wrong = 0
-    for mesh in leaves(refine(numbered, CASES["uniform"])):
+    for mesh in relevo.leaves(refine(numbered, CASES["uniform"])):
         own, ids = (mesh.GetCellData().GetArray(name) for name in ("Own", "vtkOriginalCellIds"))
         wrong += numpy.count_nonzero(vtk_to_numpy(own) != vtk_to_numpy(ids))
     return wrong
@@ -189,10 +163,21 @@ def goes_on_after_an_error():
     return 0 < counts[1] < counts[0]
 
 
+def goes_on_alone():
+    """Without a controller, a rank that has several pieces does not wait for others."""
+    properties = {"Metric": ("metrics", "RegionDepthTagMetric"), "Controller": ("surfaces", "None")}
+    make = relevo.define_filter("DepthTagsAlone", "vtkPDepthTagFilter", properties)
+    source = simple.ProgrammableSource(OutputDataSetType="vtkMultiblockDataSet", Script=PIECES)
+    tags = make(Input=source, Metric="Region", Controller="None")
+    tags.UpdatePipeline()
+    return tags.PointData["DepthTag"].GetRange()[1] > 0
+
+
 def main(path):
     results = make_all()
     ranks = vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
     failed = ["vtkOriginalCellIds"] if count_wrong_ids() > 0 else []
+    failed += [] if goes_on_alone() else ["alone"]
     if ranks == 1:
         numpy.savez(path, **results)
         failed += [name for name, result in results.items() if result.size == 0]

@@ -55,7 +55,7 @@ std::vector<Surface> FindSurfaces(vtkDataObjectTree* tree, bool hasProcesses)
         leaf.Own = vtkSmartPointer<vtkPolyData>::New();
         leaf.Own->ShallowCopy(mesh);
         AddCellIds(leaf.Own);
-        if (hasProcesses)
+        if (hasProcesses && IsSound(leaf.Own))
         {
           leaf.Own->RemoveGhostCells();
         }

@@ -41,26 +41,6 @@ bool HasArraysOfLength(vtkFieldData* data, vtkIdType length)
   return true;
 }
 
-// Whether cells have points and data. What lacks them the mapper gets as it is, and says so.
-bool IsSound(vtkPolyData* mesh)
-{
-  for (vtkCellArray* cells :
-    { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(), mesh->GetStrips() })
-  {
-    double range[2] = { 0.0, -1.0 };
-    if (cells->GetNumberOfConnectivityIds() > 0)
-    {
-      cells->GetConnectivityArray()->GetRange(range);
-    }
-    if (range[0] < 0.0 || range[1] >= static_cast<double>(mesh->GetNumberOfPoints()))
-    {
-      return false;
-    }
-  }
-  return HasArraysOfLength(mesh->GetPointData(), mesh->GetNumberOfPoints()) &&
-    HasArraysOfLength(mesh->GetCellData(), mesh->GetNumberOfCells());
-}
-
 vtkIdType CountCellsBeforeFaces(vtkPolyData* mesh)
 {
   return mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
@@ -164,6 +144,7 @@ struct Surface
 
   void AddLeaf(vtkPolyData* mesh)
   {
+    // What is not sound the mapper gets as it is, and says so.
     mesh = mesh && IsSound(mesh) ? mesh : nullptr;
     this->Pieces->SetPartition(static_cast<unsigned int>(this->Leaves.size()),
       mesh ? ExtractFaces(mesh).Get() : vtkNew<vtkPolyData>().Get());
@@ -184,15 +165,20 @@ void AddGhosts(vtkPartitionedDataSet* pieces, vtkMultiProcessController* control
   }
   AddFaceIds(own, controller);
   vtkNew<vtkGhostCellsGenerator> generator;
+  generator->SetController(controller); // else processes that have no others would wait for them
   generator->SetInputData(pieces);
   generator->BuildIfRequiredOff();
   generator->SetNumberOfGhostLayers(NumberOfLayers);
   generator->Update();
-  pieces->ShallowCopy(generator->GetOutputDataObject(0));
+  // A piece that the generator gives nothing for stays without ghosts.
+  auto made = vtkPartitionedDataSet::SafeDownCast(generator->GetOutputDataObject(0));
   std::vector<vtkSmartPointer<vtkPolyData>> all;
   for (unsigned int i = 0; i < pieces->GetNumberOfPartitions(); ++i)
   {
-    all.emplace_back(vtkPolyData::SafeDownCast(pieces->GetPartition(i)));
+    vtkPolyData* piece = made && i < made->GetNumberOfPartitions()
+      ? vtkPolyData::SafeDownCast(made->GetPartition(i))
+      : nullptr;
+    all.emplace_back(piece ? piece : own[i].Get());
   }
   CompleteSecondLayer(own, all, controller);
   for (unsigned int i = 0; i < pieces->GetNumberOfPartitions(); ++i)
@@ -229,6 +215,25 @@ void AddTimes(vtkPolyData* mesh, std::vector<vtkMTimeType>& times)
     }
   }
 }
+}
+
+bool IsSound(vtkPolyData* mesh)
+{
+  for (vtkCellArray* cells :
+    { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(), mesh->GetStrips() })
+  {
+    double range[2] = { 0.0, -1.0 };
+    if (cells->GetNumberOfConnectivityIds() > 0)
+    {
+      cells->GetConnectivityArray()->GetRange(range);
+    }
+    if (range[0] < 0.0 || range[1] >= static_cast<double>(mesh->GetNumberOfPoints()))
+    {
+      return false;
+    }
+  }
+  return HasArraysOfLength(mesh->GetPointData(), mesh->GetNumberOfPoints()) &&
+    HasArraysOfLength(mesh->GetCellData(), mesh->GetNumberOfCells());
 }
 
 // Returns whether they are others than last time.

@@ -24,6 +24,9 @@ class vtkPolyData;
 
 namespace relevo
 {
+/// Whether all cells have their points, and all cells and points their data.
+RELEVOPARAVIEWFILTERS_EXPORT bool IsSound(vtkPolyData* mesh);
+
 class RELEVOPARAVIEWFILTERS_EXPORT SurfacePieces
 {
 public:
