@@ -8,6 +8,7 @@ mpirun -n RANKS pvbatch TestRanks.py FILE.npz
 import sys
 
 from paraview import simple
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
 
 import RelevoParaView as relevo
 
@@ -182,12 +183,33 @@ def count_triangles():
     return counts
 
 
+def keeps_projection():
+    """A camera that has a projection of its own, while the view moves."""
+    view = relevo.view((200, 150))
+    relevo.show(relevo.sphere(), view)
+    simple.Render(view)
+    camera = view.GetActiveCamera()
+    projection = vtkMatrix4x4()
+    projection.DeepCopy(camera.GetProjectionTransformMatrix(200 / 150, -1, 1))
+    kept = True
+    for use in True, False:
+        camera.SetExplicitProjectionTransformMatrix(projection)
+        camera.SetUseExplicitProjectionTransformMatrix(use)
+        view.InteractiveRender()
+        kept = kept and camera.GetExplicitProjectionTransformMatrix() is projection
+        kept = kept and camera.GetUseExplicitProjectionTransformMatrix() == use
+    simple.Delete(view)
+    return kept
+
+
 def main(path):
     still, moving = count_triangles()
     print(f"{still} triangles, {moving} while the view moves", flush=True)
     pictures = draw_all()
     failed = relevo.compare_with_one_rank(path, pictures, dict.fromkeys(pictures, MOST_PIXELS))
-    return failed + (abs(moving - still) > 0.1 * still)
+    kept = keeps_projection()
+    print(f"the camera {'keeps' if kept else 'loses'} its projection", flush=True)
+    return failed + (abs(moving - still) > 0.1 * still) + (not kept)
 
 
 if __name__ == "__main__":

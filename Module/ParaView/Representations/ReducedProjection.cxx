@@ -9,6 +9,8 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
+
 namespace relevo
 {
 ReducedProjection::ReducedProjection(vtkPVRenderView* view)
@@ -22,11 +24,13 @@ ReducedProjection::ReducedProjection(vtkPVRenderView* view)
     return;
   }
   this->Camera = ren->GetActiveCamera();
+  this->Explicit = this->Camera->GetExplicitProjectionTransformMatrix();
+  this->UsesExplicit = this->Camera->GetUseExplicitProjectionTransformMatrix();
   vtkNew<vtkMatrix4x4> toCorner;
   for (int i = 0; i < 2; ++i)
   {
-    const int size = ren->GetRenderWindow()->GetActualSize()[i];
-    const double share = static_cast<double>(size / factor) / size;
+    const int size = std::max(1, ren->GetRenderWindow()->GetActualSize()[i]);
+    const double share = static_cast<double>(std::max(1, size / factor)) / size;
     toCorner->SetElement(i, i, share);
     toCorner->SetElement(i, 3, share - 1.0);
   }
@@ -41,8 +45,8 @@ ReducedProjection::~ReducedProjection()
 {
   if (this->Camera)
   {
-    this->Camera->UseExplicitProjectionTransformMatrixOff();
-    this->Camera->SetExplicitProjectionTransformMatrix(nullptr);
+    this->Camera->SetUseExplicitProjectionTransformMatrix(this->UsesExplicit);
+    this->Camera->SetExplicitProjectionTransformMatrix(this->Explicit);
   }
 }
 }

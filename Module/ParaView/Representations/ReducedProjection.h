@@ -5,14 +5,18 @@
  * @brief   has a view's camera project as it will in a frame that several processes draw
  *
  * ParaView draws smaller pictures while the view moves: IceT has the camera project to a corner of
- * the window, and so must what is prepared for it. Lasts as long as the object.
+ * the window, and so must what is prepared for it. Lasts as long as the object; then the camera has
+ * the projection that it had.
  *
  * Private to the module.
  */
 #ifndef ReducedProjection_h
 #define ReducedProjection_h
 
+#include "vtkSmartPointer.h"
+
 class vtkCamera;
+class vtkMatrix4x4;
 class vtkPVRenderView;
 
 namespace relevo
@@ -27,6 +31,9 @@ public:
 
 private:
   vtkCamera* Camera = nullptr; // nullptr where the picture has its full size
+  // What the camera had.
+  vtkSmartPointer<vtkMatrix4x4> Explicit;
+  bool UsesExplicit = false;
 };
 }
 
