@@ -35,6 +35,18 @@ if rank == 0:
 """
 )
 NOTHING_ON_RANK_0 = RANK + "if rank == 0:\n    output.VTKObject.Initialize()\n"
+SHORT_ON_RANK_0 = (
+    RANK
+    + """
+from vtkmodules.vtkCommonCore import vtkFloatArray
+values = vtkFloatArray()
+values.SetName("Short")
+values.SetNumberOfTuples(1)
+values.Fill(1)
+if rank == 0:
+    output.VTKObject.GetPointData().AddArray(values)
+"""
+)
 NOT_A_NUMBER = """
 from vtkmodules.vtkCommonCore import vtkPoints
 points = vtkPoints()
@@ -77,6 +89,8 @@ SCENES = {
     "no texture coordinates": lambda view: show_displaced(view, sphere(), "heights.png"),
     "no array": lambda view: show_variation(view, sphere()),
     "array on rank 0": lambda view: show_variation(view, changed(ARRAY_ON_RANK_0)),
+    "short array on rank 0": lambda view: relevo.show(changed(SHORT_ON_RANK_0), view),
+    "translucent": lambda view: relevo.show(changed(SHORT_ON_RANK_0), view, Opacity=0.5),
     "nothing on rank 0": lambda view: relevo.show(changed(NOTHING_ON_RANK_0), view),
     "not a number": lambda view: relevo.show(changed(NOT_A_NUMBER), view),
 }
@@ -154,17 +168,23 @@ class TestBadInput(relevo.TestCase):
 
     def test_one_of_two_processes(self):
         """It tells, and the other one draws its part."""
+        short = 'Array "Short" has too few tuples and is left out.'
         words = {
             "file": ["Cannot read heights.png: the file does not exist."],
             "array on rank 0": ['array of numbers named "Values"', "see its own error"],
+            "short array on rank 0": [short],
             "nothing on rank 0": [],
         }
-        found = self.run_scenes(words, ranks=2)
+        found = self.run_scenes([*words, "translucent"], ranks=2)
         for name, expected in words.items():
             with self.subTest(name):
                 bad = self.assert_told(found[name], *expected)
                 self.assertGreater(bad, 500)
-                self.assertLess(bad, 2500)
+                self.assertLess(bad, 4000 if short in expected else 2500)
+        messages, bad = found["translucent"]
+        self.assertEqual({short in each for each in messages}, {True})
+        self.assertLessEqual(len(messages), 2)  # ParaView delivers such data twice
+        self.assertGreater(bad, 2000)
 
     def test_old_opengl(self):
         for told, environment in (

@@ -7,7 +7,9 @@
 #include "FaceOrder.h"
 #include "Mesh/FaceBounds.h"
 #include "Mesh/RefinementMesh.h"
+#include "State/UsableArrays.h"
 #include "SurfaceLeaves.h"
+#include "SurfacePieces.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCellData.h"
 #include "vtkMatrix4x4.h"
@@ -20,6 +22,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <string>
 #include <utility>
 
 namespace relevo
@@ -32,7 +35,7 @@ constexpr double Nothing = -VTK_DOUBLE_MAX; // high side of a box without points
 // nowhere.
 struct Leaf
 {
-  vtkPolyData* Mesh = nullptr;
+  vtkSmartPointer<vtkPolyData> Mesh;
   std::vector<vtkBoundingBox> Coarse;
   std::vector<vtkBoundingBox> Refined;
 };
@@ -93,6 +96,28 @@ void ComputeBoxes(vtkAdaptiveRefinement* recipe, vtkMatrix4x4* matrix, Leaf& lea
   }
 }
 
+// What can be cut of a mesh: nullptr if cells lack points.
+vtkSmartPointer<vtkPolyData> FindUsable(vtkPolyData* mesh)
+{
+  if (IsSound(mesh))
+  {
+    return mesh;
+  }
+  auto usable = vtkSmartPointer<vtkPolyData>::New();
+  usable->ShallowCopy(mesh);
+  const std::string warning = RemoveUnusableArrays(usable);
+  if (!warning.empty())
+  {
+    vtkWarningWithObjectMacro(mesh, << warning);
+  }
+  if (!IsSound(usable))
+  {
+    vtkErrorWithObjectMacro(mesh, "Cells refer to points that are not there: nothing is drawn.");
+    return nullptr;
+  }
+  return usable;
+}
+
 std::vector<Surface> FindSurfaces(
   vtkDataObjectTree* tree, vtkAdaptiveRefinement* recipe, vtkMatrix4x4* matrix)
 {
@@ -101,7 +126,10 @@ std::vector<Surface> FindSurfaces(
   const auto add = [&](vtkDataObjectTree*, vtkDataObjectTreeIterator* iterator)
   {
     Leaf leaf;
-    leaf.Mesh = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject());
+    if (auto mesh = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject()))
+    {
+      leaf.Mesh = FindUsable(mesh);
+    }
     if (leaf.Mesh)
     {
       ComputeBoxes(recipe, matrix, leaf);

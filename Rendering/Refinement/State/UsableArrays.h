@@ -5,11 +5,12 @@
  * @brief   which arrays of a mesh VTK's mapper can take
  *
  * It assumes that an array has a tuple for each point or cell, and reads past its end
- * where there are fewer. Private to the module.
+ * where there are fewer. Private to the modules.
  */
 #ifndef UsableArrays_h
 #define UsableArrays_h
 
+#include "RelevoRenderingRefinementModule.h" // for export macro
 #include "vtkType.h"
 
 #include <string>
@@ -23,7 +24,7 @@ namespace relevo
 /// Takes arrays of points and cells that have too few tuples from a mesh, and the roles of normals,
 /// tangents and texture coordinates from arrays whose number of components is none of theirs.
 /// Returns what to tell users, empty where all arrays are left.
-std::string RemoveUnusableArrays(vtkPolyData* mesh);
+RELEVORENDERINGREFINEMENT_EXPORT std::string RemoveUnusableArrays(vtkPolyData* mesh);
 
 /// What a mapper is to colour by.
 struct ScalarMapping
