@@ -13,6 +13,27 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 import RelevoParaView as relevo
 
 
+# A good triangle, and one that refers to a point that is not there.
+MISSING_POINT = """
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray
+points = vtkPoints()
+for place in (0, 0, 0), (1, 0, 0), (0, 1, 0):
+    points.InsertNextPoint(place)
+cells = vtkCellArray()
+for ids in (0, 1, 2), (1, 2, {point}):
+    cells.InsertNextCell(3, ids)
+output = self.GetPolyDataOutput()
+output.SetPoints(points)
+output.SetPolys(cells)
+"""
+CHOICES = {
+    "Metric": ("metrics", "RegionDepthTagMetric", "Region"),
+    "Surface": ("surfaces", "PNTriangleSurface", "PN Triangles"),
+    "Displacement": ("displacements", "HeightMapDisplacement", "Height Map"),
+}
+
+
 def with_vectors(source, function):
     """A source with the point vectors "Flow", up to date."""
     result = simple.Calculator(Input=source, ResultArrayName="Flow", Function=function)
@@ -141,6 +162,49 @@ class TestFilters(relevo.TestCase):
             mesh.UpdatePipeline()
             counts.append(mesh.GetDataInformation().GetNumberOfCells())
         self.assertEqual(*counts)
+
+    def test_cells_without_points(self):
+        """What there is of a mesh is tagged; what refers to missing points cannot be refined."""
+        for point in 3, -1, 10**9:
+            source = simple.ProgrammableSource(
+                OutputDataSetType="vtkPolyData", Script=MISSING_POINT.format(point=point)
+            )
+            for rule in "Per Vertex", "Per Edge":
+                tags = simple.DepthTags(Input=source, Metric="Region", LevelRule=rule)
+                levels = servermanager.Fetch(tags).GetCellData().GetArray("EdgeLevels")
+                self.assertGreater(min(levels.GetTuple3(0)), 0)
+                self.assertEqual(levels.GetTuple3(1), (-1, -1, -1))
+            mesh = simple.AdaptiveRefinement(Input=source)
+            with relevo.messages() as told:
+                mesh.UpdatePipeline()
+            self.assertIn(f"cell 1 refers to point {point} of 3", told())
+            self.assertEqual(mesh.GetDataInformation().GetNumberOfCells(), 0)
+
+    def test_no_recipe(self):
+        properties = {name: CHOICES[name][:2] for name in CHOICES}
+        make = relevo.define_filter("WithoutRecipe", "vtkPAdaptiveRefinementFilter", properties)
+        mesh = make(Input=simple.Sphere())
+        for name, (_, _, label) in CHOICES.items():
+            with relevo.messages() as told:
+                setattr(mesh, name, label)
+            self.assertIn("No recipe: call SetRefinement()", told())
+        with relevo.messages() as told:
+            mesh.UpdatePipeline()
+        self.assertIn("No recipe: call SetRefinement()", told())
+        self.assertEqual(mesh.GetDataInformation().GetNumberOfCells(), 0)
+
+    def test_direction_of_displacement(self):
+        """One that is none is refused, also while the surface is moved along its normals."""
+        mesh = simple.AdaptiveRefinement(Input=simple.Sphere(), Displacement="Height Map")
+        mesh.Displacement.Offset = 1.0
+        with relevo.messages() as told:
+            mesh.Displacement.FixedDirection = [0, 0, 0]
+        self.assertIn("FixedDirection must be a finite vector that is not zero", told())
+        mesh.Displacement.AlongNormals = 0
+        mesh.UpdatePipeline()
+        bounds = mesh.GetDataInformation().GetBounds()
+        self.assertLess(bounds[1], 0.6)
+        self.assertGreater(bounds[4], 0.4)
 
     def test_composite_metric(self):
         """The larger level of two metrics."""

@@ -4,9 +4,11 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkHeightMap.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
+#include <cmath>
 
 vtkStandardNewMacro(vtkHeightMapDisplacement);
 
@@ -51,6 +53,13 @@ void vtkHeightMapDisplacement::SetAlongNormals(bool along)
 void vtkHeightMapDisplacement::SetFixedDirection(double x, double y, double z)
 {
   const double direction[3] = { x, y, z };
+  const double length = vtkMath::Norm(direction);
+  if (!std::isfinite(length) || length == 0.0)
+  {
+    vtkErrorMacro("FixedDirection must be a finite vector that is not zero, got ("
+      << x << ", " << y << ", " << z << ").");
+    return;
+  }
   std::copy(direction, direction + 3, this->FixedDirection);
   this->SetAlongNormals(this->AlongNormals);
 }

@@ -43,7 +43,8 @@ public:
   //@{
   /**
    * Whether the surface is moved along its normals, the default; else along FixedDirection, (0, 0,
-   * 1) by default.
+   * 1) by default, of any length. A direction that is zero or not finite is an error and changes
+   * nothing.
    */
   void SetAlongNormals(bool along);
   vtkGetMacro(AlongNormals, bool);
