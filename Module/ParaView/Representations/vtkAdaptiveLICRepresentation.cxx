@@ -42,7 +42,9 @@ bool vtkAdaptiveLICRepresentation::AddToView(vtkView* view)
 
 bool vtkAdaptiveLICRepresentation::RemoveFromView(vtkView* view)
 {
-  if (vtkPVRenderView::SafeDownCast(view)) // and not only what is left in its destructor
+  // Not what is left of the view in its destructor, and not another one.
+  auto renderView = vtkPVRenderView::SafeDownCast(view);
+  if (renderView && renderView == this->RenderView)
   {
     this->RenderView->GetRenderer()->RemoveObserver(this->StartTag);
     this->RenderView->GetRenderWindow()->RemoveObserver(this->EndTag);

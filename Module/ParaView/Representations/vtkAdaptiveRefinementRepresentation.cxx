@@ -68,6 +68,7 @@ void vtkAdaptiveRefinementRepresentation::SetMapper(vtkAdaptiveRefinementMapper*
   this->Actor->SetMapper(mapper);
   this->BackfaceActor->SetMapper(mapper);
   this->SetArrayIdNames(nullptr, nullptr);
+  this->Internals->Order = relevo::OrderedCompositing(); // else it would not clip the new mapper
   this->BlockAttrChanged = true;
   this->Modified();
 }
@@ -133,15 +134,16 @@ void vtkAdaptiveRefinementRepresentation::Update()
 
 bool vtkAdaptiveRefinementRepresentation::AddToView(vtkView* view)
 {
-  auto renderView = vtkPVRenderView::SafeDownCast(view);
-  if (renderView)
+  if (!this->Superclass::AddToView(view))
   {
-    // After the processes have got the camera, on all that draw, whether they see anything or not.
-    constexpr float afterSynchronization = -1.0f;
-    this->Internals->StartTag = renderView->GetRenderer()->AddObserver(vtkCommand::StartEvent, this,
-      &vtkAdaptiveRefinementRepresentation::AgreeWithProcesses, afterSynchronization);
+    return false;
   }
-  return this->Superclass::AddToView(view);
+  // After the processes have got the camera, on all that draw, whether they see anything or not.
+  constexpr float afterSynchronization = -1.0f;
+  this->Internals->StartTag =
+    vtkPVRenderView::SafeDownCast(view)->GetRenderer()->AddObserver(vtkCommand::StartEvent, this,
+      &vtkAdaptiveRefinementRepresentation::AgreeWithProcesses, afterSynchronization);
+  return true;
 }
 
 bool vtkAdaptiveRefinementRepresentation::RemoveFromView(vtkView* view)
@@ -149,6 +151,7 @@ bool vtkAdaptiveRefinementRepresentation::RemoveFromView(vtkView* view)
   if (auto renderView = vtkPVRenderView::SafeDownCast(view))
   {
     renderView->GetRenderer()->RemoveObserver(this->Internals->StartTag);
+    this->Internals->StartTag = 0;
   }
   return this->Superclass::RemoveFromView(view);
 }
