@@ -122,7 +122,7 @@ def get_strings(source):
     """What the sources' string literals say; literals that follow one another are one."""
     literal = r'"(?:[^"\\\n]|\\.)*"'
     texts = []
-    for folder in ("Filters", "Rendering", "Examples/Viewer"):
+    for folder in ("Filters", "Rendering", "Module/ParaView", "Examples/Viewer"):
         for path in sorted((source / folder).rglob("*")):
             if path.suffix in (".h", ".cxx"):
                 for match in re.finditer(rf"{literal}(?:\s*{literal})*", path.read_text()):
