@@ -8,6 +8,7 @@
 #include "Rays/Blending.h"
 #include "Rays/ClippingPlanes.h"
 #include "Rays/PixelRays.h"
+#include "Rays/Shading.h"
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
@@ -101,7 +102,12 @@ int vtkVolumeRayCastFilter::RequestData(
     {
       return 0;
     }
-    this->Cast(cells, functions, output);
+    // A headlight, as a renderer makes one.
+    relevo::dvec3 forward;
+    this->Camera->GetDirectionOfProjection(&forward.x);
+    const relevo::Shading shading(this->VolumeProperty, functions, -forward);
+    cells.Build(functions.NeedSteepness(), shading.IsOn());
+    this->Cast(cells, functions, shading, output);
     return 1;
   }
   catch (const std::bad_alloc&)
@@ -159,7 +165,6 @@ bool vtkVolumeRayCastFilter::Read(
     vtkErrorMacro("The input has cells, but none is 3D.");
     return false;
   }
-  cells.Build();
   if (!warning.empty())
   {
     vtkWarningMacro("The volume property " << warning << ".");
@@ -173,7 +178,7 @@ bool vtkVolumeRayCastFilter::Read(
 }
 
 void vtkVolumeRayCastFilter::Cast(const relevo::VolumeCells& cells,
-  const relevo::TransferFunctions& functions, vtkImageData* output)
+  const relevo::TransferFunctions& functions, const relevo::Shading& shading, vtkImageData* output)
 {
   const int width = this->ViewportSize[0];
   const int height = this->ViewportSize[1];
@@ -183,7 +188,7 @@ void vtkVolumeRayCastFilter::Cast(const relevo::VolumeCells& cells,
   const bool showSurfaces = this->IsoSurfaces || mode == relevo::BlendMode::IsoSurface;
   const relevo::IsoSurfaces surfaces =
     showSurfaces ? relevo::IsoSurfaces(this->VolumeProperty, functions) : relevo::IsoSurfaces();
-  const relevo::Blending blending(functions, mode, surfaces);
+  const relevo::Blending blending(functions, mode, surfaces, shading);
   vtkNew<vtkDoubleArray> colors;
   colors->SetName("RGBA");
   colors->SetNumberOfComponents(4);
@@ -198,7 +203,7 @@ void vtkVolumeRayCastFilter::Cast(const relevo::VolumeCells& cells,
         for (int column = static_cast<int>(first); column < last; ++column)
         {
           const relevo::Ray ray = planes.Clip(rays.Make(column, row));
-          const relevo::dvec4 seen = blending.Blend(cells.Cross(ray));
+          const relevo::dvec4 seen = blending.Blend(cells.Cross(ray), ray.Direction);
           double* color = all + 4 * (static_cast<vtkIdType>(row) * width + column);
           std::copy(&seen.x, &seen.x + 4, color);
         }

@@ -27,18 +27,39 @@
  * Volume Renderer for Unstructured Data", 2004). Of the property's other settings the interpolation
  * type and labels have no effect.
  *
+ * Gradients are in units of the scalar per world length, 0 for scalars of cells. With a gradient
+ * opacity the extinction is multiplied by its value at the length of the gradient of the cell: in a
+ * tetrahedron the same everywhere, in cells of other shapes that in the middle of each of the parts
+ * that the scalar is linear in. With TransferFunctionMode TF_2D the image of
+ * GetTransferFunction2D() gives colour and opacity instead: its x is the scalar, its y the length
+ * of the gradient, by its origin and spacing, bilinear and clamped; gradient opacities have no
+ * effect. A blend mode that takes the opacity of one scalar takes the gradient where this is; an
+ * average, their mean.
+ *
+ * With ShadeOn a white headlight lights composite blending and isosurfaces: it shines along the
+ * direction in which the camera looks, as that of a renderer does that has no other lights. A
+ * colour becomes colour * (Ambient + Diffuse * d) + Specular * s, at most 1: d and s are the
+ * diffuse and specular factors of Phong's model, the same for both sides. The normal is the
+ * gradient; gradients at points are the means of the cells' around, by their volumes. They are
+ * interpolated as scalars are, factors are linear in between the ends of a part inside a cell.
+ * Where the gradient is 0, the colour stays as it is.
+ *
  * Independent components add up their extinctions, and colours mix by them at the ends of each
  * part. Of two dependent components the first gives the colour, the second the opacity. Four are
- * red, green, blue and opacity, from 0 to 1, or unsigned char from 0 to 255.
+ * red, green, blue and opacity, from 0 to 1, or unsigned char from 0 to 255. Independent components
+ * have gradients, gradient opacities, 2D functions and materials of their own; dependent ones the
+ * gradient of the last component, which is the opacity, and the functions and the material of
+ * component 0. A 2D function takes their last component alone.
  *
  * Output: a vtkImageData of ViewportSize points, a point for each pixel, row 0 the lowest, with the
  * point scalars "RGBA" of 4 doubles: colours times alpha, and alpha, without a background.
  *
  * Errors, with an empty output: no camera or property; a missing array, or one with too many or too
- * few components or of a wrong length; no 3D cells in a mesh with cells; a function without nodes.
- * One warning each: cells without volume or with points that are not finite, which are left out,
- * and how many; a unit distance that is not more than 0, for which 1 is taken. Of an empty mesh
- * nothing is seen.
+ * few components or of a wrong length; no 3D cells in a mesh with cells; cells that refer to points
+ * that do not exist; a function without nodes; a 2D function that is missing or no image of 4
+ * finite components. One warning each: cells without volume or with points that are not finite,
+ * which are left out, and how many; a unit distance that is not more than 0, for which 1 is taken.
+ * Of an empty mesh nothing is seen.
  */
 #ifndef vtkVolumeRayCastFilter_h
 #define vtkVolumeRayCastFilter_h
@@ -55,6 +76,7 @@ class vtkVolumeProperty;
 
 namespace relevo
 {
+class Shading;
 class TransferFunctions;
 class VolumeCells;
 }
@@ -203,7 +225,7 @@ private:
   bool TakesLength();
   bool Read(vtkDataObject* input, relevo::VolumeCells& cells, relevo::TransferFunctions& functions);
   void Cast(const relevo::VolumeCells& cells, const relevo::TransferFunctions& functions,
-    vtkImageData* output);
+    const relevo::Shading& shading, vtkImageData* output);
 
   vtkSmartPointer<vtkCamera> Camera;
   vtkSmartPointer<vtkVolumeProperty> VolumeProperty;

@@ -37,22 +37,23 @@ const CellShape* FindCellShape(int type)
     vtkHexahedron::InterpolationDerivs, GetOutsideCube,
     { { { 0, 4, 7, 3 } }, { { 1, 2, 6, 5 } }, { { 0, 1, 5, 4 } }, { { 3, 7, 6, 2 } },
       { { 0, 3, 2, 1 } }, { { 4, 5, 6, 7 } } },
-    {} };
+    {}, 1.0 };
   static const CellShape wedge = { 6, dvec3(1.0 / 3.0, 1.0 / 3.0, 0.5),
     vtkWedge::InterpolationFunctions, vtkWedge::InterpolationDerivs, GetOutsideWedge,
     { { { 0, 1, 2, 2 } }, { { 3, 5, 4, 4 } }, { { 0, 3, 4, 1 } }, { { 1, 4, 5, 2 } },
       { { 2, 5, 3, 0 } } },
-    {} };
+    {}, 0.5 };
   static const CellShape pyramid = { 5, dvec3(0.5, 0.5, 0.2), vtkPyramid::InterpolationFunctions,
     vtkPyramid::InterpolationDerivs, GetOutsideCube,
     { { { 0, 3, 2, 1 } }, { { 0, 1, 4, 4 } }, { { 1, 2, 4, 4 } }, { { 2, 3, 4, 4 } },
       { { 3, 0, 4, 4 } } },
-    {} };
+    {}, 1.0 / 1.92 };
   static const CellShape quadraticTetrahedron = { 10, dvec3(0.25),
     vtkQuadraticTetra::InterpolationFunctions, vtkQuadraticTetra::InterpolationDerivs,
     GetOutsideTetrahedron, {},
     { { { 0, 1, 3, 4, 8, 7 } }, { { 1, 2, 3, 5, 9, 8 } }, { { 2, 0, 3, 6, 7, 9 } },
-      { { 0, 2, 1, 6, 5, 4 } } } };
+      { { 0, 2, 1, 6, 5, 4 } } },
+    1.0 / 6.0 };
   switch (type)
   {
     case VTK_HEXAHEDRON:

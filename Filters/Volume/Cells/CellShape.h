@@ -32,7 +32,12 @@ struct CellShape
   std::vector<std::array<int, 4>> Faces;
   /// Faces of three corners and the middles of the edges after them.
   std::vector<std::array<int, 6>> QuadraticFaces;
+  /// Of an undistorted cell, as a share of the determinant of the derivatives in the middle.
+  double Volume;
 };
+
+/// Of each corner the derivative of its weight by the place.
+using CornerSlopes = std::array<dvec3, MostCorners>;
 
 /// Of a type of VTK; null for cells that are to be split. A voxel is a hexahedron whose corners
 /// come in the order of GetCornerOrder().

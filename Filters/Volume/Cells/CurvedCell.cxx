@@ -143,6 +143,31 @@ CornerWeights CurvedCell::GetWeights(const dvec3& place, dvec3& parameters) cons
   return weights;
 }
 
+double CurvedCell::ComputeSlopes(const dvec3& parameters, CornerSlopes& slopes) const
+{
+  const int count = this->Shape.NumberOfCorners;
+  const dmat3 derivatives = this->Derive(parameters);
+  const double volume = std::abs(determinant(derivatives));
+  slopes.fill(dvec3(0.0));
+  if (volume == 0.0)
+  {
+    return volume;
+  }
+  const dmat3 toPlaces = transpose(inverse(derivatives));
+  std::array<double, 3 * MostCorners> by;
+  this->Shape.Derive(&parameters.x, by.data());
+  for (int i = 0; i < count; ++i)
+  {
+    slopes[i] = toPlaces * dvec3(by[i], by[count + i], by[2 * count + i]);
+    if (!std::isfinite(dot(slopes[i], slopes[i])))
+    {
+      slopes.fill(dvec3(0.0));
+      return 0.0;
+    }
+  }
+  return volume;
+}
+
 // Between two hits after each other a ray is all inside or all outside.
 std::vector<std::pair<double, double>> CurvedCell::FindInside(const Ray& ray, double shortest) const
 {

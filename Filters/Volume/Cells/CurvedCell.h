@@ -42,6 +42,12 @@ public:
   CornerWeights GetWeights(const dvec3& place, dvec3& parameters) const;
   const dvec3& GetCenter() const { return this->Shape.Center; }
 
+  /**
+   * The slopes at parameters, and the determinant of the derivatives there, without a sign: as good
+   * as 0, it is 0, and so are slopes.
+   */
+  double ComputeSlopes(const dvec3& parameters, CornerSlopes& slopes) const;
+
 private:
   bool Locate(const dvec3& place, dvec3& parameters) const;
   bool IsInside(const dvec3& place) const;

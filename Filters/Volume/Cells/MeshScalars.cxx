@@ -7,8 +7,12 @@
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
 #include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace relevo
@@ -39,6 +43,35 @@ std::vector<vtkDataSet*> FindDataSets(vtkDataObject* input)
   return sets;
 }
 
+// Cells that refer to points that do not exist; for polyhedra, faces count as well.
+vtkIdType CountBrokenCells(vtkDataSet* mesh)
+{
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh);
+  const vtkIdType points = mesh->GetNumberOfPoints();
+  vtkNew<vtkIdList> ids;
+  vtkIdType broken = 0;
+  const auto exists = [=](vtkIdType id) { return id >= 0 && id < points; };
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+  {
+    mesh->GetCellPoints(i, ids);
+    bool isGood = std::all_of(ids->begin(), ids->end(), exists);
+    if (grid && grid->GetCellType(i) == VTK_POLYHEDRON)
+    {
+      grid->GetFaceStream(i, ids);
+      // The number of faces, then of each the number of its points and these.
+      vtkIdType at = 1;
+      while (at < ids->GetNumberOfIds())
+      {
+        const vtkIdType last = std::min(at + ids->GetId(at), ids->GetNumberOfIds() - 1);
+        isGood = isGood && std::all_of(ids->begin() + at + 1, ids->begin() + last + 1, exists);
+        at = last + 1;
+      }
+    }
+    broken += isGood ? 0 : 1;
+  }
+  return broken;
+}
+
 std::string FindFault(const MeshScalars& scalars, const std::string& name, int components, int most)
 {
   std::ostringstream text;
@@ -47,6 +80,12 @@ std::string FindFault(const MeshScalars& scalars, const std::string& name, int c
     text << "has no " << (name.empty() ? "active scalars" : "array \"" + name + "\"")
          << (components > 0 ? " in one of its blocks" : "")
          << "; choose an array by SetInputArrayToProcess()";
+    return text.str();
+  }
+  if (const vtkIdType broken = CountBrokenCells(scalars.Mesh))
+  {
+    text << "has cells that refer to points that do not exist: " << broken << " of "
+         << scalars.Mesh->GetNumberOfCells();
     return text.str();
   }
   const vtkIdType tuples = scalars.Array->GetNumberOfTuples();

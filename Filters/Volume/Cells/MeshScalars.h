@@ -31,8 +31,8 @@ using FindArray = std::function<vtkDataArray*(vtkDataSet*, int& association)>;
 
 /**
  * All data sets with cells, of which a composite data set may have many. false with words that
- * follow "The input " where one lacks an array that fits: `name` is the array's, empty for active
- * scalars, and `most` how many components it may have.
+ * follow "The input " where one lacks an array that fits, or points that its cells refer to: `name`
+ * is the array's, empty for active scalars, and `most` how many components it may have.
  */
 bool FindMeshScalars(vtkDataObject* input, const FindArray& find, const std::string& name, int most,
   std::vector<MeshScalars>& found, std::string& error);

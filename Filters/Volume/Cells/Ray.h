@@ -21,6 +21,19 @@ struct Ray
   double Length;
 };
 
+/// Of each component, by world coordinates.
+using Gradients = std::array<dvec3, MostComponents>;
+
+inline Gradients Interpolate(const Gradients& front, const Gradients& back, double share)
+{
+  Gradients result;
+  for (size_t i = 0; i < result.size(); ++i)
+  {
+    result[i] = mix(front[i], back[i], share);
+  }
+  return result;
+}
+
 /// Where a ray is inside a cell and its scalars change linearly.
 struct RayPart
 {
@@ -28,6 +41,12 @@ struct RayPart
   double End;
   Scalars Front;
   Scalars Back;
+  Scalars Steepness = {}; // lengths of the gradients of the cell itself, if asked for
+  //@{
+  /// Gradients that are continuous across cells, if asked for.
+  Gradients FrontGradients = {};
+  Gradients BackGradients = {};
+  //@}
 
   /// Of shares of its length.
   RayPart Cut(double begin, double end) const
@@ -35,7 +54,9 @@ struct RayPart
     const auto place = [this](double share)
     { return (1.0 - share) * this->Begin + share * this->End; };
     return { place(begin), place(end), Interpolate(this->Front, this->Back, begin),
-      Interpolate(this->Front, this->Back, end) };
+      Interpolate(this->Front, this->Back, end), this->Steepness,
+      Interpolate(this->FrontGradients, this->BackGradients, begin),
+      Interpolate(this->FrontGradients, this->BackGradients, end) };
   }
 };
 }

@@ -40,6 +40,18 @@ double ComputeSixfoldVolume(const TetrahedronCorners& corners)
     dot(corners[1] - corners[0], cross(corners[2] - corners[0], corners[3] - corners[0])));
 }
 
+double ComputeSlopes(const TetrahedronCorners& corners, CornerSlopes& slopes)
+{
+  const double volume = ComputeSixfoldVolume(corners);
+  slopes.fill(dvec3(0.0));
+  for (int i = 0; i < 4 && volume > 0.0; ++i)
+  {
+    const Plane plane(corners, i);
+    slopes[i] = plane.Normal / plane.Height;
+  }
+  return volume;
+}
+
 bool TetrahedronCrossing::Find(const TetrahedronCorners& corners, const Ray& ray, double margin)
 {
   this->Begin = 0.0;

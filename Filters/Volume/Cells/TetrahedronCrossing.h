@@ -8,6 +8,7 @@
 #ifndef TetrahedronCrossing_h
 #define TetrahedronCrossing_h
 
+#include "Cells/CellShape.h"
 #include "Cells/Ray.h"
 
 #include <array>
@@ -18,6 +19,9 @@ using TetrahedronCorners = std::array<dvec3, 4>;
 
 /// Six times the volume, without a sign.
 double ComputeSixfoldVolume(const TetrahedronCorners& corners);
+
+/// The slopes, the same everywhere inside, and six times the volume: where that is 0, slopes are 0.
+double ComputeSlopes(const TetrahedronCorners& corners, CornerSlopes& slopes);
 
 struct TetrahedronCrossing
 {

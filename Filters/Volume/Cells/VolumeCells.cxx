@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/VolumeCells.h"
 
-#include "Cells/CurvedScalars.h"
+#include "Cells/PointGradients.h"
 #include "Core/FiniteBox.h"
 #include "vtkCell.h"
 #include "vtkDataArray.h"
@@ -23,9 +23,6 @@ namespace
 {
 // Of the volume of a cube as long as the longest distance of corners: less is no volume.
 constexpr double LeastVolume = 1e-12;
-// Of the mesh's diagonal; boxes are floats.
-constexpr double BoxMargin = 1e-6;
-constexpr double PlaneMargin = 1e-12;
 
 bool IsFinite(const Scalars& scalars)
 {
@@ -36,14 +33,6 @@ bool IsFinite(const Scalars& scalars)
 bool IsFinite(const dvec3& point)
 {
   return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
-}
-
-void AddWeighed(const Scalars& scalars, double weight, Scalars& sum)
-{
-  for (size_t c = 0; c < scalars.size(); ++c)
-  {
-    sum[c] += weight * scalars[c];
-  }
 }
 
 void AddScalars(vtkDataArray* array, const ScalarChoice& choice, std::vector<Scalars>& all)
@@ -268,8 +257,9 @@ FaceBox VolumeCells::GetBox(const Cell& cell) const
   return rounded;
 }
 
-void VolumeCells::Build()
+void VolumeCells::Build(bool withSteepness, bool withGradients)
 {
+  this->HasSteepness = withSteepness;
   FiniteBox box;
   for (vtkIdType point : this->Corners)
   {
@@ -281,6 +271,10 @@ void VolumeCells::Build()
   {
     point -= this->Center;
   }
+  if (withGradients)
+  {
+    this->PointGradients = ComputePointGradients(*this);
+  }
   std::vector<FaceBox> boxes;
   boxes.reserve(this->Cells.size());
   for (const Cell& cell : this->Cells)
@@ -288,107 +282,5 @@ void VolumeCells::Build()
     boxes.push_back(this->GetBox(cell));
   }
   this->Tree.Build(std::move(boxes));
-}
-
-void VolumeCells::CrossTetrahedron(
-  const Cell& cell, const Ray& ray, std::vector<RayPart>& parts) const
-{
-  TetrahedronCrossing crossing;
-  if (!crossing.Find(this->GetTetrahedron(cell), ray, PlaneMargin * this->Diagonal))
-  {
-    return;
-  }
-  RayPart part = { crossing.Begin, crossing.End, {}, {} };
-  if (cell.Scalars >= 0)
-  {
-    part.Front = part.Back = this->CellScalars[cell.Scalars];
-  }
-  for (int i = 0; i < 4 && cell.Scalars < 0; ++i)
-  {
-    const Scalars& scalars = this->PointScalars[this->GetCornerId(cell, i)];
-    AddWeighed(scalars, crossing.FrontWeights[i], part.Front);
-    AddWeighed(scalars, crossing.BackWeights[i], part.Back);
-  }
-  parts.push_back(part);
-}
-
-void VolumeCells::CrossCurved(const Cell& cell, const Ray& ray, std::vector<RayPart>& parts) const
-{
-  const CurvedCell curved = this->GetCurved(cell);
-  const std::vector<std::pair<double, double>> inside =
-    curved.FindInside(ray, PlaneMargin * this->Diagonal);
-  if (inside.empty())
-  {
-    return;
-  }
-  if (cell.Scalars >= 0)
-  {
-    const Scalars& scalars = this->CellScalars[cell.Scalars];
-    for (const auto& interval : inside)
-    {
-      parts.push_back({ interval.first, interval.second, scalars, scalars });
-    }
-    return;
-  }
-  std::vector<Scalars> scalars;
-  for (int i = 0; i < cell.Shape->NumberOfCorners; ++i)
-  {
-    scalars.push_back(this->PointScalars[this->GetCornerId(cell, i)]);
-  }
-  dvec3 parameters = curved.GetCenter();
-  const CurvedScalars along(
-    [&](double at)
-    {
-      const CornerWeights weights = curved.GetWeights(ray.Origin + at * ray.Direction, parameters);
-      Scalars sum = {};
-      for (size_t i = 0; i < scalars.size(); ++i)
-      {
-        AddWeighed(scalars[i], weights[i], sum);
-      }
-      return sum;
-    },
-    scalars);
-  for (const auto& interval : inside)
-  {
-    along.Split(interval.first, interval.second, parts);
-  }
-}
-
-std::vector<RayPart> VolumeCells::Cross(const Ray& ray) const
-{
-  if (!(ray.Length > 0.0))
-  {
-    return {};
-  }
-  const Ray moved = { ray.Origin - this->Center, ray.Direction, ray.Length };
-  const dvec3 end = moved.Origin + moved.Length * moved.Direction;
-  const BoxSegment segment(&moved.Origin.x, &end.x, BoxMargin * this->Diagonal);
-  std::vector<RayPart> parts;
-  double last = 1.0;
-  this->Tree.Visit(
-    last, [&](const FaceBox& box, double nearest) { return segment.GetEntry(box, nearest); },
-    [&](int index)
-    {
-      const Cell& cell = this->Cells[index];
-      cell.Shape ? this->CrossCurved(cell, moved, parts)
-                 : this->CrossTetrahedron(cell, moved, parts);
-    });
-  std::sort(parts.begin(), parts.end(),
-    [](const RayPart& a, const RayPart& b)
-    { return a.Begin < b.Begin || (a.Begin == b.Begin && a.End < b.End); });
-
-  // A ray in a face is in both its cells: no place counts twice.
-  double reached = 0.0;
-  std::vector<RayPart> once;
-  for (const RayPart& part : parts)
-  {
-    if (part.End > reached)
-    {
-      const double hidden = (reached - part.Begin) / (part.End - part.Begin);
-      once.push_back(hidden > 0.0 ? part.Cut(hidden, 1.0) : part);
-      reached = part.End;
-    }
-  }
-  return once;
 }
 }

@@ -54,8 +54,8 @@ public:
    */
   void Add(vtkDataSet* mesh, vtkDataArray* array, bool isOfCells, const ScalarChoice& choice);
 
-  /// After all data sets have been added.
-  void Build();
+  /// After all data sets have been added. Of what rays meet gradients are wanted, or not.
+  void Build(bool withSteepness = false, bool withGradients = false);
 
   /// What a ray of world coordinates passes through, from front to back. In several threads.
   std::vector<RayPart> Cross(const Ray& ray) const;
@@ -78,11 +78,14 @@ public:
   const std::vector<dvec3>& GetPoints() const { return this->Points; }
   const std::vector<Scalars>& GetPointScalars() const { return this->PointScalars; }
   const std::vector<Scalars>& GetCellScalars() const { return this->CellScalars; }
-  //@}
-
-private:
   TetrahedronCorners GetTetrahedron(const Cell& cell) const;
   CurvedCell GetCurved(const Cell& cell) const;
+  //@}
+
+  /// By the slopes of corners, of scalars of points.
+  Gradients ComputeGradients(const Cell& cell, const CornerSlopes& slopes) const;
+
+private:
   bool AddCell(const CellShape* shape, const std::vector<vtkIdType>& corners, vtkIdType scalars);
   bool HasVolume(const Cell& cell) const;
   bool HasScalars(const Cell& cell) const;
@@ -90,10 +93,14 @@ private:
 
   void CrossTetrahedron(const Cell& cell, const Ray& ray, std::vector<RayPart>& parts) const;
   void CrossCurved(const Cell& cell, const Ray& ray, std::vector<RayPart>& parts) const;
+  Scalars ComputeSteepness(const Cell& cell, const CornerSlopes& slopes) const;
+  Gradients WeighGradients(const Cell& cell, const double* weights) const;
 
   std::vector<dvec3> Points;
   std::vector<Scalars> PointScalars;
   std::vector<Scalars> CellScalars;
+  std::vector<Gradients> PointGradients; // if wanted
+  bool HasSteepness = false;
   std::vector<vtkIdType> Corners;
   std::vector<Cell> Cells;
   FaceTree Tree;             // of cells

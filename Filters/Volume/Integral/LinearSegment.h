@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the shared functions of the volume rendering integral, in C++ and double precision
+ * @brief   the shared functions of volume rendering, in C++ and double precision
  *
  * Private to the module's own sources.
  */
@@ -15,6 +15,7 @@
 namespace relevo
 {
 using Real = double;
+using Real2 = dvec2;
 using Real3 = dvec3;
 using Real4 = dvec4;
 
@@ -26,6 +27,7 @@ using Real4 = dvec4;
 RELEVOFILTERSVOLUME_EXPORT double linearSegmentPsi(double front, double back);
 
 #include "glsl/relevoLinearSegment.glsl"
+#include "glsl/relevoVolumeShading.glsl"
 }
 
 #endif

@@ -116,6 +116,37 @@ LinearPieces MakeBoth(const Functions& functions)
     kinks, Tolerance);
 }
 
+// Without nodes where gradients have no effect.
+bool ReadGradientOpacity(
+  vtkVolumeProperty* property, int component, LinearPieces& pieces, std::string& error)
+{
+  pieces = LinearPieces();
+  if (!property->HasGradientOpacity(component) || property->GetDisableGradientOpacity(component))
+  {
+    return true;
+  }
+  vtkPiecewiseFunction* function = property->GetGradientOpacity(component);
+  std::vector<double> kinks;
+  AddKinks<4>(function, kinks);
+  if (kinks.empty())
+  {
+    std::ostringstream text;
+    text << "has a gradient opacity function without nodes for component " << component;
+    error = text.str();
+    return false;
+  }
+  pieces = LinearPieces([=](double x)
+    { return dvec4(0.0, 0.0, 0.0, std::max(function->GetValue(x), 0.0)); },
+    kinks, Tolerance);
+  return true;
+}
+
+double ComputeGradientOpacity(const LinearPieces& pieces, double steepness)
+{
+  return pieces.GetNodes().empty() ? 1.0
+                                   : pieces.Evaluate(pieces.FindPiece(steepness), steepness).w;
+}
+
 double ReadUnitDistance(vtkVolumeProperty* property, int component, std::string& warning)
 {
   const double distance = property->GetScalarOpacityUnitDistance(component);
@@ -129,6 +160,22 @@ double ReadUnitDistance(vtkVolumeProperty* property, int component, std::string&
   warning = text.str();
   return 1.0;
 }
+}
+
+Segment Segment::Cut(double begin, double end) const
+{
+  const auto interpolate = [this](double share)
+  {
+    Lights lights;
+    for (size_t i = 0; i < lights.size(); ++i)
+    {
+      lights[i] = mix(this->FrontLights[i], this->BackLights[i], share);
+    }
+    return lights;
+  };
+  return { Interpolate(this->Front, this->Back, begin), Interpolate(this->Front, this->Back, end),
+    (end - begin) * this->Length, this->Steepness, this->IsLit, interpolate(begin),
+    interpolate(end) };
 }
 
 bool TransferFunctions::Read(
@@ -149,12 +196,23 @@ bool TransferFunctions::Read(
                               : Mixing::Four;
   this->NumberOfComponents = numberOfComponents;
   this->Curves.clear();
+  this->Direct = {};
+  if (property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D)
+  {
+    return this->ReadTables(property, error, warning);
+  }
   if (this->Mode == Mixing::Four)
   {
-    this->UnitDistance = ReadUnitDistance(property, 0, warning);
-    return true;
+    this->Direct.UnitDistance = ReadUnitDistance(property, 0, warning);
+    return ReadGradientOpacity(property, 0, this->Direct.GradientOpacity, error);
   }
-  const int sets = isIndependent ? numberOfComponents : 1;
+  return this->ReadCurves(property, error, warning);
+}
+
+bool TransferFunctions::ReadCurves(
+  vtkVolumeProperty* property, std::string& error, std::string& warning)
+{
+  const int sets = this->Mode == Mixing::Independent ? this->NumberOfComponents : 1;
   for (int i = 0; i < sets; ++i)
   {
     const Functions functions(property, i);
@@ -166,41 +224,86 @@ bool TransferFunctions::Read(
       return false;
     }
     const double unit = ReadUnitDistance(property, i, warning);
-    if (isIndependent)
+    LinearPieces gradients;
+    if (!ReadGradientOpacity(property, i, gradients, error))
     {
-      this->Curves.push_back({ i, unit, MakeBoth(functions) });
+      return false;
+    }
+    if (this->Mode == Mixing::Independent)
+    {
+      this->Curves.push_back({ i, unit, MakeBoth(functions), gradients, {} });
     }
     else
     {
-      this->Curves.push_back({ 0, unit, MakeColors(functions) });
-      this->Curves.push_back({ 1, unit, MakeOpacities(functions) });
+      this->Curves.push_back({ 0, unit, MakeColors(functions), {}, {} });
+      this->Curves.push_back({ 1, unit, MakeOpacities(functions), gradients, {} });
     }
   }
   return true;
 }
 
-dvec4 TransferFunctions::Integrate(const Scalars& front, const Scalars& back, double length) const
+bool TransferFunctions::ReadTables(
+  vtkVolumeProperty* property, std::string& error, std::string& warning)
 {
-  const std::vector<double> cuts = this->FindCuts(front, back);
+  const bool isIndependent = this->Mode == Mixing::Independent;
+  const int sets = isIndependent ? this->NumberOfComponents : 1;
+  this->Mode = Mixing::Independent;
+  for (int i = 0; i < sets; ++i)
+  {
+    vtkImageData* image = property->GetTransferFunction2D(i);
+    Curve curve = { isIndependent ? i : this->NumberOfComponents - 1,
+      ReadUnitDistance(property, i, warning), {}, {}, {} };
+    std::string fault;
+    if (!image || !curve.Table.Read(image, fault))
+    {
+      std::ostringstream text;
+      text << "has " << (image ? "a" : "no") << " 2D transfer function " << fault
+           << (image ? " " : "") << "for component " << i
+           << (image ? "" : "; call SetTransferFunction2D()");
+      error = text.str();
+      return false;
+    }
+    this->Curves.push_back(curve);
+  }
+  return true;
+}
+
+bool TransferFunctions::NeedSteepness() const
+{
+  return !this->Direct.GradientOpacity.GetNodes().empty() ||
+    std::any_of(this->Curves.begin(), this->Curves.end(),
+      [](const Curve& curve)
+      { return !curve.Table.IsEmpty() || !curve.GradientOpacity.GetNodes().empty(); });
+}
+
+int TransferFunctions::GetShadedComponent(size_t curve) const
+{
+  return this->Mode == Mixing::Independent ? this->Curves[curve].Component
+                                           : this->NumberOfComponents - 1;
+}
+
+dvec4 TransferFunctions::Integrate(const Segment& segment) const
+{
+  const std::vector<double> cuts = this->FindCuts(segment.Front, segment.Back);
   dvec4 seen(0.0);
   for (size_t i = 1; i < cuts.size(); ++i)
   {
-    const auto ends =
-      this->Evaluate(Interpolate(front, back, cuts[i - 1]), Interpolate(front, back, cuts[i]));
-    seen = frontOverBack(seen, linearSegment(ends[0], ends[1], (cuts[i] - cuts[i - 1]) * length));
+    const Segment piece = segment.Cut(cuts[i - 1], cuts[i]);
+    const auto ends = this->Evaluate(piece);
+    seen = frontOverBack(seen, linearSegment(ends[0], ends[1], piece.Length));
   }
   return seen;
 }
 
-dvec4 TransferFunctions::Sum(const Scalars& front, const Scalars& back, double length) const
+dvec4 TransferFunctions::Sum(const Segment& segment) const
 {
-  const std::vector<double> cuts = this->FindCuts(front, back);
+  const std::vector<double> cuts = this->FindCuts(segment.Front, segment.Back);
   dvec4 sum(0.0);
   for (size_t i = 1; i < cuts.size(); ++i)
   {
-    const auto ends =
-      this->Evaluate(Interpolate(front, back, cuts[i - 1]), Interpolate(front, back, cuts[i]));
-    sum += linearSegmentSum(ends[0], ends[1], (cuts[i] - cuts[i - 1]) * length);
+    const Segment piece = segment.Cut(cuts[i - 1], cuts[i]);
+    const auto ends = this->Evaluate(piece);
+    sum += linearSegmentSum(ends[0], ends[1], piece.Length);
   }
   return sum;
 }
@@ -212,7 +315,8 @@ std::vector<double> TransferFunctions::FindCuts(const Scalars& front, const Scal
   {
     const double begin = front[curve.Component];
     const double end = back[curve.Component];
-    const std::vector<double>& nodes = curve.Pieces.GetNodes();
+    const std::vector<double>& nodes =
+      curve.Table.IsEmpty() ? curve.Pieces.GetNodes() : curve.Table.GetColumns();
     const double highest = std::max(begin, end);
     for (auto node = std::upper_bound(nodes.begin(), nodes.end(), std::min(begin, end));
          node != nodes.end() && *node < highest; ++node)
@@ -225,56 +329,68 @@ std::vector<double> TransferFunctions::FindCuts(const Scalars& front, const Scal
   return cuts;
 }
 
-std::array<dvec4, 2> TransferFunctions::Evaluate(const Scalars& front, const Scalars& back) const
+std::array<dvec4, 2> TransferFunctions::Evaluate(const Segment& segment) const
 {
-  AllEnds all = this->EvaluateAll(front, back);
-  for (int end = 0; end < 2; ++end)
+  AllEnds all = this->EvaluateAll(segment);
+  const size_t count = std::max<size_t>(this->Curves.size(), 1);
+  for (size_t i = 0; i < count; ++i)
   {
-    all[0][end].w /= this->Mode == Mixing::Four ? this->UnitDistance : 1.0;
-    for (size_t i = 0; i < this->Curves.size(); ++i)
+    const Curve& curve = this->Curves.empty() ? this->Direct : this->Curves[i];
+    const double steepness =
+      segment.Steepness[this->Curves.empty() ? MostComponents - 1 : curve.Component];
+    const double share =
+      ComputeGradientOpacity(curve.GradientOpacity, steepness) / curve.UnitDistance;
+    const bool isLit = segment.IsLit && (this->Mode != Mixing::Two || i == 0);
+    for (int end = 0; end < 2; ++end)
     {
-      all[i][end].w /= this->Curves[i].UnitDistance;
+      dvec4& ends = all[i][end];
+      const dvec2& light = (end == 0 ? segment.FrontLights : segment.BackLights)[i];
+      ends = dvec4(isLit ? lightenColor(dvec3(ends), light) : dvec3(ends), ends.w * share);
     }
   }
   return this->Mix(all);
 }
 
-dvec4 TransferFunctions::Map(const Scalars& scalars) const
+dvec4 TransferFunctions::Map(const Scalars& scalars, const Scalars& steepness) const
 {
-  const dvec4 mixed = this->Mix(this->EvaluateAll(scalars, scalars))[0];
+  const dvec4 mixed = this->Mix(this->EvaluateAll({ scalars, scalars, 0.0, steepness }))[0];
   return dvec4(dvec3(mixed), std::min(mixed.w, 1.0));
 }
 
-dvec4 TransferFunctions::MapCurve(size_t curve, const Scalars& scalars) const
+dvec4 TransferFunctions::MapCurve(
+  size_t curve, const Scalars& scalars, const Scalars& steepness) const
 {
-  const dvec4 value = EvaluateCurve(this->Curves[curve], scalars, scalars)[0];
+  const dvec4 value = EvaluateCurve(this->Curves[curve], { scalars, scalars, 0.0, steepness })[0];
   return dvec4(dvec3(value), std::min(value.w, 1.0));
 }
 
 // Straight colours and opacities.
-TransferFunctions::AllEnds TransferFunctions::EvaluateAll(
-  const Scalars& front, const Scalars& back) const
+TransferFunctions::AllEnds TransferFunctions::EvaluateAll(const Segment& segment) const
 {
   AllEnds all;
   if (this->Mode == Mixing::Four)
   {
     const auto get = [](const Scalars& s)
     { return max(dvec4(s[0], s[1], s[2], s[3]), dvec4(0.0)); };
-    all[0] = { { get(front), get(back) } };
+    all[0] = { { get(segment.Front), get(segment.Back) } };
   }
   for (size_t i = 0; i < this->Curves.size(); ++i)
   {
-    all[i] = EvaluateCurve(this->Curves[i], front, back);
+    all[i] = EvaluateCurve(this->Curves[i], segment);
   }
   return all;
 }
 
 // By the piece that the middle lies in, as the ends may be where pieces meet.
-TransferFunctions::Ends TransferFunctions::EvaluateCurve(
-  const Curve& curve, const Scalars& front, const Scalars& back)
+TransferFunctions::Ends TransferFunctions::EvaluateCurve(const Curve& curve, const Segment& segment)
 {
-  const double begin = front[curve.Component];
-  const double end = back[curve.Component];
+  const double begin = segment.Front[curve.Component];
+  const double end = segment.Back[curve.Component];
+  if (!curve.Table.IsEmpty())
+  {
+    const double steepness = segment.Steepness[curve.Component];
+    return { { curve.Table.Evaluate(begin, steepness), curve.Table.Evaluate(end, steepness) } };
+  }
   const size_t piece = curve.Pieces.FindPiece(0.5 * begin + 0.5 * end);
   const auto get = [&](double at)
   {

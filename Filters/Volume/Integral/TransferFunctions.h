@@ -10,7 +10,7 @@
  *
  * Independent components: extinction is the sum of theirs, colour the mean by extinction. Two
  * dependent: colour by the first, extinction by the second. Four dependent: red, green, blue and
- * opacity, from 0 to 1.
+ * opacity, from 0 to 1. With 2D functions the last of dependent components counts alone.
  *
  * Private to the module's own sources.
  */
@@ -18,6 +18,7 @@
 #define TransferFunctions_h
 
 #include "Integral/LinearPieces.h"
+#include "Integral/TransferFunction2D.h"
 
 #include <array>  // for the scalars
 #include <string> // for messages
@@ -40,6 +41,24 @@ inline Scalars Interpolate(const Scalars& front, const Scalars& back, double sha
   return result;
 }
 
+/// What light does to each curve's colour: it is multiplied, and white is added.
+using Lights = std::array<dvec2, MostComponents>;
+
+/// A part of a ray along which the scalars are linear.
+struct Segment
+{
+  Scalars Front;
+  Scalars Back;
+  double Length;
+  Scalars Steepness = {}; // lengths of the components' gradients
+  bool IsLit = false;
+  Lights FrontLights = {}; // linear between the ends, too
+  Lights BackLights = {};
+
+  /// Of shares of its length.
+  Segment Cut(double begin, double end) const;
+};
+
 class RELEVOFILTERSVOLUME_EXPORT TransferFunctions
 {
 public:
@@ -48,7 +67,9 @@ public:
   {
     int Component;
     double UnitDistance;
-    LinearPieces Pieces;
+    LinearPieces Pieces;          // none if there is a 2D function
+    LinearPieces GradientOpacity; // in w; without nodes for none
+    TransferFunction2D Table;     // empty if there is none
   };
 
   /**
@@ -66,27 +87,44 @@ public:
   int GetNumberOfComponents() const { return this->NumberOfComponents; }
   /// None if the scalars are colours.
   const std::vector<Curve>& GetCurves() const { return this->Curves; }
+  //@{
   /// Of scalars that are colours.
-  double GetUnitDistance() const { return this->UnitDistance; }
+  double GetUnitDistance() const { return this->Direct.UnitDistance; }
+  const LinearPieces& GetGradientOpacity() const { return this->Direct.GradientOpacity; }
+  //@}
 
-  /// What is seen of a part of a ray along which the scalars are linear: premultiplied.
-  dvec4 Integrate(const Scalars& front, const Scalars& back, double length) const;
+  /// Whether the steepness of segments counts.
+  bool NeedSteepness() const;
+
+  /// Of which component the gradients count for the colour of a curve, or of colours.
+  int GetShadedComponent(size_t curve) const;
+
+  //@{
+  /// What is seen of a segment: premultiplied.
+  dvec4 Integrate(const Segment& segment) const;
+  dvec4 Integrate(const Scalars& front, const Scalars& back, double length) const
+  {
+    return this->Integrate({ front, back, length });
+  }
+  //@}
 
   /// The integrals of colour times extinction, and of extinction: what nothing hides.
-  dvec4 Sum(const Scalars& front, const Scalars& back, double length) const;
+  dvec4 Sum(const Segment& segment) const;
 
-  /// Where one of the functions may bend or jump: as shares of the part, with 0 and 1.
+  /// Where one of the functions may bend or jump: as shares of a segment, with 0 and 1.
   std::vector<double> FindCuts(const Scalars& front, const Scalars& back) const;
 
-  /// Straight colour and extinction at the ends of a part that no cut lies in.
-  std::array<dvec4, 2> Evaluate(const Scalars& front, const Scalars& back) const;
+  /// Straight colour and extinction at the ends of a segment that no cut lies in.
+  std::array<dvec4, 2> Evaluate(const Segment& segment) const;
 
-  /// Straight colour and opacity, whatever the length, of scalars; independent components mix by
-  /// their opacities. At most opaque.
-  dvec4 Map(const Scalars& scalars) const;
+  /**
+   * Straight colour and opacity, whatever the length, of scalars; independent components mix by
+   * their opacities. At most opaque. The steepness counts for 2D functions only.
+   */
+  dvec4 Map(const Scalars& scalars, const Scalars& steepness) const;
 
   /// The same of one of the independent components alone.
-  dvec4 MapCurve(size_t curve, const Scalars& scalars) const;
+  dvec4 MapCurve(size_t curve, const Scalars& scalars, const Scalars& steepness) const;
 
 private:
   enum class Mixing
@@ -97,15 +135,17 @@ private:
   };
   using Ends = std::array<dvec4, 2>;
   using AllEnds = std::array<Ends, MostComponents>;
-  AllEnds EvaluateAll(const Scalars& front, const Scalars& back) const;
-  static Ends EvaluateCurve(const Curve& curve, const Scalars& front, const Scalars& back);
+  bool ReadCurves(vtkVolumeProperty* property, std::string& error, std::string& warning);
+  bool ReadTables(vtkVolumeProperty* property, std::string& error, std::string& warning);
+  AllEnds EvaluateAll(const Segment& segment) const;
+  static Ends EvaluateCurve(const Curve& curve, const Segment& segment);
   Ends Mix(const AllEnds& all) const;
   Ends MixIndependent(const AllEnds& all) const;
 
   Mixing Mode = Mixing::Independent;
   int NumberOfComponents = 1;
-  double UnitDistance = 1.0; // of four dependent components
   std::vector<Curve> Curves; // of two dependent components one after the other
+  Curve Direct = {};         // of colours: all but the pieces
 };
 }
 

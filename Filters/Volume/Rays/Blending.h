@@ -11,6 +11,7 @@
 
 #include "Cells/Ray.h"
 #include "Rays/IsoSurfaces.h"
+#include "Rays/Shading.h"
 
 #include <vector>
 
@@ -30,25 +31,32 @@ enum class BlendMode
 class Blending
 {
 public:
-  /// Composite and IsoSurface show the surfaces, IsoSurface nothing else.
-  Blending(const TransferFunctions& functions, BlendMode mode, const IsoSurfaces& surfaces)
+  /// Composite and IsoSurface show the surfaces, IsoSurface nothing else. They are shaded, too.
+  Blending(const TransferFunctions& functions, BlendMode mode, const IsoSurfaces& surfaces,
+    const Shading& shading)
     : Functions(functions)
     , Mode(mode)
     , Surfaces(surfaces)
+    , Shades(shading)
+    , IsShaded(shading.IsOn())
   {
   }
 
-  /// Premultiplied.
-  dvec4 Blend(const std::vector<RayPart>& parts) const;
+  /// What of a ray is seen along its direction; premultiplied.
+  dvec4 Blend(const std::vector<RayPart>& parts, const dvec3& direction) const;
 
 private:
-  dvec4 BlendComposite(const std::vector<RayPart>& parts) const;
-  dvec4 BlendIsoSurfaces(const std::vector<RayPart>& parts) const;
+  dvec4 BlendComposite(const std::vector<RayPart>& parts, const dvec3& direction) const;
+  dvec4 BlendIsoSurfaces(const std::vector<RayPart>& parts, const dvec3& direction) const;
   dvec4 BlendAdditive(const std::vector<RayPart>& parts) const;
+  Segment Light(const RayPart& part, const dvec3& direction) const;
+  dvec4 ShowSurface(const RayPart& part, const IsoCrossing& crossing, const dvec3& direction) const;
 
   const TransferFunctions& Functions;
   const BlendMode Mode;
   const IsoSurfaces& Surfaces;
+  const Shading& Shades;
+  const bool IsShaded;
 };
 }
 

@@ -19,17 +19,17 @@ constexpr double Touching = 1e-9;
 constexpr double Same = 1e-10;
 constexpr double Rounding = 1e-12;
 
-int FindHeaviest(vtkVolumeProperty* property, int components)
+size_t FindHeaviest(vtkVolumeProperty* property, size_t components)
 {
   int heaviest = 0;
-  for (int i = 1; i < components; ++i)
+  for (int i = 1; i < static_cast<int>(components); ++i)
   {
     if (property->GetComponentWeight(i) > property->GetComponentWeight(heaviest))
     {
       heaviest = i;
     }
   }
-  return heaviest;
+  return static_cast<size_t>(heaviest);
 }
 }
 
@@ -45,9 +45,15 @@ IsoSurfaces::IsoSurfaces(vtkVolumeProperty* property, const TransferFunctions& f
   }
   std::sort(this->Values.begin(), this->Values.end());
   this->Values.erase(std::unique(this->Values.begin(), this->Values.end()), this->Values.end());
-  this->Component = functions.AreColors() ? MostComponents - 1
-    : functions.AreIndependent() ? FindHeaviest(property, functions.GetNumberOfComponents())
-                                 : 0;
+  if (functions.AreIndependent())
+  {
+    this->Curve = FindHeaviest(property, functions.GetCurves().size());
+    this->Component = functions.GetCurves()[this->Curve].Component;
+  }
+  else
+  {
+    this->Component = functions.AreColors() ? MostComponents - 1 : 0;
+  }
 }
 
 std::vector<IsoCrossing> IsoSurfaces::Cross(const std::vector<RayPart>& parts) const
@@ -100,13 +106,11 @@ dvec4 IsoSurfaces::GetColor(
 {
   Scalars scalars = Interpolate(part.Front, part.Back, crossing.Share);
   scalars[this->Component] = crossing.Value;
-  if (!functions.AreColors() && !functions.AreIndependent())
+  if (functions.AreDependent())
   {
     scalars.fill(crossing.Value);
   }
-  const dvec4 color = functions.AreIndependent()
-    ? functions.MapCurve(static_cast<size_t>(this->Component), scalars)
-    : functions.Map(scalars);
-  return dvec4(dvec3(color) * color.w, color.w);
+  return functions.AreIndependent() ? functions.MapCurve(this->Curve, scalars, part.Steepness)
+                                    : functions.Map(scalars, part.Steepness);
 }
 }

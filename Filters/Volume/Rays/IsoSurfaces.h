@@ -39,9 +39,10 @@ public:
   /// Front to back.
   std::vector<IsoCrossing> Cross(const std::vector<RayPart>& parts) const;
 
-  /// What is seen of a surface; premultiplied.
+  /// Straight colour and opacity, and which of the functions' curves gives the colour.
   dvec4 GetColor(
     const TransferFunctions& functions, const RayPart& part, const IsoCrossing& crossing) const;
+  size_t GetCurve() const { return this->Curve; }
 
 private:
   // Between the ends of a part.
@@ -50,6 +51,7 @@ private:
 
   std::vector<double> Values; // in ascending order
   int Component = 0;
+  size_t Curve = 0;
 };
 }
 

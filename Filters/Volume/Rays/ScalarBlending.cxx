@@ -6,11 +6,18 @@ namespace relevo
 {
 namespace
 {
-dvec4 Show(const TransferFunctions& functions, const Scalars& scalars)
+// A place, or the mean of places.
+struct Sample
 {
-  const dvec4 color = functions.Map(scalars);
-  return dvec4(dvec3(color) * color.w, color.w);
-}
+  Scalars Values;
+  Scalars Steepness;
+
+  dvec4 Show(const TransferFunctions& functions) const
+  {
+    const dvec4 color = functions.Map(this->Values, this->Steepness);
+    return dvec4(dvec3(color) * color.w, color.w);
+  }
+};
 }
 
 dvec4 BlendExtreme(
@@ -21,48 +28,56 @@ dvec4 BlendExtreme(
     return dvec4(0.0);
   }
   const size_t last = static_cast<size_t>(functions.GetNumberOfComponents()) - 1;
-  Scalars extreme = parts.front().Front;
-  const auto add = [&](const Scalars& scalars)
+  Sample extreme = { parts.front().Front, parts.front().Steepness };
+  const auto add = [&](const Sample& sample)
   {
-    if (!functions.AreIndependent())
-    {
-      extreme = sign * scalars[last] > sign * extreme[last] ? scalars : extreme;
-      return;
-    }
     for (size_t c = 0; c <= last; ++c)
     {
-      extreme[c] = sign * scalars[c] > sign * extreme[c] ? scalars[c] : extreme[c];
+      const size_t deciding = functions.AreIndependent() ? c : last;
+      const bool isFarther = sign * sample.Values[deciding] > sign * extreme.Values[deciding];
+      if (isFarther && functions.AreIndependent())
+      {
+        extreme.Values[c] = sample.Values[c];
+        extreme.Steepness[c] = sample.Steepness[c];
+      }
+      else if (isFarther)
+      {
+        extreme = sample;
+      }
     }
   };
   for (const RayPart& part : parts)
   {
-    add(part.Front);
-    add(part.Back);
+    add({ part.Front, part.Steepness });
+    add({ part.Back, part.Steepness });
   }
-  return Show(functions, extreme);
+  return extreme.Show(functions);
 }
 
 dvec4 BlendAverage(const TransferFunctions& functions, const std::vector<RayPart>& parts)
 {
-  Scalars sum = {};
+  Sample mean = {};
   double length = 0.0;
   for (const RayPart& part : parts)
   {
-    const Scalars mean = Interpolate(part.Front, part.Back, 0.5);
-    for (size_t c = 0; c < sum.size(); ++c)
+    const Scalars middle = Interpolate(part.Front, part.Back, 0.5);
+    const double here = part.End - part.Begin;
+    length += here;
+    for (size_t c = 0; c < middle.size(); ++c)
     {
-      sum[c] += (part.End - part.Begin) * mean[c];
+      mean.Values[c] += here * middle[c];
+      mean.Steepness[c] += here * part.Steepness[c];
     }
-    length += part.End - part.Begin;
   }
   if (length == 0.0)
   {
     return dvec4(0.0);
   }
-  for (double& scalar : sum)
+  for (size_t c = 0; c < mean.Values.size(); ++c)
   {
-    scalar /= length;
+    mean.Values[c] /= length;
+    mean.Steepness[c] /= length;
   }
-  return Show(functions, sum);
+  return mean.Show(functions);
 }
 }

@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Walk/JoinedMesh.h"
 
+#include "Cells/JoinedPoints.h"
 #include "Cells/VolumeCells.h"
 #include "Core/FiniteBox.h"
-#include "Core/PointPlaces.h"
 #include "Mesh/FaceNeighbors.h"
 #include "Walk/BorderTree.h"
 #include "vtkCellType.h"
-#include "vtkDoubleArray.h"
-#include "vtkNew.h"
-#include "vtkPoints.h"
 
 #include <algorithm>
 #include <array>
@@ -87,27 +84,14 @@ void JoiningMesh::JoinPoints()
       }
     }
   }
-  const std::vector<dvec3>& points = this->Cells.GetPoints();
-  const vtkIdType count = static_cast<vtkIdType>(points.size());
-  vtkNew<vtkDoubleArray> coordinates;
-  coordinates->SetNumberOfComponents(3);
-  coordinates->SetArray(const_cast<double*>(points.empty() ? nullptr : &points[0].x), 3 * count, 1);
-  vtkNew<vtkPoints> all;
-  all->SetData(coordinates);
-  const std::vector<vtkIdType> places = ComputePlaces(all);
-  this->NewIds.assign(points.size(), Unused);
-  const std::vector<Scalars>& scalars = this->Cells.GetPointScalars();
-  const auto getPlace = [&](vtkIdType point)
-  {
-    const vtkIdType place = places.empty() ? point : places[point];
-    return this->HasCellScalars() || scalars[place] == scalars[point] ? place : point;
-  };
+  const std::vector<vtkIdType> joined = FindJoinedPoints(this->Cells);
+  this->NewIds.assign(joined.size(), Unused);
   for (const VolumeCells::Cell& cell : this->Kept)
   {
     for (int i = 0; i < this->Cells.GetNumberOfCorners(cell); ++i)
     {
       const vtkIdType point = this->Cells.GetCornerId(cell, i);
-      const vtkIdType place = getPlace(point);
+      const vtkIdType place = joined[point];
       if (this->NewIds[place] == Unused)
       {
         this->NewIds[place] = static_cast<std::uint32_t>(this->OldIds.size());

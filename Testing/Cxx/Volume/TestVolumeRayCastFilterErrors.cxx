@@ -112,6 +112,29 @@ void TestArrays(RelevoCheck& check)
   CHECK(scene.Fails("3 components in one block and 1 in another"));
 }
 
+// Cells of points that do not exist.
+void TestBroken(RelevoCheck& check)
+{
+  for (const vtkIdType id : { vtkIdType(-1), vtkIdType(8), vtkIdType(1) << 40 })
+  {
+    Scene scene;
+    const vtkIdType ids[4] = { 0, 1, 2, id };
+    scene.Mesh->InsertNextCell(VTK_TETRA, 4, ids);
+    CHECK(scene.Fails("cells that refer to points that do not exist: 1 of 7"));
+    const vtkIdType flat[3] = { 0, 1, id };
+    scene.Mesh->InsertNextCell(VTK_TRIANGLE, 3, flat);
+    CHECK(scene.Fails("do not exist: 2 of 8"));
+  }
+  for (const vtkIdType id : { 3, 9 })
+  {
+    Scene scene;
+    const vtkIdType ids[4] = { 0, 1, 2, 3 };
+    const vtkIdType faces[] = { 3, 0, 1, 2, 3, 0, 1, 3, 3, 1, 2, 3, 3, 0, 2, id };
+    scene.Mesh->InsertNextCell(VTK_POLYHEDRON, 4, ids, 4, faces);
+    CHECK(id == 9 ? scene.Fails("do not exist: 1 of 7") : !scene.Fails("do not exist"));
+  }
+}
+
 void TestMeshes(RelevoCheck& check)
 {
   Scene flat;
@@ -160,6 +183,7 @@ int TestVolumeRayCastFilterErrors(int, char*[])
   RelevoCheck check;
   TestMissing(check);
   TestArrays(check);
+  TestBroken(check);
   TestMeshes(check);
   return check.GetResult();
 }

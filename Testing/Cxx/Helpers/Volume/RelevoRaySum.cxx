@@ -43,8 +43,8 @@ RelevoColor RelevoRaySum::Composite(const RelevoRay& ray) const
   for (int i = 0; i < this->Count; ++i)
   {
     const RelevoPoint at = ray.At(begin + (i + 0.5) * step);
-    const double first = this->Scalar(ray.At(begin + i * step));
-    const double last = this->Scalar(ray.At(begin + (i + 1) * step));
+    const double first = this->Values.empty() ? 0.0 : this->Scalar(ray.At(begin + i * step));
+    const double last = this->Values.empty() ? 0.0 : this->Scalar(ray.At(begin + (i + 1) * step));
     for (size_t j = 0; j < this->Values.size(); ++j)
     {
       const double value = this->Values[first < last ? j : this->Values.size() - 1 - j];

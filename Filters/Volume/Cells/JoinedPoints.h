@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   which points of several data sets are one
+ *
+ * Private to the modules' own sources.
+ */
+#ifndef JoinedPoints_h
+#define JoinedPoints_h
+
+#include "vtkType.h"
+
+#include <vector>
+
+namespace relevo
+{
+class VolumeCells;
+
+/// For each point the first one at exactly the same place, or itself if that has other scalars.
+std::vector<vtkIdType> FindJoinedPoints(const VolumeCells& cells);
+}
+
+#endif

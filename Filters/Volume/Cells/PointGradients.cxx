@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/PointGradients.h"
+
+#include "Cells/JoinedPoints.h"
+#include "Cells/VolumeCells.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace relevo
+{
+namespace
+{
+// Cells whose gradients are there at a time.
+constexpr size_t BatchSize = 1 << 16;
+
+struct Share
+{
+  Gradients Gradient;
+  double Volume;
+};
+
+Share ComputeShare(const VolumeCells& cells, const VolumeCells::Cell& cell)
+{
+  Share share = { {}, 0.0 };
+  if (cell.Scalars < 0)
+  {
+    CornerSlopes slopes;
+    if (cell.Shape)
+    {
+      const CurvedCell curved = cells.GetCurved(cell);
+      share.Volume = cell.Shape->Volume * curved.ComputeSlopes(curved.GetCenter(), slopes);
+    }
+    else
+    {
+      share.Volume = ComputeSlopes(cells.GetTetrahedron(cell), slopes) / 6.0;
+    }
+    share.Gradient = cells.ComputeGradients(cell, slopes);
+  }
+  for (dvec3& gradient : share.Gradient)
+  {
+    gradient *= share.Volume;
+    const double size = dot(gradient, gradient);
+    if (!std::isfinite(size))
+    {
+      return { {}, 0.0 };
+    }
+  }
+  return share;
+}
+}
+
+// Sums go through the cells in their order, so that they do not depend on the number of threads.
+std::vector<Gradients> ComputePointGradients(const VolumeCells& cells)
+{
+  const std::vector<VolumeCells::Cell>& all = cells.GetCells();
+  const std::vector<vtkIdType> joined = FindJoinedPoints(cells);
+  std::vector<Gradients> gradients(joined.size());
+  std::vector<double> volumes(joined.size(), 0.0);
+  std::vector<Share> batch(std::min(BatchSize, all.size()));
+  for (size_t begin = 0; begin < all.size(); begin += BatchSize)
+  {
+    const size_t count = std::min(BatchSize, all.size() - begin);
+    vtkSMPTools::For(0, static_cast<vtkIdType>(count),
+      [&](vtkIdType first, vtkIdType last)
+      {
+        for (vtkIdType i = first; i < last; ++i)
+        {
+          batch[i] = ComputeShare(cells, all[begin + i]);
+        }
+      });
+    for (size_t i = 0; i < count; ++i)
+    {
+      const VolumeCells::Cell& cell = all[begin + i];
+      for (int corner = 0; corner < cells.GetNumberOfCorners(cell); ++corner)
+      {
+        const vtkIdType point = joined[cells.GetCornerId(cell, corner)];
+        volumes[point] += batch[i].Volume;
+        for (size_t c = 0; c < gradients[point].size(); ++c)
+        {
+          gradients[point][c] += batch[i].Gradient[c];
+        }
+      }
+    }
+  }
+  // A point comes after the one that it is joined to.
+  for (size_t i = 0; i < gradients.size(); ++i)
+  {
+    if (joined[i] != static_cast<vtkIdType>(i))
+    {
+      gradients[i] = gradients[joined[i]];
+      continue;
+    }
+    for (dvec3& gradient : gradients[i])
+    {
+      gradient = volumes[i] > 0.0 ? gradient / volumes[i] : dvec3(0.0);
+    }
+  }
+  return gradients;
+}
+}

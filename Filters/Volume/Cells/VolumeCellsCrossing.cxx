@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/CurvedScalars.h"
+#include "Cells/VolumeCells.h"
+
+#include <algorithm>
+
+namespace relevo
+{
+namespace
+{
+// Of the mesh's diagonal; boxes are floats.
+constexpr double BoxMargin = 1e-6;
+constexpr double PlaneMargin = 1e-12;
+
+void AddWeighed(const Scalars& scalars, double weight, Scalars& sum)
+{
+  for (size_t c = 0; c < scalars.size(); ++c)
+  {
+    sum[c] += weight * scalars[c];
+  }
+}
+
+}
+
+void VolumeCells::CrossTetrahedron(
+  const Cell& cell, const Ray& ray, std::vector<RayPart>& parts) const
+{
+  TetrahedronCrossing crossing;
+  if (!crossing.Find(this->GetTetrahedron(cell), ray, PlaneMargin * this->Diagonal))
+  {
+    return;
+  }
+  RayPart part = { crossing.Begin, crossing.End, {}, {} };
+  if (cell.Scalars >= 0)
+  {
+    part.Front = part.Back = this->CellScalars[cell.Scalars];
+  }
+  for (int i = 0; i < 4 && cell.Scalars < 0; ++i)
+  {
+    const Scalars& scalars = this->PointScalars[this->GetCornerId(cell, i)];
+    AddWeighed(scalars, crossing.FrontWeights[i], part.Front);
+    AddWeighed(scalars, crossing.BackWeights[i], part.Back);
+  }
+  if (this->HasSteepness && cell.Scalars < 0)
+  {
+    CornerSlopes slopes;
+    ComputeSlopes(this->GetTetrahedron(cell), slopes);
+    part.Steepness = this->ComputeSteepness(cell, slopes);
+  }
+  if (!this->PointGradients.empty() && cell.Scalars < 0)
+  {
+    part.FrontGradients = this->WeighGradients(cell, &crossing.FrontWeights.x);
+    part.BackGradients = this->WeighGradients(cell, &crossing.BackWeights.x);
+  }
+  parts.push_back(part);
+}
+
+void VolumeCells::CrossCurved(const Cell& cell, const Ray& ray, std::vector<RayPart>& parts) const
+{
+  const CurvedCell curved = this->GetCurved(cell);
+  const std::vector<std::pair<double, double>> inside =
+    curved.FindInside(ray, PlaneMargin * this->Diagonal);
+  if (inside.empty())
+  {
+    return;
+  }
+  if (cell.Scalars >= 0)
+  {
+    const Scalars& scalars = this->CellScalars[cell.Scalars];
+    for (const auto& interval : inside)
+    {
+      parts.push_back({ interval.first, interval.second, scalars, scalars });
+    }
+    return;
+  }
+  std::vector<Scalars> scalars;
+  for (int i = 0; i < cell.Shape->NumberOfCorners; ++i)
+  {
+    scalars.push_back(this->PointScalars[this->GetCornerId(cell, i)]);
+  }
+  dvec3 parameters = curved.GetCenter();
+  const CurvedScalars along(
+    [&](double at)
+    {
+      const CornerWeights weights = curved.GetWeights(ray.Origin + at * ray.Direction, parameters);
+      Scalars sum = {};
+      for (size_t i = 0; i < scalars.size(); ++i)
+      {
+        AddWeighed(scalars[i], weights[i], sum);
+      }
+      return sum;
+    },
+    scalars);
+  const size_t first = parts.size();
+  for (const auto& interval : inside)
+  {
+    along.Split(interval.first, interval.second, parts);
+  }
+  const auto getWeights = [&](double at)
+  { return curved.GetWeights(ray.Origin + at * ray.Direction, parameters); };
+  for (size_t i = first; i < parts.size() && this->HasSteepness; ++i)
+  {
+    CornerSlopes slopes;
+    getWeights(0.5 * (parts[i].Begin + parts[i].End)); // and their parameters
+    curved.ComputeSlopes(parameters, slopes);
+    parts[i].Steepness = this->ComputeSteepness(cell, slopes);
+  }
+  for (size_t i = first; i < parts.size() && !this->PointGradients.empty(); ++i)
+  {
+    parts[i].FrontGradients = this->WeighGradients(cell, getWeights(parts[i].Begin).data());
+    parts[i].BackGradients = this->WeighGradients(cell, getWeights(parts[i].End).data());
+  }
+}
+
+// Of differences, so that where scalars are all the same it is exactly 0.
+Gradients VolumeCells::ComputeGradients(const Cell& cell, const CornerSlopes& slopes) const
+{
+  Gradients gradients = {};
+  const Scalars& first = this->PointScalars[this->GetCornerId(cell, 0)];
+  for (int i = 1; i < this->GetNumberOfCorners(cell); ++i)
+  {
+    const Scalars& scalars = this->PointScalars[this->GetCornerId(cell, i)];
+    for (size_t c = 0; c < scalars.size(); ++c)
+    {
+      gradients[c] += (scalars[c] - first[c]) * slopes[i];
+    }
+  }
+  return gradients;
+}
+
+Scalars VolumeCells::ComputeSteepness(const Cell& cell, const CornerSlopes& slopes) const
+{
+  const Gradients gradients = this->ComputeGradients(cell, slopes);
+  Scalars steepness;
+  std::transform(gradients.begin(), gradients.end(), steepness.begin(),
+    [](const dvec3& gradient) { return length(gradient); });
+  return steepness;
+}
+
+Gradients VolumeCells::WeighGradients(const Cell& cell, const double* weights) const
+{
+  Gradients sum = {};
+  for (int i = 0; i < this->GetNumberOfCorners(cell); ++i)
+  {
+    const Gradients& gradients = this->PointGradients[this->GetCornerId(cell, i)];
+    for (size_t c = 0; c < sum.size(); ++c)
+    {
+      sum[c] += weights[i] * gradients[c];
+    }
+  }
+  return sum;
+}
+
+std::vector<RayPart> VolumeCells::Cross(const Ray& ray) const
+{
+  if (!(ray.Length > 0.0))
+  {
+    return {};
+  }
+  const Ray moved = { ray.Origin - this->Center, ray.Direction, ray.Length };
+  const dvec3 end = moved.Origin + moved.Length * moved.Direction;
+  const BoxSegment segment(&moved.Origin.x, &end.x, BoxMargin * this->Diagonal);
+  std::vector<RayPart> parts;
+  double last = 1.0;
+  this->Tree.Visit(
+    last, [&](const FaceBox& box, double nearest) { return segment.GetEntry(box, nearest); },
+    [&](int index)
+    {
+      const Cell& cell = this->Cells[index];
+      cell.Shape ? this->CrossCurved(cell, moved, parts)
+                 : this->CrossTetrahedron(cell, moved, parts);
+    });
+  std::sort(parts.begin(), parts.end(),
+    [](const RayPart& a, const RayPart& b)
+    { return a.Begin < b.Begin || (a.Begin == b.Begin && a.End < b.End); });
+
+  // A ray in a face is in both its cells: no place counts twice.
+  double reached = 0.0;
+  std::vector<RayPart> once;
+  for (const RayPart& part : parts)
+  {
+    if (part.End > reached)
+    {
+      const double hidden = (reached - part.Begin) / (part.End - part.Begin);
+      once.push_back(hidden > 0.0 ? part.Cut(hidden, 1.0) : part);
+      reached = part.End;
+    }
+  }
+  return once;
+}
+}
