@@ -80,7 +80,7 @@ bool vtkMeshVisibilitySort::Build()
     vtkErrorMacro("The input has more than " << VTK_INT_MAX << " points or cells.");
     return false;
   }
-  const relevo::CellFaces cells = relevo::ReadCellFaces(this->Input, internals.CellIds);
+  relevo::CellFaces cells = relevo::ReadCellFaces(this->Input, internals.CellIds);
   if (cells.Faces.size() > VTK_INT_MAX)
   {
     vtkErrorMacro("The input has cells of more than " << VTK_INT_MAX << " faces.");
@@ -91,7 +91,7 @@ bool vtkMeshVisibilitySort::Build()
     vtkErrorMacro("The input has cells with points that it lacks.");
     return false;
   }
-  internals.Order.Build(GetPoints(this->Input), cells);
+  internals.Order.Build(GetPoints(this->Input), std::move(cells));
   internals.BuiltFrom = this->Input;
   internals.BuildTime = this->Input->GetMTime();
   return true;

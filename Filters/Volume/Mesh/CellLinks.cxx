@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <utility>
 
 namespace relevo
 {
@@ -73,7 +74,7 @@ int Orient(dvec4& plane, const dvec3& from, const dvec3& to)
 class Linker
 {
 public:
-  Linker(const std::vector<dvec3>& points, const CellFaces& cells);
+  Linker(const std::vector<dvec3>& points, CellFaces&& cells);
   CellLinks Run();
 
 private:
@@ -89,8 +90,8 @@ private:
 
   const std::vector<dvec3>& Points;
   std::vector<Face> Faces; // and seams, after those of cells
-  const std::vector<size_t>& Firsts;
-  const std::unordered_map<size_t, Face>& Polygons;
+  const std::vector<size_t> Firsts;
+  const std::unordered_map<size_t, Face> Polygons;
   std::vector<int> CellsOfFaces;
   std::vector<dvec3> Centers;   // of cells
   std::vector<int> LinkFaces;   // by which their planes are found
@@ -98,11 +99,11 @@ private:
   CellLinks Result;
 };
 
-Linker::Linker(const std::vector<dvec3>& points, const CellFaces& cells)
+Linker::Linker(const std::vector<dvec3>& points, CellFaces&& cells)
   : Points(points)
-  , Faces(cells.Faces)
-  , Firsts(cells.Firsts)
-  , Polygons(cells.Polygons)
+  , Faces(std::move(cells.Faces))
+  , Firsts(std::move(cells.Firsts))
+  , Polygons(std::move(cells.Polygons))
 {
   // Not a mean, for which one far point would do.
   const auto origin = std::find_if(points.begin(), points.end(), IsFinite);
@@ -299,8 +300,8 @@ CellLinks Linker::Run()
 }
 }
 
-CellLinks LinkCells(const std::vector<dvec3>& points, const CellFaces& cells)
+CellLinks LinkCells(const std::vector<dvec3>& points, CellFaces cells)
 {
-  return Linker(points, cells).Run();
+  return Linker(points, std::move(cells)).Run();
 }
 }

@@ -42,7 +42,7 @@ struct CellLinks
  * cell is follows from the centres of both or, where these do not say it, as between empty cells,
  * from the order of corners.
  */
-CellLinks LinkCells(const std::vector<dvec3>& points, const CellFaces& cells);
+CellLinks LinkCells(const std::vector<dvec3>& points, CellFaces cells);
 }
 
 #endif

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <limits>
 #include <numeric>
+#include <tuple>
 
 namespace relevo
 {
@@ -16,41 +17,51 @@ namespace
 {
 constexpr int None = std::numeric_limits<int>::max(); // comes after all points
 
-// The corners in order, each once, and then None.
-std::array<int, 4> SortCorners(std::array<int, 4> face)
+void Order(int& a, int& b)
 {
-  if (face[3] < 0)
+  const int low = a < b ? a : b;
+  const int high = a < b ? b : a;
+  a = low;
+  b = high;
+}
+
+// The corners in order, each once, and then None.
+std::array<int, 4> SortCorners(const std::array<int, 4>& face)
+{
+  int a = face[0];
+  int b = face[1];
+  int c = face[2];
+  int d = face[3] < 0 ? None : face[3];
+  Order(a, b);
+  Order(c, d);
+  Order(a, c);
+  Order(b, d);
+  Order(b, c);
+  std::array<int, 4> corners = { { a, b, c, d } };
+  if (a == b || b == c || c == d)
   {
-    face[3] = None;
+    std::fill(std::unique(corners.begin(), corners.end()), corners.end(), None);
   }
-  const auto order = [&](int i, int j)
-  {
-    const int low = std::min(face[i], face[j]);
-    face[j] = std::max(face[i], face[j]);
-    face[i] = low;
-  };
-  order(0, 1);
-  order(2, 3);
-  order(0, 2);
-  order(1, 3);
-  order(1, 2);
-  if (face[0] == face[1] || face[1] == face[2] || face[2] == face[3])
-  {
-    std::fill(std::unique(face.begin(), face.end()), face.end(), None);
-  }
-  return face;
+  return corners;
 }
 
 // A face, among those of the same lowest corner.
 struct Candidate
 {
-  bool IsAt(const Candidate& other) const { return this->Higher == other.Higher; }
+  bool IsAt(const Candidate& other) const
+  {
+    return this->Second == other.Second && this->Third == other.Third &&
+      this->Fourth == other.Fourth;
+  }
   bool operator<(const Candidate& other) const
   {
-    return this->Higher != other.Higher ? this->Higher < other.Higher : this->Face < other.Face;
+    return std::tie(this->Second, this->Third, this->Fourth, this->Face) <
+      std::tie(other.Second, other.Third, other.Fourth, other.Face);
   }
 
-  std::array<int, 3> Higher; // corners
+  int Second; // corner
+  int Third;
+  int Fourth;
   int Face;
 };
 
@@ -63,7 +74,7 @@ size_t MatchCandidates(Candidate* begin, Candidate* end, std::vector<int>& other
   {
     const Candidate* first = begin;
     begin = std::find_if(begin, end, [=](const Candidate& face) { return !face.IsAt(*first); });
-    if (first->Higher[1] == None) // less than three corners
+    if (first->Third == None) // less than three corners
     {
       continue;
     }
@@ -102,7 +113,7 @@ FaceMatch MatchFaces(const std::vector<std::array<int, 4>>& faces, int numberOfP
   for (size_t i = 0; i < faces.size(); ++i)
   {
     const std::array<int, 4> corners = SortCorners(faces[i]);
-    candidates[firsts[corners[0] + 1]++] = { { { corners[1], corners[2], corners[3] } },
+    candidates[firsts[corners[0] + 1]++] = { corners[1], corners[2], corners[3],
       static_cast<int>(i) };
   }
 

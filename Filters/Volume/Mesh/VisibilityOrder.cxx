@@ -38,10 +38,10 @@ double GetDepth(const dvec3& point, const dvec4& eye)
 }
 }
 
-void VisibilityOrder::Build(const std::vector<dvec3>& points, const CellFaces& cells)
+void VisibilityOrder::Build(const std::vector<dvec3>& points, CellFaces cells)
 {
-  this->Mesh = LinkCells(points, cells);
   this->FirstSlots.assign(cells.GetNumberOfCells() + 1, 0);
+  this->Mesh = LinkCells(points, std::move(cells));
   for (const CellLinks::Link& link : this->Mesh.Links)
   {
     for (int cell : link.Cells)

@@ -31,7 +31,7 @@ public:
   /**
    * Once for a mesh. Points at one place have one id. Points that are not finite order nothing.
    */
-  void Build(const std::vector<dvec3>& points, const CellFaces& cells);
+  void Build(const std::vector<dvec3>& points, CellFaces cells);
 
   /**
    * All cells, those that are hidden before those that hide them. The eye is a place (x, y, z, 1),
