@@ -10,7 +10,6 @@
 #include "Rays/PixelRays.h"
 #include "Rays/Shading.h"
 #include "vtkCamera.h"
-#include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
@@ -40,14 +39,6 @@ vtkVolumeRayCastFilter::vtkVolumeRayCastFilter()
 }
 
 vtkVolumeRayCastFilter::~vtkVolumeRayCastFilter() = default;
-
-bool vtkVolumeRayCastFilter::TakesLength()
-{
-  return this->VectorMode == MAGNITUDE ||
-    (this->VectorMode == DISABLED && this->VolumeProperty->GetColorChannels() == 3 &&
-      this->VolumeProperty->GetRGBTransferFunction()->GetVectorMode() ==
-        vtkScalarsToColors::MAGNITUDE);
-}
 
 int vtkVolumeRayCastFilter::FillInputPortInformation(int, vtkInformation* information)
 {
@@ -125,10 +116,8 @@ bool vtkVolumeRayCastFilter::Read(
   vtkInformation* wanted = this->GetInputArrayInformation(0);
   const std::string name =
     wanted->Has(vtkDataObject::FIELD_NAME()) ? wanted->Get(vtkDataObject::FIELD_NAME()) : "";
-  relevo::ScalarChoice choice;
-  choice.Component = this->TakesLength() ? relevo::ScalarChoice::Length
-    : this->VectorMode == COMPONENT      ? this->VectorComponent
-                                         : relevo::ScalarChoice::All;
+  relevo::ScalarChoice choice =
+    relevo::ChooseScalars(this->VolumeProperty, this->VectorMode, this->VectorComponent);
   const bool takesAll = choice.Component == relevo::ScalarChoice::All;
   std::vector<relevo::MeshScalars> meshes;
   std::string error;

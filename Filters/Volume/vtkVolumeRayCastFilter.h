@@ -222,7 +222,6 @@ private:
   vtkVolumeRayCastFilter(const vtkVolumeRayCastFilter&) = delete;
   void operator=(const vtkVolumeRayCastFilter&) = delete;
 
-  bool TakesLength();
   bool Read(vtkDataObject* input, relevo::VolumeCells& cells, relevo::TransferFunctions& functions);
   void Cast(const relevo::VolumeCells& cells, const relevo::TransferFunctions& functions,
     const relevo::Shading& shading, vtkImageData* output);

@@ -45,6 +45,7 @@ LAYERS = {
     ],
     "Rendering/Flow": [("Passes", [])],
     "Rendering/Offscreen": [],
+    "Rendering/Volume": [("View", []), ("Buffers", []), ("Shaders", [])],
     "Examples/Viewer": [("Text", []), ("Files", []), ("Options", []), ("Scene", []), ("Window", [])],
 }
 MODULES = list(LAYERS)  # no module includes one that comes after it

@@ -15,6 +15,7 @@
 
 #include "Cells/CurvedCell.h"
 #include "Cells/Ray.h"
+#include "Cells/ScalarChoice.h"
 #include "Cells/TetrahedronCrossing.h"
 #include "Intersection/FaceTree.h"
 #include "vtkType.h"
@@ -27,18 +28,6 @@ class vtkDataSet;
 
 namespace relevo
 {
-/// Which scalars become of the tuples of an array.
-struct ScalarChoice
-{
-  enum
-  {
-    All = -2, // at most 4 components
-    Length = -1
-  };
-  int Component = All;
-  double Scale = 1.0;
-};
-
 class RELEVOFILTERSVOLUME_EXPORT VolumeCells
 {
 public:

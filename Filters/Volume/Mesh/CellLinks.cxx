@@ -89,8 +89,7 @@ private:
   void SetPlanes();
 
   const std::vector<dvec3>& Points;
-  std::vector<Face> Faces;
-  std::vector<Face> Seams; // their numbers follow those of faces
+  std::vector<Face> Faces; // and seams, after those of cells
   const std::vector<size_t> Firsts;
   const std::unordered_map<size_t, Face> Polygons;
   std::vector<int> CellsOfFaces;
@@ -119,10 +118,6 @@ Linker::Linker(const std::vector<dvec3>& points, CellFaces&& cells)
 
 const Face& Linker::GetShape(size_t face) const
 {
-  if (face >= this->Faces.size())
-  {
-    return this->Seams[face - this->Faces.size()];
-  }
   const auto polygon = this->Polygons.find(face);
   return polygon != this->Polygons.end() ? polygon->second : this->Faces[face];
 }
@@ -212,8 +207,8 @@ void Linker::AddSeams(const std::vector<int>& border, std::vector<char>& isLinke
 {
   for (const FaceSeam& seam : FindSeams(this->Points, this->Faces, border))
   {
-    const int number = static_cast<int>(this->Faces.size() + this->Seams.size());
-    this->Seams.push_back(seam.Corners);
+    const int plane = static_cast<int>(this->Faces.size());
+    this->Faces.push_back(seam.Corners);
     for (int a : seam.Faces[0])
     {
       for (int b : seam.Faces[1])
@@ -221,7 +216,7 @@ void Linker::AddSeams(const std::vector<int>& border, std::vector<char>& isLinke
         if (a >= 0 && b >= 0)
         {
           isLinked[a] = isLinked[b] = 1;
-          this->AddLink(number, this->CellsOfFaces[a], this->CellsOfFaces[b]);
+          this->AddLink(plane, this->CellsOfFaces[a], this->CellsOfFaces[b]);
         }
       }
     }

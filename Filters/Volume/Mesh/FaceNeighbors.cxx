@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <atomic>
 #include <limits>
-#include <memory>
 #include <numeric>
 #include <tuple>
 
@@ -101,8 +100,7 @@ FaceMatch MatchFaces(const std::vector<std::array<int, 4>>& faces, int numberOfP
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        const std::array<int, 4>& face = faces[i];
-        lowest[i] = std::min({ face[0], face[1], face[2], face[3] < 0 ? None : face[3] });
+        lowest[i] = SortCorners(faces[i])[0];
       }
     });
   std::vector<size_t> firsts(static_cast<size_t>(numberOfPoints) + 2, 0);
@@ -111,7 +109,7 @@ FaceMatch MatchFaces(const std::vector<std::array<int, 4>>& faces, int numberOfP
     firsts[point + 2]++;
   }
   std::partial_sum(firsts.begin(), firsts.end(), firsts.begin());
-  const std::unique_ptr<Candidate[]> candidates(new Candidate[faces.size()]);
+  std::vector<Candidate> candidates(faces.size());
   for (size_t i = 0; i < faces.size(); ++i)
   {
     const std::array<int, 4> corners = SortCorners(faces[i]);
@@ -126,7 +124,7 @@ FaceMatch MatchFaces(const std::vector<std::array<int, 4>>& faces, int numberOfP
       size_t sum = 0;
       for (vtkIdType i = begin; i < end; ++i)
       {
-        Candidate* start = candidates.get();
+        Candidate* start = candidates.data();
         sum += MatchCandidates(start + firsts[i], start + firsts[i + 1], match.Others);
       }
       numberOfSharedByMore += sum;

@@ -112,6 +112,8 @@ void JoiningMesh::PlacePoints()
   this->Mesh.Center = dvec3(box.GetMiddle(0), box.GetMiddle(1), box.GetMiddle(2));
   const double diagonal = length(dvec3(box.GetSide(0), box.GetSide(1), box.GetSide(2)));
   this->Mesh.Radius = diagonal > 0.0 ? 0.5 * diagonal : 1.0;
+  this->Mesh.HalfSize =
+    dvec3(box.GetSide(0), box.GetSide(1), box.GetSide(2)) / (2.0 * this->Mesh.Radius);
   this->Mesh.Points.resize(4 * this->OldIds.size());
   for (size_t i = 0; i < this->OldIds.size(); ++i)
   {
@@ -384,5 +386,16 @@ bool JoinedMesh::Build(const VolumeCells& cells, int numberOfComponents, std::st
   }
   joining.BuildBorder();
   return true;
+}
+
+void JoinedMesh::Release()
+{
+  JoinedMesh rest;
+  rest.Center = this->Center;
+  rest.Radius = this->Radius;
+  rest.HalfSize = this->HalfSize;
+  rest.ScalarLow = this->ScalarLow;
+  rest.ScalarSize = this->ScalarSize;
+  *this = std::move(rest);
 }
 }

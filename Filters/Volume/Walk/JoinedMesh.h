@@ -36,6 +36,9 @@ struct RELEVOFILTERSVOLUME_EXPORT JoinedMesh
    */
   bool Build(const VolumeCells& cells, int numberOfComponents, std::string& error);
 
+  /// Free the arrays; where places and scalars are stays.
+  void Release();
+
   size_t GetNumberOfPoints() const { return this->Points.size() / 4; }
   size_t GetNumberOfTetrahedra() const { return this->PointSums.size(); }
   size_t GetNumberOfCurvedCells() const { return this->CurvedCells.size() / WordsOfCurvedCell; }
@@ -44,6 +47,7 @@ struct RELEVOFILTERSVOLUME_EXPORT JoinedMesh
   /// A place is Center + Radius * point, a scalar ScalarLow + ScalarSize * what is stored.
   dvec3 Center = dvec3(0.0);
   double Radius = 1.0;
+  dvec3 HalfSize = dvec3(0.0); // of the points' box
   Scalars ScalarLow = {};
   Scalars ScalarSize = {};
   //@}

@@ -3,7 +3,7 @@
 #include "Passes/LICPass.h"
 
 #include "OpenGL/RelevoOpenGL.h"
-#include "relevoLICPassVS.h"
+#include "relevoViewportVS.h"
 
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -29,7 +29,7 @@ vtkShaderProgram* LICPass::Begin(vtkOpenGLRenderWindow* window)
   vtkOpenGLShaderCache* cache = window->GetShaderCache();
   this->Program = this->Program
     ? cache->ReadyShaderProgram(this->Program)
-    : cache->ReadyShaderProgram(relevoLICPassVS, this->Source.c_str(), "");
+    : cache->ReadyShaderProgram(relevoViewportVS, this->Source.c_str(), "");
   return this->Program;
 }
 

@@ -49,9 +49,11 @@ bool RefinementBuffer::Upload(
 }
 
 bool RefinementBuffer::Upload(
-  vtkOpenGLRenderWindow* window, const std::vector<unsigned int>& values)
+  vtkOpenGLRenderWindow* window, const std::vector<unsigned int>& values, int components)
 {
-  return this->UploadValues(window, values, 1, VTK_UNSIGNED_INT, GL_RED_INTEGER, GL_R32UI);
+  return components == 4
+    ? this->UploadValues(window, values, 4, VTK_UNSIGNED_INT, GL_RGBA_INTEGER, GL_RGBA32UI)
+    : this->UploadValues(window, values, 1, VTK_UNSIGNED_INT, GL_RED_INTEGER, GL_R32UI);
 }
 
 template <typename T>

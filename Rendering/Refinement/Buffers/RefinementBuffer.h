@@ -42,7 +42,8 @@ public:
    */
   bool Upload(vtkOpenGLRenderWindow* window, const std::vector<float>& values, int components);
   bool Upload(vtkOpenGLRenderWindow* window, const std::vector<int>& values, int components);
-  bool Upload(vtkOpenGLRenderWindow* window, const std::vector<unsigned int>& values);
+  bool Upload(
+    vtkOpenGLRenderWindow* window, const std::vector<unsigned int>& values, int components = 1);
   //@}
 
   //@{

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/ScalarChoice.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkVolumeProperty.h"
+
+namespace relevo
+{
+namespace
+{
+// As vtkSmartVolumeMapper numbers them.
+enum VectorModes
+{
+  Disabled = -1,
+  Magnitude = 0
+};
+}
+
+ScalarChoice ChooseScalars(vtkVolumeProperty* property, int vectorMode, int vectorComponent)
+{
+  const bool hasMagnitudeColors = property->GetColorChannels() == 3 &&
+    property->GetRGBTransferFunction()->GetVectorMode() == vtkScalarsToColors::MAGNITUDE;
+  ScalarChoice choice;
+  if (vectorMode == Magnitude || (vectorMode == Disabled && hasMagnitudeColors))
+  {
+    choice.Component = ScalarChoice::Length;
+  }
+  else if (vectorMode != Disabled)
+  {
+    choice.Component = vectorComponent;
+  }
+  return choice;
+}
+}

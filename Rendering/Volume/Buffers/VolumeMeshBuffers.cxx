@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Buffers/VolumeMeshBuffers.h"
+
+#include "Walk/JoinedMesh.h"
+#include "vtkShaderProgram.h"
+
+namespace relevo
+{
+bool VolumeMeshBuffers::Upload(vtkOpenGLRenderWindow* window, const JoinedMesh& mesh)
+{
+  const size_t cells = mesh.GetNumberOfTetrahedra() + mesh.GetNumberOfCurvedCells();
+  this->TreeSize = static_cast<int>(mesh.BorderTree.size() / 8);
+  this->NumberOfTetrahedra = static_cast<int>(mesh.GetNumberOfTetrahedra());
+  this->NumberOfBorderFaces = static_cast<int>(mesh.BorderFaces.size() / 4);
+  this->MostSteps = static_cast<int>(cells) + 1;
+  return this->Buffers[Points].Upload(window, mesh.Points, 4) &&
+    this->Buffers[PointScalars].Upload(window, mesh.PointScalars, 4) &&
+    this->Buffers[CellScalars].Upload(
+      window, mesh.CellScalars, mesh.CellScalars.size() > cells ? 4 : 1) &&
+    this->Buffers[PointSums].Upload(window, mesh.PointSums, 1) &&
+    this->Buffers[Neighbors].Upload(window, mesh.Neighbors, 4) &&
+    this->Buffers[CurvedCells].Upload(window, mesh.CurvedCells, 4) &&
+    this->Buffers[BorderFaces].Upload(window, mesh.BorderFaces, 4) &&
+    this->Buffers[BorderTree].Upload(window, mesh.BorderTree, 4);
+}
+
+void VolumeMeshBuffers::Activate(vtkShaderProgram* program)
+{
+  const char* samplers[NumberOfKinds] = { "meshPoints", "pointScalars", "cellScalars", "pointSums",
+    "neighbors", "curvedCells", "borderFaces", "borderTree" };
+  for (int kind = 0; kind < NumberOfKinds; ++kind)
+  {
+    this->Buffers[kind].Activate(program, samplers[kind]);
+  }
+  const auto set = [program](const char* name, int value)
+  {
+    if (program->IsUniformUsed(name))
+    {
+      program->SetUniformi(name, value);
+    }
+  };
+  set("treeSize", this->TreeSize);
+  set("mostSteps", this->MostSteps);
+  set("numberOfTetrahedra", this->NumberOfTetrahedra);
+}
+
+void VolumeMeshBuffers::Deactivate()
+{
+  for (RefinementBuffer& buffer : this->Buffers)
+  {
+    buffer.Deactivate();
+  }
+}
+
+void VolumeMeshBuffers::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (RefinementBuffer& buffer : this->Buffers)
+  {
+    buffer.ReleaseGraphicsResources(window);
+  }
+}
+
+vtkTypeInt64 VolumeMeshBuffers::GetMemorySize() const
+{
+  vtkTypeInt64 sum = 0;
+  for (const RefinementBuffer& buffer : this->Buffers)
+  {
+    sum += buffer.GetMemorySize();
+  }
+  return sum;
+}
+}

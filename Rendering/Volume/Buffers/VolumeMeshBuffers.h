@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   VolumeMeshBuffers
+ * @brief   a JoinedMesh on the GPU
+ *
+ * Private to the module.
+ */
+#ifndef VolumeMeshBuffers_h
+#define VolumeMeshBuffers_h
+
+#include "Buffers/RefinementBuffer.h"
+
+#include <array>
+
+namespace relevo
+{
+struct JoinedMesh;
+
+class VolumeMeshBuffers
+{
+public:
+  /// false when it does not fit into this OpenGL's buffer textures.
+  bool Upload(vtkOpenGLRenderWindow* window, const JoinedMesh& mesh);
+
+  /// Make them current, and set their samplers and sizes.
+  void Activate(vtkShaderProgram* program);
+  void Deactivate();
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+  int GetNumberOfBorderFaces() const { return this->NumberOfBorderFaces; }
+
+  /// Bytes.
+  vtkTypeInt64 GetMemorySize() const;
+
+private:
+  enum Kinds
+  {
+    Points,
+    PointScalars,
+    CellScalars,
+    PointSums,
+    Neighbors,
+    CurvedCells,
+    BorderFaces,
+    BorderTree,
+    NumberOfKinds
+  };
+  std::array<RefinementBuffer, NumberOfKinds> Buffers;
+  int TreeSize = 0;
+  int NumberOfBorderFaces = 0;
+  int MostSteps = 0;
+  int NumberOfTetrahedra = 0;
+};
+}
+
+#endif

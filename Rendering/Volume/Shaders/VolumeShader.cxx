@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shaders/VolumeShader.h"
+
+#include "Buffers/PsiTable.h"
+#include "relevoLinearSegment.h"
+#include "relevoVolumeBorder.h"
+#include "relevoVolumeComposite.h"
+#include "relevoVolumeEdges.h"
+#include "relevoVolumeEntriesFS.h"
+#include "relevoVolumeFS.h"
+#include "relevoVolumeFunctions.h"
+#include "relevoVolumeRay.h"
+#include "relevoVolumeWalk.h"
+
+#include "vtkShaderProgram.h"
+
+#include <sstream>
+
+namespace relevo
+{
+namespace
+{
+void Define(std::ostringstream& text, const char* name, int value)
+{
+  text << "#define RELEVO_" << name << " " << value << "\n";
+}
+
+void Put(std::string& source, const char* anchor, const std::string& text)
+{
+  vtkShaderProgram::Substitute(source, std::string("//RELEVO::") + anchor, text);
+}
+
+void PutRays(std::string& source)
+{
+  Put(source, "Ray", relevoVolumeRay);
+  Put(source, "Edges", relevoVolumeEdges);
+  Put(source, "Border", relevoVolumeBorder);
+}
+}
+
+std::string MakeEntriesShader()
+{
+  std::string source = relevoVolumeEntriesFS;
+  PutRays(source);
+  return source;
+}
+
+std::string MakeRayCastShader(const VolumeShaderOptions& options)
+{
+  std::ostringstream defines;
+  Define(defines, "COMPONENTS", options.NumberOfComponents);
+  Define(defines, "CURVES", options.NumberOfCurves);
+  Define(defines, "DEPENDENT", options.AreDependent);
+  Define(defines, "CELL_SCALARS", options.HasCellScalars);
+  Define(defines, "PSI_SIZE", PsiTable::Size);
+  std::string source = relevoVolumeFS;
+  Put(source, "Defines", defines.str());
+  PutRays(source);
+  Put(source, "Functions", relevoVolumeFunctions);
+  Put(source, "LinearSegment", relevoLinearSegment);
+  Put(source, "Blend", relevoVolumeComposite);
+  Put(source, "Walk", relevoVolumeWalk);
+  return source;
+}
+}

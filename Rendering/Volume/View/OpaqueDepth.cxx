@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "View/OpaqueDepth.h"
+
+#include "OpenGL/RelevoOpenGL.h"
+
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+namespace relevo
+{
+namespace
+{
+// A blit wants the format of what it reads, which OpenGL does not tell of a window's own buffers.
+enum Formats
+{
+  Fixed24,
+  WithStencil,
+  Fixed32,
+  Float32,
+  Fixed16,
+  NumberOfFormats
+};
+}
+
+OpaqueDepth::OpaqueDepth() = default;
+OpaqueDepth::~OpaqueDepth() = default;
+
+bool OpaqueDepth::Allocate(vtkOpenGLRenderWindow* window, const int viewport[4], int format)
+{
+  const unsigned int width = static_cast<unsigned int>(viewport[2]);
+  const unsigned int height = static_cast<unsigned int>(viewport[3]);
+  if (this->Texture && this->Format == format && this->Texture->GetWidth() == width &&
+    this->Texture->GetHeight() == height)
+  {
+    return true;
+  }
+  this->ReleaseGraphicsResources(window);
+  this->Texture = vtkSmartPointer<vtkTextureObject>::New();
+  this->Texture->SetContext(window);
+  this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  const int formats[] = { vtkTextureObject::Fixed24, 0, vtkTextureObject::Fixed32,
+    vtkTextureObject::Float32, vtkTextureObject::Fixed16 };
+  this->Format = format;
+  return format == WithStencil ? this->Texture->AllocateDepthStencil(width, height)
+                               : this->Texture->AllocateDepth(width, height, formats[format]);
+}
+
+bool OpaqueDepth::Blit(vtkOpenGLRenderWindow* window, const int viewport[4])
+{
+  vtkOpenGLState* state = window->GetState();
+  if (!this->Framebuffer)
+  {
+    this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
+    this->Framebuffer->SetContext(window);
+  }
+  GLint drawn = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn);
+  state->PushFramebufferBindings();
+  this->Framebuffer->Bind(GL_DRAW_FRAMEBUFFER);
+  this->Framebuffer->AddDepthAttachment(this->Texture);
+  glDrawBuffer(GL_NONE);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(drawn));
+  while (glGetError() != GL_NO_ERROR)
+  {
+  }
+  glBlitFramebuffer(viewport[0], viewport[1], viewport[0] + viewport[2], viewport[1] + viewport[3],
+    0, 0, viewport[2], viewport[3], GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  const bool isCopied = glGetError() == GL_NO_ERROR;
+  state->PopFramebufferBindings();
+  return isCopied;
+}
+
+bool OpaqueDepth::Copy(vtkOpenGLRenderWindow* window, const int viewport[4])
+{
+  const int first = this->Format >= 0 ? this->Format : 0;
+  for (int i = 0; i < NumberOfFormats; ++i)
+  {
+    if (this->Allocate(window, viewport, (first + i) % NumberOfFormats) &&
+      this->Blit(window, viewport))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void OpaqueDepth::Activate(vtkShaderProgram* program)
+{
+  if (this->Texture && program->IsUniformUsed("opaqueDepth"))
+  {
+    this->Texture->Activate();
+    program->SetUniformi("opaqueDepth", this->Texture->GetTextureUnit());
+  }
+}
+
+void OpaqueDepth::Deactivate()
+{
+  if (this->Texture)
+  {
+    this->Texture->Deactivate();
+  }
+}
+
+void OpaqueDepth::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (this->Texture)
+  {
+    this->Texture->ReleaseGraphicsResources(window);
+    this->Texture = nullptr;
+  }
+  if (this->Framebuffer)
+  {
+    this->Framebuffer->ReleaseGraphicsResources(window);
+    this->Framebuffer = nullptr;
+  }
+}
+}

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   OpaqueDepth
+ * @brief   a copy of the depths that have been drawn in the viewport, as a texture
+ *
+ * Private to the module.
+ */
+#ifndef OpaqueDepth_h
+#define OpaqueDepth_h
+
+#include "vtkSmartPointer.h"
+
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace relevo
+{
+class OpaqueDepth
+{
+public:
+  OpaqueDepth();
+  ~OpaqueDepth();
+
+  /// From the framebuffer in use, multisampled or not: lower left corner and size. false if the
+  /// depths cannot be read.
+  bool Copy(vtkOpenGLRenderWindow* window, const int viewport[4]);
+
+  void Activate(vtkShaderProgram* program);
+  void Deactivate();
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  bool Allocate(vtkOpenGLRenderWindow* window, const int viewport[4], int format);
+  bool Blit(vtkOpenGLRenderWindow* window, const int viewport[4]);
+
+  vtkSmartPointer<vtkTextureObject> Texture;
+  vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
+  int Format = -1;
+};
+}
+
+#endif

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "View/RayView.h"
+
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace relevo
+{
+namespace
+{
+// Not at the far plane, where depths of a perspective view lie close.
+constexpr double LargestMiddle = 0.99999;
+
+void SetVector(vtkShaderProgram* program, const char* name, const dvec4& vector)
+{
+  const float values[4] = { static_cast<float>(vector.x), static_cast<float>(vector.y),
+    static_cast<float>(vector.z), static_cast<float>(vector.w) };
+  program->SetUniform4f(name, values);
+}
+}
+
+bool RayView::Compute(
+  const dmat4& worldToClip, const dmat4& dataToWorld, const dvec3& center, double radius)
+{
+  dmat4 meshToData(radius);
+  meshToData[3] = dvec4(center, 1.0);
+  const dmat4 meshToWorld = dataToWorld * meshToData;
+  const dmat4 meshToClip = worldToClip * meshToWorld;
+  this->MeshToClip = meshToClip;
+  this->MeshToWorld = dmat3(meshToWorld);
+  const dmat4 clipToMesh = inverse(meshToClip);
+
+  // Where the middle of the mesh is, if it is seen, so that rays begin near to it.
+  const dvec4 middle = meshToClip[3];
+  const double z = middle.w > 0.0 ? std::clamp(middle.z / middle.w, -1.0, LargestMiddle) : -1.0;
+  const dvec4 origin = clipToMesh[3] + z * clipToMesh[2];
+  this->Middle = origin / origin.w;
+  this->X = clipToMesh[0] / origin.w;
+  this->Y = clipToMesh[1] / origin.w;
+  this->Z = clipToMesh[2] / origin.w;
+  this->Range = dvec2(-1.0 - z, 1.0 - z);
+  const dvec4 sum = this->Middle + this->X + this->Y + this->Z;
+  return std::isfinite(dot(sum, dvec4(1.0)));
+}
+
+bool RayView::IsInFront(const dvec3& half) const
+{
+  bool isInFront = true;
+  for (int i = 0; i < 8; ++i)
+  {
+    const dvec3 corner = half * dvec3(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0);
+    isInFront = isInFront && (this->MeshToClip * dvec4(corner, 1.0)).w > 0.0;
+  }
+  return isInFront;
+}
+
+void RayView::SetEntryUniforms(vtkShaderProgram* program) const
+{
+  float matrix[16];
+  for (int i = 0; i < 16; ++i)
+  {
+    matrix[i] = static_cast<float>(this->MeshToClip[i / 4][i % 4]);
+  }
+  program->SetUniformMatrix4x4("meshToClip", matrix);
+  const float pixel[2] = { static_cast<float>(2.0 / this->Viewport.z),
+    static_cast<float>(2.0 / this->Viewport.w) };
+  program->SetUniform2f("pixelSize", pixel);
+}
+
+void RayView::SetUniforms(vtkShaderProgram* program) const
+{
+  SetVector(program, "rayMiddle", this->Middle);
+  SetVector(program, "rayX", this->X);
+  SetVector(program, "rayY", this->Y);
+  SetVector(program, "rayZ", this->Z);
+  SetVector(program, "viewportPlace", this->Viewport);
+  const float range[2] = { static_cast<float>(this->Range.x), static_cast<float>(this->Range.y) };
+  program->SetUniform2f("zRange", range);
+  float matrix[9];
+  for (int i = 0; i < 9; ++i)
+  {
+    matrix[i] = static_cast<float>(this->MeshToWorld[i / 3][i % 3]);
+  }
+  program->SetUniformMatrix3x3("meshToWorld", matrix);
+}
+}

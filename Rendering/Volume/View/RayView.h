@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   RayView
+ * @brief   how the pixels of a viewport see a mesh: what relevoVolumeRay.glsl asks for
+ *
+ * Computed in double precision relative to the mesh, which may lie anywhere. Private to the module.
+ */
+#ifndef RayView_h
+#define RayView_h
+
+#include "Core/RefinementMathematics.h"
+
+class vtkShaderProgram;
+
+namespace relevo
+{
+class RayView
+{
+public:
+  /**
+   * Matrices from the world to clip coordinates and from the data to the world; points of the mesh
+   * are at center + radius * point in the data. false if nothing can be seen.
+   */
+  bool Compute(
+    const dmat4& worldToClip, const dmat4& dataToWorld, const dvec3& center, double radius);
+
+  /// Lower left corner and size in pixels.
+  void SetViewport(const dvec4& place) { this->Viewport = place; }
+
+  void SetUniforms(vtkShaderProgram* program) const;
+  /// What relevoVolumeEntriesVS.glsl asks for.
+  void SetEntryUniforms(vtkShaderProgram* program) const;
+
+  /// Whether all of a box around the mesh's middle, of this half size, is in front of the eye.
+  bool IsInFront(const dvec3& half) const;
+
+private:
+  dvec4 Middle;
+  dvec4 X;
+  dvec4 Y;
+  dvec4 Z;
+  dvec2 Range;
+  dmat3 MeshToWorld;
+  dmat4 MeshToClip;
+  dvec4 Viewport = dvec4(0.0, 0.0, 1.0, 1.0);
+};
+}
+
+#endif

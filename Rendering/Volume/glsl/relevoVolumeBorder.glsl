@@ -1,0 +1,129 @@
+// Where the ray enters the mesh: border faces, found in a tree of boxes. It enters through each of
+// them once, in the order of depth.
+
+uniform samplerBuffer borderTree;
+uniform usamplerBuffer borderFaces;
+uniform samplerBuffer meshPoints;
+uniform int treeSize;
+
+struct Corner
+{
+  uint id;
+  vec3 at; // as the ray sees it
+};
+
+struct Entry
+{
+  float depth;
+  int face;
+  uint cell;
+  Corner a;
+  Corner b;
+  Corner c;
+  vec3 areas; // spanned by the edges across from a, b and c
+};
+
+Corner getCorner(uint id)
+{
+  return Corner(id, seenAlongRay(texelFetch(meshPoints, int(id)).xyz));
+}
+
+// The places of a face's corners in what the ray sees, by the areas.
+float interpolateDepth(Corner a, Corner b, Corner c, vec3 weights)
+{
+  return dot(weights, vec3(a.at.z, b.at.z, c.at.z));
+}
+
+// Shares of the corners where the ray goes through a face; false if the ray sees it from its side.
+bool getWeights(vec3 areas, out vec3 weights)
+{
+  vec3 sizes = max(areas, vec3(0.0));
+  float sum = sizes.x + sizes.y + sizes.z;
+  weights = sizes / sum;
+  return sum > 0.0;
+}
+
+bool enters(int face, inout Entry entry)
+{
+  uvec4 words = texelFetch(borderFaces, face);
+  Corner a = getCorner(words.x);
+  Corner b = getCorner(words.y);
+  Corner c = getCorner(words.z);
+  vec3 areas = vec3(spannedArea(b.id, b.at.xy, c.id, c.at.xy),
+    spannedArea(c.id, c.at.xy, a.id, a.at.xy), spannedArea(a.id, a.at.xy, b.id, b.at.xy));
+  vec3 weights;
+  if (!isOnLeft(areas.x, b.id, b.at.xy, c.id, c.at.xy) ||
+    !isOnLeft(areas.y, c.id, c.at.xy, a.id, a.at.xy) ||
+    !isOnLeft(areas.z, a.id, a.at.xy, b.id, b.at.xy) || !getWeights(areas, weights))
+  {
+    return false;
+  }
+  entry = Entry(interpolateDepth(a, b, c, weights), face, words.w, a, b, c, areas);
+  return true;
+}
+
+bool isBefore(float depthA, int faceA, float depthB, int faceB)
+{
+  return depthA < depthB || (depthA == depthB && faceA < faceB);
+}
+
+// The next entry after another one, and not behind the end.
+bool findEntry(float end, inout Entry entry)
+{
+  vec3 way = mix(rayDirection, vec3(1e-20), lessThan(abs(rayDirection), vec3(1e-20)));
+  vec3 inverse = vec3(1.0) / way;
+  float lastDepth = entry.depth;
+  int lastFace = entry.face;
+  float nearest = end;
+  int nearestFace = -1;
+  int node = 0;
+  while (node < treeSize)
+  {
+    vec4 low = texelFetch(borderTree, 2 * node);
+    vec4 high = texelFetch(borderTree, 2 * node + 1);
+    vec3 a = (low.xyz - rayOrigin) * inverse;
+    vec3 b = (high.xyz - rayOrigin) * inverse;
+    vec3 first = min(a, b);
+    vec3 last = max(a, b);
+    float begin = max(max(first.x, first.y), first.z);
+    float close = min(min(last.x, last.y), last.z);
+    bool hits = begin <= close && close >= lastDepth && begin <= nearest;
+    int count = int(high.w);
+    node = hits || count > 0 ? node + 1 : int(low.w);
+    for (int face = int(low.w); hits && face < int(low.w) + count; ++face)
+    {
+      Entry candidate = entry;
+      if (enters(face, candidate) && isBefore(lastDepth, lastFace, candidate.depth, face) &&
+        (nearestFace < 0 ? candidate.depth <= nearest
+                         : isBefore(candidate.depth, face, nearest, nearestFace)))
+      {
+        entry = candidate;
+        nearest = candidate.depth;
+        nearestFace = face;
+      }
+    }
+  }
+  return nearestFace >= 0;
+}
+
+// How many faces the ray enters through, and which one if it is one: the sum of their numbers.
+uniform sampler2D rayEntries;
+uniform int areEntriesKnown;
+
+// At most how many entries there are, of which the first is found.
+int findFirstEntry(float end, inout Entry entry)
+{
+  entry.depth = -1e30;
+  entry.face = -1;
+  int count = treeSize * 16;
+  if (areEntriesKnown != 0)
+  {
+    vec2 known = texelFetch(rayEntries, ivec2(gl_FragCoord.xy - viewportPlace.xy), 0).rg;
+    count = int(known.y);
+    if (count == 0 || (count == 1 && enters(int(known.x), entry)))
+    {
+      return count;
+    }
+  }
+  return findEntry(end, entry) ? count : 0;
+}

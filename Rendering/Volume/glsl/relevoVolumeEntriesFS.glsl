@@ -1,0 +1,21 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// Added up over all border faces: the numbers of those that the ray enters through, and how many.
+
+//RELEVO::Ray
+//RELEVO::Edges
+//RELEVO::Border
+
+flat in int face;
+
+void main()
+{
+  initializeRay();
+  Entry entry = Entry(0.0, -1, 0u, Corner(0u, vec3(0.0)), Corner(0u, vec3(0.0)),
+    Corner(0u, vec3(0.0)), vec3(0.0));
+  if (!enters(face, entry))
+  {
+    discard;
+  }
+  gl_FragData[0] = vec4(float(face), 1.0, 0.0, 0.0);
+}

@@ -1,0 +1,46 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+#define RELEVO_FUNCTION
+//RELEVO::Defines
+//VTK::DepthPeeling::Dec
+
+//RELEVO::Ray
+//RELEVO::Edges
+//RELEVO::Border
+//RELEVO::Functions
+//RELEVO::Blend
+//RELEVO::Walk
+
+// By these names VTK's dual depth peeling asks for what lies between two depths of the window.
+uniform vec2 in_inverseWindowSize;
+const float g_opacityThreshold = Opaque;
+
+void initializeRayCast()
+{
+  initializeRay();
+}
+
+vec4 castRay(float zStart, float zEnd)
+{
+  walkBegin = depthOfZ(2.0 * zStart + zRange.x);
+  walkEnd = depthOfZ(2.0 * (zEnd - 1.0) + zRange.y);
+  walkDone = walkBegin;
+  beginRay();
+  Entry entry;
+  int count = findFirstEntry(walkEnd, entry);
+  for (int i = 0; i < count && !isWalkOver(); ++i)
+  {
+    if (i > 0 && !findEntry(walkEnd, entry))
+    {
+      break;
+    }
+    walkFrom(entry);
+  }
+  return finishRay();
+}
+
+//RELEVO::Main
+void main()
+{
+  //VTK::CallWorker::Impl
+}

@@ -1,0 +1,198 @@
+// The walk from tetrahedron to tetrahedron. A face is left through when the ray, as it sees the
+// edges, is inside it: both cells of a face see the same, so no ray gets lost between them or turns
+// back, whatever the cells' shapes.
+//
+// M. Weiler, M. Kraus, M. Merz, T. Ertl, "Hardware-Based Ray Casting for Tetrahedral Meshes", IEEE
+// Visualization 2003, with one point and three areas a step in place of four planes.
+
+uniform usamplerBuffer pointSums;
+uniform usamplerBuffer neighbors;
+uniform samplerBuffer pointScalars;
+uniform samplerBuffer cellScalars;
+uniform int mostSteps;
+
+const uint Nothing = 0xffffffffu;
+const float Opaque = 0.999;
+
+float walkBegin; // depths between which the ray is seen
+float walkEnd;
+float walkDone; // up to here it has been seen
+
+// The part of the ray that is being looked at, and the share of it that has been collected.
+Scalars partFront;
+Scalars partBack;
+float partSpan;
+float partFrom;
+bool isPartDone;
+
+// Of a part of the ray only what has not been seen before counts.
+void beginPart(float begin, float end, Scalars front, Scalars back)
+{
+  float from = max(begin, walkDone);
+  float to = min(end, walkEnd);
+  isPartDone = to <= from;
+  float inverse = isPartDone ? 0.0 : 1.0 / (end - begin);
+  partFront = from > begin ? mix(front, back, (from - begin) * inverse) : front;
+  partBack = to < end ? mix(front, back, (to - begin) * inverse) : back;
+  partSpan = (to - from) * worldLength;
+  partFrom = 0.0;
+  walkDone = max(walkDone, end);
+}
+
+// Where the walk is: the cell that comes next, and the face through which it is entered.
+uint walkCell;
+float walkDepth;
+Corner faceA;
+Corner faceB;
+Corner faceC;
+vec3 faceAreas; // spanned by the edges across from the corners
+
+#if RELEVO_CELL_SCALARS
+Scalars getCellScalars(uint cell)
+{
+#if RELEVO_COMPONENTS == 1
+  return texelFetch(cellScalars, int(cell)).r;
+#else
+  return texelFetch(cellScalars, int(cell));
+#endif
+}
+#else
+Scalars walkScalars;
+Scalars scalarsA;
+Scalars scalarsB;
+Scalars scalarsC;
+
+Scalars getPointScalars(uint id, float first)
+{
+#if RELEVO_COMPONENTS == 1
+  return first;
+#else
+  return texelFetch(pointScalars, int(id));
+#endif
+}
+
+Scalars interpolateScalars(vec3 weights)
+{
+  return weights.x * scalarsA + weights.y * scalarsB + weights.z * scalarsC;
+}
+#endif
+
+void enterMesh(Entry entry)
+{
+  walkCell = entry.cell;
+  walkDepth = entry.depth;
+  faceA = entry.a;
+  faceB = entry.b;
+  faceC = entry.c;
+  faceAreas = entry.areas;
+#if !RELEVO_CELL_SCALARS
+  scalarsA = getPointScalars(faceA.id, texelFetch(meshPoints, int(faceA.id)).w);
+  scalarsB = getPointScalars(faceB.id, texelFetch(meshPoints, int(faceB.id)).w);
+  scalarsC = getPointScalars(faceC.id, texelFetch(meshPoints, int(faceC.id)).w);
+  vec3 weights;
+  getWeights(faceAreas, weights);
+  walkScalars = interpolateScalars(weights);
+#endif
+}
+
+// Through a tetrahedron to the face that the ray leaves it by.
+void crossTetrahedron()
+{
+  uint id = texelFetch(pointSums, int(walkCell)).r ^ faceA.id ^ faceB.id ^ faceC.id;
+  uvec4 behind = texelFetch(neighbors, int(walkCell));
+  vec4 point = texelFetch(meshPoints, int(id));
+  Corner d = Corner(id, seenAlongRay(point.xyz));
+  vec3 areas = vec3(spannedArea(faceA.id, faceA.at.xy, d.id, d.at.xy),
+    spannedArea(faceB.id, faceB.at.xy, d.id, d.at.xy),
+    spannedArea(faceC.id, faceC.at.xy, d.id, d.at.xy));
+  bool leftA = isOnLeft(areas.x, faceA.id, faceA.at.xy, d.id, d.at.xy);
+  bool leftB = isOnLeft(areas.y, faceB.id, faceB.at.xy, d.id, d.at.xy);
+  bool leftC = isOnLeft(areas.z, faceC.id, faceC.at.xy, d.id, d.at.xy);
+  if (leftA == leftB && leftB == leftC)
+  {
+    // Rounding: the ray passes next to the corner. It is taken to be on the other side of the
+    // nearest edge.
+    vec3 sizes = abs(areas);
+    leftA = leftA != (sizes.x <= sizes.y && sizes.x <= sizes.z);
+    leftB = leftB != (sizes.y < sizes.x && sizes.y <= sizes.z);
+    leftC = leftC != (sizes.z < sizes.x && sizes.z < sizes.y);
+  }
+#if !RELEVO_CELL_SCALARS
+  Scalars scalarsD = getPointScalars(id, point.w);
+#endif
+  // The new corner takes the place of the one across from the exit.
+  uint across;
+  if (leftB && !leftA)
+  {
+    across = faceC.id;
+    faceC = d;
+    faceAreas = vec3(areas.y, -areas.x, faceAreas.z);
+#if !RELEVO_CELL_SCALARS
+    scalarsC = scalarsD;
+#endif
+  }
+  else if (leftC && !leftB)
+  {
+    across = faceA.id;
+    faceA = d;
+    faceAreas = vec3(faceAreas.x, areas.z, -areas.y);
+#if !RELEVO_CELL_SCALARS
+    scalarsA = scalarsD;
+#endif
+  }
+  else
+  {
+    across = faceB.id;
+    faceB = d;
+    faceAreas = vec3(-areas.z, faceAreas.y, areas.x);
+#if !RELEVO_CELL_SCALARS
+    scalarsB = scalarsD;
+#endif
+  }
+  vec3 weights;
+  bool isSeen = getWeights(faceAreas, weights);
+  float exit = isSeen ? interpolateDepth(faceA, faceB, faceC, weights) : walkDepth;
+#if RELEVO_CELL_SCALARS
+  Scalars scalars = getCellScalars(walkCell);
+  beginPart(walkDepth, exit, scalars, scalars);
+#else
+  Scalars front = walkScalars;
+  if (isSeen)
+  {
+    walkScalars = interpolateScalars(weights);
+  }
+  beginPart(walkDepth, exit, front, walkScalars);
+#endif
+  walkDepth = exit;
+  int place = int(faceA.id < across) + int(faceB.id < across) + int(faceC.id < across);
+  walkCell = place == 0 ? behind.x : place == 1 ? behind.y : place == 2 ? behind.z : behind.w;
+}
+
+bool isWalkOver()
+{
+  return walkDone >= walkEnd || collected.a >= Opaque;
+}
+
+// One round may be a step, or a piece of a part, or both: rays next to each other keep pace.
+void walkFrom(Entry entry)
+{
+  enterMesh(entry);
+  isPartDone = true;
+  int step = 0;
+  while (collected.a < Opaque)
+  {
+    if (isPartDone)
+    {
+      if (walkCell == Nothing || walkDone >= walkEnd || step == mostSteps)
+      {
+        break;
+      }
+      crossTetrahedron();
+      ++step;
+    }
+    if (!isPartDone)
+    {
+      isPartDone = collect(partFront, partBack, partSpan, partFrom);
+    }
+  }
+}

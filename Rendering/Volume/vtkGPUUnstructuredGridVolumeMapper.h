@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGPUUnstructuredGridVolumeMapper
+ * @brief   volume rendering of unstructured meshes on the GPU
+ *
+ * Shows the inside of a mesh by its scalars, as vtkVolume and vtkVolumeProperty describe it. Each
+ * pixel's ray walks from cell to cell, in as many entries as the mesh has there (M. Weiler et al.,
+ * "Hardware-Based Ray Casting for Tetrahedral Meshes", 2003), and the volume rendering integral is
+ * exact: parts of the ray are cut wherever a transfer function bends (R. Espinha, PUC-Rio, 2005),
+ * and in between colour and extinction are linear (K. Moreland, E. Angel, 2004). No table depends
+ * on the transfer functions: they can be edited while the volume is shown.
+ *
+ * What is drawn is what vtkVolumeRayCastFilter computes on the CPU, whose doc comment says which
+ * meshes, arrays and functions are taken, how extinction follows from ScalarOpacity and
+ * ScalarOpacityUnitDistance (an opacity of 1 is not opaque), and what is an error. Scalars are
+ * chosen as in VTK's mappers: SetScalarMode...(), SelectScalarArray(). InterpolationType has no
+ * effect: scalars of points are always interpolated.
+ *
+ * Opaque props hide what is behind them. Translucent ones mix with the volume if the renderer has
+ * UseDepthPeeling and UseDepthPeelingForVolumes on.
+ *
+ * Needs OpenGL 3.2. Where the mesh does not fit into the buffer textures of the graphics card there
+ * is an error, and nothing is drawn.
+ *
+ * @sa vtkVolumeRayCastFilter, vtkVolumeProperty
+ */
+#ifndef vtkGPUUnstructuredGridVolumeMapper_h
+#define vtkGPUUnstructuredGridVolumeMapper_h
+
+#include "RelevoRenderingVolumeModule.h" // for export macro
+#include "vtkUnstructuredGridVolumeMapper.h"
+
+#include <memory> // for Internals
+#include <string> // for shaders
+
+class vtkDataObject;
+class vtkShaderProgram;
+
+class RELEVORENDERINGVOLUME_EXPORT vtkGPUUnstructuredGridVolumeMapper
+  : public vtkUnstructuredGridVolumeMapper
+{
+public:
+  static vtkGPUUnstructuredGridVolumeMapper* New();
+  vtkTypeMacro(vtkGPUUnstructuredGridVolumeMapper, vtkUnstructuredGridVolumeMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  //@{
+  /**
+   * The mesh: any vtkDataSet of 3D cells, or by SetInputDataObject() a vtkMultiBlockDataSet or
+   * vtkPartitionedDataSet(Collection), whose blocks are one mesh.
+   */
+  void SetInputData(vtkUnstructuredGridBase* mesh) override;
+  void SetInputData(vtkDataSet* mesh) override;
+  //@}
+
+  enum VectorModeType
+  {
+    DISABLED = -1,
+    MAGNITUDE = 0,
+    COMPONENT = 1
+  };
+
+  //@{
+  /**
+   * What of an array of several components is drawn, with the functions of component 0 of the
+   * property: MAGNITUDE (0), the length of each tuple; COMPONENT (1), the one that VectorComponent
+   * says; DISABLED (-1, the default), all components, or the length if the property has a colour
+   * function in MAGNITUDE mode.
+   */
+  void SetVectorMode(int mode);
+  vtkGetMacro(VectorMode, int);
+  //@}
+
+  //@{
+  /**
+   * Which component is drawn, with VectorMode COMPONENT: 0 to 3, default 0.
+   */
+  void SetVectorComponent(int component);
+  vtkGetMacro(VectorComponent, int);
+  //@}
+
+  //@{
+  /**
+   * What the last render had to do with: the input's 3D cells that are not ghost, blanked, empty or
+   * without scalars; bytes of mesh and tables on the GPU; how often, since the mapper was made, the
+   * mesh was uploaded, a shader was built and a table was computed. Cameras and edits of the
+   * property build none of them.
+   */
+  vtkIdType GetNumberOfDrawnCells();
+  vtkTypeInt64 GetGraphicsMemorySize();
+  vtkIdType GetNumberOfBufferBuilds();
+  vtkIdType GetNumberOfShaderBuilds();
+  vtkIdType GetNumberOfTableBuilds();
+  //@}
+
+  //@{
+  /// Of all blocks.
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  void GetBounds(double bounds[6]) override { this->vtkAbstractMapper3D::GetBounds(bounds); }
+  //@}
+
+  void Render(vtkRenderer* renderer, vtkVolume* volume) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkGPUUnstructuredGridVolumeMapper();
+  ~vtkGPUUnstructuredGridVolumeMapper() override;
+
+  int FillInputPortInformation(int port, vtkInformation* information) override;
+
+private:
+  vtkGPUUnstructuredGridVolumeMapper(const vtkGPUUnstructuredGridVolumeMapper&) = delete;
+  void operator=(const vtkGPUUnstructuredGridVolumeMapper&) = delete;
+
+  bool UpdateMesh(vtkVolume* volume);
+  bool BuildMesh(vtkVolume* volume, vtkDataObject* input);
+  bool UpdateFunctions(vtkVolume* volume);
+  bool UpdateView(vtkRenderer* renderer, vtkVolume* volume);
+  vtkShaderProgram* ReadyProgram(const char* vertexSource, const std::string& source);
+  bool FindEntries(int width, int height);
+  void Draw(vtkRenderer* renderer, vtkVolume* volume);
+
+  struct vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+
+  int VectorMode = DISABLED;
+  int VectorComponent = 0;
+};
+
+#endif

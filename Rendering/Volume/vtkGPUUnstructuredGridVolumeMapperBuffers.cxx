@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGPUUnstructuredGridVolumeMapperInternals.h"
+
+#include "Cells/MeshScalars.h"
+#include "Cells/ScalarChoice.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <vector>
+
+// What was tried and failed is tried anew, and complained about, when something has changed.
+bool vtkGPUUnstructuredGridVolumeMapper::UpdateMesh(vtkVolume* volume)
+{
+  vtkInternals& data = *this->Internals;
+  vtkDataObject* input = this->GetDataObjectInput();
+  const relevo::ScalarChoice choice =
+    relevo::ChooseScalars(volume->GetProperty(), this->VectorMode, this->VectorComponent);
+  const vtkMTimeType time = std::max(input->GetMTime(), this->GetMTime());
+  if (data.MeshInput != input || data.MeshTime != time || !(data.Choice == choice))
+  {
+    data.MeshInput = input;
+    data.MeshTime = time;
+    data.Choice = choice;
+    data.HasFunctions = false;
+    data.HasMesh = this->BuildMesh(volume, input);
+  }
+  return data.HasMesh && data.NumberOfDrawnCells > 0;
+}
+
+bool vtkGPUUnstructuredGridVolumeMapper::BuildMesh(vtkVolume* volume, vtkDataObject* input)
+{
+  vtkInternals& data = *this->Internals;
+  data.NumberOfDrawnCells = 0;
+  const bool takesAll = data.Choice.Component == relevo::ScalarChoice::All;
+  std::vector<relevo::MeshScalars> meshes;
+  std::string error;
+  const auto find = [this](vtkDataSet* mesh, int& association)
+  {
+    int kind = 0;
+    vtkDataArray* array = vtkAbstractMapper::GetScalars(
+      mesh, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, kind);
+    association =
+      kind == 1 ? vtkDataObject::FIELD_ASSOCIATION_CELLS : vtkDataObject::FIELD_ASSOCIATION_POINTS;
+    return kind == 2 ? nullptr : array;
+  };
+  const bool isByName = this->ArrayAccessMode == VTK_GET_ARRAY_BY_NAME && this->ArrayName &&
+    this->ScalarMode >= VTK_SCALAR_MODE_USE_POINT_FIELD_DATA;
+  if (!relevo::FindMeshScalars(input, find, isByName ? this->ArrayName : "",
+        takesAll ? relevo::MostComponents : VTK_INT_MAX, meshes, error))
+  {
+    vtkErrorMacro("The input " << error << ".");
+    return false;
+  }
+  const int components = meshes.empty() ? 1 : meshes.front().Array->GetNumberOfComponents();
+  if (!meshes.empty() && data.Choice.Component >= components)
+  {
+    vtkErrorMacro("VectorComponent is " << data.Choice.Component << ", but the array has "
+                                        << components << " components.");
+    return false;
+  }
+  data.NumberOfComponents = takesAll ? components : 1;
+  const bool areColors =
+    takesAll && components == 4 && !volume->GetProperty()->GetIndependentComponents();
+  relevo::VolumeCells cells;
+  for (const relevo::MeshScalars& mesh : meshes)
+  {
+    relevo::ScalarChoice choice = data.Choice;
+    const bool areBytes = areColors && vtkUnsignedCharArray::SafeDownCast(mesh.Array);
+    choice.Scale = areBytes ? 1.0 / 255.0 : 1.0;
+    cells.Add(mesh.Mesh, mesh.Array, mesh.AreOfCells, choice);
+  }
+  if (cells.GetNumberOfSolidCells() == 0)
+  {
+    if (!meshes.empty())
+    {
+      vtkErrorMacro("The input has cells, but none is 3D.");
+    }
+    return false;
+  }
+  if (cells.GetNumberOfBadCells() > 0)
+  {
+    vtkWarningMacro(<< cells.GetNumberOfBadCells() << " of " << cells.GetNumberOfSolidCells()
+                    << " cells have no volume, or points that are not finite; they are left out.");
+  }
+  data.HasCellScalars = meshes.front().AreOfCells;
+  relevo::JoinedMesh& mesh = data.Mesh;
+  if (!mesh.Build(cells, data.NumberOfComponents, error))
+  {
+    vtkErrorMacro("The input " << error << ".");
+    return false;
+  }
+  if (mesh.NumberOfSharedFaces > 0)
+  {
+    vtkWarningMacro(<< mesh.NumberOfSharedFaces
+                    << " faces belong to three cells or more; rays may see one cell twice there.");
+  }
+  if (!data.MeshBuffers.Upload(data.GetWindow(), mesh))
+  {
+    vtkErrorMacro("The mesh cannot be drawn: " << relevo::RefinementBuffer::GetTooLarge() << ".");
+    return false;
+  }
+  mesh.Release();
+  ++data.NumberOfBufferBuilds;
+  data.NumberOfDrawnCells = cells.GetNumberOfDrawnCells();
+  return true;
+}
+
+bool vtkGPUUnstructuredGridVolumeMapper::UpdateFunctions(vtkVolume* volume)
+{
+  vtkInternals& data = *this->Internals;
+  vtkVolumeProperty* property = volume->GetProperty();
+  const vtkMTimeType time = property->GetMTime();
+  if (data.FunctionsTime != time || !data.HasFunctions)
+  {
+    data.FunctionsTime = time;
+    std::string error;
+    std::string warning;
+    data.HasFunctions = data.Functions.Read(property, data.NumberOfComponents, error, warning);
+    if (!data.HasFunctions)
+    {
+      vtkErrorMacro("The volume property " << error << ".");
+      return false;
+    }
+    if (!warning.empty())
+    {
+      vtkWarningMacro("The volume property " << warning << ".");
+    }
+    data.FunctionBuffers.Upload(
+      data.GetWindow(), data.Functions, data.Mesh.ScalarLow, data.Mesh.ScalarSize);
+  }
+  if (data.Psi.IsEmpty())
+  {
+    data.Psi.Upload(data.GetWindow());
+    ++data.NumberOfTableBuilds;
+  }
+  return true;
+}

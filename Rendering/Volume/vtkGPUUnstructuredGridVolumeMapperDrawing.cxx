@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGPUUnstructuredGridVolumeMapperInternals.h"
+
+#include "OpenGL/RelevoOpenGL.h"
+#include "relevoViewportVS.h"
+#include "relevoVolumeEntriesVS.h"
+
+#include "vtkCamera.h"
+#include "vtkInformation.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLActor.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkVolume.h"
+
+#include <vector>
+
+namespace
+{
+relevo::dmat4 ToGLM(vtkMatrix4x4* matrix)
+{
+  relevo::dmat4 result;
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      result[column][row] = matrix->GetElement(row, column);
+    }
+  }
+  return result;
+}
+
+std::vector<vtkOpenGLRenderPass*> FindPasses(vtkVolume* volume)
+{
+  std::vector<vtkOpenGLRenderPass*> passes;
+  vtkInformation* keys = volume->GetPropertyKeys();
+  const int count = keys && keys->Has(vtkOpenGLRenderPass::RenderPasses())
+    ? keys->Length(vtkOpenGLRenderPass::RenderPasses())
+    : 0;
+  for (int i = 0; i < count; ++i)
+  {
+    if (auto* pass =
+          vtkOpenGLRenderPass::SafeDownCast(keys->Get(vtkOpenGLRenderPass::RenderPasses(), i)))
+    {
+      passes.push_back(pass);
+    }
+  }
+  return passes;
+}
+
+// What render passes do not replace: up to what is opaque.
+constexpr const char* WholeRay = "initializeRayCast();\n"
+                                 "  ivec2 pixel = ivec2(gl_FragCoord.xy - viewportPlace.xy);\n"
+                                 "  float end = texelFetch(opaqueDepth, pixel, 0).r;\n"
+                                 "  gl_FragData[0] = castRay(0.0, end);\n";
+}
+
+bool vtkGPUUnstructuredGridVolumeMapper::UpdateView(vtkRenderer* renderer, vtkVolume* volume)
+{
+  vtkInternals& data = *this->Internals;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const relevo::dmat4 projection =
+    ToGLM(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0));
+  const relevo::dmat4 view = ToGLM(camera->GetViewTransformMatrix());
+  return data.View.Compute(
+    projection * view, ToGLM(volume->GetMatrix()), data.Mesh.Center, data.Mesh.Radius);
+}
+
+// What could not be built is not tried, and complained about, again.
+vtkShaderProgram* vtkGPUUnstructuredGridVolumeMapper::ReadyProgram(
+  const char* vertexSource, const std::string& source)
+{
+  vtkInternals& data = *this->Internals;
+  vtkOpenGLShaderCache* cache = data.GetWindow()->GetShaderCache();
+  const auto known = data.Programs.find(source);
+  if (known != data.Programs.end())
+  {
+    return known->second ? cache->ReadyShaderProgram(known->second) : nullptr;
+  }
+  vtkShaderProgram* program = cache->ReadyShaderProgram(vertexSource, source.c_str(), "");
+  data.Programs[source] = program;
+  ++data.NumberOfShaderBuilds;
+  if (!program)
+  {
+    vtkErrorMacro("This OpenGL cannot build the shader.");
+  }
+  return program;
+}
+
+// Where rays enter the mesh, if all of it is in front of the eye.
+bool vtkGPUUnstructuredGridVolumeMapper::FindEntries(int width, int height)
+{
+  vtkInternals& data = *this->Internals;
+  data.View.SetViewport(relevo::dvec4(0.0, 0.0, width, height));
+  if (!data.View.IsInFront(data.Mesh.HalfSize))
+  {
+    return false;
+  }
+  vtkShaderProgram* program =
+    this->ReadyProgram(relevoVolumeEntriesVS, relevo::MakeEntriesShader());
+  if (!program || !data.Entries.Begin(data.GetWindow(), width, height))
+  {
+    return false;
+  }
+  data.View.SetUniforms(program);
+  data.View.SetEntryUniforms(program);
+  data.MeshBuffers.Activate(program);
+  data.Entries.Draw(data.MeshBuffers.GetNumberOfBorderFaces());
+  data.MeshBuffers.Deactivate();
+  return true;
+}
+
+void vtkGPUUnstructuredGridVolumeMapper::vtkInternals::DrawViewport()
+{
+  this->Viewport->Bind();
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  this->Viewport->Release();
+}
+
+void vtkGPUUnstructuredGridVolumeMapper::Draw(vtkRenderer*, vtkVolume* volume)
+{
+  vtkInternals& data = *this->Internals;
+  vtkOpenGLRenderWindow* window = data.GetWindow();
+  vtkOpenGLState* state = window->GetState();
+  GLint viewport[4];
+  glGetIntegerv(GL_VIEWPORT, viewport);
+
+  relevo::VolumeShaderOptions options;
+  options.NumberOfComponents = data.NumberOfComponents;
+  options.NumberOfCurves = static_cast<int>(data.Functions.GetCurves().size());
+  options.AreDependent = data.Functions.AreDependent();
+  options.HasCellScalars = data.HasCellScalars;
+  std::string source = relevo::MakeRayCastShader(options);
+  const std::vector<vtkOpenGLRenderPass*> passes = FindPasses(volume);
+  std::string none;
+  for (vtkOpenGLRenderPass* pass : passes)
+  {
+    pass->PreReplaceShaderValues(none, none, source, this, volume);
+    pass->PostReplaceShaderValues(none, none, source, this, volume);
+  }
+  if (passes.empty() && !data.Depth.Copy(window, viewport))
+  {
+    vtkErrorMacro("The depths of opaque props cannot be read.");
+    return;
+  }
+  vtkShaderProgram::Substitute(source, "//RELEVO::Main", "uniform sampler2D opaqueDepth;\n");
+  vtkShaderProgram::Substitute(source, "//VTK::CallWorker::Impl", WholeRay);
+
+  const bool areEntriesKnown = this->FindEntries(viewport[2], viewport[3]);
+  data.View.SetViewport(relevo::dvec4(viewport[0], viewport[1], viewport[2], viewport[3]));
+  vtkShaderProgram* program = this->ReadyProgram(relevoViewportVS, source);
+  if (!program)
+  {
+    return;
+  }
+  data.View.SetUniforms(program);
+  data.MeshBuffers.Activate(program);
+  data.FunctionBuffers.Activate(program);
+  data.Psi.Activate(program);
+  data.Depth.Activate(program);
+  data.Entries.Activate(program);
+  program->SetUniformi("areEntriesKnown", areEntriesKnown ? 1 : 0);
+  if (program->IsUniformUsed("in_inverseWindowSize"))
+  {
+    const float inverse[2] = { 1.0f / viewport[2], 1.0f / viewport[3] };
+    program->SetUniform2f("in_inverseWindowSize", inverse);
+  }
+  for (vtkOpenGLRenderPass* pass : passes)
+  {
+    pass->SetShaderParameters(program, this, volume, data.Viewport);
+  }
+  if (passes.empty())
+  {
+    vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+    vtkOpenGLState::ScopedglEnableDisable blending(state, GL_BLEND);
+    vtkOpenGLState::ScopedglDepthMask depthMask(state);
+    vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
+    state->vtkglDisable(GL_DEPTH_TEST);
+    state->vtkglDepthMask(GL_FALSE);
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    data.DrawViewport();
+  }
+  else
+  {
+    data.DrawViewport();
+  }
+  data.Entries.Deactivate();
+  data.Depth.Deactivate();
+  data.Psi.Deactivate();
+  data.FunctionBuffers.Deactivate();
+  data.MeshBuffers.Deactivate();
+}

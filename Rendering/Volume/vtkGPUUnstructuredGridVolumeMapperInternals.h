@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   what a vtkGPUUnstructuredGridVolumeMapper keeps
+ *
+ * Private to the mapper's own sources.
+ */
+#ifndef vtkGPUUnstructuredGridVolumeMapperInternals_h
+#define vtkGPUUnstructuredGridVolumeMapperInternals_h
+
+#include "Buffers/FunctionBuffers.h"
+#include "Buffers/PsiTable.h"
+#include "Buffers/VolumeMeshBuffers.h"
+#include "Cells/VolumeCells.h"
+#include "Integral/TransferFunctions.h"
+#include "OpenGL/ContextWatch.h"
+#include "Shaders/VolumeShader.h"
+#include "View/OpaqueDepth.h"
+#include "View/RayEntries.h"
+#include "View/RayView.h"
+#include "Walk/JoinedMesh.h"
+#include "vtkGPUUnstructuredGridVolumeMapper.h"
+#include "vtkNew.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLVertexArrayObject.h"
+
+#include <map>
+#include <string>
+
+class vtkShaderProgram;
+
+struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
+{
+  // The mesh, whose arrays go once they are on the GPU.
+  relevo::JoinedMesh Mesh;
+  relevo::ScalarChoice Choice;
+  vtkDataObject* MeshInput = nullptr; // never followed
+  vtkMTimeType MeshTime = 0;
+  bool HasMesh = false;
+  int NumberOfComponents = 1;
+  bool HasCellScalars = false;
+  vtkIdType NumberOfDrawnCells = 0;
+
+  relevo::TransferFunctions Functions;
+  vtkMTimeType FunctionsTime = 0;
+  bool HasFunctions = false;
+
+  // Of one context.
+  vtkNew<relevo::ContextWatch> Context;
+  vtkOpenGLRenderWindow* GetWindow() const { return this->Context->GetContext(); }
+  relevo::VolumeMeshBuffers MeshBuffers;
+  relevo::FunctionBuffers FunctionBuffers;
+  relevo::PsiTable Psi;
+  relevo::OpaqueDepth Depth;
+  relevo::RayEntries Entries;
+  relevo::RayView View;
+  std::map<std::string, vtkShaderProgram*> Programs; // of the window's cache, by their text
+  vtkNew<vtkOpenGLVertexArrayObject> Viewport;
+  void DrawViewport();
+
+  vtkIdType NumberOfBufferBuilds = 0;
+  vtkIdType NumberOfShaderBuilds = 0;
+  vtkIdType NumberOfTableBuilds = 0;
+};
+
+#endif

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGPUUnstructuredGridVolumeMapperInternals.h"
+
+#include "Core/SettingChecks.h"
+#include "vtkDataSet.h"
+#include "vtkUnstructuredGridBase.h"
+
+void vtkGPUUnstructuredGridVolumeMapper::SetInputData(vtkUnstructuredGridBase* mesh)
+{
+  this->SetInputDataInternal(0, mesh);
+}
+
+void vtkGPUUnstructuredGridVolumeMapper::SetInputData(vtkDataSet* mesh)
+{
+  this->SetInputDataInternal(0, mesh);
+}
+
+void vtkGPUUnstructuredGridVolumeMapper::SetVectorMode(int mode)
+{
+  relevo::SetInRange(this, "VectorMode", this->VectorMode, mode, static_cast<int>(DISABLED),
+    static_cast<int>(COMPONENT));
+}
+
+void vtkGPUUnstructuredGridVolumeMapper::SetVectorComponent(int component)
+{
+  relevo::SetInRange(
+    this, "VectorComponent", this->VectorComponent, component, 0, relevo::MostComponents - 1);
+}
+
+vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfDrawnCells()
+{
+  return this->Internals->NumberOfDrawnCells;
+}
+
+vtkTypeInt64 vtkGPUUnstructuredGridVolumeMapper::GetGraphicsMemorySize()
+{
+  const vtkInternals& data = *this->Internals;
+  return data.MeshBuffers.GetMemorySize() + data.FunctionBuffers.GetMemorySize() +
+    data.Psi.GetMemorySize();
+}
+
+vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfBufferBuilds()
+{
+  return this->Internals->NumberOfBufferBuilds;
+}
+
+vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfShaderBuilds()
+{
+  return this->Internals->NumberOfShaderBuilds;
+}
+
+vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfTableBuilds()
+{
+  return this->Internals->NumberOfTableBuilds;
+}

@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures of vtkGPUUnstructuredGridVolumeMapper against vtkVolumeRayCastFilter, whose own tests
+// compare it with closed forms and sums.
+#include "RelevoCheck.h"
+#include "RelevoDice.h"
+#include "RelevoVolumeScene.h"
+
+#include "vtkActor.h"
+#include "vtkCellArray.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkCubeSource.h"
+#include "vtkDelaunay3D.h"
+#include "vtkDoubleArray.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+
+#include <cmath>
+
+namespace
+{
+// Nodes here and there, some of them close to each other.
+vtkSmartPointer<vtkVolumeProperty> MakeBusyProperty(double unitDistance)
+{
+  vtkNew<vtkColorTransferFunction> color;
+  vtkNew<vtkPiecewiseFunction> opacity;
+  for (int i = 0; i <= 10; ++i)
+  {
+    color->AddRGBPoint(0.1 * i, i % 2, i % 3 / 2.0, i % 5 / 4.0);
+    opacity->AddPoint(0.1 * i, i * 7 % 11 / 10.0);
+  }
+  opacity->AddPoint(0.55, 0.0);
+  opacity->AddPoint(0.5501, 1.0);
+  opacity->AddPoint(0.5502, 0.0);
+  auto property = vtkSmartPointer<vtkVolumeProperty>::New();
+  property->SetColor(color);
+  property->SetScalarOpacity(opacity);
+  property->SetScalarOpacityUnitDistance(unitDistance);
+  return property;
+}
+
+double GetWaves(const RelevoPoint& at)
+{
+  return 0.5 + 0.5 * std::sin(3.0 * at[0]) * std::cos(2.0 * at[1] + at[2]);
+}
+
+// Tetrahedra of points in a ball, slivers among them.
+vtkSmartPointer<vtkUnstructuredGrid> MakeBall(int numberOfPoints, double low = 0.0)
+{
+  RelevoDice dice(7);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> values;
+  while (points->GetNumberOfPoints() < numberOfPoints)
+  {
+    const RelevoPoint at = { { dice.Signed(), dice.Signed(), dice.Signed() } };
+    if (at[0] * at[0] + at[1] * at[1] + at[2] * at[2] < 1.0)
+    {
+      points->InsertNextPoint(low + at[0], low + at[1], low + at[2]);
+      values->InsertNextValue(GetWaves(at));
+    }
+  }
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(points);
+  cloud->GetPointData()->SetScalars(values);
+  vtkNew<vtkDelaunay3D> delaunay;
+  delaunay->SetInputData(cloud);
+  delaunay->Update();
+  return delaunay->GetOutput();
+}
+
+void TestViews(RelevoCheck& check)
+{
+  RelevoVolumeScene scene(MakeBall(300), MakeBusyProperty(0.3));
+  CHECK(scene.Compare() <= 1.0);
+  vtkCamera* camera = scene.GetCamera();
+  camera->ParallelProjectionOn();
+  CHECK(scene.Compare() <= 1.0);
+  camera->ParallelProjectionOff();
+  // Inside the mesh, and looking out of it.
+  camera->SetPosition(0.2, 0.1, 0.0);
+  camera->SetFocalPoint(1.0, 0.5, 0.1);
+  camera->SetViewAngle(70.0);
+  camera->SetClippingRange(0.01, 10.0);
+  CHECK(scene.Compare() <= 1.0);
+  // What the near and the far plane leave.
+  camera->SetPosition(3.0, 1.0, 0.0);
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetViewAngle(40.0);
+  camera->SetClippingRange(2.9, 3.3);
+  CHECK(scene.Compare() <= 1.0);
+}
+
+// Rays that run in faces, along edges and through corners.
+void TestDegenerateRays(RelevoCheck& check)
+{
+  RelevoVolumeScene scene(MakeTetrahedra(6, GetWaves), MakeBusyProperty(0.3), 97, 97);
+  vtkCamera* camera = scene.GetCamera();
+  camera->SetFocalPoint(0.5, 0.5, 0.5);
+  camera->SetPosition(0.5, 0.5, 4.0);
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(97.0 / 96.0); // a ray each 1/48
+  scene.GetRenderer()->ResetCameraClippingRange();
+  const auto drawn = scene.Draw();
+  const auto cast = scene.Cast();
+  // Off the outline, which one ray may take for inside and another for outside.
+  double most = 0.0;
+  for (int row = 26; row <= 70; ++row)
+  {
+    for (int column = 26; column <= 70; ++column)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        const size_t i = static_cast<size_t>(row) * 97 + column;
+        most = std::max(most, std::abs(drawn[i][c] - cast[i][c]));
+      }
+    }
+  }
+  CHECK_NEAR(255.0 * most, 0.0, 1.0);
+}
+
+// Parts that touch where their faces disagree, and those behind each other.
+void TestParts(RelevoCheck& check)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, MakeTetrahedra(3, GetWaves));
+  blocks->SetBlock(1, MakeTetrahedra(2, GetWaves, 1.0));
+  const auto moved = MakeTetrahedra(4, GetWaves);
+  for (vtkIdType i = 0; i < moved->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    moved->GetPoint(i, x);
+    moved->GetPoints()->SetPoint(i, x[0] + 1.0, x[1], x[2]);
+  }
+  blocks->SetBlock(3, moved);
+  RelevoVolumeScene scene(blocks, MakeBusyProperty(0.5));
+  CHECK(scene.Compare(0.001) <= 1.0);
+  scene.GetCamera()->Azimuth(100.0);
+  scene.GetRenderer()->ResetCameraClippingRange();
+  CHECK(scene.Compare(0.001) <= 1.0);
+  CHECK(scene.GetMapper()->GetNumberOfDrawnCells() == 6 * (27 + 8 + 64));
+}
+
+// The same picture far from the origin, and moved, turned and stretched by a matrix.
+void TestPlaces(RelevoCheck& check)
+{
+  RelevoVolumeScene near(MakeBall(200), MakeBusyProperty(0.3));
+  RelevoVolumeScene far(MakeBall(200, 1e7), MakeBusyProperty(0.3));
+  CHECK(FindLargestDifference(near.Draw(), far.Draw()) <= 1.5 / 255.0);
+
+  RelevoVolumeScene stretched(MakeBall(200), MakeBusyProperty(0.3));
+  vtkNew<vtkMatrix4x4> matrix;
+  matrix->SetElement(0, 0, 2.0);
+  matrix->SetElement(1, 2, 0.5);
+  matrix->SetElement(0, 3, 5.0);
+  stretched.GetVolume()->SetUserMatrix(matrix);
+  stretched.GetRenderer()->ResetCamera();
+  const auto drawn = stretched.Draw();
+  const auto mesh = MakeBall(200);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double x[4] = { 0.0, 0.0, 0.0, 1.0 };
+    mesh->GetPoint(i, x);
+    matrix->MultiplyPoint(x, x);
+    mesh->GetPoints()->SetPoint(i, x);
+  }
+  CHECK(
+    FindLargestDifference(drawn,
+      Cast(mesh, stretched.GetVolume()->GetProperty(), stretched.GetCamera(), 160, 120)) <= 1.0);
+}
+
+// An opaque box in the volume: in its pixels the volume ends there.
+void TestOpaqueProps(RelevoCheck& check)
+{
+  RelevoVolumeScene scene(MakeTetrahedra(4, GetLinearField), MakeLinearProperty(), 100, 100);
+  vtkCamera* camera = scene.GetCamera();
+  camera->SetFocalPoint(0.5, 0.5, 0.5);
+  camera->SetPosition(0.5, 0.5, 4.0);
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(0.6);
+  vtkNew<vtkCubeSource> cube;
+  cube->SetBounds(0.25, 0.75, 0.25, 0.75, 0.1, 0.6);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(cube->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetColor(0.0, 0.0, 0.0);
+  scene.GetRenderer()->AddActor(actor);
+  scene.GetRenderer()->ResetCameraClippingRange();
+  const auto drawn = scene.Draw();
+  // Over black it hides what is behind: the far plane does the same to the twin.
+  const double distance = 4.0 - 0.6;
+  vtkNew<vtkCamera> cut;
+  cut->DeepCopy(camera);
+  cut->SetClippingRange(camera->GetClippingRange()[0], distance);
+  const auto cast = Cast(
+    scene.GetMapper()->GetInputDataObject(0, 0), scene.GetVolume()->GetProperty(), cut, 100, 100);
+  double most = 0.0;
+  for (int row = 32; row < 68; ++row)
+  {
+    for (int column = 32; column < 68; ++column)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        most = std::max(most, std::abs(drawn[100 * row + column][c] - cast[100 * row + column][c]));
+      }
+    }
+  }
+  CHECK_NEAR(255.0 * most, 0.0, 1.0);
+}
+}
+
+int TestGPUUnstructuredGridVolumeMapper(int, char*[])
+{
+  RelevoCheck check;
+  TestViews(check);
+  TestDegenerateRays(check);
+  TestParts(check);
+  TestPlaces(check);
+  TestOpaqueProps(check);
+  return check.GetResult();
+}

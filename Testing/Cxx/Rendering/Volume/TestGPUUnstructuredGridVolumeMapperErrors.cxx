@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What vtkGPUUnstructuredGridVolumeMapper says of bad input, and that the rest is drawn.
+#include "RelevoCheck.h"
+#include "RelevoVolumeScene.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSphereSource.h"
+
+#include <cmath>
+#include <limits>
+
+namespace
+{
+bool IsBlack(const std::vector<RelevoColor>& picture)
+{
+  return FindLargestDifference(picture, std::vector<RelevoColor>(picture.size())) == 0.0;
+}
+
+void TestNothing(RelevoCheck& check)
+{
+  vtkNew<vtkUnstructuredGrid> none;
+  RelevoVolumeScene scene(none, MakeLinearProperty());
+  RelevoErrors errors(scene.GetMapper());
+  CHECK(IsBlack(scene.Draw()));
+  CHECK(errors.None());
+}
+
+void TestArrays(RelevoCheck& check)
+{
+  const auto mesh = MakeTetrahedra(2, GetLinearField);
+  RelevoVolumeScene scene(mesh, MakeLinearProperty());
+  RelevoErrors errors(scene.GetMapper());
+  scene.GetMapper()->SetScalarModeToUsePointFieldData();
+  scene.GetMapper()->SelectScalarArray("missing");
+  CHECK(IsBlack(scene.Draw()));
+  CHECK(errors.Said("has no array \"missing\""));
+  scene.Draw();
+  CHECK(errors.None()); // once
+  scene.GetMapper()->SelectScalarArray("field");
+  CHECK(!IsBlack(scene.Draw()));
+  CHECK(errors.None());
+  scene.GetMapper()->SetVectorMode(1);
+  scene.GetMapper()->SetVectorComponent(2);
+  CHECK(IsBlack(scene.Draw()));
+  CHECK(errors.Said("VectorComponent is 2"));
+
+  vtkNew<vtkDoubleArray> shorter;
+  shorter->SetNumberOfTuples(3);
+  shorter->SetName("short");
+  mesh->GetPointData()->AddArray(shorter);
+  scene.GetMapper()->SetVectorMode(-1);
+  scene.GetMapper()->SelectScalarArray("short");
+  CHECK(IsBlack(scene.Draw()));
+  CHECK(errors.Said("3 tuples for 27 points"));
+}
+
+void TestCells(RelevoCheck& check)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->Update();
+  RelevoVolumeScene surface(sphere->GetOutput(), MakeLinearProperty());
+  surface.GetMapper()->SetScalarModeToUsePointFieldData();
+  surface.GetMapper()->SelectScalarArray("Normals");
+  surface.GetMapper()->SetVectorMode(0);
+  RelevoErrors surfaceErrors(surface.GetMapper());
+  CHECK(IsBlack(surface.Draw()));
+  CHECK(surfaceErrors.Said("none is 3D"));
+
+  const auto mesh = MakeTetrahedra(3, GetLinearField);
+  mesh->GetPoints()->SetPoint(21, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
+  RelevoVolumeScene scene(mesh, MakeLinearProperty());
+  scene.GetCamera()->SetFocalPoint(0.5, 0.5, 0.5);
+  scene.GetCamera()->SetPosition(3.0, 2.0, 2.5);
+  scene.GetCamera()->SetClippingRange(1.0, 10.0);
+  RelevoErrors errors(scene.GetMapper());
+  CHECK(!IsBlack(scene.Draw()));
+  CHECK(errors.Warned("have no volume, or points that are not finite"));
+  CHECK(scene.GetMapper()->GetNumberOfDrawnCells() < mesh->GetNumberOfCells());
+  vtkObject::GlobalWarningDisplayOff();
+  CHECK(scene.Compare(0.001) <= 1.0);
+  vtkObject::GlobalWarningDisplayOn();
+}
+
+void TestProperty(RelevoCheck& check)
+{
+  RelevoVolumeScene scene(MakeTetrahedra(2, GetLinearField), MakeLinearProperty());
+  RelevoErrors errors(scene.GetMapper());
+  scene.GetVolume()->GetProperty()->GetScalarOpacity()->RemoveAllPoints();
+  CHECK(IsBlack(scene.Draw()));
+  CHECK(errors.Said("without nodes"));
+  scene.GetVolume()->GetProperty()->GetScalarOpacity()->AddPoint(0.0, 1.0);
+  scene.GetVolume()->GetProperty()->SetScalarOpacityUnitDistance(0.0);
+  CHECK(!IsBlack(scene.Draw()));
+  CHECK(errors.Warned("ScalarOpacityUnitDistance of 0"));
+}
+
+void TestWindows(RelevoCheck& check)
+{
+  RelevoVolumeScene scene(MakeTetrahedra(2, GetLinearField), MakeLinearProperty(), 1, 1);
+  RelevoErrors errors(scene.GetMapper());
+  CHECK(scene.Compare() <= 1.0);
+  CHECK(errors.None());
+}
+}
+
+int TestGPUUnstructuredGridVolumeMapperErrors(int, char*[])
+{
+  RelevoCheck check;
+  TestNothing(check);
+  TestArrays(check);
+  TestCells(check);
+  TestProperty(check);
+  TestWindows(check);
+  return check.GetResult();
+}
