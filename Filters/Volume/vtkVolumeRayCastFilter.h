@@ -177,12 +177,12 @@ public:
 
   //@{
   /**
-   * Whether the property's IsoSurfaceValues are drawn inside the volume, with composite blending;
-   * default off. Alpha of a surface is the opacity of its value, whatever the length, at most 1. A
-   * border of cells that has the value counts once; where the scalar has the value all along, and
-   * with scalars of cells, there is no surface. Surfaces are those of the independent component of
-   * the largest ComponentWeight, the first of equal ones; of 2 dependent components of the first,
-   * whose value also gives the opacity; of 4 of the last.
+   * Whether the property's IsoSurfaceValues, by VTK's default one of 0, are drawn inside the
+   * volume, with composite blending; default off. Alpha of a surface is the opacity of its value,
+   * whatever the length, at most 1. A border of cells that has the value counts once; where the
+   * scalar has the value all along, and with scalars of cells, there is no surface. Surfaces are
+   * those of the independent component of the largest ComponentWeight, the first of equal ones; of
+   * 2 dependent components of the first, whose value also gives the opacity; of 4 of the last.
    */
   vtkSetMacro(IsoSurfaces, bool);
   vtkGetMacro(IsoSurfaces, bool);

@@ -275,6 +275,55 @@ void TestTables(RelevoCheck& check)
   checkAll(table.Get(0.4, 1.5));
 }
 
+// Of dependent components the last one alone counts.
+void TestDependentTable(RelevoCheck& check)
+{
+  const auto mesh = MakeTetrahedra(2, GetBent);
+  vtkNew<vtkDoubleArray> two;
+  two->SetNumberOfComponents(2);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    two->InsertNextTuple2(0.1 * i, mesh->GetPointData()->GetScalars()->GetComponent(i, 0));
+  }
+  const Table table;
+  const auto cast = [&]()
+  {
+    Scene scene(mesh);
+    scene.Property->IndependentComponentsOff();
+    scene.Property->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
+    scene.Property->SetTransferFunction2D(table.Image);
+    scene.Property->ShadeOn();
+    return Cast(scene.Filter);
+  };
+  const auto expected = cast();
+  mesh->GetPointData()->SetScalars(two);
+  CHECK(FindLargestDifference(cast(), expected) == 0.0);
+}
+
+// Of colours the gradient is that of the opacity.
+void TestColors(RelevoCheck& check)
+{
+  const auto mesh = MakeTetrahedra(3, GetLinearField);
+  vtkNew<vtkDoubleArray> colors;
+  colors->SetNumberOfComponents(4);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    RelevoPoint point;
+    mesh->GetPoint(i, point.data());
+    colors->InsertNextTuple4(point[0], 0.2, point[1] * point[1], GetLinearField(point));
+  }
+  mesh->GetPointData()->SetScalars(colors);
+  Scene scene(mesh);
+  scene.Property->IndependentComponentsOff();
+  scene.Property->SetGradientOpacity(MakeRamp());
+  const auto picture = Cast(scene.Filter);
+  scene.Property->DisableGradientOpacityOn();
+  CHECK(FindLargestDifference(Cast(scene.Filter), picture) > 0.05);
+  const double factor = MakeRamp()->GetValue(std::sqrt(0.04 + 0.09 + 0.25));
+  scene.Property->SetScalarOpacityUnitDistance(Unit / factor);
+  CHECK_NEAR(FindLargestDifference(Cast(scene.Filter), picture), 0.0, 1e-12);
+}
+
 // Three columns close together: what is between them decides of what is seen.
 void TestColumns(RelevoCheck& check)
 {
@@ -342,6 +391,8 @@ int TestVolumeRayCastFilterGradients(int, char*[])
   TestGradientOpacity(check);
   TestComponents(check);
   TestTables(check);
+  TestDependentTable(check);
+  TestColors(check);
   TestColumns(check);
   TestErrors(check);
   return check.GetResult();

@@ -152,6 +152,15 @@ void TestSpheres(RelevoCheck& check)
     last = differs;
   }
   CHECK_NEAR(last, 0.0, 5e-3);
+
+  Scene surface(MakeTetrahedra(16, getField));
+  surface.Property->GetIsoSurfaceValues()->SetValue(0, 0.5);
+  surface.Filter->SetBlendModeToIsoSurface();
+  RelevoRaySum sum = surface.MakeSum(getField, getGradient);
+  sum.Optics = nullptr;
+  sum.Values = { 0.5 };
+  surface.Camera->SetViewAngle(15.0); // away from where rays graze it
+  CHECK_NEAR(surface.Differs(sum), 0.0, 1e-2);
 }
 
 // Without a gradient colours stay as they are.
