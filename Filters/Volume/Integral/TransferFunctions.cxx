@@ -340,12 +340,11 @@ std::array<dvec4, 2> TransferFunctions::Evaluate(const Segment& segment) const
       segment.Steepness[this->Curves.empty() ? MostComponents - 1 : curve.Component];
     const double share =
       ComputeGradientOpacity(curve.GradientOpacity, steepness) / curve.UnitDistance;
-    const bool isLit = segment.IsLit && (this->Mode != Mixing::Two || i == 0);
     for (int end = 0; end < 2; ++end)
     {
       dvec4& ends = all[i][end];
       const dvec2& light = (end == 0 ? segment.FrontLights : segment.BackLights)[i];
-      ends = dvec4(isLit ? lightenColor(dvec3(ends), light) : dvec3(ends), ends.w * share);
+      ends = dvec4(segment.IsLit ? lightenColor(dvec3(ends), light) : dvec3(ends), ends.w * share);
     }
   }
   return this->Mix(all);

@@ -41,7 +41,8 @@ inline Scalars Interpolate(const Scalars& front, const Scalars& back, double sha
   return result;
 }
 
-/// What light does to each curve's colour: it is multiplied, and white is added.
+/// What light does to each curve's colour: it is multiplied, and white is added. 1 and 0 for curves
+/// without a colour.
 using Lights = std::array<dvec2, MostComponents>;
 
 /// A part of a ray along which the scalars are linear.

@@ -11,6 +11,7 @@
 #include "vtkContourValues.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
@@ -234,6 +235,28 @@ void TestBorders(RelevoCheck& check)
     CHECK(count([](const RelevoPoint& p) { return std::max(std::abs(p[0] - 0.5), 0.25); }, 0.25,
             camera) == 0);
   }
+  // Blocks that meet at the value, one of which has it a bit lower.
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, MakeTetrahedra(2, [](const RelevoPoint& p) { return p[0]; }));
+  const auto second = MakeTetrahedra(2, [](const RelevoPoint& p) { return 1.0 + p[0] - 1e-8; });
+  for (vtkIdType i = 0; i < second->GetNumberOfPoints(); ++i)
+  {
+    const double* point = second->GetPoint(i);
+    second->GetPoints()->SetPoint(i, point[0] + 1.0, point[1], point[2]);
+  }
+  blocks->SetBlock(1, second);
+  Scene two(blocks, MakeVolumeProperty(0.25, 0.25));
+  two.SetValues({ 1.0 });
+  two.Cast->SetBlendModeToIsoSurface();
+  for (vtkCamera* camera : { oblique.Get(), back.Get() })
+  {
+    two.Cast->SetCamera(camera);
+    for (const RelevoColor& color : Cast(two.Cast))
+    {
+      CHECK_NEAR(color[3], 0.25, 1e-12);
+    }
+  }
+
   // Scalars of cells jump, and have no surfaces.
   const auto mesh = MakeTetrahedra(2, GetLinearField);
   vtkNew<vtkDoubleArray> ids;
