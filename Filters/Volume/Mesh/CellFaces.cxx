@@ -28,7 +28,7 @@ struct FaceTable
   int NumberOfFaces;
 };
 
-// By which points of a cell; empty for types that are not linear.
+// By which points of a cell; empty for other types. Corners come before points of edges.
 FaceTable FindFaces(int type)
 {
   static const Face tetrahedron[] = { { { 0, 1, 3, -1 } }, { { 1, 2, 3, -1 } }, { { 2, 0, 3, -1 } },
@@ -44,14 +44,19 @@ FaceTable FindFaces(int type)
   switch (type)
   {
     case VTK_TETRA:
+    case VTK_QUADRATIC_TETRA:
       return { tetrahedron, 4 };
     case VTK_HEXAHEDRON:
+    case VTK_QUADRATIC_HEXAHEDRON:
+    case VTK_TRIQUADRATIC_HEXAHEDRON:
       return { hexahedron, 6 };
     case VTK_VOXEL:
       return { voxel, 6 };
     case VTK_WEDGE:
+    case VTK_QUADRATIC_WEDGE:
       return { wedge, 5 };
     case VTK_PYRAMID:
+    case VTK_QUADRATIC_PYRAMID:
       return { pyramid, 5 };
     default:
       return { nullptr, 0 };

@@ -31,7 +31,8 @@ public:
   /// Before the first cell.
   void Reserve(size_t numberOfCells);
 
-  /// A cell of a linear type, by the ids of its points; false for other types.
+  /// A tetrahedron, hexahedron, voxel, wedge or pyramid, linear or quadratic, by the ids of its
+  /// points; false for other types.
   bool Add(int type, const vtkIdType* points);
 
   /// Any 3D cell. Of curved faces the corners count.
