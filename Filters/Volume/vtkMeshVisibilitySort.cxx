@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeshVisibilitySort.h"
 
+#include "Mesh/CameraEye.h"
 #include "Mesh/CellFaces.h"
 #include "Mesh/VisibilityOrder.h"
-#include "vtkCamera.h"
 #include "vtkDataSet.h"
 #include "vtkIdTypeArray.h"
-#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 struct vtkMeshVisibilitySort::vtkInternals
 {
@@ -29,23 +30,6 @@ struct vtkMeshVisibilitySort::vtkInternals
 namespace
 {
 using relevo::dvec3;
-using relevo::dvec4;
-
-// In the mesh's coordinates: what the camera projects to its view's axis at no depth.
-dvec4 GetEye(vtkCamera* camera, vtkMatrix4x4* worldToModel)
-{
-  dvec4 eye(0.0, 0.0, 1.0, 0.0);
-  vtkNew<vtkMatrix4x4> inverse;
-  for (vtkMatrix4x4* matrix :
-    { camera->GetProjectionTransformMatrix(1.0, -1.0, 1.0), camera->GetViewTransformMatrix() })
-  {
-    vtkMatrix4x4::Invert(matrix, inverse);
-    inverse->MultiplyPoint(&eye.x, &eye.x);
-  }
-  worldToModel->MultiplyPoint(&eye.x, &eye.x);
-  // Depth grows away from the viewer.
-  return eye.w == 0.0 ? -eye : eye;
-}
 
 std::vector<dvec3> GetPoints(vtkDataSet* mesh)
 {
@@ -110,7 +94,8 @@ void vtkMeshVisibilitySort::InitTraversal()
   }
   if (this->Build())
   {
-    internals.Sorted = &internals.Order.Sort(GetEye(this->Camera, this->InverseModelTransform));
+    internals.Sorted =
+      &internals.Order.Sort(relevo::GetEye(this->Camera, this->InverseModelTransform));
     this->LastSortTime.Modified();
   }
 }
