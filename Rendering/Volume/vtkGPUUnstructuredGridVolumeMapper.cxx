@@ -25,6 +25,7 @@ vtkGPUUnstructuredGridVolumeMapper::vtkGPUUnstructuredGridVolumeMapper()
     data.MeshBuffers.ReleaseGraphicsResources(window);
     data.FunctionBuffers.ReleaseGraphicsResources(window);
     data.Psi.ReleaseGraphicsResources(window);
+    data.Integrals.ReleaseGraphicsResources(window);
     data.Depth.ReleaseGraphicsResources(window);
     data.Entries.ReleaseGraphicsResources(window);
     data.Programs.clear();
@@ -85,7 +86,7 @@ void vtkGPUUnstructuredGridVolumeMapper::Render(vtkRenderer* renderer, vtkVolume
   }
   data.Context->SetContext(window);
   if (this->UpdateMesh(volume) && this->UpdateFunctions(volume) &&
-    this->UpdateView(renderer, volume))
+    this->UpdateView(renderer, volume) && this->UpdateTables())
   {
     this->Draw(renderer, volume);
   }
@@ -96,4 +97,6 @@ void vtkGPUUnstructuredGridVolumeMapper::PrintSelf(ostream& os, vtkIndent indent
   this->Superclass::PrintSelf(os, indent);
   os << indent << "VectorMode: " << this->VectorMode << "\n";
   os << indent << "VectorComponent: " << this->VectorComponent << "\n";
+  os << indent << "Integration: " << this->Integration << "\n";
+  os << indent << "TableSize: " << this->TableSize << "\n";
 }

@@ -80,12 +80,51 @@ public:
   vtkGetMacro(VectorComponent, int);
   //@}
 
+  enum IntegrationType
+  {
+    EXACT,
+    PRE_INTEGRATED,
+    PRE_INTEGRATED_2D
+  };
+
+  //@{
+  /**
+   * How the volume rendering integral of the part of a ray inside a cell is found with composite
+   * blending; default EXACT (0). PRE_INTEGRATED (1) looks it up in a 3D table over the scalars at
+   * both ends and the length, up to the longest edge of a cell (S. Roettger, M. Kraus, T. Ertl,
+   * "Hardware-Accelerated Volume and Isosurface Rendering Based on Cell-Projection", 2000).
+   * PRE_INTEGRATED_2D (2) leaves out the length (S. Guthe et al., "High-Quality Unstructured Volume
+   * Rendering on the PC Platform", 2002): opacity follows from the mean extinction,
+   * 1 - exp(-extinction * length), as it does exactly; colour counts as the mean that is seen of a
+   * length of half the longest edge, times opacity.
+   *
+   * Tables take no cuts and are faster where functions have many nodes, but are blind to what is
+   * smaller than their steps, and computed anew when the property, the range of the scalars or the
+   * scale of the volume's matrix changes. They are for one component, without gradients and
+   * shading: else EXACT stands in, with a warning.
+   */
+  void SetIntegration(int integration);
+  vtkGetMacro(Integration, int);
+  void SetIntegrationToExact() { this->SetIntegration(EXACT); }
+  void SetIntegrationToPreIntegrated() { this->SetIntegration(PRE_INTEGRATED); }
+  void SetIntegrationToPreIntegrated2D() { this->SetIntegration(PRE_INTEGRATED_2D); }
+  //@}
+
+  //@{
+  /**
+   * Texels of pre-integration's tables each way: 2 to 256, default 128. A 3D table takes 16 bytes a
+   * texel, 32 MiB for 128.
+   */
+  void SetTableSize(int size);
+  vtkGetMacro(TableSize, int);
+  //@}
+
   //@{
   /**
    * What the last render had to do with: the input's 3D cells that are not ghost, blanked, empty or
    * without scalars; bytes of mesh and tables on the GPU; how often, since the mapper was made, the
    * mesh was uploaded, a shader was built and a table was computed. Cameras and edits of the
-   * property build none of them.
+   * property build none of them, but for the tables of pre-integration.
    */
   vtkIdType GetNumberOfDrawnCells();
   vtkTypeInt64 GetGraphicsMemorySize();
@@ -117,6 +156,8 @@ private:
   bool BuildMesh(vtkVolume* volume, vtkDataObject* input);
   bool UpdateFunctions(vtkVolume* volume);
   bool UpdateView(vtkRenderer* renderer, vtkVolume* volume);
+  bool FindPreIntegrated();
+  bool UpdateTables();
   vtkShaderProgram* ReadyProgram(const char* vertexSource, const std::string& source);
   bool FindEntries(int width, int height);
   void Draw(vtkRenderer* renderer, vtkVolume* volume);
@@ -126,6 +167,8 @@ private:
 
   int VectorMode = DISABLED;
   int VectorComponent = 0;
+  int Integration = EXACT;
+  int TableSize = 128;
 };
 
 #endif

@@ -20,12 +20,16 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateMesh(vtkVolume* volume)
   vtkDataObject* input = this->GetDataObjectInput();
   const relevo::ScalarChoice choice =
     relevo::ChooseScalars(volume->GetProperty(), this->VectorMode, this->VectorComponent);
-  const vtkMTimeType time = std::max(input->GetMTime(), this->GetMTime());
-  if (data.MeshInput != input || data.MeshTime != time || !(data.Choice == choice))
+  const relevo::ArrayChoice array(
+    this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName ? this->ArrayName : "");
+  const vtkMTimeType time = input->GetMTime();
+  if (data.MeshInput != input || data.MeshTime != time || !(data.Choice == choice) ||
+    data.Array != array)
   {
     data.MeshInput = input;
     data.MeshTime = time;
     data.Choice = choice;
+    data.Array = array;
     data.HasFunctions = false;
     data.HasMesh = this->BuildMesh(volume, input);
   }
@@ -132,11 +136,58 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateFunctions(vtkVolume* volume)
     }
     data.FunctionBuffers.Upload(
       data.GetWindow(), data.Functions, data.Mesh.ScalarLow, data.Mesh.ScalarSize);
+    data.Integrals.ReleaseGraphicsResources(data.GetWindow());
   }
-  if (data.Psi.IsEmpty())
+  return true;
+}
+
+// What tables cannot do is exact; it is said when settings have changed.
+bool vtkGPUUnstructuredGridVolumeMapper::FindPreIntegrated()
+{
+  vtkInternals& data = *this->Internals;
+  if (this->Integration == EXACT || data.Functions.DependOnOneScalar())
   {
-    data.Psi.Upload(data.GetWindow());
-    ++data.NumberOfTableBuilds;
+    return this->Integration != EXACT;
+  }
+  const vtkMTimeType time = std::max(data.FunctionsTime, this->GetMTime());
+  if (data.WarningTime != time)
+  {
+    data.WarningTime = time;
+    vtkWarningMacro("Pre-integration takes one component, without gradients; integration is exact "
+                    "instead.");
+  }
+  return false;
+}
+
+bool vtkGPUUnstructuredGridVolumeMapper::UpdateTables()
+{
+  vtkInternals& data = *this->Internals;
+  data.IsPreIntegrated = this->FindPreIntegrated();
+  if (!data.IsPreIntegrated)
+  {
+    if (data.Psi.IsEmpty())
+    {
+      data.Psi.Upload(data.GetWindow());
+      ++data.NumberOfTableBuilds;
+    }
+    return true;
+  }
+  const int component = data.Functions.GetCurves().front().Component;
+  relevo::IntegralTable::Settings settings;
+  settings.Size = this->TableSize;
+  settings.Is2D = this->Integration == PRE_INTEGRATED_2D;
+  settings.Longest = data.Mesh.LongestEdge * data.View.GetLargestScale();
+  settings.ScalarLow = data.Mesh.ScalarLow[component];
+  settings.ScalarSize = data.Mesh.ScalarSize[component];
+  if (data.Integrals.Has(settings))
+  {
+    return true;
+  }
+  ++data.NumberOfTableBuilds;
+  if (!data.Integrals.Upload(data.GetWindow(), data.Functions, settings))
+  {
+    vtkErrorMacro("This OpenGL has no room for the table of pre-integration.");
+    return false;
   }
   return true;
 }

@@ -134,6 +134,7 @@ void vtkGPUUnstructuredGridVolumeMapper::Draw(vtkRenderer*, vtkVolume* volume)
   options.NumberOfCurves = static_cast<int>(data.Functions.GetCurves().size());
   options.AreDependent = data.Functions.AreDependent();
   options.HasCellScalars = data.HasCellScalars;
+  options.PreIntegrated = !data.IsPreIntegrated ? 0 : this->Integration == PRE_INTEGRATED ? 3 : 2;
   std::string source = relevo::MakeRayCastShader(options);
   const std::vector<vtkOpenGLRenderPass*> passes = FindPasses(volume);
   std::string none;
@@ -161,6 +162,7 @@ void vtkGPUUnstructuredGridVolumeMapper::Draw(vtkRenderer*, vtkVolume* volume)
   data.MeshBuffers.Activate(program);
   data.FunctionBuffers.Activate(program);
   data.Psi.Activate(program);
+  data.Integrals.Activate(program);
   data.Depth.Activate(program);
   data.Entries.Activate(program);
   program->SetUniformi("areEntriesKnown", areEntriesKnown ? 1 : 0);
@@ -192,6 +194,7 @@ void vtkGPUUnstructuredGridVolumeMapper::Draw(vtkRenderer*, vtkVolume* volume)
   data.Entries.Deactivate();
   data.Depth.Deactivate();
   data.Psi.Deactivate();
+  data.Integrals.Deactivate();
   data.FunctionBuffers.Deactivate();
   data.MeshBuffers.Deactivate();
 }

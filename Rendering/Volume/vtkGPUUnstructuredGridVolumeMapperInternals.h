@@ -10,6 +10,7 @@
 #define vtkGPUUnstructuredGridVolumeMapperInternals_h
 
 #include "Buffers/FunctionBuffers.h"
+#include "Buffers/IntegralTable.h"
 #include "Buffers/PsiTable.h"
 #include "Buffers/VolumeMeshBuffers.h"
 #include "Cells/VolumeCells.h"
@@ -27,8 +28,15 @@
 
 #include <map>
 #include <string>
+#include <tuple>
 
 class vtkShaderProgram;
+
+namespace relevo
+{
+// Scalar mode, access mode, number and name, as of vtkAbstractVolumeMapper.
+using ArrayChoice = std::tuple<int, int, int, std::string>;
+}
 
 struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
 {
@@ -37,6 +45,7 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
   relevo::ScalarChoice Choice;
   vtkDataObject* MeshInput = nullptr; // never followed
   vtkMTimeType MeshTime = 0;
+  relevo::ArrayChoice Array;
   bool HasMesh = false;
   int NumberOfComponents = 1;
   bool HasCellScalars = false;
@@ -45,6 +54,8 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
   relevo::TransferFunctions Functions;
   vtkMTimeType FunctionsTime = 0;
   bool HasFunctions = false;
+  vtkMTimeType WarningTime = 0; // of the settings that were complained about
+  bool IsPreIntegrated = false;
 
   // Of one context.
   vtkNew<relevo::ContextWatch> Context;
@@ -52,6 +63,7 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
   relevo::VolumeMeshBuffers MeshBuffers;
   relevo::FunctionBuffers FunctionBuffers;
   relevo::PsiTable Psi;
+  relevo::IntegralTable Integrals;
   relevo::OpaqueDepth Depth;
   relevo::RayEntries Entries;
   relevo::RayView View;

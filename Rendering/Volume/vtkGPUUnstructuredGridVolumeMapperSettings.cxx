@@ -28,6 +28,18 @@ void vtkGPUUnstructuredGridVolumeMapper::SetVectorComponent(int component)
     this, "VectorComponent", this->VectorComponent, component, 0, relevo::MostComponents - 1);
 }
 
+void vtkGPUUnstructuredGridVolumeMapper::SetIntegration(int integration)
+{
+  relevo::SetChoice(this, "Integration", this->Integration, integration,
+    { "EXACT", "PRE_INTEGRATED", "PRE_INTEGRATED_2D" });
+}
+
+// OpenGL has 3D textures of 256 each way at least.
+void vtkGPUUnstructuredGridVolumeMapper::SetTableSize(int size)
+{
+  relevo::SetInRange(this, "TableSize", this->TableSize, size, 2, 256);
+}
+
 vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfDrawnCells()
 {
   return this->Internals->NumberOfDrawnCells;
@@ -37,7 +49,7 @@ vtkTypeInt64 vtkGPUUnstructuredGridVolumeMapper::GetGraphicsMemorySize()
 {
   const vtkInternals& data = *this->Internals;
   return data.MeshBuffers.GetMemorySize() + data.FunctionBuffers.GetMemorySize() +
-    data.Psi.GetMemorySize();
+    data.Psi.GetMemorySize() + data.Integrals.GetMemorySize();
 }
 
 vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfBufferBuilds()

@@ -97,6 +97,9 @@ public:
   /// Whether the steepness of segments counts.
   bool NeedSteepness() const;
 
+  /// Whether what is seen of a segment follows from one scalar at each end, and the length.
+  bool DependOnOneScalar() const { return this->Curves.size() == 1 && !this->NeedSteepness(); }
+
   /// Of which component the gradients count for the colour of a curve, or of colours.
   int GetShadedComponent(size_t curve) const;
 

@@ -41,6 +41,7 @@ public:
   void PlacePoints();
   void ScaleScalars();
   void AddCells();
+  void FindLongestEdge();
   void FindNeighbors();
   void BuildBorder();
   bool IsTooLarge() const { return this->Border.size() >= MostBorderFaces; }
@@ -237,6 +238,25 @@ void JoiningMesh::AddCells()
   }
 }
 
+void JoiningMesh::FindLongestEdge()
+{
+  const std::vector<dvec3>& points = this->Cells.GetPoints();
+  double longest = 0.0; // its square
+  for (const VolumeCells::Cell& cell : this->Kept)
+  {
+    for (int i = 0; i < this->Cells.GetNumberOfCorners(cell); ++i)
+    {
+      const dvec3& corner = points[this->Cells.GetCornerId(cell, i)];
+      for (int j = 0; j < i; ++j)
+      {
+        const dvec3 edge = points[this->Cells.GetCornerId(cell, j)] - corner;
+        longest = std::max(longest, dot(edge, edge));
+      }
+    }
+  }
+  this->Mesh.LongestEdge = std::sqrt(longest) / this->Mesh.Radius;
+}
+
 // Where a cell keeps who is behind its face.
 std::uint32_t& JoiningMesh::GetBehind(size_t face)
 {
@@ -378,6 +398,7 @@ bool JoinedMesh::Build(const VolumeCells& cells, int numberOfComponents, std::st
   joining.PlacePoints();
   joining.ScaleScalars();
   joining.AddCells();
+  joining.FindLongestEdge();
   joining.FindNeighbors();
   if (joining.IsTooLarge())
   {
@@ -394,6 +415,7 @@ void JoinedMesh::Release()
   rest.Center = this->Center;
   rest.Radius = this->Radius;
   rest.HalfSize = this->HalfSize;
+  rest.LongestEdge = this->LongestEdge;
   rest.ScalarLow = this->ScalarLow;
   rest.ScalarSize = this->ScalarSize;
   *this = std::move(rest);

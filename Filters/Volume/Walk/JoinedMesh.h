@@ -48,6 +48,7 @@ struct RELEVOFILTERSVOLUME_EXPORT JoinedMesh
   dvec3 Center = dvec3(0.0);
   double Radius = 1.0;
   dvec3 HalfSize = dvec3(0.0); // of the points' box
+  double LongestEdge = 0.0;    // or diagonal, of a cell
   Scalars ScalarLow = {};
   Scalars ScalarSize = {};
   //@}

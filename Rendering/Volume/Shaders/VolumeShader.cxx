@@ -10,6 +10,7 @@
 #include "relevoVolumeEntriesFS.h"
 #include "relevoVolumeFS.h"
 #include "relevoVolumeFunctions.h"
+#include "relevoVolumePreIntegrated.h"
 #include "relevoVolumeRay.h"
 #include "relevoVolumeWalk.h"
 
@@ -54,12 +55,13 @@ std::string MakeRayCastShader(const VolumeShaderOptions& options)
   Define(defines, "DEPENDENT", options.AreDependent);
   Define(defines, "CELL_SCALARS", options.HasCellScalars);
   Define(defines, "PSI_SIZE", PsiTable::Size);
+  Define(defines, "PRE_INTEGRATED", options.PreIntegrated);
   std::string source = relevoVolumeFS;
   Put(source, "Defines", defines.str());
   PutRays(source);
   Put(source, "Functions", relevoVolumeFunctions);
   Put(source, "LinearSegment", relevoLinearSegment);
-  Put(source, "Blend", relevoVolumeComposite);
+  Put(source, "Blend", options.PreIntegrated ? relevoVolumePreIntegrated : relevoVolumeComposite);
   Put(source, "Walk", relevoVolumeWalk);
   return source;
 }

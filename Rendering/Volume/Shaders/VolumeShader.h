@@ -19,6 +19,8 @@ struct VolumeShaderOptions
   int NumberOfCurves = 1;
   bool AreDependent = false;
   bool HasCellScalars = false;
+  /// Dimensions of the table of pre-integration; 0 for none.
+  int PreIntegrated = 0;
 };
 
 /// Of the pass that tells where rays enter.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "View/RayView.h"
 
+#include "vtkMath.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -55,6 +56,20 @@ bool RayView::IsInFront(const dvec3& half) const
     isInFront = isInFront && (this->MeshToClip * dvec4(corner, 1.0)).w > 0.0;
   }
   return isInFront;
+}
+
+double RayView::GetLargestScale() const
+{
+  double matrix[3][3];
+  double left[3][3];
+  double right[3][3];
+  double scales[3];
+  for (int i = 0; i < 9; ++i)
+  {
+    matrix[i / 3][i % 3] = this->MeshToWorld[i / 3][i % 3];
+  }
+  vtkMath::SingularValueDecomposition3x3(matrix, left, scales, right);
+  return std::max({ std::abs(scales[0]), std::abs(scales[1]), std::abs(scales[2]) });
 }
 
 void RayView::SetEntryUniforms(vtkShaderProgram* program) const

@@ -32,6 +32,9 @@ public:
   /// What relevoVolumeEntriesVS.glsl asks for.
   void SetEntryUniforms(vtkShaderProgram* program) const;
 
+  /// The world's length of what is 1 long in the mesh, in the direction where this is longest.
+  double GetLargestScale() const;
+
   /// Whether all of a box around the mesh's middle, of this half size, is in front of the eye.
   bool IsInFront(const dvec3& half) const;
 

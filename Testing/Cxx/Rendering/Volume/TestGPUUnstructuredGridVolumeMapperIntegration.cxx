@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Pre-integration by vtkGPUUnstructuredGridVolumeMapper against vtkVolumeRayCastFilter, which is
+// exact.
+#include "RelevoCheck.h"
+#include "RelevoVolumeScene.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkDoubleArray.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkPointDataToCellData.h"
+
+#include <cmath>
+
+namespace
+{
+double GetWaves(const RelevoPoint& at)
+{
+  return 5.0 + 3.0 * std::sin(4.0 * at[0]) * std::cos(5.0 * at[1] + at[2]);
+}
+
+// Opaque enough for colours to depend on which scalar is in front.
+vtkSmartPointer<vtkVolumeProperty> MakeSmoothProperty()
+{
+  auto property = MakeVolumeProperty(0.0, 1.0, 0.3);
+  property->GetRGBTransferFunction()->RemoveAllPoints();
+  property->GetRGBTransferFunction()->AddRGBPoint(2.0, 1.0, 0.0, 0.2);
+  property->GetRGBTransferFunction()->AddRGBPoint(5.0, 0.3, 1.0, 0.0);
+  property->GetRGBTransferFunction()->AddRGBPoint(8.0, 0.0, 0.2, 1.0);
+  property->GetScalarOpacity()->RemoveAllPoints();
+  property->GetScalarOpacity()->AddPoint(2.0, 0.0);
+  property->GetScalarOpacity()->AddPoint(8.0, 1.0);
+  return property;
+}
+
+void TestTables(RelevoCheck& check)
+{
+  RelevoVolumeScene scene(MakeTetrahedra(5, GetWaves), MakeSmoothProperty());
+  scene.GetMapper()->SetTableSize(64);
+  const auto exact = scene.Draw();
+  CHECK(scene.GetMapper()->GetNumberOfTableBuilds() == 1);
+  scene.GetMapper()->SetIntegrationToPreIntegrated();
+  CHECK(scene.Compare(0.01) <= 1.0);
+  CHECK(FindLargestDifference(exact, scene.Draw()) > 0.0); // not exact by another name
+  CHECK(scene.GetMapper()->GetNumberOfTableBuilds() == 2);
+  scene.GetMapper()->SetIntegrationToPreIntegrated2D();
+  CHECK(scene.Compare(0.01) <= 2.0);
+  CHECK(scene.GetMapper()->GetNumberOfTableBuilds() == 3);
+  // The mesh has not been uploaded again.
+  CHECK(scene.GetMapper()->GetNumberOfBufferBuilds() == 1);
+}
+
+// What the 2D table has is right for one length; opacity, of a colour that is everywhere the same,
+// for all of them.
+void TestOneColor(RelevoCheck& check)
+{
+  RelevoVolumeScene scene(MakeTetrahedra(2, GetWaves), MakeSmoothProperty());
+  vtkColorTransferFunction* color = scene.GetVolume()->GetProperty()->GetRGBTransferFunction();
+  color->RemoveAllPoints();
+  color->AddRGBPoint(0.0, 1.0, 0.5, 0.25);
+  scene.GetMapper()->SetIntegrationToPreIntegrated2D();
+  CHECK(scene.Compare() <= 1.0);
+  // A table of few texels is blind to a narrow peak.
+  vtkPiecewiseFunction* opacity = scene.GetVolume()->GetProperty()->GetScalarOpacity();
+  opacity->AddPoint(5.0, 0.0);
+  opacity->AddPoint(5.1, 20.0);
+  opacity->AddPoint(5.2, 0.0);
+  scene.GetMapper()->SetTableSize(8);
+  CHECK(scene.Compare(0.01) > 10.0);
+  scene.GetMapper()->SetTableSize(256);
+  CHECK(scene.Compare(0.01) <= 3.0);
+}
+
+// A long edge by the volume's matrix, and parts that are longer than any edge.
+void TestLengths(RelevoCheck& check)
+{
+  RelevoVolumeScene scene(MakeTetrahedra(3, GetWaves), MakeSmoothProperty());
+  vtkGPUUnstructuredGridVolumeMapper* mapper = scene.GetMapper();
+  mapper->SetIntegrationToPreIntegrated();
+  mapper->SetTableSize(48);
+  scene.Draw();
+  CHECK(mapper->GetNumberOfTableBuilds() == 1);
+  scene.GetCamera()->Azimuth(20.0);
+  scene.GetVolume()->RotateX(25.0);
+  scene.GetVolume()->SetPosition(0.1, 0.0, 0.2);
+  scene.Draw();
+  CHECK(mapper->GetNumberOfTableBuilds() == 1);
+  scene.GetVolume()->SetScale(2.0);
+  scene.GetRenderer()->ResetCamera();
+  const auto table = scene.Draw();
+  CHECK(mapper->GetNumberOfTableBuilds() == 2);
+  mapper->SetIntegrationToExact();
+  CHECK(FindLargestDifference(table, scene.Draw()) <= 2.0 / 255.0);
+}
+
+void TestEdits(RelevoCheck& check)
+{
+  RelevoVolumeScene scene(MakeTetrahedra(3, GetWaves), MakeSmoothProperty());
+  vtkGPUUnstructuredGridVolumeMapper* mapper = scene.GetMapper();
+  mapper->SetIntegrationToPreIntegrated();
+  mapper->SetTableSize(32);
+  const auto before = scene.Draw();
+  const vtkIdType shaders = mapper->GetNumberOfShaderBuilds();
+  const vtkTypeInt64 memory = mapper->GetGraphicsMemorySize();
+  CHECK(memory > 32 * 32 * 32 * 16);
+  scene.GetVolume()->GetProperty()->GetScalarOpacity()->AddPoint(8.0, 0.2);
+  const auto after = scene.Draw();
+  CHECK(FindLargestDifference(before, after) > 0.05);
+  CHECK(mapper->GetNumberOfTableBuilds() == 2);
+  scene.Draw();
+  CHECK(mapper->GetNumberOfTableBuilds() == 2);
+  CHECK(mapper->GetNumberOfShaderBuilds() == shaders);
+  CHECK(mapper->GetNumberOfBufferBuilds() == 1);
+  CHECK(mapper->GetGraphicsMemorySize() == memory);
+}
+
+void TestLimits(RelevoCheck& check)
+{
+  const auto mesh = MakeTetrahedra(2, GetWaves);
+  vtkNew<vtkDoubleArray> pairs;
+  pairs->SetName("pairs");
+  pairs->SetNumberOfComponents(2);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    pairs->InsertNextTuple2(0.1 * i, 8.0 - 0.1 * i);
+  }
+  mesh->GetPointData()->SetScalars(pairs);
+  RelevoVolumeScene scene(mesh, MakeSmoothProperty());
+  RelevoErrors errors(scene.GetMapper());
+  scene.GetVolume()->GetProperty()->IndependentComponentsOff();
+  const auto exact = scene.Draw();
+  scene.GetMapper()->SetIntegrationToPreIntegrated();
+  CHECK(FindLargestDifference(exact, scene.Draw()) == 0.0);
+  CHECK(errors.Warned("Pre-integration takes one component"));
+  scene.Draw();
+  CHECK(errors.None()); // once
+  scene.GetMapper()->SetTableSize(1);
+  CHECK(errors.Said("TableSize must be in [2, 256], got 1."));
+  scene.GetMapper()->SetTableSize(257);
+  CHECK(errors.Said("got 257."));
+  CHECK(scene.GetMapper()->GetTableSize() == 128);
+  scene.GetMapper()->SetIntegration(3);
+  CHECK(errors.Said("Integration must be one of EXACT (0)"));
+  CHECK(scene.GetMapper()->GetIntegration() == 1);
+}
+
+// Cells that have one scalar each.
+void TestCellScalars(RelevoCheck& check)
+{
+  vtkNew<vtkPointDataToCellData> toCells;
+  toCells->SetInputData(MakeTetrahedra(4, GetWaves));
+  toCells->Update();
+  RelevoVolumeScene scene(toCells->GetOutput(), MakeSmoothProperty());
+  scene.GetMapper()->SetTableSize(64);
+  for (int integration : { 1, 2 })
+  {
+    scene.GetMapper()->SetIntegration(integration);
+    CHECK(scene.Compare(0.01) <= 1.0);
+  }
+}
+}
+
+int TestGPUUnstructuredGridVolumeMapperIntegration(int, char*[])
+{
+  RelevoCheck check;
+  TestTables(check);
+  TestOneColor(check);
+  TestLengths(check);
+  TestEdits(check);
+  TestLimits(check);
+  TestCellScalars(check);
+  return check.GetResult();
+}
