@@ -10,6 +10,7 @@
 #include "relevoVolumeEntriesFS.h"
 #include "relevoVolumeFS.h"
 #include "relevoVolumeFunctions.h"
+#include "relevoVolumePart.h"
 #include "relevoVolumePreIntegrated.h"
 #include "relevoVolumeRay.h"
 #include "relevoVolumeWalk.h"
@@ -62,6 +63,7 @@ std::string MakeRayCastShader(const VolumeShaderOptions& options)
   Put(source, "Functions", relevoVolumeFunctions);
   Put(source, "LinearSegment", relevoLinearSegment);
   Put(source, "Blend", options.PreIntegrated ? relevoVolumePreIntegrated : relevoVolumeComposite);
+  Put(source, "Part", relevoVolumePart);
   Put(source, "Walk", relevoVolumeWalk);
   return source;
 }

@@ -9,6 +9,7 @@
 //RELEVO::Border
 //RELEVO::Functions
 //RELEVO::Blend
+//RELEVO::Part
 //RELEVO::Walk
 
 // By these names VTK's dual depth peeling asks for what lies between two depths of the window.
@@ -22,9 +23,7 @@ void initializeRayCast()
 
 vec4 castRay(float zStart, float zEnd)
 {
-  walkBegin = depthOfZ(2.0 * zStart + zRange.x);
-  walkEnd = depthOfZ(2.0 * (zEnd - 1.0) + zRange.y);
-  walkDone = walkBegin;
+  beginWalk(zStart, zEnd);
   beginRay();
   Entry entry;
   int count = findFirstEntry(walkEnd, entry);

@@ -14,31 +14,6 @@ uniform int mostSteps;
 const uint Nothing = 0xffffffffu;
 const float Opaque = 0.999;
 
-float walkBegin; // depths between which the ray is seen
-float walkEnd;
-float walkDone; // up to here it has been seen
-
-// The part of the ray that is being looked at, and the share of it that has been collected.
-Scalars partFront;
-Scalars partBack;
-float partSpan;
-float partFrom;
-bool isPartDone;
-
-// Of a part of the ray only what has not been seen before counts.
-void beginPart(float begin, float end, Scalars front, Scalars back)
-{
-  float from = max(begin, walkDone);
-  float to = min(end, walkEnd);
-  isPartDone = to <= from;
-  float inverse = isPartDone ? 0.0 : 1.0 / (end - begin);
-  partFront = from > begin ? mix(front, back, (from - begin) * inverse) : front;
-  partBack = to < end ? mix(front, back, (to - begin) * inverse) : back;
-  partSpan = (to - from) * worldLength;
-  partFrom = 0.0;
-  walkDone = max(walkDone, end);
-}
-
 // Where the walk is: the cell that comes next, and the face through which it is entered.
 uint walkCell;
 float walkDepth;
