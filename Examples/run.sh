@@ -16,8 +16,9 @@ build_dir=${RELEVO_BUILD_DIR:-$source_dir/build}
 
 bash "$source_dir/Module/build.sh"
 viewer=$build_dir/bin/relevo-view
-# Its help has two spaces or more after an option without a value, one before a value.
-flags=$("$viewer" --help | sed -nE 's/^  (--[a-z-]+)  .*/\1/p')
+# Its help has two spaces or more after an option without a value, one before a value, and brackets
+# around one that need not be there.
+flags=$("$viewer" --help | sed -nE 's/^  (--[a-z-]+) [ [].*/\1/p')
 
 # What the arguments already say. Paths in them count from where the caller stands.
 file='' output='' leaves=no option=''

@@ -11,7 +11,8 @@
 #include "vtkPolyData.h"
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> ReadExodus(const std::string& fileName, ViewerMessages& messages)
+vtkSmartPointer<vtkDataObject> ReadExodusBlocks(
+  const std::string& fileName, ViewerMessages& messages)
 {
   vtkNew<vtkExodusIIReader> reader;
   messages.Observe(reader, "reading");
@@ -22,9 +23,17 @@ vtkSmartPointer<vtkPolyData> ReadExodus(const std::string& fileName, ViewerMessa
   {
     reader->SetAllArrayStatus(type, 1);
   }
+  reader->Update();
+  return reader->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> ReadExodus(const std::string& fileName, ViewerMessages& messages)
+{
+  const auto blocks = ReadExodusBlocks(fileName, messages);
   vtkNew<vtkCompositeDataGeometryFilter> surface;
   messages.Observe(surface, "taking the surface");
-  surface->SetInputConnection(reader->GetOutputPort());
+  surface->SetInputDataObject(blocks);
   surface->Update();
   messages.Check();
   return surface->GetOutput();

@@ -26,6 +26,7 @@
 #include "vtkPolyData.h"
 #include "vtkSTLReader.h"
 #include "vtkVersion.h"
+#include "vtkXMLPUnstructuredGridReader.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
 
@@ -90,6 +91,7 @@ const std::map<std::string, Function>& GetReaders()
     { ".off", Read<vtkOFFReader> },
 #endif
     { ".ply", Read<vtkPLYReader> },
+    { ".pvtu", ReadSurface<vtkXMLPUnstructuredGridReader> },
     { ".stl", Read<vtkSTLReader> },
     { ".vtk", ReadSurface<vtkGenericDataObjectReader> },
     { ".vtp", Read<vtkXMLPolyDataReader> },

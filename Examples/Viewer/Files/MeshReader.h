@@ -20,9 +20,9 @@ bool IsMeshFile(const std::string& fileName);
 std::string GetMeshFormats();
 
 /**
- * The polygons and strips of a file; of another data set than polygonal ones in a .vtk, .vtu or
- * .ex2 file its outer surface. Throws ViewerError where there are none, where a point is not
- * finite, or where a cell refers to a point that is not there.
+ * The polygons and strips of a file; of another data set than polygonal ones in a .vtk, .vtu,
+ * .pvtu or .ex2 file its outer surface. Throws ViewerError where there are none, where a point is
+ * not finite, or where a cell refers to a point that is not there.
  */
 vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& fileName, ViewerMessages& messages);
 

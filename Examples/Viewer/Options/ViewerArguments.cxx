@@ -115,9 +115,27 @@ std::vector<double> ToNumbers(
   {
     throw BadValue(option, form, text);
   }
+  return ToList(option, text);
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> ToList(const std::string& option, const std::string& text)
+{
+  const std::vector<std::string> parts = Split(text);
   std::vector<double> numbers;
   std::transform(parts.begin(), parts.end(), std::back_inserter(numbers),
     [&](const std::string& part) { return ToNumber(option, part); });
+  return numbers;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> ToPlane(const std::string& option, const std::string& text)
+{
+  const std::vector<double> numbers = ToNumbers(option, text, "X,Y,Z,NX,NY,NZ");
+  if (!(std::hypot(numbers[3], numbers[4], numbers[5]) > 0.0))
+  {
+    throw BadValue(option, "a normal that is not 0,0,0", text);
+  }
   return numbers;
 }
 

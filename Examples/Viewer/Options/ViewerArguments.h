@@ -33,6 +33,12 @@ int ToInteger(const std::string& option, const std::string& text, int lowest, in
 std::vector<double> ToNumbers(
   const std::string& option, const std::string& text, const std::string& form);
 
+/// Numbers between commas, one or more.
+std::vector<double> ToList(const std::string& option, const std::string& text);
+
+/// X,Y,Z,NX,NY,NZ: a place and a normal that has a direction.
+std::vector<double> ToPlane(const std::string& option, const std::string& text);
+
 /// AZIMUTH,ELEVATION in degrees, the elevation no more than the highest up or down.
 std::array<double, 2> ToDirection(
   const std::string& option, const std::string& text, double highest);

@@ -7,6 +7,7 @@
 #include "Options/ViewerArguments.h"
 
 #include "vtkAdaptiveRefinementMapper.h"
+#include "vtkGPUUnstructuredGridVolumeMapper.h"
 #include "vtkLICSettings.h"
 
 #include <functional>
@@ -35,6 +36,7 @@ public:
     this->AddTerrain();
     this->AddMesh();
     this->AddFlow();
+    this->AddVolume();
     this->AddLevels();
     this->AddPicture();
     for (int i = 1; i < argc; ++i)
@@ -67,6 +69,7 @@ private:
       { "--stats", [&] { options.Statistics = true; } },
       { "--stretch", [&] { options.Stretch = true; } },
       { "--version", [&] { options.Version = true; } },
+      { "--volume", [&] { options.IsVolume = true; } },
       { "--wireframe", [&] { options.Wireframe = true; } },
     };
   }
@@ -192,6 +195,25 @@ private:
     });
   }
 
+  void AddVolume()
+  {
+    ViewerOptions& options = this->Options;
+    this->AllSettings.insert({
+      { "--integration",
+        [&](const auto& option, const auto& value)
+        {
+          using Mapper = vtkGPUUnstructuredGridVolumeMapper;
+          options.Integration = ToChoice<int>(option, value,
+            { { "exact", Mapper::EXACT }, { "pre", Mapper::PRE_INTEGRATED },
+              { "pre2d", Mapper::PRE_INTEGRATED_2D } });
+        } },
+      { "--transfer", [&](const auto&, const auto& value) { options.Transfer = value; } },
+      { "--unit-distance",
+        [&](const auto& option, const auto& value)
+        { options.UnitDistance = ToPositiveNumber(option, value); } },
+    });
+  }
+
   void AddLevels()
   {
     ViewerOptions& options = this->Options;
@@ -281,7 +303,7 @@ private:
     {
       this->GivenOptions.insert(argument);
       flag->second();
-      return 0;
+      return argument == "--volume" ? this->ReadVolumeArray(next) : 0;
     }
     if (argument.size() < 2 || argument[0] != '-')
     {
@@ -296,6 +318,13 @@ private:
     // --option VALUE or --option=VALUE
     const std::size_t equals = argument.find('=');
     const std::string option = argument.substr(0, equals);
+    if (option == "--volume")
+    {
+      this->GivenOptions.insert(option);
+      this->Options.IsVolume = true;
+      this->Options.VolumeArray = argument.substr(equals + 1);
+      return 0;
+    }
     const auto setting = this->AllSettings.find(option);
     if (setting == this->AllSettings.end())
     {
@@ -310,6 +339,17 @@ private:
     return equals == std::string::npos ? 1 : 0;
   }
 
+  // An array may follow --volume where FILE came before.
+  int ReadVolumeArray(const char* next)
+  {
+    if (this->Options.Input.empty() || !next || next[0] == '-')
+    {
+      return 0;
+    }
+    this->Options.VolumeArray = next;
+    return 1;
+  }
+
   void RequirePartner(
     const std::vector<std::string>& names, bool isUseful, const std::string& partner)
   {
@@ -322,9 +362,36 @@ private:
     }
   }
 
+  // A volume has no surface to refine.
+  void CheckVolume()
+  {
+    const ViewerOptions& options = this->Options;
+    this->RequirePartner({ "--volume" }, options.IsMesh, "meshes");
+    const std::set<std::string> ofVolumes = { "--integration", "--transfer", "--unit-distance",
+      "--volume" };
+    const std::set<std::string> ofAll = { "--center", "--light", "--no-legend", "--output",
+      "--size", "--stats", "--up", "--view", "--zoom" };
+    for (const std::string& option : this->GivenOptions)
+    {
+      if (options.IsVolume && !ofVolumes.count(option) && !ofAll.count(option))
+      {
+        throw UsageError(option + " does not go with --volume");
+      }
+      if (!options.IsVolume && ofVolumes.count(option))
+      {
+        throw UsageError(option + " goes with --volume");
+      }
+    }
+    if (this->GivenOptions.count("--transfer") && options.Transfer.empty())
+    {
+      throw UsageError("--transfer needs the name of a file");
+    }
+  }
+
   void Check()
   {
     ViewerOptions& options = this->Options;
+    this->CheckVolume();
     using Metric = ViewerOptions::MetricType;
     using Surface = ViewerOptions::SurfaceType;
     this->RequirePartner({ "--exaggeration", "--imagery-bands", "--resolution", "--stretch" },

@@ -85,6 +85,17 @@ struct ViewerOptions
   std::optional<double> LICIntensity;
   double LICPhase = 0.0;
 
+  // Volumes, of meshes alone.
+  bool IsVolume = false;
+  std::string VolumeArray; // empty: the active scalars
+  std::string Transfer;
+  std::optional<double> UnitDistance;
+  std::vector<double> IsoSurfaces;
+  std::optional<std::vector<double>> Clip; // place, normal
+  int VolumeMethod = 0;                    // of vtkGPUUnstructuredGridVolumeMapper
+  int Integration = 0;                     // of vtkGPUUnstructuredGridVolumeMapper
+  int BlendMode = 0;                       // of vtkGPUUnstructuredGridVolumeMapper
+
   // The level of detail.
   std::optional<int> MaximumLevel;
   std::optional<int> UniformLevel;

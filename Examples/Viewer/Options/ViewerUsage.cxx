@@ -7,8 +7,8 @@ namespace
 const char* const Options = R"(relevo-view FILE [options]
 
 Draws a height map (GeoTIFF, SRTM .hgt, USGS DEM, PNG, OpenEXR ...) or a mesh (.vtp, .ply, .obj,
-.stl, .gltf, .glb, .off, .vtk, .vtu, .ex2), refined where it matters: a window when there is a
-display, a picture with --output.
+.stl, .gltf, .glb, .off, .vtk, .vtu, .pvtu, .ex2), refined where it matters, or the inside of a mesh
+of 3D cells: a window when there is a display, a picture with --output.
 
 The surface:
   --surface NAME         linear (default for height maps), pn (default for meshes; curved PN
@@ -56,6 +56,19 @@ Meshes:
                          streaks over the colours (default), or as their lightness
   --lic-intensity I      the streaks' share of a blend, 0 to 1 (default 0.8)
   --lic-phase P          how far the streaks have moved, in loops: P and P + 1 look alike (default 0)
+
+The inside of meshes (.vtk, .vtu, .pvtu, .ex2):
+  --volume [ARRAY]       draw the volume by this array, points' or cells', vectors by their length
+                         (default: the active scalars, or the first array); after FILE, or as
+                         --volume=ARRAY
+  --transfer FILE        colours and opacities, from 0 to 1, in lines `value red green blue opacity`
+                         by rising values (default: the colours of meshes, over the array's range,
+                         the more opaque the higher the value)
+  --unit-distance L      the length in which an opacity of O lets exp(-O) of the light through
+                         (default: the diagonal divided by the cube root of the number of cells)
+  --integration exact|pre|pre2d
+                         the integral along rays: exact (default), or from tables that are made for
+                         each transfer function, of 3 or 2 dimensions
 
 Level of detail:
   --level N              every edge at level N, 0 to 7: an edge has 2^N segments
@@ -134,6 +147,7 @@ const char* GetWindowUsage()
   w, s                    edges, surface
   c                       print what is under the mouse
   i                       save a picture, under a new name
+  +, -                    volumes: more, less opaque
   h                       this help
   q, e                    quit)";
 }

@@ -64,7 +64,7 @@ double GetMeanEdgeLength(vtkPolyData* mesh)
 
 //------------------------------------------------------------------------------
 MeshScene::MeshScene(const ViewerOptions& options, ViewerMessages& messages)
-  : ViewerScene(options, messages)
+  : SurfaceScene(options, messages)
 {
   this->ReadMesh();
   this->ChooseArray();

@@ -8,7 +8,7 @@
 #ifndef MeshScene_h
 #define MeshScene_h
 
-#include "Scene/ViewerScene.h"
+#include "Scene/SurfaceScene.h"
 
 #include "vtkSmartPointer.h"
 
@@ -18,14 +18,13 @@ class MeshProbe;
 class vtkDataArray;
 class vtkDisplacement;
 
-class MeshScene : public ViewerScene
+class MeshScene : public SurfaceScene
 {
 public:
   /// Reads the files; throws ViewerError.
   MeshScene(const ViewerOptions& options, ViewerMessages& messages);
   ~MeshScene() override;
 
-  std::string GetUnit() override { return ""; }
   std::string Describe(const double point[3], double resolution) override;
 
 private:

@@ -41,7 +41,7 @@ const char* const HeightName = "Height";
 
 //------------------------------------------------------------------------------
 TerrainScene::TerrainScene(const ViewerOptions& options, ViewerMessages& messages)
-  : ViewerScene(options, messages)
+  : SurfaceScene(options, messages)
 {
   this->Messages.Observe(this->Source, "reading");
   this->ReadTerrain();

@@ -7,14 +7,14 @@
 #ifndef TerrainScene_h
 #define TerrainScene_h
 
-#include "Scene/ViewerScene.h"
+#include "Scene/SurfaceScene.h"
 
 #include "vtkSmartPointer.h"
 
 class TerrainProbe;
 class vtkTerrainSource;
 
-class TerrainScene : public ViewerScene
+class TerrainScene : public SurfaceScene
 {
 public:
   /// Reads the files; throws ViewerError.

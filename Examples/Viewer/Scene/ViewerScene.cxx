@@ -2,39 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/ViewerScene.h"
 
-#include "Files/ViewerExport.h"
 #include "Scene/MeshScene.h"
 #include "Scene/TerrainScene.h"
-#include "Scene/ViewerFlow.h"
 #include "Scene/ViewerLegend.h"
-#include "Scene/ViewerStatistics.h"
-#include "Scene/ViewerSurface.h"
+#include "Scene/VolumeScene.h"
 
-#include "vtkActor.h"
-#include "vtkAdaptiveRefinement.h"
-#include "vtkAdaptiveRefinementFilter.h"
-#include "vtkAdaptiveRefinementMapper.h"
 #include "vtkCamera.h"
-#include "vtkDepthTagMetric.h"
-#include "vtkImageData.h"
-#include "vtkPolyData.h"
-#include "vtkProperty.h"
-#include "vtkRefinementSurface.h"
-#include "vtkRenderWindow.h"
+#include "vtkPoints.h"
 #include "vtkRenderer.h"
 #include "vtkScalarBarActor.h"
-#include "vtkTexture.h"
-
-#include <iostream>
+#include "vtkScalarsToColors.h"
 
 //------------------------------------------------------------------------------
 ViewerScene::ViewerScene(const ViewerOptions& options, ViewerMessages& messages)
   : Options(options)
   , Messages(messages)
-  , Mapper(MakeMapper(options))
 {
-  this->Messages.Observe(this->Recipe);
-  this->Messages.Observe(this->Mapper);
   this->Renderer->AutomaticLightCreationOff();
   this->Renderer->GradientBackgroundOn();
   this->Renderer->SetBackground(0.86, 0.90, 0.94);
@@ -43,81 +26,6 @@ ViewerScene::ViewerScene(const ViewerOptions& options, ViewerMessages& messages)
 
 //------------------------------------------------------------------------------
 ViewerScene::~ViewerScene() = default;
-
-//------------------------------------------------------------------------------
-void ViewerScene::SetRecipe(int maximumLevel, vtkDepthTagMetric* metric)
-{
-  const auto surface = MakeSurface(this->Options, this->Mesh->GetLength());
-  this->Messages.Observe(surface);
-  this->Recipe->SetSurface(surface);
-  this->Recipe->SetMaximumLevel(this->Options.UniformLevel.value_or(maximumLevel));
-  this->Recipe->SetMetric(this->Options.UniformLevel ? nullptr : metric);
-  if (this->Options.PerEdge)
-  {
-    this->Recipe->SetLevelRuleToPerEdge();
-  }
-  if (this->Options.WholeSegments)
-  {
-    this->Recipe->SetSegmentPolicyToWholeNumbers();
-  }
-  if (!this->Options.Geomorphing)
-  {
-    this->Recipe->GeomorphingOff();
-  }
-}
-
-//------------------------------------------------------------------------------
-void ViewerScene::Show(int maximumLevel, vtkDepthTagMetric* metric)
-{
-  this->SetRecipe(maximumLevel, metric);
-  this->Mapper->SetInputData(this->Mesh);
-  this->Mapper->SetRefinement(this->Recipe);
-  this->Mapper->SetMethod(this->Options.Method);
-  this->Mapper->SetTargetNumberOfTriangles(this->Options.Budget);
-  this->Actor->SetMapper(this->Mapper);
-  if (this->Options.Wireframe)
-  {
-    this->Actor->GetProperty()->SetRepresentationToWireframe();
-  }
-  this->Renderer->AddActor(this->Actor);
-}
-
-//------------------------------------------------------------------------------
-void ViewerScene::SetTexture(vtkImageData* image)
-{
-  vtkNew<vtkTexture> texture;
-  texture->SetInputData(image);
-  texture->SetColorModeToDirectScalars();
-  texture->InterpolateOn();
-  texture->MipmapOn();
-  texture->RepeatOff();
-  texture->EdgeClampOn();
-  this->Actor->SetTexture(texture);
-}
-
-//------------------------------------------------------------------------------
-void ViewerScene::SetLevelColours()
-{
-  std::string title = "Level";
-  switch (this->Options.Color)
-  {
-    case ViewerOptions::ColorType::Own:
-      return;
-    case ViewerOptions::ColorType::Level:
-      this->Mapper->SetColorModeToLevel();
-      break;
-    case ViewerOptions::ColorType::Pattern:
-      this->Mapper->SetColorModeToPattern();
-      title = "Pattern";
-      break;
-    case ViewerOptions::ColorType::Metric:
-      this->Mapper->SetColorModeToMetric();
-      title = "Metric";
-      break;
-  }
-  this->Actor->SetTexture(nullptr);
-  this->AddLegend(this->Mapper->GetLevelLookupTable(), title, this->Recipe->GetMaximumLevel() + 1);
-}
 
 //------------------------------------------------------------------------------
 void ViewerScene::AddLegend(vtkScalarsToColors* table, const std::string& title, int numberOfLabels)
@@ -134,8 +42,7 @@ void ViewerScene::AddLegend(vtkScalarsToColors* table, const std::string& title,
 }
 
 //------------------------------------------------------------------------------
-void ViewerScene::SetCamera(vtkPolyData* surface, const ViewerDirection& defaultDirection,
-  const std::optional<std::array<double, 3>>& centre)
+void ViewerScene::FitView(vtkPoints* points, const ViewerDirection& defaultDirection)
 {
   ViewerDirection direction = defaultDirection;
   if (this->Options.View)
@@ -143,17 +50,12 @@ void ViewerScene::SetCamera(vtkPolyData* surface, const ViewerDirection& default
     direction.Azimuth = (*this->Options.View)[0];
     direction.Elevation = (*this->Options.View)[1];
   }
-  FitCamera(this->Renderer, surface->GetPoints(), direction, this->HasLegend ? 0.82 : 0.94,
-    this->Options.Size);
-  if (centre)
-  {
-    MoveFocus(this->Renderer, *centre);
-  }
-  else if (this->Options.Zoom != 1.0)
-  {
-    // Nearer to the surface, not into it.
-    FocusOnSurface(this->Renderer, surface);
-  }
+  FitCamera(this->Renderer, points, direction, this->HasLegend ? 0.82 : 0.94, this->Options.Size);
+}
+
+//------------------------------------------------------------------------------
+void ViewerScene::Zoom()
+{
   this->Renderer->GetActiveCamera()->Dolly(this->Options.Zoom);
   this->Renderer->ResetCameraClippingRange();
 }
@@ -177,39 +79,12 @@ void ViewerScene::SetLights(std::vector<ViewerLamp> lamps)
 }
 
 //------------------------------------------------------------------------------
-void ViewerScene::Export(const std::string& fileName)
-{
-  vtkNew<vtkAdaptiveRefinementFilter> filter;
-  this->Messages.Observe(filter, "refining");
-  filter->SetInputData(this->Mesh);
-  filter->SetRefinement(this->Recipe);
-  filter->SetCamera(this->Renderer->GetActiveCamera());
-  filter->SetViewportSize(this->Options.Size[0], this->Options.Size[1]);
-  // Nothing moves in a file: every vertex in its own place.
-  const int geomorphing = this->Recipe->GetGeomorphing();
-  this->Recipe->GeomorphingOff();
-  filter->Update();
-  this->Recipe->SetGeomorphing(geomorphing);
-  this->Messages.Check();
-  this->AddExportedData(filter->GetOutput());
-  WriteMesh(filter->GetOutput(), fileName, this->Messages);
-}
-
-//------------------------------------------------------------------------------
-void ViewerScene::Draw(vtkRenderWindow* window)
-{
-  if (this->Options.Statistics)
-  {
-    DrawWithStatistics(this->Mapper, this->Renderer, window, this->Messages, std::cout);
-    return;
-  }
-  window->Render();
-  this->Messages.Check();
-}
-
-//------------------------------------------------------------------------------
 std::unique_ptr<ViewerScene> MakeScene(const ViewerOptions& options, ViewerMessages& messages)
 {
+  if (options.IsVolume)
+  {
+    return std::make_unique<VolumeScene>(options, messages);
+  }
   if (options.IsMesh)
   {
     return std::make_unique<MeshScene>(options, messages);

@@ -14,8 +14,7 @@
 #include <ostream>
 
 //------------------------------------------------------------------------------
-void DrawWithStatistics(vtkAdaptiveRefinementMapper* mapper, vtkRenderer* renderer,
-  vtkRenderWindow* window, ViewerMessages& messages, std::ostream& stream)
+double MeasureFrame(vtkRenderer* renderer, vtkRenderWindow* window, ViewerMessages& messages)
 {
   // The first frame makes buffers and shaders. It has hardly another camera than the second, which
   // chooses levels anew and is the one that stays.
@@ -33,7 +32,14 @@ void DrawWithStatistics(vtkAdaptiveRefinementMapper* mapper, vtkRenderer* render
   const double milliseconds =
     std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   messages.Check();
+  return milliseconds;
+}
 
+//------------------------------------------------------------------------------
+void DrawWithStatistics(vtkAdaptiveRefinementMapper* mapper, vtkRenderer* renderer,
+  vtkRenderWindow* window, ViewerMessages& messages, std::ostream& stream)
+{
+  const double milliseconds = MeasureFrame(renderer, window, messages);
   stream << std::fixed << std::setprecision(1)
          << "coarse faces: " << mapper->GetNumberOfCoarseFaces() << "\n"
          << "culled faces: " << mapper->GetNumberOfCulledFaces() << "\n"

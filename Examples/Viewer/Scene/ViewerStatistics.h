@@ -13,6 +13,10 @@ class vtkRenderer;
 class vtkRenderWindow;
 class ViewerMessages;
 
+/// Draws, once more for a frame that has nothing to make any more, and returns the milliseconds of
+/// that; throws ViewerError.
+double MeasureFrame(vtkRenderer* renderer, vtkRenderWindow* window, ViewerMessages& messages);
+
 /**
  * Draws, once more for the time of a frame that has nothing to make any more, and prints what it
  * costs; throws ViewerError.

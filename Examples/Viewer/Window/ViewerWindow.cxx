@@ -7,6 +7,7 @@
 #include "Text/ViewerMessages.h"
 #include "Window/TerrainStyle.h"
 #include "Window/ViewerHelp.h"
+#include "Window/ViewerKeys.h"
 #include "Window/ViewerReadout.h"
 #include "Window/ViewerScaleBar.h"
 #include "Window/ViewerScreenshot.h"
@@ -85,6 +86,7 @@ void ShowWindow(ViewerScene& scene, const ViewerOptions& options, ViewerMessages
   const ViewerScaleBar scaleBar(scene.GetRenderer(), scene.GetUnit());
   const ViewerReadout readout(interactor, scene);
   const ViewerHelp help(interactor, scene.GetRenderer());
+  const ViewerKeys keys(interactor, scene);
   const ViewerScreenshot screenshot(interactor, options.Input, messages);
   scene.Draw(window);
   interactor->Start();

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Files/TransferFile.h"
+
+#include "Files/ViewerFile.h"
+#include "Text/ViewerMessages.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+namespace
+{
+// The node on a line, and what is wrong with it: "" for nothing.
+std::string ReadNode(const std::string& line, TransferNode& node)
+{
+  std::vector<double> numbers;
+  std::istringstream words(line);
+  for (std::string word; words >> word;)
+  {
+    char* end = nullptr;
+    numbers.push_back(std::strtod(word.c_str(), &end));
+    if (*end != '\0' || !std::isfinite(numbers.back()))
+    {
+      return "'" + word + "' is not a number";
+    }
+  }
+  if (numbers.size() != 5)
+  {
+    return "there are " + std::to_string(numbers.size()) +
+      " numbers, not 5: value red green blue opacity";
+  }
+  for (std::size_t i = 1; i < 5; ++i)
+  {
+    if (numbers[i] < 0.0 || numbers[i] > 1.0)
+    {
+      return i < 4 ? "colours are from 0 to 1" : "opacities are from 0 to 1";
+    }
+  }
+  node = { numbers[0], { { numbers[1], numbers[2], numbers[3] } }, numbers[4] };
+  return "";
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<TransferNode> ReadTransferFile(const std::string& fileName)
+{
+  CheckFile(fileName);
+  std::vector<TransferNode> nodes;
+  std::ifstream file(fileName);
+  std::string line;
+  for (int number = 1; std::getline(file, line); ++number)
+  {
+    line.erase(std::min(line.find('#'), line.size()));
+    if (line.find_first_not_of(" \t\r") == std::string::npos)
+    {
+      continue;
+    }
+    TransferNode node;
+    std::string error = ReadNode(line, node);
+    if (error.empty() && !nodes.empty() && node.Value <= nodes.back().Value)
+    {
+      error = "its value is not above that of the line before";
+    }
+    if (!error.empty())
+    {
+      throw ViewerError(fileName + ", line " + std::to_string(number) + ": " + error);
+    }
+    nodes.push_back(node);
+  }
+  if (nodes.empty())
+  {
+    throw ViewerError(fileName + " has no lines 'value red green blue opacity'");
+  }
+  return nodes;
+}

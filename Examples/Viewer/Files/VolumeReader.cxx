@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Files/VolumeReader.h"
+
+#ifdef VIEWER_HAS_EXODUS
+#include "Files/ExodusReader.h"
+#endif
+#include "Files/ViewerFile.h"
+#include "Text/ViewerMessages.h"
+#include "Text/ViewerText.h"
+
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
+#include "vtkGenericDataObjectReader.h"
+#include "vtkNew.h"
+#include "vtkXMLPUnstructuredGridReader.h"
+#include "vtkXMLUnstructuredGridReader.h"
+
+#include <functional>
+#include <map>
+#include <vector>
+
+namespace
+{
+using Volume = vtkSmartPointer<vtkDataObject>;
+
+template <typename Reader>
+Volume Read(const std::string& fileName, ViewerMessages& messages)
+{
+  vtkNew<Reader> reader;
+  messages.Observe(reader, "reading");
+  reader->SetFileName(fileName.c_str());
+  reader->Update();
+  return reader->GetOutputDataObject(0);
+}
+
+using Function = std::function<Volume(const std::string&, ViewerMessages&)>;
+const std::map<std::string, Function>& GetReaders()
+{
+  static const std::map<std::string, Function> readers = {
+#ifdef VIEWER_HAS_EXODUS
+    { ".ex2", ReadExodusBlocks },
+#endif
+    { ".pvtu", Read<vtkXMLPUnstructuredGridReader> },
+    { ".vtk", Read<vtkGenericDataObjectReader> },
+    { ".vtu", Read<vtkXMLUnstructuredGridReader> },
+  };
+  return readers;
+}
+
+vtkIdType GetNumberOfCells(vtkDataObject* data)
+{
+  return vtkDataSet::SafeDownCast(data) || vtkCompositeDataSet::SafeDownCast(data)
+    ? data->GetNumberOfElements(vtkDataObject::CELL)
+    : 0;
+}
+}
+
+//------------------------------------------------------------------------------
+std::string GetVolumeFormats()
+{
+  std::vector<std::string> extensions;
+  for (const auto& reader : GetReaders())
+  {
+    extensions.push_back(reader.first);
+  }
+  return JoinWords(extensions) + " files";
+}
+
+//------------------------------------------------------------------------------
+Volume ReadVolume(const std::string& fileName, ViewerMessages& messages)
+{
+  CheckFile(fileName);
+  const auto reader = GetReaders().find(GetExtension(fileName));
+  if (reader == GetReaders().end())
+  {
+    throw ViewerError("cannot read " + fileName + ": volumes are read from " + GetVolumeFormats());
+  }
+  Volume data;
+  try
+  {
+    data = reader->second(fileName, messages);
+    messages.Check();
+  }
+  catch (const std::exception& error)
+  {
+    const std::string text = error.what();
+    throw ViewerError(
+      text.find(fileName) != std::string::npos ? text : "cannot read " + fileName + ": " + text);
+  }
+  if (GetNumberOfCells(data) == 0)
+  {
+    throw ViewerError(fileName + " has no cells to draw");
+  }
+  return data;
+}

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/SurfaceScene.h"
+
+#include "Files/ViewerExport.h"
+#include "Scene/ViewerFlow.h"
+#include "Scene/ViewerStatistics.h"
+#include "Scene/ViewerSurface.h"
+
+#include "vtkActor.h"
+#include "vtkAdaptiveRefinement.h"
+#include "vtkAdaptiveRefinementFilter.h"
+#include "vtkAdaptiveRefinementMapper.h"
+#include "vtkDepthTagMetric.h"
+#include "vtkImageData.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRefinementSurface.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
+#include "vtkTexture.h"
+
+#include <iostream>
+
+//------------------------------------------------------------------------------
+SurfaceScene::SurfaceScene(const ViewerOptions& options, ViewerMessages& messages)
+  : ViewerScene(options, messages)
+  , Mapper(MakeMapper(options))
+{
+  this->Messages.Observe(this->Recipe);
+  this->Messages.Observe(this->Mapper);
+}
+
+//------------------------------------------------------------------------------
+SurfaceScene::~SurfaceScene() = default;
+
+//------------------------------------------------------------------------------
+void SurfaceScene::SetRecipe(int maximumLevel, vtkDepthTagMetric* metric)
+{
+  const auto surface = MakeSurface(this->Options, this->Mesh->GetLength());
+  this->Messages.Observe(surface);
+  this->Recipe->SetSurface(surface);
+  this->Recipe->SetMaximumLevel(this->Options.UniformLevel.value_or(maximumLevel));
+  this->Recipe->SetMetric(this->Options.UniformLevel ? nullptr : metric);
+  if (this->Options.PerEdge)
+  {
+    this->Recipe->SetLevelRuleToPerEdge();
+  }
+  if (this->Options.WholeSegments)
+  {
+    this->Recipe->SetSegmentPolicyToWholeNumbers();
+  }
+  if (!this->Options.Geomorphing)
+  {
+    this->Recipe->GeomorphingOff();
+  }
+}
+
+//------------------------------------------------------------------------------
+void SurfaceScene::Show(int maximumLevel, vtkDepthTagMetric* metric)
+{
+  this->SetRecipe(maximumLevel, metric);
+  this->Mapper->SetInputData(this->Mesh);
+  this->Mapper->SetRefinement(this->Recipe);
+  this->Mapper->SetMethod(this->Options.Method);
+  this->Mapper->SetTargetNumberOfTriangles(this->Options.Budget);
+  this->Actor->SetMapper(this->Mapper);
+  if (this->Options.Wireframe)
+  {
+    this->Actor->GetProperty()->SetRepresentationToWireframe();
+  }
+  this->Renderer->AddActor(this->Actor);
+}
+
+//------------------------------------------------------------------------------
+void SurfaceScene::SetTexture(vtkImageData* image)
+{
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  texture->SetColorModeToDirectScalars();
+  texture->InterpolateOn();
+  texture->MipmapOn();
+  texture->RepeatOff();
+  texture->EdgeClampOn();
+  this->Actor->SetTexture(texture);
+}
+
+//------------------------------------------------------------------------------
+void SurfaceScene::SetLevelColours()
+{
+  std::string title = "Level";
+  switch (this->Options.Color)
+  {
+    case ViewerOptions::ColorType::Own:
+      return;
+    case ViewerOptions::ColorType::Level:
+      this->Mapper->SetColorModeToLevel();
+      break;
+    case ViewerOptions::ColorType::Pattern:
+      this->Mapper->SetColorModeToPattern();
+      title = "Pattern";
+      break;
+    case ViewerOptions::ColorType::Metric:
+      this->Mapper->SetColorModeToMetric();
+      title = "Metric";
+      break;
+  }
+  this->Actor->SetTexture(nullptr);
+  this->AddLegend(this->Mapper->GetLevelLookupTable(), title, this->Recipe->GetMaximumLevel() + 1);
+}
+
+//------------------------------------------------------------------------------
+void SurfaceScene::SetCamera(vtkPolyData* surface, const ViewerDirection& defaultDirection,
+  const std::optional<std::array<double, 3>>& centre)
+{
+  this->FitView(surface->GetPoints(), defaultDirection);
+  if (centre)
+  {
+    MoveFocus(this->Renderer, *centre);
+  }
+  else if (this->Options.Zoom != 1.0)
+  {
+    // Nearer to the surface, not into it.
+    FocusOnSurface(this->Renderer, surface);
+  }
+  this->Zoom();
+}
+
+//------------------------------------------------------------------------------
+void SurfaceScene::Export(const std::string& fileName)
+{
+  vtkNew<vtkAdaptiveRefinementFilter> filter;
+  this->Messages.Observe(filter, "refining");
+  filter->SetInputData(this->Mesh);
+  filter->SetRefinement(this->Recipe);
+  filter->SetCamera(this->Renderer->GetActiveCamera());
+  filter->SetViewportSize(this->Options.Size[0], this->Options.Size[1]);
+  // Nothing moves in a file: every vertex in its own place.
+  const int geomorphing = this->Recipe->GetGeomorphing();
+  this->Recipe->GeomorphingOff();
+  filter->Update();
+  this->Recipe->SetGeomorphing(geomorphing);
+  this->Messages.Check();
+  this->AddExportedData(filter->GetOutput());
+  WriteMesh(filter->GetOutput(), fileName, this->Messages);
+}
+
+//------------------------------------------------------------------------------
+void SurfaceScene::Draw(vtkRenderWindow* window)
+{
+  if (this->Options.Statistics)
+  {
+    DrawWithStatistics(this->Mapper, this->Renderer, window, this->Messages, std::cout);
+    return;
+  }
+  window->Render();
+  this->Messages.Check();
+}

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @brief   the array that a volume shows
+ */
+#ifndef VolumeArray_h
+#define VolumeArray_h
+
+#include <string>
+
+class vtkDataObject;
+struct ViewerOptions;
+
+struct VolumeArray
+{
+  std::string Name;
+  bool IsOfPoints;
+  bool IsVector;   // shown by its length
+  double Range[2]; // of what is finite in all blocks, not empty
+};
+
+/// The array that the options name, of points if there is one, else of cells; by default the
+/// active scalars, or the first array. Throws ViewerError, with those that there are.
+VolumeArray FindVolumeArray(const ViewerOptions& options, vtkDataObject* data);
+
+#endif

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/VolumeFunctions.h"
+
+#include "Options/ViewerOptions.h"
+#include "Scene/MeshColours.h"
+#include "Scene/VolumeArray.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkScalarsToColors.h"
+#include "vtkVolumeMapper.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace
+{
+const int Nodes = 9;
+const double LowestShare = 0.02; // of the highest opacity, at the lowest value
+const double Depth = 20.0;       // optical, of a diagonal of the highest value
+const double OpacityOfOneValue = 0.8;
+const double PeakWidth = 2e-4; // of the range
+
+// Between the nodes before and after it.
+TransferNode Interpolate(const std::vector<TransferNode>& nodes, double value)
+{
+  const auto after = std::lower_bound(nodes.begin(), nodes.end(), value,
+    [](const TransferNode& node, double limit) { return node.Value < limit; });
+  TransferNode node = after == nodes.end() ? nodes.back() : *after;
+  if (after != nodes.begin() && after != nodes.end())
+  {
+    const TransferNode& before = *std::prev(after);
+    const double t = (value - before.Value) / (after->Value - before.Value);
+    for (int c = 0; c < 3; ++c)
+    {
+      node.Color[c] = before.Color[c] + t * (after->Color[c] - before.Color[c]);
+    }
+    node.Opacity = before.Opacity + t * (after->Opacity - before.Opacity);
+  }
+  node.Value = value;
+  return node;
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<TransferNode> MakeTransferNodes(
+  const ViewerOptions& options, const VolumeArray& array, double cellsOfSide)
+{
+  using Mapper = vtkVolumeMapper;
+  const bool isByLength =
+    options.BlendMode == Mapper::COMPOSITE_BLEND || options.BlendMode == Mapper::ADDITIVE_BLEND;
+  // What is added up soon is white.
+  const double depth = options.BlendMode == Mapper::ADDITIVE_BLEND ? 0.2 * Depth : Depth;
+  const double highest = std::min(depth / cellsOfSide, 1.0);
+  const auto colours = MakeColours(array.Range);
+  std::vector<TransferNode> nodes;
+  for (int i = 0; i < Nodes; ++i)
+  {
+    const double share = static_cast<double>(i) / (Nodes - 1);
+    TransferNode node;
+    node.Value = array.Range[0] + share * (array.Range[1] - array.Range[0]);
+    colours->GetColor(node.Value, node.Color.data());
+    node.Opacity = isByLength ? highest * (LowestShare + (1.0 - LowestShare) * share * share)
+                              : OpacityOfOneValue;
+    nodes.push_back(node);
+  }
+  return nodes;
+}
+
+//------------------------------------------------------------------------------
+std::vector<TransferNode> AddPeaks(
+  std::vector<TransferNode> nodes, const std::vector<double>& values, double opacity)
+{
+  const double reach = 0.5 * PeakWidth * (nodes.back().Value - nodes.front().Value);
+  const std::vector<TransferNode> plain = nodes;
+  for (double value : values)
+  {
+    // Nothing else lies in the peak.
+    nodes.erase(std::remove_if(nodes.begin(), nodes.end(),
+                  [=](const TransferNode& node)
+                  { return node.Value >= value - reach && node.Value <= value + reach; }),
+      nodes.end());
+    for (int side = -1; side <= 1; ++side)
+    {
+      TransferNode node = Interpolate(plain, value + side * reach);
+      node.Opacity = side == 0 ? std::max(node.Opacity, opacity) : node.Opacity;
+      nodes.push_back(node);
+    }
+  }
+  std::sort(nodes.begin(), nodes.end(),
+    [](const TransferNode& a, const TransferNode& b) { return a.Value < b.Value; });
+  return nodes;
+}
+
+//------------------------------------------------------------------------------
+void SetTransferNodes(
+  vtkVolumeProperty* property, const std::vector<TransferNode>& nodes, double factor)
+{
+  vtkNew<vtkColorTransferFunction> colours;
+  vtkNew<vtkPiecewiseFunction> opacities;
+  for (const TransferNode& node : nodes)
+  {
+    colours->AddRGBPoint(node.Value, node.Color[0], node.Color[1], node.Color[2]);
+    opacities->AddPoint(node.Value, std::min(factor * node.Opacity, 1.0));
+  }
+  property->SetColor(colours);
+  property->SetScalarOpacity(opacities);
+}

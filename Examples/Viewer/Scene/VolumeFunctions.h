@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @brief   transfer functions of a volume: of a file, or made for an array
+ */
+#ifndef VolumeFunctions_h
+#define VolumeFunctions_h
+
+#include "Files/TransferFile.h"
+
+#include <vector>
+
+class vtkColorTransferFunction;
+class vtkVolumeProperty;
+struct ViewerOptions;
+struct VolumeArray;
+
+/**
+ * Functions over an array's range that show something of any data: the colours of meshes, and
+ * opacities that rise with the values, the lower the more cells there are along a side. Where
+ * opacity does not count by length it is the same for all values.
+ */
+std::vector<TransferNode> MakeTransferNodes(
+  const ViewerOptions& options, const VolumeArray& array, double cellsOfSide);
+
+/// Has opacity peak at values, so narrowly that only isosurfaces see it.
+std::vector<TransferNode> AddPeaks(
+  std::vector<TransferNode> nodes, const std::vector<double>& values, double opacity);
+
+/// Colours, and opacities times a factor, at most 1.
+void SetTransferNodes(
+  vtkVolumeProperty* property, const std::vector<TransferNode>& nodes, double factor);
+
+#endif

@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/VolumeScene.h"
+
+#include "Files/VolumeReader.h"
+#include "Scene/ViewerStatistics.h"
+#include "Scene/VolumeFunctions.h"
+
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkContourValues.h"
+#include "vtkDataObject.h"
+#include "vtkGPUUnstructuredGridVolumeMapper.h"
+#include "vtkPlane.h"
+#include "vtkPoints.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeMapper.h"
+#include "vtkVolumeProperty.h"
+
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+namespace
+{
+const double Step = 0.02; // of the range, of the diagonal
+const double OpacityStep = 1.25;
+const double PeakOpacity = 0.6; // of isosurfaces by default
+
+// "1,2.5"
+std::string Join(const std::vector<double>& numbers)
+{
+  std::ostringstream text;
+  text << std::setprecision(5);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    text << (i > 0 ? "," : "") << numbers[i];
+  }
+  return text.str();
+}
+}
+
+//------------------------------------------------------------------------------
+VolumeScene::VolumeScene(const ViewerOptions& options, ViewerMessages& messages)
+  : ViewerScene(options, messages)
+{
+  // Paler than the sky, for what is translucent.
+  this->Renderer->SetBackground(0.98, 0.98, 0.98);
+  this->Renderer->SetBackground2(0.84, 0.87, 0.91);
+  const auto data = ReadVolume(options.Input, messages);
+  this->Array = FindVolumeArray(options, data);
+  messages.Observe(this->Mapper);
+  this->Mapper->SetInputDataObject(data);
+  this->Array.IsOfPoints ? this->Mapper->SetScalarModeToUsePointFieldData()
+                         : this->Mapper->SetScalarModeToUseCellFieldData();
+  this->Mapper->SelectScalarArray(this->Array.Name.c_str());
+  this->Mapper->SetVectorMode(this->Array.IsVector ? vtkGPUUnstructuredGridVolumeMapper::MAGNITUDE
+                                                   : vtkGPUUnstructuredGridVolumeMapper::DISABLED);
+  this->Mapper->SetIntegration(options.Integration);
+  this->Measure(data);
+  this->ChooseFunctions(data);
+  this->Volume->SetMapper(this->Mapper);
+  this->Volume->SetProperty(this->Property);
+  this->Renderer->AddVolume(this->Volume);
+  this->AddLegend(this->Property->GetRGBTransferFunction(), this->Array.Name, 5);
+  this->SetView();
+}
+
+//------------------------------------------------------------------------------
+VolumeScene::~VolumeScene() = default;
+
+//------------------------------------------------------------------------------
+void VolumeScene::Measure(vtkDataObject*)
+{
+  this->Mapper->GetBounds(this->Bounds);
+  this->Diagonal = std::hypot(this->Bounds[1] - this->Bounds[0], this->Bounds[3] - this->Bounds[2],
+    this->Bounds[5] - this->Bounds[4]);
+  if (!std::isfinite(this->Diagonal) || this->Diagonal <= 0.0)
+  {
+    throw ViewerError(this->Options.Input + " has no extent: its points are not finite, or one");
+  }
+}
+
+//------------------------------------------------------------------------------
+void VolumeScene::ChooseFunctions(vtkDataObject* data)
+{
+  const double cellsOfSide =
+    std::cbrt(static_cast<double>(data->GetNumberOfElements(vtkDataObject::CELL)));
+  this->Nodes = this->Options.Transfer.empty()
+    ? MakeTransferNodes(this->Options, this->Array, cellsOfSide)
+    : ReadTransferFile(this->Options.Transfer);
+  this->Property->SetScalarOpacityUnitDistance(
+    this->Options.UnitDistance.value_or(this->Diagonal / cellsOfSide));
+  this->IsoSurfaces = this->Options.IsoSurfaces;
+  if (this->Options.BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND)
+  {
+    this->MoveIsoSurfaces(0.0);
+  }
+  this->SetFunctions();
+  if (this->Options.Clip)
+  {
+    this->Cut = vtkSmartPointer<vtkPlane>::New();
+    this->Cut->SetOrigin(this->Options.Clip->data());
+    this->Cut->SetNormal(this->Options.Clip->data() + 3);
+    ;
+  }
+}
+
+//------------------------------------------------------------------------------
+void VolumeScene::SetFunctions()
+{
+  const bool hasPeaks = this->Options.Transfer.empty() && this->IsByLength();
+  SetTransferNodes(this->Property,
+    hasPeaks ? AddPeaks(this->Nodes, this->IsoSurfaces, PeakOpacity) : this->Nodes,
+    this->OpacityFactor);
+  this->Property->GetIsoSurfaceValues()->SetNumberOfContours(0);
+  for (std::size_t i = 0; i < this->IsoSurfaces.size(); ++i)
+  {
+    this->Property->GetIsoSurfaceValues()->SetValue(static_cast<int>(i), this->IsoSurfaces[i]);
+  }
+}
+
+//------------------------------------------------------------------------------
+void VolumeScene::SetView()
+{
+  const double* b = this->Bounds;
+  vtkNew<vtkPoints> corners;
+  for (int i = 0; i < 8; ++i)
+  {
+    corners->InsertNextPoint(b[i & 1], b[2 + (i >> 1 & 1)], b[4 + (i >> 2)]);
+  }
+  const int up = this->Options.UpAxis;
+  this->SetLights({ { { 250.0, 45.0, up }, 0.95 }, { { 150.0, 15.0, up }, 0.45 } });
+  this->FitView(corners, { 205.0, 20.0, up });
+  if (this->Options.Center)
+  {
+    const std::vector<double>& place = *this->Options.Center;
+    MoveFocus(this->Renderer, { { place[0], place[1], place[2] } });
+  }
+  this->Zoom();
+}
+
+//------------------------------------------------------------------------------
+bool VolumeScene::IsByLength() const
+{
+  using Mapper = vtkVolumeMapper;
+  const int mode = this->Options.BlendMode;
+  return mode == Mapper::COMPOSITE_BLEND || mode == Mapper::ADDITIVE_BLEND;
+}
+
+//------------------------------------------------------------------------------
+void VolumeScene::Draw(vtkRenderWindow* window)
+{
+  if (!this->Options.Statistics)
+  {
+    window->Render();
+    this->Messages.Check();
+    return;
+  }
+  const double milliseconds = MeasureFrame(this->Renderer, window, this->Messages);
+  std::cout << std::fixed << std::setprecision(1)
+            << "drawn cells: " << this->Mapper->GetNumberOfDrawnCells() << "\n"
+            << "graphics memory: " << this->Mapper->GetGraphicsMemorySize() / 1048576.0 << " MiB\n"
+            << "frame time: " << milliseconds << " ms" << std::endl;
+}
+
+//------------------------------------------------------------------------------
+std::string VolumeScene::Change(char key)
+{
+  switch (key)
+  {
+    case '+':
+    case '-':
+      this->ChangeOpacity(key == '+' ? OpacityStep : 1.0 / OpacityStep);
+      return this->IsByLength()
+        ? "--unit-distance " + Join({ this->Property->GetScalarOpacityUnitDistance() })
+        : "opacity times " + Join({ this->OpacityFactor });
+    case '.':
+    case ',':
+      this->MoveIsoSurfaces(key == '.' ? Step : -Step);
+      this->SetFunctions();
+      return "--isosurfaces " + Join(this->IsoSurfaces);
+    case 'm':
+    case 'n':
+    {
+      this->MoveCut(key == 'm' ? Step : -Step);
+      const double* origin = this->Cut->GetOrigin();
+      const double* normal = this->Cut->GetNormal();
+      return "--clip " + Join({ origin[0], origin[1], origin[2], normal[0], normal[1], normal[2] });
+    }
+    default:
+      return "";
+  }
+}
+
+//------------------------------------------------------------------------------
+void VolumeScene::ChangeOpacity(double factor)
+{
+  if (this->IsByLength())
+  {
+    this->Property->SetScalarOpacityUnitDistance(
+      this->Property->GetScalarOpacityUnitDistance() / factor);
+    return;
+  }
+  this->OpacityFactor *= factor;
+  this->SetFunctions();
+}
+
+//------------------------------------------------------------------------------
+void VolumeScene::MoveIsoSurfaces(double share)
+{
+  const double size = this->Array.Range[1] - this->Array.Range[0];
+  if (this->IsoSurfaces.empty())
+  {
+    this->IsoSurfaces = { this->Array.Range[0] + 0.5 * size };
+    return;
+  }
+  for (double& value : this->IsoSurfaces)
+  {
+    value += share * size;
+  }
+}
+
+//------------------------------------------------------------------------------
+void VolumeScene::MoveCut(double share)
+{
+  if (!this->Cut)
+  {
+    // From the side that the camera is at, along the axis that it looks along most.
+    const double* direction = this->Renderer->GetActiveCamera()->GetDirectionOfProjection();
+    int axis = 0;
+    for (int i = 1; i < 3; ++i)
+    {
+      axis = std::abs(direction[i]) > std::abs(direction[axis]) ? i : axis;
+    }
+    double origin[3] = { 0.0, 0.0, 0.0 };
+    double normal[3] = { 0.0, 0.0, 0.0 };
+    normal[axis] = direction[axis] > 0.0 ? 1.0 : -1.0;
+    origin[axis] = this->Bounds[2 * axis + (direction[axis] > 0.0 ? 0 : 1)];
+    this->Cut = vtkSmartPointer<vtkPlane>::New();
+    this->Cut->SetOrigin(origin);
+    this->Cut->SetNormal(normal);
+    ;
+  }
+  this->Cut->Push(share * this->Diagonal);
+}

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   VolumeScene
+ * @brief   the inside of a mesh by an array's values, with isosurfaces and a cut
+ */
+#ifndef VolumeScene_h
+#define VolumeScene_h
+
+#include "Files/TransferFile.h"
+#include "Scene/ViewerScene.h"
+#include "Scene/VolumeArray.h"
+
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+class vtkDataObject;
+class vtkGPUUnstructuredGridVolumeMapper;
+class vtkPlane;
+class vtkVolume;
+class vtkVolumeProperty;
+
+class VolumeScene : public ViewerScene
+{
+public:
+  /// Reads the files; throws ViewerError.
+  VolumeScene(const ViewerOptions& options, ViewerMessages& messages);
+  ~VolumeScene() override;
+
+  std::string Describe(const double[3], double) override { return ""; }
+  std::string Change(char key) override;
+  void Draw(vtkRenderWindow* window) override;
+
+private:
+  void Measure(vtkDataObject* data);
+  void ChooseFunctions(vtkDataObject* data);
+  void SetFunctions();
+  void SetView();
+  bool IsByLength() const;
+  void ChangeOpacity(double factor);
+  void MoveIsoSurfaces(double share);
+  void MoveCut(double share);
+
+  vtkNew<vtkGPUUnstructuredGridVolumeMapper> Mapper;
+  vtkNew<vtkVolume> Volume;
+  vtkNew<vtkVolumeProperty> Property;
+  VolumeArray Array;
+  double Bounds[6];
+  double Diagonal = 0.0;
+  std::vector<TransferNode> Nodes;
+  double OpacityFactor = 1.0; // where opacity does not count by length
+  std::vector<double> IsoSurfaces;
+  vtkSmartPointer<vtkPlane> Cut; // nullptr for none
+};
+
+#endif

@@ -1,0 +1,220 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""relevo-view --volume: arrays, transfer functions, settings, errors."""
+
+import math
+import os
+import pathlib
+import unittest
+from importlib.util import find_spec
+
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkCellArray, vtkUnstructuredGrid
+from vtkmodules.vtkIOLegacy import vtkUnstructuredGridWriter
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
+
+from ViewerPictures import read_picture
+from ViewerProgram import ViewerProgram
+from ViewerScenes import write_sphere
+
+DATA = pathlib.Path(os.environ.get("RELEVO_TEST_DATA") or "/nonexistent")
+CUBES = 4
+PIECES = """<VTKFile type="PUnstructuredGrid" version="0.1"><PUnstructuredGrid GhostLevel="0">
+<PPointData Scalars="Left"><PDataArray type="Float64" Name="Left"/></PPointData>
+<PPoints><PDataArray type="Float32" NumberOfComponents="3"/></PPoints>
+<Piece Source="cube.vtu"/></PUnstructuredGrid></VTKFile>
+"""
+# Facing the cube, x to the left: the camera stands at -z.
+FRONT = ("--view=0,0", "--size=120x90", "--no-legend")
+
+
+def make_array(name, values):
+    array = vtkDoubleArray()
+    array.SetName(name)
+    array.SetNumberOfComponents(len(values[0]))
+    for value in values:
+        array.InsertNextTuple(value)
+    return array
+
+
+def make_cube():
+    """The unit cube in tetrahedra: of points Left (x), Around (vectors) and Flat (a constant), of
+    cells Low (1 in the lower half, else 0)."""
+    grid = vtkUnstructuredGrid()
+    grid.SetPoints(vtkPoints())
+    size = CUBES + 1
+    for k in range(size):
+        for j in range(size):
+            for i in range(size):
+                grid.GetPoints().InsertNextPoint(i / CUBES, j / CUBES, k / CUBES)
+    low = []
+    for k in range(CUBES):
+        for j in range(CUBES):
+            for i in range(CUBES):
+                a = (k * size + j) * size + i
+                # Around the diagonal, by the orders of steps along the axes.
+                for first, second in ((0, 1), (1, 2), (2, 0), (1, 0), (2, 1), (0, 2)):
+                    steps = (1, size, size * size)
+                    b = a + steps[first]
+                    corners = (a, b, b + steps[second], a + sum(steps))
+                    grid.InsertNextCell(VTK_TETRA, 4, corners)
+                    low.append((1.0 if j < CUBES // 2 else 0.0,))
+    points = [grid.GetPoint(i) for i in range(grid.GetNumberOfPoints())]
+    of_points = grid.GetPointData()
+    of_points.AddArray(make_array("Flat", [(7.0,)] * len(points)))
+    of_points.AddArray(make_array("Left", [(x,) for x, _, _ in points]))
+    of_points.AddArray(make_array("Around", [(y - 0.5, 0.5 - x, 0) for x, y, _ in points]))
+    of_points.SetActiveScalars("Left")
+    grid.GetCellData().AddArray(make_array("Low", low))
+    return grid
+
+
+def write(folder, name, grid, writer):
+    writer.SetFileName(str(folder / name))
+    writer.SetInputData(grid)
+    writer.Write()
+    return folder / name
+
+
+class TestViewerVolume(ViewerProgram):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.grid = make_cube()
+        cls.file = write(cls.folder, "cube.vtu", cls.grid, vtkXMLUnstructuredGridWriter())
+        write(cls.folder, "cube.vtk", cls.grid, vtkUnstructuredGridWriter())
+        (cls.folder / "cube.pvtu").write_text(PIECES)
+        cls.sphere = write_sphere(cls.folder)
+
+    def picture(self, *arguments, file=None):
+        self.view(file or self.file, "--output=v.png", *FRONT, *arguments)
+        return read_picture(self.folder / "v.png")
+
+    def transfer(self, text):
+        (self.folder / "t.txt").write_text(text)
+        return "--transfer=t.txt"
+
+    def test_transfer_and_unit_distance(self):
+        """Of a constant the light that passes the cube is exp(-opacity * side / unit distance)."""
+        empty = self.picture("--volume", "Flat", self.transfer("0 1 0 0 0\n9 1 0 0 0\n"))
+        red = "# as it is\n0 1 0 0 0.5 # dark\n\n9\t1 0 0 0.5\n"
+        for distance in (0.5, 2.0):
+            drawn = self.picture(
+                "--volume", "Flat", self.transfer(red), f"--unit-distance={distance}"
+            )
+            # The middle looks along z, through a side's length or little more.
+            passed = math.exp(-0.5 / distance)
+            behind, seen = empty[45][60], drawn[45][60]
+            self.assertAlmostEqual(seen[1], passed * behind[1], delta=2)
+            self.assertAlmostEqual(seen[0], passed * behind[0] + 255 * (1 - passed), delta=2)
+        # By default a side has as many unit distances as cells.
+        drawn = self.picture("--volume", "Flat", self.transfer(red))
+        passed = math.exp(-0.5 * (6 * CUBES**3) ** (1 / 3) / math.sqrt(3))
+        self.assertAlmostEqual(drawn[45][60][1], passed * behind[1], delta=2)
+
+    def test_arrays(self):
+        """The active scalars, others by name, of cells, vectors by length; before and after FILE."""
+        step = self.transfer("0.499 1 0 0 0\n0.501 1 0 0 1\n")
+        left = self.picture("--volume", step, "--unit-distance=0.02")
+        self.assertLess(left[45][45][1], 10)
+        self.assertGreater(left[45][75][1], 100)
+        self.assertEqual(left, self.picture("--volume", "Left", step, "--unit-distance=0.02"))
+        self.assertEqual(left, self.picture("--volume=Left", step, "--unit-distance=0.02"))
+        self.view("--volume=Left", step, "--unit-distance=0.02", *FRONT, "--output=o.png", self.file)
+        self.assertEqual(left, read_picture(self.folder / "o.png"))
+        self.view("--volume", self.file, step, "--unit-distance=0.02", *FRONT, "--output=o.png")
+        self.assertEqual(left, read_picture(self.folder / "o.png"))
+        low = self.picture("--volume", "Low", step, "--unit-distance=0.02")
+        self.assertLess(low[30][60][1], 10)
+        self.assertGreater(low[60][60][1], 100)
+        ring = self.picture("--volume", "Around", step, "--unit-distance=0.02")
+        self.assertGreater(ring[45][60][1], 100)  # in the middle vectors are short
+        self.assertLess(min(row[35][1] for row in ring[15:30]), 60)  # in a corner long
+
+    def test_default_functions(self):
+        """Something is seen of whatever array, and nothing is altogether opaque."""
+        empty = self.picture("--volume", self.transfer("0 0 0 0 0\n1 0 0 0 0\n"))
+        for name in ("Left", "Flat", "Around", "Low"):
+            drawn = self.picture("--volume", name)
+            changes = sum(
+                max(abs(a - b) for a, b in zip(drawn[j][i], empty[j][i])) > 8
+                for j in range(90)
+                for i in range(120)
+            )
+            self.assertGreater(changes, 800, name)
+
+    def test_formats(self):
+        pictures = [self.picture("--volume", file=self.folder / f"cube.{e}") for e in ("vtu", "vtk", "pvtu")]
+        self.assertEqual(pictures[0], pictures[1])
+        self.assertEqual(pictures[0], pictures[2])
+        # Without --volume its surface.
+        self.assertNotEqual(pictures[2], self.picture(file=self.folder / "cube.pvtu"))
+
+    def test_statistics_and_legend(self):
+        cells = self.statistic("drawn cells", self.file, "--volume")
+        self.assertEqual(cells, 6 * CUBES**3)
+        self.view(self.file, "--volume", "--output=l.png", "--size=300x300")
+        with_legend = read_picture(self.folder / "l.png")
+        self.view(self.file, "--volume", "--output=l.png", "--size=300x300", "--no-legend")
+        self.assertNotEqual(with_legend, read_picture(self.folder / "l.png"))
+
+    def test_bad_transfer_files(self):
+        for text, *words in (
+            ("0 1 0 0 1\n1 1 0 0\n", "line 2", "4 numbers", "5"),
+            ("0 1 0 red 1\n", "line 1", "'red'"),
+            ("# nan\n\nnan 1 0 0 1\n", "line 3", "'nan'"),
+            ("0 1 0 0 1\n1 1 0 2 1\n", "line 2", "colours"),
+            ("0 1 0 0 -1\n", "line 1", "opacities"),
+            ("2 1 0 0 1\n# and\n2 1 0 0 0\n", "line 3", "not above"),
+            ("# nothing\n", "value red green blue opacity"),
+        ):
+            option = self.transfer(text)
+            self.assert_error(1, ["t.txt", *words], self.file, "--volume", option, "--output=n.png")
+        self.assert_error(
+            1, ["no.txt", "does not exist"], self.file, "--volume", "--transfer=no.txt", "--output=n.png"
+        )
+        self.assertFalse((self.folder / "n.png").exists())
+
+    def test_bad_input(self):
+        out = "--output=n.png"
+        every = "'Flat', 'Left', 'Around', 'Low'"
+        self.assert_error(1, ["'Wind'", every], self.file, "--volume", "Wind", out)
+        self.assert_error(1, ["sphere.vtp", ".vtu"], self.sphere, "--volume", out)
+        bare = vtkUnstructuredGrid()
+        bare.CopyStructure(self.grid)
+        write(self.folder, "bare.vtu", bare, vtkXMLUnstructuredGridWriter())
+        self.assert_error(1, ["bare.vtu", "no array"], "bare.vtu", "--volume", out)
+        bare.SetCells(VTK_TETRA, vtkCellArray())
+        write(self.folder, "empty.vtu", bare, vtkXMLUnstructuredGridWriter())
+        self.assert_error(1, ["empty.vtu", "no cells"], "empty.vtu", "--volume", out)
+        self.assert_error(1, ["none.vtu"], "none.vtu", "--volume", out)
+        self.assertFalse((self.folder / "n.png").exists())
+
+    def test_bad_usage(self):
+        for words, *arguments in (
+            (["--transfer", "--volume"], "--transfer=t.txt"),
+            (["--unit-distance", "'0'"], "--volume", "--unit-distance=0"),
+            (["--unit-distance", "'nan'"], "--volume", "--unit-distance=nan"),
+            (["--transfer", "file"], "--volume", "--transfer="),
+            (["--level", "--volume"], "--volume", "--level=2"),
+            (["--array", "--volume"], "--volume", "--array=Left"),
+            (["--export", "--volume"], "--volume", "--export=n.vtp"),
+            (["more than one", "'Wind'"], "--volume", "Left", "Wind"),
+        ):
+            self.assert_error(2, words, self.file, *arguments)
+        self.assert_error(2, ["--volume", "meshes"], "heights.tif", "--volume")
+
+    def test_real_meshes(self):
+        if not DATA.exists():
+            self.skipTest("no RELEVO_TEST_DATA")
+        for file, name in (
+            ("volume/post.vtk", "Pressure"),
+            ("volume/CylinderLinear.vtk", "velocity"),
+        ):
+            drawn = self.picture("--volume", name, file=DATA / file)
+            colours = {colour for row in drawn[20:70] for colour in row[30:90]}
+            self.assertGreater(len(colours), 400, file)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["TestViewerVolume"])
