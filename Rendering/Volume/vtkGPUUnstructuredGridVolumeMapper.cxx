@@ -23,10 +23,12 @@ vtkGPUUnstructuredGridVolumeMapper::vtkGPUUnstructuredGridVolumeMapper()
   {
     vtkInternals& data = *this->Internals;
     data.MeshBuffers.ReleaseGraphicsResources(window);
+    data.Projected.ReleaseGraphicsResources(window);
     data.FunctionBuffers.ReleaseGraphicsResources(window);
     data.Psi.ReleaseGraphicsResources(window);
     data.Integrals.ReleaseGraphicsResources(window);
     data.Depth.ReleaseGraphicsResources(window);
+    data.Projection.ReleaseGraphicsResources(window);
     data.Entries.ReleaseGraphicsResources(window);
     data.Programs.clear();
     data.Viewport->ReleaseGraphicsResources();
@@ -97,6 +99,7 @@ void vtkGPUUnstructuredGridVolumeMapper::PrintSelf(ostream& os, vtkIndent indent
   this->Superclass::PrintSelf(os, indent);
   os << indent << "VectorMode: " << this->VectorMode << "\n";
   os << indent << "VectorComponent: " << this->VectorComponent << "\n";
+  os << indent << "Method: " << this->Method << "\n";
   os << indent << "Integration: " << this->Integration << "\n";
   os << indent << "TableSize: " << this->TableSize << "\n";
 }

@@ -24,8 +24,9 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateMesh(vtkVolume* volume)
     this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName ? this->ArrayName : "");
   const vtkMTimeType time = input->GetMTime();
   if (data.MeshInput != input || data.MeshTime != time || !(data.Choice == choice) ||
-    data.Array != array)
+    data.Array != array || data.HasCorners != (this->Method == CELL_PROJECTION))
   {
+    data.HasCorners = this->Method == CELL_PROJECTION;
     data.MeshInput = input;
     data.MeshTime = time;
     data.Choice = choice;
@@ -71,6 +72,10 @@ bool vtkGPUUnstructuredGridVolumeMapper::BuildMesh(vtkVolume* volume, vtkDataObj
   const bool areColors =
     takesAll && components == 4 && !volume->GetProperty()->GetIndependentComponents();
   relevo::VolumeCells cells;
+  if (data.HasCorners)
+  {
+    cells.SplitAll();
+  }
   for (const relevo::MeshScalars& mesh : meshes)
   {
     relevo::ScalarChoice choice = data.Choice;
@@ -93,7 +98,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::BuildMesh(vtkVolume* volume, vtkDataObj
   }
   data.HasCellScalars = meshes.front().AreOfCells;
   relevo::JoinedMesh& mesh = data.Mesh;
-  if (!mesh.Build(cells, data.NumberOfComponents, error))
+  if (!mesh.Build(cells, data.NumberOfComponents, error, data.HasCorners))
   {
     vtkErrorMacro("The input " << error << ".");
     return false;
@@ -103,7 +108,9 @@ bool vtkGPUUnstructuredGridVolumeMapper::BuildMesh(vtkVolume* volume, vtkDataObj
     vtkWarningMacro(<< mesh.NumberOfSharedFaces
                     << " faces belong to three cells or more; rays may see one cell twice there.");
   }
-  if (!data.MeshBuffers.Upload(data.GetWindow(), mesh))
+  data.Projected.ReleaseGraphicsResources(data.GetWindow());
+  if (!data.MeshBuffers.Upload(data.GetWindow(), mesh) ||
+    (data.HasCorners && !data.Projected.Upload(data.GetWindow(), mesh)))
   {
     vtkErrorMacro("The mesh cannot be drawn: " << relevo::RefinementBuffer::GetTooLarge() << ".");
     return false;

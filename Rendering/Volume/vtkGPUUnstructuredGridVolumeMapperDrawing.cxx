@@ -72,7 +72,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateView(vtkRenderer* renderer, vtkVo
 
 // What could not be built is not tried, and complained about, again.
 vtkShaderProgram* vtkGPUUnstructuredGridVolumeMapper::ReadyProgram(
-  const char* vertexSource, const std::string& source)
+  const std::string& vertexSource, const std::string& source)
 {
   vtkInternals& data = *this->Internals;
   vtkOpenGLShaderCache* cache = data.GetWindow()->GetShaderCache();
@@ -81,7 +81,7 @@ vtkShaderProgram* vtkGPUUnstructuredGridVolumeMapper::ReadyProgram(
   {
     return known->second ? cache->ReadyShaderProgram(known->second) : nullptr;
   }
-  vtkShaderProgram* program = cache->ReadyShaderProgram(vertexSource, source.c_str(), "");
+  vtkShaderProgram* program = cache->ReadyShaderProgram(vertexSource.c_str(), source.c_str(), "");
   data.Programs[source] = program;
   ++data.NumberOfShaderBuilds;
   if (!program)
@@ -121,32 +121,74 @@ void vtkGPUUnstructuredGridVolumeMapper::vtkInternals::DrawViewport()
   this->Viewport->Release();
 }
 
-void vtkGPUUnstructuredGridVolumeMapper::Draw(vtkRenderer*, vtkVolume* volume)
+void vtkGPUUnstructuredGridVolumeMapper::vtkInternals::BlendViewport()
 {
-  vtkInternals& data = *this->Internals;
-  vtkOpenGLRenderWindow* window = data.GetWindow();
-  vtkOpenGLState* state = window->GetState();
-  GLint viewport[4];
-  glGetIntegerv(GL_VIEWPORT, viewport);
+  vtkOpenGLState* state = this->GetWindow()->GetState();
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable blending(state, GL_BLEND);
+  vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  this->DrawViewport();
+}
 
+void vtkGPUUnstructuredGridVolumeMapper::vtkInternals::ActivateTextures(vtkShaderProgram* program)
+{
+  this->MeshBuffers.Activate(program);
+  this->FunctionBuffers.Activate(program);
+  this->Psi.Activate(program);
+  this->Integrals.Activate(program);
+  this->Depth.Activate(program);
+}
+
+void vtkGPUUnstructuredGridVolumeMapper::vtkInternals::DeactivateTextures()
+{
+  this->Depth.Deactivate();
+  this->Integrals.Deactivate();
+  this->Psi.Deactivate();
+  this->FunctionBuffers.Deactivate();
+  this->MeshBuffers.Deactivate();
+}
+
+relevo::VolumeShaderOptions vtkGPUUnstructuredGridVolumeMapper::GetShaderOptions()
+{
+  const vtkInternals& data = *this->Internals;
   relevo::VolumeShaderOptions options;
   options.NumberOfComponents = data.NumberOfComponents;
   options.NumberOfCurves = static_cast<int>(data.Functions.GetCurves().size());
   options.AreDependent = data.Functions.AreDependent();
   options.HasCellScalars = data.HasCellScalars;
   options.PreIntegrated = !data.IsPreIntegrated ? 0 : this->Integration == PRE_INTEGRATED ? 3 : 2;
-  std::string source = relevo::MakeRayCastShader(options);
+  return options;
+}
+
+void vtkGPUUnstructuredGridVolumeMapper::Draw(vtkRenderer* renderer, vtkVolume* volume)
+{
+  vtkInternals& data = *this->Internals;
+  vtkOpenGLRenderWindow* window = data.GetWindow();
+  GLint viewport[4];
+  glGetIntegerv(GL_VIEWPORT, viewport);
+
   const std::vector<vtkOpenGLRenderPass*> passes = FindPasses(volume);
+  if (passes.empty() && !data.Depth.Copy(window, viewport))
+  {
+    vtkErrorMacro("The depths of opaque props cannot be read.");
+    return;
+  }
+  if (this->FindProjected() && passes.empty())
+  {
+    this->DrawProjected(renderer, volume, viewport);
+    return;
+  }
+  std::string source = relevo::MakeRayCastShader(this->GetShaderOptions());
   std::string none;
   for (vtkOpenGLRenderPass* pass : passes)
   {
     pass->PreReplaceShaderValues(none, none, source, this, volume);
     pass->PostReplaceShaderValues(none, none, source, this, volume);
-  }
-  if (passes.empty() && !data.Depth.Copy(window, viewport))
-  {
-    vtkErrorMacro("The depths of opaque props cannot be read.");
-    return;
   }
   vtkShaderProgram::Substitute(source, "//RELEVO::Main", "uniform sampler2D opaqueDepth;\n");
   vtkShaderProgram::Substitute(source, "//VTK::CallWorker::Impl", WholeRay);
@@ -159,11 +201,7 @@ void vtkGPUUnstructuredGridVolumeMapper::Draw(vtkRenderer*, vtkVolume* volume)
     return;
   }
   data.View.SetUniforms(program);
-  data.MeshBuffers.Activate(program);
-  data.FunctionBuffers.Activate(program);
-  data.Psi.Activate(program);
-  data.Integrals.Activate(program);
-  data.Depth.Activate(program);
+  data.ActivateTextures(program);
   data.Entries.Activate(program);
   program->SetUniformi("areEntriesKnown", areEntriesKnown ? 1 : 0);
   if (program->IsUniformUsed("in_inverseWindowSize"))
@@ -175,26 +213,7 @@ void vtkGPUUnstructuredGridVolumeMapper::Draw(vtkRenderer*, vtkVolume* volume)
   {
     pass->SetShaderParameters(program, this, volume, data.Viewport);
   }
-  if (passes.empty())
-  {
-    vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
-    vtkOpenGLState::ScopedglEnableDisable blending(state, GL_BLEND);
-    vtkOpenGLState::ScopedglDepthMask depthMask(state);
-    vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
-    state->vtkglDisable(GL_DEPTH_TEST);
-    state->vtkglDepthMask(GL_FALSE);
-    state->vtkglEnable(GL_BLEND);
-    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    data.DrawViewport();
-  }
-  else
-  {
-    data.DrawViewport();
-  }
+  passes.empty() ? data.BlendViewport() : data.DrawViewport();
   data.Entries.Deactivate();
-  data.Depth.Deactivate();
-  data.Psi.Deactivate();
-  data.Integrals.Deactivate();
-  data.FunctionBuffers.Deactivate();
-  data.MeshBuffers.Deactivate();
+  data.DeactivateTextures();
 }

@@ -11,12 +11,14 @@
 
 #include "Buffers/FunctionBuffers.h"
 #include "Buffers/IntegralTable.h"
+#include "Buffers/ProjectedCells.h"
 #include "Buffers/PsiTable.h"
 #include "Buffers/VolumeMeshBuffers.h"
 #include "Cells/VolumeCells.h"
 #include "Integral/TransferFunctions.h"
 #include "OpenGL/ContextWatch.h"
 #include "Shaders/VolumeShader.h"
+#include "View/FloatTarget.h"
 #include "View/OpaqueDepth.h"
 #include "View/RayEntries.h"
 #include "View/RayView.h"
@@ -47,6 +49,7 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
   vtkMTimeType MeshTime = 0;
   relevo::ArrayChoice Array;
   bool HasMesh = false;
+  bool HasCorners = false; // for cell projection
   int NumberOfComponents = 1;
   bool HasCellScalars = false;
   vtkIdType NumberOfDrawnCells = 0;
@@ -56,20 +59,26 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
   bool HasFunctions = false;
   vtkMTimeType WarningTime = 0; // of the settings that were complained about
   bool IsPreIntegrated = false;
+  vtkMTimeType MethodWarningTime = 0;
 
   // Of one context.
   vtkNew<relevo::ContextWatch> Context;
   vtkOpenGLRenderWindow* GetWindow() const { return this->Context->GetContext(); }
   relevo::VolumeMeshBuffers MeshBuffers;
+  relevo::ProjectedCells Projected;
   relevo::FunctionBuffers FunctionBuffers;
   relevo::PsiTable Psi;
   relevo::IntegralTable Integrals;
   relevo::OpaqueDepth Depth;
   relevo::RayEntries Entries;
+  relevo::FloatTarget Projection;
   relevo::RayView View;
   std::map<std::string, vtkShaderProgram*> Programs; // of the window's cache, by their text
   vtkNew<vtkOpenGLVertexArrayObject> Viewport;
   void DrawViewport();
+  void BlendViewport(); // over what is there
+  void ActivateTextures(vtkShaderProgram* program);
+  void DeactivateTextures();
 
   vtkIdType NumberOfBufferBuilds = 0;
   vtkIdType NumberOfShaderBuilds = 0;

@@ -28,6 +28,11 @@ void vtkGPUUnstructuredGridVolumeMapper::SetVectorComponent(int component)
     this, "VectorComponent", this->VectorComponent, component, 0, relevo::MostComponents - 1);
 }
 
+void vtkGPUUnstructuredGridVolumeMapper::SetMethod(int method)
+{
+  relevo::SetChoice(this, "Method", this->Method, method, { "RAY_CASTING", "CELL_PROJECTION" });
+}
+
 void vtkGPUUnstructuredGridVolumeMapper::SetIntegration(int integration)
 {
   relevo::SetChoice(this, "Integration", this->Integration, integration,
@@ -48,8 +53,9 @@ vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfDrawnCells()
 vtkTypeInt64 vtkGPUUnstructuredGridVolumeMapper::GetGraphicsMemorySize()
 {
   const vtkInternals& data = *this->Internals;
-  return data.MeshBuffers.GetMemorySize() + data.FunctionBuffers.GetMemorySize() +
-    data.Psi.GetMemorySize() + data.Integrals.GetMemorySize();
+  return data.MeshBuffers.GetMemorySize() + data.Projected.GetMemorySize() +
+    data.FunctionBuffers.GetMemorySize() + data.Psi.GetMemorySize() +
+    data.Integrals.GetMemorySize();
 }
 
 vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfBufferBuilds()

@@ -126,7 +126,7 @@ void VolumeCells::Add(
       continue;
     }
     const int type = cell->GetCellType();
-    const CellShape* shape = FindCellShape(type);
+    const CellShape* shape = this->SplitsAll ? nullptr : FindCellShape(type);
     if (!shape && type != VTK_TETRA)
     {
       cell->Triangulate(0, split, points);
@@ -140,7 +140,8 @@ void VolumeCells::Add(
       corners.clear();
       for (int corner = 0; corner < size; ++corner)
       {
-        corners.push_back(firstPoint + ids->GetId(first + GetCorner(type, corner)));
+        corners.push_back(
+          firstPoint + ids->GetId(first + (shape ? GetCorner(type, corner) : corner)));
       }
       isGood |= this->AddCell(shape, corners, isOfCells ? firstCell + i : -1);
     }

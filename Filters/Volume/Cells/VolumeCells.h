@@ -38,6 +38,9 @@ public:
     vtkIdType Scalars;      // of cells, else -1
   };
 
+  /// Before cells are added: all of them are split into tetrahedra.
+  void SplitAll() { this->SplitsAll = true; }
+
   /**
    * Add the cells of a data set. The array has a tuple for each point, or each cell.
    */
@@ -89,6 +92,7 @@ private:
   std::vector<Scalars> PointScalars;
   std::vector<Scalars> CellScalars;
   std::vector<Gradients> PointGradients; // if wanted
+  bool SplitsAll = false;
   bool HasSteepness = false;
   std::vector<vtkIdType> Corners;
   std::vector<Cell> Cells;

@@ -30,9 +30,10 @@ using Face = std::array<int, 4>;
 class JoiningMesh
 {
 public:
-  JoiningMesh(const VolumeCells& cells, int numberOfComponents, JoinedMesh& mesh)
+  JoiningMesh(const VolumeCells& cells, int numberOfComponents, bool withCorners, JoinedMesh& mesh)
     : Cells(cells)
     , NumberOfComponents(numberOfComponents)
+    , KeepsCorners(withCorners)
     , Mesh(mesh)
   {
   }
@@ -62,6 +63,7 @@ private:
 
   const VolumeCells& Cells;
   const int NumberOfComponents;
+  const bool KeepsCorners;
   JoinedMesh& Mesh;
   std::vector<VolumeCells::Cell> Kept;   // tetrahedra first
   std::vector<std::uint32_t> NewIds;     // of the cells' points
@@ -188,6 +190,10 @@ void JoiningMesh::AddTetrahedron(const VolumeCells::Cell& cell)
   }
   std::sort(points.begin(), points.end());
   this->Mesh.PointSums.push_back(points[0] ^ points[1] ^ points[2] ^ points[3]);
+  if (this->KeepsCorners)
+  {
+    this->Mesh.Corners.insert(this->Mesh.Corners.end(), points.begin(), points.end());
+  }
   for (int i = 0; i < 4; ++i)
   {
     this->Faces.push_back({ { static_cast<int>(points[i == 0 ? 1 : 0]),
@@ -390,10 +396,11 @@ void JoiningMesh::BuildBorder()
 }
 }
 
-bool JoinedMesh::Build(const VolumeCells& cells, int numberOfComponents, std::string& error)
+bool JoinedMesh::Build(
+  const VolumeCells& cells, int numberOfComponents, std::string& error, bool withCorners)
 {
   *this = JoinedMesh();
-  JoiningMesh joining(cells, numberOfComponents, *this);
+  JoiningMesh joining(cells, numberOfComponents, withCorners, *this);
   joining.JoinPoints();
   joining.PlacePoints();
   joining.ScaleScalars();

@@ -32,9 +32,10 @@ struct RELEVOFILTERSVOLUME_EXPORT JoinedMesh
 
   /**
    * false with words that follow "The input " where the mesh is too large. Of cells whose scalars
-   * have more than one component, all are kept apart from the points.
+   * have more than one component, all are kept apart from the points. Corners are kept if wanted.
    */
-  bool Build(const VolumeCells& cells, int numberOfComponents, std::string& error);
+  bool Build(
+    const VolumeCells& cells, int numberOfComponents, std::string& error, bool withCorners = false);
 
   /// Free the arrays; where places and scalars are stays.
   void Release();
@@ -59,6 +60,8 @@ struct RELEVOFILTERSVOLUME_EXPORT JoinedMesh
 
   /// Of each tetrahedron the exclusive or of its points.
   std::vector<std::uint32_t> PointSums;
+  /// Of each tetrahedron its points, in ascending order; if wanted.
+  std::vector<std::uint32_t> Corners;
   /// Of each tetrahedron the cells that share all its points but the lowest one, and so on.
   std::vector<std::uint32_t> Neighbors;
 

@@ -12,6 +12,9 @@
 #include "relevoVolumeFunctions.h"
 #include "relevoVolumePart.h"
 #include "relevoVolumePreIntegrated.h"
+#include "relevoVolumeProjectedFS.h"
+#include "relevoVolumeProjectionFS.h"
+#include "relevoVolumeProjectionVS.h"
 #include "relevoVolumeRay.h"
 #include "relevoVolumeWalk.h"
 
@@ -39,6 +42,26 @@ void PutRays(std::string& source)
   Put(source, "Edges", relevoVolumeEdges);
   Put(source, "Border", relevoVolumeBorder);
 }
+
+std::string DefineOptions(const VolumeShaderOptions& options)
+{
+  std::ostringstream defines;
+  Define(defines, "COMPONENTS", options.NumberOfComponents);
+  Define(defines, "CURVES", options.NumberOfCurves);
+  Define(defines, "DEPENDENT", options.AreDependent);
+  Define(defines, "CELL_SCALARS", options.HasCellScalars);
+  Define(defines, "PSI_SIZE", PsiTable::Size);
+  Define(defines, "PRE_INTEGRATED", options.PreIntegrated);
+  return defines.str();
+}
+
+void PutIntegration(std::string& source, const VolumeShaderOptions& options)
+{
+  Put(source, "Functions", relevoVolumeFunctions);
+  Put(source, "LinearSegment", relevoLinearSegment);
+  Put(source, "Blend", options.PreIntegrated ? relevoVolumePreIntegrated : relevoVolumeComposite);
+  Put(source, "Part", relevoVolumePart);
+}
 }
 
 std::string MakeEntriesShader()
@@ -50,21 +73,32 @@ std::string MakeEntriesShader()
 
 std::string MakeRayCastShader(const VolumeShaderOptions& options)
 {
-  std::ostringstream defines;
-  Define(defines, "COMPONENTS", options.NumberOfComponents);
-  Define(defines, "CURVES", options.NumberOfCurves);
-  Define(defines, "DEPENDENT", options.AreDependent);
-  Define(defines, "CELL_SCALARS", options.HasCellScalars);
-  Define(defines, "PSI_SIZE", PsiTable::Size);
-  Define(defines, "PRE_INTEGRATED", options.PreIntegrated);
   std::string source = relevoVolumeFS;
-  Put(source, "Defines", defines.str());
+  Put(source, "Defines", DefineOptions(options));
   PutRays(source);
-  Put(source, "Functions", relevoVolumeFunctions);
-  Put(source, "LinearSegment", relevoLinearSegment);
-  Put(source, "Blend", options.PreIntegrated ? relevoVolumePreIntegrated : relevoVolumeComposite);
-  Put(source, "Part", relevoVolumePart);
+  PutIntegration(source, options);
   Put(source, "Walk", relevoVolumeWalk);
   return source;
+}
+
+std::string MakeProjectionVertexShader(const VolumeShaderOptions& options)
+{
+  std::string source = relevoVolumeProjectionVS;
+  Put(source, "Defines", DefineOptions(options));
+  return source;
+}
+
+std::string MakeProjectionShader(const VolumeShaderOptions& options)
+{
+  std::string source = relevoVolumeProjectionFS;
+  Put(source, "Defines", DefineOptions(options));
+  PutRays(source);
+  PutIntegration(source, options);
+  return source;
+}
+
+std::string MakeProjectedShader()
+{
+  return relevoVolumeProjectedFS;
 }
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the text of the ray caster's fragment shaders
+ * @brief   the text of the shaders
  *
  * Private to the module.
  */
@@ -28,6 +28,13 @@ std::string MakeEntriesShader();
 
 /// Of the ray caster, with VTK's anchors for render passes in it.
 std::string MakeRayCastShader(const VolumeShaderOptions& options);
+
+//@{
+/// Of cell projection, and of what puts its picture into the window.
+std::string MakeProjectionVertexShader(const VolumeShaderOptions& options);
+std::string MakeProjectionShader(const VolumeShaderOptions& options);
+std::string MakeProjectedShader();
+//@}
 }
 
 #endif

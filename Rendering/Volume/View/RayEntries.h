@@ -10,41 +10,34 @@
 #ifndef RayEntries_h
 #define RayEntries_h
 
-#include "vtkNew.h"
-#include "vtkSmartPointer.h"
-
-class vtkOpenGLFramebufferObject;
-class vtkOpenGLRenderWindow;
-class vtkOpenGLVertexArrayObject;
-class vtkShaderProgram;
-class vtkTextureObject;
-class vtkWindow;
+#include "View/FloatTarget.h"
 
 namespace relevo
 {
 class RayEntries
 {
 public:
-  RayEntries();
-  ~RayEntries();
-
   /// Make the target ready and current, of so many pixels; Draw() ends that. false if there is none
   /// to be had.
-  bool Begin(vtkOpenGLRenderWindow* window, int width, int height);
+  bool Begin(vtkOpenGLRenderWindow* window, int width, int height)
+  {
+    return this->Target.Begin(window, width, height, 2);
+  }
   /// With the program of MakeEntriesShader(), whose uniforms are set.
-  void Draw(int numberOfFaces);
+  void Draw(int numberOfFaces) { this->Target.Draw(6 * numberOfFaces, false); }
 
-  void Activate(vtkShaderProgram* program);
-  void Deactivate();
-  void ReleaseGraphicsResources(vtkWindow* window);
+  void Activate(vtkShaderProgram* program) { this->Target.Activate(program, "rayEntries"); }
+  void Deactivate() { this->Target.Deactivate(); }
+  void ReleaseGraphicsResources(vtkWindow* window)
+  {
+    this->Target.ReleaseGraphicsResources(window);
+  }
 
   /// The most entries of any pixel; waits for the GPU.
   int ReadMost();
 
 private:
-  vtkSmartPointer<vtkTextureObject> Sums;
-  vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
-  vtkNew<vtkOpenGLVertexArrayObject> Faces;
+  FloatTarget Target;
 };
 }
 

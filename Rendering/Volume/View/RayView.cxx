@@ -21,6 +21,16 @@ void SetVector(vtkShaderProgram* program, const char* name, const dvec4& vector)
     static_cast<float>(vector.z), static_cast<float>(vector.w) };
   program->SetUniform4f(name, values);
 }
+
+void SetMatrix(vtkShaderProgram* program, const char* name, const dmat4& matrix)
+{
+  float values[16];
+  for (int i = 0; i < 16; ++i)
+  {
+    values[i] = static_cast<float>(matrix[i / 4][i % 4]);
+  }
+  program->SetUniformMatrix4x4(name, values);
+}
 }
 
 bool RayView::Compute(
@@ -43,6 +53,8 @@ bool RayView::Compute(
   this->Y = clipToMesh[1] / origin.w;
   this->Z = clipToMesh[2] / origin.w;
   this->Range = dvec2(-1.0 - z, 1.0 - z);
+  this->MiddleZ = z;
+  this->MiddleWeight = 1.0 / origin.w;
   const dvec4 sum = this->Middle + this->X + this->Y + this->Z;
   return std::isfinite(dot(sum, dvec4(1.0)));
 }
@@ -72,14 +84,19 @@ double RayView::GetLargestScale() const
   return std::max({ std::abs(scales[0]), std::abs(scales[1]), std::abs(scales[2]) });
 }
 
+// Rows: x and y in pixels; how far along the ray, see relevoVolumeRay.glsl; the weight of them all.
+void RayView::SetProjectionUniforms(vtkShaderProgram* program) const
+{
+  const dmat4 rows = transpose(this->MeshToClip) / this->MiddleWeight;
+  const dvec4 weight = rows[3];
+  SetMatrix(program, "meshToSeen",
+    transpose(dmat4(0.5 * this->Viewport.z * (rows[0] + weight),
+      0.5 * this->Viewport.w * (rows[1] + weight), rows[2] - this->MiddleZ * weight, weight)));
+}
+
 void RayView::SetEntryUniforms(vtkShaderProgram* program) const
 {
-  float matrix[16];
-  for (int i = 0; i < 16; ++i)
-  {
-    matrix[i] = static_cast<float>(this->MeshToClip[i / 4][i % 4]);
-  }
-  program->SetUniformMatrix4x4("meshToClip", matrix);
+  SetMatrix(program, "meshToClip", this->MeshToClip);
   const float pixel[2] = { static_cast<float>(2.0 / this->Viewport.z),
     static_cast<float>(2.0 / this->Viewport.w) };
   program->SetUniform2f("pixelSize", pixel);

@@ -29,6 +29,8 @@ public:
   void SetViewport(const dvec4& place) { this->Viewport = place; }
 
   void SetUniforms(vtkShaderProgram* program) const;
+  /// What relevoVolumeProjectionVS.glsl asks for.
+  void SetProjectionUniforms(vtkShaderProgram* program) const;
   /// What relevoVolumeEntriesVS.glsl asks for.
   void SetEntryUniforms(vtkShaderProgram* program) const;
 
@@ -46,6 +48,8 @@ private:
   dvec2 Range;
   dmat3 MeshToWorld;
   dmat4 MeshToClip;
+  double MiddleZ = 0.0;      // of near plane -1, far plane 1
+  double MiddleWeight = 1.0; // of what is there in the middle of the view
   dvec4 Viewport = dvec4(0.0, 0.0, 1.0, 1.0);
 };
 }

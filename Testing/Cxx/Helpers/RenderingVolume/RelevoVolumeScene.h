@@ -13,6 +13,15 @@
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 
+// Nodes here and there between 0 and 1, some of them close to each other.
+vtkSmartPointer<vtkVolumeProperty> MakeBusyProperty(double unitDistance);
+
+// A field between 0 and 1.
+double GetWaves(const RelevoPoint& at);
+
+// Tetrahedra of points in a ball around low, slivers among them, with that field around 0.
+vtkSmartPointer<vtkUnstructuredGrid> MakeBall(int numberOfPoints, double low = 0.0);
+
 class RelevoVolumeScene
 {
 public:

@@ -15,7 +15,7 @@
 
 namespace
 {
-double GetWaves(const RelevoPoint& at)
+double GetField(const RelevoPoint& at)
 {
   return 5.0 + 3.0 * std::sin(4.0 * at[0]) * std::cos(5.0 * at[1] + at[2]);
 }
@@ -36,7 +36,7 @@ vtkSmartPointer<vtkVolumeProperty> MakeSmoothProperty()
 
 void TestTables(RelevoCheck& check)
 {
-  RelevoVolumeScene scene(MakeTetrahedra(5, GetWaves), MakeSmoothProperty());
+  RelevoVolumeScene scene(MakeTetrahedra(5, GetField), MakeSmoothProperty());
   scene.GetMapper()->SetTableSize(64);
   const auto exact = scene.Draw();
   CHECK(scene.GetMapper()->GetNumberOfTableBuilds() == 1);
@@ -55,7 +55,7 @@ void TestTables(RelevoCheck& check)
 // for all of them.
 void TestOneColor(RelevoCheck& check)
 {
-  RelevoVolumeScene scene(MakeTetrahedra(2, GetWaves), MakeSmoothProperty());
+  RelevoVolumeScene scene(MakeTetrahedra(2, GetField), MakeSmoothProperty());
   vtkColorTransferFunction* color = scene.GetVolume()->GetProperty()->GetRGBTransferFunction();
   color->RemoveAllPoints();
   color->AddRGBPoint(0.0, 1.0, 0.5, 0.25);
@@ -75,7 +75,7 @@ void TestOneColor(RelevoCheck& check)
 // A long edge by the volume's matrix, and parts that are longer than any edge.
 void TestLengths(RelevoCheck& check)
 {
-  RelevoVolumeScene scene(MakeTetrahedra(3, GetWaves), MakeSmoothProperty());
+  RelevoVolumeScene scene(MakeTetrahedra(3, GetField), MakeSmoothProperty());
   vtkGPUUnstructuredGridVolumeMapper* mapper = scene.GetMapper();
   mapper->SetIntegrationToPreIntegrated();
   mapper->SetTableSize(48);
@@ -96,7 +96,7 @@ void TestLengths(RelevoCheck& check)
 
 void TestEdits(RelevoCheck& check)
 {
-  RelevoVolumeScene scene(MakeTetrahedra(3, GetWaves), MakeSmoothProperty());
+  RelevoVolumeScene scene(MakeTetrahedra(3, GetField), MakeSmoothProperty());
   vtkGPUUnstructuredGridVolumeMapper* mapper = scene.GetMapper();
   mapper->SetIntegrationToPreIntegrated();
   mapper->SetTableSize(32);
@@ -117,7 +117,7 @@ void TestEdits(RelevoCheck& check)
 
 void TestLimits(RelevoCheck& check)
 {
-  const auto mesh = MakeTetrahedra(2, GetWaves);
+  const auto mesh = MakeTetrahedra(2, GetField);
   vtkNew<vtkDoubleArray> pairs;
   pairs->SetName("pairs");
   pairs->SetNumberOfComponents(2);
@@ -149,7 +149,7 @@ void TestLimits(RelevoCheck& check)
 void TestCellScalars(RelevoCheck& check)
 {
   vtkNew<vtkPointDataToCellData> toCells;
-  toCells->SetInputData(MakeTetrahedra(4, GetWaves));
+  toCells->SetInputData(MakeTetrahedra(4, GetField));
   toCells->Update();
   RelevoVolumeScene scene(toCells->GetOutput(), MakeSmoothProperty());
   scene.GetMapper()->SetTableSize(64);

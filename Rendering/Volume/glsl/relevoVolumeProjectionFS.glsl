@@ -1,0 +1,135 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+#define RELEVO_FUNCTION
+//RELEVO::Defines
+// What is seen of the part of a pixel's ray that is inside a tetrahedron. The ray goes through two
+// of its faces: those whose edges, as it sees them, go around it.
+//
+// M. Weiler, M. Kraus, M. Merz, T. Ertl, "Hardware-Based View-Independent Cell Projection", IEEE
+// Transactions on Visualization and Computer Graphics 2003, with tests of edges in place of planes.
+
+//RELEVO::Ray
+//RELEVO::Edges
+//RELEVO::Functions
+//RELEVO::Part
+//RELEVO::Blend
+
+// As relevoVolumeProjectionVS.glsl says.
+flat in vec4 seenX;
+flat in vec4 seenY;
+flat in vec4 seenDepth;
+flat in vec4 seenWeight;
+#if RELEVO_CELL_SCALARS || RELEVO_COMPONENTS == 1
+flat in vec4 seenScalars;
+#else
+flat in vec4 scalarsA;
+flat in vec4 scalarsB;
+flat in vec4 scalarsC;
+flat in vec4 scalarsD;
+#endif
+
+uniform sampler2D opaqueDepth;
+
+Scalars getScalars(vec4 weights)
+{
+#if RELEVO_CELL_SCALARS && RELEVO_COMPONENTS == 1
+  return seenScalars.r;
+#elif RELEVO_CELL_SCALARS
+  return seenScalars;
+#elif RELEVO_COMPONENTS == 1
+  return dot(weights, seenScalars);
+#else
+  return weights.x * scalarsA + weights.y * scalarsB + weights.z * scalarsC + weights.w * scalarsD;
+#endif
+}
+
+// Across the ray and along it.
+vec4 cornersX;
+vec4 cornersY;
+vec4 cornersDepth;
+vec4 cornersWeight;
+
+void findCorners()
+{
+  if (seenWeight.x > 0.0)
+  {
+    cornersX = seenX - vec4(gl_FragCoord.x);
+    cornersY = seenY - vec4(gl_FragCoord.y);
+    cornersDepth = length(rayZ.xyz - rayOrigin * rayZ.w) * seenDepth;
+    cornersWeight = seenWeight;
+    return;
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    vec3 at = seenAlongRay(vec3(seenX[i], seenY[i], seenDepth[i]));
+    cornersX[i] = at.x;
+    cornersY[i] = at.y;
+    cornersDepth[i] = at.z;
+    cornersWeight[i] = 1.0;
+  }
+}
+
+// Points are in the order of their numbers.
+float areaOf(int a, int b, out bool left)
+{
+  vec2 first = vec2(cornersX[a], cornersY[a]);
+  vec2 last = vec2(cornersX[b], cornersY[b]);
+  float area = spannedArea(uint(a), first, uint(b), last);
+  left = isOnLeft(area, uint(a), first, uint(b), last);
+  return abs(area);
+}
+
+// Shares of the corners where the ray goes through two faces; false if it does not.
+bool findWeights(out vec4 first, out vec4 last)
+{
+  bool left01;
+  bool left02;
+  bool left03;
+  bool left12;
+  bool left13;
+  bool left23;
+  float area01 = areaOf(0, 1, left01);
+  float area02 = areaOf(0, 2, left02);
+  float area03 = areaOf(0, 3, left03);
+  float area12 = areaOf(1, 2, left12);
+  float area13 = areaOf(1, 3, left13);
+  float area23 = areaOf(2, 3, left23);
+  bool isIn0 = left12 == left23 && left12 != left13;
+  bool isIn1 = left02 == left23 && left02 != left03;
+  bool isIn2 = left01 == left13 && left01 != left03;
+  bool isIn3 = left01 == left12 && left01 != left02;
+  vec4 face0 = vec4(0.0, area23, area13, area12);
+  vec4 face1 = vec4(area23, 0.0, area03, area02);
+  vec4 face2 = vec4(area13, area03, 0.0, area01);
+  vec4 face3 = vec4(area12, area02, area01, 0.0);
+  first = cornersWeight * (isIn0 ? face0 : isIn1 ? face1 : face2);
+  last = cornersWeight * (isIn3 ? face3 : isIn2 ? face2 : face1);
+  vec2 sums = vec2(dot(first, vec4(1.0)), dot(last, vec4(1.0)));
+  first /= sums.x;
+  last /= sums.y;
+  return int(isIn0) + int(isIn1) + int(isIn2) + int(isIn3) == 2 && min(sums.x, sums.y) > 0.0;
+}
+
+void main()
+{
+  initializeRay();
+  findCorners();
+  vec4 first;
+  vec4 last;
+  if (!findWeights(first, last))
+  {
+    discard;
+  }
+  vec2 depths = vec2(dot(first, cornersDepth), dot(last, cornersDepth));
+  bool isTurned = depths.y < depths.x;
+  vec4 front = isTurned ? last : first;
+  vec4 back = isTurned ? first : last;
+  beginWalk(0.0, texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), 0).r);
+  beginRay();
+  beginPart(min(depths.x, depths.y), max(depths.x, depths.y), getScalars(front), getScalars(back));
+  while (!isPartDone)
+  {
+    isPartDone = collect(partFront, partBack, partSpan, partFrom);
+  }
+  gl_FragData[0] = finishRay();
+}

@@ -1,0 +1,179 @@
+//VTK::System::Dec
+//RELEVO::Defines
+// For each tetrahedron, from back to front, its outline on the screen: of two triangles, and a
+// little wider than it has to be, as which pixels' rays go through it is for the fragment shader to
+// say.
+
+uniform samplerBuffer meshPoints;
+uniform samplerBuffer pointScalars;
+uniform samplerBuffer cellScalars;
+uniform usamplerBuffer cellCorners;
+uniform isamplerBuffer cellOrder;
+// To x and y in pixels, times weight; depth along rays, as a share; and weight.
+uniform mat4 meshToSeen;
+uniform vec2 zRange;
+uniform vec4 viewportPlace;
+
+// Of the four corners. Where the near plane cuts the tetrahedron weights are negative, and the rest
+// is places in the mesh.
+flat out vec4 seenX;
+flat out vec4 seenY;
+flat out vec4 seenDepth;
+flat out vec4 seenWeight;
+#if RELEVO_CELL_SCALARS || RELEVO_COMPONENTS == 1
+flat out vec4 seenScalars;
+#else
+flat out vec4 scalarsA;
+flat out vec4 scalarsB;
+flat out vec4 scalarsC;
+flat out vec4 scalarsD;
+#endif
+
+// Pixels: more than rasterizers round, and what a rectangle is wider by.
+const float Margin = 0.03;
+const float RectangleMargin = 1.0;
+const float SharpestCorner = 0.02; // as 1 + the cosine of the angle between normals
+const vec2 Unseen = vec2(-10.0);
+
+vec4 points[4];
+vec4 seen[4];
+vec2 places[4]; // pixels, if all are in front of the near plane
+
+// Sides of a triangle of places; more than 0 if they are in turn.
+float windingOf(int a, int b, int c)
+{
+  vec2 u = places[b] - places[a];
+  vec2 v = places[c] - places[a];
+  return u.x * v.y - u.y * v.x;
+}
+
+void setCorners(int cell, uvec4 ids, bool isInFront)
+{
+  for (int i = 0; i < 4; ++i)
+  {
+    seenX[i] = isInFront ? places[i].x : points[i].x;
+    seenY[i] = isInFront ? places[i].y : points[i].y;
+    seenDepth[i] = isInFront ? seen[i].z : points[i].z;
+    seenWeight[i] = isInFront ? 1.0 / seen[i].w : -1.0;
+  }
+#if RELEVO_CELL_SCALARS
+  seenScalars = texelFetch(cellScalars, cell);
+#elif RELEVO_COMPONENTS == 1
+  seenScalars = vec4(points[0].w, points[1].w, points[2].w, points[3].w);
+#else
+  scalarsA = texelFetch(pointScalars, int(ids.x));
+  scalarsB = texelFetch(pointScalars, int(ids.y));
+  scalarsC = texelFetch(pointScalars, int(ids.z));
+  scalarsD = texelFetch(pointScalars, int(ids.w));
+#endif
+}
+
+// The rectangle around what is in front of the near plane.
+vec2 getRectangleCorner(int corner)
+{
+  vec2 low = vec2(1e30);
+  vec2 high = vec2(-1e30);
+  for (int i = 0; i < 4; ++i)
+  {
+    float a = seen[i].z - zRange.x * seen[i].w;
+    if (a >= 0.0 && seen[i].w > 0.0)
+    {
+      low = min(low, seen[i].xy / seen[i].w);
+      high = max(high, seen[i].xy / seen[i].w);
+    }
+    for (int j = 0; j < i; ++j)
+    {
+      float b = seen[j].z - zRange.x * seen[j].w;
+      if ((a < 0.0) != (b < 0.0))
+      {
+        vec4 cut = mix(seen[i], seen[j], a / (a - b));
+        low = min(low, cut.xy / cut.w);
+        high = max(high, cut.xy / cut.w);
+      }
+    }
+  }
+  bool isRight = corner == 1 || corner == 2;
+  bool isUpper = corner == 2 || corner == 3;
+  vec2 margin = vec2(isRight ? RectangleMargin : -RectangleMargin,
+    isUpper ? RectangleMargin : -RectangleMargin);
+  return low.x > high.x ? Unseen
+                        : vec2(isRight ? high.x : low.x, isUpper ? high.y : low.y) + margin;
+}
+
+vec2 direct(vec2 edge)
+{
+  float size = length(edge);
+  return size > 0.0 ? edge / size : vec2(0.0);
+}
+
+// A corner of an outline, moved outwards together with its edges.
+vec2 widen(int before, int corner, int after, float winding)
+{
+  vec2 a = direct(places[corner] - places[before]);
+  vec2 b = direct(places[after] - places[corner]);
+  vec2 first = vec2(a.y, -a.x);
+  vec2 last = vec2(b.y, -b.x);
+  float way = winding < 0.0 ? -Margin : Margin;
+  return places[corner] + (first + last) * (way / max(1.0 + dot(first, last), SharpestCorner));
+}
+
+// By Radon's partition: a point inside the triangle of the others, or two lines that cross.
+vec2 getOutlineCorner(int corner)
+{
+  bool isUp0 = windingOf(1, 2, 3) > 0.0;
+  bool isUp1 = windingOf(0, 2, 3) < 0.0;
+  bool isUp2 = windingOf(0, 1, 3) > 0.0;
+  bool isUp3 = windingOf(0, 1, 2) < 0.0;
+  int count = int(isUp0) + int(isUp1) + int(isUp2) + int(isUp3);
+  if (count == 0 || count == 4)
+  {
+    return getRectangleCorner(corner); // all on one line
+  }
+  int size = 4;
+  ivec4 outline;
+  if (count == 2)
+  {
+    int across = isUp1 == isUp0 ? 1 : isUp2 == isUp0 ? 2 : 3;
+    outline = ivec4(0, across == 1 ? 2 : 1, across, across == 3 ? 2 : 3);
+  }
+  else
+  {
+    bool isOdd = count == 1;
+    int inner = isUp0 == isOdd ? 0 : isUp1 == isOdd ? 1 : isUp2 == isOdd ? 2 : 3;
+    outline = ivec4(inner == 0 ? 1 : 0, inner <= 1 ? 2 : 1, inner == 3 ? 2 : 3, 0);
+    size = 3;
+  }
+  int at = min(corner, size - 1);
+  return widen(outline[(at + size - 1) % size], outline[at], outline[(at + 1) % size],
+    windingOf(outline[0], outline[1], outline[2]));
+}
+
+// Whether a pixel's centre may be inside.
+bool hasPixel()
+{
+  vec2 low = min(min(places[0], places[1]), min(places[2], places[3]));
+  vec2 high = max(max(places[0], places[1]), max(places[2], places[3]));
+  return all(lessThanEqual(
+    ceil(low - vec2(0.5 + Margin)), floor(high - vec2(0.5 - Margin))));
+}
+
+void main()
+{
+  int cell = texelFetch(cellOrder, gl_VertexID / 6).r;
+  uvec4 ids = texelFetch(cellCorners, cell);
+  bool isInFront = true;
+  for (int i = 0; i < 4; ++i)
+  {
+    points[i] = texelFetch(meshPoints, int(ids[i]));
+    seen[i] = meshToSeen * vec4(points[i].xyz, 1.0);
+    places[i] = seen[i].xy / seen[i].w;
+    isInFront = isInFront && seen[i].w > 0.0 && seen[i].z >= zRange.x * seen[i].w;
+  }
+  setCorners(cell, ids, isInFront);
+  const int corners[6] = int[6](0, 1, 2, 0, 2, 3);
+  int corner = corners[gl_VertexID % 6];
+  vec2 place = !isInFront ? getRectangleCorner(corner)
+    : hasPixel()          ? getOutlineCorner(corner)
+                          : Unseen;
+  gl_Position = vec4(2.0 * place / viewportPlace.zw - vec2(1.0), 0.0, 1.0);
+}

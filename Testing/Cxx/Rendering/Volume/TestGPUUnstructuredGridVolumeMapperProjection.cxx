@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Cell projection by vtkGPUUnstructuredGridVolumeMapper against vtkVolumeRayCastFilter.
+#include "RelevoCheck.h"
+#include "RelevoVolumeScene.h"
+
+#include "vtkActor.h"
+#include "vtkCubeSource.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkPointDataToCellData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+void TestViews(RelevoCheck& check)
+{
+  RelevoVolumeScene scene(MakeBall(300), MakeBusyProperty(0.3));
+  scene.GetMapper()->SetMethodToCellProjection();
+  CHECK(scene.Compare() <= 1.0);
+  vtkCamera* camera = scene.GetCamera();
+  camera->ParallelProjectionOn();
+  CHECK(scene.Compare() <= 1.0);
+  camera->ParallelProjectionOff();
+  // Inside the mesh, and looking out of it.
+  camera->SetPosition(0.2, 0.1, 0.0);
+  camera->SetFocalPoint(1.0, 0.5, 0.1);
+  camera->SetViewAngle(70.0);
+  camera->SetClippingRange(0.01, 10.0);
+  CHECK(scene.Compare() <= 1.0);
+  // What the near and the far plane leave.
+  camera->SetPosition(3.0, 1.0, 0.0);
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetViewAngle(40.0);
+  camera->SetClippingRange(2.9, 3.3);
+  CHECK(scene.Compare() <= 1.0);
+}
+
+// Rays that run in faces, along edges and through corners: each belongs to cells of one side.
+void TestDegenerateRays(RelevoCheck& check)
+{
+  RelevoVolumeScene scene(MakeTetrahedra(6, GetWaves), MakeBusyProperty(0.3), 97, 97);
+  vtkCamera* camera = scene.GetCamera();
+  camera->SetFocalPoint(0.5, 0.5, 0.5);
+  camera->SetPosition(0.5, 0.5, 4.0);
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(97.0 / 96.0); // a ray each 1/48
+  scene.GetRenderer()->ResetCameraClippingRange();
+  const auto cast = scene.Draw();
+  scene.GetMapper()->SetMethodToCellProjection();
+  const auto projected = scene.Draw();
+  // Off the outline, which one ray may take for inside and another for outside.
+  double most = 0.0;
+  for (int row = 26; row <= 70; ++row)
+  {
+    for (int column = 26; column <= 70; ++column)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        const size_t i = static_cast<size_t>(row) * 97 + column;
+        most = std::max(most, std::abs(projected[i][c] - cast[i][c]));
+      }
+    }
+  }
+  CHECK_NEAR(255.0 * most, 0.0, 1.0);
+}
+
+// Without the cells whose middles are near to some places: hollow, and in a shape that is not
+// convex.
+void TestHoles(RelevoCheck& check)
+{
+  const auto mesh = MakeTetrahedra(8, GetWaves);
+  vtkUnsignedCharArray* ghosts = mesh->AllocateCellGhostArray();
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+  {
+    double bounds[6];
+    mesh->GetCellBounds(i, bounds);
+    const auto getDistance = [&](double x, double y, double z)
+    {
+      return std::hypot(0.5 * (bounds[0] + bounds[1]) - x, 0.5 * (bounds[2] + bounds[3]) - y,
+        0.5 * (bounds[4] + bounds[5]) - z);
+    };
+    const bool isKept = getDistance(0.5, 0.5, 0.5) > 0.3 && getDistance(1.0, 0.6, 1.0) > 0.4;
+    ghosts->SetValue(i, isKept ? 0 : vtkDataSetAttributes::HIDDENCELL);
+  }
+  RelevoVolumeScene scene(mesh, MakeBusyProperty(0.3));
+  scene.GetMapper()->SetMethodToCellProjection();
+  for (int i = 0; i < 6; ++i)
+  {
+    CHECK(scene.Compare(0.001) <= 2.0);
+    scene.GetCamera()->Azimuth(55.0);
+    scene.GetCamera()->Elevation(17.0);
+    scene.GetRenderer()->ResetCameraClippingRange();
+  }
+}
+
+void TestCellScalars(RelevoCheck& check)
+{
+  vtkNew<vtkPointDataToCellData> toCells;
+  toCells->SetInputData(MakeBall(100));
+  toCells->Update();
+  RelevoVolumeScene scene(toCells->GetOutput(), MakeBusyProperty(0.3));
+  scene.GetMapper()->SetMethodToCellProjection();
+  CHECK(scene.Compare() <= 1.0);
+}
+
+void TestComponents(RelevoCheck& check)
+{
+  const auto mesh = MakeBall(100);
+  vtkNew<vtkDoubleArray> values;
+  values->SetNumberOfComponents(4);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    mesh->GetPoint(i, x);
+    values->InsertNextTuple4(0.5 + 0.5 * x[0], 0.5 + 0.5 * x[1], 0.5 + 0.5 * x[2], x[0] * x[0]);
+  }
+  mesh->GetPointData()->SetScalars(values);
+  const auto property = MakeBusyProperty(0.3);
+  property->IndependentComponentsOff();
+  RelevoVolumeScene scene(mesh, property);
+  scene.GetMapper()->SetMethodToCellProjection();
+  CHECK(scene.Compare() <= 1.0);
+}
+
+// Cells of plane faces and a linear field, which are the same after splitting.
+void TestSplitCells(RelevoCheck& check)
+{
+  vtkNew<vtkUnstructuredGrid> mesh;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkDoubleArray> values;
+  for (int i = 0; i < 27; ++i)
+  {
+    const RelevoPoint at = { { 0.5 * (i % 3), 0.5 * (i / 3 % 3), 0.5 * (i / 9) } };
+    points->InsertNextPoint(at.data());
+    values->InsertNextValue(GetLinearField(at));
+  }
+  mesh->SetPoints(points);
+  mesh->GetPointData()->SetScalars(values);
+  for (int i = 0; i < 8; ++i)
+  {
+    const vtkIdType low = i % 2 + 3 * (i / 2 % 2) + 9 * (i / 4);
+    const vtkIdType ids[8] = { low, low + 1, low + 4, low + 3, low + 9, low + 10, low + 13,
+      low + 12 };
+    mesh->InsertNextCell(VTK_HEXAHEDRON, 8, ids);
+  }
+  RelevoVolumeScene scene(mesh, MakeBusyProperty(0.3));
+  scene.GetMapper()->SetMethodToCellProjection();
+  CHECK(scene.Compare(0.001) <= 1.0);
+  CHECK(scene.GetMapper()->GetNumberOfDrawnCells() == 8);
+}
+
+// What is opaque inside, and what lies behind the volume.
+void TestOpaqueProps(RelevoCheck& check)
+{
+  RelevoVolumeScene scene(MakeBall(200), MakeBusyProperty(0.3));
+  vtkNew<vtkCubeSource> cube;
+  cube->SetBounds(-0.3, 0.5, -0.4, 0.2, -0.3, 0.4);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(cube->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  scene.GetRenderer()->AddActor(actor);
+  scene.GetRenderer()->SetBackground(0.2, 0.4, 0.1);
+  const auto cast = scene.Draw();
+  scene.GetMapper()->SetMethodToCellProjection();
+  CHECK(FindLargestDifference(cast, scene.Draw()) <= 1.5 / 255.0);
+  // In a part of the window.
+  scene.GetRenderer()->SetViewport(0.3, 0.2, 0.9, 0.7);
+  const auto part = scene.Draw();
+  scene.GetMapper()->SetMethodToRayCasting();
+  CHECK(FindLargestDifference(part, scene.Draw()) <= 1.5 / 255.0);
+}
+
+void TestIntegration(RelevoCheck& check)
+{
+  RelevoVolumeScene scene(MakeBall(200), MakeVolumeProperty(0.0, 1.0, 0.3));
+  scene.GetMapper()->SetTableSize(64);
+  for (int integration : { 1, 2 })
+  {
+    scene.GetMapper()->SetIntegration(integration);
+    scene.GetMapper()->SetMethodToRayCasting();
+    const auto cast = scene.Draw();
+    scene.GetMapper()->SetMethodToCellProjection();
+    CHECK(FindLargestDifference(cast, scene.Draw()) <= 1.5 / 255.0);
+  }
+}
+
+void TestCounters(RelevoCheck& check)
+{
+  const auto mesh = MakeTetrahedra(4, GetWaves);
+  RelevoVolumeScene scene(mesh, MakeBusyProperty(0.3));
+  vtkGPUUnstructuredGridVolumeMapper* mapper = scene.GetMapper();
+  scene.Draw();
+  const vtkTypeInt64 memory = mapper->GetGraphicsMemorySize();
+  mapper->SetMethodToCellProjection();
+  scene.Draw();
+  const vtkIdType cells = mesh->GetNumberOfCells();
+  CHECK(mapper->GetGraphicsMemorySize() - memory == 20 * cells);
+  CHECK(mapper->GetNumberOfDrawnCells() == cells);
+  const vtkIdType buffers = mapper->GetNumberOfBufferBuilds();
+  const vtkIdType shaders = mapper->GetNumberOfShaderBuilds();
+  scene.GetCamera()->Azimuth(20.0);
+  scene.Draw();
+  scene.GetWindow()->SetSize(90, 80);
+  CHECK(scene.Compare() <= 1.0);
+  scene.GetVolume()->GetProperty()->GetScalarOpacity()->AddPoint(0.5, 1.0);
+  CHECK(scene.Compare() <= 1.0);
+  CHECK(mapper->GetNumberOfBufferBuilds() == buffers);
+  CHECK(mapper->GetNumberOfShaderBuilds() == shaders);
+  CHECK(mapper->GetNumberOfTableBuilds() == 1);
+}
+
+void TestLimits(RelevoCheck& check)
+{
+  RelevoVolumeScene scene(MakeTetrahedra(2, GetWaves), MakeBusyProperty(0.3));
+  RelevoErrors errors(scene.GetMapper());
+  scene.GetMapper()->SetMethod(2);
+  CHECK(errors.Said("Method must be one of RAY_CASTING (0), CELL_PROJECTION (1), got 2."));
+  CHECK(scene.GetMapper()->GetMethod() == 0);
+  scene.GetMapper()->SetMethodToCellProjection();
+  vtkNew<vtkPiecewiseFunction> gradients;
+  gradients->AddPoint(0.0, 0.5);
+  scene.GetVolume()->GetProperty()->SetGradientOpacity(gradients);
+  scene.Draw();
+  CHECK(errors.Warned("Cells are not projected with gradients"));
+  scene.Draw();
+  CHECK(errors.None()); // once
+}
+}
+
+int TestGPUUnstructuredGridVolumeMapperProjection(int, char*[])
+{
+  RelevoCheck check;
+  TestViews(check);
+  TestDegenerateRays(check);
+  TestHoles(check);
+  TestCellScalars(check);
+  TestComponents(check);
+  TestSplitCells(check);
+  TestOpaqueProps(check);
+  TestIntegration(check);
+  TestCounters(check);
+  TestLimits(check);
+  return check.GetResult();
+}
