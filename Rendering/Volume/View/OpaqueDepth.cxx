@@ -58,6 +58,9 @@ bool OpaqueDepth::Blit(vtkOpenGLRenderWindow* window, const int viewport[4])
     this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
     this->Framebuffer->SetContext(window);
   }
+  // The scissor of a viewport is where it is in the window, and holds for blits, too.
+  vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_SCISSOR_TEST);
   GLint drawn = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn);
   state->PushFramebufferBindings();

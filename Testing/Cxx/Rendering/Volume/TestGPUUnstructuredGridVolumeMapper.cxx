@@ -14,6 +14,7 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -119,6 +120,33 @@ void TestPlaces(RelevoCheck& check)
 }
 
 // An opaque box in the volume: in its pixels the volume ends there.
+// What is drawn into the upper right of a window is what is drawn into a window of that size.
+void TestViewports(RelevoCheck& check)
+{
+  const int size = 60;
+  const std::vector<RelevoColor> alone =
+    RelevoVolumeScene(MakeBall(100), MakeBusyProperty(0.3), size, size).Draw();
+  RelevoVolumeScene scene(MakeBall(100), MakeBusyProperty(0.3), 2 * size, 2 * size);
+  scene.GetRenderer()->SetViewport(0.5, 0.5, 1.0, 1.0);
+  const std::vector<RelevoColor> beside = scene.Draw();
+  double most = 0.0;
+  double brightest = 0.0;
+  for (int j = 0; j < size; ++j)
+  {
+    for (int i = 0; i < size; ++i)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        const double value = alone[j * size + i][c];
+        brightest = std::max(brightest, value);
+        most = std::max(most, std::abs(value - beside[(j + size) * 2 * size + i + size][c]));
+      }
+    }
+  }
+  CHECK(brightest > 0.2);
+  CHECK(255.0 * most <= 1.0);
+}
+
 void TestOpaqueProps(RelevoCheck& check)
 {
   RelevoVolumeScene scene(MakeTetrahedra(4, GetLinearField), MakeLinearProperty(), 100, 100);
@@ -168,5 +196,6 @@ int TestGPUUnstructuredGridVolumeMapper(int, char*[])
   TestParts(check);
   TestPlaces(check);
   TestOpaqueProps(check);
+  TestViewports(check);
   return check.GetResult();
 }
