@@ -33,8 +33,8 @@
  * that the scalar is linear in. With TransferFunctionMode TF_2D the image of
  * GetTransferFunction2D() gives colour and opacity instead: its x is the scalar, its y the length
  * of the gradient, by its origin and spacing, bilinear and clamped; gradient opacities have no
- * effect. A blend mode that takes the opacity of one scalar takes the gradient where this is; an
- * average, their mean.
+ * effect. A blend mode that takes the opacity of one scalar takes the gradient where this is, in a
+ * face that of the cell before it; an average, their mean.
  *
  * With ShadeOn a white headlight lights composite blending and isosurfaces: it shines along the
  * direction in which the camera looks, as that of a renderer does that has no other lights. A

@@ -25,6 +25,7 @@ vtkGPUUnstructuredGridVolumeMapper::vtkGPUUnstructuredGridVolumeMapper()
     data.MeshBuffers.ReleaseGraphicsResources(window);
     data.Projected.ReleaseGraphicsResources(window);
     data.FunctionBuffers.ReleaseGraphicsResources(window);
+    data.Surfaces.ReleaseGraphicsResources(window);
     data.Psi.ReleaseGraphicsResources(window);
     data.Integrals.ReleaseGraphicsResources(window);
     data.Depth.ReleaseGraphicsResources(window);
@@ -88,9 +89,13 @@ void vtkGPUUnstructuredGridVolumeMapper::Render(vtkRenderer* renderer, vtkVolume
   }
   data.Context->SetContext(window);
   if (this->UpdateMesh(volume) && this->UpdateFunctions(volume) &&
-    this->UpdateView(renderer, volume) && this->UpdateTables())
+    this->UpdateView(renderer, volume))
   {
-    this->Draw(renderer, volume);
+    this->UpdateFeatures(renderer, volume);
+    if (this->UpdateTables())
+    {
+      this->Draw(renderer, volume);
+    }
   }
 }
 
@@ -99,6 +104,7 @@ void vtkGPUUnstructuredGridVolumeMapper::PrintSelf(ostream& os, vtkIndent indent
   this->Superclass::PrintSelf(os, indent);
   os << indent << "VectorMode: " << this->VectorMode << "\n";
   os << indent << "VectorComponent: " << this->VectorComponent << "\n";
+  os << indent << "IsoSurfaces: " << (this->IsoSurfaces ? "On" : "Off") << "\n";
   os << indent << "Method: " << this->Method << "\n";
   os << indent << "Integration: " << this->Integration << "\n";
   os << indent << "TableSize: " << this->TableSize << "\n";

@@ -17,6 +17,15 @@
  * chosen as in VTK's mappers: SetScalarMode...(), SelectScalarArray(). InterpolationType has no
  * effect: scalars of points are always interpolated.
  *
+ * With ShadeOn all lights of the renderer that are on shine: directional ones along their
+ * direction, positional ones from their place, in their diffuse and specular colours times their
+ * intensity. Cones and attenuation have no effect, and nothing throws a shadow. With a renderer's
+ * own headlight this is what vtkVolumeRayCastFilter shows. The first shaded picture of a mesh
+ * uploads gradients at its points, 16 bytes for each and each component.
+ *
+ * AddClippingPlane() and the like: planes in world coordinates, whose positive side stays; at most
+ * 32, more are an error.
+ *
  * Opaque props hide what is behind them. Translucent ones mix with the volume if the renderer has
  * UseDepthPeeling and UseDepthPeelingForVolumes on.
  *
@@ -85,6 +94,41 @@ public:
   vtkGetMacro(VectorComponent, int);
   //@}
 
+  /// As those of vtkVolumeMapper. COMPOSITE_BLEND and MAXIMUM_INTENSITY_BLEND are inherited.
+  enum FurtherBlendModes
+  {
+    MINIMUM_INTENSITY_BLEND = 2,
+    AVERAGE_INTENSITY_BLEND,
+    ADDITIVE_BLEND,
+    ISOSURFACE_BLEND
+  };
+
+  //@{
+  /**
+   * What is shown of a ray, by vtkVolumeMapper's numbers; default COMPOSITE_BLEND (0). Maximum (1)
+   * and minimum (2): the highest or lowest scalar inside the mesh, exactly so; average (3): the
+   * mean by length; additive (4): what nothing hides; isosurface (5): the property's
+   * IsoSurfaceValues. The doc comment of vtkVolumeRayCastFilter::SetBlendMode() says what they
+   * mean. Where translucent props are mixed with the volume by depth peeling, modes 1 to 4 show
+   * what is between the props' layers.
+   */
+  void SetBlendMode(int mode) override;
+  void SetBlendModeToMinimumIntensity() { this->SetBlendMode(MINIMUM_INTENSITY_BLEND); }
+  void SetBlendModeToAverageIntensity() { this->SetBlendMode(AVERAGE_INTENSITY_BLEND); }
+  void SetBlendModeToAdditive() { this->SetBlendMode(ADDITIVE_BLEND); }
+  void SetBlendModeToIsoSurface() { this->SetBlendMode(ISOSURFACE_BLEND); }
+  //@}
+
+  //@{
+  /**
+   * Whether the property's IsoSurfaceValues are drawn inside the volume, with composite blending;
+   * default off. See vtkVolumeRayCastFilter::SetIsoSurfaces().
+   */
+  vtkSetMacro(IsoSurfaces, bool);
+  vtkGetMacro(IsoSurfaces, bool);
+  vtkBooleanMacro(IsoSurfaces, bool);
+  //@}
+
   enum MethodType
   {
     RAY_CASTING,
@@ -100,8 +144,8 @@ public:
    * where cells hide each other in a cycle, or the mesh has parts or hollows that no common faces
    * order, it may be wrong, and where cells overlap, both count. All cells are split into
    * tetrahedra (vtkCell::Triangulate). It takes 20 bytes a tetrahedron more on the GPU. What it
-   * cannot do rays are cast for: gradient opacity and 2D functions, with a warning, and render
-   * passes (UseDepthPeelingForVolumes).
+   * cannot do rays are cast for: other blend modes, isosurfaces, gradient opacity, 2D functions
+   * and shading, with a warning, and render passes (UseDepthPeelingForVolumes).
    */
   void SetMethod(int method);
   vtkGetMacro(Method, int);
@@ -185,6 +229,7 @@ private:
   bool BuildMesh(vtkVolume* volume, vtkDataObject* input);
   bool UpdateFunctions(vtkVolume* volume);
   bool UpdateView(vtkRenderer* renderer, vtkVolume* volume);
+  void UpdateFeatures(vtkRenderer* renderer, vtkVolume* volume);
   bool FindPreIntegrated();
   bool UpdateTables();
   vtkShaderProgram* ReadyProgram(const std::string& vertexSource, const std::string& source);
@@ -201,6 +246,7 @@ private:
 
   int VectorMode = DISABLED;
   int VectorComponent = 0;
+  bool IsoSurfaces = false;
   int Method = RAY_CASTING;
   int Integration = EXACT;
   int TableSize = 128;

@@ -13,6 +13,20 @@
 
 #include <vector>
 
+namespace
+{
+// Whether gradients at points may be needed.
+bool IsShaded(vtkVolumeProperty* property)
+{
+  bool isShaded = false;
+  for (int i = 0; i < relevo::MostComponents; ++i)
+  {
+    isShaded = isShaded || property->GetShade(i) != 0;
+  }
+  return isShaded;
+}
+}
+
 // What was tried and failed is tried anew, and complained about, when something has changed.
 bool vtkGPUUnstructuredGridVolumeMapper::UpdateMesh(vtkVolume* volume)
 {
@@ -23,15 +37,25 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateMesh(vtkVolume* volume)
   const relevo::ArrayChoice array(
     this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName ? this->ArrayName : "");
   const vtkMTimeType time = input->GetMTime();
+  const bool areIndependent = volume->GetProperty()->GetIndependentComponents() != 0;
   if (data.MeshInput != input || data.MeshTime != time || !(data.Choice == choice) ||
-    data.Array != array || data.HasCorners != (this->Method == CELL_PROJECTION))
+    data.Array != array || data.HasCorners != (this->Method == CELL_PROJECTION) ||
+    data.AreIndependent != areIndependent)
   {
     data.HasCorners = this->Method == CELL_PROJECTION;
+    data.AreIndependent = areIndependent;
     data.MeshInput = input;
     data.MeshTime = time;
     data.Choice = choice;
     data.Array = array;
     data.HasFunctions = false;
+    data.HasGradients = IsShaded(volume->GetProperty());
+    data.HasMesh = this->BuildMesh(volume, input);
+  }
+  else if (data.HasMesh && !data.HasCellScalars && !data.HasGradients &&
+    IsShaded(volume->GetProperty()))
+  {
+    data.HasGradients = true;
     data.HasMesh = this->BuildMesh(volume, input);
   }
   return data.HasMesh && data.NumberOfDrawnCells > 0;
@@ -98,7 +122,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::BuildMesh(vtkVolume* volume, vtkDataObj
   }
   data.HasCellScalars = meshes.front().AreOfCells;
   relevo::JoinedMesh& mesh = data.Mesh;
-  if (!mesh.Build(cells, data.NumberOfComponents, error, data.HasCorners))
+  if (!mesh.Build(cells, data.NumberOfComponents, error, data.HasCorners, data.HasGradients))
   {
     vtkErrorMacro("The input " << error << ".");
     return false;
@@ -141,8 +165,18 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateFunctions(vtkVolume* volume)
     {
       vtkWarningMacro("The volume property " << warning << ".");
     }
-    data.FunctionBuffers.Upload(
-      data.GetWindow(), data.Functions, data.Mesh.ScalarLow, data.Mesh.ScalarSize);
+    const relevo::JoinedMesh& mesh = data.Mesh;
+    data.HasFunctions = data.FunctionBuffers.Upload(data.GetWindow(), data.Functions,
+                          mesh.ScalarLow, mesh.ScalarSize, mesh.Radius) &&
+      data.Surfaces.Upload(
+        data.GetWindow(), property, data.Functions, mesh.ScalarLow, mesh.ScalarSize);
+    if (!data.HasFunctions)
+    {
+      vtkErrorMacro(
+        "The functions of the volume property, with so many nodes or texels, do not fit "
+        "into the buffer textures of this OpenGL.");
+      return false;
+    }
     data.Integrals.ReleaseGraphicsResources(data.GetWindow());
   }
   return true;
@@ -152,16 +186,22 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateFunctions(vtkVolume* volume)
 bool vtkGPUUnstructuredGridVolumeMapper::FindPreIntegrated()
 {
   vtkInternals& data = *this->Internals;
-  if (this->Integration == EXACT || data.Functions.DependOnOneScalar())
+  if (this->Integration == EXACT || this->BlendMode != COMPOSITE_BLEND)
   {
-    return this->Integration != EXACT;
+    return false;
+  }
+  if (data.Functions.DependOnOneScalar() && !data.Options.HasSurfaces &&
+    data.Options.NumberOfMaterials == 0)
+  {
+    return true;
   }
   const vtkMTimeType time = std::max(data.FunctionsTime, this->GetMTime());
   if (data.WarningTime != time)
   {
     data.WarningTime = time;
-    vtkWarningMacro("Pre-integration takes one component, without gradients; integration is exact "
-                    "instead.");
+    vtkWarningMacro(
+      "Pre-integration takes one component, without gradients, shading and isosurfaces; "
+      "integration is exact instead.");
   }
   return false;
 }

@@ -139,6 +139,7 @@ void vtkGPUUnstructuredGridVolumeMapper::vtkInternals::ActivateTextures(vtkShade
 {
   this->MeshBuffers.Activate(program);
   this->FunctionBuffers.Activate(program);
+  this->Surfaces.Activate(program);
   this->Psi.Activate(program);
   this->Integrals.Activate(program);
   this->Depth.Activate(program);
@@ -149,6 +150,7 @@ void vtkGPUUnstructuredGridVolumeMapper::vtkInternals::DeactivateTextures()
   this->Depth.Deactivate();
   this->Integrals.Deactivate();
   this->Psi.Deactivate();
+  this->Surfaces.Deactivate();
   this->FunctionBuffers.Deactivate();
   this->MeshBuffers.Deactivate();
 }
@@ -156,11 +158,7 @@ void vtkGPUUnstructuredGridVolumeMapper::vtkInternals::DeactivateTextures()
 relevo::VolumeShaderOptions vtkGPUUnstructuredGridVolumeMapper::GetShaderOptions()
 {
   const vtkInternals& data = *this->Internals;
-  relevo::VolumeShaderOptions options;
-  options.NumberOfComponents = data.NumberOfComponents;
-  options.NumberOfCurves = static_cast<int>(data.Functions.GetCurves().size());
-  options.AreDependent = data.Functions.AreDependent();
-  options.HasCellScalars = data.HasCellScalars;
+  relevo::VolumeShaderOptions options = data.Options;
   options.PreIntegrated = !data.IsPreIntegrated ? 0 : this->Integration == PRE_INTEGRATED ? 3 : 2;
   return options;
 }
@@ -201,6 +199,8 @@ void vtkGPUUnstructuredGridVolumeMapper::Draw(vtkRenderer* renderer, vtkVolume* 
     return;
   }
   data.View.SetUniforms(program);
+  data.Planes.SetUniforms(program);
+  data.Lights.SetUniforms(program);
   data.ActivateTextures(program);
   data.Entries.Activate(program);
   program->SetUniformi("areEntriesKnown", areEntriesKnown ? 1 : 0);

@@ -13,15 +13,18 @@
 #include "Buffers/IntegralTable.h"
 #include "Buffers/ProjectedCells.h"
 #include "Buffers/PsiTable.h"
+#include "Buffers/SurfaceBuffer.h"
 #include "Buffers/VolumeMeshBuffers.h"
 #include "Cells/VolumeCells.h"
 #include "Integral/TransferFunctions.h"
 #include "OpenGL/ContextWatch.h"
 #include "Shaders/VolumeShader.h"
 #include "View/FloatTarget.h"
+#include "View/MeshPlanes.h"
 #include "View/OpaqueDepth.h"
 #include "View/RayEntries.h"
 #include "View/RayView.h"
+#include "View/VolumeLights.h"
 #include "Walk/JoinedMesh.h"
 #include "vtkGPUUnstructuredGridVolumeMapper.h"
 #include "vtkNew.h"
@@ -52,6 +55,8 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
   bool HasCorners = false; // for cell projection
   int NumberOfComponents = 1;
   bool HasCellScalars = false;
+  bool HasGradients = false; // as of the last build, whatever the scalars
+  bool AreIndependent = true;
   vtkIdType NumberOfDrawnCells = 0;
 
   relevo::TransferFunctions Functions;
@@ -60,6 +65,8 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
   vtkMTimeType WarningTime = 0; // of the settings that were complained about
   bool IsPreIntegrated = false;
   vtkMTimeType MethodWarningTime = 0;
+  relevo::VolumeShaderOptions Options;
+  vtkMTimeType PlanesTime = 0; // when there were too many
 
   // Of one context.
   vtkNew<relevo::ContextWatch> Context;
@@ -67,12 +74,15 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
   relevo::VolumeMeshBuffers MeshBuffers;
   relevo::ProjectedCells Projected;
   relevo::FunctionBuffers FunctionBuffers;
+  relevo::SurfaceBuffer Surfaces;
   relevo::PsiTable Psi;
   relevo::IntegralTable Integrals;
   relevo::OpaqueDepth Depth;
   relevo::RayEntries Entries;
   relevo::FloatTarget Projection;
   relevo::RayView View;
+  relevo::MeshPlanes Planes;
+  relevo::VolumeLights Lights;
   std::map<std::string, vtkShaderProgram*> Programs; // of the window's cache, by their text
   vtkNew<vtkOpenGLVertexArrayObject> Viewport;
   void DrawViewport();

@@ -17,7 +17,10 @@
 bool vtkGPUUnstructuredGridVolumeMapper::FindProjected()
 {
   vtkInternals& data = *this->Internals;
-  if (this->Method != CELL_PROJECTION || !data.Functions.NeedSteepness())
+  const relevo::VolumeShaderOptions& options = data.Options;
+  const bool isPossible = this->BlendMode == COMPOSITE_BLEND && !options.HasSurfaces &&
+    !options.HasTables && !options.HasGradientOpacity && options.NumberOfMaterials == 0;
+  if (this->Method != CELL_PROJECTION || isPossible)
   {
     return this->Method == CELL_PROJECTION;
   }
@@ -25,7 +28,8 @@ bool vtkGPUUnstructuredGridVolumeMapper::FindProjected()
   if (data.MethodWarningTime != time)
   {
     data.MethodWarningTime = time;
-    vtkWarningMacro("Cells are not projected with gradients; rays are cast instead.");
+    vtkWarningMacro("Cells are projected with composite blending, without gradients, shading and "
+                    "isosurfaces; rays are cast instead.");
   }
   return false;
 }
@@ -60,6 +64,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::ProjectCells(int width, int height)
   data.View.SetViewport(relevo::dvec4(0.0, 0.0, width, height));
   data.View.SetUniforms(program);
   data.View.SetProjectionUniforms(program);
+  data.Planes.SetUniforms(program);
   data.ActivateTextures(program);
   data.Projected.Activate(program);
   data.Projection.Draw(6 * data.Projected.GetNumberOfCells(), true);

@@ -33,6 +33,13 @@ void vtkGPUUnstructuredGridVolumeMapper::SetMethod(int method)
   relevo::SetChoice(this, "Method", this->Method, method, { "RAY_CASTING", "CELL_PROJECTION" });
 }
 
+void vtkGPUUnstructuredGridVolumeMapper::SetBlendMode(int mode)
+{
+  relevo::SetChoice(this, "BlendMode", this->BlendMode, mode,
+    { "COMPOSITE_BLEND", "MAXIMUM_INTENSITY_BLEND", "MINIMUM_INTENSITY_BLEND",
+      "AVERAGE_INTENSITY_BLEND", "ADDITIVE_BLEND", "ISOSURFACE_BLEND" });
+}
+
 void vtkGPUUnstructuredGridVolumeMapper::SetIntegration(int integration)
 {
   relevo::SetChoice(this, "Integration", this->Integration, integration,
@@ -54,8 +61,8 @@ vtkTypeInt64 vtkGPUUnstructuredGridVolumeMapper::GetGraphicsMemorySize()
 {
   const vtkInternals& data = *this->Internals;
   return data.MeshBuffers.GetMemorySize() + data.Projected.GetMemorySize() +
-    data.FunctionBuffers.GetMemorySize() + data.Psi.GetMemorySize() +
-    data.Integrals.GetMemorySize();
+    data.FunctionBuffers.GetMemorySize() + data.Surfaces.GetMemorySize() +
+    data.Psi.GetMemorySize() + data.Integrals.GetMemorySize();
 }
 
 vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfBufferBuilds()

@@ -14,9 +14,8 @@ namespace
 {
 // Of how far the ray has come: cells no farther apart touch.
 constexpr double Touching = 1e-9;
-// Of the ray's largest scalar: cells that touch may differ so much, as floats of several blocks do.
-constexpr double Same = 1e-6;
-// The same: cells whose corners have one value have it in between, but for rounding.
+// Of the ray's largest scalar: cells whose corners have one value have it in between, but for
+// rounding.
 constexpr double Rounding = 1e-12;
 
 size_t FindHeaviest(vtkVolumeProperty* property, size_t components)

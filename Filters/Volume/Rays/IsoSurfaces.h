@@ -28,9 +28,13 @@ struct IsoCrossing
   double Value;
 };
 
-class IsoSurfaces
+class RELEVOFILTERSVOLUME_EXPORT IsoSurfaces
 {
 public:
+  /// Of the ray's largest scalar: cells that touch may differ so much, as floats of several blocks
+  /// do.
+  static constexpr double Same = 1e-6;
+
   /// None.
   IsoSurfaces() = default;
   /// Of the property's values, those that are numbers.
@@ -43,6 +47,11 @@ public:
   dvec4 GetColor(
     const TransferFunctions& functions, const RayPart& part, const IsoCrossing& crossing) const;
   size_t GetCurve() const { return this->Curve; }
+
+  /// In ascending order.
+  const std::vector<double>& GetValues() const { return this->Values; }
+  /// Whose values these are.
+  int GetComponent() const { return this->Component; }
 
 private:
   // Between the ends of a part.

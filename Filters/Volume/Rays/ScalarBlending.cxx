@@ -2,10 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rays/ScalarBlending.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace relevo
 {
 namespace
 {
+// Of a component's largest value on the ray: cells that touch differ no more where they do.
+constexpr double Rounding = 1e-12;
+
 // A place, or the mean of places.
 struct Sample
 {
@@ -18,6 +24,19 @@ struct Sample
     return dvec4(dvec3(color) * color.w, color.w);
   }
 };
+
+Scalars FindSizes(const std::vector<RayPart>& parts)
+{
+  Scalars sizes = {};
+  for (const RayPart& part : parts)
+  {
+    for (size_t c = 0; c < sizes.size(); ++c)
+    {
+      sizes[c] = std::max({ sizes[c], std::abs(part.Front[c]), std::abs(part.Back[c]) });
+    }
+  }
+  return sizes;
+}
 }
 
 dvec4 BlendExtreme(
@@ -29,20 +48,23 @@ dvec4 BlendExtreme(
   }
   const size_t last = static_cast<size_t>(functions.GetNumberOfComponents()) - 1;
   Sample extreme = { parts.front().Front, parts.front().Steepness };
+  const Scalars sizes = FindSizes(parts);
   const auto add = [&](const Sample& sample)
   {
     for (size_t c = 0; c <= last; ++c)
     {
       const size_t deciding = functions.AreIndependent() ? c : last;
-      const bool isFarther = sign * sample.Values[deciding] > sign * extreme.Values[deciding];
-      if (isFarther && functions.AreIndependent())
-      {
-        extreme.Values[c] = sample.Values[c];
-        extreme.Steepness[c] = sample.Steepness[c];
-      }
-      else if (isFarther)
+      const double farther = sign * (sample.Values[deciding] - extreme.Values[deciding]);
+      if (farther > 0.0 && !functions.AreIndependent())
       {
         extreme = sample;
+      }
+      else if (farther > 0.0)
+      {
+        // In a face, of the gradients of both cells that of the first one counts.
+        const bool isElsewhere = farther > Rounding * sizes[c];
+        extreme.Values[c] = sample.Values[c];
+        extreme.Steepness[c] = isElsewhere ? sample.Steepness[c] : extreme.Steepness[c];
       }
     }
   };

@@ -3,6 +3,7 @@
 #include "Walk/JoinedMesh.h"
 
 #include "Cells/JoinedPoints.h"
+#include "Cells/PointGradients.h"
 #include "Cells/VolumeCells.h"
 #include "Core/FiniteBox.h"
 #include "Mesh/FaceNeighbors.h"
@@ -41,6 +42,7 @@ public:
   void JoinPoints();
   void PlacePoints();
   void ScaleScalars();
+  void AddGradients();
   void AddCells();
   void FindLongestEdge();
   void FindNeighbors();
@@ -178,6 +180,26 @@ void JoiningMesh::ScaleScalars()
       this->Mesh.Points[4 * i + 3] = scalars[i];
     }
     scalars = {};
+  }
+}
+
+void JoiningMesh::AddGradients()
+{
+  if (this->HasCellScalars())
+  {
+    return;
+  }
+  const std::vector<Gradients> all = ComputePointGradients(this->Cells);
+  for (vtkIdType point : this->OldIds)
+  {
+    for (int c = 0; c < this->NumberOfComponents; ++c)
+    {
+      const dvec3 gradient = this->Mesh.Radius / this->Mesh.ScalarSize[c] * all[point][c];
+      for (double value : { gradient.x, gradient.y, gradient.z, 0.0 })
+      {
+        this->Mesh.PointGradients.push_back(static_cast<float>(value));
+      }
+    }
   }
 }
 
@@ -396,14 +418,18 @@ void JoiningMesh::BuildBorder()
 }
 }
 
-bool JoinedMesh::Build(
-  const VolumeCells& cells, int numberOfComponents, std::string& error, bool withCorners)
+bool JoinedMesh::Build(const VolumeCells& cells, int numberOfComponents, std::string& error,
+  bool withCorners, bool withGradients)
 {
   *this = JoinedMesh();
   JoiningMesh joining(cells, numberOfComponents, withCorners, *this);
   joining.JoinPoints();
   joining.PlacePoints();
   joining.ScaleScalars();
+  if (withGradients)
+  {
+    joining.AddGradients();
+  }
   joining.AddCells();
   joining.FindLongestEdge();
   joining.FindNeighbors();

@@ -32,10 +32,11 @@ struct RELEVOFILTERSVOLUME_EXPORT JoinedMesh
 
   /**
    * false with words that follow "The input " where the mesh is too large. Of cells whose scalars
-   * have more than one component, all are kept apart from the points. Corners are kept if wanted.
+   * have more than one component, all are kept apart from the points. Corners are kept if wanted,
+   * and gradients, which scalars of cells have not.
    */
-  bool Build(
-    const VolumeCells& cells, int numberOfComponents, std::string& error, bool withCorners = false);
+  bool Build(const VolumeCells& cells, int numberOfComponents, std::string& error,
+    bool withCorners = false, bool withGradients = false);
 
   /// Free the arrays; where places and scalars are stays.
   void Release();
@@ -57,6 +58,9 @@ struct RELEVOFILTERSVOLUME_EXPORT JoinedMesh
   std::vector<float> Points;       // x, y, z, and the scalar if there is one component
   std::vector<float> PointScalars; // of several components, 4 for each point
   std::vector<float> CellScalars;  // of cells, if they have them: 1, or 4 of several components
+  /// Of each point those of all components, if asked for: 4 each, of which the last is 0. A
+  /// gradient is ScalarSize / Radius * what is stored.
+  std::vector<float> PointGradients;
 
   /// Of each tetrahedron the exclusive or of its points.
   std::vector<std::uint32_t> PointSums;

@@ -29,7 +29,13 @@ RELEVO_FUNCTION Real2 volumeLight(Real3 gradient, Real3 toLight, Real3 toEye, Re
 }
 
 // A straight colour, lit.
+RELEVO_FUNCTION Real3 lightenColor(Real3 color, Real3 factor, Real3 added)
+{
+  return min(color * factor + added, Real3(Real(1)));
+}
+
+// The same in white light.
 RELEVO_FUNCTION Real3 lightenColor(Real3 color, Real2 light)
 {
-  return min(color * light.x + light.y, Real3(Real(1)));
+  return lightenColor(color, Real3(light.x), Real3(light.y));
 }

@@ -36,53 +36,132 @@ void AddPiece(
     }
   }
 }
+
+// Constant before the first node and after the last.
+template <typename Place, typename Get>
+void AddAll(
+  const std::vector<double>& nodes, const Place& place, const Get& get, std::vector<float>& all)
+{
+  for (size_t i = 0; i <= nodes.size(); ++i)
+  {
+    const double begin = nodes[i == 0 ? 0 : i - 1];
+    const double end = nodes[i == nodes.size() ? i - 1 : i];
+    AddPiece(i == 0 ? -Infinity : place(begin), i == nodes.size() ? Infinity : place(end),
+      get(i, begin), get(i, end), all);
+  }
+}
+}
+
+void FunctionBuffers::AddPieces(const TransferFunctions::Curve& curve, double low, double size)
+{
+  const std::vector<double>& nodes = curve.Pieces.GetNodes();
+  this->Curves.First.push_back(static_cast<int>(this->Texels.size() / 12));
+  this->Curves.Sizes.push_back(static_cast<int>(nodes.size()));
+  const auto get = [&](size_t piece, double at)
+  {
+    const dvec4 value = max(curve.Pieces.Evaluate(piece, at), dvec4(0.0));
+    return dvec4(dvec3(value), value.w / curve.UnitDistance);
+  };
+  AddAll(
+    nodes, [=](double node) { return Round((node - low) / size); }, get, this->Texels);
+}
+
+// A row of pieces for each row of the image.
+void FunctionBuffers::AddTable(
+  const TransferFunctions::Curve& curve, double low, double size, double steepness)
+{
+  const std::vector<double>& nodes = curve.Table.GetColumns();
+  const std::vector<double>& rows = curve.Table.GetRows();
+  this->Curves.First.push_back(static_cast<int>(this->Texels.size() / 12));
+  this->Curves.Sizes.push_back(static_cast<int>(nodes.size()));
+  const double distance = rows.size() > 1 ? rows[1] - rows[0] : 1.0;
+  this->Rows.push_back(Round(rows[0] / steepness));
+  this->Rows.push_back(Round(steepness / distance));
+  this->Rows.push_back(static_cast<float>(rows.size() - 1));
+  for (double row : rows)
+  {
+    const auto get = [&](size_t, double at)
+    {
+      const dvec4 value = curve.Table.Evaluate(at, row);
+      return dvec4(dvec3(value), value.w / curve.UnitDistance);
+    };
+    AddAll(
+      nodes, [=](double node) { return Round((node - low) / size); }, get, this->Texels);
+  }
+}
+
+// 1 where there is none.
+void FunctionBuffers::AddGradientOpacity(const LinearPieces& pieces, double steepness)
+{
+  this->Gradients.First.push_back(static_cast<int>(this->Texels.size() / 12));
+  this->Gradients.Sizes.push_back(static_cast<int>(pieces.GetNodes().size()));
+  if (pieces.GetNodes().empty())
+  {
+    AddPiece(-Infinity, Infinity, dvec4(1.0), dvec4(1.0), this->Texels);
+    return;
+  }
+  AddAll(
+    pieces.GetNodes(), [=](double node) { return Round(node / steepness); },
+    [&](size_t piece, double at) { return pieces.Evaluate(piece, at); }, this->Texels);
 }
 
 bool FunctionBuffers::Upload(vtkOpenGLRenderWindow* window, const TransferFunctions& functions,
-  const Scalars& low, const Scalars& size)
+  const Scalars& low, const Scalars& size, double radius)
 {
-  for (int i = 0; i < MostComponents; ++i)
-  {
-    const double unit = i == MostComponents - 1 ? functions.GetUnitDistance() : 1.0;
-    this->ColorLow[i] = Round(low[i] / unit);
-    this->ColorSize[i] = Round(size[i] / unit);
-  }
-  this->First.clear();
-  this->Sizes.clear();
-  std::vector<float> texels;
+  this->Texels.clear();
+  this->Curves = {};
+  this->Gradients = {};
+  this->Rows.clear();
+  this->UnitDistances.clear();
   for (const TransferFunctions::Curve& curve : functions.GetCurves())
   {
-    const std::vector<double>& nodes = curve.Pieces.GetNodes();
-    this->First.push_back(static_cast<int>(texels.size() / 12));
-    this->Sizes.push_back(static_cast<int>(nodes.size()));
-    const auto place = [&](double node)
-    { return Round((node - low[curve.Component]) / size[curve.Component]); };
-    const auto get = [&](size_t piece, double at)
-    {
-      const dvec4 value = max(curve.Pieces.Evaluate(piece, at), dvec4(0.0));
-      return dvec4(dvec3(value), value.w / curve.UnitDistance);
-    };
-    for (size_t i = 0; i <= nodes.size(); ++i)
-    {
-      const double begin = nodes[i == 0 ? 0 : i - 1];
-      const double end = nodes[i == nodes.size() ? i - 1 : i];
-      AddPiece(i == 0 ? -Infinity : place(begin), i == nodes.size() ? Infinity : place(end),
-        get(i, begin), get(i, end), texels);
-    }
+    const int c = curve.Component;
+    curve.Table.IsEmpty() ? this->AddPieces(curve, low[c], size[c])
+                          : this->AddTable(curve, low[c], size[c], size[c] / radius);
+    this->AddGradientOpacity(curve.GradientOpacity, size[c] / radius);
+    this->UnitDistances.push_back(Round(curve.UnitDistance));
   }
-  return this->Pieces.Upload(window, texels, 4);
+  if (functions.AreColors())
+  {
+    for (int i = 0; i < MostComponents; ++i)
+    {
+      const double unit = i == MostComponents - 1 ? functions.GetUnitDistance() : 1.0;
+      this->ColorLow[i] = Round(low[i] / unit);
+      this->ColorSize[i] = Round(size[i] / unit);
+    }
+    this->AddGradientOpacity(functions.GetGradientOpacity(), size[MostComponents - 1] / radius);
+    this->UnitDistances.push_back(Round(functions.GetUnitDistance()));
+  }
+  const bool isUploaded = this->Pieces.Upload(window, this->Texels, 4);
+  this->Texels = {};
+  return isUploaded;
+}
+
+void FunctionBuffers::Ranges::Set(vtkShaderProgram* program, const std::string& name) const
+{
+  if (program->IsUniformUsed((name + "First").c_str()))
+  {
+    const int count = static_cast<int>(this->First.size());
+    program->SetUniform1iv((name + "First").c_str(), count, this->First.data());
+    program->SetUniform1iv((name + "Sizes").c_str(), count, this->Sizes.data());
+  }
 }
 
 void FunctionBuffers::Activate(vtkShaderProgram* program)
 {
   this->Pieces.Activate(program, "functionPieces");
-  if (!this->First.empty())
+  this->Curves.Set(program, "curve");
+  this->Gradients.Set(program, "gradient");
+  if (program->IsUniformUsed("unitDistances"))
   {
-    const int count = static_cast<int>(this->First.size());
-    program->SetUniform1iv("curveFirst", count, this->First.data());
-    program->SetUniform1iv("curveSizes", count, this->Sizes.data());
+    program->SetUniform1fv(
+      "unitDistances", static_cast<int>(this->UnitDistances.size()), this->UnitDistances.data());
   }
-  else
+  if (program->IsUniformUsed("curveRows"))
+  {
+    program->SetUniform3fv("curveRows", static_cast<int>(this->Rows.size() / 3), this->Rows.data());
+  }
+  if (program->IsUniformUsed("scalarLow"))
   {
     program->SetUniform4f("scalarLow", this->ColorLow);
     program->SetUniform4f("scalarSize", this->ColorSize);

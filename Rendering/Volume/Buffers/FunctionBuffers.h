@@ -12,6 +12,7 @@
 #include "Buffers/RefinementBuffer.h"
 #include "Integral/TransferFunctions.h"
 
+#include <string>
 #include <vector>
 
 namespace relevo
@@ -19,9 +20,13 @@ namespace relevo
 class FunctionBuffers
 {
 public:
-  /// For scalars that are low + size * what the mesh has.
+  /**
+   * For scalars that are low + size * what the mesh has, and places that are radius * what it has,
+   * so that gradients are size / radius * what it has. false when it does not fit into this
+   * OpenGL's buffer textures.
+   */
   bool Upload(vtkOpenGLRenderWindow* window, const TransferFunctions& functions, const Scalars& low,
-    const Scalars& size);
+    const Scalars& size, double radius);
 
   void Activate(vtkShaderProgram* program);
   void Deactivate() { this->Pieces.Deactivate(); }
@@ -32,9 +37,23 @@ public:
   vtkTypeInt64 GetMemorySize() const { return this->Pieces.GetMemorySize(); }
 
 private:
+  void AddPieces(const TransferFunctions::Curve& curve, double low, double size);
+  void AddTable(const TransferFunctions::Curve& curve, double low, double size, double steepness);
+  void AddGradientOpacity(const LinearPieces& pieces, double steepness);
+
   RefinementBuffer Pieces;
-  std::vector<int> First; // of each curve's pieces
-  std::vector<int> Sizes; // their number less one
+  std::vector<float> Texels; // of the pieces, until they are uploaded
+  // Pieces: the first, and their number less one.
+  struct Ranges
+  {
+    std::vector<int> First;
+    std::vector<int> Sizes;
+    void Set(vtkShaderProgram* program, const std::string& name) const;
+  };
+  Ranges Curves;
+  Ranges Gradients;
+  std::vector<float> Rows; // of 2D functions, 3 each
+  std::vector<float> UnitDistances;
   // Of scalars that are colours.
   float ColorLow[MostComponents] = {};
   float ColorSize[MostComponents] = {};

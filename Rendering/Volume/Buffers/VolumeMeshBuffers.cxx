@@ -18,6 +18,7 @@ bool VolumeMeshBuffers::Upload(vtkOpenGLRenderWindow* window, const JoinedMesh& 
     this->Buffers[PointScalars].Upload(window, mesh.PointScalars, 4) &&
     this->Buffers[CellScalars].Upload(
       window, mesh.CellScalars, mesh.CellScalars.size() > cells ? 4 : 1) &&
+    this->Buffers[PointGradients].Upload(window, mesh.PointGradients, 4) &&
     this->Buffers[PointSums].Upload(window, mesh.PointSums, 1) &&
     this->Buffers[Neighbors].Upload(window, mesh.Neighbors, 4) &&
     this->Buffers[CurvedCells].Upload(window, mesh.CurvedCells, 4) &&
@@ -27,8 +28,8 @@ bool VolumeMeshBuffers::Upload(vtkOpenGLRenderWindow* window, const JoinedMesh& 
 
 void VolumeMeshBuffers::Activate(vtkShaderProgram* program)
 {
-  const char* samplers[NumberOfKinds] = { "meshPoints", "pointScalars", "cellScalars", "pointSums",
-    "neighbors", "curvedCells", "borderFaces", "borderTree" };
+  const char* samplers[NumberOfKinds] = { "meshPoints", "pointScalars", "cellScalars",
+    "pointGradients", "pointSums", "neighbors", "curvedCells", "borderFaces", "borderTree" };
   for (int kind = 0; kind < NumberOfKinds; ++kind)
   {
     this->Buffers[kind].Activate(program, samplers[kind]);

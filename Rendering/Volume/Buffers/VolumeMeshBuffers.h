@@ -39,6 +39,7 @@ private:
     Points,
     PointScalars,
     CellScalars,
+    PointGradients,
     PointSums,
     Neighbors,
     CurvedCells,

@@ -3,19 +3,26 @@
 #include "Shaders/VolumeShader.h"
 
 #include "Buffers/PsiTable.h"
+#include "View/MeshPlanes.h"
 #include "relevoLinearSegment.h"
+#include "relevoVolumeAverage.h"
 #include "relevoVolumeBorder.h"
 #include "relevoVolumeComposite.h"
 #include "relevoVolumeEdges.h"
 #include "relevoVolumeEntriesFS.h"
+#include "relevoVolumeExtreme.h"
 #include "relevoVolumeFS.h"
 #include "relevoVolumeFunctions.h"
+#include "relevoVolumeGradients.h"
+#include "relevoVolumeIsoSurface.h"
 #include "relevoVolumePart.h"
 #include "relevoVolumePreIntegrated.h"
 #include "relevoVolumeProjectedFS.h"
 #include "relevoVolumeProjectionFS.h"
 #include "relevoVolumeProjectionVS.h"
 #include "relevoVolumeRay.h"
+#include "relevoVolumeShading.h"
+#include "relevoVolumeSurfaces.h"
 #include "relevoVolumeWalk.h"
 
 #include "vtkShaderProgram.h"
@@ -43,6 +50,29 @@ void PutRays(std::string& source)
   Put(source, "Border", relevoVolumeBorder);
 }
 
+void DefineFeatures(std::ostringstream& defines, const VolumeShaderOptions& options)
+{
+  const VolumeBlending blending = options.Blending;
+  const bool isMapped = blending == VolumeBlending::Maximum ||
+    blending == VolumeBlending::Minimum || blending == VolumeBlending::Average;
+  Define(defines, "FIRST_COMPONENT", options.FirstComponent);
+  Define(defines, "TABLES", options.HasTables);
+  Define(defines, "GRADIENT_OPACITY", options.HasGradientOpacity);
+  Define(defines, "STEEPNESS",
+    (options.HasTables || options.HasGradientOpacity) && !options.HasCellScalars);
+  Define(defines, "FACTORS", isMapped || options.HasGradientOpacity);
+  Define(defines, "MAPPED", isMapped);
+  Define(defines, "ADDITIVE", blending == VolumeBlending::Additive);
+  Define(defines, "SIGN", blending == VolumeBlending::Minimum ? -1 : 1);
+  Define(defines, "SURFACES", options.HasSurfaces);
+  Define(defines, "CLIPPED", options.IsClipped);
+  Define(defines, "MOST_PLANES", MeshPlanes::Most);
+  Define(defines, "LIT", options.NumberOfMaterials > 0);
+  Define(defines, "MATERIALS", options.NumberOfMaterials);
+  Define(defines, "SHADED_COMPONENT", options.FirstMaterial);
+  Define(defines, "LIGHTS", options.NumberOfLights);
+}
+
 std::string DefineOptions(const VolumeShaderOptions& options)
 {
   std::ostringstream defines;
@@ -52,14 +82,34 @@ std::string DefineOptions(const VolumeShaderOptions& options)
   Define(defines, "CELL_SCALARS", options.HasCellScalars);
   Define(defines, "PSI_SIZE", PsiTable::Size);
   Define(defines, "PRE_INTEGRATED", options.PreIntegrated);
+  DefineFeatures(defines, options);
   return defines.str();
+}
+
+std::string GetBlending(const VolumeShaderOptions& options)
+{
+  const std::string surfaces = options.HasSurfaces ? relevoVolumeSurfaces : "";
+  switch (options.Blending)
+  {
+    case VolumeBlending::Maximum:
+    case VolumeBlending::Minimum:
+      return relevoVolumeExtreme;
+    case VolumeBlending::Average:
+      return relevoVolumeAverage;
+    case VolumeBlending::IsoSurface:
+      return surfaces + relevoVolumeIsoSurface;
+    default:
+      return options.PreIntegrated ? relevoVolumePreIntegrated : surfaces + relevoVolumeComposite;
+  }
 }
 
 void PutIntegration(std::string& source, const VolumeShaderOptions& options)
 {
   Put(source, "Functions", relevoVolumeFunctions);
   Put(source, "LinearSegment", relevoLinearSegment);
-  Put(source, "Blend", options.PreIntegrated ? relevoVolumePreIntegrated : relevoVolumeComposite);
+  Put(source, "Gradients", relevoVolumeGradients);
+  Put(source, "Shading", relevoVolumeShading);
+  Put(source, "Blend", GetBlending(options));
   Put(source, "Part", relevoVolumePart);
 }
 }

@@ -13,12 +13,32 @@
 
 namespace relevo
 {
+enum class VolumeBlending
+{
+  Composite,
+  Maximum,
+  Minimum,
+  Average,
+  Additive,
+  IsoSurface
+};
+
 struct VolumeShaderOptions
 {
+  VolumeBlending Blending = VolumeBlending::Composite;
   int NumberOfComponents = 1;
   int NumberOfCurves = 1;
   bool AreDependent = false;
   bool HasCellScalars = false;
+  int FirstComponent = 0; // of the curves
+  bool HasTables = false; // 2D functions
+  bool HasGradientOpacity = false;
+  bool HasSurfaces = false;
+  bool IsClipped = false;
+  /// Components whose colours are lit; 0 without shading.
+  int NumberOfMaterials = 0;
+  int FirstMaterial = 0; // its component
+  int NumberOfLights = 0;
   /// Dimensions of the table of pre-integration; 0 for none.
   int PreIntegrated = 0;
 };

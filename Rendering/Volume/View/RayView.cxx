@@ -31,6 +31,19 @@ void SetMatrix(vtkShaderProgram* program, const char* name, const dmat4& matrix)
   }
   program->SetUniformMatrix4x4(name, values);
 }
+
+void SetMatrix(vtkShaderProgram* program, const char* name, const dmat3& matrix)
+{
+  if (program->IsUniformUsed(name))
+  {
+    float values[9];
+    for (int i = 0; i < 9; ++i)
+    {
+      values[i] = static_cast<float>(matrix[i / 3][i % 3]);
+    }
+    program->SetUniformMatrix3x3(name, values);
+  }
+}
 }
 
 bool RayView::Compute(
@@ -41,7 +54,8 @@ bool RayView::Compute(
   const dmat4 meshToWorld = dataToWorld * meshToData;
   const dmat4 meshToClip = worldToClip * meshToWorld;
   this->MeshToClip = meshToClip;
-  this->MeshToWorld = dmat3(meshToWorld);
+  this->MeshToWorld = meshToWorld;
+  this->GradientToWorld = transpose(inverse(dmat3(dataToWorld)));
   const dmat4 clipToMesh = inverse(meshToClip);
 
   // Where the middle of the mesh is, if it is seen, so that rays begin near to it.
@@ -111,11 +125,7 @@ void RayView::SetUniforms(vtkShaderProgram* program) const
   SetVector(program, "viewportPlace", this->Viewport);
   const float range[2] = { static_cast<float>(this->Range.x), static_cast<float>(this->Range.y) };
   program->SetUniform2f("zRange", range);
-  float matrix[9];
-  for (int i = 0; i < 9; ++i)
-  {
-    matrix[i] = static_cast<float>(this->MeshToWorld[i / 3][i % 3]);
-  }
-  program->SetUniformMatrix3x3("meshToWorld", matrix);
+  SetMatrix(program, "meshToWorld", dmat3(this->MeshToWorld));
+  SetMatrix(program, "gradientToWorld", this->GradientToWorld);
 }
 }

@@ -34,6 +34,8 @@ public:
   /// What relevoVolumeEntriesVS.glsl asks for.
   void SetEntryUniforms(vtkShaderProgram* program) const;
 
+  const dmat4& GetMeshToWorld() const { return this->MeshToWorld; }
+
   /// The world's length of what is 1 long in the mesh, in the direction where this is longest.
   double GetLargestScale() const;
 
@@ -46,7 +48,8 @@ private:
   dvec4 Y;
   dvec4 Z;
   dvec2 Range;
-  dmat3 MeshToWorld;
+  dmat4 MeshToWorld;
+  dmat3 GradientToWorld; // by radii of the mesh to by lengths of the world, times the radius
   dmat4 MeshToClip;
   double MiddleZ = 0.0;      // of near plane -1, far plane 1
   double MiddleWeight = 1.0; // of what is there in the middle of the view

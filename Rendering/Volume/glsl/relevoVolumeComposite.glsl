@@ -1,32 +1,47 @@
-// Composite blending, exact: a part of the ray along which the scalars are linear is cut wherever
-// one of the functions bends.
+// Composite and additive blending, exact: a part of the ray along which the scalars are linear is
+// cut wherever one of the functions bends.
 
-#if RELEVO_CURVES == 0
-// Scalars are the colours: scalar = scalarLow + scalarSize * what the mesh has, and the extinction
-// per unit distance.
-uniform vec4 scalarLow;
-uniform vec4 scalarSize;
+#if RELEVO_ADDITIVE
+vec4 sum;
+#endif
 
 void beginRay()
 {
   collected = vec4(0.0);
-}
-
-bool collect(vec4 front, vec4 back, float span, inout float from)
-{
-  vec4 first = max(scalarLow + scalarSize * front, vec4(0.0));
-  vec4 last = max(scalarLow + scalarSize * back, vec4(0.0));
-  collected = frontOverBack(collected, linearSegment(first, last, span));
-  return true;
-}
-#else
-void beginRay()
-{
-  collected = vec4(0.0);
+#if RELEVO_ADDITIVE
+  sum = vec4(0.0);
+#endif
+#if RELEVO_SURFACES
+  beginSurfaces();
+#endif
+#if RELEVO_TABLES
+  for (int i = 0; i < RELEVO_CURVES; ++i)
+  {
+    pieceRows[i] = 0.0;
+  }
+#endif
+#if RELEVO_CURVES > 0
   for (int i = 0; i < RELEVO_CURVES; ++i)
   {
     fetchPiece(i, 0);
   }
+#endif
+}
+
+void beginCollecting(Scalars front)
+{
+#if RELEVO_TABLES
+  findRows(partSteepness);
+#endif
+#if RELEVO_GRADIENT_OPACITY
+  findGradientOpacities();
+#endif
+#if RELEVO_LIT
+  findLights();
+#endif
+#if RELEVO_SURFACES
+  meetSurfaces(front);
+#endif
 }
 
 // A part of the ray, from a share of it to where a function bends, or to the end: then true. The
@@ -35,10 +50,15 @@ bool collect(Scalars front, Scalars back, float span, inout float from)
 {
   float to = 1.0;
   int cutting = -1;
+  if (from == 0.0)
+  {
+    beginCollecting(front);
+  }
+#if RELEVO_CURVES > 0
   for (int i = 0; i < RELEVO_CURVES; ++i)
   {
-    float a = componentOf(front, i);
-    float b = componentOf(back, i);
+    float a = setComponent(front, i);
+    float b = setComponent(back, i);
     if (from == 0.0)
     {
       seekPiece(i, a, b);
@@ -52,23 +72,45 @@ bool collect(Scalars front, Scalars back, float span, inout float from)
     }
   }
   to = max(to, from);
+#endif
+#if RELEVO_SURFACES
+  float surface = findSurface(front, back, from);
+  bool isSurface = surface <= to;
+  to = min(to, surface);
+#endif
   vec4 first;
   vec4 last;
-  evaluateEnds(mix(front, back, from), mix(front, back, to), first, last);
+  evaluateEnds(front, back, vec2(from, to), first, last);
+#if RELEVO_ADDITIVE
+  sum += linearSegmentSum(first, last, (to - from) * span);
+#else
   collected = frontOverBack(collected, linearSegment(first, last, (to - from) * span));
+#endif
   from = max(to, 1e-30); // 0 stands for a part that is new
+#if RELEVO_SURFACES
+  if (isSurface)
+  {
+    passSurface(front, back, to);
+    return false;
+  }
+#endif
+#if RELEVO_CURVES > 0
   for (int i = 0; i < RELEVO_CURVES; ++i)
   {
     if (i == cutting)
     {
-      fetchPiece(i, pieces[i].number + (componentOf(back, i) > componentOf(front, i) ? 1 : -1));
+      fetchPiece(i, pieces[i].number + (setComponent(back, i) > setComponent(front, i) ? 1 : -1));
     }
   }
+#endif
   return cutting < 0;
 }
-#endif
 
 vec4 finishRay()
 {
+#if RELEVO_ADDITIVE
+  return min(sum, vec4(1.0));
+#else
   return collected;
+#endif
 }

@@ -12,6 +12,7 @@ uniform sampler2D psiTable;
 #endif
 
 #define Real float
+#define Real2 vec2
 #define Real3 vec3
 #define Real4 vec4
 
@@ -35,8 +36,64 @@ float linearSegmentPsi(float front, float back)
 
 vec4 collected = vec4(0.0);
 
+//RELEVO::Gradients
+
+// Functions that give colour and extinction; of two dependent components the second has the latter.
 #if RELEVO_CURVES > 0
+#define RELEVO_SETS RELEVO_CURVES
+#define setComponent(scalars, i) componentOf(scalars, RELEVO_FIRST_COMPONENT + (i))
+#else
+#define RELEVO_SETS 1
+#define setComponent(scalars, i) ((scalars).w)
+#endif
+
 uniform samplerBuffer functionPieces; // of each three texels
+
+// Of pieces from a first one on, with their number less one: that which x is in; at its end, the one
+// before.
+int searchPieces(int first, int size, float x)
+{
+  int low = 0;
+  int high = size;
+  while (low < high)
+  {
+    int middle = (low + high) / 2;
+    if (texelFetch(functionPieces, 3 * (first + middle)).y < x)
+    {
+      low = middle + 1;
+    }
+    else
+    {
+      high = middle;
+    }
+  }
+  return low;
+}
+
+#if RELEVO_FACTORS
+float setFactors[RELEVO_SETS]; // what extinctions are multiplied by
+#endif
+
+#if RELEVO_GRADIENT_OPACITY
+uniform int gradientFirst[RELEVO_SETS]; // pieces
+uniform int gradientSizes[RELEVO_SETS]; // the number of pieces less one
+
+void findGradientOpacities()
+{
+  for (int i = 0; i < RELEVO_SETS; ++i)
+  {
+    float steepness = setComponent(partSteepness, i);
+    int piece = searchPieces(gradientFirst[i], gradientSizes[i], steepness);
+    int at = 3 * (gradientFirst[i] + piece);
+    vec4 range = texelFetch(functionPieces, at);
+    float share = clamp((steepness - range.x) * range.z, 0.0, 1.0);
+    setFactors[i] = texelFetch(functionPieces, at + 1).w +
+      share * texelFetch(functionPieces, at + 2).w;
+  }
+}
+#endif
+
+#if RELEVO_CURVES > 0
 uniform int curveFirst[RELEVO_CURVES]; // pieces
 uniform int curveSizes[RELEVO_CURVES]; // the number of pieces less one
 
@@ -52,6 +109,35 @@ struct Piece
 
 Piece pieces[RELEVO_CURVES];
 
+#if RELEVO_TABLES
+// 2D functions: rows of pieces one after the other, which differ in their colours alone. What is
+// looked for lies between two rows.
+uniform vec3 curveRows[RELEVO_CURVES]; // the lowest, one over their distance, the number of the last
+float pieceRows[RELEVO_CURVES];
+
+void findRows(Scalars steepness)
+{
+  for (int i = 0; i < RELEVO_CURVES; ++i)
+  {
+    vec3 rows = curveRows[i];
+    pieceRows[i] = clamp((setComponent(steepness, i) - rows.x) * rows.y, 0.0, rows.z);
+  }
+}
+
+void fetchPiece(int curve, int number)
+{
+  int at = 3 * (curveFirst[curve] + number);
+  vec4 range = texelFetch(functionPieces, at);
+  float row = floor(pieceRows[curve]);
+  float share = pieceRows[curve] - row;
+  int size = 3 * (curveSizes[curve] + 1);
+  int low = at + int(row) * size;
+  int high = share > 0.0 ? low + size : low;
+  pieces[curve] = Piece(number, range.x, range.y, range.z,
+    mix(texelFetch(functionPieces, low + 1), texelFetch(functionPieces, high + 1), share),
+    mix(texelFetch(functionPieces, low + 2), texelFetch(functionPieces, high + 2), share));
+}
+#else
 void fetchPiece(int curve, int number)
 {
   int at = 3 * (curveFirst[curve] + number);
@@ -59,25 +145,11 @@ void fetchPiece(int curve, int number)
   pieces[curve] = Piece(number, range.x, range.y, range.z,
     texelFetch(functionPieces, at + 1), texelFetch(functionPieces, at + 2));
 }
+#endif
 
-// The piece that a scalar is in; at its end, in the one before.
 void findPiece(int curve, float scalar)
 {
-  int low = 0;
-  int high = curveSizes[curve];
-  while (low < high)
-  {
-    int middle = (low + high) / 2;
-    if (texelFetch(functionPieces, 3 * (curveFirst[curve] + middle)).y < scalar)
-    {
-      low = middle + 1;
-    }
-    else
-    {
-      high = middle;
-    }
-  }
-  fetchPiece(curve, low);
+  fetchPiece(curve, searchPieces(curveFirst[curve], curveSizes[curve], scalar));
 }
 
 // The piece of the scalars from one on towards another.
@@ -86,6 +158,9 @@ void seekPiece(int curve, float from, float to)
   Piece piece = pieces[curve];
   bool isIn = to > from ? piece.begin <= from && from < piece.end
                         : piece.begin < from && from <= piece.end;
+#if RELEVO_TABLES
+  isIn = false; // rows are others
+#endif
   if (!isIn)
   {
     findPiece(curve, from);
@@ -101,17 +176,47 @@ vec4 evaluatePiece(int curve, float scalar)
   Piece piece = pieces[curve];
   return piece.first + clamp((scalar - piece.begin) * piece.inverse, 0.0, 1.0) * piece.change;
 }
+#else
+// Scalars are the colours: scalar = scalarLow + scalarSize * what the mesh has, and the extinction
+// per unit distance.
+uniform vec4 scalarLow;
+uniform vec4 scalarSize;
 
-// Straight colours and extinctions at both ends of a part that no piece ends in.
-void evaluateEnds(Scalars front, Scalars back, out vec4 first, out vec4 last)
+vec4 getColors(vec4 scalars)
 {
-#if RELEVO_CURVES == 1
-  first = evaluatePiece(0, componentOf(front, 0));
-  last = evaluatePiece(0, componentOf(back, 0));
+  return max(scalarLow + scalarSize * scalars, vec4(0.0));
+}
+#endif
+
+// Straight colour and extinction of one of the functions, at a share of the part.
+vec4 evaluateSet(int i, Scalars scalars, float share)
+{
+#if RELEVO_CURVES > 0
+  vec4 value = evaluatePiece(i, setComponent(scalars, i));
+#else
+  vec4 value = getColors(scalars);
+#endif
+#if RELEVO_FACTORS
+  value.w *= setFactors[i];
+#endif
+#if RELEVO_LIT
+  value.rgb = lightenSet(i, value.rgb, share);
+#endif
+  return value;
+}
+
+// Straight colours and extinctions at two shares of a part between which no piece ends.
+void evaluateEnds(Scalars front, Scalars back, vec2 shares, out vec4 first, out vec4 last)
+{
+  Scalars a = mix(front, back, shares.x);
+  Scalars b = mix(front, back, shares.y);
+#if RELEVO_SETS == 1
+  first = evaluateSet(0, a, shares.x);
+  last = evaluateSet(0, b, shares.y);
 #elif RELEVO_DEPENDENT
   // Colours have no extinction there, and opacities no colour.
-  first = evaluatePiece(0, front[0]) + evaluatePiece(1, front[1]);
-  last = evaluatePiece(0, back[0]) + evaluatePiece(1, back[1]);
+  first = evaluateSet(0, a, shares.x) + evaluateSet(1, a, shares.x);
+  last = evaluateSet(0, b, shares.y) + evaluateSet(1, b, shares.y);
 #else
   vec4 firsts[RELEVO_CURVES];
   vec4 lasts[RELEVO_CURVES];
@@ -119,8 +224,8 @@ void evaluateEnds(Scalars front, Scalars back, out vec4 first, out vec4 last)
   last = vec4(0.0);
   for (int i = 0; i < RELEVO_CURVES; ++i)
   {
-    firsts[i] = evaluatePiece(i, front[i]);
-    lasts[i] = evaluatePiece(i, back[i]);
+    firsts[i] = evaluateSet(i, a, shares.x);
+    lasts[i] = evaluateSet(i, b, shares.y);
     first.w += firsts[i].w;
     last.w += lasts[i].w;
   }
@@ -133,5 +238,24 @@ void evaluateEnds(Scalars front, Scalars back, out vec4 first, out vec4 last)
     last.rgb += shareLast * lasts[i].rgb;
   }
 #endif
+}
+
+uniform float unitDistances[RELEVO_SETS];
+
+#if RELEVO_MAPPED
+// Straight colour and opacity, whatever the length.
+vec4 mapScalars(Scalars scalars)
+{
+  for (int i = 0; i < RELEVO_SETS; ++i)
+  {
+#if RELEVO_CURVES > 0
+    findPiece(i, setComponent(scalars, i));
+#endif
+    setFactors[i] = unitDistances[i];
+  }
+  vec4 color;
+  vec4 same;
+  evaluateEnds(scalars, scalars, vec2(0.0), color, same);
+  return vec4(color.rgb, min(color.w, 1.0));
 }
 #endif

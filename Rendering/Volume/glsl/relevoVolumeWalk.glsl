@@ -68,6 +68,12 @@ void enterMesh(Entry entry)
   getWeights(faceAreas, weights);
   walkScalars = interpolateScalars(weights);
 #endif
+#if RELEVO_LIT
+  walkToGradients(uvec3(faceA.id, faceB.id, faceC.id), weights);
+#endif
+#if RELEVO_SURFACES
+  isIsoNew = true;
+#endif
 }
 
 // Through a tetrahedron to the face that the ray leaves it by.
@@ -94,6 +100,10 @@ void crossTetrahedron()
   }
 #if !RELEVO_CELL_SCALARS
   Scalars scalarsD = getPointScalars(id, point.w);
+#endif
+#if RELEVO_STEEPNESS
+  setSteepness(faceA.at - d.at, faceB.at - d.at, faceC.at - d.at, scalarsA - scalarsD,
+    scalarsB - scalarsD, scalarsC - scalarsD);
 #endif
   // The new corner takes the place of the one across from the exit.
   uint across;
@@ -137,6 +147,14 @@ void crossTetrahedron()
     walkScalars = interpolateScalars(weights);
   }
   beginPart(walkDepth, exit, front, walkScalars);
+#endif
+#if RELEVO_LIT
+  vec3 frontGradients[RELEVO_MATERIALS] = walkGradients;
+  if (isSeen)
+  {
+    walkToGradients(uvec3(faceA.id, faceB.id, faceC.id), weights);
+  }
+  setPartGradients(walkDepth, exit, frontGradients);
 #endif
   walkDepth = exit;
   int place = int(faceA.id < across) + int(faceB.id < across) + int(faceC.id < across);

@@ -2,66 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RelevoVolumeScene.h"
 
-#include "RelevoDice.h"
-
-#include "vtkColorTransferFunction.h"
-#include "vtkDelaunay3D.h"
-#include "vtkDoubleArray.h"
-#include "vtkPiecewiseFunction.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
-
-vtkSmartPointer<vtkVolumeProperty> MakeBusyProperty(double unitDistance)
-{
-  vtkNew<vtkColorTransferFunction> color;
-  vtkNew<vtkPiecewiseFunction> opacity;
-  for (int i = 0; i <= 10; ++i)
-  {
-    color->AddRGBPoint(0.1 * i, i % 2, i % 3 / 2.0, i % 5 / 4.0);
-    opacity->AddPoint(0.1 * i, i * 7 % 11 / 10.0);
-  }
-  opacity->AddPoint(0.55, 0.0);
-  opacity->AddPoint(0.5501, 1.0);
-  opacity->AddPoint(0.5502, 0.0);
-  auto property = vtkSmartPointer<vtkVolumeProperty>::New();
-  property->SetColor(color);
-  property->SetScalarOpacity(opacity);
-  property->SetScalarOpacityUnitDistance(unitDistance);
-  return property;
-}
-
-double GetWaves(const RelevoPoint& at)
-{
-  return 0.5 + 0.5 * std::sin(3.0 * at[0]) * std::cos(2.0 * at[1] + at[2]);
-}
-
-vtkSmartPointer<vtkUnstructuredGrid> MakeBall(int numberOfPoints, double low)
-{
-  RelevoDice dice(7);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkDoubleArray> values;
-  while (points->GetNumberOfPoints() < numberOfPoints)
-  {
-    const RelevoPoint at = { { dice.Signed(), dice.Signed(), dice.Signed() } };
-    if (at[0] * at[0] + at[1] * at[1] + at[2] * at[2] < 1.0)
-    {
-      points->InsertNextPoint(low + at[0], low + at[1], low + at[2]);
-      values->InsertNextValue(GetWaves(at));
-    }
-  }
-  vtkNew<vtkPolyData> cloud;
-  cloud->SetPoints(points);
-  cloud->GetPointData()->SetScalars(values);
-  vtkNew<vtkDelaunay3D> delaunay;
-  delaunay->SetInputData(cloud);
-  delaunay->Update();
-  return delaunay->GetOutput();
-}
 
 RelevoVolumeScene::RelevoVolumeScene(
   vtkDataObject* mesh, vtkVolumeProperty* property, int width, int height)
@@ -113,7 +57,12 @@ double RelevoVolumeScene::Compare(
   double share, const std::function<void(vtkVolumeRayCastFilter*)>& set)
 {
   const std::vector<RelevoColor> drawn = this->Draw();
-  const std::vector<RelevoColor> cast = this->Cast(set);
+  return Compare(drawn, this->Cast(set), share);
+}
+
+double RelevoVolumeScene::Compare(
+  const std::vector<RelevoColor>& drawn, const std::vector<RelevoColor>& cast, double share)
+{
   if (drawn.size() != cast.size())
   {
     return 255.0;

@@ -5,6 +5,7 @@
 #ifndef RelevoVolumeScene_h
 #define RelevoVolumeScene_h
 
+#include "RelevoBusyVolumes.h"
 #include "RelevoVolumes.h"
 
 #include "vtkGPUUnstructuredGridVolumeMapper.h"
@@ -12,15 +13,6 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
-
-// Nodes here and there between 0 and 1, some of them close to each other.
-vtkSmartPointer<vtkVolumeProperty> MakeBusyProperty(double unitDistance);
-
-// A field between 0 and 1.
-double GetWaves(const RelevoPoint& at);
-
-// Tetrahedra of points in a ball around low, slivers among them, with that field around 0.
-vtkSmartPointer<vtkUnstructuredGrid> MakeBall(int numberOfPoints, double low = 0.0);
 
 class RelevoVolumeScene
 {
@@ -46,6 +38,10 @@ public:
   double Compare(
     double share = 0.0,
     const std::function<void(vtkVolumeRayCastFilter*)>& set = [](vtkVolumeRayCastFilter*) {});
+
+  // The same of a picture that was drawn and one that was cast.
+  static double Compare(const std::vector<RelevoColor>& drawn, const std::vector<RelevoColor>& cast,
+    double share = 0.0);
 
 private:
   vtkNew<vtkGPUUnstructuredGridVolumeMapper> Mapper;

@@ -4,12 +4,72 @@
 #include "RelevoCheck.h"
 #include "RelevoVolumeScene.h"
 
+#include "vtkContourValues.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
 #include "vtkUnstructuredGrid.h"
+
+namespace
+{
+// Each way to show the volume, and edits of its settings.
+void DrawAll(RelevoVolumeScene& scene, double edit)
+{
+  vtkGPUUnstructuredGridVolumeMapper* mapper = scene.GetMapper();
+  vtkVolumeProperty* property = scene.GetVolume()->GetProperty();
+  property->GetIsoSurfaceValues()->SetValue(0, 0.5 + edit);
+  for (int mode = 1; mode < 6; ++mode)
+  {
+    mapper->SetBlendMode(mode);
+    scene.Draw();
+  }
+  mapper->SetBlendModeToComposite();
+  mapper->IsoSurfacesOn();
+  scene.Draw();
+  mapper->IsoSurfacesOff();
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.4 + edit, 0.0, 0.0);
+  mapper->AddClippingPlane(plane);
+  scene.Draw();
+  mapper->AddClippingPlane(plane);
+  scene.Draw();
+  mapper->RemoveAllClippingPlanes();
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.0, edit);
+  opacity->AddPoint(0.6, 0.7);
+  property->SetGradientOpacity(opacity);
+  property->SetDisableGradientOpacity(0);
+  scene.Draw();
+  property->SetDisableGradientOpacity(1);
+  property->ShadeOn();
+  property->SetDiffuse(0.7 + edit);
+  scene.Draw();
+  property->ShadeOff();
+  scene.Draw();
+}
+
+void TestFeatures(RelevoCheck& check)
+{
+  RelevoVolumeScene scene(MakeTetrahedra(5, GetLinearField), MakeVolumeProperty(0.0, 1.0));
+  vtkGPUUnstructuredGridVolumeMapper* mapper = scene.GetMapper();
+  const auto before = scene.Draw();
+  const vtkTypeInt64 size = mapper->GetGraphicsMemorySize();
+  DrawAll(scene, 0.0);
+  CHECK(FindLargestDifference(scene.Draw(), before) == 0.0);
+  // The mesh's again, with its gradients.
+  CHECK(mapper->GetNumberOfBufferBuilds() == 2);
+  CHECK(mapper->GetGraphicsMemorySize() >= size + 16 * 6 * 6 * 6 - 16);
+  const vtkIdType shaders = mapper->GetNumberOfShaderBuilds();
+  DrawAll(scene, 0.1);
+  CHECK(mapper->GetNumberOfShaderBuilds() == shaders);
+  CHECK(mapper->GetNumberOfBufferBuilds() == 2);
+  CHECK(mapper->GetNumberOfTableBuilds() == 1);
+}
+}
 
 int TestGPUUnstructuredGridVolumeMapperCounters(int, char*[])
 {
   RelevoCheck check;
+  TestFeatures(check);
   const auto mesh = MakeTetrahedra(5, GetLinearField);
   RelevoVolumeScene scene(mesh, MakeVolumeProperty(0.0, 1.0));
   vtkGPUUnstructuredGridVolumeMapper* mapper = scene.GetMapper();

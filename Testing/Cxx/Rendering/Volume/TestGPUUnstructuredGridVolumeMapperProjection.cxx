@@ -229,7 +229,7 @@ void TestLimits(RelevoCheck& check)
   gradients->AddPoint(0.0, 0.5);
   scene.GetVolume()->GetProperty()->SetGradientOpacity(gradients);
   scene.Draw();
-  CHECK(errors.Warned("Cells are not projected with gradients"));
+  CHECK(errors.Warned("Cells are projected with composite blending"));
   scene.Draw();
   CHECK(errors.None()); // once
 }

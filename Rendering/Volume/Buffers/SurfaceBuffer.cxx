@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Buffers/SurfaceBuffer.h"
+
+#include "Rays/IsoSurfaces.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace relevo
+{
+bool SurfaceBuffer::Upload(vtkOpenGLRenderWindow* window, vtkVolumeProperty* property,
+  const TransferFunctions& functions, const Scalars& low, const Scalars& size)
+{
+  const IsoSurfaces surfaces(property, functions);
+  this->Component = surfaces.GetComponent();
+  this->Curve = static_cast<int>(surfaces.GetCurve());
+  this->NumberOfValues = static_cast<int>(surfaces.GetValues().size());
+  const double least = low[this->Component];
+  const double range = size[this->Component];
+  const double largest = std::max(std::abs(least), std::abs(least + range));
+  this->Same = static_cast<float>(IsoSurfaces::Same * std::max(largest / range, 1.0));
+  std::vector<float> texels;
+  for (double value : surfaces.GetValues())
+  {
+    const dvec4 color = surfaces.GetColor(functions, {}, { 0, 0.0, value });
+    for (double number : { std::clamp((value - least) / range, -1.0, 2.0), 0.0, 0.0, 0.0, color.x,
+           color.y, color.z, color.w })
+    {
+      texels.push_back(static_cast<float>(number));
+    }
+  }
+  return this->Values.Upload(window, texels, 4);
+}
+
+void SurfaceBuffer::Activate(vtkShaderProgram* program)
+{
+  if (program->IsUniformUsed("isoValues"))
+  {
+    this->Values.Activate(program, "isoValues");
+    program->SetUniformi("numberOfIsoValues", this->NumberOfValues);
+    program->SetUniformi("isoComponent", this->Component);
+    program->SetUniformi("isoCurve", this->Curve);
+    program->SetUniformf("isoSame", this->Same);
+  }
+}
+}

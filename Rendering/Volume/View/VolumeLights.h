@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   VolumeLights
+ * @brief   a renderer's lights, and what they do to the colours of a volume
+ *
+ * Private to the module.
+ */
+#ifndef VolumeLights_h
+#define VolumeLights_h
+
+#include "Core/RefinementMathematics.h"
+
+#include <vector>
+
+class vtkRenderer;
+class vtkShaderProgram;
+class vtkVolumeProperty;
+
+namespace relevo
+{
+class VolumeLights
+{
+public:
+  /// Of as many components, whose colours are lit. Those that are not shaded are not changed.
+  void ReadMaterials(vtkVolumeProperty* property, int numberOfMaterials);
+
+  /// Lights that are on.
+  void ReadLights(vtkRenderer* renderer, const dmat4& meshToWorld);
+
+  int GetNumberOfLights() const { return static_cast<int>(this->Places.size() / 4); }
+  void SetUniforms(vtkShaderProgram* program) const;
+
+private:
+  std::vector<float> Materials; // 4 each
+  std::vector<float> Places;    // 4 each
+  std::vector<float> Diffuse;   // 3 each
+  std::vector<float> Specular;
+};
+}
+
+#endif

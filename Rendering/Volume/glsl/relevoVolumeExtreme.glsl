@@ -1,0 +1,61 @@
+// Maximum and minimum intensity: the extreme scalar, which is at an end of a part, and the opacity
+// of it. RELEVO_SIGN is 1 for the highest, -1 for the lowest.
+
+Scalars extreme;
+bool hasExtreme;
+#if RELEVO_TABLES
+Scalars extremeSteepness;
+#endif
+
+void beginRay()
+{
+  collected = vec4(0.0);
+  hasExtreme = false;
+}
+
+void addSample(Scalars scalars)
+{
+#if RELEVO_COMPONENTS == 1 || RELEVO_CURVES == 0 || RELEVO_DEPENDENT
+  // Of dependent components the last decides for all.
+  bool isFarther = RELEVO_SIGN * componentOf(scalars, RELEVO_COMPONENTS - 1) >
+    RELEVO_SIGN * componentOf(extreme, RELEVO_COMPONENTS - 1);
+  extreme = isFarther ? scalars : extreme;
+#if RELEVO_TABLES
+  extremeSteepness = isFarther ? partSteepness : extremeSteepness;
+#endif
+#else
+  bvec4 areFarther = greaterThan(RELEVO_SIGN * scalars, RELEVO_SIGN * extreme);
+  extreme = mix(extreme, scalars, areFarther);
+#if RELEVO_TABLES
+  extremeSteepness = mix(extremeSteepness, partSteepness, areFarther);
+#endif
+#endif
+}
+
+bool collect(Scalars front, Scalars back, float span, inout float from)
+{
+  if (!hasExtreme)
+  {
+    hasExtreme = true;
+    extreme = front;
+#if RELEVO_TABLES
+    extremeSteepness = partSteepness;
+#endif
+  }
+  addSample(front);
+  addSample(back);
+  return true;
+}
+
+vec4 finishRay()
+{
+  if (!hasExtreme)
+  {
+    return vec4(0.0);
+  }
+#if RELEVO_TABLES
+  findRows(extremeSteepness);
+#endif
+  vec4 color = mapScalars(extreme);
+  return vec4(color.rgb * color.a, color.a);
+}
