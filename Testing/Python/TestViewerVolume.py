@@ -8,17 +8,15 @@ import pathlib
 import unittest
 from importlib.util import find_spec
 
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkCellArray, vtkUnstructuredGrid
 from vtkmodules.vtkIOLegacy import vtkUnstructuredGridWriter
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
 from ViewerPictures import read_picture
 from ViewerProgram import ViewerProgram
-from ViewerScenes import write_sphere
+from ViewerScenes import CUBES, make_cube, write_cube, write_sphere
 
 DATA = pathlib.Path(os.environ.get("RELEVO_TEST_DATA") or "/nonexistent")
-CUBES = 4
 PIECES = """<VTKFile type="PUnstructuredGrid" version="0.1"><PUnstructuredGrid GhostLevel="0">
 <PPointData Scalars="Left"><PDataArray type="Float64" Name="Left"/></PPointData>
 <PPoints><PDataArray type="Float32" NumberOfComponents="3"/></PPoints>
@@ -26,47 +24,6 @@ PIECES = """<VTKFile type="PUnstructuredGrid" version="0.1"><PUnstructuredGrid G
 """
 # Facing the cube, x to the left: the camera stands at -z.
 FRONT = ("--view=0,0", "--size=120x90", "--no-legend")
-
-
-def make_array(name, values):
-    array = vtkDoubleArray()
-    array.SetName(name)
-    array.SetNumberOfComponents(len(values[0]))
-    for value in values:
-        array.InsertNextTuple(value)
-    return array
-
-
-def make_cube():
-    """The unit cube in tetrahedra: of points Left (x), Around (vectors) and Flat (a constant), of
-    cells Low (1 in the lower half, else 0)."""
-    grid = vtkUnstructuredGrid()
-    grid.SetPoints(vtkPoints())
-    size = CUBES + 1
-    for k in range(size):
-        for j in range(size):
-            for i in range(size):
-                grid.GetPoints().InsertNextPoint(i / CUBES, j / CUBES, k / CUBES)
-    low = []
-    for k in range(CUBES):
-        for j in range(CUBES):
-            for i in range(CUBES):
-                a = (k * size + j) * size + i
-                # Around the diagonal, by the orders of steps along the axes.
-                for first, second in ((0, 1), (1, 2), (2, 0), (1, 0), (2, 1), (0, 2)):
-                    steps = (1, size, size * size)
-                    b = a + steps[first]
-                    corners = (a, b, b + steps[second], a + sum(steps))
-                    grid.InsertNextCell(VTK_TETRA, 4, corners)
-                    low.append((1.0 if j < CUBES // 2 else 0.0,))
-    points = [grid.GetPoint(i) for i in range(grid.GetNumberOfPoints())]
-    of_points = grid.GetPointData()
-    of_points.AddArray(make_array("Flat", [(7.0,)] * len(points)))
-    of_points.AddArray(make_array("Left", [(x,) for x, _, _ in points]))
-    of_points.AddArray(make_array("Around", [(y - 0.5, 0.5 - x, 0) for x, y, _ in points]))
-    of_points.SetActiveScalars("Left")
-    grid.GetCellData().AddArray(make_array("Low", low))
-    return grid
 
 
 def write(folder, name, grid, writer):
@@ -81,7 +38,7 @@ class TestViewerVolume(ViewerProgram):
     def setUpClass(cls):
         super().setUpClass()
         cls.grid = make_cube()
-        cls.file = write(cls.folder, "cube.vtu", cls.grid, vtkXMLUnstructuredGridWriter())
+        cls.file = write_cube(cls.folder)
         write(cls.folder, "cube.vtk", cls.grid, vtkUnstructuredGridWriter())
         (cls.folder / "cube.pvtu").write_text(PIECES)
         cls.sphere = write_sphere(cls.folder)
@@ -158,6 +115,70 @@ class TestViewerVolume(ViewerProgram):
         self.view(self.file, "--volume", "--output=l.png", "--size=300x300", "--no-legend")
         self.assertNotEqual(with_legend, read_picture(self.folder / "l.png"))
 
+    def test_methods_and_integration(self):
+        """They differ in how they compute the picture, hardly in the picture."""
+        exact = self.picture("--volume")
+        for settings in (
+            ["--volume-method=ray", "--integration=exact"],
+            ["--volume-method=projection"],
+            ["--integration=pre"],
+            ["--integration=pre2d"],
+            ["--volume-method=projection", "--integration=pre"],
+        ):
+            drawn = self.picture("--volume", *settings)
+            apart = sorted(
+                max(abs(a - b) for a, b in zip(*colours))
+                for rows in zip(exact, drawn)
+                for colours in zip(*rows)
+            )
+            # But for the outline.
+            most = apart[int(0.98 * len(apart))]
+            self.assertLessEqual(most, 12 if "--integration=pre2d" in settings else 3, settings)
+            self.assertEqual(drawn == exact, "--integration=exact" in settings, settings)
+
+    def test_clip(self):
+        """What is on the normal's side stays, here x > 0.7, which is to the left."""
+        red = self.transfer("0 1 0 0 1\n9 1 0 0 1\n")
+        settings = ("--volume", "Flat", red, "--unit-distance=0.05")
+        drawn = self.picture(*settings, "--clip=0.7,0,0,2,0,0")
+        self.assertLess(drawn[45][35][1], 10)
+        self.assertGreater(drawn[45][60][1], 100)
+        turned = self.picture(*settings, "--clip", "0.7,0,0,-1,0,0")
+        self.assertGreater(turned[45][35][1], 100)
+        self.assertLess(turned[45][60][1], 10)
+
+    def test_blend(self):
+        """Along x, where the values go from 0 to 1, which is how red they are."""
+        red = self.transfer("0 0 0 0 1\n1 1 0 0 1\n")
+        for name, value in (("maximum", 1.0), ("minimum", 0.0), ("average", 0.5)):
+            drawn = self.picture("--volume", red, "--blend", name, "--view=90,0")
+            self.assertAlmostEqual(drawn[45][60][0], 255 * value, delta=3, msg=name)
+            self.assertLess(drawn[45][60][1], 3, name)
+        behind = self.picture("--volume", "Low", self.transfer("0 0 0 0 0\n1 0 0 0 0\n"))[45][60]
+        faint = self.transfer("0 0.2 0 0 0.25\n9 0.2 0 0 0.25\n")
+        added = self.picture("--volume", "Flat", faint, "--blend=additive", "--unit-distance=1")
+        self.assertAlmostEqual(added[45][60][0], 0.75 * behind[0] + 0.05 * 255, delta=3)
+
+    def test_isosurfaces(self):
+        """Seen along x: planes that are as the function says of their values, lit or not."""
+        clear = self.transfer("0 1 0 0 0\n0.249 1 0 0 0\n0.25 1 0 0 1\n0.251 1 0 0 0\n1 0 1 0 0\n")
+        settings = ("--volume", clear, "--view=90,0", "--unit-distance=10")
+        nothing = self.picture(*settings)
+        drawn = self.picture(*settings, "--isosurfaces=0.25")
+        self.assertLess(drawn[45][60][1], 60)
+        self.assertGreater(drawn[45][60][0], 80)
+        self.assertGreater(nothing[45][60][1], 100)
+        self.assertEqual(nothing, self.picture(*settings, "--isosurfaces=-0.5,0.5"))
+        # Without a file and without values something is seen as well.
+        solid = self.transfer("0 1 0 0 1\n1 1 0 0 1\n")
+        alone = self.picture("--volume", solid, "--blend=isosurface", "--view=90,0")
+        self.assertLess(alone[45][60][1], 60)
+        default = self.picture("--volume", "--blend=isosurface", "--view=90,0")
+        inside = self.picture("--volume", "--isosurfaces=0.5", "--view=90,0")
+        for picture in (default, inside):
+            changes = [abs(a - b) for a, b in zip(picture[45][60], nothing[45][60])]
+            self.assertGreater(max(changes), 60)
+
     def test_bad_transfer_files(self):
         for text, *words in (
             ("0 1 0 0 1\n1 1 0 0\n", "line 2", "4 numbers", "5"),
@@ -195,7 +216,17 @@ class TestViewerVolume(ViewerProgram):
             (["--transfer", "--volume"], "--transfer=t.txt"),
             (["--unit-distance", "'0'"], "--volume", "--unit-distance=0"),
             (["--unit-distance", "'nan'"], "--volume", "--unit-distance=nan"),
+            (["--clip", "X,Y,Z,NX,NY,NZ", "'1,2,3'"], "--volume", "--clip=1,2,3"),
+            (["--clip", "0,0,0", "normal"], "--volume", "--clip=1,2,3,0,0,0"),
+            (["--blend", "isosurface", "'mean'"], "--volume", "--blend=mean"),
+            (["--isosurfaces", "'a'"], "--volume", "--isosurfaces=1,a"),
+            (["--isosurfaces", "number"], "--volume", "--isosurfaces="),
+            (["--isosurfaces", "--blend"], "--volume", "--isosurfaces=1", "--blend=maximum"),
+            (["--unit-distance", "--blend"], "--volume", "--unit-distance=1", "--blend=average"),
             (["--transfer", "file"], "--volume", "--transfer="),
+            (["--volume-method", "projection", "'sort'"], "--volume", "--volume-method=sort"),
+            (["--integration", "pre2d", "'fast'"], "--volume", "--integration=fast"),
+            (["--integration", "--volume"], "--integration=pre"),
             (["--level", "--volume"], "--volume", "--level=2"),
             (["--array", "--volume"], "--volume", "--array=Left"),
             (["--export", "--volume"], "--volume", "--export=n.vtp"),

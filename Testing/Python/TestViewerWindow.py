@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""relevo-view's window, with keys and a mouse: how it is left."""
+"""relevo-view's window, with keys and a mouse: how it is left, and keys that change volumes."""
 
 import unittest
 
 from ViewerProgram import ViewerProgram
-from ViewerScenes import write_hill, write_sphere
+from ViewerScenes import write_cube, write_hill, write_sphere
 from ViewerWindow import Display, Window
 
 SIZE = "--size=300x200"
@@ -17,6 +17,7 @@ class TestViewerWindow(ViewerProgram):
         super().setUpClass()
         cls.heights = write_hill(cls.folder)
         cls.mesh = write_sphere(cls.folder)
+        cls.volume = write_cube(cls.folder)
         cls.display = Display()
 
     @classmethod
@@ -32,7 +33,7 @@ class TestViewerWindow(ViewerProgram):
 
     def test_leaving(self):
         """However it is left, with the mouse in it or not: exit code 0, nothing on stderr."""
-        for scene in ((self.heights,), (self.mesh,), (self.mesh, "--lic=Around")):
+        for scene in ((self.heights,), (self.mesh,), (self.mesh, "--lic=Around"), (self.volume, "--volume")):
             for way in ("q", "e", "close button"):
                 with self.subTest(scene=scene, way=way):
                     window = self.window(*scene)
@@ -45,6 +46,42 @@ class TestViewerWindow(ViewerProgram):
                     elif way == "e":
                         window.key(way)
                     self.assertEqual(window.leave(), (0, ""))
+
+    def test_keys_of_volumes(self):
+        """Each prints the option that repeats what it did."""
+        window = self.window(self.volume, "--volume", "--unit-distance=2")
+        for key, option, *numbers in (
+            ("plus", "--unit-distance", 1.6),
+            ("minus", "--unit-distance", 2),
+            ("minus", "--unit-distance", 2.5),
+            ("period", "--isosurfaces", 0.5),
+            ("period", "--isosurfaces", 0.52),
+            ("comma", "--isosurfaces", 0.5),
+        ):
+            window.key(key)
+            words = window.expect("--").split()
+            self.assertEqual(words[0], option)
+            self.assertAlmostEqual(float(words[1]), numbers[0])
+        cuts = []
+        for key in ("m", "m", "n"):
+            window.key(key)
+            option, numbers = window.expect("--").split()
+            self.assertEqual(option, "--clip")
+            cuts.append([float(number) for number in numbers.split(",")])
+        # From the camera's side, which is south and above.
+        self.assertEqual(cuts[0][3:], [0, 0, -1])
+        self.assertAlmostEqual(cuts[0][2], 1 - 0.02 * 3**0.5, delta=1e-4)
+        self.assertAlmostEqual(cuts[1][2], 1 - 0.04 * 3**0.5, delta=1e-4)
+        self.assertEqual(cuts[2], cuts[0])
+        window.key("q")
+        self.assertEqual(window.leave(), (0, ""))
+
+    def test_opacity_of_other_blend_modes(self):
+        window = self.window(self.volume, "--volume", "--blend=maximum")
+        window.key("plus")
+        self.assertEqual(window.expect("opacity"), "opacity times 1.25")
+        window.key("e")
+        self.assertEqual(window.leave(), (0, ""))
 
 
 if __name__ == "__main__":

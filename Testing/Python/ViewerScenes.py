@@ -1,14 +1,17 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Small files for the tests of relevo-view: a hill as a height map, a sphere as a mesh."""
+"""Small files for the tests of relevo-view: a hill as a height map, a sphere as a mesh,
+a cube of tetrahedra."""
 
 import math
 
-from vtkmodules.vtkCommonCore import VTK_UNSIGNED_SHORT, vtkDoubleArray
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_SHORT, vtkDoubleArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkImageData, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
+
+CUBES = 4  # along a side of the cube
 
 
 def hill(x, y):
@@ -68,3 +71,52 @@ def make_sphere():
 
 def write_sphere(folder):
     return write_mesh(folder, "sphere.vtp", make_sphere())
+
+
+def make_array(name, values):
+    array = vtkDoubleArray()
+    array.SetName(name)
+    array.SetNumberOfComponents(len(values[0]))
+    for value in values:
+        array.InsertNextTuple(value)
+    return array
+
+
+def make_cube():
+    """The unit cube in tetrahedra: of points Left (x), Around (vectors) and Flat (a constant), of
+    cells Low (1 in the lower half, else 0)."""
+    grid = vtkUnstructuredGrid()
+    grid.SetPoints(vtkPoints())
+    size = CUBES + 1
+    for k in range(size):
+        for j in range(size):
+            for i in range(size):
+                grid.GetPoints().InsertNextPoint(i / CUBES, j / CUBES, k / CUBES)
+    low = []
+    for k in range(CUBES):
+        for j in range(CUBES):
+            for i in range(CUBES):
+                a = (k * size + j) * size + i
+                # Around the diagonal, by the orders of steps along the axes.
+                for first, second in ((0, 1), (1, 2), (2, 0), (1, 0), (2, 1), (0, 2)):
+                    steps = (1, size, size * size)
+                    b = a + steps[first]
+                    corners = (a, b, b + steps[second], a + sum(steps))
+                    grid.InsertNextCell(VTK_TETRA, 4, corners)
+                    low.append((1.0 if j < CUBES // 2 else 0.0,))
+    points = [grid.GetPoint(i) for i in range(grid.GetNumberOfPoints())]
+    of_points = grid.GetPointData()
+    of_points.AddArray(make_array("Flat", [(7.0,)] * len(points)))
+    of_points.AddArray(make_array("Left", [(x,) for x, _, _ in points]))
+    of_points.AddArray(make_array("Around", [(y - 0.5, 0.5 - x, 0) for x, y, _ in points]))
+    of_points.SetActiveScalars("Left")
+    grid.GetCellData().AddArray(make_array("Low", low))
+    return grid
+
+
+def write_cube(folder):
+    writer = vtkXMLUnstructuredGridWriter()
+    writer.SetFileName(str(folder / "cube.vtu"))
+    writer.SetInputData(make_cube())
+    writer.Write()
+    return folder / "cube.vtu"

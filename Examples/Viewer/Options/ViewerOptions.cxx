@@ -9,6 +9,7 @@
 #include "vtkAdaptiveRefinementMapper.h"
 #include "vtkGPUUnstructuredGridVolumeMapper.h"
 #include "vtkLICSettings.h"
+#include "vtkVolumeMapper.h"
 
 #include <functional>
 #include <limits>
@@ -199,6 +200,19 @@ private:
   {
     ViewerOptions& options = this->Options;
     this->AllSettings.insert({
+      { "--blend",
+        [&](const auto& option, const auto& value)
+        {
+          using Mapper = vtkVolumeMapper;
+          options.BlendMode = ToChoice<int>(option, value,
+            { { "composite", Mapper::COMPOSITE_BLEND },
+              { "maximum", Mapper::MAXIMUM_INTENSITY_BLEND },
+              { "minimum", Mapper::MINIMUM_INTENSITY_BLEND },
+              { "average", Mapper::AVERAGE_INTENSITY_BLEND },
+              { "additive", Mapper::ADDITIVE_BLEND }, { "isosurface", Mapper::ISOSURFACE_BLEND } });
+        } },
+      { "--clip",
+        [&](const auto& option, const auto& value) { options.Clip = ToPlane(option, value); } },
       { "--integration",
         [&](const auto& option, const auto& value)
         {
@@ -207,10 +221,20 @@ private:
             { { "exact", Mapper::EXACT }, { "pre", Mapper::PRE_INTEGRATED },
               { "pre2d", Mapper::PRE_INTEGRATED_2D } });
         } },
+      { "--isosurfaces",
+        [&](const auto& option, const auto& value)
+        { options.IsoSurfaces = ToList(option, value); } },
       { "--transfer", [&](const auto&, const auto& value) { options.Transfer = value; } },
       { "--unit-distance",
         [&](const auto& option, const auto& value)
         { options.UnitDistance = ToPositiveNumber(option, value); } },
+      { "--volume-method",
+        [&](const auto& option, const auto& value)
+        {
+          using Mapper = vtkGPUUnstructuredGridVolumeMapper;
+          options.VolumeMethod = ToChoice<int>(option, value,
+            { { "ray", Mapper::RAY_CASTING }, { "projection", Mapper::CELL_PROJECTION } });
+        } },
     });
   }
 
@@ -367,8 +391,8 @@ private:
   {
     const ViewerOptions& options = this->Options;
     this->RequirePartner({ "--volume" }, options.IsMesh, "meshes");
-    const std::set<std::string> ofVolumes = { "--integration", "--transfer", "--unit-distance",
-      "--volume" };
+    const std::set<std::string> ofVolumes = { "--blend", "--clip", "--integration", "--isosurfaces",
+      "--transfer", "--unit-distance", "--volume", "--volume-method" };
     const std::set<std::string> ofAll = { "--center", "--light", "--no-legend", "--output",
       "--size", "--stats", "--up", "--view", "--zoom" };
     for (const std::string& option : this->GivenOptions)
@@ -382,6 +406,13 @@ private:
         throw UsageError(option + " goes with --volume");
       }
     }
+    const int blend = options.BlendMode;
+    this->RequirePartner({ "--isosurfaces" },
+      blend == vtkVolumeMapper::COMPOSITE_BLEND || blend == vtkVolumeMapper::ISOSURFACE_BLEND,
+      "--blend composite or isosurface");
+    this->RequirePartner({ "--unit-distance" },
+      blend == vtkVolumeMapper::COMPOSITE_BLEND || blend == vtkVolumeMapper::ADDITIVE_BLEND,
+      "--blend composite or additive");
     if (this->GivenOptions.count("--transfer") && options.Transfer.empty())
     {
       throw UsageError("--transfer needs the name of a file");

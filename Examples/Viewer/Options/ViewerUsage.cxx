@@ -66,6 +66,13 @@ The inside of meshes (.vtk, .vtu, .pvtu, .ex2):
                          the more opaque the higher the value)
   --unit-distance L      the length in which an opacity of O lets exp(-O) of the light through
                          (default: the diagonal divided by the cube root of the number of cells)
+  --isosurfaces V,...    surfaces of these values, as opaque as the transfer function says for the
+                         value, without --transfer so that they are seen
+  --clip X,Y,Z,NX,NY,NZ  cut away what is behind the plane through X,Y,Z with the normal NX,NY,NZ
+  --blend NAME           composite (default), maximum, minimum or average (value), additive, or
+                         isosurface (surfaces alone, by default of the middle of the range)
+  --volume-method ray|projection
+                         cast rays through the cells (default), or sort and project the cells
   --integration exact|pre|pre2d
                          the integral along rays: exact (default), or from tables that are made for
                          each transfer function, of 3 or 2 dimensions
@@ -148,6 +155,8 @@ const char* GetWindowUsage()
   c                       print what is under the mouse
   i                       save a picture, under a new name
   +, -                    volumes: more, less opaque
+  . ,                     volumes: isosurfaces of higher, lower values
+  m, n                    volumes: move the cut on, back
   h                       this help
   q, e                    quit)";
 }

@@ -59,9 +59,12 @@ VolumeScene::VolumeScene(const ViewerOptions& options, ViewerMessages& messages)
   this->Mapper->SelectScalarArray(this->Array.Name.c_str());
   this->Mapper->SetVectorMode(this->Array.IsVector ? vtkGPUUnstructuredGridVolumeMapper::MAGNITUDE
                                                    : vtkGPUUnstructuredGridVolumeMapper::DISABLED);
+  this->Mapper->SetMethod(options.VolumeMethod);
+  this->Mapper->SetBlendMode(options.BlendMode);
   this->Mapper->SetIntegration(options.Integration);
   this->Measure(data);
   this->ChooseFunctions(data);
+  this->Property->SetAmbient(0.3);
   this->Volume->SetMapper(this->Mapper);
   this->Volume->SetProperty(this->Property);
   this->Renderer->AddVolume(this->Volume);
@@ -105,7 +108,7 @@ void VolumeScene::ChooseFunctions(vtkDataObject* data)
     this->Cut = vtkSmartPointer<vtkPlane>::New();
     this->Cut->SetOrigin(this->Options.Clip->data());
     this->Cut->SetNormal(this->Options.Clip->data() + 3);
-    ;
+    this->Mapper->AddClippingPlane(this->Cut);
   }
 }
 
@@ -121,6 +124,8 @@ void VolumeScene::SetFunctions()
   {
     this->Property->GetIsoSurfaceValues()->SetValue(static_cast<int>(i), this->IsoSurfaces[i]);
   }
+  this->Mapper->SetIsoSurfaces(!this->IsoSurfaces.empty());
+  this->Property->SetShade(!this->IsoSurfaces.empty());
 }
 
 //------------------------------------------------------------------------------
@@ -243,7 +248,7 @@ void VolumeScene::MoveCut(double share)
     this->Cut = vtkSmartPointer<vtkPlane>::New();
     this->Cut->SetOrigin(origin);
     this->Cut->SetNormal(normal);
-    ;
+    this->Mapper->AddClippingPlane(this->Cut);
   }
   this->Cut->Push(share * this->Diagonal);
 }
