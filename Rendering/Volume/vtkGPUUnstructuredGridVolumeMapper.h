@@ -48,6 +48,7 @@ class vtkShaderProgram;
 
 namespace relevo
 {
+class VolumeCells;
 struct VolumeShaderOptions;
 }
 
@@ -227,6 +228,7 @@ private:
 
   bool UpdateMesh(vtkVolume* volume);
   bool BuildMesh(vtkVolume* volume, vtkDataObject* input);
+  bool UploadMesh(const relevo::VolumeCells& cells);
   bool UpdateFunctions(vtkVolume* volume);
   bool UpdateView(vtkRenderer* renderer, vtkVolume* volume);
   void UpdateFeatures(vtkRenderer* renderer, vtkVolume* volume);

@@ -40,7 +40,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateMesh(vtkVolume* volume)
   const bool areIndependent = volume->GetProperty()->GetIndependentComponents() != 0;
   if (data.MeshInput != input || data.MeshTime != time || !(data.Choice == choice) ||
     data.Array != array || data.HasCorners != (this->Method == CELL_PROJECTION) ||
-    data.AreIndependent != areIndependent)
+    (data.NumberOfComponents == relevo::MostComponents && data.AreIndependent != areIndependent))
   {
     data.HasCorners = this->Method == CELL_PROJECTION;
     data.AreIndependent = areIndependent;
@@ -115,19 +115,30 @@ bool vtkGPUUnstructuredGridVolumeMapper::BuildMesh(vtkVolume* volume, vtkDataObj
     }
     return false;
   }
-  if (cells.GetNumberOfBadCells() > 0)
+  data.HasCellScalars = meshes.front().AreOfCells;
+  return this->UploadMesh(cells);
+}
+
+bool vtkGPUUnstructuredGridVolumeMapper::UploadMesh(const relevo::VolumeCells& cells)
+{
+  vtkInternals& data = *this->Internals;
+  // One warning for each mesh, which more settings than one build anew.
+  const auto inUse = std::make_pair(data.MeshInput, data.MeshTime);
+  const bool isKnown = data.WarnedOf == inUse;
+  data.WarnedOf = inUse;
+  if (cells.GetNumberOfBadCells() > 0 && !isKnown)
   {
     vtkWarningMacro(<< cells.GetNumberOfBadCells() << " of " << cells.GetNumberOfSolidCells()
                     << " cells have no volume, or points that are not finite; they are left out.");
   }
-  data.HasCellScalars = meshes.front().AreOfCells;
   relevo::JoinedMesh& mesh = data.Mesh;
+  std::string error;
   if (!mesh.Build(cells, data.NumberOfComponents, error, data.HasCorners, data.HasGradients))
   {
     vtkErrorMacro("The input " << error << ".");
     return false;
   }
-  if (mesh.NumberOfSharedFaces > 0)
+  if (mesh.NumberOfSharedFaces > 0 && !isKnown)
   {
     vtkWarningMacro(<< mesh.NumberOfSharedFaces
                     << " faces belong to three cells or more; rays may see one cell twice there.");

@@ -34,6 +34,7 @@
 #include <map>
 #include <string>
 #include <tuple>
+#include <utility>
 
 class vtkShaderProgram;
 
@@ -51,6 +52,7 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
   vtkDataObject* MeshInput = nullptr; // never followed
   vtkMTimeType MeshTime = 0;
   relevo::ArrayChoice Array;
+  std::pair<vtkDataObject*, vtkMTimeType> WarnedOf; // the mesh and its time
   bool HasMesh = false;
   bool HasCorners = false; // for cell projection
   int NumberOfComponents = 1;

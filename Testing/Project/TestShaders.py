@@ -91,7 +91,7 @@ def main(arguments):
     jobs = []
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         for (stage, source), name in shaders.items():
-            owner = "Relevo" if "relevo" in source else "VTK"
+            owner = "Relevo" if "relevo" in source.lower() else "VTK"
             counts[owner, stage] += 1
             for variant, text in variants(source).items():
                 job = pool.submit(problems, text, stage, output)

@@ -6,15 +6,19 @@
 #include "RelevoCheck.h"
 #include "RelevoVolumeScene.h"
 
+#include "vtkActor.h"
 #include "vtkContourValues.h"
 #include "vtkDataArray.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
+#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPointDataToCellData.h"
 #include "vtkPoints.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 
 #include <algorithm>
 
@@ -199,6 +203,9 @@ void TestClipping(RelevoCheck& check)
   mapper->AddClippingPlane(MakePlane({ { 0.1001, 0.0, 0.0 } }, { { 1.0, 0.0, 0.0 } }));
   CHECK_NEAR(compare(), 0.0, 1.0);
   CHECK(mapper->GetNumberOfBufferBuilds() == 1);
+  mapper->AddClippingPlane(plane);
+  mapper->SetMethodToCellProjection();
+  CHECK(compare() <= 1.0);
 }
 
 // In the world, while a matrix moves the volume, which is far from where its points are.
@@ -216,6 +223,67 @@ void TestClippedPlaces(RelevoCheck& check)
   far.GetMapper()->AddClippingPlane(MakePlane({ { 0.1, 0.0, 0.0 } }, { { -1.0, 0.3, 0.2 } }));
   far.GetCamera()->DeepCopy(near.GetCamera());
   CHECK(FindLargestDifference(near.Draw(), far.Draw()) <= 1.5 / 255.0);
+}
+
+// A translucent square in the middle of the volume: what is in front of it, the square, and what is
+// behind it.
+void TestPeeling(RelevoCheck& check)
+{
+  auto property = MakeVolumeProperty(0.2, 1.0, 0.4);
+  SetValues(property, { 0.4, 0.6 });
+  property->ShadeOn();
+  property->SetAmbient(0.3);
+  property->SetDiffuse(0.7);
+  RelevoVolumeScene scene(MakeTetrahedra(4, GetLinearField), property, 60, 60);
+  vtkCamera* camera = scene.GetCamera();
+  camera->ParallelProjectionOn();
+  camera->SetPosition(0.5, 0.5, 4.0);
+  camera->SetFocalPoint(0.5, 0.5, 0.5);
+  camera->SetParallelScale(0.45);
+  vtkNew<vtkPlaneSource> square;
+  square->SetOrigin(-1.0, -1.0, 0.5);
+  square->SetPoint1(2.0, -1.0, 0.5);
+  square->SetPoint2(-1.0, 2.0, 0.5);
+  vtkNew<vtkPolyDataMapper> squareMapper;
+  squareMapper->SetInputConnection(square->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(squareMapper);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetColor(0.2, 1.0, 0.4);
+  actor->GetProperty()->SetOpacity(0.5);
+  scene.GetRenderer()->AddActor(actor);
+  scene.GetRenderer()->ResetCameraClippingRange();
+  scene.GetRenderer()->UseDepthPeelingOn();
+  scene.GetRenderer()->UseDepthPeelingForVolumesOn();
+  for (bool isSurface : { false, true })
+  {
+    scene.GetMapper()->IsoSurfacesOn();
+    scene.GetMapper()->SetBlendMode(isSurface ? 5 : 0);
+    std::vector<RelevoColor> parts[2];
+    for (int side = 0; side < 2; ++side)
+    {
+      parts[side] = scene.Cast(
+        [=](vtkVolumeRayCastFilter* filter)
+        {
+          filter->IsoSurfacesOn();
+          filter->SetBlendMode(isSurface ? 5 : 0);
+          const double up = side == 0 ? 1.0 : -1.0;
+          filter->AddClippingPlane(MakePlane({ { 0.0, 0.0, 0.5 } }, { { 0.0, 0.0, up } }));
+        });
+    }
+    const auto drawn = scene.Draw();
+    std::vector<RelevoColor> expected = parts[0];
+    const RelevoColor middle = { { 0.1, 0.5, 0.2, 0.5 } };
+    for (size_t i = 0; i < expected.size(); ++i)
+    {
+      for (size_t c = 0; c < 4; ++c)
+      {
+        expected[i][c] += (1.0 - parts[0][i][3]) * (middle[c] + 0.5 * parts[1][i][c]);
+      }
+    }
+    // The square may hide a surface that it touches, or not.
+    CHECK_NEAR(RelevoVolumeScene::Compare(drawn, expected, 0.03), 0.0, 2.0);
+  }
 }
 
 void TestBadSettings(RelevoCheck& check)
@@ -250,6 +318,7 @@ int TestGPUUnstructuredGridVolumeMapperBlending(int, char*[])
   TestCellScalars(check);
   TestClipping(check);
   TestClippedPlaces(check);
+  TestPeeling(check);
   TestBadSettings(check);
   return check.GetResult();
 }

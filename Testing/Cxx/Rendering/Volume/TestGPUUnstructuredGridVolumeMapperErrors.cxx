@@ -80,6 +80,11 @@ void TestCells(RelevoCheck& check)
   CHECK(!IsBlack(scene.Draw()));
   CHECK(errors.Warned("have no volume, or points that are not finite"));
   CHECK(scene.GetMapper()->GetNumberOfDrawnCells() < mesh->GetNumberOfCells());
+  // Once, also where the mesh is built anew.
+  scene.GetVolume()->GetProperty()->ShadeOn();
+  scene.Draw();
+  CHECK(scene.GetMapper()->GetNumberOfBufferBuilds() == 2);
+  CHECK(errors.None());
   vtkObject::GlobalWarningDisplayOff();
   CHECK(scene.Compare(0.001) <= 1.0);
   vtkObject::GlobalWarningDisplayOn();
