@@ -202,7 +202,7 @@ void vtkGPUUnstructuredGridVolumeMapper::Draw(vtkRenderer* renderer, vtkVolume* 
   data.Planes.SetUniforms(program);
   data.Lights.SetUniforms(program);
   data.ActivateTextures(program);
-  data.Entries.Activate(program);
+  data.Entries.Activate(window, program);
   program->SetUniformi("areEntriesKnown", areEntriesKnown ? 1 : 0);
   if (program->IsUniformUsed("in_inverseWindowSize"))
   {

@@ -26,7 +26,16 @@ public:
   /// With the program of MakeEntriesShader(), whose uniforms are set.
   void Draw(int numberOfFaces) { this->Target.Draw(6 * numberOfFaces, false); }
 
-  void Activate(vtkShaderProgram* program) { this->Target.Activate(program, "rayEntries"); }
+  /// A sampler needs a texture, also where it is not read: beside buffer textures in its unit
+  /// OpenGL draws nothing.
+  void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
+  {
+    if (!this->Target.GetTexture() && this->Begin(window, 1, 1))
+    {
+      this->Draw(0);
+    }
+    this->Target.Activate(program, "rayEntries");
+  }
   void Deactivate() { this->Target.Deactivate(); }
   void ReleaseGraphicsResources(vtkWindow* window)
   {

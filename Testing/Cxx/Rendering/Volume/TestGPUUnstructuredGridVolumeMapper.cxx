@@ -18,6 +18,15 @@
 
 namespace
 {
+// Inside the mesh, and looking out of it.
+void LookInside(vtkCamera* camera)
+{
+  camera->SetPosition(0.2, 0.1, 0.0);
+  camera->SetFocalPoint(1.0, 0.5, 0.1);
+  camera->SetViewAngle(70.0);
+  camera->SetClippingRange(0.01, 10.0);
+}
+
 void TestViews(RelevoCheck& check)
 {
   RelevoVolumeScene scene(MakeBall(300), MakeBusyProperty(0.3));
@@ -26,11 +35,7 @@ void TestViews(RelevoCheck& check)
   camera->ParallelProjectionOn();
   CHECK(scene.Compare() <= 1.0);
   camera->ParallelProjectionOff();
-  // Inside the mesh, and looking out of it.
-  camera->SetPosition(0.2, 0.1, 0.0);
-  camera->SetFocalPoint(1.0, 0.5, 0.1);
-  camera->SetViewAngle(70.0);
-  camera->SetClippingRange(0.01, 10.0);
+  LookInside(camera);
   CHECK(scene.Compare() <= 1.0);
   // What the near and the far plane leave.
   camera->SetPosition(3.0, 1.0, 0.0);
@@ -38,6 +43,10 @@ void TestViews(RelevoCheck& check)
   camera->SetViewAngle(40.0);
   camera->SetClippingRange(2.9, 3.3);
   CHECK(scene.Compare() <= 1.0);
+  // A first frame that has found no entries before.
+  RelevoVolumeScene inside(MakeBall(300), MakeBusyProperty(0.3));
+  LookInside(inside.GetCamera());
+  CHECK(inside.Compare() <= 1.0);
 }
 
 // Rays that run in faces, along edges and through corners.
