@@ -26,7 +26,6 @@ vtkGPUUnstructuredGridVolumeMapper::vtkGPUUnstructuredGridVolumeMapper()
     data.Projected.ReleaseGraphicsResources(window);
     data.FunctionBuffers.ReleaseGraphicsResources(window);
     data.Surfaces.ReleaseGraphicsResources(window);
-    data.Psi.ReleaseGraphicsResources(window);
     data.Integrals.ReleaseGraphicsResources(window);
     data.Depth.ReleaseGraphicsResources(window);
     data.Projection.ReleaseGraphicsResources(window);

@@ -228,6 +228,7 @@ private:
 
   bool UpdateMesh(vtkVolume* volume);
   bool BuildMesh(vtkVolume* volume, vtkDataObject* input);
+  bool ReadCells(vtkVolume* volume, vtkDataObject* input, relevo::VolumeCells& cells);
   bool UploadMesh(const relevo::VolumeCells& cells);
   bool UpdateFunctions(vtkVolume* volume);
   bool UpdateView(vtkRenderer* renderer, vtkVolume* volume);

@@ -63,8 +63,15 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateMesh(vtkVolume* volume)
 
 bool vtkGPUUnstructuredGridVolumeMapper::BuildMesh(vtkVolume* volume, vtkDataObject* input)
 {
+  this->Internals->NumberOfDrawnCells = 0;
+  relevo::VolumeCells cells;
+  return this->ReadCells(volume, input, cells) && this->UploadMesh(cells);
+}
+
+bool vtkGPUUnstructuredGridVolumeMapper::ReadCells(
+  vtkVolume* volume, vtkDataObject* input, relevo::VolumeCells& cells)
+{
   vtkInternals& data = *this->Internals;
-  data.NumberOfDrawnCells = 0;
   const bool takesAll = data.Choice.Component == relevo::ScalarChoice::All;
   std::vector<relevo::MeshScalars> meshes;
   std::string error;
@@ -95,7 +102,6 @@ bool vtkGPUUnstructuredGridVolumeMapper::BuildMesh(vtkVolume* volume, vtkDataObj
   data.NumberOfComponents = takesAll ? components : 1;
   const bool areColors =
     takesAll && components == 4 && !volume->GetProperty()->GetIndependentComponents();
-  relevo::VolumeCells cells;
   if (data.HasCorners)
   {
     cells.SplitAll();
@@ -116,7 +122,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::BuildMesh(vtkVolume* volume, vtkDataObj
     return false;
   }
   data.HasCellScalars = meshes.front().AreOfCells;
-  return this->UploadMesh(cells);
+  return true;
 }
 
 bool vtkGPUUnstructuredGridVolumeMapper::UploadMesh(const relevo::VolumeCells& cells)
@@ -150,6 +156,8 @@ bool vtkGPUUnstructuredGridVolumeMapper::UploadMesh(const relevo::VolumeCells& c
     vtkErrorMacro("The mesh cannot be drawn: " << relevo::RefinementBuffer::GetTooLarge() << ".");
     return false;
   }
+  data.HasTetrahedra = mesh.GetNumberOfTetrahedra() > 0;
+  data.HasCurvedCells = mesh.GetNumberOfCurvedCells() > 0;
   mesh.Release();
   ++data.NumberOfBufferBuilds;
   data.NumberOfDrawnCells = cells.GetNumberOfDrawnCells();
@@ -223,11 +231,6 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateTables()
   data.IsPreIntegrated = this->FindPreIntegrated();
   if (!data.IsPreIntegrated)
   {
-    if (data.Psi.IsEmpty())
-    {
-      data.Psi.Upload(data.GetWindow());
-      ++data.NumberOfTableBuilds;
-    }
     return true;
   }
   const int component = data.Functions.GetCurves().front().Component;

@@ -4,7 +4,6 @@
 
 #include "OpenGL/RelevoOpenGL.h"
 #include "relevoViewportVS.h"
-#include "relevoVolumeEntriesVS.h"
 
 #include "vtkCamera.h"
 #include "vtkInformation.h"
@@ -96,12 +95,10 @@ bool vtkGPUUnstructuredGridVolumeMapper::FindEntries(int width, int height)
 {
   vtkInternals& data = *this->Internals;
   data.View.SetViewport(relevo::dvec4(0.0, 0.0, width, height));
-  if (!data.View.IsInFront(data.Mesh.HalfSize))
-  {
-    return false;
-  }
-  vtkShaderProgram* program =
-    this->ReadyProgram(relevoVolumeEntriesVS, relevo::MakeEntriesShader());
+  const bool isInFront = data.View.IsInFront(data.Mesh.HalfSize);
+  const relevo::VolumeShaderOptions options = this->GetShaderOptions();
+  vtkShaderProgram* program = this->ReadyProgram(
+    relevo::MakeEntriesVertexShader(options), relevo::MakeEntriesShader(options));
   if (!program || !data.Entries.Begin(data.GetWindow(), width, height))
   {
     return false;
@@ -109,9 +106,9 @@ bool vtkGPUUnstructuredGridVolumeMapper::FindEntries(int width, int height)
   data.View.SetUniforms(program);
   data.View.SetEntryUniforms(program);
   data.MeshBuffers.Activate(program);
-  data.Entries.Draw(data.MeshBuffers.GetNumberOfBorderFaces());
+  data.Entries.Draw(isInFront ? data.MeshBuffers.GetNumberOfBorderFaces() : 0);
   data.MeshBuffers.Deactivate();
-  return true;
+  return isInFront;
 }
 
 void vtkGPUUnstructuredGridVolumeMapper::vtkInternals::DrawViewport()
@@ -140,7 +137,6 @@ void vtkGPUUnstructuredGridVolumeMapper::vtkInternals::ActivateTextures(vtkShade
   this->MeshBuffers.Activate(program);
   this->FunctionBuffers.Activate(program);
   this->Surfaces.Activate(program);
-  this->Psi.Activate(program);
   this->Integrals.Activate(program);
   this->Depth.Activate(program);
 }
@@ -149,7 +145,6 @@ void vtkGPUUnstructuredGridVolumeMapper::vtkInternals::DeactivateTextures()
 {
   this->Depth.Deactivate();
   this->Integrals.Deactivate();
-  this->Psi.Deactivate();
   this->Surfaces.Deactivate();
   this->FunctionBuffers.Deactivate();
   this->MeshBuffers.Deactivate();
@@ -159,6 +154,9 @@ relevo::VolumeShaderOptions vtkGPUUnstructuredGridVolumeMapper::GetShaderOptions
 {
   const vtkInternals& data = *this->Internals;
   relevo::VolumeShaderOptions options = data.Options;
+  options.HasTetrahedra = data.HasTetrahedra;
+  options.HasCurvedCells = data.HasCurvedCells;
+  options.HasQuadraticCells = data.Mesh.HasQuadraticCells;
   options.PreIntegrated = !data.IsPreIntegrated ? 0 : this->Integration == PRE_INTEGRATED ? 3 : 2;
   return options;
 }

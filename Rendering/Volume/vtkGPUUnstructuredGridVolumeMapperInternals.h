@@ -12,7 +12,6 @@
 #include "Buffers/FunctionBuffers.h"
 #include "Buffers/IntegralTable.h"
 #include "Buffers/ProjectedCells.h"
-#include "Buffers/PsiTable.h"
 #include "Buffers/SurfaceBuffer.h"
 #include "Buffers/VolumeMeshBuffers.h"
 #include "Cells/VolumeCells.h"
@@ -59,6 +58,8 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
   bool HasCellScalars = false;
   bool HasGradients = false; // as of the last build, whatever the scalars
   bool AreIndependent = true;
+  bool HasTetrahedra = false;
+  bool HasCurvedCells = false;
   vtkIdType NumberOfDrawnCells = 0;
 
   relevo::TransferFunctions Functions;
@@ -77,7 +78,6 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
   relevo::ProjectedCells Projected;
   relevo::FunctionBuffers FunctionBuffers;
   relevo::SurfaceBuffer Surfaces;
-  relevo::PsiTable Psi;
   relevo::IntegralTable Integrals;
   relevo::OpaqueDepth Depth;
   relevo::RayEntries Entries;

@@ -62,7 +62,7 @@ vtkTypeInt64 vtkGPUUnstructuredGridVolumeMapper::GetGraphicsMemorySize()
   const vtkInternals& data = *this->Internals;
   return data.MeshBuffers.GetMemorySize() + data.Projected.GetMemorySize() +
     data.FunctionBuffers.GetMemorySize() + data.Surfaces.GetMemorySize() +
-    data.Psi.GetMemorySize() + data.Integrals.GetMemorySize();
+    data.Integrals.GetMemorySize();
 }
 
 vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfBufferBuilds()

@@ -8,6 +8,7 @@
 #include "Core/FiniteBox.h"
 #include "Mesh/FaceNeighbors.h"
 #include "Walk/BorderTree.h"
+#include "Walk/CurvedRecords.h"
 #include "vtkCellType.h"
 
 #include <algorithm>
@@ -58,6 +59,7 @@ private:
   void AddScalars(const Scalars& scalars, std::vector<float>& all) const;
   void AddTetrahedron(const VolumeCells::Cell& cell);
   void AddCurved(const VolumeCells::Cell& cell);
+  bool IsMirrored(const VolumeCells::Cell& cell) const;
   std::uint32_t& GetBehind(size_t face);
   dvec3 GetPlace(std::uint32_t point) const;
   FaceBox GetBox(size_t face) const;
@@ -223,38 +225,48 @@ void JoiningMesh::AddTetrahedron(const VolumeCells::Cell& cell)
   }
 }
 
+// Whether the faces of a cell look inwards, by the volume that they enclose.
+bool JoiningMesh::IsMirrored(const VolumeCells::Cell& cell) const
+{
+  const std::vector<int>& record = GetRecord(*cell.Shape, false);
+  const auto get = [&](int i)
+  { return this->Cells.GetPoints()[this->Cells.GetCornerId(cell, record[i])]; };
+  const dvec3 origin = get(0);
+  double volume = 0.0;
+  for (const auto& face : GetRecordFaces(!cell.Shape->QuadraticFaces.empty()))
+  {
+    const dvec3 a = get(face[0]) - origin;
+    const dvec3 b = get(face[1]) - origin;
+    const dvec3 c = get(face[2]) - origin;
+    const dvec3 d = get(face[3]) - origin;
+    volume += dot(a, cross(b, c)) + dot(a, cross(c, d));
+  }
+  return volume < 0.0;
+}
+
 void JoiningMesh::AddCurved(const VolumeCells::Cell& cell)
 {
   const std::uint32_t number = static_cast<std::uint32_t>(
     this->Mesh.GetNumberOfTetrahedra() + this->Mesh.GetNumberOfCurvedCells());
   std::array<std::uint32_t, JoinedMesh::WordsOfCurvedCell> words = {};
-  const CellShape& shape = *cell.Shape;
-  for (int i = 0; i < shape.NumberOfCorners; ++i)
+  const bool isQuadratic = !cell.Shape->QuadraticFaces.empty();
+  const std::vector<int>& record = GetRecord(*cell.Shape, this->IsMirrored(cell));
+  for (size_t i = 0; i < record.size(); ++i)
   {
-    words[i] = this->GetPoint(cell, i);
+    words[i] = this->GetPoint(cell, record[i]);
   }
-  if (&shape != FindCellShape(VTK_HEXAHEDRON))
+  if (isQuadratic)
   {
-    words[15] = JoinedMesh::FirstShape +
-      (&shape == FindCellShape(VTK_WEDGE)        ? 0
-          : &shape == FindCellShape(VTK_PYRAMID) ? 1
-                                                 : 2);
+    words.back() = JoinedMesh::Quadratic;
+    this->Mesh.HasQuadraticCells = true;
   }
   this->Mesh.CurvedCells.insert(this->Mesh.CurvedCells.end(), words.begin(), words.end());
   this->FirstFaces.push_back(static_cast<std::uint32_t>(this->Faces.size()));
-  const auto add = [&](int a, int b, int c, int d)
+  for (const auto& face : GetRecordFaces(isQuadratic))
   {
-    const auto get = [&](int i) { return static_cast<int>(words[i]); };
-    this->Faces.push_back({ { get(a), get(b), get(c), d == c ? -1 : get(d) } });
+    const auto get = [&](int i) { return static_cast<int>(words[face[i]]); };
+    this->Faces.push_back({ { get(0), get(1), get(2), face[3] == face[2] ? -1 : get(3) } });
     this->FaceCells.push_back(number);
-  };
-  for (const auto& face : shape.Faces)
-  {
-    add(face[0], face[1], face[2], face[3]);
-  }
-  for (const auto& face : shape.QuadraticFaces)
-  {
-    add(face[0], face[1], face[2], face[2]);
   }
 }
 
@@ -311,7 +323,10 @@ void JoiningMesh::FindNeighbors()
     if (other < 0)
     {
       behind = JoinedMesh::Nothing;
-      this->Border.push_back(face);
+      if (IsFace(this->Faces[face]))
+      {
+        this->Border.push_back(face);
+      }
     }
     else
     {
@@ -343,19 +358,16 @@ FaceBox JoiningMesh::GetBox(size_t face) const
   }
   if (face >= inTetrahedra)
   {
-    const size_t record = this->FaceCells[face - inTetrahedra];
-    const VolumeCells::Cell& cell = this->Kept[record];
-    const CellShape& shape = *cell.Shape;
-    if (!shape.QuadraticFaces.empty())
+    const size_t record = this->FaceCells[face - inTetrahedra] - inTetrahedra / 4;
+    const std::uint32_t* words = &this->Mesh.CurvedCells[JoinedMesh::WordsOfCurvedCell * record];
+    if (words[JoinedMesh::WordsOfCurvedCell - 1] == JoinedMesh::Quadratic)
     {
       const auto& corners =
-        shape.QuadraticFaces[face - this->FirstFaces[record - inTetrahedra / 4]];
+        FindCellShape(VTK_QUADRATIC_TETRA)->QuadraticFaces[face - this->FirstFaces[record]];
       for (int i = 0; i < 3; ++i)
       {
-        add(2.0 * this->GetPlace(this->GetPoint(cell, corners[3 + i])) -
-          0.5 *
-            (this->GetPlace(this->GetPoint(cell, corners[i])) +
-              this->GetPlace(this->GetPoint(cell, corners[(i + 1) % 3]))));
+        add(2.0 * this->GetPlace(words[corners[3 + i]]) -
+          0.5 * (this->GetPlace(words[corners[i]]) + this->GetPlace(words[corners[(i + 1) % 3]])));
       }
     }
   }
@@ -449,6 +461,7 @@ void JoinedMesh::Release()
   rest.Radius = this->Radius;
   rest.HalfSize = this->HalfSize;
   rest.LongestEdge = this->LongestEdge;
+  rest.HasQuadraticCells = this->HasQuadraticCells;
   rest.ScalarLow = this->ScalarLow;
   rest.ScalarSize = this->ScalarSize;
   *this = std::move(rest);

@@ -70,12 +70,14 @@ struct RELEVOFILTERSVOLUME_EXPORT JoinedMesh
   std::vector<std::uint32_t> Neighbors;
 
   /**
-   * Of each curved cell 16 words: up to 10 points; from word 10 on the cells behind its faces, in
-   * the order of its CellShape. Word 15 tells those that are no hexahedra: FirstShape + 0 is a
-   * wedge, 1 a pyramid, 2 a quadratic tetrahedron.
+   * Of each curved cell 16 words: 8 points of a hexahedron, or 10 of a quadratic tetrahedron, whose
+   * last word is `Quadratic`; from word 10 on the cells behind its faces, in the order of their
+   * CellShapes. Wedges and pyramids are hexahedra some of whose points are the same, which changes
+   * neither places nor scalars. All cells are turned so that their faces look outwards.
    */
   std::vector<std::uint32_t> CurvedCells;
-  static constexpr std::uint32_t FirstShape = 0xfffffff0;
+  static constexpr std::uint32_t Quadratic = 0xfffffff0;
+  bool HasQuadraticCells = false;
 
   /**
    * Of each face that no other cell is behind: three points, in turn as seen from where one enters,

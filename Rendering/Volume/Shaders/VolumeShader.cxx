@@ -2,16 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaders/VolumeShader.h"
 
-#include "Buffers/PsiTable.h"
 #include "View/MeshPlanes.h"
 #include "relevoLinearSegment.h"
 #include "relevoVolumeAverage.h"
 #include "relevoVolumeBorder.h"
+#include "relevoVolumeCells.h"
 #include "relevoVolumeComposite.h"
+#include "relevoVolumeCurvedWalk.h"
 #include "relevoVolumeEdges.h"
 #include "relevoVolumeEntriesFS.h"
+#include "relevoVolumeEntriesVS.h"
 #include "relevoVolumeExtreme.h"
 #include "relevoVolumeFS.h"
+#include "relevoVolumeFaces.h"
 #include "relevoVolumeFunctions.h"
 #include "relevoVolumeGradients.h"
 #include "relevoVolumeIsoSurface.h"
@@ -43,8 +46,19 @@ void Put(std::string& source, const char* anchor, const std::string& text)
   vtkShaderProgram::Substitute(source, std::string("//RELEVO::") + anchor, text);
 }
 
-void PutRays(std::string& source)
+std::string DefineCells(const VolumeShaderOptions& options)
 {
+  std::ostringstream defines;
+  Define(defines, "CURVED", options.HasCurvedCells);
+  Define(defines, "QUADRATIC", options.HasQuadraticCells);
+  defines << "#define RELEVO_TETRAHEDRA " << (options.HasTetrahedra ? "true" : "false") << "\n";
+  return defines.str();
+}
+
+void PutRays(std::string& source, const VolumeShaderOptions& options)
+{
+  Put(source, "Cells", options.HasCurvedCells ? relevoVolumeCells : "");
+  Put(source, "Faces", options.HasCurvedCells ? relevoVolumeFaces : "");
   Put(source, "Ray", relevoVolumeRay);
   Put(source, "Edges", relevoVolumeEdges);
   Put(source, "Border", relevoVolumeBorder);
@@ -80,7 +94,6 @@ std::string DefineOptions(const VolumeShaderOptions& options)
   Define(defines, "CURVES", options.NumberOfCurves);
   Define(defines, "DEPENDENT", options.AreDependent);
   Define(defines, "CELL_SCALARS", options.HasCellScalars);
-  Define(defines, "PSI_SIZE", PsiTable::Size);
   Define(defines, "PRE_INTEGRATED", options.PreIntegrated);
   DefineFeatures(defines, options);
   return defines.str();
@@ -114,20 +127,30 @@ void PutIntegration(std::string& source, const VolumeShaderOptions& options)
 }
 }
 
-std::string MakeEntriesShader()
+std::string MakeEntriesVertexShader(const VolumeShaderOptions& options)
+{
+  std::string source = relevoVolumeEntriesVS;
+  Put(source, "Defines", DefineCells(options));
+  Put(source, "Cells", options.HasCurvedCells ? relevoVolumeCells : "");
+  return source;
+}
+
+std::string MakeEntriesShader(const VolumeShaderOptions& options)
 {
   std::string source = relevoVolumeEntriesFS;
-  PutRays(source);
+  Put(source, "Defines", DefineCells(options));
+  PutRays(source, options);
   return source;
 }
 
 std::string MakeRayCastShader(const VolumeShaderOptions& options)
 {
   std::string source = relevoVolumeFS;
-  Put(source, "Defines", DefineOptions(options));
-  PutRays(source);
+  Put(source, "Defines", DefineOptions(options) + DefineCells(options));
+  PutRays(source, options);
   PutIntegration(source, options);
   Put(source, "Walk", relevoVolumeWalk);
+  Put(source, "CurvedWalk", options.HasCurvedCells ? relevoVolumeCurvedWalk : "");
   return source;
 }
 
@@ -142,7 +165,7 @@ std::string MakeProjectionShader(const VolumeShaderOptions& options)
 {
   std::string source = relevoVolumeProjectionFS;
   Put(source, "Defines", DefineOptions(options));
-  PutRays(source);
+  PutRays(source, options);
   PutIntegration(source, options);
   return source;
 }

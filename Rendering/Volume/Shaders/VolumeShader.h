@@ -41,10 +41,16 @@ struct VolumeShaderOptions
   int NumberOfLights = 0;
   /// Dimensions of the table of pre-integration; 0 for none.
   int PreIntegrated = 0;
+  bool HasTetrahedra = true;
+  bool HasCurvedCells = false;
+  bool HasQuadraticCells = false;
 };
 
+//@{
 /// Of the pass that tells where rays enter.
-std::string MakeEntriesShader();
+std::string MakeEntriesVertexShader(const VolumeShaderOptions& options);
+std::string MakeEntriesShader(const VolumeShaderOptions& options);
+//@}
 
 /// Of the ray caster, with VTK's anchors for render passes in it.
 std::string MakeRayCastShader(const VolumeShaderOptions& options);

@@ -3,14 +3,7 @@
 
 uniform samplerBuffer borderTree;
 uniform usamplerBuffer borderFaces;
-uniform samplerBuffer meshPoints;
 uniform int treeSize;
-
-struct Corner
-{
-  uint id;
-  vec3 at; // as the ray sees it
-};
 
 struct Entry
 {
@@ -22,11 +15,6 @@ struct Entry
   Corner c;
   vec3 areas; // spanned by the edges across from a, b and c
 };
-
-Corner getCorner(uint id)
-{
-  return Corner(id, seenAlongRay(texelFetch(meshPoints, int(id)).xyz));
-}
 
 // The places of a face's corners in what the ray sees, by the areas.
 float interpolateDepth(Corner a, Corner b, Corner c, vec3 weights)
@@ -43,9 +31,37 @@ bool getWeights(vec3 areas, out vec3 weights)
   return sum > 0.0;
 }
 
+#if RELEVO_CURVED
+bool entersCurved(int face, uvec4 words, inout Entry entry)
+{
+  bool isQuadratic = isQuadraticCell(words.w);
+  int size = sizeOfBorder(isQuadratic);
+  Corner border[6];
+  for (int i = 0; i < size; ++i)
+  {
+    border[i] = getCorner(wordOfCell(words.w, cornerOfFace(isQuadratic, int(words.x), i)));
+  }
+  if (windingOf(border, size) >= 0)
+  {
+    return false;
+  }
+  vec3 parameters;
+  entry.depth = crossFace(isQuadratic, int(words.x), border, parameters);
+  entry.face = face;
+  entry.cell = words.w;
+  return true;
+}
+#endif
+
 bool enters(int face, inout Entry entry)
 {
   uvec4 words = texelFetch(borderFaces, face);
+#if RELEVO_CURVED
+  if (isCurvedCell(words.w))
+  {
+    return entersCurved(face, words, entry);
+  }
+#endif
   Corner a = getCorner(words.x);
   Corner b = getCorner(words.y);
   Corner c = getCorner(words.z);

@@ -5,6 +5,8 @@
 vec4 sum;
 #endif
 
+const float PartBegin = 1e-30; // 0 is a part that is new
+
 void beginRay()
 {
   collected = vec4(0.0);
@@ -32,6 +34,7 @@ void beginCollecting(Scalars front)
 {
 #if RELEVO_TABLES
   findRows(partSteepness);
+  seekScalars(front);
 #endif
 #if RELEVO_GRADIENT_OPACITY
   findGradientOpacities();
@@ -44,35 +47,62 @@ void beginCollecting(Scalars front)
 #endif
 }
 
-// A part of the ray, from a share of it to where a function bends, or to the end: then true. The
-// caller comes back for the rest, so that the rays beside it need not wait.
-bool collect(Scalars front, Scalars back, float span, inout float from)
+// Up to another share of the part, or where a function bends: then the curve that does, and -1 for
+// none. A part that is new may begin far from the piece: a cut at its begin goes nearer to it.
+int findCut(Scalars front, Scalars back, float from, inout float to)
 {
-  float to = 1.0;
   int cutting = -1;
-  if (from == 0.0)
-  {
-    beginCollecting(front);
-  }
 #if RELEVO_CURVES > 0
   for (int i = 0; i < RELEVO_CURVES; ++i)
   {
     float a = setComponent(front, i);
     float b = setComponent(back, i);
-    if (from == 0.0)
-    {
-      seekPiece(i, a, b);
-    }
+    bool isFar = from <= PartBegin && (a > pieces[i].end || a < pieces[i].begin);
     float node = b > a ? pieces[i].end : pieces[i].begin;
-    if (b > a ? node < b : node > b && b < a)
+    bool isCut = isFar || (b > a ? node < b : node > b && b < a);
+    float share = isFar ? from : clamp((node - a) / (b - a), from, 1.0);
+    cutting = isCut && (cutting < 0 || share < to) ? i : cutting;
+    to = isCut ? min(to, share) : to;
+  }
+#endif
+  return cutting;
+}
+
+// To the next piece of a curve.
+void passCut(int curve, Scalars front, Scalars back, float from)
+{
+#if RELEVO_CURVES > 0
+  for (int i = 0; i < RELEVO_CURVES; ++i)
+  {
+    if (i == curve)
     {
-      float share = (node - a) / (b - a);
-      cutting = share < to || cutting < 0 ? i : cutting;
-      to = min(to, share);
+      float a = setComponent(front, i);
+      bool isFar = from <= PartBegin && (a > pieces[i].end || a < pieces[i].begin);
+      bool rises = isFar ? a > pieces[i].end : setComponent(back, i) > a;
+      fetchPiece(i, pieces[i].number + (rises ? 1 : -1));
     }
   }
-  to = max(to, from);
 #endif
+}
+
+// The share of a piece up to which its depth is at most 1: f t + (l - f) t^2 / 2 is, in either case.
+float findShallow(float front, float back, float span)
+{
+  float depth = front * span;
+  float rise = max(back - front, 0.0) * span;
+  return min(2.0 / (depth + sqrt(depth * depth + 4.0 * rise)), 1.0);
+}
+
+// A part of the ray, from a share of it to where a function bends or it gets deep, or to the end:
+// then true. The caller comes back for the rest, so that the rays beside it need not wait.
+bool collect(Scalars front, Scalars back, float span, inout float from)
+{
+  if (from == 0.0)
+  {
+    beginCollecting(front);
+  }
+  float to = 1.0;
+  int cutting = findCut(front, back, from, to);
 #if RELEVO_SURFACES
   float surface = findSurface(front, back, from);
   bool isSurface = surface <= to;
@@ -84,25 +114,25 @@ bool collect(Scalars front, Scalars back, float span, inout float from)
 #if RELEVO_ADDITIVE
   sum += linearSegmentSum(first, last, (to - from) * span);
 #else
-  collected = frontOverBack(collected, linearSegment(first, last, (to - from) * span));
+  float shallow = findShallow(first.w, last.w, (to - from) * span);
+  collected = frontOverBack(
+    collected, linearSegment(first, mix(first, last, shallow), shallow * (to - from) * span));
+  if (shallow < 1.0)
+  {
+    from = mix(from, to, shallow);
+    return false;
+  }
 #endif
-  from = max(to, 1e-30); // 0 stands for a part that is new
 #if RELEVO_SURFACES
   if (isSurface)
   {
+    from = max(to, PartBegin);
     passSurface(front, back, to);
     return false;
   }
 #endif
-#if RELEVO_CURVES > 0
-  for (int i = 0; i < RELEVO_CURVES; ++i)
-  {
-    if (i == cutting)
-    {
-      fetchPiece(i, pieces[i].number + (setComponent(back, i) > setComponent(front, i) ? 1 : -1));
-    }
-  }
-#endif
+  passCut(cutting, front, back, from);
+  from = max(to, PartBegin);
   return cutting < 0;
 }
 

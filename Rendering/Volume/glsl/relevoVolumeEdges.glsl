@@ -2,6 +2,19 @@
 // answer: it is computed in the order of the points' numbers, and a ray through an edge or a corner
 // counts as moved aside a little, always in the same direction.
 
+uniform samplerBuffer meshPoints;
+
+struct Corner
+{
+  uint id;
+  vec3 at; // as the ray sees it
+};
+
+Corner getCorner(uint id)
+{
+  return Corner(id, seenAlongRay(texelFetch(meshPoints, int(id)).xyz));
+}
+
 float cross2(vec2 a, vec2 b)
 {
   return a.x * b.y - a.y * b.x;

@@ -1,9 +1,12 @@
 //VTK::System::Dec
 //VTK::Output::Dec
+//RELEVO::Defines
 // Added up over all border faces: the numbers of those that the ray enters through, and how many.
 
 //RELEVO::Ray
 //RELEVO::Edges
+//RELEVO::Cells
+//RELEVO::Faces
 //RELEVO::Border
 
 flat in int face;

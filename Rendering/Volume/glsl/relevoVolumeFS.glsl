@@ -6,6 +6,8 @@
 
 //RELEVO::Ray
 //RELEVO::Edges
+//RELEVO::Cells
+//RELEVO::Faces
 //RELEVO::Border
 //RELEVO::Functions
 //RELEVO::Blend

@@ -1,8 +1,6 @@
 // The transfer functions: colour and extinction of scalars, in linear pieces. What the ray has
 // collected so far is `collected`, premultiplied.
 
-uniform sampler2D psiTable;
-
 #if RELEVO_COMPONENTS == 1
 #define Scalars float
 #define componentOf(scalars, i) (scalars)
@@ -16,20 +14,12 @@ uniform sampler2D psiTable;
 #define Real3 vec3
 #define Real4 vec4
 
-// Of short parts, as most are, by Gauss' quadrature, which is faster than the table. There depth x
-// is at x / (x + 1).
+// By Gauss' quadrature: within 1e-4 for depths whose sum is at most 2, and shorter parts are better.
 float linearSegmentPsi(float front, float back)
 {
-  if (front + back < 2.0)
-  {
-    const vec3 nodes = vec3(0.1127016654, 0.5, 0.8872983346);
-    const vec3 weights = vec3(5.0, 8.0, 5.0) / 18.0;
-    return dot(weights, exp(-nodes * (front + 0.5 * (back - front) * nodes)));
-  }
-  float size = float(RELEVO_PSI_SIZE);
-  vec2 at = vec2(front, back);
-  at = at / (at + vec2(1.0));
-  return texture(psiTable, (at * (size - 1.0) + vec2(0.5)) / size).r;
+  const vec3 nodes = vec3(0.1127016654, 0.5, 0.8872983346);
+  const vec3 weights = vec3(5.0, 8.0, 5.0) / 18.0;
+  return dot(weights, exp(-nodes * (front + 0.5 * (back - front) * nodes)));
 }
 
 //RELEVO::LinearSegment
@@ -152,22 +142,12 @@ void findPiece(int curve, float scalar)
   fetchPiece(curve, searchPieces(curveFirst[curve], curveSizes[curve], scalar));
 }
 
-// The piece of the scalars from one on towards another.
-void seekPiece(int curve, float from, float to)
+// Where the ray comes to scalars that may be far from those before.
+void seekScalars(Scalars scalars)
 {
-  Piece piece = pieces[curve];
-  bool isIn = to > from ? piece.begin <= from && from < piece.end
-                        : piece.begin < from && from <= piece.end;
-#if RELEVO_TABLES
-  isIn = false; // rows are others
-#endif
-  if (!isIn)
+  for (int i = 0; i < RELEVO_CURVES && RELEVO_PRE_INTEGRATED == 0; ++i)
   {
-    findPiece(curve, from);
-    if (to > from && from >= pieces[curve].end)
-    {
-      fetchPiece(curve, pieces[curve].number + 1);
-    }
+    findPiece(i, setComponent(scalars, i));
   }
 }
 
@@ -181,6 +161,10 @@ vec4 evaluatePiece(int curve, float scalar)
 // per unit distance.
 uniform vec4 scalarLow;
 uniform vec4 scalarSize;
+
+void seekScalars(vec4 scalars)
+{
+}
 
 vec4 getColors(vec4 scalars)
 {

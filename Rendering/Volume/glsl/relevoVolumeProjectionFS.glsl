@@ -127,6 +127,7 @@ void main()
   beginWalk(0.0, texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), 0).r);
   beginRay();
   beginPart(min(depths.x, depths.y), max(depths.x, depths.y), getScalars(front), getScalars(back));
+  seekScalars(partFront);
   while (!isPartDone)
   {
     isPartDone = collect(partFront, partBack, partSpan, partFrom);

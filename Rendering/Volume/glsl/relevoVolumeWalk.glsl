@@ -22,6 +22,8 @@ Corner faceB;
 Corner faceC;
 vec3 faceAreas; // spanned by the edges across from the corners
 
+Scalars walkScalars; // there
+
 #if RELEVO_CELL_SCALARS
 Scalars getCellScalars(uint cell)
 {
@@ -32,7 +34,6 @@ Scalars getCellScalars(uint cell)
 #endif
 }
 #else
-Scalars walkScalars;
 Scalars scalarsA;
 Scalars scalarsB;
 Scalars scalarsC;
@@ -52,6 +53,11 @@ Scalars interpolateScalars(vec3 weights)
 }
 #endif
 
+#if RELEVO_CURVED
+float curvedParts = 0.0; // that a cell is shown in
+float curvedNext = 0.0;  // of them
+#endif
+
 void enterMesh(Entry entry)
 {
   walkCell = entry.cell;
@@ -60,6 +66,22 @@ void enterMesh(Entry entry)
   faceB = entry.b;
   faceC = entry.c;
   faceAreas = entry.areas;
+#if RELEVO_SURFACES
+  isIsoNew = true;
+#endif
+#if RELEVO_CURVED
+  curvedParts = 0.0;
+  curvedNext = 0.0;
+  if (isCurvedCell(walkCell))
+  {
+#if !RELEVO_CELL_SCALARS
+    // Those of a corner are near to those that come.
+    uint near = wordOfCell(walkCell, 0);
+    seekScalars(getPointScalars(near, texelFetch(meshPoints, int(near)).w));
+#endif
+    return;
+  }
+#endif
 #if !RELEVO_CELL_SCALARS
   scalarsA = getPointScalars(faceA.id, texelFetch(meshPoints, int(faceA.id)).w);
   scalarsB = getPointScalars(faceB.id, texelFetch(meshPoints, int(faceB.id)).w);
@@ -67,12 +89,10 @@ void enterMesh(Entry entry)
   vec3 weights;
   getWeights(faceAreas, weights);
   walkScalars = interpolateScalars(weights);
+  seekScalars(walkScalars);
 #endif
 #if RELEVO_LIT
   walkToGradients(uvec3(faceA.id, faceB.id, faceC.id), weights);
-#endif
-#if RELEVO_SURFACES
-  isIsoNew = true;
 #endif
 }
 
@@ -139,6 +159,7 @@ void crossTetrahedron()
   float exit = isSeen ? interpolateDepth(faceA, faceB, faceC, weights) : walkDepth;
 #if RELEVO_CELL_SCALARS
   Scalars scalars = getCellScalars(walkCell);
+  seekScalars(scalars);
   beginPart(walkDepth, exit, scalars, scalars);
 #else
   Scalars front = walkScalars;
@@ -161,11 +182,44 @@ void crossTetrahedron()
   walkCell = place == 0 ? behind.x : place == 1 ? behind.y : place == 2 ? behind.z : behind.w;
 }
 
+//RELEVO::CurvedWalk
+
 bool isWalkOver()
 {
   return walkDone >= walkEnd || collected.a >= Opaque;
 }
 
+#if RELEVO_CURVED
+// All that is in a cell before the next one, as to cross it takes long.
+void walkFrom(Entry entry)
+{
+  enterMesh(entry);
+  for (int step = 0; step < mostSteps && walkCell != Nothing && !isWalkOver(); ++step)
+  {
+    if (isCurvedCell(walkCell))
+    {
+      crossCurved();
+      isPartDone = true;
+    }
+    else
+    {
+      crossTetrahedron();
+      curvedParts = 0.0;
+    }
+    while ((!isPartDone || curvedNext < curvedParts) && collected.a < Opaque)
+    {
+      if (isPartDone)
+      {
+        nextCurvedPart();
+      }
+      if (!isPartDone)
+      {
+        isPartDone = collect(partFront, partBack, partSpan, partFrom);
+      }
+    }
+  }
+}
+#else
 // One round may be a step, or a piece of a part, or both: rays next to each other keep pace.
 void walkFrom(Entry entry)
 {
@@ -189,3 +243,4 @@ void walkFrom(Entry entry)
     }
   }
 }
+#endif

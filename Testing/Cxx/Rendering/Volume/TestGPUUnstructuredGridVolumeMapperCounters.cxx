@@ -62,7 +62,7 @@ void TestFeatures(RelevoCheck& check)
   DrawAll(scene, 0.1);
   CHECK(mapper->GetNumberOfShaderBuilds() == shaders);
   CHECK(mapper->GetNumberOfBufferBuilds() == 2);
-  CHECK(mapper->GetNumberOfTableBuilds() == 1);
+  CHECK(mapper->GetNumberOfTableBuilds() == 0);
 }
 }
 
@@ -77,7 +77,7 @@ int TestGPUUnstructuredGridVolumeMapperCounters(int, char*[])
   const vtkIdType cells = mesh->GetNumberOfCells();
   CHECK(mapper->GetNumberOfDrawnCells() == cells);
   CHECK(mapper->GetNumberOfBufferBuilds() == 1);
-  CHECK(mapper->GetNumberOfTableBuilds() == 1);
+  CHECK(mapper->GetNumberOfTableBuilds() == 0);
   const vtkIdType shaders = mapper->GetNumberOfShaderBuilds();
   CHECK(shaders > 0);
   const int border = 6 * 2 * 25;
@@ -96,7 +96,7 @@ int TestGPUUnstructuredGridVolumeMapperCounters(int, char*[])
   scene.GetVolume()->GetProperty()->SetScalarOpacityUnitDistance(3.0);
   CHECK(scene.Compare() <= 1.0);
   CHECK(mapper->GetNumberOfBufferBuilds() == 1);
-  CHECK(mapper->GetNumberOfTableBuilds() == 1);
+  CHECK(mapper->GetNumberOfTableBuilds() == 0);
   CHECK(mapper->GetNumberOfShaderBuilds() == shaders);
 
   // A new mesh does.

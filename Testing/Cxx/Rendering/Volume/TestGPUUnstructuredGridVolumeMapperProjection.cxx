@@ -214,7 +214,7 @@ void TestCounters(RelevoCheck& check)
   CHECK(scene.Compare() <= 1.0);
   CHECK(mapper->GetNumberOfBufferBuilds() == buffers);
   CHECK(mapper->GetNumberOfShaderBuilds() == shaders);
-  CHECK(mapper->GetNumberOfTableBuilds() == 1);
+  CHECK(mapper->GetNumberOfTableBuilds() == 0);
 }
 
 void TestLimits(RelevoCheck& check)

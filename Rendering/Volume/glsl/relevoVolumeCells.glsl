@@ -1,0 +1,44 @@
+// Cells that stay unsplit. Hexahedra, whose faces are bilinear; wedges and pyramids are hexahedra
+// some of whose corners are the same. Quadratic tetrahedra.
+
+uniform usamplerBuffer curvedCells;
+uniform int numberOfTetrahedra;
+
+const int FirstBehind = 10; // word of a cell
+const uint Quadratic = 0xfffffff0u; // as its last word
+
+bool isCurvedCell(uint cell)
+{
+  return !RELEVO_TETRAHEDRA || cell >= uint(numberOfTetrahedra);
+}
+
+uint wordOfCell(uint cell, int word)
+{
+  return texelFetch(curvedCells, 4 * (int(cell) - numberOfTetrahedra) + word / 4)[word % 4];
+}
+
+bool isQuadraticCell(uint cell)
+{
+  return RELEVO_QUADRATIC != 0 && wordOfCell(cell, 15) == Quadratic;
+}
+
+int numberOfFaces(bool isQuadratic)
+{
+  return isQuadratic ? 4 : 6;
+}
+
+// Of a hexahedron's face four corners in turn, seen from outside; of a quadratic face three, each
+// with the middle of the edge that follows it.
+int cornerOfFace(bool isQuadratic, int face, int i)
+{
+  const int hexahedron[24] = int[24](
+    0, 4, 7, 3, 1, 2, 6, 5, 0, 1, 5, 4, 3, 7, 6, 2, 0, 3, 2, 1, 4, 5, 6, 7);
+  const int tetrahedron[24] = int[24](
+    0, 4, 1, 8, 3, 7, 1, 5, 2, 9, 3, 8, 2, 6, 0, 7, 3, 9, 0, 6, 2, 5, 1, 4);
+  return isQuadratic ? tetrahedron[6 * face + i] : hexahedron[4 * face + i];
+}
+
+int sizeOfBorder(bool isQuadratic)
+{
+  return isQuadratic ? 6 : 4;
+}

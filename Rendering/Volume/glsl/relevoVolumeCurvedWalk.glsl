@@ -1,0 +1,428 @@
+// The walk through a cell that stays unsplit: from the face that it is entered by to the next one
+// that the ray leaves it by. Scalars along the way are those of the shape functions at both ends
+// and at two places between; a cubic through them, as they are in a parallelepiped, is shown in as
+// many linear parts as it takes.
+
+const float LargestMiss = 1.0 / 1024.0; // of the range of scalars
+const float MostParts = 16.0;
+
+float curvedBegin;
+float curvedEnd;
+
+#if !RELEVO_CELL_SCALARS
+Scalars cubic[4]; // at thirds of the way
+
+Scalars cubicAt(float x)
+{
+  float a = x - 1.0 / 3.0;
+  float b = x - 2.0 / 3.0;
+  float c = x - 1.0;
+  return 4.5 * (x * a * b * cubic[3] - a * b * c * cubic[0]) +
+    13.5 * (x * b * c * cubic[1] - x * a * c * cubic[2]);
+}
+
+float countParts()
+{
+  // By the second derivatives at both ends; the one between is linear.
+  Scalars first = 9.0 * (2.0 * cubic[0] - 5.0 * cubic[1] + 4.0 * cubic[2] - cubic[3]);
+  Scalars last = 9.0 * (2.0 * cubic[3] - 5.0 * cubic[2] + 4.0 * cubic[1] - cubic[0]);
+  float bend = 0.0;
+  for (int i = 0; i < RELEVO_COMPONENTS; ++i)
+  {
+    bend = max(bend, max(abs(componentOf(first, i)), abs(componentOf(last, i))));
+  }
+  return clamp(ceil(sqrt(bend / (8.0 * LargestMiss))), 1.0, MostParts);
+}
+#endif
+
+#if RELEVO_LIT
+vec3 curvedFrontGradients[RELEVO_MATERIALS];
+vec3 curvedBackGradients[RELEVO_MATERIALS];
+
+vec3 fetchGradient(uint id, int material)
+{
+  int at = RELEVO_COMPONENTS * int(id) + RELEVO_SHADED_COMPONENT + material;
+  return texelFetch(pointGradients, at).xyz;
+}
+#endif
+
+// Newton's step to the place at a depth of the ray, for parameters with these derivatives.
+vec3 newtonStep(float depth, vec3 place, vec3 du, vec3 dv, vec3 dw)
+{
+  vec3 miss = vec3(0.0, 0.0, depth) - place;
+  vec3 across = cross(dv, dw);
+  float volume = dot(du, across);
+  vec3 move = vec3(dot(across, miss), dot(cross(dw, du), miss), dot(cross(du, dv), miss)) / volume;
+  return abs(move.x) + abs(move.y) + abs(move.z) < 2.0 ? move : vec3(0.0);
+}
+
+// Which of several exits comes first: one that is behind only if there is no other.
+float rankExit(float depth)
+{
+  return depth >= walkDepth - 1e-6 ? depth : 1e6 - depth;
+}
+
+void beginCurved(float end)
+{
+  curvedBegin = walkDepth;
+  curvedEnd = end;
+  curvedNext = 0.0;
+  curvedParts = end > walkDepth ? 1.0 : 0.0;
+#if RELEVO_CELL_SCALARS
+  walkScalars = getCellScalars(walkCell);
+  seekScalars(walkScalars);
+#else
+  walkScalars = cubic[3];
+  curvedParts *= countParts();
+#endif
+}
+
+void nextCurvedPart()
+{
+  float first = curvedNext / curvedParts;
+  float last = (curvedNext + 1.0) / curvedParts;
+#if RELEVO_CELL_SCALARS
+  Scalars front = walkScalars;
+  Scalars back = front;
+#else
+  Scalars front = cubicAt(first);
+  Scalars back = cubicAt(last);
+#endif
+  beginPart(mix(curvedBegin, curvedEnd, first), mix(curvedBegin, curvedEnd, last), front, back);
+#if RELEVO_LIT
+  walkGradients = curvedBackGradients;
+  setPartGradients(curvedBegin, curvedEnd, curvedFrontGradients);
+#endif
+  curvedNext += 1.0;
+}
+
+// The tetrahedron behind a face wants to know its corners.
+void leaveToTetrahedron(Corner a, Corner b, Corner c)
+{
+  faceA = a;
+  faceB = b;
+  faceC = c;
+  faceAreas = vec3(spannedArea(b.id, b.at.xy, c.id, c.at.xy),
+    spannedArea(c.id, c.at.xy, a.id, a.at.xy), spannedArea(a.id, a.at.xy, b.id, b.at.xy));
+#if !RELEVO_CELL_SCALARS
+  scalarsA = getPointScalars(a.id, texelFetch(meshPoints, int(a.id)).w);
+  scalarsB = getPointScalars(b.id, texelFetch(meshPoints, int(b.id)).w);
+  scalarsC = getPointScalars(c.id, texelFetch(meshPoints, int(c.id)).w);
+#endif
+}
+
+vec3 hexPlaces[8]; // as the ray sees them
+
+#define trilinear(c, p) \
+  mix(mix(mix(c[0], c[1], (p).x), mix(c[3], c[2], (p).x), (p).y), \
+    mix(mix(c[4], c[5], (p).x), mix(c[7], c[6], (p).x), (p).y), (p).z)
+
+#define seekHexahedron(p, depth) \
+  newtonStep(depth, trilinear(hexPlaces, p), \
+    mix(mix(hexPlaces[1] - hexPlaces[0], hexPlaces[2] - hexPlaces[3], p.y), \
+      mix(hexPlaces[5] - hexPlaces[4], hexPlaces[6] - hexPlaces[7], p.y), p.z), \
+    mix(mix(hexPlaces[3], hexPlaces[2], p.x) - mix(hexPlaces[0], hexPlaces[1], p.x), \
+      mix(hexPlaces[7], hexPlaces[6], p.x) - mix(hexPlaces[4], hexPlaces[5], p.x), p.z), \
+    mix(mix(hexPlaces[4], hexPlaces[5], p.x), mix(hexPlaces[7], hexPlaces[6], p.x), p.y) - \
+      mix(mix(hexPlaces[0], hexPlaces[1], p.x), mix(hexPlaces[3], hexPlaces[2], p.x), p.y))
+
+vec3 parametersInHexahedron(float depth, vec3 p)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    vec3 move = seekHexahedron(p, depth);
+    p += move;
+    if (dot(move, move) < 1e-4)
+    {
+      break; // which leaves 1e-4 of it
+    }
+  }
+  return clamp(p, vec3(0.0), vec3(1.0));
+}
+
+// Where the ray goes through a face: the depth, and the parameters there. Faces 0 and 1 are where
+// the first parameter is 0 and 1, and so on.
+float crossHexFace(int face, out vec3 parameters)
+{
+  bool high = face % 2 == 1;
+  vec3 p0 = high ? hexPlaces[1] : hexPlaces[0];
+  vec3 p1 = high ? hexPlaces[2] : hexPlaces[3];
+  vec3 p2 = high ? hexPlaces[6] : hexPlaces[7];
+  vec3 p3 = high ? hexPlaces[5] : hexPlaces[4];
+  if (face >= 4)
+  {
+    p0 = high ? hexPlaces[4] : hexPlaces[0];
+    p1 = high ? hexPlaces[5] : hexPlaces[1];
+    p2 = high ? hexPlaces[6] : hexPlaces[2];
+    p3 = high ? hexPlaces[7] : hexPlaces[3];
+  }
+  else if (face >= 2)
+  {
+    p0 = high ? hexPlaces[3] : hexPlaces[0];
+    p1 = high ? hexPlaces[2] : hexPlaces[1];
+    p2 = high ? hexPlaces[6] : hexPlaces[5];
+    p3 = high ? hexPlaces[7] : hexPlaces[4];
+  }
+  vec2 at = crossBilinear(p0.xy, p1.xy, p2.xy, p3.xy);
+  float side = high ? 1.0 : 0.0;
+  parameters = face < 2 ? vec3(side, at) : face < 4 ? vec3(at.x, side, at.y) : vec3(at, side);
+  return mix(mix(p0.z, p1.z, at.x), mix(p3.z, p2.z, at.x), at.y);
+}
+
+// Bit by bit the faces that the ray leaves by, and those that it enters by.
+ivec2 windHexahedron(uint ids[8])
+{
+#define passes(a, b) passesOf(Corner(ids[a], hexPlaces[a]), Corner(ids[b], hexPlaces[b]))
+  ivec4 below = ivec4(passes(0, 1), passes(1, 2), passes(2, 3), passes(3, 0));
+  ivec4 above = ivec4(passes(4, 5), passes(5, 6), passes(6, 7), passes(7, 4));
+  ivec4 up = ivec4(passes(0, 4), passes(1, 5), passes(2, 6), passes(3, 7));
+  ivec4 sides = ivec4(up.x - above.w - up.w + below.w, below.y + up.z - above.y - up.y,
+    below.x + up.y - above.x - up.x, up.w - above.z - up.z + below.z);
+  ivec2 ends = ivec2(-below.x - below.y - below.z - below.w, above.x + above.y + above.z + above.w);
+  const ivec4 bits = ivec4(1, 2, 4, 8);
+  ivec4 left = bits * ivec4(greaterThan(sides, ivec4(0)));
+  ivec4 entered = bits * ivec4(lessThan(sides, ivec4(0)));
+  return ivec2(left.x + left.y + left.z + left.w + (ends.x > 0 ? 16 : 0) + (ends.y > 0 ? 32 : 0),
+    entered.x + entered.y + entered.z + entered.w + (ends.x < 0 ? 16 : 0) + (ends.y < 0 ? 32 : 0));
+}
+
+// The number of the highest bit that is set; -1 for none.
+int highestBit(int bits)
+{
+  return bits >= 32 ? 5 : bits >= 16 ? 4 : bits >= 8 ? 3 : bits >= 4 ? 2 : bits >= 2 ? 1 : bits - 1;
+}
+
+void crossHexahedron()
+{
+  int at = 4 * (int(walkCell) - numberOfTetrahedra);
+  uvec4 low = texelFetch(curvedCells, at);
+  uvec4 high = texelFetch(curvedCells, at + 1);
+  uint ids[8] = uint[8](low.x, low.y, low.z, low.w, high.x, high.y, high.z, high.w);
+#if !RELEVO_CELL_SCALARS
+  Scalars corners[8];
+#endif
+  for (int i = 0; i < 8; ++i)
+  {
+    vec4 point = texelFetch(meshPoints, int(ids[i]));
+    hexPlaces[i] = seenAlongRay(point.xyz);
+#if !RELEVO_CELL_SCALARS
+    corners[i] = getPointScalars(ids[i], point.w);
+#endif
+  }
+  ivec2 faces = windHexahedron(ids);
+  int exit = highestBit(faces.x);
+  int entry = highestBit(faces.y);
+  vec3 leftAt = vec3(0.5);
+  vec3 enteredAt = vec3(0.5);
+  float end = exit >= 0 ? crossHexFace(exit, leftAt) : walkDepth;
+  float begin = entry >= 0 ? crossHexFace(entry, enteredAt) : walkDepth;
+  // A cell that is not convex may be left several times.
+  faces -= ivec2(exit < 0 ? 0 : 1 << exit, entry < 0 ? 0 : 1 << entry);
+  while (faces.x + faces.y > 0)
+  {
+    bool isExit = faces.x > 0;
+    int face = highestBit(isExit ? faces.x : faces.y);
+    faces -= isExit ? ivec2(1 << face, 0) : ivec2(0, 1 << face);
+    vec3 parameters;
+    float depth = crossHexFace(face, parameters);
+    if (isExit && rankExit(depth) < rankExit(end))
+    {
+      exit = face;
+      end = depth;
+      leftAt = parameters;
+    }
+    if (!isExit && abs(depth - walkDepth) < abs(begin - walkDepth))
+    {
+      begin = depth;
+      enteredAt = parameters;
+    }
+  }
+  end = max(end, walkDepth);
+#if !RELEVO_CELL_SCALARS
+  cubic[0] = trilinear(corners, enteredAt);
+  vec3 one = parametersInHexahedron(
+    mix(walkDepth, end, 1.0 / 3.0), mix(enteredAt, leftAt, 1.0 / 3.0));
+  cubic[1] = trilinear(corners, one);
+  vec3 two = parametersInHexahedron(
+    mix(walkDepth, end, 2.0 / 3.0), mix(enteredAt, leftAt, 2.0 / 3.0));
+  cubic[2] = trilinear(corners, two);
+  cubic[3] = trilinear(corners, leftAt);
+#if RELEVO_STEEPNESS
+  vec3 low = mix(enteredAt, leftAt, 0.5);
+  vec3 u = vec3(1.0, low.yz);
+  vec3 v = vec3(low.x, 1.0, low.z);
+  vec3 w = vec3(low.xy, 1.0);
+  setSteepness(trilinear(hexPlaces, u) - trilinear(hexPlaces, vec3(0.0, u.yz)),
+    trilinear(hexPlaces, v) - trilinear(hexPlaces, vec3(v.x, 0.0, v.z)),
+    trilinear(hexPlaces, w) - trilinear(hexPlaces, vec3(w.xy, 0.0)),
+    trilinear(corners, u) - trilinear(corners, vec3(0.0, u.yz)),
+    trilinear(corners, v) - trilinear(corners, vec3(v.x, 0.0, v.z)),
+    trilinear(corners, w) - trilinear(corners, vec3(w.xy, 0.0)));
+#endif
+#endif
+#if RELEVO_LIT
+  for (int i = 0; i < RELEVO_MATERIALS; ++i)
+  {
+    vec3 gradients[8];
+    for (int j = 0; j < 8; ++j)
+    {
+      gradients[j] = fetchGradient(ids[j], i);
+    }
+    curvedFrontGradients[i] = trilinear(gradients, enteredAt);
+    curvedBackGradients[i] = trilinear(gradients, leftAt);
+  }
+#endif
+  beginCurved(end);
+  walkDepth = end;
+  walkCell = exit < 0 ? Nothing : wordOfCell(walkCell, FirstBehind + exit);
+  if (walkCell != Nothing && !isCurvedCell(walkCell))
+  {
+    // Of the four corners two are one.
+    ivec4 face = ivec4(cornerOfFace(false, exit, 0), cornerOfFace(false, exit, 1),
+      cornerOfFace(false, exit, 2), cornerOfFace(false, exit, 3));
+    bool isFirstTwice = ids[face.x] == ids[face.y] || ids[face.x] == ids[face.w];
+    int b = isFirstTwice && ids[face.x] == ids[face.y] ? face.z : face.y;
+    int c = isFirstTwice ? (ids[face.x] == ids[face.y] ? face.w : face.z)
+                         : (ids[face.y] == ids[face.z] ? face.w : face.z);
+    c = !isFirstTwice && ids[face.z] == ids[face.w] ? face.z : c;
+    leaveToTetrahedron(Corner(ids[face.x], hexPlaces[face.x]), Corner(ids[b], hexPlaces[b]),
+      Corner(ids[c], hexPlaces[c]));
+  }
+}
+
+#if RELEVO_QUADRATIC
+vec3 quadraticPlaces[10]; // as the ray sees them
+
+// Barycentric coordinates b, of corners 0 to 3; 4 to 9 are between 01, 12, 20, 03, 13 and 23.
+#define quadratic(c, b) \
+  ((b).x * (2.0 * (b).x - 1.0) * c[0] + (b).y * (2.0 * (b).y - 1.0) * c[1] + \
+    (b).z * (2.0 * (b).z - 1.0) * c[2] + (b).w * (2.0 * (b).w - 1.0) * c[3] + \
+    4.0 * ((b).x * (b).y * c[4] + (b).y * (b).z * c[5] + (b).z * (b).x * c[6] + \
+      (b).x * (b).w * c[7] + (b).y * (b).w * c[8] + (b).z * (b).w * c[9]))
+
+vec4 barycentric(vec3 p)
+{
+  return vec4(1.0 - p.x - p.y - p.z, p);
+}
+
+vec3 placeInQuadratic(vec3 p)
+{
+  return quadratic(quadraticPlaces, barycentric(p));
+}
+
+// Differences are derivatives, as places are quadratic along each parameter.
+vec3 parametersInQuadratic(float depth, vec3 p)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    vec2 h = vec2(0.5, 0.0);
+    p += newtonStep(depth, placeInQuadratic(p),
+      placeInQuadratic(p + h.xyy) - placeInQuadratic(p - h.xyy),
+      placeInQuadratic(p + h.yxy) - placeInQuadratic(p - h.yxy),
+      placeInQuadratic(p + h.yyx) - placeInQuadratic(p - h.yyx));
+  }
+  return clamp(p, vec3(0.0), vec3(1.0));
+}
+
+void loadQuadraticFace(uint ids[10], int face, out Corner border[6])
+{
+  for (int i = 0; i < 6; ++i)
+  {
+    int corner = cornerOfFace(true, face, i);
+    border[i] = Corner(ids[corner], quadraticPlaces[corner]);
+  }
+}
+
+void crossQuadraticCell()
+{
+  uint ids[10];
+#if !RELEVO_CELL_SCALARS
+  Scalars corners[10];
+#endif
+  for (int i = 0; i < 10; ++i)
+  {
+    ids[i] = wordOfCell(walkCell, i);
+    vec4 point = texelFetch(meshPoints, int(ids[i]));
+    quadraticPlaces[i] = seenAlongRay(point.xyz);
+#if !RELEVO_CELL_SCALARS
+    corners[i] = getPointScalars(ids[i], point.w);
+#endif
+  }
+  int exit = -1;
+  float end = FarOutside;
+  float begin = FarOutside;
+  vec3 leftAt = vec3(0.25);
+  vec3 enteredAt = vec3(0.25);
+  Corner border[6];
+  for (int face = 0; face < 4; ++face)
+  {
+    loadQuadraticFace(ids, face, border);
+    int winding = windingOf(border, 6);
+    vec3 parameters;
+    float depth = crossFace(true, face, border, parameters);
+    if (winding > 0 && (exit < 0 || rankExit(depth) < rankExit(end)))
+    {
+      exit = face;
+      end = depth;
+      leftAt = parameters;
+    }
+    if (winding < 0 && abs(depth - walkDepth) < abs(begin - walkDepth))
+    {
+      begin = depth;
+      enteredAt = parameters;
+    }
+  }
+  end = exit < 0 ? walkDepth : max(end, walkDepth);
+#if !RELEVO_CELL_SCALARS
+  cubic[0] = quadratic(corners, barycentric(enteredAt));
+  vec3 one = parametersInQuadratic(
+    mix(walkDepth, end, 1.0 / 3.0), mix(enteredAt, leftAt, 1.0 / 3.0));
+  cubic[1] = quadratic(corners, barycentric(one));
+  vec3 two = parametersInQuadratic(
+    mix(walkDepth, end, 2.0 / 3.0), mix(enteredAt, leftAt, 2.0 / 3.0));
+  cubic[2] = quadratic(corners, barycentric(two));
+  cubic[3] = quadratic(corners, barycentric(leftAt));
+#if RELEVO_STEEPNESS
+  vec3 low = mix(enteredAt, leftAt, 0.5);
+  vec2 h = vec2(0.5, 0.0);
+#define change(c, step) \
+  (quadratic(c, barycentric(low + (step))) - quadratic(c, barycentric(low - (step))))
+  setSteepness(change(quadraticPlaces, h.xyy), change(quadraticPlaces, h.yxy),
+    change(quadraticPlaces, h.yyx), change(corners, h.xyy), change(corners, h.yxy),
+    change(corners, h.yyx));
+#endif
+#endif
+#if RELEVO_LIT
+  for (int i = 0; i < RELEVO_MATERIALS; ++i)
+  {
+    vec3 gradients[10];
+    for (int j = 0; j < 10; ++j)
+    {
+      gradients[j] = fetchGradient(ids[j], i);
+    }
+    curvedFrontGradients[i] = quadratic(gradients, barycentric(enteredAt));
+    curvedBackGradients[i] = quadratic(gradients, barycentric(leftAt));
+  }
+#endif
+  beginCurved(end);
+  walkDepth = end;
+  walkCell = exit < 0 ? Nothing : wordOfCell(walkCell, FirstBehind + exit);
+  if (walkCell != Nothing && !isCurvedCell(walkCell))
+  {
+    loadQuadraticFace(ids, exit, border);
+    leaveToTetrahedron(border[0], border[2], border[4]);
+  }
+}
+#endif
+
+void crossCurved()
+{
+#if RELEVO_QUADRATIC
+  if (isQuadraticCell(walkCell))
+  {
+    crossQuadraticCell();
+    return;
+  }
+#endif
+  crossHexahedron();
+}

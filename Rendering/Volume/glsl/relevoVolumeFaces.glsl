@@ -1,0 +1,164 @@
+// Where a ray goes through the faces of cells that stay unsplit: where a face's border, as the ray
+// sees it, goes around the ray. Both cells of a face agree on that, as for tetrahedra.
+
+const float FarOutside = 1e30;
+
+// How often an edge passes from below the ray to above, on the right of it; less than 0 for the
+// other way.
+int passesOf(Corner a, Corner b)
+{
+  bool rises = a.at.y <= 0.0 && b.at.y > 0.0;
+  bool falls = a.at.y > 0.0 && b.at.y <= 0.0;
+  if (!rises && !falls)
+  {
+    return 0;
+  }
+  bool left = isOnLeft(spannedArea(a.id, a.at.xy, b.id, b.at.xy), a.id, a.at.xy, b.id, b.at.xy);
+  return rises && left ? 1 : falls && !left ? -1 : 0;
+}
+
+#if RELEVO_QUADRATIC
+// The same of a parabola, with its place in the middle.
+int passesOfCurve(Corner a, Corner middle, Corner b)
+{
+  // In the order of the points' numbers, for the same answer in all cells around.
+  bool isTurned = b.id < a.id;
+  vec2 from = isTurned ? b.at.xy : a.at.xy;
+  vec2 to = isTurned ? a.at.xy : b.at.xy;
+  vec2 bend = 2.0 * from - 4.0 * middle.at.xy + 2.0 * to;
+  vec2 slope = to - from - bend;
+  float root = slope.y * slope.y - 4.0 * bend.y * from.y;
+  float q = -0.5 * (slope.y + (slope.y < 0.0 ? -1.0 : 1.0) * sqrt(max(root, 0.0)));
+  float first = from.y / q;
+  float second = q / bend.y;
+  bool isFirstIn = first >= 0.0 && first <= 1.0;
+  bool isSecondIn = second >= 0.0 && second <= 1.0;
+  bool isRight1 = from.x + first * (slope.x + first * bend.x) > 0.0;
+  bool isRight2 = from.x + second * (slope.x + second * bend.x) > 0.0;
+  int passes = 0;
+  if ((from.y > 0.0) != (to.y > 0.0))
+  {
+    bool takesFirst = isFirstIn && (!isSecondIn || abs(first - 0.5) < abs(second - 0.5));
+    passes = (takesFirst ? isRight1 : isRight2) ? (to.y > 0.0 ? 1 : -1) : 0;
+  }
+  else if (root > 0.0 && isFirstIn && isSecondIn)
+  {
+    // There and back.
+    int away = from.y > 0.0 ? -1 : 1;
+    bool isFirstBefore = first < second;
+    passes = away * (int(isFirstBefore ? isRight1 : isRight2) -
+      int(isFirstBefore ? isRight2 : isRight1));
+  }
+  return isTurned ? -passes : passes;
+}
+#endif
+
+// How often the border goes around the ray, against the clock: once where the ray leaves the cell,
+// and -1 times where it enters.
+int windingOf(Corner border[6], int size)
+{
+#if RELEVO_QUADRATIC
+  if (size == 6)
+  {
+    return passesOfCurve(border[0], border[1], border[2]) +
+      passesOfCurve(border[2], border[3], border[4]) +
+      passesOfCurve(border[4], border[5], border[0]);
+  }
+#endif
+  return passesOf(border[0], border[1]) + passesOf(border[1], border[2]) +
+    passesOf(border[2], border[3]) + passesOf(border[3], border[0]);
+}
+
+// Where the ray goes through a bilinear face: shares of its sides.
+vec2 crossBilinear(vec2 p0, vec2 p1, vec2 p2, vec2 p3)
+{
+  vec2 b = p1 - p0;
+  vec2 c = p3 - p0;
+  vec2 d = p2 - p1 - c;
+  float square = cross2(c, d);
+  float linear = cross2(p0, d) + cross2(c, b);
+  float constant = cross2(p0, b);
+  float root = sqrt(max(linear * linear - 4.0 * square * constant, 0.0));
+  float q = -0.5 * (linear + (linear < 0.0 ? -root : root));
+  vec2 best = vec2(0.5);
+  float outside = FarOutside;
+  for (int i = 0; i < 2; ++i)
+  {
+    float v = i == 0 ? constant / q : q / square;
+    vec2 way = b + v * d;
+    float u = -dot(p0 + v * c, way) / dot(way, way);
+    float distance = max(abs(u - 0.5), abs(v - 0.5));
+    if (distance < outside) // false for what is no number
+    {
+      outside = distance;
+      best = vec2(u, v);
+    }
+  }
+  return clamp(best, vec2(0.0), vec2(1.0));
+}
+
+vec3 placeOnQuadratic(Corner border[6], vec3 w)
+{
+  return w.x * (2.0 * w.x - 1.0) * border[0].at + w.y * (2.0 * w.y - 1.0) * border[2].at +
+    w.z * (2.0 * w.z - 1.0) * border[4].at + 4.0 * w.x * w.y * border[1].at +
+    4.0 * w.y * w.z * border[3].at + 4.0 * w.z * w.x * border[5].at;
+}
+
+// Shares of the corners of a quadratic face where the ray goes through it, by Newton's method.
+vec3 crossQuadraticFace(Corner border[6])
+{
+  vec3 areas = vec3(cross2(border[2].at.xy, border[4].at.xy),
+    cross2(border[4].at.xy, border[0].at.xy), cross2(border[0].at.xy, border[2].at.xy));
+  float sum = areas.x + areas.y + areas.z;
+  vec3 w = sum != 0.0 ? clamp(areas / sum, vec3(0.0), vec3(1.0)) : vec3(1.0 / 3.0);
+  w /= w.x + w.y + w.z;
+  for (int i = 0; i < 5; ++i)
+  {
+    vec2 miss = placeOnQuadratic(border, w).xy;
+    // Exact, as the face is quadratic.
+    const float h = 0.25;
+    vec2 du = (placeOnQuadratic(border, w + h * vec3(-1.0, 1.0, 0.0)) -
+      placeOnQuadratic(border, w - h * vec3(-1.0, 1.0, 0.0))).xy / (2.0 * h);
+    vec2 dv = (placeOnQuadratic(border, w + h * vec3(-1.0, 0.0, 1.0)) -
+      placeOnQuadratic(border, w - h * vec3(-1.0, 0.0, 1.0))).xy / (2.0 * h);
+    float area = cross2(du, dv);
+    if (area == 0.0)
+    {
+      break;
+    }
+    float u = -cross2(miss, dv) / area;
+    float v = -cross2(du, miss) / area;
+    vec3 next = w + vec3(-u - v, u, v);
+    if (!(abs(next.x) + abs(next.y) + abs(next.z) < 4.0))
+    {
+      break;
+    }
+    w = next;
+  }
+  w = clamp(w, vec3(0.0), vec3(1.0));
+  return w / (w.x + w.y + w.z);
+}
+
+// Where the ray goes through a face: the depth, and the cell's parameters there.
+float crossFace(bool isQuadratic, int face, Corner border[6], out vec3 parameters)
+{
+  if (isQuadratic)
+  {
+    vec3 w = crossQuadraticFace(border);
+    // Faces are 0 1 3, 1 2 3, 2 0 3 and 0 2 1.
+    parameters = face == 0 ? vec3(w.y, 0.0, w.z)
+      : face == 1          ? vec3(w.x, w.y, w.z)
+      : face == 2          ? vec3(0.0, w.x, w.z)
+                           : vec3(w.z, w.y, 0.0);
+    return placeOnQuadratic(border, w).z;
+  }
+  vec2 at = crossBilinear(border[0].at.xy, border[1].at.xy, border[2].at.xy, border[3].at.xy);
+  parameters = face == 0 ? vec3(0.0, at.y, at.x)
+    : face == 1          ? vec3(1.0, at.x, at.y)
+    : face == 2          ? vec3(at.x, 0.0, at.y)
+    : face == 3          ? vec3(at.y, 1.0, at.x)
+    : face == 4          ? vec3(at.y, at.x, 0.0)
+                         : vec3(at.x, at.y, 1.0);
+  return mix(mix(border[0].at.z, border[1].at.z, at.x), mix(border[3].at.z, border[2].at.z, at.x),
+    at.y);
+}

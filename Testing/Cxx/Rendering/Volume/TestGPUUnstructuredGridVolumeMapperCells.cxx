@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Cells of every kind that vtkGPUUnstructuredGridVolumeMapper draws unsplit, or split, against
+// vtkVolumeRayCastFilter, which finds places and scalars by VTK's own shape functions.
+#include "RelevoCheck.h"
+#include "RelevoDice.h"
+#include "RelevoVolumeScene.h"
+
+#include "vtkAppendFilter.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkCellTypeSource.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+
+#include <cmath>
+
+namespace
+{
+double GetWaves(const RelevoPoint& at)
+{
+  return 0.5 + 0.25 * std::sin(2.5 * at[0]) + 0.25 * std::cos(1.7 * at[1] + at[2]);
+}
+
+// Blocks of cells of one kind whose points are moved by up to `distortion`.
+vtkSmartPointer<vtkUnstructuredGrid> MakeCells(int type, double distortion, double x = 0.0)
+{
+  vtkNew<vtkCellTypeSource> source;
+  source->SetCellType(type);
+  source->SetBlocksDimensions(3, 3, 3);
+  source->Update();
+  auto mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  mesh->DeepCopy(source->GetOutput());
+  mesh->GetPointData()->Initialize();
+  mesh->GetCellData()->Initialize();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("waves");
+  RelevoDice dice(5);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    RelevoPoint at;
+    mesh->GetPoint(i, at.data());
+    at[0] += x;
+    for (double& coordinate : at)
+    {
+      coordinate += distortion * dice.Signed();
+    }
+    points->InsertNextPoint(at.data());
+    values->InsertNextValue(GetWaves(at));
+  }
+  mesh->SetPoints(points);
+  mesh->GetPointData()->SetScalars(values);
+  return mesh;
+}
+
+vtkSmartPointer<vtkVolumeProperty> MakeProperty()
+{
+  return MakeVolumeProperty(0.0, 1.0, 0.5);
+}
+
+void TestKinds(RelevoCheck& check)
+{
+  for (int type : { VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID, VTK_TETRA, VTK_QUADRATIC_TETRA,
+         VTK_PENTAGONAL_PRISM, VTK_QUADRATIC_HEXAHEDRON })
+  {
+    const auto mesh = MakeCells(type, 0.0);
+    RelevoVolumeScene scene(mesh, MakeProperty(), 100, 80);
+    CHECK(scene.Compare() <= 3.0);
+    CHECK(scene.Compare(0.01) <= 1.0);
+    CHECK(scene.GetMapper()->GetNumberOfDrawnCells() == mesh->GetNumberOfCells());
+    scene.GetCamera()->ParallelProjectionOn();
+    scene.GetCamera()->Azimuth(130.0);
+    scene.GetRenderer()->ResetCameraClippingRange();
+    CHECK(scene.Compare() <= 3.0);
+  }
+}
+
+// Faces that are not plane.
+void TestDistortedKinds(RelevoCheck& check)
+{
+  for (int type : { VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID })
+  {
+    RelevoVolumeScene scene(MakeCells(type, 0.12), MakeProperty());
+    CHECK(scene.Compare() <= 3.0);
+  }
+  // Where a ray only touches a curved face it is taken to stay on its side.
+  RelevoVolumeScene scene(MakeCells(VTK_QUADRATIC_TETRA, 0.03), MakeProperty());
+  CHECK(scene.Compare(0.01) <= 3.0);
+}
+
+// Images are meshes of voxels.
+void TestVoxels(RelevoCheck& check)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(5, 4, 6);
+  image->SetSpacing(0.5, 0.7, 0.4);
+  vtkNew<vtkDoubleArray> values;
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    RelevoPoint at;
+    image->GetPoint(i, at.data());
+    values->InsertNextValue(GetWaves(at));
+  }
+  image->GetPointData()->SetScalars(values);
+  RelevoVolumeScene scene(image, MakeProperty(), 100, 80);
+  CHECK(scene.Compare() <= 3.0);
+}
+
+// From the inside.
+void TestInside(RelevoCheck& check)
+{
+  RelevoVolumeScene scene(MakeCells(VTK_HEXAHEDRON, 0.1), MakeProperty());
+  vtkCamera* camera = scene.GetCamera();
+  camera->SetPosition(1.4, 1.6, 1.3);
+  camera->SetFocalPoint(3.0, 2.0, 2.2);
+  camera->SetViewAngle(60.0);
+  camera->SetClippingRange(0.01, 10.0);
+  CHECK(scene.Compare() <= 3.0);
+}
+
+// One mesh of several kinds: rays go from curved cells to tetrahedra and back.
+void TestMixed(RelevoCheck& check)
+{
+  vtkNew<vtkAppendFilter> append;
+  append->AddInputData(MakeCells(VTK_TETRA, 0.0));
+  append->AddInputData(MakeCells(VTK_WEDGE, 0.0, 3.0));
+  append->AddInputData(MakeCells(VTK_HEXAHEDRON, 0.0, 6.0));
+  append->AddInputData(MakeCells(VTK_PYRAMID, 0.0, 9.0));
+  append->MergePointsOn();
+  append->Update();
+  RelevoVolumeScene scene(append->GetOutput(), MakeProperty());
+  CHECK(scene.Compare() <= 3.0);
+  scene.GetCamera()->SetPosition(20.0, 2.1, 1.2);
+  scene.GetRenderer()->ResetCamera();
+  CHECK(scene.Compare() <= 3.0);
+  scene.GetCamera()->Azimuth(180.0);
+  scene.GetRenderer()->ResetCameraClippingRange();
+  CHECK(scene.Compare() <= 3.0);
+}
+
+// Cells turned inside out are the same cells.
+void TestMirrored(RelevoCheck& check)
+{
+  for (int type : { VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID, VTK_QUADRATIC_TETRA })
+  {
+    const auto mesh = MakeCells(type, 0.0);
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      double x[3];
+      mesh->GetPoint(i, x);
+      mesh->GetPoints()->SetPoint(i, -x[0], x[1], x[2]);
+    }
+    RelevoVolumeScene scene(mesh, MakeProperty(), 100, 80);
+    CHECK(scene.Compare() <= 3.0);
+  }
+}
+
+void TestCellData(RelevoCheck& check)
+{
+  for (int type : { VTK_HEXAHEDRON, VTK_TETRA, VTK_QUADRATIC_TETRA })
+  {
+    const auto mesh = MakeCells(type, 0.0);
+    mesh->GetPointData()->Initialize();
+    vtkNew<vtkDoubleArray> values;
+    RelevoDice dice(9);
+    for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+    {
+      values->InsertNextValue(dice.Share());
+    }
+    mesh->GetCellData()->SetScalars(values);
+    RelevoVolumeScene scene(mesh, MakeProperty(), 100, 80);
+    CHECK(scene.Compare(0.001) <= 1.0);
+  }
+}
+}
+
+int TestGPUUnstructuredGridVolumeMapperCells(int, char*[])
+{
+  RelevoCheck check;
+  TestKinds(check);
+  TestDistortedKinds(check);
+  TestVoxels(check);
+  TestInside(check);
+  TestMixed(check);
+  TestMirrored(check);
+  TestCellData(check);
+  return check.GetResult();
+}
