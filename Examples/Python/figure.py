@@ -100,7 +100,7 @@ class Figure:
         camera = renderer.GetActiveCamera()
         camera.SetPosition(position or self.position)
         camera.SetViewUp(up or self.up)
-        renderer.ResetCamera(actor.GetMapper().GetInput().GetBounds())
+        renderer.ResetCamera(actor.GetMapper().GetInputDataObject(0, 0).GetBounds())
         camera.Dolly(zoom or self.zoom)
         camera.SetWindowCenter(0, -0.1)  # room for the label
         renderer.ResetCameraClippingRange()

@@ -24,6 +24,7 @@ from GifFile import GifFile
 
 SOURCE = pathlib.Path(os.environ["RELEVO_SOURCE_DIR"])
 FLOW = pathlib.Path(os.environ.get("RELEVO_TEST_DATA", ""), "flow")
+VOLUME = FLOW.parent / "volume"
 # README.md and the pages, one after the other.
 PAGES = "\n".join(
     page.read_text()
@@ -312,6 +313,41 @@ class TestExamples(unittest.TestCase):
                 run = self.run_example("flow.py", folder, *arguments)
                 self.assertEqual(run.returncode, 1)
                 self.assertIn("oriented", run.stderr)
+
+    def test_volumes(self):
+        """Each figure is drawn of a generated mesh, and of real data is the one that is kept."""
+        files = {
+            "fin": ["bluntfinxyz.bin", "bluntfinq.bin"],
+            "post": ["postxyz.bin", "postq.bin"],
+            "reactor": ["../flow/disk_out_ref.ex2"],
+            "can": ["can.vtu"],
+        }
+        names = {path.stem for path in (SOURCE / "Examples/Python/volumes").glob("*.png")}
+        self.assertEqual(names, set(files))
+        with tempfile.TemporaryDirectory() as folder:
+            for name, data in files.items():
+                self.assertIn(f"Examples/Python/volumes/{name}.png", PAGES)
+                run = self.run_example("volumes.py", folder, name, "made.png")
+                self.assertEqual((run.returncode, run.stderr), (0, ""))
+                self.assertRegex(run.stdout, r"\A[1-9]\d{3,} cells\n\Z")
+                made = mean_of_blocks(read_picture(pathlib.Path(folder) / "made.png"))
+                self.assertGreater(len(set(made)), 0.2 * len(made), name)
+                if not VOLUME.is_dir():
+                    continue
+                real = [str(VOLUME / file) for file in data]
+                run = self.run_example("volumes.py", folder, name, "out.png", *real)
+                self.assertEqual(run.returncode, 0, run.stderr)
+                drawn = mean_of_blocks(read_picture(pathlib.Path(folder) / "out.png"))
+                kept = mean_of_blocks(read_picture(SOURCE / f"Examples/Python/volumes/{name}.png"))
+                differences = [
+                    max(abs(a - b) for a, b in zip(*colours)) for colours in zip(drawn, kept)
+                ]
+                self.assertEqual(len(drawn), len(kept))
+                self.assertLess(max(differences), 12, name)
+            for arguments in (["shock", "out.png"], ["can"], ["fin", "out.png", "q.bin"]):
+                run = self.run_example("volumes.py", folder, *arguments)
+                self.assertEqual(run.returncode, 1)
+                self.assertIn("reactor", run.stderr)
 
     def test_flow_of_the_page(self):
         """What the page on flow has to paste draws streaks, and so does what comes from VTK's mapper."""

@@ -241,10 +241,15 @@ class TestViewerVolume(ViewerProgram):
         for file, name in (
             ("volume/post.vtk", "Pressure"),
             ("volume/CylinderLinear.vtk", "velocity"),
+            ("volume/can.vtu", "EQPS"),
+            ("flow/disk_out_ref.ex2", "Temp"),
+            ("flow/office.binary.vtk", "scalars"),
         ):
+            if file.endswith(".ex2") and not find_spec("vtkmodules.vtkIOExodus"):
+                continue
             drawn = self.picture("--volume", name, file=DATA / file)
             colours = {colour for row in drawn[20:70] for colour in row[30:90]}
-            self.assertGreater(len(colours), 400, file)
+            self.assertGreater(len(colours), 200, file)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,255 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Shows the inside of meshes, without a display: volumes.py NAME PICTURE.png [FILE ...]
+
+NAME is one of
+  fin      air before a blunt fin, beside what VTK's mappers draw: bluntfinxyz.bin bluntfinq.bin
+  post     liquid oxygen around a post, an isosurface in the volume and a cut: postxyz.bin postq.bin
+  reactor  the gas of a reactor inside of its wall, which is opaque: disk_out_ref.ex2
+  can      a crushed can, by values of its cells: can.vtu
+and FILE are these files of VTK's data. Without them a generated mesh, the flow past a cylinder, takes
+their place.
+"""
+
+import math
+import sys
+
+import relevo
+from figure import Figure, make_actor
+from meshes import set_point_array
+from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction, vtkPlane, vtkStructuredGrid
+from vtkmodules.vtkFiltersCore import vtkClipPolyData, vtkPolyDataNormals
+from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
+from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
+from vtkmodules.vtkRenderingCore import (
+    vtkColorTransferFunction,
+    vtkPolyDataMapper,
+    vtkVolume,
+    vtkVolumeProperty,
+)
+from vtkmodules.vtkRenderingVolume import (
+    vtkProjectedTetrahedraMapper,
+    vtkUnstructuredGridVolumeRayCastMapper,
+)
+import vtkmodules.vtkRenderingVolumeOpenGL2  # vtkProjectedTetrahedraMapper's drawing
+
+# From low to high: share of the range, red, green, blue.
+COLOURS = (
+    (0.0, 0.16, 0.22, 0.66),
+    (0.25, 0.20, 0.62, 0.82),
+    (0.5, 0.62, 0.86, 0.62),
+    (0.75, 0.98, 0.82, 0.32),
+    (1.0, 0.86, 0.22, 0.16),
+)
+
+
+def make_flow(cells=(14, 40, 12)):
+    """Hexahedra around a cylinder of radius 1, on top of which they meet as those of the post do;
+    of points Speed along x of a potential flow that stands still on the ground, of cells Strain,
+    the length of its change over a cell."""
+    radii, angles, heights = cells
+    grid = vtkStructuredGrid()
+    grid.SetDimensions(radii + 1, angles + 1, heights + 1)
+    grid.SetPoints(vtkPoints())
+    speeds = []
+    for k in range(heights + 1):
+        for j in range(angles + 1):
+            a = 2 * math.pi * (j % angles) / angles
+            for i in range(radii + 1):
+                r, z = 4 ** (i / radii), 3 * k / heights
+                grid.GetPoints().InsertNextPoint(r * math.cos(a), r * math.sin(a), z)
+                speeds.append((1 - math.cos(2 * a) / r**2) * (1 - math.exp(-2 * z)))
+    set_point_array(grid, "Speed", speeds)
+    strain = vtkFloatArray()
+    strain.SetName("Strain")
+    for cell in range(grid.GetNumberOfCells()):
+        ids = grid.GetCell(cell).GetPointIds()
+        corners = [speeds[ids.GetId(i)] for i in range(8)]
+        strain.InsertNextValue(max(corners) - min(corners))
+    grid.GetCellData().AddArray(strain)
+    return grid
+
+
+def read_plot3d(points, flow):
+    """The grid of a PLOT3D file with Density and Momentum; cells that it blanks are left out."""
+    from vtkmodules.vtkIOParallel import vtkMultiBlockPLOT3DReader
+
+    reader = vtkMultiBlockPLOT3DReader()
+    reader.SetXYZFileName(points)
+    reader.SetQFileName(flow)
+    reader.AutoDetectFormatOn()
+    reader.Update()
+    return reader.GetOutput().GetBlock(0)
+
+
+def read_exodus(filename):
+    """The one block of an Exodus II file, with Temp."""
+    from vtkmodules.vtkIOExodus import vtkExodusIIReader
+
+    reader = vtkExodusIIReader()
+    reader.SetFileName(filename)
+    reader.UpdateInformation()
+    reader.SetAllArrayStatus(reader.NODAL, 1)
+    reader.Update()
+    return reader.GetOutput().GetBlock(0).GetBlock(0)
+
+
+def read_cells(filename):
+    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(filename)
+    reader.Update()
+    return reader.GetOutput()
+
+
+def make_property(array, component, opacities, unit_distance):
+    """Colours over the range of a component, -1 for the length; opacities as (share, opacity)."""
+    low, high = array.GetRange(component)
+    colour, opacity = vtkColorTransferFunction(), vtkPiecewiseFunction()
+    for share, *rgb in COLOURS:
+        colour.AddRGBPoint(low + share * (high - low), *rgb)
+    for share, value in opacities:
+        opacity.AddPoint(low + share * (high - low), value)
+        # VTK's ray caster overlooks nodes that are none of the colours'.
+        colour.AddRGBPoint(low + share * (high - low), *colour.GetColor(low + share * (high - low)))
+    look = vtkVolumeProperty()
+    look.SetColor(colour)
+    look.SetScalarOpacity(opacity)
+    look.SetScalarOpacityUnitDistance(unit_distance)
+    return look
+
+
+def make_volume(mapper, mesh, name, look):
+    """The volume of a mesh by the array of that name, of points or cells."""
+    mapper.SetInputData(mesh)
+    if mesh.GetPointData().HasArray(name):
+        mapper.SetScalarModeToUsePointFieldData()
+    else:
+        mapper.SetScalarModeToUseCellFieldData()
+    mapper.SelectScalarArray(name)
+    volume = vtkVolume()
+    volume.SetMapper(mapper)
+    volume.SetProperty(look)
+    return volume
+
+
+def make_plane(origin, normal):
+    plane = vtkPlane()
+    plane.SetOrigin(origin)
+    plane.SetNormal(normal)
+    return plane
+
+
+def fin(points=None, flow=None):
+    """Tetrahedra, which is all that VTK's mappers take."""
+    mesh, name = (read_plot3d(points, flow), "Density") if points else (make_flow(), "Speed")
+    split = vtkDataSetTriangleFilter()
+    split.SetInputData(mesh)
+    split.Update()
+    mesh = split.GetOutput()
+    array = mesh.GetPointData().GetArray(name)
+    mesh.GetPointData().SetActiveScalars(name)  # which vtkProjectedTetrahedraMapper takes
+    opacities = (
+        (0, 0.6), (0.1, 0.2), (0.16, 0), (0.18, 0), (0.24, 0.4), (0.28, 0.1), (0.5, 0.7), (1, 1)
+    )
+    look = make_property(array, 0, opacities, 0.03 * mesh.GetLength())
+    figure = Figure(3, 1, (360, 300), (-0.75, -1, 0.6), (0, 0, 1), 1.35)
+    figure.window.SetMultiSamples(0)  # with some vtkProjectedTetrahedraMapper draws nothing
+    for mapper, label in (
+        # Which draws nothing but in a window's lower left viewport.
+        (vtkProjectedTetrahedraMapper(), "vtkProjectedTetrahedraMapper"),
+        (relevo.vtkGPUUnstructuredGridVolumeMapper(), "exact, on the GPU"),
+        (vtkUnstructuredGridVolumeRayCastMapper(), "vtkUnstructuredGridVolumeRayCastMapper"),
+    ):
+        figure.add(label, make_volume(mapper, mesh, name, look))
+    return figure
+
+
+def post(points=None, flow=None):
+    """Where the oxygen flows backwards behind the post, inside of the isosurface, and the streams
+    that are faster than those far away; the half before the plane of symmetry is cut away."""
+    mesh, name = (read_plot3d(points, flow), "Momentum") if points else (make_flow(), "Speed")
+    array = mesh.GetPointData().GetArray(name)
+    low, high = array.GetRange(0)
+    value = 0.0 if low < 0 else low + 0.35 * (high - low)
+    zero = (value - low) / (high - low)
+    opacities = (
+        (0, 0.6), (zero - 1e-4, 0.2), (zero, 0.6), (zero + 1e-4, 0.1), (0.5, 0.02), (0.83, 0), (1, 0.9)
+    )
+    look = make_property(array, 0, opacities, 0.03 * mesh.GetLength())
+    look.GetIsoSurfaceValues().SetValue(0, value)
+    look.ShadeOn()
+    look.SetAmbient(0.4)
+    mapper = relevo.vtkGPUUnstructuredGridVolumeMapper()
+    mapper.SetVectorMode(mapper.COMPONENT)  # the first of Momentum
+    mapper.IsoSurfacesOn()
+    mapper.AddClippingPlane(make_plane((0, 0, 0), (0, 1, 0)))
+    figure = Figure(1, 1, (720, 480), (0.5, -1, 0.6), (0, 0, 1))
+    volume = make_volume(mapper, mesh, name, look)
+    renderer = figure.add("momentum along x, and where it is zero", volume)
+    camera = renderer.GetActiveCamera()
+    camera.SetFocalPoint(1.2, 0, 0.45 * mesh.GetBounds()[5])
+    camera.Dolly(0.1 * mesh.GetLength())
+    renderer.ResetCameraClippingRange()
+    return figure
+
+
+def reactor(filename=None):
+    """The wall is cut open; what is left of it hides what is behind it."""
+    mesh, name = (read_exodus(filename), "Temp") if filename else (make_flow(), "Speed")
+    array = mesh.GetPointData().GetArray(name)
+    opacities = ((0, 0), (0.2, 0.03), (0.5, 0.1), (0.9, 0.5), (1, 1))
+    look = make_property(array, 0, opacities, 0.04 * mesh.GetLength())
+    figure = Figure(1, 1, (720, 480), (0.3, -1, 0.5), (0, 0, 1), 1.05)
+    mapper = relevo.vtkGPUUnstructuredGridVolumeMapper()
+    volume = make_volume(mapper, mesh, name, look)
+    renderer = figure.add("the gas of a reactor in its wall", volume)
+    surface = vtkDataSetSurfaceFilter()
+    surface.SetInputData(mesh)
+    clip = vtkClipPolyData()
+    clip.SetInputConnection(surface.GetOutputPort())
+    clip.SetClipFunction(make_plane((0, 0, 0), (0.2, 1, 0)))
+    normals = vtkPolyDataNormals()
+    normals.SetInputConnection(clip.GetOutputPort())
+    normals.SetFeatureAngle(30)
+    wall = vtkPolyDataMapper()
+    wall.SetInputConnection(normals.GetOutputPort())
+    wall.ScalarVisibilityOff()
+    renderer.AddActor(make_actor(wall))
+    return figure
+
+
+def can(filename=None):
+    """Each cell has one value of its own: what has been strained most is red."""
+    mesh, name = (read_cells(filename), "EQPS") if filename else (make_flow(), "Strain")
+    array = mesh.GetCellData().GetArray(name)
+    opacities = ((0, 0.05), (0.1, 0.2), (0.4, 0.8), (1, 1))
+    look = make_property(array, 0, opacities, 0.008 * mesh.GetLength())
+    figure = Figure(1, 1, (720, 480), (-0.2, -0.9, 1), (0, 0, 1), 1.45)
+    mapper = relevo.vtkGPUUnstructuredGridVolumeMapper()
+    figure.add("strain of a can's cells", make_volume(mapper, mesh, name, look))
+    return figure
+
+
+FIGURES = {fin: 2, post: 2, reactor: 1, can: 1}  # and how many files
+
+
+def main(name, picture, *files):
+    for figure, number in FIGURES.items():
+        if figure.__name__ == name and len(files) in (0, number):
+            drawn = figure(*files)
+            drawn.write(picture)
+            for renderer in drawn.window.GetRenderers():
+                for volume in renderer.GetVolumes():
+                    if volume.GetMapper().IsA("vtkGPUUnstructuredGridVolumeMapper"):
+                        print(volume.GetMapper().GetNumberOfDrawnCells(), "cells")
+            return
+    names = ", ".join(figure.__name__ for figure in FIGURES)
+    sys.exit(f"volumes.py NAME PICTURE.png [FILE ...], NAME one of {names}")
+
+
+if len(sys.argv) < 3:
+    main("", "")
+main(*sys.argv[1:])
