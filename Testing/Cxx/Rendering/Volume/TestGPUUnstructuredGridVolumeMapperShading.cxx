@@ -234,6 +234,19 @@ void TestMatrix(RelevoCheck& check)
   CHECK_NEAR(RelevoVolumeScene::Compare(drawn, Cast(moved, property, scene.GetCamera(), 160, 120)),
     0.0, 1.0);
 }
+
+// Coordinates far from the origin.
+void TestFar(RelevoCheck& check)
+{
+  const auto property = MakeShadedProperty();
+  vtkNew<vtkPiecewiseFunction> gradientOpacity;
+  gradientOpacity->AddPoint(0.3, 0.0);
+  gradientOpacity->AddPoint(1.5, 1.0);
+  property->SetGradientOpacity(gradientOpacity);
+  RelevoVolumeScene near(MakeBall(200), property);
+  RelevoVolumeScene far(MakeBall(200, 1e7), property);
+  CHECK_NEAR(255.0 * FindLargestDifference(near.Draw(), far.Draw()), 0.0, 1.5);
+}
 }
 
 int TestGPUUnstructuredGridVolumeMapperShading(int, char*[])
@@ -244,5 +257,6 @@ int TestGPUUnstructuredGridVolumeMapperShading(int, char*[])
   TestComponents(check);
   TestSceneLights(check);
   TestMatrix(check);
+  TestFar(check);
   return check.GetResult();
 }
