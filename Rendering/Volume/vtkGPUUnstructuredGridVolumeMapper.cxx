@@ -30,6 +30,7 @@ vtkGPUUnstructuredGridVolumeMapper::vtkGPUUnstructuredGridVolumeMapper()
     data.Depth.ReleaseGraphicsResources(window);
     data.Projection.ReleaseGraphicsResources(window);
     data.Entries.ReleaseGraphicsResources(window);
+    data.Clock.ReleaseGraphicsResources();
     data.Programs.clear();
     data.Viewport->ReleaseGraphicsResources();
     data.HasMesh = false;
@@ -87,6 +88,7 @@ void vtkGPUUnstructuredGridVolumeMapper::Render(vtkRenderer* renderer, vtkVolume
     return;
   }
   data.Context->SetContext(window);
+  data.Clock.Start();
   if (this->UpdateMesh(volume) && this->UpdateFunctions(volume) &&
     this->UpdateView(renderer, volume))
   {
@@ -96,6 +98,8 @@ void vtkGPUUnstructuredGridVolumeMapper::Render(vtkRenderer* renderer, vtkVolume
       this->Draw(renderer, volume);
     }
   }
+  this->TimeToDraw = data.Clock.Stop();
+  data.WholeTime = this->TimeToDraw * data.SampleDistance * data.SampleDistance;
 }
 
 void vtkGPUUnstructuredGridVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
@@ -107,4 +111,7 @@ void vtkGPUUnstructuredGridVolumeMapper::PrintSelf(ostream& os, vtkIndent indent
   os << indent << "Method: " << this->Method << "\n";
   os << indent << "Integration: " << this->Integration << "\n";
   os << indent << "TableSize: " << this->TableSize << "\n";
+  os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << "\n";
+  os << indent << "AutoAdjustSampleDistances: " << (this->AutoAdjustSampleDistances ? "On" : "Off")
+     << "\n";
 }

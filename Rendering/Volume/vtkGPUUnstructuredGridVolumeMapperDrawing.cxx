@@ -53,8 +53,9 @@ std::vector<vtkOpenGLRenderPass*> FindPasses(vtkVolume* volume)
 
 // What render passes do not replace: up to what is opaque.
 constexpr const char* WholeRay = "initializeRayCast();\n"
-                                 "  ivec2 pixel = ivec2(gl_FragCoord.xy - viewportPlace.xy);\n"
-                                 "  float end = texelFetch(opaqueDepth, pixel, 0).r;\n"
+                                 "  vec2 share = (gl_FragCoord.xy - viewportPlace.xy) / "
+                                 "viewportPlace.zw;\n"
+                                 "  float end = texture(opaqueDepth, share).r;\n"
                                  "  gl_FragData[0] = castRay(0.0, end);\n";
 }
 
@@ -167,6 +168,8 @@ void vtkGPUUnstructuredGridVolumeMapper::Draw(vtkRenderer* renderer, vtkVolume* 
   vtkOpenGLRenderWindow* window = data.GetWindow();
   GLint viewport[4];
   glGetIntegerv(GL_VIEWPORT, viewport);
+  data.LayersSize = { { viewport[2], viewport[3] } };
+  data.NumberOfLayers = -1;
 
   const std::vector<vtkOpenGLRenderPass*> passes = FindPasses(volume);
   if (passes.empty() && !data.Depth.Copy(window, viewport))
@@ -179,6 +182,24 @@ void vtkGPUUnstructuredGridVolumeMapper::Draw(vtkRenderer* renderer, vtkVolume* 
     this->DrawProjected(renderer, volume, viewport);
     return;
   }
+  if (passes.empty() && this->FindSampledSize(volume, viewport))
+  {
+    this->DrawSampled(volume, viewport);
+  }
+  else if (this->ReadyRays(volume, viewport))
+  {
+    passes.empty() ? data.BlendViewport() : data.DrawViewport();
+    data.FinishRays();
+  }
+}
+
+// The ray caster for a viewport, in use, with all that it asks for; FinishRays() ends that.
+vtkShaderProgram* vtkGPUUnstructuredGridVolumeMapper::ReadyRays(
+  vtkVolume* volume, const int viewport[4])
+{
+  vtkInternals& data = *this->Internals;
+  vtkOpenGLRenderWindow* window = data.GetWindow();
+  const std::vector<vtkOpenGLRenderPass*> passes = FindPasses(volume);
   std::string source = relevo::MakeRayCastShader(this->GetShaderOptions());
   std::string none;
   for (vtkOpenGLRenderPass* pass : passes)
@@ -194,7 +215,7 @@ void vtkGPUUnstructuredGridVolumeMapper::Draw(vtkRenderer* renderer, vtkVolume* 
   vtkShaderProgram* program = this->ReadyProgram(relevoViewportVS, source);
   if (!program)
   {
-    return;
+    return nullptr;
   }
   data.View.SetUniforms(program);
   data.Planes.SetUniforms(program);
@@ -211,7 +232,11 @@ void vtkGPUUnstructuredGridVolumeMapper::Draw(vtkRenderer* renderer, vtkVolume* 
   {
     pass->SetShaderParameters(program, this, volume, data.Viewport);
   }
-  passes.empty() ? data.BlendViewport() : data.DrawViewport();
-  data.Entries.Deactivate();
-  data.DeactivateTextures();
+  return program;
+}
+
+void vtkGPUUnstructuredGridVolumeMapper::vtkInternals::FinishRays()
+{
+  this->Entries.Deactivate();
+  this->DeactivateTextures();
 }

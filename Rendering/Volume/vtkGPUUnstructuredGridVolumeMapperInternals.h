@@ -17,6 +17,7 @@
 #include "Cells/VolumeCells.h"
 #include "Integral/TransferFunctions.h"
 #include "OpenGL/ContextWatch.h"
+#include "OpenGL/RenderClock.h"
 #include "Shaders/VolumeShader.h"
 #include "View/FloatTarget.h"
 #include "View/MeshPlanes.h"
@@ -30,6 +31,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLVertexArrayObject.h"
 
+#include <array>
 #include <map>
 #include <string>
 #include <tuple>
@@ -91,6 +93,14 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
   void BlendViewport(); // over what is there
   void ActivateTextures(vtkShaderProgram* program);
   void DeactivateTextures();
+  void FinishRays();
+
+  std::array<int, 2> LayersSize = { { 0, 0 } }; // of the viewport of the last render
+  int NumberOfLayers = -1;                      // not known
+  std::array<int, 2> SampledSize = { { 1, 1 } };
+  double SampleDistance = 1.0; // in use
+  double WholeTime = 0.0;      // seconds that a ray for each pixel takes
+  relevo::RenderClock Clock;
 
   vtkIdType NumberOfBufferBuilds = 0;
   vtkIdType NumberOfShaderBuilds = 0;

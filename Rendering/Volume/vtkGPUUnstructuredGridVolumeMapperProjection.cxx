@@ -3,7 +3,6 @@
 #include "vtkGPUUnstructuredGridVolumeMapperInternals.h"
 
 #include "Mesh/CameraEye.h"
-#include "relevoViewportVS.h"
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
@@ -76,19 +75,10 @@ bool vtkGPUUnstructuredGridVolumeMapper::ProjectCells(int width, int height)
 void vtkGPUUnstructuredGridVolumeMapper::DrawProjected(
   vtkRenderer* renderer, vtkVolume* volume, const int viewport[4])
 {
-  vtkInternals& data = *this->Internals;
   if (!this->SortCells(renderer, volume) || !this->ProjectCells(viewport[2], viewport[3]))
   {
     vtkErrorMacro("This OpenGL has no room for what cell projection draws.");
     return;
   }
-  data.View.SetViewport(relevo::dvec4(viewport[0], viewport[1], viewport[2], viewport[3]));
-  vtkShaderProgram* program = this->ReadyProgram(relevoViewportVS, relevo::MakeProjectedShader());
-  if (program)
-  {
-    data.View.SetUniforms(program);
-    data.Projection.Activate(program, "projected");
-    data.BlendViewport();
-    data.Projection.Deactivate();
-  }
+  this->BlendProjection(viewport);
 }

@@ -10,13 +10,14 @@
 #ifndef ContextWatch_h
 #define ContextWatch_h
 
+#include "RelevoRenderingRefinementModule.h" // for export macro
 #include "vtkTextureObject.h"
 
 #include <functional> // for OnRelease
 
 namespace relevo
 {
-class ContextWatch : public vtkTextureObject
+class RELEVORENDERINGREFINEMENT_EXPORT ContextWatch : public vtkTextureObject
 {
 public:
   static ContextWatch* New();

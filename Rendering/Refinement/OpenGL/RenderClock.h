@@ -12,11 +12,12 @@
 #ifndef RenderClock_h
 #define RenderClock_h
 
-#include "vtkOpenGLRenderTimer.h" // for members
+#include "RelevoRenderingRefinementModule.h" // for export macro
+#include "vtkOpenGLRenderTimer.h"            // for members
 
 namespace relevo
 {
-class RenderClock
+class RELEVORENDERINGREFINEMENT_EXPORT RenderClock
 {
 public:
   void Start();

@@ -8,6 +8,7 @@
 #include "relevoVolumeBorder.h"
 #include "relevoVolumeCells.h"
 #include "relevoVolumeComposite.h"
+#include "relevoVolumeCountFS.h"
 #include "relevoVolumeCurvedWalk.h"
 #include "relevoVolumeEdges.h"
 #include "relevoVolumeEntriesFS.h"
@@ -138,6 +139,14 @@ std::string MakeEntriesVertexShader(const VolumeShaderOptions& options)
 std::string MakeEntriesShader(const VolumeShaderOptions& options)
 {
   std::string source = relevoVolumeEntriesFS;
+  Put(source, "Defines", DefineCells(options));
+  PutRays(source, options);
+  return source;
+}
+
+std::string MakeCountShader(const VolumeShaderOptions& options)
+{
+  std::string source = relevoVolumeCountFS;
   Put(source, "Defines", DefineCells(options));
   PutRays(source, options);
   return source;

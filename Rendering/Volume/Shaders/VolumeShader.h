@@ -50,6 +50,8 @@ struct VolumeShaderOptions
 /// Of the pass that tells where rays enter.
 std::string MakeEntriesVertexShader(const VolumeShaderOptions& options);
 std::string MakeEntriesShader(const VolumeShaderOptions& options);
+/// The same by looking for them, over the viewport.
+std::string MakeCountShader(const VolumeShaderOptions& options);
 //@}
 
 /// Of the ray caster, with VTK's anchors for render passes in it.

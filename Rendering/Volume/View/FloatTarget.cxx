@@ -24,8 +24,10 @@ bool FloatTarget::Begin(vtkOpenGLRenderWindow* window, int width, int height, in
     this->ReleaseGraphicsResources(window);
     this->Texture = vtkSmartPointer<vtkTextureObject>::New();
     this->Texture->SetContext(window);
-    this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
-    this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+    this->Texture->SetMinificationFilter(vtkTextureObject::Linear);
+    this->Texture->SetMagnificationFilter(vtkTextureObject::Linear);
+    this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
+    this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
     this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
     this->Framebuffer->SetContext(window);
     if (!this->Texture->Create2D(static_cast<unsigned int>(width),

@@ -26,6 +26,9 @@ public:
   /// With the program of MakeEntriesShader(), whose uniforms are set.
   void Draw(int numberOfFaces) { this->Target.Draw(6 * numberOfFaces, false); }
 
+  /// The same with that of MakeCountShader().
+  void DrawCounts() { this->Target.Draw(3, false); }
+
   /// A sampler needs a texture, also where it is not read: beside buffer textures in its unit
   /// OpenGL draws nothing.
   void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)

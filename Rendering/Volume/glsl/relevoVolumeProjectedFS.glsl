@@ -1,11 +1,11 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// What has been drawn of a volume by itself, into the window.
+// What has been drawn of a volume by itself, of as many pixels or others, into the window.
 
 uniform sampler2D projected;
 uniform vec4 viewportPlace;
 
 void main()
 {
-  gl_FragData[0] = texelFetch(projected, ivec2(gl_FragCoord.xy - viewportPlace.xy), 0);
+  gl_FragData[0] = texture(projected, (gl_FragCoord.xy - viewportPlace.xy) / viewportPlace.zw);
 }

@@ -1,0 +1,28 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+//RELEVO::Defines
+// How many faces the ray enters the mesh through, where all of them cannot be drawn: those ahead of
+// the eye, and one for those behind, as it may begin inside.
+
+//RELEVO::Ray
+//RELEVO::Edges
+//RELEVO::Cells
+//RELEVO::Faces
+//RELEVO::Border
+
+void main()
+{
+  initializeRay();
+  Entry entry = Entry(-1e30, -1, 0u, Corner(0u, vec3(0.0)), Corner(0u, vec3(0.0)),
+    Corner(0u, vec3(0.0)), vec3(0.0));
+  float begin = depthOfZ(zRange.x);
+  float end = depthOfZ(zRange.y);
+  int ahead = 0;
+  int behind = 0;
+  while (findEntry(end, entry))
+  {
+    ahead += entry.depth < begin ? 0 : 1;
+    behind = entry.depth < begin ? 1 : behind;
+  }
+  gl_FragData[0] = vec4(0.0, float(ahead + behind), 0.0, 0.0);
+}

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// How many rays vtkGPUUnstructuredGridVolumeMapper casts, and how often they enter the mesh.
+#include "RelevoCheck.h"
+#include "RelevoVolumeScene.h"
+
+#include "vtkMultiBlockDataSet.h"
+
+#include <cmath>
+
+namespace
+{
+// Coarser pictures are those of fewer rays, interpolated.
+void TestDistances(RelevoCheck& check)
+{
+  RelevoVolumeScene scene(MakeTetrahedra(3, GetLinearField), MakeLinearProperty(), 120, 120);
+  vtkGPUUnstructuredGridVolumeMapper* mapper = scene.GetMapper();
+  const auto fine = scene.Draw();
+  mapper->SetImageSampleDistance(2.0f);
+  const auto coarse = scene.Draw();
+  CHECK(FindLargestDifference(fine, coarse) > 0.01); // at the outline
+  double inside = 0.0;
+  for (int row = 55; row < 65; ++row)
+  {
+    for (int column = 55; column < 65; ++column)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        inside =
+          std::max(inside, std::abs(fine[120 * row + column][c] - coarse[120 * row + column][c]));
+      }
+    }
+  }
+  CHECK_NEAR(inside, 0.0, 2.0 / 255.0);
+  // As many rays as a window of half the size has.
+  RelevoVolumeScene small(MakeTetrahedra(3, GetLinearField), MakeLinearProperty(), 60, 60);
+  const auto half = small.Draw();
+  double apart = 0.0;
+  for (int row = 20; row < 40; ++row)
+  {
+    for (int column = 20; column < 40; ++column)
+    {
+      double mean = 0.0;
+      for (int i = 0; i < 4; ++i)
+      {
+        mean += 0.25 * coarse[120 * (2 * row + i / 2) + 2 * column + i % 2][0];
+      }
+      apart = std::max(apart, std::abs(mean - half[60 * row + column][0]));
+    }
+  }
+  CHECK_NEAR(apart, 0.0, 2.0 / 255.0);
+
+  mapper->SetImageSampleDistance(0.5f);
+  const auto smooth = scene.Draw();
+  CHECK(FindLargestDifference(fine, smooth) > 0.0);
+  CHECK(FindLargestDifference(fine, smooth) < 0.05);
+  mapper->SetImageSampleDistance(1.0f);
+  CHECK(FindLargestDifference(fine, scene.Draw()) == 0.0);
+  RelevoErrors errors(mapper);
+  mapper->SetImageSampleDistance(0.0f);
+  CHECK(errors.Said("ImageSampleDistance"));
+  CHECK(mapper->GetImageSampleDistance() == 1.0f);
+}
+
+// No time at all makes it as coarse as it gets; enough time, as fine.
+void TestAdjusted(RelevoCheck& check)
+{
+  RelevoVolumeScene scene(MakeTetrahedra(3, GetLinearField), MakeLinearProperty(), 120, 120);
+  const auto fine = scene.Draw();
+  scene.GetMapper()->AutoAdjustSampleDistancesOn();
+  scene.GetWindow()->SetDesiredUpdateRate(1e7);
+  scene.Draw();
+  CHECK(FindLargestDifference(fine, scene.Draw()) > 0.1);
+  CHECK(scene.GetMapper()->GetTimeToDraw() > 0.0);
+  scene.GetWindow()->SetDesiredUpdateRate(1e-6);
+  CHECK(FindLargestDifference(fine, scene.Draw()) == 0.0);
+}
+
+void TestLayers(RelevoCheck& check)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (int i = 0; i < 3; ++i)
+  {
+    const auto mesh = MakeTetrahedra(2, GetLinearField);
+    for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
+    {
+      double x[3];
+      mesh->GetPoint(point, x);
+      mesh->GetPoints()->SetPoint(point, x[0] + 2.0 * i, x[1], x[2]);
+    }
+    blocks->SetBlock(static_cast<unsigned int>(i), mesh);
+  }
+  RelevoVolumeScene scene(blocks, MakeLinearProperty(), 100, 100);
+  CHECK(scene.GetMapper()->GetNumberOfLayers() == 0); // nothing drawn
+  vtkCamera* camera = scene.GetCamera();
+  camera->SetFocalPoint(2.5, 0.5, 0.5);
+  camera->SetPosition(2.5, 0.5, 12.0);
+  scene.GetRenderer()->ResetCameraClippingRange();
+  scene.Draw();
+  CHECK(scene.GetMapper()->GetNumberOfLayers() == 1);
+  camera->SetPosition(14.0, 0.5, 0.5);
+  scene.GetRenderer()->ResetCameraClippingRange();
+  scene.Draw();
+  CHECK(scene.GetMapper()->GetNumberOfLayers() == 3);
+  // In the middle one, one ahead.
+  camera->SetPosition(2.5, 0.5, 0.5);
+  camera->SetFocalPoint(14.0, 0.5, 0.5);
+  camera->SetClippingRange(0.01, 20.0);
+  scene.Draw();
+  CHECK(scene.GetMapper()->GetNumberOfLayers() == 2);
+}
+}
+
+int TestGPUUnstructuredGridVolumeMapperSampling(int, char*[])
+{
+  RelevoCheck check;
+  TestDistances(check);
+  TestAdjusted(check);
+  TestLayers(check);
+  return check.GetResult();
+}
