@@ -91,7 +91,7 @@ class TestViewerVolume(ViewerProgram):
     def test_default_functions(self):
         """Something is seen of whatever array, and nothing is altogether opaque."""
         empty = self.picture("--volume", self.transfer("0 0 0 0 0\n1 0 0 0 0\n"))
-        for name in ("Left", "Flat", "Around", "Low"):
+        for name in ("Left", "Flat", "Around", "Spike", "Low"):
             drawn = self.picture("--volume", name)
             changes = sum(
                 max(abs(a - b) for a, b in zip(drawn[j][i], empty[j][i])) > 8
@@ -198,7 +198,7 @@ class TestViewerVolume(ViewerProgram):
 
     def test_bad_input(self):
         out = "--output=n.png"
-        every = "'Flat', 'Left', 'Around', 'Low'"
+        every = "'Flat', 'Left', 'Around', 'Spike', 'Low'"
         self.assert_error(1, ["'Wind'", every], self.file, "--volume", "Wind", out)
         self.assert_error(1, ["sphere.vtp", ".vtu"], self.sphere, "--volume", out)
         bare = vtkUnstructuredGrid()

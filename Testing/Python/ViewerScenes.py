@@ -83,8 +83,8 @@ def make_array(name, values):
 
 
 def make_cube():
-    """The unit cube in tetrahedra: of points Left (x), Around (vectors) and Flat (a constant), of
-    cells Low (1 in the lower half, else 0)."""
+    """The unit cube in tetrahedra: of points Left (x), Around (vectors), Flat (a constant) and Spike
+    (x, but for one point that is far higher), of cells Low (1 in the lower half, else 0)."""
     grid = vtkUnstructuredGrid()
     grid.SetPoints(vtkPoints())
     size = CUBES + 1
@@ -109,6 +109,8 @@ def make_cube():
     of_points.AddArray(make_array("Flat", [(7.0,)] * len(points)))
     of_points.AddArray(make_array("Left", [(x,) for x, _, _ in points]))
     of_points.AddArray(make_array("Around", [(y - 0.5, 0.5 - x, 0) for x, y, _ in points]))
+    spike = [(1e6 if i == 60 else x,) for i, (x, _, _) in enumerate(points)]
+    of_points.AddArray(make_array("Spike", spike))
     of_points.SetActiveScalars("Left")
     grid.GetCellData().AddArray(make_array("Low", low))
     return grid

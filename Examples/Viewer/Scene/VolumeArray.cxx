@@ -14,10 +14,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace
 {
+const std::size_t Parts = 10; // between quantiles
+
 // Arrays of all blocks' points, then those of cells.
 std::vector<std::vector<vtkDataSetAttributes*>> GetAttributes(vtkDataObject* data)
 {
@@ -88,11 +91,30 @@ std::string GetActiveScalars(const std::vector<vtkDataSetAttributes*>& blocks)
   return "";
 }
 
+void AddSample(vtkDataArray* array, std::vector<double>& sample)
+{
+  const vtkIdType most = 20000;
+  const vtkIdType number = array->GetNumberOfTuples();
+  const vtkIdType step = number / most + 1;
+  std::vector<double> tuple(array->GetNumberOfComponents());
+  for (vtkIdType i = 0; i < number; i += step)
+  {
+    array->GetTuple(i, tuple.data());
+    const double squares = std::inner_product(tuple.begin(), tuple.end(), tuple.begin(), 0.0);
+    const double value = tuple.size() > 1 ? std::sqrt(squares) : tuple[0];
+    if (std::isfinite(value))
+    {
+      sample.push_back(value);
+    }
+  }
+}
+
 void GetRange(const std::vector<vtkDataSetAttributes*>& blocks, VolumeArray& array)
 {
   array.IsVector = false;
   array.Range[0] = VTK_DOUBLE_MAX;
   array.Range[1] = -VTK_DOUBLE_MAX;
+  std::vector<double> sample;
   for (vtkDataSetAttributes* block : blocks)
   {
     if (vtkDataArray* values = block->GetArray(array.Name.c_str()))
@@ -102,7 +124,13 @@ void GetRange(const std::vector<vtkDataSetAttributes*>& blocks, VolumeArray& arr
       values->GetFiniteRange(range, array.IsVector ? -1 : 0);
       array.Range[0] = std::min(array.Range[0], range[0]);
       array.Range[1] = std::max(array.Range[1], range[1]);
+      AddSample(values, sample);
     }
+  }
+  std::sort(sample.begin(), sample.end());
+  for (std::size_t i = 0; i <= Parts && !sample.empty(); ++i)
+  {
+    array.Quantiles.push_back(sample[i * (sample.size() - 1) / Parts]);
   }
   if (!(array.Range[0] < array.Range[1]))
   {

@@ -7,6 +7,7 @@
 #define VolumeArray_h
 
 #include <string>
+#include <vector>
 
 class vtkDataObject;
 struct ViewerOptions;
@@ -17,6 +18,8 @@ struct VolumeArray
   bool IsOfPoints;
   bool IsVector;   // shown by its length
   double Range[2]; // of what is finite in all blocks, not empty
+  // As many values are between each and the next; none if nothing is finite. Of a sample of them.
+  std::vector<double> Quantiles;
 };
 
 /// The array that the options name, of points if there is one, else of cells; by default the

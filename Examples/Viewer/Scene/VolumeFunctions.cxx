@@ -15,14 +15,39 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
+#include <set>
 
 namespace
 {
 const int Nodes = 9;
-const double LowestShare = 0.02; // of the highest opacity, at the lowest value
+const double LowestShare = 0.03; // of the highest opacity, at the lowest value
 const double Depth = 20.0;       // optical, of a diagonal of the highest value
 const double OpacityOfOneValue = 0.8;
 const double PeakWidth = 2e-4; // of the range
+
+// How many of the values are below one, 0 to 1; of equal quantiles the last counts.
+std::map<double, double> GetRanks(const VolumeArray& array)
+{
+  std::map<double, double> ranks = { { array.Range[0], 0.0 }, { array.Range[1], 1.0 } };
+  for (std::size_t i = 0; i < array.Quantiles.size(); ++i)
+  {
+    ranks[array.Quantiles[i]] = static_cast<double>(i) / (array.Quantiles.size() - 1);
+  }
+  return ranks;
+}
+
+double Interpolate(const std::map<double, double>& ranks, double value)
+{
+  const auto after = ranks.lower_bound(value);
+  if (after == ranks.begin() || after == ranks.end())
+  {
+    return after == ranks.end() ? 1.0 : after->second;
+  }
+  const auto before = std::prev(after);
+  const double t = (value - before->first) / (after->first - before->first);
+  return before->second + t * (after->second - before->second);
+}
 
 // Between the nodes before and after it.
 TransferNode Interpolate(const std::vector<TransferNode>& nodes, double value)
@@ -55,16 +80,29 @@ std::vector<TransferNode> MakeTransferNodes(
   // What is added up soon is white.
   const double depth = options.BlendMode == Mapper::ADDITIVE_BLEND ? 0.2 * Depth : Depth;
   const double highest = std::min(depth / cellsOfSide, 1.0);
-  const auto colours = MakeColours(array.Range);
-  std::vector<TransferNode> nodes;
+  const std::map<double, double> ranks = GetRanks(array);
+  std::set<double> values;
   for (int i = 0; i < Nodes; ++i)
   {
-    const double share = static_cast<double>(i) / (Nodes - 1);
+    values.insert(array.Range[0] + i * (array.Range[1] - array.Range[0]) / (Nodes - 1));
+  }
+  for (const auto& rank : ranks)
+  {
+    values.insert(rank.first);
+  }
+  const auto colours = MakeColours(array.Range);
+  std::vector<TransferNode> nodes;
+  for (double value : values)
+  {
     TransferNode node;
-    node.Value = array.Range[0] + share * (array.Range[1] - array.Range[0]);
-    colours->GetColor(node.Value, node.Color.data());
-    node.Opacity = isByLength ? highest * (LowestShare + (1.0 - LowestShare) * share * share)
-                              : OpacityOfOneValue;
+    node.Value = value;
+    colours->GetColor(value, node.Color.data());
+    // High values show what there is, ranks that there is something, whatever the outliers.
+    const double share = (value - array.Range[0]) / (array.Range[1] - array.Range[0]);
+    const double rank = Interpolate(ranks, value);
+    const double height = 0.7 * share * share + 0.3 * rank * rank;
+    node.Opacity =
+      isByLength ? highest * (LowestShare + (1.0 - LowestShare) * height) : OpacityOfOneValue;
     nodes.push_back(node);
   }
   return nodes;

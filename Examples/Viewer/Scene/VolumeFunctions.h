@@ -17,8 +17,8 @@ struct VolumeArray;
 
 /**
  * Functions over an array's range that show something of any data: the colours of meshes, and
- * opacities that rise with the values, the lower the more cells there are along a side. Where
- * opacity does not count by length it is the same for all values.
+ * opacities that rise with the values and their ranks, the lower the more cells there are along
+ * a side. Where opacity does not count by length it is the same for all values.
  */
 std::vector<TransferNode> MakeTransferNodes(
   const ViewerOptions& options, const VolumeArray& array, double cellsOfSide);
