@@ -28,6 +28,7 @@ vtkGPUUnstructuredGridVolumeMapper::vtkGPUUnstructuredGridVolumeMapper()
     data.Surfaces.ReleaseGraphicsResources(window);
     data.Integrals.ReleaseGraphicsResources(window);
     data.Depth.ReleaseGraphicsResources(window);
+    data.Limits.ReleaseGraphicsResources(window);
     data.Projection.ReleaseGraphicsResources(window);
     data.Entries.ReleaseGraphicsResources(window);
     data.Clock.ReleaseGraphicsResources();

@@ -268,6 +268,7 @@ private:
   void BlendProjection(const int viewport[4]);
   bool FindProjected();
   bool SortCells(vtkRenderer* renderer, vtkVolume* volume);
+  bool FindLimits(int width, int height);
   bool ProjectCells(int width, int height);
   void DrawProjected(vtkRenderer* renderer, vtkVolume* volume, const int viewport[4]);
 

@@ -83,6 +83,7 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
   relevo::IntegralTable Integrals;
   relevo::OpaqueDepth Depth;
   relevo::RayEntries Entries;
+  relevo::FloatTarget Limits;
   relevo::FloatTarget Projection;
   relevo::RayView View;
   relevo::MeshPlanes Planes;

@@ -49,24 +49,54 @@ bool vtkGPUUnstructuredGridVolumeMapper::SortCells(vtkRenderer* renderer, vtkVol
     data.GetWindow(), relevo::GetEye(renderer->GetActiveCamera(), worldToMesh));
 }
 
+// Where each ray is seen, once for all cells.
+bool vtkGPUUnstructuredGridVolumeMapper::FindLimits(int width, int height)
+{
+  vtkInternals& data = *this->Internals;
+  vtkShaderProgram* program =
+    this->ReadyProgram(relevoViewportVS, relevo::MakeLimitsShader(this->GetShaderOptions()));
+  if (!program || !data.Limits.Begin(data.GetWindow(), width, height, 4))
+  {
+    return false;
+  }
+  data.View.SetUniforms(program);
+  data.Planes.SetUniforms(program);
+  data.Depth.Activate(program);
+  data.Limits.Draw(3, false);
+  data.Depth.Deactivate();
+  return true;
+}
+
 // All cells, by themselves.
 bool vtkGPUUnstructuredGridVolumeMapper::ProjectCells(int width, int height)
 {
   vtkInternals& data = *this->Internals;
-  const relevo::VolumeShaderOptions options = this->GetShaderOptions();
-  vtkShaderProgram* program = this->ReadyProgram(
-    relevo::MakeProjectionVertexShader(options), relevo::MakeProjectionShader(options));
+  data.View.SetViewport(relevo::dvec4(0.0, 0.0, width, height));
+  if (!this->FindLimits(width, height))
+  {
+    return false;
+  }
+  relevo::VolumeShaderOptions options = this->GetShaderOptions();
+  const bool isCut = !data.View.IsBeyondNear(data.Mesh.HalfSize);
+  // Both at once, as cameras shall build nothing.
+  vtkShaderProgram* program = nullptr;
+  for (const bool isOther : { true, false })
+  {
+    options.IsCutByNear = isCut != isOther;
+    program = this->ReadyProgram(
+      relevo::MakeProjectionVertexShader(options), relevo::MakeProjectionShader(options));
+  }
   if (!program || !data.Projection.Begin(data.GetWindow(), width, height, 4))
   {
     return false;
   }
-  data.View.SetViewport(relevo::dvec4(0.0, 0.0, width, height));
   data.View.SetUniforms(program);
   data.View.SetProjectionUniforms(program);
-  data.Planes.SetUniforms(program);
   data.ActivateTextures(program);
   data.Projected.Activate(program);
-  data.Projection.Draw(6 * data.Projected.GetNumberOfCells(), true);
+  data.Limits.Activate(program, "rayLimits");
+  data.Projection.DrawQuads(data.Projected.GetNumberOfCells(), true);
+  data.Limits.Deactivate();
   data.Projected.Deactivate();
   data.DeactivateTextures();
   return true;

@@ -19,6 +19,7 @@
 #include "relevoVolumeFunctions.h"
 #include "relevoVolumeGradients.h"
 #include "relevoVolumeIsoSurface.h"
+#include "relevoVolumeLimitsFS.h"
 #include "relevoVolumePart.h"
 #include "relevoVolumePreIntegrated.h"
 #include "relevoVolumeProjectedFS.h"
@@ -97,6 +98,10 @@ std::string DefineOptions(const VolumeShaderOptions& options)
   Define(defines, "CELL_SCALARS", options.HasCellScalars);
   Define(defines, "PRE_INTEGRATED", options.PreIntegrated);
   DefineFeatures(defines, options);
+  Define(defines, "CUT_BY_NEAR", options.IsCutByNear);
+  // Whether a cell may know a piece of the function near to what is in it.
+  Define(defines, "SEEN_PIECE",
+    options.NumberOfCurves == 1 && options.NumberOfComponents == 1 && !options.PreIntegrated);
   return defines.str();
 }
 
@@ -167,6 +172,9 @@ std::string MakeProjectionVertexShader(const VolumeShaderOptions& options)
 {
   std::string source = relevoVolumeProjectionVS;
   Put(source, "Defines", DefineOptions(options));
+  Put(source, "Functions", relevoVolumeFunctions);
+  Put(source, "LinearSegment", relevoLinearSegment);
+  Put(source, "Gradients", "");
   return source;
 }
 
@@ -176,6 +184,15 @@ std::string MakeProjectionShader(const VolumeShaderOptions& options)
   Put(source, "Defines", DefineOptions(options));
   PutRays(source, options);
   PutIntegration(source, options);
+  return source;
+}
+
+std::string MakeLimitsShader(const VolumeShaderOptions& options)
+{
+  std::string source = relevoVolumeLimitsFS;
+  Put(source, "Defines", DefineOptions(options));
+  Put(source, "Ray", relevoVolumeRay);
+  Put(source, "Part", relevoVolumePart);
   return source;
 }
 

@@ -44,6 +44,8 @@ struct VolumeShaderOptions
   bool HasTetrahedra = true;
   bool HasCurvedCells = false;
   bool HasQuadraticCells = false;
+  /// Of cell projection: whether the near plane may cut cells.
+  bool IsCutByNear = false;
 };
 
 //@{
@@ -58,7 +60,9 @@ std::string MakeCountShader(const VolumeShaderOptions& options);
 std::string MakeRayCastShader(const VolumeShaderOptions& options);
 
 //@{
-/// Of cell projection, and of what puts its picture into the window.
+/// Of cell projection: first of what cells ask of rays, then of them, last of what puts its picture
+/// into the window.
+std::string MakeLimitsShader(const VolumeShaderOptions& options);
 std::string MakeProjectionVertexShader(const VolumeShaderOptions& options);
 std::string MakeProjectionShader(const VolumeShaderOptions& options);
 std::string MakeProjectedShader();

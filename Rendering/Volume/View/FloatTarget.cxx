@@ -4,6 +4,7 @@
 
 #include "OpenGL/RelevoOpenGL.h"
 
+#include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -11,8 +12,16 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace relevo
 {
+namespace
+{
+constexpr int QuadsPerCall = 16384; // whose corners have numbers of 16 bits
+}
+
 FloatTarget::FloatTarget() = default;
 FloatTarget::~FloatTarget() = default;
 
@@ -47,6 +56,49 @@ bool FloatTarget::Begin(vtkOpenGLRenderWindow* window, int width, int height, in
 
 void FloatTarget::Draw(int numberOfVertices, bool covers)
 {
+  this->DrawBlended(covers, [=]() { glDrawArrays(GL_TRIANGLES, 0, numberOfVertices); });
+}
+
+bool FloatTarget::BindQuads()
+{
+  if (this->Quads)
+  {
+    return this->Quads->Bind();
+  }
+  std::vector<unsigned short> corners;
+  corners.reserve(6 * static_cast<size_t>(QuadsPerCall));
+  for (int quad = 0; quad < QuadsPerCall; ++quad)
+  {
+    for (int corner : { 0, 1, 2, 0, 2, 3 })
+    {
+      corners.push_back(static_cast<unsigned short>(4 * quad + corner));
+    }
+  }
+  this->Quads = vtkSmartPointer<vtkOpenGLBufferObject>::New();
+  this->Quads->SetType(vtkOpenGLBufferObject::ElementArrayBuffer);
+  return this->Quads->Upload(corners, vtkOpenGLBufferObject::ElementArrayBuffer);
+}
+
+void FloatTarget::DrawQuads(int numberOfQuads, bool covers)
+{
+  this->DrawBlended(covers,
+    [=]()
+    {
+      if (!this->BindQuads())
+      {
+        return;
+      }
+      for (int first = 0; first < numberOfQuads; first += QuadsPerCall)
+      {
+        glDrawElementsBaseVertex(GL_TRIANGLES, 6 * std::min(QuadsPerCall, numberOfQuads - first),
+          GL_UNSIGNED_SHORT, nullptr, 4 * first);
+      }
+      this->Quads->Release();
+    });
+}
+
+void FloatTarget::DrawBlended(bool covers, const std::function<void()>& draw)
+{
   vtkOpenGLState* state = this->Framebuffer->GetContext()->GetState();
   vtkOpenGLState::ScopedglViewport viewport(state);
   vtkOpenGLState::ScopedglScissor scissor(state);
@@ -71,7 +123,7 @@ void FloatTarget::Draw(int numberOfVertices, bool covers)
   state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   state->vtkglClear(GL_COLOR_BUFFER_BIT);
   this->Vertices->Bind();
-  glDrawArrays(GL_TRIANGLES, 0, numberOfVertices);
+  draw();
   this->Vertices->Release();
   state->vtkglBlendEquationSeparate(
     static_cast<unsigned int>(equations[0]), static_cast<unsigned int>(equations[1]));
@@ -106,6 +158,11 @@ void FloatTarget::ReleaseGraphicsResources(vtkWindow* window)
   {
     this->Framebuffer->ReleaseGraphicsResources(window);
     this->Framebuffer = nullptr;
+  }
+  if (this->Quads)
+  {
+    this->Quads->ReleaseGraphicsResources();
+    this->Quads = nullptr;
   }
   this->Vertices->ReleaseGraphicsResources();
 }

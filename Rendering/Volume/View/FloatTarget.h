@@ -12,8 +12,10 @@
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
+#include <functional>
 #include <string>
 
+class vtkOpenGLBufferObject;
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexArrayObject;
@@ -35,6 +37,8 @@ public:
   /// Over zeros, with the program that is in use, vertices without attributes: what is there
   /// already is added, or what is drawn later covers it by its alpha.
   void Draw(int numberOfVertices, bool covers);
+  /// Likewise, of four vertices each.
+  void DrawQuads(int numberOfQuads, bool covers);
 
   void Activate(vtkShaderProgram* program, const std::string& sampler);
   void Deactivate();
@@ -43,9 +47,13 @@ public:
   vtkTextureObject* GetTexture() const { return this->Texture; }
 
 private:
+  void DrawBlended(bool covers, const std::function<void()>& draw);
+  bool BindQuads();
+
   vtkSmartPointer<vtkTextureObject> Texture;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
   vtkNew<vtkOpenGLVertexArrayObject> Vertices;
+  vtkSmartPointer<vtkOpenGLBufferObject> Quads; // of one call
 };
 }
 

@@ -75,13 +75,24 @@ bool RayView::Compute(
 
 bool RayView::IsInFront(const dvec3& half) const
 {
-  bool isInFront = true;
+  return this->AreCornersAbove(half, dvec4(0.0, 0.0, 0.0, 1.0));
+}
+
+bool RayView::IsBeyondNear(const dvec3& half) const
+{
+  return this->AreCornersAbove(half, dvec4(0.0, 0.0, 1.0, 1.0));
+}
+
+// A plane of clip coordinates.
+bool RayView::AreCornersAbove(const dvec3& half, const dvec4& plane) const
+{
+  bool areAbove = true;
   for (int i = 0; i < 8; ++i)
   {
     const dvec3 corner = half * dvec3(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0);
-    isInFront = isInFront && (this->MeshToClip * dvec4(corner, 1.0)).w > 0.0;
+    areAbove = areAbove && dot(plane, this->MeshToClip * dvec4(corner, 1.0)) > 0.0;
   }
-  return isInFront;
+  return areAbove;
 }
 
 double RayView::GetLargestScale() const

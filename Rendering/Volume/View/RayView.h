@@ -41,8 +41,12 @@ public:
 
   /// Whether all of a box around the mesh's middle, of this half size, is in front of the eye.
   bool IsInFront(const dvec3& half) const;
+  /// Of the near plane.
+  bool IsBeyondNear(const dvec3& half) const;
 
 private:
+  bool AreCornersAbove(const dvec3& half, const dvec4& plane) const;
+
   dvec4 Middle;
   dvec4 X;
   dvec4 Y;

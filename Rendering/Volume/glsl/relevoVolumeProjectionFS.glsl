@@ -15,6 +15,9 @@
 //RELEVO::Blend
 
 // As relevoVolumeProjectionVS.glsl says.
+#if RELEVO_SEEN_PIECE
+flat in vec2 seenPiece;
+#endif
 flat in vec4 seenX;
 flat in vec4 seenY;
 flat in vec4 seenDepth;
@@ -28,22 +31,23 @@ flat in vec4 scalarsC;
 flat in vec4 scalarsD;
 #endif
 
-uniform sampler2D opaqueDepth;
+uniform sampler2D rayLimits; // of relevoVolumeLimitsFS.glsl
 
-Scalars getScalars(vec4 weights)
+Scalars getScalars(vec4 weights, float inverse)
 {
 #if RELEVO_CELL_SCALARS && RELEVO_COMPONENTS == 1
   return seenScalars.r;
 #elif RELEVO_CELL_SCALARS
   return seenScalars;
 #elif RELEVO_COMPONENTS == 1
-  return dot(weights, seenScalars);
+  return inverse * dot(weights, seenScalars);
 #else
-  return weights.x * scalarsA + weights.y * scalarsB + weights.z * scalarsC + weights.w * scalarsD;
+  return inverse *
+    (weights.x * scalarsA + weights.y * scalarsB + weights.z * scalarsC + weights.w * scalarsD);
 #endif
 }
 
-// Across the ray and along it.
+// Across the ray, and along it.
 vec4 cornersX;
 vec4 cornersY;
 vec4 cornersDepth;
@@ -51,22 +55,23 @@ vec4 cornersWeight;
 
 void findCorners()
 {
-  if (seenWeight.x > 0.0)
-  {
-    cornersX = seenX - vec4(gl_FragCoord.x);
-    cornersY = seenY - vec4(gl_FragCoord.y);
-    cornersDepth = length(rayZ.xyz - rayOrigin * rayZ.w) * seenDepth;
-    cornersWeight = seenWeight;
-    return;
-  }
-  for (int i = 0; i < 4; ++i)
+  cornersX = seenX - vec4(gl_FragCoord.x);
+  cornersY = seenY - vec4(gl_FragCoord.y);
+  cornersDepth = seenDepth;
+  cornersWeight = seenWeight;
+#if RELEVO_CUT_BY_NEAR
+  initializeLine();
+  float speed = length(rayDirection);
+  initializeRay();
+  for (int i = 0; i < 4 && seenWeight.x < 0.0; ++i)
   {
     vec3 at = seenAlongRay(vec3(seenX[i], seenY[i], seenDepth[i]));
     cornersX[i] = at.x;
     cornersY[i] = at.y;
-    cornersDepth[i] = at.z;
+    cornersDepth[i] = at.z / speed;
     cornersWeight[i] = 1.0;
   }
+#endif
 }
 
 // Points are in the order of their numbers.
@@ -79,8 +84,9 @@ float areaOf(int a, int b, out bool left)
   return abs(area);
 }
 
-// Shares of the corners where the ray goes through two faces; false if it does not.
-bool findWeights(out vec4 first, out vec4 last)
+// Weights of the corners where the ray goes through two faces, and one over their sums; false if it
+// does not.
+bool findWeights(out vec4 first, out vec4 last, out vec2 inverse)
 {
   bool left01;
   bool left02;
@@ -105,29 +111,37 @@ bool findWeights(out vec4 first, out vec4 last)
   first = cornersWeight * (isIn0 ? face0 : isIn1 ? face1 : face2);
   last = cornersWeight * (isIn3 ? face3 : isIn2 ? face2 : face1);
   vec2 sums = vec2(dot(first, vec4(1.0)), dot(last, vec4(1.0)));
-  first /= sums.x;
-  last /= sums.y;
+  inverse = vec2(1.0) / sums;
   return int(isIn0) + int(isIn1) + int(isIn2) + int(isIn3) == 2 && min(sums.x, sums.y) > 0.0;
 }
 
 void main()
 {
-  initializeRay();
   findCorners();
   vec4 first;
   vec4 last;
-  if (!findWeights(first, last))
+  vec2 inverse;
+  if (!findWeights(first, last, inverse))
   {
     discard;
   }
-  vec2 depths = vec2(dot(first, cornersDepth), dot(last, cornersDepth));
+  vec2 depths = vec2(dot(first, cornersDepth), dot(last, cornersDepth)) * inverse;
+  Scalars one = getScalars(first, inverse.x);
+  Scalars other = getScalars(last, inverse.y);
   bool isTurned = depths.y < depths.x;
-  vec4 front = isTurned ? last : first;
-  vec4 back = isTurned ? first : last;
-  beginWalk(0.0, texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), 0).r);
+  vec4 limits = texelFetch(rayLimits, ivec2(gl_FragCoord.xy), 0);
+  walkBegin = limits.x;
+  walkEnd = limits.y;
+  walkDone = walkBegin;
+  worldLength = limits.z;
   beginRay();
-  beginPart(min(depths.x, depths.y), max(depths.x, depths.y), getScalars(front), getScalars(back));
+  beginPart(min(depths.x, depths.y), max(depths.x, depths.y), isTurned ? other : one,
+    isTurned ? one : other);
+#if RELEVO_SEEN_PIECE
+  fetchPiece(0, int(seenPiece.x) + int(partFront > seenPiece.y));
+#else
   seekScalars(partFront);
+#endif
   while (!isPartDone)
   {
     isPartDone = collect(partFront, partBack, partSpan, partFrom);

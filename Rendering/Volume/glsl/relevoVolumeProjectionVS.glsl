@@ -1,4 +1,5 @@
 //VTK::System::Dec
+#define RELEVO_FUNCTION
 //RELEVO::Defines
 // For each tetrahedron, from back to front, its outline on the screen: of two triangles, and a
 // little wider than it has to be, as which pixels' rays go through it is for the fragment shader to
@@ -16,6 +17,9 @@ uniform vec4 viewportPlace;
 
 // Of the four corners. Where the near plane cuts the tetrahedron weights are negative, and the rest
 // is places in the mesh.
+#if RELEVO_SEEN_PIECE
+flat out vec2 seenPiece; // number and end of the one that the lowest of the scalars is in
+#endif
 flat out vec4 seenX;
 flat out vec4 seenY;
 flat out vec4 seenDepth;
@@ -27,6 +31,10 @@ flat out vec4 scalarsA;
 flat out vec4 scalarsB;
 flat out vec4 scalarsC;
 flat out vec4 scalarsD;
+#endif
+
+#if RELEVO_SEEN_PIECE
+//RELEVO::Functions
 #endif
 
 // Pixels: more than rasterizers round, and what a rectangle is wider by.
@@ -65,6 +73,11 @@ void setCorners(int cell, uvec4 ids, bool isInFront)
   scalarsB = texelFetch(pointScalars, int(ids.y));
   scalarsC = texelFetch(pointScalars, int(ids.z));
   scalarsD = texelFetch(pointScalars, int(ids.w));
+#endif
+#if RELEVO_SEEN_PIECE
+  vec2 lowest = RELEVO_CELL_SCALARS != 0 ? seenScalars.rr : min(seenScalars.xy, seenScalars.zw);
+  findPiece(0, min(lowest.x, lowest.y));
+  seenPiece = vec2(pieces[0].number, pieces[0].end);
 #endif
 }
 
@@ -134,7 +147,13 @@ vec2 getOutlineCorner(int corner)
   if (count == 2)
   {
     int across = isUp1 == isUp0 ? 1 : isUp2 == isUp0 ? 2 : 3;
-    outline = ivec4(0, across == 1 ? 2 : 1, across, across == 3 ? 2 : 3);
+    ivec2 others = ivec2(across == 1 ? 2 : 1, across == 3 ? 2 : 3);
+    // Halved along the shorter diagonal, where few pixels are looked at twice.
+    vec2 diagonal = places[across] - places[0];
+    vec2 other = places[others.y] - places[others.x];
+    outline = dot(diagonal, diagonal) <= dot(other, other)
+      ? ivec4(0, others.x, across, others.y)
+      : ivec4(others.x, across, others.y, 0);
   }
   else
   {
@@ -159,7 +178,7 @@ bool hasPixel()
 
 void main()
 {
-  int cell = texelFetch(cellOrder, gl_VertexID / 6).r;
+  int cell = texelFetch(cellOrder, gl_VertexID / 4).r;
   uvec4 ids = texelFetch(cellCorners, cell);
   bool isInFront = true;
   for (int i = 0; i < 4; ++i)
@@ -170,8 +189,7 @@ void main()
     isInFront = isInFront && seen[i].w > 0.0 && seen[i].z >= zRange.x * seen[i].w;
   }
   setCorners(cell, ids, isInFront);
-  const int corners[6] = int[6](0, 1, 2, 0, 2, 3);
-  int corner = corners[gl_VertexID % 6];
+  int corner = gl_VertexID % 4;
   vec2 place = !isInFront ? getRectangleCorner(corner)
     : hasPixel()          ? getOutlineCorner(corner)
                           : Unseen;

@@ -18,22 +18,31 @@ vec3 rayV;
 vec2 rayScale;     // depth is (z - zMiddle) x / (1 + (z - zMiddle) y)
 float worldLength; // of a depth of 1
 
-void initializeRay()
+// The line alone: places on it are rayOrigin + depth * rayDirection.
+void initializeLine()
 {
   vec2 at = 2.0 * (gl_FragCoord.xy - viewportPlace.xy) / viewportPlace.zw - vec2(1.0);
   vec4 place = rayMiddle + at.x * rayX + at.y * rayY;
   rayOrigin = place.xyz / place.w;
-  vec3 away = (rayZ.xyz - rayOrigin * rayZ.w) / place.w;
-  float speed = length(away);
-  rayDirection = away / speed;
-  rayScale = vec2(speed, rayZ.w / place.w);
+  rayDirection = rayZ.xyz - rayOrigin * rayZ.w;
+  rayScale = vec2(1.0, rayZ.w) / place.w;
+  worldLength = length(meshToWorld * rayDirection);
+}
+
+// And what is seen along it, by depths that are lengths in the mesh.
+void initializeRay()
+{
+  initializeLine();
+  float speed = length(rayDirection);
+  rayDirection /= speed;
+  rayScale.x *= speed;
+  worldLength /= speed;
   vec3 size = abs(rayDirection);
   vec3 axis = size.x <= size.y && size.x <= size.z ? vec3(1.0, 0.0, 0.0)
     : size.y <= size.z                             ? vec3(0.0, 1.0, 0.0)
                                                    : vec3(0.0, 0.0, 1.0);
   rayU = normalize(cross(rayDirection, axis));
   rayV = cross(rayDirection, rayU);
-  worldLength = length(meshToWorld * rayDirection);
 }
 
 // Of a z from zMiddle on.
