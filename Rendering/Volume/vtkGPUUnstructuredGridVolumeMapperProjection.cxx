@@ -3,6 +3,7 @@
 #include "vtkGPUUnstructuredGridVolumeMapperInternals.h"
 
 #include "Mesh/CameraEye.h"
+#include "relevoViewportVS.h"
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
