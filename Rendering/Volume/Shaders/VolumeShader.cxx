@@ -27,6 +27,7 @@
 #include "relevoVolumeProjectionVS.h"
 #include "relevoVolumeRay.h"
 #include "relevoVolumeShading.h"
+#include "relevoVolumeSteps.h"
 #include "relevoVolumeSurfaces.h"
 #include "relevoVolumeWalk.h"
 
@@ -89,6 +90,13 @@ void DefineFeatures(std::ostringstream& defines, const VolumeShaderOptions& opti
   Define(defines, "LIGHTS", options.NumberOfLights);
 }
 
+// Whether cells that are projected know a piece of the function near to what is in them.
+bool KnowsPiece(const VolumeShaderOptions& options)
+{
+  return options.NumberOfCurves == 1 && options.NumberOfComponents == 1 &&
+    options.PreIntegrated == 0;
+}
+
 std::string DefineOptions(const VolumeShaderOptions& options)
 {
   std::ostringstream defines;
@@ -99,9 +107,7 @@ std::string DefineOptions(const VolumeShaderOptions& options)
   Define(defines, "PRE_INTEGRATED", options.PreIntegrated);
   DefineFeatures(defines, options);
   Define(defines, "CUT_BY_NEAR", options.IsCutByNear);
-  // Whether a cell may know a piece of the function near to what is in it.
-  Define(defines, "SEEN_PIECE",
-    options.NumberOfCurves == 1 && options.NumberOfComponents == 1 && !options.PreIntegrated);
+  Define(defines, "SEEN_PIECE", KnowsPiece(options));
   return defines.str();
 }
 
@@ -183,6 +189,10 @@ std::string MakeProjectionShader(const VolumeShaderOptions& options)
   std::string source = relevoVolumeProjectionFS;
   Put(source, "Defines", DefineOptions(options));
   PutRays(source, options);
+  if (KnowsPiece(options))
+  {
+    Put(source, "Blend", relevoVolumeSteps);
+  }
   PutIntegration(source, options);
   return source;
 }

@@ -138,7 +138,7 @@ void main()
   beginPart(min(depths.x, depths.y), max(depths.x, depths.y), isTurned ? other : one,
     isTurned ? one : other);
 #if RELEVO_SEEN_PIECE
-  fetchPiece(0, int(seenPiece.x) + int(partFront > seenPiece.y));
+  beginSteps(seenPiece, partFront, partBack);
 #else
   seekScalars(partFront);
 #endif

@@ -1,0 +1,59 @@
+// Composite blending, exact, of the functions of one component: as relevoVolumeComposite.glsl does,
+// where each cell knows a piece near to those that it needs. No more than one piece is fetched a
+// step, as software renderers do what either side of a branch says.
+
+const float ThinDepth = 3.0;
+const float LeastShare = 1.0 / 64.0; // along which colours hardly change
+const float StepsEnd = 0.9999; // opacity
+
+int stepPiece; // set by the caller
+
+// By number and end of the piece that the lowest of the cell's scalars is in: to that of the front,
+// unless there are more of them in the cell.
+void beginSteps(vec2 lowest, float front, float back)
+{
+  stepPiece = int(lowest.x) + int(back > front ? front >= lowest.y : front > lowest.y);
+}
+
+void beginRay()
+{
+  collected = vec4(0.0);
+}
+
+bool collect(float front, float back, float span, inout float from)
+{
+  fetchPiece(0, stepPiece);
+  Piece piece = pieces[0];
+  bool rises = back > front;
+  if (from == 0.0)
+  {
+    // To the piece of the front, from where it leads on.
+    bool isAbove = rises ? front >= piece.end : front > piece.end;
+    bool isBelow = rises ? front < piece.begin : front <= piece.begin;
+    if (isAbove || isBelow)
+    {
+      stepPiece += isAbove ? 1 : -1;
+      return false;
+    }
+  }
+  float node = rises ? piece.end : piece.begin;
+  bool isCut = rises ? node < back : node > back && back < front;
+  float to = isCut ? max((node - front) / (back - front), from) : 1.0;
+  vec4 first = evaluatePiece(0, mix(front, back, from));
+  vec4 last = evaluatePiece(0, mix(front, back, to));
+  float share = to - from;
+  float depth = max(max(first.w, last.w) * share * span, 1e-30);
+  float thin = clamp(ThinDepth / depth, LeastShare, 1.0);
+  to = thin < 1.0 ? from + thin * share : to;
+  isCut = isCut && thin == 1.0;
+  collected = frontOverBack(
+    collected, linearSegment(first, mix(first, last, thin), thin * share * span));
+  from = max(to, 1e-30); // 0 stands for a part that is new
+  stepPiece += isCut ? rises ? 1 : -1 : 0;
+  return (!isCut && thin == 1.0) || collected.a >= StepsEnd;
+}
+
+vec4 finishRay()
+{
+  return collected;
+}
