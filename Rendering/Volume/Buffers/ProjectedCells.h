@@ -31,7 +31,6 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
   int GetNumberOfCells() const { return this->NumberOfCells; }
-  vtkIdType GetNumberOfCycles() const { return this->Visibility.GetNumberOfCycles(); }
   vtkTypeInt64 GetMemorySize() const
   {
     return this->Corners.GetMemorySize() + this->Order.GetMemorySize();

@@ -74,12 +74,29 @@ void setCorners(int cell, uvec4 ids, bool isInFront)
   scalarsC = texelFetch(pointScalars, int(ids.z));
   scalarsD = texelFetch(pointScalars, int(ids.w));
 #endif
-#if RELEVO_SEEN_PIECE
-  vec2 lowest = RELEVO_CELL_SCALARS != 0 ? seenScalars.rr : min(seenScalars.xy, seenScalars.zw);
-  findPiece(0, min(lowest.x, lowest.y));
-  seenPiece = vec2(pieces[0].number, pieces[0].end);
-#endif
 }
+
+#if RELEVO_SEEN_PIECE
+// And whether there is anything to be seen in all of the scalars.
+bool findSeenPiece()
+{
+#if RELEVO_CELL_SCALARS
+  float lowest = seenScalars.r;
+  float highest = seenScalars.r;
+#else
+  float lowest = min(min(seenScalars.x, seenScalars.y), min(seenScalars.z, seenScalars.w));
+  float highest = max(max(seenScalars.x, seenScalars.y), max(seenScalars.z, seenScalars.w));
+#endif
+  findPiece(0, lowest);
+  seenPiece = vec2(pieces[0].number, pieces[0].end);
+  return highest > pieces[0].end || pieces[0].first.w != 0.0 || pieces[0].change.w != 0.0;
+}
+#else
+bool findSeenPiece()
+{
+  return true;
+}
+#endif
 
 // The rectangle around what is in front of the near plane.
 vec2 getRectangleCorner(int corner)
@@ -189,9 +206,10 @@ void main()
     isInFront = isInFront && seen[i].w > 0.0 && seen[i].z >= zRange.x * seen[i].w;
   }
   setCorners(cell, ids, isInFront);
+  bool isSeen = findSeenPiece() && (!isInFront || hasPixel());
   int corner = gl_VertexID % 4;
-  vec2 place = !isInFront ? getRectangleCorner(corner)
-    : hasPixel()          ? getOutlineCorner(corner)
-                          : Unseen;
+  vec2 place = !isSeen ? Unseen
+    : isInFront        ? getOutlineCorner(corner)
+                       : getRectangleCorner(corner);
   gl_Position = vec4(2.0 * place / viewportPlace.zw - vec2(1.0), 0.0, 1.0);
 }

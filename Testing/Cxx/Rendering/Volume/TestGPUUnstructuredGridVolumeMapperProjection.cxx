@@ -9,6 +9,7 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPointDataToCellData.h"
 #include "vtkPolyDataMapper.h"
@@ -178,6 +179,49 @@ void TestOpaqueProps(RelevoCheck& check)
   CHECK(FindLargestDifference(part, scene.Draw()) <= 1.5 / 255.0);
 }
 
+// Cells in which there is nothing to be seen are left out, and no others.
+void TestTransparentCells(RelevoCheck& check)
+{
+  const auto property = MakeVolumeProperty(0.0, 1.0, 0.2);
+  vtkPiecewiseFunction* opacity = property->GetScalarOpacity();
+  for (double low : { 0.3, 0.45 })
+  {
+    opacity->RemoveAllPoints();
+    opacity->AddPoint(low, 0.0);
+    opacity->AddPoint(low + 0.1, 1.0);
+    opacity->AddPoint(low + 0.2, 0.0);
+    RelevoVolumeScene scene(MakeBall(200), property);
+    scene.GetMapper()->SetMethodToCellProjection();
+    CHECK(scene.Compare() <= 1.0);
+  }
+}
+
+// Parts in which nearly all light is absorbed within a small share of their length.
+void TestOpaqueParts(RelevoCheck& check)
+{
+  for (double unit : { 1e-2, 1e-4, 1e-9 })
+  {
+    RelevoVolumeScene scene(MakeBall(100), MakeBusyProperty(unit));
+    scene.GetMapper()->SetMethodToCellProjection();
+    CHECK(scene.Compare(0.001) <= 2.0);
+  }
+}
+
+void TestClippingPlanes(RelevoCheck& check)
+{
+  RelevoVolumeScene scene(MakeBall(200), MakeBusyProperty(0.3));
+  const auto whole = scene.Draw();
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.1, 0.0, 0.0);
+  plane->SetNormal(0.3, -0.2, 0.8);
+  scene.GetMapper()->AddClippingPlane(plane);
+  const auto cast = scene.Draw();
+  scene.GetMapper()->SetMethodToCellProjection();
+  const auto projected = scene.Draw();
+  CHECK(FindLargestDifference(cast, projected) <= 1.5 / 255.0);
+  CHECK(FindLargestDifference(whole, projected) > 0.1);
+}
+
 void TestIntegration(RelevoCheck& check)
 {
   RelevoVolumeScene scene(MakeBall(200), MakeVolumeProperty(0.0, 1.0, 0.3));
@@ -245,6 +289,9 @@ int TestGPUUnstructuredGridVolumeMapperProjection(int, char*[])
   TestComponents(check);
   TestSplitCells(check);
   TestOpaqueProps(check);
+  TestTransparentCells(check);
+  TestOpaqueParts(check);
+  TestClippingPlanes(check);
   TestIntegration(check);
   TestCounters(check);
   TestLimits(check);
