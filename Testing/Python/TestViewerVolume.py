@@ -110,6 +110,7 @@ class TestViewerVolume(ViewerProgram):
     def test_statistics_and_legend(self):
         cells = self.statistic("drawn cells", self.file, "--volume")
         self.assertEqual(cells, 6 * CUBES**3)
+        self.assertEqual(self.statistic("layers", self.file, "--volume"), 1)
         self.view(self.file, "--volume", "--output=l.png", "--size=300x300")
         with_legend = read_picture(self.folder / "l.png")
         self.view(self.file, "--volume", "--output=l.png", "--size=300x300", "--no-legend")

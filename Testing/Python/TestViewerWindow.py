@@ -70,8 +70,8 @@ class TestViewerWindow(ViewerProgram):
             cuts.append([float(number) for number in numbers.split(",")])
         # From the camera's side, which is south and above.
         self.assertEqual(cuts[0][3:], [0, 0, -1])
-        self.assertAlmostEqual(cuts[0][2], 1 - 0.02 * 3**0.5, delta=1e-4)
-        self.assertAlmostEqual(cuts[1][2], 1 - 0.04 * 3**0.5, delta=1e-4)
+        self.assertAlmostEqual(cuts[0][2], 0.98, delta=1e-4)
+        self.assertAlmostEqual(cuts[1][2], 0.96, delta=1e-4)
         self.assertEqual(cuts[2], cuts[0])
         window.key("q")
         self.assertEqual(window.leave(), (0, ""))

@@ -11,6 +11,7 @@
 #include "vtkContourValues.h"
 #include "vtkDataObject.h"
 #include "vtkGPUUnstructuredGridVolumeMapper.h"
+#include "vtkMath.h"
 #include "vtkPlane.h"
 #include "vtkPoints.h"
 #include "vtkRenderWindow.h"
@@ -26,7 +27,7 @@
 
 namespace
 {
-const double Step = 0.02; // of the range, of the diagonal
+const double Step = 0.02; // of the range, of the extent along a normal
 const double OpacityStep = 1.25;
 const double PeakOpacity = 0.6; // of isosurfaces by default
 
@@ -168,6 +169,7 @@ void VolumeScene::Draw(vtkRenderWindow* window)
   const double milliseconds = MeasureFrame(this->Renderer, window, this->Messages);
   std::cout << std::fixed << std::setprecision(1)
             << "drawn cells: " << this->Mapper->GetNumberOfDrawnCells() << "\n"
+            << "layers: " << this->Mapper->GetNumberOfLayers() << "\n"
             << "graphics memory: " << this->Mapper->GetGraphicsMemorySize() / 1048576.0 << " MiB\n"
             << "frame time: " << milliseconds << " ms" << std::endl;
 }
@@ -250,5 +252,12 @@ void VolumeScene::MoveCut(double share)
     this->Cut->SetNormal(normal);
     this->Mapper->AddClippingPlane(this->Cut);
   }
-  this->Cut->Push(share * this->Diagonal);
+  // By a share of what there is to cut.
+  const double* normal = this->Cut->GetNormal();
+  double extent = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    extent += std::abs(normal[i]) * (this->Bounds[2 * i + 1] - this->Bounds[2 * i]);
+  }
+  this->Cut->Push(share * extent / vtkMath::Dot(normal, normal));
 }
