@@ -156,7 +156,6 @@ def fin(points=None, flow=None):
     )
     look = make_property(array, 0, opacities, 0.03 * mesh.GetLength())
     figure = Figure(3, 1, (360, 300), (-0.75, -1, 0.6), (0, 0, 1), 1.35)
-    figure.window.SetMultiSamples(0)  # with some vtkProjectedTetrahedraMapper draws nothing
     for mapper, label in (
         # Which draws nothing but in a window's lower left viewport.
         (vtkProjectedTetrahedraMapper(), "vtkProjectedTetrahedraMapper"),
