@@ -4,6 +4,8 @@
 // many linear parts as it takes.
 
 const float LargestMiss = 1.0 / 1024.0; // of the range of scalars
+// Gradients count in the middles of parts, and light at their ends.
+const float LeastParts = RELEVO_STEEPNESS == 1 || RELEVO_LIT == 1 ? 4.0 : 1.0;
 const float MostParts = 16.0;
 
 float curvedBegin;
@@ -31,13 +33,31 @@ float countParts()
   {
     bend = max(bend, max(abs(componentOf(first, i)), abs(componentOf(last, i))));
   }
-  return clamp(ceil(sqrt(bend / (8.0 * LargestMiss))), 1.0, MostParts);
+  return clamp(ceil(sqrt(bend / (8.0 * LargestMiss))), LeastParts, MostParts);
+}
+#endif
+
+#if RELEVO_STEEPNESS
+Scalars curvedSteepness[3]; // in the middles of thirds of the way
+
+Scalars steepnessAt(float x)
+{
+  float at = 3.0 * x - 0.5;
+  Scalars steepness = at < 1.0 ? mix(curvedSteepness[0], curvedSteepness[1], at)
+                               : mix(curvedSteepness[1], curvedSteepness[2], at - 1.0);
+  return max(steepness, Scalars(0.0));
 }
 #endif
 
 #if RELEVO_LIT
-vec3 curvedFrontGradients[RELEVO_MATERIALS];
-vec3 curvedBackGradients[RELEVO_MATERIALS];
+vec3 curvedGradients[4 * RELEVO_MATERIALS]; // at thirds of the way
+
+vec3 curvedGradientAt(int material, float x)
+{
+  float third = min(floor(3.0 * x), 2.0);
+  int i = 4 * material + int(third);
+  return mix(curvedGradients[i], curvedGradients[i + 1], 3.0 * x - third);
+}
 
 vec3 fetchGradient(uint id, int material)
 {
@@ -88,10 +108,20 @@ void nextCurvedPart()
   Scalars front = cubicAt(first);
   Scalars back = cubicAt(last);
 #endif
-  beginPart(mix(curvedBegin, curvedEnd, first), mix(curvedBegin, curvedEnd, last), front, back);
+  float begin = mix(curvedBegin, curvedEnd, first);
+  float end = mix(curvedBegin, curvedEnd, last);
+  beginPart(begin, end, front, back);
+#if RELEVO_STEEPNESS
+  partSteepness = steepnessAt(0.5 * (first + last));
+#endif
 #if RELEVO_LIT
-  walkGradients = curvedBackGradients;
-  setPartGradients(curvedBegin, curvedEnd, curvedFrontGradients);
+  vec3 frontGradients[RELEVO_MATERIALS];
+  for (int i = 0; i < RELEVO_MATERIALS; ++i)
+  {
+    frontGradients[i] = curvedGradientAt(i, first);
+    walkGradients[i] = curvedGradientAt(i, last);
+  }
+  setPartGradients(begin, end, frontGradients);
 #endif
   curvedNext += 1.0;
 }
@@ -247,17 +277,24 @@ void crossHexahedron()
     mix(walkDepth, end, 2.0 / 3.0), mix(enteredAt, leftAt, 2.0 / 3.0));
   cubic[2] = trilinear(corners, two);
   cubic[3] = trilinear(corners, leftAt);
+#if RELEVO_STEEPNESS || RELEVO_LIT
+  vec3 places[4] = vec3[4](enteredAt, one, two, leftAt);
+#endif
 #if RELEVO_STEEPNESS
-  vec3 low = mix(enteredAt, leftAt, 0.5);
-  vec3 u = vec3(1.0, low.yz);
-  vec3 v = vec3(low.x, 1.0, low.z);
-  vec3 w = vec3(low.xy, 1.0);
-  setSteepness(trilinear(hexPlaces, u) - trilinear(hexPlaces, vec3(0.0, u.yz)),
-    trilinear(hexPlaces, v) - trilinear(hexPlaces, vec3(v.x, 0.0, v.z)),
-    trilinear(hexPlaces, w) - trilinear(hexPlaces, vec3(w.xy, 0.0)),
-    trilinear(corners, u) - trilinear(corners, vec3(0.0, u.yz)),
-    trilinear(corners, v) - trilinear(corners, vec3(v.x, 0.0, v.z)),
-    trilinear(corners, w) - trilinear(corners, vec3(w.xy, 0.0)));
+  for (int i = 0; i < 3; ++i)
+  {
+    vec3 middle = mix(places[i], places[i + 1], 0.5);
+    vec3 u = vec3(1.0, middle.yz);
+    vec3 v = vec3(middle.x, 1.0, middle.z);
+    vec3 w = vec3(middle.xy, 1.0);
+    setSteepness(trilinear(hexPlaces, u) - trilinear(hexPlaces, vec3(0.0, u.yz)),
+      trilinear(hexPlaces, v) - trilinear(hexPlaces, vec3(v.x, 0.0, v.z)),
+      trilinear(hexPlaces, w) - trilinear(hexPlaces, vec3(w.xy, 0.0)),
+      trilinear(corners, u) - trilinear(corners, vec3(0.0, u.yz)),
+      trilinear(corners, v) - trilinear(corners, vec3(v.x, 0.0, v.z)),
+      trilinear(corners, w) - trilinear(corners, vec3(w.xy, 0.0)));
+    curvedSteepness[i] = partSteepness;
+  }
 #endif
 #endif
 #if RELEVO_LIT
@@ -268,8 +305,10 @@ void crossHexahedron()
     {
       gradients[j] = fetchGradient(ids[j], i);
     }
-    curvedFrontGradients[i] = trilinear(gradients, enteredAt);
-    curvedBackGradients[i] = trilinear(gradients, leftAt);
+    for (int j = 0; j < 4; ++j)
+    {
+      curvedGradients[4 * i + j] = trilinear(gradients, places[j]);
+    }
   }
 #endif
   beginCurved(end);
@@ -382,14 +421,21 @@ void crossQuadraticCell()
     mix(walkDepth, end, 2.0 / 3.0), mix(enteredAt, leftAt, 2.0 / 3.0));
   cubic[2] = quadratic(corners, barycentric(two));
   cubic[3] = quadratic(corners, barycentric(leftAt));
+#if RELEVO_STEEPNESS || RELEVO_LIT
+  vec3 places[4] = vec3[4](enteredAt, one, two, leftAt);
+#endif
 #if RELEVO_STEEPNESS
-  vec3 low = mix(enteredAt, leftAt, 0.5);
   vec2 h = vec2(0.5, 0.0);
 #define change(c, step) \
-  (quadratic(c, barycentric(low + (step))) - quadratic(c, barycentric(low - (step))))
-  setSteepness(change(quadraticPlaces, h.xyy), change(quadraticPlaces, h.yxy),
-    change(quadraticPlaces, h.yyx), change(corners, h.xyy), change(corners, h.yxy),
-    change(corners, h.yyx));
+  (quadratic(c, barycentric(middle + (step))) - quadratic(c, barycentric(middle - (step))))
+  for (int i = 0; i < 3; ++i)
+  {
+    vec3 middle = mix(places[i], places[i + 1], 0.5);
+    setSteepness(change(quadraticPlaces, h.xyy), change(quadraticPlaces, h.yxy),
+      change(quadraticPlaces, h.yyx), change(corners, h.xyy), change(corners, h.yxy),
+      change(corners, h.yyx));
+    curvedSteepness[i] = partSteepness;
+  }
 #endif
 #endif
 #if RELEVO_LIT
@@ -400,8 +446,10 @@ void crossQuadraticCell()
     {
       gradients[j] = fetchGradient(ids[j], i);
     }
-    curvedFrontGradients[i] = quadratic(gradients, barycentric(enteredAt));
-    curvedBackGradients[i] = quadratic(gradients, barycentric(leftAt));
+    for (int j = 0; j < 4; ++j)
+    {
+      curvedGradients[4 * i + j] = quadratic(gradients, barycentric(places[j]));
+    }
   }
 #endif
   beginCurved(end);

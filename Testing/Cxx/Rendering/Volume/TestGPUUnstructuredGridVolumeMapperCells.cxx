@@ -10,8 +10,10 @@
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkCellTypeSource.h"
+#include "vtkContourValues.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 
 #include <cmath>
@@ -175,6 +177,42 @@ void TestCellData(RelevoCheck& check)
     CHECK(scene.Compare(0.001) <= 1.0);
   }
 }
+
+// What the scalar's gradient tells, and isosurfaces, in each kind of cell.
+void TestFeatures(RelevoCheck& check)
+{
+  for (int type : { VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID, VTK_QUADRATIC_TETRA })
+  {
+    const auto property = MakeProperty();
+    RelevoVolumeScene scene(MakeCells(type, 0.0), property, 60, 48);
+    vtkNew<vtkPiecewiseFunction> gradientOpacity;
+    gradientOpacity->AddPoint(0.1, 0.0);
+    gradientOpacity->AddPoint(0.6, 1.0);
+    property->SetGradientOpacity(gradientOpacity);
+    // Near the top of a pyramid it may be anything.
+    CHECK_NEAR(scene.Compare(0.02), 0.0, 6.0);
+    property->SetDisableGradientOpacity(1);
+    property->ShadeOn();
+    property->SetAmbient(0.2);
+    property->SetDiffuse(0.8);
+    property->SetSpecular(0.4);
+    CHECK_NEAR(scene.Compare(0.01), 0.0, 3.0);
+    property->GetIsoSurfaceValues()->SetNumberOfContours(2);
+    property->GetIsoSurfaceValues()->SetValue(0, 0.4);
+    property->GetIsoSurfaceValues()->SetValue(1, 0.7);
+    scene.GetMapper()->IsoSurfacesOn();
+    CHECK_NEAR(scene.Compare(0.01, [](vtkVolumeRayCastFilter* filter) { filter->IsoSurfacesOn(); }),
+      0.0, 3.0);
+    scene.GetMapper()->IsoSurfacesOff();
+    for (int mode = 1; mode <= 5; ++mode)
+    {
+      scene.GetMapper()->SetBlendMode(mode);
+      CHECK_NEAR(
+        scene.Compare(0.01, [=](vtkVolumeRayCastFilter* filter) { filter->SetBlendMode(mode); }),
+        0.0, 3.0);
+    }
+  }
+}
 }
 
 int TestGPUUnstructuredGridVolumeMapperCells(int, char*[])
@@ -187,5 +225,6 @@ int TestGPUUnstructuredGridVolumeMapperCells(int, char*[])
   TestMixed(check);
   TestMirrored(check);
   TestCellData(check);
+  TestFeatures(check);
   return check.GetResult();
 }
