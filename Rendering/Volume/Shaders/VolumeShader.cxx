@@ -44,9 +44,20 @@ void Define(std::ostringstream& text, const char* name, int value)
   text << "#define RELEVO_" << name << " " << value << "\n";
 }
 
+// GLSL below 4.2 has no lines that go on after a backslash.
+std::string JoinLines(std::string text)
+{
+  const std::string goesOn = "\\\n";
+  for (size_t at = text.find(goesOn); at != std::string::npos; at = text.find(goesOn, at))
+  {
+    text.erase(at, goesOn.size());
+  }
+  return text;
+}
+
 void Put(std::string& source, const char* anchor, const std::string& text)
 {
-  vtkShaderProgram::Substitute(source, std::string("//RELEVO::") + anchor, text);
+  vtkShaderProgram::Substitute(source, std::string("//RELEVO::") + anchor, JoinLines(text));
 }
 
 std::string DefineCells(const VolumeShaderOptions& options)
