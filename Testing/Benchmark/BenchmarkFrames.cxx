@@ -7,6 +7,7 @@
 
 #include "vtkActor.h"
 #include "vtkMapper.h"
+#include "vtkProp.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -19,11 +20,41 @@ BenchmarkFrames::BenchmarkFrames(BenchmarkView& view, const std::vector<vtkMappe
 {
   for (vtkMapper* mapper : mappers)
   {
-    this->Actors.push_back(view.AddActor(mapper));
-    this->Actors.back()->VisibilityOff();
+    this->Props.push_back(view.AddActor(mapper));
   }
-  view.MoveCamera();
-  for (size_t m = 0; m < mappers.size(); ++m)
+  this->DrawFirst(onFirst);
+}
+
+BenchmarkFrames::BenchmarkFrames(BenchmarkView& view, const std::vector<vtkProp*>& props)
+  : View(view)
+  , Props(props.begin(), props.end())
+  , Frames(props.size())
+{
+  for (vtkProp* prop : props)
+  {
+    view.GetRenderer()->AddViewProp(prop);
+  }
+  // Drivers compile shaders once more when another prop has left another state.
+  this->DrawFirst({});
+  this->DrawFirst({});
+}
+
+BenchmarkFrames::~BenchmarkFrames()
+{
+  for (vtkProp* prop : this->Props)
+  {
+    this->View.GetRenderer()->RemoveViewProp(prop);
+  }
+}
+
+void BenchmarkFrames::DrawFirst(const std::function<void(size_t)>& onFirst)
+{
+  for (vtkProp* prop : this->Props)
+  {
+    prop->VisibilityOff();
+  }
+  this->View.MoveCamera(this->Turn);
+  for (size_t m = 0; m < this->Props.size(); ++m)
   {
     this->DrawFrame(m);
     if (onFirst)
@@ -33,22 +64,14 @@ BenchmarkFrames::BenchmarkFrames(BenchmarkView& view, const std::vector<vtkMappe
   }
 }
 
-BenchmarkFrames::~BenchmarkFrames()
-{
-  for (vtkActor* actor : this->Actors)
-  {
-    this->View.GetRenderer()->RemoveActor(actor);
-  }
-}
-
 void BenchmarkFrames::Measure(int rounds, int minimum, double seconds)
 {
-  std::vector<size_t> order(this->Actors.size());
+  std::vector<size_t> order(this->Props.size());
   std::iota(order.begin(), order.end(), 0);
-  std::vector<double> taken(this->Actors.size(), 0.0);
+  std::vector<double> taken(this->Props.size(), 0.0);
   for (int round = 0; round < rounds; ++round)
   {
-    this->View.MoveCamera();
+    this->View.MoveCamera(this->Turn);
     std::shuffle(order.begin(), order.end(), this->Random);
     for (const size_t m : order)
     {
@@ -63,11 +86,11 @@ void BenchmarkFrames::Measure(int rounds, int minimum, double seconds)
 
 BenchmarkFrames::Frame BenchmarkFrames::DrawFrame(size_t mapper)
 {
-  this->Actors[mapper]->VisibilityOn();
+  this->Props[mapper]->VisibilityOn();
   const double start = GetProcessorSeconds();
   const double seconds = this->View.TimeFrame();
   const Frame frame = { 1e3 * seconds, GetProcessorSeconds() - start };
-  this->Actors[mapper]->VisibilityOff();
+  this->Props[mapper]->VisibilityOff();
   return frame;
 }
 
@@ -84,6 +107,18 @@ std::vector<double> BenchmarkFrames::Get(size_t mapper, double Frame::*figure) c
 double BenchmarkFrames::GetMedian(size_t mapper) const
 {
   return ::GetMedian(this->Get(mapper, &Frame::Milliseconds));
+}
+
+double BenchmarkFrames::GetMinimum(size_t mapper) const
+{
+  const std::vector<double> values = this->Get(mapper, &Frame::Milliseconds);
+  return *std::min_element(values.begin(), values.end());
+}
+
+double BenchmarkFrames::GetMaximum(size_t mapper) const
+{
+  const std::vector<double> values = this->Get(mapper, &Frame::Milliseconds);
+  return *std::max_element(values.begin(), values.end());
 }
 
 double BenchmarkFrames::GetRatio(size_t mapper, size_t reference) const

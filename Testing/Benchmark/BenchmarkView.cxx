@@ -64,9 +64,9 @@ void BenchmarkView::LookAway()
   this->Renderer->GetActiveCamera()->Yaw(180.0);
 }
 
-void BenchmarkView::MoveCamera()
+void BenchmarkView::MoveCamera(double degrees)
 {
-  this->Renderer->GetActiveCamera()->Azimuth(0.5);
+  this->Renderer->GetActiveCamera()->Azimuth(degrees);
 }
 
 double BenchmarkView::TimeFrame()

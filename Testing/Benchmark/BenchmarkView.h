@@ -37,7 +37,7 @@ public:
   /// Look the other way, so that nothing is in the picture.
   void LookAway();
   /// Turn the camera a little around what it looks at.
-  void MoveCamera();
+  void MoveCamera(double degrees = 0.5);
 
   /// Seconds of wall clock from the call to the finished picture.
   double TimeFrame();

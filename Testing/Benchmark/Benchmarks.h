@@ -52,6 +52,8 @@ void RunMemory(const BenchmarkOptions& options, const AddTable& addTable);
 void RunTerrain(const BenchmarkOptions& options, const AddTable& addTable);
 /// Line integral convolution against VTK's own.
 void RunLIC(const BenchmarkOptions& options, const AddTable& addTable);
+/// Volumes of cells against VTK's mappers and sort, and pictures against a reference.
+void RunVolumes(const BenchmarkOptions& options, const AddTable& addTable);
 
 /**
  * Measurements that need a process of their own run in this program, called again: the arguments
@@ -60,5 +62,6 @@ void RunLIC(const BenchmarkOptions& options, const AddTable& addTable);
 std::vector<double> RunInOwnProcess(const std::vector<std::string>& arguments);
 std::vector<double> MeasureMemory(const std::vector<std::string>& arguments);
 std::vector<double> MeasureTerrain(const std::vector<std::string>& arguments);
+std::vector<double> MeasureVolumes(const std::vector<std::string>& arguments);
 
 #endif

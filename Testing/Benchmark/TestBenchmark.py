@@ -46,6 +46,9 @@ class TestBenchmark(unittest.TestCase):
         self.assertLessEqual(frames["draw_calls"], 2 * frames["used_patterns"])
         self.assertLess(frames["picture_difference"], 0.1)
         self.check_lic(tables)
+        usage = subprocess.run([PROGRAM, "--help"], capture_output=True, text=True).stderr
+        if "volumes" in usage:  # with VTK's mappers for volumes
+            self.check_volumes(tables)
         self.assertEqual(len(tables["dem"]), 3)
         self.assertTrue(all(row["triangles"] > 0 for row in tables["dem"]))
 
@@ -78,6 +81,19 @@ class TestBenchmark(unittest.TestCase):
         for row in tables["lic-pictures"]:
             self.assertEqual(row["by"], "Relevo")
             self.assertLess(row["angle_median"], 5.0, row)
+
+    def check_volumes(self, tables):
+        for name in ("volumes", "volumes-memory", "volumes-pictures", "volumes-published"):
+            self.assertTrue(tables[name], name)
+        errors = {row["picture"]: row for row in tables["volumes-pictures"]}
+        for picture, most in (("ray casting, exact", 1.0), ("ray casting, exact, over white", 2.0),
+                              ("cell projection with its sort", 1.0),
+                              ("hexahedra unsplit, against vtkVolumeRayCastFilter", 1.0)):
+            self.assertLess(errors[picture]["largest"], most, picture)
+        for row in tables["volumes"]:
+            self.assertGreater(row["ratio"], 0.0, row)
+        for row in tables["volumes-memory"]:
+            self.assertLess(row["ratio"], row["asked"])
 
     def test_no_paraview(self):
         result = subprocess.run([PROGRAM, "--quick", "--paraview", "/nonexistent", "lic"],

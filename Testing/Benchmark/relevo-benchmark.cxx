@@ -42,6 +42,9 @@ const std::vector<Benchmark> Benchmarks = {
   { "memory", RunMemory },
   { "dem", RunTerrain },
   { "lic", RunLIC },
+#ifdef BENCHMARK_HAS_VOLUMES
+  { "volumes", RunVolumes },
+#endif
 #ifdef BENCHMARK_HAS_GOOGLE_BENCHMARK
   { "processor", RunProcessor, false },
 #endif
@@ -52,8 +55,13 @@ struct Measurement
   const char* Name;
   std::vector<double> (*Run)(const std::vector<std::string>&);
 };
-const std::vector<Measurement> Measurements = { { "memory", MeasureMemory },
-  { "dem", MeasureTerrain } };
+const std::vector<Measurement> Measurements = {
+  { "memory", MeasureMemory },
+  { "dem", MeasureTerrain },
+#ifdef BENCHMARK_HAS_VOLUMES
+  { "volumes", MeasureVolumes },
+#endif
+};
 
 std::string ProgramPath;
 
