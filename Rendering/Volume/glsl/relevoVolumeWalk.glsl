@@ -170,7 +170,11 @@ void crossTetrahedron()
   beginPart(walkDepth, exit, front, walkScalars);
 #endif
 #if RELEVO_LIT
-  vec3 frontGradients[RELEVO_MATERIALS] = walkGradients;
+  vec3 frontGradients[RELEVO_MATERIALS]; // one by one: Mesa 26 copies arrays wrongly
+  for (int i = 0; i < RELEVO_MATERIALS; ++i)
+  {
+    frontGradients[i] = walkGradients[i];
+  }
   if (isSeen)
   {
     walkToGradients(uvec3(faceA.id, faceB.id, faceC.id), weights);
