@@ -199,8 +199,8 @@ public:
    * 1 drawing is faster and colours are interpolated in between; below 1 it is smoother. Has no
    * effect where translucent props mix with the volume.
    */
-  void SetImageSampleDistance(float distance);
-  vtkGetMacro(ImageSampleDistance, float);
+  void SetImageSampleDistance(double distance);
+  vtkGetMacro(ImageSampleDistance, double);
   //@}
 
   //@{
@@ -281,7 +281,7 @@ private:
   int Method = RAY_CASTING;
   int Integration = EXACT;
   int TableSize = 128;
-  float ImageSampleDistance = 1.0f;
+  double ImageSampleDistance = 1.0;
   bool AutoAdjustSampleDistances = false;
 };
 

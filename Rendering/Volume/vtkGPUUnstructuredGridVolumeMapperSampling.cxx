@@ -17,10 +17,9 @@ namespace
 constexpr double LargestDistance = 10.0;
 }
 
-void vtkGPUUnstructuredGridVolumeMapper::SetImageSampleDistance(float distance)
+void vtkGPUUnstructuredGridVolumeMapper::SetImageSampleDistance(double distance)
 {
-  relevo::SetInRange(
-    this, "ImageSampleDistance", this->ImageSampleDistance, distance, 0.1f, 100.0f);
+  relevo::SetInRange(this, "ImageSampleDistance", this->ImageSampleDistance, distance, 0.1, 100.0);
 }
 
 // The pixels that rays are cast for; false if they are the viewport's.

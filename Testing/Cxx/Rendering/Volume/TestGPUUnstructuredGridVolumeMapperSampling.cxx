@@ -16,7 +16,7 @@ void TestDistances(RelevoCheck& check)
   RelevoVolumeScene scene(MakeTetrahedra(3, GetLinearField), MakeLinearProperty(), 120, 120);
   vtkGPUUnstructuredGridVolumeMapper* mapper = scene.GetMapper();
   const auto fine = scene.Draw();
-  mapper->SetImageSampleDistance(2.0f);
+  mapper->SetImageSampleDistance(2.0);
   const auto coarse = scene.Draw();
   CHECK(FindLargestDifference(fine, coarse) > 0.01); // at the outline
   double inside = 0.0;
@@ -50,16 +50,16 @@ void TestDistances(RelevoCheck& check)
   }
   CHECK_NEAR(apart, 0.0, 2.0 / 255.0);
 
-  mapper->SetImageSampleDistance(0.5f);
+  mapper->SetImageSampleDistance(0.5);
   const auto smooth = scene.Draw();
   CHECK(FindLargestDifference(fine, smooth) > 0.0);
   CHECK(FindLargestDifference(fine, smooth) < 0.05);
-  mapper->SetImageSampleDistance(1.0f);
+  mapper->SetImageSampleDistance(1.0);
   CHECK(FindLargestDifference(fine, scene.Draw()) == 0.0);
   RelevoErrors errors(mapper);
-  mapper->SetImageSampleDistance(0.0f);
+  mapper->SetImageSampleDistance(0.0);
   CHECK(errors.Said("ImageSampleDistance"));
-  CHECK(mapper->GetImageSampleDistance() == 1.0f);
+  CHECK(mapper->GetImageSampleDistance() == 1.0);
 }
 
 // No time at all makes it as coarse as it gets; enough time, as fine.
