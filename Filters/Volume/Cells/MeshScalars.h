@@ -9,6 +9,8 @@
 #ifndef MeshScalars_h
 #define MeshScalars_h
 
+#include "RelevoFiltersVolumeModule.h" // for export macro
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -34,8 +36,8 @@ using FindArray = std::function<vtkDataArray*(vtkDataSet*, int& association)>;
  * follow "The input " where one lacks an array that fits, or points that its cells refer to: `name`
  * is the array's, empty for active scalars, and `most` how many components it may have.
  */
-bool FindMeshScalars(vtkDataObject* input, const FindArray& find, const std::string& name, int most,
-  std::vector<MeshScalars>& found, std::string& error);
+RELEVOFILTERSVOLUME_EXPORT bool FindMeshScalars(vtkDataObject* input, const FindArray& find,
+  const std::string& name, int most, std::vector<MeshScalars>& found, std::string& error);
 }
 
 #endif

@@ -46,7 +46,7 @@ inline Scalars Interpolate(const Scalars& front, const Scalars& back, double sha
 using Lights = std::array<dvec2, MostComponents>;
 
 /// A part of a ray along which the scalars are linear.
-struct Segment
+struct RELEVOFILTERSVOLUME_EXPORT Segment
 {
   Scalars Front;
   Scalars Back;
