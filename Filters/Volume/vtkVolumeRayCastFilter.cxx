@@ -121,11 +121,10 @@ bool vtkVolumeRayCastFilter::Read(
   const bool takesAll = choice.Component == relevo::ScalarChoice::All;
   std::vector<relevo::MeshScalars> meshes;
   std::string error;
-  if (!relevo::FindMeshScalars(
-        input,
-        [this](vtkDataSet* mesh, int& association)
-        { return this->GetInputArrayToProcess(0, mesh, association); },
-        name, takesAll ? relevo::MostComponents : VTK_INT_MAX, meshes, error))
+  const relevo::ArrayWish wish = { [this](vtkDataSet* mesh, int& association)
+    { return this->GetInputArrayToProcess(0, mesh, association); },
+    name, takesAll ? relevo::MostComponents : VTK_INT_MAX, "SetInputArrayToProcess()" };
+  if (!relevo::FindMeshScalars(input, wish, meshes, error))
   {
     vtkErrorMacro("The input " << error << ".");
     return false;

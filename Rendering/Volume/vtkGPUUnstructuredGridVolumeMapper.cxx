@@ -81,6 +81,11 @@ double* vtkGPUUnstructuredGridVolumeMapper::GetBounds()
 
 void vtkGPUUnstructuredGridVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
+  // Colours of a volume would be taken for the numbers of what is selected behind it.
+  if (renderer->GetSelector())
+  {
+    return;
+  }
   vtkInternals& data = *this->Internals;
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window)

@@ -36,7 +36,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateMesh(vtkVolume* volume)
     relevo::ChooseScalars(volume->GetProperty(), this->VectorMode, this->VectorComponent);
   const relevo::ArrayChoice array(
     this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName ? this->ArrayName : "");
-  const vtkMTimeType time = input->GetMTime();
+  const vtkMTimeType time = relevo::GetMeshTime(input);
   const bool areIndependent = volume->GetProperty()->GetIndependentComponents() != 0;
   if (data.MeshInput != input || data.MeshTime != time || !(data.Choice == choice) ||
     data.Array != array || data.HasCorners != (this->Method == CELL_PROJECTION) ||
@@ -86,8 +86,9 @@ bool vtkGPUUnstructuredGridVolumeMapper::ReadCells(
   };
   const bool isByName = this->ArrayAccessMode == VTK_GET_ARRAY_BY_NAME && this->ArrayName &&
     this->ScalarMode >= VTK_SCALAR_MODE_USE_POINT_FIELD_DATA;
-  if (!relevo::FindMeshScalars(input, find, isByName ? this->ArrayName : "",
-        takesAll ? relevo::MostComponents : VTK_INT_MAX, meshes, error))
+  const relevo::ArrayWish wish = { find, isByName ? this->ArrayName : "",
+    takesAll ? relevo::MostComponents : VTK_INT_MAX, "SelectScalarArray()" };
+  if (!relevo::FindMeshScalars(input, wish, meshes, error))
   {
     vtkErrorMacro("The input " << error << ".");
     return false;

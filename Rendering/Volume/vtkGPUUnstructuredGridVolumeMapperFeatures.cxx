@@ -22,8 +22,8 @@ void FindFunctions(const relevo::TransferFunctions& functions, relevo::VolumeSha
   options.AreDependent = functions.AreDependent();
   options.HasTables = !curves.empty() && !curves.front().Table.IsEmpty();
   // Where a scalar is mapped, gradient opacities have no effect.
-  const bool isIntegrated = options.Blending == relevo::VolumeBlending::Composite ||
-    options.Blending == relevo::VolumeBlending::Additive;
+  const bool isIntegrated = options.Blending == relevo::BlendMode::Composite ||
+    options.Blending == relevo::BlendMode::Additive;
   options.HasGradientOpacity = isIntegrated && !options.HasTables && functions.NeedSteepness();
 }
 
@@ -59,7 +59,7 @@ void vtkGPUUnstructuredGridVolumeMapper::UpdateFeatures(vtkRenderer* renderer, v
   vtkVolumeProperty* property = volume->GetProperty();
   relevo::VolumeShaderOptions& options = data.Options;
   options = {};
-  options.Blending = static_cast<relevo::VolumeBlending>(this->BlendMode);
+  options.Blending = static_cast<relevo::BlendMode>(this->BlendMode);
   options.HasCellScalars = data.HasCellScalars;
   FindFunctions(data.Functions, options);
   const bool isComposite = this->BlendMode == COMPOSITE_BLEND;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/CellShape.h"
 
+#include "Mesh/FaceTable.h"
 #include "vtkCellType.h"
 #include "vtkHexahedron.h"
 #include "vtkPyramid.h"
@@ -29,25 +30,29 @@ double GetOutsideTetrahedron(const dvec3& p)
 {
   return std::max({ -p.x, -p.y, -p.z, p.x + p.y + p.z - 1.0 });
 }
+
+// Of triangles the last corner counts twice.
+std::vector<std::array<int, 4>> GetFaces(int type)
+{
+  const FaceTable table = FindFaceTable(type);
+  std::vector<std::array<int, 4>> faces(table.Faces, table.Faces + table.NumberOfFaces);
+  for (std::array<int, 4>& face : faces)
+  {
+    face[3] = face[3] < 0 ? face[2] : face[3];
+  }
+  return faces;
+}
 }
 
 const CellShape* FindCellShape(int type)
 {
   static const CellShape hexahedron = { 8, dvec3(0.5), vtkHexahedron::InterpolationFunctions,
-    vtkHexahedron::InterpolationDerivs, GetOutsideCube,
-    { { { 0, 4, 7, 3 } }, { { 1, 2, 6, 5 } }, { { 0, 1, 5, 4 } }, { { 3, 7, 6, 2 } },
-      { { 0, 3, 2, 1 } }, { { 4, 5, 6, 7 } } },
-    {}, 1.0 };
+    vtkHexahedron::InterpolationDerivs, GetOutsideCube, GetFaces(VTK_HEXAHEDRON), {}, 1.0 };
   static const CellShape wedge = { 6, dvec3(1.0 / 3.0, 1.0 / 3.0, 0.5),
     vtkWedge::InterpolationFunctions, vtkWedge::InterpolationDerivs, GetOutsideWedge,
-    { { { 0, 1, 2, 2 } }, { { 3, 5, 4, 4 } }, { { 0, 3, 4, 1 } }, { { 1, 4, 5, 2 } },
-      { { 2, 5, 3, 0 } } },
-    {}, 0.5 };
+    GetFaces(VTK_WEDGE), {}, 0.5 };
   static const CellShape pyramid = { 5, dvec3(0.5, 0.5, 0.2), vtkPyramid::InterpolationFunctions,
-    vtkPyramid::InterpolationDerivs, GetOutsideCube,
-    { { { 0, 3, 2, 1 } }, { { 0, 1, 4, 4 } }, { { 1, 2, 4, 4 } }, { { 2, 3, 4, 4 } },
-      { { 3, 0, 4, 4 } } },
-    {}, 1.0 / 1.92 };
+    vtkPyramid::InterpolationDerivs, GetOutsideCube, GetFaces(VTK_PYRAMID), {}, 1.0 / 1.92 };
   static const CellShape quadraticTetrahedron = { 10, dvec3(0.25),
     vtkQuadraticTetra::InterpolationFunctions, vtkQuadraticTetra::InterpolationDerivs,
     GetOutsideTetrahedron, {},

@@ -72,14 +72,15 @@ vtkIdType CountBrokenCells(vtkDataSet* mesh)
   return broken;
 }
 
-std::string FindFault(const MeshScalars& scalars, const std::string& name, int components, int most)
+std::string FindFault(
+  const MeshScalars& scalars, const ArrayWish& wish, const std::string& name, int components)
 {
   std::ostringstream text;
   if (!scalars.Array)
   {
     text << "has no " << (name.empty() ? "active scalars" : "array \"" + name + "\"")
-         << (components > 0 ? " in one of its blocks" : "")
-         << "; choose an array by SetInputArrayToProcess()";
+         << (components > 0 ? " in one of its blocks" : "") << "; choose an array by "
+         << wish.Setter;
     return text.str();
   }
   if (const vtkIdType broken = CountBrokenCells(scalars.Mesh))
@@ -98,9 +99,9 @@ std::string FindFault(const MeshScalars& scalars, const std::string& name, int c
     text << named << tuples << " tuples for " << wanted
          << (scalars.AreOfCells ? " cells" : " points");
   }
-  else if (given > most)
+  else if (given > wish.MostComponents)
   {
-    text << named << given << " components; there can be 1 to " << most;
+    text << named << given << " components; there can be 1 to " << wish.MostComponents;
   }
   else if (components > 0 && given != components)
   {
@@ -110,18 +111,28 @@ std::string FindFault(const MeshScalars& scalars, const std::string& name, int c
 }
 }
 
-bool FindMeshScalars(vtkDataObject* input, const FindArray& find, const std::string& name, int most,
-  std::vector<MeshScalars>& found, std::string& error)
+vtkMTimeType GetMeshTime(vtkDataObject* input)
+{
+  vtkMTimeType time = input->GetMTime();
+  for (vtkDataSet* set : FindDataSets(input))
+  {
+    time = std::max(time, set->GetMTime());
+  }
+  return time;
+}
+
+bool FindMeshScalars(
+  vtkDataObject* input, const ArrayWish& wish, std::vector<MeshScalars>& found, std::string& error)
 {
   found.clear();
   for (vtkDataSet* set : FindDataSets(input))
   {
     int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-    vtkDataArray* array = find(set, association);
+    vtkDataArray* array = wish.Find(set, association);
     found.push_back({ set, array, association == vtkDataObject::FIELD_ASSOCIATION_CELLS });
     const char* own = array ? array->GetName() : nullptr;
-    error = FindFault(found.back(), name.empty() && own ? own : name,
-      found.size() > 1 ? found.front().Array->GetNumberOfComponents() : 0, most);
+    error = FindFault(found.back(), wish, wish.Name.empty() && own ? own : wish.Name,
+      found.size() > 1 ? found.front().Array->GetNumberOfComponents() : 0);
     if (!error.empty())
     {
       return false;

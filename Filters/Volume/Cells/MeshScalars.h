@@ -10,6 +10,7 @@
 #define MeshScalars_h
 
 #include "RelevoFiltersVolumeModule.h" // for export macro
+#include "vtkType.h"
 
 #include <functional>
 #include <string>
@@ -28,16 +29,25 @@ struct MeshScalars
   bool AreOfCells;
 };
 
-/// The array of a data set, and its association; null if there is none.
-using FindArray = std::function<vtkDataArray*(vtkDataSet*, int& association)>;
+/// Which array is drawn.
+struct ArrayWish
+{
+  /// Of a data set, and its association; null if there is none.
+  std::function<vtkDataArray*(vtkDataSet*, int& association)> Find;
+  std::string Name; // empty for active scalars
+  int MostComponents;
+  const char* Setter; // by which users choose another one
+};
+
+/// When an input or one of its data sets last changed.
+RELEVOFILTERSVOLUME_EXPORT vtkMTimeType GetMeshTime(vtkDataObject* input);
 
 /**
  * All data sets with cells, of which a composite data set may have many. false with words that
- * follow "The input " where one lacks an array that fits, or points that its cells refer to: `name`
- * is the array's, empty for active scalars, and `most` how many components it may have.
+ * follow "The input " where one lacks an array that fits, or points that its cells refer to.
  */
-RELEVOFILTERSVOLUME_EXPORT bool FindMeshScalars(vtkDataObject* input, const FindArray& find,
-  const std::string& name, int most, std::vector<MeshScalars>& found, std::string& error);
+RELEVOFILTERSVOLUME_EXPORT bool FindMeshScalars(
+  vtkDataObject* input, const ArrayWish& wish, std::vector<MeshScalars>& found, std::string& error);
 }
 
 #endif

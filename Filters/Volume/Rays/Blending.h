@@ -10,6 +10,7 @@
 #define Blending_h
 
 #include "Cells/Ray.h"
+#include "Rays/BlendMode.h"
 #include "Rays/IsoSurfaces.h"
 #include "Rays/Shading.h"
 
@@ -18,16 +19,6 @@
 namespace relevo
 {
 /// By vtkVolumeMapper's numbers.
-enum class BlendMode
-{
-  Composite,
-  Maximum,
-  Minimum,
-  Average,
-  Additive,
-  IsoSurface
-};
-
 class Blending
 {
 public:

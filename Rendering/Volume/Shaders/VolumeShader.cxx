@@ -80,9 +80,9 @@ void PutRays(std::string& source, const VolumeShaderOptions& options)
 
 void DefineFeatures(std::ostringstream& defines, const VolumeShaderOptions& options)
 {
-  const VolumeBlending blending = options.Blending;
-  const bool isMapped = blending == VolumeBlending::Maximum ||
-    blending == VolumeBlending::Minimum || blending == VolumeBlending::Average;
+  const BlendMode blending = options.Blending;
+  const bool isMapped = blending == BlendMode::Maximum || blending == BlendMode::Minimum ||
+    blending == BlendMode::Average;
   Define(defines, "FIRST_COMPONENT", options.FirstComponent);
   Define(defines, "TABLES", options.HasTables);
   Define(defines, "GRADIENT_OPACITY", options.HasGradientOpacity);
@@ -90,8 +90,8 @@ void DefineFeatures(std::ostringstream& defines, const VolumeShaderOptions& opti
     (options.HasTables || options.HasGradientOpacity) && !options.HasCellScalars);
   Define(defines, "FACTORS", isMapped || options.HasGradientOpacity);
   Define(defines, "MAPPED", isMapped);
-  Define(defines, "ADDITIVE", blending == VolumeBlending::Additive);
-  Define(defines, "SIGN", blending == VolumeBlending::Minimum ? -1 : 1);
+  Define(defines, "ADDITIVE", blending == BlendMode::Additive);
+  Define(defines, "SIGN", blending == BlendMode::Minimum ? -1 : 1);
   Define(defines, "SURFACES", options.HasSurfaces);
   Define(defines, "CLIPPED", options.IsClipped);
   Define(defines, "MOST_PLANES", MeshPlanes::Most);
@@ -127,12 +127,12 @@ std::string GetBlending(const VolumeShaderOptions& options)
   const std::string surfaces = options.HasSurfaces ? relevoVolumeSurfaces : "";
   switch (options.Blending)
   {
-    case VolumeBlending::Maximum:
-    case VolumeBlending::Minimum:
+    case BlendMode::Maximum:
+    case BlendMode::Minimum:
       return relevoVolumeExtreme;
-    case VolumeBlending::Average:
+    case BlendMode::Average:
       return relevoVolumeAverage;
-    case VolumeBlending::IsoSurface:
+    case BlendMode::IsoSurface:
       return surfaces + relevoVolumeIsoSurface;
     default:
       return options.PreIntegrated ? relevoVolumePreIntegrated : surfaces + relevoVolumeComposite;

@@ -9,23 +9,15 @@
 #ifndef VolumeShader_h
 #define VolumeShader_h
 
+#include "Rays/BlendMode.h"
+
 #include <string>
 
 namespace relevo
 {
-enum class VolumeBlending
-{
-  Composite,
-  Maximum,
-  Minimum,
-  Average,
-  Additive,
-  IsoSurface
-};
-
 struct VolumeShaderOptions
 {
-  VolumeBlending Blending = VolumeBlending::Composite;
+  BlendMode Blending = BlendMode::Composite;
   int NumberOfComponents = 1;
   int NumberOfCurves = 1;
   bool AreDependent = false;

@@ -14,7 +14,7 @@ namespace relevo
 {
 namespace
 {
-// A blit wants the format of what it reads, which OpenGL does not tell of a window's own buffers.
+// A blit wants the format of what it reads.
 enum Formats
 {
   Fixed24,
@@ -24,6 +24,34 @@ enum Formats
   Fixed16,
   NumberOfFormats
 };
+
+// Of the framebuffer in use, as far as OpenGL tells: it may be another one of the same size.
+int GuessFormat()
+{
+  GLint drawn = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn);
+  const auto get = [drawn](unsigned int ofFramebuffer, unsigned int ofWindow, unsigned int what)
+  {
+    GLint value = 0;
+    glGetFramebufferAttachmentParameteriv(
+      GL_DRAW_FRAMEBUFFER, drawn != 0 ? ofFramebuffer : ofWindow, what, &value);
+    return value;
+  };
+  const auto getOfDepth = [&get](unsigned int what)
+  { return get(GL_DEPTH_ATTACHMENT, GL_DEPTH, what); };
+  if (getOfDepth(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) == GL_NONE)
+  {
+    return Fixed24;
+  }
+  if (getOfDepth(GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT)
+  {
+    return Float32;
+  }
+  const bool hasStencil =
+    get(GL_STENCIL_ATTACHMENT, GL_STENCIL, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE;
+  const GLint size = getOfDepth(GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
+  return size == 32 ? Fixed32 : size == 16 ? Fixed16 : hasStencil ? WithStencil : Fixed24;
+}
 }
 
 OpaqueDepth::OpaqueDepth() = default;
@@ -80,7 +108,7 @@ bool OpaqueDepth::Blit(vtkOpenGLRenderWindow* window, const int viewport[4])
 
 bool OpaqueDepth::Copy(vtkOpenGLRenderWindow* window, const int viewport[4])
 {
-  const int first = this->Format >= 0 ? this->Format : 0;
+  const int first = this->Format >= 0 ? this->Format : GuessFormat();
   for (int i = 0; i < NumberOfFormats; ++i)
   {
     if (this->Allocate(window, viewport, (first + i) % NumberOfFormats) &&

@@ -37,7 +37,7 @@ void TestArrays(RelevoCheck& check)
   scene.GetMapper()->SetScalarModeToUsePointFieldData();
   scene.GetMapper()->SelectScalarArray("missing");
   CHECK(IsBlack(scene.Draw()));
-  CHECK(errors.Said("has no array \"missing\""));
+  CHECK(errors.Said("has no array \"missing\"; choose an array by SelectScalarArray()"));
   scene.Draw();
   CHECK(errors.None()); // once
   scene.GetMapper()->SelectScalarArray("field");
