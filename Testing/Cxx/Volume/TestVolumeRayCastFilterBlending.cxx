@@ -56,26 +56,6 @@ struct Scene
   vtkSmartPointer<vtkCamera> Camera;
 };
 
-// One voxel whose field is not linear.
-double GetTrilinear(const RelevoPoint& p)
-{
-  return 0.1 + 0.8 * p[0] * (1.0 - p[1]) + 0.7 * p[1] * (1.0 - p[0]) * p[2] + 0.1 * p[2];
-}
-
-vtkSmartPointer<vtkImageData> MakeVoxel()
-{
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(2, 2, 2);
-  image->AllocateScalars(VTK_DOUBLE, 1);
-  for (vtkIdType i = 0; i < 8; ++i)
-  {
-    RelevoPoint point;
-    image->GetPoint(i, point.data());
-    image->GetPointData()->GetScalars()->SetComponent(i, 0, GetTrilinear(point));
-  }
-  return image;
-}
-
 void CheckScalars(
   RelevoCheck& check, vtkDataObject* mesh, const RelevoField& field, double tolerance)
 {
@@ -106,7 +86,7 @@ void CheckScalars(
 void TestScalars(RelevoCheck& check)
 {
   CheckScalars(check, MakeTetrahedra(3, GetLinearField), GetLinearField, 1e-12);
-  CheckScalars(check, MakeVoxel(), GetTrilinear, 1e-7); // of the samples
+  CheckScalars(check, MakeVoxel(GetTrilinear), GetTrilinear, 1e-7); // of the samples
 }
 
 // Opacities beyond 1 are 1; where there is nothing, nothing is seen.
@@ -174,7 +154,7 @@ void TestIsoSurfaces(RelevoCheck& check)
   scene.SetValues({ 0.7, 0.3, 0.301, 0.3, std::nan(""), 2.0 });
   CHECK_NEAR(scene.Differs(get), 0.0, 1e-9);
 
-  Scene voxel(MakeVoxel());
+  Scene voxel(MakeVoxel(GetTrilinear));
   voxel.SetValues({ 0.25, 0.4, 0.55 });
   voxel.Cast->SetBlendModeToIsoSurface();
   sum = MakeSurfaces(voxel, GetTrilinear);

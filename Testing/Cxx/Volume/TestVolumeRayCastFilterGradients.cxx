@@ -34,30 +34,12 @@ double GetBentSteepness(const RelevoPoint& p)
   return p[0] < 0.5 ? 0.5 : 1.5;
 }
 
-double GetTrilinear(const RelevoPoint& p)
-{
-  return 0.1 + 0.8 * p[0] * (1.0 - p[1]) + 0.7 * p[1] * (1.0 - p[0]) * p[2] + 0.1 * p[2];
-}
 double GetTrilinearSteepness(const RelevoPoint& p)
 {
   const double x = 0.8 * (1.0 - p[1]) - 0.7 * p[1] * p[2];
   const double y = -0.8 * p[0] + 0.7 * (1.0 - p[0]) * p[2];
   const double z = 0.7 * p[1] * (1.0 - p[0]) + 0.1;
   return std::sqrt(x * x + y * y + z * z);
-}
-
-vtkSmartPointer<vtkImageData> MakeVoxel()
-{
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(2, 2, 2);
-  image->AllocateScalars(VTK_DOUBLE, 1);
-  for (vtkIdType i = 0; i < 8; ++i)
-  {
-    RelevoPoint point;
-    image->GetPoint(i, point.data());
-    image->GetPointData()->GetScalars()->SetComponent(i, 0, GetTrilinear(point));
-  }
-  return image;
 }
 
 struct Scene
@@ -118,7 +100,7 @@ void CheckGradientOpacity(RelevoCheck& check, vtkDataObject* mesh, const RelevoF
 void TestGradientOpacity(RelevoCheck& check)
 {
   CheckGradientOpacity(check, MakeTetrahedra(2, GetBent), GetBent, GetBentSteepness, 1e-3);
-  CheckGradientOpacity(check, MakeVoxel(), GetTrilinear, GetTrilinearSteepness, 2e-4);
+  CheckGradientOpacity(check, MakeVoxel(GetTrilinear), GetTrilinear, GetTrilinearSteepness, 2e-4);
 
   // Where the gradient is the same everywhere, exactly.
   Scene scene(MakeTetrahedra(3, GetLinearField));
@@ -248,7 +230,7 @@ void CheckTable(RelevoCheck& check, vtkDataObject* mesh, const RelevoField& fiel
 void TestTables(RelevoCheck& check)
 {
   CheckTable(check, MakeTetrahedra(2, GetBent), GetBent, GetBentSteepness, 2e-3);
-  CheckTable(check, MakeVoxel(), GetTrilinear, GetTrilinearSteepness, 2e-4);
+  CheckTable(check, MakeVoxel(GetTrilinear), GetTrilinear, GetTrilinearSteepness, 2e-4);
 
   // Of an extreme, and of an isosurface, where it is: beyond the bend, and before it.
   Scene scene(MakeTetrahedra(2, GetBent));

@@ -81,3 +81,13 @@ double RelevoVolumeScene::Compare(
   const size_t left = static_cast<size_t>(share * static_cast<double>(apart.size()));
   return apart[apart.size() - 1 - std::min(left, apart.size() - 1)];
 }
+
+void LookAlongEdges(RelevoVolumeScene& scene)
+{
+  vtkCamera* camera = scene.GetCamera();
+  camera->SetFocalPoint(0.5, 0.5, 0.5);
+  camera->SetPosition(0.5, 0.5, 4.0);
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(97.0 / 96.0);
+  scene.GetRenderer()->ResetCameraClippingRange();
+}

@@ -50,4 +50,8 @@ private:
   vtkNew<vtkRenderWindow> Window;
 };
 
+// In parallel, at a cube from 0 to 1 in a window of 97 x 97 pixels: rays are 1/48 apart, so that
+// those in columns and rows 25 to 71 hit the cube, and some run along its cells' edges.
+void LookAlongEdges(RelevoVolumeScene& scene);
+
 #endif

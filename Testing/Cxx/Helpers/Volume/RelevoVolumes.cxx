@@ -4,6 +4,7 @@
 
 #include "Integral/LinearSegment.h"
 #include "vtkColorTransferFunction.h"
+#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
@@ -95,6 +96,25 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeTetrahedra(int n, const RelevoField& fi
   return mesh;
 }
 
+double GetTrilinear(const RelevoPoint& p)
+{
+  return 0.1 + 0.8 * p[0] * (1.0 - p[1]) + 0.7 * p[1] * (1.0 - p[0]) * p[2] + 0.1 * p[2];
+}
+
+vtkSmartPointer<vtkImageData> MakeVoxel(const RelevoField& field)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(2, 2, 2);
+  image->AllocateScalars(VTK_DOUBLE, 1);
+  for (vtkIdType i = 0; i < 8; ++i)
+  {
+    RelevoPoint point;
+    image->GetPoint(i, point.data());
+    image->GetPointData()->GetScalars()->SetComponent(i, 0, field(point));
+  }
+  return image;
+}
+
 vtkSmartPointer<vtkVolumeProperty> MakeVolumeProperty(
   double first, double last, double unitDistance)
 {
@@ -154,6 +174,25 @@ double FindLargestDifference(const std::vector<RelevoColor>& a, const std::vecto
     }
   }
   return largest;
+}
+
+double FindLargestDifferenceInside(const std::vector<RelevoColor>& a,
+  const std::vector<RelevoColor>& b, int width, int first, int last)
+{
+  const auto crop = [=](const std::vector<RelevoColor>& picture)
+  {
+    std::vector<RelevoColor> part;
+    for (int row = first; row <= last; ++row)
+    {
+      for (int column = first; column <= last; ++column)
+      {
+        part.push_back(picture.at(static_cast<size_t>(row) * width + column));
+        part.back()[3] = 0.0;
+      }
+    }
+    return part;
+  };
+  return FindLargestDifference(crop(a), crop(b));
 }
 
 RelevoRay::RelevoRay(vtkCamera* camera, int column, int row, int width, int height)

@@ -5,6 +5,7 @@
 #define RelevoVolumes_h
 
 #include "vtkCamera.h"
+#include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolumeProperty.h"
@@ -22,6 +23,10 @@ using RelevoField = std::function<double(const RelevoPoint&)>;
 vtkSmartPointer<vtkUnstructuredGrid> MakeTetrahedra(
   int n, const RelevoField& field, double low = 0.0);
 
+// One voxel from 0 to 1, and a field that is not linear in it.
+double GetTrilinear(const RelevoPoint& at);
+vtkSmartPointer<vtkImageData> MakeVoxel(const RelevoField& field);
+
 // Red at 0 to blue at 1, opacity from first to last in between.
 vtkSmartPointer<vtkVolumeProperty> MakeVolumeProperty(
   double first, double last, double unitDistance = 1.0);
@@ -35,6 +40,9 @@ std::vector<RelevoColor> Cast(
   vtkDataObject* mesh, vtkVolumeProperty* property, vtkCamera* camera, int width, int height);
 
 double FindLargestDifference(const std::vector<RelevoColor>& a, const std::vector<RelevoColor>& b);
+// The same of red, green and blue in columns and rows from first to last, of pictures so wide.
+double FindLargestDifferenceInside(const std::vector<RelevoColor>& a,
+  const std::vector<RelevoColor>& b, int width, int first, int last);
 
 // A field that is linear in space, from 0 to 1 in a cube of side 1, a property for it, and what is
 // seen of such a cube: along a ray colour and extinction are linear.
