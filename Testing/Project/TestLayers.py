@@ -32,6 +32,7 @@ LAYERS = {
     ],
     "Filters/Volume": [("Integral", []), ("Mesh", []), ("Cells", []), ("Rays", []),
                        ("Walk", [])],
+    "Filters/Relief": [("Data", []), ("Warp", []), ("Database", [])],
     "Filters/Terrain": [("Geodesy", []), ("Raster", []), ("Heights", [])],
     "Rendering/Refinement": [
         ("OpenGL", []),
@@ -46,6 +47,7 @@ LAYERS = {
     "Rendering/Flow": [("Passes", [])],
     "Rendering/Offscreen": [],
     "Rendering/Volume": [("View", []), ("Buffers", []), ("Shaders", [])],
+    "Rendering/Relief": [("View", []), ("Buffers", []), ("Shaders", []), ("Capture", [])],
     "Examples/Viewer": [("Text", []), ("Files", []), ("Options", []), ("Scene", []), ("Window", [])],
 }
 MODULES = list(LAYERS)  # no module includes one that comes after it
