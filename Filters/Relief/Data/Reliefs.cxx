@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Data/Reliefs.h"
+
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkInformation.h"
+
+namespace relevo
+{
+namespace
+{
+std::string FindFault(vtkDataObject* object, Relief& relief)
+{
+  vtkImageData* image = vtkImageData::SafeDownCast(object);
+  return object && !image
+    ? std::string("A relief is a vtkImageData, not a ") + object->GetClassName() + "."
+    : relief.Read(image);
+}
+
+std::string GetName(vtkCompositeDataIterator* leaf)
+{
+  vtkInformation* information = leaf->HasCurrentMetaData() ? leaf->GetCurrentMetaData() : nullptr;
+  const char* name = information ? information->Get(vtkCompositeDataSet::NAME()) : nullptr;
+  return name ? name : "";
+}
+}
+
+std::vector<ReliefBlock> ReadReliefs(vtkDataObject* input)
+{
+  std::vector<ReliefBlock> blocks;
+  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+  if (!composite)
+  {
+    blocks.emplace_back();
+    blocks.back().Fault = FindFault(input, blocks.back().Data);
+    return blocks;
+  }
+  vtkSmartPointer<vtkCompositeDataIterator> leaf;
+  leaf.TakeReference(composite->NewIterator());
+  for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+  {
+    blocks.emplace_back();
+    ReliefBlock& block = blocks.back();
+    block.FlatIndex = leaf->GetCurrentFlatIndex();
+    block.Name = GetName(leaf);
+    block.Fault = FindFault(leaf->GetCurrentDataObject(), block.Data);
+    if (!block.Fault.empty())
+    {
+      block.Fault = "Block " + std::to_string(block.FlatIndex) +
+        (block.Name.empty() ? "" : " (" + block.Name + ")") + ": " + block.Fault;
+    }
+  }
+  return blocks;
+}
+}
