@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RelevoLICScene.h"
 
+#include "RelevoSimilarity.h"
+
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkProperty.h"
@@ -63,22 +65,6 @@ std::ostream& operator<<(std::ostream& os, const RelevoLikeness& likeness)
             << likeness.OneSided << " are LIC in one only";
 }
 
-double StructuralSimilarity(const std::vector<double>& a, const std::vector<double>& b)
-{
-  const RelevoMoments ma = MomentsOf(a);
-  const RelevoMoments mb = MomentsOf(b);
-  double covariance = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    covariance += (a[i] - ma.Mean) * (b[i] - mb.Mean) / a.size();
-  }
-  const double c1 = 1e-4;
-  const double c2 = 9e-4;
-  return (2.0 * ma.Mean * mb.Mean + c1) * (2.0 * covariance + c2) /
-    ((std::pow(ma.Mean, 2.0) + std::pow(mb.Mean, 2.0) + c1) *
-      (std::pow(ma.StandardDeviation, 2.0) + std::pow(mb.StandardDeviation, 2.0) + c2));
-}
-
 RelevoLikeness CompareLIC(const RelevoGrey& a, const RelevoGrey& b)
 {
   constexpr int Window = 8;
@@ -100,23 +86,22 @@ RelevoLikeness CompareLIC(const RelevoGrey& a, const RelevoGrey& b)
   }
   likeness.MeanDifference /= std::max<std::size_t>(likeness.Count, 1);
   std::size_t windows = 0;
-  std::vector<double> inA;
-  std::vector<double> inB;
   for (int row = 0; row + Window <= a.Rows; row += Window / 2)
   {
     for (int column = 0; column + Window <= a.Columns; column += Window / 2)
     {
-      inA.clear();
-      inB.clear();
-      for (int i = 0; i < Window * Window; ++i)
+      RelevoSimilarity similarity;
+      bool isLIC = true;
+      for (int i = 0; isLIC && i < Window * Window; ++i)
       {
-        inA.push_back(a.At(column + i % Window, row + i / Window));
-        inB.push_back(b.At(column + i % Window, row + i / Window));
+        const double inA = a.At(column + i % Window, row + i / Window);
+        const double inB = b.At(column + i % Window, row + i / Window);
+        isLIC = inA <= 1.0 && inB <= 1.0;
+        similarity.Add(inA, inB);
       }
-      const auto isLIC = [](double value) { return value <= 1.0; };
-      if (std::all_of(inA.begin(), inA.end(), isLIC) && std::all_of(inB.begin(), inB.end(), isLIC))
+      if (isLIC)
       {
-        likeness.SSIM += StructuralSimilarity(inA, inB);
+        likeness.SSIM += similarity.Get();
         ++windows;
       }
     }

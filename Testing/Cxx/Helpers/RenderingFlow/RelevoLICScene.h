@@ -41,10 +41,6 @@ struct RelevoLikeness
 
 std::ostream& operator<<(std::ostream& os, const RelevoLikeness& likeness);
 
-// The structural similarity index (Wang, Bovik, Sheikh and Simoncelli, Image Quality Assessment:
-// From Error Visibility to Structural Similarity, 2004, equation 13) of a window, from its moments.
-double StructuralSimilarity(const std::vector<double>& a, const std::vector<double>& b);
-
 // The mean SSIM of windows of 8 x 8 pixels that are LIC in both, 4 pixels apart.
 RelevoLikeness CompareLIC(const RelevoGrey& a, const RelevoGrey& b);
 
