@@ -7,6 +7,7 @@
 #define WorldView_h
 
 #include "Core/RefinementMathematics.h"
+#include "RelevoFiltersRefinementModule.h" // for export macro
 
 #include <string> // for errors
 
@@ -16,7 +17,8 @@ namespace relevo
 {
 struct FiniteBox;
 struct RefinementView;
-dmat4 MakeMatrix(vtkMatrix4x4* matrix);
+/// Identity for nullptr.
+RELEVOFILTERSREFINEMENT_EXPORT dmat4 MakeMatrix(vtkMatrix4x4* matrix);
 
 /// Where the actor's matrix puts the mesh; identity without one.
 struct Placement

@@ -17,6 +17,9 @@ namespace relevo
 {
 class Relief;
 
+/// From how many widths of a texel on the surface is open, unless a setting says otherwise.
+constexpr double DefaultMaximumStretch = 8.0;
+
 /// What is joined to a texel, as bits.
 enum ReliefSide : unsigned char
 {

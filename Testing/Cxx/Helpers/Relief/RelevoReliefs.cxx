@@ -33,6 +33,25 @@ vtkSmartPointer<vtkImageData> RelevoMakeRelief(int width, int height,
   return image;
 }
 
+vtkSmartPointer<vtkImageData> RelevoMakeImage(
+  int width, int height, int type, const RelevoDepth& value, int components)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(width, height, 1);
+  image->AllocateScalars(type, components);
+  for (int row = 0; row < height; ++row)
+  {
+    for (int column = 0; column < width; ++column)
+    {
+      for (int k = 0; k < components; ++k)
+      {
+        image->SetScalarComponentFromDouble(column, row, 0, k, value(column, row));
+      }
+    }
+  }
+  return image;
+}
+
 relevo::dmat4 RelevoPinhole(int width, int height, double texel)
 {
   relevo::dmat4 matrix(1.0);

@@ -18,6 +18,10 @@ using RelevoDepth = std::function<double(int column, int row)>;
 vtkSmartPointer<vtkImageData> RelevoMakeRelief(int width, int height,
   relevo::ReliefProjection projection, const relevo::dmat4& matrix, const RelevoDepth& depth);
 
+/// An image of this type, the same number in each of its components.
+vtkSmartPointer<vtkImageData> RelevoMakeImage(
+  int width, int height, int type, const RelevoDepth& value, int components = 1);
+
 /// A camera without lens: texels of this size at depth 1 look along +z from the origin, the middle
 /// of the image straight ahead.
 relevo::dmat4 RelevoPinhole(int width, int height, double texel);
