@@ -144,9 +144,9 @@ public:
    * View-Independent Cell Projection", 2003). The picture is the same where such an order exists;
    * where cells hide each other in a cycle, or the mesh has parts or hollows that no common faces
    * order, it may be wrong, and where cells overlap, both count. All cells are split into
-   * tetrahedra (vtkCell::Triangulate). It takes 20 bytes a tetrahedron more on the GPU. What it
-   * cannot do rays are cast for: other blend modes, isosurfaces, gradient opacity, 2D functions
-   * and shading, with a warning, and render passes (UseDepthPeelingForVolumes).
+   * tetrahedra (vtkCell::Triangulate). It takes 20 bytes a tetrahedron more on the GPU. All
+   * features are those of RAY_CASTING but ImageSampleDistance. For render passes
+   * (UseDepthPeelingForVolumes) rays are cast.
    */
   void SetMethod(int method);
   vtkGetMacro(Method, int);
@@ -265,11 +265,11 @@ private:
   vtkShaderProgram* ReadyRays(vtkVolume* volume, const int viewport[4]);
   bool FindSampledSize(vtkVolume* volume, const int viewport[4]);
   void DrawSampled(vtkVolume* volume, const int viewport[4]);
-  void BlendProjection(const int viewport[4]);
-  bool FindProjected();
+  void BlendProjection(const int viewport[4], const std::string& source);
   bool SortCells(vtkRenderer* renderer, vtkVolume* volume);
   bool FindLimits(int width, int height);
   bool ProjectCells(int width, int height);
+  bool DrawCells(vtkShaderProgram* program, int width, int height);
   void DrawProjected(vtkRenderer* renderer, vtkVolume* volume, const int viewport[4]);
 
   struct vtkInternals;

@@ -177,7 +177,7 @@ void vtkGPUUnstructuredGridVolumeMapper::Draw(vtkRenderer* renderer, vtkVolume* 
     vtkErrorMacro("The depths of opaque props cannot be read.");
     return;
   }
-  if (this->FindProjected() && passes.empty())
+  if (this->Method == CELL_PROJECTION && passes.empty())
   {
     this->DrawProjected(renderer, volume, viewport);
     return;

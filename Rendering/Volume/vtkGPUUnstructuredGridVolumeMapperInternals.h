@@ -69,7 +69,6 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
   bool HasFunctions = false;
   vtkMTimeType WarningTime = 0; // of the settings that were complained about
   bool IsPreIntegrated = false;
-  vtkMTimeType MethodWarningTime = 0;
   relevo::VolumeShaderOptions Options;
   vtkMTimeType PlanesTime = 0; // when there were too many
 

@@ -11,32 +11,71 @@
 #include "vtkShaderProgram.h"
 #include "vtkVolume.h"
 
-#include <algorithm>
-
-// What projection cannot do rays are cast for; it is said when settings have changed.
-bool vtkGPUUnstructuredGridVolumeMapper::FindProjected()
+namespace
 {
-  vtkInternals& data = *this->Internals;
-  const relevo::VolumeShaderOptions& options = data.Options;
-  const bool isPossible = this->BlendMode == COMPOSITE_BLEND && !options.HasSurfaces &&
-    !options.HasTables && !options.HasGradientOpacity && options.NumberOfMaterials == 0;
-  if (this->Method != CELL_PROJECTION || isPossible)
+using Mixing = relevo::FloatTarget::Mixing;
+
+// Sums have none; of one scalar, neither have extremes.
+bool NeedsOrder(const relevo::VolumeShaderOptions& options)
+{
+  switch (options.Blending)
   {
-    return this->Method == CELL_PROJECTION;
+    case relevo::BlendMode::Average:
+    case relevo::BlendMode::Additive:
+      return false;
+    case relevo::BlendMode::Maximum:
+    case relevo::BlendMode::Minimum:
+      return options.HasTables || options.NumberOfComponents > 1;
+    default:
+      return true;
   }
-  const vtkMTimeType time = std::max(data.FunctionsTime, this->GetMTime());
-  if (data.MethodWarningTime != time)
+}
+
+Mixing FindMixing(relevo::BlendMode blending)
+{
+  switch (blending)
   {
-    data.MethodWarningTime = time;
-    vtkWarningMacro("Cells are projected with composite blending, without gradients, shading and "
-                    "isosurfaces; rays are cast instead.");
+    case relevo::BlendMode::Average:
+    case relevo::BlendMode::Additive:
+      return Mixing::Add;
+    case relevo::BlendMode::Maximum:
+      return Mixing::Highest;
+    case relevo::BlendMode::Minimum:
+      return Mixing::Lowest;
+    default:
+      return Mixing::Cover;
   }
-  return false;
+}
+
+bool IsExtreme(Mixing mixing)
+{
+  return mixing == Mixing::Highest || mixing == Mixing::Lowest;
+}
+
+// As relevoVolumeStore.glsl has them.
+int CountTextures(const relevo::VolumeShaderOptions& options)
+{
+  const int table = options.HasTables ? 1 : 0;
+  return options.Blending == relevo::BlendMode::Average ? 2 + table
+    : IsExtreme(FindMixing(options.Blending))           ? 1 + table
+                                                        : 1;
+}
+
+// Independent components have an extreme each.
+bool HasManyExtremes(const relevo::VolumeShaderOptions& options)
+{
+  return options.NumberOfComponents > 1 && options.NumberOfCurves == options.NumberOfComponents &&
+    !options.AreDependent;
+}
 }
 
 bool vtkGPUUnstructuredGridVolumeMapper::SortCells(vtkRenderer* renderer, vtkVolume* volume)
 {
   vtkInternals& data = *this->Internals;
+  if (data.Projected.HasOrder() && !NeedsOrder(data.Options))
+  {
+    return true;
+  }
   vtkNew<vtkMatrix4x4> meshToWorld;
   for (int i = 0; i < 3; ++i)
   {
@@ -63,7 +102,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::FindLimits(int width, int height)
   data.View.SetUniforms(program);
   data.Planes.SetUniforms(program);
   data.Depth.Activate(program);
-  data.Limits.Draw(3, false);
+  data.Limits.Draw(3, Mixing::Add);
   data.Depth.Deactivate();
   return true;
 }
@@ -87,29 +126,58 @@ bool vtkGPUUnstructuredGridVolumeMapper::ProjectCells(int width, int height)
     program = this->ReadyProgram(
       relevo::MakeProjectionVertexShader(options), relevo::MakeProjectionShader(options));
   }
-  if (!program || !data.Projection.Begin(data.GetWindow(), width, height, 4))
+  if (!program)
   {
     return false;
   }
   data.View.SetUniforms(program);
   data.View.SetProjectionUniforms(program);
+  data.Planes.SetUniforms(program);
+  data.Lights.SetUniforms(program);
   data.ActivateTextures(program);
   data.Projected.Activate(program);
   data.Limits.Activate(program, "rayLimits");
-  data.Projection.DrawQuads(data.Projected.GetNumberOfCells(), true);
+  const bool isDrawn = this->DrawCells(program, width, height);
   data.Limits.Deactivate();
   data.Projected.Deactivate();
   data.DeactivateTextures();
+  return isDrawn;
+}
+
+// By a program that is in use; of several extremes one after the other.
+bool vtkGPUUnstructuredGridVolumeMapper::DrawCells(vtkShaderProgram* program, int width, int height)
+{
+  vtkInternals& data = *this->Internals;
+  const relevo::VolumeShaderOptions& options = data.Options;
+  const Mixing mixing = FindMixing(options.Blending);
+  const int components = options.NumberOfComponents;
+  const bool hasMany = IsExtreme(mixing) && HasManyExtremes(options);
+  for (int i = 0; i < (hasMany ? components : 1); ++i)
+  {
+    if (!data.Projection.Begin(
+          data.GetWindow(), width, height, 4, CountTextures(options), IsExtreme(mixing)))
+    {
+      return false;
+    }
+    if (program->IsUniformUsed("decidingComponent"))
+    {
+      program->SetUniformi("decidingComponent", hasMany ? i : components - 1);
+    }
+    data.Projection.DrawQuads(data.Projected.GetNumberOfCells(), mixing, hasMany ? i : -1);
+  }
   return true;
 }
 
 void vtkGPUUnstructuredGridVolumeMapper::DrawProjected(
   vtkRenderer* renderer, vtkVolume* volume, const int viewport[4])
 {
+  const vtkInternals& data = *this->Internals;
   if (!this->SortCells(renderer, volume) || !this->ProjectCells(viewport[2], viewport[3]))
   {
     vtkErrorMacro("This OpenGL has no room for what cell projection draws.");
     return;
   }
-  this->BlendProjection(viewport);
+  this->BlendProjection(viewport,
+    relevo::IsStored(data.Options) ? relevo::MakeFinishShader(this->GetShaderOptions())
+                                   : relevo::MakeProjectedShader());
 }

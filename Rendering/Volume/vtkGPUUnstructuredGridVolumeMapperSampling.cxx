@@ -51,7 +51,7 @@ void vtkGPUUnstructuredGridVolumeMapper::DrawSampled(vtkVolume* volume, const in
   const bool hasTarget = data.Projection.Begin(data.GetWindow(), sampled[2], sampled[3], 4);
   if (hasTarget)
   {
-    data.Projection.Draw(3, true);
+    data.Projection.Draw(3, relevo::FloatTarget::Mixing::Cover);
   }
   data.FinishRays();
   if (!hasTarget)
@@ -61,21 +61,28 @@ void vtkGPUUnstructuredGridVolumeMapper::DrawSampled(vtkVolume* volume, const in
                                                     "ImageSampleDistance.");
     return;
   }
-  this->BlendProjection(viewport);
+  this->BlendProjection(viewport, relevo::MakeProjectedShader());
 }
 
-// What has been drawn into the target, into the window.
-void vtkGPUUnstructuredGridVolumeMapper::BlendProjection(const int viewport[4])
+// What has been drawn into the target, into the window, by a shader that reads it.
+void vtkGPUUnstructuredGridVolumeMapper::BlendProjection(
+  const int viewport[4], const std::string& source)
 {
   vtkInternals& data = *this->Internals;
   data.View.SetViewport(relevo::dvec4(viewport[0], viewport[1], viewport[2], viewport[3]));
-  vtkShaderProgram* program = this->ReadyProgram(relevoViewportVS, relevo::MakeProjectedShader());
+  vtkShaderProgram* program = this->ReadyProgram(relevoViewportVS, source);
   if (program)
   {
     data.View.SetUniforms(program);
-    data.Projection.Activate(program, "projected");
+    data.FunctionBuffers.Activate(program);
+    const char* samplers[] = { "projected", "projected1", "projected2" };
+    for (size_t i = 0; i < 3; ++i)
+    {
+      data.Projection.Activate(program, samplers[i], i);
+    }
     data.BlendViewport();
     data.Projection.Deactivate();
+    data.FunctionBuffers.Deactivate();
   }
 }
 

@@ -26,6 +26,8 @@ public:
   /// From back to front as seen from an eye, as of VisibilityOrder, in the mesh's coordinates.
   bool Sort(vtkOpenGLRenderWindow* window, const dvec4& eye);
 
+  bool HasOrder() const { return this->Eye != dvec4(0.0); }
+
   void Activate(vtkShaderProgram* program);
   void Deactivate();
   void ReleaseGraphicsResources(vtkWindow* window);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaders/VolumeShader.h"
 
+#include "View/FloatTarget.h"
 #include "View/MeshPlanes.h"
 #include "relevoLinearSegment.h"
 #include "relevoVolumeAverage.h"
@@ -16,6 +17,7 @@
 #include "relevoVolumeExtreme.h"
 #include "relevoVolumeFS.h"
 #include "relevoVolumeFaces.h"
+#include "relevoVolumeFinishFS.h"
 #include "relevoVolumeFunctions.h"
 #include "relevoVolumeGradients.h"
 #include "relevoVolumeIsoSurface.h"
@@ -28,6 +30,7 @@
 #include "relevoVolumeRay.h"
 #include "relevoVolumeShading.h"
 #include "relevoVolumeSteps.h"
+#include "relevoVolumeStore.h"
 #include "relevoVolumeSurfaces.h"
 #include "relevoVolumeWalk.h"
 
@@ -81,8 +84,8 @@ void PutRays(std::string& source, const VolumeShaderOptions& options)
 void DefineFeatures(std::ostringstream& defines, const VolumeShaderOptions& options)
 {
   const BlendMode blending = options.Blending;
-  const bool isMapped = blending == BlendMode::Maximum || blending == BlendMode::Minimum ||
-    blending == BlendMode::Average;
+  const bool isExtreme = blending == BlendMode::Maximum || blending == BlendMode::Minimum;
+  const bool isMapped = isExtreme || blending == BlendMode::Average;
   Define(defines, "FIRST_COMPONENT", options.FirstComponent);
   Define(defines, "TABLES", options.HasTables);
   Define(defines, "GRADIENT_OPACITY", options.HasGradientOpacity);
@@ -90,8 +93,11 @@ void DefineFeatures(std::ostringstream& defines, const VolumeShaderOptions& opti
     (options.HasTables || options.HasGradientOpacity) && !options.HasCellScalars);
   Define(defines, "FACTORS", isMapped || options.HasGradientOpacity);
   Define(defines, "MAPPED", isMapped);
+  Define(defines, "EXTREME", isExtreme);
+  Define(defines, "AVERAGE", blending == BlendMode::Average);
   Define(defines, "ADDITIVE", blending == BlendMode::Additive);
   Define(defines, "SIGN", blending == BlendMode::Minimum ? -1 : 1);
+  Define(defines, "NONE", static_cast<int>(FloatTarget::None));
   Define(defines, "SURFACES", options.HasSurfaces);
   Define(defines, "CLIPPED", options.IsClipped);
   Define(defines, "MOST_PLANES", MeshPlanes::Most);
@@ -101,11 +107,21 @@ void DefineFeatures(std::ostringstream& defines, const VolumeShaderOptions& opti
   Define(defines, "LIGHTS", options.NumberOfLights);
 }
 
-// Whether cells that are projected know a piece of the function near to what is in them.
-bool KnowsPiece(const VolumeShaderOptions& options)
+// Whether cells that are projected tell by one function which of its pieces they need, and whether
+// any of them is seen.
+bool FindsPieces(const VolumeShaderOptions& options)
 {
-  return options.NumberOfCurves == 1 && options.NumberOfComponents == 1 &&
-    options.PreIntegrated == 0;
+  const bool isIntegrated =
+    options.Blending == BlendMode::Composite || options.Blending == BlendMode::Additive;
+  return isIntegrated && options.NumberOfCurves == 1 && options.NumberOfComponents == 1 &&
+    options.PreIntegrated == 0 && !options.HasTables && !options.HasSurfaces;
+}
+
+// Whether no more than these pieces is asked for.
+bool TakesSteps(const VolumeShaderOptions& options)
+{
+  return FindsPieces(options) && options.Blending == BlendMode::Composite &&
+    !options.HasGradientOpacity && options.NumberOfMaterials == 0;
 }
 
 std::string DefineOptions(const VolumeShaderOptions& options)
@@ -118,7 +134,8 @@ std::string DefineOptions(const VolumeShaderOptions& options)
   Define(defines, "PRE_INTEGRATED", options.PreIntegrated);
   DefineFeatures(defines, options);
   Define(defines, "CUT_BY_NEAR", options.IsCutByNear);
-  Define(defines, "SEEN_PIECE", KnowsPiece(options));
+  Define(defines, "SEEN_PIECE", FindsPieces(options));
+  Define(defines, "STEPS", TakesSteps(options));
   return defines.str();
 }
 
@@ -187,11 +204,13 @@ std::string MakeRayCastShader(const VolumeShaderOptions& options)
 
 std::string MakeProjectionVertexShader(const VolumeShaderOptions& options)
 {
+  VolumeShaderOptions ofCells = options;
+  ofCells.NumberOfMaterials = 0; // which are rays'
   std::string source = relevoVolumeProjectionVS;
-  Put(source, "Defines", DefineOptions(options));
+  Put(source, "Defines", DefineOptions(ofCells));
   Put(source, "Functions", relevoVolumeFunctions);
   Put(source, "LinearSegment", relevoLinearSegment);
-  Put(source, "Gradients", "");
+  Put(source, "Gradients", relevoVolumeGradients);
   return source;
 }
 
@@ -200,18 +219,35 @@ std::string MakeProjectionShader(const VolumeShaderOptions& options)
   std::string source = relevoVolumeProjectionFS;
   Put(source, "Defines", DefineOptions(options));
   PutRays(source, options);
-  if (KnowsPiece(options))
+  if (TakesSteps(options))
   {
     Put(source, "Blend", relevoVolumeSteps);
   }
+  PutIntegration(source, options);
+  Put(source, "Store", IsStored(options) ? relevoVolumeStore : "");
+  return source;
+}
+
+bool IsStored(const VolumeShaderOptions& options)
+{
+  return options.Blending != BlendMode::Composite && options.Blending != BlendMode::IsoSurface;
+}
+
+std::string MakeFinishShader(const VolumeShaderOptions& options)
+{
+  std::string source = relevoVolumeFinishFS;
+  Put(source, "Defines", DefineOptions(options));
+  PutRays(source, options);
   PutIntegration(source, options);
   return source;
 }
 
 std::string MakeLimitsShader(const VolumeShaderOptions& options)
 {
+  VolumeShaderOptions asked;
+  asked.IsClipped = options.IsClipped;
   std::string source = relevoVolumeLimitsFS;
-  Put(source, "Defines", DefineOptions(options));
+  Put(source, "Defines", DefineOptions(asked));
   Put(source, "Ray", relevoVolumeRay);
   Put(source, "Part", relevoVolumePart);
   return source;

@@ -52,12 +52,14 @@ std::string MakeCountShader(const VolumeShaderOptions& options);
 std::string MakeRayCastShader(const VolumeShaderOptions& options);
 
 //@{
-/// Of cell projection: first of what cells ask of rays, then of them, last of what puts its picture
-/// into the window.
+/// Of cell projection: first of what cells ask of rays, then of them, last of what puts their
+/// picture into the window, or makes one of what they have stored in its place.
 std::string MakeLimitsShader(const VolumeShaderOptions& options);
 std::string MakeProjectionVertexShader(const VolumeShaderOptions& options);
 std::string MakeProjectionShader(const VolumeShaderOptions& options);
 std::string MakeProjectedShader();
+bool IsStored(const VolumeShaderOptions& options);
+std::string MakeFinishShader(const VolumeShaderOptions& options);
 //@}
 }
 

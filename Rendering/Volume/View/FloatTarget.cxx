@@ -25,22 +25,56 @@ constexpr int QuadsPerCall = 16384; // whose corners have numbers of 16 bits
 FloatTarget::FloatTarget() = default;
 FloatTarget::~FloatTarget() = default;
 
-bool FloatTarget::Begin(vtkOpenGLRenderWindow* window, int width, int height, int components)
+vtkTextureObject* FloatTarget::GetTexture() const
 {
-  if (!this->Texture || static_cast<int>(this->Texture->GetWidth()) != width ||
-    static_cast<int>(this->Texture->GetHeight()) != height)
+  return this->Textures.empty() ? nullptr : this->Textures[0].Get();
+}
+
+bool FloatTarget::Has(int width, int height, int numberOfTextures, bool hasDepth) const
+{
+  vtkTextureObject* first = this->GetTexture();
+  return static_cast<int>(this->Textures.size()) == numberOfTextures &&
+    static_cast<int>(first->GetWidth()) == width &&
+    static_cast<int>(first->GetHeight()) == height && (this->Depth != nullptr) == hasDepth;
+}
+
+bool FloatTarget::Create(vtkOpenGLRenderWindow* window, int width, int height, int components,
+  int numberOfTextures, bool hasDepth)
+{
+  const unsigned int columns = static_cast<unsigned int>(width);
+  const unsigned int rows = static_cast<unsigned int>(height);
+  this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
+  this->Framebuffer->SetContext(window);
+  for (int i = 0; i < numberOfTextures; ++i)
+  {
+    auto texture = vtkSmartPointer<vtkTextureObject>::New();
+    texture->SetContext(window);
+    texture->SetMinificationFilter(vtkTextureObject::Linear);
+    texture->SetMagnificationFilter(vtkTextureObject::Linear);
+    texture->SetWrapS(vtkTextureObject::ClampToEdge);
+    texture->SetWrapT(vtkTextureObject::ClampToEdge);
+    this->Textures.push_back(texture);
+    if (!texture->Create2D(columns, rows, components, VTK_FLOAT, false))
+    {
+      return false;
+    }
+  }
+  if (hasDepth)
+  {
+    this->Depth = vtkSmartPointer<vtkTextureObject>::New();
+    this->Depth->SetContext(window);
+    return this->Depth->AllocateDepth(columns, rows, vtkTextureObject::Float32);
+  }
+  return true;
+}
+
+bool FloatTarget::Begin(vtkOpenGLRenderWindow* window, int width, int height, int components,
+  int numberOfTextures, bool hasDepth)
+{
+  if (!this->Has(width, height, numberOfTextures, hasDepth))
   {
     this->ReleaseGraphicsResources(window);
-    this->Texture = vtkSmartPointer<vtkTextureObject>::New();
-    this->Texture->SetContext(window);
-    this->Texture->SetMinificationFilter(vtkTextureObject::Linear);
-    this->Texture->SetMagnificationFilter(vtkTextureObject::Linear);
-    this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
-    this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
-    this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
-    this->Framebuffer->SetContext(window);
-    if (!this->Texture->Create2D(static_cast<unsigned int>(width),
-          static_cast<unsigned int>(height), components, VTK_FLOAT, false))
+    if (!this->Create(window, width, height, components, numberOfTextures, hasDepth))
     {
       this->ReleaseGraphicsResources(window);
       return false;
@@ -49,14 +83,21 @@ bool FloatTarget::Begin(vtkOpenGLRenderWindow* window, int width, int height, in
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
   this->Framebuffer->Bind();
-  this->Framebuffer->AddColorAttachment(0, this->Texture);
-  this->Framebuffer->ActivateDrawBuffer(0);
+  for (size_t i = 0; i < this->Textures.size(); ++i)
+  {
+    this->Framebuffer->AddColorAttachment(static_cast<unsigned int>(i), this->Textures[i]);
+  }
+  if (this->Depth)
+  {
+    this->Framebuffer->AddDepthAttachment(this->Depth);
+  }
+  this->Framebuffer->ActivateDrawBuffers(static_cast<unsigned int>(this->Textures.size()));
   return true;
 }
 
-void FloatTarget::Draw(int numberOfVertices, bool covers)
+void FloatTarget::Draw(int numberOfVertices, Mixing mixing)
 {
-  this->DrawBlended(covers, [=]() { glDrawArrays(GL_TRIANGLES, 0, numberOfVertices); });
+  this->DrawBlended(mixing, -1, [=]() { glDrawArrays(GL_TRIANGLES, 0, numberOfVertices); });
 }
 
 bool FloatTarget::BindQuads()
@@ -79,9 +120,9 @@ bool FloatTarget::BindQuads()
   return this->Quads->Upload(corners, vtkOpenGLBufferObject::ElementArrayBuffer);
 }
 
-void FloatTarget::DrawQuads(int numberOfQuads, bool covers)
+void FloatTarget::DrawQuads(int numberOfQuads, Mixing mixing, int channel)
 {
-  this->DrawBlended(covers,
+  this->DrawBlended(mixing, channel,
     [=]()
     {
       if (!this->BindQuads())
@@ -97,31 +138,54 @@ void FloatTarget::DrawQuads(int numberOfQuads, bool covers)
     });
 }
 
-void FloatTarget::DrawBlended(bool covers, const std::function<void()>& draw)
+// With what the state has for the mixing.
+void FloatTarget::Clear(Mixing mixing)
+{
+  const bool isExtreme = mixing == Mixing::Highest || mixing == Mixing::Lowest;
+  const float value = isExtreme ? None : 0.0f;
+  const float colors[4] = { value, value, value, value };
+  for (size_t i = 0; i < this->Textures.size(); ++i)
+  {
+    glClearBufferfv(GL_COLOR, static_cast<GLint>(i), colors);
+  }
+  if (isExtreme)
+  {
+    const float depth = mixing == Mixing::Highest ? 0.0f : 1.0f;
+    glClearBufferfv(GL_DEPTH, 0, &depth);
+  }
+}
+
+void FloatTarget::DrawBlended(Mixing mixing, int channel, const std::function<void()>& draw)
 {
   vtkOpenGLState* state = this->Framebuffer->GetContext()->GetState();
   vtkOpenGLState::ScopedglViewport viewport(state);
   vtkOpenGLState::ScopedglScissor scissor(state);
-  vtkOpenGLState::ScopedglClearColor clearColor(state);
   vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
   vtkOpenGLState::ScopedglEnableDisable blending(state, GL_BLEND);
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
+  vtkOpenGLState::ScopedglColorMask colorMask(state);
+  vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  vtkOpenGLState::ScopedglDepthFunc depthFunction(state);
   GLint equations[2] = { GL_FUNC_ADD, GL_FUNC_ADD };
   glGetIntegerv(GL_BLEND_EQUATION_RGB, &equations[0]);
   glGetIntegerv(GL_BLEND_EQUATION_ALPHA, &equations[1]);
-  state->vtkglViewport(0, 0, static_cast<int>(this->Texture->GetWidth()),
-    static_cast<int>(this->Texture->GetHeight()));
+  const bool isExtreme = mixing == Mixing::Highest || mixing == Mixing::Lowest;
+  const auto isDrawn = [=](int i) { return channel < 0 || channel == i; };
+  state->vtkglViewport(0, 0, static_cast<int>(this->GetTexture()->GetWidth()),
+    static_cast<int>(this->GetTexture()->GetHeight()));
   state->vtkglDisable(GL_SCISSOR_TEST);
-  state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);
-  state->vtkglEnable(GL_BLEND);
+  state->vtkglColorMask(isDrawn(0), isDrawn(1), isDrawn(2), isDrawn(3));
+  state->vtkglDepthMask(isExtreme ? GL_TRUE : GL_FALSE);
+  state->vtkglDepthFunc(mixing == Mixing::Highest ? GL_GEQUAL : GL_LEQUAL);
+  state->SetEnumState(GL_DEPTH_TEST, isExtreme);
+  state->SetEnumState(GL_BLEND, !isExtreme);
   state->vtkglBlendEquationSeparate(GL_FUNC_ADD, GL_FUNC_ADD);
-  const unsigned int kept = covers ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE;
+  const unsigned int kept = mixing == Mixing::Cover ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE;
   state->vtkglBlendFuncSeparate(GL_ONE, kept, GL_ONE, kept);
-  state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-  state->vtkglClear(GL_COLOR_BUFFER_BIT);
+  this->Clear(mixing);
   this->Vertices->Bind();
   draw();
   this->Vertices->Release();
@@ -130,29 +194,34 @@ void FloatTarget::DrawBlended(bool covers, const std::function<void()>& draw)
   state->PopFramebufferBindings();
 }
 
-void FloatTarget::Activate(vtkShaderProgram* program, const std::string& sampler)
+void FloatTarget::Activate(vtkShaderProgram* program, const std::string& sampler, size_t texture)
 {
-  if (this->Texture && program->IsUniformUsed(sampler.c_str()))
+  if (texture < this->Textures.size() && program->IsUniformUsed(sampler.c_str()))
   {
-    this->Texture->Activate();
-    program->SetUniformi(sampler.c_str(), this->Texture->GetTextureUnit());
+    this->Textures[texture]->Activate();
+    program->SetUniformi(sampler.c_str(), this->Textures[texture]->GetTextureUnit());
   }
 }
 
 void FloatTarget::Deactivate()
 {
-  if (this->Texture)
+  for (vtkTextureObject* texture : this->Textures)
   {
-    this->Texture->Deactivate();
+    texture->Deactivate();
   }
 }
 
 void FloatTarget::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (this->Texture)
+  for (vtkTextureObject* texture : this->Textures)
   {
-    this->Texture->ReleaseGraphicsResources(window);
-    this->Texture = nullptr;
+    texture->ReleaseGraphicsResources(window);
+  }
+  this->Textures.clear();
+  if (this->Depth)
+  {
+    this->Depth->ReleaseGraphicsResources(window);
+    this->Depth = nullptr;
   }
   if (this->Framebuffer)
   {

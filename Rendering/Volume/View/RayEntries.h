@@ -24,10 +24,10 @@ public:
     return this->Target.Begin(window, width, height, 2);
   }
   /// With the program of MakeEntriesShader(), whose uniforms are set.
-  void Draw(int numberOfFaces) { this->Target.Draw(6 * numberOfFaces, false); }
+  void Draw(int numberOfFaces) { this->Target.Draw(6 * numberOfFaces, FloatTarget::Mixing::Add); }
 
   /// The same with that of MakeCountShader().
-  void DrawCounts() { this->Target.Draw(3, false); }
+  void DrawCounts() { this->Target.Draw(3, FloatTarget::Mixing::Add); }
 
   /// A sampler needs a texture, also where it is not read: beside buffer textures in its unit
   /// OpenGL draws nothing.

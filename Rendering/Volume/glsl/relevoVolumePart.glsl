@@ -1,5 +1,7 @@
 // The part of a ray inside a cell, as far as it is seen.
 
+const float Opaque = 0.999; // what is behind is not seen
+
 float walkBegin; // depths between which the ray is seen
 float walkEnd;
 float walkDone; // up to here it has been seen

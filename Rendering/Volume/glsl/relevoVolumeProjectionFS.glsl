@@ -13,9 +13,10 @@
 //RELEVO::Functions
 //RELEVO::Part
 //RELEVO::Blend
+//RELEVO::Store
 
 // As relevoVolumeProjectionVS.glsl says.
-#if RELEVO_SEEN_PIECE
+#if RELEVO_STEPS
 flat in vec2 seenPiece;
 #endif
 flat in vec4 seenX;
@@ -29,6 +30,13 @@ flat in vec4 scalarsA;
 flat in vec4 scalarsB;
 flat in vec4 scalarsC;
 flat in vec4 scalarsD;
+#endif
+
+#if RELEVO_STEEPNESS
+flat in Scalars seenSteepness;
+#endif
+#if RELEVO_LIT
+flat in uvec4 seenIds;
 #endif
 
 uniform sampler2D rayLimits; // of relevoVolumeLimitsFS.glsl
@@ -115,6 +123,43 @@ bool findWeights(out vec4 first, out vec4 last, out vec2 inverse)
   return int(isIn0) + int(isIn1) + int(isIn2) + int(isIn3) == 2 && min(sums.x, sums.y) > 0.0;
 }
 
+#if RELEVO_LIT
+// Where the ray goes through a face, whose corner across from it has no weight.
+void findGradients(vec4 weights)
+{
+  if (weights.x == 0.0)
+  {
+    walkToGradients(seenIds.yzw, weights.yzw);
+  }
+  else if (weights.y == 0.0)
+  {
+    walkToGradients(seenIds.xzw, weights.xzw);
+  }
+  else if (weights.z == 0.0)
+  {
+    walkToGradients(seenIds.xyw, weights.xyw);
+  }
+  else
+  {
+    walkToGradients(seenIds.xyz, weights.xyz);
+  }
+}
+
+// By the weights in both faces, and how deep they are.
+void findPartGradients(vec4 one, vec4 other, vec2 depths)
+{
+  initializeLine();
+  findGradients(one);
+  vec3 frontGradients[RELEVO_MATERIALS]; // one by one: Mesa 26 copies arrays wrongly
+  for (int i = 0; i < RELEVO_MATERIALS; ++i)
+  {
+    frontGradients[i] = walkGradients[i];
+  }
+  findGradients(other);
+  setPartGradients(depths.x, depths.y, frontGradients);
+}
+#endif
+
 void main()
 {
   findCorners();
@@ -137,14 +182,24 @@ void main()
   beginRay();
   beginPart(min(depths.x, depths.y), max(depths.x, depths.y), isTurned ? other : one,
     isTurned ? one : other);
-#if RELEVO_SEEN_PIECE
+#if RELEVO_LIT
+  findPartGradients(first * inverse.x, last * inverse.y, depths);
+#endif
+#if RELEVO_STEEPNESS
+  partSteepness = seenSteepness;
+#endif
+#if RELEVO_STEPS
   beginSteps(seenPiece, partFront, partBack);
 #else
   seekScalars(partFront);
 #endif
-  while (!isPartDone)
+  while (!isPartDone && collected.a < Opaque)
   {
     isPartDone = collect(partFront, partBack, partSpan, partFrom);
   }
+#if RELEVO_MAPPED || RELEVO_ADDITIVE
+  storeRay();
+#else
   gl_FragData[0] = finishRay();
+#endif
 }

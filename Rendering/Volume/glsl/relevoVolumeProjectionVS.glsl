@@ -1,6 +1,13 @@
 //VTK::System::Dec
 #define RELEVO_FUNCTION
 //RELEVO::Defines
+#if RELEVO_STEEPNESS
+// The mesh's own directions, in place of a ray's.
+const vec3 rayU = vec3(1.0, 0.0, 0.0);
+const vec3 rayV = vec3(0.0, 1.0, 0.0);
+const vec3 rayDirection = vec3(0.0, 0.0, 1.0);
+#endif
+
 // For each tetrahedron, from back to front, its outline on the screen: of two triangles, and a
 // little wider than it has to be, as which pixels' rays go through it is for the fragment shader to
 // say.
@@ -33,8 +40,14 @@ flat out vec4 scalarsC;
 flat out vec4 scalarsD;
 #endif
 
-#if RELEVO_SEEN_PIECE
+flat out uvec4 seenIds;
+
+#if RELEVO_SEEN_PIECE || RELEVO_STEEPNESS
 //RELEVO::Functions
+#endif
+
+#if RELEVO_STEEPNESS
+flat out Scalars seenSteepness;
 #endif
 
 // Pixels: more than rasterizers round, and what a rectangle is wider by.
@@ -57,6 +70,7 @@ float windingOf(int a, int b, int c)
 
 void setCorners(int cell, uvec4 ids, bool isInFront)
 {
+  seenIds = ids;
   for (int i = 0; i < 4; ++i)
   {
     seenX[i] = isInFront ? places[i].x : points[i].x;
@@ -73,6 +87,18 @@ void setCorners(int cell, uvec4 ids, bool isInFront)
   scalarsB = texelFetch(pointScalars, int(ids.y));
   scalarsC = texelFetch(pointScalars, int(ids.z));
   scalarsD = texelFetch(pointScalars, int(ids.w));
+#endif
+#if RELEVO_STEEPNESS
+  vec3 origin = points[3].xyz;
+#if RELEVO_COMPONENTS == 1
+  vec3 scalars = seenScalars.xyz - vec3(seenScalars.w);
+  setSteepness(points[0].xyz - origin, points[1].xyz - origin, points[2].xyz - origin, scalars.x,
+    scalars.y, scalars.z);
+#else
+  setSteepness(points[0].xyz - origin, points[1].xyz - origin, points[2].xyz - origin,
+    scalarsA - scalarsD, scalarsB - scalarsD, scalarsC - scalarsD);
+#endif
+  seenSteepness = partSteepness;
 #endif
 }
 

@@ -12,7 +12,6 @@ uniform samplerBuffer cellScalars;
 uniform int mostSteps;
 
 const uint Nothing = 0xffffffffu;
-const float Opaque = 0.999;
 
 // Where the walk is: the cell that comes next, and the face through which it is entered.
 uint walkCell;

@@ -7,10 +7,13 @@
 #include <algorithm>
 #include <cmath>
 
+int RelevoVolumeScene::Method = vtkGPUUnstructuredGridVolumeMapper::RAY_CASTING;
+
 RelevoVolumeScene::RelevoVolumeScene(
   vtkDataObject* mesh, vtkVolumeProperty* property, int width, int height)
 {
   this->Mapper->SetInputDataObject(mesh);
+  this->Mapper->SetMethod(Method);
   this->Volume->SetMapper(this->Mapper);
   this->Volume->SetProperty(property);
   this->Renderer->AddVolume(this->Volume);

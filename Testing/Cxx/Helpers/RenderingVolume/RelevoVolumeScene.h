@@ -21,6 +21,9 @@ public:
   RelevoVolumeScene(
     vtkDataObject* mesh, vtkVolumeProperty* property, int width = 160, int height = 120);
 
+  // Of the mappers of scenes to come; rays are cast by default.
+  static void SetMethod(int method) { Method = method; }
+
   vtkGPUUnstructuredGridVolumeMapper* GetMapper() { return this->Mapper; }
   vtkVolume* GetVolume() { return this->Volume; }
   vtkRenderer* GetRenderer() { return this->Renderer; }
@@ -44,6 +47,7 @@ public:
     double share = 0.0);
 
 private:
+  static int Method;
   vtkNew<vtkGPUUnstructuredGridVolumeMapper> Mapper;
   vtkNew<vtkVolume> Volume;
   vtkNew<vtkRenderer> Renderer;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Blend modes, isosurfaces and clipping planes of vtkGPUUnstructuredGridVolumeMapper against
-// vtkVolumeRayCastFilter.
+// Blend modes, isosurfaces and clipping planes of vtkGPUUnstructuredGridVolumeMapper, by both
+// methods, against vtkVolumeRayCastFilter.
 #include "RelevoBusyVolumes.h"
 #include "RelevoCheck.h"
 #include "RelevoVolumeScene.h"
@@ -311,14 +311,19 @@ void TestBadSettings(RelevoCheck& check)
 int TestGPUUnstructuredGridVolumeMapperBlending(int, char*[])
 {
   RelevoCheck check;
-  TestModes(check);
-  TestLinearField(check);
-  TestIsoSurfaces(check);
-  TestSurfacesInFaces(check);
-  TestCellScalars(check);
-  TestClipping(check);
-  TestClippedPlaces(check);
-  TestPeeling(check);
-  TestBadSettings(check);
+  for (int method : { vtkGPUUnstructuredGridVolumeMapper::RAY_CASTING,
+         vtkGPUUnstructuredGridVolumeMapper::CELL_PROJECTION })
+  {
+    RelevoVolumeScene::SetMethod(method);
+    TestModes(check);
+    TestLinearField(check);
+    TestIsoSurfaces(check);
+    TestSurfacesInFaces(check);
+    TestCellScalars(check);
+    TestClipping(check);
+    TestClippedPlaces(check);
+    TestPeeling(check);
+    TestBadSettings(check);
+  }
   return check.GetResult();
 }

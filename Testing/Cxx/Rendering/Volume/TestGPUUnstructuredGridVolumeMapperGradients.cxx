@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Gradient opacity and 2D transfer functions of vtkGPUUnstructuredGridVolumeMapper against
-// vtkVolumeRayCastFilter, whose own tests know the gradients.
+// Gradient opacity and 2D transfer functions of vtkGPUUnstructuredGridVolumeMapper, by both methods,
+// against vtkVolumeRayCastFilter, whose own tests know the gradients.
 #include "RelevoBusyVolumes.h"
 #include "RelevoCheck.h"
 #include "RelevoDice.h"
@@ -181,10 +181,15 @@ void TestComponents(RelevoCheck& check)
 int TestGPUUnstructuredGridVolumeMapperGradients(int, char*[])
 {
   RelevoCheck check;
-  TestGradientOpacity(check);
-  TestLinearField(check);
-  TestMatrix(check);
-  TestTables(check);
-  TestComponents(check);
+  for (int method : { vtkGPUUnstructuredGridVolumeMapper::RAY_CASTING,
+         vtkGPUUnstructuredGridVolumeMapper::CELL_PROJECTION })
+  {
+    RelevoVolumeScene::SetMethod(method);
+    TestGradientOpacity(check);
+    TestLinearField(check);
+    TestMatrix(check);
+    TestTables(check);
+    TestComponents(check);
+  }
   return check.GetResult();
 }
