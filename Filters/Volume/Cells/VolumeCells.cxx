@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/VolumeCells.h"
 
+#include "Cells/CellSplitter.h"
 #include "Cells/PointGradients.h"
 #include "Core/FiniteBox.h"
-#include "vtkCell.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
-#include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -114,34 +113,37 @@ void VolumeCells::Add(
 
   const LeftOutCells leftOut(mesh);
   vtkNew<vtkGenericCell> cell;
-  vtkNew<vtkIdList> split;
-  vtkNew<vtkPoints> points;
+  CellSplitter splitter;
+  std::vector<vtkIdType> ids;
   std::vector<vtkIdType> corners;
   for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
   {
     mesh->GetCell(i, cell);
-    vtkIdList* ids = cell->GetPointIds();
-    if (cell->GetCellDimension() != 3 || leftOut.Has(i, ids))
+    vtkIdList* points = cell->GetPointIds();
+    if (cell->GetCellDimension() != 3 || leftOut.Has(i, points))
     {
       continue;
     }
     const int type = cell->GetCellType();
     const CellShape* shape = this->SplitsAll ? nullptr : FindCellShape(type);
-    if (!shape && type != VTK_TETRA)
+    if (shape || type == VTK_TETRA)
     {
-      cell->Triangulate(0, split, points);
-      ids = split;
+      ids.assign(points->begin(), points->end());
     }
-    const int size = shape ? shape->NumberOfCorners : 4;
+    else
+    {
+      ids = splitter.Split(cell, &this->Points[firstPoint]);
+    }
+    const size_t size = shape ? static_cast<size_t>(shape->NumberOfCorners) : 4;
     bool isGood = false;
     const size_t before = this->Cells.size();
-    for (vtkIdType first = 0; first + size <= ids->GetNumberOfIds(); first += size)
+    for (size_t first = 0; first + size <= ids.size(); first += size)
     {
       corners.clear();
-      for (int corner = 0; corner < size; ++corner)
+      for (size_t corner = 0; corner < size; ++corner)
       {
         corners.push_back(
-          firstPoint + ids->GetId(first + (shape ? GetCorner(type, corner) : corner)));
+          firstPoint + ids[first + (shape ? GetCorner(type, static_cast<int>(corner)) : corner)]);
       }
       isGood |= this->AddCell(shape, corners, isOfCells ? firstCell + i : -1);
     }

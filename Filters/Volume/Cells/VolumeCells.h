@@ -6,7 +6,7 @@
  *
  * 3D cells that are neither ghosts nor blanked. Cells with scalars or points that are not finite
  * are left out, and those without volume. Cells without a CellShape are split into tetrahedra
- * (vtkCell::Triangulate).
+ * by a CellSplitter.
  *
  * Private to the module's own sources.
  */

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/CellSplitter.h"
+
+#include "Mesh/FaceTable.h"
+#include "vtkCellType.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkPoints.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace relevo
+{
+CellSplitter::CellSplitter() = default;
+CellSplitter::~CellSplitter() = default;
+
+const std::vector<vtkIdType>& CellSplitter::Split(vtkGenericCell* cell, const dvec3* places)
+{
+  this->Tetrahedra.clear();
+  if (cell->IsLinear() && cell->GetCellType() != VTK_CONVEX_POINT_SET)
+  {
+    this->SplitLinear(cell, places);
+  }
+  else
+  {
+    cell->Triangulate(0, this->Ids, this->Points);
+    this->Tetrahedra.assign(this->Ids->begin(), this->Ids->end());
+  }
+  return this->Tetrahedra;
+}
+
+void CellSplitter::FindFace(vtkGenericCell* cell, int face)
+{
+  this->Face.clear();
+  const FaceTable table = FindFaceTable(cell->GetCellType());
+  if (table.Faces)
+  {
+    for (int corner : table.Faces[face])
+    {
+      if (corner >= 0)
+      {
+        this->Face.push_back(cell->GetPointId(corner));
+      }
+    }
+  }
+  else
+  {
+    vtkIdList* ids = cell->GetFace(face)->GetPointIds();
+    this->Face.assign(ids->begin(), ids->end());
+  }
+}
+
+// Of points at one place that of the lowest id.
+void CellSplitter::SplitLinear(vtkGenericCell* cell, const dvec3* places)
+{
+  const auto isLower = [places](vtkIdType a, vtkIdType b)
+  {
+    const auto getKey = [places](vtkIdType id)
+    { return std::make_tuple(places[id].x, places[id].y, places[id].z, id); };
+    return getKey(a) < getKey(b);
+  };
+  vtkIdList* ids = cell->GetPointIds();
+  const vtkIdType lowest = *std::min_element(ids->begin(), ids->end(), isLower);
+  for (int i = 0; i < cell->GetNumberOfFaces(); ++i)
+  {
+    this->FindFace(cell, i);
+    std::vector<vtkIdType>& face = this->Face;
+    if (std::find(face.begin(), face.end(), lowest) != face.end())
+    {
+      continue;
+    }
+    std::rotate(face.begin(), std::min_element(face.begin(), face.end(), isLower), face.end());
+    for (size_t last = 2; last < face.size(); ++last)
+    {
+      for (vtkIdType id : { lowest, face[0], face[last - 1], face[last] })
+      {
+        this->Tetrahedra.push_back(id);
+      }
+    }
+  }
+}
+}
