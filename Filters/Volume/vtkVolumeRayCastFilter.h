@@ -12,11 +12,11 @@
  * Input: a vtkDataSet, or a composite data set that is taken as one mesh, of 3D cells. Others are
  * ignored; ghost and blanked cells, too. Places in tetrahedra, hexahedra, voxels, wedges, pyramids
  * and quadratic tetrahedra, and scalars there, are those of VTK's shape functions: quadrilateral
- * faces are bilinear. Other cells are split into tetrahedra, linear ones from their lowest point (in x, then
- * y, then z), so that cells split a common face alike, others by vtkCell::Triangulate. Scalars of
- * cells are constant in each. The array, of 1 to 4 components, is that of SetInputArrayToProcess(0,
- * 0, 0, association, name); by default the active scalars, of points if there are some, else of
- * cells. Where a scalar is NaN, the volume is transparent.
+ * faces are bilinear. Other cells are split into tetrahedra, linear ones from their lowest point
+ * (in x, then y, then z), so that cells split a common face alike, others by vtkCell::Triangulate.
+ * Scalars of cells are constant in each. The array, of 1 to 4 components, is that of
+ * SetInputArrayToProcess(0, 0, 0, association, name); by default the active scalars, of points if
+ * there are some, else of cells. Where a scalar is NaN, the volume is transparent.
  *
  * Extinction per length is ScalarOpacity / ScalarOpacityUnitDistance, as in VTK's mappers for
  * unstructured grids: an opacity of 1 lets exp(-1) of the light pass through a unit distance, so it

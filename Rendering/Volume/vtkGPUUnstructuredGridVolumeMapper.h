@@ -144,9 +144,9 @@ public:
    * View-Independent Cell Projection", 2003). The picture is the same where such an order exists;
    * where cells hide each other in a cycle, or the mesh has parts or hollows that no common faces
    * order, it may be wrong, and where cells overlap, both count. All cells are split into
-   * tetrahedra, as vtkVolumeRayCastFilter says, common faces alike. It takes 20 bytes a tetrahedron more on the GPU. All
-   * features are those of RAY_CASTING but ImageSampleDistance. For render passes
-   * (UseDepthPeelingForVolumes) rays are cast.
+   * tetrahedra, as vtkVolumeRayCastFilter says, common faces alike. It takes 20 bytes a tetrahedron
+   * more on the GPU. All features are those of RAY_CASTING but ImageSampleDistance. For render
+   * passes (UseDepthPeelingForVolumes) rays are cast.
    */
   void SetMethod(int method);
   vtkGetMacro(Method, int);

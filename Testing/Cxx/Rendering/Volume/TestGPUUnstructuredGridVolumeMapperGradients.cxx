@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Gradient opacity and 2D transfer functions of vtkGPUUnstructuredGridVolumeMapper, by both methods,
-// against vtkVolumeRayCastFilter, whose own tests know the gradients.
+// Gradient opacity and 2D transfer functions of vtkGPUUnstructuredGridVolumeMapper, by both
+// methods, against vtkVolumeRayCastFilter, whose own tests know the gradients.
 #include "RelevoBusyVolumes.h"
 #include "RelevoCheck.h"
 #include "RelevoDice.h"
