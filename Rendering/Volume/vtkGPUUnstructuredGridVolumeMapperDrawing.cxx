@@ -105,7 +105,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::FindEntries(int width, int height)
     return false;
   }
   data.View.SetUniforms(program);
-  data.View.SetEntryUniforms(program);
+  data.View.SetOutlineUniforms(program);
   data.MeshBuffers.Activate(program);
   data.Entries.Draw(isInFront ? data.MeshBuffers.GetNumberOfBorderFaces() : 0);
   data.MeshBuffers.Deactivate();

@@ -131,7 +131,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::ProjectCells(int width, int height)
     return false;
   }
   data.View.SetUniforms(program);
-  data.View.SetProjectionUniforms(program);
+  data.View.SetOutlineUniforms(program);
   data.Planes.SetUniforms(program);
   data.Lights.SetUniforms(program);
   data.ActivateTextures(program);

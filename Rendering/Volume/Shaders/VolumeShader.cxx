@@ -22,6 +22,7 @@
 #include "relevoVolumeGradients.h"
 #include "relevoVolumeIsoSurface.h"
 #include "relevoVolumeLimitsFS.h"
+#include "relevoVolumeOutline.h"
 #include "relevoVolumePart.h"
 #include "relevoVolumePreIntegrated.h"
 #include "relevoVolumeProjectedFS.h"
@@ -170,6 +171,7 @@ void PutIntegration(std::string& source, const VolumeShaderOptions& options)
 std::string MakeEntriesVertexShader(const VolumeShaderOptions& options)
 {
   std::string source = relevoVolumeEntriesVS;
+  Put(source, "Outline", relevoVolumeOutline);
   Put(source, "Defines", DefineCells(options));
   Put(source, "Cells", options.HasCurvedCells ? relevoVolumeCells : "");
   return source;
@@ -208,6 +210,7 @@ std::string MakeProjectionVertexShader(const VolumeShaderOptions& options)
   ofCells.NumberOfMaterials = 0; // which are rays'
   std::string source = relevoVolumeProjectionVS;
   Put(source, "Defines", DefineOptions(ofCells));
+  Put(source, "Outline", relevoVolumeOutline);
   Put(source, "Functions", relevoVolumeFunctions);
   Put(source, "LinearSegment", relevoLinearSegment);
   Put(source, "Gradients", relevoVolumeGradients);

@@ -24,7 +24,7 @@ public:
     return this->Target.Begin(window, width, height, 2);
   }
   /// With the program of MakeEntriesShader(), whose uniforms are set.
-  void Draw(int numberOfFaces) { this->Target.Draw(6 * numberOfFaces, FloatTarget::Mixing::Add); }
+  void Draw(int numberOfFaces) { this->Target.DrawQuads(numberOfFaces, FloatTarget::Mixing::Add); }
 
   /// The same with that of MakeCountShader().
   void DrawCounts() { this->Target.Draw(3, FloatTarget::Mixing::Add); }

@@ -110,21 +110,13 @@ double RayView::GetLargestScale() const
 }
 
 // Rows: x and y in pixels; how far along the ray, see relevoVolumeRay.glsl; the weight of them all.
-void RayView::SetProjectionUniforms(vtkShaderProgram* program) const
+void RayView::SetOutlineUniforms(vtkShaderProgram* program) const
 {
   const dmat4 rows = transpose(this->MeshToClip) / this->MiddleWeight;
   const dvec4 weight = rows[3];
   SetMatrix(program, "meshToSeen",
     transpose(dmat4(0.5 * this->Viewport.z * (rows[0] + weight),
       0.5 * this->Viewport.w * (rows[1] + weight), rows[2] - this->MiddleZ * weight, weight)));
-}
-
-void RayView::SetEntryUniforms(vtkShaderProgram* program) const
-{
-  SetMatrix(program, "meshToClip", this->MeshToClip);
-  const float pixel[2] = { static_cast<float>(2.0 / this->Viewport.z),
-    static_cast<float>(2.0 / this->Viewport.w) };
-  program->SetUniform2f("pixelSize", pixel);
 }
 
 void RayView::SetUniforms(vtkShaderProgram* program) const

@@ -29,10 +29,8 @@ public:
   void SetViewport(const dvec4& place) { this->Viewport = place; }
 
   void SetUniforms(vtkShaderProgram* program) const;
-  /// What relevoVolumeProjectionVS.glsl asks for.
-  void SetProjectionUniforms(vtkShaderProgram* program) const;
-  /// What relevoVolumeEntriesVS.glsl asks for.
-  void SetEntryUniforms(vtkShaderProgram* program) const;
+  /// What relevoVolumeOutline.glsl asks for.
+  void SetOutlineUniforms(vtkShaderProgram* program) const;
 
   const dmat4& GetMeshToWorld() const { return this->MeshToWorld; }
 

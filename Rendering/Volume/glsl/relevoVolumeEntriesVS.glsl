@@ -1,42 +1,46 @@
 //VTK::System::Dec
 //RELEVO::Defines
-// For each border face the rectangle around it on the screen, of two triangles, a pixel wider than
-// it has to be: which pixels' rays go through the face is for the fragment shader to say.
+// What surrounds each border face on the screen: a triangle, or a rectangle.
 
 uniform samplerBuffer meshPoints;
 uniform usamplerBuffer borderFaces;
-uniform mat4 meshToClip;
-uniform vec2 pixelSize; // in clip coordinates
 
+//RELEVO::Outline
 //RELEVO::Cells
 
 flat out int face;
 
-vec2 low = vec2(1e30);
-vec2 high = vec2(-1e30);
+const float Sharp = 0.02; // twice the area, for the size
 
-vec3 placeOf(uint point)
+vec4 seePoint(uint point)
 {
-  return texelFetch(meshPoints, int(point)).xyz;
+  return meshToSeen * vec4(texelFetch(meshPoints, int(point)).xyz, 1.0);
 }
 
-void surround(vec3 place)
+// Too sharp or small to say how a face, or a part of it, winds.
+bool isUnclear(float winding)
 {
-  vec4 seen = meshToClip * vec4(place, 1.0);
-  low = min(low, seen.xy / seen.w);
-  high = max(high, seen.xy / seen.w);
+  vec2 size = high - low;
+  return abs(winding) <= Sharp * (dot(size, size) + Margin);
+}
+
+// As a ray that enters sees it, triangles are in turn, and faces of cells the other way around.
+bool isSeenFromInside(float winding)
+{
+  return winding * determinant(meshToSeen) < 0.0 && !isUnclear(winding);
 }
 
 #if RELEVO_CURVED
-// Its corners, of a quadratic face the Bezier points.
-void surroundCurved(uint cell, int number)
+// Of a rectangle around corners, of a quadratic face Bezier points. How a bilinear face winds is
+// bilinear: if it is seen from inside at its corners, it is everywhere.
+vec2 getCurvedCorner(uint cell, int number, int corner)
 {
   bool isQuadratic = isQuadraticCell(cell);
   int size = sizeOfBorder(isQuadratic);
-  vec3 border[6];
+  vec4 border[6];
   for (int i = 0; i < size; ++i)
   {
-    border[i] = placeOf(wordOfCell(cell, cornerOfFace(isQuadratic, number, i)));
+    border[i] = seePoint(wordOfCell(cell, cornerOfFace(isQuadratic, number, i)));
   }
   for (int i = 0; i < size; ++i)
   {
@@ -44,28 +48,50 @@ void surroundCurved(uint cell, int number)
     surround(
       isMiddle ? 2.0 * border[i] - 0.5 * (border[i - 1] + border[(i + 1) % size]) : border[i]);
   }
+  bool isInside = !isQuadratic;
+  for (int i = 0; i < 4 && isInside; ++i)
+  {
+    vec4 a = border[(i + 3) % 4];
+    vec4 b = border[i];
+    vec4 c = border[(i + 1) % 4];
+    isInside = isSeenFromInside(-windingOf(a.xy / a.w, b.xy / b.w, c.xy / c.w));
+  }
+  return isInside ? Unseen : getRectangleCorner(corner, Margin);
 }
 #endif
 
+// Of a triangle's own outline.
+vec2 getTriangleCorner(uvec3 ids, int corner)
+{
+  vec2 places[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    vec4 seen = seePoint(ids[i]);
+    surround(seen);
+    places[i] = seen.xy / seen.w;
+  }
+  float winding = windingOf(places[0], places[1], places[2]);
+  if (isSeenFromInside(winding))
+  {
+    return Unseen;
+  }
+  int at = min(corner, 2);
+  return isUnclear(winding)
+    ? getRectangleCorner(corner, Margin)
+    : widen(places[(at + 2) % 3], places[at], places[(at + 1) % 3], winding);
+}
+
 void main()
 {
-  face = gl_VertexID / 6;
+  face = gl_VertexID / 4;
+  int corner = gl_VertexID % 4;
   uvec4 words = texelFetch(borderFaces, face);
 #if RELEVO_CURVED
   if (isCurvedCell(words.w))
   {
-    surroundCurved(words.w, int(words.x));
+    gl_Position = placeOnScreen(getCurvedCorner(words.w, int(words.x), corner));
+    return;
   }
-  else
 #endif
-  {
-    surround(placeOf(words.x));
-    surround(placeOf(words.y));
-    surround(placeOf(words.z));
-  }
-  int corner = gl_VertexID % 6;
-  bool isRight = corner == 1 || corner == 2 || corner == 4;
-  bool isUpper = corner == 2 || corner == 4 || corner == 5;
-  gl_Position = vec4(isRight ? high.x + pixelSize.x : low.x - pixelSize.x,
-    isUpper ? high.y + pixelSize.y : low.y - pixelSize.y, 0.0, 1.0);
+  gl_Position = placeOnScreen(getTriangleCorner(words.xyz, corner));
 }

@@ -17,10 +17,7 @@ uniform samplerBuffer pointScalars;
 uniform samplerBuffer cellScalars;
 uniform usamplerBuffer cellCorners;
 uniform isamplerBuffer cellOrder;
-// To x and y in pixels, times weight; depth along rays, as a share; and weight.
-uniform mat4 meshToSeen;
 uniform vec2 zRange;
-uniform vec4 viewportPlace;
 
 // Of the four corners. Where the near plane cuts the tetrahedron weights are negative, and the rest
 // is places in the mesh.
@@ -50,22 +47,15 @@ flat out uvec4 seenIds;
 flat out Scalars seenSteepness;
 #endif
 
-// Pixels: more than rasterizers round, and what a rectangle is wider by.
-const float Margin = 0.03;
-const float RectangleMargin = 1.0;
-const float SharpestCorner = 0.02; // as 1 + the cosine of the angle between normals
-const vec2 Unseen = vec2(-10.0);
+//RELEVO::Outline
 
 vec4 points[4];
 vec4 seen[4];
 vec2 places[4]; // pixels, if all are in front of the near plane
 
-// Sides of a triangle of places; more than 0 if they are in turn.
 float windingOf(int a, int b, int c)
 {
-  vec2 u = places[b] - places[a];
-  vec2 v = places[c] - places[a];
-  return u.x * v.y - u.y * v.x;
+  return windingOf(places[a], places[b], places[c]);
 }
 
 void setCorners(int cell, uvec4 ids, bool isInFront)
@@ -124,53 +114,29 @@ bool findSeenPiece()
 }
 #endif
 
-// The rectangle around what is in front of the near plane.
-vec2 getRectangleCorner(int corner)
+// Pixels: places where the near plane cuts are less exact.
+const float CutMargin = 1.0;
+
+// Of the rectangle around what is in front of the near plane.
+vec2 getSeenCorner(int corner)
 {
-  vec2 low = vec2(1e30);
-  vec2 high = vec2(-1e30);
   for (int i = 0; i < 4; ++i)
   {
     float a = seen[i].z - zRange.x * seen[i].w;
     if (a >= 0.0 && seen[i].w > 0.0)
     {
-      low = min(low, seen[i].xy / seen[i].w);
-      high = max(high, seen[i].xy / seen[i].w);
+      surround(seen[i]);
     }
     for (int j = 0; j < i; ++j)
     {
       float b = seen[j].z - zRange.x * seen[j].w;
       if ((a < 0.0) != (b < 0.0))
       {
-        vec4 cut = mix(seen[i], seen[j], a / (a - b));
-        low = min(low, cut.xy / cut.w);
-        high = max(high, cut.xy / cut.w);
+        surround(mix(seen[i], seen[j], a / (a - b)));
       }
     }
   }
-  bool isRight = corner == 1 || corner == 2;
-  bool isUpper = corner == 2 || corner == 3;
-  vec2 margin = vec2(isRight ? RectangleMargin : -RectangleMargin,
-    isUpper ? RectangleMargin : -RectangleMargin);
-  return low.x > high.x ? Unseen
-                        : vec2(isRight ? high.x : low.x, isUpper ? high.y : low.y) + margin;
-}
-
-vec2 direct(vec2 edge)
-{
-  float size = length(edge);
-  return size > 0.0 ? edge / size : vec2(0.0);
-}
-
-// A corner of an outline, moved outwards together with its edges.
-vec2 widen(int before, int corner, int after, float winding)
-{
-  vec2 a = direct(places[corner] - places[before]);
-  vec2 b = direct(places[after] - places[corner]);
-  vec2 first = vec2(a.y, -a.x);
-  vec2 last = vec2(b.y, -b.x);
-  float way = winding < 0.0 ? -Margin : Margin;
-  return places[corner] + (first + last) * (way / max(1.0 + dot(first, last), SharpestCorner));
+  return getRectangleCorner(corner, CutMargin);
 }
 
 // By Radon's partition: a point inside the triangle of the others, or two lines that cross.
@@ -183,7 +149,7 @@ vec2 getOutlineCorner(int corner)
   int count = int(isUp0) + int(isUp1) + int(isUp2) + int(isUp3);
   if (count == 0 || count == 4)
   {
-    return getRectangleCorner(corner); // all on one line
+    return getSeenCorner(corner); // all on one line
   }
   int size = 4;
   ivec4 outline;
@@ -206,8 +172,8 @@ vec2 getOutlineCorner(int corner)
     size = 3;
   }
   int at = min(corner, size - 1);
-  return widen(outline[(at + size - 1) % size], outline[at], outline[(at + 1) % size],
-    windingOf(outline[0], outline[1], outline[2]));
+  return widen(places[outline[(at + size - 1) % size]], places[outline[at]],
+    places[outline[(at + 1) % size]], windingOf(outline[0], outline[1], outline[2]));
 }
 
 // Whether a pixel's centre may be inside.
@@ -236,6 +202,6 @@ void main()
   int corner = gl_VertexID % 4;
   vec2 place = !isSeen ? Unseen
     : isInFront        ? getOutlineCorner(corner)
-                       : getRectangleCorner(corner);
-  gl_Position = vec4(2.0 * place / viewportPlace.zw - vec2(1.0), 0.0, 1.0);
+                       : getSeenCorner(corner);
+  gl_Position = placeOnScreen(place);
 }
