@@ -4,7 +4,7 @@
 // face have the same triangles there.
 #include "Cells/VolumeCells.h"
 #include "RelevoCheck.h"
-#include "RelevoDice.h"
+#include "RelevoMixedCells.h"
 #include "RelevoVolumes.h"
 
 #include "vtkCellType.h"
@@ -27,135 +27,6 @@ constexpr int Size = 5;             // cubes each way
 constexpr int Side = Size + 1;      // points
 constexpr double Jitter = 0.08;     // of the side of a cube
 constexpr int BorderTriangles = 12; // of a cube of side 1
-
-using Corners = std::array<vtkIdType, 8>;
-
-vtkIdType GetPoint(int i, int j, int k)
-{
-  return i + Side * (j + Side * k);
-}
-
-Corners GetCube(int i, int j, int k)
-{
-  return { { GetPoint(i, j, k), GetPoint(i + 1, j, k), GetPoint(i + 1, j + 1, k),
-    GetPoint(i, j + 1, k), GetPoint(i, j, k + 1), GetPoint(i + 1, j, k + 1),
-    GetPoint(i + 1, j + 1, k + 1), GetPoint(i, j + 1, k + 1) } };
-}
-
-// The same hexahedron by other corners first.
-Corners Turn(Corners cube, RelevoDice& dice)
-{
-  constexpr Corners turns[2] = { { { 1, 2, 3, 0, 5, 6, 7, 4 } }, { { 3, 2, 6, 7, 0, 1, 5, 4 } } };
-  for (int n = dice.Throw(8); n > 0; --n)
-  {
-    const Corners& turn = turns[dice.Throw(2)];
-    const Corners before = cube;
-    std::transform(turn.begin(), turn.end(), cube.begin(), [&](vtkIdType i) { return before[i]; });
-  }
-  return cube;
-}
-
-constexpr int CubeFaces[6][4] = { { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 5, 4 }, { 3, 7, 6, 2 },
-  { 0, 3, 2, 1 }, { 4, 5, 6, 7 } };
-
-void AddPyramids(vtkUnstructuredGrid* mesh, const Corners& cube, RelevoDice& dice)
-{
-  dvec3 middle(0.0);
-  for (vtkIdType corner : cube)
-  {
-    dvec3 place;
-    mesh->GetPoint(corner, &place.x);
-    middle += 0.125 * place;
-  }
-  const vtkIdType top = mesh->GetPoints()->InsertNextPoint(middle.x, middle.y, middle.z);
-  for (const auto& face : CubeFaces)
-  {
-    const int first = dice.Throw(4);
-    vtkIdType ids[5];
-    for (int i = 0; i < 4; ++i)
-    {
-      ids[i] = cube[face[(first + i) % 4]];
-    }
-    ids[4] = top;
-    mesh->InsertNextCell(VTK_PYRAMID, 5, ids);
-  }
-}
-
-void AddPolyhedron(vtkUnstructuredGrid* mesh, const Corners& cube)
-{
-  std::vector<vtkIdType> faces;
-  for (const auto& face : CubeFaces)
-  {
-    faces.push_back(4);
-    for (int corner : face)
-    {
-      faces.push_back(cube[corner]);
-    }
-  }
-  mesh->InsertNextCell(VTK_POLYHEDRON, 8, cube.data(), 6, faces.data());
-}
-
-void AddWedges(vtkUnstructuredGrid* mesh, const Corners& cube, RelevoDice& dice)
-{
-  constexpr int halves[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
-  for (const auto& half : halves)
-  {
-    const int first = dice.Throw(3);
-    vtkIdType ids[6];
-    for (int i = 0; i < 6; ++i)
-    {
-      ids[i] = cube[half[(first + i) % 3] + (i < 3 ? 0 : 4)];
-    }
-    mesh->InsertNextCell(VTK_WEDGE, 6, ids);
-  }
-}
-
-// Cubes with bent faces, plane at the border, as cells of all kinds, whose points are in any order.
-vtkSmartPointer<vtkUnstructuredGrid> MakeMixed(unsigned int seed, double x = 0.0)
-{
-  RelevoDice dice(seed);
-  auto mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  mesh->SetPoints(points);
-  for (int n = 0; n < Side * Side * Side; ++n)
-  {
-    const int at[3] = { n % Side, n / Side % Side, n / Side / Side };
-    double place[3];
-    for (int c = 0; c < 3; ++c)
-    {
-      const bool isInner = at[c] > 0 && at[c] < Size;
-      place[c] = (at[c] + (isInner ? Jitter * dice.Signed() : 0.0)) / Size;
-    }
-    points->InsertNextPoint(place[0] + x, place[1], place[2]);
-  }
-  for (int column = 0; column < Size * Size; ++column)
-  {
-    const bool isOfWedges = dice.Once(4);
-    for (int k = 0; k < Size; ++k)
-    {
-      const Corners cube = GetCube(column % Size, column / Size, k);
-      const int kind = dice.Throw(4);
-      if (isOfWedges)
-      {
-        AddWedges(mesh, cube, dice);
-      }
-      else if (kind == 0)
-      {
-        AddPyramids(mesh, cube, dice);
-      }
-      else if (kind == 1)
-      {
-        AddPolyhedron(mesh, Turn(cube, dice));
-      }
-      else
-      {
-        mesh->InsertNextCell(VTK_HEXAHEDRON, 8, Turn(cube, dice).data());
-      }
-    }
-  }
-  return mesh;
-}
 
 void Add(VolumeCells& cells, vtkDataSet* mesh)
 {
@@ -215,7 +86,7 @@ void TestMixed(RelevoCheck& check)
   {
     VolumeCells cells;
     cells.SplitAll();
-    Add(cells, MakeMixed(seed));
+    Add(cells, MakeMixedCells(Size, seed, Jitter));
     CHECK(CountBorder(cells) == static_cast<size_t>(BorderTriangles * Size * Size));
     CHECK_NEAR(SumVolumes(cells), 1.0, 1e-12);
   }
@@ -226,16 +97,16 @@ void TestBlocks(RelevoCheck& check)
 {
   VolumeCells cells;
   cells.SplitAll();
-  Add(cells, MakeMixed(1));
-  const auto mesh = MakeMixed(2, 1.0);
+  Add(cells, MakeMixedCells(Size, 1, Jitter));
+  const auto mesh = MakeMixedCells(Size, 2, Jitter, 1.0);
   vtkPoints* points = mesh->GetPoints();
-  const auto other = MakeMixed(1);
+  const auto other = MakeMixedCells(Size, 1, Jitter);
   for (int n = 0; n < Side * Side; ++n)
   {
     // The same places in the common face.
     double place[3];
-    other->GetPoint(GetPoint(Size, n % Side, n / Side), place);
-    points->SetPoint(GetPoint(0, n % Side, n / Side), place);
+    other->GetPoint(Size + Side * n, place);
+    points->SetPoint(Side * n, place);
   }
   vtkNew<vtkUnstructuredGrid> turned;
   const vtkIdType last = mesh->GetNumberOfPoints() - 1;
