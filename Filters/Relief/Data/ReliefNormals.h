@@ -9,6 +9,7 @@
 #ifndef ReliefNormals_h
 #define ReliefNormals_h
 
+#include "RelevoFiltersReliefModule.h" // for export macro
 #include "vtkSmartPointer.h"
 
 class vtkFloatArray;
@@ -22,7 +23,8 @@ class Relief;
  * planes are linear, so that those of planes are exact; by the one difference there is beside an
  * open side, of single texels towards the viewer. 0 where nothing was seen.
  */
-vtkSmartPointer<vtkFloatArray> ComputeReliefNormals(const Relief& relief);
+RELEVOFILTERSRELIEF_EXPORT vtkSmartPointer<vtkFloatArray> ComputeReliefNormals(
+  const Relief& relief);
 }
 
 #endif

@@ -11,13 +11,14 @@ namespace relevo
 {
 namespace
 {
-// From the centres of pixels to [-1, 1].
+// From the centres of pixels, and from [0, 1], to [-1, 1].
 dmat4 GetPixelToView(int width, int height)
 {
   dmat4 matrix(1.0);
   matrix[0][0] = 2.0 / width;
   matrix[1][1] = 2.0 / height;
-  matrix[3] = dvec4(1.0 / width - 1.0, 1.0 / height - 1.0, 0.0, 1.0);
+  matrix[2][2] = 2.0;
+  matrix[3] = dvec4(1.0 / width - 1.0, 1.0 / height - 1.0, -1.0, 1.0);
   return matrix;
 }
 
@@ -30,8 +31,8 @@ dvec4 GetRow(const dmat4& matrix, int row)
 ZBufferSpace::ZBufferSpace(vtkCamera* camera, int width, int height)
 {
   const double aspect = static_cast<double>(width) / height;
-  const dmat4 view = MakeMatrix(camera->GetViewTransformMatrix());
-  const dmat4 projection = MakeMatrix(camera->GetProjectionTransformMatrix(aspect, 0.0, 1.0));
+  const dmat4 view = MakeMatrix(camera->GetModelViewTransformMatrix());
+  const dmat4 projection = MakeMatrix(camera->GetProjectionTransformMatrix(aspect, -1.0, 1.0));
   this->PixelToWorld = inverse(projection * view) * GetPixelToView(width, height);
   const dvec4 depth = GetRow(projection, 3);
   if (dvec3(depth) == dvec3(0.0))

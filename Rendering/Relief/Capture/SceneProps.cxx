@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Capture/SceneProps.h"
+
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace relevo
+{
+namespace
+{
+// What has none, as annotations in the plane of the window, is no part of space.
+bool HasBounds(const double* bounds)
+{
+  return bounds && bounds[0] <= bounds[1] && bounds[2] <= bounds[3] && bounds[4] <= bounds[5] &&
+    std::all_of(bounds, bounds + 6, [](double bound) { return std::isfinite(bound); });
+}
+
+void AddCorners(const double* bounds, std::vector<dvec3>& corners)
+{
+  for (int i = 0; i < 8; ++i)
+  {
+    corners.push_back(dvec3(bounds[i & 1], bounds[2 + (i >> 1 & 1)], bounds[4 + (i >> 2 & 1)]));
+  }
+}
+}
+
+SceneProps FindSceneProps(vtkRenderer* renderer)
+{
+  SceneProps scene;
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator next;
+  props->InitTraversal(next);
+  while (vtkProp* prop = props->GetNextProp(next))
+  {
+    const double* bounds = prop->GetVisibility() ? prop->GetBounds() : nullptr;
+    if (!HasBounds(bounds))
+    {
+      continue;
+    }
+    if (vtkVolume::SafeDownCast(prop))
+    {
+      ++scene.NumberOfVolumes;
+      continue;
+    }
+    if (prop->HasTranslucentPolygonalGeometry())
+    {
+      ++scene.NumberOfTranslucent;
+    }
+    if (prop->HasOpaqueGeometry())
+    {
+      scene.Opaque.push_back(prop);
+      AddCorners(bounds, scene.Corners);
+    }
+  }
+  return scene;
+}
+}

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Capture/SceneTime.h"
+
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+#include "vtkTexture.h"
+
+#include <algorithm>
+
+namespace relevo
+{
+namespace
+{
+void AddNumbers(Dependencies& list, const double* numbers, int count)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    list.Add(numbers[i]);
+  }
+}
+
+void AddLight(Dependencies& list, vtkLight* light, bool followsCamera)
+{
+  list.Add(light->GetLightType());
+  list.Add(light->GetSwitch());
+  list.Add(light->GetPositional());
+  AddNumbers(list, light->GetAmbientColor(), 3);
+  AddNumbers(list, light->GetDiffuseColor(), 3);
+  AddNumbers(list, light->GetSpecularColor(), 3);
+  AddNumbers(list, light->GetAttenuationValues(), 3);
+  list.Add(light->GetIntensity());
+  list.Add(light->GetExponent());
+  list.Add(light->GetConeAngle());
+  if (!followsCamera || !light->LightTypeIsHeadlight())
+  {
+    AddNumbers(list, light->GetPosition(), 3);
+    AddNumbers(list, light->GetFocalPoint(), 3);
+  }
+  vtkMatrix4x4* matrix = light->GetTransformMatrix();
+  if (matrix && (!followsCamera || light->LightTypeIsSceneLight()))
+  {
+    AddNumbers(list, matrix->GetData(), 16);
+  }
+}
+
+Dependencies DescribeLights(vtkRenderer* renderer)
+{
+  Dependencies list;
+  const bool follow = renderer->GetLightFollowCamera() != 0;
+  list.Add(follow);
+  list.Add(renderer->GetTwoSidedLighting());
+  list.Add(renderer->GetUseImageBasedLighting());
+  list.AddObject(renderer->GetEnvironmentTexture());
+  AddNumbers(list, renderer->GetEnvironmentUp(), 3);
+  AddNumbers(list, renderer->GetEnvironmentRight(), 3);
+  AddNumbers(list, renderer->GetAmbient(), 3);
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator next;
+  lights->InitTraversal(next);
+  while (vtkLight* light = lights->GetNextLight(next))
+  {
+    AddLight(list, light, follow);
+  }
+  if (lights->GetNumberOfItems() == 0 && renderer->GetAutomaticLightCreation())
+  {
+    vtkNew<vtkLight> created; // as it will be when the renderer is drawn
+    created->SetLightTypeToHeadlight();
+    AddLight(list, created, follow);
+  }
+  return list;
+}
+}
+
+vtkMTimeType SceneTime::Find(vtkRenderer* renderer)
+{
+  if (this->IsFinding)
+  {
+    return 0;
+  }
+  this->IsFinding = true;
+  if (this->Lights.Update(DescribeLights(renderer)))
+  {
+    this->LightsChanged.Modified();
+  }
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkMTimeType time = std::max(this->LightsChanged.GetMTime(), props->GetMTime());
+  vtkCollectionSimpleIterator next;
+  props->InitTraversal(next);
+  while (vtkProp* prop = props->GetNextProp(next))
+  {
+    time = std::max(time, prop->GetVisibility() ? prop->GetRedrawMTime() : prop->GetMTime());
+  }
+  this->IsFinding = false;
+  return time;
+}
+}

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   SceneTime
+ * @brief   when what a renderer's props look like last changed
+ *
+ * Lights that follow the camera are moved whenever it is drawn: their places do not count, and nor
+ * does the camera. Private to the module.
+ */
+#ifndef SceneTime_h
+#define SceneTime_h
+
+#include "Core/Dependencies.h"
+#include "vtkTimeStamp.h"
+
+class vtkRenderer;
+
+namespace relevo
+{
+class SceneTime
+{
+public:
+  /// Looks at props, their data, and lights.
+  vtkMTimeType Find(vtkRenderer* renderer);
+
+private:
+  Dependencies Lights;
+  vtkTimeStamp LightsChanged;
+  bool IsFinding = false; // a prop may show what this is the time of
+};
+}
+
+#endif
