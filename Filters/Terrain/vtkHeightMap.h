@@ -190,7 +190,8 @@ private:
   vtkHeightMap(const vtkHeightMap&) = delete;
   void operator=(const vtkHeightMap&) = delete;
 
-  friend class vtkTerrainSource; // for the description
+  friend class vtkHeightMapToRelief; // for the description
+  friend class vtkTerrainSource;
 
   bool Open();
   void Clear();

@@ -344,29 +344,10 @@ bool vtkTerrainSource::CheckLocation(const relevo::Georeference& location, std::
   vtkWarningMacro(<< "This build of Relevo is without GDAL: the georeference of " << name
                   << ", if it has one, is not read, and one texel is one unit.");
 #endif
-  if (location.System == relevo::Georeference::Kind::Unsupported)
+  const std::string fault = relevo::FindLocationFault(location);
+  if (!fault.empty())
   {
-    error = name + " is neither in longitude and latitude nor in a projection; project it first.";
-    return false;
-  }
-  if (location.System == relevo::Georeference::Kind::NoEllipsoid)
-  {
-    error = name + " has an unsupported ellipsoid: its flattening is not less than 1. Give the " +
-      "file the right coordinate system (gdal_edit.py -a_srs).";
-    return false;
-  }
-  const relevo::TerrainFrame frame(location);
-  if (!frame.FitsMesh())
-  {
-    error = name + " has a georeference that no mesh can have: its corners are at one place, or " +
-      "farther apart than floats can tell. Give the file the right one (gdal_edit.py -a_ullr).";
-    return false;
-  }
-  if (!frame.IsWithinHorizon())
-  {
-    error = name +
-      " reaches beyond the horizon of its centre, where a tangent plane cannot map the earth; "
-      "project it first (gdalwarp -t_srs), or crop it to less than 80 degrees around the centre.";
+    error = name + fault;
     return false;
   }
   return true;

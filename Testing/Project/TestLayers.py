@@ -32,8 +32,8 @@ LAYERS = {
     ],
     "Filters/Volume": [("Integral", []), ("Mesh", []), ("Cells", []), ("Rays", []),
                        ("Walk", [])],
-    "Filters/Relief": [("Data", []), ("Warp", []), ("Database", [])],
     "Filters/Terrain": [("Geodesy", []), ("Raster", []), ("Heights", [])],
+    "Filters/Relief": [("Data", []), ("Warp", []), ("Database", [])],
     "Rendering/Refinement": [
         ("OpenGL", []),
         ("State", []),

@@ -78,6 +78,48 @@ vtkSmartPointer<vtkUnsignedCharArray> ConvertColors(vtkDataArray* colors, std::s
   return result;
 }
 
+ColorSampler::ColorSampler(vtkUnsignedCharArray* colors, const int size[2], const int texels[2])
+  : Colors(colors)
+  , Size(size[0], size[1])
+  , Texels(texels[0], texels[1])
+{
+  constexpr double most = 16.0;
+  this->Steps = ivec2(clamp(ceil(dvec2(this->Size) / this->Texels), 1.0, most));
+}
+
+void ColorSampler::Sample(const dvec2& uv, unsigned char* color) const
+{
+  const dvec2 step = 1.0 / (this->Texels * dvec2(this->Steps));
+  const dvec2 first = uv - 0.5 * step * dvec2(this->Steps - 1);
+  for (int k = 0; k < this->Colors->GetNumberOfComponents(); ++k)
+  {
+    double sum = 0.0;
+    for (int j = 0; j < this->Steps.y; ++j)
+    {
+      for (int i = 0; i < this->Steps.x; ++i)
+      {
+        sum += this->Interpolate(first + step * dvec2(i, j), k);
+      }
+    }
+    color[k] = ToByte(sum / (255.0 * this->Steps.x * this->Steps.y));
+  }
+}
+
+double ColorSampler::Interpolate(const dvec2& uv, int component) const
+{
+  const dvec2 last(this->Size - 1);
+  const dvec2 place = clamp(uv * dvec2(this->Size) - 0.5, dvec2(0.0), last);
+  const ivec2 from(place);
+  const ivec2 to = min(from + 1, this->Size - 1);
+  const dvec2 share = place - dvec2(from);
+  const int components = this->Colors->GetNumberOfComponents();
+  const unsigned char* all = this->Colors->GetPointer(0) + component;
+  const auto at = [&](int i, int j) -> double
+  { return all[(static_cast<vtkIdType>(j) * this->Size.x + i) * components]; };
+  return mix(mix(at(from.x, from.y), at(to.x, from.y), share.x),
+    mix(at(from.x, to.y), at(to.x, to.y), share.x), share.y);
+}
+
 vtkSmartPointer<vtkUnsignedCharArray> MakeDepthColors(vtkFloatArray* depths)
 {
   constexpr double darkest = 0.25;

@@ -9,6 +9,7 @@
 #ifndef ReliefColors_h
 #define ReliefColors_h
 
+#include "Core/RefinementMathematics.h"
 #include "vtkSmartPointer.h"
 
 #include <string>
@@ -25,6 +26,25 @@ namespace relevo
  * is wrong with them in `fault`, for others.
  */
 vtkSmartPointer<vtkUnsignedCharArray> ConvertColors(vtkDataArray* colors, std::string& fault);
+
+/// Colours on the unit square, sampled by texels of some size.
+class ColorSampler
+{
+public:
+  /// The colours of a picture of this size, row 0 at v = 0; and how many texels look at it.
+  ColorSampler(vtkUnsignedCharArray* colors, const int size[2], const int texels[2]);
+
+  /// The mean of a texel around (u, v), bilinear between the centres of pixels.
+  void Sample(const dvec2& uv, unsigned char* color) const;
+
+private:
+  double Interpolate(const dvec2& uv, int component) const;
+
+  vtkSmartPointer<vtkUnsignedCharArray> Colors;
+  const ivec2 Size;
+  const dvec2 Texels;
+  ivec2 Steps; // places in a texel, along u and v
+};
 
 /// Grey: white is nearest, dark grey farthest, black where nothing was seen.
 vtkSmartPointer<vtkUnsignedCharArray> MakeDepthColors(vtkFloatArray* depths);

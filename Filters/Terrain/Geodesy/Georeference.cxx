@@ -53,4 +53,13 @@ std::array<double, 2> Georeference::Coordinates(double u, double v) const
   return { this->Corner[0] + u * this->AlongU[0] + v * this->AlongV[0],
     this->Corner[1] + u * this->AlongU[1] + v * this->AlongV[1] };
 }
+
+std::array<double, 2> Georeference::Parameters(const std::array<double, 2>& coordinates) const
+{
+  const double x = coordinates[0] - this->Corner[0];
+  const double y = coordinates[1] - this->Corner[1];
+  const double area = this->AlongU[0] * this->AlongV[1] - this->AlongU[1] * this->AlongV[0];
+  return { (x * this->AlongV[1] - y * this->AlongV[0]) / area,
+    (y * this->AlongU[0] - x * this->AlongU[1]) / area };
+}
 }

@@ -4,10 +4,12 @@
  * @struct  Georeference
  * @brief   where a raster lies on the earth
  *
- * Private to the module's own sources.
+ * Private to the modules' own sources.
  */
 #ifndef Georeference_h
 #define Georeference_h
+
+#include "RelevoFiltersTerrainModule.h" // for export macro
 
 #include <array>
 #include <string>
@@ -18,7 +20,7 @@ namespace relevo
  * The footprint of a raster, pixel edge to pixel edge, in its own coordinate system, and what
  * those coordinates mean.
  */
-struct Georeference
+struct RELEVOFILTERSTERRAIN_EXPORT Georeference
 {
   enum class Kind
   {
@@ -67,6 +69,9 @@ struct Georeference
   bool SetAffineTransform(const double transform[6], int width, int height);
 
   std::array<double, 2> Coordinates(double u, double v) const;
+
+  /// The (u, v) that has these coordinates.
+  std::array<double, 2> Parameters(const std::array<double, 2>& coordinates) const;
 };
 }
 

@@ -27,6 +27,17 @@ bool TerrainFrame::Place(double u, double v, std::array<double, 2>& place) const
   return this->ToPlace(this->Location.Coordinates(u, v), place);
 }
 
+bool TerrainFrame::ToParameters(const std::array<double, 2>& place, std::array<double, 2>& uv) const
+{
+  std::array<double, 2> coordinates;
+  if (!this->ToCoordinates(place, coordinates))
+  {
+    return false;
+  }
+  uv = this->Location.Parameters(coordinates);
+  return true;
+}
+
 bool TerrainFrame::IsWithinHorizon() const
 {
   constexpr int samples = 64; // along each side, after the first
@@ -108,5 +119,31 @@ bool TerrainFrame::ToCoordinates(
   longitude += 360.0 * std::round((center - longitude) / 360.0);
   coordinates = { longitude / unit, latitude / unit };
   return true;
+}
+
+std::string FindLocationFault(const Georeference& location)
+{
+  if (location.System == Georeference::Kind::Unsupported)
+  {
+    return " is neither in longitude and latitude nor in a projection; project it first.";
+  }
+  if (location.System == Georeference::Kind::NoEllipsoid)
+  {
+    return " has an unsupported ellipsoid: its flattening is not less than 1. Give the file the "
+           "right coordinate system (gdal_edit.py -a_srs).";
+  }
+  const TerrainFrame frame(location);
+  if (!frame.FitsMesh())
+  {
+    return " has a georeference that no mesh can have: its corners are at one place, or farther "
+           "apart than floats can tell. Give the file the right one (gdal_edit.py -a_ullr).";
+  }
+  if (!frame.IsWithinHorizon())
+  {
+    return " reaches beyond the horizon of its centre, where a tangent plane cannot map the earth; "
+           "project it first (gdalwarp -t_srs), or crop it to less than 80 degrees around the "
+           "centre.";
+  }
+  return "";
 }
 }

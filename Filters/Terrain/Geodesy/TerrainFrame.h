@@ -4,7 +4,7 @@
  * @class   TerrainFrame
  * @brief   between a raster's coordinates and metres about its centre
  *
- * Private to the module's own sources.
+ * Private to the modules' own sources.
  */
 #ifndef TerrainFrame_h
 #define TerrainFrame_h
@@ -13,6 +13,7 @@
 
 #include <array>
 #include <memory>
+#include <string>
 
 namespace relevo
 {
@@ -24,7 +25,7 @@ class TangentPlane;
  * Longitude and latitude: the tangent plane at the centre. Lengths: differences from the centre, in
  * metres. No georeference: differences in texels.
  */
-class TerrainFrame
+class RELEVOFILTERSTERRAIN_EXPORT TerrainFrame
 {
 public:
   explicit TerrainFrame(const Georeference& location);
@@ -35,6 +36,9 @@ public:
 
   /// The place of (u, v). False beyond the horizon.
   bool Place(double u, double v, std::array<double, 2>& place) const;
+
+  /// The (u, v) of a place. False beyond the horizon.
+  bool ToParameters(const std::array<double, 2>& place, std::array<double, 2>& uv) const;
 
   /// Whether the whole footprint has places.
   bool IsWithinHorizon() const;
@@ -61,6 +65,9 @@ private:
   std::array<double, 2> Center;
   std::unique_ptr<TangentPlane> Plane; // for longitude and latitude only
 };
+
+/// Why a raster there can be no terrain, to follow its name; or "".
+RELEVOFILTERSTERRAIN_EXPORT std::string FindLocationFault(const Georeference& location);
 }
 
 #endif

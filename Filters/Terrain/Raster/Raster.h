@@ -4,7 +4,7 @@
  * @class   Raster
  * @brief   one band of a raster file, read row by row in the type it is stored in
  *
- * Private to the module's own sources.
+ * Private to the modules' own sources.
  */
 #ifndef Raster_h
 #define Raster_h

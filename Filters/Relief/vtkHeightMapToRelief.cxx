@@ -1,0 +1,294 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeightMapToRelief.h"
+
+#include "Core/LatestTime.h"
+#include "Core/SettingChecks.h"
+#include "Data/Relief.h"
+#include "Data/ReliefColors.h"
+#include "Data/ReliefNormals.h"
+#include "Data/TerrainTexels.h"
+#include "Geodesy/TerrainFrame.h"
+#include "Raster/Raster.h"
+#include "vtkFloatArray.h"
+#include "vtkHeightMap.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <vector>
+
+vtkStandardNewMacro(vtkHeightMapToRelief);
+
+namespace
+{
+constexpr double LargestExaggeration = VTK_FLOAT_MAX;
+
+// NaN without data.
+std::vector<double> ReadTexels(vtkHeightField* heights, const relevo::TerrainTexels& texels)
+{
+  int size[2];
+  heights->GetDimensions(size);
+  const float* samples = heights->GetSamples();
+  const unsigned char* validity = heights->GetValidity();
+  std::vector<double> result(static_cast<std::size_t>(size[0]) * size[1]);
+  const auto getHeight = [&](int column, int row)
+  {
+    const auto uv = texels.GetParameters(column, row);
+    // The sample that the texel lies in.
+    const int i = uv ? std::min(static_cast<int>(uv->x * size[0]), size[0] - 1) : -1;
+    const int j = uv ? std::min(static_cast<int>(uv->y * size[1]), size[1] - 1) : -1;
+    const std::size_t sample = static_cast<std::size_t>(j) * size[0] + i;
+    if (!uv || (validity && !validity[sample]))
+    {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+    return texels.AreSamples() ? samples[sample] : heights->GetHeight(uv->x, uv->y);
+  };
+  vtkSMPTools::For(0, size[1],
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (int row = static_cast<int>(begin); row < end; ++row)
+      {
+        for (int column = 0; column < size[0]; ++column)
+        {
+          result[static_cast<std::size_t>(row) * size[0] + column] = getHeight(column, row);
+        }
+      }
+    });
+  return result;
+}
+
+// Downwards from the highest place, which becomes the relief's plane.
+vtkSmartPointer<vtkFloatArray> MakeDepths(
+  const std::vector<double>& heights, double top, double scale)
+{
+  auto depths = vtkSmartPointer<vtkFloatArray>::New();
+  depths->SetName(relevo::Relief::GetDepthName());
+  depths->SetNumberOfTuples(static_cast<vtkIdType>(heights.size()));
+  std::transform(heights.begin(), heights.end(), depths->GetPointer(0),
+    [=](double height) { return static_cast<float>(top - scale * height); });
+  return depths;
+}
+
+double FindTop(const std::vector<double>& heights, double scale)
+{
+  double top = -std::numeric_limits<double>::infinity();
+  for (double height : heights)
+  {
+    top = height == height ? std::max(top, scale * height) : top; // no NaN
+  }
+  return std::isfinite(top) ? top : 0.0;
+}
+
+std::string MakeColors(
+  vtkImageData* imagery, const relevo::TerrainTexels& texels, vtkImageData* output)
+{
+  const int* size = imagery->GetDimensions();
+  vtkDataArray* given = imagery->GetPointData()->GetScalars();
+  if (size[2] != 1 || !given || given->GetNumberOfTuples() != imagery->GetNumberOfPoints())
+  {
+    return "The imagery is not n x m x 1 points with a colour each as point scalars.";
+  }
+  std::string fault;
+  const auto colors = relevo::ConvertColors(given, fault);
+  if (!colors)
+  {
+    return fault;
+  }
+  const int* texelSize = output->GetDimensions();
+  const relevo::ColorSampler sampler(colors, size, texelSize);
+  auto result = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  result->SetName(relevo::Relief::GetColorName());
+  result->SetNumberOfComponents(colors->GetNumberOfComponents());
+  result->SetNumberOfTuples(output->GetNumberOfPoints());
+  vtkSMPTools::For(0, texelSize[1],
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (int row = static_cast<int>(begin); row < end; ++row)
+      {
+        for (int column = 0; column < texelSize[0]; ++column)
+        {
+          const vtkIdType texel = static_cast<vtkIdType>(row) * texelSize[0] + column;
+          const auto uv = texels.GetParameters(column, row);
+          sampler.Sample(uv ? *uv : relevo::dvec2(0.5),
+            result->GetPointer(texel * result->GetNumberOfComponents()));
+        }
+      }
+    });
+  output->GetPointData()->SetScalars(result);
+  return "";
+}
+}
+
+vtkHeightMapToRelief::vtkHeightMapToRelief() = default;
+
+vtkHeightMapToRelief::~vtkHeightMapToRelief() = default;
+
+vtkCxxSetSmartPointerMacro(vtkHeightMapToRelief, HeightMap, vtkHeightField);
+
+vtkHeightField* vtkHeightMapToRelief::GetHeightMap()
+{
+  return this->HeightMap;
+}
+
+void vtkHeightMapToRelief::SetExaggeration(double exaggeration)
+{
+  relevo::SetInRange(this, "Exaggeration", this->Exaggeration, exaggeration, -LargestExaggeration,
+    LargestExaggeration);
+}
+
+vtkMTimeType vtkHeightMapToRelief::GetMTime()
+{
+  return relevo::GetLatestTime(this->Superclass::GetMTime(), { this->HeightMap });
+}
+
+int vtkHeightMapToRelief::FillInputPortInformation(int, vtkInformation* information)
+{
+  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+std::string vtkHeightMapToRelief::ReadHeights()
+{
+  if (!this->HeightMap)
+  {
+    return "There is no height map: call SetHeightMap().";
+  }
+  if (!this->HeightMap->Update())
+  {
+    const std::string reason = this->HeightMap->GetErrorMessage();
+    return "The height map could not be read" + (reason.empty() ? "." : ": " + reason);
+  }
+  return "";
+}
+
+// The heights tell the size, so they are read here.
+int vtkHeightMapToRelief::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  const std::string fault = this->ReadHeights();
+  if (!fault.empty())
+  {
+    vtkImageData::GetData(outputVector)->Initialize();
+    vtkErrorMacro(<< fault);
+    return 0;
+  }
+  int size[2];
+  this->HeightMap->GetDimensions(size);
+  vtkInformation* information = outputVector->GetInformationObject(0);
+  const int extent[6] = { 0, size[0] - 1, 0, size[1] - 1, 0, 0 };
+  const double origin[3] = { 0.0, 0.0, 0.0 };
+  const double spacing[3] = { 1.0, 1.0, 1.0 };
+  information->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  information->Set(vtkDataObject::ORIGIN(), origin, 3);
+  information->Set(vtkDataObject::SPACING(), spacing, 3);
+  return 1;
+}
+
+// Of the imagery, all that it has.
+int vtkHeightMapToRelief::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  if (vtkInformation* information = inputVector[0]->GetInformationObject(0))
+  {
+    information->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
+      information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), 6);
+  }
+  return 1;
+}
+
+int vtkHeightMapToRelief::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkImageData* output = vtkImageData::GetData(outputVector);
+  output->Initialize();
+  std::string error = this->ReadHeights();
+  try
+  {
+    error = error.empty() ? this->Build(vtkImageData::GetData(inputVector[0]), output) : error;
+  }
+  catch (const std::bad_alloc&)
+  {
+    error = "Not enough memory for the relief.";
+  }
+  if (!error.empty())
+  {
+    output->Initialize();
+    vtkErrorMacro(<< error);
+    return 0;
+  }
+  return 1;
+}
+
+std::string vtkHeightMapToRelief::Build(vtkImageData* imagery, vtkImageData* output)
+{
+  int size[2];
+  this->HeightMap->GetDimensions(size);
+  relevo::Georeference location;
+  location.SetSize(size[0], size[1]);
+  double scale = this->Exaggeration;
+  auto* map = vtkHeightMap::SafeDownCast(this->HeightMap);
+  if (map)
+  {
+    if (!map->UpdateInformation())
+    {
+      return "The height map could not be read: " + std::string(map->GetErrorMessage());
+    }
+    location = map->Describe().Location;
+    scale *= map->Describe().VerticalUnit;
+    const std::string fault = map->GetImageData() ? "" : relevo::FindLocationFault(location);
+    if (!fault.empty())
+    {
+      return map->GetFileName() + fault;
+    }
+  }
+  const relevo::TerrainFrame frame(location);
+  const relevo::TerrainTexels texels(frame, size[0], size[1]);
+  const std::vector<double> heights = ReadTexels(this->HeightMap, texels);
+  const double top = FindTop(heights, scale);
+  const auto depths = MakeDepths(heights, top, scale);
+  output->SetDimensions(size[0], size[1], 1);
+  output->GetPointData()->AddArray(depths);
+  relevo::dmat4 matrix = texels.GetMatrix();
+  matrix[2].z = -1.0;
+  matrix[3].z = top;
+  relevo::Relief::Describe(output, relevo::ReliefProjection::Parallel, matrix);
+  if (imagery)
+  {
+    const std::string fault = MakeColors(imagery, texels, output);
+    if (!fault.empty())
+    {
+      return fault;
+    }
+  }
+  else
+  {
+    output->GetPointData()->SetScalars(relevo::MakeDepthColors(depths));
+  }
+  relevo::Relief relief;
+  const std::string fault = relief.Read(output);
+  if (fault.empty() && this->ComputeNormals)
+  {
+    output->GetPointData()->SetNormals(relevo::ComputeReliefNormals(relief));
+  }
+  return fault;
+}
+
+void vtkHeightMapToRelief::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "HeightMap: " << this->HeightMap << "\n";
+  os << indent << "Exaggeration: " << this->Exaggeration << "\n";
+  os << indent << "ComputeNormals: " << (this->ComputeNormals ? "On" : "Off") << "\n";
+}
