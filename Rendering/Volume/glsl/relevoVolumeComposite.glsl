@@ -6,6 +6,7 @@ vec4 sum;
 #endif
 
 const float PartBegin = 1e-30; // 0 is a part that is new
+const float LeastShare = 1.0 / 64.0; // along which colours hardly change
 
 void beginRay()
 {
@@ -25,7 +26,7 @@ void beginRay()
 #if RELEVO_CURVES > 0
   for (int i = 0; i < RELEVO_CURVES; ++i)
   {
-    fetchPiece(i, 0);
+    pieceNumbers[i] = 0;
   }
 #endif
 }
@@ -74,33 +75,29 @@ void passCut(int curve, Scalars front, Scalars back, float from)
 #if RELEVO_CURVES > 0
   for (int i = 0; i < RELEVO_CURVES; ++i)
   {
-    if (i == curve)
-    {
-      float a = setComponent(front, i);
-      bool isFar = from <= PartBegin && (a > pieces[i].end || a < pieces[i].begin);
-      bool rises = isFar ? a > pieces[i].end : setComponent(back, i) > a;
-      fetchPiece(i, pieces[i].number + (rises ? 1 : -1));
-    }
+    float a = setComponent(front, i);
+    bool isFar = from <= PartBegin && (a > pieces[i].end || a < pieces[i].begin);
+    bool rises = isFar ? a > pieces[i].end : setComponent(back, i) > a;
+    pieceNumbers[i] += i != curve ? 0 : rises ? 1 : -1;
   }
 #endif
 }
 
-// The share of a piece up to which its depth is at most 1: f t + (l - f) t^2 / 2 is, in either case.
-float findShallow(float front, float back, float span)
-{
-  float depth = front * span;
-  float rise = max(back - front, 0.0) * span;
-  return min(2.0 / (depth + sqrt(depth * depth + 4.0 * rise)), 1.0);
-}
-
 // A part of the ray, from a share of it to where a function bends or it gets deep, or to the end:
-// then true. The caller comes back for the rest, so that the rays beside it need not wait.
+// then true. The caller comes back for the rest, so that the rays beside it need not wait. Pieces
+// are fetched each time: software renderers keep them at a higher price.
 bool collect(Scalars front, Scalars back, float span, inout float from)
 {
   if (from == 0.0)
   {
     beginCollecting(front);
   }
+#if RELEVO_CURVES > 0
+  for (int i = 0; i < RELEVO_CURVES; ++i)
+  {
+    fetchPiece(i, pieceNumbers[i]);
+  }
+#endif
   float to = 1.0;
   int cutting = findCut(front, back, from, to);
 #if RELEVO_SURFACES
@@ -114,7 +111,8 @@ bool collect(Scalars front, Scalars back, float span, inout float from)
 #if RELEVO_ADDITIVE
   sum += linearSegmentSum(first, last, (to - from) * span);
 #else
-  float shallow = findShallow(first.w, last.w, (to - from) * span);
+  float depth = max(first.w, last.w) * (to - from) * span;
+  float shallow = depth > MostDepth ? max(MostDepth / depth, LeastShare) : 1.0;
   collected = frontOverBack(
     collected, linearSegment(first, mix(first, last, shallow), shallow * (to - from) * span));
   if (shallow < 1.0)

@@ -125,34 +125,21 @@ void crossTetrahedron()
     scalarsB - scalarsD, scalarsC - scalarsD);
 #endif
   // The new corner takes the place of the one across from the exit.
-  uint across;
-  if (leftB && !leftA)
-  {
-    across = faceC.id;
-    faceC = d;
-    faceAreas = vec3(areas.y, -areas.x, faceAreas.z);
+  bool isC = leftB && !leftA;
+  bool isA = !isC && leftC && !leftB;
+  bool isB = !isC && !isA;
+  uint across = isA ? faceA.id : isB ? faceB.id : faceC.id;
+  faceAreas = isA ? vec3(faceAreas.x, areas.z, -areas.y)
+    : isB         ? vec3(-areas.z, faceAreas.y, areas.x)
+                  : vec3(areas.y, -areas.x, faceAreas.z);
+  faceA = isA ? d : faceA;
+  faceB = isB ? d : faceB;
+  faceC = isC ? d : faceC;
 #if !RELEVO_CELL_SCALARS
-    scalarsC = scalarsD;
+  scalarsA = isA ? scalarsD : scalarsA;
+  scalarsB = isB ? scalarsD : scalarsB;
+  scalarsC = isC ? scalarsD : scalarsC;
 #endif
-  }
-  else if (leftC && !leftB)
-  {
-    across = faceA.id;
-    faceA = d;
-    faceAreas = vec3(faceAreas.x, areas.z, -areas.y);
-#if !RELEVO_CELL_SCALARS
-    scalarsA = scalarsD;
-#endif
-  }
-  else
-  {
-    across = faceB.id;
-    faceB = d;
-    faceAreas = vec3(-areas.z, faceAreas.y, areas.x);
-#if !RELEVO_CELL_SCALARS
-    scalarsB = scalarsD;
-#endif
-  }
   vec3 weights;
   bool isSeen = getWeights(faceAreas, weights);
   float exit = isSeen ? interpolateDepth(faceA, faceB, faceC, weights) : walkDepth;
