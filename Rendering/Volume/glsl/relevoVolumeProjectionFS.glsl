@@ -59,26 +59,24 @@ Scalars getScalars(vec4 weights, float inverse)
 vec4 cornersX;
 vec4 cornersY;
 vec4 cornersDepth;
-vec4 cornersWeight;
 
 void findCorners()
 {
-  cornersX = seenX - vec4(gl_FragCoord.x);
-  cornersY = seenY - vec4(gl_FragCoord.y);
-  cornersDepth = seenDepth;
-  cornersWeight = seenWeight;
 #if RELEVO_CUT_BY_NEAR
   initializeLine();
   float speed = length(rayDirection);
   initializeRay();
-  for (int i = 0; i < 4 && seenWeight.x < 0.0; ++i)
+  for (int i = 0; i < 4; ++i)
   {
     vec3 at = seenAlongRay(vec3(seenX[i], seenY[i], seenDepth[i]));
     cornersX[i] = at.x;
     cornersY[i] = at.y;
     cornersDepth[i] = at.z / speed;
-    cornersWeight[i] = 1.0;
   }
+#else
+  cornersX = seenX - vec4(gl_FragCoord.x);
+  cornersY = seenY - vec4(gl_FragCoord.y);
+  cornersDepth = seenDepth;
 #endif
 }
 
@@ -116,8 +114,8 @@ bool findWeights(out vec4 first, out vec4 last, out vec2 inverse)
   vec4 face1 = vec4(area23, 0.0, area03, area02);
   vec4 face2 = vec4(area13, area03, 0.0, area01);
   vec4 face3 = vec4(area12, area02, area01, 0.0);
-  first = cornersWeight * (isIn0 ? face0 : isIn1 ? face1 : face2);
-  last = cornersWeight * (isIn3 ? face3 : isIn2 ? face2 : face1);
+  first = seenWeight * (isIn0 ? face0 : isIn1 ? face1 : face2);
+  last = seenWeight * (isIn3 ? face3 : isIn2 ? face2 : face1);
   vec2 sums = vec2(dot(first, vec4(1.0)), dot(last, vec4(1.0)));
   inverse = vec2(1.0) / sums;
   return int(isIn0) + int(isIn1) + int(isIn2) + int(isIn3) == 2 && min(sums.x, sums.y) > 0.0;

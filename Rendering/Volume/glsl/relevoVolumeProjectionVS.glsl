@@ -19,8 +19,8 @@ uniform usamplerBuffer cellCorners;
 uniform isamplerBuffer cellOrder;
 uniform vec2 zRange;
 
-// Of the four corners. Where the near plane cuts the tetrahedron weights are negative, and the rest
-// is places in the mesh.
+// Of the four corners. Where the near plane may cut tetrahedra the first three are places in the
+// mesh: all cells get the same as their neighbours.
 #if RELEVO_SEEN_PIECE
 flat out vec2 seenPiece; // number and end of the one that the lowest of the scalars is in
 #endif
@@ -58,15 +58,22 @@ float windingOf(int a, int b, int c)
   return windingOf(places[a], places[b], places[c]);
 }
 
-void setCorners(int cell, uvec4 ids, bool isInFront)
+void setCorners(int cell, uvec4 ids)
 {
   seenIds = ids;
   for (int i = 0; i < 4; ++i)
   {
-    seenX[i] = isInFront ? places[i].x : points[i].x;
-    seenY[i] = isInFront ? places[i].y : points[i].y;
-    seenDepth[i] = isInFront ? seen[i].z : points[i].z;
-    seenWeight[i] = isInFront ? 1.0 / seen[i].w : -1.0;
+#if RELEVO_CUT_BY_NEAR
+    seenX[i] = points[i].x;
+    seenY[i] = points[i].y;
+    seenDepth[i] = points[i].z;
+    seenWeight[i] = 1.0;
+#else
+    seenX[i] = places[i].x;
+    seenY[i] = places[i].y;
+    seenDepth[i] = seen[i].z;
+    seenWeight[i] = 1.0 / seen[i].w;
+#endif
   }
 #if RELEVO_CELL_SCALARS
   seenScalars = texelFetch(cellScalars, cell);
@@ -197,7 +204,7 @@ void main()
     places[i] = seen[i].xy / seen[i].w;
     isInFront = isInFront && seen[i].w > 0.0 && seen[i].z >= zRange.x * seen[i].w;
   }
-  setCorners(cell, ids, isInFront);
+  setCorners(cell, ids);
   bool isSeen = findSeenPiece() && (!isInFront || hasPixel());
   int corner = gl_VertexID % 4;
   vec2 place = !isSeen ? Unseen

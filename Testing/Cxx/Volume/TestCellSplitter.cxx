@@ -4,6 +4,7 @@
 // face have the same triangles there.
 #include "Cells/VolumeCells.h"
 #include "RelevoCheck.h"
+#include "RelevoDice.h"
 #include "RelevoMixedCells.h"
 #include "RelevoVolumes.h"
 
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 namespace
 {
@@ -92,6 +94,41 @@ void TestMixed(RelevoCheck& check)
   }
 }
 
+// The same cells, but hexahedra for polyhedra, by points in another order.
+vtkSmartPointer<vtkUnstructuredGrid> Renumber(vtkUnstructuredGrid* mesh)
+{
+  RelevoDice dice(5);
+  std::vector<vtkIdType> numbers(static_cast<size_t>(mesh->GetNumberOfPoints()));
+  std::iota(numbers.begin(), numbers.end(), 0);
+  for (size_t i = numbers.size() - 1; i > 0; --i)
+  {
+    std::swap(numbers[i], numbers[static_cast<size_t>(dice.Throw(static_cast<int>(i + 1)))]);
+  }
+  auto result = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(mesh->GetNumberOfPoints());
+  for (size_t i = 0; i < numbers.size(); ++i)
+  {
+    points->SetPoint(numbers[i], mesh->GetPoint(static_cast<vtkIdType>(i)));
+  }
+  result->SetPoints(points);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+  {
+    mesh->GetCellPoints(i, ids);
+    const int type = mesh->GetCellType(i);
+    std::vector<vtkIdType> others;
+    for (vtkIdType id : *ids)
+    {
+      others.push_back(numbers[static_cast<size_t>(id)]);
+    }
+    result->InsertNextCell(type == VTK_POLYHEDRON ? VTK_HEXAHEDRON : type,
+      static_cast<vtkIdType>(others.size()), others.data());
+  }
+  return result;
+}
+
 // Blocks side by side, whose points have other numbers.
 void TestBlocks(RelevoCheck& check)
 {
@@ -108,29 +145,8 @@ void TestBlocks(RelevoCheck& check)
     other->GetPoint(Size + Side * n, place);
     points->SetPoint(Side * n, place);
   }
-  vtkNew<vtkUnstructuredGrid> turned;
-  const vtkIdType last = mesh->GetNumberOfPoints() - 1;
-  vtkNew<vtkPoints> backwards;
-  backwards->SetDataTypeToDouble();
-  for (vtkIdType i = 0; i <= last; ++i)
-  {
-    backwards->InsertNextPoint(mesh->GetPoint(last - i));
-  }
-  turned->SetPoints(backwards);
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
-  {
-    mesh->GetCellPoints(i, ids);
-    const int type = mesh->GetCellType(i);
-    std::vector<vtkIdType> opposite;
-    for (vtkIdType id : *ids)
-    {
-      opposite.push_back(last - id);
-    }
-    type == VTK_POLYHEDRON ? turned->InsertNextCell(VTK_HEXAHEDRON, 8, opposite.data())
-                           : turned->InsertNextCell(type, ids->GetNumberOfIds(), opposite.data());
-  }
-  Add(cells, turned);
+  const auto numbered = Renumber(mesh);
+  Add(cells, numbered);
   CHECK(
     CountBorder(cells) == static_cast<size_t>(2 * BorderTriangles * Size * Size - 4 * Size * Size));
   CHECK_NEAR(SumVolumes(cells), 2.0, 1e-12);

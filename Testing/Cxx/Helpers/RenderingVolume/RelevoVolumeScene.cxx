@@ -9,6 +9,17 @@
 
 int RelevoVolumeScene::Method = vtkGPUUnstructuredGridVolumeMapper::RAY_CASTING;
 
+void RelevoVolumeScene::ForBothMethods(const std::function<void()>& test)
+{
+  for (int method : { vtkGPUUnstructuredGridVolumeMapper::RAY_CASTING,
+         vtkGPUUnstructuredGridVolumeMapper::CELL_PROJECTION })
+  {
+    Method = method;
+    test();
+  }
+  Method = vtkGPUUnstructuredGridVolumeMapper::RAY_CASTING;
+}
+
 RelevoVolumeScene::RelevoVolumeScene(
   vtkDataObject* mesh, vtkVolumeProperty* property, int width, int height)
 {

@@ -23,6 +23,8 @@ public:
 
   // Of the mappers of scenes to come; rays are cast by default.
   static void SetMethod(int method) { Method = method; }
+  // Test twice, with rays and with cell projection.
+  static void ForBothMethods(const std::function<void()>& test);
 
   vtkGPUUnstructuredGridVolumeMapper* GetMapper() { return this->Mapper; }
   vtkVolume* GetVolume() { return this->Volume; }

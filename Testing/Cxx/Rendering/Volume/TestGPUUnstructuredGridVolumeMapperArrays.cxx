@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Which arrays vtkGPUUnstructuredGridVolumeMapper draws, and their components, against
-// vtkVolumeRayCastFilter.
+// Which arrays vtkGPUUnstructuredGridVolumeMapper draws by both methods, and their components,
+// against vtkVolumeRayCastFilter.
 #include "RelevoBusyVolumes.h"
 #include "RelevoCheck.h"
 #include "RelevoVolumeScene.h"
@@ -170,10 +170,14 @@ void TestMissingScalars(RelevoCheck& check)
 int TestGPUUnstructuredGridVolumeMapperArrays(int, char*[])
 {
   RelevoCheck check;
-  TestComponents(check);
-  TestBytes(check);
-  TestVectorModes(check);
-  TestSelection(check);
-  TestMissingScalars(check);
+  RelevoVolumeScene::ForBothMethods(
+    [&]
+    {
+      TestComponents(check);
+      TestBytes(check);
+      TestVectorModes(check);
+      TestSelection(check);
+      TestMissingScalars(check);
+    });
   return check.GetResult();
 }

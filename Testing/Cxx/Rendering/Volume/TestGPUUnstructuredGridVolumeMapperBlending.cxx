@@ -311,19 +311,18 @@ void TestBadSettings(RelevoCheck& check)
 int TestGPUUnstructuredGridVolumeMapperBlending(int, char*[])
 {
   RelevoCheck check;
-  for (int method : { vtkGPUUnstructuredGridVolumeMapper::RAY_CASTING,
-         vtkGPUUnstructuredGridVolumeMapper::CELL_PROJECTION })
-  {
-    RelevoVolumeScene::SetMethod(method);
-    TestModes(check);
-    TestLinearField(check);
-    TestIsoSurfaces(check);
-    TestSurfacesInFaces(check);
-    TestCellScalars(check);
-    TestClipping(check);
-    TestClippedPlaces(check);
-    TestPeeling(check);
-    TestBadSettings(check);
-  }
+  RelevoVolumeScene::ForBothMethods(
+    [&]
+    {
+      TestModes(check);
+      TestLinearField(check);
+      TestIsoSurfaces(check);
+      TestSurfacesInFaces(check);
+      TestCellScalars(check);
+      TestClipping(check);
+      TestClippedPlaces(check);
+      TestPeeling(check);
+      TestBadSettings(check);
+    });
   return check.GetResult();
 }

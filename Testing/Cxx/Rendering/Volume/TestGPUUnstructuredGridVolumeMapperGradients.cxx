@@ -181,15 +181,14 @@ void TestComponents(RelevoCheck& check)
 int TestGPUUnstructuredGridVolumeMapperGradients(int, char*[])
 {
   RelevoCheck check;
-  for (int method : { vtkGPUUnstructuredGridVolumeMapper::RAY_CASTING,
-         vtkGPUUnstructuredGridVolumeMapper::CELL_PROJECTION })
-  {
-    RelevoVolumeScene::SetMethod(method);
-    TestGradientOpacity(check);
-    TestLinearField(check);
-    TestMatrix(check);
-    TestTables(check);
-    TestComponents(check);
-  }
+  RelevoVolumeScene::ForBothMethods(
+    [&]
+    {
+      TestGradientOpacity(check);
+      TestLinearField(check);
+      TestMatrix(check);
+      TestTables(check);
+      TestComponents(check);
+    });
   return check.GetResult();
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What vtkGPUUnstructuredGridVolumeMapper does, at random and together, against
+// What vtkGPUUnstructuredGridVolumeMapper does by both methods, at random and together, against
 // vtkVolumeRayCastFilter.
 #include "RelevoBusyVolumes.h"
 #include "RelevoCheck.h"
@@ -20,7 +20,8 @@
 
 namespace
 {
-constexpr int NumberOfScenes = 16;
+// The last one has extremes in faces that the near plane cuts.
+constexpr int Seeds[] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 71 };
 
 vtkSmartPointer<vtkDataObject> MakeMesh(RelevoDice& dice, int components)
 {
@@ -154,9 +155,13 @@ void TestScene(RelevoCheck& check, int seed)
 int TestGPUUnstructuredGridVolumeMapperRandom(int, char*[])
 {
   RelevoCheck check;
-  for (int seed = 0; seed < NumberOfScenes; ++seed)
-  {
-    TestScene(check, seed);
-  }
+  RelevoVolumeScene::ForBothMethods(
+    [&]
+    {
+      for (int seed : Seeds)
+      {
+        TestScene(check, seed);
+      }
+    });
   return check.GetResult();
 }

@@ -252,16 +252,15 @@ void TestFar(RelevoCheck& check)
 int TestGPUUnstructuredGridVolumeMapperShading(int, char*[])
 {
   RelevoCheck check;
-  for (int method : { vtkGPUUnstructuredGridVolumeMapper::RAY_CASTING,
-         vtkGPUUnstructuredGridVolumeMapper::CELL_PROJECTION })
-  {
-    RelevoVolumeScene::SetMethod(method);
-    TestHeadlight(check);
-    TestViews(check);
-    TestComponents(check);
-    TestSceneLights(check);
-    TestMatrix(check);
-    TestFar(check);
-  }
+  RelevoVolumeScene::ForBothMethods(
+    [&]
+    {
+      TestHeadlight(check);
+      TestViews(check);
+      TestComponents(check);
+      TestSceneLights(check);
+      TestMatrix(check);
+      TestFar(check);
+    });
   return check.GetResult();
 }
