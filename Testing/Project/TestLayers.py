@@ -47,7 +47,8 @@ LAYERS = {
     "Rendering/Flow": [("Passes", [])],
     "Rendering/Offscreen": [],
     "Rendering/Volume": [("View", []), ("Buffers", []), ("Shaders", [])],
-    "Rendering/Relief": [("View", []), ("Buffers", []), ("Shaders", []), ("Capture", [])],
+    "Rendering/Relief": [("View", []), ("Buffers", []), ("Shaders", []), ("Drawing", []),
+                         ("Capture", [])],
     "Examples/Viewer": [("Text", []), ("Files", []), ("Options", []), ("Scene", []), ("Window", [])],
 }
 MODULES = list(LAYERS)  # no module includes one that comes after it

@@ -26,6 +26,13 @@ std::string GetName(vtkCompositeDataIterator* leaf)
 }
 }
 
+std::string ReliefBlock::Describe(const std::string& sentence) const
+{
+  return this->FlatIndex == 0 ? sentence
+                              : "Block " + std::to_string(this->FlatIndex) +
+      (this->Name.empty() ? "" : " (" + this->Name + ")") + ": " + sentence;
+}
+
 std::vector<ReliefBlock> ReadReliefs(vtkDataObject* input)
 {
   std::vector<ReliefBlock> blocks;
@@ -47,8 +54,7 @@ std::vector<ReliefBlock> ReadReliefs(vtkDataObject* input)
     block.Fault = FindFault(leaf->GetCurrentDataObject(), block.Data);
     if (!block.Fault.empty())
     {
-      block.Fault = "Block " + std::to_string(block.FlatIndex) +
-        (block.Name.empty() ? "" : " (" + block.Name + ")") + ": " + block.Fault;
+      block.Fault = block.Describe(block.Fault);
     }
   }
   return blocks;

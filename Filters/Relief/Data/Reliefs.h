@@ -18,7 +18,7 @@ class vtkDataObject;
 
 namespace relevo
 {
-struct ReliefBlock
+struct RELEVOFILTERSRELIEF_EXPORT ReliefBlock
 {
   /// As vtkCompositeDataSet counts blocks; 0 of an image by itself.
   unsigned int FlatIndex = 0;
@@ -27,6 +27,9 @@ struct ReliefBlock
   Relief Data;
   /// Why it is no relief, with the block that it is about, for an ErrorEvent; or "".
   std::string Fault;
+
+  /// A sentence about the block, for an ErrorEvent.
+  std::string Describe(const std::string& sentence) const;
 };
 
 /// A block for the image, or for each leaf of a composite data set that is not empty.

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   ReliefTextures
+ * @brief   the tiles of a relief on the graphics card
+ *
+ * Private to the module.
+ */
+#ifndef ReliefTextures_h
+#define ReliefTextures_h
+
+#include "Buffers/RefinementBuffer.h"
+#include "vtkSmartPointer.h"
+
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace relevo
+{
+class ReliefTiles;
+
+class ReliefTextures
+{
+public:
+  /// The largest number of texels along a side of this context's textures.
+  static int GetLargestSize();
+
+  /// false where OpenGL does not have room for them.
+  bool Upload(vtkOpenGLRenderWindow* window, const ReliefTiles& tiles);
+
+  void Activate(vtkShaderProgram* program);
+  void Deactivate();
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+  int GetNumberOfTiles() const { return this->NumberOfTiles; }
+  bool HasNormals() const { return this->Normals != nullptr; }
+  /// Bytes.
+  vtkTypeInt64 GetMemorySize() const;
+
+private:
+  RefinementBuffer Places;
+  RefinementBuffer Quads;
+  RefinementBuffer Ranges;
+  vtkSmartPointer<vtkTextureObject> Heights;
+  vtkSmartPointer<vtkTextureObject> Colors;
+  vtkSmartPointer<vtkTextureObject> Normals;
+  int NumberOfTiles = 0;
+  int TilesPerRow = 1;
+  vtkTypeInt64 TextureMemory = 0;
+};
+}
+
+#endif

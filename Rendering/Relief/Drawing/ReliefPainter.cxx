@@ -1,0 +1,260 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drawing/ReliefPainter.h"
+
+#include "OpenGL/RelevoOpenGL.h"
+
+#include "Data/Relief.h"
+#include "Data/ReliefSides.h"
+#include "View/ReliefView.h"
+#include "vtkActor.h"
+#include "vtkHardwareSelector.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPoints.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <type_traits>
+
+namespace relevo
+{
+namespace
+{
+constexpr int VerticesOfBox = 36;
+// Of a translucent surface, in one tile.
+constexpr int MostLayers = 4;
+}
+
+vtkStandardNewMacro(ReliefPainter);
+
+ReliefPainter::ReliefPainter()
+{
+  this->Proxies.PrimitiveType = PrimitiveTris;
+  this->ScalarVisibility = 0;
+  this->PopulateSelectionSettings = 0; // the mapper does
+  this->Box->SetPoints(vtkNew<vtkPoints>());
+  this->SetInputData(this->Box);
+}
+
+ReliefPainter::~ReliefPainter() = default;
+
+void ReliefPainter::SetRelief(const Relief& relief, double maximumStretch)
+{
+  this->Tiles.Cut(relief, FindReliefSides(relief, maximumStretch));
+  this->Size = ivec2(relief.GetWidth(), relief.GetHeight());
+  std::copy_n(this->Tiles.GetBounds(), 6, this->SurfaceBounds);
+  this->Box->GetPoints()->SetNumberOfPoints(0);
+  if (this->SurfaceBounds[0] <= this->SurfaceBounds[1])
+  {
+    const double* b = this->SurfaceBounds;
+    this->Box->GetPoints()->InsertNextPoint(b[0], b[2], b[4]);
+    this->Box->GetPoints()->InsertNextPoint(b[1], b[3], b[5]);
+  }
+  this->Box->GetPoints()->Modified();
+  this->NeedsUpload = true;
+}
+
+std::string ReliefPainter::Prepare(vtkRenderer* renderer, const Settings& settings)
+{
+  this->Looks = settings;
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  const int largest = ReliefTextures::GetLargestSize();
+  if (max(this->Size.x, this->Size.y) > largest)
+  {
+    return "The image has " + std::to_string(this->Size.x) + " x " + std::to_string(this->Size.y) +
+      " points, more than the " + std::to_string(largest) +
+      " to a side that textures of this OpenGL have.";
+  }
+  if (this->NeedsUpload)
+  {
+    this->NeedsUpload = false;
+    ++this->NumberOfBufferBuilds;
+    if (!this->Textures.Upload(window, this->Tiles))
+    {
+      return "There is no room for it on the graphics card.";
+    }
+  }
+  return "";
+}
+
+void ReliefPainter::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Superclass::ReleaseGraphicsResources(window);
+  this->Textures.ReleaseGraphicsResources(window);
+  this->Proxies.ReleaseGraphicsResources(window);
+  this->NeedsUpload = true;
+}
+
+//------------------------------------------------------------------------------
+// Drawing
+
+ReliefView ReliefPainter::MakeView(vtkRenderer* renderer, vtkActor* actor)
+{
+  ReliefView view(renderer, actor, this->Tiles.GetToWorld());
+  for (int i = 0; i < this->GetNumberOfClippingPlanes(); ++i)
+  {
+    vtkPlane* plane = this->ClippingPlanes->GetItem(i);
+    const double* normal = plane->GetNormal();
+    const double* origin = plane->GetOrigin();
+    const dvec3 n(normal[0], normal[1], normal[2]);
+    view.AddClippingPlane(dvec4(n, -dot(n, dvec3(origin[0], origin[1], origin[2]))));
+  }
+  return view;
+}
+
+void ReliefPainter::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
+{
+  if (this->Textures.GetNumberOfTiles() == 0)
+  {
+    return;
+  }
+  this->NumberOfLayers = actor->IsRenderingTranslucentPolygonalGeometry() ? MostLayers : 1;
+  this->UpdateShaders(this->Proxies, renderer, actor);
+  if (!this->Proxies.Program)
+  {
+    return;
+  }
+  this->Proxies.VAO->Bind(); // VTK releases it when the program is another
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglEnableDisable cullFace(state, GL_CULL_FACE);
+  state->vtkglDisable(GL_CULL_FACE); // of the boxes' sides only those are there that are to be
+  if (renderer->GetSelector())
+  {
+    state->vtkglDepthMask(GL_TRUE); // which VTK switches off for points on a surface drawn before
+  }
+  const bool clamped = glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE;
+  glEnable(GL_DEPTH_CLAMP); // the rays know of near and far
+  glDrawArraysInstanced(
+    GL_TRIANGLES, 0, VerticesOfBox, this->Textures.GetNumberOfTiles() * this->NumberOfLayers);
+  if (!clamped)
+  {
+    glDisable(GL_DEPTH_CLAMP);
+  }
+  this->Proxies.VAO->Release();
+  this->Textures.Deactivate();
+}
+
+void ReliefPainter::SetMapperShaderParameters(
+  vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::SetMapperShaderParameters(helper, renderer, actor);
+  if (&helper == &this->Proxies)
+  {
+    this->SetOwnUniforms(renderer, actor);
+  }
+}
+
+void ReliefPainter::SetOwnUniforms(vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkShaderProgram* program = this->Proxies.Program;
+  this->MakeView(renderer, actor).SetUniforms(program);
+  this->Textures.Activate(program);
+  program->SetUniformi("reliefLayers", this->NumberOfLayers);
+  vtkProperty* property = actor->GetProperty();
+  const int sides[2] = { !property->GetFrontfaceCulling(), !property->GetBackfaceCulling() };
+  program->SetUniform2i("reliefSides", sides);
+  const float first[4] = { static_cast<float>(this->Tiles.GetFirst().x),
+    static_cast<float>(this->Tiles.GetFirst().y), static_cast<float>(this->Size.x),
+    static_cast<float>(this->Size.y) };
+  program->SetUniform4f("reliefFirstAndSize", first);
+}
+
+//------------------------------------------------------------------------------
+// Shaders
+
+ReliefShaderOptions ReliefPainter::GetOptions()
+{
+  ReliefShaderOptions options;
+  options.IsLit = this->Looks.IsLit;
+  options.HasNormals = this->Textures.HasNormals();
+  options.NumberOfPlanes = 2 + this->GetNumberOfClippingPlanes();
+  switch (this->LastSelectionState)
+  {
+    case vtkHardwareSelector::POINT_ID_LOW24:
+    case vtkHardwareSelector::POINT_ID_HIGH24:
+      options.Selected = ReliefShaderOptions::POINT_IDS;
+      break;
+    case vtkHardwareSelector::CELL_ID_LOW24:
+    case vtkHardwareSelector::CELL_ID_HIGH24:
+      options.Selected = ReliefShaderOptions::CELL_IDS;
+      break;
+    default:
+      break;
+  }
+  return options;
+}
+
+bool ReliefPainter::GetNeedToRebuildShaders(
+  vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
+{
+  const bool needed = this->Superclass::GetNeedToRebuildShaders(helper, renderer, actor);
+  const std::string key = this->GetOptions().GetKey();
+  const bool changed = key != this->ShaderKey;
+  this->ShaderKey = key;
+  return needed || changed;
+}
+
+void ReliefPainter::BuildShaders(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Missing.clear();
+  this->Superclass::BuildShaders(shaders, renderer, actor);
+  ++this->NumberOfShaderBuilds;
+  const std::string problem = this->Missing.empty() ? "" : DescribeMissing(this->Missing);
+  if (!problem.empty())
+  {
+    DrawNothing(shaders);
+    if (problem != this->ShaderProblem)
+    {
+      vtkErrorMacro(<< problem);
+    }
+  }
+  this->ShaderProblem = problem;
+}
+
+void ReliefPainter::ReplaceShaderValues(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
+{
+  const ReliefShaderOptions options = this->GetOptions();
+  PrepareReliefShaders(options, shaders, this->Missing);
+  primitiveInfo& info = this->PrimitiveInfo[this->LastBoundBO];
+  const auto complexity = info.LastLightComplexity;
+  if (!options.IsLit)
+  {
+    info.LastLightComplexity = std::decay_t<decltype(complexity)>(0); // colours as they were captured
+  }
+  this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
+  info.LastLightComplexity = complexity;
+  FinishReliefShaders(options, shaders, this->Missing);
+}
+
+// Rays are cut off, so that what is behind is seen.
+void ReliefPainter::ReplaceShaderClip(
+  std::map<vtkShader::Type, vtkShader*>, vtkRenderer*, vtkActor*)
+{
+}
+
+//------------------------------------------------------------------------------
+// Selection
+
+void ReliefPainter::AnnounceIds(vtkHardwareSelector* selector) const
+{
+  const vtkIdType texels = static_cast<vtkIdType>(this->Size.x) * this->Size.y;
+  selector->UpdateMaximumPointId(texels);
+  selector->UpdateMaximumCellId(texels);
+}
+
+// What is drawn are the image's ids.
+void ReliefPainter::ProcessSelectorPixelBuffers(
+  vtkHardwareSelector*, std::vector<unsigned int>&, vtkProp*)
+{
+}
+}

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   ReliefPainter
+ * @brief   draws one relief as VTK's mapper draws a polydata
+ *
+ * Lights, clipping planes, opacity, render passes and selections are VTK's: their shaders are given
+ * the point of the surface where they expect a fragment. Private to the module.
+ */
+#ifndef ReliefPainter_h
+#define ReliefPainter_h
+
+#include "Buffers/ReliefTextures.h"
+#include "Buffers/ReliefTiles.h"
+#include "Shaders/ReliefShader.h"
+#include "vtkNew.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkPolyData.h"
+
+#include <memory>
+#include <string>
+
+namespace relevo
+{
+class Relief;
+class ReliefView;
+
+class ReliefPainter : public vtkOpenGLPolyDataMapper
+{
+public:
+  static ReliefPainter* New();
+  vtkTypeMacro(ReliefPainter, vtkOpenGLPolyDataMapper);
+
+  /// What the mapper is asked to draw.
+  struct Settings
+  {
+    bool IsLit = false;
+  };
+
+  /// Takes a relief. What can be told of it without OpenGL is there at once.
+  void SetRelief(const Relief& relief, double maximumStretch);
+  const double* GetSurfaceBounds() const { return this->SurfaceBounds; }
+  bool IsTranslucent() const { return this->Tiles.IsTranslucent(); }
+
+  /// Before RenderPiece(): has textures of the relief. What is wrong, or "".
+  std::string Prepare(vtkRenderer* renderer, const Settings& settings);
+
+  /// What the largest ids are that are drawn for a selection.
+  void AnnounceIds(vtkHardwareSelector* selector) const;
+
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  void ProcessSelectorPixelBuffers(
+    vtkHardwareSelector* selector, std::vector<unsigned int>& pixels, vtkProp* prop) override;
+
+  vtkTypeInt64 GetMemorySize() const { return this->Textures.GetMemorySize(); }
+  vtkIdType GetNumberOfBufferBuilds() const { return this->NumberOfBufferBuilds; }
+  vtkIdType GetNumberOfShaderBuilds() const { return this->NumberOfShaderBuilds; }
+
+protected:
+  ReliefPainter();
+  ~ReliefPainter() override;
+
+  void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
+  bool GetNeedToRebuildShaders(
+    vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor) override;
+  void BuildShaders(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void ReplaceShaderValues(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void ReplaceShaderClip(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void SetMapperShaderParameters(
+    vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor) override;
+
+private:
+  ReliefPainter(const ReliefPainter&) = delete;
+  void operator=(const ReliefPainter&) = delete;
+
+  ReliefView MakeView(vtkRenderer* renderer, vtkActor* actor);
+  ReliefShaderOptions GetOptions();
+  void SetOwnUniforms(vtkRenderer* renderer, vtkActor* actor);
+
+  Settings Looks;
+  ReliefTiles Tiles; // its arrays only until they are uploaded
+  ivec2 Size = ivec2(0);
+  double SurfaceBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+  vtkNew<vtkPolyData> Box; // VTK's mapper wants points
+  ReliefTextures Textures;
+  bool NeedsUpload = false;
+  vtkOpenGLHelper Proxies;
+  std::string ShaderKey;
+  MissingAnchors Missing;
+  std::string ShaderProblem; // said last
+  int NumberOfLayers = 1;    // drawn at most of a tile
+  vtkIdType NumberOfBufferBuilds = 0;
+  vtkIdType NumberOfShaderBuilds = 0;
+};
+}
+
+#endif

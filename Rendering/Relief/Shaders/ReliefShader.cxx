@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shaders/ReliefShader.h"
+
+#include "Buffers/ReliefTiles.h"
+#include "relevoReliefFS.h"
+#include "relevoReliefMarch.h"
+#include "relevoReliefRay.h"
+#include "relevoReliefVS.h"
+
+#include <sstream>
+
+namespace relevo
+{
+namespace
+{
+std::string GetDefines(const ReliefShaderOptions& options)
+{
+  std::ostringstream text;
+  text << "#define RELIEF_SIZE " << ReliefTiles::Size << "\n#define RELIEF_TEXELS "
+       << ReliefTiles::Texels << "\n#define RELIEF_CELL " << ReliefTiles::CellSize << "\n";
+  if (options.IsLit && options.HasNormals)
+  {
+    text << "#define RELIEF_NORMALS\n";
+  }
+  return text.str();
+}
+
+// Mesa copies arrays of uniforms where an index is not constant: each plane has a name.
+std::string GetPlanes(const ReliefShaderOptions& options)
+{
+  std::ostringstream uniforms;
+  std::ostringstream cuts;
+  for (int i = 0; i < options.NumberOfPlanes; ++i)
+  {
+    uniforms << "uniform vec4 reliefPlane" << i << ";\n";
+    cuts << "  reliefCut(reliefPlane" << i << ");\n";
+  }
+  return uniforms.str() + "void reliefCutPlanes()\n{\n" + cuts.str() + "}\n";
+}
+
+std::string GetIds(const ReliefShaderOptions& options)
+{
+  return options.Selected == ReliefShaderOptions::POINT_IDS ? "reliefPointId()" : "reliefCellId()";
+}
+}
+
+std::string ReliefShaderOptions::GetKey() const
+{
+  std::ostringstream key;
+  key << this->IsLit << this->HasNormals << this->NumberOfPlanes << this->Selected;
+  return key.str();
+}
+
+void PrepareReliefShaders(const ReliefShaderOptions& options,
+  std::map<vtkShader::Type, vtkShader*>& shaders, MissingAnchors& missing)
+{
+  ShaderText vertex(shaders[vtkShader::Vertex], missing);
+  vertex.Replace("//VTK::PositionVC::Dec", "");
+  vertex.Replace("//VTK::PositionVC::Impl", "gl_Position = reliefBoxPosition();");
+
+  ShaderText fragment(shaders[vtkShader::Fragment], missing);
+  fragment.Replace("//VTK::PositionVC::Dec", "");
+  fragment.Replace("//VTK::PositionVC::Impl",
+    "reliefTrace();\n  if (!reliefHit) discard;\n  vec4 vertexVC = reliefVertex();");
+  fragment.IfReplace("//VTK::UniformFlow::Impl", "");
+  fragment.Replace("//VTK::Depth::Impl", "gl_FragDepth = reliefDepth();");
+  fragment.Replace("//VTK::Normal::Impl", "vec3 normalVCVSOutput = reliefNormal();");
+  const std::string color = options.IsLit
+    ? "  ambientColor = ambientIntensity * relief.rgb;\n"
+      "  diffuseColor = diffuseIntensity * relief.rgb;\n"
+    : "  ambientColor = vec3(0.0);\n  diffuseColor = relief.rgb;\n";
+  fragment.InsertAfter("//VTK::Color::Impl",
+    "\n  vec4 relief = reliefColor();\n" + color + "  opacity = opacityUniform * relief.a;\n");
+  fragment.IfReplace("//VTK::Clip::Dec", "");
+  fragment.IfReplace("//VTK::Clip::Impl", "");
+}
+
+void FinishReliefShaders(const ReliefShaderOptions& options,
+  std::map<vtkShader::Type, vtkShader*>& shaders, MissingAnchors& missing)
+{
+  ShaderText vertex(shaders[vtkShader::Vertex], missing);
+  vertex.InsertBeforeMain(relevoReliefVS);
+  vertex.InsertAfterVersion(GetDefines(options));
+  ShaderText fragment(shaders[vtkShader::Fragment], missing);
+  fragment.IfReplace("gl_FrontFacing", "reliefIsFront");
+  if (options.Selected == ReliefShaderOptions::CELL_IDS)
+  {
+    fragment.Replace("gl_PrimitiveID + PrimitiveIDOffset", GetIds(options));
+  }
+  else if (options.Selected == ReliefShaderOptions::POINT_IDS)
+  {
+    fragment.Replace("= vertexIDVSOutput", "= " + GetIds(options));
+  }
+  fragment.InsertBeforeMain(
+    std::string(relevoReliefRay) + relevoReliefMarch + GetPlanes(options) + relevoReliefFS);
+  fragment.InsertAfterVersion(GetDefines(options));
+}
+}

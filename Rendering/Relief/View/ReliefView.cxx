@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "View/ReliefView.h"
+
+#include "OpenGL/RelevoOpenGL.h"
+
+#include "vtkActor.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace relevo
+{
+namespace
+{
+// Rows of VTK's are columns of GLM's: a matrix that VTK keeps for OpenGL is transposed already.
+dmat4 FromOpenGL(vtkMatrix4x4* matrix)
+{
+  dmat4 result;
+  for (int i = 0; i < 16; ++i)
+  {
+    result[i / 4][i % 4] = matrix->GetElement(i / 4, i % 4);
+  }
+  return result;
+}
+
+double GetLargest(const dvec4& v)
+{
+  return std::max({ std::abs(v.x), std::abs(v.y), std::abs(v.z), std::abs(v.w) });
+}
+
+void SetVector(vtkShaderProgram* program, const char* name, const dvec4& vector)
+{
+  const float values[4] = { static_cast<float>(vector.x), static_cast<float>(vector.y),
+    static_cast<float>(vector.z), static_cast<float>(vector.w) };
+  program->SetUniform4f(name, values);
+}
+
+void SetMatrix(vtkShaderProgram* program, const char* name, const dmat4& matrix)
+{
+  float values[16];
+  for (int i = 0; i < 16; ++i)
+  {
+    values[i] = static_cast<float>(matrix[i / 4][i % 4]);
+  }
+  program->SetUniformMatrix4x4(name, values);
+}
+}
+
+ReliefView::ReliefView(vtkRenderer* renderer, vtkActor* actor, const dmat4& toModel)
+{
+  vtkMatrix4x4* worldToView;
+  vtkMatrix4x4* viewToClip;
+  vtkMatrix4x4* worldToClip;
+  vtkMatrix3x3* normals;
+  auto* camera = static_cast<vtkOpenGLCamera*>(renderer->GetActiveCamera());
+  camera->GetKeyMatrices(renderer, worldToView, normals, viewToClip, worldToClip);
+  this->ToWorld = transpose(FromOpenGL(actor->GetMatrix())) * toModel;
+  this->ToView = FromOpenGL(worldToView) * this->ToWorld;
+  this->ToClip = FromOpenGL(worldToClip) * this->ToWorld;
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  GLint viewport[4];
+  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  this->Viewport = dvec4(viewport[0], viewport[1], viewport[2], viewport[3]);
+  // Near and far.
+  const dmat4 rows = transpose(this->ToClip);
+  this->Planes = { rows[3] + rows[2], rows[3] - rows[2] };
+}
+
+void ReliefView::AddClippingPlane(const dvec4& plane)
+{
+  this->Planes.push_back(transpose(this->ToWorld) * plane);
+}
+
+void ReliefView::SetUniforms(vtkShaderProgram* program) const
+{
+  const dmat4 fromClip = inverse(this->ToClip);
+  const dvec4 middle = this->ToClip[3];
+  // Any depth will do that is not too far from the relief for the float's sake.
+  const double depth = middle.w > 0.0 ? std::clamp(middle.z / middle.w, -1.0, 1.0) : -1.0;
+  const dvec4 base = fromClip[3] + depth * fromClip[2];
+  const double scale =
+    1.0 / std::max({ GetLargest(base), GetLargest(fromClip[0]), GetLargest(fromClip[1]) });
+  SetVector(program, "reliefRayBase", scale * base);
+  SetVector(program, "reliefRayX", scale * fromClip[0]);
+  SetVector(program, "reliefRayY", scale * fromClip[1]);
+  SetVector(program, "reliefEye", fromClip[2] / GetLargest(fromClip[2]));
+  SetVector(program, "reliefViewport", this->Viewport);
+  SetMatrix(program, "reliefToClip", this->ToClip);
+  SetMatrix(program, "reliefToView", this->ToView);
+  SetMatrix(program, "reliefPlaneToView", transpose(inverse(this->ToView)));
+  for (size_t i = 0; i < this->Planes.size(); ++i)
+  {
+    const std::string name = "reliefPlane" + std::to_string(i);
+    SetVector(program, name.c_str(), this->Planes[i] / GetLargest(this->Planes[i]));
+  }
+}
+}

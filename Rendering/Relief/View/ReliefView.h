@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   ReliefView
+ * @brief   where a relief is seen: the uniforms of relevoReliefRay.glsl and relevoReliefVS.glsl
+ *
+ * Private to the module.
+ */
+#ifndef ReliefView_h
+#define ReliefView_h
+
+#include "Core/RefinementMathematics.h"
+
+#include <vector>
+
+class vtkActor;
+class vtkRenderer;
+class vtkShaderProgram;
+
+namespace relevo
+{
+class ReliefView
+{
+public:
+  /// toModel: from the tiles' coordinates to the actor's.
+  ReliefView(vtkRenderer* renderer, vtkActor* actor, const dmat4& toModel);
+
+  /// A plane of the world whose positive side stays: what dot(plane, point) is there.
+  void AddClippingPlane(const dvec4& plane);
+
+  /// That cut rays off; near and far are two of them.
+  int GetNumberOfPlanes() const { return static_cast<int>(this->Planes.size()); }
+
+  void SetUniforms(vtkShaderProgram* program) const;
+
+private:
+  dmat4 ToWorld;
+  dmat4 ToView;
+  dmat4 ToClip;
+  dvec4 Viewport;            // x, y, width, height in pixels
+  std::vector<dvec4> Planes; // of the tiles' coordinates
+};
+}
+
+#endif

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkReliefMapper
+ * @brief   draws reliefs: pictures with depth, from every near view
+ *
+ * A relief is a vtkImageData with the point arrays "Color" (unsigned char, 3 or 4 components: the
+ * fourth is the opacity) and "Depth" (float, NaN where nothing was seen), if wanted "Normals"
+ * (float, 3 components), and the field arrays "ReliefProjection" (0 parallel, 1 perspective) and
+ * "ReliefMatrix" (16 doubles, by rows). The input is one, or a composite data set of many. Between
+ * four texels the surface is bilinear; it is open where one of them is not valid or neighbours are
+ * farther apart than MaximumStretch.
+ *
+ * The cost of a frame depends on how many pixels and texels are seen, not on the scene that the
+ * relief is of. Each pixel's ray is followed to the surface; depths are true, so that reliefs and
+ * other actors hide one another, and silhouettes are cut out.
+ *
+ * Opacity, clipping planes, depth peeling, selections and render passes work as with
+ * vtkPolyDataMapper. In a translucent surface four layers of each piece of 16 x 16 texels are seen.
+ * In a vtkHardwareSelector's selection the ids of points and cells are those of the image. The
+ * representation is always surface; scalars, textures and edges have no effect.
+ *
+ * Input that is no relief is an error that names its block; the other blocks are drawn. An image
+ * of one row or column has no surface, which is no error.
+ *
+ * @sa vtkReliefWarper
+ */
+#ifndef vtkReliefMapper_h
+#define vtkReliefMapper_h
+
+#include "RelevoRenderingReliefModule.h" // for export macro
+#include "vtkMapper.h"
+
+#include <memory> // for Internals
+
+class vtkImageData;
+
+class RELEVORENDERINGRELIEF_EXPORT vtkReliefMapper : public vtkMapper
+{
+public:
+  static vtkReliefMapper* New();
+  vtkTypeMacro(vtkReliefMapper, vtkMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  //@{
+  /**
+   * A relief; SetInputDataObject() takes a composite data set of reliefs, too.
+   */
+  void SetInputData(vtkImageData* relief);
+  //@}
+
+  enum ShadingType
+  {
+    CAPTURED = 0,
+    LIT
+  };
+
+  //@{
+  /**
+   * How colours are shown. CAPTURED (0, default): as they are in the relief; light that was on the
+   * scene when it was captured stays. LIT (1): in the light of the renderer's lamps and the actor's
+   * vtkProperty, as the colours of a surface; with the relief's Normals, and where it has none with
+   * those of the surface.
+   */
+  void SetShading(int shading);
+  vtkGetMacro(Shading, int);
+  void SetShadingToCaptured() { this->SetShading(CAPTURED); }
+  void SetShadingToLit() { this->SetShading(LIT); }
+  //@}
+
+  //@{
+  /**
+   * The surface is open between neighbours that are farther apart than so many times the width of a
+   * texel there; at least 0, default 8.
+   */
+  void SetMaximumStretch(double stretch);
+  vtkGetMacro(MaximumStretch, double);
+  //@}
+
+  /**
+   * Bytes that the reliefs take on the graphics card.
+   */
+  vtkTypeInt64 GetGraphicsMemorySize();
+
+  //@{
+  /**
+   * How often something was uploaded, and shaders were written, since the mapper was made. Neither
+   * happens because the camera moves.
+   */
+  vtkIdType GetNumberOfBufferBuilds();
+  vtkIdType GetNumberOfShaderBuilds();
+  //@}
+
+  void Render(vtkRenderer* renderer, vtkActor* actor) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  //@{
+  /**
+   * Of the surface.
+   */
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
+  //@}
+
+  bool HasOpaqueGeometry() override;
+  bool HasTranslucentPolygonalGeometry() override;
+  bool GetSupportsSelection() override { return true; }
+  void ShallowCopy(vtkAbstractMapper* mapper) override;
+
+protected:
+  vtkReliefMapper();
+  ~vtkReliefMapper() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+  int Shading = CAPTURED;
+  double MaximumStretch = 8.0;
+
+private:
+  vtkReliefMapper(const vtkReliefMapper&) = delete;
+  void operator=(const vtkReliefMapper&) = delete;
+
+  /// Reads the input again if it has changed.
+  void UpdateBlocks();
+  void RenderBlocks(vtkRenderer* renderer, vtkActor* actor);
+
+  struct vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

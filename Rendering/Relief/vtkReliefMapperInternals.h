@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   what a vtkReliefMapper keeps
+ *
+ * Private to the mapper's own sources.
+ */
+#ifndef vtkReliefMapperInternals_h
+#define vtkReliefMapperInternals_h
+
+#include "Core/Dependencies.h"
+#include "Data/Reliefs.h"
+#include "Drawing/ReliefPainter.h"
+#include "OpenGL/ContextWatch.h"
+#include "vtkReliefMapper.h"
+
+#include <map>
+#include <string>
+
+struct vtkReliefMapper::vtkInternals
+{
+  struct Block
+  {
+    relevo::ReliefBlock Relief;
+    vtkSmartPointer<relevo::ReliefPainter> Painter;
+    relevo::Dependencies Source;
+    std::string Problem; // said last
+  };
+  std::map<unsigned int, Block> Blocks; // by flat index
+  relevo::Dependencies Source;
+  vtkNew<relevo::ContextWatch> Context;
+
+  // Of blocks that are gone.
+  vtkIdType NumberOfBufferBuilds = 0;
+  vtkIdType NumberOfShaderBuilds = 0;
+};
+
+#endif

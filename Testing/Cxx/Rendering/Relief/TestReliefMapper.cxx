@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Reliefs by vtkReliefMapper, against rays through them in double precision: which pixels are hit,
+// where, and how deep.
+#include "RelevoCheck.h"
+#include "RelevoReliefScene.h"
+
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+namespace
+{
+using relevo::ReliefProjection;
+
+vtkSmartPointer<vtkImageData> MakeParallel()
+{
+  return RelevoMakeRelief(
+    48, 40, ReliefProjection::Parallel, RelevoSmallTexels(), RelevoHillsWithHoles);
+}
+
+vtkSmartPointer<vtkImageData> MakePerspective()
+{
+  return RelevoMakeRelief(48, 40, ReliefProjection::Perspective, RelevoPinhole(48, 40, 0.025),
+    [](int column, int row) { return 0.5 * RelevoHillsWithHoles(column, row); });
+}
+
+void TestViews(RelevoCheck& check, vtkImageData* relief)
+{
+  RelevoReliefScene scene(relief, 120, 90);
+  for (bool parallel : { false, true })
+  {
+    scene.GetCamera()->SetParallelProjection(parallel);
+    for (double azimuth : { 0.0, 30.0, 85.0, 180.0 })
+    {
+      scene.ResetCamera();
+      scene.GetCamera()->Azimuth(azimuth);
+      scene.Renderer->ResetCameraClippingRange();
+      const RelevoReliefComparison result = scene.Compare(relief);
+      std::cout << "parallel " << parallel << ", azimuth " << azimuth << ": " << result.NumberOfHits
+                << " hits, " << result.NumberOfMisses << " missed, " << result.NumberOfWrong
+                << " wrong, " << result.NumberFar << " far\n";
+      CHECK(result.NumberOfHits > 500);
+      CHECK(result.IsRight());
+      CHECK(result.NumberFar <= 2);
+    }
+  }
+}
+
+// A camera at the middle of the surface and in front of it looks along it.
+void TestInside(RelevoCheck& check, vtkImageData* relief)
+{
+  RelevoReliefScene scene(relief, 120, 90);
+  double center[3];
+  std::copy_n(scene.Actor->GetCenter(), 3, center);
+  vtkCamera* camera = scene.GetCamera();
+  camera->SetPosition(center);
+  for (double angle : { 0.0, 90.0, 180.0, 270.0 })
+  {
+    const double radians = vtkMath::RadiansFromDegrees(angle);
+    camera->SetFocalPoint(
+      center[0] + std::cos(radians), center[1] + 0.1, center[2] + std::sin(radians));
+    camera->SetClippingRange(0.01, 20.0);
+    const RelevoReliefComparison result = scene.Compare(relief);
+    std::cout << "inside, " << angle << ": " << result.NumberOfHits << " hits, "
+              << result.NumberOfMisses << " missed, " << result.NumberOfWrong << " wrong\n";
+    CHECK(result.IsRight());
+  }
+}
+
+// As any other actor: moved, turned, with unequal scales, mirrored.
+void TestActorMatrix(RelevoCheck& check, vtkImageData* relief)
+{
+  RelevoReliefScene scene(relief, 120, 90);
+  scene.Actor->SetScale(1.0, -2.0, 0.5);
+  scene.Actor->RotateWXYZ(40.0, 1.0, 2.0, 3.0);
+  scene.Actor->SetPosition(100.0, -20.0, 3.0);
+  scene.ResetCamera();
+  const RelevoReliefComparison result = scene.Compare(relief);
+  std::cout << "matrix: " << result.NumberOfHits << " hits, " << result.NumberOfMisses
+            << " missed, " << result.NumberOfWrong << " wrong\n";
+  CHECK(result.NumberOfHits > 500);
+  CHECK(result.IsRight());
+}
+
+// Moving the camera uploads nothing and writes no shader.
+void TestBuilds(RelevoCheck& check, vtkImageData* relief)
+{
+  RelevoReliefScene scene(relief, 120, 90);
+  scene.Window->Render();
+  const vtkIdType buffers = scene.Mapper->GetNumberOfBufferBuilds();
+  const vtkIdType shaders = scene.Mapper->GetNumberOfShaderBuilds();
+  CHECK(buffers == 1 && shaders == 1);
+  scene.GetCamera()->Azimuth(10.0);
+  scene.Window->Render();
+  CHECK(scene.Mapper->GetNumberOfBufferBuilds() == buffers);
+  CHECK(scene.Mapper->GetNumberOfShaderBuilds() == shaders);
+  scene.Mapper->SetMaximumStretch(2.0);
+  const RelevoReliefComparison result = scene.Compare(relief, 2.0);
+  std::cout << "stretch 2: " << result.NumberOfHits << " hits, " << result.NumberOfMisses
+            << " missed, " << result.NumberOfWrong << " wrong\n";
+  CHECK(result.IsRight());
+  CHECK(scene.Mapper->GetNumberOfBufferBuilds() == buffers + 1);
+  CHECK(scene.Mapper->GetGraphicsMemorySize() > 8 * 2000);
+}
+}
+
+int TestReliefMapper(int, char*[])
+{
+  RelevoCheck check;
+  for (const auto& relief : { MakeParallel(), MakePerspective() })
+  {
+    TestViews(check, relief);
+    TestInside(check, relief);
+    TestActorMatrix(check, relief);
+    TestBuilds(check, relief);
+  }
+  return check.GetResult();
+}
