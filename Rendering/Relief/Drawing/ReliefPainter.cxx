@@ -229,7 +229,8 @@ void ReliefPainter::ReplaceShaderValues(
   const auto complexity = info.LastLightComplexity;
   if (!options.IsLit)
   {
-    info.LastLightComplexity = std::decay_t<decltype(complexity)>(0); // colours as they were captured
+    info.LastLightComplexity =
+      std::decay_t<decltype(complexity)>(0); // colours as they were captured
   }
   this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
   info.LastLightComplexity = complexity;
