@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Patterns/RefinementPatternFile.h"
 
+#include "Core/ErrorCollector.h"
 #include "Patterns/RefinementPatternGenerator.h"
-#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
@@ -245,22 +245,6 @@ std::string ReadBinary(
   return std::string();
 }
 
-/// An observer that appends errors to a string, for who uses a reader or writer to tell them.
-vtkSmartPointer<vtkCallbackCommand> NewErrorCollector(std::string& errors)
-{
-  auto command = vtkSmartPointer<vtkCallbackCommand>::New();
-  command->SetClientData(&errors);
-  command->SetCallback(
-    [](vtkObject*, unsigned long, void* clientData, void* callData)
-    {
-      if (callData)
-      {
-        static_cast<std::string*>(clientData)->append(static_cast<const char*>(callData));
-      }
-    });
-  return command;
-}
-
 vtkSmartPointer<vtkIntArray> NewPatternArray()
 {
   auto array = vtkSmartPointer<vtkIntArray>::New();
@@ -316,7 +300,7 @@ std::string WriteVTP(
 
   std::string errors;
   vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->AddObserver(vtkCommand::ErrorEvent, NewErrorCollector(errors));
+  writer->AddObserver(vtkCommand::ErrorEvent, relevo::NewErrorCollector(errors));
   writer->SetFileName(fileName);
   writer->SetInputData(polyData);
   return writer->Write() && errors.empty() ? std::string()
@@ -329,7 +313,7 @@ std::string ReadVTP(
   const std::string name = fileName;
   std::string errors;
   vtkNew<vtkXMLPolyDataReader> reader;
-  auto collector = NewErrorCollector(errors);
+  auto collector = relevo::NewErrorCollector(errors);
   reader->AddObserver(vtkCommand::ErrorEvent, collector);
   reader->SetParserErrorObserver(collector);
   reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, collector);

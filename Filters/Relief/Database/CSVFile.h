@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   comma separated values, as RFC 4180 has them
+ *
+ * Private to the module's own sources.
+ */
+#ifndef CSVFile_h
+#define CSVFile_h
+
+#include <string>
+#include <vector>
+
+namespace relevo
+{
+struct CSVRow
+{
+  int Line = 1; ///< of the text, where the row begins
+  std::vector<std::string> Fields;
+};
+
+/// The rows of a text, without empty lines. Fields in quotes may have commas, line ends and doubled
+/// quotes; one that no quote ends goes on to the end of the text.
+std::vector<CSVRow> ParseCSV(const std::string& text);
+
+/// A row with its line end; fields are quoted where they have to be.
+std::string FormatCSV(const std::vector<std::string>& fields);
+
+/// A short text that is read as the same number, whatever the locale.
+std::string FormatNumber(double number);
+}
+
+#endif
