@@ -204,8 +204,7 @@ vtkMTimeType vtkReliefCapture::GetMTime()
   {
     time = std::max(time, camera->GetMTime());
   }
-  vtkRenderer* renderer = this->Internals->Renderer;
-  return renderer ? std::max(time, this->Internals->Scene.Find(renderer)) : time;
+  return std::max(time, this->Internals->Scene.Find(this->Internals->Renderer));
 }
 
 int vtkReliefCapture::RequestData(

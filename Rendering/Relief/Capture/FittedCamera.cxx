@@ -25,6 +25,18 @@ dvec4 GetRow(const dmat4& matrix, int row)
   return dvec4(matrix[0][row], matrix[1][row], matrix[2][row], matrix[3][row]);
 }
 
+// With what DeepCopy() leaves out up to VTK 9.1 or so.
+vtkSmartPointer<vtkCamera> Copy(vtkCamera* camera)
+{
+  auto copy = vtkSmartPointer<vtkCamera>::New();
+  copy->DeepCopy(camera);
+  copy->SetExplicitProjectionTransformMatrix(camera->GetExplicitProjectionTransformMatrix());
+  copy->SetUseExplicitProjectionTransformMatrix(camera->GetUseExplicitProjectionTransformMatrix());
+  copy->SetUseExplicitAspectRatio(camera->GetUseExplicitAspectRatio());
+  copy->SetExplicitAspectRatio(camera->GetExplicitAspectRatio());
+  return copy;
+}
+
 void SetExplicitProjection(vtkCamera* camera, const dmat4& projection)
 {
   vtkNew<vtkMatrix4x4> matrix;
@@ -118,8 +130,7 @@ FittedCamera FitCamera(vtkCamera* camera, int width, int height, const std::vect
   double nearClippingPlaneTolerance)
 {
   FittedCamera fitted;
-  auto copy = vtkSmartPointer<vtkCamera>::New();
-  copy->DeepCopy(camera);
+  const vtkSmartPointer<vtkCamera> copy = Copy(camera);
   const double aspect = static_cast<double>(width) / height;
   const dmat4 view = MakeMatrix(copy->GetModelViewTransformMatrix());
   dmat4 projection = MakeMatrix(copy->GetProjectionTransformMatrix(aspect, -1.0, 1.0));

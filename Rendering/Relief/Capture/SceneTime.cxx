@@ -82,11 +82,15 @@ vtkMTimeType SceneTime::Find(vtkRenderer* renderer)
   {
     return 0;
   }
-  this->IsFinding = true;
-  if (this->Lights.Update(DescribeLights(renderer)))
+  if (this->Lights.Update(renderer ? DescribeLights(renderer) : Dependencies()))
   {
     this->LightsChanged.Modified();
   }
+  if (!renderer)
+  {
+    return this->LightsChanged.GetMTime();
+  }
+  this->IsFinding = true;
   vtkPropCollection* props = renderer->GetViewProps();
   vtkMTimeType time = std::max(this->LightsChanged.GetMTime(), props->GetMTime());
   vtkCollectionSimpleIterator next;

@@ -20,7 +20,7 @@ namespace relevo
 class SceneTime
 {
 public:
-  /// Looks at props, their data, and lights.
+  /// Looks at props, their data, and lights; nullptr if the renderer is gone.
   vtkMTimeType Find(vtkRenderer* renderer);
 
 private:
