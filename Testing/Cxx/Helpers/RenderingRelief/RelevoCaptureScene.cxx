@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RelevoCaptureScene.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
@@ -44,10 +45,17 @@ vtkActor* RelevoCaptureScene::Add(vtkPolyData* mesh)
 
 void RelevoCaptureScene::ResetCamera()
 {
-  this->Renderer->ResetCamera();
-  this->GetCamera()->Azimuth(35.0);
-  this->GetCamera()->Elevation(25.0);
-  this->Renderer->ResetCamera();
+  // A window that was not drawn yet has no certain size for vtkRenderer::ResetCamera().
+  const vtkBoundingBox box(this->Renderer->ComputeVisiblePropBounds());
+  double middle[3];
+  box.GetCenter(middle);
+  vtkCamera* camera = this->GetCamera();
+  camera->SetFocalPoint(middle);
+  camera->SetPosition(middle[0], middle[1], middle[2] + 2.0 * box.GetDiagonalLength());
+  camera->SetParallelScale(0.5 * box.GetDiagonalLength());
+  camera->Azimuth(35.0);
+  camera->Elevation(25.0);
+  this->Renderer->ResetCameraClippingRange();
 }
 
 vtkImageData* RelevoCaptureScene::Capture(unsigned int block)
