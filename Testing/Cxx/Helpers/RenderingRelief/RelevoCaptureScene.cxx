@@ -110,9 +110,12 @@ std::vector<RelevoTexel> RelevoReadTexels(vtkImageData* relief)
       {
         texel.Point[row] += m->GetVariantValue(4 * row + k).ToDouble() * place[k];
       }
+      const double side = m->GetVariantValue(4 * row).ToDouble() * factor;
+      texel.Width += side * side;
       texel.Color[row] = static_cast<unsigned char>(colors->GetComponent(i, row));
       texel.Normal[row] = normals ? normals->GetComponent(i, row) : 0.0;
     }
+    texel.Width = std::sqrt(texel.Width);
     texels.push_back(texel);
   }
   return texels;

@@ -19,6 +19,7 @@ struct RelevoTexel
   int Column;
   int Row;
   RelevoVectors::Vector Point; // in the world
+  double Width;                // of the texel there
   unsigned char Color[3];
   RelevoVectors::Vector Normal; // 0 without normals
 };

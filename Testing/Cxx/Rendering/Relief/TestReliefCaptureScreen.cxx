@@ -64,6 +64,11 @@ struct Stage : RelevoCaptureScene
     this->Above->AddActor(dot);
     this->Window->AddRenderer(this->Above);
     this->ResetCamera();
+    for (vtkRenderer* renderer : { this->Other.Get(), this->Above.Get() })
+    {
+      renderer->GetActiveCamera()->DeepCopy(this->GetCamera());
+      renderer->ResetCameraClippingRange();
+    }
   }
 
   vtkNew<vtkRenderer> Other;
