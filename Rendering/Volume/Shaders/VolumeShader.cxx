@@ -108,14 +108,19 @@ void DefineFeatures(std::ostringstream& defines, const VolumeShaderOptions& opti
   Define(defines, "LIGHTS", options.NumberOfLights);
 }
 
+// Whether functions are integrated piece by piece.
+bool IsIntegrated(const VolumeShaderOptions& options)
+{
+  return (options.Blending == BlendMode::Composite || options.Blending == BlendMode::Additive) &&
+    options.PreIntegrated == 0;
+}
+
 // Whether cells that are projected tell by one function which of its pieces they need, and whether
 // any of them is seen.
 bool FindsPieces(const VolumeShaderOptions& options)
 {
-  const bool isIntegrated =
-    options.Blending == BlendMode::Composite || options.Blending == BlendMode::Additive;
-  return isIntegrated && options.NumberOfCurves == 1 && options.NumberOfComponents == 1 &&
-    options.PreIntegrated == 0 && !options.HasTables && !options.HasSurfaces;
+  return IsIntegrated(options) && options.NumberOfCurves == 1 && options.NumberOfComponents == 1 &&
+    !options.HasTables && !options.HasSurfaces;
 }
 
 // Whether no more than these pieces is asked for.
@@ -133,6 +138,8 @@ std::string DefineOptions(const VolumeShaderOptions& options)
   Define(defines, "DEPENDENT", options.AreDependent);
   Define(defines, "CELL_SCALARS", options.HasCellScalars);
   Define(defines, "PRE_INTEGRATED", options.PreIntegrated);
+  Define(defines, "INTEGRATED", IsIntegrated(options));
+  Define(defines, "ISOSURFACE", options.Blending == BlendMode::IsoSurface);
   DefineFeatures(defines, options);
   Define(defines, "CUT_BY_NEAR", options.IsCutByNear);
   Define(defines, "SEEN_PIECE", FindsPieces(options));

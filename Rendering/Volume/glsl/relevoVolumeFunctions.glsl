@@ -153,7 +153,7 @@ void findPiece(int curve, float scalar)
 // Where the ray comes to scalars that may be far from those before.
 void seekScalars(Scalars scalars)
 {
-  for (int i = 0; i < RELEVO_CURVES && RELEVO_PRE_INTEGRATED + RELEVO_MAPPED == 0; ++i)
+  for (int i = 0; i < RELEVO_CURVES && RELEVO_INTEGRATED != 0; ++i)
   {
     findPiece(i, setComponent(scalars, i));
   }

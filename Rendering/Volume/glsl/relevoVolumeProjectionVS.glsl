@@ -99,23 +99,53 @@ void setCorners(int cell, uvec4 ids)
 #endif
 }
 
-#if RELEVO_SEEN_PIECE
-// And whether there is anything to be seen in all of the scalars.
-bool findSeenPiece()
+#if RELEVO_SEEN_PIECE || RELEVO_ISOSURFACE
+// From lowest to highest, of one component.
+vec2 getScalarRange(int component)
 {
 #if RELEVO_CELL_SCALARS
-  float lowest = seenScalars.r;
-  float highest = seenScalars.r;
+  return vec2(seenScalars[component]);
 #else
-  float lowest = min(min(seenScalars.x, seenScalars.y), min(seenScalars.z, seenScalars.w));
-  float highest = max(max(seenScalars.x, seenScalars.y), max(seenScalars.z, seenScalars.w));
+#if RELEVO_COMPONENTS == 1
+  vec4 all = seenScalars;
+#else
+  vec4 all = vec4(
+    scalarsA[component], scalarsB[component], scalarsC[component], scalarsD[component]);
 #endif
-  findPiece(0, lowest);
+  return vec2(min(min(all.x, all.y), min(all.z, all.w)), max(max(all.x, all.y), max(all.z, all.w)));
+#endif
+}
+#endif
+
+#if RELEVO_SEEN_PIECE
+// And whether there is anything to be seen in all of the scalars.
+bool findSeen()
+{
+  vec2 range = getScalarRange(0);
+  findPiece(0, range.x);
   seenPiece = vec2(pieces[0].number, pieces[0].end);
-  return highest > pieces[0].end || pieces[0].first.w != 0.0 || pieces[0].change.w != 0.0;
+  return range.y > pieces[0].end || pieces[0].first.w != 0.0 || pieces[0].change.w != 0.0;
+}
+#elif RELEVO_ISOSURFACE
+uniform samplerBuffer isoValues; // as in relevoVolumeSurfaces.glsl
+uniform int numberOfIsoValues;
+uniform int isoComponent;
+const float IsoMargin = 1e-5;
+
+// Whether there is a surface in it.
+bool findSeen()
+{
+  vec2 range = getScalarRange(isoComponent) + vec2(-IsoMargin, IsoMargin);
+  bool isFound = false;
+  for (int i = 0; i < numberOfIsoValues && !isFound; ++i)
+  {
+    float value = texelFetch(isoValues, 2 * i).x;
+    isFound = value >= range.x && value <= range.y;
+  }
+  return isFound;
 }
 #else
-bool findSeenPiece()
+bool findSeen()
 {
   return true;
 }
@@ -205,7 +235,7 @@ void main()
     isInFront = isInFront && seen[i].w > 0.0 && seen[i].z >= zRange.x * seen[i].w;
   }
   setCorners(cell, ids);
-  bool isSeen = findSeenPiece() && (!isInFront || hasPixel());
+  bool isSeen = findSeen() && (!isInFront || hasPixel());
   int corner = gl_VertexID % 4;
   vec2 place = !isSeen ? Unseen
     : isInFront        ? getOutlineCorner(corner)
