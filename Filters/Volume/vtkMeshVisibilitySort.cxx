@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeshVisibilitySort.h"
 
-#include "Mesh/CameraEye.h"
+#include "Core/CameraEye.h"
 #include "Mesh/CellFaces.h"
 #include "Mesh/VisibilityOrder.h"
 #include "vtkDataSet.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGPUUnstructuredGridVolumeMapperInternals.h"
 
-#include "Mesh/CameraEye.h"
+#include "Core/CameraEye.h"
 #include "relevoViewportVS.h"
 
 #include "vtkCamera.h"

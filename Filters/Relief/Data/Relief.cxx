@@ -149,6 +149,10 @@ std::string Relief::ReadArrays()
 
 std::string Relief::ReadDescription()
 {
+  if (this->Image->GetFieldData()->HasArray(GetWarpName()))
+  {
+    return "The image is what vtkReliefWarper makes of a relief: its depths lie elsewhere.";
+  }
   vtkDataArray* kind = this->Image->GetFieldData()->GetArray(GetProjectionName());
   const double value = kind && kind->GetNumberOfValues() == 1 ? kind->GetComponent(0, 0) : -1.0;
   if (value != 0.0 && value != 1.0)

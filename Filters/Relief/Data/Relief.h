@@ -41,6 +41,8 @@ public:
   static const char* GetNormalsName() { return "Normals"; }
   static const char* GetProjectionName() { return "ReliefProjection"; }
   static const char* GetMatrixName() { return "ReliefMatrix"; }
+  /// The field array that tells what vtkReliefWarper makes of a relief from one.
+  static const char* GetWarpName() { return "ReliefWarp"; }
 
   /// Gives an image the field arrays of a relief.
   static void Describe(vtkImageData* image, ReliefProjection projection, const dmat4& matrix);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   where a camera looks from, in the coordinates of a mesh
+ * @brief   where a camera looks from, in the coordinates of what it looks at
  *
  * Private to the modules' own sources.
  */
@@ -9,7 +9,7 @@
 #define CameraEye_h
 
 #include "Core/RefinementMathematics.h"
-#include "RelevoFiltersVolumeModule.h" // for export macro
+#include "RelevoFiltersRefinementModule.h" // for export macro
 
 class vtkCamera;
 class vtkMatrix4x4;
@@ -17,10 +17,10 @@ class vtkMatrix4x4;
 namespace relevo
 {
 /**
- * As VisibilityOrder takes it: a place in homogeneous coordinates or, of a parallel projection, a
+ * A place in homogeneous coordinates or, of a parallel projection, a
  * direction towards the viewer. By the camera's matrices: oblique and off-axis ones count.
  */
-RELEVOFILTERSVOLUME_EXPORT dvec4 GetEye(vtkCamera* camera, vtkMatrix4x4* worldToMesh);
+RELEVOFILTERSREFINEMENT_EXPORT dvec4 GetEye(vtkCamera* camera, vtkMatrix4x4* worldToModel);
 }
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Mesh/CameraEye.h"
+#include "Core/CameraEye.h"
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
@@ -11,7 +11,7 @@
 namespace relevo
 {
 // What is projected to nothing but a depth.
-dvec4 GetEye(vtkCamera* camera, vtkMatrix4x4* worldToMesh)
+dvec4 GetEye(vtkCamera* camera, vtkMatrix4x4* worldToModel)
 {
   dvec4 eye(0.0, 0.0, 1.0, 0.0);
   vtkNew<vtkMatrix4x4> inverse;
@@ -21,7 +21,7 @@ dvec4 GetEye(vtkCamera* camera, vtkMatrix4x4* worldToMesh)
     vtkMatrix4x4::Invert(matrix, inverse);
     inverse->MultiplyPoint(&eye.x, &eye.x);
   }
-  worldToMesh->MultiplyPoint(&eye.x, &eye.x);
+  worldToModel->MultiplyPoint(&eye.x, &eye.x);
   // Depth grows away from the viewer.
   return eye.w == 0.0 ? -eye : eye;
 }

@@ -1,0 +1,296 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkReliefWarper.h"
+
+#include "Core/CameraEye.h"
+#include "Core/LatestTime.h"
+#include "Core/SettingChecks.h"
+#include "Warp/WarpCoefficients.h"
+#include "Warp/WarpPasses.h"
+#include "Warp/WarpSource.h"
+#include "Warp/WarpWorker.h"
+#include "Warp/WarpedImage.h"
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMultiThreader.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTimeStamp.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <new>
+#include <string>
+#include <utility>
+
+vtkStandardNewMacro(vtkReliefWarper);
+vtkCxxSetSmartPointerMacro(vtkReliefWarper, Camera, vtkCamera);
+
+class vtkReliefWarper::Internals
+{
+public:
+  // What is asked for.
+  std::shared_ptr<const relevo::WarpSource> Source;
+  vtkSmartPointer<vtkImageData> Input; // that the source was made from, so that its address stays
+  vtkMTimeType InputTime = 0;
+  double Stretch = 0.0;
+  bool IsWarned = false;
+
+  relevo::WarpedImage Shown;
+  relevo::WarpedImage Next; // of the worker, while that is busy
+  bool IsNextOpen = false;  // begun and not taken
+  relevo::WarpPasses Passes;
+
+  std::atomic<int> NumberOfWarps{ 0 };
+  std::atomic<double> WarpTime{ 0.0 };
+  std::atomic<vtkMTimeType> FinishTime{ 0 };
+  relevo::WarpWorker Worker; // the first to go
+
+  relevo::WarpCoefficients GetCoefficients(vtkCamera* camera) const
+  {
+    vtkNew<vtkMatrix4x4> identity;
+    return relevo::GetWarpCoefficients(this->Source->GetRelief(), relevo::GetEye(camera, identity));
+  }
+
+  // By the thread that warps.
+  void Warp(relevo::WarpedImage& image)
+  {
+    const auto start = std::chrono::steady_clock::now();
+    this->Passes.Warp(image.GetSource(), image.GetCoefficients(), image.GetPicture());
+    this->WarpTime =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    ++this->NumberOfWarps;
+  }
+
+  void Prepare(relevo::WarpedImage& image, const relevo::WarpCoefficients& coefficients,
+    relevo::WarpPasses::Way way, int numberOfThreads)
+  {
+    image.Prepare(this->Source, coefficients);
+    this->Passes.Allocate(*this->Source, way, numberOfThreads);
+  }
+
+  void Start(const relevo::WarpCoefficients& coefficients)
+  {
+    this->Prepare(this->Next, coefficients, relevo::WarpPasses::Way::OneThread, 1);
+    this->IsNextOpen = true;
+    this->Worker.Start(
+      [this]
+      {
+        this->Warp(this->Next);
+        vtkTimeStamp now;
+        now.Modified();
+        this->FinishTime = now.GetMTime();
+      });
+  }
+
+  bool IsFinished() const { return this->IsNextOpen && !this->Worker.IsBusy(); }
+
+  void Take()
+  {
+    std::swap(this->Shown, this->Next);
+    this->Next.Reset();
+    this->IsNextOpen = false;
+  }
+
+  // So that another can warp.
+  void Stop()
+  {
+    this->Worker.Wait();
+    if (this->IsNextOpen)
+    {
+      this->Take();
+    }
+  }
+};
+
+vtkReliefWarper::vtkReliefWarper()
+  : Own(new Internals)
+{
+}
+
+vtkReliefWarper::~vtkReliefWarper() = default;
+
+vtkCamera* vtkReliefWarper::GetCamera()
+{
+  return this->Camera;
+}
+
+void vtkReliefWarper::SetMaximumStretch(double stretch)
+{
+  relevo::SetInRange(
+    this, "MaximumStretch", this->MaximumStretch, stretch, 0.0, relevo::LargestDouble);
+}
+
+void vtkReliefWarper::SetPolicy(int policy)
+{
+  relevo::SetChoice(this, "Policy", this->Policy, policy,
+    { "SEQUENTIAL", "PARALLEL", "MULTI_THREADED", "ROWS_AND_COLUMNS" });
+}
+
+void vtkReliefWarper::SetNumberOfThreads(int number)
+{
+  constexpr int most = 64;
+  relevo::SetInRange(this, "NumberOfThreads", this->NumberOfThreads, number, 0, most);
+}
+
+int vtkReliefWarper::GetState()
+{
+  if (this->Own->IsNextOpen)
+  {
+    return this->Own->Worker.IsBusy() ? WARPING : WAITING;
+  }
+  return this->Own->Shown.IsEmpty() ? INITIAL : FINAL;
+}
+
+int vtkReliefWarper::GetNumberOfWarps()
+{
+  return this->Own->NumberOfWarps;
+}
+
+double vtkReliefWarper::GetWarpTime()
+{
+  return this->Own->WarpTime;
+}
+
+bool vtkReliefWarper::CanWarp()
+{
+  return this->Own->Source && this->Camera && this->Own->GetCoefficients(this->Camera).IsUsable;
+}
+
+vtkMTimeType vtkReliefWarper::GetMTime()
+{
+  return std::max<vtkMTimeType>(
+    relevo::GetLatestTime(this->Superclass::GetMTime(), { this->Camera }), this->Own->FinishTime);
+}
+
+// Of the relief, all that there is.
+int vtkReliefWarper::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  vtkInformation* information = inputVector[0]->GetInformationObject(0);
+  if (information->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+  {
+    information->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
+      information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), 6);
+  }
+  return 1;
+}
+
+int vtkReliefWarper::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkImageData* output = vtkImageData::GetData(outputVector);
+  output->Initialize();
+  if (!this->Camera)
+  {
+    vtkErrorMacro("There is no camera: call SetCamera().");
+    return 0;
+  }
+  try
+  {
+    if (!this->Read(vtkImageData::GetData(inputVector[0])))
+    {
+      return 0;
+    }
+    this->Warp(output);
+    return 1;
+  }
+  catch (const std::bad_alloc&)
+  {
+    output->Initialize();
+    vtkErrorMacro("Not enough memory to warp the relief.");
+    return 0;
+  }
+}
+
+bool vtkReliefWarper::Read(vtkImageData* input)
+{
+  Internals& own = *this->Own;
+  if (own.Source && own.Input == input && own.InputTime == input->GetMTime() &&
+    own.Stretch == this->MaximumStretch)
+  {
+    return true;
+  }
+  auto source = std::make_shared<relevo::WarpSource>();
+  const std::string wrong = source->Read(input, this->MaximumStretch);
+  if (!wrong.empty())
+  {
+    own.Stop();
+    own.Source = nullptr;
+    own.Shown.Reset();
+    vtkErrorMacro("The input is no relief. " << wrong);
+    return false;
+  }
+  own.Source = source;
+  own.Input = input;
+  own.InputTime = input->GetMTime();
+  own.Stretch = this->MaximumStretch;
+  return true;
+}
+
+void vtkReliefWarper::Warp(vtkImageData* output)
+{
+  using Way = relevo::WarpPasses::Way;
+  Internals& own = *this->Own;
+  const relevo::WarpCoefficients coefficients = own.GetCoefficients(this->Camera);
+  if (!coefficients.IsUsable && !own.IsWarned)
+  {
+    vtkWarningMacro("The eye is in the relief's plane or behind it: nothing can be warped.");
+  }
+  own.IsWarned = !coefficients.IsUsable;
+
+  if (this->Policy == PARALLEL)
+  {
+    if (own.IsFinished())
+    {
+      own.Take();
+    }
+    bool isToWait = false;
+    do
+    {
+      if (!own.IsNextOpen && !own.Shown.Shows(own.Source, coefficients))
+      {
+        own.Start(coefficients);
+      }
+      isToWait = !own.Shown.HasSizeOf(*own.Source);
+      if (isToWait)
+      {
+        own.Stop();
+      }
+    } while (isToWait); // again, if what was under way is of another size
+  }
+  else
+  {
+    own.Stop();
+    if (!own.Shown.Shows(own.Source, coefficients))
+    {
+      const int threads = this->NumberOfThreads > 0
+        ? this->NumberOfThreads
+        : vtkMultiThreader::GetGlobalDefaultNumberOfThreads();
+      own.Prepare(own.Shown, coefficients,
+        this->Policy == SEQUENTIAL         ? Way::OneThread
+          : this->Policy == MULTI_THREADED ? Way::Bands
+                                           : Way::RowsAndColumns,
+        threads);
+      own.Warp(own.Shown);
+    }
+  }
+  own.Shown.CopyTo(output);
+}
+
+void vtkReliefWarper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Camera: " << this->Camera << "\n";
+  os << indent << "MaximumStretch: " << this->MaximumStretch << "\n";
+  os << indent << "Policy: " << this->Policy << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "State: " << this->GetState() << "\n";
+  os << indent << "NumberOfWarps: " << this->GetNumberOfWarps() << "\n";
+  os << indent << "WarpTime: " << this->GetWarpTime() << "\n";
+}
