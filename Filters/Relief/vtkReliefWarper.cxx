@@ -31,6 +31,31 @@
 vtkStandardNewMacro(vtkReliefWarper);
 vtkCxxSetSmartPointerMacro(vtkReliefWarper, Camera, vtkCamera);
 
+namespace
+{
+// Where nothing but position and focal point count, the very same eye for the same two: what else
+// changes of a camera then asks for no new warp.
+relevo::dvec4 FindEye(vtkCamera* camera)
+{
+  const double* shear = camera->GetViewShear();
+  if (camera->GetUseExplicitProjectionTransformMatrix() || camera->GetUseOffAxisProjection() ||
+    camera->GetUserTransform() || camera->GetUserViewTransform() || shear[0] != 0.0 ||
+    shear[1] != 0.0)
+  {
+    vtkNew<vtkMatrix4x4> identity;
+    return relevo::GetEye(camera, identity);
+  }
+  relevo::dvec4 eye(0.0, 0.0, 0.0, camera->GetParallelProjection() ? 0.0 : 1.0);
+  if (camera->GetParallelProjection())
+  {
+    camera->GetDirectionOfProjection(&eye.x);
+    return -eye;
+  }
+  camera->GetPosition(&eye.x);
+  return eye;
+}
+}
+
 class vtkReliefWarper::Internals
 {
 public:
@@ -44,17 +69,17 @@ public:
   relevo::WarpedImage Shown;
   relevo::WarpedImage Next; // of the worker, while that is busy
   bool IsNextOpen = false;  // begun and not taken
+  std::atomic<bool> IsNextWarped{ false };
   relevo::WarpPasses Passes;
 
   std::atomic<int> NumberOfWarps{ 0 };
   std::atomic<double> WarpTime{ 0.0 };
-  std::atomic<vtkMTimeType> FinishTime{ 0 };
+  vtkTimeStamp LookTime;     // when last a finished picture was there to be taken
   relevo::WarpWorker Worker; // the first to go
 
   relevo::WarpCoefficients GetCoefficients(vtkCamera* camera) const
   {
-    vtkNew<vtkMatrix4x4> identity;
-    return relevo::GetWarpCoefficients(this->Source->GetRelief(), relevo::GetEye(camera, identity));
+    return relevo::GetWarpCoefficients(this->Source->GetRelief(), FindEye(camera));
   }
 
   // By the thread that warps.
@@ -78,17 +103,16 @@ public:
   {
     this->Prepare(this->Next, coefficients, relevo::WarpPasses::Way::OneThread, 1);
     this->IsNextOpen = true;
+    this->IsNextWarped = false;
     this->Worker.Start(
       [this]
       {
         this->Warp(this->Next);
-        vtkTimeStamp now;
-        now.Modified();
-        this->FinishTime = now.GetMTime();
+        this->IsNextWarped = true;
       });
   }
 
-  bool IsFinished() const { return this->IsNextOpen && !this->Worker.IsBusy(); }
+  bool IsFinished() const { return this->IsNextOpen && this->IsNextWarped; }
 
   void Take()
   {
@@ -142,7 +166,7 @@ int vtkReliefWarper::GetState()
 {
   if (this->Own->IsNextOpen)
   {
-    return this->Own->Worker.IsBusy() ? WARPING : WAITING;
+    return this->Own->IsFinished() ? WAITING : WARPING;
   }
   return this->Own->Shown.IsEmpty() ? INITIAL : FINAL;
 }
@@ -162,10 +186,16 @@ bool vtkReliefWarper::CanWarp()
   return this->Own->Source && this->Camera && this->Own->GetCoefficients(this->Camera).IsUsable;
 }
 
+// The worker may finish at any time, also while RequestData() runs: until the picture is taken, it
+// is newer than what there is.
 vtkMTimeType vtkReliefWarper::GetMTime()
 {
-  return std::max<vtkMTimeType>(
-    relevo::GetLatestTime(this->Superclass::GetMTime(), { this->Camera }), this->Own->FinishTime);
+  if (this->Own->IsFinished())
+  {
+    this->Own->LookTime.Modified();
+  }
+  return std::max(relevo::GetLatestTime(this->Superclass::GetMTime(), { this->Camera }),
+    this->Own->LookTime.GetMTime());
 }
 
 // Of the relief, all that there is.

@@ -26,9 +26,9 @@
  * = u' (1 + k3 (w - w0)) - k1 (w - w0) and the row v = v' (1 + k3 (w - w0)) - k2 (w - w0) of the
  * source, at depth d there. So the output is no relief, and is refused as one.
  *
- * Only where the camera's eye is counts, with parallel projection where it looks: turning or
- * zooming asks for no new warp. Where the eye is in the plane or behind it there is no such
- * picture: all is NaN, with a warning the first time, see CanWarp().
+ * Only where the camera's eye is counts, with parallel projection from where it looks: turning and
+ * zooming ask for no new warp. Where the eye is in the plane or behind it there is no such picture:
+ * all is NaN, with a warning the first time, see CanWarp().
  *
  * Errors, with an empty output: no camera; an input that is no relief; too little memory.
  */
@@ -127,7 +127,7 @@ public:
   /// Update() gives a picture without surface. False before the first Update().
   bool CanWarp();
 
-  /// Includes the camera's modification time and that of a finished warp.
+  /// Includes the camera's modification time; always newer while a finished picture is WAITING.
   vtkMTimeType GetMTime() override;
 
 protected:

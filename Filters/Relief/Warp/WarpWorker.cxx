@@ -21,6 +21,7 @@ WarpWorker::~WarpWorker()
 
 void WarpWorker::Start(std::function<void()> work)
 {
+  this->Wait();
   if (!this->Thread.joinable())
   {
     this->Thread = std::thread([this] { this->Live(); });
@@ -30,12 +31,6 @@ void WarpWorker::Start(std::function<void()> work)
     this->Work = std::move(work);
   }
   this->Changed.notify_all();
-}
-
-bool WarpWorker::IsBusy() const
-{
-  const std::lock_guard<std::mutex> lock(this->Mutex);
-  return static_cast<bool>(this->Work);
 }
 
 void WarpWorker::Wait() const

@@ -25,9 +25,8 @@ public:
   WarpWorker(const WarpWorker&) = delete;
   void operator=(const WarpWorker&) = delete;
 
-  /// Work that throws nothing; none is at hand.
+  /// Work that throws nothing, as soon as what is at hand is done.
   void Start(std::function<void()> work);
-  bool IsBusy() const;
   void Wait() const;
 
 private:
