@@ -106,8 +106,8 @@ void WarpColumns::DrawEnd(int row, int position, const WarpRow& lower, double ot
     return;
   }
   const int nearest = static_cast<int>(place + 0.5);
-  const bool isPassed = other == other && nearest >= std::min(place, other) &&
-    nearest <= std::max(place, other);
+  const bool isPassed =
+    other == other && nearest >= std::min(place, other) && nearest <= std::max(place, other);
   if (isPassed ||
     (nearest != place && this->Source.IsInside(sample.Column, row, sample.IsAtColumn())))
   {
