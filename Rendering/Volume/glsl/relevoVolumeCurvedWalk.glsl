@@ -147,20 +147,38 @@ vec3 hexPlaces[8]; // as the ray sees them
   mix(mix(mix(c[0], c[1], (p).x), mix(c[3], c[2], (p).x), (p).y), \
     mix(mix(c[4], c[5], (p).x), mix(c[7], c[6], (p).x), (p).y), (p).z)
 
-#define seekHexahedron(p, depth) \
-  newtonStep(depth, trilinear(hexPlaces, p), \
-    mix(mix(hexPlaces[1] - hexPlaces[0], hexPlaces[2] - hexPlaces[3], p.y), \
-      mix(hexPlaces[5] - hexPlaces[4], hexPlaces[6] - hexPlaces[7], p.y), p.z), \
-    mix(mix(hexPlaces[3], hexPlaces[2], p.x) - mix(hexPlaces[0], hexPlaces[1], p.x), \
-      mix(hexPlaces[7], hexPlaces[6], p.x) - mix(hexPlaces[4], hexPlaces[5], p.x), p.z), \
-    mix(mix(hexPlaces[4], hexPlaces[5], p.x), mix(hexPlaces[7], hexPlaces[6], p.x), p.y) - \
-      mix(mix(hexPlaces[0], hexPlaces[1], p.x), mix(hexPlaces[3], hexPlaces[2], p.x), p.y))
+// Places as polynomials: terms of 1, x, y, z, xy, yz, zx and xyz.
+vec3 hexTerms[8];
 
+void findHexTerms()
+{
+  hexTerms[0] = hexPlaces[0];
+  hexTerms[1] = hexPlaces[1] - hexPlaces[0];
+  hexTerms[2] = hexPlaces[3] - hexPlaces[0];
+  hexTerms[3] = hexPlaces[4] - hexPlaces[0];
+  hexTerms[4] = hexPlaces[2] - hexPlaces[3] - hexTerms[1];
+  hexTerms[5] = hexPlaces[7] - hexPlaces[4] - hexTerms[2];
+  hexTerms[6] = hexPlaces[5] - hexPlaces[4] - hexTerms[1];
+  hexTerms[7] = hexPlaces[6] - hexPlaces[7] - hexTerms[1] - hexTerms[4] - hexTerms[6];
+}
+
+vec3 seekInHexahedron(float depth, vec3 p)
+{
+  vec3 du = hexTerms[1] + p.y * hexTerms[4] + p.z * (hexTerms[6] + p.y * hexTerms[7]);
+  vec3 dv = hexTerms[2] + p.x * hexTerms[4] + p.z * (hexTerms[5] + p.x * hexTerms[7]);
+  vec3 dw = hexTerms[3] + p.y * hexTerms[5] + p.x * (hexTerms[6] + p.y * hexTerms[7]);
+  vec3 place =
+    hexTerms[0] + p.x * du + p.y * (hexTerms[2] + p.z * hexTerms[5]) + p.z * hexTerms[3];
+  return newtonStep(depth, place, du, dv, dw);
+}
+
+// Mostly one step suffices. Its limit is no constant, as drivers would unroll the loop and make all
+// steps always.
 vec3 parametersInHexahedron(float depth, vec3 p)
 {
-  for (int i = 0; i < 3; ++i)
+  for (int i = 0; i < min(3, mostSteps); ++i)
   {
-    vec3 move = seekHexahedron(p, depth);
+    vec3 move = seekInHexahedron(depth, p);
     p += move;
     if (dot(move, move) < 1e-4)
     {
@@ -240,14 +258,12 @@ void crossHexahedron()
 #endif
   }
   ivec2 faces = windHexahedron(ids);
-  int exit = highestBit(faces.x);
-  int entry = highestBit(faces.y);
+  int exit = -1;
+  float end = FarOutside;
+  float begin = FarOutside;
   vec3 leftAt = vec3(0.5);
   vec3 enteredAt = vec3(0.5);
-  float end = exit >= 0 ? crossHexFace(exit, leftAt) : walkDepth;
-  float begin = entry >= 0 ? crossHexFace(entry, enteredAt) : walkDepth;
-  // A cell that is not convex may be left several times.
-  faces -= ivec2(exit < 0 ? 0 : 1 << exit, entry < 0 ? 0 : 1 << entry);
+  // Mostly one of each; a cell that is not convex may be left several times.
   while (faces.x + faces.y > 0)
   {
     bool isExit = faces.x > 0;
@@ -255,7 +271,7 @@ void crossHexahedron()
     faces -= isExit ? ivec2(1 << face, 0) : ivec2(0, 1 << face);
     vec3 parameters;
     float depth = crossHexFace(face, parameters);
-    if (isExit && rankExit(depth) < rankExit(end))
+    if (isExit && (exit < 0 || rankExit(depth) < rankExit(end)))
     {
       exit = face;
       end = depth;
@@ -267,8 +283,9 @@ void crossHexahedron()
       enteredAt = parameters;
     }
   }
-  end = max(end, walkDepth);
+  end = exit < 0 ? walkDepth : max(end, walkDepth);
 #if !RELEVO_CELL_SCALARS
+  findHexTerms();
   cubic[0] = trilinear(corners, enteredAt);
   vec3 one = parametersInHexahedron(
     mix(walkDepth, end, 1.0 / 3.0), mix(enteredAt, leftAt, 1.0 / 3.0));

@@ -9,12 +9,9 @@ int passesOf(Corner a, Corner b)
 {
   bool rises = a.at.y <= 0.0 && b.at.y > 0.0;
   bool falls = a.at.y > 0.0 && b.at.y <= 0.0;
-  if (!rises && !falls)
-  {
-    return 0;
-  }
-  bool left = isOnLeft(spannedArea(a.id, a.at.xy, b.id, b.at.xy), a.id, a.at.xy, b.id, b.at.xy);
-  return rises && left ? 1 : falls && !left ? -1 : 0;
+  // As isOnLeft() says of such edges.
+  float area = spannedArea(a.id, a.at.xy, b.id, b.at.xy);
+  return int(rises && area > 0.0) - int(falls && area < 0.0);
 }
 
 #if RELEVO_QUADRATIC
