@@ -116,18 +116,11 @@ bool IsIntegrated(const VolumeShaderOptions& options)
 }
 
 // Whether cells that are projected tell by one function which of its pieces they need, and whether
-// any of them is seen.
+// any of them is seen: then a part of a ray goes through these step by step.
 bool FindsPieces(const VolumeShaderOptions& options)
 {
   return IsIntegrated(options) && options.NumberOfCurves == 1 && options.NumberOfComponents == 1 &&
     !options.HasTables && !options.HasSurfaces;
-}
-
-// Whether no more than these pieces is asked for.
-bool TakesSteps(const VolumeShaderOptions& options)
-{
-  return FindsPieces(options) && options.Blending == BlendMode::Composite &&
-    !options.HasGradientOpacity && options.NumberOfMaterials == 0;
 }
 
 std::string DefineOptions(const VolumeShaderOptions& options)
@@ -143,7 +136,6 @@ std::string DefineOptions(const VolumeShaderOptions& options)
   DefineFeatures(defines, options);
   Define(defines, "CUT_BY_NEAR", options.IsCutByNear);
   Define(defines, "SEEN_PIECE", FindsPieces(options));
-  Define(defines, "STEPS", TakesSteps(options));
   return defines.str();
 }
 
@@ -229,7 +221,7 @@ std::string MakeProjectionShader(const VolumeShaderOptions& options)
   std::string source = relevoVolumeProjectionFS;
   Put(source, "Defines", DefineOptions(options));
   PutRays(source, options);
-  if (TakesSteps(options))
+  if (FindsPieces(options))
   {
     Put(source, "Blend", relevoVolumeSteps);
   }

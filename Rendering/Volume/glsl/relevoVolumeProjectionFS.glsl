@@ -16,7 +16,7 @@
 //RELEVO::Store
 
 // As relevoVolumeProjectionVS.glsl says.
-#if RELEVO_STEPS
+#if RELEVO_SEEN_PIECE
 flat in vec2 seenPiece;
 #endif
 flat in vec4 seenX;
@@ -186,7 +186,7 @@ void main()
 #if RELEVO_STEEPNESS
   partSteepness = seenSteepness;
 #endif
-#if RELEVO_STEPS
+#if RELEVO_SEEN_PIECE
   beginSteps(seenPiece, partFront, partBack);
 #else
   seekScalars(partFront);

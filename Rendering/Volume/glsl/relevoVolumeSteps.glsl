@@ -1,5 +1,5 @@
-// Composite blending, exact, of the functions of one component: as relevoVolumeComposite.glsl does,
-// where each cell knows a piece near to those that it needs. No more than one piece is fetched a
+// Composite and additive blending, exact, of the functions of one component: as
+// relevoVolumeComposite.glsl does, where each cell knows a piece near to those that it needs. No more than one piece is fetched a
 // step, as software renderers do what either side of a branch says.
 
 const float ThinDepth = 3.0;
@@ -8,16 +8,29 @@ const float StepsEnd = 0.9999; // opacity
 
 int stepPiece; // set by the caller
 
+#if RELEVO_ADDITIVE
+vec4 sum;
+#endif
+
 // By number and end of the piece that the lowest of the cell's scalars is in: to that of the front,
-// unless there are more of them in the cell.
+// unless there are more of them in the cell. The part is known, and its gradients.
 void beginSteps(vec2 lowest, float front, float back)
 {
   stepPiece = int(lowest.x) + int(back > front ? front >= lowest.y : front > lowest.y);
+#if RELEVO_GRADIENT_OPACITY
+  findGradientOpacities();
+#endif
+#if RELEVO_LIT
+  findLights();
+#endif
 }
 
 void beginRay()
 {
   collected = vec4(0.0);
+#if RELEVO_ADDITIVE
+  sum = vec4(0.0);
+#endif
 }
 
 bool collect(float front, float back, float span, inout float from)
@@ -39,15 +52,20 @@ bool collect(float front, float back, float span, inout float from)
   float node = rises ? piece.end : piece.begin;
   bool isCut = rises ? node < back : node > back && back < front;
   float to = isCut ? max((node - front) / (back - front), from) : 1.0;
-  vec4 first = evaluatePiece(0, mix(front, back, from));
-  vec4 last = evaluatePiece(0, mix(front, back, to));
+  vec4 first = evaluateSet(0, mix(front, back, from), from);
+  vec4 last = evaluateSet(0, mix(front, back, to), to);
   float share = to - from;
+#if RELEVO_ADDITIVE
+  sum += linearSegmentSum(first, last, share * span);
+  float thin = 1.0;
+#else
   float depth = max(max(first.w, last.w) * share * span, 1e-30);
   float thin = clamp(ThinDepth / depth, LeastShare, 1.0);
   to = thin < 1.0 ? from + thin * share : to;
   isCut = isCut && thin == 1.0;
   collected = frontOverBack(
     collected, linearSegment(first, mix(first, last, thin), thin * share * span));
+#endif
   from = max(to, 1e-30); // 0 stands for a part that is new
   stepPiece += isCut ? rises ? 1 : -1 : 0;
   return (!isCut && thin == 1.0) || collected.a >= StepsEnd;
