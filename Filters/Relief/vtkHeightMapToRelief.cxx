@@ -4,6 +4,7 @@
 
 #include "Core/LatestTime.h"
 #include "Core/SettingChecks.h"
+#include "Core/VTKCompatibility.h"
 #include "Data/Relief.h"
 #include "Data/ReliefColors.h"
 #include "Data/ReliefNormals.h"
@@ -23,6 +24,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <new>
 #include <vector>
@@ -32,15 +34,16 @@ vtkStandardNewMacro(vtkHeightMapToRelief);
 namespace
 {
 constexpr double LargestExaggeration = VTK_FLOAT_MAX;
+constexpr int MostTexels = 64; // along a sample
 
-// NaN without data.
-std::vector<double> ReadTexels(vtkHeightField* heights, const relevo::TerrainTexels& texels)
+// NaN without data; nothing if it is not to go on, which is asked with the share that is done.
+std::vector<double> ReadTexels(vtkHeightField* heights, const relevo::TerrainTexels& texels,
+  const int texelSize[2], const std::function<bool(double)>& goesOn)
 {
   int size[2];
   heights->GetDimensions(size);
   const float* samples = heights->GetSamples();
   const unsigned char* validity = heights->GetValidity();
-  std::vector<double> result(static_cast<std::size_t>(size[0]) * size[1]);
   const auto getHeight = [&](int column, int row)
   {
     const auto uv = texels.GetParameters(column, row);
@@ -54,17 +57,26 @@ std::vector<double> ReadTexels(vtkHeightField* heights, const relevo::TerrainTex
     }
     return texels.AreSamples() ? samples[sample] : heights->GetHeight(uv->x, uv->y);
   };
-  vtkSMPTools::For(0, size[1],
-    [&](vtkIdType begin, vtkIdType end)
+  std::vector<double> result(static_cast<std::size_t>(texelSize[0]) * texelSize[1]);
+  constexpr int rowsAtOnce = 64;
+  for (int first = 0; first < texelSize[1]; first += rowsAtOnce)
+  {
+    if (!goesOn(static_cast<double>(first) / texelSize[1]))
     {
-      for (int row = static_cast<int>(begin); row < end; ++row)
+      return {};
+    }
+    vtkSMPTools::For(first, std::min(first + rowsAtOnce, texelSize[1]),
+      [&](vtkIdType begin, vtkIdType end)
       {
-        for (int column = 0; column < size[0]; ++column)
+        for (int row = static_cast<int>(begin); row < end; ++row)
         {
-          result[static_cast<std::size_t>(row) * size[0] + column] = getHeight(column, row);
+          for (int column = 0; column < texelSize[0]; ++column)
+          {
+            result[static_cast<std::size_t>(row) * texelSize[0] + column] = getHeight(column, row);
+          }
         }
-      }
-    });
+      });
+  }
   return result;
 }
 
@@ -147,6 +159,11 @@ void vtkHeightMapToRelief::SetExaggeration(double exaggeration)
     LargestExaggeration);
 }
 
+void vtkHeightMapToRelief::SetTexelsPerSample(int texels)
+{
+  relevo::SetInRange(this, "TexelsPerSample", this->TexelsPerSample, texels, 1, MostTexels);
+}
+
 vtkMTimeType vtkHeightMapToRelief::GetMTime()
 {
   return relevo::GetLatestTime(this->Superclass::GetMTime(), { this->HeightMap });
@@ -187,7 +204,8 @@ int vtkHeightMapToRelief::RequestInformation(
   int size[2];
   this->HeightMap->GetDimensions(size);
   vtkInformation* information = outputVector->GetInformationObject(0);
-  const int extent[6] = { 0, size[0] - 1, 0, size[1] - 1, 0, 0 };
+  const int texels = this->TexelsPerSample;
+  const int extent[6] = { 0, size[0] * texels - 1, 0, size[1] * texels - 1, 0, 0 };
   const double origin[3] = { 0.0, 0.0, 0.0 };
   const double spacing[3] = { 1.0, 1.0, 1.0 };
   information->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
@@ -254,11 +272,21 @@ std::string vtkHeightMapToRelief::Build(vtkImageData* imagery, vtkImageData* out
     }
   }
   const relevo::TerrainFrame frame(location);
-  const relevo::TerrainTexels texels(frame, size[0], size[1]);
-  const std::vector<double> heights = ReadTexels(this->HeightMap, texels);
+  const relevo::TerrainTexels texels(frame, size, this->TexelsPerSample);
+  const int texelSize[2] = { size[0] * this->TexelsPerSample, size[1] * this->TexelsPerSample };
+  const std::vector<double> heights = ReadTexels(this->HeightMap, texels, texelSize,
+    [this](double share)
+    {
+      this->UpdateProgress(share);
+      return !relevo::IsAborted(this);
+    });
+  if (heights.empty())
+  {
+    return ""; // aborted
+  }
   const double top = FindTop(heights, scale);
   const auto depths = MakeDepths(heights, top, scale);
-  output->SetDimensions(size[0], size[1], 1);
+  output->SetDimensions(texelSize[0], texelSize[1], 1);
   output->GetPointData()->AddArray(depths);
   relevo::dmat4 matrix = texels.GetMatrix();
   matrix[2].z = -1.0;
@@ -290,5 +318,6 @@ void vtkHeightMapToRelief::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "HeightMap: " << this->HeightMap << "\n";
   os << indent << "Exaggeration: " << this->Exaggeration << "\n";
+  os << indent << "TexelsPerSample: " << this->TexelsPerSample << "\n";
   os << indent << "ComputeNormals: " << (this->ComputeNormals ? "On" : "Off") << "\n";
 }

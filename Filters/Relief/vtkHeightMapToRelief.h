@@ -10,16 +10,19 @@
  * vtkTerrainSource::GetImagery(). Colours are as in vtkDepthImageToRelief; a texel's is the mean of
  * what lies in it. Without imagery the relief is grey: white is highest, dark lowest.
  *
- * Output: the relief, a vtkImageData with as many texels as the height map has samples, of parallel
+ * Output: the relief, a vtkImageData with TexelsPerSample texels along each sample, of parallel
  * projection, with the point arrays "Color", "Depth" (NaN where there are no data) and "Normals",
  * and the field arrays "ReliefProjection" and "ReliefMatrix". Depths count downwards from the
  * highest place, in metres, or in the heights' unit where there is no georeference.
  *
- * Texels lie where vtkTerrainSource puts the heights: in metres, x east, y north, from the raster's
- * centre; without georeference one texel is one unit; z = height x Exaggeration. Texels are the
- * samples themselves, but for longitude and latitude, which are no regular grid on the ground:
- * there texels are a grid along x and y, over all of the raster, with heights in between. None are
- * where the sample that they lie in has no data, and outside of the raster.
+ * Samples lie where vtkTerrainSource puts the heights: in metres, x east, y north, from the
+ * raster's centre; without georeference one sample is one unit; z = height x Exaggeration. Texels
+ * are the samples themselves, but for longitude and latitude, which are no regular grid on the
+ * ground: there texels are a grid along x and y, over all of the raster, with heights in between.
+ * None are where the sample that they lie in has no data, and outside of the raster.
+ *
+ * ProgressEvent reports the share done. AbortExecuteOn(), from an observer, stops it, with an empty
+ * output and no error.
  *
  * Errors (ErrorEvent of this object, empty output): no height map, or one that cannot be read,
  * which says why itself, too; a georeference that no terrain can have; imagery that is not n x m x
@@ -64,6 +67,15 @@ public:
 
   //@{
   /**
+   * Texels along each sample, 1 to 64, default 1. More keep more of imagery that is finer than the
+   * heights, which are interpolated.
+   */
+  void SetTexelsPerSample(int texels);
+  vtkGetMacro(TexelsPerSample, int);
+  //@}
+
+  //@{
+  /**
    * Whether the relief gets normals, computed from its heights; on by default.
    */
   vtkSetMacro(ComputeNormals, bool);
@@ -95,6 +107,7 @@ private:
 
   vtkSmartPointer<vtkHeightField> HeightMap;
   double Exaggeration = 1.0;
+  int TexelsPerSample = 1;
   bool ComputeNormals = true;
 };
 

@@ -16,13 +16,14 @@ dvec2 GetPlace(const TerrainFrame& frame, double u, double v)
 }
 }
 
-TerrainTexels::TerrainTexels(const TerrainFrame& frame, int width, int height)
+TerrainTexels::TerrainTexels(const TerrainFrame& frame, const int size[2], int texelsPerSample)
   : Frame(frame)
-  , Size(width, height)
-  , Samples(!frame.IsGeographic())
+  , Size(dvec2(size[0], size[1]) * static_cast<double>(texelsPerSample))
+  , Regular(!frame.IsGeographic())
+  , Samples(this->Regular && texelsPerSample == 1)
 {
   const dvec2 corner = GetPlace(frame, 0.0, 0.0);
-  if (this->Samples)
+  if (this->Regular)
   {
     this->SetMatrix(corner, GetPlace(frame, 1.0, 0.0) - corner, GetPlace(frame, 0.0, 1.0) - corner);
     return;
@@ -57,7 +58,7 @@ void TerrainTexels::SetMatrix(
 
 std::optional<dvec2> TerrainTexels::GetParameters(int column, int row) const
 {
-  if (this->Samples)
+  if (this->Regular)
   {
     return dvec2(column + 0.5, row + 0.5) / this->Size;
   }

@@ -24,8 +24,8 @@ class TerrainFrame;
 class TerrainTexels
 {
 public:
-  /// The frame must outlive this.
-  TerrainTexels(const TerrainFrame& frame, int width, int height);
+  /// The frame must outlive this. Of the samples' width and height, and texels along a sample.
+  TerrainTexels(const TerrainFrame& frame, const int size[2], int texelsPerSample);
 
   /// Whether texels are samples.
   bool AreSamples() const { return this->Samples; }
@@ -39,6 +39,7 @@ private:
 
   const TerrainFrame& Frame;
   const dvec2 Size;
+  const bool Regular; // whether the samples are a grid on the ground
   const bool Samples;
   dmat4 Matrix = dmat4(1.0);
 };

@@ -5,6 +5,7 @@
 #include "RelevoCheck.h"
 #include "RelevoReliefs.h"
 
+#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkExecutive.h"
 #include "vtkHeightMap.h"
@@ -63,6 +64,38 @@ void TestPlaces(RelevoCheck& check)
       }
     }
   }
+}
+
+// More texels than samples are between the samples: the finer imagery as it is.
+void TestTexels(RelevoCheck& check)
+{
+  const auto ramp = [](int column, int row) { return 8.0 * column + row; };
+  vtkNew<vtkHeightMapToRelief> filter;
+  const auto map = MakeMap(5, 4, [](int column, int) { return column == 4 ? -9999.0 : column; });
+  map->SetNoDataValue(-9999.0);
+  filter->SetHeightMap(map);
+  filter->SetInputData(RelevoMakeImage(10, 8, VTK_UNSIGNED_CHAR, ramp));
+  filter->SetTexelsPerSample(2);
+  const Relief relief = MakeRelief(check, filter);
+  CHECK(relief.GetWidth() == 10 && relief.GetHeight() == 8);
+  for (int column = 0; column < 10; ++column)
+  {
+    const dvec3 point = relief.GetWorldPoint(column, 3, relief.GetTexelHeight(column, 3));
+    const dvec3 expected(0.5 * column + 0.25 - 2.5, -0.25, std::max(0.5 * column - 0.25, 0.0));
+    CHECK(column > 7 ? point.z != point.z : column == 7 || distance(point, expected) < 1e-6);
+    CHECK(relief.GetColors()[3 * (30 + column)] == 8 * column + 3);
+  }
+  RelevoErrors errors(filter);
+  filter->SetTexelsPerSample(65);
+  CHECK(errors.Said("TexelsPerSample must be in [1, 64], got 65."));
+  CHECK(filter->GetTexelsPerSample() == 2);
+
+  // An abort leaves nothing, and is no error.
+  filter->AddObserver(
+    vtkCommand::ProgressEvent, filter.Get(), &vtkHeightMapToRelief::AbortExecuteOn);
+  filter->Modified();
+  filter->Update();
+  CHECK(errors.None() && filter->GetOutput()->GetNumberOfPoints() == 0);
 }
 
 void TestNormals(RelevoCheck& check)
@@ -159,6 +192,7 @@ int TestHeightMapToRelief(int, char*[])
 {
   RelevoCheck check;
   TestPlaces(check);
+  TestTexels(check);
   TestNormals(check);
   TestColors(check);
   TestErrors(check);
