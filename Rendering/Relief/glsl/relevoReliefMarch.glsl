@@ -18,10 +18,15 @@ const float reliefTolerance = 1e-3;
 vec4 reliefCorners(ivec2 quad)
 {
   ivec2 texel = reliefTile.yz + quad;
+#ifdef GL_ARB_texture_gather
+  vec2 middle = vec2(texel + 1) / vec2(textureSize(reliefHeights, 0));
+  return textureGather(reliefHeights, middle).wzxy;
+#else
   return vec4(texelFetch(reliefHeights, texel, 0).r,
     texelFetchOffset(reliefHeights, texel, 0, ivec2(1, 0)).r,
     texelFetchOffset(reliefHeights, texel, 0, ivec2(0, 1)).r,
     texelFetchOffset(reliefHeights, texel, 0, ivec2(1, 1)).r);
+#endif
 }
 
 bool reliefIsQuad(ivec2 quad)
