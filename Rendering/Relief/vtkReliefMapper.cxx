@@ -65,6 +65,17 @@ void vtkReliefMapper::SetInputData(vtkImageData* relief)
   this->SetInputDataInternal(0, relief);
 }
 
+void vtkReliefMapper::SetMethod(int method)
+{
+  relevo::SetChoice(this, "Method", this->Method, method, { "RAY_MARCH", "REFINEMENT" });
+}
+
+void vtkReliefMapper::SetSearch(int search)
+{
+  relevo::SetChoice(this, "Search", this->Search, search,
+    { "LINEAR_BINARY", "LINEAR_SECANT", "RELAXED_CONES", "MAXIMUM_MIPMAP" });
+}
+
 void vtkReliefMapper::SetShading(int shading)
 {
   relevo::SetChoice(this, "Shading", this->Shading, shading, { "CAPTURED", "LIT" });
@@ -216,6 +227,8 @@ void vtkReliefMapper::RenderBlocks(vtkRenderer* renderer, vtkActor* actor)
     selector->BeginRenderProp();
   }
   relevo::ReliefPainter::Settings settings;
+  settings.Method = static_cast<relevo::ReliefShaderOptions::Methods>(this->Method);
+  settings.Search = this->Search;
   settings.IsLit = this->Shading == LIT;
   for (auto& entry : this->Internals->Blocks)
   {
@@ -307,6 +320,8 @@ void vtkReliefMapper::ShallowCopy(vtkAbstractMapper* mapper)
 {
   if (vtkReliefMapper* other = vtkReliefMapper::SafeDownCast(mapper))
   {
+    this->SetMethod(other->Method);
+    this->SetSearch(other->Search);
     this->SetShading(other->Shading);
     this->SetMaximumStretch(other->MaximumStretch);
     this->SetInputConnection(other->GetInputConnection(0, 0));
@@ -317,6 +332,8 @@ void vtkReliefMapper::ShallowCopy(vtkAbstractMapper* mapper)
 void vtkReliefMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << this->Method << "\n";
+  os << indent << "Search: " << this->Search << "\n";
   os << indent << "Shading: " << this->Shading << "\n";
   os << indent << "MaximumStretch: " << this->MaximumStretch << "\n";
 }

@@ -49,6 +49,48 @@ public:
   void SetInputData(vtkImageData* relief);
   //@}
 
+  enum MethodType
+  {
+    METHOD_RAY_MARCH = 0,
+    METHOD_REFINEMENT
+  };
+
+  //@{
+  /**
+   * How the surface is drawn. RAY_MARCH (0, default): each pixel's ray is followed through the
+   * relief, see SetSearch(). REFINEMENT (1): by Relevo's patterns, displaced by the depths, as fine
+   * as the surface and the screen need: triangles are within a quarter of a texel of the surface,
+   * or of a pixel where that is more; fragments where the surface is open are cut out.
+   */
+  void SetMethod(int method);
+  vtkGetMacro(Method, int);
+  void SetMethodToRayMarch() { this->SetMethod(METHOD_RAY_MARCH); }
+  void SetMethodToRefinement() { this->SetMethod(METHOD_REFINEMENT); }
+  //@}
+
+  enum SearchType
+  {
+    SEARCH_LINEAR_BINARY = 0,
+    SEARCH_LINEAR_SECANT,
+    SEARCH_RELAXED_CONES,
+    SEARCH_MAXIMUM_MIPMAP
+  };
+
+  //@{
+  /**
+   * How RAY_MARCH finds where a ray meets the surface. LINEAR_BINARY (0): steps of a texel, then
+   * bisection (F. Policarpo, M. Oliveira, J. Comba, 2005); LINEAR_SECANT (1): the secant in place
+   * of bisection. Both miss what is thinner than a step. MAXIMUM_MIPMAP (3, default): by least and
+   * largest heights (A. Tevs, I. Ihrke, H.-P. Seidel, 2008), then exactly in each quad; misses
+   * nothing.
+   */
+  void SetSearch(int search);
+  vtkGetMacro(Search, int);
+  void SetSearchToLinearBinary() { this->SetSearch(SEARCH_LINEAR_BINARY); }
+  void SetSearchToLinearSecant() { this->SetSearch(SEARCH_LINEAR_SECANT); }
+  void SetSearchToMaximumMipmap() { this->SetSearch(SEARCH_MAXIMUM_MIPMAP); }
+  //@}
+
   enum ShadingType
   {
     CAPTURED = 0,
@@ -113,6 +155,8 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
 
+  int Method = METHOD_RAY_MARCH;
+  int Search = SEARCH_MAXIMUM_MIPMAP;
   int Shading = CAPTURED;
   double MaximumStretch = 8.0;
 

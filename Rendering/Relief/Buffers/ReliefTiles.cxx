@@ -7,6 +7,7 @@
 #include "vtkBoundingBox.h"
 #include "vtkSMPTools.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -29,6 +30,31 @@ void PutNormal(const float* normal, unsigned short* out)
   out[0] = static_cast<unsigned short>(std::lround((0.5 * place.x + 0.5) * 65535.0));
   out[1] = static_cast<unsigned short>(std::lround((0.5 * place.y + 0.5) * 65535.0));
 }
+
+// That of texels around it where there is none, so that searches that interpolate heights find the
+// border of the surface; NaN for none.
+double GetHeight(const Relief& relief, const ivec2& texel)
+{
+  const double height = relief.GetTexelHeight(texel.x, texel.y);
+  if (std::isfinite(height))
+  {
+    return height;
+  }
+  const ivec2 least = max(texel - 1, ivec2(0));
+  const ivec2 most = min(texel + 1, ivec2(relief.GetWidth(), relief.GetHeight()) - 1);
+  double sum = 0.0;
+  int number = 0;
+  for (int r = least.y; r <= most.y; ++r)
+  {
+    for (int c = least.x; c <= most.x; ++c)
+    {
+      const double other = relief.GetTexelHeight(c, r);
+      sum += std::isfinite(other) ? other : 0.0;
+      number += std::isfinite(other) ? 1 : 0;
+    }
+  }
+  return sum / number;
+}
 }
 
 ivec2 ReliefTiles::GetTextureSize() const
@@ -46,6 +72,7 @@ void ReliefTiles::Cut(const Relief& relief, const std::vector<unsigned char>& si
   this->Places.resize(tiles);
   this->Quads.assign(tiles * Size / 2, 0);
   this->Ranges.resize(tiles * Cells * Cells * 2);
+  this->Deviations.assign(tiles * HighestLevel, std::numeric_limits<float>::infinity());
   if (tiles == 0)
   {
     return;
@@ -63,8 +90,10 @@ void ReliefTiles::Cut(const Relief& relief, const std::vector<unsigned char>& si
       {
         this->FillTexels(relief, tile);
         this->FillTile(relief, sides, tile);
+        this->FindDeviations(tile);
       }
     });
+  this->FindNeighbors(relief);
 }
 
 void ReliefTiles::FindFrame(const Relief& relief)
@@ -143,7 +172,7 @@ void ReliefTiles::FillTexels(const Relief& relief, int tile)
     {
       const size_t to = static_cast<size_t>(corner.y + r) * stride + corner.x + c;
       const size_t from = static_cast<size_t>(origin.y + r) * relief.GetWidth() + origin.x + c;
-      const double height = relief.GetTexelHeight(origin.x + c, origin.y + r);
+      const double height = GetHeight(relief, origin + ivec2(c, r));
       this->Heights[to] = std::isfinite(height)
         ? static_cast<float>(this->HeightScale * (height - this->HeightOffset))
         : 0.0f;
@@ -195,5 +224,56 @@ void ReliefTiles::FillTile(const Relief& relief, const std::vector<unsigned char
     }
   }
   this->Places[tile] = vec4(origin - this->First, all);
+}
+
+void ReliefTiles::FindNeighbors(const Relief& relief)
+{
+  const int columns = relief.GetWidth() / Size + 2;
+  std::vector<int> grid(static_cast<size_t>(columns) * (relief.GetHeight() / Size + 2), -1);
+  const auto at = [&](const ivec2& origin) -> int&
+  { return grid[static_cast<size_t>(origin.y / Size) * columns + origin.x / Size]; };
+  for (size_t tile = 0; tile < this->Origins.size(); ++tile)
+  {
+    at(this->Origins[tile]) = static_cast<int>(tile);
+  }
+  for (const ivec2& origin : this->Origins)
+  {
+    this->Neighbors.emplace_back(at(origin + ivec2(Size, 0)), at(origin + ivec2(0, Size)));
+  }
+}
+
+// Of regular triangles whose hypotenuses go up to the right, as the patterns' do.
+void ReliefTiles::FindDeviations(int tile)
+{
+  const unsigned int* quads = this->Quads.data() + static_cast<size_t>(tile) * Size / 2;
+  if (std::any_of(quads, quads + Size / 2, [](unsigned int rows) { return rows != ~0u; }))
+  {
+    return;
+  }
+  const ivec2 corner = ivec2(tile % this->TilesPerRow, tile / this->TilesPerRow) * Texels;
+  const auto height = [&](const ivec2& place)
+  {
+    const ivec2 texel = corner + place;
+    return this->Heights[static_cast<size_t>(texel.y) * this->TilesPerRow * Texels + texel.x];
+  };
+  for (int level = 0; level < HighestLevel; ++level)
+  {
+    const int step = Size >> level;
+    float most = 0.0f;
+    for (int i = 0; i < Texels * Texels; ++i)
+    {
+      const ivec2 place(i % Texels, i / Texels);
+      const ivec2 first = min(place / step, ivec2((1 << level) - 1)) * step;
+      const vec2 part = vec2(place - first) / static_cast<float>(step);
+      const bool isRight = part.x > part.y;
+      const float h00 = height(first);
+      const float h11 = height(first + step);
+      const float other = height(first + (isRight ? ivec2(step, 0) : ivec2(0, step)));
+      const float between = isRight ? h00 + part.x * (other - h00) + part.y * (h11 - other)
+                                    : h00 + part.y * (other - h00) + part.x * (h11 - other);
+      most = max(most, abs(between - height(place)));
+    }
+    this->Deviations[static_cast<size_t>(tile) * HighestLevel + level] = most;
+  }
 }
 }

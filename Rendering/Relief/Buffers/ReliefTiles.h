@@ -51,6 +51,14 @@ public:
   /// For each cell of each tile least and largest height; least > largest for no surface.
   const std::vector<float>& GetRanges() const { return this->Ranges; }
 
+  /// Quads along the sides of half a tile's triangles are Size / 2^level: levels 0 to this.
+  static constexpr int HighestLevel = 4;
+  /// How far triangles of lower levels are from the surface: for each tile that of levels 0, 1...;
+  /// infinite where quads are not there, for which the highest is needed.
+  const std::vector<float>& GetDeviations() const { return this->Deviations; }
+  /// The tile beside another, to the right and above, or -1; for each tile.
+  const std::vector<ivec2>& GetNeighbors() const { return this->Neighbors; }
+
   /// Textures that have a tile after the other, row after row.
   int GetTilesPerRow() const { return this->TilesPerRow; }
   ivec2 GetTextureSize() const;
@@ -64,6 +72,8 @@ private:
   void FindFrame(const Relief& relief);
   void FindTiles(const Relief& relief, const std::vector<unsigned char>& sides);
   void FillTile(const Relief& relief, const std::vector<unsigned char>& sides, int tile);
+  void FindDeviations(int tile);
+  void FindNeighbors(const Relief& relief);
   void FillTexels(const Relief& relief, int tile);
 
   dmat4 ToWorld = dmat4(1.0);
@@ -77,6 +87,8 @@ private:
   std::vector<vec4> Places;
   std::vector<unsigned int> Quads;
   std::vector<float> Ranges;
+  std::vector<float> Deviations;
+  std::vector<ivec2> Neighbors;
   std::vector<float> Heights;
   std::vector<unsigned char> Colors;
   std::vector<unsigned short> Normals;

@@ -4,6 +4,7 @@
 
 #include "OpenGL/RelevoOpenGL.h"
 
+#include "Core/VTKCompatibility.h"
 #include "Data/Relief.h"
 #include "Data/ReliefSides.h"
 #include "View/ReliefView.h"
@@ -36,7 +37,10 @@ vtkStandardNewMacro(ReliefPainter);
 
 ReliefPainter::ReliefPainter()
 {
-  this->Proxies.PrimitiveType = PrimitiveTris;
+  for (vtkOpenGLHelper& helper : this->Helpers)
+  {
+    helper.PrimitiveType = PrimitiveTris;
+  }
   this->ScalarVisibility = 0;
   this->PopulateSelectionSettings = 0; // the mapper does
   this->Box->SetPoints(vtkNew<vtkPoints>());
@@ -88,7 +92,11 @@ void ReliefPainter::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
   this->Textures.ReleaseGraphicsResources(window);
-  this->Proxies.ReleaseGraphicsResources(window);
+  this->Patterns.ReleaseGraphicsResources(window);
+  for (vtkOpenGLHelper& helper : this->Helpers)
+  {
+    helper.ReleaseGraphicsResources(window);
+  }
   this->NeedsUpload = true;
 }
 
@@ -115,21 +123,38 @@ void ReliefPainter::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   {
     return;
   }
-  this->NumberOfLayers = actor->IsRenderingTranslucentPolygonalGeometry() ? MostLayers : 1;
-  this->UpdateShaders(this->Proxies, renderer, actor);
-  if (!this->Proxies.Program)
+  const bool isTranslucent = actor->IsRenderingTranslucentPolygonalGeometry() != 0;
+  this->NumberOfLayers = this->IsMarching() && isTranslucent ? MostLayers : 1;
+  vtkOpenGLHelper& helper = this->GetHelper();
+  this->UpdateShaders(helper, renderer, actor);
+  if (!helper.Program)
   {
     return;
   }
-  this->Proxies.VAO->Bind(); // VTK releases it when the program is another
+  helper.VAO->Bind(); // VTK releases it when the program is another
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglEnableDisable cullFace(state, GL_CULL_FACE);
-  state->vtkglDisable(GL_CULL_FACE); // of the boxes' sides only those are there that are to be
+  state->vtkglDisable(GL_CULL_FACE); // fragments know which side they show
   if (renderer->GetSelector())
   {
     state->vtkglDepthMask(GL_TRUE); // which VTK switches off for points on a surface drawn before
   }
+  if (this->IsMarching())
+  {
+    this->DrawBoxes();
+  }
+  else if (this->Patterns.Select(window, this->Tiles, this->MakeView(renderer, actor)))
+  {
+    this->Patterns.Draw(helper.Program);
+    this->Patterns.Deactivate();
+  }
+  helper.VAO->Release();
+  this->Textures.Deactivate();
+}
+
+void ReliefPainter::DrawBoxes()
+{
   const bool clamped = glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE;
   glEnable(GL_DEPTH_CLAMP); // the rays know of near and far
   glDrawArraysInstanced(
@@ -138,15 +163,13 @@ void ReliefPainter::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   {
     glDisable(GL_DEPTH_CLAMP);
   }
-  this->Proxies.VAO->Release();
-  this->Textures.Deactivate();
 }
 
 void ReliefPainter::SetMapperShaderParameters(
   vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
 {
   this->Superclass::SetMapperShaderParameters(helper, renderer, actor);
-  if (&helper == &this->Proxies)
+  if (&helper == &this->GetHelper())
   {
     this->SetOwnUniforms(renderer, actor);
   }
@@ -154,7 +177,7 @@ void ReliefPainter::SetMapperShaderParameters(
 
 void ReliefPainter::SetOwnUniforms(vtkRenderer* renderer, vtkActor* actor)
 {
-  vtkShaderProgram* program = this->Proxies.Program;
+  vtkShaderProgram* program = this->GetHelper().Program;
   this->MakeView(renderer, actor).SetUniforms(program);
   this->Textures.Activate(program);
   program->SetUniformi("reliefLayers", this->NumberOfLayers);
@@ -173,6 +196,8 @@ void ReliefPainter::SetOwnUniforms(vtkRenderer* renderer, vtkActor* actor)
 ReliefShaderOptions ReliefPainter::GetOptions()
 {
   ReliefShaderOptions options;
+  options.Method = this->Looks.Method;
+  options.Search = this->Looks.Search;
   options.IsLit = this->Looks.IsLit;
   options.HasNormals = this->Textures.HasNormals();
   options.NumberOfPlanes = 2 + this->GetNumberOfClippingPlanes();
@@ -197,8 +222,14 @@ bool ReliefPainter::GetNeedToRebuildShaders(
 {
   const bool needed = this->Superclass::GetNeedToRebuildShaders(helper, renderer, actor);
   const std::string key = this->GetOptions().GetKey();
-  const bool changed = key != this->ShaderKey;
-  this->ShaderKey = key;
+  std::string& last = this->ShaderKeys[this->Looks.Method];
+  const bool changed = key != last;
+  last = key;
+  if (needed || changed)
+  {
+    // One of other sources must not draw in place of one that cannot be built.
+    helper.Program = AsksLastProgram ? this->NoProgram.Get() : nullptr;
+  }
   return needed || changed;
 }
 

@@ -10,6 +10,7 @@
 #ifndef ReliefPainter_h
 #define ReliefPainter_h
 
+#include "Buffers/ReliefPatterns.h"
 #include "Buffers/ReliefTextures.h"
 #include "Buffers/ReliefTiles.h"
 #include "Shaders/ReliefShader.h"
@@ -17,8 +18,8 @@
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPolyData.h"
+#include "vtkShaderProgram.h"
 
-#include <memory>
 #include <string>
 
 namespace relevo
@@ -35,6 +36,8 @@ public:
   /// What the mapper is asked to draw.
   struct Settings
   {
+    ReliefShaderOptions::Methods Method = ReliefShaderOptions::RAY_MARCH;
+    int Search = ReliefShaderOptions::MAXIMUM_MIPMAP;
     bool IsLit = false;
   };
 
@@ -53,7 +56,10 @@ public:
   void ProcessSelectorPixelBuffers(
     vtkHardwareSelector* selector, std::vector<unsigned int>& pixels, vtkProp* prop) override;
 
-  vtkTypeInt64 GetMemorySize() const { return this->Textures.GetMemorySize(); }
+  vtkTypeInt64 GetMemorySize() const
+  {
+    return this->Textures.GetMemorySize() + this->Patterns.GetMemorySize();
+  }
   vtkIdType GetNumberOfBufferBuilds() const { return this->NumberOfBufferBuilds; }
   vtkIdType GetNumberOfShaderBuilds() const { return this->NumberOfShaderBuilds; }
 
@@ -79,6 +85,9 @@ private:
 
   ReliefView MakeView(vtkRenderer* renderer, vtkActor* actor);
   ReliefShaderOptions GetOptions();
+  bool IsMarching() const { return this->Looks.Method == ReliefShaderOptions::RAY_MARCH; }
+  vtkOpenGLHelper& GetHelper() { return this->Helpers[this->Looks.Method]; }
+  void DrawBoxes();
   void SetOwnUniforms(vtkRenderer* renderer, vtkActor* actor);
 
   Settings Looks;
@@ -88,8 +97,10 @@ private:
   vtkNew<vtkPolyData> Box; // VTK's mapper wants points
   ReliefTextures Textures;
   bool NeedsUpload = false;
-  vtkOpenGLHelper Proxies;
-  std::string ShaderKey;
+  ReliefPatterns Patterns;
+  vtkOpenGLHelper Helpers[2]; // by method
+  std::string ShaderKeys[2];
+  vtkNew<vtkShaderProgram> NoProgram;
   MissingAnchors Missing;
   std::string ShaderProblem; // said last
   int NumberOfLayers = 1;    // drawn at most of a tile

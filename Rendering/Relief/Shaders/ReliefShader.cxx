@@ -4,8 +4,15 @@
 
 #include "Buffers/ReliefTiles.h"
 #include "relevoReliefFS.h"
+#include "relevoReliefHits.h"
+#include "relevoReliefLinear.h"
 #include "relevoReliefMarch.h"
+#include "relevoReliefPatternFS.h"
+#include "relevoReliefPatternTrace.h"
+#include "relevoReliefPatternVS.h"
 #include "relevoReliefRay.h"
+#include "relevoReliefSurface.h"
+#include "relevoReliefTrace.h"
 #include "relevoReliefVS.h"
 
 #include <sstream>
@@ -20,6 +27,14 @@ std::string GetDefines(const ReliefShaderOptions& options)
   text << "#extension GL_ARB_texture_gather : enable\n";
   text << "#define RELIEF_SIZE " << ReliefTiles::Size << "\n#define RELIEF_TEXELS "
        << ReliefTiles::Texels << "\n#define RELIEF_CELL " << ReliefTiles::CellSize << "\n";
+  if (options.Search == ReliefShaderOptions::LINEAR_SECANT)
+  {
+    text << "#define RELIEF_SECANT\n#define RELIEF_REFINEMENTS 4\n";
+  }
+  else
+  {
+    text << "#define RELIEF_REFINEMENTS 7\n";
+  }
   if (options.IsLit && options.HasNormals)
   {
     text << "#define RELIEF_NORMALS\n";
@@ -40,6 +55,20 @@ std::string GetPlanes(const ReliefShaderOptions& options)
   return uniforms.str() + "void reliefCutPlanes()\n{\n" + cuts.str() + "}\n";
 }
 
+// A fragment's reliefFind().
+std::string GetSearch(const ReliefShaderOptions& options)
+{
+  std::string text = relevoReliefSurface;
+  if (options.Method == ReliefShaderOptions::REFINEMENT)
+  {
+    return text + relevoReliefPatternFS + GetPlanes(options) + relevoReliefPatternTrace;
+  }
+  text += std::string(relevoReliefRay) + relevoReliefHits;
+  text +=
+    options.Search == ReliefShaderOptions::MAXIMUM_MIPMAP ? relevoReliefMarch : relevoReliefLinear;
+  return text + GetPlanes(options) + relevoReliefTrace;
+}
+
 std::string GetIds(const ReliefShaderOptions& options)
 {
   return options.Selected == ReliefShaderOptions::POINT_IDS ? "reliefPointId()" : "reliefCellId()";
@@ -49,7 +78,8 @@ std::string GetIds(const ReliefShaderOptions& options)
 std::string ReliefShaderOptions::GetKey() const
 {
   std::ostringstream key;
-  key << this->IsLit << this->HasNormals << this->NumberOfPlanes << this->Selected;
+  key << this->Method << this->Search << this->IsLit << this->HasNormals << this->NumberOfPlanes
+      << this->Selected;
   return key.str();
 }
 
@@ -58,14 +88,19 @@ void PrepareReliefShaders(const ReliefShaderOptions& options,
 {
   ShaderText vertex(shaders[vtkShader::Vertex], missing);
   vertex.Replace("//VTK::PositionVC::Dec", "");
-  vertex.Replace("//VTK::PositionVC::Impl", "gl_Position = reliefBoxPosition();");
+  const bool isMarching = options.Method == ReliefShaderOptions::RAY_MARCH;
+  vertex.Replace("//VTK::PositionVC::Impl",
+    isMarching ? "gl_Position = reliefBoxPosition();" : "gl_Position = reliefPatternPosition();");
 
   ShaderText fragment(shaders[vtkShader::Fragment], missing);
   fragment.Replace("//VTK::PositionVC::Dec", "");
-  fragment.Replace("//VTK::PositionVC::Impl",
-    "reliefTrace();\n  if (!reliefHit) discard;\n  vec4 vertexVC = reliefVertex();");
+  fragment.Replace(
+    "//VTK::PositionVC::Impl", "if (!reliefFind()) discard;\n  vec4 vertexVC = reliefVertex();");
   fragment.IfReplace("//VTK::UniformFlow::Impl", "");
-  fragment.Replace("//VTK::Depth::Impl", "gl_FragDepth = reliefDepth();");
+  if (isMarching)
+  {
+    fragment.Replace("//VTK::Depth::Impl", "gl_FragDepth = reliefDepth();");
+  }
   fragment.Replace("//VTK::Normal::Impl", "vec3 normalVCVSOutput = reliefNormal();");
   const std::string color = options.IsLit
     ? "  ambientColor = ambientIntensity * relief.rgb;\n"
@@ -81,7 +116,8 @@ void FinishReliefShaders(const ReliefShaderOptions& options,
   std::map<vtkShader::Type, vtkShader*>& shaders, MissingAnchors& missing)
 {
   ShaderText vertex(shaders[vtkShader::Vertex], missing);
-  vertex.InsertBeforeMain(relevoReliefVS);
+  vertex.InsertBeforeMain(
+    options.Method == ReliefShaderOptions::RAY_MARCH ? relevoReliefVS : relevoReliefPatternVS);
   vertex.InsertAfterVersion(GetDefines(options));
   ShaderText fragment(shaders[vtkShader::Fragment], missing);
   fragment.IfReplace("gl_FrontFacing", "reliefIsFront");
@@ -93,8 +129,7 @@ void FinishReliefShaders(const ReliefShaderOptions& options,
   {
     fragment.Replace("= vertexIDVSOutput", "= " + GetIds(options));
   }
-  fragment.InsertBeforeMain(
-    std::string(relevoReliefRay) + relevoReliefMarch + GetPlanes(options) + relevoReliefFS);
+  fragment.InsertBeforeMain(GetSearch(options) + relevoReliefFS);
   fragment.InsertAfterVersion(GetDefines(options));
 }
 }

@@ -19,6 +19,21 @@ namespace relevo
 /// What shaders of reliefs differ in.
 struct ReliefShaderOptions
 {
+  enum Methods
+  {
+    RAY_MARCH,
+    REFINEMENT
+  };
+  Methods Method = RAY_MARCH;
+  /// Of RAY_MARCH, numbered as vtkReliefMapper does.
+  enum Searches
+  {
+    LINEAR_BINARY,
+    LINEAR_SECANT,
+    RELAXED_CONES,
+    MAXIMUM_MIPMAP
+  };
+  int Search = MAXIMUM_MIPMAP;
   bool IsLit = false;
   bool HasNormals = false;
   int NumberOfPlanes = 0; // that cut rays off

@@ -103,4 +103,17 @@ void ReliefView::SetUniforms(vtkShaderProgram* program) const
     SetVector(program, name.c_str(), this->Planes[i] / GetLargest(this->Planes[i]));
   }
 }
+
+double ReliefView::GetPixels(const dvec3& point) const
+{
+  const dvec4 place = this->ToClip * dvec4(point, 1.0);
+  double most = 0.0;
+  for (int axis = 0; axis < 3 && place.w > 0.0; ++axis)
+  {
+    const dvec4 step = this->ToClip[axis];
+    const dvec2 slope = (dvec2(step) * place.w - dvec2(place) * step.w) / (place.w * place.w);
+    most = std::max(most, length(slope * 0.5 * dvec2(this->Viewport.z, this->Viewport.w)));
+  }
+  return most;
+}
 }

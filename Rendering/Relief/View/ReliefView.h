@@ -33,6 +33,9 @@ public:
 
   void SetUniforms(vtkShaderProgram* program) const;
 
+  /// Pixels that a step of 1 in any direction covers at most; 0 behind the eye.
+  double GetPixels(const dvec3& point) const;
+
 private:
   dmat4 ToWorld;
   dmat4 ToView;

@@ -9,18 +9,6 @@ uniform mat3 normalMatrix;
 #endif
 uniform vec4 reliefFirstAndSize;
 
-void reliefTrace()
-{
-  reliefBox = reliefPlaceVSOutput;
-  reliefTile = reliefTileVSOutput;
-  reliefFindRay();
-  reliefCutBox(vec3(reliefBox.xyz) - reliefTolerance,
-    vec3(reliefBox.xy + float(RELIEF_SIZE), reliefBox.w) + reliefTolerance);
-  reliefCutPlanes();
-  reliefToPass = reliefTile.w;
-  reliefHit = reliefRange.x <= reliefRange.y && reliefMeetTile();
-}
-
 float reliefDepth()
 {
   vec4 position = reliefToClip * vec4(reliefPoint, 1.0);
@@ -70,7 +58,7 @@ vec3 reliefNormal()
   return reliefIsFront ? normal : -normal;
 #else
   vec4 h = reliefCorners(quad);
-  vec2 slopes = vec2(mix(h.y - h.x, h.w - h.z, place.y), mix(h.z - h.x, h.w - h.y, place.x));
+  vec2 slopes = reliefSlopes(h, place);
   vec4 plane = vec4(-slopes, 1.0, dot(slopes, reliefPoint.xy) - reliefPoint.z);
   vec3 normal = normalize((reliefPlaneToView * plane).xyz);
   return reliefIsFront ? -normal : normal;

@@ -2,58 +2,6 @@
 // Ihrke, H.-P. Seidel, "Maximum Mipmaps for Fast, Accurate, and Scalable Dynamic Height Field
 // Rendering", 2008), then quad by quad, where the surface is bilinear: an equation of degree 2.
 uniform samplerBuffer reliefRanges;
-uniform usamplerBuffer reliefQuads;
-uniform sampler2D reliefHeights;
-uniform bvec2 reliefSides; // whether the front and the back of the surface are seen
-
-bool reliefHit = false;
-vec3 reliefPoint; // of the hit, in the tile's coordinates
-vec2 reliefPlace; // of the hit, in quads from the tile's corner
-bool reliefIsFront;
-int reliefToPass; // hits
-
-// So that what lies on a border is on both sides of it.
-const float reliefTolerance = 1e-3;
-
-vec4 reliefCorners(ivec2 quad)
-{
-  ivec2 texel = reliefTile.yz + quad;
-#ifdef GL_ARB_texture_gather
-  vec2 middle = vec2(texel + 1) / vec2(textureSize(reliefHeights, 0));
-  return textureGather(reliefHeights, middle).wzxy;
-#else
-  return vec4(texelFetch(reliefHeights, texel, 0).r,
-    texelFetchOffset(reliefHeights, texel, 0, ivec2(1, 0)).r,
-    texelFetchOffset(reliefHeights, texel, 0, ivec2(0, 1)).r,
-    texelFetchOffset(reliefHeights, texel, 0, ivec2(1, 1)).r);
-#endif
-}
-
-bool reliefIsQuad(ivec2 quad)
-{
-  uint rows = texelFetch(reliefQuads, reliefTile.x * (RELIEF_SIZE / 2) + quad.y / 2).r;
-  return ((rows >> uint((quad.y % 2) * RELIEF_SIZE + quad.x)) & 1u) != 0u;
-}
-
-// Takes a hit at a distance after `start`, if it is one.
-bool reliefTake(float distance, float slope, float start, float end)
-{
-  if (!(distance >= -reliefTolerance && start + distance <= end + reliefTolerance &&
-      start + distance >= reliefRange.x && start + distance <= reliefRange.y) ||
-    !(slope > 0.0 ? reliefSides.x : reliefSides.y))
-  {
-    return false;
-  }
-  if (reliefToPass > 0)
-  {
-    --reliefToPass;
-    return false;
-  }
-  reliefIsFront = slope > 0.0;
-  reliefPoint = reliefOrigin + (start + distance) * reliefDirection;
-  reliefPlace = reliefPoint.xy - reliefBox.xy;
-  return true;
-}
 
 bool reliefMeetQuad(ivec2 quad, float start, float end)
 {

@@ -8,9 +8,6 @@ uniform vec4 reliefViewport; // x, y, width, height in pixels
 flat in vec4 reliefPlaceVSOutput;
 flat in ivec4 reliefTileVSOutput;
 
-vec4 reliefBox;   // of the tile that the ray is in: see relevoReliefVS.glsl
-ivec4 reliefTile;
-
 vec3 reliefOrigin;
 vec3 reliefDirection; // of length 1, away from the eye
 vec2 reliefRange;     // along the ray: what is in the tile's box and not cut off

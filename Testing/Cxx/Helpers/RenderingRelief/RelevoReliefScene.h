@@ -24,6 +24,11 @@ struct RelevoReliefComparison
   int NumberOfMisses = 0; // pixels that are hit only in the picture, or only by the ray
   int NumberOfWrong = 0;  // more than half a texel away from each hit of the ray
   int NumberFar = 0;      // depths that are wrong by more than the tolerance
+  // Of those that both hit.
+  double GetShareRight() const
+  {
+    return 1.0 - static_cast<double>(this->NumberOfWrong) / std::max(this->NumberOfHits, 1);
+  }
   // 99.9 %, but for two pixels at an outline, which few hits may have.
   bool IsRight() const
   {

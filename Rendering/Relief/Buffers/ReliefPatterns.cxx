@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Buffers/ReliefPatterns.h"
+
+#include "OpenGL/RelevoOpenGL.h"
+
+#include "Buffers/ReliefTiles.h"
+#include "Patterns/RefinementPattern.h"
+#include "View/ReliefView.h"
+#include "vtkOpenGLBufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkSMPTools.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+
+namespace relevo
+{
+namespace
+{
+// The lowest level whose triangles are near enough to the surface.
+std::vector<unsigned char> FindLevels(const ReliefTiles& tiles, const ReliefView& view)
+{
+  constexpr double nearEnough = 0.25;
+  std::vector<unsigned char> levels(tiles.GetNumberOfTiles());
+  vtkSMPTools::For(0, tiles.GetNumberOfTiles(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType tile = begin; tile < end; ++tile)
+      {
+        const vec4& place = tiles.GetPlaces()[tile];
+        const dvec3 middle(
+          dvec2(place.x, place.y) + 0.5 * ReliefTiles::Size, 0.5 * (place.z + place.w));
+        const double pixels = view.GetPixels(middle);
+        const double allowed = nearEnough * (pixels > 0.0 ? std::max(1.0, 1.0 / pixels) : 1.0);
+        const float* deviations = tiles.GetDeviations().data() + tile * ReliefTiles::HighestLevel;
+        int level = 0;
+        while (level < ReliefTiles::HighestLevel && deviations[level] > allowed)
+        {
+          ++level;
+        }
+        levels[tile] = static_cast<unsigned char>(level);
+      }
+    });
+  return levels;
+}
+}
+
+// All that levels 0 to 4 make: 35.
+void ReliefPatterns::MakePatterns()
+{
+  const PatternLibrary library;
+  for (int i = 0; i <= ReliefTiles::HighestLevel; ++i)
+  {
+    for (int j = 0; j <= i; ++j)
+    {
+      for (int k = 0; k <= j; ++k)
+      {
+        const auto pattern = library.GetPatternOfSegments(1 << i, 1 << j, 1 << k);
+        Range& range = this->Ranges[{ { i, j, k } }];
+        range.FirstVertex = static_cast<int>(this->VertexValues.size() / 4);
+        range.FirstIndex = static_cast<int>(this->Indices.size());
+        range.NumberOfIndices = static_cast<int>(pattern->Triangles.size());
+        const std::vector<float>& weights = pattern->Vertices;
+        for (size_t v = 0; v < weights.size(); v += 3)
+        {
+          this->VertexValues.insert(
+            this->VertexValues.end(), { weights[v], weights[v + 1], weights[v + 2], 0.0f });
+        }
+        this->Indices.insert(
+          this->Indices.end(), pattern->Triangles.begin(), pattern->Triangles.end());
+      }
+    }
+  }
+}
+
+// Levels of the edges between corners 0 and 1, 1 and 2, 2 and 0. Codes of permutations are those
+// of relevoReliefPatternVS.glsl.
+void ReliefPatterns::AddHalf(unsigned int half, const Levels& levels)
+{
+  for (int code = 0; code < 6; ++code)
+  {
+    const int first = code % 3;
+    const int second = (first + (code < 3 ? 1 : 2)) % 3;
+    const int third = 3 - first - second;
+    const auto level = [&](int a, int b) { return levels[(a + 1) % 3 == b ? a : b]; };
+    const Levels sorted = { { level(first, second), level(second, third), level(third, first) } };
+    if (sorted[0] >= sorted[1] && sorted[1] >= sorted[2])
+    {
+      Range& range = this->Ranges[sorted];
+      range.Instances.push_back(half << 3 | static_cast<unsigned int>(code));
+      this->NumberOfTriangles += range.NumberOfIndices / 3;
+      return;
+    }
+  }
+}
+
+bool ReliefPatterns::Select(
+  vtkOpenGLRenderWindow* window, const ReliefTiles& tiles, const ReliefView& view)
+{
+  if (this->Ranges.empty())
+  {
+    this->MakePatterns();
+  }
+  if (!this->IndexBuffer)
+  {
+    this->IndexBuffer = vtkSmartPointer<vtkOpenGLBufferObject>::New();
+    this->IndexBuffer->SetType(vtkOpenGLBufferObject::ElementArrayBuffer);
+    if (!this->IndexBuffer->Upload(this->Indices, vtkOpenGLBufferObject::ElementArrayBuffer) ||
+      !this->Vertices.Upload(window, this->VertexValues, 4))
+    {
+      return false;
+    }
+  }
+  for (auto& range : this->Ranges)
+  {
+    range.second.Instances.clear();
+  }
+  this->NumberOfTriangles = 0;
+  const std::vector<unsigned char> levels = FindLevels(tiles, view);
+  const size_t number = levels.size();
+  std::vector<unsigned char> left(levels); // of a tile's left side, and so on
+  std::vector<unsigned char> lower(levels);
+  std::vector<unsigned char> right(levels);
+  std::vector<unsigned char> upper(levels);
+  for (size_t tile = 0; tile < number; ++tile)
+  {
+    const ivec2 next = tiles.GetNeighbors()[tile];
+    if (next.x >= 0)
+    {
+      right[tile] = left[next.x] = std::max(levels[tile], levels[next.x]);
+    }
+    if (next.y >= 0)
+    {
+      upper[tile] = lower[next.y] = std::max(levels[tile], levels[next.y]);
+    }
+  }
+  for (size_t tile = 0; tile < number; ++tile)
+  {
+    const unsigned int half = static_cast<unsigned int>(tile) << 1;
+    // The corners of the first half: lower left, upper right, upper left.
+    this->AddHalf(half, { { levels[tile], upper[tile], left[tile] } });
+    // Those of the second: lower left, lower right, upper right.
+    this->AddHalf(half | 1, { { lower[tile], right[tile], levels[tile] } });
+  }
+  std::vector<unsigned int> instances;
+  for (const auto& range : this->Ranges)
+  {
+    instances.insert(instances.end(), range.second.Instances.begin(), range.second.Instances.end());
+  }
+  return this->Instances.Upload(window, instances);
+}
+
+void ReliefPatterns::Draw(vtkShaderProgram* program)
+{
+  this->Vertices.Activate(program, "reliefVertices");
+  this->Instances.Activate(program, "reliefInstances");
+  this->IndexBuffer->Bind();
+  int first = 0;
+  for (const auto& entry : this->Ranges)
+  {
+    const Range& range = entry.second;
+    const int number = static_cast<int>(range.Instances.size());
+    if (number > 0)
+    {
+      program->SetUniformi("reliefFirstInstance", first);
+      glDrawElementsInstancedBaseVertex(GL_TRIANGLES, range.NumberOfIndices, GL_UNSIGNED_INT,
+        reinterpret_cast<const void*>(range.FirstIndex * sizeof(unsigned int)), number,
+        range.FirstVertex);
+      first += number;
+    }
+  }
+  this->IndexBuffer->Release();
+}
+
+void ReliefPatterns::Deactivate()
+{
+  this->Vertices.Deactivate();
+  this->Instances.Deactivate();
+}
+
+vtkTypeInt64 ReliefPatterns::GetMemorySize() const
+{
+  return this->Vertices.GetMemorySize() + this->Instances.GetMemorySize() +
+    (this->IndexBuffer ? static_cast<vtkTypeInt64>(this->Indices.size() * sizeof(int)) : 0);
+}
+
+void ReliefPatterns::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Vertices.ReleaseGraphicsResources(window);
+  this->Instances.ReleaseGraphicsResources(window);
+  if (this->IndexBuffer)
+  {
+    this->IndexBuffer->ReleaseGraphicsResources();
+    this->IndexBuffer = nullptr;
+  }
+}
+}

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   ReliefPatterns
+ * @brief   the patterns that halves of a relief's tiles are drawn by, each edge as finely as both
+ *          its sides need it
+ *
+ * Private to the module.
+ */
+#ifndef ReliefPatterns_h
+#define ReliefPatterns_h
+
+#include "Buffers/RefinementBuffer.h"
+#include "Core/RefinementMathematics.h"
+#include "Patterns/PatternLibrary.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <map>
+#include <vector>
+
+class vtkOpenGLBufferObject;
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkWindow;
+
+namespace relevo
+{
+class ReliefTiles;
+class ReliefView;
+
+class ReliefPatterns
+{
+public:
+  /// Which patterns are drawn: triangles stay within a quarter of a texel of the surface, or of a
+  /// pixel where that is more. false where OpenGL has no room for them.
+  bool Select(vtkOpenGLRenderWindow* window, const ReliefTiles& tiles, const ReliefView& view);
+
+  /// With the program that SetUniforms() was called for.
+  void Draw(vtkShaderProgram* program);
+  void Deactivate();
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+  vtkIdType GetNumberOfTriangles() const { return this->NumberOfTriangles; }
+  vtkTypeInt64 GetMemorySize() const;
+
+private:
+  using Levels = std::array<int, 3>;
+  struct Range
+  {
+    int FirstVertex = 0;
+    int FirstIndex = 0;
+    int NumberOfIndices = 0;
+    std::vector<unsigned int> Instances;
+  };
+
+  void MakePatterns();
+  void AddHalf(unsigned int half, const Levels& levels);
+
+  std::map<Levels, Range> Ranges; // by levels that do not rise
+  std::vector<float> VertexValues;
+  std::vector<unsigned int> Indices;
+  RefinementBuffer Vertices;
+  RefinementBuffer Instances;
+  vtkSmartPointer<vtkOpenGLBufferObject> IndexBuffer;
+  vtkIdType NumberOfTriangles = 0;
+};
+}
+
+#endif

@@ -1,0 +1,12 @@
+// A point of a triangle of a pattern, where the surface is there.
+flat in vec4 reliefPlaceVSOutput;
+flat in ivec4 reliefTileVSOutput;
+in vec3 reliefVertexVSOutput;
+uniform vec4 reliefEye; // or the direction of view
+
+bool reliefIsInside = true;
+
+void reliefCut(vec4 plane)
+{
+  reliefIsInside = reliefIsInside && dot(plane, vec4(reliefPoint, 1.0)) >= 0.0;
+}

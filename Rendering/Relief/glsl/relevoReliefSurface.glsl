@@ -1,0 +1,37 @@
+// The heights of a tile and where it has quads; what all ways to draw share.
+uniform usamplerBuffer reliefQuads;
+uniform sampler2D reliefHeights;
+uniform bvec2 reliefSides; // whether the front and the back of the surface are seen
+
+vec4 reliefBox;   // of the tile that is drawn: first column and row, least and largest height
+ivec4 reliefTile; // its number, its texels in the textures, how many hits to pass
+
+vec3 reliefPoint; // of the surface, in the tiles' coordinates
+vec2 reliefPlace; // the same in quads from the tile's corner
+bool reliefIsFront;
+
+vec4 reliefCorners(ivec2 quad)
+{
+  ivec2 texel = reliefTile.yz + quad;
+#ifdef GL_ARB_texture_gather
+  vec2 middle = vec2(texel + 1) / vec2(textureSize(reliefHeights, 0));
+  return textureGather(reliefHeights, middle).wzxy;
+#else
+  return vec4(texelFetch(reliefHeights, texel, 0).r,
+    texelFetchOffset(reliefHeights, texel, 0, ivec2(1, 0)).r,
+    texelFetchOffset(reliefHeights, texel, 0, ivec2(0, 1)).r,
+    texelFetchOffset(reliefHeights, texel, 0, ivec2(1, 1)).r);
+#endif
+}
+
+bool reliefIsQuad(ivec2 quad)
+{
+  uint rows = texelFetch(reliefQuads, reliefTile.x * (RELIEF_SIZE / 2) + quad.y / 2).r;
+  return ((rows >> uint((quad.y % 2) * RELIEF_SIZE + quad.x)) & 1u) != 0u;
+}
+
+// Of a quad's height along columns and rows.
+vec2 reliefSlopes(vec4 h, vec2 place)
+{
+  return vec2(mix(h.y - h.x, h.w - h.z, place.y), mix(h.z - h.x, h.w - h.y, place.x));
+}

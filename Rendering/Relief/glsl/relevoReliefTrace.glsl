@@ -1,0 +1,13 @@
+// A pixel's ray through a tile.
+bool reliefFind()
+{
+  reliefBox = reliefPlaceVSOutput;
+  reliefTile = reliefTileVSOutput;
+  reliefFindRay();
+  reliefCutBox(vec3(reliefBox.xyz) - reliefTolerance,
+    vec3(reliefBox.xy + float(RELIEF_SIZE), reliefBox.w) + reliefTolerance);
+  reliefCutPlanes();
+  reliefToPass = reliefTile.w;
+  reliefHit = reliefRange.x <= reliefRange.y && reliefMeetTile();
+  return reliefHit;
+}
