@@ -20,6 +20,22 @@
 
 namespace
 {
+// Private code numbers methods and searches as the mapper does.
+using Mapper = vtkReliefMapper;
+using Options = relevo::ReliefShaderOptions;
+template <typename A, typename B>
+constexpr bool AreSame(A a, B b)
+{
+  return static_cast<int>(a) == static_cast<int>(b);
+}
+static_assert(AreSame(Mapper::METHOD_WARP, Options::WARP), "warp");
+static_assert(AreSame(Mapper::METHOD_RAY_MARCH, Options::RAY_MARCH), "ray march");
+static_assert(AreSame(Mapper::METHOD_REFINEMENT, Options::REFINEMENT), "refinement");
+static_assert(AreSame(Mapper::SEARCH_LINEAR_BINARY, Options::LINEAR_BINARY), "linear, binary");
+static_assert(AreSame(Mapper::SEARCH_LINEAR_SECANT, Options::LINEAR_SECANT), "linear, secant");
+static_assert(AreSame(Mapper::SEARCH_RELAXED_CONES, Options::RELAXED_CONES), "cones");
+static_assert(AreSame(Mapper::SEARCH_MAXIMUM_MIPMAP, Options::MAXIMUM_MIPMAP), "mipmap");
+
 // What the reliefs of an input were made from.
 relevo::Dependencies GetSource(vtkDataObject* input)
 {
@@ -67,7 +83,8 @@ void vtkReliefMapper::SetInputData(vtkImageData* relief)
 
 void vtkReliefMapper::SetMethod(int method)
 {
-  relevo::SetChoice(this, "Method", this->Method, method, { "RAY_MARCH", "REFINEMENT" });
+  relevo::SetChoice(
+    this, "Method", this->Method, method, { "WARP", "RAY_MARCH", "REFINEMENT", "AUTOMATIC" });
 }
 
 void vtkReliefMapper::SetSearch(int search)
@@ -139,6 +156,7 @@ void vtkReliefMapper::UpdateBlocks()
     {
       data.NumberOfBufferBuilds += last.second.Painter->GetNumberOfBufferBuilds();
       data.NumberOfShaderBuilds += last.second.Painter->GetNumberOfShaderBuilds();
+      data.NumberOfWarps += last.second.Painter->GetNumberOfWarps();
       last.second.Painter->ReleaseGraphicsResources(data.Context->GetContext());
     }
   }
@@ -219,6 +237,27 @@ void vtkReliefMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   this->UpdateProgress(1.0);
 }
 
+int vtkReliefMapper::ChooseMethod(vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkInternals& data = *this->Internals;
+  data.IsMeasuring = false;
+  if (this->Method != METHOD_AUTOMATIC)
+  {
+    return this->Method;
+  }
+  // Several passes make one picture: they are drawn alike.
+  data.IsMeasuring = !renderer->GetSelector() && !actor->IsRenderingTranslucentPolygonalGeometry();
+  if (!data.IsMeasuring)
+  {
+    return data.Choice.Get();
+  }
+  relevo::Dependencies source = data.Source;
+  source.Add(this->Search);
+  source.Add(this->Shading);
+  const int* size = renderer->GetSize();
+  return data.Choice.Begin(source, static_cast<double>(size[0]) * size[1]);
+}
+
 void vtkReliefMapper::RenderBlocks(vtkRenderer* renderer, vtkActor* actor)
 {
   vtkHardwareSelector* selector = renderer->GetSelector();
@@ -227,7 +266,7 @@ void vtkReliefMapper::RenderBlocks(vtkRenderer* renderer, vtkActor* actor)
     selector->BeginRenderProp();
   }
   relevo::ReliefPainter::Settings settings;
-  settings.Method = static_cast<relevo::ReliefShaderOptions::Methods>(this->Method);
+  settings.Method = static_cast<Options::Methods>(this->ChooseMethod(renderer, actor));
   settings.Search = this->Search;
   settings.IsLit = this->Shading == LIT;
   for (auto& entry : this->Internals->Blocks)
@@ -237,7 +276,7 @@ void vtkReliefMapper::RenderBlocks(vtkRenderer* renderer, vtkActor* actor)
     {
       continue;
     }
-    const std::string problem = block.Painter->Prepare(renderer, settings);
+    const std::string problem = block.Painter->Prepare(renderer, actor, settings);
     if (problem != block.Problem)
     {
       block.Problem = problem;
@@ -260,6 +299,11 @@ void vtkReliefMapper::RenderBlocks(vtkRenderer* renderer, vtkActor* actor)
       }
     }
     block.Painter->RenderPiece(renderer, actor);
+    this->Internals->MethodInUse = block.Painter->GetMethod();
+  }
+  if (this->Internals->IsMeasuring)
+  {
+    this->Internals->Choice.End();
   }
   if (selector)
   {
@@ -294,6 +338,21 @@ vtkTypeInt64 vtkReliefMapper::GetGraphicsMemorySize()
     size += block.second.Painter ? block.second.Painter->GetMemorySize() : 0;
   }
   return size;
+}
+
+int vtkReliefMapper::GetMethodInUse()
+{
+  return this->Internals->MethodInUse;
+}
+
+vtkIdType vtkReliefMapper::GetNumberOfWarps()
+{
+  vtkIdType number = this->Internals->NumberOfWarps;
+  for (const auto& block : this->Internals->Blocks)
+  {
+    number += block.second.Painter ? block.second.Painter->GetNumberOfWarps() : 0;
+  }
+  return number;
 }
 
 vtkIdType vtkReliefMapper::GetNumberOfBufferBuilds()

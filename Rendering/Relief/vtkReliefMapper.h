@@ -51,21 +51,30 @@ public:
 
   enum MethodType
   {
-    METHOD_RAY_MARCH = 0,
-    METHOD_REFINEMENT
+    METHOD_WARP = 0,
+    METHOD_RAY_MARCH,
+    METHOD_REFINEMENT,
+    METHOD_AUTOMATIC
   };
 
   //@{
   /**
-   * How the surface is drawn. RAY_MARCH (0, default): each pixel's ray is followed through the
-   * relief, see SetSearch(). REFINEMENT (1): by Relevo's patterns, displaced by the depths, as fine
+   * How the surface is drawn. WARP (0): vtkReliefWarper's picture on the relief's plane, with true
+   * depths; warped when the eye has moved. Where the eye is in the plane or behind it, rays are
+   * followed. RAY_MARCH (1): each pixel's ray is followed through the relief, see SetSearch().
+   * REFINEMENT (2): by Relevo's patterns, displaced by the depths, as fine
    * as the surface and the screen need: triangles are within a quarter of a texel of the surface,
    * or of a pixel where that is more; fragments where the surface is open are cut out.
+   * AUTOMATIC (3, default): the faster of RAY_MARCH and REFINEMENT on this machine, measured in the
+   * first frames, and again when the input or settings change, or the number of pixels by a factor
+   * of 2.
    */
   void SetMethod(int method);
   vtkGetMacro(Method, int);
+  void SetMethodToWarp() { this->SetMethod(METHOD_WARP); }
   void SetMethodToRayMarch() { this->SetMethod(METHOD_RAY_MARCH); }
   void SetMethodToRefinement() { this->SetMethod(METHOD_REFINEMENT); }
+  void SetMethodToAutomatic() { this->SetMethod(METHOD_AUTOMATIC); }
   //@}
 
   enum SearchType
@@ -120,6 +129,17 @@ public:
   //@}
 
   /**
+   * The method that drew the last frame, not AUTOMATIC; of several reliefs the last one's. Before
+   * the first frame RAY_MARCH.
+   */
+  int GetMethodInUse();
+
+  /**
+   * How often METHOD_WARP has warped a relief.
+   */
+  vtkIdType GetNumberOfWarps();
+
+  /**
    * Bytes that the reliefs take on the graphics card.
    */
   vtkTypeInt64 GetGraphicsMemorySize();
@@ -155,7 +175,7 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
 
-  int Method = METHOD_RAY_MARCH;
+  int Method = METHOD_AUTOMATIC;
   int Search = SEARCH_MAXIMUM_MIPMAP;
   int Shading = CAPTURED;
   double MaximumStretch = 8.0;
@@ -167,6 +187,7 @@ private:
   /// Reads the input again if it has changed.
   void UpdateBlocks();
   void RenderBlocks(vtkRenderer* renderer, vtkActor* actor);
+  int ChooseMethod(vtkRenderer* renderer, vtkActor* actor);
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

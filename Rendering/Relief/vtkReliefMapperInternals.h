@@ -11,6 +11,7 @@
 
 #include "Core/Dependencies.h"
 #include "Data/Reliefs.h"
+#include "Drawing/MethodChoice.h"
 #include "Drawing/ReliefPainter.h"
 #include "OpenGL/ContextWatch.h"
 #include "vtkReliefMapper.h"
@@ -30,10 +31,14 @@ struct vtkReliefMapper::vtkInternals
   std::map<unsigned int, Block> Blocks; // by flat index
   relevo::Dependencies Source;
   vtkNew<relevo::ContextWatch> Context;
+  relevo::MethodChoice Choice{ { METHOD_RAY_MARCH, METHOD_REFINEMENT } };
+  bool IsMeasuring = false; // in this frame
+  int MethodInUse = METHOD_RAY_MARCH;
 
   // Of blocks that are gone.
   vtkIdType NumberOfBufferBuilds = 0;
   vtkIdType NumberOfShaderBuilds = 0;
+  vtkIdType NumberOfWarps = 0;
 };
 
 #endif

@@ -4,42 +4,16 @@
 
 #include "OpenGL/RelevoOpenGL.h"
 
+#include "Buffers/ReliefTexture.h"
 #include "Buffers/ReliefTiles.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
-#include <string>
 #include <vector>
 
 namespace relevo
 {
-namespace
-{
-template <typename T>
-vtkSmartPointer<vtkTextureObject> MakeTexture(vtkOpenGLRenderWindow* window, const ivec2& size,
-  const std::vector<T>& values, int components, int type)
-{
-  auto texture = vtkSmartPointer<vtkTextureObject>::New();
-  texture->SetContext(window);
-  texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  texture->SetMinificationFilter(vtkTextureObject::Linear);
-  texture->SetMagnificationFilter(vtkTextureObject::Linear);
-  void* data = const_cast<T*>(values.data());
-  return texture->Create2DFromRaw(size.x, size.y, components, type, data) ? texture : nullptr;
-}
-
-void ActivateTexture(vtkShaderProgram* program, vtkTextureObject* texture, const char* sampler)
-{
-  if (texture && program->IsUniformUsed(sampler))
-  {
-    texture->Activate();
-    program->SetUniformi(sampler, texture->GetTextureUnit());
-  }
-}
-}
-
 int ReliefTextures::GetLargestSize()
 {
   GLint size = 0;
@@ -64,12 +38,13 @@ bool ReliefTextures::Upload(vtkOpenGLRenderWindow* window, const ReliefTiles& ti
   {
     places.insert(places.end(), { place.x, place.y, place.z, place.w });
   }
-  this->Heights = MakeTexture(window, size, tiles.GetHeights(), 1, VTK_FLOAT);
-  this->Colors = MakeTexture(window, size, tiles.GetColors(), 4, VTK_UNSIGNED_CHAR);
+  this->Heights = MakeReliefTexture(window, size, tiles.GetHeights().data(), 1, VTK_FLOAT);
+  this->Colors = MakeReliefTexture(window, size, tiles.GetColors().data(), 4, VTK_UNSIGNED_CHAR);
   const bool hasNormals = !tiles.GetNormals().empty();
   if (hasNormals)
   {
-    this->Normals = MakeTexture(window, size, tiles.GetNormals(), 2, VTK_UNSIGNED_SHORT);
+    this->Normals =
+      MakeReliefTexture(window, size, tiles.GetNormals().data(), 2, VTK_UNSIGNED_SHORT);
   }
   const bool valid = this->Places.Upload(window, places, 4) &&
     this->Quads.Upload(window, tiles.GetQuads()) &&
@@ -97,9 +72,9 @@ void ReliefTextures::Activate(vtkShaderProgram* program)
   this->Places.Activate(program, "reliefPlaces");
   this->Quads.Activate(program, "reliefQuads");
   this->Ranges.Activate(program, "reliefRanges");
-  ActivateTexture(program, this->Heights, "reliefHeights");
-  ActivateTexture(program, this->Colors, "reliefColors");
-  ActivateTexture(program, this->Normals, "reliefNormals");
+  ActivateReliefTexture(program, this->Heights, "reliefHeights");
+  ActivateReliefTexture(program, this->Colors, "reliefColors");
+  ActivateReliefTexture(program, this->Normals, "reliefNormals");
   program->SetUniformi("reliefTilesPerRow", this->TilesPerRow);
 }
 

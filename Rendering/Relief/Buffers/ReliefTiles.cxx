@@ -173,9 +173,7 @@ void ReliefTiles::FillTexels(const Relief& relief, int tile)
       const size_t to = static_cast<size_t>(corner.y + r) * stride + corner.x + c;
       const size_t from = static_cast<size_t>(origin.y + r) * relief.GetWidth() + origin.x + c;
       const double height = GetHeight(relief, origin + ivec2(c, r));
-      this->Heights[to] = std::isfinite(height)
-        ? static_cast<float>(this->HeightScale * (height - this->HeightOffset))
-        : 0.0f;
+      this->Heights[to] = std::isfinite(height) ? static_cast<float>(this->ToScaled(height)) : 0.0f;
       const unsigned char* color = relief.GetColors() + components * from;
       for (int i = 0; i < 4; ++i)
       {

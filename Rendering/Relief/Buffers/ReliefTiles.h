@@ -36,6 +36,13 @@ public:
 
   /// From the tiles' coordinates to the world; of points of the surface the fourth is positive.
   const dmat4& GetToWorld() const { return this->ToWorld; }
+  /// A height of texel space in these coordinates, and that of a depth.
+  double ToScaled(double height) const { return this->HeightScale * (height - this->HeightOffset); }
+  double ToHeight(double depth) const
+  {
+    return this->ToScaled(this->HeightScale < 0.0 ? 1.0 / depth : depth); // as in perspective
+  }
+  double GetHeightScale() const { return this->HeightScale; }
   /// Of c = r = 0.
   const ivec2& GetFirst() const { return this->First; }
   /// Of the surface, in the world: least and largest x, y, z. least > largest where there is none.

@@ -29,6 +29,7 @@ namespace relevo
 namespace
 {
 constexpr int VerticesOfBox = 36;
+constexpr int VerticesOfPlane = 6;
 // Of a translucent surface, in one tile.
 constexpr int MostLayers = 4;
 }
@@ -52,6 +53,8 @@ ReliefPainter::~ReliefPainter() = default;
 void ReliefPainter::SetRelief(const Relief& relief, double maximumStretch)
 {
   this->Tiles.Cut(relief, FindReliefSides(relief, maximumStretch));
+  this->Warped.SetRelief(relief.GetImage(), maximumStretch);
+  this->Plane = this->Tiles.ToScaled(relief.GetPlane());
   this->Size = ivec2(relief.GetWidth(), relief.GetHeight());
   std::copy_n(this->Tiles.GetBounds(), 6, this->SurfaceBounds);
   this->Box->GetPoints()->SetNumberOfPoints(0);
@@ -65,7 +68,7 @@ void ReliefPainter::SetRelief(const Relief& relief, double maximumStretch)
   this->NeedsUpload = true;
 }
 
-std::string ReliefPainter::Prepare(vtkRenderer* renderer, const Settings& settings)
+std::string ReliefPainter::Prepare(vtkRenderer* renderer, vtkActor* actor, const Settings& settings)
 {
   this->Looks = settings;
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -85,6 +88,13 @@ std::string ReliefPainter::Prepare(vtkRenderer* renderer, const Settings& settin
       return "There is no room for it on the graphics card.";
     }
   }
+  if (this->Looks.Method == ReliefShaderOptions::WARP &&
+    (this->Tiles.GetNumberOfTiles() == 0 ||
+      !this->MakeView(renderer, actor).SeesFront(this->Plane) ||
+      !this->Warped.Update(renderer, actor, this->Tiles)))
+  {
+    this->Looks.Method = ReliefShaderOptions::RAY_MARCH;
+  }
   return "";
 }
 
@@ -93,6 +103,7 @@ void ReliefPainter::ReleaseGraphicsResources(vtkWindow* window)
   this->Superclass::ReleaseGraphicsResources(window);
   this->Textures.ReleaseGraphicsResources(window);
   this->Patterns.ReleaseGraphicsResources(window);
+  this->Warped.ReleaseGraphicsResources(window);
   for (vtkOpenGLHelper& helper : this->Helpers)
   {
     helper.ReleaseGraphicsResources(window);
@@ -140,17 +151,28 @@ void ReliefPainter::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   {
     state->vtkglDepthMask(GL_TRUE); // which VTK switches off for points on a surface drawn before
   }
+  this->DrawMethod(renderer, actor);
+  helper.VAO->Release();
+  this->Textures.Deactivate();
+  this->Warped.Deactivate();
+}
+
+void ReliefPainter::DrawMethod(vtkRenderer* renderer, vtkActor* actor)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   if (this->IsMarching())
   {
     this->DrawBoxes();
   }
+  else if (this->Looks.Method == ReliefShaderOptions::WARP)
+  {
+    glDrawArrays(GL_TRIANGLES, 0, VerticesOfPlane);
+  }
   else if (this->Patterns.Select(window, this->Tiles, this->MakeView(renderer, actor)))
   {
-    this->Patterns.Draw(helper.Program);
+    this->Patterns.Draw(this->GetHelper().Program);
     this->Patterns.Deactivate();
   }
-  helper.VAO->Release();
-  this->Textures.Deactivate();
 }
 
 void ReliefPainter::DrawBoxes()
@@ -179,7 +201,14 @@ void ReliefPainter::SetOwnUniforms(vtkRenderer* renderer, vtkActor* actor)
 {
   vtkShaderProgram* program = this->GetHelper().Program;
   this->MakeView(renderer, actor).SetUniforms(program);
-  this->Textures.Activate(program);
+  if (this->Looks.Method == ReliefShaderOptions::WARP)
+  {
+    this->Warped.Activate(program, this->Tiles);
+  }
+  else
+  {
+    this->Textures.Activate(program);
+  }
   program->SetUniformi("reliefLayers", this->NumberOfLayers);
   vtkProperty* property = actor->GetProperty();
   const int sides[2] = { !property->GetFrontfaceCulling(), !property->GetBackfaceCulling() };
@@ -199,7 +228,7 @@ ReliefShaderOptions ReliefPainter::GetOptions()
   options.Method = this->Looks.Method;
   options.Search = this->Looks.Search;
   options.IsLit = this->Looks.IsLit;
-  options.HasNormals = this->Textures.HasNormals();
+  options.HasNormals = this->Textures.HasNormals(); // those of the warped are the same's
   options.NumberOfPlanes = 2 + this->GetNumberOfClippingPlanes();
   switch (this->LastSelectionState)
   {

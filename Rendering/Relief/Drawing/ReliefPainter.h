@@ -13,6 +13,7 @@
 #include "Buffers/ReliefPatterns.h"
 #include "Buffers/ReliefTextures.h"
 #include "Buffers/ReliefTiles.h"
+#include "Buffers/WarpedTextures.h"
 #include "Shaders/ReliefShader.h"
 #include "vtkNew.h"
 #include "vtkOpenGLHelper.h"
@@ -47,7 +48,9 @@ public:
   bool IsTranslucent() const { return this->Tiles.IsTranslucent(); }
 
   /// Before RenderPiece(): has textures of the relief. What is wrong, or "".
-  std::string Prepare(vtkRenderer* renderer, const Settings& settings);
+  std::string Prepare(vtkRenderer* renderer, vtkActor* actor, const Settings& settings);
+  /// After it: the method that draws, which is not WARP where the eye does not see the plane.
+  ReliefShaderOptions::Methods GetMethod() const { return this->Looks.Method; }
 
   /// What the largest ids are that are drawn for a selection.
   void AnnounceIds(vtkHardwareSelector* selector) const;
@@ -58,8 +61,10 @@ public:
 
   vtkTypeInt64 GetMemorySize() const
   {
-    return this->Textures.GetMemorySize() + this->Patterns.GetMemorySize();
+    return this->Textures.GetMemorySize() + this->Patterns.GetMemorySize() +
+      this->Warped.GetMemorySize();
   }
+  vtkIdType GetNumberOfWarps() { return this->Warped.GetNumberOfWarps(); }
   vtkIdType GetNumberOfBufferBuilds() const { return this->NumberOfBufferBuilds; }
   vtkIdType GetNumberOfShaderBuilds() const { return this->NumberOfShaderBuilds; }
 
@@ -88,6 +93,7 @@ private:
   bool IsMarching() const { return this->Looks.Method == ReliefShaderOptions::RAY_MARCH; }
   vtkOpenGLHelper& GetHelper() { return this->Helpers[this->Looks.Method]; }
   void DrawBoxes();
+  void DrawMethod(vtkRenderer* renderer, vtkActor* actor);
   void SetOwnUniforms(vtkRenderer* renderer, vtkActor* actor);
 
   Settings Looks;
@@ -98,8 +104,10 @@ private:
   ReliefTextures Textures;
   bool NeedsUpload = false;
   ReliefPatterns Patterns;
-  vtkOpenGLHelper Helpers[2]; // by method
-  std::string ShaderKeys[2];
+  WarpedTextures Warped;
+  double Plane = 0.0; // the relief's, in the tiles' coordinates
+  vtkOpenGLHelper Helpers[ReliefShaderOptions::NUMBER_OF_METHODS];
+  std::string ShaderKeys[ReliefShaderOptions::NUMBER_OF_METHODS];
   vtkNew<vtkShaderProgram> NoProgram;
   MissingAnchors Missing;
   std::string ShaderProblem; // said last

@@ -6,6 +6,7 @@
 #include "relevoReliefFS.h"
 #include "relevoReliefHits.h"
 #include "relevoReliefLinear.h"
+#include "relevoReliefLook.h"
 #include "relevoReliefMarch.h"
 #include "relevoReliefPatternFS.h"
 #include "relevoReliefPatternTrace.h"
@@ -14,6 +15,9 @@
 #include "relevoReliefSurface.h"
 #include "relevoReliefTrace.h"
 #include "relevoReliefVS.h"
+#include "relevoReliefWarpFS.h"
+#include "relevoReliefWarpTrace.h"
+#include "relevoReliefWarpVS.h"
 
 #include <sstream>
 
@@ -58,7 +62,11 @@ std::string GetPlanes(const ReliefShaderOptions& options)
 // A fragment's reliefFind().
 std::string GetSearch(const ReliefShaderOptions& options)
 {
-  std::string text = relevoReliefSurface;
+  if (options.Method == ReliefShaderOptions::WARP)
+  {
+    return std::string(relevoReliefWarpFS) + GetPlanes(options) + relevoReliefWarpTrace;
+  }
+  std::string text = std::string(relevoReliefSurface) + relevoReliefLook;
   if (options.Method == ReliefShaderOptions::REFINEMENT)
   {
     return text + relevoReliefPatternFS + GetPlanes(options) + relevoReliefPatternTrace;
@@ -88,16 +96,18 @@ void PrepareReliefShaders(const ReliefShaderOptions& options,
 {
   ShaderText vertex(shaders[vtkShader::Vertex], missing);
   vertex.Replace("//VTK::PositionVC::Dec", "");
-  const bool isMarching = options.Method == ReliefShaderOptions::RAY_MARCH;
   vertex.Replace("//VTK::PositionVC::Impl",
-    isMarching ? "gl_Position = reliefBoxPosition();" : "gl_Position = reliefPatternPosition();");
+    options.Method == ReliefShaderOptions::WARP ? "gl_Position = reliefPlanePosition();"
+      : options.Method == ReliefShaderOptions::RAY_MARCH
+      ? "gl_Position = reliefBoxPosition();"
+      : "gl_Position = reliefPatternPosition();");
 
   ShaderText fragment(shaders[vtkShader::Fragment], missing);
   fragment.Replace("//VTK::PositionVC::Dec", "");
   fragment.Replace(
     "//VTK::PositionVC::Impl", "if (!reliefFind()) discard;\n  vec4 vertexVC = reliefVertex();");
   fragment.IfReplace("//VTK::UniformFlow::Impl", "");
-  if (isMarching)
+  if (options.Method != ReliefShaderOptions::REFINEMENT)
   {
     fragment.Replace("//VTK::Depth::Impl", "gl_FragDepth = reliefDepth();");
   }
@@ -116,8 +126,9 @@ void FinishReliefShaders(const ReliefShaderOptions& options,
   std::map<vtkShader::Type, vtkShader*>& shaders, MissingAnchors& missing)
 {
   ShaderText vertex(shaders[vtkShader::Vertex], missing);
-  vertex.InsertBeforeMain(
-    options.Method == ReliefShaderOptions::RAY_MARCH ? relevoReliefVS : relevoReliefPatternVS);
+  vertex.InsertBeforeMain(options.Method == ReliefShaderOptions::WARP ? relevoReliefWarpVS
+      : options.Method == ReliefShaderOptions::RAY_MARCH              ? relevoReliefVS
+                                                                      : relevoReliefPatternVS);
   vertex.InsertAfterVersion(GetDefines(options));
   ShaderText fragment(shaders[vtkShader::Fragment], missing);
   fragment.IfReplace("gl_FrontFacing", "reliefIsFront");
@@ -129,7 +140,7 @@ void FinishReliefShaders(const ReliefShaderOptions& options,
   {
     fragment.Replace("= vertexIDVSOutput", "= " + GetIds(options));
   }
-  fragment.InsertBeforeMain(GetSearch(options) + relevoReliefFS);
+  fragment.InsertBeforeMain(relevoReliefFS + GetSearch(options));
   fragment.InsertAfterVersion(GetDefines(options));
 }
 }

@@ -19,13 +19,16 @@ namespace relevo
 /// What shaders of reliefs differ in.
 struct ReliefShaderOptions
 {
+  /// Numbered as vtkReliefMapper does.
   enum Methods
   {
+    WARP,
     RAY_MARCH,
-    REFINEMENT
+    REFINEMENT,
+    NUMBER_OF_METHODS
   };
   Methods Method = RAY_MARCH;
-  /// Of RAY_MARCH, numbered as vtkReliefMapper does.
+  /// Of RAY_MARCH, numbered likewise.
   enum Searches
   {
     LINEAR_BINARY,

@@ -104,6 +104,12 @@ void ReliefView::SetUniforms(vtkShaderProgram* program) const
   }
 }
 
+bool ReliefView::SeesFront(double height) const
+{
+  const dvec4 eye = inverse(this->ToClip)[2];
+  return eye.z - height * eye.w > 0.0;
+}
+
 double ReliefView::GetPixels(const dvec3& point) const
 {
   const dvec4 place = this->ToClip * dvec4(point, 1.0);

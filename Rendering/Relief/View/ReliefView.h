@@ -33,6 +33,9 @@ public:
 
   void SetUniforms(vtkShaderProgram* program) const;
 
+  /// Whether planes of this height are seen as the relief's own viewer sees them.
+  bool SeesFront(double height) const;
+
   /// Pixels that a step of 1 in any direction covers at most; 0 behind the eye.
   double GetPixels(const dvec3& point) const;
 

@@ -1,13 +1,10 @@
 // What is seen at a pixel of a relief.
-uniform sampler2D reliefColors;
-uniform sampler2D reliefNormals;
 uniform mat4 reliefToClip;
 uniform mat4 reliefToView;
-uniform mat4 reliefPlaneToView;
-#ifdef RELIEF_NORMALS
-uniform mat3 normalMatrix;
-#endif
-uniform vec4 reliefFirstAndSize;
+uniform vec4 reliefFirstAndSize; // column and row of the coordinates' origin; the image's size
+
+vec3 reliefPoint; // of the surface, in the tiles' coordinates
+bool reliefIsFront = true;
 
 float reliefDepth()
 {
@@ -19,50 +16,6 @@ vec4 reliefVertex()
 {
   vec4 position = reliefToView * vec4(reliefPoint, 1.0);
   return position / position.w;
-}
-
-vec2 reliefTextureCoordinates()
-{
-  return (vec2(reliefTile.yz) + clamp(reliefPlace, 0.0, float(RELIEF_SIZE)) + 0.5) /
-    vec2(textureSize(reliefColors, 0));
-}
-
-vec4 reliefColor()
-{
-  return textureLod(reliefColors, reliefTextureCoordinates(), 0.0);
-}
-
-#ifdef RELIEF_NORMALS
-// See ReliefTiles.cxx.
-vec3 reliefNormalOfTexel(ivec2 quad, ivec2 offset)
-{
-  vec2 folded = 2.0 * texelFetch(reliefNormals, reliefTile.yz + quad + offset, 0).rg - 1.0;
-  vec3 normal = vec3(folded, 1.0 - abs(folded.x) - abs(folded.y));
-  vec2 signs = vec2(folded.x < 0.0 ? -1.0 : 1.0, folded.y < 0.0 ? -1.0 : 1.0);
-  normal.xy = normal.z < 0.0 ? (1.0 - abs(folded.yx)) * signs : folded;
-  return normalize(normal);
-}
-#endif
-
-// In view coordinates, on the side that is seen.
-vec3 reliefNormal()
-{
-  ivec2 quad = clamp(ivec2(floor(reliefPlace)), 0, RELIEF_SIZE - 1);
-  vec2 place = reliefPlace - vec2(quad);
-#ifdef RELIEF_NORMALS
-  vec3 lower = mix(reliefNormalOfTexel(quad, ivec2(0)), reliefNormalOfTexel(quad, ivec2(1, 0)),
-    place.x);
-  vec3 upper = mix(reliefNormalOfTexel(quad, ivec2(0, 1)), reliefNormalOfTexel(quad, ivec2(1)),
-    place.x);
-  vec3 normal = normalize(normalMatrix * mix(lower, upper, place.y));
-  return reliefIsFront ? normal : -normal;
-#else
-  vec4 h = reliefCorners(quad);
-  vec2 slopes = reliefSlopes(h, place);
-  vec4 plane = vec4(-slopes, 1.0, dot(slopes, reliefPoint.xy) - reliefPoint.z);
-  vec3 normal = normalize((reliefPlaneToView * plane).xyz);
-  return reliefIsFront ? -normal : normal;
-#endif
 }
 
 int reliefPointId()

@@ -6,9 +6,7 @@ uniform bvec2 reliefSides; // whether the front and the back of the surface are 
 vec4 reliefBox;   // of the tile that is drawn: first column and row, least and largest height
 ivec4 reliefTile; // its number, its texels in the textures, how many hits to pass
 
-vec3 reliefPoint; // of the surface, in the tiles' coordinates
-vec2 reliefPlace; // the same in quads from the tile's corner
-bool reliefIsFront;
+vec2 reliefPlace; // of the point, in quads from the tile's corner
 
 vec4 reliefCorners(ivec2 quad)
 {

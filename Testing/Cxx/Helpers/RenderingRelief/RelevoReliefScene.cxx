@@ -35,6 +35,14 @@ void RelevoReliefScene::ResetCamera()
   this->Renderer->ResetCamera();
 }
 
+void RelevoReliefScene::LookStraight()
+{
+  this->GetCamera()->SetPosition(0.0, 0.0, -1.0);
+  this->GetCamera()->SetFocalPoint(0.0, 0.0, 0.0);
+  this->GetCamera()->SetViewUp(0.0, 1.0, 0.0);
+  this->Renderer->ResetCamera();
+}
+
 std::vector<float> RelevoReliefScene::DrawDepths()
 {
   this->Window->Render();
@@ -56,7 +64,8 @@ Vector Transform(const double matrix[16], double x, double y, double z)
 }
 }
 
-RelevoReliefComparison RelevoReliefScene::Compare(vtkImageData* relief, double stretch)
+RelevoReliefComparison RelevoReliefScene::Compare(
+  vtkImageData* relief, double stretch, double tolerance)
 {
   const RelevoReliefRays rays(relief, stretch);
   const std::vector<float> depths = this->DrawDepths();
@@ -86,7 +95,7 @@ RelevoReliefComparison RelevoReliefScene::Compare(vtkImageData* relief, double s
         {
           const Vector drawn = Transform(fromClip, x, y, 2.0 * depths[i] - 1.0);
           const auto texel = rays.Find(drawn);
-          wrong += std::hypot(texel[0] - hit.Column, texel[1] - hit.Row) > 0.5 ? 1 : 0;
+          wrong += std::hypot(texel[0] - hit.Column, texel[1] - hit.Row) > tolerance ? 1 : 0;
           const Vector clip =
             Transform(toClip->GetData(), hit.Point[0], hit.Point[1], hit.Point[2]);
           far += std::abs(0.5 * clip[2] + 0.5 - depths[i]) > 1e-5 ? 1 : 0;

@@ -22,7 +22,7 @@ struct RelevoReliefComparison
 {
   int NumberOfHits = 0;   // of the rays
   int NumberOfMisses = 0; // pixels that are hit only in the picture, or only by the ray
-  int NumberOfWrong = 0;  // more than half a texel away from each hit of the ray
+  int NumberOfWrong = 0;  // farther than the tolerance from the ray's hit
   int NumberFar = 0;      // depths that are wrong by more than the tolerance
   // Of those that both hit.
   double GetShareRight() const
@@ -44,12 +44,15 @@ public:
 
   vtkCamera* GetCamera() { return this->Renderer->GetActiveCamera(); }
   void ResetCamera();
+  void LookStraight();
 
   // Draws. Depths row after row: 1 where there is nothing.
   std::vector<float> DrawDepths();
 
-  // Draws and compares with the one relief that is there.
-  RelevoReliefComparison Compare(vtkImageData* relief, double stretch = 8.0);
+  // Draws and compares with the one relief that is there; what is farther away than a tolerance in
+  // texels is wrong.
+  RelevoReliefComparison Compare(
+    vtkImageData* relief, double stretch = 8.0, double tolerance = 0.5);
 
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;

@@ -32,6 +32,7 @@ vtkSmartPointer<vtkImageData> MakePerspective()
 void TestViews(RelevoCheck& check, vtkImageData* relief)
 {
   RelevoReliefScene scene(relief, 120, 90);
+  scene.Mapper->SetMethodToRayMarch();
   for (bool parallel : { false, true })
   {
     scene.GetCamera()->SetParallelProjection(parallel);
@@ -55,6 +56,7 @@ void TestViews(RelevoCheck& check, vtkImageData* relief)
 void TestInside(RelevoCheck& check, vtkImageData* relief)
 {
   RelevoReliefScene scene(relief, 120, 90);
+  scene.Mapper->SetMethodToRayMarch();
   double center[3];
   std::copy_n(scene.Actor->GetCenter(), 3, center);
   vtkCamera* camera = scene.GetCamera();
@@ -76,6 +78,7 @@ void TestInside(RelevoCheck& check, vtkImageData* relief)
 void TestActorMatrix(RelevoCheck& check, vtkImageData* relief)
 {
   RelevoReliefScene scene(relief, 120, 90);
+  scene.Mapper->SetMethodToRayMarch();
   scene.Actor->SetScale(1.0, -2.0, 0.5);
   scene.Actor->RotateWXYZ(40.0, 1.0, 2.0, 3.0);
   scene.Actor->SetPosition(100.0, -20.0, 3.0);
@@ -91,6 +94,7 @@ void TestActorMatrix(RelevoCheck& check, vtkImageData* relief)
 void TestBuilds(RelevoCheck& check, vtkImageData* relief)
 {
   RelevoReliefScene scene(relief, 120, 90);
+  scene.Mapper->SetMethodToRayMarch();
   scene.Window->Render();
   const vtkIdType buffers = scene.Mapper->GetNumberOfBufferBuilds();
   const vtkIdType shaders = scene.Mapper->GetNumberOfShaderBuilds();

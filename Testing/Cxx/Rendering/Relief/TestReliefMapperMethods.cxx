@@ -42,6 +42,71 @@ void TestWay(RelevoCheck& check, vtkImageData* relief, const Way& way)
   }
   CHECK(errors.None());
 }
+
+// Low hills, so that little lands beside the picture on the plane.
+void TestWarp(RelevoCheck& check, ReliefProjection projection)
+{
+  const bool isPerspective = projection == ReliefProjection::Perspective;
+  const auto relief = RelevoMakeRelief(48, 40, projection,
+    isPerspective ? RelevoPinhole(48, 40, 0.025) : RelevoSmallTexels(),
+    [isPerspective](int column, int row)
+    { return (isPerspective ? 10.0 : 1.0) + 0.1 * RelevoHillsWithHoles(column, row); });
+  RelevoReliefScene scene(relief, 120, 90);
+  scene.Mapper->SetMethodToWarp();
+  for (double azimuth : { -5.0, 0.0, 10.0 })
+  {
+    scene.LookStraight();
+    scene.GetCamera()->Azimuth(azimuth);
+    scene.Renderer->ResetCameraClippingRange();
+    const RelevoReliefComparison result = scene.Compare(relief, 8.0, 1.0);
+    std::cout << "warp, azimuth " << azimuth << ": " << result.NumberOfHits << " hits, "
+              << result.NumberOfMisses << " missed, " << result.NumberOfWrong << " wrong\n";
+    CHECK(scene.Mapper->GetMethodInUse() == vtkReliefMapper::METHOD_WARP);
+    CHECK(result.NumberOfHits > 500);
+    CHECK(result.NumberOfMisses <= 0.1 * result.NumberOfHits); // half a texel at borders
+    CHECK(result.GetShareRight() >= 0.98);
+  }
+  // No eye has moved.
+  CHECK(scene.Mapper->GetNumberOfWarps() == 3);
+  scene.GetCamera()->Zoom(1.1);
+  scene.Window->Render();
+  CHECK(scene.Mapper->GetNumberOfWarps() == 3);
+  // From behind there is no such picture.
+  scene.GetCamera()->Azimuth(180.0);
+  scene.Renderer->ResetCameraClippingRange();
+  CHECK(scene.Compare(relief).IsRight());
+  CHECK(scene.Mapper->GetMethodInUse() == vtkReliefMapper::METHOD_RAY_MARCH);
+}
+
+// The first frames measure; what the last of them chose draws those that follow.
+void TestAutomatic(RelevoCheck& check, vtkImageData* relief)
+{
+  RelevoReliefScene scene(relief, 120, 90);
+  CHECK(scene.Mapper->GetMethod() == vtkReliefMapper::METHOD_AUTOMATIC);
+  bool marched = false;
+  bool refined = false;
+  const auto draw = [&](int frames)
+  {
+    marched = refined = false;
+    for (int i = 0; i < frames; ++i)
+    {
+      scene.Window->Render();
+      marched = marched || scene.Mapper->GetMethodInUse() == vtkReliefMapper::METHOD_RAY_MARCH;
+      refined = refined || scene.Mapper->GetMethodInUse() == vtkReliefMapper::METHOD_REFINEMENT;
+    }
+  };
+  draw(6);
+  CHECK(marched && refined);
+  const vtkIdType shaders = scene.Mapper->GetNumberOfShaderBuilds();
+  CHECK(shaders == 2);
+  draw(10);
+  CHECK(marched != refined);
+  CHECK(scene.Mapper->GetNumberOfShaderBuilds() == shaders);
+  scene.Window->SetSize(240, 180);
+  draw(6);
+  CHECK(marched && refined);
+  CHECK(scene.Compare(relief).GetShareRight() >= 0.998);
+}
 }
 
 int TestReliefMapperMethods(int, char*[])
@@ -58,6 +123,9 @@ int TestReliefMapperMethods(int, char*[])
     TestWay(check, relief, { Mapper::METHOD_REFINEMENT, 3, 0.998, 0.998 });
     TestWay(check, relief, { Mapper::METHOD_RAY_MARCH, Mapper::SEARCH_LINEAR_BINARY, 0.98, 0.98 });
     TestWay(check, relief, { Mapper::METHOD_RAY_MARCH, Mapper::SEARCH_LINEAR_SECANT, 0.98, 0.98 });
+    TestAutomatic(check, relief);
   }
+  TestWarp(check, ReliefProjection::Parallel);
+  TestWarp(check, ReliefProjection::Perspective);
   return check.GetResult();
 }

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   textures of values without mipmaps, one to a texel
+ *
+ * Private to the module.
+ */
+#ifndef ReliefTexture_h
+#define ReliefTexture_h
+
+#include "Core/RefinementMathematics.h"
+#include "vtkSmartPointer.h"
+#include "vtkTextureObject.h"
+
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+
+namespace relevo
+{
+vtkSmartPointer<vtkTextureObject> MakeReliefTexture(
+  vtkOpenGLRenderWindow* window, const ivec2& size, const void* values, int components, int type);
+
+/// Where there is a texture and the program has such a sampler.
+void ActivateReliefTexture(
+  vtkShaderProgram* program, vtkTextureObject* texture, const char* sampler);
+}
+
+#endif

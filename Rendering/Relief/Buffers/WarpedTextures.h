@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   WarpedTextures
+ * @brief   what vtkReliefWarper makes of a relief for the eye, as textures on the relief's plane
+ *
+ * Private to the module.
+ */
+#ifndef WarpedTextures_h
+#define WarpedTextures_h
+
+#include "Core/RefinementMathematics.h"
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+class vtkActor;
+class vtkCamera;
+class vtkImageData;
+class vtkOpenGLRenderWindow;
+class vtkReliefWarper;
+class vtkRenderer;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace relevo
+{
+class ReliefTiles;
+
+class WarpedTextures
+{
+public:
+  WarpedTextures();
+  ~WarpedTextures();
+  WarpedTextures(const WarpedTextures&) = delete;
+  void operator=(const WarpedTextures&) = delete;
+
+  void SetRelief(vtkImageData* image, double maximumStretch);
+
+  /// Warps if the eye has moved. false where the eye does not see the plane, or there is no room.
+  bool Update(vtkRenderer* renderer, vtkActor* actor, const ReliefTiles& tiles);
+
+  void Activate(vtkShaderProgram* program, const ReliefTiles& tiles);
+  void Deactivate();
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+  bool HasNormals() const { return this->Normals != nullptr; }
+  int GetNumberOfWarps();
+  vtkTypeInt64 GetMemorySize() const { return this->MemorySize; }
+
+private:
+  void MoveCamera(vtkRenderer* renderer, vtkActor* actor);
+  bool Upload(vtkOpenGLRenderWindow* window, const ReliefTiles& tiles);
+
+  vtkNew<vtkReliefWarper> Warper;
+  vtkNew<vtkCamera> Eye; // of the renderer's camera, in the actor's coordinates
+  int UploadedWarp = 0;
+  dvec4 Coefficients = dvec4(0.0); // k1, k2, k3 and the height of the plane
+  ivec2 Size = ivec2(0);
+  vtkSmartPointer<vtkTextureObject> Heights;
+  vtkSmartPointer<vtkTextureObject> Colors;
+  vtkSmartPointer<vtkTextureObject> Normals;
+  vtkTypeInt64 MemorySize = 0;
+};
+}
+
+#endif

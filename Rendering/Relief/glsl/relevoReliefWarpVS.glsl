@@ -1,0 +1,14 @@
+// The relief's plane, which vtkReliefWarper's picture lies on.
+uniform mat4 reliefToClip;
+uniform vec4 warpCoefficients;
+uniform vec4 reliefFirstAndSize;
+out vec2 warpedPlaceVSOutput;
+
+vec4 reliefPlanePosition()
+{
+  bvec2 far = bvec2(gl_VertexID == 1 || gl_VertexID == 2 || gl_VertexID == 4,
+    gl_VertexID == 2 || gl_VertexID >= 4);
+  warpedPlaceVSOutput = vec2(far) * reliefFirstAndSize.zw - 0.5;
+  return reliefToClip *
+    vec4(warpedPlaceVSOutput - reliefFirstAndSize.xy, warpCoefficients.w, 1.0);
+}
