@@ -18,7 +18,7 @@ constexpr int NextRow = 2;
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
 // Whole numbers between two, both included: who is at one is seen.
-WholeNumbers GetPassed(double first, double second, int end)
+inline WholeNumbers GetPassed(double first, double second, int end)
 {
   WholeNumbers passed(std::min(first, second), std::max(first, second), 0, end);
   const double highest = std::max(first, second);
@@ -38,7 +38,7 @@ WarpColumns::WarpColumns(
 {
 }
 
-double WarpColumns::GetWeight(double height) const
+inline double WarpColumns::GetWeight(double height) const
 {
   return 1.0 + this->Coefficients.K3 * (height - this->Coefficients.Plane);
 }
@@ -78,7 +78,7 @@ void WarpColumns::WarpLast(
   }
 }
 
-void WarpColumns::Join(int row, int position, const WarpRow& lower, const WarpRow& upper)
+inline void WarpColumns::Join(int row, int position, const WarpRow& lower, const WarpRow& upper)
 {
   const double first = lower.Rows[position];
   const double second = upper.Rows[position];
@@ -97,7 +97,7 @@ void WarpColumns::Join(int row, int position, const WarpRow& lower, const WarpRo
 
 // Where the surface ends, it reaches to the nearest whole position, as in the first pass. `other`
 // is where the next row comes to lie, NaN if that is not joined.
-void WarpColumns::DrawEnd(int row, int position, const WarpRow& lower, double other)
+inline void WarpColumns::DrawEnd(int row, int position, const WarpRow& lower, double other)
 {
   const WarpRow::Sample& sample = lower.Samples[position];
   const double place = lower.Rows[position];
@@ -118,7 +118,7 @@ void WarpColumns::DrawEnd(int row, int position, const WarpRow& lower, double ot
 }
 
 // All of the surface at the positions that samples are not enough for.
-void WarpColumns::WarpFolds(
+inline void WarpColumns::WarpFolds(
   int row, const WarpRow& lower, const WarpRow& upper, const WarpStrip& strip, int first, int end)
 {
   const int width = this->Source.GetWidth();
@@ -144,7 +144,7 @@ void WarpColumns::WarpFolds(
 }
 
 // The lines in which a quad lies at a position of a row: from one side that is crossed to another.
-void WarpColumns::Cut(int row, int column, int position, const double corners[4])
+inline void WarpColumns::Cut(int row, int column, int position, const double corners[4])
 {
   // In order around the quad.
   constexpr int sides[4][2] = { { 0, NextColumn }, { NextColumn, NextColumn | NextRow },
@@ -177,7 +177,7 @@ void WarpColumns::Cut(int row, int column, int position, const double corners[4]
   }
 }
 
-WarpColumns::End WarpColumns::Cross(
+inline WarpColumns::End WarpColumns::Cross(
   int row, int column, int position, const double corners[4], int from, int to) const
 {
   const auto height = [&](int corner)
@@ -202,7 +202,8 @@ WarpColumns::End WarpColumns::Cross(
   return end;
 }
 
-void WarpColumns::Fill(int row, int column, int position, const End& first, const End& second)
+inline void WarpColumns::Fill(
+  int row, int column, int position, const End& first, const End& second)
 {
   const WholeNumbers passed = GetPassed(first.Place, second.Place, this->Source.GetHeight());
   for (int place = passed.First; place < passed.End; ++place)

@@ -22,14 +22,33 @@ struct Neighbors
     this->Set(2, source, place.UpperColumn, place.UpperFraction, upperRow, place.Fraction);
   }
 
-  template <class T>
-  float Mix(const T* values, int components, int component) const
+  float Mix(const float* values, int components, int component) const
   {
-    const T* value = values + component;
+    const float* value = values + component;
     return this->Weights[0] * value[components * this->Indices[0]] +
       this->Weights[1] * value[components * this->Indices[1]] +
       this->Weights[2] * value[components * this->Indices[2]] +
       this->Weights[3] * value[components * this->Indices[3]];
+  }
+
+  // Weights of which 1 is 65536, for bytes.
+  void GetWholeWeights(unsigned int weights[4]) const
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      weights[i] = static_cast<unsigned int>(this->Weights[i] * 65536.0f);
+    }
+  }
+
+  unsigned char MixWhole(
+    const unsigned char* value, int components, const unsigned int weights[4]) const
+  {
+    return static_cast<unsigned char>(
+      (weights[0] * value[components * this->Indices[0]] +
+        weights[1] * value[components * this->Indices[1]] +
+        weights[2] * value[components * this->Indices[2]] +
+        weights[3] * value[components * this->Indices[3]] + 32768u) >>
+      16);
   }
 
   bool IsOne() const
@@ -106,15 +125,17 @@ void WarpPicture::Draw(const WarpSource& source, int column, int row, const Warp
   }
 }
 
-void WarpPicture::DrawColor(const WarpSource& source, size_t index, const WarpPlace& place)
+inline void WarpPicture::DrawColor(const WarpSource& source, size_t index, const WarpPlace& place)
 {
   const Relief& relief = source.GetRelief();
   const Neighbors neighbors(source, place);
   const int components = this->NumberOfColorComponents;
   unsigned char* color = this->Colors + components * index;
+  unsigned int weights[4];
+  neighbors.GetWholeWeights(weights);
   for (int i = 0; i < components; ++i)
   {
-    color[i] = static_cast<unsigned char>(neighbors.Mix(relief.GetColors(), components, i) + 0.5f);
+    color[i] = neighbors.MixWhole(relief.GetColors() + i, components, weights);
   }
   if (this->Normals)
   {

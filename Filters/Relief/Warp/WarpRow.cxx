@@ -23,6 +23,8 @@ bool IsNumber(double value)
 }
 }
 
+// What only this file calls is inline, so that the compiler may take it into the loops also where
+// a shared library's functions can be replaced from outside.
 void WarpRow::Allocate(int width)
 {
   this->Columns.resize(width);
@@ -38,7 +40,7 @@ void WarpRow::Warp(const WarpSource& source, const WarpCoefficients& coefficient
   this->FindRows(coefficients, row);
 }
 
-void WarpRow::FindColumns(const double* heights, const WarpCoefficients& coefficients)
+inline void WarpRow::FindColumns(const double* heights, const WarpCoefficients& coefficients)
 {
   const int width = static_cast<int>(this->Columns.size());
   double* columns = this->Columns.data();
@@ -54,7 +56,8 @@ void WarpRow::FindColumns(const double* heights, const WarpCoefficients& coeffic
   }
 }
 
-void WarpRow::FindSamples(const WarpSource& source, const WarpCoefficients& coefficients, int row)
+inline void WarpRow::FindSamples(
+  const WarpSource& source, const WarpCoefficients& coefficients, int row)
 {
   std::fill(this->Samples.begin(), this->Samples.end(), NoSample);
   std::fill(this->Folded.begin(), this->Folded.end(), static_cast<unsigned char>(0));
@@ -80,7 +83,7 @@ void WarpRow::FindSamples(const WarpSource& source, const WarpCoefficients& coef
 }
 
 // All whole positions that the segment from a texel to the next one passes.
-void WarpRow::Join(
+inline void WarpRow::Join(
   const WarpSource& source, const WarpCoefficients& coefficients, const double* heights, int column)
 {
   const double first = this->Columns[column];
@@ -101,7 +104,7 @@ void WarpRow::Join(
 
 // Where a row of joined texels ends, it reaches to the nearest whole position, so that also a
 // single texel is seen; where it folds, the fold may be at one.
-void WarpRow::End(const WarpSource& source, double height, int column, bool isJoined[2])
+inline void WarpRow::End(const WarpSource& source, double height, int column, bool isJoined[2])
 {
   const double place = this->Columns[column];
   if (!(place > -0.5 && place < source.GetWidth() - 0.5))
@@ -128,7 +131,7 @@ void WarpRow::End(const WarpSource& source, double height, int column, bool isJo
   this->Put(source, position, { height, column, 0.0f });
 }
 
-void WarpRow::Put(const WarpSource& source, int position, const Sample& sample)
+inline void WarpRow::Put(const WarpSource& source, int position, const Sample& sample)
 {
   Sample& here = this->Samples[position];
   if (here.IsValid())
@@ -142,7 +145,7 @@ void WarpRow::Put(const WarpSource& source, int position, const Sample& sample)
   here = sample;
 }
 
-void WarpRow::FindRows(const WarpCoefficients& coefficients, int row)
+inline void WarpRow::FindRows(const WarpCoefficients& coefficients, int row)
 {
   const size_t width = this->Samples.size();
   for (size_t position = 0; position < width; ++position)
@@ -195,7 +198,7 @@ void WarpStrip::Compare(
   this->EndFolded = static_cast<int>(last - begin);
 }
 
-void WarpStrip::Open(double first, double second)
+inline void WarpStrip::Open(double first, double second)
 {
   const WholeNumbers passed(
     std::min(first, second), std::max(first, second), 0, static_cast<int>(this->Folded.size()));
