@@ -54,6 +54,8 @@ void RunTerrain(const BenchmarkOptions& options, const AddTable& addTable);
 void RunLIC(const BenchmarkOptions& options, const AddTable& addTable);
 /// Volumes of cells against VTK's mappers and sort, and pictures against a reference.
 void RunVolumes(const BenchmarkOptions& options, const AddTable& addTable);
+/// Reliefs: warps a second.
+void RunReliefs(const BenchmarkOptions& options, const AddTable& addTable);
 
 /**
  * Measurements that need a process of their own run in this program, called again: the arguments

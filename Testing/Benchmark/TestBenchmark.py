@@ -49,6 +49,8 @@ class TestBenchmark(unittest.TestCase):
         usage = subprocess.run([PROGRAM, "--help"], capture_output=True, text=True).stderr
         if "volumes" in usage:  # with VTK's mappers for volumes
             self.check_volumes(tables)
+        if "relief" in usage:
+            self.check_warps(tables)
         self.assertEqual(len(tables["dem"]), 3)
         self.assertTrue(all(row["triangles"] > 0 for row in tables["dem"]))
 
@@ -94,6 +96,13 @@ class TestBenchmark(unittest.TestCase):
             self.assertGreater(row["ratio"], 0.0, row)
         for row in tables["volumes-memory"]:
             self.assertLess(row["ratio"], row["asked"])
+
+    def check_warps(self, tables):
+        policies = {"sequential", "parallel", "multi-threaded", "rows and columns"}
+        for sample in ("terrain with a void", "columns before a wall", "object"):
+            rows = [row for row in tables["relief-warps"] if row["sample"] == sample]
+            self.assertEqual({row["policy"] for row in rows}, policies)
+            self.assertTrue(all(row["warps"] > 0.0 for row in rows))
 
     def test_no_paraview(self):
         result = subprocess.run([PROGRAM, "--quick", "--paraview", "/nonexistent", "lic"],

@@ -45,6 +45,9 @@ const std::vector<Benchmark> Benchmarks = {
 #ifdef BENCHMARK_HAS_VOLUMES
   { "volumes", RunVolumes },
 #endif
+#ifdef BENCHMARK_HAS_RELIEFS
+  { "relief", RunReliefs, false },
+#endif
 #ifdef BENCHMARK_HAS_GOOGLE_BENCHMARK
   { "processor", RunProcessor, false },
 #endif
