@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLICNoiseSource.h"
 
+#include "Core/ImageExtents.h"
 #include "Core/SettingChecks.h"
 #include "Noise/GrainNoise.h"
 #include "Noise/NoiseHash.h"
@@ -15,7 +16,6 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -107,13 +107,7 @@ int vtkLICNoiseSource::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkInformation* information = outputVector->GetInformationObject(0);
-  const int last = this->NoiseTextureSize - 1;
-  const int extent[6] = { 0, last, 0, last, 0, 0 };
-  information->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-  const double origin[3] = { 0.0, 0.0, 0.0 };
-  information->Set(vtkDataObject::ORIGIN(), origin, 3);
-  const double spacing[3] = { 1.0, 1.0, 1.0 };
-  information->Set(vtkDataObject::SPACING(), spacing, 3);
+  relevo::SetImageSize(information, this->NoiseTextureSize, this->NoiseTextureSize);
   vtkDataObject::SetPointDataActiveScalarInfo(information, VTK_FLOAT, 1);
   return 1;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLineIntegralConvolution.h"
 
+#include "Core/ImageExtents.h"
 #include "Core/VTKCompatibility.h"
 #include "Image/ChosenNoise.h"
 #include "Image/ForwardedSettings.h"
@@ -20,7 +21,6 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -103,12 +103,7 @@ int vtkLineIntegralConvolution::RequestUpdateExtent(
 {
   for (int port = 0; port < 2; ++port)
   {
-    vtkInformation* information = inputVector[port]->GetInformationObject(0);
-    if (information && information->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
-    {
-      information->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
-        information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), 6);
-    }
+    relevo::RequestWholeExtent(inputVector[port]->GetInformationObject(0));
   }
   return 1;
 }

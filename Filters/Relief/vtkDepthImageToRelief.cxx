@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDepthImageToRelief.h"
 
+#include "Core/ImageExtents.h"
 #include "Core/LatestTime.h"
 #include "Core/SettingChecks.h"
 #include "Core/WorldView.h"
@@ -138,20 +139,11 @@ int vtkDepthImageToRelief::FillInputPortInformation(int port, vtkInformation* in
 int vtkDepthImageToRelief::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  int extent[6];
+  int extent[6] = { 0, -1, 0, -1, 0, -1 };
   inputVector[0]->GetInformationObject(0)->Get(
     vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    extent[2 * axis + 1] -= extent[2 * axis];
-    extent[2 * axis] = 0;
-  }
-  vtkInformation* information = outputVector->GetInformationObject(0);
-  const double origin[3] = { 0.0, 0.0, 0.0 };
-  const double spacing[3] = { 1.0, 1.0, 1.0 };
-  information->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-  information->Set(vtkDataObject::ORIGIN(), origin, 3);
-  information->Set(vtkDataObject::SPACING(), spacing, 3);
+  relevo::SetImageSize(
+    outputVector->GetInformationObject(0), extent[1] - extent[0] + 1, extent[3] - extent[2] + 1);
   return 1;
 }
 
@@ -161,11 +153,7 @@ int vtkDepthImageToRelief::RequestUpdateExtent(
 {
   for (int port = 0; port < 2; ++port)
   {
-    if (vtkInformation* information = inputVector[port]->GetInformationObject(0))
-    {
-      information->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
-        information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), 6);
-    }
+    relevo::RequestWholeExtent(inputVector[port]->GetInformationObject(0));
   }
   return 1;
 }

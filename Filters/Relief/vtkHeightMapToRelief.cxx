@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightMapToRelief.h"
 
+#include "Core/ImageExtents.h"
 #include "Core/LatestTime.h"
 #include "Core/SettingChecks.h"
 #include "Core/VTKCompatibility.h"
@@ -19,7 +20,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -203,14 +203,8 @@ int vtkHeightMapToRelief::RequestInformation(
   }
   int size[2];
   this->HeightMap->GetDimensions(size);
-  vtkInformation* information = outputVector->GetInformationObject(0);
-  const int texels = this->TexelsPerSample;
-  const int extent[6] = { 0, size[0] * texels - 1, 0, size[1] * texels - 1, 0, 0 };
-  const double origin[3] = { 0.0, 0.0, 0.0 };
-  const double spacing[3] = { 1.0, 1.0, 1.0 };
-  information->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-  information->Set(vtkDataObject::ORIGIN(), origin, 3);
-  information->Set(vtkDataObject::SPACING(), spacing, 3);
+  relevo::SetImageSize(outputVector->GetInformationObject(0), size[0] * this->TexelsPerSample,
+    size[1] * this->TexelsPerSample);
   return 1;
 }
 
@@ -218,11 +212,7 @@ int vtkHeightMapToRelief::RequestInformation(
 int vtkHeightMapToRelief::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  if (vtkInformation* information = inputVector[0]->GetInformationObject(0))
-  {
-    information->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
-      information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), 6);
-  }
+  relevo::RequestWholeExtent(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 

@@ -3,6 +3,7 @@
 #include "vtkReliefWarper.h"
 
 #include "Core/CameraEye.h"
+#include "Core/ImageExtents.h"
 #include "Core/LatestTime.h"
 #include "Core/SettingChecks.h"
 #include "Warp/WarpCoefficients.h"
@@ -18,7 +19,6 @@
 #include "vtkMultiThreader.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTimeStamp.h"
 
 #include <algorithm>
@@ -202,12 +202,7 @@ vtkMTimeType vtkReliefWarper::GetMTime()
 int vtkReliefWarper::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  vtkInformation* information = inputVector[0]->GetInformationObject(0);
-  if (information->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
-  {
-    information->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
-      information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), 6);
-  }
+  relevo::RequestWholeExtent(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 

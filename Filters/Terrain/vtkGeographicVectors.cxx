@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeographicVectors.h"
 
+#include "Core/ImageExtents.h"
 #include "Core/SettingChecks.h"
 #include "Core/VTKCompatibility.h"
 #include "Core/VectorData.h"
@@ -18,7 +19,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 #include "vtkTerrainSource.h"
 
@@ -234,13 +234,7 @@ int vtkGeographicVectors::FillInputPortInformation(int port, vtkInformation* inf
 int vtkGeographicVectors::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* raster = inputVector[1]->GetInformationObject(0);
-  if (raster && raster->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    raster->Set(
-      Pipeline::UPDATE_EXTENT(), raster->Get(Pipeline::WHOLE_EXTENT()), 6); // any may be sampled
-  }
+  relevo::RequestWholeExtent(inputVector[1]->GetInformationObject(0)); // any may be sampled
   return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
 }
 

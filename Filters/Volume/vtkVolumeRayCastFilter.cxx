@@ -4,6 +4,7 @@
 
 #include "Cells/MeshScalars.h"
 #include "Cells/VolumeCells.h"
+#include "Core/ImageExtents.h"
 #include "Core/VTKCompatibility.h"
 #include "Rays/Blending.h"
 #include "Rays/ClippingPlanes.h"
@@ -23,7 +24,6 @@
 #include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolumeProperty.h"
 
@@ -51,12 +51,7 @@ int vtkVolumeRayCastFilter::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkInformation* information = outputVector->GetInformationObject(0);
-  const int extent[6] = { 0, this->ViewportSize[0] - 1, 0, this->ViewportSize[1] - 1, 0, 0 };
-  const double origin[3] = { 0.0, 0.0, 0.0 };
-  const double spacing[3] = { 1.0, 1.0, 1.0 };
-  information->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-  information->Set(vtkDataObject::ORIGIN(), origin, 3);
-  information->Set(vtkDataObject::SPACING(), spacing, 3);
+  relevo::SetImageSize(information, this->ViewportSize[0], this->ViewportSize[1]);
   vtkDataObject::SetPointDataActiveScalarInfo(information, VTK_DOUBLE, 4);
   return 1;
 }
@@ -65,12 +60,7 @@ int vtkVolumeRayCastFilter::RequestInformation(
 int vtkVolumeRayCastFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  vtkInformation* information = inputVector[0]->GetInformationObject(0);
-  if (information->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
-  {
-    information->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
-      information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), 6);
-  }
+  relevo::RequestWholeExtent(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 
