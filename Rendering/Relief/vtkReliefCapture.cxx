@@ -2,12 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkReliefCapture.h"
 
-#include "Capture/CapturePass.h"
-#include "Capture/CaptureRenderer.h"
-#include "Capture/CaptureTarget.h"
-#include "Capture/CapturedImage.h"
 #include "Capture/FittedCamera.h"
-#include "Capture/SceneProps.h"
+#include "Capture/SceneCapture.h"
 #include "Capture/SceneTime.h"
 #include "Core/SettingChecks.h"
 
@@ -17,10 +13,8 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
+#include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
@@ -34,30 +28,6 @@ namespace
 constexpr int Given = -2; // levels of the sphere are 0 and more
 constexpr int Box = -1;
 constexpr int HighestLevel = 3;
-
-// nullptr, and what is wrong in `error`, if there is none with a context.
-vtkOpenGLRenderWindow* ReadyWindow(vtkRenderer* renderer, std::string& error)
-{
-  if (!renderer)
-  {
-    error = "There is no renderer to capture: SetRenderer().";
-    return nullptr;
-  }
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (!window)
-  {
-    error = "The renderer is in no window that draws with OpenGL.";
-    return nullptr;
-  }
-  window->Initialize();
-  window->MakeCurrent();
-  if (!window->IsCurrent())
-  {
-    error = "The window of the renderer has no OpenGL context.";
-    return nullptr;
-  }
-  return window;
-}
 }
 
 class vtkReliefCapture::vtkInternals
@@ -67,7 +37,7 @@ public:
   std::vector<vtkSmartPointer<vtkCamera>> Cameras; // those given
   int Level = Box;
   relevo::SceneTime Scene;
-  vtkNew<relevo::CapturePass> Pass;
+  relevo::SceneCapture Capture;
   std::pair<int, int> LeftOut{ 0, 0 }; // translucent props, volumes: of the last warning
 
   std::vector<vtkSmartPointer<vtkCamera>> MakeCameras(
@@ -84,31 +54,6 @@ public:
       cameras.push_back(relevo::MakeCameraAlong(direction, resolution[0], resolution[1], corners));
     }
     return cameras;
-  }
-
-  // The number of the camera is for errors.
-  vtkSmartPointer<vtkImageData> CaptureFrom(size_t number, vtkCamera* camera,
-    vtkReliefCapture* capture, relevo::CaptureRenderer* own, relevo::SceneProps& scene,
-    relevo::CaptureTarget& target)
-  {
-    const int* resolution = capture->Resolution;
-    const relevo::FittedCamera fitted = relevo::FitCamera(camera, resolution[0], resolution[1],
-      scene.Corners, this->Renderer->GetNearClippingPlaneTolerance());
-    if (fitted.IsSingular)
-    {
-      vtkErrorWithObjectMacro(
-        capture, << "The matrices of camera " << number << " have no inverse.");
-    }
-    if (!fitted.Camera)
-    {
-      return nullptr;
-    }
-    own->SetActiveCamera(fitted.Camera);
-    own->PlaceLights();
-    this->Pass->Draw(own, scene.Opaque, target);
-    relevo::CapturedPixels pixels;
-    target.Read(pixels);
-    return relevo::MakeCapturedImage(pixels, fitted, capture->CaptureNormals, capture->Cropping);
   }
 
   // Once for as many.
@@ -217,45 +162,49 @@ int vtkReliefCapture::RequestData(
 
 bool vtkReliefCapture::Capture(vtkMultiBlockDataSet* output)
 {
-  std::string error;
-  vtkRenderer* renderer = this->Internals->Renderer;
-  vtkOpenGLRenderWindow* window = ReadyWindow(renderer, error);
-  relevo::SceneProps scene;
-  relevo::CaptureTarget target;
-  if (window)
+  relevo::SceneCapture& capture = this->Internals->Capture;
+  std::string error =
+    capture.Begin(this->Internals->Renderer, this->Resolution[0], this->Resolution[1]);
+  if (error.empty() && this->GetNumberOfCameras() == 0)
   {
-    scene = relevo::FindSceneProps(renderer);
-    this->Internals->WarnOfOthers(this, scene);
-    error = scene.Opaque.empty()
-      ? "The renderer shows nothing that can be captured: visible props with opaque geometry."
-      : this->GetNumberOfCameras() == 0
-      ? "There are no cameras to capture from: AddCamera() or SetCamerasToBox()."
-      : target.Allocate(window, this->Resolution[0], this->Resolution[1]);
+    error = "There are no cameras to capture from: AddCamera() or SetCamerasToBox().";
+  }
+  this->Internals->WarnOfOthers(this, capture.GetProps());
+  const bool seesAny = error.empty() && this->CaptureAll(output);
+  capture.End();
+  if (error.empty() && !seesAny)
+  {
+    error = "None of the cameras sees anything to capture.";
   }
   if (!error.empty())
   {
     vtkErrorMacro(<< error);
-    return false;
   }
-  vtkNew<relevo::CaptureRenderer> own;
-  own->Follow(renderer);
-  own->SetCaptureSize(this->Resolution[0], this->Resolution[1]);
-  output->SetNumberOfBlocks(static_cast<unsigned int>(this->GetNumberOfCameras()));
-  const auto cameras = this->Internals->MakeCameras(this->Resolution, scene.Corners);
+  return error.empty();
+}
+
+bool vtkReliefCapture::CaptureAll(vtkMultiBlockDataSet* output)
+{
+  relevo::SceneCapture& capture = this->Internals->Capture;
+  const auto cameras = this->Internals->MakeCameras(this->Resolution, capture.GetProps().Corners);
+  output->SetNumberOfBlocks(static_cast<unsigned int>(cameras.size()));
   bool seesAny = false;
   for (size_t i = 0; i < cameras.size(); ++i)
   {
-    const unsigned int block = static_cast<unsigned int>(i);
-    const auto image = this->Internals->CaptureFrom(i, cameras[i], this, own, scene, target);
+    const auto image = capture.CaptureFrom(cameras[i], this->CaptureNormals, this->Cropping);
+    if (capture.WasSingular())
+    {
+      vtkErrorMacro("The matrices of camera " << i << " have no inverse.");
+    }
+    const auto block = static_cast<unsigned int>(i);
     output->SetBlock(block, image);
     output->GetMetaData(block)->Set(
       vtkCompositeDataSet::NAME(), ("Camera " + std::to_string(i)).c_str());
     seesAny = seesAny || image;
   }
-  window->GetShaderCache()->ReleaseCurrentShader();
   if (!seesAny)
   {
-    vtkErrorMacro("None of the cameras sees anything to capture.");
+    output->Initialize();
   }
   return seesAny;
 }

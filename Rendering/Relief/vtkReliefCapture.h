@@ -140,6 +140,7 @@ private:
   class vtkInternals;
 
   bool Capture(vtkMultiBlockDataSet* output);
+  bool CaptureAll(vtkMultiBlockDataSet* output);
   std::unique_ptr<vtkInternals> Internals;
 };
 

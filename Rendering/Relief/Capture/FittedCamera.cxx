@@ -170,6 +170,21 @@ FittedCamera FitCamera(vtkCamera* camera, int width, int height, const std::vect
   return fitted;
 }
 
+vtkSmartPointer<vtkCamera> WidenCamera(
+  vtkCamera* camera, int width, int height, const ivec2& margin)
+{
+  const vtkSmartPointer<vtkCamera> copy = Copy(camera);
+  const double aspect = static_cast<double>(width) / height;
+  dmat4 projection = MakeMatrix(copy->GetProjectionTransformMatrix(aspect, -1.0, 1.0));
+  for (int column = 0; column < 4; ++column)
+  {
+    projection[column].x *= width / (width + 2.0 * margin.x);
+    projection[column].y *= height / (height + 2.0 * margin.y);
+  }
+  SetExplicitProjection(copy, projection);
+  return copy;
+}
+
 vtkSmartPointer<vtkCamera> MakeCameraAlong(
   const dvec3& direction, int width, int height, const std::vector<dvec3>& corners)
 {

@@ -36,6 +36,10 @@ struct FittedCamera
 FittedCamera FitCamera(vtkCamera* camera, int width, int height, const std::vector<dvec3>& corners,
   double nearClippingPlaneTolerance);
 
+/// Sees what the other sees in a picture of this many pixels, and a margin of more pixels around.
+vtkSmartPointer<vtkCamera> WidenCamera(
+  vtkCamera* camera, int width, int height, const ivec2& margin);
+
 /// In parallel, along a direction; the corners fill the picture but for a pixel at its sides.
 vtkSmartPointer<vtkCamera> MakeCameraAlong(
   const dvec3& direction, int width, int height, const std::vector<dvec3>& corners);

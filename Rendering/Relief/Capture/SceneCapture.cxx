@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Capture/SceneCapture.h"
+
+#include "Capture/CapturedImage.h"
+
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+
+namespace relevo
+{
+std::string SceneCapture::Begin(vtkRenderer* renderer, int width, int height)
+{
+  if (!renderer)
+  {
+    return "There is no renderer to capture: SetRenderer().";
+  }
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!window)
+  {
+    return "The renderer is in no window that draws with OpenGL.";
+  }
+  window->Initialize();
+  window->MakeCurrent();
+  if (!window->IsCurrent())
+  {
+    return "The window of the renderer has no OpenGL context.";
+  }
+  this->Props = FindSceneProps(renderer);
+  if (this->Props.Opaque.empty())
+  {
+    return "The renderer shows nothing that can be captured: visible props with opaque geometry.";
+  }
+  this->Target.reset(new CaptureTarget);
+  const std::string problem = this->Target->Allocate(window, width, height);
+  this->Renderer = vtkSmartPointer<CaptureRenderer>::New();
+  this->Renderer->Follow(renderer);
+  this->Renderer->SetCaptureSize(width, height);
+  this->Size[0] = width;
+  this->Size[1] = height;
+  this->NearClippingPlaneTolerance = renderer->GetNearClippingPlaneTolerance();
+  return problem;
+}
+
+void SceneCapture::End()
+{
+  if (this->Renderer)
+  {
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
+    window->GetShaderCache()->ReleaseCurrentShader();
+  }
+  this->Target = nullptr;
+  this->Renderer = nullptr;
+  this->Props = SceneProps();
+}
+
+vtkSmartPointer<vtkImageData> SceneCapture::CaptureFrom(
+  vtkCamera* camera, bool withNormals, bool cropped)
+{
+  const FittedCamera fitted = FitCamera(
+    camera, this->Size[0], this->Size[1], this->Props.Corners, this->NearClippingPlaneTolerance);
+  this->IsSingular = fitted.IsSingular;
+  if (!fitted.Camera)
+  {
+    return nullptr;
+  }
+  this->Renderer->SetActiveCamera(fitted.Camera);
+  this->Renderer->PlaceLights();
+  this->Pass->Draw(this->Renderer, this->Props.Opaque, *this->Target);
+  CapturedPixels pixels;
+  this->Target->Read(pixels);
+  return MakeCapturedImage(pixels, fitted, withNormals, cropped);
+}
+}

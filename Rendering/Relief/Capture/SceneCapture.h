@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   SceneCapture
+ * @brief   captures what a renderer shows, camera by camera
+ *
+ * Private to the module.
+ */
+#ifndef SceneCapture_h
+#define SceneCapture_h
+
+#include "Capture/CapturePass.h"
+#include "Capture/CaptureRenderer.h"
+#include "Capture/CaptureTarget.h"
+#include "Capture/FittedCamera.h"
+#include "Capture/SceneProps.h"
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+#include <memory>
+#include <string>
+
+class vtkCamera;
+class vtkImageData;
+class vtkRenderer;
+
+namespace relevo
+{
+class SceneCapture
+{
+public:
+  /// Readies captures of this many texels in the renderer's window; what is wrong, or "". End()
+  /// releases what they need, the shaders excepted.
+  std::string Begin(vtkRenderer* renderer, int width, int height);
+  void End();
+
+  /// Of the renderer, since Begin().
+  const SceneProps& GetProps() const { return this->Props; }
+
+  /// nullptr if the camera sees nothing.
+  vtkSmartPointer<vtkImageData> CaptureFrom(vtkCamera* camera, bool withNormals, bool cropped);
+  /// Whether that was because the last camera's matrices have no inverse.
+  bool WasSingular() const { return this->IsSingular; }
+
+private:
+  vtkNew<CapturePass> Pass;
+  vtkSmartPointer<CaptureRenderer> Renderer;
+  std::unique_ptr<CaptureTarget> Target;
+  SceneProps Props;
+  int Size[2] = { 0, 0 };
+  double NearClippingPlaneTolerance = 0.0;
+  bool IsSingular = false;
+};
+}
+
+#endif

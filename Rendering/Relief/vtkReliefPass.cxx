@@ -1,0 +1,319 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkReliefPass.h"
+
+#include "Capture/FittedCamera.h"
+#include "Capture/ReliefGaps.h"
+#include "Capture/ReliefSkirts.h"
+#include "Capture/SceneCapture.h"
+#include "Capture/SceneProps.h"
+#include "Capture/SceneTime.h"
+#include "Core/SettingChecks.h"
+#include "Core/WorldView.h"
+#include "Data/Relief.h"
+#include "Data/ReliefSides.h"
+#include "vtkReliefMapper.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkFrameBufferObjectBase.h"
+#include "vtkHardwareSelector.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkRenderState.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace
+{
+constexpr size_t MostReliefs = 4;
+constexpr double WidestTexel = 2.0; // pixels
+
+// What a renderer's camera sees, in the pixels that are drawn.
+struct View
+{
+  explicit View(const vtkRenderState* state)
+    : Camera(state->GetRenderer()->GetActiveCamera())
+  {
+    if (vtkFrameBufferObjectBase* framebuffer = state->GetFrameBuffer())
+    {
+      int size[2];
+      framebuffer->GetLastSize(size);
+      this->Width = size[0];
+      this->Height = size[1];
+    }
+    else
+    {
+      int origin[2];
+      state->GetRenderer()->GetTiledSizeAndOrigin(
+        &this->Width, &this->Height, &origin[0], &origin[1]);
+    }
+    if (this->Width > 0 && this->Height > 0)
+    {
+      const double aspect = state->GetRenderer()->GetTiledAspectRatio();
+      this->WorldToClip =
+        relevo::MakeMatrix(this->Camera->GetProjectionTransformMatrix(aspect, -1.0, 1.0)) *
+        relevo::MakeMatrix(this->Camera->GetModelViewTransformMatrix());
+    }
+    this->Camera->GetDirectionOfProjection(&this->Direction[0]);
+  }
+
+  vtkCamera* Camera;
+  int Width = 0;
+  int Height = 0;
+  relevo::dmat4 WorldToClip{ 1.0 };
+  relevo::dvec3 Direction;
+};
+
+// Degrees between unit vectors.
+double GetAngle(const relevo::dvec3& a, const relevo::dvec3& b)
+{
+  return vtkMath::DegreesFromRadians(2.0 * std::asin(std::min(0.5 * distance(a, b), 1.0)));
+}
+
+// A capture, and what shows it.
+struct ShownRelief
+{
+  ShownRelief() { this->Actor->SetMapper(this->Mapper); }
+
+  bool IsThere() const { return this->Gaps != nullptr; }
+
+  void Set(vtkImageData* image, const relevo::dvec3& direction)
+  {
+    relevo::Relief relief;
+    this->Gaps = nullptr;
+    if (relief.Read(image).empty())
+    {
+      const std::vector<unsigned char> sides =
+        relevo::FindReliefSides(relief, this->Mapper->GetMaximumStretch());
+      this->Gaps.reset(new relevo::ReliefGaps(relief, sides));
+      vtkNew<vtkMultiBlockDataSet> blocks;
+      blocks->SetBlock(0, image);
+      blocks->SetBlock(1, relevo::MakeReliefSkirts(relief, sides));
+      this->Mapper->SetInputDataObject(blocks);
+      this->Direction = direction;
+    }
+  }
+
+  vtkNew<vtkReliefMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+  std::unique_ptr<relevo::ReliefGaps> Gaps;
+  relevo::dvec3 Direction{ 0.0 };
+};
+}
+
+class vtkReliefPass::vtkInternals
+{
+public:
+  std::array<ShownRelief, MostReliefs> Reliefs;
+  size_t Next = 0; // to be replaced
+  relevo::SceneCapture Capture;
+  relevo::SceneTime Scene;
+  vtkMTimeType CapturedTime = 0;
+  vtkNew<vtkRenderStepsPass> Steps;
+  vtkIdType NumberOfCaptures = 0;
+  double HoleShare = 0.0;
+  std::string Problem; // of the last capture
+
+  void DropAll()
+  {
+    for (ShownRelief& relief : this->Reliefs)
+    {
+      relief.Gaps = nullptr;
+      relief.Mapper->SetInputDataObject(nullptr);
+    }
+  }
+
+  // Also finds the share of holes.
+  bool Suffices(const View& view, double maximumAngle, double maximumHoleShare)
+  {
+    double angle = 180.0;
+    double texel = VTK_DOUBLE_MAX;
+    std::vector<relevo::GapMap> maps;
+    for (const ShownRelief& relief : this->Reliefs)
+    {
+      if (relief.IsThere())
+      {
+        angle = std::min(angle, GetAngle(relief.Direction, view.Direction));
+        maps.push_back(relief.Gaps->Find(view.WorldToClip, view.Width, view.Height));
+        texel = std::min(texel, maps.back().TexelWidth);
+      }
+    }
+    this->HoleShare = relevo::FindHoleShare(maps);
+    return !maps.empty() && angle <= maximumAngle && this->HoleShare <= maximumHoleShare &&
+      texel <= WidestTexel;
+  }
+
+  // What is wrong, or "".
+  std::string CaptureView(vtkRenderer* renderer, const View& view)
+  {
+    const relevo::ivec2 margin(view.Width / 8 + 1, view.Height / 8 + 1);
+    const std::string problem =
+      this->Capture.Begin(renderer, view.Width + 2 * margin.x, view.Height + 2 * margin.y);
+    if (problem.empty())
+    {
+      const auto camera = relevo::WidenCamera(view.Camera, view.Width, view.Height, margin);
+      const auto image = this->Capture.CaptureFrom(camera, false, false);
+      this->CapturedTime = this->Scene.Find(renderer);
+      if (image)
+      {
+        this->Reliefs[this->Next].Set(image, view.Direction);
+        this->Next = (this->Next + 1) % MostReliefs;
+        ++this->NumberOfCaptures;
+      }
+    }
+    this->Capture.End();
+    return problem;
+  }
+};
+
+vtkStandardNewMacro(vtkReliefPass);
+
+vtkReliefPass::vtkReliefPass()
+  : Internals(new vtkInternals)
+{
+}
+
+vtkReliefPass::~vtkReliefPass()
+{
+  this->SetDelegatePass(nullptr);
+}
+
+vtkCxxSetObjectMacro(vtkReliefPass, DelegatePass, vtkRenderPass);
+
+void vtkReliefPass::SetMaximumHoleShare(double share)
+{
+  relevo::SetInRange(this, "MaximumHoleShare", this->MaximumHoleShare, share, 0.0, 1.0);
+}
+
+void vtkReliefPass::SetMaximumAngle(double angle)
+{
+  relevo::SetInRange(this, "MaximumAngle", this->MaximumAngle, angle, 0.0, 180.0);
+}
+
+vtkIdType vtkReliefPass::GetNumberOfCaptures()
+{
+  return this->Internals->NumberOfCaptures;
+}
+
+double vtkReliefPass::GetHoleShare()
+{
+  return this->Internals->HoleShare;
+}
+
+void vtkReliefPass::Render(const vtkRenderState* state)
+{
+  this->NumberOfRenderedProps = 0;
+  vtkRenderer* renderer = state->GetRenderer();
+  if (vtkHardwareSelector* selector = renderer->GetSelector())
+  {
+    // As renderers without a pass; those with one leave selections to it.
+    renderer->GetActiveCamera()->Render(renderer);
+    selector->Render(renderer, state->GetPropArray(), state->GetPropArrayCount());
+    return;
+  }
+  const bool isInteractive = renderer->GetRenderWindow()->GetDesiredUpdateRate() >= 1.0;
+  if (!isInteractive || !this->UpdateReliefs(state))
+  {
+    this->RenderDelegate(state);
+    return;
+  }
+  const relevo::SceneProps scene = relevo::FindSceneProps(renderer);
+  const std::set<vtkProp*> opaque(scene.Opaque.begin(), scene.Opaque.end());
+  std::vector<vtkProp*> props;
+  for (ShownRelief& relief : this->Internals->Reliefs)
+  {
+    if (relief.IsThere())
+    {
+      props.push_back(relief.Actor);
+    }
+  }
+  for (int i = 0; i < state->GetPropArrayCount(); ++i)
+  {
+    vtkProp* prop = state->GetPropArray()[i];
+    if (!opaque.count(prop) || prop->HasTranslucentPolygonalGeometry())
+    {
+      props.push_back(prop);
+    }
+  }
+  vtkRenderState own(renderer);
+  own.SetFrameBuffer(state->GetFrameBuffer());
+  own.SetRequiredKeys(state->GetRequiredKeys());
+  own.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
+  this->RenderDelegate(&own);
+}
+
+void vtkReliefPass::RenderDelegate(const vtkRenderState* state)
+{
+  vtkRenderPass* pass = this->DelegatePass ? this->DelegatePass : this->Internals->Steps;
+  pass->Render(state);
+  this->NumberOfRenderedProps = pass->GetNumberOfRenderedProps();
+}
+
+// Whether there are reliefs of what the view shows, without too many holes.
+bool vtkReliefPass::UpdateReliefs(const vtkRenderState* state)
+{
+  vtkInternals& data = *this->Internals;
+  const View view(state);
+  if (view.Width < 1 || view.Height < 1)
+  {
+    return false;
+  }
+  if (relevo::FindSceneProps(state->GetRenderer()).Opaque.empty())
+  {
+    return false;
+  }
+  if (data.Scene.Find(state->GetRenderer()) > data.CapturedTime)
+  {
+    data.DropAll();
+  }
+  if (data.Suffices(view, this->MaximumAngle, this->MaximumHoleShare))
+  {
+    return true;
+  }
+  const vtkIdType before = data.NumberOfCaptures;
+  const std::string problem = data.CaptureView(state->GetRenderer(), view);
+  if (!problem.empty() && problem != data.Problem)
+  {
+    vtkErrorMacro(<< problem);
+  }
+  data.Problem = problem;
+  data.Suffices(view, this->MaximumAngle, this->MaximumHoleShare); // what it is now
+  return data.NumberOfCaptures > before;
+}
+
+void vtkReliefPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Internals->Steps->ReleaseGraphicsResources(window);
+  if (this->DelegatePass)
+  {
+    this->DelegatePass->ReleaseGraphicsResources(window);
+  }
+  for (ShownRelief& relief : this->Internals->Reliefs)
+  {
+    relief.Actor->ReleaseGraphicsResources(window);
+  }
+}
+
+void vtkReliefPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "DelegatePass: " << this->DelegatePass << "\n";
+  os << indent << "MaximumHoleShare: " << this->MaximumHoleShare << "\n";
+  os << indent << "MaximumAngle: " << this->MaximumAngle << "\n";
+  os << indent << "NumberOfCaptures: " << this->GetNumberOfCaptures() << "\n";
+  os << indent << "HoleShare: " << this->GetHoleShare() << "\n";
+}

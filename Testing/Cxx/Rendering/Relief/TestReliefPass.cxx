@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Frames that stand are the delegate's, those that move show reliefs with what goes on top of them.
+#include "RelevoPassScene.h"
+#include "RelevoPictures.h"
+
+#include "vtkActor2D.h"
+#include "vtkHardwareSelector.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyDataMapper2D.h"
+#include "vtkProperty.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
+#include "vtkTesting.h"
+
+#include <cstdlib>
+#include <iostream>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace
+{
+// Pixels whose colours differ by more than this.
+size_t CountOthers(const RelevoPicture& a, const RelevoPicture& b, int tolerance)
+{
+  size_t count = 0;
+  for (size_t i = 0; i < a.GetNumberOfPixels(); ++i)
+  {
+    bool differs = false;
+    for (size_t k = 3 * i; k < 3 * i + 3; ++k)
+    {
+      differs = differs || std::abs(a.Colors[k] - b.Colors[k]) > tolerance;
+    }
+    count += differs;
+  }
+  return count;
+}
+
+void Keep(const RelevoPicture& picture, const std::string& name, char* argv[], int argc)
+{
+  vtkNew<vtkTesting> testing;
+  testing->AddArguments(argc, argv);
+  picture.Save(std::string(testing->GetTempDirectory()) + "/TestReliefPass-" + name + ".png");
+}
+
+// A translucent pane in front, and a mark in the plane of the window.
+void AddOthers(RelevoPassScene& scene)
+{
+  vtkNew<vtkPlaneSource> pane;
+  pane->SetOrigin(-1.0, -3.0, 0.8);
+  pane->SetPoint1(2.0, -3.0, 0.3);
+  pane->SetPoint2(-1.0, 3.0, 0.3);
+  pane->Update();
+  vtkActor* actor = scene.Add(pane->GetOutput());
+  actor->GetProperty()->SetOpacity(0.4);
+  actor->GetProperty()->SetColor(0.2, 0.2, 1.0);
+  vtkNew<vtkPlaneSource> mark;
+  mark->SetOrigin(10.0, 10.0, 0.0);
+  mark->SetPoint1(40.0, 10.0, 0.0);
+  mark->SetPoint2(10.0, 30.0, 0.0);
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputConnection(mark->GetOutputPort());
+  vtkNew<vtkActor2D> annotation;
+  annotation->SetMapper(mapper);
+  scene.Renderer->AddActor2D(annotation);
+}
+
+void TestStill(RelevoCheck& check)
+{
+  RelevoPassScene scene;
+  AddOthers(scene);
+  const RelevoPicture before = scene.DrawStill();
+  CHECK(scene.Pass->GetNumberOfCaptures() == 0);
+  scene.DrawMoving();
+  CHECK(scene.Pass->GetNumberOfCaptures() == 1);
+  CHECK(RelevoPictures::Equal(scene.DrawStill(), before));
+  vtkNew<vtkRenderStepsPass> delegate;
+  scene.Renderer->SetPass(delegate);
+  CHECK(RelevoPictures::Equal(scene.DrawStill(), before));
+  scene.Renderer->SetPass(scene.Pass);
+  scene.Pass->SetDelegatePass(delegate);
+  CHECK(scene.Pass->GetDelegatePass() == delegate);
+  CHECK(RelevoPictures::Equal(scene.DrawStill(), before));
+  scene.DrawMoving();
+  CHECK(RelevoPictures::Equal(scene.DrawStill(), before));
+  scene.Renderer->SetPass(nullptr);
+  CHECK(CountOthers(scene.DrawStill(), before, 2) == 0);
+}
+
+// At the place of the capture each texel is a pixel.
+void TestMoving(RelevoCheck& check, int argc, char* argv[])
+{
+  for (bool parallel : { false, true })
+  {
+    RelevoPassScene scene;
+    AddOthers(scene);
+    scene.GetCamera()->SetParallelScale(3.5);
+    scene.GetCamera()->SetParallelProjection(parallel);
+    const RelevoPicture still = scene.DrawStill();
+    const RelevoPicture moving = scene.DrawMoving();
+    Keep(still, parallel ? "still-parallel" : "still", argv, argc);
+    Keep(moving, parallel ? "moving-parallel" : "moving", argv, argc);
+    const size_t others = CountOthers(moving, still, 8);
+    std::cout << others << " pixels of the moving picture differ from the still one\n";
+    CHECK(others < 600); // of 30000: along outlines
+    CHECK(!RelevoPictures::Equal(moving, still));
+
+    scene.GetCamera()->Azimuth(6.0);
+    const RelevoPicture turned = scene.DrawStill();
+    const RelevoPicture shown = scene.DrawMoving();
+    Keep(turned, parallel ? "turned-parallel" : "turned", argv, argc);
+    Keep(shown, parallel ? "shown-parallel" : "shown", argv, argc);
+    CHECK(CountOthers(shown, turned, 24) < 1500);
+  }
+}
+
+// Only what is rasterised anew is drawn by props.
+void TestWithoutProps(RelevoCheck& check)
+{
+  RelevoPassScene scene;
+  scene.DrawMoving();
+  CHECK(scene.CountCaptures() == 0);
+  scene.Renderer->RemoveAllViewProps();
+  CHECK(scene.DrawMoving().CountForeground() == 0);
+  CHECK(scene.Pass->GetNumberOfCaptures() == 1);
+  RelevoErrors errors(scene.Pass);
+  AddOthers(scene); // nothing opaque
+  const RelevoPicture still = scene.DrawStill();
+  CHECK(RelevoPictures::Equal(scene.DrawMoving(), still));
+  CHECK(scene.Pass->GetNumberOfCaptures() == 1);
+  CHECK(errors.None());
+}
+
+// The props and cells that are seen in an area.
+std::set<std::pair<vtkProp*, vtkIdType>> Select(vtkRenderer* renderer)
+{
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(renderer);
+  selector->SetArea(50, 50, 150, 100);
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+  std::set<std::pair<vtkProp*, vtkIdType>> result;
+  for (unsigned int i = 0; i < selection->GetNumberOfNodes(); ++i)
+  {
+    vtkSelectionNode* node = selection->GetNode(i);
+    auto* prop = vtkProp::SafeDownCast(node->GetProperties()->Get(vtkSelectionNode::PROP()));
+    auto* ids = vtkIdTypeArray::SafeDownCast(node->GetSelectionList());
+    for (vtkIdType k = 0; k < ids->GetNumberOfTuples(); ++k)
+    {
+      result.insert({ prop, ids->GetValue(k) });
+    }
+  }
+  return result;
+}
+
+// The scene's own props are what is selected, as without the pass.
+void TestSelection(RelevoCheck& check)
+{
+  RelevoPassScene scene;
+  const RelevoPicture before = scene.DrawMoving();
+  scene.Window->SetDesiredUpdateRate(15.0);
+  const auto selected = Select(scene.Renderer);
+  CHECK(RelevoPictures::Equal(scene.DrawMoving(), before));
+  CHECK(scene.Pass->GetNumberOfCaptures() == 1);
+  scene.Renderer->SetPass(nullptr);
+  CHECK(selected.size() > 100);
+  CHECK(Select(scene.Renderer) == selected);
+}
+
+// Each renderer of a window, in its part of it.
+void TestParts(RelevoCheck& check)
+{
+  RelevoPassScene scene;
+  scene.Renderer->SetViewport(0.5, 0.2, 1.0, 0.9);
+  vtkNew<vtkRenderer> other;
+  other->SetViewport(0.0, 0.0, 0.5, 1.0);
+  other->AddActor(scene.Ball);
+  scene.Window->AddRenderer(other);
+  scene.Window->Render();
+  const RelevoPicture still = scene.DrawStill();
+  const RelevoPicture moving = scene.DrawMoving();
+  CHECK(CountOthers(moving, still, 8) < 300);
+  CHECK(CountOthers(RelevoPictures::Crop(moving, 0, 0, 100, 150),
+          RelevoPictures::Crop(still, 0, 0, 100, 150), 0) == 0);
+}
+}
+
+int TestReliefPass(int argc, char* argv[])
+{
+  RelevoCheck check;
+  TestStill(check);
+  TestMoving(check, argc, argv);
+  TestWithoutProps(check);
+  TestSelection(check);
+  TestParts(check);
+  return check.GetResult();
+}

@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// When the pass captures anew, and how well it foresees holes.
+#include "RelevoPassScene.h"
+
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkSphereSource.h"
+
+#include <functional>
+#include <iostream>
+#include <string>
+
+namespace
+{
+void TestAngle(RelevoCheck& check)
+{
+  RelevoPassScene scene;
+  scene.Wall->VisibilityOff(); // no openings but those behind outlines
+  scene.Pass->SetMaximumHoleShare(1.0);
+  CHECK(scene.CountCaptures() == 1);
+  CHECK(scene.CountCaptures() == 0);
+  scene.GetCamera()->Azimuth(14.5);
+  CHECK(scene.CountCaptures() == 0);
+  scene.GetCamera()->Azimuth(1.5);
+  CHECK(scene.CountCaptures() == 1);
+  scene.GetCamera()->Azimuth(-1.5); // 14.5 from one, 1.5 from the other
+  CHECK(scene.CountCaptures() == 0);
+  scene.GetCamera()->Azimuth(-20.0);
+  CHECK(scene.CountCaptures() == 0);
+  scene.Pass->SetMaximumAngle(3.0);
+  CHECK(scene.CountCaptures() == 1);
+  scene.Pass->SetMaximumAngle(180.0);
+  scene.GetCamera()->Elevation(60.0);
+  CHECK(scene.CountCaptures() == 0);
+}
+
+void TestHoleShare(RelevoCheck& check)
+{
+  RelevoPassScene scene;
+  CHECK(scene.CountCaptures() == 1);
+  CHECK(scene.Pass->GetHoleShare() < 1e-3);
+  // Long before 15 degrees.
+  double turned = 0.0;
+  while (turned < 15.0 && scene.CountCaptures() == 0)
+  {
+    turned += 0.25;
+    scene.GetCamera()->Azimuth(0.25);
+  }
+  std::cout << "captured anew after " << turned << " degrees\n";
+  CHECK(turned > 0.5 && turned < 6.0);
+  CHECK(scene.Pass->GetHoleShare() < 1e-3); // of the new one
+  // Back where the first capture was.
+  scene.GetCamera()->Azimuth(-turned);
+  CHECK(scene.CountCaptures() == 0);
+  // Nowhere above what is allowed.
+  for (int i = 0; i < 12; ++i)
+  {
+    scene.GetCamera()->Azimuth(1.0);
+    scene.GetCamera()->Elevation(0.5);
+    scene.DrawMoving();
+    CHECK(scene.Pass->GetHoleShare() <= 0.005);
+  }
+}
+
+// What is predicted against what is there: one capture, from which the view turns away.
+void TestPrediction(RelevoCheck& check, bool parallel)
+{
+  RelevoPassScene scene;
+  scene.Window->SetSize(800, 600); // outlines are a small share
+  scene.Pass->SetMaximumHoleShare(1.0);
+  scene.Pass->SetMaximumAngle(180.0);
+  scene.GetCamera()->SetParallelScale(3.5);
+  scene.GetCamera()->SetParallelProjection(parallel);
+  scene.DrawMoving();
+  double last = 0.0;
+  for (int i = 0; i < 6; ++i)
+  {
+    scene.GetCamera()->Azimuth(2.0);
+    scene.GetCamera()->Elevation(1.0);
+    const double actual = scene.FindHoles();
+    const double predicted = scene.Pass->GetHoleShare();
+    std::cout << "parallel " << parallel << ", step " << i << ": holes " << actual << ", predicted "
+              << predicted << "\n";
+    CHECK(actual > 1e-4);
+    CHECK(predicted > 0.5 * actual && predicted < 2.0 * actual + 0.001);
+    CHECK(predicted > last);
+    last = predicted;
+  }
+  CHECK(scene.Pass->GetNumberOfCaptures() == 1);
+}
+
+// Two captures fill what is open in each of them.
+void TestTogether(RelevoCheck& check)
+{
+  RelevoPassScene scene;
+  scene.Window->SetSize(800, 600); // outlines are a small share
+  scene.Pass->SetMaximumAngle(180.0);
+  scene.Pass->SetMaximumHoleShare(1.0);
+  scene.GetCamera()->Azimuth(-5.0);
+  scene.DrawMoving();
+  scene.GetCamera()->Azimuth(5.0);
+  const double one = scene.FindHoles();
+  const double predictedOfOne = scene.Pass->GetHoleShare();
+  scene.Pass->SetMaximumAngle(4.0);
+  scene.GetCamera()->Azimuth(5.0);
+  CHECK(scene.CountCaptures() == 1);
+  scene.Pass->SetMaximumAngle(180.0);
+  scene.GetCamera()->Azimuth(-5.0);
+  const double two = scene.FindHoles();
+  const double predictedOfTwo = scene.Pass->GetHoleShare();
+  std::cout << "one: " << one << ", predicted " << predictedOfOne << "; two: " << two
+            << ", predicted " << predictedOfTwo << "\n";
+  CHECK(two < 0.3 * one);
+  CHECK(predictedOfTwo < 0.3 * predictedOfOne);
+}
+
+// Beyond the sides of what was captured.
+void TestSides(RelevoCheck& check)
+{
+  RelevoPassScene scene;
+  scene.GetCamera()->SetViewAngle(12.0); // the wall all around
+  CHECK(scene.CountCaptures() == 1);
+  scene.GetCamera()->Yaw(0.5);
+  CHECK(scene.CountCaptures() == 0); // in the margin
+  scene.Pass->SetMaximumHoleShare(1.0);
+  scene.GetCamera()->Yaw(5.0);
+  const double actual = scene.FindHoles();
+  const double predicted = scene.Pass->GetHoleShare();
+  std::cout << "sides: holes " << actual << ", predicted " << predicted << "\n";
+  CHECK(actual > 0.1);
+  CHECK(predicted > 0.6 * actual && predicted < 1.5 * actual);
+  scene.Pass->SetMaximumHoleShare(0.005);
+  CHECK(scene.CountCaptures() == 1);
+}
+
+void TestCloser(RelevoCheck& check)
+{
+  RelevoPassScene scene;
+  scene.Pass->SetMaximumHoleShare(1.0);
+  CHECK(scene.CountCaptures() == 1);
+  scene.GetCamera()->Zoom(1.8);
+  CHECK(scene.CountCaptures() == 0);
+  scene.GetCamera()->Zoom(1.3);
+  CHECK(scene.CountCaptures() == 1);
+  scene.GetCamera()->Zoom(0.5);
+  CHECK(scene.CountCaptures() == 0); // by the first one
+}
+
+void TestChanges(RelevoCheck& check)
+{
+  RelevoPassScene scene;
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(sphere->GetOutputPort());
+  scene.Ball->SetMapper(mapper);
+  auto* light = vtkLight::SafeDownCast(scene.Renderer->GetLights()->GetItemAsObject(0));
+  scene.DrawMoving();
+  const auto step = [&](const std::string& name, const std::function<void()>& change)
+  {
+    change();
+    const vtkIdType first = scene.CountCaptures();
+    const vtkIdType second = scene.Pass->GetNumberOfCaptures();
+    scene.DrawStill();
+    scene.DrawMoving();
+    if (first != 1 || scene.Pass->GetNumberOfCaptures() != second)
+    {
+      check.Fail(__FILE__, __LINE__, name + ": captured " + std::to_string(first) + " times");
+    }
+  };
+  step("colour", [&]() { scene.Ball->GetProperty()->SetColor(1.0, 0.0, 0.0); });
+  step("place", [&]() { scene.Ball->SetPosition(0.1, 0.1, 0.0); });
+  step("data", [&]() { sphere->SetRadius(0.8); });
+  step("hidden", [&]() { scene.Wall->VisibilityOff(); });
+  step("shown", [&]() { scene.Wall->VisibilityOn(); });
+  step("light", [&]() { light->SetIntensity(0.5); });
+  step("removed", [&]() { scene.Renderer->RemoveActor(scene.Wall); });
+}
+}
+
+int TestReliefPassCaptures(int, char*[])
+{
+  RelevoCheck check;
+  TestAngle(check);
+  TestHoleShare(check);
+  TestPrediction(check, false);
+  TestPrediction(check, true);
+  TestTogether(check);
+  TestSides(check);
+  TestCloser(check);
+  TestChanges(check);
+  return check.GetResult();
+}
