@@ -87,7 +87,12 @@ double GetAngle(const relevo::dvec3& a, const relevo::dvec3& b)
 // A capture, and what shows it.
 struct ShownRelief
 {
-  ShownRelief() { this->Actor->SetMapper(this->Mapper); }
+  // Without a method that has to be prepared or measured for each capture.
+  ShownRelief()
+  {
+    this->Mapper->SetMethodToRayMarch();
+    this->Actor->SetMapper(this->Mapper);
+  }
 
   bool IsThere() const { return this->Gaps != nullptr; }
 
