@@ -269,6 +269,7 @@ void vtkReliefMapper::RenderBlocks(vtkRenderer* renderer, vtkActor* actor)
   settings.Method = static_cast<Options::Methods>(this->ChooseMethod(renderer, actor));
   settings.Search = this->Search;
   settings.IsLit = this->Shading == LIT;
+  settings.Yields = this->Internals->Blocks.size() > 1;
   for (auto& entry : this->Internals->Blocks)
   {
     vtkInternals::Block& block = entry.second;

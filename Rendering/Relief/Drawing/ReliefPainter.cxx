@@ -228,6 +228,7 @@ ReliefShaderOptions ReliefPainter::GetOptions()
   options.Method = this->Looks.Method;
   options.Search = this->Looks.Search;
   options.IsLit = this->Looks.IsLit;
+  options.Yields = this->Looks.Yields;
   options.HasNormals = this->Textures.HasNormals(); // those of the warped are the same's
   options.NumberOfPlanes = 2 + this->GetNumberOfClippingPlanes();
   switch (this->LastSelectionState)

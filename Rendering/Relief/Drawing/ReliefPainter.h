@@ -40,6 +40,7 @@ public:
     ReliefShaderOptions::Methods Method = ReliefShaderOptions::RAY_MARCH;
     int Search = ReliefShaderOptions::MAXIMUM_MIPMAP;
     bool IsLit = false;
+    bool Yields = false;
   };
 
   /// Takes a relief. What can be told of it without OpenGL is there at once.

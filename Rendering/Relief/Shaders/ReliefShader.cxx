@@ -39,6 +39,10 @@ std::string GetDefines(const ReliefShaderOptions& options)
   {
     text << "#define RELIEF_REFINEMENTS 7\n";
   }
+  if (options.Yields)
+  {
+    text << "#define RELIEF_YIELDS\n";
+  }
   if (options.IsLit && options.HasNormals)
   {
     text << "#define RELIEF_NORMALS\n";
@@ -86,7 +90,7 @@ std::string GetIds(const ReliefShaderOptions& options)
 std::string ReliefShaderOptions::GetKey() const
 {
   std::ostringstream key;
-  key << this->Method << this->Search << this->IsLit << this->HasNormals << this->NumberOfPlanes
+  key << this->Method << this->Search << this->IsLit << this->Yields << this->HasNormals << this->NumberOfPlanes
       << this->Selected;
   return key.str();
 }
@@ -107,7 +111,7 @@ void PrepareReliefShaders(const ReliefShaderOptions& options,
   fragment.Replace(
     "//VTK::PositionVC::Impl", "if (!reliefFind()) discard;\n  vec4 vertexVC = reliefVertex();");
   fragment.IfReplace("//VTK::UniformFlow::Impl", "");
-  if (options.Method != ReliefShaderOptions::REFINEMENT)
+  if (options.Yields || options.Method != ReliefShaderOptions::REFINEMENT)
   {
     fragment.Replace("//VTK::Depth::Impl", "gl_FragDepth = reliefDepth();");
   }

@@ -38,6 +38,7 @@ struct ReliefShaderOptions
   };
   int Search = MAXIMUM_MIPMAP;
   bool IsLit = false;
+  bool Yields = false; // to other reliefs of the same surface
   bool HasNormals = false;
   int NumberOfPlanes = 0; // that cut rays off
   /// What ids are drawn for a selection.

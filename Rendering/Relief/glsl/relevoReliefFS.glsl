@@ -1,4 +1,5 @@
 // What is seen at a pixel of a relief.
+uniform vec4 reliefEye; // or the direction of view
 uniform mat4 reliefToClip;
 uniform mat4 reliefToView;
 uniform vec4 reliefFirstAndSize; // column and row of the coordinates' origin; the image's size
@@ -6,9 +7,18 @@ uniform vec4 reliefFirstAndSize; // column and row of the coordinates' origin; t
 vec3 reliefPoint; // of the surface, in the tiles' coordinates
 bool reliefIsFront = true;
 
+// How squarely the relief's own viewer saw the surface there: 1, or less towards 0.
+float reliefSquareness();
+
 float reliefDepth()
 {
-  vec4 position = reliefToClip * vec4(reliefPoint, 1.0);
+  vec3 point = reliefPoint;
+#ifdef RELIEF_YIELDS
+  // Of several reliefs of one surface the one is seen that saw it best, not now one, now another;
+  // by less than half a texel.
+  point += 0.45 * (1.0 - reliefSquareness()) * normalize(reliefEye.xyz - point * reliefEye.w);
+#endif
+  vec4 position = reliefToClip * vec4(point, 1.0);
   return clamp(0.5 * position.z / position.w + 0.5, 0.0, 1.0);
 }
 

@@ -2,7 +2,6 @@
 flat in vec4 reliefPlaceVSOutput;
 flat in ivec4 reliefTileVSOutput;
 in vec3 reliefVertexVSOutput;
-uniform vec4 reliefEye; // or the direction of view
 
 bool reliefIsInside = true;
 

@@ -2,7 +2,6 @@
 uniform vec4 reliefRayBase;
 uniform vec4 reliefRayX;
 uniform vec4 reliefRayY;
-uniform vec4 reliefEye;      // or the direction of view
 uniform vec4 reliefViewport; // x, y, width, height in pixels
 
 flat in vec4 reliefPlaceVSOutput;

@@ -33,3 +33,10 @@ vec2 reliefSlopes(vec4 h, vec2 place)
 {
   return vec2(mix(h.y - h.x, h.w - h.z, place.y), mix(h.z - h.x, h.w - h.y, place.x));
 }
+
+float reliefSquareness()
+{
+  ivec2 quad = clamp(ivec2(floor(reliefPlace)), 0, RELIEF_SIZE - 1);
+  vec2 slopes = reliefSlopes(reliefCorners(quad), reliefPlace - vec2(quad));
+  return inversesqrt(1.0 + dot(slopes, slopes));
+}

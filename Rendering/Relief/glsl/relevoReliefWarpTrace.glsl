@@ -14,9 +14,17 @@ vec3 reliefNormal()
 }
 #endif
 
+vec3 warpedPlane; // perpendicular to the surface in the tiles' coordinates
+
+float reliefSquareness()
+{
+  return abs(warpedPlane.z);
+}
+
 bool reliefFind()
 {
   bool found = warpedFind();
+  warpedPlane = normalize(cross(dFdx(reliefPoint), dFdy(reliefPoint)));
 #ifndef RELIEF_NORMALS
   vec3 place = reliefVertex().xyz;
   warpedNormal = normalize(cross(dFdx(place), dFdy(place)));
