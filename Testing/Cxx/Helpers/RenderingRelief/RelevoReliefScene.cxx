@@ -9,7 +9,7 @@
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
 
-#include <atomic>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -64,20 +64,27 @@ Vector Transform(const double matrix[16], double x, double y, double z)
 }
 }
 
-RelevoReliefComparison RelevoReliefScene::Compare(
-  vtkImageData* relief, double stretch, double tolerance)
+void RelevoReliefScene::GetToClip(double toClip[16])
+{
+  const int* size = this->Window->GetSize();
+  vtkNew<vtkMatrix4x4> matrix;
+  vtkMatrix4x4::Multiply4x4(this->GetCamera()->GetCompositeProjectionTransformMatrix(
+                              static_cast<double>(size[0]) / size[1], -1.0, 1.0),
+    this->Actor->GetMatrix(), matrix);
+  std::copy_n(matrix->GetData(), 16, toClip);
+}
+
+std::vector<RelevoReliefHit> RelevoReliefScene::Cast(
+  vtkImageData* relief, double stretch, const std::function<bool(const RelevoReliefHit&)>& keeps)
 {
   const RelevoReliefRays rays(relief, stretch);
-  const std::vector<float> depths = this->DrawDepths();
   const int width = this->Window->GetSize()[0];
   const int height = this->Window->GetSize()[1];
-  vtkNew<vtkMatrix4x4> toClip;
-  vtkMatrix4x4::Multiply4x4(this->GetCamera()->GetCompositeProjectionTransformMatrix(
-                              static_cast<double>(width) / height, -1.0, 1.0),
-    this->Actor->GetMatrix(), toClip);
+  double toClip[16];
+  this->GetToClip(toClip);
   double fromClip[16];
-  vtkMatrix4x4::Invert(toClip->GetData(), fromClip);
-  std::atomic<int> hits(0), misses(0), wrong(0), far(0);
+  vtkMatrix4x4::Invert(toClip, fromClip);
+  std::vector<RelevoReliefHit> result(static_cast<size_t>(width) * height);
   vtkSMPTools::For(0, width * height,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -87,26 +94,44 @@ RelevoReliefComparison RelevoReliefScene::Compare(
         const double y = 2.0 * (i / width + 0.5) / height - 1.0;
         const Vector near = Transform(fromClip, x, y, -1.0);
         const Vector along = Transform(fromClip, x, y, 1.0) - near;
-        const RelevoReliefHit hit = rays.Cast(near, along, 0.0, 1.0);
-        const bool isDrawn = depths[i] < 1.0f;
-        hits += hit.IsHit ? 1 : 0;
-        misses += hit.IsHit != isDrawn ? 1 : 0;
-        if (hit.IsHit && isDrawn)
-        {
-          const Vector drawn = Transform(fromClip, x, y, 2.0 * depths[i] - 1.0);
-          const auto texel = rays.Find(drawn);
-          wrong += std::hypot(texel[0] - hit.Column, texel[1] - hit.Row) > tolerance ? 1 : 0;
-          const Vector clip =
-            Transform(toClip->GetData(), hit.Point[0], hit.Point[1], hit.Point[2]);
-          far += std::abs(0.5 * clip[2] + 0.5 - depths[i]) > 1e-5 ? 1 : 0;
-        }
+        const auto hits = rays.CastAll(near, along, 0.0, 1.0);
+        const auto first = std::find_if(hits.begin(), hits.end(), keeps);
+        result[i] = first == hits.end() ? RelevoReliefHit() : *first;
       }
     });
+  return result;
+}
+
+RelevoReliefComparison RelevoReliefScene::Compare(vtkImageData* relief, double stretch,
+  double tolerance, const std::function<bool(const RelevoReliefHit&)>& keeps)
+{
+  const RelevoReliefRays rays(relief, stretch);
+  const std::vector<float> depths = this->DrawDepths();
+  const std::vector<RelevoReliefHit> hits = this->Cast(relief, stretch, keeps);
+  const int width = this->Window->GetSize()[0];
+  const int height = this->Window->GetSize()[1];
+  double toClip[16];
+  this->GetToClip(toClip);
+  double fromClip[16];
+  vtkMatrix4x4::Invert(toClip, fromClip);
   RelevoReliefComparison comparison;
-  comparison.NumberOfHits = hits;
-  comparison.NumberOfMisses = misses;
-  comparison.NumberOfWrong = wrong;
-  comparison.NumberFar = far;
+  for (size_t i = 0; i < hits.size(); ++i)
+  {
+    const RelevoReliefHit& hit = hits[i];
+    const bool isDrawn = depths[i] < 1.0f;
+    comparison.NumberOfHits += hit.IsHit ? 1 : 0;
+    comparison.NumberOfMisses += hit.IsHit != isDrawn ? 1 : 0;
+    if (hit.IsHit && isDrawn)
+    {
+      const Vector clip = Transform(toClip, hit.Point[0], hit.Point[1], hit.Point[2]);
+      const double x = 2.0 * (i % width + 0.5) / width - 1.0;
+      const double y = 2.0 * (i / width + 0.5) / height - 1.0;
+      const auto texel = rays.Find(Transform(fromClip, x, y, 2.0 * depths[i] - 1.0));
+      comparison.NumberOfWrong +=
+        std::hypot(texel[0] - hit.Column, texel[1] - hit.Row) > tolerance ? 1 : 0;
+      comparison.NumberFar += std::abs(0.5 * clip[2] + 0.5 - depths[i]) > 1e-5 ? 1 : 0;
+    }
+  }
   return comparison;
 }
 

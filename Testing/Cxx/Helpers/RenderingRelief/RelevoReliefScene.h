@@ -12,6 +12,7 @@
 #include "vtkReliefMapper.h"
 
 #include <algorithm>
+#include <functional>
 
 #include <vector>
 
@@ -50,9 +51,20 @@ public:
   std::vector<float> DrawDepths();
 
   // Draws and compares with the one relief that is there; what is farther away than a tolerance in
-  // texels is wrong.
+  // texels is wrong. Points that are not kept are no hits.
   RelevoReliefComparison Compare(
-    vtkImageData* relief, double stretch = 8.0, double tolerance = 0.5);
+    vtkImageData* relief, double stretch = 8.0, double tolerance = 0.5,
+    const std::function<bool(const RelevoReliefHit&)>& keeps = [](const RelevoReliefHit&)
+    { return true; });
+
+  // What rays through the pixels' centres meet first.
+  std::vector<RelevoReliefHit> Cast(
+    vtkImageData* relief, double stretch = 8.0,
+    const std::function<bool(const RelevoReliefHit&)>& keeps = [](const RelevoReliefHit&)
+    { return true; });
+
+  // From the actor's coordinates to those of the view's cube.
+  void GetToClip(double toClip[16]);
 
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
