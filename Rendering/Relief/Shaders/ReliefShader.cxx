@@ -90,8 +90,8 @@ std::string GetIds(const ReliefShaderOptions& options)
 std::string ReliefShaderOptions::GetKey() const
 {
   std::ostringstream key;
-  key << this->Method << this->Search << this->IsLit << this->Yields << this->HasNormals << this->NumberOfPlanes
-      << this->Selected;
+  key << this->Method << this->Search << this->IsLit << this->Yields << this->HasNormals
+      << this->NumberOfPlanes << this->Selected;
   return key.str();
 }
 
