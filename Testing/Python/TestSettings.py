@@ -26,6 +26,8 @@ REALS = ("double", "float")
 OTHERS = {
     "vtkDisplacement.SetDirection": "the direction is made a unit vector",
     "vtkAdaptiveRefinementMapper.SetColorMode": "VTK's, which takes any number",
+    "vtkReliefCapture.SetCamerasToSphere": "a choice: GetNumberOfCameras() says how many they are",
+    "vtkReliefCapture.SetResolution": "one number stands for both",
 }
 # Switches that are integers, as vtkSurfaceLICInterface has them: all but 0 is on.
 SWITCHES = ("Enable", "NormalizeVectors", "EnhancedLIC", "OrientedLIC", "MaskOnSurface", "GenerateNoiseTexture")
