@@ -230,14 +230,17 @@ void vtkReliefPass::Render(const vtkRenderState* state)
     selector->Render(renderer, state->GetPropArray(), state->GetPropArrayCount());
     return;
   }
-  const bool isInteractive = renderer->GetRenderWindow()->GetDesiredUpdateRate() >= 1.0;
-  if (!isInteractive || !this->UpdateReliefs(state))
+  std::set<vtkProp*> opaque;
+  if (renderer->GetRenderWindow()->GetDesiredUpdateRate() >= 1.0)
+  {
+    const std::vector<vtkProp*> all = relevo::FindSceneProps(renderer).Opaque;
+    opaque.insert(all.begin(), all.end());
+  }
+  if (opaque.empty() || !this->UpdateReliefs(state))
   {
     this->RenderDelegate(state);
     return;
   }
-  const relevo::SceneProps scene = relevo::FindSceneProps(renderer);
-  const std::set<vtkProp*> opaque(scene.Opaque.begin(), scene.Opaque.end());
   std::vector<vtkProp*> props;
   for (ShownRelief& relief : this->Internals->Reliefs)
   {
@@ -274,10 +277,6 @@ bool vtkReliefPass::UpdateReliefs(const vtkRenderState* state)
   vtkInternals& data = *this->Internals;
   const View view(state);
   if (view.Width < 1 || view.Height < 1)
-  {
-    return false;
-  }
-  if (relevo::FindSceneProps(state->GetRenderer()).Opaque.empty())
   {
     return false;
   }

@@ -4,10 +4,13 @@
 #include "RelevoPassScene.h"
 #include "RelevoPictures.h"
 
+#include "vtkAbstractVolumeMapper.h"
 #include "vtkActor2D.h"
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkObjectFactory.h"
 #include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper2D.h"
 #include "vtkProperty.h"
@@ -15,6 +18,7 @@
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 #include "vtkTesting.h"
+#include "vtkVolume.h"
 
 #include <cstdlib>
 #include <iostream>
@@ -118,7 +122,40 @@ void TestMoving(RelevoCheck& check, int argc, char* argv[])
   }
 }
 
-// Only what is rasterised anew is drawn by props.
+// Draws nothing, and counts.
+class CountingMapper : public vtkAbstractVolumeMapper
+{
+public:
+  static CountingMapper* New();
+  vtkTypeMacro(CountingMapper, vtkAbstractVolumeMapper);
+  using Superclass::GetBounds;
+  double* GetBounds() override { return this->Box; }
+  void Render(vtkRenderer*, vtkVolume*) override { ++this->NumberOfFrames; }
+  void ReleaseGraphicsResources(vtkWindow*) override {}
+  int NumberOfFrames = 0;
+
+private:
+  double Box[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
+};
+vtkStandardNewMacro(CountingMapper);
+
+void TestVolume(RelevoCheck& check)
+{
+  RelevoPassScene scene;
+  vtkNew<CountingMapper> mapper;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 2);
+  mapper->SetInputDataObject(image);
+  vtkNew<vtkVolume> volume;
+  volume->SetMapper(mapper);
+  scene.Renderer->AddVolume(volume);
+  scene.DrawStill();
+  CHECK(mapper->NumberOfFrames == 1);
+  scene.DrawMoving();
+  CHECK(scene.Pass->GetNumberOfCaptures() == 1);
+  CHECK(mapper->NumberOfFrames == 2);
+}
+
 void TestWithoutProps(RelevoCheck& check)
 {
   RelevoPassScene scene;
@@ -194,6 +231,7 @@ int TestReliefPass(int argc, char* argv[])
   RelevoCheck check;
   TestStill(check);
   TestMoving(check, argc, argv);
+  TestVolume(check);
   TestWithoutProps(check);
   TestSelection(check);
   TestParts(check);
