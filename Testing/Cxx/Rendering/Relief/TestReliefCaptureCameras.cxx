@@ -6,6 +6,7 @@
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 
 #include <cmath>
@@ -85,6 +86,26 @@ void TestBox(RelevoCheck& check, const Vector& offset)
   const double gap = FindGap(scene, ball, offset);
   std::cout << "box: no point is farther than " << gap << " from a texel\n";
   CHECK(gap < 0.04);
+}
+
+// Of what is flat four of the six see its edge, if anything.
+void TestFlat(RelevoCheck& check)
+{
+  RelevoCaptureScene scene;
+  scene.Source->SetResolution(64);
+  vtkNew<vtkPlaneSource> plane;
+  plane->Update();
+  scene.Add(plane->GetOutput());
+  RelevoErrors errors(scene.Source);
+  scene.Source->Update();
+  CHECK(errors.None());
+  CHECK(scene.Source->GetOutput()->GetNumberOfBlocks() == 6);
+  for (unsigned int i = 0; i < 6; ++i)
+  {
+    vtkImageData* relief = GetRelief(scene, i);
+    const size_t number = relief ? RelevoReadTexels(relief).size() : 0;
+    CHECK(i < 4 ? number <= 64 : number > 60 * 60);
+  }
 }
 
 // Directions of depth of the sphere's cameras: as many, all different, evenly around.
@@ -242,6 +263,7 @@ int TestReliefCaptureCameras(int, char*[])
   RelevoCheck check;
   TestBox(check, Vector{ { 0.0, 0.0, 0.0 } });
   TestBox(check, Vector{ { 1e6, -2e6, 5e5 } });
+  TestFlat(check);
   TestSphere(check);
   TestFar(check, false);
   TestFar(check, true);
