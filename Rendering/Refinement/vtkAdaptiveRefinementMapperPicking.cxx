@@ -8,21 +8,8 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-
-namespace relevo
-{
-vtkStandardNewMacro(PickedInputPipeline);
-
-vtkDataObject* PickedInputPipeline::GetInputData(int port, int connection)
-{
-  vtkDataObject* input = this->vtkCompositeDataPipeline::GetInputData(port, connection);
-  return port == 0 && connection == 0 && input && this->GetAlgorithm() ? this->Replace(input)
-                                                                       : input;
-}
-}
 
 void vtkAdaptiveRefinementMapper::vtkInternals::InitializePicking(
   vtkAdaptiveRefinementMapper* mapper)

@@ -3,6 +3,8 @@
 #include "vtkReliefMapperInternals.h"
 
 #include "Core/SettingChecks.h"
+#include "Drawing/PickedRelief.h"
+#include "Picking/PickedInputPipeline.h"
 #include "vtkActor.h"
 #include "vtkBoundingBox.h"
 #include "vtkCommand.h"
@@ -60,6 +62,9 @@ vtkReliefMapper::vtkReliefMapper()
 {
   this->Internals->Context->OnRelease = [this](vtkWindow* window)
   { this->ReleaseGraphicsResources(window); };
+  vtkNew<relevo::PickedInputPipeline> pipeline;
+  pipeline->Replace = [this](vtkDataObject* input) { return this->ReplaceInput(input); };
+  this->SetExecutive(pipeline);
 }
 
 vtkReliefMapper::~vtkReliefMapper()
@@ -109,9 +114,13 @@ void vtkReliefMapper::SetMaximumStretch(double stretch)
 
 void vtkReliefMapper::UpdateBlocks()
 {
+  this->UpdateBlocks(
+    this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr);
+}
+
+void vtkReliefMapper::UpdateBlocks(vtkDataObject* input)
+{
   vtkInternals& data = *this->Internals;
-  vtkDataObject* input =
-    this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr;
   relevo::Dependencies source = GetSource(input);
   source.Add(this->MaximumStretch);
   if (!data.Source.Update(source))
@@ -148,6 +157,7 @@ void vtkReliefMapper::UpdateBlocks()
     if (block.Source.Update(own))
     {
       block.Painter->SetRelief(relief.Data, this->MaximumStretch);
+      block.Picked = nullptr;
     }
   }
   for (auto& last : data.Blocks)
@@ -165,6 +175,7 @@ void vtkReliefMapper::UpdateBlocks()
 
 double* vtkReliefMapper::GetBounds()
 {
+  const relevo::OwnBoundsQuestion question(this->Internals->Questions);
   vtkMath::UninitializeBounds(this->Bounds);
   if (this->GetNumberOfInputConnections(0) == 0)
   {
@@ -191,6 +202,12 @@ double* vtkReliefMapper::GetBounds()
   return this->Bounds;
 }
 
+void vtkReliefMapper::GetBounds(double bounds[6])
+{
+  this->Superclass::GetBounds(bounds);
+  this->Internals->Questions.AskBounds();
+}
+
 bool vtkReliefMapper::HasTranslucentPolygonalGeometry()
 {
   this->GetBounds(); // which reads the input
@@ -207,6 +224,55 @@ bool vtkReliefMapper::HasTranslucentPolygonalGeometry()
 bool vtkReliefMapper::HasOpaqueGeometry()
 {
   return !this->HasTranslucentPolygonalGeometry();
+}
+
+//------------------------------------------------------------------------------
+// What VTK's pickers find
+
+vtkDataObject* vtkReliefMapper::GetInputDataObject(int port, int connection)
+{
+  this->Internals->Questions.AskOther();
+  return this->Superclass::GetInputDataObject(port, connection);
+}
+
+vtkStructuredGrid* vtkReliefMapper::vtkInternals::GetPicked(
+  unsigned int index, double maximumStretch)
+{
+  const auto found = this->Blocks.find(index);
+  if (found == this->Blocks.end() || !found->second.Problem.empty())
+  {
+    return this->Nothing;
+  }
+  Block& block = found->second;
+  if (!block.Picked)
+  {
+    block.Picked = relevo::MakePickedRelief(block.Relief.Data, maximumStretch);
+  }
+  return block.Picked;
+}
+
+vtkDataObject* vtkReliefMapper::ReplaceInput(vtkDataObject* input)
+{
+  vtkInternals& data = *this->Internals;
+  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+  if (data.Questions.AskInput(composite != nullptr) == relevo::PickerQuestions::NO_PICKER)
+  {
+    return input;
+  }
+  this->UpdateBlocks(input);
+  if (!composite)
+  {
+    return data.GetPicked(0, this->MaximumStretch);
+  }
+  data.PickedBlocks.TakeReference(composite->NewInstance());
+  data.PickedBlocks->CopyStructure(composite);
+  auto leaf = vtk::TakeSmartPointer(composite->NewIterator());
+  for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+  {
+    data.PickedBlocks->SetDataSet(
+      leaf, data.GetPicked(leaf->GetCurrentFlatIndex(), this->MaximumStretch));
+  }
+  return data.PickedBlocks;
 }
 
 //------------------------------------------------------------------------------

@@ -161,8 +161,13 @@ public:
    * Of the surface.
    */
   double* GetBounds() VTK_SIZEHINT(6) override;
-  void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
+  void GetBounds(double bounds[6]) override;
   //@}
+
+  /**
+   * The input. VTK's pickers are given the surface in its place, with the ids of the image.
+   */
+  vtkDataObject* GetInputDataObject(int port, int connection);
 
   bool HasOpaqueGeometry() override;
   bool HasTranslucentPolygonalGeometry() override;
@@ -186,7 +191,9 @@ private:
 
   /// Reads the input again if it has changed.
   void UpdateBlocks();
+  void UpdateBlocks(vtkDataObject* input);
   void RenderBlocks(vtkRenderer* renderer, vtkActor* actor);
+  vtkDataObject* ReplaceInput(vtkDataObject* input);
   int ChooseMethod(vtkRenderer* renderer, vtkActor* actor);
 
   struct vtkInternals;

@@ -14,7 +14,10 @@
 #include "Drawing/MethodChoice.h"
 #include "Drawing/ReliefPainter.h"
 #include "OpenGL/ContextWatch.h"
+#include "Picking/PickerQuestions.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkReliefMapper.h"
+#include "vtkStructuredGrid.h"
 
 #include <map>
 #include <string>
@@ -26,7 +29,8 @@ struct vtkReliefMapper::vtkInternals
     relevo::ReliefBlock Relief;
     vtkSmartPointer<relevo::ReliefPainter> Painter;
     relevo::Dependencies Source;
-    std::string Problem; // said last
+    std::string Problem;                       // said last
+    vtkSmartPointer<vtkStructuredGrid> Picked; // of the surface, when a picker has asked
   };
   std::map<unsigned int, Block> Blocks; // by flat index
   relevo::Dependencies Source;
@@ -34,6 +38,11 @@ struct vtkReliefMapper::vtkInternals
   relevo::MethodChoice Choice{ { METHOD_RAY_MARCH, METHOD_REFINEMENT } };
   bool IsMeasuring = false; // in this frame
   int MethodInUse = METHOD_RAY_MARCH;
+
+  relevo::PickerQuestions Questions;
+  vtkSmartPointer<vtkCompositeDataSet> PickedBlocks;
+  vtkNew<vtkStructuredGrid> Nothing; // for pickers, of what is not drawn
+  vtkStructuredGrid* GetPicked(unsigned int block, double maximumStretch);
 
   // Of blocks that are gone.
   vtkIdType NumberOfBufferBuilds = 0;

@@ -7,31 +7,16 @@
 #ifndef PickedInput_h
 #define PickedInput_h
 
+#include "Picking/PickedInputPipeline.h"
 #include "Picking/PickedLevels.h"    // for members
 #include "Picking/PickedPolyData.h"  // for members
 #include "Picking/PickerQuestions.h" // for members
-#include "vtkCompositeDataPipeline.h"
-#include "vtkSmartPointer.h" // for members
-
-#include <functional> // for members
+#include "vtkSmartPointer.h"         // for members
 
 class vtkCompositeDataSet;
 
 namespace relevo
 {
-/// The executive of a mapper: what its input is depends on who asks.
-class PickedInputPipeline : public vtkCompositeDataPipeline
-{
-public:
-  static PickedInputPipeline* New();
-
-  /// Called with the input and gives what to tell instead; for as long as there is an algorithm.
-  std::function<vtkDataObject*(vtkDataObject*)> Replace;
-
-  using vtkCompositeDataPipeline::GetInputData;
-  vtkDataObject* GetInputData(int port, int connection) override;
-};
-
 /// What a mapper keeps for pickers.
 struct PickedInput
 {

@@ -6,6 +6,7 @@
 #include "RelevoReliefScene.h"
 
 #include "vtkCamera.h"
+#include "vtkCellPicker.h"
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
@@ -16,6 +17,7 @@
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkPropPicker.h"
 #include "vtkProperty.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
@@ -250,6 +252,42 @@ void TestSelection(RelevoCheck& check, Methods method, bool points)
   CHECK(ids->GetNumberOfValues() == 1 && ids->GetValue(0) == row * (points ? 48 : 47) + column);
 }
 
+// VTK's own pickers find the same.
+void TestPickers(RelevoCheck& check, bool isComposite)
+{
+  const auto relief = MakeHills();
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(1, relief);
+  RelevoReliefScene scene(
+    isComposite ? static_cast<vtkDataObject*>(blocks) : relief.Get(), Width, Height);
+  scene.Window->Render();
+  const std::vector<RelevoReliefHit> hits = scene.Cast(relief);
+  vtkNew<vtkCellPicker> cells;
+  cells->SetTolerance(0.0);
+  vtkNew<vtkPropPicker> props;
+  int number = 0;
+  for (int y = 5; y < Height; y += 20)
+  {
+    for (int x = 5; x < Width; x += 20)
+    {
+      const RelevoReliefHit& hit = hits[y * Width + x];
+      const bool isPicked = cells->Pick(x + 0.5, y + 0.5, 0.0, scene.Renderer) != 0;
+      CHECK(isPicked == hit.IsHit);
+      CHECK((props->PickProp(x, y, scene.Renderer) != 0) == hit.IsHit);
+      if (isPicked && hit.IsHit)
+      {
+        ++number;
+        CHECK(std::abs(cells->GetCellId() -
+                (static_cast<int>(hit.Row) * 47 + static_cast<int>(hit.Column))) <= 48);
+        const RelevoVectors::Vector place = { { cells->GetPickPosition()[0],
+          cells->GetPickPosition()[1], cells->GetPickPosition()[2] } };
+        CHECK(RelevoVectors::length(RelevoVectors::operator-(place, hit.Point)) < 0.05);
+      }
+    }
+  }
+  CHECK(number > 4);
+}
+
 // Two halves are as the whole, where they touch, too; another actor hides and is hidden.
 void TestTogether(RelevoCheck& check, Methods method)
 {
@@ -321,6 +359,8 @@ int TestReliefMapperFeatures(int, char*[])
     TestTogether(check, method);
   }
   TestLit(check, vtkReliefMapper::METHOD_WARP);
+  TestPickers(check, false);
+  TestPickers(check, true);
   TestOpacity(check);
   TestBounds(check);
   return check.GetResult();
