@@ -163,8 +163,8 @@ int vtkReliefCapture::RequestData(
 bool vtkReliefCapture::Capture(vtkMultiBlockDataSet* output)
 {
   relevo::SceneCapture& capture = this->Internals->Capture;
-  std::string error =
-    capture.Begin(this->Internals->Renderer, this->Resolution[0], this->Resolution[1]);
+  std::string error = capture.Begin(
+    this->Internals->Renderer, relevo::SceneParts::All, this->Resolution[0], this->Resolution[1]);
   if (error.empty() && this->GetNumberOfCameras() == 0)
   {
     error = "There are no cameras to capture from: AddCamera() or SetCamerasToBox().";

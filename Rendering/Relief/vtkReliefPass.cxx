@@ -166,8 +166,8 @@ public:
   std::string CaptureView(vtkRenderer* renderer, const View& view)
   {
     const relevo::ivec2 margin(view.Width / 8 + 1, view.Height / 8 + 1);
-    const std::string problem =
-      this->Capture.Begin(renderer, view.Width + 2 * margin.x, view.Height + 2 * margin.y);
+    const std::string problem = this->Capture.Begin(renderer, relevo::SceneParts::Surfaces,
+      view.Width + 2 * margin.x, view.Height + 2 * margin.y);
     if (problem.empty())
     {
       const auto camera = relevo::WidenCamera(view.Camera, view.Width, view.Height, margin);
@@ -233,7 +233,8 @@ void vtkReliefPass::Render(const vtkRenderState* state)
   std::set<vtkProp*> opaque;
   if (renderer->GetRenderWindow()->GetDesiredUpdateRate() >= 1.0)
   {
-    const std::vector<vtkProp*> all = relevo::FindSceneProps(renderer).Opaque;
+    const std::vector<vtkProp*> all =
+      relevo::FindSceneProps(renderer, relevo::SceneParts::Surfaces).Opaque;
     opaque.insert(all.begin(), all.end());
   }
   if (opaque.empty() || !this->UpdateReliefs(state))

@@ -7,8 +7,9 @@
  * While the window asks for at least 1 frame per second (vtkRenderWindow::DesiredUpdateRate, which
  * interactors raise as long as the mouse moves the camera) the renderer's opaque props are not
  * drawn but shown by vtkReliefMapper from captures of the last views: the cost of a frame does not
- * depend on them. Translucent props, volumes, and props without bounds are drawn by the delegate as
- * ever. Other frames are the delegate's alone, to the bit.
+ * depend on them. Translucent props, volumes, lines and points (props that are not, in all parts,
+ * surfaces) and props without bounds are drawn by the delegate as ever. Other frames are the
+ * delegate's alone, to the bit.
  *
  * A capture sees a little more than the view, at one texel a pixel. Up to four are kept, which
  * complete one another. There is a new one, which takes as long as a frame of the props and a

@@ -11,7 +11,7 @@
 
 namespace relevo
 {
-std::string SceneCapture::Begin(vtkRenderer* renderer, int width, int height)
+std::string SceneCapture::Begin(vtkRenderer* renderer, SceneParts parts, int width, int height)
 {
   if (!renderer)
   {
@@ -28,7 +28,7 @@ std::string SceneCapture::Begin(vtkRenderer* renderer, int width, int height)
   {
     return "The window of the renderer has no OpenGL context.";
   }
-  this->Props = FindSceneProps(renderer);
+  this->Props = FindSceneProps(renderer, parts);
   if (this->Props.Opaque.empty())
   {
     return "The renderer shows nothing that can be captured: visible props with opaque geometry.";

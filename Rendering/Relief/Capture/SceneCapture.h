@@ -32,7 +32,7 @@ class SceneCapture
 public:
   /// Readies captures of this many texels in the renderer's window; what is wrong, or "". End()
   /// releases what they need, the shaders excepted.
-  std::string Begin(vtkRenderer* renderer, int width, int height);
+  std::string Begin(vtkRenderer* renderer, SceneParts parts, int width, int height);
   void End();
 
   /// Of the renderer, since Begin().

@@ -2,7 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Capture/SceneProps.h"
 
+#include "vtkActor.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
+#include "vtkFollower.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkPropCollection.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 
@@ -20,6 +27,31 @@ bool HasBounds(const double* bounds)
     std::all_of(bounds, bounds + 6, [](double bound) { return std::isfinite(bound); });
 }
 
+bool IsSurface(vtkActor* actor)
+{
+  if (!actor || !actor->GetMapper() || vtkFollower::SafeDownCast(actor) ||
+    actor->GetProperty()->GetRepresentation() != VTK_SURFACE)
+  {
+    return false;
+  }
+  auto* mapper = vtkPolyDataMapper::SafeDownCast(actor->GetMapper());
+  auto* mesh = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
+  return !mesh || mesh->GetNumberOfPolys() > 0 || mesh->GetNumberOfStrips() > 0;
+}
+
+// With all that an assembly is made of.
+bool IsSurface(vtkProp* prop)
+{
+  bool isSurface = true;
+  prop->InitPathTraversal();
+  while (vtkAssemblyPath* path = prop->GetNextPath())
+  {
+    vtkProp* part = path->GetLastNode()->GetViewProp();
+    isSurface = isSurface && IsSurface(vtkActor::SafeDownCast(part));
+  }
+  return isSurface;
+}
+
 void AddCorners(const double* bounds, std::vector<dvec3>& corners)
 {
   for (int i = 0; i < 8; ++i)
@@ -29,7 +61,7 @@ void AddCorners(const double* bounds, std::vector<dvec3>& corners)
 }
 }
 
-SceneProps FindSceneProps(vtkRenderer* renderer)
+SceneProps FindSceneProps(vtkRenderer* renderer, SceneParts parts)
 {
   SceneProps scene;
   vtkPropCollection* props = renderer->GetViewProps();
@@ -51,7 +83,7 @@ SceneProps FindSceneProps(vtkRenderer* renderer)
     {
       ++scene.NumberOfTranslucent;
     }
-    if (prop->HasOpaqueGeometry())
+    if (prop->HasOpaqueGeometry() && (parts == SceneParts::All || IsSurface(prop)))
     {
       scene.Opaque.push_back(prop);
       AddCorners(bounds, scene.Corners);

@@ -29,7 +29,15 @@ struct SceneProps
   int NumberOfVolumes = 0;
 };
 
-SceneProps FindSceneProps(vtkRenderer* renderer);
+/// What of a scene is looked for.
+enum class SceneParts
+{
+  All,
+  Surfaces ///< of opaque props those whose parts are all drawn as surfaces: no lines,
+           ///< no points, nothing that turns with the camera
+};
+
+SceneProps FindSceneProps(vtkRenderer* renderer, SceneParts parts);
 }
 
 #endif

@@ -6,6 +6,8 @@
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkActor2D.h"
+#include "vtkAssembly.h"
+#include "vtkCellArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
@@ -17,9 +19,11 @@
 #include "vtkRenderStepsPass.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
+#include "vtkSphereSource.h"
 #include "vtkTesting.h"
 #include "vtkVolume.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <set>
@@ -120,6 +124,53 @@ void TestMoving(RelevoCheck& check, int argc, char* argv[])
     Keep(shown, parallel ? "shown-parallel" : "shown", argv, argc);
     CHECK(CountOthers(shown, turned, 24) < 1500);
   }
+}
+
+// Thin things have no surface for reliefs: they are drawn by themselves, alone and in assemblies.
+void TestLines(RelevoCheck& check)
+{
+  RelevoPassScene scene;
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(0.0, 0.0, 2.0);
+  sphere->SetRadius(1.5);
+  sphere->Update();
+  vtkActor* wires = scene.Add(sphere->GetOutput());
+  wires->GetProperty()->SetRepresentationToWireframe();
+  vtkNew<vtkPolyData> edges;
+  edges->SetPoints(sphere->GetOutput()->GetPoints());
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 0, 30, 1 });
+  edges->SetLines(lines);
+  vtkActor* line = scene.Add(edges);
+  line->SetPosition(1.0, 1.0, 0.0);
+  vtkNew<vtkAssembly> assembly;
+  assembly->AddPart(line);
+  scene.Renderer->RemoveActor(line);
+  scene.Renderer->AddActor(assembly);
+  scene.GetCamera()->Zoom(1.5);
+  scene.Pass->SetMaximumHoleShare(1.0);
+  scene.DrawMoving();
+  scene.GetCamera()->Azimuth(2.0);
+  const RelevoPicture still = scene.DrawStill();
+  const RelevoPicture moving = scene.DrawMoving();
+  CHECK(scene.Pass->GetNumberOfCaptures() == 1);
+  wires->VisibilityOff();
+  assembly->VisibilityOff();
+  const RelevoPicture without = scene.DrawStill();
+  size_t number = 0;
+  size_t others = 0;
+  for (size_t i = 0; i < still.GetNumberOfPixels(); ++i)
+  {
+    const auto isSame = [&](const RelevoPicture& other)
+    { return std::equal(&still.Colors[3 * i], &still.Colors[3 * i] + 3, &other.Colors[3 * i]); };
+    if (!isSame(without)) // a pixel of a line
+    {
+      ++number;
+      others += !isSame(moving);
+    }
+  }
+  std::cout << number << " pixels of lines, " << others << " are other ones\n";
+  CHECK(number > 500 && others == 0);
 }
 
 // Draws nothing, and counts.
@@ -231,6 +282,7 @@ int TestReliefPass(int argc, char* argv[])
   RelevoCheck check;
   TestStill(check);
   TestMoving(check, argc, argv);
+  TestLines(check);
   TestVolume(check);
   TestWithoutProps(check);
   TestSelection(check);
