@@ -2,11 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Capture/SceneTime.h"
 
+#include "Core/LatestTime.h"
+
+#include "vtkActor.h"
+#include "vtkAlgorithm.h"
+#include "vtkAssembly.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
+#include "vtkDataObject.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkPropAssembly.h"
 #include "vtkPropCollection.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkTexture.h"
 
@@ -74,6 +85,65 @@ Dependencies DescribeLights(vtkRenderer* renderer)
   }
   return list;
 }
+
+bool IsAssembly(vtkProp* prop)
+{
+  return vtkAssembly::SafeDownCast(prop) || vtkPropAssembly::SafeDownCast(prop);
+}
+
+// Of an actor, whatever moves it.
+vtkMTimeType FindLookTime(vtkActor* actor)
+{
+  vtkMTimeType time = GetLatestTime(actor->GetProperty()->GetMTime(),
+    { actor->GetBackfaceProperty(), actor->GetTexture(), actor->GetMapper() });
+  vtkMapper* mapper = actor->GetMapper();
+  if (mapper && mapper->GetNumberOfInputConnections(0) > 0)
+  {
+    mapper->GetInputAlgorithm()->Update();
+    time = GetLatestTime(time, { mapper->GetInputDataObject(0, 0) });
+  }
+  return time;
+}
+
+// Assemblies move their parts whenever they are drawn, or only asked for their bounds: times of
+// parts tell nothing.
+void AddAssembly(Dependencies& list, vtkProp* assembly)
+{
+  list.AddObject(assembly, static_cast<vtkMTimeType>(assembly->GetVisibility()));
+  assembly->InitPathTraversal();
+  while (vtkAssemblyPath* path = assembly->GetNextPath())
+  {
+    vtkProp* part = path->GetLastNode()->GetViewProp();
+    vtkActor* actor = vtkActor::SafeDownCast(part);
+    list.AddObject(part, actor ? FindLookTime(actor) : part->GetMTime());
+    list.Add(part->GetVisibility());
+    if (vtkMatrix4x4* matrix = path->GetLastNode()->GetMatrix())
+    {
+      AddNumbers(list, matrix->GetData(), 16);
+    }
+  }
+}
+
+Dependencies DescribeAssemblies(vtkRenderer* renderer)
+{
+  Dependencies list;
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator next;
+  props->InitTraversal(next);
+  while (vtkProp* prop = props->GetNextProp(next))
+  {
+    if (IsAssembly(prop))
+    {
+      AddAssembly(list, prop);
+    }
+  }
+  return list;
+}
+
+vtkMTimeType FindTime(vtkProp* prop)
+{
+  return IsAssembly(prop) ? 0 : prop->GetVisibility() ? prop->GetRedrawMTime() : prop->GetMTime();
+}
 }
 
 vtkMTimeType SceneTime::Find(vtkRenderer* renderer)
@@ -91,13 +161,18 @@ vtkMTimeType SceneTime::Find(vtkRenderer* renderer)
     return this->LightsChanged.GetMTime();
   }
   this->IsFinding = true;
+  if (this->Assemblies.Update(DescribeAssemblies(renderer)))
+  {
+    this->AssembliesChanged.Modified();
+  }
   vtkPropCollection* props = renderer->GetViewProps();
-  vtkMTimeType time = std::max(this->LightsChanged.GetMTime(), props->GetMTime());
+  vtkMTimeType time = std::max(
+    { this->LightsChanged.GetMTime(), this->AssembliesChanged.GetMTime(), props->GetMTime() });
   vtkCollectionSimpleIterator next;
   props->InitTraversal(next);
   while (vtkProp* prop = props->GetNextProp(next))
   {
-    time = std::max(time, prop->GetVisibility() ? prop->GetRedrawMTime() : prop->GetMTime());
+    time = std::max(time, FindTime(prop));
   }
   this->IsFinding = false;
   return time;

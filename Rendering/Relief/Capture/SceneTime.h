@@ -26,6 +26,8 @@ public:
 private:
   Dependencies Lights;
   vtkTimeStamp LightsChanged;
+  Dependencies Assemblies;
+  vtkTimeStamp AssembliesChanged;
   bool IsFinding = false; // a prop may show what this is the time of
 };
 }

@@ -3,6 +3,7 @@
 // The output is made anew when, and only when, something that it shows has changed.
 #include "RelevoCaptureScene.h"
 
+#include "vtkAssembly.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkImageData.h"
@@ -100,6 +101,38 @@ void TestChanges(RelevoCheck& check)
   step("same resolution", 0, [&]() { scene.Source->SetResolution(16, 16); });
 }
 
+// Drawn, an assembly moves its parts: that is no change.
+void TestAssembly(RelevoCheck& check)
+{
+  RelevoCaptureScene scene;
+  scene.Source->SetResolution(32);
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkActor> part;
+  part->SetMapper(mapper);
+  vtkNew<vtkAssembly> assembly;
+  assembly->AddPart(part);
+  assembly->SetPosition(1.0, 0.0, 0.0);
+  scene.Renderer->AddActor(assembly);
+  scene.ResetCamera();
+  Executions executions(scene.Source);
+  const std::function<void()> changes[] = { [&]() { part->GetProperty()->SetColor(1.0, 0.0, 0.0); },
+    [&]() { part->SetPosition(0.0, 1.0, 0.0); }, [&]() { assembly->RotateX(20.0); },
+    [&]() { sphere->SetRadius(0.7); },
+    [&]() { assembly->AddPart(scene.Add(RelevoBumpyBall(8))); } };
+  CHECK(executions.Count() == 1);
+  for (const auto& change : changes)
+  {
+    scene.Window->Render();
+    scene.Renderer->ComputeVisiblePropBounds();
+    CHECK(executions.Count() == 0);
+    change();
+    CHECK(executions.Count() == 1);
+    CHECK(executions.Count() == 0);
+  }
+}
+
 // The headlight that a renderer makes itself in its first frame is the one that captures have.
 void TestOwnLight(RelevoCheck& check)
 {
@@ -118,6 +151,7 @@ int TestReliefCaptureChanges(int, char*[])
 {
   RelevoCheck check;
   TestChanges(check);
+  TestAssembly(check);
   TestOwnLight(check);
   return check.GetResult();
 }
