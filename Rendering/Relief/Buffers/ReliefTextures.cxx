@@ -4,6 +4,7 @@
 
 #include "OpenGL/RelevoOpenGL.h"
 
+#include "Buffers/ReliefCones.h"
 #include "Buffers/ReliefTexture.h"
 #include "Buffers/ReliefTiles.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -61,6 +62,15 @@ bool ReliefTextures::Upload(vtkOpenGLRenderWindow* window, const ReliefTiles& ti
   return true;
 }
 
+bool ReliefTextures::UploadCones(vtkOpenGLRenderWindow* window, const ReliefTiles& tiles)
+{
+  const std::vector<unsigned char> cones = MakeReliefCones(tiles);
+  this->Cones =
+    MakeReliefTexture(window, tiles.GetTextureSize(), cones.data(), 1, VTK_UNSIGNED_CHAR);
+  this->TextureMemory += this->Cones ? static_cast<vtkTypeInt64>(cones.size()) : 0;
+  return this->HasCones();
+}
+
 vtkTypeInt64 ReliefTextures::GetMemorySize() const
 {
   return this->TextureMemory + this->Places.GetMemorySize() + this->Quads.GetMemorySize() +
@@ -75,6 +85,7 @@ void ReliefTextures::Activate(vtkShaderProgram* program)
   ActivateReliefTexture(program, this->Heights, "reliefHeights");
   ActivateReliefTexture(program, this->Colors, "reliefColors");
   ActivateReliefTexture(program, this->Normals, "reliefNormals");
+  ActivateReliefTexture(program, this->Cones, "reliefCones");
   program->SetUniformi("reliefTilesPerRow", this->TilesPerRow);
 }
 
@@ -84,7 +95,8 @@ void ReliefTextures::Deactivate()
   {
     buffer->Deactivate();
   }
-  for (vtkTextureObject* texture : { this->Heights.Get(), this->Colors.Get(), this->Normals.Get() })
+  for (vtkTextureObject* texture :
+    { this->Heights.Get(), this->Colors.Get(), this->Normals.Get(), this->Cones.Get() })
   {
     if (texture)
     {
@@ -100,7 +112,7 @@ void ReliefTextures::ReleaseGraphicsResources(vtkWindow* window)
     buffer->ReleaseGraphicsResources(window);
   }
   for (vtkSmartPointer<vtkTextureObject>* texture :
-    { &this->Heights, &this->Colors, &this->Normals })
+    { &this->Heights, &this->Colors, &this->Normals, &this->Cones })
   {
     if (*texture)
     {

@@ -30,6 +30,10 @@ public:
   /// false where OpenGL does not have room for them.
   bool Upload(vtkOpenGLRenderWindow* window, const ReliefTiles& tiles);
 
+  /// The cones of MakeReliefCones(), too.
+  bool UploadCones(vtkOpenGLRenderWindow* window, const ReliefTiles& tiles);
+  bool HasCones() const { return this->Cones != nullptr; }
+
   void Activate(vtkShaderProgram* program);
   void Deactivate();
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -46,6 +50,7 @@ private:
   vtkSmartPointer<vtkTextureObject> Heights;
   vtkSmartPointer<vtkTextureObject> Colors;
   vtkSmartPointer<vtkTextureObject> Normals;
+  vtkSmartPointer<vtkTextureObject> Cones;
   int NumberOfTiles = 0;
   int TilesPerRow = 1;
   vtkTypeInt64 TextureMemory = 0;

@@ -88,6 +88,15 @@ std::string ReliefPainter::Prepare(vtkRenderer* renderer, vtkActor* actor, const
       return "There is no room for it on the graphics card.";
     }
   }
+  if (this->Looks.Search == ReliefShaderOptions::RELAXED_CONES && !this->Textures.HasCones() &&
+    this->Tiles.GetNumberOfTiles() > 0)
+  {
+    ++this->NumberOfBufferBuilds;
+    if (!this->Textures.UploadCones(window, this->Tiles))
+    {
+      return "There is no room for it on the graphics card.";
+    }
+  }
   if (this->Looks.Method == ReliefShaderOptions::WARP &&
     (this->Tiles.GetNumberOfTiles() == 0 ||
       !this->MakeView(renderer, actor).SeesFront(this->Plane) ||

@@ -98,7 +98,7 @@ private:
   void SetOwnUniforms(vtkRenderer* renderer, vtkActor* actor);
 
   Settings Looks;
-  ReliefTiles Tiles; // its arrays only until they are uploaded
+  ReliefTiles Tiles;
   ivec2 Size = ivec2(0);
   double SurfaceBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   vtkNew<vtkPolyData> Box; // VTK's mapper wants points

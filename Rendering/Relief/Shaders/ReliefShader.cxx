@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaders/ReliefShader.h"
 
+#include "Buffers/ReliefCones.h"
 #include "Buffers/ReliefTiles.h"
+#include "relevoReliefCones.h"
 #include "relevoReliefFS.h"
 #include "relevoReliefHits.h"
 #include "relevoReliefLinear.h"
@@ -12,6 +14,8 @@
 #include "relevoReliefPatternTrace.h"
 #include "relevoReliefPatternVS.h"
 #include "relevoReliefRay.h"
+#include "relevoReliefRefine.h"
+#include "relevoReliefSteps.h"
 #include "relevoReliefSurface.h"
 #include "relevoReliefTrace.h"
 #include "relevoReliefVS.h"
@@ -30,7 +34,8 @@ std::string GetDefines(const ReliefShaderOptions& options)
   std::ostringstream text;
   text << "#extension GL_ARB_texture_gather : enable\n";
   text << "#define RELIEF_SIZE " << ReliefTiles::Size << "\n#define RELIEF_TEXELS "
-       << ReliefTiles::Texels << "\n#define RELIEF_CELL " << ReliefTiles::CellSize << "\n";
+       << ReliefTiles::Texels << "\n#define RELIEF_CELL " << ReliefTiles::CellSize
+       << "\n#define RELIEF_CONE_RADIUS " << ConeRadius << "\n";
   if (options.Search == ReliefShaderOptions::LINEAR_SECANT)
   {
     text << "#define RELIEF_SECANT\n#define RELIEF_REFINEMENTS 4\n";
@@ -76,8 +81,16 @@ std::string GetSearch(const ReliefShaderOptions& options)
     return text + relevoReliefPatternFS + GetPlanes(options) + relevoReliefPatternTrace;
   }
   text += std::string(relevoReliefRay) + relevoReliefHits;
-  text +=
-    options.Search == ReliefShaderOptions::MAXIMUM_MIPMAP ? relevoReliefMarch : relevoReliefLinear;
+  if (options.Search == ReliefShaderOptions::MAXIMUM_MIPMAP)
+  {
+    text += relevoReliefMarch;
+  }
+  else
+  {
+    text += std::string(relevoReliefRefine) + relevoReliefLinear;
+    text +=
+      options.Search == ReliefShaderOptions::RELAXED_CONES ? relevoReliefCones : relevoReliefSteps;
+  }
   return text + GetPlanes(options) + relevoReliefTrace;
 }
 

@@ -1,44 +1,5 @@
-// Where a ray meets the surface of a tile: steps of less than a texel, then bisection between the last
-// two (F. Policarpo, M. Oliveira, J. Comba, "Real-Time Relief Mapping on Arbitrary Polygonal
-// Surfaces", 2005), or the secant. What is thinner than a step may be missed.
-
-// How far a point of the ray is below the surface, as the relief's viewer has it.
-float reliefHeightBelow(float distance)
-{
-  vec3 point = reliefOrigin + distance * reliefDirection;
-  vec2 place = clamp(point.xy - reliefBox.xy, 0.0, float(RELIEF_SIZE));
-  vec2 size = vec2(textureSize(reliefHeights, 0));
-  return point.z - textureLod(reliefHeights, (vec2(reliefTile.yz) + place + 0.5) / size, 0.0).r;
-}
-
-// Between a point before the surface and one behind it, or the other way round.
-bool reliefRefine(float before, float after, float first, float second)
-{
-  float slope = second - first;
-  float start = before;
-  float end = after;
-  for (int i = 0; i < RELIEF_REFINEMENTS; ++i)
-  {
-#ifdef RELIEF_SECANT
-    float middle = before + (after - before) * first / (first - second);
-#else
-    float middle = 0.5 * (before + after);
-#endif
-    float value = reliefHeightBelow(middle);
-    bool isBefore = (value < 0.0) == (first < 0.0);
-    before = isBefore ? middle : before;
-    first = isBefore ? value : first;
-    after = isBefore ? after : middle;
-    second = isBefore ? second : value;
-  }
-  float hit = before + (after - before) * first / (first - second);
-  vec2 place = (reliefOrigin + hit * reliefDirection).xy - reliefBox.xy;
-  return reliefIsQuad(clamp(ivec2(floor(place)), 0, RELIEF_SIZE - 1)) &&
-    reliefTake(hit - start, slope, start, end);
-}
-
-#ifndef RELIEF_CONES
-bool reliefMeetTile()
+// Where a ray meets the surface of a tile: steps of less than a texel. What is thinner may be missed.
+bool reliefMeetTileLinearly()
 {
   float size = reliefRange.y - reliefRange.x;
   float steps = 2.0 + ceil(1.5 * size * length(reliefDirection.xy));
@@ -57,4 +18,3 @@ bool reliefMeetTile()
   }
   return false;
 }
-#endif

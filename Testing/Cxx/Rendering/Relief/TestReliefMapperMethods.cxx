@@ -123,6 +123,7 @@ int TestReliefMapperMethods(int, char*[])
     TestWay(check, relief, { Mapper::METHOD_REFINEMENT, 3, 0.998, 0.998 });
     TestWay(check, relief, { Mapper::METHOD_RAY_MARCH, Mapper::SEARCH_LINEAR_BINARY, 0.98, 0.98 });
     TestWay(check, relief, { Mapper::METHOD_RAY_MARCH, Mapper::SEARCH_LINEAR_SECANT, 0.98, 0.98 });
+    TestWay(check, relief, { Mapper::METHOD_RAY_MARCH, Mapper::SEARCH_RELAXED_CONES, 0.98, 0.98 });
     TestAutomatic(check, relief);
   }
   TestWarp(check, ReliefProjection::Parallel);

@@ -1,0 +1,4 @@
+bool reliefMeetTile()
+{
+  return reliefMeetTileLinearly();
+}
