@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkReliefMapperInternals.h"
 
-#include "Core/SettingChecks.h"
 #include "Drawing/PickedRelief.h"
 #include "Picking/PickedInputPipeline.h"
 #include "vtkActor.h"
@@ -18,7 +17,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 
-#include <limits>
+#include <algorithm>
 
 namespace
 {
@@ -84,29 +83,6 @@ int vtkReliefMapper::FillInputPortInformation(int, vtkInformation* info)
 void vtkReliefMapper::SetInputData(vtkImageData* relief)
 {
   this->SetInputDataInternal(0, relief);
-}
-
-void vtkReliefMapper::SetMethod(int method)
-{
-  relevo::SetChoice(
-    this, "Method", this->Method, method, { "WARP", "RAY_MARCH", "REFINEMENT", "AUTOMATIC" });
-}
-
-void vtkReliefMapper::SetSearch(int search)
-{
-  relevo::SetChoice(this, "Search", this->Search, search,
-    { "LINEAR_BINARY", "LINEAR_SECANT", "RELAXED_CONES", "MAXIMUM_MIPMAP" });
-}
-
-void vtkReliefMapper::SetShading(int shading)
-{
-  relevo::SetChoice(this, "Shading", this->Shading, shading, { "CAPTURED", "LIT" });
-}
-
-void vtkReliefMapper::SetMaximumStretch(double stretch)
-{
-  relevo::SetInRange(
-    this, "MaximumStretch", this->MaximumStretch, stretch, 0.0, std::numeric_limits<double>::max());
 }
 
 //------------------------------------------------------------------------------
@@ -320,6 +296,7 @@ int vtkReliefMapper::ChooseMethod(vtkRenderer* renderer, vtkActor* actor)
   relevo::Dependencies source = data.Source;
   source.Add(this->Search);
   source.Add(this->Shading);
+  source.Add(this->SelfShadow);
   const int* size = renderer->GetSize();
   return data.Choice.Begin(source, static_cast<double>(size[0]) * size[1]);
 }
@@ -335,6 +312,7 @@ void vtkReliefMapper::RenderBlocks(vtkRenderer* renderer, vtkActor* actor)
   settings.Method = static_cast<Options::Methods>(this->ChooseMethod(renderer, actor));
   settings.Search = this->Search;
   settings.IsLit = this->Shading == LIT;
+  settings.IsShadowed = this->SelfShadow && settings.IsLit;
   settings.Yields = this->Internals->Blocks.size() > 1;
   for (auto& entry : this->Internals->Blocks)
   {
@@ -367,6 +345,14 @@ void vtkReliefMapper::RenderBlocks(vtkRenderer* renderer, vtkActor* actor)
     }
     block.Painter->RenderPiece(renderer, actor);
     this->Internals->MethodInUse = block.Painter->GetMethod();
+    if (block.Painter->GetShaderProblem() != block.ShaderProblem)
+    {
+      block.ShaderProblem = block.Painter->GetShaderProblem();
+      if (!block.ShaderProblem.empty())
+      {
+        vtkErrorMacro(<< block.ShaderProblem);
+      }
+    }
   }
   if (this->Internals->IsMeasuring)
   {
@@ -393,73 +379,4 @@ void vtkReliefMapper::ReleaseGraphicsResources(vtkWindow* window)
       block.second.Painter->ReleaseGraphicsResources(window);
     }
   }
-}
-
-//------------------------------------------------------------------------------
-
-vtkTypeInt64 vtkReliefMapper::GetGraphicsMemorySize()
-{
-  vtkTypeInt64 size = 0;
-  for (const auto& block : this->Internals->Blocks)
-  {
-    size += block.second.Painter ? block.second.Painter->GetMemorySize() : 0;
-  }
-  return size;
-}
-
-int vtkReliefMapper::GetMethodInUse()
-{
-  return this->Internals->MethodInUse;
-}
-
-vtkIdType vtkReliefMapper::GetNumberOfWarps()
-{
-  vtkIdType number = this->Internals->NumberOfWarps;
-  for (const auto& block : this->Internals->Blocks)
-  {
-    number += block.second.Painter ? block.second.Painter->GetNumberOfWarps() : 0;
-  }
-  return number;
-}
-
-vtkIdType vtkReliefMapper::GetNumberOfBufferBuilds()
-{
-  vtkIdType number = this->Internals->NumberOfBufferBuilds;
-  for (const auto& block : this->Internals->Blocks)
-  {
-    number += block.second.Painter ? block.second.Painter->GetNumberOfBufferBuilds() : 0;
-  }
-  return number;
-}
-
-vtkIdType vtkReliefMapper::GetNumberOfShaderBuilds()
-{
-  vtkIdType number = this->Internals->NumberOfShaderBuilds;
-  for (const auto& block : this->Internals->Blocks)
-  {
-    number += block.second.Painter ? block.second.Painter->GetNumberOfShaderBuilds() : 0;
-  }
-  return number;
-}
-
-void vtkReliefMapper::ShallowCopy(vtkAbstractMapper* mapper)
-{
-  if (vtkReliefMapper* other = vtkReliefMapper::SafeDownCast(mapper))
-  {
-    this->SetMethod(other->Method);
-    this->SetSearch(other->Search);
-    this->SetShading(other->Shading);
-    this->SetMaximumStretch(other->MaximumStretch);
-    this->SetInputConnection(other->GetInputConnection(0, 0));
-  }
-  this->Superclass::ShallowCopy(mapper);
-}
-
-void vtkReliefMapper::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Method: " << this->Method << "\n";
-  os << indent << "Search: " << this->Search << "\n";
-  os << indent << "Shading: " << this->Shading << "\n";
-  os << indent << "MaximumStretch: " << this->MaximumStretch << "\n";
 }

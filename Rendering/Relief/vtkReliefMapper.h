@@ -91,10 +91,9 @@ public:
    * bisection (F. Policarpo, M. Oliveira, J. Comba, 2005); LINEAR_SECANT (1): the secant in place
    * of bisection. Both miss what is thinner than a step. RELAXED_CONES (2): steps to the border of
    * cones that a ray meets the surface in at most once (F. Policarpo, M. Oliveira, 2007), then
-   * bisection; the cones are computed once, a second or two for a million texels, and rays from behind
-   * take even steps. MAXIMUM_MIPMAP (3, default): by least and
-   * largest heights (A. Tevs, I. Ihrke, H.-P. Seidel, 2008), then exactly in each quad; misses
-   * nothing.
+   * bisection; the cones are computed once, a second or two for a million texels, and rays from
+   * behind take even steps. MAXIMUM_MIPMAP (3, default): by least and largest heights (A. Tevs, I.
+   * Ihrke, H.-P. Seidel, 2008), then exactly in each quad; misses nothing.
    */
   void SetSearch(int search);
   vtkGetMacro(Search, int);
@@ -121,6 +120,16 @@ public:
   vtkGetMacro(Shading, int);
   void SetShadingToCaptured() { this->SetShading(CAPTURED); }
   void SetShadingToLit() { this->SetShading(LIT); }
+  //@}
+
+  //@{
+  /**
+   * Whether a relief's surface throws shadows on itself where it is LIT, from the first lamp of the
+   * renderer that is on; off by default. Other actors and other reliefs throw none on it.
+   */
+  void SetSelfShadow(bool on);
+  vtkGetMacro(SelfShadow, bool);
+  vtkBooleanMacro(SelfShadow, bool);
   //@}
 
   //@{
@@ -187,6 +196,7 @@ protected:
   int Method = METHOD_AUTOMATIC;
   int Search = SEARCH_MAXIMUM_MIPMAP;
   int Shading = CAPTURED;
+  bool SelfShadow = false;
   double MaximumStretch = 8.0;
 
 private:

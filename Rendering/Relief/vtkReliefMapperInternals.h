@@ -29,7 +29,8 @@ struct vtkReliefMapper::vtkInternals
     relevo::ReliefBlock Relief;
     vtkSmartPointer<relevo::ReliefPainter> Painter;
     relevo::Dependencies Source;
-    std::string Problem;                       // said last
+    std::string Problem; // said last, as the next
+    std::string ShaderProblem;
     vtkSmartPointer<vtkStructuredGrid> Picked; // of the surface, when a picker has asked
   };
   std::map<unsigned int, Block> Blocks; // by flat index

@@ -62,6 +62,11 @@ bool ReliefTextures::Upload(vtkOpenGLRenderWindow* window, const ReliefTiles& ti
   return true;
 }
 
+bool ReliefTextures::UploadGrid(vtkOpenGLRenderWindow* window, const ReliefTiles& tiles)
+{
+  return this->Grid.Upload(window, tiles.GetGrid(), 1);
+}
+
 bool ReliefTextures::UploadCones(vtkOpenGLRenderWindow* window, const ReliefTiles& tiles)
 {
   const std::vector<unsigned char> cones = MakeReliefCones(tiles);
@@ -74,7 +79,7 @@ bool ReliefTextures::UploadCones(vtkOpenGLRenderWindow* window, const ReliefTile
 vtkTypeInt64 ReliefTextures::GetMemorySize() const
 {
   return this->TextureMemory + this->Places.GetMemorySize() + this->Quads.GetMemorySize() +
-    this->Ranges.GetMemorySize();
+    this->Ranges.GetMemorySize() + this->Grid.GetMemorySize();
 }
 
 void ReliefTextures::Activate(vtkShaderProgram* program)
@@ -82,6 +87,7 @@ void ReliefTextures::Activate(vtkShaderProgram* program)
   this->Places.Activate(program, "reliefPlaces");
   this->Quads.Activate(program, "reliefQuads");
   this->Ranges.Activate(program, "reliefRanges");
+  this->Grid.Activate(program, "reliefTileGrid");
   ActivateReliefTexture(program, this->Heights, "reliefHeights");
   ActivateReliefTexture(program, this->Colors, "reliefColors");
   ActivateReliefTexture(program, this->Normals, "reliefNormals");
@@ -91,7 +97,7 @@ void ReliefTextures::Activate(vtkShaderProgram* program)
 
 void ReliefTextures::Deactivate()
 {
-  for (RefinementBuffer* buffer : { &this->Places, &this->Quads, &this->Ranges })
+  for (RefinementBuffer* buffer : { &this->Places, &this->Quads, &this->Ranges, &this->Grid })
   {
     buffer->Deactivate();
   }
@@ -107,7 +113,7 @@ void ReliefTextures::Deactivate()
 
 void ReliefTextures::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (RefinementBuffer* buffer : { &this->Places, &this->Quads, &this->Ranges })
+  for (RefinementBuffer* buffer : { &this->Places, &this->Quads, &this->Ranges, &this->Grid })
   {
     buffer->ReleaseGraphicsResources(window);
   }

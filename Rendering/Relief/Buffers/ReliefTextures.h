@@ -32,6 +32,9 @@ public:
 
   /// The cones of MakeReliefCones(), too.
   bool UploadCones(vtkOpenGLRenderWindow* window, const ReliefTiles& tiles);
+  /// And the grid of tiles, for shadows.
+  bool UploadGrid(vtkOpenGLRenderWindow* window, const ReliefTiles& tiles);
+  bool HasGrid() const { return !this->Grid.IsEmpty(); }
   bool HasCones() const { return this->Cones != nullptr; }
 
   void Activate(vtkShaderProgram* program);
@@ -47,6 +50,7 @@ private:
   RefinementBuffer Places;
   RefinementBuffer Quads;
   RefinementBuffer Ranges;
+  RefinementBuffer Grid;
   vtkSmartPointer<vtkTextureObject> Heights;
   vtkSmartPointer<vtkTextureObject> Colors;
   vtkSmartPointer<vtkTextureObject> Normals;

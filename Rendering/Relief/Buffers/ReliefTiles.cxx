@@ -226,10 +226,11 @@ void ReliefTiles::FillTile(const Relief& relief, const std::vector<unsigned char
 
 void ReliefTiles::FindNeighbors(const Relief& relief)
 {
-  const int columns = relief.GetWidth() / Size + 2;
-  std::vector<int> grid(static_cast<size_t>(columns) * (relief.GetHeight() / Size + 2), -1);
+  // One square more in each direction, which is empty.
+  this->GridSize = ivec2(relief.GetWidth(), relief.GetHeight()) / Size + 2;
+  this->Grid.assign(static_cast<size_t>(this->GridSize.x) * this->GridSize.y, -1);
   const auto at = [&](const ivec2& origin) -> int&
-  { return grid[static_cast<size_t>(origin.y / Size) * columns + origin.x / Size]; };
+  { return this->Grid[static_cast<size_t>(origin.y / Size) * this->GridSize.x + origin.x / Size]; };
   for (size_t tile = 0; tile < this->Origins.size(); ++tile)
   {
     at(this->Origins[tile]) = static_cast<int>(tile);

@@ -66,6 +66,10 @@ public:
   /// The tile beside another, to the right and above, or -1; for each tile.
   const std::vector<ivec2>& GetNeighbors() const { return this->Neighbors; }
 
+  /// Squares of Size x Size quads, row after row, and the numbers of tiles in them, or -1.
+  const ivec2& GetGridSize() const { return this->GridSize; }
+  const std::vector<int>& GetGrid() const { return this->Grid; }
+
   /// Textures that have a tile after the other, row after row.
   int GetTilesPerRow() const { return this->TilesPerRow; }
   ivec2 GetTextureSize() const;
@@ -96,6 +100,8 @@ private:
   std::vector<float> Ranges;
   std::vector<float> Deviations;
   std::vector<ivec2> Neighbors;
+  ivec2 GridSize = ivec2(0);
+  std::vector<int> Grid;
   std::vector<float> Heights;
   std::vector<unsigned char> Colors;
   std::vector<unsigned short> Normals;

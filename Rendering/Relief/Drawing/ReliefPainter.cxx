@@ -20,6 +20,7 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
 
 #include <algorithm>
 #include <type_traits>
@@ -97,6 +98,11 @@ std::string ReliefPainter::Prepare(vtkRenderer* renderer, vtkActor* actor, const
       return "There is no room for it on the graphics card.";
     }
   }
+  if (this->Looks.IsShadowed && !this->Textures.HasGrid() &&
+    !this->Textures.UploadGrid(window, this->Tiles))
+  {
+    return "There is no room for it on the graphics card.";
+  }
   if (this->Looks.Method == ReliefShaderOptions::WARP &&
     (this->Tiles.GetNumberOfTiles() == 0 ||
       !this->MakeView(renderer, actor).SeesFront(this->Plane) ||
@@ -146,9 +152,18 @@ void ReliefPainter::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   const bool isTranslucent = actor->IsRenderingTranslucentPolygonalGeometry() != 0;
   this->NumberOfLayers = this->IsMarching() && isTranslucent ? MostLayers : 1;
   vtkOpenGLHelper& helper = this->GetHelper();
+  const Dependencies sources = Dependencies::On(
+    this->GetOptions().GetKey(), actor->GetShaderProperty()->GetShaderMTime(), this->GetMTime());
+  if (!helper.Program && sources == this->FailedSources)
+  {
+    return; // said by now
+  }
   this->UpdateShaders(helper, renderer, actor);
   if (!helper.Program)
   {
+    this->FailedSources = sources;
+    this->ShaderProblem = "The shaders could not be built; OpenGL's own message says why. The "
+                          "actor's vtkShaderProperty is part of them.";
     return;
   }
   helper.VAO->Bind(); // VTK releases it when the program is another
@@ -214,9 +229,18 @@ void ReliefPainter::SetOwnUniforms(vtkRenderer* renderer, vtkActor* actor)
   {
     this->Warped.Activate(program, this->Tiles);
   }
-  else
+  if (this->Looks.Method != ReliefShaderOptions::WARP || this->Looks.IsShadowed)
   {
     this->Textures.Activate(program);
+  }
+  if (this->Looks.IsShadowed)
+  {
+    this->MakeView(renderer, actor).SetLamp(program, renderer);
+    const float grid[4] = { static_cast<float>(-this->Tiles.GetFirst().x),
+      static_cast<float>(-this->Tiles.GetFirst().y),
+      static_cast<float>(this->Tiles.GetGridSize().x),
+      static_cast<float>(this->Tiles.GetGridSize().y) };
+    program->SetUniform4f("reliefGrid", grid);
   }
   program->SetUniformi("reliefLayers", this->NumberOfLayers);
   vtkProperty* property = actor->GetProperty();
@@ -237,6 +261,7 @@ ReliefShaderOptions ReliefPainter::GetOptions()
   options.Method = this->Looks.Method;
   options.Search = this->Looks.Search;
   options.IsLit = this->Looks.IsLit;
+  options.IsShadowed = this->Looks.IsLit && this->Looks.IsShadowed;
   options.Yields = this->Looks.Yields;
   options.HasNormals = this->Textures.HasNormals(); // those of the warped are the same's
   options.NumberOfPlanes = 2 + this->GetNumberOfClippingPlanes();
@@ -278,16 +303,11 @@ void ReliefPainter::BuildShaders(
   this->Missing.clear();
   this->Superclass::BuildShaders(shaders, renderer, actor);
   ++this->NumberOfShaderBuilds;
-  const std::string problem = this->Missing.empty() ? "" : DescribeMissing(this->Missing);
-  if (!problem.empty())
+  this->ShaderProblem = this->Missing.empty() ? "" : DescribeMissing(this->Missing);
+  if (!this->Missing.empty())
   {
     DrawNothing(shaders);
-    if (problem != this->ShaderProblem)
-    {
-      vtkErrorMacro(<< problem);
-    }
   }
-  this->ShaderProblem = problem;
 }
 
 void ReliefPainter::ReplaceShaderValues(

@@ -14,6 +14,7 @@
 #include "Buffers/ReliefTextures.h"
 #include "Buffers/ReliefTiles.h"
 #include "Buffers/WarpedTextures.h"
+#include "Core/Dependencies.h"
 #include "Shaders/ReliefShader.h"
 #include "vtkNew.h"
 #include "vtkOpenGLHelper.h"
@@ -40,11 +41,15 @@ public:
     ReliefShaderOptions::Methods Method = ReliefShaderOptions::RAY_MARCH;
     int Search = ReliefShaderOptions::MAXIMUM_MIPMAP;
     bool IsLit = false;
+    bool IsShadowed = false;
     bool Yields = false;
   };
 
   /// Takes a relief. What can be told of it without OpenGL is there at once.
   void SetRelief(const Relief& relief, double maximumStretch);
+  /// What is wrong with the shaders that were built last, or "".
+  const std::string& GetShaderProblem() const { return this->ShaderProblem; }
+
   const double* GetSurfaceBounds() const { return this->SurfaceBounds; }
   bool IsTranslucent() const { return this->Tiles.IsTranslucent(); }
 
@@ -111,8 +116,9 @@ private:
   std::string ShaderKeys[ReliefShaderOptions::NUMBER_OF_METHODS];
   vtkNew<vtkShaderProgram> NoProgram;
   MissingAnchors Missing;
-  std::string ShaderProblem; // said last
-  int NumberOfLayers = 1;    // drawn at most of a tile
+  std::string ShaderProblem;
+  Dependencies FailedSources; // of shaders that could not be built
+  int NumberOfLayers = 1;     // drawn at most of a tile
   vtkIdType NumberOfBufferBuilds = 0;
   vtkIdType NumberOfShaderBuilds = 0;
 };

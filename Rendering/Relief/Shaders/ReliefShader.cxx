@@ -4,6 +4,7 @@
 
 #include "Buffers/ReliefCones.h"
 #include "Buffers/ReliefTiles.h"
+#include "relevoReliefBox.h"
 #include "relevoReliefCones.h"
 #include "relevoReliefFS.h"
 #include "relevoReliefHits.h"
@@ -15,6 +16,7 @@
 #include "relevoReliefPatternVS.h"
 #include "relevoReliefRay.h"
 #include "relevoReliefRefine.h"
+#include "relevoReliefShadow.h"
 #include "relevoReliefSteps.h"
 #include "relevoReliefSurface.h"
 #include "relevoReliefTrace.h"
@@ -68,30 +70,51 @@ std::string GetPlanes(const ReliefShaderOptions& options)
   return uniforms.str() + "void reliefCutPlanes()\n{\n" + cuts.str() + "}\n";
 }
 
-// A fragment's reliefFind().
-std::string GetSearch(const ReliefShaderOptions& options)
+// How a ray is followed through a tile.
+std::string GetWalk(const ReliefShaderOptions& options)
 {
-  if (options.Method == ReliefShaderOptions::WARP)
-  {
-    return std::string(relevoReliefWarpFS) + GetPlanes(options) + relevoReliefWarpTrace;
-  }
-  std::string text = std::string(relevoReliefSurface) + relevoReliefLook;
-  if (options.Method == ReliefShaderOptions::REFINEMENT)
-  {
-    return text + relevoReliefPatternFS + GetPlanes(options) + relevoReliefPatternTrace;
-  }
-  text += std::string(relevoReliefRay) + relevoReliefHits;
+  std::string text = std::string(relevoReliefBox) + relevoReliefHits;
   if (options.Search == ReliefShaderOptions::MAXIMUM_MIPMAP)
   {
-    text += relevoReliefMarch;
+    return text + relevoReliefMarch;
+  }
+  text += std::string(relevoReliefRefine) + relevoReliefLinear;
+  return text +
+    (options.Search == ReliefShaderOptions::RELAXED_CONES ? relevoReliefCones : relevoReliefSteps);
+}
+
+// A fragment's reliefFind(), and reliefLight() where it is shadowed.
+std::string GetSearch(const ReliefShaderOptions& options)
+{
+  const bool isMarching = options.Method == ReliefShaderOptions::RAY_MARCH;
+  std::string text;
+  if (options.Method != ReliefShaderOptions::WARP || options.IsShadowed)
+  {
+    text += relevoReliefSurface;
+  }
+  if (isMarching || options.IsShadowed)
+  {
+    text += GetWalk(options);
+  }
+  if (options.Method == ReliefShaderOptions::WARP)
+  {
+    text += relevoReliefWarpFS + GetPlanes(options) + relevoReliefWarpTrace;
+  }
+  else if (isMarching)
+  {
+    text += relevoReliefLook;
+    text += relevoReliefRay + GetPlanes(options) + relevoReliefTrace;
   }
   else
   {
-    text += std::string(relevoReliefRefine) + relevoReliefLinear;
-    text +=
-      options.Search == ReliefShaderOptions::RELAXED_CONES ? relevoReliefCones : relevoReliefSteps;
+    text += relevoReliefLook;
+    text += relevoReliefPatternFS + GetPlanes(options) + relevoReliefPatternTrace;
   }
-  return text + GetPlanes(options) + relevoReliefTrace;
+  if (options.IsShadowed)
+  {
+    text += relevoReliefShadow;
+  }
+  return text;
 }
 
 std::string GetIds(const ReliefShaderOptions& options)
@@ -103,8 +126,8 @@ std::string GetIds(const ReliefShaderOptions& options)
 std::string ReliefShaderOptions::GetKey() const
 {
   std::ostringstream key;
-  key << this->Method << this->Search << this->IsLit << this->Yields << this->HasNormals
-      << this->NumberOfPlanes << this->Selected;
+  key << this->Method << this->Search << this->IsLit << this->IsShadowed << this->Yields
+      << this->HasNormals << this->NumberOfPlanes << this->Selected;
   return key.str();
 }
 
@@ -149,6 +172,16 @@ void FinishReliefShaders(const ReliefShaderOptions& options,
   vertex.InsertAfterVersion(GetDefines(options));
   ShaderText fragment(shaders[vtkShader::Fragment], missing);
   fragment.IfReplace("gl_FrontFacing", "reliefIsFront");
+  std::string shadow;
+  if (options.IsShadowed && fragment.Has("lightColor0"))
+  {
+    // The first lamp shines as VTK has it, but for what is in its way.
+    fragment.Replace("lightColor0", "reliefLightColor");
+    fragment.Replace("uniform vec3 reliefLightColor;", "uniform vec3 lightColor0;");
+    fragment.Replace(
+      "vec4 vertexVC =", "reliefLightColor = lightColor0 * reliefLight();\n  vec4 vertexVC =");
+    shadow = "vec3 reliefLightColor;\n";
+  }
   if (options.Selected == ReliefShaderOptions::CELL_IDS)
   {
     fragment.Replace("gl_PrimitiveID + PrimitiveIDOffset", GetIds(options));
@@ -157,7 +190,7 @@ void FinishReliefShaders(const ReliefShaderOptions& options,
   {
     fragment.Replace("= vertexIDVSOutput", "= " + GetIds(options));
   }
-  fragment.InsertBeforeMain(relevoReliefFS + GetSearch(options));
+  fragment.InsertBeforeMain(relevoReliefFS + GetSearch(options) + shadow);
   fragment.InsertAfterVersion(GetDefines(options));
 }
 }

@@ -38,7 +38,8 @@ struct ReliefShaderOptions
   };
   int Search = MAXIMUM_MIPMAP;
   bool IsLit = false;
-  bool Yields = false; // to other reliefs of the same surface
+  bool IsShadowed = false; // by itself, from the first lamp
+  bool Yields = false;     // to other reliefs of the same surface
   bool HasNormals = false;
   int NumberOfPlanes = 0; // that cut rays off
   /// What ids are drawn for a selection.

@@ -5,6 +5,8 @@
 #include "OpenGL/RelevoOpenGL.h"
 
 #include "vtkActor.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLCamera.h"
@@ -102,6 +104,31 @@ void ReliefView::SetUniforms(vtkShaderProgram* program) const
     const std::string name = "reliefPlane" + std::to_string(i);
     SetVector(program, name.c_str(), this->Planes[i] / GetLargest(this->Planes[i]));
   }
+}
+
+bool ReliefView::SetLamp(vtkShaderProgram* program, vtkRenderer* renderer) const
+{
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator cookie;
+  lights->InitTraversal(cookie);
+  while (vtkLight* light = lights->GetNextLight(cookie))
+  {
+    if (light->GetSwitch())
+    {
+      double position[3];
+      double focus[3];
+      light->GetTransformedPosition(position);
+      light->GetTransformedFocalPoint(focus);
+      const dvec3 place(position[0], position[1], position[2]);
+      const dvec4 lamp = light->GetPositional()
+        ? dvec4(place, 1.0)
+        : dvec4(place - dvec3(focus[0], focus[1], focus[2]), 0.0);
+      const dvec4 seen = inverse(this->ToWorld) * lamp;
+      SetVector(program, "reliefLamp", seen / GetLargest(seen));
+      return true;
+    }
+  }
+  return false;
 }
 
 bool ReliefView::SeesFront(double height) const

@@ -33,6 +33,9 @@ public:
 
   void SetUniforms(vtkShaderProgram* program) const;
 
+  /// Of relevoReliefShadow.glsl: the first lamp that is on. false for none.
+  bool SetLamp(vtkShaderProgram* program, vtkRenderer* renderer) const;
+
   /// Whether planes of this height are seen as the relief's own viewer sees them.
   bool SeesFront(double height) const;
 

@@ -2,6 +2,7 @@
 uniform vec4 reliefEye; // or the direction of view
 uniform mat4 reliefToClip;
 uniform mat4 reliefToView;
+uniform bvec2 reliefSides; // whether the front and the back of the surface are seen
 uniform vec4 reliefFirstAndSize; // column and row of the coordinates' origin; the image's size
 
 vec3 reliefPoint; // of the surface, in the tiles' coordinates

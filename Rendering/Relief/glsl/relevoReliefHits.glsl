@@ -1,5 +1,6 @@
 // Which points where a ray meets the surface are seen.
 bool reliefHit = false;
+bvec2 reliefSeen = bvec2(true); // whether hits of the front and of the back count
 int reliefToPass; // hits
 float reliefPassed = -1e30; // the last one, which two quads may have on their border
 
@@ -11,7 +12,7 @@ bool reliefTake(float distance, float slope, float start, float end)
 {
   if (!(distance >= -reliefTolerance && start + distance <= end + reliefTolerance &&
       start + distance >= reliefRange.x && start + distance <= reliefRange.y) ||
-    !(slope > 0.0 ? reliefSides.x : reliefSides.y) ||
+    !(slope > 0.0 ? reliefSeen.x : reliefSeen.y) ||
     start + distance <= reliefPassed + 2.0 * reliefTolerance)
   {
     return false;

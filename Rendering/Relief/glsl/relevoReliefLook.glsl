@@ -49,3 +49,10 @@ vec3 reliefNormal()
   return reliefIsFront ? -normal : normal;
 #endif
 }
+
+float reliefSquareness()
+{
+  ivec2 quad = clamp(ivec2(floor(reliefPlace)), 0, RELIEF_SIZE - 1);
+  vec2 slopes = reliefSlopes(reliefCorners(quad), reliefPlace - vec2(quad));
+  return inversesqrt(1.0 + dot(slopes, slopes));
+}

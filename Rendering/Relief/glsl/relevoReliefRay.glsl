@@ -7,10 +7,6 @@ uniform vec4 reliefViewport; // x, y, width, height in pixels
 flat in vec4 reliefPlaceVSOutput;
 flat in ivec4 reliefTileVSOutput;
 
-vec3 reliefOrigin;
-vec3 reliefDirection; // of length 1, away from the eye
-vec2 reliefRange;     // along the ray: what is in the tile's box and not cut off
-
 // A line through two points by its direction and moment: neither may be too far away for it.
 void reliefFindRay()
 {
@@ -34,20 +30,4 @@ void reliefCut(vec4 plane)
   {
     reliefRange = vec2(1.0, -1.0);
   }
-}
-
-vec3 reliefInverse()
-{
-  return 1.0 / mix(reliefDirection, vec3(1e-20), equal(reliefDirection, vec3(0.0)));
-}
-
-// Where the ray is in a tile's box.
-void reliefCutBox(vec3 low, vec3 high)
-{
-  vec3 reciprocal = reliefInverse();
-  vec3 first = (low - reliefOrigin) * reciprocal;
-  vec3 second = (high - reliefOrigin) * reciprocal;
-  vec3 least = min(first, second);
-  vec3 most = max(first, second);
-  reliefRange = vec2(max(max(least.x, least.y), least.z), min(min(most.x, most.y), most.z));
 }

@@ -1,7 +1,6 @@
 // The heights of a tile and where it has quads; what all ways to draw share.
 uniform usamplerBuffer reliefQuads;
 uniform sampler2D reliefHeights;
-uniform bvec2 reliefSides; // whether the front and the back of the surface are seen
 
 vec4 reliefBox;   // of the tile that is drawn: first column and row, least and largest height
 ivec4 reliefTile; // its number, its texels in the textures, how many hits to pass
@@ -32,11 +31,4 @@ bool reliefIsQuad(ivec2 quad)
 vec2 reliefSlopes(vec4 h, vec2 place)
 {
   return vec2(mix(h.y - h.x, h.w - h.z, place.y), mix(h.z - h.x, h.w - h.y, place.x));
-}
-
-float reliefSquareness()
-{
-  ivec2 quad = clamp(ivec2(floor(reliefPlace)), 0, RELIEF_SIZE - 1);
-  vec2 slopes = reliefSlopes(reliefCorners(quad), reliefPlace - vec2(quad));
-  return inversesqrt(1.0 + dot(slopes, slopes));
 }

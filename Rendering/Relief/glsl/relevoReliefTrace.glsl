@@ -8,6 +8,8 @@ bool reliefFind()
     vec3(reliefBox.xy + float(RELIEF_SIZE), reliefBox.w) + reliefTolerance);
   reliefCutPlanes();
   reliefToPass = reliefTile.w;
+  reliefSeen = reliefSides;
   reliefHit = reliefRange.x <= reliefRange.y && reliefMeetTile();
+  reliefSeen = bvec2(true);
   return reliefHit;
 }

@@ -3,7 +3,6 @@ uniform sampler2D warpedHeights; // 1e30 for none
 uniform sampler2D warpedColors;
 uniform sampler2D warpedNormals;
 uniform vec4 warpCoefficients; // k1, k2, k3 for heights of the tiles' coordinates, and the plane's
-uniform bvec2 reliefSides;
 in vec2 warpedPlaceVSOutput;
 
 bool reliefIsInside = true;

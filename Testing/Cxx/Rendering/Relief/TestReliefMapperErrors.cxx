@@ -9,9 +9,11 @@
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
+#include "vtkShaderProperty.h"
 
 #include <algorithm>
 #include <limits>
+#include <string>
 
 namespace
 {
@@ -105,12 +107,31 @@ void TestSettings(RelevoCheck& check)
   mapper->SetMethodToWarp();
   mapper->SetSearchToLinearSecant();
   mapper->SetShadingToLit();
+  mapper->SelfShadowOn();
   mapper->SetMaximumStretch(3.0);
   vtkNew<vtkReliefMapper> copy;
   copy->ShallowCopy(mapper);
   CHECK(copy->GetMethod() == vtkReliefMapper::METHOD_WARP);
   CHECK(copy->GetSearch() == vtkReliefMapper::SEARCH_LINEAR_SECANT);
   CHECK(copy->GetShading() == vtkReliefMapper::LIT && copy->GetMaximumStretch() == 3.0);
+  CHECK(copy->GetSelfShadow());
+  CHECK(errors.None());
+}
+
+// Said once, not in every frame.
+void TestShaders(RelevoCheck& check)
+{
+  RelevoReliefScene scene(MakeFlat(20, 20), 60, 40);
+  scene.Mapper->SetMethodToRayMarch();
+  RelevoErrors errors(scene.Mapper);
+  const std::string mark = "//VTK::Depth::Impl";
+  scene.Actor->GetShaderProperty()->AddFragmentShaderReplacement(mark, true, "", true);
+  CHECK(CountDrawn(scene) == 0);
+  CHECK(errors.Said("fragment shader: \"" + mark + "\""));
+  scene.Window->Render();
+  CHECK(errors.None());
+  scene.Actor->GetShaderProperty()->ClearAllFragmentShaderReplacements();
+  CHECK(CountDrawn(scene) > 100);
   CHECK(errors.None());
 }
 }
@@ -122,5 +143,6 @@ int TestReliefMapperErrors(int, char*[])
   TestNothing(check);
   TestTooLarge(check);
   TestSettings(check);
+  TestShaders(check);
   return check.GetResult();
 }

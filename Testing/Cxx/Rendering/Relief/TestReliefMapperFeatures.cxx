@@ -252,6 +252,50 @@ void TestSelection(RelevoCheck& check, Methods method, bool points)
   CHECK(ids->GetNumberOfValues() == 1 && ids->GetValue(0) == row * (points ? 48 : 47) + column);
 }
 
+// Dark where the surface itself is between a point and the lamp, as rays have it.
+void TestSelfShadow(RelevoCheck& check, Methods method, bool isPositional)
+{
+  const auto relief = RelevoMakeRelief(60, 50, ReliefProjection::Parallel, RelevoSmallTexels(),
+    [](int column, int row)
+    {
+      const double ball = 100.0 - std::pow(column - 25.0, 2.0) - std::pow(row - 25.0, 2.0);
+      return 20.0 - (ball > 0.0 ? std::sqrt(ball) : 0.0);
+    });
+  RelevoReliefScene scene(relief, Width, Height);
+  scene.Mapper->SetMethod(method);
+  scene.Mapper->SetShadingToLit();
+  scene.Renderer->AutomaticLightCreationOff();
+  vtkNew<vtkLight> light;
+  const RelevoVectors::Vector lamp = { { -6.0, 3.5, -3.0 } };
+  const RelevoVectors::Vector focus = { { 2.5, 2.5, 2.0 } };
+  light->SetPosition(lamp.data());
+  light->SetFocalPoint(focus.data());
+  light->SetPositional(isPositional);
+  light->SetConeAngle(180.0);
+  scene.Renderer->AddLight(light);
+  const std::vector<Color> unshadowed = DrawColors(scene);
+  scene.Mapper->SelfShadowOn();
+  const std::vector<Color> colors = DrawColors(scene);
+  const RelevoReliefRays rays(relief);
+  const std::vector<RelevoReliefHit> hits = scene.Cast(relief);
+  int dark = 0;
+  int wrong = 0;
+  using namespace RelevoVectors;
+  for (size_t i = 0; i < hits.size(); ++i)
+  {
+    if (hits[i].IsHit && unshadowed[i][2] > 20)
+    {
+      const Vector along = normalize(isPositional ? lamp - hits[i].Point : lamp - focus);
+      const bool isDark = rays.Cast(hits[i].Point, along, 0.025, 20.0).IsHit;
+      dark += isDark ? 1 : 0;
+      wrong += isDark != (colors[i][2] == 0) ? 1 : 0;
+    }
+  }
+  std::cout << "shadow by method " << method << ": " << dark << " dark, " << wrong << " wrong\n";
+  CHECK(dark > 100);
+  CHECK(wrong <= dark / 20);
+}
+
 // VTK's own pickers find the same.
 void TestPickers(RelevoCheck& check, bool isComposite)
 {
@@ -357,6 +401,7 @@ int TestReliefMapperFeatures(int, char*[])
     TestSelection(check, method, false);
     TestSelection(check, method, true);
     TestTogether(check, method);
+    TestSelfShadow(check, method, method == vtkReliefMapper::METHOD_RAY_MARCH);
   }
   TestLit(check, vtkReliefMapper::METHOD_WARP);
   TestPickers(check, false);
