@@ -175,6 +175,12 @@ void ReliefPainter::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   {
     state->vtkglDepthMask(GL_TRUE); // which VTK switches off for points on a surface drawn before
   }
+  vtkOpenGLState::ScopedglEnableDisable multisample(state, GL_MULTISAMPLE);
+  if (this->IsMarching())
+  {
+    // A pixel on the border of two tiles has one ray, and samples in both.
+    state->vtkglDisable(GL_MULTISAMPLE);
+  }
   this->DrawMethod(renderer, actor);
   helper.VAO->Release();
   this->Textures.Deactivate();

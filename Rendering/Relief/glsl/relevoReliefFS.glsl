@@ -16,8 +16,9 @@ float reliefDepth()
   vec3 point = reliefPoint;
 #ifdef RELIEF_YIELDS
   // Of several reliefs of one surface the one is seen that saw it best, not now one, now another;
-  // by less than half a texel.
-  point += 0.45 * (1.0 - reliefSquareness()) * normalize(reliefEye.xyz - point * reliefEye.w);
+  // by less than half a texel. The back, which none of them saw, is behind all fronts.
+  float yielding = reliefIsFront ? 0.5 - 0.5 * reliefSquareness() : 1.0;
+  point += 0.45 * yielding * normalize(reliefEye.xyz - point * reliefEye.w);
 #endif
   vec4 position = reliefToClip * vec4(point, 1.0);
   return clamp(0.5 * position.z / position.w + 0.5, 0.0, 1.0);
