@@ -8,6 +8,7 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCullerCollection.h"
+#include "vtkFloatArray.h"
 #include "vtkMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -84,6 +85,14 @@ std::vector<unsigned char> BenchmarkView::GetPicture()
   this->Window->GetPixelData(0, 0, this->Width - 1, this->Height - 1, 0, pixels);
   return std::vector<unsigned char>(
     pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues());
+}
+
+std::vector<float> BenchmarkView::GetDepths()
+{
+  vtkNew<vtkFloatArray> depths;
+  this->Window->GetZbufferData(0, 0, this->Width - 1, this->Height - 1, depths);
+  return std::vector<float>(
+    depths->GetPointer(0), depths->GetPointer(0) + depths->GetNumberOfValues());
 }
 
 std::string BenchmarkView::GetOpenGLRenderer()

@@ -44,6 +44,8 @@ public:
 
   /// The picture of the last frame: RGB, bytes.
   std::vector<unsigned char> GetPicture();
+  /// Its depths, 1 where nothing is.
+  std::vector<float> GetDepths();
 
   /// Its name, OpenGL's version, and whether it is hardware or software.
   std::string GetOpenGLRenderer();

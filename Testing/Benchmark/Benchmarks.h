@@ -54,7 +54,7 @@ void RunTerrain(const BenchmarkOptions& options, const AddTable& addTable);
 void RunLIC(const BenchmarkOptions& options, const AddTable& addTable);
 /// Volumes of cells against VTK's mappers and sort, and pictures against a reference.
 void RunVolumes(const BenchmarkOptions& options, const AddTable& addTable);
-/// Reliefs: warps a second.
+/// Reliefs against the meshes that they show and meshes of their pixels, and warps a second.
 void RunReliefs(const BenchmarkOptions& options, const AddTable& addTable);
 
 /**
@@ -65,5 +65,6 @@ std::vector<double> RunInOwnProcess(const std::vector<std::string>& arguments);
 std::vector<double> MeasureMemory(const std::vector<std::string>& arguments);
 std::vector<double> MeasureTerrain(const std::vector<std::string>& arguments);
 std::vector<double> MeasureVolumes(const std::vector<std::string>& arguments);
+std::vector<double> MeasureReliefs(const std::vector<std::string>& arguments);
 
 #endif

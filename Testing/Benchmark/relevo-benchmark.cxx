@@ -46,7 +46,7 @@ const std::vector<Benchmark> Benchmarks = {
   { "volumes", RunVolumes },
 #endif
 #ifdef BENCHMARK_HAS_RELIEFS
-  { "relief", RunReliefs, false },
+  { "relief", RunReliefs },
 #endif
 #ifdef BENCHMARK_HAS_GOOGLE_BENCHMARK
   { "processor", RunProcessor, false },
@@ -63,6 +63,9 @@ const std::vector<Measurement> Measurements = {
   { "dem", MeasureTerrain },
 #ifdef BENCHMARK_HAS_VOLUMES
   { "volumes", MeasureVolumes },
+#endif
+#ifdef BENCHMARK_HAS_RELIEFS
+  { "relief", MeasureReliefs },
 #endif
 };
 

@@ -1,10 +1,21 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Reliefs: how fast they are warped.
+// Reliefs against the meshes that they show, and how fast they are warped.
+#include "BenchmarkReliefFrames.h"
+#include "BenchmarkReliefPictures.h"
 #include "BenchmarkWarps.h"
+#include "Benchmarks.h"
 
 void RunReliefs(const BenchmarkOptions& options, const AddTable& addTable)
 {
+  AddReliefFrames(options, addTable);
+  AddReliefMemory(options, addTable);
+  AddReliefPictures(options, addTable);
   AddWarps(options, addTable);
+}
+
+std::vector<double> MeasureReliefs(const std::vector<std::string>& arguments)
+{
+  return MeasureReliefMemory({ arguments.begin() + 1, arguments.end() });
 }

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   ways to draw reliefs: vtkReliefMapper's methods and searches
+ */
+#ifndef BenchmarkReliefWay_h
+#define BenchmarkReliefWay_h
+
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+class vtkActor;
+class vtkDataObject;
+
+enum class ReliefWay
+{
+  Automatic,
+  MaximumMipmap,
+  LinearBinary,
+  LinearSecant,
+  Refinement,
+  Warp
+};
+
+const std::vector<ReliefWay>& GetReliefWays();
+
+const char* GetName(ReliefWay way);
+
+vtkSmartPointer<vtkActor> MakeReliefActor(ReliefWay way, vtkDataObject* reliefs);
+
+#endif
