@@ -7,6 +7,7 @@
 #include "Files/ViewerPicture.h"
 #include "Options/ViewerOptions.h"
 #include "Scene/OffscreenWindow.h"
+#include "Scene/ReliefView.h"
 #include "Scene/ViewerScene.h"
 #include "Text/ViewerMessages.h"
 #include "Window/ViewerWindow.h"
@@ -35,6 +36,7 @@ void Draw(ViewerScene& scene, const ViewerOptions& options, ViewerMessages& mess
   window->SetMultiSamples(4);
   window->AddRenderer(scene.GetRenderer());
   scene.Draw(window);
+  ShowReliefs(scene.GetRenderer(), window, options, messages);
   if (!options.Output.empty())
   {
     WritePicture(window, options.Output, messages);
@@ -43,7 +45,8 @@ void Draw(ViewerScene& scene, const ViewerOptions& options, ViewerMessages& mess
 
 void Run(const ViewerOptions& options)
 {
-  const bool isInteractive = options.Output.empty() && options.Export.empty();
+  const bool isInteractive =
+    options.Output.empty() && options.Export.empty() && options.Capture.empty();
   if (isInteractive && !HasDisplay())
   {
     throw ViewerError("there is no display; --output FILE.png draws a picture without one");
@@ -65,7 +68,7 @@ void Run(const ViewerOptions& options)
   {
     ShowWindow(*scene, options, messages);
   }
-  else if (!options.Output.empty() || options.Statistics)
+  else if (!options.Output.empty() || !options.Capture.empty() || options.Statistics)
   {
     Draw(*scene, options, messages);
   }

@@ -4,17 +4,20 @@
 
 #include "Files/MeshReader.h"
 #include "Files/ViewerExport.h"
+#include "Options/OptionChecks.h"
 #include "Options/ViewerArguments.h"
 
 #include "vtkAdaptiveRefinementMapper.h"
 #include "vtkGPUUnstructuredGridVolumeMapper.h"
 #include "vtkLICSettings.h"
+#include "vtkReliefMapper.h"
 #include "vtkVolumeMapper.h"
+
+#include <vtksys/SystemTools.hxx>
 
 #include <functional>
 #include <limits>
 #include <map>
-#include <set>
 
 namespace
 {
@@ -38,6 +41,7 @@ public:
     this->AddMesh();
     this->AddFlow();
     this->AddVolume();
+    this->AddRelief();
     this->AddLevels();
     this->AddPicture();
     for (int i = 1; i < argc; ++i)
@@ -52,8 +56,9 @@ public:
     {
       throw UsageError("no height map or mesh is given");
     }
+    this->Options.IsDatabase = vtksys::SystemTools::FileIsDirectory(this->Options.Input);
     this->Options.IsMesh = IsMeshFile(this->Options.Input);
-    this->Check();
+    CheckOptions(this->Options, this->GivenOptions);
     return this->Options;
   }
 
@@ -238,6 +243,45 @@ private:
     });
   }
 
+  void AddRelief()
+  {
+    ViewerOptions& options = this->Options;
+    using Mapper = vtkReliefMapper;
+    this->AllSettings.insert({
+      { "--capture",
+        [&](const auto& option, const auto& value)
+        {
+          if (value.empty())
+          {
+            throw UsageError(option + " needs the name of a folder");
+          }
+          options.Capture = value;
+        } },
+      { "--relief",
+        [&](const auto& option, const auto& value)
+        {
+          using Type = ViewerOptions::ReliefType;
+          options.Relief = ToChoice<Type>(option, value,
+            { { "box", Type::Box }, { "sphere", Type::Sphere }, { "view", Type::View } });
+        } },
+      { "--relief-method",
+        [&](const auto& option, const auto& value)
+        {
+          options.ReliefMethod = ToChoice<int>(option, value,
+            { { "automatic", Mapper::METHOD_AUTOMATIC }, { "march", Mapper::METHOD_RAY_MARCH },
+              { "refinement", Mapper::METHOD_REFINEMENT }, { "warp", Mapper::METHOD_WARP } });
+        } },
+      { "--relief-search",
+        [&](const auto& option, const auto& value)
+        {
+          options.ReliefSearch = ToChoice<int>(option, value,
+            { { "mipmap", Mapper::SEARCH_MAXIMUM_MIPMAP },
+              { "linear-binary", Mapper::SEARCH_LINEAR_BINARY },
+              { "linear-secant", Mapper::SEARCH_LINEAR_SECANT } });
+        } },
+    });
+  }
+
   void AddLevels()
   {
     ViewerOptions& options = this->Options;
@@ -277,7 +321,7 @@ private:
       { "--reach",
         [&](const auto& option, const auto& value)
         { options.Reach = ToPositiveNumber(option, value); } },
-      { "--region", [&](const auto&, const auto& value) { this->Region = value; } },
+      { "--region", [](const auto&, const auto&) {} },
       { "--segments",
         [&](const auto& option, const auto& value)
         {
@@ -291,7 +335,7 @@ private:
   {
     ViewerOptions& options = this->Options;
     this->AllSettings.insert({
-      { "--center", [&](const auto&, const auto& value) { this->Center = value; } },
+      { "--center", [](const auto&, const auto&) {} },
       { "--color-by",
         [&](const auto& option, const auto& value)
         {
@@ -325,7 +369,7 @@ private:
     const auto flag = this->AllFlags.find(argument);
     if (flag != this->AllFlags.end())
     {
-      this->GivenOptions.insert(argument);
+      this->GivenOptions[argument];
       flag->second();
       return argument == "--volume" ? this->ReadVolumeArray(next) : 0;
     }
@@ -344,7 +388,7 @@ private:
     const std::string option = argument.substr(0, equals);
     if (option == "--volume")
     {
-      this->GivenOptions.insert(option);
+      this->GivenOptions[option];
       this->Options.IsVolume = true;
       this->Options.VolumeArray = argument.substr(equals + 1);
       return 0;
@@ -358,8 +402,9 @@ private:
     {
       throw UsageError(option + " needs a value");
     }
-    this->GivenOptions.insert(option);
-    setting->second(option, equals == std::string::npos ? next : argument.substr(equals + 1));
+    const std::string value = equals == std::string::npos ? next : argument.substr(equals + 1);
+    this->GivenOptions[option] = value;
+    setting->second(option, value);
     return equals == std::string::npos ? 1 : 0;
   }
 
@@ -374,115 +419,10 @@ private:
     return 1;
   }
 
-  void RequirePartner(
-    const std::vector<std::string>& names, bool isUseful, const std::string& partner)
-  {
-    for (const std::string& option : names)
-    {
-      if (this->GivenOptions.count(option) && !isUseful)
-      {
-        throw UsageError(option + " goes with " + partner);
-      }
-    }
-  }
-
-  // A volume has no surface to refine.
-  void CheckVolume()
-  {
-    const ViewerOptions& options = this->Options;
-    this->RequirePartner({ "--volume" }, options.IsMesh, "meshes");
-    const std::set<std::string> ofVolumes = { "--blend", "--clip", "--integration", "--isosurfaces",
-      "--transfer", "--unit-distance", "--volume", "--volume-method" };
-    const std::set<std::string> ofAll = { "--center", "--light", "--no-legend", "--output",
-      "--size", "--stats", "--up", "--view", "--zoom" };
-    for (const std::string& option : this->GivenOptions)
-    {
-      if (options.IsVolume && !ofVolumes.count(option) && !ofAll.count(option))
-      {
-        throw UsageError(option + " does not go with --volume");
-      }
-      if (!options.IsVolume && ofVolumes.count(option))
-      {
-        throw UsageError(option + " goes with --volume");
-      }
-    }
-    const int blend = options.BlendMode;
-    this->RequirePartner({ "--isosurfaces" },
-      blend == vtkVolumeMapper::COMPOSITE_BLEND || blend == vtkVolumeMapper::ISOSURFACE_BLEND,
-      "--blend composite or isosurface");
-    this->RequirePartner({ "--unit-distance" },
-      blend == vtkVolumeMapper::COMPOSITE_BLEND || blend == vtkVolumeMapper::ADDITIVE_BLEND,
-      "--blend composite or additive");
-    if (this->GivenOptions.count("--transfer") && options.Transfer.empty())
-    {
-      throw UsageError("--transfer needs the name of a file");
-    }
-  }
-
-  void Check()
-  {
-    ViewerOptions& options = this->Options;
-    this->CheckVolume();
-    using Metric = ViewerOptions::MetricType;
-    using Surface = ViewerOptions::SurfaceType;
-    this->RequirePartner({ "--exaggeration", "--imagery-bands", "--resolution", "--stretch" },
-      !options.IsMesh, "height maps");
-    this->RequirePartner(
-      { "--array", "--feature-angle", "--height", "--mapping", "--up" }, options.IsMesh, "meshes");
-    const bool hasHeights = !options.IsMesh || !options.Heights.empty();
-    this->RequirePartner({ "--scale", "--offset" }, options.IsMesh && hasHeights, "--height");
-    this->RequirePartner({ "--no-data", "--no-data-value" }, hasHeights, "--height");
-    this->RequirePartner(
-      { "--mapping" }, hasHeights || !options.Imagery.empty(), "--height or --image");
-    this->RequirePartner({ "--alpha" }, options.GetSurface() == Surface::Phong, "--surface phong");
-    this->RequirePartner({ "--amplitude", "--frequency" },
-      options.GetSurface() == Surface::Procedural, "--surface procedural");
-    const bool hasFlow = !options.Vectors.empty();
-    this->RequirePartner({ "--lic" }, options.IsMesh, "meshes");
-    this->RequirePartner({ "--lic-contrast", "--lic-intensity", "--lic-mode", "--lic-phase",
-                           "--lic-step-size", "--lic-steps" },
-      hasFlow, "--lic");
-    this->RequirePartner({ "--lic-intensity" },
-      options.LICMode.value_or(vtkLICSettings::COLOR_MODE_BLEND) ==
-        vtkLICSettings::COLOR_MODE_BLEND,
-      "--lic-mode blend");
-    for (const char* option : { "--metric", "--max-level", "--per-edge" })
-    {
-      if (options.UniformLevel && this->GivenOptions.count(option))
-      {
-        throw UsageError(std::string(option) + " cannot be combined with --level");
-      }
-    }
-    this->RequirePartner({ "--pixels" },
-      options.GetMetric() == Metric::ScreenEdge && !options.UniformLevel, "--metric screen-edge");
-    this->RequirePartner({ "--reach" },
-      options.GetMetric() == Metric::Distance && !options.UniformLevel, "--metric distance");
-    this->RequirePartner({ "--region" }, options.GetMetric() == Metric::Region, "--metric region");
-    if (this->GivenOptions.count("--region"))
-    {
-      options.Region =
-        ToNumbers("--region", this->Region, options.IsMesh ? "X,Y,Z,RADIUS" : "X,Y,RADIUS");
-      if (options.Region->back() <= 0.0)
-      {
-        throw UsageError("--region needs a radius above 0, not '" + this->Region + "'");
-      }
-    }
-    if (this->GivenOptions.count("--center"))
-    {
-      options.Center = ToPlace("--center", this->Center, options.IsMesh);
-    }
-    if (options.Budget > 0 && !options.Export.empty())
-    {
-      throw UsageError("--budget does not go with --export: it limits what is drawn");
-    }
-  }
-
   ViewerOptions Options;
   Flags AllFlags;
   Settings AllSettings;
-  std::set<std::string> GivenOptions;
-  std::string Center;
-  std::string Region;
+  std::map<std::string, std::string> GivenOptions; // with their values
 };
 }
 

@@ -47,10 +47,17 @@ struct ViewerOptions
     Sphere,
     Plane
   };
+  enum class ReliefType
+  {
+    Box,
+    Sphere,
+    View
+  };
   static constexpr double DefaultPixels = 4.0;
 
-  std::string Input; // height map or mesh
+  std::string Input; // height map, mesh or folder of reliefs
   bool IsMesh = false;
+  bool IsDatabase = false;
 
   // What the surface is.
   std::optional<SurfaceType> Surface;
@@ -95,6 +102,12 @@ struct ViewerOptions
   int VolumeMethod = 0;                    // of vtkGPUUnstructuredGridVolumeMapper
   int Integration = 0;                     // of vtkGPUUnstructuredGridVolumeMapper
   int BlendMode = 0;                       // of vtkGPUUnstructuredGridVolumeMapper
+
+  // Reliefs: how the surface is captured, and how the captures are drawn.
+  std::optional<ReliefType> Relief;
+  std::string Capture;             // a folder to write captures to
+  std::optional<int> ReliefMethod; // of vtkReliefMapper
+  std::optional<int> ReliefSearch; // of vtkReliefMapper
 
   // The level of detail.
   std::optional<int> MaximumLevel;

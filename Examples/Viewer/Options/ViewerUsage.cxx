@@ -8,7 +8,7 @@ const char* const Options = R"(relevo-view FILE [options]
 
 Draws a height map (GeoTIFF, SRTM .hgt, USGS DEM, PNG, OpenEXR ...) or a mesh (.vtp, .ply, .obj,
 .stl, .gltf, .glb, .off, .vtk, .vtu, .pvtu, .ex2), refined where it matters, or the inside of a mesh
-of 3D cells: a window when there is a display, a picture with --output.
+of 3D cells, or a folder of reliefs: a window when there is a display, a picture with --output.
 
 The surface:
   --surface NAME         linear (default for height maps), pn (default for meshes; curved PN
@@ -76,6 +76,16 @@ The inside of meshes (.vtk, .vtu, .pvtu, .ex2):
   --integration exact|pre|pre2d
                          the integral along rays: exact (default), or from tables that are made for
                          each transfer function, of 3 or 2 dimensions
+
+Reliefs, pictures with depth that are drawn in place of what they show, or FILE a folder of them:
+  --relief box|sphere|view
+                         capture the surface from six sides, from twelve around, or as it is seen,
+                         and draw the captures
+  --capture FOLDER       write the captures (default: of box) and exit
+  --relief-method NAME   automatic (default; the fastest), march (rays), refinement (triangle
+                         patterns moved by the depths), warp (each relief warped to the view)
+  --relief-search NAME   how march finds the surface: mipmap (default; misses nothing),
+                         linear-binary, linear-secant
 
 Level of detail:
   --level N              every edge at level N, 0 to 7: an edge has 2^N segments

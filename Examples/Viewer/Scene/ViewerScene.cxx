@@ -3,6 +3,7 @@
 #include "Scene/ViewerScene.h"
 
 #include "Scene/MeshScene.h"
+#include "Scene/ReliefScene.h"
 #include "Scene/TerrainScene.h"
 #include "Scene/ViewerLegend.h"
 #include "Scene/VolumeScene.h"
@@ -54,6 +55,25 @@ void ViewerScene::FitView(vtkPoints* points, const ViewerDirection& defaultDirec
 }
 
 //------------------------------------------------------------------------------
+void ViewerScene::SetView(const double bounds[6])
+{
+  vtkNew<vtkPoints> corners;
+  for (int i = 0; i < 8; ++i)
+  {
+    corners->InsertNextPoint(bounds[i & 1], bounds[2 + (i >> 1 & 1)], bounds[4 + (i >> 2)]);
+  }
+  const int up = this->Options.UpAxis;
+  this->SetLights({ { { 250.0, 45.0, up }, 0.95 }, { { 150.0, 15.0, up }, 0.45 } });
+  this->FitView(corners, { 205.0, 20.0, up });
+  if (this->Options.Center)
+  {
+    const std::vector<double>& place = *this->Options.Center;
+    MoveFocus(this->Renderer, { { place[0], place[1], place[2] } });
+  }
+  this->Zoom();
+}
+
+//------------------------------------------------------------------------------
 void ViewerScene::Zoom()
 {
   this->Renderer->GetActiveCamera()->Dolly(this->Options.Zoom);
@@ -81,6 +101,10 @@ void ViewerScene::SetLights(std::vector<ViewerLamp> lamps)
 //------------------------------------------------------------------------------
 std::unique_ptr<ViewerScene> MakeScene(const ViewerOptions& options, ViewerMessages& messages)
 {
+  if (options.IsDatabase)
+  {
+    return std::make_unique<ReliefScene>(options, messages);
+  }
   if (options.IsVolume)
   {
     return std::make_unique<VolumeScene>(options, messages);

@@ -52,6 +52,8 @@ protected:
   void AddLegend(vtkScalarsToColors* table, const std::string& title, int numberOfLabels);
   /// Shows all points, from the direction that the options give, else the default.
   void FitView(vtkPoints* points, const ViewerDirection& defaultDirection);
+  /// Lamps for what has no vertical of its own, and all of its bounds, or what the options ask for.
+  void SetView(const double bounds[6]);
   /// As near as the options ask for.
   void Zoom();
   /// Light from the direction that the options give, else the first of the lamps; the others keep

@@ -13,7 +13,6 @@
 #include "vtkGPUUnstructuredGridVolumeMapper.h"
 #include "vtkMath.h"
 #include "vtkPlane.h"
-#include "vtkPoints.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
@@ -70,7 +69,7 @@ VolumeScene::VolumeScene(const ViewerOptions& options, ViewerMessages& messages)
   this->Volume->SetProperty(this->Property);
   this->Renderer->AddVolume(this->Volume);
   this->AddLegend(this->Property->GetRGBTransferFunction(), this->Array.Name, 5);
-  this->SetView();
+  this->SetView(this->Bounds);
 }
 
 //------------------------------------------------------------------------------
@@ -127,26 +126,6 @@ void VolumeScene::SetFunctions()
   }
   this->Mapper->SetIsoSurfaces(!this->IsoSurfaces.empty());
   this->Property->SetShade(!this->IsoSurfaces.empty());
-}
-
-//------------------------------------------------------------------------------
-void VolumeScene::SetView()
-{
-  const double* b = this->Bounds;
-  vtkNew<vtkPoints> corners;
-  for (int i = 0; i < 8; ++i)
-  {
-    corners->InsertNextPoint(b[i & 1], b[2 + (i >> 1 & 1)], b[4 + (i >> 2)]);
-  }
-  const int up = this->Options.UpAxis;
-  this->SetLights({ { { 250.0, 45.0, up }, 0.95 }, { { 150.0, 15.0, up }, 0.45 } });
-  this->FitView(corners, { 205.0, 20.0, up });
-  if (this->Options.Center)
-  {
-    const std::vector<double>& place = *this->Options.Center;
-    MoveFocus(this->Renderer, { { place[0], place[1], place[2] } });
-  }
-  this->Zoom();
 }
 
 //------------------------------------------------------------------------------

@@ -36,7 +36,6 @@ private:
   void Measure(vtkDataObject* data);
   void ChooseFunctions(vtkDataObject* data);
   void SetFunctions();
-  void SetView();
   bool IsByLength() const;
   void ChangeOpacity(double factor);
   void MoveIsoSurfaces(double share);

@@ -3,6 +3,7 @@
 #include "Window/ViewerWindow.h"
 
 #include "Options/ViewerOptions.h"
+#include "Scene/ReliefView.h"
 #include "Scene/ViewerScene.h"
 #include "Text/ViewerMessages.h"
 #include "Window/TerrainStyle.h"
@@ -89,5 +90,6 @@ void ShowWindow(ViewerScene& scene, const ViewerOptions& options, ViewerMessages
   const ViewerKeys keys(interactor, scene);
   const ViewerScreenshot screenshot(interactor, options.Input, messages);
   scene.Draw(window);
+  ShowReliefs(scene.GetRenderer(), window, options, messages);
   interactor->Start();
 }

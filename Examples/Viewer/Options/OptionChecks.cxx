@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Options/OptionChecks.h"
+
+#include "Options/ViewerArguments.h"
+#include "Options/ViewerOptions.h"
+
+#include "vtkLICSettings.h"
+#include "vtkReliefMapper.h"
+#include "vtkVolumeMapper.h"
+
+#include <set>
+#include <vector>
+
+namespace
+{
+// What places and light a picture, whatever it shows.
+const std::set<std::string> OfAll = { "--center", "--light", "--no-legend", "--output", "--size",
+  "--stats", "--up", "--view", "--zoom" };
+
+class Checks
+{
+public:
+  Checks(ViewerOptions& options, const std::map<std::string, std::string>& given)
+    : Options(options)
+    , Given(given)
+  {
+  }
+
+  void Check()
+  {
+    this->CheckVolume();
+    this->CheckRelief();
+    this->CheckSurface();
+    this->CheckFlow();
+    this->CheckLevels();
+    this->ReadPlaces();
+  }
+
+private:
+  void RequirePartner(
+    const std::vector<std::string>& names, bool isUseful, const std::string& partner)
+  {
+    for (const std::string& option : names)
+    {
+      if (this->Given.count(option) && !isUseful)
+      {
+        throw UsageError(option + " goes with " + partner);
+      }
+    }
+  }
+
+  // A volume has no surface to refine.
+  void CheckVolume()
+  {
+    const ViewerOptions& options = this->Options;
+    this->RequirePartner({ "--volume" }, options.IsMesh, "meshes");
+    const std::set<std::string> ofVolumes = { "--blend", "--clip", "--integration", "--isosurfaces",
+      "--transfer", "--unit-distance", "--volume", "--volume-method" };
+    for (const auto& given : this->Given)
+    {
+      const std::string& option = given.first;
+      if (options.IsVolume && !ofVolumes.count(option) && !OfAll.count(option))
+      {
+        throw UsageError(option + " does not go with --volume");
+      }
+      if (!options.IsVolume && ofVolumes.count(option))
+      {
+        throw UsageError(option + " goes with --volume");
+      }
+    }
+    const int blend = options.BlendMode;
+    this->RequirePartner({ "--isosurfaces" },
+      blend == vtkVolumeMapper::COMPOSITE_BLEND || blend == vtkVolumeMapper::ISOSURFACE_BLEND,
+      "--blend composite or isosurface");
+    this->RequirePartner({ "--unit-distance" },
+      blend == vtkVolumeMapper::COMPOSITE_BLEND || blend == vtkVolumeMapper::ADDITIVE_BLEND,
+      "--blend composite or additive");
+    if (this->Given.count("--transfer") && options.Transfer.empty())
+    {
+      throw UsageError("--transfer needs the name of a file");
+    }
+  }
+
+  void CheckRelief()
+  {
+    const ViewerOptions& options = this->Options;
+    if (options.IsDatabase)
+    {
+      for (const auto& given : this->Given)
+      {
+        if (!OfAll.count(given.first) && given.first != "--relief-method" &&
+          given.first != "--relief-search")
+        {
+          throw UsageError(given.first + " does not go with a folder of reliefs");
+        }
+      }
+    }
+    this->RequirePartner({ "--relief-method", "--relief-search" },
+      options.Relief.has_value() || options.IsDatabase, "--relief or a folder of reliefs");
+    this->RequirePartner({ "--relief-search" },
+      options.ReliefMethod == vtkReliefMapper::METHOD_RAY_MARCH, "--relief-method march");
+  }
+
+  void CheckSurface()
+  {
+    const ViewerOptions& options = this->Options;
+    using Surface = ViewerOptions::SurfaceType;
+    this->RequirePartner({ "--exaggeration", "--imagery-bands", "--resolution", "--stretch" },
+      !options.IsMesh, "height maps");
+    this->RequirePartner(
+      { "--array", "--feature-angle", "--height", "--mapping", "--up" }, options.IsMesh, "meshes");
+    const bool hasHeights = !options.IsMesh || !options.Heights.empty();
+    this->RequirePartner({ "--scale", "--offset" }, options.IsMesh && hasHeights, "--height");
+    this->RequirePartner({ "--no-data", "--no-data-value" }, hasHeights, "--height");
+    this->RequirePartner(
+      { "--mapping" }, hasHeights || !options.Imagery.empty(), "--height or --image");
+    this->RequirePartner({ "--alpha" }, options.GetSurface() == Surface::Phong, "--surface phong");
+    this->RequirePartner({ "--amplitude", "--frequency" },
+      options.GetSurface() == Surface::Procedural, "--surface procedural");
+  }
+
+  void CheckFlow()
+  {
+    const ViewerOptions& options = this->Options;
+    const bool hasFlow = !options.Vectors.empty();
+    this->RequirePartner({ "--lic" }, options.IsMesh, "meshes");
+    this->RequirePartner({ "--lic-contrast", "--lic-intensity", "--lic-mode", "--lic-phase",
+                           "--lic-step-size", "--lic-steps" },
+      hasFlow, "--lic");
+    this->RequirePartner({ "--lic-intensity" },
+      options.LICMode.value_or(vtkLICSettings::COLOR_MODE_BLEND) ==
+        vtkLICSettings::COLOR_MODE_BLEND,
+      "--lic-mode blend");
+  }
+
+  void CheckLevels()
+  {
+    const ViewerOptions& options = this->Options;
+    using Metric = ViewerOptions::MetricType;
+    for (const char* option : { "--metric", "--max-level", "--per-edge" })
+    {
+      if (options.UniformLevel && this->Given.count(option))
+      {
+        throw UsageError(std::string(option) + " cannot be combined with --level");
+      }
+    }
+    this->RequirePartner({ "--pixels" },
+      options.GetMetric() == Metric::ScreenEdge && !options.UniformLevel, "--metric screen-edge");
+    this->RequirePartner({ "--reach" },
+      options.GetMetric() == Metric::Distance && !options.UniformLevel, "--metric distance");
+    this->RequirePartner({ "--region" }, options.GetMetric() == Metric::Region, "--metric region");
+    if (options.Budget > 0 && !options.Export.empty())
+    {
+      throw UsageError("--budget does not go with --export: it limits what is drawn");
+    }
+  }
+
+  // A mesh's have three coordinates, a height map's two.
+  void ReadPlaces()
+  {
+    ViewerOptions& options = this->Options;
+    if (this->Given.count("--region"))
+    {
+      options.Region = ToNumbers(
+        "--region", this->Given.at("--region"), options.IsMesh ? "X,Y,Z,RADIUS" : "X,Y,RADIUS");
+      if (options.Region->back() <= 0.0)
+      {
+        throw UsageError(
+          "--region needs a radius above 0, not '" + this->Given.at("--region") + "'");
+      }
+    }
+    if (this->Given.count("--center"))
+    {
+      options.Center = ToPlace("--center", this->Given.at("--center"), options.IsMesh);
+    }
+  }
+
+  ViewerOptions& Options;
+  const std::map<std::string, std::string>& Given;
+};
+}
+
+//------------------------------------------------------------------------------
+void CheckOptions(ViewerOptions& options, const std::map<std::string, std::string>& given)
+{
+  Checks(options, given).Check();
+}

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   reliefs in a scene
+ */
+#ifndef ReliefActor_h
+#define ReliefActor_h
+
+#include "vtkSmartPointer.h"
+
+class ViewerMessages;
+class vtkActor;
+class vtkMultiBlockDataSet;
+class vtkRenderWindow;
+class vtkRenderer;
+struct ViewerOptions;
+
+/// Drawn as the options say.
+vtkSmartPointer<vtkActor> MakeReliefActor(
+  vtkMultiBlockDataSet* reliefs, const ViewerOptions& options, ViewerMessages& messages);
+
+/// A frame, with its costs on stdout where the options ask for them; throws ViewerError.
+void DrawReliefs(vtkActor* actor, vtkRenderer* renderer, vtkRenderWindow* window,
+  const ViewerOptions& options, ViewerMessages& messages);
+
+#endif

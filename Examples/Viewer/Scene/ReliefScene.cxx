@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/ReliefScene.h"
+
+#include "Scene/ReliefActor.h"
+
+#include "vtkActor.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkReliefDatabaseReader.h"
+#include "vtkRenderer.h"
+
+//------------------------------------------------------------------------------
+ReliefScene::ReliefScene(const ViewerOptions& options, ViewerMessages& messages)
+  : ViewerScene(options, messages)
+{
+  vtkNew<vtkReliefDatabaseReader> reader;
+  messages.Observe(reader);
+  reader->SetFileName(options.Input.c_str());
+  reader->Update();
+  messages.Check();
+  this->Actor = MakeReliefActor(reader->GetOutput(), options, messages);
+  this->Renderer->AddActor(this->Actor);
+  this->SetView(this->Actor->GetBounds());
+}
+
+//------------------------------------------------------------------------------
+ReliefScene::~ReliefScene() = default;
+
+//------------------------------------------------------------------------------
+void ReliefScene::Draw(vtkRenderWindow* window)
+{
+  DrawReliefs(this->Actor, this->Renderer, window, this->Options, this->Messages);
+}
