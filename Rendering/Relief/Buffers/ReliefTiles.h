@@ -26,7 +26,7 @@ public:
   static constexpr int Size = 16;
   static constexpr int Texels = Size + 1;
   /// Quads along the side of a cell, and cells along that of a tile.
-  static constexpr int CellSize = 4;
+  static constexpr int CellSize = 8;
   static constexpr int Cells = Size / CellSize;
 
   /// sides: of FindReliefSides().

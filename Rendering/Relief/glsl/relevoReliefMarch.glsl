@@ -98,11 +98,12 @@ bool reliefMeetTile()
   {
     float exit = min(min(walk.Next.x, walk.Next.y), reliefRange.y);
     int index = (reliefTile.x * cells + walk.Square.y) * cells + walk.Square.x;
-    vec2 heights = texelFetch(reliefRanges, index).rg;
-    vec2 ends = reliefOrigin.z + vec2(start, max(exit, start)) * reliefDirection.z;
-    if (max(ends.x, ends.y) + reliefTolerance >= heights.x &&
-      min(ends.x, ends.y) - reliefTolerance <= heights.y &&
-      reliefMeetCell(walk.Square, start, max(exit, start)))
+    vec2 heights = texelFetch(reliefRanges, index).rg + vec2(-reliefTolerance, reliefTolerance);
+    // Where the ray is between the cell's least and largest height.
+    vec2 ends = (heights - reliefOrigin.z) * reliefInverse().z;
+    float enter = max(min(ends.x, ends.y), start);
+    float leave = min(max(ends.x, ends.y), max(exit, start));
+    if (heights.x <= heights.y && enter <= leave && reliefMeetCell(walk.Square, enter, leave))
     {
       return true;
     }
