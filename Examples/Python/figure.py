@@ -72,7 +72,7 @@ class Figure:
         self.window.SetSize(columns * size[0], rows * size[1])
         self.window.SetMultiSamples(8)
 
-    def add(self, label, actor, position=None, up=None, zoom=None):
+    def add(self, label, actor, position=None, up=None, zoom=None, bounds=None):
         """The next panel, from left to right and from top to bottom; returns its renderer."""
         column, row = self.panels % self.columns, self.rows - 1 - self.panels // self.columns
         self.panels += 1
@@ -100,7 +100,7 @@ class Figure:
         camera = renderer.GetActiveCamera()
         camera.SetPosition(position or self.position)
         camera.SetViewUp(up or self.up)
-        renderer.ResetCamera(actor.GetMapper().GetInputDataObject(0, 0).GetBounds())
+        renderer.ResetCamera(bounds or actor.GetMapper().GetInputDataObject(0, 0).GetBounds())
         camera.Dolly(zoom or self.zoom)
         camera.SetWindowCenter(0, -0.1)  # room for the label
         renderer.ResetCameraClippingRange()

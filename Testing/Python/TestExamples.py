@@ -349,6 +349,39 @@ class TestExamples(unittest.TestCase):
                 self.assertEqual(run.returncode, 1)
                 self.assertIn("reactor", run.stderr)
 
+    def test_reliefs(self):
+        """Each figure is drawn of generated data, and of real data is the one that is kept."""
+        files = {
+            "box": ("box", "mesh/bunny.ply"),
+            "teapot": ("box", "mesh/teapot.g"),
+            "methods": ("methods", "relief/mt_rainier_90m.tif"),
+            "camera": ("camera", "volume/can.vtu"),
+            "holes": ("holes", "mesh/bunny.ply"),
+        }
+        folder_of_kept = SOURCE / "Examples/Python/relief"
+        self.assertEqual({path.stem for path in folder_of_kept.glob("*.png")}, set(files))
+        with tempfile.TemporaryDirectory() as folder:
+            for picture, (name, data) in files.items():
+                self.assertIn(f"Examples/Python/relief/{picture}.png", PAGES)
+                run = self.run_example("relief.py", folder, name, "made.png")
+                self.assertEqual((run.returncode, run.stderr), (0, ""))
+                made = mean_of_blocks(read_picture(pathlib.Path(folder) / "made.png"))
+                self.assertGreater(len(set(made)), 0.1 * len(made), name)
+                if not VOLUME.is_dir():
+                    continue
+                run = self.run_example("relief.py", folder, name, "out.png", str(FLOW.parent / data))
+                self.assertEqual(run.returncode, 0, run.stderr)
+                drawn = mean_of_blocks(read_picture(pathlib.Path(folder) / "out.png"))
+                kept = mean_of_blocks(read_picture(folder_of_kept / f"{picture}.png"))
+                self.assertEqual(len(drawn), len(kept))
+                differences = [
+                    max(abs(a - b) for a, b in zip(*colours)) for colours in zip(drawn, kept)
+                ]
+                self.assertLess(max(differences), 12, picture)
+            run = self.run_example("relief.py", folder, "ball", "out.png")
+            self.assertEqual(run.returncode, 1)
+            self.assertIn("holes", run.stderr)
+
     def test_flow_of_the_page(self):
         """What the page on flow has to paste draws streaks, and so does what comes from VTK's mapper."""
         page = (SOURCE / "Module/Documentation/flow.md").read_text()

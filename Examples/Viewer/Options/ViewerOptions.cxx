@@ -277,7 +277,8 @@ private:
           options.ReliefSearch = ToChoice<int>(option, value,
             { { "mipmap", Mapper::SEARCH_MAXIMUM_MIPMAP },
               { "linear-binary", Mapper::SEARCH_LINEAR_BINARY },
-              { "linear-secant", Mapper::SEARCH_LINEAR_SECANT } });
+              { "linear-secant", Mapper::SEARCH_LINEAR_SECANT },
+              { "cones", Mapper::SEARCH_RELAXED_CONES } });
         } },
     });
   }

@@ -85,7 +85,7 @@ Reliefs, pictures with depth that are drawn in place of what they show, or FILE 
   --relief-method NAME   automatic (default; the fastest), march (rays), refinement (triangle
                          patterns moved by the depths), warp (each relief warped to the view)
   --relief-search NAME   how march finds the surface: mipmap (default; misses nothing),
-                         linear-binary, linear-secant
+                         linear-binary, linear-secant, cones
 
 Level of detail:
   --level N              every edge at level N, 0 to 7: an edge has 2^N segments

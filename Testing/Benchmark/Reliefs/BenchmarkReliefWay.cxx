@@ -10,7 +10,8 @@
 const std::vector<ReliefWay>& GetReliefWays()
 {
   static const std::vector<ReliefWay> ways = { ReliefWay::Automatic, ReliefWay::MaximumMipmap,
-    ReliefWay::LinearBinary, ReliefWay::LinearSecant, ReliefWay::Refinement, ReliefWay::Warp };
+    ReliefWay::LinearBinary, ReliefWay::LinearSecant, ReliefWay::RelaxedCones,
+    ReliefWay::Refinement, ReliefWay::Warp };
   return ways;
 }
 
@@ -26,6 +27,8 @@ const char* GetName(ReliefWay way)
       return "rays, linear and binary";
     case ReliefWay::LinearSecant:
       return "rays, linear and secant";
+    case ReliefWay::RelaxedCones:
+      return "rays, relaxed cones";
     case ReliefWay::Refinement:
       return "refinement";
     default:
@@ -51,6 +54,9 @@ vtkSmartPointer<vtkActor> MakeReliefActor(ReliefWay way, vtkDataObject* reliefs)
       break;
     case ReliefWay::LinearSecant:
       mapper->SetSearchToLinearSecant();
+      break;
+    case ReliefWay::RelaxedCones:
+      mapper->SetSearchToRelaxedCones();
       break;
     case ReliefWay::Refinement:
       mapper->SetMethodToRefinement();

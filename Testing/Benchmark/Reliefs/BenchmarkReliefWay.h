@@ -20,6 +20,7 @@ enum class ReliefWay
   MaximumMipmap,
   LinearBinary,
   LinearSecant,
+  RelaxedCones,
   Refinement,
   Warp
 };
