@@ -137,6 +137,12 @@ bool ReliefPatterns::Select(
   }
   for (size_t tile = 0; tile < number; ++tile)
   {
+    const vec4& place = tiles.GetPlaces()[tile];
+    const dvec2 corner(place.x, place.y);
+    if (!view.MaySee(dvec3(corner, place.z), dvec3(corner + double(ReliefTiles::Size), place.w)))
+    {
+      continue;
+    }
     const unsigned int half = static_cast<unsigned int>(tile) << 1;
     // The corners of the first half: lower left, upper right, upper left.
     this->AddHalf(half, { { levels[tile], upper[tile], left[tile] } });

@@ -34,7 +34,7 @@ namespace
 std::string GetDefines(const ReliefShaderOptions& options)
 {
   std::ostringstream text;
-  text << "#extension GL_ARB_texture_gather : enable\n";
+  text << "// Relevo: vtkReliefMapper\n#extension GL_ARB_texture_gather : enable\n";
   text << "#define RELIEF_SIZE " << ReliefTiles::Size << "\n#define RELIEF_TEXELS "
        << ReliefTiles::Texels << "\n#define RELIEF_CELL " << ReliefTiles::CellSize
        << "\n#define RELIEF_CONE_RADIUS " << ConeRadius << "\n";

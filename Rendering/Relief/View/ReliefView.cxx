@@ -75,6 +75,7 @@ ReliefView::ReliefView(vtkRenderer* renderer, vtkActor* actor, const dmat4& toMo
   // Near and far.
   const dmat4 rows = transpose(this->ToClip);
   this->Planes = { rows[3] + rows[2], rows[3] - rows[2] };
+  this->Sides = { rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1] };
 }
 
 void ReliefView::AddClippingPlane(const dvec4& plane)
@@ -135,6 +136,23 @@ bool ReliefView::SeesFront(double height) const
 {
   const dvec4 eye = inverse(this->ToClip)[2];
   return eye.z - height * eye.w > 0.0;
+}
+
+bool ReliefView::MaySee(const dvec3& low, const dvec3& high) const
+{
+  for (const std::vector<dvec4>* planes : { &this->Planes, &this->Sides })
+  {
+    for (const dvec4& plane : *planes)
+    {
+      const dvec3 nearest(plane.x > 0.0 ? high.x : low.x, plane.y > 0.0 ? high.y : low.y,
+        plane.z > 0.0 ? high.z : low.z);
+      if (dot(plane, dvec4(nearest, 1.0)) < 0.0)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 double ReliefView::GetPixels(const dvec3& point) const

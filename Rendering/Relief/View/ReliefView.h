@@ -39,6 +39,9 @@ public:
   /// Whether planes of this height are seen as the relief's own viewer sees them.
   bool SeesFront(double height) const;
 
+  /// false for a box that is out of sight or cut off as a whole; true also for some that are.
+  bool MaySee(const dvec3& low, const dvec3& high) const;
+
   /// Pixels that a step of 1 in any direction covers at most; 0 behind the eye.
   double GetPixels(const dvec3& point) const;
 
@@ -48,6 +51,7 @@ private:
   dmat4 ToClip;
   dvec4 Viewport;            // x, y, width, height in pixels
   std::vector<dvec4> Planes; // of the tiles' coordinates
+  std::vector<dvec4> Sides;  // of the view, likewise
 };
 }
 
