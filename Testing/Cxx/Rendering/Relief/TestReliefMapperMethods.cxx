@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // All methods and searches of vtkReliefMapper, against rays in double precision, in moderate views.
 #include "RelevoCheck.h"
+#include "RelevoDice.h"
 #include "RelevoReliefScene.h"
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"
 
+#include <cmath>
 #include <iostream>
 
 namespace
@@ -107,6 +109,60 @@ void TestAutomatic(RelevoCheck& check, vtkImageData* relief)
   CHECK(marched && refined);
   CHECK(scene.Compare(relief).GetShareRight() >= 0.998);
 }
+
+// Rays and patterns, which have little in common, show the same from anywhere, inside and behind.
+void TestAgreement(RelevoCheck& check, vtkImageData* relief)
+{
+  RelevoReliefScene scene(relief, 120, 90);
+  RelevoDice dice(15);
+  const double* bounds = scene.Actor->GetBounds();
+  const double size = scene.Actor->GetLength();
+  int number = 0;
+  int different = 0;
+  for (int i = 0; i < 20; ++i)
+  {
+    double eye[3];
+    double focus[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double middle = 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]);
+      eye[axis] = middle + size * dice.Signed();
+      focus[axis] = middle + 0.3 * size * dice.Signed();
+    }
+    scene.GetCamera()->SetPosition(eye);
+    scene.GetCamera()->SetFocalPoint(focus);
+    scene.GetCamera()->SetParallelProjection(i % 4 == 0);
+    scene.GetCamera()->SetParallelScale(0.3 * size);
+    scene.Renderer->ResetCameraClippingRange();
+    scene.Mapper->SetMethodToRayMarch();
+    const std::vector<float> marched = scene.DrawDepths();
+    scene.Mapper->SetMethodToRefinement();
+    const std::vector<float> refined = scene.DrawDepths();
+    for (size_t pixel = 0; pixel < marched.size(); ++pixel)
+    {
+      number += marched[pixel] < 1.0f ? 1 : 0;
+      different += (marched[pixel] < 1.0f) != (refined[pixel] < 1.0f) ? 1 : 0;
+    }
+  }
+  std::cout << different << " of " << number << " pixels differ by method\n";
+  CHECK(number > 20000);
+  CHECK(different <= number / 500);
+}
+
+// 10 bytes for a texel with colour and depth, and little for those without.
+void TestMemory(RelevoCheck& check)
+{
+  const auto relief = RelevoMakeRelief(400, 400, ReliefProjection::Parallel, RelevoSmallTexels(),
+    [](int column, int row) {
+      return std::hypot(column - 200, row - 200) < 150.0 ? RelevoHills(column, row) : std::nan("");
+    });
+  RelevoReliefScene scene(relief, 120, 90);
+  scene.Mapper->SetMethodToRayMarch();
+  scene.Window->Render();
+  const double valid = 3.14159 * 150.0 * 150.0;
+  CHECK(scene.Mapper->GetGraphicsMemorySize() > 8.0 * valid);
+  CHECK(scene.Mapper->GetGraphicsMemorySize() < 13.0 * valid);
+}
 }
 
 int TestReliefMapperMethods(int, char*[])
@@ -125,7 +181,9 @@ int TestReliefMapperMethods(int, char*[])
     TestWay(check, relief, { Mapper::METHOD_RAY_MARCH, Mapper::SEARCH_LINEAR_SECANT, 0.98, 0.98 });
     TestWay(check, relief, { Mapper::METHOD_RAY_MARCH, Mapper::SEARCH_RELAXED_CONES, 0.98, 0.98 });
     TestAutomatic(check, relief);
+    TestAgreement(check, relief);
   }
+  TestMemory(check);
   TestWarp(check, ReliefProjection::Parallel);
   TestWarp(check, ReliefProjection::Perspective);
   return check.GetResult();
