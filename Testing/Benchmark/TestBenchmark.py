@@ -50,6 +50,7 @@ class TestBenchmark(unittest.TestCase):
         if "volumes" in usage:  # with VTK's mappers for volumes
             self.check_volumes(tables)
         if "relief" in usage:
+            self.check_reliefs(tables)
             self.check_warps(tables)
         self.assertEqual(len(tables["dem"]), 3)
         self.assertTrue(all(row["triangles"] > 0 for row in tables["dem"]))
@@ -96,6 +97,18 @@ class TestBenchmark(unittest.TestCase):
             self.assertGreater(row["ratio"], 0.0, row)
         for row in tables["volumes-memory"]:
             self.assertLess(row["ratio"], row["asked"])
+
+    def check_reliefs(self, tables):
+        for row in tables["relief"]:
+            self.assertGreater(row["memory_mb"], 0.0)
+        for row in tables["relief-pictures"]:
+            if row["way"] != "pre-warp":
+                self.assertGreater(row["ssim"], row["ssim_pixel_mesh"] - 0.01, row)
+        for row in tables["relief-accuracy"]:
+            if row["way"] in ("automatic", "rays, maximum mipmap"):
+                self.assertGreater(row["right_percent"], 99.0, row)
+        for row in tables["relief-warp-frames"]:
+            self.assertGreater(row["frames"], 0.0)
 
     def check_warps(self, tables):
         policies = {"sequential", "parallel", "multi-threaded", "rows and columns"}

@@ -10,12 +10,14 @@
 #include "BenchmarkReport.h"
 #include "BenchmarkView.h"
 #include "Data/Relief.h"
+#include "vtkReliefMapper.h"
 
 #include "vtkActor.h"
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkRenderer.h"
 
 #include <cstdlib>
 
@@ -41,7 +43,8 @@ void AddReliefFrames(const BenchmarkOptions& options, const AddTable& addTable)
   BenchmarkTable table("relief", "Frames of four captures against those of what they show",
     { { "shown_triangles", "triangles", 0 }, { "texels", "valid texels", 0 },
       { "way", "drawn by", 0 }, { "relief_ms", "reliefs, ms", 1 }, { "mesh_ms", "mesh, ms", 1 },
-      { "ratio", "reliefs / mesh", 3 }, { "ratio_less", "reliefs / those of a mesh of 1/8", 3 } });
+      { "ratio", "reliefs / mesh", 3 }, { "ratio_less", "reliefs / those of a mesh of 1/8", 3 },
+      { "first_ms", "first picture, ms", 0 }, { "memory_mb", "graphics memory, MB", 1 } });
   const double many = options.Quick ? 8e3 : 8e6;
   const int size = options.Quick ? 64 : 1024;
   BenchmarkView view(options.Quick ? 128 : 1024, options.Quick ? 96 : 768);
@@ -52,9 +55,13 @@ void AddReliefFrames(const BenchmarkOptions& options, const AddTable& addTable)
   vtkNew<vtkActor> object;
   object->SetMapper(scene.MakeMapper());
   std::vector<vtkSmartPointer<vtkActor>> actors;
+  std::vector<double> firstPictures;
   for (const ReliefWay way : GetReliefWays())
   {
     actors.push_back(MakeReliefActor(way, reliefs));
+    view.GetRenderer()->AddActor(actors.back());
+    firstPictures.push_back(1e3 * view.TimeFrame());
+    view.GetRenderer()->RemoveActor(actors.back());
     actors.push_back(MakeReliefActor(way, fewer));
   }
   std::vector<vtkProp*> props = { object };
@@ -66,7 +73,9 @@ void AddReliefFrames(const BenchmarkOptions& options, const AddTable& addTable)
   {
     table.AddRow({ static_cast<double>(scene.GetMesh()->GetNumberOfPolys()),
       GetValidTexels(reliefs), GetName(GetReliefWays()[i]), frames.GetMedian(1 + 2 * i),
-      frames.GetMedian(0), frames.GetRatio(1 + 2 * i, 0), frames.GetRatio(1 + 2 * i, 2 + 2 * i) });
+      frames.GetMedian(0), frames.GetRatio(1 + 2 * i, 0), frames.GetRatio(1 + 2 * i, 2 + 2 * i),
+      firstPictures[i],
+      1e-6 * vtkReliefMapper::SafeDownCast(actors[2 * i]->GetMapper())->GetGraphicsMemorySize() });
   }
   table.AddNote("Asked: 0.3 of the mesh, and 1.1 times the reliefs of a mesh of an eighth of the "
                 "triangles.");

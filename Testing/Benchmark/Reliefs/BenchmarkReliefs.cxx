@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Reliefs against the meshes that they show, and how fast they are warped.
+#include "BenchmarkReliefAccuracy.h"
 #include "BenchmarkReliefFrames.h"
 #include "BenchmarkReliefPictures.h"
+#include "BenchmarkWarpFrames.h"
 #include "BenchmarkWarps.h"
 #include "Benchmarks.h"
 
@@ -12,7 +14,9 @@ void RunReliefs(const BenchmarkOptions& options, const AddTable& addTable)
   AddReliefFrames(options, addTable);
   AddReliefMemory(options, addTable);
   AddReliefPictures(options, addTable);
+  AddReliefAccuracy(options, addTable);
   AddWarps(options, addTable);
+  AddWarpFrames(options, addTable);
 }
 
 std::vector<double> MeasureReliefs(const std::vector<std::string>& arguments)
