@@ -3,6 +3,7 @@
 #include "View/ReliefView.h"
 
 #include "OpenGL/RelevoOpenGL.h"
+#include "OpenGL/ShaderUniforms.h"
 
 #include "vtkActor.h"
 #include "vtkLight.h"
@@ -37,23 +38,6 @@ dmat4 FromOpenGL(vtkMatrix4x4* matrix)
 double GetLargest(const dvec4& v)
 {
   return std::max({ std::abs(v.x), std::abs(v.y), std::abs(v.z), std::abs(v.w) });
-}
-
-void SetVector(vtkShaderProgram* program, const char* name, const dvec4& vector)
-{
-  const float values[4] = { static_cast<float>(vector.x), static_cast<float>(vector.y),
-    static_cast<float>(vector.z), static_cast<float>(vector.w) };
-  program->SetUniform4f(name, values);
-}
-
-void SetMatrix(vtkShaderProgram* program, const char* name, const dmat4& matrix)
-{
-  float values[16];
-  for (int i = 0; i < 16; ++i)
-  {
-    values[i] = static_cast<float>(matrix[i / 4][i % 4]);
-  }
-  program->SetUniformMatrix4x4(name, values);
 }
 }
 

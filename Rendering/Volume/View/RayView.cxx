@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "View/RayView.h"
 
+#include "OpenGL/ShaderUniforms.h"
+
 #include "vtkMath.h"
 #include "vtkShaderProgram.h"
 
@@ -14,23 +16,6 @@ namespace
 {
 // Not at the far plane, where depths of a perspective view lie close.
 constexpr double LargestMiddle = 0.99999;
-
-void SetVector(vtkShaderProgram* program, const char* name, const dvec4& vector)
-{
-  const float values[4] = { static_cast<float>(vector.x), static_cast<float>(vector.y),
-    static_cast<float>(vector.z), static_cast<float>(vector.w) };
-  program->SetUniform4f(name, values);
-}
-
-void SetMatrix(vtkShaderProgram* program, const char* name, const dmat4& matrix)
-{
-  float values[16];
-  for (int i = 0; i < 16; ++i)
-  {
-    values[i] = static_cast<float>(matrix[i / 4][i % 4]);
-  }
-  program->SetUniformMatrix4x4(name, values);
-}
 
 void SetMatrix(vtkShaderProgram* program, const char* name, const dmat3& matrix)
 {

@@ -26,21 +26,6 @@ using relevo::Relief;
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-Relief MakeRelief(RelevoCheck& check, vtkDepthImageToRelief* filter)
-{
-  RelevoErrors errors(filter);
-  filter->Update();
-  CHECK(errors.None());
-  Relief relief;
-  CHECK(relief.Read(filter->GetOutput()).empty());
-  return relief;
-}
-
-dvec3 GetPoint(const Relief& relief, int column, int row)
-{
-  return relief.GetWorldPoint(column, row, relief.GetTexelHeight(column, row));
-}
-
 vtkSmartPointer<vtkMatrix4x4> MakePose()
 {
   vtkNew<vtkTransform> transform;
@@ -66,7 +51,7 @@ void TestPinhole(RelevoCheck& check)
     filter->SetBottomRowFirst(isTurned);
     const auto pose = MakePose();
     filter->SetPose(pose);
-    const Relief relief = MakeRelief(check, filter);
+    const Relief relief = RelevoReadRelief(check, filter);
     CHECK(relief.IsPerspective() && relief.GetNumberOfValidTexels() == width * height);
     for (int row = 0; row < height; ++row)
     {
@@ -76,12 +61,12 @@ void TestPinhole(RelevoCheck& check)
         dvec4 place(
           (column - 1.75) * depth / 6.0, (rowFromTop(row) - 1.25) * depth / 5.0, depth, 1.0);
         pose->MultiplyPoint(&place.x, &place.x);
-        CHECK(distance(GetPoint(relief, column, row), dvec3(place)) < 1e-6);
+        CHECK(distance(RelevoGetPoint(relief, column, row), dvec3(place)) < 1e-6);
       }
     }
     // A change of the pose counts.
     pose->SetElement(0, 3, 1000.0);
-    CHECK(GetPoint(MakeRelief(check, filter), 0, 0).x > 900.0);
+    CHECK(RelevoGetPoint(RelevoReadRelief(check, filter), 0, 0).x > 900.0);
   }
 }
 
@@ -92,7 +77,7 @@ void TestInvalidDepths(RelevoCheck& check)
   filter->SetInputData(
     RelevoMakeImage(8, 1, VTK_DOUBLE, [&](int column, int) { return samples[column]; }));
   filter->SetIntrinsics(10.0, 10.0, 3.5, 0.0);
-  Relief relief = MakeRelief(check, filter);
+  Relief relief = RelevoReadRelief(check, filter);
   for (int i = 0; i < 8; ++i)
   {
     CHECK(std::isnan(relief.GetDepths()[i]) == (i != 0 && i != 7));
@@ -107,7 +92,7 @@ void TestInvalidDepths(RelevoCheck& check)
     filter->SetInputData(
       RelevoMakeImage(8, 1, VTK_FLOAT, [&](int column, int) { return values[column]; }));
     filter->SetCamera(camera);
-    relief = MakeRelief(check, filter);
+    relief = RelevoReadRelief(check, filter);
     for (int i = 0; i < 8; ++i)
     {
       CHECK(std::isnan(relief.GetDepths()[i]) == (i != 0 && i != 1 && i != 7));
@@ -134,7 +119,7 @@ void TestZBuffer(RelevoCheck& check)
     vtkNew<vtkDepthImageToRelief> filter;
     filter->SetInputData(RelevoMakeImage(width, height, VTK_DOUBLE, z));
     filter->SetCamera(camera);
-    const Relief relief = MakeRelief(check, filter);
+    const Relief relief = RelevoReadRelief(check, filter);
     CHECK(relief.IsPerspective() == (kind % 2 == 0));
     CHECK(relief.IsPerspective() || relief.GetDepthRange().x == 0.0);
     vtkMatrix4x4* project =
@@ -143,7 +128,7 @@ void TestZBuffer(RelevoCheck& check)
     {
       for (int column = 0; column < width; ++column)
       {
-        dvec4 view(GetPoint(relief, column, row), 1.0);
+        dvec4 view(RelevoGetPoint(relief, column, row), 1.0);
         project->MultiplyPoint(&view.x, &view.x);
         const dvec3 expected(
           (2.0 * column + 1.0) / width - 1.0, (2.0 * row + 1.0) / height - 1.0, z(column, row));
@@ -154,7 +139,8 @@ void TestZBuffer(RelevoCheck& check)
     const double difference = relief.GetDepths()[8] - relief.GetDepths()[0];
     dvec3 axis;
     camera->GetDirectionOfProjection(&axis.x);
-    CHECK_NEAR(difference, dot(axis, GetPoint(relief, 1, 1) - GetPoint(relief, 0, 0)), 1e-5);
+    CHECK_NEAR(
+      difference, dot(axis, RelevoGetPoint(relief, 1, 1) - RelevoGetPoint(relief, 0, 0)), 1e-5);
   }
 }
 
@@ -164,7 +150,7 @@ void TestColors(RelevoCheck& check)
   vtkNew<vtkDepthImageToRelief> filter;
   filter->SetInputData(RelevoMakeImage(3, 2, VTK_FLOAT, depth));
   filter->SetIntrinsics(3.0, 3.0, 1.0, 0.5);
-  Relief relief = MakeRelief(check, filter);
+  Relief relief = RelevoReadRelief(check, filter);
   const auto color = [&](int texel, int component)
   { return relief.GetColors()[texel * relief.GetNumberOfColorComponents() + component]; };
   CHECK(color(0, 0) == 255 && color(1, 1) == 159 && color(2, 2) == 64); // nearer is lighter
@@ -185,7 +171,7 @@ void TestColors(RelevoCheck& check)
         image->GetPointData()->GetScalars()->SetComponent(4, k, kind.White * (k + 1) / 5.0);
       }
       filter->SetInputData(1, image);
-      relief = MakeRelief(check, filter);
+      relief = RelevoReadRelief(check, filter);
       CHECK(relief.GetNumberOfColorComponents() == (components % 2 == 0 ? 4 : 3));
       for (int k = 0; k < relief.GetNumberOfColorComponents(); ++k)
       {
@@ -205,7 +191,7 @@ void TestColors(RelevoCheck& check)
   filter->SetInputData(picture);
   filter->SetInputConnection(1, nullptr);
   filter->SetCamera(vtkNew<vtkCamera>());
-  relief = MakeRelief(check, filter);
+  relief = RelevoReadRelief(check, filter);
   CHECK(color(5, 0) == 7 && relief.GetNumberOfColorComponents() == 3);
   CHECK(relief.GetNumberOfValidTexels() == 6);
 }
@@ -224,7 +210,7 @@ void TestNormals(RelevoCheck& check)
       return column == 2 && row == 2 ? 0.0 : -5.0 / dot(normal, way);
     }));
   filter->SetIntrinsics(fx, fy, 4.0, 3.0);
-  Relief relief = MakeRelief(check, filter);
+  Relief relief = RelevoReadRelief(check, filter);
   for (vtkIdType i = 0; i < relief.GetNumberOfTexels(); ++i)
   {
     const float* n = relief.GetNormals() + 3 * i;
@@ -238,8 +224,8 @@ void TestNormals(RelevoCheck& check)
   filter->SetCamera(camera);
   filter->SetInputData(
     RelevoMakeImage(9, 8, VTK_DOUBLE, [](int column, int) { return 0.4 + 0.001 * column; }));
-  relief = MakeRelief(check, filter);
-  const dvec3 along = GetPoint(relief, 8, 0) - GetPoint(relief, 0, 0);
+  relief = RelevoReadRelief(check, filter);
+  const dvec3 along = RelevoGetPoint(relief, 8, 0) - RelevoGetPoint(relief, 0, 0);
   for (vtkIdType i = 0; i < relief.GetNumberOfTexels(); ++i)
   {
     const dvec3 n(
@@ -247,7 +233,7 @@ void TestNormals(RelevoCheck& check)
     CHECK(std::abs(dot(n, along)) < 1e-4 && n.z > 0.5 && std::abs(length(n) - 1.0) < 1e-6);
   }
   filter->ComputeNormalsOff();
-  CHECK(!MakeRelief(check, filter).GetNormals());
+  CHECK(!RelevoReadRelief(check, filter).GetNormals());
 }
 
 // One row, one column, one texel; extents that do not start at 0.
@@ -262,7 +248,7 @@ void TestSizes(RelevoCheck& check)
       size[0], size[1], VTK_INT, [](int column, int row) { return 2 + column + row; });
     image->SetExtent(5, 4 + size[0], -3, size[1] - 4, 9, 9);
     filter->SetInputData(image);
-    const Relief relief = MakeRelief(check, filter);
+    const Relief relief = RelevoReadRelief(check, filter);
     CHECK(relief.GetWidth() == size[0] && relief.GetHeight() == size[1]);
     CHECK(relief.GetImage()->GetExtent()[0] == 0 && relief.GetImage()->GetExtent()[4] == 0);
     CHECK(relief.GetTexelHeight(size[0] - 1, size[1] - 1) == 1.0 / (size[0] + size[1]));

@@ -27,16 +27,6 @@ vtkSmartPointer<vtkHeightMap> MakeMap(int width, int height, const RelevoDepth& 
   return map;
 }
 
-Relief MakeRelief(RelevoCheck& check, vtkHeightMapToRelief* filter)
-{
-  RelevoErrors errors(filter);
-  filter->Update();
-  CHECK(errors.None());
-  Relief relief;
-  CHECK(relief.Read(filter->GetOutput()).empty());
-  return relief;
-}
-
 // A texel is a unit, the middle of the map is at the origin, and z is the height.
 void TestPlaces(RelevoCheck& check)
 {
@@ -49,7 +39,7 @@ void TestPlaces(RelevoCheck& check)
     for (double exaggeration : { 1.0, 2.5, 0.0, -1.0 })
     {
       filter->SetExaggeration(exaggeration);
-      const Relief relief = MakeRelief(check, filter);
+      const Relief relief = RelevoReadRelief(check, filter);
       CHECK(!relief.IsPerspective() && relief.GetDepthRange().x == 0.0);
       CHECK(relief.GetWidth() == size[0] && relief.GetHeight() == size[1]);
       for (int row = 0; row < size[1]; ++row)
@@ -76,7 +66,7 @@ void TestTexels(RelevoCheck& check)
   filter->SetHeightMap(map);
   filter->SetInputData(RelevoMakeImage(10, 8, VTK_UNSIGNED_CHAR, ramp));
   filter->SetTexelsPerSample(2);
-  const Relief relief = MakeRelief(check, filter);
+  const Relief relief = RelevoReadRelief(check, filter);
   CHECK(relief.GetWidth() == 10 && relief.GetHeight() == 8);
   for (int column = 0; column < 10; ++column)
   {
@@ -106,7 +96,7 @@ void TestNormals(RelevoCheck& check)
     { return column == 3 && row == 3 ? -9999.0 : 0.5 * column - 0.25 * row; });
   map->SetNoDataValue(-9999.0);
   filter->SetHeightMap(map);
-  const Relief relief = MakeRelief(check, filter);
+  const Relief relief = RelevoReadRelief(check, filter);
   const dvec3 up = normalize(dvec3(-0.5, 0.25, 1.0));
   for (vtkIdType i = 0; i < 42; ++i)
   {
@@ -116,7 +106,7 @@ void TestNormals(RelevoCheck& check)
     CHECK(distance(dvec3(n[0], n[1], n[2]), isHole ? dvec3(0.0) : up) < 1e-5);
   }
   filter->ComputeNormalsOff();
-  CHECK(!MakeRelief(check, filter).GetNormals());
+  CHECK(!RelevoReadRelief(check, filter).GetNormals());
 }
 
 // Grey without imagery; imagery of the same size as it is, larger by its means, smaller stretched.
@@ -124,24 +114,24 @@ void TestColors(RelevoCheck& check)
 {
   vtkNew<vtkHeightMapToRelief> filter;
   filter->SetHeightMap(MakeMap(4, 2, [](int column, int) { return 10.0 * column; }));
-  Relief relief = MakeRelief(check, filter);
+  Relief relief = RelevoReadRelief(check, filter);
   const auto color = [&](int texel, int component) -> int
   { return relief.GetColors()[texel * relief.GetNumberOfColorComponents() + component]; };
   CHECK(color(0, 0) == 64 && color(3, 1) == 255 && color(7, 2) == 255);
 
   const auto ramp = [](int column, int row) { return 10.0 * column + row; };
   filter->SetInputData(RelevoMakeImage(4, 2, VTK_UNSIGNED_CHAR, ramp, 3));
-  relief = MakeRelief(check, filter);
+  relief = RelevoReadRelief(check, filter);
   CHECK(color(0, 0) == 0 && color(3, 1) == 30 && color(6, 2) == 21);
 
   filter->SetInputData(RelevoMakeImage(16, 8, VTK_UNSIGNED_CHAR, ramp, 4));
-  relief = MakeRelief(check, filter);
+  relief = RelevoReadRelief(check, filter);
   CHECK(relief.GetNumberOfColorComponents() == 4);
   CHECK_NEAR(color(0, 0), 15.0 + 1.5, 1.0); // the mean of columns 0 to 3 and rows 0 to 3
   CHECK_NEAR(color(7, 3), 135.0 + 5.5, 1.0);
 
   filter->SetInputData(RelevoMakeImage(2, 1, VTK_UNSIGNED_CHAR, ramp, 1));
-  relief = MakeRelief(check, filter);
+  relief = RelevoReadRelief(check, filter);
   CHECK(color(0, 0) == 0 && color(1, 0) == 3 && color(2, 0) == 8 && color(7, 0) == 10);
 }
 

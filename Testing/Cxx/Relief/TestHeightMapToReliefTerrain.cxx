@@ -4,6 +4,7 @@
 #include "Data/Relief.h"
 #include "RelevoCheck.h"
 #include "RelevoRasterFiles.h"
+#include "RelevoReliefs.h"
 
 #include "vtkExecutive.h"
 #include "vtkHeightMap.h"
@@ -21,21 +22,6 @@ namespace
 using relevo::dvec3;
 using relevo::dvec4;
 using relevo::Relief;
-
-Relief MakeRelief(RelevoCheck& check, vtkHeightMapToRelief* filter)
-{
-  RelevoErrors errors(filter);
-  filter->Update();
-  CHECK(errors.None());
-  Relief relief;
-  CHECK(relief.Read(filter->GetOutput()).empty());
-  return relief;
-}
-
-dvec3 GetPoint(const Relief& relief, int column, int row)
-{
-  return relief.GetWorldPoint(column, row, relief.GetTexelHeight(column, row));
-}
 
 // In metres, or feet, straight or turned, texels are the samples, to the bit, where they lie.
 void TestPlanar(RelevoCheck& check, const RelevoTestFolders& folders)
@@ -58,14 +44,14 @@ void TestPlanar(RelevoCheck& check, const RelevoTestFolders& folders)
       vtkNew<vtkHeightMapToRelief> filter;
       filter->SetHeightMap(source->GetHeightMap());
       filter->SetExaggeration(2.0);
-      const Relief relief = MakeRelief(check, filter);
+      const Relief relief = RelevoReadRelief(check, filter);
       int voids = 0;
       for (int row = 0; row < 6; ++row)
       {
         for (int column = 0; column < 9; ++column)
         {
           const double height = source->GetHeightMap()->GetSample(column, row);
-          const dvec3 point = GetPoint(relief, column, row);
+          const dvec3 point = RelevoGetPoint(relief, column, row);
           if (!(point.z == point.z)) // a NaN
           {
             ++voids;
@@ -97,7 +83,7 @@ void TestGeographic(RelevoCheck& check, const std::string& name, int voids, doub
   source->Update();
   vtkNew<vtkHeightMapToRelief> filter;
   filter->SetHeightMap(source->GetHeightMap());
-  const Relief relief = MakeRelief(check, filter);
+  const Relief relief = RelevoReadRelief(check, filter);
   vtkHeightMap* map = source->GetHeightMap();
 
   // Each texel is on the terrain.
@@ -125,7 +111,7 @@ void TestGeographic(RelevoCheck& check, const std::string& name, int voids, doub
       const double u = (place.x - corners[0][0]) / (corners[1][0] - corners[0][0]);
       const double v = (place.y - corners[0][1]) / (corners[1][1] - corners[0][1]);
       const bool isInside = u > 0.0 && u < 1.0 && v > 0.0 && v < 1.0;
-      const double z = GetPoint(relief, column, row).z;
+      const double z = RelevoGetPoint(relief, column, row).z;
       outside += isInside ? 0 : 1;
       if (z == z) // no NaN
       {

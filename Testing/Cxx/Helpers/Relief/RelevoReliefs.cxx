@@ -3,6 +3,7 @@
 #include "RelevoReliefs.h"
 
 #include "vtkFloatArray.h"
+#include "vtkImageAlgorithm.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -50,6 +51,21 @@ vtkSmartPointer<vtkImageData> RelevoMakeImage(
     }
   }
   return image;
+}
+
+relevo::Relief RelevoReadRelief(RelevoCheck& check, vtkImageAlgorithm* filter)
+{
+  RelevoErrors errors(filter);
+  filter->Update();
+  CHECK(errors.None());
+  relevo::Relief relief;
+  CHECK(relief.Read(filter->GetOutput()).empty());
+  return relief;
+}
+
+relevo::dvec3 RelevoGetPoint(const relevo::Relief& relief, int column, int row)
+{
+  return relief.GetWorldPoint(column, row, relief.GetTexelHeight(column, row));
 }
 
 relevo::dmat4 RelevoPinhole(int width, int height, double texel)
