@@ -64,6 +64,7 @@ public:
   vtkSmartPointer<vtkImageData> Input; // that the source was made from, so that its address stays
   vtkMTimeType InputTime = 0;
   double Stretch = 0.0;
+  vtkMTimeType WarpedSettings = 0; // the modification time of the filter that was warped last
   bool IsWarned = false;
 
   relevo::WarpedImage Shown;
@@ -268,6 +269,10 @@ void vtkReliefWarper::Warp(vtkImageData* output)
     vtkWarningMacro("The eye is in the relief's plane or behind it: nothing can be warped.");
   }
   own.IsWarned = !coefficients.IsUsable;
+  // A change of settings warps again, one of the camera only where it makes a difference.
+  const vtkMTimeType settings = this->vtkObject::GetMTime();
+  const auto isShown = [&]()
+  { return own.WarpedSettings == settings && own.Shown.Shows(own.Source, coefficients); };
 
   if (this->Policy == PARALLEL)
   {
@@ -278,8 +283,9 @@ void vtkReliefWarper::Warp(vtkImageData* output)
     bool isToWait = false;
     do
     {
-      if (!own.IsNextOpen && !own.Shown.Shows(own.Source, coefficients))
+      if (!own.IsNextOpen && !isShown())
       {
+        own.WarpedSettings = settings;
         own.Start(coefficients);
       }
       isToWait = !own.Shown.HasSizeOf(*own.Source);
@@ -292,8 +298,9 @@ void vtkReliefWarper::Warp(vtkImageData* output)
   else
   {
     own.Stop();
-    if (!own.Shown.Shows(own.Source, coefficients))
+    if (!isShown())
     {
+      own.WarpedSettings = settings;
       const int threads = this->NumberOfThreads > 0
         ? this->NumberOfThreads
         : vtkMultiThreader::GetGlobalDefaultNumberOfThreads();

@@ -145,6 +145,9 @@ void TestOutputs(RelevoCheck& check)
   warper->SetMaximumStretch(1.0);
   warper->Update();
   CHECK(warper->GetNumberOfWarps() == 3);
+  warper->SetPolicyToRowsAndColumns(); // the same bits, but to be measured
+  warper->Update();
+  CHECK(warper->GetNumberOfWarps() == 4);
 }
 
 void TestParallel(RelevoCheck& check)
