@@ -135,7 +135,7 @@ void TestLeftOut(RelevoCheck& check)
   vtkNew<vtkActor2D> annotation;
   annotation->SetMapper(mapper);
   annotation->SetPosition(50.0, 50.0);
-  scene.Renderer->AddActor2D(annotation);
+  scene.Renderer->AddViewProp(annotation);
   vtkNew<BoxMapper> box;
   vtkNew<vtkVolume> volume;
   volume->SetMapper(box);

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Props of other kinds than one actor of one mesh: all that is seen is captured as it is seen.
 #include "RelevoCaptureScene.h"
+#include "RelevoCompositeMapper.h"
 
 #include "vtkAssembly.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkCompositePolyDataMapper2.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
@@ -94,7 +94,7 @@ void BuildBlocks(RelevoCaptureScene& scene)
   {
     blocks->SetBlock(i, MakeSphere(i, 0.0, 0.2 * i, 0.6));
   }
-  vtkNew<vtkCompositePolyDataMapper2> mapper;
+  vtkNew<RelevoCompositeMapper> mapper;
   mapper->SetInputDataObject(blocks);
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
   mapper->SetCompositeDataDisplayAttributes(attributes);

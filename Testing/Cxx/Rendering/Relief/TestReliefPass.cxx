@@ -74,7 +74,7 @@ void AddOthers(RelevoPassScene& scene)
   mapper->SetInputConnection(mark->GetOutputPort());
   vtkNew<vtkActor2D> annotation;
   annotation->SetMapper(mapper);
-  scene.Renderer->AddActor2D(annotation);
+  scene.Renderer->AddViewProp(annotation);
 }
 
 void TestStill(RelevoCheck& check)

@@ -3,6 +3,7 @@
 // Visibility, colour, opacity and pickability of blocks: pictures, bounds and selections of VTK's
 // own composite mapper at level 0, of the blocks as actors of their own at level 2; pickers; what
 // is told of frames; errors.
+#include "RelevoCompositeMapper.h"
 #include "RelevoPicks.h"
 #include "RelevoTestMeshes.h"
 
@@ -18,16 +19,6 @@
 
 #include <map>
 #include <set>
-
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-#include "vtkCompositePolyDataMapper.h"
-using CompositeMapper = vtkCompositePolyDataMapper;
-#else
-#include "vtkCompositePolyDataMapper2.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkProperty.h"
-using CompositeMapper = vtkCompositePolyDataMapper2;
-#endif
 
 namespace
 {
@@ -120,7 +111,7 @@ struct Twins
   RelevoScene Refining{ RelevoScene::Refining };
   RelevoScene Expected{ RelevoScene::Twin };
   vtkAdaptiveRefinementMapper* Mapper;
-  vtkNew<CompositeMapper> Composite;
+  vtkNew<RelevoCompositeMapper> Composite;
 };
 
 std::set<int> FindBlocks(const std::vector<RelevoPicks::Hit>& hits)
