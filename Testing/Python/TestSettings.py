@@ -26,6 +26,7 @@ REALS = ("double", "float")
 OTHERS = {
     "vtkDisplacement.SetDirection": "the direction is made a unit vector",
     "vtkAdaptiveRefinementMapper.SetColorMode": "VTK's, which takes any number",
+    "vtkNURBSSource.SetDegree": "one number of each direction: see test_degrees",
     "vtkReliefCapture.SetCamerasToSphere": "a choice: GetNumberOfCameras() says how many they are",
     "vtkReliefCapture.SetResolution": "one number stands for both",
 }
@@ -176,6 +177,19 @@ class TestSettings(unittest.TestCase):
                 mapper.SetBlockColor(1, color)
             self.assertEqual(tuple(mapper.GetBlockColor(1)), (0.25, 0.5, 1.0))
             self.assertEqual(len(errors), 7)
+
+    def test_degrees(self):
+        source = relevo.vtkNURBSSource()
+        errors = catch_errors(source)
+        for direction, degree in itertools.product((0, 1), (8, 1)):
+            source.SetDegree(direction, degree)
+            self.assertEqual(source.GetDegree(direction), degree)
+        self.assertEqual(errors, [])
+        time = source.GetMTime()
+        for direction, degree in ((0, 0), (1, 9), (0, -(2**31)), (1, 2**31 - 1), (-1, 3), (2, 3)):
+            source.SetDegree(direction, degree)
+        self.assertEqual((source.GetDegree(0), source.GetDegree(1), source.GetMTime()), (1, 1, time))
+        self.assertEqual(len(errors), 6)
 
     def test_weights(self):
         """What is added with a number out of range is not added."""

@@ -3,6 +3,7 @@
 // Databases of reliefs: what is written is read again, to the bit, and the table is Cinema's.
 #include "Data/Relief.h"
 #include "RelevoCheck.h"
+#include "RelevoFiles.h"
 #include "RelevoReliefFiles.h"
 #include "RelevoReliefs.h"
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Incomplete databases: the error says what is missing, and the rest is read.
 #include "RelevoCheck.h"
+#include "RelevoFiles.h"
 #include "RelevoReliefFiles.h"
 #include "RelevoReliefs.h"
 

@@ -1,21 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Folders and files of reliefs that tests write.
+// What tests read of databases of reliefs.
 #ifndef RelevoReliefFiles_h
 #define RelevoReliefFiles_h
 
-#include <string>
-
 class vtkDataObject;
 class vtkImageData;
-
-/// An empty folder of this name in the one that a test may write into (-T).
-std::string RelevoMakeFolder(int argc, char* argv[], const std::string& name);
-void RelevoMakeFolder(const std::string& name);
-
-std::string RelevoReadFile(const std::string& name);
-void RelevoWriteFile(const std::string& name, const std::string& text);
-void RelevoRemoveFile(const std::string& name);
 
 /// A block of a vtkMultiBlockDataSet, if it is an image.
 vtkImageData* RelevoGetImage(vtkDataObject* blocks, unsigned int block);

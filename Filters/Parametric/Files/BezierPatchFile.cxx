@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Files/BezierPatchFile.h"
+
+#include "Cells/BezierCells.h"
+
+#include <charconv>
+#include <cmath>
+#include <istream>
+#include <limits>
+
+namespace relevo
+{
+namespace
+{
+// Numbers with space between them. After the first fault it reads no more.
+class NumberReader
+{
+public:
+  explicit NumberReader(std::istream& in)
+    : In(in)
+  {
+  }
+
+  const std::string& GetFault() const { return this->Fault; }
+
+  int ReadInteger(const char* fault, int lowest, int highest)
+  {
+    int number = lowest;
+    if (!this->ReadWord() || (this->Parse(number) && number >= lowest && number <= highest))
+    {
+      return number;
+    }
+    this->SetFault("'" + this->Word + fault);
+    return lowest;
+  }
+
+  double ReadNumber()
+  {
+    double number = 0.0;
+    if (this->ReadWord() && !(this->Parse(number) && std::isfinite(number)))
+    {
+      this->SetFault("'" + this->Word + "' is no finite number.");
+    }
+    return number;
+  }
+
+  void ReadEnd()
+  {
+    if (this->Fault.empty() && this->SkipSpace())
+    {
+      this->SetFault("there is more than line 1 tells of.");
+    }
+  }
+
+private:
+  static bool IsSpace(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+  // Whether anything follows.
+  bool SkipSpace()
+  {
+    constexpr int none = std::char_traits<char>::eof();
+    int c = this->In.peek();
+    for (; c != none && IsSpace(c); c = this->In.peek())
+    {
+      this->Line += this->In.get() == '\n' ? 1 : 0;
+    }
+    return c != none;
+  }
+
+  bool ReadWord()
+  {
+    if (!this->Fault.empty())
+    {
+      return false;
+    }
+    if (!this->SkipSpace())
+    {
+      this->SetFault("the file ends too early.");
+      return false;
+    }
+    constexpr int none = std::char_traits<char>::eof();
+    constexpr std::size_t most = 80; // of what is no text, errors quote so much
+    this->Word.clear();
+    for (int c = this->In.peek(); c != none && !IsSpace(c); c = this->In.peek())
+    {
+      if (this->Word.size() == most)
+      {
+        return true;
+      }
+      this->Word += static_cast<char>(this->In.get());
+    }
+    return true;
+  }
+
+  // Knows no locale. A plus is allowed, as in C.
+  template <typename T>
+  bool Parse(T& number) const
+  {
+    const char* end = this->Word.data() + this->Word.size();
+    const char* begin = this->Word.data();
+    begin += end - begin > 1 && begin[0] == '+' && begin[1] != '-' ? 1 : 0;
+    const auto [stop, error] = std::from_chars(begin, end, number);
+    return stop == end && error == std::errc();
+  }
+
+  void SetFault(const std::string& what)
+  {
+    this->Fault = "line " + std::to_string(this->Line) + ": " + what;
+  }
+
+  std::istream& In;
+  int Line = 1;
+  std::string Word;
+  std::string Fault;
+};
+
+int ReadNumberOfPatches(NumberReader& reader)
+{
+  return reader.ReadInteger("' is no number of patches.", 0, std::numeric_limits<int>::max());
+}
+
+ivec2 ReadDegrees(NumberReader& reader)
+{
+  const int first = reader.ReadInteger("' is no degree: 1 to 8.", 1, LargestDegree);
+  return ivec2(first, reader.ReadInteger("' is no degree: 1 to 8.", 1, LargestDegree));
+}
+
+BezierPatch ReadPatch(NumberReader& reader)
+{
+  BezierPatch patch;
+  patch.Degrees = ReadDegrees(reader);
+  const ivec2 size = patch.Degrees + 1;
+  patch.Points.resize(static_cast<std::size_t>(size.x) * size.y);
+  // In the file those of the second direction follow one another.
+  for (int i = 0; i < size.x; ++i)
+  {
+    for (int j = 0; j < size.y; ++j)
+    {
+      const double x = reader.ReadNumber();
+      const double y = reader.ReadNumber();
+      const double z = reader.ReadNumber();
+      patch.Points[static_cast<std::size_t>(j) * size.x + i] = dvec4(x, y, z, 1.0);
+    }
+  }
+  return patch;
+}
+}
+
+bool ReadBezierPatches(std::istream& in, std::vector<BezierPatch>& patches, std::string& fault)
+{
+  NumberReader reader(in);
+  const int number = ReadNumberOfPatches(reader);
+  for (int i = 0; i < number && reader.GetFault().empty(); ++i)
+  {
+    patches.push_back(ReadPatch(reader));
+  }
+  reader.ReadEnd();
+  fault = reader.GetFault();
+  return fault.empty();
+}
+
+bool IsBezierPatchFile(std::istream& in)
+{
+  NumberReader reader(in);
+  if (ReadNumberOfPatches(reader) > 0)
+  {
+    ReadDegrees(reader);
+  }
+  return reader.GetFault().empty();
+}
+}

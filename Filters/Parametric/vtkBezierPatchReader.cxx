@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkBezierPatchReader.h"
+
+#include "Cells/BezierCells.h"
+#include "Files/BezierPatchFile.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <fstream>
+
+vtkStandardNewMacro(vtkBezierPatchReader);
+
+vtkBezierPatchReader::vtkBezierPatchReader()
+  : FileName(nullptr)
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkBezierPatchReader::~vtkBezierPatchReader()
+{
+  this->SetFileName(nullptr);
+}
+
+int vtkBezierPatchReader::CanReadFile(const char* fileName)
+{
+  std::ifstream file(fileName ? fileName : "", std::ios::binary);
+  return file && relevo::IsBezierPatchFile(file) ? 1 : 0;
+}
+
+int vtkBezierPatchReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
+  output->Initialize();
+  if (!this->FileName || !*this->FileName)
+  {
+    vtkErrorMacro("There is no file name: call SetFileName().");
+    return 0;
+  }
+  std::ifstream file(this->FileName, std::ios::binary);
+  if (!file)
+  {
+    vtkErrorMacro("The file cannot be read: " << this->FileName);
+    return 0;
+  }
+  std::vector<relevo::BezierPatch> patches;
+  std::string fault;
+  if (!relevo::ReadBezierPatches(file, patches, fault))
+  {
+    vtkErrorMacro(<< this->FileName << ", " << fault);
+    return 0;
+  }
+  relevo::BezierCells cells(output, false);
+  for (const relevo::BezierPatch& patch : patches)
+  {
+    cells.AddQuadrilateral(patch.Degrees, patch.Points);
+  }
+  return 1;
+}
+
+void vtkBezierPatchReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+}

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Folders and files that tests write.
+#ifndef RelevoFiles_h
+#define RelevoFiles_h
+
+#include <string>
+
+/// An empty folder of this name in the one that a test may write into (-T).
+std::string RelevoMakeFolder(int argc, char* argv[], const std::string& name);
+void RelevoMakeFolder(const std::string& name);
+
+std::string RelevoReadFile(const std::string& name);
+void RelevoWriteFile(const std::string& name, const std::string& text);
+void RelevoRemoveFile(const std::string& name);
+
+#endif

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Files of Bézier patches, and their surfaces by de Casteljau's construction.
+#ifndef RelevoPatchFiles_h
+#define RelevoPatchFiles_h
+
+#include "RelevoSplines.h"
+
+#include <iosfwd>
+#include <string>
+
+struct RelevoPatch
+{
+  int First = 1; ///< the degrees
+  int Second = 1;
+  std::vector<RelevoPlace> Points; ///< First + 1 rows of Second + 1
+
+  RelevoPlace Evaluate(double u, double v) const;
+};
+
+/// As VTK's streams read numbers; the text is one without faults.
+std::vector<RelevoPatch> RelevoReadPatches(std::istream& text);
+std::string RelevoWritePatches(const std::vector<RelevoPatch>& patches);
+
+/// The largest distance between the cells and the patches that they are made of.
+double RelevoGetPatchError(vtkUnstructuredGrid* grid, const std::vector<RelevoPatch>& patches);
+
+#endif

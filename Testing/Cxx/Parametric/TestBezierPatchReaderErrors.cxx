@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Damaged files of patches: the error names file, line and what is wrong; the output is empty.
+#include "RelevoCheck.h"
+#include "RelevoFiles.h"
+
+#include "vtkBezierPatchReader.h"
+#include "vtkExecutive.h"
+#include "vtkUnstructuredGrid.h"
+
+namespace
+{
+const std::string Whole = "2\n1 1\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n"
+                          "1 1\n1 0 0\n2 0 0\n1 1 0\n2 1 0\n";
+
+void ExpectError(RelevoCheck& check, vtkBezierPatchReader* reader, const std::string& words)
+{
+  RelevoErrors errors(reader);
+  RelevoErrors executive(reader->GetExecutive());
+  reader->Modified();
+  CHECK(reader->GetExecutive()->Update() == 0);
+  if (!errors.Said(words))
+  {
+    check.Fail(__FILE__, __LINE__, "not said: " + words);
+  }
+  CHECK(reader->GetOutput()->GetNumberOfCells() == 0);
+  CHECK(reader->GetOutput()->GetNumberOfPoints() == 0);
+}
+
+// The file with one text replaced by another.
+void ExpectFault(RelevoCheck& check, const std::string& name, const std::string& from,
+  const std::string& to, const std::string& words)
+{
+  RelevoWriteFile(name, Whole);
+  vtkNew<vtkBezierPatchReader> reader;
+  reader->SetFileName(name.c_str());
+  reader->Update();
+  CHECK(reader->GetOutput()->GetNumberOfCells() == 2);
+  std::string text = Whole;
+  text.replace(text.find(from), from.size(), to);
+  RelevoWriteFile(name, text);
+  ExpectError(check, reader, name + ", " + words);
+}
+
+void TestFaults(RelevoCheck& check, const std::string& name)
+{
+  ExpectFault(check, name, "2\n1", "two\n1", "line 1: 'two' is no number of patches.");
+  ExpectFault(check, name, "2\n1", "-1\n1", "line 1: '-1' is no number of patches.");
+  ExpectFault(check, name, "2\n1", "1.5\n1", "line 1: '1.5' is no number of patches.");
+  ExpectFault(check, name, "2\n1", "99999999999\n1", "line 1: '99999999999' is no number of");
+  ExpectFault(check, name, "2\n1", "3\n1", "line 12: the file ends too early.");
+  ExpectFault(check, name, "2\n1", "1\n1", "line 7: there is more than line 1 tells of.");
+  ExpectFault(check, name, "1 1\n1 0 0\n2", "9 1\n1 0 0\n2", "line 7: '9' is no degree: 1 to 8.");
+  ExpectFault(check, name, "1 1\n1 0 0\n2", "1 0\n1 0 0\n2", "line 7: '0' is no degree: 1 to 8.");
+  ExpectFault(check, name, "1 1\n1 0 0\n2", "1 x\n1 0 0\n2", "line 7: 'x' is no degree: 1 to 8.");
+  ExpectFault(check, name, "0 1 0", "0 nan 0", "line 5: 'nan' is no finite number.");
+  ExpectFault(check, name, "0 1 0", "0 inf 0", "line 5: 'inf' is no finite number.");
+  ExpectFault(check, name, "0 1 0", "0 1e999 0", "line 5: '1e999' is no finite number.");
+  ExpectFault(check, name, "0 1 0", "0 1,5 0", "line 5: '1,5' is no finite number.");
+  ExpectFault(check, name, "0 1 0", "0 +-1 0", "line 5: '+-1' is no finite number.");
+  ExpectFault(check, name, "0 1 0", "0 1", "line 12: the file ends too early.");
+  ExpectFault(check, name, "2 1 0\n", "2 1\n", "line 12: the file ends too early.");
+  ExpectFault(check, name, Whole, "", "line 1: the file ends too early.");
+  const std::string cut = "x" + std::string(79, '7');
+  ExpectFault(check, name, "0 1 0", "0 " + cut + "77 0", "line 5: '" + cut + "' is no finite");
+}
+
+void TestFiles(RelevoCheck& check, const std::string& folder)
+{
+  vtkNew<vtkBezierPatchReader> reader;
+  ExpectError(check, reader, "There is no file name: call SetFileName().");
+  CHECK(reader->CanReadFile(nullptr) == 0 && reader->CanReadFile("") == 0);
+  const std::string missing = folder + "/missing.bpt";
+  reader->SetFileName(missing.c_str());
+  ExpectError(check, reader, "The file cannot be read: " + missing);
+  CHECK(reader->CanReadFile(missing.c_str()) == 0);
+  reader->SetFileName(folder.c_str());
+  ExpectError(check, reader, folder);
+  CHECK(reader->CanReadFile(folder.c_str()) == 0);
+  const std::string name = folder + "/other.bpt";
+  for (const char* text : { "", "ply\n", "2\n", "2\n9 1\n", "2\n1 x\n", "-1\n1 1\n" })
+  {
+    RelevoWriteFile(name, text);
+    CHECK(reader->CanReadFile(name.c_str()) == 0);
+  }
+  RelevoWriteFile(name, "2\n1 8\n");
+  CHECK(reader->CanReadFile(name.c_str()) == 1);
+}
+}
+
+int TestBezierPatchReaderErrors(int argc, char* argv[])
+{
+  RelevoCheck check;
+  const std::string folder = RelevoMakeFolder(argc, argv, "BezierPatchReaderErrors");
+  TestFaults(check, folder + "/patches.bpt");
+  TestFiles(check, folder);
+  return check.GetResult();
+}

@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// NURBS as Bézier cells: VTK's own cells lie on what Cox and de Boor's recursion gives.
+#include "RelevoCheck.h"
+#include "RelevoSplines.h"
+
+#include "vtkCell.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+vtkSmartPointer<vtkUnstructuredGrid> Decompose(RelevoCheck& check, const RelevoSpline& spline)
+{
+  auto source = spline.NewSource();
+  RelevoErrors errors(source);
+  source->Update();
+  CHECK(errors.None());
+  return source->GetOutput();
+}
+
+// The largest distance between the cells and the spline, inside spans and at both of their ends.
+double GetError(vtkUnstructuredGrid* grid, const RelevoSpline& spline)
+{
+  constexpr int steps = 7;
+  double error = 0.0;
+  vtkIdType cell = 0;
+  for (const auto& second : spline.GetSpans(1))
+  {
+    for (const auto& first : spline.GetSpans(0))
+    {
+      for (int k = 0; k < (steps + 1) * (steps + 1); ++k)
+      {
+        const double a = k % (steps + 1) / static_cast<double>(steps);
+        const double b = k / (steps + 1) / static_cast<double>(steps);
+        const double u = a < 1.0 ? first[0] + a * (first[1] - first[0]) : first[1];
+        const double v = b < 1.0 ? second[0] + b * (second[1] - second[0]) : second[1];
+        // At a knot each side has its own value where the spline jumps.
+        if ((a == 0.0 && b == 1.0) || (a == 1.0 && b == 0.0))
+        {
+          continue;
+        }
+        const bool fromLeft = a == 1.0 || b == 1.0;
+        error = std::max(error,
+          RelevoGetDistance(RelevoEvaluateCell(grid, cell, a, b), spline.Evaluate(u, v, fromLeft)));
+      }
+      ++cell;
+    }
+  }
+  return error;
+}
+
+// Clamped and not, with knots of every multiplicity, also where the curve jumps.
+std::vector<std::vector<double>> MakeKnots(int p)
+{
+  std::vector<double> bezier(p + 1, -2.0);
+  bezier.insert(bezier.end(), p + 1, 5.0);
+  std::vector<double> uniform;
+  for (int i = 0; i < 2 * p + 5; ++i)
+  {
+    uniform.push_back(0.25 * i - 1.0);
+  }
+  std::vector<double> multiple(p + 1, 0.0);
+  double knot = 0.0;
+  for (int times = 1; times <= p + 1; ++times)
+  {
+    knot += 0.3 + 0.1 * times;
+    multiple.insert(multiple.end(), times, knot);
+  }
+  multiple.insert(multiple.end(), p + 1, knot + 0.7);
+  std::vector<double> half(uniform.begin(), uniform.end() - 1); // clamped at one end alone
+  half.insert(half.end(), p + 1, uniform.back());
+  return { bezier, uniform, multiple, half };
+}
+
+void TestCurves(RelevoCheck& check)
+{
+  std::mt19937 random(7);
+  for (int p = 1; p <= 8; ++p)
+  {
+    for (const std::vector<double>& knots : MakeKnots(p))
+    {
+      for (bool isRational : { false, true })
+      {
+        const RelevoSpline spline =
+          RelevoMakeRandomSpline(random, { p, 3 }, { knots, std::vector<double>() }, isRational);
+        auto grid = Decompose(check, spline);
+        CHECK(grid->GetNumberOfCells() == static_cast<vtkIdType>(spline.GetSpans(0).size()));
+        CHECK(grid->GetCellType(0) == VTK_BEZIER_CURVE);
+        CHECK((grid->GetPointData()->GetRationalWeights() != nullptr) == isRational);
+        CHECK_NEAR(GetError(grid, spline), 0.0, 1e-11);
+      }
+    }
+  }
+}
+
+void TestSurfaces(RelevoCheck& check)
+{
+  std::mt19937 random(11);
+  for (int p = 1; p <= 8; ++p)
+  {
+    const int q = 1 + (3 * p) % 8; // each degree once, mostly another than p
+    const auto first = MakeKnots(p);
+    const auto second = MakeKnots(q);
+    for (int i = 0; i < static_cast<int>(first.size()); ++i)
+    {
+      const RelevoSpline spline = RelevoMakeRandomSpline(
+        random, { p, q }, { first[i], second[(i + p) % second.size()] }, i % 2 == p % 2);
+      auto grid = Decompose(check, spline);
+      CHECK(grid->GetNumberOfCells() ==
+        static_cast<vtkIdType>(spline.GetSpans(0).size() * spline.GetSpans(1).size()));
+      CHECK(grid->GetCellType(0) == VTK_BEZIER_QUADRILATERAL);
+      double degrees[3];
+      grid->GetCellData()->GetHigherOrderDegrees()->GetTuple(0, degrees);
+      CHECK(degrees[0] == p && degrees[1] == q && degrees[2] == 0.0);
+      CHECK_NEAR(GetError(grid, spline), 0.0, 1e-11);
+    }
+  }
+}
+
+void TestCircle(RelevoCheck& check)
+{
+  const RelevoSpline circle = RelevoMakeCircle();
+  auto grid = Decompose(check, circle);
+  CHECK(grid->GetNumberOfCells() == 4 && grid->GetNumberOfPoints() == 8);
+  double error = 0.0;
+  for (int k = 0; k <= 4000; ++k)
+  {
+    const RelevoPlace place =
+      RelevoEvaluateCell(grid, std::min(k / 1000, 3), (k - 1000 * std::min(k / 1000, 3)) / 1e3, 0);
+    error = std::max(error, std::abs(std::hypot(place[0], place[1]) - 1.0));
+  }
+  CHECK_NEAR(error, 0.0, 1e-14);
+}
+
+void TestTorus(RelevoCheck& check)
+{
+  constexpr double radius = 2.0;
+  constexpr double tube = 0.5;
+  const RelevoSpline torus = RelevoMakeTorus(radius, tube);
+  auto grid = Decompose(check, torus);
+  // Closed in both directions.
+  CHECK(grid->GetNumberOfCells() == 16 && grid->GetNumberOfPoints() == 64);
+  double error = 0.0;
+  for (vtkIdType cell = 0; cell < 16; ++cell)
+  {
+    for (int k = 0; k < 21 * 21; ++k)
+    {
+      const RelevoPlace x = RelevoEvaluateCell(grid, cell, k % 21 / 20.0, k / 21 / 20.0);
+      error = std::max(error, std::abs(std::hypot(std::hypot(x[0], x[1]) - radius, x[2]) - tube));
+    }
+  }
+  CHECK_NEAR(error, 0.0, 1e-14);
+}
+
+// Neighbours have the same points along a border, however many knots were put in.
+void TestBorders(RelevoCheck& check)
+{
+  std::mt19937 random(3);
+  const std::vector<double> knots{ 0.0, 0.1, 0.25, 0.3, 0.7, 0.75, 1.2, 1.7, 1.9, 2.0 };
+  for (bool isRational : { false, true })
+  {
+    const RelevoSpline spline =
+      RelevoMakeRandomSpline(random, { 3, 3 }, { knots, knots }, isRational);
+    auto grid = Decompose(check, spline);
+    CHECK(grid->GetNumberOfCells() == 9);
+    CHECK(grid->GetNumberOfPoints() == 100); // 10 x 10, as each border is there once
+  }
+  // Where it jumps nothing is joined.
+  const std::vector<double> jumping{ 0, 0, 1, 1, 2, 2 };
+  const RelevoSpline jump =
+    RelevoMakeRandomSpline(random, { 1, 3 }, { jumping, std::vector<double>() }, false);
+  CHECK(Decompose(check, jump)->GetNumberOfPoints() == 4);
+}
+
+// Weights that are all 1 are none; others are there, all alike or not.
+void TestWeights(RelevoCheck& check)
+{
+  std::mt19937 random(5);
+  RelevoSpline spline =
+    RelevoMakeRandomSpline(random, { 3, 3 }, { MakeKnots(3)[1], MakeKnots(3)[2] }, false);
+  auto without = Decompose(check, spline);
+  spline.Weights.assign(spline.Points.size(), 1.0);
+  CHECK(!Decompose(check, spline)->GetPointData()->GetRationalWeights());
+  spline.Weights.assign(spline.Points.size(), 4.0);
+  auto with = Decompose(check, spline);
+  CHECK(with->GetPointData()->GetRationalWeights() == with->GetPointData()->GetArray(0));
+  CHECK(std::string(with->GetPointData()->GetArrayName(0)) == "RationalWeights");
+  CHECK_NEAR(with->GetPointData()->GetArray(0)->GetTuple1(5), 4.0, 1e-14);
+  CHECK(with->GetNumberOfPoints() == without->GetNumberOfPoints());
+  double error = 0.0;
+  for (vtkIdType i = 0; i < with->GetNumberOfPoints(); ++i)
+  {
+    RelevoPlace a;
+    RelevoPlace b;
+    with->GetPoint(i, a.data());
+    without->GetPoint(i, b.data());
+    error = std::max(error, RelevoGetDistance(a, b));
+  }
+  CHECK_NEAR(error, 0.0, 1e-14);
+}
+
+// What arrays hold counts, not only which they are.
+void TestTimes(RelevoCheck& check)
+{
+  const RelevoSpline circle = RelevoMakeCircle();
+  auto source = circle.NewSource();
+  source->Update();
+  const vtkMTimeType made = source->GetOutput()->GetMTime();
+  source->Update();
+  CHECK(source->GetOutput()->GetMTime() == made);
+  source->GetWeights()->SetValue(1, 5.0);
+  source->GetWeights()->Modified();
+  source->Update();
+  CHECK(source->GetOutput()->GetMTime() > made);
+  const RelevoPlace place = RelevoEvaluateCell(source->GetOutput(), 0, 0.5, 0.0);
+  CHECK(std::hypot(place[0], place[1]) > 1.1);
+}
+}
+
+int TestNURBSSource(int, char*[])
+{
+  RelevoCheck check;
+  TestCurves(check);
+  TestSurfaces(check);
+  TestCircle(check);
+  TestTorus(check);
+  TestBorders(check);
+  TestWeights(check);
+  TestTimes(check);
+  return check.GetResult();
+}
