@@ -9,10 +9,11 @@
  * whose decimal point is a point in every locale. The teapot is kept so.
  *
  * Output: a vtkUnstructuredGrid with a VTK_BEZIER_QUADRILATERAL for each patch, points in double,
- * and the cell array "HigherOrderDegrees" (int, 3 components: m, n, 0), which is their attribute.
- * A cell's first parametric direction has the degree m and leads from row to row. Control points
- * of the patches' borders that have equal coordinates are one point, so patches that have a border
- * in common share its points, and a border that is one place is one point several times.
+ * and the cell array "HigherOrderDegrees" (int, 3 components: n, m, 0), which is their attribute.
+ * A cell's first parametric direction leads along the rows, with the degree n: so the normals of
+ * the teapot, first direction x second, point outwards. Control points of the patches' borders that
+ * have equal coordinates are one point, so patches that have a border in common share its points,
+ * and a border that is one place is one point several times.
  *
  * Errors, with an empty output, name file and line: no file name, or no file; fewer or more
  * numbers than the file tells of; a number of patches below 0; a degree out of 1 to 8; a

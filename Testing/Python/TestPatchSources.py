@@ -107,9 +107,9 @@ class TestPatchFiles(unittest.TestCase):
         self.reader.Update()
         grid = self.reader.GetOutput()
         self.assertEqual(grid.GetCellType(0), VTK_BEZIER_QUADRILATERAL)
-        self.assertEqual(vtk_to_numpy(grid.GetCellData().GetHigherOrderDegrees()).tolist(), [[1, 2, 0]])
+        self.assertEqual(vtk_to_numpy(grid.GetCellData().GetHigherOrderDegrees()).tolist(), [[2, 1, 0]])
         # Of a height linear in y and quadratic in x.
-        self.assertTrue(numpy.allclose(evaluate(grid, 0, 0.25, 0.5), (1.0, 0.5, 0.75 * 0.5), atol=1e-15))
+        self.assertTrue(numpy.allclose(evaluate(grid, 0, 0.5, 0.25), (1.0, 0.5, 0.75 * 0.5), atol=1e-15))
         surface = vtkDataSetSurfaceFilter()
         surface.SetInputConnection(self.reader.GetOutputPort())
         surface.SetNonlinearSubdivisionLevel(3)

@@ -120,10 +120,11 @@ int ReadNumberOfPatches(NumberReader& reader)
   return reader.ReadInteger("' is no number of patches.", 0, std::numeric_limits<int>::max());
 }
 
+// The number of rows of control points tells the first of the file's two.
 ivec2 ReadDegrees(NumberReader& reader)
 {
-  const int first = reader.ReadInteger("' is no degree: 1 to 8.", 1, LargestDegree);
-  return ivec2(first, reader.ReadInteger("' is no degree: 1 to 8.", 1, LargestDegree));
+  const int second = reader.ReadInteger("' is no degree: 1 to 8.", 1, LargestDegree);
+  return ivec2(reader.ReadInteger("' is no degree: 1 to 8.", 1, LargestDegree), second);
 }
 
 BezierPatch ReadPatch(NumberReader& reader)
@@ -132,16 +133,12 @@ BezierPatch ReadPatch(NumberReader& reader)
   patch.Degrees = ReadDegrees(reader);
   const ivec2 size = patch.Degrees + 1;
   patch.Points.resize(static_cast<std::size_t>(size.x) * size.y);
-  // In the file those of the second direction follow one another.
-  for (int i = 0; i < size.x; ++i)
+  for (dvec4& point : patch.Points)
   {
-    for (int j = 0; j < size.y; ++j)
-    {
-      const double x = reader.ReadNumber();
-      const double y = reader.ReadNumber();
-      const double z = reader.ReadNumber();
-      patch.Points[static_cast<std::size_t>(j) * size.x + i] = dvec4(x, y, z, 1.0);
-    }
+    point.x = reader.ReadNumber();
+    point.y = reader.ReadNumber();
+    point.z = reader.ReadNumber();
+    point.w = 1.0;
   }
   return patch;
 }

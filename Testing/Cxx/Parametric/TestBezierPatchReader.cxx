@@ -59,7 +59,7 @@ void TestDegrees(RelevoCheck& check, const std::string& name)
     double degrees[3];
     grid->GetCellData()->GetHigherOrderDegrees()->GetTuple(k, degrees);
     CHECK(grid->GetCellType(k) == VTK_BEZIER_QUADRILATERAL);
-    CHECK(degrees[0] == 1 + k % 8 && degrees[1] == 1 + k / 8 && degrees[2] == 0.0);
+    CHECK(degrees[0] == 1 + k / 8 && degrees[1] == 1 + k % 8 && degrees[2] == 0.0);
   }
   CHECK_NEAR(RelevoGetPatchError(grid, patches), 0.0, 1e-14);
 }

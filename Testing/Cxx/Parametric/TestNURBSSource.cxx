@@ -205,6 +205,23 @@ void TestWeights(RelevoCheck& check)
   CHECK_NEAR(error, 0.0, 1e-14);
 }
 
+// A curve that ends where it begins has one point there, unless their weights differ.
+void TestEnds(RelevoCheck& check)
+{
+  RelevoSpline spline;
+  spline.Degrees[0] = 2;
+  spline.Dimensions[0] = 3;
+  spline.Knots[0] = { 0, 0, 0, 1, 1, 1 };
+  spline.Points = { { 1, 2, 3 }, { 4, 5, 7 }, { 1, 2, 3 } };
+  for (double weight : { 1.0, 2.0 })
+  {
+    spline.Weights = { 1.0, 0.5, weight };
+    auto grid = Decompose(check, spline);
+    CHECK(grid->GetNumberOfPoints() == (weight == 1.0 ? 2 : 3));
+    CHECK_NEAR(GetError(grid, spline), 0.0, 1e-14);
+  }
+}
+
 // What arrays hold counts, not only which they are.
 void TestTimes(RelevoCheck& check)
 {
@@ -232,6 +249,7 @@ int TestNURBSSource(int, char*[])
   TestTorus(check);
   TestBorders(check);
   TestWeights(check);
+  TestEnds(check);
   TestTimes(check);
   return check.GetResult();
 }

@@ -82,7 +82,7 @@ double RelevoGetPatchError(vtkUnstructuredGrid* grid, const std::vector<RelevoPa
       const double v = k / (steps + 1) / static_cast<double>(steps);
       error = std::max(error,
         RelevoGetDistance(RelevoEvaluateCell(grid, static_cast<vtkIdType>(cell), u, v),
-          patches[cell].Evaluate(u, v)));
+          patches[cell].Evaluate(v, u)));
     }
   }
   return error;

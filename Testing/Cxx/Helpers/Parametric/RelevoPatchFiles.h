@@ -22,7 +22,8 @@ struct RelevoPatch
 std::vector<RelevoPatch> RelevoReadPatches(std::istream& text);
 std::string RelevoWritePatches(const std::vector<RelevoPatch>& patches);
 
-/// The largest distance between the cells and the patches that they are made of.
+/// The largest distance between the cells and the patches that they are made of: a cell's first
+/// direction leads along the rows.
 double RelevoGetPatchError(vtkUnstructuredGrid* grid, const std::vector<RelevoPatch>& patches);
 
 #endif
