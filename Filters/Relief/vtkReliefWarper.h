@@ -50,22 +50,22 @@ public:
   vtkTypeMacro(vtkReliefWarper, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * Where to look from; needed.
    */
   void SetCamera(vtkCamera* camera);
   vtkCamera* GetCamera();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The surface is open between neighbours that are farther apart than this many texel widths, at
    * least 0, default 8. A texel is as wide as it is at the nearer one's depth.
    */
   void SetMaximumStretch(double stretch);
   vtkGetMacro(MaximumStretch, double);
-  ///@}
+  //@}
 
   enum PolicyType
   {
@@ -75,7 +75,7 @@ public:
     ROWS_AND_COLUMNS
   };
 
-  ///@{
+  //@{
   /**
    * Who warps; all give the same picture, to the bit. Default SEQUENTIAL (0).
    *
@@ -96,16 +96,16 @@ public:
   void SetPolicyToParallel() { this->SetPolicy(PARALLEL); }
   void SetPolicyToMultiThreaded() { this->SetPolicy(MULTI_THREADED); }
   void SetPolicyToRowsAndColumns() { this->SetPolicy(ROWS_AND_COLUMNS); }
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Threads of MULTI_THREADED and ROWS_AND_COLUMNS, 0 to 64; 0, the default, is as many as
    * vtkMultiThreader has by default, one for each processor.
    */
   void SetNumberOfThreads(int number);
   vtkGetMacro(NumberOfThreads, int);
-  ///@}
+  //@}
 
   enum StateType
   {

@@ -88,7 +88,7 @@ private:
 RELEVORENDERINGREFINEMENT_EXPORT std::string DescribeMissing(const MissingAnchors& missing);
 
 /// Have shaders compile and leave no pixel.
-void DrawNothing(std::map<vtkShader::Type, vtkShader*>& shaders);
+RELEVORENDERINGREFINEMENT_EXPORT void DrawNothing(std::map<vtkShader::Type, vtkShader*>& shaders);
 }
 
 #endif
