@@ -146,9 +146,10 @@ void PrepareReliefShaders(const ReliefShaderOptions& options,
   fragment.Replace("//VTK::PositionVC::Dec", "");
   fragment.Replace(
     "//VTK::PositionVC::Impl", "if (!reliefFind()) discard;\n  vec4 vertexVC = reliefVertex();");
-  fragment.IfReplace("//VTK::UniformFlow::Impl", "");
   if (options.Yields || options.Method != ReliefShaderOptions::REFINEMENT)
   {
+    // Elsewhere VTK's depth with a coincident offset needs what it declares there.
+    fragment.IfReplace("//VTK::UniformFlow::Impl", "");
     fragment.Replace("//VTK::Depth::Impl", "gl_FragDepth = reliefDepth();");
   }
   fragment.Replace("//VTK::Normal::Impl", "vec3 normalVCVSOutput = reliefNormal();");
