@@ -43,47 +43,47 @@ public:
   vtkTypeMacro(vtkNURBSSource, vtkUnstructuredGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * The degree of a direction, 0 or 1: in [1, 8], default 3.
    */
   void SetDegree(int direction, int degree);
   int GetDegree(int direction);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The knots of a direction, 0 or 1, which never fall; needed, of a curve for direction 0 alone.
    */
   void SetKnots(int direction, vtkDoubleArray* knots);
   vtkDoubleArray* GetKnots(int direction);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * How many control points there are in each direction, at least 1, default 1 and 1. If there is
    * 1 in the second direction, it is a curve.
    */
   void SetDimensions(int first, int second);
   vtkGetVector2Macro(Dimensions, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The control points, not multiplied with their weights, those of the first direction following
    * one another; needed.
    */
   void SetControlPoints(vtkPoints* points);
   vtkPoints* GetControlPoints();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * A weight for each control point, more than 0; default nullptr: all are 1.
    */
   void SetWeights(vtkDoubleArray* weights);
   vtkDoubleArray* GetWeights();
-  ///@}
+  //@}
 
   /// Includes the modification times of knots, control points and weights.
   vtkMTimeType GetMTime() override;
