@@ -7,7 +7,7 @@
 #include "Files/ViewerPicture.h"
 #include "Options/ViewerOptions.h"
 #include "Scene/OffscreenWindow.h"
-#include "Scene/ReliefView.h"
+#include "Scene/ReliefCaptures.h"
 #include "Scene/ViewerScene.h"
 #include "Text/ViewerMessages.h"
 #include "Window/ViewerWindow.h"

@@ -3,6 +3,7 @@
 // Which method draws, and its draw calls.
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
+#include "Core/SameNumber.h"
 #include "OpenGL/RelevoOpenGL.h"
 
 #include "Evaluation/PatternSelection.h"
@@ -20,22 +21,20 @@ namespace
 // Private code numbers methods and colour modes as the mapper does.
 using Mapper = vtkAdaptiveRefinementMapper;
 using Method = relevo::RefinementMethod;
-template <typename A, typename B>
-constexpr bool AreSame(A a, B b)
-{
-  return static_cast<int>(a) == static_cast<int>(b);
-}
-static_assert(AreSame(Mapper::METHOD_ARKFPI, Method::ARKFPI), "ARKFPI");
-static_assert(AreSame(Mapper::METHOD_ARK, Method::ARK), "ARK");
-static_assert(AreSame(Mapper::METHOD_DMR, Method::DMR), "DMR");
-static_assert(AreSame(Mapper::METHOD_SUAPT, Method::SUAPT), "SUAPT");
+static_assert(relevo::HaveSameNumber(Mapper::METHOD_ARKFPI, Method::ARKFPI), "ARKFPI");
+static_assert(relevo::HaveSameNumber(Mapper::METHOD_ARK, Method::ARK), "ARK");
+static_assert(relevo::HaveSameNumber(Mapper::METHOD_DMR, Method::DMR), "DMR");
+static_assert(relevo::HaveSameNumber(Mapper::METHOD_SUAPT, Method::SUAPT), "SUAPT");
 static_assert(
-  AreSame(Mapper::METHOD_HARDWARE_TESSELLATION, Method::HARDWARE_TESSELLATION), "tessellation");
-static_assert(AreSame(Mapper::METHOD_UNIFORM, Method::UNIFORM), "uniform");
-static_assert(AreSame(Mapper::COLOR_BY_SCALARS, relevo::COLOR_BY_SCALARS), "scalars");
-static_assert(AreSame(Mapper::COLOR_BY_LEVEL, relevo::COLOR_BY_LEVEL), "level");
-static_assert(AreSame(Mapper::COLOR_BY_PATTERN, relevo::COLOR_BY_PATTERN), "pattern");
-static_assert(AreSame(Mapper::COLOR_BY_METRIC, relevo::COLOR_BY_METRIC), "metric");
+  relevo::HaveSameNumber(Mapper::METHOD_HARDWARE_TESSELLATION, Method::HARDWARE_TESSELLATION),
+  "tessellation");
+static_assert(relevo::HaveSameNumber(Mapper::METHOD_UNIFORM, Method::UNIFORM), "uniform");
+static_assert(
+  relevo::HaveSameNumber(Mapper::COLOR_BY_SCALARS, relevo::COLOR_BY_SCALARS), "scalars");
+static_assert(relevo::HaveSameNumber(Mapper::COLOR_BY_LEVEL, relevo::COLOR_BY_LEVEL), "level");
+static_assert(
+  relevo::HaveSameNumber(Mapper::COLOR_BY_PATTERN, relevo::COLOR_BY_PATTERN), "pattern");
+static_assert(relevo::HaveSameNumber(Mapper::COLOR_BY_METRIC, relevo::COLOR_BY_METRIC), "metric");
 
 relevo::RefinementMethod::Primitives GetPrimitives(int mode, bool pointPicking)
 {

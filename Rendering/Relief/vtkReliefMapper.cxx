@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkReliefMapperInternals.h"
 
+#include "Core/SameNumber.h"
 #include "Drawing/PickedRelief.h"
 #include "Picking/PickedInputPipeline.h"
 #include "vtkActor.h"
@@ -24,18 +25,17 @@ namespace
 // Private code numbers methods and searches as the mapper does.
 using Mapper = vtkReliefMapper;
 using Options = relevo::ReliefShaderOptions;
-template <typename A, typename B>
-constexpr bool AreSame(A a, B b)
-{
-  return static_cast<int>(a) == static_cast<int>(b);
-}
-static_assert(AreSame(Mapper::METHOD_WARP, Options::WARP), "warp");
-static_assert(AreSame(Mapper::METHOD_RAY_MARCH, Options::RAY_MARCH), "ray march");
-static_assert(AreSame(Mapper::METHOD_REFINEMENT, Options::REFINEMENT), "refinement");
-static_assert(AreSame(Mapper::SEARCH_LINEAR_BINARY, Options::LINEAR_BINARY), "linear, binary");
-static_assert(AreSame(Mapper::SEARCH_LINEAR_SECANT, Options::LINEAR_SECANT), "linear, secant");
-static_assert(AreSame(Mapper::SEARCH_RELAXED_CONES, Options::RELAXED_CONES), "cones");
-static_assert(AreSame(Mapper::SEARCH_MAXIMUM_MIPMAP, Options::MAXIMUM_MIPMAP), "mipmap");
+static_assert(relevo::HaveSameNumber(Mapper::METHOD_WARP, Options::WARP), "warp");
+static_assert(relevo::HaveSameNumber(Mapper::METHOD_RAY_MARCH, Options::RAY_MARCH), "ray march");
+static_assert(relevo::HaveSameNumber(Mapper::METHOD_REFINEMENT, Options::REFINEMENT), "refinement");
+static_assert(
+  relevo::HaveSameNumber(Mapper::SEARCH_LINEAR_BINARY, Options::LINEAR_BINARY), "linear, binary");
+static_assert(
+  relevo::HaveSameNumber(Mapper::SEARCH_LINEAR_SECANT, Options::LINEAR_SECANT), "linear, secant");
+static_assert(
+  relevo::HaveSameNumber(Mapper::SEARCH_RELAXED_CONES, Options::RELAXED_CONES), "cones");
+static_assert(
+  relevo::HaveSameNumber(Mapper::SEARCH_MAXIMUM_MIPMAP, Options::MAXIMUM_MIPMAP), "mipmap");
 
 // What the reliefs of an input were made from.
 relevo::Dependencies GetSource(vtkDataObject* input)

@@ -57,6 +57,9 @@ class TestViewerRelief(ViewerProgram):
         self.assertEqual(len([name for name in names if name.endswith(".vti")]), 6)
         self.assertEqual(self.statistic("reliefs", "six"), 6)
         drawn = self.picture("six")
+        self.assertEqual(drawn, self.picture("six/data.csv"))
+        self.assertNotEqual(drawn, self.picture("six", "--up=z"))
+        self.assertNotEqual(drawn, self.picture("six", "--center=9,0,0"))
         self.assertGreater(sum(is_surface(*pixel) for row in drawn for pixel in row), 1000)
         self.view(self.sphere, "--relief=sphere", "--capture", "twelve", "--output=t.png", *SMALL)
         self.assertEqual(self.statistic("reliefs", "twelve", "--relief-method=march"), 12)
@@ -70,6 +73,9 @@ class TestViewerRelief(ViewerProgram):
             2, ["--relief-search", "march"], self.sphere, "--relief=box", "--relief-search=mipmap"
         )
         self.assert_error(2, ["--array", "folder"], "empty", "--array=A", "--output=o.png")
+        for option in ("--light=10,20", "--exaggeration=2", "--relief=box"):
+            self.assert_error(2, [option.split("=")[0], "folder"], "empty", option)
+        self.assert_error(2, ["--center", "X,Y,Z"], "empty", "--center=1,2", "--output=o.png")
         self.assert_error(2, ["--capture", "folder"], self.sphere, "--capture=")
         self.assert_error(2, ["--relief", "--volume"], self.sphere, "--volume", "--relief=box")
 

@@ -14,9 +14,14 @@
 
 namespace
 {
-// What places and light a picture, whatever it shows.
-const std::set<std::string> OfAll = { "--center", "--light", "--no-legend", "--output", "--size",
-  "--stats", "--up", "--view", "--zoom" };
+// What places a picture, whatever it shows.
+const std::set<std::string> OfAll = { "--center", "--no-legend", "--output", "--size", "--stats",
+  "--up", "--view", "--zoom" };
+
+bool IsOneOf(const std::string& option, const std::set<std::string>& options)
+{
+  return options.count(option) > 0;
+}
 
 class Checks
 {
@@ -60,11 +65,12 @@ private:
     for (const auto& given : this->Given)
     {
       const std::string& option = given.first;
-      if (options.IsVolume && !ofVolumes.count(option) && !OfAll.count(option))
+      if (options.IsVolume && !IsOneOf(option, ofVolumes) && !IsOneOf(option, OfAll) &&
+        option != "--light")
       {
         throw UsageError(option + " does not go with --volume");
       }
-      if (!options.IsVolume && ofVolumes.count(option))
+      if (!options.IsVolume && IsOneOf(option, ofVolumes))
       {
         throw UsageError(option + " goes with --volume");
       }
@@ -82,6 +88,7 @@ private:
     }
   }
 
+  // Reliefs have no surface to refine, and their light is that of when they were captured.
   void CheckRelief()
   {
     const ViewerOptions& options = this->Options;
@@ -89,8 +96,8 @@ private:
     {
       for (const auto& given : this->Given)
       {
-        if (!OfAll.count(given.first) && given.first != "--relief-method" &&
-          given.first != "--relief-search")
+        if (!IsOneOf(given.first, OfAll) &&
+          !IsOneOf(given.first, { "--relief-method", "--relief-search" }))
         {
           throw UsageError(given.first + " does not go with a folder of reliefs");
         }
@@ -107,9 +114,10 @@ private:
     const ViewerOptions& options = this->Options;
     using Surface = ViewerOptions::SurfaceType;
     this->RequirePartner({ "--exaggeration", "--imagery-bands", "--resolution", "--stretch" },
-      !options.IsMesh, "height maps");
+      options.IsTerrain(), "height maps");
     this->RequirePartner(
-      { "--array", "--feature-angle", "--height", "--mapping", "--up" }, options.IsMesh, "meshes");
+      { "--array", "--feature-angle", "--height", "--mapping" }, options.IsMesh, "meshes");
+    this->RequirePartner({ "--up" }, !options.IsTerrain(), "meshes");
     const bool hasHeights = !options.IsMesh || !options.Heights.empty();
     this->RequirePartner({ "--scale", "--offset" }, options.IsMesh && hasHeights, "--height");
     this->RequirePartner({ "--no-data", "--no-data-value" }, hasHeights, "--height");
@@ -156,7 +164,7 @@ private:
     }
   }
 
-  // A mesh's have three coordinates, a height map's two.
+  // A height map's may have two coordinates.
   void ReadPlaces()
   {
     ViewerOptions& options = this->Options;
@@ -172,7 +180,7 @@ private:
     }
     if (this->Given.count("--center"))
     {
-      options.Center = ToPlace("--center", this->Given.at("--center"), options.IsMesh);
+      options.Center = ToPlace("--center", this->Given.at("--center"), !options.IsTerrain());
     }
   }
 

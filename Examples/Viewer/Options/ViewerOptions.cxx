@@ -21,6 +21,13 @@
 
 namespace
 {
+// A folder, or the table in it.
+bool IsReliefDatabase(const std::string& name)
+{
+  return vtksys::SystemTools::FileIsDirectory(name) ||
+    vtksys::SystemTools::GetFilenameName(name) == "data.csv";
+}
+
 const int HighestLevel = 7;
 const int LargestResolution = 4096;
 const int MostSteps = 1000;
@@ -28,6 +35,11 @@ const int MostSteps = 1000;
 using Flags = std::map<std::string, std::function<void()>>;
 using Setter = std::function<void(const std::string& option, const std::string& value)>;
 using Settings = std::map<std::string, Setter>;
+
+// Places, when it is known what FILE is: CheckOptions() reads them.
+void ReadLater(const std::string&, const std::string&)
+{
+}
 
 // Reads options one by one, then checks what goes with what.
 class Parser
@@ -56,7 +68,7 @@ public:
     {
       throw UsageError("no height map or mesh is given");
     }
-    this->Options.IsDatabase = vtksys::SystemTools::FileIsDirectory(this->Options.Input);
+    this->Options.IsDatabase = IsReliefDatabase(this->Options.Input);
     this->Options.IsMesh = IsMeshFile(this->Options.Input);
     CheckOptions(this->Options, this->GivenOptions);
     return this->Options;
@@ -322,7 +334,7 @@ private:
       { "--reach",
         [&](const auto& option, const auto& value)
         { options.Reach = ToPositiveNumber(option, value); } },
-      { "--region", [](const auto&, const auto&) {} },
+      { "--region", ReadLater },
       { "--segments",
         [&](const auto& option, const auto& value)
         {
@@ -336,7 +348,7 @@ private:
   {
     ViewerOptions& options = this->Options;
     this->AllSettings.insert({
-      { "--center", [](const auto&, const auto&) {} },
+      { "--center", ReadLater },
       { "--color-by",
         [&](const auto& option, const auto& value)
         {

@@ -137,6 +137,7 @@ struct ViewerOptions
   bool Help = false;
   bool Version = false;
 
+  bool IsTerrain() const { return !this->IsMesh && !this->IsDatabase; }
   MetricType GetMetric() const
   {
     return this->Metric.value_or(this->IsMesh ? MetricType::ScreenEdge : MetricType::Distance);

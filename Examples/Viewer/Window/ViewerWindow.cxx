@@ -3,7 +3,7 @@
 #include "Window/ViewerWindow.h"
 
 #include "Options/ViewerOptions.h"
-#include "Scene/ReliefView.h"
+#include "Scene/ReliefCaptures.h"
 #include "Scene/ViewerScene.h"
 #include "Text/ViewerMessages.h"
 #include "Window/TerrainStyle.h"
@@ -44,11 +44,11 @@ void CheckDisplay(ViewerMessages& messages)
 }
 
 // A terrain has a vertical; a mesh is turned in the hand.
-vtkSmartPointer<vtkInteractorStyle> MakeStyle(bool isMesh)
+vtkSmartPointer<vtkInteractorStyle> MakeStyle(bool isTerrain)
 {
-  return vtkSmartPointer<vtkInteractorStyle>::Take(isMesh
-      ? static_cast<vtkInteractorStyle*>(vtkInteractorStyleTrackballCamera::New())
-      : TerrainStyle::New());
+  return vtkSmartPointer<vtkInteractorStyle>::Take(isTerrain
+      ? static_cast<vtkInteractorStyle*>(TerrainStyle::New())
+      : vtkInteractorStyleTrackballCamera::New());
 }
 
 // Events that wait are those of a window that will be gone: the X server ends programs that ask
@@ -80,7 +80,7 @@ void ShowWindow(ViewerScene& scene, const ViewerOptions& options, ViewerMessages
   window->AddRenderer(scene.GetRenderer());
   vtkNew<vtkRenderWindowInteractor> interactor;
   interactor->SetRenderWindow(window);
-  interactor->SetInteractorStyle(MakeStyle(options.IsMesh));
+  interactor->SetInteractorStyle(MakeStyle(options.IsTerrain()));
   vtkNew<vtkCallbackCommand> leave;
   leave->SetCallback(Leave);
   interactor->AddObserver(vtkCommand::ExitEvent, leave);

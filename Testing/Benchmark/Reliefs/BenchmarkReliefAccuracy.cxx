@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BenchmarkReliefAccuracy.h"
 
+#include "BenchmarkPixelPoints.h"
 #include "BenchmarkReliefWay.h"
 #include "BenchmarkReport.h"
 #include "BenchmarkView.h"
@@ -11,8 +12,6 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkImageData.h"
-#include "vtkMatrix4x4.h"
-#include "vtkNew.h"
 #include "vtkRenderer.h"
 
 #include <cmath>
@@ -24,38 +23,6 @@ namespace
 using RelevoVectors::Vector;
 using RelevoVectors::operator-;
 
-// From the view's cube to the world.
-class PixelRays
-{
-public:
-  explicit PixelRays(BenchmarkView& view)
-    : Width(view.GetWidth())
-    , Height(view.GetHeight())
-  {
-    vtkRenderer* renderer = view.GetRenderer();
-    vtkMatrix4x4::Invert(renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
-                           renderer->GetTiledAspectRatio(), 0.0, 1.0),
-      this->ToWorld);
-  }
-
-  // At a depth of the z-buffer.
-  Vector GetPoint(int pixel, double depth) const
-  {
-    const double place[4] = { 2.0 * (pixel % this->Width + 0.5) / this->Width - 1.0,
-      2.0 * (pixel / this->Width + 0.5) / this->Height - 1.0, depth, 1.0 };
-    double world[4];
-    this->ToWorld->MultiplyPoint(place, world);
-    return { { world[0] / world[3], world[1] / world[3], world[2] / world[3] } };
-  }
-
-  int GetNumberOfPixels() const { return this->Width * this->Height; }
-
-private:
-  const int Width;
-  const int Height;
-  vtkNew<vtkMatrix4x4> ToWorld;
-};
-
 struct Shares
 {
   double Right = 0.0;  // of the pixels that the rays hit
@@ -64,7 +31,7 @@ struct Shares
 };
 
 Shares Compare(const RelevoReliefRays& rays, const std::vector<RelevoReliefHit>& hits,
-  const PixelRays& pixels, const std::vector<float>& depths)
+  const BenchmarkPixelPoints& pixels, const std::vector<float>& depths)
 {
   Shares shares;
   double number = 0.0;
@@ -76,7 +43,7 @@ Shares Compare(const RelevoReliefRays& rays, const std::vector<RelevoReliefHit>&
     shares.Extra += !hits[i].IsHit && isDrawn;
     if (hits[i].IsHit && isDrawn)
     {
-      const auto texel = rays.Find(pixels.GetPoint(i, depths[i]));
+      const auto texel = rays.Find(pixels.Get(i, depths[i]));
       shares.Right += std::hypot(texel[0] - hits[i].Column, texel[1] - hits[i].Row) <= 0.5;
     }
   }
@@ -96,11 +63,11 @@ void AddSample(const BenchmarkWarpSample& sample, int size, BenchmarkView& view,
     MoveCamera(view.GetRenderer()->GetActiveCamera(), size, step);
     view.TimeFrame();
     view.TimeFrame();
-    const PixelRays pixels(view);
+    const BenchmarkPixelPoints pixels(view);
     for (int i = static_cast<int>(hits.size()); i < pixels.GetNumberOfPixels(); ++i)
     {
-      const Vector near = pixels.GetPoint(i, 0.0);
-      hits.push_back(rays.Cast(near, pixels.GetPoint(i, 1.0) - near, 0.0, 1.0));
+      const Vector near = pixels.Get(i, 0.0);
+      hits.push_back(rays.Cast(near, pixels.Get(i, 1.0) - near, 0.0, 1.0));
     }
     const Shares shares = Compare(rays, hits, pixels, view.GetDepths());
     view.GetRenderer()->RemoveActor(actor);

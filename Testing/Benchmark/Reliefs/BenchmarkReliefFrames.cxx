@@ -23,8 +23,6 @@
 
 namespace
 {
-const std::vector<double> Captures = { 0.0, 20.0, 40.0, -20.0 }; // degrees of azimuth
-
 double GetValidTexels(vtkMultiBlockDataSet* reliefs)
 {
   double valid = 0.0;
@@ -50,8 +48,8 @@ void AddReliefFrames(const BenchmarkOptions& options, const AddTable& addTable)
   BenchmarkView view(options.Quick ? 128 : 1024, options.Quick ? 96 : 768);
   const BenchmarkReliefScene scene(many);
   scene.SetUp(view);
-  const auto reliefs = scene.Capture(view, size, Captures);
-  const auto fewer = BenchmarkReliefScene(many / 8.0).Capture(view, size, Captures);
+  const auto reliefs = scene.Capture(view, size);
+  const auto fewer = BenchmarkReliefScene(many / 8.0).Capture(view, size);
   vtkNew<vtkActor> object;
   object->SetMapper(scene.MakeMapper());
   std::vector<vtkSmartPointer<vtkActor>> actors;

@@ -3,6 +3,7 @@
 #include "BenchmarkReliefPictures.h"
 
 #include "BenchmarkPixelMesh.h"
+#include "BenchmarkPixelPoints.h"
 #include "BenchmarkReliefScene.h"
 #include "BenchmarkReliefWay.h"
 #include "BenchmarkReport.h"
@@ -13,7 +14,6 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkImageData.h"
-#include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -23,8 +23,6 @@
 
 namespace
 {
-const std::vector<double> Captures = { 0.0, 20.0, 40.0, -20.0 }; // degrees of azimuth
-
 struct ViewAngles
 {
   double Azimuth;
@@ -66,7 +64,7 @@ bool IsSeen(const std::vector<relevo::Relief>& reliefs, const relevo::dvec4& wor
     const double height = relief.GetTexelHeight(column, row);
     const relevo::dvec3 seen = relief.GetWorldPoint(column, row, height);
     const double width = distance(seen, relief.GetWorldPoint(column + 1, row, height));
-    if (distance(seen, relevo::dvec3(world) / world.w) < 2.0 * width)
+    if (distance(seen, relevo::dvec3(world)) < 2.0 * width)
     {
       return true;
     }
@@ -78,32 +76,18 @@ bool IsSeen(const std::vector<relevo::Relief>& reliefs, const relevo::dvec4& wor
 double GetHoles(BenchmarkView& view, const std::vector<relevo::Relief>& reliefs,
   const Picture& object, const Picture& picture)
 {
-  vtkRenderer* renderer = view.GetRenderer();
-  vtkMatrix4x4* matrix = renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
-    renderer->GetTiledAspectRatio(), 0.0, 1.0);
-  vtkNew<vtkMatrix4x4> inverse;
-  vtkMatrix4x4::Invert(matrix, inverse);
+  const BenchmarkPixelPoints points(view);
   double holes = 0.0;
   double pixels = 0.0;
-  for (int row = 0; row < view.GetHeight(); ++row)
+  for (int i = 0; i < points.GetNumberOfPixels(); ++i)
   {
-    for (int column = 0; column < view.GetWidth(); ++column)
+    if (object.Depths[i] < 1.0f)
     {
-      const size_t i = static_cast<size_t>(row) * view.GetWidth() + column;
-      if (object.Depths[i] == 1.0f)
-      {
-        continue;
-      }
+      const auto point = points.Get(i, object.Depths[i]);
+      const bool isHole = picture.Depths[i] == 1.0f &&
+        IsSeen(reliefs, relevo::dvec4(point[0], point[1], point[2], 1.0));
+      holes += isHole ? 1.0 : 0.0;
       ++pixels;
-      const double clip[4] = { 2.0 * (column + 0.5) / view.GetWidth() - 1.0,
-        2.0 * (row + 0.5) / view.GetHeight() - 1.0, object.Depths[i], 1.0 };
-      double world[4];
-      inverse->MultiplyPoint(clip, world);
-      if (picture.Depths[i] == 1.0f &&
-        IsSeen(reliefs, relevo::dvec4(world[0], world[1], world[2], world[3])))
-      {
-        ++holes;
-      }
     }
   }
   return holes / pixels;
@@ -121,7 +105,7 @@ void AddReliefPictures(const BenchmarkOptions& options, const AddTable& addTable
   const BenchmarkReliefScene scene(options.Quick ? 5e3 : 1e6);
   BenchmarkView view(options.Quick ? 128 : 1024, options.Quick ? 96 : 768);
   scene.SetUp(view);
-  const auto blocks = scene.Capture(view, size, Captures);
+  const auto blocks = scene.Capture(view, size);
   const auto images = GetReliefs(blocks);
   std::vector<relevo::Relief> reliefs(images.size());
   for (size_t i = 0; i < images.size(); ++i)

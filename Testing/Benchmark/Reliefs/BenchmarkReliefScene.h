@@ -30,10 +30,9 @@ public:
   /// Lights the view with a lamp that stands still, and looks at the ring.
   void SetUp(BenchmarkView& view) const;
 
-  /// Reliefs of size x size texels, in perspective, from the view and from so many degrees around
-  /// it; the camera stays where it is.
-  vtkSmartPointer<vtkMultiBlockDataSet> Capture(
-    BenchmarkView& view, int size, const std::vector<double>& degrees) const;
+  /// Four reliefs of size x size texels, in perspective, from the view and from 20 degrees to its
+  /// left, 20 and 40 to its right; the camera stays where it is.
+  vtkSmartPointer<vtkMultiBlockDataSet> Capture(BenchmarkView& view, int size) const;
 
 private:
   vtkSmartPointer<vtkPolyData> Mesh;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Scene/ReliefView.h"
+#include "Scene/ReliefCaptures.h"
 
 #include "Options/ViewerOptions.h"
 #include "Scene/ReliefActor.h"

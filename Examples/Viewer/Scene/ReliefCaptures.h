@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   ReliefView
+ * @file
  * @brief   reliefs of what a scene shows, in its place
  */
-#ifndef ReliefView_h
-#define ReliefView_h
+#ifndef ReliefCaptures_h
+#define ReliefCaptures_h
 
 class ViewerMessages;
 class vtkRenderWindow;

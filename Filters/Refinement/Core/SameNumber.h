@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   for private enumerations that number things as public ones do
+ *
+ * Private to the modules' own sources.
+ */
+#ifndef SameNumber_h
+#define SameNumber_h
+
+namespace relevo
+{
+template <typename A, typename B>
+constexpr bool HaveSameNumber(A a, B b)
+{
+  return static_cast<int>(a) == static_cast<int>(b);
+}
+}
+
+#endif
