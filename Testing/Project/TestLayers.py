@@ -33,7 +33,7 @@ LAYERS = {
     "Filters/Volume": [("Integral", []), ("Mesh", []), ("Cells", []), ("Rays", []),
                        ("Walk", [])],
     "Filters/Terrain": [("Geodesy", []), ("Raster", []), ("Heights", [])],
-    "Filters/Parametric": [("Cells", []), ("Files", []), ("Splines", [])],
+    "Filters/Parametric": [("Splines", []), ("Cells", []), ("Files", [])],
     "Filters/Relief": [("Data", []), ("Warp", []), ("Database", [])],
     "Rendering/Refinement": [
         ("OpenGL", []),

@@ -10,6 +10,7 @@
 #define BezierCells_h
 
 #include "Core/RefinementMathematics.h"
+#include "Splines/BezierDegree.h" // for callers
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -24,8 +25,6 @@ class vtkUnstructuredGrid;
 
 namespace relevo
 {
-constexpr int LargestDegree = 8;
-
 /// Makes an unstructured grid, cell by cell.
 class BezierCells
 {

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   Bézier coefficients of what interpolates equally spaced nodes
+ *
+ * Private to the module's own sources.
+ */
+#ifndef LagrangeToBezier_h
+#define LagrangeToBezier_h
+
+#include <cstddef>
+
+namespace relevo
+{
+/**
+ * Replaces the degree + 1 nodes of a Lagrange curve, of any number of components each, by Bézier
+ * coefficients. Nodes lie `stride` values apart. Both ends stay as they are, to the bit, and the
+ * coefficients have the same bits from whichever end the nodes are given. Degrees 1 to 8.
+ */
+void ConvertLagrangeToBezier(int degree, int components, double* values, std::ptrdiff_t stride);
+
+/**
+ * The same of a triangle's (degree + 1) (degree + 2) / 2 nodes: rows j = 0 to degree of
+ * i = 0 to degree - j. Its edges have the bits of ConvertLagrangeToBezier().
+ */
+void ConvertLagrangeTriangleToBezier(int degree, int components, double* values);
+
+/// Where the triangle has its node (i, j).
+constexpr int GetTriangleIndex(int degree, int i, int j)
+{
+  return j * (degree + 1) - j * (j - 1) / 2 + i;
+}
+}
+
+#endif
