@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesh/PatchArrays.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkFieldData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace relevo
+{
+namespace
+{
+// In the order of a tuple of the array Patches.
+enum Record
+{
+  KIND,
+  DEGREE_U,
+  DEGREE_V,
+  FIRST_POINT,
+  RECORD_SIZE
+};
+
+constexpr int PointSize = 4;
+constexpr int CoordinatesSize = 6;
+
+// The array as one of its type, a copy if it is of another; null with an error where it is missing
+// or of another size. Any number of tuples will do where that is -1.
+template <typename Array>
+vtkSmartPointer<Array> TakeArray(
+  vtkFieldData* data, const char* name, int components, vtkIdType tuples, std::string& error)
+{
+  vtkDataArray* array = data->GetArray(name);
+  std::ostringstream text;
+  if (!array)
+  {
+    text << "The array " << name
+         << " is missing, or has no numbers: vtkPatchSurfaceFilter makes it";
+  }
+  else if (array->GetNumberOfComponents() != components ||
+    (tuples >= 0 && array->GetNumberOfTuples() != tuples))
+  {
+    text << "The array " << name << " has " << array->GetNumberOfTuples() << " tuples of "
+         << array->GetNumberOfComponents() << " components, not ";
+    if (tuples >= 0)
+    {
+      text << tuples << " of ";
+    }
+    text << components;
+  }
+  error = text.str();
+  if (!error.empty())
+  {
+    return nullptr;
+  }
+  vtkSmartPointer<Array> result = Array::FastDownCast(array);
+  if (!result)
+  {
+    result = vtkSmartPointer<Array>::New();
+    result->DeepCopy(array);
+  }
+  return result;
+}
+
+template <typename Index>
+bool Fail(std::string& error, const char* what, Index index, const char* fault)
+{
+  std::ostringstream text;
+  text << what << " " << index << " " << fault;
+  error = text.str();
+  return false;
+}
+
+bool IsDegree(vtkIdType degree)
+{
+  return degree >= 1 && degree <= LargestPatchDegree;
+}
+}
+
+bool PatchArrays::AreOn(vtkPolyData* mesh)
+{
+  return mesh->GetFieldData()->HasArray(PatchesName) ||
+    mesh->GetFieldData()->HasArray(PatchPointsName) || mesh->GetCellData()->HasArray(PatchIdsName);
+}
+
+bool PatchArrays::Take(vtkPolyData* mesh, std::string& error)
+{
+  vtkFieldData* field = mesh->GetFieldData();
+  vtkFieldData* cells = mesh->GetCellData();
+  const vtkIdType numberOfCells = mesh->GetNumberOfCells();
+  this->Patches = TakeArray<vtkIdTypeArray>(field, PatchesName, RECORD_SIZE, -1, error);
+  this->Points = !this->Patches
+    ? nullptr
+    : TakeArray<vtkDoubleArray>(field, PatchPointsName, PointSize, -1, error);
+  this->Ids =
+    !this->Points ? nullptr : TakeArray<vtkIntArray>(cells, PatchIdsName, 1, numberOfCells, error);
+  this->Coordinates = !this->Ids
+    ? nullptr
+    : TakeArray<vtkFloatArray>(cells, PatchCoordinatesName, CoordinatesSize, numberOfCells, error);
+  return this->Coordinates && this->CheckPatches(error) && this->CheckPoints(error) &&
+    this->CheckCells(mesh, error);
+}
+
+Patch PatchArrays::GetPatch(int patch) const
+{
+  const vtkIdType* record = this->Patches->GetPointer(RECORD_SIZE * static_cast<vtkIdType>(patch));
+  return { record[KIND] == VTK_BEZIER_TRIANGLE,
+    ivec2(static_cast<int>(record[DEGREE_U]), static_cast<int>(record[DEGREE_V])),
+    record[FIRST_POINT] };
+}
+
+bool PatchArrays::CheckPatches(std::string& error) const
+{
+  const vtkIdType numberOfPatches = this->Patches->GetNumberOfTuples();
+  if (numberOfPatches > VTK_INT_MAX)
+  {
+    error = "There are more than 2147483647 patches";
+    return false;
+  }
+  const vtkIdType numberOfPoints = this->Points->GetNumberOfTuples();
+  for (int i = 0; i < static_cast<int>(numberOfPatches); ++i)
+  {
+    const vtkIdType* record = this->Patches->GetPointer(RECORD_SIZE * static_cast<vtkIdType>(i));
+    const bool isTriangle = record[KIND] == VTK_BEZIER_TRIANGLE;
+    if (!isTriangle && record[KIND] != VTK_BEZIER_QUADRILATERAL)
+    {
+      return Fail(error, "Patch", i, "is neither a Bézier quadrilateral nor a Bézier triangle");
+    }
+    if (!IsDegree(record[DEGREE_U]) || !IsDegree(record[DEGREE_V]) ||
+      (isTriangle && record[DEGREE_U] != record[DEGREE_V]))
+    {
+      return Fail(error, "Patch", i, "has a degree that is not in 1 to 8, or a triangle two");
+    }
+    const vtkIdType first = record[FIRST_POINT];
+    if (first < 0 || first > numberOfPoints ||
+      this->GetPatch(i).GetNumberOfPoints() > numberOfPoints - first)
+    {
+      return Fail(error, "Patch", i, "has control points that the array PatchPoints lacks");
+    }
+  }
+  return true;
+}
+
+bool PatchArrays::CheckPoints(std::string& error) const
+{
+  for (vtkIdType i = 0; i < this->GetNumberOfPoints(); ++i)
+  {
+    const double* x = this->Points->GetPointer(PointSize * i);
+    // A sum of finite numbers may overflow.
+    if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]) ||
+      !std::isfinite(x[3]) || !(x[3] > 0.0))
+    {
+      return Fail(error, "Control point", i, "is not finite, or its weight is not more than 0");
+    }
+  }
+  return true;
+}
+
+bool PatchArrays::CheckTriangle(vtkIdType cell, std::string& error) const
+{
+  const int patch = this->GetPatchId(cell);
+  if (patch < 0 || patch >= this->GetNumberOfPatches())
+  {
+    return Fail(error, "Triangle", cell, "is of a patch that the array Patches lacks");
+  }
+  const bool isTriangle = this->GetPatch(patch).IsTriangle;
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const vec2 uv = this->GetCoordinates(cell, corner);
+    const float high = isTriangle ? uv.x + uv.y : std::max(uv.x, uv.y);
+    if (!(uv.x >= 0.0f && uv.y >= 0.0f && high <= 1.0f))
+    {
+      return Fail(error, "Triangle", cell, "has PatchCoordinates that are not on its patch");
+    }
+  }
+  return true;
+}
+
+bool PatchArrays::CheckCells(vtkPolyData* mesh, std::string& error) const
+{
+  const vtkIdType first = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
+  vtkCellArray* polygons = mesh->GetPolys();
+  for (vtkIdType i = 0; i < polygons->GetNumberOfCells(); ++i)
+  {
+    if (polygons->GetCellSize(i) != 3)
+    {
+      return Fail(error, "Cell", first + i, "is not a triangle, as those of patches are");
+    }
+    if (!this->CheckTriangle(first + i, error))
+    {
+      return false;
+    }
+  }
+  if (mesh->GetNumberOfStrips() > 0)
+  {
+    error = "Patches have triangles, not strips";
+    return false;
+  }
+  return true;
+}
+}

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   PatchArrays
+ * @brief   the Bézier patches that a mesh carries, as vtkPatchSurfaceFilter writes them
+ *
+ * Field arrays, one tuple per patch or control point:
+ * - Patches: VTK_BEZIER_QUADRILATERAL or VTK_BEZIER_TRIANGLE, the degrees along u and v (1 to 8, of
+ *   a triangle the same twice), the index of its first control point.
+ * - PatchPoints: x, y, z, and the weight, which is more than 0; the coordinates are not multiplied
+ *   with it. Of a quadrilateral of degrees p and q point j (p + 1) + i belongs to u^i v^j; of a
+ *   triangle of degree p the rows j = 0 to p have the points i = 0 to p - j of
+ *   u^i v^j (1 - u - v)^(p - i - j).
+ *
+ * Cell arrays, of the triangles that the mesh has for polygons:
+ * - PatchIds: the index of the patch.
+ * - PatchCoordinates: u and v of the three corners in the polygon's own order.
+ *
+ * Private to Relevo's own sources.
+ */
+#ifndef PatchArrays_h
+#define PatchArrays_h
+
+#include "Core/RefinementMathematics.h"
+#include "RelevoFiltersRefinementModule.h" // for export macro
+#include "vtkDoubleArray.h"                // for members
+#include "vtkFloatArray.h"                 // for members
+#include "vtkIdTypeArray.h"                // for members
+#include "vtkIntArray.h"                   // for members
+#include "vtkSmartPointer.h"               // for members
+
+#include <string> // for errors
+
+class vtkPolyData;
+
+namespace relevo
+{
+constexpr const char* PatchesName = "Patches";
+constexpr const char* PatchPointsName = "PatchPoints";
+constexpr const char* PatchIdsName = "PatchIds";
+constexpr const char* PatchCoordinatesName = "PatchCoordinates";
+constexpr int LargestPatchDegree = 8;
+
+struct Patch
+{
+  bool IsTriangle;
+  ivec2 Degrees;
+  vtkIdType FirstPoint;
+
+  int GetNumberOfPoints() const
+  {
+    return this->IsTriangle ? (this->Degrees.x + 1) * (this->Degrees.x + 2) / 2
+                            : (this->Degrees.x + 1) * (this->Degrees.y + 1);
+  }
+};
+
+class RELEVOFILTERSREFINEMENT_EXPORT PatchArrays
+{
+public:
+  /// Whether a mesh has patches, valid or not.
+  static bool AreOn(vtkPolyData* mesh);
+
+  /**
+   * Take a mesh's patches. False, with an error to show the user, where an array is missing or of
+   * another size, or a patch, a point or a triangle is not valid: then nothing may be asked. The
+   * arrays are kept, and must stay as they are.
+   */
+  bool Take(vtkPolyData* mesh, std::string& error);
+
+  int GetNumberOfPatches() const { return static_cast<int>(this->Patches->GetNumberOfTuples()); }
+  Patch GetPatch(int patch) const;
+
+  vtkIdType GetNumberOfPoints() const { return this->Points->GetNumberOfTuples(); }
+  /// x, y, z and weight.
+  dvec4 GetPoint(vtkIdType point) const
+  {
+    const double* x = this->Points->GetPointer(4 * point);
+    return dvec4(x[0], x[1], x[2], x[3]);
+  }
+
+  //@{
+  /// Of a cell of the mesh, which must be a polygon.
+  int GetPatchId(vtkIdType cell) const { return this->Ids->GetValue(cell); }
+  vec2 GetCoordinates(vtkIdType cell, int corner) const
+  {
+    const float* uv = this->Coordinates->GetPointer(6 * cell + 2 * corner);
+    return vec2(uv[0], uv[1]);
+  }
+  //@}
+
+private:
+  bool CheckPatches(std::string& error) const;
+  bool CheckPoints(std::string& error) const;
+  bool CheckTriangle(vtkIdType cell, std::string& error) const;
+  bool CheckCells(vtkPolyData* mesh, std::string& error) const;
+
+  vtkSmartPointer<vtkIdTypeArray> Patches;
+  vtkSmartPointer<vtkDoubleArray> Points;
+  vtkSmartPointer<vtkIntArray> Ids;
+  vtkSmartPointer<vtkFloatArray> Coordinates;
+};
+}
+
+#endif
