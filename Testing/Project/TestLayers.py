@@ -33,7 +33,8 @@ LAYERS = {
     "Filters/Volume": [("Integral", []), ("Mesh", []), ("Cells", []), ("Rays", []),
                        ("Walk", [])],
     "Filters/Terrain": [("Geodesy", []), ("Raster", []), ("Heights", [])],
-    "Filters/Parametric": [("Splines", []), ("Cells", []), ("Files", [])],
+    "Filters/Parametric": [("Splines", []), ("Cells", []), ("Files", []),
+                           ("Curves", [])],
     "Filters/Relief": [("Data", []), ("Warp", []), ("Database", [])],
     "Rendering/Refinement": [
         ("OpenGL", []),
