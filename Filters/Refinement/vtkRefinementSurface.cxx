@@ -10,6 +10,11 @@ bool vtkRefinementSurface::GetPointValues(vtkPolyData*, float*, std::string&)
   return true;
 }
 
+bool vtkRefinementSurface::BuildTables(vtkPolyData*, const double[3], Tables&, std::string&)
+{
+  return true;
+}
+
 void vtkRefinementSurface::ComputeEdgeVectors(const Corner&, const Corner&, float*)
 {
 }
@@ -21,6 +26,17 @@ void vtkRefinementSurface::ComputeFaceVectors(const Face&, float*, float* [3])
 bool vtkRefinementSurface::SplitsNormals(const Face&)
 {
   return false;
+}
+
+void vtkRefinementSurface::EvaluateDirection(
+  const Face& face, const float weights[3], float direction[3])
+{
+  float position[3];
+  this->Evaluate(face, weights, position, direction);
+}
+
+void vtkRefinementSurface::ExtendBox(const Face&, double[3], double[3])
+{
 }
 
 float vtkRefinementSurface::ComputeNormalCone(const Face&, float axis[3])

@@ -64,8 +64,20 @@ public:
   virtual int GetNumberOfShaderValues() { return 0; }
 
   /**
-   * How far, in length units, points can lie from the convex hull of a face's corners and
-   * precomputed positions.
+   * Whether the surface has tables: shapes that the mesh itself brings along, of which corners tell
+   * nothing. See BuildTables().
+   */
+  virtual bool HasTables() { return false; }
+
+  /**
+   * Whether displacement goes along directions of the surface's own, EvaluateDirection(), rather
+   * than along its normals or, where these are split, those of the corners.
+   */
+  virtual bool HasDirections() { return false; }
+
+  /**
+   * How far, in length units, points can lie from the convex hull of a face's corners, precomputed
+   * positions and the box of ExtendBox().
    */
   virtual double GetReach() { return 0.0; }
 
@@ -91,6 +103,26 @@ public:
    * the user, when the mesh lacks what is needed.
    */
   virtual bool GetPointValues(vtkPolyData* mesh, float* values, std::string& error);
+
+  /**
+   * Numbers of a mesh, for all its faces to look up.
+   */
+  struct Tables
+  {
+    /// Four per point: a position, and a number that belongs to it.
+    std::vector<float> Points;
+    /// Four per record.
+    std::vector<int> Records;
+    /// For each cell of the mesh, all of them triangles, the record that its face starts from.
+    std::vector<int> Entries;
+  };
+
+  /**
+   * Fill the tables, with positions relative to `origin`. False, with an error to show the user,
+   * when the mesh lacks what is needed.
+   */
+  virtual bool BuildTables(
+    vtkPolyData* mesh, const double origin[3], Tables& tables, std::string& error);
 
   /**
    * An end of an edge. Values are those per point; nullptr when there are none.
@@ -123,6 +155,11 @@ public:
     /// The vectors of edges (0,1), (1,2), (0,2), each from its first corner to its second:
     /// positions, then normals. Then the face's positions, then its normals.
     const float* Vectors;
+    /// The mesh's tables, the face's first record, and the code of the permutation from the cell's
+    /// own corners to these (relevoWeights.glsl).
+    const Tables* MeshTables;
+    int TableEntry;
+    int CornerOrder;
   };
 
   /**
@@ -144,6 +181,18 @@ public:
     const Face& face, const float weights[3], float position[3], float normal[3]) = 0;
 
   /**
+   * The direction, not normalised, that displacement goes along: on edges and at corners the same
+   * from all faces around.
+   */
+  virtual void EvaluateDirection(const Face& face, const float weights[3], float direction[3]);
+
+  /**
+   * Extend a box, relative to the origin, by all that the face may reach beyond its corners and
+   * precomputed positions.
+   */
+  virtual void ExtendBox(const Face& face, double low[3], double high[3]);
+
+  /**
    * Why Evaluate() cannot do what the shader does; empty if it can.
    */
   virtual std::string GetEvaluationError()
@@ -160,7 +209,9 @@ public:
 
   /**
    * The GLSL functions surfacePosition(vec3) and surfaceNormal(vec3), in terms of cornerPoint(i),
-   * cornerNormal(i), cornerDirection(i), cornerValues(i), edgeVector(edge, k) and faceVector(k).
+   * cornerNormal(i), cornerDirection(i), cornerValues(i), edgeVector(edge, k) and faceVector(k),
+   * and with HasTables() of tableEntry(), cornerOrder(), vec4 tablePoint(i) and ivec4
+   * tableRecord(i); with HasDirections() surfaceDirection(vec3) too.
    * Positions are those of VTK's vertex buffer: surfaceScale() is the factor from the mesh's
    * lengths to theirs, and modelPosition(p) a position in the mesh's own coordinates.
    */

@@ -51,6 +51,8 @@ vtkAdaptiveRefinementMapper::vtkInternals::UpdateShaderOptions(
   this->Buffers.FillOptions(this->State.GetMesh(), options);
   vtkRefinementSurface* surface = recipe->GetSurface();
   options.SurfaceSource = (surface ? surface : this->Linear.Get())->GetShaderSource();
+  options.HasTables = surface && surface->HasTables();
+  options.HasSurfaceDirections = surface && surface->HasDirections();
   vtkDisplacement* displacement = recipe->GetDisplacement();
   this->GetMethod().FillOptions(this->GetDrawing(recipe), options);
   options.HasDisplacement = displacement != nullptr;

@@ -34,7 +34,7 @@ LAYERS = {
                        ("Walk", [])],
     "Filters/Terrain": [("Geodesy", []), ("Raster", []), ("Heights", [])],
     "Filters/Parametric": [("Splines", []), ("Cells", []), ("Files", []),
-                           ("Curves", [])],
+                           ("Curves", []), ("Patches", [])],
     "Filters/Relief": [("Data", []), ("Warp", []), ("Database", [])],
     "Rendering/Refinement": [
         ("OpenGL", []),

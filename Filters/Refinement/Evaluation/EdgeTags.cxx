@@ -157,8 +157,12 @@ void EdgeTags::BuildEdges(vtkPolyData* input, const RefinementMesh& mesh)
         const int* corners = mesh.Faces[f].Corners;
         for (int e = 0; e < 3; ++e)
         {
-          this->FaceEdges[3 * f + e] = static_cast<int>(this->Edges->FindEdge(
-            mesh.GetPlace(corners[EdgeCorners[e][0]]), mesh.GetPlace(corners[EdgeCorners[e][1]])));
+          const int a = mesh.GetPlace(corners[EdgeCorners[e][0]]);
+          const int b = mesh.GetPlace(corners[EdgeCorners[e][1]]);
+          // An edge that is one point is as deep as those that lead there.
+          const int end =
+            a != b ? b : mesh.GetPlace(corners[3 - EdgeCorners[e][0] - EdgeCorners[e][1]]);
+          this->FaceEdges[3 * f + e] = static_cast<int>(this->Edges->FindEdge(a, end));
         }
       }
     });

@@ -28,7 +28,8 @@ RefinementEvaluator::RefinementEvaluator(const RefinementMesh& mesh, vtkAdaptive
   }
   if (recipe->GetDisplacement() && !mesh.Faces.empty())
   {
-    this->Data->Displaced.reset(new FaceDisplacement(mesh, recipe->GetDisplacement()));
+    this->Data->Displaced.reset(new FaceDisplacement(mesh, recipe->GetDisplacement(),
+      this->Data->Surface->HasDirections() ? this->Data->Surface.Get() : nullptr));
   }
 }
 

@@ -36,6 +36,7 @@ void Extend(const float* v, double low[3], double high[3])
 FaceBounds::FaceBounds(const RefinementMesh& mesh, vtkRefinementSurface* surface,
   vtkDisplacement* displacement, const HeightRanges* heights)
   : Mesh(mesh)
+  , Surface(surface)
   , Directions(mesh.Directions.empty() ? mesh.Normals : mesh.Directions)
   , Heights(mesh.TextureCoordinates.empty() ? nullptr : heights)
 {
@@ -52,7 +53,8 @@ FaceBounds::FaceBounds(const RefinementMesh& mesh, vtkRefinementSurface* surface
     this->EdgePositions = surface->GetNumberOfEdgePositions();
     this->FacePositions = surface->GetNumberOfFacePositions();
     this->SurfaceReach = surface->GetReach();
-    this->KnowsNormals = !mesh.Directions.empty() || surface->HasInterpolatedNormals();
+    this->KnowsNormals =
+      !surface->HasDirections() && (!mesh.Directions.empty() || surface->HasInterpolatedNormals());
   }
 }
 
@@ -172,6 +174,10 @@ void FaceBounds::GetBox(std::size_t face, double low[3], double high[3]) const
   for (int k = 0; k < this->FacePositions; ++k)
   {
     Extend(vectors + 3 * (3 * this->Mesh.VectorsPerEdge + k), low, high);
+  }
+  if (this->Surface)
+  {
+    this->Surface->ExtendBox(this->Mesh.GetSurfaceFace(static_cast<int>(face)), low, high);
   }
   for (int c = 0; c < 3; ++c)
   {

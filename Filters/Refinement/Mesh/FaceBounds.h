@@ -42,6 +42,7 @@ private:
   const float* GetVectors(std::size_t face) const;
 
   const RefinementMesh& Mesh;
+  vtkRefinementSurface* Surface;
   const std::vector<float>& Directions;
   const HeightRanges* Heights;
   double Scale = 0.0;

@@ -23,9 +23,12 @@ struct FaceDisplacement : HeightSampler
     , Mesh(mesh)
   {
   }
-  FaceDisplacement(const RefinementMesh& mesh, vtkDisplacement* displacement)
+  /// With a surface that has directions; nullptr for none.
+  FaceDisplacement(
+    const RefinementMesh& mesh, vtkDisplacement* displacement, vtkRefinementSurface* surface)
     : HeightSampler(displacement->GetHeightMap())
     , Mesh(mesh)
+    , Surface(surface)
     , Scale(static_cast<float>(displacement->GetScale()))
     , Offset(static_cast<float>(displacement->GetOffset()))
     , AlongNormal(displacement->IsAlongNormal())
@@ -42,6 +45,12 @@ struct FaceDisplacement : HeightSampler
     if (!this->AlongNormal)
     {
       return this->Fixed;
+    }
+    if (this->Surface)
+    {
+      vec3 direction;
+      this->Surface->EvaluateDirection(this->Mesh.GetSurfaceFace(this->Face), &w[0], &direction[0]);
+      return unitVector(direction);
     }
     if (this->Mesh.Directions.empty())
     {
@@ -73,6 +82,7 @@ struct FaceDisplacement : HeightSampler
 #include "glsl/relevoDisplacement.glsl"
 
   const RefinementMesh& Mesh;
+  vtkRefinementSurface* Surface = nullptr;
   float Scale = 1.0f;
   float Offset = 0.0f;
   bool AlongNormal = true;

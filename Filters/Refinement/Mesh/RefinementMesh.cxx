@@ -9,6 +9,7 @@
 #include "Core/PointPlaces.h"
 #include "Core/WholeSurface.h"
 #include "Mesh/FaceBounds.h"
+#include "Mesh/PatchArrays.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkDisplacement.h"
@@ -83,7 +84,7 @@ bool RefinementMesh::Build(vtkPolyData* input, vtkRefinementSurface* surface,
   }
   if (surface && !this->Faces.empty())
   {
-    if (!this->BuildValues(input, surface))
+    if (!this->BuildValues(input, surface) || !this->BuildTables(input, surface))
     {
       return false;
     }
@@ -123,6 +124,7 @@ void RefinementMesh::RemoveGhosts(vtkPolyData* input)
   };
   keep(this->Vectors, 3 * static_cast<size_t>(this->VectorsPerFace));
   keep(this->Seams, 9);
+  keep(this->TableEntries, 1);
   this->FacePlaceEdges.clear(); // has done its work
   this->Faces.erase(std::remove_if(this->Faces.begin(), this->Faces.end(),
                       [&](const RefinementFace& face) { return ghosts.Has(face.Cell); }),
@@ -188,6 +190,25 @@ bool RefinementMesh::BuildValues(vtkPolyData* input, vtkRefinementSurface* surfa
         static_cast<float>(sums[perPoint * place + k] / counts[place]);
     }
   }
+  return true;
+}
+
+bool RefinementMesh::BuildTables(vtkPolyData* input, vtkRefinementSurface* surface)
+{
+  if (!surface->HasTables())
+  {
+    return true;
+  }
+  if (!surface->BuildTables(input, this->Origin, this->Tables, this->Error))
+  {
+    return false;
+  }
+  this->TableEntries.reserve(this->Faces.size());
+  for (const RefinementFace& face : this->Faces)
+  {
+    this->TableEntries.push_back(this->Tables.Entries[static_cast<size_t>(face.Cell)]);
+  }
+  this->Tables.Entries = {}; // done with
   return true;
 }
 
@@ -282,6 +303,7 @@ bool RefinementMesh::CheckRange(vtkPolyData* input, bool isFlat)
 
 void RefinementMesh::BuildFaces(vtkPolyData* input)
 {
+  const bool isPatch = PatchArrays::AreOn(input);
   auto addTriangle = [&](vtkIdType a, vtkIdType b, vtkIdType c, int cell, const bool hidden[3])
   {
     const vtkIdType ids[3] = { a, b, c };
@@ -290,9 +312,10 @@ void RefinementMesh::BuildFaces(vtkPolyData* input)
     {
       places[i] = this->GetPlace(static_cast<int>(ids[i]));
     }
-    if (places[0] == places[1] || places[1] == places[2] || places[0] == places[2] ||
-      !isFinite(&this->Points[3 * a]) || !isFinite(&this->Points[3 * b]) ||
-      !isFinite(&this->Points[3 * c]))
+    const int pairs =
+      (places[0] == places[1]) + (places[1] == places[2]) + (places[0] == places[2]);
+    if (pairs > (isPatch ? 1 : 0) || !isFinite(&this->Points[3 * a]) ||
+      !isFinite(&this->Points[3 * b]) || !isFinite(&this->Points[3 * c]))
     {
       ++this->NumberOfDroppedTriangles;
       return;
@@ -410,6 +433,10 @@ vtkRefinementSurface::Face RefinementMesh::GetSurfaceFace(int face) const
       directions.empty() ? nullptr : &directions[3 * static_cast<size_t>(corner)];
     result.Values[i] = this->GetValues(corner);
   }
+  result.MeshTables = &this->Tables;
+  result.TableEntry =
+    this->TableEntries.empty() ? -1 : this->TableEntries[static_cast<size_t>(face)];
+  result.CornerOrder = this->Faces[face].Order;
   result.Vectors = this->Vectors.empty()
     ? nullptr
     : &this->Vectors[3 * static_cast<size_t>(this->VectorsPerFace) * face];

@@ -6,7 +6,8 @@
  *
  * Built once per input, surface and displacement, and read by both evaluators. Polygons become fans
  * and strips become triangles, as VTK's own mapper draws them. Triangles with two corners at one
- * place or with non-finite coordinates are dropped and counted.
+ * place or with non-finite coordinates are dropped and counted; but parts of patches (see
+ * PatchArrays) only if all three are at one place, for the patch can be more than its corners.
  */
 #ifndef RefinementMesh_h
 #define RefinementMesh_h
@@ -112,6 +113,10 @@ public:
   int VectorsPerEdge = 0;
   int VectorsPerFace = 0;
 
+  /// The surface's tables, and for each face its entry; empty without.
+  vtkRefinementSurface::Tables Tables;
+  std::vector<int> TableEntries;
+
   /// Per face 9 point ids that the displacement samples at the face's border: the corners', then
   /// for each edge its first ends', then its second ends'. Only with displacement and coincident
   /// points: a seam point has one height.
@@ -146,6 +151,7 @@ private:
   bool BuildTextureCoordinates(vtkPolyData* input);
   void BuildFrames(bool alongNormal);
   bool BuildValues(vtkPolyData* input, vtkRefinementSurface* surface);
+  bool BuildTables(vtkPolyData* input, vtkRefinementSurface* surface);
   void BuildVectors(vtkRefinementSurface* surface);
   /// Whether the surface gives any two faces other normals at a point they share.
   bool SplitsNormals(vtkRefinementSurface* surface) const;

@@ -39,6 +39,19 @@ struct SurfaceCorners
     return load(this->Face.Vectors + 3 * (3 * this->VectorsPerEdge + k));
   }
 
+  int tableEntry() const { return this->Face.TableEntry; }
+  int cornerOrder() const { return this->Face.CornerOrder; }
+  vec4 tablePoint(int i) const
+  {
+    const float* p = &this->Face.MeshTables->Points[4 * static_cast<std::size_t>(i)];
+    return vec4(p[0], p[1], p[2], p[3]);
+  }
+  ivec4 tableRecord(int i) const
+  {
+    const int* r = &this->Face.MeshTables->Records[4 * static_cast<std::size_t>(i)];
+    return ivec4(r[0], r[1], r[2], r[3]);
+  }
+
   vec3 surfaceScale() const { return vec3(1.0f); }
 
   const vtkRefinementSurface::Face& Face;

@@ -80,7 +80,7 @@ bool RefinementMeshBuffers::UploadMesh(vtkOpenGLRenderWindow* window, const Refi
   }
   const bool uploaded = this->Points.Alias(window, positions) &&
     this->UploadPointData(window, mesh, surface) && this->UploadVectors(window, mesh, surface) &&
-    this->UploadSeams(window, mesh);
+    this->UploadSeams(window, mesh) && this->UploadTables(window, mesh);
   this->Error = uploaded ? "" : RefinementBuffer::GetTooLarge();
   return uploaded;
 }
@@ -93,6 +93,47 @@ bool RefinementMeshBuffers::UploadSeams(vtkOpenGLRenderWindow* window, const Ref
     return true;
   }
   return this->Seams.Upload(window, mesh.Seams, 1);
+}
+
+// From the mesh's points to where VTK's vertices are.
+float RefinementMeshBuffers::GetVertexCoordinate(
+  const RefinementMesh& mesh, float x, size_t axis) const
+{
+  return static_cast<float>(
+    (x + (mesh.Origin[axis] - this->PositionShift[axis])) * this->PositionScale[axis]);
+}
+
+bool RefinementMeshBuffers::UploadTables(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh)
+{
+  if (mesh.TableEntries.empty())
+  {
+    for (RefinementBuffer* buffer :
+      { &this->TableEntries, &this->TableRecords, &this->TablePoints })
+    {
+      buffer->ReleaseGraphicsResources(window);
+    }
+    return true;
+  }
+  std::vector<int> entries = mesh.TableEntries;
+  for (size_t f = 0; f < entries.size(); ++f)
+  {
+    entries[f] = entries[f] << 3 | mesh.Faces[f].Order;
+  }
+  std::vector<float> points = mesh.Tables.Points;
+  for (size_t i = 0; i < points.size(); ++i)
+  {
+    const size_t axis = i % 4;
+    points[i] = axis < 3 ? this->GetVertexCoordinate(mesh, points[i], axis) : points[i];
+  }
+  return this->TableEntries.Upload(window, entries, 1) &&
+    this->TableRecords.Upload(window, mesh.Tables.Records, 4) &&
+    this->TablePoints.Upload(window, points, 4);
+}
+
+std::array<RefinementBuffer*, 7> RefinementMeshBuffers::GetBuffers()
+{
+  return { &this->Points, &this->PointData, &this->Vectors, &this->Seams, &this->TableEntries,
+    &this->TableRecords, &this->TablePoints };
 }
 
 bool RefinementMeshBuffers::UseFaces(int representation)
@@ -192,8 +233,7 @@ bool RefinementMeshBuffers::UploadVectors(
   {
     for (size_t c = 0; isPosition[v % isPosition.size()] && c < 3; ++c)
     {
-      vectors[3 * v + c] = static_cast<float>(
-        (vectors[3 * v + c] + (mesh.Origin[c] - this->PositionShift[c])) * this->PositionScale[c]);
+      vectors[3 * v + c] = this->GetVertexCoordinate(mesh, vectors[3 * v + c], c);
     }
   }
   return this->Vectors.Upload(window, vectors, 3);
@@ -310,6 +350,9 @@ void RefinementMeshBuffers::Activate(vtkShaderProgram* program)
   this->PointData.Activate(program, "relevoPointData");
   this->Vectors.Activate(program, "relevoVectors");
   this->Seams.Activate(program, "relevoSeams");
+  this->TableEntries.Activate(program, "relevoTableEntries");
+  this->TableRecords.Activate(program, "relevoTableRecords");
+  this->TablePoints.Activate(program, "relevoTablePoints");
   for (auto& attribute : this->Attributes)
   {
     attribute.second->Activate(program, GetAttributeSampler(attribute.first));
@@ -332,7 +375,7 @@ void RefinementMeshBuffers::Deactivate()
   {
     this->Faces->Deactivate();
   }
-  for (RefinementBuffer* buffer : { &this->Points, &this->PointData, &this->Vectors, &this->Seams })
+  for (RefinementBuffer* buffer : this->GetBuffers())
   {
     buffer->Deactivate();
   }
@@ -393,8 +436,7 @@ vtkTypeInt64 RefinementMeshBuffers::GetMemorySize() const
   {
     size += faces.second.GetMemorySize();
   }
-  for (const RefinementBuffer* buffer :
-    { &this->Points, &this->PointData, &this->Vectors, &this->Seams })
+  for (const RefinementBuffer* buffer : const_cast<RefinementMeshBuffers*>(this)->GetBuffers())
   {
     size += buffer->GetMemorySize();
   }
@@ -404,7 +446,7 @@ vtkTypeInt64 RefinementMeshBuffers::GetMemorySize() const
 void RefinementMeshBuffers::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->ReleaseFaces(window);
-  for (RefinementBuffer* buffer : { &this->Points, &this->PointData, &this->Vectors, &this->Seams })
+  for (RefinementBuffer* buffer : this->GetBuffers())
   {
     buffer->ReleaseGraphicsResources(window);
   }

@@ -13,6 +13,7 @@
 #include "vtkSmartPointer.h"   // for textures
 #include "vtkType.h"           // for vtkMTimeType
 
+#include <array>  // for GetBuffers
 #include <map>    // for members
 #include <memory> // for members
 #include <string> // for errors
@@ -96,6 +97,9 @@ private:
   RefinementBuffer PointData;
   RefinementBuffer Vectors;
   RefinementBuffer Seams;
+  RefinementBuffer TableEntries;
+  RefinementBuffer TableRecords;
+  RefinementBuffer TablePoints;
   std::map<std::string, std::unique_ptr<RefinementBuffer>> Attributes;
   vtkSmartPointer<vtkTextureObject> Heights;
   vtkSmartPointer<vtkTextureObject> Validity;
@@ -108,6 +112,10 @@ private:
   bool UploadVectors(
     vtkOpenGLRenderWindow* window, const RefinementMesh& mesh, vtkRefinementSurface* surface);
   bool UploadSeams(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh);
+  bool UploadTables(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh);
+  /// What the faces share, whichever representation they are drawn in.
+  std::array<RefinementBuffer*, 7> GetBuffers();
+  float GetVertexCoordinate(const RefinementMesh& mesh, float x, size_t axis) const;
 
   // Of VTK's vertexMC: (p - shift) * scale.
   double PositionShift[3] = { 0.0, 0.0, 0.0 };

@@ -77,6 +77,8 @@ std::string GetDefines(const RefinementShaderOptions& options, bool edges, bool 
   define(options.HasDisplacement, "RELEVO_DISPLACEMENT");
   define(options.AlongNormal, "RELEVO_ALONG_NORMAL");
   define(options.HasDirections, "RELEVO_DIRECTIONS");
+  define(options.HasSurfaceDirections, "RELEVO_SURFACE_DIRECTIONS");
+  define(options.HasTables, "RELEVO_TABLES");
   define(options.HasSeams, "RELEVO_SEAMS");
   define(options.HasHoles, "RELEVO_HOLES");
   define(options.IsMorphing, "RELEVO_MORPH");

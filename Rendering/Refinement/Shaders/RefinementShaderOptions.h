@@ -70,6 +70,9 @@ struct RefinementShaderOptions
   bool HasDisplacement = false;
   bool AlongNormal = false;
   bool HasDirections = false;
+  /// What the surface has.
+  bool HasSurfaceDirections = false;
+  bool HasTables = false;
   bool HasSeams = false;
   bool HasHoles = false;
   /// Whether vertices slide with the tags of the edges.

@@ -31,7 +31,9 @@ bool displacementAlongNormal()
 vec3 displacementDirection(vec3 w, vec3 unitNormal)
 {
 #ifdef RELEVO_ALONG_NORMAL
-#ifdef RELEVO_DIRECTIONS
+#if defined(RELEVO_SURFACE_DIRECTIONS)
+  return unitVector(surfaceDirection(w));
+#elif defined(RELEVO_DIRECTIONS)
   return unitVector(
     weightedSum(cornerDirection(0), cornerDirection(1), cornerDirection(2), w));
 #else

@@ -12,6 +12,12 @@ uniform samplerBuffer relevoVectors;    // the surface's vectors per face
 uniform vec3 relevoPositionScale;       // from the mesh's lengths to vertexMC's
 uniform vec3 relevoPositionShift;       // vertexMC is (position - shift) * scale
 
+#ifdef RELEVO_TABLES
+uniform isamplerBuffer relevoTableEntries; // per face: first record << 3 | order of corners
+uniform isamplerBuffer relevoTableRecords;
+uniform samplerBuffer relevoTablePoints;
+#endif
+
 int relevoFaceIndex = 0;
 ivec4 relevoFace = ivec4(0);
 bool relevoHidden = false; // the vertex belongs to nothing that is to be seen
@@ -75,3 +81,25 @@ vec3 faceVector(int k)
   return texelFetch(relevoVectors,
     relevoFaceIndex * RELEVO_VECTORS_PER_FACE + 3 * RELEVO_VECTORS_PER_EDGE + k).xyz;
 }
+
+#ifdef RELEVO_TABLES
+int tableEntry()
+{
+  return texelFetch(relevoTableEntries, relevoFaceIndex).x >> 3;
+}
+
+int cornerOrder()
+{
+  return texelFetch(relevoTableEntries, relevoFaceIndex).x & 7;
+}
+
+vec4 tablePoint(int i)
+{
+  return texelFetch(relevoTablePoints, i);
+}
+
+ivec4 tableRecord(int i)
+{
+  return texelFetch(relevoTableRecords, i);
+}
+#endif

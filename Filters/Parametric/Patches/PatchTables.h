@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   the patches of a mesh as relevoPatchSurface.glsl looks them up
+ *
+ * Private to the module's own sources.
+ */
+#ifndef PatchTables_h
+#define PatchTables_h
+
+#include "Surfaces/SurfaceCorners.h"
+
+namespace relevo
+{
+/// A face of a mesh with tables, evaluated in C++.
+struct PatchFace : SurfaceCorners
+{
+  explicit PatchFace(const vtkRefinementSurface::Face& face)
+    : SurfaceCorners{ face, 0 }
+    , lastPoint()
+  {
+  }
+
+#include "glsl/relevoPatch.glsl"
+#include "glsl/relevoPatchSurface.glsl"
+};
+
+/// See vtkRefinementSurface::BuildTables().
+bool BuildPatchTables(vtkPolyData* mesh, const double origin[3],
+  vtkRefinementSurface::Tables& tables, std::string& error);
+}
+
+#endif

@@ -1,0 +1,205 @@
+// Rational Bezier patches of any degree: a point and its derivatives.
+//
+// Quadrilaterals are tensor products, their control points those of v = 0 first, u = 0 first among
+// these; triangles have rows for each power j of v, in which the power of u rises. Bernstein
+// polynomials are summed as Horner's scheme does, each control point being read once; the last step
+// of de Casteljau's algorithm gives point and derivatives together (G. Farin, "Curves and Surfaces
+// for CAGD", 2002).
+//
+// The including side provides
+//   vec4 patchPoint(int i)  control point i times its weight, and the weight
+
+const int patchUnit = 16384; // parts of it are corners of parts of patches
+
+struct PatchShape
+{
+  int First; // control point
+  ivec2 Degrees;
+  bool IsTriangle; // its degree is Degrees.x
+};
+
+// Homogeneous, as the control points are. Of a triangle v and u grow at the third weight's cost.
+struct PatchPoint
+{
+  vec4 Point;
+  vec4 ByU;
+  vec4 ByV;
+};
+
+// A row's polynomials of one degree less: of all its points but the last, and but the first.
+struct PatchRow
+{
+  vec4 Low;
+  vec4 High;
+};
+
+// A polynomial of degree n + 1 is s Low + t High. s and t need not add up to 1.
+RELEVO_FUNCTION PatchRow patchRow(int first, int n, float s, float t)
+{
+  PatchRow row;
+  row.Low = vec4(0.0f);
+  row.High = vec4(0.0f);
+  vec4 point = patchPoint(first);
+  float factor = 1.0f; // binomial coefficient times power of t
+  for (int i = 0; i <= n; ++i)
+  {
+    row.Low = row.Low * s + point * factor;
+    point = patchPoint(first + i + 1);
+    row.High = row.High * s + point * factor;
+    factor *= t * float(n - i) / float(i + 1);
+  }
+  return row;
+}
+
+RELEVO_FUNCTION PatchPoint quadrilateralPoint(PatchShape shape, vec2 uv)
+{
+  vec2 st = vec2(1.0f) - uv;
+  int n = shape.Degrees.y - 1;
+  PatchRow low; // of all rows but the last
+  PatchRow high;
+  low.Low = low.High = high.Low = high.High = vec4(0.0f);
+  float factor = 1.0f;
+  float last = 0.0f; // factor
+  for (int j = 0; j <= n + 1; ++j)
+  {
+    PatchRow row = patchRow(shape.First + j * (shape.Degrees.x + 1), shape.Degrees.x - 1, st.x, uv.x);
+    if (j <= n)
+    {
+      low.Low = low.Low * st.y + row.Low * factor;
+      low.High = low.High * st.y + row.High * factor;
+    }
+    if (j > 0)
+    {
+      high.Low = high.Low * st.y + row.Low * last;
+      high.High = high.High * st.y + row.High * last;
+    }
+    last = factor;
+    factor *= uv.y * float(n - j) / float(j + 1);
+  }
+  PatchPoint point;
+  vec4 atLow = low.Low * st.x + low.High * uv.x;
+  vec4 atHigh = high.Low * st.x + high.High * uv.x;
+  point.Point = atLow * st.y + atHigh * uv.y;
+  point.ByU = ((low.High - low.Low) * st.y + (high.High - high.Low) * uv.y) * float(shape.Degrees.x);
+  point.ByV = (atHigh - atLow) * float(shape.Degrees.y);
+  return point;
+}
+
+RELEVO_FUNCTION PatchPoint trianglePoint(PatchShape shape, vec2 uv)
+{
+  float w = 1.0f - uv.x - uv.y;
+  int n = shape.Degrees.x - 1;
+  vec4 byU = vec4(0.0f); // the polynomials of one degree less, towards each corner
+  vec4 byV = vec4(0.0f);
+  vec4 byW = vec4(0.0f);
+  int first = shape.First;
+  float factor = 1.0f;
+  float last = 0.0f;
+  for (int j = 0; j <= n; ++j)
+  {
+    PatchRow row = patchRow(first, n - j, w, uv.x);
+    byW += row.Low * factor;
+    byU += row.High * factor;
+    byV += (row.Low * w + row.High * uv.x) * last;
+    first += n - j + 2;
+    last = factor;
+    factor *= uv.y * float(n - j) / float(j + 1);
+  }
+  byV += patchPoint(first) * last;
+  PatchPoint point;
+  point.Point = byW * w + byU * uv.x + byV * uv.y;
+  point.ByU = (byU - byW) * float(n + 1);
+  point.ByV = (byV - byW) * float(n + 1);
+  return point;
+}
+
+RELEVO_FUNCTION PatchPoint patchPointAt(PatchShape shape, vec2 uv)
+{
+  if (shape.IsTriangle)
+  {
+    return trianglePoint(shape, uv);
+  }
+  return quadrilateralPoint(shape, uv);
+}
+
+// Control points along a border: that at k is First + k Step + k (k - 1) / 2 Growth.
+struct PatchBorder
+{
+  int Degree;
+  int First;
+  int Step;
+  int Growth;
+};
+
+// The border that two corners of a part of the patch are on: -1 for none; else 0: v = 0, 1: u = 0,
+// 2: v = 1 or, of a triangle, u + v = 1; 3: u = 1.
+RELEVO_FUNCTION int findPatchBorder(PatchShape shape, ivec2 a, ivec2 b)
+{
+  if (a.y == 0 && b.y == 0)
+  {
+    return 0;
+  }
+  if (a.x == 0 && b.x == 0)
+  {
+    return 1;
+  }
+  if (shape.IsTriangle)
+  {
+    return a.x + a.y == patchUnit && b.x + b.y == patchUnit ? 2 : -1;
+  }
+  if (a.y == patchUnit && b.y == patchUnit)
+  {
+    return 2;
+  }
+  return a.x == patchUnit && b.x == patchUnit ? 3 : -1;
+}
+
+RELEVO_FUNCTION PatchBorder patchBorder(PatchShape shape, int border)
+{
+  int p = shape.Degrees.x;
+  int q = shape.Degrees.y;
+  bool alongU = border == 0 || (border == 2 && !shape.IsTriangle);
+  PatchBorder points;
+  points.Degree = alongU ? p : q;
+  points.First = shape.First;
+  points.Step = alongU ? 1 : p + 1;
+  points.Growth = shape.IsTriangle && !alongU ? -1 : 0;
+  if (border == 2)
+  {
+    points.First += shape.IsTriangle ? p : q * (p + 1);
+    points.Step -= shape.IsTriangle ? 1 : 0;
+  }
+  else if (border == 3)
+  {
+    points.First += p;
+  }
+  return points;
+}
+
+// The parameter along a border.
+RELEVO_FUNCTION int alongPatchBorder(int border, ivec2 corner)
+{
+  return border == 0 || border == 2 ? corner.x : corner.y;
+}
+
+RELEVO_FUNCTION int patchBorderPoint(PatchBorder border, int k)
+{
+  return border.First + k * border.Step + k * (k - 1) / 2 * border.Growth;
+}
+
+// A point of a border at t, counted from its end if it is reversed: the same bits for all patches
+// that have the curve in common, whichever way each runs.
+RELEVO_FUNCTION vec4 patchBorderPointAt(PatchBorder border, bool isReversed, float t)
+{
+  float s = 1.0f - t;
+  precise vec4 sum = vec4(0.0f);
+  precise float factor = 1.0f;
+  for (int i = 0; i <= border.Degree; ++i)
+  {
+    sum = sum * s;
+    sum += patchPoint(patchBorderPoint(border, isReversed ? border.Degree - i : i)) * factor;
+    factor = factor * t;
+    factor = factor * float(border.Degree - i) / float(i + 1);
+  }
+  return sum;
+}
