@@ -11,7 +11,6 @@
 #include "Metrics/MetricMesh.h"
 #include "Metrics/TagSource.h"
 #include "vtkAdaptiveRefinement.h"
-#include "vtkDataArray.h"
 #include "vtkDepthTagMetric.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
@@ -23,15 +22,6 @@
 
 namespace relevo
 {
-namespace
-{
-vtkAbstractArray* FindDepthTagArray(vtkAdaptiveRefinement* recipe, vtkPolyData* input)
-{
-  const char* name = recipe->GetDepthTagArrayName();
-  return name[0] ? input->GetPointData()->GetAbstractArray(name) : nullptr;
-}
-}
-
 EdgeTags::EdgeTags()
   : EdgeTags(std::make_shared<TagSource>())
 {
@@ -73,16 +63,9 @@ bool EdgeTags::Compute(vtkAdaptiveRefinement* recipe, vtkPolyData* input,
   this->Shader = MetricShader();
   if (vtkAbstractArray* array = FindDepthTagArray(recipe, input))
   {
-    vtkDataArray* numbers = vtkDataArray::SafeDownCast(array);
-    if (!numbers)
-    {
-      error =
-        std::string("point array \"") + array->GetName() + "\" of depth-tags holds no numbers";
-      return false;
-    }
     this->Values->SetNumberOfComponents(1);
     this->Values->SetNumberOfTuples(input->GetNumberOfPoints());
-    if (!TakeDepthTags(numbers, input->GetNumberOfPoints(), this->Values->GetPointer(0), error))
+    if (!TakeDepthTags(array, input->GetNumberOfPoints(), this->Values->GetPointer(0), error))
     {
       return false;
     }
@@ -182,7 +165,13 @@ int GetHighestTag(vtkAdaptiveRefinement* recipe, bool isMoved)
   return recipe->GetMaximumLevel() + (isOpen ? vtkRefinementPatternTable::HighestLevel + 1 : 0);
 }
 
-vtkDepthTagMetric* GetMetricInUse(vtkAdaptiveRefinement* recipe, vtkPolyData* input)
+vtkAbstractArray* FindDepthTagArray(vtkAdaptiveRefinement* recipe, vtkDataSet* input)
+{
+  const char* name = recipe->GetDepthTagArrayName();
+  return name[0] ? input->GetPointData()->GetAbstractArray(name) : nullptr;
+}
+
+vtkDepthTagMetric* GetMetricInUse(vtkAdaptiveRefinement* recipe, vtkDataSet* input)
 {
   return FindDepthTagArray(recipe, input) ? nullptr : recipe->GetMetric();
 }

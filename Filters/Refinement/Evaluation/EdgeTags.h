@@ -21,7 +21,9 @@
 #include <string> // for errors
 #include <vector> // for members
 
+class vtkAbstractArray;
 class vtkAdaptiveRefinement;
+class vtkDataSet;
 class vtkDepthTagMetric;
 class vtkFloatArray;
 class vtkPolyData;
@@ -116,7 +118,11 @@ RELEVOFILTERSREFINEMENT_EXPORT int GetHighestTag(vtkAdaptiveRefinement* recipe, 
  * The metric that EdgeTags asks; nullptr where it takes an array or nothing.
  */
 RELEVOFILTERSREFINEMENT_EXPORT vtkDepthTagMetric* GetMetricInUse(
-  vtkAdaptiveRefinement* recipe, vtkPolyData* input);
+  vtkAdaptiveRefinement* recipe, vtkDataSet* input);
+
+/// The array that it takes; nullptr where the input has none of that name.
+RELEVOFILTERSREFINEMENT_EXPORT vtkAbstractArray* FindDepthTagArray(
+  vtkAdaptiveRefinement* recipe, vtkDataSet* input);
 }
 
 #endif

@@ -9,6 +9,7 @@
 #include "Patterns/RefinementPattern.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDepthTagMetric.h"
+#include "vtkPolyData.h"
 #include "vtkRefinementPatternTable.h"
 #include "vtkSMPTools.h"
 

@@ -46,10 +46,18 @@ bool AreFinite(const float* values, vtkIdType number)
 }
 }
 
-bool TakeDepthTags(vtkDataArray* array, vtkIdType numberOfPoints, float* tags, std::string& error)
+bool TakeDepthTags(
+  vtkAbstractArray* values, vtkIdType numberOfPoints, float* tags, std::string& error)
 {
   std::ostringstream text;
-  text << "point array \"" << (array->GetName() ? array->GetName() : "") << "\" of depth-tags ";
+  text << "point array \"" << (values->GetName() ? values->GetName() : "") << "\" of depth-tags ";
+  vtkDataArray* array = vtkDataArray::SafeDownCast(values);
+  if (!array)
+  {
+    text << "holds no numbers";
+    error = text.str();
+    return false;
+  }
   if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != numberOfPoints)
   {
     text << "has " << array->GetNumberOfTuples() << " tuples of " << array->GetNumberOfComponents()

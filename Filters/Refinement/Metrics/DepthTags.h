@@ -6,11 +6,12 @@
 #ifndef DepthTags_h
 #define DepthTags_h
 
-#include "vtkType.h" // for vtkIdType
+#include "RelevoFiltersRefinementModule.h" // for export macro
+#include "vtkType.h"                       // for vtkIdType
 
 #include <string> // for errors
 
-class vtkDataArray;
+class vtkAbstractArray;
 class vtkDepthTagMetric;
 class vtkFloatArray;
 
@@ -22,18 +23,20 @@ class SurfaceEdges;
 
 /**
  * Copy an array of depth-tags into `tags`, which has room for one per point. Returns false and sets
- * `error` when it has not exactly one component and one tuple per point, or holds a NaN. Values
- * are limited only so far that the mean of any two is finite.
+ * `error` when it holds no numbers, has not exactly one component and one tuple per point, or
+ * holds a NaN. Values are limited only so far that the mean of any two is finite.
  */
-bool TakeDepthTags(vtkDataArray* array, vtkIdType numberOfPoints, float* tags, std::string& error);
+RELEVOFILTERSREFINEMENT_EXPORT bool TakeDepthTags(
+  vtkAbstractArray* array, vtkIdType numberOfPoints, float* tags, std::string& error);
 
 /**
  * Compute the depth-tags of the points of an evaluator's mesh, or of its edges (`perEdge`). Returns
  * false and sets `error` when the metric gives none, another number, or a NaN. Values are limited
  * as by TakeDepthTags().
  */
-bool ComputeDepthTags(MetricEvaluator& evaluator, const RefinementView& view, int maximumLevel,
-  bool perEdge, vtkFloatArray* tags, std::string& error);
+RELEVOFILTERSREFINEMENT_EXPORT bool ComputeDepthTags(MetricEvaluator& evaluator,
+  const RefinementView& view, int maximumLevel, bool perEdge, vtkFloatArray* tags,
+  std::string& error);
 
 /// The error where a metric returned false, after an ErrorEvent of its own.
 std::string GetNoTagsError(vtkDepthTagMetric* metric);

@@ -10,6 +10,7 @@
 #include "State/ViewSelection.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDepthTagMetric.h"
+#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <string>
