@@ -3,6 +3,7 @@
 #include "vtkPatchSurface.h"
 
 #include "Mesh/PatchArrays.h"
+#include "Patches/PatchField.h"
 #include "Patches/PatchTables.h"
 #include "vtkObjectFactory.h"
 
@@ -39,6 +40,17 @@ void vtkPatchSurface::EvaluateDirection(
 {
   PatchFace patch(face);
   relevo::store(patch.surfaceDirection(SurfaceCorners::load(weights)), direction);
+}
+
+vtkDataArray* vtkPatchSurface::FindCoefficients(vtkPolyData* mesh, vtkDataArray* pointArray)
+{
+  return relevo::PatchArrays::FindNodes(mesh, pointArray);
+}
+
+void vtkPatchSurface::EvaluateField(
+  const Face& face, const float weights[3], vtkDataArray* coefficients, double* tuple)
+{
+  relevo::EvaluatePatchField(face, weights, coefficients, tuple);
 }
 
 void vtkPatchSurface::ExtendBox(const Face& face, double low[3], double high[3])

@@ -15,6 +15,8 @@
  * of those of the first two patches there, and at corners along the mesh's point normals, so that
  * what is displaced stays closed, too.
  *
+ * Point arrays whose coefficients the mesh brings along are evaluated by the same basis.
+ *
  * A mesh without patches, or with arrays that do not fit, is an error.
  *
  * G. Farin, "Curves and Surfaces for CAGD", 2002: rational Bézier patches, Horner's scheme for
@@ -46,6 +48,9 @@ public:
   void Evaluate(
     const Face& face, const float weights[3], float position[3], float normal[3]) override;
   void EvaluateDirection(const Face& face, const float weights[3], float direction[3]) override;
+  vtkDataArray* FindCoefficients(vtkPolyData* mesh, vtkDataArray* pointArray) override;
+  void EvaluateField(
+    const Face& face, const float weights[3], vtkDataArray* coefficients, double* tuple) override;
   void ExtendBox(const Face& face, double low[3], double high[3]) override;
   std::string GetShaderSource() override;
 #endif

@@ -35,6 +35,15 @@ void vtkRefinementSurface::EvaluateDirection(
   this->Evaluate(face, weights, position, direction);
 }
 
+vtkDataArray* vtkRefinementSurface::FindCoefficients(vtkPolyData*, vtkDataArray*)
+{
+  return nullptr;
+}
+
+void vtkRefinementSurface::EvaluateField(const Face&, const float[3], vtkDataArray*, double*)
+{
+}
+
 void vtkRefinementSurface::ExtendBox(const Face&, double[3], double[3])
 {
 }

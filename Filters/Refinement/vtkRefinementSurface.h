@@ -29,6 +29,7 @@
 #include <string> // for shader text
 #include <vector> // for uniforms
 
+class vtkDataArray;
 class vtkPolyData;
 
 class RELEVOFILTERSREFINEMENT_EXPORT vtkRefinementSurface : public vtkObject
@@ -185,6 +186,18 @@ public:
    * from all faces around.
    */
   virtual void EvaluateDirection(const Face& face, const float weights[3], float direction[3]);
+
+  /**
+   * The coefficients by which the surface knows a point array between the corners; nullptr, the
+   * default, where it is interpolated linearly.
+   */
+  virtual vtkDataArray* FindCoefficients(vtkPolyData* mesh, vtkDataArray* pointArray);
+
+  /**
+   * The tuple that such an array has at weights.
+   */
+  virtual void EvaluateField(
+    const Face& face, const float weights[3], vtkDataArray* coefficients, double* tuple);
 
   /**
    * Extend a box, relative to the origin, by all that the face may reach beyond its corners and

@@ -5,6 +5,8 @@
 #include "Core/GhostCells.h"
 #include "Evaluation/PatternSelection.h"
 #include "Evaluation/PointDataInterpolation.h"
+#include "Evaluation/SurfaceFields.h"
+#include "Mesh/PatchArrays.h"
 #include "Patterns/RefinementPattern.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCellArray.h"
@@ -93,6 +95,7 @@ bool RefinedPolyDataBuilder::Build(vtkPolyData* output)
   this->BuildCells(output);
   this->BuildCellData(output);
   output->GetFieldData()->PassData(this->Input->GetFieldData());
+  PatchArrays::Remove(output);
   return true;
 }
 
@@ -229,6 +232,7 @@ bool RefinedPolyDataBuilder::BuildPoints(vtkPolyData* output)
   const PointDataInterpolation data(inputData, this->Input->GetNumberOfPoints(),
     output->GetPointData(), this->NumberOfPoints, this->Recipe->GetNoDataMagnitude());
   this->ShortArrays = data.GetShortArrays();
+  const SurfaceFields fields(this->Recipe->GetSurface(), this->Input, output->GetPointData());
 
   const bool done = this->ForFaces(0.6,
     [&](vtkIdType begin, vtkIdType end)
@@ -236,7 +240,7 @@ bool RefinedPolyDataBuilder::BuildPoints(vtkPolyData* output)
       std::vector<RefinedPoint> points;
       for (vtkIdType f = begin; f < end; ++f)
       {
-        this->BuildFacePoints(static_cast<int>(f), points, data);
+        this->BuildFacePoints(static_cast<int>(f), points, data, fields);
       }
     });
   if (data.HasSerialArrays())
@@ -272,8 +276,8 @@ void RefinedPolyDataBuilder::GetPointsToBuild(int face, std::vector<RefinedPoint
   }
 }
 
-void RefinedPolyDataBuilder::BuildFacePoints(
-  int face, std::vector<RefinedPoint>& points, const PointDataInterpolation& data)
+void RefinedPolyDataBuilder::BuildFacePoints(int face, std::vector<RefinedPoint>& points,
+  const PointDataInterpolation& data, const SurfaceFields& fields)
 {
   this->GetPointsToBuild(face, points);
   const int* corners = this->Mesh.Faces[face].Corners;
@@ -311,6 +315,10 @@ void RefinedPolyDataBuilder::BuildFacePoints(
     }
   }
   data.Interpolate(corners, points);
+  if (!fields.IsEmpty())
+  {
+    fields.Evaluate(this->Mesh.GetSurfaceFace(face), points);
+  }
 }
 
 // Points that no face moves: those of vertices and lines, and unused ones.

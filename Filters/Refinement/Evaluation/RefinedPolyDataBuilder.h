@@ -34,6 +34,7 @@ namespace relevo
 {
 class PatternSelection;
 class PointDataInterpolation;
+class SurfaceFields;
 
 /**
  * Calls `work` for ranges that make up all faces, perhaps in parallel; `share` of the whole task.
@@ -65,8 +66,8 @@ private:
   /// Give vertices and lines points of their own where the displacement moves a face's.
   void SeparateOtherCells();
   bool BuildPoints(vtkPolyData* output);
-  void BuildFacePoints(
-    int face, std::vector<RefinedPoint>& points, const PointDataInterpolation& data);
+  void BuildFacePoints(int face, std::vector<RefinedPoint>& points,
+    const PointDataInterpolation& data, const SurfaceFields& fields);
   /// The points that this face is to evaluate, under their ids in the output.
   void GetPointsToBuild(int face, std::vector<RefinedPoint>& points) const;
   void BuildOtherPoints(const PointDataInterpolation& data);

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <sstream>
 
 namespace relevo
@@ -86,6 +87,37 @@ bool PatchArrays::AreOn(vtkPolyData* mesh)
 {
   return mesh->GetFieldData()->HasArray(PatchesName) ||
     mesh->GetFieldData()->HasArray(PatchPointsName) || mesh->GetCellData()->HasArray(PatchIdsName);
+}
+
+void PatchArrays::Remove(vtkPolyData* mesh)
+{
+  mesh->GetCellData()->RemoveArray(PatchIdsName);
+  mesh->GetCellData()->RemoveArray(PatchCoordinatesName);
+  vtkFieldData* field = mesh->GetFieldData();
+  field->RemoveArray(PatchesName);
+  field->RemoveArray(PatchPointsName);
+  const std::string prefix = PatchNodesPrefix;
+  for (int a = field->GetNumberOfArrays() - 1; a >= 0; --a)
+  {
+    const char* name = field->GetArrayName(a);
+    if (name &&
+      prefix.compare(0, prefix.size(), name, std::min(prefix.size(), std::strlen(name))) == 0)
+    {
+      field->RemoveArray(a);
+    }
+  }
+}
+
+vtkDataArray* PatchArrays::FindNodes(vtkPolyData* mesh, vtkAbstractArray* pointArray)
+{
+  vtkFieldData* field = mesh->GetFieldData();
+  vtkDataArray* points = field->GetArray(PatchPointsName);
+  vtkDataArray* nodes = pointArray->GetName()
+    ? field->GetArray((PatchNodesPrefix + std::string(pointArray->GetName())).c_str())
+    : nullptr;
+  const bool fits = nodes && points && nodes->GetNumberOfTuples() == points->GetNumberOfTuples() &&
+    nodes->GetNumberOfComponents() == pointArray->GetNumberOfComponents();
+  return fits ? nodes : nullptr;
 }
 
 bool PatchArrays::Take(vtkPolyData* mesh, std::string& error)

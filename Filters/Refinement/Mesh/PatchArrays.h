@@ -12,6 +12,8 @@
  *   triangle of degree p the rows j = 0 to p have the points i = 0 to p - j of
  *   u^i v^j (1 - u - v)^(p - i - j).
  *
+ * - PatchNodes:NAME, for point arrays NAME: their Bézier coefficients, of the positions' own basis.
+ *
  * Cell arrays, of the triangles that the mesh has for polygons:
  * - PatchIds: the index of the patch.
  * - PatchCoordinates: u and v of the three corners in the polygon's own order.
@@ -31,12 +33,14 @@
 
 #include <string> // for errors
 
+class vtkAbstractArray;
 class vtkPolyData;
 
 namespace relevo
 {
 constexpr const char* PatchesName = "Patches";
 constexpr const char* PatchPointsName = "PatchPoints";
+constexpr const char* PatchNodesPrefix = "PatchNodes:";
 constexpr const char* PatchIdsName = "PatchIds";
 constexpr const char* PatchCoordinatesName = "PatchCoordinates";
 constexpr int LargestPatchDegree = 8;
@@ -59,6 +63,13 @@ class RELEVOFILTERSREFINEMENT_EXPORT PatchArrays
 public:
   /// Whether a mesh has patches, valid or not.
   static bool AreOn(vtkPolyData* mesh);
+
+  /// Take them away from a mesh whose triangles are no longer their parts.
+  static void Remove(vtkPolyData* mesh);
+
+  /// The coefficients of one of the mesh's point arrays; nullptr where there are none for each of
+  /// its components and control points.
+  static vtkDataArray* FindNodes(vtkPolyData* mesh, vtkAbstractArray* pointArray);
 
   /**
    * Take a mesh's patches. False, with an error to show the user, where an array is missing or of

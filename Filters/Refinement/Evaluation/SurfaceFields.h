@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   SurfaceFields
+ * @brief   point data that a surface knows better than by linear interpolation
+ *
+ * Private to the module's own sources.
+ */
+#ifndef SurfaceFields_h
+#define SurfaceFields_h
+
+#include "Evaluation/RefinedTopology.h"
+#include "vtkRefinementSurface.h"
+
+#include <vector>
+
+class vtkPointData;
+
+namespace relevo
+{
+class SurfaceFields
+{
+public:
+  /// Fields of a mesh's point data for the arrays of the same names in `to`; the surface may be
+  /// nullptr.
+  SurfaceFields(vtkRefinementSurface* surface, vtkPolyData* mesh, vtkPointData* to);
+
+  /// May be called from several threads for different points.
+  void Evaluate(
+    const vtkRefinementSurface::Face& face, const std::vector<RefinedPoint>& points) const;
+
+  bool IsEmpty() const { return this->Fields.empty(); }
+
+private:
+  struct Field
+  {
+    vtkDataArray* Coefficients;
+    vtkDataArray* Values;
+    bool IsInteger;
+  };
+  vtkRefinementSurface* Surface;
+  std::vector<Field> Fields;
+};
+}
+
+#endif
