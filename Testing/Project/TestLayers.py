@@ -33,7 +33,7 @@ LAYERS = {
     "Filters/Volume": [("Integral", []), ("Mesh", []), ("Cells", []), ("Rays", []),
                        ("Walk", [])],
     "Filters/Terrain": [("Geodesy", []), ("Raster", []), ("Heights", [])],
-    "Filters/Parametric": [("Splines", []), ("Cells", []), ("Files", []),
+    "Filters/Parametric": [("Splines", []), ("Cells", []), ("Coarse", []), ("Files", []),
                            ("Curves", []), ("Patches", [])],
     "Filters/Relief": [("Data", []), ("Warp", []), ("Database", [])],
     "Rendering/Refinement": [

@@ -1,0 +1,294 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/CellKind.h"
+
+#include "vtkCellType.h"
+
+#include <vector>
+
+namespace relevo
+{
+namespace
+{
+using Faces = std::vector<FaceCorners>;
+using Edges = std::vector<std::array<int, 2>>;
+
+const Faces& GetFaces(CellShape shape)
+{
+  static const Faces none;
+  static const Faces triangle{ { 3, { 0, 1, 2 } } };
+  static const Faces quadrilateral{ { 4, { 0, 1, 2, 3 } } };
+  static const Faces tetrahedron{ { 3, { 0, 1, 3 } }, { 3, { 1, 2, 3 } }, { 3, { 2, 0, 3 } },
+    { 3, { 0, 2, 1 } } };
+  static const Faces hexahedron{ { 4, { 0, 4, 7, 3 } }, { 4, { 1, 2, 6, 5 } },
+    { 4, { 0, 1, 5, 4 } }, { 4, { 3, 7, 6, 2 } }, { 4, { 0, 3, 2, 1 } }, { 4, { 4, 5, 6, 7 } } };
+  static const Faces wedge{ { 3, { 0, 2, 1 } }, { 3, { 3, 4, 5 } }, { 4, { 0, 1, 4, 3 } },
+    { 4, { 1, 2, 5, 4 } }, { 4, { 2, 0, 3, 5 } } };
+  static const Faces pyramid{ { 4, { 0, 3, 2, 1 } }, { 3, { 0, 1, 4 } }, { 3, { 1, 2, 4 } },
+    { 3, { 2, 3, 4 } }, { 3, { 3, 0, 4 } } };
+  static const Faces pentagonal{ { 5, { 0, 4, 3, 2, 1 } }, { 5, { 5, 6, 7, 8, 9 } },
+    { 4, { 0, 1, 6, 5 } }, { 4, { 1, 2, 7, 6 } }, { 4, { 2, 3, 8, 7 } }, { 4, { 3, 4, 9, 8 } },
+    { 4, { 4, 0, 5, 9 } } };
+  static const Faces hexagonal{ { 6, { 0, 5, 4, 3, 2, 1 } }, { 6, { 6, 7, 8, 9, 10, 11 } },
+    { 4, { 0, 1, 7, 6 } }, { 4, { 1, 2, 8, 7 } }, { 4, { 2, 3, 9, 8 } }, { 4, { 3, 4, 10, 9 } },
+    { 4, { 4, 5, 11, 10 } }, { 4, { 5, 0, 6, 11 } } };
+  switch (shape)
+  {
+    case CellShape::Triangle:
+      return triangle;
+    case CellShape::Quadrilateral:
+      return quadrilateral;
+    case CellShape::Tetrahedron:
+      return tetrahedron;
+    case CellShape::Hexahedron:
+      return hexahedron;
+    case CellShape::Wedge:
+      return wedge;
+    case CellShape::Pyramid:
+      return pyramid;
+    case CellShape::PentagonalPrism:
+      return pentagonal;
+    case CellShape::HexagonalPrism:
+      return hexagonal;
+    default:
+      return none;
+  }
+}
+
+// In the order of the nodes in their middles, which follow the corners.
+const Edges& GetEdges(CellShape shape)
+{
+  static const Edges none;
+  static const Edges triangle{ { 0, 1 }, { 1, 2 }, { 2, 0 } };
+  static const Edges quadrilateral{ { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 } };
+  static const Edges tetrahedron{ { 0, 1 }, { 1, 2 }, { 2, 0 }, { 0, 3 }, { 1, 3 }, { 2, 3 } };
+  static const Edges hexahedron{ { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 }, { 4, 5 }, { 5, 6 },
+    { 6, 7 }, { 7, 4 }, { 0, 4 }, { 1, 5 }, { 2, 6 }, { 3, 7 } };
+  static const Edges wedge{ { 0, 1 }, { 1, 2 }, { 2, 0 }, { 3, 4 }, { 4, 5 }, { 5, 3 }, { 0, 3 },
+    { 1, 4 }, { 2, 5 } };
+  static const Edges pyramid{ { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 }, { 0, 4 }, { 1, 4 }, { 2, 4 },
+    { 3, 4 } };
+  switch (shape)
+  {
+    case CellShape::Triangle:
+      return triangle;
+    case CellShape::Quadrilateral:
+      return quadrilateral;
+    case CellShape::Tetrahedron:
+      return tetrahedron;
+    case CellShape::Hexahedron:
+      return hexahedron;
+    case CellShape::Wedge:
+      return wedge;
+    case CellShape::Pyramid:
+      return pyramid;
+    default:
+      return none;
+  }
+}
+
+int GetNumberOfCorners(CellShape shape)
+{
+  switch (shape)
+  {
+    case CellShape::Triangle:
+      return 3;
+    case CellShape::Quadrilateral:
+    case CellShape::Tetrahedron:
+      return 4;
+    case CellShape::Pyramid:
+      return 5;
+    case CellShape::Wedge:
+      return 6;
+    case CellShape::Hexahedron:
+      return 8;
+    case CellShape::PentagonalPrism:
+      return 10;
+    case CellShape::HexagonalPrism:
+      return 12;
+    default:
+      return 0;
+  }
+}
+
+CellKind MakeLinear(CellShape shape, bool isInPixelOrder = false)
+{
+  return { shape, NodeKind::Corners, GetNumberOfCorners(shape), isInPixelOrder, 0, {} };
+}
+
+CellKind MakeQuadratic(
+  CellShape shape, int nodes, int edgeNodes, const std::array<int, 6>& faceNodes = {})
+{
+  return { shape, NodeKind::Quadratic, nodes, false, edgeNodes, faceNodes };
+}
+
+CellKind MakeHigherOrder(CellShape shape, NodeKind nodes)
+{
+  return { shape, nodes, 0, false, 0, {} };
+}
+
+CellKind GetQuadraticKind(int type)
+{
+  switch (type)
+  {
+    case VTK_QUADRATIC_TRIANGLE:
+      return MakeQuadratic(CellShape::Triangle, 6, 3);
+    case VTK_BIQUADRATIC_TRIANGLE:
+      return MakeQuadratic(CellShape::Triangle, 7, 3, { 6 });
+    case VTK_QUADRATIC_LINEAR_QUAD:
+      return MakeQuadratic(CellShape::Quadrilateral, 6, 2);
+    case VTK_QUADRATIC_QUAD:
+      return MakeQuadratic(CellShape::Quadrilateral, 8, 4);
+    case VTK_BIQUADRATIC_QUAD:
+      return MakeQuadratic(CellShape::Quadrilateral, 9, 4, { 8 });
+    case VTK_QUADRATIC_TETRA:
+      return MakeQuadratic(CellShape::Tetrahedron, 10, 6);
+    case VTK_QUADRATIC_HEXAHEDRON:
+      return MakeQuadratic(CellShape::Hexahedron, 20, 12);
+    case VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON:
+      return MakeQuadratic(CellShape::Hexahedron, 24, 12, { 20, 21, 22, 23 });
+    case VTK_TRIQUADRATIC_HEXAHEDRON:
+      return MakeQuadratic(CellShape::Hexahedron, 27, 12, { 20, 21, 22, 23, 24, 25 });
+    case VTK_QUADRATIC_LINEAR_WEDGE:
+      return MakeQuadratic(CellShape::Wedge, 12, 6);
+    case VTK_QUADRATIC_WEDGE:
+      return MakeQuadratic(CellShape::Wedge, 15, 9);
+    case VTK_BIQUADRATIC_QUADRATIC_WEDGE:
+      return MakeQuadratic(CellShape::Wedge, 18, 9, { 0, 0, 15, 16, 17 });
+    case VTK_QUADRATIC_PYRAMID:
+      return MakeQuadratic(CellShape::Pyramid, 13, 8);
+    case VTK_TRIQUADRATIC_PYRAMID:
+      return MakeQuadratic(CellShape::Pyramid, 19, 8, { 13, 14, 15, 16, 17 });
+    default:
+      return {};
+  }
+}
+
+CellKind GetHigherOrderKind(int type, vtkIdType nodes)
+{
+  switch (type)
+  {
+    case VTK_LAGRANGE_TRIANGLE:
+      return nodes == 7 ? GetQuadraticKind(VTK_BIQUADRATIC_TRIANGLE)
+                        : MakeHigherOrder(CellShape::Triangle, NodeKind::Lagrange);
+    case VTK_LAGRANGE_QUADRILATERAL:
+      return MakeHigherOrder(CellShape::Quadrilateral, NodeKind::Lagrange);
+    case VTK_LAGRANGE_TETRAHEDRON:
+      return nodes == 15 ? MakeQuadratic(CellShape::Tetrahedron, 15, 6, { 11, 12, 13, 10 })
+                         : MakeHigherOrder(CellShape::Tetrahedron, NodeKind::Lagrange);
+    case VTK_LAGRANGE_HEXAHEDRON:
+      return MakeHigherOrder(CellShape::Hexahedron, NodeKind::Lagrange);
+    case VTK_LAGRANGE_WEDGE:
+      return nodes == 21 ? MakeQuadratic(CellShape::Wedge, 21, 9, { 15, 16, 17, 18, 19 })
+                         : MakeHigherOrder(CellShape::Wedge, NodeKind::Lagrange);
+    case VTK_BEZIER_TRIANGLE:
+      return MakeHigherOrder(CellShape::Triangle, NodeKind::Bezier);
+    case VTK_BEZIER_QUADRILATERAL:
+      return MakeHigherOrder(CellShape::Quadrilateral, NodeKind::Bezier);
+    case VTK_BEZIER_TETRAHEDRON:
+      return MakeHigherOrder(CellShape::Tetrahedron, NodeKind::Bezier);
+    case VTK_BEZIER_HEXAHEDRON:
+      return MakeHigherOrder(CellShape::Hexahedron, NodeKind::Bezier);
+    case VTK_BEZIER_WEDGE:
+      return MakeHigherOrder(CellShape::Wedge, NodeKind::Bezier);
+    default:
+      return {};
+  }
+}
+
+CellKind GetLinearKind(int type)
+{
+  switch (type)
+  {
+    case VTK_EMPTY_CELL:
+    case VTK_VERTEX:
+    case VTK_POLY_VERTEX:
+    case VTK_LINE:
+    case VTK_POLY_LINE:
+    case VTK_QUADRATIC_EDGE:
+    case VTK_CUBIC_LINE:
+    case VTK_LAGRANGE_CURVE:
+    case VTK_BEZIER_CURVE:
+      return MakeLinear(CellShape::Thin);
+    case VTK_TRIANGLE:
+      return MakeLinear(CellShape::Triangle);
+    case VTK_PIXEL:
+      return MakeLinear(CellShape::Quadrilateral, true);
+    case VTK_QUAD:
+      return MakeLinear(CellShape::Quadrilateral);
+    case VTK_POLYGON:
+      return MakeLinear(CellShape::Polygon);
+    case VTK_TRIANGLE_STRIP:
+      return MakeLinear(CellShape::TriangleStrip);
+    case VTK_TETRA:
+      return MakeLinear(CellShape::Tetrahedron);
+    case VTK_VOXEL:
+      return MakeLinear(CellShape::Hexahedron, true);
+    case VTK_HEXAHEDRON:
+      return MakeLinear(CellShape::Hexahedron);
+    case VTK_WEDGE:
+      return MakeLinear(CellShape::Wedge);
+    case VTK_PYRAMID:
+      return MakeLinear(CellShape::Pyramid);
+    case VTK_PENTAGONAL_PRISM:
+      return MakeLinear(CellShape::PentagonalPrism);
+    case VTK_HEXAGONAL_PRISM:
+      return MakeLinear(CellShape::HexagonalPrism);
+    case VTK_POLYHEDRON:
+      return MakeLinear(CellShape::Polyhedron);
+    default:
+      return {};
+  }
+}
+}
+
+CellKind GetCellKind(int type, vtkIdType nodes)
+{
+  CellKind kind = GetLinearKind(type);
+  if (kind.Shape == CellShape::Unknown)
+  {
+    kind = GetQuadraticKind(type);
+  }
+  return kind.Shape == CellShape::Unknown ? GetHigherOrderKind(type, nodes) : kind;
+}
+
+int GetNumberOfFaces(CellShape shape)
+{
+  return static_cast<int>(GetFaces(shape).size());
+}
+
+FaceCorners GetFace(CellShape shape, int face)
+{
+  return GetFaces(shape)[face];
+}
+
+int GetEdgeNode(const CellKind& kind, int first, int second)
+{
+  // QuadraticLinearQuad has nodes on edges 0 and 2.
+  const int step = kind.Shape == CellShape::Quadrilateral && kind.NumberOfEdgeNodes == 2 ? 2 : 1;
+  const Edges& edges = GetEdges(kind.Shape);
+  for (int i = 0; i < kind.NumberOfEdgeNodes; ++i)
+  {
+    const std::array<int, 2>& edge = edges[i * step];
+    if ((edge[0] == first && edge[1] == second) || (edge[0] == second && edge[1] == first))
+    {
+      return GetNumberOfCorners(kind.Shape) + i;
+    }
+  }
+  return 0;
+}
+
+ivec3 GetCornerCoordinates(CellShape shape, int corner)
+{
+  if (shape == CellShape::Tetrahedron && corner == 3)
+  {
+    return ivec3(0, 0, 1);
+  }
+  const bool isTriangular =
+    shape == CellShape::Triangle || shape == CellShape::Tetrahedron || shape == CellShape::Wedge;
+  const int size = isTriangular ? 3 : 4;
+  const int k = corner % size;
+  const ivec2 plane = isTriangular ? ivec2(k == 1, k == 2) : ivec2(k == 1 || k == 2, k >= 2);
+  return ivec3(plane, corner / size);
+}
+}

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   the cells of a grid, one at a time, with their degrees and faces
+ *
+ * Private to the module's own sources.
+ */
+#ifndef CellReader_h
+#define CellReader_h
+
+#include "Cells/CellKind.h"
+#include "vtkNew.h"
+
+#include <vector>
+
+class vtkIdList;
+class vtkUnstructuredGrid;
+
+namespace relevo
+{
+/// For one thread.
+class CellReader
+{
+public:
+  explicit CellReader(vtkUnstructuredGrid* grid);
+  ~CellReader();
+
+  /// What follows is of this cell.
+  void Read(vtkIdType cell);
+
+  vtkIdType GetCell() const { return this->Cell; }
+  const CellKind& GetKind() const { return this->Kind; }
+  vtkIdType GetNumberOfNodes() const;
+  vtkIdType GetNode(vtkIdType node) const;
+  /// Of Lagrange's and Bézier's kinds, in each direction; 0 if there is no degree with so many
+  /// nodes. A triangle's, tetrahedron's and wedge's first are the same.
+  ivec3 GetDegrees() const;
+
+  /// Of cells without faults. Polygons and strips have as many as they need, of 3 corners.
+  int GetNumberOfFaces() const { return static_cast<int>(this->Faces.size()); }
+  /// The points at a face's corners, counter-clockwise from outside if IsInsideOut() is false.
+  const std::vector<vtkIdType>& GetCorners(int face) const { return this->Faces[face]; }
+  /// The nodes at these corners, but of polyhedra.
+  FaceCorners GetFaceCorners(int face) const;
+  /// Whether the cell's faces, as they are numbered, enclose less than nothing.
+  bool IsInsideOut() const;
+
+private:
+  void ReadFaces();
+  void ReadPolyhedron();
+
+  vtkUnstructuredGrid* Grid;
+  vtkIdType Cell = 0;
+  CellKind Kind;
+  vtkNew<vtkIdList> Nodes;
+  vtkNew<vtkIdList> Stream;
+  std::vector<std::vector<vtkIdType>> Faces;
+};
+
+/// (degree + 1)^2 and the like.
+vtkIdType GetNumberOfNodes(CellShape shape, const ivec3& degrees);
+}
+
+#endif

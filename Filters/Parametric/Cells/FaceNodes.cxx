@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/FaceNodes.h"
+
+#include "Cells/CellReader.h"
+#include "vtkHigherOrderHexahedron.h"
+#include "vtkHigherOrderQuadrilateral.h"
+#include "vtkHigherOrderTetra.h"
+#include "vtkHigherOrderTriangle.h"
+#include "vtkHigherOrderWedge.h"
+#include "vtkIdList.h"
+#include "vtkPoints.h"
+#include "vtkPolygon.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <array>
+
+namespace relevo
+{
+namespace
+{
+// The number that VTK gives the node at these steps along the cell's parametric axes.
+vtkIdType GetNodeNumber(CellShape shape, const ivec3& degrees, const ivec3& steps)
+{
+  const std::array<int, 4> order{ degrees.x, degrees.y, degrees.z, 0 };
+  const vtkIdType rest = degrees.x - steps.x - steps.y;
+  switch (shape)
+  {
+    case CellShape::Triangle:
+    {
+      const std::array<vtkIdType, 3> index{ steps.x, steps.y, rest };
+      return vtkHigherOrderTriangle::Index(index.data(), degrees.x);
+    }
+    case CellShape::Tetrahedron:
+    {
+      const std::array<vtkIdType, 4> index{ steps.x, steps.y, steps.z, rest - steps.z };
+      return vtkHigherOrderTetra::Index(index.data(), degrees.x);
+    }
+    case CellShape::Quadrilateral:
+      return vtkHigherOrderQuadrilateral::PointIndexFromIJK(steps.x, steps.y, order.data());
+    case CellShape::Wedge:
+      return vtkHigherOrderWedge::PointIndexFromIJK(steps.x, steps.y, steps.z, order.data());
+    default:
+      return vtkHigherOrderHexahedron::PointIndexFromIJK(steps.x, steps.y, steps.z, order.data());
+  }
+}
+
+class NodeCollector
+{
+public:
+  explicit NodeCollector(vtkUnstructuredGrid* grid)
+    : Cell(grid)
+    , Grid(grid)
+  {
+  }
+
+  void Add(const CellFace& face)
+  {
+    if (this->IsNew || this->Cell.GetCell() != face.Cell)
+    {
+      this->IsNew = false;
+      this->Cell.Read(face.Cell);
+      this->IsInsideOut = this->Cell.IsInsideOut();
+    }
+    const CellShape shape = this->Cell.GetKind().Shape;
+    if (shape == CellShape::Polygon || shape == CellShape::TriangleStrip ||
+      shape == CellShape::Polyhedron || this->Cell.GetCorners(face.Face).size() > 4)
+    {
+      this->AddPolygon(this->Cell.GetCorners(face.Face));
+      return;
+    }
+    FaceCorners corners = this->Cell.GetFaceCorners(face.Face);
+    if (this->IsInsideOut)
+    {
+      std::reverse(corners.Corners.begin() + 1, corners.Corners.begin() + corners.Size);
+    }
+    switch (this->Cell.GetKind().Nodes)
+    {
+      case NodeKind::Corners:
+        this->AddLinear(corners);
+        break;
+      case NodeKind::Quadratic:
+        this->AddQuadratic(corners, this->Cell.GetKind().FaceNodes[face.Face]);
+        break;
+      default:
+        this->AddHigherOrder(corners);
+    }
+  }
+
+  NodeNets Result;
+
+private:
+  void AddNet(const ivec2& degrees, bool isTriangle, NodeBasis basis)
+  {
+    this->Result.Nets.push_back({ this->Cell.GetCell(),
+      static_cast<vtkIdType>(this->Result.Nodes.size()), degrees, isTriangle, basis });
+  }
+
+  void AddNode(vtkIdType node) { this->Result.Nodes.push_back(this->Cell.GetNode(node)); }
+
+  void AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
+  {
+    this->AddNet(ivec2(1), true, NodeBasis::Lagrange);
+    this->Result.Nodes.insert(this->Result.Nodes.end(), { a, b, c });
+  }
+
+  void AddPolygon(std::vector<vtkIdType> points)
+  {
+    if (this->IsInsideOut)
+    {
+      std::reverse(points.begin() + 1, points.end());
+    }
+    if (points.size() == 3)
+    {
+      this->AddTriangle(points[0], points[1], points[2]);
+      return;
+    }
+    this->Polygon->PointIds->Reset();
+    this->Polygon->Points->Reset();
+    for (vtkIdType point : points)
+    {
+      double x[3];
+      this->Grid->GetPoint(point, x);
+      this->Polygon->PointIds->InsertNextId(point);
+      this->Polygon->Points->InsertNextPoint(x);
+    }
+    const vtkIdType triangles = static_cast<vtkIdType>(points.size()) - 2;
+    vtkCell* polygon = this->Polygon;
+    polygon->Triangulate(0, this->Triangles, this->TrianglePoints);
+    const bool isWhole = this->Triangles->GetNumberOfIds() == 3 * triangles;
+    for (vtkIdType i = 0; i < triangles; ++i)
+    {
+      const vtkIdType* ids = isWhole ? this->Triangles->GetPointer(3 * i) : nullptr;
+      ids ? this->AddTriangle(ids[0], ids[1], ids[2])
+          : this->AddTriangle(points[0], points[i + 1], points[i + 2]);
+    }
+  }
+
+  void AddLinear(const FaceCorners& corners)
+  {
+    // Of a quadrilateral the rows (0, 1) and (3, 2).
+    const std::array<int, 4> order{ 0, 1, corners.Size == 3 ? 2 : 3, 2 };
+    this->AddNet(ivec2(1), corners.Size == 3, NodeBasis::Lagrange);
+    for (int k = 0; k < corners.Size; ++k)
+    {
+      this->AddNode(corners.Corners[order[k]]);
+    }
+  }
+
+  void AddQuadratic(const FaceCorners& face, int middle)
+  {
+    const auto& c = face.Corners;
+    const auto getEdge = [&](int k)
+    { return GetEdgeNode(this->Cell.GetKind(), c[k], c[(k + 1) % face.Size]); };
+    if (face.Size == 3)
+    {
+      this->AddNet(ivec2(2), true, middle ? NodeBasis::Bubble : NodeBasis::Lagrange);
+      for (int node : { c[0], getEdge(0), c[1], getEdge(2), getEdge(1), c[2] })
+      {
+        this->AddNode(node);
+      }
+      if (middle)
+      {
+        this->AddNode(middle);
+      }
+      return;
+    }
+    const bool isQuadraticU = getEdge(0) != 0;
+    const bool isQuadraticV = getEdge(1) != 0;
+    const bool hasMiddle = isQuadraticU && isQuadraticV;
+    this->AddNet(ivec2(1 + isQuadraticU, 1 + isQuadraticV), false,
+      hasMiddle && !middle ? NodeBasis::Serendipity : NodeBasis::Lagrange);
+    const std::array<std::array<int, 3>, 3> rows{ { { c[0], getEdge(0), c[1] },
+      { getEdge(3), middle, getEdge(1) }, { c[3], getEdge(2), c[2] } } };
+    for (int j = 0; j < 3; j += 1 + !isQuadraticV)
+    {
+      for (int i = 0; i < 3; i += 1 + !isQuadraticU)
+      {
+        this->AddNode(rows[j][i]);
+      }
+    }
+  }
+
+  void AddHigherOrder(const FaceCorners& face)
+  {
+    const CellShape shape = this->Cell.GetKind().Shape;
+    const ivec3 degrees = this->Cell.GetDegrees();
+    const ivec3 origin = GetCornerCoordinates(shape, face.Corners[0]);
+    const ivec3 u = GetCornerCoordinates(shape, face.Corners[1]) - origin;
+    const ivec3 v = GetCornerCoordinates(shape, face.Corners[face.Size - 1]) - origin;
+    const auto getDegree = [&](const ivec3& axis)
+    { return degrees[axis.x != 0 ? 0 : (axis.y != 0 ? 1 : 2)]; };
+    const ivec2 size(getDegree(u), getDegree(v));
+    const bool isTriangle = face.Size == 3;
+    const bool isBezier = this->Cell.GetKind().Nodes == NodeKind::Bezier;
+    this->AddNet(size, isTriangle, isBezier ? NodeBasis::Bezier : NodeBasis::Lagrange);
+    for (int j = 0; j <= size.y; ++j)
+    {
+      for (int i = 0; i <= (isTriangle ? size.x - j : size.x); ++i)
+      {
+        this->AddNode(GetNodeNumber(shape, degrees, origin * degrees + i * u + j * v));
+      }
+    }
+  }
+
+  CellReader Cell;
+  vtkUnstructuredGrid* Grid;
+  bool IsNew = true;
+  bool IsInsideOut = false;
+  vtkNew<vtkPolygon> Polygon;
+  vtkNew<vtkIdList> Triangles;
+  vtkNew<vtkPoints> TrianglePoints;
+};
+}
+
+NodeNets CollectNodes(vtkUnstructuredGrid* grid, const std::vector<CellFace>& faces)
+{
+  NodeCollector collector(grid);
+  for (const CellFace& face : faces)
+  {
+    collector.Add(face);
+  }
+  return std::move(collector.Result);
+}
+}

@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Coarse/PatchOutput.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <string>
+
+namespace relevo
+{
+namespace
+{
+const std::string Prefix = "PatchNodes:";
+
+template <typename Array>
+vtkSmartPointer<Array> NewArray(const char* name, int components, vtkIdType tuples)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  return array;
+}
+
+void StoreTriangles(const ControlNets& nets, const CoarseMesh& mesh, vtkPolyData* output)
+{
+  const auto number = static_cast<vtkIdType>(mesh.Triangles.size());
+  auto originals = NewArray<vtkIdTypeArray>("vtkOriginalCellIds", 1, number);
+  auto patches = NewArray<vtkIntArray>(PatchIdsName, 1, number);
+  auto coordinates = NewArray<vtkFloatArray>(PatchCoordinatesName, 6, number);
+  vtkNew<vtkCellArray> polys;
+  polys->AllocateExact(number, 3 * number);
+  for (vtkIdType i = 0; i < number; ++i)
+  {
+    const CoarseTriangle& triangle = mesh.Triangles[i];
+    polys->InsertNextCell(3, triangle.Points.data());
+    originals->SetValue(i, nets.GetPatches()[triangle.Patch].Cell);
+    patches->SetValue(i, static_cast<int>(triangle.Patch));
+    for (int k = 0; k < 3; ++k)
+    {
+      coordinates->SetComponent(i, 2 * k, triangle.Coordinates[k].x);
+      coordinates->SetComponent(i, 2 * k + 1, triangle.Coordinates[k].y);
+    }
+  }
+  output->SetPolys(polys);
+  output->GetCellData()->AddArray(originals);
+  output->GetCellData()->AddArray(patches);
+  output->GetCellData()->AddArray(coordinates);
+}
+
+void CopyCellData(
+  const ControlNets& nets, const CoarseMesh& mesh, vtkUnstructuredGrid* grid, vtkPolyData* output)
+{
+  const auto number = static_cast<vtkIdType>(mesh.Triangles.size());
+  vtkNew<vtkIdList> from;
+  vtkNew<vtkIdList> to;
+  from->SetNumberOfIds(number);
+  to->SetNumberOfIds(number);
+  for (vtkIdType i = 0; i < number; ++i)
+  {
+    from->SetId(i, nets.GetPatches()[mesh.Triangles[i].Patch].Cell);
+    to->SetId(i, i);
+  }
+  output->GetCellData()->CopyAllocate(grid->GetCellData(), number);
+  output->GetCellData()->CopyData(grid->GetCellData(), from, to);
+}
+
+void StorePoints(const CoarseMesh& mesh, vtkUnstructuredGrid* grid, vtkPolyData* output)
+{
+  const auto number = static_cast<vtkIdType>(mesh.Points.size());
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(number);
+  vtkNew<vtkIdList> from;
+  vtkNew<vtkIdList> to;
+  from->SetNumberOfIds(number);
+  to->SetNumberOfIds(number);
+  for (vtkIdType i = 0; i < number; ++i)
+  {
+    from->SetId(i, mesh.Points[i].GridPoint);
+    to->SetId(i, i);
+    points->SetPoint(i, &mesh.Points[i].Place.x);
+  }
+  output->SetPoints(points);
+  output->GetPointData()->CopyAllocate(grid->GetPointData(), number);
+  output->GetPointData()->CopyData(grid->GetPointData(), from, to);
+}
+
+vtkSmartPointer<vtkFloatArray> NewNormals(const CoarseMesh& mesh)
+{
+  const auto number = static_cast<vtkIdType>(mesh.Normals.size());
+  auto normals = NewArray<vtkFloatArray>("Normals", 3, number);
+  for (vtkIdType i = 0; i < number; ++i)
+  {
+    normals->SetTuple(i, &mesh.Normals[i].x);
+  }
+  return normals;
+}
+
+void StoreNets(const ControlNets& nets, const std::vector<dvec4>& points, vtkPolyData* output)
+{
+  const std::vector<FacePatch>& patches = nets.GetPatches();
+  auto table = NewArray<vtkIdTypeArray>(PatchesName, 4, static_cast<vtkIdType>(patches.size()));
+  for (std::size_t i = 0; i < patches.size(); ++i)
+  {
+    const std::array<vtkIdType, 4> tuple{ patches[i].IsTriangle ? VTK_BEZIER_TRIANGLE
+                                                                : VTK_BEZIER_QUADRILATERAL,
+      patches[i].Degrees.x, patches[i].Degrees.y, patches[i].FirstPoint };
+    table->SetTypedTuple(static_cast<vtkIdType>(i), tuple.data());
+  }
+  auto places = NewArray<vtkDoubleArray>(PatchPointsName, 4, static_cast<vtkIdType>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    places->SetTypedTuple(static_cast<vtkIdType>(i), &points[i].x);
+  }
+  output->GetFieldData()->AddArray(table);
+  output->GetFieldData()->AddArray(places);
+}
+
+// Numbers that have a meaning between points.
+std::vector<vtkDataArray*> GetInterpolatedArrays(vtkUnstructuredGrid* grid)
+{
+  vtkPointData* data = grid->GetPointData();
+  std::vector<vtkDataArray*> arrays;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetArray(i);
+    const int attribute = data->IsArrayAnAttribute(i);
+    const bool isOther = attribute == vtkDataSetAttributes::GLOBALIDS ||
+      attribute == vtkDataSetAttributes::PEDIGREEIDS ||
+      attribute == vtkDataSetAttributes::RATIONALWEIGHTS;
+    const bool isGhosts = array == data->GetArray(vtkDataSetAttributes::GhostArrayName());
+    if (array && array->GetName() && !isOther && !isGhosts)
+    {
+      arrays.push_back(array);
+    }
+  }
+  return arrays;
+}
+
+void StoreCoefficients(const ControlNets& nets, vtkUnstructuredGrid* grid, vtkPolyData* output)
+{
+  for (vtkDataArray* array : GetInterpolatedArrays(grid))
+  {
+    const std::string name = Prefix + array->GetName();
+    const std::vector<double> values = nets.Convert(array);
+    auto coefficients = NewArray<vtkDoubleArray>(
+      name.c_str(), array->GetNumberOfComponents(), nets.GetNumberOfControlPoints());
+    std::copy(values.begin(), values.end(), coefficients->GetPointer(0));
+    output->GetFieldData()->AddArray(coefficients);
+  }
+}
+
+// Where a point is no node, arrays have there what the patch's basis makes of its nodes.
+void EvaluateArrays(
+  const ControlNets& nets, const ControlPoints& points, const CoarseMesh& mesh, vtkPolyData* output)
+{
+  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+  {
+    const CoarsePoint& point = mesh.Points[i];
+    if (point.IsNode)
+    {
+      continue;
+    }
+    const FacePatch& patch = nets.GetPatches()[point.Patch];
+    const std::vector<double> shares = EvaluateShares(patch, points, point.Coordinates);
+    for (int k = 0; k < output->GetFieldData()->GetNumberOfArrays(); ++k)
+    {
+      vtkDataArray* coefficients = output->GetFieldData()->GetArray(k);
+      const std::string name = coefficients->GetName();
+      vtkDataArray* array = name.rfind(Prefix, 0) == 0
+        ? output->GetPointData()->GetArray(name.substr(Prefix.size()).c_str())
+        : nullptr;
+      for (int c = 0; array && c < array->GetNumberOfComponents(); ++c)
+      {
+        double value = 0.0;
+        for (std::size_t node = 0; node < shares.size(); ++node)
+        {
+          value += shares[node] * coefficients->GetComponent(patch.FirstPoint + node, c);
+        }
+        array->SetComponent(i, c, value);
+      }
+    }
+  }
+}
+}
+
+void StorePatches(const ControlNets& nets, const std::vector<dvec4>& points,
+  const ControlPoints& homogeneous, const CoarseMesh& mesh, vtkUnstructuredGrid* grid,
+  vtkPolyData* output)
+{
+  StorePoints(mesh, grid, output);
+  CopyCellData(nets, mesh, grid, output);
+  StoreTriangles(nets, mesh, output);
+  StoreNets(nets, points, output);
+  StoreCoefficients(nets, grid, output);
+  EvaluateArrays(nets, homogeneous, mesh, output);
+  output->GetPointData()->SetNormals(NewNormals(mesh));
+}
+}
