@@ -6,15 +6,48 @@
 #include "Cells/ControlNets.h"
 #include "Coarse/CoarseMesh.h"
 #include "Coarse/PatchOutput.h"
+#include "vtkCellData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 
 vtkStandardNewMacro(vtkPatchSurfaceFilter);
+
+namespace
+{
+relevo::ControlPoints GetHomogeneous(const std::vector<relevo::dvec4>& points)
+{
+  relevo::ControlPoints homogeneous = points;
+  for (relevo::dvec4& point : homogeneous)
+  {
+    point = relevo::dvec4(relevo::dvec3(point) * point.w, point.w);
+  }
+  return homogeneous;
+}
+
+std::vector<unsigned char> FindPatchesWithArea(
+  const relevo::ControlNets& nets, const relevo::ControlPoints& homogeneous)
+{
+  const auto number = static_cast<vtkIdType>(nets.GetPatches().size());
+  std::vector<unsigned char> hasArea(number);
+  vtkSMPTools::For(0, number,
+    [&](vtkIdType first, vtkIdType end)
+    {
+      for (vtkIdType i = first; i < end; ++i)
+      {
+        hasArea[i] = relevo::HasArea(nets.GetPatches()[i], homogeneous);
+      }
+    });
+  return hasArea;
+}
+}
 
 vtkPatchSurfaceFilter::vtkPatchSurfaceFilter() = default;
 
@@ -24,6 +57,20 @@ int vtkPatchSurfaceFilter::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
   return 1;
+}
+
+void vtkPatchSurfaceFilter::RemoveShortArrays(vtkDataSetAttributes* data, vtkIdType tuples)
+{
+  for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(i);
+    if (array->GetNumberOfTuples() < tuples)
+    {
+      vtkWarningMacro("Array \"" << (array->GetName() ? array->GetName() : "")
+                                 << "\" has too few tuples and is left out.");
+      data->RemoveArray(i);
+    }
+  }
 }
 
 int vtkPatchSurfaceFilter::RequestData(
@@ -43,13 +90,23 @@ int vtkPatchSurfaceFilter::RequestData(
   }
   relevo::ControlNets nets(
     relevo::CollectNodes(input, relevo::FindBoundaryFaces(input, checks.Uses)));
-  const std::vector<relevo::dvec4> points = nets.ConvertPoints(input);
-  relevo::ControlPoints homogeneous = points;
-  std::transform(points.begin(), points.end(), homogeneous.begin(),
-    [](const relevo::dvec4& point)
-    { return relevo::dvec4(relevo::dvec3(point) * point.w, point.w); });
-  const relevo::CoarseMesh mesh = relevo::BuildCoarseMesh(nets, homogeneous, input);
-  relevo::StorePatches(nets, points, homogeneous, mesh, input, output);
+  std::vector<relevo::dvec4> points = nets.ConvertPoints(input);
+  relevo::ControlPoints homogeneous = GetHomogeneous(points);
+  const std::vector<unsigned char> isKept = FindPatchesWithArea(nets, homogeneous);
+  const auto degenerate = std::count(isKept.begin(), isKept.end(), 0);
+  if (degenerate > 0)
+  {
+    vtkWarningMacro(<< degenerate << " degenerate patches without any area are left out.");
+    nets.Keep(isKept);
+    points = nets.ConvertPoints(input);
+    homogeneous = GetHomogeneous(points);
+  }
+  vtkNew<vtkUnstructuredGrid> whole;
+  whole->ShallowCopy(input);
+  this->RemoveShortArrays(whole->GetPointData(), input->GetNumberOfPoints());
+  this->RemoveShortArrays(whole->GetCellData(), input->GetNumberOfCells());
+  const relevo::CoarseMesh mesh = relevo::BuildCoarseMesh(nets, points, homogeneous, input);
+  relevo::StorePatches(nets, points, homogeneous, mesh, whole, output);
   return 1;
 }
 

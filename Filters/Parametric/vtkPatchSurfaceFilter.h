@@ -32,8 +32,8 @@
  *
  * Errors name the first such cell and how many others there are; the rest is put out: cells of a
  * type that patches cannot be made of; with a wrong number of nodes; of degrees above 8; with
- * weights of 0 or less; with points that are not finite or not there. A warning counts patches
- * without any area, which are left out.
+ * weights of 0 or less; with points that are not finite or not there. Warnings: how many patches
+ * have no area and are left out; arrays that have too few tuples, which are left out.
  *
  * @sa vtkBezierPatchReader vtkNURBSSource vtkDataSetSurfaceFilter
  */
@@ -42,6 +42,8 @@
 
 #include "RelevoFiltersParametricModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
+
+class vtkDataSetAttributes;
 
 class RELEVOFILTERSPARAMETRIC_EXPORT vtkPatchSurfaceFilter : public vtkPolyDataAlgorithm
 {
@@ -61,6 +63,8 @@ protected:
 private:
   vtkPatchSurfaceFilter(const vtkPatchSurfaceFilter&) = delete;
   void operator=(const vtkPatchSurfaceFilter&) = delete;
+
+  void RemoveShortArrays(vtkDataSetAttributes* data, vtkIdType tuples);
 };
 
 #endif

@@ -7,8 +7,10 @@
 #include "vtkCellData.h"
 #include "vtkCellTypes.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkGenericCell.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -158,6 +160,13 @@ Fault FindFault(const CellReader& cell, const PointChecks& points)
                                                                                     : Fault::None;
 }
 
+// Those of vtkCellTypes are not all right in VTK 9.1.
+std::string GetTypeName(int type)
+{
+  const auto cell = vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(type));
+  return cell ? cell->GetClassName() : vtkCellTypes::GetClassNameFromTypeId(type);
+}
+
 std::string DescribeFault(
   vtkUnstructuredGrid* grid, const PointChecks& points, vtkIdType id, Fault fault)
 {
@@ -167,8 +176,7 @@ std::string DescribeFault(
   const ivec3 degrees = cell.GetDegrees();
   vtkDataArray* given = grid->GetCellData()->GetHigherOrderDegrees();
   std::ostringstream text;
-  text << "Cell " << id << " (" << vtkCellTypes::GetClassNameFromTypeId(type) << ", type " << type
-       << ") is left out: ";
+  text << "Cell " << id << " (" << GetTypeName(type) << ", type " << type << ") is left out: ";
   if (fault == Fault::Type)
   {
     text << "patches cannot be made of cells of this type";

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace relevo
 {
@@ -162,6 +163,26 @@ std::vector<int> FacePatch::GetBorder(int border) const
     }
   }
   return points;
+}
+
+bool HasArea(const FacePatch& patch, const ControlPoints& points)
+{
+  const dvec3 origin = Project(points[patch.FirstPoint]);
+  dvec3 farthest(0.0);
+  double size = length(origin);
+  for (int i = 1; i < patch.GetNumberOfPoints(); ++i)
+  {
+    const dvec3 x = Project(points[patch.FirstPoint + i]) - origin;
+    farthest = length(x) > length(farthest) ? x : farthest;
+  }
+  size += length(farthest);
+  double distance = 0.0;
+  for (int i = 1; i < patch.GetNumberOfPoints() && farthest != dvec3(0.0); ++i)
+  {
+    const dvec3 x = Project(points[patch.FirstPoint + i]) - origin;
+    distance = std::max(distance, length(cross(x, farthest / length(farthest))));
+  }
+  return distance > 8.0 * std::numeric_limits<double>::epsilon() * size;
 }
 
 dvec3 EvaluateCurve(ControlPoints points, double t)

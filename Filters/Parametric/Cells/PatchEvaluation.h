@@ -29,6 +29,9 @@ struct FacePatch : Patch
 /// Homogeneous points: multiplied with their weight, which is w.
 using ControlPoints = std::vector<dvec4>;
 
+/// Whether the control points do not lie on one line, but for rounding.
+bool HasArea(const FacePatch& patch, const ControlPoints& points);
+
 /// The place of a curve's point, by de Casteljau's algorithm.
 dvec3 EvaluateCurve(ControlPoints points, double t);
 

@@ -39,8 +39,9 @@ struct CoarseMesh
   std::vector<dvec3> Normals;            // for each point
 };
 
-CoarseMesh BuildCoarseMesh(
-  const ControlNets& nets, const ControlPoints& controlPoints, vtkUnstructuredGrid* grid);
+/// `points` are not multiplied with their weights, `homogeneous` are.
+CoarseMesh BuildCoarseMesh(const ControlNets& nets, const std::vector<dvec4>& points,
+  const ControlPoints& homogeneous, vtkUnstructuredGrid* grid);
 }
 
 #endif
