@@ -3,8 +3,8 @@
 #include "Core/PointArray.h"
 
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
 #include "vtkPointData.h"
-#include "vtkPolyData.h"
 
 #include <cmath>
 #include <cstddef>
@@ -12,18 +12,18 @@
 
 namespace relevo
 {
-bool TakePointArray(vtkPolyData* mesh, const std::string& name, int components, float* values,
-  int stride, std::string& error)
+vtkDataArray* FindPointArray(
+  vtkDataSet* data, const std::string& name, int components, std::string& error)
 {
-  vtkDataArray* array = mesh->GetPointData()->GetArray(name.c_str());
-  const vtkIdType numberOfPoints = mesh->GetNumberOfPoints();
+  vtkDataArray* array = data->GetPointData()->GetArray(name.c_str());
+  const vtkIdType numberOfPoints = data->GetNumberOfPoints();
   std::ostringstream text;
   text << "point array \"" << name << "\" ";
   if (!array)
   {
     text << "is missing, or has no numbers";
     error = text.str();
-    return false;
+    return nullptr;
   }
   if (array->GetNumberOfComponents() != components || array->GetNumberOfTuples() < numberOfPoints)
   {
@@ -31,22 +31,35 @@ bool TakePointArray(vtkPolyData* mesh, const std::string& name, int components, 
          << " components; " << components << " for each of " << numberOfPoints
          << " points are needed";
     error = text.str();
-    return false;
+    return nullptr;
   }
   for (vtkIdType point = 0; point < numberOfPoints; ++point)
   {
     for (int c = 0; c < components; ++c)
     {
-      const float value = static_cast<float>(array->GetComponent(point, c));
-      if (!std::isfinite(value))
+      if (!std::isfinite(static_cast<float>(array->GetComponent(point, c))))
       {
         text << "is not finite at point " << point;
         error = text.str();
-        return false;
+        return nullptr;
       }
-      values[static_cast<std::size_t>(point) * stride + c] = value;
     }
   }
-  return true;
+  return array;
+}
+
+bool TakePointArray(vtkDataSet* data, const std::string& name, int components, float* values,
+  int stride, std::string& error)
+{
+  vtkDataArray* array = FindPointArray(data, name, components, error);
+  for (vtkIdType point = 0; array && point < data->GetNumberOfPoints(); ++point)
+  {
+    for (int c = 0; c < components; ++c)
+    {
+      values[static_cast<std::size_t>(point) * stride + c] =
+        static_cast<float>(array->GetComponent(point, c));
+    }
+  }
+  return array != nullptr;
 }
 }

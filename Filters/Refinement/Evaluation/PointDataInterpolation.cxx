@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Evaluation/PointDataInterpolation.h"
 
+#include "Core/NearestNumber.h"
 #include "Core/NoDataTuples.h"
 
 #include "vtkAOSDataArrayTemplate.h"
@@ -28,26 +29,6 @@ public:
 
 namespace
 {
-template <typename T>
-T fromDouble(double value, std::true_type)
-{
-  // The largest 64-bit integers have no double of their own: compare before converting.
-  const double rounded = std::round(value);
-  if (rounded <= static_cast<double>(std::numeric_limits<T>::lowest()))
-  {
-    return std::numeric_limits<T>::lowest();
-  }
-  return rounded >= static_cast<double>(std::numeric_limits<T>::max())
-    ? std::numeric_limits<T>::max()
-    : static_cast<T>(rounded);
-}
-
-template <typename T>
-T fromDouble(double value, std::false_type)
-{
-  return static_cast<T>(value);
-}
-
 // Where both arrays lie in memory as one run of values.
 template <typename T>
 class TypedPair : public PointDataInterpolation::ArrayPair
@@ -86,7 +67,7 @@ public:
         {
           sum += w[i] == 0.0f ? 0.0 : w[i] * static_cast<double>(this->GetFrom(corners[i])[c]);
         }
-        to[c] = fromDouble<T>(sum, std::is_integral<T>());
+        to[c] = getNearestNumber<T>(sum);
       }
     }
   }
@@ -182,13 +163,13 @@ private:
   bool IsInteger;
   NoDataTuples NoData;
 };
+}
 
 bool IsInterpolated(vtkAbstractArray* array)
 {
   const char* name = array->GetName();
   return vtkDataArray::SafeDownCast(array) && array->GetDataType() != VTK_BIT &&
     !(name && std::string(name) == vtkDataSetAttributes::GhostArrayName());
-}
 }
 
 vtkAbstractArray* AddArrayLike(vtkDataSetAttributes* from, vtkAbstractArray* source,

@@ -14,6 +14,7 @@
 #define PointDataInterpolation_h
 
 #include "Evaluation/RefinedTopology.h"
+#include "RelevoFiltersRefinementModule.h" // for export macro
 
 #include <memory>
 #include <string>
@@ -30,8 +31,11 @@ namespace relevo
  * Add to `to` an array like `source` of `from` (type, name, components, part as attribute) with
  * room for numberOfTuples.
  */
-vtkAbstractArray* AddArrayLike(vtkDataSetAttributes* from, vtkAbstractArray* source,
-  vtkDataSetAttributes* to, vtkIdType numberOfTuples);
+RELEVOFILTERSREFINEMENT_EXPORT vtkAbstractArray* AddArrayLike(vtkDataSetAttributes* from,
+  vtkAbstractArray* source, vtkDataSetAttributes* to, vtkIdType numberOfTuples);
+
+/// Whether there are values between an array's, rather than those of the nearest point.
+RELEVOFILTERSREFINEMENT_EXPORT bool IsInterpolated(vtkAbstractArray* array);
 
 class PointDataInterpolation
 {

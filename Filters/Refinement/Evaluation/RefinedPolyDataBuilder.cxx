@@ -3,6 +3,7 @@
 #include "Evaluation/RefinedPolyDataBuilder.h"
 
 #include "Core/GhostCells.h"
+#include "Evaluation/CellDataCopy.h"
 #include "Evaluation/PatternSelection.h"
 #include "Evaluation/PointDataInterpolation.h"
 #include "Evaluation/SurfaceFields.h"
@@ -15,7 +16,6 @@
 #include "vtkDisplacement.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
-#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -32,8 +32,6 @@ namespace relevo
 {
 namespace
 {
-constexpr const char* OriginalCellIds = "vtkOriginalCellIds";
-
 void MarkPoints(vtkCellArray* cells, std::vector<vtkIdType>& marks)
 {
   auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
@@ -405,7 +403,6 @@ void RefinedPolyDataBuilder::BuildCellData(vtkPolyData* output)
   const vtkIdType others = static_cast<vtkIdType>(this->OtherCells.size());
   const vtkIdType numberOfCells = others + this->GetNumberOfTriangles();
   vtkNew<vtkIdTypeArray> originals;
-  originals->SetName(OriginalCellIds);
   originals->SetNumberOfValues(numberOfCells);
   vtkIdType* ids = originals->GetPointer(0);
   std::copy(this->OtherCells.begin(), this->OtherCells.end(), ids);
@@ -415,34 +412,10 @@ void RefinedPolyDataBuilder::BuildCellData(vtkPolyData* output)
       static_cast<vtkIdType>(this->Mesh.Faces[f].Cell));
   }
 
-  // Ids that stand for one cell no longer do so, and normals of flat coarse cells are not those of
-  // what they were refined to.
-  vtkNew<vtkCellData> inputData;
-  inputData->ShallowCopy(this->Input->GetCellData());
-  inputData->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
+  // Normals of flat coarse cells are not those of what they were refined to.
   vtkRefinementSurface* surface = this->Recipe->GetSurface();
-  if (this->Recipe->GetDisplacement() || (surface && surface->NeedsNormals()))
-  {
-    inputData->SetNormals(nullptr);
-  }
-  inputData->RemoveArray(OriginalCellIds);
-
-  vtkNew<vtkIdList> cells;
-  if (inputData->GetNumberOfArrays() > 0)
-  {
-    cells->SetNumberOfIds(numberOfCells);
-    std::copy_n(ids, numberOfCells, cells->GetPointer(0));
-  }
-  for (int a = 0; a < inputData->GetNumberOfArrays(); ++a)
-  {
-    vtkAbstractArray* array = inputData->GetAbstractArray(a);
-    if (array->GetNumberOfTuples() < this->Input->GetNumberOfCells())
-    {
-      this->ShortArrays.emplace_back(array->GetName() ? array->GetName() : "");
-      continue;
-    }
-    array->GetTuples(cells, AddArrayLike(inputData, array, output->GetCellData(), numberOfCells));
-  }
-  output->GetCellData()->AddArray(originals);
+  const bool keepNormals =
+    !this->Recipe->GetDisplacement() && !(surface && surface->NeedsNormals());
+  CopyCellData(this->Input, originals, keepNormals, output->GetCellData(), this->ShortArrays);
 }
 }

@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkAdaptiveCurveFilter.h"
+
+#include "Core/CameraEye.h"
+#include "Core/LatestTime.h"
+#include "Core/PointArray.h"
+#include "Core/RefinementView.h"
+#include "Core/SettingChecks.h"
+#include "Curves/CurveMesh.h"
+#include "Curves/CurvePolyDataBuilder.h"
+#include "Curves/CurveTags.h"
+#include "Metrics/ViewTime.h"
+#include "vtkAdaptiveRefinement.h"
+#include "vtkDataArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <new>
+#include <numeric>
+
+vtkStandardNewMacro(vtkAdaptiveCurveFilter);
+
+vtkAdaptiveCurveFilter::vtkAdaptiveCurveFilter() = default;
+vtkAdaptiveCurveFilter::~vtkAdaptiveCurveFilter() = default;
+
+vtkCxxSetSmartPointerMacro(vtkAdaptiveCurveFilter, Refinement, vtkAdaptiveRefinement);
+
+vtkAdaptiveRefinement* vtkAdaptiveCurveFilter::GetRefinement()
+{
+  return this->Refinement;
+}
+
+vtkCxxSetSmartPointerMacro(vtkAdaptiveCurveFilter, Camera, vtkCamera);
+
+vtkCamera* vtkAdaptiveCurveFilter::GetCamera()
+{
+  return this->Camera;
+}
+
+vtkCxxSetSmartPointerMacro(vtkAdaptiveCurveFilter, ModelToWorld, vtkMatrix4x4);
+
+vtkMatrix4x4* vtkAdaptiveCurveFilter::GetModelToWorld()
+{
+  return this->ModelToWorld;
+}
+
+void vtkAdaptiveCurveFilter::SetViewportSize(int width, int height)
+{
+  relevo::SetPixelSize(this, "ViewportSize", this->ViewportSize, width, height);
+}
+
+void vtkAdaptiveCurveFilter::SetRepresentation(int representation)
+{
+  relevo::SetChoice(
+    this, "Representation", this->Representation, representation, { "LINES", "RIBBONS", "TUBES" });
+}
+
+void vtkAdaptiveCurveFilter::SetRadius(double radius)
+{
+  relevo::SetInRange(
+    this, "Radius", this->Radius, radius, this->GetRadiusMinValue(), this->GetRadiusMaxValue());
+}
+
+void vtkAdaptiveCurveFilter::SetRadiusArrayName(const char* name)
+{
+  const std::string text = name ? name : "";
+  if (this->RadiusArrayName != text)
+  {
+    this->RadiusArrayName = text;
+    this->Modified();
+  }
+}
+
+const char* vtkAdaptiveCurveFilter::GetRadiusArrayName()
+{
+  return this->RadiusArrayName.c_str();
+}
+
+void vtkAdaptiveCurveFilter::SetNumberOfSides(int sides)
+{
+  relevo::SetInRange(this, "NumberOfSides", this->NumberOfSides, sides,
+    this->GetNumberOfSidesMinValue(), this->GetNumberOfSidesMaxValue());
+}
+
+vtkMTimeType vtkAdaptiveCurveFilter::GetMTime()
+{
+  const vtkMTimeType own = this->Representation == RIBBONS
+    ? relevo::GetLatestTime(this->Superclass::GetMTime(), { this->Camera, this->ModelToWorld })
+    : this->Superclass::GetMTime();
+  return this->Refinement
+    ? std::max({ own, this->Refinement->GetMTime(),
+        relevo::GetViewTime(this->Refinement->GetMetric(), this->MakeView()) })
+    : own;
+}
+
+relevo::RefinementView vtkAdaptiveCurveFilter::MakeView() const
+{
+  return { this->Camera, this->ModelToWorld, { this->ViewportSize[0], this->ViewportSize[1] } };
+}
+
+int vtkAdaptiveCurveFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+bool vtkAdaptiveCurveFilter::MakeStyle(vtkPointSet* input, relevo::CurveStyle& style)
+{
+  style.Shape = static_cast<relevo::CurveShape>(this->Representation);
+  style.Radius = this->Radius;
+  style.NumberOfSides = this->NumberOfSides;
+  if (this->Representation == RIBBONS)
+  {
+    if (!this->Camera)
+    {
+      vtkErrorMacro("Ribbons face the camera: call SetCamera().");
+      return false;
+    }
+    vtkNew<vtkMatrix4x4> worldToModel;
+    if (this->ModelToWorld)
+    {
+      vtkMatrix4x4::Invert(this->ModelToWorld, worldToModel);
+    }
+    style.Eye = relevo::GetEye(this->Camera, worldToModel);
+  }
+  if (this->Representation == LINES || this->RadiusArrayName.empty())
+  {
+    return true;
+  }
+  std::string error;
+  style.RadiusArray = relevo::FindPointArray(input, this->RadiusArrayName, 1, error);
+  for (vtkIdType i = 0; style.RadiusArray && i < input->GetNumberOfPoints(); ++i)
+  {
+    if (style.RadiusArray->GetComponent(i, 0) < 0.0)
+    {
+      error =
+        "point array \"" + this->RadiusArrayName + "\" is below 0 at point " + std::to_string(i);
+      style.RadiusArray = nullptr;
+    }
+  }
+  if (!style.RadiusArray)
+  {
+    vtkErrorMacro("No radii: " << error << ".");
+  }
+  return style.RadiusArray != nullptr;
+}
+
+// Says what is wrong with cells; false after an error where nothing is left.
+bool vtkAdaptiveCurveFilter::Check(vtkPointSet* input, const relevo::CurveMesh& mesh)
+{
+  if (!mesh.GetError().empty())
+  {
+    vtkErrorMacro(<< mesh.GetError());
+  }
+  if (!mesh.GetWarning().empty())
+  {
+    vtkWarningMacro(<< mesh.GetWarning());
+  }
+  if (mesh.GetNumberOfCurves() > 0)
+  {
+    return true;
+  }
+  if (input->GetNumberOfCells() == 0)
+  {
+    vtkErrorMacro("The input has no cells: there is nothing to refine.");
+  }
+  else if (mesh.GetError().empty() && mesh.GetWarning().empty())
+  {
+    vtkErrorMacro("None of the input's cells is a curve.");
+  }
+  return !mesh.GetWarning().empty();
+}
+
+bool vtkAdaptiveCurveFilter::Build(vtkPointSet* input, const relevo::CurveMesh& mesh,
+  const relevo::CurveTags& tags, const relevo::CurveStyle& style, vtkPolyData* output)
+{
+  const std::vector<int>& segments = tags.GetSegments();
+  try
+  {
+    relevo::CurvePolyDataBuilder builder(input, mesh, segments, style);
+    builder.Build(this->Refinement->GetNoDataMagnitude(), output);
+    for (const std::string& name : builder.GetShortArrays())
+    {
+      vtkWarningMacro("Array \"" << name << "\" has too few tuples and is left out.");
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    output->Initialize();
+    vtkErrorMacro("Not enough memory for "
+      << std::accumulate(segments.begin(), segments.end(), vtkIdType(0)) << " segments.");
+    return false;
+  }
+  return true;
+}
+
+int vtkAdaptiveCurveFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  if (!this->Refinement)
+  {
+    vtkErrorMacro("No recipe: call SetRefinement() with a vtkAdaptiveRefinement.");
+    return 0;
+  }
+  relevo::CurveMesh mesh;
+  mesh.Build(input);
+  relevo::CurveTags tags;
+  relevo::CurveStyle style;
+  std::string error;
+  if (!this->Check(input, mesh) || !this->MakeStyle(input, style))
+  {
+    return 0;
+  }
+  if (!tags.Compute(this->Refinement, input, mesh, this->MakeView(), error))
+  {
+    vtkErrorMacro(<< error);
+    return 0;
+  }
+  return mesh.GetNumberOfCurves() == 0 || this->Build(input, mesh, tags, style, output) ? 1 : 0;
+}
+
+void vtkAdaptiveCurveFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Refinement: " << this->Refinement.Get() << "\n";
+  os << indent << "Camera: " << this->Camera.Get() << "\n";
+  os << indent << "ModelToWorld: " << this->ModelToWorld.Get() << "\n";
+  os << indent << "ViewportSize: " << this->ViewportSize[0] << " x " << this->ViewportSize[1]
+     << "\n";
+  os << indent << "Representation: " << this->Representation << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "RadiusArrayName: " << this->RadiusArrayName << "\n";
+  os << indent << "NumberOfSides: " << this->NumberOfSides << "\n";
+}
