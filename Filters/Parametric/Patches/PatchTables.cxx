@@ -106,6 +106,11 @@ private:
       uv[corner] = ivec2(round(this->Patches.GetCoordinates(cell, corner) *
         static_cast<float>(this->Functions.patchUnit)));
     }
+    int pointBorders = 0;
+    for (int border = 0; border < (shape.IsTriangle ? 3 : 4); ++border)
+    {
+      pointBorders |= this->IsPoint(shape, border) ? 1 << border : 0;
+    }
     int pointEdges = 0;
     for (int edge = 0; edge < 3; ++edge)
     {
@@ -117,11 +122,12 @@ private:
       {
         this->Sides.push_back({ std::min(from, to), std::max(from, to), entry, edge, from > to });
       }
-      pointEdges |= border >= 0 && this->IsPoint(shape, border) ? 1 << edge : 0;
+      pointEdges |= border >= 0 && (pointBorders >> border & 1) != 0 ? 1 << edge : 0;
     }
-    const int degrees = shape.Degrees.x | shape.Degrees.y << 4 | (shape.IsTriangle ? 256 : 0);
+    const int kind = shape.Degrees.x | shape.Degrees.y << 4 | (shape.IsTriangle ? 256 : 0) |
+      pointBorders << 9 | (this->IsRational(patch) ? 1 << 13 : 0);
     std::vector<int>& records = this->Tables.Records;
-    records.insert(records.end(), { shape.First, degrees, pointEdges, 0 });
+    records.insert(records.end(), { shape.First, kind, pointEdges, 0 });
     for (const ivec2& corner : uv)
     {
       records.push_back(corner.x << 16 | corner.y);
@@ -145,6 +151,20 @@ private:
       }
     }
     return true;
+  }
+
+  // Whether weights differ: where they do not, they cancel out.
+  bool IsRational(const Patch& patch) const
+  {
+    const double first = this->Patches.GetPoint(patch.FirstPoint).w;
+    for (int i = 1; i < patch.GetNumberOfPoints(); ++i)
+    {
+      if (this->Patches.GetPoint(patch.FirstPoint + i).w != first)
+      {
+        return true;
+      }
+    }
+    return false;
   }
 
   // Of all faces at a border the first two are known to each of them.

@@ -18,6 +18,17 @@ struct PatchShape
   bool IsTriangle; // its degree is Degrees.x
 };
 
+// Of two numbers: first control point; degrees p | q << 4 | 256 for a triangle | the borders that are
+// one point, a bit each, << 9 | 8192 where weights differ.
+RELEVO_FUNCTION PatchShape unpackShape(ivec2 record)
+{
+  PatchShape shape;
+  shape.First = record.x;
+  shape.Degrees = ivec2(record.y & 15, (record.y >> 4) & 15);
+  shape.IsTriangle = (record.y & 256) != 0;
+  return shape;
+}
+
 // Homogeneous, as the control points are. Of a triangle v and u grow at the third weight's cost.
 struct PatchPoint
 {
@@ -120,6 +131,33 @@ RELEVO_FUNCTION PatchPoint patchPointAt(PatchShape shape, vec2 uv)
     return trianglePoint(shape, uv);
   }
   return quadrilateralPoint(shape, uv);
+}
+
+// The point alone, which costs less.
+RELEVO_FUNCTION vec4 patchValueAt(PatchShape shape, vec2 uv)
+{
+  float s = 1.0f - uv.x - (shape.IsTriangle ? uv.y : 0.0f);
+  float t = shape.IsTriangle ? 1.0f : 1.0f - uv.y; // rows of a triangle have all powers of it
+  int rows = shape.IsTriangle ? shape.Degrees.x : shape.Degrees.y;
+  int n = shape.Degrees.x;
+  int i = shape.First;
+  vec4 sum = vec4(0.0f);
+  float factor = 1.0f;
+  for (int j = 0; j <= rows; ++j)
+  {
+    vec4 row = vec4(0.0f);
+    float along = 1.0f;
+    for (int k = 0; k <= n; ++k)
+    {
+      row = row * s + patchPoint(i) * along;
+      along *= uv.x * float(n - k) / float(k + 1);
+      ++i;
+    }
+    sum = sum * t + row * factor;
+    factor *= uv.y * float(rows - j) / float(j + 1);
+    n -= shape.IsTriangle ? 1 : 0;
+  }
+  return sum;
 }
 
 // Control points along a border: that at k is First + k Step + k (k - 1) / 2 Growth.

@@ -5,8 +5,7 @@
 //   int cornerOrder()          permutation from the face's own corners to the sorted ones
 //   vec4 tablePoint(int i)     a control point and its weight
 //   ivec4 tableRecord(int i)   four per face:
-//     0: first control point; degrees p | q << 4 | 256 for a triangle; edges that are one point, a
-//        bit each
+//     0: the patch, see unpackShape(); edges that are one point, a bit each
 //     1: the corners' u << 16 | v, in parts of patchUnit
 //     2, 3: for each edge a face at it, the same two for all around: record << 3 | edge << 1 | 1 if
 //        that face passes it from its higher place to the lower; -1 for none
@@ -28,21 +27,12 @@ struct FacePatch
   ivec3 Order;    // the face's own corners that these are
 };
 
-RELEVO_FUNCTION PatchShape unpackShape(ivec4 record)
-{
-  PatchShape shape;
-  shape.First = record.x;
-  shape.Degrees = ivec2(record.y & 15, (record.y >> 4) & 15);
-  shape.IsTriangle = (record.y & 256) != 0;
-  return shape;
-}
-
 RELEVO_FUNCTION FacePatch facePatch()
 {
   ivec4 record = tableRecord(tableEntry());
   ivec4 corners = tableRecord(tableEntry() + 1);
   FacePatch face;
-  face.Shape = unpackShape(record);
+  face.Shape = unpackShape(ivec2(record));
   face.PointEdges = record.z;
   face.Order = ivec3(permuteWeights(vec3(0.0f, 1.0f, 2.0f), cornerOrder()));
   face.Corners = ivec3(corners[face.Order.x], corners[face.Order.y], corners[face.Order.z]);
@@ -213,7 +203,7 @@ RELEVO_FUNCTION vec3 normalOfFaceAt(int reference, float weight)
   vec2 from = cornerCoordinate(corners[edge]);
   vec2 to = cornerCoordinate(corners[(edge + 1) % 3]);
   bool descends = (reference & 1) != 0;
-  return patchNormal(unpackShape(tableRecord(entry)),
+  return patchNormal(unpackShape(ivec2(tableRecord(entry))),
     descends ? mix(to, from, weight) : mix(from, to, weight));
 }
 

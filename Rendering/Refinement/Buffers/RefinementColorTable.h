@@ -8,6 +8,7 @@
 #define RefinementColorTable_h
 
 #include "Buffers/RefinementBuffer.h"
+#include "RelevoRenderingRefinementModule.h" // for export macro
 
 #include <array> // for colours
 #include <string>
@@ -16,7 +17,7 @@ class vtkScalarsToColors;
 
 namespace relevo
 {
-class RefinementColorTable
+class RELEVORENDERINGREFINEMENT_EXPORT RefinementColorTable
 {
 public:
   /**

@@ -72,7 +72,7 @@ Choice ChooseTextureComponents(int components, vtkScalarsToColors* table)
 }
 
 bool RefinementColors::Upload(vtkOpenGLRenderWindow* window, vtkAbstractArray* scalars,
-  vtkScalarsToColors* table, int component, bool byTexture, double noDataMagnitude)
+  vtkScalarsToColors* table, int component, bool byTexture, double noDataMagnitude, int type)
 {
   this->Kind = BY_VTK;
   this->NoData.ReleaseGraphicsResources(window);
@@ -96,7 +96,8 @@ bool RefinementColors::Upload(vtkOpenGLRenderWindow* window, vtkAbstractArray* s
   {
     return true;
   }
-  this->AreIntegers = numbers->GetDataType() != VTK_FLOAT && numbers->GetDataType() != VTK_DOUBLE;
+  type = type == VTK_VOID ? numbers->GetDataType() : type;
+  this->AreIntegers = type != VTK_FLOAT && type != VTK_DOUBLE;
   // Differences to the minimum keep the digits of narrow ranges far from zero.
   this->Bias = choice.IsLength || isLog ? 0.0 : tableRange[0];
   if (this->AreIntegers)

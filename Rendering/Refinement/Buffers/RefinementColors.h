@@ -13,6 +13,7 @@
 
 #include "Buffers/RefinementBuffer.h"        // for members
 #include "Buffers/RefinementColorTable.h"    // for members
+#include "RelevoRenderingRefinementModule.h" // for export macro
 #include "Shaders/RefinementShaderOptions.h" // for ScalarKind
 
 class vtkAbstractArray;
@@ -21,20 +22,23 @@ class vtkScalarsToColors;
 
 namespace relevo
 {
-class RefinementColors
+class RELEVORENDERINGREFINEMENT_EXPORT RefinementColors
 {
 public:
   /**
    * Take point scalars that are mapped through a lookup table (not direct colours). `component` is
    * that of vtkMapper, -1 to leave the choice to the table. `byTexture` says that VTK colours by a
-   * texture. For noDataMagnitude see NoDataTuples. False when they do not fit on the GPU.
+   * texture. For noDataMagnitude see NoDataTuples. `type` is what they are coefficients of, if they
+   * are some. False when they do not fit on the GPU.
    */
   bool Upload(vtkOpenGLRenderWindow* window, vtkAbstractArray* scalars, vtkScalarsToColors* table,
-    int component, bool byTexture, double noDataMagnitude);
+    int component, bool byTexture, double noDataMagnitude, int type = VTK_VOID);
 
   ScalarKind GetKind() const { return this->Kind; }
   /// Whether some of the values stand for no data.
   bool HasNoData() const { return this->Kind != BY_VTK && !this->NoData.IsEmpty(); }
+  /// What has been subtracted from numbers.
+  double GetBias() const { return this->Bias; }
   void Clear() { this->Kind = BY_VTK; }
 
   void Activate(vtkShaderProgram* program);

@@ -16,6 +16,7 @@
 #include "relevoMorph.h"
 #include "relevoNoDataVS.h"
 #include "relevoRefineVS.h"
+#include "relevoScalars.h"
 #include "relevoWeights.h"
 
 #include "Core/VTKCompatibility.h"
@@ -213,7 +214,7 @@ std::string GetVertexFunctions(const RefinementShaderOptions& options,
   if (options.Scalars != BY_VTK)
   {
     text << (options.Scalars == BY_VALUE ? relevoColorTable : "")
-         << (options.HasNoData ? relevoNoDataVS : "") << relevoColorsVS;
+         << (options.HasNoData ? relevoNoDataVS : "") << relevoScalars << relevoColorsVS;
   }
   if (options.ColorMode != COLOR_BY_SCALARS)
   {
@@ -223,7 +224,7 @@ std::string GetVertexFunctions(const RefinementShaderOptions& options,
   {
     text << varying.Qualifier << "out " << varying.Type << " " << varying.Name << "VSOutput;\n";
   }
-  text << "int relevoPointId;\nvec3 relevoNormal = vec3(0.0);\n"
+  text << "int relevoPointId;\nvec3 relevoVertexWeights;\nvec3 relevoNormal = vec3(0.0);\n"
        << attributes.Samplers << "void relevoSetNormal(vec3 normal)\n{\n"
        << (attributes.HasNormal ? "  normalMC = normal;\n" : "") << "}\n"
        << "void relevoSetAttributes(vec3 w)\n{\n"

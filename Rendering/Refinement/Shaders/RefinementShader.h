@@ -50,7 +50,8 @@ void MarkColors(const RefinementShaderOptions& options, const ShaderPurpose& pur
  * Insert text that changes the colours which VTK has given a fragment. An actor's own text may
  * replace VTK's: then it decides on colours, and nothing is missed.
  */
-void InsertColors(ShaderText& fragment, bool ownFragments, const std::string& text);
+RELEVORENDERINGREFINEMENT_EXPORT void InsertColors(
+  ShaderText& fragment, bool ownFragments, const std::string& text);
 
 std::string GetAttributeSampler(const std::string& attribute);
 }

@@ -43,7 +43,8 @@ struct ShaderVarying
 };
 
 /// What a subclass of the mapper adds to the vertex shader. Its statements run when the vertex is
-/// made: vertexMC, relevoNormal (unit, zero without normals) and all attributes are set.
+/// made: vertexMC, relevoNormal (unit, zero without normals), relevoVertexWeights (of the sorted
+/// corners) and all attributes are set.
 struct ShaderExtension
 {
   std::vector<ShaderVarying> Varyings;

@@ -1,9 +1,4 @@
-// Scalars interpolated over the refined surface, then mapped to colours.
-
-uniform samplerBuffer relevoScalars;  // components less the table's bias, per point
-uniform int relevoScalarTexels;       // per point; 0 for one number, more for a vector's length
-uniform int relevoScalarsAreIntegers; // 1 for whole numbers, which stay so between the points
-uniform vec3 relevoScalarCoordinates; // of textures: minimum, 1 / width, 1 for a log scale
+// Scalars interpolated over the refined surface, then mapped to colours. After relevoScalars.glsl.
 
 bool relevoIsCorner(vec3 w)
 {
@@ -20,9 +15,8 @@ vec4 relevoScalarsAt(int corner, float weight, int k)
 
 vec4 relevoScalarsOf(vec3 w, int k)
 {
-  vec4 scalars = weightedSum(
-    relevoScalarsAt(0, w.x, k), relevoScalarsAt(1, w.y, k), relevoScalarsAt(2, w.z, k), w);
-  return relevoScalarsAreIntegers == 1 ? sign(scalars) * floor(abs(scalars) + 0.5) : scalars;
+  return relevoScalarsAsTyped(weightedSum(
+    relevoScalarsAt(0, w.x, k), relevoScalarsAt(1, w.y, k), relevoScalarsAt(2, w.z, k), w));
 }
 
 // What takes no values between its own, as a name, has the nearest corner's; see RefinedPoint.
@@ -67,19 +61,7 @@ vec4 relevoScalarColor(vec3 w)
 }
 #endif
 
-// Where VTK's texture of a table has the colour.
 vec2 relevoScalarCoordinate(vec3 w)
 {
-  float value = relevoScalar(w);
-  if (value != value)
-  {
-    return vec2(0.5, 1.0);
-  }
-  if (relevoScalarCoordinates.z == 1.0)
-  {
-    value = value > 0.0 ? log2(value) * 0.30102999566 : relevoScalarCoordinates.x;
-  }
-  return vec2(
-    clamp((value - relevoScalarCoordinates.x) * relevoScalarCoordinates.y, -1000.0, 1000.0), 0.49);
+  return relevoTextureCoordinate(relevoScalar(w));
 }
-

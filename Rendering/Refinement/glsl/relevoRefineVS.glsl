@@ -3,6 +3,7 @@
 void relevoRefine()
 {
   vec3 w = relevoPlaceVertex();
+  relevoVertexWeights = w;
   relevoFace = texelFetch(relevoFaces, relevoFaceIndex);
 
   precise vec3 position = surfacePosition(w);

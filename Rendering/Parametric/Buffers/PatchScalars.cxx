@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Buffers/PatchScalars.h"
+
+#include "Core/NoDataTuples.h"
+#include "Mesh/PatchArrays.h"
+#include "vtkDoubleArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPolyData.h"
+#include "vtkShaderProgram.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace relevo
+{
+namespace
+{
+// A patch has no values where one of its nodes has none.
+vtkSmartPointer<vtkDataArray> WithoutNoData(
+  vtkPolyData* mesh, vtkDataArray* nodes, double noDataMagnitude)
+{
+  const NoDataTuples noData(nodes, noDataMagnitude);
+  PatchArrays patches;
+  std::string error;
+  if (noData.IsEmpty() || !patches.Take(mesh, error))
+  {
+    return nodes;
+  }
+  auto result = vtkSmartPointer<vtkDoubleArray>::New();
+  result->DeepCopy(nodes);
+  const std::vector<double> nothing(
+    static_cast<size_t>(nodes->GetNumberOfComponents()), vtkMath::Nan());
+  for (int i = 0; i < patches.GetNumberOfPatches(); ++i)
+  {
+    const Patch patch = patches.GetPatch(i);
+    const auto first = noData.GetMarks().begin() + patch.FirstPoint;
+    const auto end = first + patch.GetNumberOfPoints();
+    for (int k = 0; std::find(first, end, 1) != end && k < patch.GetNumberOfPoints(); ++k)
+    {
+      result->SetTuple(patch.FirstPoint + k, nothing.data());
+    }
+  }
+  return result;
+}
+
+// See vtkScalarsToColors::ConvertToRGBA(): luminance, luminance and alpha, RGB, RGBA.
+void StoreColor(const double* tuple, int components, double scale, float* color)
+{
+  const bool isGrey = components < 3;
+  for (int c = 0; c < 3; ++c)
+  {
+    color[c] = static_cast<float>(tuple[isGrey ? 0 : c] * scale);
+  }
+  const bool hasAlpha = components == 2 || components == 4;
+  color[3] = hasAlpha ? static_cast<float>(tuple[components - 1] * scale) : 1.0f;
+}
+}
+
+bool PatchScalars::Upload(vtkOpenGLRenderWindow* window, const Source& source)
+{
+  this->ReleaseGraphicsResources(window);
+  vtkDataArray* nodes = PatchArrays::FindNodes(source.Mesh, source.Scalars);
+  if (!nodes)
+  {
+    return true;
+  }
+  const int type = source.Scalars->GetDataType();
+  if (source.AreColors)
+  {
+    return this->UploadColors(window, nodes, type);
+  }
+  const vtkSmartPointer<vtkDataArray> values =
+    WithoutNoData(source.Mesh, nodes, source.NoDataMagnitude);
+  constexpr double none = std::numeric_limits<double>::infinity();
+  if (!this->Numbers.Upload(
+        window, values, source.Table, source.Component, source.ByTexture, none, type))
+  {
+    return false;
+  }
+  const ScalarKind kind = this->Numbers.GetKind();
+  this->Kind = kind == BY_VALUE ? TABLE : (kind == BY_TEXTURE ? TEXTURE : NONE);
+  return true;
+}
+
+bool PatchScalars::UploadColors(vtkOpenGLRenderWindow* window, vtkDataArray* nodes, int type)
+{
+  const int components = nodes->GetNumberOfComponents();
+  const bool isReal = type == VTK_FLOAT || type == VTK_DOUBLE;
+  if ((!isReal && type != VTK_UNSIGNED_CHAR) || components < 1 || components > 4)
+  {
+    return true; // VTK's own colours of the corners do
+  }
+  std::vector<float> colors(4 * static_cast<size_t>(nodes->GetNumberOfTuples()));
+  double tuple[4];
+  for (vtkIdType i = 0; i < nodes->GetNumberOfTuples(); ++i)
+  {
+    nodes->GetTuple(i, tuple);
+    StoreColor(tuple, components, isReal ? 1.0 : 1.0 / 255.0, &colors[4 * static_cast<size_t>(i)]);
+  }
+  this->Kind = COLORS;
+  return this->Colors.Upload(window, colors, 4);
+}
+
+void PatchScalars::Activate(vtkShaderProgram* program)
+{
+  if (this->Kind == TABLE || this->Kind == TEXTURE)
+  {
+    this->Numbers.Activate(program);
+  }
+  this->Colors.Activate(program, "relevoFieldColors");
+}
+
+void PatchScalars::Deactivate()
+{
+  this->Numbers.Deactivate();
+  this->Colors.Deactivate();
+}
+
+vtkTypeInt64 PatchScalars::GetMemorySize() const
+{
+  return this->Numbers.GetMemorySize() + this->Colors.GetMemorySize();
+}
+
+void PatchScalars::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Kind = NONE;
+  this->Numbers.ReleaseGraphicsResources(window);
+  this->Colors.ReleaseGraphicsResources(window);
+}
+}

@@ -1,0 +1,106 @@
+// The field of a fragment's patch, by the patch's own basis. After relevoPatch.glsl, and
+// relevoScalars.glsl where there are numbers.
+
+uniform samplerBuffer relevoTablePoints; // control points: positions, weights
+#ifdef RELEVO_FIELD_COLORS
+uniform samplerBuffer relevoFieldColors; // of the control points
+#endif
+
+int relevoFieldTexel = 0; // of those per control point; -1 for its weight
+
+bool relevoIsRational()
+{
+  return (relevoPatchVSOutput.y & 8192) != 0;
+}
+
+vec4 patchPoint(int i)
+{
+  float weight = relevoIsRational() ? texelFetch(relevoTablePoints, i).w : 1.0;
+  if (relevoFieldTexel < 0)
+  {
+    return vec4(weight);
+  }
+#ifdef RELEVO_FIELD_COLORS
+  return texelFetch(relevoFieldColors, i) * weight;
+#else
+  return texelFetch(relevoScalars, i * max(relevoScalarTexels, 1) + relevoFieldTexel) * weight;
+#endif
+}
+
+// Beside a patch, where multisampling may ask, there is no field.
+vec2 relevoFieldCoordinate()
+{
+  vec2 uv = clamp(relevoPatchCoordinateVSOutput, vec2(0.0), vec2(1.0));
+  bool isBeyond = (relevoPatchVSOutput.y & 256) != 0 && uv.x + uv.y > 1.0;
+  return isBeyond ? uv / (uv.x + uv.y) : uv;
+}
+
+PatchPoint relevoFieldSum(int texel)
+{
+  relevoFieldTexel = texel;
+  PatchShape shape = unpackShape(relevoPatchVSOutput);
+#ifdef RELEVO_ISOLINES
+  return patchPointAt(shape, relevoFieldCoordinate());
+#else
+  return PatchPoint(patchValueAt(shape, relevoFieldCoordinate()), vec4(0.0), vec4(0.0));
+#endif
+}
+
+// A texel's values, and with isolines how they change by u and by v.
+PatchPoint relevoFieldAt(int texel)
+{
+  PatchPoint sum = relevoFieldSum(texel);
+  if (relevoIsRational())
+  {
+    PatchPoint weight = relevoFieldSum(-1);
+    sum.Point /= weight.Point;
+    sum.ByU = (sum.ByU - sum.Point * weight.ByU) / weight.Point;
+    sum.ByV = (sum.ByV - sum.Point * weight.ByV) / weight.Point;
+  }
+  return sum;
+}
+
+#ifdef RELEVO_FIELD_COLORS
+vec4 relevoFieldColor()
+{
+  return clamp(relevoFieldAt(0).Point, 0.0, 1.0);
+}
+#else
+// The number that colours are looked up by, less the table's bias.
+struct FieldNumber
+{
+  float Typed; // whole where its array is of integers
+  float Exact;
+  vec2 Slope; // of Exact, by u and by v
+};
+
+FieldNumber relevoNumber; // of the fragment
+
+FieldNumber relevoFieldNumber()
+{
+  FieldNumber sum = FieldNumber(0.0, 0.0, vec2(0.0));
+  for (int texel = 0; texel < max(relevoScalarTexels, 1); ++texel)
+  {
+    PatchPoint at = relevoFieldAt(texel);
+    vec4 typed = relevoScalarsAsTyped(at.Point);
+    if (relevoScalarTexels == 0)
+    {
+      return FieldNumber(typed.x, at.Point.x, vec2(at.ByU.x, at.ByV.x));
+    }
+    sum.Typed += dot(typed, typed);
+    sum.Exact += dot(at.Point, at.Point);
+    sum.Slope += vec2(dot(at.Point, at.ByU), dot(at.Point, at.ByV));
+  }
+  float size = sqrt(sum.Exact);
+  return FieldNumber(sqrt(sum.Typed), size, size > 0.0 ? sum.Slope / size : vec2(0.0));
+}
+
+vec4 relevoNumberColor(float number)
+{
+#ifdef RELEVO_FIELD_TEXTURE
+  return textureLod(colortexture, relevoTextureCoordinate(number), 0.0);
+#else
+  return relevoTableColor(number);
+#endif
+}
+#endif

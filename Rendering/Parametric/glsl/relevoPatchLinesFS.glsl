@@ -1,0 +1,66 @@
+// Lines on a fragment's patch, as wide on the screen everywhere: isolines of its field, and the
+// borders of the patch. After relevoPatch.glsl and relevoPatchFieldFS.glsl.
+
+#ifdef RELEVO_ISOLINES
+uniform vec3 relevoIsolines; // spacing, of what is added to numbers the rest, width in pixels
+uniform vec3 relevoIsolineColor;
+#endif
+#ifdef RELEVO_PATCH_EDGES
+uniform float relevoPatchEdgeWidth;
+uniform vec3 relevoPatchEdgeColor;
+#endif
+
+vec2 relevoAcross = vec2(0.0); // how u changes from pixel to pixel, to the right and up
+vec2 relevoAlong = vec2(0.0);  // and v
+
+// At the start of main(): everywhere.
+void relevoMeasurePixels()
+{
+  vec2 right = dFdx(relevoPatchCoordinateVSOutput);
+  vec2 up = dFdy(relevoPatchCoordinateVSOutput);
+  relevoAcross = vec2(right.x, up.x);
+  relevoAlong = vec2(right.y, up.y);
+}
+
+// In pixels, to where a number that changes so from pixel to pixel is zero.
+float relevoPixelsTo(float number, vec2 change)
+{
+  float size = length(change);
+  return size > 0.0 ? abs(number) / size : 1e30;
+}
+
+// What of the pixel the line covers.
+float relevoCoverage(float pixels, float width)
+{
+  return clamp(0.5 * width + 0.5 - pixels, 0.0, min(width, 1.0));
+}
+
+#ifdef RELEVO_ISOLINES
+float relevoIsolineCoverage(FieldNumber number)
+{
+  float spacings = (number.Exact + relevoIsolines.y) / relevoIsolines.x;
+  float beside = (spacings - floor(spacings + 0.5)) * relevoIsolines.x;
+  vec2 change = number.Slope.x * relevoAcross + number.Slope.y * relevoAlong;
+  return relevoCoverage(relevoPixelsTo(beside, change), relevoIsolines.z);
+}
+#endif
+
+#ifdef RELEVO_PATCH_EDGES
+// To the nearest border but those that are one point, in the order of findPatchBorder().
+float relevoPixelsToBorder()
+{
+  bool isTriangle = (relevoPatchVSOutput.y & 256) != 0;
+  int points = relevoPatchVSOutput.y >> 9;
+  vec2 uv = relevoPatchCoordinateVSOutput;
+  vec4 borders = vec4(uv.y, uv.x, isTriangle ? 1.0 - uv.x - uv.y : 1.0 - uv.y, 1.0 - uv.x);
+  float v = relevoPixelsTo(borders.x, relevoAlong);
+  float u = relevoPixelsTo(borders.y, relevoAcross);
+  float opposite = relevoPixelsTo(borders.z, isTriangle ? relevoAcross + relevoAlong : relevoAlong);
+  float last = relevoPixelsTo(borders.w, relevoAcross);
+  float nearest = 1e30;
+  nearest = (points & 1) != 0 ? nearest : min(nearest, v);
+  nearest = (points & 2) != 0 ? nearest : min(nearest, u);
+  nearest = (points & 4) != 0 ? nearest : min(nearest, opposite);
+  return isTriangle || (points & 8) != 0 ? nearest : min(nearest, last);
+}
+#endif

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   what a vtkAdaptivePatchMapper keeps
+ *
+ * Private to the mapper's own sources.
+ */
+#ifndef vtkAdaptivePatchMapperInternals_h
+#define vtkAdaptivePatchMapperInternals_h
+
+#include "Buffers/PatchScalars.h"
+#include "Core/Dependencies.h"
+#include "vtkAdaptivePatchMapper.h"
+
+#include <string>
+
+class vtkDataArray;
+
+struct vtkAdaptivePatchMapper::vtkInternals
+{
+  relevo::PatchScalars Scalars;
+  relevo::Dependencies FieldDependencies;
+  std::string FieldProblem; // said last
+
+  bool IsSurface = false; // of the actor that is drawn
+
+  /// What fragments show of patches.
+  struct Shown
+  {
+    bool Colors = false;
+    bool Isolines = false;
+    bool Edges = false;
+
+    bool Any() const { return this->Colors || this->Edges; }
+    bool HasLines() const { return this->Isolines || this->Edges; }
+  };
+  Shown Shows; // by the shaders that are being written
+
+  /// The scalars of points that VTK colours by; nullptr for none.
+  static vtkDataArray* GetScalars(vtkAdaptivePatchMapper* mapper);
+  static bool AreColors(vtkAdaptivePatchMapper* mapper, vtkDataArray* scalars);
+  std::string DescribeMisfit(vtkAdaptivePatchMapper* mapper, vtkDataArray* scalars);
+  std::string GetFragmentFunctions() const;
+};
+
+#endif
