@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Cells of several triangles, cells turned inside out, arrays that are carried on, a file of VTK's.
+#include "RelevoCheck.h"
+#include "RelevoPatches.h"
+
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkIntArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGridReader.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+
+namespace
+{
+vtkSmartPointer<vtkUnstructuredGrid> NewGrid(const std::vector<RelevoPlace>& places)
+{
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const RelevoPlace& place : places)
+  {
+    points->InsertNextPoint(place.data());
+  }
+  grid->SetPoints(points);
+  grid->Allocate(1);
+  return grid;
+}
+
+RelevoPlace Evaluate(vtkPolyData* mesh, int patch, double u, double v)
+{
+  const std::vector<double> x = RelevoEvaluatePatch(mesh, patch, u, v);
+  return { x[0], x[1], x[2] };
+}
+
+// Of triangles of degree 1: their area, each positive if it turns as z does, and what they enclose
+// with the origin.
+struct Sums
+{
+  explicit Sums(vtkPolyData* mesh)
+  {
+    for (int patch = 0; patch < RelevoGetNumberOfPatches(mesh); ++patch)
+    {
+      const RelevoPlace a = Evaluate(mesh, patch, 0.0, 0.0);
+      const RelevoPlace b = Evaluate(mesh, patch, 1.0, 0.0);
+      const RelevoPlace c = Evaluate(mesh, patch, 0.0, 1.0);
+      const double area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+      this->Area += area;
+      this->Least = std::min(this->Least, area);
+      this->Volume += vtkMath::Determinant3x3(a.data(), b.data(), c.data()) / 6.0;
+    }
+  }
+
+  double Area = 0.0;
+  double Least = 1.0;
+  double Volume = 0.0;
+};
+
+void TestPolygons(RelevoCheck& check)
+{
+  // An L, whose fan from any of its corners but two would leave it.
+  auto grid =
+    NewGrid({ { 2, 1, 0 }, { 1, 1, 0 }, { 1, 2, 0 }, { 0, 2, 0 }, { 0, 0, 0 }, { 2, 0, 0 } });
+  const std::array<vtkIdType, 6> ids{ 0, 1, 2, 3, 4, 5 };
+  grid->InsertNextCell(VTK_POLYGON, 6, ids.data());
+  auto mesh = RelevoMakePatches(grid);
+  CHECK(RelevoGetNumberOfPatches(mesh) == 4 && mesh->GetNumberOfCells() == 4);
+  CHECK_NEAR(Sums(mesh).Area, 3.0, 1e-14);
+  CHECK(Sums(mesh).Least > 0.0);
+
+  auto strip =
+    NewGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 }, { 0, 2, 0 }, { 1, 2, 0 } });
+  strip->InsertNextCell(VTK_TRIANGLE_STRIP, 6, ids.data());
+  mesh = RelevoMakePatches(strip);
+  CHECK(RelevoGetNumberOfPatches(mesh) == 4);
+  CHECK_NEAR(Sums(mesh).Area, 2.0, 1e-14);
+  CHECK(Sums(mesh).Least > 0.0);
+}
+
+// A cube as a polyhedron with a hexahedron on top; both, and the cube inside out.
+void TestPolyhedra(RelevoCheck& check)
+{
+  std::vector<RelevoPlace> places;
+  for (int k = 0; k < 12; ++k)
+  {
+    places.push_back({ k % 4 == 1 || k % 4 == 2 ? 1.0 : 0.0, k % 4 >= 2 ? 1.0 : 0.0, k / 4 * 1.0 });
+  }
+  for (bool isTurned : { false, true })
+  {
+    std::vector<std::vector<vtkIdType>> faces{ { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 5, 4 },
+      { 3, 7, 6, 2 }, { 0, 3, 2, 1 }, { 4, 5, 6, 7 } };
+    vtkNew<vtkIdList> stream;
+    stream->InsertNextId(6);
+    for (std::vector<vtkIdType>& face : faces)
+    {
+      stream->InsertNextId(4);
+      if (isTurned)
+      {
+        std::reverse(face.begin(), face.end());
+      }
+      for (vtkIdType point : face)
+      {
+        stream->InsertNextId(point);
+      }
+    }
+    auto grid = NewGrid(places);
+    grid->InsertNextCell(VTK_POLYHEDRON, stream);
+    auto mesh = RelevoMakePatches(grid);
+    CHECK(RelevoGetNumberOfPatches(mesh) == 12);
+    CHECK_NEAR(Sums(mesh).Volume, 1.0, 1e-14);
+    const std::array<vtkIdType, 8> upper{ 4, 5, 6, 7, 8, 9, 10, 11 };
+    grid->InsertNextCell(VTK_HEXAHEDRON, 8, upper.data());
+    mesh = RelevoMakePatches(grid);
+    CHECK(RelevoGetNumberOfPatches(mesh) == 10 + 5);
+  }
+}
+
+// A cell whose points are in an order that turns it inside out: its patches face outwards still.
+void TestTurned(RelevoCheck& check)
+{
+  auto grid = NewGrid({ { 0, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 }, { 0, 0, 1 } });
+  const std::array<vtkIdType, 4> ids{ 0, 1, 2, 3 };
+  grid->InsertNextCell(VTK_TETRA, 4, ids.data());
+  CHECK_NEAR(Sums(RelevoMakePatches(grid)).Volume, 1.0 / 6.0, 1e-15);
+}
+
+void TestArrays(RelevoCheck& check)
+{
+  auto grid = RelevoNewCell(VTK_LAGRANGE_HEXAHEDRON, { 3, 2, 1 }, 0.05);
+  vtkNew<vtkIntArray> material;
+  material->SetName("Material");
+  material->InsertNextValue(7);
+  grid->GetCellData()->AddArray(material);
+  grid->GetPointData()->SetActiveScalars("Values");
+  auto mesh = RelevoMakePatches(grid);
+  CHECK(mesh->GetNumberOfCells() == 12 && mesh->GetNumberOfPoints() == 8);
+  CHECK(mesh->GetPoints()->GetDataType() == VTK_DOUBLE);
+  CHECK(mesh->GetPointData()->GetScalars() == mesh->GetPointData()->GetArray("Values"));
+  CHECK(mesh->GetPointData()->GetNormals() == mesh->GetPointData()->GetArray("Normals"));
+  for (vtkIdType i = 0; i < 12; ++i)
+  {
+    CHECK(mesh->GetCellData()->GetArray("Material")->GetTuple1(i) == 7.0);
+    CHECK(mesh->GetCellData()->GetArray("vtkOriginalCellIds")->GetTuple1(i) == 0.0);
+  }
+  for (vtkIdType i = 0; i < 8; ++i) // VTK numbers corners first
+  {
+    for (int c = 0; c < 2; ++c)
+    {
+      CHECK(mesh->GetPointData()->GetArray("Values")->GetComponent(i, c) ==
+        grid->GetPointData()->GetArray("Values")->GetComponent(i, c));
+    }
+  }
+  CHECK(mesh->GetFieldData()->GetArray("PatchNodes:Values")->GetNumberOfTuples() ==
+    mesh->GetFieldData()->GetArray("PatchPoints")->GetNumberOfTuples());
+}
+
+void TestFile(RelevoCheck& check)
+{
+  const char* data = std::getenv("RELEVO_TEST_DATA");
+  const std::string name = std::string(data ? data : "") + "/volume/CylinderQuadratic.vtk";
+  if (!std::ifstream(name))
+  {
+    std::cerr << "RELEVO_TEST_DATA has no volume/CylinderQuadratic.vtk\n";
+    return;
+  }
+  vtkNew<vtkUnstructuredGridReader> reader;
+  reader->SetFileName(name.c_str());
+  reader->Update();
+  auto mesh = RelevoMakePatches(reader->GetOutput());
+  CHECK(RelevoGetNumberOfPatches(mesh) > 0);
+  CHECK_NEAR(RelevoGetCellError(reader->GetOutput(), mesh) / mesh->GetLength(), 0.0, 1e-12);
+}
+}
+
+int TestPatchSurfaceCells(int, char*[])
+{
+  RelevoCheck check;
+  TestPolygons(check);
+  TestPolyhedra(check);
+  TestTurned(check);
+  TestArrays(check);
+  TestFile(check);
+  return check.GetResult();
+}
