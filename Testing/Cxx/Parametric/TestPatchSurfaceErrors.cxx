@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Cells that cannot be drawn: the error names the cell and what is wrong; the others are put out.
+#include "RelevoCheck.h"
+#include "RelevoPatches.h"
+
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
+#include "vtkPatchSurfaceFilter.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <limits>
+
+namespace
+{
+// Two Bézier quadrilaterals of degrees 2 and 1 side by side, and what is to be wrong with the
+// second.
+struct Pair
+{
+  Pair()
+  {
+    this->Points->SetDataTypeToDouble();
+    for (int j = 0; j < 2; ++j)
+    {
+      for (int i = 0; i < 5; ++i)
+      {
+        this->Points->InsertNextPoint(i, j, 0.1 * (i % 2));
+        this->Weights->InsertNextValue(1.0);
+      }
+    }
+    this->Grid->SetPoints(this->Points);
+    this->Weights->SetName("RationalWeights");
+    this->Grid->GetPointData()->SetRationalWeights(this->Weights);
+    this->Degrees->SetName("HigherOrderDegrees");
+    this->Degrees->SetNumberOfComponents(3);
+    this->Grid->GetCellData()->SetHigherOrderDegrees(this->Degrees);
+    this->Grid->Allocate(2);
+    this->Add(VTK_BEZIER_QUADRILATERAL, { 0, 2, 7, 5, 1, 6 });
+  }
+
+  void Add(int type, const std::vector<vtkIdType>& ids, int p = 2, int q = 1)
+  {
+    this->Grid->InsertNextCell(type, static_cast<vtkIdType>(ids.size()), ids.data());
+    this->Degrees->InsertNextTuple3(p, q, 0);
+  }
+
+  void AddGood() { this->Add(VTK_BEZIER_QUADRILATERAL, { 2, 4, 9, 7, 3, 8 }); }
+
+  // One patch is left, and one error.
+  void Expect(RelevoCheck& check, const std::string& words, int patches = 1)
+  {
+    vtkNew<vtkPatchSurfaceFilter> filter;
+    RelevoErrors errors(filter);
+    filter->SetInputData(this->Grid);
+    filter->Update();
+    CHECK(RelevoGetNumberOfPatches(filter->GetOutput()) == patches);
+    if (!errors.Said(words))
+    {
+      check.Fail(__FILE__, __LINE__, "not said: " + words);
+    }
+    CHECK(errors.None());
+  }
+
+  vtkNew<vtkUnstructuredGrid> Grid;
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkDoubleArray> Weights;
+  vtkNew<vtkIntArray> Degrees;
+};
+
+void TestCells(RelevoCheck& check)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Pair type;
+  type.Add(VTK_QUADRATIC_POLYGON, { 2, 4, 9, 7, 3, 8 });
+  type.Expect(check, "Cell 1 (vtkQuadraticPolygon, type 36) is left out: patches cannot be made");
+  Pair number;
+  number.Add(VTK_BEZIER_QUADRILATERAL, { 2, 4, 9, 7, 3 });
+  number.Expect(check,
+    "Cell 1 (vtkBezierQuadrilateral, type 77) is left out: it has 5 nodes, which "
+    "does not fit its type with the degrees 2, 1, 0 of \"HigherOrderDegrees\".");
+  Pair few;
+  few.Add(VTK_HEXAHEDRON, { 0, 1, 2, 3 });
+  few.Expect(check, "it has 4 nodes, which does not fit its type.");
+  Pair line;
+  line.Add(VTK_POLYGON, { 0, 1 });
+  line.Expect(check, "Cell 1 (vtkPolygon, type 7) is left out: it has 2 nodes");
+  Pair degree;
+  degree.Add(VTK_BEZIER_QUADRILATERAL, { 2, 4, 9, 7, 3, 8 }, 9, 1);
+  degree.Expect(check, "its degrees are 9, 1, 0 by \"HigherOrderDegrees\", and may be 1 to 8.");
+  Pair none;
+  none.Add(VTK_BEZIER_QUADRILATERAL, { 2, 4, 9, 7, 3, 8 }, 0, 0);
+  none.Expect(check, "Cell 1");
+  Pair outside;
+  outside.Add(VTK_TRIANGLE, { 2, 4, 10 });
+  outside.Expect(check, "it refers to point 10 of 10.");
+  for (double bad : { nan, std::numeric_limits<double>::infinity() })
+  {
+    Pair point;
+    point.AddGood();
+    point.Points->SetPoint(8, 0.0, bad, 0.0);
+    point.Expect(check, "Cell 1 (vtkBezierQuadrilateral, type 77) is left out: point 8 is not");
+  }
+  for (double bad : { 0.0, -1.0, nan, std::numeric_limits<double>::infinity() })
+  {
+    Pair weight;
+    weight.AddGood();
+    weight.Weights->SetValue(3, bad);
+    weight.Expect(check, "\"RationalWeights\" of point 3 is ");
+  }
+  Pair missing;
+  missing.AddGood();
+  missing.Weights->SetNumberOfTuples(9);
+  vtkNew<vtkPatchSurfaceFilter> filter;
+  RelevoErrors errors(filter);
+  filter->SetInputData(missing.Grid);
+  filter->Update();
+  CHECK(errors.Said("\"RationalWeights\" of point 9 is missing."));
+  CHECK(RelevoGetNumberOfPatches(filter->GetOutput()) == 1);
+}
+
+// Many of them, but one error for each fault.
+void TestMany(RelevoCheck& check)
+{
+  Pair pair;
+  for (int i = 0; i < 1000; ++i)
+  {
+    pair.Add(VTK_LAGRANGE_PYRAMID, { 0, 1, 6, 5, 9 });
+  }
+  pair.AddGood();
+  pair.Expect(check, "Cell 1 (", 2);
+  pair.Expect(check, "So it is with 999 more cells.", 2);
+}
+
+void TestWarnings(RelevoCheck& check)
+{
+  Pair pair;
+  pair.Add(VTK_TRIANGLE, { 0, 2, 4 }); // on one line
+  pair.Add(VTK_QUAD, { 3, 3, 3, 3 });
+  vtkNew<vtkDoubleArray> few;
+  few->SetName("Few");
+  few->InsertNextValue(1.0);
+  pair.Grid->GetPointData()->AddArray(few);
+  vtkNew<vtkPatchSurfaceFilter> filter;
+  RelevoErrors errors(filter);
+  filter->SetInputData(pair.Grid);
+  filter->Update();
+  CHECK(errors.Warned("Array \"Few\" has too few tuples and is left out."));
+  CHECK(RelevoGetNumberOfPatches(filter->GetOutput()) == 1);
+  CHECK(!filter->GetOutput()->GetPointData()->GetArray("Few"));
+  CHECK(pair.Grid->GetPointData()->GetArray("Few"));
+  pair.Grid->GetPointData()->RemoveArray("Few");
+  filter->Modified();
+  filter->Update();
+  CHECK(errors.Warned("2 degenerate patches without any area are left out."));
+  CHECK(errors.None());
+}
+
+// Points and lines are no fault; neither is nothing at all.
+void TestThin(RelevoCheck& check)
+{
+  Pair pair;
+  pair.Add(VTK_LINE, { 0, 1 });
+  pair.Add(VTK_VERTEX, { 0 });
+  pair.Add(VTK_LAGRANGE_CURVE, { 0, 1, 2 });
+  vtkNew<vtkPatchSurfaceFilter> filter;
+  RelevoErrors errors(filter);
+  filter->SetInputData(pair.Grid);
+  filter->Update();
+  CHECK(RelevoGetNumberOfPatches(filter->GetOutput()) == 1);
+  vtkNew<vtkUnstructuredGrid> empty;
+  filter->SetInputData(empty);
+  filter->Update();
+  CHECK(filter->GetOutput()->GetNumberOfCells() == 0);
+  CHECK(errors.None());
+}
+
+// Ghosts stay ghosts; what is hidden uncovers what is behind it.
+void TestGhosts(RelevoCheck& check)
+{
+  auto grid = RelevoNewCell(VTK_HEXAHEDRON, { 1, 1, 1 }, 0.0);
+  std::array<vtkIdType, 8> ids{ 1, 8, 9, 2, 5, 10, 11, 6 };
+  for (double z : { 0.0, 1.0 })
+  {
+    grid->GetPoints()->InsertNextPoint(2.0, 0.0, z);
+    grid->GetPoints()->InsertNextPoint(2.0, 1.0, z);
+  }
+  grid->InsertNextCell(VTK_HEXAHEDRON, 8, ids.data());
+  grid->GetPointData()->Initialize();
+  vtkNew<vtkUnsignedCharArray> types;
+  types->SetName(vtkDataSetAttributes::GhostArrayName());
+  types->InsertNextValue(0);
+  types->InsertNextValue(vtkDataSetAttributes::DUPLICATECELL);
+  grid->GetCellData()->AddArray(types);
+  auto mesh = RelevoMakePatches(grid);
+  CHECK(RelevoGetNumberOfPatches(mesh) == 10);
+  vtkDataArray* ghosts = mesh->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName());
+  vtkDataArray* cells = mesh->GetCellData()->GetArray("vtkOriginalCellIds");
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+  {
+    CHECK(ghosts && ghosts->GetTuple1(i) == cells->GetTuple1(i));
+  }
+  types->SetValue(1, vtkDataSetAttributes::HIDDENCELL);
+  types->Modified();
+  grid->Modified();
+  CHECK(RelevoGetNumberOfPatches(RelevoMakePatches(grid)) == 6);
+}
+}
+
+int TestPatchSurfaceErrors(int, char*[])
+{
+  RelevoCheck check;
+  TestCells(check);
+  TestMany(check);
+  TestWarnings(check);
+  TestThin(check);
+  TestGhosts(check);
+  return check.GetResult();
+}
