@@ -128,7 +128,8 @@ bool vtkAdaptiveCurveFilter::MakeStyle(vtkPointSet* input, relevo::CurveStyle& s
     {
       vtkMatrix4x4::Invert(this->ModelToWorld, worldToModel);
     }
-    style.Eye = relevo::GetEye(this->Camera, worldToModel);
+    const relevo::dvec4 eye = relevo::GetEye(this->Camera, worldToModel);
+    style.Eye = eye.w == 0.0 ? eye : eye / eye.w;
   }
   if (this->Representation == LINES || this->RadiusArrayName.empty())
   {

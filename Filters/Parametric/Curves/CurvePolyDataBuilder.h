@@ -39,7 +39,7 @@ struct CurveStyle
   double Radius = 0.0;
   vtkDataArray* RadiusArray = nullptr; // of the input's points, in place of Radius
   int NumberOfSides = 0;               // of tubes
-  dvec4 Eye = dvec4(0.0);              // of ribbons: see GetEye()
+  dvec4 Eye = dvec4(0.0);              // of ribbons, as of GetEye(); w is 0 or 1
 };
 
 class CurvePolyDataBuilder

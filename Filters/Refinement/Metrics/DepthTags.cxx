@@ -49,15 +49,15 @@ bool AreFinite(const float* values, vtkIdType number)
 bool TakeDepthTags(
   vtkAbstractArray* values, vtkIdType numberOfPoints, float* tags, std::string& error)
 {
-  std::ostringstream text;
-  text << "point array \"" << (values->GetName() ? values->GetName() : "") << "\" of depth-tags ";
+  const std::string name = values->GetName() ? values->GetName() : "";
   vtkDataArray* array = vtkDataArray::SafeDownCast(values);
   if (!array)
   {
-    text << "holds no numbers";
-    error = text.str();
+    error = "point array \"" + name + "\" of depth-tags holds no numbers";
     return false;
   }
+  std::ostringstream text;
+  text << "point array \"" << name << "\" of depth-tags ";
   if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != numberOfPoints)
   {
     text << "has " << array->GetNumberOfTuples() << " tuples of " << array->GetNumberOfComponents()

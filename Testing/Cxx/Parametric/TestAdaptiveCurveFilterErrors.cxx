@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Bad input: an error that names the cell and the array; the other cells are drawn.
+#include "RelevoCheck.h"
+#include "RelevoCurves.h"
+
+#include "vtkAdaptiveCurveFilter.h"
+#include "vtkAdaptiveRefinement.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDoubleArray.h"
+#include "vtkExecutive.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <array>
+#include <limits>
+#include <numeric>
+#include <string>
+
+namespace
+{
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
+// Twelve points, and a line that is as it should be.
+vtkSmartPointer<vtkUnstructuredGrid> MakeGrid()
+{
+  std::vector<RelevoPlace> places;
+  for (int i = 0; i < 12; ++i)
+  {
+    places.push_back({ 1.0 * i, 0.1 * i * i, 0.0 });
+  }
+  auto grid = RelevoNewGrid(places);
+  const std::array<vtkIdType, 2> line{ 10, 11 };
+  grid->InsertNextCell(VTK_LINE, 2, line.data());
+  return grid;
+}
+
+void AddCell(vtkUnstructuredGrid* grid, int type, int number)
+{
+  std::vector<vtkIdType> ids(number);
+  std::iota(ids.begin(), ids.end(), 0);
+  grid->InsertNextCell(type, number, ids.data());
+}
+
+// One error, and the line alone is drawn.
+void ExpectFault(RelevoCheck& check, vtkUnstructuredGrid* grid, const char* words)
+{
+  auto filter = RelevoNewCurveFilter(grid, 2);
+  RelevoErrors errors(filter);
+  CHECK(filter->GetExecutive()->Update() == 1);
+  if (!errors.Said(words))
+  {
+    check.Fail(__FILE__, __LINE__, std::string("not said: ") + words);
+  }
+  CHECK(filter->GetOutput()->GetNumberOfCells() == 1);
+  CHECK(filter->GetOutput()->GetNumberOfPoints() == 5);
+}
+
+void ExpectNumber(RelevoCheck& check, int type, int number, const char* words)
+{
+  auto grid = MakeGrid();
+  AddCell(grid, type, number);
+  ExpectFault(check, grid, words);
+}
+
+void TestCells(RelevoCheck& check)
+{
+  ExpectNumber(check, VTK_LINE, 3, "Cell 1 has 3 points; it needs 2. It is left out.");
+  ExpectNumber(check, VTK_POLY_LINE, 1, "Cell 1 has 1 points; it needs 2 or more.");
+  ExpectNumber(check, VTK_QUADRATIC_EDGE, 2, "Cell 1 has 2 points; it needs 3.");
+  ExpectNumber(check, VTK_CUBIC_LINE, 3, "Cell 1 has 3 points; it needs 4.");
+  ExpectNumber(check, VTK_LAGRANGE_CURVE, 1, "Cell 1 has 1 points; it needs 2 or more.");
+  ExpectNumber(check, VTK_LAGRANGE_CURVE, 10, "Cell 1 has degree 9; 8 is the highest.");
+  ExpectNumber(check, VTK_BEZIER_CURVE, 11, "Cell 1 has degree 10; 8 is the highest.");
+  ExpectNumber(
+    check, VTK_HIGHER_ORDER_EDGE, 3, "Cell 1 is a curve of VTK's type 60, which is not known.");
+
+  auto grid = MakeGrid();
+  AddCell(grid, VTK_BEZIER_CURVE, 4);
+  AddCell(grid, VTK_CUBIC_LINE, 2);
+  AddCell(grid, VTK_CUBIC_LINE, 5);
+  vtkNew<vtkIntArray> degrees;
+  degrees->SetName("HigherOrderDegrees");
+  degrees->SetNumberOfComponents(3);
+  for (int degree : { 0, 2, 0, 0 })
+  {
+    degrees->InsertNextTuple3(degree, 0, 0);
+  }
+  grid->GetCellData()->SetHigherOrderDegrees(degrees);
+  ExpectFault(check, grid,
+    "Cell 1 has 4 points, but degree 2 in cell array \"HigherOrderDegrees\". It is left out, and 2 "
+    "more that cannot be drawn.");
+}
+
+void TestPoints(RelevoCheck& check)
+{
+  auto grid = MakeGrid();
+  const std::array<vtkIdType, 2> beyond{ 1, 12 };
+  grid->InsertNextCell(VTK_LINE, 2, beyond.data());
+  ExpectFault(check, grid, "Cell 1 refers to point 12 of 12.");
+
+  grid = MakeGrid();
+  AddCell(grid, VTK_QUADRATIC_EDGE, 3);
+  grid->GetPoints()->SetPoint(2, 0.0, NaN, 0.0);
+  ExpectFault(check, grid, "Cell 1 has point 2, which is not finite.");
+
+  for (double weight : { 0.0, -1.0, NaN, std::numeric_limits<double>::infinity() })
+  {
+    grid = MakeGrid();
+    AddCell(grid, VTK_BEZIER_CURVE, 4);
+    vtkNew<vtkDoubleArray> weights;
+    weights->SetName("RationalWeights");
+    weights->SetNumberOfValues(12);
+    weights->FillValue(1.0);
+    weights->SetValue(3, weight);
+    weights->SetValue(10, 0.0); // lines have no weights
+    grid->GetPointData()->SetRationalWeights(weights);
+    ExpectFault(check, grid, "at point 3 in point array \"RationalWeights\"; weights are more");
+  }
+}
+
+// Empty output.
+void ExpectError(RelevoCheck& check, vtkAdaptiveCurveFilter* filter, const char* words)
+{
+  RelevoErrors errors(filter);
+  RelevoErrors executive(filter->GetExecutive());
+  CHECK(filter->GetExecutive()->Update() == 0);
+  if (!errors.Said(words))
+  {
+    check.Fail(__FILE__, __LINE__, std::string("not said: ") + words);
+  }
+  CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
+}
+
+void TestWhole(RelevoCheck& check)
+{
+  auto grid = MakeGrid();
+  auto filter = RelevoNewCurveFilter(grid, 2);
+  filter->SetRefinement(nullptr);
+  ExpectError(check, filter, "No recipe: call SetRefinement()");
+  filter = RelevoNewCurveFilter(grid, 2);
+  filter->SetRepresentationToRibbons();
+  ExpectError(check, filter, "Ribbons face the camera: call SetCamera().");
+  filter->SetRepresentationToTubes();
+  filter->SetRadiusArrayName("Radii");
+  ExpectError(check, filter, "No radii: point array \"Radii\" is missing, or has no numbers.");
+  vtkNew<vtkDoubleArray> radii;
+  radii->SetName("Radii");
+  radii->SetNumberOfValues(12);
+  radii->FillValue(1.0);
+  radii->SetValue(7, -0.5);
+  grid->GetPointData()->AddArray(radii);
+  ExpectError(check, filter, "No radii: point array \"Radii\" is below 0 at point 7.");
+
+  vtkNew<vtkUnstructuredGrid> empty;
+  ExpectError(check, RelevoNewCurveFilter(empty, 2), "The input has no cells");
+  vtkNew<vtkPolyData> nothing;
+  ExpectError(check, RelevoNewCurveFilter(nothing, 2), "The input has no cells");
+  grid = RelevoNewGrid({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } } });
+  AddCell(grid, VTK_TRIANGLE, 3);
+  ExpectError(check, RelevoNewCurveFilter(grid, 2), "None of the input's cells is a curve.");
+}
+
+// What another piece draws, and what is at one place, is no fault.
+void TestLeftOut(RelevoCheck& check)
+{
+  auto grid = MakeGrid();
+  AddCell(grid, VTK_CUBIC_LINE, 4);
+  AddCell(grid, VTK_CUBIC_LINE, 2); // bad, but hidden
+  const std::array<vtkIdType, 3> same{ 5, 5, 5 };
+  grid->InsertNextCell(VTK_QUADRATIC_EDGE, 3, same.data());
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  for (int type : { 0, static_cast<int>(vtkDataSetAttributes::DUPLICATECELL),
+         static_cast<int>(vtkDataSetAttributes::HIDDENCELL), 0 })
+  {
+    ghosts->InsertNextValue(static_cast<unsigned char>(type));
+  }
+  grid->GetCellData()->AddArray(ghosts);
+  auto filter = RelevoNewCurveFilter(grid, 2);
+  RelevoErrors errors(filter);
+  filter->Update();
+  CHECK(errors.Warned("1 degenerate curves left out: all their control points are at one place."));
+  CHECK(filter->GetOutput()->GetNumberOfCells() == 1);
+}
+}
+
+int TestAdaptiveCurveFilterErrors(int, char*[])
+{
+  RelevoCheck check;
+  TestCells(check);
+  TestPoints(check);
+  TestWhole(check);
+  TestLeftOut(check);
+  return check.GetResult();
+}

@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Tubes: at their radius from the curve, closed, not twisted, normals outwards; ribbons: as wide
+// from the camera.
+#include "RelevoCheck.h"
+#include "RelevoCurves.h"
+
+#include "vtkAdaptiveCurveFilter.h"
+#include "vtkAdaptiveRefinement.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+
+namespace
+{
+constexpr double Radius = 0.05;
+
+vtkSmartPointer<vtkUnstructuredGrid> MakeRandomCurve(std::mt19937& random, int degree)
+{
+  std::uniform_real_distribution<double> place(-1.0, 1.0);
+  std::vector<RelevoPlace> points;
+  std::vector<vtkIdType> ids;
+  for (int i = 0; i <= degree; ++i)
+  {
+    points.push_back({ place(random), place(random), place(random) });
+    ids.push_back(i);
+  }
+  auto grid = RelevoNewGrid(points);
+  grid->InsertNextCell(VTK_BEZIER_CURVE, degree + 1, ids.data());
+  return grid;
+}
+
+RelevoPlace GetPoint(vtkPolyData* mesh, vtkIdType id)
+{
+  RelevoPlace place;
+  mesh->GetPoint(id, place.data());
+  return place;
+}
+
+RelevoPlace GetDifference(const RelevoPlace& a, const RelevoPlace& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+// Rings of a single tube against the points of its curve.
+void CheckRings(RelevoCheck& check, vtkPolyData* tube, vtkPolyData* line, int sides)
+{
+  const std::vector<RelevoPlace> axis = RelevoGetCellPoints(line, 0);
+  CHECK(tube->GetNumberOfPoints() == static_cast<vtkIdType>((axis.size() + 2) * sides)); // two caps
+  vtkDataArray* normals = tube->GetPointData()->GetNormals();
+  CHECK(normals && normals->GetDataType() == VTK_FLOAT);
+  double worst = 1.0;
+  for (std::size_t row = 0; row < axis.size(); ++row)
+  {
+    for (int side = 0; side < sides; ++side)
+    {
+      const vtkIdType id = static_cast<vtkIdType>(row * sides + side);
+      const RelevoPlace place = GetPoint(tube, id);
+      const RelevoPlace out = GetDifference(place, axis[row]);
+      CHECK_NEAR(vtkMath::Norm(out.data()), Radius, 1e-14);
+      double normal[3];
+      normals->GetTuple(id, normal);
+      CHECK_NEAR(vtkMath::Norm(normal), 1.0, 1e-6);
+      CHECK_NEAR(vtkMath::Dot(normal, out.data()), Radius, 1e-7);
+      if (row > 0)
+      {
+        const RelevoPlace last = GetDifference(GetPoint(tube, id - sides), axis[row - 1]);
+        worst = std::min(worst, vtkMath::Dot(last.data(), out.data()) / (Radius * Radius));
+      }
+    }
+  }
+  // From ring to ring it turns as little as the curve does.
+  CHECK(worst > 0.5);
+}
+
+void TestSingleTubes(RelevoCheck& check)
+{
+  std::mt19937 random(5);
+  for (int degree = 1; degree <= 8; ++degree)
+  {
+    for (int trial = 0; trial < 4; ++trial)
+    {
+      const int sides = 3 + 2 * trial;
+      auto grid = MakeRandomCurve(random, degree);
+      auto lines = RelevoNewCurveFilter(grid, 7);
+      lines->Update();
+      auto tubes = RelevoNewCurveFilter(grid, 7);
+      tubes->SetRepresentationToTubes();
+      tubes->SetRadius(Radius);
+      tubes->SetNumberOfSides(sides);
+      tubes->Update();
+      vtkPolyData* tube = tubes->GetOutput();
+      CheckRings(check, tube, lines->GetOutput(), sides);
+      CHECK(tube->GetNumberOfPolys() == 2 * 128 * sides + 2 * (sides - 2));
+      CHECK(RelevoCountOpenEdges(tube) == 0);
+      CHECK(RelevoGetVolume(tube) > 0.0);
+    }
+  }
+}
+
+// Joined curves, with and without corners, and rings: one closed surface.
+void TestJoinedTubes(RelevoCheck& check)
+{
+  auto circle = RelevoMakeCircle().NewSource();
+  circle->Update();
+  auto knot =
+    RelevoNewGrid({ { { 0, 0, 0 } }, { { 2, 0, 1 } }, { { 2, 2, -1 } }, { { 0, 2, 2 } } });
+  const std::array<vtkIdType, 5> ring{ 0, 1, 2, 3, 0 };
+  knot->InsertNextCell(VTK_POLY_LINE, 5, ring.data());
+  for (vtkUnstructuredGrid* grid : { circle->GetOutput(), knot.Get() })
+  {
+    auto filter = RelevoNewCurveFilter(grid, 4);
+    filter->SetRepresentationToTubes();
+    filter->SetRadius(Radius);
+    filter->Update();
+    vtkPolyData* tube = filter->GetOutput();
+    CHECK(tube->GetNumberOfPoints() == 4 * 17 * 8); // no caps
+    CHECK(RelevoCountOpenEdges(tube) == 0);
+    CHECK(tube->GetCellData()->GetArray("vtkOriginalCellIds"));
+    const double length = grid == circle->GetOutput() ? 2.0 * vtkMath::Pi() : 10.0;
+    CHECK(RelevoGetVolume(tube) > 0.8 * length * vtkMath::Pi() * Radius * Radius);
+  }
+  // The torus of the circle.
+  auto filter = RelevoNewCurveFilter(circle->GetOutput(), 6);
+  filter->SetRepresentationToTubes();
+  filter->SetRadius(0.25);
+  filter->SetNumberOfSides(64);
+  filter->Update();
+  for (vtkIdType i = 0; i < filter->GetOutput()->GetNumberOfPoints(); ++i)
+  {
+    const RelevoPlace place = GetPoint(filter->GetOutput(), i);
+    CHECK_NEAR(std::hypot(std::hypot(place[0], place[1]) - 1.0, place[2]), 0.25, 1e-14);
+  }
+  CHECK_NEAR(
+    RelevoGetVolume(filter->GetOutput()), 2.0 * vtkMath::Pi() * vtkMath::Pi() / 16.0, 0.01);
+}
+
+// A cone: the radius by an array, normals that lean.
+void TestRadii(RelevoCheck& check)
+{
+  auto grid = RelevoNewGrid({ { { 0, 0, 0 } }, { { 0, 0, 4 } }, { { 0, 0, 1 } } });
+  const std::array<vtkIdType, 3> ids{ 0, 1, 2 };
+  grid->InsertNextCell(VTK_BEZIER_CURVE, 3, ids.data());
+  vtkNew<vtkDoubleArray> radii;
+  radii->SetName("Radii");
+  for (double radius : { 3.0, 0.0, 2.25 })
+  {
+    radii->InsertNextValue(radius);
+  }
+  grid->GetPointData()->AddArray(radii);
+  auto filter = RelevoNewCurveFilter(grid, 4);
+  filter->SetRepresentationToTubes();
+  filter->SetRadiusArrayName("Radii");
+  filter->Update();
+  vtkPolyData* cone = filter->GetOutput();
+  for (vtkIdType i = 0; i < 17 * 8; ++i)
+  {
+    const RelevoPlace place = GetPoint(cone, i);
+    CHECK_NEAR(std::hypot(place[0], place[1]), 3.0 - 0.75 * place[2], 1e-14);
+    CHECK_NEAR(cone->GetPointData()->GetNormals()->GetComponent(i, 2), 0.6, 1e-6);
+    CHECK_NEAR(
+      cone->GetPointData()->GetArray("Radii")->GetComponent(i, 0), 3.0 - 0.75 * place[2], 1e-14);
+  }
+}
+
+// Control points that coincide at the ends leave a direction.
+void TestCoincident(RelevoCheck& check)
+{
+  auto grid = RelevoNewGrid({ { { 0, 0, 0 } }, { { 1, 1, 0 } } });
+  const std::array<vtkIdType, 4> ids{ 0, 1, 0, 1 };
+  grid->InsertNextCell(VTK_BEZIER_CURVE, 4, ids.data());
+  auto filter = RelevoNewCurveFilter(grid, 3);
+  filter->SetRepresentationToTubes();
+  filter->SetRadius(Radius);
+  filter->SetNumberOfSides(5);
+  filter->Update();
+  auto lines = RelevoNewCurveFilter(grid, 3);
+  lines->Update();
+  CheckRings(check, filter->GetOutput(), lines->GetOutput(), 5);
+  CHECK(RelevoCountOpenEdges(filter->GetOutput()) == 0);
+}
+
+void TestRibbons(RelevoCheck& check)
+{
+  auto grid = RelevoNewGrid(
+    { { { -1, 0, 0 } }, { { 1, 0, -1 } }, { { -0.5, 0.5, 0 } }, { { 0.2, -0.3, 0.1 } } });
+  const std::array<vtkIdType, 4> ids{ 0, 1, 2, 3 };
+  grid->InsertNextCell(VTK_BEZIER_CURVE, 4, ids.data());
+  auto lines = RelevoNewCurveFilter(grid, 5);
+  lines->Update();
+  auto filter = RelevoNewCurveFilter(grid, 5);
+  filter->SetRepresentationToRibbons();
+  filter->SetRadius(Radius);
+  for (bool isParallel : { false, true })
+  {
+    vtkNew<vtkCamera> camera;
+    camera->SetPosition(4.0, 5.0, 6.0);
+    camera->SetParallelProjection(isParallel);
+    filter->SetCamera(camera);
+    filter->Update();
+    vtkPolyData* ribbon = filter->GetOutput();
+    const std::vector<RelevoPlace> axis = RelevoGetCellPoints(lines->GetOutput(), 0);
+    CHECK(ribbon->GetNumberOfPoints() == 66 && ribbon->GetNumberOfPolys() == 64);
+    for (vtkIdType i = 0; i < 66; ++i)
+    {
+      const RelevoPlace out = GetDifference(GetPoint(ribbon, i), axis[i / 2]);
+      const RelevoPlace toEye =
+        GetDifference({ 4.0, 5.0, 6.0 }, isParallel ? RelevoPlace{} : axis[i / 2]);
+      CHECK_NEAR(vtkMath::Norm(out.data()), Radius, 1e-14);
+      CHECK_NEAR(vtkMath::Dot(out.data(), toEye.data()), 0.0, 1e-13);
+      double normal[3];
+      ribbon->GetPointData()->GetNormals()->GetTuple(i, normal);
+      CHECK(vtkMath::Dot(normal, toEye.data()) > 0.0);
+    }
+    for (vtkIdType cell = 0; cell < 64; ++cell)
+    {
+      const std::vector<RelevoPlace> corners = RelevoGetCellPoints(ribbon, cell);
+      double normal[3];
+      vtkMath::Cross(GetDifference(corners[1], corners[0]).data(),
+        GetDifference(corners[2], corners[0]).data(), normal);
+      const RelevoPlace toEye =
+        GetDifference({ 4.0, 5.0, 6.0 }, isParallel ? RelevoPlace{} : corners[0]);
+      CHECK(vtkMath::Dot(normal, toEye.data()) > 0.0);
+    }
+  }
+}
+}
+
+int TestAdaptiveCurveFilterTubes(int, char*[])
+{
+  RelevoCheck check;
+  TestSingleTubes(check);
+  TestJoinedTubes(check);
+  TestRadii(check);
+  TestCoincident(check);
+  TestRibbons(check);
+  return check.GetResult();
+}
