@@ -5,7 +5,6 @@
 #include "Cells/CellReader.h"
 #include "Splines/BezierDegree.h"
 #include "vtkCellData.h"
-#include "vtkCellTypes.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkGenericCell.h"
 #include "vtkPointData.h"
@@ -160,11 +159,10 @@ Fault FindFault(const CellReader& cell, const PointChecks& points)
                                                                                     : Fault::None;
 }
 
-// Those of vtkCellTypes are not all right in VTK 9.1.
 std::string GetTypeName(int type)
 {
   const auto cell = vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(type));
-  return cell ? cell->GetClassName() : vtkCellTypes::GetClassNameFromTypeId(type);
+  return (cell ? std::string(cell->GetClassName()) + ", type " : "type ") + std::to_string(type);
 }
 
 std::string DescribeFault(
@@ -176,7 +174,7 @@ std::string DescribeFault(
   const ivec3 degrees = cell.GetDegrees();
   vtkDataArray* given = grid->GetCellData()->GetHigherOrderDegrees();
   std::ostringstream text;
-  text << "Cell " << id << " (" << GetTypeName(type) << ", type " << type << ") is left out: ";
+  text << "Cell " << id << " (" << GetTypeName(type) << ") is left out: ";
   if (fault == Fault::Type)
   {
     text << "patches cannot be made of cells of this type";

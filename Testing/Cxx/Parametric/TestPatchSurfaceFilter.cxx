@@ -6,7 +6,6 @@
 
 #include "vtkCell.h"
 #include "vtkCellType.h"
-#include "vtkCellTypes.h"
 #include "vtkMath.h"
 
 #include <algorithm>
@@ -53,7 +52,6 @@ double GetVolume(vtkPolyData* mesh)
 void TestCell(RelevoCheck& check, vtkUnstructuredGrid* grid, int patches)
 {
   auto mesh = RelevoMakePatches(grid);
-  const int type = grid->GetCellType(0);
   const bool isSolid = grid->GetCell(0)->GetCellDimension() == 3;
   const double placeError = RelevoGetCellError(grid, mesh);
   const double valueError = RelevoGetCellError(grid, mesh, "Values");
@@ -61,8 +59,7 @@ void TestCell(RelevoCheck& check, vtkUnstructuredGrid* grid, int patches)
     valueError < 1e-12 && (!isSolid || GetVolume(mesh) > 0.0);
   if (!isRight)
   {
-    std::cerr << vtkCellTypes::GetClassNameFromTypeId(type) << ", "
-              << grid->GetCell(0)->GetNumberOfPoints()
+    std::cerr << grid->GetCell(0)->GetClassName() << ", " << grid->GetCell(0)->GetNumberOfPoints()
               << " nodes: " << RelevoGetNumberOfPatches(mesh) << " patches of " << patches
               << ", errors " << placeError << " and " << valueError << ", volume "
               << GetVolume(mesh) << "\n";
