@@ -1,0 +1,306 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Hair: how many, where, which way; the same for any number of threads; bad input.
+#include "RelevoCheck.h"
+#include "RelevoCurves.h"
+
+#include "vtkAdaptiveCurveFilter.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkExecutive.h"
+#include "vtkFloatArray.h"
+#include "vtkHairSource.h"
+#include "vtkIdList.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkSMPTools.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace
+{
+// Two triangles of areas 6 and 2 in the plane z = 0, and a strip of area 4 in the plane x = 9.
+vtkSmartPointer<vtkPolyData> MakeSurface()
+{
+  vtkNew<vtkPoints> points;
+  for (const RelevoPlace& place :
+    std::initializer_list<RelevoPlace>{ { { 0, 0, 0 } }, { { 4, 0, 0 } }, { { 0, 3, 0 } },
+      { { 4, 1, 0 } }, { { 9, 0, 0 } }, { { 9, 2, 0 } }, { { 9, 0, 2 } }, { { 9, 2, 2 } } })
+  {
+    points->InsertNextPoint(place.data());
+  }
+  vtkNew<vtkCellArray> polys;
+  polys->InsertNextCell({ 0, 1, 2 });
+  polys->InsertNextCell({ 0, 3, 1 }); // looks down
+  vtkNew<vtkCellArray> strips;
+  strips->InsertNextCell({ 4, 5, 6, 7 });
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetPoints(points);
+  surface->SetPolys(polys);
+  surface->SetStrips(strips);
+  return surface;
+}
+
+vtkSmartPointer<vtkHairSource> NewSource(vtkPolyData* surface, double density, double curl)
+{
+  auto source = vtkSmartPointer<vtkHairSource>::New();
+  source->SetInputData(surface);
+  source->SetDensity(density);
+  source->SetCurl(curl);
+  source->SetLength(0.5);
+  return source;
+}
+
+std::array<RelevoPlace, 4> GetCurve(vtkUnstructuredGrid* grid, vtkIdType cell)
+{
+  vtkNew<vtkIdList> ids;
+  grid->GetCellPoints(cell, ids);
+  std::array<RelevoPlace, 4> places;
+  for (int i = 0; i < 4; ++i)
+  {
+    grid->GetPoint(ids->GetId(i), places[i].data());
+  }
+  return { places[0], places[2], places[3], places[1] };
+}
+
+// Whether it is at or in the given cell of MakeSurface().
+bool IsOnSurface(const RelevoPlace& place, vtkIdType cell)
+{
+  const double e = 1e-12;
+  const double x = place[0];
+  const double y = place[1];
+  switch (cell)
+  {
+    case 0:
+      return place[2] == 0.0 && x >= -e && y >= -e && x / 4.0 + y / 3.0 <= 1.0 + e;
+    case 1:
+      return place[2] == 0.0 && x <= 4.0 + e && y >= -e && y <= x / 4.0 + e;
+    default:
+      return std::abs(x - 9.0) < e && y >= -e && y <= 2.0 + e && place[2] >= -e &&
+        place[2] <= 2.0 + e;
+  }
+}
+
+void TestRoots(RelevoCheck& check)
+{
+  auto source = NewSource(MakeSurface(), 50.3, 0.0);
+  RelevoErrors errors(source);
+  source->Update();
+  CHECK(errors.None());
+  vtkUnstructuredGrid* hair = source->GetOutput();
+  CHECK(hair->GetNumberOfCells() == 604); // 50.3 x 12, rounded
+  CHECK(hair->GetNumberOfPoints() == 4 * 604);
+  vtkDataArray* cells = hair->GetCellData()->GetArray("vtkOriginalCellIds");
+  std::array<int, 3> numbers{};
+  std::set<RelevoPlace> roots;
+  for (vtkIdType i = 0; i < hair->GetNumberOfCells(); ++i)
+  {
+    CHECK(hair->GetCellType(i) == VTK_BEZIER_CURVE);
+    const auto cell = static_cast<vtkIdType>(cells->GetComponent(i, 0));
+    const std::array<RelevoPlace, 4> curve = GetCurve(hair, i);
+    ++numbers[cell];
+    roots.insert(curve[0]);
+    CHECK(IsOnSurface(curve[0], cell));
+    // Along the normal, 0.4 to 0.5 long, and down by a quarter of that.
+    const int axis = cell == 2 ? 0 : 2;
+    const double sign = cell == 1 ? -1.0 : 1.0;
+    const double size = 3.0 * sign * (curve[1][axis] - curve[0][axis]);
+    CHECK(size >= 0.4 - 1e-9 && size <= 0.5 + 1e-9);
+    RelevoPlace tip = curve[0];
+    tip[axis] += sign * size;
+    tip[2] -= 0.25 * size;
+    CHECK_NEAR(RelevoGetDistance(tip, curve[3]), 0.0, 1e-12);
+  }
+  CHECK(roots.size() == 604);
+  // Each has a share of the area: those of a cell are exact but for one at either end.
+  CHECK_NEAR(numbers[0], 6.0 * 50.3, 1.5);
+  CHECK_NEAR(numbers[1], 2.0 * 50.3, 1.5);
+  CHECK_NEAR(numbers[2], 4.0 * 50.3, 1.5);
+  // Within a cell as well: a quarter of a triangle has a quarter of its hairs.
+  int quarter = 0;
+  for (const RelevoPlace& root : roots)
+  {
+    quarter += IsOnSurface(root, 0) && root[0] / 4.0 + root[1] / 3.0 < 0.5 ? 1 : 0;
+  }
+  CHECK(std::abs(quarter - 75) < 4 * 8); // four standard deviations
+}
+
+// As many cubics as the curl needs, joined in C1; the radius falls.
+void TestCurl(RelevoCheck& check)
+{
+  for (double curl : { 0.25, 0.5, 0.75, 3.0 })
+  {
+    const int cubics = static_cast<int>(std::ceil(2.0 * curl));
+    auto source = NewSource(MakeSurface(), 2.0, curl);
+    source->Update();
+    vtkUnstructuredGrid* hair = source->GetOutput();
+    CHECK(hair->GetNumberOfCells() == 24 * cubics);
+    CHECK(hair->GetNumberOfPoints() == 24 * (3 * cubics + 1));
+    vtkDataArray* radii = hair->GetPointData()->GetArray("HairRadius");
+    for (vtkIdType i = 0; i < hair->GetNumberOfCells(); ++i)
+    {
+      const std::array<RelevoPlace, 4> curve = GetCurve(hair, i);
+      vtkNew<vtkIdList> ids;
+      hair->GetCellPoints(i, ids);
+      CHECK(radii->GetComponent(ids->GetId(0), 0) > radii->GetComponent(ids->GetId(1), 0));
+      if (i % cubics > 0)
+      {
+        const std::array<RelevoPlace, 4> last = GetCurve(hair, i - 1);
+        CHECK(last[3] == curve[0]);
+        for (int c = 0; c < 3; ++c)
+        {
+          CHECK_NEAR(last[3][c] - last[2][c], curve[1][c] - curve[0][c], 1e-13);
+        }
+      }
+      else
+      {
+        CHECK_NEAR(radii->GetComponent(ids->GetId(0), 0), 0.005, 1e-9);
+      }
+      if (i % cubics == cubics - 1)
+      {
+        CHECK_NEAR(radii->GetComponent(ids->GetId(1), 0), 0.0005, 1e-9);
+      }
+    }
+  }
+}
+
+bool AreSame(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
+{
+  bool areSame = a->GetNumberOfPoints() == b->GetNumberOfPoints();
+  for (vtkIdType i = 0; areSame && i < a->GetNumberOfPoints(); ++i)
+  {
+    RelevoPlace first;
+    RelevoPlace second;
+    a->GetPoint(i, first.data());
+    b->GetPoint(i, second.data());
+    areSame = first == second;
+  }
+  return areSame;
+}
+
+void TestRepetition(RelevoCheck& check)
+{
+  std::array<vtkSmartPointer<vtkUnstructuredGrid>, 3> hairs;
+  for (int i = 0; i < 3; ++i)
+  {
+    vtkSMPTools::Initialize(i + 1);
+    auto source = NewSource(MakeSurface(), 400.0, 1.0);
+    source->SetSeed(i == 2 ? 2 : 1);
+    source->Update();
+    hairs[i] = source->GetOutput();
+  }
+  vtkSMPTools::Initialize();
+  CHECK(AreSame(hairs[0], hairs[1]));
+  CHECK(!AreSame(hairs[0], hairs[2]));
+}
+
+// The points' normals are taken, where they can be; ghosts have no hair.
+void TestNormals(RelevoCheck& check)
+{
+  auto surface = MakeSurface();
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  for (int i = 0; i < 8; ++i)
+  {
+    normals->InsertNextTuple3(0.0, i < 4 ? 3.0 : 0.0, 0.0);
+  }
+  surface->GetPointData()->SetNormals(normals);
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  for (int type : { 0, static_cast<int>(vtkDataSetAttributes::DUPLICATECELL), 0 })
+  {
+    ghosts->InsertNextValue(static_cast<unsigned char>(type));
+  }
+  surface->GetCellData()->AddArray(ghosts);
+  auto source = NewSource(surface, 10.0, 0.0);
+  source->SetGravity(0.0, 0.0, 0.0);
+  source->Update();
+  vtkUnstructuredGrid* hair = source->GetOutput();
+  CHECK(hair->GetNumberOfCells() == 100);
+  for (vtkIdType i = 0; i < hair->GetNumberOfCells(); ++i)
+  {
+    const std::array<RelevoPlace, 4> curve = GetCurve(hair, i);
+    const bool isStrip =
+      hair->GetCellData()->GetArray("vtkOriginalCellIds")->GetComponent(i, 0) == 2.0;
+    const int axis = isStrip ? 0 : 1; // the strip's normals are 0: its own is taken
+    CHECK_NEAR(
+      RelevoGetDistance(curve[0], curve[3]), std::abs(curve[3][axis] - curve[0][axis]), 1e-12);
+  }
+}
+
+// As tubes, hairs are closed, one by one.
+void TestTubes(RelevoCheck& check)
+{
+  auto source = NewSource(MakeSurface(), 1.0, 1.0);
+  source->Update();
+  auto filter = RelevoNewCurveFilter(source->GetOutput(), 4);
+  filter->SetRepresentationToTubes();
+  filter->SetRadiusArrayName("HairRadius");
+  RelevoErrors errors(filter);
+  filter->Update();
+  CHECK(errors.None());
+  vtkPolyData* tubes = filter->GetOutput();
+  CHECK(tubes->GetNumberOfPolys() == 12 * (2 * 16 * 16 + 2 * 6));
+  CHECK(RelevoCountOpenEdges(tubes) == 0);
+  CHECK(RelevoGetVolume(tubes) > 0.0);
+}
+
+void ExpectError(RelevoCheck& check, vtkPolyData* surface, double density, const char* words)
+{
+  auto source = NewSource(surface, density, 0.0);
+  RelevoErrors errors(source);
+  RelevoErrors executive(source->GetExecutive());
+  CHECK(source->GetExecutive()->Update() == 0);
+  CHECK(errors.Said(words));
+  CHECK(source->GetOutput()->GetNumberOfCells() == 0);
+}
+
+void TestErrors(RelevoCheck& check)
+{
+  vtkNew<vtkPolyData> empty;
+  ExpectError(check, empty, 1.0, "The input has no polygons for hair to grow on.");
+  ExpectError(check, MakeSurface(), 1e9, "Not enough memory for so many hairs");
+  auto surface = MakeSurface();
+  for (vtkIdType i = 0; i < 8; ++i)
+  {
+    surface->GetPoints()->SetPoint(i, i, i, i);
+  }
+  ExpectError(check, surface, 1.0, "The input's polygons have no area that hair could grow on.");
+
+  surface = MakeSurface();
+  surface->GetPoints()->SetPoint(2, 0.0, std::numeric_limits<double>::quiet_NaN(), 0.0);
+  auto source = NewSource(surface, 1.0, 0.0);
+  RelevoErrors errors(source);
+  source->Update();
+  CHECK(errors.Warned("1 triangles have no hair"));
+  CHECK(source->GetOutput()->GetNumberOfCells() == 6);
+  const vtkMTimeType time = source->GetMTime();
+  source->SetDensity(0.0);
+  CHECK(errors.Said("Density must be in [1e-12, 1e+12], got 0."));
+  source->SetLength(-1.0);
+  CHECK(errors.Said("Length must be in"));
+  source->SetCurl(std::numeric_limits<double>::quiet_NaN());
+  CHECK(errors.Said("Curl must be in [0, 16], got nan."));
+  CHECK(source->GetMTime() == time);
+}
+}
+
+int TestHairSource(int, char*[])
+{
+  RelevoCheck check;
+  TestRoots(check);
+  TestCurl(check);
+  TestRepetition(check);
+  TestNormals(check);
+  TestTubes(check);
+  TestErrors(check);
+  return check.GetResult();
+}
