@@ -3,6 +3,7 @@
 #include "Blocks/BlockLook.h"
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
+#include "OpenGL/ContextFacts.h"
 #include "OpenGL/RelevoOpenGL.h"
 
 #include "Compute/RefinementComputeProgram.h"
@@ -25,37 +26,6 @@
 #include "vtkScalarsToColors.h"
 
 #include <algorithm>
-#include <cstring>
-
-namespace
-{
-bool HasExtension(const char* name)
-{
-  GLint count = 0;
-  glGetIntegerv(GL_NUM_EXTENSIONS, &count);
-  for (GLint i = 0; i < count; ++i)
-  {
-    if (!std::strcmp(reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, i)), name))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-std::string GetRenderer()
-{
-  const GLubyte* name = glGetString(GL_RENDERER);
-  return name ? reinterpret_cast<const char*>(name) : "";
-}
-
-// Mesa's softpipe has them, but reads other texels than asked for.
-bool HasBuffersOfThreeFloats(GLint major)
-{
-  return (major > 3 || HasExtension("GL_ARB_texture_buffer_object_rgb32")) &&
-    GetRenderer() != "softpipe";
-}
-}
 
 vtkStandardNewMacro(vtkAdaptiveRefinementMapper);
 
@@ -129,14 +99,14 @@ bool vtkAdaptiveRefinementMapper::CheckOpenGL(vtkRenderer*)
     glGetIntegerv(GL_MAJOR_VERSION, &major);
     glGetIntegerv(GL_MINOR_VERSION, &minor);
     const bool instancing = major > 3 || (major == 3 && minor >= 3);
-    const bool rgbBuffers = HasBuffersOfThreeFloats(major);
+    const bool rgbBuffers = relevo::HasBuffersOfThreeFloats();
     data.ContextValid = instancing && rgbBuffers;
     if (!data.ContextValid)
     {
       vtkErrorMacro("Refinement needs OpenGL 3.3 with ARB_texture_buffer_object_rgb32 (part of "
                     "OpenGL 4.0); this context has OpenGL "
         << major << "." << minor << (rgbBuffers ? " with it" : " without one that works") << " ("
-        << GetRenderer() << ").");
+        << relevo::GetOpenGLRenderer() << ").");
     }
     data.ComputeValid = data.ContextValid && this->SelectionDevice != SELECTION_DEVICE_CPU &&
       relevo::RefinementComputeProgram::IsSupported();

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The coarse mesh on the GPU: when it is uploaded, and what of it.
+#include "OpenGL/PositionShift.h"
 #include "State/UsableArrays.h"
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
@@ -64,18 +65,10 @@ void vtkAdaptiveRefinementMapper::vtkInternals::BuildBufferObjectsOfPiece(
     static_cast<vtkOpenGLVertexBufferObject::ShiftScaleMethod>(method));
   whole->UpdateShiftScale(corners);
 
-  // The buffer that VTK will use, and nothing to fill it with yet.
-  vtkDataArray* points = mapper->CurrentInput->GetPoints()->GetData();
-  mapper->VBOs->CacheDataArray("vertexMC", points, ren, VTK_FLOAT);
-  vtkOpenGLVertexBufferObject* positions = mapper->VBOs->GetVBO("vertexMC");
-  mapper->VBOs->ClearAllDataArrays();
   const bool isShifted = whole->GetCoordShiftAndScaleEnabled();
-  positions->SetShift(isShifted ? whole->GetShift() : std::vector<double>(3, 0.0));
-  positions->SetScale(isShifted ? whole->GetScale() : std::vector<double>(3, 1.0));
-  if (positions->GetUploadTime() < positions->GetMTime())
-  {
-    positions->UploadDataArray(points); // VTK would not, where the points are as they were
-  }
+  relevo::ShiftPositions(mapper->VBOs, mapper->CurrentInput->GetPoints()->GetData(), ren,
+    isShifted ? whole->GetShift() : std::vector<double>(3, 0.0),
+    isShifted ? whole->GetScale() : std::vector<double>(3, 1.0));
   mapper->ShiftScaleMethod = static_cast<decltype(mapper->ShiftScaleMethod)>(
     vtkOpenGLVertexBufferObject::ShiftScaleMethod::MANUAL_SHIFT_SCALE);
   mapper->vtkBlockAttributesPolyDataMapper::BuildBufferObjects(ren, act);

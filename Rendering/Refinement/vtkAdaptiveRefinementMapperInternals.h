@@ -174,8 +174,6 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
       this->Instances.GetMorphTags() };
   }
 
-  static relevo::RefinementView MakeView(vtkRenderer* ren, vtkActor* act);
-
   /// Whether VTK has not drawn the actor yet in this frame.
   static bool IsFirstPass(vtkActor* act);
   /// In seconds. An actor within an actor, as vtkLODActor has, is allotted no time of its own.

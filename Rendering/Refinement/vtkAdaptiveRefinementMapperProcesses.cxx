@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // What the mappers of several processes agree on, each of which has pieces of the same surfaces.
+#include "State/ActorView.h"
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
 #include "Core/ProcessReduction.h"
@@ -95,7 +96,7 @@ void vtkAdaptiveRefinementMapper::AgreeWithProcesses(
     }
     return;
   }
-  const relevo::RefinementView view = vtkInternals::MakeView(ren, act);
+  const relevo::RefinementView view = relevo::MakeActorView(ren, act);
   relevo::Dependencies now;
   now.AddObject(this->Refinement.Get());
   vtkDepthTagMetric* metric = this->Refinement->GetMetric();

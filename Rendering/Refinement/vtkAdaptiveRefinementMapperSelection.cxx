@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The coarse mesh, its bounds, and which levels its faces take, on the CPU or the GPU.
 #include "Blocks/BlockLook.h"
+#include "State/ActorView.h"
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
 #include "Core/PieceReduction.h"
@@ -84,45 +85,11 @@ relevo::Dependencies vtkAdaptiveRefinementMapper::vtkInternals::GetSelectionSour
 
 namespace
 {
-// Pixels that the camera sees: of a picture drawn in tiles those of one, as the camera is zoomed.
-std::array<int, 2> GetSize(vtkRenderer* ren)
-{
-  const int* size = ren->GetSize();
-  const int* tiles = ren->GetVTKWindow()->GetTileScale();
-  return { { size[0] / tiles[0], size[1] / tiles[1] } };
-}
-
-}
-
-relevo::RefinementView vtkAdaptiveRefinementMapper::vtkInternals::MakeView(
-  vtkRenderer* ren, vtkActor* act)
-{
-  relevo::RefinementView view;
-  view.Camera = ren->GetActiveCamera();
-  view.ModelToWorld = act->GetMatrix();
-  std::copy_n(GetSize(ren).data(), 2, view.ViewportSize);
-  return view;
-}
-
-namespace
-{
-// Which of the actor's own shaders, if any, write vertices.
-bool MovesVertices(vtkActor* act)
-{
-  vtkShaderProperty* shaders = act->GetShaderProperty();
-  bool moves = shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode();
-  for (int i = 0; i < shaders->GetNumberOfShaderReplacements(); ++i)
-  {
-    moves = moves || shaders->GetNthShaderReplacementTypeAsString(i) != "Fragment";
-  }
-  return moves;
-}
-
 // What a camera sees of a mesh; nullptr to draw all of it.
 std::unique_ptr<relevo::CullingView> MakeCullingView(
   bool culled, vtkRenderer* ren, vtkActor* act, const relevo::RefinementMesh& mesh)
 {
-  if (!culled || MovesVertices(act))
+  if (!culled || relevo::MovesVertices(act))
   {
     return nullptr;
   }
@@ -133,11 +100,8 @@ std::unique_ptr<relevo::CullingView> MakeCullingView(
   {
     width = std::max(property->GetLineWidth(), property->GetPointSize());
   }
-  const std::array<int, 2> size = GetSize(ren);
-  const std::array<double, 2> margins = { { width / std::max(size[0], 1),
-    width / std::max(size[1], 1) } };
-  return std::make_unique<relevo::CullingView>(
-    ren->GetActiveCamera(), ren->GetTiledAspectRatio(), act->GetMatrix(), mesh, margins);
+  return std::make_unique<relevo::CullingView>(ren->GetActiveCamera(), ren->GetTiledAspectRatio(),
+    act->GetMatrix(), mesh, relevo::GetViewMargins(ren, width));
 }
 
 // Whether an actor drawn as opaque lets through what is behind it in some places.
@@ -164,7 +128,7 @@ bool LetsThrough(vtkUnsignedCharArray* colors)
 bool vtkAdaptiveRefinementMapper::UpdateSelection(vtkRenderer* ren, vtkActor* act)
 {
   vtkInternals& data = *this->Internals;
-  const relevo::RefinementView view = vtkInternals::MakeView(ren, act);
+  const relevo::RefinementView view = relevo::MakeActorView(ren, act);
   const auto culling = MakeCullingView(
     this->FrustumCulling && !data.GetMethod().DrawsHiddenFaces(), ren, act, data.State.GetMesh());
   return this->Report(data.State.UpdateSelection(this->GetInput(), this->Refinement, view,
@@ -194,7 +158,7 @@ void vtkAdaptiveRefinementMapper::UpdateBudget(
   const relevo::PieceReduction& all = pieces ? *pieces : alone;
   all.TakeLargest(budgets);
   const bool isBudgeted = budgets[0] > 0.0;
-  const relevo::RefinementView view = vtkInternals::MakeView(ren, act);
+  const relevo::RefinementView view = relevo::MakeActorView(ren, act);
   std::vector<relevo::LevelBudget::Part> parts;
   const auto addPart = [&](vtkAdaptiveRefinementMapper* mapper)
   {
@@ -318,7 +282,7 @@ bool vtkAdaptiveRefinementMapper::HidesBackFaces(vtkRenderer* ren, vtkActor* act
     property->GetRepresentation() == VTK_SURFACE && !property->GetFrontfaceCulling() &&
     !property->GetVertexVisibility() && !property->GetEdgeVisibility() &&
     !act->IsRenderingTranslucentPolygonalGeometry() && !this->HasTranslucentPolygonalGeometry() &&
-    !HasGaps(act) && !LetsThrough(this->Colors) && !MovesVertices(act) &&
+    !HasGaps(act) && !LetsThrough(this->Colors) && !relevo::MovesVertices(act) &&
     this->GetNumberOfClippingPlanes() == 0 && act->GetMatrix()->Determinant() > 0.0;
 }
 

@@ -49,7 +49,7 @@ LAYERS = {
     "Rendering/Flow": [("Passes", [])],
     "Rendering/Offscreen": [],
     "Rendering/Volume": [("View", []), ("Buffers", []), ("Shaders", [])],
-    "Rendering/Parametric": [("Buffers", [])],
+    "Rendering/Parametric": [("View", []), ("Shaders", []), ("Buffers", []), ("Drawing", [])],
     "Rendering/Relief": [("View", []), ("Buffers", []), ("Shaders", []), ("Drawing", []),
                          ("Capture", [])],
     "Examples/Viewer": [("Text", []), ("Files", []), ("Options", []), ("Scene", []), ("Window", [])],

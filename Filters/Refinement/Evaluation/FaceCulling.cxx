@@ -55,10 +55,15 @@ dvec4 Normalize(const dvec4& plane)
 
 CullingView::CullingView(vtkCamera* camera, double aspect, vtkMatrix4x4* modelToWorld,
   const RefinementMesh& mesh, const std::array<double, 2>& margins)
+  : CullingView(camera, aspect, modelToWorld, mesh.Origin, margins)
 {
-  const dvec3 origin(mesh.Origin[0], mesh.Origin[1], mesh.Origin[2]);
+}
+
+CullingView::CullingView(vtkCamera* camera, double aspect, vtkMatrix4x4* modelToWorld,
+  const double origin[3], const std::array<double, 2>& margins)
+{
   dmat4 toWorld = MakeMatrix(modelToWorld);
-  toWorld[3] = toWorld * dvec4(origin, 1.0);
+  toWorld[3] = toWorld * dvec4(origin[0], origin[1], origin[2], 1.0);
   const dmat4 toClip =
     MakeMatrix(camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0)) * toWorld;
   const dmat4 rows = transpose(toClip);

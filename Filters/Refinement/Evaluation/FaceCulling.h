@@ -37,6 +37,9 @@ struct RELEVOFILTERSREFINEMENT_EXPORT CullingView
    */
   CullingView(vtkCamera* camera, double aspect, vtkMatrix4x4* modelToWorld,
     const RefinementMesh& mesh, const std::array<double, 2>& margins = { { 0.0, 0.0 } });
+  /// The same for points relative to a place.
+  CullingView(vtkCamera* camera, double aspect, vtkMatrix4x4* modelToWorld, const double origin[3],
+    const std::array<double, 2>& margins);
 
   static constexpr int NumberOfPlanes = 5;
   /// Sides of the frustum and the plane of the eye, pointing inside.

@@ -10,7 +10,8 @@
 #ifndef RefinementInstances_h
 #define RefinementInstances_h
 
-#include "Buffers/RefinementBuffer.h" // for members
+#include "Buffers/RefinementBuffer.h"        // for members
+#include "RelevoRenderingRefinementModule.h" // for export macro
 
 #include <map>    // for members
 #include <vector> // for instances
@@ -19,7 +20,7 @@ namespace relevo
 {
 class ViewSelection;
 
-class RefinementInstances
+class RELEVORENDERINGREFINEMENT_EXPORT RefinementInstances
 {
 public:
   /**

@@ -56,11 +56,8 @@ std::string GetScalarStatement(
 std::string GetDefines(const RefinementShaderOptions& options, bool edges, bool lines)
 {
   std::ostringstream text;
-  text << "#extension GL_ARB_gpu_shader5 : enable\n"
-          "#ifndef GL_ARB_gpu_shader5\n"
-          "#define precise\n"
-          "#endif\n"
-          "#define RELEVO_FUNCTION\n"
+  text << GetPreciseExtension()
+       << "#define RELEVO_FUNCTION\n"
           "#define RELEVO_UNUSED\n"
        << "#define RELEVO_POINT_STRIDE " << options.PointStride << "\n"
        << "#define RELEVO_POINT_DIRECTION " << options.PointDirection << "\n"
@@ -220,11 +217,8 @@ std::string GetVertexFunctions(const RefinementShaderOptions& options,
   {
     text << relevoFaceColorsVS;
   }
-  for (const ShaderVarying& varying : varyings)
-  {
-    text << varying.Qualifier << "out " << varying.Type << " " << varying.Name << "VSOutput;\n";
-  }
-  text << "int relevoPointId;\nvec3 relevoVertexWeights;\nvec3 relevoNormal = vec3(0.0);\n"
+  text << DeclareVaryings("out", varyings)
+       << "int relevoPointId;\nvec3 relevoVertexWeights;\nvec3 relevoNormal = vec3(0.0);\n"
        << attributes.Samplers << "void relevoSetNormal(vec3 normal)\n{\n"
        << (attributes.HasNormal ? "  normalMC = normal;\n" : "") << "}\n"
        << "void relevoSetAttributes(vec3 w)\n{\n"
@@ -260,36 +254,22 @@ std::vector<std::string> RefineVertexShader(const RefinementShaderOptions& optio
 void RefineGeometryShader(
   bool edges, const std::vector<ShaderVarying>& varyings, ShaderText& geometry)
 {
-  std::ostringstream declarations;
-  std::ostringstream copies;
-  for (const ShaderVarying& varying : varyings)
-  {
-    const std::string& name = varying.Name;
-    declarations << varying.Qualifier << "in " << varying.Type << " " << name << "VSOutput[];\n"
-                 << varying.Qualifier << "out " << varying.Type << " " << name << "GSOutput;\n";
-    copies << name << "GSOutput = " << name << "VSOutput[i];\n    ";
-  }
+  HandOnVaryings(varyings, geometry);
   if (edges)
   {
-    declarations << relevoEdgesGS;
+    geometry.InsertBeforeMain(relevoEdgesGS);
     geometry.Replace(EdgeMark,
       "if (relevoIsHiddenSide(2, 0)) edgeEqn[2].z = lineWidth;\n"
       "  if (relevoIsHiddenSide(1, 2)) edgeEqn[1].z = lineWidth;\n"
       "  if (relevoIsHiddenSide(0, 1)) edgeEqn[0].z = lineWidth;\n");
   }
-  geometry.InsertBeforeMain(declarations.str());
-  geometry.Replace("EmitVertex();", copies.str() + "EmitVertex();");
 }
 
 // Knows coarse primitives and colours of faces, and leaves holes.
 void RefineFragmentShader(const RefinementShaderOptions& options, const ShaderPurpose& purpose,
   const std::vector<ShaderVarying>& varyings, ShaderText& fragment)
 {
-  std::string declarations;
-  for (const ShaderVarying& varying : varyings)
-  {
-    declarations += varying.Qualifier + "in " + varying.Type + " " + varying.Name + "VSOutput;\n";
-  }
+  std::string declarations = DeclareVaryings("in", varyings);
   if (options.ColorMode != COLOR_BY_SCALARS)
   {
     declarations += std::string(relevoColorTable) + relevoFaceColorsFS;
@@ -319,6 +299,39 @@ void RefineFragmentShader(const RefinementShaderOptions& options, const ShaderPu
     fragment.IfReplace(cell, "relevoPrimitiveIDVSOutput");
   }
 }
+}
+
+const char* GetPreciseExtension()
+{
+  return "#extension GL_ARB_gpu_shader5 : enable\n"
+         "#ifndef GL_ARB_gpu_shader5\n"
+         "#define precise\n"
+         "#endif\n";
+}
+
+std::string DeclareVaryings(const char* direction, const std::vector<ShaderVarying>& varyings)
+{
+  std::string text;
+  for (const ShaderVarying& varying : varyings)
+  {
+    text += varying.Qualifier + direction + " " + varying.Type + " " + varying.Name + "VSOutput;\n";
+  }
+  return text;
+}
+
+void HandOnVaryings(const std::vector<ShaderVarying>& varyings, ShaderText& geometry)
+{
+  std::string declarations;
+  std::string copies;
+  for (const ShaderVarying& varying : varyings)
+  {
+    const std::string& name = varying.Name;
+    declarations += varying.Qualifier + "in " + varying.Type + " " + name + "VSOutput[];\n" +
+      varying.Qualifier + "out " + varying.Type + " " + name + "GSOutput;\n";
+    copies += name + "GSOutput = " + name + "VSOutput[i];\n    ";
+  }
+  geometry.InsertBeforeMain(declarations);
+  geometry.Replace("EmitVertex();", copies + "EmitVertex();");
 }
 
 Dependencies RefinementShaderOptions::GetKey() const

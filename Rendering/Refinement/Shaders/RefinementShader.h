@@ -54,6 +54,17 @@ RELEVORENDERINGREFINEMENT_EXPORT void InsertColors(
   ShaderText& fragment, bool ownFragments, const std::string& text);
 
 std::string GetAttributeSampler(const std::string& attribute);
+
+/// Declares what has no `precise`, for the start of a shader.
+RELEVORENDERINGREFINEMENT_EXPORT const char* GetPreciseExtension();
+
+/// Declarations of a vertex shader's ("out") or a fragment shader's ("in").
+RELEVORENDERINGREFINEMENT_EXPORT std::string DeclareVaryings(
+  const char* direction, const std::vector<ShaderVarying>& varyings);
+
+/// Has VTK's geometry shader hand them on.
+RELEVORENDERINGREFINEMENT_EXPORT void HandOnVaryings(
+  const std::vector<ShaderVarying>& varyings, ShaderText& geometry);
 }
 
 #endif

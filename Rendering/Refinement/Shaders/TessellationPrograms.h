@@ -12,8 +12,9 @@
 #ifndef TessellationPrograms_h
 #define TessellationPrograms_h
 
-#include "vtkNew.h"    // for members
-#include "vtkShader.h" // for vtkShader::Type
+#include "RelevoRenderingRefinementModule.h" // for export macro
+#include "vtkNew.h"                          // for members
+#include "vtkShader.h"                       // for vtkShader::Type
 
 #include <map>    // for signature
 #include <string> // for errors
@@ -26,7 +27,7 @@ namespace relevo
 {
 class TessellationProgramCache;
 
-class TessellationPrograms
+class RELEVORENDERINGREFINEMENT_EXPORT TessellationPrograms
 {
 public:
   TessellationPrograms();

@@ -37,7 +37,7 @@ struct ScalarMapping
 };
 
 /// Why vtkMapper::MapScalars() cannot be asked, empty where it can.
-std::string FindMappingProblem(const ScalarMapping& mapping);
+RELEVORENDERINGREFINEMENT_EXPORT std::string FindMappingProblem(const ScalarMapping& mapping);
 }
 
 #endif

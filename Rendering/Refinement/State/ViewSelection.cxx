@@ -51,6 +51,14 @@ Dependencies GetTagDependencies(const SelectionInput& input, const RefinementVie
     Dependencies::On(recipe->GetMaximumLevel(), input.MeshTime, input.WholeTime, input.HighestTag,
       std::string(recipe->GetDepthTagArrayName()), recipe->GetLevelRule(), onGPU);
   dependencies.AddObject(metric);
+  AddMetricView(dependencies, metric, view);
+  return dependencies;
+}
+}
+
+void AddMetricView(
+  Dependencies& dependencies, vtkDepthTagMetric* metric, const RefinementView& view)
+{
   if (metric && metric->IsPlacementDependent())
   {
     for (int i = 0; view.ModelToWorld && i < 16; ++i)
@@ -62,8 +70,6 @@ Dependencies GetTagDependencies(const SelectionInput& input, const RefinementVie
   {
     AddView(dependencies, view);
   }
-  return dependencies;
-}
 }
 
 bool ViewSelection::UpdateTags(

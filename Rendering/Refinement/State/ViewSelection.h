@@ -12,12 +12,13 @@
 #ifndef ViewSelection_h
 #define ViewSelection_h
 
-#include "Core/Dependencies.h"           // for members
-#include "Evaluation/EdgeTags.h"         // for members
-#include "Evaluation/FaceCulling.h"      // for CullingInput
-#include "Evaluation/HoleFinder.h"       // for members
-#include "Evaluation/PatternSelection.h" // for members
-#include "vtkTimeStamp.h"                // for members
+#include "Core/Dependencies.h"               // for members
+#include "Evaluation/EdgeTags.h"             // for members
+#include "Evaluation/FaceCulling.h"          // for CullingInput
+#include "Evaluation/HoleFinder.h"           // for members
+#include "Evaluation/PatternSelection.h"     // for members
+#include "RelevoRenderingRefinementModule.h" // for export macro
+#include "vtkTimeStamp.h"                    // for members
 
 #include <memory>  // for members
 #include <string>  // for errors
@@ -25,6 +26,7 @@
 #include <vector>  // for members
 
 class vtkAdaptiveRefinement;
+class vtkDepthTagMetric;
 class vtkPolyData;
 
 namespace relevo
@@ -32,6 +34,10 @@ namespace relevo
 struct RefinementView;
 class RefinementMesh;
 class TagSource;
+
+/// What a metric's tags depend on of a view; nothing without a metric.
+RELEVORENDERINGREFINEMENT_EXPORT void AddMetricView(
+  Dependencies& dependencies, vtkDepthTagMetric* metric, const RefinementView& view);
 
 /// What a mapper draws.
 struct SelectionInput

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   CurveColors
+ * @brief   colours of curves, or values to look them up by, on the GPU
+ *
+ * Private to the module.
+ */
+#ifndef CurveColors_h
+#define CurveColors_h
+
+#include "Buffers/RefinementBuffer.h"
+#include "Buffers/RefinementColors.h"
+#include "Shaders/CurveShader.h"
+
+class vtkDataArray;
+class vtkOpenGLRenderWindow;
+class vtkScalarsToColors;
+class vtkShaderProgram;
+class vtkUnsignedCharArray;
+
+namespace relevo
+{
+class CurveMesh;
+
+class CurveColors
+{
+public:
+  /// Have none.
+  void Clear(vtkWindow* window);
+
+  //@{
+  /**
+   * Take colours of four components by cell or by point, or values of points; `component` is that
+   * of vtkMapper. False where they do not fit. Values that cannot be looked up by the shader give
+   * ACTOR.
+   */
+  bool UploadCells(
+    vtkOpenGLRenderWindow* window, const CurveMesh& curves, vtkUnsignedCharArray* colors);
+  bool UploadPoints(
+    vtkOpenGLRenderWindow* window, const CurveMesh& curves, vtkUnsignedCharArray* colors);
+  bool UploadValues(vtkOpenGLRenderWindow* window, const CurveMesh& curves, vtkDataArray* values,
+    vtkScalarsToColors* table, int component, bool ofFragments);
+  //@}
+
+  CurveColoring GetColoring() const { return this->Coloring; }
+
+  void Activate(vtkShaderProgram* program);
+  void Deactivate();
+  vtkTypeInt64 GetMemorySize() const;
+  void ReleaseGraphicsResources(vtkWindow* window) { this->Clear(window); }
+
+private:
+  CurveColoring Coloring = CurveColoring::ACTOR;
+  RefinementBuffer Cells;
+  RefinementBuffer Points;
+  RefinementColors Values;
+};
+}
+
+#endif

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drawing/CurveScalars.h"
+
+#include "Buffers/CurveColors.h"
+#include "Buffers/RefinementColorTable.h"
+#include "Curves/CurveMesh.h"
+#include "State/UsableArrays.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkLookupTable.h"
+#include "vtkMapper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkScalarsToColors.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+
+namespace relevo
+{
+namespace
+{
+// Without the opacity of the table as a whole, which VTK's mapper leaves out, too.
+vtkSmartPointer<vtkUnsignedCharArray> MapColors(vtkMapper* mapper, vtkAbstractArray* scalars)
+{
+  vtkScalarsToColors* table = mapper->GetLookupTable();
+  const double alpha = table->GetAlpha();
+  table->SetAlpha(1.0);
+  auto colors = vtk::TakeSmartPointer(
+    table->MapScalars(scalars, mapper->GetColorMode(), mapper->GetArrayComponent()));
+  table->SetAlpha(alpha);
+  return colors;
+}
+
+bool IsDirect(vtkMapper* mapper, vtkAbstractArray* scalars)
+{
+  return mapper->GetColorMode() == VTK_COLOR_MODE_DIRECT_SCALARS ||
+    (mapper->GetColorMode() == VTK_COLOR_MODE_DEFAULT &&
+      vtkUnsignedCharArray::SafeDownCast(scalars));
+}
+
+std::string FindProblem(const ScalarMapping& mapping, vtkMapper* mapper)
+{
+  const std::string problem = FindMappingProblem(mapping);
+  vtkDataArray* numbers = vtkDataArray::SafeDownCast(mapping.Scalars);
+  vtkScalarsToColors* table = numbers ? numbers->GetLookupTable() : nullptr;
+  table = table ? table : mapper->GetLookupTable();
+  const std::string unusable = RefinementColorTable::FindProblem(
+    table, mapper->GetUseLookupTableScalarRange() ? table->GetRange() : mapper->GetScalarRange());
+  return problem.empty() && !unusable.empty() ? "Cannot map scalars to colours: " + unusable + "."
+                                              : problem;
+}
+}
+
+Dependencies GetScalarSettings(vtkMapper* mapper)
+{
+  Dependencies settings = Dependencies::On(mapper->GetScalarVisibility(), mapper->GetScalarMode(),
+    mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayComponent(),
+    mapper->GetColorMode(), mapper->GetInterpolateScalarsBeforeMapping(),
+    mapper->GetUseLookupTableScalarRange(), mapper->GetScalarRange()[0],
+    mapper->GetScalarRange()[1], mapper->GetFieldDataTupleId());
+  settings.Add(std::string(mapper->GetArrayName() ? mapper->GetArrayName() : ""));
+  settings.AddObject(mapper->GetLookupTable());
+  return settings;
+}
+
+std::string UploadScalars(vtkOpenGLRenderWindow* window, vtkMapper* mapper, vtkDataSet* input,
+  const CurveMesh& curves, CurveColors& colors)
+{
+  colors.Clear(window);
+  int cellFlag = 0;
+  vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(input, mapper->GetScalarMode(),
+    mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cellFlag);
+  if (!mapper->GetScalarVisibility() || !scalars || curves.GetNumberOfCurves() == 0)
+  {
+    return "";
+  }
+  const vtkIdType fieldTuple =
+    mapper->GetScalarMode() == VTK_SCALAR_MODE_USE_FIELD_DATA ? mapper->GetFieldDataTupleId() : -1;
+  const std::string problem =
+    FindProblem({ input, scalars, cellFlag, mapper->GetColorMode(), fieldTuple }, mapper);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  int flag = 0;
+  vtkUnsignedCharArray* mapped = mapper->MapScalars(input, 1.0, flag); // which sets the table up
+  vtkDataArray* values = vtkDataArray::SafeDownCast(scalars);
+  bool valid = true;
+  if (cellFlag != 0)
+  {
+    valid = !mapped || colors.UploadCells(window, curves, mapped);
+    return valid ? "" : "Cannot draw the input: " + RefinementBuffer::GetTooLarge() + ".";
+  }
+  if (values && !IsDirect(mapper, scalars))
+  {
+    valid = colors.UploadValues(window, curves, values, mapper->GetLookupTable(),
+      mapper->GetArrayComponent(), mapper->GetInterpolateScalarsBeforeMapping() != 0);
+  }
+  if (valid && colors.GetColoring() == CurveColoring::ACTOR)
+  {
+    valid = colors.UploadPoints(window, curves, MapColors(mapper, scalars));
+  }
+  return valid ? "" : "Cannot draw the input: " + RefinementBuffer::GetTooLarge() + ".";
+}
+}

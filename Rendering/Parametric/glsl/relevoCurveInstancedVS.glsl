@@ -1,0 +1,25 @@
+// A vertex of several curves that one instance draws.
+
+uniform ivec4 relevoGroup; // where the group's curves lie in relevoInstances, how many they are, how
+                           // many copies of the pattern an instance has, and segments of each
+uniform usamplerBuffer relevoInstances;
+
+// Of numbers below 65536: amid whole ones, a float's quotient cannot be rounded to the next.
+int relevoQuotient(int dividend, int divisor)
+{
+  return int((float(dividend) + 0.5) / float(divisor));
+}
+
+void relevoPlaceVertex()
+{
+  int vertices = (relevoGroup.w + RELEVO_MORE_RINGS + 1) * RELEVO_SIDES;
+  int copy = relevoQuotient(gl_VertexID, vertices);
+  int vertex = gl_VertexID - copy * vertices;
+  relevoRing = relevoQuotient(vertex, RELEVO_SIDES);
+  relevoSide = vertex - relevoRing * RELEVO_SIDES;
+  // An instance may have more copies than curves.
+  int member = relevoGroup.x + gl_InstanceID * relevoGroup.z + copy;
+  int end = relevoGroup.x + relevoGroup.y;
+  relevoHidden = member >= end;
+  relevoTakeCurve(int(texelFetch(relevoInstances, min(member, end - 1)).r));
+}

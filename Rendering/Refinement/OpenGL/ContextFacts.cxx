@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/ContextFacts.h"
+
+#include "OpenGL/RelevoOpenGL.h"
+
+#include <cstring>
+
+namespace relevo
+{
+namespace
+{
+bool HasExtension(const char* name)
+{
+  GLint count = 0;
+  glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+  for (GLint i = 0; i < count; ++i)
+  {
+    if (!std::strcmp(reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, i)), name))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
+std::string GetOpenGLRenderer()
+{
+  const GLubyte* name = glGetString(GL_RENDERER);
+  return name ? reinterpret_cast<const char*>(name) : "";
+}
+
+bool HasBuffersOfThreeFloats()
+{
+  GLint major = 0;
+  glGetIntegerv(GL_MAJOR_VERSION, &major);
+  // Mesa's softpipe has them, but reads other texels than asked for.
+  return (major > 3 || HasExtension("GL_ARB_texture_buffer_object_rgb32")) &&
+    GetOpenGLRenderer() != "softpipe";
+}
+}
