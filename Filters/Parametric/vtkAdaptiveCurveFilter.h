@@ -15,8 +15,9 @@
  *
  * The recipe's levels: where the points have its array of depth-tags, the mean of a curve's two
  * ends; else the largest tag that the metric gives the control points of the curve as Bézier curve,
- * as with vtkDistanceDepthTagMetric the nearest one; without either MaximumLevel. A curve of level
- * l has 2^l segments, or the whole number that the recipe's SegmentPolicy says; each segment of a
+ * as with vtkDistanceDepthTagMetric the nearest one; without either MaximumLevel. Metrics that look
+ * at triangles, as vtkScreenEdgeDepthTagMetric, find none and give level 0. A curve of level l has
+ * 2^l segments, or the whole number that the recipe's SegmentPolicy says; each segment of a
  * poly-line is a curve of its own.
  *
  * Output: points on the curves, exactly the input's at their ends, in floats if the input's are,

@@ -146,6 +146,54 @@ void TestJoinedTubes(RelevoCheck& check)
     RelevoGetVolume(filter->GetOutput()), 2.0 * vtkMath::Pi() * vtkMath::Pi() / 16.0, 0.01);
 }
 
+// A trefoil knot of cubics: followed all round, its frame has turned, which all curves share.
+void TestKnot(RelevoCheck& check)
+{
+  constexpr int curves = 9;
+  constexpr int sides = 6;
+  const double step = 2.0 * vtkMath::Pi() / curves;
+  const auto getPlace = [](double t)
+  {
+    return RelevoPlace{ std::sin(t) + 2.0 * std::sin(2.0 * t),
+      std::cos(t) - 2.0 * std::cos(2.0 * t), -std::sin(3.0 * t) };
+  };
+  const auto getHandle = [&](double t, double way)
+  {
+    const RelevoPlace place = getPlace(t);
+    return RelevoPlace{ place[0] + way * (std::cos(t) + 4.0 * std::cos(2.0 * t)),
+      place[1] + way * (4.0 * std::sin(2.0 * t) - std::sin(t)),
+      place[2] - way * 3.0 * std::cos(3.0 * t) };
+  };
+  std::vector<RelevoPlace> places;
+  for (int i = 0; i < curves; ++i)
+  {
+    places.push_back(getPlace(step * i));
+    places.push_back(getHandle(step * i, step / 3.0));
+    places.push_back(getHandle(step * (i + 1), -step / 3.0));
+  }
+  auto grid = RelevoNewGrid(places);
+  for (vtkIdType i = 0; i < curves; ++i)
+  {
+    const std::array<vtkIdType, 4> ids{ 3 * i, 3 * ((i + 1) % curves), 3 * i + 1, 3 * i + 2 };
+    grid->InsertNextCell(VTK_BEZIER_CURVE, 4, ids.data());
+  }
+  auto filter = RelevoNewCurveFilter(grid, 5);
+  filter->SetRepresentationToTubes();
+  filter->SetRadius(0.2);
+  filter->SetNumberOfSides(sides);
+  filter->Update();
+  vtkPolyData* tube = filter->GetOutput();
+  CHECK(tube->GetNumberOfPoints() == curves * 33 * sides);
+  CHECK(RelevoCountOpenEdges(tube) == 0);
+  // From ring to ring a point goes on less than it is away from the next side's.
+  double longest = 0.0;
+  for (vtkIdType i = 0; i + sides < tube->GetNumberOfPoints(); ++i)
+  {
+    longest = std::max(longest, RelevoGetDistance(GetPoint(tube, i), GetPoint(tube, i + sides)));
+  }
+  CHECK(longest < 0.2);
+}
+
 // A cone: the radius by an array, normals that lean.
 void TestRadii(RelevoCheck& check)
 {
@@ -242,6 +290,7 @@ int TestAdaptiveCurveFilterTubes(int, char*[])
   RelevoCheck check;
   TestSingleTubes(check);
   TestJoinedTubes(check);
+  TestKnot(check);
   TestRadii(check);
   TestCoincident(check);
   TestRibbons(check);
