@@ -4,11 +4,12 @@
  * @class   vtkAdaptivePatchMapper
  * @brief   draws curved cells as they are: their surface refined, their fields exact at every pixel
  *
- * A vtkAdaptiveRefinementMapper of the triangles that vtkPatchSurfaceFilter makes of a grid, each a
- * part of a Bézier patch. Scalars of points are evaluated at every pixel by the cell's own basis,
- * whatever the refinement, and then coloured as VTK does: by the lookup table, its vector component
- * or magnitude, or as the colours that they are; with InterpolateScalarsBeforeMapping or without.
- * This holds for all methods and representations.
+ * A vtkAdaptiveRefinementMapper of a vtkUnstructuredGrid, or of the triangles that
+ * vtkPatchSurfaceFilter makes of one, each a part of a Bézier patch. Scalars of points are
+ * evaluated at every pixel by the cell's own basis, whatever the refinement, and then coloured as
+ * VTK does: by the lookup table, its vector component or magnitude, or as the colours that they
+ * are; with InterpolateScalarsBeforeMapping or without. This holds for all methods and
+ * representations.
  *
  * The recipe is by default one of a vtkPatchSurface. With another surface, for scalars that the
  * input has no coefficients of ("PatchNodes:NAME" in its field data), for those of cells and of
@@ -31,6 +32,9 @@
 #include "vtkAdaptiveRefinementMapper.h"
 
 #include <memory> // for vtkInternals
+
+class vtkCellPicker;
+class vtkUnstructuredGrid;
 
 class RELEVORENDERINGPARAMETRIC_EXPORT vtkAdaptivePatchMapper : public vtkAdaptiveRefinementMapper
 {
@@ -86,6 +90,32 @@ public:
   vtkBooleanMacro(PatchEdges, bool);
   //@}
 
+  //@{
+  /**
+   * The grid to draw, or the triangles that vtkPatchSurfaceFilter has made of one. Of a grid the
+   * mapper makes them itself, when the grid has changed; its errors are the mapper's. A grid's
+   * blocks are not taken: give those to the filter.
+   */
+  void SetInputData(vtkUnstructuredGrid* grid);
+  void SetInputData(vtkPolyData* patches);
+  //@}
+
+  //@{
+  /**
+   * Where on the grid a pick is: returns the grid's cell ("vtkOriginalCellIds"), and the place's
+   * parametric coordinates in it; of a solid cell u and v of its face's patch. The third one is 0.
+   * -1, and nothing is set, where nothing of a patch has been picked.
+   *
+   * The first is for vtkCellPicker after Pick(), and exact for the refined surface. The second is
+   * for what else finds a cell of the input, as vtkHardwareSelector, and a position near it, in the
+   * input's own coordinates: it finds the nearest point of the cell's patch. `patches` is the block
+   * of a composite input, nullptr where there are no blocks.
+   */
+  vtkIdType GetPickedCell(vtkCellPicker* picker, double pcoords[3]);
+  vtkIdType GetPickedCell(
+    vtkIdType cellId, const double position[3], double pcoords[3], vtkPolyData* patches = nullptr);
+  //@}
+
   /// With the coefficients of the scalars.
   vtkTypeInt64 GetGraphicsMemorySize() override;
 
@@ -98,6 +128,8 @@ protected:
   vtkAdaptivePatchMapper();
   ~vtkAdaptivePatchMapper() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  vtkDataObject* ConvertInput(vtkDataObject* input) override;
   void UpdateBlocks() override;
   void ExtendShaders(
     const vtkOpenGLHelper* cellBO, relevo::RefinementShaderOptions& options) override;

@@ -12,6 +12,8 @@
 #include "Buffers/PatchScalars.h"
 #include "Core/Dependencies.h"
 #include "vtkAdaptivePatchMapper.h"
+#include "vtkNew.h"
+#include "vtkPatchSurfaceFilter.h"
 
 #include <string>
 
@@ -22,6 +24,10 @@ struct vtkAdaptivePatchMapper::vtkInternals
   relevo::PatchScalars Scalars;
   relevo::Dependencies FieldDependencies;
   std::string FieldProblem; // said last
+
+  // Of an input that is a grid.
+  vtkNew<vtkPatchSurfaceFilter> Filter;
+  relevo::Dependencies GridDependencies;
 
   bool IsSurface = false; // of the actor that is drawn
 

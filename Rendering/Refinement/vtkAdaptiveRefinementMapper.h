@@ -400,6 +400,8 @@ protected:
   ~vtkAdaptiveRefinementMapper() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  /// What to draw in place of an input that a subclass takes, too, whenever it is asked for.
+  virtual vtkDataObject* ConvertInput(vtkDataObject* input) { return input; }
   void ComputeBounds() override;
   bool GetNeedToRebuildBufferObjects(vtkRenderer* ren, vtkActor* act) override;
   void BuildBufferObjects(vtkRenderer* ren, vtkActor* act) override;

@@ -15,7 +15,8 @@ void vtkAdaptiveRefinementMapper::vtkInternals::InitializePicking(
   vtkAdaptiveRefinementMapper* mapper)
 {
   vtkNew<relevo::PickedInputPipeline> pipeline;
-  pipeline->Replace = [mapper](vtkDataObject* input) { return mapper->ReplaceInput(input); };
+  pipeline->Replace = [mapper](vtkDataObject* input)
+  { return mapper->ReplaceInput(mapper->ConvertInput(input)); };
   mapper->SetExecutive(pipeline);
 }
 

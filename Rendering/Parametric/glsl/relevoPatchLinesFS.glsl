@@ -46,6 +46,12 @@ float relevoIsolineCoverage(FieldNumber number)
 #endif
 
 #ifdef RELEVO_PATCH_EDGES
+// To a border, from a part of the patch beside it: where a patch is seen edge-on all of it seems near.
+float relevoPixelsFrom(float number, vec2 change)
+{
+  return number < 0.25 ? relevoPixelsTo(number, change) : 1e30;
+}
+
 // To the nearest border but those that are one point, in the order of findPatchBorder().
 float relevoPixelsToBorder()
 {
@@ -53,10 +59,10 @@ float relevoPixelsToBorder()
   int points = relevoPatchVSOutput.y >> 9;
   vec2 uv = relevoPatchCoordinateVSOutput;
   vec4 borders = vec4(uv.y, uv.x, isTriangle ? 1.0 - uv.x - uv.y : 1.0 - uv.y, 1.0 - uv.x);
-  float v = relevoPixelsTo(borders.x, relevoAlong);
-  float u = relevoPixelsTo(borders.y, relevoAcross);
-  float opposite = relevoPixelsTo(borders.z, isTriangle ? relevoAcross + relevoAlong : relevoAlong);
-  float last = relevoPixelsTo(borders.w, relevoAcross);
+  float v = relevoPixelsFrom(borders.x, relevoAlong);
+  float u = relevoPixelsFrom(borders.y, relevoAcross);
+  float opposite = relevoPixelsFrom(borders.z, isTriangle ? relevoAcross + relevoAlong : relevoAlong);
+  float last = relevoPixelsFrom(borders.w, relevoAcross);
   float nearest = 1e30;
   nearest = (points & 1) != 0 ? nearest : min(nearest, v);
   nearest = (points & 2) != 0 ? nearest : min(nearest, u);
