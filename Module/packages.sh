@@ -8,6 +8,7 @@ build_packages="
 ca-certificates
 cmake
 g++
+libboost-dev
 libegl-dev
 libgdal-dev
 libgeographiclib-dev|libgeographic-dev

@@ -35,6 +35,8 @@ LAYERS = {
     "Filters/Terrain": [("Geodesy", []), ("Raster", []), ("Heights", [])],
     "Filters/Parametric": [("Splines", []), ("Cells", []), ("Coarse", []), ("Files", []),
                            ("Curves", []), ("Patches", [])],
+    "Filters/Intersection": [("Exact", []), ("Mesh", []), ("Pairs", []), ("Curves", []),
+                             ("Contact", [])],
     "Filters/Relief": [("Data", []), ("Warp", []), ("Database", [])],
     "Rendering/Refinement": [
         ("OpenGL", []),

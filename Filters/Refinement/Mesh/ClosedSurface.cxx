@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/ClosedSurface.h"
 
+#include "Core/DisjointSets.h"
 #include "Core/RefinementMathematics.h"
 #include "Mesh/RefinementMesh.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 namespace relevo
@@ -45,22 +45,12 @@ std::vector<Side> GetSortedSides(const RefinementMesh& mesh)
   vtkSMPTools::Sort(sides.begin(), sides.end());
   return sides;
 }
-
-int Find(std::vector<int>& parents, int face)
-{
-  while (parents[face] != face)
-  {
-    face = parents[face] = parents[parents[face]];
-  }
-  return face;
-}
 }
 
 bool IsClosedOutwards(const RefinementMesh& mesh)
 {
   const std::vector<Side> sides = GetSortedSides(mesh);
-  std::vector<int> parts(mesh.Faces.size());
-  std::iota(parts.begin(), parts.end(), 0);
+  DisjointSets parts(static_cast<vtkIdType>(mesh.Faces.size()));
   for (size_t i = 0; i < sides.size(); i += 2)
   {
     const bool two = i + 1 < sides.size() && !(sides[i] < sides[i + 1]) &&
@@ -69,7 +59,7 @@ bool IsClosedOutwards(const RefinementMesh& mesh)
     {
       return false;
     }
-    parts[Find(parts, sides[i].Face)] = Find(parts, sides[i + 1].Face);
+    parts.Unite(sides[i].Face, sides[i + 1].Face);
   }
   std::vector<double> volumes(mesh.Faces.size(), 0.0);
   for (size_t f = 0; f < mesh.Faces.size(); ++f)
@@ -81,12 +71,13 @@ bool IsClosedOutwards(const RefinementMesh& mesh)
       const float* point = &mesh.Points[3 * static_cast<size_t>(face.Corners[i])];
       x[i] = dvec3(point[0], point[1], point[2]);
     }
-    volumes[Find(parts, static_cast<int>(f))] +=
+    volumes[parts.Find(static_cast<vtkIdType>(f))] +=
       dot(x[0], cross(x[1], x[2])) * (face.IsTurned() ? -1.0 : 1.0);
   }
-  for (size_t f = 0; f < parts.size(); ++f)
+  for (size_t f = 0; f < volumes.size(); ++f)
   {
-    if (parts[f] == static_cast<int>(f) && !(volumes[f] > 0.0))
+    const auto face = static_cast<vtkIdType>(f);
+    if (parts.Find(face) == face && !(volumes[f] > 0.0))
     {
       return false;
     }

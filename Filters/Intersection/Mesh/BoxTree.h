@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   BoxTree
+ * @brief   a bounding volume hierarchy in double, whose boxes can follow what moves
+ *
+ * A binary tree, split at the median of the longest axis. When the items have moved, Fit() takes
+ * their new boxes, and the tree stays as it is: bounds are exact, whatever the motion.
+ *
+ * Private to the module's own sources.
+ */
+#ifndef BoxTree_h
+#define BoxTree_h
+
+#include "vtkType.h" // for vtkIdType
+
+#include <algorithm> // for std::min
+#include <array>     // for Box
+#include <limits>    // for the empty box
+#include <vector>    // for members
+
+namespace relevo
+{
+struct Box
+{
+  std::array<double, 3> Low{ { Infinity, Infinity, Infinity } };
+  std::array<double, 3> High{ { -Infinity, -Infinity, -Infinity } };
+
+  void Add(const double point[3])
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Low[c] = std::min(this->Low[c], point[c]);
+      this->High[c] = std::max(this->High[c], point[c]);
+    }
+  }
+  void Add(const Box& other)
+  {
+    this->Add(other.Low.data());
+    this->Add(other.High.data());
+  }
+  bool Meets(const Box& other) const
+  {
+    return this->Low[0] <= other.High[0] && other.Low[0] <= this->High[0] &&
+      this->Low[1] <= other.High[1] && other.Low[1] <= this->High[1] &&
+      this->Low[2] <= other.High[2] && other.Low[2] <= this->High[2];
+  }
+  double GetGirth() const
+  {
+    return (this->High[0] - this->Low[0]) + (this->High[1] - this->Low[1]) +
+      (this->High[2] - this->Low[2]);
+  }
+
+  static constexpr double Infinity = std::numeric_limits<double>::infinity();
+};
+
+class BoxTree
+{
+public:
+  struct Node
+  {
+    Box Bounds;
+    vtkIdType First; // position of its items; of an inner node the second child, the first follows
+    vtkIdType Count; // of items; 0 for an inner node
+  };
+
+  /// Sort items with these boxes into a tree.
+  void Build(const std::vector<Box>& boxes);
+  /// Take new boxes, of the same items.
+  void Fit(const std::vector<Box>& boxes);
+
+  const std::vector<Node>& GetNodes() const { return this->Nodes; }
+  /// The item at a position.
+  vtkIdType GetItem(vtkIdType position) const { return this->Items[position]; }
+  const Box& GetBox(vtkIdType position) const { return this->Boxes[position]; }
+
+private:
+  void Split(const std::vector<std::array<double, 3>>& middles, vtkIdType first, vtkIdType last);
+
+  std::vector<Node> Nodes;
+  std::vector<vtkIdType> Items;
+  std::vector<Box> Boxes; // of items, by position
+};
+}
+
+#endif

@@ -1,0 +1,279 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesh/MovedSurface.h"
+
+#include "Core/LatestTime.h"
+#include "Exact/ExactPredicates.h"
+#include "Mesh/SurfaceTriangles.h"
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+
+#include <atomic>
+#include <cmath>
+#include <utility>
+
+namespace relevo
+{
+namespace
+{
+// Differences and sums of such coordinates are finite.
+constexpr double LargestCoordinate = 1e300;
+
+bool IsInRange(const double x[3])
+{
+  return std::abs(x[0]) <= LargestCoordinate && std::abs(x[1]) <= LargestCoordinate &&
+    std::abs(x[2]) <= LargestCoordinate;
+}
+
+vtkMTimeType GetTime(vtkPoints* points, vtkCellArray* polygons, vtkCellArray* strips)
+{
+  return GetLatestTime(0, { points, points ? points->GetData() : nullptr, polygons, strips });
+}
+
+// Exactly 0 or not: the determinant of the linear part.
+bool IsSingular(const std::array<double, 16>& m)
+{
+  const double origin[3] = { 0.0, 0.0, 0.0 };
+  return Orient3D(origin, &m[0], &m[4], &m[8]) == 0;
+}
+}
+
+MovedSurface::MovedSurface() = default;
+MovedSurface::~MovedSurface() = default;
+
+bool MovedSurface::IsOf(vtkPolyData* mesh) const
+{
+  return this->Triangles && this->Points == mesh->GetPoints() &&
+    this->Polygons == mesh->GetPolys() && this->Strips == mesh->GetStrips() &&
+    this->Time == GetTime(mesh->GetPoints(), mesh->GetPolys(), mesh->GetStrips());
+}
+
+void MovedSurface::Clear()
+{
+  this->Triangles.reset();
+  this->Elements.fill(0.0);
+  this->Closed = -1;
+}
+
+std::string MovedSurface::CheckCells(vtkPolyData* mesh, vtkCellArray* cells, vtkIdType first)
+{
+  auto cell = vtk::TakeSmartPointer(cells->NewIterator());
+  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+  {
+    vtkIdType size;
+    const vtkIdType* points;
+    cell->GetCurrentCell(size, points);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      if (points[i] < 0 || points[i] >= mesh->GetNumberOfPoints())
+      {
+        return "has a cell " + std::to_string(first + cell->GetCurrentCellId()) +
+          " that refers to point " + std::to_string(points[i]);
+      }
+      double x[3];
+      mesh->GetPoint(points[i], x);
+      if (!IsInRange(x))
+      {
+        return "has a point " + std::to_string(points[i]) + " that is not finite, or beyond 1e300";
+      }
+    }
+    this->NumberOfCollapsedTriangles += std::max<vtkIdType>(size - 2, 0);
+  }
+  return {};
+}
+
+std::string MovedSurface::Take(vtkPolyData* mesh)
+{
+  this->Clear();
+  if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0)
+  {
+    return "has no polygons and no strips";
+  }
+  this->NumberOfCollapsedTriangles = 0;
+  const vtkIdType firstPolygon = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
+  std::string error = this->CheckCells(mesh, mesh->GetPolys(), firstPolygon);
+  if (error.empty())
+  {
+    error = this->CheckCells(mesh, mesh->GetStrips(), firstPolygon + mesh->GetNumberOfPolys());
+  }
+  if (!error.empty())
+  {
+    return error;
+  }
+  this->Points = mesh->GetPoints();
+  this->Polygons = mesh->GetPolys();
+  this->Strips = mesh->GetStrips();
+  this->Time = GetTime(this->Points, this->Polygons, this->Strips);
+  this->Triangles = std::make_unique<SurfaceTriangles>(mesh);
+  this->NumberOfCollapsedTriangles -= this->GetNumberOfTriangles();
+  this->AreUsed.assign(this->GetNumberOfPoints(), 0);
+  for (const Triangle& triangle : this->Triangles->GetTriangles())
+  {
+    for (vtkIdType corner : triangle)
+    {
+      this->AreUsed[corner] = 1;
+    }
+  }
+  return {};
+}
+
+bool MovedSurface::MovePoints(const std::array<double, 16>& m)
+{
+  this->Moved.resize(3 * this->GetNumberOfPoints());
+  std::atomic<bool> isInRange(true);
+  vtkSMPTools::For(0, this->GetNumberOfPoints(),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        double x[3];
+        double* moved = &this->Moved[3 * i];
+        this->Triangles->GetPoint(i, x);
+        // As VTK's transforms have it, so that a mesh moved by them meets in the same places.
+        for (int c = 0; c < 3; ++c)
+        {
+          moved[c] = m[4 * c] * x[0] + m[4 * c + 1] * x[1] + m[4 * c + 2] * x[2] + m[4 * c + 3];
+        }
+        if (this->AreUsed[i] && !IsInRange(moved))
+        {
+          isInRange = false;
+        }
+      }
+    });
+  return isInRange;
+}
+
+std::vector<Box> MovedSurface::MeasureTriangles() const
+{
+  std::vector<Box> boxes(this->GetNumberOfTriangles());
+  vtkSMPTools::For(0, this->GetNumberOfTriangles(),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType t = first; t < last; ++t)
+      {
+        for (const double* point : this->GetPoints(t))
+        {
+          boxes[t].Add(point);
+        }
+      }
+    });
+  return boxes;
+}
+
+std::string MovedSurface::Move(vtkMatrix4x4* matrix)
+{
+  std::array<double, 16> elements{ 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+  if (matrix)
+  {
+    std::copy(matrix->GetData(), matrix->GetData() + 16, elements.begin());
+  }
+  if (elements == this->Elements)
+  {
+    return {};
+  }
+  for (double element : elements)
+  {
+    if (!std::isfinite(element))
+    {
+      return "has a matrix that is not finite";
+    }
+  }
+  if (elements[12] != 0.0 || elements[13] != 0.0 || elements[14] != 0.0 || elements[15] != 1.0)
+  {
+    return "has a matrix that is not affine: its last row is not 0 0 0 1";
+  }
+  if (IsSingular(elements))
+  {
+    return "has a singular matrix";
+  }
+  const bool isFirst = this->Elements[15] == 0.0;
+  this->Elements.fill(0.0); // until all has gone well
+  if (!this->MovePoints(elements))
+  {
+    this->Clear();
+    return "has a matrix that moves points beyond 1e300";
+  }
+  const vtkIdType number = this->GetNumberOfTriangles();
+  if (isFirst)
+  {
+    this->Tree.Build(this->MeasureTriangles());
+  }
+  else
+  {
+    this->Tree.Fit(this->MeasureTriangles());
+  }
+  this->Areas.resize(number);
+  std::atomic<vtkIdType> flat(this->NumberOfCollapsedTriangles);
+  vtkSMPTools::For(0, number,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType t = first; t < last; ++t)
+      {
+        const auto p = this->GetPoints(t);
+        this->Areas[t] = FindAxis(p[0], p[1], p[2]) >= 0;
+        if (this->Areas[t] == 0)
+        {
+          ++flat;
+        }
+      }
+    });
+  this->NumberOfFlatTriangles = flat;
+  this->Elements = elements;
+  return {};
+}
+
+vtkIdType MovedSurface::GetNumberOfTriangles() const
+{
+  return static_cast<vtkIdType>(this->Triangles->GetTriangles().size());
+}
+
+const MovedSurface::Triangle& MovedSurface::GetCorners(vtkIdType triangle) const
+{
+  return this->Triangles->GetTriangles()[triangle];
+}
+
+vtkIdType MovedSurface::GetCell(vtkIdType triangle) const
+{
+  return this->Triangles->GetCell(triangle);
+}
+
+vtkIdType MovedSurface::GetNumberOfPoints() const
+{
+  return this->Triangles->GetNumberOfPoints();
+}
+
+std::array<const double*, 3> MovedSurface::GetPoints(vtkIdType triangle) const
+{
+  const Triangle& corners = this->GetCorners(triangle);
+  return { this->GetPoint(corners[0]), this->GetPoint(corners[1]), this->GetPoint(corners[2]) };
+}
+
+bool MovedSurface::IsClosed() const
+{
+  if (this->Closed < 0)
+  {
+    std::vector<std::pair<vtkIdType, vtkIdType>> sides;
+    sides.reserve(3 * this->GetNumberOfTriangles());
+    for (vtkIdType t = 0; t < this->GetNumberOfTriangles(); ++t)
+    {
+      const Triangle& corners = this->GetCorners(t);
+      for (int i = 0; i < 3; ++i)
+      {
+        sides.push_back(std::minmax(corners[i], corners[(i + 1) % 3]));
+      }
+    }
+    vtkSMPTools::Sort(sides.begin(), sides.end());
+    bool isClosed = sides.size() % 2 == 0;
+    for (std::size_t i = 0; isClosed && i < sides.size(); i += 2)
+    {
+      isClosed = sides[i] == sides[i + 1] && (i == 0 || sides[i] != sides[i - 1]);
+    }
+    this->Closed = isClosed;
+  }
+  return this->Closed == 1;
+}
+}

@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSurfaceIntersectionFilter.h"
+
+#include "Contact/CellContacts.h"
+#include "Core/LatestTime.h"
+#include "Core/SettingChecks.h"
+#include "Curves/CurveOutputs.h"
+#include "Mesh/MovedSurface.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <new>
+#include <string>
+
+vtkStandardNewMacro(vtkSurfaceIntersectionFilter);
+
+struct vtkSurfaceIntersectionFilter::Internals
+{
+  relevo::MovedSurface Sides[2];
+  bool IsSelf = false;
+
+  const relevo::MovedSurface& GetSecond() const { return this->Sides[this->IsSelf ? 0 : 1]; }
+};
+
+vtkSurfaceIntersectionFilter::vtkSurfaceIntersectionFilter()
+  : Surfaces(new Internals)
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(4);
+}
+
+vtkSurfaceIntersectionFilter::~vtkSurfaceIntersectionFilter() = default;
+
+bool vtkSurfaceIntersectionFilter::IsInput(int input)
+{
+  return relevo::CheckRange(this, "Input", input, 0, 1);
+}
+
+void vtkSurfaceIntersectionFilter::SetMatrix(int input, vtkMatrix4x4* matrix)
+{
+  if (this->IsInput(input) && this->Matrices[input] != matrix)
+  {
+    this->Matrices[input] = matrix;
+    this->Modified();
+  }
+}
+
+vtkMatrix4x4* vtkSurfaceIntersectionFilter::GetMatrix(int input)
+{
+  return this->IsInput(input) ? this->Matrices[input].Get() : nullptr;
+}
+
+void vtkSurfaceIntersectionFilter::SetContactDistance(double distance)
+{
+  relevo::SetInRange(
+    this, "ContactDistance", this->ContactDistance, distance, 0.0, relevo::LargestDouble);
+}
+
+vtkMTimeType vtkSurfaceIntersectionFilter::GetMTime()
+{
+  return relevo::GetLatestTime(
+    this->Superclass::GetMTime(), { this->Matrices[0], this->Matrices[1] });
+}
+
+int vtkSurfaceIntersectionFilter::FillInputPortInformation(int port, vtkInformation* information)
+{
+  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port);
+  return 1;
+}
+
+bool vtkSurfaceIntersectionFilter::TakeInput(int side, vtkPolyData* input)
+{
+  relevo::MovedSurface& surface = this->Surfaces->Sides[side];
+  std::string error;
+  if (!surface.IsOf(input))
+  {
+    error = surface.Take(input);
+    this->NumberOfTreeBuilds += error.empty();
+  }
+  if (error.empty())
+  {
+    error = surface.Move(this->Matrices[side]);
+  }
+  if (!error.empty())
+  {
+    vtkErrorMacro("Input " << side << " " << error << ".");
+    return false;
+  }
+  if (surface.GetNumberOfFlatTriangles() > 0)
+  {
+    vtkWarningMacro("Input " << side << " has " << surface.GetNumberOfFlatTriangles()
+                             << " triangles without an area; they are left out.");
+  }
+  return true;
+}
+
+void vtkSurfaceIntersectionFilter::WarnOfOpenSurfaces()
+{
+  std::string open;
+  for (int side = 0; side < 2; ++side)
+  {
+    if (!this->Surfaces->Sides[side].IsClosed())
+    {
+      open += (open.empty() ? "input " : ", input ") + std::to_string(side);
+    }
+  }
+  if (!open.empty())
+  {
+    vtkWarningMacro("Not closed, so that nothing is told to be inside of it: " << open << ".");
+  }
+}
+
+int vtkSurfaceIntersectionFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* inputs[2] = { vtkPolyData::GetData(inputVector[0]),
+    vtkPolyData::GetData(inputVector[1]) };
+  for (int port = 0; port < 4; ++port)
+  {
+    vtkPolyData::GetData(outputVector, port)->Initialize();
+  }
+  try
+  {
+    this->Surfaces->IsSelf = !inputs[1];
+    if (!this->TakeInput(0, inputs[0]) || (inputs[1] && !this->TakeInput(1, inputs[1])))
+    {
+      return 0;
+    }
+    this->Intersect(inputs, outputVector);
+    return 1;
+  }
+  catch (const std::bad_alloc&)
+  {
+    for (int port = 0; port < 4; ++port)
+    {
+      vtkPolyData::GetData(outputVector, port)->Initialize();
+    }
+    this->Surfaces = std::make_unique<Internals>();
+    vtkErrorMacro("Not enough memory for the intersection of the inputs.");
+    return 0;
+  }
+}
+
+void vtkSurfaceIntersectionFilter::Intersect(
+  vtkPolyData* inputs[2], vtkInformationVector* outputVector)
+{
+  const relevo::MovedSurface& first = this->Surfaces->Sides[0];
+  const relevo::MovedSurface& second = this->Surfaces->GetSecond();
+  const std::vector<relevo::MeetingPair> pairs = relevo::FindMeetingPairs(first, second);
+  this->UpdateProgress(0.5);
+  relevo::MakeCurves(first, second, pairs, this->JoinSegments,
+    vtkPolyData::GetData(outputVector, 0), vtkPolyData::GetData(outputVector, 1));
+  this->UpdateProgress(0.7);
+  const bool isSelf = this->Surfaces->IsSelf;
+  const bool classifies = this->Classify && !isSelf && first.HasFaces() && second.HasFaces();
+  if (classifies)
+  {
+    this->WarnOfOpenSurfaces();
+  }
+  for (int side = 0; side < (isSelf ? 1 : 2); ++side)
+  {
+    const relevo::MovedSurface& own = this->Surfaces->Sides[side];
+    const relevo::MovedSurface& other = this->Surfaces->Sides[1 - side];
+    relevo::CellContacts contacts(own, inputs[side]->GetNumberOfCells());
+    contacts.MarkCut(pairs, side);
+    if (isSelf)
+    {
+      contacts.MarkCut(pairs, 1);
+    }
+    if (classifies)
+    {
+      contacts.MeasureDistances(other, this->ContactDistance);
+      if (other.IsClosed())
+      {
+        contacts.FindInside(other);
+      }
+    }
+    vtkPolyData* output = vtkPolyData::GetData(outputVector, 2 + side);
+    output->ShallowCopy(inputs[side]);
+    contacts.AddArrays(output);
+    this->UpdateProgress(0.85 + 0.15 * side);
+  }
+}
+
+void vtkSurfaceIntersectionFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Matrices: " << this->Matrices[0] << " " << this->Matrices[1] << "\n";
+  os << indent << "JoinSegments: " << this->JoinSegments << "\n";
+  os << indent << "Classify: " << this->Classify << "\n";
+  os << indent << "ContactDistance: " << this->ContactDistance << "\n";
+  os << indent << "NumberOfTreeBuilds: " << this->NumberOfTreeBuilds << "\n";
+}

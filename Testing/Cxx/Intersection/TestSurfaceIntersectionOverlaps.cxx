@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Surfaces that only touch, and those that lie on each other.
+#include "RelevoCheck.h"
+#include "RelevoIntersections.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkSurfaceIntersectionFilter.h"
+
+namespace
+{
+struct Result
+{
+  Result(vtkPolyData* first, vtkPolyData* second)
+  {
+    this->Filter->SetInputData(0, first);
+    if (second)
+    {
+      this->Filter->SetInputData(1, second);
+    }
+    this->Filter->Update();
+  }
+  vtkPolyData* GetCurves() { return this->Filter->GetOutput(0); }
+  vtkPolyData* GetOverlaps() { return this->Filter->GetOutput(1); }
+  bool Has(vtkIdType vertices, vtkIdType lines, vtkIdType polygons)
+  {
+    return this->GetCurves()->GetNumberOfVerts() == vertices &&
+      this->GetCurves()->GetNumberOfLines() == lines &&
+      this->GetOverlaps()->GetNumberOfPolys() == polygons;
+  }
+
+  vtkNew<vtkSurfaceIntersectionFilter> Filter;
+};
+
+vtkSmartPointer<vtkPolyData> MakePlate(double low, double high, double z)
+{
+  return RelevoMakePolygons(
+    { { low, low, z }, { high, low, z }, { high, high, z }, { low, high, z } }, { { 0, 1, 2, 3 } });
+}
+
+void TestTouching(RelevoCheck& check)
+{
+  auto plate = MakePlate(-4, 4, 0);
+  // Three faces around a corner that stands on the plate, on its diagonal and beside it.
+  for (double x : { 1.0, 2.0 })
+  {
+    auto corner = RelevoMakePolygons({ { x, 1, 0 }, { 2, 2, 1 }, { 0, 2, 2 }, { 1, 0, 1 } },
+      { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 1 } });
+    Result result(plate, corner);
+    CHECK(result.Has(1, 0, 0));
+    double at[3];
+    result.GetCurves()->GetPoint(0, at);
+    CHECK(at[0] == x && at[1] == 1.0 && at[2] == 0.0);
+  }
+  // A roof that stands on its ridge: one segment, of two faces.
+  auto roof = RelevoMakePolygons(
+    { { 1, 2, 0 }, { 3, 2, 0 }, { 2, 3, 1 }, { 2, 1, 1 } }, { { 0, 1, 2 }, { 1, 0, 3 } });
+  Result ridge(plate, roof);
+  CHECK(ridge.Has(0, 2, 0)); // on both sides of the plate's diagonal
+  CHECK(ridge.GetCurves()->GetNumberOfPoints() == 3);
+  CHECK_NEAR(RelevoMeasureLength(ridge.GetCurves()), 2.0, 1e-15);
+  // Ridges that cross.
+  auto across = RelevoMakePolygons(
+    { { 2, 1, 0 }, { 2, 3, 0 }, { 3, 2, -1 }, { 1, 2, -1 } }, { { 0, 1, 2 }, { 1, 0, 3 } });
+  Result ridges(roof, across);
+  CHECK(ridges.Has(1, 0, 0));
+  // Boxes that have a corner in common, and an edge.
+  auto low = RelevoMakeBox(0, 1);
+  auto high = RelevoMakeBox(1, 2);
+  CHECK(Result(low, high).Has(1, 0, 0));
+}
+
+void TestOverlaps(RelevoCheck& check)
+{
+  // A box on a plate.
+  auto plate = MakePlate(-3, 3, 0);
+  auto box = RelevoMakeBox(0, 2);
+  Result result(plate, box);
+  CHECK_NEAR(RelevoMeasureArea(result.GetOverlaps()), 4.0, 1e-14);
+  CHECK_NEAR(RelevoMeasureLength(result.GetCurves()), 8.0, 1e-14);
+  CHECK(result.GetCurves()->GetNumberOfVerts() == 0);
+  for (const auto& ids : RelevoGetCellPairs(result.GetOverlaps()))
+  {
+    CHECK(ids.first == 0 && ids.second == 0);
+  }
+  CHECK(result.Filter->GetOutput(2)->GetCellData()->GetArray("Contact")->GetComponent(0, 0) == 2);
+  // The box's lid is the one cell that is free.
+  vtkDataArray* contacts = result.Filter->GetOutput(3)->GetCellData()->GetArray("Contact");
+  for (vtkIdType i = 0; i < 6; ++i)
+  {
+    CHECK(contacts->GetComponent(i, 0) == (i == 1 ? 0 : 2));
+  }
+
+  // The same, and one within the other.
+  Result same(box, RelevoMakeBox(0, 2));
+  CHECK(same.GetCurves()->GetNumberOfCells() == 0);
+  CHECK_NEAR(RelevoMeasureArea(same.GetOverlaps()), 24.0, 1e-13);
+  Result within(plate, MakePlate(-1, 1, 0));
+  CHECK_NEAR(RelevoMeasureArea(within.GetOverlaps()), 4.0, 1e-14);
+  CHECK(Result(plate, MakePlate(-1, 1, 1e-300)).Has(0, 0, 0));
+  // Plates that have an edge in common, and a part of one.
+  auto beside = RelevoMakePolygons(
+    { { 3, -3, 0 }, { 5, -3, 0 }, { 5, 0, 0 }, { 3, 0, 0 } }, { { 0, 1, 2, 3 } });
+  Result edge(plate, beside);
+  CHECK(edge.Has(0, 1, 0));
+  CHECK_NEAR(RelevoMeasureLength(edge.GetCurves()), 3.0, 1e-15);
+
+  auto sphere = RelevoMakeSphere(30, { 0.1, 0.2, 0.3 }, 1.0);
+  Result spheres(sphere, sphere);
+  CHECK(spheres.Has(0, 0, sphere->GetNumberOfPolys()));
+  CHECK_NEAR(RelevoMeasureArea(spheres.GetOverlaps()), RelevoMeasureArea(sphere), 1e-12);
+}
+
+void TestItself(RelevoCheck& check)
+{
+  // Two triangles on both sides of an edge, and on one; a box is fine.
+  auto flat = RelevoMakePolygons(
+    { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 1, -1, 0 } }, { { 0, 1, 2 }, { 1, 0, 3 } });
+  CHECK(Result(flat, nullptr).Has(0, 0, 0));
+  auto folded = RelevoMakePolygons(
+    { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 1, 1, 0 } }, { { 0, 1, 2 }, { 0, 1, 3 } });
+  Result twice(folded, nullptr);
+  CHECK(twice.GetOverlaps()->GetNumberOfPolys() == 1);
+  CHECK_NEAR(RelevoMeasureArea(twice.GetOverlaps()), 2.0, 1e-15);
+  CHECK(Result(RelevoMakeBox(0, 1), nullptr).Has(0, 0, 0));
+  // Points that coincide are one: a seam is no contact.
+  auto seam = RelevoMakePolygons(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 1 } },
+    { { 0, 1, 2 }, { 3, 5, 4 } });
+  CHECK(Result(seam, nullptr).Has(0, 0, 0));
+}
+}
+
+int TestSurfaceIntersectionOverlaps(int, char*[])
+{
+  RelevoCheck check;
+  TestTouching(check);
+  TestOverlaps(check);
+  TestItself(check);
+  return check.GetResult();
+}
