@@ -29,9 +29,17 @@ bool IsInRange(const double x[3])
     std::abs(x[2]) <= LargestCoordinate;
 }
 
-vtkMTimeType GetTime(vtkPoints* points, vtkCellArray* polygons, vtkCellArray* strips)
+// Cells that are inserted do not change a vtkCellArray's time.
+std::array<vtkMTimeType, 4> GetState(vtkPolyData* mesh)
 {
-  return GetLatestTime(0, { points, points ? points->GetData() : nullptr, polygons, strips });
+  vtkPoints* points = mesh->GetPoints();
+  const vtkIdType sizes[3] = { mesh->GetNumberOfPoints(),
+    mesh->GetPolys()->GetNumberOfConnectivityIds(),
+    mesh->GetStrips()->GetNumberOfConnectivityIds() };
+  return { GetLatestTime(0,
+             { points, points ? points->GetData() : nullptr, mesh->GetPolys(), mesh->GetStrips() }),
+    static_cast<vtkMTimeType>(sizes[0]), static_cast<vtkMTimeType>(sizes[1]),
+    static_cast<vtkMTimeType>(sizes[2]) };
 }
 
 // Exactly 0 or not: the determinant of the linear part.
@@ -49,7 +57,7 @@ bool MovedSurface::IsOf(vtkPolyData* mesh) const
 {
   return this->Triangles && this->Points == mesh->GetPoints() &&
     this->Polygons == mesh->GetPolys() && this->Strips == mesh->GetStrips() &&
-    this->Time == GetTime(mesh->GetPoints(), mesh->GetPolys(), mesh->GetStrips());
+    this->State == GetState(mesh);
 }
 
 void MovedSurface::Clear()
@@ -107,7 +115,7 @@ std::string MovedSurface::Take(vtkPolyData* mesh)
   this->Points = mesh->GetPoints();
   this->Polygons = mesh->GetPolys();
   this->Strips = mesh->GetStrips();
-  this->Time = GetTime(this->Points, this->Polygons, this->Strips);
+  this->State = GetState(mesh);
   this->Triangles = std::make_unique<SurfaceTriangles>(mesh);
   this->NumberOfCollapsedTriangles -= this->GetNumberOfTriangles();
   this->AreUsed.assign(this->GetNumberOfPoints(), 0);

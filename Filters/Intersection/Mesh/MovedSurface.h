@@ -79,7 +79,7 @@ private:
   vtkSmartPointer<vtkPoints> Points;
   vtkSmartPointer<vtkCellArray> Polygons;
   vtkSmartPointer<vtkCellArray> Strips;
-  vtkMTimeType Time = 0;
+  std::array<vtkMTimeType, 4> State{}; // the latest of their times, and their sizes
   std::unique_ptr<SurfaceTriangles> Triangles;
   vtkIdType NumberOfCollapsedTriangles = 0;
   std::vector<unsigned char> AreUsed; // per point, whether it is a corner

@@ -147,7 +147,6 @@ void TestFlatTriangles(RelevoCheck& check)
   {
     other->GetPolys()->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
   }
-  other->GetPoints()->Modified();
   other->Modified();
   filter->ClassifyOn();
   RelevoErrors errors(filter);
