@@ -7,12 +7,12 @@
 #include "Core/PieceReduction.h"
 #include "Core/RefinementView.h"
 #include "Core/SettingChecks.h"
+#include "Mesh/PatchArrays.h"
 #include "Metrics/FunctionEvaluator.h"
 #include "Metrics/MetricFrame.h"
 #include "relevoDistanceMetric.h"
 #include "relevoMetricView.h"
 #include "vtkCamera.h"
-#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -44,14 +44,6 @@ using relevo::DistanceFunctions;
 constexpr double AutomaticDistance = 3.0;
 constexpr double ShortestReference = 0.01; // pixels
 constexpr double LongestReference = 1e6;
-
-// Pixels of a length of 1 seen from the front at a distance of 1.
-double GetPixelsAtUnitDistance(const relevo::RefinementView& view)
-{
-  const int across = view.Camera->GetUseHorizontalViewAngle() ? 0 : 1;
-  const double angle = vtkMath::RadiansFromDegrees(view.Camera->GetViewAngle());
-  return view.ViewportSize[across] / (2.0 * std::tan(0.5 * angle));
-}
 
 // The lengths of the sides of a mesh's triangles, but for a scale, kept until the mesh or its shape
 // changes.
@@ -134,15 +126,28 @@ protected:
 private:
   bool CheckView(const relevo::RefinementView& view);
   double GetFarthest(const relevo::RefinementView& view, const relevo::Placement& placement);
-  bool MeasuresCentroids()
+  bool MeasuresControlPoints()
   {
-    return this->Metric->GetMeasure() == vtkDistanceDepthTagMetric::CENTROIDS;
+    return this->Metric->GetMeasure() == vtkDistanceDepthTagMetric::CONTROL_POINTS;
+  }
+  // Rather than the mesh's points, which control polygons have as control points.
+  bool MeasuresTriangles()
+  {
+    vtkPolyData* mesh = this->GetMesh().GetPolyData();
+    return this->Metric->GetMeasure() == vtkDistanceDepthTagMetric::CENTROIDS ||
+      (this->MeasuresControlPoints() &&
+        (mesh->GetNumberOfLines() == 0 || relevo::PatchArrays::AreOn(mesh)));
   }
   bool ComputeLevels(const relevo::RefinementView& view, int maximumLevel);
+  void LevelCentroids(const relevo::MetricShader& shader);
+  bool UpdatePatches();
+  void LevelPatches(const relevo::MetricShader& shader);
 
   vtkSmartPointer<vtkDistanceDepthTagMetric> Metric;
   SideLengths Sides;
-  std::vector<float> Levels; // of triangles, by their centroids
+  std::vector<float> Levels; // of triangles
+  relevo::PatchArrays Patches;
+  relevo::Dependencies PatchDependencies;
 };
 
 bool DistanceEvaluator::CheckView(const relevo::RefinementView& view)
@@ -160,7 +165,7 @@ bool DistanceEvaluator::CheckView(const relevo::RefinementView& view)
     return false;
   }
   if (this->Metric->GetReferenceLength() > 0.0 && this->Metric->GetMaximumDistance() == 0.0 &&
-    !(GetPixelsAtUnitDistance(view) > 0.0))
+    !(relevo::GetPixelsAtUnitDistance(view) > 0.0))
   {
     vtkErrorWithObjectMacro(this->Metric.Get(),
       "The viewport has no pixels to measure ReferenceLength in: it is "
@@ -179,7 +184,8 @@ double DistanceEvaluator::GetFarthest(
   }
   const double pixels = this->Metric->GetReferenceLength();
   return pixels > 0.0
-    ? placement.GetScale() * this->GetNumbers(view)[0] / pixels * GetPixelsAtUnitDistance(view)
+    ? placement.GetScale() * this->GetNumbers(view)[0] / pixels *
+      relevo::GetPixelsAtUnitDistance(view)
     : AutomaticDistance * placement.GetDiagonal(relevo::GetShape(this->GetMesh()).GetCornerBox());
 }
 
@@ -192,7 +198,7 @@ bool DistanceEvaluator::GetShader(const relevo::RefinementView& view, int maximu
   }
   const relevo::Placement placement(view);
   shader.Source =
-    this->MeasuresCentroids() ? "" : std::string(relevoMetricView) + relevoDistanceMetric;
+    this->MeasuresTriangles() ? "" : std::string(relevoMetricView) + relevoDistanceMetric;
   shader.TagsPoints = true;
   shader.Data = nullptr;
   dvec3 camera;
@@ -208,12 +214,27 @@ bool DistanceEvaluator::ComputeLevels(const relevo::RefinementView& view, int ma
 {
   const relevo::LocalPoints& points = relevo::GetShape(this->GetMesh()).GetPoints();
   relevo::MetricShader shader;
-  if (!this->GetShader(view, maximumLevel, points.Origin, shader))
+  if ((this->MeasuresControlPoints() && !this->UpdatePatches()) ||
+    !this->GetShader(view, maximumLevel, points.Origin, shader))
   {
     return false;
   }
+  this->Levels.resize(this->GetMesh().GetTriangles()->GetTriangles().size());
+  if (this->MeasuresControlPoints())
+  {
+    this->LevelPatches(shader);
+  }
+  else
+  {
+    this->LevelCentroids(shader);
+  }
+  return true;
+}
+
+void DistanceEvaluator::LevelCentroids(const relevo::MetricShader& shader)
+{
+  const relevo::LocalPoints& points = relevo::GetShape(this->GetMesh()).GetPoints();
   const auto& triangles = this->GetMesh().GetTriangles()->GetTriangles();
-  this->Levels.resize(triangles.size());
   const float* x = points.Coordinates.data();
   vtkSMPTools::For(0, static_cast<vtkIdType>(triangles.size()),
     [&](vtkIdType begin, vtkIdType end)
@@ -230,13 +251,58 @@ bool DistanceEvaluator::ComputeLevels(const relevo::RefinementView& view, int ma
         this->Levels[t] = functions.metricTag(functions.metricPointMeasure(value));
       }
     });
+}
+
+bool DistanceEvaluator::UpdatePatches()
+{
+  vtkPolyData* mesh = this->GetMesh().GetPolyData();
+  std::string error;
+  if (this->PatchDependencies.Update(relevo::PatchArrays::GetDependencies(mesh)) &&
+    !this->Patches.Take(mesh, error))
+  {
+    this->PatchDependencies.Clear();
+    vtkErrorWithObjectMacro(
+      this->Metric.Get(), "There are no control points to measure to. " << error << ".");
+    return false;
+  }
   return true;
+}
+
+// A patch is as deep as its nearest control point.
+void DistanceEvaluator::LevelPatches(const relevo::MetricShader& shader)
+{
+  const double* start = relevo::GetShape(this->GetMesh()).GetPoints().Origin;
+  const dvec3 origin(start[0], start[1], start[2]);
+  std::vector<float> levels(static_cast<std::size_t>(this->Patches.GetNumberOfPatches()));
+  vtkSMPTools::For(0, this->Patches.GetNumberOfPatches(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      DistanceFunctions functions(shader);
+      for (int i = static_cast<int>(begin); i < end; ++i)
+      {
+        const relevo::Patch patch = this->Patches.GetPatch(i);
+        float level = 0.0f;
+        for (int k = 0; k < patch.GetNumberOfPoints(); ++k)
+        {
+          const dvec3 point(this->Patches.GetPoint(patch.FirstPoint + k));
+          const glm::vec4 value = functions.metricValue(glm::vec3(point - origin), glm::vec4(0.0f));
+          level = std::max(level, functions.metricTag(functions.metricPointMeasure(value)));
+        }
+        levels[i] = level;
+      }
+    });
+  const relevo::SurfaceTriangles& surface = *this->GetMesh().GetTriangles();
+  for (std::size_t t = 0; t < this->Levels.size(); ++t)
+  {
+    const vtkIdType cell = surface.GetCell(static_cast<vtkIdType>(t));
+    this->Levels[t] = levels[this->Patches.GetPatchId(cell)];
+  }
 }
 
 bool DistanceEvaluator::ComputeTags(
   const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags)
 {
-  if (!this->MeasuresCentroids())
+  if (!this->MeasuresTriangles())
   {
     return this->TagPoints(view, maximumLevel, tags);
   }
@@ -265,7 +331,7 @@ bool DistanceEvaluator::ComputeTags(
 bool DistanceEvaluator::ComputeEdgeTags(
   const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags)
 {
-  if (!this->MeasuresCentroids())
+  if (!this->MeasuresTriangles())
   {
     return this->FunctionEvaluator::ComputeEdgeTags(view, maximumLevel, tags);
   }
@@ -309,12 +375,14 @@ const char* vtkDistanceDepthTagMetric::GetFallOffAsString()
 
 void vtkDistanceDepthTagMetric::SetMeasure(int measure)
 {
-  relevo::SetChoice(this, "Measure", this->Measure, measure, { "VERTICES", "CENTROIDS" });
+  relevo::SetChoice(
+    this, "Measure", this->Measure, measure, { "VERTICES", "CENTROIDS", "CONTROL_POINTS" });
 }
 
 const char* vtkDistanceDepthTagMetric::GetMeasureAsString()
 {
-  return this->Measure == CENTROIDS ? "Centroids" : "Vertices";
+  const char* const names[] = { "Vertices", "Centroids", "ControlPoints" };
+  return names[this->Measure];
 }
 
 void vtkDistanceDepthTagMetric::SetMaximumDistance(double distance)

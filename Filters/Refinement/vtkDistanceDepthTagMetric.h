@@ -35,6 +35,12 @@
  * rule PER_EDGE an edge has the level of its end that is nearer to the camera, or of the nearer of
  * its triangles.
  *
+ * CONTROL_POINTS, of a surface from vtkPatchSurfaceFilter: x is the least distance to the control
+ * points of a patch, for all its triangles, which then have levels as by centroids. So is it in
+ * Nellmeldin 2013 for curves: of line cells, which are control polygons, each point is measured to
+ * itself, and the curve takes the largest level. A mesh of triangles that are no patches is an
+ * error.
+ *
  * The metric depends on the view: without a camera it is an error, and so is a camera whose
  * position is not finite, or ReferenceLength with a viewport without pixels. A point that is not
  * finite gets level 0.
@@ -69,7 +75,8 @@ public:
   enum Measures
   {
     VERTICES = 0,
-    CENTROIDS = 1
+    CENTROIDS = 1,
+    CONTROL_POINTS = 2
   };
 
   //@{
@@ -90,17 +97,18 @@ public:
 
   //@{
   /**
-   * What the distance is measured to: VERTICES (0, the default) or CENTROIDS (1) of triangles.
-   * Another value is an error and changes nothing.
+   * What the distance is measured to: VERTICES (0, the default), CENTROIDS (1) of triangles, or
+   * CONTROL_POINTS (2) of patches and curves. Another value is an error and changes nothing.
    */
   void SetMeasure(int measure);
   vtkGetMacro(Measure, int);
   void SetMeasureToVertices() { this->SetMeasure(VERTICES); }
   void SetMeasureToCentroids() { this->SetMeasure(CENTROIDS); }
+  void SetMeasureToControlPoints() { this->SetMeasure(CONTROL_POINTS); }
   //@}
 
   /**
-   * "Vertices" or "Centroids".
+   * "Vertices", "Centroids" or "ControlPoints".
    */
   const char* GetMeasureAsString();
 

@@ -34,7 +34,7 @@ LAYERS = {
                        ("Walk", [])],
     "Filters/Terrain": [("Geodesy", []), ("Raster", []), ("Heights", [])],
     "Filters/Parametric": [("Splines", []), ("Cells", []), ("Coarse", []), ("Files", []),
-                           ("Curves", []), ("Patches", [])],
+                           ("Curves", []), ("Patches", []), ("Metrics", [])],
     "Filters/Intersection": [("Exact", []), ("Mesh", []), ("Pairs", []), ("Curves", []),
                              ("Contact", [])],
     "Filters/Relief": [("Data", []), ("Warp", []), ("Database", [])],

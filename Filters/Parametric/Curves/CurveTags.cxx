@@ -6,6 +6,7 @@
 #include "Core/RefinementView.h"
 #include "Curves/CurveMesh.h"
 #include "Evaluation/EdgeTags.h"
+#include "Evaluation/PatternSelection.h"
 #include "Evaluation/RefinementPreparation.h"
 #include "Metrics/DepthTags.h"
 #include "Metrics/TagSource.h"
@@ -96,7 +97,9 @@ bool CurveTags::ComputeTags(vtkAdaptiveRefinement* recipe, vtkPointSet* input,
     {
       this->Polygons = mesh.NewControlPolygons();
     }
-    if (!ComputeDepthTags(this->Source->GetEvaluator(metric, this->Polygons), view,
+    RefinementView viewOfSteps = view;
+    viewOfSteps.Patterns = GetRoundedPatternFamily(recipe);
+    if (!ComputeDepthTags(this->Source->GetEvaluator(metric, this->Polygons), viewOfSteps,
           GetHighestTag(recipe, false), false, this->PointTags, error))
     {
       return false;

@@ -214,10 +214,10 @@ RELEVO_FUNCTION PatchBorder patchBorder(PatchShape shape, int border)
   return points;
 }
 
-// The parameter along a border.
-RELEVO_FUNCTION int alongPatchBorder(int border, ivec2 corner)
+// The parameter along a border, in the order of its control points.
+RELEVO_FUNCTION int alongPatchBorder(PatchShape shape, int border, ivec2 corner)
 {
-  return border == 0 || border == 2 ? corner.x : corner.y;
+  return border == 0 || (border == 2 && !shape.IsTriangle) ? corner.x : corner.y;
 }
 
 RELEVO_FUNCTION int patchBorderPoint(PatchBorder border, int k)

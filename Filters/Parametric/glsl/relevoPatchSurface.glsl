@@ -139,7 +139,8 @@ RELEVO_FUNCTION vec3 surfacePosition(vec3 w)
     int border = findPatchBorder(face.Shape, low, high);
     if (border >= 0)
     {
-      ivec2 ends = ivec2(alongPatchBorder(border, low), alongPatchBorder(border, high));
+      ivec2 ends = ivec2(alongPatchBorder(face.Shape, border, low),
+        alongPatchBorder(face.Shape, border, high));
       return borderPosition(face.Shape, border, ends, edge.Low, w[edge.High]);
     }
   }

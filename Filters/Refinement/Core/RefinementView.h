@@ -7,11 +7,14 @@
 #ifndef RefinementView_h
 #define RefinementView_h
 
+#include <memory> // for Patterns
+
 class vtkCamera;
 class vtkMatrix4x4;
 
 namespace relevo
 {
+class PatternFamily;
 struct RefinementView
 {
   /// The camera, in world coordinates; nullptr when nothing is known of the view.
@@ -20,6 +23,8 @@ struct RefinementView
   vtkMatrix4x4* ModelToWorld = nullptr;
   /// Width and height of the viewport in pixels.
   int ViewportSize[2] = { 300, 300 };
+  /// What faces are refined by, where it is known: for metrics that bound what patterns leave out.
+  std::shared_ptr<const PatternFamily> Patterns = nullptr;
 };
 }
 

@@ -5,6 +5,7 @@
 #include "Core/FiniteBox.h"
 #include "Core/RefinementView.h"
 #include "vtkCamera.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 
 #include <algorithm>
@@ -26,6 +27,13 @@ dmat4 MakeMatrix(vtkMatrix4x4* matrix)
     }
   }
   return result;
+}
+
+double GetPixelsAtUnitDistance(const RefinementView& view)
+{
+  const int across = view.Camera->GetUseHorizontalViewAngle() ? 0 : 1;
+  const double angle = vtkMath::RadiansFromDegrees(view.Camera->GetViewAngle());
+  return view.ViewportSize[across] / (2.0 * std::tan(0.5 * angle));
 }
 
 Placement::Placement(const RefinementView& view)

@@ -20,8 +20,11 @@ struct RefinementView;
 /// Identity for nullptr.
 RELEVOFILTERSREFINEMENT_EXPORT dmat4 MakeMatrix(vtkMatrix4x4* matrix);
 
+/// Pixels of a length of 1 seen from the front at a distance of 1, by the camera's view angle.
+RELEVOFILTERSREFINEMENT_EXPORT double GetPixelsAtUnitDistance(const RefinementView& view);
+
 /// Where the actor's matrix puts the mesh; identity without one.
-struct Placement
+struct RELEVOFILTERSREFINEMENT_EXPORT Placement
 {
   explicit Placement(const RefinementView& view);
 
@@ -45,10 +48,10 @@ struct Placement
 };
 
 /// The vector over its length; zero when it has none or is not finite.
-dvec3 UnitOrZero(const dvec3& v);
+RELEVOFILTERSREFINEMENT_EXPORT dvec3 UnitOrZero(const dvec3& v);
 
 /// Where the camera looks from.
-class Eye
+class RELEVOFILTERSREFINEMENT_EXPORT Eye
 {
 public:
   /// Returns false and sets error when there is no camera or it has no direction.

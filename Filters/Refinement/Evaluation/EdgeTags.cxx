@@ -4,6 +4,7 @@
 
 #include "Core/PointPlaces.h"
 #include "Core/RefinementView.h"
+#include "Evaluation/PatternSelection.h"
 #include "Mesh/RefinementMesh.h"
 #include "Mesh/SurfaceEdges.h"
 #include "Metrics/DepthTags.h"
@@ -79,7 +80,9 @@ bool EdgeTags::Compute(vtkAdaptiveRefinement* recipe, vtkPolyData* input,
     {
       this->BuildEdges(input, mesh);
     }
-    if (!ComputeDepthTags(evaluator, view, highest, perEdge, this->Values, error))
+    RefinementView viewOfPatterns = view;
+    viewOfPatterns.Patterns = GetPatternFamily(recipe, input);
+    if (!ComputeDepthTags(evaluator, viewOfPatterns, highest, perEdge, this->Values, error))
     {
       return false;
     }

@@ -120,6 +120,22 @@ vtkDataArray* PatchArrays::FindNodes(vtkPolyData* mesh, vtkAbstractArray* pointA
   return fits ? nodes : nullptr;
 }
 
+Dependencies PatchArrays::GetDependencies(vtkPolyData* mesh)
+{
+  Dependencies dependencies;
+  dependencies.AddObject(mesh->GetPoints());
+  dependencies.AddObject(mesh->GetPolys());
+  for (const char* name : { PatchesName, PatchPointsName })
+  {
+    dependencies.AddObject(mesh->GetFieldData()->GetAbstractArray(name));
+  }
+  for (const char* name : { PatchIdsName, PatchCoordinatesName })
+  {
+    dependencies.AddObject(mesh->GetCellData()->GetAbstractArray(name));
+  }
+  return dependencies;
+}
+
 bool PatchArrays::Take(vtkPolyData* mesh, std::string& error)
 {
   vtkFieldData* field = mesh->GetFieldData();

@@ -23,6 +23,7 @@
 #ifndef PatchArrays_h
 #define PatchArrays_h
 
+#include "Core/Dependencies.h"
 #include "Core/RefinementMathematics.h"
 #include "RelevoFiltersRefinementModule.h" // for export macro
 #include "vtkDoubleArray.h"                // for members
@@ -70,6 +71,9 @@ public:
   /// The coefficients of one of the mesh's point arrays; nullptr where there are none for each of
   /// its components and control points.
   static vtkDataArray* FindNodes(vtkPolyData* mesh, vtkAbstractArray* pointArray);
+
+  /// On the arrays and the triangles of a mesh.
+  static Dependencies GetDependencies(vtkPolyData* mesh);
 
   /**
    * Take a mesh's patches. False, with an error to show the user, where an array is missing or of

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// How far points are from the patches of a mesh, and how many pixels that is.
+#ifndef RelevoPatchDistance_h
+#define RelevoPatchDistance_h
+
+#include "RelevoSplines.h"
+
+#include "vtkCellLocator.h"
+#include "vtkPolyData.h"
+
+class vtkCamera;
+
+class RelevoPatchDistance
+{
+public:
+  /// Of the patches that a mesh carries, by their definition.
+  explicit RelevoPatchDistance(vtkPolyData* mesh);
+
+  /// All patches in so many parts each way, of two triangles each.
+  vtkSmartPointer<vtkPolyData> Cut(int parts) const;
+
+  /// From a point to the nearest triangle of patches that are cut into this many parts each way.
+  static constexpr int Parts = 96;
+  double Measure(const RelevoPlace& x) const;
+
+  /// The largest such distance of middles of triangles and of their edges, in pixels of a viewport
+  /// of this height, each at its own depth; of one triangle in every `stride`.
+  double MeasurePixels(vtkPolyData* refined, vtkCamera* camera, int height, int stride = 1) const;
+
+private:
+  vtkSmartPointer<vtkPolyData> Mesh;
+  vtkNew<vtkCellLocator> Locator;
+};
+
+#endif

@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkPatchErrorDepthTagMetric: what is refined by it deviates by no more than it was asked for,
+// whatever the degree, the weights, the placement and the patterns.
+#include "RelevoCheck.h"
+#include "RelevoPatchDistance.h"
+#include "RelevoPatches.h"
+
+#include "vtkAdaptiveRefinement.h"
+#include "vtkAdaptiveRefinementFilter.h"
+#include "vtkCamera.h"
+#include "vtkCellType.h"
+#include "vtkDepthTagFilter.h"
+#include "vtkDoubleArray.h"
+#include "vtkExecutive.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNURBSSource.h"
+#include "vtkPatchErrorDepthTagMetric.h"
+#include "vtkPatchSurface.h"
+#include "vtkPatchSurfaceFilter.h"
+#include "vtkPointData.h"
+#include "vtkSphereSource.h"
+
+#include <cmath>
+#include <limits>
+
+namespace
+{
+constexpr int Height = 600;
+
+struct Scene
+{
+  Scene()
+  {
+    this->Recipe->SetMetric(this->Metric);
+    this->Recipe->SetLevelRuleToPerEdge();
+    this->Recipe->SetMaximumLevel(7);
+    this->Recipe->SetSegmentPolicyToWholeNumbers();
+    this->Recipe->SetSurface(vtkNew<vtkPatchSurface>());
+    this->Camera->SetPosition(1.5, -2.5, 3.0);
+    this->Camera->SetFocalPoint(0.5, 0.5, 0.0);
+    this->Camera->SetParallelScale(1.0);
+    this->Filter->SetRefinement(this->Recipe);
+    this->Filter->SetCamera(this->Camera);
+    this->Filter->SetViewportSize(Height + 200, Height);
+  }
+
+  vtkPolyData* Refine(vtkPolyData* coarse)
+  {
+    this->Filter->SetInputData(coarse);
+    this->Filter->Update();
+    return this->Filter->GetOutput();
+  }
+
+  vtkNew<vtkPatchErrorDepthTagMetric> Metric;
+  vtkNew<vtkAdaptiveRefinement> Recipe;
+  vtkNew<vtkCamera> Camera;
+  vtkNew<vtkAdaptiveRefinementFilter> Filter;
+};
+
+// How much of what was asked for is used.
+double GetShare(Scene& scene, vtkPolyData* coarse)
+{
+  const RelevoPatchDistance distance(coarse);
+  vtkPolyData* refined = scene.Refine(coarse);
+  const int stride = static_cast<int>(refined->GetNumberOfPolys() / 4000) | 1;
+  return distance.MeasurePixels(refined, scene.Camera, Height, stride) /
+    scene.Metric->GetScreenSpaceError();
+}
+
+void TestDegrees(RelevoCheck& check)
+{
+  Scene scene;
+  for (int p = 1; p <= 8; ++p)
+  {
+    for (const bool isRational : { false, true })
+    {
+      const int q = 9 - p;
+      const auto quad = RelevoMakePatches(
+        RelevoNewCell(VTK_BEZIER_QUADRILATERAL, { { p, q, 1 } }, 0.3, isRational));
+      scene.Metric->SetScreenSpaceError(2.0);
+      const double ofQuad = GetShare(scene, quad);
+      CHECK(ofQuad <= 1.0);
+      CHECK(ofQuad > (isRational ? 0.02 : 0.1));
+      const auto triangle =
+        RelevoMakePatches(RelevoNewCell(VTK_BEZIER_TRIANGLE, { { p, p, 1 } }, 0.3, isRational));
+      const double ofTriangle = GetShare(scene, triangle);
+      CHECK(ofTriangle <= 1.0);
+      CHECK(p == 1 || ofTriangle > (isRational ? 0.02 : 0.1));
+    }
+  }
+}
+
+void TestViews(RelevoCheck& check)
+{
+  Scene scene;
+  const auto patches =
+    RelevoMakePatches(RelevoNewCell(VTK_BEZIER_QUADRILATERAL, { { 3, 3, 1 } }, 0.3));
+  // All patterns: also those that only have powers of two, and those that morph.
+  CHECK(GetShare(scene, patches) <= 1.0);
+  const vtkIdType whole = scene.Refine(patches)->GetNumberOfPolys();
+  scene.Recipe->SetSegmentPolicyToPowersOfTwo();
+  for (const int morphing :
+    { vtkAdaptiveRefinement::GEOMORPHING_OFF, vtkAdaptiveRefinement::GEOMORPHING_ON })
+  {
+    scene.Recipe->SetGeomorphing(morphing);
+    CHECK(GetShare(scene, patches) <= 1.0);
+    CHECK(scene.Refine(patches)->GetNumberOfPolys() > whole);
+  }
+  scene.Recipe->SetGeomorphing(vtkAdaptiveRefinement::GEOMORPHING_AUTOMATIC);
+  scene.Recipe->SetSegmentPolicyToWholeNumbers();
+  scene.Camera->ParallelProjectionOn();
+  CHECK(GetShare(scene, patches) <= 1.0);
+  CHECK(GetShare(scene, patches) > 0.1);
+  scene.Camera->ParallelProjectionOff();
+  // Finer where an error is smaller, or the camera nearer.
+  scene.Metric->SetScreenSpaceError(0.125);
+  const vtkIdType fine = scene.Refine(patches)->GetNumberOfPolys();
+  CHECK(fine > 3 * whole && fine < 5 * whole);
+  scene.Metric->SetScreenSpaceError(0.5);
+  vtkIdType last = whole;
+  for (int turn = 0; turn < 4; ++turn)
+  {
+    scene.Camera->Dolly(0.5);
+    const vtkIdType next = scene.Refine(patches)->GetNumberOfPolys();
+    CHECK(next < last);
+    last = next;
+  }
+  scene.Camera->SetPosition(0.5, 0.5, 0.0);
+  scene.Camera->SetFocalPoint(0.5, 0.5, -1.0);
+  scene.Recipe->SetMaximumLevel(4);
+  CHECK(scene.Refine(patches)->GetNumberOfPolys() == 512); // from within: all there is
+}
+
+// An actor that is twice as large needs what a viewport twice as large does.
+void TestPlacement(RelevoCheck& check)
+{
+  const auto patches =
+    RelevoMakePatches(RelevoNewCell(VTK_BEZIER_QUADRILATERAL, { { 3, 2, 1 } }, 0.3));
+  Scene one;
+  one.Camera->ParallelProjectionOn();
+  one.Filter->SetViewportSize(2 * Height, 2 * Height);
+  Scene two;
+  two.Camera->ParallelProjectionOn();
+  two.Filter->SetViewportSize(Height, Height);
+  vtkNew<vtkMatrix4x4> larger;
+  larger->SetElement(0, 0, -2.0);
+  larger->SetElement(1, 1, 2.0);
+  larger->SetElement(2, 2, 2.0);
+  two.Filter->SetModelToWorld(larger);
+  CHECK(one.Refine(patches)->GetNumberOfPolys() == two.Refine(patches)->GetNumberOfPolys());
+}
+
+// Quarter circles of radius 1: the angle of a chord is known.
+void TestCurves(RelevoCheck& check)
+{
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(1.0, 0.0, 0.0);
+  points->InsertNextPoint(1.0, 1.0, 0.0);
+  points->InsertNextPoint(0.0, 1.0, 0.0);
+  points->InsertNextPoint(5.0, 5.0, 0.0);
+  points->InsertNextPoint(6.0, 5.0, 0.0);
+  points->InsertNextPoint(7.0, std::numeric_limits<double>::quiet_NaN(), 0.0);
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 0, 1, 2 });
+  lines->InsertNextCell({ 3, 4 });
+  lines->InsertNextCell({ 4, 5 });
+  vtkNew<vtkDoubleArray> weights;
+  weights->SetName("RationalWeights");
+  for (double weight : { 1.0, std::sqrt(0.5), 1.0, 1.0, 1.0, 1.0 })
+  {
+    weights->InsertNextValue(weight);
+  }
+  vtkNew<vtkPolyData> curves;
+  curves->SetPoints(points);
+  curves->SetLines(lines);
+  curves->GetPointData()->SetRationalWeights(weights);
+  Scene scene;
+  scene.Camera->ParallelProjectionOn();
+  vtkNew<vtkDepthTagFilter> filter;
+  filter->SetInputData(curves);
+  filter->SetMetric(scene.Metric);
+  filter->SetCamera(scene.Camera);
+  filter->SetViewportSize(Height, Height);
+  filter->SetMaximumLevel(7);
+  filter->Update();
+  vtkDataArray* tags = filter->GetOutput()->GetPointData()->GetArray("DepthTag");
+  CHECK(tags && tags->GetNumberOfTuples() == 6);
+  const double tag = tags->GetComponent(0, 0);
+  CHECK(tags->GetComponent(1, 0) == tag && tags->GetComponent(2, 0) == tag);
+  CHECK(tags->GetComponent(3, 0) == 0.0 && tags->GetComponent(5, 0) == 0.0);
+  // 300 pixels a unit; half a pixel needs a cosine of 1 - 1 / 600.
+  const double least = 0.25 * std::acos(-1.0) / std::acos(1.0 - 1.0 / 600.0);
+  CHECK(std::exp2(tag) >= least && std::exp2(tag) <= 1.5 * least);
+}
+
+void TestErrors(RelevoCheck& check)
+{
+  Scene scene;
+  RelevoErrors errors(scene.Metric);
+  scene.Metric->SetScreenSpaceError(0.0);
+  CHECK(errors.Said("ScreenSpaceError must be in [0.001, 1e+06], got 0"));
+  CHECK(scene.Metric->GetScreenSpaceError() == 0.5);
+  CHECK(scene.Metric->IsAbsolute() && scene.Metric->IsViewDependent());
+  RelevoErrors ofFilter(scene.Filter);
+  RelevoErrors ofExecutive(scene.Filter->GetExecutive());
+  vtkNew<vtkSphereSource> sphere;
+  sphere->Update();
+  scene.Recipe->SetSurface(nullptr);
+  scene.Refine(sphere->GetOutput());
+  CHECK(errors.Said("There are no patches to measure. The array Patches is missing"));
+  const auto patches =
+    RelevoMakePatches(RelevoNewCell(VTK_BEZIER_QUADRILATERAL, { { 3, 3, 1 } }, 0.3));
+  vtkDataArray* points = patches->GetFieldData()->GetArray("PatchPoints");
+  const auto spoil = [&](int component, double value, const char* words)
+  {
+    const double old = points->GetComponent(5, component);
+    points->SetComponent(5, component, value);
+    points->Modified();
+    scene.Refine(patches);
+    CHECK(errors.Said(words));
+    points->SetComponent(5, component, old);
+    points->Modified();
+  };
+  spoil(0, std::numeric_limits<double>::quiet_NaN(), "Control point 5 is not finite");
+  spoil(3, 0.0, "Control point 5 is not finite, or its weight is not more than 0");
+  scene.Refine(patches);
+  CHECK(errors.None());
+  scene.Filter->SetCamera(nullptr);
+  scene.Refine(patches);
+  CHECK(errors.Said("There is no camera to look from"));
+}
+}
+
+int TestPatchErrorDepthTagMetric(int, char*[])
+{
+  RelevoCheck check;
+  TestDegrees(check);
+  TestViews(check);
+  TestPlacement(check);
+  TestCurves(check);
+  TestErrors(check);
+  return check.GetResult();
+}
