@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Levels by control nets: vtkControlNetDepthTagMetric, and the distance to control points.
+#include "RelevoCheck.h"
+#include "RelevoPatches.h"
+
+#include "vtkCamera.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkControlNetDepthTagMetric.h"
+#include "vtkDepthTagFilter.h"
+#include "vtkDistanceDepthTagMetric.h"
+#include "vtkDoubleArray.h"
+#include "vtkExecutive.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkSphereSource.h"
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+namespace
+{
+std::vector<double> GetTags(vtkPolyData* mesh, vtkDepthTagMetric* metric, vtkCamera* camera)
+{
+  vtkNew<vtkDepthTagFilter> filter;
+  RelevoErrors errors(filter);
+  RelevoErrors ofExecutive(filter->GetExecutive());
+  filter->SetInputData(mesh);
+  filter->SetMetric(metric);
+  filter->SetCamera(camera);
+  filter->SetMaximumLevel(6);
+  filter->Update();
+  std::vector<double> tags;
+  vtkDataArray* array = filter->GetOutput()->GetPointData()->GetArray("DepthTag");
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    tags.push_back(array->GetComponent(i, 0));
+  }
+  return tags;
+}
+
+bool AreAll(const std::vector<double>& tags, double level)
+{
+  for (double tag : tags)
+  {
+    if (!(std::abs(tag - level) < 1e-4))
+    {
+      return false;
+    }
+  }
+  return !tags.empty();
+}
+
+// One patch, its control points moved by z = f(x, y): they are evenly spaced in the unit square.
+vtkSmartPointer<vtkPolyData> MakePatch(
+  int type, int degree, const std::function<double(double, double)>& f)
+{
+  auto mesh = RelevoMakePatches(RelevoNewCell(type, { { degree, degree, 1 } }, 0.0));
+  vtkDataArray* points = mesh->GetFieldData()->GetArray("PatchPoints");
+  for (vtkIdType i = 0; i < points->GetNumberOfTuples(); ++i)
+  {
+    points->SetComponent(i, 2, f(points->GetComponent(i, 0), points->GetComponent(i, 1)));
+  }
+  return mesh;
+}
+
+void TestAngles(RelevoCheck& check)
+{
+  vtkNew<vtkControlNetDepthTagMetric> metric;
+  CHECK(!metric->IsViewDependent() && !metric->IsAbsolute());
+  const auto flat = [](double x, double y) { return x + y; };
+  // A roof of 45 degrees on both sides: a right angle between them.
+  const auto roof = [](double x, double) { return std::abs(x - 0.5); };
+  for (const int type : { VTK_BEZIER_QUADRILATERAL, VTK_BEZIER_TRIANGLE })
+  {
+    const auto even = MakePatch(type, 4, flat);
+    CHECK(AreAll(GetTags(even, metric, nullptr), 0.0));
+    const auto bent = MakePatch(type, 4, roof);
+    metric->SetMaximumAngle(180.0);
+    CHECK(AreAll(GetTags(bent, metric, nullptr), 3.0));
+    metric->SetMinimumAngle(60.0);
+    CHECK(AreAll(GetTags(bent, metric, nullptr), 1.5));
+    metric->SetMinimumAngle(100.0);
+    CHECK(AreAll(GetTags(bent, metric, nullptr), 0.0));
+    metric->SetMinimumAngle(0.0);
+    metric->SetMaximumAngle(80.0);
+    CHECK(AreAll(GetTags(bent, metric, nullptr), 6.0));
+  }
+  // Quads without area say nothing: the others still meet at a right angle.
+  const auto worn = MakePatch(VTK_BEZIER_QUADRILATERAL, 4, roof);
+  vtkDataArray* points = worn->GetFieldData()->GetArray("PatchPoints");
+  for (const vtkIdType i : { 1, 5, 6 })
+  {
+    points->SetTuple(i, points->GetTuple4(0));
+  }
+  CHECK(AreAll(GetTags(worn, metric, nullptr), 6.0));
+}
+
+void TestDistances(RelevoCheck& check)
+{
+  vtkNew<vtkDistanceDepthTagMetric> metric;
+  metric->SetMaximumDistance(8.0);
+  metric->SetMeasureToControlPoints();
+  CHECK(std::string(metric->GetMeasureAsString()) == "ControlPoints");
+  // One control point, which the patch does not reach, comes within 2 of the camera.
+  const auto peak = [](double x, double y) { return x == 0.5 && y == 0.5 ? 3.0 : 0.0; };
+  const auto patch = MakePatch(VTK_BEZIER_QUADRILATERAL, 4, peak);
+  vtkNew<vtkCamera> camera;
+  camera->SetPosition(0.5, 0.5, 5.0);
+  camera->SetFocalPoint(0.5, 0.5, 0.0);
+  CHECK(AreAll(GetTags(patch, metric, camera), 6.0 * (1.0 - 2.0 / 8.0)));
+  metric->SetMeasureToVertices();
+  CHECK(GetTags(patch, metric, camera)[0] < 6.0 * (1.0 - 5.0 / 8.0));
+  // The points of a line are control points themselves.
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0.5, 0.5, 3.0);
+  points->InsertNextPoint(0.5, 0.5, 1.0);
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 0, 1 });
+  vtkNew<vtkPolyData> line;
+  line->SetPoints(points);
+  line->SetLines(lines);
+  metric->SetMeasureToControlPoints();
+  const std::vector<double> tags = GetTags(line, metric, camera);
+  CHECK_NEAR(tags.at(0), 4.5, 1e-4);
+  CHECK_NEAR(tags.at(1), 3.0, 1e-4);
+}
+
+void TestErrors(RelevoCheck& check)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->Update();
+  vtkNew<vtkCamera> camera;
+  vtkNew<vtkControlNetDepthTagMetric> nets;
+  RelevoErrors ofNets(nets);
+  GetTags(sphere->GetOutput(), nets, camera);
+  CHECK(ofNets.Said("There are no control nets to measure. The array Patches is missing"));
+  nets->SetMinimumAngle(100.0);
+  GetTags(sphere->GetOutput(), nets, camera);
+  CHECK(ofNets.Said("MinimumAngle 100 is above MaximumAngle 90."));
+  vtkNew<vtkDistanceDepthTagMetric> distance;
+  distance->SetMeasureToControlPoints();
+  RelevoErrors ofDistance(distance);
+  GetTags(sphere->GetOutput(), distance, camera);
+  CHECK(ofDistance.Said("There are no control points to measure to. The array Patches is missing"));
+}
+
+// Nothing is read where arrays do not fit.
+void TestArrays(RelevoCheck& check)
+{
+  vtkNew<vtkControlNetDepthTagMetric> metric;
+  RelevoErrors errors(metric);
+  const auto spoil =
+    [&](const char* name, vtkIdType tuple, int component, double value, const char* words)
+  {
+    const auto mesh = MakePatch(VTK_BEZIER_QUADRILATERAL, 2, [](double, double) { return 0.0; });
+    vtkDataArray* array = mesh->GetFieldData()->GetArray(name);
+    array = array ? array : mesh->GetCellData()->GetArray(name);
+    array->SetComponent(tuple, component, value);
+    GetTags(mesh, metric, nullptr);
+    if (!errors.Said(words))
+    {
+      check.Fail(__FILE__, __LINE__, std::string("not said: ") + words);
+    }
+  };
+  spoil("Patches", 0, 0, VTK_QUAD, "Patch 0 is neither");
+  spoil("Patches", 0, 1, 9, "Patch 0 has a degree");
+  spoil("Patches", 0, 2, 0, "Patch 0 has a degree");
+  spoil("Patches", 0, 3, 1, "Patch 0 has control points that the array PatchPoints lacks");
+  spoil("Patches", 0, 3, -1, "Patch 0 has control points that the array PatchPoints lacks");
+  spoil("PatchPoints", 8, 2, std::nan(""), "Control point 8 is not finite");
+  spoil("PatchPoints", 0, 3, -1.0, "Control point 0 is not finite, or its weight");
+  spoil("PatchIds", 1, 0, 1, "Triangle 1 is of a patch that the array Patches lacks");
+  spoil("PatchIds", 1, 0, -1, "Triangle 1 is of a patch that the array Patches lacks");
+  spoil("PatchCoordinates", 0, 3, 1.5, "Triangle 0 has PatchCoordinates");
+  spoil("PatchCoordinates", 0, 3, std::nan(""), "Triangle 0 has PatchCoordinates");
+  const auto mesh = MakePatch(VTK_BEZIER_QUADRILATERAL, 2, [](double, double) { return 0.0; });
+  mesh->GetCellData()->GetArray("PatchIds")->SetNumberOfTuples(1);
+  GetTags(mesh, metric, nullptr);
+  CHECK(errors.Said("The array PatchIds has 1 tuples of 1 components, not 2 of 1"));
+}
+}
+
+int TestControlNetDepthTagMetric(int, char*[])
+{
+  RelevoCheck check;
+  TestAngles(check);
+  TestDistances(check);
+  TestErrors(check);
+  TestArrays(check);
+  return check.GetResult();
+}
