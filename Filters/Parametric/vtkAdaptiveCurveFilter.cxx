@@ -4,11 +4,11 @@
 
 #include "Core/CameraEye.h"
 #include "Core/LatestTime.h"
-#include "Core/PointArray.h"
 #include "Core/RefinementView.h"
 #include "Core/SettingChecks.h"
 #include "Curves/CurveMesh.h"
 #include "Curves/CurvePolyDataBuilder.h"
+#include "Curves/CurveRadii.h"
 #include "Curves/CurveTags.h"
 #include "Metrics/ViewTime.h"
 #include "vtkAdaptiveRefinement.h"
@@ -136,19 +136,10 @@ bool vtkAdaptiveCurveFilter::MakeStyle(vtkPointSet* input, relevo::CurveStyle& s
     return true;
   }
   std::string error;
-  style.RadiusArray = relevo::FindPointArray(input, this->RadiusArrayName, 1, error);
-  for (vtkIdType i = 0; style.RadiusArray && i < input->GetNumberOfPoints(); ++i)
-  {
-    if (style.RadiusArray->GetComponent(i, 0) < 0.0)
-    {
-      error =
-        "point array \"" + this->RadiusArrayName + "\" is below 0 at point " + std::to_string(i);
-      style.RadiusArray = nullptr;
-    }
-  }
+  style.RadiusArray = relevo::FindCurveRadii(input, this->RadiusArrayName, error);
   if (!style.RadiusArray)
   {
-    vtkErrorMacro("No radii: " << error << ".");
+    vtkErrorMacro(<< error);
   }
   return style.RadiusArray != nullptr;
 }

@@ -55,6 +55,13 @@ vtkPointSet* GetCurves(vtkDataObject* data)
     : nullptr;
 }
 
+std::string FindCellProblem(vtkPointSet* input, const relevo::CurveMesh& mesh)
+{
+  const bool hasNone = input->GetNumberOfCells() > 0 && mesh.GetNumberOfCurves() == 0 &&
+    mesh.GetError().empty() && mesh.GetWarning().empty();
+  return hasNone ? "None of the input's cells is a curve." : mesh.GetError();
+}
+
 // Whether a problem is another than what has been said last; from now on it has been.
 bool IsNews(std::string& last, const std::string& problem)
 {
@@ -141,7 +148,7 @@ void vtkAdaptiveCurveMapper::UpdateBlocks()
     }
     if (block.Painter->SetCurves(curves))
     {
-      this->Say(block, vtkBlock::CELLS, block.Painter->GetMesh().GetError());
+      this->Say(block, vtkBlock::CELLS, FindCellProblem(curves, block.Painter->GetMesh()));
       if (IsNews(block.Warning, block.Painter->GetMesh().GetWarning()))
       {
         vtkWarningMacro(<< block.Prefix << block.Warning);
@@ -230,7 +237,8 @@ void vtkAdaptiveCurveMapper::Render(vtkRenderer* renderer, vtkActor* actor)
     this->GetInputAlgorithm()->Update();
   }
   this->InvokeEvent(vtkCommand::EndEvent, nullptr);
-  const std::string problem = this->Refinement ? "" : "There is no recipe: call SetRefinement().";
+  const std::string problem =
+    this->Refinement ? "" : "No recipe: call SetRefinement() with a vtkAdaptiveRefinement.";
   if (IsNews(data.Problem, problem))
   {
     vtkErrorMacro(<< problem);
@@ -263,7 +271,7 @@ void vtkAdaptiveCurveMapper::RenderBlocks(vtkRenderer* renderer, vtkActor* actor
   for (auto& entry : data.Blocks)
   {
     vtkBlock& block = entry.second;
-    if (!block.Painter)
+    if (!block.Painter || !block.Problems[vtkBlock::RADII].empty())
     {
       continue;
     }

@@ -85,10 +85,14 @@ void CurvePatterns::Append(int segments, int firstVertex)
         {
           add({ a, b });
         }
+        if (ring < segments && side < strips)
+        {
+          add({ a, b + this->Sides });
+        }
       }
       else if (ring < segments && side < strips)
       {
-        add({ a, b, a + this->Sides, a + this->Sides, b, b + this->Sides });
+        add({ a, b, b + this->Sides, a, b + this->Sides, a + this->Sides });
       }
     }
   }

@@ -33,7 +33,7 @@ public:
   enum Primitives
   {
     POINTS,
-    LINES, // of a ribbon or tube the edges of its triangles' pairs
+    LINES, // of a ribbon or tube the edges of its triangles
     TRIANGLES
   };
 

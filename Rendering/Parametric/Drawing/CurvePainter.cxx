@@ -6,6 +6,7 @@
 
 #include "Compute/RefinementComputeState.h"
 #include "Curves/CurveFrames.h"
+#include "Curves/CurveRadii.h"
 #include "Drawing/CurveScalars.h"
 #include "Evaluation/FaceCulling.h"
 #include "State/ActorView.h"
@@ -119,8 +120,8 @@ std::string CurvePainter::SetShape(const Shape& shape)
   this->Radii.assign(1, shape.Sides > 1 ? shape.Radius : 0.0);
   if (shape.Sides > 1 && !shape.RadiusArrayName.empty())
   {
-    vtkDataArray* radii = this->CurveInput->GetPointData()->GetArray(shape.RadiusArrayName.c_str());
-    if (radii && radii->GetNumberOfComponents() == 1)
+    if (vtkDataArray* radii =
+          FindCurveRadii(this->CurveInput, shape.RadiusArrayName, this->RadiusProblem))
     {
       this->Radii = this->Mesh.ComputeCoefficients(radii);
     }

@@ -53,7 +53,7 @@ public:
     double Radius = 0.0;
     std::string RadiusArrayName;
   };
-  /// After SetCurves(). What is wrong with the array of radii, or ""; the radius is taken then.
+  /// After SetCurves(). What is wrong with the array of radii, or ""; nothing is to be drawn then.
   std::string SetShape(const Shape& shape);
 
   /// Not initialized where there is nothing to draw.

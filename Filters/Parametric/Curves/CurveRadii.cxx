@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Curves/CurveRadii.h"
+
+#include "Core/PointArray.h"
+#include "vtkDataArray.h"
+#include "vtkPointSet.h"
+
+namespace relevo
+{
+vtkDataArray* FindCurveRadii(vtkPointSet* input, const std::string& name, std::string& error)
+{
+  std::string fault;
+  vtkDataArray* radii = FindPointArray(input, name, 1, fault);
+  for (vtkIdType i = 0; radii && i < input->GetNumberOfPoints(); ++i)
+  {
+    if (radii->GetComponent(i, 0) < 0.0)
+    {
+      fault = "point array \"" + name + "\" is below 0 at point " + std::to_string(i);
+      radii = nullptr;
+    }
+  }
+  if (!radii)
+  {
+    error = "No radii: " + fault + ".";
+  }
+  return radii;
+}
+}
