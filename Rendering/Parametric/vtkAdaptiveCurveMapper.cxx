@@ -137,8 +137,8 @@ void vtkAdaptiveCurveMapper::UpdateBlocks()
     if (!curves)
     {
       this->Say(block, vtkBlock::CELLS,
-        std::string("Is a ") + leaf.Data->GetClassName() +
-          "; curves are those of a vtkUnstructuredGrid or a vtkPolyData.");
+        std::string("A ") + leaf.Data->GetClassName() +
+          " has no curves: a vtkUnstructuredGrid or a vtkPolyData is needed.");
       block.Painter = nullptr;
       continue;
     }

@@ -64,7 +64,10 @@ void CurvePatterns::Append(int segments, int firstVertex)
   };
   // A tube's last side is next to its first one.
   const int strips = this->Sides > 2 ? this->Sides : this->Sides - 1;
-  for (int ring = 0; ring <= segments; ++ring)
+  // The middles of a tube's caps are nothing to be seen by themselves.
+  const int skipped = this->Sides > 2 && this->Shape != TRIANGLES ? 1 : 0;
+  const int last = segments - skipped;
+  for (int ring = skipped; ring <= last; ++ring)
   {
     const int first = ring * this->Sides;
     for (int side = 0; side < this->Sides; ++side)
@@ -77,7 +80,7 @@ void CurvePatterns::Append(int segments, int firstVertex)
       }
       else if (this->Shape == LINES)
       {
-        if (ring < segments)
+        if (ring < last)
         {
           add({ a, a + this->Sides });
         }
@@ -85,12 +88,12 @@ void CurvePatterns::Append(int segments, int firstVertex)
         {
           add({ a, b });
         }
-        if (ring < segments && side < strips)
+        if (ring < last && side < strips)
         {
           add({ a, b + this->Sides });
         }
       }
-      else if (ring < segments && side < strips)
+      else if (ring < last && side < strips)
       {
         add({ a, b, b + this->Sides, a, b + this->Sides, a + this->Sides });
       }

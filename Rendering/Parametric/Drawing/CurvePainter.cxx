@@ -195,9 +195,8 @@ std::string CurvePainter::Prepare(vtkRenderer* renderer, vtkActor* actor, const 
   this->Options.Sides = this->CurveShape.Sides;
   this->Options.Degree = this->Buffers.GetDegree();
   this->Options.IsRational = this->Buffers.IsRational();
-  this->Options.HasRadii = this->Buffers.HasRadii();
+  this->Options.HasRadii = this->CurveShape.Sides > 1 && this->Buffers.HasRadii();
   this->Options.Coloring = this->Colors.GetColoring();
-  this->Options.HasCells = isSelecting;
   this->ChooseMethod(actor, settings.IsTessellated);
   return "";
 }

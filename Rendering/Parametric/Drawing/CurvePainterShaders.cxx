@@ -10,6 +10,7 @@
 #include "State/ActorLook.h"
 #include "relevoTessellationVS.h"
 #include "vtkActor.h"
+#include "vtkHardwareSelector.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
@@ -30,6 +31,8 @@ void CurvePainter::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
 bool CurvePainter::GetNeedToRebuildShaders(
   vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
 {
+  this->Options.HasCells = this->LastSelectionState == vtkHardwareSelector::CELL_ID_LOW24 ||
+    this->LastSelectionState == vtkHardwareSelector::CELL_ID_HIGH24;
   const bool needed = this->Superclass::GetNeedToRebuildShaders(helper, renderer, actor);
   const bool changed = this->ShaderKey.Update(this->Options.GetKey());
   if (!needed && !changed)

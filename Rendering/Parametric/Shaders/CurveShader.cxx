@@ -39,7 +39,6 @@ std::string GetDefines(const CurveShaderOptions& options)
   {
     text << "#define RELEVO_DEGREE " << options.Degree << "\n";
   }
-  const bool hasRadii = options.HasRadii && options.Sides > 1;
   const bool hasScalars = HasValues(options) || options.Coloring == CurveColoring::POINTS;
   const auto define = [&text](bool condition, const char* name)
   {
@@ -50,9 +49,9 @@ std::string GetDefines(const CurveShaderOptions& options)
   };
   define(options.IsRational, "RELEVO_RATIONAL");
   define(options.Sides > 1, "RELEVO_FRAMES");
-  define(hasRadii, "RELEVO_RADII");
+  define(options.HasRadii, "RELEVO_RADII");
   define(hasScalars, "RELEVO_SCALARS");
-  define(hasRadii || hasScalars, "RELEVO_VALUES");
+  define(options.HasRadii || hasScalars, "RELEVO_VALUES");
   define(options.Coloring == CurveColoring::CELLS, "RELEVO_CELL_COLORS");
   define(options.Coloring == CurveColoring::POINTS, "RELEVO_POINT_COLORS");
   define(options.Coloring == CurveColoring::VALUES_OF_FRAGMENTS, "RELEVO_SCALARS_OF_FRAGMENTS");
@@ -147,6 +146,7 @@ void FinishCurveShaders(const CurveShaderOptions& options,
   vertex.Replace("in vec4 vertexMC;", "vec4 vertexMC;");
   const bool hasNormal = vertex.Has("in vec3 normalMC;");
   vertex.IfReplace("in vec3 normalMC;", "vec3 normalMC;");
+  vertex.IfReplace("gl_VertexID", "0"); // vertices are no points of the input
   vertex.InsertAtStart("  relevoDrawCurve();\n");
   vertex.InsertAtEnd("  if (relevoHidden) { gl_Position = vec4(0.0, 0.0, 2.0, 1.0); }\n");
   vertex.InsertBeforeMain(GetVertexFunctions(options, varyings, hasNormal));

@@ -33,7 +33,7 @@ struct CurveShaderOptions
   int Sides = 1;  // 1: lines, 2: ribbons, else tubes
   int Degree = 0; // of all curves; 0 where they differ
   bool IsRational = false;
-  bool HasRadii = false;
+  bool HasRadii = false; // not of lines
   bool IsTessellated = false;
   bool HasCells = false; // a selection asks for cells
   CurveColoring Coloring = CurveColoring::ACTOR;

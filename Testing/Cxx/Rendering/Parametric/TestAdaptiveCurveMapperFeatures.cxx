@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// A vtkAdaptiveCurveMapper is a mapper like any other: culling, bounds, clipping planes, blocks,
+// selections, coordinates far away, windows that come and go.
+#include "RelevoCurveScene.h"
+
+#include "vtkCell.h"
+#include "vtkHardwareSelector.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPlane.h"
+#include "vtkPoints.h"
+#include "vtkProperty.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
+
+#include <array>
+
+namespace
+{
+using Mapper = vtkAdaptiveCurveMapper;
+
+constexpr vtkIdType NumberOfCurves = 24;
+
+bool IsSame(const RelevoPicture& a, const RelevoPicture& b)
+{
+  return a.Colors == b.Colors && a.Depths == b.Depths;
+}
+
+void TestCulling(RelevoCheck& check)
+{
+  RelevoCurveScene scene(RelevoMakeCurves(3));
+  scene.Mapper->SetRadius(0.05);
+  scene.Draw();
+  CHECK(scene.Mapper->GetNumberOfCurves() == NumberOfCurves);
+  CHECK(scene.Mapper->GetNumberOfCulledCurves() == 0);
+  for (int representation : { Mapper::LINES, Mapper::RIBBONS, Mapper::TUBES })
+  {
+    scene.Mapper->SetRepresentation(representation);
+    for (double zoom : { 1.0, 3.0, 10.0 })
+    {
+      scene.GetCamera()->SetViewAngle(30.0 / zoom);
+      scene.Mapper->FrustumCullingOn();
+      const RelevoPicture culled = scene.Draw();
+      const vtkIdType hidden = scene.Mapper->GetNumberOfCulledCurves();
+      CHECK(scene.Mapper->GetNumberOfDrawnSegments() == NumberOfCurves * 16);
+      scene.Mapper->FrustumCullingOff();
+      CHECK(IsSame(scene.Draw(), culled));
+      CHECK(scene.Mapper->GetNumberOfCulledCurves() == 0);
+      CHECK(zoom == 1.0 ? hidden == 0 : hidden > (zoom == 3.0 ? 0 : 8));
+    }
+  }
+}
+
+// Nothing is evaluated, uploaded or written anew because the same is drawn again, and levels alone
+// because the recipe has changed.
+void TestChanges(RelevoCheck& check)
+{
+  const auto curves = RelevoMakeCurves(3);
+  RelevoCurveScene scene(curves);
+  scene.Draw();
+  const auto count = [&scene]()
+  {
+    scene.Draw();
+    return std::array<vtkIdType, 3>{ { scene.Mapper->GetNumberOfSelections(),
+      scene.Mapper->GetNumberOfBufferBuilds(), scene.Mapper->GetNumberOfShaderBuilds() } };
+  };
+  const auto first = count();
+  CHECK(first[0] == 1 && first[1] == 1 && first[2] == 1);
+  scene.GetCamera()->Azimuth(10.0);
+  CHECK(count() == first);
+  scene.Recipe->SetMaximumLevel(2);
+  const auto second = count();
+  CHECK(second[0] == 2 && second[1] == 1);
+  CHECK(scene.Mapper->GetNumberOfDrawnSegments() == NumberOfCurves * 4);
+  CHECK(scene.Mapper->GetNumberOfDrawCalls() == 1);
+  curves->GetPoints()->SetPoint(0, 0.0, 0.0, 3.0);
+  curves->GetPoints()->Modified();
+  CHECK(count()[1] == 2);
+  // 4 control points of 3 floats, and a number for each curve that is drawn.
+  const vtkTypeInt64 points = NumberOfCurves * 4 * 12;
+  CHECK(scene.Mapper->GetGraphicsMemorySize() >= points);
+  CHECK(scene.Mapper->GetGraphicsMemorySize() < points + NumberOfCurves * 4 + 8192);
+}
+
+void TestBounds(RelevoCheck& check)
+{
+  const auto curves = RelevoMakeCurves(3);
+  RelevoCurveScene scene(curves);
+  double hull[6];
+  curves->GetBounds(hull);
+  const double* bounds = scene.Mapper->GetBounds();
+  for (int i = 0; i < 6; ++i)
+  {
+    CHECK_NEAR(bounds[i], hull[i], 1e-12);
+  }
+  scene.Mapper->SetRepresentationToTubes();
+  scene.Mapper->SetRadius(0.25);
+  bounds = scene.Mapper->GetBounds();
+  for (int i = 0; i < 6; ++i)
+  {
+    CHECK_NEAR(bounds[i], hull[i] + (i % 2 ? 0.25 : -0.25), 1e-12);
+  }
+}
+
+void TestClipping(RelevoCheck& check, RelevoComparison& comparison)
+{
+  RelevoCurveScene scene(RelevoMakeCurves(3));
+  scene.Mapper->SetRadius(0.05);
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.0, 0.0, 0.7);
+  plane->SetNormal(0.1, 0.2, -1.0);
+  for (int representation : { Mapper::LINES, Mapper::TUBES })
+  {
+    scene.Mapper->SetRepresentation(representation);
+    scene.Actor->GetProperty()->SetLighting(representation != Mapper::LINES);
+    scene.Mapper->RemoveAllClippingPlanes();
+    const size_t whole = scene.Draw().CountForeground();
+    scene.Mapper->AddClippingPlane(plane);
+    const RelevoPicture clipped = scene.Draw();
+    CHECK(clipped.CountForeground() < 0.8 * whole);
+    CHECK(clipped.CountForeground() > 0.2 * whole);
+    comparison.Compare("clipped", { 2, 1e-6, 10 }, clipped, scene.DrawTwin());
+  }
+}
+
+// Large coordinates keep their digits.
+void TestFarAway(RelevoComparison& comparison)
+{
+  const auto near = RelevoMakeCurves(3);
+  const auto far = RelevoMakeCurves(3);
+  for (vtkIdType i = 0; i < far->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    far->GetPoint(i, x);
+    far->GetPoints()->SetPoint(i, x[0] + 4194304.0, x[1] - 8388608.0, x[2]);
+  }
+  RelevoCurveScene first(near);
+  RelevoCurveScene second(far);
+  for (RelevoCurveScene* scene : { &first, &second })
+  {
+    scene->Mapper->SetRadius(0.05);
+    scene->Mapper->SetRepresentationToTubes();
+    scene->Renderer->ResetCamera();
+  }
+  comparison.Compare("far away", { 3, 1e-4, 60 }, second.Draw(), first.Draw());
+}
+
+// Each pixel of a curve finds its cell: the one that the twin's pixel has.
+void TestSelection(RelevoCheck& check, bool isTessellated)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  const auto curves = RelevoMakeCurves(3);
+  blocks->SetBlock(1, curves);
+  RelevoCurveScene scene(blocks);
+  scene.Mapper->SetRadius(0.05);
+  scene.Mapper->SetMethod(isTessellated ? 1 : 0);
+  for (int representation : { Mapper::LINES, Mapper::RIBBONS, Mapper::TUBES })
+  {
+    scene.Mapper->SetRepresentation(representation);
+    scene.Draw();
+    vtkNew<vtkHardwareSelector> selector;
+    selector->SetRenderer(scene.Renderer);
+    const int* size = scene.Window->GetSize();
+    selector->SetArea(0, 0, size[0] - 1, size[1] - 1);
+    selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+    auto selection = vtk::TakeSmartPointer(selector->Select());
+    if (!CHECK(selection->GetNumberOfNodes() == 1))
+    {
+      return;
+    }
+    vtkSelectionNode* node = selection->GetNode(0);
+    CHECK(node->GetProperties()->Get(vtkSelectionNode::PROP()) == scene.Actor);
+    CHECK(node->GetProperties()->Get(vtkSelectionNode::COMPOSITE_INDEX()) == 2);
+    auto* ids = vtkIdTypeArray::SafeDownCast(node->GetSelectionList());
+    // All of them, but for those that others hide.
+    CHECK(ids->GetNumberOfValues() > NumberOfCurves - 6);
+    for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i)
+    {
+      CHECK(ids->GetValue(i) >= 0 && ids->GetValue(i) < NumberOfCurves);
+    }
+    // The middle of a curve that nothing is in front of.
+    double world[4] = { 0.0, 0.0, 0.0, 1.0 };
+    int found = 0;
+    for (vtkIdType cell = 0; cell < NumberOfCurves; ++cell)
+    {
+      double weights[4];
+      int part = 0;
+      const double middle[3] = { 0.5, 0.0, 0.0 };
+      curves->GetCell(cell)->EvaluateLocation(part, middle, world, weights);
+      scene.Renderer->SetWorldPoint(world);
+      scene.Renderer->WorldToDisplay();
+      const double* display = scene.Renderer->GetDisplayPoint();
+      selector->SetArea(static_cast<int>(display[0]) - 1, static_cast<int>(display[1]) - 1,
+        static_cast<int>(display[0]) + 1, static_cast<int>(display[1]) + 1);
+      auto here = vtk::TakeSmartPointer(selector->Select());
+      auto* list = here->GetNumberOfNodes() == 1
+        ? vtkIdTypeArray::SafeDownCast(here->GetNode(0)->GetSelectionList())
+        : nullptr;
+      found += list && list->LookupValue(cell) >= 0 ? 1 : 0;
+    }
+    CHECK(found > NumberOfCurves - 6);
+  }
+}
+
+// Blocks are drawn as they are by themselves.
+void TestBlocks(RelevoCheck& check)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, RelevoMakeCurves(3));
+  blocks->SetBlock(2, RelevoMakeCurves(4));
+  RelevoCurveScene both(blocks);
+  both.Draw();
+  CHECK(both.Mapper->GetNumberOfCurves() == 2 * NumberOfCurves);
+  CHECK(both.Mapper->GetNumberOfDrawnSegments() == 2 * NumberOfCurves * 16);
+  CHECK(both.Mapper->GetNumberOfDrawCalls() == 2);
+  const vtkIdType builds = both.Mapper->GetNumberOfBufferBuilds();
+  const RelevoPicture picture = both.Draw();
+  blocks->SetBlock(2, nullptr);
+  const RelevoPicture one = both.Draw();
+  CHECK(both.Mapper->GetNumberOfCurves() == NumberOfCurves);
+  CHECK(both.Mapper->GetNumberOfBufferBuilds() == builds);
+  CHECK(one.CountForeground() < picture.CountForeground());
+  RelevoCurveScene alone(RelevoMakeCurves(3));
+  alone.GetCamera()->DeepCopy(both.GetCamera());
+  CHECK(IsSame(alone.Draw(), one));
+}
+
+// A mapper that another window shows later, and one that was released, draw the same.
+void TestWindows(RelevoCheck& check)
+{
+  RelevoCurveScene scene(RelevoMakeCurves(3));
+  scene.Mapper->SetRadius(0.05);
+  for (int method : { Mapper::METHOD_INSTANCING, Mapper::METHOD_HARDWARE_TESSELLATION })
+  {
+    scene.Mapper->SetMethod(method);
+    scene.Mapper->SetRepresentationToTubes();
+    const RelevoPicture first = scene.Draw();
+    scene.Mapper->ReleaseGraphicsResources(scene.Window);
+    CHECK(IsSame(scene.Draw(), first));
+    {
+      RelevoCurveScene other(RelevoMakeCurves(3));
+      other.GetCamera()->DeepCopy(scene.GetCamera());
+      other.Renderer->RemoveActor(other.Actor);
+      other.Renderer->AddActor(scene.Actor);
+      other.Window->Render();
+      CHECK(IsSame(RelevoPicture(other.Window), first));
+    }
+    CHECK(IsSame(scene.Draw(), first));
+  }
+}
+}
+
+int TestAdaptiveCurveMapperFeatures(int argc, char* argv[])
+{
+  RelevoCheck check;
+  RelevoComparison comparison(check, argc, argv);
+  TestCulling(check);
+  TestChanges(check);
+  TestBounds(check);
+  TestClipping(check, comparison);
+  TestFarAway(comparison);
+  TestSelection(check, false);
+  TestSelection(check, true);
+  TestBlocks(check);
+  TestWindows(check);
+  return check.GetResult();
+}
