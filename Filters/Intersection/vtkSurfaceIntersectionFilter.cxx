@@ -5,6 +5,7 @@
 #include "Contact/CellContacts.h"
 #include "Core/LatestTime.h"
 #include "Core/SettingChecks.h"
+#include "Core/VTKCompatibility.h"
 #include "Curves/CurveOutputs.h"
 #include "Mesh/MovedSurface.h"
 #include "vtkInformation.h"
@@ -17,6 +18,17 @@
 #include <string>
 
 vtkStandardNewMacro(vtkSurfaceIntersectionFilter);
+
+namespace
+{
+void EmptyOutputs(vtkInformationVector* outputVector)
+{
+  for (int port = 0; port < 4; ++port)
+  {
+    vtkPolyData::GetData(outputVector, port)->Initialize();
+  }
+}
+}
 
 struct vtkSurfaceIntersectionFilter::Internals
 {
@@ -120,10 +132,7 @@ int vtkSurfaceIntersectionFilter::RequestData(
 {
   vtkPolyData* inputs[2] = { vtkPolyData::GetData(inputVector[0]),
     vtkPolyData::GetData(inputVector[1]) };
-  for (int port = 0; port < 4; ++port)
-  {
-    vtkPolyData::GetData(outputVector, port)->Initialize();
-  }
+  EmptyOutputs(outputVector);
   try
   {
     this->Surfaces->IsSelf = !inputs[1];
@@ -131,31 +140,43 @@ int vtkSurfaceIntersectionFilter::RequestData(
     {
       return 0;
     }
-    this->Intersect(inputs, outputVector);
+    if (!this->Intersect(inputs, outputVector))
+    {
+      EmptyOutputs(outputVector);
+    }
     return 1;
   }
   catch (const std::bad_alloc&)
   {
-    for (int port = 0; port < 4; ++port)
-    {
-      vtkPolyData::GetData(outputVector, port)->Initialize();
-    }
+    EmptyOutputs(outputVector);
     this->Surfaces = std::make_unique<Internals>();
     vtkErrorMacro("Not enough memory for the intersection of the inputs.");
     return 0;
   }
 }
 
-void vtkSurfaceIntersectionFilter::Intersect(
+bool vtkSurfaceIntersectionFilter::Report(double progress)
+{
+  this->UpdateProgress(progress);
+  return !relevo::IsAborted(this);
+}
+
+bool vtkSurfaceIntersectionFilter::Intersect(
   vtkPolyData* inputs[2], vtkInformationVector* outputVector)
 {
   const relevo::MovedSurface& first = this->Surfaces->Sides[0];
   const relevo::MovedSurface& second = this->Surfaces->GetSecond();
   const std::vector<relevo::MeetingPair> pairs = relevo::FindMeetingPairs(first, second);
-  this->UpdateProgress(0.5);
+  if (!this->Report(0.5))
+  {
+    return false;
+  }
   relevo::MakeCurves(first, second, pairs, this->JoinSegments,
     vtkPolyData::GetData(outputVector, 0), vtkPolyData::GetData(outputVector, 1));
-  this->UpdateProgress(0.7);
+  if (!this->Report(0.7))
+  {
+    return false;
+  }
   const bool isSelf = this->Surfaces->IsSelf;
   const bool classifies = this->Classify && !isSelf && first.HasFaces() && second.HasFaces();
   if (classifies)
@@ -183,8 +204,12 @@ void vtkSurfaceIntersectionFilter::Intersect(
     vtkPolyData* output = vtkPolyData::GetData(outputVector, 2 + side);
     output->ShallowCopy(inputs[side]);
     contacts.AddArrays(output);
-    this->UpdateProgress(0.85 + 0.15 * side);
+    if (!this->Report(side == 0 ? 0.85 : 1.0))
+    {
+      return false;
+    }
   }
+  return true;
 }
 
 void vtkSurfaceIntersectionFilter::PrintSelf(ostream& os, vtkIndent indent)

@@ -132,7 +132,8 @@ private:
   bool IsInput(int input);
   bool TakeInput(int side, vtkPolyData* input);
   void WarnOfOpenSurfaces();
-  void Intersect(vtkPolyData* inputs[2], vtkInformationVector* outputVector);
+  bool Report(double progress);
+  bool Intersect(vtkPolyData* inputs[2], vtkInformationVector* outputVector);
 
   vtkSmartPointer<vtkMatrix4x4> Matrices[2];
   bool JoinSegments = false;

@@ -6,6 +6,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkExecutive.h"
 #include "vtkMatrix4x4.h"
@@ -172,6 +173,24 @@ void TestFlatTriangles(RelevoCheck& check)
   CHECK(errors.Warned("Input 0 has 1 triangles without an area"));
 }
 
+// An abort leaves nothing, and is no error.
+void TestAbort(RelevoCheck& check)
+{
+  vtkNew<vtkSurfaceIntersectionFilter> filter;
+  filter->SetInputData(0, RelevoMakeBox(0, 1));
+  filter->SetInputData(1, RelevoMakeBox(0.5, 2));
+  RelevoErrors errors(filter);
+  const unsigned long tag = filter->AddObserver(
+    vtkCommand::ProgressEvent, filter.Get(), &vtkSurfaceIntersectionFilter::AbortExecuteOn);
+  filter->Update();
+  CHECK(errors.None() && IsEmpty(filter));
+  filter->RemoveObserver(tag);
+  filter->AbortExecuteOff();
+  filter->Modified();
+  filter->Update();
+  CHECK(errors.None() && !IsEmpty(filter));
+}
+
 // Exact as any others are.
 void TestLargeCoordinates(RelevoCheck& check)
 {
@@ -208,6 +227,7 @@ int TestSurfaceIntersectionErrors(int, char*[])
   TestMatrices(check);
   TestSettings(check);
   TestFlatTriangles(check);
+  TestAbort(check);
   TestLargeCoordinates(check);
   return check.GetResult();
 }
