@@ -9,8 +9,10 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataPipeline.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkInformation.h"
+#include "vtkLookupTable.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -212,6 +214,40 @@ double* vtkAdaptiveCurveMapper::GetBounds()
     box.GetBounds(this->Bounds);
   }
   return this->Bounds;
+}
+
+bool vtkAdaptiveCurveMapper::HasOpaqueGeometry()
+{
+  return !this->HasTranslucentPolygonalGeometry();
+}
+
+bool vtkAdaptiveCurveMapper::HasTranslucentPolygonalGeometry()
+{
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    return false;
+  }
+  if (!this->Static)
+  {
+    this->GetInputAlgorithm()->Update();
+  }
+  for (const Leaf& leaf : FindLeaves(this->GetInputDataObject(0, 0)))
+  {
+    int cellFlag = 0;
+    vtkPointSet* curves = GetCurves(leaf.Data);
+    vtkAbstractArray* scalars = curves && this->ScalarVisibility
+      ? this->GetAbstractScalars(
+          curves, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag)
+      : nullptr;
+    vtkDataArray* numbers = vtkDataArray::SafeDownCast(scalars);
+    vtkScalarsToColors* table = numbers ? numbers->GetLookupTable() : nullptr;
+    table = table ? table : this->GetLookupTable();
+    if (scalars && !table->IsOpaque(scalars, this->ColorMode, this->ArrayComponent))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 //------------------------------------------------------------------------------

@@ -180,6 +180,12 @@ public:
   void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
   //@}
 
+  //@{
+  /// Of a composite data set, all blocks are translucent where one is.
+  bool HasOpaqueGeometry() override;
+  bool HasTranslucentPolygonalGeometry() override;
+  //@}
+
   bool GetSupportsSelection() override { return true; }
   void ShallowCopy(vtkAbstractMapper* mapper) override;
   /// Includes the times of the recipe with all its parts.

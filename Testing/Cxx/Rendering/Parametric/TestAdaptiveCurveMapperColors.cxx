@@ -4,6 +4,7 @@
 #include "RelevoCurveScene.h"
 
 #include "vtkLookupTable.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkProperty.h"
 #include "vtkShortArray.h"
@@ -169,6 +170,14 @@ void TestOpacity(RelevoCheck& check, RelevoComparison& comparison)
   CHECK(scene.Mapper->HasTranslucentPolygonalGeometry());
   CHECK(!scene.Mapper->HasOpaqueGeometry());
   Compare(comparison, scene, "translucent table", { 3, 1e-6, 30 });
+  const RelevoPicture alone = scene.Draw();
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, RelevoMakeCurves(3));
+  scene.Mapper->SetInputDataObject(blocks);
+  CHECK(scene.Mapper->HasTranslucentPolygonalGeometry());
+  CHECK(scene.Draw().Colors == alone.Colors);
+  scene.Mapper->ScalarVisibilityOff();
+  CHECK(!scene.Mapper->HasTranslucentPolygonalGeometry());
 }
 }
 
