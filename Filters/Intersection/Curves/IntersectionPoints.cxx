@@ -48,14 +48,16 @@ IntersectionPoints::Part IntersectionPoints::GetPart(
   const MovedSurface::Triangle& corners = surface.GetCorners(triangle);
   if (IsCorner(part))
   {
-    return { 1, { corners[part], -1 } };
+    return { corners[part], -1, -1 };
   }
   if (IsEdge(part))
   {
     const auto ends = std::minmax(corners[part - 3], corners[(part - 2) % 3]);
-    return { 2, { ends.first, ends.second } };
+    return { ends.first, ends.second, -1 };
   }
-  return { 3, { triangle, -1 } };
+  Part sorted = corners;
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
 }
 
 IntersectionPoints::IntersectionPoints(
@@ -74,10 +76,10 @@ IntersectionPoints::IntersectionPoints(
       const auto& parts = pairs[p].Common.Points[i].Parts;
       const Part a = this->GetPart(first, pairs[p].Triangles[0], parts[0]);
       const Part b = this->GetPart(second, pairs[p].Triangles[1], parts[1]);
-      Key key{ a.Size, a.Ids[0], a.Ids[1], b.Size, b.Ids[0], b.Ids[1] };
+      Key key{ a[0], a[1], a[2], b[0], b[1], b[2] };
       if (isSelf)
       {
-        key = std::min(key, Key{ b.Size, b.Ids[0], b.Ids[1], a.Size, a.Ids[0], a.Ids[1] });
+        key = std::min(key, Key{ b[0], b[1], b[2], a[0], a[1], a[2] });
       }
       const auto found = known.emplace(key, this->GetNumberOfPoints());
       if (found.second)

@@ -4,8 +4,9 @@
  * @class   IntersectionPoints
  * @brief   the points where surfaces meet, each of them once
  *
- * A point is known by the parts of the surfaces that it is in: a place, an edge between places or a
- * triangle of each. Its coordinates are a quotient that is computed exactly and rounded once.
+ * A point is known by the parts of the surfaces that it is in: a place, an edge or a triangle of
+ * each, known by their places. So a triangle that is there twice counts once. Its coordinates are a
+ * quotient that is computed exactly and rounded once.
  *
  * Private to the module's own sources.
  */
@@ -44,12 +45,8 @@ private:
     std::size_t Pair;
     int Corner;
   };
-  // A place, an edge of two, or a triangle.
-  struct Part
-  {
-    int Size;
-    std::array<vtkIdType, 2> Ids;
-  };
+  // The places of a corner, an edge or a triangle, in order; -1 for those that are too many.
+  using Part = std::array<vtkIdType, 3>;
 
   Part GetPart(const MovedSurface& surface, vtkIdType triangle, TrianglePart part) const;
 

@@ -4,6 +4,7 @@
 #include "RelevoCheck.h"
 #include "RelevoIntersections.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkNew.h"
@@ -113,6 +114,20 @@ void TestOverlaps(RelevoCheck& check)
   CHECK_NEAR(RelevoMeasureArea(spheres.GetOverlaps()), RelevoMeasureArea(sphere), 1e-12);
 }
 
+// Triangles that are there twice meet others in the same segments.
+void TestTwice(RelevoCheck& check)
+{
+  auto box = RelevoMakeBox(-0.71, 0.73);
+  auto once = RelevoMakeSphere(9, { 0, 0, 0 }, 1.0);
+  auto twice = vtkSmartPointer<vtkPolyData>::New();
+  twice->DeepCopy(once);
+  twice->GetPolys()->Append(once->GetPolys());
+  Result expected(once, box);
+  Result found(twice, box);
+  CHECK(expected.GetCurves()->GetNumberOfLines() > 50);
+  CHECK(RelevoIsSameMesh(expected.GetCurves(), found.GetCurves()));
+}
+
 void TestItself(RelevoCheck& check)
 {
   // Two triangles on both sides of an edge, and on one; a box is fine.
@@ -138,6 +153,7 @@ int TestSurfaceIntersectionOverlaps(int, char*[])
   RelevoCheck check;
   TestTouching(check);
   TestOverlaps(check);
+  TestTwice(check);
   TestItself(check);
   return check.GetResult();
 }
