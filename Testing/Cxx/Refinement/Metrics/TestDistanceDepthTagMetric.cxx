@@ -174,7 +174,7 @@ void TestCentroids(RelevoCheck& check)
   }
   CHECK(SurvivesOddMeshes(metric));
   RelevoErrors errors(metric);
-  metric->SetMeasure(2);
+  metric->SetMeasure(3);
   CHECK(errors.Said("Measure") && metric->GetMeasure() == 1);
 }
 
