@@ -12,6 +12,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPatchErrorDepthTagMetric.h"
 #include "vtkPatchSurface.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
@@ -34,7 +35,12 @@ vtkAdaptivePatchMapper::vtkAdaptivePatchMapper()
 {
   vtkNew<vtkPatchSurface> surface;
   vtkNew<vtkAdaptiveRefinement> recipe;
+  vtkNew<vtkPatchErrorDepthTagMetric> metric;
   recipe->SetSurface(surface);
+  recipe->SetMetric(metric);
+  recipe->SetLevelRule(vtkAdaptiveRefinement::PER_EDGE);
+  recipe->SetSegmentPolicy(vtkAdaptiveRefinement::WHOLE_NUMBERS);
+  recipe->SetMaximumLevel(7);
   this->SetRefinement(recipe);
 }
 

@@ -11,10 +11,11 @@
  * are; with InterpolateScalarsBeforeMapping or without. This holds for all methods and
  * representations.
  *
- * The recipe is by default one of a vtkPatchSurface. With another surface, for scalars that the
- * input has no coefficients of ("PatchNodes:NAME" in its field data), for those of cells and of
- * fields, categories (vtkScalarsToColors::IndexedLookup), names and bits, colours are as of
- * vtkAdaptiveRefinementMapper, and there are no isolines. Where a patch has no data (NaN; of
+ * The recipe is by default one of a vtkPatchSurface, vtkPatchErrorDepthTagMetric (half a pixel),
+ * LevelRule PER_EDGE, SegmentPolicy WHOLE_NUMBERS and MaximumLevel 7. With another surface, for
+ * scalars that the input has no coefficients of ("PatchNodes:NAME" in its field data), for those of
+ * cells and of fields, categories (vtkScalarsToColors::IndexedLookup), names and bits, colours are
+ * as of vtkAdaptiveRefinementMapper, and there are no isolines. Where a patch has no data (NaN; of
  * vectors also NoDataMagnitude of the recipe) at one of its nodes, it has none anywhere. Blocks of
  * a composite data set are drawn likewise, each with its own coefficients; colours of blocks
  * replace those of scalars.

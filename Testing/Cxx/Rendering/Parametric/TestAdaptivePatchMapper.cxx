@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// At each pixel the colour of what VTK's own cell interpolates there: all kinds of cells, all
+// methods, each way from numbers to colours.
+#include "RelevoMethods.h"
+#include "RelevoPatchScene.h"
+
+#include "vtkAdaptiveRefinement.h"
+#include "vtkCellType.h"
+#include "vtkLookupTable.h"
+#include "vtkPointData.h"
+#include "vtkProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+namespace
+{
+constexpr double MostOthers = 1e-3;
+
+double GetFirst(const RelevoPatchScene::Tuple& tuple)
+{
+  return tuple[0];
+}
+
+double GetLength(const RelevoPatchScene::Tuple& tuple)
+{
+  double sum = 0.0;
+  for (double component : tuple)
+  {
+    sum += component * component;
+  }
+  return std::sqrt(sum);
+}
+
+// Many colours, none far from the next.
+void SetSmoothTable(RelevoPatchScene& scene, double low, double high)
+{
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(1024);
+  table->SetHueRange(0.0, 0.8);
+  table->SetTableRange(low, high);
+  table->Build();
+  scene.Mapper->SetLookupTable(table);
+  scene.Mapper->UseLookupTableScalarRangeOn();
+}
+
+void TestKinds(RelevoCheck& check)
+{
+  const struct
+  {
+    int Type;
+    std::array<int, 3> Degrees;
+    bool IsRational;
+  } kinds[] = { { VTK_LAGRANGE_QUADRILATERAL, { { 4, 4, 0 } }, false },
+    { VTK_LAGRANGE_QUADRILATERAL, { { 8, 3, 0 } }, false },
+    { VTK_BEZIER_QUADRILATERAL, { { 3, 2, 0 } }, true },
+    { VTK_LAGRANGE_TRIANGLE, { { 5, 5, 0 } }, false },
+    { VTK_BEZIER_TRIANGLE, { { 4, 4, 0 } }, true },
+    { VTK_QUADRATIC_TRIANGLE, { { 2, 2, 0 } }, false },
+    { VTK_QUADRATIC_QUAD, { { 2, 2, 0 } }, false },
+    { VTK_BIQUADRATIC_QUAD, { { 2, 2, 0 } }, false }, { VTK_QUAD, { { 1, 1, 0 } }, false } };
+  for (const auto& kind : kinds)
+  {
+    auto grid = RelevoNewFlatCell(kind.Type, kind.Degrees, 0.005, kind.IsRational);
+    RelevoPatchScene scene(grid);
+    SetSmoothTable(scene, -1.0, 1.0);
+    const double others = scene.GetShareOfOthers(grid, "Field", scene.ByTable(GetFirst));
+    if (others > MostOthers)
+    {
+      std::cerr << "type " << kind.Type << ": " << others << "\n";
+    }
+    CHECK(others <= MostOthers);
+  }
+}
+
+void TestMethods(RelevoCheck& check)
+{
+  auto grid = RelevoNewFlatCell(VTK_LAGRANGE_QUADRILATERAL, { { 4, 3, 0 } }, 0.02);
+  std::vector<int> methods = RelevoMethods::GetMethods();
+  if (RelevoMethods::HasTessellation())
+  {
+    methods.push_back(vtkAdaptiveRefinementMapper::METHOD_HARDWARE_TESSELLATION);
+  }
+  for (int method : methods)
+  {
+    for (bool byTexture : { false, true })
+    {
+      RelevoPatchScene scene(grid);
+      scene.Mapper->SetMethod(method);
+      scene.Mapper->SetInterpolateScalarsBeforeMapping(byTexture);
+      SetSmoothTable(scene, -1.0, 1.0);
+      const double others = scene.GetShareOfOthers(grid, "Field", scene.ByTable(GetFirst));
+      if (others > MostOthers)
+      {
+        std::cerr << RelevoMethods::GetName(method) << ": " << others << "\n";
+      }
+      CHECK(others <= MostOthers);
+      CHECK(scene.Mapper->GetMethodInUse() == method);
+      // What is interpolated is another.
+      scene.Mapper->ExactScalarsOff();
+      CHECK(scene.GetShareOfOthers(grid, "Field", scene.ByTable(GetFirst)) > 0.5);
+      scene.Mapper->ExactScalarsOn();
+      CHECK(scene.GetShareOfOthers(grid, "Field", scene.ByTable(GetFirst)) <= MostOthers);
+    }
+  }
+}
+
+void TestVectors(RelevoCheck& check)
+{
+  auto grid = RelevoNewFlatCell(VTK_BEZIER_QUADRILATERAL, { { 3, 3, 0 } }, 0.005, true);
+  for (const char* name : { "Vector", "Long" })
+  {
+    RelevoPatchScene scene(grid);
+    SetSmoothTable(scene, -1.0, 3.0);
+    scene.Mapper->SetScalarModeToUsePointFieldData();
+    scene.Mapper->SelectColorArray(name);
+    scene.Mapper->GetLookupTable()->SetVectorModeToMagnitude();
+    const double others = scene.GetShareOfOthers(grid, name, scene.ByTable(GetLength));
+    if (others > MostOthers)
+    {
+      std::cerr << name << ": " << others << "\n";
+    }
+    CHECK(others <= MostOthers);
+    scene.Mapper->GetLookupTable()->SetVectorModeToComponent();
+    scene.Mapper->GetLookupTable()->SetVectorComponent(2);
+    const auto second = [](const RelevoPatchScene::Tuple& tuple) { return tuple[2]; };
+    CHECK(scene.GetShareOfOthers(grid, name, scene.ByTable(second)) <= MostOthers);
+  }
+}
+
+void TestColors(RelevoCheck& check)
+{
+  auto grid = RelevoNewFlatCell(VTK_LAGRANGE_TRIANGLE, { { 4, 4, 0 } }, 0.02);
+  RelevoPatchScene scene(grid);
+  scene.Mapper->SetScalarModeToUsePointFieldData();
+  scene.Mapper->SelectColorArray("Color");
+  const auto asTheyAre = [](const RelevoPatchScene::Tuple& tuple) -> RelevoPatchScene::Color
+  {
+    const auto limit = [](double value) { return std::min(std::max(value, 0.0), 255.0); };
+    return { { limit(tuple[0]), limit(tuple[1]), limit(tuple[2]) } };
+  };
+  CHECK(scene.GetShareOfOthers(grid, "Color", asTheyAre) <= MostOthers);
+  // Colours of blocks, levels and actors are not replaced.
+  scene.Mapper->ScalarVisibilityOff();
+  scene.Actor->GetProperty()->SetColor(0.0, 1.0, 0.0);
+  const auto green = [](const RelevoPatchScene::Tuple&) -> RelevoPatchScene::Color {
+    return { { 0.0, 255.0, 0.0 } };
+  };
+  CHECK(scene.GetShareOfOthers(grid, "Color", green) == 0.0);
+  scene.Mapper->ScalarVisibilityOn();
+  scene.Mapper->SetBlockColor(0, 0.0, 1.0, 0.0);
+  CHECK(scene.GetShareOfOthers(grid, "Color", green) == 0.0);
+}
+
+void TestTables(RelevoCheck& check)
+{
+  auto grid = RelevoNewFlatCell(VTK_LAGRANGE_QUADRILATERAL, { { 4, 4, 0 } }, 0.02);
+  RelevoPatchScene scene(grid);
+  SetSmoothTable(scene, 0.5, 20.0);
+  scene.Mapper->SetScalarModeToUsePointFieldData();
+  scene.Mapper->SelectColorArray("Vector");
+  vtkLookupTable::SafeDownCast(scene.Mapper->GetLookupTable())->SetScaleToLog10();
+  scene.Mapper->GetLookupTable()->SetVectorModeToMagnitude();
+  CHECK(scene.GetShareOfOthers(grid, "Vector", scene.ByTable(GetLength)) <= MostOthers);
+  // Whole numbers stay whole.
+  SetSmoothTable(scene, 0.0, 20.0);
+  scene.Mapper->SelectColorArray("Whole");
+  const auto round = [](const RelevoPatchScene::Tuple& tuple) { return std::round(tuple[0]); };
+  CHECK(scene.GetShareOfOthers(grid, "Whole", scene.ByTable(round)) <= MostOthers);
+  // A patch with a node of no data has none.
+  grid->GetPointData()->GetArray("Field")->SetComponent(7, 0, std::nan(""));
+  grid->GetPointData()->GetArray("Field")->Modified();
+  scene.Mapper->SelectColorArray("Field");
+  vtkLookupTable::SafeDownCast(scene.Mapper->GetLookupTable())->SetNanColor(0.0, 0.0, 1.0, 1.0);
+  const auto blue = [](const RelevoPatchScene::Tuple&) -> RelevoPatchScene::Color {
+    return { { 0.0, 0.0, 255.0 } };
+  };
+  CHECK(scene.GetShareOfOthers(grid, "Field", blue) == 0.0);
+}
+}
+
+int TestAdaptivePatchMapper(int, char*[])
+{
+  RelevoCheck check;
+  TestKinds(check);
+  TestMethods(check);
+  TestVectors(check);
+  TestColors(check);
+  TestTables(check);
+  return check.GetResult();
+}

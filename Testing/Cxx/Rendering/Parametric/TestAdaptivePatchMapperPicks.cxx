@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Picks give the grid's cells and places in them: of grids, of patches, of blocks; from cells and
+// positions, too. What cannot be evaluated is told of once, and drawn as it was.
+#include "RelevoPatchScene.h"
+#include "RelevoPatches.h"
+
+#include "vtkAdaptiveRefinement.h"
+#include "vtkCellPicker.h"
+#include "vtkCellType.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// Pixels of a grid of 2 x 2 squares: each cell's r and s are x and y less its corner.
+void TestPicks(RelevoCheck& check, vtkDataObject* input)
+{
+  RelevoPatchScene scene(input, 2.0);
+  scene.Draw();
+  vtkNew<vtkCellPicker> picker;
+  picker->SetTolerance(0.0);
+  for (int y = 31; y < 270; y += 14)
+  {
+    for (int x = 31; x < 270; x += 14)
+    {
+      // VTK's pickers take a pixel's lower left corner.
+      picker->Pick(x + 0.5, y + 0.5, 0.0, scene.Renderer);
+      double pcoords[3] = { -1.0, -1.0, -1.0 };
+      const vtkIdType cell = scene.Mapper->GetPickedCell(picker, pcoords);
+      const double* place = picker->GetMapperPosition();
+      const vtkIdType expected =
+        static_cast<vtkIdType>(std::floor(place[0]) + 2.0 * std::floor(place[1]));
+      CHECK(cell == expected);
+      CHECK_NEAR(pcoords[0], place[0] - std::floor(place[0]), 1e-5);
+      CHECK_NEAR(pcoords[1], place[1] - std::floor(place[1]), 1e-5);
+      CHECK(pcoords[2] == 0.0);
+      double found[3];
+      CHECK(scene.Mapper->GetPickedCell(picker->GetCellId(), place, found,
+              vtkPolyData::SafeDownCast(picker->GetDataSet())) == expected);
+      CHECK_NEAR(found[0], pcoords[0], 1e-5);
+      CHECK_NEAR(found[1], pcoords[1], 1e-5);
+    }
+  }
+  picker->Pick(2.0, 2.0, 0.0, scene.Renderer);
+  double nothing[3] = { 7.0, 7.0, 7.0 };
+  CHECK(scene.Mapper->GetPickedCell(picker, nothing) == -1);
+  CHECK(scene.Mapper->GetPickedCell(nullptr, nothing) == -1);
+  CHECK(scene.Mapper->GetPickedCell(1000, nothing, nothing) == -1);
+  CHECK(nothing[0] == 7.0);
+}
+
+// Places of curved patches, which are found from positions alone.
+void TestCurved(RelevoCheck& check, int type, bool isRational)
+{
+  auto grid = RelevoNewCell(type, { { 3, 3, 0 } }, 0.05, isRational);
+  auto patches = RelevoMakePatches(grid);
+  vtkNew<vtkAdaptivePatchMapper> mapper;
+  mapper->SetInputDataObject(grid);
+  const bool isTriangle = RelevoIsTriangle(patches, 0);
+  for (double u = 0.0; u <= 1.0; u += 0.125)
+  {
+    for (double v = 0.0; v <= (isTriangle ? 1.0 - u : 1.0); v += 0.125)
+    {
+      const std::vector<double> place = RelevoEvaluatePatch(patches, 0, u, v);
+      double pcoords[3];
+      CHECK(mapper->GetPickedCell(0, place.data(), pcoords) == 0);
+      CHECK_NEAR(pcoords[0], u, 2e-5);
+      CHECK_NEAR(pcoords[1], v, 2e-5);
+    }
+  }
+}
+
+void TestErrors(RelevoCheck& check)
+{
+  auto grid = RelevoNewFlatCell(VTK_LAGRANGE_QUADRILATERAL, { { 4, 4, 0 } }, 0.0);
+  auto patches = RelevoMakePatches(grid);
+  RelevoPatchScene without(patches);
+  without.Mapper->ExactScalarsOff();
+  const RelevoPicture interpolated = without.Draw();
+
+  vtkNew<vtkPolyData> missing;
+  missing->ShallowCopy(patches);
+  missing->GetFieldData()->RemoveArray("PatchNodes:Field");
+  {
+    RelevoPatchScene scene(missing);
+    RelevoErrors errors(scene.Mapper);
+    scene.Mapper->SetIsolineSpacing(0.1);
+    CHECK(scene.Draw().Colors == interpolated.Colors);
+    CHECK(errors.None());
+  }
+  vtkNew<vtkDoubleArray> tooShort;
+  tooShort->SetName("PatchNodes:Field");
+  tooShort->SetNumberOfTuples(3);
+  tooShort->Fill(0.0);
+  missing->GetFieldData()->AddArray(tooShort);
+  {
+    RelevoPatchScene scene(missing);
+    RelevoErrors errors(scene.Mapper);
+    CHECK(scene.Draw().Colors == interpolated.Colors);
+    CHECK(errors.Said("the array PatchNodes:Field has 3 tuples of 1 components, not 25 of 1"));
+    scene.Draw();
+    CHECK(errors.None()); // said once
+    missing->GetFieldData()->AddArray(patches->GetFieldData()->GetArray("PatchNodes:Field"));
+    missing->Modified();
+    CHECK(scene.Draw().Colors != interpolated.Colors);
+    CHECK(errors.None());
+  }
+  // The filter's errors are the mapper's.
+  auto wrong = RelevoNewFlatGrid(1, 1);
+  wrong->GetPoints()->SetPoint(0, std::nan(""), 0.0, 0.0);
+  RelevoPatchScene scene(RelevoNewFlatGrid(1, 1));
+  RelevoErrors errors(scene.Mapper);
+  scene.Draw();
+  CHECK(errors.None());
+  scene.Mapper->SetInputData(wrong);
+  scene.Draw();
+  CHECK(errors.Said("Not all of the grid can be drawn"));
+}
+}
+
+int TestAdaptivePatchMapperPicks(int, char*[])
+{
+  RelevoCheck check;
+  auto grid = RelevoNewFlatGrid(2, 2);
+  TestPicks(check, grid);
+  auto patches = RelevoMakePatches(grid);
+  TestPicks(check, patches);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(1, patches);
+  TestPicks(check, blocks);
+  for (bool isRational : { false, true })
+  {
+    TestCurved(check, VTK_BEZIER_QUADRILATERAL, isRational);
+    TestCurved(check, VTK_BEZIER_TRIANGLE, isRational);
+  }
+  TestErrors(check);
+  return check.GetResult();
+}
