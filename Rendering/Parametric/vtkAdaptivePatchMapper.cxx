@@ -7,6 +7,7 @@
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDataArray.h"
+#include "vtkDepthTagMetric.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -38,7 +39,7 @@ vtkAdaptivePatchMapper::vtkAdaptivePatchMapper()
   vtkNew<vtkPatchErrorDepthTagMetric> metric;
   recipe->SetSurface(surface);
   recipe->SetMetric(metric);
-  recipe->SetLevelRule(vtkAdaptiveRefinement::PER_EDGE);
+  recipe->SetLevelRule(vtkDepthTagMetric::PER_EDGE);
   recipe->SetSegmentPolicy(vtkAdaptiveRefinement::WHOLE_NUMBERS);
   recipe->SetMaximumLevel(7);
   this->SetRefinement(recipe);

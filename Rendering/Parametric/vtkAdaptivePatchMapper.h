@@ -13,12 +13,12 @@
  *
  * The recipe is by default one of a vtkPatchSurface, vtkPatchErrorDepthTagMetric (half a pixel),
  * LevelRule PER_EDGE, SegmentPolicy WHOLE_NUMBERS and MaximumLevel 7. With another surface, for
- * scalars that the input has no coefficients of ("PatchNodes:NAME" in its field data), for those of
- * cells and of fields, categories (vtkScalarsToColors::IndexedLookup), names and bits, colours are
- * as of vtkAdaptiveRefinementMapper, and there are no isolines. Where a patch has no data (NaN; of
- * vectors also NoDataMagnitude of the recipe) at one of its nodes, it has none anywhere. Blocks of
- * a composite data set are drawn likewise, each with its own coefficients; colours of blocks
- * replace those of scalars.
+ * scalars that the input has no coefficients of ("PatchNodes:NAME" in its field data), for those
+ * of cells and of fields, categories (vtkScalarsToColors::IndexedLookup), names and bits, colours
+ * are as of vtkAdaptiveRefinementMapper, and there are no isolines. Where a patch has no data
+ * (NaN; of vectors also NoDataMagnitude of the recipe) at one of its nodes, it has none anywhere.
+ * Blocks of a composite data set are drawn likewise, each with its own coefficients; colours of
+ * blocks replace those of scalars.
  *
  * Errors, beside those of vtkAdaptiveRefinementMapper: coefficients of another size than the
  * control points have, or that do not fit on the graphics card. The surface is then drawn as

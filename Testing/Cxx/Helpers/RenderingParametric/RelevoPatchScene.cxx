@@ -100,7 +100,7 @@ vtkSmartPointer<vtkUnstructuredGrid> RelevoNewFlatCell(
     [](double r, double s, int c) { return std::cos(2.0 * r + s * (c + 1)) + 0.25 * c; });
   vtkNew<vtkDoubleArray> five;
   AddArray(
-    grid, five, "Long", 5, [](double r, double s, int c) { return std::cos(2.0 * r * c + s) - r; });
+    grid, five, "Long", 5, [](double r, double s, int c) { return std::cos(0.5 * r * c + s) - r; });
   vtkNew<vtkUnsignedCharArray> colors;
   AddArray(grid, colors, "Color", 3,
     [](double r, double s, int c) { return 128.0 + 100.0 * std::sin(4.0 * r * (c + 1) + s); });
