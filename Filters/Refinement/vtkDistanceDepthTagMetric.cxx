@@ -10,6 +10,7 @@
 #include "Mesh/PatchArrays.h"
 #include "Metrics/FunctionEvaluator.h"
 #include "Metrics/MetricFrame.h"
+#include "Metrics/TriangleTags.h"
 #include "relevoDistanceMetric.h"
 #include "relevoMetricView.h"
 #include "vtkCamera.h"
@@ -310,21 +311,7 @@ bool DistanceEvaluator::ComputeTags(
   {
     return false;
   }
-  const relevo::SurfaceTriangles& surface = *this->GetMesh().GetTriangles();
-  tags->SetNumberOfComponents(1);
-  tags->SetNumberOfTuples(surface.GetNumberOfPoints());
-  vtkSMPTools::For(0, surface.GetNumberOfPoints(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType point = begin; point < end; ++point)
-      {
-        float level = 0.0f;
-        surface.ForEachTriangleIndex(
-          surface.GetPlace(point), [&](vtkIdType t) { level = std::max(level, this->Levels[t]); });
-        tags->SetValue(point, level);
-      }
-    });
-  tags->Modified();
+  relevo::TagPointsByTriangles(*this->GetMesh().GetTriangles(), this->Levels.data(), tags);
   return true;
 }
 
@@ -339,21 +326,7 @@ bool DistanceEvaluator::ComputeEdgeTags(
   {
     return false;
   }
-  const relevo::SurfaceEdges& edges = *this->GetMesh().GetEdges();
-  relevo::TagEdges(edges, tags,
-    [&](int edge)
-    {
-      float level = 0.0f;
-      edges.ForEachSides(edge,
-        [&](int i)
-        {
-          for (int t : edges.GetSides()[i].Triangles)
-          {
-            level = t < 0 ? level : std::max(level, this->Levels[t]);
-          }
-        });
-      return level;
-    });
+  relevo::TagEdgesByTriangles(*this->GetMesh().GetEdges(), this->Levels.data(), tags);
   return true;
 }
 }

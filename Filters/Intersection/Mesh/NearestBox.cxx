@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesh/NearestBox.h"
+
+#include "Mesh/BoxTree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace relevo
+{
+namespace
+{
+constexpr double Beyond = 2.0;
+
+// Measured in `reach`, whose square may leave the range of doubles.
+double GetSquare(const Box& box, const double point[3], double reach)
+{
+  double square = 0.0;
+  for (int c = 0; c < 3; ++c)
+  {
+    const double gap = std::max({ box.Low[c] - point[c], point[c] - box.High[c], 0.0 });
+    if (gap > 0.0)
+    {
+      square += (gap / reach) * (gap / reach);
+    }
+  }
+  return square;
+}
+}
+
+double GetBoxDistance(const BoxTree& tree, const double point[3], double reach)
+{
+  const std::vector<BoxTree::Node>& nodes = tree.GetNodes();
+  if (nodes.empty() || !std::isfinite(point[0]) || !std::isfinite(point[1]) ||
+    !std::isfinite(point[2]))
+  {
+    return Beyond;
+  }
+  double nearest = Beyond * Beyond;
+  // Halves are equal, so that a tree of all boxes in memory is not as deep as that.
+  vtkIdType stack[128];
+  int size = 0;
+  stack[size++] = 0;
+  while (size > 0)
+  {
+    const vtkIdType n = stack[--size];
+    const BoxTree::Node& node = nodes[n];
+    const double square = GetSquare(node.Bounds, point, reach);
+    if (!(square <= 1.0) || square >= nearest)
+    {
+      continue;
+    }
+    for (vtkIdType i = node.First; i < node.First + node.Count; ++i)
+    {
+      nearest = std::min(nearest, GetSquare(tree.GetBox(i), point, reach));
+    }
+    if (node.Count == 0)
+    {
+      stack[size++] = node.First;
+      stack[size++] = n + 1;
+    }
+  }
+  return nearest <= 1.0 ? std::sqrt(nearest) : Beyond;
+}
+}
