@@ -52,6 +52,7 @@ LAYERS = {
     "Rendering/Offscreen": [],
     "Rendering/Volume": [("View", []), ("Buffers", []), ("Shaders", [])],
     "Rendering/Parametric": [("View", []), ("Shaders", []), ("Buffers", []), ("Drawing", [])],
+    "Rendering/Intersection": [("Scene", [])],
     "Rendering/Relief": [("View", []), ("Buffers", []), ("Shaders", []), ("Drawing", []),
                          ("Capture", [])],
     "Examples/Viewer": [("Text", []), ("Files", []), ("Options", []), ("Scene", []), ("Window", [])],

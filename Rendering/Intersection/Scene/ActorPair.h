@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   ActorPair
+ * @brief   where the surfaces of two actors meet, computed anew when one has moved
+ */
+#ifndef ActorPair_h
+#define ActorPair_h
+
+#include "Core/Dependencies.h"            // for members
+#include "vtkNew.h"                       // for members
+#include "vtkPolyData.h"                  // for members
+#include "vtkSmartPointer.h"              // for members
+#include "vtkSurfaceIntersectionFilter.h" // for members
+
+#include <string> // for members
+
+namespace relevo
+{
+class SceneActor;
+
+class ActorPair
+{
+public:
+  ActorPair();
+
+  /// Look at actors that have surfaces; whether they were intersected.
+  bool Update(const SceneActor& first, const SceneActor& second);
+
+  /// Another object whenever they were intersected; nullptr where they do not touch.
+  const vtkSmartPointer<vtkPolyData>& GetCurves() const { return this->Curves; }
+  /// Of the last intersection.
+  const std::string& GetErrors() const { return this->Errors; }
+  /// Of the last intersection, when they are others than before.
+  const std::string& GetNewWarnings() const { return this->NewWarnings; }
+
+private:
+  vtkNew<vtkSurfaceIntersectionFilter> Filter;
+  Dependencies Inputs;
+  vtkSmartPointer<vtkPolyData> Curves;
+  std::string Errors;
+  std::string Warnings;
+  std::string NewWarnings;
+  std::string Ignored;
+};
+}
+
+#endif

@@ -1,0 +1,288 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkContactScene: pairs of moving actors, the boxes of their metrics, and curves as the filter's.
+#include "RelevoCheck.h"
+#include "RelevoIntersections.h"
+
+#include "vtkActor.h"
+#include "vtkAdaptiveRefinement.h"
+#include "vtkAdaptiveRefinementMapper.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkCompositeDepthTagMetric.h"
+#include "vtkContactScene.h"
+#include "vtkCurvatureDepthTagMetric.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkIntArray.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProximityDepthTagMetric.h"
+#include "vtkSurfaceIntersectionFilter.h"
+
+#include <cmath>
+#include <string>
+
+namespace
+{
+// Refined by a recipe without a metric.
+struct RefinedActor
+{
+  explicit RefinedActor(vtkPolyData* mesh)
+  {
+    this->Mapper->SetInputData(mesh);
+    this->Mapper->SetRefinement(this->Recipe);
+    this->Actor->SetMapper(this->Mapper);
+  }
+  vtkProximityDepthTagMetric* GetMetric()
+  {
+    return vtkProximityDepthTagMetric::SafeDownCast(this->Recipe->GetMetric());
+  }
+  int GetNumberOfBoxes() { return this->GetMetric()->GetNumberOfBoxes(); }
+
+  vtkNew<vtkAdaptiveRefinement> Recipe;
+  vtkNew<vtkAdaptiveRefinementMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+};
+
+bool IsBox(vtkProximityDepthTagMetric* metric, int index, const std::array<double, 6>& expected)
+{
+  double box[6] = { 0, 0, 0, 0, 0, 0 };
+  metric->GetBox(index, box);
+  bool isSame = true;
+  for (int i = 0; i < 6; ++i)
+  {
+    isSame = isSame && std::abs(box[i] - expected[i]) < 1e-12;
+  }
+  return isSame;
+}
+
+// Whether a block is what the filter makes of two actors as they are.
+bool IsOfFilter(vtkContactScene* scene, unsigned int block, int first, int second)
+{
+  vtkMultiBlockDataSet* contacts = scene->GetContacts();
+  vtkPolyData* curves = vtkPolyData::SafeDownCast(contacts->GetBlock(block));
+  vtkNew<vtkSurfaceIntersectionFilter> filter;
+  const int numbers[2] = { first, second };
+  for (int i = 0; i < 2; ++i)
+  {
+    vtkActor* actor = scene->GetActor(numbers[i]);
+    actor->ComputeMatrix();
+    filter->SetMatrix(i, actor->GetMatrix());
+    filter->SetInputDataObject(i, actor->GetMapper()->GetInputDataObject(0, 0));
+  }
+  filter->Update();
+  vtkDataArray* told = curves ? curves->GetFieldData()->GetArray("Actors") : nullptr;
+  const std::string name = "Actors " + std::to_string(first) + " and " + std::to_string(second);
+  return curves && curves->GetNumberOfCells() > 0 &&
+    RelevoIsSameMesh(curves, filter->GetOutput()) && told && told->GetNumberOfValues() == 2 &&
+    told->GetTuple1(0) == first && told->GetTuple1(1) == second &&
+    name == contacts->GetMetaData(block)->Get(vtkCompositeDataSet::NAME());
+}
+
+void TestMotion(RelevoCheck& check)
+{
+  RefinedActor first(RelevoMakeBox(0, 1));
+  RefinedActor second(RelevoMakeSphere(12, { { 0, 0, 0 } }, 0.5));
+  RefinedActor third(RelevoMakeBox(10, 11));
+  vtkNew<vtkContactScene> scene;
+  scene->SetDistance(0.25);
+  for (RefinedActor* actor : { &first, &second, &third })
+  {
+    scene->AddActor(actor->Actor);
+  }
+  RelevoErrors errors(scene);
+  scene->Update();
+  vtkMultiBlockDataSet* contacts = scene->GetContacts();
+  CHECK(scene->GetNumberOfActors() == 3 && scene->GetActor(2) == third.Actor);
+  CHECK(scene->GetNumberOfCandidates() == 1 && scene->GetNumberOfIntersections() == 1);
+  CHECK(contacts->GetNumberOfBlocks() == 1 && IsOfFilter(scene, 0, 0, 1));
+  CHECK(first.GetMetric() != second.GetMetric() && first.GetMetric()->GetDistance() == 0.25);
+  const double reach = second.Actor->GetBounds()[1];
+  CHECK(first.GetNumberOfBoxes() == 1 && second.GetNumberOfBoxes() == 1);
+  CHECK(third.GetNumberOfBoxes() == 0);
+  for (RefinedActor* actor : { &first, &second })
+  {
+    const double* b = second.Actor->GetBounds();
+    CHECK(IsBox(actor->GetMetric(), 0, { { 0, reach, 0, b[3], 0, b[5] } }));
+  }
+  // Nothing without motion.
+  vtkMTimeType times[3] = { contacts->GetMTime(), first.GetMetric()->GetMTime(),
+    second.Recipe->GetMTime() };
+  scene->Update();
+  CHECK(scene->GetNumberOfCandidates() == 1 && scene->GetNumberOfIntersections() == 0);
+  CHECK(contacts->GetMTime() == times[0] && first.GetMetric()->GetMTime() == times[1]);
+  CHECK(second.Recipe->GetMTime() == times[2]);
+  // Into the third, which the first does not meet; what has not moved stays.
+  third.Actor->SetPosition(-9.75, -9.75, -10.5);
+  scene->Update();
+  CHECK(scene->GetNumberOfCandidates() == 3 && scene->GetNumberOfIntersections() == 2);
+  CHECK(contacts->GetNumberOfBlocks() == 3 && first.GetNumberOfBoxes() == 2);
+  CHECK(IsOfFilter(scene, 0, 0, 1) && IsOfFilter(scene, 1, 0, 2) && IsOfFilter(scene, 2, 1, 2));
+  // All kinds of motion.
+  second.Actor->RotateWXYZ(33, 1, 2, 3);
+  second.Actor->SetScale(1.1, 0.9, 1.0);
+  vtkNew<vtkMatrix4x4> user;
+  user->SetElement(0, 3, 0.125);
+  second.Actor->SetUserMatrix(user);
+  scene->Update();
+  CHECK(scene->GetNumberOfIntersections() == 2 && IsOfFilter(scene, 0, 0, 1));
+  user->SetElement(0, 3, 100.0);
+  scene->Update();
+  CHECK(scene->GetNumberOfCandidates() == 1 && scene->GetNumberOfIntersections() == 0);
+  CHECK(contacts->GetNumberOfBlocks() == 1 && IsOfFilter(scene, 0, 0, 2));
+  CHECK(second.GetNumberOfBoxes() == 0);
+  scene->SetDistance(0.5);
+  scene->Update();
+  CHECK(first.GetMetric()->GetDistance() == 0.5 && errors.None());
+}
+
+// Boxes that meet where surfaces do not; the same pair when it touches.
+void TestCandidatesAlone(RelevoCheck& check)
+{
+  RefinedActor first(RelevoMakeSphere(10, { { 0, 0, 0 } }, 1.0));
+  RefinedActor second(RelevoMakeSphere(10, { { 0, 0, 0 } }, 1.0));
+  second.Actor->SetPosition(1.5, 1.5, 1.5);
+  vtkNew<vtkContactScene> scene;
+  scene->AddActor(first.Actor);
+  scene->AddActor(second.Actor);
+  scene->Update();
+  CHECK(scene->GetNumberOfCandidates() == 1 && scene->GetNumberOfIntersections() == 1);
+  CHECK(scene->GetContacts()->GetNumberOfBlocks() == 0 && first.GetNumberOfBoxes() == 1);
+  scene->ExactContactsOff();
+  second.Actor->SetPosition(0.5, 0.5, 0.5);
+  scene->Update();
+  CHECK(scene->GetNumberOfIntersections() == 0 && scene->GetNumberOfCandidates() == 1);
+  CHECK(scene->GetContacts()->GetNumberOfBlocks() == 0);
+  scene->ExactContactsOn();
+  scene->Update();
+  CHECK(scene->GetNumberOfIntersections() == 1 && IsOfFilter(scene, 0, 0, 1));
+  // Another input.
+  auto box = RelevoMakeBox(0, 1);
+  second.Mapper->SetInputData(box);
+  scene->Update();
+  CHECK(scene->GetNumberOfIntersections() == 1 && IsOfFilter(scene, 0, 0, 1));
+  box->GetPoints()->SetPoint(0, -0.25, 0, 0);
+  box->GetPoints()->Modified();
+  scene->Update();
+  CHECK(scene->GetNumberOfIntersections() == 1 && IsOfFilter(scene, 0, 0, 1));
+}
+
+// What rests on another touches it.
+void TestTouching(RelevoCheck& check)
+{
+  RefinedActor first(RelevoMakeBox(0, 1));
+  RefinedActor second(RelevoMakeBox(0, 1));
+  second.Actor->SetPosition(0.25, 0.25, 1.0);
+  vtkNew<vtkContactScene> scene;
+  scene->AddActor(first.Actor);
+  scene->AddActor(second.Actor);
+  scene->Update();
+  CHECK(IsOfFilter(scene, 0, 0, 1));
+  second.Actor->SetPosition(0.25, 0.25, 1.0001);
+  scene->Update();
+  CHECK(scene->GetNumberOfCandidates() == 0 && scene->GetContacts()->GetNumberOfBlocks() == 0);
+}
+
+// Metrics of one's own, shared recipes, other mappers, and actors that leave.
+void TestMetrics(RelevoCheck& check)
+{
+  RefinedActor first(RelevoMakeBox(0, 1));
+  vtkNew<vtkProximityDepthTagMetric> own;
+  vtkNew<vtkCompositeDepthTagMetric> composite;
+  vtkNew<vtkCurvatureDepthTagMetric> curvature;
+  composite->AddMetric(curvature);
+  composite->AddMetric(own);
+  own->SetDistance(3.0);
+  first.Recipe->SetMetric(composite);
+  RefinedActor second(RelevoMakeBox(0.25, 2));
+  second.Recipe->SetMetric(curvature);
+  RefinedActor third(RelevoMakeBox(0.5, 3));
+  third.Mapper->SetRefinement(first.Recipe);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(RelevoMakeBox(0.75, 4));
+  vtkNew<vtkActor> plain;
+  plain->SetMapper(mapper);
+  vtkNew<vtkActor> empty;
+  vtkNew<vtkContactScene> scene;
+  for (vtkActor* actor :
+    { first.Actor.Get(), second.Actor.Get(), third.Actor.Get(), plain.Get(), empty.Get() })
+  {
+    scene->AddActor(actor);
+  }
+  RelevoErrors errors(scene);
+  scene->Update();
+  CHECK(scene->GetNumberOfCandidates() == 6 && scene->GetContacts()->GetNumberOfBlocks() == 6);
+  CHECK(first.Recipe->GetMetric() == composite && second.Recipe->GetMetric() == curvature);
+  // All pairs but that of the second and the plain one; that of the first and the third once.
+  CHECK(own->GetNumberOfBoxes() == 5 && own->GetDistance() == 3.0);
+  scene->RemoveActor(plain);
+  scene->Update();
+  CHECK(scene->GetNumberOfActors() == 4 && own->GetNumberOfBoxes() == 3);
+  CHECK(scene->GetNumberOfIntersections() == 0 && scene->GetContacts()->GetNumberOfBlocks() == 3);
+  // Numbers follow.
+  scene->RemoveActor(second.Actor);
+  scene->Update();
+  CHECK(scene->GetContacts()->GetNumberOfBlocks() == 1 && IsOfFilter(scene, 0, 0, 1));
+  scene->RemoveAllActors();
+  scene->Update();
+  CHECK(scene->GetNumberOfActors() == 0 && own->GetNumberOfBoxes() == 0);
+  CHECK(scene->GetContacts()->GetNumberOfBlocks() == 0 && errors.None());
+}
+
+void TestErrors(RelevoCheck& check)
+{
+  RefinedActor first(RelevoMakeBox(0, 1));
+  RefinedActor second(RelevoMakeBox(0.5, 2));
+  vtkNew<vtkContactScene> scene;
+  RelevoErrors errors(scene);
+  scene->AddActor(nullptr);
+  CHECK(errors.Said("There is no actor to add."));
+  scene->AddActor(first.Actor);
+  scene->AddActor(first.Actor);
+  CHECK(errors.Said("The actor is in the scene already."));
+  scene->RemoveActor(second.Actor);
+  scene->SetDistance(-1.0);
+  CHECK(errors.Said("Distance must be at least 0 and finite, got -1."));
+  CHECK(!scene->GetActor(1) && !scene->GetActor(-1) && scene->GetNumberOfActors() == 1);
+  scene->AddActor(second.Actor);
+  vtkNew<vtkMatrix4x4> matrix;
+  matrix->SetElement(0, 0, 0.0);
+  matrix->SetElement(0, 3, 0.75);
+  second.Actor->SetUserMatrix(matrix);
+  scene->Update();
+  CHECK(errors.Said("Actors 0 and 1 cannot be intersected: "));
+  CHECK(scene->GetContacts()->GetNumberOfBlocks() == 0 && scene->GetNumberOfCandidates() == 1);
+  // Once.
+  scene->Update();
+  CHECK(errors.None());
+  matrix->SetElement(0, 0, std::nan(""));
+  scene->Update();
+  CHECK(errors.None() && scene->GetNumberOfCandidates() == 0);
+  matrix->Identity();
+  scene->Update();
+  CHECK(errors.None() && IsOfFilter(scene, 0, 0, 1));
+  // A warning, once for all motions.
+  auto flat = RelevoMakePolygons(
+    { { { 0, 0, 0 } }, { { 1, 1, 1 } }, { { 0, 1, 0.5 } } }, { { 0, 1, 2 }, { 0, 1, 1 } });
+  second.Mapper->SetInputData(flat);
+  scene->Update();
+  CHECK(errors.Warned("Actors 0 and 1"));
+  second.Actor->SetPosition(0.1, 0, 0);
+  scene->Update();
+  CHECK(errors.None() && scene->GetNumberOfIntersections() == 1);
+}
+}
+
+int TestContactScene(int, char*[])
+{
+  RelevoCheck check;
+  TestMotion(check);
+  TestCandidatesAlone(check);
+  TestTouching(check);
+  TestMetrics(check);
+  TestErrors(check);
+  return check.GetResult();
+}
