@@ -274,6 +274,19 @@ void RefinedPolyDataBuilder::GetPointsToBuild(int face, std::vector<RefinedPoint
   }
 }
 
+// Also on an edge of patches that is one point.
+bool RefinedPolyDataBuilder::IsAtCorner(
+  const int corners[3], const RefinedPoint& point, int nearest) const
+{
+  float weight = 0.0f;
+  for (int i = 0; i < 3; ++i)
+  {
+    const bool isThere = this->Mesh.GetPlace(corners[i]) == this->Mesh.GetPlace(corners[nearest]);
+    weight += isThere ? point.Weights[i] : 0.0f;
+  }
+  return weight == 1.0f;
+}
+
 void RefinedPolyDataBuilder::BuildFacePoints(int face, std::vector<RefinedPoint>& points,
   const PointDataInterpolation& data, const SurfaceFields& fields)
 {
@@ -289,7 +302,7 @@ void RefinedPolyDataBuilder::BuildFacePoints(int face, std::vector<RefinedPoint>
     this->Evaluator.Evaluate(face, point.Weights, position, normal);
     double place[3];
     const int nearest = point.GetNearestCorner();
-    if (!moved && point.Weights[nearest] == 1.0f)
+    if (!moved && this->IsAtCorner(corners, point, nearest))
     {
       // Surfaces pass through the coarse points: keep all their digits. Adding zero makes -0 a
       // plain 0, as in evaluated points.

@@ -70,6 +70,7 @@ private:
     const PointDataInterpolation& data, const SurfaceFields& fields);
   /// The points that this face is to evaluate, under their ids in the output.
   void GetPointsToBuild(int face, std::vector<RefinedPoint>& points) const;
+  bool IsAtCorner(const int corners[3], const RefinedPoint& point, int nearest) const;
   void BuildOtherPoints(const PointDataInterpolation& data);
   void BuildCells(vtkPolyData* output);
   void BuildCellData(vtkPolyData* output);

@@ -50,6 +50,7 @@ bool RefinementMesh::Build(vtkPolyData* input, vtkRefinementSurface* surface,
   this->Places = ComputePlaces(input->GetPoints());
   this->BuildPoints(input, whole);
   this->BuildFaces(input);
+  this->DropLoneFaces();
 
   if (!this->CheckRange(
         input, !displacement && (!surface || vtkLinearSurface::SafeDownCast(surface))))

@@ -141,6 +141,9 @@ public:
 private:
   bool CheckCells(vtkPolyData* input);
   void BuildFaces(vtkPolyData* input);
+  /// Drop triangles with two corners at one place whose sides no other triangle has: metrics know
+  /// nothing of them.
+  void DropLoneFaces();
   void RemoveGhosts(vtkPolyData* input);
   /// Whether floats have room for the faces; `isFlat` tells that corners are all that is computed.
   bool CheckRange(vtkPolyData* input, bool isFlat);

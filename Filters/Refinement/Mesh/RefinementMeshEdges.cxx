@@ -6,6 +6,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace relevo
@@ -44,6 +45,42 @@ std::vector<int> sortByKey(size_t n, int limit, const GetKey& getKey)
     });
   return sorted;
 }
+}
+
+void RefinementMesh::DropLoneFaces()
+{
+  const auto getPlaces = [this](const RefinementFace& face) -> std::array<int, 3>
+  {
+    return { this->GetPlace(face.Corners[0]), this->GetPlace(face.Corners[1]),
+      this->GetPlace(face.Corners[2]) };
+  };
+  // Sorted: those at one place follow one another.
+  const auto isCollapsed = [&](const RefinementFace& face)
+  {
+    const std::array<int, 3> places = getPlaces(face);
+    return places[0] == places[1] || places[1] == places[2];
+  };
+  if (std::none_of(this->Faces.begin(), this->Faces.end(), isCollapsed))
+  {
+    return;
+  }
+  std::set<std::pair<int, int>> sides;
+  for (const RefinementFace& face : this->Faces)
+  {
+    const std::array<int, 3> places = getPlaces(face);
+    for (int e = 0; !isCollapsed(face) && e < 3; ++e)
+    {
+      sides.emplace(places[EdgeCorners[e][0]], places[EdgeCorners[e][1]]);
+    }
+  }
+  const auto isLone = [&](const RefinementFace& face)
+  {
+    const std::array<int, 3> places = getPlaces(face);
+    return isCollapsed(face) && sides.count({ places[0], places[2] }) == 0;
+  };
+  const auto kept = std::remove_if(this->Faces.begin(), this->Faces.end(), isLone);
+  this->NumberOfDroppedTriangles += this->Faces.end() - kept;
+  this->Faces.erase(kept, this->Faces.end());
 }
 
 void RefinementMesh::BuildPlaceEdges()
