@@ -68,6 +68,7 @@ class Figure:
         self.columns, self.rows = columns, rows
         self.position, self.up, self.zoom = position, up, zoom
         self.panels = 0
+        self.labels = []
         self.window = relevo.vtkEGLOffscreenRenderWindow()
         self.window.SetSize(columns * size[0], rows * size[1])
         self.window.SetMultiSamples(8)
@@ -96,6 +97,7 @@ class Figure:
         text.GetTextProperty().SetFontSize(15)
         text.SetPosition(9, 8)
         renderer.AddViewProp(text)
+        self.labels.append(text)
         self.window.AddRenderer(renderer)
         camera = renderer.GetActiveCamera()
         camera.SetPosition(position or self.position)

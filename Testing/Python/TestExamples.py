@@ -382,6 +382,42 @@ class TestExamples(unittest.TestCase):
             self.assertEqual(run.returncode, 1)
             self.assertIn("holes", run.stderr)
 
+    def test_patches_and_curves(self):
+        """Each figure is drawn of generated cells, and of real data is the one that is kept."""
+        figures = {
+            "teapot": ("patches.py", "mesh/teapot.bpt"),
+            "torus": ("patches.py", None),
+            "field": ("patches.py", None),
+            "can": ("patches.py", "volume/can.vtu"),
+            "hair": ("curves.py", "mesh/bunny.ply"),
+            "knot": ("curves.py", None),
+        }
+        folder_of_kept = SOURCE / "Examples/Python/patches"
+        self.assertEqual({path.stem for path in folder_of_kept.glob("*.png")}, set(figures))
+        with tempfile.TemporaryDirectory() as folder:
+            for name, (script, data) in figures.items():
+                self.assertIn(f"Examples/Python/patches/{name}.png", PAGES)
+                run = self.run_example(script, folder, name, "made.png")
+                self.assertEqual((run.returncode, run.stderr), (0, ""))
+                made = mean_of_blocks(read_picture(pathlib.Path(folder) / "made.png"))
+                self.assertGreater(len(set(made)), 0.1 * len(made), name)
+                if data and not VOLUME.is_dir():
+                    continue
+                files = [str(FLOW.parent / data)] if data else []
+                run = self.run_example(script, folder, name, "out.png", *files)
+                self.assertEqual(run.returncode, 0, run.stderr)
+                drawn = mean_of_blocks(read_picture(pathlib.Path(folder) / "out.png"))
+                kept = mean_of_blocks(read_picture(folder_of_kept / f"{name}.png"))
+                self.assertEqual(len(drawn), len(kept))
+                differences = [
+                    max(abs(a - b) for a, b in zip(*colours)) for colours in zip(drawn, kept)
+                ]
+                self.assertLess(max(differences), 12, name)
+            for script in ("patches.py", "curves.py"):
+                run = self.run_example(script, folder, "ball", "out.png")
+                self.assertEqual(run.returncode, 1)
+                self.assertIn("NAME one of", run.stderr)
+
     def test_flow_of_the_page(self):
         """What the page on flow has to paste draws streaks, and so does what comes from VTK's mapper."""
         page = (SOURCE / "Module/Documentation/flow.md").read_text()

@@ -11,7 +11,9 @@
 #include "Text/ViewerMessages.h"
 #include "Text/ViewerText.h"
 
+#include "vtkBezierPatchReader.h"
 #include "vtkCellArray.h"
+#include "vtkCellType.h"
 #include "vtkDataSet.h"
 #include "vtkGenericDataObjectReader.h"
 #include "vtkGeometryFilter.h"
@@ -22,9 +24,11 @@
 #include "vtkOFFReader.h"
 #endif
 #include "vtkPLYReader.h"
+#include "vtkPatchSurfaceFilter.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkSTLReader.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkVersion.h"
 #include "vtkXMLPUnstructuredGridReader.h"
 #include "vtkXMLPolyDataReader.h"
@@ -36,32 +40,47 @@
 
 namespace
 {
+using Data = vtkSmartPointer<vtkDataSet>;
 using Mesh = vtkSmartPointer<vtkPolyData>;
 
 template <typename Reader>
-Mesh Read(const std::string& fileName, ViewerMessages& messages)
-{
-  vtkNew<Reader> reader;
-  messages.Observe(reader, "reading");
-  reader->SetFileName(fileName.c_str());
-  reader->Update();
-  return reader->GetOutput();
-}
-
-// The surface of a data set that is not a surface itself.
-template <typename Reader>
-Mesh ReadSurface(const std::string& fileName, ViewerMessages& messages)
+Data Read(const std::string& fileName, ViewerMessages& messages)
 {
   vtkNew<Reader> reader;
   messages.Observe(reader, "reading");
   reader->SetFileName(fileName.c_str());
   reader->Update();
   messages.Check();
-  auto* data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
-  if (!data)
+  return vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
+}
+
+bool HasCurvedCells(vtkUnstructuredGrid* grid)
+{
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
-    throw ViewerError("cannot read " + fileName + ": it has no data set with points and cells");
+    const int type = grid->GetCellType(cell);
+    if ((type >= VTK_QUADRATIC_EDGE && type <= VTK_TRIQUADRATIC_PYRAMID) ||
+      type >= VTK_HIGHER_ORDER_EDGE)
+    {
+      return true;
+    }
   }
+  return false;
+}
+
+template <typename Filter>
+Mesh TakeSurface(vtkDataSet* data, ViewerMessages& messages)
+{
+  vtkNew<Filter> surface;
+  messages.Observe(surface, "taking the surface");
+  surface->SetInputData(data);
+  surface->Update();
+  return surface->GetOutput();
+}
+
+// The surface of a data set, which may be one itself.
+Mesh TakeSurface(vtkDataSet* data, MeshCells cells, ViewerMessages& messages)
+{
   if (auto* mesh = vtkPolyData::SafeDownCast(data))
   {
     return mesh;
@@ -70,17 +89,18 @@ Mesh ReadSurface(const std::string& fileName, ViewerMessages& messages)
   {
     CheckCorners(points);
   }
-  vtkNew<vtkGeometryFilter> surface;
-  messages.Observe(surface, "taking the surface");
-  surface->SetInputData(data);
-  surface->Update();
-  return surface->GetOutput();
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+  const bool hasPatches =
+    grid && (cells == MeshCells::Patches || (cells == MeshCells::Curved && HasCurvedCells(grid)));
+  return hasPatches ? TakeSurface<vtkPatchSurfaceFilter>(grid, messages)
+                    : TakeSurface<vtkGeometryFilter>(data, messages);
 }
 
-using Function = std::function<Mesh(const std::string&, ViewerMessages&)>;
+using Function = std::function<Data(const std::string&, ViewerMessages&)>;
 const std::map<std::string, Function>& GetReaders()
 {
   static const std::map<std::string, Function> readers = {
+    { ".bpt", Read<vtkBezierPatchReader> },
 #ifdef VIEWER_HAS_EXODUS
     { ".ex2", ReadExodus },
 #endif
@@ -91,21 +111,26 @@ const std::map<std::string, Function>& GetReaders()
     { ".off", Read<vtkOFFReader> },
 #endif
     { ".ply", Read<vtkPLYReader> },
-    { ".pvtu", ReadSurface<vtkXMLPUnstructuredGridReader> },
+    { ".pvtu", Read<vtkXMLPUnstructuredGridReader> },
     { ".stl", Read<vtkSTLReader> },
-    { ".vtk", ReadSurface<vtkGenericDataObjectReader> },
+    { ".vtk", Read<vtkGenericDataObjectReader> },
     { ".vtp", Read<vtkXMLPolyDataReader> },
-    { ".vtu", ReadSurface<vtkXMLUnstructuredGridReader> },
+    { ".vtu", Read<vtkXMLUnstructuredGridReader> },
   };
   return readers;
 }
 
-Mesh ReadFormat(const std::string& fileName, ViewerMessages& messages)
+Mesh ReadFormat(const std::string& fileName, MeshCells cells, ViewerMessages& messages)
 {
   const auto reader = GetReaders().find(GetExtension(fileName));
   if (reader != GetReaders().end())
   {
-    return reader->second(fileName, messages);
+    const Data data = reader->second(fileName, messages);
+    if (!data)
+    {
+      throw ViewerError("cannot read " + fileName + ": it has no data set with points and cells");
+    }
+    return TakeSurface(data, cells, messages);
   }
   throw ViewerError("VTK " + std::string(vtkVersion::GetVTKVersion()) + " cannot read " +
     GetExtension(fileName) + " files; meshes are read from " + GetMeshFormats());
@@ -150,13 +175,13 @@ std::string GetMeshFormats()
 }
 
 //------------------------------------------------------------------------------
-Mesh ReadMesh(const std::string& fileName, ViewerMessages& messages)
+Mesh ReadMesh(const std::string& fileName, MeshCells cells, ViewerMessages& messages)
 {
   CheckFile(fileName);
   Mesh mesh;
   try
   {
-    mesh = ReadFormat(fileName, messages);
+    mesh = ReadFormat(fileName, cells, messages);
     messages.Check();
     if (mesh)
     {

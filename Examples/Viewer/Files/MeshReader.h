@@ -19,11 +19,20 @@ bool IsMeshFile(const std::string& fileName);
 /// What can be read, as ".ply, .stl or .vtp files".
 std::string GetMeshFormats();
 
+/// What is made of an unstructured grid.
+enum class MeshCells
+{
+  Flat,   // its outer surface in flat polygons
+  Curved, // if some cells are curved, their patches; else flat polygons
+  Patches // patches, whatever its cells
+};
+
 /**
- * The polygons and strips of a file; of another data set than polygonal ones in a .vtk, .vtu,
+ * The polygons and strips of a file; of another data set than polygonal ones in a .bpt, .vtk, .vtu,
  * .pvtu or .ex2 file its outer surface. Throws ViewerError where there are none, where a point is
  * not finite, or where a cell refers to a point that is not there.
  */
-vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& fileName, ViewerMessages& messages);
+vtkSmartPointer<vtkPolyData> ReadMesh(
+  const std::string& fileName, MeshCells cells, ViewerMessages& messages);
 
 #endif

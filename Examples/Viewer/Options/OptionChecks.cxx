@@ -37,6 +37,7 @@ public:
     this->CheckVolume();
     this->CheckRelief();
     this->CheckSurface();
+    this->CheckPatches();
     this->CheckFlow();
     this->CheckLevels();
     this->ReadPlaces();
@@ -126,6 +127,24 @@ private:
     this->RequirePartner({ "--alpha" }, options.GetSurface() == Surface::Phong, "--surface phong");
     this->RequirePartner({ "--amplitude", "--frequency" },
       options.GetSurface() == Surface::Procedural, "--surface procedural");
+  }
+
+  // Whether the file has curved cells is not known yet.
+  void CheckPatches()
+  {
+    const ViewerOptions& options = this->Options;
+    using Metric = ViewerOptions::MetricType;
+    const bool canBePatch = options.IsMesh && (!options.Surface || options.IsPatch());
+    this->RequirePartner({ "--isolines", "--patch-edges" }, canBePatch, "--surface patch");
+    this->RequirePartner(
+      { "--isolines", "--patch-edges" }, options.Vectors.empty(), "surfaces without --lic");
+    this->RequirePartner({ "--feature-angle" }, !options.IsPatch(), "other surfaces than patch");
+    this->RequirePartner({ "--hair" }, options.IsMesh, "meshes");
+    this->RequirePartner({ "--error" },
+      options.Hairs > 0 ||
+        (canBePatch && options.Metric.value_or(Metric::Error) == Metric::Error &&
+          !options.UniformLevel),
+      "--metric error");
   }
 
   void CheckFlow()

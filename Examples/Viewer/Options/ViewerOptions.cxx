@@ -31,6 +31,8 @@ bool IsReliefDatabase(const std::string& name)
 const int HighestLevel = 7;
 const int LargestResolution = 4096;
 const int MostSteps = 1000;
+const int MostHairs = 10000000;
+const int MostIsolines = 1000;
 
 using Flags = std::map<std::string, std::function<void()>>;
 using Setter = std::function<void(const std::string& option, const std::string& value)>;
@@ -51,6 +53,7 @@ public:
     this->AddSurface();
     this->AddTerrain();
     this->AddMesh();
+    this->AddPatches();
     this->AddFlow();
     this->AddVolume();
     this->AddRelief();
@@ -83,6 +86,7 @@ private:
       { "-h", [&] { options.Help = true; } },
       { "--no-geomorphing", [&] { options.Geomorphing = false; } },
       { "--no-legend", [&] { options.Legend = false; } },
+      { "--patch-edges", [&] { options.PatchEdges = true; } },
       { "--per-edge", [&] { options.PerEdge = true; } },
       { "--stats", [&] { options.Statistics = true; } },
       { "--stretch", [&] { options.Stretch = true; } },
@@ -122,8 +126,8 @@ private:
           using Type = ViewerOptions::SurfaceType;
           options.Surface = ToChoice<Type>(option, value,
             { { "linear", Type::Linear }, { "pn", Type::PNTriangle }, { "phong", Type::Phong },
-              { "st", Type::ScalarTagged }, { "procedural", Type::Procedural },
-              { "g1", Type::G1 } });
+              { "st", Type::ScalarTagged }, { "procedural", Type::Procedural }, { "g1", Type::G1 },
+              { "patch", Type::Patch } });
         } },
     });
   }
@@ -168,6 +172,22 @@ private:
         [&](const auto& option, const auto& value) {
           options.UpAxis = ToChoice<int>(option, value, { { "x", 0 }, { "y", 1 }, { "z", 2 } });
         } },
+    });
+  }
+
+  void AddPatches()
+  {
+    ViewerOptions& options = this->Options;
+    this->AllSettings.insert({
+      { "--error",
+        [&](const auto& option, const auto& value)
+        { options.Error = ToPositiveNumber(option, value); } },
+      { "--hair",
+        [&](const auto& option, const auto& value)
+        { options.Hairs = ToInteger(option, value, 1, MostHairs); } },
+      { "--isolines",
+        [&](const auto& option, const auto& value)
+        { options.Isolines = ToInteger(option, value, 1, MostIsolines); } },
     });
   }
 
@@ -326,7 +346,8 @@ private:
             { { "distance", Type::Distance }, { "screen-edge", Type::ScreenEdge },
               { "curvature", Type::Curvature }, { "silhouette", Type::Silhouette },
               { "contour", Type::Contour }, { "view-dependent", Type::ViewDependent },
-              { "field", Type::Field }, { "region", Type::Region } });
+              { "field", Type::Field }, { "region", Type::Region }, { "error", Type::Error },
+              { "control-net", Type::ControlNet } });
         } },
       { "--pixels",
         [&](const auto& option, const auto& value)

@@ -23,7 +23,9 @@ struct ViewerOptions
     Contour,
     ViewDependent,
     Field,
-    Region
+    Region,
+    Error,
+    ControlNet
   };
   enum class SurfaceType
   {
@@ -32,7 +34,8 @@ struct ViewerOptions
     Phong,
     ScalarTagged,
     Procedural,
-    G1
+    G1,
+    Patch
   };
   enum class ColorType
   {
@@ -83,6 +86,12 @@ struct ViewerOptions
   std::optional<double> FeatureAngle; // degrees
   int UpAxis = 1;                     // 0 for x, 1 for y, 2 for z
 
+  // Curved cells, of meshes alone.
+  std::optional<double> Error; // pixels
+  int Isolines = 0;
+  bool PatchEdges = false;
+  int Hairs = 0;
+
   // Streaks along vectors, of meshes alone; none without an array.
   std::string Vectors;
   std::optional<int> LICSteps;
@@ -118,7 +127,7 @@ struct ViewerOptions
   std::optional<std::vector<double>> Region; // centre (x, y, for meshes z), radius
   int Method = 0;                            // of vtkAdaptiveRefinementMapper
   bool PerEdge = false;
-  bool WholeSegments = false;
+  std::optional<bool> WholeSegments;
   bool Geomorphing = true;
   int Budget = 0; // triangles; 0 for as many as it takes
 
@@ -138,9 +147,13 @@ struct ViewerOptions
   bool Version = false;
 
   bool IsTerrain() const { return !this->IsMesh && !this->IsDatabase; }
+  /// Whether curved cells are asked for; a file that has some is drawn so if nothing else is.
+  bool IsPatch() const { return this->Surface == SurfaceType::Patch; }
+  bool AsksForPatches() const { return this->IsPatch() || this->PatchEdges || this->Isolines > 0; }
   MetricType GetMetric() const
   {
-    return this->Metric.value_or(this->IsMesh ? MetricType::ScreenEdge : MetricType::Distance);
+    const MetricType ofMeshes = this->IsPatch() ? MetricType::Error : MetricType::ScreenEdge;
+    return this->Metric.value_or(this->IsMesh ? ofMeshes : MetricType::Distance);
   }
   /// Whether it is the streaks' vectors that say where to refine.
   bool IsFlowMetric() const { return !this->Vectors.empty() && !this->Metric; }

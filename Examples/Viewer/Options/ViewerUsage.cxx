@@ -7,14 +7,15 @@ namespace
 const char* const Options = R"(relevo-view FILE [options]
 
 Draws a height map (GeoTIFF, SRTM .hgt, USGS DEM, PNG, OpenEXR ...) or a mesh (.vtp, .ply, .obj,
-.stl, .gltf, .glb, .off, .vtk, .vtu, .pvtu, .ex2), refined where it matters, or the inside of a mesh
-of 3D cells, or a folder of reliefs: a window when there is a display, a picture with --output.
+.stl, .gltf, .glb, .off, .bpt, .vtk, .vtu, .pvtu, .ex2), refined where it matters, or the inside of a
+mesh of 3D cells, or a folder of reliefs: a window when there is a display, a picture with --output.
 
 The surface:
   --surface NAME         linear (default for height maps), pn (default for meshes; curved PN
                          triangles), phong, st (scalar-tagged PN triangles, by the mesh's arrays
                          Sharpness, Tension, Bias and Direction), g1 (with tangent planes that
-                         join), procedural (fur)
+                         join), procedural (fur), patch (the cells' own curved shape; default for
+                         .bpt files and for .vtk, .vtu and .pvtu files with curved cells)
   --alpha A              how far phong bulges, from 0, flat, to 1 (default 1)
   --amplitude A          height of procedural's fur, in the mesh's units (default: 0.03 of its
                          diagonal)
@@ -57,6 +58,13 @@ Meshes:
   --lic-intensity I      the streaks' share of a blend, 0 to 1 (default 0.8)
   --lic-phase P          how far the streaks have moved, in loops: P and P + 1 look alike (default 0)
 
+Curved cells (--surface patch), and hair:
+  --error PIXELS         how far triangles may be from the cells' shape on the screen, for
+                         --metric error, and segments from hairs' (default 0.5)
+  --isolines N           N lines of equal value of the array of points that colours the mesh
+  --patch-edges          the cells' edges, and no others
+  --hair N               grow N hairs on the mesh, long as 0.05 of its diagonal
+
 The inside of meshes (.vtk, .vtu, .pvtu, .ex2):
   --volume [ARRAY]       draw the volume by this array, points' or cells', vectors by their length
                          (default: the active scalars, or the first array); after FILE, or as
@@ -95,8 +103,10 @@ Level of detail:
                          screen-edge (default for meshes; what is long on the screen), curvature,
                          silhouette, contour (outlines by normals or by faces), view-dependent
                          (curved and seen edge-on), field (where the height, or a mesh's array of
-                         points, varies), region (around a place). Default with --lic: where the
-                         vectors vary, and edges of more than 10 pixels
+                         points, varies), region (around a place), error (default for curved
+                         cells: what is not flat enough), control-net (what has a bent control
+                         net). Default with --lic: where the vectors vary, and edges of more than
+                         10 pixels
   --reach M              how far from the camera distance refines (default: three times the
                          diagonal)
   --pixels N             length of a segment on the screen for screen-edge (default 4) and for
@@ -113,7 +123,8 @@ Level of detail:
   --per-edge             give each edge a level of its own, not the mean of its ends': fewer
                          triangles
   --segments powers|whole
-                         edges of 2^level segments (default), or of any number up to 16
+                         edges of 2^level segments (default), or of any number up to 16 (default
+                         for curved cells)
   --no-geomorphing       let new vertices appear at their places instead of sliding there
   --budget N             draw about N triangles: raise or lower all levels
 

@@ -8,7 +8,9 @@
 #include "Scene/MeshProbe.h"
 #include "Scene/OffscreenWindow.h"
 #include "Scene/ViewerFlow.h"
+#include "Scene/ViewerHair.h"
 #include "Scene/ViewerMetric.h"
+#include "Scene/ViewerPatches.h"
 #include "Text/ViewerText.h"
 
 #include "vtkActor.h"
@@ -29,6 +31,7 @@
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 #include "vtkRefinementSurface.h"
+#include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 
 #include <algorithm>
@@ -72,7 +75,13 @@ MeshScene::MeshScene(const ViewerOptions& options, ViewerMessages& messages)
   this->ReadHeights();
   this->Show(options.MaximumLevel.value_or(this->GetDefaultLevel()), this->MakeMeshMetric());
   this->SetColours();
+  ShowPatchEdges(this->Options, this->Mapper);
   this->SetLevelColours();
+  if (this->Options.Hairs > 0)
+  {
+    this->Hair = GrowHair(this->Options, this->GetSurface(), this->Messages);
+    this->Renderer->AddActor(this->Hair);
+  }
   // From above the viewer's left shoulder, and a little from the right and from behind.
   const int up = options.UpAxis;
   this->SetLights(
@@ -86,7 +95,12 @@ MeshScene::~MeshScene() = default;
 //------------------------------------------------------------------------------
 void MeshScene::ReadMesh()
 {
-  this->Mesh->ShallowCopy(::ReadMesh(this->Options.Input, this->Messages));
+  const bool asItIs = this->Options.Surface && !this->Options.IsPatch();
+  const MeshCells cells = asItIs
+    ? MeshCells::Flat
+    : (this->Options.AsksForPatches() ? MeshCells::Patches : MeshCells::Curved);
+  this->Mesh->ShallowCopy(::ReadMesh(this->Options.Input, cells, this->Messages));
+  this->TakePatches();
   if (this->Options.FeatureAngle)
   {
     this->SplitNormals();
@@ -95,6 +109,23 @@ void MeshScene::ReadMesh()
   if (isMapped && !this->Mesh->GetPointData()->GetTCoords())
   {
     AddTextureCoordinates(this->Mesh, this->Options);
+  }
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::TakePatches()
+{
+  const bool hasPatches = HasPatches(this->Mesh);
+  if (this->Options.AsksForPatches() && !hasPatches)
+  {
+    throw ViewerError(this->Options.Input +
+      " is no unstructured grid, whose cells --surface patch, --isolines and --patch-edges draw");
+  }
+  if (hasPatches)
+  {
+    this->Options.Surface = ViewerOptions::SurfaceType::Patch;
+    this->Options.FeatureAngle.reset(); // cells have normals of their own
+    this->Options.PerEdge |= this->Options.GetMetric() == ViewerOptions::MetricType::Error;
   }
 }
 
@@ -202,9 +233,10 @@ void MeshScene::ReadHeights()
 //------------------------------------------------------------------------------
 int MeshScene::GetDefaultLevel()
 {
-  // Levels of edges on the screen end by themselves.
-  if (this->Options.GetMetric() == ViewerOptions::MetricType::ScreenEdge &&
-    !this->Options.IsFlowMetric())
+  // Levels of edges and errors on the screen end by themselves.
+  using Metric = ViewerOptions::MetricType;
+  const Metric metric = this->Options.GetMetric();
+  if ((metric == Metric::ScreenEdge || metric == Metric::Error) && !this->Options.IsFlowMetric())
   {
     return 7;
   }
@@ -282,6 +314,10 @@ void MeshScene::SetArrayColours()
   const auto colours = MakeColours(range);
   this->Mapper->SetLookupTable(colours);
   this->Mapper->InterpolateScalarsBeforeMappingOn();
+  if (this->HasPointArray)
+  {
+    ShowIsolines(this->Options, this->Mapper, range);
+  }
   if (this->Options.Color == ViewerOptions::ColorType::Own)
   {
     this->AddLegend(colours, this->ArrayName, 5);

@@ -29,6 +29,7 @@ public:
 
 private:
   void ReadMesh();
+  void TakePatches();
   void SplitNormals();
   void ReadHeights();
   void ChooseArray();
@@ -46,6 +47,7 @@ private:
   std::string ArrayName;
   bool HasPointArray = false;
   std::unique_ptr<MeshProbe> Probe; // of that array, from the first question on
+  vtkSmartPointer<vtkActor> Hair;   // nullptr for none
   // Vectors of the streaks; nullptr for none.
   vtkSmartPointer<vtkDataArray> Vectors;
 };

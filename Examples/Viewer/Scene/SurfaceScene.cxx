@@ -47,7 +47,7 @@ void SurfaceScene::SetRecipe(int maximumLevel, vtkDepthTagMetric* metric)
   {
     this->Recipe->SetLevelRuleToPerEdge();
   }
-  if (this->Options.WholeSegments)
+  if (this->Options.WholeSegments.value_or(this->Options.IsPatch()))
   {
     this->Recipe->SetSegmentPolicyToWholeNumbers();
   }

@@ -6,6 +6,7 @@
 #include "Text/ViewerMessages.h"
 
 #include "vtkAdaptiveLICMapper.h"
+#include "vtkAdaptivePatchMapper.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDepthTagMetric.h"
 #include "vtkDataArray.h"
@@ -63,7 +64,7 @@ vtkSmartPointer<vtkAdaptiveRefinementMapper> MakeMapper(const ViewerOptions& opt
 {
   if (options.Vectors.empty())
   {
-    return vtkSmartPointer<vtkAdaptiveRefinementMapper>::New();
+    return vtkSmartPointer<vtkAdaptivePatchMapper>::New(); // of patches, or as its superclass
   }
   vtkNew<vtkAdaptiveLICMapper> mapper;
   vtkLICSettings* lic = mapper->GetLICInterface();

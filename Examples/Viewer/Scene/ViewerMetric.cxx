@@ -4,8 +4,10 @@
 
 #include "Options/ViewerOptions.h"
 #include "Scene/ViewerFlow.h"
+#include "Scene/ViewerPatches.h"
 #include "Text/ViewerMessages.h"
 
+#include "vtkControlNetDepthTagMetric.h"
 #include "vtkCurvatureDepthTagMetric.h"
 #include "vtkCylinder.h"
 #include "vtkDistanceDepthTagMetric.h"
@@ -135,6 +137,10 @@ Metric MakeMetric(const ViewerOptions& options, vtkPolyData* mesh, const std::st
       return MakeFieldVariation(options, arrayName);
     case ViewerOptions::MetricType::Region:
       return MakeRegion(options, mesh);
+    case ViewerOptions::MetricType::Error:
+      return MakeErrorMetric(options);
+    case ViewerOptions::MetricType::ControlNet:
+      return Metric::Take(vtkControlNetDepthTagMetric::New());
   }
   return nullptr;
 }

@@ -60,7 +60,7 @@ protected:
   /// their azimuths from it.
   void SetLights(std::vector<ViewerLamp> lamps);
 
-  const ViewerOptions& Options;
+  ViewerOptions Options; // and what a file decides where they say nothing
   ViewerMessages& Messages;
   vtkNew<vtkRenderer> Renderer;
 

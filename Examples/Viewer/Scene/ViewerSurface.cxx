@@ -8,6 +8,7 @@
 #include "vtkLinearSurface.h"
 #include "vtkNew.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPatchSurface.h"
 #include "vtkPhongSurface.h"
 #include "vtkProceduralSurface.h"
 #include "vtkScalarTaggedSurface.h"
@@ -55,6 +56,8 @@ Surface MakeSurface(const ViewerOptions& options, double diagonal)
       return MakeProcedural(options, diagonal);
     case ViewerOptions::SurfaceType::G1:
       return Surface::Take(vtkG1Surface::New());
+    case ViewerOptions::SurfaceType::Patch:
+      return Surface::Take(vtkPatchSurface::New());
   }
   return nullptr;
 }

@@ -1,0 +1,142 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Shows curves of any degree, without a display: curves.py NAME PICTURE.png [FILE]
+
+NAME is one of
+  hair   hair on a mesh: bunny.ply
+  knot   a rational curve around a torus as line, ribbon and tube, and the segments it is cut into
+and FILE is that file. Without it a generated mesh takes its place.
+"""
+
+import math
+import sys
+
+import relevo
+from figure import Figure, make_actor
+from meshes import make_ring, read
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
+from vtkmodules.vtkFiltersCore import vtkMassProperties, vtkPolyDataNormals
+from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
+
+
+def make_recipe(pixels=0.5):
+    """As many segments as half a pixel needs."""
+    metric = relevo.vtkPatchErrorDepthTagMetric()
+    metric.SetScreenSpaceError(pixels)
+    recipe = relevo.vtkAdaptiveRefinement()
+    recipe.SetMetric(metric)
+    recipe.SetSegmentPolicyToWholeNumbers()
+    recipe.SetMaximumLevel(7)
+    return recipe
+
+
+def draw_curves(curves, representation="Lines", radius=None, recipe=None):
+    mapper = relevo.vtkAdaptiveCurveMapper()
+    mapper.SetInputData(curves)
+    mapper.SetRefinement(recipe or make_recipe())
+    getattr(mapper, "SetRepresentationTo" + representation)()
+    if radius:
+        mapper.SetRadius(radius)
+    mapper.ScalarVisibilityOff()
+    return make_actor(mapper)
+
+
+def orient(mesh):
+    """Scans may be inside out, and hair grows along normals."""
+    normals = vtkPolyDataNormals()
+    normals.SetInputData(mesh)
+    normals.SplittingOff()
+    normals.AutoOrientNormalsOn()
+    normals.Update()
+    return normals.GetOutput()
+
+
+def grow(mesh, hairs, length, curl):
+    """So many hairs, as long as this share of the diagonal."""
+    area = vtkMassProperties()
+    area.SetInputData(mesh)
+    area.Update()
+    source = relevo.vtkHairSource()
+    source.SetInputData(mesh)
+    source.SetDensity(hairs / area.GetSurfaceArea())
+    source.SetLength(length * mesh.GetLength())
+    source.SetCurl(curl)
+    source.SetGravity(0, -0.4, 0)
+    source.Update()
+    return source.GetOutput()
+
+
+def draw_mesh(mesh):
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(mesh)
+    mapper.ScalarVisibilityOff()
+    return make_actor(mapper)
+
+
+def hair(filename=None):
+    """Straight hair, and curls, as ribbons that face the eye."""
+    mesh = orient(read(filename) if filename else make_ring(120, 48))
+    figure = Figure(2, 1, (480, 440), (0.35, 0.45, 1), (0, 1, 0), 1.2)
+    for label, count, length, curl in (
+        ("60,000 hairs", 60000, 0.04, 0),
+        ("12,000 curls", 12000, 0.06, 2.5),
+    ):
+        curves = grow(mesh, count, length, curl)
+        actor = draw_curves(curves, "Ribbons")
+        actor.GetMapper().SetRadiusArrayName("HairRadius")
+        actor.GetProperty().SetColor(0.72, 0.52, 0.30)
+        skin = draw_mesh(mesh)
+        skin.GetProperty().SetColor(0.45, 0.33, 0.22)
+        figure.add(label, actor, bounds=mesh.GetBounds()).AddActor(skin)
+    return figure
+
+
+def make_knot(turns=3, windings=7, spans=42):
+    """A cubic B-spline, closed, around a torus."""
+    points = vtkPoints()
+    points.SetDataTypeToDouble()
+    for i in range(spans + 3):
+        angle = 2 * math.pi * i / spans
+        across = 1 + 0.4 * math.cos(windings * angle)
+        turn = turns * angle
+        points.InsertNextPoint(
+            across * math.cos(turn), across * math.sin(turn), 0.4 * math.sin(windings * angle)
+        )
+    knots = vtkDoubleArray()
+    for i in range(spans + 7):
+        knots.InsertNextValue(i)
+    source = relevo.vtkNURBSSource()
+    source.SetDegree(0, 3)
+    source.SetKnots(0, knots)
+    source.SetDimensions(spans + 3, 1)
+    source.SetControlPoints(points)
+    source.Update()
+    return source.GetOutput()
+
+
+def knot():
+    """The same cells three times."""
+    curves = make_knot()
+    figure = Figure(3, 1, (360, 330), (0.2, -0.35, 1.4), (0, 1, 0), 1.2)
+    for representation, radius in (("Lines", None), ("Ribbons", 0.06), ("Tubes", 0.06)):
+        actor = draw_curves(curves, representation, radius)
+        actor.GetProperty().SetLineWidth(2)
+        figure.add(representation.lower(), actor, bounds=curves.GetBounds())
+    return figure
+
+
+FIGURES = (hair, knot)
+
+
+def main(name, picture, *files):
+    for figure in FIGURES:
+        if figure.__name__ == name and len(files) <= (figure is hair):
+            figure(*files).write(picture)
+            return
+    names = ", ".join(figure.__name__ for figure in FIGURES)
+    sys.exit(f"curves.py NAME PICTURE.png [FILE], NAME one of {names}")
+
+
+if len(sys.argv) < 3:
+    main("", "")
+main(*sys.argv[1:])
