@@ -7,18 +7,13 @@
 #include "BenchmarkFrames.h"
 #include "BenchmarkMeasure.h"
 #include "BenchmarkReport.h"
+#include "BenchmarkStaticMapper.h"
 #include "BenchmarkSurface.h"
 #include "BenchmarkView.h"
 #include "Benchmarks.h"
 
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementMapper.h"
-#include "vtkObjectFactory.h"
-#include "vtkOpenGLHelper.h"
-#include "vtkOpenGLIndexBufferObject.h"
-#include "vtkOpenGLPolyDataMapper.h"
-#include "vtkOpenGLVertexBufferObject.h"
-#include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPolyData.h"
 
 #include <cmath>
@@ -28,32 +23,6 @@
 
 namespace
 {
-/// VTK's own mapper, asked for the bytes of its buffers.
-class StaticMeshMapper : public vtkOpenGLPolyDataMapper
-{
-public:
-  static StaticMeshMapper* New();
-  vtkTypeMacro(StaticMeshMapper, vtkOpenGLPolyDataMapper);
-
-  double GetGraphicsMemorySize()
-  {
-    double size = 0.0;
-    for (const char* name : { "vertexMC", "normalMC" })
-    {
-      if (vtkOpenGLVertexBufferObject* buffer = this->VBOs->GetVBO(name))
-      {
-        size += static_cast<double>(buffer->GetNumberOfTuples()) * buffer->GetStride();
-      }
-    }
-    for (const vtkOpenGLHelper& helper : this->Primitives)
-    {
-      size += static_cast<double>(helper.IBO->IndexCount * sizeof(unsigned int));
-    }
-    return size;
-  }
-};
-vtkStandardNewMacro(StaticMeshMapper);
-
 struct Size
 {
   int Faces;
@@ -61,9 +30,9 @@ struct Size
   int Rounds;
 };
 
-vtkSmartPointer<StaticMeshMapper> MakeStaticMapper(vtkPolyData* refined)
+vtkSmartPointer<BenchmarkStaticMapper> MakeStaticMapper(vtkPolyData* refined)
 {
-  auto mapper = vtkSmartPointer<StaticMeshMapper>::New();
+  auto mapper = vtkSmartPointer<BenchmarkStaticMapper>::New();
   mapper->SetInputData(refined);
   return mapper;
 }

@@ -56,6 +56,8 @@ void RunLIC(const BenchmarkOptions& options, const AddTable& addTable);
 void RunVolumes(const BenchmarkOptions& options, const AddTable& addTable);
 /// Reliefs against the meshes that they show and meshes of their pixels, and warps a second.
 void RunReliefs(const BenchmarkOptions& options, const AddTable& addTable);
+/// Curved cells and hair against VTK's even cuts.
+void RunPatches(const BenchmarkOptions& options, const AddTable& addTable);
 
 /**
  * Measurements that need a process of their own run in this program, called again: the arguments
@@ -66,5 +68,6 @@ std::vector<double> MeasureMemory(const std::vector<std::string>& arguments);
 std::vector<double> MeasureTerrain(const std::vector<std::string>& arguments);
 std::vector<double> MeasureVolumes(const std::vector<std::string>& arguments);
 std::vector<double> MeasureReliefs(const std::vector<std::string>& arguments);
+std::vector<double> MeasurePatches(const std::vector<std::string>& arguments);
 
 #endif

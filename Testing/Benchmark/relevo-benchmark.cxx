@@ -48,6 +48,9 @@ const std::vector<Benchmark> Benchmarks = {
 #ifdef BENCHMARK_HAS_RELIEFS
   { "relief", RunReliefs },
 #endif
+#ifdef BENCHMARK_HAS_PATCHES
+  { "patches", RunPatches },
+#endif
 #ifdef BENCHMARK_HAS_GOOGLE_BENCHMARK
   { "processor", RunProcessor, false },
 #endif
@@ -66,6 +69,9 @@ const std::vector<Measurement> Measurements = {
 #endif
 #ifdef BENCHMARK_HAS_RELIEFS
   { "relief", MeasureReliefs },
+#endif
+#ifdef BENCHMARK_HAS_PATCHES
+  { "patches", MeasurePatches },
 #endif
 };
 

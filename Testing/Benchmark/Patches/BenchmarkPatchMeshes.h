@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   curved cells to measure with, and the recipe that refines them
+ */
+#ifndef BenchmarkPatchMeshes_h
+#define BenchmarkPatchMeshes_h
+
+#include "vtkSmartPointer.h"
+
+class vtkAdaptiveRefinement;
+class vtkPolyData;
+class vtkUnstructuredGrid;
+
+namespace BenchmarkPatchMeshes
+{
+/// The teapot of RELEVO_TEST_DATA, else a torus of rational patches.
+vtkSmartPointer<vtkUnstructuredGrid> MakeTeapot();
+
+/// side x side x side cubic Lagrange hexahedra, bent, with the active scalars "Values".
+vtkSmartPointer<vtkUnstructuredGrid> MakeHexahedra(int side);
+
+/// The coarse triangles that carry the patches of a grid.
+vtkSmartPointer<vtkPolyData> MakePatches(vtkUnstructuredGrid* grid);
+
+/// What vtkDataSetSurfaceFilter makes of a grid.
+vtkSmartPointer<vtkPolyData> MakeEvenSurface(vtkUnstructuredGrid* grid, int level);
+
+/// Whole numbers of segments, as many as an error in pixels asks for, up to level 7.
+vtkSmartPointer<vtkAdaptiveRefinement> MakeRecipe(double pixels);
+}
+
+#endif

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   BenchmarkPatchWay
+ * @brief   from a grid of curved cells to what draws its scalars
+ */
+#ifndef BenchmarkPatchWay_h
+#define BenchmarkPatchWay_h
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkMapper;
+class vtkPolyData;
+class vtkUnstructuredGrid;
+
+class BenchmarkPatchWay
+{
+public:
+  enum Kind
+  {
+    Linear, // patches, scalars linear on coarse triangles
+    Exact,  // patches, scalars exact at every pixel
+    Even    // vtkDataSetSurfaceFilter at level 4, vtkPolyDataMapper
+  };
+  static constexpr int EvenLevel = 4;
+
+  /// Patches to half a pixel.
+  BenchmarkPatchWay(Kind kind, vtkUnstructuredGrid* grid);
+  ~BenchmarkPatchWay();
+
+  static std::string GetName(Kind kind);
+
+  vtkMapper* GetMapper() const { return this->Mapper; }
+
+  /// After a frame.
+  double GetNumberOfTriangles() const;
+  /// Bytes of the mapper's input and of its buffers, after a frame.
+  double GetMemorySize() const;
+
+private:
+  Kind Way;
+  vtkSmartPointer<vtkPolyData> Mesh;
+  vtkSmartPointer<vtkMapper> Mapper;
+};
+
+#endif
