@@ -52,6 +52,8 @@ class TestBenchmark(unittest.TestCase):
         if "relief" in usage:
             self.check_reliefs(tables)
             self.check_warps(tables)
+        if "patches" in usage:
+            self.check_patches(tables)
         self.assertEqual(len(tables["dem"]), 3)
         self.assertTrue(all(row["triangles"] > 0 for row in tables["dem"]))
 
@@ -116,6 +118,21 @@ class TestBenchmark(unittest.TestCase):
             rows = [row for row in tables["relief-warps"] if row["sample"] == sample]
             self.assertEqual({row["policy"] for row in rows}, policies)
             self.assertTrue(all(row["warps"] > 0.0 for row in rows))
+
+    def check_patches(self, tables):
+        for row in tables["patches-triangles"]:
+            self.assertLessEqual(row["error"], 0.5)
+            self.assertLessEqual(row["vtk_error"], 0.5)
+            self.assertLessEqual(row["triangles_unculled"], row["triangles"])
+        whole, part = tables["patches-triangles"][:2]
+        self.assertEqual(whole["triangles_unculled"], whole["triangles"])
+        self.assertLess(part["triangles_unculled"], part["triangles"])
+        self.assertTrue(all(row["memory_mb"] > 0.0 for row in tables["patches-frames"]))
+        near = {row["way"]: row["near_percent"] for row in tables["patches-pictures"]}
+        self.assertGreater(near["patches, exact scalars"], near["patches, linear scalars"])
+        for row in tables["patches-hairs"]:
+            self.assertLessEqual(row["error"], 0.5)
+            self.assertLessEqual(row["even_error"], row["error"])
 
     def test_no_paraview(self):
         result = subprocess.run([PROGRAM, "--quick", "--paraview", "/nonexistent", "lic"],

@@ -90,8 +90,10 @@ void AddPatchFrames(const BenchmarkOptions& options, const AddTable& addTable)
       first.Bytes[way] / first.Bytes[Way::Even] });
   }
   table.AddNote(
-    "1024 x 768, half a pixel, the camera moves with every frame. First pictures, each in a process "
-    "of its own: from the grid in memory, filter and shaders included. Memory: what the filter puts "
+    "1024 x 768, half a pixel, the camera moves with every frame. First pictures, each in a "
+    "process "
+    "of its own: from the grid in memory, filter and shaders included. Memory: what the filter "
+    "puts "
     "out, and the mapper's buffers. Asked: first picture 0.3, frames 0.6, with exact scalars 1.0, "
     "memory 0.05.");
   addTable(table);

@@ -10,10 +10,12 @@
 #include "vtkPatchSurface.h"
 #include "vtkPatchSurfaceFilter.h"
 
+#include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkDoubleArray.h"
 #include "vtkHigherOrderHexahedron.h"
+#include "vtkIdList.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -109,6 +111,35 @@ vtkSmartPointer<vtkUnstructuredGrid> BenchmarkPatchMeshes::MakeHexahedra(int sid
     grid->InsertNextCell(VTK_LAGRANGE_HEXAHEDRON, ids.size(), ids.data());
   }
   return grid;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> BenchmarkPatchMeshes::Part(vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  auto parted = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  parted->Allocate(grid->GetNumberOfCells());
+  vtkNew<vtkIdList> all;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    grid->GetCellPoints(cell, ids);
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      all->InsertNextId(ids->GetId(i));
+      ids->SetId(i, points->InsertNextPoint(grid->GetPoint(ids->GetId(i))));
+    }
+    parted->InsertNextCell(grid->GetCellType(cell), ids);
+  }
+  parted->SetPoints(points);
+  parted->GetPointData()->CopyAllOn(); // weights are an attribute
+  parted->GetPointData()->CopyAllocate(grid->GetPointData(), all->GetNumberOfIds());
+  for (vtkIdType i = 0; i < all->GetNumberOfIds(); ++i)
+  {
+    parted->GetPointData()->CopyData(grid->GetPointData(), all->GetId(i), i);
+  }
+  parted->GetCellData()->ShallowCopy(grid->GetCellData());
+  return parted;
 }
 
 vtkSmartPointer<vtkPolyData> BenchmarkPatchMeshes::MakePatches(vtkUnstructuredGrid* grid)

@@ -21,6 +21,10 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeTeapot();
 /// side x side x side cubic Lagrange hexahedra, bent, with the active scalars "Values".
 vtkSmartPointer<vtkUnstructuredGrid> MakeHexahedra(int side);
 
+/// The same with nodes of its own for each cell: vtkDataSetSurfaceFilter takes edges between the
+/// same two points for one, though at a border that is one point they are several.
+vtkSmartPointer<vtkUnstructuredGrid> Part(vtkUnstructuredGrid* grid);
+
 /// The coarse triangles that carry the patches of a grid.
 vtkSmartPointer<vtkPolyData> MakePatches(vtkUnstructuredGrid* grid);
 

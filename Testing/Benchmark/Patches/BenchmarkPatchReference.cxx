@@ -4,8 +4,10 @@
 
 #include "vtkDataArray.h"
 #include "vtkGenericCell.h"
+#include "vtkIdList.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
+#include "vtkStaticPointLocator.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -14,14 +16,17 @@
 
 namespace
 {
-constexpr int Nodes = 64;        // of a cell
-constexpr double Outside = 0.02; // how far out of a face a hit may be, of its width: neighbours go on
+constexpr int NodesOfCell = 64;
+// How far out of a face a hit may be, of its width: neighbours go on.
+constexpr double Outside = 0.02;
 }
 
 BenchmarkPatchReference::BenchmarkPatchReference(vtkUnstructuredGrid* grid)
   : Grid(grid)
   , Side(std::lround(std::cbrt(grid->GetNumberOfCells())))
 {
+  this->Nodes->SetDataSet(grid);
+  this->Nodes->BuildLocator();
 }
 
 BenchmarkPatchReference::~BenchmarkPatchReference() = default;
@@ -43,7 +48,7 @@ BenchmarkPatchReference::Hit BenchmarkPatchReference::MeetFace(
   place[axis] = atEnd ? 1.0 : 0.0;
   Hit hit;
   hit.Parameter = 1.0;
-  double weights[Nodes];
+  double weights[NodesOfCell];
   for (int step = 0; step < 20 && !hit.IsFound; ++step)
   {
     constexpr double difference = 1e-6;
@@ -55,7 +60,7 @@ BenchmarkPatchReference::Hit BenchmarkPatchReference::MeetFace(
       columns[2][c] = eye[c] - point[c];
       rest[c] = eye[c] + hit.Parameter * (point[c] - eye[c]) - x[c];
     }
-    double unused[Nodes];
+    double unused[NodesOfCell];
     for (int k = 0; k < 2; ++k)
     {
       Place moved = place;
@@ -79,7 +84,7 @@ BenchmarkPatchReference::Hit BenchmarkPatchReference::MeetFace(
     hit.IsFound = hit.IsFound && place[k] >= -Outside && place[k] <= 1.0 + Outside;
   }
   this->Evaluate(place, weights);
-  for (int i = 0; i < Nodes; ++i)
+  for (int i = 0; i < NodesOfCell; ++i)
   {
     hit.Value += weights[i] *
       this->Grid->GetPointData()->GetScalars()->GetComponent(this->Cell->GetPointId(i), 0);
@@ -87,13 +92,10 @@ BenchmarkPatchReference::Hit BenchmarkPatchReference::MeetFace(
   return hit;
 }
 
-double BenchmarkPatchReference::FindValue(const Place& eye, const Place& point, vtkIdType cell)
+BenchmarkPatchReference::Hit BenchmarkPatchReference::MeetCell(
+  const Place& eye, const Place& point, vtkIdType cell)
 {
-  if (cell != this->CellId)
-  {
-    this->Grid->GetCell(cell, this->Cell);
-    this->CellId = cell;
-  }
+  this->Grid->GetCell(cell, this->Cell);
   const vtkIdType indices[3] = { cell % this->Side, cell / this->Side % this->Side,
     cell / (this->Side * this->Side) };
   Hit nearest;
@@ -103,15 +105,27 @@ double BenchmarkPatchReference::FindValue(const Place& eye, const Place& point, 
     {
       if (indices[axis] == (atEnd ? this->Side - 1 : 0))
       {
-        const Hit hit = this->MeetFace(eye, point, axis, atEnd);
-        const bool isNearer = !nearest.IsFound ||
-          std::abs(hit.Parameter - 1.0) < std::abs(nearest.Parameter - 1.0);
-        if (hit.IsFound && isNearer)
-        {
-          nearest = hit;
-        }
+        nearest = Choose(nearest, this->MeetFace(eye, point, axis, atEnd));
       }
     }
+  }
+  return nearest;
+}
+
+BenchmarkPatchReference::Hit BenchmarkPatchReference::Choose(const Hit& first, const Hit& second)
+{
+  const bool isNearer =
+    !first.IsFound || std::abs(second.Parameter - 1.0) < std::abs(first.Parameter - 1.0);
+  return second.IsFound && isNearer ? second : first;
+}
+
+double BenchmarkPatchReference::FindValue(const Place& eye, const Place& point)
+{
+  this->Grid->GetPointCells(this->Nodes->FindClosestPoint(point.data()), this->CellsAtNode);
+  Hit nearest;
+  for (vtkIdType i = 0; i < this->CellsAtNode->GetNumberOfIds(); ++i)
+  {
+    nearest = Choose(nearest, this->MeetCell(eye, point, this->CellsAtNode->GetId(i)));
   }
   return nearest.IsFound ? nearest.Value : std::numeric_limits<double>::quiet_NaN();
 }

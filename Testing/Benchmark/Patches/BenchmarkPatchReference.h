@@ -13,6 +13,8 @@
 #include <array>
 
 class vtkGenericCell;
+class vtkIdList;
+class vtkStaticPointLocator;
 class vtkUnstructuredGrid;
 
 class BenchmarkPatchReference
@@ -24,9 +26,9 @@ public:
   explicit BenchmarkPatchReference(vtkUnstructuredGrid* grid);
   ~BenchmarkPatchReference();
 
-  /// Where the ray from `eye` through `point` meets a cell next to `point`, by Newton's method; NaN
-  /// where it does not.
-  double FindValue(const Place& eye, const Place& point, vtkIdType cell);
+  /// Where the ray from `eye` through `point` meets a cell at the node nearest to `point`, by
+  /// Newton's method; NaN where it meets none.
+  double FindValue(const Place& eye, const Place& point);
 
 private:
   struct Hit
@@ -35,13 +37,16 @@ private:
     double Parameter = 0.0; // along the ray, 1 at the point
     double Value = 0.0;
   };
+  static Hit Choose(const Hit& first, const Hit& second);
+  Hit MeetCell(const Place& eye, const Place& point, vtkIdType cell);
   Hit MeetFace(const Place& eye, const Place& point, int axis, bool atEnd);
   Place Evaluate(const Place& parametric, double weights[]);
 
   vtkUnstructuredGrid* Grid;
   vtkIdType Side;
   vtkNew<vtkGenericCell> Cell;
-  vtkIdType CellId = -1;
+  vtkNew<vtkStaticPointLocator> Nodes;
+  vtkNew<vtkIdList> CellsAtNode;
 };
 
 #endif

@@ -14,10 +14,10 @@
 #include <algorithm>
 #include <cmath>
 
-RelevoPatchDistance::RelevoPatchDistance(vtkPolyData* mesh)
+RelevoPatchDistance::RelevoPatchDistance(vtkPolyData* mesh, int parts)
   : Mesh(mesh)
 {
-  this->Locator->SetDataSet(this->Cut(Parts));
+  this->Locator->SetDataSet(this->Cut(parts));
   this->Locator->BuildLocator();
 }
 

@@ -14,14 +14,13 @@ class vtkCamera;
 class RelevoPatchDistance
 {
 public:
-  /// Of the patches that a mesh carries, by their definition.
-  explicit RelevoPatchDistance(vtkPolyData* mesh);
+  /// Of the patches that a mesh carries, by their definition, cut into so many parts each way.
+  explicit RelevoPatchDistance(vtkPolyData* mesh, int parts = 96);
 
   /// All patches in so many parts each way, of two triangles each.
   vtkSmartPointer<vtkPolyData> Cut(int parts) const;
 
-  /// From a point to the nearest triangle of patches that are cut into this many parts each way.
-  static constexpr int Parts = 96;
+  /// From a point to the nearest triangle of the parts.
   double Measure(const RelevoPlace& x) const;
 
   /// The largest such distance of middles of triangles and of their edges, in pixels of a viewport
