@@ -45,8 +45,8 @@ void Draw(ViewerScene& scene, const ViewerOptions& options, ViewerMessages& mess
 
 void Run(const ViewerOptions& options)
 {
-  const bool isInteractive =
-    options.Output.empty() && options.Export.empty() && options.Capture.empty();
+  const bool isInteractive = options.Output.empty() && options.Export.empty() &&
+    options.Capture.empty() && options.Against.empty();
   if (isInteractive && !HasDisplay())
   {
     throw ViewerError("there is no display; --output FILE.png draws a picture without one");
@@ -60,6 +60,7 @@ void Run(const ViewerOptions& options)
   }
   ViewerMessages messages;
   const std::unique_ptr<ViewerScene> scene = MakeScene(options, messages);
+  scene->Report();
   if (!options.Export.empty())
   {
     scene->Export(options.Export);

@@ -35,6 +35,7 @@ public:
   void Check()
   {
     this->CheckVolume();
+    this->CheckContact();
     this->CheckRelief();
     this->CheckSurface();
     this->CheckPatches();
@@ -86,6 +87,23 @@ private:
     if (this->Given.count("--transfer") && options.Transfer.empty())
     {
       throw UsageError("--transfer needs the name of a file");
+    }
+  }
+
+  // Two meshes are drawn as they are.
+  void CheckContact()
+  {
+    const bool hasOther = !this->Options.Against.empty();
+    this->RequirePartner({ "--against" }, this->Options.IsMesh, "meshes");
+    this->RequirePartner({ "--contact-distance" }, hasOther, "--against");
+    const std::set<std::string> others = { "--against", "--center", "--contact-distance", "--light",
+      "--output", "--size", "--up", "--view", "--zoom" };
+    for (const auto& given : this->Given)
+    {
+      if (hasOther && !IsOneOf(given.first, others))
+      {
+        throw UsageError(given.first + " does not go with --against");
+      }
     }
   }
 

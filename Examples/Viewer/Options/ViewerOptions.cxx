@@ -56,6 +56,7 @@ public:
     this->AddPatches();
     this->AddFlow();
     this->AddVolume();
+    this->AddContact();
     this->AddRelief();
     this->AddLevels();
     this->AddPicture();
@@ -271,6 +272,27 @@ private:
           using Mapper = vtkGPUUnstructuredGridVolumeMapper;
           options.VolumeMethod = ToChoice<int>(option, value,
             { { "ray", Mapper::RAY_CASTING }, { "projection", Mapper::CELL_PROJECTION } });
+        } },
+    });
+  }
+
+  void AddContact()
+  {
+    ViewerOptions& options = this->Options;
+    this->AllSettings.insert({
+      { "--against",
+        [&](const auto& option, const auto& value)
+        {
+          if (!IsMeshFile(value))
+          {
+            throw UsageError(option + " needs a mesh, not '" + value + "'");
+          }
+          options.Against = value;
+        } },
+      { "--contact-distance",
+        [&](const auto& option, const auto& value) {
+          options.ContactDistance =
+            ToNumber(option, value, 0.0, std::numeric_limits<double>::max());
         } },
     });
   }

@@ -112,6 +112,10 @@ struct ViewerOptions
   int Integration = 0;                     // of vtkGPUUnstructuredGridVolumeMapper
   int BlendMode = 0;                       // of vtkGPUUnstructuredGridVolumeMapper
 
+  // Where two meshes meet.
+  std::string Against; // a mesh
+  std::optional<double> ContactDistance;
+
   // Reliefs: how the surface is captured, and how the captures are drawn.
   std::optional<ReliefType> Relief;
   std::string Capture;             // a folder to write captures to

@@ -85,6 +85,12 @@ The inside of meshes (.vtk, .vtu, .pvtu, .ex2):
                          the integral along rays: exact (default), or from tables that are made for
                          each transfer function, of 3 or 2 dimensions
 
+Where two meshes meet:
+  --against FILE         print where the mesh meets this one and exit; with --output both are drawn
+                         as they are, red where they are cut, with the curves
+  --contact-distance D   also print the least distance, and draw what is nearer than D orange, what
+                         is inside a closed one violet
+
 Reliefs, pictures with depth that are drawn in place of what they show, or FILE a folder of them:
   --relief box|sphere|view
                          capture the surface from six sides, from twelve around, or as it is seen,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/ViewerScene.h"
 
+#include "Scene/ContactScene.h"
 #include "Scene/MeshScene.h"
 #include "Scene/ReliefScene.h"
 #include "Scene/TerrainScene.h"
@@ -104,6 +105,10 @@ std::unique_ptr<ViewerScene> MakeScene(const ViewerOptions& options, ViewerMessa
   if (options.IsDatabase)
   {
     return std::make_unique<ReliefScene>(options, messages);
+  }
+  if (!options.Against.empty())
+  {
+    return std::make_unique<ContactScene>(options, messages);
   }
   if (options.IsVolume)
   {

@@ -43,6 +43,9 @@ public:
   /// Writes the refined mesh as it is seen, where there is one; throws ViewerError.
   virtual void Export(const std::string&) {}
 
+  /// What was found in the files, on stdout, where that was asked for.
+  virtual void Report() {}
+
   /// The first frame, with its costs on stdout where the options ask for them; throws ViewerError.
   virtual void Draw(vtkRenderWindow* window) = 0;
 

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   ContactScene
+ * @brief   two meshes, and where they meet
+ */
+#ifndef ContactScene_h
+#define ContactScene_h
+
+#include "Scene/ViewerScene.h"
+
+#include "vtkSurfaceIntersectionFilter.h"
+
+class ContactScene : public ViewerScene
+{
+public:
+  /// Reads the files and intersects them; throws ViewerError.
+  ContactScene(const ViewerOptions& options, ViewerMessages& messages);
+  ~ContactScene() override;
+
+  /// What was found, on stdout.
+  void Report() override;
+  std::string Describe(const double[3], double) override { return ""; }
+  void Draw(vtkRenderWindow* window) override;
+
+private:
+  void AddMeshes();
+  void AddCurves(double radius);
+
+  vtkNew<vtkSurfaceIntersectionFilter> Filter;
+};
+
+#endif

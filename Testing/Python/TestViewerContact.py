@@ -1,0 +1,102 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""relevo-view --against: what is printed and drawn of two meshes that meet, errors."""
+
+import re
+import unittest
+
+from vtkmodules.vtkFiltersSources import vtkCubeSource
+
+from ViewerPictures import read_picture
+from ViewerProgram import ViewerProgram
+from ViewerScenes import write_hill, write_mesh
+
+
+def write_box(folder, name, low, high):
+    source = vtkCubeSource()
+    source.SetBounds(low, high, low, high, low, high)
+    source.Update()
+    write_mesh(folder, name, source.GetOutput())
+
+
+def is_red(red, green, blue):
+    return red > 60 and green < 0.4 * red and blue < 0.4 * red
+
+
+def is_orange(red, green, blue):
+    return red > 100 and 0.4 * red < green < 0.75 * red and blue < 0.4 * red
+
+
+def count(picture, is_shown):
+    return sum(is_shown(*colour) for row in picture for colour in row)
+
+
+class TestViewerContact(ViewerProgram):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        write_box(cls.folder, "a.vtp", 0, 2)
+        write_box(cls.folder, "b.vtp", 1, 3)
+        write_box(cls.folder, "c.vtp", 2.5, 3)
+        write_box(cls.folder, "d.vtp", 0.5, 2)
+
+    def found(self, *arguments):
+        """The numbers that are printed, by their names."""
+        lines = self.view(*arguments).stdout.splitlines()
+        return {
+            line.split(":")[0]: tuple(map(float, re.findall(r"\d[\d.e+-]*", line)))
+            for line in lines
+        }
+
+    def test_curves(self):
+        """One closed curve, a hexagon of edges of length 1."""
+        found = self.found("a.vtp", "--against", "b.vtp")
+        self.assertEqual(set(found), {"cut faces", "curves", "overlap area"})
+        self.assertEqual(found["curves"], (1, 6))
+        self.assertEqual(found["overlap area"], (0,))
+        self.assertEqual(found["cut faces"], (3, 3))
+
+    def test_overlap(self):
+        """Three faces of the smaller box lie in those of the other."""
+        found = self.found("a.vtp", "--against=d.vtp")
+        self.assertAlmostEqual(found["overlap area"][0], 3 * 1.5**2)
+
+    def test_distance(self):
+        found = self.found("a.vtp", "--against=c.vtp", "--contact-distance=1")
+        self.assertEqual(found["curves"], (0, 0))
+        self.assertEqual(found["near faces"], (3, 3))
+        self.assertAlmostEqual(found["least distance"][0], 0.5 * 3**0.5, places=5)
+        found = self.found("a.vtp", "--against=c.vtp", "--contact-distance=0.5")
+        self.assertEqual(found["near faces"], (0, 0))
+        found = self.found("a.vtp", "--against=b.vtp", "--contact-distance=0")
+        self.assertEqual((found["least distance"], found["faces inside"]), ((0,), (0, 0)))
+
+    def test_picture(self):
+        picture = "--output=p.png", "--size=160x100", "--view=45,35"
+        self.view("a.vtp", "--against=b.vtp", *picture)
+        cut = read_picture(self.folder / "p.png")
+        self.assertGreater(count(cut, is_red), 300)
+        self.assertEqual(count(cut, is_orange), 0)
+        self.view("a.vtp", "--against=c.vtp", "--contact-distance=1", *picture)
+        near = read_picture(self.folder / "p.png")
+        self.assertEqual(count(near, is_red), 0)
+        self.assertGreater(count(near, is_orange), 300)
+
+    def test_errors(self):
+        write_hill(self.folder)
+        self.assert_error(2, ["--against", "mesh", "b.tif"], "a.vtp", "--against=b.tif")
+        self.assert_error(2, ["--against", "meshes"], "hill.png", "--against=a.vtp")
+        self.assert_error(2, ["--contact-distance", "--against"], "a.vtp", "--contact-distance=1")
+        for bad in ("-1", "nan", "near"):
+            self.assert_error(
+                2, ["--contact-distance", bad], "a.vtp", "--against=b.vtp", f"--contact-distance={bad}"
+            )
+        for option in ("--surface=pn", "--stats", "--export=e.ply", "--relief=box", "--volume"):
+            self.assert_error(
+                2, [option.split("=")[0], "--against"], "a.vtp", "--against=b.vtp", option
+            )
+        self.assert_error(1, ["none.ply"], "a.vtp", "--against=none.ply")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["TestViewerContact"])
