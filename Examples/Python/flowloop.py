@@ -11,15 +11,13 @@ import math
 import sys
 
 import relevo
-from gif import write_gif
+from gif import photograph, write_gif
 from meshes import add_normals, make_ring, set_point_array
-from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkColorTransferFunction,
     vtkLight,
     vtkRenderer,
-    vtkWindowToImageFilter,
 )
 
 AROUND, ACROSS = 30, 12
@@ -94,18 +92,6 @@ def show(mapper):
     window.SetMultiSamples(4)
     window.AddRenderer(renderer)
     return window
-
-
-def photograph(window):
-    window.Render()
-    picture = vtkWindowToImageFilter()
-    picture.SetInput(window)
-    picture.ReadFrontBufferOff()
-    picture.ShouldRerenderOff()
-    picture.Update()
-    image = vtkImageData()
-    image.DeepCopy(picture.GetOutput())
-    return image
 
 
 def main(filename, frames=16):

@@ -4,10 +4,25 @@
 
 import struct
 
+from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkImageAppend
 from vtkmodules.vtkImagingColor import vtkImageQuantizeRGBToIndex
+from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 LARGEST_CODE = 4095
+
+
+def photograph(window):
+    """What it shows, drawn anew."""
+    window.Render()
+    picture = vtkWindowToImageFilter()
+    picture.SetInput(window)
+    picture.ReadFrontBufferOff()
+    picture.ShouldRerenderOff()
+    picture.Update()
+    image = vtkImageData()
+    image.DeepCopy(picture.GetOutput())
+    return image
 
 
 def write_gif(filename, images, seconds, colours=64):

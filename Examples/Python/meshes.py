@@ -112,9 +112,15 @@ def make_mapped_ring(around=14, across=6):
 
 
 def read(filename):
-    """The triangles of a .ply file."""
-    reader = vtkPLYReader()
-    reader.SetFileName(filename)
+    """The triangles of a .ply or .g file."""
+    if filename.endswith(".g"):
+        from vtkmodules.vtkIOGeometry import vtkBYUReader
+
+        reader = vtkBYUReader()
+        reader.SetGeometryFileName(filename)
+    else:
+        reader = vtkPLYReader()
+        reader.SetFileName(filename)
     triangulate = vtkTriangleFilter()
     triangulate.SetInputConnection(reader.GetOutputPort())
     triangulate.Update()
@@ -122,7 +128,7 @@ def read(filename):
 
 
 def read_decimated(filename, triangles):
-    """The mesh of a .ply file with about that many triangles, its longest side 2."""
+    """The mesh of a .ply or .g file with about that many triangles, its longest side 2."""
     mesh = read(filename)
     if mesh.GetNumberOfCells() > triangles:
         decimation = vtkQuadricDecimation()

@@ -18,7 +18,7 @@ from figure import Figure, make_actor
 from meshes import add_normals, make_ring, read
 from vtkmodules.vtkCommonCore import vtkFloatArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkTriangleFilter
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkRenderingImage import vtkDepthImageToPointCloud
 from vtkmodules.vtkRenderingCore import (
@@ -32,21 +32,8 @@ from vtkmodules.vtkRenderingCore import (
 RED = (0.85, 0.1, 0.1)
 
 
-def read_byu(filename):
-    from vtkmodules.vtkIOGeometry import vtkBYUReader
-
-    reader = vtkBYUReader()
-    reader.SetGeometryFileName(filename)
-    triangulate = vtkTriangleFilter()
-    triangulate.SetInputConnection(reader.GetOutputPort())
-    triangulate.Update()
-    return triangulate.GetOutput()
-
-
 def read_mesh(filename):
-    if not filename:
-        return add_normals(make_ring(120, 48))
-    return add_normals(read_byu(filename) if filename.endswith(".g") else read(filename))
+    return add_normals(read(filename) if filename else make_ring(120, 48))
 
 
 def draw_mesh(mesh):

@@ -410,6 +410,38 @@ class TestExamples(unittest.TestCase):
                 self.assertEqual(run.returncode, 1)
                 self.assertIn("NAME one of", run.stderr)
 
+    def test_contacts(self):
+        """Each figure is drawn of generated meshes, and of real ones is the one that is kept."""
+        meshes = [str(FLOW.parent / "mesh" / name) for name in ("bunny.ply", "teapot.g")]
+        folder_of_kept = SOURCE / "Examples/Python/contact"
+        kept_names = {"candidates.png", "distance.png", "motion.gif"}
+        self.assertEqual({path.name for path in folder_of_kept.iterdir()}, kept_names)
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("candidates", "distance"):
+                self.assertIn(f"Examples/Python/contact/{name}.png", PAGES)
+                run = self.run_example("contact.py", folder, name, "made.png")
+                self.assertEqual((run.returncode, run.stderr), (0, ""))
+                made = mean_of_blocks(read_picture(pathlib.Path(folder) / "made.png"))
+                self.assertGreater(len(set(made)), 0.3 * len(made), name)
+                if not VOLUME.is_dir():
+                    continue
+                run = self.run_example("contact.py", folder, name, "out.png", *meshes)
+                self.assertEqual((run.returncode, run.stderr), (0, ""))
+                self.assert_kept(pathlib.Path(folder) / "out.png", folder_of_kept / f"{name}.png")
+            run = self.run_example("contact.py", folder, "motion", "out.gif")
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+            made = GifFile(pathlib.Path(folder) / "out.gif")
+            kept = GifFile(folder_of_kept / "motion.gif")
+            self.assertIn("Examples/Python/contact/motion.gif", PAGES)
+            self.assertEqual((len(kept.frames), kept.size), (len(made.frames), made.size))
+            # There and back: but for the first and the middle one each frame is there twice.
+            for loop in (made, kept):
+                self.assertEqual(len(set(loop.frames)), len(loop.frames) // 2 + 1)
+            for arguments in (["ball", "out.png"], ["distance"], ["motion", "out.gif", "a.ply"]):
+                run = self.run_example("contact.py", folder, *arguments)
+                self.assertEqual(run.returncode, 1)
+                self.assertIn("candidates", run.stderr)
+
     def test_flow_of_the_page(self):
         """What the page on flow has to paste draws streaks, and so does what comes from VTK's mapper."""
         page = (SOURCE / "Module/Documentation/flow.md").read_text()

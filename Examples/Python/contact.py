@@ -1,0 +1,197 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Shows where objects meet, without a display: contact.py NAME PICTURE [FILES]
+
+NAME is one of
+  candidates  red where boxes of the two meet, orange near that, blue elsewhere, and the curve where
+              the objects themselves meet: a .png
+  distance    how far the faces of each are from the other: a .png
+  motion      the candidates while one goes through the other: a .gif
+and FILES are two meshes, bunny.ply and teapot.g. Without them generated ones take their places.
+"""
+
+import sys
+
+import relevo
+from figure import Figure, draw_recipe, make_actor
+from gif import photograph, write_gif
+from meshes import add_normals, make_ring, read_decimated
+from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.vtkCommonDataModel import vtkBoundingBox
+from vtkmodules.vtkFiltersCore import vtkStripper, vtkTubeFilter
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
+
+FRAMES, SECONDS, COLOURS = 20, 0.1, 48
+VIEW = (0.25, 0.3, 1)
+PLACE = (0.75, -0.3, 0.15)  # of the second mesh
+
+
+def make_ball():
+    source = vtkSphereSource()
+    source.SetRadius(0.8)
+    source.SetThetaResolution(40)
+    source.SetPhiResolution(30)
+    source.Update()
+    return add_normals(source.GetOutput())
+
+
+def read_meshes(files, triangles):
+    """Of about that many triangles each, their longest sides 2."""
+    if files:
+        return [read_decimated(name, triangles) for name in files]
+    return [add_normals(make_ring(60, 24)), make_ball()]
+
+
+def put(actor, place):
+    """The middle of its mesh."""
+    actor.SetPosition(0, 0, 0)
+    actor.SetPosition([x - c for x, c in zip(place, actor.GetCenter())])
+
+
+def get_bounds(actors):
+    box = vtkBoundingBox()
+    for actor in actors:
+        box.AddBounds(actor.GetBounds())
+    bounds = [0] * 6
+    box.GetBounds(bounds)
+    return bounds
+
+
+def draw_curves(polydata, radius=0.012):
+    join = vtkStripper()
+    join.SetInputData(polydata)
+    tubes = vtkTubeFilter()
+    tubes.SetInputConnection(join.GetOutputPort())
+    tubes.SetRadius(radius)
+    tubes.SetNumberOfSides(8)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(tubes.GetOutputPort())
+    mapper.ScalarVisibilityOff()
+    actor = make_actor(mapper)
+    actor.GetProperty().SetColor(0.05, 0.05, 0.05)
+    return actor
+
+
+class Meeting:
+    """Two meshes that are refined where they may meet, in a panel of a figure."""
+
+    def __init__(self, files, triangles=3000):
+        self.scene = relevo.vtkContactScene()
+        self.scene.SetDistance(0.6)
+        self.actors = [self.add(mesh) for mesh in read_meshes(files, triangles)]
+        put(self.actors[0], (0, 0, 0))
+        self.renderer = None
+        self.curves = []
+
+    def add(self, mesh):
+        recipe = relevo.vtkAdaptiveRefinement()
+        recipe.SetMaximumLevel(5)
+        actor = draw_recipe(mesh, recipe)
+        self.scene.AddActor(actor)
+        return actor
+
+    def move(self, place):
+        put(self.actors[1], place)
+        self.scene.Update()
+        for actor in self.actors:
+            mapper = actor.GetMapper()
+            mapper.SetColorModeToMetric()
+            mapper.SetLevelLookupTable(mapper.GetRefinement().GetMetric().GetLookupTable())
+
+    def show(self, figure, label, bounds):
+        self.renderer = figure.add(label, self.actors[0], bounds=bounds)
+        self.renderer.AddActor(self.actors[1])
+        self.show_curves()
+
+    def show_curves(self):
+        for actor in self.curves:
+            self.renderer.RemoveActor(actor)
+        contacts = self.scene.GetContacts()
+        self.curves = [draw_curves(contacts.GetBlock(i)) for i in range(contacts.GetNumberOfBlocks())]
+        for actor in self.curves:
+            self.renderer.AddActor(actor)
+
+
+def candidates(picture, *files):
+    meeting = Meeting(files)
+    meeting.move(PLACE)
+    figure = Figure(1, 1, (640, 460), VIEW, (0, 1, 0), 1.45)
+    meeting.show(figure, "where the two may meet, and where they do", get_bounds(meeting.actors))
+    figure.write(picture)
+
+
+def make_distance_table(largest):
+    """From red, where they meet, over white to blue."""
+    table = vtkLookupTable()
+    table.SetNumberOfTableValues(256)
+    table.SetTableRange(0, largest)
+    for i in range(256):
+        t = i / 255
+        near, far = max(1 - 2 * t, 0), max(2 * t - 1, 0)
+        table.SetTableValue(
+            i, 0.95 - 0.1 * near - 0.75 * far, 0.95 - 0.85 * near - 0.6 * far, 0.95 - 0.85 * near - 0.15 * far
+        )
+    return table
+
+
+def distance(picture, *files):
+    meshes = read_meshes(files, 20000)
+    meeting = relevo.vtkSurfaceIntersectionFilter()
+    actors = []
+    for i, mesh in enumerate(meshes):
+        mapper = vtkPolyDataMapper()
+        actors.append(make_actor(mapper))
+        mapper.SetInputData(mesh)
+        put(actors[i], PLACE if i == 1 else (0, 0, 0))
+        actors[i].ComputeMatrix()
+        meeting.SetInputData(i, mesh)
+        meeting.SetMatrix(i, actors[i].GetMatrix())
+    meeting.ClassifyOn()
+    # That the bunny has holes in its base, so that nothing is told to be inside, is no news.
+    meeting.AddObserver("WarningEvent", lambda *_: None)
+    meeting.Update()
+    for i, actor in enumerate(actors):
+        mapper = actor.GetMapper()
+        mapper.SetInputConnection(meeting.GetOutputPort(2 + i))
+        mapper.SetScalarModeToUseCellFieldData()
+        mapper.SelectColorArray("Distance")
+        mapper.SetLookupTable(make_distance_table(0.6))
+        mapper.UseLookupTableScalarRangeOn()
+    figure = Figure(1, 1, (640, 460), VIEW, (0, 1, 0), 1.45)
+    renderer = figure.add("how far each is from the other", actors[0], bounds=get_bounds(actors))
+    renderer.AddActor(actors[1])
+    renderer.AddActor(draw_curves(meeting.GetOutput(0)))
+    figure.write(picture)
+
+
+def motion(picture, *files):
+    """There and back, so that it may run for ever."""
+    meeting = Meeting(files, 1500)
+    figure = Figure(1, 1, (360, 220), VIEW, (0, 1, 0), 1.9)
+    images = []
+    for i in range(FRAMES):
+        t = 1 - abs(1 - 2 * i / FRAMES)
+        meeting.move((2.2 - 3.4 * t, PLACE[1], PLACE[2]))
+        if not images:
+            meeting.show(figure, "", (-1.9, 1.9, -1, 1, -0.8, 0.8))
+        meeting.show_curves()
+        images.append(photograph(figure.window))
+    write_gif(picture, images, SECONDS, COLOURS)
+
+
+FIGURES = (candidates, distance, motion)
+
+
+def main(name, picture, *files):
+    for figure in FIGURES:
+        if figure.__name__ == name and len(files) in (0, 2):
+            figure(picture, *files)
+            return
+    names = ", ".join(figure.__name__ for figure in FIGURES)
+    sys.exit(f"contact.py NAME PICTURE [FILES], NAME one of {names}, FILES two")
+
+
+if len(sys.argv) < 3:
+    main("", "")
+main(*sys.argv[1:])
