@@ -13,12 +13,7 @@ import sys
 import relevo
 from gif import photograph, write_gif
 from meshes import add_normals, make_ring, set_point_array
-from vtkmodules.vtkRenderingCore import (
-    vtkActor,
-    vtkColorTransferFunction,
-    vtkLight,
-    vtkRenderer,
-)
+from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkLight, vtkRenderer
 
 AROUND, ACROSS = 30, 12
 SIZE = (360, 230)
