@@ -105,7 +105,9 @@ int vtkPatchSurfaceFilter::RequestData(
   whole->ShallowCopy(input);
   this->RemoveShortArrays(whole->GetPointData(), input->GetNumberOfPoints());
   this->RemoveShortArrays(whole->GetCellData(), input->GetNumberOfCells());
-  const relevo::CoarseMesh mesh = relevo::BuildCoarseMesh(nets, points, homogeneous, input);
+  const int leastPieces = this->SplitPatches ? 2 : 1;
+  const relevo::CoarseMesh mesh =
+    relevo::BuildCoarseMesh(nets, points, homogeneous, input, leastPieces);
   relevo::StorePatches(nets, points, homogeneous, mesh, whole, output);
   return 1;
 }
@@ -113,4 +115,5 @@ int vtkPatchSurfaceFilter::RequestData(
 void vtkPatchSurfaceFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "SplitPatches: " << (this->SplitPatches ? "On\n" : "Off\n");
 }

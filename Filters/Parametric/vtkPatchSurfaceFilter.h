@@ -52,6 +52,17 @@ public:
   vtkTypeMacro(vtkPatchSurfaceFilter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  //@{
+  /**
+   * Whether all patches are cut into fans, 8 triangles for a quadrilateral and 6 for a triangle,
+   * rather than into as few triangles as there can be; off by default. Faces out of view are then
+   * culled more finely, as when the camera comes near, for about four times the coarse triangles.
+   */
+  vtkSetMacro(SplitPatches, bool);
+  vtkGetMacro(SplitPatches, bool);
+  vtkBooleanMacro(SplitPatches, bool);
+  //@}
+
 protected:
   vtkPatchSurfaceFilter();
   ~vtkPatchSurfaceFilter() override;
@@ -63,6 +74,8 @@ protected:
 private:
   vtkPatchSurfaceFilter(const vtkPatchSurfaceFilter&) = delete;
   void operator=(const vtkPatchSurfaceFilter&) = delete;
+
+  bool SplitPatches = false;
 
   void RemoveShortArrays(vtkDataSetAttributes* data, vtkIdType tuples);
 };

@@ -27,13 +27,13 @@ class Builder
 {
 public:
   Builder(const ControlNets& nets, const std::vector<dvec4>& points,
-    const ControlPoints& homogeneous, vtkUnstructuredGrid* grid)
+    const ControlPoints& homogeneous, vtkUnstructuredGrid* grid, int leastPieces)
     : Nets(nets)
     , Patches(nets.GetPatches())
     , Homogeneous(homogeneous)
   {
     this->NumberCorners(grid);
-    this->Edges = FindPatchEdges(this->Patches, points, this->Places);
+    this->Edges = FindPatchEdges(this->Patches, points, this->Places, leastPieces);
     this->SplitEdges();
     this->AddPatches();
     ComputeNormals(this->Patches, homogeneous, this->Mesh);
@@ -327,9 +327,9 @@ private:
 }
 
 CoarseMesh BuildCoarseMesh(const ControlNets& nets, const std::vector<dvec4>& points,
-  const ControlPoints& homogeneous, vtkUnstructuredGrid* grid)
+  const ControlPoints& homogeneous, vtkUnstructuredGrid* grid, int leastPieces)
 {
-  Builder builder(nets, points, homogeneous, grid);
+  Builder builder(nets, points, homogeneous, grid, leastPieces);
   return std::move(builder.Mesh);
 }
 }

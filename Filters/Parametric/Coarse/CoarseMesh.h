@@ -39,9 +39,10 @@ struct CoarseMesh
   std::vector<dvec3> Normals;            // for each point
 };
 
-/// `points` are not multiplied with their weights, `homogeneous` are.
+/// `points` are not multiplied with their weights, `homogeneous` are. Edges are split in
+/// `leastPieces`, 1 or 2, or more.
 CoarseMesh BuildCoarseMesh(const ControlNets& nets, const std::vector<dvec4>& points,
-  const ControlPoints& homogeneous, vtkUnstructuredGrid* grid);
+  const ControlPoints& homogeneous, vtkUnstructuredGrid* grid, int leastPieces);
 }
 
 #endif

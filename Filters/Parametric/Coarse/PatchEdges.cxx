@@ -113,7 +113,7 @@ std::vector<BorderCurve> DescribeBorders(const std::vector<FacePatch>& patches,
 }
 
 // Closed ones in four, and in two those whose ends another joins as well.
-void ChoosePieces(std::vector<PatchEdge>& edges)
+void ChoosePieces(std::vector<PatchEdge>& edges, int least)
 {
   for (std::size_t i = 0; i < edges.size(); ++i)
   {
@@ -121,7 +121,7 @@ void ChoosePieces(std::vector<PatchEdge>& edges)
     const bool isClosed = edge.Ends[0] == edge.Ends[1];
     const bool hasTwin = (i > 0 && edges[i - 1].Ends == edge.Ends) ||
       (i + 1 < edges.size() && edges[i + 1].Ends == edge.Ends);
-    edge.Pieces = edge.IsCollapsed ? 1 : (isClosed ? 4 : (hasTwin ? 2 : 1));
+    edge.Pieces = edge.IsCollapsed ? 1 : (isClosed ? 4 : (hasTwin ? 2 : least));
   }
 }
 }
@@ -134,7 +134,7 @@ bool PatchEdges::AreJoined(const std::array<vtkIdType, 2>& ends) const
 }
 
 PatchEdges FindPatchEdges(const std::vector<FacePatch>& patches, const ControlPoints& controlPoints,
-  const std::vector<CornerPlaces>& places)
+  const std::vector<CornerPlaces>& places, int leastPieces)
 {
   PatchEdges result;
   result.Borders.resize(patches.size());
@@ -150,7 +150,7 @@ PatchEdges FindPatchEdges(const std::vector<FacePatch>& patches, const ControlPo
     result.Borders[curve.Patch][curve.Border] = { static_cast<int>(result.Edges.size()) - 1,
       curve.IsReversed };
   }
-  ChoosePieces(result.Edges);
+  ChoosePieces(result.Edges, leastPieces);
   return result;
 }
 

@@ -142,9 +142,11 @@ vtkSmartPointer<vtkUnstructuredGrid> BenchmarkPatchMeshes::Part(vtkUnstructuredG
   return parted;
 }
 
-vtkSmartPointer<vtkPolyData> BenchmarkPatchMeshes::MakePatches(vtkUnstructuredGrid* grid)
+vtkSmartPointer<vtkPolyData> BenchmarkPatchMeshes::MakePatches(
+  vtkUnstructuredGrid* grid, bool split)
 {
   vtkNew<vtkPatchSurfaceFilter> filter;
+  filter->SetSplitPatches(split);
   filter->SetInputData(grid);
   filter->Update();
   return filter->GetOutput();

@@ -25,8 +25,8 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeHexahedra(int side);
 /// same two points for one, though at a border that is one point they are several.
 vtkSmartPointer<vtkUnstructuredGrid> Part(vtkUnstructuredGrid* grid);
 
-/// The coarse triangles that carry the patches of a grid.
-vtkSmartPointer<vtkPolyData> MakePatches(vtkUnstructuredGrid* grid);
+/// The coarse triangles that carry the patches of a grid, as few as can be, or split ones.
+vtkSmartPointer<vtkPolyData> MakePatches(vtkUnstructuredGrid* grid, bool split = false);
 
 /// What vtkDataSetSurfaceFilter makes of a grid.
 vtkSmartPointer<vtkPolyData> MakeEvenSurface(vtkUnstructuredGrid* grid, int level);

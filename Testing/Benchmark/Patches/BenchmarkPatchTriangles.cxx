@@ -121,7 +121,7 @@ class Contest
 public:
   Contest(double zoom, bool quick)
     : Grid(BenchmarkPatchMeshes::MakeTeapot())
-    , Coarse(BenchmarkPatchMeshes::MakePatches(Grid))
+    , Coarse(BenchmarkPatchMeshes::MakePatches(Grid, true))
     , Parted(BenchmarkPatchMeshes::Part(Grid))
     , Camera(MakeCamera(Coarse, zoom))
     , Distance(Coarse, quick ? 48 : 192)
@@ -217,7 +217,9 @@ void AddPatchTriangles(const BenchmarkOptions& options, const AddTable& addTable
       Format(std::exp(unculledSum / windows)) + ", of those in view " +
       Format(std::exp(inViewSum / windows)) + "; asked: " + (zoom > 1.0 ? "0.15." : "0.6."));
   }
-  table.AddNote("VTK: the least NonlinearSubdivisionLevel, up to " + std::to_string(LastLevel) +
+  table.AddNote(
+    "Patches are split (SplitPatchesOn). VTK: the least NonlinearSubdivisionLevel, up to " +
+    std::to_string(LastLevel) +
     ", whose triangles in view are off by no more than asked, of cells that share no points; "
     "vtkPolyDataMapper draws all of them. Culled: triangles of patches out of view. Off: the "
     "largest distance of middles of triangles and of their edges from the nearest point of the "

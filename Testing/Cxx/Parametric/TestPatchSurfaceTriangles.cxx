@@ -181,6 +181,9 @@ void TestClosed(RelevoCheck& check)
     mesh = RelevoMakePatches(source->GetOutput());
     CHECK(mesh->GetNumberOfCells() == 2 * source->GetOutput()->GetNumberOfCells());
     CheckTriangles(check, mesh);
+    auto split = RelevoMakePatches(source->GetOutput(), true);
+    CHECK(split->GetNumberOfCells() == 8 * source->GetOutput()->GetNumberOfCells());
+    CheckTriangles(check, split);
     // Normals are those of the torus.
     for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
     {
@@ -238,6 +241,8 @@ void TestLens(RelevoCheck& check)
   auto mesh = RelevoMakePatches(grid);
   CHECK(mesh->GetNumberOfCells() == 8);
   CheckTriangles(check, mesh);
+  CHECK(RelevoMakePatches(grid, true)->GetNumberOfCells() == 12);
+  CheckTriangles(check, RelevoMakePatches(grid, true));
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
     CHECK_NEAR(mesh->GetPointData()->GetArray("X")->GetTuple1(i), GetPlace(mesh, i)[0], 1e-14);
@@ -317,6 +322,11 @@ void TestTeapot(RelevoCheck& check)
     atPoles += places.size() == 2 ? 1 : 0;
   }
   CHECK(atPoles == 8);
+
+  // Three borders of those at a pole are split, four of others.
+  mesh = RelevoMakePatches(reader->GetOutput(), true);
+  CHECK(mesh->GetNumberOfCells() == 24 * 8 + 8 * 7);
+  CheckTriangles(check, mesh);
 }
 }
 

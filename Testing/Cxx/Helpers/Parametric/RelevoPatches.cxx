@@ -271,9 +271,10 @@ vtkSmartPointer<vtkUnstructuredGrid> RelevoNewCell(
   return grid;
 }
 
-vtkSmartPointer<vtkPolyData> RelevoMakePatches(vtkUnstructuredGrid* grid)
+vtkSmartPointer<vtkPolyData> RelevoMakePatches(vtkUnstructuredGrid* grid, bool split)
 {
   vtkNew<vtkPatchSurfaceFilter> filter;
+  filter->SetSplitPatches(split);
   filter->SetInputData(grid);
   filter->Update();
   return filter->GetOutput();

@@ -24,7 +24,7 @@ vtkSmartPointer<vtkUnstructuredGrid> RelevoNewCell(int type, const std::array<in
 // Of types of any degree.
 vtkIdType RelevoGetNumberOfNodes(int type, const std::array<int, 3>& degrees);
 
-vtkSmartPointer<vtkPolyData> RelevoMakePatches(vtkUnstructuredGrid* grid);
+vtkSmartPointer<vtkPolyData> RelevoMakePatches(vtkUnstructuredGrid* grid, bool split = false);
 
 int RelevoGetNumberOfPatches(vtkPolyData* mesh);
 bool RelevoIsTriangle(vtkPolyData* mesh, int patch);
