@@ -34,11 +34,14 @@ check() {
 }
 check 0 "$folder/here/out.png" heights.pgm --size 64x48 --output out.png
 check 0 "$folder/out.png" --output=../out.png --size 64x48 --wireframe --stats heights.pgm
+printf '1\n1 1\n0 0 0 1 0 0\n0 1 0 1 1 1\n' >patch.bpt
 # Every option without a value: what follows it is no value of it.
 for flag in $("$build/bin/relevo-view" --help | sed -nE 's/^  (--[a-z-]+)  .*/\1/p'); do
   case $flag in --help | --version) continue ;; esac
+  file=heights.pgm
+  case $flag in --patch-edges) file=patch.bpt ;; esac
   rm -f flag.png
-  check 0 "$folder/here/flag.png" "$flag" heights.pgm "$flag" --output flag.png --size 64x48
+  check 0 "$folder/here/flag.png" "$flag" "$file" "$flag" --output flag.png --size 64x48
 done
 rm -f "$build/relevo-view.png"
 check 0 "$build/relevo-view.png" heights.pgm --size 64x48
