@@ -173,7 +173,7 @@ void vtkAdaptiveCurveMapper::UpdateBlocks()
 
 void vtkAdaptiveCurveMapper::vtkInternals::AddCounts(const relevo::CurvePainter& painter)
 {
-  this->NumberOfSelections += painter.GetSelection().GetNumberOfEvaluations();
+  this->NumberOfSelections += painter.GetCurveSelection().GetNumberOfEvaluations();
   this->NumberOfBufferBuilds += painter.GetNumberOfBufferBuilds();
   this->NumberOfShaderBuilds += painter.GetNumberOfShaderBuilds();
 }

@@ -81,7 +81,7 @@ vtkIdType vtkAdaptiveCurveMapper::GetNumberOfCurves()
 vtkIdType vtkAdaptiveCurveMapper::GetNumberOfCulledCurves()
 {
   return this->Internals->SumOfFrame([](const relevo::CurvePainter& painter)
-    { return painter.GetSelection().GetNumberOfHiddenCurves(); });
+    { return painter.GetCurveSelection().GetNumberOfHiddenCurves(); });
 }
 
 int vtkAdaptiveCurveMapper::GetNumberOfDrawCalls()
@@ -94,7 +94,7 @@ vtkIdType vtkAdaptiveCurveMapper::GetNumberOfSelections()
 {
   return this->Internals->NumberOfSelections +
     this->Internals->Sum([](const relevo::CurvePainter& painter)
-      { return painter.GetSelection().GetNumberOfEvaluations(); });
+      { return painter.GetCurveSelection().GetNumberOfEvaluations(); });
 }
 
 vtkIdType vtkAdaptiveCurveMapper::GetNumberOfBufferBuilds()

@@ -85,7 +85,7 @@ public:
   void ProcessSelectorPixelBuffers(
     vtkHardwareSelector* selector, std::vector<unsigned int>& pixels, vtkProp* prop) override;
 
-  const CurveSelection& GetSelection() const { return this->Selection; }
+  const CurveSelection& GetCurveSelection() const { return this->Selection; }
   vtkIdType CountSegments() const;
   int GetNumberOfDrawCalls() const { return this->NumberOfDrawCalls; }
   vtkTypeInt64 GetMemorySize() const;
