@@ -16,7 +16,6 @@
 #include "vtkUnstructuredGrid.h"
 
 BenchmarkPatchWay::BenchmarkPatchWay(Kind kind, vtkUnstructuredGrid* grid)
-  : Way(kind)
 {
   if (kind == Even)
   {

@@ -40,7 +40,6 @@ public:
   double GetMemorySize() const;
 
 private:
-  Kind Way;
   vtkSmartPointer<vtkPolyData> Mesh;
   vtkSmartPointer<vtkMapper> Mapper;
 };
