@@ -210,7 +210,7 @@ void vtkContactScene::Update()
     if (pair.Update(first, second))
     {
       ++this->NumberOfIntersections;
-      this->Report(GetName(numbers), pair.GetErrors(), pair.GetNewWarnings());
+      this->Report(GetName(numbers), pair.GetNewErrors(), pair.GetNewWarnings());
     }
     if (pair.GetCurves())
     {

@@ -18,7 +18,7 @@
  * Contacts, with ExactContacts: the curves where the surfaces of candidates meet, decided exactly
  * by a vtkSurfaceIntersectionFilter for each pair, which is kept, so that its trees survive motion.
  * Surfaces are the polygons and strips of the mapper's input, a vtkPolyData, as they are, not yet
- * refined. Actors whose input is something else, such as blocks, have boxes alone.
+ * refined. Actors whose input has none, such as lines or blocks, have boxes alone.
  *
  * Only pairs of actors that have moved, or whose input has changed, are intersected anew.
  *

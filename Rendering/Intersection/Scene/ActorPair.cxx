@@ -7,6 +7,8 @@
 #include "vtkCommand.h"
 #include "vtkExecutive.h"
 
+#include <utility>
+
 namespace relevo
 {
 ActorPair::ActorPair()
@@ -36,12 +38,12 @@ bool ActorPair::Update(const SceneActor& first, const SceneActor& second)
     this->Filter->SetInputData(i, actors[i]->GetSurface());
     this->Filter->SetMatrix(i, actors[i]->GetMatrix());
   }
-  const std::string before = this->Warnings;
-  this->Warnings.clear();
-  this->Errors.clear();
+  const std::string errors = std::exchange(this->Errors, "");
+  const std::string warnings = std::exchange(this->Warnings, "");
   this->Ignored.clear();
   this->Filter->Update();
-  this->NewWarnings = this->Warnings == before ? "" : this->Warnings;
+  this->NewErrors = this->Errors == errors ? "" : this->Errors;
+  this->NewWarnings = this->Warnings == warnings ? "" : this->Warnings;
   this->Curves = nullptr;
   if (this->Filter->GetOutput()->GetNumberOfCells() > 0)
   {

@@ -29,16 +29,18 @@ public:
 
   /// Another object whenever they were intersected; nullptr where they do not touch.
   const vtkSmartPointer<vtkPolyData>& GetCurves() const { return this->Curves; }
-  /// Of the last intersection.
-  const std::string& GetErrors() const { return this->Errors; }
+  //@{
   /// Of the last intersection, when they are others than before.
+  const std::string& GetNewErrors() const { return this->NewErrors; }
   const std::string& GetNewWarnings() const { return this->NewWarnings; }
+  //@}
 
 private:
   vtkNew<vtkSurfaceIntersectionFilter> Filter;
   Dependencies Inputs;
   vtkSmartPointer<vtkPolyData> Curves;
   std::string Errors;
+  std::string NewErrors;
   std::string Warnings;
   std::string NewWarnings;
   std::string Ignored;

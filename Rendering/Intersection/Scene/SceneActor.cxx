@@ -22,9 +22,11 @@ vtkPolyData* FindSurface(vtkMapper* mapper)
 {
   vtkAlgorithmOutput* connection =
     mapper->GetNumberOfInputConnections(0) > 0 ? mapper->GetInputConnection(0, 0) : nullptr;
-  return connection ? vtkPolyData::SafeDownCast(
-                        connection->GetProducer()->GetOutputDataObject(connection->GetIndex()))
-                    : nullptr;
+  auto mesh = connection ? vtkPolyData::SafeDownCast(
+                             connection->GetProducer()->GetOutputDataObject(connection->GetIndex()))
+                         : nullptr;
+  const bool hasFaces = mesh && mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
+  return hasFaces ? mesh : nullptr;
 }
 }
 

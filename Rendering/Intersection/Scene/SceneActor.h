@@ -39,7 +39,7 @@ public:
   const Bounds& GetBox() const { return this->Box; }
   /// Always the same object, modified when the actor has moved.
   vtkMatrix4x4* GetMatrix() const { return this->Matrix; }
-  /// The mapper's input, nullptr where it is not vtkPolyData.
+  /// The mapper's input, nullptr where it is no vtkPolyData with polygons or strips.
   vtkPolyData* GetSurface() const { return this->Surface; }
 
 private:

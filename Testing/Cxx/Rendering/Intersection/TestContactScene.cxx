@@ -255,9 +255,11 @@ void TestErrors(RelevoCheck& check)
   scene->Update();
   CHECK(errors.Said("Actors 0 and 1 cannot be intersected: "));
   CHECK(scene->GetContacts()->GetNumberOfBlocks() == 0 && scene->GetNumberOfCandidates() == 1);
-  // Once.
+  // Once for all motions.
   scene->Update();
-  CHECK(errors.None());
+  matrix->SetElement(0, 3, 0.8);
+  scene->Update();
+  CHECK(errors.None() && scene->GetNumberOfIntersections() == 1);
   matrix->SetElement(0, 0, std::nan(""));
   scene->Update();
   CHECK(errors.None() && scene->GetNumberOfCandidates() == 0);
@@ -273,6 +275,14 @@ void TestErrors(RelevoCheck& check)
   second.Actor->SetPosition(0.1, 0, 0);
   scene->Update();
   CHECK(errors.None() && scene->GetNumberOfIntersections() == 1);
+  // Lines have a box, and no surface.
+  auto lines = RelevoMakeBox(0, 1);
+  lines->SetLines(lines->GetPolys());
+  lines->SetPolys(nullptr);
+  second.Mapper->SetInputData(lines);
+  scene->Update();
+  CHECK(scene->GetNumberOfCandidates() == 1 && scene->GetNumberOfIntersections() == 0);
+  CHECK(errors.None() && scene->GetContacts()->GetNumberOfBlocks() == 0);
 }
 }
 
