@@ -83,6 +83,7 @@ std::string UploadScalars(vtkOpenGLRenderWindow* window, vtkMapper* mapper, vtkD
     return problem;
   }
   int flag = 0;
+  mapper->ClearColorArrays(); // which may be those of another block
   vtkUnsignedCharArray* mapped = mapper->MapScalars(input, 1.0, flag); // which sets the table up
   vtkDataArray* values = vtkDataArray::SafeDownCast(scalars);
   bool valid = true;

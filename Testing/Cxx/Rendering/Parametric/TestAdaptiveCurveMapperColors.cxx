@@ -3,6 +3,7 @@
 // Colours by scalars of points and cells: those that vtkPolyDataMapper gives the filter's output.
 #include "RelevoCurveScene.h"
 
+#include "vtkCellData.h"
 #include "vtkLookupTable.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
@@ -155,6 +156,37 @@ void TestCategories(RelevoCheck& check)
   CHECK(reds > 20 && blues > 20);
 }
 
+// Each block has the colours of its own cells.
+void TestBlocks(RelevoCheck& check)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(2);
+  table->SetTableValue(0, 1.0, 0.0, 0.0);
+  table->SetTableValue(1, 0.0, 1.0, 0.0);
+  for (unsigned int block = 0; block < 2; ++block)
+  {
+    blocks->SetBlock(block, RelevoMakeCurves(3 + static_cast<int>(block)));
+    vtkPointSet::SafeDownCast(blocks->GetBlock(block))
+      ->GetCellData()
+      ->GetArray("Numbers")
+      ->Fill(block);
+  }
+  RelevoCurveScene scene(blocks);
+  scene.Actor->GetProperty()->LightingOff();
+  scene.Mapper->SetLookupTable(table);
+  ColorBy(scene.Mapper, "Numbers", true);
+  const RelevoPicture picture = scene.Draw();
+  size_t reds = 0;
+  size_t greens = 0;
+  for (size_t i = 0; i < picture.Colors.size(); i += 3)
+  {
+    reds += picture.Colors[i] == 255 ? 1 : 0;
+    greens += picture.Colors[i + 1] == 255 ? 1 : 0;
+  }
+  CHECK(reds > 100 && greens > 100);
+}
+
 // A table whose colours are translucent, drawn in the translucent pass.
 void TestOpacity(RelevoCheck& check, RelevoComparison& comparison)
 {
@@ -188,6 +220,7 @@ int TestAdaptiveCurveMapperColors(int argc, char* argv[])
   TestValues(check, comparison);
   TestSettings(check, comparison);
   TestCategories(check);
+  TestBlocks(check);
   TestOpacity(check, comparison);
   return check.GetResult();
 }
