@@ -142,6 +142,7 @@ void vtkAdaptiveCurveMapper::UpdateBlocks()
         std::string("A ") + leaf.Data->GetClassName() +
           " has no curves: a vtkUnstructuredGrid or a vtkPolyData is needed.");
       block.Painter = nullptr;
+      block.IsDrawn = false;
       continue;
     }
     if (!block.Painter)
@@ -261,7 +262,10 @@ void vtkAdaptiveCurveMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   {
     return;
   }
-  data.IsDrawn = false;
+  for (auto& block : data.Blocks)
+  {
+    block.second.IsDrawn = false;
+  }
   if (this->GetNumberOfInputConnections(0) == 0)
   {
     vtkErrorMacro("There is no input.");
@@ -285,7 +289,6 @@ void vtkAdaptiveCurveMapper::Render(vtkRenderer* renderer, vtkActor* actor)
     data.Context->SetContext(vtkOpenGLRenderWindow::SafeDownCast(window));
     this->UpdateBlocks();
     this->RenderBlocks(renderer, actor);
-    data.IsDrawn = true;
   }
   this->UpdateProgress(1.0);
 }
@@ -328,6 +331,7 @@ void vtkAdaptiveCurveMapper::RenderBlocks(vtkRenderer* renderer, vtkActor* actor
       }
     }
     block.Painter->RenderPiece(renderer, actor);
+    block.IsDrawn = true;
     this->Say(block, vtkBlock::SHADERS, block.Painter->GetShaderProblem());
     if (!block.Painter->GetTessellationProblem().empty())
     {

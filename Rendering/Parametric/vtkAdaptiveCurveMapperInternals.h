@@ -34,6 +34,7 @@ struct vtkAdaptiveCurveMapper::vtkBlock
   std::string Prefix;                            // of messages
   std::string Problems[NUMBER_OF_KINDS];         // said last
   std::string Warning;                           // likewise
+  bool IsDrawn = false;                          // in the last render
 };
 
 struct vtkAdaptiveCurveMapper::vtkInternals
@@ -45,14 +46,10 @@ struct vtkAdaptiveCurveMapper::vtkInternals
   std::string Problem; // of all blocks, said last
   std::string TessellationProblem;
   int MethodInUse = METHOD_INSTANCING;
-  bool IsDrawn = false; // in the last render
 
-  /// Of all blocks; and if they were drawn, else 0.
+  /// Of all blocks, and of those that the last render drew.
   vtkIdType Sum(const Number& getNumber) const;
-  vtkIdType SumOfFrame(const Number& getNumber) const
-  {
-    return this->IsDrawn ? this->Sum(getNumber) : 0;
-  }
+  vtkIdType SumOfFrame(const Number& getNumber) const;
 
   /// Of blocks that are gone.
   vtkIdType NumberOfSelections = 0;

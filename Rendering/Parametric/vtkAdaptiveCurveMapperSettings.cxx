@@ -61,6 +61,16 @@ vtkIdType vtkAdaptiveCurveMapper::vtkInternals::Sum(const Number& getNumber) con
   return sum;
 }
 
+vtkIdType vtkAdaptiveCurveMapper::vtkInternals::SumOfFrame(const Number& getNumber) const
+{
+  vtkIdType sum = 0;
+  for (const auto& block : this->Blocks)
+  {
+    sum += block.second.IsDrawn ? getNumber(*block.second.Painter) : 0;
+  }
+  return sum;
+}
+
 int vtkAdaptiveCurveMapper::GetMethodInUse()
 {
   return this->Internals->MethodInUse;

@@ -115,6 +115,7 @@ void TestArrays(RelevoCheck& check)
   scene.Mapper->SetRepresentationToTubes();
   ExpectError(check, scene, "No radii: ");
   CHECK(scene.Draw().CountForeground() == 0);
+  CHECK(scene.Mapper->GetNumberOfDrawnSegments() == 0 && scene.Mapper->GetNumberOfDrawCalls() == 0);
   vtkNew<vtkDoubleArray> radii;
   radii->SetName("Nowhere");
   radii->SetNumberOfValues(curves->GetNumberOfPoints());
