@@ -58,6 +58,8 @@ void RunVolumes(const BenchmarkOptions& options, const AddTable& addTable);
 void RunReliefs(const BenchmarkOptions& options, const AddTable& addTable);
 /// Curved cells and hair against VTK's even cuts.
 void RunPatches(const BenchmarkOptions& options, const AddTable& addTable);
+/// Where surfaces meet, against exact whole numbers and VTK's filters, and in moving scenes.
+void RunIntersections(const BenchmarkOptions& options, const AddTable& addTable);
 
 /**
  * Measurements that need a process of their own run in this program, called again: the arguments
@@ -69,5 +71,6 @@ std::vector<double> MeasureTerrain(const std::vector<std::string>& arguments);
 std::vector<double> MeasureVolumes(const std::vector<std::string>& arguments);
 std::vector<double> MeasureReliefs(const std::vector<std::string>& arguments);
 std::vector<double> MeasurePatches(const std::vector<std::string>& arguments);
+std::vector<double> MeasureIntersections(const std::vector<std::string>& arguments);
 
 #endif

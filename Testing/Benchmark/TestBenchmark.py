@@ -54,6 +54,8 @@ class TestBenchmark(unittest.TestCase):
             self.check_warps(tables)
         if "patches" in usage:
             self.check_patches(tables)
+        if "intersections" in usage:
+            self.check_intersections(tables)
         self.assertEqual(len(tables["dem"]), 3)
         self.assertTrue(all(row["triangles"] > 0 for row in tables["dem"]))
 
@@ -133,6 +135,20 @@ class TestBenchmark(unittest.TestCase):
         for row in tables["patches-hairs"]:
             self.assertLessEqual(row["error"], 0.5)
             self.assertLessEqual(row["even_error"], row["error"])
+
+    def check_intersections(self, tables):
+        exact = tables["intersections-pairs"][0]
+        self.assertEqual(exact["filter"], "vtkSurfaceIntersectionFilter")
+        self.assertGreater(exact["meeting"], exact["crossing"])
+        for key in ("crashes", "hangs", "too_many", "too_few", "too_few_crossing"):
+            self.assertEqual(exact[key], 0, key)
+        for row in tables.get("intersections-times", []):  # with the bunny
+            self.assertGreater(row["ratio"], 0.0)
+        most, _, none = tables["intersections-scene"]
+        self.assertGreater(most["triangles"], none["triangles"])
+        self.assertEqual(most["segments"], none["segments"])
+        self.assertGreater(most["contacts"], 0)
+        self.assertGreaterEqual(most["candidates"], most["contacts"])
 
     def test_no_paraview(self):
         result = subprocess.run([PROGRAM, "--quick", "--paraview", "/nonexistent", "lic"],

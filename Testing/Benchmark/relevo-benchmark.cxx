@@ -51,6 +51,9 @@ const std::vector<Benchmark> Benchmarks = {
 #ifdef BENCHMARK_HAS_PATCHES
   { "patches", RunPatches },
 #endif
+#ifdef BENCHMARK_HAS_INTERSECTIONS
+  { "intersections", RunIntersections },
+#endif
 #ifdef BENCHMARK_HAS_GOOGLE_BENCHMARK
   { "processor", RunProcessor, false },
 #endif
@@ -72,6 +75,9 @@ const std::vector<Measurement> Measurements = {
 #endif
 #ifdef BENCHMARK_HAS_PATCHES
   { "patches", MeasurePatches },
+#endif
+#ifdef BENCHMARK_HAS_INTERSECTIONS
+  { "intersections", MeasureIntersections },
 #endif
 };
 

@@ -46,21 +46,46 @@ std::vector<Vector> GetEdges(const std::vector<Vector>& p)
   return edges;
 }
 
-bool Separates(const Vector& axis, const std::vector<Vector>& a, const std::vector<Vector>& b)
+// How far one is beyond the other along an axis; below 0 where their ranges overlap.
+std::int64_t GetGap(const Vector& axis, const std::vector<Vector>& a, const std::vector<Vector>& b)
 {
   const auto getRange = [&axis](const std::vector<Vector>& points)
   {
-    std::vector<std::int64_t> values;
+    std::array<std::int64_t, 2> range{ Dot(axis, points[0]), Dot(axis, points[0]) };
     for (const Vector& point : points)
     {
-      values.push_back(Dot(axis, point));
+      range = { std::min(range[0], Dot(axis, point)), std::max(range[1], Dot(axis, point)) };
     }
-    const auto range = std::minmax_element(values.begin(), values.end());
-    return std::array<std::int64_t, 2>{ *range.first, *range.second };
+    return range;
   };
   const auto aRange = getRange(a);
   const auto bRange = getRange(b);
-  return aRange[1] < bRange[0] || bRange[1] < aRange[0];
+  return std::max(bRange[0] - aRange[1], aRange[0] - bRange[1]);
+}
+
+// Where convex hulls do not meet, a facet of their Minkowski difference separates them from each
+// other: along an edge of each, the plane of one or, if both are in one plane, an edge in it.
+std::vector<Vector> GetAxes(const std::vector<Vector>& a, const std::vector<Vector>& b)
+{
+  const Vector normals[2] = { GetNormal(a), GetNormal(b) };
+  const std::vector<Vector> edges[2] = { GetEdges(a), GetEdges(b) };
+  std::vector<Vector> axes{ normals[0], normals[1] };
+  for (const Vector& e : edges[0])
+  {
+    for (const Vector& f : edges[1])
+    {
+      axes.push_back(Cross(e, f));
+    }
+  }
+  for (const auto& own : edges)
+  {
+    for (const Vector& edge : own)
+    {
+      axes.push_back(Cross(normals[0], edge));
+      axes.push_back(Cross(normals[1], edge));
+    }
+  }
+  return axes;
 }
 }
 
@@ -116,30 +141,18 @@ std::vector<RelevoWholePoint> RelevoWholeMesh::GetCorners(int triangle) const
   return corners;
 }
 
-// Where they do not meet, a facet of their Minkowski difference separates them from each other:
-// along an edge of each, the plane of one or, if both are in one plane, an edge in it.
 bool RelevoMeet(const std::vector<RelevoWholePoint>& a, const std::vector<RelevoWholePoint>& b)
 {
-  const Vector normals[2] = { GetNormal(a), GetNormal(b) };
-  const std::vector<Vector> edges[2] = { GetEdges(a), GetEdges(b) };
-  std::vector<Vector> axes{ normals[0], normals[1] };
-  for (const Vector& e : edges[0])
-  {
-    for (const Vector& f : edges[1])
-    {
-      axes.push_back(Cross(e, f));
-    }
-  }
-  for (const auto& own : edges)
-  {
-    for (const Vector& edge : own)
-    {
-      axes.push_back(Cross(normals[0], edge));
-      axes.push_back(Cross(normals[1], edge));
-    }
-  }
+  const std::vector<Vector> axes = GetAxes(a, b);
   return std::none_of(
-    axes.begin(), axes.end(), [&](const Vector& axis) { return Separates(axis, a, b); });
+    axes.begin(), axes.end(), [&](const Vector& axis) { return GetGap(axis, a, b) > 0; });
+}
+
+bool RelevoCross(const std::vector<RelevoWholePoint>& a, const std::vector<RelevoWholePoint>& b)
+{
+  const std::vector<Vector> axes = GetAxes(a, b);
+  return std::none_of(axes.begin(), axes.end(),
+    [&](const Vector& axis) { return axis != Vector{} && GetGap(axis, a, b) >= 0; });
 }
 
 bool RelevoMeetBeyond(const RelevoWholeMesh& mesh, int first, int second)

@@ -31,6 +31,10 @@ struct RelevoWholeMesh
 // Whether the convex hulls of up to three points have a point in common.
 bool RelevoMeet(const std::vector<RelevoWholePoint>& a, const std::vector<RelevoWholePoint>& b);
 
+// Whether the insides of two triangles meet, and not in one plane: they still do after any motion
+// that is small enough.
+bool RelevoCross(const std::vector<RelevoWholePoint>& a, const std::vector<RelevoWholePoint>& b);
+
 // Whether two triangles of a mesh meet beyond the corner or the edge that they share.
 bool RelevoMeetBeyond(const RelevoWholeMesh& mesh, int first, int second);
 

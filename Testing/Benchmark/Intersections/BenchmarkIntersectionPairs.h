@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   small meshes of whole coordinates: triangles that meet, against exact arithmetic
+ */
+#ifndef BenchmarkIntersectionPairs_h
+#define BenchmarkIntersectionPairs_h
+
+#include "Benchmarks.h"
+
+void AddIntersectionPairs(const BenchmarkOptions& options, const AddTable& addTable);
+/// pairs WAY NUMBER -> the figures of a row
+std::vector<double> MeasureIntersectionPairs(const std::vector<std::string>& arguments);
+
+#endif

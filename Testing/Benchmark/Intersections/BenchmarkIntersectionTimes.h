@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   a large mesh against itself moved, beside VTK's filters
+ */
+#ifndef BenchmarkIntersectionTimes_h
+#define BenchmarkIntersectionTimes_h
+
+#include "Benchmarks.h"
+
+void AddIntersectionTimes(const BenchmarkOptions& options, const AddTable& addTable);
+
+#endif

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Where surfaces meet: against exact whole numbers and VTK's filters, and in a moving scene.
+#include "BenchmarkContacts.h"
+#include "BenchmarkIntersectionPairs.h"
+#include "BenchmarkIntersectionTimes.h"
+#include "Benchmarks.h"
+
+void RunIntersections(const BenchmarkOptions& options, const AddTable& addTable)
+{
+  AddIntersectionPairs(options, addTable);
+  AddIntersectionTimes(options, addTable);
+  AddContacts(options, addTable);
+}
+
+std::vector<double> MeasureIntersections(const std::vector<std::string>& arguments)
+{
+  return MeasureIntersectionPairs(arguments);
+}
