@@ -9,8 +9,8 @@
 #ifndef BezierCells_h
 #define BezierCells_h
 
+#include "Core/BezierDegree.h" // for callers
 #include "Core/RefinementMathematics.h"
-#include "Splines/BezierDegree.h" // for callers
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 

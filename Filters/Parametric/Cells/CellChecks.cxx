@@ -3,7 +3,7 @@
 #include "Cells/CellChecks.h"
 
 #include "Cells/CellReader.h"
-#include "Splines/BezierDegree.h"
+#include "Core/BezierDegree.h"
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkGenericCell.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/CurveCells.h"
 
-#include "Splines/BezierDegree.h"
+#include "Core/BezierDegree.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"

@@ -156,11 +156,11 @@ bool PatchDeviations::BuildCurves(vtkPolyData* mesh, std::string& error)
   {
     mesh->GetLines()->GetCellAtId(line, ids);
     const vtkIdType size = ids->GetNumberOfIds();
-    if (size > LargestPatchDegree + 1)
+    if (size > LargestDegree + 1)
     {
       std::ostringstream text;
-      text << "Line " << line << " has " << size
-           << " points; the control polygon of a curve has 2 to " << LargestPatchDegree + 1;
+      text << "line " << line << " has " << size
+           << " points; the control polygon of a curve has 2 to " << LargestDegree + 1;
       error = text.str();
       return false;
     }

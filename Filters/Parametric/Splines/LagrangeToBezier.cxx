@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Splines/LagrangeToBezier.h"
 
-#include "Splines/BezierDegree.h"
+#include "Core/BezierDegree.h"
 
 #include <algorithm>
 #include <array>

@@ -40,13 +40,13 @@ vtkSmartPointer<Array> TakeArray(
   std::ostringstream text;
   if (!array)
   {
-    text << "The array " << name
+    text << "the array " << name
          << " is missing, or has no numbers: vtkPatchSurfaceFilter makes it";
   }
   else if (array->GetNumberOfComponents() != components ||
     (tuples >= 0 && array->GetNumberOfTuples() != tuples))
   {
-    text << "The array " << name << " has " << array->GetNumberOfTuples() << " tuples of "
+    text << "the array " << name << " has " << array->GetNumberOfTuples() << " tuples of "
          << array->GetNumberOfComponents() << " components, not ";
     if (tuples >= 0)
     {
@@ -79,7 +79,7 @@ bool Fail(std::string& error, const char* what, Index index, const char* fault)
 
 bool IsDegree(vtkIdType degree)
 {
-  return degree >= 1 && degree <= LargestPatchDegree;
+  return degree >= 1 && degree <= LargestDegree;
 }
 }
 
@@ -167,7 +167,7 @@ bool PatchArrays::CheckPatches(std::string& error) const
   const vtkIdType numberOfPatches = this->Patches->GetNumberOfTuples();
   if (numberOfPatches > VTK_INT_MAX)
   {
-    error = "There are more than 2147483647 patches";
+    error = "there are more than 2147483647 patches";
     return false;
   }
   const vtkIdType numberOfPoints = this->Points->GetNumberOfTuples();
@@ -177,18 +177,18 @@ bool PatchArrays::CheckPatches(std::string& error) const
     const bool isTriangle = record[KIND] == VTK_BEZIER_TRIANGLE;
     if (!isTriangle && record[KIND] != VTK_BEZIER_QUADRILATERAL)
     {
-      return Fail(error, "Patch", i, "is neither a Bézier quadrilateral nor a Bézier triangle");
+      return Fail(error, "patch", i, "is neither a Bézier quadrilateral nor a Bézier triangle");
     }
     if (!IsDegree(record[DEGREE_U]) || !IsDegree(record[DEGREE_V]) ||
       (isTriangle && record[DEGREE_U] != record[DEGREE_V]))
     {
-      return Fail(error, "Patch", i, "has a degree that is not in 1 to 8, or a triangle two");
+      return Fail(error, "patch", i, "has a degree that is not in 1 to 8, or a triangle two");
     }
     const vtkIdType first = record[FIRST_POINT];
     if (first < 0 || first > numberOfPoints ||
       this->GetPatch(i).GetNumberOfPoints() > numberOfPoints - first)
     {
-      return Fail(error, "Patch", i, "has control points that the array PatchPoints lacks");
+      return Fail(error, "patch", i, "has control points that the array PatchPoints lacks");
     }
   }
   return true;
@@ -203,7 +203,7 @@ bool PatchArrays::CheckPoints(std::string& error) const
     if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]) ||
       !std::isfinite(x[3]) || !(x[3] > 0.0))
     {
-      return Fail(error, "Control point", i, "is not finite, or its weight is not more than 0");
+      return Fail(error, "control point", i, "is not finite, or its weight is not more than 0");
     }
   }
   return true;
@@ -214,7 +214,7 @@ bool PatchArrays::CheckTriangle(vtkIdType cell, std::string& error) const
   const int patch = this->GetPatchId(cell);
   if (patch < 0 || patch >= this->GetNumberOfPatches())
   {
-    return Fail(error, "Triangle", cell, "is of a patch that the array Patches lacks");
+    return Fail(error, "triangle", cell, "is of a patch that the array Patches lacks");
   }
   const bool isTriangle = this->GetPatch(patch).IsTriangle;
   for (int corner = 0; corner < 3; ++corner)
@@ -223,7 +223,7 @@ bool PatchArrays::CheckTriangle(vtkIdType cell, std::string& error) const
     const float high = isTriangle ? uv.x + uv.y : std::max(uv.x, uv.y);
     if (!(uv.x >= 0.0f && uv.y >= 0.0f && high <= 1.0f))
     {
-      return Fail(error, "Triangle", cell, "has PatchCoordinates that are not on its patch");
+      return Fail(error, "triangle", cell, "has PatchCoordinates that are not on its patch");
     }
   }
   return true;
@@ -237,7 +237,7 @@ bool PatchArrays::CheckCells(vtkPolyData* mesh, std::string& error) const
   {
     if (polygons->GetCellSize(i) != 3)
     {
-      return Fail(error, "Cell", first + i, "is not a triangle, as those of patches are");
+      return Fail(error, "cell", first + i, "is not a triangle, as those of patches are");
     }
     if (!this->CheckTriangle(first + i, error))
     {
@@ -246,7 +246,7 @@ bool PatchArrays::CheckCells(vtkPolyData* mesh, std::string& error) const
   }
   if (mesh->GetNumberOfStrips() > 0)
   {
-    error = "Patches have triangles, not strips";
+    error = "patches have triangles, not strips";
     return false;
   }
   return true;

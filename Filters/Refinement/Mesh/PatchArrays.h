@@ -23,6 +23,7 @@
 #ifndef PatchArrays_h
 #define PatchArrays_h
 
+#include "Core/BezierDegree.h" // for callers
 #include "Core/Dependencies.h"
 #include "Core/RefinementMathematics.h"
 #include "RelevoFiltersRefinementModule.h" // for export macro
@@ -44,7 +45,6 @@ constexpr const char* PatchPointsName = "PatchPoints";
 constexpr const char* PatchNodesPrefix = "PatchNodes:";
 constexpr const char* PatchIdsName = "PatchIds";
 constexpr const char* PatchCoordinatesName = "PatchCoordinates";
-constexpr int LargestPatchDegree = 8;
 
 struct Patch
 {

@@ -4,7 +4,7 @@
  * @file
  * @brief   the degrees that curves and patches may have
  *
- * Private to the module's own sources.
+ * Private to the modules' own sources.
  */
 #ifndef BezierDegree_h
 #define BezierDegree_h
