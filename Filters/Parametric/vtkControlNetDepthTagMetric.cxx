@@ -6,18 +6,19 @@
 #include "Core/SettingChecks.h"
 #include "Mesh/PatchArrays.h"
 #include "Mesh/SurfaceEdges.h"
+#include "Mesh/SurfaceTriangles.h"
 #include "Metrics/MetricEvaluator.h"
 #include "Metrics/MetricMesh.h"
 #include "Metrics/NetAngles.h"
+#include "Metrics/TriangleTags.h"
 #include "vtkFloatArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
-#include <algorithm>
 #include <string>
+#include <vector>
 
 namespace relevo
 {
@@ -37,27 +38,19 @@ public:
   }
 
   bool ComputeTags(
-    const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags) override
-  {
-    if (!this->ComputeEdgeTags(view, maximumLevel, this->EdgeLevels))
-    {
-      return false;
-    }
-    this->GetMesh().GetEdges()->TagPoints(this->EdgeLevels->GetPointer(0), tags);
-    return true;
-  }
-
+    const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags) override;
   bool ComputeEdgeTags(
     const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags) override;
 
 private:
   bool Update();
+  bool ComputeLevels(int maximumLevel);
 
   vtkSmartPointer<vtkControlNetDepthTagMetric> Metric;
   std::vector<float> Angles; // of patches, in degrees
   relevo::PatchArrays Patches;
   relevo::Dependencies AngleDependencies;
-  vtkNew<vtkFloatArray> EdgeLevels;
+  std::vector<float> Levels; // of triangles
 };
 
 bool ControlNetEvaluator::Update()
@@ -72,7 +65,7 @@ bool ControlNetEvaluator::Update()
   {
     this->AngleDependencies.Clear();
     vtkErrorWithObjectMacro(
-      this->Metric.Get(), "There are no control nets to measure. " << error << ".");
+      this->Metric.Get(), "There are no control nets to measure: " << error << ".");
     return false;
   }
   this->Angles.resize(static_cast<std::size_t>(this->Patches.GetNumberOfPatches()));
@@ -88,8 +81,7 @@ bool ControlNetEvaluator::Update()
   return true;
 }
 
-bool ControlNetEvaluator::ComputeEdgeTags(
-  const relevo::RefinementView&, int maximumLevel, vtkFloatArray* tags)
+bool ControlNetEvaluator::ComputeLevels(int maximumLevel)
 {
   const auto low = static_cast<float>(this->Metric->GetMinimumAngle());
   const auto high = static_cast<float>(this->Metric->GetMaximumAngle());
@@ -103,22 +95,36 @@ bool ControlNetEvaluator::ComputeEdgeTags(
   {
     return false;
   }
-  const relevo::SurfaceEdges& edges = *this->GetMesh().GetEdges();
-  relevo::TagEdges(edges, tags,
-    [&](int edge)
-    {
-      float angle = 0.0f;
-      edges.ForEachSides(edge,
-        [&](int i)
-        {
-          for (int t : edges.GetSides()[i].Triangles)
-          {
-            const vtkIdType cell = t < 0 ? 0 : edges.GetTriangles().GetCell(t);
-            angle = t < 0 ? angle : std::max(angle, this->Angles[this->Patches.GetPatchId(cell)]);
-          }
-        });
-      return relevo::rangeLevel(angle, low, high, maximumLevel);
-    });
+  const relevo::SurfaceTriangles& surface = *this->GetMesh().GetTriangles();
+  this->Levels.resize(surface.GetTriangles().size());
+  for (std::size_t t = 0; t < this->Levels.size(); ++t)
+  {
+    const vtkIdType cell = surface.GetCell(static_cast<vtkIdType>(t));
+    this->Levels[t] =
+      relevo::rangeLevel(this->Angles[this->Patches.GetPatchId(cell)], low, high, maximumLevel);
+  }
+  return true;
+}
+
+bool ControlNetEvaluator::ComputeTags(
+  const relevo::RefinementView&, int maximumLevel, vtkFloatArray* tags)
+{
+  if (!this->ComputeLevels(maximumLevel))
+  {
+    return false;
+  }
+  relevo::TagPointsByTriangles(*this->GetMesh().GetTriangles(), this->Levels.data(), tags);
+  return true;
+}
+
+bool ControlNetEvaluator::ComputeEdgeTags(
+  const relevo::RefinementView&, int maximumLevel, vtkFloatArray* tags)
+{
+  if (!this->ComputeLevels(maximumLevel))
+  {
+    return false;
+  }
+  relevo::TagEdgesByTriangles(*this->GetMesh().GetEdges(), this->Levels.data(), tags);
   return true;
 }
 }

@@ -263,7 +263,7 @@ bool DistanceEvaluator::UpdatePatches()
   {
     this->PatchDependencies.Clear();
     vtkErrorWithObjectMacro(
-      this->Metric.Get(), "There are no control points to measure to. " << error << ".");
+      this->Metric.Get(), "There are no control points to measure to: " << error << ".");
     return false;
   }
   return true;

@@ -136,7 +136,7 @@ void TestErrors(RelevoCheck& check)
   vtkNew<vtkControlNetDepthTagMetric> nets;
   RelevoErrors ofNets(nets);
   GetTags(sphere->GetOutput(), nets, camera);
-  CHECK(ofNets.Said("There are no control nets to measure. The array Patches is missing"));
+  CHECK(ofNets.Said("There are no control nets to measure: the array Patches is missing"));
   nets->SetMinimumAngle(100.0);
   GetTags(sphere->GetOutput(), nets, camera);
   CHECK(ofNets.Said("MinimumAngle 100 is above MaximumAngle 90."));
@@ -144,7 +144,7 @@ void TestErrors(RelevoCheck& check)
   distance->SetMeasureToControlPoints();
   RelevoErrors ofDistance(distance);
   GetTags(sphere->GetOutput(), distance, camera);
-  CHECK(ofDistance.Said("There are no control points to measure to. The array Patches is missing"));
+  CHECK(ofDistance.Said("There are no control points to measure to: the array Patches is missing"));
 }
 
 // Nothing is read where arrays do not fit.
@@ -165,21 +165,21 @@ void TestArrays(RelevoCheck& check)
       check.Fail(__FILE__, __LINE__, std::string("not said: ") + words);
     }
   };
-  spoil("Patches", 0, 0, VTK_QUAD, "Patch 0 is neither");
-  spoil("Patches", 0, 1, 9, "Patch 0 has a degree");
-  spoil("Patches", 0, 2, 0, "Patch 0 has a degree");
-  spoil("Patches", 0, 3, 1, "Patch 0 has control points that the array PatchPoints lacks");
-  spoil("Patches", 0, 3, -1, "Patch 0 has control points that the array PatchPoints lacks");
-  spoil("PatchPoints", 8, 2, std::nan(""), "Control point 8 is not finite");
-  spoil("PatchPoints", 0, 3, -1.0, "Control point 0 is not finite, or its weight");
-  spoil("PatchIds", 1, 0, 1, "Triangle 1 is of a patch that the array Patches lacks");
-  spoil("PatchIds", 1, 0, -1, "Triangle 1 is of a patch that the array Patches lacks");
-  spoil("PatchCoordinates", 0, 3, 1.5, "Triangle 0 has PatchCoordinates");
-  spoil("PatchCoordinates", 0, 3, std::nan(""), "Triangle 0 has PatchCoordinates");
+  spoil("Patches", 0, 0, VTK_QUAD, "patch 0 is neither");
+  spoil("Patches", 0, 1, 9, "patch 0 has a degree");
+  spoil("Patches", 0, 2, 0, "patch 0 has a degree");
+  spoil("Patches", 0, 3, 1, "patch 0 has control points that the array PatchPoints lacks");
+  spoil("Patches", 0, 3, -1, "patch 0 has control points that the array PatchPoints lacks");
+  spoil("PatchPoints", 8, 2, std::nan(""), "control point 8 is not finite");
+  spoil("PatchPoints", 0, 3, -1.0, "control point 0 is not finite, or its weight");
+  spoil("PatchIds", 1, 0, 1, "triangle 1 is of a patch that the array Patches lacks");
+  spoil("PatchIds", 1, 0, -1, "triangle 1 is of a patch that the array Patches lacks");
+  spoil("PatchCoordinates", 0, 3, 1.5, "triangle 0 has PatchCoordinates");
+  spoil("PatchCoordinates", 0, 3, std::nan(""), "triangle 0 has PatchCoordinates");
   const auto mesh = MakePatch(VTK_BEZIER_QUADRILATERAL, 2, [](double, double) { return 0.0; });
   mesh->GetCellData()->GetArray("PatchIds")->SetNumberOfTuples(1);
   GetTags(mesh, metric, nullptr);
-  CHECK(errors.Said("The array PatchIds has 1 tuples of 1 components, not 2 of 1"));
+  CHECK(errors.Said("the array PatchIds has 1 tuples of 1 components, not 2 of 1"));
 }
 }
 

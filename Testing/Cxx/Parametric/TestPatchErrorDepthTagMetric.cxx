@@ -210,7 +210,7 @@ void TestErrors(RelevoCheck& check)
   sphere->Update();
   scene.Recipe->SetSurface(nullptr);
   scene.Refine(sphere->GetOutput());
-  CHECK(errors.Said("There are no patches to measure. The array Patches is missing"));
+  CHECK(errors.Said("There are no patches to measure: the array Patches is missing"));
   const auto patches =
     RelevoMakePatches(RelevoNewCell(VTK_BEZIER_QUADRILATERAL, { { 3, 3, 1 } }, 0.3));
   vtkDataArray* points = patches->GetFieldData()->GetArray("PatchPoints");
@@ -224,8 +224,8 @@ void TestErrors(RelevoCheck& check)
     points->SetComponent(5, component, old);
     points->Modified();
   };
-  spoil(0, std::numeric_limits<double>::quiet_NaN(), "Control point 5 is not finite");
-  spoil(3, 0.0, "Control point 5 is not finite, or its weight is not more than 0");
+  spoil(0, std::numeric_limits<double>::quiet_NaN(), "control point 5 is not finite");
+  spoil(3, 0.0, "control point 5 is not finite, or its weight is not more than 0");
   scene.Refine(patches);
   CHECK(errors.None());
   scene.Filter->SetCamera(nullptr);
