@@ -35,6 +35,29 @@ PointBox GetBox(const std::vector<dvec4>& points, const dvec3& origin)
   return { box.Low + origin, box.High + origin };
 }
 
+bool ArePointsOf(vtkPolyData* mesh, vtkIdList* ids)
+{
+  return std::all_of(ids->begin(), ids->end(),
+    [mesh](vtkIdType id) { return id >= 0 && id < mesh->GetNumberOfPoints(); });
+}
+
+// Homogeneous, relative to an origin; a weight that is missing is 0.
+std::vector<dvec4> GetControlPoints(vtkPolyData* mesh, vtkIdList* ids, const dvec3& origin)
+{
+  vtkDataArray* weights = mesh->GetPointData()->GetRationalWeights();
+  std::vector<dvec4> points;
+  for (vtkIdType id : *ids)
+  {
+    dvec3 x;
+    mesh->GetPoint(id, &x.x);
+    const double given =
+      weights && id < weights->GetNumberOfTuples() ? weights->GetComponent(id, 0) : 0.0;
+    const double weight = weights ? given : 1.0;
+    points.emplace_back((x - origin) * weight, weight);
+  }
+  return points;
+}
+
 bool IsFinite(const dvec4& v)
 {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
@@ -150,7 +173,6 @@ void PatchDeviations::BuildUses(int numberOfEdges)
 bool PatchDeviations::BuildCurves(vtkPolyData* mesh, std::string& error)
 {
   this->Curves.clear();
-  vtkDataArray* weights = mesh->GetPointData()->GetRationalWeights();
   vtkNew<vtkIdList> ids;
   for (vtkIdType line = 0; line < mesh->GetNumberOfLines(); ++line)
   {
@@ -164,19 +186,15 @@ bool PatchDeviations::BuildCurves(vtkPolyData* mesh, std::string& error)
       error = text.str();
       return false;
     }
-    std::vector<dvec4> points;
-    dvec3 origin(0.0);
-    bool isValid = size > 1;
-    for (vtkIdType i = 0; i < size; ++i)
+    if (size < 2 || !ArePointsOf(mesh, ids))
     {
-      dvec3 x;
-      mesh->GetPoint(ids->GetId(i), &x[0]);
-      const double weight = weights ? weights->GetComponent(ids->GetId(i), 0) : 1.0;
-      origin = i == 0 ? x : origin;
-      points.emplace_back((x - origin) * weight, weight);
-      isValid = isValid && IsFinite(points.back()) && weight > 0.0;
+      continue;
     }
-    if (isValid)
+    dvec3 origin;
+    mesh->GetPoint(ids->GetId(0), &origin.x);
+    const std::vector<dvec4> points = GetControlPoints(mesh, ids, origin);
+    if (std::all_of(points.begin(), points.end(),
+          [](const dvec4& point) { return IsFinite(point) && point.w > 0.0; }))
     {
       this->Curves.push_back({ ComputeChordDeviation(points), GetBox(points, origin), line });
     }

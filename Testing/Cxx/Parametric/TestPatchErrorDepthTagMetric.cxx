@@ -194,6 +194,21 @@ void TestCurves(RelevoCheck& check)
   // 300 pixels a unit; half a pixel needs a cosine of 1 - 1 / 600.
   const double least = 0.25 * std::acos(-1.0) / std::acos(1.0 - 1.0 / 600.0);
   CHECK(std::exp2(tag) >= least && std::exp2(tag) <= 1.5 * least);
+
+  // Curves that are not whole add nothing.
+  for (vtkIdType stranger : { vtkIdType(-1), vtkIdType(6), vtkIdType(1) << 40 })
+  {
+    lines->InsertNextCell({ 3, stranger, 5 });
+  }
+  curves->Modified();
+  filter->Update();
+  tags = filter->GetOutput()->GetPointData()->GetArray("DepthTag");
+  CHECK(tags->GetComponent(0, 0) == tag && tags->GetComponent(3, 0) == 0.0);
+  weights->SetNumberOfTuples(2);
+  weights->Modified();
+  filter->Update();
+  tags = filter->GetOutput()->GetPointData()->GetArray("DepthTag");
+  CHECK(tags->GetComponent(0, 0) == 0.0);
 }
 
 void TestErrors(RelevoCheck& check)
