@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 namespace relevo
@@ -66,25 +67,39 @@ PointChecks CheckPoints(vtkUnstructuredGrid* grid)
   return checks;
 }
 
-// The first node, or the number of nodes.
-vtkIdType FindNode(const CellReader& cell, const std::vector<unsigned char>& marks)
+// The first of a cell's points that is so. A polyhedron's faces have points of their own.
+template <typename IsSo>
+std::optional<vtkIdType> FindPoint(const CellReader& cell, const IsSo& isSo)
 {
-  vtkIdType node = 0;
-  while (node < cell.GetNumberOfNodes() && !marks[cell.GetNode(node)])
+  for (vtkIdType node = 0; node < cell.GetNumberOfNodes(); ++node)
   {
-    ++node;
+    if (isSo(cell.GetNode(node)))
+    {
+      return cell.GetNode(node);
+    }
   }
-  return node;
+  const bool isPolyhedron = cell.GetKind().Shape == CellShape::Polyhedron;
+  for (int face = 0; isPolyhedron && face < cell.GetNumberOfFaces(); ++face)
+  {
+    const std::vector<vtkIdType>& corners = cell.GetCorners(face);
+    const auto found = std::find_if(corners.begin(), corners.end(), isSo);
+    if (found != corners.end())
+    {
+      return *found;
+    }
+  }
+  return std::nullopt;
 }
 
-vtkIdType FindStrangePoint(const CellReader& cell, vtkIdType points)
+std::optional<vtkIdType> FindPoint(const CellReader& cell, const std::vector<unsigned char>& marks)
 {
-  vtkIdType node = 0;
-  while (node < cell.GetNumberOfNodes() && cell.GetNode(node) >= 0 && cell.GetNode(node) < points)
-  {
-    ++node;
-  }
-  return node;
+  return FindPoint(cell, [&](vtkIdType point) { return marks[point] != 0; });
+}
+
+std::optional<vtkIdType> FindStrangePoint(const CellReader& cell, const PointChecks& points)
+{
+  const auto number = static_cast<vtkIdType>(points.IsBadPoint.size());
+  return FindPoint(cell, [=](vtkIdType point) { return point < 0 || point >= number; });
 }
 
 bool IsOfAnyDegree(const CellKind& kind)
@@ -97,7 +112,8 @@ bool HasRightNumber(const CellReader& cell)
   const CellKind& kind = cell.GetKind();
   if (IsOfAnyDegree(kind))
   {
-    return GetNumberOfNodes(kind.Shape, cell.GetDegrees()) == cell.GetNumberOfNodes();
+    const ivec3 degrees = cell.GetDegrees();
+    return degrees != ivec3(0) && GetNumberOfNodes(kind.Shape, degrees) == cell.GetNumberOfNodes();
   }
   if (kind.NumberOfNodes)
   {
@@ -136,8 +152,7 @@ Fault FindFault(const CellReader& cell, const PointChecks& points)
   {
     return Fault::None;
   }
-  const vtkIdType numberOfPoints = static_cast<vtkIdType>(points.IsBadPoint.size());
-  if (FindStrangePoint(cell, numberOfPoints) < cell.GetNumberOfNodes())
+  if (FindStrangePoint(cell, points))
   {
     return Fault::PointId;
   }
@@ -150,13 +165,12 @@ Fault FindFault(const CellReader& cell, const PointChecks& points)
   {
     return Fault::Nodes;
   }
-  if (FindNode(cell, points.IsBadPoint) < cell.GetNumberOfNodes())
+  if (FindPoint(cell, points.IsBadPoint))
   {
     return Fault::Point;
   }
   const bool isRational = kind.Nodes == NodeKind::Bezier && !points.IsBadWeight.empty();
-  return isRational && FindNode(cell, points.IsBadWeight) < cell.GetNumberOfNodes() ? Fault::Weight
-                                                                                    : Fault::None;
+  return isRational && FindPoint(cell, points.IsBadWeight) ? Fault::Weight : Fault::None;
 }
 
 std::string GetTypeName(int type)
@@ -181,8 +195,12 @@ std::string DescribeFault(
   }
   else if (fault == Fault::PointId)
   {
-    text << "it refers to point " << cell.GetNode(FindStrangePoint(cell, points.IsBadPoint.size()))
-         << " of " << points.IsBadPoint.size();
+    text << "it refers to point " << *FindStrangePoint(cell, points) << " of "
+         << points.IsBadPoint.size();
+  }
+  else if (fault == Fault::Nodes && cell.GetKind().Shape == CellShape::Polyhedron)
+  {
+    text << "its list of faces is not whole, or has a face of less than 3 points";
   }
   else if (fault == Fault::Nodes)
   {
@@ -201,11 +219,11 @@ std::string DescribeFault(
   }
   else if (fault == Fault::Point)
   {
-    text << "point " << cell.GetNode(FindNode(cell, points.IsBadPoint)) << " is not finite";
+    text << "point " << *FindPoint(cell, points.IsBadPoint) << " is not finite";
   }
   else
   {
-    const vtkIdType point = cell.GetNode(FindNode(cell, points.IsBadWeight));
+    const vtkIdType point = *FindPoint(cell, points.IsBadWeight);
     vtkDataArray* weights = grid->GetPointData()->GetRationalWeights();
     text << "\"RationalWeights\" of point " << point;
     if (point < weights->GetNumberOfTuples())

@@ -10,28 +10,45 @@ namespace relevo
 {
 namespace
 {
-using Faces = std::vector<FaceCorners>;
-using Edges = std::vector<std::array<int, 2>>;
-
-const Faces& GetFaces(CellShape shape)
+// Edges are in the order of the nodes in their middles, which follow the corners.
+struct Topology
 {
-  static const Faces none;
-  static const Faces triangle{ { 3, { 0, 1, 2 } } };
-  static const Faces quadrilateral{ { 4, { 0, 1, 2, 3 } } };
-  static const Faces tetrahedron{ { 3, { 0, 1, 3 } }, { 3, { 1, 2, 3 } }, { 3, { 2, 0, 3 } },
-    { 3, { 0, 2, 1 } } };
-  static const Faces hexahedron{ { 4, { 0, 4, 7, 3 } }, { 4, { 1, 2, 6, 5 } },
-    { 4, { 0, 1, 5, 4 } }, { 4, { 3, 7, 6, 2 } }, { 4, { 0, 3, 2, 1 } }, { 4, { 4, 5, 6, 7 } } };
-  static const Faces wedge{ { 3, { 0, 2, 1 } }, { 3, { 3, 4, 5 } }, { 4, { 0, 1, 4, 3 } },
-    { 4, { 1, 2, 5, 4 } }, { 4, { 2, 0, 3, 5 } } };
-  static const Faces pyramid{ { 4, { 0, 3, 2, 1 } }, { 3, { 0, 1, 4 } }, { 3, { 1, 2, 4 } },
-    { 3, { 2, 3, 4 } }, { 3, { 3, 0, 4 } } };
-  static const Faces pentagonal{ { 5, { 0, 4, 3, 2, 1 } }, { 5, { 5, 6, 7, 8, 9 } },
-    { 4, { 0, 1, 6, 5 } }, { 4, { 1, 2, 7, 6 } }, { 4, { 2, 3, 8, 7 } }, { 4, { 3, 4, 9, 8 } },
-    { 4, { 4, 0, 5, 9 } } };
-  static const Faces hexagonal{ { 6, { 0, 5, 4, 3, 2, 1 } }, { 6, { 6, 7, 8, 9, 10, 11 } },
-    { 4, { 0, 1, 7, 6 } }, { 4, { 1, 2, 8, 7 } }, { 4, { 2, 3, 9, 8 } }, { 4, { 3, 4, 10, 9 } },
-    { 4, { 4, 5, 11, 10 } }, { 4, { 5, 0, 6, 11 } } };
+  int NumberOfCorners = 0;
+  std::vector<FaceCorners> Faces;
+  std::vector<std::array<int, 2>> Edges;
+};
+
+const Topology& GetTopology(CellShape shape)
+{
+  static const Topology none;
+  static const Topology triangle{ 3, { { 3, { 0, 1, 2 } } }, { { 0, 1 }, { 1, 2 }, { 2, 0 } } };
+  static const Topology quadrilateral{ 4, { { 4, { 0, 1, 2, 3 } } },
+    { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 } } };
+  static const Topology tetrahedron{ 4,
+    { { 3, { 0, 1, 3 } }, { 3, { 1, 2, 3 } }, { 3, { 2, 0, 3 } }, { 3, { 0, 2, 1 } } },
+    { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 0, 3 }, { 1, 3 }, { 2, 3 } } };
+  static const Topology hexahedron{ 8,
+    { { 4, { 0, 4, 7, 3 } }, { 4, { 1, 2, 6, 5 } }, { 4, { 0, 1, 5, 4 } }, { 4, { 3, 7, 6, 2 } },
+      { 4, { 0, 3, 2, 1 } }, { 4, { 4, 5, 6, 7 } } },
+    { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 }, { 4, 5 }, { 5, 6 }, { 6, 7 }, { 7, 4 }, { 0, 4 },
+      { 1, 5 }, { 2, 6 }, { 3, 7 } } };
+  static const Topology wedge{ 6,
+    { { 3, { 0, 2, 1 } }, { 3, { 3, 4, 5 } }, { 4, { 0, 1, 4, 3 } }, { 4, { 1, 2, 5, 4 } },
+      { 4, { 2, 0, 3, 5 } } },
+    { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 3, 4 }, { 4, 5 }, { 5, 3 }, { 0, 3 }, { 1, 4 }, { 2, 5 } } };
+  static const Topology pyramid{ 5,
+    { { 4, { 0, 3, 2, 1 } }, { 3, { 0, 1, 4 } }, { 3, { 1, 2, 4 } }, { 3, { 2, 3, 4 } },
+      { 3, { 3, 0, 4 } } },
+    { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 }, { 0, 4 }, { 1, 4 }, { 2, 4 }, { 3, 4 } } };
+  static const Topology pentagonalPrism{ 10,
+    { { 5, { 0, 4, 3, 2, 1 } }, { 5, { 5, 6, 7, 8, 9 } }, { 4, { 0, 1, 6, 5 } },
+      { 4, { 1, 2, 7, 6 } }, { 4, { 2, 3, 8, 7 } }, { 4, { 3, 4, 9, 8 } }, { 4, { 4, 0, 5, 9 } } },
+    {} };
+  static const Topology hexagonalPrism{ 12,
+    { { 6, { 0, 5, 4, 3, 2, 1 } }, { 6, { 6, 7, 8, 9, 10, 11 } }, { 4, { 0, 1, 7, 6 } },
+      { 4, { 1, 2, 8, 7 } }, { 4, { 2, 3, 9, 8 } }, { 4, { 3, 4, 10, 9 } }, { 4, { 4, 5, 11, 10 } },
+      { 4, { 5, 0, 6, 11 } } },
+    {} };
   switch (shape)
   {
     case CellShape::Triangle:
@@ -47,73 +64,17 @@ const Faces& GetFaces(CellShape shape)
     case CellShape::Pyramid:
       return pyramid;
     case CellShape::PentagonalPrism:
-      return pentagonal;
+      return pentagonalPrism;
     case CellShape::HexagonalPrism:
-      return hexagonal;
+      return hexagonalPrism;
     default:
       return none;
-  }
-}
-
-// In the order of the nodes in their middles, which follow the corners.
-const Edges& GetEdges(CellShape shape)
-{
-  static const Edges none;
-  static const Edges triangle{ { 0, 1 }, { 1, 2 }, { 2, 0 } };
-  static const Edges quadrilateral{ { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 } };
-  static const Edges tetrahedron{ { 0, 1 }, { 1, 2 }, { 2, 0 }, { 0, 3 }, { 1, 3 }, { 2, 3 } };
-  static const Edges hexahedron{ { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 }, { 4, 5 }, { 5, 6 },
-    { 6, 7 }, { 7, 4 }, { 0, 4 }, { 1, 5 }, { 2, 6 }, { 3, 7 } };
-  static const Edges wedge{ { 0, 1 }, { 1, 2 }, { 2, 0 }, { 3, 4 }, { 4, 5 }, { 5, 3 }, { 0, 3 },
-    { 1, 4 }, { 2, 5 } };
-  static const Edges pyramid{ { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 }, { 0, 4 }, { 1, 4 }, { 2, 4 },
-    { 3, 4 } };
-  switch (shape)
-  {
-    case CellShape::Triangle:
-      return triangle;
-    case CellShape::Quadrilateral:
-      return quadrilateral;
-    case CellShape::Tetrahedron:
-      return tetrahedron;
-    case CellShape::Hexahedron:
-      return hexahedron;
-    case CellShape::Wedge:
-      return wedge;
-    case CellShape::Pyramid:
-      return pyramid;
-    default:
-      return none;
-  }
-}
-
-int GetNumberOfCorners(CellShape shape)
-{
-  switch (shape)
-  {
-    case CellShape::Triangle:
-      return 3;
-    case CellShape::Quadrilateral:
-    case CellShape::Tetrahedron:
-      return 4;
-    case CellShape::Pyramid:
-      return 5;
-    case CellShape::Wedge:
-      return 6;
-    case CellShape::Hexahedron:
-      return 8;
-    case CellShape::PentagonalPrism:
-      return 10;
-    case CellShape::HexagonalPrism:
-      return 12;
-    default:
-      return 0;
   }
 }
 
 CellKind MakeLinear(CellShape shape, bool isInPixelOrder = false)
 {
-  return { shape, NodeKind::Corners, GetNumberOfCorners(shape), isInPixelOrder, 0, {} };
+  return { shape, NodeKind::Corners, GetTopology(shape).NumberOfCorners, isInPixelOrder, 0, {} };
 }
 
 CellKind MakeQuadratic(
@@ -254,25 +215,25 @@ CellKind GetCellKind(int type, vtkIdType nodes)
 
 int GetNumberOfFaces(CellShape shape)
 {
-  return static_cast<int>(GetFaces(shape).size());
+  return static_cast<int>(GetTopology(shape).Faces.size());
 }
 
 FaceCorners GetFace(CellShape shape, int face)
 {
-  return GetFaces(shape)[face];
+  return GetTopology(shape).Faces[face];
 }
 
 int GetEdgeNode(const CellKind& kind, int first, int second)
 {
   // QuadraticLinearQuad has nodes on edges 0 and 2.
   const int step = kind.Shape == CellShape::Quadrilateral && kind.NumberOfEdgeNodes == 2 ? 2 : 1;
-  const Edges& edges = GetEdges(kind.Shape);
+  const Topology& topology = GetTopology(kind.Shape);
   for (int i = 0; i < kind.NumberOfEdgeNodes; ++i)
   {
-    const std::array<int, 2>& edge = edges[i * step];
+    const std::array<int, 2>& edge = topology.Edges[i * step];
     if ((edge[0] == first && edge[1] == second) || (edge[0] == second && edge[1] == first))
     {
-      return GetNumberOfCorners(kind.Shape) + i;
+      return topology.NumberOfCorners + i;
     }
   }
   return 0;

@@ -133,10 +133,17 @@ void CellReader::ReadPolyhedron()
   this->Grid->GetFaceStream(this->Cell, this->Stream);
   this->Faces.clear();
   const vtkIdType size = this->Stream->GetNumberOfIds();
-  for (vtkIdType i = 1; i < size; i += 1 + this->Stream->GetId(i))
+  for (vtkIdType i = 1; i < size;)
   {
-    const vtkIdType* points = this->Stream->GetPointer(i + 1);
-    this->Faces.emplace_back(points, points + this->Stream->GetId(i));
+    const vtkIdType corners = this->Stream->GetId(i++);
+    if (corners < 0 || corners > size - i)
+    {
+      this->Faces.clear();
+      return;
+    }
+    const vtkIdType* points = this->Stream->GetPointer(i);
+    this->Faces.emplace_back(points, points + corners);
+    i += corners;
   }
 }
 

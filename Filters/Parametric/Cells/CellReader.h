@@ -37,7 +37,8 @@ public:
   /// nodes. A triangle's, tetrahedron's and wedge's first are the same.
   ivec3 GetDegrees() const;
 
-  /// Of cells without faults. Polygons and strips have as many as they need, of 3 corners.
+  /// Polygons have one, strips as many as they need; polyhedra none if their list of faces is not
+  /// whole.
   int GetNumberOfFaces() const { return static_cast<int>(this->Faces.size()); }
   /// The points at a face's corners, counter-clockwise from outside if IsInsideOut() is false.
   const std::vector<vtkIdType>& GetCorners(int face) const { return this->Faces[face]; }
