@@ -66,6 +66,18 @@ Net DecomposeRows(const Net& net, int degree, const std::vector<double>& knots)
   return result;
 }
 
+// Weights may be too large or too small to compute with.
+bool IsFinite(const Net& net)
+{
+  return std::all_of(net.Points.begin(), net.Points.end(),
+    [](const relevo::dvec4& point)
+    {
+      const relevo::dvec4 place = point / point.w;
+      return std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.z) &&
+        std::isfinite(place.w);
+    });
+}
+
 // Weights of 1 may have become others in the last bit.
 relevo::dvec4 Project(const relevo::dvec4& point, bool isRational)
 {
@@ -274,6 +286,16 @@ int vtkNURBSSource::RequestData(
   const bool isRational = this->IsRational();
   Net net = GetNet(this->ControlPoints, this->Weights, this->Dimensions[0]);
   net = DecomposeRows(net, this->Degrees[0], this->CopyKnots(0));
+  if (!this->IsCurve())
+  {
+    net = DecomposeRows(net, this->Degrees[1], this->CopyKnots(1));
+  }
+  if (!IsFinite(net))
+  {
+    vtkErrorMacro("The weights are too large or too small: their products with the control points "
+                  "are not finite numbers, or 0.");
+    return 0;
+  }
   relevo::BezierCells cells(output, isRational);
   if (this->IsCurve())
   {
@@ -284,7 +306,6 @@ int vtkNURBSSource::RequestData(
     }
     return 1;
   }
-  net = DecomposeRows(net, this->Degrees[1], this->CopyKnots(1));
   const relevo::ivec2 degrees(this->Degrees[0], this->Degrees[1]);
   const relevo::ivec2 size = degrees + 1;
   for (std::size_t row = 0; row < net.Points.size(); row += size.y * net.Width)

@@ -8,6 +8,7 @@
 #include "vtkExecutive.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -107,6 +108,17 @@ void TestPoints(RelevoCheck& check)
     ExpectError(
       check, [=](RelevoSpline& s) { s.Weights[3] = weight; },
       "weights are more than 0, and finite.");
+  }
+  for (double weight : { 1e308, 5e-324 })
+  {
+    ExpectError(
+      check,
+      [=](RelevoSpline& s)
+      {
+        s.Points[3][0] = 100.0;
+        std::fill(s.Weights.begin(), s.Weights.end(), weight);
+      },
+      "The weights are too large or too small: ");
   }
   ExpectError(
     check, [](RelevoSpline& s) { s.Degrees[1] = 6; },
