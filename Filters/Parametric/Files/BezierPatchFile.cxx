@@ -13,6 +13,8 @@ namespace relevo
 {
 namespace
 {
+constexpr std::size_t LongestNumber = 1100; // all digits of any double, and a sign
+
 // Numbers with space between them. After the first fault it reads no more.
 class NumberReader
 {
@@ -31,7 +33,7 @@ public:
     {
       return number;
     }
-    this->SetFault("'" + this->Word + fault);
+    this->SetFault(this->GetQuote() + fault);
     return lowest;
   }
 
@@ -40,7 +42,7 @@ public:
     double number = 0.0;
     if (this->ReadWord() && !(this->Parse(number) && std::isfinite(number)))
     {
-      this->SetFault("'" + this->Word + "' is no finite number.");
+      this->SetFault(this->GetQuote() + " is no finite number.");
     }
     return number;
   }
@@ -80,13 +82,12 @@ private:
       return false;
     }
     constexpr int none = std::char_traits<char>::eof();
-    constexpr std::size_t most = 80; // of what is no text, errors quote so much
     this->Word.clear();
     for (int c = this->In.peek(); c != none && !IsSpace(c); c = this->In.peek())
     {
-      if (this->Word.size() == most)
+      if (this->Word.size() > LongestNumber)
       {
-        return true;
+        return true; // and Parse() fails
       }
       this->Word += static_cast<char>(this->In.get());
     }
@@ -101,8 +102,11 @@ private:
     const char* begin = this->Word.data();
     begin += end - begin > 1 && begin[0] == '+' && begin[1] != '-' ? 1 : 0;
     const auto [stop, error] = std::from_chars(begin, end, number);
-    return stop == end && error == std::errc();
+    return this->Word.size() <= LongestNumber && stop == end && error == std::errc();
   }
+
+  // What is no text may be long.
+  std::string GetQuote() const { return "'" + this->Word.substr(0, 80) + "'"; }
 
   void SetFault(const std::string& what)
   {
@@ -117,14 +121,14 @@ private:
 
 int ReadNumberOfPatches(NumberReader& reader)
 {
-  return reader.ReadInteger("' is no number of patches.", 0, std::numeric_limits<int>::max());
+  return reader.ReadInteger(" is no number of patches.", 0, std::numeric_limits<int>::max());
 }
 
 // The number of rows of control points tells the first of the file's two.
 ivec2 ReadDegrees(NumberReader& reader)
 {
-  const int second = reader.ReadInteger("' is no degree: 1 to 8.", 1, LargestDegree);
-  return ivec2(reader.ReadInteger("' is no degree: 1 to 8.", 1, LargestDegree), second);
+  const int second = reader.ReadInteger(" is no degree: 1 to 8.", 1, LargestDegree);
+  return ivec2(reader.ReadInteger(" is no degree: 1 to 8.", 1, LargestDegree), second);
 }
 
 BezierPatch ReadPatch(NumberReader& reader)

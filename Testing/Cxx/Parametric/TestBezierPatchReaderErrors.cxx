@@ -63,6 +63,10 @@ void TestFaults(RelevoCheck& check, const std::string& name)
   ExpectFault(check, name, Whole, "", "line 1: the file ends too early.");
   const std::string cut = "x" + std::string(79, '7');
   ExpectFault(check, name, "0 1 0", "0 " + cut + "77 0", "line 5: '" + cut + "' is no finite");
+  const std::string zeros(80, '0');
+  ExpectFault(check, name, "0 1 0", "0 " + std::string(1200, '1') + " 0",
+    "line 5: '" + std::string(80, '1') + "' is no finite number.");
+  ExpectFault(check, name, "0 1 0", "0 0." + zeros + "x 0", "line 5: '0." + zeros.substr(2));
 }
 
 void TestFiles(RelevoCheck& check, const std::string& folder)
