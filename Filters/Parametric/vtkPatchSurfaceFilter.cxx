@@ -6,7 +6,7 @@
 #include "Cells/ControlNets.h"
 #include "Coarse/CoarseMesh.h"
 #include "Coarse/PatchOutput.h"
-#include "vtkCellData.h"
+#include "Mesh/PatchArrays.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -59,15 +59,20 @@ int vtkPatchSurfaceFilter::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-void vtkPatchSurfaceFilter::RemoveShortArrays(vtkDataSetAttributes* data, vtkIdType tuples)
+void vtkPatchSurfaceFilter::WarnOfShortArray(const std::string& name)
 {
+  vtkWarningMacro("Array \"" << name << "\" has too few tuples and is left out.");
+}
+
+void vtkPatchSurfaceFilter::RemoveShortArrays(vtkUnstructuredGrid* grid)
+{
+  vtkPointData* data = grid->GetPointData();
   for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
   {
     vtkAbstractArray* array = data->GetAbstractArray(i);
-    if (array->GetNumberOfTuples() < tuples)
+    if (array->GetNumberOfTuples() < grid->GetNumberOfPoints())
     {
-      vtkWarningMacro("Array \"" << (array->GetName() ? array->GetName() : "")
-                                 << "\" has too few tuples and is left out.");
+      this->WarnOfShortArray(array->GetName() ? array->GetName() : "");
       data->RemoveArray(i);
     }
   }
@@ -78,7 +83,7 @@ int vtkPatchSurfaceFilter::RequestData(
 {
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  output->Initialize();
+  relevo::PatchArrays::Remove(output); // of the input's field data
   if (input->GetNumberOfCells() == 0)
   {
     return 1;
@@ -87,6 +92,10 @@ int vtkPatchSurfaceFilter::RequestData(
   for (const std::string& fault : checks.Faults)
   {
     vtkErrorMacro(<< fault);
+  }
+  if (!input->GetPoints())
+  {
+    return 1;
   }
   relevo::ControlNets nets(
     relevo::CollectNodes(input, relevo::FindBoundaryFaces(input, checks.Uses)));
@@ -103,12 +112,15 @@ int vtkPatchSurfaceFilter::RequestData(
   }
   vtkNew<vtkUnstructuredGrid> whole;
   whole->ShallowCopy(input);
-  this->RemoveShortArrays(whole->GetPointData(), input->GetNumberOfPoints());
-  this->RemoveShortArrays(whole->GetCellData(), input->GetNumberOfCells());
+  this->RemoveShortArrays(whole);
   const int leastPieces = this->SplitPatches ? 2 : 1;
   const relevo::CoarseMesh mesh =
     relevo::BuildCoarseMesh(nets, points, homogeneous, input, leastPieces);
-  relevo::StorePatches(nets, points, homogeneous, mesh, whole, output);
+  for (const std::string& name :
+    relevo::StorePatches(nets, points, homogeneous, mesh, whole, output))
+  {
+    this->WarnOfShortArray(name);
+  }
   return 1;
 }
 

@@ -43,7 +43,9 @@
 #include "RelevoFiltersParametricModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
-class vtkDataSetAttributes;
+#include <string> // for names
+
+class vtkUnstructuredGrid;
 
 class RELEVOFILTERSPARAMETRIC_EXPORT vtkPatchSurfaceFilter : public vtkPolyDataAlgorithm
 {
@@ -77,7 +79,8 @@ private:
 
   bool SplitPatches = false;
 
-  void RemoveShortArrays(vtkDataSetAttributes* data, vtkIdType tuples);
+  void RemoveShortArrays(vtkUnstructuredGrid* grid);
+  void WarnOfShortArray(const std::string& name);
 };
 
 #endif

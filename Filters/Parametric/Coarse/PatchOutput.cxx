@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coarse/PatchOutput.h"
 
+#include "Core/NearestTuple.h"
+#include "Evaluation/CellDataCopy.h"
+#include "Mesh/PatchArrays.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -19,14 +22,12 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <string>
+#include <utility>
 
 namespace relevo
 {
 namespace
 {
-const std::string Prefix = "PatchNodes:";
-
 template <typename Array>
 vtkSmartPointer<Array> NewArray(const char* name, int components, vtkIdType tuples)
 {
@@ -37,10 +38,12 @@ vtkSmartPointer<Array> NewArray(const char* name, int components, vtkIdType tupl
   return array;
 }
 
-void StoreTriangles(const ControlNets& nets, const CoarseMesh& mesh, vtkPolyData* output)
+// Returns the names of the grid's arrays that are too short.
+std::vector<std::string> StoreTriangles(
+  const ControlNets& nets, const CoarseMesh& mesh, vtkUnstructuredGrid* grid, vtkPolyData* output)
 {
   const auto number = static_cast<vtkIdType>(mesh.Triangles.size());
-  auto originals = NewArray<vtkIdTypeArray>("vtkOriginalCellIds", 1, number);
+  auto originals = NewArray<vtkIdTypeArray>(nullptr, 1, number);
   auto patches = NewArray<vtkIntArray>(PatchIdsName, 1, number);
   auto coordinates = NewArray<vtkFloatArray>(PatchCoordinatesName, 6, number);
   vtkNew<vtkCellArray> polys;
@@ -58,26 +61,11 @@ void StoreTriangles(const ControlNets& nets, const CoarseMesh& mesh, vtkPolyData
     }
   }
   output->SetPolys(polys);
-  output->GetCellData()->AddArray(originals);
+  std::vector<std::string> shortArrays;
+  CopyCellData(grid, originals, false, output->GetCellData(), shortArrays);
   output->GetCellData()->AddArray(patches);
   output->GetCellData()->AddArray(coordinates);
-}
-
-void CopyCellData(
-  const ControlNets& nets, const CoarseMesh& mesh, vtkUnstructuredGrid* grid, vtkPolyData* output)
-{
-  const auto number = static_cast<vtkIdType>(mesh.Triangles.size());
-  vtkNew<vtkIdList> from;
-  vtkNew<vtkIdList> to;
-  from->SetNumberOfIds(number);
-  to->SetNumberOfIds(number);
-  for (vtkIdType i = 0; i < number; ++i)
-  {
-    from->SetId(i, nets.GetPatches()[mesh.Triangles[i].Patch].Cell);
-    to->SetId(i, i);
-  }
-  output->GetCellData()->CopyAllocate(grid->GetCellData(), number);
-  output->GetCellData()->CopyData(grid->GetCellData(), from, to);
+  return shortArrays;
 }
 
 void StorePoints(const CoarseMesh& mesh, vtkUnstructuredGrid* grid, vtkPolyData* output)
@@ -157,7 +145,7 @@ void StoreCoefficients(const ControlNets& nets, vtkUnstructuredGrid* grid, vtkPo
 {
   for (vtkDataArray* array : GetInterpolatedArrays(grid))
   {
-    const std::string name = Prefix + array->GetName();
+    const std::string name = std::string(PatchNodesPrefix) + array->GetName();
     const std::vector<double> values = nets.Convert(array);
     auto coefficients = NewArray<vtkDoubleArray>(
       name.c_str(), array->GetNumberOfComponents(), nets.GetNumberOfControlPoints());
@@ -166,10 +154,38 @@ void StoreCoefficients(const ControlNets& nets, vtkUnstructuredGrid* grid, vtkPo
   }
 }
 
+// The sum of the coefficients of a patch, of which each counts its share.
+void EvaluateTuple(vtkDataArray* coefficients, const FacePatch& patch,
+  const std::vector<double>& shares, std::vector<double>& tuple)
+{
+  tuple.assign(static_cast<std::size_t>(coefficients->GetNumberOfComponents()), 0.0);
+  vtkIdType node = patch.FirstPoint;
+  for (double share : shares)
+  {
+    for (std::size_t c = 0; c < tuple.size(); ++c)
+    {
+      tuple[c] += share * coefficients->GetComponent(node, static_cast<int>(c));
+    }
+    ++node;
+  }
+}
+
 // Where a point is no node, arrays have there what the patch's basis makes of its nodes.
 void EvaluateArrays(
   const ControlNets& nets, const ControlPoints& points, const CoarseMesh& mesh, vtkPolyData* output)
 {
+  vtkPointData* data = output->GetPointData();
+  std::vector<std::pair<vtkDataArray*, vtkDataArray*>> arrays;
+  for (int a = 0; a < data->GetNumberOfArrays(); ++a)
+  {
+    vtkDataArray* array = data->GetArray(a);
+    vtkDataArray* coefficients = array ? PatchArrays::FindNodes(output, array) : nullptr;
+    if (coefficients)
+    {
+      arrays.emplace_back(array, coefficients);
+    }
+  }
+  std::vector<double> tuple;
   for (std::size_t i = 0; i < mesh.Points.size(); ++i)
   {
     const CoarsePoint& point = mesh.Points[i];
@@ -179,37 +195,25 @@ void EvaluateArrays(
     }
     const FacePatch& patch = nets.GetPatches()[point.Patch];
     const std::vector<double> shares = EvaluateShares(patch, points, point.Coordinates);
-    for (int k = 0; k < output->GetFieldData()->GetNumberOfArrays(); ++k)
+    for (const auto& [array, coefficients] : arrays)
     {
-      vtkDataArray* coefficients = output->GetFieldData()->GetArray(k);
-      const std::string name = coefficients->GetName();
-      vtkDataArray* array = name.rfind(Prefix, 0) == 0
-        ? output->GetPointData()->GetArray(name.substr(Prefix.size()).c_str())
-        : nullptr;
-      for (int c = 0; array && c < array->GetNumberOfComponents(); ++c)
-      {
-        double value = 0.0;
-        for (std::size_t node = 0; node < shares.size(); ++node)
-        {
-          value += shares[node] * coefficients->GetComponent(patch.FirstPoint + node, c);
-        }
-        array->SetComponent(i, c, value);
-      }
+      EvaluateTuple(coefficients, patch, shares, tuple);
+      SetNearestTuple(array, static_cast<vtkIdType>(i), tuple.data());
     }
   }
 }
 }
 
-void StorePatches(const ControlNets& nets, const std::vector<dvec4>& points,
+std::vector<std::string> StorePatches(const ControlNets& nets, const std::vector<dvec4>& points,
   const ControlPoints& homogeneous, const CoarseMesh& mesh, vtkUnstructuredGrid* grid,
   vtkPolyData* output)
 {
   StorePoints(mesh, grid, output);
-  CopyCellData(nets, mesh, grid, output);
-  StoreTriangles(nets, mesh, output);
+  const std::vector<std::string> shortArrays = StoreTriangles(nets, mesh, grid, output);
   StoreNets(nets, points, output);
   StoreCoefficients(nets, grid, output);
   EvaluateArrays(nets, homogeneous, mesh, output);
   output->GetPointData()->SetNormals(NewNormals(mesh));
+  return shortArrays;
 }
 }

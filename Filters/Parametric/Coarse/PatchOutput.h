@@ -11,14 +11,17 @@
 
 #include "Coarse/CoarseMesh.h"
 
+#include <string>
+
 class vtkPolyData;
 class vtkUnstructuredGrid;
 
 namespace relevo
 {
 /// What vtkPatchSurfaceFilter tells of its output. `points` are not multiplied with their weights,
-/// `homogeneous` are.
-void StorePatches(const ControlNets& nets, const std::vector<dvec4>& points,
+/// `homogeneous` are. Returns the names of cell arrays that are left out for being too short; those
+/// of points must be long enough.
+std::vector<std::string> StorePatches(const ControlNets& nets, const std::vector<dvec4>& points,
   const ControlPoints& homogeneous, const CoarseMesh& mesh, vtkUnstructuredGrid* grid,
   vtkPolyData* output);
 }

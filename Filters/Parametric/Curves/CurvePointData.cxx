@@ -3,6 +3,7 @@
 #include "Curves/CurvePointData.h"
 
 #include "Core/NearestNumber.h"
+#include "Core/NearestTuple.h"
 #include "Core/NoDataTuples.h"
 #include "Curves/CurveEvaluator.h"
 #include "Curves/CurveMesh.h"
@@ -31,11 +32,6 @@ vtkIdType GetNearestNode(const CurveMesh& mesh, vtkIdType c, double t)
 {
   const CurveMesh::Curve& curve = mesh.GetCurves()[c];
   return mesh.GetNodes()[curve.FirstPoint + static_cast<int>(std::lround(t * curve.Degree))];
-}
-
-bool AreIntegers(vtkDataArray* array)
-{
-  return array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
 }
 
 bool HasNoData(const CurveMesh& mesh, vtkIdType c, const NoDataTuples& noData)
@@ -96,7 +92,8 @@ struct ArrayEvaluation
           for (int i = 0; i < this->Rows.GetWidth() * size; ++i)
           {
             values.Set(point + i / size, group + i % size,
-              getNearestNumber<T>(AreIntegers(to) ? std::round(value[i % size]) : value[i % size]));
+              getNearestNumber<T>(
+                HoldsIntegers(to) ? std::round(value[i % size]) : value[i % size]));
           }
         }
       });
@@ -112,7 +109,7 @@ struct ArrayEvaluation
       [&](double t, vtkIdType point, int)
       {
         const vtkIdType node = GetNearestNode(this->Mesh, c, t);
-        const bool isCopy = t == 0.0 || t == 1.0 || AreIntegers(to);
+        const bool isCopy = t == 0.0 || t == 1.0 || HoldsIntegers(to);
         for (int i = 0; i < this->Rows.GetWidth() * to->GetNumberOfComponents(); ++i)
         {
           const int component = i % to->GetNumberOfComponents();
@@ -166,9 +163,8 @@ void EvaluatePointData(vtkPointSet* input, const CurveMesh& mesh, const CurveRow
       continue;
     }
     vtkDataArray* numbers = vtkDataArray::SafeDownCast(array);
-    const bool isData =
-      array == from->GetNormals() || array == from->GetTCoords() || array == from->GetTangents();
-    const NoDataTuples noData = isData ? NoDataTuples() : NoDataTuples(numbers, noDataMagnitude);
+    const NoDataTuples noData =
+      CanLackData(from, numbers) ? NoDataTuples(numbers, noDataMagnitude) : NoDataTuples();
     const ArrayEvaluation evaluate{ mesh, rows, numbers, noData };
     vtkDataArray* result = vtkDataArray::SafeDownCast(target);
     if (!vtkArrayDispatch::Dispatch::Execute(result, evaluate))

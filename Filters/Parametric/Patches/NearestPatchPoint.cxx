@@ -3,6 +3,7 @@
 #include "Patches/NearestPatchPoint.h"
 
 #include "Mesh/PatchArrays.h"
+#include "Splines/WeightScale.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -20,10 +21,13 @@ struct PatchAround
   {
     const Patch patch = patches.GetPatch(number);
     this->Shape = { 0, patch.Degrees, patch.IsTriangle };
+    const WeightScale scale(patch.FirstPoint, patch.FirstPoint + patch.GetNumberOfPoints(),
+      [&](vtkIdType i) { return patches.GetPoint(i); });
     for (int i = 0; i < patch.GetNumberOfPoints(); ++i)
     {
       const dvec4 point = patches.GetPoint(patch.FirstPoint + i);
-      this->Points.push_back(vec4(vec3(dvec3(point) - place) * float(point.w), float(point.w)));
+      const float weight = scale.GetWeight(point);
+      this->Points.push_back(vec4(vec3(dvec3(point) - place) * weight, weight));
     }
   }
 

@@ -4,6 +4,7 @@
 
 #include "Core/PointPlaces.h"
 #include "Mesh/PatchArrays.h"
+#include "Splines/WeightScale.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkPolyData.h"
@@ -55,6 +56,8 @@ public:
   void BuildPoints(const double origin[3])
   {
     this->Tables.Points.resize(4 * static_cast<std::size_t>(this->Patches.GetNumberOfPoints()));
+    const WeightScale scale(0, this->Patches.GetNumberOfPoints(),
+      [this](vtkIdType i) { return this->Patches.GetPoint(i); });
     for (vtkIdType i = 0; i < this->Patches.GetNumberOfPoints(); ++i)
     {
       const dvec4 point = this->Patches.GetPoint(i);
@@ -63,7 +66,7 @@ public:
       {
         out[c] = static_cast<float>(point[c] - origin[c]);
       }
-      out[3] = static_cast<float>(point.w);
+      out[3] = scale.GetWeight(point);
     }
   }
 

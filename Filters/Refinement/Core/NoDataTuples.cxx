@@ -4,6 +4,7 @@
 
 #include "Core/VectorData.h"
 #include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkSMPTools.h"
 
 #include <atomic>
@@ -11,6 +12,11 @@
 
 namespace relevo
 {
+bool CanLackData(vtkDataSetAttributes* data, vtkDataArray* array)
+{
+  return array != data->GetNormals() && array != data->GetTCoords() && array != data->GetTangents();
+}
+
 NoDataTuples::NoDataTuples(vtkDataArray* array, double noDataMagnitude)
 {
   const int components = array->GetNumberOfComponents();

@@ -16,9 +16,13 @@
 #include <vector>  // for members
 
 class vtkDataArray;
+class vtkDataSetAttributes;
 
 namespace relevo
 {
+/// Normals, tangents and texture coordinates always count as data.
+RELEVOFILTERSREFINEMENT_EXPORT bool CanLackData(vtkDataSetAttributes* data, vtkDataArray* array);
+
 class RELEVOFILTERSREFINEMENT_EXPORT NoDataTuples
 {
 public:

@@ -3,6 +3,7 @@
 #include "Evaluation/PointDataInterpolation.h"
 
 #include "Core/NearestNumber.h"
+#include "Core/NearestTuple.h"
 #include "Core/NoDataTuples.h"
 
 #include "vtkAOSDataArrayTemplate.h"
@@ -124,7 +125,7 @@ public:
   GeneralPair(vtkDataArray* from, vtkDataArray* to, NoDataTuples&& noData)
     : From(from)
     , To(to)
-    , IsInteger(to->GetDataType() != VTK_FLOAT && to->GetDataType() != VTK_DOUBLE)
+    , IsInteger(HoldsIntegers(to))
     , NoData(std::move(noData))
   {
   }
@@ -220,8 +221,7 @@ PointDataInterpolation::PointDataInterpolation(vtkPointData* from, vtkIdType num
     vtkDataArray* numbers = vtkDataArray::SafeDownCast(source);
     vtkDataArray* result = vtkDataArray::SafeDownCast(target);
     MakeTypedPair make;
-    if (source != from->GetNormals() && source != from->GetTCoords() &&
-      source != from->GetTangents())
+    if (CanLackData(from, numbers))
     {
       make.NoData = NoDataTuples(numbers, noDataMagnitude);
     }

@@ -230,7 +230,8 @@ bool RefinedPolyDataBuilder::BuildPoints(vtkPolyData* output)
   const PointDataInterpolation data(inputData, this->Input->GetNumberOfPoints(),
     output->GetPointData(), this->NumberOfPoints, this->Recipe->GetNoDataMagnitude());
   this->ShortArrays = data.GetShortArrays();
-  const SurfaceFields fields(this->Recipe->GetSurface(), this->Input, output->GetPointData());
+  const SurfaceFields fields(this->Recipe->GetSurface(), this->Input,
+    this->Recipe->GetNoDataMagnitude(), output->GetPointData());
 
   const bool done = this->ForFaces(0.6,
     [&](vtkIdType begin, vtkIdType end)

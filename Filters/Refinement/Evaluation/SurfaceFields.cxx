@@ -2,15 +2,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Evaluation/SurfaceFields.h"
 
+#include "Core/NearestTuple.h"
+#include "Core/NoDataTuples.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <cmath>
-
 namespace relevo
 {
-SurfaceFields::SurfaceFields(vtkRefinementSurface* surface, vtkPolyData* mesh, vtkPointData* to)
+namespace
+{
+// Those that stand for no data become NaN, and with them all of their patches: nodes are mixed in
+// the coefficients.
+void MarkNoData(double noDataMagnitude, vtkSmartPointer<vtkDataArray>& coefficients)
+{
+  const NoDataTuples noData(coefficients, noDataMagnitude);
+  if (noData.IsEmpty())
+  {
+    return;
+  }
+  vtkNew<vtkDoubleArray> marked;
+  marked->DeepCopy(coefficients);
+  for (vtkIdType i = 0; i < marked->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; noData.GetMarks()[i] && c < marked->GetNumberOfComponents(); ++c)
+    {
+      marked->SetComponent(i, c, vtkMath::Nan());
+    }
+  }
+  coefficients = marked;
+}
+}
+
+SurfaceFields::SurfaceFields(
+  vtkRefinementSurface* surface, vtkPolyData* mesh, double noDataMagnitude, vtkPointData* to)
   : Surface(surface)
 {
   vtkPointData* from = mesh->GetPointData();
@@ -21,8 +49,11 @@ SurfaceFields::SurfaceFields(vtkRefinementSurface* surface, vtkPolyData* mesh, v
     vtkDataArray* values = coefficients ? to->GetArray(array->GetName()) : nullptr;
     if (values)
     {
-      const int type = values->GetDataType();
-      this->Fields.push_back({ coefficients, values, type != VTK_FLOAT && type != VTK_DOUBLE });
+      this->Fields.push_back({ coefficients, values });
+      if (CanLackData(from, array))
+      {
+        MarkNoData(noDataMagnitude, this->Fields.back().Coefficients);
+      }
     }
   }
 }
@@ -41,11 +72,7 @@ void SurfaceFields::Evaluate(
         continue; // corners have their own
       }
       this->Surface->EvaluateField(face, point.Weights, field.Coefficients, tuple.data());
-      for (std::size_t c = 0; c < tuple.size(); ++c)
-      {
-        field.Values->SetComponent(
-          point.Id, static_cast<int>(c), field.IsInteger ? std::round(tuple[c]) : tuple[c]);
-      }
+      SetNearestTuple(field.Values, point.Id, tuple.data());
     }
   }
 }

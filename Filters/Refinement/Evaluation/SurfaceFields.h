@@ -11,9 +11,11 @@
 
 #include "Evaluation/RefinedTopology.h"
 #include "vtkRefinementSurface.h"
+#include "vtkSmartPointer.h"
 
 #include <vector>
 
+class vtkDataArray;
 class vtkPointData;
 
 namespace relevo
@@ -22,8 +24,9 @@ class SurfaceFields
 {
 public:
   /// Fields of a mesh's point data for the arrays of the same names in `to`; the surface may be
-  /// nullptr.
-  SurfaceFields(vtkRefinementSurface* surface, vtkPolyData* mesh, vtkPointData* to);
+  /// nullptr. For noDataMagnitude see NoDataTuples.
+  SurfaceFields(
+    vtkRefinementSurface* surface, vtkPolyData* mesh, double noDataMagnitude, vtkPointData* to);
 
   /// May be called from several threads for different points.
   void Evaluate(
@@ -34,9 +37,8 @@ public:
 private:
   struct Field
   {
-    vtkDataArray* Coefficients;
+    vtkSmartPointer<vtkDataArray> Coefficients;
     vtkDataArray* Values;
-    bool IsInteger;
   };
   vtkRefinementSurface* Surface;
   std::vector<Field> Fields;

@@ -5,6 +5,7 @@
 #include "Curves/CurveFrames.h"
 #include "Curves/CurveMesh.h"
 #include "OpenGL/ContextFacts.h"
+#include "Splines/WeightScale.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
@@ -37,6 +38,8 @@ bool CurveBuffers::Upload(
 {
   this->Rational = curves.IsRational();
   const int components = GetComponents(this->Rational);
+  const WeightScale scale(
+    0, curves.GetNumberOfPoints(), [&](vtkIdType i) { return curves.GetPoints()[i]; });
   std::vector<float> points;
   points.reserve(components * curves.GetPoints().size());
   for (const dvec4& point : curves.GetPoints())
@@ -45,7 +48,7 @@ bool CurveBuffers::Upload(
     points.insert(points.end(), { place.x, place.y, place.z });
     if (components == 4)
     {
-      points.push_back(static_cast<float>(point.w));
+      points.push_back(scale.GetWeight(point));
     }
   }
   const std::vector<CurveMesh::Curve>& all = curves.GetCurves();

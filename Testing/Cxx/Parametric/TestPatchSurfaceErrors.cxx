@@ -121,6 +121,43 @@ void TestCells(RelevoCheck& check)
   CHECK(RelevoGetNumberOfPatches(filter->GetOutput()) == 1);
 }
 
+// Cells of which lists are damaged.
+void TestLists(RelevoCheck& check)
+{
+  const std::array<vtkIdType, 4> ids{ 2, 4, 9, 7 };
+  for (vtkIdType last : { 99, -1 })
+  {
+    Pair strange;
+    const std::array<vtkIdType, 16> faces{ 3, 2, 4, 9, 3, 2, 9, 7, 3, 2, 7, 4, 3, 4, 9, last };
+    strange.Grid->InsertNextCell(VTK_POLYHEDRON, 4, ids.data(), 4, faces.data());
+    strange.Expect(check, "it refers to point " + std::to_string(last) + " of 10.");
+  }
+  Pair thin;
+  const std::array<vtkIdType, 7> faces{ 3, 2, 4, 9, 2, 2, 9 };
+  thin.Grid->InsertNextCell(VTK_POLYHEDRON, 4, ids.data(), 2, faces.data());
+  thin.Expect(check, "its list of faces is not whole, or has a face of less than 3 points.");
+  // One node is no degree at all.
+  for (int type : { VTK_LAGRANGE_HEXAHEDRON, VTK_BEZIER_QUADRILATERAL, VTK_LAGRANGE_WEDGE })
+  {
+    Pair single;
+    single.Add(type, { 2 }, 0, 0);
+    single.Expect(check, "it has 1 nodes, which does not fit its type with");
+  }
+  for (int type : { VTK_VERTEX, VTK_TRIANGLE })
+  {
+    vtkNew<vtkUnstructuredGrid> grid; // has no points at all
+    grid->Allocate(1);
+    grid->InsertNextCell(type, type == VTK_VERTEX ? 1 : 3, ids.data());
+    vtkNew<vtkPatchSurfaceFilter> filter;
+    RelevoErrors errors(filter);
+    filter->SetInputData(grid);
+    filter->Update();
+    CHECK(filter->GetOutput()->GetNumberOfCells() == 0);
+    CHECK(type == VTK_VERTEX || errors.Said("it refers to point 2 of 0."));
+    CHECK(errors.None());
+  }
+}
+
 // Many of them, but one error for each fault.
 void TestMany(RelevoCheck& check)
 {
@@ -213,6 +250,7 @@ int TestPatchSurfaceErrors(int, char*[])
 {
   RelevoCheck check;
   TestCells(check);
+  TestLists(check);
   TestMany(check);
   TestWarnings(check);
   TestThin(check);

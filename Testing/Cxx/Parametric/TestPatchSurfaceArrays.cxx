@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Arrays of grids on their way to refined surfaces: types, values without data, weights far from 1.
+#include "RelevoCheck.h"
+#include "RelevoPatches.h"
+
+#include "vtkAdaptiveRefinement.h"
+#include "vtkAdaptiveRefinementFilter.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkMath.h"
+#include "vtkPatchSurface.h"
+#include "vtkPointData.h"
+#include "vtkSignedCharArray.h"
+#include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+vtkSmartPointer<vtkPolyData> Refine(vtkPolyData* mesh)
+{
+  vtkNew<vtkAdaptiveRefinement> recipe;
+  recipe->SetSurface(vtkNew<vtkPatchSurface>());
+  recipe->SetMaximumLevel(3);
+  vtkNew<vtkAdaptiveRefinementFilter> filter;
+  filter->SetRefinement(recipe);
+  filter->SetInputData(mesh);
+  filter->Update();
+  return filter->GetOutput();
+}
+
+// A quadratic triangle has the values of these six nodes.
+template <typename Array>
+vtkSmartPointer<vtkUnstructuredGrid> NewTriangle(const std::array<double, 6>& values)
+{
+  auto grid = RelevoNewCell(VTK_QUADRATIC_TRIANGLE, { 2, 2, 2 }, 0.1);
+  vtkNew<Array> array;
+  array->SetName("Numbers");
+  vtkNew<vtkDoubleArray> exact;
+  exact->SetName("Exact");
+  for (double value : values)
+  {
+    array->InsertNextTuple1(value);
+    exact->InsertNextTuple1(array->GetTuple1(array->GetNumberOfTuples() - 1));
+  }
+  grid->GetPointData()->AddArray(array);
+  grid->GetPointData()->AddArray(exact);
+  return grid;
+}
+
+// Integers are rounded, and end where their type does: a quadratic field goes beyond its nodes.
+template <typename Array>
+void TestIntegers(RelevoCheck& check, double lowest, double highest)
+{
+  const double step = 0.1 * (highest - lowest);
+  const auto grid =
+    NewTriangle<Array>({ lowest + 3 * step, lowest, lowest + 7 * step, lowest, highest, highest });
+  for (bool split : { false, true })
+  {
+    const auto mesh = RelevoMakePatches(grid, split);
+    const auto refined = Refine(mesh);
+    double least = 0.0;
+    double most = 0.0;
+    for (vtkPolyData* data : { mesh.Get(), refined.Get() })
+    {
+      vtkDataArray* numbers = data->GetPointData()->GetArray("Numbers");
+      vtkDataArray* exact = data->GetPointData()->GetArray("Exact");
+      CHECK(numbers->GetDataType() == vtkNew<Array>()->GetDataType());
+      for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+      {
+        const double wanted = exact->GetTuple1(i);
+        least = std::min(least, wanted - lowest);
+        most = std::max(most, wanted - highest);
+        CHECK_NEAR(numbers->GetTuple1(i), std::clamp(wanted, lowest, highest), 0.5001);
+      }
+    }
+    CHECK(least < -1.0 && most > 1.0);
+  }
+}
+
+// What stands for no data is nowhere mixed with data; all texture coordinates are data.
+void TestNoData(RelevoCheck& check)
+{
+  auto grid = RelevoNewCell(VTK_LAGRANGE_QUADRILATERAL, { 3, 3, 1 }, 0.1);
+  for (const char* name : { "Scalars", "Vectors", "Coordinates" })
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    array->SetNumberOfComponents(*name == 'S' ? 1 : 3);
+    array->SetNumberOfTuples(grid->GetNumberOfPoints());
+    array->Fill(1.0);
+    grid->GetPointData()->AddArray(array);
+  }
+  const vtkIdType inner = grid->GetNumberOfPoints() - 1;
+  grid->GetPointData()->GetArray("Scalars")->SetTuple1(inner, vtkMath::Nan());
+  grid->GetPointData()->GetArray("Vectors")->SetTuple3(inner, -1e9, 0.0, 0.0);
+  grid->GetPointData()->GetArray("Coordinates")->SetTuple3(inner, -1e9, 0.0, 0.0);
+  grid->GetPointData()->SetActiveAttribute("Coordinates", vtkDataSetAttributes::TCOORDS);
+  const auto refined = Refine(RelevoMakePatches(grid));
+  CHECK(refined->GetNumberOfPoints() == 81);
+  vtkDataArray* scalars = refined->GetPointData()->GetArray("Scalars");
+  vtkDataArray* vectors = refined->GetPointData()->GetArray("Vectors");
+  vtkDataArray* coordinates = refined->GetPointData()->GetTCoords();
+  int without = 0;
+  for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
+  {
+    const bool isData = scalars->GetTuple1(i) == 1.0;
+    CHECK(isData || std::isnan(scalars->GetTuple1(i)));
+    CHECK(std::isfinite(coordinates->GetComponent(i, 0)));
+    without += isData ? 0 : 1;
+    for (int c = 0; c < 3; ++c)
+    {
+      CHECK(isData ? vectors->GetComponent(i, c) == 1.0 : std::isnan(vectors->GetComponent(i, c)));
+    }
+  }
+  CHECK(without == 77); // all but the corners
+}
+
+// The grid's own field data are there still, and nothing of patches that it was not made of.
+void TestFieldData(RelevoCheck& check)
+{
+  auto grid = RelevoNewCell(VTK_QUADRATIC_TRIANGLE, { 2, 2, 2 }, 0.1);
+  vtkNew<vtkStringArray> note;
+  note->SetName("Note");
+  note->InsertNextValue("as it was");
+  grid->GetFieldData()->AddArray(note);
+  for (const char* name : { "Patches", "PatchNodes:Values", "PatchNodes:Old" })
+  {
+    vtkNew<vtkDoubleArray> old;
+    old->SetName(name);
+    old->InsertNextValue(1.0);
+    grid->GetFieldData()->AddArray(old);
+  }
+  const auto mesh = RelevoMakePatches(grid, true);
+  CHECK(mesh->GetFieldData()->GetAbstractArray("Note") == note);
+  CHECK(!mesh->GetFieldData()->HasArray("PatchNodes:Old"));
+  CHECK(mesh->GetFieldData()->GetArray("Patches")->GetNumberOfComponents() == 4);
+  CHECK(mesh->GetFieldData()->GetArray("PatchNodes:Values")->GetNumberOfTuples() == 6);
+  CHECK(Refine(mesh)->GetFieldData()->GetAbstractArray("Note") == note);
+}
+
+// A factor that all weights have in common changes nothing, also where floats have no room for it.
+void TestWeights(RelevoCheck& check)
+{
+  for (int type : { VTK_BEZIER_QUADRILATERAL, VTK_BEZIER_TRIANGLE })
+  {
+    auto grid = RelevoNewCell(type, { 3, 3, 1 }, 0.1, true);
+    vtkDataArray* weights = grid->GetPointData()->GetRationalWeights();
+    const auto plain = Refine(RelevoMakePatches(grid));
+    for (int exponent : { 600, -1300 })
+    {
+      for (vtkIdType i = 0; i < weights->GetNumberOfTuples(); ++i)
+      {
+        weights->SetTuple1(i, std::ldexp(weights->GetTuple1(i), exponent));
+      }
+      weights->Modified();
+      const auto scaled = Refine(RelevoMakePatches(grid));
+      CHECK(scaled->GetNumberOfPoints() == plain->GetNumberOfPoints());
+      for (vtkIdType i = 0; i < plain->GetNumberOfPoints(); ++i)
+      {
+        for (int c = 0; c < 3; ++c)
+        {
+          CHECK(scaled->GetPoint(i)[c] == plain->GetPoint(i)[c]);
+        }
+      }
+    }
+  }
+}
+}
+
+int TestPatchSurfaceArrays(int, char*[])
+{
+  RelevoCheck check;
+  TestIntegers<vtkUnsignedCharArray>(check, 0.0, 255.0);
+  TestIntegers<vtkSignedCharArray>(check, -128.0, 127.0);
+  TestIntegers<vtkIntArray>(check, VTK_INT_MIN, VTK_INT_MAX);
+  TestNoData(check);
+  TestFieldData(check);
+  TestWeights(check);
+  return check.GetResult();
+}
