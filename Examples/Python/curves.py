@@ -12,11 +12,10 @@ import math
 import sys
 
 import relevo
-from figure import Figure, make_actor
+from figure import Figure, draw_mesh, make_actor
 from meshes import make_ring, read
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
 from vtkmodules.vtkFiltersCore import vtkMassProperties, vtkPolyDataNormals
-from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
 
 
 def make_recipe(pixels=0.5):
@@ -64,13 +63,6 @@ def grow(mesh, hairs, length, curl):
     source.SetGravity(0, -0.4, 0)
     source.Update()
     return source.GetOutput()
-
-
-def draw_mesh(mesh):
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputData(mesh)
-    mapper.ScalarVisibilityOff()
-    return make_actor(mapper)
 
 
 def hair(filename=None):

@@ -15,12 +15,17 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 
-def draw_coarse(mesh):
-    """The mesh as it is, its faces flat and their edges drawn."""
+def draw_mesh(mesh):
+    """The mesh as it is, by VTK's mapper."""
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(mesh)
     mapper.ScalarVisibilityOff()
-    actor = make_actor(mapper)
+    return make_actor(mapper)
+
+
+def draw_coarse(mesh):
+    """The mesh as it is, its faces flat and their edges drawn."""
+    actor = draw_mesh(mesh)
     actor.GetProperty().SetInterpolationToFlat()
     show_edges(actor)
     return actor

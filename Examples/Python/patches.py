@@ -127,7 +127,7 @@ def count_flat(actor):
 
 
 def teapot(filename=None):
-    """Three times as seen: at VTK's level that has about as many triangles."""
+    """The patches, their levels, and VTK's even cut that has about as many triangles."""
     grid = read_grid(filename) if filename else make_torus()
     figure = Figure(3, 1, (420, 330), (0.4, -1, 0.5), (0, 0, 1), 1.5)
     smooth = draw_patches(grid, make_recipe(2))

@@ -14,7 +14,7 @@ import math
 import sys
 
 import relevo
-from figure import Figure, make_actor
+from figure import Figure, draw_mesh, make_actor
 from meshes import add_normals, make_ring, read
 from vtkmodules.vtkCommonCore import vtkFloatArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -36,11 +36,8 @@ def read_mesh(filename):
     return add_normals(read(filename) if filename else make_ring(120, 48))
 
 
-def draw_mesh(mesh):
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputData(mesh)
-    mapper.ScalarVisibilityOff()
-    actor = make_actor(mapper)
+def draw_matt(mesh):
+    actor = draw_mesh(mesh)
     actor.GetProperty().SetSpecular(0)  # seen from one side alone
     return actor
 
@@ -104,11 +101,11 @@ def count_texels(reliefs):
 def box(filename=None):
     """The captures' light stays on the reliefs."""
     mesh = read_mesh(filename)
-    window, renderer = open_window(draw_mesh(mesh))
+    window, renderer = open_window(draw_matt(mesh))
     reliefs = capture(renderer, 512)
     figure = Figure(2, 1, (420, 380), (0.35, 0.45, 1), (0, 1, 0), 1.3)
     for label, actor in (
-        (f"{mesh.GetNumberOfPolys():,} triangles", draw_mesh(mesh)),
+        (f"{mesh.GetNumberOfPolys():,} triangles", draw_matt(mesh)),
         (f"{count_texels(reliefs):,} texels of six reliefs", draw_reliefs(reliefs)),
     ):
         set_lights(figure.add(label, actor, bounds=mesh.GetBounds()), *LAMPS)
@@ -185,7 +182,7 @@ def take_picture(window, kind):
 def camera(filename=None):
     """Seen from 25 degrees beside the camera."""
     mesh = read_can(filename) if filename else read_mesh(None)
-    window, renderer = open_window(draw_mesh(mesh), size=(320, 280))
+    window, renderer = open_window(draw_matt(mesh), size=(320, 280))
     view = renderer.GetActiveCamera()
     view.SetPosition(0.3, 0.9, 0.8)
     view.SetViewUp(0, 0, 1)
@@ -232,7 +229,7 @@ def turn(camera, degrees):
 def holes(filename=None):
     """From 15 degrees beside each capture."""
     mesh = read_mesh(filename)
-    window, renderer = open_window(draw_mesh(mesh), size=(512, 512))
+    window, renderer = open_window(draw_matt(mesh), size=(512, 512))
     view = renderer.GetActiveCamera()
     view.SetPosition(0.35, 0.45, 1)
     renderer.ResetCamera()
@@ -245,7 +242,7 @@ def holes(filename=None):
         ("seen from the right", cameras[1:]),
         ("both", cameras),
     ):
-        behind = draw_mesh(mesh)
+        behind = draw_matt(mesh)
         behind.GetProperty().SetColor(RED)
         behind.GetProperty().LightingOff()
         panel = figure.add(label, behind)

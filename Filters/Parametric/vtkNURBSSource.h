@@ -20,7 +20,8 @@
  * Errors, with an empty output, say which: no control points or knots; another number of control
  * points than the dimensions tell of, or of weights; too few control points for a degree; another
  * number of knots than control points + degree + 1; knots that fall, that are there too often or
- * that are all one; weights of 0 or less; anything that is not finite.
+ * that are all one; weights of 0 or less, or too large or too small to compute with; anything that
+ * is not finite.
  *
  * @sa vtkBezierPatchReader
  */

@@ -15,7 +15,9 @@
  * of those of the first two patches there, and at corners along the mesh's point normals, so that
  * what is displaced stays closed, too.
  *
- * Point arrays whose coefficients the mesh brings along are evaluated by the same basis.
+ * Point arrays whose coefficients the mesh brings along are evaluated by the same basis; a patch
+ * with one that stands for no data (vtkAdaptiveRefinement::SetNoDataMagnitude()) has none between
+ * its corners.
  *
  * A mesh without patches, or with arrays that do not fit, is an error.
  *

@@ -14,13 +14,14 @@
  *
  * Output: a vtkPolyData.
  * - Points (double): corners of patches, and places that edges are split at. Its arrays are the
- *   grid's; "Normals" (float) has for each place the mean of the patches' true normals.
+ *   grid's, integers rounded; "Normals" (float) has for each place the mean of the patches' true
+ *   normals.
  * - Triangles, two of a quadrilateral, one of a triangle, more where edges had to be split: one
  *   that is closed in four, and ones that join the same two points in two each. Arrays of cells:
  *   the grid's; "vtkOriginalCellIds" (vtkIdType), the grid's cell; "PatchIds" (int), the patch;
  *   "PatchCoordinates" (float, 6 components), u and v of the triangle's corners. Where a border of
  *   a patch is one place, as at the teapot's lid, a triangle has two points there.
- * - Field data: "Patches" (vtkIdType, 4 components): VTK_BEZIER_QUADRILATERAL or
+ * - Field data: the grid's, and "Patches" (vtkIdType, 4 components): VTK_BEZIER_QUADRILATERAL or
  *   VTK_BEZIER_TRIANGLE, both degrees, and the first control point. "PatchPoints" (double, 4
  *   components): x, y, z, not multiplied with the weight, and the weight. "PatchNodes:NAME"
  *   (double) for each numeric array NAME of points: its coefficients in the patch's own, maybe

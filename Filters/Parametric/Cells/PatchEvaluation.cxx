@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/PatchEvaluation.h"
 
-#include "Splines/LagrangeToBezier.h"
+#include "Splines/TriangleIndex.h"
 
 #include <algorithm>
 #include <array>

@@ -3,6 +3,7 @@
 #include "Metrics/DeviationBounds.h"
 
 #include "Metrics/TriangleForm.h"
+#include "Splines/TriangleIndex.h"
 
 #include <algorithm>
 #include <array>
@@ -177,14 +178,14 @@ double BoundSecond(const Piece& piece, const Largest& d, const Largest& e, const
 dvec4 GetFirst(const Piece& piece, int degree, int j, int k, const dvec3& d)
 {
   const auto at = [&](int dj, int dk)
-  { return piece.Points[TriangleForm::GetIndex(degree, j + dj, k + dk)]; };
+  { return piece.Points[GetTriangleIndex(degree, j + dj, k + dk)]; };
   return static_cast<double>(degree) * (d.x * at(0, 0) + d.y * at(1, 0) + d.z * at(0, 1));
 }
 
 dvec4 GetSecond(const Piece& piece, int degree, int j, int k, const dvec3& d, const dvec3& e)
 {
   const auto at = [&](int dj, int dk)
-  { return piece.Points[TriangleForm::GetIndex(degree, j + dj, k + dk)]; };
+  { return piece.Points[GetTriangleIndex(degree, j + dj, k + dk)]; };
   return static_cast<double>(degree * (degree - 1)) *
     (d.x * e.x * at(0, 0) + d.y * e.y * at(2, 0) + d.z * e.z * at(0, 2) +
       (d.x * e.y + d.y * e.x) * at(1, 0) + (d.x * e.z + d.z * e.x) * at(0, 1) +

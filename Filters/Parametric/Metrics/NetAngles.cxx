@@ -4,7 +4,7 @@
 
 #include "Core/WorldView.h"
 #include "Mesh/PatchArrays.h"
-#include "Metrics/TriangleForm.h"
+#include "Splines/TriangleIndex.h"
 #include "vtkMath.h"
 
 #include <algorithm>
@@ -51,7 +51,7 @@ double MeasureTriangles(const PatchArrays& patches, const Patch& patch)
   const int degree = patch.Degrees.x;
   const auto at = [&](int i, int j)
   {
-    const auto index = static_cast<vtkIdType>(TriangleForm::GetIndex(degree, i, j));
+    const auto index = static_cast<vtkIdType>(GetTriangleIndex(degree, i, j));
     return dvec3(patches.GetPoint(patch.FirstPoint + index));
   };
   const auto getNormal = [&](int i, int j)

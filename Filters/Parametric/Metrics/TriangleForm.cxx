@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Metrics/TriangleForm.h"
 
+#include "Splines/TriangleIndex.h"
+
 #include <utility>
 
 namespace relevo
@@ -16,7 +18,7 @@ Polynomial Blend(
   int degree, std::initializer_list<std::pair<const dvec3*, const Polynomial*>> terms)
 {
   const int n = degree + 1;
-  Polynomial result(TriangleForm::GetIndex(n, 0, n) + 1, dvec4(0.0));
+  Polynomial result(GetTriangleIndex(n, 0, n) + 1, dvec4(0.0));
   for (int k = 0; k <= n; ++k)
   {
     for (int j = 0; j + k <= n; ++j)
@@ -27,11 +29,11 @@ Polynomial Blend(
       {
         const dvec3& f = *term.first;
         const Polynomial& p = *term.second;
-        sum += i > 0 ? i * f[0] * p[TriangleForm::GetIndex(degree, j, k)] : dvec4(0.0);
-        sum += j > 0 ? j * f[1] * p[TriangleForm::GetIndex(degree, j - 1, k)] : dvec4(0.0);
-        sum += k > 0 ? k * f[2] * p[TriangleForm::GetIndex(degree, j, k - 1)] : dvec4(0.0);
+        sum += i > 0 ? i * f[0] * p[GetTriangleIndex(degree, j, k)] : dvec4(0.0);
+        sum += j > 0 ? j * f[1] * p[GetTriangleIndex(degree, j - 1, k)] : dvec4(0.0);
+        sum += k > 0 ? k * f[2] * p[GetTriangleIndex(degree, j, k - 1)] : dvec4(0.0);
       }
-      result[TriangleForm::GetIndex(n, j, k)] = sum / static_cast<double>(n);
+      result[GetTriangleIndex(n, j, k)] = sum / static_cast<double>(n);
     }
   }
   return result;
@@ -52,7 +54,8 @@ Polynomial BlendRow(std::vector<Polynomial> row, int degree, const dvec3& t)
   return std::move(row.front());
 }
 
-// The same on a triangle of points, in the order of GetIndex(), at three barycentric coordinates.
+// The same on a triangle of points, in the order of GetTriangleIndex(), at three barycentric
+// coordinates.
 Polynomial BlendTriangle(const std::vector<dvec4>& points, int size, const dvec3 coordinates[3])
 {
   std::vector<Polynomial> net;
@@ -68,9 +71,9 @@ Polynomial BlendTriangle(const std::vector<dvec4>& points, int size, const dvec3
       for (int j = 0; j + k < n; ++j)
       {
         next.push_back(Blend(size - n,
-          { { &coordinates[0], &net[TriangleForm::GetIndex(n, j, k)] },
-            { &coordinates[1], &net[TriangleForm::GetIndex(n, j + 1, k)] },
-            { &coordinates[2], &net[TriangleForm::GetIndex(n, j, k + 1)] } }));
+          { { &coordinates[0], &net[GetTriangleIndex(n, j, k)] },
+            { &coordinates[1], &net[GetTriangleIndex(n, j + 1, k)] },
+            { &coordinates[2], &net[GetTriangleIndex(n, j, k + 1)] } }));
       }
     }
     net.swap(next);
@@ -132,7 +135,7 @@ std::vector<dvec4> TriangleForm::GetEdge(int corner) const
     const int rest = this->Degree - i;
     const ivec2 exponents =
       corner == 0 ? ivec2(rest, i) : (corner == 1 ? ivec2(0, i) : ivec2(i, 0));
-    result.push_back(this->Points[GetIndex(this->Degree, exponents.x, exponents.y)]);
+    result.push_back(this->Points[GetTriangleIndex(this->Degree, exponents.x, exponents.y)]);
   }
   return result;
 }

@@ -30,14 +30,8 @@ public:
   TriangleForm(const TriangleForm& form, const dvec3 corners[3]);
 
   int GetDegree() const { return this->Degree; }
+  /// In the order of GetTriangleIndex(), by the exponents of the second corner and the third.
   const std::vector<dvec4>& GetPoints() const { return this->Points; }
-
-  /// The place of the control point with the exponents `first` of the second corner and `second` of
-  /// the third one, among those of a degree.
-  static std::size_t GetIndex(int degree, int first, int second)
-  {
-    return static_cast<std::size_t>(second * (degree + 1) - second * (second - 1) / 2 + first);
-  }
 
   /// The control points on the edge opposite to a corner.
   std::vector<dvec4> GetEdge(int corner) const;

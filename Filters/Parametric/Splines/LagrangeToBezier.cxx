@@ -3,6 +3,7 @@
 #include "Splines/LagrangeToBezier.h"
 
 #include "Core/BezierDegree.h"
+#include "Splines/TriangleIndex.h"
 
 #include <algorithm>
 #include <array>

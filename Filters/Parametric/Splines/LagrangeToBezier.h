@@ -21,16 +21,10 @@ namespace relevo
 void ConvertLagrangeToBezier(int degree, int components, double* values, std::ptrdiff_t stride);
 
 /**
- * The same of a triangle's (degree + 1) (degree + 2) / 2 nodes: rows j = 0 to degree of
- * i = 0 to degree - j. Its edges have the bits of ConvertLagrangeToBezier().
+ * The same of a triangle's (degree + 1) (degree + 2) / 2 nodes, see GetTriangleIndex(). Its edges
+ * have the bits of ConvertLagrangeToBezier().
  */
 void ConvertLagrangeTriangleToBezier(int degree, int components, double* values);
-
-/// Where the triangle has its node (i, j).
-constexpr int GetTriangleIndex(int degree, int i, int j)
-{
-  return j * (degree + 1) - j * (j - 1) / 2 + i;
-}
 }
 
 #endif
