@@ -27,7 +27,8 @@
  *   (double) for each numeric array NAME of points: its coefficients in the patch's own, maybe
  *   rational, basis. Control points of a quadrilateral of degrees p and q are q + 1 rows of p + 1
  *   along u; those of a triangle rows j = 0 to p of p - j + 1: (i, j) belongs to
- *   u^i v^j (1 - u - v)^(p - i - j).
+ *   u^i v^j (1 - u - v)^(p - i - j). "PatchInnerBorders" (int), where polygons have been cut into
+ *   triangles: the sum of 1, 2 and 4 for borders v = 0, u = 0 and u + v = 1 inside the polygon.
  *
  * Cells that are ghosts keep vtkGhostType; hidden ones are as if they were not there.
  *

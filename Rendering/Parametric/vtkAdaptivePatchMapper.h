@@ -84,7 +84,8 @@ public:
   /**
    * Whether the edges of cells are drawn, and no others; off by default. They have the property's
    * LineWidth, in pixels, and EdgeColor, whatever the refinement; each of two neighbours draws its
-   * half. Edges that are one point are not drawn, nor any in wireframes or points.
+   * half. Edges that are one point are not drawn, nor any in wireframes or points, nor what cuts a
+   * polygon into triangles.
    */
   void SetPatchEdges(bool edges);
   vtkGetMacro(PatchEdges, bool);

@@ -176,7 +176,8 @@ void ControlNets::NumberPatches()
   this->NumberOfControlPoints = 0;
   for (const NodeNet& net : this->Nodes.Nets)
   {
-    FacePatch patch{ { net.IsTriangle, net.Degrees, this->NumberOfControlPoints }, net.Cell };
+    FacePatch patch{ { net.IsTriangle, net.Degrees, this->NumberOfControlPoints }, net.Cell,
+      net.InnerBorders };
     for (int c = 0; c < 2 && this->RaisesDegrees && net.Basis != NodeBasis::Bezier; ++c)
     {
       patch.Degrees[c] = net.Degrees[c] == 2 ? 3 : net.Degrees[c];

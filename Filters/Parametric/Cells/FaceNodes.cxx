@@ -46,6 +46,21 @@ vtkIdType GetNodeNumber(CellShape shape, const ivec3& degrees, const ivec3& step
   }
 }
 
+// Whether two of a polygon's points follow one another.
+bool IsEdge(const std::vector<vtkIdType>& polygon, vtkIdType a, vtkIdType b)
+{
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+  {
+    const vtkIdType from = polygon[i];
+    const vtkIdType to = polygon[(i + 1) % polygon.size()];
+    if ((from == a && to == b) || (from == b && to == a))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 class NodeCollector
 {
 public:
@@ -94,7 +109,7 @@ private:
   void AddNet(const ivec2& degrees, bool isTriangle, NodeBasis basis)
   {
     this->Result.Nets.push_back({ this->Cell.GetCell(),
-      static_cast<vtkIdType>(this->Result.Nodes.size()), degrees, isTriangle, basis });
+      static_cast<vtkIdType>(this->Result.Nodes.size()), degrees, isTriangle, basis, 0 });
   }
 
   void AddNode(vtkIdType node) { this->Result.Nodes.push_back(this->Cell.GetNode(node)); }
@@ -103,6 +118,18 @@ private:
   {
     this->AddNet(ivec2(1), true, NodeBasis::Lagrange);
     this->Result.Nodes.insert(this->Result.Nodes.end(), { a, b, c });
+  }
+
+  // One of a polygon's, of which some borders are no edges.
+  void AddPart(const std::vector<vtkIdType>& polygon, const std::array<vtkIdType, 3>& corners)
+  {
+    this->AddTriangle(corners[0], corners[1], corners[2]);
+    const std::array<std::array<int, 2>, 3> borders{ { { 0, 1 }, { 0, 2 }, { 1, 2 } } };
+    for (int border = 0; border < 3; ++border)
+    {
+      const bool isEdge = IsEdge(polygon, corners[borders[border][0]], corners[borders[border][1]]);
+      this->Result.Nets.back().InnerBorders |= isEdge ? 0 : 1 << border;
+    }
   }
 
   void AddPolygon(std::vector<vtkIdType> points)
@@ -132,8 +159,9 @@ private:
     for (vtkIdType i = 0; i < triangles; ++i)
     {
       const vtkIdType* ids = isWhole ? this->Triangles->GetPointer(3 * i) : nullptr;
-      ids ? this->AddTriangle(ids[0], ids[1], ids[2])
-          : this->AddTriangle(points[0], points[i + 1], points[i + 2]);
+      this->AddPart(points,
+        ids ? std::array<vtkIdType, 3>{ ids[0], ids[1], ids[2] }
+            : std::array<vtkIdType, 3>{ points[0], points[i + 1], points[i + 2] });
     }
   }
 

@@ -32,6 +32,7 @@ struct NodeNet
   ivec2 Degrees;   // of a triangle both the same
   bool IsTriangle;
   NodeBasis Basis;
+  int InnerBorders = 0; // see PatchArrays
 };
 
 struct NodeNets

@@ -18,6 +18,7 @@ namespace relevo
 struct FacePatch : Patch
 {
   vtkIdType Cell;
+  int InnerBorders = 0; // see PatchArrays
 
   int GetNumberOfCorners() const { return this->IsTriangle ? 3 : 4; }
   dvec2 GetCorner(int corner) const;

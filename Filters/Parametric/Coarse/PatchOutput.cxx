@@ -100,6 +100,23 @@ vtkSmartPointer<vtkFloatArray> NewNormals(const CoarseMesh& mesh)
   return normals;
 }
 
+// Where there are some.
+void StoreInnerBorders(const std::vector<FacePatch>& patches, vtkPolyData* output)
+{
+  auto borders =
+    NewArray<vtkIntArray>(PatchInnerBordersName, 1, static_cast<vtkIdType>(patches.size()));
+  bool hasSome = false;
+  for (std::size_t i = 0; i < patches.size(); ++i)
+  {
+    borders->SetValue(static_cast<vtkIdType>(i), patches[i].InnerBorders);
+    hasSome = hasSome || patches[i].InnerBorders != 0;
+  }
+  if (hasSome)
+  {
+    output->GetFieldData()->AddArray(borders);
+  }
+}
+
 void StoreNets(const ControlNets& nets, const std::vector<dvec4>& points, vtkPolyData* output)
 {
   const std::vector<FacePatch>& patches = nets.GetPatches();
@@ -118,6 +135,7 @@ void StoreNets(const ControlNets& nets, const std::vector<dvec4>& points, vtkPol
   }
   output->GetFieldData()->AddArray(table);
   output->GetFieldData()->AddArray(places);
+  StoreInnerBorders(patches, output);
 }
 
 // Numbers that have a meaning between points.

@@ -127,8 +127,10 @@ private:
       }
       pointEdges |= border >= 0 && (pointBorders >> border & 1) != 0 ? 1 << edge : 0;
     }
+    const int hiddenBorders =
+      pointBorders | (this->Patches.GetInnerBorders(this->Patches.GetPatchId(cell)) & 15);
     const int kind = shape.Degrees.x | shape.Degrees.y << 4 | (shape.IsTriangle ? 256 : 0) |
-      pointBorders << 9 | (this->IsRational(patch) ? 1 << 13 : 0);
+      hiddenBorders << 9 | (this->IsRational(patch) ? 1 << 13 : 0);
     std::vector<int>& records = this->Tables.Records;
     records.insert(records.end(), { shape.First, kind, pointEdges, 0 });
     for (const ivec2& corner : uv)

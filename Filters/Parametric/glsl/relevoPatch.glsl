@@ -19,7 +19,7 @@ struct PatchShape
 };
 
 // Of two numbers: first control point; degrees p | q << 4 | 256 for a triangle | the borders that are
-// one point, a bit each, << 9 | 8192 where weights differ.
+// one point or no edge of their cell, a bit each, << 9 | 8192 where weights differ.
 RELEVO_FUNCTION PatchShape unpackShape(ivec2 record)
 {
   PatchShape shape;

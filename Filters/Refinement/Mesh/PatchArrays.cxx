@@ -96,6 +96,7 @@ void PatchArrays::Remove(vtkPolyData* mesh)
   vtkFieldData* field = mesh->GetFieldData();
   field->RemoveArray(PatchesName);
   field->RemoveArray(PatchPointsName);
+  field->RemoveArray(PatchInnerBordersName);
   const std::string prefix = PatchNodesPrefix;
   for (int a = field->GetNumberOfArrays() - 1; a >= 0; --a)
   {
@@ -125,7 +126,7 @@ Dependencies PatchArrays::GetDependencies(vtkPolyData* mesh)
   Dependencies dependencies;
   dependencies.AddObject(mesh->GetPoints());
   dependencies.AddObject(mesh->GetPolys());
-  for (const char* name : { PatchesName, PatchPointsName })
+  for (const char* name : { PatchesName, PatchPointsName, PatchInnerBordersName })
   {
     dependencies.AddObject(mesh->GetFieldData()->GetAbstractArray(name));
   }
@@ -150,8 +151,12 @@ bool PatchArrays::Take(vtkPolyData* mesh, std::string& error)
   this->Coordinates = !this->Ids
     ? nullptr
     : TakeArray<vtkFloatArray>(cells, PatchCoordinatesName, CoordinatesSize, numberOfCells, error);
-  return this->Coordinates && this->CheckPatches(error) && this->CheckPoints(error) &&
-    this->CheckCells(mesh, error);
+  const bool hasBorders = this->Coordinates && field->HasArray(PatchInnerBordersName);
+  this->InnerBorders = hasBorders ? TakeArray<vtkIntArray>(field, PatchInnerBordersName, 1,
+                                      this->Patches->GetNumberOfTuples(), error)
+                                  : nullptr;
+  return this->Coordinates && (!hasBorders || this->InnerBorders) && this->CheckPatches(error) &&
+    this->CheckPoints(error) && this->CheckCells(mesh, error);
 }
 
 Patch PatchArrays::GetPatch(int patch) const

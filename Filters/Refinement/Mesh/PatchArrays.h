@@ -12,6 +12,10 @@
  *   triangle of degree p the rows j = 0 to p have the points i = 0 to p - j of
  *   u^i v^j (1 - u - v)^(p - i - j).
  *
+ * - PatchInnerBorders, if there is one: borders that are no edges of their cell, such as where a
+ *   polygon is cut into triangles, a bit each: 1: v = 0, 2: u = 0, 4: v = 1 or, of a triangle,
+ *   u + v = 1, 8: u = 1.
+ *
  * - PatchNodes:NAME, for point arrays NAME: their Bézier coefficients, of the positions' own basis.
  *
  * Cell arrays, of the triangles that the mesh has for polygons:
@@ -42,6 +46,7 @@ namespace relevo
 {
 constexpr const char* PatchesName = "Patches";
 constexpr const char* PatchPointsName = "PatchPoints";
+constexpr const char* PatchInnerBordersName = "PatchInnerBorders";
 constexpr const char* PatchNodesPrefix = "PatchNodes:";
 constexpr const char* PatchIdsName = "PatchIds";
 constexpr const char* PatchCoordinatesName = "PatchCoordinates";
@@ -84,6 +89,10 @@ public:
 
   int GetNumberOfPatches() const { return static_cast<int>(this->Patches->GetNumberOfTuples()); }
   Patch GetPatch(int patch) const;
+  int GetInnerBorders(int patch) const
+  {
+    return this->InnerBorders ? this->InnerBorders->GetValue(patch) : 0;
+  }
 
   vtkIdType GetNumberOfPoints() const { return this->Points->GetNumberOfTuples(); }
   /// x, y, z and weight.
@@ -111,6 +120,7 @@ private:
 
   vtkSmartPointer<vtkIdTypeArray> Patches;
   vtkSmartPointer<vtkDoubleArray> Points;
+  vtkSmartPointer<vtkIntArray> InnerBorders; // nullptr for none
   vtkSmartPointer<vtkIntArray> Ids;
   vtkSmartPointer<vtkFloatArray> Coordinates;
 };

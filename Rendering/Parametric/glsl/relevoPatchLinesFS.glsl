@@ -52,11 +52,11 @@ float relevoPixelsFrom(float number, vec2 change)
   return number < 0.25 ? relevoPixelsTo(number, change) : 1e30;
 }
 
-// To the nearest border but those that are one point, in the order of findPatchBorder().
+// To the nearest border but those that are one point or no edge, in the order of findPatchBorder().
 float relevoPixelsToBorder()
 {
   bool isTriangle = (relevoPatchVSOutput.y & 256) != 0;
-  int points = relevoPatchVSOutput.y >> 9;
+  int hidden = relevoPatchVSOutput.y >> 9;
   vec2 uv = relevoPatchCoordinateVSOutput;
   vec4 borders = vec4(uv.y, uv.x, isTriangle ? 1.0 - uv.x - uv.y : 1.0 - uv.y, 1.0 - uv.x);
   float v = relevoPixelsFrom(borders.x, relevoAlong);
@@ -64,9 +64,9 @@ float relevoPixelsToBorder()
   float opposite = relevoPixelsFrom(borders.z, isTriangle ? relevoAcross + relevoAlong : relevoAlong);
   float last = relevoPixelsFrom(borders.w, relevoAcross);
   float nearest = 1e30;
-  nearest = (points & 1) != 0 ? nearest : min(nearest, v);
-  nearest = (points & 2) != 0 ? nearest : min(nearest, u);
-  nearest = (points & 4) != 0 ? nearest : min(nearest, opposite);
-  return isTriangle || (points & 8) != 0 ? nearest : min(nearest, last);
+  nearest = (hidden & 1) != 0 ? nearest : min(nearest, v);
+  nearest = (hidden & 2) != 0 ? nearest : min(nearest, u);
+  nearest = (hidden & 4) != 0 ? nearest : min(nearest, opposite);
+  return isTriangle || (hidden & 8) != 0 ? nearest : min(nearest, last);
 }
 #endif

@@ -13,6 +13,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
+#include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkSphereSource.h"
 
@@ -180,6 +181,13 @@ void TestArrays(RelevoCheck& check)
   mesh->GetCellData()->GetArray("PatchIds")->SetNumberOfTuples(1);
   GetTags(mesh, metric, nullptr);
   CHECK(errors.Said("the array PatchIds has 1 tuples of 1 components, not 2 of 1"));
+  const auto other = MakePatch(VTK_BEZIER_QUADRILATERAL, 2, [](double, double) { return 0.0; });
+  vtkNew<vtkIntArray> borders;
+  borders->SetName("PatchInnerBorders");
+  borders->SetNumberOfTuples(2);
+  other->GetFieldData()->AddArray(borders);
+  GetTags(other, metric, nullptr);
+  CHECK(errors.Said("the array PatchInnerBorders has 2 tuples of 1 components, not 1 of 1"));
 }
 }
 

@@ -63,6 +63,20 @@ struct Sums
   double Volume = 0.0;
 };
 
+int CountInnerBorders(vtkPolyData* mesh)
+{
+  vtkDataArray* borders = mesh->GetFieldData()->GetArray("PatchInnerBorders");
+  int count = 0;
+  for (vtkIdType i = 0; borders && i < borders->GetNumberOfTuples(); ++i)
+  {
+    for (int bit : { 1, 2, 4 })
+    {
+      count += (static_cast<int>(borders->GetTuple1(i)) & bit) != 0 ? 1 : 0;
+    }
+  }
+  return count;
+}
+
 void TestPolygons(RelevoCheck& check)
 {
   // An L, whose fan from any of its corners but two would leave it.
@@ -74,6 +88,7 @@ void TestPolygons(RelevoCheck& check)
   CHECK(RelevoGetNumberOfPatches(mesh) == 4 && mesh->GetNumberOfCells() == 4);
   CHECK_NEAR(Sums(mesh).Area, 3.0, 1e-14);
   CHECK(Sums(mesh).Least > 0.0);
+  CHECK(CountInnerBorders(mesh) == 6); // both sides of each diagonal
 
   auto strip =
     NewGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 }, { 0, 2, 0 }, { 1, 2, 0 } });
@@ -82,6 +97,7 @@ void TestPolygons(RelevoCheck& check)
   CHECK(RelevoGetNumberOfPatches(mesh) == 4);
   CHECK_NEAR(Sums(mesh).Area, 2.0, 1e-14);
   CHECK(Sums(mesh).Least > 0.0);
+  CHECK(CountInnerBorders(mesh) == 0);
 }
 
 // A cube as a polyhedron with a hexahedron on top; both, and the cube inside out.
@@ -113,7 +129,7 @@ void TestPolyhedra(RelevoCheck& check)
     auto grid = NewGrid(places);
     grid->InsertNextCell(VTK_POLYHEDRON, stream);
     auto mesh = RelevoMakePatches(grid);
-    CHECK(RelevoGetNumberOfPatches(mesh) == 12);
+    CHECK(RelevoGetNumberOfPatches(mesh) == 12 && CountInnerBorders(mesh) == 12);
     CHECK_NEAR(Sums(mesh).Volume, 1.0, 1e-14);
     const std::array<vtkIdType, 8> upper{ 4, 5, 6, 7, 8, 9, 10, 11 };
     grid->InsertNextCell(VTK_HEXAHEDRON, 8, upper.data());

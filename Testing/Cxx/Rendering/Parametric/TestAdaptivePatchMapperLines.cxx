@@ -10,7 +10,9 @@
 #include "vtkPointData.h"
 #include "vtkProperty.h"
 
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace
 {
@@ -139,6 +141,30 @@ void TestTriangle(RelevoCheck& check)
   // A row of the triangle (0, 0), (1, 0), (1, 1) beside the pole: its two edges alone.
   CHECK_NEAR(GetBlack(poleScene.Draw(), 225, 25, 275), 2.0 + 2.0 * std::sqrt(2.0), 0.55);
 }
+
+// Edges of polygons: of each the outer one alone, whichever triangles it has been cut into.
+void TestPolygons(RelevoCheck& check)
+{
+  vtkNew<vtkUnstructuredGrid> grid;
+  vtkNew<vtkPoints> points;
+  for (const std::array<double, 2>& x : std::vector<std::array<double, 2>>{
+         { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 0.3 }, { 1.0, 1.0 }, { 0.4, 1.0 }, { 0.0, 1.0 } })
+  {
+    points->InsertNextPoint(x[0], x[1], 0.0);
+  }
+  grid->SetPoints(points);
+  const std::array<vtkIdType, 6> corners{ 0, 1, 2, 3, 4, 5 };
+  grid->InsertNextCell(VTK_POLYGON, 6, corners.data());
+  RelevoPatchScene scene(grid);
+  scene.Mapper->ScalarVisibilityOff();
+  scene.Mapper->PatchEdgesOn();
+  scene.Actor->GetProperty()->SetLineWidth(4.0f);
+  const RelevoPicture picture = scene.Draw();
+  for (int row : { 60, 100, 150, 200, 240 })
+  {
+    CHECK_NEAR(GetBlack(picture, row, 25, 275), 4.0, 0.1);
+  }
+}
 }
 
 int TestAdaptivePatchMapperLines(int, char*[])
@@ -155,5 +181,6 @@ int TestAdaptivePatchMapperLines(int, char*[])
     TestEdges(check, level);
   }
   TestTriangle(check);
+  TestPolygons(check);
   return check.GetResult();
 }
