@@ -7,12 +7,16 @@
 #include "Core/SettingChecks.h"
 #include "Core/VTKCompatibility.h"
 #include "Curves/CurveOutputs.h"
+#include "Mesh/Motion.h"
 #include "Mesh/MovedSurface.h"
+#include "Refined/CurvedSurface.h"
+#include "vtkAdaptiveRefinement.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 
 #include <new>
 #include <string>
@@ -33,7 +37,27 @@ void EmptyOutputs(vtkInformationVector* outputVector)
 struct vtkSurfaceIntersectionFilter::Internals
 {
   relevo::MovedSurface Sides[2];
+  relevo::CurvedSurface Curved[2];
   bool IsSelf = false;
+
+  // Faces of a curved surface that may meet the other one.
+  std::vector<unsigned char> FindCandidates(int side, bool isOtherCurved) const
+  {
+    const relevo::BoxTree& own = this->Curved[side].GetTree();
+    const relevo::BoxTree& other =
+      isOtherCurved ? this->Curved[1 - side].GetTree() : this->Sides[1 - side].GetTree();
+    const auto number = static_cast<vtkIdType>(own.GetNumberOfItems());
+    std::vector<unsigned char> meet(number);
+    vtkSMPTools::For(0, number,
+      [&](vtkIdType first, vtkIdType last)
+      {
+        for (vtkIdType i = first; i < last; ++i)
+        {
+          meet[own.GetItem(i)] = other.Meets(own.GetBox(i));
+        }
+      });
+    return meet;
+  }
 
   const relevo::MovedSurface& GetSecond() const { return this->Sides[this->IsSelf ? 0 : 1]; }
 };
@@ -66,6 +90,32 @@ vtkMatrix4x4* vtkSurfaceIntersectionFilter::GetMatrix(int input)
   return this->IsInput(input) ? this->Matrices[input].Get() : nullptr;
 }
 
+void vtkSurfaceIntersectionFilter::SetRefinement(int input, vtkAdaptiveRefinement* refinement)
+{
+  if (this->IsInput(input) && this->Refinements[input] != refinement)
+  {
+    this->Refinements[input] = refinement;
+    this->Modified();
+  }
+}
+
+vtkAdaptiveRefinement* vtkSurfaceIntersectionFilter::GetRefinement(int input)
+{
+  return this->IsInput(input) ? this->Refinements[input].Get() : nullptr;
+}
+
+vtkPolyData* vtkSurfaceIntersectionFilter::GetRefinedSurface(int input)
+{
+  return this->IsInput(input) && this->Refinements[input]
+    ? this->Surfaces->Curved[input].GetTriangles()
+    : nullptr;
+}
+
+void vtkSurfaceIntersectionFilter::SetTolerance(double tolerance)
+{
+  relevo::SetInRange(this, "Tolerance", this->Tolerance, tolerance, 0.0, relevo::LargestDouble);
+}
+
 void vtkSurfaceIntersectionFilter::SetContactDistance(double distance)
 {
   relevo::SetInRange(
@@ -74,8 +124,8 @@ void vtkSurfaceIntersectionFilter::SetContactDistance(double distance)
 
 vtkMTimeType vtkSurfaceIntersectionFilter::GetMTime()
 {
-  return relevo::GetLatestTime(
-    this->Superclass::GetMTime(), { this->Matrices[0], this->Matrices[1] });
+  return relevo::GetLatestTime(this->Superclass::GetMTime(),
+    { this->Matrices[0], this->Matrices[1], this->Refinements[0], this->Refinements[1] });
 }
 
 int vtkSurfaceIntersectionFilter::FillInputPortInformation(int port, vtkInformation* information)
@@ -87,16 +137,50 @@ int vtkSurfaceIntersectionFilter::FillInputPortInformation(int port, vtkInformat
 
 bool vtkSurfaceIntersectionFilter::TakeInput(int side, vtkPolyData* input)
 {
+  relevo::Motion motion;
+  std::string error = motion.Set(this->Matrices[side]);
+  if (error.empty() && this->Refinements[side])
+  {
+    error = relevo::CheckSurface(input);
+  }
+  if (!error.empty())
+  {
+    vtkErrorMacro("Input " << side << " " << error << ".");
+    return false;
+  }
+  if (!this->Refinements[side])
+  {
+    return this->TakeSurface(side, input, {}, motion);
+  }
+  std::string warning;
+  relevo::CurvedSurface& curved = this->Surfaces->Curved[side];
+  const bool isTaken = curved.Take(input, this->Refinements[side], error, warning);
+  if (!warning.empty())
+  {
+    vtkWarningMacro("Input " << side << ": " << warning);
+  }
+  if (!isTaken)
+  {
+    vtkErrorMacro("Input " << side << ": " << error);
+    return false;
+  }
+  curved.Move(motion);
+  return true;
+}
+
+bool vtkSurfaceIntersectionFilter::TakeSurface(
+  int side, vtkPolyData* mesh, const std::vector<vtkIdType>& cells, const relevo::Motion& motion)
+{
   relevo::MovedSurface& surface = this->Surfaces->Sides[side];
   std::string error;
-  if (!surface.IsOf(input))
+  if (!surface.IsOf(mesh))
   {
-    error = surface.Take(input);
+    error = surface.Take(mesh, cells);
     this->NumberOfTreeBuilds += error.empty();
   }
   if (error.empty())
   {
-    error = surface.Move(this->Matrices[side]);
+    error = surface.Move(motion);
   }
   if (!error.empty())
   {
@@ -109,6 +193,39 @@ bool vtkSurfaceIntersectionFilter::TakeInput(int side, vtkPolyData* input)
                              << " triangles without an area; they are left out.");
   }
   return true;
+}
+
+bool vtkSurfaceIntersectionFilter::RefineInput(int side)
+{
+  if (!this->Refinements[side])
+  {
+    return true;
+  }
+  relevo::CurvedSurface& curved = this->Surfaces->Curved[side];
+  const bool needsAll = this->Surfaces->IsSelf || this->Classify;
+  const std::vector<unsigned char> areWanted = needsAll
+    ? std::vector<unsigned char>(curved.GetTree().GetNumberOfItems(), 1)
+    : this->Surfaces->FindCandidates(side, this->Refinements[1 - side] != nullptr);
+  relevo::Motion motion;
+  motion.Set(this->Matrices[side]);
+  const double stretch = motion.GetLargestStretch();
+  const std::pair<vtkIdType, double> shortfall =
+    curved.Refine(areWanted, this->Tolerance / stretch);
+  if (shortfall.first > 0)
+  {
+    vtkWarningMacro("Input " << side << " deviates from its surface by up to "
+                             << shortfall.second * stretch << ", more than Tolerance, at "
+                             << shortfall.first
+                             << " faces: its recipe's MaximumLevel allows no more segments.");
+  }
+  vtkPolyData* triangles = curved.GetTriangles();
+  if (triangles->GetNumberOfPolys() == 0)
+  {
+    vtkErrorMacro("Input " << side << " has no refined triangle: all are over no-data, or have "
+                           << "points that are not finite.");
+    return false;
+  }
+  return this->TakeSurface(side, triangles, curved.GetCells(), motion);
 }
 
 void vtkSurfaceIntersectionFilter::WarnOfOpenSurfaces()
@@ -136,7 +253,8 @@ int vtkSurfaceIntersectionFilter::RequestData(
   try
   {
     this->Surfaces->IsSelf = !inputs[1];
-    if (!this->TakeInput(0, inputs[0]) || (inputs[1] && !this->TakeInput(1, inputs[1])))
+    if (!this->TakeInput(0, inputs[0]) || (inputs[1] && !this->TakeInput(1, inputs[1])) ||
+      !this->RefineInput(0) || (inputs[1] && !this->RefineInput(1)))
     {
       return 0;
     }
@@ -216,6 +334,8 @@ void vtkSurfaceIntersectionFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Matrices: " << this->Matrices[0] << " " << this->Matrices[1] << "\n";
+  os << indent << "Refinements: " << this->Refinements[0] << " " << this->Refinements[1] << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "JoinSegments: " << this->JoinSegments << "\n";
   os << indent << "Classify: " << this->Classify << "\n";
   os << indent << "ContactDistance: " << this->ContactDistance << "\n";

@@ -34,8 +34,9 @@
  *
  * Errors, with empty outputs, name the input: one without polygons and strips; cells that refer to
  * points that do not exist; points, also moved ones, that are not finite or beyond 1e300; a matrix
- * that is singular, not affine or not finite. Warnings, one each: triangles without an area, which
- * are left out, and how many; with Classify, a surface that is not closed.
+ * that is singular, not affine or not finite; a recipe that cannot be applied. Warnings, one each:
+ * triangles without an area, which are left out, and how many; with Classify, a surface that is not
+ * closed.
  *
  * @sa vtkIntersectionPolyDataFilter vtkCollisionDetectionFilter
  */
@@ -47,8 +48,15 @@
 #include "vtkSmartPointer.h" // for members
 
 #include <memory> // for members
+#include <vector> // for cells
 
+class vtkAdaptiveRefinement;
 class vtkMatrix4x4;
+
+namespace relevo
+{
+class Motion;
+}
 
 class RELEVOFILTERSINTERSECTION_EXPORT vtkSurfaceIntersectionFilter : public vtkPolyDataAlgorithm
 {
@@ -74,6 +82,35 @@ public:
   void SetMatrix(int input, vtkMatrix4x4* matrix);
   vtkMatrix4x4* GetMatrix(int input);
   //@}
+
+  //@{
+  /**
+   * What an input, 0 or 1, is the coarse mesh of: default nullptr, its flat triangles. With a
+   * recipe its surface is intersected, curved and displaced as vtkAdaptiveRefinementFilter makes
+   * it, and refined to Tolerance where the two can meet, whatever the recipe's metric says: at
+   * faces whose bounds meet the other surface, or its bounds. Without input 1, and with Classify,
+   * it is refined all over. Cell ids and outputs 2 and 3 are those of the coarse cells.
+   */
+  void SetRefinement(int input, vtkAdaptiveRefinement* refinement);
+  vtkAdaptiveRefinement* GetRefinement(int input);
+  //@}
+
+  //@{
+  /**
+   * The largest distance between the triangles that are intersected and the surface of a recipe, a
+   * length where the matrices have moved it: at least 0. By default 0, for edges of as many
+   * segments as the recipe's MaximumLevel allows. Where that is not enough there is a warning. The
+   * distance is measured, from the middles of triangles and of their sides at least, in 16 parts of
+   * a coarse edge or more; with a height map at each of its texels, up to 2^(MaximumLevel + 1).
+   */
+  void SetTolerance(double tolerance);
+  vtkGetMacro(Tolerance, double);
+  //@}
+
+  /**
+   * The triangles of an input with a recipe that were intersected last, not moved; nullptr without.
+   */
+  vtkPolyData* GetRefinedSurface(int input);
 
   //@{
   /**
@@ -112,7 +149,7 @@ public:
   /// How often a tree was built so far.
   vtkGetMacro(NumberOfTreeBuilds, int);
 
-  /// Includes the modification times of the matrices.
+  /// Includes the modification times of matrices and recipes.
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -131,11 +168,16 @@ private:
 
   bool IsInput(int input);
   bool TakeInput(int side, vtkPolyData* input);
+  bool TakeSurface(
+    int side, vtkPolyData* mesh, const std::vector<vtkIdType>& cells, const relevo::Motion& motion);
+  bool RefineInput(int side);
   void WarnOfOpenSurfaces();
   bool Report(double progress);
   bool Intersect(vtkPolyData* inputs[2], vtkInformationVector* outputVector);
 
   vtkSmartPointer<vtkMatrix4x4> Matrices[2];
+  vtkSmartPointer<vtkAdaptiveRefinement> Refinements[2];
+  double Tolerance = 0.0;
   bool JoinSegments = false;
   bool Classify = false;
   double ContactDistance = 0.0;

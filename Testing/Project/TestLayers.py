@@ -35,8 +35,8 @@ LAYERS = {
     "Filters/Terrain": [("Geodesy", []), ("Raster", []), ("Heights", [])],
     "Filters/Parametric": [("Splines", []), ("Cells", []), ("Coarse", []), ("Files", []),
                            ("Curves", []), ("Patches", []), ("Metrics", [])],
-    "Filters/Intersection": [("Exact", []), ("Mesh", []), ("Pairs", []), ("Curves", []),
-                             ("Contact", [])],
+    "Filters/Intersection": [("Exact", []), ("Mesh", []), ("Refined", []), ("Pairs", []),
+                             ("Curves", []), ("Contact", [])],
     "Filters/Relief": [("Data", []), ("Warp", []), ("Database", [])],
     "Rendering/Refinement": [
         ("OpenGL", []),

@@ -90,4 +90,37 @@ void BoxTree::Fit(const std::vector<Box>& boxes)
     }
   }
 }
+
+bool BoxTree::Meets(const Box& box) const
+{
+  // Halves are equal, so that a tree of all boxes in memory is not as deep as that.
+  std::array<vtkIdType, 128> stack;
+  int size = 0;
+  if (!this->Nodes.empty())
+  {
+    stack[size++] = 0;
+  }
+  while (size > 0)
+  {
+    const vtkIdType n = stack[--size];
+    const Node& node = this->Nodes[n];
+    if (!node.Bounds.Meets(box))
+    {
+      continue;
+    }
+    for (vtkIdType i = node.First; i < node.First + node.Count; ++i)
+    {
+      if (this->Boxes[i].Meets(box))
+      {
+        return true;
+      }
+    }
+    if (node.Count == 0)
+    {
+      stack[size++] = node.First;
+      stack[size++] = n + 1;
+    }
+  }
+  return false;
+}
 }

@@ -69,10 +69,14 @@ public:
   /// Take new boxes, of the same items.
   void Fit(const std::vector<Box>& boxes);
 
+  std::size_t GetNumberOfItems() const { return this->Items.size(); }
   const std::vector<Node>& GetNodes() const { return this->Nodes; }
   /// The item at a position.
   vtkIdType GetItem(vtkIdType position) const { return this->Items[position]; }
   const Box& GetBox(vtkIdType position) const { return this->Boxes[position]; }
+
+  /// Whether a box meets that of any item.
+  bool Meets(const Box& box) const;
 
 private:
   void Split(const std::vector<std::array<double, 3>>& middles, vtkIdType first, vtkIdType last);

@@ -7,7 +7,6 @@
 #include "Mesh/SurfaceTriangles.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
-#include "vtkMatrix4x4.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
@@ -42,32 +41,8 @@ std::array<vtkMTimeType, 4> GetState(vtkPolyData* mesh)
     static_cast<vtkMTimeType>(sizes[2]) };
 }
 
-// Exactly 0 or not: the determinant of the linear part.
-bool IsSingular(const std::array<double, 16>& m)
-{
-  const double origin[3] = { 0.0, 0.0, 0.0 };
-  return Orient3D(origin, &m[0], &m[4], &m[8]) == 0;
-}
-}
-
-MovedSurface::MovedSurface() = default;
-MovedSurface::~MovedSurface() = default;
-
-bool MovedSurface::IsOf(vtkPolyData* mesh) const
-{
-  return this->Triangles && this->Points == mesh->GetPoints() &&
-    this->Polygons == mesh->GetPolys() && this->Strips == mesh->GetStrips() &&
-    this->State == GetState(mesh);
-}
-
-void MovedSurface::Clear()
-{
-  this->Triangles.reset();
-  this->Elements.fill(0.0);
-  this->Closed = -1;
-}
-
-std::string MovedSurface::CheckCells(vtkPolyData* mesh, vtkCellArray* cells, vtkIdType first)
+// What is wrong with the cells, or nothing.
+std::string CheckCells(vtkPolyData* mesh, vtkCellArray* cells, vtkIdType first)
 {
   auto cell = vtk::TakeSmartPointer(cells->NewIterator());
   for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
@@ -89,25 +64,55 @@ std::string MovedSurface::CheckCells(vtkPolyData* mesh, vtkCellArray* cells, vtk
         return "has a point " + std::to_string(points[i]) + " that is not finite, or beyond 1e300";
       }
     }
-    this->NumberOfCollapsedTriangles += std::max<vtkIdType>(size - 2, 0);
   }
   return {};
 }
 
-std::string MovedSurface::Take(vtkPolyData* mesh)
+// Triangles of polygons and strips, also those with two corners at one place.
+vtkIdType CountTriangles(vtkCellArray* cells)
 {
-  this->Clear();
+  vtkIdType number = 0;
+  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+  {
+    number += std::max<vtkIdType>(cells->GetCellSize(i) - 2, 0);
+  }
+  return number;
+}
+}
+
+MovedSurface::MovedSurface() = default;
+MovedSurface::~MovedSurface() = default;
+
+bool MovedSurface::IsOf(vtkPolyData* mesh) const
+{
+  return this->Triangles && this->Points == mesh->GetPoints() &&
+    this->Polygons == mesh->GetPolys() && this->Strips == mesh->GetStrips() &&
+    this->State == GetState(mesh);
+}
+
+void MovedSurface::Clear()
+{
+  this->Triangles.reset();
+  this->IsMoved = false;
+  this->Closed = -1;
+}
+
+std::string CheckSurface(vtkPolyData* mesh)
+{
   if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0)
   {
     return "has no polygons and no strips";
   }
-  this->NumberOfCollapsedTriangles = 0;
-  const vtkIdType firstPolygon = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
-  std::string error = this->CheckCells(mesh, mesh->GetPolys(), firstPolygon);
-  if (error.empty())
-  {
-    error = this->CheckCells(mesh, mesh->GetStrips(), firstPolygon + mesh->GetNumberOfPolys());
-  }
+  const vtkIdType first = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
+  const std::string error = CheckCells(mesh, mesh->GetPolys(), first);
+  return error.empty() ? CheckCells(mesh, mesh->GetStrips(), first + mesh->GetNumberOfPolys())
+                       : error;
+}
+
+std::string MovedSurface::Take(vtkPolyData* mesh, std::vector<vtkIdType> cells)
+{
+  this->Clear();
+  std::string error = CheckSurface(mesh);
   if (!error.empty())
   {
     return error;
@@ -116,7 +121,10 @@ std::string MovedSurface::Take(vtkPolyData* mesh)
   this->Polygons = mesh->GetPolys();
   this->Strips = mesh->GetStrips();
   this->State = GetState(mesh);
+  this->Cells = std::move(cells);
   this->Triangles = std::make_unique<SurfaceTriangles>(mesh);
+  this->NumberOfCollapsedTriangles =
+    CountTriangles(mesh->GetPolys()) + CountTriangles(mesh->GetStrips());
   this->NumberOfCollapsedTriangles -= this->GetNumberOfTriangles();
   this->AreUsed.assign(this->GetNumberOfPoints(), 0);
   for (const Triangle& triangle : this->Triangles->GetTriangles())
@@ -129,7 +137,7 @@ std::string MovedSurface::Take(vtkPolyData* mesh)
   return {};
 }
 
-bool MovedSurface::MovePoints(const std::array<double, 16>& m)
+bool MovedSurface::MovePoints(const Motion& motion)
 {
   this->Moved.resize(3 * this->GetNumberOfPoints());
   std::atomic<bool> isInRange(true);
@@ -141,11 +149,7 @@ bool MovedSurface::MovePoints(const std::array<double, 16>& m)
         double x[3];
         double* moved = &this->Moved[3 * i];
         this->Triangles->GetPoint(i, x);
-        // As VTK's transforms have it, so that a mesh moved by them meets in the same places.
-        for (int c = 0; c < 3; ++c)
-        {
-          moved[c] = m[4 * c] * x[0] + m[4 * c + 1] * x[1] + m[4 * c + 2] * x[2] + m[4 * c + 3];
-        }
+        motion.Move(x, moved);
         if (this->AreUsed[i] && !IsInRange(moved))
         {
           isInRange = false;
@@ -172,35 +176,15 @@ std::vector<Box> MovedSurface::MeasureTriangles() const
   return boxes;
 }
 
-std::string MovedSurface::Move(vtkMatrix4x4* matrix)
+std::string MovedSurface::Move(const Motion& motion)
 {
-  std::array<double, 16> elements{ 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
-  if (matrix)
-  {
-    std::copy(matrix->GetData(), matrix->GetData() + 16, elements.begin());
-  }
-  if (elements == this->Elements)
+  if (this->IsMoved && motion == this->Current)
   {
     return {};
   }
-  for (double element : elements)
-  {
-    if (!std::isfinite(element))
-    {
-      return "has a matrix that is not finite";
-    }
-  }
-  if (elements[12] != 0.0 || elements[13] != 0.0 || elements[14] != 0.0 || elements[15] != 1.0)
-  {
-    return "has a matrix that is not affine: its last row is not 0 0 0 1";
-  }
-  if (IsSingular(elements))
-  {
-    return "has a singular matrix";
-  }
-  const bool isFirst = this->Elements[15] == 0.0;
-  this->Elements.fill(0.0); // until all has gone well
-  if (!this->MovePoints(elements))
+  const bool isFirst = !this->IsMoved;
+  this->IsMoved = false; // until all has gone well
+  if (!this->MovePoints(motion))
   {
     this->Clear();
     return "has a matrix that moves points beyond 1e300";
@@ -230,7 +214,8 @@ std::string MovedSurface::Move(vtkMatrix4x4* matrix)
       }
     });
   this->NumberOfFlatTriangles = flat;
-  this->Elements = elements;
+  this->Current = motion;
+  this->IsMoved = true;
   return {};
 }
 
@@ -246,7 +231,8 @@ const MovedSurface::Triangle& MovedSurface::GetCorners(vtkIdType triangle) const
 
 vtkIdType MovedSurface::GetCell(vtkIdType triangle) const
 {
-  return this->Triangles->GetCell(triangle);
+  const vtkIdType cell = this->Triangles->GetCell(triangle);
+  return this->Cells.empty() ? cell : this->Cells[cell];
 }
 
 vtkIdType MovedSurface::GetNumberOfPoints() const

@@ -13,6 +13,7 @@
 #define MovedSurface_h
 
 #include "Mesh/BoxTree.h"
+#include "Mesh/Motion.h"
 #include "RelevoFiltersIntersectionModule.h" // for export macro
 #include "vtkSmartPointer.h"                 // for members
 #include "vtkType.h"                         // for vtkIdType
@@ -23,13 +24,15 @@
 #include <vector> // for members
 
 class vtkCellArray;
-class vtkMatrix4x4;
 class vtkPoints;
 class vtkPolyData;
 
 namespace relevo
 {
 class SurfaceTriangles;
+
+/// What is wrong with a mesh's polygons and strips, as "has no polygons", or nothing.
+std::string CheckSurface(vtkPolyData* mesh);
 
 class RELEVOFILTERSINTERSECTION_EXPORT MovedSurface
 {
@@ -41,10 +44,11 @@ public:
 
   /// Whether the mesh has the points, polygons and strips that were taken, unchanged.
   bool IsOf(vtkPolyData* mesh) const;
-  /// Take a mesh. Returns what is wrong with it, as "has no polygons", or nothing.
-  std::string Take(vtkPolyData* mesh);
-  /// Move it, with nullptr back. Returns what is wrong then, or nothing.
-  std::string Move(vtkMatrix4x4* matrix);
+  /// Take a mesh, and the ids to give its cells; none for their own. Returns what CheckSurface()
+  /// has.
+  std::string Take(vtkPolyData* mesh, std::vector<vtkIdType> cells = {});
+  /// Move it from where it was taken. Returns what is wrong then, or nothing.
+  std::string Move(const Motion& motion);
   /// Forget all.
   void Clear();
 
@@ -72,19 +76,20 @@ public:
   bool IsClosed() const;
 
 private:
-  std::string CheckCells(vtkPolyData* mesh, vtkCellArray* cells, vtkIdType first);
-  bool MovePoints(const std::array<double, 16>& elements);
+  bool MovePoints(const Motion& motion);
   std::vector<Box> MeasureTriangles() const;
 
   vtkSmartPointer<vtkPoints> Points;
   vtkSmartPointer<vtkCellArray> Polygons;
   vtkSmartPointer<vtkCellArray> Strips;
   std::array<vtkMTimeType, 4> State{}; // the latest of their times, and their sizes
+  std::vector<vtkIdType> Cells;
   std::unique_ptr<SurfaceTriangles> Triangles;
   vtkIdType NumberOfCollapsedTriangles = 0;
   std::vector<unsigned char> AreUsed; // per point, whether it is a corner
 
-  std::array<double, 16> Elements{}; // of the matrix; all 0 before the first motion
+  Motion Current;
+  bool IsMoved = false; // by it
   std::vector<double> Moved;
   std::vector<unsigned char> Areas;
   vtkIdType NumberOfFlatTriangles = 0;

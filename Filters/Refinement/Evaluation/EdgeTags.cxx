@@ -5,6 +5,7 @@
 #include "Core/PointPlaces.h"
 #include "Core/RefinementView.h"
 #include "Evaluation/PatternSelection.h"
+#include "Mesh/FaceEdges.h"
 #include "Mesh/RefinementMesh.h"
 #include "Mesh/SurfaceEdges.h"
 #include "Metrics/DepthTags.h"
@@ -17,7 +18,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRefinementPatternTable.h"
-#include "vtkSMPTools.h"
 
 #include <utility>
 
@@ -134,24 +134,7 @@ void EdgeTags::BuildEdges(vtkPolyData* input, const RefinementMesh& mesh)
     return;
   }
   this->Edges = edges;
-  this->FaceEdges.resize(3 * mesh.Faces.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(mesh.Faces.size()),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType f = begin; f < end; ++f)
-      {
-        const int* corners = mesh.Faces[f].Corners;
-        for (int e = 0; e < 3; ++e)
-        {
-          const int a = mesh.GetPlace(corners[EdgeCorners[e][0]]);
-          const int b = mesh.GetPlace(corners[EdgeCorners[e][1]]);
-          // An edge that is one point is as deep as those that lead there.
-          const int end =
-            a != b ? b : mesh.GetPlace(corners[3 - EdgeCorners[e][0] - EdgeCorners[e][1]]);
-          this->FaceEdges[3 * f + e] = static_cast<int>(this->Edges->FindEdge(a, end));
-        }
-      }
-    });
+  this->FaceEdges = FindFaceEdges(mesh, *edges);
 }
 
 bool EdgeTags::Compute(vtkAdaptiveRefinement* recipe, vtkPolyData* input,

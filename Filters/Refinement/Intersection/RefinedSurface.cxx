@@ -138,7 +138,7 @@ void RefinedSurface::Update(const RefinementMesh& mesh, vtkMTimeType meshTime,
   data.Time.Modified();
   data.UpdateHeights(displacement);
   data.Evaluator.reset(new RefinementEvaluator(mesh, recipe));
-  const HeightValidity validity = GetHoles(recipe->GetDisplacement());
+  const HeightValidity validity = relevo::GetHoles(recipe->GetDisplacement());
   data.Holes.reset(validity.Samples ? new HoleFinder(mesh, validity) : nullptr);
   data.BuildTree(recipe);
 }
@@ -146,6 +146,21 @@ void RefinedSurface::Update(const RefinementMesh& mesh, vtkMTimeType meshTime,
 vtkMTimeType RefinedSurface::GetTime() const
 {
   return this->Data->Time;
+}
+
+const RefinementEvaluator& RefinedSurface::GetEvaluator() const
+{
+  return *this->Data->Evaluator;
+}
+
+const HoleFinder* RefinedSurface::GetHoles() const
+{
+  return this->Data->Holes.get();
+}
+
+const FaceBox& RefinedSurface::GetBox(int face) const
+{
+  return this->Data->Tree.GetBox(face);
 }
 
 void RefinedSurface::Internals::Complete(const TrianglePoint& point, SurfaceHit& hit) const

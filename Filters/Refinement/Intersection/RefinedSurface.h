@@ -25,7 +25,10 @@ class vtkDataArray;
 
 namespace relevo
 {
+struct FaceBox;
+class HoleFinder;
 class PatternSelection;
+class RefinementEvaluator;
 class RefinementMesh;
 
 /// A point of the refined surface.
@@ -60,6 +63,14 @@ public:
 
   /// When something last changed.
   vtkMTimeType GetTime() const;
+
+  //@{
+  /// What refined points are evaluated by; what is left out of them, nullptr for nothing; a box,
+  /// relative to the mesh's origin, that has all points of a face.
+  const RefinementEvaluator& GetEvaluator() const;
+  const HoleFinder* GetHoles() const;
+  const FaceBox& GetBox(int face) const;
+  //@}
 
   //@{
   /**

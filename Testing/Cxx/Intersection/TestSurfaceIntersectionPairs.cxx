@@ -27,7 +27,7 @@ Pairs FindPairs(const relevo::MovedSurface& first, const relevo::MovedSurface& s
 void Take(RelevoCheck& check, const RelevoWholeMesh& mesh, relevo::MovedSurface& surface)
 {
   CHECK(surface.Take(mesh.NewPolyData()).empty());
-  CHECK(surface.Move(nullptr).empty());
+  CHECK(surface.Move({}).empty());
   CHECK(surface.GetNumberOfFlatTriangles() == 0);
   CHECK(surface.GetNumberOfTriangles() == static_cast<vtkIdType>(mesh.Triangles.size()));
 }
