@@ -6,18 +6,23 @@ NAME is one of
   candidates  red where boxes of the two meet, orange near that, blue elsewhere, and the curve where
               the objects themselves meet: a .png
   distance    how far the faces of each are from the other: a .png
+  displaced   a ball with waves on it in a curved ring, and what is refined to find their curve: a .png
   motion      the candidates while one goes through the other: a .gif
-and FILES are two meshes, bunny.ply and teapot.g. Without them generated ones take their places.
+and FILES are two meshes for the others, bunny.ply and teapot.g. Without them generated ones take
+their places.
 """
 
+import math
 import sys
 
 import relevo
-from figure import Figure, draw_recipe, make_actor
+from figure import Figure, draw_coarse, draw_recipe, make_actor
 from gif import photograph, write_gif
-from meshes import add_normals, make_ring, read_decimated
-from vtkmodules.vtkCommonCore import vtkLookupTable
+from heights import displace, make_image
+from meshes import add_normals, make_ring, read_decimated, set_texture_coordinates
+from vtkmodules.vtkCommonCore import VTK_FLOAT, vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkBoundingBox
+from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkStripper, vtkTubeFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
@@ -27,11 +32,11 @@ VIEW = (0.25, 0.3, 1)
 PLACE = (0.75, -0.3, 0.15)  # of the second mesh
 
 
-def make_ball():
+def make_ball(columns=40, rows=30):
     source = vtkSphereSource()
     source.SetRadius(0.8)
-    source.SetThetaResolution(40)
-    source.SetPhiResolution(30)
+    source.SetThetaResolution(columns)
+    source.SetPhiResolution(rows)
     source.Update()
     return add_normals(source.GetOutput())
 
@@ -165,6 +170,50 @@ def distance(picture, *files):
     figure.write(picture)
 
 
+def make_waves(u, v):
+    """Heights that are 0 at the poles of a ball, and the same from both sides of its seam."""
+    yield math.cos(5 * math.pi * u) * math.cos(8 * math.pi * v) * math.sin(math.pi * v) ** 2
+
+
+def make_mapped_ball():
+    ball = make_ball(28, 18)
+    normals = ball.GetPointData().GetNormals()
+    places = []
+    for i in range(ball.GetNumberOfPoints()):
+        x, y, z = normals.GetTuple3(i)
+        places.append((abs(math.atan2(y, x)) / math.pi, math.acos(max(-1, min(z, 1))) / math.pi))
+    set_texture_coordinates(ball, places)
+    return ball
+
+
+def displaced(picture):
+    meeting = relevo.vtkSurfaceIntersectionFilter()
+    move = vtkTransform()
+    move.Translate(0.95, 0.1, 0)
+    move.RotateX(-70)
+    for i, mesh in enumerate((add_normals(make_ring()), make_mapped_ball())):
+        recipe = relevo.vtkAdaptiveRefinement()
+        recipe.SetMaximumLevel(5)
+        recipe.SetSurface(relevo.vtkPNTriangleSurface())
+        if i == 1:
+            recipe.SetDisplacement(displace(make_image(64, 64, 1, VTK_FLOAT, make_waves), 0.1))
+        meeting.SetInputData(i, mesh)
+        meeting.SetRefinement(i, recipe)
+    meeting.SetMatrix(1, move.GetMatrix())
+    meeting.SetTolerance(0.002)
+    meeting.Update()
+    actors = [draw_coarse(meeting.GetRefinedSurface(i)) for i in (0, 1)]
+    actors[0].GetProperty().SetColor(0.62, 0.72, 0.82)
+    actors[1].SetUserTransform(move)
+    figure = Figure(1, 1, (640, 460), VIEW, (0, 1, 0), 1.5)
+    renderer = figure.add("refined where they can meet", actors[0], bounds=get_bounds(actors))
+    renderer.AddActor(actors[1])
+    curves = draw_curves(meeting.GetOutput(0), 0.016)
+    curves.GetProperty().SetColor(0.85, 0.2, 0.1)
+    renderer.AddActor(curves)
+    figure.write(picture)
+
+
 def motion(picture, *files):
     """There and back, so that it may run for ever."""
     meeting = Meeting(files, 1500)
@@ -180,12 +229,12 @@ def motion(picture, *files):
     write_gif(picture, images, SECONDS, COLOURS)
 
 
-FIGURES = (candidates, distance, motion)
+FIGURES = (candidates, distance, displaced, motion)
 
 
 def main(name, picture, *files):
     for figure in FIGURES:
-        if figure.__name__ == name and len(files) in (0, 2):
+        if figure.__name__ == name and len(files) in ((0,) if figure is displaced else (0, 2)):
             figure(picture, *files)
             return
     names = ", ".join(figure.__name__ for figure in FIGURES)

@@ -16,6 +16,7 @@ import sys
 
 import relevo
 from figure import Figure, draw_coarse, draw_refined, make_actor, show_edges
+from heights import displace, make_image
 from meshes import (
     add_normals,
     make_dome,
@@ -27,7 +28,7 @@ from meshes import (
     set_point_array,
 )
 from vtkmodules.vtkCommonCore import VTK_FLOAT, VTK_UNSIGNED_CHAR
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPerlinNoise
+from vtkmodules.vtkCommonDataModel import vtkPerlinNoise
 from vtkmodules.vtkRenderingCore import vtkPolyDataMapper, vtkTexture
 
 # Rings around the ring, for vtkProceduralSurface.
@@ -39,27 +40,6 @@ float proceduralHeight(vec3 position, vec3 normal, vec3 weights)
   return sin(relevoFrequency * angle) * (0.5 + 0.5 * cos(v));
 }
 """
-
-
-def make_image(columns, rows, components, kind, values):
-    """An image of so many pixels; values(x, y), from 0 to 1, gives the components of one."""
-    image = vtkImageData()
-    image.SetDimensions(columns, rows, 1)
-    image.AllocateScalars(kind, components)
-    for j in range(rows):
-        for i in range(columns):
-            for c, value in enumerate(values((i + 0.5) / columns, (j + 0.5) / rows)):
-                image.SetScalarComponentFromDouble(i, j, 0, c, value)
-    return image
-
-
-def displace(heights, scale):
-    height_map = relevo.vtkHeightMap()
-    height_map.SetImageData(heights)
-    displacement = relevo.vtkDisplacement()
-    displacement.SetHeightMap(height_map)
-    displacement.SetScale(scale)
-    return displacement
 
 
 def drape(actor, image, interpolate=True):

@@ -108,7 +108,8 @@ public:
   //@}
 
   /**
-   * The triangles of an input with a recipe that were intersected last, not moved; nullptr without.
+   * The triangles of an input with a recipe that were intersected last, not moved, with the cell
+   * array "vtkOriginalCellIds" (vtkIdTypeArray) of the coarse cells; nullptr without a recipe.
    */
   vtkPolyData* GetRefinedSurface(int input);
 

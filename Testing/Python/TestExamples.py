@@ -414,7 +414,7 @@ class TestExamples(unittest.TestCase):
         """Each figure is drawn of generated meshes, and of real ones is the one that is kept."""
         meshes = [str(FLOW.parent / "mesh" / name) for name in ("bunny.ply", "teapot.g")]
         folder_of_kept = SOURCE / "Examples/Python/contact"
-        kept_names = {"candidates.png", "distance.png", "motion.gif"}
+        kept_names = {"candidates.png", "displaced.png", "distance.png", "motion.gif"}
         self.assertEqual({path.name for path in folder_of_kept.iterdir()}, kept_names)
         with tempfile.TemporaryDirectory() as folder:
             for name in ("candidates", "distance"):
@@ -428,6 +428,10 @@ class TestExamples(unittest.TestCase):
                 run = self.run_example("contact.py", folder, name, "out.png", *meshes)
                 self.assertEqual((run.returncode, run.stderr), (0, ""))
                 self.assert_kept(pathlib.Path(folder) / "out.png", folder_of_kept / f"{name}.png")
+            self.assertIn("Examples/Python/contact/displaced.png", PAGES)
+            run = self.run_example("contact.py", folder, "displaced", "out.png")
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+            self.assert_kept(pathlib.Path(folder) / "out.png", folder_of_kept / "displaced.png")
             run = self.run_example("contact.py", folder, "motion", "out.gif")
             self.assertEqual((run.returncode, run.stderr), (0, ""))
             made = GifFile(pathlib.Path(folder) / "out.gif")

@@ -13,8 +13,10 @@
 #include "Patterns/RefinementPattern.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDisplacement.h"
 #include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -217,5 +219,10 @@ void CurvedSurface::BuildTriangles()
   this->Triangles = vtkSmartPointer<vtkPolyData>::New();
   this->Triangles->SetPoints(points);
   this->Triangles->SetPolys(polygons);
+  vtkNew<vtkIdTypeArray> cells;
+  cells->SetName("vtkOriginalCellIds");
+  cells->SetNumberOfValues(static_cast<vtkIdType>(this->Cells.size()));
+  std::copy(this->Cells.begin(), this->Cells.end(), cells->GetPointer(0));
+  this->Triangles->GetCellData()->AddArray(cells);
 }
 }
