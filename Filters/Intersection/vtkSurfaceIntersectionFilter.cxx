@@ -221,8 +221,9 @@ bool vtkSurfaceIntersectionFilter::RefineInput(int side)
   vtkPolyData* triangles = curved.GetTriangles();
   if (triangles->GetNumberOfPolys() == 0)
   {
-    vtkErrorMacro("Input " << side << " has no refined triangle: all are over no-data, or have "
-                           << "points that are not finite.");
+    vtkErrorMacro("Input " << side
+                           << " has no refined triangle: all are over no-data, or have points that "
+                              "are not finite.");
     return false;
   }
   return this->TakeSurface(side, triangles, curved.GetCells(), motion);
