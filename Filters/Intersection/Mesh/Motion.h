@@ -9,6 +9,8 @@
 #ifndef Motion_h
 #define Motion_h
 
+#include "RelevoFiltersIntersectionModule.h" // for export macro
+
 #include <array>  // for members
 #include <string> // for return values
 
@@ -18,7 +20,7 @@ namespace relevo
 {
 struct Box;
 
-class Motion
+class RELEVOFILTERSINTERSECTION_EXPORT Motion
 {
 public:
   /// Take a matrix, nullptr for identity. Returns what is wrong with it, as "has a singular

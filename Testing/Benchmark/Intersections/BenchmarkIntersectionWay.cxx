@@ -134,10 +134,13 @@ BenchmarkIntersectionWay::Pairs BenchmarkIntersectionWay::GetPairs() const
     // Curves have a segment once, whatever the number of pairs that have it in common.
     pairs.merge(RelevoGetCellPairs(exact->GetOutput(1)));
     relevo::MovedSurface surfaces[2];
+    relevo::Motion motions[2];
     surfaces[0].Take(this->First);
-    surfaces[0].Move(this->Matrices[0]);
+    motions[0].Set(this->Matrices[0]);
+    surfaces[0].Move(motions[0]);
     surfaces[1].Take(this->Second);
-    surfaces[1].Move(this->Matrices[1]);
+    motions[1].Set(this->Matrices[1]);
+    surfaces[1].Move(motions[1]);
     for (const relevo::MeetingPair& pair : relevo::FindMeetingPairs(surfaces[0], surfaces[1]))
     {
       pairs.emplace(surfaces[0].GetCell(pair.Triangles[0]), surfaces[1].GetCell(pair.Triangles[1]));
