@@ -7,9 +7,10 @@
  * For the surfaces of vtkPatchSurfaceFilter, by vtkDepthTagMetric's rule PER_EDGE. The level of an
  * edge is log2 of a number of segments, one that the recipe's patterns have, such that no triangle
  * of the faces at it is farther from the patch than ScreenSpaceError, as long as MaximumLevel
- * allows. It is a bound, also of rational patches. What is measured is the distance from a point of
- * a triangle to the point of the patch with the same parameters: that to the nearest point of the
- * patch is no larger.
+ * allows; where patterns morph it is half a level more, for their vertices to have arrived. It is
+ * a bound, also of rational patches. What is measured is the distance from a point of a triangle to
+ * the point of the patch with the same parameters: that to the nearest point of the patch is no
+ * larger.
  *
  * A bound of an edge's own curve C, cut into n equal segments, is
  *

@@ -35,6 +35,9 @@ public:
 
   const SegmentSteps& GetSegmentSteps() const { return this->Family->GetSegmentSteps(); }
 
+  /// Whether vertices slide to their places while tags rise: see relevoMorph.glsl.
+  bool AreMorphing() const { return this->Family->IsMorphing(); }
+
   /// The largest sum over corners c of form[c] times the square of what a triangle of the pattern
   /// spans of the weight of c. steps[c] is that of the edge opposite to c.
   double Measure(const Steps& steps, const dvec3& form) const;

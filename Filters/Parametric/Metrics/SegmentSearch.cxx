@@ -50,7 +50,8 @@ public:
     }
   }
 
-  // Where the patterns end, levels go on as if errors fell as those of patterns all alike do.
+  // Where the patterns end, levels go on as if errors fell as those of patterns all alike do. Of
+  // patterns that morph the last vertices arrive half a level later, and the next ones leave.
   float GetLevel(int edge) const
   {
     const int step = this->EdgeSteps[edge];
@@ -62,7 +63,8 @@ public:
     }
     const double segments =
       std::min(this->Steps.GetSegments(step) * std::sqrt(excess), MostSegments);
-    return static_cast<float>(std::log2(segments));
+    const auto level = static_cast<float>(std::log2(segments));
+    return this->Patterns.AreMorphing() ? std::nextafter(level + 0.5f, 0.0f) : level;
   }
 
 private:

@@ -23,6 +23,7 @@
 #include "vtkPointData.h"
 #include "vtkSphereSource.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -132,6 +133,25 @@ void TestViews(RelevoCheck& check)
   scene.Camera->SetFocalPoint(0.5, 0.5, -1.0);
   scene.Recipe->SetMaximumLevel(4);
   CHECK(scene.Refine(patches)->GetNumberOfPolys() == 512); // from within: all there is
+}
+
+// Vertices of patterns that morph have arrived, however near to the next level a patch is.
+void TestMorphing(RelevoCheck& check)
+{
+  Scene scene;
+  scene.Camera->ParallelProjectionOn();
+  scene.Recipe->SetSegmentPolicyToPowersOfTwo();
+  scene.Recipe->GeomorphingOn();
+  const auto patches =
+    RelevoMakePatches(RelevoNewCell(VTK_BEZIER_QUADRILATERAL, { { 5, 1, 1 } }, 1.0));
+  double most = 0.0;
+  for (int step = 0; step < 8; ++step)
+  {
+    scene.Metric->SetScreenSpaceError(std::exp2(0.25 * step));
+    most = std::max(most, GetShare(scene, patches));
+  }
+  CHECK(most <= 1.0);
+  CHECK(most > 0.25);
 }
 
 // An actor that is twice as large needs what a viewport twice as large does.
@@ -254,6 +274,7 @@ int TestPatchErrorDepthTagMetric(int, char*[])
   RelevoCheck check;
   TestDegrees(check);
   TestViews(check);
+  TestMorphing(check);
   TestPlacement(check);
   TestCurves(check);
   TestErrors(check);
