@@ -182,6 +182,11 @@ void vtkContactScene::SetDistance(double distance)
   relevo::SetInRange(this, "Distance", this->Distance, distance, 0.0, relevo::LargestDouble);
 }
 
+void vtkContactScene::SetTolerance(double tolerance)
+{
+  relevo::SetInRange(this, "Tolerance", this->Tolerance, tolerance, 0.0, relevo::LargestDouble);
+}
+
 void vtkContactScene::Update()
 {
   Internals& scene = *this->Scene;
@@ -207,7 +212,7 @@ void vtkContactScene::Update()
       continue;
     }
     relevo::ActorPair& pair = scene.Pairs[{ first.GetActor(), second.GetActor() }];
-    if (pair.Update(first, second))
+    if (pair.Update(first, second, this->RefinedContacts, this->Tolerance))
     {
       ++this->NumberOfIntersections;
       this->Report(GetName(numbers), pair.GetNewErrors(), pair.GetNewWarnings());
@@ -249,6 +254,8 @@ void vtkContactScene::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfActors: " << this->GetNumberOfActors() << "\n";
   os << indent << "Distance: " << this->Distance << "\n";
   os << indent << "ExactContacts: " << this->ExactContacts << "\n";
+  os << indent << "RefinedContacts: " << this->RefinedContacts << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "NumberOfCandidates: " << this->NumberOfCandidates << "\n";
   os << indent << "NumberOfIntersections: " << this->NumberOfIntersections << "\n";
 }

@@ -17,8 +17,9 @@
  *
  * Contacts, with ExactContacts: the curves where the surfaces of candidates meet, decided exactly
  * by a vtkSurfaceIntersectionFilter for each pair, which is kept, so that its trees survive motion.
- * Surfaces are the polygons and strips of the mapper's input, a vtkPolyData, as they are, not yet
- * refined. Actors whose input has none, such as lines or blocks, have boxes alone.
+ * Surfaces are the polygons and strips of the mapper's input, a vtkPolyData, as they are; or, with
+ * RefinedContacts, what the mapper's recipe makes of them. Actors whose input has none, such as
+ * lines or blocks, have boxes alone.
  *
  * Only pairs of actors that have moved, or whose input has changed, are intersected anew.
  *
@@ -77,6 +78,25 @@ public:
   vtkBooleanMacro(ExactContacts, bool);
   //@}
 
+  //@{
+  /**
+   * Whether contacts are those of the curved, displaced surfaces that recipes make, refined to
+   * Tolerance where they may meet, see vtkSurfaceIntersectionFilter::SetRefinement(); default off.
+   */
+  vtkSetMacro(RefinedContacts, bool);
+  vtkGetMacro(RefinedContacts, bool);
+  vtkBooleanMacro(RefinedContacts, bool);
+  //@}
+
+  //@{
+  /**
+   * In world units, at least 0, default 0: as fine as recipes allow; see
+   * vtkSurfaceIntersectionFilter::SetTolerance(). Another value is an error and changes nothing.
+   */
+  void SetTolerance(double tolerance);
+  vtkGetMacro(Tolerance, double);
+  //@}
+
   /**
    * Look at the actors as they are.
    */
@@ -114,6 +134,8 @@ private:
 
   double Distance = 0.0;
   bool ExactContacts = true;
+  bool RefinedContacts = false;
+  double Tolerance = 0.0;
   int NumberOfCandidates = 0;
   int NumberOfIntersections = 0;
   std::unique_ptr<Internals> Scene;

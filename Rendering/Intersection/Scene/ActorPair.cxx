@@ -4,13 +4,27 @@
 
 #include "Core/ErrorCollector.h"
 #include "Scene/SceneActor.h"
+#include "vtkAdaptiveRefinement.h"
 #include "vtkCommand.h"
+#include "vtkDisplacement.h"
 #include "vtkExecutive.h"
+#include "vtkRefinementPatternTable.h"
+#include "vtkRefinementSurface.h"
 
 #include <utility>
 
 namespace relevo
 {
+namespace
+{
+// nullptr where the input itself is the surface.
+vtkAdaptiveRefinement* FindCurvedRecipe(const SceneActor& actor)
+{
+  vtkAdaptiveRefinement* recipe = FindRecipe(actor.GetActor());
+  return recipe && (recipe->GetSurface() || recipe->GetDisplacement()) ? recipe : nullptr;
+}
+}
+
 ActorPair::ActorPair()
 {
   this->Filter->AddObserver(vtkCommand::ErrorEvent, NewErrorCollector(this->Errors));
@@ -20,14 +34,26 @@ ActorPair::ActorPair()
     vtkCommand::ErrorEvent, NewErrorCollector(this->Ignored));
 }
 
-bool ActorPair::Update(const SceneActor& first, const SceneActor& second)
+bool ActorPair::Update(
+  const SceneActor& first, const SceneActor& second, bool isRefined, double tolerance)
 {
   const SceneActor* const actors[2] = { &first, &second };
-  Dependencies now;
-  for (const SceneActor* actor : actors)
+  auto now = Dependencies::On(isRefined, tolerance);
+  vtkAdaptiveRefinement* recipes[2] = { nullptr, nullptr };
+  for (int i = 0; i < 2; ++i)
   {
-    now.AddObject(actor->GetSurface());
-    now.AddObject(actor->GetMatrix());
+    now.AddObject(actors[i]->GetSurface());
+    now.AddObject(actors[i]->GetMatrix());
+    recipes[i] = isRefined ? FindCurvedRecipe(*actors[i]) : nullptr;
+    if (recipes[i])
+    {
+      // All but its metric, which changes with every motion.
+      now.AddObject(recipes[i]->GetSurface());
+      now.AddObject(recipes[i]->GetDisplacement());
+      now.AddObject(recipes[i]->GetPatternTable());
+      now.Add(recipes[i]->GetMaximumLevel());
+      now.Add(recipes[i]->GetSegmentPolicy());
+    }
   }
   if (!this->Inputs.Update(now))
   {
@@ -37,7 +63,9 @@ bool ActorPair::Update(const SceneActor& first, const SceneActor& second)
   {
     this->Filter->SetInputData(i, actors[i]->GetSurface());
     this->Filter->SetMatrix(i, actors[i]->GetMatrix());
+    this->Filter->SetRefinement(i, recipes[i]);
   }
+  this->Filter->SetTolerance(tolerance);
   const std::string errors = std::exchange(this->Errors, "");
   const std::string warnings = std::exchange(this->Warnings, "");
   this->Ignored.clear();

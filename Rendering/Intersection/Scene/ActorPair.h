@@ -24,8 +24,9 @@ class ActorPair
 public:
   ActorPair();
 
-  /// Look at actors that have surfaces; whether they were intersected.
-  bool Update(const SceneActor& first, const SceneActor& second);
+  /// Look at actors that have surfaces, refined by their recipes or not; whether they were
+  /// intersected.
+  bool Update(const SceneActor& first, const SceneActor& second, bool isRefined, double tolerance);
 
   /// Another object whenever they were intersected; nullptr where they do not touch.
   const vtkSmartPointer<vtkPolyData>& GetCurves() const { return this->Curves; }

@@ -3,7 +3,6 @@
 #include "Scene/CandidateMetrics.h"
 
 #include "vtkAdaptiveRefinement.h"
-#include "vtkAdaptiveRefinementMapper.h"
 #include "vtkCompositeDepthTagMetric.h"
 
 #include <algorithm>
@@ -12,12 +11,6 @@ namespace relevo
 {
 namespace
 {
-vtkAdaptiveRefinement* FindRecipe(vtkActor* actor)
-{
-  auto mapper = vtkAdaptiveRefinementMapper::SafeDownCast(actor->GetMapper());
-  return mapper ? mapper->GetRefinement() : nullptr;
-}
-
 vtkProximityDepthTagMetric* FindProximity(vtkDepthTagMetric* metric)
 {
   vtkProximityDepthTagMetric* found = vtkProximityDepthTagMetric::SafeDownCast(metric);

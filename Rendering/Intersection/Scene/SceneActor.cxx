@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/SceneActor.h"
 
+#include "vtkAdaptiveRefinementMapper.h"
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
 #include "vtkMapper.h"
@@ -45,6 +46,12 @@ Bounds GetCommonBox(const Bounds& a, const Bounds& b)
     common[i + 1] = std::min(a[i + 1], b[i + 1]);
   }
   return common;
+}
+
+vtkAdaptiveRefinement* FindRecipe(vtkActor* actor)
+{
+  auto mapper = vtkAdaptiveRefinementMapper::SafeDownCast(actor->GetMapper());
+  return mapper ? mapper->GetRefinement() : nullptr;
 }
 
 SceneActor::SceneActor(vtkActor* actor)

@@ -15,6 +15,8 @@
 
 #include <array> // for Bounds
 
+class vtkAdaptiveRefinement;
+
 namespace relevo
 {
 /// xmin, xmax, ymin, ymax, zmin, zmax.
@@ -22,6 +24,9 @@ using Bounds = std::array<double, 6>;
 
 bool HaveCommonBox(const Bounds& a, const Bounds& b);
 Bounds GetCommonBox(const Bounds& a, const Bounds& b);
+
+/// The recipe of an actor's mapper; nullptr where that has none.
+vtkAdaptiveRefinement* FindRecipe(vtkActor* actor);
 
 class SceneActor
 {

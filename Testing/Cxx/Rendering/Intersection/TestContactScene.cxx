@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkContactScene: pairs of moving actors, the boxes of their metrics, and curves as the filter's.
 #include "RelevoCheck.h"
+#include "RelevoDisplacements.h"
 #include "RelevoIntersections.h"
+#include "RelevoTestMeshes.h"
 
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
@@ -17,6 +19,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkPNTriangleSurface.h"
 #include "vtkPoints.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProximityDepthTagMetric.h"
@@ -59,7 +62,7 @@ bool IsBox(vtkProximityDepthTagMetric* metric, int index, const std::array<doubl
   return isSame;
 }
 
-// Whether a block is what the filter makes of two actors as they are.
+// Whether a block is what the filter makes of two actors as they are, or of their recipes.
 bool IsOfFilter(vtkContactScene* scene, unsigned int block, int first, int second)
 {
   vtkMultiBlockDataSet* contacts = scene->GetContacts();
@@ -72,7 +75,13 @@ bool IsOfFilter(vtkContactScene* scene, unsigned int block, int first, int secon
     actor->ComputeMatrix();
     filter->SetMatrix(i, actor->GetMatrix());
     filter->SetInputDataObject(i, actor->GetMapper()->GetInputDataObject(0, 0));
+    if (scene->GetRefinedContacts())
+    {
+      filter->SetRefinement(
+        i, vtkAdaptiveRefinementMapper::SafeDownCast(actor->GetMapper())->GetRefinement());
+    }
   }
+  filter->SetTolerance(scene->GetTolerance());
   filter->Update();
   vtkDataArray* told = curves ? curves->GetFieldData()->GetArray("Actors") : nullptr;
   const std::string name = "Actors " + std::to_string(first) + " and " + std::to_string(second);
@@ -187,6 +196,44 @@ void TestTouching(RelevoCheck& check)
 }
 
 // Metrics of one's own, shared recipes, other mappers, and actors that leave.
+// Of what recipes make; their metrics, which change with every motion, do not count.
+void TestRefinedContacts(RelevoCheck& check)
+{
+  RefinedActor first(RelevoMeshes::Torus());
+  RefinedActor second(RelevoMakeSphere(8, { { 0, 0, 0 } }, 0.5));
+  vtkNew<vtkPNTriangleSurface> surface;
+  second.Recipe->SetSurface(surface);
+  second.Recipe->SetMaximumLevel(5);
+  second.Actor->SetPosition(1.0, 0.0, 0.55);
+  vtkNew<vtkContactScene> scene;
+  scene->AddActor(first.Actor);
+  scene->AddActor(second.Actor);
+  scene->Update();
+  CHECK(IsOfFilter(scene, 0, 0, 1));
+  auto flat = vtkSmartPointer<vtkPolyData>::New();
+  flat->ShallowCopy(scene->GetContacts()->GetBlock(0));
+  scene->RefinedContactsOn();
+  scene->SetTolerance(0.002);
+  scene->Update();
+  CHECK(scene->GetNumberOfIntersections() == 1 && IsOfFilter(scene, 0, 0, 1));
+  CHECK(!RelevoIsSameMesh(vtkPolyData::SafeDownCast(scene->GetContacts()->GetBlock(0)), flat));
+  scene->Update();
+  CHECK(scene->GetNumberOfIntersections() == 0);
+  second.Recipe->SetMetric(vtkNew<vtkCurvatureDepthTagMetric>());
+  scene->Update();
+  CHECK(scene->GetNumberOfIntersections() == 0);
+  second.Recipe->SetDisplacement(RelevoMeshes::MakeDisplacement(nullptr, 1.0, 0.1));
+  scene->Update();
+  CHECK(scene->GetNumberOfIntersections() == 1 && IsOfFilter(scene, 0, 0, 1));
+  second.Recipe->SetDisplacement(nullptr);
+  scene->RefinedContactsOff();
+  scene->Update();
+  CHECK(RelevoIsSameMesh(vtkPolyData::SafeDownCast(scene->GetContacts()->GetBlock(0)), flat));
+  RelevoErrors errors(scene);
+  scene->SetTolerance(-1.0);
+  CHECK(errors.Said("Tolerance") && scene->GetTolerance() == 0.002);
+}
+
 void TestMetrics(RelevoCheck& check)
 {
   RefinedActor first(RelevoMakeBox(0, 1));
@@ -292,6 +339,7 @@ int TestContactScene(int, char*[])
   TestMotion(check);
   TestCandidatesAlone(check);
   TestTouching(check);
+  TestRefinedContacts(check);
   TestMetrics(check);
   TestErrors(check);
   return check.GetResult();
