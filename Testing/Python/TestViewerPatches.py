@@ -117,13 +117,18 @@ class TestViewerPatches(ViewerProgram):
         hairy = self.picture(self.sphere, "--hair=4000")
         changed = sum(a != b for r, s in zip(bald, hairy) for a, b in zip(r, s))
         self.assertGreater(changed, 1000)
+        # All of it is in view: none at the edges of the picture.
+        for drawn, empty in ((hairy, bald), (zip(*hairy), zip(*bald))):
+            rows, others = list(drawn), list(empty)
+            self.assertEqual((rows[0], rows[-1]), (others[0], others[-1]))
         self.assertNotEqual(self.picture("dome.bpt", "--hair=500"), self.picture("dome.bpt"))
 
     def test_errors(self):
         sphere = self.sphere
         self.assert_error(2, ["--isolines", "patch"], sphere, "--isolines=4", "--surface=pn")
         self.assert_error(2, ["--error", "metric error"], sphere, "--error=1", "--surface=pn")
-        self.assert_error(2, ["--error"], "dome.bpt", "--error=0")
+        for bad in ("0", "0.0009", "2e6", "nan", "few"):
+            self.assert_error(2, ["--error", bad], "dome.bpt", f"--error={bad}")
         self.assert_error(2, ["--hair"], "dome.bpt", "--hair=0")
         self.assert_error(2, ["--feature-angle"], "dome.bpt", "--surface=patch", "--feature-angle=9")
         self.assert_error(1, ["unstructured grid"], sphere, "--patch-edges", "--output=o.png")

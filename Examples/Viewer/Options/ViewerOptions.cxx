@@ -33,6 +33,8 @@ const int LargestResolution = 4096;
 const int MostSteps = 1000;
 const int MostHairs = 10000000;
 const int MostIsolines = 1000;
+const double LowestError = 0.001; // of vtkPatchErrorDepthTagMetric
+const double HighestError = 1e6;
 
 using Flags = std::map<std::string, std::function<void()>>;
 using Setter = std::function<void(const std::string& option, const std::string& value)>;
@@ -182,7 +184,7 @@ private:
     this->AllSettings.insert({
       { "--error",
         [&](const auto& option, const auto& value)
-        { options.Error = ToPositiveNumber(option, value); } },
+        { options.Error = ToNumber(option, value, LowestError, HighestError); } },
       { "--hair",
         [&](const auto& option, const auto& value)
         { options.Hairs = ToInteger(option, value, 1, MostHairs); } },

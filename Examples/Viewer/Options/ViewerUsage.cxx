@@ -60,7 +60,7 @@ Meshes:
 
 Curved cells (--surface patch), and hair:
   --error PIXELS         how far triangles may be from the cells' shape on the screen, for
-                         --metric error, and segments from hairs' (default 0.5)
+                         --metric error, and segments from hairs', 0.001 to 1e6 (default 0.5)
   --isolines N           N lines of equal value of the array of points that colours the mesh
   --patch-edges          the cells' edges, and no others
   --hair N               grow N hairs on the mesh, long as 0.05 of its diagonal

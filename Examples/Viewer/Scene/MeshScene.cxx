@@ -24,6 +24,7 @@
 #include "vtkHeightMap.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
+#include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -63,6 +64,19 @@ double GetMeanEdgeLength(vtkPolyData* mesh)
   }
   return number > 0 ? sum / number : 0.0;
 }
+
+// A surface, for its polygons, with what else there is to fit into the view.
+vtkSmartPointer<vtkPolyData> WithPoints(vtkPolyData* surface, vtkDataObject* others)
+{
+  vtkPoints* added = vtkPointSet::SafeDownCast(others)->GetPoints();
+  vtkNew<vtkPoints> points;
+  points->DeepCopy(surface->GetPoints());
+  points->InsertPoints(points->GetNumberOfPoints(), added->GetNumberOfPoints(), 0, added);
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(points);
+  result->SetPolys(surface->GetPolys());
+  return result;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -77,16 +91,18 @@ MeshScene::MeshScene(const ViewerOptions& options, ViewerMessages& messages)
   this->SetColours();
   ShowPatchEdges(this->Options, this->Mapper);
   this->SetLevelColours();
+  vtkSmartPointer<vtkPolyData> seen = this->GetSurface();
   if (this->Options.Hairs > 0)
   {
-    this->Hair = GrowHair(this->Options, this->GetSurface(), this->Messages);
+    this->Hair = GrowHair(this->Options, seen, this->Messages);
     this->Renderer->AddActor(this->Hair);
+    seen = WithPoints(seen, this->Hair->GetMapper()->GetInputDataObject(0, 0));
   }
   // From above the viewer's left shoulder, and a little from the right and from behind.
   const int up = options.UpAxis;
   this->SetLights(
     { { { 250.0, 45.0, up }, 0.95 }, { { 150.0, 15.0, up }, 0.45 }, { { 10.0, 40.0, up }, 0.30 } });
-  this->SetCamera(this->GetSurface(), { 205.0, 20.0, up }, this->GetCentre());
+  this->SetCamera(seen, { 205.0, 20.0, up }, this->GetCentre());
 }
 
 //------------------------------------------------------------------------------
