@@ -64,6 +64,19 @@ std::string FindCellProblem(vtkPointSet* input, const relevo::CurveMesh& mesh)
   return hasNone ? "None of the input's cells is a curve." : mesh.GetError();
 }
 
+// Beside those of all mappers.
+void CopyCoincidentOffsets(vtkMapper* from, vtkMapper* to)
+{
+  double factor = 0.0;
+  double units = 0.0;
+  from->GetRelativeCoincidentTopologyPolygonOffsetParameters(factor, units);
+  to->SetRelativeCoincidentTopologyPolygonOffsetParameters(factor, units);
+  from->GetRelativeCoincidentTopologyLineOffsetParameters(factor, units);
+  to->SetRelativeCoincidentTopologyLineOffsetParameters(factor, units);
+  from->GetRelativeCoincidentTopologyPointOffsetParameter(units);
+  to->SetRelativeCoincidentTopologyPointOffsetParameter(units);
+}
+
 // Whether a problem is another than what has been said last; from now on it has been.
 bool IsNews(std::string& last, const std::string& problem)
 {
@@ -315,6 +328,7 @@ void vtkAdaptiveCurveMapper::RenderBlocks(vtkRenderer* renderer, vtkActor* actor
       continue;
     }
     block.Painter->SetClippingPlanes(this->ClippingPlanes);
+    CopyCoincidentOffsets(this, block.Painter);
     const std::string problem = block.Painter->Prepare(renderer, actor, settings);
     this->Say(block, vtkBlock::INPUT, problem);
     this->Say(block, vtkBlock::COLORS, block.Painter->GetColorProblem());

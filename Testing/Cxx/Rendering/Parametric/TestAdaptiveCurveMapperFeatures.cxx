@@ -3,14 +3,17 @@
 // A vtkAdaptiveCurveMapper is a mapper like any other: culling, bounds, clipping planes, blocks,
 // selections, coordinates far away, windows that come and go.
 #include "RelevoCurveScene.h"
+#include "RelevoCurves.h"
 
 #include "vtkCell.h"
+#include "vtkCellArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPlane.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
@@ -123,6 +126,41 @@ void TestClipping(RelevoCheck& check, RelevoComparison& comparison)
     CHECK(clipped.CountForeground() > 0.2 * whole);
     comparison.Compare("clipped", { 2, 1e-6, 10 }, clipped, scene.DrawTwin());
   }
+}
+
+// Lines on a surface are in front of it, or behind it, as the mapper's own offset says.
+void TestCoincidentOffset(RelevoCheck& check)
+{
+  const auto flat = RelevoMakeCurves(3);
+  for (vtkIdType i = 0; i < flat->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    flat->GetPoint(i, x);
+    flat->GetPoints()->SetPoint(i, x[0], 0.0, x[2]);
+  }
+  RelevoCurveScene scene(flat);
+  scene.Actor->GetProperty()->LightingOff();
+  const size_t whole = scene.Draw().CountForeground();
+  const auto corners = RelevoNewGrid({ { -4, 0, -4 }, { 4, 0, -4 }, { 4, 0, 4 }, { -4, 0, 4 } });
+  vtkNew<vtkCellArray> square;
+  square->InsertNextCell({ 0, 1, 2, 3 });
+  vtkNew<vtkPolyData> surface;
+  surface->SetPoints(corners->GetPoints());
+  surface->SetPolys(square);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(surface);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(0.0, 0.0, 0.0);
+  scene.Renderer->AddActor(actor);
+  const int resolve = vtkMapper::GetResolveCoincidentTopology();
+  vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+  for (double units : { -1000.0, 5000.0 })
+  {
+    scene.Mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, units);
+    CHECK(scene.Draw().CountForeground() == (units < 0.0 ? whole : 0));
+  }
+  vtkMapper::SetResolveCoincidentTopology(resolve);
 }
 
 // Large coordinates keep their digits.
@@ -260,6 +298,7 @@ int TestAdaptiveCurveMapperFeatures(int argc, char* argv[])
   TestChanges(check);
   TestBounds(check);
   TestClipping(check, comparison);
+  TestCoincidentOffset(check);
   TestFarAway(comparison);
   TestSelection(check, false);
   TestSelection(check, true);
