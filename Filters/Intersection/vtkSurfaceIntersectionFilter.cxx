@@ -36,7 +36,14 @@ void EmptyOutputs(vtkInformationVector* outputVector)
 
 struct vtkSurfaceIntersectionFilter::Internals
 {
-  relevo::MovedSurface Sides[2];
+  Internals()
+    : Sides{ &this->Own[0], &this->Own[1] }
+  {
+  }
+
+  relevo::MovedSurface Own[2];
+  std::shared_ptr<relevo::MovedSurface> Shared[2];
+  relevo::MovedSurface* Sides[2]; // one of these
   relevo::CurvedSurface Curved[2];
   bool IsSelf = false;
 
@@ -45,7 +52,7 @@ struct vtkSurfaceIntersectionFilter::Internals
   {
     const relevo::BoxTree& own = this->Curved[side].GetTree();
     const relevo::BoxTree& other =
-      isOtherCurved ? this->Curved[1 - side].GetTree() : this->Sides[1 - side].GetTree();
+      isOtherCurved ? this->Curved[1 - side].GetTree() : this->Sides[1 - side]->GetTree();
     const auto number = static_cast<vtkIdType>(own.GetNumberOfItems());
     std::vector<unsigned char> meet(number);
     vtkSMPTools::For(0, number,
@@ -59,7 +66,7 @@ struct vtkSurfaceIntersectionFilter::Internals
     return meet;
   }
 
-  const relevo::MovedSurface& GetSecond() const { return this->Sides[this->IsSelf ? 0 : 1]; }
+  const relevo::MovedSurface& GetSecond() const { return *this->Sides[this->IsSelf ? 0 : 1]; }
 };
 
 vtkSurfaceIntersectionFilter::vtkSurfaceIntersectionFilter()
@@ -109,6 +116,16 @@ vtkPolyData* vtkSurfaceIntersectionFilter::GetRefinedSurface(int input)
   return this->IsInput(input) && this->Refinements[input]
     ? this->Surfaces->Curved[input].GetTriangles()
     : nullptr;
+}
+
+void vtkSurfaceIntersectionFilter::ShareSurface(
+  int input, std::shared_ptr<relevo::MovedSurface> surface)
+{
+  if (this->IsInput(input))
+  {
+    this->Surfaces->Sides[input] = &this->Surfaces->Own[input];
+    this->Surfaces->Shared[input] = std::move(surface);
+  }
 }
 
 void vtkSurfaceIntersectionFilter::SetTolerance(double tolerance)
@@ -171,7 +188,10 @@ bool vtkSurfaceIntersectionFilter::TakeInput(int side, vtkPolyData* input)
 bool vtkSurfaceIntersectionFilter::TakeSurface(
   int side, vtkPolyData* mesh, const std::vector<vtkIdType>& cells, const relevo::Motion& motion)
 {
-  relevo::MovedSurface& surface = this->Surfaces->Sides[side];
+  const bool isShared = !this->Refinements[side] && this->Surfaces->Shared[side];
+  relevo::MovedSurface& surface =
+    isShared ? *this->Surfaces->Shared[side] : this->Surfaces->Own[side];
+  this->Surfaces->Sides[side] = &surface;
   std::string error;
   if (!surface.IsOf(mesh))
   {
@@ -234,7 +254,7 @@ void vtkSurfaceIntersectionFilter::WarnOfOpenSurfaces()
   std::string open;
   for (int side = 0; side < 2; ++side)
   {
-    if (!this->Surfaces->Sides[side].IsClosed())
+    if (!this->Surfaces->Sides[side]->IsClosed())
     {
       open += (open.empty() ? "input " : ", input ") + std::to_string(side);
     }
@@ -268,6 +288,13 @@ int vtkSurfaceIntersectionFilter::RequestData(
   catch (const std::bad_alloc&)
   {
     EmptyOutputs(outputVector);
+    for (const auto& shared : this->Surfaces->Shared)
+    {
+      if (shared)
+      {
+        shared->Clear();
+      }
+    }
     this->Surfaces = std::make_unique<Internals>();
     vtkErrorMacro("Not enough memory for the intersection of the inputs.");
     return 0;
@@ -283,7 +310,7 @@ bool vtkSurfaceIntersectionFilter::Report(double progress)
 bool vtkSurfaceIntersectionFilter::Intersect(
   vtkPolyData* inputs[2], vtkInformationVector* outputVector)
 {
-  const relevo::MovedSurface& first = this->Surfaces->Sides[0];
+  const relevo::MovedSurface& first = *this->Surfaces->Sides[0];
   const relevo::MovedSurface& second = this->Surfaces->GetSecond();
   const std::vector<relevo::MeetingPair> pairs = relevo::FindMeetingPairs(first, second);
   if (!this->Report(0.5))
@@ -304,8 +331,8 @@ bool vtkSurfaceIntersectionFilter::Intersect(
   }
   for (int side = 0; side < (isSelf ? 1 : 2); ++side)
   {
-    const relevo::MovedSurface& own = this->Surfaces->Sides[side];
-    const relevo::MovedSurface& other = this->Surfaces->Sides[1 - side];
+    const relevo::MovedSurface& own = *this->Surfaces->Sides[side];
+    const relevo::MovedSurface& other = *this->Surfaces->Sides[1 - side];
     relevo::CellContacts contacts(own, inputs[side]->GetNumberOfCells());
     contacts.MarkCut(pairs, side);
     if (isSelf)

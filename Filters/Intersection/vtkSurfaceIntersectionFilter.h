@@ -55,6 +55,7 @@ class vtkMatrix4x4;
 
 namespace relevo
 {
+class MovedSurface;
 class Motion;
 }
 
@@ -146,6 +147,14 @@ public:
   void SetContactDistance(double distance);
   vtkGetMacro(ContactDistance, double);
   //@}
+
+#ifndef __VTK_WRAP__
+  /**
+   * Have the moved triangles of an input that has no recipe in common with other filters that have
+   * the same input and the same matrix; by default (nullptr) they are the filter's own.
+   */
+  void ShareSurface(int input, std::shared_ptr<relevo::MovedSurface> surface);
+#endif
 
   /// How often a tree was built so far.
   vtkGetMacro(NumberOfTreeBuilds, int);

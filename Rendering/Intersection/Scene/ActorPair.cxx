@@ -64,6 +64,7 @@ bool ActorPair::Update(
     this->Filter->SetInputData(i, actors[i]->GetSurface());
     this->Filter->SetMatrix(i, actors[i]->GetMatrix());
     this->Filter->SetRefinement(i, recipes[i]);
+    this->Filter->ShareSurface(i, actors[i]->GetTriangles());
   }
   this->Filter->SetTolerance(tolerance);
   const std::string errors = std::exchange(this->Errors, "");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/SceneActor.h"
 
+#include "Mesh/MovedSurface.h"
 #include "vtkAdaptiveRefinementMapper.h"
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
@@ -56,6 +57,7 @@ vtkAdaptiveRefinement* FindRecipe(vtkActor* actor)
 
 SceneActor::SceneActor(vtkActor* actor)
   : Actor(actor)
+  , Triangles(std::make_shared<MovedSurface>())
 {
 }
 

@@ -13,12 +13,15 @@
 #include "vtkPolyData.h"     // for members
 #include "vtkSmartPointer.h" // for members
 
-#include <array> // for Bounds
+#include <array>  // for Bounds
+#include <memory> // for members
 
 class vtkAdaptiveRefinement;
 
 namespace relevo
 {
+class MovedSurface;
+
 /// xmin, xmax, ymin, ymax, zmin, zmax.
 using Bounds = std::array<double, 6>;
 
@@ -46,6 +49,8 @@ public:
   vtkMatrix4x4* GetMatrix() const { return this->Matrix; }
   /// The mapper's input, nullptr where it is no vtkPolyData with polygons or strips.
   vtkPolyData* GetSurface() const { return this->Surface; }
+  /// Its triangles where the actor is, for all that intersect it.
+  const std::shared_ptr<MovedSurface>& GetTriangles() const { return this->Triangles; }
 
 private:
   bool TakeBox(const double* bounds);
@@ -53,6 +58,7 @@ private:
   vtkSmartPointer<vtkActor> Actor;
   vtkNew<vtkMatrix4x4> Matrix;
   vtkSmartPointer<vtkPolyData> Surface;
+  std::shared_ptr<MovedSurface> Triangles;
   Bounds Box{};
   bool IsPlaced = false;
 };
