@@ -4,7 +4,7 @@
 
 NAME is one of
   hair   hair on a mesh: bunny.ply
-  knot   a rational curve around a torus as line, ribbon and tube, and the segments it is cut into
+  knot   a cubic B-spline around a torus as line, ribbon and tube
 and FILE is that file. Without it a generated mesh takes its place.
 """
 
