@@ -134,6 +134,8 @@ class TestViewerPatches(ViewerProgram):
         self.assert_error(1, ["unstructured grid"], sphere, "--patch-edges", "--output=o.png")
         (self.folder / "short.bpt").write_text(DOME[:-4])
         self.assert_error(1, ["short.bpt", "line"], "short.bpt", "--output=o.png")
+        (self.folder / "wild.bpt").write_text("\x1b]0;x\x07" + DOME)
+        self.assert_error(1, ["wild.bpt, line 1: ' ]0;x 1'"], "wild.bpt", "--output=o.png")
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@
 #include "vtkOutputWindow.h"
 
 #include <algorithm>
+#include <cctype>
 #include <functional>
 #include <iostream>
 
@@ -53,7 +54,9 @@ std::string GetText(void* callData)
     text.erase(0, address + 3);
   }
   text.erase(text.find_last_not_of(" \n") + 1);
-  std::replace(text.begin(), text.end(), '\n', ' ');
+  // What a file has must not command the terminal.
+  std::replace_if(
+    text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
   return text;
 }
 }
