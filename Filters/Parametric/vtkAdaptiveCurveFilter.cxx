@@ -3,6 +3,7 @@
 #include "vtkAdaptiveCurveFilter.h"
 
 #include "Core/CameraEye.h"
+#include "Core/InputType.h"
 #include "Core/LatestTime.h"
 #include "Core/RefinementView.h"
 #include "Core/SettingChecks.h"
@@ -196,6 +197,10 @@ bool vtkAdaptiveCurveFilter::Build(vtkPointSet* input, const relevo::CurveMesh& 
 int vtkAdaptiveCurveFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  if (!relevo::CheckInputType(this, inputVector[0]))
+  {
+    return 0;
+  }
   vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   if (!this->Refinement)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHairSource.h"
 
+#include "Core/InputType.h"
 #include "Core/SettingChecks.h"
 #include "Curves/HairGrowth.h"
 #include "vtkCellArray.h"
@@ -166,6 +167,10 @@ bool vtkHairSource::Grow(vtkPolyData* input, vtkUnstructuredGrid* output)
 int vtkHairSource::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  if (!relevo::CheckInputType(this, inputVector[0]))
+  {
+    return 0;
+  }
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   if (input->GetNumberOfPoints() == 0 ||
     input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)

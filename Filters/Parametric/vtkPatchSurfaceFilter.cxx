@@ -6,6 +6,7 @@
 #include "Cells/ControlNets.h"
 #include "Coarse/CoarseMesh.h"
 #include "Coarse/PatchOutput.h"
+#include "Core/InputType.h"
 #include "Mesh/PatchArrays.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -81,6 +82,10 @@ void vtkPatchSurfaceFilter::RemoveShortArrays(vtkUnstructuredGrid* grid)
 int vtkPatchSurfaceFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  if (!relevo::CheckInputType(this, inputVector[0]))
+  {
+    return 0;
+  }
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   relevo::PatchArrays::Remove(output); // of the input's field data

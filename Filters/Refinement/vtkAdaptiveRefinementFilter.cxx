@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveRefinementFilter.h"
 
+#include "Core/InputType.h"
 #include "Core/RefinementView.h"
 #include "Core/SettingChecks.h"
 #include "Core/VTKCompatibility.h"
@@ -124,8 +125,9 @@ bool vtkAdaptiveRefinementFilter::Prepare(
 int vtkAdaptiveRefinementFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return this->Refine(vtkPolyData::GetData(inputVector[0]), vtkPolyData::GetData(outputVector)) ? 1
-                                                                                                : 0;
+  const bool isDone = relevo::CheckInputType(this, inputVector[0]) &&
+    this->Refine(vtkPolyData::GetData(inputVector[0]), vtkPolyData::GetData(outputVector));
+  return isDone ? 1 : 0;
 }
 
 bool vtkAdaptiveRefinementFilter::Refine(vtkPolyData* input, vtkPolyData* output)

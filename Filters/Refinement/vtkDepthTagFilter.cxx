@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDepthTagFilter.h"
 
+#include "Core/InputType.h"
 #include "Core/PointPlaces.h"
 #include "Core/RefinementMathematics.h"
 #include "Core/SettingChecks.h"
@@ -141,9 +142,9 @@ vtkMTimeType vtkDepthTagFilter::GetMTime()
 int vtkDepthTagFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return this->AddTags(vtkPolyData::GetData(inputVector[0]), vtkPolyData::GetData(outputVector))
-    ? 1
-    : 0;
+  const bool isDone = relevo::CheckInputType(this, inputVector[0]) &&
+    this->AddTags(vtkPolyData::GetData(inputVector[0]), vtkPolyData::GetData(outputVector));
+  return isDone ? 1 : 0;
 }
 
 bool vtkDepthTagFilter::AddTags(vtkPolyData* input, vtkPolyData* output)

@@ -12,8 +12,10 @@
 #include "vtkDoubleArray.h"
 #include "vtkExecutive.h"
 #include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <array>
@@ -165,6 +167,24 @@ void TestWhole(RelevoCheck& check)
   ExpectError(check, RelevoNewCurveFilter(grid, 2), "None of the input's cells is a curve.");
 }
 
+// Blocks of other types are told of, and not looked at.
+void TestBlocks(RelevoCheck& check)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, vtkNew<vtkStructuredGrid>());
+  blocks->SetBlock(1, MakeGrid());
+  auto filter = RelevoNewCurveFilter(MakeGrid(), 2);
+  filter->SetInputDataObject(blocks);
+  RelevoErrors errors(filter);
+  RelevoErrors executive(filter->GetExecutive());
+  filter->Update();
+  CHECK(errors.Said(
+    "The input is a vtkStructuredGrid; a vtkUnstructuredGrid or a vtkPolyData is needed."));
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  auto* second = output ? vtkPolyData::SafeDownCast(output->GetBlock(1)) : nullptr;
+  CHECK(second && second->GetNumberOfLines() == 1);
+}
+
 // What another piece draws, and what is at one place, is no fault.
 void TestLeftOut(RelevoCheck& check)
 {
@@ -195,6 +215,7 @@ int TestAdaptiveCurveFilterErrors(int, char*[])
   TestCells(check);
   TestPoints(check);
   TestWhole(check);
+  TestBlocks(check);
   TestLeftOut(check);
   return check.GetResult();
 }

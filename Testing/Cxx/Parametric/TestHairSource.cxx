@@ -14,6 +14,7 @@
 #include "vtkHairSource.h"
 #include "vtkIdList.h"
 #include "vtkMath.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"
@@ -265,6 +266,14 @@ void ExpectError(RelevoCheck& check, vtkPolyData* surface, double density, const
 
 void TestErrors(RelevoCheck& check)
 {
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, vtkNew<vtkUnstructuredGrid>());
+  auto ofBlocks = NewSource(nullptr, 1.0, 0.0);
+  ofBlocks->SetInputDataObject(blocks);
+  RelevoErrors errorsOfBlocks(ofBlocks);
+  RelevoErrors executive(ofBlocks->GetExecutive());
+  ofBlocks->Update();
+  CHECK(errorsOfBlocks.Said("The input is a vtkUnstructuredGrid; a vtkPolyData is needed."));
   vtkNew<vtkPolyData> empty;
   ExpectError(check, empty, 1.0, "The input has no polygons for hair to grow on.");
   ExpectError(check, MakeSurface(), 1e9, "Not enough memory for so many hairs");

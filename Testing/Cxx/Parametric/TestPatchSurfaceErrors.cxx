@@ -7,7 +7,9 @@
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDoubleArray.h"
+#include "vtkExecutive.h"
 #include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPatchSurfaceFilter.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
@@ -195,6 +197,26 @@ void TestWarnings(RelevoCheck& check)
   CHECK(errors.None());
 }
 
+// A block of another type does not take the others with it.
+void TestBlocks(RelevoCheck& check)
+{
+  Pair pair;
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, vtkNew<vtkPolyData>());
+  blocks->SetBlock(1, nullptr);
+  blocks->SetBlock(2, pair.Grid);
+  vtkNew<vtkPatchSurfaceFilter> filter;
+  RelevoErrors errors(filter);
+  RelevoErrors executive(filter->GetExecutive());
+  filter->SetInputDataObject(blocks);
+  filter->Update();
+  CHECK(errors.Said("The input is a vtkPolyData; a vtkUnstructuredGrid is needed."));
+  CHECK(errors.None());
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  auto* last = output ? vtkPolyData::SafeDownCast(output->GetBlock(2)) : nullptr;
+  CHECK(last && RelevoGetNumberOfPatches(last) == 1);
+}
+
 // Points and lines are no fault; neither is nothing at all.
 void TestThin(RelevoCheck& check)
 {
@@ -253,6 +275,7 @@ int TestPatchSurfaceErrors(int, char*[])
   TestLists(check);
   TestMany(check);
   TestWarnings(check);
+  TestBlocks(check);
   TestThin(check);
   TestGhosts(check);
   return check.GetResult();

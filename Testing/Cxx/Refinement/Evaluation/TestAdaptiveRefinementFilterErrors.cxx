@@ -14,6 +14,7 @@
 #include "vtkExecutive.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPNTriangleSurface.h"
@@ -389,11 +390,14 @@ void testBlocks(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter)
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, Make());
   blocks->SetBlock(1, Sphere(6, 5));
+  blocks->SetBlock(2, vtkNew<vtkImageData>());
   filter->SetInputDataObject(blocks);
   RelevoErrors errors(filter);
+  RelevoErrors errorsOfTypes(filter);
   RelevoErrors executive(filter->GetExecutive());
   filter->Update();
   CHECK(errors.Said("no cells"));
+  CHECK(errorsOfTypes.Said("The input is a vtkImageData; a vtkPolyData is needed."));
   auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
   auto* second = output ? vtkPolyData::SafeDownCast(output->GetBlock(1)) : nullptr;
   CHECK(second && second->GetNumberOfPolys() > 0);

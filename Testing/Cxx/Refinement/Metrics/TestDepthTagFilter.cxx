@@ -13,9 +13,11 @@
 #include "vtkExecutive.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkScreenEdgeDepthTagMetric.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <cmath>
 #include <initializer_list>
@@ -401,6 +403,13 @@ void TestBrokenMeshes(RelevoCheck& check)
     CHECK(Tags(filter) && Tags(filter)->GetNumberOfTuples() == 0);
     CHECK(Levels(filter) && Levels(filter)->GetNumberOfTuples() == 0);
   }
+
+  // A block that is no mesh.
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, vtkNew<vtkUnstructuredGrid>());
+  filter->SetInputDataObject(blocks);
+  filter->Update();
+  CHECK(errors.Said("The input is a vtkUnstructuredGrid; a vtkPolyData is needed."));
 }
 }
 
