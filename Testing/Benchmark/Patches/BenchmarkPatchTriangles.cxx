@@ -14,7 +14,6 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
-#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -36,18 +35,11 @@ int GetHeight(int width)
   return 3 * width / 4;
 }
 
-// All of it in the picture, from above and aside, which `zoom` then enlarges.
 vtkSmartPointer<vtkCamera> MakeCamera(vtkDataSet* data, double zoom)
 {
   auto camera = vtkSmartPointer<vtkCamera>::New();
-  double center[3];
-  data->GetCenter(center);
-  const double direction[3] = { 0.268, -0.894, 0.358 };
-  const double distance = 0.5 * data->GetLength() / std::sin(vtkMath::RadiansFromDegrees(15.0));
-  camera->SetFocalPoint(center);
-  camera->SetPosition(center[0] + distance * direction[0], center[1] + distance * direction[1],
-    center[2] + distance * direction[2]);
-  camera->SetViewUp(0.0, 0.0, 1.0);
+  RelevoLookAt(data, camera);
+  const double distance = camera->GetDistance();
   camera->SetClippingRange(0.01 * distance, 2.0 * distance);
   camera->Zoom(zoom);
   return camera;

@@ -10,7 +10,6 @@
 #include "vtkCamera.h"
 #include "vtkCellData.h"
 #include "vtkIdList.h"
-#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPatchErrorDepthTagMetric.h"
 #include "vtkPatchSurface.h"
@@ -25,19 +24,6 @@
 namespace
 {
 constexpr double Pixels = 0.5;
-
-// As a renderer's ResetCamera() sets it, from above and aside.
-void LookAt(vtkDataSet* data, vtkCamera* camera)
-{
-  double center[3];
-  data->GetCenter(center);
-  const double direction[3] = { 0.268, -0.894, 0.358 };
-  const double distance = 0.5 * data->GetLength() / std::sin(vtkMath::RadiansFromDegrees(15.0));
-  camera->SetFocalPoint(center);
-  camera->SetPosition(center[0] + distance * direction[0], center[1] + distance * direction[1],
-    center[2] + distance * direction[2]);
-  camera->SetViewUp(0.0, 0.0, 1.0);
-}
 
 // Triangles of the least level of vtkDataSetSurfaceFilter, which cuts a bicubic cell into 3 *
 // 2^level parts each way, with which no part that is looked at is off. Its own triangles are not
@@ -143,7 +129,7 @@ int TestPatchErrorDepthTagMetricTeapot(int, char*[])
   patches->Update();
   vtkPolyData* coarse = patches->GetOutput();
   vtkNew<vtkCamera> camera;
-  LookAt(coarse, camera);
+  RelevoLookAt(coarse, camera);
   const RelevoPatchDistance distance(coarse);
   const double whole = CompareWindows(check, coarse, camera, distance);
   std::cout << "geometric mean " << whole << "\n";

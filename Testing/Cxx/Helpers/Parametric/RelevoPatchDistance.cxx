@@ -14,6 +14,18 @@
 #include <algorithm>
 #include <cmath>
 
+void RelevoLookAt(vtkDataSet* data, vtkCamera* camera)
+{
+  double center[3];
+  data->GetCenter(center);
+  const double direction[3] = { 0.268, -0.894, 0.358 };
+  const double distance = 0.5 * data->GetLength() / std::sin(vtkMath::RadiansFromDegrees(15.0));
+  camera->SetFocalPoint(center);
+  camera->SetPosition(center[0] + distance * direction[0], center[1] + distance * direction[1],
+    center[2] + distance * direction[2]);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+}
+
 RelevoPatchDistance::RelevoPatchDistance(vtkPolyData* mesh, int parts)
   : Mesh(mesh)
 {

@@ -10,6 +10,10 @@
 #include "vtkPolyData.h"
 
 class vtkCamera;
+class vtkDataSet;
+
+/// From above and aside, all of it in the picture, as a renderer's ResetCamera() has it.
+void RelevoLookAt(vtkDataSet* data, vtkCamera* camera);
 
 class RelevoPatchDistance
 {
