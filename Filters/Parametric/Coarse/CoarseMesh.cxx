@@ -162,6 +162,21 @@ private:
     return has;
   }
 
+  // Whether two borders of the patch are one, as the seam of a sphere: an inner place would be
+  // joined to places there twice.
+  bool MeetsItself(std::size_t patch) const
+  {
+    std::set<int> edges;
+    bool isRepeated = false;
+    for (int border = 0; border < this->Patches[patch].GetNumberOfCorners(); ++border)
+    {
+      const bool isCollapsed = this->GetEdge(patch, border).IsCollapsed;
+      isRepeated = isRepeated ||
+        (!isCollapsed && !edges.insert(this->Edges.Borders[patch][border].Edge).second);
+    }
+    return isRepeated;
+  }
+
   // The point at a corner of a patch. Where a border is collapsed both of its corners lie at one
   // place; they are different points, each of them the one of the other border that ends there, so
   // that neighbours around a pole have the same.
@@ -268,7 +283,7 @@ private:
   {
     const CornerPlaces& places = this->Places[patch];
     const int size = this->Patches[patch].GetNumberOfCorners();
-    bool isPlaceRepeated = false;
+    bool isPlaceRepeated = this->MeetsItself(patch);
     for (int a = 0; a < size; ++a)
     {
       for (int b = a + 1; b < size; ++b)
@@ -286,7 +301,8 @@ private:
     std::vector<Diagonal> diagonals(this->Patches.size(), Diagonal::None);
     for (std::size_t i = 0; i < this->Patches.size(); ++i)
     {
-      const bool isWhole = !this->HasEdge(i, [](const PatchEdge& edge) { return edge.Pieces > 1; });
+      const bool isWhole = !this->MeetsItself(i) &&
+        !this->HasEdge(i, [](const PatchEdge& edge) { return edge.Pieces > 1; });
       const bool isPole = this->HasEdge(i, [](const PatchEdge& edge) { return edge.IsCollapsed; });
       if (isWhole && !this->Patches[i].IsTriangle)
       {
@@ -297,7 +313,7 @@ private:
     for (std::size_t i = 0; i < this->Patches.size(); ++i)
     {
       const std::vector<Vertex> v = this->GetVertices(i);
-      if (v.size() == 3)
+      if (v.size() == 3 && !this->MeetsItself(i))
       {
         this->AddTriangle(i, v[0], v[1], v[2]);
       }

@@ -3,16 +3,21 @@
 // Coarse triangles of patches: closed borders, borders and diagonals that join the same places,
 // borders that are one place.
 #include "RelevoCheck.h"
+#include "RelevoCurves.h"
 #include "RelevoPatches.h"
 
+#include "vtkAdaptiveRefinement.h"
+#include "vtkAdaptiveRefinementFilter.h"
 #include "vtkBezierPatchReader.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDoubleArray.h"
 #include "vtkHigherOrderQuadrilateral.h"
+#include "vtkHigherOrderTriangle.h"
 #include "vtkIdList.h"
 #include "vtkIntArray.h"
 #include "vtkMath.h"
+#include "vtkPatchSurface.h"
 #include "vtkPointData.h"
 
 #include <cmath>
@@ -293,6 +298,54 @@ void TestPoles(RelevoCheck& check)
   CheckTriangles(check, mesh);
 }
 
+// Patches that meet themselves along a seam from pole to pole: a ball of a quadrilateral, and a
+// leaf of a triangle. They are closed surfaces, however finely they are cut.
+void TestSeams(RelevoCheck& check)
+{
+  auto ball = NewGrid();
+  AddPatch(ball, 5, 3,
+    [](double u, double v)
+    {
+      const double radius = v == 0.0 || v == 1.0 ? 0.0 : 1.0;
+      return RelevoPlace{ radius * GetLoop(u)[0], radius * GetLoop(u)[1], v < 0.5 ? 1.0 : -1.0 };
+    });
+  auto leaf = NewGrid();
+  std::array<vtkIdType, 15> ids;
+  for (int j = 0; j <= 4; ++j)
+  {
+    for (int i = 0; i + j <= 4; ++i)
+    {
+      const bool isBorder = i == 0 || j == 0 || i + j == 4;
+      const double side = i < j ? 4.0 : (i > j ? -4.0 : 0.0);
+      const std::array<vtkIdType, 3> index{ i, j, 4 - i - j };
+      ids[vtkHigherOrderTriangle::Index(index.data(), 4)] = leaf->GetPoints()->InsertNextPoint(
+        i + j, isBorder ? 0.0 : side, isBorder || side != 0.0 ? 0.0 : 8.0);
+    }
+  }
+  leaf->InsertNextCell(VTK_BEZIER_TRIANGLE, 15, ids.data());
+  leaf->GetCellData()->GetHigherOrderDegrees()->InsertNextTuple3(4, 4, 4);
+  vtkNew<vtkAdaptiveRefinement> recipe;
+  recipe->SetSurface(vtkNew<vtkPatchSurface>());
+  recipe->SetMaximumLevel(5);
+  vtkNew<vtkAdaptiveRefinementFilter> filter;
+  filter->SetRefinement(recipe);
+  for (vtkUnstructuredGrid* grid : { ball.Get(), leaf.Get() })
+  {
+    std::array<double, 2> volumes;
+    for (bool split : { false, true })
+    {
+      auto mesh = RelevoMakePatches(grid, split);
+      CheckTriangles(check, mesh);
+      filter->SetInputData(mesh);
+      filter->Update();
+      CHECK(RelevoCountOpenEdges(filter->GetOutput()) == 0);
+      volumes[split] = std::abs(RelevoGetVolume(filter->GetOutput()));
+    }
+    CHECK(volumes[0] > 0.1);
+    CHECK_NEAR(volumes[0] / volumes[1], 1.0, 0.005);
+  }
+}
+
 void TestTeapot(RelevoCheck& check)
 {
   const char* data = std::getenv("RELEVO_TEST_DATA");
@@ -337,6 +390,7 @@ int TestPatchSurfaceTriangles(int, char*[])
   TestPillow(check);
   TestLens(check);
   TestPoles(check);
+  TestSeams(check);
   TestTeapot(check);
   return check.GetResult();
 }

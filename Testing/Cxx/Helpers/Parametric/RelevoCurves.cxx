@@ -58,7 +58,10 @@ int RelevoCountOpenEdges(vtkPolyData* mesh)
     {
       const RelevoPlace& a = corners[i];
       const RelevoPlace& b = corners[(i + 1) % corners.size()];
-      edges[a < b ? std::make_pair(a, b) : std::make_pair(b, a)] += a < b ? 1 : -1;
+      if (a != b)
+      {
+        edges[a < b ? std::make_pair(a, b) : std::make_pair(b, a)] += a < b ? 1 : -1;
+      }
     }
   }
   int open = 0;
