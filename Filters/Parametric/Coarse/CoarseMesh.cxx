@@ -166,13 +166,15 @@ private:
   // joined to places there twice.
   bool MeetsItself(std::size_t patch) const
   {
-    std::set<int> edges;
+    const std::array<PatchBorder, 4>& borders = this->Edges.Borders[patch];
     bool isRepeated = false;
-    for (int border = 0; border < this->Patches[patch].GetNumberOfCorners(); ++border)
+    for (int a = 0; a < this->Patches[patch].GetNumberOfCorners(); ++a)
     {
-      const bool isCollapsed = this->GetEdge(patch, border).IsCollapsed;
-      isRepeated = isRepeated ||
-        (!isCollapsed && !edges.insert(this->Edges.Borders[patch][border].Edge).second);
+      for (int b = 0; b < a; ++b)
+      {
+        isRepeated = isRepeated ||
+          (borders[a].Edge == borders[b].Edge && !this->GetEdge(patch, a).IsCollapsed);
+      }
     }
     return isRepeated;
   }
