@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSurfaceLineIntegralConvolution.h"
 
+#include "Core/InputType.h"
 #include "Core/SettingChecks.h"
 #include "Core/VTKCompatibility.h"
 #include "Core/VectorData.h"
@@ -134,6 +135,10 @@ int vtkSurfaceLineIntegralConvolution::RequestInformation(
 int vtkSurfaceLineIntegralConvolution::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  if (!relevo::CheckInputType(this, inputVector[0]))
+  {
+    return 0;
+  }
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkImageData* texture = vtkImageData::GetData(outputVector, 1);

@@ -9,9 +9,11 @@
 #include "vtkCellData.h"
 #include "vtkExecutive.h"
 #include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkStringArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <limits>
 #include <random>
@@ -249,6 +251,16 @@ void CheckRange(RelevoCheck& check, Filter* filter, vtkPolyData* plane)
 
 void CheckInputs(RelevoCheck& check, Filter* filter, vtkPolyData* plane)
 {
+  {
+    vtkNew<vtkMultiBlockDataSet> blocks;
+    blocks->SetBlock(0, vtkNew<vtkUnstructuredGrid>());
+    const auto ofBlocks = MakeFilter();
+    RelevoErrors errors(ofBlocks);
+    RelevoErrors ofExecutive(ofBlocks->GetExecutive());
+    ofBlocks->SetInputDataObject(blocks);
+    ofBlocks->Update();
+    CHECK(errors.Said("The input is a vtkUnstructuredGrid; a vtkPolyData is needed."));
+  }
   CHECK(Fails(filter, RelevoMeshes::Plane(3, 3), "no array of 3 components"));
   CHECK(Fails(filter, RelevoMeshes::Make(), "no array of 3 components"));
   auto lines = RelevoMeshes::Make();
