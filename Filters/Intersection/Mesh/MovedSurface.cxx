@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/MovedSurface.h"
 
+#include "Core/GhostCells.h"
 #include "Core/LatestTime.h"
 #include "Exact/ExactPredicates.h"
 #include "Mesh/SurfaceTriangles.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
@@ -28,6 +31,11 @@ bool IsInRange(const double x[3])
     std::abs(x[2]) <= LargestCoordinate;
 }
 
+vtkAbstractArray* GetGhosts(vtkPolyData* mesh)
+{
+  return mesh->GetCellData()->GetAbstractArray(vtkDataSetAttributes::GhostArrayName());
+}
+
 // Cells that are inserted do not change a vtkCellArray's time.
 std::array<vtkMTimeType, 4> GetState(vtkPolyData* mesh)
 {
@@ -36,7 +44,8 @@ std::array<vtkMTimeType, 4> GetState(vtkPolyData* mesh)
     mesh->GetPolys()->GetNumberOfConnectivityIds(),
     mesh->GetStrips()->GetNumberOfConnectivityIds() };
   return { GetLatestTime(0,
-             { points, points ? points->GetData() : nullptr, mesh->GetPolys(), mesh->GetStrips() }),
+             { points, points ? points->GetData() : nullptr, mesh->GetPolys(), mesh->GetStrips(),
+               GetGhosts(mesh) }),
     static_cast<vtkMTimeType>(sizes[0]), static_cast<vtkMTimeType>(sizes[1]),
     static_cast<vtkMTimeType>(sizes[2]) };
 }
@@ -87,7 +96,7 @@ bool MovedSurface::IsOf(vtkPolyData* mesh) const
 {
   return this->Triangles && this->Points == mesh->GetPoints() &&
     this->Polygons == mesh->GetPolys() && this->Strips == mesh->GetStrips() &&
-    this->State == GetState(mesh);
+    this->Ghosts == GetGhosts(mesh) && this->State == GetState(mesh);
 }
 
 void MovedSurface::Clear()
@@ -120,11 +129,15 @@ std::string MovedSurface::Take(vtkPolyData* mesh, std::vector<vtkIdType> cells)
   this->Points = mesh->GetPoints();
   this->Polygons = mesh->GetPolys();
   this->Strips = mesh->GetStrips();
+  this->Ghosts = GetGhosts(mesh);
   this->State = GetState(mesh);
   this->Cells = std::move(cells);
-  this->Triangles = std::make_unique<SurfaceTriangles>(mesh);
+  vtkNew<vtkPolyData> own;
+  own->ShallowCopy(mesh);
+  EmptyGhostFaces(mesh, own);
+  this->Triangles = std::make_unique<SurfaceTriangles>(own);
   this->NumberOfCollapsedTriangles =
-    CountTriangles(mesh->GetPolys()) + CountTriangles(mesh->GetStrips());
+    CountTriangles(own->GetPolys()) + CountTriangles(own->GetStrips());
   this->NumberOfCollapsedTriangles -= this->GetNumberOfTriangles();
   this->AreUsed.assign(this->GetNumberOfPoints(), 0);
   for (const Triangle& triangle : this->Triangles->GetTriangles())

@@ -23,6 +23,7 @@
 #include <string> // for return values
 #include <vector> // for members
 
+class vtkAbstractArray;
 class vtkCellArray;
 class vtkPoints;
 class vtkPolyData;
@@ -42,10 +43,10 @@ public:
   MovedSurface();
   ~MovedSurface();
 
-  /// Whether the mesh has the points, polygons and strips that were taken, unchanged.
+  /// Whether the mesh has the points, polygons, strips and ghosts that were taken, unchanged.
   bool IsOf(vtkPolyData* mesh) const;
-  /// Take a mesh, and the ids to give its cells; none for their own. Returns what CheckSurface()
-  /// has.
+  /// Take a mesh without its ghost cells, and the ids to give its cells; none for their own.
+  /// Returns what CheckSurface() has.
   std::string Take(vtkPolyData* mesh, std::vector<vtkIdType> cells = {});
   /// Move it from where it was taken. Returns what is wrong then, or nothing.
   std::string Move(const Motion& motion);
@@ -82,6 +83,7 @@ private:
   vtkSmartPointer<vtkPoints> Points;
   vtkSmartPointer<vtkCellArray> Polygons;
   vtkSmartPointer<vtkCellArray> Strips;
+  vtkSmartPointer<vtkAbstractArray> Ghosts;
   std::array<vtkMTimeType, 4> State{}; // the latest of their times, and their sizes
   std::vector<vtkIdType> Cells;
   std::unique_ptr<SurfaceTriangles> Triangles;

@@ -73,4 +73,19 @@ void EmptyGhosts(vtkPolyData* input, vtkPolyData* output)
     output->SetLines(CopyWithoutGhosts(input->GetLines(), firstLine, ghosts));
   }
 }
+
+void EmptyGhostFaces(vtkPolyData* input, vtkPolyData* output)
+{
+  const GhostCells ghosts(input);
+  const vtkIdType firstPolygon = input->GetNumberOfVerts() + input->GetNumberOfLines();
+  const vtkIdType firstStrip = firstPolygon + input->GetNumberOfPolys();
+  if (ghosts.AreAmong(firstPolygon, firstStrip))
+  {
+    output->SetPolys(CopyWithoutGhosts(input->GetPolys(), firstPolygon, ghosts));
+  }
+  if (ghosts.AreAmong(firstStrip, firstStrip + input->GetNumberOfStrips()))
+  {
+    output->SetStrips(CopyWithoutGhosts(input->GetStrips(), firstStrip, ghosts));
+  }
+}
 }

@@ -37,6 +37,9 @@ private:
  * these become cells without points, so that all cells keep their ids.
  */
 RELEVOFILTERSREFINEMENT_EXPORT void EmptyGhosts(vtkPolyData* input, vtkPolyData* output);
+
+/// The same of polygons and strips, for what has no use for neighbours.
+RELEVOFILTERSREFINEMENT_EXPORT void EmptyGhostFaces(vtkPolyData* input, vtkPolyData* output);
 }
 
 #endif
