@@ -18,6 +18,7 @@
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
+#include <algorithm>
 #include <new>
 #include <string>
 
@@ -102,6 +103,7 @@ void vtkSurfaceIntersectionFilter::SetRefinement(int input, vtkAdaptiveRefinemen
   if (this->IsInput(input) && this->Refinements[input] != refinement)
   {
     this->Refinements[input] = refinement;
+    this->Surfaces->Own[input].Clear(); // what was refined may become an input, with its own cells
     this->Modified();
   }
 }
@@ -113,9 +115,9 @@ vtkAdaptiveRefinement* vtkSurfaceIntersectionFilter::GetRefinement(int input)
 
 vtkPolyData* vtkSurfaceIntersectionFilter::GetRefinedSurface(int input)
 {
-  return this->IsInput(input) && this->Refinements[input]
-    ? this->Surfaces->Curved[input].GetTriangles()
-    : nullptr;
+  const bool isCurved = this->IsInput(input) && this->Refinements[input];
+  const bool isThere = input == 0 || !this->Surfaces->IsSelf;
+  return isCurved && isThere ? this->Surfaces->Curved[input].GetTriangles() : nullptr;
 }
 
 void vtkSurfaceIntersectionFilter::ShareSurface(
@@ -229,8 +231,9 @@ bool vtkSurfaceIntersectionFilter::RefineInput(int side)
   relevo::Motion motion;
   motion.Set(this->Matrices[side]);
   const double stretch = motion.GetLargestStretch();
-  const std::pair<vtkIdType, double> shortfall =
-    curved.Refine(areWanted, this->Tolerance / stretch);
+  // A tiny stretch must not make it infinite.
+  const double tolerance = std::min(this->Tolerance / stretch, relevo::LargestDouble);
+  const std::pair<vtkIdType, double> shortfall = curved.Refine(areWanted, tolerance);
   if (shortfall.first > 0)
   {
     vtkWarningMacro("Input " << side << " deviates from its surface by up to "

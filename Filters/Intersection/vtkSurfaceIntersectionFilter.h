@@ -5,10 +5,10 @@
  * @brief   where two surfaces meet, or one meets itself, decided exactly
  *
  * Inputs 0 and 1: vtkPolyData, each moved by its matrix, see SetMatrix(). Polygons are taken as the
- * fans (0, i, i + 1) that VTK's mappers draw, strips as their triangles; vertices and lines do not
- * meet anything. Points that coincide in an input are one. Without input 1, input 0 is intersected
- * with itself: triangles that share a corner or an edge meet there, and count only where they meet
- * beyond it.
+ * fans (0, i, i + 1) that VTK's mappers draw, strips as their triangles; vertices, lines and ghost
+ * cells (vtkDataSetAttributes::DUPLICATECELL) do not meet anything. Points that coincide in an
+ * input are one. Without input 1, input 0 is intersected with itself: triangles that share a corner
+ * or an edge meet there, and count only where they meet beyond it.
  *
  * Whether triangles meet is decided exactly for the doubles that the moved points are; touching
  * counts. Points of the result are exact quotients that are rounded once. Each is one point for all
@@ -28,9 +28,9 @@
  * cut, which is to say that it meets the other surface. With Classify more, see there. Output 3 is
  * empty without input 1.
  *
- * Trees of boxes are built when an input's points, polygons or strips have changed, and stay as
- * long as these do: with another matrix only their boxes are computed anew. Runs on all processors
- * that vtkSMPTools uses; their number does not change the result.
+ * Trees of boxes are built when an input's points, polygons, strips or ghost cells have changed,
+ * and stay as long as these do: with another matrix only their boxes are computed anew. Runs on all
+ * processors that vtkSMPTools uses; their number does not change the result.
  *
  * Errors, with empty outputs, name the input: one without polygons and strips; cells that refer to
  * points that do not exist; points, also moved ones, that are not finite or beyond 1e300; a matrix
@@ -110,7 +110,8 @@ public:
 
   /**
    * The triangles of an input with a recipe that were intersected last, not moved, with the cell
-   * array "vtkOriginalCellIds" (vtkIdTypeArray) of the coarse cells; nullptr without a recipe.
+   * array "vtkOriginalCellIds" (vtkIdTypeArray) of the coarse cells; nullptr without a recipe or
+   * without that input.
    */
   vtkPolyData* GetRefinedSurface(int input);
 

@@ -50,11 +50,23 @@ void CellContacts::MeasureDistances(const MovedSurface& other, double nearDistan
     [&](vtkIdType first, vtkIdType last)
     {
       vtkIdType nearest = -1;
+      vtkIdType cell = -1;
+      double square = Box::Infinity; // the least so far of the cell, which may have many triangles
       for (vtkIdType t = first; t < last; ++t)
       {
-        if (this->Surface.HasArea(t))
+        if (this->Surface.GetCell(t) != cell)
         {
-          distances[t] = this->IsCut(t) ? 0.0 : distance.Compute(t, nearest);
+          cell = this->Surface.GetCell(t);
+          square = Box::Infinity;
+        }
+        if (this->Surface.HasArea(t) && !this->IsCut(t))
+        {
+          distance.Lower(t, nearest, square);
+          distances[t] = distance.GetLength(square);
+        }
+        else if (this->Surface.HasArea(t))
+        {
+          distances[t] = 0.0;
         }
       }
     });

@@ -93,6 +93,16 @@ double GetBoxSquare(const Box& a, const Box& b, double unit)
   return square * (1.0 - 1e-12);
 }
 
+Box GetBox(const MovedSurface& surface, vtkIdType triangle)
+{
+  Box box;
+  for (const double* point : surface.GetPoints(triangle))
+  {
+    box.Add(point);
+  }
+  return box;
+}
+
 Corners GetCorners(const MovedSurface& surface, vtkIdType triangle, double unit)
 {
   const auto points = surface.GetPoints(triangle);
@@ -127,19 +137,27 @@ SurfaceDistance::SurfaceDistance(const MovedSurface& from, const MovedSurface& t
 
 double SurfaceDistance::Square(vtkIdType triangle, vtkIdType other) const
 {
-  return GetTriangleSquare(
+  const double square = GetTriangleSquare(
     GetCorners(this->From, triangle, this->Unit), GetCorners(this->To, other, this->Unit));
+  // Rounding, of a triangle of 1e38 say, may end below the distance of the boxes. It must not: the
+  // search skips by boxes, and the order in which it looks must not matter.
+  return std::max(
+    square, GetBoxSquare(GetBox(this->From, triangle), GetBox(this->To, other), this->Unit));
 }
 
-double SurfaceDistance::Compute(vtkIdType triangle, vtkIdType& nearest) const
+double SurfaceDistance::GetLength(double square) const
+{
+  return std::sqrt(square) / this->Unit;
+}
+
+void SurfaceDistance::Lower(vtkIdType triangle, vtkIdType& nearest, double& square) const
 {
   const BoxTree& tree = this->To.GetTree();
-  Box box;
-  for (const double* point : this->From.GetPoints(triangle))
+  const Box box = GetBox(this->From, triangle);
+  if (nearest >= 0)
   {
-    box.Add(point);
+    square = std::min(square, this->Square(triangle, nearest));
   }
-  double square = nearest < 0 ? Box::Infinity : this->Square(triangle, nearest);
   std::vector<std::pair<vtkIdType, double>> stack{ { 0, 0.0 } };
   while (!stack.empty())
   {
@@ -175,6 +193,5 @@ double SurfaceDistance::Compute(vtkIdType triangle, vtkIdType& nearest) const
       stack.push_back(near);
     }
   }
-  return std::sqrt(square) / this->Unit;
 }
 }

@@ -24,8 +24,11 @@ public:
   /// Of triangles of one surface to the other, which has triangles with an area.
   SurfaceDistance(const MovedSurface& from, const MovedSurface& to);
 
-  /// `nearest`: a triangle of the other surface that may be near, -1 for none; becomes the nearest.
-  double Compute(vtkIdType triangle, vtkIdType& nearest) const;
+  /// Lower the square of a distance to that of a triangle, where this is less. `nearest`: a
+  /// triangle of the other surface that may be near, -1 for none; becomes one that is nearer.
+  void Lower(vtkIdType triangle, vtkIdType& nearest, double& square) const;
+  /// The distance that has such a square.
+  double GetLength(double square) const;
 
 private:
   double Square(vtkIdType triangle, vtkIdType other) const;

@@ -4,6 +4,7 @@
 
 #include "vtkSMPTools.h"
 
+#include <cmath>
 #include <numeric>
 
 namespace relevo
@@ -22,7 +23,8 @@ void BoxTree::Build(const std::vector<Box>& boxes)
   {
     for (int c = 0; c < 3; ++c)
     {
-      middles[i][c] = 0.5 * boxes[i].Low[c] + 0.5 * boxes[i].High[c];
+      const double middle = 0.5 * boxes[i].Low[c] + 0.5 * boxes[i].High[c];
+      middles[i][c] = std::isfinite(middle) ? middle : 0.0; // NaN cannot be sorted
     }
   }
   this->Nodes.clear();
