@@ -72,7 +72,13 @@ Levels Round(const Tags& tags, int maximumLevel)
 struct Sheet
 {
   Sheet(const Tags& tags, int maximumLevel)
-    : Pattern(GetPattern(Round(tags, maximumLevel)))
+    : Sheet(tags, maximumLevel, Round(tags, maximumLevel))
+  {
+  }
+
+  // The levels have a name, so that no compiler takes the pattern for a part of a temporary.
+  Sheet(const Tags& tags, int maximumLevel, const Levels& levels)
+    : Pattern(GetPattern(levels))
   {
     float clamped[3];
     for (int e = 0; e < 3; ++e)
