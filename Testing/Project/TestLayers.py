@@ -59,7 +59,6 @@ LAYERS = {
 }
 MODULES = list(LAYERS)  # no module includes one that comes after it
 LARGEST_FOLDER = 30
-LONGEST_FILE = 500
 LONGEST_FUNCTION = 80
 NO_FUNCTION = re.compile(r"(inline |typedef )*(namespace|class|struct|union|enum|extern)\b")
 
@@ -116,8 +115,6 @@ def find_large(source):
             if path.suffix not in (".cxx", ".glsl", ".h", ".py"):
                 continue
             name, text = path.relative_to(source), path.read_text(encoding="utf-8")
-            if len(text.splitlines()) > LONGEST_FILE:
-                yield f"{name}: has more than {LONGEST_FILE} lines"
             if path.suffix != ".py":
                 folders.setdefault(path.parent, set()).add(path.stem)
             if path.suffix in (".cxx", ".h"):
