@@ -44,7 +44,7 @@ if [ -z "$file" ]; then
   data=$(bash "$source_dir/Data/fetch.sh")
   # Raw bands of Landsat, which begin with blue; and rather flat land.
   arguments=("$(sed -n 's/^RELIEF=//p' <<<"$data")"
-    --imagery "$(sed -n 's/^IMAGERY=//p' <<<"$data")" --imagery-bands 3,2,1 --stretch
+    --imagery "$(sed -n 's/^IMAGERY=//p' <<<"$data")" --imagery-bands "3,2,1" --stretch
     --exaggeration 5
     "$@")
 fi

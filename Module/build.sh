@@ -22,10 +22,12 @@ packages=$build_packages$vtk_packages
 testing_packages="
 clang
 clang-format
+codespell
 doxygen
 gdal-bin
 git
 glslang-tools
+shellcheck
 xauth
 xdotool
 xvfb

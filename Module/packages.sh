@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Debian's and Ubuntu's packages, for the scripts that source this file.
+# shellcheck shell=bash disable=SC2034
 
 # What a build needs, VTK apart, one package a line; a|b where releases of Debian and Ubuntu name it differently.
 build_packages="
