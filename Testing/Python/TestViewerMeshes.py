@@ -2,18 +2,25 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """relevo-view with meshes: formats, surfaces, methods, heights, pictures, arrays, errors."""
 
+import itertools
 import math
 import unittest
 
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkDoubleArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkFeatureEdges
-from vtkmodules.vtkFiltersSources import vtkRegularPolygonSource
+from vtkmodules.vtkCommonDataModel import (
+    VTK_HEXAHEDRON,
+    vtkCellArray,
+    vtkImageData,
+    vtkPolyData,
+    vtkUnstructuredGrid,
+)
+from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkMassProperties, vtkTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkRegularPolygonSource, vtkSphereSource
 from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkOBJWriter, vtkSTLReader, vtkSTLWriter
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 from vtkmodules.vtkIOLegacy import vtkDataSetWriter, vtkPolyDataWriter
 from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
 
 from ViewerProgram import ViewerProgram
 from ViewerScenes import make_sphere
@@ -25,6 +32,7 @@ WRITERS = {
     ".vtk": vtkPolyDataWriter,
     ".vtp": vtkXMLPolyDataWriter,
 }
+OTHER_WRITERS = {".vtu": vtkXMLUnstructuredGridWriter}
 READERS = {
     ".obj": vtkOBJReader,
     ".ply": vtkPLYReader,
@@ -52,7 +60,7 @@ class TestViewerMeshes(ViewerProgram):
     @classmethod
     def write(cls, mesh, name):
         name = cls.folder / name
-        writer = WRITERS[name.suffix]()
+        writer = {**WRITERS, **OTHER_WRITERS}[name.suffix]()
         writer.SetInputData(mesh)
         writer.SetFileName(str(name))
         writer.Write()
@@ -192,7 +200,7 @@ class TestViewerMeshes(ViewerProgram):
             (("--scale=0", "--offset=0.2"), 0.7),
             (("--scale=0.01", "--offset=0.2"), 0.8),
         ):
-            mesh = self.export("--height", flat, "--level=2", *arguments)
+            mesh = self.export("--height", flat, "--surface=pn", "--level=2", *arguments)
             for distance in self.radii(mesh):
                 self.assertAlmostEqual(distance, radius, delta=0.01)
 
@@ -200,14 +208,18 @@ class TestViewerMeshes(ViewerProgram):
         """A twentieth of the diagonal, upwards from the surface, whatever the heights' unit."""
         for name, low, high in (("low.png", 0, 15), ("high.png", 200, 215)):
             ramp = self.write_image(name, lambda i, j, c: low + (high - low) * j / 15)
-            radii = self.radii(self.export("--height", ramp, "--level=2", "--up=z"))
+            radii = self.radii(
+                self.export("--height", ramp, "--surface=pn", "--level=2", "--up=z")
+            )
             self.assertAlmostEqual(min(radii), 0.5, delta=0.005)
             self.assertAlmostEqual(max(radii), 0.5 + 0.05 * self.sphere.GetLength(), delta=0.005)
 
     def test_mapping(self):
         """Around: v from the pole below to the one above. From the side: along the box."""
         ramp = self.write_image("ramp.png", lambda i, j, c: 16 * j)
-        mesh = self.export("--height", ramp, "--scale=0.001", "--level=1", "--up=z")
+        mesh = self.export(
+            "--height", ramp, "--scale=0.001", "--surface=pn", "--level=1", "--up=z"
+        )
         for i in range(mesh.GetNumberOfPoints()):
             point = mesh.GetPoint(i)
             radius = math.dist(point, (0, 0, 0))
@@ -264,7 +276,9 @@ class TestViewerMeshes(ViewerProgram):
         self.assertGreater(small, 2 * coarse)
 
     def test_feature_angle(self):
-        """A cube's shared corners: round without, and edges kept with it; closed either way."""
+        """A cube's shared corners: PN triangles are round without, and edges kept with it; closed
+        either way.
+        """
         cube = vtkPolyData()
         points = vtkPoints()
         for i in range(8):
@@ -277,17 +291,73 @@ class TestViewerMeshes(ViewerProgram):
         cube.SetPoints(points)
         cube.SetPolys(faces)
         file = self.write(cube, "cube.vtp")
-        round_ = self.export("--level=3", file=file)
-        sharp = self.export("--level=3", "--feature-angle=30", file=file)
+        round_ = self.export("--level=3", "--surface=pn", file=file)
+        sharp = self.export("--level=3", "--surface=pn", "--feature-angle=30", file=file)
         middle = max(round_.GetBounds())
         self.assertGreater(middle, 1.1)
-        self.assertAlmostEqual(max(sharp.GetBounds()), 1.0, delta=0.05)
+        self.assertAlmostEqual(max(sharp.GetBounds()), 1.0, delta=1e-6)
         edges = vtkFeatureEdges()
         edges.SetInputData(round_)
         edges.FeatureEdgesOff()
         edges.ManifoldEdgesOff()
         edges.Update()
         self.assertEqual(edges.GetOutput().GetNumberOfCells(), 0)
+
+    def test_default_surface(self):
+        """Cells and creases keep the shape of the data; what is smooth is curved, which is told."""
+        beam = vtkUnstructuredGrid()
+        beam.SetPoints(vtkPoints())
+        for k, j, i in itertools.product(range(2), range(3), range(5)):
+            beam.GetPoints().InsertNextPoint(i, j, k)
+        for j, i in itertools.product(range(2), range(4)):
+            a = 5 * j + i
+            corners = (a, a + 1, a + 6, a + 5)
+            beam.InsertNextCell(VTK_HEXAHEDRON, 8, (*corners, *(c + 15 for c in corners)))
+        block = vtkCubeSource()
+        block.SetXLength(4)
+        block.SetYLength(2)
+        triangles = vtkTriangleFilter()
+        triangles.SetInputConnection(block.GetOutputPort())
+        triangles.Update()
+        sphere = vtkSphereSource()
+        sphere.SetThetaResolution(60)
+        sphere.SetPhiResolution(60)
+        sphere.Update()
+        for data, name, is_curved in (
+            (beam, "beam.vtu", False),
+            (triangles.GetOutput(), "block.stl", False),
+            (self.sphere, "coarse.vtp", False),
+            (sphere.GetOutput(), "smooth.ply", True),
+        ):
+            file = self.write(data, name)
+            with self.subTest(name):
+                flat = self.export("--surface=linear", "--level=0", file=file)
+                refined = self.export("--level=2", file=file)
+                ratio = self.volume(refined) / self.volume(flat)
+                if is_curved:
+                    self.assertGreater(ratio, 1.002)
+                    self.assertLess(ratio, 1.01)
+                else:
+                    self.assertAlmostEqual(ratio, 1, delta=1e-5)
+                    self.assertLess(self.count_differences(file), 10)  # along edges
+                said = self.view(file, "--output=p.png", "--size=160x100").stdout
+                self.assertEqual("surface: curved" in said, is_curved, said)
+                chosen = self.view(file, "--surface=pn", "--output=p.png", "--size=160x100")
+                self.assertEqual(chosen.stdout, "")
+
+    def volume(self, mesh):
+        properties = vtkMassProperties()
+        properties.SetInputData(mesh)
+        properties.Update()
+        return properties.GetVolume()
+
+    def count_differences(self, file):
+        """Pixels in which the picture is not that of the data's own faces, whose picture at level 0
+        is that of vtkPolyDataMapper."""
+        pictures = [
+            self.pixels(*arguments, file=file) for arguments in ((), ("--surface=linear", "--level=0"))
+        ]
+        return sum(max(abs(a - b) for a, b in zip(*pair)) > 8 for pair in zip(*pictures))
 
     def test_bad_usage(self):
         for words, *arguments in (

@@ -110,7 +110,7 @@ class TestViewerPatches(ViewerProgram):
         few = count_darker("--isolines=4")
         self.assertGreater(few, 100)
         self.assertGreater(count_darker("--isolines=12"), 2 * few)
-        self.assertEqual(self.picture("flat.vtu"), self.picture("flat.vtu", "--surface=pn"))
+        self.assertEqual(self.picture("flat.vtu"), self.picture("flat.vtu", "--surface=linear"))
 
     def test_hair(self):
         bald = self.picture(self.sphere)

@@ -85,7 +85,7 @@ class TestViewerTools(ViewerProgram):
 
     def test_readout_of_mesh(self):
         """On the curved surface, with the value of the array that colours it."""
-        window = self.window(self.mesh, "--array=Latitude", "--up=z")
+        window = self.window(self.mesh, "--array=Latitude", "--up=z", "--surface=pn")
         for x, y in (MIDDLE, (130, 100), (180, 150)):
             here = numbers(self.under_mouse(window, x, y))
             self.assertAlmostEqual(math.hypot(here["x"], here["y"], here["z"]), 0.5, delta=0.01)

@@ -120,9 +120,10 @@ const std::map<std::string, Function>& GetReaders()
   return readers;
 }
 
-Mesh ReadFormat(const std::string& fileName, MeshCells cells, ViewerMessages& messages)
+SurfaceMesh ReadFormat(const std::string& fileName, MeshCells cells, ViewerMessages& messages)
 {
-  const auto reader = GetReaders().find(GetExtension(fileName));
+  const std::string extension = GetExtension(fileName);
+  const auto reader = GetReaders().find(extension);
   if (reader != GetReaders().end())
   {
     const Data data = reader->second(fileName, messages);
@@ -130,10 +131,12 @@ Mesh ReadFormat(const std::string& fileName, MeshCells cells, ViewerMessages& me
     {
       throw ViewerError("cannot read " + fileName + ": it has no data set with points and cells");
     }
-    return TakeSurface(data, cells, messages);
+    // Of an Exodus file the reader returns the surface.
+    const bool isOfCells = extension == ".ex2" || !vtkPolyData::SafeDownCast(data);
+    return { TakeSurface(data, cells, messages), isOfCells };
   }
   throw ViewerError("VTK " + std::string(vtkVersion::GetVTKVersion()) + " cannot read " +
-    GetExtension(fileName) + " files; meshes are read from " + GetMeshFormats());
+    extension + " files; meshes are read from " + GetMeshFormats());
 }
 
 void CheckPoints(vtkPolyData* mesh, const std::string& fileName)
@@ -175,13 +178,14 @@ std::string GetMeshFormats()
 }
 
 //------------------------------------------------------------------------------
-Mesh ReadMesh(const std::string& fileName, MeshCells cells, ViewerMessages& messages)
+SurfaceMesh ReadMesh(const std::string& fileName, MeshCells cells, ViewerMessages& messages)
 {
   CheckFile(fileName);
-  Mesh mesh;
+  SurfaceMesh surface;
+  Mesh& mesh = surface.Data;
   try
   {
-    mesh = ReadFormat(fileName, cells, messages);
+    surface = ReadFormat(fileName, cells, messages);
     messages.Check();
     if (mesh)
     {
@@ -200,5 +204,5 @@ Mesh ReadMesh(const std::string& fileName, MeshCells cells, ViewerMessages& mess
   }
   mesh = DropUnusedPoints(mesh);
   CheckPoints(mesh, fileName);
-  return mesh;
+  return surface;
 }

@@ -27,12 +27,18 @@ enum class MeshCells
   Patches // patches, whatever its cells
 };
 
+/// A surface, and whether it is that of cells, which say themselves how they are curved.
+struct SurfaceMesh
+{
+  vtkSmartPointer<vtkPolyData> Data;
+  bool IsOfCells;
+};
+
 /**
  * The polygons and strips of a file; of another data set than polygonal ones in a .bpt, .vtk, .vtu,
  * .pvtu or .ex2 file its outer surface. Throws ViewerError where there are none, where a point is
  * not finite, or where a cell refers to a point that is not there.
  */
-vtkSmartPointer<vtkPolyData> ReadMesh(
-  const std::string& fileName, MeshCells cells, ViewerMessages& messages);
+SurfaceMesh ReadMesh(const std::string& fileName, MeshCells cells, ViewerMessages& messages);
 
 #endif

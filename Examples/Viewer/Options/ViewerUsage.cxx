@@ -11,10 +11,11 @@ Draws a height map (GeoTIFF, SRTM .hgt, USGS DEM, PNG, OpenEXR ...) or a mesh (.
 mesh of 3D cells, or a folder of reliefs: a window when there is a display, a picture with --output.
 
 The surface:
-  --surface NAME         linear (default for height maps), pn (default for meshes; curved PN
-                         triangles), phong, st (scalar-tagged PN triangles, by the mesh's arrays
-                         Sharpness, Tension, Bias and Direction), g1 (with tangent planes that
-                         join), procedural (fur), patch (the cells' own curved shape; default for
+  --surface NAME         linear (default for height maps and for cells that are not curved), pn
+                         (curved PN triangles; default for smooth meshes, with creases of more than
+                         30 degrees kept; for other meshes linear), phong, st (scalar-tagged
+                         PN triangles, by the mesh's arrays Sharpness, Tension, Bias and
+                         Direction), g1 (with tangent planes that join), procedural (fur), patch (the cells' own curved shape; default for
                          .bpt files and for .vtk, .vtu and .pvtu files with curved cells)
   --alpha A              how far phong bulges, from 0, flat, to 1 (default 1)
   --amplitude A          height of procedural's fur, in the mesh's units (default: 0.03 of its
@@ -45,7 +46,8 @@ Meshes:
                          shortest side of its bounding box (default: plane where that side is less
                          than a tenth of the longest, else sphere)
   --array NAME           colour by this array, points' or cells' (default: the active scalars)
-  --feature-angle DEG    keep edges sharp where faces meet at more than this angle
+  --feature-angle DEG    keep edges sharp where faces meet at more than this angle (default 30 if
+                         --surface is not given)
   --up x|y|z             the axis that points up (default y)
   --lic ARRAY            streaks along this array of 2 or 3 components, points' or cells', by line
                          integral convolution; without --array and --image coloured by length

@@ -117,8 +117,8 @@ ContactScene::ContactScene(const ViewerOptions& options, ViewerMessages& message
   : ViewerScene(options, messages)
 {
   messages.Observe(this->Filter, "intersecting");
-  this->Filter->SetInputData(0, ReadMesh(options.Input, MeshCells::Flat, messages));
-  this->Filter->SetInputData(1, ReadMesh(options.Against, MeshCells::Flat, messages));
+  this->Filter->SetInputData(0, ReadMesh(options.Input, MeshCells::Flat, messages).Data);
+  this->Filter->SetInputData(1, ReadMesh(options.Against, MeshCells::Flat, messages).Data);
   this->Filter->JoinSegmentsOn();
   if (options.ContactDistance)
   {

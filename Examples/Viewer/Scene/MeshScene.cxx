@@ -18,18 +18,19 @@
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkAdaptiveRefinementMapper.h"
 #include "vtkCellData.h"
+#include "vtkCreaseNormals.h"
 #include "vtkDataArray.h"
 #include "vtkDepthTagMetric.h"
 #include "vtkDisplacement.h"
 #include "vtkHeightMap.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
+#include "vtkLinearSurface.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 #include "vtkRefinementSurface.h"
 #include "vtkRenderer.h"
@@ -38,6 +39,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <iostream>
 #include <sstream>
 
 namespace
@@ -115,12 +117,10 @@ void MeshScene::ReadMesh()
   const MeshCells cells = asItIs
     ? MeshCells::Flat
     : (this->Options.AsksForPatches() ? MeshCells::Patches : MeshCells::Curved);
-  this->Mesh->ShallowCopy(::ReadMesh(this->Options.Input, cells, this->Messages));
+  const SurfaceMesh mesh = ::ReadMesh(this->Options.Input, cells, this->Messages);
+  this->Mesh->ShallowCopy(mesh.Data);
   this->TakePatches();
-  if (this->Options.FeatureAngle)
-  {
-    this->SplitNormals();
-  }
+  this->ChooseSurface(mesh.IsOfCells);
   const bool isMapped = !this->Options.Heights.empty() || !this->Options.Imagery.empty();
   if (isMapped && !this->Mesh->GetPointData()->GetTCoords())
   {
@@ -146,16 +146,50 @@ void MeshScene::TakePatches()
 }
 
 //------------------------------------------------------------------------------
-void MeshScene::SplitNormals()
+void MeshScene::ChooseSurface(bool isOfCells)
 {
-  vtkNew<vtkPolyDataNormals> normals;
-  this->Messages.Observe(normals, "splitting");
+  const bool isOpen = !this->Options.Surface;
+  if (isOpen && isOfCells)
+  {
+    // Linear cells are flat: nothing says that their sides are anything else.
+    this->Options.Surface = ViewerOptions::SurfaceType::Linear;
+  }
+  // Other surfaces take normals as they are.
+  if (this->Options.IsPatch() || (this->Options.Surface && !this->Options.FeatureAngle))
+  {
+    return;
+  }
+  vtkNew<vtkCreaseNormals> normals;
+  this->Messages.Observe(normals, "finding creases");
   normals->SetInputData(this->Mesh);
-  normals->SetFeatureAngle(*this->Options.FeatureAngle);
-  normals->ConsistencyOff(); // cells stay as they wind
+  if (this->Options.FeatureAngle)
+  {
+    normals->SetFeatureAngle(*this->Options.FeatureAngle);
+    normals->KeepCoarseFlatOff();
+  }
   normals->Update();
   this->Messages.Check();
   this->Mesh->ShallowCopy(normals->GetOutput());
+  if (isOpen && !isOfCells)
+  {
+    const bool isFlat = vtkLinearSurface::SafeDownCast(normals->GetFittingSurface());
+    this->Options.Surface =
+      isFlat ? ViewerOptions::SurfaceType::Linear : ViewerOptions::SurfaceType::PNTriangle;
+    std::ostringstream text;
+    text << "surface: curved through the mesh's points (--surface pn), "
+         << normals->GetNumberOfCreases() << " creases of more than " << normals->GetFeatureAngle()
+         << " degrees kept; --surface linear draws flat faces";
+    this->CurvedBy = isFlat ? std::string() : text.str();
+  }
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::Report()
+{
+  if (!this->CurvedBy.empty())
+  {
+    std::cout << this->CurvedBy << std::endl;
+  }
 }
 
 //------------------------------------------------------------------------------

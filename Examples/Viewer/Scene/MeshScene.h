@@ -25,12 +25,14 @@ public:
   MeshScene(const ViewerOptions& options, ViewerMessages& messages);
   ~MeshScene() override;
 
+  /// The surface on stdout, where the options leave it open and it is not the mesh's own shape.
+  void Report() override;
   std::string Describe(const double point[3], double resolution) override;
 
 private:
   void ReadMesh();
   void TakePatches();
-  void SplitNormals();
+  void ChooseSurface(bool isOfCells);
   void ReadHeights();
   void ChooseArray();
   void ChooseVectors();
@@ -43,6 +45,7 @@ private:
   vtkSmartPointer<vtkPolyData> GetSurface();
 
   vtkNew<vtkDisplacement> Displacement;
+  std::string CurvedBy; // what Report() says of the surface
   // The array that colours the mesh: empty for none, and whether its numbers are of points.
   std::string ArrayName;
   bool HasPointArray = false;

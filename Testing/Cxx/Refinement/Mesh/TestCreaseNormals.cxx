@@ -1,0 +1,359 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkCreaseNormals: a mesh on the surface that fits it keeps its shape, by volume, bounds and
+// distance, stays closed, and has the data of the mesh that came in.
+#include "RelevoCheck.h"
+#include "RelevoTestMeshes.h"
+#include "RelevoWatertight.h"
+
+#include "vtkAdaptiveRefinement.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCleanPolyData.h"
+#include "vtkConeSource.h"
+#include "vtkCreaseNormals.h"
+#include "vtkCubeSource.h"
+#include "vtkCylinderSource.h"
+#include "vtkDoubleArray.h"
+#include "vtkLinearExtrusionFilter.h"
+#include "vtkLinearSurface.h"
+#include "vtkMassProperties.h"
+#include "vtkMath.h"
+#include "vtkPNTriangleSurface.h"
+#include "vtkPlatonicSolidSource.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkSphereSource.h"
+#include "vtkTriangleFilter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+using RelevoMeshes::Mesh;
+
+// Points and polygons of a source's output, coincident points merged; nothing else.
+Mesh takeShape(vtkAlgorithm* source)
+{
+  vtkNew<vtkCleanPolyData> clean;
+  clean->SetInputConnection(source->GetOutputPort());
+  clean->Update();
+  Mesh shape = RelevoMeshes::Make();
+  shape->SetPoints(clean->GetOutput()->GetPoints());
+  shape->SetPolys(clean->GetOutput()->GetPolys());
+  return shape;
+}
+
+Mesh makeBlock()
+{
+  vtkNew<vtkCubeSource> cube;
+  cube->SetXLength(4.0);
+  cube->SetYLength(2.0);
+  return takeShape(cube);
+}
+
+Mesh makeSphere(int resolution)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(resolution);
+  sphere->SetPhiResolution(resolution);
+  return takeShape(sphere);
+}
+
+Mesh makeSolid(int type)
+{
+  vtkNew<vtkPlatonicSolidSource> solid;
+  solid->SetSolidType(type);
+  return takeShape(solid);
+}
+
+// A slab of 5 x 2 x 3 whose long edges are rounded in steps of 22.5 degrees.
+Mesh makeRoundedSlab()
+{
+  const double radius = 0.2;
+  const double centres[4][2] = { { 4.8, 1.8 }, { 0.2, 1.8 }, { 0.2, 0.2 }, { 4.8, 0.2 } };
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> outline;
+  outline->InsertNextCell(20);
+  for (int i = 0; i < 20; ++i)
+  {
+    const double angle = vtkMath::RadiansFromDegrees(90.0 * (i / 5) + 22.5 * (i % 5));
+    outline->InsertCellPoint(points->InsertNextPoint(centres[i / 5][0] + radius * std::cos(angle),
+      centres[i / 5][1] + radius * std::sin(angle), 0.0));
+  }
+  Mesh profile = RelevoMeshes::Make();
+  profile->SetPoints(points);
+  profile->SetPolys(outline);
+  vtkNew<vtkLinearExtrusionFilter> extrusion;
+  extrusion->SetInputData(profile);
+  extrusion->SetExtrusionTypeToVectorExtrusion();
+  extrusion->SetVector(0.0, 0.0, 3.0);
+  vtkNew<vtkTriangleFilter> triangles; // of strips
+  triangles->SetInputConnection(extrusion->GetOutputPort());
+  return takeShape(triangles);
+}
+
+double getVolume(vtkPolyData* mesh)
+{
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(mesh);
+  vtkNew<vtkMassProperties> properties;
+  properties->SetInputConnection(triangles->GetOutputPort());
+  properties->Update();
+  return properties->GetVolume();
+}
+
+struct Fitted
+{
+  Mesh Coarse;
+  Mesh Refined;
+  bool IsLinear;
+  vtkIdType NumberOfCreases;
+};
+
+Fitted fit(vtkPolyData* mesh, int level = 3)
+{
+  vtkNew<vtkCreaseNormals> normals;
+  normals->SetInputData(mesh);
+  normals->Update();
+  Fitted result;
+  result.Coarse = normals->GetOutput();
+  result.IsLinear = vtkLinearSurface::SafeDownCast(normals->GetFittingSurface()) != nullptr;
+  result.NumberOfCreases = normals->GetNumberOfCreases();
+  result.Refined = RelevoMeshes::Refine(
+    result.Coarse, RelevoMeshes::MakeRecipe(level, normals->GetFittingSurface()));
+  return result;
+}
+
+// The largest difference between the bounds of two meshes.
+double compareBounds(vtkPolyData* a, vtkPolyData* b)
+{
+  double boundsA[6];
+  double boundsB[6];
+  a->GetBounds(boundsA);
+  b->GetBounds(boundsB);
+  double largest = 0.0;
+  for (int i = 0; i < 6; ++i)
+  {
+    largest = std::max(largest, std::abs(boundsA[i] - boundsB[i]));
+  }
+  return largest;
+}
+
+void checkFlatSolids(RelevoCheck& check)
+{
+  const Mesh solids[] = { makeBlock(), makeRoundedSlab(), makeSolid(VTK_SOLID_ICOSAHEDRON),
+    makeSolid(VTK_SOLID_DODECAHEDRON), makeSphere(8) };
+  const bool areLinear[] = { true, false, true, true, true };
+  for (int i = 0; i < 5; ++i)
+  {
+    const Fitted fitted = fit(solids[i]);
+    CHECK(fitted.IsLinear == areLinear[i]);
+    CHECK_NEAR(getVolume(fitted.Refined) / getVolume(solids[i]), 1.0, i == 1 ? 3e-3 : 1e-6);
+    CHECK_NEAR(compareBounds(fitted.Refined, solids[i]), 0.0, 0.002 * solids[i]->GetLength());
+    CHECK(RelevoWatertight::FindFault(fitted.Coarse, fitted.Refined, 3).empty());
+  }
+  CHECK(fit(solids[0]).NumberOfCreases == 12);
+  CHECK(fit(solids[2]).NumberOfCreases == 30);
+}
+
+// What bends is curved, and only that.
+void checkRoundSolids(RelevoCheck& check)
+{
+  const double pi = vtkMath::Pi();
+  const Mesh sphere = makeSphere(40);
+  const Fitted round = fit(sphere, 4);
+  CHECK(!round.IsLinear && round.NumberOfCreases == 0);
+  const double ball = pi / 6.0; // of radius 0.5
+  CHECK(getVolume(sphere) < 0.995 * ball);
+  CHECK_NEAR(getVolume(round.Refined), ball, 0.001 * ball);
+
+  vtkNew<vtkCylinderSource> source;
+  source->SetResolution(24);
+  source->SetHeight(2.0);
+  const Mesh cylinder = takeShape(source);
+  const Fitted tube = fit(cylinder, 4);
+  CHECK(!tube.IsLinear && tube.NumberOfCreases == 48);
+  double bounds[6];
+  tube.Refined->GetBounds(bounds);
+  CHECK_NEAR(bounds[3] - bounds[2], 2.0, 1e-6); // along its axis, y
+  CHECK_NEAR(getVolume(tube.Refined), 2.0 * pi * 0.25, 0.006 * 2.0 * pi * 0.25);
+  CHECK(getVolume(tube.Refined) > getVolume(cylinder));
+  CHECK(RelevoWatertight::FindFault(tube.Coarse, tube.Refined, 4).empty());
+}
+
+// The tip of a cone has a normal that no side has: the sides stay straight.
+void checkCone(RelevoCheck& check)
+{
+  vtkNew<vtkConeSource> source;
+  source->SetResolution(36);
+  source->SetHeight(2.0);
+  const Fitted cone = fit(takeShape(source), 4);
+  CHECK(!cone.IsLinear);
+  double largest = 0.0;
+  for (vtkIdType i = 0; i < cone.Refined->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    cone.Refined->GetPoint(i, x);
+    // From x = -1, where the radius is 0.5, to the tip at x = 1.
+    largest = std::max(largest, std::hypot(x[1], x[2]) - 0.25 * (1.0 - x[0]));
+  }
+  CHECK(largest < 0.003);
+  CHECK(RelevoWatertight::FindFault(cone.Coarse, cone.Refined, 4).empty());
+}
+
+// The mesh's own normals count where its faces can follow them.
+void checkGivenNormals(RelevoCheck& check)
+{
+  vtkNew<vtkSphereSource> sphere; // 8 x 8 faces with normals
+  sphere->Update();
+  const Fitted round = fit(sphere->GetOutput(), 4);
+  CHECK(!round.IsLinear && round.NumberOfCreases == 0);
+  CHECK(getVolume(round.Refined) > 0.95 * vtkMath::Pi() / 6.0);
+  vtkDataArray* before = sphere->GetOutput()->GetPointData()->GetNormals();
+  vtkDataArray* after = round.Coarse->GetPointData()->GetNormals();
+  CHECK(after->GetNumberOfTuples() == before->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < before->GetNumberOfTuples(); ++i)
+  {
+    double a[3];
+    double b[3];
+    before->GetTuple(i, a);
+    after->GetTuple(i, b);
+    CHECK(vtkMath::Distance2BetweenPoints(a, b) < 1e-10);
+  }
+
+  const Mesh block = makeBlock();
+  vtkNew<vtkPolyDataNormals> averaged;
+  averaged->SetInputData(block);
+  averaged->SplittingOff();
+  averaged->Update();
+  const Fitted flat = fit(averaged->GetOutput());
+  CHECK(flat.IsLinear);
+  CHECK_NEAR(getVolume(flat.Refined), 8.0, 1e-5);
+}
+
+// Whether faces share points or not.
+void checkCoincidentPoints(RelevoCheck& check)
+{
+  for (const Mesh& mesh : { makeSphere(40), makeBlock(), makeRoundedSlab() })
+  {
+    vtkNew<vtkTriangleFilter> triangles;
+    triangles->SetInputData(mesh);
+    triangles->Update();
+    const Fitted shared = fit(triangles->GetOutput());
+    const Fitted apart = fit(RelevoMeshes::Explode(triangles->GetOutput()));
+    CHECK(shared.IsLinear == apart.IsLinear);
+    CHECK(shared.NumberOfCreases == apart.NumberOfCreases);
+    const double volume = getVolume(shared.Refined);
+    CHECK_NEAR(getVolume(apart.Refined), volume, 1e-6 * volume);
+    CHECK(RelevoWatertight::FindFault(apart.Coarse, apart.Refined, 3).empty());
+  }
+}
+
+// Vertices, lines, polygons and strips: points and data go along.
+void checkData(RelevoCheck& check)
+{
+  const Mesh mesh = RelevoMeshes::Mixed();
+  vtkNew<vtkDoubleArray> ofPoints;
+  ofPoints->SetName("Point");
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    ofPoints->InsertNextValue(static_cast<double>(i));
+  }
+  vtkNew<vtkDoubleArray> ofCells;
+  ofCells->SetName("Cell");
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+  {
+    ofCells->InsertNextValue(static_cast<double>(i));
+  }
+  mesh->GetPointData()->AddArray(ofPoints);
+  mesh->GetCellData()->AddArray(ofCells);
+  const Mesh output = fit(mesh, 0).Coarse;
+  CHECK(output->GetNumberOfVerts() == mesh->GetNumberOfVerts());
+  CHECK(output->GetNumberOfLines() == mesh->GetNumberOfLines());
+  CHECK(output->GetNumberOfStrips() == 0);
+  CHECK(output->GetNumberOfPolys() > mesh->GetNumberOfPolys());
+  vtkDataArray* points = output->GetPointData()->GetArray("Point");
+  vtkDataArray* cells = output->GetCellData()->GetArray("Cell");
+  CHECK(points->GetNumberOfTuples() == output->GetNumberOfPoints());
+  CHECK(cells->GetNumberOfTuples() == output->GetNumberOfCells());
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    double a[3];
+    double b[3];
+    output->GetPoint(i, a);
+    mesh->GetPoint(static_cast<vtkIdType>(points->GetComponent(i, 0)), b);
+    CHECK(std::equal(a, a + 3, b));
+  }
+  const vtkIdType firstStrip = mesh->GetNumberOfCells() - mesh->GetNumberOfStrips();
+  for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
+  {
+    const double cell = cells->GetComponent(i, 0);
+    CHECK(i < firstStrip ? cell == i : cell >= firstStrip);
+  }
+}
+
+void checkFeatureAngle(RelevoCheck& check)
+{
+  vtkNew<vtkCreaseNormals> normals;
+  normals->SetInputData(makeBlock());
+  normals->SetFeatureAngle(100.0);
+  normals->KeepCoarseFlatOff();
+  normals->Update();
+  CHECK(normals->GetNumberOfCreases() == 0);
+  CHECK(vtkPNTriangleSurface::SafeDownCast(normals->GetFittingSurface()));
+  CHECK(normals->GetOutput()->GetNumberOfPoints() == 8);
+  RelevoErrors errors(normals);
+  for (double angle : { -1.0, 181.0, vtkMath::Nan() })
+  {
+    normals->SetFeatureAngle(angle);
+    CHECK(errors.Said("FeatureAngle must be in [0, 180]"));
+    CHECK(normals->GetFeatureAngle() == 100.0);
+  }
+}
+
+void checkBadInput(RelevoCheck& check)
+{
+  const Mesh mesh = makeBlock();
+  const vtkIdType corners[3] = { 0, 1, 99 };
+  mesh->GetPolys()->InsertNextCell(3, corners);
+  vtkNew<vtkCreaseNormals> normals;
+  RelevoErrors errors(normals);
+  normals->SetInputData(mesh);
+  normals->Update();
+  CHECK(errors.Said("Cell 6 refers to point 99, but there are 8 points."));
+  CHECK(normals->GetOutput()->GetNumberOfCells() == 0);
+  CHECK(!normals->GetFittingSurface());
+
+  // Nothing, no area, no number: no error, and no normal that is not finite.
+  normals->SetInputData(RelevoMeshes::Make());
+  normals->Update();
+  const double nan = vtkMath::Nan();
+  normals->SetInputData(RelevoMeshes::FromTriangles(
+    { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 2, 0, 0 } }, { { nan, 0, 0 } }, { { 0, 1e-200, 0 } } },
+    { { { 0, 1, 2 } }, { { 0, 1, 3 } }, { { 0, 1, 1 } }, { { 0, 1, 4 } } }));
+  normals->Update();
+  CHECK(errors.None());
+  CHECK(normals->GetOutput()->GetNumberOfCells() == 4);
+  vtkDataArray* array = normals->GetOutput()->GetPointData()->GetNormals();
+  for (vtkIdType i = 0; i < 3 * array->GetNumberOfTuples(); ++i)
+  {
+    CHECK(std::isfinite(array->GetVariantValue(i).ToDouble()));
+  }
+}
+}
+
+int TestCreaseNormals(int, char*[])
+{
+  RelevoCheck check;
+  checkFlatSolids(check);
+  checkRoundSolids(check);
+  checkCone(check);
+  checkGivenNormals(check);
+  checkCoincidentPoints(check);
+  checkData(check);
+  checkFeatureAngle(check);
+  checkBadInput(check);
+  return check.GetResult();
+}
