@@ -3,7 +3,9 @@
 #include "vtkReliefMapperInternals.h"
 
 #include "Core/SameNumber.h"
+#include "Data/ReliefSides.h"
 #include "Drawing/PickedRelief.h"
+#include "Drawing/ReliefRims.h"
 #include "Picking/PickedInputPipeline.h"
 #include "vtkActor.h"
 #include "vtkBoundingBox.h"
@@ -25,6 +27,10 @@ namespace
 // Private code numbers methods and searches as the mapper does.
 using Mapper = vtkReliefMapper;
 using Options = relevo::ReliefShaderOptions;
+
+// With more triangles to a pixel following rays is the faster method.
+constexpr double TrianglesPerPixel = 2.0;
+
 static_assert(relevo::HaveSameNumber(Mapper::METHOD_WARP, Options::WARP), "warp");
 static_assert(relevo::HaveSameNumber(Mapper::METHOD_RAY_MARCH, Options::RAY_MARCH), "ray march");
 static_assert(relevo::HaveSameNumber(Mapper::METHOD_REFINEMENT, Options::REFINEMENT), "refinement");
@@ -99,6 +105,7 @@ void vtkReliefMapper::UpdateBlocks(vtkDataObject* input)
   vtkInternals& data = *this->Internals;
   relevo::Dependencies source = GetSource(input);
   source.Add(this->MaximumStretch);
+  source.Add(this->FillCracks);
   if (!data.Source.Update(source))
   {
     return;
@@ -138,16 +145,93 @@ void vtkReliefMapper::UpdateBlocks(vtkDataObject* input)
   }
   for (auto& last : data.Blocks)
   {
-    if (!blocks.count(last.first) && last.second.Painter)
+    if (!blocks.count(last.first))
     {
-      data.NumberOfBufferBuilds += last.second.Painter->GetNumberOfBufferBuilds();
-      data.NumberOfShaderBuilds += last.second.Painter->GetNumberOfShaderBuilds();
-      data.NumberOfWarps += last.second.Painter->GetNumberOfWarps();
-      last.second.Painter->ReleaseGraphicsResources(data.Context->GetContext());
+      data.Retire(last.second.Painter);
+      data.Retire(last.second.Rims);
     }
   }
   data.Blocks.swap(blocks);
+  data.UpdateRims(this->FillCracks, this->MaximumStretch);
 }
+
+void vtkReliefMapper::vtkInternals::Retire(relevo::ReliefPainter* painter)
+{
+  if (painter)
+  {
+    this->NumberOfBufferBuilds += painter->GetNumberOfBufferBuilds();
+    this->NumberOfShaderBuilds += painter->GetNumberOfShaderBuilds();
+    this->NumberOfWarps += painter->GetNumberOfWarps();
+    painter->ReleaseGraphicsResources(this->Context->GetContext());
+  }
+}
+
+std::vector<relevo::ReliefPainter*> vtkReliefMapper::vtkInternals::GetPainters() const
+{
+  std::vector<relevo::ReliefPainter*> painters;
+  for (const auto& block : this->Blocks)
+  {
+    for (relevo::ReliefPainter* painter : { block.second.Painter.Get(), block.second.Rims.Get() })
+    {
+      if (painter)
+      {
+        painters.push_back(painter);
+      }
+    }
+  }
+  return painters;
+}
+
+void vtkReliefMapper::vtkInternals::UpdateRims(bool areWanted, double maximumStretch)
+{
+  std::vector<Block*> wanted;
+  relevo::Dependencies source;
+  source.Add(maximumStretch);
+  for (auto& entry : this->Blocks)
+  {
+    if (areWanted && entry.second.Relief.Fault.empty())
+    {
+      wanted.push_back(&entry.second);
+      source.AddObject(entry.second.Relief.Data.GetImage());
+    }
+  }
+  if (!this->RimSource.Update(source))
+  {
+    return;
+  }
+  std::vector<relevo::RimSource> reliefs;
+  if (wanted.size() > 1)
+  {
+    for (Block* block : wanted)
+    {
+      const double stretch = std::min(maximumStretch, relevo::RimStretch);
+      reliefs.push_back(
+        { &block->Relief.Data, relevo::FindReliefSides(block->Relief.Data, stretch) });
+    }
+  }
+  for (auto& entry : this->Blocks)
+  {
+    Block& block = entry.second;
+    const auto place = std::find(wanted.begin(), wanted.end(), &block);
+    vtkSmartPointer<vtkImageData> image;
+    if (place != wanted.end() && !reliefs.empty())
+    {
+      image = relevo::MakeReliefRims(reliefs, place - wanted.begin());
+    }
+    relevo::Relief rims;
+    if (!image || !rims.Read(image).empty())
+    {
+      this->Retire(block.Rims);
+      block.Rims = nullptr;
+      continue;
+    }
+    block.Rims = block.Rims ? block.Rims : vtkSmartPointer<relevo::ReliefPainter>::New();
+    block.Rims->SetRelief(rims, maximumStretch);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Bounds
 
 double* vtkReliefMapper::GetBounds()
 {
@@ -279,26 +363,21 @@ void vtkReliefMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   this->UpdateProgress(1.0);
 }
 
-int vtkReliefMapper::ChooseMethod(vtkRenderer* renderer, vtkActor* actor)
+// By counts alone: an unchanged scene is drawn alike in all frames, passes and programs.
+int vtkReliefMapper::ChooseMethod(vtkRenderer* renderer)
 {
-  vtkInternals& data = *this->Internals;
-  data.IsMeasuring = false;
   if (this->Method != METHOD_AUTOMATIC)
   {
     return this->Method;
   }
-  // Several passes make one picture: they are drawn alike.
-  data.IsMeasuring = !renderer->GetSelector() && !actor->IsRenderingTranslucentPolygonalGeometry();
-  if (!data.IsMeasuring)
+  double triangles = 0.0;
+  for (const auto& block : this->Internals->Blocks)
   {
-    return data.Choice.Get();
+    triangles += block.second.Painter ? block.second.Painter->GetNumberOfTriangles() : 0.0;
   }
-  relevo::Dependencies source = data.Source;
-  source.Add(this->Search);
-  source.Add(this->Shading);
-  source.Add(this->SelfShadow);
   const int* size = renderer->GetSize();
-  return data.Choice.Begin(source, static_cast<double>(size[0]) * size[1]);
+  const double pixels = static_cast<double>(size[0]) * size[1];
+  return triangles <= TrianglesPerPixel * pixels ? METHOD_REFINEMENT : METHOD_RAY_MARCH;
 }
 
 void vtkReliefMapper::RenderBlocks(vtkRenderer* renderer, vtkActor* actor)
@@ -309,7 +388,7 @@ void vtkReliefMapper::RenderBlocks(vtkRenderer* renderer, vtkActor* actor)
     selector->BeginRenderProp();
   }
   relevo::ReliefPainter::Settings settings;
-  settings.Method = static_cast<Options::Methods>(this->ChooseMethod(renderer, actor));
+  settings.Method = static_cast<Options::Methods>(this->ChooseMethod(renderer));
   settings.Search = this->Search;
   settings.IsLit = this->Shading == LIT;
   settings.IsShadowed = this->SelfShadow && settings.IsLit;
@@ -334,7 +413,6 @@ void vtkReliefMapper::RenderBlocks(vtkRenderer* renderer, vtkActor* actor)
     {
       continue;
     }
-    block.Painter->SetClippingPlanes(this->ClippingPlanes);
     if (selector)
     {
       block.Painter->AnnounceIds(selector);
@@ -343,24 +421,39 @@ void vtkReliefMapper::RenderBlocks(vtkRenderer* renderer, vtkActor* actor)
         selector->RenderCompositeIndex(std::max(entry.first, 1u));
       }
     }
-    block.Painter->RenderPiece(renderer, actor);
+    this->RenderBlock(renderer, actor, *block.Painter, block.ShaderProblem);
     this->Internals->MethodInUse = block.Painter->GetMethod();
-    if (block.Painter->GetShaderProblem() != block.ShaderProblem)
+    // Behind what is translucent nothing hides them.
+    if (block.Rims && !actor->IsRenderingTranslucentPolygonalGeometry())
     {
-      block.ShaderProblem = block.Painter->GetShaderProblem();
-      if (!block.ShaderProblem.empty())
+      relevo::ReliefPainter::Settings rims = settings;
+      rims.IsRim = true;
+      rims.IsShadowed = false; // only the block's own surface could
+      rims.Method = settings.Method == Options::WARP ? Options::RAY_MARCH : settings.Method;
+      if (block.Rims->Prepare(renderer, actor, rims).empty())
       {
-        vtkErrorMacro(<< block.ShaderProblem);
+        this->RenderBlock(renderer, actor, *block.Rims, block.ShaderProblem);
       }
     }
-  }
-  if (this->Internals->IsMeasuring)
-  {
-    this->Internals->Choice.End();
   }
   if (selector)
   {
     selector->EndRenderProp();
+  }
+}
+
+void vtkReliefMapper::RenderBlock(
+  vtkRenderer* renderer, vtkActor* actor, relevo::ReliefPainter& painter, std::string& problem)
+{
+  painter.SetClippingPlanes(this->ClippingPlanes);
+  painter.RenderPiece(renderer, actor);
+  if (painter.GetShaderProblem() != problem)
+  {
+    problem = painter.GetShaderProblem();
+    if (!problem.empty())
+    {
+      vtkErrorMacro(<< problem);
+    }
   }
 }
 
@@ -372,11 +465,8 @@ void vtkReliefMapper::ReleaseGraphicsResources(vtkWindow* window)
     return; // came back to this method, from within the context that the resources belong to
   }
   this->Superclass::ReleaseGraphicsResources(window);
-  for (auto& block : data.Blocks)
+  for (relevo::ReliefPainter* painter : data.GetPainters())
   {
-    if (block.second.Painter)
-    {
-      block.second.Painter->ReleaseGraphicsResources(window);
-    }
+    painter->ReleaseGraphicsResources(window);
   }
 }

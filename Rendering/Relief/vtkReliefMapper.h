@@ -32,8 +32,14 @@
 #include "vtkMapper.h"
 
 #include <memory> // for Internals
+#include <string> // for problems
 
 class vtkImageData;
+
+namespace relevo
+{
+class ReliefPainter;
+}
 
 class RELEVORENDERINGRELIEF_EXPORT vtkReliefMapper : public vtkMapper
 {
@@ -65,9 +71,9 @@ public:
    * REFINEMENT (2): by Relevo's patterns, displaced by the depths, as fine
    * as the surface and the screen need: triangles are within a quarter of a texel of the surface,
    * or of a pixel where that is more; fragments where the surface is open are cut out.
-   * AUTOMATIC (3, default): the faster of RAY_MARCH and REFINEMENT on this machine, measured in the
-   * first frames, and again when the input or settings change, or the number of pixels by a factor
-   * of 2.
+   * AUTOMATIC (3, default): REFINEMENT if the surface is nowhere open, as that of a height map, and
+   * has at most two triangles to a pixel of the renderer; else RAY_MARCH. The reliefs and the size
+   * of the renderer decide: frames of an unchanged scene are equal to the bit.
    */
   void SetMethod(int method);
   vtkGetMacro(Method, int);
@@ -141,6 +147,18 @@ public:
   vtkGetMacro(MaximumStretch, double);
   //@}
 
+  //@{
+  /**
+   * Whether each of several reliefs is continued beyond its outlines, by a texel and far enough
+   * behind its surface that other reliefs hide it; on by default. Without it cracks show along
+   * sharp edges: a relief ends at the centres of its last texels. One relief alone, translucent
+   * actors and faces that a relief's viewer saw at more than 60 degrees are not continued.
+   */
+  vtkSetMacro(FillCracks, bool);
+  vtkGetMacro(FillCracks, bool);
+  vtkBooleanMacro(FillCracks, bool);
+  //@}
+
   /**
    * The method that drew the last frame, not AUTOMATIC; of several reliefs the last one's. Before
    * the first frame RAY_MARCH.
@@ -198,6 +216,7 @@ protected:
   int Shading = CAPTURED;
   bool SelfShadow = false;
   double MaximumStretch = 8.0;
+  bool FillCracks = true;
 
 private:
   vtkReliefMapper(const vtkReliefMapper&) = delete;
@@ -208,7 +227,9 @@ private:
   void UpdateBlocks(vtkDataObject* input);
   void RenderBlocks(vtkRenderer* renderer, vtkActor* actor);
   vtkDataObject* ReplaceInput(vtkDataObject* input);
-  int ChooseMethod(vtkRenderer* renderer, vtkActor* actor);
+  void RenderBlock(
+    vtkRenderer* renderer, vtkActor* actor, relevo::ReliefPainter& painter, std::string& problem);
+  int ChooseMethod(vtkRenderer* renderer);
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

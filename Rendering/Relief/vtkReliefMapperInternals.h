@@ -11,7 +11,6 @@
 
 #include "Core/Dependencies.h"
 #include "Data/Reliefs.h"
-#include "Drawing/MethodChoice.h"
 #include "Drawing/ReliefPainter.h"
 #include "OpenGL/ContextWatch.h"
 #include "Picking/PickerQuestions.h"
@@ -21,6 +20,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 struct vtkReliefMapper::vtkInternals
 {
@@ -28,6 +28,7 @@ struct vtkReliefMapper::vtkInternals
   {
     relevo::ReliefBlock Relief;
     vtkSmartPointer<relevo::ReliefPainter> Painter;
+    vtkSmartPointer<relevo::ReliefPainter> Rims; // nullptr for none
     relevo::Dependencies Source;
     std::string Problem; // said last, as the next
     std::string ShaderProblem;
@@ -35,9 +36,8 @@ struct vtkReliefMapper::vtkInternals
   };
   std::map<unsigned int, Block> Blocks; // by flat index
   relevo::Dependencies Source;
+  relevo::Dependencies RimSource;
   vtkNew<relevo::ContextWatch> Context;
-  relevo::MethodChoice Choice{ { METHOD_RAY_MARCH, METHOD_REFINEMENT } };
-  bool IsMeasuring = false; // in this frame
   int MethodInUse = METHOD_RAY_MARCH;
 
   relevo::PickerQuestions Questions;
@@ -45,7 +45,12 @@ struct vtkReliefMapper::vtkInternals
   vtkNew<vtkStructuredGrid> Nothing; // for pickers, of what is not drawn
   vtkStructuredGrid* GetPicked(unsigned int block, double maximumStretch);
 
-  // Of blocks that are gone.
+  std::vector<relevo::ReliefPainter*> GetPainters() const;
+  // Counts what a painter has done, and releases it.
+  void Retire(relevo::ReliefPainter* painter);
+  void UpdateRims(bool areWanted, double maximumStretch);
+
+  // Of painters that are gone.
   vtkIdType NumberOfBufferBuilds = 0;
   vtkIdType NumberOfShaderBuilds = 0;
   vtkIdType NumberOfWarps = 0;

@@ -44,9 +44,9 @@ void vtkReliefMapper::SetMaximumStretch(double stretch)
 vtkTypeInt64 vtkReliefMapper::GetGraphicsMemorySize()
 {
   vtkTypeInt64 size = 0;
-  for (const auto& block : this->Internals->Blocks)
+  for (relevo::ReliefPainter* painter : this->Internals->GetPainters())
   {
-    size += block.second.Painter ? block.second.Painter->GetMemorySize() : 0;
+    size += painter->GetMemorySize();
   }
   return size;
 }
@@ -59,9 +59,9 @@ int vtkReliefMapper::GetMethodInUse()
 vtkIdType vtkReliefMapper::GetNumberOfWarps()
 {
   vtkIdType number = this->Internals->NumberOfWarps;
-  for (const auto& block : this->Internals->Blocks)
+  for (relevo::ReliefPainter* painter : this->Internals->GetPainters())
   {
-    number += block.second.Painter ? block.second.Painter->GetNumberOfWarps() : 0;
+    number += painter->GetNumberOfWarps();
   }
   return number;
 }
@@ -69,9 +69,9 @@ vtkIdType vtkReliefMapper::GetNumberOfWarps()
 vtkIdType vtkReliefMapper::GetNumberOfBufferBuilds()
 {
   vtkIdType number = this->Internals->NumberOfBufferBuilds;
-  for (const auto& block : this->Internals->Blocks)
+  for (relevo::ReliefPainter* painter : this->Internals->GetPainters())
   {
-    number += block.second.Painter ? block.second.Painter->GetNumberOfBufferBuilds() : 0;
+    number += painter->GetNumberOfBufferBuilds();
   }
   return number;
 }
@@ -79,9 +79,9 @@ vtkIdType vtkReliefMapper::GetNumberOfBufferBuilds()
 vtkIdType vtkReliefMapper::GetNumberOfShaderBuilds()
 {
   vtkIdType number = this->Internals->NumberOfShaderBuilds;
-  for (const auto& block : this->Internals->Blocks)
+  for (relevo::ReliefPainter* painter : this->Internals->GetPainters())
   {
-    number += block.second.Painter ? block.second.Painter->GetNumberOfShaderBuilds() : 0;
+    number += painter->GetNumberOfShaderBuilds();
   }
   return number;
 }
@@ -95,6 +95,7 @@ void vtkReliefMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetShading(other->Shading);
     this->SetSelfShadow(other->SelfShadow);
     this->SetMaximumStretch(other->MaximumStretch);
+    this->SetFillCracks(other->FillCracks);
     this->SetInputConnection(other->GetInputConnection(0, 0));
   }
   this->Superclass::ShallowCopy(mapper);
@@ -108,4 +109,5 @@ void vtkReliefMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Shading: " << this->Shading << "\n";
   os << indent << "SelfShadow: " << this->SelfShadow << "\n";
   os << indent << "MaximumStretch: " << this->MaximumStretch << "\n";
+  os << indent << "FillCracks: " << this->FillCracks << "\n";
 }

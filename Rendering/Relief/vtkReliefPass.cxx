@@ -91,6 +91,7 @@ struct ShownRelief
   ShownRelief()
   {
     this->Mapper->SetMethodToRayMarch();
+    this->Mapper->FillCracksOff(); // skirts do
     this->Actor->SetMapper(this->Mapper);
   }
 

@@ -18,10 +18,19 @@ namespace relevo
 {
 namespace
 {
-// The lowest level whose triangles are near enough to the surface.
+constexpr double NearEnough = 0.25;
+
+// The lowest level whose triangles are so near to the surface.
+unsigned char FindLevel(const ReliefTiles& tiles, vtkIdType tile, double allowed)
+{
+  const float* deviations = tiles.GetDeviations().data() + tile * ReliefTiles::HighestLevel;
+  const float* found = std::find_if(deviations, deviations + ReliefTiles::HighestLevel,
+    [=](float deviation) { return deviation <= allowed; });
+  return static_cast<unsigned char>(found - deviations);
+}
+
 std::vector<unsigned char> FindLevels(const ReliefTiles& tiles, const ReliefView& view)
 {
-  constexpr double nearEnough = 0.25;
   std::vector<unsigned char> levels(tiles.GetNumberOfTiles());
   vtkSMPTools::For(0, tiles.GetNumberOfTiles(),
     [&](vtkIdType begin, vtkIdType end)
@@ -32,18 +41,22 @@ std::vector<unsigned char> FindLevels(const ReliefTiles& tiles, const ReliefView
         const dvec3 middle(
           dvec2(place.x, place.y) + 0.5 * ReliefTiles::Size, 0.5 * (place.z + place.w));
         const double pixels = view.GetPixels(middle);
-        const double allowed = nearEnough * (pixels > 0.0 ? std::max(1.0, 1.0 / pixels) : 1.0);
-        const float* deviations = tiles.GetDeviations().data() + tile * ReliefTiles::HighestLevel;
-        int level = 0;
-        while (level < ReliefTiles::HighestLevel && deviations[level] > allowed)
-        {
-          ++level;
-        }
-        levels[tile] = static_cast<unsigned char>(level);
+        const double allowed = NearEnough * (pixels > 0.0 ? std::max(1.0, 1.0 / pixels) : 1.0);
+        levels[tile] = FindLevel(tiles, tile, allowed);
       }
     });
   return levels;
 }
+}
+
+double ReliefPatterns::CountTriangles(const ReliefTiles& tiles)
+{
+  double number = 0.0;
+  for (vtkIdType tile = 0; tile < tiles.GetNumberOfTiles(); ++tile)
+  {
+    number += 2.0 * (1 << (2 * FindLevel(tiles, tile, NearEnough)));
+  }
+  return number;
 }
 
 // All that levels 0 to 4 make: 35.

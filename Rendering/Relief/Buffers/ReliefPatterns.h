@@ -36,6 +36,9 @@ public:
   /// pixel where that is more. false where OpenGL has no room for them.
   bool Select(vtkOpenGLRenderWindow* window, const ReliefTiles& tiles, const ReliefView& view);
 
+  /// That are drawn of all tiles where texels are no smaller than pixels, but for levels' borders.
+  static double CountTriangles(const ReliefTiles& tiles);
+
   /// With the program that SetUniforms() was called for.
   void Draw(vtkShaderProgram* program);
   void Deactivate();

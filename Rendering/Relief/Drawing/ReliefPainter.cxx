@@ -7,6 +7,7 @@
 #include "Core/VTKCompatibility.h"
 #include "Data/Relief.h"
 #include "Data/ReliefSides.h"
+#include "Drawing/ReliefRims.h"
 #include "View/ReliefView.h"
 #include "vtkActor.h"
 #include "vtkHardwareSelector.h"
@@ -23,7 +24,9 @@
 #include "vtkShaderProperty.h"
 
 #include <algorithm>
+#include <limits>
 #include <type_traits>
+#include <vector>
 
 namespace relevo
 {
@@ -53,10 +56,16 @@ ReliefPainter::~ReliefPainter() = default;
 
 void ReliefPainter::SetRelief(const Relief& relief, double maximumStretch)
 {
-  this->Tiles.Cut(relief, FindReliefSides(relief, maximumStretch));
+  const std::vector<unsigned char> sides = FindReliefSides(relief, maximumStretch);
+  this->Tiles.Cut(relief, sides);
   this->Warped.SetRelief(relief.GetImage(), maximumStretch);
   this->Plane = this->Tiles.ToScaled(relief.GetPlane());
   this->Size = ivec2(relief.GetWidth(), relief.GetHeight());
+  const vtkIdType quads = std::count_if(
+    sides.begin(), sides.end(), [](unsigned char side) { return (side & Quad) != 0; });
+  const vtkIdType all = static_cast<vtkIdType>(relief.GetWidth() - 1) * (relief.GetHeight() - 1);
+  this->NumberOfTriangles = quads == all ? ReliefPatterns::CountTriangles(this->Tiles)
+                                         : std::numeric_limits<double>::infinity();
   std::copy_n(this->Tiles.GetBounds(), 6, this->SurfaceBounds);
   this->Box->GetPoints()->SetNumberOfPoints(0);
   if (this->SurfaceBounds[0] <= this->SurfaceBounds[1])
@@ -250,11 +259,14 @@ void ReliefPainter::SetOwnUniforms(vtkRenderer* renderer, vtkActor* actor)
   }
   program->SetUniformi("reliefLayers", this->NumberOfLayers);
   vtkProperty* property = actor->GetProperty();
-  const int sides[2] = { !property->GetFrontfaceCulling(), !property->GetBackfaceCulling() };
+  const int sides[2] = { !property->GetFrontfaceCulling(),
+    !property->GetBackfaceCulling() && !this->Looks.IsRim };
   program->SetUniform2i("reliefSides", sides);
-  const float first[4] = { static_cast<float>(this->Tiles.GetFirst().x),
-    static_cast<float>(this->Tiles.GetFirst().y), static_cast<float>(this->Size.x),
-    static_cast<float>(this->Size.y) };
+  // A rim has the ids of the relief that it continues.
+  const ivec2 margin(this->Looks.IsRim ? RimMargin : 0);
+  const vec2 column(this->Tiles.GetFirst() - margin);
+  const vec2 size(this->Size - 2 * margin);
+  const float first[4] = { column.x, column.y, size.x, size.y };
   program->SetUniform4f("reliefFirstAndSize", first);
 }
 
@@ -269,6 +281,7 @@ ReliefShaderOptions ReliefPainter::GetOptions()
   options.IsLit = this->Looks.IsLit;
   options.IsShadowed = this->Looks.IsLit && this->Looks.IsShadowed;
   options.Yields = this->Looks.Yields;
+  options.IsRim = this->Looks.IsRim;
   options.HasNormals = this->Textures.HasNormals(); // those of the warped are the same's
   options.NumberOfPlanes = 2 + this->GetNumberOfClippingPlanes();
   switch (this->LastSelectionState)

@@ -43,6 +43,7 @@ public:
     bool IsLit = false;
     bool IsShadowed = false;
     bool Yields = false;
+    bool IsRim = false; // of MakeReliefRims()
   };
 
   /// Takes a relief. What can be told of it without OpenGL is there at once.
@@ -52,6 +53,9 @@ public:
 
   const double* GetSurfaceBounds() const { return this->SurfaceBounds; }
   bool IsTranslucent() const { return this->Tiles.IsTranslucent(); }
+  /// That REFINEMENT draws of all of the surface, where texels are no smaller than pixels; infinite
+  /// where the surface is open, whose outlines rays find more exactly.
+  double GetNumberOfTriangles() const { return this->NumberOfTriangles; }
 
   /// Before RenderPiece(): has textures of the relief. What is wrong, or "".
   std::string Prepare(vtkRenderer* renderer, vtkActor* actor, const Settings& settings);
@@ -106,6 +110,7 @@ private:
   ReliefTiles Tiles;
   ivec2 Size = ivec2(0);
   double SurfaceBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+  double NumberOfTriangles = 0.0;
   vtkNew<vtkPolyData> Box; // VTK's mapper wants points
   ReliefTextures Textures;
   bool NeedsUpload = false;

@@ -50,6 +50,10 @@ std::string GetDefines(const ReliefShaderOptions& options)
   {
     text << "#define RELIEF_YIELDS\n";
   }
+  if (options.IsRim)
+  {
+    text << "#define RELIEF_RIM\n";
+  }
   if (options.IsLit && options.HasNormals)
   {
     text << "#define RELIEF_NORMALS\n";
@@ -127,7 +131,7 @@ std::string ReliefShaderOptions::GetKey() const
 {
   std::ostringstream key;
   key << this->Method << this->Search << this->IsLit << this->IsShadowed << this->Yields
-      << this->HasNormals << this->NumberOfPlanes << this->Selected;
+      << this->IsRim << this->HasNormals << this->NumberOfPlanes << this->Selected;
   return key.str();
 }
 

@@ -40,6 +40,7 @@ struct ReliefShaderOptions
   bool IsLit = false;
   bool IsShadowed = false; // by itself, from the first lamp
   bool Yields = false;     // to other reliefs of the same surface
+  bool IsRim = false;      // behind all of them
   bool HasNormals = false;
   int NumberOfPlanes = 0; // that cut rays off
   /// What ids are drawn for a selection.

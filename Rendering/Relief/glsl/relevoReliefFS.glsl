@@ -18,6 +18,9 @@ float reliefDepth()
   // Of several reliefs of one surface the one is seen that saw it best, not now one, now another;
   // by less than half a texel. The back, which none of them saw, is behind all fronts.
   float yielding = reliefIsFront ? 0.5 - 0.5 * reliefSquareness() : 1.0;
+#ifdef RELIEF_RIM
+  yielding += 0.25; // behind what was seen
+#endif
   point += 0.45 * yielding * normalize(reliefEye.xyz - point * reliefEye.w);
 #endif
   vec4 position = reliefToClip * vec4(point, 1.0);
@@ -32,12 +35,14 @@ vec4 reliefVertex()
 
 int reliefPointId()
 {
-  ivec2 texel = ivec2(reliefPoint.xy + reliefFirstAndSize.xy + 0.5);
+  ivec2 last = ivec2(reliefFirstAndSize.zw) - 1;
+  ivec2 texel = clamp(ivec2(floor(reliefPoint.xy + reliefFirstAndSize.xy + 0.5)), ivec2(0), last);
   return texel.y * int(reliefFirstAndSize.z) + texel.x;
 }
 
 int reliefCellId()
 {
-  ivec2 quad = min(ivec2(reliefPoint.xy + reliefFirstAndSize.xy), ivec2(reliefFirstAndSize.zw) - 2);
+  ivec2 last = ivec2(reliefFirstAndSize.zw) - 2;
+  ivec2 quad = clamp(ivec2(floor(reliefPoint.xy + reliefFirstAndSize.xy)), ivec2(0), last);
   return quad.y * (int(reliefFirstAndSize.z) - 1) + quad.x;
 }

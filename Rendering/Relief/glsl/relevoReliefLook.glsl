@@ -14,7 +14,15 @@ vec2 reliefTextureCoordinates()
 
 vec4 reliefColor()
 {
-  return textureLod(reliefColors, reliefTextureCoordinates(), 0.0);
+  vec4 color = textureLod(reliefColors, reliefTextureCoordinates(), 0.0);
+#ifdef RELIEF_RIM
+  if (color.a < 0.5) // beyond the edge
+  {
+    discard;
+  }
+  color.a = 1.0;
+#endif
+  return color;
 }
 
 #ifdef RELIEF_NORMALS

@@ -80,33 +80,29 @@ void TestWarp(RelevoCheck& check, ReliefProjection projection)
   CHECK(scene.Mapper->GetMethodInUse() == vtkReliefMapper::METHOD_RAY_MARCH);
 }
 
-// The first frames measure; what the last of them chose draws those that follow.
-void TestAutomatic(RelevoCheck& check, vtkImageData* relief)
+// The reliefs and the size of the window decide, not times: all frames are equal to the bit.
+void TestAutomatic(RelevoCheck& check, vtkImageData* relief, int width, int method)
 {
-  RelevoReliefScene scene(relief, 120, 90);
+  RelevoReliefScene scene(relief, width, 3 * width / 4);
   CHECK(scene.Mapper->GetMethod() == vtkReliefMapper::METHOD_AUTOMATIC);
-  bool marched = false;
-  bool refined = false;
-  const auto draw = [&](int frames)
+  scene.Window->Render();
+  const RelevoPicture first(scene.Window);
+  CHECK(first.CountForeground() > 100);
+  for (int i = 0; i < 12; ++i)
   {
-    marched = refined = false;
-    for (int i = 0; i < frames; ++i)
-    {
-      scene.Window->Render();
-      marched = marched || scene.Mapper->GetMethodInUse() == vtkReliefMapper::METHOD_RAY_MARCH;
-      refined = refined || scene.Mapper->GetMethodInUse() == vtkReliefMapper::METHOD_REFINEMENT;
-    }
-  };
-  draw(6);
-  CHECK(marched && refined);
-  const vtkIdType shaders = scene.Mapper->GetNumberOfShaderBuilds();
-  CHECK(shaders == 2);
-  draw(10);
-  CHECK(marched != refined);
-  CHECK(scene.Mapper->GetNumberOfShaderBuilds() == shaders);
-  scene.Window->SetSize(240, 180);
-  draw(6);
-  CHECK(marched && refined);
+    scene.GetCamera()->Azimuth(i == 5 ? 20.0 : i == 6 ? -20.0 : 0.0);
+    scene.Window->Render();
+    CHECK(scene.Mapper->GetMethodInUse() == method);
+  }
+  CHECK(scene.Mapper->GetNumberOfShaderBuilds() == 1);
+  RelevoReliefScene other(relief, width, 3 * width / 4);
+  for (RelevoReliefScene* each : { &scene, &other })
+  {
+    each->ResetCamera();
+    each->Window->Render();
+    const RelevoPicture picture(each->Window);
+    CHECK(picture.Colors == first.Colors && picture.Depths == first.Depths);
+  }
   CHECK(scene.Compare(relief).GetShareRight() >= 0.998);
 }
 
@@ -180,9 +176,18 @@ int TestReliefMapperMethods(int, char*[])
     TestWay(check, relief, { Mapper::METHOD_RAY_MARCH, Mapper::SEARCH_LINEAR_BINARY, 0.98, 0.98 });
     TestWay(check, relief, { Mapper::METHOD_RAY_MARCH, Mapper::SEARCH_LINEAR_SECANT, 0.98, 0.98 });
     TestWay(check, relief, { Mapper::METHOD_RAY_MARCH, Mapper::SEARCH_RELAXED_CONES, 0.98, 0.98 });
-    TestAutomatic(check, relief);
+    TestAutomatic(check, relief, 120, Mapper::METHOD_RAY_MARCH);
+    TestAutomatic(check, relief, 240, Mapper::METHOD_RAY_MARCH);
     TestAgreement(check, relief);
   }
+  // Without openings, of at most 32 x 32 x 2 triangles.
+  const auto closed =
+    RelevoMakeRelief(33, 33, ReliefProjection::Parallel, RelevoSmallTexels(), RelevoHills);
+  TestAutomatic(check, closed, 120, Mapper::METHOD_REFINEMENT);
+  const auto rough = RelevoMakeRelief(33, 33, ReliefProjection::Parallel, RelevoSmallTexels(),
+    [](int column, int row) { return 0.3 * ((column + row) % 2); });
+  TestAutomatic(check, rough, 120, Mapper::METHOD_REFINEMENT);
+  TestAutomatic(check, rough, 32, Mapper::METHOD_RAY_MARCH);
   TestMemory(check);
   TestWarp(check, ReliefProjection::Parallel);
   TestWarp(check, ReliefProjection::Perspective);
