@@ -198,7 +198,7 @@ void vtkAdaptiveRefinementMapper::RenderPiece(vtkRenderer* ren, vtkActor* act)
     {
       triangles += internals.OnGPU
         ? mapper->GetNumberOfDrawnTriangles()
-        : internals.State.GetSelection().GetSelection().GetNumberOfTriangles();
+        : internals.State.GetSelection().GetSelection().GetNumberOfGroupedTriangles();
     }
   };
   this->ForEachPart(addTriangles);

@@ -130,8 +130,8 @@ public:
    *
    * METHOD_ARK (1), the adaptive refinement kernel: one draw call per face, with the face's number,
    * permutation and tags from the CPU (Boubekeur and Schlick, A Flexible Kernel for Adaptive Mesh
-   * Refinement on GPU, 2008). Same vertices, order and picture as ARKFPI, to the bit. No face is
-   * culled: there are as many draw calls as coarse faces.
+   * Refinement on GPU, 2008). Same vertices, order and picture as ARKFPI, to the bit. Back faces
+   * are not culled: there are as many draw calls as coarse faces in the frustum.
    *
    * METHOD_DMR (2), dynamic mesh refinement: in each pass a geometry shader splits the triangles
    * whose edges have levels left, and transform feedback passes them on to the next pass (Lorenz
@@ -226,9 +226,10 @@ public:
   /**
    * How many triangles to draw; 0, the default, for as many as the recipe gives. Otherwise each
    * selection adds the same offset to all levels, the one that brings GetNumberOfDrawnTriangles()
-   * nearest to the target: within 5 % where that is possible. Culled faces and those over no-data
-   * count. All blocks of a composite input share the target. Levels depend on the view and the
-   * target alone, not on earlier frames, so they do not oscillate. Where many edges have the same
+   * nearest to the target: within 5 % where that is possible. Culled faces do not count: close-ups
+   * spend the target on what they show. Triangles over no-data count. All blocks of a composite
+   * input share the target. Levels depend on the view and the target alone, not on earlier frames,
+   * so they do not oscillate. Where many edges have the same
    * level before rounding, as at the ends of a metric's range, their faces change together and the
    * result may stay below the target: choose a metric that asks for about as many triangles. Edges
    * beside and behind the eye, endless to vtkScreenEdgeDepthTagMetric, are such edges too. A
@@ -312,12 +313,15 @@ public:
   vtkScalarsToColors* GetLevelLookupTable();
   //@}
 
+  //@{
   /**
-   * Triangles of the surface in the last render, including those of culled faces. With ARKFPI and
-   * ARK as many as vtkAdaptiveRefinementFilter gives for the same recipe and camera; with the other
-   * methods, what they make of the same levels, also over no-data.
+   * Triangles of the surface that the last render has drawn, and those of culled faces. With ARKFPI
+   * and ARK both together are as many as vtkAdaptiveRefinementFilter gives for the same recipe and
+   * camera; with the other methods, what they make of the same levels, also over no-data.
    */
   vtkIdType GetNumberOfDrawnTriangles();
+  vtkIdType GetNumberOfCulledTriangles();
+  //@}
 
   //@{
   /**
@@ -473,7 +477,10 @@ private:
   bool SelectOnGPU(vtkRenderer* ren, vtkActor* act);
   void ReportSelection(const std::string& problem);
   void ReadSelection();
+  /// Whether back faces of closed surfaces are culled in this pass, and whether they are in the
+  /// passes that show the surface.
   bool HidesBackFaces(vtkRenderer* ren, vtkActor* act);
+  bool CanHideBackFaces(vtkActor* act);
   void ChooseMethod(vtkRenderer* ren, vtkActor* act);
   bool BuildStages(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act);
   bool UploadHeights();

@@ -97,7 +97,6 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   double ComputeSeconds = 0.0;
   vtkMTimeType ReadTime = 0;    // of what was read back
   int NumberOfUsedPatterns = 0; // of that
-  int NumberOfHiddenFaces = 0;  // and of that
 
   static void BuildBufferObjectsOfPiece(
     vtkAdaptiveRefinementMapper* mapper, vtkRenderer* ren, vtkActor* act);
@@ -107,6 +106,7 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   int CountUsedPatterns() const;
   vtkIdType CountCoarseFaces() const;
   vtkIdType CountCulledFaces() const;
+  relevo::FaceSums CountTriangles();
   //@}
 
   // What draws refined faces, and their vertices when those are shown.

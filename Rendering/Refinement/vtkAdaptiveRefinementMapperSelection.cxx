@@ -29,7 +29,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <numeric>
 
 bool vtkAdaptiveRefinementMapper::vtkInternals::IsFirstPass(vtkActor* act)
 {
@@ -129,8 +128,7 @@ bool vtkAdaptiveRefinementMapper::UpdateSelection(vtkRenderer* ren, vtkActor* ac
 {
   vtkInternals& data = *this->Internals;
   const relevo::RefinementView view = relevo::MakeActorView(ren, act);
-  const auto culling = MakeCullingView(
-    this->FrustumCulling && !data.GetMethod().DrawsHiddenFaces(), ren, act, data.State.GetMesh());
+  const auto culling = MakeCullingView(this->FrustumCulling, ren, act, data.State.GetMesh());
   return this->Report(data.State.UpdateSelection(this->GetInput(), this->Refinement, view,
     culling.get(), this->HidesBackFaces(ren, act), data.OnGPU));
 }
@@ -167,10 +165,13 @@ void vtkAdaptiveRefinementMapper::UpdateBudget(
     if (isBudgeted && mapper->GetLook().Visible && mapper->UpdateMesh() &&
       state.UpdateTags(mapper->GetInput(), this->Refinement, view, false))
     {
+      const auto culling = MakeCullingView(this->FrustumCulling, ren, act, state.GetMesh());
+      state.UpdateSight(this->Refinement, culling.get(), mapper->CanHideBackFaces(act));
       const relevo::ViewSelection& selection = state.GetSelection();
-      parts.push_back({ { &state.GetMesh(), &selection.GetTags(),
-                          relevo::GetPatternFamily(this->Refinement, mapper->GetInput()) },
-        selection.GetTagsTime() });
+      parts.push_back(
+        { { &state.GetMesh(), &selection.GetTags(),
+            relevo::GetPatternFamily(this->Refinement, mapper->GetInput()), selection.GetHidden() },
+          selection.GetTagsTime(), selection.GetSightTime() });
     }
   };
   if (data.Blocks.IsEmpty())
@@ -261,12 +262,10 @@ void vtkAdaptiveRefinementMapper::ReadSelection()
     relevo::RefinementComputeBuffer::ReadBuffer(
       data.Instances.GetMorphTags(), 0, morphTags.data(), morphTags.size() * sizeof(float));
   }
-  data.State.AssignSelection(
-    *data.Compute.GetFamily(), data.Compute.ReadEntries(slot), std::move(morphTags));
+  data.State.AssignSelection(*data.Compute.GetFamily(), data.Compute.ReadEntries(slot),
+    std::move(morphTags), data.Compute.ReadHidden(slot));
   const std::vector<int> counts = data.Compute.ReadCounts(slot);
   data.GetWindow()->PopContext();
-  data.NumberOfHiddenFaces =
-    static_cast<int>(mesh.Faces.size()) - std::accumulate(counts.begin(), counts.end(), 0);
   // Two keys share a pattern, of which one turns it over.
   data.NumberOfUsedPatterns = 0;
   for (size_t key = 0; key + 1 < counts.size(); key += 2)
@@ -277,13 +276,19 @@ void vtkAdaptiveRefinementMapper::ReadSelection()
 
 bool vtkAdaptiveRefinementMapper::HidesBackFaces(vtkRenderer* ren, vtkActor* act)
 {
+  return !ren->GetSelector() && !act->IsRenderingTranslucentPolygonalGeometry() &&
+    this->CanHideBackFaces(act);
+}
+
+bool vtkAdaptiveRefinementMapper::CanHideBackFaces(vtkActor* act)
+{
   vtkProperty* property = act->GetProperty();
-  return this->BackFaceCulling && !ren->GetSelector() &&
+  return this->BackFaceCulling && this->Method != METHOD_ARK &&
     property->GetRepresentation() == VTK_SURFACE && !property->GetFrontfaceCulling() &&
     !property->GetVertexVisibility() && !property->GetEdgeVisibility() &&
-    !act->IsRenderingTranslucentPolygonalGeometry() && !this->HasTranslucentPolygonalGeometry() &&
-    !HasGaps(act) && !LetsThrough(this->Colors) && !relevo::MovesVertices(act) &&
-    this->GetNumberOfClippingPlanes() == 0 && act->GetMatrix()->Determinant() > 0.0;
+    !this->HasTranslucentPolygonalGeometry() && !HasGaps(act) && !LetsThrough(this->Colors) &&
+    !relevo::MovesVertices(act) && this->GetNumberOfClippingPlanes() == 0 &&
+    act->GetMatrix()->Determinant() > 0.0;
 }
 
 void vtkAdaptiveRefinementMapper::ComputeBounds()

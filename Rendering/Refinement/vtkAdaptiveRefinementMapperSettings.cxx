@@ -142,21 +142,38 @@ int vtkAdaptiveRefinementMapper::GetSelectionDeviceInUse()
 //------------------------------------------------------------------------------
 // Statistics of the last render
 
+relevo::FaceSums vtkAdaptiveRefinementMapper::vtkInternals::CountTriangles()
+{
+  relevo::FaceSums sums;
+  if (this->Drawable)
+  {
+    // For the last frame: the recipe and the input may have changed since.
+    const bool isCounted = this->GetMethod().CountTriangles(this->GetDrawing(nullptr), sums);
+    sums = isCounted ? sums : this->State.CountTriangles();
+  }
+  return sums;
+}
+
 vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfDrawnTriangles()
 {
   vtkIdType sum = 0;
   this->ForEachPart(
     [&sum](vtkAdaptiveRefinementMapper* part)
     {
-      vtkInternals& data = *part->Internals;
-      if (!data.Drawable)
-      {
-        return;
-      }
       part->ReadSelection();
-      // For the last frame: the recipe and the input may have changed since.
-      const vtkIdType triangles = data.GetMethod().GetNumberOfTriangles(data.GetDrawing(nullptr));
-      sum += triangles >= 0 ? triangles : data.State.GetNumberOfTriangles();
+      sum += part->Internals->CountTriangles().Drawn;
+    });
+  return sum;
+}
+
+vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfCulledTriangles()
+{
+  vtkIdType sum = 0;
+  this->ForEachPart(
+    [&sum](vtkAdaptiveRefinementMapper* part)
+    {
+      part->ReadSelection();
+      sum += part->Internals->CountTriangles().Culled;
     });
   return sum;
 }
@@ -228,12 +245,7 @@ vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfCoarseFaces()
 
 vtkIdType vtkAdaptiveRefinementMapper::vtkInternals::CountCulledFaces() const
 {
-  if (!this->Drawable)
-  {
-    return 0;
-  }
-  return this->OnGPU ? this->NumberOfHiddenFaces
-                     : this->State.GetSelection().GetNumberOfHiddenFaces();
+  return this->Drawable ? this->State.GetSelection().GetNumberOfHiddenFaces() : 0;
 }
 
 vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfCulledFaces()
@@ -315,6 +327,7 @@ void vtkAdaptiveRefinementMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LevelOffset: " << this->GetLevelOffset() << "\n";
   os << indent << "NumberOfCoarseFaces: " << this->GetNumberOfCoarseFaces() << "\n";
   os << indent << "NumberOfDrawnTriangles: " << this->GetNumberOfDrawnTriangles() << "\n";
+  os << indent << "NumberOfCulledTriangles: " << this->GetNumberOfCulledTriangles() << "\n";
   os << indent << "NumberOfDrawCalls: " << this->GetNumberOfDrawCalls() << "\n";
   os << indent << "NumberOfSelections: " << this->GetNumberOfSelections() << "\n";
   os << indent << "NumberOfBufferBuilds: " << this->GetNumberOfBufferBuilds() << "\n";

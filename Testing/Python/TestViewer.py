@@ -149,7 +149,7 @@ class TestViewer(ViewerProgram):
         )
         try:
             # The statistics come once the window has drawn; then it stays open.
-            self.assertTrue(any("frame time" in window.stdout.readline() for _ in range(8)))
+            self.assertTrue(any("frame time" in window.stdout.readline() for _ in range(9)))
             with self.assertRaises(subprocess.TimeoutExpired):
                 window.wait(1)
         finally:
@@ -199,6 +199,7 @@ class TestViewer(ViewerProgram):
                 "coarse faces",
                 "culled faces",
                 "drawn triangles",
+                "culled triangles",
                 "patterns",
                 "draw calls",
                 "graphics memory",

@@ -134,7 +134,8 @@ Level of detail:
                          edges of 2^level segments (default), or of any number up to 16 (default
                          for curved cells)
   --no-geomorphing       let new vertices appear at their places instead of sliding there
-  --budget N             draw about N triangles: raise or lower all levels
+  --budget N             draw about N triangles: raise or lower all levels; faces out of view
+                         do not count
 
 The picture:
   --color-by level|pattern|metric

@@ -44,6 +44,7 @@ void DrawWithStatistics(vtkAdaptiveRefinementMapper* mapper, vtkRenderer* render
          << "coarse faces: " << mapper->GetNumberOfCoarseFaces() << "\n"
          << "culled faces: " << mapper->GetNumberOfCulledFaces() << "\n"
          << "drawn triangles: " << mapper->GetNumberOfDrawnTriangles() << "\n"
+         << "culled triangles: " << mapper->GetNumberOfCulledTriangles() << "\n"
          << "patterns: " << mapper->GetNumberOfUsedPatterns() << "\n"
          << "draw calls: " << mapper->GetNumberOfDrawCalls() << "\n"
          << "graphics memory: " << mapper->GetGraphicsMemorySize() / 1048576.0 << " MiB\n"

@@ -178,8 +178,8 @@ int HoleFinder::Find(int face, const FacePattern& facePattern, unsigned char* ou
   return count;
 }
 
-vtkIdType CountHoles(
-  const RefinementMesh& mesh, const PatternSelection& selection, const HeightValidity& validity)
+vtkIdType CountHoles(const RefinementMesh& mesh, const PatternSelection& selection,
+  const HeightValidity& validity, const unsigned char* hidden)
 {
   if (!validity.Samples)
   {
@@ -194,6 +194,10 @@ vtkIdType CountHoles(
       vtkIdType holes = 0;
       for (int face = static_cast<int>(begin); face < end; ++face)
       {
+        if (hidden && hidden[face])
+        {
+          continue;
+        }
         const FacePattern pattern = selection.GetFacePattern(face);
         out.resize(static_cast<size_t>(pattern.Pattern->GetNumberOfTriangles()));
         holes += holeFinder.Find(face, pattern, out.data());

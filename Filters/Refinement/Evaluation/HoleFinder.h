@@ -66,10 +66,12 @@ private:
 };
 
 /**
- * Number of triangles of a selection that are left out.
+ * Number of triangles of a selection that are left out, on faces that are not hidden: `hidden` has
+ * a byte per face, or is nullptr for none.
  */
-RELEVOFILTERSREFINEMENT_EXPORT vtkIdType CountHoles(
-  const RefinementMesh& mesh, const PatternSelection& selection, const HeightValidity& validity);
+RELEVOFILTERSREFINEMENT_EXPORT vtkIdType CountHoles(const RefinementMesh& mesh,
+  const PatternSelection& selection, const HeightValidity& validity,
+  const unsigned char* hidden = nullptr);
 }
 
 #endif

@@ -19,17 +19,23 @@ namespace relevo
 {
 namespace
 {
-// Adds what `work` adds up over ranges of faces, in parallel. `sums` has the size it needs.
+// Adds what `work` adds for each face that counts, in parallel. `sums` has the size it needs.
 template <typename Sums, typename Work>
-void SumOverFaces(const RefinementMesh& mesh, Sums& sums, const Work& work)
+void SumOverFaces(const TriangleBudget::Part& part, Sums& sums, const Work& work)
 {
   vtkSMPThreadLocal<Sums> locals;
-  vtkSMPTools::For(0, static_cast<vtkIdType>(mesh.Faces.size()),
+  vtkSMPTools::For(0, static_cast<vtkIdType>(part.Mesh->Faces.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       Sums& local = locals.Local();
       local.resize(sums.size());
-      work(begin, end, local);
+      for (vtkIdType f = begin; f < end; ++f)
+      {
+        if (!part.Hidden || !part.Hidden[f])
+        {
+          work(f, local);
+        }
+      }
     });
   for (const Sums& local : locals)
   {
@@ -57,16 +63,11 @@ int GetStep(const PatternFamily& family, float tag, int maximumLevel)
 class RisingFace
 {
 public:
-  RisingFace(const TriangleCounts& counts)
+  RisingFace(const TriangleCounts& counts, const float tags[3], const int steps[3])
     : LeastTags(counts.GetLeastTags().data())
     , Triangles(counts.GetTriangles().data())
     , Strides{ counts.GetNumberOfSteps() * counts.GetNumberOfSteps(), counts.GetNumberOfSteps(), 1 }
   {
-  }
-
-  void Start(const float tags[3], const int steps[3])
-  {
-    this->Pattern = 0;
     for (int e = 0; e < 3; ++e)
     {
       this->Tags[e] = tags[e];
@@ -97,7 +98,7 @@ private:
   float Tags[3];
   int Steps[3];
   float Next[3];
-  int Pattern;
+  int Pattern = 0;
 };
 }
 
@@ -146,34 +147,30 @@ void TriangleBudget::Count(const std::vector<Part>& parts, Interval& interval) c
   interval.Totals.assign(static_cast<size_t>(interval.Width) + 1, 0);
   for (const Part& part : parts)
   {
-    const RefinementMesh& mesh = *part.Mesh;
+    const TriangleCounts& triangles = this->GetCounts(part);
     WithFaceTags(*part.Tags, this->MaximumLevel,
       [&](const auto& getTags)
       {
-        SumOverFaces(mesh, interval.Totals,
-          [&](vtkIdType begin, vtkIdType end, Bins& bins)
+        SumOverFaces(part, interval.Totals,
+          [&](vtkIdType f, Bins& bins)
           {
-            RisingFace face(this->GetCounts(part));
-            for (vtkIdType f = begin; f < end; ++f)
+            float tags[3];
+            getTags(f, part.Mesh->Faces[f], tags);
+            int steps[3];
+            for (int e = 0; e < 3; ++e)
             {
-              float tags[3];
-              getTags(f, mesh.Faces[f], tags);
-              int steps[3];
-              for (int e = 0; e < 3; ++e)
-              {
-                tags[e] += first;
-                steps[e] = GetStep(*part.Family, tags[e], this->MaximumLevel);
-              }
-              face.Start(tags, steps);
-              int count = face.GetNumberOfTriangles();
-              bins[0] += count;
-              for (float next = std::ceil(face.GetNext() * Resolution); next <= width;
-                   next = std::ceil(face.GetNext() * Resolution))
-              {
-                face.Rise();
-                bins[std::max(1, static_cast<int>(next))] += face.GetNumberOfTriangles() - count;
-                count = face.GetNumberOfTriangles();
-              }
+              tags[e] += first;
+              steps[e] = GetStep(*part.Family, tags[e], this->MaximumLevel);
+            }
+            RisingFace face(triangles, tags, steps);
+            int count = face.GetNumberOfTriangles();
+            bins[0] += count;
+            for (float next = std::ceil(face.GetNext() * Resolution); next <= width;
+                 next = std::ceil(face.GetNext() * Resolution))
+            {
+              face.Rise();
+              bins[std::max(1, static_cast<int>(next))] += face.GetNumberOfTriangles() - count;
+              count = face.GetNumberOfTriangles();
             }
           });
       });
@@ -186,7 +183,11 @@ int TriangleBudget::FindNumber(const std::vector<Part>& parts, double target, in
   Bins extremes(2, 0);
   for (const Part& part : parts)
   {
-    const auto faces = static_cast<std::int64_t>(part.Mesh->Faces.size());
+    auto faces = static_cast<std::int64_t>(part.Mesh->Faces.size());
+    if (part.Hidden)
+    {
+      faces = std::count(part.Hidden, part.Hidden + faces, static_cast<unsigned char>(0));
+    }
     extremes[0] += faces;
     extremes[1] += faces * this->GetCounts(part).GetTriangles().back();
   }
@@ -305,20 +306,17 @@ vtkIdType TriangleBudget::CountTriangles(
     WithFaceTags(*part.Tags, maximumLevel,
       [&](const auto& getTags)
       {
-        SumOverFaces(*part.Mesh, faces,
-          [&](vtkIdType begin, vtkIdType end, std::vector<vtkIdType>& counts)
+        SumOverFaces(part, faces,
+          [&](vtkIdType f, std::vector<vtkIdType>& counts)
           {
-            for (vtkIdType f = begin; f < end; ++f)
+            float tags[3];
+            getTags(f, part.Mesh->Faces[f], tags);
+            int steps[3];
+            for (int e = 0; e < 3; ++e)
             {
-              float tags[3];
-              getTags(f, part.Mesh->Faces[f], tags);
-              int steps[3];
-              for (int e = 0; e < 3; ++e)
-              {
-                steps[e] = GetStep(family, tags[e] + static_cast<float>(offset), maximumLevel);
-              }
-              ++counts[family.GetEntry(0, steps[0], steps[1], steps[2]) >> 3];
+              steps[e] = GetStep(family, tags[e] + static_cast<float>(offset), maximumLevel);
             }
+            ++counts[family.GetEntry(0, steps[0], steps[1], steps[2]) >> 3];
           });
       });
     for (int key = 0; key < family.GetNumberOfKeys(); ++key)

@@ -48,6 +48,8 @@ public:
     const RefinementMesh* Mesh;
     const EdgeTags* Tags;
     std::shared_ptr<const PatternFamily> Family;
+    /// A byte per face, not 0 for those that do not count; nullptr where all count.
+    const unsigned char* Hidden = nullptr;
   };
 
   /// Offsets are found to this part of a level.
@@ -61,14 +63,15 @@ public:
    * PatternSelection::Select() selects most nearly `target` triangles for all parts together: no
    * more, or within the tolerance. Where so many faces change at one offset that this cannot be
    * had, the offset just before, with fewer. Where the target is out of reach, the offset that just
-   * gives all or the least there are. Counts include faces over no-data. Where other processes have
-   * `pieces`, theirs are counted too. Collective.
+   * gives all or the least there are. Hidden faces do not count, faces over no-data do. Where other
+   * processes have `pieces`, theirs are counted too. Collective.
    */
   double FindOffset(const std::vector<Part>& parts, int maximumLevel, vtkIdType target,
     double lowest, double highest, double guess = 0.0,
     const PieceReduction& pieces = PieceReduction());
 
-  /// Triangles of all parts at an offset, with all patterns that it takes.
+  /// Triangles of all parts at an offset, less those of hidden faces, with all patterns that it
+  /// takes.
   static vtkIdType CountTriangles(const std::vector<Part>& parts, int maximumLevel, double offset);
 
 private:

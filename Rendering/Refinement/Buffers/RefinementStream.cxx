@@ -13,6 +13,7 @@
 #include "Mesh/RefinementMesh.h"
 #include "OpenGL/ShaderLog.h"
 #include "Patterns/TriangleSplit.h"
+#include "State/ViewSelection.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 
@@ -212,17 +213,16 @@ bool RefinementStream::Refine(vtkOpenGLRenderWindow* window, const RefinementMes
   return true;
 }
 
-vtkIdType RefinementStream::CountTriangles(
-  const RefinementMesh& mesh, const PatternSelection& selection)
+FaceSums RefinementStream::CountTriangles(
+  const RefinementMesh& mesh, const ViewSelection& selection)
 {
   TriangleSplit split;
-  vtkIdType count = 0;
-  for (int face = 0; face < selection.GetNumberOfFaces(); ++face)
-  {
-    count +=
-      split.Count(MakeCoarseTriangle(mesh.Faces[face], selection.GetFacePattern(face)).Left).back();
-  }
-  return count;
+  return selection.SumOverFaces(
+    [&](int face)
+    {
+      const FacePattern pattern = selection.GetSelection().GetFacePattern(face);
+      return split.Count(MakeCoarseTriangle(mesh.Faces[face], pattern).Left).back();
+    });
 }
 
 std::vector<RefinementStreamVertex> RefinementStream::Read() const

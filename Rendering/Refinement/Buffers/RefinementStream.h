@@ -25,6 +25,8 @@ namespace relevo
 {
 class PatternSelection;
 class RefinementMesh;
+class ViewSelection;
+struct FaceSums;
 
 /// A vertex of a triangle: three in a row are one.
 struct RefinementStreamVertex
@@ -72,8 +74,8 @@ public:
 
   vtkIdType GetNumberOfTriangles() const { return this->NumberOfTriangles; }
 
-  /// What Refine() would make if no face were hidden.
-  static vtkIdType CountTriangles(const RefinementMesh& mesh, const PatternSelection& selection);
+  /// What Refine() makes of the faces that are drawn, and would make of those that are culled.
+  static FaceSums CountTriangles(const RefinementMesh& mesh, const ViewSelection& selection);
 
   /// OpenGL's name of the buffer of RefinementStreamVertex, three per triangle.
   unsigned int GetHandle() const { return this->Handle; }

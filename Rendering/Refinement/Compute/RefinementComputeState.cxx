@@ -302,6 +302,16 @@ std::vector<unsigned int> RefinementComputeState::ReadEntries(int slot)
   return entries;
 }
 
+std::vector<unsigned char> RefinementComputeState::ReadHidden(int slot)
+{
+  const std::vector<unsigned int> ranks = this->Views[slot].Selection.ReadRanks();
+  std::vector<unsigned char> hidden(ranks.size());
+  std::transform(ranks.begin(), ranks.end(), hidden.begin(),
+    [](unsigned int rank)
+    { return static_cast<unsigned char>(rank == RefinementComputeView::NotDrawn ? 1 : 0); });
+  return hidden;
+}
+
 std::vector<int> RefinementComputeState::ReadCounts(int slot)
 {
   std::vector<int> counts(static_cast<size_t>(this->Family->GetNumberOfKeys()), 0);

@@ -87,10 +87,11 @@ public:
 
   //@{
   /**
-   * Wait for the GPU and copy: the entry of the family that each face has chosen; how many faces
-   * are drawn of each key.
+   * Wait for the GPU and copy: the entry of the family that each face has chosen; a byte per face,
+   * 1 where it is culled; how many faces are drawn of each key.
    */
   std::vector<unsigned int> ReadEntries(int slot);
+  std::vector<unsigned char> ReadHidden(int slot);
   std::vector<int> ReadCounts(int slot);
   //@}
 

@@ -82,6 +82,11 @@ std::vector<unsigned int> RefinementComputeView::ReadEntries() const
   return this->Entries.Read<unsigned int>(static_cast<size_t>(this->NumberOfFaces));
 }
 
+std::vector<unsigned int> RefinementComputeView::ReadRanks() const
+{
+  return this->Ranks.Read<unsigned int>(static_cast<size_t>(this->NumberOfFaces));
+}
+
 std::vector<unsigned int> RefinementComputeView::ReadCounts() const
 {
   return this->Counts.Read<unsigned int>(static_cast<size_t>(this->NumberOfKeys));

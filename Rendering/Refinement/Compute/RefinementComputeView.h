@@ -48,10 +48,13 @@ public:
 
   //@{
   /**
-   * Wait for the GPU and copy: each face's key << 3 | permutation code; how many faces of each key
-   * are drawn; the commands by key, as OpenGL defines them.
+   * Wait for the GPU and copy: each face's key << 3 | permutation code; its rank among the faces of
+   * its key, or NotDrawn; how many faces of each key are drawn; the commands by key, as OpenGL
+   * defines them.
    */
   std::vector<unsigned int> ReadEntries() const;
+  static constexpr unsigned int NotDrawn = 0xffffffffu; // as in relevoGroupCS.glsl
+  std::vector<unsigned int> ReadRanks() const;
   std::vector<unsigned int> ReadCounts() const;
   std::vector<unsigned int> ReadCommands(Primitives primitives) const;
   //@}

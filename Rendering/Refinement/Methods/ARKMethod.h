@@ -6,7 +6,7 @@
  *
  * Boubekeur and Schlick, A Flexible Kernel for Adaptive Mesh Refinement on GPU (2008). The same
  * vertices as ARKFPI's in the same order, so that the pictures are the same to the bit: what
- * differs is that the CPU submits each element, seen or not. Private to the module.
+ * differs is that the CPU submits each element. Private to the module.
  */
 #ifndef ARKMethod_h
 #define ARKMethod_h
@@ -18,7 +18,6 @@ namespace relevo
 class ARKMethod : public PatternMethod
 {
 public:
-  bool DrawsHiddenFaces() const override { return true; }
   bool Upload(const RefinementDrawing& drawing) override;
   void FillOptions(
     const RefinementDrawing& drawing, RefinementShaderOptions& options) const override;

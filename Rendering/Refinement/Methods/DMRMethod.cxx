@@ -63,9 +63,10 @@ int DMRMethod::Draw(const RefinementDrawing& drawing, vtkShaderProgram* program,
   return 1;
 }
 
-vtkIdType DMRMethod::GetNumberOfTriangles(const RefinementDrawing& drawing) const
+bool DMRMethod::CountTriangles(const RefinementDrawing& drawing, FaceSums& sums) const
 {
-  return RefinementStream::CountTriangles(*drawing.Mesh, drawing.Selection->GetSelection());
+  sums = RefinementStream::CountTriangles(*drawing.Mesh, *drawing.Selection);
+  return true;
 }
 
 vtkTypeInt64 DMRMethod::GetMemorySize() const

@@ -142,15 +142,12 @@ int HardwareTessellation::Draw(
   return static_cast<int>(ends.size());
 }
 
-vtkIdType HardwareTessellation::GetNumberOfTriangles(const RefinementDrawing& drawing) const
+bool HardwareTessellation::CountTriangles(const RefinementDrawing& drawing, FaceSums& sums) const
 {
-  vtkIdType triangles = 0;
   const PatternSelection& selection = drawing.Selection->GetSelection();
-  for (int face = 0; face < selection.GetNumberOfFaces(); ++face)
-  {
-    triangles += CountTriangles(selection.GetFacePattern(face).Pattern->Segments);
-  }
-  return triangles;
+  sums = drawing.Selection->SumOverFaces([&selection](int face)
+    { return CountTriangles(selection.GetFacePattern(face).Pattern->Segments); });
+  return true;
 }
 
 void HardwareTessellation::ReleaseGraphicsResources(vtkWindow* window)

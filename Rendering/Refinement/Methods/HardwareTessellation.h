@@ -53,7 +53,7 @@ public:
     const std::map<vtkShader::Type, vtkShader*>& shaders) override;
   int Draw(
     const RefinementDrawing& drawing, vtkShaderProgram* program, Primitives primitives) override;
-  vtkIdType GetNumberOfTriangles(const RefinementDrawing& drawing) const override;
+  bool CountTriangles(const RefinementDrawing& drawing, FaceSums& sums) const override;
   vtkTypeInt64 GetMemorySize() const override { return this->Segments.GetMemorySize(); }
   void ReleaseGraphicsResources(vtkWindow* window) override;
 

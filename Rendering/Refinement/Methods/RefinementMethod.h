@@ -14,7 +14,7 @@
 
 #include "Compute/RefinementComputeView.h" // for Primitives
 #include "vtkShader.h"                     // for vtkShader::Type
-#include "vtkType.h"                       // for vtkIdType
+#include "vtkType.h"                       // for vtkTypeInt64
 
 #include <map>    // for signature
 #include <memory> // for New
@@ -32,6 +32,7 @@ class RefinementInstances;
 class RefinementMesh;
 class RefinementPatternBuffer;
 class ViewSelection;
+struct FaceSums;
 struct RefinementShaderOptions;
 
 /// What is drawn, and what the methods of a mapper share.
@@ -86,9 +87,6 @@ public:
   /// Whether it can draw what compute shaders have selected.
   virtual bool TakesComputeSelection() const { return false; }
 
-  /// Whether it draws the faces too that cannot be seen.
-  virtual bool DrawsHiddenFaces() const { return false; }
-
   /// Whether vertices belong to patterns on the GPU. Colours of faces are those of the patterns
   /// then, else they are given face by face.
   virtual bool HasPatterns() const { return true; }
@@ -124,10 +122,10 @@ public:
     const RefinementDrawing& drawing, vtkShaderProgram* program, Primitives primitives) = 0;
 
   /**
-   * Triangles that Draw() draws if no face is hidden, where they are others than those of
-   * vtkAdaptiveRefinementFilter; else -1.
+   * Count the triangles that Draw() draws, and would draw of the culled faces, where they are
+   * others than those of vtkAdaptiveRefinementFilter; else false.
    */
-  virtual vtkIdType GetNumberOfTriangles(const RefinementDrawing&) const { return -1; }
+  virtual bool CountTriangles(const RefinementDrawing&, FaceSums&) const { return false; }
 
   /// Bytes on the GPU, beside what the methods share.
   virtual vtkTypeInt64 GetMemorySize() const { return 0; }

@@ -97,17 +97,17 @@ int UniformMethod::Draw(
   return calls;
 }
 
-vtkIdType UniformMethod::GetNumberOfTriangles(const RefinementDrawing& drawing) const
+bool UniformMethod::CountTriangles(const RefinementDrawing& drawing, FaceSums& sums) const
 {
   const PatternSelection& selection = drawing.Selection->GetSelection();
   const int most = GetMostSegments(selection);
-  vtkIdType count = 0;
-  for (int face = 0; face < selection.GetNumberOfFaces(); ++face)
-  {
-    const vtkIdType n = this->GetSegments(selection, face, most);
-    count += n * n;
-  }
-  return count;
+  sums = drawing.Selection->SumOverFaces(
+    [&](int face)
+    {
+      const vtkIdType n = this->GetSegments(selection, face, most);
+      return n * n;
+    });
+  return true;
 }
 
 void UniformMethod::ReleaseGraphicsResources(vtkWindow* window)

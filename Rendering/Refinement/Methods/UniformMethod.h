@@ -26,7 +26,7 @@ public:
     const RefinementDrawing& drawing, RefinementShaderOptions& options) const override;
   int Draw(
     const RefinementDrawing& drawing, vtkShaderProgram* program, Primitives primitives) override;
-  vtkIdType GetNumberOfTriangles(const RefinementDrawing& drawing) const override;
+  bool CountTriangles(const RefinementDrawing& drawing, FaceSums& sums) const override;
   vtkTypeInt64 GetMemorySize() const override { return this->Instances.GetMemorySize(); }
   void ReleaseGraphicsResources(vtkWindow* window) override;
 

@@ -58,6 +58,7 @@ double LevelBudget::FindOffset(
   {
     state.Add(part.Mesh.Family->GetMTime());
     state.Add(part.TagsTime);
+    state.Add(part.SightTime);
     meshes.push_back(part.Mesh);
   }
   std::vector<double> changed(1, view.State != state ? 1.0 : 0.0);

@@ -4,8 +4,8 @@
  * @class   LevelBudget
  * @brief   what a mapper adds to the levels of its meshes to keep to numbers of triangles and times
  *
- * Works only when something changed: the tags of a view, the target, or the limit that the allowed
- * time sets. CPU side only. Private to the module.
+ * Works only when something changed: the tags of a view, the faces that are culled, the target, or
+ * the limit that the allowed time sets. CPU side only. Private to the module.
  */
 #ifndef LevelBudget_h
 #define LevelBudget_h
@@ -25,11 +25,12 @@ class PieceReduction;
 class LevelBudget
 {
 public:
-  /// A mesh with the tags of a view, and when they were made.
+  /// A mesh with the tags of a view and the faces that are culled, and when these were found.
   struct Part
   {
     TriangleBudget::Part Mesh;
     vtkMTimeType TagsTime;
+    vtkMTimeType SightTime;
   };
 
   /// Wanted number of triangles, 0 for none.

@@ -213,10 +213,12 @@ SelectionInput RefinementState::GetSelectionInput(
 ViewSelection& RefinementState::FindView(
   vtkPolyData* input, vtkAdaptiveRefinement* recipe, const RefinementView& view)
 {
+  // A budget depends on what the view sees.
   vtkDepthTagMetric* metric = GetMetricInUse(recipe, input);
-  const vtkCamera* camera = metric && metric->IsViewDependent() ? view.Camera : nullptr;
-  const vtkMatrix4x4* placement =
-    metric && metric->IsPlacementDependent() ? view.ModelToWorld : nullptr;
+  const bool seesCamera = this->IsBudgeted || (metric && metric->IsViewDependent());
+  const bool seesPlacement = this->IsBudgeted || (metric && metric->IsPlacementDependent());
+  const vtkCamera* camera = seesCamera ? view.Camera : nullptr;
+  const vtkMatrix4x4* placement = seesPlacement ? view.ModelToWorld : nullptr;
   size_t oldest = 0;
   size_t slot = 0;
   while (slot < this->ViewUses.size() &&
@@ -276,6 +278,19 @@ bool RefinementState::UpdateTags(
   return valid;
 }
 
+CullingInput RefinementState::GetCullingInput(
+  vtkAdaptiveRefinement* recipe, const CullingView* culling, bool hideBackFaces)
+{
+  const FaceCulling* faces = culling ? &this->GetCulling(recipe) : nullptr;
+  return { faces, this->CullingTime, culling, hideBackFaces };
+}
+
+void RefinementState::UpdateSight(
+  vtkAdaptiveRefinement* recipe, const CullingView* culling, bool hideBackFaces)
+{
+  this->Current->UpdateSight(this->GetCullingInput(recipe, culling, hideBackFaces));
+}
+
 bool RefinementState::UpdateSelection(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
   const RefinementView& view, const CullingView* culling, bool hideBackFaces, bool onGPU)
 {
@@ -289,8 +304,7 @@ bool RefinementState::UpdateSelection(vtkPolyData* input, vtkAdaptiveRefinement*
   this->UpdateHoles(recipe);
   if (!onGPU)
   {
-    const FaceCulling* faces = culling ? &this->GetCulling(recipe) : nullptr;
-    this->Current->UpdateGroups({ faces, this->CullingTime, culling, hideBackFaces });
+    this->Current->UpdateGroups(this->GetCullingInput(recipe, culling, hideBackFaces));
   }
   return true;
 }

@@ -67,12 +67,16 @@ public:
   double LevelOffset = 0.0;
 
   /**
+   * Find the faces that are culled, for valid tags: those that `culling` does not see and, with
+   * `hideBackFaces`, back faces of closed surfaces; none for nullptr.
+   */
+  void UpdateSight(vtkAdaptiveRefinement* recipe, const CullingView* culling, bool hideBackFaces);
+
+  /**
    * Evaluate levels and group faces, for a valid mesh. False when depth-tags cannot be used. Of
    * several views (passes with cameras of their own, several renderers or actors) the latest are
-   * kept.
-   * `culling` tells what of the mesh is out of sight, `hideBackFaces` whether back faces of closed
-   * surfaces are; nullptr draws all faces. With `onGPU` only tags are evaluated: the GPU does the
-   * rest.
+   * kept. For `culling` and `hideBackFaces` see UpdateSight(). With `onGPU` only tags are
+   * evaluated: the GPU does the rest.
    */
   bool UpdateSelection(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
     const RefinementView& view, const CullingView* culling, bool hideBackFaces, bool onGPU);
@@ -85,10 +89,10 @@ public:
   void ForgetLevels();
 
   /// See ViewSelection::Assign().
-  void AssignSelection(
-    const PatternFamily& family, std::vector<unsigned int> entries, std::vector<float> morphTags)
+  void AssignSelection(const PatternFamily& family, std::vector<unsigned int> entries,
+    std::vector<float> morphTags, std::vector<unsigned char> hidden)
   {
-    this->Current->Assign(family, std::move(entries), std::move(morphTags));
+    this->Current->Assign(family, std::move(entries), std::move(morphTags), std::move(hidden));
   }
 
   /**
@@ -124,7 +128,7 @@ public:
   static constexpr int MostViews = 4;
 
   /// Triangles of the selection, less those over no-data, as they were when it was made.
-  vtkIdType GetNumberOfTriangles() { return this->Current->GetNumberOfTriangles(); }
+  FaceSums CountTriangles() { return this->Current->CountTriangles(); }
 
   vtkIdType GetNumberOfSelections() const { return this->NumberOfSelections; }
   void AddSelections(vtkIdType selections) { this->NumberOfSelections += selections; }
@@ -134,6 +138,8 @@ private:
     vtkPolyData* input, vtkAdaptiveRefinement* recipe, const RefinementView& view);
   bool BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe);
   bool Check(vtkAdaptiveRefinement* recipe);
+  CullingInput GetCullingInput(
+    vtkAdaptiveRefinement* recipe, const CullingView* culling, bool hideBackFaces);
   SelectionInput GetSelectionInput(vtkPolyData* input, vtkAdaptiveRefinement* recipe) const;
   void UpdateHoles(vtkAdaptiveRefinement* recipe);
 

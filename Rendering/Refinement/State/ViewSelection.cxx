@@ -105,7 +105,7 @@ bool ViewSelection::UpdateLevels(const SelectionInput& input, double offset, boo
     return false;
   }
   this->LevelsTime.Modified();
-  this->NumberOfTriangles = -1;
+  this->AreTrianglesCounted = false;
   const double start = vtkTimerLog::GetUniversalTime();
   if (onGPU)
   {
@@ -132,59 +132,76 @@ void ViewSelection::SetHoles(const HeightValidity& holes, vtkMTimeType time)
   {
     this->HolesTime = time;
     this->Holes = holes;
-    this->NumberOfTriangles = -1;
+    this->AreTrianglesCounted = false;
   }
 }
 
-void ViewSelection::Assign(
-  const PatternFamily& family, std::vector<unsigned int> entries, std::vector<float> morphTags)
+void ViewSelection::Assign(const PatternFamily& family, std::vector<unsigned int> entries,
+  std::vector<float> morphTags, std::vector<unsigned char> hidden)
 {
   this->Selection.Assign(family, std::move(entries), std::move(morphTags));
-  this->NumberOfTriangles = -1;
+  this->Hidden = std::move(hidden);
+  this->NumberOfHiddenFaces =
+    static_cast<int>(this->Hidden.size() - std::count(this->Hidden.begin(), this->Hidden.end(), 0));
+  this->SightDependencies.Clear(); // the CPU may see others at the very border
+  this->AreTrianglesCounted = false;
 }
 
-void ViewSelection::UpdateGroups(const CullingInput& culling)
+void ViewSelection::UpdateSight(const CullingInput& culling)
 {
-  Dependencies sight;
+  Dependencies sight = Dependencies::On(culling.Culling != nullptr);
   if (culling.Culling)
   {
-    sight = Dependencies::On(
-      culling.CullingTime, culling.Culling->HidesBackFaces(*culling.View, culling.HidesBackFaces));
+    sight.Add(culling.CullingTime);
+    sight.Add(culling.Culling->HidesBackFaces(*culling.View, culling.HidesBackFaces));
     culling.View->AddTo(sight);
   }
-  const bool newLevels = this->GroupDependencies.Update(Dependencies::On(this->LevelsTime));
-  const bool newSight = this->SightDependencies.Update(sight);
-  if (!newLevels && !newSight)
+  if (!this->SightDependencies.Update(sight))
   {
     return;
   }
   const double start = vtkTimerLog::GetUniversalTime();
-  if (newSight)
+  this->LastHidden.swap(this->Hidden);
+  const int last = this->NumberOfHiddenFaces;
+  this->NumberOfHiddenFaces = culling.Culling
+    ? culling.Culling->FindHidden(*culling.View, culling.HidesBackFaces, this->Hidden)
+    : 0;
+  if (this->NumberOfHiddenFaces != last || (last > 0 && this->Hidden != this->LastHidden))
   {
-    this->LastHidden.swap(this->Hidden);
-    const int last = this->NumberOfHiddenFaces;
-    this->NumberOfHiddenFaces = culling.Culling
-      ? culling.Culling->FindHidden(*culling.View, culling.HidesBackFaces, this->Hidden)
-      : 0;
-    if (!newLevels && this->NumberOfHiddenFaces == last &&
-      (last == 0 || this->Hidden == this->LastHidden))
-    {
-      return;
-    }
+    this->SightTime.Modified();
+    this->AreTrianglesCounted = false;
   }
-  this->Selection.Group(this->NumberOfHiddenFaces > 0 ? this->Hidden.data() : nullptr);
+  this->SightSeconds = vtkTimerLog::GetUniversalTime() - start;
+}
+
+void ViewSelection::UpdateGroups(const CullingInput& culling)
+{
+  this->UpdateSight(culling);
+  if (!this->GroupDependencies.Update(Dependencies::On(this->LevelsTime, this->SightTime)))
+  {
+    return;
+  }
+  const double start = vtkTimerLog::GetUniversalTime();
+  this->Selection.Group(this->GetHidden());
   this->GroupsTime.Modified();
   this->GroupsSeconds = vtkTimerLog::GetUniversalTime() - start;
 }
 
-vtkIdType ViewSelection::GetNumberOfTriangles()
+FaceSums ViewSelection::CountTriangles()
 {
-  if (this->NumberOfTriangles < 0 && this->Valid)
+  if (!this->AreTrianglesCounted && this->Valid)
   {
+    this->AreTrianglesCounted = true;
+    this->NumbersOfTriangles = this->SumOverFaces([this](int face)
+      { return this->Selection.GetFacePattern(face).Pattern->GetNumberOfTriangles(); });
     // Fragments over no-data are discarded; what the filter leaves out is counted when asked for.
-    this->NumberOfTriangles = this->Selection.GetNumberOfTriangles() -
-      CountHoles(*this->Mesh, this->Selection, this->Holes);
+    const vtkIdType holes = CountHoles(*this->Mesh, this->Selection, this->Holes);
+    const vtkIdType drawnHoles = this->GetHidden()
+      ? CountHoles(*this->Mesh, this->Selection, this->Holes, this->GetHidden())
+      : holes;
+    this->NumbersOfTriangles.Drawn -= drawnHoles;
+    this->NumbersOfTriangles.Culled -= holes - drawnHoles;
   }
-  return std::max<vtkIdType>(this->NumberOfTriangles, 0);
+  return this->Valid ? this->NumbersOfTriangles : FaceSums();
 }
 }

@@ -6,7 +6,7 @@
  *
  * Tags are evaluated anew when the mesh, the recipe or, for view-dependent metrics, the view
  * changed, and levels when the tags or what is added to them changed; faces are grouped anew when
- * their levels or the faces in sight changed. CPU side only.
+ * their levels or the faces in view changed. CPU side only.
  * Private to the module.
  */
 #ifndef ViewSelection_h
@@ -52,15 +52,22 @@ struct SelectionInput
   int HighestTag;
 };
 
-/// What is out of sight.
+/// Which faces are culled.
 struct CullingInput
 {
   /// nullptr where all faces are drawn.
   const FaceCulling* Culling;
   vtkMTimeType CullingTime;
   const CullingView* View;
-  /// Whether back faces of closed surfaces are out of sight too.
+  /// Whether back faces of closed surfaces are culled too.
   bool HidesBackFaces;
+};
+
+/// A sum over the faces that are drawn, and one over those that are culled.
+struct FaceSums
+{
+  vtkIdType Drawn = 0;
+  vtkIdType Culled = 0;
 };
 
 class ViewSelection
@@ -87,7 +94,19 @@ public:
   bool UpdateLevels(const SelectionInput& input, double offset, bool onGPU);
 
   /**
-   * Group the faces if need be, for valid levels.
+   * Find the faces that are culled if need be.
+   */
+  void UpdateSight(const CullingInput& culling);
+  /// A byte per face, not 0 for those that are culled; nullptr where all are drawn.
+  const unsigned char* GetHidden() const
+  {
+    return this->NumberOfHiddenFaces > 0 ? this->Hidden.data() : nullptr;
+  }
+  /// When the culled faces last changed.
+  vtkMTimeType GetSightTime() const { return this->SightTime; }
+
+  /**
+   * Group the faces that are drawn if need be, for valid levels.
    */
   void UpdateGroups(const CullingInput& culling);
 
@@ -103,9 +122,10 @@ public:
 
   const PatternSelection& GetSelection() const { return this->Selection; }
 
-  /// Take over what the GPU has chosen for each face; see PatternSelection::Assign().
-  void Assign(
-    const PatternFamily& family, std::vector<unsigned int> entries, std::vector<float> morphTags);
+  /// Take over what the GPU has chosen for each face, see PatternSelection::Assign(), and which
+  /// faces it has culled.
+  void Assign(const PatternFamily& family, std::vector<unsigned int> entries,
+    std::vector<float> morphTags, std::vector<unsigned char> hidden);
 
   /// The mesh that levels were chosen for, even if its input has changed since.
   const RefinementMesh& GetMesh() const;
@@ -117,14 +137,27 @@ public:
   /// Seconds the last evaluation and the last grouping took.
   double GetSeconds() const
   {
-    return this->TagsSeconds + this->LevelsSeconds + this->GroupsSeconds;
+    return this->TagsSeconds + this->LevelsSeconds + this->SightSeconds + this->GroupsSeconds;
   }
 
-  /// Faces that were left out.
+  /// Faces that were culled.
   int GetNumberOfHiddenFaces() const { return this->NumberOfHiddenFaces; }
 
-  /// Triangles of all faces, less those over no-data.
-  vtkIdType GetNumberOfTriangles();
+  /// The sums of getNumber(face).
+  template <typename GetNumber>
+  FaceSums SumOverFaces(const GetNumber& getNumber) const
+  {
+    FaceSums sums;
+    const unsigned char* hidden = this->GetHidden();
+    for (int face = 0; face < this->Selection.GetNumberOfFaces(); ++face)
+    {
+      (hidden && hidden[face] ? sums.Culled : sums.Drawn) += getNumber(face);
+    }
+    return sums;
+  }
+
+  /// Triangles of the faces, less those over no-data.
+  FaceSums CountTriangles();
 
 private:
   EdgeTags Tags;
@@ -135,10 +168,11 @@ private:
   vtkMTimeType HolesTime = 0;
   Dependencies TagDependencies;
   Dependencies LevelDependencies;
-  Dependencies GroupDependencies; // but for what is in sight
-  Dependencies SightDependencies; // on nothing where no faces were culled
-  bool Valid = false;             // tags
+  Dependencies GroupDependencies;
+  Dependencies SightDependencies;
+  bool Valid = false; // tags
   vtkTimeStamp TagsTime;
+  vtkTimeStamp SightTime;
   vtkTimeStamp LevelsTime;
   vtkTimeStamp GroupsTime;
   std::vector<unsigned char> Hidden;
@@ -146,8 +180,10 @@ private:
   int NumberOfHiddenFaces = 0;
   double TagsSeconds = 0.0;
   double LevelsSeconds = 0.0;
+  double SightSeconds = 0.0;
   double GroupsSeconds = 0.0;
-  vtkIdType NumberOfTriangles = -1; // not counted yet
+  FaceSums NumbersOfTriangles;
+  bool AreTrianglesCounted = false;
 };
 }
 

@@ -120,9 +120,9 @@ protected:
   // What a mapper says of itself makes sense.
   void Ask(Mapper* mapper)
   {
-    if (mapper->GetNumberOfDrawnTriangles() < 0 || mapper->GetNumberOfDrawCalls() < 0 ||
-      mapper->GetNumberOfUsedPatterns() < 0 || mapper->GetGraphicsMemorySize() < 0 ||
-      !(mapper->GetSelectionTime() >= 0.0))
+    if (mapper->GetNumberOfDrawnTriangles() < 0 || mapper->GetNumberOfCulledTriangles() < 0 ||
+      mapper->GetNumberOfDrawCalls() < 0 || mapper->GetNumberOfUsedPatterns() < 0 ||
+      mapper->GetGraphicsMemorySize() < 0 || !(mapper->GetSelectionTime() >= 0.0))
     {
       this->Say("a number of what is drawn is negative");
     }

@@ -183,7 +183,7 @@ vtkIdType RelevoScene::CountTriangles()
   {
     if (auto* mapper = vtkAdaptiveRefinementMapper::SafeDownCast(actor->GetMapper()))
     {
-      count += mapper->GetNumberOfDrawnTriangles();
+      count += mapper->GetNumberOfDrawnTriangles() + mapper->GetNumberOfCulledTriangles();
     }
   }
   for (auto& filter : this->Filters)

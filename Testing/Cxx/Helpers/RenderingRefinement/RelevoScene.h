@@ -92,7 +92,7 @@ public:
 
   void Render();
 
-  // Triangles drawn, or polygons of the filters' outputs.
+  // Triangles drawn and culled, or polygons of the filters' outputs.
   vtkIdType CountTriangles();
   size_t GetNumberOfFilters() const { return this->Filters.size(); }
   size_t GetNumberOfActors() const { return this->Actors.size(); }

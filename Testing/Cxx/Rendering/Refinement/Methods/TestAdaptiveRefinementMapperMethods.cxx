@@ -307,8 +307,8 @@ void TestNothing(RelevoCheck& check, RelevoComparison& comparison)
     camera->Yaw(180.0);
     CHECK(subject.Draw(method).CountForeground() == 0);
     Mapper* mapper = subject.GetMapper();
-    CHECK(mapper->GetNumberOfCulledFaces() ==
-      (method == Mapper::METHOD_ARK ? 0 : mapper->GetNumberOfCoarseFaces()));
+    CHECK(mapper->GetNumberOfCulledFaces() == mapper->GetNumberOfCoarseFaces());
+    CHECK(mapper->GetNumberOfDrawnTriangles() == 0 && mapper->GetNumberOfCulledTriangles() > 0);
     camera->Yaw(180.0);
     comparison.Compare(
       std::string("Again.") + GetName(method), GetTolerance(), subject.Draw(method), expected);

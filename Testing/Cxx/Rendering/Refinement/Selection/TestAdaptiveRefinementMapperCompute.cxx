@@ -66,6 +66,7 @@ void Compare(RelevoCheck& check, RelevoComparison& comparison, const std::string
       CHECK(cpu->GetSelectionDeviceInUse() == Mapper::SELECTION_DEVICE_CPU);
       CHECK(gpu->GetSelectionDeviceInUse() == expectedDevice);
       CHECK(gpu->GetNumberOfDrawnTriangles() == cpu->GetNumberOfDrawnTriangles());
+      CHECK(gpu->GetNumberOfCulledTriangles() == cpu->GetNumberOfCulledTriangles());
       CHECK(gpu->GetNumberOfUsedPatterns() == cpu->GetNumberOfUsedPatterns());
       CHECK(gpu->GetNumberOfCulledFaces() == cpu->GetNumberOfCulledFaces());
       CHECK(gpu->GetNumberOfSelections() == cpu->GetNumberOfSelections());
