@@ -89,7 +89,7 @@ int vtkPatchSurfaceFilter::RequestData(
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   relevo::PatchArrays::Remove(output); // of the input's field data
-  if (input->GetNumberOfCells() == 0)
+  if (input->GetNumberOfCells() < 1)
   {
     return 1;
   }

@@ -12,6 +12,7 @@
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -64,15 +65,15 @@ bool vtkMeshVisibilitySort::Build()
     vtkErrorMacro("The input has more than " << VTK_INT_MAX << " points or cells.");
     return false;
   }
-  relevo::CellFaces cells = relevo::ReadCellFaces(this->Input, internals.CellIds);
+  std::vector<std::string> faults;
+  relevo::CellFaces cells = relevo::ReadCellFaces(this->Input, internals.CellIds, faults);
+  for (const std::string& fault : faults)
+  {
+    vtkErrorMacro(<< fault);
+  }
   if (cells.Faces.size() > VTK_INT_MAX)
   {
     vtkErrorMacro("The input has cells of more than " << VTK_INT_MAX << " faces.");
-    return false;
-  }
-  if (cells.HasMissingPoints())
-  {
-    vtkErrorMacro("The input has cells with points that it lacks.");
     return false;
   }
   internals.Order.Build(GetPoints(this->Input), std::move(cells));

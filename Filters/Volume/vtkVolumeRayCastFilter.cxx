@@ -132,15 +132,23 @@ bool vtkVolumeRayCastFilter::Read(
     vtkErrorMacro("The volume property " << error << ".");
     return false;
   }
+  bool hasFaults = false;
   for (const relevo::MeshScalars& mesh : meshes)
   {
     const bool areBytes = functions.AreColors() && vtkUnsignedCharArray::SafeDownCast(mesh.Array);
     choice.Scale = areBytes ? 1.0 / 255.0 : 1.0;
-    cells.Add(mesh.Mesh, mesh.Array, mesh.AreOfCells, choice);
+    for (const std::string& fault : cells.Add(mesh.Mesh, mesh.Array, mesh.AreOfCells, choice))
+    {
+      vtkErrorMacro(<< mesh.Block << fault);
+      hasFaults = true;
+    }
   }
   if (cells.GetNumberOfSolidCells() == 0 && !meshes.empty())
   {
-    vtkErrorMacro("The input has cells, but none is 3D.");
+    if (!hasFaults)
+    {
+      vtkErrorMacro("The input has cells, but none is 3D.");
+    }
     return false;
   }
   if (!warning.empty())

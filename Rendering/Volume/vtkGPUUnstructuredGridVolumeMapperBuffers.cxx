@@ -107,16 +107,24 @@ bool vtkGPUUnstructuredGridVolumeMapper::ReadCells(
   {
     cells.SplitAll();
   }
+  bool hasFaults = false;
   for (const relevo::MeshScalars& mesh : meshes)
   {
     relevo::ScalarChoice choice = data.Choice;
     const bool areBytes = areColors && vtkUnsignedCharArray::SafeDownCast(mesh.Array);
     choice.Scale = areBytes ? 1.0 / 255.0 : 1.0;
-    cells.Add(mesh.Mesh, mesh.Array, mesh.AreOfCells, choice);
+    for (const std::string& fault : cells.Add(mesh.Mesh, mesh.Array, mesh.AreOfCells, choice))
+    {
+      hasFaults = true;
+      if (!data.IsWarned())
+      {
+        vtkErrorMacro(<< mesh.Block << fault);
+      }
+    }
   }
   if (cells.GetNumberOfSolidCells() == 0)
   {
-    if (!meshes.empty())
+    if (!meshes.empty() && !hasFaults)
     {
       vtkErrorMacro("The input has cells, but none is 3D.");
     }
@@ -129,10 +137,8 @@ bool vtkGPUUnstructuredGridVolumeMapper::ReadCells(
 bool vtkGPUUnstructuredGridVolumeMapper::UploadMesh(const relevo::VolumeCells& cells)
 {
   vtkInternals& data = *this->Internals;
-  // One warning for each mesh, which more settings than one build anew.
-  const auto inUse = std::make_pair(data.MeshInput, data.MeshTime);
-  const bool isKnown = data.WarnedOf == inUse;
-  data.WarnedOf = inUse;
+  const bool isKnown = data.IsWarned();
+  data.WarnedOf = std::make_pair(data.MeshInput, data.MeshTime);
   if (cells.GetNumberOfBadCells() > 0 && !isKnown)
   {
     vtkWarningMacro(<< cells.GetNumberOfBadCells() << " of " << cells.GetNumberOfSolidCells()

@@ -53,7 +53,12 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
   vtkDataObject* MeshInput = nullptr; // never followed
   vtkMTimeType MeshTime = 0;
   relevo::ArrayChoice Array;
-  std::pair<vtkDataObject*, vtkMTimeType> WarnedOf; // the mesh and its time
+  /// The mesh and its time: what is wrong with it is reported once, though settings rebuild it.
+  std::pair<vtkDataObject*, vtkMTimeType> WarnedOf;
+  bool IsWarned() const
+  {
+    return this->WarnedOf == std::make_pair(this->MeshInput, this->MeshTime);
+  }
   bool HasMesh = false;
   bool HasCorners = false; // for cell projection
   int NumberOfComponents = 1;

@@ -18,6 +18,7 @@ import sys
 LAYERS = {
     "Filters/Refinement": [
         ("Core", []),
+        ("Cells", []),
         ("Patterns", ["vtkRefinementPattern.*"]),
         ("Surfaces", ["vtk.*Surface", "vtkDisplacement", "vtkHeightField"]),
         ("Mesh", []),

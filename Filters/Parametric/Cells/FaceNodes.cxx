@@ -21,25 +21,25 @@ namespace relevo
 namespace
 {
 // The number that VTK gives the node at these steps along the cell's parametric axes.
-vtkIdType GetNodeNumber(CellShape shape, const ivec3& degrees, const ivec3& steps)
+vtkIdType GetNodeNumber(CellTopology shape, const ivec3& degrees, const ivec3& steps)
 {
   const std::array<int, 4> order{ degrees.x, degrees.y, degrees.z, 0 };
   const vtkIdType rest = degrees.x - steps.x - steps.y;
   switch (shape)
   {
-    case CellShape::Triangle:
+    case CellTopology::Triangle:
     {
       const std::array<vtkIdType, 3> index{ steps.x, steps.y, rest };
       return vtkHigherOrderTriangle::Index(index.data(), degrees.x);
     }
-    case CellShape::Tetrahedron:
+    case CellTopology::Tetrahedron:
     {
       const std::array<vtkIdType, 4> index{ steps.x, steps.y, steps.z, rest - steps.z };
       return vtkHigherOrderTetra::Index(index.data(), degrees.x);
     }
-    case CellShape::Quadrilateral:
+    case CellTopology::Quadrilateral:
       return vtkHigherOrderQuadrilateral::PointIndexFromIJK(steps.x, steps.y, order.data());
-    case CellShape::Wedge:
+    case CellTopology::Wedge:
       return vtkHigherOrderWedge::PointIndexFromIJK(steps.x, steps.y, steps.z, order.data());
     default:
       return vtkHigherOrderHexahedron::PointIndexFromIJK(steps.x, steps.y, steps.z, order.data());
@@ -78,9 +78,9 @@ public:
       this->Cell.Read(face.Cell);
       this->IsInsideOut = this->Cell.IsInsideOut();
     }
-    const CellShape shape = this->Cell.GetKind().Shape;
-    if (shape == CellShape::Polygon || shape == CellShape::TriangleStrip ||
-      shape == CellShape::Polyhedron || this->Cell.GetCorners(face.Face).size() > 4)
+    const CellTopology shape = this->Cell.GetKind().Shape;
+    if (shape == CellTopology::Polygon || shape == CellTopology::TriangleStrip ||
+      shape == CellTopology::Polyhedron || this->Cell.GetCorners(face.Face).size() > 4)
     {
       this->AddPolygon(this->Cell.GetCorners(face.Face));
       return;
@@ -212,7 +212,7 @@ private:
 
   void AddHigherOrder(const FaceCorners& face)
   {
-    const CellShape shape = this->Cell.GetKind().Shape;
+    const CellTopology shape = this->Cell.GetKind().Shape;
     const ivec3 degrees = this->Cell.GetDegrees();
     const ivec3 origin = GetCornerCoordinates(shape, face.Corners[0]);
     const ivec3 u = GetCornerCoordinates(shape, face.Corners[1]) - origin;

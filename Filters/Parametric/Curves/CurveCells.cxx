@@ -3,18 +3,21 @@
 #include "Curves/CurveCells.h"
 
 #include "Core/BezierDegree.h"
+#include "Core/VTKCompatibility.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -38,7 +41,7 @@ std::string GetQuotedName(vtkDataArray* array)
 CurveCells::CurveCells(vtkPointSet* input)
   : Input(input)
   , Grid(vtkUnstructuredGrid::SafeDownCast(input))
-  , NumberOfCells(input->GetNumberOfCells())
+  , NumberOfCells(std::max<vtkIdType>(input->GetNumberOfCells(), 0))
   , Ghosts(vtkUnsignedCharArray::SafeDownCast(
       input->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName())))
   , Degrees(input->GetCellData()->GetHigherOrderDegrees())
@@ -47,6 +50,7 @@ CurveCells::CurveCells(vtkPointSet* input)
   if (this->Grid)
   {
     this->Cells = this->Grid->GetCells();
+    this->NumberOfTypes = GetNumberOfCellTypes(this->Grid);
   }
   else if (vtkPolyData* mesh = vtkPolyData::SafeDownCast(input))
   {
@@ -59,7 +63,7 @@ int CurveCells::GetType(vtkIdType cell) const
 {
   if (this->Grid)
   {
-    return this->Grid->GetCellType(cell);
+    return cell < this->NumberOfTypes ? this->Grid->GetCellType(cell) : VTK_EMPTY_CELL;
   }
   const vtkIdType line = cell - this->FirstCell;
   return line >= 0 && line < this->Cells->GetNumberOfCells() ? VTK_POLY_LINE : VTK_EMPTY_CELL;
@@ -72,6 +76,10 @@ CurveCells::Kinds CurveCells::GetKind(vtkIdType cell) const
     (this->Ghosts->GetValue(cell) & notDrawn) != 0)
   {
     return NO_CURVE;
+  }
+  if (this->Grid && cell >= this->NumberOfTypes)
+  {
+    return UNKNOWN;
   }
   switch (this->GetType(cell))
   {
@@ -94,7 +102,7 @@ CurveCells::Kinds CurveCells::GetKind(vtkIdType cell) const
 
 void CurveCells::GetPoints(vtkIdType cell, Kinds kind, vtkIdList* points) const
 {
-  this->Cells->GetCellAtId(cell - this->FirstCell, points);
+  ReadCellPoints(this->Cells, cell - this->FirstCell, points);
   // Both ends come first.
   const vtkIdType number = points->GetNumberOfIds();
   if (kind == LINES || number < 3)
@@ -173,6 +181,14 @@ std::string CurveCells::FindPointFault(Kinds kind, vtkIdType point) const
 
 std::string CurveCells::FindFault(vtkIdType cell, Kinds kind, vtkIdList* points) const
 {
+  const bool isListed = !this->Grid || cell < this->NumberOfTypes;
+  vtkNew<vtkIdList> read;
+  if (!isListed ||
+    (points->GetNumberOfIds() == 0 && !ReadCellPoints(this->Cells, cell - this->FirstCell, read)))
+  {
+    return "cannot be read: the lists of types, offsets and points are too short for it, or its "
+           "offsets run backwards";
+  }
   if (kind == UNKNOWN)
   {
     return "is a curve of VTK's type " + std::to_string(this->GetType(cell)) +

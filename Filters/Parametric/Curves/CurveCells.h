@@ -41,8 +41,8 @@ public:
   };
   Kinds GetKind(vtkIdType cell) const;
 
-  /// Its points, in the order of the curve. May be called from several threads, each with its own
-  /// list.
+  /// Its points, in the order of the curve; none where the input's lists are broken. May be called
+  /// from several threads, each with its own list.
   void GetPoints(vtkIdType cell, Kinds kind, vtkIdList* points) const;
 
   /// That of a point; 1 where cells of the kind have none.
@@ -62,6 +62,7 @@ private:
   vtkCellArray* Cells = nullptr;
   vtkIdType FirstCell = 0; // among the input's, of Cells
   vtkIdType NumberOfCells;
+  vtkIdType NumberOfTypes = 0; // of a vtkUnstructuredGrid
   vtkUnsignedCharArray* Ghosts;
   vtkDataArray* Degrees = nullptr;
   vtkDataArray* Weights = nullptr;

@@ -7,10 +7,9 @@
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
+#include "vtkInformation.h"
+#include "vtkInformationStringKey.h"
 #include "vtkSmartPointer.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <sstream>
@@ -19,57 +18,43 @@ namespace relevo
 {
 namespace
 {
-std::vector<vtkDataSet*> FindDataSets(vtkDataObject* input)
+struct FoundSet
 {
-  std::vector<vtkDataSet*> sets;
-  const auto add = [&sets](vtkDataObject* object)
+  vtkDataSet* Set;
+  std::string Block;
+};
+
+std::string GetBlock(vtkCompositeDataIterator* leaf)
+{
+  const std::string block = "Block " + std::to_string(leaf->GetCurrentFlatIndex());
+  const char* name = leaf->HasCurrentMetaData()
+    ? leaf->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME())
+    : nullptr;
+  return name ? block + " (\"" + name + "\"): " : block + ": ";
+}
+
+std::vector<FoundSet> FindDataSets(vtkDataObject* input)
+{
+  std::vector<FoundSet> sets;
+  const auto add = [&sets](vtkDataObject* object, const std::string& block)
   {
     vtkDataSet* set = vtkDataSet::SafeDownCast(object);
     if (set && set->GetNumberOfCells() > 0)
     {
-      sets.push_back(set);
+      sets.push_back({ set, block });
     }
   };
-  add(input);
+  add(input, std::string());
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
   {
     vtkSmartPointer<vtkCompositeDataIterator> leaf;
     leaf.TakeReference(composite->NewIterator());
     for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
     {
-      add(leaf->GetCurrentDataObject());
+      add(leaf->GetCurrentDataObject(), GetBlock(leaf));
     }
   }
   return sets;
-}
-
-// Cells that refer to points that do not exist; for polyhedra, faces count as well.
-vtkIdType CountBrokenCells(vtkDataSet* mesh)
-{
-  auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh);
-  const vtkIdType points = mesh->GetNumberOfPoints();
-  vtkNew<vtkIdList> ids;
-  vtkIdType broken = 0;
-  const auto exists = [=](vtkIdType id) { return id >= 0 && id < points; };
-  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
-  {
-    mesh->GetCellPoints(i, ids);
-    bool isGood = std::all_of(ids->begin(), ids->end(), exists);
-    if (grid && grid->GetCellType(i) == VTK_POLYHEDRON)
-    {
-      grid->GetFaceStream(i, ids);
-      // The number of faces, then of each the number of its points and these.
-      vtkIdType at = 1;
-      while (at < ids->GetNumberOfIds())
-      {
-        const vtkIdType last = std::min(at + ids->GetId(at), ids->GetNumberOfIds() - 1);
-        isGood = isGood && std::all_of(ids->begin() + at + 1, ids->begin() + last + 1, exists);
-        at = last + 1;
-      }
-    }
-    broken += isGood ? 0 : 1;
-  }
-  return broken;
 }
 
 std::string FindFault(
@@ -81,12 +66,6 @@ std::string FindFault(
     text << "has no " << (name.empty() ? "active scalars" : "array \"" + name + "\"")
          << (components > 0 ? " in one of its blocks" : "") << "; choose an array by "
          << wish.Setter;
-    return text.str();
-  }
-  if (const vtkIdType broken = CountBrokenCells(scalars.Mesh))
-  {
-    text << "has cells that refer to points that do not exist: " << broken << " of "
-         << scalars.Mesh->GetNumberOfCells();
     return text.str();
   }
   const vtkIdType tuples = scalars.Array->GetNumberOfTuples();
@@ -114,9 +93,9 @@ std::string FindFault(
 vtkMTimeType GetMeshTime(vtkDataObject* input)
 {
   vtkMTimeType time = input->GetMTime();
-  for (vtkDataSet* set : FindDataSets(input))
+  for (const FoundSet& found : FindDataSets(input))
   {
-    time = std::max(time, set->GetMTime());
+    time = std::max(time, found.Set->GetMTime());
   }
   return time;
 }
@@ -125,11 +104,11 @@ bool FindMeshScalars(
   vtkDataObject* input, const ArrayWish& wish, std::vector<MeshScalars>& found, std::string& error)
 {
   found.clear();
-  for (vtkDataSet* set : FindDataSets(input))
+  for (const auto& [set, block] : FindDataSets(input))
   {
     int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
     vtkDataArray* array = wish.Find(set, association);
-    found.push_back({ set, array, association == vtkDataObject::FIELD_ASSOCIATION_CELLS });
+    found.push_back({ set, array, association == vtkDataObject::FIELD_ASSOCIATION_CELLS, block });
     const char* own = array ? array->GetName() : nullptr;
     error = FindFault(found.back(), wish, wish.Name.empty() && own ? own : wish.Name,
       found.size() > 1 ? found.front().Array->GetNumberOfComponents() : 0);

@@ -27,6 +27,7 @@ struct MeshScalars
   vtkDataSet* Mesh;
   vtkDataArray* Array;
   bool AreOfCells;
+  std::string Block; // names the block before a message; empty without blocks
 };
 
 /// Which array is drawn.
@@ -44,7 +45,7 @@ RELEVOFILTERSVOLUME_EXPORT vtkMTimeType GetMeshTime(vtkDataObject* input);
 
 /**
  * All data sets with cells, of which a composite data set may have many. false with words that
- * follow "The input " where one lacks an array that fits, or points that its cells refer to.
+ * follow "The input " where one lacks an array that fits.
  */
 RELEVOFILTERSVOLUME_EXPORT bool FindMeshScalars(
   vtkDataObject* input, const ArrayWish& wish, std::vector<MeshScalars>& found, std::string& error);

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/VolumeCells.h"
 
+#include "Cells/CellChecks.h"
 #include "Cells/CellSplitter.h"
 #include "Cells/PointGradients.h"
 #include "Core/FiniteBox.h"
+#include "Mesh/CellFetcher.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -75,13 +77,16 @@ public:
   {
     constexpr int left = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL |
       vtkDataSetAttributes::REFINEDCELL;
-    if (this->Cells && (this->Cells->GetValue(cell) & left))
+    if (this->Cells && cell < this->Cells->GetNumberOfTuples() &&
+      (this->Cells->GetValue(cell) & left))
     {
       return true;
     }
     for (vtkIdType i = 0; this->Points && i < points->GetNumberOfIds(); ++i)
     {
-      if (this->Points->GetValue(points->GetId(i)) & vtkDataSetAttributes::HIDDENPOINT)
+      const vtkIdType point = points->GetId(i);
+      if (point < this->Points->GetNumberOfTuples() &&
+        (this->Points->GetValue(point) & vtkDataSetAttributes::HIDDENPOINT))
       {
         return true;
       }
@@ -95,7 +100,7 @@ private:
 };
 }
 
-void VolumeCells::Add(
+std::vector<std::string> VolumeCells::Add(
   vtkDataSet* mesh, vtkDataArray* array, bool isOfCells, const ScalarChoice& choice)
 {
   const vtkIdType firstPoint = static_cast<vtkIdType>(this->Points.size());
@@ -111,17 +116,31 @@ void VolumeCells::Add(
   (isOfCells ? this->PointScalars : this->CellScalars)
     .resize(isOfCells ? this->Points.size() : firstCell);
 
+  CellDemands demands;
+  demands.TakesAllTypes = true;
+  demands.TakesInfinitePoints = true;
+  const CellChecks checks = CheckCells(mesh, demands);
   const LeftOutCells leftOut(mesh);
-  vtkNew<vtkGenericCell> cell;
+  CellFetcher cells(mesh);
   CellSplitter splitter;
   std::vector<vtkIdType> ids;
   std::vector<vtkIdType> corners;
   for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
   {
-    mesh->GetCell(i, cell);
+    if (checks.Uses[i] != CellUse::Solid)
+    {
+      continue;
+    }
+    vtkGenericCell* cell = cells.Fetch(i);
     vtkIdList* points = cell->GetPointIds();
     if (cell->GetCellDimension() != 3 || leftOut.Has(i, points))
     {
+      continue;
+    }
+    if (!this->AreFinite(points, firstPoint))
+    {
+      this->NumberOfSolidCells++;
+      this->NumberOfBadCells++;
       continue;
     }
     const int type = cell->GetCellType();
@@ -151,6 +170,14 @@ void VolumeCells::Add(
     this->NumberOfBadCells += isGood ? 0 : 1;
     this->NumberOfDrawnCells += this->Cells.size() > before ? 1 : 0;
   }
+  return checks.Faults;
+}
+
+// VTK's functions that split cells do not end where coordinates are no numbers.
+bool VolumeCells::AreFinite(vtkIdList* points, vtkIdType firstPoint) const
+{
+  return std::all_of(points->begin(), points->end(),
+    [&](vtkIdType point) { return IsFinite(this->Points[firstPoint + point]); });
 }
 
 int VolumeCells::GetNumberOfCorners(const Cell& cell) const

@@ -21,10 +21,12 @@
 #include "vtkType.h"
 
 #include <array>
+#include <string> // for faults
 #include <vector>
 
 class vtkDataArray;
 class vtkDataSet;
+class vtkIdList;
 
 namespace relevo
 {
@@ -42,9 +44,11 @@ public:
   void SplitAll() { this->SplitsAll = true; }
 
   /**
-   * Add the cells of a data set. The array has a tuple for each point, or each cell.
+   * Add the cells of a data set. The array has a tuple for each point, or each cell. Returns what
+   * is wrong with cells that are left out, as CheckCells().
    */
-  void Add(vtkDataSet* mesh, vtkDataArray* array, bool isOfCells, const ScalarChoice& choice);
+  std::vector<std::string> Add(
+    vtkDataSet* mesh, vtkDataArray* array, bool isOfCells, const ScalarChoice& choice);
 
   /// After all data sets have been added. Of what rays meet gradients are wanted, or not.
   void Build(bool withSteepness = false, bool withGradients = false);
@@ -52,7 +56,7 @@ public:
   /// What a ray of world coordinates passes through, from front to back. In several threads.
   std::vector<RayPart> Cross(const Ray& ray) const;
 
-  /// All 3D cells that are neither ghosts nor blanked.
+  /// All 3D cells without faults that are neither ghosts nor blanked.
   vtkIdType GetNumberOfSolidCells() const { return this->NumberOfSolidCells; }
   /// Of these, those of no volume or with coordinates that are not finite.
   vtkIdType GetNumberOfBadCells() const { return this->NumberOfBadCells; }
@@ -79,6 +83,7 @@ public:
 
 private:
   bool AddCell(const CellShape* shape, const std::vector<vtkIdType>& corners, vtkIdType scalars);
+  bool AreFinite(vtkIdList* points, vtkIdType firstPoint) const;
   bool HasVolume(const Cell& cell) const;
   bool HasScalars(const Cell& cell) const;
   FaceBox GetBox(const Cell& cell) const;

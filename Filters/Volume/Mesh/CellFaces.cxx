@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/CellFaces.h"
 
+#include "Cells/CellChecks.h"
 #include "Core/PointPlaces.h"
 #include "Core/RefinementMathematics.h"
+#include "Mesh/CellFetcher.h"
 #include "Mesh/FaceTable.h"
 #include "vtkCell.h"
 #include "vtkCellType.h"
@@ -55,19 +57,13 @@ Face FindShape(vtkCell* polygon)
 }
 }
 
-CellFaces::CellFaces(vtkIdType numberOfPoints, std::vector<vtkIdType> places)
-  : NumberOfPoints(numberOfPoints)
-  , Places(std::move(places))
+CellFaces::CellFaces(std::vector<vtkIdType> places)
+  : Places(std::move(places))
 {
 }
 
 int CellFaces::Join(vtkIdType point)
 {
-  if (point < 0 || point >= this->NumberOfPoints)
-  {
-    this->IsPointMissing = true;
-    return 0;
-  }
   return static_cast<int>(this->Places.empty() ? point : this->Places[point]);
 }
 
@@ -121,18 +117,28 @@ void CellFaces::Add(vtkCell* cell)
   this->Firsts.push_back(this->Faces.size());
 }
 
-CellFaces ReadCellFaces(vtkDataSet* mesh, std::vector<vtkIdType>& cells)
+CellFaces ReadCellFaces(
+  vtkDataSet* mesh, std::vector<vtkIdType>& cells, std::vector<std::string>& faults)
 {
+  CellDemands demands;
+  demands.TakesAllTypes = true;
+  demands.TakesInfinitePoints = true;
+  demands.TakesHiddenCells = true;
+  const CellChecks checks = CheckCells(mesh, demands);
+  faults = checks.Faults;
   auto* pointSet = vtkPointSet::SafeDownCast(mesh);
-  CellFaces faces(mesh->GetNumberOfPoints(),
-    pointSet ? ComputePlaces(pointSet->GetPoints()) : std::vector<vtkIdType>());
+  CellFaces faces(pointSet ? ComputePlaces(pointSet->GetPoints()) : std::vector<vtkIdType>());
   faces.Reserve(mesh->GetNumberOfCells());
   cells.clear();
   cells.reserve(mesh->GetNumberOfCells());
   vtkNew<vtkIdList> points;
-  vtkNew<vtkGenericCell> cell;
+  CellFetcher fetcher(mesh);
   for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
   {
+    if (checks.Uses[i] != CellUse::Solid)
+    {
+      continue;
+    }
     const int type = mesh->GetCellType(i);
     if (FindFaceTable(type).NumberOfFaces > 0)
     {
@@ -141,7 +147,7 @@ CellFaces ReadCellFaces(vtkDataSet* mesh, std::vector<vtkIdType>& cells)
       cells.push_back(i);
       continue;
     }
-    mesh->GetCell(i, cell);
+    vtkGenericCell* cell = fetcher.Fetch(i);
     if (cell->GetCellDimension() == 3)
     {
       faces.Add(cell);

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string> // for faults
 #include <unordered_map>
 #include <vector>
 
@@ -26,7 +27,7 @@ class RELEVOFILTERSVOLUME_EXPORT CellFaces
 {
 public:
   /// Places as ComputePlaces() says which points coincide: these become one.
-  explicit CellFaces(vtkIdType numberOfPoints, std::vector<vtkIdType> places = {});
+  explicit CellFaces(std::vector<vtkIdType> places = {});
 
   /// Before the first cell.
   void Reserve(size_t numberOfCells);
@@ -37,9 +38,6 @@ public:
 
   /// Any 3D cell. Of curved faces the corners count.
   void Add(vtkCell* cell);
-
-  /// Whether a cell had a point that there is not. Its faces are of no use.
-  bool HasMissingPoints() const { return this->IsPointMissing; }
 
   size_t GetNumberOfCells() const { return this->Firsts.size() - 1; }
 
@@ -54,13 +52,13 @@ public:
 private:
   int Join(vtkIdType point);
 
-  vtkIdType NumberOfPoints;
   std::vector<vtkIdType> Places;
-  bool IsPointMissing = false;
 };
 
-/// All 3D cells of a mesh, and which they are. Points that coincide are one.
-RELEVOFILTERSVOLUME_EXPORT CellFaces ReadCellFaces(vtkDataSet* mesh, std::vector<vtkIdType>& cells);
+/// All 3D cells of a mesh without faults, and which they are. Points that coincide are one.
+/// `faults` are as CheckCells() describes them.
+RELEVOFILTERSVOLUME_EXPORT CellFaces ReadCellFaces(
+  vtkDataSet* mesh, std::vector<vtkIdType>& cells, std::vector<std::string>& faults);
 }
 
 #endif

@@ -25,7 +25,7 @@ void BuildOrder(const JoinedMesh& mesh, VisibilityOrder& order)
     points[i] = dvec3(point[0], point[1], point[2]);
     places->SetPoint(i, point);
   }
-  CellFaces faces(numberOfPoints, ComputePlaces(places));
+  CellFaces faces(ComputePlaces(places));
   faces.Reserve(mesh.GetNumberOfTetrahedra());
   for (size_t i = 0; i < mesh.Corners.size(); i += 4)
   {

@@ -4,6 +4,7 @@
 #include "RelevoCheck.h"
 #include "RelevoPatches.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDoubleArray.h"
@@ -77,7 +78,7 @@ void TestCells(RelevoCheck& check)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   Pair type;
   type.Add(VTK_QUADRATIC_POLYGON, { 2, 4, 9, 7, 3, 8 });
-  type.Expect(check, "Cell 1 (vtkQuadraticPolygon, type 36) is left out: patches cannot be made");
+  type.Expect(check, "Cell 1 (vtkQuadraticPolygon, type 36) is left out: cells of this type");
   Pair number;
   number.Add(VTK_BEZIER_QUADRILATERAL, { 2, 4, 9, 7, 3 });
   number.Expect(check,
@@ -95,6 +96,28 @@ void TestCells(RelevoCheck& check)
   Pair none;
   none.Add(VTK_BEZIER_QUADRILATERAL, { 2, 4, 9, 7, 3, 8 }, 0, 0);
   none.Expect(check, "Cell 1");
+  // Degrees that do not fit, or that are no whole numbers from 1 to 8.
+  for (double bad : { -1.0, 1e6, 2.5, nan, std::numeric_limits<double>::infinity() })
+  {
+    Pair strange;
+    strange.AddGood();
+    vtkNew<vtkDoubleArray> degrees;
+    degrees->SetName("HigherOrderDegrees");
+    degrees->SetNumberOfComponents(3);
+    degrees->InsertNextTuple3(2.0, 1.0, 0.0);
+    degrees->InsertNextTuple3(bad, 1.0, 0.0);
+    strange.Grid->GetCellData()->SetHigherOrderDegrees(degrees);
+    strange.Expect(check, " by \"HigherOrderDegrees\", and may be 1 to 8.");
+    degrees->SetNumberOfTuples(1);
+    strange.Expect(check, "\"HigherOrderDegrees\" has no 3 numbers for it.");
+  }
+  Pair simplex;
+  simplex.Add(VTK_LAGRANGE_TRIANGLE, { 2, 4, 9, 3, 8, 7 }, 3, 3);
+  simplex.Expect(check,
+    "its degrees are 3, 3, 0 by \"HigherOrderDegrees\", but 2 by its 6 nodes; they may be 1 to 8.");
+  Pair thin;
+  thin.Add(VTK_LINE, { 2, 10 });
+  thin.Expect(check, "Cell 1 (vtkLine, type 3) is left out: it refers to point 10 of 10.");
   Pair outside;
   outside.Add(VTK_TRIANGLE, { 2, 4, 10 });
   outside.Expect(check, "it refers to point 10 of 10.");
@@ -138,12 +161,35 @@ void TestLists(RelevoCheck& check)
   const std::array<vtkIdType, 7> faces{ 3, 2, 4, 9, 2, 2, 9 };
   thin.Grid->InsertNextCell(VTK_POLYHEDRON, 4, ids.data(), 2, faces.data());
   thin.Expect(check, "its list of faces is not whole, or has a face of less than 3 points.");
+  // A point of a face that is not the cell's, no faces at all, and none that the grid keeps.
+  Pair foreign;
+  const std::array<vtkIdType, 16> others{ 3, 2, 4, 9, 3, 2, 9, 7, 3, 2, 7, 4, 3, 4, 9, 0 };
+  foreign.Grid->InsertNextCell(VTK_POLYHEDRON, 4, ids.data(), 4, others.data());
+  foreign.Expect(check, "a face has point 0, which is not among the cell's points.");
+  Pair open;
+  open.Grid->InsertNextCell(VTK_POLYHEDRON, 4, ids.data(), 0, others.data());
+  open.Expect(check, "its list of faces is not whole");
+  // Offsets that run backwards, and too few types.
+  for (double offset : { 3.0, -1.0, 1e12 })
+  {
+    Pair list;
+    list.AddGood();
+    list.Grid->GetCells()->GetOffsetsArray()->SetComponent(2, 0, offset);
+    list.Expect(check, "Cell 1 is left out: the grid's lists of types, offsets and points");
+  }
+  Pair few;
+  few.AddGood();
+  vtkNew<vtkUnsignedCharArray> types;
+  types->InsertNextValue(VTK_BEZIER_QUADRILATERAL);
+  const vtkSmartPointer<vtkCellArray> cells = few.Grid->GetCells();
+  few.Grid->SetCells(types, cells);
+  few.Expect(check, "Cell 1 is left out: the grid's lists of types, offsets and points");
   // One node is no degree at all.
   for (int type : { VTK_LAGRANGE_HEXAHEDRON, VTK_BEZIER_QUADRILATERAL, VTK_LAGRANGE_WEDGE })
   {
     Pair single;
     single.Add(type, { 2 }, 0, 0);
-    single.Expect(check, "it has 1 nodes, which does not fit its type with");
+    single.Expect(check, "its degrees are 0, 0, 0 by \"HigherOrderDegrees\"");
   }
   for (int type : { VTK_VERTEX, VTK_TRIANGLE })
   {
@@ -155,7 +201,7 @@ void TestLists(RelevoCheck& check)
     filter->SetInputData(grid);
     filter->Update();
     CHECK(filter->GetOutput()->GetNumberOfCells() == 0);
-    CHECK(type == VTK_VERTEX || errors.Said("it refers to point 2 of 0."));
+    CHECK(errors.Said("it refers to point 2 of 0."));
     CHECK(errors.None());
   }
 }
@@ -169,7 +215,7 @@ void TestMany(RelevoCheck& check)
     pair.Add(VTK_LAGRANGE_PYRAMID, { 0, 1, 6, 5, 9 });
   }
   pair.AddGood();
-  pair.Expect(check, "Cell 1 (type 74) is left out: patches cannot be made of cells", 2);
+  pair.Expect(check, "Cell 1 (type 74) is left out: cells of this type are not", 2);
   pair.Expect(check, "So it is with 999 more cells.", 2);
 }
 

@@ -108,11 +108,16 @@ void TestErrors(RelevoCheck& check)
   const vtkIdType missing[4] = { 0, 1, 2, 8 };
   mesh->InsertNextCell(VTK_TETRA, 4, missing);
   mesh->Modified();
-  CHECK(Traverse(sort).empty());
-  CHECK(errors.Said("points that it lacks"));
+  CHECK(Traverse(sort).size() == 6);
+  CHECK(errors.Said("Cell 6 (vtkTetra, type 10) is left out: it refers to point 8 of 8."));
+  mesh->InsertNextCell(VTK_TETRA, 0, missing);
+  mesh->InsertNextCell(VTK_TETRA, 2, missing);
+  mesh->Modified();
+  CHECK(Traverse(sort).size() == 6);
+  CHECK(errors.Said("it has 0 nodes, which does not fit its type. So it is with 1 more cells."));
   mesh->SetPoints(nullptr);
   CHECK(Traverse(sort).empty());
-  CHECK(errors.Said("points that it lacks"));
+  CHECK(errors.Said("left out"));
 }
 
 void TestNoCells(RelevoCheck& check)

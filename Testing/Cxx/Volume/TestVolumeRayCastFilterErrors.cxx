@@ -9,14 +9,18 @@
 #include "vtkDoubleArray.h"
 #include "vtkExecutive.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -42,6 +46,14 @@ struct Scene
     this->Filter->Update();
     return errors.Said(words) && this->Filter->GetOutput()->GetNumberOfPoints() == 0;
   }
+  // With an error.
+  bool DrawsRest(const std::string& words)
+  {
+    RelevoErrors errors(this->Filter);
+    const std::vector<RelevoColor> picture = Cast(this->Filter);
+    return errors.Said(words) && picture.size() == 100 &&
+      std::any_of(picture.begin(), picture.end(), [](const RelevoColor& c) { return c[3] > 0.01; });
+  }
   // With one warning, or none for an empty text.
   bool Draws(const std::string& warning)
   {
@@ -57,6 +69,44 @@ struct Scene
     return isFinite && isSeen && (warning.empty() ? errors.None() : errors.Warned(warning));
   }
 };
+
+// Cells that crashed, or went through in silence; nothing is left to draw.
+void TestCells(RelevoCheck& check)
+{
+  const auto fails = [](int type, int points, const std::string& words, double degree = 0.0)
+  {
+    Scene scene;
+    vtkNew<vtkUnstructuredGrid> grid;
+    grid->SetPoints(scene.Mesh->GetPoints());
+    grid->GetPointData()->ShallowCopy(scene.Mesh->GetPointData());
+    std::vector<vtkIdType> ids(points);
+    for (int i = 0; i < points; ++i)
+    {
+      ids[i] = i % 8;
+    }
+    grid->InsertNextCell(type, points, ids.data());
+    if (degree != 0.0)
+    {
+      vtkNew<vtkDoubleArray> degrees;
+      degrees->SetNumberOfComponents(3);
+      degrees->InsertNextTuple3(degree, degree, degree);
+      grid->GetCellData()->SetHigherOrderDegrees(degrees);
+    }
+    scene.Filter->SetInputData(grid);
+    return scene.Fails(words);
+  };
+  CHECK(fails(VTK_LAGRANGE_TETRAHEDRON, 5, "it has 5 nodes, which does not fit its type."));
+  CHECK(fails(VTK_LAGRANGE_HEXAHEDRON, 63, "it has 63 nodes, which does not fit its type."));
+  CHECK(fails(VTK_TRIQUADRATIC_HEXAHEDRON, 0, "it has 0 nodes, which does not fit its type."));
+  CHECK(fails(VTK_TRIQUADRATIC_PYRAMID, 13, "it has 13 nodes, which does not fit its type."));
+  CHECK(fails(VTK_QUADRATIC_WEDGE, 6, "it has 6 nodes, which does not fit its type."));
+  CHECK(fails(VTK_LAGRANGE_PYRAMID, 5, "cells of this type are not supported."));
+  for (double degree : { -1.0, 9.0, 1e6, 1.5, std::numeric_limits<double>::quiet_NaN() })
+  {
+    CHECK(fails(VTK_BEZIER_HEXAHEDRON, 8, ", and may be 1 to 8.", degree));
+    CHECK(fails(VTK_LAGRANGE_TETRAHEDRON, 4, "but 1 by its 4 nodes;", degree));
+  }
+}
 
 void TestMissing(RelevoCheck& check)
 {
@@ -112,7 +162,7 @@ void TestArrays(RelevoCheck& check)
   CHECK(scene.Fails("3 components in one block and 1 in another"));
 }
 
-// Cells of points that do not exist.
+// Cells of points that do not exist are left out, with an error; the rest is drawn.
 void TestBroken(RelevoCheck& check)
 {
   for (const vtkIdType id : { vtkIdType(-1), vtkIdType(8), vtkIdType(1) << 40 })
@@ -120,10 +170,18 @@ void TestBroken(RelevoCheck& check)
     Scene scene;
     const vtkIdType ids[4] = { 0, 1, 2, id };
     scene.Mesh->InsertNextCell(VTK_TETRA, 4, ids);
-    CHECK(scene.Fails("cells that refer to points that do not exist: 1 of 7"));
+    const std::string words =
+      "Cell 6 (vtkTetra, type 10) is left out: it refers to point " + std::to_string(id) + " of 8.";
+    CHECK(scene.DrawsRest(words));
     const vtkIdType flat[3] = { 0, 1, id };
     scene.Mesh->InsertNextCell(VTK_TRIANGLE, 3, flat);
-    CHECK(scene.Fails("do not exist: 2 of 8"));
+    scene.Mesh->Modified();
+    CHECK(scene.DrawsRest("So it is with 1 more cells."));
+    vtkNew<vtkMultiBlockDataSet> blocks;
+    blocks->SetBlock(2, scene.Mesh);
+    blocks->GetMetaData(2u)->Set(vtkCompositeDataSet::NAME(), "left wing");
+    scene.Filter->SetInputDataObject(blocks);
+    CHECK(scene.DrawsRest("Block 3 (\"left wing\"): Cell 6 (vtkTetra"));
   }
   for (const vtkIdType id : { 3, 9 })
   {
@@ -131,7 +189,7 @@ void TestBroken(RelevoCheck& check)
     const vtkIdType ids[4] = { 0, 1, 2, 3 };
     const vtkIdType faces[] = { 3, 0, 1, 2, 3, 0, 1, 3, 3, 1, 2, 3, 3, 0, 2, id };
     scene.Mesh->InsertNextCell(VTK_POLYHEDRON, 4, ids, 4, faces);
-    CHECK(id == 9 ? scene.Fails("do not exist: 1 of 7") : !scene.Fails("do not exist"));
+    CHECK(id == 9 ? scene.DrawsRest("it refers to point 9 of 8.") : !scene.Fails("left out"));
   }
 }
 
@@ -184,6 +242,7 @@ int TestVolumeRayCastFilterErrors(int, char*[])
   TestMissing(check);
   TestArrays(check);
   TestBroken(check);
+  TestCells(check);
   TestMeshes(check);
   return check.GetResult();
 }

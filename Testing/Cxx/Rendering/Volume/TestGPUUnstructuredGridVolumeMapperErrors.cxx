@@ -12,6 +12,10 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -90,6 +94,40 @@ void TestCells(RelevoCheck& check)
   vtkObject::GlobalWarningDisplayOn();
 }
 
+// Cells with too few nodes are left out, with an error that is said once.
+void TestNodes(RelevoCheck& check)
+{
+  for (const auto& [type, nodes] : { std::make_pair(int(VTK_LAGRANGE_HEXAHEDRON), 63),
+         std::make_pair(int(VTK_TRIQUADRATIC_HEXAHEDRON), 0),
+         std::make_pair(int(VTK_LAGRANGE_TETRAHEDRON), 5) })
+  {
+    const auto mesh = MakeTetrahedra(3, GetLinearField);
+    const vtkIdType good = mesh->GetNumberOfCells();
+    std::vector<vtkIdType> ids(64);
+    std::iota(ids.begin(), ids.end(), 0);
+    mesh->InsertNextCell(type, nodes, ids.data());
+    RelevoVolumeScene scene(mesh, MakeLinearProperty());
+    RelevoErrors errors(scene.GetMapper());
+    CHECK(!IsBlack(scene.Draw()));
+    CHECK(errors.Said("Cell " + std::to_string(good) + " (vtk"));
+    CHECK(scene.GetMapper()->GetNumberOfDrawnCells() == good);
+    scene.GetMapper()->SetMethodToCellProjection();
+    CHECK(!IsBlack(scene.Draw()));
+    CHECK(errors.None());
+
+    vtkNew<vtkUnstructuredGrid> alone;
+    alone->SetPoints(mesh->GetPoints());
+    alone->GetPointData()->ShallowCopy(mesh->GetPointData());
+    alone->InsertNextCell(type, nodes, ids.data());
+    scene.GetMapper()->SetInputData(alone);
+    CHECK(IsBlack(scene.Draw()));
+    CHECK(errors.Said(std::to_string(nodes) + " nodes, which does not fit its type."));
+    scene.GetMapper()->SetInputData(MakeTetrahedra(2, GetLinearField));
+    CHECK(!IsBlack(scene.Draw()));
+    CHECK(errors.None());
+  }
+}
+
 void TestProperty(RelevoCheck& check)
 {
   RelevoVolumeScene scene(MakeTetrahedra(2, GetLinearField), MakeLinearProperty());
@@ -118,6 +156,7 @@ int TestGPUUnstructuredGridVolumeMapperErrors(int, char*[])
   TestNothing(check);
   TestArrays(check);
   TestCells(check);
+  TestNodes(check);
   TestProperty(check);
   TestWindows(check);
   return check.GetResult();

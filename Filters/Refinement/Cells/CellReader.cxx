@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/CellReader.h"
 
+#include "Core/VTKCompatibility.h"
 #include "vtkCellData.h"
+#include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
 #include "vtkUnstructuredGrid.h"
@@ -16,7 +18,7 @@ namespace
 constexpr std::array<int, 8> PixelOrder{ 0, 1, 3, 2, 4, 5, 7, 6 };
 
 // Degrees that the grid does not tell of.
-int FindUniformDegree(CellShape shape, vtkIdType nodes)
+int FindUniformDegree(CellTopology shape, vtkIdType nodes)
 {
   int degree = 1;
   while (GetNumberOfNodes(shape, ivec3(degree)) < nodes)
@@ -27,20 +29,20 @@ int FindUniformDegree(CellShape shape, vtkIdType nodes)
 }
 }
 
-vtkIdType GetNumberOfNodes(CellShape shape, const ivec3& degrees)
+vtkIdType GetNumberOfNodes(CellTopology shape, const ivec3& degrees)
 {
   const vtkIdType x = degrees.x + 1;
   const vtkIdType y = degrees.y + 1;
   const vtkIdType z = degrees.z + 1;
   switch (shape)
   {
-    case CellShape::Triangle:
+    case CellTopology::Triangle:
       return x * (x + 1) / 2;
-    case CellShape::Quadrilateral:
+    case CellTopology::Quadrilateral:
       return x * y;
-    case CellShape::Tetrahedron:
+    case CellTopology::Tetrahedron:
       return x * (x + 1) * (x + 2) / 6;
-    case CellShape::Wedge:
+    case CellTopology::Wedge:
       return x * (x + 1) / 2 * z;
     default:
       return x * y * z;
@@ -49,17 +51,28 @@ vtkIdType GetNumberOfNodes(CellShape shape, const ivec3& degrees)
 
 CellReader::CellReader(vtkUnstructuredGrid* grid)
   : Grid(grid)
+  , NumberOfTypes(GetNumberOfCellTypes(grid))
 {
 }
 
 CellReader::~CellReader() = default;
 
-void CellReader::Read(vtkIdType cell)
+bool CellReader::ReadNodes(vtkIdType cell)
 {
   this->Cell = cell;
-  this->Grid->GetCells()->GetCellAtId(cell, this->Nodes); // safe in threads
-  this->Kind = GetCellKind(this->Grid->GetCellType(cell), this->Nodes->GetNumberOfIds());
+  const bool isListed =
+    cell < this->NumberOfTypes && ReadCellPoints(this->Grid->GetCells(), cell, this->Nodes);
+  const int type = isListed ? this->Grid->GetCellType(cell) : VTK_EMPTY_CELL;
+  this->Kind = GetCellKind(type, this->Nodes->GetNumberOfIds());
+  this->Faces.clear();
+  return isListed;
+}
+
+bool CellReader::Read(vtkIdType cell)
+{
+  const bool isListed = this->ReadNodes(cell);
   this->ReadFaces();
+  return isListed;
 }
 
 vtkIdType CellReader::GetNumberOfNodes() const
@@ -72,40 +85,59 @@ vtkIdType CellReader::GetNode(vtkIdType node) const
   return this->Nodes->GetId(node);
 }
 
+// Simplices have the degree that their number of nodes says.
 ivec3 CellReader::GetDegrees() const
 {
-  const CellShape shape = this->Kind.Shape;
-  const bool isOfOneDegree = shape == CellShape::Triangle || shape == CellShape::Tetrahedron;
-  vtkDataArray* degrees = this->Grid->GetCellData()->GetHigherOrderDegrees();
-  if (!degrees || isOfOneDegree)
+  const CellTopology shape = this->Kind.Shape;
+  if (IsSimplex(shape) || !this->GetDegreeArray())
   {
     return ivec3(FindUniformDegree(shape, this->Nodes->GetNumberOfIds()));
   }
   ivec3 result(0);
-  const int components = std::min(degrees->GetNumberOfComponents(), 3);
-  for (int c = 0; c < components && this->Cell < degrees->GetNumberOfTuples(); ++c)
+  for (int c = 0; c < 3 && !this->LacksDegrees(); ++c)
   {
-    const double degree = degrees->GetComponent(this->Cell, c);
+    const double degree = this->GetGivenDegree(c);
     result[c] = degree >= 0.0 && degree <= 1e6 ? static_cast<int>(degree) : 0;
   }
   return result;
 }
 
+vtkDataArray* CellReader::GetDegreeArray() const
+{
+  return this->Grid->GetCellData()->GetHigherOrderDegrees();
+}
+
+bool CellReader::LacksDegrees() const
+{
+  vtkDataArray* degrees = this->GetDegreeArray();
+  return degrees &&
+    (degrees->GetNumberOfComponents() != 3 || this->Cell >= degrees->GetNumberOfTuples());
+}
+
+double CellReader::GetGivenDegree(int direction) const
+{
+  vtkDataArray* degrees = this->GetDegreeArray();
+  return degrees ? degrees->GetComponent(this->Cell, direction) : this->GetDegrees()[direction];
+}
+
 void CellReader::ReadFaces()
 {
   const vtkIdType nodes = this->Nodes->GetNumberOfIds();
-  if (this->Kind.Shape == CellShape::Polyhedron)
+  if (this->Kind.Shape == CellTopology::Polyhedron)
   {
-    this->ReadPolyhedron();
+    if (!ReadPolyhedronFaces(this->Grid, this->Cell, this->Scratch, this->Faces))
+    {
+      this->Faces.clear();
+    }
     return;
   }
-  if (this->Kind.Shape == CellShape::Polygon)
+  if (this->Kind.Shape == CellTopology::Polygon)
   {
     this->Faces.resize(1);
     this->Faces[0].assign(this->Nodes->begin(), this->Nodes->end());
     return;
   }
-  if (this->Kind.Shape == CellShape::TriangleStrip)
+  if (this->Kind.Shape == CellTopology::TriangleStrip)
   {
     this->Faces.resize(std::max<vtkIdType>(nodes - 2, 0));
     for (vtkIdType i = 0; i + 2 < nodes; ++i)
@@ -124,26 +156,6 @@ void CellReader::ReadFaces()
     {
       this->Faces[i].push_back(this->GetNode(corners.Corners[k]));
     }
-  }
-}
-
-void CellReader::ReadPolyhedron()
-{
-  // How many faces; of each face, how many points, and these.
-  this->Grid->GetFaceStream(this->Cell, this->Stream);
-  this->Faces.clear();
-  const vtkIdType size = this->Stream->GetNumberOfIds();
-  for (vtkIdType i = 1; i < size;)
-  {
-    const vtkIdType corners = this->Stream->GetId(i++);
-    if (corners < 0 || corners > size - i)
-    {
-      this->Faces.clear();
-      return;
-    }
-    const vtkIdType* points = this->Stream->GetPointer(i);
-    this->Faces.emplace_back(points, points + corners);
-    i += corners;
   }
 }
 

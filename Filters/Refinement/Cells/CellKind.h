@@ -4,33 +4,38 @@
  * @file
  * @brief   the faces of VTK's cells, and where they have their nodes
  *
- * Private to the module's own sources.
+ * Private to the modules' own sources.
  */
 #ifndef CellKind_h
 #define CellKind_h
 
 #include "Core/RefinementMathematics.h"
+#include "RelevoFiltersRefinementModule.h" // for export macro
 #include "vtkType.h"
 
 #include <array>
 
 namespace relevo
 {
-enum class CellShape
+enum class CellTopology
 {
-  Unknown, // no surface can be made of it
-  Thin,    // points and lines
+  Unknown, // VTK has no cell of this type
+  Empty,
+  Points,
+  Curve,
   Triangle,
   Quadrilateral,
   Polygon,
   TriangleStrip,
+  QuadraticPolygon,
   Tetrahedron,
   Hexahedron,
   Wedge,
   Pyramid,
   PentagonalPrism,
   HexagonalPrism,
-  Polyhedron
+  Polyhedron,
+  PointSet // convex
 };
 
 enum class NodeKind
@@ -52,30 +57,37 @@ struct FaceCorners
 
 struct CellKind
 {
-  CellShape Shape = CellShape::Unknown;
+  CellTopology Shape = CellTopology::Unknown;
   NodeKind Nodes = NodeKind::Corners;
   int NumberOfNodes = 0;          // 0 if it is not the same for all
+  int LeastNodes = 0;             // of those without a fixed number or a degree
   bool IsInPixelOrder = false;    // corners are those of VTK_PIXEL and VTK_VOXEL
   int NumberOfEdgeNodes = 0;      // those of the shape's first edges
   std::array<int, 6> FaceNodes{}; // the node in the middle of each face, 0 if there is none
 
-  bool IsSolid() const { return this->Shape >= CellShape::Tetrahedron; }
+  bool IsSolid() const { return this->Shape >= CellTopology::Tetrahedron; }
   bool IsSurface() const
   {
-    return this->Shape >= CellShape::Triangle && this->Shape <= CellShape::TriangleStrip;
+    return this->Shape >= CellTopology::Triangle && this->Shape <= CellTopology::QuadraticPolygon;
   }
 };
 
 /// `nodes` of the cell: some of Lagrange's kinds are quadratic ones with nodes in their faces.
-CellKind GetCellKind(int type, vtkIdType nodes);
+RELEVOFILTERSREFINEMENT_EXPORT CellKind GetCellKind(int type, vtkIdType nodes);
+
+/// Whether all degrees of the shape are one.
+constexpr bool IsSimplex(CellTopology shape)
+{
+  return shape == CellTopology::Triangle || shape == CellTopology::Tetrahedron;
+}
 
 /// Of shapes that always have the same: 1 for a triangle.
-int GetNumberOfFaces(CellShape shape);
-FaceCorners GetFace(CellShape shape, int face);
+RELEVOFILTERSREFINEMENT_EXPORT int GetNumberOfFaces(CellTopology shape);
+RELEVOFILTERSREFINEMENT_EXPORT FaceCorners GetFace(CellTopology shape, int face);
 /// The node in the middle of the edge between two corners, 0 if there is none.
-int GetEdgeNode(const CellKind& kind, int first, int second);
+RELEVOFILTERSREFINEMENT_EXPORT int GetEdgeNode(const CellKind& kind, int first, int second);
 /// Where a corner lies in the cell's parametric coordinates: 0 or 1.
-ivec3 GetCornerCoordinates(CellShape shape, int corner);
+RELEVOFILTERSREFINEMENT_EXPORT ivec3 GetCornerCoordinates(CellTopology shape, int corner);
 }
 
 #endif

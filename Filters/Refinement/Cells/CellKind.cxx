@@ -18,7 +18,7 @@ struct Topology
   std::vector<std::array<int, 2>> Edges;
 };
 
-const Topology& GetTopology(CellShape shape)
+const Topology& GetTopology(CellTopology shape)
 {
   static const Topology none;
   static const Topology triangle{ 3, { { 3, { 0, 1, 2 } } }, { { 0, 1 }, { 1, 2 }, { 2, 0 } } };
@@ -51,41 +51,46 @@ const Topology& GetTopology(CellShape shape)
     {} };
   switch (shape)
   {
-    case CellShape::Triangle:
+    case CellTopology::Triangle:
       return triangle;
-    case CellShape::Quadrilateral:
+    case CellTopology::Quadrilateral:
       return quadrilateral;
-    case CellShape::Tetrahedron:
+    case CellTopology::Tetrahedron:
       return tetrahedron;
-    case CellShape::Hexahedron:
+    case CellTopology::Hexahedron:
       return hexahedron;
-    case CellShape::Wedge:
+    case CellTopology::Wedge:
       return wedge;
-    case CellShape::Pyramid:
+    case CellTopology::Pyramid:
       return pyramid;
-    case CellShape::PentagonalPrism:
+    case CellTopology::PentagonalPrism:
       return pentagonalPrism;
-    case CellShape::HexagonalPrism:
+    case CellTopology::HexagonalPrism:
       return hexagonalPrism;
     default:
       return none;
   }
 }
 
-CellKind MakeLinear(CellShape shape, bool isInPixelOrder = false)
+CellKind MakeLinear(CellTopology shape, bool isInPixelOrder = false)
 {
-  return { shape, NodeKind::Corners, GetTopology(shape).NumberOfCorners, isInPixelOrder, 0, {} };
+  return { shape, NodeKind::Corners, GetTopology(shape).NumberOfCorners, 0, isInPixelOrder, 0, {} };
+}
+
+CellKind MakeOfMany(CellTopology shape, int leastNodes)
+{
+  return { shape, NodeKind::Corners, 0, leastNodes, false, 0, {} };
 }
 
 CellKind MakeQuadratic(
-  CellShape shape, int nodes, int edgeNodes, const std::array<int, 6>& faceNodes = {})
+  CellTopology shape, int nodes, int edgeNodes, const std::array<int, 6>& faceNodes = {})
 {
-  return { shape, NodeKind::Quadratic, nodes, false, edgeNodes, faceNodes };
+  return { shape, NodeKind::Quadratic, nodes, 0, false, edgeNodes, faceNodes };
 }
 
-CellKind MakeHigherOrder(CellShape shape, NodeKind nodes)
+CellKind MakeHigherOrder(CellTopology shape, NodeKind nodes)
 {
-  return { shape, nodes, 0, false, 0, {} };
+  return { shape, nodes, 0, 0, false, 0, {} };
 }
 
 CellKind GetQuadraticKind(int type)
@@ -93,33 +98,33 @@ CellKind GetQuadraticKind(int type)
   switch (type)
   {
     case VTK_QUADRATIC_TRIANGLE:
-      return MakeQuadratic(CellShape::Triangle, 6, 3);
+      return MakeQuadratic(CellTopology::Triangle, 6, 3);
     case VTK_BIQUADRATIC_TRIANGLE:
-      return MakeQuadratic(CellShape::Triangle, 7, 3, { 6 });
+      return MakeQuadratic(CellTopology::Triangle, 7, 3, { 6 });
     case VTK_QUADRATIC_LINEAR_QUAD:
-      return MakeQuadratic(CellShape::Quadrilateral, 6, 2);
+      return MakeQuadratic(CellTopology::Quadrilateral, 6, 2);
     case VTK_QUADRATIC_QUAD:
-      return MakeQuadratic(CellShape::Quadrilateral, 8, 4);
+      return MakeQuadratic(CellTopology::Quadrilateral, 8, 4);
     case VTK_BIQUADRATIC_QUAD:
-      return MakeQuadratic(CellShape::Quadrilateral, 9, 4, { 8 });
+      return MakeQuadratic(CellTopology::Quadrilateral, 9, 4, { 8 });
     case VTK_QUADRATIC_TETRA:
-      return MakeQuadratic(CellShape::Tetrahedron, 10, 6);
+      return MakeQuadratic(CellTopology::Tetrahedron, 10, 6);
     case VTK_QUADRATIC_HEXAHEDRON:
-      return MakeQuadratic(CellShape::Hexahedron, 20, 12);
+      return MakeQuadratic(CellTopology::Hexahedron, 20, 12);
     case VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON:
-      return MakeQuadratic(CellShape::Hexahedron, 24, 12, { 20, 21, 22, 23 });
+      return MakeQuadratic(CellTopology::Hexahedron, 24, 12, { 20, 21, 22, 23 });
     case VTK_TRIQUADRATIC_HEXAHEDRON:
-      return MakeQuadratic(CellShape::Hexahedron, 27, 12, { 20, 21, 22, 23, 24, 25 });
+      return MakeQuadratic(CellTopology::Hexahedron, 27, 12, { 20, 21, 22, 23, 24, 25 });
     case VTK_QUADRATIC_LINEAR_WEDGE:
-      return MakeQuadratic(CellShape::Wedge, 12, 6);
+      return MakeQuadratic(CellTopology::Wedge, 12, 6);
     case VTK_QUADRATIC_WEDGE:
-      return MakeQuadratic(CellShape::Wedge, 15, 9);
+      return MakeQuadratic(CellTopology::Wedge, 15, 9);
     case VTK_BIQUADRATIC_QUADRATIC_WEDGE:
-      return MakeQuadratic(CellShape::Wedge, 18, 9, { 0, 0, 15, 16, 17 });
+      return MakeQuadratic(CellTopology::Wedge, 18, 9, { 0, 0, 15, 16, 17 });
     case VTK_QUADRATIC_PYRAMID:
-      return MakeQuadratic(CellShape::Pyramid, 13, 8);
+      return MakeQuadratic(CellTopology::Pyramid, 13, 8);
     case VTK_TRIQUADRATIC_PYRAMID:
-      return MakeQuadratic(CellShape::Pyramid, 19, 8, { 13, 14, 15, 16, 17 });
+      return MakeQuadratic(CellTopology::Pyramid, 19, 8, { 13, 14, 15, 16, 17 });
     default:
       return {};
   }
@@ -131,27 +136,57 @@ CellKind GetHigherOrderKind(int type, vtkIdType nodes)
   {
     case VTK_LAGRANGE_TRIANGLE:
       return nodes == 7 ? GetQuadraticKind(VTK_BIQUADRATIC_TRIANGLE)
-                        : MakeHigherOrder(CellShape::Triangle, NodeKind::Lagrange);
+                        : MakeHigherOrder(CellTopology::Triangle, NodeKind::Lagrange);
     case VTK_LAGRANGE_QUADRILATERAL:
-      return MakeHigherOrder(CellShape::Quadrilateral, NodeKind::Lagrange);
+      return MakeHigherOrder(CellTopology::Quadrilateral, NodeKind::Lagrange);
     case VTK_LAGRANGE_TETRAHEDRON:
-      return nodes == 15 ? MakeQuadratic(CellShape::Tetrahedron, 15, 6, { 11, 12, 13, 10 })
-                         : MakeHigherOrder(CellShape::Tetrahedron, NodeKind::Lagrange);
+      return nodes == 15 ? MakeQuadratic(CellTopology::Tetrahedron, 15, 6, { 11, 12, 13, 10 })
+                         : MakeHigherOrder(CellTopology::Tetrahedron, NodeKind::Lagrange);
     case VTK_LAGRANGE_HEXAHEDRON:
-      return MakeHigherOrder(CellShape::Hexahedron, NodeKind::Lagrange);
+      return MakeHigherOrder(CellTopology::Hexahedron, NodeKind::Lagrange);
     case VTK_LAGRANGE_WEDGE:
-      return nodes == 21 ? MakeQuadratic(CellShape::Wedge, 21, 9, { 15, 16, 17, 18, 19 })
-                         : MakeHigherOrder(CellShape::Wedge, NodeKind::Lagrange);
+      return nodes == 21 ? MakeQuadratic(CellTopology::Wedge, 21, 9, { 15, 16, 17, 18, 19 })
+                         : MakeHigherOrder(CellTopology::Wedge, NodeKind::Lagrange);
     case VTK_BEZIER_TRIANGLE:
-      return MakeHigherOrder(CellShape::Triangle, NodeKind::Bezier);
+      return MakeHigherOrder(CellTopology::Triangle, NodeKind::Bezier);
     case VTK_BEZIER_QUADRILATERAL:
-      return MakeHigherOrder(CellShape::Quadrilateral, NodeKind::Bezier);
+      return MakeHigherOrder(CellTopology::Quadrilateral, NodeKind::Bezier);
     case VTK_BEZIER_TETRAHEDRON:
-      return MakeHigherOrder(CellShape::Tetrahedron, NodeKind::Bezier);
+      return MakeHigherOrder(CellTopology::Tetrahedron, NodeKind::Bezier);
     case VTK_BEZIER_HEXAHEDRON:
-      return MakeHigherOrder(CellShape::Hexahedron, NodeKind::Bezier);
+      return MakeHigherOrder(CellTopology::Hexahedron, NodeKind::Bezier);
     case VTK_BEZIER_WEDGE:
-      return MakeHigherOrder(CellShape::Wedge, NodeKind::Bezier);
+      return MakeHigherOrder(CellTopology::Wedge, NodeKind::Bezier);
+    default:
+      return {};
+  }
+}
+
+CellKind MakeCurve(int nodes, int leastNodes)
+{
+  return { CellTopology::Curve, NodeKind::Corners, nodes, leastNodes, false, 0, {} };
+}
+
+CellKind GetThinKind(int type)
+{
+  switch (type)
+  {
+    case VTK_EMPTY_CELL:
+      return MakeOfMany(CellTopology::Empty, 0);
+    case VTK_VERTEX:
+      return { CellTopology::Points, NodeKind::Corners, 1, 0, false, 0, {} };
+    case VTK_POLY_VERTEX:
+      return MakeOfMany(CellTopology::Points, 1);
+    case VTK_LINE:
+      return MakeCurve(2, 0);
+    case VTK_POLY_LINE:
+    case VTK_LAGRANGE_CURVE:
+    case VTK_BEZIER_CURVE:
+      return MakeCurve(0, 2);
+    case VTK_QUADRATIC_EDGE:
+      return MakeCurve(3, 0);
+    case VTK_CUBIC_LINE:
+      return MakeCurve(4, 0);
     default:
       return {};
   }
@@ -161,42 +196,36 @@ CellKind GetLinearKind(int type)
 {
   switch (type)
   {
-    case VTK_EMPTY_CELL:
-    case VTK_VERTEX:
-    case VTK_POLY_VERTEX:
-    case VTK_LINE:
-    case VTK_POLY_LINE:
-    case VTK_QUADRATIC_EDGE:
-    case VTK_CUBIC_LINE:
-    case VTK_LAGRANGE_CURVE:
-    case VTK_BEZIER_CURVE:
-      return MakeLinear(CellShape::Thin);
     case VTK_TRIANGLE:
-      return MakeLinear(CellShape::Triangle);
+      return MakeLinear(CellTopology::Triangle);
     case VTK_PIXEL:
-      return MakeLinear(CellShape::Quadrilateral, true);
+      return MakeLinear(CellTopology::Quadrilateral, true);
     case VTK_QUAD:
-      return MakeLinear(CellShape::Quadrilateral);
+      return MakeLinear(CellTopology::Quadrilateral);
     case VTK_POLYGON:
-      return MakeLinear(CellShape::Polygon);
+      return MakeOfMany(CellTopology::Polygon, 3);
     case VTK_TRIANGLE_STRIP:
-      return MakeLinear(CellShape::TriangleStrip);
+      return MakeOfMany(CellTopology::TriangleStrip, 3);
+    case VTK_QUADRATIC_POLYGON:
+      return MakeOfMany(CellTopology::QuadraticPolygon, 6);
     case VTK_TETRA:
-      return MakeLinear(CellShape::Tetrahedron);
+      return MakeLinear(CellTopology::Tetrahedron);
     case VTK_VOXEL:
-      return MakeLinear(CellShape::Hexahedron, true);
+      return MakeLinear(CellTopology::Hexahedron, true);
     case VTK_HEXAHEDRON:
-      return MakeLinear(CellShape::Hexahedron);
+      return MakeLinear(CellTopology::Hexahedron);
     case VTK_WEDGE:
-      return MakeLinear(CellShape::Wedge);
+      return MakeLinear(CellTopology::Wedge);
     case VTK_PYRAMID:
-      return MakeLinear(CellShape::Pyramid);
+      return MakeLinear(CellTopology::Pyramid);
     case VTK_PENTAGONAL_PRISM:
-      return MakeLinear(CellShape::PentagonalPrism);
+      return MakeLinear(CellTopology::PentagonalPrism);
     case VTK_HEXAGONAL_PRISM:
-      return MakeLinear(CellShape::HexagonalPrism);
+      return MakeLinear(CellTopology::HexagonalPrism);
     case VTK_POLYHEDRON:
-      return MakeLinear(CellShape::Polyhedron);
+      return MakeOfMany(CellTopology::Polyhedron, 4);
+    case VTK_CONVEX_POINT_SET:
+      return MakeOfMany(CellTopology::PointSet, 4);
     default:
       return {};
   }
@@ -206,19 +235,23 @@ CellKind GetLinearKind(int type)
 CellKind GetCellKind(int type, vtkIdType nodes)
 {
   CellKind kind = GetLinearKind(type);
-  if (kind.Shape == CellShape::Unknown)
+  if (kind.Shape == CellTopology::Unknown)
   {
     kind = GetQuadraticKind(type);
   }
-  return kind.Shape == CellShape::Unknown ? GetHigherOrderKind(type, nodes) : kind;
+  if (kind.Shape == CellTopology::Unknown)
+  {
+    kind = GetThinKind(type);
+  }
+  return kind.Shape == CellTopology::Unknown ? GetHigherOrderKind(type, nodes) : kind;
 }
 
-int GetNumberOfFaces(CellShape shape)
+int GetNumberOfFaces(CellTopology shape)
 {
   return static_cast<int>(GetTopology(shape).Faces.size());
 }
 
-FaceCorners GetFace(CellShape shape, int face)
+FaceCorners GetFace(CellTopology shape, int face)
 {
   return GetTopology(shape).Faces[face];
 }
@@ -226,7 +259,7 @@ FaceCorners GetFace(CellShape shape, int face)
 int GetEdgeNode(const CellKind& kind, int first, int second)
 {
   // QuadraticLinearQuad has nodes on edges 0 and 2.
-  const int step = kind.Shape == CellShape::Quadrilateral && kind.NumberOfEdgeNodes == 2 ? 2 : 1;
+  const int step = kind.Shape == CellTopology::Quadrilateral && kind.NumberOfEdgeNodes == 2 ? 2 : 1;
   const Topology& topology = GetTopology(kind.Shape);
   for (int i = 0; i < kind.NumberOfEdgeNodes; ++i)
   {
@@ -239,14 +272,14 @@ int GetEdgeNode(const CellKind& kind, int first, int second)
   return 0;
 }
 
-ivec3 GetCornerCoordinates(CellShape shape, int corner)
+ivec3 GetCornerCoordinates(CellTopology shape, int corner)
 {
-  if (shape == CellShape::Tetrahedron && corner == 3)
+  if (shape == CellTopology::Tetrahedron && corner == 3)
   {
     return ivec3(0, 0, 1);
   }
-  const bool isTriangular =
-    shape == CellShape::Triangle || shape == CellShape::Tetrahedron || shape == CellShape::Wedge;
+  const bool isTriangular = shape == CellTopology::Triangle || shape == CellTopology::Tetrahedron ||
+    shape == CellTopology::Wedge;
   const int size = isTriangular ? 3 : 4;
   const int k = corner % size;
   const ivec2 plane = isTriangular ? ivec2(k == 1, k == 2) : ivec2(k == 1 || k == 2, k >= 2);

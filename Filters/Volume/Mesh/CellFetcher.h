@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   CellFetcher
+ * @brief   the cells of a data set as VTK's objects
+ *
+ * A vtkGenericCell must not become a Lagrange tetrahedron of 10 points after one of 15: VTK keeps
+ * tables of the latter and reads past their end.
+ *
+ * Private to the module's own sources.
+ */
+#ifndef CellFetcher_h
+#define CellFetcher_h
+
+#include "vtkCellType.h"
+#include "vtkDataSet.h"
+#include "vtkGenericCell.h"
+#include "vtkSmartPointer.h"
+
+namespace relevo
+{
+class CellFetcher
+{
+public:
+  explicit CellFetcher(vtkDataSet* mesh)
+    : Mesh(mesh)
+  {
+  }
+
+  /// Valid until the next call. The cell must be sound.
+  vtkGenericCell* Fetch(vtkIdType cell)
+  {
+    const bool isLagrange = this->Mesh->GetCellType(cell) == VTK_LAGRANGE_TETRAHEDRON;
+    vtkSmartPointer<vtkGenericCell>& fetched = isLagrange ? this->Lagrange : this->Cell;
+    this->Mesh->GetCell(cell, fetched);
+    if (isLagrange && fetched->GetNumberOfPoints() != this->NumberOfPoints)
+    {
+      this->NumberOfPoints = fetched->GetNumberOfPoints();
+      fetched = vtkSmartPointer<vtkGenericCell>::New();
+      this->Mesh->GetCell(cell, fetched);
+    }
+    return fetched;
+  }
+
+private:
+  vtkDataSet* Mesh;
+  vtkSmartPointer<vtkGenericCell> Cell = vtkSmartPointer<vtkGenericCell>::New();
+  vtkSmartPointer<vtkGenericCell> Lagrange = vtkSmartPointer<vtkGenericCell>::New();
+  vtkIdType NumberOfPoints = 0;
+};
+}
+
+#endif

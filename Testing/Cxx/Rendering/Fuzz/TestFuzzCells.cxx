@@ -1,0 +1,325 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Random unstructured grids, sound and not, through every class that takes them: nothing crashes or
+// hangs, no fault goes through in silence, and no sound cell is called faulty.
+#include "RelevoCheck.h"
+#include "RelevoFuzz.h"
+#include "RelevoRandomGrid.h"
+
+#include "vtkActor.h"
+#include "vtkAdaptiveCurveFilter.h"
+#include "vtkAdaptiveCurveMapper.h"
+#include "vtkAdaptivePatchMapper.h"
+#include "vtkAdaptiveRefinement.h"
+#include "vtkAdaptiveRefinementFilter.h"
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkDoubleArray.h"
+#include "vtkGPUUnstructuredGridVolumeMapper.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkLogger.h"
+#include "vtkMeshVisibilitySort.h"
+#include "vtkPatchSurface.h"
+#include "vtkPatchSurfaceFilter.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+#include "vtkVolumeRayCastFilter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#ifdef __unix__
+#include <unistd.h>
+#endif
+
+namespace
+{
+using RelevoFuzz::Call;
+using RelevoFuzz::Dice;
+
+constexpr int Size = 24; // of pictures
+constexpr int MostSeconds = 60;
+
+vtkSmartPointer<vtkCamera> MakeCamera()
+{
+  auto camera = vtkSmartPointer<vtkCamera>::New();
+  camera->SetPosition(2.5, 2.0, 3.0);
+  camera->SetFocalPoint(0.5, 0.5, 0.5);
+  camera->SetClippingRange(0.1, 100.0);
+  return camera;
+}
+
+vtkSmartPointer<vtkAdaptiveRefinement> MakeRecipe()
+{
+  auto recipe = vtkSmartPointer<vtkAdaptiveRefinement>::New();
+  recipe->SetMaximumLevel(1);
+  recipe->SetSurface(vtkNew<vtkPatchSurface>());
+  return recipe;
+}
+
+// What an object reports of one grid.
+class Reports
+{
+public:
+  explicit Reports(vtkObject* object)
+    : Object(object)
+  {
+    this->Tag = object->AddObserver(vtkCommand::ErrorEvent, this, &Reports::Take);
+  }
+  ~Reports() { this->Object->RemoveObserver(this->Tag); }
+  Reports(const Reports&) = delete;
+  void operator=(const Reports&) = delete;
+  const std::string& GetText() const { return this->Text; }
+  bool Has(const char* words) const { return this->Text.find(words) != std::string::npos; }
+
+private:
+  void Take(vtkObject*, unsigned long, void* text) { this->Text += static_cast<const char*>(text); }
+  vtkObject* Object;
+  unsigned long Tag;
+  std::string Text;
+};
+
+// Windows and mappers of all runs: programs are built once.
+struct Stage
+{
+  Stage()
+  {
+    this->Renderer->SetActiveCamera(MakeCamera());
+    this->Window->SetOffScreenRendering(1);
+    this->Window->SetMultiSamples(0);
+    this->Window->SetSize(Size, Size);
+    this->Window->AddRenderer(this->Renderer);
+    this->Property->GetScalarOpacity()->AddPoint(0.0, 0.2);
+    this->Property->GetScalarOpacity()->AddPoint(1.0, 0.9);
+    this->Property->GetRGBTransferFunction()->AddRGBPoint(0.0, 1.0, 0.0, 0.0);
+    this->Property->GetRGBTransferFunction()->AddRGBPoint(1.0, 0.0, 1.0, 1.0);
+    this->Volume->SetMapper(this->VolumeMapper);
+    this->Volume->SetProperty(this->Property);
+    this->Curves->SetRefinement(MakeRecipe());
+    this->PatchActor->SetMapper(this->Patches);
+    this->CurveActor->SetMapper(this->Curves);
+  }
+  void Draw(vtkProp* prop)
+  {
+    this->Renderer->AddViewProp(prop);
+    this->Window->Render();
+    this->Renderer->RemoveViewProp(prop);
+  }
+
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkVolumeProperty> Property;
+  vtkNew<vtkGPUUnstructuredGridVolumeMapper> VolumeMapper;
+  vtkNew<vtkVolume> Volume;
+  vtkNew<vtkAdaptivePatchMapper> Patches;
+  vtkNew<vtkActor> PatchActor;
+  vtkNew<vtkAdaptiveCurveMapper> Curves;
+  vtkNew<vtkActor> CurveActor;
+};
+
+Stage& GetStage()
+{
+  static Stage stage;
+  return stage;
+}
+
+class Machine
+{
+public:
+  explicit Machine(Dice& dice)
+    : D(dice)
+    , Grid(dice)
+  {
+  }
+
+  std::vector<Call> GetCalls()
+  {
+    return { { "a grid with " +
+        (this->Grid.GetFault().empty() ? std::string("no fault") : this->Grid.GetFault()),
+      [this] { this->TakeAll(); } } };
+  }
+
+  std::string FindFault() { return this->Fault; }
+
+private:
+  void TakeAll()
+  {
+#ifdef __unix__
+    alarm(MostSeconds); // ends what hangs
+#endif
+    vtkObject::GlobalWarningDisplayOn(); // else there are no events
+    this->Sort();
+    this->Cast();
+    this->MakePatches();
+    this->MakeCurves();
+    this->DrawVolume();
+    this->DrawSurface();
+    this->DrawCurves();
+    vtkObject::GlobalWarningDisplayOff();
+#ifdef __unix__
+    alarm(0);
+#endif
+  }
+
+  // Points that are not finite are no fault to volumes, and those of other dimensions to nobody.
+  void Judge(const char* name, const Reports& reports, bool takesInfinite)
+  {
+    const bool isFaulty = !this->Grid.GetFault().empty();
+    const bool concerns =
+      !this->Grid.IsOfPoints() || (!takesInfinite && this->Grid.GetDimension() > 1);
+    if (isFaulty && this->Grid.IsCertain() && concerns && reports.GetText().empty())
+    {
+      this->Fault += std::string(name) + " does not report " + this->Grid.GetFault() + "; ";
+    }
+    if (!isFaulty && reports.Has("left out"))
+    {
+      this->Fault = std::string(name) + " reports of a sound grid: " + reports.GetText();
+    }
+  }
+
+  void Sort()
+  {
+    vtkNew<vtkMeshVisibilitySort> sort;
+    const Reports reports(sort);
+    sort->SetInput(this->Grid.Get());
+    sort->SetCamera(MakeCamera());
+    sort->InitTraversal();
+    std::set<vtkIdType> seen;
+    while (vtkIdTypeArray* cells = sort->GetNextCells())
+    {
+      for (vtkIdType i = 0; i < cells->GetNumberOfTuples(); ++i)
+      {
+        const vtkIdType cell = cells->GetValue(i);
+        if (cell < 0 || cell >= this->Grid.Get()->GetNumberOfCells() || !seen.insert(cell).second)
+        {
+          this->Fault = "the sort returns a cell twice, or one that does not exist";
+        }
+      }
+    }
+    this->Judge("vtkMeshVisibilitySort", reports, true);
+  }
+
+  void Cast()
+  {
+    vtkNew<vtkVolumeRayCastFilter> filter;
+    const Reports reports(filter);
+    filter->SetInputData(this->Grid.Get());
+    filter->SetCamera(MakeCamera());
+    filter->SetVolumeProperty(GetStage().Property);
+    filter->SetViewportSize(Size, Size);
+    filter->Update();
+    this->Judge("vtkVolumeRayCastFilter", reports, true);
+    auto* colors = vtkDoubleArray::SafeDownCast(filter->GetOutput()->GetPointData()->GetScalars());
+    for (vtkIdType i = 0; colors && i < colors->GetNumberOfValues(); ++i)
+    {
+      if (!std::isfinite(colors->GetValue(i)))
+      {
+        this->Fault = "a color is not finite";
+      }
+    }
+  }
+
+  void MakePatches()
+  {
+    vtkNew<vtkPatchSurfaceFilter> filter;
+    const Reports reports(filter);
+    filter->SetInputData(this->Grid.Get());
+    filter->SetSplitPatches(this->D.Once(2));
+    filter->Update();
+    this->Judge("vtkPatchSurfaceFilter", reports, false);
+    if (filter->GetOutput()->GetNumberOfCells() == 0)
+    {
+      return;
+    }
+    vtkNew<vtkAdaptiveRefinementFilter> refined;
+    const Reports refinedReports(refined);
+    refined->SetInputConnection(filter->GetOutputPort());
+    refined->SetRefinement(MakeRecipe());
+    refined->Update();
+    vtkPolyData* mesh = refined->GetOutput();
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      const double* x = mesh->GetPoint(i);
+      if (!std::isfinite(x[0] + x[1] + x[2]))
+      {
+        this->Fault = "a point of the refined patches is not finite";
+      }
+    }
+  }
+
+  void JudgeCurves(const char* name, const Reports& reports)
+  {
+    const bool concerns = this->Grid.GetDimension() == 1 && this->Grid.IsCertain();
+    if (concerns && reports.GetText().empty())
+    {
+      this->Fault = std::string(name) + " does not report " + this->Grid.GetFault();
+    }
+    if (this->Grid.GetFault().empty() && reports.Has("left out"))
+    {
+      this->Fault = std::string(name) + " reports of a sound grid: " + reports.GetText();
+    }
+  }
+
+  void MakeCurves()
+  {
+    vtkNew<vtkAdaptiveCurveFilter> filter;
+    const Reports reports(filter);
+    filter->SetInputData(this->Grid.Get());
+    filter->SetRefinement(MakeRecipe());
+    filter->SetRepresentationToTubes();
+    filter->SetRadius(0.1);
+    filter->Update();
+    this->JudgeCurves("vtkAdaptiveCurveFilter", reports);
+  }
+
+  void DrawVolume()
+  {
+    Stage& stage = GetStage();
+    const Reports reports(stage.VolumeMapper);
+    stage.VolumeMapper->SetInputData(this->Grid.Get());
+    this->D.Once(3) ? stage.VolumeMapper->SetMethodToCellProjection()
+                    : stage.VolumeMapper->SetMethodToRayCasting();
+    stage.Draw(stage.Volume);
+    this->Judge("vtkGPUUnstructuredGridVolumeMapper", reports, true);
+  }
+
+  void DrawSurface()
+  {
+    Stage& stage = GetStage();
+    const Reports reports(stage.Patches);
+    stage.Patches->SetInputData(this->Grid.Get());
+    stage.Draw(stage.PatchActor);
+    this->Judge("vtkAdaptivePatchMapper", reports, false);
+  }
+
+  void DrawCurves()
+  {
+    Stage& stage = GetStage();
+    const Reports reports(stage.Curves);
+    stage.Curves->SetInputDataObject(this->Grid.Get());
+    stage.Draw(stage.CurveActor);
+    this->JudgeCurves("vtkAdaptiveCurveMapper", reports);
+  }
+
+  Dice& D;
+  RelevoFuzz::RandomGrid Grid;
+  std::string Fault;
+};
+}
+
+int TestFuzzCells(int, char*[])
+{
+  RelevoCheck check;
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  int grids = 0;
+  CHECK(RelevoFuzz::Run<Machine>(400, 1, grids) == 0);
+  std::cout << grids << " grids\n";
+  return check.GetResult();
+}
