@@ -9,6 +9,7 @@
 #include "Curves/CurveOutputs.h"
 #include "Mesh/Motion.h"
 #include "Mesh/MovedSurface.h"
+#include "Pairs/CellPairs.h"
 #include "Refined/CurvedSurface.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkInformation.h"
@@ -322,6 +323,11 @@ bool vtkSurfaceIntersectionFilter::Intersect(
   }
   relevo::MakeCurves(first, second, pairs, this->JoinSegments,
     vtkPolyData::GetData(outputVector, 0), vtkPolyData::GetData(outputVector, 1));
+  if (this->AllPairs)
+  {
+    relevo::AddCellPairs(
+      first, second, pairs, vtkPolyData::GetData(outputVector, 0)->GetFieldData());
+  }
   if (!this->Report(0.7))
   {
     return false;
@@ -368,6 +374,7 @@ void vtkSurfaceIntersectionFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Refinements: " << this->Refinements[0] << " " << this->Refinements[1] << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "JoinSegments: " << this->JoinSegments << "\n";
+  os << indent << "AllPairs: " << this->AllPairs << "\n";
   os << indent << "Classify: " << this->Classify << "\n";
   os << indent << "ContactDistance: " << this->ContactDistance << "\n";
   os << indent << "NumberOfTreeBuilds: " << this->NumberOfTreeBuilds << "\n";

@@ -20,9 +20,9 @@
  * triangles in one plane have in common, winding as that of input 0. Points of both are doubles,
  * moved as the inputs are. Their cell arrays "Input0CellID" and "Input1CellID" (vtkIdTypeArray) are
  * the ids of the cells that meet; without input 1 both are of input 0, the lower one first. What
- * several pairs of triangles have in common is there once, with the first of them; segments that
- * have overlaps on both sides are left out, as are vertices at the end of a segment or at a corner
- * of an overlap.
+ * several pairs of triangles have in common is there once, with the first of them (AllPairsOn()
+ * adds the others); segments that have overlaps on both sides are left out, as are vertices at the
+ * end of a segment or at a corner of an overlap.
  *
  * Outputs 2 and 3: the inputs, not moved, with the cell array "Contact" (unsigned char): 0 free, 2
  * cut, which is to say that it meets the other surface. With Classify more, see there. Output 3 is
@@ -129,6 +129,18 @@ public:
 
   //@{
   /**
+   * Whether the field data of output 0 have the arrays "AllInput0CellID" and "AllInput1CellID"
+   * (vtkIdTypeArray) of every pair of cells that meet, once, sorted; default off. Curves and
+   * overlaps name only the first pair of those that meet in the same segment, vertex or polygon.
+   * Without input 1 both are of input 0, the lower id first; with a recipe they are coarse cells.
+   */
+  vtkSetMacro(AllPairs, bool);
+  vtkGetMacro(AllPairs, bool);
+  vtkBooleanMacro(AllPairs, bool);
+  //@}
+
+  //@{
+  /**
    * Whether cells of outputs 2 and 3 are also told how far they are from the other surface; default
    * off, and without effect without input 1. The cell array "Distance" (double) is the least
    * distance to the other surface, where both are moved: 0 where cut, -1 of cells without triangles
@@ -190,6 +202,7 @@ private:
   vtkSmartPointer<vtkAdaptiveRefinement> Refinements[2];
   double Tolerance = 0.0;
   bool JoinSegments = false;
+  bool AllPairs = false;
   bool Classify = false;
   double ContactDistance = 0.0;
   int NumberOfTreeBuilds = 0;

@@ -428,6 +428,11 @@ vtkMTimeType vtkHeightMap::GetSamplesMTime()
   return this->SamplesTime.GetMTime();
 }
 
+vtkIdType vtkHeightMap::GetNumberOfSamples()
+{
+  return this->Grid ? static_cast<vtkIdType>(this->Dimensions[0]) * this->Dimensions[1] : 0;
+}
+
 const float* vtkHeightMap::GetSamples()
 {
   return this->Grid ? this->Grid->GetSamples() : nullptr;

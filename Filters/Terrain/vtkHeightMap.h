@@ -166,8 +166,16 @@ public:
 
   bool HasNoData() override;
   vtkMTimeType GetSamplesMTime() override;
-  const float* GetSamples() VTK_SIZEHINT(1) override;
-  const unsigned char* GetValidity() VTK_SIZEHINT(1) override;
+  //@{
+  /**
+   * All samples, row after row, as GetSample() has them, and whether they are valid (nullptr, None
+   * in Python, where all are); in Python tuples. nullptr without a successful Update().
+   */
+  const float* GetSamples() VTK_SIZEHINT(GetNumberOfSamples()) override;
+  const unsigned char* GetValidity() VTK_SIZEHINT(GetNumberOfSamples()) override;
+  //@}
+  /// Columns times rows; 0 before a successful Update().
+  vtkIdType GetNumberOfSamples();
 #ifndef __VTK_WRAP__
   std::shared_ptr<const unsigned char> ShareValidity() override;
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkReliefPass.h"
 
+#include "Capture/CaptureAhead.h"
 #include "Capture/FittedCamera.h"
 #include "Capture/ReliefGaps.h"
 #include "Capture/ReliefSkirts.h"
@@ -40,6 +41,7 @@
 namespace
 {
 constexpr size_t MostReliefs = 4;
+constexpr int MostSteps = 8;        // that captures are ahead
 constexpr double WidestTexel = 2.0; // pixels
 
 // What a renderer's camera sees, in the pixels that are drawn.
@@ -130,9 +132,12 @@ public:
   relevo::SceneTime Scene;
   vtkMTimeType CapturedTime = 0;
   vtkNew<vtkRenderStepsPass> Steps;
+  relevo::CaptureAhead Ahead;
+  bool IsAhead = false; // the last capture, of the view that it was made for
   vtkIdType NumberOfCaptures = 0;
-  double HoleShare = 0.0;
-  std::string Problem; // of the last capture
+  vtkIdType NumberOfReliefFrames = 0;
+  double HoleShare = 0.0; // of the last frame that reliefs show
+  std::string Problem;    // of the last capture
 
   void DropAll()
   {
@@ -144,7 +149,8 @@ public:
   }
 
   // Also finds the share of holes.
-  bool Suffices(const View& view, double maximumAngle, double maximumHoleShare)
+  bool Suffices(
+    const View& view, double maximumAngle, double maximumHoleShare, double& holeShare) const
   {
     double angle = 180.0;
     double texel = VTK_DOUBLE_MAX;
@@ -158,27 +164,44 @@ public:
         texel = std::min(texel, maps.back().TexelWidth);
       }
     }
-    this->HoleShare = relevo::FindHoleShare(maps);
-    return !maps.empty() && angle <= maximumAngle && this->HoleShare <= maximumHoleShare &&
+    holeShare = relevo::FindHoleShare(maps);
+    return !maps.empty() && angle <= maximumAngle && holeShare <= maximumHoleShare &&
       texel <= WidestTexel;
   }
 
-  // What is wrong, or "".
-  std::string CaptureView(vtkRenderer* renderer, const View& view)
+  // Of the view, or from where the next one is expected. What is wrong, or "".
+  std::string CaptureView(vtkRenderer* renderer, const View& view, double maximumAngle)
   {
     const relevo::ivec2 margin(view.Width / 8 + 1, view.Height / 8 + 1);
     const std::string problem = this->Capture.Begin(renderer, relevo::SceneParts::Surfaces,
       view.Width + 2 * margin.x, view.Height + 2 * margin.y);
     if (problem.empty())
     {
-      const auto camera = relevo::WidenCamera(view.Camera, view.Width, view.Height, margin);
+      auto camera = relevo::WidenCamera(view.Camera, view.Width, view.Height, margin);
+      relevo::dvec3 direction = view.Direction;
+      // Views up to 10 degrees apart leave few holes between them.
+      this->IsAhead = this->Ahead.Advance(camera);
+      camera->GetDirectionOfProjection(&direction[0]);
+      const double angle = GetAngle(direction, view.Direction);
+      for (int i = 2; angle > 0.0 && i * angle <= maximumAngle / 3.0 && i <= MostSteps; ++i)
+      {
+        this->Ahead.Advance(camera);
+      }
+      camera->GetDirectionOfProjection(&direction[0]);
+      if (this->IsAhead && GetAngle(direction, view.Direction) > maximumAngle)
+      {
+        this->IsAhead = false;
+        camera = relevo::WidenCamera(view.Camera, view.Width, view.Height, margin);
+        direction = view.Direction;
+      }
       const auto image = this->Capture.CaptureFrom(camera, false, false);
       this->CapturedTime = this->Scene.Find(renderer);
       if (image)
       {
-        this->Reliefs[this->Next].Set(image, view.Direction);
+        this->Reliefs[this->Next].Set(image, direction);
         this->Next = (this->Next + 1) % MostReliefs;
         ++this->NumberOfCaptures;
+        this->Ahead.AddCapture();
       }
     }
     this->Capture.End();
@@ -215,6 +238,11 @@ vtkIdType vtkReliefPass::GetNumberOfCaptures()
   return this->Internals->NumberOfCaptures;
 }
 
+vtkIdType vtkReliefPass::GetNumberOfReliefFrames()
+{
+  return this->Internals->NumberOfReliefFrames;
+}
+
 double vtkReliefPass::GetHoleShare()
 {
   return this->Internals->HoleShare;
@@ -237,6 +265,10 @@ void vtkReliefPass::Render(const vtkRenderState* state)
     const std::vector<vtkProp*> all =
       relevo::FindSceneProps(renderer, relevo::SceneParts::Surfaces).Opaque;
     opaque.insert(all.begin(), all.end());
+  }
+  else
+  {
+    this->Internals->Ahead.Stop();
   }
   if (opaque.empty() || !this->UpdateReliefs(state))
   {
@@ -286,18 +318,35 @@ bool vtkReliefPass::UpdateReliefs(const vtkRenderState* state)
   {
     data.DropAll();
   }
-  if (data.Suffices(view, this->MaximumAngle, this->MaximumHoleShare))
+  data.Ahead.MoveTo(view.Camera);
+  double holeShare;
+  bool suffice = data.Suffices(view, this->MaximumAngle, this->MaximumHoleShare, holeShare);
+  if (!suffice && data.Ahead.IsWorthwhile() && this->Capture(state))
   {
-    return true;
+    suffice =
+      data.Suffices(view, this->MaximumAngle, this->MaximumHoleShare, holeShare) || !data.IsAhead;
   }
+  if (suffice)
+  {
+    data.HoleShare = holeShare;
+    data.Ahead.AddShownFrame();
+    ++data.NumberOfReliefFrames;
+  }
+  return suffice;
+}
+
+// Whether there is a new relief.
+bool vtkReliefPass::Capture(const vtkRenderState* state)
+{
+  vtkInternals& data = *this->Internals;
   const vtkIdType before = data.NumberOfCaptures;
-  const std::string problem = data.CaptureView(state->GetRenderer(), view);
+  const std::string problem =
+    data.CaptureView(state->GetRenderer(), View(state), this->MaximumAngle);
   if (!problem.empty() && problem != data.Problem)
   {
     vtkErrorMacro(<< problem);
   }
   data.Problem = problem;
-  data.Suffices(view, this->MaximumAngle, this->MaximumHoleShare); // what it is now
   return data.NumberOfCaptures > before;
 }
 
@@ -321,5 +370,6 @@ void vtkReliefPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumHoleShare: " << this->MaximumHoleShare << "\n";
   os << indent << "MaximumAngle: " << this->MaximumAngle << "\n";
   os << indent << "NumberOfCaptures: " << this->GetNumberOfCaptures() << "\n";
+  os << indent << "NumberOfReliefFrames: " << this->GetNumberOfReliefFrames() << "\n";
   os << indent << "HoleShare: " << this->GetHoleShare() << "\n";
 }

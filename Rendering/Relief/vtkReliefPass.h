@@ -23,6 +23,12 @@
  * - when a prop, its data, visibility or looks, or a light of the renderer changed: the others are
  *   dropped then.
  *
+ * While the view moves, a new capture is made ahead of it, by steps as the last one: one, or up to
+ * 8 that turn by at most a third of MaximumAngle. Frames then lie between two captures. A frame
+ * that the captures do not show well enough then is drawn by the delegate. When three
+ * captures in a row each served one frame alone, they only cost time: the delegate draws the next
+ * 8 frames that need a capture, 16 after the next such capture, and so on up to 64.
+ *
  * What comes into sight behind an outline with nothing beyond it is not predicted; MaximumAngle
  * bounds it. Colours are those of the captures, see vtkReliefCapture: a headlight stays where it
  * was.
@@ -81,6 +87,9 @@ public:
   /// How many captures were made since the pass was.
   vtkIdType GetNumberOfCaptures();
 
+  /// How many frames were shown by reliefs since the pass was made.
+  vtkIdType GetNumberOfReliefFrames();
+
   /// The share of holes that is predicted for the last frame that showed reliefs; 0 before.
   double GetHoleShare();
 
@@ -103,6 +112,7 @@ private:
 
   void RenderDelegate(const vtkRenderState* state);
   bool UpdateReliefs(const vtkRenderState* state);
+  bool Capture(const vtkRenderState* state);
 
   std::unique_ptr<vtkInternals> Internals;
 };

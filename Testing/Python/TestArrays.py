@@ -51,6 +51,31 @@ class TestArrays(unittest.TestCase):
                 with self.assertRaisesRegex(ValueError, "real numbers"):
                     make(numpy.zeros((2, 2), dtype))
 
+    def test_too_few_rows_or_columns(self):
+        for shape in ((1, 800), (800, 1), (1, 1), (0, 5), (2, 0)):
+            with self.assertRaisesRegex(ValueError, "at least 2 x 2, not %d x %d" % shape):
+                arrays.height_map(numpy.ones(shape))
+        self.assertEqual(tuple(arrays.height_map(numpy.ones((2, 2))).GetDimensions()), (2, 2))
+
+    def test_none_and_other_objects(self):
+        for function in (arrays.height_map, arrays.image, arrays.triangles, arrays.samples):
+            with self.assertRaisesRegex(TypeError, "must be an? .*, not None"):
+                function(None)
+        with self.assertRaisesRegex(TypeError, "mesh must be a vtkPolyData, not vtkPlaneSource"):
+            arrays.triangles(vtkPlaneSource())
+        with self.assertRaisesRegex(TypeError, "image must be a vtkImageData, not str"):
+            arrays.samples("picture.png")
+
+    def test_all_samples(self):
+        heights = numpy.array([[10.0, 20.0, 30.0], [1.0, numpy.nan, 3.0]])
+        made = arrays.height_map(heights)
+        self.assertEqual(made.GetNumberOfSamples(), 6)
+        samples = made.GetSamples()
+        self.assertEqual(samples[0:1] + samples[2:], (1.0, 3.0, 10.0, 20.0, 30.0))
+        self.assertEqual(made.GetValidity(), (1, 0, 1, 1, 1, 1))
+        self.assertIsNone(arrays.height_map(numpy.ones((2, 2))).GetValidity())
+        self.assertIsNone(relevo.vtkHeightMap().GetSamples())
+
     def test_no_data(self):
         heights = numpy.array([[1.0, numpy.nan], [2.0, 3.0]])
         self.assertTrue(arrays.height_map(heights).HasNoData())

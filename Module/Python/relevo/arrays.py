@@ -4,7 +4,7 @@
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 
 import relevo
 
@@ -14,6 +14,8 @@ def _real_numbers(values, name):
 
     Masked values become NaN.
     """
+    if values is None:
+        raise TypeError(f"{name} must be an array of real numbers, not None")
     values = numpy.asanyarray(values)
     if values.dtype.kind not in "iuf":
         raise ValueError(f"{name} must be real numbers, not {values.dtype}")
@@ -25,6 +27,12 @@ def _real_numbers(values, name):
     return values.astype(values.dtype.newbyteorder("="), copy=False)
 
 
+def _check_type(value, kind, name):
+    if not isinstance(value, kind):
+        given = "None" if value is None else type(value).__name__
+        raise TypeError(f"{name} must be a {kind.__name__}, not {given}")
+
+
 def height_map(heights, no_data=float("nan")):
     """A vtkHeightMap of a two-dimensional array.
 
@@ -33,9 +41,10 @@ def height_map(heights, no_data=float("nan")):
         no data.
     no_data: the value that stands for "no data" (default: NaN).
 
-    Raises ValueError for another shape, other values, and when no sample has data.
+    Raises ValueError for another shape, other values, and when no sample has data; TypeError for
+    None.
     """
-    if numpy.ma.is_masked(heights):
+    if heights is not None and numpy.ma.is_masked(heights):
         # NaN then stands for all: not every type of numbers can hold no_data.
         heights = numpy.ma.masked_where(heights == no_data, heights)
         no_data = float("nan")
@@ -43,6 +52,8 @@ def height_map(heights, no_data=float("nan")):
     if heights.ndim != 2:
         raise ValueError(f"heights must be a 2-D array, not of shape {heights.shape}")
     rows, columns = heights.shape
+    if rows < 2 or columns < 2:
+        raise ValueError(f"heights must be at least 2 x 2, not {rows} x {columns}")
     image = vtkImageData()
     image.SetDimensions(columns, rows, 1)
     # VTK's row 0 is the southern one.
@@ -63,8 +74,10 @@ def triangles(mesh):
 
     The arrays share the mesh's memory where VTK's own layout allows.
 
-    Raises ValueError when the mesh has other polygons than triangles.
+    Raises ValueError when the mesh has other polygons than triangles, TypeError when it is no
+    vtkPolyData.
     """
+    _check_type(mesh, vtkPolyData, "mesh")
     polygons = mesh.GetPolys()
     connectivity = vtk_to_numpy(polygons.GetConnectivityArray())
     if polygons.IsHomogeneous() not in (3, 0) or len(connectivity) % 3:
@@ -83,7 +96,7 @@ def image(values, name="Values", spacing=(1.0, 1.0)):
     name: the array's name.
     spacing: distances of columns and of rows.
 
-    Raises ValueError for another shape, other values or an empty array.
+    Raises ValueError for another shape, other values or an empty array, TypeError for None.
     """
     values = _real_numbers(values, "values")
     if values.ndim not in (2, 3) or not values.size:
@@ -108,8 +121,10 @@ def samples(image, name=None):
     name: the array's name (default: the active scalars). Row 0 is the lowest. The result shares the
     image's memory where VTK's own layout allows.
 
-    Raises ValueError when the image has no such array or is not flat.
+    Raises ValueError when the image has no such array or is not flat, TypeError when it is no
+    vtkImageData.
     """
+    _check_type(image, vtkImageData, "image")
     data = image.GetPointData()
     array = data.GetArray(name) if name else data.GetScalars()
     if array is None:

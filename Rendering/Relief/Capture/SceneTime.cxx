@@ -5,6 +5,7 @@
 #include "Core/LatestTime.h"
 
 #include "vtkActor.h"
+#include "vtkActor2D.h"
 #include "vtkAlgorithm.h"
 #include "vtkAssembly.h"
 #include "vtkAssemblyNode.h"
@@ -140,9 +141,12 @@ Dependencies DescribeAssemblies(vtkRenderer* renderer)
   return list;
 }
 
+// Annotations in the plane of the window are never captured; texts change when they are drawn.
 vtkMTimeType FindTime(vtkProp* prop)
 {
-  return IsAssembly(prop) ? 0 : prop->GetVisibility() ? prop->GetRedrawMTime() : prop->GetMTime();
+  return IsAssembly(prop) || vtkActor2D::SafeDownCast(prop) ? 0
+    : prop->GetVisibility()                                 ? prop->GetRedrawMTime()
+                                                            : prop->GetMTime();
 }
 }
 

@@ -3,9 +3,11 @@
 // When the pass captures anew, and how well it foresees holes.
 #include "RelevoPassScene.h"
 
+#include "vtkActor2D.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkPolyDataMapper2D.h"
 #include "vtkProperty.h"
 #include "vtkSphereSource.h"
 
@@ -117,6 +119,61 @@ void TestTogether(RelevoCheck& check)
   CHECK(predictedOfTwo < 0.3 * predictedOfOne);
 }
 
+// Around many balls before a wall, and a text that changes: captures are made ahead of the motion,
+// so that at least a third of the frames need none. Or, with no holes allowed, hardly any are made.
+void TestOrbit(RelevoCheck& check, double step, double share, int mostCaptures, int leastShown)
+{
+  RelevoPassScene scene;
+  scene.Window->SetSize(300, 225);
+  scene.Pass->SetMaximumHoleShare(share);
+  vtkNew<vtkActor2D> text;
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputData(vtkNew<vtkPolyData>());
+  text->SetMapper(mapper);
+  scene.Renderer->AddViewProp(text);
+  int withoutCapture = 0;
+  for (int i = 0; i < 30; ++i)
+  {
+    const vtkIdType captures = scene.Pass->GetNumberOfCaptures();
+    const vtkIdType frames = scene.Pass->GetNumberOfReliefFrames();
+    scene.DrawMoving();
+    const bool isShown = scene.Pass->GetNumberOfReliefFrames() > frames;
+    withoutCapture += isShown && scene.Pass->GetNumberOfCaptures() == captures;
+    CHECK(!isShown || i == 0 || scene.Pass->GetHoleShare() <= share);
+    CHECK(scene.Pass->GetNumberOfCaptures() <= captures + 1);
+    scene.GetCamera()->Azimuth(step);
+    text->Modified();
+  }
+  std::cout << "orbit of " << step << " degrees, holes " << share << ": "
+            << scene.Pass->GetNumberOfCaptures() << " captures, "
+            << scene.Pass->GetNumberOfReliefFrames() << " frames of reliefs, " << withoutCapture
+            << " of them without a capture\n";
+  CHECK(scene.Pass->GetNumberOfCaptures() <= mostCaptures);
+  CHECK(withoutCapture >= leastShown);
+}
+
+// Where the mesh changes in each frame captures do not pay.
+void TestAnimation(RelevoCheck& check)
+{
+  RelevoPassScene scene;
+  scene.Window->SetSize(100, 75);
+  for (int i = 0; i < 40; ++i)
+  {
+    scene.Ball->SetPosition(0.01 * i, 0.0, 0.0);
+    scene.DrawMoving();
+  }
+  std::cout << "animation: " << scene.Pass->GetNumberOfCaptures() << " captures\n";
+  CHECK(scene.Pass->GetNumberOfCaptures() >= 3 && scene.Pass->GetNumberOfCaptures() <= 6);
+  // At rest again, after the pause at the latest.
+  for (int i = 0; i < 70; ++i)
+  {
+    scene.DrawMoving();
+  }
+  const vtkIdType before = scene.Pass->GetNumberOfReliefFrames();
+  CHECK(scene.CountCaptures() == 0);
+  CHECK(scene.Pass->GetNumberOfReliefFrames() == before + 1);
+}
+
 // Beyond the sides of what was captured.
 void TestSides(RelevoCheck& check)
 {
@@ -188,6 +245,10 @@ int TestReliefPassCaptures(int, char*[])
   TestPrediction(check, false);
   TestPrediction(check, true);
   TestTogether(check);
+  TestOrbit(check, 5.0, 0.01, 20, 10);
+  TestOrbit(check, 1.0, 0.005, 20, 10);
+  TestOrbit(check, 5.0, 1e-5, 8, 0);
+  TestAnimation(check);
   TestSides(check);
   TestCloser(check);
   TestChanges(check);
