@@ -7,6 +7,7 @@
 #include "Files/ViewerFile.h"
 #include "Scene/OffscreenWindow.h"
 #include "Scene/ReliefMetric.h"
+#include "Scene/TerrainCamera.h"
 #include "Scene/TerrainColours.h"
 #include "Scene/TerrainProbe.h"
 #include "Scene/ViewerMetric.h"
@@ -31,6 +32,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace
@@ -54,6 +56,7 @@ TerrainScene::TerrainScene(const ViewerOptions& options, ViewerMessages& message
   this->SetLights({ { { 315.0, 40.0, Up }, 1.0 }, { { 160.0, 50.0, Up }, 0.35 } });
   // From a little west of south.
   this->SetCamera(this->DisplacedMesh, { 192.0, 38.0, Up }, this->GetCentre());
+  this->KeepAboveGround();
 }
 
 //------------------------------------------------------------------------------
@@ -92,6 +95,7 @@ void TerrainScene::ReadTerrain()
   {
     throw ViewerError(this->Options.Input + " has no terrain to draw");
   }
+  this->CheckExaggeration();
   this->Probe = std::make_unique<TerrainProbe>(this->Mesh, this->Source->GetHeightMap());
 }
 
@@ -109,6 +113,30 @@ void TerrainScene::CheckReading()
     const bool isUnknown =
       text == this->Source->GetHeightMap()->GetErrorMessage() && CanRead(this->Options.Input);
     throw ViewerError(isUnknown ? text + " Meshes are read from " + GetMeshFormats() + "." : text);
+  }
+}
+
+//------------------------------------------------------------------------------
+void TerrainScene::CheckExaggeration()
+{
+  // Higher than that it is a needle, with nothing to see on it.
+  const double mostHeights = 100.0; // for one width
+  double bounds[6];
+  this->Mesh->GetBounds(bounds);
+  const double width = std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]);
+  double range[2];
+  this->Source->GetHeightMap()->GetRange(range);
+  const double relief =
+    std::abs(this->Source->GetDisplacement()->GetScale()) * (range[1] - range[0]);
+  const double exaggeration = this->Options.Exaggeration;
+  if (std::abs(exaggeration) > 1.0 && relief > mostHeights * width)
+  {
+    std::ostringstream message;
+    message << std::setprecision(3) << this->Options.Input << ": --exaggeration " << exaggeration
+            << " makes the terrain " << relief / width << " times as high as wide; at "
+            << std::abs(exaggeration) * mostHeights * width / relief << " it is " << mostHeights
+            << " times as high, which is the most";
+    throw ViewerError(message.str());
   }
 }
 
@@ -159,6 +187,21 @@ void TerrainScene::MakeDisplacedMesh()
 void TerrainScene::AddExportedData(vtkPolyData* mesh)
 {
   this->AddHeights(mesh);
+}
+
+//------------------------------------------------------------------------------
+void TerrainScene::KeepAboveGround()
+{
+  // These metrics have the finest triangles where the camera is near, or ones that morph to them.
+  using Metric = ViewerOptions::MetricType;
+  const Metric metric = this->Options.GetMetric();
+  const bool isFine =
+    (metric == Metric::Distance || metric == Metric::ScreenEdge) && this->Options.Budget == 0;
+  const int highest = this->Recipe->GetMaximumLevel();
+  const int lowest = this->Options.UniformLevel ? highest : isFine ? std::max(highest - 1, 0) : 0;
+  this->Camera = std::make_unique<TerrainCamera>(
+    this->Renderer, *this->Probe, this->Source->GetDisplacement(), lowest, highest);
+  this->Camera->Update();
 }
 
 //------------------------------------------------------------------------------

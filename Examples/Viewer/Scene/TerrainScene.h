@@ -28,9 +28,11 @@ private:
   void AddExportedData(vtkPolyData* mesh) override;
   void ReadTerrain();
   void CheckReading();
+  void CheckExaggeration();
   /// The raster's heights, in its unit, at the mesh's texture coordinates.
   void AddHeights(vtkPolyData* mesh);
   void MakeDisplacedMesh();
+  void KeepAboveGround();
   int GetDefaultLevel();
   vtkSmartPointer<vtkDepthTagMetric> MakeReliefMetric();
   void SetColours();

@@ -6,6 +6,7 @@
 #include "Scene/MeshScene.h"
 #include "Scene/ReliefScene.h"
 #include "Scene/TerrainScene.h"
+#include "Scene/ViewerCamera.h"
 #include "Scene/ViewerLegend.h"
 #include "Scene/VolumeScene.h"
 
@@ -20,6 +21,7 @@ ViewerScene::ViewerScene(const ViewerOptions& options, ViewerMessages& messages)
   : Options(options)
   , Messages(messages)
 {
+  this->Camera = std::make_unique<ViewerCamera>(this->Renderer);
   this->Renderer->AutomaticLightCreationOff();
   this->Renderer->GradientBackgroundOn();
   this->Renderer->SetBackground(0.86, 0.90, 0.94);

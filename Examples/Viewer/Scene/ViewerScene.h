@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+class ViewerCamera;
 class vtkPoints;
 class vtkRenderer;
 class vtkRenderWindow;
@@ -66,6 +67,7 @@ protected:
   ViewerOptions Options; // and what a file decides where they say nothing
   ViewerMessages& Messages;
   vtkNew<vtkRenderer> Renderer;
+  std::unique_ptr<ViewerCamera> Camera; // of the renderer
 
 private:
   bool HasLegend = false;
