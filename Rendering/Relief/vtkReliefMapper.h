@@ -97,7 +97,7 @@ public:
    * bisection (F. Policarpo, M. Oliveira, J. Comba, 2005); LINEAR_SECANT (1): the secant in place
    * of bisection. Both miss what is thinner than a step. RELAXED_CONES (2): steps to the border of
    * cones that a ray meets the surface in at most once (F. Policarpo, M. Oliveira, 2007), then
-   * bisection; the cones are computed once, a second or two for a million texels, and rays from
+   * bisection; the cones are computed once, some seconds for a million texels, and rays from
    * behind take even steps. MAXIMUM_MIPMAP (3, default): by least and largest heights (A. Tevs, I.
    * Ihrke, H.-P. Seidel, 2008), then exactly in each quad; misses nothing.
    */

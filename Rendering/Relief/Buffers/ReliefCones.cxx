@@ -37,7 +37,10 @@ public:
       {
         if (texel != ivec2(c, r))
         {
-          ratio = std::min(ratio, this->Limit(texel, ivec2(c, r)));
+          for (const float share : Starts)
+          {
+            ratio = std::min(ratio, this->Limit(texel, ivec2(c, r), share));
+          }
         }
       }
     }
@@ -46,23 +49,29 @@ public:
 
 private:
   static constexpr float Widest = 100.0f;
+  // From where rays start above a texel: at the top, and in a valley also below.
+  static constexpr float Starts[] = { 0.0f, 0.5f, 0.75f, 0.9f };
 
   float GetHeight(const ivec2& texel) const
   {
     return this->First[static_cast<size_t>(texel.y) * this->Stride + texel.x];
   }
 
-  // The ray from above a texel into the surface at another: where it leaves the surface again it
-  // must be outside the cone.
-  float Limit(const ivec2& texel, const ivec2& other) const
+  // The ray from a share of the way down to a texel into the surface at another: where it leaves
+  // the surface again it must be outside the cone.
+  float Limit(const ivec2& texel, const ivec2& other, float share) const
   {
     const float bottom = this->GetHeight(texel);
+    const float start = this->Top + share * (bottom - this->Top);
     const vec2 along = other - texel;
     const float steps = max(abs(along.x), abs(along.y));
     const vec2 step = along / steps;
-    const float depth = this->GetHeight(other) - this->Top;
-    const float slope = depth / steps;
-    float height = this->Top + depth;
+    float height = this->GetHeight(other);
+    const float slope = (height - start) / steps;
+    if (slope < 0.0f)
+    {
+      return Widest; // rays towards the viewer take even steps
+    }
     vec2 place = other;
     for (;;)
     {

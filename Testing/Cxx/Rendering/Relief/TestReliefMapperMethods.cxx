@@ -106,6 +106,33 @@ void TestAutomatic(RelevoCheck& check, vtkImageData* relief, int width, int meth
   CHECK(scene.Compare(relief).GetShareRight() >= 0.998);
 }
 
+// From within a valley, among bumps that rays skim: cones must not step over these.
+void TestValley(RelevoCheck& check)
+{
+  const auto relief = RelevoMakeRelief(97, 97, ReliefProjection::Parallel, relevo::dmat4(1.0),
+    [](int column, int row)
+    {
+      const double side = std::abs(column - 48.0) / 48.0;
+      return -15.0 * side * side + 1.2 * std::sin(0.61 * column + 0.3 * row) * std::sin(0.47 * row);
+    });
+  RelevoReliefScene scene(relief, 200, 150);
+  scene.Mapper->SetMethodToRayMarch();
+  scene.Mapper->SetSearchToRelaxedCones();
+  vtkCamera* camera = scene.GetCamera();
+  camera->SetViewUp(0.0, 0.0, -1.0);
+  for (double eye : { -8.0, -12.0 })
+  {
+    camera->SetPosition(48.0, 4.0, eye);
+    camera->SetFocalPoint(48.0, 97.0, 0.0);
+    camera->SetClippingRange(0.5, 300.0);
+    const RelevoReliefComparison result = scene.Compare(relief);
+    std::cout << "cones in a valley, eye at " << eye << ": " << result.NumberOfHits << " hits, "
+              << result.NumberOfMisses << " missed, " << result.NumberOfWrong << " wrong\n";
+    CHECK(result.NumberOfHits > 5000);
+    CHECK(result.NumberOfMisses + result.NumberOfWrong <= 0.01 * result.NumberOfHits);
+  }
+}
+
 // Rays and patterns, which have little in common, show the same from anywhere, inside and behind.
 void TestAgreement(RelevoCheck& check, vtkImageData* relief)
 {
@@ -188,6 +215,7 @@ int TestReliefMapperMethods(int, char*[])
     [](int column, int row) { return 0.3 * ((column + row) % 2); });
   TestAutomatic(check, rough, 120, Mapper::METHOD_REFINEMENT);
   TestAutomatic(check, rough, 32, Mapper::METHOD_RAY_MARCH);
+  TestValley(check);
   TestMemory(check);
   TestWarp(check, ReliefProjection::Parallel);
   TestWarp(check, ReliefProjection::Perspective);
