@@ -105,7 +105,8 @@ public:
   std::vector<float> TextureCoordinates;
 
   /// Per point 8 floats: the surface gradients of the two texture coordinates, each padded to
-  /// four; the fourth of the first is the mean curvature of the directions. Only with displacement.
+  /// four; the fourth of the first is the mean curvature of the directions. Coincident points with
+  /// the same texture coordinates and normals have the same ones. Only with displacement.
   std::vector<float> Frames;
 
   /// The surface's vectors per face: edges (0,1), (1,2), (0,2), then the face's own; 3 floats each.
@@ -153,6 +154,8 @@ private:
   void BuildDirections();
   bool BuildTextureCoordinates(vtkPolyData* input);
   void BuildFrames(bool alongNormal);
+  /// For each point the one whose frame it has.
+  std::vector<size_t> FindFramePoints() const;
   bool BuildValues(vtkPolyData* input, vtkRefinementSurface* surface);
   bool BuildTables(vtkPolyData* input, vtkRefinementSurface* surface);
   void BuildVectors(vtkRefinementSurface* surface);

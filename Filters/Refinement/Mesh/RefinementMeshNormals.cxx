@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Normals, directions and frames of a mesh to be refined.
 #include "Mesh/GivenNormals.h"
+#include "Mesh/NormalGroups.h"
 #include "Mesh/RefinementMesh.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <tuple>
 
 namespace relevo
 {
@@ -41,6 +44,8 @@ double angle(const Vector& a, const Vector& b)
   return std::atan2(std::sqrt(dot(c, c)), dot(a, b));
 }
 
+// Unit normals that differ by less are the same but for rounding.
+constexpr float NormalRounding = 1e-5f;
 }
 
 void RefinementMesh::BuildNormals(vtkPolyData* input)
@@ -138,8 +143,8 @@ void RefinementMesh::BuildDirections()
     const size_t place = static_cast<size_t>(this->Places[i]);
     const Vector difference =
       subtract(load(&this->Normals[3 * i]), load(&this->Normals[3 * std::min(first[place], i)]));
-    constexpr double rounding = 1e-5;
-    isSplit[place] |= isCorner[i] && dot(difference, difference) > rounding * rounding ? 1 : 0;
+    constexpr double squaredRounding = double(NormalRounding) * NormalRounding;
+    isSplit[place] |= isCorner[i] && dot(difference, difference) > squaredRounding ? 1 : 0;
   }
   std::vector<float> directions(3 * n, 0.0f);
   for (size_t i = 0; i < n; ++i)
@@ -174,11 +179,61 @@ void RefinementMesh::BuildDirections()
   this->Directions.swap(directions);
 }
 
+// Gradients of texture coordinates do not depend on how points are shared: coincident points are
+// one but where texture coordinates have a seam or normals a crease.
+std::vector<size_t> RefinementMesh::FindFramePoints() const
+{
+  std::vector<size_t> framePoints(static_cast<size_t>(this->NumberOfPoints));
+  std::iota(framePoints.begin(), framePoints.end(), 0);
+  if (this->Places.empty())
+  {
+    return framePoints;
+  }
+  std::vector<char> isShared(framePoints.size(), 0); // per place
+  for (size_t i = 0; i < framePoints.size(); ++i)
+  {
+    const size_t place = static_cast<size_t>(this->Places[i]);
+    isShared[place] |= place != i ? 1 : 0;
+  }
+  using Key = std::tuple<vtkIdType, float, float>;
+  std::vector<std::pair<Key, size_t>> points;
+  for (size_t i = 0; i < framePoints.size(); ++i)
+  {
+    const vtkIdType place = this->Places[i];
+    if (isShared[static_cast<size_t>(place)])
+    {
+      const float* uv =
+        this->TextureCoordinates.empty() ? nullptr : &this->TextureCoordinates[2 * i];
+      points.push_back({ Key(place, uv ? uv[0] : 0.0f, uv ? uv[1] : 0.0f), i });
+    }
+  }
+  std::sort(points.begin(), points.end());
+  std::vector<vec3> normals;
+  std::vector<vtkIdType> groups;
+  for (auto first = points.begin(), last = first; first != points.end(); first = last)
+  {
+    normals.clear();
+    for (; last != points.end() && last->first == first->first; ++last)
+    {
+      const float* normal = &this->Normals[3 * last->second];
+      normals.push_back(vec3(normal[0], normal[1], normal[2]));
+    }
+    GroupNormals(normals, NormalRounding, groups);
+    for (size_t i = 0; i < groups.size(); ++i)
+    {
+      framePoints[(first + static_cast<std::ptrdiff_t>(i))->second] =
+        (first + static_cast<std::ptrdiff_t>(groups[i]))->second;
+    }
+  }
+  return framePoints;
+}
+
 void RefinementMesh::BuildFrames(bool alongNormal)
 {
   const size_t n = static_cast<size_t>(this->NumberOfPoints);
   const std::vector<float>& directions =
     this->Directions.empty() ? this->Normals : this->Directions;
+  const std::vector<size_t> framePoints = this->FindFramePoints();
   std::vector<double> sums(8 * n, 0.0); // gradients, mean curvature, area
   for (const RefinementFace& face : this->Faces)
   {
@@ -217,7 +272,7 @@ void RefinementMesh::BuildFrames(bool alongNormal)
     const double area = std::sqrt(squared);
     for (int corner : face.Corners)
     {
-      double* sum = &sums[8 * static_cast<size_t>(corner)];
+      double* sum = &sums[8 * framePoints[static_cast<size_t>(corner)]];
       for (int k = 0; k < 7; ++k)
       {
         sum[k] += area * values[k];
@@ -228,7 +283,7 @@ void RefinementMesh::BuildFrames(bool alongNormal)
   this->Frames.assign(8 * n, 0.0f);
   for (size_t i = 0; i < n; ++i)
   {
-    const double* sum = &sums[8 * i];
+    const double* sum = &sums[8 * framePoints[i]];
     if (sum[7] > 0.0)
     {
       float* frame = &this->Frames[8 * i];

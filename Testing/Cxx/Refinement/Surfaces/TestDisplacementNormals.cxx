@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Shading normals of displaced surfaces, against analytic ones and against those of the faces.
+// Shading normals of displaced surfaces, against analytic ones, against those of the faces, and of
+// a mesh in pieces against the whole.
 #include "RelevoCheck.h"
 #include "RelevoDisplacements.h"
 #include "RelevoTestMeshes.h"
 
 #include "vtkAdaptiveRefinement.h"
+#include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkDisplacement.h"
 #include "vtkMath.h"
@@ -17,6 +19,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <map>
 #include <random>
 
 using namespace RelevoMeshes;
@@ -299,6 +302,197 @@ void testBorder(RelevoCheck& check)
     CHECK(degreesBetween(expected, refined->GetPointData()->GetNormals()->GetTuple(i)) < 0.1);
   }
 }
+
+// Columns of a strip over x from first / 16 to last / 16, bent, with u going forth and back.
+Mesh makeStrip(int first, int last)
+{
+  std::vector<Vector> points;
+  std::vector<Triangle> triangles;
+  vtkNew<vtkFloatArray> uvs;
+  uvs->SetNumberOfComponents(2);
+  for (int i = first; i <= last; ++i)
+  {
+    const double x = i / 16.0;
+    for (int j = 0; j < 3; ++j)
+    {
+      points.push_back({ { std::sin(2.0 * x - 1.0), 0.5 * j, std::cos(2.0 * x - 1.0) } });
+      uvs->InsertNextTuple2(std::abs(2.0 * x - 1.0), 0.5 * j);
+      if (i < last && j < 2)
+      {
+        const vtkIdType a = 3 * (i - first) + j;
+        triangles.push_back({ { a, a + 3, a + 4 } });
+        triangles.push_back({ { a, a + 4, a + 1 } });
+      }
+    }
+  }
+  Mesh mesh = FromTriangles(points, triangles);
+  mesh->GetPointData()->SetTCoords(uvs);
+  return mesh;
+}
+
+Mesh append(const std::vector<Mesh>& pieces)
+{
+  vtkNew<vtkAppendPolyData> all;
+  for (const Mesh& piece : pieces)
+  {
+    all->AddInputData(piece);
+  }
+  all->Update();
+  return all->GetOutput();
+}
+
+// A strip in pieces is displaced as the whole, with the same normals.
+void testPieces(RelevoCheck& check)
+{
+  vtkNew<RelevoHeights> heights;
+  heights->Fill(64, 64, [](double u, double v) { return std::sin(9.0 * u) + std::cos(7.0 * v); });
+  vtkNew<vtkPNTriangleSurface> pn;
+  const Mesh whole = makeStrip(0, 16);
+  const Mesh halves = append({ makeStrip(0, 8), makeStrip(8, 16) });
+  const Mesh quarters =
+    append({ makeStrip(0, 4), makeStrip(4, 8), makeStrip(8, 12), makeStrip(12, 16) });
+  const Mesh turned = append({ makeStrip(8, 16), makeStrip(4, 8), makeStrip(0, 4) });
+  for (vtkRefinementSurface* surface :
+    { static_cast<vtkRefinementSurface*>(nullptr), static_cast<vtkRefinementSurface*>(pn.Get()) })
+  {
+    for (int level = 0; level < 4; ++level)
+    {
+      const auto recipe = MakeRecipe(level, surface, MakeDisplacement(heights, 0.15));
+      std::map<Vector, Vector> normals;
+      const Mesh expected = Refine(whole, recipe);
+      vtkDataArray* array = expected->GetPointData()->GetNormals();
+      for (vtkIdType i = 0; i < expected->GetNumberOfPoints(); ++i)
+      {
+        Vector x;
+        expected->GetPoint(i, x.data());
+        array->GetTuple(i, normals[x].data());
+      }
+      for (const Mesh& pieces : { halves, quarters })
+      {
+        const Mesh refined = Refine(pieces, recipe);
+        CHECK(refined->GetNumberOfPoints() > expected->GetNumberOfPoints());
+        for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
+        {
+          Vector x;
+          refined->GetPoint(i, x.data());
+          Vector normal;
+          refined->GetPointData()->GetNormals()->GetTuple(i, normal.data());
+          const auto found = normals.find(x);
+          CHECK(found != normals.end() && found->second == normal);
+        }
+      }
+      // Here the ends of edges come in another order.
+      const Mesh single = Refine(turned, recipe);
+      CHECK(single->GetNumberOfCells() == expected->GetNumberOfCells());
+      double farthest = 0.0;
+      for (vtkIdType i = 0; i < single->GetNumberOfPoints(); ++i)
+      {
+        Vector x;
+        single->GetPoint(i, x.data());
+        double nearest = 1.0;
+        for (const auto& point : normals)
+        {
+          nearest = std::min(nearest,
+            std::sqrt(vtkMath::Distance2BetweenPoints(point.first.data(), x.data())) +
+              std::sqrt(vtkMath::Distance2BetweenPoints(
+                point.second.data(), single->GetPointData()->GetNormals()->GetTuple(i))));
+        }
+        farthest = std::max(farthest, nearest);
+      }
+      CHECK(farthest < 2e-6);
+    }
+  }
+}
+
+// Two halves of a plane whose texture coordinates are mirror images: each side of the seam has its
+// own gradient.
+void testSeam(RelevoCheck& check)
+{
+  vtkNew<RelevoHeights> heights;
+  heights->Fill(512, 3, [](double u, double) { return std::cos(Waves * u); });
+  const auto makeHalf = [](bool isSecond)
+  {
+    Mesh half =
+      FromTriangles({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 1, 0 } }, { { 0, 1, 0 } } },
+        { { { 0, 1, 2 } }, { { 0, 2, 3 } } });
+    for (vtkIdType i = 0; isSecond && i < 4; ++i)
+    {
+      const double* x = half->GetPoint(i);
+      half->GetPoints()->SetPoint(i, x[0] + 1.0, x[1], 0.0);
+    }
+    AddTextureCoordinates(half,
+      [&](const double* x) {
+        return std::array<double, 2>{ { isSecond ? 1.0 - 0.25 * x[0] : 0.25 * x[0], x[1] } };
+      });
+    return half;
+  };
+  const Mesh plane = append({ makeHalf(false), makeHalf(true) });
+  const Mesh refined = Refine(plane, MakeRecipe(4, nullptr, MakeDisplacement(heights, 0.2)));
+  for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
+  {
+    const double u = 0.25 * refined->GetPoint(i)[0];
+    const double normal[3] = { 0.2 * 0.25 * Waves * std::sin(Waves * u), 0.0, 1.0 };
+    const double margin = 1e-3; // the map's ends
+    CHECK(u < margin || u > 0.5 - margin ||
+      degreesBetween(normal, refined->GetPointData()->GetNormals()->GetTuple(i)) < 0.2);
+  }
+}
+
+// Two sides of a roof whose texture coordinates go on over the ridge, with split normals: each has
+// its own gradient.
+void testCrease(RelevoCheck& check)
+{
+  vtkNew<RelevoHeights> heights;
+  heights->Fill(64, 3, [](double u, double) { return u; });
+  const double scale = 0.4;
+  Vector direction = { { 0.5, 0.2, 0.6 } };
+  vtkMath::Normalize(direction.data());
+  const auto displacement =
+    MakeDisplacementAlong(direction[0], direction[1], direction[2], heights, scale);
+  const auto makeSide = [](bool isSecond)
+  {
+    const auto place = [&](double along, double across) {
+      return isSecond ? Vector{ { 1.0, across, -along } } : Vector{ { along, across, 0.0 } };
+    };
+    Mesh side = FromTriangles(
+      { place(0, 0), place(1, 0), place(1, 1), place(0, 1) }, { { { 0, 1, 2 } }, { { 0, 2, 3 } } });
+    AddTextureCoordinates(side,
+      [&](const double* x) {
+        return std::array<double, 2>{ { 0.1 + 0.4 * (x[0] - x[2]), x[1] } };
+      });
+    vtkNew<vtkFloatArray> normals;
+    normals->SetNumberOfComponents(3);
+    for (int i = 0; i < 4; ++i)
+    {
+      normals->InsertNextTuple3(isSecond ? 1.0 : 0.0, 0.0, isSecond ? 0.0 : 1.0);
+    }
+    side->GetPointData()->SetNormals(normals);
+    return side;
+  };
+  const Mesh refined =
+    Refine(append({ makeSide(false), makeSide(true) }), MakeRecipe(3, nullptr, displacement));
+  const Mesh flat =
+    Refine(append({ makeSide(false), makeSide(true) }), MakeRecipe(3, nullptr, nullptr));
+  for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
+  {
+    const double* x = flat->GetPoint(i);
+    if (x[0] == 1.0 && x[2] == 0.0)
+    {
+      continue; // the ridge
+    }
+    const bool isSecond = x[2] < 0.0;
+    const Vector base = { { isSecond ? 1.0 : 0.0, 0.0, isSecond ? 0.0 : 1.0 } };
+    const Vector gradient = { { isSecond ? 0.0 : 0.4 * scale, 0.0,
+      isSecond ? -0.4 * scale : 0.0 } };
+    Vector normal;
+    for (int c = 0; c < 3; ++c)
+    {
+      normal[c] = base[c] * (1.0 + vtkMath::Dot(gradient.data(), direction.data())) -
+        gradient[c] * vtkMath::Dot(base.data(), direction.data());
+    }
+    CHECK(degreesBetween(normal.data(), refined->GetPointData()->GetNormals()->GetTuple(i)) < 0.01);
+  }
+}
 }
 
 int TestDisplacementNormals(int, char*[])
@@ -308,5 +502,8 @@ int TestDisplacementNormals(int, char*[])
   testOffset(check);
   testBumps(check);
   testBorder(check);
+  testPieces(check);
+  testSeam(check);
+  testCrease(check);
   return check.GetResult();
 }
