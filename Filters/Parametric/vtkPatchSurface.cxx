@@ -26,6 +26,11 @@ bool vtkPatchSurface::BuildTables(
   return relevo::BuildPatchTables(mesh, origin, tables, error);
 }
 
+bool vtkPatchSurface::SplitsNormals(const Face&)
+{
+  return true;
+}
+
 void vtkPatchSurface::Evaluate(
   const Face& face, const float weights[3], float position[3], float normal[3])
 {

@@ -7,7 +7,7 @@
  * Each triangle of the mesh is a part of a patch, of degree 1 to 8 in each direction, rational
  * where weights differ. Its points are those of the patch itself, and its normals the product of
  * the patch's derivatives; where these vanish, as along an edge that is one point, their limit from
- * the patch's middle.
+ * the patch's middle. Patches that meet at a sharp edge have different normals there.
  *
  * Points of a patch's border come from the control points of that border alone, in an order that
  * the border fixes: the surface is closed to the bit wherever two patches have the control points
@@ -47,6 +47,7 @@ public:
 #ifndef __VTK_WRAP__
   bool BuildTables(
     vtkPolyData* mesh, const double origin[3], Tables& tables, std::string& error) override;
+  bool SplitsNormals(const Face& face) override;
   void Evaluate(
     const Face& face, const float weights[3], float position[3], float normal[3]) override;
   void EvaluateDirection(const Face& face, const float weights[3], float direction[3]) override;

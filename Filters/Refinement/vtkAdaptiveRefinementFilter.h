@@ -12,11 +12,15 @@
  * moves a face's points, they get points of their own. Triangles with two corners at one place or
  * with coordinates that are not finite are dropped; a warning says how many.
  *
- * Output: triangles that wind as their coarse cell does and share points as the input's cells do,
- * unless the surface has a crease there; the input's points come first. Watertight to the bit: an
- * edge's points are the same from both sides, also where points coincide without being shared
- * (creases, split normals, texture seams). Float points stay float; all others become double, with
- * the precision of floats relative to the middle of the mesh.
+ * Output: triangles that wind as their coarse cell does; the input's points come first. Triangles
+ * share points as the input's cells do. Where the surface gives the faces around a point different
+ * normals (sharp edges), each normal has a point of its own: copies with the same coordinates, to
+ * the bit, and the same data. They come last. Normals that differ by up to 0.001, the length of the
+ * difference (0.06 degrees), share a point. vtkCleanPolyData with a tolerance of 0 merges copies.
+ *
+ * Watertight to the bit: an edge's points are the same from both sides, also where points coincide
+ * without being shared (creases, split normals, texture seams). Float points stay float; all others
+ * become double, with the precision of floats relative to the middle of the mesh.
  *
  * Point data are interpolated linearly and keep their type: integers are rounded; strings, bits and
  * ghost flags are those of the nearest coarse point; global and pedigree ids are left out. See

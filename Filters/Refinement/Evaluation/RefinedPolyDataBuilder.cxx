@@ -4,6 +4,7 @@
 
 #include "Core/GhostCells.h"
 #include "Evaluation/CellDataCopy.h"
+#include "Evaluation/NormalSplits.h"
 #include "Evaluation/PatternSelection.h"
 #include "Evaluation/PointDataInterpolation.h"
 #include "Evaluation/SurfaceFields.h"
@@ -54,10 +55,15 @@ RefinedPolyDataBuilder::RefinedPolyDataBuilder(vtkPolyData* input, RefinementMes
   , Mesh(mesh)
   , Recipe(recipe)
   , ForFaces(forFaces)
-  , Topology(mesh, selection, recipe->GetSurface(), input->GetNumberOfPoints())
+  , Topology(mesh, selection, input->GetNumberOfPoints())
   , Evaluator(mesh, recipe)
-  , NumberOfPoints(Topology.GetNumberOfPoints())
 {
+  if (!mesh.Normals.empty())
+  {
+    this->Topology.Split(NormalSplits(
+      mesh, recipe->GetSurface(), this->Evaluator, this->Topology, input->GetNumberOfPoints()));
+  }
+  this->NumberOfPoints = this->Topology.GetNumberOfPoints();
   const HeightValidity validity = GetHoles(recipe->GetDisplacement());
   if (validity.Samples)
   {
@@ -183,6 +189,18 @@ void RefinedPolyDataBuilder::NumberUsedPoints()
   {
     ids[i] = this->GetNewId(ids[i]);
   }
+  this->ReplaceUnusedOriginals();
+}
+
+void RefinedPolyDataBuilder::ReplaceUnusedOriginals()
+{
+  vtkIdType copy = this->Topology.GetFirstCopy();
+  for (const RefinedTopology::PointCopy& point : this->Topology.GetCopies())
+  {
+    vtkIdType& original = this->NewIds[static_cast<size_t>(point.Original)];
+    original = original < 0 ? this->GetNewId(copy) : original;
+    ++copy;
+  }
 }
 
 std::vector<vtkIdType> RefinedPolyDataBuilder::MarkPointsOfOtherCells() const
@@ -252,6 +270,7 @@ bool RefinedPolyDataBuilder::BuildPoints(vtkPolyData* output)
     }
   }
   this->BuildOtherPoints(data);
+  this->BuildCopies(output->GetPointData());
   if (!this->Mesh.Normals.empty())
   {
     output->GetPointData()->SetNormals(this->Normals);
@@ -330,6 +349,27 @@ void RefinedPolyDataBuilder::BuildFacePoints(int face, std::vector<RefinedPoint>
   if (!fields.IsEmpty())
   {
     fields.Evaluate(this->Mesh.GetSurfaceFace(face), points);
+  }
+}
+
+void RefinedPolyDataBuilder::BuildCopies(vtkPointData* data)
+{
+  vtkIdType copy = this->Topology.GetFirstCopy();
+  for (const RefinedTopology::PointCopy& point : this->Topology.GetCopies())
+  {
+    const vtkIdType id = this->GetNewId(copy++);
+    const vtkIdType original = this->GetNewId(point.Original);
+    if (id < 0)
+    {
+      continue;
+    }
+    for (int a = 0; id != original && a < data->GetNumberOfArrays(); ++a)
+    {
+      vtkAbstractArray* array = data->GetAbstractArray(a);
+      array->SetTuple(id, original, array);
+    }
+    this->Points->SetPoint(id, this->Points->GetPoint(original));
+    this->Normals->SetTypedTuple(id, &point.Normal.x);
   }
 }
 

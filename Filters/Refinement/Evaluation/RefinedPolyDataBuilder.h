@@ -27,6 +27,7 @@ class vtkAdaptiveRefinement;
 class vtkCellArray;
 class vtkFloatArray;
 class vtkIdTypeArray;
+class vtkPointData;
 class vtkPoints;
 class vtkPolyData;
 
@@ -61,6 +62,8 @@ private:
   bool CountTriangles();
   bool BuildTriangles();
   void NumberUsedPoints();
+  /// Build a point that is left out in place of the first of its copies that is not.
+  void ReplaceUnusedOriginals();
   /// 0 for each of the input's points that a vertex or a line uses, else -1.
   std::vector<vtkIdType> MarkPointsOfOtherCells() const;
   /// Give vertices and lines points of their own where the displacement moves a face's.
@@ -70,6 +73,8 @@ private:
     const PointDataInterpolation& data, const SurfaceFields& fields);
   /// The points that this face is to evaluate, under their ids in the output.
   void GetPointsToBuild(int face, std::vector<RefinedPoint>& points) const;
+  /// Points that differ from another one by their normals alone, once that one is built.
+  void BuildCopies(vtkPointData* data);
   bool IsAtCorner(const int corners[3], const RefinedPoint& point, int nearest) const;
   void BuildOtherPoints(const PointDataInterpolation& data);
   void BuildCells(vtkPolyData* output);

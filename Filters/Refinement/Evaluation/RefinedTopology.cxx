@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Evaluation/RefinedTopology.h"
 
+#include "Evaluation/NormalSplits.h"
 #include "Evaluation/PatternSelection.h"
 #include "Patterns/RefinementPattern.h"
+
+#include <algorithm>
 
 namespace relevo
 {
@@ -42,13 +45,15 @@ const Placement& GetPlacement(int code)
 }
 }
 
-RefinedTopology::RefinedTopology(RefinementMesh& mesh, const PatternSelection& selection,
-  vtkRefinementSurface* surface, vtkIdType numberOfInputPoints)
-  : Splits(mesh, surface, numberOfInputPoints)
+RefinedTopology::RefinedTopology(
+  RefinementMesh& mesh, const PatternSelection& selection, vtkIdType numberOfInputPoints)
+  : Mesh(mesh)
   , FirstInnerPoints(mesh.Faces.size())
-  , FirstEdgePoints(Splits.EdgeOwners.size())
-  , PointOwners(static_cast<size_t>(numberOfInputPoints + Splits.NumberOfCopies), -1)
+  , PointOwners(static_cast<size_t>(numberOfInputPoints), -1)
 {
+  mesh.BuildEdges();
+  this->EdgeOwners = mesh.EdgeOwners;
+  this->FirstEdgePoints.resize(mesh.EdgeOwners.size());
   this->Patterns.reserve(mesh.Faces.size());
   for (int face = 0; face < selection.GetNumberOfFaces(); ++face)
   {
@@ -74,23 +79,120 @@ RefinedTopology::RefinedTopology(RefinementMesh& mesh, const PatternSelection& s
     const RefinementPattern& pattern = *this->Patterns[face].Pattern;
     this->FirstInnerPoints[face] = next;
     next += pattern.GetNumberOfVertices() - pattern.GetNumberOfBorderVertices();
-    for (int i = 0; i < 3; ++i)
+    for (int corner : mesh.Faces[face].Corners)
     {
-      int& owner = this->PointOwners[this->GetCorner(face, i)];
+      int& owner = this->PointOwners[corner];
       owner = owner < 0 ? face : owner;
     }
   }
   this->NumberOfPoints = next;
 }
 
+void RefinedTopology::Split(const NormalSplits& splits)
+{
+  for (const NormalSplits::Owner& owner : splits.GetPointOwners())
+  {
+    this->PointOwners[owner.Element] = owner.Use / 3;
+  }
+  for (const NormalSplits::Owner& owner : splits.GetEdgeOwners())
+  {
+    this->EdgeOwners[owner.Element] = owner.Use;
+  }
+  const std::vector<NormalSplits::Copy>& seen = splits.GetCopies();
+  if (seen.empty())
+  {
+    return;
+  }
+  this->CornerCopies.assign(3 * this->Patterns.size(), -1);
+  this->FirstEdgeCopies.assign(3 * this->Patterns.size(), -1);
+  auto first = seen.begin(); // of those at a point
+  for (auto copy = first; copy != seen.end(); ++copy)
+  {
+    first = copy->Point == first->Point ? first : copy;
+    const size_t use = static_cast<size_t>(copy->Use);
+    // A face before may have the same normal here.
+    const auto same = std::find_if(
+      first, copy, [&](const NormalSplits::Copy& other) { return other.Normal == copy->Normal; });
+    vtkIdType id = this->NumberOfPoints;
+    if (same != copy)
+    {
+      id = this->GetPoint(same->Use, same->Step);
+    }
+    else
+    {
+      this->Copies.push_back({ copy->Point, copy->Normal });
+      ++this->NumberOfPoints;
+    }
+    if (copy->Step == 0)
+    {
+      this->CornerCopies[use] = id;
+      continue;
+    }
+    vtkIdType& firstInEdge = this->FirstEdgeCopies[use];
+    if (firstInEdge < 0)
+    {
+      firstInEdge = static_cast<vtkIdType>(this->EdgeCopies.size());
+      for (int step = 1; step <= this->GetNumberOfInnerPoints(copy->Use); ++step)
+      {
+        this->EdgeCopies.push_back(this->GetEdgePoint(this->Mesh.FaceEdges[use], step));
+      }
+    }
+    this->EdgeCopies[static_cast<size_t>(firstInEdge + copy->Step - 1)] = id;
+  }
+}
+
+vtkIdType RefinedTopology::GetPoint(int use, int step) const
+{
+  if (step == 0)
+  {
+    return this->GetCorner(use / 3, use % 3);
+  }
+  const vtkIdType copies =
+    this->FirstEdgeCopies.empty() ? -1 : this->FirstEdgeCopies[static_cast<size_t>(use)];
+  return copies < 0 ? this->GetEdgePoint(this->Mesh.FaceEdges[static_cast<size_t>(use)], step)
+                    : this->EdgeCopies[static_cast<size_t>(copies + step - 1)];
+}
+
+int RefinedTopology::GetNumberOfInnerPoints(int faceEdge) const
+{
+  int segments[3];
+  this->Patterns[faceEdge / 3].GetEdgeSegments(segments);
+  return segments[faceEdge % 3] - 1;
+}
+
+void RefinedTopology::GetWeights(int use, int step, float weights[3]) const
+{
+  const int face = use / 3;
+  const FacePattern& pattern = this->Patterns[face];
+  if (step == 0)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      weights[i] = i == use % 3 ? 1.0f : 0.0f;
+    }
+    return;
+  }
+  int vertex = 3;
+  for (int i = 0; i < 3; ++i)
+  {
+    const Edge edge = this->GetEdge(face, i);
+    if (edge.Use == use)
+    {
+      pattern.GetWeights(vertex + (edge.Forward ? step - 1 : edge.Segments - 1 - step), weights);
+      return;
+    }
+    vertex += edge.Segments - 1;
+  }
+}
+
 RefinedTopology::Edge RefinedTopology::GetEdge(int face, int patternEdge) const
 {
   const FacePattern& pattern = this->Patterns[face];
   const Placement& placement = GetPlacement(pattern.Code);
-  const size_t faceEdge = 3 * static_cast<size_t>(face) + placement.Edges[patternEdge];
-  const int id = this->Splits.FaceEdges[faceEdge];
-  return { id, this->Splits.EdgeOwners[id] == static_cast<int>(faceEdge),
-    placement.Forward[patternEdge], pattern.Pattern->Segments[patternEdge] };
+  const int use = 3 * face + placement.Edges[patternEdge];
+  const int id = this->Mesh.FaceEdges[static_cast<size_t>(use)];
+  return { use, id, this->EdgeOwners[id] == use, placement.Forward[patternEdge],
+    pattern.Pattern->Segments[patternEdge] };
 }
 
 void RefinedTopology::GetPoints(int face, std::vector<vtkIdType>& points) const
@@ -106,11 +208,9 @@ void RefinedTopology::GetPoints(int face, std::vector<vtkIdType>& points) const
   for (int i = 0; i < 3; ++i)
   {
     const Edge edge = this->GetEdge(face, i);
-    const int inner = edge.Segments - 1;
-    const vtkIdType first = this->FirstEdgePoints[edge.Id];
-    for (int k = 0; k < inner; ++k)
+    for (int step = 1; step < edge.Segments; ++step)
     {
-      points[vertex++] = first + (edge.Forward ? k : inner - 1 - k);
+      points[vertex++] = this->GetPoint(edge.Use, edge.Forward ? step : edge.Segments - step);
     }
   }
   for (vtkIdType next = this->FirstInnerPoints[face]; vertex < points.size(); ++vertex)
@@ -134,7 +234,7 @@ void RefinedTopology::GetOwnedPoints(int face, std::vector<RefinedPoint>& points
   const int* corners = GetPlacement(code).Corners;
   for (int i = 0; i < 3; ++i)
   {
-    const vtkIdType corner = this->GetCorner(face, corners[i]);
+    const int corner = this->Mesh.Faces[face].Corners[corners[i]];
     if (this->PointOwners[corner] == face)
     {
       add(corner, i);

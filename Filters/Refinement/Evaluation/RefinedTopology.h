@@ -4,25 +4,27 @@
  * @class   RefinedTopology
  * @brief   how the patterns of a mesh's faces share points
  *
- * Numbers the points of a refined mesh: the input's points, copies of them for faces that see other
- * normals there, then the points inside each edge, then those inside each face. Edges are shared as
- * the input shares points and as faces see the same normals; where points coincide without being
- * shared, so do the edges. Every point is evaluated by one face, its owner.
+ * Numbers the points of a refined mesh: the input's points, then the points inside each edge, then
+ * those inside each face, then copies of the former for faces that see other normals there. Edges
+ * are shared as the input shares points; where points coincide without being shared, so do the
+ * edges. Every point but a copy is evaluated by one face, its owner.
  *
  * Private to the module's own sources.
  */
 #ifndef RefinedTopology_h
 #define RefinedTopology_h
 
-#include "Mesh/NormalSplits.h"
+#include "Core/RefinementMathematics.h"
 #include "Mesh/RefinementMesh.h"
 #include "Patterns/FacePattern.h"
 #include "vtkType.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace relevo
 {
+class NormalSplits;
 class PatternSelection;
 
 /// A refined point on a face, with the weights of the face's sorted corners.
@@ -42,15 +44,44 @@ struct RefinedPoint
 class RefinedTopology
 {
 public:
-  /// The surface may be nullptr.
-  RefinedTopology(RefinementMesh& mesh, const PatternSelection& selection,
-    vtkRefinementSurface* surface, vtkIdType numberOfInputPoints);
+  /// Builds the mesh's edges. The mesh must outlive the topology.
+  RefinedTopology(
+    RefinementMesh& mesh, const PatternSelection& selection, vtkIdType numberOfInputPoints);
+
+  /// Give faces points of their own where they see other normals than the owner.
+  void Split(const NormalSplits& splits);
 
   vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
   int GetNumberOfFaces() const { return static_cast<int>(this->Patterns.size()); }
   const FacePattern& GetPattern(int face) const { return this->Patterns[face]; }
   /// Whether a face has this point of the input as a corner.
   bool IsCorner(vtkIdType inputPoint) const { return this->PointOwners[inputPoint] >= 0; }
+
+  //@{
+  /// Of an edge of a face (3 * face + edge): the number of points inside it; of an edge of the
+  /// mesh: the point that is `step` (1 and on) from its first end.
+  int GetNumberOfInnerPoints(int faceEdge) const;
+  vtkIdType GetEdgePoint(int edge, int step) const
+  {
+    return this->FirstEdgePoints[static_cast<size_t>(edge)] + step - 1;
+  }
+  //@}
+  /// Weights at step 0, a face's sorted corner, or another step of its edge: 3 * face + corner or
+  /// edge.
+  void GetWeights(int use, int step, float weights[3]) const;
+
+  /// A point that lies where another one does, with another normal.
+  struct PointCopy
+  {
+    vtkIdType Original;
+    vec3 Normal;
+  };
+  /// Those of the points from GetFirstCopy() on.
+  const std::vector<PointCopy>& GetCopies() const { return this->Copies; }
+  vtkIdType GetFirstCopy() const
+  {
+    return this->NumberOfPoints - static_cast<vtkIdType>(this->Copies.size());
+  }
 
   /// The points of all pattern vertices of a face.
   void GetPoints(int face, std::vector<vtkIdType>& points) const;
@@ -62,22 +93,35 @@ private:
   /// One of the pattern's edges on a face, from the pattern's corner i to i + 1.
   struct Edge
   {
+    int Use; // 3 * face + sorted edge
     int Id;
     bool IsOwned; // by the face
     bool Forward;
     int Segments;
   };
   Edge GetEdge(int face, int patternEdge) const;
+  /// The point that a face has at a step of a corner or an edge, see GetWeights().
+  vtkIdType GetPoint(int use, int step) const;
   vtkIdType GetCorner(int face, int sortedCorner) const
   {
-    return this->Splits.FaceCorners[3 * static_cast<size_t>(face) + sortedCorner];
+    const size_t use = 3 * static_cast<size_t>(face) + sortedCorner;
+    return this->CornerCopies.empty() || this->CornerCopies[use] < 0
+      ? this->Mesh.Faces[face].Corners[sortedCorner]
+      : this->CornerCopies[use];
   }
 
-  const NormalSplits Splits;
+  const RefinementMesh& Mesh;
   std::vector<FacePattern> Patterns;
   std::vector<vtkIdType> FirstInnerPoints;
   std::vector<vtkIdType> FirstEdgePoints;
-  std::vector<int> PointOwners; // of the input's points and their copies
+  std::vector<int> PointOwners; // of the input's points
+  std::vector<int> EdgeOwners;  // as those of the mesh
+
+  std::vector<PointCopy> Copies;
+  std::vector<vtkIdType> CornerCopies;    // by use, -1 for none; empty without copies
+  std::vector<vtkIdType> FirstEdgeCopies; // by use, into EdgeCopies; the same
+  std::vector<vtkIdType> EdgeCopies;      // the points inside an edge, copies or not
+
   vtkIdType NumberOfPoints = 0;
 };
 }

@@ -90,7 +90,8 @@ bool RefinementMesh::Build(vtkPolyData* input, vtkRefinementSurface* surface,
       return false;
     }
     this->BuildVectors(surface);
-    if (displacement && this->Directions.empty() && this->SplitsNormals(surface))
+    if (displacement && !surface->HasDirections() && this->Directions.empty() &&
+      this->SplitsNormals(surface))
     {
       this->Directions = this->Normals;
     }

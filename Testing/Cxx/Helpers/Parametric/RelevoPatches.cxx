@@ -13,12 +13,15 @@
 #include "vtkNew.h"
 #include "vtkPatchSurfaceFilter.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkTriangle.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <random>
+#include <utility>
 
 namespace
 {
@@ -192,6 +195,71 @@ std::vector<double> GetReference(
   }
   return values;
 }
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> RelevoNewBracket(double bend)
+{
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> field;
+  field->SetName("Field");
+  field->SetNumberOfComponents(2);
+  std::map<RelevoPlace, vtkIdType> known;
+  const auto addPoint = [&](const RelevoPlace& x)
+  {
+    const auto [point, isNew] = known.insert({ x, points->GetNumberOfPoints() });
+    if (isNew)
+    {
+      points->InsertNextPoint(x[0] + bend * std::sin(1.5 * x[1]),
+        x[1] + bend * std::sin(1.5 * x[2]), x[2] + bend * std::sin(1.5 * x[0]));
+      field->InsertNextTuple2(std::sin(x[0] + 2.0 * x[1]), x[2] * x[2]);
+    }
+    return point->second;
+  };
+  // From one corner of a cube to the opposite one along three of its edges.
+  constexpr int ways[6][3] = { { 0, 1, 2 }, { 1, 2, 0 }, { 2, 0, 1 }, { 0, 2, 1 }, { 1, 0, 2 },
+    { 2, 1, 0 } };
+  constexpr int edges[6][2] = { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 0, 3 }, { 1, 3 }, { 2, 3 } };
+  grid->Allocate(18);
+  for (const RelevoPlace& cube :
+    { RelevoPlace{ 0, 0, 0 }, RelevoPlace{ 1, 0, 0 }, RelevoPlace{ 0, 0, 1 } })
+  {
+    for (int way = 0; way < 6; ++way)
+    {
+      std::array<RelevoPlace, 4> corners;
+      corners.fill(cube);
+      for (int step = 0; step < 3; ++step)
+      {
+        for (int later = step + 1; later < 4; ++later)
+        {
+          corners[later][ways[way][step]] += 1.0;
+        }
+      }
+      if (way > 2)
+      {
+        std::swap(corners[1], corners[2]);
+      }
+      std::vector<vtkIdType> ids;
+      for (const RelevoPlace& corner : corners)
+      {
+        ids.push_back(addPoint(corner));
+      }
+      for (const auto& edge : edges)
+      {
+        RelevoPlace middle;
+        for (int c = 0; c < 3; ++c)
+        {
+          middle[c] = 0.5 * (corners[edge[0]][c] + corners[edge[1]][c]);
+        }
+        ids.push_back(addPoint(middle));
+      }
+      grid->InsertNextCell(VTK_QUADRATIC_TETRA, 10, ids.data());
+    }
+  }
+  grid->SetPoints(points);
+  grid->GetPointData()->AddArray(field);
+  return grid;
 }
 
 vtkIdType RelevoGetNumberOfNodes(int type, const std::array<int, 3>& degrees)

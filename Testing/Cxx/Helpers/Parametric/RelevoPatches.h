@@ -21,6 +21,10 @@
 vtkSmartPointer<vtkUnstructuredGrid> RelevoNewCell(int type, const std::array<int, 3>& degrees,
   double share, bool isRational = false, vtkIdType nodes = 0);
 
+// An angle bracket of three unit cubes in quadratic tetrahedra, bent by up to `bend`. The point
+// array "Field" has 2 components.
+vtkSmartPointer<vtkUnstructuredGrid> RelevoNewBracket(double bend = 0.0);
+
 // Of types of any degree.
 vtkIdType RelevoGetNumberOfNodes(int type, const std::array<int, 3>& degrees);
 

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   NormalSplits
+ * @brief   where the faces around a refined point give it different normals
+ *
+ * A surface may give the faces around a point normals of their own: a crease. Faces whose normals
+ * agree share a point, others have copies of it. Normals agree when they differ by at most 0.001
+ * (the length of the difference of unit vectors, 0.06 degrees), or by a chain of such steps. What
+ * agrees, and the normal that is shared, do not depend on the order of the faces.
+ *
+ * Private to the module's own sources.
+ */
+#ifndef NormalSplits_h
+#define NormalSplits_h
+
+#include "Core/RefinementMathematics.h"
+#include "vtkType.h"
+
+#include <vector>
+
+class vtkRefinementSurface;
+
+namespace relevo
+{
+class RefinedTopology;
+class RefinementEvaluator;
+class RefinementMesh;
+
+class NormalSplits
+{
+public:
+  /// For points as a topology shares them; the surface may be nullptr.
+  NormalSplits(const RefinementMesh& mesh, vtkRefinementSurface* surface,
+    const RefinementEvaluator& evaluator, const RefinedTopology& topology,
+    vtkIdType numberOfInputPoints);
+
+  /// A face's normal at a point that needs a copy there.
+  struct Copy
+  {
+    vtkIdType Point;
+    int Use;  // 3 * face + sorted corner, or edge
+    int Step; // 0 for a corner; of points inside an edge 1 and on, from its first end
+    vec3 Normal;
+  };
+  /// By point and use; equal normals share a copy.
+  const std::vector<Copy>& GetCopies() const { return this->Copies; }
+
+  /// Which of its uses evaluates a corner or the points inside an edge.
+  struct Owner
+  {
+    int Element; // input point or edge
+    int Use;
+  };
+  /// Where it matters which one does: normals that agree can differ in their last digits.
+  const std::vector<Owner>& GetPointOwners() const { return this->PointOwners; }
+  const std::vector<Owner>& GetEdgeOwners() const { return this->EdgeOwners; }
+
+private:
+  class Visitor;
+
+  std::vector<Copy> Copies;
+  std::vector<Owner> PointOwners;
+  std::vector<Owner> EdgeOwners;
+};
+}
+
+#endif
