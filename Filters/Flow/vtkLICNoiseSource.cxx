@@ -3,6 +3,7 @@
 #include "vtkLICNoiseSource.h"
 
 #include "Core/ImageExtents.h"
+#include "Core/MemoryGuard.h"
 #include "Core/SettingChecks.h"
 #include "Noise/GrainNoise.h"
 #include "Noise/NoiseHash.h"
@@ -124,16 +125,20 @@ int vtkLICNoiseSource::RequestData(
     return 0;
   }
 
-  const int size = this->NoiseTextureSize;
-  const std::vector<float> image = this->MakeUnitNoise();
-  this->UpdateProgress(0.8);
-  vtkNew<vtkFloatArray> noise;
-  noise->SetName("Noise");
-  noise->SetNumberOfTuples(static_cast<vtkIdType>(size) * size);
-  this->MapToLevels(image, noise->GetPointer(0));
-  output->SetDimensions(size, size, 1);
-  output->GetPointData()->SetScalars(noise);
-  return 1;
+  return relevo::RequestWithinMemory(this, outputVector, "the noise",
+    [&]
+    {
+      const int size = this->NoiseTextureSize;
+      const std::vector<float> image = this->MakeUnitNoise();
+      this->UpdateProgress(0.8);
+      vtkNew<vtkFloatArray> noise;
+      noise->SetName("Noise");
+      noise->SetNumberOfTuples(static_cast<vtkIdType>(size) * size);
+      this->MapToLevels(image, noise->GetPointer(0));
+      output->SetDimensions(size, size, 1);
+      output->GetPointData()->SetScalars(noise);
+      return 1;
+    });
 }
 
 std::vector<float> vtkLICNoiseSource::MakeUnitNoise() const

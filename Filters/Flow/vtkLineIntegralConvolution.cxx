@@ -3,6 +3,7 @@
 #include "vtkLineIntegralConvolution.h"
 
 #include "Core/ImageExtents.h"
+#include "Core/MemoryGuard.h"
 #include "Core/VTKCompatibility.h"
 #include "Image/ChosenNoise.h"
 #include "Image/ForwardedSettings.h"
@@ -24,7 +25,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <new>
 #include <sstream>
 
 namespace
@@ -167,16 +167,13 @@ int vtkLineIntegralConvolution::RequestData(
   vtkImageData* input = vtkImageData::GetData(inputVector[0]);
   vtkImageData* output = vtkImageData::GetData(outputVector);
   output->Initialize();
-  try
-  {
-    return this->Convolve(inputVector, input, output);
-  }
-  catch (const std::bad_alloc&)
+  int result = 0;
+  if (!relevo::FitsMemory([&] { result = this->Convolve(inputVector, input, output); }))
   {
     output->Initialize();
     vtkErrorMacro("Not enough memory for " << input->GetNumberOfPoints() << " points.");
-    return 0;
   }
+  return result;
 }
 
 int vtkLineIntegralConvolution::Convolve(

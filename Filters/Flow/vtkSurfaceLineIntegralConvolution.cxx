@@ -3,6 +3,7 @@
 #include "vtkSurfaceLineIntegralConvolution.h"
 
 #include "Core/InputType.h"
+#include "Core/MemoryGuard.h"
 #include "Core/SettingChecks.h"
 #include "Core/VTKCompatibility.h"
 #include "Core/VectorData.h"
@@ -31,7 +32,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <new>
 #include <string>
 
 namespace relevo
@@ -157,11 +157,7 @@ int vtkSurfaceLineIntegralConvolution::RequestData(
     return 0;
   }
   bool complete = false;
-  try
-  {
-    complete = this->Run(input, field, output, texture);
-  }
-  catch (const std::bad_alloc&)
+  if (!relevo::FitsMemory([&] { complete = this->Run(input, field, output, texture); }))
   {
     vtkErrorMacro("Not enough memory for " << input->GetNumberOfCells() << " cells and "
                                            << this->TextureSize[0] << " x " << this->TextureSize[1]

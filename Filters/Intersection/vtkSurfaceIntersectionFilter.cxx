@@ -4,6 +4,7 @@
 
 #include "Contact/CellContacts.h"
 #include "Core/LatestTime.h"
+#include "Core/MemoryGuard.h"
 #include "Core/SettingChecks.h"
 #include "Core/VTKCompatibility.h"
 #include "Curves/CurveOutputs.h"
@@ -20,7 +21,6 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <new>
 #include <string>
 
 vtkStandardNewMacro(vtkSurfaceIntersectionFilter);
@@ -275,21 +275,18 @@ int vtkSurfaceIntersectionFilter::RequestData(
   vtkPolyData* inputs[2] = { vtkPolyData::GetData(inputVector[0]),
     vtkPolyData::GetData(inputVector[1]) };
   EmptyOutputs(outputVector);
-  try
+  bool areTaken = false;
+  const auto intersect = [&]
   {
     this->Surfaces->IsSelf = !inputs[1];
-    if (!this->TakeInput(0, inputs[0]) || (inputs[1] && !this->TakeInput(1, inputs[1])) ||
-      !this->RefineInput(0) || (inputs[1] && !this->RefineInput(1)))
-    {
-      return 0;
-    }
-    if (!this->Intersect(inputs, outputVector))
+    areTaken = this->TakeInput(0, inputs[0]) && (!inputs[1] || this->TakeInput(1, inputs[1])) &&
+      this->RefineInput(0) && (!inputs[1] || this->RefineInput(1));
+    if (areTaken && !this->Intersect(inputs, outputVector))
     {
       EmptyOutputs(outputVector);
     }
-    return 1;
-  }
-  catch (const std::bad_alloc&)
+  };
+  if (!relevo::FitsMemory(intersect))
   {
     EmptyOutputs(outputVector);
     for (const auto& shared : this->Surfaces->Shared)
@@ -303,6 +300,7 @@ int vtkSurfaceIntersectionFilter::RequestData(
     vtkErrorMacro("Not enough memory for the intersection of the inputs.");
     return 0;
   }
+  return areTaken ? 1 : 0;
 }
 
 bool vtkSurfaceIntersectionFilter::Report(double progress)

@@ -5,6 +5,7 @@
 #include "Core/CameraEye.h"
 #include "Core/InputType.h"
 #include "Core/LatestTime.h"
+#include "Core/MemoryGuard.h"
 #include "Core/RefinementView.h"
 #include "Core/SettingChecks.h"
 #include "Curves/CurveMesh.h"
@@ -22,7 +23,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <new>
 #include <numeric>
 
 vtkStandardNewMacro(vtkAdaptiveCurveFilter);
@@ -175,7 +175,7 @@ bool vtkAdaptiveCurveFilter::Build(vtkPointSet* input, const relevo::CurveMesh& 
   const relevo::CurveTags& tags, const relevo::CurveStyle& style, vtkPolyData* output)
 {
   const std::vector<int>& segments = tags.GetSegments();
-  try
+  const auto build = [&]
   {
     relevo::CurvePolyDataBuilder builder(input, mesh, segments, style);
     builder.Build(this->Refinement->GetNoDataMagnitude(), output);
@@ -183,8 +183,8 @@ bool vtkAdaptiveCurveFilter::Build(vtkPointSet* input, const relevo::CurveMesh& 
     {
       vtkWarningMacro("Array \"" << name << "\" has too few tuples and is left out.");
     }
-  }
-  catch (const std::bad_alloc&)
+  };
+  if (!relevo::FitsMemory(build))
   {
     output->Initialize();
     vtkErrorMacro("Not enough memory for "
@@ -201,13 +201,19 @@ int vtkAdaptiveCurveFilter::RequestData(
   {
     return 0;
   }
-  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
   if (!this->Refinement)
   {
     vtkErrorMacro("No recipe: call SetRefinement() with a vtkAdaptiveRefinement.");
     return 0;
   }
+  return relevo::RequestWithinMemory(this, outputVector, "the curves of the input",
+    [&] {
+      return this->Cut(vtkPointSet::GetData(inputVector[0]), vtkPolyData::GetData(outputVector));
+    });
+}
+
+int vtkAdaptiveCurveFilter::Cut(vtkPointSet* input, vtkPolyData* output)
+{
   relevo::CurveMesh mesh;
   mesh.Build(input);
   relevo::CurveTags tags;

@@ -181,6 +181,7 @@ protected:
 private:
   relevo::RefinementView MakeView() const;
   bool MakeStyle(vtkPointSet* input, relevo::CurveStyle& style);
+  int Cut(vtkPointSet* input, vtkPolyData* output);
   bool Check(vtkPointSet* input, const relevo::CurveMesh& mesh);
   bool Build(vtkPointSet* input, const relevo::CurveMesh& mesh, const relevo::CurveTags& tags,
     const relevo::CurveStyle& style, vtkPolyData* output);

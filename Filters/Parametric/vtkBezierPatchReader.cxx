@@ -3,6 +3,7 @@
 #include "vtkBezierPatchReader.h"
 
 #include "Cells/BezierCells.h"
+#include "Core/MemoryGuard.h"
 #include "Files/BezierPatchFile.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -33,7 +34,12 @@ int vtkBezierPatchReader::CanReadFile(const char* fileName)
 int vtkBezierPatchReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
+  return relevo::RequestWithinMemory(this, outputVector, "the patches of the file",
+    [&] { return this->Read(vtkUnstructuredGrid::GetData(outputVector)); });
+}
+
+int vtkBezierPatchReader::Read(vtkUnstructuredGrid* output)
+{
   output->Initialize();
   if (!this->FileName || !*this->FileName)
   {

@@ -59,6 +59,8 @@ protected:
 private:
   vtkBezierPatchReader(const vtkBezierPatchReader&) = delete;
   void operator=(const vtkBezierPatchReader&) = delete;
+
+  int Read(vtkUnstructuredGrid* output);
 };
 
 #endif

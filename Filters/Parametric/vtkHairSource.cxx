@@ -3,6 +3,7 @@
 #include "vtkHairSource.h"
 
 #include "Core/InputType.h"
+#include "Core/MemoryGuard.h"
 #include "Core/SettingChecks.h"
 #include "Curves/HairGrowth.h"
 #include "vtkCellArray.h"
@@ -178,15 +179,8 @@ int vtkHairSource::RequestData(
     vtkErrorMacro("The input has no polygons for hair to grow on.");
     return 0;
   }
-  try
-  {
-    return this->Grow(input, vtkUnstructuredGrid::GetData(outputVector)) ? 1 : 0;
-  }
-  catch (const std::bad_alloc&)
-  {
-    vtkErrorMacro("Not enough memory for so many hairs: lower the density.");
-    return 0;
-  }
+  return relevo::RequestWithinMemory(this, outputVector, "so many hairs: lower the density",
+    [&] { return this->Grow(input, vtkUnstructuredGrid::GetData(outputVector)) ? 1 : 0; });
 }
 
 void vtkHairSource::PrintSelf(ostream& os, vtkIndent indent)

@@ -4,6 +4,7 @@
 
 #include "Cells/BezierCells.h"
 #include "Core/LatestTime.h"
+#include "Core/MemoryGuard.h"
 #include "Core/SettingChecks.h"
 #include "Splines/BSpline.h"
 #include "Splines/KnotVector.h"
@@ -276,7 +277,12 @@ std::vector<double> vtkNURBSSource::CopyKnots(int direction)
 int vtkNURBSSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
+  return relevo::RequestWithinMemory(this, outputVector, "the control points",
+    [&] { return this->Decompose(vtkUnstructuredGrid::GetData(outputVector)); });
+}
+
+int vtkNURBSSource::Decompose(vtkUnstructuredGrid* output)
+{
   output->Initialize();
   if (!this->CheckPoints() || !this->CheckWeights() || !this->CheckDirection(0) ||
     (!this->IsCurve() && !this->CheckDirection(1)))

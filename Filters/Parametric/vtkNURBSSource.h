@@ -102,6 +102,7 @@ private:
 
   bool IsDirection(int direction);
   bool IsCurve() const { return this->Dimensions[1] == 1; }
+  int Decompose(vtkUnstructuredGrid* output);
   bool CheckPoints();
   bool CheckWeights();
   bool CheckDirection(int direction);

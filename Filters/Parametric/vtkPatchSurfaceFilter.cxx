@@ -7,6 +7,7 @@
 #include "Coarse/CoarseMesh.h"
 #include "Coarse/PatchOutput.h"
 #include "Core/InputType.h"
+#include "Core/MemoryGuard.h"
 #include "Mesh/PatchArrays.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -86,8 +87,16 @@ int vtkPatchSurfaceFilter::RequestData(
   {
     return 0;
   }
-  vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  return relevo::RequestWithinMemory(this, outputVector, "the patches of the grid",
+    [&]
+    {
+      return this->Convert(
+        vtkUnstructuredGrid::GetData(inputVector[0]), vtkPolyData::GetData(outputVector));
+    });
+}
+
+int vtkPatchSurfaceFilter::Convert(vtkUnstructuredGrid* input, vtkPolyData* output)
+{
   relevo::PatchArrays::Remove(output); // of the input's field data
   if (input->GetNumberOfCells() < 1)
   {

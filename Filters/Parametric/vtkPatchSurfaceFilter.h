@@ -81,6 +81,7 @@ private:
 
   bool SplitPatches = false;
 
+  int Convert(vtkUnstructuredGrid* input, vtkPolyData* output);
   void RemoveShortArrays(vtkUnstructuredGrid* grid);
   void WarnOfShortArray(const std::string& name);
 };

@@ -3,6 +3,7 @@
 #include "vtkAdaptiveRefinementFilter.h"
 
 #include "Core/InputType.h"
+#include "Core/MemoryGuard.h"
 #include "Core/RefinementView.h"
 #include "Core/SettingChecks.h"
 #include "Core/VTKCompatibility.h"
@@ -125,9 +126,13 @@ bool vtkAdaptiveRefinementFilter::Prepare(
 int vtkAdaptiveRefinementFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const bool isDone = relevo::CheckInputType(this, inputVector[0]) &&
-    this->Refine(vtkPolyData::GetData(inputVector[0]), vtkPolyData::GetData(outputVector));
-  return isDone ? 1 : 0;
+  const auto refine = [&] {
+    return this->Refine(vtkPolyData::GetData(inputVector[0]), vtkPolyData::GetData(outputVector));
+  };
+  return relevo::CheckInputType(this, inputVector[0]) &&
+      relevo::RequestWithinMemory(this, outputVector, "the coarse mesh", refine)
+    ? 1
+    : 0;
 }
 
 bool vtkAdaptiveRefinementFilter::Refine(vtkPolyData* input, vtkPolyData* output)

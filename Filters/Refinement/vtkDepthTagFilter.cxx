@@ -3,6 +3,7 @@
 #include "vtkDepthTagFilter.h"
 
 #include "Core/InputType.h"
+#include "Core/MemoryGuard.h"
 #include "Core/PointPlaces.h"
 #include "Core/RefinementMathematics.h"
 #include "Core/SettingChecks.h"
@@ -142,9 +143,13 @@ vtkMTimeType vtkDepthTagFilter::GetMTime()
 int vtkDepthTagFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const bool isDone = relevo::CheckInputType(this, inputVector[0]) &&
-    this->AddTags(vtkPolyData::GetData(inputVector[0]), vtkPolyData::GetData(outputVector));
-  return isDone ? 1 : 0;
+  const auto add = [&] {
+    return this->AddTags(vtkPolyData::GetData(inputVector[0]), vtkPolyData::GetData(outputVector));
+  };
+  return relevo::CheckInputType(this, inputVector[0]) &&
+      relevo::RequestWithinMemory(this, outputVector, "the levels of the mesh", add)
+    ? 1
+    : 0;
 }
 
 bool vtkDepthTagFilter::AddTags(vtkPolyData* input, vtkPolyData* output)

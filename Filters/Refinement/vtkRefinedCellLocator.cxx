@@ -3,6 +3,7 @@
 #include "vtkRefinedCellLocator.h"
 
 #include "Core/Dependencies.h"
+#include "Core/MemoryGuard.h"
 #include "Core/SettingChecks.h"
 #include "Evaluation/PatternSelection.h"
 #include "Evaluation/RefinementPreparation.h"
@@ -159,7 +160,13 @@ bool vtkRefinedCellLocator::UpdateSurface()
   }
   else
   {
-    data.Valid = this->Prepare(input);
+    const auto prepare = [&] { return this->Prepare(input); };
+    data.Valid = relevo::RunWithinMemory(this, "the surface of the mesh", prepare);
+    if (!data.Valid) // half made, to be tried anew
+    {
+      data.Mesh = relevo::RefinementMesh();
+      data.MeshDependencies.Clear();
+    }
   }
   this->BuildTime.Modified();
   return data.Valid;

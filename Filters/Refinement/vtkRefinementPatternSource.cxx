@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRefinementPatternSource.h"
 
+#include "Core/MemoryGuard.h"
 #include "Core/SettingChecks.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -73,10 +74,12 @@ int vtkRefinementPatternSource::RequestData(
       "Level " << highest << " is above the table's MaximumLevel, " << maximumLevel << ".");
     return 0;
   }
-  return this->Table->GetPattern(
-           this->Levels[0], this->Levels[1], this->Levels[2], vtkPolyData::GetData(outputVector))
-    ? 1
-    : 0;
+  return relevo::RequestWithinMemory(this, outputVector, "the pattern",
+    [&]
+    {
+      return this->Table->GetPattern(
+        this->Levels[0], this->Levels[1], this->Levels[2], vtkPolyData::GetData(outputVector));
+    });
 }
 
 void vtkRefinementPatternSource::PrintSelf(ostream& os, vtkIndent indent)

@@ -4,6 +4,7 @@
 
 #include "Core/ImageExtents.h"
 #include "Core/LatestTime.h"
+#include "Core/MemoryGuard.h"
 #include "Core/SettingChecks.h"
 #include "Core/WorldView.h"
 #include "Data/Relief.h"
@@ -27,7 +28,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <new>
 
 vtkStandardNewMacro(vtkDepthImageToRelief);
 
@@ -164,12 +164,12 @@ int vtkDepthImageToRelief::RequestData(
   vtkImageData* output = vtkImageData::GetData(outputVector);
   output->Initialize();
   std::string error;
-  try
+  const auto build = [&]
   {
     error = this->Build(
       vtkImageData::GetData(inputVector[0]), vtkImageData::GetData(inputVector[1]), output);
-  }
-  catch (const std::bad_alloc&)
+  };
+  if (!relevo::FitsMemory(build))
   {
     error = "Not enough memory for the relief.";
   }

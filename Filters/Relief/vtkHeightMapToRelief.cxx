@@ -4,6 +4,7 @@
 
 #include "Core/ImageExtents.h"
 #include "Core/LatestTime.h"
+#include "Core/MemoryGuard.h"
 #include "Core/SettingChecks.h"
 #include "Core/VTKCompatibility.h"
 #include "Data/Relief.h"
@@ -26,7 +27,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <new>
 #include <vector>
 
 vtkStandardNewMacro(vtkHeightMapToRelief);
@@ -222,11 +222,9 @@ int vtkHeightMapToRelief::RequestData(
   vtkImageData* output = vtkImageData::GetData(outputVector);
   output->Initialize();
   std::string error = this->ReadHeights();
-  try
-  {
-    error = error.empty() ? this->Build(vtkImageData::GetData(inputVector[0]), output) : error;
-  }
-  catch (const std::bad_alloc&)
+  const auto build = [&]
+  { error = error.empty() ? this->Build(vtkImageData::GetData(inputVector[0]), output) : error; };
+  if (!relevo::FitsMemory(build))
   {
     error = "Not enough memory for the relief.";
   }

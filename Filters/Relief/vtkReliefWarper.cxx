@@ -5,6 +5,7 @@
 #include "Core/CameraEye.h"
 #include "Core/ImageExtents.h"
 #include "Core/LatestTime.h"
+#include "Core/MemoryGuard.h"
 #include "Core/SettingChecks.h"
 #include "Warp/WarpCoefficients.h"
 #include "Warp/WarpPasses.h"
@@ -24,7 +25,6 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <new>
 #include <string>
 #include <utility>
 
@@ -217,21 +217,22 @@ int vtkReliefWarper::RequestData(
     vtkErrorMacro("There is no camera: call SetCamera().");
     return 0;
   }
-  try
+  bool isWarped = false;
+  const auto warp = [&]
   {
-    if (!this->Read(vtkImageData::GetData(inputVector[0])))
+    isWarped = this->Read(vtkImageData::GetData(inputVector[0]));
+    if (isWarped)
     {
-      return 0;
+      this->Warp(output);
     }
-    this->Warp(output);
-    return 1;
-  }
-  catch (const std::bad_alloc&)
+  };
+  if (!relevo::FitsMemory(warp))
   {
     output->Initialize();
     vtkErrorMacro("Not enough memory to warp the relief.");
     return 0;
   }
+  return isWarped ? 1 : 0;
 }
 
 bool vtkReliefWarper::Read(vtkImageData* input)

@@ -3,6 +3,7 @@
 #include "vtkGeographicVectors.h"
 
 #include "Core/ImageExtents.h"
+#include "Core/MemoryGuard.h"
 #include "Core/SettingChecks.h"
 #include "Core/VTKCompatibility.h"
 #include "Core/VectorData.h"
@@ -241,9 +242,14 @@ int vtkGeographicVectors::RequestUpdateExtent(
 int vtkGeographicVectors::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  return relevo::RequestWithinMemory(this, outputVector, "the vectors",
+    [&] { return this->Convert(inputVector, vtkPolyData::GetData(outputVector, 0)); });
+}
+
+int vtkGeographicVectors::Convert(vtkInformationVector** inputVector, vtkPolyData* output)
+{
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
   vtkImageData* raster = vtkImageData::GetData(inputVector[1], 0);
-  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   output->Initialize();
 
   bool isOfRaster = raster != nullptr;

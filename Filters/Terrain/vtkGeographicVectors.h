@@ -149,6 +149,7 @@ private:
   vtkGeographicVectors(const vtkGeographicVectors&) = delete;
   void operator=(const vtkGeographicVectors&) = delete;
 
+  int Convert(vtkInformationVector** inputVector, vtkPolyData* output);
   vtkDataArray* ChooseArray(vtkInformationVector** inputVector, bool& isOfRaster);
   bool Locate(
     vtkPolyData* mesh, std::unique_ptr<relevo::MapDirections>& directions, double& exaggeration);

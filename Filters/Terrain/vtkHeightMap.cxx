@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightMap.h"
 
+#include "Core/MemoryGuard.h"
 #include "Core/SettingChecks.h"
 #include "Heights/HeightGrid.h"
 #include "Heights/HeightReduction.h"
@@ -17,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <new>
 #include <vector>
 
 namespace
@@ -220,11 +220,9 @@ bool vtkHeightMap::Read()
   auto grid = std::make_unique<relevo::HeightGrid>();
   std::string error;
   bool isRead = false;
-  try
-  {
-    isRead = this->ImageData ? this->ReadImage(*grid, error) : this->ReadFile(*grid, error);
-  }
-  catch (const std::bad_alloc&)
+  const auto read = [&]
+  { isRead = this->ImageData ? this->ReadImage(*grid, error) : this->ReadFile(*grid, error); };
+  if (!relevo::FitsMemory(read))
   {
     error = "not enough memory for " + toText(this->FullDimensions) + " heights";
   }

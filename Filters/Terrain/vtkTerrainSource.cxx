@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainSource.h"
 
+#include "Core/MemoryGuard.h"
 #include "Core/SettingChecks.h"
 #include "Core/VTKCompatibility.h"
 #include "Geodesy/TerrainFrame.h"
@@ -25,7 +26,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <new>
 #include <sstream>
 
 namespace
@@ -250,11 +250,7 @@ int vtkTerrainSource::RequestData(
   std::fill_n(this->Origin, 3, 0.0);
   std::string error;
   bool isBuilt = false;
-  try
-  {
-    isBuilt = this->Build(output, error);
-  }
-  catch (const std::bad_alloc&)
+  if (!relevo::FitsMemory([&] { isBuilt = this->Build(output, error); }))
   {
     error = "Not enough memory for a mesh of Resolution " + std::to_string(this->Resolution) +
       " and imagery of up to " + std::to_string(this->MaximumImagerySize) + " pixels a side.";

@@ -3,6 +3,7 @@
 #include "vtkMeshVisibilitySort.h"
 
 #include "Core/CameraEye.h"
+#include "Core/MemoryGuard.h"
 #include "Mesh/CellFaces.h"
 #include "Mesh/VisibilityOrder.h"
 #include "vtkDataSet.h"
@@ -93,11 +94,20 @@ void vtkMeshVisibilitySort::InitTraversal()
       "There is no " << (this->Input ? "camera: call SetCamera()." : "input: call SetInput()."));
     return;
   }
-  if (this->Build())
+  const auto sort = [&]
   {
-    internals.Sorted =
-      &internals.Order.Sort(relevo::GetEye(this->Camera, this->InverseModelTransform));
-    this->LastSortTime.Modified();
+    if (this->Build())
+    {
+      internals.Sorted =
+        &internals.Order.Sort(relevo::GetEye(this->Camera, this->InverseModelTransform));
+      this->LastSortTime.Modified();
+    }
+    return internals.Sorted != nullptr;
+  };
+  if (!relevo::RunWithinMemory(this, "the order of the cells", sort))
+  {
+    internals.Sorted = nullptr;
+    internals.BuiltFrom = nullptr;
   }
 }
 

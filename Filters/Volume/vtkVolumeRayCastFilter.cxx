@@ -5,6 +5,7 @@
 #include "Cells/MeshScalars.h"
 #include "Cells/VolumeCells.h"
 #include "Core/ImageExtents.h"
+#include "Core/MemoryGuard.h"
 #include "Core/VTKCompatibility.h"
 #include "Rays/Blending.h"
 #include "Rays/ClippingPlanes.h"
@@ -28,7 +29,6 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
-#include <new>
 
 vtkStandardNewMacro(vtkVolumeRayCastFilter);
 
@@ -75,13 +75,14 @@ int vtkVolumeRayCastFilter::RequestData(
                                                   : "camera: call SetCamera()."));
     return 0;
   }
-  try
+  bool isCast = false;
+  const auto cast = [&]
   {
     relevo::VolumeCells cells;
     relevo::TransferFunctions functions;
     if (!this->Read(vtkDataObject::GetData(inputVector[0]), cells, functions))
     {
-      return 0;
+      return;
     }
     // A headlight, as a renderer makes one.
     relevo::dvec3 forward;
@@ -89,15 +90,15 @@ int vtkVolumeRayCastFilter::RequestData(
     const relevo::Shading shading(this->VolumeProperty, functions, -forward);
     cells.Build(functions.NeedSteepness(), shading.IsOn());
     this->Cast(cells, functions, shading, output);
-    return 1;
-  }
-  catch (const std::bad_alloc&)
+    isCast = true;
+  };
+  if (!relevo::FitsMemory(cast))
   {
     output->Initialize();
     vtkErrorMacro("Not enough memory for the input or for " << this->ViewportSize[0] << " x "
                                                             << this->ViewportSize[1] << " pixels.");
-    return 0;
   }
+  return isCast ? 1 : 0;
 }
 
 bool vtkVolumeRayCastFilter::Read(

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkContactScene.h"
 
+#include "Core/MemoryGuard.h"
 #include "Core/SettingChecks.h"
 #include "Scene/ActorPair.h"
 #include "Scene/CandidateMetrics.h"
@@ -188,6 +189,16 @@ void vtkContactScene::SetTolerance(double tolerance)
 }
 
 void vtkContactScene::Update()
+{
+  relevo::RunWithinMemory(this, "the contacts of the actors",
+    [&]
+    {
+      this->FindContacts();
+      return true;
+    });
+}
+
+void vtkContactScene::FindContacts()
 {
   Internals& scene = *this->Scene;
   scene.Metrics.Begin(this->Distance);

@@ -130,6 +130,7 @@ private:
 
   struct Internals;
 
+  void FindContacts();
   void Report(const std::string& pair, const std::string& errors, const std::string& warnings);
 
   double Distance = 0.0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveCurveMapperInternals.h"
 
+#include "Core/MemoryGuard.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAlgorithm.h"
 #include "vtkBoundingBox.h"
@@ -300,8 +301,13 @@ void vtkAdaptiveCurveMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   {
     // Releases what is in the context of another window.
     data.Context->SetContext(vtkOpenGLRenderWindow::SafeDownCast(window));
-    this->UpdateBlocks();
-    this->RenderBlocks(renderer, actor);
+    relevo::RunWithinMemory(this, "the curves",
+      [&]
+      {
+        this->UpdateBlocks();
+        this->RenderBlocks(renderer, actor);
+        return true;
+      });
   }
   this->UpdateProgress(1.0);
 }

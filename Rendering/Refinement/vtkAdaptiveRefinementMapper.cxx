@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Blocks/BlockLook.h"
+#include "Core/MemoryGuard.h"
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
 #include "OpenGL/ContextFacts.h"
@@ -180,13 +181,18 @@ void vtkAdaptiveRefinementMapper::RenderPiece(vtkRenderer* ren, vtkActor* act)
   // Releases what is in the context of another window, which some windows leave current then.
   data.Context->SetContext(vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()));
   data.Picking.Questions.AskOther();
-  if (data.IsBlock || !this->UseAllocatedRenderTime || ren->GetSelector())
+  const auto draw = [&]
   {
     this->RenderRefined(ren, act);
+    return true;
+  };
+  if (data.IsBlock || !this->UseAllocatedRenderTime || ren->GetSelector())
+  {
+    relevo::RunWithinMemory(this, "the mesh in this view", draw);
     return;
   }
   data.Clock.Start();
-  this->RenderRefined(ren, act);
+  relevo::RunWithinMemory(this, "the mesh in this view", draw);
   const double seconds = data.Clock.Stop();
   // What the GPU selects is read back only where the time does not do.
   const bool isSlow = seconds > vtkInternals::GetAllocatedTime(ren, act);

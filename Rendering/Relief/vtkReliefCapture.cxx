@@ -5,6 +5,7 @@
 #include "Capture/FittedCamera.h"
 #include "Capture/SceneCapture.h"
 #include "Capture/SceneTime.h"
+#include "Core/MemoryGuard.h"
 #include "Core/SettingChecks.h"
 
 #include "vtkCamera.h"
@@ -157,7 +158,8 @@ int vtkReliefCapture::RequestData(
 {
   auto* output = vtkMultiBlockDataSet::GetData(outputVector);
   output->Initialize();
-  return this->Capture(output) ? 1 : 0;
+  return relevo::RequestWithinMemory(
+    this, outputVector, "the reliefs", [&] { return this->Capture(output) ? 1 : 0; });
 }
 
 bool vtkReliefCapture::Capture(vtkMultiBlockDataSet* output)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkReliefMapperInternals.h"
 
+#include "Core/MemoryGuard.h"
 #include "Core/SameNumber.h"
 #include "Data/ReliefSides.h"
 #include "Drawing/PickedRelief.h"
@@ -358,8 +359,13 @@ void vtkReliefMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   this->InvokeEvent(vtkCommand::EndEvent, nullptr);
   // Releases what is in the context of another window.
   this->Internals->Context->SetContext(vtkOpenGLRenderWindow::SafeDownCast(window));
-  this->UpdateBlocks();
-  this->RenderBlocks(renderer, actor);
+  relevo::RunWithinMemory(this, "the reliefs",
+    [&]
+    {
+      this->UpdateBlocks();
+      this->RenderBlocks(renderer, actor);
+      return true;
+    });
   this->UpdateProgress(1.0);
 }
 

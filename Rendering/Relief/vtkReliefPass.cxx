@@ -9,6 +9,7 @@
 #include "Capture/SceneCapture.h"
 #include "Capture/SceneProps.h"
 #include "Capture/SceneTime.h"
+#include "Core/MemoryGuard.h"
 #include "Core/SettingChecks.h"
 #include "Core/WorldView.h"
 #include "Data/Relief.h"
@@ -270,7 +271,8 @@ void vtkReliefPass::Render(const vtkRenderState* state)
   {
     this->Internals->Ahead.Stop();
   }
-  if (opaque.empty() || !this->UpdateReliefs(state))
+  const auto update = [&] { return this->UpdateReliefs(state); };
+  if (opaque.empty() || !relevo::RunWithinMemory(this, "the reliefs", update))
   {
     this->RenderDelegate(state);
     return;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGPUUnstructuredGridVolumeMapperInternals.h"
 
+#include "Core/MemoryGuard.h"
 #include "vtkAlgorithm.h"
 #include "vtkBoundingBox.h"
 #include "vtkCompositeDataSet.h"
@@ -95,15 +96,21 @@ void vtkGPUUnstructuredGridVolumeMapper::Render(vtkRenderer* renderer, vtkVolume
   }
   data.Context->SetContext(window);
   data.Clock.Start();
-  if (this->UpdateMesh(volume) && this->UpdateFunctions(volume) &&
-    this->UpdateView(renderer, volume))
+  const auto draw = [&]
   {
-    this->UpdateFeatures(renderer, volume);
-    if (this->UpdateTables())
+    const bool isReady = this->UpdateMesh(volume) && this->UpdateFunctions(volume) &&
+      this->UpdateView(renderer, volume);
+    if (isReady)
     {
-      this->Draw(renderer, volume);
+      this->UpdateFeatures(renderer, volume);
+      if (this->UpdateTables())
+      {
+        this->Draw(renderer, volume);
+      }
     }
-  }
+    return isReady;
+  };
+  relevo::RunWithinMemory(this, "the picture", draw);
   this->TimeToDraw = data.Clock.Stop();
   data.WholeTime = this->TimeToDraw * data.SampleDistance * data.SampleDistance;
 }

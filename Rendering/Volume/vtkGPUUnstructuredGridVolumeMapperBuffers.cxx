@@ -4,6 +4,7 @@
 
 #include "Cells/MeshScalars.h"
 #include "Cells/ScalarChoice.h"
+#include "Core/MemoryGuard.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
@@ -64,8 +65,12 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateMesh(vtkVolume* volume)
 bool vtkGPUUnstructuredGridVolumeMapper::BuildMesh(vtkVolume* volume, vtkDataObject* input)
 {
   this->Internals->NumberOfDrawnCells = 0;
-  relevo::VolumeCells cells;
-  return this->ReadCells(volume, input, cells) && this->UploadMesh(cells);
+  return relevo::RunWithinMemory(this, "the mesh",
+    [&]
+    {
+      relevo::VolumeCells cells;
+      return this->ReadCells(volume, input, cells) && this->UploadMesh(cells);
+    });
 }
 
 bool vtkGPUUnstructuredGridVolumeMapper::ReadCells(

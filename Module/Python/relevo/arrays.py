@@ -33,6 +33,13 @@ def _check_type(value, kind, name):
         raise TypeError(f"{name} must be a {kind.__name__}, not {given}")
 
 
+def _copy(values):
+    """A VTK array with a copy. numpy makes it: without enough memory that is a MemoryError, and
+    VTK's own copy would end the program.
+    """
+    return numpy_to_vtk(numpy.array(values, order="C"))
+
+
 def height_map(heights, no_data=float("nan")):
     """A vtkHeightMap of a two-dimensional array.
 
@@ -57,7 +64,7 @@ def height_map(heights, no_data=float("nan")):
     image = vtkImageData()
     image.SetDimensions(columns, rows, 1)
     # VTK's row 0 is the southern one.
-    image.GetPointData().SetScalars(numpy_to_vtk(heights[::-1].ravel(), deep=True))
+    image.GetPointData().SetScalars(_copy(heights[::-1].ravel()))
     result = relevo.vtkHeightMap()
     result.SetImageData(image)
     result.SetNoDataValue(no_data)
@@ -106,7 +113,7 @@ def image(values, name="Values", spacing=(1.0, 1.0)):
     result.SetDimensions(columns, rows, 1)
     result.SetSpacing(spacing[0], spacing[1], 1.0)
     flat = values.reshape((rows * columns,) + values.shape[2:])
-    array = numpy_to_vtk(numpy.ascontiguousarray(flat), deep=True)
+    array = _copy(flat)
     array.SetName(name)
     if values.ndim == 2:
         result.GetPointData().SetScalars(array)

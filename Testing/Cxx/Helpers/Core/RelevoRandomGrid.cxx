@@ -192,7 +192,11 @@ RandomGrid::Cell RandomGrid::MakeCell()
     n[1] = n[0];
     n[2] = isWedge ? n[2] : n[0];
   }
-  // Seven nodes of a triangle and the like are another cell.
+  // A wedge of 21 nodes is VTK's quadratic one.
+  if (isWedge && CountPoints(type.Type, n) == 21)
+  {
+    n = { { 1, 1, 1 } };
+  }
   if (!this->HasDegrees && NeedsDegrees(type.Type))
   {
     n[1] = n[2] = n[0];
@@ -383,6 +387,7 @@ void RandomGrid::SpoilPoint(bool isWeight)
       this->Weights->Resize(point);
     }
     this->IsPointFault = false;
+    this->IsSure = cell.Dimension > 1; // surfaces and volumes have no use for curves
     this->Fault = "a weight of a cell of type " + std::to_string(cell.Type);
     return;
   }
