@@ -3,7 +3,7 @@
 """Heights and images from numpy arrays; refined meshes and images as numpy arrays."""
 
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import create_vtk_array, get_vtk_array_type, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 
 import relevo
@@ -34,10 +34,16 @@ def _check_type(value, kind, name):
 
 
 def _copy(values):
-    """A VTK array with a copy. numpy makes it: without enough memory that is a MemoryError, and
-    VTK's own copy would end the program.
+    """A VTK array with a copy, of 1 or 2 dimensions.
+
+    numpy allocates it: without enough memory that is a MemoryError, and VTK would end the program.
     """
-    return numpy_to_vtk(numpy.array(values, order="C"))
+    copy = numpy.array(values, order="C")
+    result = create_vtk_array(get_vtk_array_type(copy.dtype))
+    result.SetNumberOfComponents(copy.shape[1] if copy.ndim == 2 else 1)
+    result.SetVoidArray(copy.reshape(-1), copy.size, 1)
+    result._numpy_reference = copy  # lives as long as the VTK array
+    return result
 
 
 def height_map(heights, no_data=float("nan")):
