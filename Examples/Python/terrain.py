@@ -14,9 +14,11 @@ terrain = relevo.vtkTerrainSource()
 terrain.SetFileName(heightmap)
 terrain.SetExaggeration(5)
 terrain.Update()
+metric = relevo.vtkScreenEdgeDepthTagMetric()
+metric.SetReferenceLength(2)  # edges of two pixels
 recipe = relevo.vtkAdaptiveRefinement()
 recipe.SetMaximumLevel(5)  # at most 32 segments on an edge
-recipe.SetMetric(relevo.vtkDistanceDepthTagMetric())  # fine where the camera is near
+recipe.SetMetric(metric)
 recipe.SetDisplacement(terrain.GetDisplacement())
 mapper = relevo.vtkAdaptiveRefinementMapper()
 mapper.SetInputConnection(terrain.GetOutputPort())

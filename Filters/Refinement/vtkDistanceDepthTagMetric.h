@@ -41,6 +41,10 @@
  * itself, and the curve takes the largest level. A mesh of triangles that are no patches is an
  * error.
  *
+ * Levels do not know how large a face is on the screen, nor how dense a height map is: a whole
+ * terrain in view can have more triangles than its height map has samples.
+ * vtkScreenEdgeDepthTagMetric makes as many as the picture needs.
+ *
  * The metric depends on the view: without a camera it is an error, and so is a camera whose
  * position is not finite, or ReferenceLength with a viewport without pixels. A point that is not
  * finite gets level 0.
