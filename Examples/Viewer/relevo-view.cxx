@@ -9,6 +9,8 @@
 #include "Scene/OffscreenWindow.h"
 #include "Scene/ReliefCaptures.h"
 #include "Scene/ViewerScene.h"
+#include "Text/ReadingGuard.h"
+#include "Text/StandardError.h"
 #include "Text/ViewerMessages.h"
 #include "Window/ViewerWindow.h"
 
@@ -17,6 +19,7 @@
 
 #include <iostream>
 #include <memory>
+#include <new>
 #include <string>
 
 namespace
@@ -58,8 +61,10 @@ void Run(const ViewerOptions& options)
       CheckOutput(fileName);
     }
   }
+  InstallCrashHandlers(options.Input);
   ViewerMessages messages;
   const std::unique_ptr<ViewerScene> scene = MakeScene(options, messages);
+  messages.ShowWarnings();
   scene->Report();
   if (!options.Export.empty())
   {
@@ -97,12 +102,17 @@ int main(int argc, char* argv[])
   }
   catch (const UsageError& error)
   {
-    std::cerr << "relevo-view: error: " << error.what() << " (see relevo-view --help)" << std::endl;
+    WriteMessage("error", std::string(error.what()) + " (see relevo-view --help)");
     return BadUsage;
+  }
+  catch (const std::bad_alloc&)
+  {
+    WriteMessage("error", "not enough memory");
+    return BadInput;
   }
   catch (const std::exception& error)
   {
-    std::cerr << "relevo-view: error: " << error.what() << std::endl;
+    WriteMessage("error", error.what());
     return BadInput;
   }
 }

@@ -10,6 +10,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <filesystem>
 #include <fstream>
 
 vtkStandardNewMacro(vtkBezierPatchReader);
@@ -46,8 +47,13 @@ int vtkBezierPatchReader::Read(vtkUnstructuredGrid* output)
     vtkErrorMacro("There is no file name: call SetFileName().");
     return 0;
   }
-  std::ifstream file(this->FileName, std::ios::binary);
-  if (!file)
+  std::error_code unknown; // a pipe would block
+  std::ifstream file;
+  if (std::filesystem::is_regular_file(this->FileName, unknown))
+  {
+    file.open(this->FileName, std::ios::binary);
+  }
+  if (!file.is_open())
   {
     vtkErrorMacro("The file cannot be read: " << this->FileName);
     return 0;

@@ -27,9 +27,14 @@ std::filesystem::path GetTable(const std::string& fileName)
   return std::filesystem::path(relevo::GetDatabaseFolder(fileName)) / relevo::DatabaseTable;
 }
 
-// No rows if there is no table.
+// No rows if there is no table. A pipe would block.
 std::vector<relevo::CSVRow> ReadTable(const std::filesystem::path& table)
 {
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(table, unknown))
+  {
+    return {};
+  }
   std::ifstream file(table, std::ios::binary);
   return relevo::ParseCSV(std::string(std::istreambuf_iterator<char>(file), {}));
 }

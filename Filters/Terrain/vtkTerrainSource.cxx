@@ -5,6 +5,9 @@
 #include "Core/MemoryGuard.h"
 #include "Core/SettingChecks.h"
 #include "Core/VTKCompatibility.h"
+#if RELEVO_HAS_GDAL
+#include "Geodesy/CoordinateSystem.h"
+#endif
 #include "Geodesy/TerrainFrame.h"
 #include "Heights/TerrainMesh.h"
 #include "Raster/Imagery.h"
@@ -216,6 +219,23 @@ bool vtkTerrainSource::MapToTerrain(const double map[3], double terrain[3])
   return true;
 }
 
+bool vtkTerrainSource::GeographicToTerrain(const double geographic[3], double terrain[3])
+{
+#if RELEVO_HAS_GDAL
+  std::array<double, 2> place = { geographic[0], geographic[1] };
+  if (this->CoordinateSystem.empty() || !relevo::GeographicToSystem(this->CoordinateSystem, place))
+  {
+    return false;
+  }
+  const double map[3] = { place[0], place[1], geographic[2] };
+  return this->MapToTerrain(map, terrain);
+#else
+  static_cast<void>(geographic);
+  static_cast<void>(terrain);
+  return false;
+#endif
+}
+
 vtkMTimeType vtkTerrainSource::GetMTime()
 {
   return std::max(this->Superclass::GetMTime(), this->HeightMap->GetMTime());
@@ -280,6 +300,11 @@ int vtkTerrainSource::RequestData(
 
 bool vtkTerrainSource::Build(vtkPolyData* output, std::string& error)
 {
+  if (!this->HeightMap->GetImageData() && (!this->GetFileName() || !*this->GetFileName()))
+  {
+    error = "There is no file name: call SetFileName().";
+    return false;
+  }
   // What the headers tell comes first: the heights may be many.
   if (!this->HeightMap->UpdateInformation())
   {

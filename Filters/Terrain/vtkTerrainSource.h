@@ -215,6 +215,13 @@ public:
   bool MapToTerrain(const double map[3], double terrain[3]);
   //@}
 
+  /**
+   * From longitude, latitude (degrees, on the ellipsoid of the raster's coordinate system) and the
+   * height as the raster has it to terrain coordinates. False, and nothing is written, where
+   * MapToTerrain() is, and if the raster's coordinate system is not known.
+   */
+  bool GeographicToTerrain(const double geographic[3], double terrain[3]);
+
   vtkMTimeType GetMTime() override;
 
 protected:

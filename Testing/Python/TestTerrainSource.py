@@ -89,6 +89,16 @@ class TestTerrainSource(unittest.TestCase):
         self.assertEqual(place, [25.0, 7.0, 2.0])
         self.assertTrue(source.MapToTerrain((25, 7, 2), place))
         self.assertEqual(place, [5.0, -3.0, 8.0])
+        self.assertFalse(source.GeographicToTerrain((25, 7, 2), place))
+
+    def test_no_file(self):
+        """The advice is a method of the source."""
+        source = relevo.vtkTerrainSource()
+        errors = catch_errors(source)
+        source.Update()
+        self.assertEqual(len(errors), 1)
+        self.assertIn("There is no file name: call SetFileName().", errors[0])
+        self.assertNotIn("SetImageData", errors[0])
 
     def test_from_memory(self):
         source = relevo.vtkTerrainSource()

@@ -126,7 +126,7 @@ class TestViewerPatches(ViewerProgram):
     def test_errors(self):
         sphere = self.sphere
         self.assert_error(2, ["--isolines", "patch"], sphere, "--isolines=4", "--surface=pn")
-        self.assert_error(2, ["--error", "metric error"], sphere, "--error=1", "--surface=pn")
+        self.assert_error(2, ["--error", "surface patch"], sphere, "--error=1", "--surface=pn")
         for bad in ("0", "0.0009", "2e6", "nan", "few"):
             self.assert_error(2, ["--error", bad], "dome.bpt", f"--error={bad}")
         self.assert_error(2, ["--hair"], "dome.bpt", "--hair=0")
@@ -135,7 +135,7 @@ class TestViewerPatches(ViewerProgram):
         (self.folder / "short.bpt").write_text(DOME[:-4])
         self.assert_error(1, ["short.bpt", "line"], "short.bpt", "--output=o.png")
         (self.folder / "wild.bpt").write_text("\x1b]0;x\x07" + DOME)
-        self.assert_error(1, ["wild.bpt, line 1: ' ]0;x 1'"], "wild.bpt", "--output=o.png")
+        self.assert_error(1, [r"wild.bpt, line 1: '\x1b]0;x\x071'"], "wild.bpt", "--output=o.png")
 
 
 if __name__ == "__main__":

@@ -3,18 +3,26 @@
 """relevo-view's camera, lights and legend: what is in the picture, and where."""
 
 import math
+import subprocess
 import unittest
 
+import relevo
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
 from ViewerPictures import find, is_surface, read_picture
-from ViewerProgram import ViewerProgram
+from ViewerProgram import PROGRAM, ViewerProgram
 from ViewerScenes import make_sphere, write_hill, write_mesh, write_sphere
 
 WIDTH, HEIGHT = 160, 120
 SIZE = f"--size={WIDTH}x{HEIGHT}"
+ELLIPSOID = 'DATUM["WGS_1984",SPHEROID["WGS_1984",6378137,298.257223563]]'
+GEOGRAPHIC = f'GEOGCS["WGS84",{ELLIPSOID},PRIMEM["Greenwich",0],UNIT["Degree",0.0174532925199433]]'
+UTM = (f'PROJCS["UTM33N",{GEOGRAPHIC},PROJECTION["Transverse_Mercator"],'
+       'PARAMETER["latitude_of_origin",0],PARAMETER["central_meridian",15],'
+       'PARAMETER["scale_factor",0.9996],PARAMETER["false_easting",500000],'
+       'PARAMETER["false_northing",0],UNIT["Meter",1]]')
 TOP = (48 * 0.65 - 24, 32 * 0.65 - 16)  # of the hill
 
 
@@ -178,9 +186,15 @@ class TestViewerView(ViewerProgram):
             (self.heights, ["--center", "'1,2,3,4'"], "--center=1,2,3,4"),
             (self.heights, ["--center", "number", "'x'"], "--center=1,x"),
             (self.mesh, ["--center", "X,Y,Z", "'1,2'"], "--center=1,2"),
-            (self.mesh, ["--zoom", "above 0", "'0'"], "--zoom=0"),
+            (self.mesh, ["--zoom", "from 0.001 to 1e+06", "'0'"], "--zoom=0"),
             (self.mesh, ["--zoom", "'-2'"], "--zoom=-2"),
             (self.mesh, ["--zoom", "'nan'"], "--zoom=nan"),
+            (self.mesh, ["--zoom", "from 0.001 to 1e+06", "'1e30'"], "--zoom=1e30"),
+            (self.mesh, ["degrees", "height maps"], "--center=1E,2N"),
+            (self.heights, ["longitude", "'361'"], "--center=361E,2N"),
+            (self.heights, ["86.925E,27.988N", "'1E,2'"], "--center=1E,2"),
+            (self.heights, ["86.925E,27.988N", "'1E,2W'"], "--center=1E,2W"),
+            (self.heights, ["86.925E,27.988N", "'1E,2N,3'"], "--center=1E,2N,3"),
             (self.mesh, ["--light", "AZIMUTH,ELEVATION", "'10'"], "--light=10"),
             (self.mesh, ["--light", "elevation", "'91'"], "--light=10,91"),
         ):
@@ -190,6 +204,44 @@ class TestViewerView(ViewerProgram):
         self.assert_error(
             1, ["hill.png", "--center 80,5", "-24 to 24"], self.heights, "--center=80,5", "--output=n.png"
         )
+
+    def write_grid(self, name, corner, size, system):
+        """A hill of 11 x 11 heights, in a coordinate system."""
+        rows = [" ".join(str(99 - i * i - j * j) for i in range(-5, 6)) for j in range(-5, 6)]
+        (self.folder / f"{name}.asc").write_text(
+            f"ncols 11\nnrows 11\nxllcorner {corner[0]}\nyllcorner {corner[1]}\ncellsize {size}\n"
+            + "\n".join(rows) + "\n")
+        (self.folder / f"{name}.prj").write_text(system)
+        return f"{name}.asc"
+
+    def test_center_in_degrees(self):
+        degrees = self.write_grid("degrees", (86.9, 27.9), 0.001, GEOGRAPHIC)
+        source = relevo.vtkTerrainSource()
+        source.SetFileName(str(self.folder / degrees))
+        source.Update()
+        if not source.IsGeographic():
+            self.skipTest("a build without GDAL")
+        place = [0.0, 0.0, 0.0]
+        self.assertTrue(source.MapToTerrain((86.902, 27.904, 0), place))
+        x, y, _ = place
+        expected = self.picture(degrees, f"--center={x!r},{y!r}", "--zoom=4")
+        for center in ("86.902E,27.904N", "27.904n,86.902e", "-86.902W,-27.904S"):
+            self.assertEqual(self.picture(degrees, f"--center={center}", "--zoom=4"), expected)
+        # As metres they are near the middle: a warning shows both forms.
+        run = subprocess.run(
+            [str(PROGRAM), degrees, "--center=86.902,27.904", SIZE, "--output=view.png"],
+            cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual(run.returncode, 0)
+        self.assertRegex(run.stderr, r"\Arelevo-view: warning: --center 86.902,27.904 is in metres "
+                                     r"[^\n]*86.902E,27.904N is in degrees\n\Z")
+        for center in ("86.902E,28.904N", "86.902W,27.904N", "9999,9999"):
+            self.assert_error(1, [degrees, "no height at --center " + center, "27.988N"], degrees,
+                              f"--center={center}", "--output=n.png")
+        # On the central meridian, from the equator: the scale is 0.9996.
+        utm = self.write_grid("utm", (499450, -550), 100, UTM)
+        expected = self.picture(utm, "--center=0,0", "--zoom=3")
+        self.assertEqual(self.picture(utm, "--center=15E,0N", "--zoom=3"), expected)
+        self.assert_error(1, ["no coordinate system"], self.heights, "--center=1E,2N", "--output=n.png")
 
 
 if __name__ == "__main__":

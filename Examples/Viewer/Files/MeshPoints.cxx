@@ -11,6 +11,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -112,6 +113,12 @@ void CheckCorners(vtkPointSet* mesh)
   if (grid && grid->GetCells())
   {
     groups.push_back(grid->GetCells());
+    const vtkIdType numberOfTypes = grid->GetCellTypesArray()->GetNumberOfValues();
+    if (numberOfTypes != grid->GetNumberOfCells())
+    {
+      throw ViewerError("there are " + std::to_string(numberOfTypes) + " types for " +
+        std::to_string(grid->GetNumberOfCells()) + " cells");
+    }
   }
   const vtkIdType numberOfPoints = mesh->GetNumberOfPoints();
   vtkIdType cell = 0;

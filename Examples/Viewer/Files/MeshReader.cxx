@@ -5,9 +5,11 @@
 #ifdef VIEWER_HAS_EXODUS
 #include "Files/ExodusReader.h"
 #endif
+#include "Files/FileEnd.h"
 #include "Files/GLTFReader.h"
 #include "Files/MeshPoints.h"
 #include "Files/ViewerFile.h"
+#include "Text/ReadingGuard.h"
 #include "Text/ViewerMessages.h"
 #include "Text/ViewerText.h"
 
@@ -181,16 +183,23 @@ std::string GetMeshFormats()
 SurfaceMesh ReadMesh(const std::string& fileName, MeshCells cells, ViewerMessages& messages)
 {
   CheckFile(fileName);
+  const ReadingGuard guard({ fileName });
   SurfaceMesh surface;
   Mesh& mesh = surface.Data;
   try
   {
+    CheckFileEnd(fileName, messages);
+    messages.StartReading();
     surface = ReadFormat(fileName, cells, messages);
-    messages.Check();
+    messages.CheckReading();
     if (mesh)
     {
       CheckCorners(mesh);
     }
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw ViewerError("cannot read " + fileName + ": " + NoMemory);
   }
   catch (const std::exception& error)
   {

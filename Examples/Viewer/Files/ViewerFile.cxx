@@ -17,9 +17,15 @@ namespace
 // Why there is nothing to read, "" where there is.
 std::string GetInputError(const std::string& fileName)
 {
+  // A pipe would block when it is opened; a device may never end.
+  std::error_code unknown;
+  const auto status = std::filesystem::status(fileName, unknown);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+  {
+    return std::filesystem::is_directory(status) ? "it is a folder" : "it is not a regular file";
+  }
   std::ifstream file(fileName);
-  return !file                                ? "the file does not exist or is not readable"
-    : std::filesystem::is_directory(fileName) ? "it is a folder"
+  return !file ? "the file does not exist or is not readable"
     : file.peek() == std::ifstream::traits_type::eof() ? "the file is empty"
                                                        : "";
 }

@@ -5,7 +5,10 @@
 #ifdef VIEWER_HAS_EXODUS
 #include "Files/ExodusReader.h"
 #endif
+#include "Files/FileEnd.h"
+#include "Files/MeshPoints.h"
 #include "Files/ViewerFile.h"
+#include "Text/ReadingGuard.h"
 #include "Text/ViewerMessages.h"
 #include "Text/ViewerText.h"
 
@@ -13,6 +16,7 @@
 #include "vtkDataSet.h"
 #include "vtkGenericDataObjectReader.h"
 #include "vtkNew.h"
+#include "vtkPointSet.h"
 #include "vtkXMLPUnstructuredGridReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
 
@@ -76,11 +80,25 @@ Volume ReadVolume(const std::string& fileName, ViewerMessages& messages)
   {
     throw ViewerError("cannot read " + fileName + ": volumes are read from " + GetVolumeFormats());
   }
+  const ReadingGuard guard({ fileName });
   Volume data;
   try
   {
+    CheckFileEnd(fileName, messages);
+    messages.StartReading();
     data = reader->second(fileName, messages);
-    messages.Check();
+    messages.CheckReading();
+    for (vtkDataSet* block : vtkCompositeDataSet::GetDataSets(data))
+    {
+      if (auto* points = vtkPointSet::SafeDownCast(block))
+      {
+        CheckCorners(points);
+      }
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw ViewerError("cannot read " + fileName + ": " + NoMemory);
   }
   catch (const std::exception& error)
   {

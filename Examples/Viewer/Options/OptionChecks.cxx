@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options/OptionChecks.h"
 
+#include "Files/MeshReader.h"
 #include "Options/ViewerArguments.h"
 #include "Options/ViewerOptions.h"
 
@@ -57,11 +58,20 @@ private:
     }
   }
 
+  // By its name, any other file is a height map.
+  void RequireMesh(const std::vector<std::string>& names)
+  {
+    this->RequirePartner(names, this->Options.IsMesh,
+      this->Options.IsDatabase ? "meshes"
+                               : "meshes, and '" + this->Options.Input +
+          "' is read as a height map; meshes are read from " + GetMeshFormats());
+  }
+
   // A volume has no surface to refine.
   void CheckVolume()
   {
     const ViewerOptions& options = this->Options;
-    this->RequirePartner({ "--volume" }, options.IsMesh, "meshes");
+    this->RequireMesh({ "--volume" });
     const std::set<std::string> ofVolumes = { "--blend", "--clip", "--integration", "--isosurfaces",
       "--transfer", "--unit-distance", "--volume", "--volume-method" };
     for (const auto& given : this->Given)
@@ -94,7 +104,7 @@ private:
   void CheckContact()
   {
     const bool hasOther = !this->Options.Against.empty();
-    this->RequirePartner({ "--against" }, this->Options.IsMesh, "meshes");
+    this->RequireMesh({ "--against" });
     this->RequirePartner({ "--contact-distance" }, hasOther, "--against");
     const std::set<std::string> others = { "--against", "--center", "--contact-distance", "--light",
       "--output", "--size", "--up", "--view", "--zoom" };
@@ -134,8 +144,7 @@ private:
     using Surface = ViewerOptions::SurfaceType;
     this->RequirePartner({ "--exaggeration", "--imagery-bands", "--resolution", "--stretch" },
       options.IsTerrain(), "height maps");
-    this->RequirePartner(
-      { "--array", "--feature-angle", "--height", "--mapping" }, options.IsMesh, "meshes");
+    this->RequireMesh({ "--array", "--feature-angle", "--height", "--mapping" });
     this->RequirePartner({ "--up" }, !options.IsTerrain(), "meshes");
     const bool hasHeights = !options.IsMesh || !options.Heights.empty();
     this->RequirePartner({ "--scale", "--offset" }, options.IsMesh && hasHeights, "--height");
@@ -157,19 +166,33 @@ private:
     this->RequirePartner(
       { "--isolines", "--patch-edges" }, options.Vectors.empty(), "surfaces without --lic");
     this->RequirePartner({ "--feature-angle" }, !options.IsPatch(), "other surfaces than patch");
-    this->RequirePartner({ "--hair" }, options.IsMesh, "meshes");
-    this->RequirePartner({ "--error" },
-      options.Hairs > 0 ||
-        (canBePatch && options.Metric.value_or(Metric::Error) == Metric::Error &&
-          !options.UniformLevel),
-      "--metric error");
+    this->RequireMesh({ "--hair" });
+    if (options.Hairs == 0)
+    {
+      this->CheckError(canBePatch, options.Metric.value_or(Metric::Error) == Metric::Error);
+    }
+  }
+
+  void CheckError(bool canBePatch, bool isOfMetric)
+  {
+    if (this->Given.count("--error") && !this->Options.IsMesh)
+    {
+      throw UsageError("--error works with meshes that have curved cells, and '" +
+        this->Options.Input + "' is not read as a mesh; use --level or --max-level");
+    }
+    if (this->Given.count("--error") && this->Options.UniformLevel)
+    {
+      throw UsageError("--error cannot be combined with --level");
+    }
+    this->RequirePartner({ "--error" }, canBePatch, "--surface patch");
+    this->RequirePartner({ "--error" }, isOfMetric, "--metric error");
   }
 
   void CheckFlow()
   {
     const ViewerOptions& options = this->Options;
     const bool hasFlow = !options.Vectors.empty();
-    this->RequirePartner({ "--lic" }, options.IsMesh, "meshes");
+    this->RequireMesh({ "--lic" });
     this->RequirePartner({ "--lic-contrast", "--lic-intensity", "--lic-mode", "--lic-phase",
                            "--lic-step-size", "--lic-steps" },
       hasFlow, "--lic");
@@ -217,7 +240,16 @@ private:
     }
     if (this->Given.count("--center"))
     {
-      options.Center = ToPlace("--center", this->Given.at("--center"), !options.IsTerrain());
+      const std::string& value = this->Given.at("--center");
+      options.CenterDegrees = ToDegrees("--center", value);
+      if (!options.CenterDegrees)
+      {
+        options.Center = ToPlace("--center", value, !options.IsTerrain());
+      }
+      else if (!options.IsTerrain())
+      {
+        throw UsageError("--center in degrees goes with height maps; give X,Y,Z");
+      }
     }
   }
 

@@ -160,6 +160,33 @@ std::vector<double> ToPlace(const std::string& option, const std::string& text, 
 }
 
 //------------------------------------------------------------------------------
+std::optional<std::array<double, 2>> ToDegrees(const std::string& option, const std::string& text)
+{
+  const std::vector<std::string> parts = Split(text);
+  const std::string letters = "EeWwNnSs";
+  const auto isDegrees = [&](const std::string& part)
+  { return part.size() > 1 && letters.find(part.back()) != std::string::npos; };
+  if (std::none_of(parts.begin(), parts.end(), isDegrees))
+  {
+    return std::nullopt;
+  }
+  std::array<std::optional<double>, 2> degrees;
+  for (const std::string& part : parts)
+  {
+    const std::size_t letter = letters.find(part.empty() ? ' ' : part.back());
+    const std::size_t axis = letter < 4 ? 0 : 1;
+    if (letter == std::string::npos || degrees[axis] || parts.size() != 2)
+    {
+      throw BadValue(option, "a longitude and a latitude, as 86.925E,27.988N", text);
+    }
+    const double size = ToNumber(option + (axis == 0 ? "'s longitude" : "'s latitude"),
+      part.substr(0, part.size() - 1), axis == 0 ? -180.0 : -90.0, axis == 0 ? 360.0 : 90.0);
+    degrees[axis] = letter % 4 < 2 ? size : -size;
+  }
+  return { { *degrees[0], *degrees[1] } };
+}
+
+//------------------------------------------------------------------------------
 void ToSize(const std::string& option, const std::string& text, int size[2])
 {
   const std::size_t cross = text.find('x');

@@ -12,6 +12,7 @@
 #include "Text/ViewerText.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,6 +43,10 @@ std::vector<double> ToPlane(const std::string& option, const std::string& text);
 /// AZIMUTH,ELEVATION in degrees, the elevation no more than the highest up or down.
 std::array<double, 2> ToDirection(
   const std::string& option, const std::string& text, double highest);
+
+/// Longitude and latitude of `86.925E,27.988N`, in either order; nothing if no part has such a
+/// letter.
+std::optional<std::array<double, 2>> ToDegrees(const std::string& option, const std::string& text);
 
 /// X,Y,Z or, on height maps, X,Y.
 std::vector<double> ToPlace(const std::string& option, const std::string& text, bool isOnMesh);

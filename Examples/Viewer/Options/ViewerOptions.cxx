@@ -35,6 +35,8 @@ const int MostHairs = 10000000;
 const int MostIsolines = 1000;
 const double LowestError = 0.001; // of vtkPatchErrorDepthTagMetric
 const double HighestError = 1e6;
+const double LowestZoom = 0.001;
+const double HighestZoom = 1e6;
 
 using Flags = std::map<std::string, std::function<void()>>;
 using Setter = std::function<void(const std::string& option, const std::string& value)>;
@@ -62,9 +64,22 @@ public:
     this->AddRelief();
     this->AddLevels();
     this->AddPicture();
+    bool isOption = true;
     for (int i = 1; i < argc; ++i)
     {
-      i += this->ReadArgument(argv[i], i + 1 < argc ? argv[i + 1] : nullptr);
+      const std::string argument = argv[i];
+      if (isOption && argument == "--")
+      {
+        isOption = false;
+      }
+      else if (isOption && argument.size() > 1 && argument[0] == '-')
+      {
+        i += this->ReadOption(argument, i + 1 < argc ? argv[i + 1] : nullptr);
+      }
+      else
+      {
+        this->ReadInput(argument);
+      }
     }
     if (this->Options.Help || this->Options.Version)
     {
@@ -155,7 +170,15 @@ private:
   {
     ViewerOptions& options = this->Options;
     this->AllSettings.insert({
-      { "--array", [&](const auto&, const auto& value) { options.Array = value; } },
+      { "--array",
+        [&](const auto& option, const auto& value)
+        {
+          if (value.empty())
+          {
+            throw UsageError(option + " needs the name of an array");
+          }
+          options.Array = value;
+        } },
       { "--feature-angle",
         [&](const auto& option, const auto& value)
         { options.FeatureAngle = ToNumber(option, value, 0.0, 180.0); } },
@@ -417,12 +440,22 @@ private:
         { options.View = ToDirection(option, value, 89.0); } },
       { "--zoom",
         [&](const auto& option, const auto& value)
-        { options.Zoom = ToPositiveNumber(option, value); } },
+        { options.Zoom = ToNumber(option, value, LowestZoom, HighestZoom); } },
     });
   }
 
+  void ReadInput(const std::string& argument)
+  {
+    if (!this->Options.Input.empty())
+    {
+      throw UsageError(
+        "more than one height map or mesh: '" + this->Options.Input + "' and '" + argument + "'");
+    }
+    this->Options.Input = argument;
+  }
+
   // Returns how many of the next arguments it has used up.
-  int ReadArgument(const std::string& argument, const char* next)
+  int ReadOption(const std::string& argument, const char* next)
   {
     const auto flag = this->AllFlags.find(argument);
     if (flag != this->AllFlags.end())
@@ -430,16 +463,6 @@ private:
       this->GivenOptions[argument];
       flag->second();
       return argument == "--volume" ? this->ReadVolumeArray(next) : 0;
-    }
-    if (argument.size() < 2 || argument[0] != '-')
-    {
-      if (!this->Options.Input.empty())
-      {
-        throw UsageError(
-          "more than one height map or mesh: '" + this->Options.Input + "' and '" + argument + "'");
-      }
-      this->Options.Input = argument;
-      return 0;
     }
     // --option VALUE or --option=VALUE
     const std::size_t equals = argument.find('=');
@@ -460,10 +483,21 @@ private:
     {
       throw UsageError(option + " needs a value");
     }
+    if (equals == std::string::npos && this->IsOption(next))
+    {
+      throw UsageError(option + " needs a value before the option '" + next + "'; " + option + "=" +
+        next + " takes it as the value");
+    }
     const std::string value = equals == std::string::npos ? next : argument.substr(equals + 1);
     this->GivenOptions[option] = value;
     setting->second(option, value);
     return equals == std::string::npos ? 1 : 0;
+  }
+
+  bool IsOption(const std::string& argument) const
+  {
+    return argument == "--" || this->AllFlags.count(argument) > 0 ||
+      this->AllSettings.count(argument.substr(0, argument.find('='))) > 0;
   }
 
   // An array may follow --volume where FILE came before.

@@ -136,8 +136,9 @@ struct ViewerOptions
   int Budget = 0; // triangles; 0 for as many as it takes
 
   // What is shown and written.
-  std::optional<std::array<double, 2>> View; // azimuth, elevation in degrees
-  std::optional<std::vector<double>> Center; // x, y, z; of terrain also x, y
+  std::optional<std::array<double, 2>> View;          // azimuth, elevation in degrees
+  std::optional<std::vector<double>> Center;          // x, y, z; of terrain also x, y
+  std::optional<std::array<double, 2>> CenterDegrees; // of terrain, instead: longitude, latitude
   double Zoom = 1.0;
   std::optional<std::array<double, 2>> Light; // azimuth, elevation in degrees
   ColorType Color = ColorType::Own;

@@ -5,6 +5,7 @@
 namespace
 {
 const char* const Options = R"(relevo-view FILE [options]
+relevo-view [options] -- FILE     for names that begin with a hyphen
 
 Draws a height map (GeoTIFF, SRTM .hgt, USGS DEM, PNG, OpenEXR ...) or a mesh (.vtp, .ply, .obj,
 .stl, .gltf, .glb, .off, .bpt, .vtk, .vtu, .pvtu, .ex2), refined where it matters, or the inside of a
@@ -144,9 +145,10 @@ The picture:
   --view AZ,EL           where the camera stands, in degrees: azimuth, clockwise from north (for
                          meshes with y up, from -z), and elevation (default 192,38; meshes 205,20)
   --center X,Y[,Z]       the place in the middle of the picture: on height maps in metres from the
-                         raster's centre, Z (exaggerated) by default that of the terrain; X,Y,Z on
-                         meshes, in their coordinates (default: all is in view)
-  --zoom F               magnify F times, about --center or the middle (default 1)
+                         raster's centre, Z (exaggerated) by default that of the terrain, or in
+                         degrees, as 86.925E,27.988N; X,Y,Z on meshes, in their coordinates
+                         (default: all is in view)
+  --zoom F               magnify F times, about --center or the middle, 0.001 to 1e6 (default 1)
   --light AZ,EL          where the light comes from, as --view (default 315,40; meshes 250,45);
                          weaker lights turn with it
   --no-legend            draw no legend of the colours

@@ -3,6 +3,7 @@
 #include "Scene/ContactScene.h"
 
 #include "Files/MeshReader.h"
+#include "Text/PrintableText.h"
 
 #include "vtkActor.h"
 #include "vtkBoundingBox.h"
@@ -182,8 +183,9 @@ void ContactScene::Report()
   const auto count = [this](int contact)
   {
     return std::to_string(CountCells(this->Filter->GetOutput(2), contact)) + " of " +
-      this->Options.Input + ", " + std::to_string(CountCells(this->Filter->GetOutput(3), contact)) +
-      " of " + this->Options.Against;
+      ToPrintable(this->Options.Input) + ", " +
+      std::to_string(CountCells(this->Filter->GetOutput(3), contact)) + " of " +
+      ToPrintable(this->Options.Against);
   };
   std::cout << "cut faces: " << count(Filter::CUT) << "\n"
             << "curves: " << CountComponents(curves) << ", length " << MeasureLength(curves) << "\n"

@@ -3,6 +3,7 @@
 #include "Scene/MeshColours.h"
 
 #include "Files/ViewerFile.h"
+#include "Text/ReadingGuard.h"
 #include "Text/ViewerMessages.h"
 
 #include "vtkColorTransferFunction.h"
@@ -14,6 +15,8 @@
 vtkSmartPointer<vtkImageData> ReadImage(const std::string& fileName, ViewerMessages& messages)
 {
   CheckFile(fileName);
+  const ReadingGuard guard({ fileName });
+  messages.StartReading();
   auto reader = vtkSmartPointer<vtkImageReader2>::Take(
     vtkImageReader2Factory::CreateImageReader2(fileName.c_str()));
   if (!reader)
@@ -23,7 +26,7 @@ vtkSmartPointer<vtkImageData> ReadImage(const std::string& fileName, ViewerMessa
   messages.Observe(reader, "reading");
   reader->SetFileName(fileName.c_str());
   reader->Update();
-  messages.Check();
+  messages.CheckReading();
   return reader->GetOutput();
 }
 

@@ -11,6 +11,7 @@
 #include "Scene/ViewerHair.h"
 #include "Scene/ViewerMetric.h"
 #include "Scene/ViewerPatches.h"
+#include "Text/ReadingGuard.h"
 #include "Text/ViewerText.h"
 
 #include "vtkActor.h"
@@ -251,8 +252,11 @@ void MeshScene::ReadHeights()
   {
     heights->SetNoDataValue(*this->Options.NoDataValue);
   }
-  FitIntoTexture(heights, "");
-  heights->Update();
+  {
+    const ReadingGuard guard({ this->Options.Heights });
+    FitIntoTexture(heights, "");
+    heights->Update();
+  }
   this->Messages.Check();
   double range[2];
   heights->GetRange(range);

@@ -3,6 +3,7 @@
 #include "Scene/ReliefScene.h"
 
 #include "Scene/ReliefActor.h"
+#include "Text/ReadingGuard.h"
 
 #include "vtkActor.h"
 #include "vtkMultiBlockDataSet.h"
@@ -16,7 +17,10 @@ ReliefScene::ReliefScene(const ViewerOptions& options, ViewerMessages& messages)
   vtkNew<vtkReliefDatabaseReader> reader;
   messages.Observe(reader);
   reader->SetFileName(options.Input.c_str());
-  reader->Update();
+  {
+    const ReadingGuard guard({ options.Input });
+    reader->Update();
+  }
   messages.Check();
   this->Actor = MakeReliefActor(reader->GetOutput(), options, messages);
   this->Renderer->AddActor(this->Actor);

@@ -11,6 +11,7 @@
 #include "Scene/TerrainColours.h"
 #include "Scene/TerrainProbe.h"
 #include "Scene/ViewerMetric.h"
+#include "Text/ReadingGuard.h"
 #include "Text/ViewerText.h"
 
 #include "vtkActor.h"
@@ -39,6 +40,14 @@ namespace
 {
 const int Up = 2;
 const char* const HeightName = "Height";
+
+// "86.925E"
+std::string ToText(double degrees, char positive, char negative)
+{
+  std::ostringstream text;
+  text << std::setprecision(9) << std::abs(degrees) << (degrees < 0.0 ? negative : positive);
+  return text.str();
+}
 }
 
 //------------------------------------------------------------------------------
@@ -85,9 +94,17 @@ void TerrainScene::ReadTerrain()
     this->Source->SetNoDataValue(*this->Options.NoDataValue);
   }
   this->Source->SetExaggeration(this->Options.Exaggeration);
-  FitIntoTexture(this->Source->GetHeightMap(), this->Options.Imagery.c_str());
-  this->Source->SetMaximumImagerySize(this->Source->GetMaximumDimension());
-  this->Source->Update();
+  std::vector<std::string> files = { this->Options.Input };
+  if (!this->Options.Imagery.empty())
+  {
+    files.push_back(this->Options.Imagery);
+  }
+  {
+    const ReadingGuard guard(files);
+    FitIntoTexture(this->Source->GetHeightMap(), this->Options.Imagery.c_str());
+    this->Source->SetMaximumImagerySize(this->Source->GetMaximumDimension());
+    this->Source->Update();
+  }
   this->CheckReading();
   // Without the corners of faces that were left out.
   this->Mesh->ShallowCopy(DropUnusedPoints(this->Source->GetOutput()));
@@ -108,11 +125,10 @@ void TerrainScene::CheckReading()
   }
   catch (const ViewerError& error)
   {
-    // A mesh, perhaps, in a format that has no reader here.
     const std::string text = error.what();
-    const bool isUnknown =
+    const bool isOfInput =
       text == this->Source->GetHeightMap()->GetErrorMessage() && CanRead(this->Options.Input);
-    throw ViewerError(isUnknown ? text + " Meshes are read from " + GetMeshFormats() + "." : text);
+    throw ViewerError(isOfInput ? this->ExplainReading(text) : text);
   }
 }
 
@@ -138,6 +154,21 @@ void TerrainScene::CheckExaggeration()
             << " times as high, which is the most";
     throw ViewerError(message.str());
   }
+}
+
+//------------------------------------------------------------------------------
+std::string TerrainScene::ExplainReading(const std::string& text)
+{
+  const std::string extension = GetExtension(this->Options.Input);
+  if (extension == ".e" || extension == ".exo" || extension == ".exoii")
+  {
+    return "Cannot read " + this->Options.Input +
+      ": GDAL cannot read it as a raster. If it is an Exodus file, rename it to .ex2.";
+  }
+  // A mesh, perhaps, in a format that has no reader here. Damaged rasters are recognised.
+  return text.find("recogni") != std::string::npos
+    ? text + " Meshes are read from " + GetMeshFormats() + "."
+    : text;
 }
 
 //------------------------------------------------------------------------------
@@ -269,6 +300,10 @@ void TerrainScene::SetColours()
 //------------------------------------------------------------------------------
 std::optional<std::array<double, 3>> TerrainScene::GetCentre()
 {
+  if (this->Options.CenterDegrees)
+  {
+    return this->FindDegrees(*this->Options.CenterDegrees);
+  }
   if (!this->Options.Center)
   {
     return std::nullopt;
@@ -278,22 +313,66 @@ std::optional<std::array<double, 3>> TerrainScene::GetCentre()
   {
     return { { { place[0], place[1], place[2] } } };
   }
+  std::ostringstream text;
+  text << place[0] << "," << place[1];
+  if (this->IsInRaster(place[0], place[1]))
+  {
+    this->Messages.Warn("--center " + text.str() +
+      " is in metres from the raster's centre; --center " + ToText(place[0], 'E', 'W') + "," +
+      ToText(place[1], 'N', 'S') + " is in degrees");
+  }
+  return this->FindGround(place[0], place[1], text.str());
+}
+
+//------------------------------------------------------------------------------
+bool TerrainScene::IsInRaster(double longitude, double latitude)
+{
+  const double degrees[3] = { longitude, latitude, 0.0 };
+  double place[3];
   double height;
-  if (!this->Probe->GetHeight(place[0], place[1], height))
+  return this->Source->IsGeographic() && this->Source->MapToTerrain(degrees, place) &&
+    this->Probe->GetHeight(place[0], place[1], height);
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 3> TerrainScene::FindDegrees(const std::array<double, 2>& degrees)
+{
+  const double geographic[3] = { degrees[0], degrees[1], 0.0 };
+  double place[3];
+  if (!*this->Source->GetCoordinateSystem())
+  {
+    throw ViewerError(this->Options.Input +
+      " has no coordinate system for a --center in degrees; X,Y counts texels from its centre");
+  }
+  const std::string text = ToText(degrees[0], 'E', 'W') + "," + ToText(degrees[1], 'N', 'S');
+  if (!this->Source->GeographicToTerrain(geographic, place))
+  {
+    throw ViewerError(this->Options.Input + " has no height at --center " + text +
+      ", which is too far away; write degrees as 86.925E,27.988N");
+  }
+  return this->FindGround(place[0], place[1], text);
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 3> TerrainScene::FindGround(double x, double y, const std::string& text)
+{
+  double height;
+  if (!this->Probe->GetHeight(x, y, height))
   {
     double bounds[6];
     this->Mesh->GetBounds(bounds);
     std::ostringstream message;
-    message << this->Options.Input << " has no height at --center " << place[0] << "," << place[1]
-            << "; its x goes from " << bounds[0] << " to " << bounds[1] << ", its y from "
-            << bounds[2] << " to " << bounds[3]
-            << "; give Z as well to look at a place without terrain";
+    message << this->Options.Input << " has no height at --center " << text << "; its x goes from "
+            << bounds[0] << " to " << bounds[1] << ", its y from " << bounds[2] << " to "
+            << bounds[3] << ". X,Y counts "
+            << (*this->Source->GetCoordinateSystem()
+                   ? "metres from its centre; write degrees as 86.925E,27.988N"
+                   : "texels from its centre")
+            << ". X,Y,Z looks at a place without terrain";
     throw ViewerError(message.str());
   }
   vtkDisplacement* displacement = this->Source->GetDisplacement();
-  return {
-    { { place[0], place[1], displacement->GetOffset() + displacement->GetScale() * height } }
-  };
+  return { { x, y, displacement->GetOffset() + displacement->GetScale() * height } };
 }
 
 //------------------------------------------------------------------------------

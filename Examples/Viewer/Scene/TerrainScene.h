@@ -28,6 +28,7 @@ private:
   void AddExportedData(vtkPolyData* mesh) override;
   void ReadTerrain();
   void CheckReading();
+  std::string ExplainReading(const std::string& text);
   void CheckExaggeration();
   /// The raster's heights, in its unit, at the mesh's texture coordinates.
   void AddHeights(vtkPolyData* mesh);
@@ -37,6 +38,10 @@ private:
   vtkSmartPointer<vtkDepthTagMetric> MakeReliefMetric();
   void SetColours();
   std::optional<std::array<double, 3>> GetCentre();
+  /// Whether numbers for --center look like a longitude and a latitude.
+  bool IsInRaster(double longitude, double latitude);
+  std::array<double, 3> FindDegrees(const std::array<double, 2>& degrees);
+  std::array<double, 3> FindGround(double x, double y, const std::string& text);
 
   vtkNew<vtkTerrainSource> Source;
   // The coarse mesh as the displacement moves it: what the camera and the metrics look at.

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Text/ViewerMessages.h"
 
+#include "Text/ReadingGuard.h"
+#include "Text/StandardError.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
@@ -11,10 +14,10 @@
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
 
-#include <algorithm>
-#include <cctype>
+#include <cstring>
 #include <functional>
-#include <iostream>
+#include <mutex>
+#include <utility>
 
 namespace
 {
@@ -30,22 +33,8 @@ void AddHandler(vtkObject* object, unsigned long event, const Handler& handler)
   object->AddObserver(event, command);
 }
 
-// VTK's readers have helpers that nobody can observe; the reader itself says what matters.
-class SilentWindow : public vtkOutputWindow
-{
-public:
-  static SilentWindow* New();
-  vtkTypeMacro(SilentWindow, vtkOutputWindow);
-
-  void DisplayText(const char*) override {}
-  void DisplayErrorText(const char*) override {}
-  void DisplayWarningText(const char*) override {}
-  void DisplayGenericWarningText(const char*) override {}
-};
-vtkStandardNewMacro(SilentWindow);
-
-// "ERROR: In file, line n\nvtkClass (0x...): text\n\n" -> "text", on one line.
-std::string GetText(void* callData)
+// "ERROR: In file, line n\nvtkClass (0x...): text\n\n" -> "text"
+std::string GetText(const void* callData)
 {
   std::string text = static_cast<const char*>(callData);
   const std::size_t address = text.find("): ");
@@ -54,11 +43,46 @@ std::string GetText(void* callData)
     text.erase(0, address + 3);
   }
   text.erase(text.find_last_not_of(" \n") + 1);
-  // What a file has must not command the terminal.
-  std::replace_if(
-    text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+  // VTK ends lines after sentences. Line ends within names stay, to be escaped.
+  for (std::size_t end = text.find('\n', 1); end != std::string::npos;
+       end = text.find('\n', end + 1))
+  {
+    text[end] = std::strchr(".:,;", text[end - 1]) ? ' ' : '\n';
+  }
   return text;
 }
+
+// Messages of the objects that nobody observes, such as the helpers of VTK's readers.
+class SilentWindow : public vtkOutputWindow
+{
+public:
+  static SilentWindow* New();
+  vtkTypeMacro(SilentWindow, vtkOutputWindow);
+
+  std::string TakeFirstError() { return std::exchange(this->FirstError, ""); }
+
+  void DisplayText(const char*) override {}
+  void DisplayErrorText(const char* text) override
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->FirstError = this->FirstError.empty() ? GetText(text) : this->FirstError;
+  }
+  void DisplayWarningText(const char*) override {}
+  void DisplayGenericWarningText(const char* text) override
+  {
+    // Readers of VTK's legacy files only warn of a file that ends too early.
+    if (std::strstr(text, "Error reading"))
+    {
+      this->DisplayErrorText(text);
+    }
+  }
+
+private:
+  std::mutex Mutex;
+  std::string FirstError;
+};
+vtkStandardNewMacro(SilentWindow);
+
 }
 
 //------------------------------------------------------------------------------
@@ -80,7 +104,7 @@ void ViewerMessages::Observe(vtkObject* object)
       }
     });
   AddHandler(object, vtkCommand::WarningEvent,
-    [this](vtkObject*, void* callData) { this->ShowWarning(GetText(callData)); });
+    [this](vtkObject*, void* callData) { this->Warn(GetText(callData)); });
   if (auto* algorithm = vtkAlgorithm::SafeDownCast(object))
   {
     // The executive only repeats that the algorithm failed.
@@ -89,27 +113,48 @@ void ViewerMessages::Observe(vtkObject* object)
 }
 
 //------------------------------------------------------------------------------
-void ViewerMessages::ShowWarning(const std::string& text)
+void ViewerMessages::Warn(const std::string& text)
 {
   if (this->Warnings.insert(text).second)
   {
-    this->Progress.Clear();
-    std::cerr << "relevo-view: warning: " << text << std::endl;
+    this->WaitingWarnings.push_back(text);
   }
+  if (this->ShowsWarnings)
+  {
+    this->ShowWarnings();
+  }
+}
+
+//------------------------------------------------------------------------------
+void ViewerMessages::ShowWarnings()
+{
+  this->ShowsWarnings = true;
+  for (const std::string& text : this->WaitingWarnings)
+  {
+    this->Progress.Clear();
+    WriteMessage("warning", text);
+  }
+  this->WaitingWarnings.clear();
 }
 
 //------------------------------------------------------------------------------
 void ViewerMessages::Observe(vtkObject* object, const std::string& work)
 {
   this->Observe(object);
-  AddHandler(
-    object, vtkCommand::StartEvent, [this, work](vtkObject*, void*) { this->Progress.Show(work); });
+  AddHandler(object, vtkCommand::StartEvent,
+    [this, work](vtkObject*, void*)
+    {
+      ReadingGuard::RestartProgress();
+      this->Progress.Show(work);
+    });
   AddHandler(object, vtkCommand::ProgressEvent,
     [this, work](vtkObject* caller, void* callData)
     {
       auto* algorithm = vtkAlgorithm::SafeDownCast(caller);
       const char* text = algorithm ? algorithm->GetProgressText() : nullptr;
-      this->Progress.Show(text ? text : work, *static_cast<double*>(callData));
+      const double share = *static_cast<double*>(callData);
+      ReadingGuard::ReportProgress(share);
+      this->Progress.Show(text ? text : work, share);
     });
   AddHandler(object, vtkCommand::EndEvent, [this](vtkObject*, void*) { this->Progress.Clear(); });
 }
@@ -129,5 +174,27 @@ void ViewerMessages::Check()
     const ViewerError error(this->FirstError);
     this->FirstError.clear();
     throw error;
+  }
+}
+
+//------------------------------------------------------------------------------
+void ViewerMessages::CheckReading()
+{
+  this->Check();
+  auto* window = SilentWindow::SafeDownCast(vtkOutputWindow::GetInstance());
+  const std::string error = window ? window->TakeFirstError() : "";
+  if (!error.empty())
+  {
+    throw ViewerError(error);
+  }
+}
+
+//------------------------------------------------------------------------------
+void ViewerMessages::StartReading()
+{
+  this->Check();
+  if (auto* window = SilentWindow::SafeDownCast(vtkOutputWindow::GetInstance()))
+  {
+    window->TakeFirstError();
   }
 }

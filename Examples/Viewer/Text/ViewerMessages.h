@@ -12,6 +12,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 class vtkObject;
 
@@ -20,6 +21,10 @@ struct ViewerError : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
+
+/// Of files that are too large, or say that they are.
+constexpr const char* NoMemory =
+  "not enough memory; the file is damaged, or too large for this machine";
 
 class ViewerMessages
 {
@@ -47,11 +52,27 @@ public:
    */
   void Check();
 
-private:
-  void ShowWarning(const std::string& text);
+  //@{
+  /**
+   * Before and after files are read: the second throws also for the first error of an object that
+   * nobody observes. VTK's readers have helpers whose errors they pass over.
+   */
+  void StartReading();
+  void CheckReading();
+  //@}
 
+  /**
+   * Shows a warning, once. Until ShowWarnings() is called it is kept: it is of no use before an
+   * error, which is the one line that the program ends with.
+   */
+  void Warn(const std::string& text);
+  void ShowWarnings();
+
+private:
+  bool ShowsWarnings = false;
+  std::vector<std::string> WaitingWarnings;
   std::string FirstError;
-  std::set<std::string> Warnings; // shown
+  std::set<std::string> Warnings; // shown or kept
   ViewerProgress Progress;
 };
 

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Text/ViewerProgress.h"
 
+#include "Text/StandardError.h"
+
 #include <algorithm>
-#include <iostream>
 #include <unistd.h>
 
 //------------------------------------------------------------------------------
@@ -49,7 +50,7 @@ void ViewerProgress::Clear()
   if (this->Length > 0)
   {
     this->Write("");
-    std::cerr << "\r" << std::flush;
+    WriteToStandardError("\r", 1);
   }
 }
 
@@ -59,7 +60,8 @@ void ViewerProgress::Write(const std::string& line)
   if (this->IsTerminal)
   {
     const std::size_t length = std::max(line.size(), this->Length);
-    std::cerr << "\r" << line << std::string(length - line.size(), ' ') << std::flush;
+    const std::string text = "\r" + line + std::string(length - line.size(), ' ');
+    WriteToStandardError(text.data(), text.size());
     this->Length = line.size();
   }
 }

@@ -3,6 +3,8 @@
 #include "Window/ViewerScreenshot.h"
 
 #include "Files/ViewerPicture.h"
+#include "Text/PrintableText.h"
+#include "Text/StandardError.h"
 #include "Text/ViewerMessages.h"
 
 #include "vtkCommand.h"
@@ -36,12 +38,12 @@ void ViewerScreenshot::OnKey(vtkObject* caller, unsigned long, void*)
   {
     const std::string fileName = this->MakeFile();
     WritePicture(interactor->GetRenderWindow(), fileName, this->Messages);
-    std::cout << "picture: " << fileName << std::endl;
+    std::cout << "picture: " << ToPrintable(fileName) << std::endl;
   }
   catch (const ViewerError& error)
   {
     // The window stays.
-    std::cerr << "relevo-view: warning: " << error.what() << std::endl;
+    WriteMessage("warning", error.what());
   }
 }
 

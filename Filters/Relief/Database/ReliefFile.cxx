@@ -7,17 +7,38 @@
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLImageDataWriter.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <new>
 #include <system_error>
 
 namespace relevo
 {
+namespace
+{
+// A texel has at least three bytes of colour and four of depth, and compression makes of a byte no
+// more than about 7000 (LZMA).
+constexpr double MostTexelsPerByte = 1000.0;
+
+double GetNumberOfTexels(const int extent[6])
+{
+  double number = 1.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    number *= std::max(extent[2 * i + 1] - static_cast<double>(extent[2 * i]) + 1.0, 0.0);
+  }
+  return number;
+}
+}
+
 bool WriteReliefFile(const Relief& relief, const std::string& fileName)
 {
   std::string errors;
@@ -66,7 +87,24 @@ vtkSmartPointer<vtkImageData> ReadReliefFile(const std::string& fileName, std::s
     return nullptr;
   }
   reader->SetFileName(fileName.c_str());
-  reader->Update();
+  reader->UpdateInformation();
+  int extent[6] = { 0, -1, 0, -1, 0, -1 };
+  reader->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  const double size = static_cast<double>(std::filesystem::file_size(fileName, ignored));
+  if (errors.empty() && GetNumberOfTexels(extent) > MostTexelsPerByte * size)
+  {
+    fault = "its extent has more texels than a file of its size can hold.";
+    return nullptr;
+  }
+  try
+  {
+    reader->Update();
+  }
+  catch (const std::bad_alloc&)
+  {
+    fault = "not enough memory.";
+    return nullptr;
+  }
   if (!errors.empty() || reader->GetErrorCode() != vtkErrorCode::NoError)
   {
     fault = "the file is damaged.";

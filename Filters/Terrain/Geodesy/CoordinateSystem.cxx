@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Geodesy/CoordinateSystem.h"
 
+#include "Geodesy/GDALSession.h"
+
 #include <cmath>
 
 namespace relevo
@@ -45,5 +47,30 @@ void DescribeCoordinateSystem(OGRSpatialReferenceH system, Georeference& locatio
       location.System = Georeference::Kind::NoEllipsoid;
     }
   }
+}
+
+bool GeographicToSystem(const std::string& definition, std::array<double, 2>& place)
+{
+  GDALSession session;
+  const SpatialReference system = NewSpatialReference(definition);
+  const SpatialReference geographic(system ? OSRCloneGeogCS(system.get()) : nullptr);
+  if (!geographic)
+  {
+    return false;
+  }
+  OSRSetAxisMappingStrategy(geographic.get(), OAMS_TRADITIONAL_GIS_ORDER);
+  const double unit = OSRGetAngularUnits(geographic.get(), nullptr) * 180.0 / M_PI;
+  std::array<double, 2> result = { place[0] / unit, place[1] / unit };
+  OGRCoordinateTransformationH transformation =
+    OCTNewCoordinateTransformation(geographic.get(), system.get());
+  const bool isTransformed =
+    transformation && OCTTransform(transformation, 1, &result[0], &result[1], nullptr);
+  OCTDestroyCoordinateTransformation(transformation);
+  if (isTransformed && std::isfinite(result[0]) && std::isfinite(result[1]))
+  {
+    place = result;
+    return true;
+  }
+  return false;
 }
 }

@@ -13,6 +13,7 @@
 
 #include <ogr_srs_api.h>
 
+#include <array>
 #include <memory>
 #include <string>
 
@@ -35,6 +36,9 @@ SpatialReference NewSpatialReference(const std::string& definition);
  * flattening; GeographicLib throws where there is no such ellipsoid.
  */
 void DescribeCoordinateSystem(OGRSpatialReferenceH system, Georeference& location);
+
+/// From longitude and latitude in degrees, on the system's own ellipsoid, to its coordinates.
+bool GeographicToSystem(const std::string& definition, std::array<double, 2>& place);
 }
 
 #endif

@@ -35,7 +35,11 @@ std::string obstacle(const std::string& fileName)
   {
     return "it is a folder";
   }
-  if (fs::is_regular_file(path, failure) && fs::file_size(path, failure) == 0)
+  if (!fs::is_regular_file(path, failure))
+  {
+    return "it is not a regular file"; // reading a pipe or a device may never end
+  }
+  if (fs::file_size(path, failure) == 0)
   {
     return "the file is empty";
   }

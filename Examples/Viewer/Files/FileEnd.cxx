@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Files/FileEnd.h"
+
+#include "Files/PLYCheck.h"
+#include "Files/ViewerFile.h"
+#include "Text/ViewerMessages.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+
+namespace
+{
+// The last bytes of a file, without white space after them.
+std::string ReadEnd(const std::string& fileName, std::streamoff number)
+{
+  std::ifstream file(fileName, std::ios::binary);
+  file.seekg(0, std::ios::end);
+  const std::streamoff size = file.tellg();
+  file.seekg(std::max<std::streamoff>(size - number, 0));
+  std::string end(static_cast<std::size_t>(std::min(size, number)), '\0');
+  file.read(end.data(), static_cast<std::streamsize>(end.size()));
+  end.erase(end.find_last_not_of(" \t\r\n") + 1);
+  return end;
+}
+
+void CheckXML(const std::string& fileName, ViewerMessages&)
+{
+  const std::string tag = "</VTKFile>";
+  const std::string end = ReadEnd(fileName, 1024);
+  if (end.size() < tag.size() || end.compare(end.size() - tag.size(), tag.size(), tag) != 0)
+  {
+    throw ViewerError("the file is cut short: it does not end with " + tag);
+  }
+}
+
+bool IsText(const std::string& begin)
+{
+  const std::size_t word = begin.find_first_not_of(" \t\r\n");
+  return word != std::string::npos && begin.compare(word, 5, "solid") == 0 &&
+    begin.find('\0') == std::string::npos;
+}
+
+// Some programs write a wrong number of triangles, but all of them write whole triangles.
+void CheckSTL(const std::string& fileName, ViewerMessages& messages)
+{
+  constexpr long long header = 84;
+  constexpr long long triangle = 50;
+  std::ifstream file(fileName, std::ios::binary);
+  std::string begin(512, ' ');
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  begin.resize(static_cast<std::size_t>(file.gcount()));
+  const auto size = static_cast<long long>(std::filesystem::file_size(fileName));
+  long long number = 0;
+  for (std::size_t i = 0; i < 4 && begin.size() >= header; ++i)
+  {
+    number |= static_cast<long long>(static_cast<unsigned char>(begin[80 + i])) << (8 * i);
+  }
+  if (size == header + number * triangle)
+  {
+    return;
+  }
+  if (IsText(begin))
+  {
+    if (ReadEnd(fileName, 1024).find("endsolid") == std::string::npos)
+    {
+      throw ViewerError("the file is cut short: it does not end with endsolid");
+    }
+    return;
+  }
+  const long long rest = size - header;
+  if (rest < 0 || (rest < number * triangle && rest % triangle != 0))
+  {
+    throw ViewerError("the file is cut short: its header says " + std::to_string(number) +
+      " triangles, and there are " + std::to_string(std::max(rest, 0LL) / triangle));
+  }
+  if (rest / triangle != number)
+  {
+    messages.Warn(fileName + ": the header says " + std::to_string(number) +
+      " triangles, and there are " + std::to_string(rest / triangle));
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void CheckFileEnd(const std::string& fileName, ViewerMessages& messages)
+{
+  using Function = std::function<void(const std::string&, ViewerMessages&)>;
+  static const std::map<std::string, Function> checks = {
+    { ".ply", [](const std::string& name, ViewerMessages&) { CheckPLY(name); } },
+    { ".pvtu", CheckXML },
+    { ".stl", CheckSTL },
+    { ".vtp", CheckXML },
+    { ".vtu", CheckXML },
+  };
+  const auto check = checks.find(GetExtension(fileName));
+  if (check != checks.end())
+  {
+    check->second(fileName, messages);
+  }
+}

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @brief   whether a PLY file has all that its header says
+ */
+#ifndef PLYCheck_h
+#define PLYCheck_h
+
+#include <string>
+
+/// Throws ViewerError. VTK's reader would read beyond the end of what it has.
+void CheckPLY(const std::string& fileName);
+
+#endif

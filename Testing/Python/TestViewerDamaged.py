@@ -1,0 +1,267 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""relevo-view with damaged files: one line and exit code 1, whatever VTK's readers do with them.
+Pipes, devices and folders in place of files; names and contents that could command a terminal."""
+
+import os
+import struct
+import subprocess
+import unittest
+
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkFloatArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkUnstructuredGrid
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOGeometry import vtkSTLWriter
+from vtkmodules.vtkIOLegacy import vtkPolyDataWriter, vtkUnstructuredGridWriter
+from vtkmodules.vtkIOPLY import vtkPLYWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
+
+from ViewerProgram import PROGRAM, ViewerProgram
+
+EXPORT = ("--export=e.vtp", "--level=0")
+
+
+def sphere():
+    source = vtkSphereSource()
+    source.Update()
+    mesh = source.GetOutput()
+    values = vtkFloatArray()
+    values.SetName("Values")
+    for i in range(mesh.GetNumberOfPoints()):
+        values.InsertNextValue(0.1 * i)
+    mesh.GetPointData().SetScalars(values)
+    return mesh
+
+
+def tetrahedron():
+    grid = vtkUnstructuredGrid()
+    points = vtkPoints()
+    for point in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)):
+        points.InsertNextPoint(point)
+    grid.SetPoints(points)
+    grid.InsertNextCell(VTK_TETRA, 4, (0, 1, 2, 3))
+    values = vtkDoubleArray()
+    values.SetName("Values")
+    for i in range(4):
+        values.InsertNextValue(0.123456 * i)
+    grid.GetPointData().SetScalars(values)
+    return grid
+
+
+class TestViewerDamaged(ViewerProgram):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        os.mkfifo(cls.folder / "pipe")
+        (cls.folder / "heights.pgm").write_bytes(b"P5 8 8 255\n" + bytes(range(64)))
+        cls.write("sphere.vtp", vtkXMLPolyDataWriter, sphere())
+        cls.write("grid.vtu", vtkXMLUnstructuredGridWriter, tetrahedron())
+
+    @classmethod
+    def write(cls, name, kind, data, *calls):
+        writer = kind()
+        for call in calls:
+            getattr(writer, call)()
+        writer.SetInputData(data)
+        writer.SetFileName(str(cls.folder / name))
+        writer.Write()
+        return (cls.folder / name).read_bytes()
+
+    def cut(self, name, content, sizes, *arguments):
+        """Each is an error that names the file."""
+        for size in sizes:
+            (self.folder / name).write_bytes(content[:size])
+            run = self.view(name, *arguments, *EXPORT, code=1)
+            self.assertRegex(run.stderr, r"\Arelevo-view: error: [^\n]+\n\Z", (name, size))
+            self.assertIn(name, run.stderr, size)
+
+    def test_no_regular_files(self):
+        """At once, also where a device has no end."""
+        for name in ("a.tif", "a.vtp", "a.bpt", "a.ply"):
+            (self.folder / name).symlink_to("pipe")
+            self.assert_error(1, [name, "not a regular file"], name, *EXPORT)
+            (self.folder / ("zero" + name)).symlink_to("/dev/zero")
+            self.assert_error(1, [name, "not a regular file"], "zero" + name, *EXPORT)
+        for name in ("pipe", "/dev/zero"):
+            for arguments in (
+                ("sphere.vtp", "--image=" + name),
+                ("sphere.vtp", "--height=" + name),
+                ("heights.pgm", "--imagery=" + name),
+                ("grid.vtu", "--volume", "--transfer=" + name),
+            ):
+                self.assert_error(1, [name, "not a regular file"], *arguments, "--output=o.png")
+        (self.folder / "reliefs").mkdir()
+        (self.folder / "reliefs" / "data.csv").symlink_to("/dev/zero")
+        self.assert_error(1, ["data.csv"], "reliefs", "--output=o.png")
+        self.assert_error(1, ["it is a folder"], "grid.vtu", "--volume", "--transfer=reliefs",
+                          "--output=o.png")
+
+    def test_reader_waits(self):
+        """A piece that is a pipe: VTK's reader never comes back."""
+        (self.folder / "piece.vtu").symlink_to("pipe")
+        (self.folder / "waits.pvtu").write_text(
+            '<VTKFile type="PUnstructuredGrid" version="0.1"><PUnstructuredGrid GhostLevel="0">'
+            '<PPoints><PDataArray type="Float32" NumberOfComponents="3"/></PPoints>'
+            '<Piece Source="piece.vtu"/></PUnstructuredGrid></VTKFile>\n'
+        )
+        self.assert_error(1, ["waits.pvtu", "no progress for 20 seconds"], "waits.pvtu", *EXPORT)
+
+    def test_ply(self):
+        """VTK's reader crashes on most of these."""
+        for name, calls in (
+            ("text.ply", ["SetFileTypeToASCII"]),
+            ("little.ply", ["SetFileTypeToBinary"]),
+            ("big.ply", ["SetFileTypeToBinary", "SetDataByteOrderToBigEndian"]),
+        ):
+            content = self.write(name, vtkPLYWriter, sphere(), *calls)
+            self.view(name, *EXPORT)
+            header = content.index(b"end_header")
+            self.cut(name, content, (3, header, header + 20, len(content) - 3))
+            for old, new in ((b"element vertex 50", b"element vertex 99999999999"),
+                             (b"element face 96", b"element face 96000"),
+                             (b"element vertex 50", b"element vertex -1"),
+                             (b"property float x", b"property folat x"),
+                             (b"format ", b"layout ")):
+                self.assertIn(old, content)
+                changed = content.replace(old, new)
+                (self.folder / name).write_bytes(changed)
+                self.assert_error(1, ["cannot read " + name], name, *EXPORT)
+
+    def test_stl(self):
+        content = self.write("a.stl", vtkSTLWriter, sphere(), "SetFileTypeToBinary")
+        self.cut("a.stl", content, (60, len(content) - 1))
+        text = self.write("text.stl", vtkSTLWriter, sphere())
+        self.cut("text.stl", text, (len(text) // 2,))
+        # Some programs count wrong.
+        (self.folder / "b.stl").write_bytes(content[:80] + struct.pack("<I", 0) + content[84:])
+        run = subprocess.run([str(PROGRAM), "b.stl", *EXPORT], cwd=self.folder,
+                             capture_output=True, text=True)
+        self.assertEqual(run.returncode, 0)
+        self.assertRegex(run.stderr, r"\Arelevo-view: warning: b.stl: the header says 0 [^\n]+\n\Z")
+
+    def test_legacy(self):
+        """Where the data of an array end early; VTK's reader passes over it."""
+        for name, writer, data, kind in (
+            ("a.vtk", vtkPolyDataWriter, sphere(), "ASCII"),
+            ("b.vtk", vtkPolyDataWriter, sphere(), "Binary"),
+            ("c.vtk", vtkUnstructuredGridWriter, tetrahedron(), "ASCII"),
+            ("d.vtk", vtkUnstructuredGridWriter, tetrahedron(), "Binary"),
+        ):
+            content = self.write(name, writer, data, "SetFileTypeTo" + kind)
+            self.view(name, *EXPORT)
+            values = content.index(b"LOOKUP_TABLE default\n") + 21
+            points = content.index(b"POINTS")
+            self.cut(name, content, (20, points + 30, values + 5))
+
+    def test_xml(self):
+        for name, writer, data in (("a.vtp", vtkXMLPolyDataWriter, sphere()),
+                                   ("a.vtu", vtkXMLUnstructuredGridWriter, tetrahedron())):
+            for mode in ("Ascii", "Binary", "Appended"):
+                (self.folder / name).unlink(missing_ok=True)
+                content = self.write("x" + name, writer, data, "SetDataModeTo" + mode)
+                self.view("x" + name, *EXPORT)
+                self.cut("x" + name, content, (len(content) // 2, len(content) - 8))
+
+    def test_crash(self):
+        """Of VTK's reader: of a line with a slash, of a number of bytes beyond the data."""
+        for line in ("f 1/ 2/ 3/", "f //1 //2 //3", "f 1/1/1/1 2 3", "l 1"):
+            (self.folder / "a.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + line + "\n")
+            run = subprocess.run([str(PROGRAM), "a.obj", *EXPORT], cwd=self.folder,
+                                 capture_output=True, text=True)
+            self.assertIn(run.returncode, (0, 1), line)
+            self.assertLessEqual(run.stderr.count("\n"), 1)
+        (self.folder / "a.vtk").write_bytes(
+            b"# vtk DataFile Version 5.1\n\nBINARY\nDATASET POLYDATA\nPOINTS 3 float\n" + bytes(36)
+            + b"\nPOLYGONS 99999999999 3\nOFFSETS vtktypeint64\n" + bytes(16))
+        self.assert_error(1, ["cannot read a.vtk"], "a.vtk", *EXPORT)
+
+    def test_memory(self):
+        """More than this machine has, or than a limit allows."""
+        (self.folder / "huge.vtk").write_text(
+            "# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\nPOINTS 999999999999 float\n0 0 0\n")
+        self.assert_error(1, ["huge.vtk"], "huge.vtk", *EXPORT)
+        content = (self.folder / "grid.vtu").read_text()
+        self.assertIn('NumberOfPoints="4"', content)
+        (self.folder / "huge.vtu").write_text(
+            content.replace('NumberOfPoints="4"', 'NumberOfPoints="400000000000"'))
+        self.assert_error(1, ["huge.vtu"], "huge.vtu", *EXPORT)
+
+    def test_terminals(self):
+        """Control characters are escaped, so that a message stays one line and commands nothing."""
+        name = "a\x1b]0;x\x07\nrelevo-view: b\x7f.ply"
+        escaped = r"a\x1b]0;x\x07\nrelevo-view: b\x7f.ply"
+        self.assert_error(1, [escaped], name, *EXPORT)
+        (self.folder / name).write_text("no mesh\n")
+        self.assert_error(1, [escaped], name, *EXPORT)
+        self.assert_error(1, [escaped[:-4] + ".tif"], name[:-4] + ".tif", *EXPORT)
+        self.assert_error(2, [r"unknown option '--\x1b[2J\n'"], "sphere.vtp", "--\x1b[2J\n")
+        self.assert_error(2, [r"'\x1b[2J\r'"], "sphere.vtp", "--zoom=\x1b[2J\r")
+        self.assert_error(1, [r"'\x1b[2J'"], "sphere.vtp", "--array=\x1b[2J", *EXPORT)
+        for given, shown in (("Größe ☃".encode(), "Größe ☃".encode()),
+                             (b"a\xff\x9b", rb"a\xff\x9b"),
+                             ("b\u202e\u009b".encode(), rb"b\u202e\x9b")):
+            run = subprocess.run([str(PROGRAM), given + b".ply", *EXPORT], cwd=self.folder,
+                                 capture_output=True)
+            self.assertIn(shown + b".ply", run.stderr)
+        # What VTK's readers quote of a file.
+        (self.folder / "a.vtk").write_bytes(
+            b"# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\n\x1b[2J 3 float\n")
+        self.assert_error(1, [r"\x1b[2"], "a.vtk", *EXPORT)
+        run = self.view("sphere.vtp", "--against", self.second("s\x1b[2J.vtp"))
+        self.assertIn(r"s\x1b[2J.vtp", run.stdout)
+        self.assertNotIn("\x1b", run.stdout)
+
+    def second(self, name):
+        self.write(name, vtkXMLPolyDataWriter, sphere())
+        return name
+
+    def test_end_of_options(self):
+        self.second("--volume")
+        self.second("-s.vtp")
+        self.view(*EXPORT, "--", "-s.vtp")
+        self.assert_error(2, ["unknown option '-s.vtp'"], "-s.vtp", *EXPORT)
+        self.assert_error(2, ["more than one", "'--level'"], "sphere.vtp", "--", "--level", *EXPORT)
+        self.assert_error(2, ["no height map or mesh"], *EXPORT, "--")
+        self.assert_error(1, ["cannot read --x.vtp"], *EXPORT, "--", "--x.vtp")
+
+    def test_words(self):
+        """One message for one cause, in the words of the options."""
+        heights = bytearray(b"II*\0" + bytes(4))
+        (self.folder / "mug.e").write_bytes(bytes(heights))
+        self.assert_error(1, ["mug.e", "If it is an Exodus file, rename it to .ex2"], "mug.e", *EXPORT)
+        (self.folder / "cut.pgm").write_bytes(b"P5 8 8 255\n12345")
+        run = self.view("cut.pgm", *EXPORT, code=1)
+        self.assertNotIn(".gltf", run.stderr)
+        self.assert_error(2, ["--array needs a value", "'--level=0'"], "sphere.vtp", "--array",
+                          *EXPORT[::-1])
+        self.assert_error(1, ["'--level=0'"], "sphere.vtp", "--array=--level=0", *EXPORT)
+        self.assert_error(2, ["--array needs the name"], "sphere.vtp", "--array", "", *EXPORT)
+        self.assert_error(2, ["--volume goes with meshes", "'a.vts'", ".vtu"], "a.vts", "--volume")
+        self.assert_error(2, ["--error works with meshes", "--max-level"], "heights.pgm",
+                          "--error=1", "--metric=error")
+        self.assert_error(2, ["--error cannot be combined with --level"], "grid.vtu", "--error=1",
+                          "--level=1")
+        self.assert_error(2, ["--error goes with --surface patch"], "grid.vtu", "--error=1",
+                          "--surface=pn")
+        self.assert_error(2, ["--error goes with --metric error"], "grid.vtu", "--error=1",
+                          "--metric=curvature")
+
+    def test_interrupt(self):
+        """Ends the program, also while it reads."""
+        (self.folder / "second.vtu").symlink_to("pipe")
+        (self.folder / "stops.pvtu").write_text(
+            '<VTKFile type="PUnstructuredGrid" version="0.1"><PUnstructuredGrid GhostLevel="0">'
+            '<PPoints><PDataArray type="Float32" NumberOfComponents="3"/></PPoints>'
+            '<Piece Source="second.vtu"/></PUnstructuredGrid></VTKFile>\n'
+        )
+        with subprocess.Popen([str(PROGRAM), "stops.pvtu", *EXPORT], cwd=self.folder,
+                              stderr=subprocess.PIPE) as run:
+            with self.assertRaises(subprocess.TimeoutExpired):
+                run.wait(2)
+            run.send_signal(2)
+            self.assertEqual(run.wait(10), -2)
+            self.assertEqual(run.stderr.read(), b"")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["TestViewerDamaged"])
