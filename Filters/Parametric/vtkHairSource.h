@@ -7,7 +7,7 @@
  * Input: a vtkPolyData with polygons of any size or triangle strips. Hairs stand as densely
  * everywhere, one at a random place of each share of the area; there are Density times area,
  * rounded. They leave along the surface's normal (the active point normals, where there are none
- * that of the triangle), sink under gravity and wind in a helix that widens towards the tip. Each
+ * that of the triangle), sink under gravity and wind in a helix that is widest at the tip. Each
  * is up to a fifth shorter than Length. The same settings give the same hairs, whatever the number
  * of threads. Cells whose vtkGhostType has DUPLICATECELL have none.
  *
@@ -67,8 +67,10 @@ public:
 
   //@{
   /**
-   * How many turns of its helix a hair makes, 0 (straight but for gravity) to 16; default 0.5.
-   * Another value is an error and changes nothing.
+   * Number of turns that the helix of a hair makes, 0 to 16; default 0.5. With 0 and without gravity
+   * a hair is straight. The radius of the helix is 0.15 Curl / (Curl + 0.25) of the hair's length:
+   * with one turn and without gravity, root and tip are 0.9 of the hair's length apart. Another value
+   * is an error and changes nothing.
    */
   void SetCurl(double turns);
   vtkGetMacro(Curl, double);

@@ -21,7 +21,8 @@ namespace
 constexpr double ThickestRadius = 0.01; // of a length of 1, at the root
 constexpr double ThinnestShare = 0.1;   // of that, at the tip
 constexpr double ShortestShare = 0.8;   // of the length
-constexpr double WidestCurl = 0.15;     // radius of the helix, of a length of 1
+constexpr double WidestCurl = 0.15;     // radius of the helix with many turns, of a length of 1
+constexpr double HalfWidthTurns = 0.25; // turns with which the helix has half of that radius
 
 // Numbers that are thrown for a hair.
 enum Throws
@@ -75,8 +76,9 @@ struct Placed
   dvec3 Derivative;
 };
 
-// A hair of length 1 at the origin: it sinks with the square of the way, and winds in a helix that
-// widens with the square of the way, so that it leaves along the normal.
+// A hair of length 1 at the origin. It sinks with the square of the distance s from the root, and
+// winds in a helix of the radius Width (s (2 - s))^2: the hair leaves along the normal, and its
+// helix is nearly at full width from the middle on.
 class Strand
 {
 public:
@@ -87,7 +89,7 @@ public:
     , Gravity(settings.Gravity)
     , Phase(phase)
     , Turn(2.0 * vtkMath::Pi() * settings.Curl)
-    , Width(WidestCurl * settings.Curl / (1.0 + settings.Curl))
+    , Width(WidestCurl * settings.Curl / (HalfWidthTurns + settings.Curl))
   {
   }
 
@@ -96,10 +98,11 @@ public:
     const double angle = this->Phase + this->Turn * s;
     const dvec3 out = this->First * std::cos(angle) + this->Second * std::sin(angle);
     const dvec3 along = this->Second * std::cos(angle) - this->First * std::sin(angle);
-    const double width = this->Width * s * s;
+    const double rise = s * (2.0 - s);
+    const double width = this->Width * rise * rise;
+    const double widening = this->Width * 4.0 * rise * (1.0 - s);
     return { this->Normal * s + this->Gravity * (s * s) + out * width,
-      this->Normal + this->Gravity * (2.0 * s) + out * (2.0 * this->Width * s) +
-        along * (width * this->Turn) };
+      this->Normal + this->Gravity * (2.0 * s) + out * widening + along * (width * this->Turn) };
   }
 
 private:

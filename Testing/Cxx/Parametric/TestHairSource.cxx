@@ -173,6 +173,50 @@ void TestCurl(RelevoCheck& check)
   }
 }
 
+// The least share of a hair's length that its root and tip are apart, by 100 chords of each cubic.
+double GetStraightness(double curl)
+{
+  const int cubics = std::max(1, static_cast<int>(std::ceil(2.0 * curl)));
+  auto source = NewSource(MakeSurface(), 2.0, curl);
+  source->SetGravity(0.0, 0.0, 0.0);
+  source->Update();
+  vtkUnstructuredGrid* hair = source->GetOutput();
+  double least = 2.0;
+  for (vtkIdType first = 0; first < hair->GetNumberOfCells(); first += cubics)
+  {
+    double sum = 0.0;
+    const RelevoPlace root = GetCurve(hair, first)[0];
+    RelevoPlace last = root;
+    for (int step = 1; step <= 100 * cubics; ++step)
+    {
+      const std::array<RelevoPlace, 4> curve = GetCurve(hair, first + (step - 1) / 100);
+      const double t = ((step - 1) % 100 + 1) / 100.0;
+      RelevoPlace place;
+      for (int c = 0; c < 3; ++c)
+      {
+        place[c] = std::pow(1.0 - t, 3) * curve[0][c] +
+          3.0 * t * std::pow(1.0 - t, 2) * curve[1][c] + 3.0 * t * t * (1.0 - t) * curve[2][c] +
+          t * t * t * curve[3][c];
+      }
+      sum += std::sqrt(vtkMath::Distance2BetweenPoints(last.data(), place.data()));
+      last = place;
+    }
+    least =
+      std::min(least, std::sqrt(vtkMath::Distance2BetweenPoints(root.data(), last.data())) / sum);
+  }
+  return least;
+}
+
+// Curls are seen: one turn makes a hair a tenth shorter from root to tip.
+void TestStraightness(RelevoCheck& check)
+{
+  CHECK_NEAR(GetStraightness(0.0), 1.0, 1e-12);
+  CHECK(GetStraightness(0.5) < 0.99);
+  CHECK(GetStraightness(1.0) < 0.92);
+  CHECK(GetStraightness(1.0) > 0.85);
+  CHECK(GetStraightness(2.0) < 0.75);
+}
+
 bool AreSame(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
 {
   bool areSame = a->GetNumberOfPoints() == b->GetNumberOfPoints();
@@ -307,6 +351,7 @@ int TestHairSource(int, char*[])
   RelevoCheck check;
   TestRoots(check);
   TestCurl(check);
+  TestStraightness(check);
   TestRepetition(check);
   TestNormals(check);
   TestTubes(check);
