@@ -5,6 +5,7 @@
 #include "Cells/MeshScalars.h"
 #include "Cells/ScalarChoice.h"
 #include "Core/MemoryGuard.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
@@ -93,6 +94,12 @@ bool vtkGPUUnstructuredGridVolumeMapper::ReadCells(
     this->ScalarMode >= VTK_SCALAR_MODE_USE_POINT_FIELD_DATA;
   const relevo::ArrayWish wish = { find, isByName ? this->ArrayName : "",
     takesAll ? relevo::MostComponents : VTK_INT_MAX, "SelectScalarArray()" };
+  if (!vtkDataSet::SafeDownCast(input) && !vtkCompositeDataSet::SafeDownCast(input))
+  {
+    vtkErrorMacro("The input is a " << (input ? input->GetClassName() : "nullptr")
+                                    << "; a vtkDataSet or a vtkCompositeDataSet is needed.");
+    return false;
+  }
   if (!relevo::FindMeshScalars(input, wish, meshes, error))
   {
     vtkErrorMacro("The input " << error << ".");

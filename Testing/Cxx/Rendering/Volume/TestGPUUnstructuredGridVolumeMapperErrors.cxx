@@ -9,6 +9,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
+#include "vtkTable.h"
 
 #include <cmath>
 #include <limits>
@@ -31,6 +32,12 @@ void TestNothing(RelevoCheck& check)
   RelevoErrors errors(scene.GetMapper());
   CHECK(IsBlack(scene.Draw()));
   CHECK(errors.None());
+  vtkNew<vtkTable> table;
+  scene.GetMapper()->SetInputDataObject(table);
+  CHECK(IsBlack(scene.Draw()));
+  CHECK(errors.Said("The input is a vtkTable; a vtkDataSet or a vtkCompositeDataSet is needed."));
+  scene.Draw();
+  CHECK(errors.None()); // once
 }
 
 void TestArrays(RelevoCheck& check)
