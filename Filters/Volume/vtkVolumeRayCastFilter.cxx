@@ -112,10 +112,11 @@ bool vtkVolumeRayCastFilter::Read(
   const bool takesAll = choice.Component == relevo::ScalarChoice::All;
   std::vector<relevo::MeshScalars> meshes;
   std::string error;
+  std::string leftOut;
   const relevo::ArrayWish wish = { [this](vtkDataSet* mesh, int& association)
     { return this->GetInputArrayToProcess(0, mesh, association); },
     name, takesAll ? relevo::MostComponents : VTK_INT_MAX, "SetInputArrayToProcess()" };
-  if (!relevo::FindMeshScalars(input, wish, meshes, error))
+  if (!relevo::FindMeshScalars(input, wish, meshes, error, leftOut))
   {
     vtkErrorMacro("The input " << error << ".");
     return false;
@@ -152,6 +153,10 @@ bool vtkVolumeRayCastFilter::Read(
     }
     return false;
   }
+  if (!leftOut.empty())
+  {
+    vtkWarningMacro(<< leftOut);
+  }
   if (!warning.empty())
   {
     vtkWarningMacro("The volume property " << warning << ".");
@@ -162,6 +167,21 @@ bool vtkVolumeRayCastFilter::Read(
                     << " cells have no volume, or points that are not finite; they are left out.");
   }
   return true;
+}
+
+void vtkVolumeRayCastFilter::ReportMissingSurfaces(const relevo::VolumeCells& cells, int component)
+{
+  if (cells.GetCells().empty())
+  {
+    return;
+  }
+  relevo::SurfaceData data = { cells.HasCellScalars(), 0.0, 0.0 };
+  cells.GetRange(component, data.Low, data.High);
+  const std::string missing = relevo::IsoSurfaces::DescribeMissing(this->VolumeProperty, data);
+  if (!missing.empty())
+  {
+    vtkWarningMacro(<< missing);
+  }
 }
 
 void vtkVolumeRayCastFilter::Cast(const relevo::VolumeCells& cells,
@@ -175,6 +195,11 @@ void vtkVolumeRayCastFilter::Cast(const relevo::VolumeCells& cells,
   const bool showSurfaces = this->IsoSurfaces || mode == relevo::BlendMode::IsoSurface;
   const relevo::IsoSurfaces surfaces =
     showSurfaces ? relevo::IsoSurfaces(this->VolumeProperty, functions) : relevo::IsoSurfaces();
+  if (showSurfaces &&
+    (mode == relevo::BlendMode::IsoSurface || mode == relevo::BlendMode::Composite))
+  {
+    this->ReportMissingSurfaces(cells, surfaces.GetComponent());
+  }
   const relevo::Blending blending(functions, mode, surfaces, shading);
   vtkNew<vtkDoubleArray> colors;
   colors->SetName("RGBA");

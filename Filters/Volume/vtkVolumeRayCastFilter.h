@@ -45,8 +45,8 @@
  * interpolated as scalars are, factors are linear in between the ends of a part inside a cell.
  * Where the gradient is 0, the colour stays as it is.
  *
- * Independent components add up their extinctions, and colours mix by them at the ends of each
- * part. Of two dependent components the first gives the colour, the second the opacity. Four are
+ * Independent components add up their extinctions, and their colours mix by extinction at every
+ * place. Of two dependent components the first gives the colour, the second the opacity. Four are
  * red, green, blue and opacity, from 0 to 1, or unsigned char from 0 to 255. Independent components
  * have gradients, gradient opacities, 2D functions and materials of their own; dependent ones the
  * gradient of the last component, which is the opacity, and the functions and the material of
@@ -57,10 +57,12 @@
  *
  * Errors, with an empty output: no camera or property; a missing array, or one with too many or too
  * few components or of a wrong length; no 3D cells in a mesh with cells; cells that refer to points
- * that do not exist; a function without nodes; a 2D function that is missing or no image of 4
- * finite components. One warning each: cells without volume or with points that are not finite,
- * which are left out, and how many; a unit distance that is not more than 0, for which 1 is taken.
- * Of an empty mesh nothing is seen.
+ * that do not exist; a function without nodes, or with numbers that are not finite; a 2D function
+ * that is missing or no image of 4 finite components. One warning each: blocks without the array or
+ * without 3D cells, which are left out; cells without volume or with points that are not finite,
+ * which are left out, and how many; a unit distance that is not more than 0, for which 1 is taken;
+ * isosurfaces of values of cells, or of values that are out of the array's range. Of an empty mesh
+ * nothing is seen.
  */
 #ifndef vtkVolumeRayCastFilter_h
 #define vtkVolumeRayCastFilter_h
@@ -224,6 +226,7 @@ private:
   void operator=(const vtkVolumeRayCastFilter&) = delete;
 
   bool Read(vtkDataObject* input, relevo::VolumeCells& cells, relevo::TransferFunctions& functions);
+  void ReportMissingSurfaces(const relevo::VolumeCells& cells, int component);
   void Cast(const relevo::VolumeCells& cells, const relevo::TransferFunctions& functions,
     const relevo::Shading& shading, vtkImageData* output);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveCurveMapperInternals.h"
 
+#include "Core/IsNews.h"
 #include "Core/MemoryGuard.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAlgorithm.h"
@@ -76,14 +77,6 @@ void CopyCoincidentOffsets(vtkMapper* from, vtkMapper* to)
   to->SetRelativeCoincidentTopologyLineOffsetParameters(factor, units);
   from->GetRelativeCoincidentTopologyPointOffsetParameter(units);
   to->SetRelativeCoincidentTopologyPointOffsetParameter(units);
-}
-
-// Whether a problem is another than what has been said last; from now on it has been.
-bool IsNews(std::string& last, const std::string& problem)
-{
-  const bool isNew = problem != last && !problem.empty();
-  last = problem;
-  return isNew;
 }
 }
 
@@ -166,7 +159,7 @@ void vtkAdaptiveCurveMapper::UpdateBlocks()
     if (block.Painter->SetCurves(curves))
     {
       this->Say(block, vtkBlock::CELLS, FindCellProblem(curves, block.Painter->GetMesh()));
-      if (IsNews(block.Warning, block.Painter->GetMesh().GetWarning()))
+      if (relevo::IsNews(block.Warning, block.Painter->GetMesh().GetWarning()))
       {
         vtkWarningMacro(<< block.Prefix << block.Warning);
       }
@@ -195,7 +188,7 @@ void vtkAdaptiveCurveMapper::vtkInternals::AddCounts(const relevo::CurvePainter&
 
 void vtkAdaptiveCurveMapper::Say(vtkBlock& block, int kind, const std::string& problem)
 {
-  if (IsNews(block.Problems[kind], problem))
+  if (relevo::IsNews(block.Problems[kind], problem))
   {
     vtkErrorMacro(<< block.Prefix << problem);
   }
@@ -293,7 +286,7 @@ void vtkAdaptiveCurveMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   this->InvokeEvent(vtkCommand::EndEvent, nullptr);
   const std::string problem =
     this->Refinement ? "" : "No recipe: call SetRefinement() with a vtkAdaptiveRefinement.";
-  if (IsNews(data.Problem, problem))
+  if (relevo::IsNews(data.Problem, problem))
   {
     vtkErrorMacro(<< problem);
   }
@@ -361,7 +354,7 @@ void vtkAdaptiveCurveMapper::RenderBlocks(vtkRenderer* renderer, vtkActor* actor
     data.MethodInUse =
       block.Painter->IsTessellated() ? METHOD_HARDWARE_TESSELLATION : METHOD_INSTANCING;
   }
-  if (IsNews(data.TessellationProblem, tessellationProblem))
+  if (relevo::IsNews(data.TessellationProblem, tessellationProblem))
   {
     vtkErrorMacro(<< tessellationProblem);
   }

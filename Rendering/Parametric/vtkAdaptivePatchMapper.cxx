@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptivePatchMapperInternals.h"
 
+#include "Core/IsNews.h"
 #include "Core/SettingChecks.h"
 #include "Mesh/PatchArrays.h"
 #include "vtkActor.h"
@@ -176,14 +177,26 @@ void vtkAdaptivePatchMapper::UploadField(vtkRenderer* ren)
       data.Scalars.ReleaseGraphicsResources(ren->GetRenderWindow());
     }
   }
-  if (problem != data.FieldProblem)
+  if (relevo::IsNews(data.FieldProblem, problem))
   {
-    data.FieldProblem = problem;
-    if (!problem.empty())
-    {
-      vtkErrorMacro(<< problem);
-    }
+    vtkErrorMacro(<< problem);
   }
+}
+
+std::string vtkAdaptivePatchMapper::vtkInternals::DescribeMissingIsolines(
+  vtkAdaptivePatchMapper* mapper)
+{
+  vtkPolyData* input = mapper->GetInput();
+  int cellFlag = 0;
+  vtkAbstractArray* scalars = input && mapper->ScalarVisibility && mapper->IsolineSpacing > 0.0
+    ? vtkAbstractMapper::GetAbstractScalars(input, mapper->ScalarMode, mapper->ArrayAccessMode,
+        mapper->ArrayId, mapper->ArrayName, cellFlag)
+    : nullptr;
+  return !scalars || cellFlag == 0
+    ? ""
+    : std::string("There are no isolines of \"") + (scalars->GetName() ? scalars->GetName() : "") +
+      "\": its values belong to cells, and are constant in each. Convert them with "
+      "vtkCellDataToPointData.";
 }
 
 void vtkAdaptivePatchMapper::UpdateField(vtkRenderer* ren)
@@ -211,8 +224,13 @@ void vtkAdaptivePatchMapper::UpdateField(vtkRenderer* ren)
 void vtkAdaptivePatchMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* act)
 {
   this->Superclass::RenderPieceStart(ren, act);
-  this->Patches->IsSurface = act->GetProperty()->GetRepresentation() == VTK_SURFACE;
+  vtkInternals& data = *this->Patches;
+  data.IsSurface = act->GetProperty()->GetRepresentation() == VTK_SURFACE;
   this->UpdateField(ren);
+  if (relevo::IsNews(data.LineProblem, vtkInternals::DescribeMissingIsolines(this)))
+  {
+    vtkWarningMacro(<< data.LineProblem);
+  }
 }
 
 void vtkAdaptivePatchMapper::RenderPieceFinish(vtkRenderer* ren, vtkActor* act)

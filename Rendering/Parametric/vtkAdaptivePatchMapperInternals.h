@@ -24,6 +24,7 @@ struct vtkAdaptivePatchMapper::vtkInternals
   relevo::PatchScalars Scalars;
   relevo::Dependencies FieldDependencies;
   std::string FieldProblem; // said last
+  std::string LineProblem;  // the same of isolines
 
   // Of an input that is a grid.
   vtkNew<vtkPatchSurfaceFilter> Filter;
@@ -47,6 +48,8 @@ struct vtkAdaptivePatchMapper::vtkInternals
   static vtkDataArray* GetScalars(vtkAdaptivePatchMapper* mapper);
   static bool AreColors(vtkAdaptivePatchMapper* mapper, vtkDataArray* scalars);
   std::string DescribeMisfit(vtkAdaptivePatchMapper* mapper, vtkDataArray* scalars);
+  /// Why there are no isolines; empty where there are some, or none are wanted.
+  static std::string DescribeMissingIsolines(vtkAdaptivePatchMapper* mapper);
   std::string GetFragmentFunctions() const;
 };
 

@@ -36,7 +36,7 @@ vtkGPUUnstructuredGridVolumeMapper::vtkGPUUnstructuredGridVolumeMapper()
     data.Programs.clear();
     data.Viewport->ReleaseGraphicsResources();
     data.HasMesh = false;
-    data.HasFunctions = false;
+    data.AreFunctionsTried = false;
     data.MeshInput = nullptr;
   };
 }

@@ -45,6 +45,7 @@
 
 class vtkDataObject;
 class vtkShaderProgram;
+class vtkVolumeProperty;
 
 namespace relevo
 {
@@ -256,6 +257,7 @@ private:
   bool UpdateFunctions(vtkVolume* volume);
   bool UpdateView(vtkRenderer* renderer, vtkVolume* volume);
   void UpdateFeatures(vtkRenderer* renderer, vtkVolume* volume);
+  void ReportMissingSurfaces(vtkVolumeProperty* property);
   bool FindPreIntegrated();
   bool UpdateTables();
   vtkShaderProgram* ReadyProgram(const std::string& vertexSource, const std::string& source);

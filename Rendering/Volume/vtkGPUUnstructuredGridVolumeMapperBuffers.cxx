@@ -4,6 +4,7 @@
 
 #include "Cells/MeshScalars.h"
 #include "Cells/ScalarChoice.h"
+#include "Core/IsNews.h"
 #include "Core/MemoryGuard.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -50,7 +51,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateMesh(vtkVolume* volume)
     data.MeshTime = time;
     data.Choice = choice;
     data.Array = array;
-    data.HasFunctions = false;
+    data.AreFunctionsTried = false;
     data.HasGradients = IsShaded(volume->GetProperty());
     data.HasMesh = this->BuildMesh(volume, input);
   }
@@ -81,6 +82,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::ReadCells(
   const bool takesAll = data.Choice.Component == relevo::ScalarChoice::All;
   std::vector<relevo::MeshScalars> meshes;
   std::string error;
+  std::string leftOut;
   const auto find = [this](vtkDataSet* mesh, int& association)
   {
     int kind = 0;
@@ -100,7 +102,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::ReadCells(
                                     << "; a vtkDataSet or a vtkCompositeDataSet is needed.");
     return false;
   }
-  if (!relevo::FindMeshScalars(input, wish, meshes, error))
+  if (!relevo::FindMeshScalars(input, wish, meshes, error, leftOut))
   {
     vtkErrorMacro("The input " << error << ".");
     return false;
@@ -141,6 +143,10 @@ bool vtkGPUUnstructuredGridVolumeMapper::ReadCells(
       vtkErrorMacro("The input has cells, but none is 3D.");
     }
     return false;
+  }
+  if (relevo::IsNews(data.LeftOut, leftOut))
+  {
+    vtkWarningMacro(<< leftOut);
   }
   data.HasCellScalars = meshes.front().AreOfCells;
   return true;
@@ -188,9 +194,10 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateFunctions(vtkVolume* volume)
   vtkInternals& data = *this->Internals;
   vtkVolumeProperty* property = volume->GetProperty();
   const vtkMTimeType time = property->GetMTime();
-  if (data.FunctionsTime != time || !data.HasFunctions)
+  if (data.FunctionsTime != time || !data.AreFunctionsTried)
   {
     data.FunctionsTime = time;
+    data.AreFunctionsTried = true;
     std::string error;
     std::string warning;
     data.HasFunctions = data.Functions.Read(property, data.NumberOfComponents, error, warning);
@@ -217,7 +224,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateFunctions(vtkVolume* volume)
     }
     data.Integrals.ReleaseGraphicsResources(data.GetWindow());
   }
-  return true;
+  return data.HasFunctions;
 }
 
 // What tables cannot do is exact; it is said when settings have changed.

@@ -158,6 +158,8 @@ relevo::VolumeShaderOptions vtkGPUUnstructuredGridVolumeMapper::GetShaderOptions
   options.HasTetrahedra = data.HasTetrahedra;
   options.HasCurvedCells = data.HasCurvedCells;
   options.HasQuadraticCells = data.Mesh.HasQuadraticCells;
+  options.HasPyramids = data.Mesh.HasPyramids;
+  options.HasFoldedFaces = data.Mesh.HasFoldedFaces;
   options.PreIntegrated = !data.IsPreIntegrated ? 0 : this->Integration == PRE_INTEGRATED ? 3 : 2;
   return options;
 }

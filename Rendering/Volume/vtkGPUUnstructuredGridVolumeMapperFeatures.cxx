@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGPUUnstructuredGridVolumeMapperInternals.h"
 
+#include "Core/IsNews.h"
+#include "Rays/IsoSurfaces.h"
 #include "vtkPlaneCollection.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
@@ -52,6 +54,22 @@ vtkMTimeType GetTime(vtkPlaneCollection* planes)
 }
 }
 
+void vtkGPUUnstructuredGridVolumeMapper::ReportMissingSurfaces(vtkVolumeProperty* property)
+{
+  vtkInternals& data = *this->Internals;
+  const bool areWanted = this->BlendMode == ISOSURFACE_BLEND ||
+    (this->BlendMode == COMPOSITE_BLEND && this->IsoSurfaces);
+  const int component = data.Surfaces.GetComponent();
+  const std::string missing = areWanted
+    ? relevo::IsoSurfaces::DescribeMissing(property,
+        { data.HasCellScalars, data.Mesh.ScalarLow[component], data.Mesh.ScalarHigh[component] })
+    : "";
+  if (relevo::IsNews(data.MissingSurfaces, missing))
+  {
+    vtkWarningMacro(<< missing);
+  }
+}
+
 // Only what has an effect counts, so that no two shaders are the same.
 void vtkGPUUnstructuredGridVolumeMapper::UpdateFeatures(vtkRenderer* renderer, vtkVolume* volume)
 {
@@ -65,6 +83,7 @@ void vtkGPUUnstructuredGridVolumeMapper::UpdateFeatures(vtkRenderer* renderer, v
   const bool isComposite = this->BlendMode == COMPOSITE_BLEND;
   const bool isSurface = this->BlendMode == ISOSURFACE_BLEND;
   options.HasSurfaces = isSurface || (isComposite && this->IsoSurfaces && !data.HasCellScalars);
+  this->ReportMissingSurfaces(property);
   if ((isComposite || isSurface) && !data.HasCellScalars)
   {
     FindMaterials(property, data.Functions, options);

@@ -59,6 +59,7 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
   {
     return this->WarnedOf == std::make_pair(this->MeshInput, this->MeshTime);
   }
+  std::string LeftOut; // blocks, as reported
   bool HasMesh = false;
   bool HasCorners = false; // for cell projection
   int NumberOfComponents = 1;
@@ -71,11 +72,13 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
 
   relevo::TransferFunctions Functions;
   vtkMTimeType FunctionsTime = 0;
+  bool AreFunctionsTried = false; // at that time, for this mesh
   bool HasFunctions = false;
   vtkMTimeType WarningTime = 0; // of the settings that were complained about
   bool IsPreIntegrated = false;
   relevo::VolumeShaderOptions Options;
   vtkMTimeType PlanesTime = 0; // when there were too many
+  std::string MissingSurfaces; // as reported
 
   // Of one context.
   vtkNew<relevo::ContextWatch> Context;

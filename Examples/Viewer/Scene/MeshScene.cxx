@@ -368,10 +368,7 @@ void MeshScene::SetArrayColours()
   const auto colours = MakeColours(range);
   this->Mapper->SetLookupTable(colours);
   this->Mapper->InterpolateScalarsBeforeMappingOn();
-  if (this->HasPointArray)
-  {
-    ShowIsolines(this->Options, this->Mapper, range);
-  }
+  ShowIsolines(this->Options, this->Mapper, range);
   if (this->Options.Color == ViewerOptions::ColorType::Own)
   {
     this->AddLegend(colours, this->ArrayName, 5);

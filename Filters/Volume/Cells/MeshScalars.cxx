@@ -7,6 +7,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
+#include "vtkGenericCell.h"
 #include "vtkInformation.h"
 #include "vtkInformationStringKey.h"
 #include "vtkSmartPointer.h"
@@ -18,56 +19,120 @@ namespace relevo
 {
 namespace
 {
-struct FoundSet
+struct Block
 {
   vtkDataSet* Set;
-  std::string Block;
+  std::string Name; // empty for an input that is no composite
 };
 
-std::string GetBlock(vtkCompositeDataIterator* leaf)
+std::string GetName(vtkCompositeDataIterator* leaf)
 {
   const std::string block = "Block " + std::to_string(leaf->GetCurrentFlatIndex());
   const char* name = leaf->HasCurrentMetaData()
     ? leaf->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME())
     : nullptr;
-  return name ? block + " (\"" + name + "\"): " : block + ": ";
+  return name ? block + " (\"" + name + "\")" : block;
 }
 
-std::vector<FoundSet> FindDataSets(vtkDataObject* input)
+// Those with cells.
+std::vector<Block> FindBlocks(vtkDataObject* input)
 {
-  std::vector<FoundSet> sets;
-  const auto add = [&sets](vtkDataObject* object, const std::string& block)
+  std::vector<Block> blocks;
+  const auto add = [&blocks](vtkDataObject* object, const std::string& name)
   {
     vtkDataSet* set = vtkDataSet::SafeDownCast(object);
     if (set && set->GetNumberOfCells() > 0)
     {
-      sets.push_back({ set, block });
+      blocks.push_back({ set, name });
     }
   };
-  add(input, std::string());
+  add(input, "");
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
   {
     vtkSmartPointer<vtkCompositeDataIterator> leaf;
     leaf.TakeReference(composite->NewIterator());
     for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
     {
-      add(leaf->GetCurrentDataObject(), GetBlock(leaf));
+      add(leaf->GetCurrentDataObject(), GetName(leaf));
     }
   }
-  return sets;
+  return blocks;
 }
+
+// Cells of types that VTK does not know count: what reads cells reports them.
+bool HasSolidCells(vtkDataSet* mesh)
+{
+  int known = -1; // the last type that is not 3D
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+  {
+    const int type = mesh->GetCellType(i);
+    if (type != known)
+    {
+      const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
+      if (!cell || cell->GetCellDimension() == 3)
+      {
+        return true;
+      }
+      known = type;
+    }
+  }
+  return false;
+}
+
+// "active scalars", or "point array "NAME"".
+std::string NameArray(const std::string& name, const char* kind)
+{
+  return name.empty() ? "active scalars" : std::string(kind) + "array \"" + name + "\"";
+}
+
+// Why a block is left out, beside others that are not; empty if it is not.
+std::string FindLack(const MeshScalars& scalars, const ArrayWish& wish, const MeshScalars* first)
+{
+  if (!HasSolidCells(scalars.Mesh))
+  {
+    return "has no 3D cells";
+  }
+  if (!scalars.Array)
+  {
+    return "has no " + NameArray(wish.Name, "");
+  }
+  if (first && first->AreOfCells != scalars.AreOfCells)
+  {
+    return "has no " + NameArray(wish.Name, first->AreOfCells ? "cell " : "point ");
+  }
+  return "";
+}
+
+// One sentence for each of the first blocks that are left out.
+class LeftOutBlocks
+{
+public:
+  void Add(const std::string& name, const std::string& lack)
+  {
+    constexpr int mostNamed = 5;
+    if (++this->Count <= mostNamed)
+    {
+      this->Sentences += (this->Count > 1 ? " " : "") + name + " " + lack + "; it is left out.";
+    }
+    this->NumberOfMore = this->Count - std::min(this->Count, mostNamed);
+  }
+  std::string GetText() const
+  {
+    return this->NumberOfMore == 0
+      ? this->Sentences
+      : this->Sentences + " So are " + std::to_string(this->NumberOfMore) + " more blocks.";
+  }
+
+private:
+  std::string Sentences;
+  int Count = 0;
+  int NumberOfMore = 0;
+};
 
 std::string FindFault(
   const MeshScalars& scalars, const ArrayWish& wish, const std::string& name, int components)
 {
   std::ostringstream text;
-  if (!scalars.Array)
-  {
-    text << "has no " << (name.empty() ? "active scalars" : "array \"" + name + "\"")
-         << (components > 0 ? " in one of its blocks" : "") << "; choose an array by "
-         << wish.Setter;
-    return text.str();
-  }
   const vtkIdType tuples = scalars.Array->GetNumberOfTuples();
   const vtkIdType wanted =
     scalars.AreOfCells ? scalars.Mesh->GetNumberOfCells() : scalars.Mesh->GetNumberOfPoints();
@@ -93,23 +158,36 @@ std::string FindFault(
 vtkMTimeType GetMeshTime(vtkDataObject* input)
 {
   vtkMTimeType time = input->GetMTime();
-  for (const FoundSet& found : FindDataSets(input))
+  for (const Block& block : FindBlocks(input))
   {
-    time = std::max(time, found.Set->GetMTime());
+    time = std::max(time, block.Set->GetMTime());
   }
   return time;
 }
 
-bool FindMeshScalars(
-  vtkDataObject* input, const ArrayWish& wish, std::vector<MeshScalars>& found, std::string& error)
+bool FindMeshScalars(vtkDataObject* input, const ArrayWish& wish, std::vector<MeshScalars>& found,
+  std::string& error, std::string& warning)
 {
   found.clear();
-  for (const auto& [set, block] : FindDataSets(input))
+  LeftOutBlocks leftOut;
+  bool hasSolidCells = false;
+  const std::vector<Block> blocks = FindBlocks(input);
+  for (const Block& block : blocks)
   {
     int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-    vtkDataArray* array = wish.Find(set, association);
-    found.push_back({ set, array, association == vtkDataObject::FIELD_ASSOCIATION_CELLS, block });
-    const char* own = array ? array->GetName() : nullptr;
+    vtkDataArray* array = wish.Find(block.Set, association);
+    const MeshScalars scalars = { block.Set, array,
+      association == vtkDataObject::FIELD_ASSOCIATION_CELLS,
+      block.Name.empty() ? block.Name : block.Name + ": " };
+    const std::string lack = FindLack(scalars, wish, found.empty() ? nullptr : &found.front());
+    if (!lack.empty())
+    {
+      hasSolidCells = hasSolidCells || HasSolidCells(block.Set);
+      leftOut.Add(block.Name, lack);
+      continue;
+    }
+    found.push_back(scalars);
+    const char* own = array->GetName();
     error = FindFault(found.back(), wish, wish.Name.empty() && own ? own : wish.Name,
       found.size() > 1 ? found.front().Array->GetNumberOfComponents() : 0);
     if (!error.empty())
@@ -117,6 +195,14 @@ bool FindMeshScalars(
       return false;
     }
   }
+  if (found.empty() && !blocks.empty())
+  {
+    error = hasSolidCells
+      ? "has no " + NameArray(wish.Name, "") + "; choose an array by " + wish.Setter
+      : "has cells, but none is 3D";
+    return false;
+  }
+  warning = leftOut.GetText();
   return true;
 }
 }

@@ -44,11 +44,12 @@ struct ArrayWish
 RELEVOFILTERSVOLUME_EXPORT vtkMTimeType GetMeshTime(vtkDataObject* input);
 
 /**
- * All data sets with cells, of which a composite data set may have many. false with words that
- * follow "The input " where one lacks an array that fits.
+ * The data sets with 3D cells and the array, of which a composite data set may have many. false
+ * with words that follow "The input " where there is none, or where an array cannot be used.
+ * Otherwise `warning` names the blocks that are left out, if any.
  */
-RELEVOFILTERSVOLUME_EXPORT bool FindMeshScalars(
-  vtkDataObject* input, const ArrayWish& wish, std::vector<MeshScalars>& found, std::string& error);
+RELEVOFILTERSVOLUME_EXPORT bool FindMeshScalars(vtkDataObject* input, const ArrayWish& wish,
+  std::vector<MeshScalars>& found, std::string& error, std::string& warning);
 }
 
 #endif

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace relevo
 {
@@ -188,6 +189,28 @@ int VolumeCells::GetNumberOfCorners(const Cell& cell) const
 vtkIdType VolumeCells::GetCornerId(const Cell& cell, int i) const
 {
   return this->Corners[cell.FirstCorner + i];
+}
+
+void VolumeCells::GetRange(int component, double& low, double& high) const
+{
+  low = std::numeric_limits<double>::max();
+  high = -low;
+  const auto add = [&](const Scalars& scalars)
+  {
+    low = std::min(low, scalars[component]);
+    high = std::max(high, scalars[component]);
+  };
+  for (const Cell& cell : this->Cells)
+  {
+    if (cell.Scalars >= 0)
+    {
+      add(this->CellScalars[cell.Scalars]);
+    }
+    for (int i = 0; i < this->GetNumberOfCorners(cell) && cell.Scalars < 0; ++i)
+    {
+      add(this->PointScalars[this->GetCornerId(cell, i)]);
+    }
+  }
 }
 
 TetrahedronCorners VolumeCells::GetTetrahedron(const Cell& cell) const

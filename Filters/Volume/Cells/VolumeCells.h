@@ -78,6 +78,11 @@ public:
   CurvedCell GetCurved(const Cell& cell) const;
   //@}
 
+  /// Whether there are cells, and the first has scalars of its own.
+  bool HasCellScalars() const { return !this->Cells.empty() && this->Cells.front().Scalars >= 0; }
+  /// The lowest and highest scalar of the cells; low is above high if there are none.
+  void GetRange(int component, double& low, double& high) const;
+
   /// By the slopes of corners, of scalars of points.
   Gradients ComputeGradients(const Cell& cell, const CornerSlopes& slopes) const;
 

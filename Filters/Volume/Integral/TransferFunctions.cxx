@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace relevo
 {
@@ -17,6 +18,8 @@ namespace
 // Of colours, opacities and thus optical depths over a unit distance. Much finer than the 1/512
 // that pictures need: this is what they are measured against.
 constexpr double Tolerance = 1e-5;
+// 2^8 pieces are enough for the steepest mixture of two colours.
+constexpr int DeepestHalving = 8;
 
 // Nodes and, between them, midpoints, where functions of VTK bend or jump. A midpoint next to a
 // node is taken as 0.00001 of the interval away from it, as they do.
@@ -28,17 +31,47 @@ void AddKinks(TransferFunction* function, std::vector<double>& kinks)
   {
     double node[Size];
     function->GetNodeValue(i, node);
-    if (std::isfinite(node[0]))
+    kinks.push_back(node[0]);
+    if (i > 0 && last[0] < node[0])
     {
-      kinks.push_back(node[0]);
-      if (i > 0 && last[0] < node[0] && std::isfinite(last[0]))
-      {
-        const double midpoint = std::clamp(last[Size - 2], 1e-5, 1.0 - 1e-5);
-        kinks.push_back(last[0] + midpoint * (node[0] - last[0]));
-      }
+      const double midpoint = std::clamp(last[Size - 2], 1e-5, 1.0 - 1e-5);
+      kinks.push_back(last[0] + midpoint * (node[0] - last[0]));
     }
     std::copy(node, node + Size, last);
   }
+}
+
+// The first node that has a number which is not finite, in words; empty for none.
+template <int Size, typename TransferFunction>
+std::string FindBadNode(TransferFunction* function)
+{
+  for (int i = 0; i < function->GetSize(); ++i)
+  {
+    double node[Size];
+    function->GetNodeValue(i, node);
+    if (!std::all_of(node, node + Size, [](double number) { return std::isfinite(number); }))
+    {
+      std::ostringstream text;
+      text << "with a number that is not finite at node " << i;
+      return text.str();
+    }
+  }
+  return "";
+}
+
+// "without nodes", or what is wrong with one of them; empty for a function that can be used.
+template <int Size, typename TransferFunction>
+std::string FindFault(TransferFunction* function)
+{
+  return function->GetSize() == 0 ? "without nodes" : FindBadNode<Size>(function);
+}
+
+// Words that follow "The volume property ".
+std::string DescribeFault(const char* kind, const std::string& fault, int component)
+{
+  std::ostringstream text;
+  text << "has a " << kind << " function " << fault << " for component " << component;
+  return text.str();
 }
 
 // A component's functions, which may lack nodes.
@@ -61,10 +94,13 @@ struct Functions
     this->Opacity = property->GetScalarOpacity(component);
   }
 
-  const char* FindEmpty() const
+  // The kind of the first function that cannot be used, and why.
+  std::pair<const char*, std::string> FindFault() const
   {
-    const int colors = this->Gray ? this->Gray->GetSize() : this->Color->GetSize();
-    return colors == 0 ? "colour" : this->Opacity->GetSize() == 0 ? "scalar opacity" : nullptr;
+    const std::string ofColor =
+      this->Gray ? relevo::FindFault<4>(this->Gray) : relevo::FindFault<6>(this->Color);
+    return ofColor.empty() ? std::make_pair("scalar opacity", relevo::FindFault<4>(this->Opacity))
+                           : std::make_pair("colour", ofColor);
   }
   void AddColorKinks(std::vector<double>& kinks) const
   {
@@ -126,15 +162,14 @@ bool ReadGradientOpacity(
     return true;
   }
   vtkPiecewiseFunction* function = property->GetGradientOpacity(component);
-  std::vector<double> kinks;
-  AddKinks<4>(function, kinks);
-  if (kinks.empty())
+  const std::string fault = FindFault<4>(function);
+  if (!fault.empty())
   {
-    std::ostringstream text;
-    text << "has a gradient opacity function without nodes for component " << component;
-    error = text.str();
+    error = DescribeFault("gradient opacity", fault, component);
     return false;
   }
+  std::vector<double> kinks;
+  AddKinks<4>(function, kinks);
   pieces = LinearPieces([=](double x)
     { return dvec4(0.0, 0.0, 0.0, std::max(function->GetValue(x), 0.0)); },
     kinks, Tolerance);
@@ -216,11 +251,10 @@ bool TransferFunctions::ReadCurves(
   for (int i = 0; i < sets; ++i)
   {
     const Functions functions(property, i);
-    if (const char* empty = functions.FindEmpty())
+    const std::pair<const char*, std::string> fault = functions.FindFault();
+    if (!fault.second.empty())
     {
-      std::ostringstream text;
-      text << "has a " << empty << " function without nodes for component " << i;
-      error = text.str();
+      error = DescribeFault(fault.first, fault.second, i);
       return false;
     }
     const double unit = ReadUnitDistance(property, i, warning);
@@ -282,29 +316,52 @@ int TransferFunctions::GetShadedComponent(size_t curve) const
                                            : this->NumberOfComponents - 1;
 }
 
-dvec4 TransferFunctions::Integrate(const Segment& segment) const
+// The mixed colour of independent components is a quotient of linear functions: pieces are halved
+// until it is as good as linear.
+template <typename Add>
+void TransferFunctions::AddPieces(const Segment& piece, int depth, const Add& add) const
+{
+  const Ends ends = this->Evaluate(piece);
+  if (this->Mode == Mixing::Independent && this->Curves.size() > 1 && depth < DeepestHalving)
+  {
+    const Segment first = piece.Cut(0.0, 0.5);
+    const dvec4 middle = this->Evaluate(first)[1];
+    const dvec3 miss = abs(dvec3(middle) - 0.5 * (dvec3(ends[0]) + dvec3(ends[1])));
+    const double seen = std::min(middle.w * piece.Length, 1.0);
+    if (std::max({ miss.x, miss.y, miss.z }) * seen > Tolerance)
+    {
+      this->AddPieces(first, depth + 1, add);
+      this->AddPieces(piece.Cut(0.5, 1.0), depth + 1, add);
+      return;
+    }
+  }
+  add(ends, piece.Length);
+}
+
+template <typename Add>
+void TransferFunctions::AddAllPieces(const Segment& segment, const Add& add) const
 {
   const std::vector<double> cuts = this->FindCuts(segment.Front, segment.Back);
-  dvec4 seen(0.0);
   for (size_t i = 1; i < cuts.size(); ++i)
   {
-    const Segment piece = segment.Cut(cuts[i - 1], cuts[i]);
-    const auto ends = this->Evaluate(piece);
-    seen = frontOverBack(seen, linearSegment(ends[0], ends[1], piece.Length));
+    this->AddPieces(segment.Cut(cuts[i - 1], cuts[i]), 0, add);
   }
+}
+
+dvec4 TransferFunctions::Integrate(const Segment& segment) const
+{
+  dvec4 seen(0.0);
+  this->AddAllPieces(segment,
+    [&seen](const Ends& ends, double length)
+    { seen = frontOverBack(seen, linearSegment(ends[0], ends[1], length)); });
   return seen;
 }
 
 dvec4 TransferFunctions::Sum(const Segment& segment) const
 {
-  const std::vector<double> cuts = this->FindCuts(segment.Front, segment.Back);
   dvec4 sum(0.0);
-  for (size_t i = 1; i < cuts.size(); ++i)
-  {
-    const Segment piece = segment.Cut(cuts[i - 1], cuts[i]);
-    const auto ends = this->Evaluate(piece);
-    sum += linearSegmentSum(ends[0], ends[1], piece.Length);
-  }
+  this->AddAllPieces(segment,
+    [&sum](const Ends& ends, double length) { sum += linearSegmentSum(ends[0], ends[1], length); });
   return sum;
 }
 

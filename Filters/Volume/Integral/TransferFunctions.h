@@ -8,7 +8,8 @@
  * clamping), in linear pieces. A part of a ray along which the scalars are linear is cut wherever
  * one of them passes an end of a piece; on what is left colour and extinction count as linear.
  *
- * Independent components: extinction is the sum of theirs, colour the mean by extinction. Two
+ * Independent components: extinction is the sum of theirs, colour the mean by extinction, at every
+ * place: pieces are short enough that this mean is linear along them. Two
  * dependent: colour by the first, extinction by the second. Four dependent: red, green, blue and
  * opacity, from 0 to 1. With 2D functions the last of dependent components counts alone.
  *
@@ -145,6 +146,14 @@ private:
   static Ends EvaluateCurve(const Curve& curve, const Segment& segment);
   Ends Mix(const AllEnds& all) const;
   Ends MixIndependent(const AllEnds& all) const;
+  //@{
+  /// Calls add(ends, length) for each piece along which colour and extinction are linear, front to
+  /// back.
+  template <typename Add>
+  void AddPieces(const Segment& piece, int depth, const Add& add) const;
+  template <typename Add>
+  void AddAllPieces(const Segment& segment, const Add& add) const;
+  //@}
 
   Mixing Mode = Mixing::Independent;
   int NumberOfComponents = 1;

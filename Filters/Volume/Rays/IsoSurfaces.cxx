@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace relevo
 {
@@ -53,6 +54,34 @@ IsoSurfaces::IsoSurfaces(vtkVolumeProperty* property, const TransferFunctions& f
   {
     this->Component = functions.AreColors() ? MostComponents - 1 : 0;
   }
+}
+
+std::string IsoSurfaces::DescribeMissing(vtkVolumeProperty* property, const SurfaceData& data)
+{
+  vtkContourValues* values = property->GetIsoSurfaceValues();
+  std::ostringstream missing;
+  int count = 0;
+  for (int i = 0; i < values->GetNumberOfContours(); ++i)
+  {
+    const double value = values->GetValue(i);
+    if (!(value >= data.Low && value <= data.High)) // so is NaN
+    {
+      missing << (count++ > 0 ? ", " : "") << value;
+    }
+  }
+  std::ostringstream text;
+  if (data.AreOfCells && values->GetNumberOfContours() > 0)
+  {
+    text << "There are no isosurfaces: the array's values belong to cells, and are constant in "
+            "each. Convert them with vtkCellDataToPointData.";
+  }
+  else if (count > 0)
+  {
+    text << "There " << (count > 1 ? "are no isosurfaces" : "is no isosurface") << " of "
+         << missing.str() << ": the array's values are from " << data.Low << " to " << data.High
+         << ".";
+  }
+  return text.str();
 }
 
 std::vector<IsoCrossing> IsoSurfaces::Cross(const std::vector<RayPart>& parts) const

@@ -15,6 +15,7 @@
 
 #include "Cells/Ray.h"
 
+#include <string>
 #include <vector>
 
 class vtkVolumeProperty;
@@ -28,6 +29,14 @@ struct IsoCrossing
   double Value;
 };
 
+/// What is drawn: values of cells, or of points in a range.
+struct SurfaceData
+{
+  bool AreOfCells;
+  double Low;
+  double High;
+};
+
 class RELEVOFILTERSVOLUME_EXPORT IsoSurfaces
 {
 public:
@@ -39,6 +48,9 @@ public:
   IsoSurfaces() = default;
   /// Of the property's values, those that are numbers.
   IsoSurfaces(vtkVolumeProperty* property, const TransferFunctions& functions);
+
+  /// A sentence on why some of the property's values, or all, have no surface; empty if all have.
+  static std::string DescribeMissing(vtkVolumeProperty* property, const SurfaceData& data);
 
   /// Front to back.
   std::vector<IsoCrossing> Cross(const std::vector<RayPart>& parts) const;

@@ -23,6 +23,8 @@ namespace
 constexpr int MostFacesPerLeaf = 8;
 // Of the mesh's radius: more than what floats round.
 constexpr float TreeMargin = 1e-5f;
+// Of the side of a face.
+constexpr double LargestBulge = 1e-5;
 constexpr size_t MostBorderFaces = size_t(1) << 24;
 constexpr std::uint32_t Unused = JoinedMesh::Nothing;
 
@@ -60,6 +62,7 @@ private:
   void AddTetrahedron(const VolumeCells::Cell& cell);
   void AddCurved(const VolumeCells::Cell& cell);
   bool IsMirrored(const VolumeCells::Cell& cell) const;
+  bool IsFlat(const VolumeCells::Cell& cell) const;
   std::uint32_t& GetBehind(size_t face);
   dvec3 GetPlace(std::uint32_t point) const;
   FaceBox GetBox(size_t face) const;
@@ -168,6 +171,7 @@ void JoiningMesh::ScaleScalars()
     }
     const double size = 0.5 * high - 0.5 * low; // whose double may be no number
     this->Mesh.ScalarLow[c] = used.empty() ? 0.0 : low;
+    this->Mesh.ScalarHigh[c] = used.empty() ? 0.0 : high;
     this->Mesh.ScalarSize[c] = size > 0.0 && std::isfinite(2.0 * size) ? 2.0 * size : 1.0;
   }
   std::vector<float>& scalars = areOfCells ? this->Mesh.CellScalars : this->Mesh.PointScalars;
@@ -244,6 +248,24 @@ bool JoiningMesh::IsMirrored(const VolumeCells::Cell& cell) const
   return volume < 0.0;
 }
 
+// Whether all points of each face are in one plane, but for what floats round.
+bool JoiningMesh::IsFlat(const VolumeCells::Cell& cell) const
+{
+  const auto get = [&](int i) { return this->Cells.GetPoints()[this->Cells.GetCornerId(cell, i)]; };
+  const auto isFlat = [&](const auto& face)
+  {
+    const dvec3 origin = get(face[0]);
+    const dvec3 normal = cross(get(face[2]) - origin, get(face[1]) - origin) +
+      cross(get(face[3]) - origin, get(face[2]) - origin);
+    const double size = std::sqrt(dot(normal, normal));
+    return std::all_of(face.begin(), face.end(),
+      [&](int i)
+      { return std::abs(dot(get(i) - origin, normal)) <= LargestBulge * size * std::sqrt(size); });
+  };
+  return std::all_of(cell.Shape->Faces.begin(), cell.Shape->Faces.end(), isFlat) &&
+    std::all_of(cell.Shape->QuadraticFaces.begin(), cell.Shape->QuadraticFaces.end(), isFlat);
+}
+
 void JoiningMesh::AddCurved(const VolumeCells::Cell& cell)
 {
   const std::uint32_t number = static_cast<std::uint32_t>(
@@ -260,6 +282,8 @@ void JoiningMesh::AddCurved(const VolumeCells::Cell& cell)
     words.back() = JoinedMesh::Quadratic;
     this->Mesh.HasQuadraticCells = true;
   }
+  this->Mesh.HasPyramids = this->Mesh.HasPyramids || cell.Shape->NumberOfCorners == 5;
+  this->Mesh.HasFoldedFaces = this->Mesh.HasFoldedFaces || !this->IsFlat(cell);
   this->Mesh.CurvedCells.insert(this->Mesh.CurvedCells.end(), words.begin(), words.end());
   this->FirstFaces.push_back(static_cast<std::uint32_t>(this->Faces.size()));
   for (const auto& face : GetRecordFaces(isQuadratic))
@@ -462,8 +486,11 @@ void JoinedMesh::Release()
   rest.HalfSize = this->HalfSize;
   rest.LongestEdge = this->LongestEdge;
   rest.HasQuadraticCells = this->HasQuadraticCells;
+  rest.HasPyramids = this->HasPyramids;
+  rest.HasFoldedFaces = this->HasFoldedFaces;
   rest.ScalarLow = this->ScalarLow;
   rest.ScalarSize = this->ScalarSize;
+  rest.ScalarHigh = this->ScalarHigh;
   *this = std::move(rest);
 }
 }

@@ -53,6 +53,7 @@ struct RELEVOFILTERSVOLUME_EXPORT JoinedMesh
   double LongestEdge = 0.0;    // or diagonal, of a cell
   Scalars ScalarLow = {};
   Scalars ScalarSize = {};
+  Scalars ScalarHigh = {}; // the highest
   //@}
 
   std::vector<float> Points;       // x, y, z, and the scalar if there is one component
@@ -78,6 +79,9 @@ struct RELEVOFILTERSVOLUME_EXPORT JoinedMesh
   std::vector<std::uint32_t> CurvedCells;
   static constexpr std::uint32_t Quadratic = 0xfffffff0;
   bool HasQuadraticCells = false;
+  bool HasPyramids = false;
+  /// Faces of curved cells that are not flat, so that rays may go through them and back.
+  bool HasFoldedFaces = false;
 
   /**
    * Of each face that no other cell is behind: three points, in turn as seen from where one enters,

@@ -23,6 +23,9 @@ public:
   bool Upload(vtkOpenGLRenderWindow* window, vtkVolumeProperty* property,
     const TransferFunctions& functions, const Scalars& low, const Scalars& size);
 
+  /// Whose values these are.
+  int GetComponent() const { return this->Component; }
+
   void Activate(vtkShaderProgram* program);
   void Deactivate() { this->Values.Deactivate(); }
   void ReleaseGraphicsResources(vtkWindow* window)

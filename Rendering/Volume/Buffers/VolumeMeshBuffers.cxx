@@ -5,6 +5,8 @@
 #include "Walk/JoinedMesh.h"
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
+
 namespace relevo
 {
 bool VolumeMeshBuffers::Upload(vtkOpenGLRenderWindow* window, const JoinedMesh& mesh)
@@ -13,7 +15,10 @@ bool VolumeMeshBuffers::Upload(vtkOpenGLRenderWindow* window, const JoinedMesh& 
   this->TreeSize = static_cast<int>(mesh.BorderTree.size() / 8);
   this->NumberOfTetrahedra = static_cast<int>(mesh.GetNumberOfTetrahedra());
   this->NumberOfBorderFaces = static_cast<int>(mesh.BorderFaces.size() / 4);
-  this->MostSteps = static_cast<int>(cells) + 1;
+  // Several for pyramids, and for cells that a ray goes through repeatedly.
+  constexpr size_t stepsOfCell = 32;
+  this->MostSteps = static_cast<int>(
+    std::min<size_t>(mesh.GetNumberOfCurvedCells() > 0 ? stepsOfCell * cells : cells, 1 << 30) + 1);
   return this->Buffers[Points].Upload(window, mesh.Points, 4) &&
     this->Buffers[PointScalars].Upload(window, mesh.PointScalars, 4) &&
     this->Buffers[CellScalars].Upload(

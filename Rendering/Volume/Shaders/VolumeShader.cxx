@@ -69,6 +69,8 @@ std::string DefineCells(const VolumeShaderOptions& options)
   std::ostringstream defines;
   Define(defines, "CURVED", options.HasCurvedCells);
   Define(defines, "QUADRATIC", options.HasQuadraticCells);
+  Define(defines, "PYRAMIDS", options.HasPyramids);
+  Define(defines, "FOLDED", options.HasFoldedFaces);
   defines << "#define RELEVO_TETRAHEDRA " << (options.HasTetrahedra ? "true" : "false") << "\n";
   return defines.str();
 }
@@ -129,6 +131,7 @@ std::string DefineOptions(const VolumeShaderOptions& options)
   Define(defines, "COMPONENTS", options.NumberOfComponents);
   Define(defines, "CURVES", options.NumberOfCurves);
   Define(defines, "DEPENDENT", options.AreDependent);
+  Define(defines, "MIXED", options.NumberOfCurves > 1 && !options.AreDependent);
   Define(defines, "CELL_SCALARS", options.HasCellScalars);
   Define(defines, "PRE_INTEGRATED", options.PreIntegrated);
   Define(defines, "INTEGRATED", IsIntegrated(options));

@@ -36,6 +36,8 @@ struct VolumeShaderOptions
   bool HasTetrahedra = true;
   bool HasCurvedCells = false;
   bool HasQuadraticCells = false;
+  bool HasPyramids = false;
+  bool HasFoldedFaces = false; // from some directions
   /// Of cell projection: whether the near plane may cut cells.
   bool IsCutByNear = false;
 };

@@ -31,8 +31,32 @@ bool getWeights(vec3 areas, out vec3 weights)
   return sum > 0.0;
 }
 
+bool isBefore(float depthA, int faceA, float depthB, int faceB)
+{
+  return depthA < depthB || (depthA == depthB && faceA < faceB);
+}
+
 #if RELEVO_CURVED
-bool entersCurved(int face, uvec4 words, inout Entry entry)
+#if RELEVO_FOLDED
+// The next of the places where the ray enters through a folded face; false for none.
+bool entersFold(int face, bool isQuadratic, Corner border[6], float lastDepth, int lastFace,
+  out float depth)
+{
+  bool isFound = false;
+  for (int i = 0; i < foldCount; ++i)
+  {
+    float at = depthOnFace(isQuadratic, border, foldPlaces[i]);
+    if (foldTurns[i] < 0.0 && isBefore(lastDepth, lastFace, at, face) && (!isFound || at < depth))
+    {
+      isFound = true;
+      depth = at;
+    }
+  }
+  return isFound;
+}
+#endif
+
+bool entersCurved(int face, uvec4 words, float lastDepth, int lastFace, inout Entry entry)
 {
   bool isQuadratic = isQuadraticCell(words.w);
   int size = sizeOfBorder(isQuadratic);
@@ -41,7 +65,30 @@ bool entersCurved(int face, uvec4 words, inout Entry entry)
   {
     border[i] = getCorner(wordOfCell(words.w, cornerOfFace(isQuadratic, int(words.x), i)));
   }
-  if (windingOf(border, size) >= 0)
+  int winding = windingOf(border, size);
+#if RELEVO_FOLDED
+  foldCount = 0;
+  if (isQuadratic)
+  {
+#if RELEVO_QUADRATIC
+    foldQuadratic(border, winding);
+#endif
+  }
+  else if (winding == 0)
+  {
+    foldBilinear(border[0].at.xy, border[1].at.xy, border[2].at.xy, border[3].at.xy);
+  }
+  if (foldCount > 0)
+  {
+    float depth;
+    bool isFound = entersFold(face, isQuadratic, border, lastDepth, lastFace, depth);
+    entry.depth = isFound ? depth : entry.depth;
+    entry.face = isFound ? face : entry.face;
+    entry.cell = isFound ? words.w : entry.cell;
+    return isFound;
+  }
+#endif
+  if (winding >= 0)
   {
     return false;
   }
@@ -53,13 +100,14 @@ bool entersCurved(int face, uvec4 words, inout Entry entry)
 }
 #endif
 
-bool enters(int face, inout Entry entry)
+// Whether the ray enters through a face; the first time after another entry, if it does repeatedly.
+bool enters(int face, float lastDepth, int lastFace, inout Entry entry)
 {
   uvec4 words = texelFetch(borderFaces, face);
 #if RELEVO_CURVED
   if (isCurvedCell(words.w))
   {
-    return entersCurved(face, words, entry);
+    return entersCurved(face, words, lastDepth, lastFace, entry);
   }
 #endif
   Corner a = getCorner(words.x);
@@ -76,11 +124,6 @@ bool enters(int face, inout Entry entry)
   }
   entry = Entry(interpolateDepth(a, b, c, weights), face, words.w, a, b, c, areas);
   return true;
-}
-
-bool isBefore(float depthA, int faceA, float depthB, int faceB)
-{
-  return depthA < depthB || (depthA == depthB && faceA < faceB);
 }
 
 // The next entry after another one, and not behind the end.
@@ -109,7 +152,7 @@ bool findEntry(float end, inout Entry entry)
     for (int face = int(low.w); hits && face < int(low.w) + count; ++face)
     {
       Entry candidate = entry;
-      if (enters(face, candidate) && isBefore(lastDepth, lastFace, candidate.depth, face) &&
+      if (enters(face, lastDepth, lastFace, candidate) && isBefore(lastDepth, lastFace, candidate.depth, face) &&
         (nearestFace < 0 ? candidate.depth <= nearest
                          : isBefore(candidate.depth, face, nearest, nearestFace)))
       {
@@ -136,7 +179,7 @@ int findFirstEntry(float end, inout Entry entry)
   {
     vec2 known = texelFetch(rayEntries, ivec2(gl_FragCoord.xy - viewportPlace.xy), 0).rg;
     count = int(known.y);
-    if (count == 0 || (count == 1 && enters(int(known.x), entry)))
+    if (count == 0 || (count == 1 && enters(int(known.x), entry.depth, entry.face, entry)))
     {
       return count;
     }

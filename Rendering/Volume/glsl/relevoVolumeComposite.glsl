@@ -83,6 +83,22 @@ void passCut(int curve, Scalars front, Scalars back, float from)
 #endif
 }
 
+#if RELEVO_MIXED
+const float LargestMix = 1.0 / 8192.0; // by which a mixed colour may miss its line
+
+// The share of a piece along which the mixed colour of independent components, a quotient of linear
+// functions, is as good as linear.
+float findMixedShare(Scalars front, Scalars back, vec2 shares, vec4 first, vec4 last, float span)
+{
+  vec4 middle;
+  vec4 same;
+  evaluateEnds(front, back, vec2(mix(shares.x, shares.y, 0.5)), middle, same);
+  vec3 miss = abs(middle.rgb - 0.5 * (first.rgb + last.rgb));
+  float seen = max(max(miss.r, miss.g), miss.b) * min(middle.w * span, 1.0);
+  return seen > LargestMix ? max(sqrt(LargestMix / seen), LeastShare) : 1.0;
+}
+#endif
+
 // A part of the ray, from a share of it to where a function bends or it gets deep, or to the end:
 // then true. The caller comes back for the rest, so that the rays beside it need not wait. Pieces
 // are fetched each time: software renderers keep them at a higher price.
@@ -108,6 +124,14 @@ bool collect(Scalars front, Scalars back, float span, inout float from)
   vec4 first;
   vec4 last;
   evaluateEnds(front, back, vec2(from, to), first, last);
+#if RELEVO_MIXED
+  float mixed = findMixedShare(front, back, vec2(from, to), first, last, (to - from) * span);
+  if (mixed < 1.0)
+  {
+    to = mix(from, to, mixed);
+    evaluateEnds(front, back, vec2(from, to), first, last);
+  }
+#endif
 #if RELEVO_ADDITIVE
   sum += linearSegmentSum(first, last, (to - from) * span);
 #else
@@ -118,6 +142,13 @@ bool collect(Scalars front, Scalars back, float span, inout float from)
   if (shallow < 1.0)
   {
     from = mix(from, to, shallow);
+    return false;
+  }
+#endif
+#if RELEVO_MIXED
+  if (mixed < 1.0)
+  {
+    from = max(to, PartBegin);
     return false;
   }
 #endif

@@ -82,6 +82,27 @@ float rankExit(float depth)
   return depth >= walkDepth - 1e-6 ? depth : 1e6 - depth;
 }
 
+#if RELEVO_FOLDED
+// Whether a place in a folded face, which it was entered through perhaps, is ahead.
+bool isAhead(float depth)
+{
+  return depth > walkDepth + 1e-6;
+}
+#endif
+
+// To the cell behind an exit. Without one, as a ray may graze a fold that only one of the cells
+// sees, back to the cell before.
+void leaveTo(int exit)
+{
+  uint next = exit < 0 ? Nothing : wordOfCell(walkCell, FirstBehind + exit);
+#if RELEVO_FOLDED
+  uint before = walkBefore;
+  walkBefore = exit < 0 ? Nothing : walkCell;
+  next = exit < 0 ? before : next;
+#endif
+  walkCell = next;
+}
+
 void beginCurved(float end)
 {
   curvedBegin = walkDepth;
@@ -188,15 +209,14 @@ vec3 parametersInHexahedron(float depth, vec3 p)
   return clamp(p, vec3(0.0), vec3(1.0));
 }
 
-// Where the ray goes through a face: the depth, and the parameters there. Faces 0 and 1 are where
-// the first parameter is 0 and 1, and so on.
-float crossHexFace(int face, out vec3 parameters)
+// Faces 0 and 1 are where the first parameter is 0 and 1, and so on.
+void getHexFace(int face, out vec3 p0, out vec3 p1, out vec3 p2, out vec3 p3)
 {
   bool high = face % 2 == 1;
-  vec3 p0 = high ? hexPlaces[1] : hexPlaces[0];
-  vec3 p1 = high ? hexPlaces[2] : hexPlaces[3];
-  vec3 p2 = high ? hexPlaces[6] : hexPlaces[7];
-  vec3 p3 = high ? hexPlaces[5] : hexPlaces[4];
+  p0 = high ? hexPlaces[1] : hexPlaces[0];
+  p1 = high ? hexPlaces[2] : hexPlaces[3];
+  p2 = high ? hexPlaces[6] : hexPlaces[7];
+  p3 = high ? hexPlaces[5] : hexPlaces[4];
   if (face >= 4)
   {
     p0 = high ? hexPlaces[4] : hexPlaces[0];
@@ -211,10 +231,72 @@ float crossHexFace(int face, out vec3 parameters)
     p2 = high ? hexPlaces[6] : hexPlaces[5];
     p3 = high ? hexPlaces[7] : hexPlaces[4];
   }
+}
+
+vec3 parametersOnHexFace(int face, vec2 at)
+{
+  float side = face % 2 == 1 ? 1.0 : 0.0;
+  return face < 2 ? vec3(side, at) : face < 4 ? vec3(at.x, side, at.y) : vec3(at, side);
+}
+
+#if RELEVO_PYRAMIDS
+const float ThickestSpan = 1.5; // from one distance of the top to the other
+const float NearTop = 1.0 / 128.0;
+
+// A line from the top through the place meets the base. The third parameter is 1 at the top.
+vec3 parametersInPyramid(float depth)
+{
+  vec3 from = vec3(0.0, 0.0, depth) - hexPlaces[4];
+  vec3 size = abs(from);
+  vec3 axis = size.x <= size.y && size.x <= size.z ? vec3(1.0, 0.0, 0.0)
+    : size.y <= size.z                             ? vec3(0.0, 1.0, 0.0)
+                                                   : vec3(0.0, 0.0, 1.0);
+  vec3 u = cross(from, axis);
+  u /= max(length(u), 1e-30);
+  vec3 v = cross(from, u);
+  v /= max(length(v), 1e-30);
+  vec2 base[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    vec3 edge = hexPlaces[i] - hexPlaces[4];
+    base[i] = vec2(dot(edge, u), dot(edge, v));
+  }
+  vec2 at = crossBilinear(base[0], base[1], base[2], base[3]);
+  vec3 end = mix(mix(hexPlaces[0], hexPlaces[1], at.x), mix(hexPlaces[3], hexPlaces[2], at.x), at.y) -
+    hexPlaces[4];
+  return vec3(at, clamp(1.0 - dot(from, end) / dot(end, end), 0.0, 1.0));
+}
+
+// Scalars change with one over the distance of the top: where that grows much, a cubic does not do.
+float findPyramidSpan(float entered, float left, float end)
+{
+  float first = 1.0 - entered;
+  float last = 1.0 - left;
+  float next = last < first ? first / ThickestSpan : max(first, NearTop) * ThickestSpan;
+  bool isWhole = max(first, last) < NearTop ||
+    (last < first ? next < max(last, NearTop) : next > last);
+  return isWhole ? end : mix(walkDepth, end, (next - first) / (last - first));
+}
+#endif
+
+const float LeastAside = 1e-6; // squared share of a face
+
+// Where the ray goes through a face: the depth, and the parameters there. A ray that sees a face from
+// its side is in both cells: it goes on in the next one at once, and parameters mean nothing.
+float crossHexFace(int face, out vec3 parameters, out bool isAside)
+{
+  vec3 p0;
+  vec3 p1;
+  vec3 p2;
+  vec3 p3;
+  getHexFace(face, p0, p1, p2, p3);
   vec2 at = crossBilinear(p0.xy, p1.xy, p2.xy, p3.xy);
-  float side = high ? 1.0 : 0.0;
-  parameters = face < 2 ? vec3(side, at) : face < 4 ? vec3(at.x, side, at.y) : vec3(at, side);
-  return mix(mix(p0.z, p1.z, at.x), mix(p3.z, p2.z, at.x), at.y);
+  parameters = parametersOnHexFace(face, at);
+  vec3 place = mix(mix(p0, p1, at.x), mix(p3, p2, at.x), at.y);
+  vec3 one = p2 - p0;
+  vec3 other = p3 - p1;
+  isAside = dot(place.xy, place.xy) > LeastAside * (dot(one, one) + dot(other, other));
+  return isAside ? walkDepth : place.z;
 }
 
 // Bit by bit the faces that the ray leaves by, and those that it enters by.
@@ -258,11 +340,15 @@ void crossHexahedron()
 #endif
   }
   ivec2 faces = windHexahedron(ids);
+#if RELEVO_FOLDED
+  int allFaces = faces.x + faces.y;
+#endif
   int exit = -1;
   float end = FarOutside;
   float begin = FarOutside;
   vec3 leftAt = vec3(0.5);
   vec3 enteredAt = vec3(0.5);
+  bool isEnteredAside = false;
   // Mostly one of each; a cell that is not convex may be left several times.
   while (faces.x + faces.y > 0)
   {
@@ -270,7 +356,8 @@ void crossHexahedron()
     int face = highestBit(isExit ? faces.x : faces.y);
     faces -= isExit ? ivec2(1 << face, 0) : ivec2(0, 1 << face);
     vec3 parameters;
-    float depth = crossHexFace(face, parameters);
+    bool isAside;
+    float depth = crossHexFace(face, parameters, isAside);
     if (isExit && (exit < 0 || rankExit(depth) < rankExit(end)))
     {
       exit = face;
@@ -281,17 +368,73 @@ void crossHexahedron()
     {
       begin = depth;
       enteredAt = parameters;
+      isEnteredAside = isAside;
     }
   }
+#if RELEVO_FOLDED
+  for (int face = 0; face < 6; ++face)
+  {
+    if (((allFaces >> face) & 1) != 0)
+    {
+      continue;
+    }
+    vec3 p0;
+    vec3 p1;
+    vec3 p2;
+    vec3 p3;
+    getHexFace(face, p0, p1, p2, p3);
+    foldBilinear(p0.xy, p1.xy, p2.xy, p3.xy);
+    // The corners of these are in turn as seen from outside.
+    float way = face == 1 || face == 2 || face == 5 ? 1.0 : -1.0;
+    for (int i = 0; i < foldCount; ++i)
+    {
+      vec2 at = foldPlaces[i].xy;
+      float depth = mix(mix(p0.z, p1.z, at.x), mix(p3.z, p2.z, at.x), at.y);
+      if (way * foldTurns[i] > 0.0)
+      {
+        if (isAhead(depth) && (exit < 0 || depth < rankExit(end)))
+        {
+          exit = face;
+          end = depth;
+          leftAt = parametersOnHexFace(face, at);
+        }
+      }
+      else if (abs(depth - walkDepth) < abs(begin - walkDepth))
+      {
+        begin = depth;
+        enteredAt = parametersOnHexFace(face, at);
+        isEnteredAside = false;
+      }
+    }
+  }
+#endif
   end = exit < 0 ? walkDepth : max(end, walkDepth);
+  float to = end;
 #if !RELEVO_CELL_SCALARS
   findHexTerms();
+  if (isEnteredAside)
+  {
+    enteredAt = parametersInHexahedron(walkDepth, vec3(0.5));
+  }
+#if RELEVO_PYRAMIDS
+#define seekInside(depth, guess) \
+  (isPyramid ? parametersInPyramid(depth) : parametersInHexahedron(depth, guess))
+  bool isPyramid = ids[4] == ids[5] && ids[5] == ids[6];
+  if (isPyramid)
+  {
+    enteredAt = parametersInPyramid(walkDepth);
+    to = findPyramidSpan(enteredAt.z, parametersInPyramid(end).z, end);
+    leftAt = parametersInPyramid(to);
+  }
+#else
+#define seekInside(depth, guess) parametersInHexahedron(depth, guess)
+#endif
   cubic[0] = trilinear(corners, enteredAt);
-  vec3 one = parametersInHexahedron(
-    mix(walkDepth, end, 1.0 / 3.0), mix(enteredAt, leftAt, 1.0 / 3.0));
+  vec3 one = seekInside(
+    mix(walkDepth, to, 1.0 / 3.0), mix(enteredAt, leftAt, 1.0 / 3.0));
   cubic[1] = trilinear(corners, one);
-  vec3 two = parametersInHexahedron(
-    mix(walkDepth, end, 2.0 / 3.0), mix(enteredAt, leftAt, 2.0 / 3.0));
+  vec3 two = seekInside(
+    mix(walkDepth, to, 2.0 / 3.0), mix(enteredAt, leftAt, 2.0 / 3.0));
   cubic[2] = trilinear(corners, two);
   cubic[3] = trilinear(corners, leftAt);
 #if RELEVO_STEEPNESS || RELEVO_LIT
@@ -328,9 +471,13 @@ void crossHexahedron()
     }
   }
 #endif
-  beginCurved(end);
-  walkDepth = end;
-  walkCell = exit < 0 ? Nothing : wordOfCell(walkCell, FirstBehind + exit);
+  beginCurved(to);
+  walkDepth = to;
+  if (to < end)
+  {
+    return; // the rest of the cell is next
+  }
+  leaveTo(exit);
   if (walkCell != Nothing && !isCurvedCell(walkCell))
   {
     // Of the four corners two are one.
@@ -380,6 +527,15 @@ vec3 parametersInQuadratic(float depth, vec3 p)
   return clamp(p, vec3(0.0), vec3(1.0));
 }
 
+#if RELEVO_FOLDED
+// Whether the cell behind a folded face can be walked through: a tetrahedron has no folds.
+bool leadsOn(int face)
+{
+  uint next = wordOfCell(walkCell, FirstBehind + face);
+  return next == Nothing || isCurvedCell(next);
+}
+#endif
+
 void loadQuadraticFace(uint ids[10], int face, out Corner border[6])
 {
   for (int i = 0; i < 6; ++i)
@@ -414,6 +570,29 @@ void crossQuadraticCell()
   {
     loadQuadraticFace(ids, face, border);
     int winding = windingOf(border, 6);
+#if RELEVO_FOLDED
+    foldQuadratic(border, winding);
+    for (int i = 0; i < foldCount; ++i)
+    {
+      float at = depthOnFace(true, border, foldPlaces[i]);
+      bool isExit = foldTurns[i] > 0.0;
+      if (isExit && isAhead(at) && leadsOn(face) && (exit < 0 || at < rankExit(end)))
+      {
+        exit = face;
+        end = at;
+        leftAt = parametersOnFace(true, face, foldPlaces[i]);
+      }
+      if (!isExit && abs(at - walkDepth) < abs(begin - walkDepth))
+      {
+        begin = at;
+        enteredAt = parametersOnFace(true, face, foldPlaces[i]);
+      }
+    }
+    if (foldCount > 0)
+    {
+      continue;
+    }
+#endif
     vec3 parameters;
     float depth = crossFace(true, face, border, parameters);
     if (winding > 0 && (exit < 0 || rankExit(depth) < rankExit(end)))
@@ -471,7 +650,7 @@ void crossQuadraticCell()
 #endif
   beginCurved(end);
   walkDepth = end;
-  walkCell = exit < 0 ? Nothing : wordOfCell(walkCell, FirstBehind + exit);
+  leaveTo(exit);
   if (walkCell != Nothing && !isCurvedCell(walkCell))
   {
     loadQuadraticFace(ids, exit, border);

@@ -16,9 +16,13 @@ void main()
   initializeRay();
   Entry entry = Entry(0.0, -1, 0u, Corner(0u, vec3(0.0)), Corner(0u, vec3(0.0)),
     Corner(0u, vec3(0.0)), vec3(0.0));
-  if (!enters(face, entry))
+  if (!enters(face, -1e30, -1, entry))
   {
     discard;
   }
-  gl_FragData[0] = vec4(float(face), 1.0, 0.0, 0.0);
+  float count = 1.0;
+#if RELEVO_FOLDED
+  count += enters(face, entry.depth, face, entry) ? 1.0 : 0.0;
+#endif
+  gl_FragData[0] = vec4(count * float(face), count, 0.0, 0.0);
 }

@@ -84,7 +84,10 @@ vec2 crossBilinear(vec2 p0, vec2 p1, vec2 p2, vec2 p3)
     float v = i == 0 ? constant / q : q / square;
     vec2 way = b + v * d;
     float u = -dot(p0 + v * c, way) / dot(way, way);
-    float distance = max(abs(u - 0.5), abs(v - 0.5));
+    // Where a side is a point, rounding may take the point for a hit.
+    vec2 miss = p0 + v * c + u * way;
+    float distance = max(abs(u - 0.5), abs(v - 0.5)) +
+      1e4 * dot(miss, miss) / (dot(b, b) + dot(c, c) + dot(d, d));
     if (distance < outside) // false for what is no number
     {
       outside = distance;
@@ -93,6 +96,55 @@ vec2 crossBilinear(vec2 p0, vec2 p1, vec2 p2, vec2 p3)
   }
   return clamp(best, vec2(0.0), vec2(1.0));
 }
+
+#if RELEVO_FOLDED
+// Where a ray goes through a face that it sees folded, as a bulging one at its silhouette: through
+// it and back, which the face's border does not tell.
+const float LeastFold = 1e-5; // of the face's size: less is rounding
+
+int foldCount;
+vec3 foldPlaces[4];  // shares of sides, or of the corners of a quadratic face
+float foldTurns[4]; // more than 0 where the face, corners in turn, is seen against the clock
+
+bool isShare(float x)
+{
+  return x >= -LeastFold && x <= 1.0 + LeastFold;
+}
+
+// Of a bilinear face whose border does not go around the ray: none, or two.
+void foldBilinear(vec2 p0, vec2 p1, vec2 p2, vec2 p3)
+{
+  foldCount = 0;
+  vec2 b = p1 - p0;
+  vec2 c = p3 - p0;
+  vec2 d = p2 - p1 - c;
+  // How the face is turned is linear in its shares.
+  vec3 turn = vec3(cross2(b, c), cross2(b, d), cross2(d, c));
+  float low = turn.x + min(turn.y, 0.0) + min(turn.z, 0.0);
+  float high = turn.x + max(turn.y, 0.0) + max(turn.z, 0.0);
+  float least = LeastFold * (dot(b, b) + dot(c, c) + dot(d, d));
+  float square = cross2(c, d);
+  float linear = cross2(p0, d) + cross2(c, b);
+  float constant = cross2(p0, b);
+  float root = linear * linear - 4.0 * square * constant;
+  if (low > -least || high < least || !(root > 0.0))
+  {
+    return;
+  }
+  float q = -0.5 * (linear + (linear < 0.0 ? -1.0 : 1.0) * sqrt(root));
+  bool areInside = true;
+  for (int i = 0; i < 2; ++i)
+  {
+    float v = i == 0 ? constant / q : q / square;
+    vec2 way = b + v * d;
+    float u = -dot(p0 + v * c, way) / dot(way, way);
+    areInside = areInside && isShare(u) && isShare(v);
+    foldPlaces[i] = vec3(clamp(vec2(u, v), vec2(0.0), vec2(1.0)), 0.0);
+    foldTurns[i] = turn.x + u * turn.y + v * turn.z;
+  }
+  foldCount = areInside && foldTurns[0] * foldTurns[1] < 0.0 ? 2 : 0;
+}
+#endif
 
 vec3 placeOnQuadratic(Corner border[6], vec3 w)
 {
@@ -136,26 +188,95 @@ vec3 crossQuadraticFace(Corner border[6])
   return w / (w.x + w.y + w.z);
 }
 
+#if RELEVO_FOLDED && RELEVO_QUADRATIC
+// Of a quadratic face, by Newton's method from places all over it. All hits are found together, or
+// none: their turns have to add up to how often the border goes around the ray.
+void foldQuadratic(Corner border[6], int winding)
+{
+  foldCount = 0;
+  vec2 c = border[0].at.xy;
+  vec2 cu = 4.0 * border[1].at.xy - 3.0 * c - border[2].at.xy;
+  vec2 cv = 4.0 * border[5].at.xy - 3.0 * c - border[4].at.xy;
+  vec2 cuu = 2.0 * (c + border[2].at.xy) - 4.0 * border[1].at.xy;
+  vec2 cvv = 2.0 * (c + border[4].at.xy) - 4.0 * border[5].at.xy;
+  vec2 cuv = 4.0 * (c + border[3].at.xy - border[1].at.xy - border[5].at.xy);
+#define turnAt(u, v) cross2(cu + 2.0 * (u) * cuu + (v) * cuv, cv + (u) * cuv + 2.0 * (v) * cvv)
+  vec3 ends = vec3(turnAt(0.0, 0.0), turnAt(1.0, 0.0), turnAt(0.0, 1.0));
+  vec3 middles = 2.0 * vec3(turnAt(0.5, 0.0), turnAt(0.5, 0.5), turnAt(0.0, 0.5)) -
+    0.5 * (ends + ends.yzx);
+  vec3 low = min(ends, middles);
+  vec3 high = max(ends, middles);
+  float least = LeastFold * (dot(cu, cu) + dot(cv, cv) + dot(cuu, cuu) + dot(cvv, cvv));
+  if (min(min(low.x, low.y), low.z) > -least || max(max(high.x, high.y), high.z) < least)
+  {
+    return;
+  }
+  int sum = 0;
+  for (int start = 0; start < 16 && foldCount < 4; ++start)
+  {
+    vec2 at = (vec2(float(start % 4), float(start / 4)) + vec2(0.45, 0.4)) / 4.0;
+    at = at.x + at.y > 1.0 ? vec2(1.0) - at : at;
+    float size = 1.0;
+    for (int i = 0; i < 8 && size > 1e-4 && size < 4.0; ++i)
+    {
+      vec2 du = cu + 2.0 * at.x * cuu + at.y * cuv;
+      vec2 dv = cv + at.x * cuv + 2.0 * at.y * cvv;
+      vec2 miss = c + at.x * (cu + at.x * cuu + at.y * cuv) + at.y * (cv + at.y * cvv);
+      vec2 move = vec2(-cross2(miss, dv), -cross2(du, miss)) / cross2(du, dv);
+      at += move;
+      size = abs(move.x) + abs(move.y);
+    }
+    float turn = turnAt(at.x, at.y);
+    bool isNew = size <= 1e-4 && isShare(at.x) && isShare(at.y) && isShare(at.x + at.y);
+    for (int i = 0; i < foldCount; ++i)
+    {
+      vec2 apart = abs(foldPlaces[i].yz - at);
+      isNew = isNew && (apart.x + apart.y > 1e-2 || turn * foldTurns[i] < 0.0);
+    }
+    if (isNew)
+    {
+      foldPlaces[foldCount] = clamp(vec3(1.0 - at.x - at.y, at), vec3(0.0), vec3(1.0));
+      foldTurns[foldCount] = turn;
+      sum += turn > 0.0 ? 1 : -1;
+      ++foldCount;
+    }
+  }
+#undef turnAt
+  foldCount = sum == winding ? foldCount : 0;
+}
+#endif
+
+// The cell's parameters at a place on a face.
+vec3 parametersOnFace(bool isQuadratic, int face, vec3 at)
+{
+  // Faces are 0 1 3, 1 2 3, 2 0 3 and 0 2 1.
+  vec3 quadratic = face == 0 ? vec3(at.y, 0.0, at.z)
+    : face == 1              ? at
+    : face == 2              ? vec3(0.0, at.x, at.z)
+                             : vec3(at.z, at.y, 0.0);
+  vec3 hexahedron = face == 0 ? vec3(0.0, at.y, at.x)
+    : face == 1               ? vec3(1.0, at.x, at.y)
+    : face == 2               ? vec3(at.x, 0.0, at.y)
+    : face == 3               ? vec3(at.y, 1.0, at.x)
+    : face == 4               ? vec3(at.y, at.x, 0.0)
+                              : vec3(at.x, at.y, 1.0);
+  return isQuadratic ? quadratic : hexahedron;
+}
+
+float depthOnFace(bool isQuadratic, Corner border[6], vec3 at)
+{
+  return isQuadratic
+    ? placeOnQuadratic(border, at).z
+    : mix(mix(border[0].at.z, border[1].at.z, at.x), mix(border[3].at.z, border[2].at.z, at.x),
+        at.y);
+}
+
 // Where the ray goes through a face: the depth, and the cell's parameters there.
 float crossFace(bool isQuadratic, int face, Corner border[6], out vec3 parameters)
 {
-  if (isQuadratic)
-  {
-    vec3 w = crossQuadraticFace(border);
-    // Faces are 0 1 3, 1 2 3, 2 0 3 and 0 2 1.
-    parameters = face == 0 ? vec3(w.y, 0.0, w.z)
-      : face == 1          ? vec3(w.x, w.y, w.z)
-      : face == 2          ? vec3(0.0, w.x, w.z)
-                           : vec3(w.z, w.y, 0.0);
-    return placeOnQuadratic(border, w).z;
-  }
-  vec2 at = crossBilinear(border[0].at.xy, border[1].at.xy, border[2].at.xy, border[3].at.xy);
-  parameters = face == 0 ? vec3(0.0, at.y, at.x)
-    : face == 1          ? vec3(1.0, at.x, at.y)
-    : face == 2          ? vec3(at.x, 0.0, at.y)
-    : face == 3          ? vec3(at.y, 1.0, at.x)
-    : face == 4          ? vec3(at.y, at.x, 0.0)
-                         : vec3(at.x, at.y, 1.0);
-  return mix(mix(border[0].at.z, border[1].at.z, at.x), mix(border[3].at.z, border[2].at.z, at.x),
-    at.y);
+  vec3 at = isQuadratic
+    ? crossQuadraticFace(border)
+    : vec3(crossBilinear(border[0].at.xy, border[1].at.xy, border[2].at.xy, border[3].at.xy), 0.0);
+  parameters = parametersOnFace(isQuadratic, face, at);
+  return depthOnFace(isQuadratic, border, at);
 }

@@ -55,6 +55,9 @@ Scalars interpolateScalars(vec3 weights)
 #if RELEVO_CURVED
 float curvedParts = 0.0; // that a cell is shown in
 float curvedNext = 0.0;  // of them
+#if RELEVO_FOLDED
+uint walkBefore = Nothing; // the cell that the walk has come from
+#endif
 #endif
 
 void enterMesh(Entry entry)
@@ -71,6 +74,9 @@ void enterMesh(Entry entry)
 #if RELEVO_CURVED
   curvedParts = 0.0;
   curvedNext = 0.0;
+#if RELEVO_FOLDED
+  walkBefore = Nothing;
+#endif
   if (isCurvedCell(walkCell))
   {
 #if !RELEVO_CELL_SCALARS

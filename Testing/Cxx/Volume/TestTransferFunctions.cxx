@@ -141,7 +141,7 @@ void FillComponents(vtkVolumeProperty* property, int components)
   }
 }
 
-// Colours mix by extinction at the ends of each part, and are linear between.
+// Colours mix by extinction at every place.
 void TestIndependent(RelevoCheck& check)
 {
   for (int components : { 2, 3, 4 })
@@ -159,6 +159,21 @@ void TestIndependent(RelevoCheck& check)
     }
     const dvec4 seen = functions.Integrate(front, back, 2.0);
     CHECK_NEAR(seen.w, 1.0 - std::exp(-depth), 1e-6);
+    const Optics mixed = [&](const Scalars& s)
+    {
+      dvec4 sum(0.0);
+      for (int i = 0; i < components; ++i)
+      {
+        const dvec4 optics = GetOptics(property, i, s[i]);
+        sum += optics.w * dvec4(dvec3(optics), 1.0);
+      }
+      return sum.w > 0.0 ? dvec4(dvec3(sum) / sum.w, sum.w) : sum;
+    };
+    for (const double length : { 2.0, 20.0 })
+    {
+      CheckSame(
+        check, functions.Integrate(front, back, length), Sum(mixed, front, back, length), 1e-4);
+    }
     // The same scalars all along: the mean of colours.
     const dvec4 here = functions.Integrate(back, back, 2.0);
     dvec4 mean(0.0);

@@ -6,6 +6,8 @@
 #include "RelevoVolumes.h"
 
 #include "vtkCellData.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkContourValues.h"
 #include "vtkDoubleArray.h"
 #include "vtkExecutive.h"
 #include "vtkImageData.h"
@@ -193,6 +195,81 @@ void TestBroken(RelevoCheck& check)
   }
 }
 
+// A skin and a block without the array beside a solid one, which is seen as if it were alone.
+void TestBlocks(RelevoCheck& check)
+{
+  Scene scene;
+  const std::vector<RelevoColor> alone = Cast(scene.Filter);
+  const auto blocks = MakeBlocksToLeaveOut(scene.Mesh);
+  scene.Filter->SetInputDataObject(blocks);
+  scene.Filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "field");
+  CHECK(scene.Draws(
+    "Block 1 (\"skin\") has no 3D cells; it is left out. Block 3 (\"air\") has no array "
+    "\"field\"; it is left out."));
+  CHECK(FindLargestDifference(Cast(scene.Filter), alone) < 1e-12);
+  // The array belongs to points in one block, to cells in the other.
+  auto* air = vtkDataSet::SafeDownCast(blocks->GetBlock(2));
+  vtkNew<vtkDoubleArray> ofCells;
+  ofCells->SetName("field");
+  ofCells->SetNumberOfTuples(air->GetNumberOfCells());
+  ofCells->Fill(1.0);
+  air->GetCellData()->AddArray(ofCells);
+  scene.Filter->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, "field");
+  CHECK(scene.Draws("Block 3 (\"air\") has no point array \"field\"; it is left out."));
+  CHECK(FindLargestDifference(Cast(scene.Filter), alone) < 1e-12);
+  scene.Filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "heat");
+  CHECK(scene.Fails("has no array \"heat\"; choose an array"));
+  blocks->RemoveBlock(2);
+  blocks->RemoveBlock(1);
+  CHECK(scene.Fails("none is 3D"));
+}
+
+// Functions with numbers that are not finite are an error.
+void TestNotFinite(RelevoCheck& check)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : { std::numeric_limits<double>::quiet_NaN(), infinity, -infinity })
+  {
+    Scene opacity;
+    double node[4] = { 0.5, bad, 0.5, 0.0 };
+    opacity.Property->GetScalarOpacity()->AddPoint(0.5, 0.5);
+    opacity.Property->GetScalarOpacity()->SetNodeValue(1, node);
+    CHECK(opacity.Fails("scalar opacity function with a number that is not finite at node 1"));
+    Scene color;
+    double rgb[6] = { 1.0, 0.5, bad, 0.5, 0.5, 0.0 };
+    color.Property->GetRGBTransferFunction()->SetNodeValue(1, rgb);
+    CHECK(color.Fails("colour function with a number that is not finite at node 1"));
+    Scene gradient;
+    gradient.Property->GetGradientOpacity()->AddPoint(0.0, 1.0);
+    gradient.Property->GetGradientOpacity()->AddPoint(0.5, 1.0);
+    gradient.Property->GetGradientOpacity()->SetNodeValue(1, node);
+    CHECK(gradient.Fails("gradient opacity function with a number that is not finite at node 1"));
+  }
+}
+
+// Isosurfaces that cannot be there.
+void TestSurfaces(RelevoCheck& check)
+{
+  Scene scene;
+  scene.Filter->IsoSurfacesOn();
+  scene.Property->GetIsoSurfaceValues()->SetValue(0, 0.5);
+  CHECK(scene.Draws(""));
+  scene.Property->GetIsoSurfaceValues()->SetValue(1, 7.0);
+  scene.Property->GetIsoSurfaceValues()->SetValue(2, std::numeric_limits<double>::quiet_NaN());
+  CHECK(scene.Draws("There are no isosurfaces of 7, nan: the array's values are from 0 to 1."));
+  scene.Filter->SetBlendModeToMaximumIntensity();
+  CHECK(scene.Draws(""));
+  scene.Filter->SetBlendModeToComposite();
+  vtkNew<vtkDoubleArray> ofCells;
+  ofCells->SetName("cells");
+  ofCells->SetNumberOfTuples(scene.Mesh->GetNumberOfCells());
+  ofCells->Fill(0.5);
+  scene.Mesh->GetCellData()->AddArray(ofCells);
+  scene.Filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "cells");
+  CHECK(scene.Draws("There are no isosurfaces: the array's values belong to cells"));
+}
+
 void TestMeshes(RelevoCheck& check)
 {
   Scene flat;
@@ -243,6 +320,9 @@ int TestVolumeRayCastFilterErrors(int, char*[])
   TestArrays(check);
   TestBroken(check);
   TestCells(check);
+  TestBlocks(check);
+  TestNotFinite(check);
+  TestSurfaces(check);
   TestMeshes(check);
   return check.GetResult();
 }

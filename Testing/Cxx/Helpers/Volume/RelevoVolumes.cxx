@@ -7,6 +7,7 @@
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
@@ -94,6 +95,28 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeTetrahedra(int n, const RelevoField& fi
     }
   }
   return mesh;
+}
+
+vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocksToLeaveOut(vtkUnstructuredGrid* solid)
+{
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  vtkNew<vtkUnstructuredGrid> skin;
+  skin->SetPoints(solid->GetPoints());
+  skin->GetPointData()->ShallowCopy(solid->GetPointData());
+  const vtkIdType corners[3] = { 0, 1, 2 };
+  skin->InsertNextCell(VTK_TRIANGLE, 3, corners);
+  const auto other = MakeTetrahedra(
+    1, [](const RelevoPoint&) { return 0.0; }, 2.0);
+  other->GetPointData()->GetArray(0)->SetName("other");
+  blocks->SetBlock(0, skin);
+  blocks->SetBlock(1, solid);
+  blocks->SetBlock(2, other);
+  const char* names[] = { "skin", "solid", "air" };
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    blocks->GetMetaData(i)->Set(vtkCompositeDataSet::NAME(), names[i]);
+  }
+  return blocks;
 }
 
 double GetTrilinear(const RelevoPoint& p)

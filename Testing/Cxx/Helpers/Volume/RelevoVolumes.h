@@ -6,6 +6,7 @@
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolumeProperty.h"
@@ -22,6 +23,9 @@ using RelevoField = std::function<double(const RelevoPoint&)>;
 // A cube from `low` to low + 1, of n^3 cubes of 6 tetrahedra each, with point scalars "field".
 vtkSmartPointer<vtkUnstructuredGrid> MakeTetrahedra(
   int n, const RelevoField& field, double low = 0.0);
+
+// Beside a mesh, block "solid", a surface, "skin", and "air", whose array has another name.
+vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocksToLeaveOut(vtkUnstructuredGrid* solid);
 
 // One voxel from 0 to 1, and a field that is not linear in it.
 double GetTrilinear(const RelevoPoint& at);

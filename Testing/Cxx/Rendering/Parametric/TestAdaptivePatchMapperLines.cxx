@@ -5,7 +5,9 @@
 #include "RelevoPatchScene.h"
 
 #include "vtkAdaptiveRefinement.h"
+#include "vtkCellData.h"
 #include "vtkCellType.h"
+#include "vtkDoubleArray.h"
 #include "vtkLookupTable.h"
 #include "vtkPointData.h"
 #include "vtkProperty.h"
@@ -77,6 +79,31 @@ void TestIsolines(RelevoCheck& check, double offset, double width)
   }
   scene.Mapper->ExactScalarsOff();
   CHECK(GetBlack(scene.Draw(), 150, 40, 265) == 0.0);
+}
+
+// Values of cells have none; it is said once.
+void TestIsolinesOfCells(RelevoCheck& check)
+{
+  auto grid = RelevoNewFlatGrid(2, 2);
+  vtkNew<vtkDoubleArray> numbers;
+  numbers->SetName("Numbers");
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+  {
+    numbers->InsertNextValue(static_cast<double>(i));
+  }
+  grid->GetCellData()->AddArray(numbers);
+  RelevoPatchScene scene(grid);
+  SetWhite(scene);
+  scene.Mapper->SetScalarModeToUseCellFieldData();
+  scene.Mapper->SelectColorArray("Numbers");
+  RelevoErrors errors(scene.Mapper);
+  scene.Draw();
+  CHECK(errors.None());
+  scene.Mapper->SetIsolineSpacing(0.5);
+  scene.Draw();
+  CHECK(errors.Warned("There are no isolines of \"Numbers\": its values belong to cells"));
+  scene.Draw();
+  CHECK(errors.None());
 }
 
 // Field = x on the square turned on the screen: as wide across the line, whichever way it runs.
@@ -175,6 +202,7 @@ int TestAdaptivePatchMapperLines(int, char*[])
     TestIsolines(check, 0.0, width);
     TestIsolines(check, 1000.0, width); // far from zero
   }
+  TestIsolinesOfCells(check);
   TestSlantedIsolines(check);
   for (int level : { 0, 2, 5 })
   {

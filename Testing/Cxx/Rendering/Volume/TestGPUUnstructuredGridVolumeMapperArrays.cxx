@@ -8,11 +8,13 @@
 
 #include "vtkCellData.h"
 #include "vtkColorTransferFunction.h"
+#include "vtkDoubleArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 #include "vtkPointDataToCellData.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkVolumeMapper.h"
 
 #include <limits>
 
@@ -45,6 +47,38 @@ void TestComponents(RelevoCheck& check)
           0.0, 1.0);
       }
     }
+  }
+}
+
+// A ray's colour changes from one component's to the other's where extinctions cross, in one piece.
+void TestMixture(RelevoCheck& check)
+{
+  const auto mesh = MakeTetrahedra(1, [](const RelevoPoint&) { return 0.0; });
+  vtkNew<vtkDoubleArray> both;
+  both->SetNumberOfComponents(2);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    const double z = mesh->GetPoint(i)[2];
+    both->InsertNextTuple2(z, 1.0 - z);
+  }
+  mesh->GetPointData()->SetScalars(both);
+  const auto property = MakeVolumeProperty(0.0, 0.3, 0.1);
+  vtkNew<vtkColorTransferFunction> green;
+  green->AddRGBPoint(0.0, 1.0, 1.0, 0.0);
+  green->AddRGBPoint(1.0, 0.0, 1.0, 0.0);
+  vtkNew<vtkPiecewiseFunction> rising;
+  rising->AddPoint(0.0, 0.0);
+  rising->AddPoint(1.0, 1.0);
+  property->SetColor(1, green);
+  property->SetScalarOpacity(1, rising);
+  property->SetScalarOpacityUnitDistance(1, 0.1);
+  RelevoVolumeScene scene(mesh, property, Width, Height);
+  for (int mode : { vtkVolumeMapper::COMPOSITE_BLEND, vtkVolumeMapper::ADDITIVE_BLEND })
+  {
+    scene.GetMapper()->SetBlendMode(mode);
+    CHECK_NEAR(
+      scene.Compare(0.0, [=](vtkVolumeRayCastFilter* filter) { filter->SetBlendMode(mode); }), 0.0,
+      1.0);
   }
 }
 
@@ -143,7 +177,7 @@ void TestSelection(RelevoCheck& check)
   }
 }
 
-// Where a scalar is no number, nothing is seen; blocks of one array, and with one where it is not.
+// Where a scalar is no number, nothing is seen. A block without the array is left out.
 void TestMissingScalars(RelevoCheck& check)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -163,7 +197,14 @@ void TestMissingScalars(RelevoCheck& check)
   blocks->Modified();
   RelevoErrors errors(scene.GetMapper());
   scene.Draw();
-  CHECK(errors.Said("has no array \"field\" in one of its blocks"));
+  CHECK(errors.Warned("Block 3 has no array \"field\"; it is left out."));
+  const auto byName = [](vtkVolumeRayCastFilter* filter)
+  { filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "field"); };
+  vtkObject::GlobalWarningDisplayOff(); // the filter's own
+  CHECK_NEAR(scene.Compare(0.001, byName), 0.0, 1.0);
+  vtkObject::GlobalWarningDisplayOn();
+  CHECK(scene.GetMapper()->GetNumberOfDrawnCells() > 0);
+  CHECK(scene.GetMapper()->GetNumberOfDrawnCells() < 6 * 64);
 }
 }
 
@@ -174,6 +215,7 @@ int TestGPUUnstructuredGridVolumeMapperArrays(int, char*[])
     [&]
     {
       TestComponents(check);
+      TestMixture(check);
       TestBytes(check);
       TestVectorModes(check);
       TestSelection(check);

@@ -4,6 +4,8 @@
 #include "RelevoCheck.h"
 #include "RelevoVolumeScene.h"
 
+#include "vtkCellData.h"
+#include "vtkContourValues.h"
 #include "vtkDoubleArray.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
@@ -148,6 +150,78 @@ void TestProperty(RelevoCheck& check)
   CHECK(errors.Warned("ScalarOpacityUnitDistance of 0"));
 }
 
+// Once, not in every frame; what is bad is not drawn.
+void TestNotFinite(RelevoCheck& check)
+{
+  RelevoVolumeScene scene(MakeTetrahedra(2, GetLinearField), MakeLinearProperty());
+  RelevoErrors errors(scene.GetMapper());
+  vtkPiecewiseFunction* opacity = scene.GetVolume()->GetProperty()->GetScalarOpacity();
+  double node[4] = { 1.0, std::numeric_limits<double>::quiet_NaN(), 0.5, 0.0 };
+  opacity->SetNodeValue(1, node);
+  CHECK(IsBlack(scene.Draw()));
+  CHECK(errors.Said("scalar opacity function with a number that is not finite at node 1"));
+  CHECK(IsBlack(scene.Draw()));
+  CHECK(errors.None());
+  opacity->Modified();
+  CHECK(IsBlack(scene.Draw()));
+  CHECK(errors.Said("not finite"));
+  node[1] = 1.0;
+  opacity->SetNodeValue(1, node);
+  CHECK(!IsBlack(scene.Draw()));
+  CHECK(errors.None());
+}
+
+void TestBlocks(RelevoCheck& check)
+{
+  const auto mesh = MakeTetrahedra(2, GetLinearField);
+  const auto blocks = MakeBlocksToLeaveOut(mesh);
+  RelevoVolumeScene scene(blocks, MakeLinearProperty());
+  scene.GetMapper()->SetScalarModeToUsePointFieldData();
+  scene.GetMapper()->SelectScalarArray("field");
+  RelevoErrors errors(scene.GetMapper());
+  const auto drawn = scene.Draw();
+  CHECK(errors.Warned(
+    "Block 1 (\"skin\") has no 3D cells; it is left out. Block 3 (\"air\") has no array "
+    "\"field\"; it is left out."));
+  scene.GetVolume()->GetProperty()->ShadeOn(); // builds the mesh anew
+  scene.Draw();
+  CHECK(scene.GetMapper()->GetNumberOfBufferBuilds() == 2);
+  CHECK(errors.None());
+  scene.GetVolume()->GetProperty()->ShadeOff();
+  CHECK(scene.GetMapper()->GetNumberOfDrawnCells() == mesh->GetNumberOfCells());
+  scene.GetMapper()->SetInputDataObject(mesh);
+  CHECK(FindLargestDifference(scene.Draw(), drawn) <= 1.0 / 255.0);
+}
+
+void TestSurfaces(RelevoCheck& check)
+{
+  const auto mesh = MakeTetrahedra(2, GetLinearField);
+  vtkNew<vtkDoubleArray> ofCells;
+  ofCells->SetName("cells");
+  ofCells->SetNumberOfTuples(mesh->GetNumberOfCells());
+  ofCells->Fill(0.5);
+  mesh->GetCellData()->AddArray(ofCells);
+  RelevoVolumeScene scene(mesh, MakeLinearProperty());
+  RelevoErrors errors(scene.GetMapper());
+  scene.GetMapper()->IsoSurfacesOn();
+  vtkContourValues* values = scene.GetVolume()->GetProperty()->GetIsoSurfaceValues();
+  values->SetValue(0, -2.0);
+  scene.Draw();
+  CHECK(errors.Warned("There is no isosurface of -2: the array's values are from 0 to 1."));
+  scene.Draw();
+  CHECK(errors.None());
+  values->SetValue(0, 0.5);
+  scene.Draw();
+  CHECK(errors.None());
+  scene.GetMapper()->SetScalarModeToUseCellFieldData();
+  scene.GetMapper()->SelectScalarArray("cells");
+  scene.Draw();
+  CHECK(errors.Warned("There are no isosurfaces: the array's values belong to cells"));
+  scene.GetMapper()->IsoSurfacesOff();
+  scene.Draw();
+  CHECK(errors.None());
+}
+
 void TestWindows(RelevoCheck& check)
 {
   RelevoVolumeScene scene(MakeTetrahedra(2, GetLinearField), MakeLinearProperty(), 1, 1);
@@ -165,6 +239,9 @@ int TestGPUUnstructuredGridVolumeMapperErrors(int, char*[])
   TestCells(check);
   TestNodes(check);
   TestProperty(check);
+  TestNotFinite(check);
+  TestBlocks(check);
+  TestSurfaces(check);
   TestWindows(check);
   return check.GetResult();
 }
