@@ -141,7 +141,7 @@ RandomGrid::RandomGrid(Dice& dice)
     }
     this->Insert(cell);
   }
-  if (!spoilsCell && size > 0 && dice.Once(3))
+  if (!spoilsCell && !this->Cells.empty() && dice.Once(3))
   {
     this->SpoilGrid();
   }
