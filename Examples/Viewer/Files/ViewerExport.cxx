@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/ViewerExport.h"
 
+#include "Core/WriteFile.h"
 #include "Files/ViewerFile.h"
 #include "Text/ViewerMessages.h"
 
@@ -14,13 +15,11 @@
 #include "vtkSTLWriter.h"
 #include "vtkXMLPolyDataWriter.h"
 
-#include <cerrno>
-#include <filesystem>
+#include <cstdint>
 #include <fstream>
 #include <functional>
 #include <map>
 #include <sstream>
-#include <system_error>
 
 namespace
 {
@@ -34,37 +33,11 @@ void SetBinary(vtkAlgorithm*)
 {
 }
 
-[[noreturn]] void Fail(const std::string& fileName, const std::string& why)
-{
-  throw ViewerError("cannot write " + fileName + ": " + why);
-}
-
-void WriteText(const std::string& text, const std::string& fileName)
-{
-  errno = 0;
-  std::ofstream file(fileName, std::ios::binary);
-  file.write(text.data(), static_cast<std::streamsize>(text.size()));
-  file.close();
-  if (!file)
-  {
-    Fail(fileName, std::generic_category().message(errno != 0 ? errno : EIO));
-  }
-}
-
-// VTK's writers of PLY and OBJ do not notice that a disk is full: what they wrote is checked. A
-// device is not read back.
-[[noreturn]] void FailShort(const std::string& fileName)
-{
-  Fail(fileName, "the file is incomplete; the disk may be full");
-}
+// VTK's writers do not notice every full disk: each check looks at what was written.
 
 // As long as its header says.
-void CheckWritten(vtkPLYWriter*, vtkPolyData* mesh, const std::string& fileName)
+bool IsWhole(vtkPLYWriter*, vtkPolyData* mesh, const std::string& fileName)
 {
-  if (!std::filesystem::is_regular_file(fileName))
-  {
-    return;
-  }
   const std::map<std::string, int> sizes = { { "float", 4 }, { "int", 4 }, { "uchar", 1 } };
   std::ifstream file(fileName, std::ios::binary);
   std::streamoff count = 0; // of the element whose properties follow
@@ -91,19 +64,12 @@ void CheckWritten(vtkPLYWriter*, vtkPolyData* mesh, const std::string& fileName)
   }
   const std::streamoff header = file.tellg();
   file.seekg(0, std::ios::end);
-  if (!file || file.tellg() - header < size)
-  {
-    FailShort(fileName);
-  }
+  return file && file.tellg() - header >= size;
 }
 
 // One line for each point, polygon and line; the last of them is whole.
-void CheckWritten(vtkOBJWriter*, vtkPolyData* mesh, const std::string& fileName)
+bool IsWhole(vtkOBJWriter*, vtkPolyData* mesh, const std::string& fileName)
 {
-  if (!std::filesystem::is_regular_file(fileName))
-  {
-    return;
-  }
   std::map<std::string, vtkIdType> counts;
   std::ifstream file(fileName);
   bool endsWhole = false;
@@ -112,36 +78,45 @@ void CheckWritten(vtkOBJWriter*, vtkPolyData* mesh, const std::string& fileName)
     ++counts[line.substr(0, line.find(' '))];
     endsWhole = !file.eof();
   }
-  if (!endsWhole || counts["v"] != mesh->GetNumberOfPoints() ||
-    counts["f"] < mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() ||
-    counts["l"] != mesh->GetNumberOfLines())
-  {
-    FailShort(fileName);
-  }
+  return endsWhole && counts["v"] == mesh->GetNumberOfPoints() &&
+    counts["f"] >= mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() &&
+    counts["l"] == mesh->GetNumberOfLines();
 }
 
-void CheckWritten(vtkAlgorithm*, vtkPolyData*, const std::string&)
+// A header, and 50 bytes for each triangle, which the header counts.
+bool IsWhole(vtkSTLWriter*, vtkPolyData*, const std::string& fileName)
 {
+  std::ifstream file(fileName, std::ios::binary);
+  unsigned char count[4] = {};
+  file.seekg(80);
+  file.read(reinterpret_cast<char*>(count), 4);
+  std::uintmax_t triangles = 0;
+  for (int i = 0; i < 4; ++i)
+  {
+    triangles |= static_cast<std::uintmax_t>(count[i]) << (8 * i);
+  }
+  file.seekg(0, std::ios::end);
+  return file && static_cast<std::uintmax_t>(file.tellg()) == 84 + 50 * triangles;
 }
 
-// Whether it was written.
+bool IsWhole(vtkXMLPolyDataWriter*, vtkPolyData*, const std::string& fileName)
+{
+  return relevo::IsWholeXML(fileName);
+}
+
+// Why it was not written, or "".
 template <typename Writer>
-bool Write(vtkPolyData* mesh, const std::string& fileName, ViewerMessages& messages)
+std::string Write(vtkPolyData* mesh, const std::string& fileName, ViewerMessages& messages)
 {
   vtkNew<Writer> writer;
   SetBinary(writer.Get());
-  messages.Observe(writer, "writing");
+  messages.ObserveProgress(writer, "writing");
   writer->SetInputData(mesh);
-  writer->SetFileName(fileName.c_str());
-  if (writer->Write() != 1 || writer->GetErrorCode() != 0)
-  {
-    return false;
-  }
-  CheckWritten(writer.Get(), mesh, fileName);
-  return true;
+  return relevo::WriteFile(fileName, writer.Get(),
+    [&](const std::string& written) { return IsWhole(writer.Get(), mesh, written); });
 }
 
-using Function = std::function<bool(vtkPolyData*, const std::string&, ViewerMessages&)>;
+using Function = std::function<std::string(vtkPolyData*, const std::string&, ViewerMessages&)>;
 const std::map<std::string, Function>& GetWriters()
 {
   static const std::map<std::string, Function> writers = {
@@ -168,12 +143,9 @@ std::vector<std::string> GetExportExtensions()
 //------------------------------------------------------------------------------
 void WriteMesh(vtkPolyData* mesh, const std::string& fileName, ViewerMessages& messages)
 {
-  // Some of VTK's writers say nothing where the file cannot be opened or has no room.
-  WriteText(" ", fileName);
-  const bool isWritten = GetWriters().at(GetExtension(fileName))(mesh, fileName, messages);
-  messages.Check();
-  if (!isWritten)
+  const std::string fault = GetWriters().at(GetExtension(fileName))(mesh, fileName, messages);
+  if (!fault.empty())
   {
-    throw ViewerError("cannot write " + fileName);
+    throw ViewerError("cannot write " + fileName + ": " + fault);
   }
 }

@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/ViewerFile.h"
 
+#include "Core/AtomicFile.h"
 #include "Text/ViewerMessages.h"
 
 #include <vtksys/SystemTools.hxx>
 
-#include <cerrno>
 #include <filesystem>
 #include <fstream>
-#include <system_error>
-#include <unistd.h>
 
 namespace
 {
@@ -30,23 +28,6 @@ std::string GetInputError(const std::string& fileName)
                                                        : "";
 }
 
-// Why a file can neither be made nor replaced, "" where it can.
-std::string GetOutputError(const std::filesystem::path& file)
-{
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  std::error_code unknown;
-  if (!std::filesystem::is_directory(folder, unknown))
-  {
-    return "there is no folder " + folder.string();
-  }
-  if (std::filesystem::is_directory(file, unknown))
-  {
-    return "it is a folder";
-  }
-  const bool canWrite = access(file.c_str(), W_OK) == 0 ||
-    (errno == ENOENT && access(folder.c_str(), W_OK | X_OK) == 0);
-  return canWrite ? "" : std::generic_category().message(errno);
-}
 }
 
 //------------------------------------------------------------------------------
@@ -74,7 +55,7 @@ bool CanRead(const std::string& fileName)
 //------------------------------------------------------------------------------
 void CheckOutput(const std::string& fileName)
 {
-  const std::string error = GetOutputError(fileName);
+  const std::string error = relevo::AtomicFile::FindFault(fileName);
   if (!error.empty())
   {
     throw ViewerError("cannot write " + fileName + ": " + error);

@@ -2,27 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/ViewerPicture.h"
 
+#include "Core/WriteFile.h"
 #include "Text/ViewerMessages.h"
 
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkRenderWindow.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkWindowToImageFilter.h"
 
 //------------------------------------------------------------------------------
-void WritePicture(vtkRenderWindow* window, const std::string& fileName, ViewerMessages& messages)
+void WritePicture(vtkRenderWindow* window, const std::string& fileName, ViewerMessages& messages,
+  relevo::AtomicFile::OldFile oldFile)
 {
   vtkNew<vtkWindowToImageFilter> picture;
   picture->SetInput(window);
   picture->ReadFrontBufferOff();
   picture->ShouldRerenderOff();
   vtkNew<vtkPNGWriter> writer;
-  messages.Observe(writer, "writing");
+  messages.ObserveProgress(writer, "writing");
   writer->SetInputConnection(picture->GetOutputPort());
-  writer->SetFileName(fileName.c_str());
-  writer->Write();
-  if (writer->GetErrorCode() != 0)
+  relevo::AtomicFile file(fileName);
+  relevo::WritePNG(file, writer.Get());
+  if (!file.Commit(oldFile))
   {
-    throw ViewerError("cannot write " + fileName);
+    throw ViewerError("cannot write " + fileName + ": " + file.GetFault());
   }
 }

@@ -6,12 +6,15 @@
 #ifndef ViewerPicture_h
 #define ViewerPicture_h
 
+#include "Core/AtomicFile.h"
+
 #include <string>
 
 class vtkRenderWindow;
 class ViewerMessages;
 
 /// Writes a PNG; throws ViewerError.
-void WritePicture(vtkRenderWindow* window, const std::string& fileName, ViewerMessages& messages);
+void WritePicture(vtkRenderWindow* window, const std::string& fileName, ViewerMessages& messages,
+  relevo::AtomicFile::OldFile oldFile = relevo::AtomicFile::OldFile::Replace);
 
 #endif

@@ -141,6 +141,12 @@ void ViewerMessages::ShowWarnings()
 void ViewerMessages::Observe(vtkObject* object, const std::string& work)
 {
   this->Observe(object);
+  this->ObserveProgress(object, work);
+}
+
+//------------------------------------------------------------------------------
+void ViewerMessages::ObserveProgress(vtkObject* object, const std::string& work)
+{
   AddHandler(object, vtkCommand::StartEvent,
     [this, work](vtkObject*, void*)
     {

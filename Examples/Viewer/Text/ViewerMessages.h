@@ -43,6 +43,11 @@ public:
   void Observe(vtkObject* object, const std::string& work);
 
   /**
+   * Show the progress of an object alone, whose errors the caller collects.
+   */
+  void ObserveProgress(vtkObject* object, const std::string& work);
+
+  /**
    * Throw the errors of an object as ViewerError where they happen.
    */
   void ThrowErrorsOf(vtkObject* object);

@@ -11,8 +11,6 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 
-#include <cerrno>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <system_error>
@@ -36,8 +34,10 @@ void ViewerScreenshot::OnKey(vtkObject* caller, unsigned long, void*)
   }
   try
   {
-    const std::string fileName = this->MakeFile();
-    WritePicture(interactor->GetRenderWindow(), fileName, this->Messages);
+    const std::string fileName = this->FindName();
+    // Another window may have taken the name by now.
+    WritePicture(
+      interactor->GetRenderWindow(), fileName, this->Messages, relevo::AtomicFile::OldFile::Keep);
     std::cout << "picture: " << ToPrintable(fileName) << std::endl;
   }
   catch (const ViewerError& error)
@@ -48,20 +48,15 @@ void ViewerScreenshot::OnKey(vtkObject* caller, unsigned long, void*)
 }
 
 //------------------------------------------------------------------------------
-std::string ViewerScreenshot::MakeFile() const
+std::string ViewerScreenshot::FindName() const
 {
-  // Made before it is written, so that no other window takes the name.
   for (int number = 1;; ++number)
   {
     const std::string fileName = this->Stem + "-" + std::to_string(number) + ".png";
-    if (std::FILE* file = std::fopen(fileName.c_str(), "wx"))
+    std::error_code error;
+    if (!std::filesystem::exists(std::filesystem::symlink_status(fileName, error)))
     {
-      std::fclose(file);
       return fileName;
-    }
-    if (errno != EEXIST)
-    {
-      throw ViewerError("cannot write " + fileName + ": " + std::generic_category().message(errno));
     }
   }
 }

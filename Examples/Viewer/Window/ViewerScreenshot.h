@@ -24,7 +24,7 @@ public:
 
 private:
   void OnKey(vtkObject* caller, unsigned long event, void* data);
-  std::string MakeFile() const;
+  std::string FindName() const;
 
   std::string Stem;
   ViewerMessages& Messages;

@@ -3,6 +3,7 @@
 #include "Patterns/RefinementPatternFile.h"
 
 #include "Core/ErrorCollector.h"
+#include "Core/WriteFile.h"
 #include "Patterns/RefinementPatternGenerator.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -179,10 +180,7 @@ std::string WriteBinary(
     writer.Put(pattern->Vertices);
     writer.Put(pattern->Triangles);
   }
-  std::ofstream file(fileName, std::ios::binary);
-  file.write(writer.Bytes.data(), static_cast<std::streamsize>(writer.Bytes.size()));
-  file.close();
-  return file ? std::string() : std::string(fileName) + " cannot be written.";
+  return relevo::AtomicFile::Write(fileName, writer.Bytes);
 }
 
 std::string ReadBinary(
@@ -298,13 +296,9 @@ std::string WriteVTP(
   polyData->GetCellData()->AddArray(patternOfCell);
   polyData->GetFieldData()->AddArray(level);
 
-  std::string errors;
   vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->AddObserver(vtkCommand::ErrorEvent, relevo::NewErrorCollector(errors));
-  writer->SetFileName(fileName);
   writer->SetInputData(polyData);
-  return writer->Write() && errors.empty() ? std::string()
-                                           : std::string(fileName) + " cannot be written.";
+  return relevo::WriteFile(fileName, writer.Get(), relevo::IsWholeXML);
 }
 
 std::string ReadVTP(
@@ -402,8 +396,9 @@ std::string WritePatterns(
   {
     return "there is no file name.";
   }
-  return IsVTP(fileName) ? WriteVTP(fileName, maximumLevel, patterns)
-                         : WriteBinary(fileName, maximumLevel, patterns);
+  const std::string fault = IsVTP(fileName) ? WriteVTP(fileName, maximumLevel, patterns)
+                                            : WriteBinary(fileName, maximumLevel, patterns);
+  return fault.empty() ? "" : std::string(fileName) + " cannot be written: " + fault + ".";
 }
 
 std::string ReadPatterns(

@@ -1,0 +1,133 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""What relevo-view writes is the old file or the whole new one: on full disks and after signals.
+
+RELEVO_TEST_MOMENTS=50 sends each signal at that many moments for each kind of file.
+"""
+
+import os
+import random
+import shutil
+import signal
+import subprocess
+import time
+import unittest
+
+from ViewerProgram import PROGRAM, ViewerProgram
+from ViewerScenes import write_sphere
+
+MOMENTS = int(os.environ.get("RELEVO_TEST_MOMENTS", "1"))
+OLD = b"old"
+FILES = {  # of more than 64 kB
+    ".obj": ("--export", "--level=3"),
+    ".ply": ("--export", "--level=4"),
+    ".stl": ("--export", "--level=4"),
+    ".vtp": ("--export", "--level=4"),
+    ".png": ("--output", "--size=900x700", "--view=30,20"),
+}
+
+
+def is_temporary(name):
+    """A file that SIGKILL may leave."""
+    return name.startswith(".") and ".part" in name
+
+
+class TestViewerFiles(ViewerProgram):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.sphere = write_sphere(cls.folder)
+
+    def arguments(self, path):
+        option, *others = FILES[path.suffix]
+        return [str(PROGRAM), str(self.sphere), f"{option}={path}", *others]
+
+    def run_program(self, path):
+        return subprocess.run(self.arguments(path), capture_output=True, text=True, check=False)
+
+    def test_files_that_are_too_large(self):
+        folder = self.folder / "large"
+        folder.mkdir()
+        for extension in FILES:
+            path = folder / ("a" + extension)
+            path.write_bytes(OLD)
+            for blocks in (1, 8):
+                run = subprocess.run(
+                    ["bash", "-c", f'ulimit -f {blocks}; exec "$@"', "bash", *self.arguments(path)],
+                    capture_output=True,
+                    text=True,
+                    check=False,
+                )
+                self.assertEqual(run.returncode, 1, (extension, blocks, run))
+                self.assertEqual(
+                    run.stderr, f"relevo-view: error: cannot write {path}: {os.strerror(27)}\n"
+                )
+                self.assertEqual(path.read_bytes(), OLD)
+            self.assertEqual([file.name for file in folder.iterdir()], [path.name])
+            path.unlink()
+
+    def test_full_disk(self):
+        """As above, on a small disk of its own; the second file would fit without the first."""
+        folder = self.folder / "disk"
+        folder.mkdir()
+        mount = ["mount", "-t", "tmpfs", "-o", "size=64k", "tmpfs", str(folder)]
+        if not shutil.which("mount") or subprocess.run(mount, capture_output=True).returncode:
+            self.skipTest("no disk can be mounted")
+        try:
+            for extension in FILES:
+                path = folder / ("a" + extension)
+                path.write_bytes(OLD)
+                run = self.run_program(path)
+                self.assertEqual(run.returncode, 1, run)
+                self.assertEqual(
+                    run.stderr, f"relevo-view: error: cannot write {path}: {os.strerror(28)}\n"
+                )
+                self.assertEqual(path.read_bytes(), OLD)
+                self.assertEqual([file.name for file in folder.iterdir()], [path.name])
+                path.unlink()
+        finally:
+            subprocess.run(["umount", str(folder)], check=True)
+
+    def test_signals(self):
+        for extension in FILES:
+            folder = self.folder / ("signals" + extension)
+            folder.mkdir()
+            path = folder / ("a" + extension)
+            start = time.monotonic()
+            self.assertEqual(self.run_program(path).returncode, 0)
+            duration = time.monotonic() - start
+            new = path.read_bytes()
+            path.write_bytes(OLD)
+            path.chmod(0o640)
+            number_of_old = number_of_temporaries = 0
+            for number in (signal.SIGINT, signal.SIGTERM, signal.SIGKILL):
+                for _ in range(MOMENTS):
+                    with subprocess.Popen(
+                        self.arguments(path), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+                    ) as process:
+                        # Most of the time goes by before there is anything to write.
+                        time.sleep(duration * random.uniform(0.3, 1.0))
+                        process.send_signal(number)
+                        self.assertIn(process.wait(60), (0, -number))
+                    written = path.read_bytes()
+                    self.assertTrue(written in (OLD, new), (extension, number, len(written)))
+                    self.assertEqual(path.stat().st_mode & 0o777, 0o640)
+                    number_of_old += written == OLD
+                    names = {file.name for file in folder.iterdir()} - {path.name}
+                    if number == signal.SIGKILL:
+                        number_of_temporaries += len(names)
+                        self.assertTrue(all(map(is_temporary, names)), names)
+                        for name in names:
+                            (folder / name).unlink()
+                    else:
+                        self.assertEqual(names, set())
+                    path.write_bytes(OLD)
+            print(
+                f"{extension}: {3 * MOMENTS} signals, {number_of_old} times the old file, "
+                f"{3 * MOMENTS - number_of_old} times the new one, "
+                f"{number_of_temporaries} temporary files after SIGKILL"
+            )
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["TestViewerFiles"])
