@@ -3,6 +3,7 @@
 #include "vtkLineIntegralConvolution.h"
 
 #include "Core/ImageExtents.h"
+#include "Core/InputType.h"
 #include "Core/MemoryGuard.h"
 #include "Core/VTKCompatibility.h"
 #include "Image/ChosenNoise.h"
@@ -167,6 +168,10 @@ int vtkLineIntegralConvolution::RequestData(
   vtkImageData* input = vtkImageData::GetData(inputVector[0]);
   vtkImageData* output = vtkImageData::GetData(outputVector);
   output->Initialize();
+  if (!relevo::CheckInputTypes(this, inputVector))
+  {
+    return 0;
+  }
   int result = 0;
   if (!relevo::FitsMemory([&] { result = this->Convolve(inputVector, input, output); }))
   {

@@ -135,7 +135,7 @@ int vtkSurfaceLineIntegralConvolution::RequestInformation(
 int vtkSurfaceLineIntegralConvolution::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (!relevo::CheckInputType(this, inputVector[0]))
+  if (!relevo::CheckInputTypes(this, inputVector))
   {
     return 0;
   }

@@ -197,7 +197,7 @@ bool vtkAdaptiveCurveFilter::Build(vtkPointSet* input, const relevo::CurveMesh& 
 int vtkAdaptiveCurveFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (!relevo::CheckInputType(this, inputVector[0]))
+  if (!relevo::CheckInputTypes(this, inputVector))
   {
     return 0;
   }

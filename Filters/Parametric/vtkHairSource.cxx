@@ -168,7 +168,7 @@ bool vtkHairSource::Grow(vtkPolyData* input, vtkUnstructuredGrid* output)
 int vtkHairSource::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (!relevo::CheckInputType(this, inputVector[0]))
+  if (!relevo::CheckInputTypes(this, inputVector))
   {
     return 0;
   }

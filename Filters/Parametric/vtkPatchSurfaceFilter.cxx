@@ -83,7 +83,7 @@ void vtkPatchSurfaceFilter::RemoveShortArrays(vtkUnstructuredGrid* grid)
 int vtkPatchSurfaceFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (!relevo::CheckInputType(this, inputVector[0]))
+  if (!relevo::CheckInputTypes(this, inputVector))
   {
     return 0;
   }

@@ -129,7 +129,7 @@ int vtkAdaptiveRefinementFilter::RequestData(
   const auto refine = [&] {
     return this->Refine(vtkPolyData::GetData(inputVector[0]), vtkPolyData::GetData(outputVector));
   };
-  return relevo::CheckInputType(this, inputVector[0]) &&
+  return relevo::CheckInputTypes(this, inputVector) &&
       relevo::RequestWithinMemory(this, outputVector, "the coarse mesh", refine)
     ? 1
     : 0;

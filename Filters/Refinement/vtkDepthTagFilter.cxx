@@ -146,7 +146,7 @@ int vtkDepthTagFilter::RequestData(
   const auto add = [&] {
     return this->AddTags(vtkPolyData::GetData(inputVector[0]), vtkPolyData::GetData(outputVector));
   };
-  return relevo::CheckInputType(this, inputVector[0]) &&
+  return relevo::CheckInputTypes(this, inputVector) &&
       relevo::RequestWithinMemory(this, outputVector, "the levels of the mesh", add)
     ? 1
     : 0;

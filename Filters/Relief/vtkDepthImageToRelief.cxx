@@ -3,6 +3,7 @@
 #include "vtkDepthImageToRelief.h"
 
 #include "Core/ImageExtents.h"
+#include "Core/InputType.h"
 #include "Core/LatestTime.h"
 #include "Core/MemoryGuard.h"
 #include "Core/SettingChecks.h"
@@ -163,6 +164,10 @@ int vtkDepthImageToRelief::RequestData(
 {
   vtkImageData* output = vtkImageData::GetData(outputVector);
   output->Initialize();
+  if (!relevo::CheckInputTypes(this, inputVector))
+  {
+    return 0;
+  }
   std::string error;
   const auto build = [&]
   {

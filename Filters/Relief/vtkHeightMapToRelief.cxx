@@ -3,6 +3,7 @@
 #include "vtkHeightMapToRelief.h"
 
 #include "Core/ImageExtents.h"
+#include "Core/InputType.h"
 #include "Core/LatestTime.h"
 #include "Core/MemoryGuard.h"
 #include "Core/SettingChecks.h"
@@ -221,6 +222,10 @@ int vtkHeightMapToRelief::RequestData(
 {
   vtkImageData* output = vtkImageData::GetData(outputVector);
   output->Initialize();
+  if (!relevo::CheckInputTypes(this, inputVector))
+  {
+    return 0;
+  }
   std::string error = this->ReadHeights();
   const auto build = [&]
   { error = error.empty() ? this->Build(vtkImageData::GetData(inputVector[0]), output) : error; };

@@ -4,6 +4,7 @@
 
 #include "Core/CameraEye.h"
 #include "Core/ImageExtents.h"
+#include "Core/InputType.h"
 #include "Core/LatestTime.h"
 #include "Core/MemoryGuard.h"
 #include "Core/SettingChecks.h"
@@ -212,6 +213,10 @@ int vtkReliefWarper::RequestData(
 {
   vtkImageData* output = vtkImageData::GetData(outputVector);
   output->Initialize();
+  if (!relevo::CheckInputTypes(this, inputVector))
+  {
+    return 0;
+  }
   if (!this->Camera)
   {
     vtkErrorMacro("There is no camera: call SetCamera().");

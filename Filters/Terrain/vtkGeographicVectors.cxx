@@ -3,6 +3,7 @@
 #include "vtkGeographicVectors.h"
 
 #include "Core/ImageExtents.h"
+#include "Core/InputType.h"
 #include "Core/MemoryGuard.h"
 #include "Core/SettingChecks.h"
 #include "Core/VTKCompatibility.h"
@@ -251,6 +252,10 @@ int vtkGeographicVectors::Convert(vtkInformationVector** inputVector, vtkPolyDat
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
   vtkImageData* raster = vtkImageData::GetData(inputVector[1], 0);
   output->Initialize();
+  if (!relevo::CheckInputTypes(this, inputVector))
+  {
+    return 0;
+  }
 
   bool isOfRaster = raster != nullptr;
   vtkDataArray* array = this->ChooseArray(inputVector, isOfRaster);

@@ -16,10 +16,10 @@ class vtkInformationVector;
 
 namespace relevo
 {
-/// Whether the input of port 0 is of a type that the port requires: VTK asks this of the whole, not
-/// of each block. Else an ErrorEvent of the algorithm.
-RELEVOFILTERSREFINEMENT_EXPORT bool CheckInputType(
-  vtkAlgorithm* algorithm, vtkInformationVector* input);
+/// Whether the inputs of all ports are of a type that their port requires: VTK asks this of a whole
+/// data set, not of each block. Else an ErrorEvent of the algorithm.
+RELEVOFILTERSREFINEMENT_EXPORT bool CheckInputTypes(
+  vtkAlgorithm* algorithm, vtkInformationVector** inputs);
 }
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What vtkLineIntegralConvolution cannot convolve is an error of its own, in words that tell what
 // is wrong, with an empty output; once mended, it runs again.
+#include "RelevoBlocks.h"
 #include "RelevoCheck.h"
 #include "RelevoFlowImages.h"
 
@@ -10,6 +11,7 @@
 #include "vtkExecutive.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
 #include <limits>
@@ -235,6 +237,16 @@ void TestNoise(RelevoCheck& check)
     CHECK(!RunLIC(filter).empty());
   }
 }
+
+void TestBlocks(RelevoCheck& check)
+{
+  vtkNew<vtkLineIntegralConvolution> filter;
+  CHECK(RelevoRefusesBlock(
+    filter, 0, vtkNew<vtkPolyData>(), "The input is a vtkPolyData; a vtkImageData is needed."));
+  filter->SetInputData(MakeImage());
+  CHECK(RelevoRefusesBlock(filter, 1, vtkNew<vtkPolyData>(),
+    "The input of port 1 is a vtkPolyData; a vtkImageData is needed."));
+}
 }
 
 int TestLineIntegralConvolutionErrors(int, char*[])
@@ -244,5 +256,6 @@ int TestLineIntegralConvolutionErrors(int, char*[])
   TestInputs(check);
   TestArrays(check);
   TestNoise(check);
+  TestBlocks(check);
   return check.GetResult();
 }

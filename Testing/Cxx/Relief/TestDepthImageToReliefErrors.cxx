@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Depth images that cannot become reliefs: one ErrorEvent each, and an empty output.
+#include "RelevoBlocks.h"
 #include "RelevoCheck.h"
 #include "RelevoReliefs.h"
 
@@ -11,6 +12,8 @@
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
 
 namespace
 {
@@ -114,6 +117,16 @@ void TestCameras(RelevoCheck& check)
   ExpectError(check, filter, "The camera's matrices have no inverse");
 }
 
+void TestBlocks(RelevoCheck& check)
+{
+  const auto filter = MakeFilter();
+  CHECK(RelevoRefusesBlock(
+    filter, 0, vtkNew<vtkPolyData>(), "The input is a vtkPolyData; a vtkImageData is needed."));
+  filter->SetInputData(MakeDepths());
+  CHECK(RelevoRefusesBlock(
+    filter, 1, vtkNew<vtkTable>(), "The input of port 1 is a vtkTable; a vtkImageData is needed."));
+}
+
 void TestSettings(RelevoCheck& check)
 {
   const auto filter = MakeFilter();
@@ -134,6 +147,7 @@ int TestDepthImageToReliefErrors(int, char*[])
   TestImages(check);
   TestColors(check);
   TestCameras(check);
+  TestBlocks(check);
   TestSettings(check);
   return check.GetResult();
 }

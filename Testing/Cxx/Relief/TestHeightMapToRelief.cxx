@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Height maps of images as reliefs: places, colours, normals, what has no data, errors.
 #include "Data/Relief.h"
+#include "RelevoBlocks.h"
 #include "RelevoCheck.h"
 #include "RelevoReliefs.h"
 
@@ -12,6 +13,7 @@
 #include "vtkHeightMapToRelief.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 
 #include <cmath>
 
@@ -172,6 +174,8 @@ void TestErrors(RelevoCheck& check)
   ExpectError(check, filter, "The imagery is not n x m x 1 points with a colour each");
   filter->SetInputData(RelevoMakeImage(4, 3, VTK_INT, [](int, int) { return 0.0; }));
   ExpectError(check, filter, "Colours have 1 to 4 components");
+  CHECK(RelevoRefusesBlock(
+    filter, 0, vtkNew<vtkPolyData>(), "The input is a vtkPolyData; a vtkImageData is needed."));
   RelevoErrors errors(filter);
   filter->SetExaggeration(1e39);
   CHECK(errors.Said("Exaggeration must be in") && filter->GetExaggeration() == 1.0);

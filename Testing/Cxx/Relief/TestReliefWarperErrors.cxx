@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // What vtkReliefWarper refuses, eyes from which there is no picture, and numbers of any size.
+#include "RelevoBlocks.h"
 #include "RelevoCheck.h"
 #include "RelevoDice.h"
 #include "RelevoWarnings.h"
@@ -13,6 +14,7 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 
 #include <cmath>
 #include <limits>
@@ -79,6 +81,8 @@ void TestErrors(RelevoCheck& check)
   warper->SetInputData(image);
   warper->Update();
   CHECK(errors.None() && CountSeen(warper->GetOutput()) > 0);
+  CHECK(RelevoRefusesBlock(
+    warper, 0, vtkNew<vtkPolyData>(), "The input is a vtkPolyData; a vtkImageData is needed."));
 }
 
 // In the plane and behind it; beside it all is well again.

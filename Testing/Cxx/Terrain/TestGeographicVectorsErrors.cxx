@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkGeographicVectors: what is wrong, said by the filter, with an empty output.
+#include "RelevoBlocks.h"
 #include "RelevoCheck.h"
 #include "RelevoGeographicMesh.h"
 
@@ -9,6 +10,7 @@
 #include "vtkGeographicVectors.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
+#include "vtkTable.h"
 #include "vtkTerrainSource.h"
 
 #include <limits>
@@ -133,6 +135,16 @@ void TestTerrain(RelevoCheck& check)
   item.Filter->Update();
   CHECK(item.Filter->GetOutput()->GetNumberOfPoints() == 2);
 }
+
+void TestBlocks(RelevoCheck& check)
+{
+  Case item;
+  CHECK(RelevoRefusesBlock(
+    item.Filter, 0, vtkNew<vtkTable>(), "The input is a vtkTable; a vtkPolyData is needed."));
+  item.Filter->SetInputData(item.Mesh);
+  CHECK(RelevoRefusesBlock(item.Filter, 1, vtkNew<vtkPolyData>(),
+    "The input of port 1 is a vtkPolyData; a vtkImageData is needed."));
+}
 }
 
 int TestGeographicVectorsErrors(int, char*[])
@@ -142,5 +154,6 @@ int TestGeographicVectorsErrors(int, char*[])
   TestImages(check);
   TestSystems(check);
   TestTerrain(check);
+  TestBlocks(check);
   return check.GetResult();
 }
