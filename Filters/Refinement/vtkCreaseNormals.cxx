@@ -247,7 +247,7 @@ int vtkCreaseNormals::RequestData(
   output->Initialize();
   this->FittingSurface = nullptr;
   this->NumberOfCreases = 0;
-  if (!relevo::CheckInputType(this, inputVector[0]))
+  if (!relevo::CheckInputTypes(this, inputVector))
   {
     return 0;
   }
