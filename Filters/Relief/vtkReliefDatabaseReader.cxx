@@ -3,42 +3,26 @@
 #include "vtkReliefDatabaseReader.h"
 
 #include "Core/VTKCompatibility.h"
-#include "Database/CSVFile.h"
-#include "Database/ReliefColumns.h"
 #include "Database/ReliefFile.h"
+#include "Database/ReliefTable.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataObject.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkInformationDoubleKey.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <vector>
 
 vtkStandardNewMacro(vtkReliefDatabaseReader);
 
 namespace
 {
-std::filesystem::path GetTable(const std::string& fileName)
-{
-  return std::filesystem::path(relevo::GetDatabaseFolder(fileName)) / relevo::DatabaseTable;
-}
-
-// No rows if there is no table. A pipe would block.
-std::vector<relevo::CSVRow> ReadTable(const std::filesystem::path& table)
-{
-  std::error_code unknown;
-  if (!std::filesystem::is_regular_file(table, unknown))
-  {
-    return {};
-  }
-  std::ifstream file(table, std::ios::binary);
-  return relevo::ParseCSV(std::string(std::istreambuf_iterator<char>(file), {}));
-}
-
 void SetName(vtkMultiBlockDataSet* blocks, unsigned int block, const std::string& name)
 {
   if (!name.empty())
@@ -48,24 +32,28 @@ void SetName(vtkMultiBlockDataSet* blocks, unsigned int block, const std::string
 }
 
 // The relief of a row; nullptr, and what is wrong, if it has none.
-vtkSmartPointer<vtkImageData> ReadRow(const std::filesystem::path& folder,
-  const std::vector<std::string>& names, const std::vector<std::string>& row, std::string& fault)
+vtkSmartPointer<vtkImageData> ReadRow(
+  const relevo::ReliefTable& table, std::size_t row, std::string& fault)
 {
-  if (row.size() != names.size())
+  const std::string file = table.FindFile(row, fault);
+  if (!fault.empty())
   {
-    fault =
-      std::to_string(row.size()) + " fields for " + std::to_string(names.size()) + " columns.";
     return nullptr;
   }
-  const int column = relevo::FindReliefFile(names, row);
-  if (column < 0)
+  auto image = relevo::ReadReliefFile(file, fault);
+  if (!fault.empty())
   {
-    fault = "no column FILE has the name of a .vti file.";
-    return nullptr;
+    const auto folder = std::filesystem::path(table.GetFileName()).parent_path();
+    fault = std::filesystem::path(file).lexically_relative(folder).string() + ": " + fault;
   }
-  auto image = relevo::ReadReliefFile((folder / row[column]).string(), fault);
-  fault = fault.empty() ? "" : row[column] + ": " + fault;
   return image;
+}
+
+// The last time that is not later than the one asked for, else the first.
+double ChooseTime(const std::vector<double>& times, double asked)
+{
+  const auto later = std::upper_bound(times.begin(), times.end(), asked);
+  return later == times.begin() ? times.front() : *(later - 1);
 }
 }
 
@@ -86,10 +74,46 @@ int vtkReliefDatabaseReader::CanReadFile(const char* fileName)
   {
     return 0;
   }
-  const std::vector<relevo::CSVRow> rows = ReadTable(GetTable(fileName));
-  return std::any_of(rows.begin(), rows.end(),
-    [&](const relevo::CSVRow& row)
-    { return relevo::FindReliefFile(rows.front().Fields, row.Fields) >= 0; });
+  const relevo::ReliefTable table(fileName);
+  for (std::size_t row = 0; row < table.GetNumberOfRows(); ++row)
+  {
+    std::string fault;
+    table.FindFile(row, fault);
+    if (fault.empty())
+    {
+      return 1;
+    }
+  }
+  return 0;
+}
+
+int vtkReliefDatabaseReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkMultiBlockDataSet::GetData(outputVector)->Initialize();
+  if (!this->FileName || !*this->FileName)
+  {
+    vtkErrorMacro("There is no file name: call SetFileName().");
+    return 0;
+  }
+  const relevo::ReliefTable table(this->FileName);
+  if (!table.GetFault().empty())
+  {
+    vtkErrorMacro(<< table.GetFault());
+    return 0;
+  }
+  vtkInformation* information = outputVector->GetInformationObject(0);
+  const std::vector<double> times = table.GetTimes();
+  information->Remove(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+  information->Remove(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
+  if (!times.empty())
+  {
+    const double range[2] = { times.front(), times.back() };
+    information->Set(
+      vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
+    information->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+  }
+  return 1;
 }
 
 int vtkReliefDatabaseReader::RequestData(
@@ -97,40 +121,55 @@ int vtkReliefDatabaseReader::RequestData(
 {
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
   output->Initialize();
-  if (!this->FileName || !*this->FileName)
+  const relevo::ReliefTable table(this->FileName);
+  if (!table.GetFault().empty()) // by now
   {
-    vtkErrorMacro("There is no file name: call SetFileName().");
+    vtkErrorMacro(<< table.GetFault());
     return 0;
   }
-  const std::filesystem::path table = GetTable(this->FileName);
-  const std::vector<relevo::CSVRow> rows = ReadTable(table);
-  if (rows.empty())
+  vtkInformation* information = outputVector->GetInformationObject(0);
+  const std::vector<double> times = table.GetTimes();
+  double time = 0.0;
+  if (!times.empty())
   {
-    vtkErrorMacro("There is no table of reliefs, or an empty one: " << table.string());
-    return 0;
+    vtkInformationDoubleKey* asked = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
+    time = information->Has(asked) ? ChooseTime(times, information->Get(asked)) : times.front();
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
   }
-  const std::vector<std::string>& names = rows.front().Fields;
-  const auto nameColumn =
-    static_cast<std::size_t>(std::find(names.begin(), names.end(), "name") - names.begin());
-  output->SetNumberOfBlocks(static_cast<unsigned int>(rows.size() - 1));
-  for (std::size_t i = 1; i < rows.size(); ++i)
+  this->ReadRows(table, time, output);
+  return 1;
+}
+
+void vtkReliefDatabaseReader::ReadRows(
+  const relevo::ReliefTable& table, double time, vtkMultiBlockDataSet* output)
+{
+  unsigned int block = 0;
+  std::size_t faults = 0;
+  std::string firstFault;
+  for (std::size_t row = 0; row < table.GetNumberOfRows(); ++row)
   {
-    this->UpdateProgress(static_cast<double>(i) / rows.size());
+    this->UpdateProgress(static_cast<double>(row) / table.GetNumberOfRows());
     if (relevo::IsAborted(this))
     {
-      return 1;
+      return;
     }
-    const std::vector<std::string>& row = rows[i].Fields;
-    const auto block = static_cast<unsigned int>(i - 1);
-    std::string fault;
-    output->SetBlock(block, ReadRow(table.parent_path(), names, row, fault));
-    if (!fault.empty())
+    if (!table.IsOfTime(row, time))
     {
-      vtkErrorMacro(<< table.string() << ", line " << rows[i].Line << ": " << fault);
+      continue;
     }
-    SetName(output, block, nameColumn < row.size() ? row[nameColumn] : "");
+    std::string fault;
+    output->SetBlock(block, ReadRow(table, row, fault));
+    SetName(output, block++, table.GetName(row));
+    if (!fault.empty() && faults++ == 0)
+    {
+      firstFault =
+        table.GetFileName() + ", line " + std::to_string(table.GetLine(row)) + ": " + fault;
+    }
   }
-  return 1;
+  if (faults > 0)
+  {
+    vtkErrorMacro(<< firstFault << " Of " << block << " rows " << faults << " cannot be read.");
+  }
 }
 
 void vtkReliefDatabaseReader::PrintSelf(ostream& os, vtkIndent indent)

@@ -12,9 +12,16 @@
  * Output: a vtkMultiBlockDataSet with a block for each row, in their order, called as its column
  * "name" says: reliefs to the bit as they were written.
  *
- * Errors (ErrorEvent of this object): no file name or table, with an empty output; a row with more
- * or fewer fields than there are names, or without a .vti file; a file that is missing, damaged or
- * no relief. Each says which; the block stays empty and the rest is read.
+ * If all that a column "time" or "TimeValue" has are numbers, these are the time steps of the
+ * pipeline, and the output has the rows of one of them: the last that is not later than the time
+ * asked for, or the first. Rows without a number there belong to all.
+ *
+ * Errors (ErrorEvent of this object), with an empty output: no file name; no table; one without
+ * rows of reliefs, with a quote that is not closed, or with NUL bytes. One error for all rows that
+ * cannot be read, with the first of them and their number, for a row with more or fewer fields than
+ * there are names, without a .vti file, or with one outside of the folder ("..", or an absolute
+ * path); for a file that is missing, damaged or no relief. Their blocks stay empty and the rest is
+ * read.
  *
  * @sa vtkReliefDatabaseWriter
  */
@@ -24,7 +31,10 @@
 #include "RelevoFiltersReliefModule.h" // for export macro
 #include "vtkMultiBlockDataSetAlgorithm.h"
 
-#include <string> // for errors
+namespace relevo
+{
+class ReliefTable;
+}
 
 class RELEVOFILTERSRELIEF_EXPORT vtkReliefDatabaseReader : public vtkMultiBlockDataSetAlgorithm
 {
@@ -50,6 +60,8 @@ protected:
   vtkReliefDatabaseReader();
   ~vtkReliefDatabaseReader() override;
 
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
@@ -58,6 +70,8 @@ protected:
 private:
   vtkReliefDatabaseReader(const vtkReliefDatabaseReader&) = delete;
   void operator=(const vtkReliefDatabaseReader&) = delete;
+
+  void ReadRows(const relevo::ReliefTable& table, double time, vtkMultiBlockDataSet* output);
 };
 
 #endif

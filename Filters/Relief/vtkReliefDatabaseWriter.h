@@ -7,7 +7,10 @@
  * Input: a relief, which is a vtkImageData, or a composite data set whose blocks are reliefs. The
  * folder, which is made if there is none, gets a file relief_0000.vti and so on for each (appended
  * data, compressed, all arrays as they are), a picture of its colours, relief_0000.png, and at last
- * the table data.csv, which Cinema's viewers open. Files of these names are replaced, others stay.
+ * the table data.csv, which Cinema's viewers open. A folder that is there has to be empty or to
+ * have a database of reliefs, which is replaced: the files of the new one are written under
+ * temporary names, and those of the old one (relief_*.vti, relief_*.png) are removed once the new
+ * table is in its place. An error or a signal before leaves the old database; other files stay.
  *
  * The table has a row of names, and then one for each relief: the block's name; projection (0
  * parallel, 1 perspective); columns and rows; valid, the share of texels with a surface;
@@ -17,8 +20,8 @@
  * picture. Numbers are in C's notation. Blocks of blocks become one list.
  *
  * Write() returns 1 if all was written. Errors (ErrorEvent of this object, 0 is returned): no file
- * name; nothing to write; a block that is no relief, which is left out; a folder or file that
- * cannot be written.
+ * name; nothing to write; a block that is no relief, which is left out; a folder with files but no
+ * database of reliefs, or a folder or file that cannot be written, with the old database unchanged.
  *
  * @sa vtkReliefDatabaseReader
  */
@@ -29,6 +32,12 @@
 #include "vtkWriter.h"
 
 #include <string> // for names
+#include <vector> // for blocks
+
+namespace relevo
+{
+struct ReliefBlock;
+}
 
 class RELEVOFILTERSRELIEF_EXPORT vtkReliefDatabaseWriter : public vtkWriter
 {
@@ -69,6 +78,7 @@ private:
   void operator=(const vtkReliefDatabaseWriter&) = delete;
 
   void Fail(const std::string& message, unsigned long code);
+  std::string WriteReliefs(const std::vector<relevo::ReliefBlock>& blocks);
 };
 
 #endif

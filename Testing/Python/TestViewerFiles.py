@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What relevo-view writes is the old file or the whole new one: on full disks and after signals.
 
-RELEVO_TEST_MOMENTS=50 sends each signal at that many moments for each kind of file.
+RELEVO_TEST_MOMENTS=50 sends each signal at that many moments for every kind of file.
 """
 
 import os
@@ -13,17 +13,19 @@ import subprocess
 import time
 import unittest
 
+import relevo
+
 from ViewerProgram import PROGRAM, ViewerProgram
 from ViewerScenes import write_sphere
 
 MOMENTS = int(os.environ.get("RELEVO_TEST_MOMENTS", "1"))
 OLD = b"old"
-FILES = {  # of more than 64 kB
+FILES = {  # of more than 16 kB
     ".obj": ("--export", "--level=3"),
     ".ply": ("--export", "--level=4"),
     ".stl": ("--export", "--level=4"),
     ".vtp": ("--export", "--level=4"),
-    ".png": ("--output", "--size=900x700", "--view=30,20"),
+    ".png": ("--output", "--size=800x600"),
 }
 
 
@@ -70,7 +72,7 @@ class TestViewerFiles(ViewerProgram):
         """As above, on a small disk of its own; the second file would fit without the first."""
         folder = self.folder / "disk"
         folder.mkdir()
-        mount = ["mount", "-t", "tmpfs", "-o", "size=64k", "tmpfs", str(folder)]
+        mount = ["mount", "-t", "tmpfs", "-o", "size=16k", "tmpfs", str(folder)]
         if not shutil.which("mount") or subprocess.run(mount, capture_output=True).returncode:
             self.skipTest("no disk can be mounted")
         try:
@@ -89,7 +91,7 @@ class TestViewerFiles(ViewerProgram):
             subprocess.run(["umount", str(folder)], check=True)
 
     def test_signals(self):
-        for extension in FILES:
+        for extension in FILES if MOMENTS > 1 else [".vtp"]:
             folder = self.folder / ("signals" + extension)
             folder.mkdir()
             path = folder / ("a" + extension)
@@ -127,6 +129,70 @@ class TestViewerFiles(ViewerProgram):
                 f"{3 * MOMENTS - number_of_old} times the new one, "
                 f"{number_of_temporaries} temporary files after SIGKILL"
             )
+
+    def read_reliefs(self, folder):
+        """How many reliefs there are; all of them are whole."""
+        reader = relevo.vtkReliefDatabaseReader()
+        errors = []
+        reader.AddObserver("ErrorEvent", lambda caller, event: errors.append(event))
+        reader.SetFileName(str(folder))
+        reader.Update()
+        self.assertEqual(errors, [])
+        return reader.GetOutput().GetNumberOfBlocks()
+
+    def test_captures(self):
+        """A folder has the old captures, or all of the new ones."""
+        folder = self.folder / "captures"
+        old, new = ("--relief=sphere", "--size=300x200"), ("--size=300x200",)
+        capture = [str(PROGRAM), str(self.sphere), f"--capture={folder}"]
+
+        def run(options):
+            start = time.monotonic()
+            subprocess.run([*capture, *options], capture_output=True, check=True)
+            return time.monotonic() - start
+
+        run(old)
+        number_of_old = 0
+        duration = run(new)
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGKILL):
+            for _ in range(MOMENTS):
+                run(old)
+                self.assertEqual(self.read_reliefs(folder), 12)
+                with subprocess.Popen(
+                    [*capture, *new], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+                ) as process:
+                    time.sleep(duration * random.uniform(0.3, 1.0))
+                    process.send_signal(number)
+                    self.assertIn(process.wait(60), (0, -number))
+                reliefs = self.read_reliefs(folder)
+                self.assertIn(reliefs, (6, 12))
+                number_of_old += reliefs == 12
+                names = {file.name for file in folder.iterdir()}
+                if number == signal.SIGKILL:
+                    for name in filter(is_temporary, names):
+                        (folder / name).unlink()
+                else:
+                    self.assertFalse(any(map(is_temporary, names)), names)
+        print(
+            f"captures: {3 * MOMENTS} signals, {number_of_old} times the old ones, "
+            f"{3 * MOMENTS - number_of_old} times the new ones"
+        )
+        run(new)  # once more, and nothing is left of those before
+        self.assertEqual(len(list(folder.iterdir())), 13)
+
+    def test_captures_in_other_folders(self):
+        folder = self.folder / "mine"
+        folder.mkdir()
+        for name in ("data.csv", "notes.txt"):
+            (folder / name).write_text("a,b\n1,2\n")
+            self.assert_error(
+                1, [str(folder), f"there is {name}."], self.sphere, f"--capture={folder}"
+            )
+            self.assertEqual([file.name for file in folder.iterdir()], [name])
+            self.assertEqual((folder / name).read_text(), "a,b\n1,2\n")
+            (folder / name).unlink()
+        self.view(self.sphere, f"--capture={folder}")
+        self.assertEqual(self.read_reliefs(folder), 6)
 
 
 if __name__ == "__main__":

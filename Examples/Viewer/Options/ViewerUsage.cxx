@@ -98,7 +98,8 @@ Reliefs, pictures with depth that are drawn in place of what they show, or FILE 
   --relief box|sphere|view
                          capture the surface from six sides, from twelve around, or as it is seen,
                          and draw the captures
-  --capture FOLDER       write the captures (default: of box) and exit
+  --capture FOLDER       write the captures (default: of box) into a new folder, or in place of
+                         older captures, and exit
   --relief-method NAME   automatic (default; see the page), march (rays), refinement (triangle
                          patterns moved by the depths), warp (each relief warped to the view)
   --relief-search NAME   how march finds the surface: mipmap (default; misses nothing),

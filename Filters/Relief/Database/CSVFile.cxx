@@ -19,10 +19,16 @@ public:
   {
   }
 
-  std::vector<CSVRow> Parse()
+  std::vector<CSVRow> Parse(std::string& fault)
   {
+    const std::size_t zero = this->Text.find('\0');
+    if (zero != std::string::npos)
+    {
+      fault = "byte " + std::to_string(zero) + " is NUL: the file is no text.";
+      return {};
+    }
     std::vector<CSVRow> rows;
-    while (this->Place < this->Text.size())
+    while (this->Place < this->Text.size() && this->Fault.empty())
     {
       CSVRow row = this->ParseRow();
       if (row.Fields.size() > 1 || !row.Fields[0].empty())
@@ -30,6 +36,7 @@ public:
         rows.push_back(row);
       }
     }
+    fault = this->Fault;
     return rows;
   }
 
@@ -54,6 +61,7 @@ private:
   {
     std::string field;
     bool isQuoted = false;
+    int quoteLine = 0;
     for (; this->Place < this->Text.size(); ++this->Place)
     {
       const char c = this->Text[this->Place];
@@ -66,16 +74,21 @@ private:
       else if (c == '"')
       {
         isQuoted = !isQuoted;
+        quoteLine = this->Line;
       }
-      else if (!isQuoted && (c == ',' || c == '\n'))
+      else if (!isQuoted && (c == ',' || c == '\n' || (c == '\r' && next != '\n')))
       {
         break;
       }
-      else if (isQuoted || c != '\r' || next != '\n')
+      else if (isQuoted || c != '\r')
       {
-        this->Line += c == '\n' ? 1 : 0;
+        this->Line += c == '\n' || (c == '\r' && next != '\n') ? 1 : 0;
         field += c;
       }
+    }
+    if (isQuoted)
+    {
+      this->Fault = "line " + std::to_string(quoteLine) + ": the quote is not closed.";
     }
     return field;
   }
@@ -83,12 +96,13 @@ private:
   const std::string& Text;
   std::size_t Place;
   int Line = 1;
+  std::string Fault;
 };
 }
 
-std::vector<CSVRow> ParseCSV(const std::string& text)
+std::vector<CSVRow> ParseCSV(const std::string& text, std::string& fault)
 {
-  return Parser(text).Parse();
+  return Parser(text).Parse(fault);
 }
 
 std::string FormatCSV(const std::vector<std::string>& fields)

@@ -3,6 +3,7 @@
 #include "Database/ReliefFile.h"
 
 #include "Core/ErrorCollector.h"
+#include "Core/WriteFile.h"
 #include "Data/Relief.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
@@ -12,6 +13,7 @@
 #include "vtkPNGWriter.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLImageDataWriter.h"
 
@@ -39,32 +41,25 @@ double GetNumberOfTexels(const int extent[6])
 }
 }
 
-bool WriteReliefFile(const Relief& relief, const std::string& fileName)
+bool WriteReliefFile(const Relief& relief, AtomicFile& file)
 {
-  std::string errors;
   vtkNew<vtkXMLImageDataWriter> writer;
-  writer->AddObserver(vtkCommand::ErrorEvent, NewErrorCollector(errors));
   writer->SetInputData(relief.GetImage());
-  writer->SetFileName(fileName.c_str());
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   writer->SetCompressorTypeToZLib();
-  return writer->Write() != 0 && errors.empty();
+  return WriteFile(file, writer.Get(), IsWholeXML);
 }
 
-bool WriteReliefPicture(const Relief& relief, const std::string& fileName)
+bool WriteReliefPicture(const Relief& relief, AtomicFile& file)
 {
   vtkNew<vtkImageData> picture;
   picture->SetDimensions(relief.GetWidth(), relief.GetHeight(), 1);
   vtkPointData* data = relief.GetImage()->GetPointData();
   picture->GetPointData()->SetScalars(data->GetArray(Relief::GetColorName()));
-  std::string errors;
   vtkNew<vtkPNGWriter> writer;
-  writer->AddObserver(vtkCommand::ErrorEvent, NewErrorCollector(errors));
   writer->SetInputData(picture);
-  writer->SetFileName(fileName.c_str());
-  writer->Write();
-  return errors.empty() && writer->GetErrorCode() == vtkErrorCode::NoError;
+  return WritePNG(file, writer.Get());
 }
 
 vtkSmartPointer<vtkImageData> ReadReliefFile(const std::string& fileName, std::string& fault)

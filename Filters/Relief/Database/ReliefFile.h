@@ -17,12 +17,13 @@ class vtkImageData;
 
 namespace relevo
 {
+class AtomicFile;
 class Relief;
 
 //@{
-/// Whether the file was written.
-bool WriteReliefFile(const Relief& relief, const std::string& fileName);
-bool WriteReliefPicture(const Relief& relief, const std::string& fileName);
+/// Whether it was written; else the file has the fault.
+bool WriteReliefFile(const Relief& relief, AtomicFile& file);
+bool WriteReliefPicture(const Relief& relief, AtomicFile& file);
 //@}
 
 /// The relief of a .vti file; nullptr, and why in `fault`, if there is none.

@@ -6,6 +6,7 @@
 #include "RelevoReliefFiles.h"
 #include "RelevoReliefs.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
@@ -13,6 +14,8 @@
 #include "vtkReliefDatabaseReader.h"
 #include "vtkReliefDatabaseWriter.h"
 #include "vtkXMLImageDataWriter.h"
+
+#include <filesystem>
 
 namespace
 {
@@ -94,15 +97,109 @@ void TestTables(RelevoCheck& check, const std::string& folder)
   CHECK(reader->CanReadFile(folder.c_str()) == 0);
 }
 
+// One error for the whole table, and an empty output.
+void TestDamagedTables(RelevoCheck& check, const std::string& folder)
+{
+  const std::string rows = "name,FILE\nleft,relief_0000.vti\n";
+  const std::pair<std::string, const char*> cases[] = {
+    { "name,FILE\n", "data.csv has a row of names, but no rows of reliefs." },
+    { "name,FILE", "data.csv has a row of names, but no rows of reliefs." },
+    { rows + "\"right,relief_0001.vti\n\n", "data.csv, line 3: the quote is not closed." },
+    { "name,\"FILE", "data.csv, line 1: the quote is not closed." },
+    { rows + std::string(1, '\0') + "\n", "data.csv, byte 31 is NUL: the file is no text." },
+  };
+  for (const auto& item : cases)
+  {
+    RelevoWriteFile(folder + "/data.csv", item.first);
+    vtkNew<vtkReliefDatabaseReader> reader;
+    RelevoErrors errors(reader);
+    RelevoErrors executive(reader->GetExecutive());
+    CHECK(reader->CanReadFile(folder.c_str()) == 0);
+    reader->SetFileName(folder.c_str());
+    CHECK(reader->GetExecutive()->Update() == 0 && errors.Said(item.second));
+    CHECK(reader->GetOutput()->GetNumberOfBlocks() == 0);
+  }
+  RelevoRemoveFile(folder + "/data.csv");
+  RelevoMakeFolder(folder + "/data.csv");
+  vtkNew<vtkReliefDatabaseReader> reader;
+  CHECK(reader->CanReadFile(folder.c_str()) == 0);
+  RelevoRemoveFile(folder + "/data.csv");
+}
+
+// CR alone ends lines, but not in quotes.
+void TestLineEnds(RelevoCheck& check, const std::string& folder)
+{
+  WriteDatabase(check, folder);
+  RelevoWriteFile(
+    folder + "/data.csv", "name,FILE\rleft,relief_0000.vti\r\r\"a\rb\",relief_0001.vti\r1,2\r");
+  vtkNew<vtkReliefDatabaseReader> reader;
+  RelevoErrors errors(reader);
+  reader->SetFileName(folder.c_str());
+  reader->Update();
+  CHECK(errors.Said("data.csv, line 6: no column FILE has the name of a .vti file. "
+                    "Of 3 rows 1 cannot be read."));
+  CHECK(RelevoGetImage(reader->GetOutput(), 0) && RelevoGetImage(reader->GetOutput(), 1));
+}
+
+// One error for all rows, with the first one and their number.
+void TestManyRows(RelevoCheck& check, const std::string& folder)
+{
+  WriteDatabase(check, folder);
+  std::string table = "name,FILE\nright,relief_0001.vti\n";
+  for (int row = 0; row < 20000; ++row)
+  {
+    table += row % 2 == 0 ? "a\n" : "a,none.vti\n";
+  }
+  RelevoWriteFile(folder + "/data.csv", table);
+  vtkNew<vtkReliefDatabaseReader> reader;
+  int number = 0;
+  vtkNew<vtkCallbackCommand> counter;
+  counter->SetClientData(&number);
+  counter->SetCallback(
+    [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
+  reader->AddObserver(vtkCommand::ErrorEvent, counter);
+  RelevoErrors errors(reader);
+  reader->SetFileName(folder.c_str());
+  reader->Update();
+  CHECK(number == 1);
+  CHECK(
+    errors.Said("data.csv, line 3: 1 fields for 2 columns. Of 20001 rows 20000 cannot be read."));
+  CHECK(RelevoGetImage(reader->GetOutput(), 0));
+}
+
+void TestPlaces(RelevoCheck& check, const std::string& folder)
+{
+  WriteDatabase(check, folder);
+  RelevoMakeFolder(folder + "/inner");
+  const std::string absolute = std::filesystem::absolute(folder + "/relief_0000.vti").string();
+  for (const std::string& name : { absolute, std::string("../ReliefDatabaseErrors/relief_0000.vti"),
+         std::string("inner/../relief_0000.vti") })
+  {
+    RelevoWriteFile(folder + "/data.csv", "FILE\n" + name + "\nrelief_0001.vti\n");
+    ExpectError(check, folder, "data.csv, line 2: ");
+    RelevoWriteFile(folder + "/data.csv", "FILE\n" + name + "\nrelief_0001.vti\n");
+    ExpectError(check, folder, (name + " is not in the folder of the database.").c_str());
+  }
+  WriteDatabase(check, folder + "/inner/base");
+  RelevoWriteFile(folder + "/data.csv", "FILE\ninner/base/relief_0000.vti\n");
+  vtkNew<vtkReliefDatabaseReader> reader;
+  RelevoErrors errors(reader);
+  reader->SetFileName(folder.c_str());
+  reader->Update();
+  CHECK(errors.None() && RelevoGetImage(reader->GetOutput(), 0));
+}
+
 void TestWriter(RelevoCheck& check, const std::string& folder)
 {
   vtkNew<vtkReliefDatabaseWriter> writer;
   RelevoErrors errors(writer);
   writer->SetInputData(MakeRelief());
   CHECK(writer->Write() == 0 && errors.Said("There is no file name: call SetFileName()."));
-  RelevoWriteFile(folder + "/file", "no folder");
-  writer->SetFileName((folder + "/file").c_str());
-  CHECK(writer->Write() == 0 && errors.Said("/file cannot be made."));
+  const std::string file = folder + ".file";
+  RelevoWriteFile(file, "no folder");
+  writer->SetFileName(file.c_str());
+  CHECK(writer->Write() == 0 && errors.Said(".file cannot be made."));
+  RelevoRemoveFile(file);
   writer->SetFileName(folder.c_str());
   writer->SetInputData(vtkNew<vtkMultiBlockDataSet>());
   CHECK(writer->Write() == 0 && errors.Said("There are no reliefs to write."));
@@ -137,6 +234,11 @@ int TestReliefDatabaseErrors(int argc, char* argv[])
   const std::string folder = RelevoMakeFolder(argc, argv, "ReliefDatabaseErrors");
   TestRows(check, folder);
   TestTables(check, folder);
-  TestWriter(check, folder);
+  TestDamagedTables(check, folder);
+  RelevoMakeFolder(argc, argv, "ReliefDatabaseErrors");
+  TestLineEnds(check, folder);
+  TestManyRows(check, folder);
+  TestPlaces(check, folder);
+  TestWriter(check, RelevoMakeFolder(argc, argv, "ReliefDatabaseErrors"));
   return check.GetResult();
 }
