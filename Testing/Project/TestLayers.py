@@ -18,6 +18,7 @@ import sys
 LAYERS = {
     "Filters/Refinement": [
         ("Core", []),
+        ("Files", []),
         ("Cells", []),
         ("Patterns", ["vtkRefinementPattern.*"]),
         ("Surfaces", ["vtk.*Surface", "vtkDisplacement", "vtkHeightField"]),

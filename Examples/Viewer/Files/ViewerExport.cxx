@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/ViewerExport.h"
 
-#include "Core/WriteFile.h"
 #include "Files/ViewerFile.h"
+#include "Files/WriteFile.h"
 #include "Text/ViewerMessages.h"
 
 #include "vtkAlgorithm.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/ViewerFile.h"
 
-#include "Core/AtomicFile.h"
+#include "Files/AtomicFile.h"
 #include "Text/ViewerMessages.h"
 
 #include <vtksys/SystemTools.hxx>

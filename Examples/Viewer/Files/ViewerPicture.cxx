@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/ViewerPicture.h"
 
-#include "Core/WriteFile.h"
+#include "Files/WriteFile.h"
 #include "Text/ViewerMessages.h"
 
 #include "vtkNew.h"

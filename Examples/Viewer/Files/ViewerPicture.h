@@ -6,7 +6,7 @@
 #ifndef ViewerPicture_h
 #define ViewerPicture_h
 
-#include "Core/AtomicFile.h"
+#include "Files/AtomicFile.h"
 
 #include <string>
 

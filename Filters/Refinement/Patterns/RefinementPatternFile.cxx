@@ -3,7 +3,7 @@
 #include "Patterns/RefinementPatternFile.h"
 
 #include "Core/ErrorCollector.h"
-#include "Core/WriteFile.h"
+#include "Files/WriteFile.h"
 #include "Patterns/RefinementPatternGenerator.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"

@@ -3,8 +3,8 @@
 #include "Database/ReliefFile.h"
 
 #include "Core/ErrorCollector.h"
-#include "Core/WriteFile.h"
 #include "Data/Relief.h"
+#include "Files/WriteFile.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
 #include "vtkImageData.h"

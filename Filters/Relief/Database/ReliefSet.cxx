@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Database/ReliefSet.h"
 
-#include "Core/TemporaryFiles.h"
 #include "Data/Reliefs.h"
 #include "Database/CSVFile.h"
 #include "Database/ReliefFile.h"
 #include "Database/ReliefTable.h"
+#include "Files/TemporaryFiles.h"
 #include "vtkImageData.h"
 
 #include <algorithm>

@@ -13,8 +13,8 @@
 #ifndef ReliefSet_h
 #define ReliefSet_h
 
-#include "Core/AtomicFile.h"
 #include "Database/ReliefColumns.h"
+#include "Files/AtomicFile.h"
 
 #include <deque>
 #include <filesystem>

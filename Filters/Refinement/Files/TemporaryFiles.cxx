@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/TemporaryFiles.h"
+#include "Files/TemporaryFiles.h"
 
 #include <atomic>
 #include <cerrno>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/WriteFile.h"
+#include "Files/WriteFile.h"
 
 #include <algorithm>
 #include <fstream>

@@ -11,8 +11,8 @@
 #ifndef WriteFile_h
 #define WriteFile_h
 
-#include "Core/AtomicFile.h"
 #include "Core/ErrorCollector.h"
+#include "Files/AtomicFile.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/AtomicFile.h"
+#include "Files/AtomicFile.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -27,7 +27,7 @@
 #ifndef AtomicFile_h
 #define AtomicFile_h
 
-#include "Core/TemporaryFiles.h"
+#include "Files/TemporaryFiles.h"
 #include "RelevoFiltersRefinementModule.h" // for export macro
 
 #include <string>

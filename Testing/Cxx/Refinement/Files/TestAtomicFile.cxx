@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A file is the old one or the whole new one: after errors, signals and races, behind links, with
 // its permissions.
-#include "Core/AtomicFile.h"
-#include "Core/WriteFile.h"
+#include "Files/AtomicFile.h"
+#include "Files/WriteFile.h"
 #include "RelevoCheck.h"
 #include "RelevoFiles.h"
 
