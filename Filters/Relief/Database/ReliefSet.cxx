@@ -117,9 +117,8 @@ ReliefSet::ReliefSet(const std::string& folder, std::size_t mostReliefs, bool ha
   const std::string foreign = FindForeignFile(folder);
   if (!foreign.empty() && !IsDatabase(folder))
   {
-    this->Fault = "The folder " + folder +
-      " cannot be written. It is not empty, and no database of " + "reliefs: there is " + foreign +
-      ". Choose another folder.";
+    this->Fault = "The folder " + folder + " cannot be written. It holds " + foreign +
+      ", which is no part of a relief database. Choose another folder.";
   }
   this->FirstNumber = FindFreeNumbers(folder, mostReliefs);
 }

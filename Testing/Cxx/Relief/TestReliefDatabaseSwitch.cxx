@@ -120,7 +120,7 @@ void TestForeignFiles(RelevoCheck& check, const std::string& folder)
     RelevoWriteFile(own + "/z.txt", "mine");
     const Files before = ReadFolder(own);
     CHECK(!Write(own, MakeReliefs(2, 10), error) && ReadFolder(own) == before);
-    CHECK(error.find("It is not empty, and no database of reliefs: there is " + name + ".") !=
+    CHECK(error.find("It holds " + name + ", which is no part of a relief database.") !=
       std::string::npos);
   }
   // A database of images that are no reliefs.
