@@ -186,7 +186,7 @@ class TestViewerFiles(ViewerProgram):
         for name in ("data.csv", "notes.txt"):
             (folder / name).write_text("a,b\n1,2\n")
             self.assert_error(
-                1, [str(folder), f"there is {name}."], self.sphere, f"--capture={folder}"
+                1, [str(folder), f"It holds {name},"], self.sphere, f"--capture={folder}"
             )
             self.assertEqual([file.name for file in folder.iterdir()], [name])
             self.assertEqual((folder / name).read_text(), "a,b\n1,2\n")
