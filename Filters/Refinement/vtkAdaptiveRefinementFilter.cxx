@@ -11,6 +11,7 @@
 #include "Evaluation/PatternSelection.h"
 #include "Evaluation/RefinedPolyDataBuilder.h"
 #include "Evaluation/RefinementPreparation.h"
+#include "Evaluation/SampledSurface.h"
 #include "Mesh/RefinementMesh.h"
 #include "Metrics/PieceAgreement.h"
 #include "Metrics/TagSource.h"
@@ -88,7 +89,8 @@ bool vtkAdaptiveRefinementFilter::Prepare(
   vtkPolyData* input, relevo::RefinementMesh& mesh, relevo::PatternSelection& selection)
 {
   const std::shared_ptr<relevo::TagSource> source = this->Sources->Find(this, input);
-  const relevo::RefinementView view = this->MakeView();
+  relevo::RefinementView view = this->MakeView();
+  view.Displaced = relevo::SampledSurface::Make(this->Refinement);
   std::string error;
   std::string warning;
   const bool prepared = relevo::AgreeOnPiece(this->Controller, input, *source,

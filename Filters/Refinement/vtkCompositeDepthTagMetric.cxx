@@ -7,6 +7,7 @@
 #include "Core/RefinementView.h"
 #include "Core/SettingChecks.h"
 #include "Metrics/DepthTags.h"
+#include "Metrics/DisplacedSurface.h"
 #include "Metrics/MetricEvaluator.h"
 #include "Metrics/MetricMesh.h"
 #include "vtkFloatArray.h"
@@ -56,6 +57,10 @@ public:
     {
       const double* matrix = view.ModelToWorld->GetData();
       std::for_each(matrix, matrix + 16, [&](double value) { dependencies.Add(value); });
+    }
+    if (metric->IsDisplacementDependent() && view.Displaced)
+    {
+      view.Displaced->AddTo(dependencies);
     }
     const bool changed = this->TagDependencies.Update(dependencies);
     if ((changed || metric->IsViewDependent()) &&
@@ -305,6 +310,12 @@ bool vtkCompositeDepthTagMetric::IsPlacementDependent()
 {
   return std::any_of(this->Internals->Parts.begin(), this->Internals->Parts.end(),
     [](const vtkInternals::Part& part) { return part.Metric->IsPlacementDependent(); });
+}
+
+bool vtkCompositeDepthTagMetric::IsDisplacementDependent()
+{
+  return std::any_of(this->Internals->Parts.begin(), this->Internals->Parts.end(),
+    [](const vtkInternals::Part& part) { return part.Metric->IsDisplacementDependent(); });
 }
 
 std::unique_ptr<relevo::MetricEvaluator> vtkCompositeDepthTagMetric::NewEvaluator(

@@ -96,6 +96,7 @@ public:
 
   bool IsViewDependent() override;
   bool IsPlacementDependent() override;
+  bool IsDisplacementDependent() override;
 #ifndef __VTK_WRAP__
   std::unique_ptr<relevo::MetricEvaluator> NewEvaluator(
     const std::shared_ptr<relevo::MetricMesh>& mesh) override;

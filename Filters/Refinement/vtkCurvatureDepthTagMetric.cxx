@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCurvatureDepthTagMetric.h"
 
+#include "Core/Dependencies.h"
 #include "Core/GhostCells.h"
 #include "Core/PieceReduction.h"
 #include "Core/PointPlaces.h"
 #include "Core/RefinementMathematics.h"
+#include "Core/RefinementView.h"
 #include "Core/SettingChecks.h"
 #include "Mesh/SurfaceTriangles.h"
 #include "Metrics/CollectOnce.h"
 #include "Metrics/DiscreteCurvature.h"
+#include "Metrics/DisplacedSurface.h"
 #include "Metrics/MetricEvaluator.h"
 #include "Metrics/MetricMesh.h"
 #include "Metrics/SurfaceShape.h"
@@ -63,6 +66,21 @@ std::vector<double> GetAutomaticThresholds(
   return thresholds;
 }
 
+// The level at which a surface of that curvature is as far from its triangles as one of the high
+// curvature is at the highest level: their distance goes with the curvature and with the square of
+// the length of an edge. A Gaussian curvature is the product of two.
+float GetDisplacedLevel(float x, float low, float high, int maximumLevel, int type)
+{
+  if (!(x > low))
+  {
+    return 0.0f;
+  }
+  const double octaves = type == vtkCurvatureDepthTagMetric::MEAN ? 0.5 : 0.25;
+  const double level = x < high ? maximumLevel + octaves * std::log2(x / double{ high })
+                                : static_cast<double>(maximumLevel);
+  return static_cast<float>(std::max(level, 0.0));
+}
+
 class CurvatureEvaluator : public relevo::MetricEvaluator
 {
 public:
@@ -85,7 +103,8 @@ public:
                             << ".");
       return false;
     }
-    const relevo::DiscreteCurvature& curvature = relevo::GetShape(this->GetMesh()).GetCurvature();
+    const bool isDisplaced = view.Displaced != nullptr;
+    const relevo::DiscreteCurvature& curvature = this->GetCurvature(view);
     const int type = this->Metric->GetCurvatureType();
     const std::vector<double>& values = GetValues(curvature, type);
     if (thresholds[1] == 0.0)
@@ -105,7 +124,9 @@ public:
       {
         for (vtkIdType id = begin; id < end; ++id)
         {
-          levels[id] = relevo::rangeLevel(narrow(std::abs(values[id])), low, high, maximumLevel);
+          const float value = narrow(std::abs(values[id]));
+          levels[id] = isDisplaced ? GetDisplacedLevel(value, low, high, maximumLevel, type)
+                                   : relevo::rangeLevel(value, low, high, maximumLevel);
         }
       });
     tags->Modified();
@@ -115,7 +136,7 @@ public:
 protected:
   // The automatic thresholds.
   std::vector<double> ComputeNumbers(
-    const relevo::RefinementView&, const relevo::PieceReduction& pieces) override
+    const relevo::RefinementView& view, const relevo::PieceReduction& pieces) override
   {
     if (this->Metric->GetMaximumCurvature() > 0.0)
     {
@@ -123,7 +144,7 @@ protected:
     }
     relevo::SurfaceShape& shape = relevo::GetShape(this->GetMesh());
     const int type = this->Metric->GetCurvatureType();
-    const relevo::DiscreteCurvature& curvature = shape.GetCurvature();
+    const relevo::DiscreteCurvature& curvature = this->GetCurvature(view);
     const relevo::SurfaceTriangles& surface = *shape.GetTriangles();
     const relevo::GhostCells ghosts(this->GetMesh().GetPolyData());
     std::vector<vtkIdType> places;
@@ -155,6 +176,26 @@ protected:
   }
 
 private:
+  // Of the surface that the mesh is refined to where heights displace it, else of the mesh.
+  const relevo::DiscreteCurvature& GetCurvature(const relevo::RefinementView& view)
+  {
+    if (!view.Displaced)
+    {
+      this->Displaced = {};
+      this->DisplacedDependencies.Clear();
+      return relevo::GetShape(this->GetMesh()).GetCurvature();
+    }
+    vtkPolyData* mesh = this->GetMesh().GetPolyData();
+    relevo::Dependencies dependencies = relevo::Dependencies::On(this->GetMesh().GetTime());
+    dependencies.AddObject(mesh);
+    view.Displaced->AddTo(dependencies);
+    if (this->DisplacedDependencies.Update(dependencies))
+    {
+      this->Displaced = view.Displaced->ComputeCurvature(mesh, this->GetMesh().GetWhole());
+    }
+    return this->Displaced;
+  }
+
   // Of what is no ghost.
   double GetArea()
   {
@@ -170,6 +211,8 @@ private:
   }
 
   vtkSmartPointer<vtkCurvatureDepthTagMetric> Metric;
+  relevo::DiscreteCurvature Displaced;
+  relevo::Dependencies DisplacedDependencies;
 };
 }
 

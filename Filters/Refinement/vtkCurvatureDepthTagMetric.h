@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkCurvatureDepthTagMetric
- * @brief   refines where a mesh is strongly curved
+ * @brief   refines where a surface is strongly curved
  *
  * With k the absolute value of the discrete Gaussian or mean curvature at a point, and the
  * thresholds low = MinimumCurvature and high = MaximumCurvature, the depth-tag is
@@ -11,6 +11,18 @@
  *
  * clamped: 0 at the low threshold and below, MaximumLevel at the high one and above, linear
  * between. The metric does not depend on the view.
+ *
+ * Where a recipe displaces the mesh by a height map, k is measured on the displaced surface: each
+ * face is sampled with 2^MaximumLevel segments on an edge, but at least 4 and at most 16, and k at
+ * a point is the mean over the faces at it, weighted by their areas. Relief between the points
+ * counts then. The distance of a surface from its triangles grows with k and with the square of
+ * their edges, so the depth-tag is
+ *
+ *     level = MaximumLevel + log2(k / high) / 2          (mean curvature)
+ *     level = MaximumLevel + log2(k / high) / 4          (Gaussian curvature)
+ *
+ * clamped to [0, MaximumLevel], and 0 where k does not exceed low. Where no recipe is known, as in
+ * vtkDepthTagFilter, k is that of the mesh.
  *
  * Curvatures are those of Meyer, Desbrun, Schroeder and Barr 2002 ("Discrete
  * differential-geometry operators for triangulated 2-manifolds"), with their mixed Voronoi area:
@@ -119,6 +131,7 @@ public:
   void ComputeCurvatures(vtkPolyData* mesh, vtkDoubleArray* curvatures);
 
   bool IsViewDependent() override { return false; }
+  bool IsDisplacementDependent() override { return true; }
 #ifndef __VTK_WRAP__
   std::unique_ptr<relevo::MetricEvaluator> NewEvaluator(
     const std::shared_ptr<relevo::MetricMesh>& mesh) override;

@@ -13,6 +13,9 @@
  * - PER_EDGE: the metric gives every edge a tag of its own, from what is known of that edge alone,
  *   so that the triangles beside it agree (Lenz 2009, future work).
  *
+ * Metrics look at the points of the coarse mesh as they are, where displacement by a height map has
+ * not moved them yet. vtkCurvatureDepthTagMetric looks at the displaced surface.
+ *
  * A metric holds parameters and nothing about a mesh. Mappers and filters evaluate it by a
  * relevo::MetricEvaluator of their own for each mesh, so that metrics are shared freely, by the
  * blocks of a mapper and by filters in several threads alike.
@@ -70,6 +73,12 @@ public:
    * when its actor moves. True for metrics that depend on the view.
    */
   virtual bool IsPlacementDependent() { return this->IsViewDependent(); }
+
+  /**
+   * Whether the tags depend on the surface and the displacement of the recipe, so that they must be
+   * computed anew when these change. False unless overridden: metrics look at the coarse mesh.
+   */
+  virtual bool IsDisplacementDependent() { return false; }
 
   /**
    * Whether a level says how many segments an edge needs, so that MaximumLevel only limits levels;

@@ -6,6 +6,7 @@
 
 #include "Core/ProcessReduction.h"
 #include "Core/WholeSurface.h"
+#include "Evaluation/SampledSurface.h"
 #include "Metrics/PieceAgreement.h"
 #include "Metrics/TagSource.h"
 #include "vtkActor.h"
@@ -96,7 +97,8 @@ void vtkAdaptiveRefinementMapper::AgreeWithProcesses(
     }
     return;
   }
-  const relevo::RefinementView view = relevo::MakeActorView(ren, act);
+  relevo::RefinementView view = relevo::MakeActorView(ren, act);
+  view.Displaced = relevo::SampledSurface::Make(this->Refinement);
   relevo::Dependencies now;
   now.AddObject(this->Refinement.Get());
   vtkDepthTagMetric* metric = this->Refinement->GetMetric();

@@ -29,6 +29,7 @@ public:
 
   bool IsViewDependent() override { return this->Metric->IsViewDependent(); }
   bool IsPlacementDependent() override { return this->Metric->IsPlacementDependent(); }
+  bool IsDisplacementDependent() override { return this->Metric->IsDisplacementDependent(); }
   bool IsAbsolute() override { return this->Metric->IsAbsolute(); }
   std::unique_ptr<relevo::MetricEvaluator> NewEvaluator(
     const std::shared_ptr<relevo::MetricMesh>& mesh) override;

@@ -264,6 +264,10 @@ vtkSmartPointer<vtkDepthTagMetric> TerrainScene::MakeReliefMetric()
 {
   const auto own = MakeMetric(this->Options, this->DisplacedMesh, HeightName);
   this->Messages.Observe(own);
+  if (own->IsDisplacementDependent())
+  {
+    return own; // looks at the relief by itself
+  }
   auto metric = vtkSmartPointer<ReliefMetric>::New();
   metric->SetMetric(own);
   metric->SetRelief(this->DisplacedMesh);

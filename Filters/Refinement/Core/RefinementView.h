@@ -7,13 +7,14 @@
 #ifndef RefinementView_h
 #define RefinementView_h
 
-#include <memory> // for Patterns
+#include <memory> // for members
 
 class vtkCamera;
 class vtkMatrix4x4;
 
 namespace relevo
 {
+class DisplacedSurface;
 class PatternFamily;
 struct RefinementView
 {
@@ -25,6 +26,8 @@ struct RefinementView
   int ViewportSize[2] = { 300, 300 };
   /// What faces are refined by, where it is known: for metrics that bound what patterns leave out.
   std::shared_ptr<const PatternFamily> Patterns = nullptr;
+  /// The displaced surface, for metrics that measure it; nullptr without a height map.
+  std::shared_ptr<const DisplacedSurface> Displaced = nullptr;
 };
 }
 

@@ -5,6 +5,7 @@
 #include "Core/PointPlaces.h"
 #include "Core/RefinementView.h"
 #include "Evaluation/PatternSelection.h"
+#include "Evaluation/SampledSurface.h"
 #include "Mesh/FaceEdges.h"
 #include "Mesh/RefinementMesh.h"
 #include "Mesh/SurfaceEdges.h"
@@ -80,9 +81,10 @@ bool EdgeTags::Compute(vtkAdaptiveRefinement* recipe, vtkPolyData* input,
     {
       this->BuildEdges(input, mesh);
     }
-    RefinementView viewOfPatterns = view;
-    viewOfPatterns.Patterns = GetPatternFamily(recipe, input);
-    if (!ComputeDepthTags(evaluator, viewOfPatterns, highest, perEdge, this->Values, error))
+    RefinementView viewOfRecipe = view;
+    viewOfRecipe.Patterns = GetPatternFamily(recipe, input);
+    viewOfRecipe.Displaced = SampledSurface::Make(recipe);
+    if (!ComputeDepthTags(evaluator, viewOfRecipe, highest, perEdge, this->Values, error))
     {
       return false;
     }

@@ -113,29 +113,17 @@ public:
     {
       return;
     }
-    const dvec3 x = this->GetPoint(place);
-    double angle = 0.0;
-    double mixedArea = 0.0;
-    dvec3 laplacian(0.0, 0.0, 0.0);
-    dvec3 normal(0.0, 0.0, 0.0);
+    relevo::RingCurvature curvature(this->GetPoint(place));
     this->Surface.ForEachTriangle(place,
-      [&](vtkIdType p, vtkIdType q)
-      {
-        const Corner corner(x, this->GetPoint(p), this->GetPoint(q));
-        angle += corner.Angle;
-        mixedArea += corner.MixedArea;
-        laplacian += corner.Laplacian;
-        normal += corner.Normal;
-      });
+      [&](vtkIdType p, vtkIdType q) { curvature.Add(this->GetPoint(p), this->GetPoint(q)); });
     if (!HasClosedRing(this->Surface, place, neighbours))
     {
       this->Rings[place] = Ring::Open;
       return;
     }
     this->Rings[place] = Ring::Known;
-    const double sign = glm::dot(laplacian, normal) < 0.0 ? -1.0 : 1.0;
-    this->Result.Gaussian[place] = FiniteOrZero((2.0 * vtkMath::Pi() - angle) / mixedArea);
-    this->Result.Mean[place] = FiniteOrZero(sign * glm::length(laplacian) / (4.0 * mixedArea));
+    this->Result.Gaussian[place] = curvature.GetGaussian();
+    this->Result.Mean[place] = curvature.GetMean();
   }
 
   void FindPlaces()
@@ -239,6 +227,26 @@ private:
 
 namespace relevo
 {
+void RingCurvature::Add(const dvec3& p, const dvec3& q)
+{
+  const Corner corner(this->Point, p, q);
+  this->Angle += corner.Angle;
+  this->MixedArea += corner.MixedArea;
+  this->Laplacian += corner.Laplacian;
+  this->Normal += corner.Normal;
+}
+
+double RingCurvature::GetGaussian() const
+{
+  return FiniteOrZero((2.0 * vtkMath::Pi() - this->Angle) / this->MixedArea);
+}
+
+double RingCurvature::GetMean() const
+{
+  const double sign = glm::dot(this->Laplacian, this->Normal) < 0.0 ? -1.0 : 1.0;
+  return FiniteOrZero(sign * glm::length(this->Laplacian) / (4.0 * this->MixedArea));
+}
+
 DiscreteCurvature ComputeDiscreteCurvature(const SurfaceTriangles& surface)
 {
   DiscreteCurvature result;

@@ -24,7 +24,8 @@
 #ifndef DiscreteCurvature_h
 #define DiscreteCurvature_h
 
-#include "vtkType.h" // for vtkIdType
+#include "Core/RefinementMathematics.h" // for vectors
+#include "vtkType.h"                    // for vtkIdType
 
 #include <vector> // for members
 
@@ -42,6 +43,34 @@ struct DiscreteCurvature
 };
 
 DiscreteCurvature ComputeDiscreteCurvature(const SurfaceTriangles& surface);
+
+/**
+ * The curvatures of one point in a closed ring of triangles.
+ */
+class RingCurvature
+{
+public:
+  explicit RingCurvature(const glm::dvec3& point)
+    : Point(point)
+  {
+  }
+
+  /// Add the triangle (point, p, q). All wind alike.
+  void Add(const glm::dvec3& p, const glm::dvec3& q);
+
+  //@{
+  /// Always finite.
+  double GetGaussian() const;
+  double GetMean() const;
+  //@}
+
+private:
+  glm::dvec3 Point;
+  double Angle = 0.0;
+  double MixedArea = 0.0;
+  glm::dvec3 Laplacian{ 0.0, 0.0, 0.0 };
+  glm::dvec3 Normal{ 0.0, 0.0, 0.0 };
+};
 }
 
 #endif

@@ -3,6 +3,7 @@
 #include "State/ViewSelection.h"
 
 #include "Core/RefinementView.h"
+#include "Evaluation/SampledSurface.h"
 #include "Mesh/RefinementMesh.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCamera.h"
@@ -52,6 +53,13 @@ Dependencies GetTagDependencies(const SelectionInput& input, const RefinementVie
       std::string(recipe->GetDepthTagArrayName()), recipe->GetLevelRule(), onGPU);
   dependencies.AddObject(metric);
   AddMetricView(dependencies, metric, view);
+  if (metric && metric->IsDisplacementDependent())
+  {
+    if (const auto surface = SampledSurface::Make(recipe))
+    {
+      surface->AddTo(dependencies);
+    }
+  }
   return dependencies;
 }
 }

@@ -3,28 +3,43 @@
 // vtkCurvatureDepthTagMetric against values by hand and analytic surfaces.
 #include "RelevoCheck.h"
 #include "RelevoCurvatures.h"
+#include "RelevoDisplacements.h"
+#include "RelevoHeights.h"
+#include "RelevoTestMeshes.h"
 
 #include "Core/RefinementView.h"
+#include "Evaluation/EdgeTags.h"
+#include "Mesh/RefinementMesh.h"
 #include "Metrics/DiscreteCurvature.h"
 #include "Metrics/MetricMesh.h"
 #include "Metrics/SurfaceShape.h"
+#include "vtkAdaptiveRefinement.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDepthTagMetric.h"
 #include "vtkCurvatureDepthTagMetric.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDisplacement.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStripper.h"
 #include "vtkTransform.h"
 #include "vtkTransformPolyDataFilter.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <initializer_list>
 #include <iostream>
 #include <limits>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace
@@ -436,6 +451,209 @@ void TestBadInput(RelevoCheck& check)
   CHECK(!metric->ComputeTags(broken, view, 5, tags));
   CHECK(errors.Said("above MaximumCurvature"));
 }
+
+vtkSmartPointer<vtkPolyData> MakePlane(int resolution)
+{
+  vtkNew<vtkPlaneSource> source;
+  source->SetResolution(resolution, resolution);
+  source->Update();
+  return source->GetOutput();
+}
+
+vtkSmartPointer<vtkAdaptiveRefinement> MakeRecipe(vtkHeightField* heights, int level)
+{
+  auto recipe = vtkSmartPointer<vtkAdaptiveRefinement>::New();
+  vtkNew<vtkCurvatureDepthTagMetric> metric;
+  metric->SetCurvatureTypeToMean();
+  recipe->SetMetric(metric);
+  recipe->SetMaximumLevel(level);
+  recipe->SetDisplacement(RelevoMeshes::MakeDisplacementAlong(0, 0, 1, heights, 1.0));
+  return recipe;
+}
+
+// The tags of a recipe, by point. `tags` caches evaluators.
+std::vector<float> UpdateTags(
+  RelevoCheck& check, relevo::EdgeTags& tags, vtkPolyData* mesh, vtkAdaptiveRefinement* recipe)
+{
+  relevo::RefinementMesh refined;
+  CHECK(refined.Build(mesh, recipe->GetSurface(), recipe->GetDisplacement()));
+  std::string error;
+  CHECK(tags.Compute(recipe, mesh, refined, relevo::RefinementView(), error));
+  return { tags.GetValues(), tags.GetValues() + tags.GetNumberOfValues() };
+}
+
+std::vector<float> GetTags(
+  RelevoCheck& check, vtkPolyData* mesh, vtkAdaptiveRefinement* recipe, int type)
+{
+  auto* metric = vtkCurvatureDepthTagMetric::SafeDownCast(recipe->GetMetric());
+  metric->SetCurvatureType(type);
+  relevo::EdgeTags tags;
+  return UpdateTags(check, tags, mesh, recipe);
+}
+
+// Bumps between the points of a mesh, all of which are at height 0: four times as high on the right
+// as on the left, and none in the middle. What is four times as bent is as far from its triangles
+// with edges of half the length.
+void TestDisplaced(RelevoCheck& check)
+{
+  const int squares = 16;
+  vtkNew<RelevoHeights> heights;
+  heights->Fill(512, 512,
+    [](double x, double y)
+    {
+      const double bumps = std::pow(std::sin(Pi * 16 * x) * std::sin(Pi * 16 * y), 2.0);
+      return x < 0.25 ? 0.0005 * bumps : x > 0.75 ? 0.002 * bumps : 0.0;
+    });
+  const auto mesh = MakePlane(squares);
+  const auto recipe = MakeRecipe(heights, 5);
+  for (const int type : { vtkCurvatureDepthTagMetric::MEAN, vtkCurvatureDepthTagMetric::GAUSSIAN })
+  {
+    const std::vector<float> tags = GetTags(check, mesh, recipe, type);
+    for (int y = 2; y < squares - 1; ++y)
+    {
+      const float* row = &tags[static_cast<size_t>(y * (squares + 1))];
+      CHECK_NEAR(row[14], 5.0, 1e-3); // the most, which the automatic threshold takes
+      CHECK_NEAR(row[2], 4.0, 0.05);
+      CHECK_NEAR(row[8], 0.0, 0.0);
+    }
+  }
+  // The mesh by itself is flat.
+  recipe->SetDisplacement(nullptr);
+  const std::vector<float> flat = GetTags(check, mesh, recipe, vtkCurvatureDepthTagMetric::MEAN);
+  CHECK(*std::max_element(flat.begin(), flat.end()) == 0.0f);
+}
+
+// A composite of one metric has the metric's tags, also after the displacement has changed.
+void TestComposite(RelevoCheck& check)
+{
+  vtkNew<RelevoHeights> heights;
+  heights->FillRandom(64, 64, 7);
+  const auto mesh = MakePlane(8);
+  const auto recipe = MakeRecipe(heights, 4);
+  vtkSmartPointer<vtkDepthTagMetric> metric = recipe->GetMetric();
+  vtkCurvatureDepthTagMetric::SafeDownCast(metric)->SetMaximumCurvature(200.0);
+  vtkNew<vtkCompositeDepthTagMetric> composite;
+  composite->AddMetric(metric, 1.0);
+  relevo::EdgeTags cached[2];
+  std::vector<float> last;
+  const std::function<void()> changes[] = { [] {},
+    [&] { recipe->GetDisplacement()->SetScale(0.01); },
+    [&] { heights->Fill(64, 64, [](double x, double) { return 10.0 * x * x * x; }); },
+    [&] { recipe->SetDisplacement(nullptr); } };
+  for (const auto& change : changes)
+  {
+    change();
+    recipe->SetMetric(composite);
+    const std::vector<float> combined = UpdateTags(check, cached[0], mesh, recipe);
+    recipe->SetMetric(metric);
+    CHECK(combined == UpdateTags(check, cached[1], mesh, recipe));
+    relevo::EdgeTags fresh;
+    CHECK(combined == UpdateTags(check, fresh, mesh, recipe));
+    CHECK(combined != last);
+    last = combined;
+  }
+}
+
+// The root mean square of the vertical distances of a refined mesh from heights that are bilinear
+// between their samples.
+double GetError(vtkPolyData* mesh, vtkHeightField* heights)
+{
+  vtkDataArray* coordinates = mesh->GetPointData()->GetTCoords();
+  double sum = 0.0;
+  double area = 0.0;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    mesh->GetCellPoints(cell, size, ids);
+    double x[3][3];
+    double t[3][2];
+    for (int i = 0; i < 3; ++i)
+    {
+      mesh->GetPoint(ids[i], x[i]);
+      coordinates->GetTuple(ids[i], t[i]);
+    }
+    const double weight = std::abs(
+      (x[1][0] - x[0][0]) * (x[2][1] - x[0][1]) - (x[2][0] - x[0][0]) * (x[1][1] - x[0][1]));
+    const int fine = 1 + static_cast<int>(std::sqrt(weight) * 256);
+    double cellSum = 0.0;
+    int count = 0;
+    for (int i = 0; i < fine; ++i)
+    {
+      for (int j = 0; i + j < fine; ++j)
+      {
+        const double v = (i + 1.0 / 3.0) / fine;
+        const double w = (j + 1.0 / 3.0) / fine;
+        const double u = 1.0 - v - w;
+        const auto mix = [&](double a, double b, double c) { return u * a + v * b + w * c; };
+        const double off = mix(x[0][2], x[1][2], x[2][2]) -
+          heights->GetHeight(mix(t[0][0], t[1][0], t[2][0]), mix(t[0][1], t[1][1], t[2][1]));
+        cellSum += off * off;
+        ++count;
+      }
+    }
+    sum += weight * cellSum / count;
+    area += weight;
+  }
+  return std::sqrt(sum / area);
+}
+
+// Land that is rough at one end: with no more triangles it is nearer than by equal ones.
+void TestError(RelevoCheck& check)
+{
+  vtkNew<RelevoHeights> heights;
+  heights->Fill(256, 256,
+    [](double x, double y)
+    {
+      double height = 0.1 * std::sin(5 * x + 2 * y);
+      for (int octave = 3; octave < 7; ++octave)
+      {
+        const double f = 1 << octave;
+        height += x * x * std::sin(f * (6 * x + y) + octave) * std::cos(f * (5 * y - x)) / (5 * f);
+      }
+      return height;
+    });
+  const auto recipe = MakeRecipe(heights, 4);
+  recipe->SetLevelOffset(-0.75);
+  const auto refined = RelevoMeshes::Refine(MakePlane(16), recipe);
+  const int even =
+    static_cast<int>(std::ceil(std::sqrt(0.5 * static_cast<double>(refined->GetNumberOfPolys()))));
+  const auto plain = MakeRecipe(heights, 0);
+  const auto equal = RelevoMeshes::Refine(MakePlane(even), plain);
+  const double errors[2] = { GetError(refined, heights), GetError(equal, heights) };
+  std::cout << refined->GetNumberOfPolys() << " triangles by curvature, off by " << errors[0]
+            << "; " << equal->GetNumberOfPolys() << " equal ones by " << errors[1] << std::endl;
+  CHECK(refined->GetNumberOfPolys() <= equal->GetNumberOfPolys());
+  CHECK(errors[0] < 0.9 * errors[1]);
+}
+
+// Pieces with a layer of ghosts have the levels of the whole.
+void TestPieces(RelevoCheck& check)
+{
+  vtkNew<RelevoHeights> heights;
+  heights->FillRandom(64, 64, 7);
+  const auto whole = MakePlane(12);
+  const auto recipe = MakeRecipe(heights, 4);
+  auto* metric = vtkCurvatureDepthTagMetric::SafeDownCast(recipe->GetMetric());
+  metric->SetMaximumCurvature(200.0); // quantiles are exchanged elsewhere
+  const vtkIdType expected = RelevoMeshes::Refine(whole, recipe)->GetNumberOfPolys();
+  vtkIdType sum = 0;
+  for (const bool isRight : { false, true })
+  {
+    vtkNew<vtkPolyData> piece;
+    piece->DeepCopy(whole);
+    vtkNew<vtkUnsignedCharArray> ghosts;
+    ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+    for (vtkIdType cell = 0; cell < whole->GetNumberOfCells(); ++cell)
+    {
+      const bool isOwn = (cell % 12 >= 5) == isRight;
+      ghosts->InsertNextValue(isOwn ? 0 : vtkDataSetAttributes::DUPLICATECELL);
+    }
+    piece->GetCellData()->AddArray(ghosts);
+    sum += RelevoMeshes::Refine(piece, recipe)->GetNumberOfPolys();
+  }
+  CHECK(sum == expected && expected > whole->GetNumberOfCells() * 8);
+}
 }
 
 int TestCurvatureDepthTagMetric(int, char*[])
@@ -451,5 +669,9 @@ int TestCurvatureDepthTagMetric(int, char*[])
   TestQuantiles(check);
   TestKept(check);
   TestBadInput(check);
+  TestDisplaced(check);
+  TestComposite(check);
+  TestError(check);
+  TestPieces(check);
   return check.GetResult();
 }
