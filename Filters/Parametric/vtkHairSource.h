@@ -69,7 +69,7 @@ public:
   /**
    * Number of turns that the helix of a hair makes, 0 to 16; default 0.5. With 0 and without
    * gravity a hair is straight. The radius of the helix is 0.15 Curl / (Curl + 0.25) of the hair's
-   * length: with one turn and without gravity, root and tip are 0.9 of the hair's length apart.
+   * length: with one turn and without gravity, root and tip are 0.93 of the hair's length apart.
    * Another value is an error and changes nothing.
    */
   void SetCurl(double turns);

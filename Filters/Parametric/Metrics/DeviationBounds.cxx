@@ -274,45 +274,23 @@ double BoundCurve(const std::vector<dvec4>& points)
   return BoundSecond(piece, first, first, second);
 }
 
-// A part of a curve, of 1 / sqrt(Scale) of its parameters, and the bound that it gives the whole.
-struct CurvePart
+// By halves.
+double BoundCurvePieces(std::vector<dvec4> points, int splits)
 {
-  CurvePart(std::vector<dvec4> points, double scale)
-    : Points(std::move(points))
-    , Scale(scale)
-    , Bound(scale * BoundCurve(this->Points))
+  if (splits == 0)
   {
+    return BoundCurve(points);
   }
-
-  bool operator<(const CurvePart& other) const { return this->Bound < other.Bound; }
-
-  /// De Casteljau's halves: the first is the result, the second stays.
-  CurvePart Halve()
+  std::vector<dvec4> half;
+  for (std::size_t n = points.size(); n > 0; --n)
   {
-    std::vector<dvec4> half;
-    for (std::size_t n = this->Points.size(); n > 0; --n)
+    half.push_back(points[0]);
+    for (std::size_t i = 0; i + 1 < n; ++i)
     {
-      half.push_back(this->Points[0]);
-      for (std::size_t i = 0; i + 1 < n; ++i)
-      {
-        this->Points[i] = 0.5 * (this->Points[i] + this->Points[i + 1]);
-      }
+      points[i] = 0.5 * (points[i] + points[i + 1]);
     }
-    *this = CurvePart(std::move(this->Points), 4.0 * this->Scale);
-    return { std::move(half), this->Scale };
   }
-
-  std::vector<dvec4> Points;
-  double Scale;
-  double Bound;
-};
-
-// The bound of a rational curve is as loose as its weights differ within a part, so that it takes
-// more parts than that of a polynomial.
-int GetNumberOfCurveSplits(const std::vector<dvec4>& curve)
-{
-  constexpr std::array<int, 3> splits = { 0, 3, 40 };
-  return splits[GetNumberOfSplits(curve, static_cast<int>(curve.size()) - 1)];
+  return 4.0 * std::max(BoundCurvePieces(half, splits - 1), BoundCurvePieces(points, splits - 1));
 }
 }
 
@@ -323,18 +301,9 @@ dvec3 ComputeDeviationForm(const TriangleForm& triangle)
   return FitForm(demands);
 }
 
-// The part with the largest bound is halved, again and again.
 double ComputeChordDeviation(const std::vector<dvec4>& curve)
 {
-  std::vector<CurvePart> parts{ { curve, 1.0 } };
-  for (int splits = GetNumberOfCurveSplits(curve); splits > 0; --splits)
-  {
-    std::pop_heap(parts.begin(), parts.end());
-    const CurvePart half = parts.back().Halve();
-    std::push_heap(parts.begin(), parts.end());
-    parts.push_back(half);
-    std::push_heap(parts.begin(), parts.end());
-  }
-  return parts.front().Bound / 8.0;
+  return BoundCurvePieces(curve, GetNumberOfSplits(curve, static_cast<int>(curve.size()) - 1)) /
+    8.0;
 }
 }

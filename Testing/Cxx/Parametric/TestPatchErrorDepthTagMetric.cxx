@@ -6,7 +6,6 @@
 #include "RelevoPatchDistance.h"
 #include "RelevoPatches.h"
 
-#include "vtkAdaptiveCurveFilter.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkCamera.h"
@@ -23,15 +22,10 @@
 #include "vtkPatchSurfaceFilter.h"
 #include "vtkPointData.h"
 #include "vtkSphereSource.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <iostream>
 #include <limits>
-#include <random>
-#include <vector>
 
 namespace
 {
@@ -237,94 +231,6 @@ void TestCurves(RelevoCheck& check)
   CHECK(tags->GetComponent(0, 0) == 0.0);
 }
 
-std::array<double, 2> EvaluateRational(std::vector<std::array<double, 3>> points, double t)
-{
-  for (std::size_t n = points.size() - 1; n > 0; --n)
-  {
-    for (std::size_t i = 0; i < n; ++i)
-    {
-      for (int c = 0; c < 3; ++c)
-      {
-        points[i][c] += t * (points[i + 1][c] - points[i][c]);
-      }
-    }
-  }
-  return { points[0][0] / points[0][2], points[0][1] / points[0][2] };
-}
-
-// The least number of equal segments that keep the deviation at equal parameters, by samples.
-int FindLeastSegments(const std::vector<std::array<double, 3>>& points, double deviation)
-{
-  constexpr int samples = 16;
-  for (int n = 1; n < 512; ++n)
-  {
-    double most = 0.0;
-    for (int i = 0; i < n; ++i)
-    {
-      const auto first = EvaluateRational(points, i / static_cast<double>(n));
-      const auto last = EvaluateRational(points, (i + 1) / static_cast<double>(n));
-      for (int k = 1; k < samples; ++k)
-      {
-        const double t = k / static_cast<double>(samples);
-        const auto place = EvaluateRational(points, (i + t) / n);
-        most = std::max(most,
-          std::hypot(place[0] - (1.0 - t) * first[0] - t * last[0],
-            place[1] - (1.0 - t) * first[1] - t * last[1]));
-      }
-    }
-    if (most <= deviation)
-    {
-      return n;
-    }
-  }
-  return 512;
-}
-
-// Rational curves of degree 8 get few more segments than they need.
-void TestRationalCurves(RelevoCheck& check)
-{
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> number(0.0, 1.0);
-  double most = 0.0;
-  for (int round = 0; round < 20; ++round)
-  {
-    vtkNew<vtkPoints> points;
-    vtkNew<vtkDoubleArray> weights;
-    weights->SetName("RationalWeights");
-    std::vector<std::array<double, 3>> homogeneous;
-    for (int i = 0; i <= 8; ++i)
-    {
-      const double x[2] = { i / 8.0, 0.5 * number(random) };
-      const double weight = std::exp2(4.0 * number(random) - 2.0);
-      points->InsertNextPoint(x[0], x[1], 0.0);
-      weights->InsertNextValue(weight);
-      homogeneous.push_back({ { weight * x[0], weight * x[1], weight } });
-    }
-    vtkNew<vtkUnstructuredGrid> curve;
-    curve->SetPoints(points);
-    curve->GetPointData()->SetRationalWeights(weights);
-    curve->Allocate(1);
-    vtkIdType ids[9] = { 0, 8, 1, 2, 3, 4, 5, 6, 7 };
-    curve->InsertNextCell(VTK_BEZIER_CURVE, 9, ids);
-    Scene scene;
-    scene.Camera->ParallelProjectionOn();
-    vtkNew<vtkAdaptiveCurveFilter> filter;
-    filter->SetInputData(curve);
-    filter->SetRefinement(scene.Recipe);
-    filter->SetCamera(scene.Camera);
-    filter->SetViewportSize(Height, Height);
-    filter->Update();
-    const vtkIdType segments = filter->GetOutput()->GetNumberOfPoints() - 1;
-    // 300 pixels a unit, half a pixel.
-    const int least = FindLeastSegments(homogeneous, 0.5 / 300.0);
-    std::cout << segments << " " << least << "\n";
-    CHECK(segments >= least);
-    most = std::max(most, static_cast<double>(segments) / least);
-  }
-  std::cout << "at most " << most << " of the least number of segments\n";
-  CHECK(most < 1.7);
-}
-
 void TestErrors(RelevoCheck& check)
 {
   Scene scene;
@@ -371,7 +277,6 @@ int TestPatchErrorDepthTagMetric(int, char*[])
   TestMorphing(check);
   TestPlacement(check);
   TestCurves(check);
-  TestRationalCurves(check);
   TestErrors(check);
   return check.GetResult();
 }

@@ -58,7 +58,7 @@ struct Scene
 void TestNoRasters(RelevoCheck& check, const RelevoTestFolders& folders, Scene& scene)
 {
   CHECK(scene.Source->GetExecutive()->Update() == 0);
-  CHECK(scene.Errors.Said("neither a file name nor an image"));
+  CHECK(scene.Errors.Said("There is no file name: call SetFileName()."));
   scene.Works(check);
   scene.Fails(
     check, folders.File("no such terrain.tif"), "no such terrain.tif: the file does not exist");
