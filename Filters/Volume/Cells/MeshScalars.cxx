@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/MeshScalars.h"
 
+#include "Core/VTKCompatibility.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -11,6 +12,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationStringKey.h"
 #include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <sstream>
@@ -59,9 +61,15 @@ std::vector<Block> FindBlocks(vtkDataObject* input)
   return blocks;
 }
 
-// Cells of types that VTK does not know count: what reads cells reports them.
+// Cells of types that VTK does not know count, and so does a grid whose list of types is too short:
+// the check of cells reports them.
 bool HasSolidCells(vtkDataSet* mesh)
 {
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh);
+  if (grid && GetNumberOfCellTypes(grid) < grid->GetNumberOfCells())
+  {
+    return true;
+  }
   int known = -1; // the last type that is not 3D
   for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
   {
