@@ -119,7 +119,7 @@ class TestViewerTerminal(ViewerProgram):
                 (self.folder / name).symlink_to("/dev/full")
                 self.assert_error(
                     1, ["cannot write " + name, os.strerror(28)],  # ENOSPC
-                    "sphere.vtp", "--export=" + name)
+                    "sphere.vtp", "--surface=linear", "--export=" + name)
         for extension in (".ply", ".obj", ".stl", ".vtp"):
             self.view("sphere.vtp", "--export=whole" + extension, "--level=1")
             name = "large" + extension

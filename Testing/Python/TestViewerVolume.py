@@ -169,7 +169,7 @@ class TestViewerVolume(ViewerProgram):
         self.assertLess(drawn[45][60][1], 60)
         self.assertGreater(drawn[45][60][0], 80)
         self.assertGreater(nothing[45][60][1], 100)
-        self.assertEqual(nothing, self.picture(*settings, "--isosurfaces=-0.5,0.5"))
+        self.assertEqual(nothing, self.picture(*settings, "--isosurfaces=0.5"))
         # Without a file and without values something is seen as well.
         solid = self.transfer("0 1 0 0 1\n1 1 0 0 1\n")
         alone = self.picture("--volume", solid, "--blend=isosurface", "--view=90,0")
