@@ -40,7 +40,10 @@ def variants(source):
     if version >= 400 or "GL_ARB_gpu_shader5" not in source:
         return {"": source}
     return {
-        "with ARB_gpu_shader5": re.sub(r"#version \d+", "#version 400", source),
+        # VTK's own preamble defines this name for the version that it wrote.
+        "with ARB_gpu_shader5": re.sub(
+            r"#version \d+", "#version 400\n#define texelFetchBuffer texelFetch", source
+        ),
         "without ARB_gpu_shader5": source.replace("#ifndef GL_ARB_gpu_shader5", "#if 1"),
     }
 
