@@ -8,7 +8,7 @@
 
 #include <string>
 
-/// Throws ViewerError. VTK's reader would read beyond the end of what it has.
+/// Throws ViewerError. VTK's reader would read beyond the end of the file's data.
 void CheckPLY(const std::string& fileName);
 
 #endif

@@ -118,7 +118,7 @@ double TerrainCamera::GetLeastDistance(vtkCamera* camera)
     }
   };
   measure(nearest[0], nearest[1]);
-  // What is nearer than that is not farther to the side.
+  // Points nearer than that are not farther to the side.
   const double reach = least;
   for (int i = 0; i < Rings * Directions; ++i)
   {

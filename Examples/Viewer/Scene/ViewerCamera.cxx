@@ -58,7 +58,7 @@ void ViewerCamera::OnClippingRange(vtkObject*, unsigned long, void*)
   {
     return;
   }
-  // What is in a corner of the picture is less deep than it is distant.
+  // A point in a corner of the picture has a depth smaller than its distance.
   const double tangent = std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
   const double depth = this->GetLeastDistance(camera) /
     std::hypot(1.0, std::hypot(tangent, tangent * this->Renderer->GetTiledAspectRatio()));

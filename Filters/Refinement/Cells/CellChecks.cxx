@@ -43,7 +43,7 @@ enum class Fault : unsigned char
   Number // of kinds
 };
 
-// What is known of the grid's points.
+// The results of checking the grid's points.
 struct PointChecks
 {
   std::vector<unsigned char> IsBadPoint;

@@ -29,7 +29,7 @@ enum class CellUse : unsigned char
   Solid
 };
 
-/// What a class can take.
+/// The cells that a class accepts.
 struct CellDemands
 {
   /// Quadratic polygons and convex point sets too, which have no list of faces.

@@ -42,7 +42,7 @@ CreaseNormals::CreaseNormals(vtkPolyData* mesh, double featureAngle, bool keepCo
   : Triangles(std::make_shared<SurfaceTriangles>(mesh))
   , AreaVectors(SurfaceNormals(this->Triangles).GetAreaVectors())
 {
-  // Angles that are the feature angle but for rounding are no creases.
+  // Angles equal to the feature angle up to rounding are not creases.
   const double limit = featureAngle + FlatAngle;
   const vtkIdType firstStrip =
     mesh->GetNumberOfVerts() + mesh->GetNumberOfLines() + mesh->GetNumberOfPolys();

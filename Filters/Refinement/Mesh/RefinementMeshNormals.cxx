@@ -44,7 +44,7 @@ double angle(const Vector& a, const Vector& b)
   return std::atan2(std::sqrt(dot(c, c)), dot(a, b));
 }
 
-// Unit normals that differ by less are the same but for rounding.
+// Unit normals that differ by less are equal up to rounding.
 constexpr float NormalRounding = 1e-5f;
 }
 

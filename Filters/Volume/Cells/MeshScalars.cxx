@@ -24,7 +24,7 @@ namespace
 struct Block
 {
   vtkDataSet* Set;
-  std::string Name; // empty for an input that is no composite
+  std::string Name; // empty for an input that is not composite
 };
 
 std::string GetName(vtkCompositeDataIterator* leaf)

@@ -29,7 +29,7 @@ struct IsoCrossing
   double Value;
 };
 
-/// What is drawn: values of cells, or of points in a range.
+/// The drawn data: values of cells, or of points in a range.
 struct SurfaceData
 {
   bool AreOfCells;

@@ -248,7 +248,7 @@ bool JoiningMesh::IsMirrored(const VolumeCells::Cell& cell) const
   return volume < 0.0;
 }
 
-// Whether all points of each face are in one plane, but for what floats round.
+// Whether all points of each face lie in one plane, up to the rounding of floats.
 bool JoiningMesh::IsFlat(const VolumeCells::Cell& cell) const
 {
   const auto get = [&](int i) { return this->Cells.GetPoints()[this->Cells.GetCornerId(cell, i)]; };

@@ -277,7 +277,7 @@ Mesh Reverse(vtkPolyData* patches)
   return reversed;
 }
 
-// Normals that agree but for rounding are shared: which of them does not depend on the order.
+// Normals that agree up to rounding are shared. The choice does not depend on the order.
 void TestOrder(RelevoCheck& check)
 {
   auto source = RelevoMakeTorus(3.0, 1.0).NewSource();

@@ -129,7 +129,7 @@ void TestForeignFiles(RelevoCheck& check, const std::string& folder)
   const Files before = ReadFolder(folder + "/data.csv.in");
   CHECK(!Write(folder + "/data.csv.in", MakeReliefs(2, 10), error));
   CHECK(ReadFolder(folder + "/data.csv.in") == before);
-  // What SIGKILL has left is no file of others.
+  // A file left by SIGKILL does not count as foreign.
   const std::string left = folder + "/left";
   RelevoMakeFolder(left);
   RelevoWriteFile(left + "/.relief_0000.abcdefgh.part.vti", "half a relief");

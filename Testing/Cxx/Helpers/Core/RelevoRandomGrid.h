@@ -25,7 +25,7 @@ public:
 
   vtkUnstructuredGrid* Get() { return this->Grid; }
 
-  // What is wrong with it, in words for messages; empty for a sound grid.
+  // The fault in words for messages; empty for a sound grid.
   const std::string& GetFault() const { return this->Fault; }
   // Whether all who take the grid have to report the fault: it is none of those that may be sound
   // by chance.

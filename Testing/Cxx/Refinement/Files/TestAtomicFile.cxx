@@ -156,7 +156,7 @@ void TestDevices(RelevoCheck& check, const std::string& folder)
   reader.join();
   CHECK(fault.empty() && read == New && fs::is_fifo(pipe));
 
-  // What standard output has been redirected to is not replaced.
+  // The target of a redirected standard output is not replaced.
   const std::string name = folder + "/output";
   RunChild(
     [&]()

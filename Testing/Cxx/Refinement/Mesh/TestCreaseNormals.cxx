@@ -158,7 +158,7 @@ void checkFlatSolids(RelevoCheck& check)
   CHECK(fit(solids[2]).NumberOfCreases == 30);
 }
 
-// What bends is curved, and only that.
+// Only bent parts become curved.
 void checkRoundSolids(RelevoCheck& check)
 {
   const double pi = vtkMath::Pi();

@@ -75,7 +75,7 @@ void LimitTime(int seconds)
 #endif
 }
 
-// What an object reports of one grid.
+// The reports of an object about one grid.
 class Reports
 {
 public:
