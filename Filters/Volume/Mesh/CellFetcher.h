@@ -4,8 +4,11 @@
  * @class   CellFetcher
  * @brief   the cells of a data set as VTK's objects
  *
- * A vtkGenericCell must not become a Lagrange tetrahedron of 10 points after one of 15: VTK keeps
- * tables of the latter and reads past their end.
+ * Two faults of VTK's cells would damage memory:
+ * - A vtkGenericCell must not become a Lagrange tetrahedron of 10 points after one of 15: VTK keeps
+ *   tables of the latter and reads past their end.
+ * - The faces of a Bézier wedge of degree 1 write weights past the end of an array. Only the points
+ *   of cells and faces are used here, so that cells get no weights.
  *
  * Private to the module's own sources.
  */
@@ -15,6 +18,7 @@
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
 #include "vtkGenericCell.h"
+#include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 
 namespace relevo
@@ -25,6 +29,12 @@ public:
   explicit CellFetcher(vtkDataSet* mesh)
     : Mesh(mesh)
   {
+    if (mesh->GetPointData()->GetRationalWeights())
+    {
+      this->Mesh.TakeReference(mesh->NewInstance());
+      this->Mesh->ShallowCopy(mesh);
+      this->Mesh->GetPointData()->SetRationalWeights(nullptr);
+    }
   }
 
   /// Valid until the next call. The cell must be sound.
@@ -43,7 +53,7 @@ public:
   }
 
 private:
-  vtkDataSet* Mesh;
+  vtkSmartPointer<vtkDataSet> Mesh;
   vtkSmartPointer<vtkGenericCell> Cell = vtkSmartPointer<vtkGenericCell>::New();
   vtkSmartPointer<vtkGenericCell> Lagrange = vtkSmartPointer<vtkGenericCell>::New();
   vtkIdType NumberOfPoints = 0;
