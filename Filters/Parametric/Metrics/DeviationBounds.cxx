@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Metrics/DeviationBounds.h"
 
+#include "Metrics/SecondDerivatives.h"
 #include "Metrics/TriangleForm.h"
-#include "Splines/TriangleIndex.h"
 
 #include <algorithm>
 #include <array>
@@ -120,119 +120,26 @@ dvec3 FitForm(const Demands& demands)
   }
 }
 
-double Length(const dvec4& v)
-{
-  return length(dvec3(v));
-}
-
-// What bounds derivatives of a piece: its points moved to an origin amidst them.
-struct Piece
-{
-  explicit Piece(std::vector<dvec4> homogeneous)
-    : Points(std::move(homogeneous))
-  {
-    dvec3 middle(0.0);
-    for (const dvec4& point : this->Points)
-    {
-      middle += dvec3(point) / point.w / static_cast<double>(this->Points.size());
-    }
-    for (dvec4& point : this->Points)
-    {
-      point -= dvec4(point.w * middle, 0.0);
-      this->Radius = std::max(this->Radius, Length(point) / point.w);
-      this->LeastWeight = std::min(this->LeastWeight, point.w);
-    }
-  }
-
-  std::vector<dvec4> Points;
-  double Radius = 0.0;
-  double LeastWeight = std::numeric_limits<double>::infinity();
-};
-
-// The largest of derivatives' coordinates and weights.
-struct Largest
-{
-  double Vector = 0.0;
-  double Weight = 0.0;
-
-  void Add(const dvec4& derivative)
-  {
-    this->Vector = std::max(this->Vector, Length(derivative));
-    this->Weight = std::max(this->Weight, std::abs(derivative.w));
-  }
-};
-
-double BoundFirst(const Piece& piece, const Largest& d)
-{
-  return (d.Vector + d.Weight * piece.Radius) / piece.LeastWeight;
-}
-
-double BoundSecond(const Piece& piece, const Largest& d, const Largest& e, const Largest& de)
-{
-  return (de.Vector + d.Weight * BoundFirst(piece, e) + e.Weight * BoundFirst(piece, d) +
-           de.Weight * piece.Radius) /
-    piece.LeastWeight;
-}
-
-// Control points of a triangle's derivatives in directions d and e.
-dvec4 GetFirst(const Piece& piece, int degree, int j, int k, const dvec3& d)
-{
-  const auto at = [&](int dj, int dk)
-  { return piece.Points[GetTriangleIndex(degree, j + dj, k + dk)]; };
-  return static_cast<double>(degree) * (d.x * at(0, 0) + d.y * at(1, 0) + d.z * at(0, 1));
-}
-
-dvec4 GetSecond(const Piece& piece, int degree, int j, int k, const dvec3& d, const dvec3& e)
-{
-  const auto at = [&](int dj, int dk)
-  { return piece.Points[GetTriangleIndex(degree, j + dj, k + dk)]; };
-  return static_cast<double>(degree * (degree - 1)) *
-    (d.x * e.x * at(0, 0) + d.y * e.y * at(2, 0) + d.z * e.z * at(0, 2) +
-      (d.x * e.y + d.y * e.x) * at(1, 0) + (d.x * e.z + d.z * e.x) * at(0, 1) +
-      (d.y * e.z + d.z * e.y) * at(1, 1));
-}
-
 // What derivatives of a piece demand of a form, `scale` times as long as its own.
 void AddDemands(const TriangleForm& form, double scale, Demands& demands)
 {
-  const int degree = form.GetDegree();
-  const Piece piece(form.GetPoints());
+  const SecondDerivatives derivatives(form);
   const Directions& directions = GetDirections();
-  std::array<Largest, NumberOfDirections + 1> firsts;
-  std::array<Largest, NumberOfDemands> seconds;
-  for (int k = 0; k < degree; ++k)
-  {
-    for (int j = 0; j + k < degree; ++j)
-    {
-      for (int i = 0; i <= NumberOfDirections; ++i)
-      {
-        firsts[i].Add(scale * GetFirst(piece, degree, j, k, directions[i]));
-      }
-      for (int i = 0; i < NumberOfDirections && j + k + 1 < degree; ++i)
-      {
-        const dvec3& d = directions[i];
-        seconds[2 * i].Add(scale * scale * GetSecond(piece, degree, j, k, d, d));
-        seconds[2 * i + 1].Add(
-          scale * scale * GetSecond(piece, degree, j, k, d, directions[i + 1]));
-      }
-    }
-  }
   for (int i = 0; i < NumberOfDirections; ++i)
   {
+    const dvec3& d = directions[i];
     double& one = demands[2 * i];
-    one = std::max(one, BoundSecond(piece, firsts[i], firsts[i], seconds[2 * i]));
+    one = std::max(one, scale * scale * derivatives.Bound(d, d));
     double& two = demands[2 * i + 1];
-    two = std::max(two, BoundSecond(piece, firsts[i], firsts[i + 1], seconds[2 * i + 1]));
+    two = std::max(two, scale * scale * derivatives.Bound(d, directions[i + 1]));
   }
 }
 
-// Nets of pieces are nearer to what they bound, the more so where weights differ.
-int GetNumberOfSplits(const std::vector<dvec4>& points, int degree)
+// Nets of pieces are nearer to what they bound, the more so where weights differ. Products of high
+// degrees take long.
+int GetNumberOfSplits(const TriangleForm& form)
 {
-  const bool isRational = std::any_of(points.begin(), points.end(),
-    [&](const dvec4& point)
-    { return std::abs(point.w - points[0].w) > 1e-9 * std::abs(points[0].w); });
-  return isRational ? 2 : (degree > 2 ? 1 : 0);
+  return form.IsRational() ? (form.GetDegree() > 6 ? 1 : 2) : (form.GetDegree() > 2 ? 1 : 0);
 }
 
 void AddPieces(const TriangleForm& form, int splits, double scale, Demands& demands)
@@ -255,55 +162,12 @@ void AddPieces(const TriangleForm& form, int splits, double scale, Demands& dema
   // Its coordinates run backwards, which lengths do not tell.
   AddPieces(TriangleForm(form, middles), splits - 1, 2.0 * scale, demands);
 }
-
-double BoundCurve(const std::vector<dvec4>& points)
-{
-  const Piece piece(points);
-  const auto degree = static_cast<double>(points.size() - 1);
-  Largest first;
-  Largest second;
-  for (std::size_t i = 1; i < points.size(); ++i)
-  {
-    first.Add(degree * (piece.Points[i] - piece.Points[i - 1]));
-    if (i > 1)
-    {
-      second.Add(degree * (degree - 1.0) *
-        (piece.Points[i] - 2.0 * piece.Points[i - 1] + piece.Points[i - 2]));
-    }
-  }
-  return BoundSecond(piece, first, first, second);
-}
-
-// By halves.
-double BoundCurvePieces(std::vector<dvec4> points, int splits)
-{
-  if (splits == 0)
-  {
-    return BoundCurve(points);
-  }
-  std::vector<dvec4> half;
-  for (std::size_t n = points.size(); n > 0; --n)
-  {
-    half.push_back(points[0]);
-    for (std::size_t i = 0; i + 1 < n; ++i)
-    {
-      points[i] = 0.5 * (points[i] + points[i + 1]);
-    }
-  }
-  return 4.0 * std::max(BoundCurvePieces(half, splits - 1), BoundCurvePieces(points, splits - 1));
-}
 }
 
 dvec3 ComputeDeviationForm(const TriangleForm& triangle)
 {
   Demands demands{};
-  AddPieces(triangle, GetNumberOfSplits(triangle.GetPoints(), triangle.GetDegree()), 1.0, demands);
+  AddPieces(triangle, GetNumberOfSplits(triangle), 1.0, demands);
   return FitForm(demands);
-}
-
-double ComputeChordDeviation(const std::vector<dvec4>& curve)
-{
-  return BoundCurvePieces(curve, GetNumberOfSplits(curve, static_cast<int>(curve.size()) - 1)) /
-    8.0;
 }
 }

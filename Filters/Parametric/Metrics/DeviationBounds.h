@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   how far rational Bézier curves and triangles are from what interpolates them linearly
+ * @brief   how far rational Bézier triangles are from their linear interpolation
  *
  * With second derivatives S_dd in a direction d, of the triangle's barycentric coordinates, a
  * point x = sum of mu_k x_k of a triangle in the parameters is off by
@@ -15,11 +15,7 @@
  *
  *     |S(x) - sum mu_k S(x_k)| <= 1/8 sum F_c range_c^2.
  *
- * Second derivatives are in the convex hull of the second differences of control points. Of a
- * rational S = A / w, with both relative to some origin and r the largest |S|,
- *
- *     |S_de| <= (|A_de| + |w_d| |S_e| + |w_e| |S_d| + |w_de| r) / w_min,  |S_d| <= (|A_d| + |w_d|
- * r) / w_min.
+ * SecondDerivatives bounds |S_de| for two directions.
  *
  * Private to the module's own sources.
  */
@@ -36,9 +32,6 @@ class TriangleForm;
 
 /// F, of the form above; of all such F one of least sum.
 dvec3 ComputeDeviationForm(const TriangleForm& triangle);
-
-/// A curve of homogeneous points cut into n equal segments is off by no more than this over n^2.
-double ComputeChordDeviation(const std::vector<dvec4>& curve);
 }
 
 #endif

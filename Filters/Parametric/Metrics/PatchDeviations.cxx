@@ -4,6 +4,7 @@
 
 #include "Mesh/PatchArrays.h"
 #include "Mesh/SurfaceEdges.h"
+#include "Metrics/ChordDeviation.h"
 #include "Metrics/DeviationBounds.h"
 #include "Metrics/MetricMesh.h"
 #include "Metrics/TriangleForm.h"

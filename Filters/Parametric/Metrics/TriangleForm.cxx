@@ -4,6 +4,8 @@
 
 #include "Splines/TriangleIndex.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace relevo
@@ -125,6 +127,13 @@ TriangleForm::TriangleForm(const TriangleForm& form, const dvec3 corners[3])
     dvec3(corners[0].y, corners[1].y, corners[2].y),
     dvec3(corners[0].z, corners[1].z, corners[2].z) };
   this->Points = BlendTriangle(form.Points, form.Degree, coordinates);
+}
+
+bool TriangleForm::IsRational() const
+{
+  const double weight = this->Points[0].w;
+  return std::any_of(this->Points.begin(), this->Points.end(),
+    [weight](const dvec4& point) { return std::abs(point.w - weight) > 1e-9 * weight; });
 }
 
 std::vector<dvec4> TriangleForm::GetEdge(int corner) const

@@ -33,6 +33,9 @@ public:
   /// In the order of GetTriangleIndex(), by the exponents of the second corner and the third.
   const std::vector<dvec4>& GetPoints() const { return this->Points; }
 
+  /// Whether control points have different weights.
+  bool IsRational() const;
+
   /// The control points on the edge opposite to a corner.
   std::vector<dvec4> GetEdge(int corner) const;
 
