@@ -30,6 +30,21 @@ void CopyArrays(vtkFieldData* from, vtkFieldData* to, std::initializer_list<cons
     }
   }
 }
+
+// Sides that no quad has are not joined by any surface: nothing is drawn between their texels.
+void OpenSidesWithoutQuads(std::vector<unsigned char>& sides, int width)
+{
+  const std::size_t columns = width;
+  for (std::size_t i = 0; i < sides.size(); ++i)
+  {
+    // There is no quad in the last column, which is before the first one of the next row.
+    const bool isBelow = i >= columns && (sides[i - columns] & Quad);
+    const bool isLeft = i > 0 && (sides[i - 1] & Quad);
+    const bool isQuad = (sides[i] & Quad) != 0;
+    sides[i] = static_cast<unsigned char>(
+      sides[i] & (Quad | (isQuad || isBelow ? RightSide : 0) | (isQuad || isLeft ? UpperSide : 0)));
+  }
+}
 }
 
 std::string WarpSource::Read(vtkImageData* image, double maximumStretch)
@@ -48,6 +63,7 @@ std::string WarpSource::Read(vtkImageData* image, double maximumStretch)
   const int width = this->GetWidth();
   const int height = this->GetHeight();
   this->Sides = FindReliefSides(this->TheRelief, maximumStretch);
+  OpenSidesWithoutQuads(this->Sides, width);
   this->Heights.resize(this->TheRelief.GetNumberOfTexels());
   this->Work.resize(height);
   vtkSMPTools::For(0, height,

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <iostream>
 #include <limits>
+#include <vector>
 
 namespace
 {
@@ -182,6 +183,53 @@ void TestSingleTexels(RelevoCheck& check)
   }
 }
 
+// Rows too far apart for a surface between them: texels are seen, and nothing between them.
+void TestRows(RelevoCheck& check)
+{
+  const RelevoWarpScene scene{ "rows", [](int, int row) { return row % 2 == 0 ? 0.0 : -40.0; },
+    false };
+  const auto image = RelevoMakeWarpRelief(scene, Width, Height, ReliefProjection::Parallel);
+  for (const View& view : Views)
+  {
+    const auto camera = RelevoMakeWarpCamera(
+      Width, Height, ReliefProjection::Parallel, view.IsParallel, view.X, view.Y);
+    vtkNew<vtkReliefWarper> warper;
+    warper->SetInputData(image);
+    warper->SetCamera(camera);
+    warper->Update();
+    const RelevoWarpReference reference(image, camera);
+    std::vector<bool> isNear(image->GetNumberOfPoints(), false); // to a texel's place, by 0.501
+    for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+    {
+      const dvec2 place =
+        reference.Project(static_cast<int>(i % Width), static_cast<int>(i / Width));
+      for (double x : { -0.501, 0.501 })
+      {
+        for (double y : { -0.501, 0.501 })
+        {
+          const int column =
+            static_cast<int>(x < 0.0 ? std::ceil(place.x + x) : std::floor(place.x + x));
+          const int row =
+            static_cast<int>(y < 0.0 ? std::ceil(place.y + y) : std::floor(place.y + y));
+          if (column >= 0 && column < Width && row >= 0 && row < Height)
+          {
+            isNear[row * Width + column] = true;
+          }
+        }
+      }
+    }
+    int seen = 0;
+    for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+    {
+      const double depth =
+        warper->GetOutput()->GetPointData()->GetArray("Depth")->GetComponent(i, 0);
+      seen += depth == depth;
+      CHECK(depth != depth || isNear[i]);
+    }
+    CHECK(seen > Width * Height / 8);
+  }
+}
+
 // From where the relief is seen from, the picture is the relief.
 void TestIdentity(RelevoCheck& check)
 {
@@ -285,6 +333,7 @@ int TestReliefWarper(int, char*[])
   RelevoCheck check;
   TestAgainstReference(check);
   TestSingleTexels(check);
+  TestRows(check);
   TestIdentity(check);
   TestPlaces(check);
   TestThin(check);
