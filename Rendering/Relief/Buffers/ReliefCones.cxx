@@ -21,7 +21,6 @@ public:
     , First(tiles.GetHeights().data() +
         static_cast<size_t>(tile / tiles.GetTilesPerRow()) * ReliefTiles::Texels * this->Stride +
         tile % tiles.GetTilesPerRow() * ReliefTiles::Texels)
-    , Top(tiles.GetPlaces()[tile].z)
   {
   }
 
@@ -37,10 +36,7 @@ public:
       {
         if (texel != ivec2(c, r))
         {
-          for (const float share : Starts)
-          {
-            ratio = std::min(ratio, this->Limit(texel, ivec2(c, r), share));
-          }
+          ratio = std::min(ratio, this->Limit(texel, ivec2(c, r)));
         }
       }
     }
@@ -49,50 +45,43 @@ public:
 
 private:
   static constexpr float Widest = 100.0f;
-  // From where rays start above a texel: at the top, and in a valley also below.
-  static constexpr float Starts[] = { 0.0f, 0.5f, 0.75f, 0.9f };
 
   float GetHeight(const ivec2& texel) const
   {
     return this->First[static_cast<size_t>(texel.y) * this->Stride + texel.x];
   }
 
-  // The ray from a share of the way down to a texel into the surface at another: where it leaves
-  // the surface again it must be outside the cone.
-  float Limit(const ivec2& texel, const ivec2& other, float share) const
+  // A level ray into the surface at another texel: the cone must end before it leaves the surface
+  // again. Rays from higher up, however high, go deeper and leave the surface no earlier.
+  float Limit(const ivec2& texel, const ivec2& other) const
   {
+    const float height = this->GetHeight(other);
     const float bottom = this->GetHeight(texel);
-    const float start = this->Top + share * (bottom - this->Top);
-    const vec2 along = other - texel;
-    const float steps = max(abs(along.x), abs(along.y));
-    const vec2 step = along / steps;
-    float height = this->GetHeight(other);
-    const float slope = (height - start) / steps;
-    if (slope < 0.0f)
+    if (height >= bottom)
     {
-      return Widest; // rays towards the viewer take even steps
+      return Widest;
     }
+    const vec2 along = other - texel;
+    const vec2 step = along / max(abs(along.x), abs(along.y));
     vec2 place = other;
     for (;;)
     {
       place += step;
-      height += slope;
       const ivec2 nearest(std::lround(place.x), std::lround(place.y));
-      if (height >= bottom || any(lessThan(nearest, ivec2(0))) ||
+      if (any(lessThan(nearest, ivec2(0))) ||
         any(greaterThanEqual(nearest, ivec2(ReliefTiles::Texels))))
       {
         return Widest;
       }
       if (this->GetHeight(nearest) > height)
       {
-        return length(place - vec2(texel)) / (bottom - height);
+        return length(place - step - vec2(texel)) / (bottom - height);
       }
     }
   }
 
   const int Stride;
   const float* const First;
-  const float Top;
 };
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   for each texel a cone above it that no ray from the relief's viewer meets the surface in
- *          more than once
+ * @brief   for each texel a cone above it in which no ray meets the surface more than once that
+ *          goes away from the relief's viewer, wherever it starts
  *
  * F. Policarpo, M. Oliveira, "Relaxed Cone Stepping for Relief Mapping", 2007. Private to the
  * module.

@@ -1,6 +1,6 @@
 // Where a ray meets the surface of a tile: by steps to the border of a cone that it meets the surface
 // in at most once (F. Policarpo, M. Oliveira, "Relaxed Cone Stepping for Relief Mapping", 2007). The
-// cones are those of rays that come from the relief's viewer.
+// cones are those of rays that go away from the relief's viewer.
 uniform sampler2D reliefCones;
 
 bool reliefMeetTile()

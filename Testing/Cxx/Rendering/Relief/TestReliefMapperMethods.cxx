@@ -115,12 +115,12 @@ void TestValley(RelevoCheck& check)
       const double side = std::abs(column - 48.0) / 48.0;
       return -15.0 * side * side + 1.2 * std::sin(0.61 * column + 0.3 * row) * std::sin(0.47 * row);
     });
-  RelevoReliefScene scene(relief, 200, 150);
+  RelevoReliefScene scene(relief, 160, 120);
   scene.Mapper->SetMethodToRayMarch();
   scene.Mapper->SetSearchToRelaxedCones();
   vtkCamera* camera = scene.GetCamera();
   camera->SetViewUp(0.0, 0.0, -1.0);
-  for (double eye : { -8.0, -12.0 })
+  for (double eye : { -3.0, -5.0, -12.0 })
   {
     camera->SetPosition(48.0, 4.0, eye);
     camera->SetFocalPoint(48.0, 97.0, 0.0);
