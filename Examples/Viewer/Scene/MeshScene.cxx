@@ -3,6 +3,7 @@
 #include "Scene/MeshScene.h"
 
 #include "Files/MeshReader.h"
+#include "Scene/ArrayUnit.h"
 #include "Scene/MeshColours.h"
 #include "Scene/MeshMapping.h"
 #include "Scene/MeshProbe.h"
@@ -371,7 +372,7 @@ void MeshScene::SetArrayColours()
   ShowIsolines(this->Options, this->Mapper, range);
   if (this->Options.Color == ViewerOptions::ColorType::Own)
   {
-    this->AddLegend(colours, this->ArrayName, 5);
+    this->AddLegend(colours, this->ArrayName, GetArrayUnit(array), 5);
   }
 }
 

@@ -107,7 +107,8 @@ void SurfaceScene::SetLevelColours()
       break;
   }
   this->Actor->SetTexture(nullptr);
-  this->AddLegend(this->Mapper->GetLevelLookupTable(), title, this->Recipe->GetMaximumLevel() + 1);
+  this->AddLegend(
+    this->Mapper->GetLevelLookupTable(), title, "", this->Recipe->GetMaximumLevel() + 1);
 }
 
 //------------------------------------------------------------------------------

@@ -285,7 +285,7 @@ void TerrainScene::SetColours()
     image = MakeHypsometricTint(this->Source->GetHeightMap(), colours);
     if (this->Options.Color == ViewerOptions::ColorType::Own)
     {
-      this->AddLegend(colours, HeightName, 5);
+      this->AddLegend(colours, HeightName, this->GetHeightUnit(), 5);
     }
   }
   else if (this->Options.Stretch)
@@ -386,6 +386,18 @@ std::string TerrainScene::GetUnit()
 }
 
 //------------------------------------------------------------------------------
+std::string TerrainScene::GetHeightUnit()
+{
+  if (this->GetUnit().empty() || this->Options.Exaggeration == 0.0)
+  {
+    return "";
+  }
+  const double metres = this->Source->GetDisplacement()->GetScale() / this->Options.Exaggeration;
+  const auto isUnit = [=](double length) { return std::abs(metres - length) < 1e-5 * length; };
+  return isUnit(1.0) ? "m" : isUnit(0.3048) ? "ft" : "";
+}
+
+//------------------------------------------------------------------------------
 std::string TerrainScene::Describe(const double point[3], double resolution)
 {
   const std::string unit = this->GetUnit().empty() ? "" : " " + this->GetUnit();
@@ -394,7 +406,9 @@ std::string TerrainScene::Describe(const double point[3], double resolution)
   double height;
   if (this->Probe->GetHeight(point[0], point[1], height))
   {
-    text += "  height " + FormatNumber(height, resolution);
+    const std::string heightUnit = this->GetHeightUnit();
+    text +=
+      "  height " + FormatNumber(height, resolution) + (heightUnit.empty() ? "" : " " + heightUnit);
   }
   double map[3];
   if (this->Source->TerrainToMap(point, map))

@@ -37,6 +37,8 @@ private:
   int GetDefaultLevel();
   vtkSmartPointer<vtkDepthTagMetric> MakeReliefMetric();
   void SetColours();
+  /// Of the raster's heights; "" where it is not known.
+  std::string GetHeightUnit();
   std::optional<std::array<double, 3>> GetCentre();
   /// Whether numbers for --center look like a longitude and a latitude.
   bool IsInRaster(double longitude, double latitude);

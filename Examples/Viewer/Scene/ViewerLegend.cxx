@@ -2,70 +2,264 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/ViewerLegend.h"
 
-#include "vtkScalarBarActor.h"
+#include "Scene/LegendText.h"
+#include "Text/PrintableText.h"
+
+#include "vtkActor2D.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCommand.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper2D.h"
+#include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
+#include "vtkTextActor.h"
 #include "vtkTextProperty.h"
+#include "vtkTextRenderer.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace
 {
-// Neighbouring labels differ by two digits at least; thousands and hundredths are written out.
-std::string GetLabelFormat(const double range[2], int numberOfLabels)
+// Pixels.
+const int SmallestSize[2] = { 240, 180 };
+const int BarWidth = 20;
+const int HighestBar = 200;
+const int LowestBar = 60;
+const int RowHeight = 20;  // of an indexed table
+const int LowestRow = 12;  // of an indexed table
+const int LabelPitch = 18; // least distance of labels
+const int Gap = 6;
+const int FontSize = 14;
+const int NarrowestTitle = 110;
+const double TitleShare = 0.14; // of the picture's width
+const int FewLines = 4;
+const int MostLines = 6;
+const int Dots = 72; // per inch, as VTK's windows have them
+
+void SetLook(vtkTextProperty* text)
 {
-  const double largest = std::max(std::abs(range[0]), std::abs(range[1]));
-  const double step = (range[1] - range[0]) / (numberOfLabels - 1);
-  if (!(step >= 1e-4 && largest < 1e6))
-  {
-    return "%.3g";
-  }
-  const int decimals = static_cast<int>(std::max(std::ceil(1.0 - std::log10(step)), 0.0));
-  return "%." + std::to_string(decimals) + "f";
+  text->SetColor(0.1, 0.1, 0.1);
+  text->SetFontSize(FontSize);
+  text->ShadowOff();
 }
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkScalarBarActor> MakeLegend(
-  vtkScalarsToColors* table, const std::string& title, int numberOfLabels, const int size[2])
+ViewerLegend::ViewerLegend(
+  vtkRenderer* renderer, vtkScalarsToColors* table, const std::string& title, int numberOfLabels)
+  : Renderer(renderer)
+  , Table(table)
+  , Name(ToPrintable(title))
+  , NumberOfLabels(numberOfLabels)
 {
-  const int rowHeight = 20;      // pixels
-  const double narrowest = 80.0; // pixels, for words
-  const int rows =
-    table->GetIndexedLookup() ? static_cast<int>(table->GetNumberOfAnnotatedValues()) : 10;
-  const double share = static_cast<double>(rowHeight) * (rows + 2) / size[1];
-  if (share > 0.90)
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputData(this->Shape);
+  this->Bar->SetMapper(mapper);
+  renderer->AddViewProp(this->Bar);
+  this->Title = this->AddText();
+  this->Title->GetTextProperty()->SetVerticalJustificationToTop();
+  this->Tag = renderer->AddObserver(vtkCommand::StartEvent, this, &ViewerLegend::OnStart);
+}
+
+//------------------------------------------------------------------------------
+ViewerLegend::~ViewerLegend()
+{
+  this->Renderer->RemoveObserver(this->Tag);
+}
+
+//------------------------------------------------------------------------------
+std::array<int, 2> ViewerLegend::GetCorner(const int size[2])
+{
+  this->LayOut(size);
+  return this->Corner;
+}
+
+//------------------------------------------------------------------------------
+void ViewerLegend::OnStart(vtkObject*, unsigned long, void*)
+{
+  this->LayOut(this->Renderer->GetSize());
+}
+
+//------------------------------------------------------------------------------
+void ViewerLegend::LayOut(const int size[2])
+{
+  if (std::equal(size, size + 2, this->Size))
   {
-    return nullptr;
+    return;
   }
-  auto legend = vtkSmartPointer<vtkScalarBarActor>::New();
-  legend->SetLookupTable(table);
-  legend->SetTitle(title.c_str());
-  legend->SetNumberOfLabels(numberOfLabels);
-  legend->SetLabelFormat(GetLabelFormat(table->GetRange(), numberOfLabels).c_str());
-  if (table->GetIndexedLookup())
+  std::copy_n(size, 2, this->Size);
+  const int margin = std::min(std::max(3 * std::min(size[0], size[1]) / 200, 4), 16);
+  this->SetTitle(size, margin);
+  int box[4];
+  vtkTextRenderer::GetInstance()->GetBoundingBox(
+    this->Title->GetTextProperty(), this->Title->GetInput(), box, Dots);
+  const int titleHeight = box[3] - box[2] + 1;
+  // Labels at the ends reach beyond the bar by half their height.
+  const int overhang = this->Table->GetIndexedLookup() ? 0 : FontSize / 2;
+  const int top = size[1] - margin - titleHeight - Gap - overhang;
+  const int height = this->GetBarHeight(top - margin - overhang);
+  const bool isShown = height > 0 && size[0] >= SmallestSize[0] && size[1] >= SmallestSize[1];
+  const std::vector<Row> rows = isShown ? this->GetRows(height) : std::vector<Row>();
+  int labelWidth = 0;
+  while (this->Labels.size() < rows.size())
   {
-    legend->SetTextPositionToPrecedeScalarBar(); // which puts annotations on the other side
+    this->Labels.push_back(this->AddText());
+    this->Labels.back()->GetTextProperty()->SetVerticalJustificationToCentered();
   }
-  legend->SetVerticalTitleSeparation(8);
-  legend->SetAnnotationLeaderPadding(6);
-  legend->UnconstrainedFontSizeOn();
-  legend->SetBarRatio(0.25);
-  // What stands beside an indexed table's colours makes its own room.
-  legend->SetWidth(table->GetIndexedLookup() ? 0.08 : std::max(0.08, narrowest / size[0]));
-  legend->SetHeight(share);
-  // The title of a continuous bar stands above it.
-  const double headroom =
-    table->GetIndexedLookup() ? 0.0 : static_cast<double>(rowHeight) / size[1];
-  legend->SetPosition(0.015, 0.98 - headroom - share);
-  for (vtkTextProperty* text : { legend->GetTitleTextProperty(), legend->GetLabelTextProperty(),
-         legend->GetAnnotationTextProperty() })
+  for (std::size_t i = 0; i < this->Labels.size(); ++i)
   {
-    text->SetColor(0.1, 0.1, 0.1);
-    text->SetFontSize(14);
-    text->ShadowOff();
-    text->BoldOff();
-    text->ItalicOff();
+    vtkTextActor* label = this->Labels[i];
+    label->SetVisibility(i < rows.size());
+    if (i < rows.size())
+    {
+      label->SetInput(rows[i].Text.c_str());
+      label->SetPosition(
+        margin + BarWidth + Gap, top - height + std::lround(rows[i].Position * height));
+      labelWidth = std::max(labelWidth, this->GetWidth(label->GetTextProperty(), rows[i].Text));
+    }
   }
-  return legend;
+  this->Title->SetVisibility(isShown);
+  this->Bar->SetVisibility(isShown);
+  this->Corner = { { 0, 0 } };
+  if (isShown)
+  {
+    this->DrawBar(margin, top - height, height);
+    this->Corner = { { margin + std::max(box[1] - box[0] + 1, BarWidth + Gap + labelWidth) + Gap,
+      size[1] - top + height + overhang + Gap } };
+  }
+}
+
+//------------------------------------------------------------------------------
+void ViewerLegend::SetTitle(const int size[2], int margin)
+{
+  const int limit = std::max(NarrowestTitle, static_cast<int>(TitleShare * size[0]));
+  vtkTextProperty* property = this->Title->GetTextProperty();
+  const auto getWidth = [&](const std::string& text) { return this->GetWidth(property, text); };
+  WrappedText title;
+  for (int fontSize : { FontSize, FontSize - 2, FontSize - 4 })
+  {
+    property->SetFontSize(fontSize);
+    title = WrapText(this->Name, limit, FewLines, getWidth);
+    if (title.IsAtWords)
+    {
+      break;
+    }
+  }
+  if (!title.IsAtWords)
+  {
+    title = WrapText(this->Name, limit, MostLines, getWidth);
+  }
+  if (!this->Table->GetIndexedLookup())
+  {
+    const std::string factor = MakeLegendLabels(this->Table->GetRange(), 2).Factor;
+    title.Text += factor.empty() ? "" : "\n" + factor;
+  }
+  this->Title->SetInput(title.Text.c_str());
+  this->Title->SetPosition(margin, size[1] - margin);
+}
+
+//------------------------------------------------------------------------------
+int ViewerLegend::GetBarHeight(int available) const
+{
+  if (!this->Table->GetIndexedLookup())
+  {
+    return available < LowestBar ? 0 : std::min(available, HighestBar);
+  }
+  const int rows = static_cast<int>(this->Table->GetNumberOfAnnotatedValues());
+  const int rowHeight = rows > 0 ? std::min(available / rows, RowHeight) : 0;
+  return rowHeight < LowestRow ? 0 : rows * rowHeight;
+}
+
+//------------------------------------------------------------------------------
+std::vector<ViewerLegend::Row> ViewerLegend::GetRows(int barHeight)
+{
+  std::vector<Row> rows;
+  if (this->Table->GetIndexedLookup())
+  {
+    const int number = static_cast<int>(this->Table->GetNumberOfAnnotatedValues());
+    for (int i = 0; i < number; ++i)
+    {
+      rows.push_back({ (i + 0.5) / number, ToPrintable(this->Table->GetAnnotation(i)) });
+    }
+    return rows;
+  }
+  const double* range = this->Table->GetRange();
+  // Fewer labels where a bar is short, still evenly spaced.
+  const int most = barHeight / LabelPitch + 1;
+  int number = std::min(this->NumberOfLabels, most);
+  while (number > 2 && (this->NumberOfLabels - 1) % (number - 1) != 0)
+  {
+    --number;
+  }
+  for (const LegendLabel& label : MakeLegendLabels(range, std::max(number, 2)).Labels)
+  {
+    const double position =
+      range[1] > range[0] ? (label.Value - range[0]) / (range[1] - range[0]) : 0.5;
+    rows.push_back({ position, label.Text });
+  }
+  return rows;
+}
+
+//------------------------------------------------------------------------------
+int ViewerLegend::GetWidth(vtkTextProperty* property, const std::string& text)
+{
+  int box[4];
+  return vtkTextRenderer::GetInstance()->GetBoundingBox(property, text, box, Dots)
+    ? box[1] - box[0] + 1
+    : 0;
+}
+
+//------------------------------------------------------------------------------
+void ViewerLegend::DrawBar(int left, int bottom, int height)
+{
+  // A rectangle for each row of pixels.
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> quads;
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  for (int i = 0; i < height; ++i)
+  {
+    const vtkIdType first = points->GetNumberOfPoints();
+    points->InsertNextPoint(left, bottom + i, 0.0);
+    points->InsertNextPoint(left + BarWidth, bottom + i, 0.0);
+    points->InsertNextPoint(left + BarWidth, bottom + i + 1, 0.0);
+    points->InsertNextPoint(left, bottom + i + 1, 0.0);
+    quads->InsertNextCell({ first, first + 1, first + 2, first + 3 });
+    double color[3];
+    this->GetColor((i + 0.5) / height, color);
+    colors->InsertNextTuple3(
+      std::round(255.0 * color[0]), std::round(255.0 * color[1]), std::round(255.0 * color[2]));
+  }
+  this->Shape->SetPoints(points);
+  this->Shape->SetPolys(quads);
+  this->Shape->GetCellData()->SetScalars(colors);
+}
+
+//------------------------------------------------------------------------------
+void ViewerLegend::GetColor(double position, double color[3])
+{
+  if (this->Table->GetIndexedLookup())
+  {
+    const auto row = static_cast<vtkIdType>(position * this->Table->GetNumberOfAnnotatedValues());
+    double rgba[4];
+    this->Table->GetAnnotationColor(this->Table->GetAnnotatedValue(row), rgba);
+    std::copy_n(rgba, 3, color);
+    return;
+  }
+  const double* range = this->Table->GetRange();
+  this->Table->GetColor(range[0] + position * (range[1] - range[0]), color);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkTextActor> ViewerLegend::AddText()
+{
+  auto text = vtkSmartPointer<vtkTextActor>::New();
+  SetLook(text->GetTextProperty());
+  this->Renderer->AddViewProp(text);
+  return text;
 }

@@ -1,21 +1,71 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   what colours mean
+ * @class   ViewerLegend
+ * @brief   explains the colours, in the upper left corner of a picture
+ *
+ * The legend is laid out again when the picture's size changes. A long title is wrapped, or set in
+ * smaller letters.
  */
 #ifndef ViewerLegend_h
 #define ViewerLegend_h
 
+#include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <string>
+#include <vector>
 
-class vtkScalarBarActor;
+class vtkActor2D;
+class vtkObject;
+class vtkPolyData;
+class vtkRenderer;
 class vtkScalarsToColors;
+class vtkTextActor;
+class vtkTextProperty;
 
-/// For a picture of that size; nullptr where it would not fit. Labels are numbers of the table's
-/// range, or its annotations where it has an indexed lookup.
-vtkSmartPointer<vtkScalarBarActor> MakeLegend(
-  vtkScalarsToColors* table, const std::string& title, int numberOfLabels, const int size[2]);
+class ViewerLegend
+{
+public:
+  /// Labels are numbers of the table's range, or its annotations if it has an indexed lookup.
+  ViewerLegend(
+    vtkRenderer* renderer, vtkScalarsToColors* table, const std::string& title, int numberOfLabels);
+  ~ViewerLegend();
+  ViewerLegend(const ViewerLegend&) = delete;
+  void operator=(const ViewerLegend&) = delete;
+
+  /// Width and height of the corner that the legend covers in a picture of that size, in pixels;
+  /// 0 if there is no room for a legend.
+  std::array<int, 2> GetCorner(const int size[2]);
+
+private:
+  struct Row // a label beside its place on the bar
+  {
+    double Position; // 0 to 1, up the bar
+    std::string Text;
+  };
+  void OnStart(vtkObject* caller, unsigned long event, void* data);
+  void LayOut(const int size[2]);
+  void SetTitle(const int size[2], int margin);
+  int GetBarHeight(int available) const;
+  std::vector<Row> GetRows(int barHeight);
+  int GetWidth(vtkTextProperty* property, const std::string& text);
+  void DrawBar(int left, int bottom, int height);
+  void GetColor(double position, double color[3]);
+  vtkSmartPointer<vtkTextActor> AddText();
+
+  vtkRenderer* Renderer;
+  vtkSmartPointer<vtkScalarsToColors> Table;
+  std::string Name;
+  int NumberOfLabels;
+  int Size[2] = { 0, 0 };
+  std::array<int, 2> Corner = { { 0, 0 } };
+  vtkNew<vtkPolyData> Shape;
+  vtkNew<vtkActor2D> Bar;
+  vtkSmartPointer<vtkTextActor> Title;
+  std::vector<vtkSmartPointer<vtkTextActor>> Labels;
+  unsigned long Tag;
+};
 
 #endif

@@ -3,6 +3,7 @@
 #include "Scene/ViewerScene.h"
 
 #include "Scene/ContactScene.h"
+#include "Scene/LegendText.h"
 #include "Scene/MeshScene.h"
 #include "Scene/ReliefScene.h"
 #include "Scene/TerrainScene.h"
@@ -13,8 +14,9 @@
 #include "vtkCamera.h"
 #include "vtkPoints.h"
 #include "vtkRenderer.h"
-#include "vtkScalarBarActor.h"
 #include "vtkScalarsToColors.h"
+
+#include <algorithm>
 
 //------------------------------------------------------------------------------
 ViewerScene::ViewerScene(const ViewerOptions& options, ViewerMessages& messages)
@@ -32,16 +34,13 @@ ViewerScene::ViewerScene(const ViewerOptions& options, ViewerMessages& messages)
 ViewerScene::~ViewerScene() = default;
 
 //------------------------------------------------------------------------------
-void ViewerScene::AddLegend(vtkScalarsToColors* table, const std::string& title, int numberOfLabels)
+void ViewerScene::AddLegend(
+  vtkScalarsToColors* table, const std::string& name, const std::string& unit, int numberOfLabels)
 {
-  if (!this->Options.Legend)
+  if (this->Options.Legend)
   {
-    return;
-  }
-  this->HasLegend = true;
-  if (auto legend = MakeLegend(table, title, numberOfLabels, this->Options.Size))
-  {
-    this->Renderer->AddViewProp(legend);
+    this->Legend = std::make_unique<ViewerLegend>(
+      this->Renderer, table, MakeLegendTitle(name, unit), numberOfLabels);
   }
 }
 
@@ -54,7 +53,13 @@ void ViewerScene::FitView(vtkPoints* points, const ViewerDirection& defaultDirec
     direction.Azimuth = (*this->Options.View)[0];
     direction.Elevation = (*this->Options.View)[1];
   }
-  FitCamera(this->Renderer, points, direction, this->HasLegend ? 0.82 : 0.94, this->Options.Size);
+  ViewerPicture picture;
+  std::copy_n(this->Options.Size, 2, picture.Size.begin());
+  if (this->Legend)
+  {
+    picture.Corner = this->Legend->GetCorner(this->Options.Size);
+  }
+  FitCamera(this->Renderer, points, direction, picture);
 }
 
 //------------------------------------------------------------------------------

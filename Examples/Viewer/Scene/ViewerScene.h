@@ -19,6 +19,7 @@
 #include <vector>
 
 class ViewerCamera;
+class ViewerLegend;
 class vtkPoints;
 class vtkRenderer;
 class vtkRenderWindow;
@@ -53,8 +54,11 @@ public:
 protected:
   ViewerScene(const ViewerOptions& options, ViewerMessages& messages);
 
-  void AddLegend(vtkScalarsToColors* table, const std::string& title, int numberOfLabels);
-  /// Shows all points, from the direction that the options give, else the default.
+  /// The unit is "" where it is not known.
+  void AddLegend(vtkScalarsToColors* table, const std::string& name, const std::string& unit,
+    int numberOfLabels);
+  /// Shows all points beside the legend, from the direction that the options give, else the
+  /// default.
   void FitView(vtkPoints* points, const ViewerDirection& defaultDirection);
   /// Lamps for what has no vertical of its own, and all of its bounds, or what the options ask for.
   void SetView(const double bounds[6]);
@@ -70,7 +74,7 @@ protected:
   std::unique_ptr<ViewerCamera> Camera; // of the renderer
 
 private:
-  bool HasLegend = false;
+  std::unique_ptr<ViewerLegend> Legend;
 };
 
 /// Reads the files; throws ViewerError.

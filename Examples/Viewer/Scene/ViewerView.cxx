@@ -14,6 +14,70 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
+
+namespace
+{
+const double Filled = 0.94; // of the picture's sides
+
+// Along the camera's right, up and forward.
+using Vector = std::array<double, 3>;
+
+// Where the camera is nearest, with all points in a window at distance 1 from it: left, right,
+// bottom and top.
+Vector GetEye(const std::vector<Vector>& points, const std::array<double, 4>& window)
+{
+  Vector eye{};
+  double middle[2];
+  double sums[2];
+  double differences[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    middle[i] = 0.5 * (window[2 * i] + window[2 * i + 1]);
+    const double half = 0.5 * Filled * (window[2 * i + 1] - window[2 * i]);
+    // A point (x, z) is between two planes of the view: |x - X - middle (z - Z)| <= half (z - Z).
+    double upper = -std::numeric_limits<double>::infinity();
+    double lower = upper;
+    for (const Vector& point : points)
+    {
+      upper = std::max(upper, point[i] - (middle[i] + half) * point[2]);
+      lower = std::max(lower, (middle[i] - half) * point[2] - point[i]);
+    }
+    differences[i] = upper - lower;
+    sums[i] = (upper + lower) / half;
+  }
+  eye[2] = -0.5 * std::max(sums[0], sums[1]);
+  for (int i = 0; i < 2; ++i)
+  {
+    eye[i] = 0.5 * differences[i] + middle[i] * eye[2];
+  }
+  return eye;
+}
+
+// Whether a line through (x, y), at distance 1 from the camera, separates the points from what is
+// to the left and above.
+bool IsOutOfCorner(const std::vector<Vector>& points, const Vector& eye, double x, double y)
+{
+  const int steps = 30;
+  for (int step = 0; step <= steps; ++step)
+  {
+    const double angle = 0.5 * vtkMath::Pi() * step / steps;
+    const double normal[2] = { -std::cos(angle), std::sin(angle) };
+    if (std::all_of(points.begin(), points.end(),
+          [&](const Vector& point)
+          {
+            const double depth = point[2] - eye[2];
+            return normal[0] * (point[0] - eye[0] - x * depth) +
+              normal[1] * (point[1] - eye[1] - y * depth) <=
+              0.0;
+          }))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
 
 //------------------------------------------------------------------------------
 std::array<double, 3> ViewerDirection::GetVector() const
@@ -46,8 +110,8 @@ void AddLight(vtkRenderer* renderer, const ViewerLamp& lamp)
 }
 
 //------------------------------------------------------------------------------
-void FitCamera(vtkRenderer* renderer, vtkPoints* points, const ViewerDirection& from, double filled,
-  const int size[2])
+void FitCamera(vtkRenderer* renderer, vtkPoints* points, const ViewerDirection& from,
+  const ViewerPicture& picture)
 {
   const std::array<double, 3> direction = from.GetVector();
   const double forward[3] = { -direction[0], -direction[1], -direction[2] };
@@ -58,41 +122,45 @@ void FitCamera(vtkRenderer* renderer, vtkPoints* points, const ViewerDirection& 
   vtkMath::Cross(forward, vertical, right);
   vtkMath::Normalize(right);
   vtkMath::Cross(right, forward, up);
-
-  vtkCamera* camera = renderer->GetActiveCamera();
-  const double tanY = filled * std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
-  const double tanX = tanY * size[0] / size[1];
-
-  // Every point is inside the four planes of the view: a point (x, y, z) along right, up and
-  // forward needs |x - X| <= tanX (z - Z), |y - Y| <= tanY (z - Z).
-  double limits[4];
-  std::fill_n(limits, 4, -std::numeric_limits<double>::infinity());
+  std::vector<Vector> turned(points->GetNumberOfPoints());
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
     double point[3];
     points->GetPoint(i, point);
-    const double x = vtkMath::Dot(point, right);
-    const double y = vtkMath::Dot(point, up);
-    const double z = vtkMath::Dot(point, forward);
-    limits[0] = std::max(limits[0], x - tanX * z);
-    limits[1] = std::max(limits[1], -x - tanX * z);
-    limits[2] = std::max(limits[2], y - tanY * z);
-    limits[3] = std::max(limits[3], -y - tanY * z);
+    turned[i] = { { vtkMath::Dot(point, right), vtkMath::Dot(point, up),
+      vtkMath::Dot(point, forward) } };
   }
-  const double X = 0.5 * (limits[0] - limits[1]);
-  const double Y = 0.5 * (limits[2] - limits[3]);
-  const double Z = -0.5 * std::max((limits[0] + limits[1]) / tanX, (limits[2] + limits[3]) / tanY);
+
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const double pixel =
+    2.0 * std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle())) / picture.Size[1];
+  const double width = picture.Size[0] * pixel;
+  const double height = picture.Size[1] * pixel;
+  // The corner's lower right end, from the picture's middle.
+  const double x = picture.Corner[0] * pixel - 0.5 * width;
+  const double y = 0.5 * height - picture.Corner[1] * pixel;
+  Vector eye = GetEye(turned, { { -0.5 * width, 0.5 * width, -0.5 * height, 0.5 * height } });
+  if (!IsOutOfCorner(turned, eye, x, y))
+  {
+    eye = GetEye(turned, { { x, 0.5 * width, -0.5 * height, 0.5 * height } });
+    if (y > -0.5 * height)
+    {
+      const Vector below = GetEye(turned, { { -0.5 * width, 0.5 * width, -0.5 * height, y } });
+      eye = below[2] > eye[2] ? below : eye;
+    }
+  }
+
   points->Modified();
   double bounds[6];
   points->GetBounds(bounds);
   const double centre[3] = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
     0.5 * (bounds[4] + bounds[5]) };
-  const double distance = vtkMath::Dot(centre, forward) - Z;
+  const double distance = vtkMath::Dot(centre, forward) - eye[2];
   double position[3];
   double focus[3];
   for (int i = 0; i < 3; ++i)
   {
-    position[i] = X * right[i] + Y * up[i] + Z * forward[i];
+    position[i] = eye[0] * right[i] + eye[1] * up[i] + eye[2] * forward[i];
     focus[i] = position[i] + distance * forward[i];
   }
   camera->SetPosition(position);

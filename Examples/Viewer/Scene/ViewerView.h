@@ -35,12 +35,19 @@ struct ViewerLamp
 
 void AddLight(vtkRenderer* renderer, const ViewerLamp& lamp);
 
+/// Sizes in pixels.
+struct ViewerPicture
+{
+  std::array<int, 2> Size;
+  std::array<int, 2> Corner = { { 0, 0 } }; // upper left, where something else is
+};
+
 /**
- * The nearest place in that direction from which all points are in the picture, of which they fill
- * no more than the share `filled`.
+ * The nearest place in that direction from which all points are in the picture, with a margin, and
+ * none of a surface through them is in the picture's corner.
  */
-void FitCamera(vtkRenderer* renderer, vtkPoints* points, const ViewerDirection& from, double filled,
-  const int size[2]);
+void FitCamera(vtkRenderer* renderer, vtkPoints* points, const ViewerDirection& from,
+  const ViewerPicture& picture);
 
 /// Brings a place into the middle of the picture: the camera moves, and does not turn.
 void MoveFocus(vtkRenderer* renderer, const std::array<double, 3>& place);

@@ -3,6 +3,7 @@
 #include "Scene/VolumeArray.h"
 
 #include "Options/ViewerOptions.h"
+#include "Scene/ArrayUnit.h"
 #include "Text/ViewerMessages.h"
 
 #include "vtkCellData.h"
@@ -120,6 +121,7 @@ void GetRange(const std::vector<vtkDataSetAttributes*>& blocks, VolumeArray& arr
     if (vtkDataArray* values = block->GetArray(array.Name.c_str()))
     {
       array.IsVector = values->GetNumberOfComponents() > 1;
+      array.Unit = array.Unit.empty() ? GetArrayUnit(values) : array.Unit;
       double range[2];
       values->GetFiniteRange(range, array.IsVector ? -1 : 0);
       array.Range[0] = std::min(array.Range[0], range[0]);

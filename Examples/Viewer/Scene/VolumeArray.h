@@ -15,6 +15,7 @@ struct ViewerOptions;
 struct VolumeArray
 {
   std::string Name;
+  std::string Unit; // "" where it is not known
   bool IsOfPoints;
   bool IsVector;   // shown by its length
   double Range[2]; // of what is finite in all blocks, not empty

@@ -68,7 +68,8 @@ VolumeScene::VolumeScene(const ViewerOptions& options, ViewerMessages& messages)
   this->Volume->SetMapper(this->Mapper);
   this->Volume->SetProperty(this->Property);
   this->Renderer->AddVolume(this->Volume);
-  this->AddLegend(this->Property->GetRGBTransferFunction(), this->Array.Name, 5);
+  this->AddLegend(
+    this->Property->GetRGBTransferFunction(), this->Array.Name, this->Array.Unit, 5);
   this->SetView(this->Bounds);
 }
 
