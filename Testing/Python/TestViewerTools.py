@@ -29,6 +29,11 @@ def numbers(line):
     return found
 
 
+def count_light(picture):
+    """As the ground of the help is."""
+    return sum(min(colour) > 215 for row in picture for colour in row)
+
+
 class TestViewerTools(ViewerProgram):
     @classmethod
     def setUpClass(cls):
@@ -123,7 +128,7 @@ class TestViewerTools(ViewerProgram):
         """Where the mouse rests on the surface words come up in the corner, and go in the sky."""
 
         def count_dark():
-            corner = [row[:120] for row in self.picture(window)[8:40]]
+            corner = [row[:120] for row in window.screen()[8:40]]
             return sum(is_dark(*colour) for row in corner for colour in row)
 
         window = self.window(self.mesh, "--array=Latitude")
@@ -132,6 +137,27 @@ class TestViewerTools(ViewerProgram):
         wait(lambda: count_dark() > before + 100, "words in the corner")
         window.move(WIDTH - 2, 2)
         wait(lambda: count_dark() == before, "an empty corner again")
+        self.close(window)
+
+    def test_readout_after_drag(self):
+        """It tells what is under the mouse now, with the button down and when it is released."""
+
+        def corner():
+            return [row[:200] for row in window.screen()[8:40]]
+
+        def has_new_words(old):
+            now = corner()
+            return now != old and sum(is_dark(*colour) for row in now for colour in row) > 100
+
+        window = self.window(self.mesh, "--array=Latitude", "--no-legend")
+        empty = corner()
+        window.move(*MIDDLE)
+        wait(lambda: has_new_words(empty), "words in the corner")
+        before = corner()
+        window.press()
+        window.move(MIDDLE[0] + 30, MIDDLE[1] + 20)
+        wait(lambda: has_new_words(before), "other words in the drag")
+        window.release()
         self.close(window)
 
     def test_scale_bar(self):
@@ -160,18 +186,38 @@ class TestViewerTools(ViewerProgram):
         window = self.window(self.mesh)
         before = self.picture(window)
         window.key("h")
-        shown = self.picture(window)
-        light = sum(min(colour) > 215 for row in shown for colour in row)
-        self.assertGreater(light, 0.2 * WIDTH * HEIGHT)
+        self.wait_for_help(window)
         # What is under the words is not told.
         self.assertEqual(self.under_mouse(window, *MIDDLE), "here: nothing")
         window.move(WIDTH - 2, 2)
         window.key("h")
+        wait(lambda: count_light(window.screen()) < 0.1 * WIDTH * HEIGHT, "no help")
         self.assertEqual(self.picture(window), before)
         self.close(window)
         usage = self.view("--help").stdout
         for words in ("In the window", "save a picture", "q, e"):
             self.assertIn(words, usage)
+
+    def wait_for_help(self, window):
+        wait(lambda: count_light(window.screen()) > 0.2 * WIDTH * HEIGHT, "the help")
+
+    def test_pictures_without_words(self):
+        """Neither help nor readout are in a picture; both are on the screen again afterwards."""
+        window = self.window(self.mesh, "--array=Latitude", "--no-legend")
+        before = self.picture(window)
+        window.move(*MIDDLE)
+
+        def count_dark():
+            return sum(is_dark(*colour) for row in window.screen()[8:40] for colour in row[:120])
+
+        wait(lambda: count_dark() > 100, "words in the corner")
+        self.assertEqual(self.picture(window), before)
+        wait(lambda: count_dark() > 100, "words in the corner again")
+        window.key("h")
+        self.wait_for_help(window)
+        self.assertEqual(self.picture(window), before)
+        self.wait_for_help(window)
+        self.close(window)
 
     def test_pictures(self):
         """As large as the window, of what it shows, into new files."""

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""relevo-view's window, with keys and a mouse: how it is left, and keys that change volumes."""
+"""relevo-view's window, with keys and a mouse: how it is left, its frames, keys that change volumes."""
 
 import unittest
 
@@ -9,6 +9,7 @@ from ViewerScenes import write_cube, write_hill, write_sphere
 from ViewerWindow import Display, Window
 
 SIZE = "--size=300x200"
+SLOW = ("--surface=pn", "--level=6")  # some 10^5 triangles
 
 
 class TestViewerWindow(ViewerProgram):
@@ -46,6 +47,54 @@ class TestViewerWindow(ViewerProgram):
                     elif way == "e":
                         window.key(way)
                     self.assertEqual(window.leave(), (0, ""))
+
+    def test_leaving_in_a_drag(self):
+        """Also while a button is down, when VTK's styles grab all events."""
+        for scene in ((self.heights,), (self.mesh,)):
+            for way in ("q", "close button"):
+                with self.subTest(scene=scene, way=way):
+                    window = self.window(*scene)
+                    window.move(150, 100)
+                    window.press()
+                    window.move(160, 110)
+                    window.key(way) if way == "q" else window.click_close_button()
+                    self.assertEqual(window.leave(), (0, ""))
+                    window.release()
+
+    def test_leaving_in_the_first_frame(self):
+        """Keys count from when the window is there, not from when it has drawn."""
+        window = Window(self.display, self.folder, self.mesh, SIZE, *SLOW, has_drawn=False)
+        window.key("q")
+        self.assertEqual(window.leave(), (0, ""))
+
+    def test_events_share_frames(self):
+        """Of forty turns of the wheel at once most are not drawn on their own."""
+        window = self.window(self.mesh, *SLOW)
+        window.move(150, 100)
+        frames = [window.pixels()]
+        self.display.do("click", "--repeat", 40, "--delay", 0, 4, "key", "c")
+        # Printed when the last turn has been drawn.
+        while window.lines.empty():
+            pixels = window.pixels()
+            if pixels != frames[-1]:
+                frames.append(pixels)
+        self.assertLess(len(frames), 20)
+        self.assertNotEqual(window.pixels(), frames[0])
+        window.key("q")
+        self.assertEqual(window.leave(), (0, ""))
+
+    def test_stereo(self):
+        """VTK's key for red and blue pictures does nothing."""
+        for scene in ((self.heights,), (self.mesh,)):
+            window = self.window(*scene)
+            window.move(298, 2)
+            before = window.screen()
+            window.key("3")
+            window.key("c")
+            self.assertEqual(window.expect("here: "), "here: nothing")
+            self.assertTrue(window.screen() == before)
+            window.key("q")
+            self.assertEqual(window.leave(), (0, ""))
 
     def test_keys_of_volumes(self):
         """Each prints the option that repeats what it did."""

@@ -64,9 +64,9 @@ class Display:
 
 
 class Window:
-    """relevo-view in a window that has drawn and has the keyboard."""
+    """relevo-view in a window that has the keyboard, and has drawn unless that does not matter."""
 
-    def __init__(self, display, folder, *arguments):
+    def __init__(self, display, folder, *arguments, has_drawn=True):
         self.display = display
         self.program = subprocess.Popen(
             [str(PROGRAM), *map(str, arguments), "--stats"],
@@ -79,7 +79,8 @@ class Window:
         self.lines = queue.Queue()
         self.reader = threading.Thread(target=self.read, daemon=True)
         self.reader.start()
-        self.expect("frame time")  # the last of the statistics, after the first frames
+        if has_drawn:
+            self.expect("frame time")  # the last of the statistics, after the first frames
         self.id = wait(lambda: display.do("search", "--name", "^relevo-view "), "the window")
         display.do("windowfocus", self.id)
         wait(lambda: display.do("getwindowfocus") == self.id, "the keyboard")
@@ -106,6 +107,23 @@ class Window:
     def move(self, x, y):
         """The mouse to a pixel, counted from the top left."""
         self.display.do("mousemove", "--window", self.id, x, y)
+
+    def pixels(self):
+        """What the screen shows of it, as bytes."""
+        return read_screen(self.display.name, int(self.id))[0]
+
+    def screen(self):
+        """The same as rows of (red, green, blue), the lowest first."""
+        data, line = read_screen(self.display.name, int(self.id))
+        rows = [data[start : start + line] for start in range(0, len(data), line)]
+        # Blue, green, red and nothing.
+        return [list(zip(row[2::4], row[1::4], row[0::4])) for row in reversed(rows)]
+
+    def press(self):
+        self.display.do("mousedown", 1)
+
+    def release(self):
+        self.display.do("mouseup", 1)
 
     def click_close_button(self):
         """What a window manager sends then."""
@@ -135,6 +153,40 @@ class ClientMessage(ctypes.Structure):
         ("data", ctypes.c_long * 5),
         ("padding", ctypes.c_long * 12),  # an XEvent has 24 longs
     ]
+
+
+class Image(ctypes.Structure):
+    """The beginning of an XImage."""
+
+    _fields_ = [
+        ("width", ctypes.c_int),
+        ("height", ctypes.c_int),
+        ("offset", ctypes.c_int),
+        ("format", ctypes.c_int),
+        ("data", ctypes.POINTER(ctypes.c_ubyte)),
+        ("orders_and_depth", ctypes.c_int * 5),
+        ("bytes_per_line", ctypes.c_int),
+    ]
+
+
+def read_screen(display_name, window):
+    """Bytes of a window's pixels, and how many a line has."""
+    x11 = ctypes.CDLL("libX11.so.6")
+    x11.XOpenDisplay.restype = ctypes.c_void_p
+    x11.XGetImage.restype = ctypes.POINTER(Image)
+    display = ctypes.c_void_p(x11.XOpenDisplay(display_name.encode()))
+    root, x, y, width, height, border, depth = (ctypes.c_ulong(), *(ctypes.c_int() for _ in range(6)))
+    x11.XGetGeometry(
+        display, ctypes.c_ulong(window), ctypes.byref(root), ctypes.byref(x), ctypes.byref(y),
+        ctypes.byref(width), ctypes.byref(height), ctypes.byref(border), ctypes.byref(depth))
+    all_planes, z_pixmap = ctypes.c_ulong(0xFFFFFF), 2
+    image = x11.XGetImage(
+        display, ctypes.c_ulong(window), 0, 0, width, height, all_planes, z_pixmap)
+    line = image.contents.bytes_per_line
+    data = ctypes.string_at(image.contents.data, line * height.value)
+    x11.XDestroyImage(image)
+    x11.XCloseDisplay(display)
+    return data, line
 
 
 def send_delete_window(display_name, window):

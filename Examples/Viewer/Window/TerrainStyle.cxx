@@ -10,6 +10,16 @@
 vtkStandardNewMacro(TerrainStyle);
 
 //------------------------------------------------------------------------------
+void TerrainStyle::OnChar()
+{
+  // VTK's 3 switches to red and blue pictures.
+  if (this->Interactor->GetKeyCode() != '3')
+  {
+    this->Superclass::OnChar();
+  }
+}
+
+//------------------------------------------------------------------------------
 void TerrainStyle::OnLeftButtonDown()
 {
   if (this->Interactor->GetShiftKey())

@@ -3,7 +3,7 @@
 /**
  * @class   TerrainStyle
  * @brief   turns about the vertical as VTK's terrain style does, with the wheel and shift as
- * everywhere
+ * everywhere, without VTK's stereo mode
  */
 #ifndef TerrainStyle_h
 #define TerrainStyle_h
@@ -16,6 +16,7 @@ public:
   static TerrainStyle* New();
   vtkTypeMacro(TerrainStyle, vtkInteractorStyleTerrain);
 
+  void OnChar() override;
   void OnLeftButtonDown() override;
   void OnLeftButtonUp() override;
   void OnMouseWheelForward() override;

@@ -28,6 +28,12 @@ ViewerHelp::ViewerHelp(vtkRenderWindowInteractor* interactor, vtkRenderer* rende
 ViewerHelp::~ViewerHelp() = default;
 
 //------------------------------------------------------------------------------
+vtkProp* ViewerHelp::GetText() const
+{
+  return this->Text;
+}
+
+//------------------------------------------------------------------------------
 void ViewerHelp::OnKey(vtkObject* caller, unsigned long, void*)
 {
   auto* interactor = static_cast<vtkRenderWindowInteractor*>(caller);

@@ -10,6 +10,7 @@
 #include "vtkSmartPointer.h"
 
 class vtkObject;
+class vtkProp;
 class vtkRenderer;
 class vtkRenderWindowInteractor;
 class vtkTextActor;
@@ -20,6 +21,8 @@ public:
   /// Is there until the interactor has ended.
   ViewerHelp(vtkRenderWindowInteractor* interactor, vtkRenderer* renderer);
   ~ViewerHelp();
+
+  vtkProp* GetText() const;
 
 private:
   void OnKey(vtkObject* caller, unsigned long event, void* data);

@@ -4,6 +4,8 @@
 
 #include "Scene/ViewerScene.h"
 #include "Text/ViewerText.h"
+#include "Window/PassiveObserver.h"
+#include "Window/ViewerFrames.h"
 #include "Window/ViewerScaleBar.h"
 
 #include "vtkCamera.h"
@@ -21,8 +23,9 @@
 
 namespace
 {
-const int Margin = 10;                // pixels
-const unsigned long HoverDelay = 100; // milliseconds
+const int Margin = 10;           // pixels
+const unsigned long Delay = 100; // milliseconds
+const double FastFrame = 0.05;   // seconds
 
 // What was drawn last in a pixel, by its depth: the refined and displaced surface, at the cost of
 // reading one pixel. False for nothing.
@@ -66,18 +69,22 @@ double GetResolution(vtkRenderer* renderer, const double point[3])
 }
 
 //------------------------------------------------------------------------------
-ViewerReadout::ViewerReadout(vtkRenderWindowInteractor* interactor, ViewerScene& scene)
-  : Scene(scene)
+ViewerReadout::ViewerReadout(
+  vtkRenderWindowInteractor* interactor, ViewerFrames& frames, ViewerScene& scene)
+  : Interactor(interactor)
+  , Frames(frames)
+  , Scene(scene)
   , Text(MakeText())
 {
   this->Text->SetPosition(Margin, Margin);
   scene.GetRenderer()->AddViewProp(this->Text);
-  for (unsigned long event : { vtkCommand::MouseMoveEvent, vtkCommand::MouseWheelForwardEvent,
-         vtkCommand::MouseWheelBackwardEvent, vtkCommand::KeyPressEvent, vtkCommand::LeaveEvent })
+  for (unsigned long event : { vtkCommand::MouseMoveEvent, vtkCommand::LeaveEvent })
   {
-    interactor->AddObserver(event, this, &ViewerReadout::OnChange);
+    AddPassiveObserver(interactor, event, [this](void*) { this->OnChange(); });
   }
-  interactor->AddObserver(vtkCommand::TimerEvent, this, &ViewerReadout::OnTimer);
+  AddPassiveObserver(interactor, vtkCommand::TimerEvent,
+    [this](void* data) { this->OnTimer(*static_cast<int*>(data)); });
+  scene.GetRenderer()->AddObserver(vtkCommand::EndEvent, this, &ViewerReadout::OnFrame);
   interactor->AddObserver(vtkCommand::KeyPressEvent, this, &ViewerReadout::OnKey);
 }
 
@@ -85,53 +92,72 @@ ViewerReadout::ViewerReadout(vtkRenderWindowInteractor* interactor, ViewerScene&
 ViewerReadout::~ViewerReadout() = default;
 
 //------------------------------------------------------------------------------
-void ViewerReadout::OnChange(vtkObject* caller, unsigned long, void*)
+vtkProp* ViewerReadout::GetText() const
 {
-  auto* interactor = static_cast<vtkRenderWindowInteractor*>(caller);
-  if (this->Timer > 0)
-  {
-    interactor->DestroyTimer(this->Timer);
-  }
-  this->Timer = interactor->CreateOneShotTimer(HoverDelay);
+  return this->Text;
 }
 
 //------------------------------------------------------------------------------
-void ViewerReadout::OnTimer(vtkObject* caller, unsigned long, void* data)
+void ViewerReadout::OnChange()
 {
-  if (*static_cast<int*>(data) != this->Timer)
+  const bool isFast = this->Scene.GetRenderer()->GetLastRenderTimeInSeconds() < FastFrame;
+  if (this->Timer > 0 && isFast)
+  {
+    return;
+  }
+  if (this->Timer > 0)
+  {
+    this->Interactor->DestroyTimer(this->Timer);
+  }
+  this->Timer = this->Interactor->CreateOneShotTimer(Delay);
+}
+
+//------------------------------------------------------------------------------
+void ViewerReadout::OnFrame(vtkObject*, unsigned long, void*)
+{
+  this->OnChange();
+}
+
+//------------------------------------------------------------------------------
+void ViewerReadout::OnTimer(int timer)
+{
+  if (timer != this->Timer)
   {
     return;
   }
   this->Timer = 0;
-  auto* interactor = static_cast<vtkRenderWindowInteractor*>(caller);
-  const std::string text = this->Describe(interactor);
+  if (this->Frames.IsPending())
+  {
+    return; // The frame starts the timer again.
+  }
+  const std::string text = this->Describe();
   const bool isShown = !text.empty();
   if (isShown != (this->Text->GetVisibility() != 0) || (isShown && text != this->Text->GetInput()))
   {
     this->Text->SetInput(text.c_str());
     this->Text->SetVisibility(isShown);
-    interactor->Render();
+    this->Interactor->Render();
   }
 }
 
 //------------------------------------------------------------------------------
-void ViewerReadout::OnKey(vtkObject* caller, unsigned long, void*)
+void ViewerReadout::OnKey(vtkObject*, unsigned long, void*)
 {
-  auto* interactor = static_cast<vtkRenderWindowInteractor*>(caller);
-  if (interactor->GetKeyCode() == 'c')
+  if (this->Interactor->GetKeyCode() == 'c')
   {
-    std::string text = this->Describe(interactor);
+    this->Frames.Flush();
+    std::string text = this->Describe();
     std::replace(text.begin(), text.end(), '\n', ' ');
     std::cout << "here: " << (text.empty() ? "nothing" : text) << std::endl;
   }
 }
 
 //------------------------------------------------------------------------------
-std::string ViewerReadout::Describe(vtkRenderWindowInteractor* interactor)
+std::string ViewerReadout::Describe()
 {
   vtkRenderer* renderer = this->Scene.GetRenderer();
   double point[3];
-  return GetDrawnPoint(renderer, interactor->GetEventPosition(), point)
+  return GetDrawnPoint(renderer, this->Interactor->GetEventPosition(), point)
     ? this->Scene.Describe(point, GetResolution(renderer, point))
     : std::string();
 }

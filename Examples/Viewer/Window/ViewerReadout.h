@@ -4,7 +4,8 @@
  * @class   ViewerReadout
  * @brief   what is under the mouse: in the lower left corner, and with c on standard output
  *
- * Where the mouse rests, for a frame is drawn for it.
+ * It follows the mouse and the view, in drags too. If frames are slow, it waits until both rest,
+ * because it needs a frame of its own.
  */
 #ifndef ViewerReadout_h
 #define ViewerReadout_h
@@ -14,27 +15,34 @@
 #include <string>
 
 class vtkObject;
+class vtkProp;
 class vtkRenderWindowInteractor;
 class vtkTextActor;
+class ViewerFrames;
 class ViewerScene;
 
 class ViewerReadout
 {
 public:
   /// Is there until the interactor has ended.
-  ViewerReadout(vtkRenderWindowInteractor* interactor, ViewerScene& scene);
+  ViewerReadout(vtkRenderWindowInteractor* interactor, ViewerFrames& frames, ViewerScene& scene);
   ~ViewerReadout();
 
+  vtkProp* GetText() const;
+
 private:
-  void OnChange(vtkObject* caller, unsigned long event, void* data);
-  void OnTimer(vtkObject* caller, unsigned long event, void* data);
+  void OnChange();
+  void OnFrame(vtkObject* caller, unsigned long event, void* data);
+  void OnTimer(int timer);
   void OnKey(vtkObject* caller, unsigned long event, void* data);
   /// Empty where there is nothing.
-  std::string Describe(vtkRenderWindowInteractor* interactor);
+  std::string Describe();
 
+  vtkRenderWindowInteractor* Interactor;
+  ViewerFrames& Frames;
   ViewerScene& Scene;
   vtkSmartPointer<vtkTextActor> Text;
-  int Timer = 0; // of the interactor, until mouse and picture count as resting; 0 for none
+  int Timer = 0; // of the interactor, until the next update; 0 for none
 };
 
 #endif

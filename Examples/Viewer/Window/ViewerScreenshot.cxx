@@ -6,19 +6,26 @@
 #include "Text/PrintableText.h"
 #include "Text/StandardError.h"
 #include "Text/ViewerMessages.h"
+#include "Window/ViewerFrames.h"
 
 #include "vtkCommand.h"
+#include "vtkProp.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 
+#include <algorithm>
+#include <exception>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <system_error>
 
 //------------------------------------------------------------------------------
-ViewerScreenshot::ViewerScreenshot(
-  vtkRenderWindowInteractor* interactor, const std::string& input, ViewerMessages& messages)
-  : Stem(std::filesystem::path(input).stem().string())
+ViewerScreenshot::ViewerScreenshot(vtkRenderWindowInteractor* interactor, ViewerFrames& frames,
+  const std::string& input, const std::vector<vtkProp*>& words, ViewerMessages& messages)
+  : Frames(frames)
+  , Stem(std::filesystem::path(input).stem().string())
+  , Words(words)
   , Messages(messages)
 {
   interactor->AddObserver(vtkCommand::KeyPressEvent, this, &ViewerScreenshot::OnKey);
@@ -35,15 +42,54 @@ void ViewerScreenshot::OnKey(vtkObject* caller, unsigned long, void*)
   try
   {
     const std::string fileName = this->FindName();
-    // Another window may have taken the name by now.
-    WritePicture(
-      interactor->GetRenderWindow(), fileName, this->Messages, relevo::AtomicFile::OldFile::Keep);
+    this->Frames.Flush();
+    this->Write(interactor->GetRenderWindow(), fileName);
     std::cout << "picture: " << ToPrintable(fileName) << std::endl;
   }
   catch (const ViewerError& error)
   {
     // The window stays.
     WriteMessage("warning", error.what());
+  }
+}
+
+//------------------------------------------------------------------------------
+void ViewerScreenshot::Write(vtkRenderWindow* window, const std::string& fileName)
+{
+  std::vector<vtkProp*> shown;
+  std::copy_if(this->Words.begin(), this->Words.end(), std::back_inserter(shown),
+    [](vtkProp* words) { return words->GetVisibility() != 0; });
+  const auto draw = [&](bool hasWords)
+  {
+    for (vtkProp* words : shown)
+    {
+      words->SetVisibility(hasWords);
+    }
+    // Without words the frame stays off the screen.
+    window->SetSwapBuffers(hasWords);
+    window->Render();
+  };
+  if (!shown.empty())
+  {
+    draw(false);
+  }
+  std::exception_ptr fault;
+  try
+  {
+    // Another window may have taken the name by now.
+    WritePicture(window, fileName, this->Messages, relevo::AtomicFile::OldFile::Keep);
+  }
+  catch (const ViewerError&)
+  {
+    fault = std::current_exception();
+  }
+  if (!shown.empty())
+  {
+    draw(true);
+  }
+  if (fault)
+  {
+    std::rethrow_exception(fault);
   }
 }
 

@@ -6,15 +6,17 @@
 #include "Scene/ReliefCaptures.h"
 #include "Scene/ViewerScene.h"
 #include "Text/ViewerMessages.h"
+#include "Window/MeshStyle.h"
+#include "Window/PassiveObserver.h"
 #include "Window/TerrainStyle.h"
+#include "Window/ViewerFrames.h"
 #include "Window/ViewerHelp.h"
 #include "Window/ViewerKeys.h"
 #include "Window/ViewerReadout.h"
 #include "Window/ViewerScaleBar.h"
 #include "Window/ViewerScreenshot.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkInteractorStyleTrackballCamera.h"
+#include "vtkCommand.h"
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
@@ -46,16 +48,14 @@ void CheckDisplay(ViewerMessages& messages)
 // A terrain has a vertical; a mesh is turned in the hand.
 vtkSmartPointer<vtkInteractorStyle> MakeStyle(bool isTerrain)
 {
-  return vtkSmartPointer<vtkInteractorStyle>::Take(isTerrain
-      ? static_cast<vtkInteractorStyle*>(TerrainStyle::New())
-      : vtkInteractorStyleTrackballCamera::New());
+  return vtkSmartPointer<vtkInteractorStyle>::Take(
+    isTerrain ? static_cast<vtkInteractorStyle*>(TerrainStyle::New()) : MeshStyle::New());
 }
 
 // Events that wait are those of a window that will be gone: the X server ends programs that ask
 // where the mouse is in it.
-void Leave(vtkObject* caller, unsigned long, void*, void*)
+void Leave(vtkRenderWindowInteractor* interactor)
 {
-  auto* interactor = static_cast<vtkRenderWindowInteractor*>(caller);
   interactor->Disable();
   interactor->ProcessEvents();
   interactor->TerminateApp();
@@ -81,14 +81,16 @@ void ShowWindow(ViewerScene& scene, const ViewerOptions& options, ViewerMessages
   vtkNew<vtkRenderWindowInteractor> interactor;
   interactor->SetRenderWindow(window);
   interactor->SetInteractorStyle(MakeStyle(options.IsTerrain()));
-  vtkNew<vtkCallbackCommand> leave;
-  leave->SetCallback(Leave);
-  interactor->AddObserver(vtkCommand::ExitEvent, leave);
+  AddPassiveObserver(interactor, vtkCommand::ExitEvent, [&](void*) { Leave(interactor.Get()); });
+  ViewerFrames frames(interactor);
   const ViewerScaleBar scaleBar(scene.GetRenderer(), scene.GetUnit());
-  const ViewerReadout readout(interactor, scene);
+  const ViewerReadout readout(interactor, frames, scene);
   const ViewerHelp help(interactor, scene.GetRenderer());
   const ViewerKeys keys(interactor, scene);
-  const ViewerScreenshot screenshot(interactor, options.Input, messages);
+  const ViewerScreenshot screenshot(
+    interactor, frames, options.Input, { readout.GetText(), help.GetText() }, messages);
+  // Keys and clicks count from now on, however long the first frame takes.
+  interactor->Initialize();
   scene.Draw(window);
   ShowReliefs(scene.GetRenderer(), window, options, messages);
   interactor->Start();

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   MeshStyle
+ * @brief   turns as VTK's trackball style does, without its stereo mode
+ */
+#ifndef MeshStyle_h
+#define MeshStyle_h
+
+#include "vtkInteractorStyleTrackballCamera.h"
+
+class MeshStyle : public vtkInteractorStyleTrackballCamera
+{
+public:
+  static MeshStyle* New();
+  vtkTypeMacro(MeshStyle, vtkInteractorStyleTrackballCamera);
+
+  void OnChar() override;
+};
+
+#endif

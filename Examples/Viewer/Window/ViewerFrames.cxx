@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Window/ViewerFrames.h"
+
+#include "Window/PassiveObserver.h"
+
+#include "vtkCommand.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+
+namespace
+{
+const unsigned long Delay = 1; // milliseconds
+// Events that come all the time do not put a frame off for ever.
+const int MostDelays = 10;
+}
+
+//------------------------------------------------------------------------------
+ViewerFrames::ViewerFrames(vtkRenderWindowInteractor* interactor)
+  : Interactor(interactor)
+{
+  interactor->EnableRenderOff();
+  AddPassiveObserver(interactor, vtkCommand::RenderEvent, [this](void*) { this->OnRender(); });
+  AddPassiveObserver(interactor, vtkCommand::TimerEvent,
+    [this](void* data) { this->OnTimer(*static_cast<int*>(data)); });
+}
+
+//------------------------------------------------------------------------------
+void ViewerFrames::Flush()
+{
+  if (this->Timer > 0)
+  {
+    this->Interactor->DestroyTimer(this->Timer);
+    this->Draw();
+  }
+}
+
+//------------------------------------------------------------------------------
+void ViewerFrames::Draw()
+{
+  this->Timer = 0;
+  this->Requests = 0;
+  this->Delays = 0;
+  this->Interactor->GetRenderWindow()->Render();
+}
+
+//------------------------------------------------------------------------------
+void ViewerFrames::OnRender()
+{
+  ++this->Requests;
+  if (this->Timer == 0)
+  {
+    this->StartTimer();
+  }
+}
+
+//------------------------------------------------------------------------------
+void ViewerFrames::OnTimer(int timer)
+{
+  if (timer != this->Timer)
+  {
+    return;
+  }
+  // VTK 9.1 looks at timers after every event, also if more events wait.
+  if (this->Requests > this->Handled && this->Delays < MostDelays)
+  {
+    ++this->Delays;
+    this->StartTimer();
+    return;
+  }
+  // VTK destroys the timer itself.
+  this->Draw();
+}
+
+//------------------------------------------------------------------------------
+void ViewerFrames::StartTimer()
+{
+  this->Handled = this->Requests;
+  this->Timer = this->Interactor->CreateOneShotTimer(Delay);
+}
