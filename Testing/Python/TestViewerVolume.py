@@ -8,13 +8,19 @@ import pathlib
 import unittest
 from importlib.util import find_spec
 
-from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkCellArray, vtkUnstructuredGrid
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import (
+    VTK_HEXAHEDRON,
+    VTK_TETRA,
+    vtkCellArray,
+    vtkUnstructuredGrid,
+)
 from vtkmodules.vtkIOLegacy import vtkUnstructuredGridWriter
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
 from ViewerPictures import read_picture
 from ViewerProgram import ViewerProgram
-from ViewerScenes import CUBES, make_cube, write_cube, write_sphere
+from ViewerScenes import CUBES, make_array, make_cube, write_cube, write_sphere
 
 DATA = pathlib.Path(os.environ.get("RELEVO_TEST_DATA") or "/nonexistent")
 PIECES = """<VTKFile type="PUnstructuredGrid" version="0.1"><PUnstructuredGrid GhostLevel="0">
@@ -106,6 +112,47 @@ class TestViewerVolume(ViewerProgram):
         self.assertEqual(pictures[0], pictures[2])
         # Without --volume its surface.
         self.assertNotEqual(pictures[2], self.picture(file=self.folder / "cube.pvtu"))
+
+    def write_block(self, name, heights):
+        """Hexahedra over the unit square, in as many pieces of each side as there are layers."""
+        grid = vtkUnstructuredGrid()
+        grid.SetPoints(vtkPoints())
+        size = 10
+        values = []
+        for z in heights:
+            for j in range(size + 1):
+                for i in range(size + 1):
+                    grid.GetPoints().InsertNextPoint(i / size, j / size, z)
+                    values.append((i / size,))
+        up = (size + 1) ** 2
+        for k in range(len(heights) - 1):
+            for j in range(size):
+                for i in range(size):
+                    a = k * up + j * (size + 1) + i
+                    low = (a, a + 1, a + size + 2, a + size + 1)
+                    grid.InsertNextCell(VTK_HEXAHEDRON, 8, (*low, *(id + up for id in low)))
+        grid.GetPointData().AddArray(make_array("X", values))
+        return write(self.folder, name, grid, vtkXMLUnstructuredGridWriter())
+
+    def test_opacity_fits_thickness(self):
+        """A plate is as visible as a block, through which one still sees."""
+        passed = {}
+        for name, heights in (
+            ("plate.vtu", (0.0, 0.025, 0.05)),
+            ("sheet.vtu", (0.0, 0.005)),
+            ("block.vtu", [0.1 * k for k in range(11)]),
+        ):
+            file = self.write_block(name, heights)
+            arguments = ("--volume", "--view=180,89", "--up=z", "--no-legend", "--size=120x120")
+            self.view(file, *arguments, "--output=f.png")
+            nothing = self.transfer("0 0 0 0 0\n1 0 0 0 0\n")
+            self.view(file, *arguments, "--output=e.png", nothing)
+            seen, behind = (read_picture(self.folder / name)[60][60] for name in ("f.png", "e.png"))
+            # The colour of values in the middle has little red.
+            passed[name] = seen[0] / behind[0]
+        for name, share in passed.items():
+            self.assertLess(share, 0.5, name)
+        self.assertGreater(passed["block.vtu"], 0.15)
 
     def test_statistics_and_legend(self):
         cells = self.statistic("drawn cells", self.file, "--volume")

@@ -14,6 +14,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <set>
@@ -24,7 +25,8 @@ const int Nodes = 9;
 const double LowestShare = 0.03; // of the highest opacity, at the lowest value
 const double Depth = 20.0;       // optical, of a diagonal of the highest value
 const double OpacityOfOneValue = 0.8;
-const double PeakWidth = 2e-4; // of the range
+const double LeastThickness = 1e-3; // of the diagonal
+const double PeakWidth = 2e-4;      // of the range
 
 // How many of the values are below one, 0 to 1; of equal quantiles the last counts.
 std::map<double, double> GetRanks(const VolumeArray& array)
@@ -72,14 +74,18 @@ TransferNode Interpolate(const std::vector<TransferNode>& nodes, double value)
 
 //------------------------------------------------------------------------------
 std::vector<TransferNode> MakeTransferNodes(
-  const ViewerOptions& options, const VolumeArray& array, double cellsOfSide)
+  const ViewerOptions& options, const VolumeArray& array, double cellsOfSide, double thickness)
 {
   using Mapper = vtkVolumeMapper;
   const bool isByLength =
     options.BlendMode == Mapper::COMPOSITE_BLEND || options.BlendMode == Mapper::ADDITIVE_BLEND;
   // What is added up soon is white.
   const double depth = options.BlendMode == Mapper::ADDITIVE_BLEND ? 0.2 * Depth : Depth;
-  const double highest = std::min(depth / cellsOfSide, 1.0);
+  const double cube = 2.0 / 3.0 / std::sqrt(3.0); // how thick it is
+  const double thinness =
+    thickness > 0.0 ? std::max(cube / std::max(thickness, LeastThickness), 1.0) : 1.0;
+  // Coarse blocks are no more opaque than 1. Thin parts have few cells, however fine they are.
+  const double highest = std::min(depth * thinness / cellsOfSide, thinness * thinness);
   const std::map<double, double> ranks = GetRanks(array);
   std::set<double> values;
   for (int i = 0; i < Nodes; ++i)
@@ -124,7 +130,7 @@ std::vector<TransferNode> AddPeaks(
     for (int side = -1; side <= 1; ++side)
     {
       TransferNode node = Interpolate(plain, value + side * reach);
-      node.Opacity = side == 0 ? std::max(node.Opacity, opacity) : node.Opacity;
+      node.Opacity = side == 0 ? std::max(std::min(node.Opacity, 1.0), opacity) : node.Opacity;
       nodes.push_back(node);
     }
   }
@@ -142,7 +148,7 @@ void SetTransferNodes(
   for (const TransferNode& node : nodes)
   {
     colours->AddRGBPoint(node.Value, node.Color[0], node.Color[1], node.Color[2]);
-    opacities->AddPoint(node.Value, std::min(factor * node.Opacity, 1.0));
+    opacities->AddPoint(node.Value, std::min(factor * node.Opacity, std::max(node.Opacity, 1.0)));
   }
   property->SetColor(colours);
   property->SetScalarOpacity(opacities);

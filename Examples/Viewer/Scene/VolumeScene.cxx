@@ -5,6 +5,7 @@
 #include "Files/VolumeReader.h"
 #include "Scene/ViewerStatistics.h"
 #include "Scene/VolumeFunctions.h"
+#include "Scene/VolumeThickness.h"
 
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
@@ -68,8 +69,7 @@ VolumeScene::VolumeScene(const ViewerOptions& options, ViewerMessages& messages)
   this->Volume->SetMapper(this->Mapper);
   this->Volume->SetProperty(this->Property);
   this->Renderer->AddVolume(this->Volume);
-  this->AddLegend(
-    this->Property->GetRGBTransferFunction(), this->Array.Name, this->Array.Unit, 5);
+  this->AddLegend(this->Property->GetRGBTransferFunction(), this->Array.Name, this->Array.Unit, 5);
   this->SetView(this->Bounds);
 }
 
@@ -93,9 +93,9 @@ void VolumeScene::ChooseFunctions(vtkDataObject* data)
 {
   const double cellsOfSide =
     std::cbrt(static_cast<double>(data->GetNumberOfElements(vtkDataObject::CELL)));
-  this->Nodes = this->Options.Transfer.empty()
-    ? MakeTransferNodes(this->Options, this->Array, cellsOfSide)
-    : ReadTransferFile(this->Options.Transfer);
+  this->Nodes = this->Options.Transfer.empty() ? MakeTransferNodes(this->Options, this->Array,
+                                                   cellsOfSide, GetMeanChord(data) / this->Diagonal)
+                                               : ReadTransferFile(this->Options.Transfer);
   this->Property->SetScalarOpacityUnitDistance(
     this->Options.UnitDistance.value_or(this->Diagonal / cellsOfSide));
   this->IsoSurfaces = this->Options.IsoSurfaces;
