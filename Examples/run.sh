@@ -7,6 +7,7 @@
 # window opens as well.
 #
 #   bash Examples/run.sh [FILE] [options of relevo-view]
+#   bash Examples/run.sh [options of relevo-view] -- FILE
 #
 # A height map or mesh of your own takes the place of the fetched one. See build/bin/relevo-view --help.
 set -euo pipefail
@@ -21,8 +22,12 @@ viewer=$build_dir/bin/relevo-view
 flags=$("$viewer" --help | sed -nE 's/^  (--[a-z-]+) [ [].*/\1/p')
 
 # What the arguments already say. Paths in them count from where the caller stands.
-file='' output='' leaves=no option=''
+file='' output='' leaves=no option='' are_files=no
 for argument in "$@"; do
+  if [ $are_files = yes ]; then
+    file=$argument
+    continue
+  fi
   if [ -n "$option" ]; then
     [ "$option" != --output ] || output=$argument
     option=''
@@ -30,6 +35,7 @@ for argument in "$@"; do
   fi
   case $argument in
     -h | --help | --version) exec "$viewer" "$argument" ;;
+    --) are_files=yes ;;
     --output=*) output=${argument#*=} ;;
     --export | --export=*) leaves=yes ;;&
     --*=*) ;;
@@ -51,11 +57,16 @@ fi
 
 if [ -z "$output" ]; then
   output=$build_dir/relevo-view.png
-  "$viewer" "${arguments[@]}" --output "$output"
+  "$viewer" --output "$output" "${arguments[@]}"
 else
   "$viewer" "${arguments[@]}"
 fi
 if [ $leaves = no ] && [ -n "${DISPLAY:-}" ]; then
   "$viewer" "${arguments[@]}"
 fi
-echo "$(cd "$(dirname "$output")" && pwd)/$(basename "$output")"
+picture=$(cd -- "$(dirname -- "$output")" && pwd)/$(basename -- "$output")
+# One line that cannot command a terminal: names with control characters as the shell quotes them.
+if [[ $picture == *[[:cntrl:]]* ]]; then
+  picture=$(printf %q "$picture")
+fi
+printf '%s\n' "$picture"

@@ -8,7 +8,9 @@
 Without a mesh it is an isosurface. Borders between ranks have neither gaps nor edges to see.
 """
 
+import os
 import sys
+import tempfile
 
 from paraview.simple import *
 
@@ -47,4 +49,8 @@ for place, name in (right, "Surface"), (right + 1, "Adaptive Refinement"):
     view.CameraParallelScale *= 0.7
 
 layout.SetSize(800, 400)
-SaveScreenshot(sys.argv[1] if len(sys.argv) > 1 else "ranks.png", layout)
+path = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else "ranks.png")
+with tempfile.TemporaryDirectory(dir=os.path.dirname(path)) as part:
+    if not SaveScreenshot(os.path.join(part, "part.png"), layout):
+        sys.exit(f"cannot write {path!r}")
+    os.replace(os.path.join(part, "part.png"), path)

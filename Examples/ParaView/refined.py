@@ -6,7 +6,9 @@
     pvbatch Examples/ParaView/refined.py [refined.png]
 """
 
+import os
 import sys
+import tempfile
 
 from paraview.simple import *
 
@@ -32,4 +34,8 @@ for place, name in (right, "Surface With Edges"), (right + 1, "Adaptive Refineme
     view.CameraFocalPoint = [0, 0, 0]
 
 layout.SetSize(800, 400)
-SaveScreenshot(sys.argv[1] if len(sys.argv) > 1 else "refined.png", layout)
+path = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else "refined.png")
+with tempfile.TemporaryDirectory(dir=os.path.dirname(path)) as part:
+    if not SaveScreenshot(os.path.join(part, "part.png"), layout):
+        sys.exit(f"cannot write {path!r}")
+    os.replace(os.path.join(part, "part.png"), path)

@@ -6,7 +6,9 @@
     pvbatch Examples/ParaView/shell.py [shell.png]
 """
 
+import os
 import sys
+import tempfile
 
 from paraview.simple import *
 
@@ -30,4 +32,8 @@ shell.Specular = 0.6
 shell.DiffuseColor = shell.AmbientColor = [0.5, 0.8, 1]
 view.CameraPosition = [1.4, 1.0, 1.6]
 view.CameraFocalPoint = [0, 0, 0]
-SaveScreenshot(sys.argv[1] if len(sys.argv) > 1 else "shell.png", view)
+path = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else "shell.png")
+with tempfile.TemporaryDirectory(dir=os.path.dirname(path)) as part:
+    if not SaveScreenshot(os.path.join(part, "part.png"), view):
+        sys.exit(f"cannot write {path!r}")
+    os.replace(os.path.join(part, "part.png"), path)

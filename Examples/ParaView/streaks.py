@@ -9,7 +9,9 @@ The mesh is any file of cells that ParaView opens, as of a reactor; without one 
 tetrahedra in which air turns.
 """
 
+import os
 import sys
+import tempfile
 
 from paraview.simple import *
 
@@ -39,4 +41,8 @@ view.CameraPosition = [-18, 24, 14]
 view.CameraFocalPoint = [0, 0, 0]
 view.CameraViewUp = [0, 0, 1]
 ResetCamera(view)
-SaveScreenshot(sys.argv[1] if len(sys.argv) > 1 else "streaks.png", view)
+path = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else "streaks.png")
+with tempfile.TemporaryDirectory(dir=os.path.dirname(path)) as part:
+    if not SaveScreenshot(os.path.join(part, "part.png"), view):
+        sys.exit(f"cannot write {path!r}")
+    os.replace(os.path.join(part, "part.png"), path)

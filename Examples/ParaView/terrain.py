@@ -67,4 +67,8 @@ with tempfile.TemporaryDirectory() as folder:
     view.CameraViewUp = [0, 0, 1]
     ResetCamera(view)
     view.GetActiveCamera().Zoom(1.6)
-    SaveScreenshot(sys.argv[1] if len(sys.argv) > 1 else "terrain.png", view)
+    path = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else "terrain.png")
+    with tempfile.TemporaryDirectory(dir=os.path.dirname(path)) as part:
+        if not SaveScreenshot(os.path.join(part, "part.png"), view):
+            sys.exit(f"cannot write {path!r}")
+        os.replace(os.path.join(part, "part.png"), path)

@@ -2,30 +2,26 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Puts PNG pictures of one height side by side: beside.py LEFT.png RIGHT.png ... PICTURE.jpg"""
 
-import sys
-
 import numpy
+from arguments import check_file, read_arguments
+from relevo.files import write_picture
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGReader
+from vtkmodules.vtkIOImage import vtkPNGReader
 
 
 def read_picture(name):
     reader = vtkPNGReader()
-    reader.SetFileName(name)
+    reader.SetFileName(check_file(name))
     reader.Update()
     picture = reader.GetOutput()
     columns, rows, _ = picture.GetDimensions()
     return vtk_to_numpy(picture.GetPointData().GetScalars()).reshape(rows, columns, -1)[:, :, :3]
 
 
-names = sys.argv[1:]
+names = read_arguments()
 pixels = numpy.concatenate([read_picture(name) for name in names[:-1]], axis=1)
 image = vtkImageData()
 image.SetDimensions(pixels.shape[1], pixels.shape[0], 1)
 image.GetPointData().SetScalars(numpy_to_vtk(pixels.reshape(-1, pixels.shape[2]), deep=True))
-writer = vtkJPEGWriter()
-writer.SetInputData(image)
-writer.SetQuality(88)
-writer.SetFileName(names[-1])
-writer.Write()
+write_picture(names[-1], image, quality=88)

@@ -16,6 +16,7 @@ import math
 import sys
 
 import relevo
+from arguments import read_arguments
 from figure import Figure, draw_coarse, draw_recipe, make_actor
 from gif import photograph, write_gif
 from heights import displace, make_image
@@ -241,6 +242,7 @@ def main(name, picture, *files):
     sys.exit(f"contact.py NAME PICTURE [FILES], NAME one of {names}, FILES two")
 
 
-if len(sys.argv) < 3:
+arguments = read_arguments()
+if len(arguments) < 2:
     main("", "")
-main(*sys.argv[1:])
+main(*arguments)

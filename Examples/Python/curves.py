@@ -12,6 +12,7 @@ import math
 import sys
 
 import relevo
+from arguments import read_arguments
 from figure import Figure, draw_mesh, make_actor
 from meshes import make_ring, read
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
@@ -129,6 +130,7 @@ def main(name, picture, *files):
     sys.exit(f"curves.py NAME PICTURE.png [FILE], NAME one of {names}")
 
 
-if len(sys.argv) < 3:
+arguments = read_arguments()
+if len(arguments) < 2:
     main("", "")
-main(*sys.argv[1:])
+main(*arguments)

@@ -4,14 +4,13 @@
 
 import relevo
 import vtkmodules.vtkRenderingFreeType  # draws the labels
-from vtkmodules.vtkIOImage import vtkPNGWriter
+from relevo.files import write_picture
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkLight,
     vtkPolyDataMapper,
     vtkRenderer,
     vtkTextActor,
-    vtkWindowToImageFilter,
 )
 
 
@@ -116,13 +115,7 @@ class Figure:
     def write(self, filename):
         """Returns how many triangles the refined panels have, all together."""
         self.window.Render()
-        image = vtkWindowToImageFilter()
-        image.SetInput(self.window)
-        image.ReadFrontBufferOff()
-        writer = vtkPNGWriter()
-        writer.SetInputConnection(image.GetOutputPort())
-        writer.SetFileName(filename)
-        writer.Write()
+        write_picture(filename, self.window)
         triangles = 0
         for renderer in self.window.GetRenderers():
             for actor in renderer.GetActors():

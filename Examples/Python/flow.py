@@ -17,6 +17,7 @@ import math
 import sys
 
 import relevo
+from arguments import check_file, read_arguments
 from figure import Figure, draw_recipe, show_edges
 from meshes import make_mesh, set_normals, set_point_array
 from vtkmodules.vtkCommonDataModel import vtkPlane
@@ -246,10 +247,10 @@ def oriented():
 
 def read(filename):
     reader = vtkXMLPolyDataReader() if filename.endswith(".vtp") else vtkDataSetReader()
-    reader.SetFileName(filename)
+    reader.SetFileName(check_file(filename))
     reader.Update()
     if reader.GetOutput().GetNumberOfPoints() == 0:
-        sys.exit(f"flow.py: there are no points in {filename}")
+        sys.exit(f"flow.py: there are no points in {filename!r}")
     return reader.GetOutput()
 
 
@@ -357,12 +358,13 @@ def main(name, picture, *filename):
     print((FORMULAE | FILES)[name](*filename).write(picture), "triangles")
 
 
+arguments = read_arguments()
 if not (
-    (len(sys.argv) == 3 and sys.argv[1] in FORMULAE)
-    or (len(sys.argv) == 4 and sys.argv[1] in FILES)
+    (len(arguments) == 2 and arguments[0] in FORMULAE)
+    or (len(arguments) == 3 and arguments[0] in FILES)
 ):
     sys.exit(
         f"flow.py NAME PICTURE.png, NAME one of {', '.join(FORMULAE)}; "
         f"flow.py NAME PICTURE.png FILE, NAME one of {', '.join(FILES)}"
     )
-main(*sys.argv[1:])
+main(*arguments)

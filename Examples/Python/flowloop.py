@@ -11,6 +11,7 @@ import math
 import sys
 
 import relevo
+from arguments import read_arguments
 from gif import photograph, write_gif
 from meshes import add_normals, make_ring, set_point_array
 from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkLight, vtkRenderer
@@ -100,6 +101,7 @@ def main(filename, frames=16):
     print(f"{len(images)} frames, {mapper.GetNumberOfConvolutions()} convolutions")
 
 
-if len(sys.argv) not in (2, 3):
+arguments = read_arguments()
+if len(arguments) not in (1, 2):
     sys.exit("flowloop.py PICTURE.gif [FRAMES]")
-main(*sys.argv[1:])
+main(*arguments)

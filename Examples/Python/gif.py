@@ -4,6 +4,7 @@
 
 import struct
 
+from relevo.files import write
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkImageAppend
 from vtkmodules.vtkImagingColor import vtkImageQuantizeRGBToIndex
@@ -30,17 +31,18 @@ def write_gif(filename, images, seconds, colours=64):
     width, height, _ = images[0].GetDimensions()
     indices, palette = quantize(images, colours)
     bits = max(2, (len(palette) - 1).bit_length())
-    with open(filename, "wb") as file:
-        file.write(struct.pack("<6sHHBBB", b"GIF89a", width, height, 0xF0 | bits - 1, 0, 0))
-        file.write(b"".join(palette).ljust(3 << bits, b"\0"))
-        file.write(b"\x21\xff\x0bNETSCAPE2.0\x03\x01\x00\x00\x00")  # for ever
-        for frame in range(len(images)):
-            rows = [(frame * height + row) * width for row in reversed(range(height))]
-            pixels = b"".join(indices[start : start + width] for start in rows)
-            file.write(struct.pack("<BBBBHBB", 0x21, 0xF9, 4, 4, round(100 * seconds), 0, 0))
-            file.write(struct.pack("<BHHHHB", 0x2C, 0, 0, width, height, 0))
-            file.write(bytes([bits]) + blocks(compress(pixels, bits)))
-        file.write(b"\x3b")
+    contents = bytearray()
+    contents.extend(struct.pack("<6sHHBBB", b"GIF89a", width, height, 0xF0 | bits - 1, 0, 0))
+    contents.extend(b"".join(palette).ljust(3 << bits, b"\0"))
+    contents.extend(b"\x21\xff\x0bNETSCAPE2.0\x03\x01\x00\x00\x00")  # for ever
+    for frame in range(len(images)):
+        rows = [(frame * height + row) * width for row in reversed(range(height))]
+        pixels = b"".join(indices[start : start + width] for start in rows)
+        contents.extend(struct.pack("<BBBBHBB", 0x21, 0xF9, 4, 4, round(100 * seconds), 0, 0))
+        contents.extend(struct.pack("<BHHHHB", 0x2C, 0, 0, width, height, 0))
+        contents.extend(bytes([bits]) + blocks(compress(pixels, bits)))
+    contents.extend(b"\x3b")
+    write(filename, contents)
 
 
 def quantize(images, colours):

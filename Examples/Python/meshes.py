@@ -4,6 +4,7 @@
 
 import math
 
+from arguments import check_file
 from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkQuadricDecimation, vtkTriangleFilter
@@ -117,10 +118,10 @@ def read(filename):
         from vtkmodules.vtkIOGeometry import vtkBYUReader
 
         reader = vtkBYUReader()
-        reader.SetGeometryFileName(filename)
+        reader.SetGeometryFileName(check_file(filename))
     else:
         reader = vtkPLYReader()
-        reader.SetFileName(filename)
+        reader.SetFileName(check_file(filename))
     triangulate = vtkTriangleFilter()
     triangulate.SetInputConnection(reader.GetOutputPort())
     triangulate.Update()

@@ -10,11 +10,12 @@ import math
 import sys
 
 import relevo
+from arguments import read_arguments
 from meshes import add_normals, make_ring, read
+from relevo.files import write_picture
 from vtkmodules.vtkCommonCore import vtkFloatArray
-from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
-from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkWindowToImageFilter
+from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
 
 
 def distance(mesh):
@@ -147,15 +148,10 @@ def main(name, picture, filename=None):
     window.Render()
     print(mesh.GetNumberOfCells(), "faces,", mapper.GetNumberOfDrawnTriangles(), "triangles")
 
-    image = vtkWindowToImageFilter()
-    image.SetInput(window)
-    image.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetInputConnection(image.GetOutputPort())
-    writer.SetFileName(picture)
-    writer.Write()
+    write_picture(picture, window)
 
 
-if len(sys.argv) not in (3, 4) or sys.argv[1] not in METRICS:
+arguments = read_arguments()
+if len(arguments) not in (2, 3) or arguments[0] not in METRICS:
     sys.exit("metrics.py METRIC PICTURE.png [MESH.ply], METRIC one of " + ", ".join(METRICS))
-main(*sys.argv[1:])
+main(*arguments)

@@ -7,6 +7,7 @@ import math
 import sys
 
 import relevo
+from arguments import read_arguments
 from figure import Figure, draw_recipe, make_actor
 from meshes import make_grid, set_normals, set_point_array
 from vtkmodules.vtkCommonCore import vtkLookupTable
@@ -169,6 +170,7 @@ def main(picture):
     )
 
 
-if len(sys.argv) != 2:
+arguments = read_arguments()
+if len(arguments) != 1:
     sys.exit("objectspace.py PICTURE.png")
-main(sys.argv[1])
+main(*arguments)

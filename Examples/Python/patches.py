@@ -14,6 +14,7 @@ import math
 import sys
 
 import relevo
+from arguments import check_file, read_arguments
 from figure import Figure, make_actor, show_edges
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdList, vtkLookupTable, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
@@ -79,7 +80,7 @@ def read_grid(filename):
         from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
         reader = vtkXMLUnstructuredGridReader()
-    reader.SetFileName(filename)
+    reader.SetFileName(check_file(filename))
     reader.Update()
     return reader.GetOutput()
 
@@ -284,6 +285,7 @@ def main(name, picture, *files):
     sys.exit(f"patches.py NAME PICTURE.png [FILE], NAME one of {names}")
 
 
-if len(sys.argv) < 3:
+arguments = read_arguments()
+if len(arguments) < 2:
     main("", "")
-main(*sys.argv[1:])
+main(*arguments)

@@ -14,6 +14,7 @@ import math
 import sys
 
 import relevo
+from arguments import check_file, read_arguments
 from figure import Figure, draw_mesh, make_actor
 from meshes import add_normals, make_ring, read
 from vtkmodules.vtkCommonCore import vtkFloatArray
@@ -132,7 +133,7 @@ def make_height_map():
 
 def read_height_map(filename):
     heights = relevo.vtkHeightMap()
-    heights.SetFileName(filename)
+    heights.SetFileName(check_file(filename))
     return heights
 
 
@@ -160,7 +161,7 @@ def read_can(filename):
     from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
     reader = vtkXMLUnstructuredGridReader()
-    reader.SetFileName(filename)
+    reader.SetFileName(check_file(filename))
     surface = vtkDataSetSurfaceFilter()
     surface.SetInputConnection(reader.GetOutputPort())
     normals = vtkPolyDataNormals()
@@ -267,6 +268,7 @@ def main(name, picture, *files):
     sys.exit(f"relief.py NAME PICTURE.png [FILE], NAME one of {names}")
 
 
-if len(sys.argv) < 3:
+arguments = read_arguments()
+if len(arguments) < 2:
     main("", "")
-main(*sys.argv[1:])
+main(*arguments)

@@ -11,6 +11,7 @@ import math
 import sys
 
 import relevo
+from arguments import read_arguments
 from figure import Figure, draw_coarse, draw_recipe, make_actor
 from meshes import make_mesh
 from vtkmodules.vtkCommonCore import vtkFloatArray
@@ -153,6 +154,7 @@ def main(picture):
     print(mesh.GetNumberOfCells(), "faces,", count, "triangles")
 
 
-if len(sys.argv) != 2:
+arguments = read_arguments()
+if len(arguments) != 1:
     sys.exit("stmesh.py PICTURE.png")
-main(sys.argv[1])
+main(*arguments)

@@ -15,6 +15,7 @@ import math
 import sys
 
 import relevo
+from arguments import read_arguments
 from figure import Figure, draw_coarse, draw_refined, make_actor, show_edges
 from heights import displace, make_image
 from meshes import (
@@ -194,10 +195,11 @@ def main(name, picture, *mesh):
     print(FIGURES[name](*mesh).write(picture), "triangles")
 
 
+arguments = read_arguments()
 if (
-    len(sys.argv) not in (3, 4)
-    or sys.argv[1] not in FIGURES
-    or (len(sys.argv) == 4 and sys.argv[1] != "fur")
+    len(arguments) not in (2, 3)
+    or arguments[0] not in FIGURES
+    or (len(arguments) == 3 and arguments[0] != "fur")
 ):
     sys.exit("surfaces.py NAME PICTURE.png, NAME one of " + ", ".join(FIGURES))
-main(*sys.argv[1:])
+main(*arguments)

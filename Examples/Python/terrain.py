@@ -2,20 +2,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Draws a height map into a picture, without a display: terrain.py HEIGHTMAP PICTURE.png"""
 
-import sys
-
 import relevo
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkWindowToImageFilter
+from arguments import check_file, read_arguments
+from relevo.files import write_picture
+from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
 
-heightmap, picture = sys.argv[1:]
+heightmap, picture = read_arguments()
+check_file(heightmap)
 
 terrain = relevo.vtkTerrainSource()
 terrain.SetFileName(heightmap)
 terrain.SetExaggeration(5)
 terrain.Update()
 metric = relevo.vtkScreenEdgeDepthTagMetric()
-metric.SetReferenceLength(2)  # edges of two pixels
+metric.SetReferenceLength(2)
 recipe = relevo.vtkAdaptiveRefinement()
 recipe.SetMaximumLevel(5)  # at most 32 segments on an edge
 recipe.SetMetric(metric)
@@ -43,10 +43,4 @@ window.AddRenderer(renderer)
 window.Render()
 print(mapper.GetNumberOfDrawnTriangles(), "triangles in", mapper.GetNumberOfDrawCalls(), "draws")
 
-image = vtkWindowToImageFilter()
-image.SetInput(window)
-image.ReadFrontBufferOff()
-writer = vtkPNGWriter()
-writer.SetInputConnection(image.GetOutputPort())
-writer.SetFileName(picture)
-writer.Write()
+write_picture(picture, window)

@@ -15,6 +15,7 @@ import math
 import sys
 
 import relevo
+from arguments import check_file, read_arguments
 from figure import Figure, make_actor
 from meshes import set_point_array
 from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints
@@ -76,8 +77,8 @@ def read_plot3d(points, flow):
     from vtkmodules.vtkIOParallel import vtkMultiBlockPLOT3DReader
 
     reader = vtkMultiBlockPLOT3DReader()
-    reader.SetXYZFileName(points)
-    reader.SetQFileName(flow)
+    reader.SetXYZFileName(check_file(points))
+    reader.SetQFileName(check_file(flow))
     reader.AutoDetectFormatOn()
     reader.Update()
     return reader.GetOutput().GetBlock(0)
@@ -88,7 +89,7 @@ def read_exodus(filename):
     from vtkmodules.vtkIOExodus import vtkExodusIIReader
 
     reader = vtkExodusIIReader()
-    reader.SetFileName(filename)
+    reader.SetFileName(check_file(filename))
     reader.UpdateInformation()
     reader.SetAllArrayStatus(reader.NODAL, 1)
     reader.Update()
@@ -99,7 +100,7 @@ def read_cells(filename):
     from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
     reader = vtkXMLUnstructuredGridReader()
-    reader.SetFileName(filename)
+    reader.SetFileName(check_file(filename))
     reader.Update()
     return reader.GetOutput()
 
@@ -249,6 +250,7 @@ def main(name, picture, *files):
     sys.exit(f"volumes.py NAME PICTURE.png [FILE ...], NAME one of {names}")
 
 
-if len(sys.argv) < 3:
+arguments = read_arguments()
+if len(arguments) < 2:
     main("", "")
-main(*sys.argv[1:])
+main(*arguments)

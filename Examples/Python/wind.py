@@ -4,6 +4,7 @@
 
 The wind is no measurement. It is what a layer of ideal air does that comes from the west-south-west
 at 10 m/s, between the ground and a lid (LID in the heights' unit; default: three fifths of the way
+from arguments import check_file, read_arguments
 from the lowest to the highest place): it has no vorticity and is conserved, div(D grad(phi)) = 0 for
 its depth D, so that it streams around what rises to the lid and faster through gaps. Where the
 ground is above the lid there is no data. The height map is taken to have its rows to the east and its
@@ -16,16 +17,16 @@ import sys
 import numpy
 import relevo
 import vtkmodules.vtkRenderingFreeType  # draws the legend
+from arguments import check_file, read_arguments
+from relevo.files import write_picture
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkColorTransferFunction,
     vtkLight,
     vtkRenderer,
-    vtkWindowToImageFilter,
 )
 
 SAMPLES = 300  # of the wind, along the longer side
@@ -169,7 +170,7 @@ def make_legend(colours):
 
 def main(heightmap, picture, lid=None):
     terrain = relevo.vtkTerrainSource()
-    terrain.SetFileName(heightmap)
+    terrain.SetFileName(check_file(heightmap))
     terrain.SetResolution(SAMPLES)
     terrain.SetNoDataPolicyToFill()
     terrain.SetExaggeration(2.5)
@@ -228,16 +229,11 @@ def main(heightmap, picture, lid=None):
     window.Render()
     print(f"{mapper.GetNumberOfDrawnTriangles()} triangles, wind up to {fastest:.1f} m/s")
 
-    image = vtkWindowToImageFilter()
-    image.SetInput(window)
-    image.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetInputConnection(image.GetOutputPort())
-    writer.SetFileName(picture)
-    writer.Write()
+    write_picture(picture, window)
 
 
 if __name__ == "__main__":
-    if len(sys.argv) not in (3, 4):
+    arguments = read_arguments()
+    if len(arguments) not in (2, 3):
         sys.exit("wind.py HEIGHTMAP PICTURE.png [LID]")
-    main(*sys.argv[1:])
+    main(*arguments)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkReliefDatabaseReader.h"
 
+#include "Core/MemoryGuard.h"
 #include "Core/VTKCompatibility.h"
 #include "Database/ReliefFile.h"
 #include "Database/ReliefTable.h"
@@ -74,33 +75,44 @@ int vtkReliefDatabaseReader::CanReadFile(const char* fileName)
   {
     return 0;
   }
-  const relevo::ReliefTable table(fileName);
-  for (std::size_t row = 0; row < table.GetNumberOfRows(); ++row)
+  const auto hasFile = [fileName]
   {
-    std::string fault;
-    table.FindFile(row, fault);
-    if (fault.empty())
+    const relevo::ReliefTable table(fileName);
+    for (std::size_t row = 0; row < table.GetNumberOfRows(); ++row)
     {
-      return 1;
+      std::string fault;
+      table.FindFile(row, fault);
+      if (fault.empty())
+      {
+        return true;
+      }
     }
-  }
-  return 0;
+    return false;
+  };
+  bool result = false;
+  return relevo::FitsMemory([&] { result = hasFile(); }) && result ? 1 : 0;
 }
 
 int vtkReliefDatabaseReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
+  return relevo::RequestWithinMemory(this, outputVector, "the table of reliefs",
+    [&] { return this->FindTimes(outputVector) ? 1 : 0; });
+}
+
+bool vtkReliefDatabaseReader::FindTimes(vtkInformationVector* outputVector)
+{
   vtkMultiBlockDataSet::GetData(outputVector)->Initialize();
   if (!this->FileName || !*this->FileName)
   {
     vtkErrorMacro("There is no file name: call SetFileName().");
-    return 0;
+    return false;
   }
   const relevo::ReliefTable table(this->FileName);
   if (!table.GetFault().empty())
   {
     vtkErrorMacro(<< table.GetFault());
-    return 0;
+    return false;
   }
   vtkInformation* information = outputVector->GetInformationObject(0);
   const std::vector<double> times = table.GetTimes();
@@ -113,11 +125,17 @@ int vtkReliefDatabaseReader::RequestInformation(
       vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
     information->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
   }
-  return 1;
+  return true;
 }
 
 int vtkReliefDatabaseReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  return relevo::RequestWithinMemory(
+    this, outputVector, "the reliefs", [&] { return this->ReadReliefs(outputVector) ? 1 : 0; });
+}
+
+bool vtkReliefDatabaseReader::ReadReliefs(vtkInformationVector* outputVector)
 {
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
   output->Initialize();
@@ -125,7 +143,7 @@ int vtkReliefDatabaseReader::RequestData(
   if (!table.GetFault().empty()) // by now
   {
     vtkErrorMacro(<< table.GetFault());
-    return 0;
+    return false;
   }
   vtkInformation* information = outputVector->GetInformationObject(0);
   const std::vector<double> times = table.GetTimes();
@@ -137,7 +155,7 @@ int vtkReliefDatabaseReader::RequestData(
     output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
   }
   this->ReadRows(table, time, output);
-  return 1;
+  return true;
 }
 
 void vtkReliefDatabaseReader::ReadRows(

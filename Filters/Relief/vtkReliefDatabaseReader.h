@@ -17,11 +17,11 @@
  * asked for, or the first. Rows without a number there belong to all.
  *
  * Errors (ErrorEvent of this object), with an empty output: no file name; no table; one without
- * rows of reliefs, with a quote that is not closed, or with NUL bytes. One error for all rows that
- * cannot be read, with the first of them and their number, for a row with more or fewer fields than
- * there are names, without a .vti file, or with one outside of the folder ("..", or an absolute
- * path); for a file that is missing, damaged or no relief. Their blocks stay empty and the rest is
- * read.
+ * rows of reliefs, with a quote that is not closed, or with NUL bytes; not enough memory. One error
+ * for all rows that cannot be read, with the first of them and their number, for a row with more or
+ * fewer fields than there are names, without a .vti file, or with one outside of the folder ("..",
+ * or an absolute path); for a file that is missing, damaged or no relief. Their blocks stay empty
+ * and the rest is read.
  *
  * @sa vtkReliefDatabaseWriter
  */
@@ -71,6 +71,8 @@ private:
   vtkReliefDatabaseReader(const vtkReliefDatabaseReader&) = delete;
   void operator=(const vtkReliefDatabaseReader&) = delete;
 
+  bool FindTimes(vtkInformationVector* outputVector);
+  bool ReadReliefs(vtkInformationVector* outputVector);
   void ReadRows(const relevo::ReliefTable& table, double time, vtkMultiBlockDataSet* output);
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkReliefDatabaseWriter.h"
 
+#include "Core/MemoryGuard.h"
 #include "Core/VTKCompatibility.h"
 #include "Data/Reliefs.h"
 #include "Database/ReliefColumns.h"
@@ -39,6 +40,14 @@ void vtkReliefDatabaseWriter::Fail(const std::string& message, unsigned long cod
 }
 
 void vtkReliefDatabaseWriter::WriteData()
+{
+  if (!relevo::FitsMemory([this] { this->WriteInput(); }))
+  {
+    this->Fail("Not enough memory to write the reliefs.", vtkErrorCode::UnknownError);
+  }
+}
+
+void vtkReliefDatabaseWriter::WriteInput()
 {
   if (!this->FileName || !*this->FileName)
   {

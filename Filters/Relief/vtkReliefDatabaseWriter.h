@@ -78,6 +78,7 @@ private:
   void operator=(const vtkReliefDatabaseWriter&) = delete;
 
   void Fail(const std::string& message, unsigned long code);
+  void WriteInput();
   std::string WriteReliefs(const std::vector<relevo::ReliefBlock>& blocks);
 };
 

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The benchmark runs with tiny sizes and writes complete, valid JSON. How fast is not asked."""
 import json
+import os
+import resource
 import subprocess
 import sys
 import tempfile
@@ -22,6 +24,38 @@ class TestBenchmark(unittest.TestCase):
             left = [path.name for path in Path(folder).iterdir()]
             self.assertEqual(left, ["benchmark.json"])
             return result.stdout, json.loads(output.read_text(encoding="utf-8"))
+
+    def run_with_error(self, code, *arguments, **settings):
+        """The one line that the program ends with."""
+        result = subprocess.run([PROGRAM, "--quick", *arguments], capture_output=True, text=True,
+                                **settings)
+        self.assertEqual(result.returncode, code, result.stderr)
+        errors = result.stderr.splitlines()
+        self.assertRegex(errors[0], r"\Arelevo-benchmark: error: [^\x00-\x1f]+\Z")
+        if code == 1:
+            self.assertEqual(len(errors), 1)
+        return errors[0]
+
+    def test_bad_arguments(self):
+        """Named at once, without characters that command a terminal."""
+        self.assertIn(r"'\x1b[2J\n'", self.run_with_error(2, "\x1b[2J\n"))
+        self.assertIn("'--output'", self.run_with_error(2, "--output"))
+        self.assertIn("'--quick'", self.run_with_error(2, "--", "rules", "--quick"))
+        self.assertIn(r"a\x1b.tif", self.run_with_error(1, "--height-map", "a\x1b.tif"))
+        self.assertIn(r"/no\nfolder/a.json: there is no folder",
+                      self.run_with_error(1, "--output", "/no\nfolder/a.json"))
+
+    def test_full_disk(self):
+        """The old report stays."""
+        with tempfile.TemporaryDirectory() as folder:
+            output = Path(folder) / "a.json"
+            output.write_text("old")
+            error = self.run_with_error(
+                1, "--output", output, "--", "rules",
+                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (64, 64)))
+            self.assertIn(f"cannot write {output}: {os.strerror(27)}", error)
+            self.assertEqual([path.name for path in Path(folder).iterdir()], ["a.json"])
+            self.assertEqual(output.read_text(), "old")
 
     def test_everything(self):
         markdown, report = self.run_benchmark()

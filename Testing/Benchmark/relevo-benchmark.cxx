@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // relevo-benchmark [--quick | --full] [--height-map FILE] [--paraview PREFIX]
-//   [--output FILE.json] [NAME...]
+//   [--output FILE.json] [--] [NAME...]
 #include "BenchmarkReport.h"
 #include "BenchmarkView.h"
 #include "Benchmarks.h"
+#include "Files/AtomicFile.h"
+#include "Text/PrintableText.h"
 
 #include "vtkVersion.h"
 
@@ -17,6 +19,7 @@
 #include <iomanip>
 #include <iostream>
 #include <iterator>
+#include <sstream>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -103,10 +106,19 @@ int Measure(const std::vector<std::string>& arguments)
   return EXIT_FAILURE;
 }
 
-int ShowUsage()
+void ShowError(const std::string& text)
 {
+  std::cerr << "relevo-benchmark: error: " << ToPrintable(text) << std::endl;
+}
+
+int ShowUsage(const std::string& argument)
+{
+  if (argument != "--help")
+  {
+    ShowError("unknown argument '" + argument + "', or one without its value");
+  }
   std::cerr << "usage: relevo-benchmark [--quick | --full] [--height-map FILE] "
-               "[--paraview PREFIX] [--output FILE.json] [NAME...]\nNAME:";
+               "[--paraview PREFIX] [--output FILE.json] [--] [NAME...]\nNAME:";
   for (const Benchmark& benchmark : Benchmarks)
   {
     std::cerr << ' ' << benchmark.Name;
@@ -115,15 +127,30 @@ int ShowUsage()
   return 2;
 }
 
+bool IsBenchmark(const std::string& name)
+{
+  return std::any_of(Benchmarks.begin(), Benchmarks.end(),
+    [&name](const Benchmark& benchmark) { return name == benchmark.Name; });
+}
+
 struct Arguments
 {
-  // False where there is one that is not known.
+  // False, with the argument, where there is one that is not known. After "--" all are names.
   bool Parse(int argc, char* argv[])
   {
+    bool areNames = false;
     for (int i = 1; i < argc; ++i)
     {
       const std::string argument = argv[i];
-      if (argument == "--quick")
+      if (areNames || IsBenchmark(argument))
+      {
+        this->Names.push_back(argument);
+      }
+      else if (argument == "--")
+      {
+        areNames = true;
+      }
+      else if (argument == "--quick")
       {
         this->Options.Quick = true;
       }
@@ -143,32 +170,42 @@ struct Arguments
       {
         this->Output = argv[++i];
       }
-      else if (std::any_of(Benchmarks.begin(), Benchmarks.end(),
-                 [&](const Benchmark& benchmark) { return argument == benchmark.Name; }))
-      {
-        this->Names.push_back(argument);
-      }
       else
       {
+        this->Unknown = argument;
         return false;
       }
     }
-    return true;
+    const auto unknown = std::find_if_not(this->Names.begin(), this->Names.end(), IsBenchmark);
+    this->Unknown = unknown == this->Names.end() ? "" : *unknown;
+    return unknown == this->Names.end();
   }
 
   BenchmarkOptions Options;
   std::string Output;
   std::vector<std::string> Names;
+  std::string Unknown;
 };
 
 bool CanRead(const std::string& file)
 {
-  if (!std::ifstream(file))
+  if (!file.empty() && !std::ifstream(file))
   {
-    std::cerr << "relevo-benchmark: error: cannot read " << file << std::endl;
+    ShowError("cannot read " + file);
     return false;
   }
   return true;
+}
+
+// Before hours of measuring.
+bool CanWrite(const std::string& file)
+{
+  const std::string fault = file.empty() ? "" : relevo::AtomicFile::FindFault(file);
+  if (!fault.empty())
+  {
+    ShowError("cannot write " + file + ": " + fault);
+  }
+  return fault.empty();
 }
 
 // All where none is named.
@@ -220,14 +257,14 @@ void AddFacts(BenchmarkReport& report, const std::vector<Benchmark>& chosen)
 
 bool WriteJson(const BenchmarkReport& report, const std::string& output)
 {
-  std::ofstream file(output);
-  report.WriteJson(file);
-  if (!file.flush())
+  std::ostringstream text;
+  report.WriteJson(text);
+  const std::string fault = relevo::AtomicFile::Write(output, text.str());
+  if (!fault.empty())
   {
-    std::cerr << "relevo-benchmark: error: cannot write " << output << std::endl;
-    return false;
+    ShowError("cannot write " + output + ": " + fault);
   }
-  return true;
+  return fault.empty();
 }
 }
 
@@ -264,14 +301,14 @@ int main(int argc, char* argv[])
   Arguments arguments;
   if (!arguments.Parse(argc, argv))
   {
-    return ShowUsage();
+    return ShowUsage(arguments.Unknown);
   }
   BenchmarkOptions& options = arguments.Options;
   std::error_code error;
   options.ProgramFolder =
     std::filesystem::read_symlink("/proc/self/exe", error).parent_path().string();
-  if ((!options.HeightMap.empty() && !CanRead(options.HeightMap)) ||
-    (!options.ParaView.empty() && !CanRead(options.ParaView + "/bin/paraview-python")))
+  if (!CanRead(options.HeightMap) || !CanWrite(arguments.Output) ||
+    !CanRead(options.ParaView.empty() ? "" : options.ParaView + "/bin/paraview-python"))
   {
     return EXIT_FAILURE;
   }

@@ -6,7 +6,7 @@
 # go to relevo-benchmark; without a NAME everything is measured.
 #
 #   bash Testing/Benchmark/run.sh [--quick | --full] [--height-map FILE] [--paraview PREFIX]
-#        [--output FILE.json] [NAME...]
+#        [--output FILE.json] [--] [NAME...]
 #
 # NAME is one of those that --help lists. --quick shows that everything runs, --full takes sizes
 # and repetitions that are for graphics cards. RELEVO_TEST_DATA names a folder of larger real data.

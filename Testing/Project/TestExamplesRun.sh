@@ -47,6 +47,19 @@ rm -f "$build/relevo-view.png"
 check 0 "$build/relevo-view.png" heights.pgm --size 64x48
 check 0 "$build/relevo-view.png" heights.pgm --size 64x48 --export mesh.vtp
 test -s mesh.vtp
+cp heights.pgm ./-s.pgm
+check 0 "$folder/here/-o.png" --size 64x48 --output ./-o.png -- -s.pgm
+rm -f "$build/relevo-view.png"
+check 0 "$build/relevo-view.png" --size 64x48 -- -s.pgm
+# Names that could command a terminal, or forge the last line.
+name=$'a\e[2J\n.png'
+check 0 "" heights.pgm --size 64x48 --output "$name"
+test -s "$name"
+last=$(bash "$source/Examples/run.sh" heights.pgm --size 64x48 --output "$name" | tail -n 1)
+if [ "$last" != "$(printf %q "$folder/here/$name")" ]; then
+  echo "run.sh: the last line is $(printf %q "$last")"
+  exit 1
+fi
 check 1 '' missing.tif
 check 2 '' heights.pgm --no-such-option
 check 0 '' --help

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The Python examples run, and draw something; the pages show what they hold."""
 
+import errno
 import math
 import os
 import pathlib
@@ -87,6 +88,20 @@ class TestExamples(unittest.TestCase):
                 for i in range(0, 800, 25)
             }
             self.assertGreater(len(shades), 10)
+
+    def test_names(self):
+        """With a hyphen after --; characters that could command a terminal are escaped."""
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            write_heights(folder / "-l.png", lambda i, j: 20)
+            run = self.run_example("beside.py", folder, "--", "-l.png", "-l.png", "-o.jpg")
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+            self.assertTrue((folder / "-o.jpg").exists())
+            run = self.run_example("beside.py", folder, "a\x1b[2J\n.png", "o.jpg")
+            self.assertEqual(run.returncode, 1)
+            self.assertEqual(
+                run.stderr, f"cannot read 'a\\x1b[2J\\n.png': {os.strerror(errno.ENOENT)}\n"
+            )
 
     def test_stmesh(self):
         with tempfile.TemporaryDirectory() as name:

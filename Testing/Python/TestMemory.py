@@ -3,6 +3,7 @@
 """What does not fit into memory is an error, and the program goes on."""
 
 import contextlib
+import ctypes
 import pathlib
 import re
 import resource
@@ -21,6 +22,9 @@ STATUS = pathlib.Path("/proc/self/status")
 if not STATUS.exists():
     print("skipped: how much memory is in use is not known")
     sys.exit(125)
+# What is freed goes back at once.
+MMAP_THRESHOLD = -3
+ctypes.CDLL(None).mallopt(MMAP_THRESHOLD, 16384)
 
 
 @contextlib.contextmanager
@@ -93,6 +97,45 @@ class TestMemory(unittest.TestCase):
         streaks.SetInputData(make_image(40, 40, VTK_FLOAT, 2))
         streaks.Update()
         self.assertEqual(streaks.GetOutput().GetNumberOfPoints(), 1600)
+
+    def test_databases(self):
+        """A database is read and written, or that is an error; nothing is left of it."""
+        image = make_image(400, 300, VTK_FLOAT)
+        camera = relevo.vtkDepthImageToRelief()
+        camera.SetIntrinsics(300, 300, 199.5, 149.5)
+        camera.SetInputData(image)
+        writer = relevo.vtkReliefDatabaseWriter()
+        writer.SetInputConnection(camera.GetOutputPort())
+        reader = relevo.vtkReliefDatabaseReader()
+        errors = catch_errors(reader)
+        of_writer = catch_errors(writer)
+        catch_errors(reader.GetExecutive())
+        with tempfile.TemporaryDirectory() as folder:
+            database = pathlib.Path(folder, "a.cdb")
+            reader.SetFileName(str(database))
+            numbers = {"read": [], "written": []}
+            for size in range(0, 13 * MEBIBYTE, MEBIBYTE // 2):
+                writer.SetFileName(str(database))
+                self.assertEqual(writer.Write(), 1)
+                old = {path.name for path in database.iterdir()}
+                reader.GetOutput().Initialize()  # its memory does not help
+                reader.Modified()
+                writer.Modified()
+                errors.clear()
+                of_writer.clear()
+                with little_memory(size):
+                    reader.Update()
+                    written = writer.Write()
+                blocks = reader.GetOutput().GetNumberOfBlocks()
+                self.assertEqual(len(errors), 0 if blocks and reader.GetOutput().GetBlock(0) else 1)
+                self.assertEqual(len(of_writer), 1 - written, of_writer)
+                for message in errors + of_writer:
+                    self.assertRegex(message.lower(), "not enough memory|cannot allocate memory")
+                self.assertEqual({path.name for path in database.iterdir()}, old)
+                numbers["read"].append(not errors)
+                numbers["written"].append(written == 1)
+            for name, successes in numbers.items():
+                self.assertEqual(set(successes), {False, True}, name)
 
 
 if __name__ == "__main__":

@@ -16,7 +16,12 @@ from vtkmodules.vtkIOLegacy import vtkPolyDataWriter, vtkUnstructuredGridWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
 
-from ViewerProgram import PROGRAM, ViewerProgram
+try:
+    from vtkmodules.vtkIOExodus import vtkExodusIIWriter
+except ImportError:
+    vtkExodusIIWriter = None
+
+from ViewerProgram import FORKED, PROGRAM, ViewerProgram
 
 EXPORT = ("--export=e.vtp", "--level=0")
 
@@ -56,6 +61,24 @@ class TestViewerDamaged(ViewerProgram):
         (cls.folder / "heights.pgm").write_bytes(b"P5 8 8 255\n" + bytes(range(64)))
         cls.write("sphere.vtp", vtkXMLPolyDataWriter, sphere())
         cls.write("grid.vtu", vtkXMLUnstructuredGridWriter, tetrahedron())
+        (cls.folder / "waits.vrt").write_text(
+            '<VRTDataset rasterXSize="8" rasterYSize="8"><VRTRasterBand dataType="Byte" band="1">'
+            '<SimpleSource><SourceFilename relativeToVRT="1">pipe</SourceFilename></SimpleSource>'
+            "</VRTRasterBand></VRTDataset>\n"
+        )
+        cls.waiting = cls.start("waits.vrt")  # see test_waiting()
+
+    @classmethod
+    def tearDownClass(cls):
+        with cls.waiting:
+            cls.waiting.kill()
+        super().tearDownClass()
+
+    @classmethod
+    def start(cls, name):
+        return subprocess.Popen(
+            [str(PROGRAM), name, *EXPORT], cwd=cls.folder, stderr=subprocess.PIPE, text=True
+        )
 
     @classmethod
     def write(cls, name, kind, data, *calls):
@@ -96,15 +119,39 @@ class TestViewerDamaged(ViewerProgram):
         self.assert_error(1, ["it is a folder"], "grid.vtu", "--volume", "--transfer=reliefs",
                           "--output=o.png")
 
-    def test_reader_waits(self):
-        """A piece that is a pipe: VTK's reader never comes back."""
-        (self.folder / "piece.vtu").symlink_to("pipe")
-        (self.folder / "waits.pvtu").write_text(
+    def test_pieces(self):
+        """Of a .pvtu file. VTK's reader passes over those that it cannot read."""
+        whole = self.write("whole.vtu", vtkXMLUnstructuredGridWriter, tetrahedron())
+        piece = self.folder / "piece.vtu"
+        (self.folder / "pieces.pvtu").write_text(
             '<VTKFile type="PUnstructuredGrid" version="0.1"><PUnstructuredGrid GhostLevel="0">'
             '<PPoints><PDataArray type="Float32" NumberOfComponents="3"/></PPoints>'
-            '<Piece Source="piece.vtu"/></PUnstructuredGrid></VTKFile>\n'
+            '<Piece Source="whole.vtu"/><Piece Source="piece.vtu"/>'
+            "</PUnstructuredGrid></VTKFile>\n"
         )
-        self.assert_error(1, ["waits.pvtu", "no progress for 20 seconds"], "waits.pvtu", *EXPORT)
+        for options in (EXPORT, ("--volume", "--output=o.png")):
+            for prepare, words in (
+                (piece.touch, "the file is empty"),
+                (lambda: piece.write_bytes(whole[:-12]), "the file is cut short"),
+                (lambda: piece.symlink_to("pipe"), "not a regular file"),
+            ):
+                self.assert_error(1, ["pieces.pvtu", "its piece piece.vtu", "does not exist"],
+                                  "pieces.pvtu", *options)
+                prepare()
+                self.assert_error(1, ["pieces.pvtu", "its piece piece.vtu", words],
+                                  "pieces.pvtu", *options)
+                piece.unlink()
+        piece.write_bytes(whole)
+        self.view("pieces.pvtu", *EXPORT)
+
+    def test_waiting(self):
+        """For a pipe that nobody writes into; GDAL's reader never comes back."""
+        self.assertEqual(self.waiting.wait(60), 1)
+        self.assertEqual(
+            self.waiting.stderr.read(),
+            "relevo-view: error: cannot read waits.vrt: its reader made no progress for 20 seconds; "
+            "the file is damaged\n",
+        )
 
     def test_ply(self):
         """VTK's reader crashes on most of these."""
@@ -139,6 +186,47 @@ class TestViewerDamaged(ViewerProgram):
         self.assertEqual(run.returncode, 0)
         self.assertRegex(run.stderr, r"\Arelevo-view: warning: b.stl: the header says 0 [^\n]+\n\Z")
 
+    def test_netcdf(self):
+        """The library reads zeros beyond the end of a classic file, with and without records."""
+        heights = struct.pack(">16f", *range(16))
+        dimension = struct.pack(">I", 1) + b"x\0\0\0" + struct.pack(">I", 4)
+        second = dimension.replace(b"x", b"y")
+        head = b"CDF\1" + bytes(4) + struct.pack(">II", 10, 2) + second + dimension + bytes(8)
+        variable = struct.pack(">III", 11, 1, 1) + b"z\0\0\0" + struct.pack(">III", 2, 0, 1)
+        variable += bytes(8) + struct.pack(">II", 5, len(heights))
+        begin = len(head) + len(variable) + 4
+        content = head + variable + struct.pack(">I", begin) + heights
+        (self.folder / "a.nc").write_bytes(content)
+        run = FORKED.run(["a.nc", *EXPORT], self.folder, dict(os.environ))
+        if "netCDF" not in run.stderr and run.returncode == 1:
+            self.skipTest("GDAL reads no netCDF files")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        self.cut("a.nc", content, (begin - 2, begin, len(content) - 4))
+        self.assert_error(1, ["cannot read a.nc: the file is cut short"], "sphere.vtp",
+                          "--height=a.nc", *EXPORT)
+        if not vtkExodusIIWriter:
+            return
+        content = self.write("a.ex2", vtkExodusIIWriter, tetrahedron())
+        self.view("a.ex2", *EXPORT)
+        self.cut("a.ex2", content, (len(content) // 4, len(content) - 20))
+
+    def test_obj(self):
+        """VTK's reader writes beyond its arrays where corners refer to what is not there."""
+        head = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvn 0 0 1\n"
+        for corners, words in (
+            ("1/1/1 2/2/1 3/3/1", "line 7 refers to the texture coordinate 3, and there are 2"),
+            ("1//1 2//2 3//1", "line 7 refers to the normal 2, and there are 1"),
+            ("1 2 4", "line 7 refers to the point 4, and there are 3"),
+            ("1 2 0", "line 7 refers to the point 0"),
+            ("-1 -2 -4", "line 7 refers to the point -4, and there are 3 before it"),
+            ("1/1/1/1 2 3", "line 7 has a corner with more than three indices"),
+        ):
+            (self.folder / "a.obj").write_text(head + f"f {corners}\n")
+            self.assert_error(1, ["cannot read a.obj: " + words], "a.obj", *EXPORT)
+        for corners in ("1 2 3", "1/1/1 2/2/1 3/2/1", "-1//-1 -2//1 -3//1\r"):
+            (self.folder / "a.obj").write_text(head + f"f {corners}\n")
+            self.view("a.obj", *EXPORT)
+
     def test_legacy(self):
         """Where the data of an array end early; VTK's reader passes over it."""
         for name, writer, data, kind in (
@@ -164,7 +252,7 @@ class TestViewerDamaged(ViewerProgram):
 
     def test_crash(self):
         """Of VTK's reader: of a line with a slash, of a number of bytes beyond the data."""
-        for line in ("f 1/ 2/ 3/", "f //1 //2 //3", "f 1/1/1/1 2 3", "l 1"):
+        for line in ("f 1/ 2/ 3/", "f //1 //2 //3", "f a b c", "l 1"):
             (self.folder / "a.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + line + "\n")
             run = subprocess.run([str(PROGRAM), "a.obj", *EXPORT], cwd=self.folder,
                                  capture_output=True, text=True)
@@ -248,19 +336,12 @@ class TestViewerDamaged(ViewerProgram):
 
     def test_interrupt(self):
         """Ends the program, also while it reads."""
-        (self.folder / "second.vtu").symlink_to("pipe")
-        (self.folder / "stops.pvtu").write_text(
-            '<VTKFile type="PUnstructuredGrid" version="0.1"><PUnstructuredGrid GhostLevel="0">'
-            '<PPoints><PDataArray type="Float32" NumberOfComponents="3"/></PPoints>'
-            '<Piece Source="second.vtu"/></PUnstructuredGrid></VTKFile>\n'
-        )
-        with subprocess.Popen([str(PROGRAM), "stops.pvtu", *EXPORT], cwd=self.folder,
-                              stderr=subprocess.PIPE) as run:
+        with self.start("waits.vrt") as run:
             with self.assertRaises(subprocess.TimeoutExpired):
                 run.wait(2)
             run.send_signal(2)
             self.assertEqual(run.wait(10), -2)
-            self.assertEqual(run.stderr.read(), b"")
+            self.assertEqual(run.stderr.read(), "")
 
 
 if __name__ == "__main__":

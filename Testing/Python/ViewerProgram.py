@@ -2,18 +2,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs relevo-view, for the tests of it."""
 
+import atexit
 import os
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
 import unittest
+
+from ForkedProgram import ForkedProgram
 
 PROGRAM = pathlib.Path(os.environ["RELEVO_BINARY_DIR"]) / "bin" / "relevo-view"
 if not PROGRAM.exists():
     print("skipped: relevo-view was not built")
     sys.exit(125)
+FORKED = ForkedProgram(PROGRAM)
+atexit.register(FORKED.close)
 
 
 class ViewerProgram(unittest.TestCase):
@@ -28,17 +32,11 @@ class ViewerProgram(unittest.TestCase):
     def tearDownClass(cls):
         cls.temporary.cleanup()
 
-    def view(self, *arguments, code=0, display=False):
+    def view(self, *arguments, code=0, display=False, **limits):
         environment = dict(os.environ)
         if not display:
             environment.pop("DISPLAY", None)
-        run = subprocess.run(
-            [str(PROGRAM), *map(str, arguments)],
-            cwd=self.folder,
-            env=environment,
-            capture_output=True,
-            text=True,
-        )
+        run = FORKED.run([*map(str, arguments)], self.folder, environment, **limits)
         self.assertEqual(run.returncode, code, run.stderr)
         if code == 0:
             self.assertEqual(run.stderr, "")

@@ -2,9 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/FileEnd.h"
 
+#include "Files/NetCDFCheck.h"
+#include "Files/OBJCheck.h"
 #include "Files/PLYCheck.h"
 #include "Files/ViewerFile.h"
 #include "Text/ViewerMessages.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkXMLDataElement.h"
+#include "vtkXMLUtilities.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -34,6 +40,39 @@ void CheckXML(const std::string& fileName, ViewerMessages&)
   if (end.size() < tag.size() || end.compare(end.size() - tag.size(), tag.size(), tag) != 0)
   {
     throw ViewerError("the file is cut short: it does not end with " + tag);
+  }
+}
+
+// VTK's reader passes over pieces that it cannot read.
+void CheckPieces(const std::string& fileName, ViewerMessages& messages)
+{
+  CheckXML(fileName, messages);
+  const auto root = vtkSmartPointer<vtkXMLDataElement>::Take(
+    vtkXMLUtilities::ReadElementFromFile(fileName.c_str()));
+  vtkXMLDataElement* grid = root ? root->FindNestedElementWithName("PUnstructuredGrid") : nullptr;
+  const std::filesystem::path folder = std::filesystem::path(fileName).parent_path();
+  for (int i = 0; grid && i < grid->GetNumberOfNestedElements(); ++i)
+  {
+    vtkXMLDataElement* piece = grid->GetNestedElement(i);
+    const char* source = piece->GetAttribute("Source");
+    if (!source || std::string(piece->GetName()) != "Piece")
+    {
+      continue;
+    }
+    const std::string name = (folder / source).string();
+    const std::string fault = FindReadFault(name);
+    if (!fault.empty())
+    {
+      throw ViewerError("its piece " + name + ": " + fault);
+    }
+    try
+    {
+      CheckXML(name, messages);
+    }
+    catch (const ViewerError& error)
+    {
+      throw ViewerError("its piece " + name + ": " + error.what());
+    }
   }
 }
 
@@ -90,8 +129,11 @@ void CheckFileEnd(const std::string& fileName, ViewerMessages& messages)
 {
   using Function = std::function<void(const std::string&, ViewerMessages&)>;
   static const std::map<std::string, Function> checks = {
+    { ".obj", [](const std::string& name, ViewerMessages&) { CheckOBJ(name); } },
     { ".ply", [](const std::string& name, ViewerMessages&) { CheckPLY(name); } },
-    { ".pvtu", CheckXML },
+    { ".ex2", [](const std::string& name, ViewerMessages&) { CheckNetCDF(name); } },
+    { ".nc", [](const std::string& name, ViewerMessages&) { CheckNetCDF(name); } },
+    { ".pvtu", CheckPieces },
     { ".stl", CheckSTL },
     { ".vtp", CheckXML },
     { ".vtu", CheckXML },
@@ -100,5 +142,21 @@ void CheckFileEnd(const std::string& fileName, ViewerMessages& messages)
   if (check != checks.end())
   {
     check->second(fileName, messages);
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckRasterEnd(const std::string& fileName, ViewerMessages& messages)
+{
+  try
+  {
+    if (CanRead(fileName))
+    {
+      CheckFileEnd(fileName, messages);
+    }
+  }
+  catch (const ViewerError& error)
+  {
+    throw ViewerError("cannot read " + fileName + ": " + error.what());
   }
 }

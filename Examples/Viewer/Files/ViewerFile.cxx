@@ -10,10 +10,8 @@
 #include <filesystem>
 #include <fstream>
 
-namespace
-{
-// Why there is nothing to read, "" where there is.
-std::string GetInputError(const std::string& fileName)
+//------------------------------------------------------------------------------
+std::string FindReadFault(const std::string& fileName)
 {
   // A pipe would block when it is opened; a device may never end.
   std::error_code unknown;
@@ -28,8 +26,6 @@ std::string GetInputError(const std::string& fileName)
                                                        : "";
 }
 
-}
-
 //------------------------------------------------------------------------------
 std::string GetExtension(const std::string& fileName)
 {
@@ -39,7 +35,7 @@ std::string GetExtension(const std::string& fileName)
 //------------------------------------------------------------------------------
 void CheckFile(const std::string& fileName)
 {
-  const std::string error = GetInputError(fileName);
+  const std::string error = FindReadFault(fileName);
   if (!error.empty())
   {
     throw ViewerError("cannot read " + fileName + ": " + error);
@@ -49,7 +45,7 @@ void CheckFile(const std::string& fileName)
 //------------------------------------------------------------------------------
 bool CanRead(const std::string& fileName)
 {
-  return GetInputError(fileName).empty();
+  return FindReadFault(fileName).empty();
 }
 
 //------------------------------------------------------------------------------

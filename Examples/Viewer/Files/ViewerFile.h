@@ -11,6 +11,9 @@
 /// The name's extension with its dot, in lower case; empty when there is none.
 std::string GetExtension(const std::string& fileName);
 
+/// Why there is nothing to read, "" where there is.
+std::string FindReadFault(const std::string& fileName);
+
 /// VTK's readers differ in what they say of a file that is not there or has nothing in it: this
 /// throws ViewerError.
 void CheckFile(const std::string& fileName);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/MeshScene.h"
 
+#include "Files/FileEnd.h"
 #include "Files/MeshReader.h"
 #include "Scene/ArrayUnit.h"
 #include "Scene/MeshColours.h"
@@ -255,6 +256,7 @@ void MeshScene::ReadHeights()
   }
   {
     const ReadingGuard guard({ this->Options.Heights });
+    CheckRasterEnd(this->Options.Heights, this->Messages);
     FitIntoTexture(heights, "");
     heights->Update();
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/TerrainScene.h"
 
+#include "Files/FileEnd.h"
 #include "Files/MeshPoints.h"
 #include "Files/MeshReader.h"
 #include "Files/ViewerFile.h"
@@ -101,6 +102,7 @@ void TerrainScene::ReadTerrain()
   }
   {
     const ReadingGuard guard(files);
+    CheckRasterEnd(this->Options.Input, this->Messages);
     FitIntoTexture(this->Source->GetHeightMap(), this->Options.Imagery.c_str());
     this->Source->SetMaximumImagerySize(this->Source->GetMaximumDimension());
     this->Source->Update();

@@ -5,6 +5,7 @@
 #include "Core/ErrorCollector.h"
 #include "Data/Relief.h"
 #include "Files/WriteFile.h"
+#include "vtkDataArray.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
 #include "vtkImageData.h"
@@ -18,6 +19,7 @@
 #include "vtkXMLImageDataWriter.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <new>
 #include <system_error>
@@ -39,10 +41,23 @@ double GetNumberOfTexels(const int extent[6])
   }
   return number;
 }
+
+// VTK's writers crash if there is no memory for their buffers. Throws std::bad_alloc before that.
+void CheckMemory(std::size_t bytes)
+{
+  constexpr std::size_t buffers = 1 << 22; // and those of the libraries that compress
+  void* volatile memory = std::malloc(buffers + bytes);
+  if (!memory)
+  {
+    throw std::bad_alloc();
+  }
+  std::free(memory);
+}
 }
 
 bool WriteReliefFile(const Relief& relief, AtomicFile& file)
 {
+  CheckMemory(0); // it compresses block by block
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetInputData(relief.GetImage());
   writer->SetDataModeToAppended();
@@ -56,7 +71,9 @@ bool WriteReliefPicture(const Relief& relief, AtomicFile& file)
   vtkNew<vtkImageData> picture;
   picture->SetDimensions(relief.GetWidth(), relief.GetHeight(), 1);
   vtkPointData* data = relief.GetImage()->GetPointData();
-  picture->GetPointData()->SetScalars(data->GetArray(Relief::GetColorName()));
+  vtkDataArray* colors = data->GetArray(Relief::GetColorName());
+  CheckMemory(2 * static_cast<std::size_t>(colors->GetNumberOfValues())); // file and its copy
+  picture->GetPointData()->SetScalars(colors);
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(picture);
   return WritePNG(file, writer.Get());

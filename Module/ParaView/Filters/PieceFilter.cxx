@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PieceFilter.h"
 
+#include "Core/MemoryGuard.h"
 #include "Core/ProcessReduction.h"
 #include "SurfaceLeaves.h"
 #include "vtkAlgorithm.h"
@@ -124,7 +125,25 @@ bool PieceFilter::MakeOutput(vtkInformationVector** inputVector, vtkInformationV
   return input != nullptr;
 }
 
-void PieceFilter::Run(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
+void PieceFilter::Run(vtkAlgorithm* filter, const char* purpose, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, vtkMultiProcessController* controller, const Work& work)
+{
+  const auto run = [&]
+  {
+    this->RunPieces(inputVector, outputVector, controller, work);
+    return 1;
+  };
+  if (controller && controller->GetNumberOfProcesses() > 1)
+  {
+    run();
+  }
+  else
+  {
+    RequestWithinMemory(filter, outputVector, purpose, run);
+  }
+}
+
+void PieceFilter::RunPieces(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
   vtkMultiProcessController* controller, const Work& work)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);

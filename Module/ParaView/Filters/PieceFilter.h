@@ -15,6 +15,7 @@
 
 #include <functional> // for what is called
 
+class vtkAlgorithm;
 class vtkDataObject;
 class vtkInformation;
 class vtkInformationVector;
@@ -44,12 +45,17 @@ public:
   /**
    * Call `work` for all pieces, on all processes in the same order. Collective. Without a
    * controller (nullptr) this process has all pieces. An error leaves its output empty and is no
-   * failure of the filter: the pipeline would then run it again on one process alone.
+   * failure of the filter: the pipeline would then run it again on one process alone. Without
+   * enough memory for `purpose` all outputs are empty, after an ErrorEvent of the filter; but
+   * several processes end with std::bad_alloc, because the others would wait for one that gives up.
    */
-  void Run(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
-    vtkMultiProcessController* controller, const Work& work);
+  void Run(vtkAlgorithm* filter, const char* purpose, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector, vtkMultiProcessController* controller, const Work& work);
 
 private:
+  void RunPieces(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
+    vtkMultiProcessController* controller, const Work& work);
+
   SurfacePieces Pieces;
 };
 }

@@ -136,6 +136,6 @@ int vtkPAdaptiveRefinementFilter::RequestData(
     RemoveFlag(output->GetPointData(), vtkDataSetAttributes::DUPLICATEPOINT);
     RemoveFlag(output->GetCellData(), vtkDataSetAttributes::DUPLICATECELL);
   };
-  this->Pieces->Run(inputVector, outputVector, this->Controller, refine);
+  this->Pieces->Run(this, "the refined mesh", inputVector, outputVector, this->Controller, refine);
   return 1;
 }

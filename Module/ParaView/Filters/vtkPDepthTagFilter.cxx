@@ -162,6 +162,7 @@ int vtkPDepthTagFilter::RequestData(
       CopyTags(tagged, output);
     }
   };
-  this->Pieces->Run(inputVector, outputVector, this->Controller, addTags);
+  this->Pieces->Run(
+    this, "the levels of the mesh", inputVector, outputVector, this->Controller, addTags);
   return 1;
 }

@@ -38,7 +38,7 @@ find "$prefix/usr/lib/python3" -name '*.cpython-*.so' -print0 |
   done
 
 # It finds its folder by its own place, so PREFIX may move.
-cat >"$prefix/bin/paraview-python" <<'EOF'
+cat >"$prefix/bin/paraview-python.part" <<'EOF'
 #!/bin/sh
 prefix=$(cd "$(dirname "$0")/.." && pwd)
 for folder in "$prefix"/usr/lib/*-linux-gnu "$prefix"/usr/lib/*-linux-gnu/paraview-*; do
@@ -47,6 +47,7 @@ done
 export LD_LIBRARY_PATH
 PYTHONPATH=$prefix/usr/lib/python3/dist-packages exec /usr/bin/python3 "$@"
 EOF
-chmod +x "$prefix/bin/paraview-python"
+chmod +x "$prefix/bin/paraview-python.part"
+mv "$prefix/bin/paraview-python.part" "$prefix/bin/paraview-python"
 "$prefix/bin/paraview-python" -c "import vtkmodules.vtkRenderingLICOpenGL2"
 echo "$prefix"

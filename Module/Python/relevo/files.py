@@ -1,0 +1,95 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Files that replace old ones only when they are complete."""
+
+import contextlib
+import os
+import pathlib
+import secrets
+import signal
+import stat
+import threading
+
+from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGWriter
+from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkWindowToImageFilter
+
+
+@contextlib.contextmanager
+def _removed_by_signals(name):
+    """Signals that would end the process at once remove the file before they do."""
+
+    def remove(number, _):
+        with contextlib.suppress(FileNotFoundError):
+            os.unlink(name)
+        signal.signal(number, signal.SIG_DFL)
+        signal.raise_signal(number)
+
+    old = {}
+    if threading.current_thread() is threading.main_thread():
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            if signal.getsignal(number) == signal.SIG_DFL:
+                old[number] = signal.signal(number, remove)
+    try:
+        yield
+    finally:
+        for number, handler in old.items():
+            signal.signal(number, handler)
+
+
+def write(path, contents):
+    """Write bytes, or a text as UTF-8, into a file.
+
+    The contents go into a temporary file in the same folder, which is renamed onto the file when all
+    is on the disk. After an error (OSError) or a signal the old file stays as it was; SIGKILL may
+    leave the temporary file. A symbolic link stays, and the file it leads to is replaced; devices
+    and pipes get the contents.
+    """
+    contents = contents.encode() if isinstance(contents, str) else contents
+    target = pathlib.Path(path).resolve()
+    if target.exists() and not target.is_file():
+        target.write_bytes(contents)  # a device; of a folder an error
+        return
+    mode = None
+    if target.exists():
+        with open(target, "ab"):  # an error if it must not be written
+            mode = stat.S_IMODE(target.stat().st_mode)
+    part = target.with_name(f".{target.stem[:40]}.{secrets.token_hex(4)}.part{target.suffix[:20]}")
+    with _removed_by_signals(part):
+        try:
+            with open(part, "xb") as file:
+                if mode is not None:
+                    os.chmod(part, mode)
+                file.write(contents)
+                file.flush()
+                os.fsync(file.fileno())
+            os.replace(part, target)
+        except BaseException:
+            with contextlib.suppress(FileNotFoundError):
+                part.unlink()
+            raise
+
+
+def write_picture(path, source, quality=95):
+    """Write a vtkRenderWindow, which is rendered, or a vtkImageData as PNG or JPEG, by the extension.
+
+    The file is replaced as write() does it. The quality, of 100, is that of JPEG.
+    """
+    writers = {".png": vtkPNGWriter, ".jpg": vtkJPEGWriter, ".jpeg": vtkJPEGWriter}
+    extension = pathlib.Path(path).suffix.lower()
+    if extension not in writers:
+        raise ValueError(f"{str(path)!r} must end with {', '.join(writers)}")
+    writer = writers[extension]()
+    if extension != ".png":
+        writer.SetQuality(quality)
+    if isinstance(source, vtkRenderWindow):
+        image = vtkWindowToImageFilter()
+        image.SetInput(source)
+        image.ReadFrontBufferOff()
+        writer.SetInputConnection(image.GetOutputPort())
+    else:
+        writer.SetInputData(source)
+    writer.WriteToMemoryOn()
+    writer.Write()
+    if writer.GetErrorCode() or not writer.GetResult():
+        raise ValueError(f"there is no picture to write into {str(path)!r}")
+    write(path, memoryview(writer.GetResult()))
