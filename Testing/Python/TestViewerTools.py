@@ -149,7 +149,7 @@ class TestViewerTools(ViewerProgram):
             now = corner()
             return now != old and sum(is_dark(*colour) for row in now for colour in row) > 100
 
-        window = self.window(self.mesh, "--array=Latitude", "--no-legend")
+        window = self.window(self.mesh, "--array=Latitude", "--no-legend", "--zoom=0.5")
         empty = corner()
         window.move(*MIDDLE)
         wait(lambda: has_new_words(empty), "words in the corner")

@@ -48,25 +48,6 @@ class TestViewerWindow(ViewerProgram):
                         window.key(way)
                     self.assertEqual(window.leave(), (0, ""))
 
-    def test_leaving_in_a_drag(self):
-        """Also while a button is down, when VTK's styles grab all events."""
-        for scene in ((self.heights,), (self.mesh,)):
-            for way in ("q", "close button"):
-                with self.subTest(scene=scene, way=way):
-                    window = self.window(*scene)
-                    window.move(150, 100)
-                    window.press()
-                    window.move(160, 110)
-                    window.key(way) if way == "q" else window.click_close_button()
-                    self.assertEqual(window.leave(), (0, ""))
-                    window.release()
-
-    def test_leaving_in_the_first_frame(self):
-        """Keys count from when the window is there, not from when it has drawn."""
-        window = Window(self.display, self.folder, self.mesh, SIZE, *SLOW, has_drawn=False)
-        window.key("q")
-        self.assertEqual(window.leave(), (0, ""))
-
     def test_events_share_frames(self):
         """Of forty turns of the wheel at once most are not drawn on their own."""
         window = self.window(self.mesh, *SLOW)

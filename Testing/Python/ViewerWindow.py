@@ -64,9 +64,9 @@ class Display:
 
 
 class Window:
-    """relevo-view in a window that has the keyboard, and has drawn unless that does not matter."""
+    """relevo-view in a window that has drawn and has the keyboard."""
 
-    def __init__(self, display, folder, *arguments, has_drawn=True):
+    def __init__(self, display, folder, *arguments):
         self.display = display
         self.program = subprocess.Popen(
             [str(PROGRAM), *map(str, arguments), "--stats"],
@@ -79,8 +79,7 @@ class Window:
         self.lines = queue.Queue()
         self.reader = threading.Thread(target=self.read, daemon=True)
         self.reader.start()
-        if has_drawn:
-            self.expect("frame time")  # the last of the statistics, after the first frames
+        self.expect("frame time")  # the last of the statistics, after the first frames
         self.id = wait(lambda: display.do("search", "--name", "^relevo-view "), "the window")
         display.do("windowfocus", self.id)
         wait(lambda: display.do("getwindowfocus") == self.id, "the keyboard")

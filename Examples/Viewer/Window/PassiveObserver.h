@@ -3,8 +3,8 @@
 /**
  * @brief   observers that are called while the mouse is dragged, too
  *
- * During a drag VTK's interactor styles grab all events of the interactor, ends and timers
- * included. Only passive observers are called then.
+ * In a drag VTK's interactor styles keep the events that they handle to themselves: those of the
+ * mouse, keys and timers. Only passive observers are called then.
  */
 #ifndef PassiveObserver_h
 #define PassiveObserver_h

@@ -7,7 +7,6 @@
 #include "Scene/ViewerScene.h"
 #include "Text/ViewerMessages.h"
 #include "Window/MeshStyle.h"
-#include "Window/PassiveObserver.h"
 #include "Window/TerrainStyle.h"
 #include "Window/ViewerFrames.h"
 #include "Window/ViewerHelp.h"
@@ -16,7 +15,7 @@
 #include "Window/ViewerScaleBar.h"
 #include "Window/ViewerScreenshot.h"
 
-#include "vtkCommand.h"
+#include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
@@ -54,8 +53,9 @@ vtkSmartPointer<vtkInteractorStyle> MakeStyle(bool isTerrain)
 
 // Events that wait are those of a window that will be gone: the X server ends programs that ask
 // where the mouse is in it.
-void Leave(vtkRenderWindowInteractor* interactor)
+void Leave(vtkObject* caller, unsigned long, void*, void*)
 {
+  auto* interactor = static_cast<vtkRenderWindowInteractor*>(caller);
   interactor->Disable();
   interactor->ProcessEvents();
   interactor->TerminateApp();
@@ -81,7 +81,9 @@ void ShowWindow(ViewerScene& scene, const ViewerOptions& options, ViewerMessages
   vtkNew<vtkRenderWindowInteractor> interactor;
   interactor->SetRenderWindow(window);
   interactor->SetInteractorStyle(MakeStyle(options.IsTerrain()));
-  AddPassiveObserver(interactor, vtkCommand::ExitEvent, [&](void*) { Leave(interactor.Get()); });
+  vtkNew<vtkCallbackCommand> leave;
+  leave->SetCallback(Leave);
+  interactor->AddObserver(vtkCommand::ExitEvent, leave);
   ViewerFrames frames(interactor);
   const ViewerScaleBar scaleBar(scene.GetRenderer(), scene.GetUnit());
   const ViewerReadout readout(interactor, frames, scene);
@@ -89,8 +91,6 @@ void ShowWindow(ViewerScene& scene, const ViewerOptions& options, ViewerMessages
   const ViewerKeys keys(interactor, scene);
   const ViewerScreenshot screenshot(
     interactor, frames, options.Input, { readout.GetText(), help.GetText() }, messages);
-  // Keys and clicks count from now on, however long the first frame takes.
-  interactor->Initialize();
   scene.Draw(window);
   ShowReliefs(scene.GetRenderer(), window, options, messages);
   interactor->Start();
