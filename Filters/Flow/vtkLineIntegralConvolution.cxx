@@ -5,6 +5,7 @@
 #include "Core/ImageExtents.h"
 #include "Core/InputType.h"
 #include "Core/MemoryGuard.h"
+#include "Core/MisplacedArray.h"
 #include "Core/VTKCompatibility.h"
 #include "Image/ChosenNoise.h"
 #include "Image/ForwardedSettings.h"
@@ -114,7 +115,8 @@ vtkDataArray* vtkLineIntegralConvolution::FindVectors(
 {
   vtkImageData* input = vtkImageData::GetData(inputVector[0]);
   vtkInformation* wanted = this->GetInputArrayInformation(0);
-  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  constexpr int points = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  int association = points;
   vtkDataArray* found = this->GetInputArrayToProcess(0, inputVector, association);
   if (!wanted->Has(vtkDataObject::FIELD_NAME()))
   {
@@ -124,9 +126,11 @@ vtkDataArray* vtkLineIntegralConvolution::FindVectors(
   }
   std::ostringstream text;
   text << "has no point array \"" << wanted->Get(vtkDataObject::FIELD_NAME()) << "\"";
-  if (!found || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  if (!found || association != points)
   {
-    error = text.str() + (found ? ", only one of its cells: see vtkCellDataToPointData" : "");
+    const std::string misplaced =
+      relevo::DescribeMisplacedArray(input, wanted->Get(vtkDataObject::FIELD_NAME()), points);
+    error = misplaced.empty() ? text.str() : "has " + misplaced;
     return nullptr;
   }
   if (!CanBeVectors(found, input->GetNumberOfPoints()))

@@ -4,6 +4,7 @@
 
 #include "Core/InputType.h"
 #include "Core/MemoryGuard.h"
+#include "Core/MisplacedArray.h"
 #include "Core/PointPlaces.h"
 #include "Core/RefinementMathematics.h"
 #include "Core/SettingChecks.h"
@@ -219,8 +220,12 @@ bool vtkDepthTagFilter::TakeTags(vtkPolyData* input, vtkFloatArray* tags)
   vtkDataArray* own = input->GetPointData()->GetArray(DepthTagName);
   if (!own)
   {
-    vtkErrorMacro("There is no metric (call SetMetric), and the input has no point array \""
-      << DepthTagName << "\" to use instead.");
+    const std::string misplaced =
+      relevo::DescribeMisplacedArray(input, DepthTagName, vtkDataObject::FIELD_ASSOCIATION_POINTS);
+    vtkErrorMacro("There is no metric (call SetMetric), and the input has "
+      << (misplaced.empty() ? "no point array \"" + std::string(DepthTagName) + "\" to use instead"
+                            : misplaced)
+      << ".");
     return false;
   }
   std::string error;

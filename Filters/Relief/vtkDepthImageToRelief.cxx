@@ -6,6 +6,7 @@
 #include "Core/InputType.h"
 #include "Core/LatestTime.h"
 #include "Core/MemoryGuard.h"
+#include "Core/MisplacedArray.h"
 #include "Core/SettingChecks.h"
 #include "Core/WorldView.h"
 #include "Data/Relief.h"
@@ -198,7 +199,7 @@ std::string vtkDepthImageToRelief::Build(
   vtkDataArray* samples = this->FindDepths(input);
   if (!samples)
   {
-    return "The depth image has no such array of points, or no point scalars.";
+    return this->DescribeMissingDepths(input);
   }
   if (samples->GetNumberOfComponents() != 1 ||
     samples->GetNumberOfTuples() != input->GetNumberOfPoints())
@@ -235,6 +236,17 @@ vtkDataArray* vtkDepthImageToRelief::FindDepths(vtkImageData* input)
   }
   vtkDataArray* depths = this->Camera ? input->GetPointData()->GetArray("ZBuffer") : nullptr;
   return depths ? depths : input->GetPointData()->GetScalars();
+}
+
+std::string vtkDepthImageToRelief::DescribeMissingDepths(vtkImageData* input)
+{
+  vtkInformation* wanted = this->GetInputArrayInformation(0);
+  const std::string misplaced = wanted->Has(vtkDataObject::FIELD_NAME())
+    ? relevo::DescribeMisplacedArray(
+        input, wanted->Get(vtkDataObject::FIELD_NAME()), vtkDataObject::FIELD_ASSOCIATION_POINTS)
+    : "";
+  return misplaced.empty() ? "The depth image has no such array of points, or no point scalars."
+                           : "The depth image has " + misplaced + ".";
 }
 
 std::string vtkDepthImageToRelief::AddPinholeDepths(vtkDataArray* samples, vtkImageData* output)

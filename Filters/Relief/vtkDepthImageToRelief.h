@@ -139,6 +139,7 @@ private:
 
   std::string Build(vtkImageData* input, vtkImageData* colorInput, vtkImageData* output);
   vtkDataArray* FindDepths(vtkImageData* input);
+  std::string DescribeMissingDepths(vtkImageData* input);
   std::string AddPinholeDepths(vtkDataArray* samples, vtkImageData* output);
   std::string AddZBufferDepths(vtkDataArray* samples, vtkImageData* output);
   std::string AddColors(

@@ -5,6 +5,7 @@
 #include "Core/ImageExtents.h"
 #include "Core/InputType.h"
 #include "Core/MemoryGuard.h"
+#include "Core/MisplacedArray.h"
 #include "Core/SettingChecks.h"
 #include "Core/VTKCompatibility.h"
 #include "Core/VectorData.h"
@@ -317,7 +318,12 @@ vtkDataArray* vtkGeographicVectors::ChooseArray(
   vtkDataArray* array = this->GetInputArrayToProcess(0, inputVector, association);
   if (!array || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
   {
-    vtkErrorMacro(<< "The " << place << " has no point array of numbers named \"" << name << "\".");
+    const std::string misplaced = relevo::DescribeMisplacedArray(
+      vtkDataSet::GetData(inputVector[port], 0), name, vtkDataObject::FIELD_ASSOCIATION_POINTS);
+    vtkErrorMacro(<< "The " << place << " has "
+                  << (misplaced.empty() ? "no point array of numbers named \"" + name + "\""
+                                        : misplaced)
+                  << ".");
     return nullptr;
   }
   if (!hasVectors(array))

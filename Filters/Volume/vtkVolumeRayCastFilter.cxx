@@ -5,6 +5,7 @@
 #include "Cells/MeshScalars.h"
 #include "Cells/VolumeCells.h"
 #include "Core/ImageExtents.h"
+#include "Core/InputType.h"
 #include "Core/MemoryGuard.h"
 #include "Core/VTKCompatibility.h"
 #include "Rays/Blending.h"
@@ -115,7 +116,13 @@ bool vtkVolumeRayCastFilter::Read(
   std::string leftOut;
   const relevo::ArrayWish wish = { [this](vtkDataSet* mesh, int& association)
     { return this->GetInputArrayToProcess(0, mesh, association); },
-    name, takesAll ? relevo::MostComponents : VTK_INT_MAX, "SetInputArrayToProcess()" };
+    name, wanted->Get(vtkDataObject::FIELD_ASSOCIATION()), relevo::AdviseInputArray(name),
+    takesAll ? relevo::MostComponents : VTK_INT_MAX, "SetInputArrayToProcess()" };
+  const std::string wrong = relevo::FindTypeProblem(input, this->GetInputPortInformation(0));
+  if (!wrong.empty())
+  {
+    vtkErrorMacro(<< wrong);
+  }
   if (!relevo::FindMeshScalars(input, wish, meshes, error, leftOut))
   {
     vtkErrorMacro("The input " << error << ".");

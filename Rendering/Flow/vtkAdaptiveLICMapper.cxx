@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveLICMapperInternals.h"
 
+#include "Core/MisplacedArray.h"
 #include "Passes/LICHoles.h"
 
 #include "vtkActor.h"
@@ -12,6 +13,7 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkDisplacement.h"
 #include "vtkHeightField.h"
+#include "vtkInformation.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLVertexBufferObject.h"
@@ -117,10 +119,23 @@ void vtkAdaptiveLICMapper::vtkInternals::CheckVectors()
       const relevo::LICArray vectors = this->Root->FindArray(leaf);
       facts.Problem = facts.Problem.empty() ? vectors.Problem : facts.Problem;
       facts.HasArray = facts.HasArray || vectors.Array;
+      if (!vectors.Array && facts.Misplaced.empty())
+      {
+        facts.Misplaced = this->DescribeMisplaced(leaf);
+      }
       facts.Longest =
         std::max(facts.Longest, vectors.FindLongest(this->Root->GetNoDataMagnitude()));
     });
   this->OwnVectors = facts;
+}
+
+std::string vtkAdaptiveLICMapper::vtkInternals::DescribeMisplaced(vtkPolyData* leaf)
+{
+  vtkInformation* wanted = this->Root->GetInputArrayInformation(0);
+  const std::string name =
+    wanted->Has(vtkDataObject::FIELD_NAME()) ? wanted->Get(vtkDataObject::FIELD_NAME()) : "";
+  return relevo::DescribeMisplacedArray(
+    leaf, name, wanted->Get(vtkDataObject::FIELD_ASSOCIATION()), relevo::AdviseInputArray(name));
 }
 
 std::string vtkAdaptiveLICMapper::vtkInternals::FindVectorProblem() const
@@ -128,7 +143,9 @@ std::string vtkAdaptiveLICMapper::vtkInternals::FindVectorProblem() const
   const VectorFacts& facts = this->AllVectors;
   if (facts.Problem.empty() && facts.HasFaces && !facts.HasArray)
   {
-    return "The input has no array of vectors that SetInputArrayToProcess(0, ...) chooses.";
+    return this->OwnVectors.Misplaced.empty()
+      ? "The input has no array of vectors that SetInputArrayToProcess(0, ...) chooses."
+      : "The input has " + this->OwnVectors.Misplaced + ".";
   }
   if (facts.Problem.empty() && facts.HasFaces && facts.Longest < 0.0)
   {

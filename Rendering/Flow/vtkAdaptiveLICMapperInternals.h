@@ -71,6 +71,7 @@ struct vtkAdaptiveLICMapper::vtkInternals
     bool HasArray = false;
     double Longest = -1.0; // negative if there is none
     std::string Problem;   // of an array
+    std::string Misplaced; // the array of that name, if the association is another
   };
   relevo::Dependencies VectorDependencies;
   VectorFacts OwnVectors;
@@ -92,6 +93,7 @@ struct vtkAdaptiveLICMapper::vtkInternals
 
   bool CanShow(vtkRenderer* ren, vtkActor* act);
   void CheckVectors();
+  std::string DescribeMisplaced(vtkPolyData* leaf);
   std::string FindVectorProblem() const;
   std::string FindSettingsProblem();
   void SetProblem(const std::string& problem);

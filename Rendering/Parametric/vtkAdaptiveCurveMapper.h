@@ -144,11 +144,12 @@ public:
 
   //@{
   /**
-   * Segments of all curves in the last render, those of curves outside the view included: as many
-   * as vtkAdaptiveCurveFilter makes for the same recipe and camera. Curves, and those of them that
-   * were left out.
+   * Segments of the curves that the last render drew, and of those that it left out because they
+   * lie outside the view. Together they are as many as vtkAdaptiveCurveFilter makes for the same
+   * recipe and camera. All curves, and those of them that were left out.
    */
   vtkIdType GetNumberOfDrawnSegments();
+  vtkIdType GetNumberOfCulledSegments();
   vtkIdType GetNumberOfCurves();
   vtkIdType GetNumberOfCulledCurves();
   //@}

@@ -79,7 +79,13 @@ int vtkAdaptiveCurveMapper::GetMethodInUse()
 vtkIdType vtkAdaptiveCurveMapper::GetNumberOfDrawnSegments()
 {
   return this->Internals->SumOfFrame(
-    [](const relevo::CurvePainter& painter) { return painter.CountSegments(); });
+    [](const relevo::CurvePainter& painter) { return painter.CountDrawnSegments(); });
+}
+
+vtkIdType vtkAdaptiveCurveMapper::GetNumberOfCulledSegments()
+{
+  return this->Internals->SumOfFrame(
+    [](const relevo::CurvePainter& painter) { return painter.CountHiddenSegments(); });
 }
 
 vtkIdType vtkAdaptiveCurveMapper::GetNumberOfCurves()

@@ -226,7 +226,7 @@ void vtkAdaptiveRefinementMapper::RenderRefined(vtkRenderer* ren, vtkActor* act)
     data.NumberOfDrawCalls = 0;
     data.Drawable = false;
     data.OnGPU = false;
-    if (look.Visible)
+    if (this->CheckInputType() && look.Visible)
     {
       this->Superclass::RenderPiece(ren, act);
     }

@@ -458,6 +458,9 @@ private:
   /// Whether a composite input has blocks that are translucent, or such that are not.
   bool HasBlocks(bool translucent);
   void RenderBlocks(vtkRenderer* ren, vtkActor* act);
+  /// Whether the input is of a type that the mapper takes; an error, once for each input, where it
+  /// is not, or where one of its blocks is not.
+  bool CheckInputType();
   /// Of the input before, when it has blocks now.
   void ReleaseMesh(vtkRenderer* ren);
   /// What the last render drew: this mapper, or those of its blocks.

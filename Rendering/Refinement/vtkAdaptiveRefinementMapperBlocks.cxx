@@ -4,6 +4,8 @@
 #include "Blocks/BlockLook.h"
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
+#include "Core/InputType.h"
+#include "Core/IsNews.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkPolyData.h"
@@ -12,6 +14,23 @@
 bool vtkAdaptiveRefinementMapper::IsComposite()
 {
   return vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)) != nullptr;
+}
+
+bool vtkAdaptiveRefinementMapper::CheckInputType()
+{
+  vtkInternals& data = *this->Internals;
+  vtkDataObject* input = this->GetTrueInput();
+  if (data.CheckedInput != input)
+  {
+    data.CheckedInput = input;
+    data.TypeProblem.clear();
+  }
+  vtkInformation* port = this->GetInputPortInformation(0);
+  if (relevo::IsNews(data.TypeProblem, input ? relevo::FindTypeProblem(input, port) : ""))
+  {
+    vtkErrorMacro(<< data.TypeProblem);
+  }
+  return !input || relevo::IsOfRequiredType(input, port);
 }
 
 bool vtkAdaptiveRefinementMapper::HasBlocks(bool translucent)
@@ -90,6 +109,7 @@ void vtkAdaptiveRefinementMapper::ReleaseMesh(vtkRenderer* ren)
 void vtkAdaptiveRefinementMapper::UpdateBlocks()
 {
   vtkInternals& data = *this->Internals;
+  this->CheckInputType();
   data.Blocks.Update(this, vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)));
   if (data.BlockSettingsTime != this->MTime)
   {

@@ -82,7 +82,9 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   /// Without a recipe there is nothing to upload, only to count.
   relevo::RefinementDrawing GetDrawing(vtkAdaptiveRefinement* recipe);
 
-  std::string ColorProblem; // said last
+  vtkDataObject* CheckedInput = nullptr; // only to compare
+  std::string TypeProblem;               // said last, as the others
+  std::string ColorProblem;
   std::string HeightProblem;
   std::string LevelTableProblem;
   std::string ShaderProblem;

@@ -314,7 +314,7 @@ void vtkAdaptiveRefinementMapper::ComputeBounds()
     return;
   }
   data.Blocks.Clear();
-  if (!this->UpdateMesh())
+  if (!this->CheckInputType() || !this->UpdateMesh())
   {
     // Bounds of the points alone: vtkPolyData does not check what cells refer to.
     vtkPoints* points = this->GetInput() ? this->GetInput()->GetPoints() : nullptr;

@@ -4,12 +4,11 @@
 
 #include "Cells/MeshScalars.h"
 #include "Cells/ScalarChoice.h"
+#include "Core/InputType.h"
 #include "Core/IsNews.h"
 #include "Core/MemoryGuard.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
-#include "vtkDataSet.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
@@ -27,6 +26,13 @@ bool IsShaded(vtkVolumeProperty* property)
     isShaded = isShaded || property->GetShade(i) != 0;
   }
   return isShaded;
+}
+
+std::string AdviseScalarMode(int association)
+{
+  return association == vtkDataObject::FIELD_ASSOCIATION_CELLS
+    ? "Use SetScalarModeToUseCellFieldData()"
+    : "Use SetScalarModeToUsePointFieldData()";
 }
 }
 
@@ -94,12 +100,23 @@ bool vtkGPUUnstructuredGridVolumeMapper::ReadCells(
   };
   const bool isByName = this->ArrayAccessMode == VTK_GET_ARRAY_BY_NAME && this->ArrayName &&
     this->ScalarMode >= VTK_SCALAR_MODE_USE_POINT_FIELD_DATA;
-  const relevo::ArrayWish wish = { find, isByName ? this->ArrayName : "",
-    takesAll ? relevo::MostComponents : VTK_INT_MAX, "SelectScalarArray()" };
-  if (!vtkDataSet::SafeDownCast(input) && !vtkCompositeDataSet::SafeDownCast(input))
+  const int association = this->ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA
+    ? vtkDataObject::FIELD_ASSOCIATION_CELLS
+    : vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  const relevo::ArrayWish wish = { find, isByName ? this->ArrayName : "", association,
+    AdviseScalarMode, takesAll ? relevo::MostComponents : VTK_INT_MAX, "SelectScalarArray()" };
+  vtkInformation* port = this->GetInputPortInformation(0);
+  if (data.CheckedInput != input)
   {
-    vtkErrorMacro("The input is a " << (input ? input->GetClassName() : "nullptr")
-                                    << "; a vtkDataSet or a vtkCompositeDataSet is needed.");
+    data.CheckedInput = input;
+    data.TypeProblem.clear();
+  }
+  if (relevo::IsNews(data.TypeProblem, relevo::FindTypeProblem(input, port)))
+  {
+    vtkErrorMacro(<< data.TypeProblem);
+  }
+  if (!relevo::IsOfRequiredType(input, port))
+  {
     return false;
   }
   if (!relevo::FindMeshScalars(input, wish, meshes, error, leftOut))

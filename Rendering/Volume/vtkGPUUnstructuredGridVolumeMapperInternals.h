@@ -59,7 +59,9 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
   {
     return this->WarnedOf == std::make_pair(this->MeshInput, this->MeshTime);
   }
-  std::string LeftOut; // blocks, as reported
+  std::string LeftOut;                   // blocks, as reported
+  vtkDataObject* CheckedInput = nullptr; // never followed
+  std::string TypeProblem;               // as reported
   bool HasMesh = false;
   bool HasCorners = false; // for cell projection
   int NumberOfComponents = 1;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surface/SurfaceField.h"
 
+#include "Core/MisplacedArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -88,6 +89,8 @@ SurfaceField FindSurfaceField(vtkPolyData* mesh, vtkInformation* inputArray)
       return { array, isCellData, "" };
     }
   }
-  return { nullptr, false, error.str() };
+  const std::string misplaced =
+    name ? DescribeMisplacedArray(mesh, name, association, AdviseInputArray(name)) : "";
+  return { nullptr, false, misplaced.empty() ? error.str() : "has " + misplaced };
 }
 }

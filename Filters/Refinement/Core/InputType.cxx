@@ -2,53 +2,92 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/InputType.h"
 
+#include "Core/LeftOutBlocks.h"
 #include "vtkAlgorithm.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationStringVectorKey.h"
 #include "vtkInformationVector.h"
-
-#include <string>
+#include "vtkSmartPointer.h"
 
 namespace relevo
 {
 namespace
 {
-// "a CLASS or a CLASS" that the port takes; "" if the data is one of them.
-std::string FindMissingType(vtkDataObject* data, vtkInformation* port)
+const std::string Composite = "vtkCompositeDataSet";
+
+// "is a CLASS; a CLASS or a CLASS is needed". Blocks are never composite.
+std::string DescribeType(vtkDataObject* data, vtkInformation* port, bool isBlock)
 {
   vtkInformationStringVectorKey* required = vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE();
   std::string types;
   for (int i = 0; i < required->Length(port); ++i)
   {
-    if (data && data->IsA(required->Get(port, i)))
+    const std::string type = required->Get(port, i);
+    if (!isBlock || type != Composite)
     {
-      return "";
+      types += (types.empty() ? "a " : " or a ") + type;
     }
-    types += (i > 0 ? " or a " : "a ") + std::string(required->Get(port, i));
   }
-  return types;
+  return std::string("is a ") + (data ? data->GetClassName() : "nullptr") + "; " + types +
+    " is needed";
 }
+}
+
+bool IsOfRequiredType(vtkDataObject* data, vtkInformation* port)
+{
+  vtkInformationStringVectorKey* required = vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE();
+  bool isOne = false;
+  for (int i = 0; i < required->Length(port) && data && !isOne; ++i)
+  {
+    isOne = data->IsA(required->Get(port, i)) != 0;
+  }
+  return isOne || required->Length(port) == 0;
 }
 
 bool CheckInputTypes(vtkAlgorithm* algorithm, vtkInformationVector** inputs)
 {
   for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
   {
+    vtkInformation* information = algorithm->GetInputPortInformation(port);
     for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
     {
       vtkDataObject* data = vtkDataObject::GetData(inputs[port], i);
-      const std::string types = FindMissingType(data, algorithm->GetInputPortInformation(port));
-      if (!types.empty())
+      if (!IsOfRequiredType(data, information))
       {
         const std::string input =
-          port > 0 ? "The input of port " + std::to_string(port) + " is a " : "The input is a ";
-        vtkErrorWithObjectMacro(algorithm,
-          << input << (data ? data->GetClassName() : "nullptr") << "; " << types << " is needed.");
+          port > 0 ? "The input of port " + std::to_string(port) : "The input";
+        vtkErrorWithObjectMacro(
+          algorithm, << input << " " << DescribeType(data, information, false) << ".");
         return false;
       }
     }
   }
   return true;
+}
+
+std::string FindTypeProblem(vtkDataObject* input, vtkInformation* port)
+{
+  if (!IsOfRequiredType(input, port))
+  {
+    return "The input " + DescribeType(input, port, false) + ".";
+  }
+  LeftOutBlocks wrong;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    vtkSmartPointer<vtkCompositeDataIterator> leaf;
+    leaf.TakeReference(composite->NewIterator());
+    for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+    {
+      vtkDataObject* block = leaf->GetCurrentDataObject();
+      if (!IsOfRequiredType(block, port))
+      {
+        wrong.Add(GetBlockName(leaf), DescribeType(block, port, true));
+      }
+    }
+  }
+  return wrong.GetText();
 }
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   whether blocks of composite data sets are of a type that an algorithm takes
+ * @brief   whether inputs, and blocks of composite ones, are of a type that an algorithm takes
  *
  * Private to the modules' own sources.
  */
@@ -11,7 +11,11 @@
 
 #include "RelevoFiltersRefinementModule.h" // for export macro
 
+#include <string>
+
 class vtkAlgorithm;
+class vtkDataObject;
+class vtkInformation;
 class vtkInformationVector;
 
 namespace relevo
@@ -20,6 +24,16 @@ namespace relevo
 /// data set, not of each block. Else an ErrorEvent of the algorithm.
 RELEVOFILTERSREFINEMENT_EXPORT bool CheckInputTypes(
   vtkAlgorithm* algorithm, vtkInformationVector** inputs);
+
+/// Whether the data are of a type that the port requires.
+RELEVOFILTERSREFINEMENT_EXPORT bool IsOfRequiredType(vtkDataObject* data, vtkInformation* port);
+
+/**
+ * The words of an error where an input is not of a type that the port requires, or where blocks of
+ * a composite one are not; empty otherwise. Mappers ask it: no executive checks their inputs.
+ */
+RELEVOFILTERSREFINEMENT_EXPORT std::string FindTypeProblem(
+  vtkDataObject* input, vtkInformation* port);
 }
 
 #endif

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/PointArray.h"
 
+#include "Core/MisplacedArray.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkPointData.h"
 
@@ -22,7 +24,9 @@ vtkDataArray* FindPointArray(
   if (!array)
   {
     text << "is missing, or has no numbers";
-    error = text.str();
+    const std::string misplaced =
+      DescribeMisplacedArray(data, name, vtkDataObject::FIELD_ASSOCIATION_POINTS);
+    error = misplaced.empty() ? text.str() : "there is " + misplaced;
     return nullptr;
   }
   if (array->GetNumberOfComponents() != components || array->GetNumberOfTuples() < numberOfPoints)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/MeshScalars.h"
 
+#include "Core/LeftOutBlocks.h"
 #include "Core/VTKCompatibility.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -9,8 +10,6 @@
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkGenericCell.h"
-#include "vtkInformation.h"
-#include "vtkInformationStringKey.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -26,15 +25,6 @@ struct Block
   vtkDataSet* Set;
   std::string Name; // empty for an input that is not composite
 };
-
-std::string GetName(vtkCompositeDataIterator* leaf)
-{
-  const std::string block = "Block " + std::to_string(leaf->GetCurrentFlatIndex());
-  const char* name = leaf->HasCurrentMetaData()
-    ? leaf->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME())
-    : nullptr;
-  return name ? block + " (\"" + name + "\")" : block;
-}
 
 // Those with cells.
 std::vector<Block> FindBlocks(vtkDataObject* input)
@@ -55,7 +45,7 @@ std::vector<Block> FindBlocks(vtkDataObject* input)
     leaf.TakeReference(composite->NewIterator());
     for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
     {
-      add(leaf->GetCurrentDataObject(), GetName(leaf));
+      add(leaf->GetCurrentDataObject(), GetBlockName(leaf));
     }
   }
   return blocks;
@@ -100,42 +90,24 @@ std::string FindLack(const MeshScalars& scalars, const ArrayWish& wish, const Me
   {
     return "has no 3D cells";
   }
+  // Blocks differ in it: advice to choose the other one would lose the rest.
+  const auto lackOf = [&](int association, const char* kind)
+  {
+    const std::string misplaced = DescribeMisplacedArray(
+      scalars.Mesh, wish.Name, association, [](int) { return std::string(); });
+    return "has " + (misplaced.empty() ? "no " + NameArray(wish.Name, kind) : misplaced);
+  };
   if (!scalars.Array)
   {
-    return "has no " + NameArray(wish.Name, "");
+    return lackOf(wish.Association, "");
   }
   if (first && first->AreOfCells != scalars.AreOfCells)
   {
-    return "has no " + NameArray(wish.Name, first->AreOfCells ? "cell " : "point ");
+    return first->AreOfCells ? lackOf(vtkDataObject::FIELD_ASSOCIATION_CELLS, "cell ")
+                             : lackOf(vtkDataObject::FIELD_ASSOCIATION_POINTS, "point ");
   }
   return "";
 }
-
-// One sentence for each of the first blocks that are left out.
-class LeftOutBlocks
-{
-public:
-  void Add(const std::string& name, const std::string& lack)
-  {
-    constexpr int mostNamed = 5;
-    if (++this->Count <= mostNamed)
-    {
-      this->Sentences += (this->Count > 1 ? " " : "") + name + " " + lack + "; it is left out.";
-    }
-    this->NumberOfMore = this->Count - std::min(this->Count, mostNamed);
-  }
-  std::string GetText() const
-  {
-    return this->NumberOfMore == 0
-      ? this->Sentences
-      : this->Sentences + " So are " + std::to_string(this->NumberOfMore) + " more blocks.";
-  }
-
-private:
-  std::string Sentences;
-  int Count = 0;
-  int NumberOfMore = 0;
-};
 
 std::string FindFault(
   const MeshScalars& scalars, const ArrayWish& wish, const std::string& name, int components)
@@ -179,6 +151,7 @@ bool FindMeshScalars(vtkDataObject* input, const ArrayWish& wish, std::vector<Me
   found.clear();
   LeftOutBlocks leftOut;
   bool hasSolidCells = false;
+  std::string misplaced;
   const std::vector<Block> blocks = FindBlocks(input);
   for (const Block& block : blocks)
   {
@@ -191,6 +164,9 @@ bool FindMeshScalars(vtkDataObject* input, const ArrayWish& wish, std::vector<Me
     if (!lack.empty())
     {
       hasSolidCells = hasSolidCells || HasSolidCells(block.Set);
+      misplaced = misplaced.empty()
+        ? DescribeMisplacedArray(block.Set, wish.Name, wish.Association, wish.Advise)
+        : misplaced;
       leftOut.Add(block.Name, lack);
       continue;
     }
@@ -205,9 +181,10 @@ bool FindMeshScalars(vtkDataObject* input, const ArrayWish& wish, std::vector<Me
   }
   if (found.empty() && !blocks.empty())
   {
-    error = hasSolidCells
-      ? "has no " + NameArray(wish.Name, "") + "; choose an array by " + wish.Setter
-      : "has cells, but none is 3D";
+    error = !hasSolidCells ? "has cells, but none is 3D"
+      : !misplaced.empty()
+      ? "has " + misplaced
+      : "has no " + NameArray(wish.Name, "") + "; choose an array by " + wish.Setter;
     return false;
   }
   warning = leftOut.GetText();

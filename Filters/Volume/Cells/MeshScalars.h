@@ -9,6 +9,7 @@
 #ifndef MeshScalars_h
 #define MeshScalars_h
 
+#include "Core/MisplacedArray.h"
 #include "RelevoFiltersVolumeModule.h" // for export macro
 #include "vtkType.h"
 
@@ -35,7 +36,9 @@ struct ArrayWish
 {
   /// Of a data set, and its association; null if there is none.
   std::function<vtkDataArray*(vtkDataSet*, int& association)> Find;
-  std::string Name; // empty for active scalars
+  std::string Name;   // empty for active scalars
+  int Association;    // that is asked for
+  ArrayAdvice Advise; // what to do if it is the other one
   int MostComponents;
   const char* Setter; // by which users choose another one
 };

@@ -61,6 +61,8 @@ std::string IsoSurfaces::DescribeMissing(vtkVolumeProperty* property, const Surf
   vtkContourValues* values = property->GetIsoSurfaceValues();
   std::ostringstream missing;
   int count = 0;
+  bool hasLowest = false;
+  bool hasHighest = false;
   for (int i = 0; i < values->GetNumberOfContours(); ++i)
   {
     const double value = values->GetValue(i);
@@ -68,18 +70,34 @@ std::string IsoSurfaces::DescribeMissing(vtkVolumeProperty* property, const Surf
     {
       missing << (count++ > 0 ? ", " : "") << value;
     }
+    hasLowest = hasLowest || value == data.Low;
+    hasHighest = hasHighest || (value == data.High && data.High > data.Low);
   }
   std::ostringstream text;
   if (data.AreOfCells && values->GetNumberOfContours() > 0)
   {
     text << "There are no isosurfaces: the array's values belong to cells, and are constant in "
             "each. Convert them with vtkCellDataToPointData.";
+    return text.str();
   }
-  else if (count > 0)
+  const char* space = "";
+  if (count > 0)
   {
     text << "There " << (count > 1 ? "are no isosurfaces" : "is no isosurface") << " of "
          << missing.str() << ": the array's values are from " << data.Low << " to " << data.High
          << ".";
+    space = " ";
+  }
+  if (hasLowest)
+  {
+    text << space << "There is no isosurface of " << data.Low
+         << ", the array's lowest value: no value is less.";
+    space = " ";
+  }
+  if (hasHighest)
+  {
+    text << space << "The isosurface of " << data.High
+         << ", the array's highest value, is only where all points of a face have it.";
   }
   return text.str();
 }

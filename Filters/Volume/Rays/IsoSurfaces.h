@@ -6,7 +6,8 @@
  *
  * A scalar is on one side of a surface if it is less than its value, else on the other; a ray meets
  * the surface where the side changes inside a cell. So a border of cells that has the value counts
- * for one of them, and where the scalar has the value all along, nothing is met.
+ * for one of them, and where the scalar has the value all along, nothing is met. The lowest value
+ * has no surface, the highest only on faces that have it.
  *
  * Private to the module's own sources.
  */
@@ -49,7 +50,10 @@ public:
   /// Of the property's values, those that are numbers.
   IsoSurfaces(vtkVolumeProperty* property, const TransferFunctions& functions);
 
-  /// A sentence on why some of the property's values, or all, have no surface; empty if all have.
+  /**
+   * Sentences on why some of the property's values, or all, have no surface; empty if all have.
+   * Values at the ends of the range have as much of one as vtkContourFilter finds.
+   */
   static std::string DescribeMissing(vtkVolumeProperty* property, const SurfaceData& data);
 
   /// Front to back.

@@ -366,11 +366,20 @@ void CurvePainter::DrawPatches()
   }
 }
 
-vtkIdType CurvePainter::CountSegments() const
+int CurvePainter::GetMostSegments() const
 {
-  return this->Selection.CountSegments(this->Options.IsTessellated
-      ? MostTessellated - GetMoreRings(this->Options.Sides)
-      : std::numeric_limits<int>::max());
+  return this->Options.IsTessellated ? MostTessellated - GetMoreRings(this->Options.Sides)
+                                     : std::numeric_limits<int>::max();
+}
+
+vtkIdType CurvePainter::CountDrawnSegments() const
+{
+  return this->Selection.CountDrawnSegments(this->GetMostSegments());
+}
+
+vtkIdType CurvePainter::CountHiddenSegments() const
+{
+  return this->Selection.CountHiddenSegments(this->GetMostSegments());
 }
 
 //------------------------------------------------------------------------------

@@ -86,7 +86,8 @@ public:
     vtkHardwareSelector* selector, std::vector<unsigned int>& pixels, vtkProp* prop) override;
 
   const CurveSelection& GetCurveSelection() const { return this->Selection; }
-  vtkIdType CountSegments() const;
+  vtkIdType CountDrawnSegments() const;
+  vtkIdType CountHiddenSegments() const;
   int GetNumberOfDrawCalls() const { return this->NumberOfDrawCalls; }
   vtkTypeInt64 GetMemorySize() const;
   vtkIdType GetNumberOfBufferBuilds() const { return this->NumberOfBufferBuilds; }
@@ -118,6 +119,7 @@ private:
   bool BuildStages(vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor);
   void DrawInstances(unsigned int mode);
   void DrawPatches();
+  int GetMostSegments() const; // of a curve
 
   vtkSmartPointer<vtkPointSet> CurveInput;
   Dependencies CurveSource;

@@ -160,9 +160,19 @@ bool CurveSelection::Update(vtkAdaptiveRefinement* recipe, const RefinementView&
   return true;
 }
 
-vtkIdType CurveSelection::CountSegments(int most) const
+vtkIdType CurveSelection::CountDrawnSegments(int most) const
 {
   vtkIdType count = 0;
+  for (const Group& group : this->Groups)
+  {
+    count += static_cast<vtkIdType>(group.Count) * std::min(group.Segments, most);
+  }
+  return count;
+}
+
+vtkIdType CurveSelection::CountHiddenSegments(int most) const
+{
+  vtkIdType count = -this->CountDrawnSegments(most);
   for (int segments : this->Tags.GetSegments())
   {
     count += std::min(segments, most);

@@ -61,8 +61,11 @@ public:
   /// When the groups were made.
   vtkMTimeType GetGroupsTime() const { return this->GroupsTime; }
 
-  /// Of all curves, drawn or hidden, if none has more than `most`.
-  vtkIdType CountSegments(int most) const;
+  //@{
+  /// Of the drawn curves, and of the hidden ones, if none has more than `most`.
+  vtkIdType CountDrawnSegments(int most) const;
+  vtkIdType CountHiddenSegments(int most) const;
+  //@}
   vtkIdType GetNumberOfHiddenCurves() const
   {
     return static_cast<vtkIdType>(this->Tags.GetSegments().size() - this->Members.size());

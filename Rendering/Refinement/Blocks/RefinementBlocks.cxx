@@ -3,6 +3,7 @@
 #include "Blocks/RefinementBlocks.h"
 
 #include "Blocks/BlockLook.h"
+#include "Core/InputType.h"
 #include "vtkActor.h"
 #include "vtkBlockAttributesPolyDataMapper.h"
 #include "vtkCallbackCommand.h"
@@ -11,7 +12,6 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkHardwareSelector.h"
 #include "vtkNew.h"
-#include "vtkPolyData.h"
 #include "vtkRenderer.h"
 
 #include <set>
@@ -37,11 +37,12 @@ void RefinementBlocks::Update(vtkBlockAttributesPolyDataMapper* parent, vtkCompo
   this->Messages.clear();
   const bool changed = this->ParentTime != parent->GetBuildMTime();
   std::set<unsigned int> indices;
+  vtkInformation* port = parent->GetInputPortInformation(0);
   auto iterator = vtk::TakeSmartPointer(input->NewIterator());
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
   {
-    vtkPolyData* leaf = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject());
-    if (!leaf)
+    vtkDataObject* leaf = iterator->GetCurrentDataObject();
+    if (!IsOfRequiredType(leaf, port))
     {
       continue;
     }

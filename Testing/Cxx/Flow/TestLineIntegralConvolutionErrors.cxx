@@ -199,7 +199,9 @@ void TestArrays(RelevoCheck& check)
     CHECK(!RunLIC(filter).empty());
   };
   named(vtkDataObject::FIELD_ASSOCIATION_POINTS, "Nowhere", "no point array \"Nowhere\"");
-  named(vtkDataObject::FIELD_ASSOCIATION_POINTS, "OfCells", "no point array \"OfCells\"");
+  named(vtkDataObject::FIELD_ASSOCIATION_POINTS, "OfCells",
+    "has no point array \"OfCells\", but a cell array of that name. Convert it with "
+    "vtkCellDataToPointData.");
   named(vtkDataObject::FIELD_ASSOCIATION_CELLS, "OfCells", "vtkCellDataToPointData");
   named(vtkDataObject::FIELD_ASSOCIATION_POINTS, "Text", "no point array \"Text\"");
   named(vtkDataObject::FIELD_ASSOCIATION_POINTS, "Scalars", "48 tuples of 1");

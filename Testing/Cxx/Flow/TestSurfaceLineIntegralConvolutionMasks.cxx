@@ -297,7 +297,10 @@ void CheckNamedArrays(RelevoCheck& check, Filter* filter, vtkPolyData* plane)
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "few");
   CHECK(Fails(filter, plane, "7 tuples of 3"));
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Velocity");
-  CHECK(Fails(filter, plane, "\"Velocity\""));
+  CHECK(Fails(filter, plane,
+    "has no cell array \"Velocity\", but a point array of that name. Use "
+    "SetInputArrayToProcess(0, 0, 0, "
+    "vtkDataObject::FIELD_ASSOCIATION_POINTS, \"Velocity\")."));
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Velocity");
   CHECK(RelevoSurfaceLIC(filter, plane).IsValid());
 }

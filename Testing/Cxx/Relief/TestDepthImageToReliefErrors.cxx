@@ -6,9 +6,11 @@
 #include "RelevoReliefs.h"
 
 #include "vtkCamera.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDepthImageToRelief.h"
 #include "vtkExecutive.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
@@ -60,6 +62,16 @@ void TestImages(RelevoCheck& check)
   bare->SetDimensions(4, 3, 1);
   filter->SetInputData(bare);
   ExpectError(check, filter, "The depth image has no such array of points, or no point scalars.");
+  vtkNew<vtkFloatArray> ofCells;
+  ofCells->SetName("Range");
+  ofCells->SetNumberOfTuples(bare->GetNumberOfCells());
+  ofCells->Fill(1.0);
+  bare->GetCellData()->AddArray(ofCells);
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Range");
+  ExpectError(check, filter,
+    "The depth image has no point array \"Range\", but a cell array of "
+    "that name. Convert it with vtkCellDataToPointData.");
+  filter = MakeFilter();
 
   filter->SetInputData(RelevoMakeImage(
     4, 3, VTK_FLOAT, [](int, int) { return 2.0; }, 3));

@@ -71,7 +71,8 @@ void TestArrays(RelevoCheck& check)
   CHECK(chosen.Says("\"Speed\" of the mesh has 1 components"));
   chosen.Mesh->GetCellData()->AddArray(RelevoMakeArray("Cells", { { 1.0, 2.0 } }));
   chosen.Choose(0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Cells");
-  CHECK(chosen.Says("no point array"));
+  CHECK(chosen.Says("The mesh has no point array \"Cells\", but a cell array of that name. Convert "
+                    "it with vtkCellDataToPointData."));
   chosen.Mesh->GetPointData()->AddArray(RelevoMakeArray("Short", { { 1.0, 2.0 } }));
   chosen.Choose(0, ofPoints, "Short");
   CHECK(chosen.Says("\"Short\" has 1 tuples for 2 points"));

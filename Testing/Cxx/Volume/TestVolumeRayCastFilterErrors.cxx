@@ -216,10 +216,18 @@ void TestBlocks(RelevoCheck& check)
   air->GetCellData()->AddArray(ofCells);
   scene.Filter->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, "field");
-  CHECK(scene.Draws("Block 3 (\"air\") has no point array \"field\"; it is left out."));
+  CHECK(scene.Draws("Block 3 (\"air\") has no point array \"field\", but a cell array of that "
+                    "name; it is left out."));
   CHECK(FindLargestDifference(Cast(scene.Filter), alone) < 1e-12);
   scene.Filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "heat");
   CHECK(scene.Fails("has no array \"heat\"; choose an array"));
+  scene.Filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "heat");
+  CHECK(scene.Fails("has no array \"heat\"; choose an array"));
+  ofCells->SetName("heat");
+  scene.Filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "heat");
+  CHECK(scene.Fails("The input has no point array \"heat\", but a cell array of that name. Use "
+                    "SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "
+                    "\"heat\")."));
   blocks->RemoveBlock(2);
   blocks->RemoveBlock(1);
   CHECK(scene.Fails("none is 3D"));

@@ -10,6 +10,7 @@
 #include "Mesh/RefinementMesh.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
@@ -180,6 +181,13 @@ void testErrors(RelevoCheck& check)
     return filterErrors.Said(words);
   };
   CHECK(refineSays("\"none\" is missing"));
+  vtkNew<vtkFloatArray> ofCells;
+  ofCells->SetName("none");
+  ofCells->SetNumberOfTuples(mesh->GetNumberOfCells());
+  ofCells->Fill(0.5);
+  mesh->GetCellData()->AddArray(ofCells);
+  CHECK(refineSays("Cannot refine the input: there is no point array \"none\", but a cell array of "
+                   "that name. Convert it with vtkCellDataToPointData."));
   vtkNew<vtkFloatArray> alphas;
   alphas->SetName("none");
   alphas->SetNumberOfComponents(2);

@@ -13,6 +13,7 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkTable.h"
 
 #include <fstream>
 #include <limits>
@@ -151,12 +152,16 @@ void TestMissingArrays(RelevoCheck& check, View& view, vtkPolyData* mesh)
   view.TestShows("by name");
   view.Mapper->SetInputArrayToProcess(0, 0, 0, Points, "Wind");
   view.TestFails("no array of vectors");
-  view.Mapper->SetInputArrayToProcess(0, 0, 0, Cells, "Flow");
+  view.Mapper->SetInputArrayToProcess(0, 0, 0, Cells, "Wind");
   view.Draw();
   CHECK(view.Errors.None()); // the same words
   view.Mapper->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_NONE, "Flow");
   view.Draw();
   CHECK(view.Errors.None());
+  view.Mapper->SetInputArrayToProcess(0, 0, 0, Cells, "Flow");
+  view.TestFails("The input has no cell array \"Flow\", but a point array of that name. Use "
+                 "SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "
+                 "\"Flow\"). The surface has no LIC.");
 }
 
 // Arrays that are not vectors of the points.
@@ -199,6 +204,23 @@ void TestArrays(RelevoCheck& check)
   TestMissingArrays(check, view, mesh);
   TestUnfitArrays(view, mesh);
   TestFitArrays(view, mesh);
+}
+
+// Once for each input, and before the surface is drawn.
+void TestTypes(RelevoCheck& check)
+{
+  View view(check, MakeSphere());
+  for (int i = 0; i < 2; ++i)
+  {
+    vtkNew<vtkTable> table;
+    view.Mapper->SetInputDataObject(table);
+    view.Draw();
+    CHECK(view.Errors.Said("The input is a vtkTable; a vtkPolyData or a vtkCompositeDataSet is"));
+    view.Draw();
+    CHECK(view.Errors.None());
+  }
+  view.Mapper->SetInputDataObject(MakeSphere());
+  view.TestShows("a mesh after a table");
 }
 
 // Fields without anything to show.
@@ -403,6 +425,7 @@ int TestAdaptiveLICMapperErrors(int argc, char* argv[])
   RelevoCheck check;
   RelevoComparison comparison(check, argc, argv); // for its folder's arguments
   TestArrays(check);
+  TestTypes(check);
   TestEmptyFields(check);
   TestNormalVectors(check);
   TestSettings(check);

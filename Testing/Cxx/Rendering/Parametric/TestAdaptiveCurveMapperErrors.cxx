@@ -3,6 +3,7 @@
 // Bad input is an error that is said once; what can be drawn is drawn, and good input afterwards.
 #include "RelevoCurveScene.h"
 
+#include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
@@ -12,6 +13,7 @@
 #include "vtkPoints.h"
 #include "vtkShaderProperty.h"
 #include "vtkSphereSource.h"
+#include "vtkTable.h"
 
 #include <string>
 
@@ -66,6 +68,9 @@ void TestInput(RelevoCheck& check)
   sphere->Update();
   scene.Mapper->SetInputDataObject(sphere->GetOutput());
   ExpectError(check, scene, "None of the input's cells is a curve.");
+  vtkNew<vtkTable> table;
+  scene.Mapper->SetInputDataObject(table);
+  ExpectError(check, scene, "A vtkTable has no curves");
   vtkNew<vtkMultiBlockDataSet> blocks;
   vtkNew<vtkImageData> image;
   image->SetDimensions(2, 2, 2);
@@ -116,6 +121,15 @@ void TestArrays(RelevoCheck& check)
   ExpectError(check, scene, "No radii: ");
   CHECK(scene.Draw().CountForeground() == 0);
   CHECK(scene.Mapper->GetNumberOfDrawnSegments() == 0 && scene.Mapper->GetNumberOfDrawCalls() == 0);
+  vtkNew<vtkDoubleArray> ofCells;
+  ofCells->SetName("Nowhere");
+  ofCells->SetNumberOfValues(curves->GetNumberOfCells());
+  ofCells->FillValue(0.1);
+  curves->GetCellData()->AddArray(ofCells);
+  curves->Modified();
+  ExpectError(check, scene,
+    "No radii: there is no point array \"Nowhere\", but a cell array of "
+    "that name. Convert it with vtkCellDataToPointData.");
   vtkNew<vtkDoubleArray> radii;
   radii->SetName("Nowhere");
   radii->SetNumberOfValues(curves->GetNumberOfPoints());

@@ -47,10 +47,13 @@ void TestCulling(RelevoCheck& check)
       scene.Mapper->FrustumCullingOn();
       const RelevoPicture culled = scene.Draw();
       const vtkIdType hidden = scene.Mapper->GetNumberOfCulledCurves();
-      CHECK(scene.Mapper->GetNumberOfDrawnSegments() == NumberOfCurves * 16);
+      CHECK(scene.Mapper->GetNumberOfDrawnSegments() == (NumberOfCurves - hidden) * 16);
+      CHECK(scene.Mapper->GetNumberOfCulledSegments() == hidden * 16);
       scene.Mapper->FrustumCullingOff();
       CHECK(IsSame(scene.Draw(), culled));
       CHECK(scene.Mapper->GetNumberOfCulledCurves() == 0);
+      CHECK(scene.Mapper->GetNumberOfDrawnSegments() == NumberOfCurves * 16);
+      CHECK(scene.Mapper->GetNumberOfCulledSegments() == 0);
       CHECK(zoom == 1.0 ? hidden == 0 : hidden > (zoom == 3.0 ? 0 : 8));
     }
   }

@@ -8,8 +8,10 @@
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCellType.h"
 #include "vtkLookupTable.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkProperty.h"
+#include "vtkTable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -179,6 +181,31 @@ void TestTables(RelevoCheck& check)
   };
   CHECK(scene.GetShareOfOthers(grid, "Field", blue) == 0.0);
 }
+
+// Grids are drawn as blocks, too; what is neither a grid nor triangles is an error, once.
+void TestTypes(RelevoCheck& check)
+{
+  auto grid = RelevoNewFlatCell(VTK_LAGRANGE_QUADRILATERAL, { { 4, 3, 0 } }, 0.02);
+  RelevoPatchScene scene(grid);
+  const RelevoPicture expected = scene.Draw();
+  RelevoErrors errors(scene.Mapper);
+  vtkNew<vtkTable> table;
+  scene.Mapper->SetInputDataObject(table);
+  CHECK(scene.Draw().CountForeground() == 0);
+  CHECK(errors.Said("The input is a vtkTable; a vtkPolyData or a vtkCompositeDataSet or a "
+                    "vtkUnstructuredGrid is needed."));
+  scene.Draw();
+  CHECK(errors.None());
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, grid);
+  blocks->SetBlock(1, table);
+  scene.Mapper->SetInputDataObject(blocks);
+  CHECK(scene.Draw().Colors == expected.Colors);
+  CHECK(errors.Said("Block 2 is a vtkTable; a vtkPolyData or a vtkUnstructuredGrid is needed; it "
+                    "is left out."));
+  CHECK(scene.Draw().Colors == expected.Colors);
+  CHECK(errors.None());
+}
 }
 
 int TestAdaptivePatchMapper(int, char*[])
@@ -189,5 +216,6 @@ int TestAdaptivePatchMapper(int, char*[])
   TestVectors(check);
   TestColors(check);
   TestTables(check);
+  TestTypes(check);
   return check.GetResult();
 }

@@ -5,6 +5,7 @@
 #include "RelevoVolumeScene.h"
 
 #include "vtkCellData.h"
+#include "vtkContourFilter.h"
 #include "vtkContourValues.h"
 #include "vtkDoubleArray.h"
 #include "vtkPiecewiseFunction.h"
@@ -56,6 +57,23 @@ void TestArrays(RelevoCheck& check)
   scene.GetMapper()->SelectScalarArray("field");
   CHECK(!IsBlack(scene.Draw()));
   CHECK(errors.None());
+  scene.GetMapper()->SetScalarModeToUseCellFieldData();
+  CHECK(IsBlack(scene.Draw()));
+  CHECK(errors.Said("The input has no cell array \"field\", but a point array of that name. Use "
+                    "SetScalarModeToUsePointFieldData()."));
+  vtkNew<vtkDoubleArray> ofCells;
+  ofCells->SetName("stress");
+  ofCells->SetNumberOfTuples(mesh->GetNumberOfCells());
+  ofCells->Fill(0.5);
+  mesh->GetCellData()->AddArray(ofCells);
+  scene.GetMapper()->SetScalarModeToUsePointFieldData();
+  scene.GetMapper()->SelectScalarArray("stress");
+  CHECK(IsBlack(scene.Draw()));
+  CHECK(errors.Said("The input has no point array \"stress\", but a cell array of that name. Use "
+                    "SetScalarModeToUseCellFieldData()."));
+  scene.Draw();
+  CHECK(errors.None());
+  scene.GetMapper()->SelectScalarArray("field");
   scene.GetMapper()->SetVectorMode(1);
   scene.GetMapper()->SetVectorComponent(2);
   CHECK(IsBlack(scene.Draw()));
@@ -191,6 +209,20 @@ void TestBlocks(RelevoCheck& check)
   CHECK(scene.GetMapper()->GetNumberOfDrawnCells() == mesh->GetNumberOfCells());
   scene.GetMapper()->SetInputDataObject(mesh);
   CHECK(FindLargestDifference(scene.Draw(), drawn) <= 1.0 / 255.0);
+
+  vtkNew<vtkMultiBlockDataSet> others;
+  vtkNew<vtkTable> table;
+  others->SetBlock(0, table);
+  others->SetBlock(1, mesh);
+  scene.GetMapper()->SetInputDataObject(others);
+  CHECK(FindLargestDifference(scene.Draw(), drawn) <= 1.0 / 255.0);
+  CHECK(errors.Said("Block 1 is a vtkTable; a vtkDataSet is needed; it is left out."));
+  scene.GetVolume()->GetProperty()->ShadeOn(); // builds the mesh anew
+  scene.Draw();
+  CHECK(errors.None());
+  others->SetBlock(1, table);
+  CHECK(IsBlack(scene.Draw()));
+  CHECK(errors.Said("Block 1 is a vtkTable; a vtkDataSet is needed; it is left out. Block 2"));
 }
 
 void TestSurfaces(RelevoCheck& check)
@@ -222,6 +254,42 @@ void TestSurfaces(RelevoCheck& check)
   CHECK(errors.None());
 }
 
+// At the ends of the range there is as much of an isosurface as vtkContourFilter finds.
+void TestExtremes(RelevoCheck& check)
+{
+  const auto alongX = [](const RelevoPoint& at) { return at[0]; };
+  const auto diagonal = [](const RelevoPoint& at) { return at[0] + at[1] + at[2]; };
+  for (const RelevoField& field : { RelevoField(alongX), RelevoField(diagonal) })
+  {
+    const auto mesh = MakeTetrahedra(2, field);
+    double range[2];
+    mesh->GetPointData()->GetScalars()->GetRange(range);
+    RelevoVolumeScene scene(mesh, MakeLinearProperty());
+    RelevoErrors errors(scene.GetMapper());
+    scene.GetMapper()->SetBlendMode(5); // isosurfaces alone
+    vtkContourValues* values = scene.GetVolume()->GetProperty()->GetIsoSurfaceValues();
+    for (const double share : { 0.0, 0.5, 1.0 })
+    {
+      const double value = range[0] + share * (range[1] - range[0]);
+      vtkNew<vtkContourFilter> contour;
+      contour->SetInputData(mesh);
+      contour->SetValue(0, value);
+      contour->Update();
+      values->SetValue(0, value);
+      const std::vector<RelevoColor> drawn = scene.Draw();
+      CHECK(IsBlack(drawn) == (contour->GetOutput()->GetNumberOfCells() == 0));
+      CHECK(scene.Compare(0.01, [](vtkVolumeRayCastFilter* filter) { filter->SetBlendMode(5); }) <=
+        1.0);
+      CHECK(share > 0.0 ||
+        errors.Warned("There is no isosurface of 0, the array's lowest value: no value is less."));
+      CHECK(share < 1.0 ||
+        errors.Warned("the array's highest value, is only where all points of a face have it."));
+      scene.Draw();
+      CHECK(errors.None());
+    }
+  }
+}
+
 void TestWindows(RelevoCheck& check)
 {
   RelevoVolumeScene scene(MakeTetrahedra(2, GetLinearField), MakeLinearProperty(), 1, 1);
@@ -242,6 +310,7 @@ int TestGPUUnstructuredGridVolumeMapperErrors(int, char*[])
   TestNotFinite(check);
   TestBlocks(check);
   TestSurfaces(check);
+  TestExtremes(check);
   TestWindows(check);
   return check.GetResult();
 }

@@ -7,8 +7,10 @@
 #include "RelevoTestMeshes.h"
 
 #include "vtkCellArray.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDisplacement.h"
 #include "vtkDistanceDepthTagMetric.h"
+#include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPNTriangleSurface.h"
 #include "vtkPointData.h"
@@ -17,6 +19,8 @@
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <limits>
@@ -329,6 +333,41 @@ void TestBlocks(RelevoCheck& check)
   CHECK(view.Errors.Said("No recipe"));
 }
 
+// Inputs and blocks that are no meshes.
+void TestTypes(RelevoCheck& check)
+{
+  View view(check, Cube());
+  view.TestWorks("cube");
+  for (int i = 0; i < 2; ++i)
+  {
+    vtkNew<vtkTable> table;
+    view.Mapper->SetInputDataObject(table);
+    view.TestFails("The input is a vtkTable; a vtkPolyData or a vtkCompositeDataSet is needed.");
+  }
+  vtkNew<vtkUnstructuredGrid> grid;
+  view.Mapper->SetInputDataObject(grid);
+  view.TestFails("The input is a vtkUnstructuredGrid; a vtkPolyData or a ");
+  view.Mapper->SetInputDataObject(Cube());
+  view.TestWorks("cube again");
+
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  vtkNew<vtkTable> table;
+  blocks->SetBlock(0, Cube());
+  blocks->SetBlock(1, table);
+  blocks->GetMetaData(1u)->Set(vtkCompositeDataSet::NAME(), "history");
+  view.Mapper->SetInputDataObject(blocks);
+  CHECK(view.Draw()[0] > 0);
+  CHECK(view.Errors.Said(
+    "Block 2 (\"history\") is a vtkTable; a vtkPolyData is needed; it is left out."));
+  view.TestWorks("the other block");
+  blocks->SetBlock(0, table);
+  view.Draw();
+  CHECK(
+    view.Errors.Said("Block 1 is a vtkTable; a vtkPolyData is needed; it is left out. Block 2"));
+  CHECK(view.Draw()[0] == 0);
+  CHECK(view.Errors.None());
+}
+
 void TestNoInput(RelevoCheck& check)
 {
   vtkNew<vtkAdaptiveRefinementMapper> mapper;
@@ -352,6 +391,7 @@ int TestAdaptiveRefinementMapperErrors(int, char*[])
   TestPoints(check);
   TestCells(check);
   TestBlocks(check);
+  TestTypes(check);
   TestNoInput(check);
   return check.GetResult();
 }
