@@ -23,6 +23,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 vtkStandardNewMacro(vtkAdaptivePatchMapper);
@@ -192,11 +193,34 @@ std::string vtkAdaptivePatchMapper::vtkInternals::DescribeMissingIsolines(
     ? vtkAbstractMapper::GetAbstractScalars(input, mapper->ScalarMode, mapper->ArrayAccessMode,
         mapper->ArrayId, mapper->ArrayName, cellFlag)
     : nullptr;
-  return !scalars || cellFlag == 0
-    ? ""
-    : std::string("There are no isolines of \"") + (scalars->GetName() ? scalars->GetName() : "") +
-      "\": its values belong to cells, and are constant in each. Convert them with "
-      "vtkCellDataToPointData.";
+  if (!scalars)
+  {
+    return "";
+  }
+  std::ostringstream text;
+  text << "There are no isolines of \"" << (scalars->GetName() ? scalars->GetName() : "") << "\": ";
+  if (cellFlag != 0)
+  {
+    text << "its values belong to cells, and are constant in each. Convert them with "
+            "vtkCellDataToPointData.";
+    return text.str();
+  }
+  // Coefficients enclose the values, but not those of lengths.
+  vtkDataArray* nodes = relevo::PatchArrays::FindNodes(input, scalars);
+  if (!nodes || !mapper->ExactScalars || nodes->GetNumberOfComponents() != 1)
+  {
+    return "";
+  }
+  double range[2];
+  nodes->GetRange(range);
+  const double first = std::ceil(range[0] / mapper->IsolineSpacing) * mapper->IsolineSpacing;
+  if (!(range[0] <= range[1] && first > range[1]))
+  {
+    return "";
+  }
+  text << "no multiple of IsolineSpacing, which is " << mapper->IsolineSpacing
+       << ", lies among its values from " << range[0] << " to " << range[1] << ".";
+  return text.str();
 }
 
 void vtkAdaptivePatchMapper::UpdateField(vtkRenderer* ren)

@@ -106,6 +106,34 @@ void TestIsolinesOfCells(RelevoCheck& check)
   CHECK(errors.None());
 }
 
+// Lines that no value is on; lines at the ends of the range are drawn.
+void TestIsolinesOutOfRange(RelevoCheck& check)
+{
+  auto grid = RelevoNewFlatGrid(1, 1);
+  vtkDataArray* field = grid->GetPointData()->GetArray("Field");
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    field->SetComponent(i, 0, field->GetComponent(i, 0) + 0.5);
+  }
+  RelevoPatchScene scene(grid);
+  SetWhite(scene);
+  scene.Mapper->SetIsolineWidth(4.0);
+  RelevoErrors errors(scene.Mapper);
+  scene.Mapper->SetIsolineSpacing(2.0);
+  CHECK(GetBlack(scene.Draw(), 150, 26, 274) == 0.0);
+  CHECK(
+    errors.Warned("There are no isolines of \"Field\": no multiple of IsolineSpacing, which is 2, "
+                  "lies among its values from 0.5 to 1.5."));
+  scene.Draw();
+  CHECK(errors.None());
+  for (const double spacing : { 0.5, 1.5 })
+  {
+    scene.Mapper->SetIsolineSpacing(spacing);
+    CHECK(GetBlack(scene.Draw(), 150, 26, 274) > 1.0);
+    CHECK(errors.None());
+  }
+}
+
 // Field = x on the square turned on the screen: as wide across the line, whichever way it runs.
 void TestSlantedIsolines(RelevoCheck& check)
 {
@@ -203,6 +231,7 @@ int TestAdaptivePatchMapperLines(int, char*[])
     TestIsolines(check, 1000.0, width); // far from zero
   }
   TestIsolinesOfCells(check);
+  TestIsolinesOutOfRange(check);
   TestSlantedIsolines(check);
   for (int level : { 0, 2, 5 })
   {
