@@ -123,7 +123,7 @@ bool vtkAdaptiveLICMapper::vtkInternals::Agree(bool tookPart, bool& changed)
   }
   relevo::LICProcesses(this->Controller).Maximize(values);
   changed = values[CHANGED] > 0.0;
-  this->AllVectors = { values[FACES] > 0.0, values[ARRAY] > 0.0, values[LONGEST], "" };
+  this->AllVectors = { values[FACES] > 0.0, values[ARRAY] > 0.0, values[LONGEST], "", "" };
   std::string problem = this->FindVectorProblem();
   for (int i = SAME; i < SAME + 6; i += 2)
   {

@@ -165,14 +165,15 @@ protected:
    */
   std::set<std::string> MissingAnchors;
 
+  /// The input, whoever asks: pickers are told another.
+  vtkDataObject* GetTrueInput();
+
 private:
   vtkBlockAttributesPolyDataMapper(const vtkBlockAttributesPolyDataMapper&) = delete;
   void operator=(const vtkBlockAttributesPolyDataMapper&) = delete;
 
   friend class relevo::RefinementBlocks;
 
-  /// The input, whoever asks: pickers are told another.
-  vtkDataObject* GetTrueInput();
   vtkDataObject* FindBlock(unsigned int index);
   /// An error where there is no such block; else makes the attributes.
   vtkDataObject* FindBlockToSet(unsigned int index);

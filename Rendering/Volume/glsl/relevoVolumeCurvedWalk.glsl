@@ -4,6 +4,9 @@
 // many linear parts as it takes.
 
 const float LargestMiss = 1.0 / 1024.0; // of the range of scalars
+// Of parameters, squared, from a straight line: less leaves scalars a cubic.
+const float LeastBend = 4e-4;
+const int MostHalvings = 3; // of the way through a cell whose scalars are none
 // Gradients count in the middles of parts, and light at their ends.
 const float LeastParts = RELEVO_STEEPNESS == 1 || RELEVO_LIT == 1 ? 4.0 : 1.0;
 const float MostParts = 16.0;
@@ -21,6 +24,25 @@ Scalars cubicAt(float x)
   float c = x - 1.0;
   return 4.5 * (x * a * b * cubic[3] - a * b * c * cubic[0]) +
     13.5 * (x * b * c * cubic[1] - x * a * c * cubic[2]);
+}
+
+bool isCubic(vec3 place0, vec3 place1, vec3 place2, vec3 place3)
+{
+  vec3 first = place0 - 2.0 * place1 + place2;
+  vec3 last = place1 - 2.0 * place2 + place3;
+  return max(dot(first, first), dot(last, last)) < LeastBend;
+}
+
+// In the middle, where it misses them about half as far as it does anywhere.
+bool isCubicClose(Scalars middle)
+{
+  Scalars miss = abs(middle - cubicAt(0.5));
+  float largest = 0.0;
+  for (int i = 0; i < RELEVO_COMPONENTS; ++i)
+  {
+    largest = max(largest, componentOf(miss, i));
+  }
+  return largest < 0.25 * LargestMiss;
 }
 
 float countParts()
@@ -128,6 +150,12 @@ void nextCurvedPart()
 #else
   Scalars front = cubicAt(first);
   Scalars back = cubicAt(last);
+#if RELEVO_INTEGRATED && !RELEVO_SURFACES
+  // The line that is as high as the cubic on average: a chord is above or below it all along.
+  Scalars lift = (cubicAt(0.5 * (first + last)) - 0.5 * (front + back)) * (2.0 / 3.0);
+  front += lift;
+  back += lift;
+#endif
 #endif
   float begin = mix(curvedBegin, curvedEnd, first);
   float end = mix(curvedBegin, curvedEnd, last);
@@ -261,7 +289,8 @@ vec3 parametersInPyramid(float depth)
     vec3 edge = hexPlaces[i] - hexPlaces[4];
     base[i] = vec2(dot(edge, u), dot(edge, v));
   }
-  vec2 at = crossBilinear(base[0], base[1], base[2], base[3]);
+  float outside;
+  vec2 at = crossBilinear(base[0], base[1], base[2], base[3], outside);
   vec3 end = mix(mix(hexPlaces[0], hexPlaces[1], at.x), mix(hexPlaces[3], hexPlaces[2], at.x), at.y) -
     hexPlaces[4];
   return vec3(at, clamp(1.0 - dot(from, end) / dot(end, end), 0.0, 1.0));
@@ -279,7 +308,7 @@ float findPyramidSpan(float entered, float left, float end)
 }
 #endif
 
-const float LeastAside = 1e-6; // squared share of a face
+const float LeastAside = 0.501; // share of a face from its middle
 
 // Where the ray goes through a face: the depth, and the parameters there. A ray that sees a face from
 // its side is in both cells: it goes on in the next one at once, and parameters mean nothing.
@@ -290,13 +319,11 @@ float crossHexFace(int face, out vec3 parameters, out bool isAside)
   vec3 p2;
   vec3 p3;
   getHexFace(face, p0, p1, p2, p3);
-  vec2 at = crossBilinear(p0.xy, p1.xy, p2.xy, p3.xy);
+  float outside;
+  vec2 at = crossBilinear(p0.xy, p1.xy, p2.xy, p3.xy, outside);
   parameters = parametersOnHexFace(face, at);
-  vec3 place = mix(mix(p0, p1, at.x), mix(p3, p2, at.x), at.y);
-  vec3 one = p2 - p0;
-  vec3 other = p3 - p1;
-  isAside = dot(place.xy, place.xy) > LeastAside * (dot(one, one) + dot(other, other));
-  return isAside ? walkDepth : place.z;
+  isAside = outside > LeastAside;
+  return isAside ? walkDepth : mix(mix(p0.z, p1.z, at.x), mix(p3.z, p2.z, at.x), at.y);
 }
 
 // Bit by bit the faces that the ray leaves by, and those that it enters by.
@@ -321,6 +348,25 @@ int highestBit(int bits)
 {
   return bits >= 32 ? 5 : bits >= 16 ? 4 : bits >= 8 ? 3 : bits >= 4 ? 2 : bits >= 2 ? 1 : bits - 1;
 }
+
+#if RELEVO_FOLDED
+// Bit by bit the faces that may go around the ray, as a folded one does.
+int findAround()
+{
+  int around = 0;
+  for (int face = 0; face < 6; ++face)
+  {
+    vec3 p0;
+    vec3 p1;
+    vec3 p2;
+    vec3 p3;
+    getHexFace(face, p0, p1, p2, p3);
+    around += isAround(min(min(p0.xy, p1.xy), min(p2.xy, p3.xy)),
+      max(max(p0.xy, p1.xy), max(p2.xy, p3.xy))) ? 1 << face : 0;
+  }
+  return around;
+}
+#endif
 
 void crossHexahedron()
 {
@@ -372,12 +418,11 @@ void crossHexahedron()
     }
   }
 #if RELEVO_FOLDED
-  for (int face = 0; face < 6; ++face)
+  int folded = findAround() & ~allFaces;
+  while (folded > 0)
   {
-    if (((allFaces >> face) & 1) != 0)
-    {
-      continue;
-    }
+    int face = highestBit(folded);
+    folded -= 1 << face;
     vec3 p0;
     vec3 p1;
     vec3 p2;
@@ -412,7 +457,7 @@ void crossHexahedron()
   float to = end;
 #if !RELEVO_CELL_SCALARS
   findHexTerms();
-  if (isEnteredAside)
+  if (isEnteredAside || isWithinCell)
   {
     enteredAt = parametersInHexahedron(walkDepth, vec3(0.5));
   }
@@ -430,13 +475,31 @@ void crossHexahedron()
 #define seekInside(depth, guess) parametersInHexahedron(depth, guess)
 #endif
   cubic[0] = trilinear(corners, enteredAt);
-  vec3 one = seekInside(
-    mix(walkDepth, to, 1.0 / 3.0), mix(enteredAt, leftAt, 1.0 / 3.0));
-  cubic[1] = trilinear(corners, one);
-  vec3 two = seekInside(
-    mix(walkDepth, to, 2.0 / 3.0), mix(enteredAt, leftAt, 2.0 / 3.0));
-  cubic[2] = trilinear(corners, two);
-  cubic[3] = trilinear(corners, leftAt);
+  vec3 one;
+  vec3 two;
+  // Of a cell with flat faces they are a cubic, or nearly so.
+  for (int i = 0; i < (RELEVO_FOLDED == 1 ? min(MostHalvings, mostSteps) : 1); ++i)
+  {
+    one = seekInside(mix(walkDepth, to, 1.0 / 3.0), mix(enteredAt, leftAt, 1.0 / 3.0));
+    cubic[1] = trilinear(corners, one);
+    two = seekInside(mix(walkDepth, to, 2.0 / 3.0), mix(enteredAt, leftAt, 2.0 / 3.0));
+    cubic[2] = trilinear(corners, two);
+    cubic[3] = trilinear(corners, leftAt);
+#if RELEVO_FOLDED
+    if (isCubic(enteredAt, one, two, leftAt) || i == MostHalvings - 1)
+    {
+      break;
+    }
+    float halfway = mix(walkDepth, to, 0.5);
+    vec3 middle = seekInside(halfway, mix(one, two, 0.5));
+    if (isCubicClose(trilinear(corners, middle)))
+    {
+      break;
+    }
+    to = halfway;
+    leftAt = middle;
+#endif
+  }
 #if RELEVO_STEEPNESS || RELEVO_LIT
   vec3 places[4] = vec3[4](enteredAt, one, two, leftAt);
 #endif
@@ -473,10 +536,13 @@ void crossHexahedron()
 #endif
   beginCurved(to);
   walkDepth = to;
-  if (to < end)
+#if !RELEVO_CELL_SCALARS
+  isWithinCell = to < end;
+  if (isWithinCell)
   {
     return; // the rest of the cell is next
   }
+#endif
   leaveTo(exit);
   if (walkCell != Nothing && !isCurvedCell(walkCell))
   {
@@ -593,6 +659,10 @@ void crossQuadraticCell()
       continue;
     }
 #endif
+    if (winding == 0)
+    {
+      continue;
+    }
     vec3 parameters;
     float depth = crossFace(true, face, border, parameters);
     if (winding > 0 && (exit < 0 || rankExit(depth) < rankExit(end)))
@@ -608,15 +678,37 @@ void crossQuadraticCell()
     }
   }
   end = exit < 0 ? walkDepth : max(end, walkDepth);
+  float to = end;
 #if !RELEVO_CELL_SCALARS
+  if (isWithinCell)
+  {
+    enteredAt = parametersInQuadratic(walkDepth, vec3(0.25));
+  }
   cubic[0] = quadratic(corners, barycentric(enteredAt));
-  vec3 one = parametersInQuadratic(
-    mix(walkDepth, end, 1.0 / 3.0), mix(enteredAt, leftAt, 1.0 / 3.0));
-  cubic[1] = quadratic(corners, barycentric(one));
-  vec3 two = parametersInQuadratic(
-    mix(walkDepth, end, 2.0 / 3.0), mix(enteredAt, leftAt, 2.0 / 3.0));
-  cubic[2] = quadratic(corners, barycentric(two));
-  cubic[3] = quadratic(corners, barycentric(leftAt));
+  vec3 one;
+  vec3 two;
+  for (int i = 0; i < min(MostHalvings, mostSteps); ++i)
+  {
+    one = parametersInQuadratic(
+      mix(walkDepth, to, 1.0 / 3.0), mix(enteredAt, leftAt, 1.0 / 3.0));
+    cubic[1] = quadratic(corners, barycentric(one));
+    two = parametersInQuadratic(
+      mix(walkDepth, to, 2.0 / 3.0), mix(enteredAt, leftAt, 2.0 / 3.0));
+    cubic[2] = quadratic(corners, barycentric(two));
+    cubic[3] = quadratic(corners, barycentric(leftAt));
+    if (isCubic(enteredAt, one, two, leftAt) || i == MostHalvings - 1)
+    {
+      break;
+    }
+    float halfway = mix(walkDepth, to, 0.5);
+    vec3 middle = parametersInQuadratic(halfway, mix(one, two, 0.5));
+    if (isCubicClose(quadratic(corners, barycentric(middle))))
+    {
+      break;
+    }
+    to = halfway;
+    leftAt = middle;
+  }
 #if RELEVO_STEEPNESS || RELEVO_LIT
   vec3 places[4] = vec3[4](enteredAt, one, two, leftAt);
 #endif
@@ -648,8 +740,15 @@ void crossQuadraticCell()
     }
   }
 #endif
-  beginCurved(end);
-  walkDepth = end;
+  beginCurved(to);
+  walkDepth = to;
+#if !RELEVO_CELL_SCALARS
+  isWithinCell = to < end;
+  if (isWithinCell)
+  {
+    return;
+  }
+#endif
   leaveTo(exit);
   if (walkCell != Nothing && !isCurvedCell(walkCell))
   {

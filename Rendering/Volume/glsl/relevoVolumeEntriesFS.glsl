@@ -22,7 +22,9 @@ void main()
   }
   float count = 1.0;
 #if RELEVO_FOLDED
-  count += enters(face, entry.depth, face, entry) ? 1.0 : 0.0;
+  // Through a folded face alone.
+  Entry next = entry;
+  count += enters(face, entry.depth, face, next) && entry.depth < next.depth ? 1.0 : 0.0;
 #endif
   gl_FragData[0] = vec4(count * float(face), count, 0.0, 0.0);
 }

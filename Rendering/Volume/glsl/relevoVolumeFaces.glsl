@@ -66,8 +66,9 @@ int windingOf(Corner border[6], int size)
     passesOf(border[2], border[3]) + passesOf(border[3], border[0]);
 }
 
-// Where the ray goes through a bilinear face: shares of its sides.
-vec2 crossBilinear(vec2 p0, vec2 p1, vec2 p2, vec2 p3)
+// Where the ray goes through a bilinear face: shares of its sides. `outside` is how far these are
+// from the middle: more than a half where the ray misses the face, as one that sees it from its side.
+vec2 crossBilinear(vec2 p0, vec2 p1, vec2 p2, vec2 p3, out float outside)
 {
   vec2 b = p1 - p0;
   vec2 c = p3 - p0;
@@ -78,7 +79,8 @@ vec2 crossBilinear(vec2 p0, vec2 p1, vec2 p2, vec2 p3)
   float root = sqrt(max(linear * linear - 4.0 * square * constant, 0.0));
   float q = -0.5 * (linear + (linear < 0.0 ? -root : root));
   vec2 best = vec2(0.5);
-  float outside = FarOutside;
+  outside = FarOutside;
+  float missed = 1e4 / (dot(b, b) + dot(c, c) + dot(d, d));
   for (int i = 0; i < 2; ++i)
   {
     float v = i == 0 ? constant / q : q / square;
@@ -86,8 +88,7 @@ vec2 crossBilinear(vec2 p0, vec2 p1, vec2 p2, vec2 p3)
     float u = -dot(p0 + v * c, way) / dot(way, way);
     // Where a side is a point, rounding may take the point for a hit.
     vec2 miss = p0 + v * c + u * way;
-    float distance = max(abs(u - 0.5), abs(v - 0.5)) +
-      1e4 * dot(miss, miss) / (dot(b, b) + dot(c, c) + dot(d, d));
+    float distance = max(abs(u - 0.5), abs(v - 0.5)) + missed * dot(miss, miss);
     if (distance < outside) // false for what is no number
     {
       outside = distance;
@@ -101,6 +102,12 @@ vec2 crossBilinear(vec2 p0, vec2 p1, vec2 p2, vec2 p3)
 // Where a ray goes through a face that it sees folded, as a bulging one at its silhouette: through
 // it and back, which the face's border does not tell.
 const float LeastFold = 1e-5; // of the face's size: less is rounding
+
+// Whether a face whose control points span this rectangle may go around the ray.
+bool isAround(vec2 low, vec2 high)
+{
+  return max(low.x, low.y) <= 0.0 && min(high.x, high.y) >= 0.0;
+}
 
 int foldCount;
 vec3 foldPlaces[4];  // shares of sides, or of the corners of a quadratic face
@@ -194,7 +201,18 @@ vec3 crossQuadraticFace(Corner border[6])
 void foldQuadratic(Corner border[6], int winding)
 {
   foldCount = 0;
-  vec2 c = border[0].at.xy;
+  vec2 a = border[0].at.xy;
+  vec2 b = border[2].at.xy;
+  vec2 c = border[4].at.xy;
+  vec2 ab = 2.0 * border[1].at.xy - 0.5 * (a + b);
+  vec2 bc = 2.0 * border[3].at.xy - 0.5 * (b + c);
+  vec2 ca = 2.0 * border[5].at.xy - 0.5 * (c + a);
+  if (!isAround(min(min(min(a, b), c), min(min(ab, bc), ca)),
+        max(max(max(a, b), c), max(max(ab, bc), ca))))
+  {
+    return;
+  }
+  c = border[0].at.xy;
   vec2 cu = 4.0 * border[1].at.xy - 3.0 * c - border[2].at.xy;
   vec2 cv = 4.0 * border[5].at.xy - 3.0 * c - border[4].at.xy;
   vec2 cuu = 2.0 * (c + border[2].at.xy) - 4.0 * border[1].at.xy;
@@ -274,9 +292,11 @@ float depthOnFace(bool isQuadratic, Corner border[6], vec3 at)
 // Where the ray goes through a face: the depth, and the cell's parameters there.
 float crossFace(bool isQuadratic, int face, Corner border[6], out vec3 parameters)
 {
+  float outside;
   vec3 at = isQuadratic
     ? crossQuadraticFace(border)
-    : vec3(crossBilinear(border[0].at.xy, border[1].at.xy, border[2].at.xy, border[3].at.xy), 0.0);
+    : vec3(crossBilinear(
+             border[0].at.xy, border[1].at.xy, border[2].at.xy, border[3].at.xy, outside), 0.0);
   parameters = parametersOnFace(isQuadratic, face, at);
   return depthOnFace(isQuadratic, border, at);
 }

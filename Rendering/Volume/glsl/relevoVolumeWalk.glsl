@@ -55,6 +55,7 @@ Scalars interpolateScalars(vec3 weights)
 #if RELEVO_CURVED
 float curvedParts = 0.0; // that a cell is shown in
 float curvedNext = 0.0;  // of them
+bool isWithinCell = false; // the last step ended before the cell does
 #if RELEVO_FOLDED
 uint walkBefore = Nothing; // the cell that the walk has come from
 #endif
@@ -74,6 +75,7 @@ void enterMesh(Entry entry)
 #if RELEVO_CURVED
   curvedParts = 0.0;
   curvedNext = 0.0;
+  isWithinCell = false;
 #if RELEVO_FOLDED
   walkBefore = Nothing;
 #endif

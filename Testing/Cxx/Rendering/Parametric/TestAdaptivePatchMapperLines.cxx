@@ -117,7 +117,7 @@ void TestIsolinesOutOfRange(RelevoCheck& check)
   }
   RelevoPatchScene scene(grid);
   SetWhite(scene);
-  scene.Mapper->SetIsolineWidth(4.0);
+  scene.Mapper->SetIsolineWidth(8.0);
   RelevoErrors errors(scene.Mapper);
   scene.Mapper->SetIsolineSpacing(2.0);
   CHECK(GetBlack(scene.Draw(), 150, 26, 274) == 0.0);

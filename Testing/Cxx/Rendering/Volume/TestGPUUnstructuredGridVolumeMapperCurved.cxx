@@ -10,9 +10,11 @@
 #include "vtkCellType.h"
 #include "vtkCellTypeSource.h"
 #include "vtkDoubleArray.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 
 #include <cmath>
+#include <utility>
 
 namespace
 {
@@ -131,6 +133,34 @@ void TestBentFaces(RelevoCheck& check)
   CheckAround(check, MakeCells(VTK_QUADRATIC_TETRA, 2, 0.03, 1));
 }
 
+// Functions so steep that scalars along the ray have to be followed closely.
+vtkSmartPointer<vtkVolumeProperty> MakeSteepProperty()
+{
+  auto property = MakeProperty();
+  vtkPiecewiseFunction* opacity = property->GetScalarOpacity();
+  opacity->RemoveAllPoints();
+  for (const auto& [value, height] : { std::make_pair(0.0, 0.0), std::make_pair(0.3, 0.0),
+         std::make_pair(0.35, 0.9), std::make_pair(0.4, 0.0), std::make_pair(0.6, 0.0),
+         std::make_pair(0.65, 1.0), std::make_pair(0.7, 0.0), std::make_pair(1.0, 0.2) })
+  {
+    opacity->AddPoint(value, height);
+  }
+  property->SetScalarOpacityUnitDistance(0.1);
+  return property;
+}
+
+void TestSteepFunctions(RelevoCheck& check)
+{
+  for (const auto& [type, bend] :
+    { std::make_pair(VTK_HEXAHEDRON, 0.0), std::make_pair(VTK_HEXAHEDRON, 0.15),
+      std::make_pair(VTK_QUADRATIC_TETRA, 0.0), std::make_pair(VTK_QUADRATIC_TETRA, 0.03) })
+  {
+    const int blocks = type == VTK_HEXAHEDRON ? 2 : 1;
+    RelevoVolumeScene scene(MakeCells(type, blocks, bend, 2), MakeSteepProperty(), 72, 54);
+    CHECK_NEAR(scene.Compare(bend == 0.0 ? 0.0 : 0.005), 0.0, 1.0);
+  }
+}
+
 // Along the axes, where rays pass the tops of pyramids.
 void TestAxes(RelevoCheck& check)
 {
@@ -180,6 +210,7 @@ int TestGPUUnstructuredGridVolumeMapperCurved(int, char*[])
   RelevoCheck check;
   TestBulging(check);
   TestBentFaces(check);
+  TestSteepFunctions(check);
   TestAxes(check);
   TestInside(check);
   return check.GetResult();
