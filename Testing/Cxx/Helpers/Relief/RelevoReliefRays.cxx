@@ -96,8 +96,17 @@ std::vector<RelevoReliefHit> RelevoReliefRays::CastAll(
   const Four b = this->ToTexel({ { direction[0], direction[1], direction[2], 0.0 } });
   std::vector<RelevoReliefHit> hits;
   const auto at = [&](int i, double t) { return a[i] + t * b[i]; };
+  // The ray as a line over the texels: quads all on one side of it are not met.
+  const Vector line = { { a[1] * b[3] - a[3] * b[1], a[3] * b[0] - a[0] * b[3],
+    a[0] * b[1] - a[1] * b[0] } };
+  const double reach = 0.5 * (std::abs(line[0]) + std::abs(line[1])) +
+    1e-9 * (std::abs(line[0]) * this->Width + std::abs(line[1]) * this->Height + std::abs(line[2]));
   for (const auto& quad : this->Quads)
   {
+    if (std::abs(line[0] * (quad[0] + 0.5) + line[1] * (quad[1] + 0.5) + line[2]) > reach)
+    {
+      continue;
+    }
     const auto height = [&](int c, int r)
     {
       const double depth = this->GetDepth(quad[0] + c, quad[1] + r);
