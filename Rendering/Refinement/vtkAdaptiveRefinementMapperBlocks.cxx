@@ -30,7 +30,13 @@ bool vtkAdaptiveRefinementMapper::CheckInputType()
   {
     vtkErrorMacro(<< data.TypeProblem);
   }
-  return !input || relevo::IsOfRequiredType(input, port);
+  const bool isValid = !input || relevo::IsOfRequiredType(input, port);
+  if (!isValid)
+  {
+    data.Drawable = false; // the renderer leaves out what has no bounds
+    data.NumberOfDrawCalls = 0;
+  }
+  return isValid;
 }
 
 bool vtkAdaptiveRefinementMapper::HasBlocks(bool translucent)
