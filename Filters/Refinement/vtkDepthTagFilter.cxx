@@ -222,10 +222,15 @@ bool vtkDepthTagFilter::TakeTags(vtkPolyData* input, vtkFloatArray* tags)
   {
     const std::string misplaced =
       relevo::DescribeMisplacedArray(input, DepthTagName, vtkDataObject::FIELD_ASSOCIATION_POINTS);
-    vtkErrorMacro("There is no metric (call SetMetric), and the input has "
-      << (misplaced.empty() ? "no point array \"" + std::string(DepthTagName) + "\" to use instead"
-                            : misplaced)
-      << ".");
+    if (misplaced.empty())
+    {
+      vtkErrorMacro("There is no metric (call SetMetric), and the input has no point array \""
+        << DepthTagName << "\" to use instead.");
+    }
+    else
+    {
+      vtkErrorMacro("There is no metric (call SetMetric), and the input has " << misplaced << ".");
+    }
     return false;
   }
   std::string error;

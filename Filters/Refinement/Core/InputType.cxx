@@ -18,7 +18,7 @@ namespace
 {
 const std::string Composite = "vtkCompositeDataSet";
 
-// "is a CLASS; a CLASS or a CLASS is needed". Blocks are never composite.
+// "CLASS; a CLASS or a CLASS is needed". Blocks are never composite.
 std::string DescribeType(vtkDataObject* data, vtkInformation* port, bool isBlock)
 {
   vtkInformationStringVectorKey* required = vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE();
@@ -31,8 +31,7 @@ std::string DescribeType(vtkDataObject* data, vtkInformation* port, bool isBlock
       types += (types.empty() ? "a " : " or a ") + type;
     }
   }
-  return std::string("is a ") + (data ? data->GetClassName() : "nullptr") + "; " + types +
-    " is needed";
+  return std::string(data ? data->GetClassName() : "nullptr") + "; " + types + " is needed";
 }
 }
 
@@ -58,9 +57,9 @@ bool CheckInputTypes(vtkAlgorithm* algorithm, vtkInformationVector** inputs)
       if (!IsOfRequiredType(data, information))
       {
         const std::string input =
-          port > 0 ? "The input of port " + std::to_string(port) : "The input";
+          port > 0 ? "The input of port " + std::to_string(port) + " is a " : "The input is a ";
         vtkErrorWithObjectMacro(
-          algorithm, << input << " " << DescribeType(data, information, false) << ".");
+          algorithm, << input << DescribeType(data, information, false) << ".");
         return false;
       }
     }
@@ -72,7 +71,7 @@ std::string FindTypeProblem(vtkDataObject* input, vtkInformation* port)
 {
   if (!IsOfRequiredType(input, port))
   {
-    return "The input " + DescribeType(input, port, false) + ".";
+    return "The input is a " + DescribeType(input, port, false) + ".";
   }
   LeftOutBlocks wrong;
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
@@ -84,7 +83,7 @@ std::string FindTypeProblem(vtkDataObject* input, vtkInformation* port)
       vtkDataObject* block = leaf->GetCurrentDataObject();
       if (!IsOfRequiredType(block, port))
       {
-        wrong.Add(GetBlockName(leaf), DescribeType(block, port, true));
+        wrong.Add(GetBlockName(leaf), "is a " + DescribeType(block, port, true));
       }
     }
   }

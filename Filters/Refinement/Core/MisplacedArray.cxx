@@ -45,7 +45,8 @@ std::string DescribeMisplacedArray(
   }
   const std::string advice = advise(association == Points ? Cells : Points);
   return (association == Points ? "no point array \"" : "no cell array \"") + name +
-    (association == Points ? "\", but a cell array" : "\", but a point array") + " of that name" +
+    (association == Points ? "\", but a cell array of that name"
+                           : "\", but a point array of that name") +
     (advice.empty() ? "" : ". " + advice);
 }
 }
