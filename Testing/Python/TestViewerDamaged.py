@@ -21,7 +21,7 @@ try:
 except ImportError:
     vtkExodusIIWriter = None
 
-from ViewerProgram import FORKED, PROGRAM, ViewerProgram
+from ViewerProgram import PROGRAM, ViewerProgram
 
 EXPORT = ("--export=e.vtp", "--level=0")
 
@@ -197,7 +197,7 @@ class TestViewerDamaged(ViewerProgram):
         begin = len(head) + len(variable) + 4
         content = head + variable + struct.pack(">I", begin) + heights
         (self.folder / "a.nc").write_bytes(content)
-        run = FORKED.run(["a.nc", *EXPORT], self.folder, dict(os.environ))
+        run = self.run_program("a.nc", *EXPORT)
         if "netCDF" not in run.stderr and run.returncode == 1:
             self.skipTest("GDAL reads no netCDF files")
         self.assertEqual((run.returncode, run.stderr), (0, ""))

@@ -32,11 +32,14 @@ class ViewerProgram(unittest.TestCase):
     def tearDownClass(cls):
         cls.temporary.cleanup()
 
-    def view(self, *arguments, code=0, display=False, **limits):
+    def run_program(self, *arguments, display=False, **limits):
         environment = dict(os.environ)
         if not display:
             environment.pop("DISPLAY", None)
-        run = FORKED.run([*map(str, arguments)], self.folder, environment, **limits)
+        return FORKED.run([*map(str, arguments)], self.folder, environment, **limits)
+
+    def view(self, *arguments, code=0, **settings):
+        run = self.run_program(*arguments, **settings)
         self.assertEqual(run.returncode, code, run.stderr)
         if code == 0:
             self.assertEqual(run.stderr, "")
