@@ -12,6 +12,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper2D.h"
+#include "vtkProperty2D.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkTextActor.h"
@@ -39,6 +40,7 @@ const int NarrowestTitle = 110;
 const double TitleShare = 0.14; // of the picture's width
 const int FewLines = 4;
 const int MostLines = 6;
+const double GroundOpacity = 0.4;
 const int Dots = 72; // per inch, as VTK's windows have them
 
 void SetLook(vtkTextProperty* text)
@@ -57,10 +59,17 @@ ViewerLegend::ViewerLegend(
   , Name(ToPrintable(title))
   , NumberOfLabels(numberOfLabels)
 {
-  vtkNew<vtkPolyDataMapper2D> mapper;
-  mapper->SetInputData(this->Shape);
-  this->Bar->SetMapper(mapper);
-  renderer->AddViewProp(this->Bar);
+  const auto add = [&](vtkActor2D* actor, vtkPolyData* shape)
+  {
+    vtkNew<vtkPolyDataMapper2D> mapper;
+    mapper->SetInputData(shape);
+    actor->SetMapper(mapper);
+    renderer->AddViewProp(actor);
+  };
+  add(this->Ground, this->GroundShape);
+  add(this->Bar, this->BarShape);
+  this->Ground->GetProperty()->SetColor(1.0, 1.0, 1.0);
+  this->Ground->GetProperty()->SetOpacity(GroundOpacity);
   this->Title = this->AddText();
   this->Title->GetTextProperty()->SetVerticalJustificationToTop();
   this->Tag = renderer->AddObserver(vtkCommand::StartEvent, this, &ViewerLegend::OnStart);
@@ -125,12 +134,14 @@ void ViewerLegend::LayOut(const int size[2])
   }
   this->Title->SetVisibility(isShown);
   this->Bar->SetVisibility(isShown);
+  this->Ground->SetVisibility(isShown);
   this->Corner = { { 0, 0 } };
   if (isShown)
   {
     this->DrawBar(margin, top - height, height);
     this->Corner = { { margin + std::max(box[1] - box[0] + 1, BarWidth + Gap + labelWidth) + Gap,
       size[1] - top + height + overhang + Gap } };
+    this->DrawGround(size);
   }
 }
 
@@ -215,6 +226,22 @@ int ViewerLegend::GetWidth(vtkTextProperty* property, const std::string& text)
 }
 
 //------------------------------------------------------------------------------
+void ViewerLegend::DrawGround(const int size[2])
+{
+  const double right = this->Corner[0];
+  const double bottom = size[1] - this->Corner[1];
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0.0, bottom, 0.0);
+  points->InsertNextPoint(right, bottom, 0.0);
+  points->InsertNextPoint(right, size[1], 0.0);
+  points->InsertNextPoint(0.0, size[1], 0.0);
+  vtkNew<vtkCellArray> quad;
+  quad->InsertNextCell({ 0, 1, 2, 3 });
+  this->GroundShape->SetPoints(points);
+  this->GroundShape->SetPolys(quad);
+}
+
+//------------------------------------------------------------------------------
 void ViewerLegend::DrawBar(int left, int bottom, int height)
 {
   // A rectangle for each row of pixels.
@@ -235,9 +262,9 @@ void ViewerLegend::DrawBar(int left, int bottom, int height)
     colors->InsertNextTuple3(
       std::round(255.0 * color[0]), std::round(255.0 * color[1]), std::round(255.0 * color[2]));
   }
-  this->Shape->SetPoints(points);
-  this->Shape->SetPolys(quads);
-  this->Shape->GetCellData()->SetScalars(colors);
+  this->BarShape->SetPoints(points);
+  this->BarShape->SetPolys(quads);
+  this->BarShape->GetCellData()->SetScalars(colors);
 }
 
 //------------------------------------------------------------------------------

@@ -51,6 +51,7 @@ private:
   int GetBarHeight(int available) const;
   std::vector<Row> GetRows(int barHeight);
   int GetWidth(vtkTextProperty* property, const std::string& text);
+  void DrawGround(const int size[2]);
   void DrawBar(int left, int bottom, int height);
   void GetColor(double position, double color[3]);
   vtkSmartPointer<vtkTextActor> AddText();
@@ -61,7 +62,9 @@ private:
   int NumberOfLabels;
   int Size[2] = { 0, 0 };
   std::array<int, 2> Corner = { { 0, 0 } };
-  vtkNew<vtkPolyData> Shape;
+  vtkNew<vtkPolyData> GroundShape;
+  vtkNew<vtkActor2D> Ground; // to read the words on, whatever is behind
+  vtkNew<vtkPolyData> BarShape;
   vtkNew<vtkActor2D> Bar;
   vtkSmartPointer<vtkTextActor> Title;
   std::vector<vtkSmartPointer<vtkTextActor>> Labels;
