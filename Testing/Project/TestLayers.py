@@ -57,7 +57,8 @@ LAYERS = {
     "Rendering/Intersection": [("Scene", [])],
     "Rendering/Relief": [("View", []), ("Buffers", []), ("Shaders", []), ("Drawing", []),
                          ("Capture", [])],
-    "Examples/Viewer": [("Text", []), ("Files", []), ("Options", []), ("Scene", []), ("Window", [])],
+    "Examples/Viewer": [("Text", []), ("Files", []), ("Options", []), ("Legend", []),
+                        ("Scene", []), ("Window", [])],
 }
 MODULES = list(LAYERS)  # no module includes one that comes after it
 LARGEST_FOLDER = 30

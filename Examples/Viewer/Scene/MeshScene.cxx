@@ -4,7 +4,7 @@
 
 #include "Files/FileEnd.h"
 #include "Files/MeshReader.h"
-#include "Scene/ArrayUnit.h"
+#include "Legend/ArrayUnit.h"
 #include "Scene/MeshColours.h"
 #include "Scene/MeshMapping.h"
 #include "Scene/MeshProbe.h"

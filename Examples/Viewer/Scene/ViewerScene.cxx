@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/ViewerScene.h"
 
+#include "Legend/LegendText.h"
+#include "Legend/ViewerLegend.h"
 #include "Scene/ContactScene.h"
-#include "Scene/LegendText.h"
 #include "Scene/MeshScene.h"
 #include "Scene/ReliefScene.h"
 #include "Scene/TerrainScene.h"
 #include "Scene/ViewerCamera.h"
-#include "Scene/ViewerLegend.h"
 #include "Scene/VolumeScene.h"
 
 #include "vtkCamera.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/VolumeArray.h"
 
+#include "Legend/ArrayUnit.h"
 #include "Options/ViewerOptions.h"
-#include "Scene/ArrayUnit.h"
 #include "Text/ViewerMessages.h"
 
 #include "vtkCellData.h"

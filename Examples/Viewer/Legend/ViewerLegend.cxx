@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Scene/ViewerLegend.h"
+#include "Legend/ViewerLegend.h"
 
-#include "Scene/LegendText.h"
+#include "Legend/LegendText.h"
 #include "Text/PrintableText.h"
 
 #include "vtkActor2D.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Scene/ArrayUnit.h"
+#include "Legend/ArrayUnit.h"
 
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
