@@ -310,6 +310,16 @@ void TestMetricErrors(RelevoCheck& check)
   filter->Update();
   CHECK(errors.Said("no metric"));
   CHECK(IsEmpty(filter));
+  const auto withCellArray = MakeTriangle();
+  vtkNew<vtkFloatArray> ofCells;
+  ofCells->SetName("DepthTag");
+  ofCells->InsertNextValue(1.0f);
+  withCellArray->GetCellData()->AddArray(ofCells);
+  filter->SetInputData(withCellArray);
+  filter->Update();
+  CHECK(errors.Said("the input has no point array \"DepthTag\", but a cell array of that name. "
+                    "Convert it with vtkCellDataToPointData."));
+  filter->SetInputData(MakeTriangle());
 
   vtkNew<vtkDistanceDepthTagMetric> distance;
   filter->SetMetric(distance);
