@@ -76,9 +76,11 @@ class NormalSplits::Visitor
 {
 public:
   Visitor() = default;
-  Visitor(const RefinedTopology& topology, const RefinementEvaluator& evaluator)
+  Visitor(const RefinedTopology& topology, const RefinementEvaluator& evaluator,
+    std::vector<Value>& values)
     : Topology(&topology)
     , Evaluator(&evaluator)
+    , Values(&values)
   {
   }
 
@@ -87,6 +89,7 @@ public:
     this->Evaluate(uses, numberOfUses, { 0 });
     const size_t owner = this->FindOwner(numberOfUses);
     this->PointOwners.push_back({ static_cast<int>(point), uses[owner] });
+    this->Keep(point, 0, owner);
     if (!this->IsSmooth())
     {
       this->Divide(uses, owner, 0, this->Rows[0], point);
@@ -123,10 +126,14 @@ public:
     }
     const size_t owner = this->FindOwner(numberOfUses);
     this->EdgeOwners.push_back({ edge, uses[owner] });
-    for (size_t k = 0; !isSmooth && k < steps.size(); ++k)
+    for (size_t k = 0; k < steps.size(); ++k)
     {
-      this->Divide(
-        uses, owner, steps[k], this->Rows[k], this->Topology->GetEdgePoint(edge, steps[k]));
+      const vtkIdType point = this->Topology->GetEdgePoint(edge, steps[k]);
+      this->Keep(point, k, owner);
+      if (!isSmooth)
+      {
+        this->Divide(uses, owner, steps[k], this->Rows[k], point);
+      }
     }
   }
 
@@ -139,16 +146,17 @@ private:
   void Evaluate(const int* uses, size_t numberOfUses, const std::vector<int>& steps)
   {
     this->Rows.resize(steps.size());
+    this->Positions.resize(steps.size());
     for (size_t k = 0; k < steps.size(); ++k)
     {
       this->Rows[k].resize(numberOfUses);
+      this->Positions[k].resize(numberOfUses);
       for (size_t u = 0; u < numberOfUses; ++u)
       {
         float weights[3];
-        float position[3];
         vec3& normal = this->Rows[k][u];
         this->Topology->GetWeights(uses[u], steps[k], weights);
-        this->Evaluator->Evaluate(uses[u] / 3, weights, position, &normal.x);
+        this->Evaluator->Evaluate(uses[u] / 3, weights, &this->Positions[k][u].x, &normal.x);
         if (!std::isfinite(normal.x + normal.y + normal.z))
         {
           normal = vec3(0.0f);
@@ -191,6 +199,17 @@ private:
     return owner;
   }
 
+  // Each point is visited once, so that threads do not meet. Normals that are not finite, which are
+  // zero by now, are evaluated anew.
+  void Keep(vtkIdType point, size_t row, size_t owner)
+  {
+    const vec3& normal = this->Rows[row][owner];
+    if (normal != vec3(0.0f))
+    {
+      (*this->Values)[static_cast<size_t>(point)] = { this->Positions[row][owner], normal, true };
+    }
+  }
+
   // Add copies for the uses whose normals do not agree with the owner's.
   void Divide(
     const int* uses, size_t owner, int step, const std::vector<vec3>& normals, vtkIdType point)
@@ -215,8 +234,10 @@ private:
 
   const RefinedTopology* Topology = nullptr;
   const RefinementEvaluator* Evaluator = nullptr;
+  std::vector<Value>* Values = nullptr;
   std::vector<int> Steps;
   std::vector<std::vector<vec3>> Rows;
+  std::vector<std::vector<vec3>> Positions; // likewise
   std::vector<vtkIdType> Groups;
   std::vector<vec3> Least;
 };
@@ -249,7 +270,8 @@ NormalSplits::NormalSplits(const RefinementMesh& mesh, vtkRefinementSurface* sur
     [&](size_t use) { return static_cast<size_t>(mesh.Faces[use / 3].Corners[use % 3]); });
   const Uses edges(isSplitEdge, numberOfUses,
     [&](size_t use) { return static_cast<size_t>(mesh.FaceEdges[use]); });
-  vtkSMPThreadLocal<Visitor> visitors(Visitor(topology, evaluator));
+  this->Values.resize(static_cast<size_t>(topology.GetNumberOfPoints()));
+  vtkSMPThreadLocal<Visitor> visitors(Visitor(topology, evaluator, this->Values));
   const auto visit = [&](const Uses& elements, const auto& visitOne)
   {
     vtkSMPTools::For(0, static_cast<vtkIdType>(elements.GetNumberOfElements()),

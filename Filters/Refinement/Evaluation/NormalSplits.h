@@ -17,6 +17,7 @@
 #include "Core/RefinementMathematics.h"
 #include "vtkType.h"
 
+#include <utility>
 #include <vector>
 
 class vtkRefinementSurface;
@@ -56,9 +57,20 @@ public:
   const std::vector<Owner>& GetPointOwners() const { return this->PointOwners; }
   const std::vector<Owner>& GetEdgeOwners() const { return this->EdgeOwners; }
 
+  /// What the evaluator gave for a point by its owner.
+  struct Value
+  {
+    vec3 Position;
+    vec3 Normal;
+    bool IsKnown = false;
+  };
+  /// By point; empty where no face splits normals.
+  std::vector<Value> TakeValues() { return std::move(this->Values); }
+
 private:
   class Visitor;
 
+  std::vector<Value> Values;
   std::vector<Copy> Copies;
   std::vector<Owner> PointOwners;
   std::vector<Owner> EdgeOwners;

@@ -4,7 +4,6 @@
 
 #include "Core/GhostCells.h"
 #include "Evaluation/CellDataCopy.h"
-#include "Evaluation/NormalSplits.h"
 #include "Evaluation/PatternSelection.h"
 #include "Evaluation/PointDataInterpolation.h"
 #include "Evaluation/SurfaceFields.h"
@@ -60,8 +59,10 @@ RefinedPolyDataBuilder::RefinedPolyDataBuilder(vtkPolyData* input, RefinementMes
 {
   if (!mesh.Normals.empty())
   {
-    this->Topology.Split(NormalSplits(
-      mesh, recipe->GetSurface(), this->Evaluator, this->Topology, input->GetNumberOfPoints()));
+    NormalSplits splits(
+      mesh, recipe->GetSurface(), this->Evaluator, this->Topology, input->GetNumberOfPoints());
+    this->Topology.Split(splits);
+    this->Values = splits.TakeValues();
   }
   this->NumberOfPoints = this->Topology.GetNumberOfPoints();
   const HeightValidity validity = GetHoles(recipe->GetDisplacement());
@@ -317,9 +318,16 @@ void RefinedPolyDataBuilder::BuildFacePoints(int face, std::vector<RefinedPoint>
     this->Recipe->GetDisplacement() || (surface && !surface->InterpolatesCorners());
   for (const RefinedPoint& point : points)
   {
-    float position[3];
-    float normal[3];
-    this->Evaluator.Evaluate(face, point.Weights, position, normal);
+    NormalSplits::Value value;
+    const auto original = static_cast<size_t>(point.Original);
+    if (original < this->Values.size() && this->Values[original].IsKnown)
+    {
+      value = this->Values[original];
+    }
+    else
+    {
+      this->Evaluator.Evaluate(face, point.Weights, &value.Position.x, &value.Normal.x);
+    }
     double place[3];
     const int nearest = point.GetNearestCorner();
     if (!moved && this->IsAtCorner(corners, point, nearest))
@@ -336,13 +344,13 @@ void RefinedPolyDataBuilder::BuildFacePoints(int face, std::vector<RefinedPoint>
     {
       for (int c = 0; c < 3; ++c)
       {
-        place[c] = this->Mesh.Origin[c] + position[c];
+        place[c] = this->Mesh.Origin[c] + value.Position[c];
       }
     }
     this->Points->SetPoint(point.Id, place);
     if (!this->Mesh.Normals.empty())
     {
-      this->Normals->SetTypedTuple(point.Id, normal);
+      this->Normals->SetTypedTuple(point.Id, &value.Normal.x);
     }
   }
   data.Interpolate(corners, points);

@@ -13,6 +13,7 @@
 #define RefinedPolyDataBuilder_h
 
 #include "Evaluation/HoleFinder.h"
+#include "Evaluation/NormalSplits.h"
 
 #include "Evaluation/RefinedTopology.h"
 #include "Evaluation/RefinementEvaluator.h"
@@ -94,7 +95,8 @@ private:
   const FaceLoop& ForFaces;
   RefinedTopology Topology;
   RefinementEvaluator Evaluator;
-  std::unique_ptr<HoleFinder> Finder; // null where there are no holes
+  std::vector<NormalSplits::Value> Values; // evaluated by now
+  std::unique_ptr<HoleFinder> Finder;      // null where there are no holes
   std::vector<std::string> ShortArrays;
 
   /// Per face its first triangle in the output, and one more for their number.

@@ -228,6 +228,7 @@ void RefinedTopology::GetOwnedPoints(int face, std::vector<RefinedPoint>& points
   {
     RefinedPoint point;
     point.Id = id;
+    point.Original = id;
     this->Patterns[face].GetWeights(vertex, point.Weights);
     points.push_back(point);
   };

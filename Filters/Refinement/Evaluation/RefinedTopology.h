@@ -32,6 +32,7 @@ struct RefinedPoint
 {
   vtkIdType Id;
   float Weights[3];
+  vtkIdType Original; // the id before unused points are left out
 
   /// The sorted corner that weighs most.
   int GetNearestCorner() const
