@@ -44,9 +44,9 @@ public:
   using Tuple = std::vector<double>;
   using Color = std::array<double, 3>;
 
-  // The share of a cell's pixels whose colour differs by more than 2 / 255 from `toColor`, of the
-  // tuple that VTK's cell interpolates there; pixels at its borders are left out. At least 1000
-  // pixels are compared, else it is 1.
+  // The share of a quarter of a cell's pixels whose colour differs by more than 2 / 255 from
+  // `toColor`, of the tuple that VTK's cell interpolates there; pixels at its borders are left out.
+  // At least 1000 pixels are compared, else it is 1.
   double GetShareOfOthers(vtkUnstructuredGrid* grid, const char* array,
     const std::function<Color(const Tuple&)>& toColor);
 
