@@ -17,6 +17,7 @@
 #include "vtkPointData.h"
 
 #include <cmath>
+#include <vector>
 
 namespace
 {
@@ -70,8 +71,10 @@ void TestKinds(RelevoCheck& check)
   {
     const auto mesh = MakeCells(type, 0.0);
     RelevoVolumeScene scene(mesh, MakeProperty(), 100, 80);
-    CHECK(scene.Compare() <= 3.0);
-    CHECK(scene.Compare(0.01) <= 1.0);
+    const std::vector<RelevoColor> drawn = scene.Draw();
+    const std::vector<RelevoColor> cast = scene.Cast();
+    CHECK(RelevoVolumeScene::Compare(drawn, cast) <= 3.0);
+    CHECK(RelevoVolumeScene::Compare(drawn, cast, 0.01) <= 1.0);
     CHECK(scene.GetMapper()->GetNumberOfDrawnCells() == mesh->GetNumberOfCells());
     scene.GetCamera()->ParallelProjectionOn();
     scene.GetCamera()->Azimuth(130.0);
