@@ -10,6 +10,7 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkShaderProperty.h"
+#include "vtkTable.h"
 
 #include <algorithm>
 #include <limits>
@@ -55,6 +56,27 @@ void TestBlocks(RelevoCheck& check)
   blocks->SetBlock(1, nullptr);
   CHECK(CountDrawn(scene) == 0);
   CHECK(errors.Said("Block 1: A relief needs the field array 'ReliefMatrix'"));
+}
+
+void TestTypes(RelevoCheck& check)
+{
+  const auto relief = MakeFlat(20, 20);
+  RelevoReliefScene scene(relief, 60, 40);
+  RelevoErrors errors(scene.Mapper);
+  vtkNew<vtkTable> table;
+  scene.Mapper->SetInputDataObject(table);
+  CHECK(CountDrawn(scene) == 0);
+  CHECK(errors.Said("A relief is a vtkImageData, not a vtkTable."));
+  scene.Window->Render();
+  CHECK(errors.None()); // once
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, table);
+  blocks->SetBlock(1, relief);
+  scene.Mapper->SetInputDataObject(blocks);
+  CHECK(CountDrawn(scene) > 100);
+  CHECK(errors.Said("Block 1: A relief is a vtkImageData, not a vtkTable."));
+  scene.Window->Render();
+  CHECK(errors.None());
 }
 
 void TestNothing(RelevoCheck& check)
@@ -140,6 +162,7 @@ int TestReliefMapperErrors(int, char*[])
 {
   RelevoCheck check;
   TestBlocks(check);
+  TestTypes(check);
   TestNothing(check);
   TestTooLarge(check);
   TestSettings(check);
