@@ -133,6 +133,17 @@ void TestBentFaces(RelevoCheck& check)
   CheckAround(check, MakeCells(VTK_QUADRATIC_TETRA, 2, 0.03, 1));
 }
 
+// A ray enters a mesh that is all but a cube once.
+void TestLayers(RelevoCheck& check)
+{
+  for (int type : { VTK_HEXAHEDRON, VTK_WEDGE, VTK_QUADRATIC_TETRA })
+  {
+    RelevoVolumeScene scene(MakeCells(type, 1, 0.01, 2), MakeProperty(), 72, 54);
+    scene.Draw();
+    CHECK(scene.GetMapper()->GetNumberOfLayers() == 1);
+  }
+}
+
 // Functions so steep that scalars along the ray have to be followed closely.
 vtkSmartPointer<vtkVolumeProperty> MakeSteepProperty()
 {
@@ -210,6 +221,7 @@ int TestGPUUnstructuredGridVolumeMapperCurved(int, char*[])
   RelevoCheck check;
   TestBulging(check);
   TestBentFaces(check);
+  TestLayers(check);
   TestSteepFunctions(check);
   TestAxes(check);
   TestInside(check);
