@@ -22,6 +22,13 @@
  * finely divided sphere becomes round. An icosahedron, whose faces meet at 42 degrees, and a sphere
  * of 8 x 8 faces without normals stay as they are.
  *
+ * The creases of a noisy mesh, as of a scan, are not those of its shape: they end soon, ridges run
+ * into valleys, and there are bends of all sizes. A mesh counts as noisy if at least 2 % of its
+ * bends are creases, at more than half of the points with creases there is just one or there are
+ * both ridges and valleys, and edges that bend by 2/3 of FeatureAngle up to it are more than a
+ * quarter as many as creases. Such a mesh keeps its flat faces, shaded smoothly: no angle is a
+ * crease, and each point has the mean normal of all its faces, or its own.
+ *
  * Input: a vtkPolyData. Coincident points are one place, whether or not faces share them. Output:
  * the same mesh with "Normals" (float, unit vectors) as active normals; points are split where
  * normals differ, the copies with the same point data after the input's points. Strips become
@@ -56,8 +63,9 @@ public:
 
   //@{
   /**
-   * Whether a mesh that is too coarse to tell its creases from its bends keeps its flat faces, see
-   * above. Default on; off if you know FeatureAngle to fit the mesh.
+   * Whether a mesh that is too coarse to tell its creases from its bends keeps its flat faces, and
+   * a noisy one becomes smooth, see above. Default on; off if you know FeatureAngle to fit the
+   * mesh.
    */
   vtkSetMacro(KeepCoarseFlat, bool);
   vtkGetMacro(KeepCoarseFlat, bool);

@@ -8,14 +8,18 @@
 #include "Mesh/SurfaceNormals.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
+#include <map>
 #include <numeric>
 
 namespace relevo
 {
 namespace
 {
+constexpr double HalfTurn = 3.14159265358979323846;
 constexpr double FlatAngle = 1e-3; // radians; rounding of points leaves less
 
 double getAngle(const dvec3& a, const dvec3& b)
@@ -48,14 +52,17 @@ CreaseNormals::CreaseNormals(vtkPolyData* mesh, double featureAngle, bool keepCo
     mesh->GetNumberOfVerts() + mesh->GetNumberOfLines() + mesh->GetNumberOfPolys();
   const SurfaceEdges edges(this->Triangles);
   DisjointSets corners(static_cast<vtkIdType>(3 * this->AreaVectors.size()));
-  const bool isCoarse = this->UniteCorners(edges, firstStrip, limit, corners);
+  const bool isNoisy = keepCoarseFlat && this->AreCreasesNoise(edges, limit);
+  const double largest = isNoisy ? HalfTurn : limit;
+  const bool isCoarse = this->UniteCorners(edges, firstStrip, largest, corners) && !isNoisy;
   const std::vector<dvec3> polygons = this->SumPolygons(firstStrip);
-  const vtkIdType numberOfOwn = this->ChooseNormals(mesh, limit, corners, polygons);
+  const vtkIdType numberOfOwn = this->ChooseNormals(mesh, largest, corners, polygons);
   if (keepCoarseFlat && isCoarse && 2 * numberOfOwn < static_cast<vtkIdType>(polygons.size()))
   {
     std::transform(polygons.begin(), polygons.end(), this->Normals.begin(), getUnit);
   }
   this->CountCreases(edges);
+  this->Curved = this->Curved && !isNoisy; // curved faces would bulge by the noise
 }
 
 vtkIdType CreaseNormals::ChooseNormals(
@@ -84,6 +91,50 @@ vtkIdType CreaseNormals::ChooseNormals(
     this->Normals[corner] = fits(ofPoint) ? ofPoint : fits(mean) ? mean : own;
   }
   return numberOfGiven;
+}
+
+bool CreaseNormals::AreCreasesNoise(const SurfaceEdges& edges, double featureAngle) const
+{
+  const double nearby = 1.5;
+  const auto& triangles = this->Triangles->GetTriangles();
+  vtkIdType numberOfBends = 0;
+  vtkIdType numberOfNearBends = 0; // a little less than the feature angle
+  vtkIdType numberOfCreases = 0;
+  std::map<vtkIdType, std::array<int, 2>> creases; // at a place: ridges, valleys
+  for (const SurfaceEdgeSides& sides : edges.GetSides())
+  {
+    const vtkIdType a = sides.Triangles[0];
+    const vtkIdType b = sides.Triangles[1];
+    if (a < 0 || b < 0 || sides.Type != SurfaceEdgeSides::INNER)
+    {
+      continue;
+    }
+    const double angle = getAngle(this->AreaVectors[a], this->AreaVectors[b]);
+    numberOfBends += angle > FlatAngle ? 1 : 0;
+    numberOfNearBends += angle > featureAngle / nearby && angle <= featureAngle ? 1 : 0;
+    if (angle > featureAngle)
+    {
+      ++numberOfCreases;
+      const auto& places = edges.GetEdges()[sides.Edge].Places;
+      // The corner of b beyond the edge is above a's plane in a valley.
+      const SurfaceTriangles::Triangle& corners = triangles[b];
+      const vtkIdType beyond = corners[0] + corners[1] + corners[2] - places[0] - places[1];
+      dvec3 ends[2];
+      this->Triangles->GetPoint(beyond, &ends[0][0]);
+      this->Triangles->GetPoint(places[0], &ends[1][0]);
+      const int isValley = dot(this->AreaVectors[a], ends[0] - ends[1]) > 0.0 ? 1 : 0;
+      ++creases[places[0]][isValley];
+      ++creases[places[1]][isValley];
+    }
+  }
+  const auto numberOfTornPlaces = std::count_if(creases.begin(), creases.end(),
+    [](const auto& place)
+    {
+      const std::array<int, 2>& signs = place.second;
+      return signs[0] + signs[1] == 1 || (signs[0] > 0 && signs[1] > 0);
+    });
+  return 50 * numberOfCreases > numberOfBends && 4 * numberOfNearBends > numberOfCreases &&
+    2 * numberOfTornPlaces > static_cast<std::ptrdiff_t>(creases.size());
 }
 
 bool CreaseNormals::UniteCorners(

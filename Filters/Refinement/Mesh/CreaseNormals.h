@@ -29,14 +29,14 @@ public:
   /// edges of more than two triangles and of triangles that wind against each other. Triangles of
   /// one polygon have no crease between them. With `keepCoarseFlat`, normals of a coarse mesh,
   /// where most edges that bend do so by 2/3 to 3/2 of the feature angle, are those of its
-  /// polygons, unless most corners have the mesh's own.
+  /// polygons, unless most corners have the mesh's own; and a noisy mesh has no creases by angle.
   CreaseNormals(vtkPolyData* mesh, double featureAngle, bool keepCoarseFlat);
 
   const SurfaceTriangles& GetTriangles() const { return *this->Triangles; }
   /// Edges that normals differ across, at both ends.
   vtkIdType GetNumberOfCreases() const { return this->NumberOfCreases; }
   /// Whether normals curve any face: at an end of an edge that bends they are the same on both
-  /// sides.
+  /// sides, and the mesh is not noisy.
   bool AreCurved() const { return this->Curved; }
   /// The unit normal at a corner, at most the feature angle from that of its polygon there. Zero
   /// where the triangles around have no area.
@@ -46,6 +46,8 @@ public:
   }
 
 private:
+  /// Whether edges that bend by more than the feature angle are those of noise.
+  bool AreCreasesNoise(const SurfaceEdges& edges, double featureAngle) const;
   /// Unites the corners of triangles that meet without a crease; returns whether most of the edges
   /// that bend may be creases or not.
   bool UniteCorners(

@@ -19,6 +19,7 @@
 #include "vtkLinearSurface.h"
 #include "vtkMassProperties.h"
 #include "vtkMath.h"
+#include "vtkMinimalStandardRandomSequence.h"
 #include "vtkPNTriangleSurface.h"
 #include "vtkPlatonicSolidSource.h"
 #include "vtkPointData.h"
@@ -27,6 +28,7 @@
 #include "vtkTriangleFilter.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace
@@ -181,6 +183,84 @@ void checkRoundSolids(RelevoCheck& check)
   CHECK_NEAR(getVolume(tube.Refined), 2.0 * pi * 0.25, 0.006 * 2.0 * pi * 0.25);
   CHECK(getVolume(tube.Refined) > getVolume(cylinder));
   CHECK(RelevoWatertight::FindFault(tube.Coarse, tube.Refined, 4).empty());
+}
+
+// Each point moved along the line from the centre, by up to a share of its distance.
+void addNoise(vtkPolyData* mesh, double share)
+{
+  vtkNew<vtkMinimalStandardRandomSequence> random;
+  random->SetSeed(7);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    mesh->GetPoint(i, x);
+    vtkMath::MultiplyScalar(x, 1.0 + random->GetNextRangeValue(-share, share));
+    mesh->GetPoints()->SetPoint(i, x);
+  }
+}
+
+// Noise has no creases; a part that is as finely divided keeps its own.
+void checkNoise(RelevoCheck& check)
+{
+  for (double share : { 0.01, 0.02 })
+  {
+    const Mesh scan = makeSphere(60);
+    addNoise(scan, share);
+    vtkNew<vtkCreaseNormals> chosen;
+    chosen->SetInputData(scan);
+    chosen->KeepCoarseFlatOff();
+    chosen->Update();
+    CHECK(chosen->GetNumberOfCreases() > 200);
+    const Fitted smooth = fit(scan, 1);
+    CHECK(smooth.IsLinear && smooth.NumberOfCreases == 0);
+    CHECK(smooth.Coarse->GetNumberOfPoints() == scan->GetNumberOfPoints());
+    CHECK(RelevoWatertight::FindFault(smooth.Coarse, smooth.Refined, 1).empty());
+  }
+  // Stairs have ridges that run into valleys, but their bends are far from the feature angle.
+  const Mesh stairs = RelevoMeshes::Make();
+  stairs->SetPoints(vtkNew<vtkPoints>());
+  stairs->SetPolys(vtkNew<vtkCellArray>());
+  const auto addQuad = [&](std::array<std::array<double, 3>, 4> corners)
+  {
+    stairs->GetPolys()->InsertNextCell(4);
+    for (const std::array<double, 3>& corner : corners)
+    {
+      stairs->GetPolys()->InsertCellPoint(stairs->GetPoints()->InsertNextPoint(corner.data()));
+    }
+  };
+  // Blocks of height 0 and 1, as a chessboard.
+  const int size = 6;
+  const auto height = [](int i, int j) { return (i + j) % 2 == 0 ? 1.0 : 0.0; };
+  for (int j = 0; j < size; ++j)
+  {
+    for (int i = 0; i < size; ++i)
+    {
+      const double x = i;
+      const double y = j;
+      const double z = height(i, j);
+      addQuad(
+        { { { { x, y, z } }, { { x + 1, y, z } }, { { x + 1, y + 1, z } }, { { x, y + 1, z } } } });
+      const double e = height(i + 1, j);
+      const double n = height(i, j + 1);
+      if (i + 1 < size)
+      {
+        addQuad({ { { { x + 1, y, z } }, { { x + 1, y, e } }, { { x + 1, y + 1, e } },
+          { { x + 1, y + 1, z } } } });
+      }
+      if (j + 1 < size)
+      {
+        addQuad({ { { { x, y + 1, z } }, { { x + 1, y + 1, z } }, { { x + 1, y + 1, n } },
+          { { x, y + 1, n } } } });
+      }
+    }
+  }
+  CHECK(fit(stairs).IsLinear);
+  // A finely divided tube, slightly noisy, keeps its rims.
+  vtkNew<vtkCylinderSource> source;
+  source->SetResolution(60);
+  const Mesh tube = takeShape(source);
+  addNoise(tube, 0.002);
+  CHECK(fit(tube).NumberOfCreases >= 120);
 }
 
 // The tip of a cone has a normal that no side has: the sides stay straight.
@@ -349,6 +429,7 @@ int TestCreaseNormals(int, char*[])
   RelevoCheck check;
   checkFlatSolids(check);
   checkRoundSolids(check);
+  checkNoise(check);
   checkCone(check);
   checkGivenNormals(check);
   checkCoincidentPoints(check);
