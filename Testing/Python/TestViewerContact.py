@@ -2,10 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """relevo-view --against: what is printed and drawn of two meshes that meet, errors."""
 
+import math
 import re
 import unittest
 
-from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import VTK_QUADRATIC_QUAD, vtkUnstructuredGrid
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkCylinderSource
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
 from ViewerPictures import read_picture
 from ViewerProgram import ViewerProgram
@@ -15,6 +19,32 @@ from ViewerScenes import write_hill, write_mesh
 def write_box(folder, name, low, high):
     source = vtkCubeSource()
     source.SetBounds(low, high, low, high, low, high)
+    source.Update()
+    write_mesh(folder, name, source.GetOutput())
+
+
+def write_bore(folder):
+    """A tube of 8 quadratic cells, its axis y, from -1 to 1."""
+    grid = vtkUnstructuredGrid()
+    grid.SetPoints(vtkPoints())
+    for y in (-1, 0, 1):
+        for i in range(16):
+            angle = math.pi * i / 8
+            grid.GetPoints().InsertNextPoint(math.cos(angle), y, math.sin(angle))
+    for i in range(0, 16, 2):
+        middle, end = i + 1, (i + 2) % 16
+        nodes = (i, end, end + 32, i + 32, middle, end + 16, middle + 32, i + 16)
+        grid.InsertNextCell(VTK_QUADRATIC_QUAD, 8, nodes)
+    writer = vtkXMLUnstructuredGridWriter()
+    writer.SetFileName(str(folder / "bore.vtu"))
+    writer.SetInputData(grid)
+    writer.Write()
+
+
+def write_pin(folder, name, radius):
+    source = vtkCylinderSource()
+    source.SetRadius(radius)
+    source.SetResolution(128)
     source.Update()
     write_mesh(folder, name, source.GetOutput())
 
@@ -70,6 +100,34 @@ class TestViewerContact(ViewerProgram):
         self.assertEqual(found["near faces"], (0, 0))
         found = self.found("a.vtp", "--against=b.vtp", "--contact-distance=0")
         self.assertEqual((found["least distance"], found["faces inside"]), ((0,), (0, 0)))
+
+    def test_curved_cells(self):
+        """A bore of radius 1, of 8 quadratic cells whose chords are 0.924 from the axis: a pin of 0.99
+        does not meet it, the ends of one of 1.02 do all around. Messages name files."""
+        write_bore(self.folder)
+        for radius in (0.99, 1.02):
+            write_pin(self.folder, "pin.vtp", radius)
+            with self.subTest(radius):
+                picture = "--output=p.png", "--size=160x100"
+                found = self.found("bore.vtu", "--against=pin.vtp", *picture)
+                self.assertAlmostEqual(found["curved cells"][-1], 1e-4 * 12**0.5)
+                red = count(read_picture(self.folder / "p.png"), is_red)
+                if radius < 1:
+                    self.assertEqual(found["cut faces"], (0, 0))
+                    self.assertEqual((found["curves"], red), ((0, 0), 0))
+                else:
+                    self.assertEqual(found["cut faces"][0], 8)
+                    self.assertEqual(found["curves"][0], 2)
+                    # Parabolas through points of a circle are up to 0.0008 from it.
+                    self.assertAlmostEqual(found["curves"][1], 4 * math.pi, delta=0.01)
+                    self.assertGreater(red, 100)
+        write_pin(self.folder, "pin.vtp", 0.99)
+        run = self.run_program("bore.vtu", "--against=pin.vtp", "--contact-distance=0.1")
+        self.assertRegex(run.stderr, r"\Arelevo-view: warning: Not closed[^\n]*: bore.vtu\.\n\Z")
+        self.assertIn("near faces: 8 of bore.vtu", run.stdout)
+        least = float(run.stdout.split()[-1])
+        self.assertGreater(least, 0.0088)
+        self.assertLess(least, 0.0105)
 
     def test_picture(self):
         picture = "--output=p.png", "--size=160x100", "--view=45,35"

@@ -3,16 +3,22 @@
 #include "Scene/ContactScene.h"
 
 #include "Files/MeshReader.h"
+#include "Scene/ViewerPatches.h"
 #include "Text/PrintableText.h"
 
 #include "vtkActor.h"
+#include "vtkAdaptivePatchMapper.h"
+#include "vtkAdaptiveRefinement.h"
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkLookupTable.h"
+#include "vtkMapper.h"
 #include "vtkMath.h"
+#include "vtkPatchErrorDepthTagMetric.h"
+#include "vtkPatchSurface.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -27,6 +33,7 @@
 #include <cmath>
 #include <iostream>
 #include <limits>
+#include <set>
 
 namespace
 {
@@ -76,15 +83,20 @@ vtkIdType CountComponents(vtkPolyData* curves)
     : 0;
 }
 
-vtkIdType CountCells(vtkPolyData* mesh, int contact)
+// A face of a curved cell may be several triangles: it is cut, near or inside if one of them is.
+vtkIdType CountFaces(vtkPolyData* mesh, int contact)
 {
   vtkDataArray* contacts = mesh->GetCellData()->GetArray("Contact");
-  vtkIdType count = 0;
+  vtkDataArray* patches = mesh->GetCellData()->GetArray("PatchIds");
+  std::set<vtkIdType> faces;
   for (vtkIdType i = 0; i < contacts->GetNumberOfTuples(); ++i)
   {
-    count += contacts->GetTuple1(i) == contact;
+    if (contacts->GetTuple1(i) == contact)
+    {
+      faces.insert(patches ? static_cast<vtkIdType>(patches->GetTuple1(i)) : i);
+    }
   }
-  return count;
+  return static_cast<vtkIdType>(faces.size());
 }
 
 // Cells without an area have none, -1.
@@ -118,8 +130,8 @@ ContactScene::ContactScene(const ViewerOptions& options, ViewerMessages& message
   : ViewerScene(options, messages)
 {
   messages.Observe(this->Filter, "intersecting");
-  this->Filter->SetInputData(0, ReadMesh(options.Input, MeshCells::Flat, messages).Data);
-  this->Filter->SetInputData(1, ReadMesh(options.Against, MeshCells::Flat, messages).Data);
+  this->ReadMeshes();
+  this->RefineCurvedMeshes();
   this->Filter->JoinSegmentsOn();
   if (options.ContactDistance)
   {
@@ -135,14 +147,48 @@ ContactScene::ContactScene(const ViewerOptions& options, ViewerMessages& message
 ContactScene::~ContactScene() = default;
 
 //------------------------------------------------------------------------------
+void ContactScene::ReadMeshes()
+{
+  const std::string* files[2] = { &this->Options.Input, &this->Options.Against };
+  for (int i = 0; i < 2; ++i)
+  {
+    this->Meshes[i] = ReadMesh(*files[i], MeshCells::Curved, this->Messages).Data;
+    this->Filter->SetInputData(i, this->Meshes[i]);
+    this->Messages.Name("input " + std::to_string(i), *files[i]);
+  }
+}
+
+//------------------------------------------------------------------------------
+void ContactScene::RefineCurvedMeshes()
+{
+  const double share = 1e-4;
+  double tolerance = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 2; ++i)
+  {
+    if (HasPatches(this->Meshes[i]))
+    {
+      this->Recipes[i] = vtkSmartPointer<vtkAdaptiveRefinement>::New();
+      this->Messages.Observe(this->Recipes[i]);
+      this->Recipes[i]->SetSurface(vtkNew<vtkPatchSurface>());
+      this->Recipes[i]->SetMaximumLevel(7);
+      this->Recipes[i]->SetMetric(vtkNew<vtkPatchErrorDepthTagMetric>());
+      this->Recipes[i]->SetLevelRuleToPerEdge();
+      this->Recipes[i]->SetSegmentPolicyToWholeNumbers();
+      this->Filter->SetRefinement(i, this->Recipes[i]);
+      tolerance = std::min(tolerance, share * this->Meshes[i]->GetLength());
+      this->Filter->SetTolerance(tolerance);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void ContactScene::AddMeshes()
 {
   const std::array<double, 3> colours[2] = { { { 0.87, 0.81, 0.70 } }, { { 0.62, 0.72, 0.84 } } };
   vtkBoundingBox box;
   for (int i = 0; i < 2; ++i)
   {
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputConnection(this->Filter->GetOutputPort(2 + i));
+    const auto mapper = this->MakeMapper(i);
     mapper->SetScalarModeToUseCellFieldData();
     mapper->SelectColorArray("Contact");
     mapper->SetColorModeToMapScalars();
@@ -158,6 +204,24 @@ void ContactScene::AddMeshes()
   double bounds[6];
   box.GetBounds(bounds);
   this->SetView(bounds);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkMapper> ContactScene::MakeMapper(int mesh)
+{
+  vtkSmartPointer<vtkMapper> mapper;
+  if (this->Recipes[mesh])
+  {
+    vtkNew<vtkAdaptivePatchMapper> patches;
+    patches->SetRefinement(this->Recipes[mesh]);
+    mapper = patches;
+  }
+  else
+  {
+    mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+  }
+  mapper->SetInputConnection(this->Filter->GetOutputPort(2 + mesh));
+  return mapper;
 }
 
 //------------------------------------------------------------------------------
@@ -182,11 +246,20 @@ void ContactScene::Report()
   vtkPolyData* curves = this->Filter->GetOutput(0);
   const auto count = [this](int contact)
   {
-    return std::to_string(CountCells(this->Filter->GetOutput(2), contact)) + " of " +
+    return std::to_string(CountFaces(this->Filter->GetOutput(2), contact)) + " of " +
       ToPrintable(this->Options.Input) + ", " +
-      std::to_string(CountCells(this->Filter->GetOutput(3), contact)) + " of " +
+      std::to_string(CountFaces(this->Filter->GetOutput(3), contact)) + " of " +
       ToPrintable(this->Options.Against);
   };
+  for (int i = 0; i < 2; ++i)
+  {
+    if (this->Recipes[i])
+    {
+      std::cout << "curved cells: "
+                << ToPrintable(i == 0 ? this->Options.Input : this->Options.Against)
+                << ", followed to within " << this->Filter->GetTolerance() << "\n";
+    }
+  }
   std::cout << "cut faces: " << count(Filter::CUT) << "\n"
             << "curves: " << CountComponents(curves) << ", length " << MeasureLength(curves) << "\n"
             << "overlap area: " << MeasureArea(this->Filter->GetOutput(1)) << std::endl;

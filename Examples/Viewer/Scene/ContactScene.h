@@ -9,7 +9,12 @@
 
 #include "Scene/ViewerScene.h"
 
+#include "vtkSmartPointer.h"
 #include "vtkSurfaceIntersectionFilter.h"
+
+class vtkAdaptiveRefinement;
+class vtkPolyData;
+class vtkMapper;
 
 class ContactScene : public ViewerScene
 {
@@ -24,10 +29,16 @@ public:
   void Draw(vtkRenderWindow* window) override;
 
 private:
+  void ReadMeshes();
+  /// With curved cells it is their surfaces that are intersected.
+  void RefineCurvedMeshes();
   void AddMeshes();
+  vtkSmartPointer<vtkMapper> MakeMapper(int mesh);
   void AddCurves(double radius);
 
   vtkNew<vtkSurfaceIntersectionFilter> Filter;
+  vtkSmartPointer<vtkPolyData> Meshes[2];
+  vtkSmartPointer<vtkAdaptiveRefinement> Recipes[2]; // of curved cells, else nullptr
 };
 
 #endif

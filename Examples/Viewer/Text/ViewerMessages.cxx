@@ -14,6 +14,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
 
+#include <cctype>
 #include <cstring>
 #include <functional>
 #include <mutex>
@@ -100,16 +101,42 @@ void ViewerMessages::Observe(vtkObject* object)
     {
       if (this->FirstError.empty())
       {
-        this->FirstError = GetText(callData);
+        this->FirstError = this->TakeText(callData);
       }
     });
   AddHandler(object, vtkCommand::WarningEvent,
-    [this](vtkObject*, void* callData) { this->Warn(GetText(callData)); });
+    [this](vtkObject*, void* callData) { this->Warn(this->TakeText(callData)); });
   if (auto* algorithm = vtkAlgorithm::SafeDownCast(object))
   {
     // The executive only repeats that the algorithm failed.
     AddHandler(algorithm->GetExecutive(), vtkCommand::ErrorEvent, [](vtkObject*, void*) {});
   }
+}
+
+//------------------------------------------------------------------------------
+void ViewerMessages::Name(const std::string& words, const std::string& name)
+{
+  this->Names.emplace_back(words, name);
+}
+
+//------------------------------------------------------------------------------
+std::string ViewerMessages::TakeText(const void* callData) const
+{
+  std::string text = GetText(callData);
+  for (const auto& name : this->Names)
+  {
+    // Words start a sentence or are within one.
+    const std::string start(1, static_cast<char>(std::toupper(name.first.front())));
+    for (const std::string& words : { name.first, start + name.first.substr(1) })
+    {
+      const std::size_t place = text.find(words);
+      if (place != std::string::npos)
+      {
+        text.replace(place, words.size(), name.second);
+      }
+    }
+  }
+  return text;
 }
 
 //------------------------------------------------------------------------------

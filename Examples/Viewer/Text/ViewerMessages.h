@@ -12,6 +12,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkObject;
@@ -53,6 +54,11 @@ public:
   void ThrowErrorsOf(vtkObject* object);
 
   /**
+   * Of messages from here on: the user's name for what VTK's objects call otherwise, as "input 0".
+   */
+  void Name(const std::string& words, const std::string& name);
+
+  /**
    * Throws ViewerError with the first error since the last check.
    */
   void Check();
@@ -74,9 +80,13 @@ public:
   void ShowWarnings();
 
 private:
+  /// The text of a VTK object's message.
+  std::string TakeText(const void* callData) const;
+
   bool ShowsWarnings = false;
   std::vector<std::string> WaitingWarnings;
   std::string FirstError;
+  std::vector<std::pair<std::string, std::string>> Names;
   std::set<std::string> Warnings; // shown or kept
   ViewerProgress Progress;
 };
