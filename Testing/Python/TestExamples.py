@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The Python examples run, and draw something; the pages show what they hold."""
 
+import atexit
 import errno
 import math
 import os
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -21,6 +21,7 @@ from vtkmodules.vtkIOImage import vtkJPEGReader, vtkPNGReader, vtkPNGWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
 
+from ForkedScripts import ForkedScripts
 from GifFile import GifFile
 
 SOURCE = pathlib.Path(os.environ["RELEVO_SOURCE_DIR"])
@@ -34,6 +35,8 @@ PAGES = "\n".join(
 if not hasattr(relevo, "vtkEGLOffscreenRenderWindow"):
     print("skipped: built without rendering, or without EGL")
     sys.exit(125)
+SCRIPTS = ForkedScripts()
+atexit.register(SCRIPTS.close)
 
 
 def write_heights(path, value):
@@ -122,15 +125,7 @@ class TestExamples(unittest.TestCase):
         self.assertLess(max(differences), 12, kept)
 
     def run_example(self, script, folder, *arguments):
-        environment = dict(os.environ)
-        environment.pop("DISPLAY", None)
-        return subprocess.run(
-            [sys.executable, SOURCE / "Examples/Python" / script, *arguments],
-            cwd=folder,
-            env=environment,
-            capture_output=True,
-            text=True,
-        )
+        return SCRIPTS.run([SOURCE / "Examples/Python" / script, *arguments], folder)
 
     def test_metrics(self):
         names = [path.stem for path in (SOURCE / "Examples/Python/metrics").glob("*.png")]

@@ -6,10 +6,10 @@ A block that follows the line <!-- continues --> goes on from the one before it 
 program runs by itself, in a folder with my-dem.tif and my-mesh.ply.
 """
 
+import atexit
 import os
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -21,10 +21,14 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkTIFFWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 
+from ForkedScripts import ForkedScripts
+
 SOURCE = pathlib.Path(os.environ["RELEVO_SOURCE_DIR"])
 if not hasattr(relevo, "vtkEGLOffscreenRenderWindow"):
     print("skipped: built without rendering, or without EGL")
     sys.exit(125)
+SCRIPTS = ForkedScripts()
+atexit.register(SCRIPTS.close)
 
 
 def read_programs(page):
@@ -62,22 +66,13 @@ def write_inputs(folder):
 class TestPagePrograms(unittest.TestCase):
     def test_programs(self):
         pages = [SOURCE / "README.md", *sorted((SOURCE / "Module/Documentation").glob("*.md"))]
-        environment = dict(os.environ)
-        environment.pop("DISPLAY", None)
         count = 0
         for page in pages:
             for line, program in read_programs(page):
                 with self.subTest(page=page.name, line=line):
                     with tempfile.TemporaryDirectory() as folder:
                         write_inputs(pathlib.Path(folder))
-                        run = subprocess.run(
-                            [sys.executable, "-c", program],
-                            cwd=folder,
-                            env=environment,
-                            capture_output=True,
-                            text=True,
-                            timeout=300,
-                        )
+                        run = SCRIPTS.run(["-c"], folder, program)
                         # VTK writes its errors to standard error, and goes on.
                         self.assertEqual((run.returncode, run.stderr), (0, ""), run.stdout)
                 count += 1
@@ -92,11 +87,9 @@ class TestPagePrograms(unittest.TestCase):
             for name, variable in names.items():
                 line = line.replace(name, variable)
             self.assertIn(line, example)
-        environment = dict(os.environ)
-        environment.pop("DISPLAY", None)
         with tempfile.TemporaryDirectory() as folder:
             write_inputs(pathlib.Path(folder))
-            subprocess.run([sys.executable, "-c", program], cwd=folder, env=environment, check=True)
+            self.assertEqual(SCRIPTS.run(["-c"], folder, program).returncode, 0)
             reader = vtkPNGReader()
             reader.SetFileName(str(pathlib.Path(folder) / "my-dem.png"))
             reader.Update()

@@ -223,6 +223,9 @@ class TestViewerDamaged(ViewerProgram):
         ):
             (self.folder / "a.obj").write_text(head + f"f {corners}\n")
             self.assert_error(1, ["cannot read a.obj: " + words], "a.obj", *EXPORT)
+        damaged = head.replace("vt 1", "vt\x80 1") + "f 1/1 2/2 3/1\n"
+        (self.folder / "a.obj").write_bytes(damaged.encode("latin1"))
+        self.assert_error(1, ["line 7 refers to the texture coordinate 2"], "a.obj", *EXPORT)
         for corners in ("1 2 3", "1/1/1 2/2/1 3/2/1", "-1//-1 -2//1 -3//1\r"):
             (self.folder / "a.obj").write_text(head + f"f {corners}\n")
             self.view("a.obj", *EXPORT)

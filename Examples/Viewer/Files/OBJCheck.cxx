@@ -50,7 +50,7 @@ private:
     const char* text = line.c_str();
     text += std::min(line.find_first_not_of(" \t"), line.size());
     const char* end = text;
-    while (*end > ' ')
+    while (*end != '\0' && !std::isspace(static_cast<unsigned char>(*end)))
     {
       ++end;
     }
