@@ -65,6 +65,7 @@ void Run(const ViewerOptions& options)
   ViewerMessages messages;
   const std::unique_ptr<ViewerScene> scene = MakeScene(options, messages);
   messages.ShowWarnings();
+  messages.ShowNotes();
   scene->Report();
   if (!options.Export.empty())
   {

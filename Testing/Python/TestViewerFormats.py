@@ -13,9 +13,12 @@ import unittest
 import vtkmodules.vtkIOGeometry
 from vtkmodules.vtkCommonCore import vtkPoints, vtkVersion
 from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, vtkUnstructuredGrid
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridWriter
 
 from ViewerProgram import ViewerProgram
+from ViewerScenes import make_cube
 
 DATA = pathlib.Path(os.environ.get("RELEVO_TEST_DATA") or "/nonexistent")
 FLOAT, UNSIGNED_SHORT = 5126, 5123
@@ -120,6 +123,28 @@ def volume(mesh):
         total += a[1] * (b[2] * c[0] - b[0] * c[2])
         total += a[2] * (b[0] * c[1] - b[1] * c[0])
     return total / 6
+
+
+class CubeOverTime(VTKPythonAlgorithmBase):
+    """A cube at the times 0.5, 1.5 and 2.5."""
+
+    def __init__(self):
+        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkUnstructuredGrid")
+
+    def RequestInformation(self, request, inputs, outputs):
+        information = outputs.GetInformationObject(0)
+        information.Set(vtkStreamingDemandDrivenPipeline.TIME_STEPS(), [0.5, 1.5, 2.5], 3)
+        information.Set(vtkStreamingDemandDrivenPipeline.TIME_RANGE(), [0.5, 2.5], 2)
+        return 1
+
+    def RequestData(self, request, inputs, outputs):
+        information = outputs.GetInformationObject(0)
+        cube = vtkUnstructuredGrid.GetData(outputs)
+        cube.ShallowCopy(make_cube())
+        step = vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP()
+        time = information.Get(step) if information.Has(step) else 0.5
+        cube.GetInformation().Set(cube.DATA_TIME_STEP(), time)
+        return 1
 
 
 class TestViewerFormats(ViewerProgram):
@@ -354,6 +379,23 @@ class TestViewerFormats(ViewerProgram):
             run = self.view(name, "--output=n.png", code=1)
             self.assertIn(name, run.stderr)
             self.assertNotIn(".gltf", run.stderr)
+
+    def test_time_steps(self):
+        """Of several steps the first is drawn, which is said."""
+        try:
+            from vtkmodules.vtkIOExodus import vtkExodusIIWriter
+        except ImportError:
+            self.skipTest("VTK has no Exodus reader")
+        source = CubeOverTime()
+        writer = vtkExodusIIWriter()
+        writer.SetInputConnection(source.GetOutputPort())
+        writer.SetFileName(str(self.folder / "time.ex2"))
+        writer.WriteAllTimeStepsOn()
+        writer.Write()
+        for volume in ((), ("--volume=Left",)):
+            run = self.view("time.ex2", "--output=t.png", "--size=160x100", *volume)
+            said = run.stdout.splitlines()
+            self.assertEqual(said[0], "time.ex2: step 1 of 3 is drawn, at time 0.5")
 
 
 if __name__ == "__main__":

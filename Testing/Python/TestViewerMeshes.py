@@ -22,6 +22,7 @@ from vtkmodules.vtkIOLegacy import vtkDataSetWriter, vtkPolyDataWriter
 from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
 
+from ViewerPictures import read_picture
 from ViewerProgram import ViewerProgram
 from ViewerScenes import make_sphere
 
@@ -253,7 +254,45 @@ class TestViewerMeshes(ViewerProgram):
             yellow = sum(r > 1.5 * b and g > 1.5 * b and r > 60 for r, g, b in pixels) > 50
             violet = sum(r < 70 and 2 * g < b for r, g, b in pixels) > 50
             self.assertEqual((yellow, violet), (expected, expected))
-        self.assert_error(1, ["'Longitude'"], self.file, "--array=Longitude", "--output=n.png")
+        arrays = "'Latitude' of points, 'Around' of points with 3 components"
+        out = "--output=n.png", "--size=160x100"
+        self.assert_error(1, ["'Longitude'", arrays], self.file, "--array=Longitude", *out)
+        self.assertIn(f"arrays: {arrays}; --array", self.view(self.file, *out).stdout)
+        for chosen in ("--array=Around", "--color-by=level", "--lic=Around"):
+            self.assertNotIn("arrays:", self.view(self.file, chosen, *out).stdout)
+
+    def test_title_of_magnitudes(self):
+        """The legend of vectors is that of their lengths, by name too."""
+        pictures = []
+        for name, components in (("Stress", 3), ("Stress (magnitude)", 1), ("Stress", 1)):
+            values = vtkDoubleArray()
+            values.SetName(name)
+            values.SetNumberOfComponents(components)
+            for i in range(self.sphere.GetNumberOfPoints()):
+                values.InsertNextTuple((i, 0, 0)[:components])
+            mesh = vtkPolyData()
+            mesh.ShallowCopy(self.sphere)
+            mesh.GetPointData().AddArray(values)
+            file = self.write(mesh, "stress.vtp")
+            self.view(file, "--array", name, "--output=t.png", "--size=320x240")
+            picture = read_picture(self.folder / "t.png")
+            pictures.append([colour for row in picture for colour in row[:160]])
+        different = [
+            sum(max(abs(a - b) for a, b in zip(*pair)) > 30 for pair in zip(pictures[0], other))
+            for other in pictures[1:]
+        ]
+        self.assertLess(different[0], 5)
+        self.assertGreater(different[1], 50)
+
+    def test_flat_faces_as_they_are(self):
+        """What is flat is not refined, but where levels are asked for."""
+        faces = self.sphere.GetNumberOfCells()
+        self.assertEqual(self.export("--surface=linear").GetNumberOfCells(), faces)
+        drawn = self.statistic("drawn triangles", self.file, "--surface=linear")
+        self.assertLessEqual(drawn, faces)
+        for asked in ("--metric=screen-edge", "--pixels=2", "--max-level=3", "--color-by=level"):
+            mesh = self.export("--surface=linear", "--size=160x100", asked)
+            self.assertGreater(mesh.GetNumberOfCells(), faces, asked)
 
     def test_field_metric(self):
         common = (self.file, "--metric=field", "--array=Latitude", "--max-level=3")
@@ -343,7 +382,7 @@ class TestViewerMeshes(ViewerProgram):
                 said = self.view(file, "--output=p.png", "--size=160x100").stdout
                 self.assertEqual("surface: curved" in said, is_curved, said)
                 chosen = self.view(file, "--surface=pn", "--output=p.png", "--size=160x100")
-                self.assertEqual(chosen.stdout, "")
+                self.assertNotIn("surface:", chosen.stdout)
 
     def volume(self, mesh):
         properties = vtkMassProperties()

@@ -12,6 +12,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_HEXAHEDRON,
     VTK_TETRA,
+    VTK_TRIANGLE,
     vtkCellArray,
     vtkUnstructuredGrid,
 )
@@ -258,6 +259,26 @@ class TestViewerVolume(ViewerProgram):
         self.assert_error(1, ["empty.vtu", "no cells"], "empty.vtu", "--volume", out)
         self.assert_error(1, ["none.vtu"], "none.vtu", "--volume", out)
         self.assertFalse((self.folder / "n.png").exists())
+
+    def test_cells_that_are_not_drawn(self):
+        """A triangle beside the tetrahedra does not widen the range; alone it is an error."""
+        plain = make_cube()
+        outlier = make_cube()
+        outlier.InsertNextCell(VTK_TRIANGLE, 3, (0, 1, 6))
+        for value, grid, name in ((0.0, plain, "plain.vtu"), (1e6, outlier, "outlier.vtu")):
+            if value:
+                grid.GetCellData().GetArray("Low").InsertNextValue(value)
+            write(self.folder, name, grid, vtkXMLUnstructuredGridWriter())
+        pictures = [self.picture("--volume=Low", file=f"{name}.vtu") for name in ("plain", "outlier")]
+        for rows in zip(*pictures):
+            for plain_colour, colour in zip(*rows):
+                self.assertLess(max(abs(a - b) for a, b in zip(plain_colour, colour)), 10)
+        flat = vtkUnstructuredGrid()
+        flat.SetPoints(plain.GetPoints())
+        flat.InsertNextCell(VTK_TRIANGLE, 3, (0, 1, 6))
+        write(self.folder, "flat.vtu", flat, vtkXMLUnstructuredGridWriter())
+        words = "flat.vtu has no 3D cells", "without it"
+        self.assert_error(1, words, "flat.vtu", "--volume", "--output=n.png")
 
     def test_bad_usage(self):
         for words, *arguments in (

@@ -6,9 +6,13 @@
 
 #include "vtkCompositeDataGeometryFilter.h"
 #include "vtkExodusIIReader.h"
+#include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <sstream>
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataObject> ReadExodusBlocks(
@@ -22,6 +26,16 @@ vtkSmartPointer<vtkDataObject> ReadExodusBlocks(
   for (int type : { vtkExodusIIReader::NODAL, vtkExodusIIReader::ELEM_BLOCK })
   {
     reader->SetAllArrayStatus(type, 1);
+  }
+  // The first of several, which VTK reads if it is not told otherwise.
+  const int steps = reader->GetNumberOfTimeSteps();
+  vtkInformation* information = reader->GetOutputInformation(0);
+  if (steps > 1 && information->Has(vtkStreamingDemandDrivenPipeline::TIME_STEPS()))
+  {
+    const double* times = information->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+    std::ostringstream text;
+    text << fileName << ": step 1 of " << steps << " is drawn, at time " << times[0];
+    messages.Tell(text.str());
   }
   reader->Update();
   return reader->GetOutput();

@@ -5,6 +5,7 @@
 #include "Files/FileEnd.h"
 #include "Files/MeshReader.h"
 #include "Legend/ArrayUnit.h"
+#include "Scene/ArrayNames.h"
 #include "Scene/MeshColours.h"
 #include "Scene/MeshMapping.h"
 #include "Scene/MeshProbe.h"
@@ -13,6 +14,7 @@
 #include "Scene/ViewerHair.h"
 #include "Scene/ViewerMetric.h"
 #include "Scene/ViewerPatches.h"
+#include "Text/PrintableText.h"
 #include "Text/ReadingGuard.h"
 #include "Text/ViewerText.h"
 
@@ -193,6 +195,13 @@ void MeshScene::Report()
   {
     std::cout << this->CurvedBy << std::endl;
   }
+  const bool isGrey = this->ArrayName.empty() && this->Options.Imagery.empty() &&
+    this->Options.Color == ViewerOptions::ColorType::Own && this->Options.Export.empty();
+  const std::string list = isGrey ? ListArrays(this->Mesh) : "";
+  if (!list.empty())
+  {
+    std::cout << "arrays: " << ToPrintable(list) << "; --array NAME colours by one" << std::endl;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -206,7 +215,9 @@ void MeshScene::ChooseArray()
   vtkDataArray* ofCells = this->Options.Array.empty() ? cells->GetScalars() : cells->GetArray(name);
   if (!this->Options.Array.empty() && !ofPoints && !ofCells)
   {
-    throw ViewerError(this->Options.Input + " has no array of numbers '" + name + "'");
+    const std::string list = ListArrays(this->Mesh);
+    throw ViewerError(this->Options.Input + " has no array of numbers '" + name + "'" +
+      (list.empty() ? "; it has no arrays" : "; its arrays are " + list));
   }
   vtkDataArray* array = ofPoints ? ofPoints : ofCells;
   if (array && array->GetNumberOfTuples() > 0)
@@ -288,8 +299,23 @@ void MeshScene::ReadHeights()
 }
 
 //------------------------------------------------------------------------------
+bool MeshScene::IsAsItIs() const
+{
+  // More triangles in the same planes show nothing new, unless levels are what is to be seen.
+  const ViewerOptions& options = this->Options;
+  const bool hasLevels = options.Metric || options.Pixels || options.Budget > 0 ||
+    options.WholeSegments || options.PerEdge || options.Color != ViewerOptions::ColorType::Own;
+  return options.GetSurface() == ViewerOptions::SurfaceType::Linear && options.Heights.empty() &&
+    options.Vectors.empty() && !hasLevels;
+}
+
+//------------------------------------------------------------------------------
 int MeshScene::GetDefaultLevel()
 {
+  if (this->IsAsItIs())
+  {
+    return 0;
+  }
   // Levels of edges and errors on the screen end by themselves.
   using Metric = ViewerOptions::MetricType;
   const Metric metric = this->Options.GetMetric();
@@ -374,7 +400,8 @@ void MeshScene::SetArrayColours()
   ShowIsolines(this->Options, this->Mapper, range);
   if (this->Options.Color == ViewerOptions::ColorType::Own)
   {
-    this->AddLegend(colours, this->ArrayName, GetArrayUnit(array), 5);
+    this->AddLegend(colours, GetArrayTitle(this->ArrayName, array->GetNumberOfComponents()),
+      GetArrayUnit(array), 5);
   }
 }
 

@@ -25,7 +25,8 @@ public:
   MeshScene(const ViewerOptions& options, ViewerMessages& messages);
   ~MeshScene() override;
 
-  /// The surface on stdout, where the options leave it open and it is not the mesh's own shape.
+  /// On stdout: the surface, where the options leave it open and it is not the mesh's own shape;
+  /// the arrays of a mesh that is drawn without.
   void Report() override;
   std::string Describe(const double point[3], double resolution) override;
 
@@ -36,6 +37,8 @@ private:
   void ReadHeights();
   void ChooseArray();
   void ChooseVectors();
+  /// Whether refinement would not change the picture, and is not asked for.
+  bool IsAsItIs() const;
   int GetDefaultLevel();
   vtkSmartPointer<vtkDepthTagMetric> MakeMeshMetric();
   void SetColours();

@@ -6,15 +6,21 @@
 #include "Options/ViewerOptions.h"
 #include "Text/ViewerMessages.h"
 
+#include "vtkCell.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <vector>
 
@@ -110,18 +116,48 @@ void AddSample(vtkDataArray* array, std::vector<double>& sample)
   }
 }
 
-void GetRange(const std::vector<vtkDataSetAttributes*>& blocks, VolumeArray& array)
+// Values of what is drawn: of cells those of the 3D ones.
+vtkSmartPointer<vtkDataArray> TakeDrawn(vtkDataSet* block, vtkDataArray* values, bool isOfPoints)
+{
+  vtkNew<vtkIdList> drawn;
+  for (vtkIdType cell = 0; !isOfPoints && cell < block->GetNumberOfCells(); ++cell)
+  {
+    if (cell < values->GetNumberOfTuples() && IsVolumeCell(block, cell))
+    {
+      drawn->InsertNextId(cell);
+    }
+  }
+  if (isOfPoints || drawn->GetNumberOfIds() == values->GetNumberOfTuples())
+  {
+    return values;
+  }
+  auto taken = vtkSmartPointer<vtkDataArray>::Take(values->NewInstance());
+  taken->SetNumberOfComponents(values->GetNumberOfComponents());
+  taken->SetNumberOfTuples(drawn->GetNumberOfIds());
+  values->GetTuples(drawn, taken);
+  return taken;
+}
+
+void GetRange(vtkDataObject* data, VolumeArray& array)
 {
   array.IsVector = false;
   array.Range[0] = VTK_DOUBLE_MAX;
   array.Range[1] = -VTK_DOUBLE_MAX;
   std::vector<double> sample;
-  for (vtkDataSetAttributes* block : blocks)
+  for (vtkDataSet* block : vtkCompositeDataSet::GetDataSets(data))
   {
-    if (vtkDataArray* values = block->GetArray(array.Name.c_str()))
+    vtkDataSetAttributes* attributes =
+      block->GetAttributes(array.IsOfPoints ? vtkDataObject::FIELD_ASSOCIATION_POINTS
+                                            : vtkDataObject::FIELD_ASSOCIATION_CELLS);
+    if (vtkDataArray* all = attributes->GetArray(array.Name.c_str()))
     {
-      array.IsVector = values->GetNumberOfComponents() > 1;
-      array.Unit = array.Unit.empty() ? GetArrayUnit(values) : array.Unit;
+      array.IsVector = all->GetNumberOfComponents() > 1;
+      array.Unit = array.Unit.empty() ? GetArrayUnit(all) : array.Unit;
+      const auto values = TakeDrawn(block, all, array.IsOfPoints);
+      if (values->GetNumberOfTuples() == 0)
+      {
+        continue;
+      }
       double range[2];
       values->GetFiniteRange(range, array.IsVector ? -1 : 0);
       array.Range[0] = std::min(array.Range[0], range[0]);
@@ -146,6 +182,20 @@ void GetRange(const std::vector<vtkDataSetAttributes*>& blocks, VolumeArray& arr
 }
 
 //------------------------------------------------------------------------------
+bool IsVolumeCell(vtkDataSet* block, vtkIdType cell)
+{
+  static std::map<int, bool> ofTypes;
+  const int type = block->GetCellType(cell);
+  const auto known = ofTypes.find(type);
+  if (known != ofTypes.end())
+  {
+    return known->second;
+  }
+  const auto instance = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
+  return ofTypes[type] = instance && instance->GetCellDimension() == 3;
+}
+
+//------------------------------------------------------------------------------
 VolumeArray FindVolumeArray(const ViewerOptions& options, vtkDataObject* data)
 {
   const auto attributes = GetAttributes(data);
@@ -164,7 +214,7 @@ VolumeArray FindVolumeArray(const ViewerOptions& options, vtkDataObject* data)
         VolumeArray array;
         array.Name = name;
         array.IsOfPoints = &blocks == &attributes.front();
-        GetRange(blocks, array);
+        GetRange(data, array);
         return array;
       }
     }

@@ -6,10 +6,13 @@
 #ifndef VolumeArray_h
 #define VolumeArray_h
 
+#include "vtkType.h"
+
 #include <string>
 #include <vector>
 
 class vtkDataObject;
+class vtkDataSet;
 struct ViewerOptions;
 
 struct VolumeArray
@@ -18,10 +21,13 @@ struct VolumeArray
   std::string Unit; // "" where it is not known
   bool IsOfPoints;
   bool IsVector;   // shown by its length
-  double Range[2]; // of what is finite in all blocks, not empty
+  double Range[2]; // of what is finite in all blocks, not empty; of cells the 3D ones
   // As many values are between each and the next; none if nothing is finite. Of a sample of them.
   std::vector<double> Quantiles;
 };
+
+/// Whether a cell is 3D: others are not drawn.
+bool IsVolumeCell(vtkDataSet* block, vtkIdType cell);
 
 /// The array that the options name, of points if there is one, else of cells; by default the
 /// active scalars, or the first array. Throws ViewerError, with those that there are.

@@ -3,14 +3,17 @@
 #include "Scene/VolumeScene.h"
 
 #include "Files/VolumeReader.h"
+#include "Scene/ArrayNames.h"
 #include "Scene/ViewerStatistics.h"
 #include "Scene/VolumeFunctions.h"
 #include "Scene/VolumeThickness.h"
 
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkContourValues.h"
 #include "vtkDataObject.h"
+#include "vtkDataSet.h"
 #include "vtkGPUUnstructuredGridVolumeMapper.h"
 #include "vtkMath.h"
 #include "vtkPlane.h"
@@ -30,6 +33,21 @@ namespace
 const double Step = 0.02; // of the range, of the extent along a normal
 const double OpacityStep = 1.25;
 const double PeakOpacity = 0.6; // of isosurfaces by default
+
+void CheckCells(const std::string& fileName, vtkDataObject* data)
+{
+  for (vtkDataSet* block : vtkCompositeDataSet::GetDataSets(data))
+  {
+    for (vtkIdType cell = 0; cell < block->GetNumberOfCells(); ++cell)
+    {
+      if (IsVolumeCell(block, cell))
+      {
+        return;
+      }
+    }
+  }
+  throw ViewerError(fileName + " has no 3D cells for --volume; without it, its surface is drawn");
+}
 
 // "1,2.5"
 std::string Join(const std::vector<double>& numbers)
@@ -52,6 +70,7 @@ VolumeScene::VolumeScene(const ViewerOptions& options, ViewerMessages& messages)
   this->Renderer->SetBackground(0.98, 0.98, 0.98);
   this->Renderer->SetBackground2(0.84, 0.87, 0.91);
   const auto data = ReadVolume(options.Input, messages);
+  CheckCells(options.Input, data);
   this->Array = FindVolumeArray(options, data);
   messages.Observe(this->Mapper);
   this->Mapper->SetInputDataObject(data);
@@ -69,7 +88,8 @@ VolumeScene::VolumeScene(const ViewerOptions& options, ViewerMessages& messages)
   this->Volume->SetMapper(this->Mapper);
   this->Volume->SetProperty(this->Property);
   this->Renderer->AddVolume(this->Volume);
-  this->AddLegend(this->Property->GetRGBTransferFunction(), this->Array.Name, this->Array.Unit, 5);
+  this->AddLegend(this->Property->GetRGBTransferFunction(),
+    GetArrayTitle(this->Array.Name, this->Array.IsVector ? 3 : 1), this->Array.Unit, 5);
   this->SetView(this->Bounds);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Text/ViewerMessages.h"
 
+#include "Text/PrintableText.h"
 #include "Text/ReadingGuard.h"
 #include "Text/StandardError.h"
 
@@ -17,6 +18,7 @@
 #include <cctype>
 #include <cstring>
 #include <functional>
+#include <iostream>
 #include <mutex>
 #include <utility>
 
@@ -162,6 +164,22 @@ void ViewerMessages::ShowWarnings()
     WriteMessage("warning", text);
   }
   this->WaitingWarnings.clear();
+}
+
+//------------------------------------------------------------------------------
+void ViewerMessages::Tell(const std::string& text)
+{
+  this->Notes.push_back(text);
+}
+
+//------------------------------------------------------------------------------
+void ViewerMessages::ShowNotes()
+{
+  for (const std::string& text : this->Notes)
+  {
+    std::cout << ToPrintable(text) << std::endl;
+  }
+  this->Notes.clear();
 }
 
 //------------------------------------------------------------------------------

@@ -79,6 +79,12 @@ public:
   void Warn(const std::string& text);
   void ShowWarnings();
 
+  /**
+   * What a user should know of the files that is no warning: kept until ShowNotes(), on stdout.
+   */
+  void Tell(const std::string& text);
+  void ShowNotes();
+
 private:
   /// The text of a VTK object's message.
   std::string TakeText(const void* callData) const;
@@ -86,6 +92,7 @@ private:
   bool ShowsWarnings = false;
   std::vector<std::string> WaitingWarnings;
   std::string FirstError;
+  std::vector<std::string> Notes;
   std::vector<std::pair<std::string, std::string>> Names;
   std::set<std::string> Warnings; // shown or kept
   ViewerProgress Progress;

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/ArrayNames.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <set>
+
+namespace
+{
+// Arrays that the program makes itself, or that say nothing as colours.
+bool IsShown(vtkDataSetAttributes* data, vtkDataArray* array)
+{
+  const std::set<std::string> others = { vtkDataSetAttributes::GhostArrayName(),
+    "vtkOriginalCellIds", "vtkOriginalPointIds", "PatchIds", "PatchCoordinates" };
+  return array && array->GetName() && array != data->GetNormals() && array != data->GetTCoords() &&
+    array != data->GetGlobalIds() && array != data->GetPedigreeIds() &&
+    others.count(array->GetName()) == 0;
+}
+
+std::string ListArrays(vtkDataSetAttributes* data, const std::string& association)
+{
+  std::string list;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetArray(i);
+    if (IsShown(data, array))
+    {
+      const int components = array->GetNumberOfComponents();
+      list += (list.empty() ? "'" : ", '") + std::string(array->GetName()) + "' of " + association +
+        (components > 1 ? " with " + std::to_string(components) + " components" : "");
+    }
+  }
+  return list;
+}
+}
+
+//------------------------------------------------------------------------------
+std::string ListArrays(vtkPolyData* mesh)
+{
+  const std::string ofPoints = ListArrays(mesh->GetPointData(), "points");
+  const std::string ofCells = ListArrays(mesh->GetCellData(), "cells");
+  return ofPoints + (ofPoints.empty() || ofCells.empty() ? "" : ", ") + ofCells;
+}
+
+//------------------------------------------------------------------------------
+std::string GetArrayTitle(const std::string& name, int numberOfComponents)
+{
+  return numberOfComponents > 1 ? name + " (magnitude)" : name;
+}
