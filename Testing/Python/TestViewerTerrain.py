@@ -136,6 +136,104 @@ class TestViewerTerrain(ViewerProgram):
         reader.Update()
         return run.stderr, reader.GetOutput().GetBounds()
 
+    def ramp(self, highest, sides=(40, 30)):
+        """Texels without georeference, from 0 in the west to the highest in the east."""
+        columns = numpy.linspace(0, highest, sides[0]).astype(numpy.uint16)
+        samples = numpy.tile(columns, (sides[1], 1))
+        return write(vtkPNGWriter(), self.folder / f"ramp{highest}.png", samples)
+
+    def test_heights_of_another_unit(self):
+        """Higher than wide without a coordinate system: an exaggeration is chosen and told."""
+        name = self.ramp(65535)
+        run = self.view(name, "--export=r.vtp", "--level=0")
+        self.assertRegex(
+            run.stdout, r"\A[^\n]*--exaggeration 0.00012,[^\n]*georeference[^\n]*1 m wide[^\n]*\n\Z"
+        )
+        mesh = self.export(name, "--level=0")
+        self.assertAlmostEqual(mesh.GetBounds()[5], 0.00012 * 65535, delta=0.01)
+        # What is asked for is done, if it is not a needle.
+        run = self.view(name, "--export=r.vtp", "--level=0", "--exaggeration=0.01")
+        self.assertEqual(run.stdout, "")
+        words = ["--exaggeration 1 ", "100 times", "--no-data-value"]
+        self.assert_error(1, words, name, "--output=never.png", "--exaggeration=1")
+        # As high as wide is a relief.
+        self.assertEqual(self.view(self.ramp(38), "--export=r.vtp", "--level=0").stdout, "")
+
+    def test_map_view(self):
+        """From straight above, up is where the camera has its back turned to: north at 180."""
+        name = self.ramp(10)
+        colours = {}
+        for view in ("180,90", "180,89.5", "0,90", "90,90"):
+            self.view(
+                name, "--output=m.png", "--size=160x120", f"--view={view}", "--no-legend", "--level=1"
+            )
+            reader = vtkPNGReader()
+            reader.SetFileName(str(self.folder / "m.png"))
+            reader.Update()
+            pixels = reader.GetOutput()
+            colours[view] = [
+                [pixels.GetScalarComponentAsFloat(x, y, 0, c) for c in range(3)]
+                for x, y in ((25, 60), (135, 60), (80, 20), (80, 100))
+            ]
+        west, east, south, north = colours["180,90"]
+        self.assertGreater(east[0], west[0] + 30)
+        numpy.testing.assert_allclose(south, north, atol=15)
+        numpy.testing.assert_allclose(colours["180,90"], colours["180,89.5"], atol=12)
+        numpy.testing.assert_allclose(colours["0,90"][:2], [east, west], atol=15)
+        bottom, top = colours["90,90"][2:]
+        self.assertGreater(bottom[0], top[0] + 30)  # as the east is redder than the west
+        self.assert_error(2, ["--view", "-90 to 90"], name, "--view=0,91", "--output=never.png")
+
+    def test_small_budget(self):
+        """Fewer triangles than the coarse ones cannot be drawn."""
+        run = self.run_program(
+            self.ramp(10), "--budget=500", "--resolution=20", "--output=b.png", "--size=80x60"
+        )
+        self.assertEqual(run.returncode, 0)
+        self.assertRegex(
+            run.stderr,
+            r"\A[^\n]*--budget 500 is less than the 600 coarse triangles[^\n]*--resolution 18[^\n]*\n\Z",
+        )
+        self.view(self.ramp(10), "--budget=600", "--resolution=20", "--output=b.png", "--size=80x60")
+
+    def test_options_in_messages(self):
+        """Not the library's setters."""
+        samples = numpy.where(self.samples == 9, numpy.nan, self.samples).astype(numpy.float32)
+        name = write(vtkTIFFWriter(), self.folder / "nan2.tif", samples)
+        self.assert_error(1, ["with --no-data-value"], name, "--output", "never.png")
+        samples = numpy.where(self.samples == 9, -3.4e38, self.samples).astype(numpy.float32)
+        name = write(vtkTIFFWriter(), self.folder / "lowest.tif", samples)
+        self.assert_error(1, ["-3.4e+38", "--no-data-value"], name, "--output", "never.png")
+
+    def grid(self, name, corner, side, samples):
+        """An ASCII grid, which has a georeference but no coordinate system; needs GDAL."""
+        rows = "\n".join(" ".join(map(str, row)) for row in samples)
+        path = self.folder / name
+        path.write_text(
+            f"ncols {len(samples[0])}\nnrows {len(samples)}\nxllcorner {corner[0]}\n"
+            f"yllcorner {corner[1]}\ncellsize {side}\nNODATA_value -9999\n{rows}\n"
+        )
+        if self.run_program(path, "--export=g.vtp", "--level=0").returncode != 0:
+            self.skipTest("a build without GDAL")
+        return path
+
+    def test_center_of_a_texel(self):
+        """Of one without neighbours, with the digits of its middle rounded."""
+        samples = numpy.full((9, 9), -9999)
+        samples[2, 3] = 500
+        samples[5:, :] = 400
+        name = self.grid("texel.asc", (10, 50), 1 / 120, samples)
+        self.folder.joinpath("texel.prj").write_text(
+            'GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563]],'
+            'PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]]'
+        )
+        longitude, latitude = 10 + 3.5 / 120, 50 + 6.5 / 120
+        for digits in (4, 5, 6, 9):
+            place = f"{longitude:.{digits}f}E,{latitude:.{digits}f}N"
+            self.view(name, "--center", place, "--output=t.png", "--size=80x60")
+        away = f"{longitude + 0.3 / 120}E,{latitude}N"
+        self.assert_error(1, ["has no height"], name, "--center", away, "--output=never.png")
+
     def test_larger_than_a_texture(self):
         """One warning, and the place of the whole."""
         columns = numpy.arange(20000)

@@ -437,7 +437,7 @@ private:
         [&](const auto& option, const auto& value) { ToSize(option, value, options.Size); } },
       { "--view",
         [&](const auto& option, const auto& value)
-        { options.View = ToDirection(option, value, 89.0); } },
+        { options.View = ToDirection(option, value, 90.0); } },
       { "--zoom",
         [&](const auto& option, const auto& value)
         { options.Zoom = ToNumber(option, value, LowestZoom, HighestZoom); } },

@@ -74,7 +74,7 @@ struct ViewerOptions
   // Terrain alone.
   int ImageryBands[3] = { 0, 0, 0 }; // as vtkTerrainSource has them
   bool Stretch = false;
-  double Exaggeration = 1.0;
+  std::optional<double> Exaggeration;
   std::optional<int> Resolution;
 
   // Meshes alone.

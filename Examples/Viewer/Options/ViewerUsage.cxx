@@ -33,7 +33,8 @@ Height maps:
   --imagery-bands R,G,B  which bands of the picture, from 1, are red, green and blue (default: as
                          the file says, else 1,2,3)
   --stretch              stretch the contrast of each band, as raw satellite images need
-  --exaggeration X       factor on heights (default 1)
+  --exaggeration X       factor on heights (default 1; where heights without a coordinate system
+                         would be more than the width, one that makes them a fifth of it)
   --resolution N         coarse squares along the longer side (default 128)
 
 Meshes:
@@ -144,7 +145,8 @@ The picture:
                          show these instead of the surface's own colours, with a legend
   --wireframe            draw the edges of the refined triangles
   --view AZ,EL           where the camera stands, in degrees: azimuth, clockwise from north (for
-                         meshes with y up, from -z), and elevation (default 192,38; meshes 205,20)
+                         meshes with y up, from -z), and elevation, from -90 to 90 (default 192,38;
+                         meshes 205,20); 180,90 is a map, north up
   --center X,Y[,Z]       the place in the middle of the picture: on height maps in metres from the
                          raster's centre, Z (exaggerated) by default that of the terrain, or in
                          degrees, as 86.925E,27.988N; X,Y,Z on meshes, in their coordinates

@@ -143,6 +143,10 @@ void SurfaceScene::Export(const std::string& fileName)
   filter->Update();
   this->Recipe->SetGeomorphing(geomorphing);
   this->Messages.Check();
+  if (filter->GetOutput()->GetNumberOfCells() == 0)
+  {
+    throw ViewerError(this->Options.Input + " has no cells to draw");
+  }
   this->AddExportedData(filter->GetOutput());
   WriteMesh(filter->GetOutput(), fileName, this->Messages);
 }
@@ -153,8 +157,14 @@ void SurfaceScene::Draw(vtkRenderWindow* window)
   if (this->Options.Statistics)
   {
     DrawWithStatistics(this->Mapper, this->Renderer, window, this->Messages, std::cout);
-    return;
   }
-  window->Render();
-  this->Messages.Check();
+  else
+  {
+    window->Render();
+    this->Messages.Check();
+  }
+  if (this->Mapper->GetNumberOfCoarseFaces() == 0)
+  {
+    throw ViewerError(this->Options.Input + " has no cells to draw");
+  }
 }

@@ -64,7 +64,29 @@ bool TerrainProbe::GetHeight(double x, double y, double& height)
   }
   const Coordinates uv = corners.Interpolate(corners.Weights);
   height = this->Heights->GetHeight(uv[0], uv[1]);
-  return this->Heights->IsValid(uv[0], uv[1]);
+  return this->Heights->IsValid(uv[0], uv[1]) || this->GetTexel(uv, height);
+}
+
+//------------------------------------------------------------------------------
+bool TerrainProbe::GetTexel(const Coordinates& uv, double& height) const
+{
+  const double reach = 0.1; // of a texel: digits that were rounded
+  int size[2];
+  this->Heights->GetDimensions(size);
+  int texel[2];
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double place = uv[axis] * size[axis] - 0.5;
+    texel[axis] = std::clamp(static_cast<int>(std::lround(place)), 0, size[axis] - 1);
+    if (std::abs(place - texel[axis]) > reach)
+    {
+      return false;
+    }
+  }
+  const std::size_t sample = static_cast<std::size_t>(texel[1]) * size[0] + texel[0];
+  const unsigned char* validity = this->Heights->GetValidity();
+  height = this->Heights->GetSamples()[sample];
+  return !validity || validity[sample] != 0;
 }
 
 //------------------------------------------------------------------------------

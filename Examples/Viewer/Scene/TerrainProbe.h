@@ -42,6 +42,8 @@ private:
     Coordinates Interpolate(const double weights[3]) const;
   };
   bool FindTriangle(double x, double y, Corners& corners);
+  /// The height at the middle of a texel with data, if that is near.
+  bool GetTexel(const Coordinates& uv, double& height) const;
   double GetHeight(const Corners& corners, const double weights[3]) const;
   double GetDrawnHeight(const Corners& corners, int level) const;
 

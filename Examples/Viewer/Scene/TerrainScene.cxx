@@ -35,6 +35,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <iostream>
 #include <sstream>
 
 namespace
@@ -94,7 +95,7 @@ void TerrainScene::ReadTerrain()
   {
     this->Source->SetNoDataValue(*this->Options.NoDataValue);
   }
-  this->Source->SetExaggeration(this->Options.Exaggeration);
+  this->Source->SetExaggeration(this->Options.Exaggeration.value_or(1.0));
   std::vector<std::string> files = { this->Options.Input };
   if (!this->Options.Imagery.empty())
   {
@@ -115,6 +116,7 @@ void TerrainScene::ReadTerrain()
     throw ViewerError(this->Options.Input + " has no terrain to draw");
   }
   this->CheckExaggeration();
+  this->CheckBudget();
   this->Probe = std::make_unique<TerrainProbe>(this->Mesh, this->Source->GetHeightMap());
 }
 
@@ -146,15 +148,82 @@ void TerrainScene::CheckExaggeration()
   this->Source->GetHeightMap()->GetRange(range);
   const double relief =
     std::abs(this->Source->GetDisplacement()->GetScale()) * (range[1] - range[0]);
-  const double exaggeration = this->Options.Exaggeration;
-  if (std::abs(exaggeration) > 1.0 && relief > mostHeights * width)
+  // Still higher are numbers that stand for no data.
+  const double highestHeights = 1e6;
+  if (!this->Options.Exaggeration && !*this->Source->GetCoordinateSystem() &&
+    relief < highestHeights * width)
+  {
+    this->ChooseExaggeration(relief, width);
+    return;
+  }
+  const double exaggeration = this->Source->GetExaggeration();
+  if (relief > mostHeights * width)
   {
     std::ostringstream message;
     message << std::setprecision(3) << this->Options.Input << ": --exaggeration " << exaggeration
             << " makes the terrain " << relief / width << " times as high as wide; at "
             << std::abs(exaggeration) * mostHeights * width / relief << " it is " << mostHeights
-            << " times as high, which is the most";
+            << " times as high, which is the most. Heights from " << range[0] << " to " << range[1]
+            << ": if an end stands for no data, name it with --no-data-value";
     throw ViewerError(message.str());
+  }
+}
+
+//------------------------------------------------------------------------------
+void TerrainScene::ChooseExaggeration(double heights, double width)
+{
+  const double mostHeights = 1.0; // for one width
+  const double chosenHeights = 0.2;
+  if (heights <= mostHeights * width)
+  {
+    return;
+  }
+  // Two digits, for people to read and to change.
+  std::ostringstream digits;
+  digits << std::setprecision(2) << chosenHeights * width / heights;
+  this->Source->SetExaggeration(std::stod(digits.str()));
+  std::ostringstream message;
+  message << std::setprecision(3) << this->Options.Input << ": --exaggeration " << digits.str()
+          << ", because "
+          << (this->CountsTexels()
+                 ? "there is no georeference: texels are taken as 1 m wide"
+                 : "there is no coordinate system: coordinates are taken as metres")
+          << ", and heights as metres would be " << heights / width << " times the width";
+  this->ExaggeratedBy = message.str();
+}
+
+//------------------------------------------------------------------------------
+bool TerrainScene::CountsTexels()
+{
+  const double middle[3] = { 0.0, 0.0, 0.0 };
+  double map[3];
+  const int* size = this->Source->GetHeightMap()->GetFullDimensions();
+  return !*this->Source->GetCoordinateSystem() && this->Source->TerrainToMap(middle, map) &&
+    map[0] == 0.5 * size[0] && map[1] == 0.5 * size[1];
+}
+
+//------------------------------------------------------------------------------
+void TerrainScene::CheckBudget()
+{
+  const vtkIdType coarse = this->Mesh->GetNumberOfCells();
+  const int budget = this->Options.Budget;
+  if (budget == 0 || budget >= coarse)
+  {
+    return;
+  }
+  const double factor = std::sqrt(static_cast<double>(budget) / static_cast<double>(coarse));
+  const int resolution = static_cast<int>(factor * this->Source->GetResolution());
+  this->Messages.Warn("--budget " + std::to_string(budget) + " is less than the " +
+    std::to_string(coarse) + " coarse triangles, which are drawn where they are in view; " +
+    "--resolution " + std::to_string(std::max(resolution, 1)) + " makes fewer");
+}
+
+//------------------------------------------------------------------------------
+void TerrainScene::Report()
+{
+  if (!this->ExaggeratedBy.empty())
+  {
+    std::cout << this->ExaggeratedBy << std::endl;
   }
 }
 
@@ -390,11 +459,12 @@ std::string TerrainScene::GetUnit()
 //------------------------------------------------------------------------------
 std::string TerrainScene::GetHeightUnit()
 {
-  if (this->GetUnit().empty() || this->Options.Exaggeration == 0.0)
+  if (this->GetUnit().empty() || this->Source->GetExaggeration() == 0.0)
   {
     return "";
   }
-  const double metres = this->Source->GetDisplacement()->GetScale() / this->Options.Exaggeration;
+  const double metres =
+    this->Source->GetDisplacement()->GetScale() / this->Source->GetExaggeration();
   const auto isUnit = [=](double length) { return std::abs(metres - length) < 1e-5 * length; };
   return isUnit(1.0) ? "m" : isUnit(0.3048) ? "ft" : "";
 }

@@ -23,6 +23,7 @@ public:
 
   std::string GetUnit() override;
   std::string Describe(const double point[3], double resolution) override;
+  void Report() override;
 
 private:
   void AddExportedData(vtkPolyData* mesh) override;
@@ -30,6 +31,11 @@ private:
   void CheckReading();
   std::string ExplainReading(const std::string& text);
   void CheckExaggeration();
+  /// Heights and coordinates of different kinds, such as grey levels over texels, need a factor.
+  void ChooseExaggeration(double heights, double width);
+  /// Whether coordinates count texels: there is no georeference.
+  bool CountsTexels();
+  void CheckBudget();
   /// The raster's heights, in its unit, at the mesh's texture coordinates.
   void AddHeights(vtkPolyData* mesh);
   void MakeDisplacedMesh();
@@ -49,6 +55,7 @@ private:
   // The coarse mesh as the displacement moves it: what the camera and the metrics look at.
   vtkNew<vtkPolyData> DisplacedMesh;
   std::unique_ptr<TerrainProbe> Probe;
+  std::string ExaggeratedBy; // what is reported of the exaggeration
 };
 
 #endif

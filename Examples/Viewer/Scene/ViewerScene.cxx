@@ -51,7 +51,8 @@ void ViewerScene::FitView(vtkPoints* points, const ViewerDirection& defaultDirec
   if (this->Options.View)
   {
     direction.Azimuth = (*this->Options.View)[0];
-    direction.Elevation = (*this->Options.View)[1];
+    // Straight up and down, by less than a pixel not quite: up in the picture is the azimuth's way.
+    direction.Elevation = std::clamp((*this->Options.View)[1], -89.9999, 89.9999);
   }
   ViewerPicture picture;
   std::copy_n(this->Options.Size, 2, picture.Size.begin());

@@ -36,6 +36,27 @@ void AddHandler(vtkObject* object, unsigned long event, const Handler& handler)
   object->AddObserver(event, command);
 }
 
+// What the library says of its settings, said of the program's options.
+std::string NameOptions(std::string text)
+{
+  const std::pair<const char*, const char*> phrases[] = {
+    { "call SetNoDataValue() with that value", "name that value with --no-data-value" },
+    { "(NoDataValue)", "(--no-data-value)" },
+    { "lower Scale or Offset", "lower --exaggeration, or of a mesh --scale or --offset" },
+    { ", or raise MaximumDimension where textures may be that large", "" },
+    { ", or raise MaximumImagerySize where textures may be that large", "" },
+  };
+  for (const auto& phrase : phrases)
+  {
+    const std::size_t place = text.find(phrase.first);
+    if (place != std::string::npos)
+    {
+      text.replace(place, std::strlen(phrase.first), phrase.second);
+    }
+  }
+  return text;
+}
+
 // "ERROR: In file, line n\nvtkClass (0x...): text\n\n" -> "text"
 std::string GetText(const void* callData)
 {
@@ -52,7 +73,7 @@ std::string GetText(const void* callData)
   {
     text[end] = std::strchr(".:,;", text[end - 1]) ? ' ' : '\n';
   }
-  return text;
+  return NameOptions(text);
 }
 
 // Messages of the objects that nobody observes, such as the helpers of VTK's readers.
