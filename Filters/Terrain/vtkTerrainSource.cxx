@@ -29,6 +29,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace
@@ -371,7 +372,33 @@ bool vtkTerrainSource::CheckLocation(const relevo::Georeference& location, std::
     error = name + fault;
     return false;
   }
+  this->WarnOfLocation(location);
   return true;
+}
+
+void vtkTerrainSource::WarnOfLocation(const relevo::Georeference& location)
+{
+  constexpr double largestDeviation = 0.05;
+  if (relevo::LooksGeographic(location, this->HeightMap->GetFullDimensions()))
+  {
+    vtkWarningMacro(<< this->GetFileName()
+                    << " has no coordinate system, and its coordinates are "
+                       "taken as metres. They look like degrees: if they are, declare them "
+                       "(gdal_edit.py -a_srs EPSG:4326).");
+  }
+#if RELEVO_HAS_GDAL
+  double scale = 1.0;
+  if (location.System == relevo::Georeference::Kind::Planar && !location.WKT.empty() &&
+    relevo::FindScale(location, scale) && std::abs(scale - 1.0) > largestDeviation)
+  {
+    std::ostringstream text;
+    text << std::setprecision(3) << scale;
+    vtkWarningMacro(<< this->GetFileName() << ": in its projection, lengths at its centre are "
+                    << text.str()
+                    << " times those on the ground, and heights are not. Reproject it, "
+                       "to UTM for example (gdalwarp -t_srs).");
+  }
+#endif
 }
 
 bool vtkTerrainSource::CheckImagery(std::string& error)

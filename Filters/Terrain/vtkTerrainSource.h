@@ -244,6 +244,7 @@ private:
 
   bool Build(vtkPolyData* output, std::string& error);
   void AddFieldData(vtkPolyData* output);
+  void WarnOfLocation(const relevo::Georeference& location);
   bool CheckLocation(const relevo::Georeference& location, std::string& error);
   bool CheckImagery(std::string& error);
   bool UpdateImagery(const relevo::Georeference& location, std::string& error);

@@ -2,18 +2,27 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """relevo-view: what stands for no data, and height maps and pictures larger than a texture."""
 
+import math
 import os
+import re
+import struct
 import subprocess
 import unittest
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter, vtkTIFFWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 from ViewerProgram import PROGRAM, ViewerProgram
+
+GEOGRAPHIC = (
+    'GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563]],'
+    'PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]]'
+)
 
 
 def write(writer, name, samples):
@@ -217,16 +226,112 @@ class TestViewerTerrain(ViewerProgram):
             self.skipTest("a build without GDAL")
         return path
 
+    def declare(self, name, system):
+        self.folder.joinpath(name).with_suffix(".prj").write_text(system)
+
+    def test_around_the_pole(self):
+        """All longitudes: triangles with area, and an outline that is a parallel."""
+        samples = [[10] * 360 for _ in range(4)]
+        name = self.grid("pole.asc", (-180, 86), 1, samples)
+        self.declare("pole.asc", GEOGRAPHIC)
+        mesh = self.export(name, "--level=0", "--resolution=64")
+        self.assertEqual(mesh.GetNumberOfCells(), 2 * 64 * 4 - 64)  # the pole is a corner
+        areas = vtkCellSizeFilter()
+        areas.SetInputData(mesh)
+        areas.Update()
+        area = areas.GetOutput().GetCellData().GetArray("Area")
+        self.assertGreater(area.GetRange()[0], 1e6)
+        # That of the cap north of 86 degrees, on a plane that touches at 88 degrees.
+        total = sum(area.GetValue(i) for i in range(area.GetNumberOfTuples()))
+        radius = 6399593.6  # of curvature at the pole
+        cap = math.pi * (radius * math.sin(math.radians(4))) ** 2
+        self.assertAlmostEqual(total / cap, 1, delta=0.01)
+
+    def test_doubtful_coordinates(self):
+        """Degrees without a system, and projections that make lengths too long, are told."""
+        degrees = self.grid("degrees.asc", (10, 50), 0.01, [[1, 2, 3], [2, 3, 4]])
+        run = self.run_program(degrees, "--export=d.vtp", "--level=0")
+        self.assertRegex(run.stderr, r"\A[^\n]*degrees[^\n]*gdal_edit.py -a_srs EPSG:4326[^\n]*\n\Z")
+        self.assertIn("--exaggeration", run.stdout)
+        self.declare("degrees.asc", GEOGRAPHIC)
+        self.view(degrees, "--export=d.vtp", "--level=0")
+        metres = self.grid("metres.asc", (10, 50), 1, [[1, 2, 3], [2, 3, 4]])
+        self.view(metres, "--export=d.vtp", "--level=0")
+        mercator = (
+            f'PROJCS["Mercator",{GEOGRAPHIC},PROJECTION["Mercator_1SP"],'
+            'PARAMETER["central_meridian",0],PARAMETER["scale_factor",1],'
+            'PARAMETER["false_easting",0],PARAMETER["false_northing",0],UNIT["metre",1]]'
+        )
+        # At 60 degrees north; at 16 degrees lengths are 4 % too long.
+        for north, factor in ((8362700, "2"), (1790000, None)):
+            name = self.grid(f"{north}.asc", (0, north), 100, [[1, 2, 3], [2, 3, 4]])
+            self.declare(f"{north}.asc", mercator)
+            run = self.run_program(name, "--export=d.vtp", "--level=0")
+            if factor:
+                self.assertIn(f"are {factor} times", run.stderr)
+                self.assertIn("gdalwarp -t_srs", run.stderr)
+            else:
+                self.assertEqual(run.stderr, "")
+
+    def test_rasters_in_containers(self):
+        """Directories of a TIFF file have names that GDAL gives them."""
+        self.grid("any.asc", (10, 50), 1, [[1, 2, 3], [2, 3, 4]])  # skips without GDAL
+        samples = numpy.tile(numpy.arange(12, dtype=numpy.uint8), (8, 1))
+        name = write(vtkTIFFWriter(), self.folder / "in.tif", samples)
+        whole = self.export(name, "--level=0")
+        part = self.export(f"GTIFF_DIR:1:{name}", "--level=0")
+        self.assertEqual(part.GetBounds(), whole.GetBounds())
+        for missing in ("GTIFF_DIR:1:no.tif", 'NETCDF:"no.nc":a'):
+            self.assert_error(
+                1, [missing, "does not exist"], missing, "--output=never.png"
+            )
+        os.mkfifo(self.folder / "pipe.tif")
+        pipe = f"GTIFF_DIR:1:{self.folder / 'pipe.tif'}"
+        self.assert_error(1, ["not a regular file"], pipe, "--output=never.png")
+
+    def test_container(self):
+        """One with several variables names them."""
+        name = self.netcdf("two.nc", ("first", "second"))
+        run = self.run_program(name, "--export=c.vtp", "--level=0")
+        if "container" not in run.stderr:
+            self.skipTest("GDAL reads no netCDF files")
+        self.assertIn("container of 2 rasters", run.stderr)
+        names = re.findall(r'NETCDF:"[^"]*":\w+', run.stderr)
+        self.assertEqual([text.split(":")[-1] for text in names], ["first", "second"])
+        for text in (*names, "NETCDF:two.nc:second"):
+            self.view(text, "--export=c.vtp", "--level=0")
+
+    def netcdf(self, name, variables):
+        """A classic file of variables of 4 x 5 bytes."""
+        word = struct.Struct(">I").pack
+
+        def text(value):
+            data = value.encode()
+            return word(len(data)) + data + bytes(-len(data) % 4)
+
+        def head(begins):
+            dimensions = word(10) + word(2) + text("y") + word(4) + text("x") + word(5)
+            entries = b"".join(
+                text(variable) + word(2) + word(0) + word(1) + bytes(8) + word(1) + word(20)
+                + word(begin)
+                for variable, begin in zip(variables, begins)
+            )
+            return b"CDF\1" + bytes(4) + dimensions + bytes(8) + word(11) + word(
+                len(variables)) + entries
+
+        size = len(head([0] * len(variables)))
+        begins = [size + 20 * i for i in range(len(variables))]
+        path = self.folder / name
+        path.write_bytes(head(begins) + bytes(range(20)) * len(variables))
+        return path
+
     def test_center_of_a_texel(self):
         """Of one without neighbours, with the digits of its middle rounded."""
         samples = numpy.full((9, 9), -9999)
         samples[2, 3] = 500
         samples[5:, :] = 400
         name = self.grid("texel.asc", (10, 50), 1 / 120, samples)
-        self.folder.joinpath("texel.prj").write_text(
-            'GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563]],'
-            'PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]]'
-        )
+        self.declare("texel.asc", GEOGRAPHIC)
         longitude, latitude = 10 + 3.5 / 120, 50 + 6.5 / 120
         for digits in (4, 5, 6, 9):
             place = f"{longitude:.{digits}f}E,{latitude:.{digits}f}N"

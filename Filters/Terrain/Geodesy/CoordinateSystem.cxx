@@ -49,6 +49,47 @@ void DescribeCoordinateSystem(OGRSpatialReferenceH system, Georeference& locatio
   }
 }
 
+bool FindScale(const Georeference& location, double& scale)
+{
+  GDALSession session;
+  const SpatialReference system = NewSpatialReference(location.WKT);
+  const SpatialReference geographic(system ? OSRCloneGeogCS(system.get()) : nullptr);
+  if (!geographic)
+  {
+    return false;
+  }
+  OSRSetAxisMappingStrategy(geographic.get(), OAMS_TRADITIONAL_GIS_ORDER);
+  const double radians = OSRGetAngularUnits(geographic.get(), nullptr);
+  const double step = 100.0 / location.Unit; // of 100 m
+  const std::array<double, 2> centre = location.Coordinates(0.5, 0.5);
+  double x[3] = { centre[0], centre[0] + step, centre[0] };
+  double y[3] = { centre[1], centre[1], centre[1] + step };
+  OGRCoordinateTransformationH transformation =
+    OCTNewCoordinateTransformation(system.get(), geographic.get());
+  const bool isTransformed = transformation && OCTTransform(transformation, 3, x, y, nullptr);
+  OCTDestroyCoordinateTransformation(transformation);
+  if (!isTransformed)
+  {
+    return false;
+  }
+  const double latitude = y[0] * radians;
+  const double squared = location.Flattening * (2.0 - location.Flattening);
+  const double root = std::sqrt(1.0 - squared * std::pow(std::sin(latitude), 2));
+  const double across = location.SemiMajorAxis / root;
+  const double along = across * (1.0 - squared) / (root * root);
+  double largest = 0.0; // in absolute value, of logarithms
+  for (int i = 1; i < 3; ++i)
+  {
+    const double east =
+      std::remainder((x[i] - x[0]) * radians, 2.0 * M_PI) * across * std::cos(latitude);
+    const double north = (y[i] - y[0]) * radians * along;
+    const double logarithm = std::log(100.0 / std::hypot(east, north));
+    largest = std::abs(logarithm) > std::abs(largest) ? logarithm : largest;
+  }
+  scale = std::exp(largest);
+  return std::isfinite(scale);
+}
+
 bool GeographicToSystem(const std::string& definition, std::array<double, 2>& place)
 {
   GDALSession session;

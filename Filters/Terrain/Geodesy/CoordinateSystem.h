@@ -37,6 +37,10 @@ SpatialReference NewSpatialReference(const std::string& definition);
  */
 void DescribeCoordinateSystem(OGRSpatialReferenceH system, Georeference& location);
 
+/// Map lengths per length on the ellipsoid at the centre, of east and north that which is farther
+/// from 1; false where that is not known.
+bool FindScale(const Georeference& location, double& scale);
+
 /// From longitude and latitude in degrees, on the system's own ellipsoid, to its coordinates.
 bool GeographicToSystem(const std::string& definition, std::array<double, 2>& place);
 }

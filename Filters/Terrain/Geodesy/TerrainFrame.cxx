@@ -57,15 +57,21 @@ bool TerrainFrame::IsWithinHorizon() const
 
 std::array<double, 2> TerrainFrame::GetLengths() const
 {
-  const auto distance = [this](double u0, double v0, double u1, double v1)
+  // Around a pole the ends of a parallel meet.
+  const int parts = this->Plane ? 64 : 1;
+  const auto measure = [this, parts](int axis)
   {
-    std::array<double, 2> a;
-    std::array<double, 2> b;
-    this->Place(u0, v0, a);
-    this->Place(u1, v1, b);
-    return std::hypot(b[0] - a[0], b[1] - a[1]);
+    double length = 0.0;
+    std::array<double, 2> ends[2];
+    for (int i = 0; i <= parts; ++i)
+    {
+      const double along = static_cast<double>(i) / parts;
+      this->Place(axis == 0 ? along : 0.5, axis == 0 ? 0.5 : along, ends[i % 2]);
+      length += i > 0 ? std::hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]) : 0.0;
+    }
+    return length;
   };
-  return { distance(0.0, 0.5, 1.0, 0.5), distance(0.5, 0.0, 0.5, 1.0) };
+  return { measure(0), measure(1) };
 }
 
 bool TerrainFrame::FitsMesh() const
@@ -119,6 +125,24 @@ bool TerrainFrame::ToCoordinates(
   longitude += 360.0 * std::round((center - longitude) / 360.0);
   coordinates = { longitude / unit, latitude / unit };
   return true;
+}
+
+bool LooksGeographic(const Georeference& location, const int texels[2])
+{
+  if (location.System != Georeference::Kind::Planar || !location.WKT.empty())
+  {
+    return false;
+  }
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const std::array<double, 2> place = location.Coordinates(corner % 2, corner / 2);
+    if (std::abs(place[0]) > 360.0 || std::abs(place[1]) > 90.0)
+    {
+      return false;
+    }
+  }
+  return std::hypot(location.AlongU[0], location.AlongU[1]) < texels[0] &&
+    std::hypot(location.AlongV[0], location.AlongV[1]) < texels[1];
 }
 
 std::string FindLocationFault(const Georeference& location)

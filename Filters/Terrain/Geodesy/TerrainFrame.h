@@ -43,7 +43,8 @@ public:
   /// Whether the whole footprint has places.
   bool IsWithinHorizon() const;
 
-  /// From the middle of a side to that of the side across, along u and along v.
+  /// From the middle of a side to that of the side across, along u and along v, as parallels and
+  /// meridians go.
   std::array<double, 2> GetLengths() const;
 
   /// Whether the footprint has an extent, and floats have room for its places.
@@ -65,6 +66,9 @@ private:
   std::array<double, 2> Center;
   std::unique_ptr<TangentPlane> Plane; // for longitude and latitude only
 };
+
+/// Whether coordinates without a system may be longitudes and latitudes.
+RELEVOFILTERSTERRAIN_EXPORT bool LooksGeographic(const Georeference& location, const int texels[2]);
 
 /// Why a raster there can be no terrain, to follow its name; or "".
 RELEVOFILTERSTERRAIN_EXPORT std::string FindLocationFault(const Georeference& location);

@@ -84,10 +84,25 @@ std::vector<unsigned char> findSquaresWithData(
   return hasData;
 }
 
-// Right triangles with alternating diagonals, so that no direction is preferred. `gridPoint` takes
-// i and j of the points in use.
-bool addTriangles(const Grid& grid, const std::vector<unsigned char>& kept,
-  const std::function<bool()>& goesOn, std::vector<int>& gridPoint, vtkPolyData* output)
+// Whether all of a row is at one place, a pole.
+bool isPole(const TerrainFrame& frame, const Grid& grid, int j)
+{
+  std::array<double, 2> places[2];
+  std::array<double, 2> next;
+  const double v = grid.Parameter(1, j);
+  frame.Place(0.0, v, places[0]);
+  frame.Place(0.5, v, places[1]);
+  frame.Place(0.5, grid.Parameter(1, j > 0 ? j - 1 : 1), next);
+  const auto distance = [&](const std::array<double, 2>& place)
+  { return std::hypot(place[0] - places[1][0], place[1] - places[1][1]); };
+  return distance(places[0]) < 1e-6 * distance(next);
+}
+
+// Right triangles with alternating diagonals, so that no direction is preferred; none with two
+// corners at a pole. `gridPoint` takes i and j of the points in use.
+bool addTriangles(const TerrainFrame& frame, const Grid& grid,
+  const std::vector<unsigned char>& kept, const std::function<bool()>& goesOn,
+  std::vector<int>& gridPoint, vtkPolyData* output)
 {
   std::vector<vtkIdType> outputPoint(grid.NumberOfPoints(), -1);
   vtkNew<vtkCellArray> triangles;
@@ -102,6 +117,8 @@ bool addTriangles(const Grid& grid, const std::vector<unsigned char>& kept,
     }
     return id;
   };
+  const bool startsAtPole = isPole(frame, grid, 0);
+  const bool endsAtPole = isPole(frame, grid, grid.Cells[1]);
   for (int j = 0; j < grid.Cells[1]; ++j)
   {
     if (!goesOn())
@@ -119,6 +136,13 @@ bool addTriangles(const Grid& grid, const std::vector<unsigned char>& kept,
       const int start = (i + j) % 2;
       for (int half : { 0, 2 })
       {
+        // Its second corner is where its right angle is.
+        const int corner = (start + half + 1) % 4;
+        if ((corner < 2 && startsAtPole && j == 0) ||
+          (corner >= 2 && endsAtPole && j + 1 == grid.Cells[1]))
+        {
+          continue;
+        }
         triangles->InsertNextCell({ corners[(start + half) % 4], corners[(start + half + 1) % 4],
           corners[(start + half + 2) % 4] });
       }
@@ -174,7 +198,7 @@ bool BuildTerrainMesh(const TerrainFrame& frame, const int texels[2], int resolu
 {
   const Grid grid = divide(frame.GetLengths(), texels, resolution);
   std::vector<int> gridPoint;
-  const bool isComplete = addTriangles(grid,
+  const bool isComplete = addTriangles(frame, grid,
     validity ? findSquaresWithData(grid, texels, validity)
              : std::vector<unsigned char>(grid.NumberOfCells(), 1),
     goesOn, gridPoint, output);

@@ -7,6 +7,7 @@
 #include "Raster/RawFile.h"
 #include "vtkType.h"
 
+#include <cpl_string.h>
 #include <gdal.h>
 
 #include <algorithm>
@@ -92,6 +93,29 @@ double metresPerUnit(std::string unit)
   }
   return 1.0;
 }
+
+// What a file without a band of its own says of the rasters in it.
+std::string DescribeContents(GDALDatasetH dataset)
+{
+  constexpr int most = 20; // to list
+  char** const contents = GDALGetMetadata(dataset, "SUBDATASETS");
+  std::string names;
+  int count = 0;
+  const auto getName = [&](int i)
+  {
+    const std::string key = "SUBDATASET_" + std::to_string(i) + "_NAME";
+    return CSLFetchNameValue(contents, key.c_str());
+  };
+  for (const char* name = getName(1); name; name = getName(count + 1))
+  {
+    ++count;
+    names += count > most ? "" : std::string(count > 1 ? ", " : "") + name;
+  }
+  return count == 0 ? "it has no raster band"
+                    : "it is a container of " + std::to_string(count) +
+      " rasters; give the name of one in place of the file's: " + names +
+      (count > most ? ", ... (gdalinfo lists all)" : "");
+}
 }
 
 void GDALRaster::Internals::SetBand(GDALRasterBandH band, RasterDescription& contents)
@@ -130,7 +154,7 @@ std::unique_ptr<GDALRaster> GDALRaster::Open(const std::string& fileName, std::s
   }
   if (GDALGetRasterCount(dataset.get()) < 1)
   {
-    error = "it has no raster band; it may be a container of several rasters";
+    error = DescribeContents(dataset.get());
     return nullptr;
   }
   auto raster = std::make_unique<GDALRaster>();

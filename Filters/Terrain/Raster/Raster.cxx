@@ -7,6 +7,8 @@
 #include "Raster/GDALRaster.h"
 #endif
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 namespace relevo
@@ -26,7 +28,7 @@ std::string obstacle(const std::string& fileName)
     return ""; // one of GDAL's virtual files
   }
   std::error_code failure;
-  const fs::path path = fs::u8path(fileName);
+  const fs::path path = fs::u8path(FindContainer(fileName));
   if (!fs::exists(path, failure))
   {
     return "the file does not exist";
@@ -78,6 +80,40 @@ std::unique_ptr<Raster> openAny(const std::string& fileName, std::string& error)
   return pixels;
 #endif
 }
+}
+
+std::string FindContainer(const std::string& name)
+{
+  namespace fs = std::filesystem;
+  std::error_code failure;
+  const auto isLetter = [](char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; };
+  const std::size_t prefix = name.find(':');
+  if (prefix == std::string::npos || prefix < 2 || !isLetter(name[0]) ||
+    !std::all_of(name.begin(), name.begin() + static_cast<std::ptrdiff_t>(prefix),
+      [&](char c)
+      { return isLetter(c) || std::isdigit(static_cast<unsigned char>(c)) || c == '_'; }) ||
+    fs::exists(fs::u8path(name), failure))
+  {
+    return name;
+  }
+  // The longest part between colons that is a file.
+  for (std::size_t begin = prefix; begin != std::string::npos; begin = name.find(':', begin + 1))
+  {
+    for (std::size_t end = name.size(); end != std::string::npos && end > begin + 1;
+         end = name.rfind(':', end - 1))
+    {
+      std::string part = name.substr(begin + 1, end - begin - 1);
+      if (part.size() > 2 && part.front() == '"' && part.back() == '"')
+      {
+        part = part.substr(1, part.size() - 2);
+      }
+      if (!part.empty() && fs::exists(fs::u8path(part), failure))
+      {
+        return part;
+      }
+    }
+  }
+  return name;
 }
 
 std::unique_ptr<Raster> Raster::Open(const std::string& fileName, std::string& error)

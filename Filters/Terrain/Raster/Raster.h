@@ -33,6 +33,12 @@ struct RasterDescription
   Georeference Location;
 };
 
+/**
+ * The file in a name that GDAL gives to a raster of a container, such as NETCDF:"file.nc":band or
+ * GTIFF_DIR:2:file.tif. Any other name is returned as it is.
+ */
+std::string FindContainer(const std::string& name);
+
 class Raster
 {
 public:
