@@ -92,7 +92,7 @@ class TestViewer(ViewerProgram):
         self.assert_error(2, ["--level"], self.heights, "--level=2", "--metric=curvature")
         self.assert_error(2, ["--surface", "'nurbs'"], self.heights, "--surface", "nurbs")
         self.assert_error(2, ["--method", "'fast'"], self.heights, "--method", "fast")
-        self.assert_error(2, ["--view", "elevation"], self.heights, "--view", "0,90")
+        self.assert_error(2, ["--view", "elevation"], self.heights, "--view", "0,90.5")
         self.assert_error(2, ["--budget", "'0'"], self.heights, "--budget", "0")
         self.assert_error(2, ["--budget"], self.heights, "--budget=9", "--export", "a.vtp")
         for bands in ("1,2", "1,2,3,4", "1,2,x", "0,1,2"):
