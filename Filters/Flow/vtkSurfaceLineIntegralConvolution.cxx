@@ -9,6 +9,7 @@
 #include "Core/VectorData.h"
 #include "Image/ForwardedSettings.h"
 #include "Image/LICPassSettings.h"
+#include "Image/LICStretch.h"
 #include "Noise/SolidNoise.h"
 #include "Surface/SurfaceConvolution.h"
 #include "Surface/SurfaceField.h"
@@ -33,11 +34,6 @@
 #include <cmath>
 #include <memory>
 #include <string>
-
-namespace relevo
-{
-#include "glsl/relevoLICStretch.glsl"
-}
 
 namespace
 {

@@ -7,6 +7,7 @@
 #include "Mesh/PatchArrays.h"
 #include "Mesh/SurfaceEdges.h"
 #include "Mesh/SurfaceTriangles.h"
+#include "Metrics/LevelFunctions.h"
 #include "Metrics/MetricEvaluator.h"
 #include "Metrics/MetricMesh.h"
 #include "Metrics/NetAngles.h"
@@ -19,11 +20,6 @@
 
 #include <string>
 #include <vector>
-
-namespace relevo
-{
-#include "glsl/Metrics/relevoMetrics.glsl"
-}
 
 namespace
 {

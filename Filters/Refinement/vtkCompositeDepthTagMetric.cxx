@@ -8,6 +8,7 @@
 #include "Core/SettingChecks.h"
 #include "Metrics/DepthTags.h"
 #include "Metrics/DisplacedSurface.h"
+#include "Metrics/LevelFunctions.h"
 #include "Metrics/MetricEvaluator.h"
 #include "Metrics/MetricMesh.h"
 #include "vtkFloatArray.h"
@@ -20,11 +21,6 @@
 #include <algorithm>
 #include <string>
 #include <vector>
-
-namespace relevo
-{
-#include "glsl/Metrics/relevoMetrics.glsl"
-}
 
 namespace
 {

@@ -13,6 +13,7 @@
 #include "Metrics/CollectOnce.h"
 #include "Metrics/DiscreteCurvature.h"
 #include "Metrics/DisplacedSurface.h"
+#include "Metrics/LevelFunctions.h"
 #include "Metrics/MetricEvaluator.h"
 #include "Metrics/MetricMesh.h"
 #include "Metrics/SurfaceShape.h"
@@ -26,11 +27,6 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-
-namespace relevo
-{
-#include "glsl/Metrics/relevoMetrics.glsl"
-}
 
 namespace
 {

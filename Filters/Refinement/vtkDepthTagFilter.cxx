@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDepthTagFilter.h"
 
+#include "Core/EdgeLevels.h"
 #include "Core/InputType.h"
 #include "Core/MemoryGuard.h"
 #include "Core/MisplacedArray.h"
@@ -31,11 +32,6 @@
 
 #include <algorithm>
 #include <string>
-
-namespace relevo
-{
-#include "glsl/relevoLevels.glsl"
-}
 
 namespace
 {

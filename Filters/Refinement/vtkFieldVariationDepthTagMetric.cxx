@@ -10,6 +10,7 @@
 #include "Core/VectorData.h"
 #include "Mesh/SurfaceEdges.h"
 #include "Metrics/CollectOnce.h"
+#include "Metrics/LevelFunctions.h"
 #include "Metrics/MetricEvaluator.h"
 #include "Metrics/MetricMesh.h"
 #include "vtkCellData.h"
@@ -30,11 +31,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-namespace relevo
-{
-#include "glsl/Metrics/relevoMetrics.glsl"
-}
 
 namespace
 {

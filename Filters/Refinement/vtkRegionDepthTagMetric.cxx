@@ -7,6 +7,7 @@
 #include "Core/SettingChecks.h"
 #include "Core/WorldView.h"
 #include "Mesh/SurfaceEdges.h"
+#include "Metrics/LevelFunctions.h"
 #include "Metrics/MetricEvaluator.h"
 #include "Metrics/MetricMesh.h"
 #include "Metrics/SurfaceShape.h"
@@ -23,11 +24,6 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
-
-namespace relevo
-{
-#include "glsl/Metrics/relevoMetrics.glsl"
-}
 
 namespace
 {

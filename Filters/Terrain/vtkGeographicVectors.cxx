@@ -33,7 +33,7 @@
 namespace
 {
 constexpr double NoDataMagnitude = 1e8;
-constexpr double LargestExaggeration = VTK_FLOAT_MAX;
+constexpr double LargestVectorExaggeration = VTK_FLOAT_MAX;
 constexpr vtkIdType PointsAtOnce = 65536; // between two checks of progress and abort
 constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
 
@@ -193,8 +193,8 @@ void vtkGeographicVectors::SetOrigin(double x, double y, double z)
 
 void vtkGeographicVectors::SetExaggeration(double exaggeration)
 {
-  relevo::SetInRange(this, "Exaggeration", this->Exaggeration, exaggeration, -LargestExaggeration,
-    LargestExaggeration);
+  relevo::SetInRange(this, "Exaggeration", this->Exaggeration, exaggeration,
+    -LargestVectorExaggeration, LargestVectorExaggeration);
 }
 
 void vtkGeographicVectors::SetOutputArrayName(const char* name)

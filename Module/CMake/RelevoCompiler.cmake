@@ -56,16 +56,17 @@ elseif (RELEVO_WERROR)
   endif ()
 endif ()
 
-# Most of the time a compiler reads VTK's headers. A compiler cache stores what it compiles, and
-# does not get on with precompiled headers.
-set(precompile_by_default ON)
+# Compilers spend most of their time on VTK's headers. Precompiled headers and unity builds (several
+# sources in one file) read them less often. A compiler cache works better without both.
+set(shorten_by_default ON)
 if (CMAKE_CXX_COMPILER_LAUNCHER)
-  set(precompile_by_default OFF)
+  set(shorten_by_default OFF)
 endif ()
 option(RELEVO_PRECOMPILE_HEADERS "Precompile the headers that most sources include"
-  ${precompile_by_default})
+  ${shorten_by_default})
+option(RELEVO_UNITY_BUILD "Compile several sources of a module at once" ${shorten_by_default})
 
-# relevo_precompile_headers(<target>): of a target with so many sources that it is worth it.
+# relevo_precompile_headers(<target>): if the target has enough sources to benefit from it.
 function (relevo_precompile_headers target)
   get_target_property(sources "${target}" SOURCES)
   list(FILTER sources INCLUDE REGEX "\\.cxx$")
@@ -76,9 +77,17 @@ function (relevo_precompile_headers target)
   endif ()
 endfunction ()
 
-# Warnings for a module's own files only: generated wrappers are VTK's. Call from the folder that
-# holds the module's sources.
-function (relevo_enable_warnings)
-  file(GLOB_RECURSE sources "${CMAKE_CURRENT_SOURCE_DIR}/*.cxx")
-  set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS "${relevo_warning_flags}")
+# relevo_shorten_build(<target>): precompiled headers and unity builds. Sources of such a target have
+# different names in their anonymous namespaces, so this is not for tests.
+function (relevo_shorten_build target)
+  relevo_precompile_headers("${target}")
+  if (RELEVO_UNITY_BUILD)
+    set_target_properties("${target}" PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
+  endif ()
+endfunction ()
+
+# relevo_enable_warnings(<target>): for a module. Generated wrappers are other targets.
+function (relevo_enable_warnings target)
+  target_compile_options("${target}" PRIVATE
+    "$<$<COMPILE_LANGUAGE:CXX>:${relevo_warning_flags}>")
 endfunction ()

@@ -13,6 +13,7 @@ import concurrent.futures
 import json
 import os
 import pathlib
+import re
 import shlex
 import shutil
 import subprocess
@@ -23,13 +24,17 @@ SKIPPED = 125
 WARNINGS = ["-Wall", "-Wextra", "-Werror", "-fsyntax-only"]
 
 
+def get_sources(path, build):
+    """The file itself, or the sources that a file of a unity build includes."""
+    if build in path.parents and path.name.startswith("unity_"):
+        return [pathlib.Path(name) for name in re.findall(r'#include "(.*)"', path.read_text())]
+    return [path]
+
+
 def compile_commands(build, source):
     """Flags of each of the project's own sources: path to list of arguments."""
     flags = {}
     for entry in json.loads((build / "compile_commands.json").read_text()):
-        path = pathlib.Path(entry["file"])
-        if source not in path.parents or build in path.parents:
-            continue
         arguments = iter(shlex.split(entry["command"]))
         kept = []
         for argument in arguments:
@@ -37,7 +42,9 @@ def compile_commands(build, source):
                 kept += [argument, next(arguments)]
             elif argument.startswith(("-D", "-I", "-std", "-f")):
                 kept.append(argument)
-        flags[path] = kept
+        for path in get_sources(pathlib.Path(entry["file"]), build):
+            if source in path.parents and build not in path.parents:
+                flags[path] = kept
     return flags
 
 

@@ -18,10 +18,10 @@ namespace
 {
 using Loader = vtkGLTFDocumentLoader;
 
-class Checker
+class GLTFChecker
 {
 public:
-  explicit Checker(Loader::Model& model)
+  explicit GLTFChecker(Loader::Model& model)
     : Model(model)
   {
   }
@@ -244,5 +244,5 @@ void CheckGLTF(const std::string& fileName)
   {
     throw ViewerError("it is not a glTF scene, or it is truncated");
   }
-  Checker(*loader->GetInternalModel()).Check();
+  GLTFChecker(*loader->GetInternalModel()).Check();
 }

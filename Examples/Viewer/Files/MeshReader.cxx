@@ -98,10 +98,10 @@ Mesh TakeSurface(vtkDataSet* data, MeshCells cells, ViewerMessages& messages)
                     : TakeSurface<vtkGeometryFilter>(data, messages);
 }
 
-using Function = std::function<Data(const std::string&, ViewerMessages&)>;
-const std::map<std::string, Function>& GetReaders()
+using ReaderFunction = std::function<Data(const std::string&, ViewerMessages&)>;
+const std::map<std::string, ReaderFunction>& GetReaders()
 {
-  static const std::map<std::string, Function> readers = {
+  static const std::map<std::string, ReaderFunction> readers = {
     { ".bpt", Read<vtkBezierPatchReader> },
 #ifdef VIEWER_HAS_EXODUS
     { ".ex2", ReadExodus },

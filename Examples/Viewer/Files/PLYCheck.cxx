@@ -28,10 +28,10 @@ struct Element
   std::vector<Property> Properties;
 };
 
-class Checker
+class PLYChecker
 {
 public:
-  explicit Checker(const std::string& fileName)
+  explicit PLYChecker(const std::string& fileName)
     : File(fileName, std::ios::binary)
     , Left(static_cast<long long>(std::filesystem::file_size(fileName)))
   {
@@ -248,5 +248,5 @@ private:
 //------------------------------------------------------------------------------
 void CheckPLY(const std::string& fileName)
 {
-  Checker(fileName).Check();
+  PLYChecker(fileName).Check();
 }

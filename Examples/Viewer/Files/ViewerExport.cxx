@@ -116,10 +116,11 @@ std::string Write(vtkPolyData* mesh, const std::string& fileName, ViewerMessages
     [&](const std::string& written) { return IsWhole(writer.Get(), mesh, written); });
 }
 
-using Function = std::function<std::string(vtkPolyData*, const std::string&, ViewerMessages&)>;
-const std::map<std::string, Function>& GetWriters()
+using WriterFunction =
+  std::function<std::string(vtkPolyData*, const std::string&, ViewerMessages&)>;
+const std::map<std::string, WriterFunction>& GetWriters()
 {
-  static const std::map<std::string, Function> writers = {
+  static const std::map<std::string, WriterFunction> writers = {
     { ".obj", Write<vtkOBJWriter> },
     { ".ply", Write<vtkPLYWriter> },
     { ".stl", Write<vtkSTLWriter> },

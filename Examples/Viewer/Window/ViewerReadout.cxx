@@ -23,7 +23,7 @@
 
 namespace
 {
-const int Margin = 10;           // pixels
+const int ReadoutMargin = 10;    // pixels
 const unsigned long Delay = 100; // milliseconds
 const double FastFrame = 0.05;   // seconds
 
@@ -76,7 +76,7 @@ ViewerReadout::ViewerReadout(
   , Scene(scene)
   , Text(MakeText())
 {
-  this->Text->SetPosition(Margin, Margin);
+  this->Text->SetPosition(ReadoutMargin, ReadoutMargin);
   scene.GetRenderer()->AddViewProp(this->Text);
   for (unsigned long event : { vtkCommand::MouseMoveEvent, vtkCommand::LeaveEvent })
   {

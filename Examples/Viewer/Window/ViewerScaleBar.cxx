@@ -22,7 +22,7 @@
 namespace
 {
 // Pixels.
-const int Margin = 16;
+const int ScaleBarMargin = 16;
 const int Tick = 5;
 const double LongestShare = 0.2; // of the picture's width
 }
@@ -84,15 +84,15 @@ void ViewerScaleBar::OnStart(vtkObject* caller, unsigned long, void*)
     return;
   }
   const double length = GetRoundLength(longest);
-  const double right = size[0] - Margin;
+  const double right = size[0] - ScaleBarMargin;
   const double left = right - length / pixel;
-  this->Points->SetPoint(0, left, Margin + Tick, 0.0);
-  this->Points->SetPoint(1, left, Margin, 0.0);
-  this->Points->SetPoint(2, right, Margin, 0.0);
-  this->Points->SetPoint(3, right, Margin + Tick, 0.0);
+  this->Points->SetPoint(0, left, ScaleBarMargin + Tick, 0.0);
+  this->Points->SetPoint(1, left, ScaleBarMargin, 0.0);
+  this->Points->SetPoint(2, right, ScaleBarMargin, 0.0);
+  this->Points->SetPoint(3, right, ScaleBarMargin + Tick, 0.0);
   this->Points->Modified();
   this->Text->SetInput(this->GetText(length).c_str());
-  this->Text->SetPosition(0.5 * (left + right), Margin + 2 * Tick);
+  this->Text->SetPosition(0.5 * (left + right), ScaleBarMargin + 2 * Tick);
 }
 
 //------------------------------------------------------------------------------

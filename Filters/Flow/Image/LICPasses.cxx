@@ -4,15 +4,11 @@
 
 #include "Image/LICField.h"
 #include "Image/LICFilters.h"
+#include "Image/LICStretch.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <limits>
-
-namespace relevo
-{
-#include "glsl/relevoLICStretch.glsl"
-}
 
 namespace
 {

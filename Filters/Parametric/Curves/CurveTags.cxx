@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/CurveTags.h"
 
+#include "Core/EdgeLevels.h"
 #include "Core/RefinementMathematics.h"
 #include "Core/RefinementView.h"
 #include "Curves/CurveMesh.h"
@@ -23,8 +24,6 @@
 
 namespace relevo
 {
-#include "glsl/relevoLevels.glsl"
-
 namespace
 {
 // Gives each curve getTag(curve), in parallel.

@@ -8,6 +8,7 @@
 #ifndef FaceTags_h
 #define FaceTags_h
 
+#include "Core/EdgeLevels.h"
 #include "Core/RefinementMathematics.h"
 #include "Evaluation/EdgeTags.h"
 #include "Mesh/RefinementMesh.h"
@@ -16,8 +17,6 @@
 
 namespace relevo
 {
-#include "glsl/relevoLevels.glsl"
-
 /**
  * Calls work(getTags) once; getTags(f, face, t) then gives the tags of the sorted edges (0,1),
  * (1,2), (0,2) of face f, neither moved nor clamped. A template so that the compiler has loops over

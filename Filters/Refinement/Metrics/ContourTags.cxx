@@ -4,13 +4,12 @@
 
 #include "Core/WorldView.h"
 #include "Metrics/FunctionEvaluator.h"
+#include "Metrics/LevelFunctions.h"
 
 #include <algorithm>
 
 namespace relevo
 {
-#include "glsl/Metrics/relevoMetrics.glsl"
-
 namespace
 {
 struct ContourFunctions : MetricParameters

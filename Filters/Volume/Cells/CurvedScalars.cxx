@@ -12,7 +12,7 @@ namespace
 {
 // Two halvings, as scalars that turn round may be as if linear at one middle.
 constexpr int LeastSplit = 2;
-constexpr int DeepestSplit = 10;
+constexpr int DeepestEdgeSplit = 10;
 }
 
 CurvedScalars::CurvedScalars(
@@ -47,7 +47,7 @@ void CurvedScalars::Split(const RayPart& part, int depth, std::vector<RayPart>& 
   {
     isLinear = isLinear && std::abs(scalars[c] - linear[c]) <= this->Tolerance[c];
   }
-  if (isLinear || depth == DeepestSplit)
+  if (isLinear || depth == DeepestEdgeSplit)
   {
     this->AddTurns(part, scalars, parts);
     return;

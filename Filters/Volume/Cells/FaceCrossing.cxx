@@ -13,7 +13,7 @@ namespace
 // Of a face's parameters: hits next to its border count.
 constexpr double Margin = 1e-6;
 // Triangles of 1/2^12 of a face have at most one hit, which Newton's method finds.
-constexpr int DeepestSplit = 12;
+constexpr int DeepestFaceSplit = 12;
 
 // Two directions across a ray.
 struct Across
@@ -114,7 +114,7 @@ struct SeenTriangle
     {
       return;
     }
-    if (depth == DeepestSplit)
+    if (depth == DeepestFaceSplit)
     {
       dvec3 w = (part[0] + part[1] + part[2]) / 3.0;
       if (this->Polish(w))

@@ -14,7 +14,7 @@ namespace
 // it: where a function jumps, rounding does not decide on which side.
 constexpr double Inset = 1e-9;
 // 2^12 pieces between two kinks are enough for the steepest curve.
-constexpr int DeepestSplit = 12;
+constexpr int DeepestPieceSplit = 12;
 
 double FindLargest(const dvec4& v)
 {
@@ -58,7 +58,7 @@ void LinearPieces::Split(
     const dvec4 linear = ends.First + share * (ends.Last - ends.First);
     isLinear = FindLargest(function(begin + share * (end - begin)) - linear) <= tolerance;
   }
-  if (isLinear || depth == DeepestSplit)
+  if (isLinear || depth == DeepestPieceSplit)
   {
     this->Pieces.push_back(ends);
     this->Nodes.push_back(end);

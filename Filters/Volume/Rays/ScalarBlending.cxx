@@ -10,7 +10,7 @@ namespace relevo
 namespace
 {
 // Of a component's largest value on the ray: cells that touch differ no more where they do.
-constexpr double Rounding = 1e-12;
+constexpr double ValueRounding = 1e-12;
 
 // A place, or the mean of places.
 struct Sample
@@ -62,7 +62,7 @@ dvec4 BlendExtreme(
       else if (farther > 0.0)
       {
         // In a face, of the gradients of both cells that of the first one counts.
-        const bool isElsewhere = farther > Rounding * sizes[c];
+        const bool isElsewhere = farther > ValueRounding * sizes[c];
         extreme.Values[c] = sample.Values[c];
         extreme.Steepness[c] = isElsewhere ? sample.Steepness[c] : extreme.Steepness[c];
       }

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @brief   levels from measured values, shared with shaders
+ */
+#ifndef LevelFunctions_h
+#define LevelFunctions_h
+
+#include "Core/RefinementMathematics.h"
+
+namespace relevo
+{
+#include "glsl/Metrics/relevoMetrics.glsl"
+}
+
+#endif
