@@ -83,6 +83,11 @@ function (relevo_shorten_build target)
   relevo_precompile_headers("${target}")
   if (RELEVO_UNITY_BUILD)
     set_target_properties("${target}" PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
+    if (CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+      # g++ takes included sources for headers, where anonymous namespaces would be a mistake.
+      target_compile_options("${target}" PRIVATE
+        "$<$<COMPILE_LANGUAGE:CXX>:-Wno-subobject-linkage>")
+    endif ()
   endif ()
 endfunction ()
 

@@ -19,7 +19,7 @@ namespace relevo
 {
 namespace
 {
-constexpr float Tolerance = 1e-3f;
+constexpr float NormalTolerance = 1e-3f;
 
 // An order of normals; zero, which is none, comes last.
 bool IsLess(const vec3& a, const vec3& b)
@@ -171,7 +171,7 @@ private:
     return std::all_of(this->Rows.begin(), this->Rows.end(),
       [this](const std::vector<vec3>& row)
       {
-        GroupNormals(row, Tolerance, this->Groups);
+        GroupNormals(row, NormalTolerance, this->Groups);
         return std::all_of(
           this->Groups.begin(), this->Groups.end(), [](vtkIdType group) { return group == 0; });
       });
@@ -214,7 +214,7 @@ private:
   void Divide(
     const int* uses, size_t owner, int step, const std::vector<vec3>& normals, vtkIdType point)
   {
-    GroupNormals(normals, Tolerance, this->Groups);
+    GroupNormals(normals, NormalTolerance, this->Groups);
     this->Least = normals;
     for (size_t u = 0; u < normals.size(); ++u)
     {
