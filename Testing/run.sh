@@ -25,4 +25,17 @@ if [ -z "${DISPLAY:-}" ]; then
   display=(xvfb-run -a -s "-noreset -screen 0 1280x1024x24")
 fi
 cd "$build_dir"
-exec "${display[@]}" ctest --output-on-failure --parallel "$(nproc)" "$@"
+built=$SECONDS
+log=Testing/Temporary/run.log
+mkdir -p "${log%/*}"
+result=0
+"${display[@]}" ctest --output-on-failure --parallel "$(nproc)" "$@" | tee "$log" || result=$?
+
+# Where the time went, and the summary once more.
+echo
+echo "Set-up and build took $built s, tests $((SECONDS - built)) s. The slowest tests:"
+sed -n 's/^"\(.*\)" time elapsed: \(.*\)/  \2  \1/p' Testing/Temporary/LastTest.log |
+  sort -r | head -n 15
+echo
+sed -n '/tests passed/,$p' "$log"
+exit "$result"
