@@ -13,6 +13,7 @@
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <array>
@@ -21,6 +22,15 @@
 
 namespace
 {
+vtkIdType CountCellTypes(vtkUnstructuredGrid* grid)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  return grid->GetCellTypes()->GetNumberOfTuples();
+#else
+  return grid->GetCellTypesArray()->GetNumberOfTuples();
+#endif
+}
+
 using Ids = std::vector<vtkIdType>;
 constexpr vtkIdType Unused = -1;
 
@@ -113,7 +123,7 @@ void CheckCorners(vtkPointSet* mesh)
   if (grid && grid->GetCells())
   {
     groups.push_back(grid->GetCells());
-    const vtkIdType numberOfTypes = grid->GetCellTypesArray()->GetNumberOfValues();
+    const vtkIdType numberOfTypes = CountCellTypes(grid);
     if (numberOfTypes != grid->GetNumberOfCells())
     {
       throw ViewerError("there are " + std::to_string(numberOfTypes) + " types for " +
