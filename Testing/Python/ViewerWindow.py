@@ -34,12 +34,16 @@ def wait(condition, what):
 
 
 class Display:
-    """An X server without a window manager; nobody else's windows, keys and mouse are on it."""
+    """An X server without a window manager; nobody else's windows, keys and mouse are on it.
 
-    def __init__(self, size="1024x768"):
+    A server that resets does so when its last client leaves, as Xvfb does by default.
+    """
+
+    def __init__(self, size="1024x768", resets=False):
         reader, writer = os.pipe()
         self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(writer), "-noreset", "-screen", "0", f"{size}x24"],
+            ["Xvfb", "-displayfd", str(writer), "-screen", "0", f"{size}x24"]
+            + ([] if resets else ["-noreset"]),
             pass_fds=[writer],
             stderr=subprocess.DEVNULL,
         )

@@ -27,22 +27,31 @@
 
 namespace
 {
-// By a window of its own, never shown: a window that was asked for the size of its screen before it
-// has an interactor owns the connection to the display, and takes it away from under VTK 9.1's
-// interactor when it closes.
-void CheckDisplay(ViewerMessages& messages)
+/**
+ * A connection to the display, by a window that is never shown. It stays open until the program's
+ * own window is closed: some X servers reset when their last client leaves, and then refuse the
+ * next one. The program's own window cannot be asked for its screen before it has an interactor: it
+ * would own the connection, and close it while VTK 9.1's interactor still uses it.
+ */
+class DisplayConnection
 {
-  vtkNew<vtkRenderWindow> window;
-  // At once, for VTK ends the program after its message that the display cannot be reached.
-  messages.ThrowErrorsOf(window);
-  window->GetScreenSize();
-  // VTK 9.4 and later make a window without display of it instead.
-  if (!window->GetShowWindow())
+public:
+  explicit DisplayConnection(ViewerMessages& messages)
   {
-    throw ViewerError("cannot reach DISPLAY=" + std::string(std::getenv("DISPLAY")) +
-      "; --output FILE.png draws a picture without one");
+    // Errors end the program at once, for VTK ends it after its message that it cannot connect.
+    messages.ThrowErrorsOf(this->Window);
+    this->Window->GetScreenSize();
+    // VTK 9.4 and later make a window without display of it instead.
+    if (!this->Window->GetShowWindow())
+    {
+      throw ViewerError("cannot reach DISPLAY=" + std::string(std::getenv("DISPLAY")) +
+        "; --output FILE.png draws a picture without one");
+    }
   }
-}
+
+private:
+  vtkNew<vtkRenderWindow> Window;
+};
 
 // A terrain has a vertical; a mesh is turned in the hand.
 vtkSmartPointer<vtkInteractorStyle> MakeStyle(bool isTerrain)
@@ -72,7 +81,7 @@ bool HasDisplay()
 //------------------------------------------------------------------------------
 void ShowWindow(ViewerScene& scene, const ViewerOptions& options, ViewerMessages& messages)
 {
-  CheckDisplay(messages);
+  const DisplayConnection connection(messages);
   vtkNew<vtkRenderWindow> window;
   messages.ThrowErrorsOf(window);
   window->SetSize(options.Size[0], options.Size[1]);

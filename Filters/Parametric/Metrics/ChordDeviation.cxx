@@ -14,12 +14,12 @@ namespace
 {
 // A homogeneous polynomial in s and t: coefficient i belongs to s^(degree - i) t^i.
 template <typename T>
-using Form = std::vector<T>;
+using CurveForm = std::vector<T>;
 
 template <typename T>
-Form<T> Multiply(const Form<T>& a, const Form<double>& b)
+CurveForm<T> Multiply(const CurveForm<T>& a, const CurveForm<double>& b)
 {
-  Form<T> product(a.size() + b.size() - 1, T(0.0));
+  CurveForm<T> product(a.size() + b.size() - 1, T(0.0));
   for (std::size_t i = 0; i < a.size(); ++i)
   {
     for (std::size_t j = 0; j < b.size(); ++j)
@@ -32,10 +32,10 @@ Form<T> Multiply(const Form<T>& a, const Form<double>& b)
 
 // By the parameter t, with s = 1 - t.
 template <typename T>
-Form<T> Differentiate(const Form<T>& a)
+CurveForm<T> Differentiate(const CurveForm<T>& a)
 {
   const std::size_t degree = a.size() - 1;
-  Form<T> derivative(degree);
+  CurveForm<T> derivative(degree);
   for (std::size_t i = 0; i < degree; ++i)
   {
     derivative[i] = static_cast<double>(i + 1) * a[i + 1] - static_cast<double>(degree - i) * a[i];
@@ -44,7 +44,7 @@ Form<T> Differentiate(const Form<T>& a)
 }
 
 template <typename T>
-Form<T> Subtract(Form<T> a, const Form<T>& b, double factor)
+CurveForm<T> Subtract(CurveForm<T> a, const CurveForm<T>& b, double factor)
 {
   for (std::size_t i = 0; i < a.size(); ++i)
   {
@@ -116,8 +116,8 @@ private:
     {
       largestWeight = std::max(largestWeight, point.w);
     }
-    Form<dvec3> a;
-    Form<double> w;
+    CurveForm<dvec3> a;
+    CurveForm<double> w;
     double binomial = 1.0;
     const std::size_t degree = this->Points.size() - 1;
     for (std::size_t i = 0; i <= degree; ++i)
@@ -127,11 +127,11 @@ private:
       w.push_back(point.w);
       binomial *= static_cast<double>(degree - i) / static_cast<double>(i + 1);
     }
-    const Form<double> slope = Differentiate(w);
-    const Form<dvec3> c = Subtract(Multiply(Differentiate(a), w), Multiply(a, slope), 1.0);
-    const Form<dvec3> n =
+    const CurveForm<double> slope = Differentiate(w);
+    const CurveForm<dvec3> c = Subtract(Multiply(Differentiate(a), w), Multiply(a, slope), 1.0);
+    const CurveForm<dvec3> n =
       Multiply(Subtract(Multiply(Differentiate(c), w), Multiply(c, slope), 2.0), { 1.0, 2.0, 1.0 });
-    const Form<double> divisor = Multiply(Multiply(w, w), w);
+    const CurveForm<double> divisor = Multiply(Multiply(w, w), w);
     for (std::size_t i = 0; i < n.size(); ++i)
     {
       this->Add(
