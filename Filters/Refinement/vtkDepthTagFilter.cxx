@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDepthTagFilter.h"
 
-#include "Core/EdgeLevels.h"
 #include "Core/InputType.h"
 #include "Core/MemoryGuard.h"
 #include "Core/MisplacedArray.h"
@@ -12,6 +11,7 @@
 #include "Core/VTKCompatibility.h"
 #include "Mesh/SurfaceEdges.h"
 #include "Metrics/DepthTags.h"
+#include "Metrics/EdgeLevels.h"
 #include "Metrics/MetricMesh.h"
 #include "Metrics/PieceAgreement.h"
 #include "Metrics/TagSource.h"

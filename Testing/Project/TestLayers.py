@@ -3,8 +3,8 @@
 """The layers of the modules' sources, as Module/Documentation/architecture.md draws them.
 
 No include climbs, at a module's root lie its public classes alone, private files are not called
-vtk*, no header takes the name or the include guard of one of VTK's, and folders, files and
-functions stay small, those of tests, too.
+vtk*, no header takes the name or the include guard of one of VTK's, and functions stay small, those
+of tests, too.
 
     TestLayers.py SOURCE VTK_INCLUDE_FOLDER...
 """
@@ -61,7 +61,6 @@ LAYERS = {
                         ("Scene", []), ("Window", [])],
 }
 MODULES = list(LAYERS)  # no module includes one that comes after it
-LARGEST_FOLDER = 30
 LONGEST_FUNCTION = 80
 NO_FUNCTION = re.compile(r"(inline |typedef )*(namespace|class|struct|union|enum|extern)\b")
 
@@ -109,27 +108,17 @@ def functions(text):
 
 
 def find_large(source):
-    """Files and functions of too many lines, and folders of too many units: a header with its
-    source is one.
-    """
-    folders = {}
+    """Functions of too many lines."""
     for top in ("Filters", "Rendering", "Examples", "Testing"):
         for path in sorted((source / top).rglob("*")):
-            if path.suffix not in (".cxx", ".glsl", ".h", ".py"):
-                continue
-            name, text = path.relative_to(source), path.read_text(encoding="utf-8")
-            if path.suffix != ".py":
-                folders.setdefault(path.parent, set()).add(path.stem)
             if path.suffix in (".cxx", ".h"):
-                for line, length in functions(text):
+                name = path.relative_to(source)
+                for line, length in functions(path.read_text(encoding="utf-8")):
                     if length > LONGEST_FUNCTION:
                         yield (
                             f"{name}:{line}: a function of more than {LONGEST_FUNCTION} lines "
                             f"({length})"
                         )
-    for folder, units in folders.items():
-        if len(units) > LARGEST_FOLDER:
-            yield f"{folder.relative_to(source)}: has more than {LARGEST_FOLDER} units"
 
 
 def main():

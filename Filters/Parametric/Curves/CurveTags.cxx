@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/CurveTags.h"
 
-#include "Core/EdgeLevels.h"
 #include "Core/RefinementMathematics.h"
 #include "Core/RefinementView.h"
 #include "Curves/CurveMesh.h"
@@ -10,6 +9,7 @@
 #include "Evaluation/PatternSelection.h"
 #include "Evaluation/RefinementPreparation.h"
 #include "Metrics/DepthTags.h"
+#include "Metrics/EdgeLevels.h"
 #include "Metrics/TagSource.h"
 #include "Patterns/SegmentSteps.h"
 #include "vtkAbstractArray.h"

@@ -8,10 +8,10 @@
 #ifndef FaceTags_h
 #define FaceTags_h
 
-#include "Core/EdgeLevels.h"
 #include "Core/RefinementMathematics.h"
 #include "Evaluation/EdgeTags.h"
 #include "Mesh/RefinementMesh.h"
+#include "Metrics/EdgeLevels.h"
 
 #include <algorithm> // for std::fill_n
 
