@@ -252,6 +252,8 @@ private:
 
   bool UpdateMesh(vtkVolume* volume);
   bool BuildMesh(vtkVolume* volume, vtkDataObject* input);
+  /// Reports an input of a wrong type once.
+  bool CheckType(vtkDataObject* input);
   bool ReadCells(vtkVolume* volume, vtkDataObject* input, relevo::VolumeCells& cells);
   bool UploadMesh(const relevo::VolumeCells& cells);
   bool UpdateFunctions(vtkVolume* volume);

@@ -81,6 +81,22 @@ bool vtkGPUUnstructuredGridVolumeMapper::BuildMesh(vtkVolume* volume, vtkDataObj
     });
 }
 
+bool vtkGPUUnstructuredGridVolumeMapper::CheckType(vtkDataObject* input)
+{
+  vtkInternals& data = *this->Internals;
+  vtkInformation* port = this->GetInputPortInformation(0);
+  if (data.CheckedInput != input)
+  {
+    data.CheckedInput = input;
+    data.TypeProblem.clear();
+  }
+  if (relevo::IsNews(data.TypeProblem, relevo::FindTypeProblem(input, port)))
+  {
+    vtkErrorMacro(<< data.TypeProblem);
+  }
+  return relevo::IsOfRequiredType(input, port);
+}
+
 bool vtkGPUUnstructuredGridVolumeMapper::ReadCells(
   vtkVolume* volume, vtkDataObject* input, relevo::VolumeCells& cells)
 {
@@ -105,17 +121,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::ReadCells(
     : vtkDataObject::FIELD_ASSOCIATION_POINTS;
   const relevo::ArrayWish wish = { find, isByName ? this->ArrayName : "", association,
     AdviseScalarMode, takesAll ? relevo::MostComponents : VTK_INT_MAX, "SelectScalarArray()" };
-  vtkInformation* port = this->GetInputPortInformation(0);
-  if (data.CheckedInput != input)
-  {
-    data.CheckedInput = input;
-    data.TypeProblem.clear();
-  }
-  if (relevo::IsNews(data.TypeProblem, relevo::FindTypeProblem(input, port)))
-  {
-    vtkErrorMacro(<< data.TypeProblem);
-  }
-  if (!relevo::IsOfRequiredType(input, port))
+  if (!this->CheckType(input))
   {
     return false;
   }
