@@ -196,7 +196,8 @@ void MeshScene::Report()
     std::cout << this->CurvedBy << std::endl;
   }
   const bool isGrey = this->ArrayName.empty() && this->Options.Imagery.empty() &&
-    this->Options.Color == ViewerOptions::ColorType::Own && this->Options.Export.empty();
+    this->Options.Color == ViewerOptions::ColorType::Own && this->Options.Export.empty() &&
+    this->Options.Capture.empty();
   const std::string list = isGrey ? ListArrays(this->Mesh) : "";
   if (!list.empty())
   {
