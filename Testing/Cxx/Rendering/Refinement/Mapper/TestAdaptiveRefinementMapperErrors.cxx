@@ -336,7 +336,8 @@ void TestBlocks(RelevoCheck& check)
 // Inputs and blocks that are no meshes.
 void TestTypes(RelevoCheck& check)
 {
-  View view(check, Cube());
+  const auto cube = Cube();
+  View view(check, cube);
   view.TestWorks("cube");
   for (int i = 0; i < 2; ++i)
   {
@@ -347,12 +348,12 @@ void TestTypes(RelevoCheck& check)
   vtkNew<vtkUnstructuredGrid> grid;
   view.Mapper->SetInputDataObject(grid);
   view.TestFails("The input is a vtkUnstructuredGrid; a vtkPolyData or a ");
-  view.Mapper->SetInputDataObject(Cube());
+  view.Mapper->SetInputDataObject(cube);
   view.TestWorks("cube again");
 
   vtkNew<vtkMultiBlockDataSet> blocks;
   vtkNew<vtkTable> table;
-  blocks->SetBlock(0, Cube());
+  blocks->SetBlock(0, cube);
   blocks->SetBlock(1, table);
   blocks->GetMetaData(1u)->Set(vtkCompositeDataSet::NAME(), "history");
   view.Mapper->SetInputDataObject(blocks);
