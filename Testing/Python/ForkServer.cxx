@@ -108,7 +108,7 @@ int Serve(int argc, char** argv, char** environment)
 }
 }
 
-// What starts main().
+// The C library calls this to start main().
 extern "C" int __libc_start_main(
   Main main, int argc, char** argv, void (*begin)(), void (*end)(), void (*finish)(), void* stack)
 {

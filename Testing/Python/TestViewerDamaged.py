@@ -59,8 +59,8 @@ class TestViewerDamaged(ViewerProgram):
         super().setUpClass()
         os.mkfifo(cls.folder / "pipe")
         (cls.folder / "heights.pgm").write_bytes(b"P5 8 8 255\n" + bytes(range(64)))
-        cls.write("sphere.vtp", vtkXMLPolyDataWriter, sphere())
-        cls.write("grid.vtu", vtkXMLUnstructuredGridWriter, tetrahedron())
+        cls.write_data("sphere.vtp", vtkXMLPolyDataWriter, sphere())
+        cls.write_data("grid.vtu", vtkXMLUnstructuredGridWriter, tetrahedron())
         (cls.folder / "waits.vrt").write_text(
             '<VRTDataset rasterXSize="8" rasterYSize="8"><VRTRasterBand dataType="Byte" band="1">'
             '<SimpleSource><SourceFilename relativeToVRT="1">pipe</SourceFilename></SimpleSource>'
@@ -79,16 +79,6 @@ class TestViewerDamaged(ViewerProgram):
         return subprocess.Popen(
             [str(PROGRAM), name, *EXPORT], cwd=cls.folder, stderr=subprocess.PIPE, text=True
         )
-
-    @classmethod
-    def write(cls, name, kind, data, *calls):
-        writer = kind()
-        for call in calls:
-            getattr(writer, call)()
-        writer.SetInputData(data)
-        writer.SetFileName(str(cls.folder / name))
-        writer.Write()
-        return (cls.folder / name).read_bytes()
 
     def cut(self, name, content, sizes, *arguments):
         """Each is an error that names the file."""
@@ -121,7 +111,7 @@ class TestViewerDamaged(ViewerProgram):
 
     def test_pieces(self):
         """Of a .pvtu file. VTK's reader passes over those that it cannot read."""
-        whole = self.write("whole.vtu", vtkXMLUnstructuredGridWriter, tetrahedron())
+        whole = self.write_data("whole.vtu", vtkXMLUnstructuredGridWriter, tetrahedron())
         piece = self.folder / "piece.vtu"
         (self.folder / "pieces.pvtu").write_text(
             '<VTKFile type="PUnstructuredGrid" version="0.1"><PUnstructuredGrid GhostLevel="0">'
@@ -160,7 +150,7 @@ class TestViewerDamaged(ViewerProgram):
             ("little.ply", ["SetFileTypeToBinary"]),
             ("big.ply", ["SetFileTypeToBinary", "SetDataByteOrderToBigEndian"]),
         ):
-            content = self.write(name, vtkPLYWriter, sphere(), *calls)
+            content = self.write_data(name, vtkPLYWriter, sphere(), *calls)
             self.view(name, *EXPORT)
             header = content.index(b"end_header")
             self.cut(name, content, (3, header, header + 20, len(content) - 3))
@@ -175,9 +165,9 @@ class TestViewerDamaged(ViewerProgram):
                 self.assert_error(1, ["cannot read " + name], name, *EXPORT)
 
     def test_stl(self):
-        content = self.write("a.stl", vtkSTLWriter, sphere(), "SetFileTypeToBinary")
+        content = self.write_data("a.stl", vtkSTLWriter, sphere(), "SetFileTypeToBinary")
         self.cut("a.stl", content, (60, len(content) - 1))
-        text = self.write("text.stl", vtkSTLWriter, sphere())
+        text = self.write_data("text.stl", vtkSTLWriter, sphere())
         self.cut("text.stl", text, (len(text) // 2,))
         # Some programs count wrong.
         (self.folder / "b.stl").write_bytes(content[:80] + struct.pack("<I", 0) + content[84:])
@@ -206,7 +196,7 @@ class TestViewerDamaged(ViewerProgram):
                           "--height=a.nc", *EXPORT)
         if not vtkExodusIIWriter:
             return
-        content = self.write("a.ex2", vtkExodusIIWriter, tetrahedron())
+        content = self.write_data("a.ex2", vtkExodusIIWriter, tetrahedron())
         self.view("a.ex2", *EXPORT)
         self.cut("a.ex2", content, (len(content) // 4, len(content) - 20))
 
@@ -238,7 +228,7 @@ class TestViewerDamaged(ViewerProgram):
             ("c.vtk", vtkUnstructuredGridWriter, tetrahedron(), "ASCII"),
             ("d.vtk", vtkUnstructuredGridWriter, tetrahedron(), "Binary"),
         ):
-            content = self.write(name, writer, data, "SetFileTypeTo" + kind)
+            content = self.write_data(name, writer, data, "SetFileTypeTo" + kind)
             self.view(name, *EXPORT)
             values = content.index(b"LOOKUP_TABLE default\n") + 21
             points = content.index(b"POINTS")
@@ -249,7 +239,7 @@ class TestViewerDamaged(ViewerProgram):
                                    ("a.vtu", vtkXMLUnstructuredGridWriter, tetrahedron())):
             for mode in ("Ascii", "Binary", "Appended"):
                 (self.folder / name).unlink(missing_ok=True)
-                content = self.write("x" + name, writer, data, "SetDataModeTo" + mode)
+                content = self.write_data("x" + name, writer, data, "SetDataModeTo" + mode)
                 self.view("x" + name, *EXPORT)
                 self.cut("x" + name, content, (len(content) // 2, len(content) - 8))
 
@@ -303,7 +293,7 @@ class TestViewerDamaged(ViewerProgram):
         self.assertNotIn("\x1b", run.stdout)
 
     def second(self, name):
-        self.write(name, vtkXMLPolyDataWriter, sphere())
+        self.write_data(name, vtkXMLPolyDataWriter, sphere())
         return name
 
     def test_end_of_options(self):

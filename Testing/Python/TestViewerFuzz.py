@@ -70,17 +70,8 @@ class TestViewerFuzz(ViewerProgram):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.write("m.ply", vtkPLYWriter, sphere())
-        cls.write("m.vtu", vtkXMLUnstructuredGridWriter, tetrahedron())
-
-    @classmethod
-    def write(cls, name, kind, data, *calls):
-        writer = kind()
-        for call in calls:
-            getattr(writer, call)()
-        writer.SetInputData(data)
-        writer.SetFileName(str(cls.folder / name))
-        writer.Write()
+        cls.write_data("m.ply", vtkPLYWriter, sphere())
+        cls.write_data("m.vtu", vtkXMLUnstructuredGridWriter, tetrahedron())
 
     def damage(self, name, *arguments, number=NUMBER):
         """Draws or exports with the file damaged, and cut."""
@@ -112,12 +103,12 @@ class TestViewerFuzz(ViewerProgram):
 
     def test_polygons(self):
         for name, calls in (("t.ply", ["SetFileTypeToASCII"]), ("b.ply", ["SetFileTypeToBinary"])):
-            self.write(name, vtkPLYWriter, sphere(), *calls)
+            self.write_data(name, vtkPLYWriter, sphere(), *calls)
             self.damage(name)
         for name, calls in (("t.stl", ["SetFileTypeToASCII"]), ("b.stl", ["SetFileTypeToBinary"])):
-            self.write(name, vtkSTLWriter, sphere(), *calls)
+            self.write_data(name, vtkSTLWriter, sphere(), *calls)
             self.damage(name)
-        self.write("a.obj", vtkOBJWriter, sphere())
+        self.write_data("a.obj", vtkOBJWriter, sphere())
         self.damage("a.obj", number=3 * NUMBER)
         rows = "".join(f"{i} {j} {0.1 * i * j}\n" for i in range(4) for j in range(4))
         (self.folder / "a.bpt").write_text("1\n3 3\n" + rows)
@@ -135,14 +126,14 @@ class TestViewerFuzz(ViewerProgram):
         for kind in ("ASCII", "Binary"):
             for name, writer, data in (("a.vtk", vtkPolyDataWriter, sphere()),
                                        ("b.vtk", vtkUnstructuredGridWriter, tetrahedron())):
-                self.write(name, writer, data, "SetFileTypeTo" + kind)
+                self.write_data(name, writer, data, "SetFileTypeTo" + kind)
                 self.damage(name)
 
     def test_xml(self):
         for name, writer, data in (("a.vtp", vtkXMLPolyDataWriter, sphere()),
                                    ("a.vtu", vtkXMLUnstructuredGridWriter, tetrahedron())):
             for mode in ("Ascii", "Binary", "Appended"):
-                self.write(name, writer, data, "SetDataModeTo" + mode)
+                self.write_data(name, writer, data, "SetDataModeTo" + mode)
                 self.damage(name)
         (self.folder / "a.pvtu").write_text(
             '<VTKFile type="PUnstructuredGrid" version="0.1"><PUnstructuredGrid GhostLevel="0">'
@@ -154,14 +145,14 @@ class TestViewerFuzz(ViewerProgram):
 
     @unittest.skipUnless(vtkExodusIIWriter, "VTK has no Exodus reader")
     def test_exodus(self):
-        self.write("a.ex2", vtkExodusIIWriter, tetrahedron())
+        self.write_data("a.ex2", vtkExodusIIWriter, tetrahedron())
         self.damage("a.ex2", number=2 * NUMBER)
 
     def test_rasters(self):
         (self.folder / "a.pgm").write_bytes(b"P5 16 12 255\n" + bytes(range(192)))
         self.damage("a.pgm")
         for name, writer in (("a.tif", vtkTIFFWriter), ("a.png", vtkPNGWriter)):
-            self.write(name, writer, image(1))
+            self.write_data(name, writer, image(1))
             self.damage(name)
         self.damage("a.tif", "m.ply", "--height=a.tif", *EXPORT)
         rows = "\n".join(" ".join(str(i * j) for i in range(8)) for j in range(8))
@@ -175,7 +166,7 @@ class TestViewerFuzz(ViewerProgram):
         """What is only read to draw. A frame takes a quarter of a second."""
         for name, writer in (("i.png", vtkPNGWriter), ("i.jpg", vtkJPEGWriter),
                              ("i.tif", vtkTIFFWriter), ("i.bmp", vtkBMPWriter)):
-            self.write(name, writer, image(3))
+            self.write_data(name, writer, image(3))
             self.damage(name, "m.ply", "--image=" + name, "--mapping=sphere", *DRAW, number=2)
         (self.folder / "t.txt").write_text("0 0 0 1 0\n0.2 1 1 0 0.5\n0.4 1 0 0 1\n")
         self.damage("t.txt", "m.vtu", "--volume", "--transfer=t.txt", *DRAW, number=2)

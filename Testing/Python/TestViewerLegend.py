@@ -83,7 +83,7 @@ class TestViewerLegend(ViewerProgram):
         return Picture(self.folder / "l.png")
 
     def write_sphere(self, name, low, high, unit=None):
-        """All of it has the high value, but for a point at the bottom."""
+        """All points have the high value, except one at the bottom."""
         sphere = make_sphere()
         count = sphere.GetNumberOfPoints()
         lowest = min(range(count), key=lambda i: sphere.GetPoint(i)[2])

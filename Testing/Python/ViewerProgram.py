@@ -29,6 +29,17 @@ class ViewerProgram(unittest.TestCase):
         cls.folder = pathlib.Path(cls.temporary.name)
 
     @classmethod
+    def write_data(cls, name, kind, data, *calls):
+        """A file in the folder, by a writer after these calls; its bytes."""
+        writer = kind()
+        for call in calls:
+            getattr(writer, call)()
+        writer.SetInputData(data)
+        writer.SetFileName(str(cls.folder / name))
+        writer.Write()
+        return (cls.folder / name).read_bytes()
+
+    @classmethod
     def tearDownClass(cls):
         cls.temporary.cleanup()
 

@@ -12,7 +12,7 @@
 
 namespace
 {
-// What a corner such as 1/2/3 refers to, in this order.
+// The lists that the numbers of a corner such as 1/2/3 refer to, in this order.
 enum Kind
 {
   Points,

@@ -13,7 +13,7 @@ class vtkPolyData;
 /// "'a' of points, 'b' of cells with 3 components", "" for none.
 std::string ListArrays(vtkPolyData* mesh);
 
-/// What is drawn of an array: its name, of several components "name (magnitude)".
+/// The title of an array in legends: its name, or "name (magnitude)" for several components.
 std::string GetArrayTitle(const std::string& name, int numberOfComponents);
 
 #endif

@@ -116,7 +116,7 @@ void AddSample(vtkDataArray* array, std::vector<double>& sample)
   }
 }
 
-// Values of what is drawn: of cells those of the 3D ones.
+// The values that are drawn: all point values, or those of 3D cells.
 vtkSmartPointer<vtkDataArray> TakeDrawn(vtkDataSet* block, vtkDataArray* values, bool isOfPoints)
 {
   vtkNew<vtkIdList> drawn;

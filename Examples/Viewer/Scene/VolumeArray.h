@@ -21,7 +21,7 @@ struct VolumeArray
   std::string Unit; // "" where it is not known
   bool IsOfPoints;
   bool IsVector;   // shown by its length
-  double Range[2]; // of what is finite in all blocks, not empty; of cells the 3D ones
+  double Range[2]; // of the finite values of all blocks, never empty; only 3D cells count
   // As many values are between each and the next; none if nothing is finite. Of a sample of them.
   std::vector<double> Quantiles;
 };

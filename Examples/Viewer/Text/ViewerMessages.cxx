@@ -36,7 +36,7 @@ void AddHandler(vtkObject* object, unsigned long event, const Handler& handler)
   object->AddObserver(event, command);
 }
 
-// What the library says of its settings, said of the program's options.
+// Replaces the library's setters by the program's options in a message.
 std::string NameOptions(std::string text)
 {
   const std::pair<const char*, const char*> phrases[] = {

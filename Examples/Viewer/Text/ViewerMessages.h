@@ -80,7 +80,7 @@ public:
   void ShowWarnings();
 
   /**
-   * What a user should know of the files that is no warning: kept until ShowNotes(), on stdout.
+   * Keeps a note about a file, less than a warning, until ShowNotes() prints it on stdout.
    */
   void Tell(const std::string& text);
   void ShowNotes();

@@ -73,7 +73,7 @@ public:
   }
 
   double GetMost() const { return this->Most; }
-  /// What |S''| is at the ends.
+  /// The larger |S''| of the two ends.
   double GetLeast() const { return this->Least; }
   bool operator<(const Piece& other) const { return this->Most < other.Most; }
 

@@ -18,7 +18,7 @@ class vtkDataSet;
 
 namespace relevo
 {
-/// What to do, for the association that the array has: a sentence without its full stop, or "".
+/// Advice for the association that the array has: a sentence without its full stop, or "".
 using ArrayAdvice = std::function<std::string(int association)>;
 
 /// To convert the array, for classes that take arrays of one association.

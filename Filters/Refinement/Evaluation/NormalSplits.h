@@ -57,7 +57,7 @@ public:
   const std::vector<Owner>& GetPointOwners() const { return this->PointOwners; }
   const std::vector<Owner>& GetEdgeOwners() const { return this->EdgeOwners; }
 
-  /// What the evaluator gave for a point by its owner.
+  /// A point as the evaluator gave it for its owner.
   struct Value
   {
     vec3 Position;

@@ -94,7 +94,7 @@ double metresPerUnit(std::string unit)
   return 1.0;
 }
 
-// What a file without a band of its own says of the rasters in it.
+// Names the rasters in a file that has no band of its own.
 std::string DescribeContents(GDALDatasetH dataset)
 {
   constexpr int most = 20; // to list
