@@ -83,18 +83,24 @@ def is_public(folder, name):
 def precompile(compiler, source, flags, folder):
     """VTK's headers, in which most of the time goes, compiled for tests, examples and benchmark.
 
-    Those sources and the arguments to add to theirs; none where the compiler is not clang.
+    Those sources and the arguments to add to theirs; none where the compiler is not clang. Sources
+    with other flags, such as those of a shared library, cannot use the headers.
     """
-    users = [
-        path for path in flags if path.relative_to(source).parts[0] in ("Examples", "Testing")
-    ]
-    if not users or "clang" not in pathlib.Path(compiler).name:
+    if "clang" not in pathlib.Path(compiler).name:
         return {}
-    arguments = [argument for argument in flags[users[0]] if not argument.startswith(("-I", "-D"))]
+    users = {}
+    for path in flags:
+        if path.relative_to(source).parts[0] in ("Examples", "Testing"):
+            language = tuple(flag for flag in flags[path] if flag.startswith(("-f", "-std")))
+            users.setdefault(language, []).append(path)
+    if not users:
+        return {}
+    most = max(users.values(), key=len)
+    arguments = [flag for flag in flags[most[0]] if not flag.startswith(("-I", "-D"))]
     compiled = str(pathlib.Path(folder) / "headers.pch")
     header = str(source / "Module/CMake/RelevoPrecompiled.h")
     subprocess.run([compiler, *arguments, "-x", "c++-header", header, "-o", compiled], check=True)
-    return {path: ["-include-pch", compiled] for path in users}
+    return {path: ["-include-pch", compiled] for path in most}
 
 
 def main():
