@@ -36,14 +36,15 @@ def wait(condition, what):
 class Display:
     """An X server without a window manager; nobody else's windows, keys and mouse are on it.
 
-    A server that resets does so when its last client leaves, as Xvfb does by default.
+    Xvfb resets by default when its last client leaves, and may then refuse the next one. A server
+    that terminates instead refuses it every time.
     """
 
-    def __init__(self, size="1024x768", resets=False):
+    def __init__(self, size="1024x768", terminates=False):
         reader, writer = os.pipe()
         self.server = subprocess.Popen(
             ["Xvfb", "-displayfd", str(writer), "-screen", "0", f"{size}x24"]
-            + ([] if resets else ["-noreset"]),
+            + ["-terminate" if terminates else "-noreset"],
             pass_fds=[writer],
             stderr=subprocess.DEVNULL,
         )
