@@ -6,6 +6,7 @@
 #include "Mesh/GivenNormals.h"
 #include "Mesh/SurfaceEdges.h"
 #include "Mesh/SurfaceNormals.h"
+#include "vtkMath.h"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +20,6 @@ namespace relevo
 {
 namespace
 {
-constexpr double HalfTurn = 3.14159265358979323846;
 constexpr double FlatAngle = 1e-3; // radians; rounding of points leaves less
 
 double getAngle(const dvec3& a, const dvec3& b)
@@ -53,7 +53,7 @@ CreaseNormals::CreaseNormals(vtkPolyData* mesh, double featureAngle, bool keepCo
   const SurfaceEdges edges(this->Triangles);
   DisjointSets corners(static_cast<vtkIdType>(3 * this->AreaVectors.size()));
   const bool isNoisy = keepCoarseFlat && this->AreCreasesNoise(edges, limit);
-  const double largest = isNoisy ? HalfTurn : limit;
+  const double largest = isNoisy ? vtkMath::Pi() : limit;
   const bool isCoarse = this->UniteCorners(edges, firstStrip, largest, corners) && !isNoisy;
   const std::vector<dvec3> polygons = this->SumPolygons(firstStrip);
   const vtkIdType numberOfOwn = this->ChooseNormals(mesh, largest, corners, polygons);
