@@ -17,10 +17,10 @@
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
 
-#include "Core/RefinementView.h"
 #include "Mesh/SurfaceTriangles.h"
 #include "Metrics/MetricEvaluator.h"
 #include "Metrics/MetricMesh.h"
+#include "View/RefinementView.h"
 
 #include <array>
 #include <cmath>

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLineIntegralConvolution.h"
 
-#include "Core/ImageExtents.h"
-#include "Core/InputType.h"
-#include "Core/MemoryGuard.h"
-#include "Core/MisplacedArray.h"
-#include "Core/VTKCompatibility.h"
+#include "Arrays/ImageExtents.h"
+#include "Checks/InputType.h"
+#include "Checks/MemoryGuard.h"
+#include "Checks/MisplacedArray.h"
+#include "Compatibility/VTKCompatibility.h"
 #include "Image/ChosenNoise.h"
 #include "Image/ForwardedSettings.h"
 #include "Image/LICPassSettings.h"

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSurfaceLineIntegralConvolution.h"
 
-#include "Core/InputType.h"
-#include "Core/MemoryGuard.h"
-#include "Core/SettingChecks.h"
-#include "Core/VTKCompatibility.h"
-#include "Core/VectorData.h"
+#include "Arrays/VectorData.h"
+#include "Checks/InputType.h"
+#include "Checks/MemoryGuard.h"
+#include "Checks/SettingChecks.h"
+#include "Compatibility/VTKCompatibility.h"
 #include "Image/ForwardedSettings.h"
 #include "Image/LICPassSettings.h"
 #include "Image/LICStretch.h"

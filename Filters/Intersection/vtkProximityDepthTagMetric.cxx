@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkProximityDepthTagMetric.h"
 
-#include "Core/RefinementView.h"
-#include "Core/SettingChecks.h"
-#include "Core/WorldView.h"
+#include "Checks/SettingChecks.h"
 #include "Mesh/BoxTree.h"
 #include "Mesh/NearestBox.h"
 #include "Mesh/SurfaceTriangles.h"
 #include "Metrics/MetricEvaluator.h"
 #include "Metrics/MetricMesh.h"
 #include "Metrics/TriangleTags.h"
+#include "View/RefinementView.h"
+#include "View/WorldView.h"
 #include "vtkFloatArray.h"
 #include "vtkLookupTable.h"
 #include "vtkObjectFactory.h"

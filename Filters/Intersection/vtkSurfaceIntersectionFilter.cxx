@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSurfaceIntersectionFilter.h"
 
+#include "Changes/LatestTime.h"
+#include "Checks/MemoryGuard.h"
+#include "Checks/SettingChecks.h"
+#include "Compatibility/VTKCompatibility.h"
 #include "Contact/CellContacts.h"
-#include "Core/LatestTime.h"
-#include "Core/MemoryGuard.h"
-#include "Core/SettingChecks.h"
-#include "Core/VTKCompatibility.h"
 #include "Curves/CurveOutputs.h"
 #include "Mesh/Motion.h"
 #include "Mesh/MovedSurface.h"
@@ -314,7 +314,7 @@ bool vtkSurfaceIntersectionFilter::Intersect(
 {
   const relevo::MovedSurface& first = *this->Surfaces->Sides[0];
   const relevo::MovedSurface& second = this->Surfaces->GetSecond();
-  const std::vector<relevo::MeetingPair> pairs = relevo::FindMeetingPairs(first, second);
+  const std::vector<relevo::IntersectingPair> pairs = relevo::FindMeetingPairs(first, second);
   if (!this->Report(0.5))
   {
     return false;

@@ -3,7 +3,7 @@
 #include "vtkBezierPatchReader.h"
 
 #include "Cells/BezierCells.h"
-#include "Core/MemoryGuard.h"
+#include "Checks/MemoryGuard.h"
 #include "Files/BezierPatchFile.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkControlNetDepthTagMetric.h"
 
-#include "Core/RefinementMathematics.h"
-#include "Core/SettingChecks.h"
+#include "Checks/SettingChecks.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "Mesh/PatchArrays.h"
 #include "Mesh/SurfaceEdges.h"
 #include "Mesh/SurfaceTriangles.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHairSource.h"
 
-#include "Core/InputType.h"
-#include "Core/MemoryGuard.h"
-#include "Core/SettingChecks.h"
+#include "Checks/InputType.h"
+#include "Checks/MemoryGuard.h"
+#include "Checks/SettingChecks.h"
 #include "Curves/HairGrowth.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

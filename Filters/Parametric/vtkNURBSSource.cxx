@@ -3,9 +3,9 @@
 #include "vtkNURBSSource.h"
 
 #include "Cells/BezierCells.h"
-#include "Core/LatestTime.h"
-#include "Core/MemoryGuard.h"
-#include "Core/SettingChecks.h"
+#include "Changes/LatestTime.h"
+#include "Checks/MemoryGuard.h"
+#include "Checks/SettingChecks.h"
 #include "Splines/BSpline.h"
 #include "Splines/KnotVector.h"
 #include "vtkDoubleArray.h"

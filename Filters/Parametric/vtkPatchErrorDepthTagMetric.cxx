@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPatchErrorDepthTagMetric.h"
 
-#include "Core/Dependencies.h"
-#include "Core/RefinementView.h"
-#include "Core/SettingChecks.h"
+#include "Changes/Dependencies.h"
+#include "Checks/SettingChecks.h"
 #include "Mesh/PatchArrays.h"
 #include "Mesh/SurfaceEdges.h"
 #include "Metrics/MetricEvaluator.h"
@@ -13,6 +12,7 @@
 #include "Metrics/PatternExtents.h"
 #include "Metrics/PixelScale.h"
 #include "Metrics/SegmentSearch.h"
+#include "View/RefinementView.h"
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIdList.h"

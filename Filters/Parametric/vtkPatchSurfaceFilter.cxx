@@ -4,10 +4,10 @@
 
 #include "Cells/CellChecks.h"
 #include "Cells/ControlNets.h"
+#include "Checks/InputType.h"
+#include "Checks/MemoryGuard.h"
 #include "Coarse/CoarseMesh.h"
 #include "Coarse/PatchOutput.h"
-#include "Core/InputType.h"
-#include "Core/MemoryGuard.h"
 #include "Mesh/PatchArrays.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveRefinementFilter.h"
 
-#include "Core/InputType.h"
-#include "Core/MemoryGuard.h"
-#include "Core/RefinementView.h"
-#include "Core/SettingChecks.h"
-#include "Core/VTKCompatibility.h"
-#include "Core/WholeSurface.h"
+#include "Checks/InputType.h"
+#include "Checks/MemoryGuard.h"
+#include "Checks/SettingChecks.h"
+#include "Compatibility/VTKCompatibility.h"
 #include "Evaluation/PatternSelection.h"
 #include "Evaluation/RefinedPolyDataBuilder.h"
 #include "Evaluation/RefinementPreparation.h"
 #include "Evaluation/SampledSurface.h"
 #include "Mesh/RefinementMesh.h"
+#include "Metrics/MetricCache.h"
 #include "Metrics/PieceAgreement.h"
-#include "Metrics/TagSource.h"
 #include "Metrics/ViewTime.h"
+#include "Parallel/GlobalSurfaceInfo.h"
+#include "View/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -88,14 +88,14 @@ relevo::RefinementView vtkAdaptiveRefinementFilter::MakeView() const
 bool vtkAdaptiveRefinementFilter::Prepare(
   vtkPolyData* input, relevo::RefinementMesh& mesh, relevo::PatternSelection& selection)
 {
-  const std::shared_ptr<relevo::TagSource> source = this->Sources->Find(this, input);
+  const std::shared_ptr<relevo::MetricCache> source = this->Sources->Find(this, input);
   relevo::RefinementView view = this->MakeView();
   view.Displaced = relevo::SampledSurface::Make(this->Refinement);
   std::string error;
   std::string warning;
   const bool prepared = relevo::AgreeOnPiece(this->Controller, input, *source,
     this->Refinement ? this->Refinement->GetMetric() : nullptr, view,
-    [&](relevo::WholeSurface* whole)
+    [&](relevo::GlobalSurfaceInfo* whole)
     {
       if (!relevo::PrepareMesh(input, this->Refinement, whole, mesh, error, warning))
       {

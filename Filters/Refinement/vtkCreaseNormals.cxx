@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCreaseNormals.h"
 
-#include "Core/InputType.h"
-#include "Core/SettingChecks.h"
+#include "Checks/InputType.h"
+#include "Checks/SettingChecks.h"
 #include "Mesh/CreaseNormals.h"
 #include "Mesh/GivenNormals.h"
 #include "vtkCellArray.h"

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRefinedCellLocator.h"
 
-#include "Core/Dependencies.h"
-#include "Core/MemoryGuard.h"
-#include "Core/SettingChecks.h"
+#include "Changes/Dependencies.h"
+#include "Checks/MemoryGuard.h"
+#include "Checks/SettingChecks.h"
 #include "Evaluation/PatternSelection.h"
 #include "Evaluation/RefinementPreparation.h"
 #include "Intersection/CoarseCell.h"
 #include "Intersection/RefinedSurface.h"
 #include "Mesh/RefinementMesh.h"
-#include "Metrics/TagSource.h"
+#include "Metrics/MetricCache.h"
 #include "Metrics/ViewTime.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
@@ -41,7 +41,7 @@ struct vtkRefinedCellLocator::vtkInternals
   relevo::RefinementMesh Mesh;
   vtkTimeStamp MeshTime;
   relevo::PatternSelection Selection;
-  std::shared_ptr<relevo::TagSource> Tags = std::make_shared<relevo::TagSource>();
+  std::shared_ptr<relevo::MetricCache> Tags = std::make_shared<relevo::MetricCache>();
   relevo::RefinedSurface Surface;
   relevo::Dependencies MeshDependencies;
   bool Valid = false;

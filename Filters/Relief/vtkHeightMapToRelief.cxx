@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightMapToRelief.h"
 
-#include "Core/ImageExtents.h"
-#include "Core/InputType.h"
-#include "Core/LatestTime.h"
-#include "Core/MemoryGuard.h"
-#include "Core/SettingChecks.h"
-#include "Core/VTKCompatibility.h"
+#include "Arrays/ImageExtents.h"
+#include "Changes/LatestTime.h"
+#include "Checks/InputType.h"
+#include "Checks/MemoryGuard.h"
+#include "Checks/SettingChecks.h"
+#include "Compatibility/VTKCompatibility.h"
 #include "Data/Relief.h"
 #include "Data/ReliefColors.h"
 #include "Data/ReliefNormals.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkReliefDatabaseReader.h"
 
-#include "Core/MemoryGuard.h"
-#include "Core/VTKCompatibility.h"
+#include "Checks/MemoryGuard.h"
+#include "Compatibility/VTKCompatibility.h"
 #include "Database/ReliefFile.h"
 #include "Database/ReliefTable.h"
 #include "vtkCompositeDataSet.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkReliefDatabaseWriter.h"
 
-#include "Core/MemoryGuard.h"
-#include "Core/VTKCompatibility.h"
+#include "Checks/MemoryGuard.h"
+#include "Compatibility/VTKCompatibility.h"
 #include "Data/Reliefs.h"
 #include "Database/ReliefColumns.h"
 #include "Database/ReliefSet.h"

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkReliefWarper.h"
 
-#include "Core/CameraEye.h"
-#include "Core/ImageExtents.h"
-#include "Core/InputType.h"
-#include "Core/LatestTime.h"
-#include "Core/MemoryGuard.h"
-#include "Core/SettingChecks.h"
+#include "Arrays/ImageExtents.h"
+#include "Changes/LatestTime.h"
+#include "Checks/InputType.h"
+#include "Checks/MemoryGuard.h"
+#include "Checks/SettingChecks.h"
+#include "View/CameraEye.h"
 #include "Warp/WarpCoefficients.h"
 #include "Warp/WarpPasses.h"
 #include "Warp/WarpSource.h"

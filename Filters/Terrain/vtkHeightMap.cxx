@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightMap.h"
 
-#include "Core/MemoryGuard.h"
-#include "Core/SettingChecks.h"
+#include "Checks/MemoryGuard.h"
+#include "Checks/SettingChecks.h"
 #include "Heights/HeightGrid.h"
 #include "Heights/HeightReduction.h"
 #include "Mesh/PointBlanking.h"

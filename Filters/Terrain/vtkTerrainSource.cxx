@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainSource.h"
 
-#include "Core/MemoryGuard.h"
-#include "Core/SettingChecks.h"
-#include "Core/VTKCompatibility.h"
+#include "Checks/MemoryGuard.h"
+#include "Checks/SettingChecks.h"
+#include "Compatibility/VTKCompatibility.h"
 #if RELEVO_HAS_GDAL
 #include "Geodesy/CoordinateSystem.h"
 #endif

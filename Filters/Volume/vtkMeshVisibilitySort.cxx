@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeshVisibilitySort.h"
 
-#include "Core/CameraEye.h"
-#include "Core/MemoryGuard.h"
+#include "Checks/MemoryGuard.h"
 #include "Mesh/CellFaces.h"
 #include "Mesh/VisibilityOrder.h"
+#include "View/CameraEye.h"
 #include "vtkDataSet.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"

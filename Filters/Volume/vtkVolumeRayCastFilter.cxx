@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVolumeRayCastFilter.h"
 
+#include "Arrays/ImageExtents.h"
 #include "Cells/MeshScalars.h"
 #include "Cells/VolumeCells.h"
-#include "Core/ImageExtents.h"
-#include "Core/InputType.h"
-#include "Core/MemoryGuard.h"
-#include "Core/VTKCompatibility.h"
+#include "Checks/InputType.h"
+#include "Checks/MemoryGuard.h"
+#include "Compatibility/VTKCompatibility.h"
 #include "Rays/Blending.h"
 #include "Rays/ClippingPlanes.h"
 #include "Rays/PixelRays.h"
@@ -114,7 +114,7 @@ bool vtkVolumeRayCastFilter::Read(
   std::vector<relevo::MeshScalars> meshes;
   std::string error;
   std::string leftOut;
-  const relevo::ArrayWish wish = { [this](vtkDataSet* mesh, int& association)
+  const relevo::ArrayRequest wish = { [this](vtkDataSet* mesh, int& association)
     { return this->GetInputArrayToProcess(0, mesh, association); },
     name, wanted->Get(vtkDataObject::FIELD_ASSOCIATION()), relevo::AdviseInputArray(name),
     takesAll ? relevo::MostComponents : VTK_INT_MAX, "SetInputArrayToProcess()" };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/LatestTime.h"
-#include "Core/SettingChecks.h"
+#include "Changes/LatestTime.h"
+#include "Checks/SettingChecks.h"
 #include "Integral/TransferFunctions.h"
 #include "vtkCamera.h"
 #include "vtkNew.h"

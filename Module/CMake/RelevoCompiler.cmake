@@ -96,3 +96,12 @@ function (relevo_enable_warnings target)
   target_compile_options("${target}" PRIVATE
     "$<$<COMPILE_LANGUAGE:CXX>:${relevo_warning_flags}>")
 endfunction ()
+
+# relevo_add_public_folders(<target> <folder>...): folders of a module with headers of public
+# classes, which installed headers keep beside those of the module's own folder.
+function (relevo_add_public_folders target)
+  foreach (folder IN LISTS ARGN)
+    target_include_directories("${target}" PUBLIC
+      "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${folder}>")
+  endforeach ()
+endfunction ()

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveLICMapperInternals.h"
 
-#include "Core/MisplacedArray.h"
+#include "Checks/MisplacedArray.h"
 #include "Passes/LICHoles.h"
 
 #include "vtkActor.h"
@@ -243,7 +243,7 @@ void vtkAdaptiveLICMapper::RenderRefined(vtkRenderer* ren, vtkActor* act)
     lic.NoDataMagnitude = this->GetNoDataMagnitude();
     this->BuildTime.Modified(); // buffers are without no-data
   }
-  if (lic.OwnPart)
+  if (lic.LocalContribution)
   {
     lic.TakePart(ren, act);
     return;
@@ -310,9 +310,9 @@ void vtkAdaptiveLICMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->Superclass::ReleaseGraphicsResources(window);
   vtkInternals& lic = *this->LIC;
   lic.Screen = nullptr;
-  if (lic.OwnPart)
+  if (lic.LocalContribution)
   {
-    lic.OwnPart->Screen = nullptr;
+    lic.LocalContribution->Screen = nullptr;
   }
   for (auto& screen : lic.Screens)
   {

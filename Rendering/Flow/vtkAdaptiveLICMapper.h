@@ -253,7 +253,7 @@ public:
    * For processes that draw one picture together, each its part of the surface: their controller,
    * which a representation of the plugin for ParaView sets; nullptr, the default, or one of a
    * single process where this process draws all. Streaks then go on from process to process, if all
-   * of them call PrepareTogether() before each picture, in the same order and with the same
+   * of them call PrepareParallelFrame() before each picture, in the same order and with the same
    * settings, camera and size of the viewport, those that have nothing to draw, too. It composites
    * the vectors by depth and convolves them as far as this process needs them, unless nothing has
    * changed on any process. An error of one process leaves all without streaks; a part that has no
@@ -261,7 +261,7 @@ public:
    */
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
-  void PrepareTogether(vtkRenderer* ren, vtkActor* act);
+  void PrepareParallelFrame(vtkRenderer* ren, vtkActor* act);
   //@}
 
   /**

@@ -10,8 +10,8 @@
 #define vtkAdaptiveLICMapperInternals_h
 
 #include "Blocks/BlockLook.h"
-#include "Buffers/RefinementBuffer.h"
-#include "Core/Dependencies.h"
+#include "Buffers/BufferTexture.h"
+#include "Changes/Dependencies.h"
 #include "Image/LICPassSettings.h"
 #include "Passes/LICArray.h"
 #include "Passes/LICImage.h"
@@ -61,7 +61,7 @@ struct vtkAdaptiveLICMapper::vtkInternals
   double Unit = 1.0;       // of the vectors on the graphics card, which then are about 1 long
   bool HasNormals = false; // on the refined surface
   bool HasPointNormals = false;
-  relevo::RefinementBuffer CellVectors; // of VTK's primitives; empty for vectors of points
+  relevo::BufferTexture CellVectors; // of VTK's primitives; empty for vectors of points
   relevo::Dependencies CellVectorDependencies;
 
   // The vectors of all blocks.
@@ -125,8 +125,8 @@ struct vtkAdaptiveLICMapper::vtkInternals
     std::string Problem;
   };
   vtkSmartPointer<vtkMultiProcessController> Controller;
-  std::unique_ptr<Part> OwnPart;
-  std::set<std::pair<vtkRenderer*, vtkActor*>> TookPart;
+  std::unique_ptr<Part> LocalContribution;
+  std::set<std::pair<vtkRenderer*, vtkActor*>> PreviousContributors;
   bool IsTogether() const;
   void TakePart(vtkRenderer* ren, vtkActor* act);
   bool Agree(bool tookPart, bool& changed);

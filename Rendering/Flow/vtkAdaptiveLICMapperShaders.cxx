@@ -10,9 +10,9 @@
 #include "relevoLICVectorsFS.h"
 #include "relevoLICVectorsVS.h"
 
+#include "Actors/ShaderVariantKey.h"
 #include "Shaders/RefinementShaderOptions.h"
 #include "Shaders/ShaderText.h"
-#include "State/ActorLook.h"
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkFloatArray.h"
@@ -119,7 +119,7 @@ void vtkAdaptiveLICMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor* act)
     {
       lic.HasVectors = false;
       vtkErrorMacro("The vectors of cells cannot be sent to the graphics card: "
-        << relevo::RefinementBuffer::GetTooLarge() << ".");
+        << relevo::BufferTexture::GetTooLarge() << ".");
     }
   }
 }

@@ -27,7 +27,7 @@ bool vtkAdaptiveLICMapper::vtkInternals::IsTogether() const
   return this->Controller && this->Controller->GetNumberOfProcesses() > 1;
 }
 
-void vtkAdaptiveLICMapper::PrepareTogether(vtkRenderer* ren, vtkActor* act)
+void vtkAdaptiveLICMapper::PrepareParallelFrame(vtkRenderer* ren, vtkActor* act)
 {
   vtkInternals& lic = *this->LIC;
   if (!lic.IsTogether())
@@ -42,30 +42,30 @@ void vtkAdaptiveLICMapper::PrepareTogether(vtkRenderer* ren, vtkActor* act)
   ren->UpdateLightsGeometryToFollowCamera();
   vtkOpenGLRenderer::SafeDownCast(ren)->UpdateLights();
 
-  lic.OwnPart.reset(new vtkInternals::Part);
+  lic.LocalContribution.reset(new vtkInternals::Part);
   act->Render(ren, this);
   const auto key = std::make_pair(ren, act);
-  const bool tookPart = lic.TookPart.count(key) > 0;
-  if (lic.OwnPart->Screen)
+  const bool tookPart = lic.PreviousContributors.count(key) > 0;
+  if (lic.LocalContribution->Screen)
   {
-    lic.TookPart.insert(key);
+    lic.PreviousContributors.insert(key);
   }
   else
   {
-    lic.TookPart.erase(key);
+    lic.PreviousContributors.erase(key);
   }
   bool changed = false;
   if (lic.Agree(tookPart, changed))
   {
     lic.DrawTogether(ren, act, changed);
   }
-  lic.SetProblem(lic.OwnPart->Problem);
-  lic.OwnPart.reset();
+  lic.SetProblem(lic.LocalContribution->Problem);
+  lic.LocalContribution.reset();
 }
 
 void vtkAdaptiveLICMapper::vtkInternals::TakePart(vtkRenderer* ren, vtkActor* act)
 {
-  Part& part = *this->OwnPart;
+  Part& part = *this->LocalContribution;
   if (part.DrawsVectors && part.Screen)
   {
     part.Problem = this->DrawVectors(ren, act, *part.Screen, &part.Vectors);
@@ -103,7 +103,7 @@ bool vtkAdaptiveLICMapper::vtkInternals::Agree(bool tookPart, bool& changed)
     LONGEST,
     SAME // from here on, in pairs: values, and the values negative
   };
-  Part& part = *this->OwnPart;
+  Part& part = *this->LocalContribution;
   std::vector<double> values(SAME + 6, -VTK_DOUBLE_MAX);
   values[CHANGED] = part.IsChanged || tookPart != (part.Screen != nullptr);
   if (part.Screen)
@@ -151,7 +151,7 @@ void vtkAdaptiveLICMapper::vtkInternals::DrawTogether(vtkRenderer* ren, vtkActor
   {
     return;
   }
-  Part& part = *this->OwnPart;
+  Part& part = *this->LocalContribution;
   relevo::LICScreen*& screen = part.Screen;
   const relevo::LICProcesses processes(this->Controller);
   if (screen)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkContactScene.h"
 
-#include "Core/MemoryGuard.h"
-#include "Core/SettingChecks.h"
+#include "Checks/MemoryGuard.h"
+#include "Checks/SettingChecks.h"
 #include "Scene/ActorPair.h"
 #include "Scene/CandidateMetrics.h"
 #include "Scene/SceneActor.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveCurveMapperInternals.h"
 
-#include "Core/IsNews.h"
-#include "Core/MemoryGuard.h"
+#include "Checks/MemoryGuard.h"
+#include "Checks/ShouldReport.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAlgorithm.h"
 #include "vtkBoundingBox.h"
@@ -159,7 +159,7 @@ void vtkAdaptiveCurveMapper::UpdateBlocks()
     if (block.Painter->SetCurves(curves))
     {
       this->Say(block, vtkBlock::CELLS, FindCellProblem(curves, block.Painter->GetMesh()));
-      if (relevo::IsNews(block.Warning, block.Painter->GetMesh().GetWarning()))
+      if (relevo::ShouldReport(block.Warning, block.Painter->GetMesh().GetWarning()))
       {
         vtkWarningMacro(<< block.Prefix << block.Warning);
       }
@@ -188,7 +188,7 @@ void vtkAdaptiveCurveMapper::vtkInternals::AddCounts(const relevo::CurvePainter&
 
 void vtkAdaptiveCurveMapper::Say(vtkBlock& block, int kind, const std::string& problem)
 {
-  if (relevo::IsNews(block.Problems[kind], problem))
+  if (relevo::ShouldReport(block.Problems[kind], problem))
   {
     vtkErrorMacro(<< block.Prefix << problem);
   }
@@ -286,7 +286,7 @@ void vtkAdaptiveCurveMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   this->InvokeEvent(vtkCommand::EndEvent, nullptr);
   const std::string problem =
     this->Refinement ? "" : "No recipe: call SetRefinement() with a vtkAdaptiveRefinement.";
-  if (relevo::IsNews(data.Problem, problem))
+  if (relevo::ShouldReport(data.Problem, problem))
   {
     vtkErrorMacro(<< problem);
   }
@@ -354,7 +354,7 @@ void vtkAdaptiveCurveMapper::RenderBlocks(vtkRenderer* renderer, vtkActor* actor
     data.MethodInUse =
       block.Painter->IsTessellated() ? METHOD_HARDWARE_TESSELLATION : METHOD_INSTANCING;
   }
-  if (relevo::IsNews(data.TessellationProblem, tessellationProblem))
+  if (relevo::ShouldReport(data.TessellationProblem, tessellationProblem))
   {
     vtkErrorMacro(<< tessellationProblem);
   }

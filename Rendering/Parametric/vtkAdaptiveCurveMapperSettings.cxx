@@ -3,7 +3,7 @@
 // Settings of vtkAdaptiveCurveMapper, and what it counts.
 #include "vtkAdaptiveCurveMapperInternals.h"
 
-#include "Core/SettingChecks.h"
+#include "Checks/SettingChecks.h"
 #include "vtkAdaptiveRefinement.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptivePatchMapperInternals.h"
 
-#include "Core/IsNews.h"
-#include "Core/SettingChecks.h"
+#include "Checks/SettingChecks.h"
+#include "Checks/ShouldReport.h"
 #include "Mesh/PatchArrays.h"
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
@@ -172,13 +172,12 @@ void vtkAdaptivePatchMapper::UploadField(vtkRenderer* ren)
     problem = data.DescribeMisfit(this, scalars);
     if (!data.Scalars.Upload(vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()), source))
     {
-      problem =
-        "Cannot evaluate scalars at every pixel: " + relevo::RefinementBuffer::GetTooLarge() +
+      problem = "Cannot evaluate scalars at every pixel: " + relevo::BufferTexture::GetTooLarge() +
         ". They are interpolated.";
       data.Scalars.ReleaseGraphicsResources(ren->GetRenderWindow());
     }
   }
-  if (relevo::IsNews(data.FieldProblem, problem))
+  if (relevo::ShouldReport(data.FieldProblem, problem))
   {
     vtkErrorMacro(<< problem);
   }
@@ -251,7 +250,7 @@ void vtkAdaptivePatchMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* act)
   vtkInternals& data = *this->Patches;
   data.IsSurface = act->GetProperty()->GetRepresentation() == VTK_SURFACE;
   this->UpdateField(ren);
-  if (relevo::IsNews(data.LineProblem, vtkInternals::DescribeMissingIsolines(this)))
+  if (relevo::ShouldReport(data.LineProblem, vtkInternals::DescribeMissingIsolines(this)))
   {
     vtkWarningMacro(<< data.LineProblem);
   }

@@ -3,7 +3,7 @@
 // Grids as input, and where on them picks are.
 #include "vtkAdaptivePatchMapperInternals.h"
 
-#include "Core/ErrorCollector.h"
+#include "Checks/ErrorCollector.h"
 #include "Mesh/PatchArrays.h"
 #include "Patches/NearestPatchPoint.h"
 #include "vtkCellData.h"

@@ -10,7 +10,7 @@
 #define vtkAdaptivePatchMapperInternals_h
 
 #include "Buffers/PatchScalars.h"
-#include "Core/Dependencies.h"
+#include "Changes/Dependencies.h"
 #include "vtkAdaptivePatchMapper.h"
 #include "vtkNew.h"
 #include "vtkPatchSurfaceFilter.h"

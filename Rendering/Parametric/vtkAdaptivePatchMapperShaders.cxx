@@ -3,8 +3,8 @@
 // What fragments show of patches.
 #include "vtkAdaptivePatchMapperInternals.h"
 
+#include "Actors/ShaderVariantKey.h"
 #include "Shaders/RefinementShader.h"
-#include "State/ActorLook.h"
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkOpenGLHelper.h"

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Blocks/BlockLook.h"
-#include "Core/MemoryGuard.h"
+#include "Checks/MemoryGuard.h"
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
 #include "OpenGL/ContextFacts.h"
 #include "OpenGL/RelevoOpenGL.h"
 
+#include "Compatibility/VTKCompatibility.h"
 #include "Compute/RefinementComputeProgram.h"
-#include "Core/VTKCompatibility.h"
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDataObject.h"
@@ -297,7 +297,7 @@ void vtkAdaptiveRefinementMapper::UpdateFaceColors()
   {
     return;
   }
-  const std::string problem = relevo::RefinementColorTable::FindProblem(table, table->GetRange());
+  const std::string problem = relevo::ColorTable::FindProblem(table, table->GetRange());
   if (!problem.empty())
   {
     if (problem != data.LevelTableProblem)
@@ -312,7 +312,7 @@ void vtkAdaptiveRefinementMapper::UpdateFaceColors()
   if (!valid && data.FaceColorsValid)
   {
     vtkErrorMacro("The colours of levels, patterns or tags do not fit on the graphics card: "
-      << relevo::RefinementBuffer::GetTooLarge() << ".");
+      << relevo::BufferTexture::GetTooLarge() << ".");
   }
   data.FaceColorsValid = valid;
 }

@@ -488,8 +488,8 @@ private:
   bool BuildStages(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act);
   bool UploadHeights();
   bool UploadMethod();
-  void GiveUpMethod(vtkActor* act);
-  void SayUnusable(const std::string& problem);
+  void FallBackToDefaultMethod(vtkActor* act);
+  void ReportMethodUnavailable(const std::string& problem);
   void SetRefinementColorMode(RefinementColorModes mode);
   void CopySettings(vtkAdaptiveRefinementMapper* other);
   void UpdateFaceColors();

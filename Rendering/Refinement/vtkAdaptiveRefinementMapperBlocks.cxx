@@ -4,8 +4,8 @@
 #include "Blocks/BlockLook.h"
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
-#include "Core/InputType.h"
-#include "Core/IsNews.h"
+#include "Checks/InputType.h"
+#include "Checks/ShouldReport.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkPolyData.h"
@@ -26,7 +26,7 @@ bool vtkAdaptiveRefinementMapper::CheckInputType()
     data.TypeProblem.clear();
   }
   vtkInformation* port = this->GetInputPortInformation(0);
-  if (relevo::IsNews(data.TypeProblem, input ? relevo::FindTypeProblem(input, port) : ""))
+  if (relevo::ShouldReport(data.TypeProblem, input ? relevo::FindTypeProblem(input, port) : ""))
   {
     vtkErrorMacro(<< data.TypeProblem);
   }

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The coarse mesh on the GPU: when it is uploaded, and what of it.
+#include "Actors/UsableArrays.h"
 #include "OpenGL/PositionShift.h"
-#include "State/UsableArrays.h"
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
-#include "Core/WholeSurface.h"
+#include "Parallel/GlobalSurfaceInfo.h"
 #include "vtkAbstractArray.h"
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
@@ -180,7 +180,7 @@ vtkUnsignedCharArray* vtkAdaptiveRefinementMapper::MapScalars(
     vtkDataArray* numbers = vtkDataArray::SafeDownCast(scalars);
     vtkScalarsToColors* table = numbers ? numbers->GetLookupTable() : nullptr;
     table = table ? table : this->GetLookupTable();
-    const std::string unusable = relevo::RefinementColorTable::FindProblem(
+    const std::string unusable = relevo::ColorTable::FindProblem(
       table, this->UseLookupTableScalarRange ? table->GetRange() : this->ScalarRange);
     if (problem.empty() && !unusable.empty())
     {

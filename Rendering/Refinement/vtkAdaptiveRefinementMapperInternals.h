@@ -9,6 +9,7 @@
 #ifndef vtkAdaptiveRefinementMapperInternals_h
 #define vtkAdaptiveRefinementMapperInternals_h
 
+#include "Actors/ShaderVariantKey.h"
 #include "Blocks/RefinementBlocks.h"
 #include "Buffers/RefinementColors.h"
 #include "Buffers/RefinementFaceColors.h"
@@ -17,15 +18,14 @@
 #include "Buffers/RefinementMeshBuffers.h"
 #include "Buffers/RefinementPatternBuffer.h"
 #include "Compute/RefinementComputeState.h"
-#include "Core/RefinementView.h"
 #include "Methods/RefinementMethod.h"
 #include "OpenGL/ContextWatch.h"
 #include "OpenGL/RenderClock.h"
 #include "Picking/PickedInput.h"
 #include "Shaders/RefinementShader.h"
-#include "State/ActorLook.h"
 #include "State/LevelBudget.h"
 #include "State/RefinementState.h"
+#include "View/RefinementView.h"
 #include "vtkAdaptiveRefinementMapper.h"
 #include "vtkLinearSurface.h"
 #include "vtkNew.h"

@@ -52,7 +52,7 @@ void vtkAdaptiveRefinementMapper::vtkInternals::SwapLook(
 void vtkAdaptiveRefinementMapper::FollowLook(vtkRenderer* ren, vtkActor* act)
 {
   vtkInternals& data = *this->Internals;
-  const relevo::Dependencies look = relevo::GetActorLook(ren, act, this->GetTextures(act));
+  const relevo::Dependencies look = relevo::GetShaderVariantKey(ren, act, this->GetTextures(act));
   if (data.CurrentLook == look)
   {
     return;

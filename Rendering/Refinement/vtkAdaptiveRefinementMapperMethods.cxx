@@ -3,7 +3,7 @@
 // Which method draws, and its draw calls.
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
-#include "Core/SameNumber.h"
+#include "Mathematics/SameNumber.h"
 #include "OpenGL/RelevoOpenGL.h"
 
 #include "Evaluation/PatternSelection.h"
@@ -95,7 +95,7 @@ void vtkAdaptiveRefinementMapper::ChooseMethod(vtkRenderer* ren, vtkActor* act)
     data.MethodProblem = problem;
     if (!problem.empty())
     {
-      this->SayUnusable(problem);
+      this->ReportMethodUnavailable(problem);
     }
   }
   if (!data.Failure.IsEmpty() &&
@@ -128,7 +128,7 @@ void vtkAdaptiveRefinementMapper::ChooseMethod(vtkRenderer* ren, vtkActor* act)
   }
 }
 
-void vtkAdaptiveRefinementMapper::SayUnusable(const std::string& problem)
+void vtkAdaptiveRefinementMapper::ReportMethodUnavailable(const std::string& problem)
 {
   vtkErrorMacro("The method " << relevo::RefinementMethod::GetName(this->Method)
                               << " cannot be used: " << problem
@@ -158,7 +158,7 @@ bool vtkAdaptiveRefinementMapper::UploadMethod()
     }
     else if (!isSaid)
     {
-      this->SayUnusable(data.GetMethod().GetError());
+      this->ReportMethodUnavailable(data.GetMethod().GetError());
     }
   }
   if (data.MethodInUse == METHOD_ARKFPI)
@@ -169,11 +169,11 @@ bool vtkAdaptiveRefinementMapper::UploadMethod()
   return this->UploadMethod();
 }
 
-void vtkAdaptiveRefinementMapper::GiveUpMethod(vtkActor* act)
+void vtkAdaptiveRefinementMapper::FallBackToDefaultMethod(vtkActor* act)
 {
   vtkInternals& data = *this->Internals;
   data.Failure = vtkInternals::GetShaderSources(this->Refinement, act);
-  this->SayUnusable("its shaders cannot be built: " + data.GetMethod().GetError());
+  this->ReportMethodUnavailable("its shaders cannot be built: " + data.GetMethod().GetError());
   data.MethodInUse = METHOD_ARKFPI;
   data.Drawable = this->UploadMethod();
   this->UpdateFaceColors();

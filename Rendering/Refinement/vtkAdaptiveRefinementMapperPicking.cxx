@@ -51,7 +51,7 @@ void vtkAdaptiveRefinementMapper::GetBounds(double bounds[6])
 
 vtkDataObject* vtkAdaptiveRefinementMapper::ReplaceInput(vtkDataObject* input)
 {
-  using Questions = relevo::PickerQuestions;
+  using Questions = relevo::PickerDetector;
   relevo::PickedInput& picking = this->Internals->Picking;
   vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(input);
   const Questions::Askers asker = picking.Questions.AskInput(composite != nullptr);

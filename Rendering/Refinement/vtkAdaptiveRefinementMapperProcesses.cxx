@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // What the mappers of several processes agree on, each of which has pieces of the same surfaces.
-#include "State/ActorView.h"
+#include "Actors/ActorView.h"
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
-#include "Core/ProcessReduction.h"
-#include "Core/WholeSurface.h"
 #include "Evaluation/SampledSurface.h"
+#include "Metrics/MetricCache.h"
 #include "Metrics/PieceAgreement.h"
-#include "Metrics/TagSource.h"
+#include "Parallel/GlobalSurfaceInfo.h"
+#include "Parallel/ProcessReduction.h"
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDepthTagMetric.h"
@@ -58,21 +58,21 @@ void vtkAdaptiveRefinementMapper::vtkInternals::AgreeOnWhole(vtkAdaptiveRefineme
   relevo::RefinementState& state = part ? part->Internals->State : none;
   vtkNew<vtkPolyData> empty;
   vtkPolyData* mesh = part ? part->GetInput() : empty.Get();
-  const auto whole = std::make_shared<relevo::WholeSurface>();
+  const auto whole = std::make_shared<relevo::GlobalSurfaceInfo>();
   if (state.GetWhole())
   {
     *whole = *state.GetWhole();
   }
   whole->HasDirections = false;
   relevo::AgreeOnPoints(mesh, pieces, *whole);
-  state.SetWhole(std::make_shared<relevo::WholeSurface>(*whole)); // what it is built by
+  state.SetWhole(std::make_shared<relevo::GlobalSurfaceInfo>(*whole)); // what it is built by
 
   if (part && !part->UpdateMesh())
   {
     mesh = empty;
   }
   whole->HasDirections = !state.GetMesh().Directions.empty();
-  relevo::TagSource source; // what is known of an invalid mesh is not to be asked for
+  relevo::MetricCache source; // what is known of an invalid mesh is not to be asked for
   relevo::AgreeOnShape(
     mesh, mesh == empty ? source : state.GetTagSource(), recipe->GetMetric(), view, pieces, *whole);
   state.SetWhole(whole);

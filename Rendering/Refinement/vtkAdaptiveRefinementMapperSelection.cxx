@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The coarse mesh, its bounds, and which levels its faces take, on the CPU or the GPU.
+#include "Actors/ActorView.h"
 #include "Blocks/BlockLook.h"
-#include "State/ActorView.h"
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
-#include "Core/PieceReduction.h"
-#include "Core/RefinementView.h"
 #include "Evaluation/FaceCulling.h"
+#include "Parallel/PieceReduction.h"
+#include "View/RefinementView.h"
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkBoundingBox.h"
@@ -219,7 +219,7 @@ bool vtkAdaptiveRefinementMapper::SelectOnGPU(vtkRenderer* ren, vtkActor* act)
   }
   this->ReportSelection(valid ? ""
       : reserved              ? data.Compute.GetError()
-                              : relevo::RefinementBuffer::GetTooLarge());
+                              : relevo::BufferTexture::GetTooLarge());
   return valid;
 }
 

@@ -3,7 +3,7 @@
 // Settings that need no new buffers, and statistics of the last render.
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
-#include "Core/SettingChecks.h"
+#include "Checks/SettingChecks.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkLookupTable.h"
 #include "vtkOpenGLVertexBufferObject.h"

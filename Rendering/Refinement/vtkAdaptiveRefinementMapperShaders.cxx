@@ -5,7 +5,7 @@
 
 #include "OpenGL/RelevoOpenGL.h"
 
-#include "Core/VTKCompatibility.h"
+#include "Compatibility/VTKCompatibility.h"
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDisplacement.h"
@@ -130,7 +130,7 @@ bool vtkAdaptiveRefinementMapper::BuildStages(
     data.GetMethod().BuildProgram(data.GetDrawing(this->Refinement), shaders);
   if (!program)
   {
-    this->GiveUpMethod(act);
+    this->FallBackToDefaultMethod(act);
     data.UpdateShaderOptions(this, &cellBO);
     return false;
   }

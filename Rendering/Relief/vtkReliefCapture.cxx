@@ -5,8 +5,8 @@
 #include "Capture/FittedCamera.h"
 #include "Capture/SceneCapture.h"
 #include "Capture/SceneTime.h"
-#include "Core/MemoryGuard.h"
-#include "Core/SettingChecks.h"
+#include "Checks/MemoryGuard.h"
+#include "Checks/SettingChecks.h"
 
 #include "vtkCamera.h"
 #include "vtkCompositeDataSet.h"

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkReliefMapperInternals.h"
 
-#include "Core/MemoryGuard.h"
-#include "Core/SameNumber.h"
+#include "Checks/MemoryGuard.h"
 #include "Data/ReliefSides.h"
 #include "Drawing/PickedRelief.h"
 #include "Drawing/ReliefRims.h"
+#include "Mathematics/SameNumber.h"
 #include "Picking/PickedInputPipeline.h"
 #include "vtkActor.h"
 #include "vtkBoundingBox.h"
@@ -316,7 +316,7 @@ vtkDataObject* vtkReliefMapper::ReplaceInput(vtkDataObject* input)
 {
   vtkInternals& data = *this->Internals;
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
-  if (data.Questions.AskInput(composite != nullptr) == relevo::PickerQuestions::NO_PICKER)
+  if (data.Questions.AskInput(composite != nullptr) == relevo::PickerDetector::NO_PICKER)
   {
     return input;
   }

@@ -9,11 +9,11 @@
 #ifndef vtkReliefMapperInternals_h
 #define vtkReliefMapperInternals_h
 
-#include "Core/Dependencies.h"
+#include "Changes/Dependencies.h"
 #include "Data/Reliefs.h"
 #include "Drawing/ReliefPainter.h"
 #include "OpenGL/ContextWatch.h"
-#include "Picking/PickerQuestions.h"
+#include "Picking/PickerDetector.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkReliefMapper.h"
 #include "vtkStructuredGrid.h"
@@ -40,7 +40,7 @@ struct vtkReliefMapper::vtkInternals
   vtkNew<relevo::ContextWatch> Context;
   int MethodInUse = METHOD_RAY_MARCH;
 
-  relevo::PickerQuestions Questions;
+  relevo::PickerDetector Questions;
   vtkSmartPointer<vtkCompositeDataSet> PickedBlocks;
   vtkNew<vtkStructuredGrid> Nothing; // for pickers, of what is not drawn
   vtkStructuredGrid* GetPicked(unsigned int block, double maximumStretch);

@@ -3,7 +3,7 @@
 // Settings of vtkReliefMapper, and what it counts.
 #include "vtkReliefMapperInternals.h"
 
-#include "Core/SettingChecks.h"
+#include "Checks/SettingChecks.h"
 
 #include <limits>
 

@@ -9,11 +9,11 @@
 #include "Capture/SceneCapture.h"
 #include "Capture/SceneProps.h"
 #include "Capture/SceneTime.h"
-#include "Core/MemoryGuard.h"
-#include "Core/SettingChecks.h"
-#include "Core/WorldView.h"
+#include "Checks/MemoryGuard.h"
+#include "Checks/SettingChecks.h"
 #include "Data/Relief.h"
 #include "Data/ReliefSides.h"
+#include "View/WorldView.h"
 #include "vtkReliefMapper.h"
 
 #include "vtkActor.h"
@@ -42,7 +42,7 @@
 namespace
 {
 constexpr size_t MostReliefs = 4;
-constexpr int MostSteps = 8;        // that captures are ahead
+constexpr int MaximumSteps = 8;     // that captures are ahead
 constexpr double WidestTexel = 2.0; // pixels
 
 // What a renderer's camera sees, in the pixels that are drawn.
@@ -184,7 +184,7 @@ public:
       this->IsAhead = this->Ahead.Advance(camera);
       camera->GetDirectionOfProjection(&direction[0]);
       const double angle = GetAngle(direction, view.Direction);
-      for (int i = 2; angle > 0.0 && i * angle <= maximumAngle / 3.0 && i <= MostSteps; ++i)
+      for (int i = 2; angle > 0.0 && i * angle <= maximumAngle / 3.0 && i <= MaximumSteps; ++i)
       {
         this->Ahead.Advance(camera);
       }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGPUUnstructuredGridVolumeMapperInternals.h"
 
-#include "Core/MemoryGuard.h"
+#include "Checks/MemoryGuard.h"
 #include "vtkAlgorithm.h"
 #include "vtkBoundingBox.h"
 #include "vtkCompositeDataSet.h"

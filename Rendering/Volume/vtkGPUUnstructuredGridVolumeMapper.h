@@ -263,7 +263,7 @@ private:
   bool FindPreIntegrated();
   bool UpdateTables();
   vtkShaderProgram* ReadyProgram(const std::string& vertexSource, const std::string& source);
-  bool FindEntries(int width, int height);
+  bool RenderRayEntries(int width, int height);
   void Draw(vtkRenderer* renderer, vtkVolume* volume);
   relevo::VolumeShaderOptions GetShaderOptions();
   vtkShaderProgram* ReadyRays(vtkVolume* volume, const int viewport[4]);
@@ -271,7 +271,7 @@ private:
   void DrawSampled(vtkVolume* volume, const int viewport[4]);
   void BlendProjection(const int viewport[4], const std::string& source);
   bool SortCells(vtkRenderer* renderer, vtkVolume* volume);
-  bool FindLimits(int width, int height);
+  bool RenderRayLimits(int width, int height);
   bool ProjectCells(int width, int height);
   bool DrawCells(vtkShaderProgram* program, int width, int height);
   void DrawProjected(vtkRenderer* renderer, vtkVolume* volume, const int viewport[4]);

@@ -4,9 +4,9 @@
 
 #include "Cells/MeshScalars.h"
 #include "Cells/ScalarChoice.h"
-#include "Core/InputType.h"
-#include "Core/IsNews.h"
-#include "Core/MemoryGuard.h"
+#include "Checks/InputType.h"
+#include "Checks/MemoryGuard.h"
+#include "Checks/ShouldReport.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkUnsignedCharArray.h"
@@ -90,7 +90,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::CheckType(vtkDataObject* input)
     data.CheckedInput = input;
     data.TypeProblem.clear();
   }
-  if (relevo::IsNews(data.TypeProblem, relevo::FindTypeProblem(input, port)))
+  if (relevo::ShouldReport(data.TypeProblem, relevo::FindTypeProblem(input, port)))
   {
     vtkErrorMacro(<< data.TypeProblem);
   }
@@ -119,7 +119,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::ReadCells(
   const int association = this->ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA
     ? vtkDataObject::FIELD_ASSOCIATION_CELLS
     : vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  const relevo::ArrayWish wish = { find, isByName ? this->ArrayName : "", association,
+  const relevo::ArrayRequest wish = { find, isByName ? this->ArrayName : "", association,
     AdviseScalarMode, takesAll ? relevo::MostComponents : VTK_INT_MAX, "SelectScalarArray()" };
   if (!this->CheckType(input))
   {
@@ -167,7 +167,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::ReadCells(
     }
     return false;
   }
-  if (relevo::IsNews(data.LeftOut, leftOut))
+  if (relevo::ShouldReport(data.LeftOut, leftOut))
   {
     vtkWarningMacro(<< leftOut);
   }
@@ -185,7 +185,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::UploadMesh(const relevo::VolumeCells& c
     vtkWarningMacro(<< cells.GetNumberOfBadCells() << " of " << cells.GetNumberOfSolidCells()
                     << " cells have no volume, or points that are not finite; they are left out.");
   }
-  relevo::JoinedMesh& mesh = data.Mesh;
+  relevo::RayCastMesh& mesh = data.Mesh;
   std::string error;
   if (!mesh.Build(cells, data.NumberOfComponents, error, data.HasCorners, data.HasGradients))
   {
@@ -201,7 +201,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::UploadMesh(const relevo::VolumeCells& c
   if (!data.MeshBuffers.Upload(data.GetWindow(), mesh) ||
     (data.HasCorners && !data.Projected.Upload(data.GetWindow(), mesh)))
   {
-    vtkErrorMacro("The mesh cannot be drawn: " << relevo::RefinementBuffer::GetTooLarge() << ".");
+    vtkErrorMacro("The mesh cannot be drawn: " << relevo::BufferTexture::GetTooLarge() << ".");
     return false;
   }
   data.HasTetrahedra = mesh.GetNumberOfTetrahedra() > 0;
@@ -233,7 +233,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateFunctions(vtkVolume* volume)
     {
       vtkWarningMacro("The volume property " << warning << ".");
     }
-    const relevo::JoinedMesh& mesh = data.Mesh;
+    const relevo::RayCastMesh& mesh = data.Mesh;
     data.HasFunctions = data.FunctionBuffers.Upload(data.GetWindow(), data.Functions,
                           mesh.ScalarLow, mesh.ScalarSize, mesh.Radius) &&
       data.Surfaces.Upload(

@@ -92,7 +92,7 @@ vtkShaderProgram* vtkGPUUnstructuredGridVolumeMapper::ReadyProgram(
 }
 
 // Where rays enter the mesh, if all of it is in front of the eye.
-bool vtkGPUUnstructuredGridVolumeMapper::FindEntries(int width, int height)
+bool vtkGPUUnstructuredGridVolumeMapper::RenderRayEntries(int width, int height)
 {
   vtkInternals& data = *this->Internals;
   data.View.SetViewport(relevo::dvec4(0.0, 0.0, width, height));
@@ -212,7 +212,7 @@ vtkShaderProgram* vtkGPUUnstructuredGridVolumeMapper::ReadyRays(
   vtkShaderProgram::Substitute(source, "//RELEVO::Main", "uniform sampler2D opaqueDepth;\n");
   vtkShaderProgram::Substitute(source, "//VTK::CallWorker::Impl", WholeRay);
 
-  const bool areEntriesKnown = this->FindEntries(viewport[2], viewport[3]);
+  const bool areEntriesKnown = this->RenderRayEntries(viewport[2], viewport[3]);
   data.View.SetViewport(relevo::dvec4(viewport[0], viewport[1], viewport[2], viewport[3]));
   vtkShaderProgram* program = this->ReadyProgram(relevoViewportVS, source);
   if (!program)

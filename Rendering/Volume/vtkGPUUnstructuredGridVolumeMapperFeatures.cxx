@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGPUUnstructuredGridVolumeMapperInternals.h"
 
-#include "Core/IsNews.h"
+#include "Checks/ShouldReport.h"
 #include "Rays/IsoSurfaces.h"
 #include "vtkPlaneCollection.h"
 #include "vtkRenderer.h"
@@ -64,7 +64,7 @@ void vtkGPUUnstructuredGridVolumeMapper::ReportMissingSurfaces(vtkVolumeProperty
     ? relevo::IsoSurfaces::DescribeMissing(property,
         { data.HasCellScalars, data.Mesh.ScalarLow[component], data.Mesh.ScalarHigh[component] })
     : "";
-  if (relevo::IsNews(data.MissingSurfaces, missing))
+  if (relevo::ShouldReport(data.MissingSurfaces, missing))
   {
     vtkWarningMacro(<< missing);
   }

@@ -16,6 +16,7 @@
 #include "Buffers/VolumeMeshBuffers.h"
 #include "Cells/VolumeCells.h"
 #include "Integral/TransferFunctions.h"
+#include "Mesh/RayCastMesh.h"
 #include "OpenGL/ContextWatch.h"
 #include "OpenGL/RenderClock.h"
 #include "Shaders/VolumeShader.h"
@@ -25,7 +26,6 @@
 #include "View/RayEntries.h"
 #include "View/RayView.h"
 #include "View/VolumeLights.h"
-#include "Walk/JoinedMesh.h"
 #include "vtkGPUUnstructuredGridVolumeMapper.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -48,7 +48,7 @@ using ArrayChoice = std::tuple<int, int, int, std::string>;
 struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
 {
   // The mesh, whose arrays go once they are on the GPU.
-  relevo::JoinedMesh Mesh;
+  relevo::RayCastMesh Mesh;
   relevo::ScalarChoice Choice;
   vtkDataObject* MeshInput = nullptr; // never followed
   vtkMTimeType MeshTime = 0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGPUUnstructuredGridVolumeMapperInternals.h"
 
-#include "Core/CameraEye.h"
+#include "View/CameraEye.h"
 #include "relevoViewportVS.h"
 
 #include "vtkCamera.h"
@@ -90,7 +90,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::SortCells(vtkRenderer* renderer, vtkVol
 }
 
 // Where each ray is seen, once for all cells.
-bool vtkGPUUnstructuredGridVolumeMapper::FindLimits(int width, int height)
+bool vtkGPUUnstructuredGridVolumeMapper::RenderRayLimits(int width, int height)
 {
   vtkInternals& data = *this->Internals;
   vtkShaderProgram* program =
@@ -112,7 +112,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::ProjectCells(int width, int height)
 {
   vtkInternals& data = *this->Internals;
   data.View.SetViewport(relevo::dvec4(0.0, 0.0, width, height));
-  if (!this->FindLimits(width, height))
+  if (!this->RenderRayLimits(width, height))
   {
     return false;
   }

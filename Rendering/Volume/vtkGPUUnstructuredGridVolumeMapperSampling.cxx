@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGPUUnstructuredGridVolumeMapperInternals.h"
 
-#include "Core/SettingChecks.h"
+#include "Checks/SettingChecks.h"
 #include "relevoViewportVS.h"
 
 #include "vtkShaderProgram.h"
@@ -100,7 +100,7 @@ int vtkGPUUnstructuredGridVolumeMapper::GetNumberOfLayers()
     window->MakeCurrent();
     const int width = data.LayersSize[0];
     const int height = data.LayersSize[1];
-    if (!this->FindEntries(width, height))
+    if (!this->RenderRayEntries(width, height))
     {
       vtkShaderProgram* program =
         this->ReadyProgram(relevoViewportVS, relevo::MakeCountShader(this->GetShaderOptions()));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGPUUnstructuredGridVolumeMapperInternals.h"
 
-#include "Core/SettingChecks.h"
+#include "Checks/SettingChecks.h"
 #include "vtkDataSet.h"
 #include "vtkUnstructuredGridBase.h"
 

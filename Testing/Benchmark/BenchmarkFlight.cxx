@@ -8,11 +8,11 @@
 #include "BenchmarkSurface.h"
 #include "Benchmarks.h"
 
-#include "Core/RefinementView.h"
 #include "Evaluation/EdgeTags.h"
 #include "Evaluation/PatternSelection.h"
 #include "Evaluation/TriangleBudget.h"
 #include "Mesh/RefinementMesh.h"
+#include "View/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCamera.h"
 #include "vtkDistanceDepthTagMetric.h"

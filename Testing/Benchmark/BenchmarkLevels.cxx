@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BenchmarkLevels.h"
 
-#include "Core/RefinementView.h"
 #include "Evaluation/EdgeTags.h"
 #include "Evaluation/PatternSelection.h"
 #include "Mesh/RefinementMesh.h"
+#include "View/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"

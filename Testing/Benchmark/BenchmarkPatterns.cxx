@@ -8,7 +8,7 @@
 
 #include "RelevoPatternQuality.h"
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "vtkNew.h"
 
 #include <algorithm>

@@ -7,11 +7,11 @@
 #include "BenchmarkSurface.h"
 #include "Benchmarks.h"
 
-#include "Core/RefinementView.h"
 #include "Evaluation/EdgeTags.h"
 #include "Evaluation/PatternSelection.h"
 #include "Mesh/RefinementMesh.h"
 #include "Patterns/RefinementPattern.h"
+#include "View/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkPolyData.h"

@@ -50,11 +50,11 @@ def compile_commands(build, source):
 
 # Beside the public classes: what metrics, surfaces and methods of one's own need.
 AUTHORS_HEADERS = {
-    "Core/PointPlaces.h",
-    "Core/RefinementView.h",
+    "Points/MergedPoints.h",
+    "View/RefinementView.h",
     "Mesh/SurfaceEdges.h",
     "Mesh/SurfaceTriangles.h",
-    "Core/PieceReduction.h",
+    "Parallel/PieceReduction.h",
     "Metrics/MetricEvaluator.h",
     "Metrics/MetricMesh.h",
     "Metrics/MetricShader.h",

@@ -13,52 +13,28 @@ import pathlib
 import re
 import sys
 
-# From the bottom up. A public class stands in the layer of the first pattern that its name
-# matches, else above all of them.
+# The modules from the bottom up, and the folders of each from the bottom up. A module's own folder,
+# with the public classes that its users start from, is above its folders.
 LAYERS = {
-    "Filters/Refinement": [
-        ("Core", []),
-        ("Files", []),
-        ("Cells", []),
-        ("Patterns", ["vtkRefinementPattern.*"]),
-        ("Surfaces", ["vtk.*Surface", "vtkDisplacement", "vtkHeightField"]),
-        ("Mesh", []),
-        ("Metrics", ["vtk.*DepthTagMetric", "vtkDepthTagFilter"]),
-        ("Evaluation", ["vtkAdaptiveRefinement"]),
-        ("Intersection", []),
-    ],
-    "Filters/Flow": [
-        ("Noise", ["vtkLICNoiseSource", "vtkLICSettings"]),
-        ("Image", []),
-        ("Surface", []),
-    ],
-    "Filters/Volume": [("Integral", []), ("Mesh", []), ("Cells", []), ("Rays", []),
-                       ("Walk", [])],
-    "Filters/Terrain": [("Geodesy", []), ("Raster", []), ("Heights", [])],
-    "Filters/Parametric": [("Splines", []), ("Cells", []), ("Coarse", []), ("Files", []),
-                           ("Curves", []), ("Patches", []), ("Metrics", [])],
-    "Filters/Intersection": [("Exact", []), ("Mesh", []), ("Refined", []), ("Pairs", []),
-                             ("Curves", []), ("Contact", [])],
-    "Filters/Relief": [("Data", []), ("Warp", []), ("Database", [])],
-    "Rendering/Refinement": [
-        ("OpenGL", []),
-        ("State", []),
-        ("Shaders", []),
-        ("Buffers", []),
-        ("Compute", []),
-        ("Methods", []),
-        ("Picking", []),
-        ("Blocks", ["vtkBlockAttributesPolyDataMapper"]),
-    ],
-    "Rendering/Flow": [("Passes", [])],
+    "Filters/Core": ["Compatibility", "Mathematics", "Changes", "Checks", "View", "Arrays", "Points",
+                     "Parallel", "Files", "Cells", "Mesh", "Boxes", "Patterns"],
+    "Filters/Refinement": ["Patterns", "Surfaces", "Mesh", "Metrics", "Recipe", "Evaluation",
+                           "Intersection"],
+    "Filters/Flow": ["Noise", "Image", "Surface"],
+    "Filters/Volume": ["Integral", "Mesh", "Cells", "Rays"],
+    "Filters/Terrain": ["Geodesy", "Raster", "Heights"],
+    "Filters/Parametric": ["Splines", "Cells", "Coarse", "Files", "Curves", "Patches", "Metrics"],
+    "Filters/Intersection": ["Exact", "Mesh", "Refined", "Pairs", "Curves", "Contact"],
+    "Filters/Relief": ["Data", "Warp", "Database"],
+    "Rendering/Core": ["OpenGL", "Buffers", "Shaders", "Actors", "Picking"],
+    "Rendering/Refinement": ["State", "Shaders", "Buffers", "Compute", "Methods", "Picking", "Blocks"],
+    "Rendering/Flow": ["Passes"],
     "Rendering/Offscreen": [],
-    "Rendering/Volume": [("View", []), ("Buffers", []), ("Shaders", [])],
-    "Rendering/Parametric": [("View", []), ("Shaders", []), ("Buffers", []), ("Drawing", [])],
-    "Rendering/Intersection": [("Scene", [])],
-    "Rendering/Relief": [("View", []), ("Buffers", []), ("Shaders", []), ("Drawing", []),
-                         ("Capture", [])],
-    "Examples/Viewer": [("Text", []), ("Files", []), ("Options", []), ("Legend", []),
-                        ("Scene", []), ("Window", [])],
+    "Rendering/Volume": ["View", "Mesh", "Buffers", "Shaders"],
+    "Rendering/Parametric": ["View", "Shaders", "Buffers", "Drawing"],
+    "Rendering/Intersection": ["Scene"],
+    "Rendering/Relief": ["View", "Buffers", "Shaders", "Drawing", "Capture"],
+    "Examples/Viewer": ["Text", "Files", "Options", "Legend", "Scene", "Window"],
 }
 MODULES = list(LAYERS)  # no module includes one that comes after it
 LONGEST_FUNCTION = 80
@@ -126,32 +102,26 @@ def main():
     faults = list(find_unlisted(source))
     files = {}  # as includes name it: (module, layer)
     for module, layers in LAYERS.items():
-        names = [layer for layer, _ in layers]
         for path in sorted((source / module).rglob("*")):
             if path.suffix not in (".h", ".cxx"):
                 continue
             inside = path.relative_to(source / module)
-            if len(inside.parts) == 1:
-                layer = next(
-                    (
-                        index
-                        for index, (_, classes) in enumerate(layers)
-                        if any(re.fullmatch(pattern, path.stem) for pattern in classes)
-                    ),
-                    len(layers),
-                )
-                if not is_of_public_class(path):
-                    faults.append(f"{module}/{inside}: a private file lies in a folder")
-            else:
-                if inside.parts[0] not in names:
+            layer = len(layers)
+            if len(inside.parts) > 1:
+                if inside.parts[0] not in layers:
                     faults.append(f"{module}/{inside}: {inside.parts[0]} is no layer")
                     continue
-                layer = names.index(inside.parts[0])
-                if path.stem.startswith("vtk"):
-                    faults.append(f"{module}/{inside}: only public classes are called vtk...")
-            if inside.as_posix() in files:
+                layer = layers.index(inside.parts[0])
+            if len(inside.parts) == 1 or path.stem.startswith("vtk"):
+                if not is_of_public_class(path):
+                    faults.append(f"{module}/{inside}: only public classes are called vtk... and "
+                                  "lie beside the module's folders")
+                name = inside.name  # as includes name it
+            else:
+                name = inside.as_posix()
+            if name in files:
                 faults.append(f"{module}/{inside}: another module has it too")
-            files[inside.as_posix()] = (path, module, layer)
+            files[name] = (path, module, layer)
 
     for name, (path, module, layer) in files.items():
         for include in re.findall(r'#include [<"]([^>"]+)', path.read_text(encoding="utf-8")):

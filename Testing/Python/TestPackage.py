@@ -20,7 +20,7 @@ def wrapped_headers():
         library = "Relevo" + folder.parent.name + folder.name
         if not importlib.util.find_spec("relevo." + library):
             continue
-        for header in folder.glob("vtk*.h"):
+        for header in folder.rglob("vtk*.h"):
             text = header.read_text()
             declared = r"^class \w+_EXPORT\s+%s\s*:" % header.stem
             if re.search(declared, text, re.MULTILINE):

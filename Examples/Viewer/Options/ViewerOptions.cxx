@@ -30,7 +30,7 @@ bool IsReliefDatabase(const std::string& name)
 
 const int HighestLevel = 7;
 const int LargestResolution = 4096;
-const int MostSteps = 1000;
+const int MaximumSteps = 1000;
 const int MostHairs = 10000000;
 const int MostIsolines = 1000;
 const double LowestError = 0.001; // of vtkPatchErrorDepthTagMetric
@@ -255,7 +255,7 @@ private:
         { options.LICStepSize = ToPositiveNumber(option, value); } },
       { "--lic-steps",
         [&](const auto& option, const auto& value)
-        { options.LICSteps = ToInteger(option, value, 1, MostSteps); } },
+        { options.LICSteps = ToInteger(option, value, 1, MaximumSteps); } },
     });
   }
 

@@ -9,7 +9,7 @@
 #ifndef ChosenNoise_h
 #define ChosenNoise_h
 
-#include "Core/Dependencies.h"       // for members
+#include "Changes/Dependencies.h"    // for members
 #include "Image/NoiseTexels.h"       // for members
 #include "RelevoFiltersFlowModule.h" // for export macro
 

@@ -9,7 +9,7 @@
 #ifndef ForwardedSettings_h
 #define ForwardedSettings_h
 
-#include "Core/SettingChecks.h"
+#include "Checks/SettingChecks.h"
 #include "vtkLICSettings.h"
 #include "vtkSmartPointer.h"
 

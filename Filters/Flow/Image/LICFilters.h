@@ -9,8 +9,8 @@
 #ifndef LICFilters_h
 #define LICFilters_h
 
-#include "Core/RefinementMathematics.h"
 #include "Image/LICPlane.h"
+#include "Mathematics/RefinementMathematics.h"
 
 namespace relevo
 {

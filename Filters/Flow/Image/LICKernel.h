@@ -9,7 +9,7 @@
 #ifndef LICKernel_h
 #define LICKernel_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 
 #include <cmath>
 

@@ -6,7 +6,7 @@
 #ifndef LICStretch_h
 #define LICStretch_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 
 namespace relevo
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Image/LICVectors.h"
 
-#include "Core/VectorData.h"
+#include "Arrays/VectorData.h"
 #include "Mesh/PointBlanking.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"

@@ -9,8 +9,8 @@
 #ifndef LICVectors_h
 #define LICVectors_h
 
-#include "Core/RefinementMathematics.h"
 #include "Image/LICPlane.h"
+#include "Mathematics/RefinementMathematics.h"
 
 #include <string>
 #include <vector>

@@ -9,7 +9,7 @@
 #ifndef NoiseHash_h
 #define NoiseHash_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 
 namespace relevo
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surface/SurfaceField.h"
 
-#include "Core/MisplacedArray.h"
+#include "Checks/MisplacedArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"

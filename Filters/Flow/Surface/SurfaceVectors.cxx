@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surface/SurfaceVectors.h"
 
-#include "Core/VectorData.h"
+#include "Arrays/VectorData.h"
 #include "vtkDataArray.h"
 #include "vtkMath.h"
 #include "vtkPolyData.h"

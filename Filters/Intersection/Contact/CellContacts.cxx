@@ -4,7 +4,7 @@
 
 #include "Contact/InsideTest.h"
 #include "Contact/SurfaceDistance.h"
-#include "Core/DisjointSets.h"
+#include "Mathematics/DisjointSets.h"
 #include "Mesh/MovedSurface.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -33,9 +33,9 @@ bool CellContacts::IsCut(vtkIdType triangle) const
   return this->Contacts[this->Surface.GetCell(triangle)] == Cut;
 }
 
-void CellContacts::MarkCut(const std::vector<MeetingPair>& pairs, int side)
+void CellContacts::MarkCut(const std::vector<IntersectingPair>& pairs, int side)
 {
-  for (const MeetingPair& pair : pairs)
+  for (const IntersectingPair& pair : pairs)
   {
     this->Contacts[this->Surface.GetCell(pair.Triangles[side])] = Cut;
   }

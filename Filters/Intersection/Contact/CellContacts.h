@@ -35,7 +35,7 @@ public:
   CellContacts(const MovedSurface& surface, vtkIdType numberOfCells);
 
   /// Cells of triangles that are the side, 0 or 1, of a pair are cut.
-  void MarkCut(const std::vector<MeetingPair>& pairs, int side);
+  void MarkCut(const std::vector<IntersectingPair>& pairs, int side);
   /// Distances to another surface; what is nearer than a distance is near.
   void MeasureDistances(const MovedSurface& other, double nearDistance);
   /// What is inside of another surface, which is closed.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Contact/SurfaceDistance.h"
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "Mesh/MovedSurface.h"
 
 #include <algorithm>

@@ -25,7 +25,7 @@ class Cells
 {
 public:
   Cells(const MovedSurface& first, const MovedSurface& second,
-    const std::vector<MeetingPair>& pairs, const IntersectionPoints& points)
+    const std::vector<IntersectingPair>& pairs, const IntersectionPoints& points)
     : Surfaces{ &first, &second }
     , Pairs(pairs)
     , All(points)
@@ -84,7 +84,7 @@ public:
 
 private:
   const MovedSurface* Surfaces[2];
-  const std::vector<MeetingPair>& Pairs;
+  const std::vector<IntersectingPair>& Pairs;
   const IntersectionPoints& All;
   std::vector<vtkIdType> NewIds;
   std::vector<vtkIdType> Used;
@@ -136,7 +136,7 @@ void AddJoinedLines(const CurveSegments& segments, vtkIdType numberOfPoints, Cel
 }
 
 void MakeCurves(const MovedSurface& first, const MovedSurface& second,
-  const std::vector<MeetingPair>& pairs, bool joinSegments, vtkPolyData* curves,
+  const std::vector<IntersectingPair>& pairs, bool joinSegments, vtkPolyData* curves,
   vtkPolyData* overlaps)
 {
   const IntersectionPoints points(first, second, pairs);

@@ -19,7 +19,7 @@ namespace relevo
  * for, and `overlaps` with polygons.
  */
 void MakeCurves(const MovedSurface& first, const MovedSurface& second,
-  const std::vector<MeetingPair>& pairs, bool joinSegments, vtkPolyData* curves,
+  const std::vector<IntersectingPair>& pairs, bool joinSegments, vtkPolyData* curves,
   vtkPolyData* overlaps);
 }
 

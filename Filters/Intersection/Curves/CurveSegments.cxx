@@ -27,7 +27,7 @@ struct EndsHash
 }
 
 CurveSegments::CurveSegments(
-  const std::vector<MeetingPair>& pairs, const IntersectionPoints& points)
+  const std::vector<IntersectingPair>& pairs, const IntersectionPoints& points)
 {
   std::vector<unsigned char> areUsed(points.GetNumberOfPoints(), 0);
   // How many polygons have such a side; far more where a segment has been taken.

@@ -25,7 +25,7 @@ class IntersectionPoints;
 
 struct CurveSegments
 {
-  CurveSegments(const std::vector<MeetingPair>& pairs, const IntersectionPoints& points);
+  CurveSegments(const std::vector<IntersectingPair>& pairs, const IntersectionPoints& points);
 
   struct Touch
   {

@@ -61,7 +61,7 @@ IntersectionPoints::Part IntersectionPoints::GetPart(
 }
 
 IntersectionPoints::IntersectionPoints(
-  const MovedSurface& first, const MovedSurface& second, const std::vector<MeetingPair>& pairs)
+  const MovedSurface& first, const MovedSurface& second, const std::vector<IntersectingPair>& pairs)
   : Surfaces{ &first, &second }
   , Pairs(pairs)
 {
@@ -94,7 +94,7 @@ IntersectionPoints::IntersectionPoints(
 void IntersectionPoints::Compute(vtkIdType point, double x[3]) const
 {
   const Use& use = this->Uses[point];
-  const MeetingPair& pair = this->Pairs[use.Pair];
+  const IntersectingPair& pair = this->Pairs[use.Pair];
   const auto& parts = pair.Common.Points[use.Corner].Parts;
   const TrianglePoints a = this->Surfaces[0]->GetPoints(pair.Triangles[0]);
   const TrianglePoints b = this->Surfaces[1]->GetPoints(pair.Triangles[1]);

@@ -26,8 +26,8 @@ class MovedSurface;
 class IntersectionPoints
 {
 public:
-  IntersectionPoints(
-    const MovedSurface& first, const MovedSurface& second, const std::vector<MeetingPair>& pairs);
+  IntersectionPoints(const MovedSurface& first, const MovedSurface& second,
+    const std::vector<IntersectingPair>& pairs);
 
   vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->Uses.size()); }
   /// The point of a pair's corner.
@@ -51,7 +51,7 @@ private:
   Part GetPart(const MovedSurface& surface, vtkIdType triangle, TrianglePart part) const;
 
   const MovedSurface* Surfaces[2];
-  const std::vector<MeetingPair>& Pairs;
+  const std::vector<IntersectingPair>& Pairs;
   std::vector<Use> Uses;
   std::vector<std::size_t> Firsts; // per pair
   std::vector<vtkIdType> Ids;      // per corner of a pair

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/JoinedLines.h"
 
-#include "Core/DisjointSets.h"
+#include "Mathematics/DisjointSets.h"
 
 #include <unordered_map>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/MovedSurface.h"
 
-#include "Core/GhostCells.h"
-#include "Core/LatestTime.h"
+#include "Arrays/GhostCells.h"
+#include "Changes/LatestTime.h"
 #include "Exact/ExactPredicates.h"
 #include "Mesh/SurfaceTriangles.h"
 #include "vtkCellArray.h"

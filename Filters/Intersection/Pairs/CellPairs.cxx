@@ -14,12 +14,12 @@
 namespace relevo
 {
 void AddCellPairs(const MovedSurface& first, const MovedSurface& second,
-  const std::vector<MeetingPair>& pairs, vtkFieldData* data)
+  const std::vector<IntersectingPair>& pairs, vtkFieldData* data)
 {
   const bool isSelf = &first == &second;
   std::vector<std::pair<vtkIdType, vtkIdType>> cells;
   cells.reserve(pairs.size());
-  for (const MeetingPair& pair : pairs)
+  for (const IntersectingPair& pair : pairs)
   {
     const vtkIdType a = first.GetCell(pair.Triangles[0]);
     const vtkIdType b = second.GetCell(pair.Triangles[1]);

@@ -23,7 +23,7 @@ class MovedSurface;
  * itself the lower id comes first.
  */
 void AddCellPairs(const MovedSurface& first, const MovedSurface& second,
-  const std::vector<MeetingPair>& pairs, vtkFieldData* data);
+  const std::vector<IntersectingPair>& pairs, vtkFieldData* data);
 }
 
 #endif

@@ -26,14 +26,14 @@ public:
   {
   }
 
-  std::vector<MeetingPair> Run() const
+  std::vector<IntersectingPair> Run() const
   {
     if (this->First.GetTree().GetNodes().empty() || this->Second.GetTree().GetNodes().empty())
     {
       return {};
     }
     const std::vector<NodePair> tasks = this->MakeTasks();
-    std::vector<std::vector<MeetingPair>> found(tasks.size());
+    std::vector<std::vector<IntersectingPair>> found(tasks.size());
     vtkSMPTools::For(0, static_cast<vtkIdType>(tasks.size()), 1,
       [&](vtkIdType begin, vtkIdType end)
       {
@@ -42,8 +42,8 @@ public:
           this->Visit(tasks[i], found[i]);
         }
       });
-    std::vector<MeetingPair> pairs;
-    for (const std::vector<MeetingPair>& part : found)
+    std::vector<IntersectingPair> pairs;
+    for (const std::vector<IntersectingPair>& part : found)
     {
       pairs.insert(pairs.end(), part.begin(), part.end());
     }
@@ -128,7 +128,7 @@ private:
     }
   }
 
-  void Visit(const NodePair& root, std::vector<MeetingPair>& found) const
+  void Visit(const NodePair& root, std::vector<IntersectingPair>& found) const
   {
     std::vector<NodePair> stack{ root };
     while (!stack.empty())
@@ -146,7 +146,7 @@ private:
     }
   }
 
-  void VisitLeaves(const NodePair& pair, std::vector<MeetingPair>& found) const
+  void VisitLeaves(const NodePair& pair, std::vector<IntersectingPair>& found) const
   {
     const BoxTree& firstTree = this->First.GetTree();
     const BoxTree& secondTree = this->Second.GetTree();
@@ -166,7 +166,7 @@ private:
     }
   }
 
-  void Intersect(vtkIdType first, vtkIdType second, std::vector<MeetingPair>& found) const
+  void Intersect(vtkIdType first, vtkIdType second, std::vector<IntersectingPair>& found) const
   {
     if (!this->First.HasArea(first) || !this->Second.HasArea(second))
     {
@@ -180,7 +180,7 @@ private:
     {
       return;
     }
-    MeetingPair pair;
+    IntersectingPair pair;
     pair.Triangles[0] = first;
     pair.Triangles[1] = second;
     pair.Common = IntersectTriangles(this->First.GetPoints(first), this->Second.GetPoints(second));
@@ -209,7 +209,7 @@ private:
   }
 
   // Whether all that they have in common is a corner or an edge that they share.
-  bool IsShared(const MeetingPair& pair) const
+  bool IsShared(const IntersectingPair& pair) const
   {
     const CommonPoints& common = pair.Common;
     for (int i = 0; i < common.Count; ++i)
@@ -231,7 +231,8 @@ private:
 };
 }
 
-std::vector<MeetingPair> FindMeetingPairs(const MovedSurface& first, const MovedSurface& second)
+std::vector<IntersectingPair> FindMeetingPairs(
+  const MovedSurface& first, const MovedSurface& second)
 {
   return Search(first, second).Run();
 }

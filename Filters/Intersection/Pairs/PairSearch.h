@@ -18,12 +18,12 @@ namespace relevo
 {
 class MovedSurface;
 
-struct MeetingPair
+struct IntersectingPair
 {
   vtkIdType Triangles[2];
   CommonPoints Common;
 
-  bool operator<(const MeetingPair& other) const
+  bool operator<(const IntersectingPair& other) const
   {
     return this->Triangles[0] != other.Triangles[0] ? this->Triangles[0] < other.Triangles[0]
                                                     : this->Triangles[1] < other.Triangles[1];
@@ -34,7 +34,7 @@ struct MeetingPair
  * Sorted by triangles, those without an area left out. If both surfaces are the same object, the
  * first triangle is before the second, and the corner or the edge that they share is nothing.
  */
-RELEVOFILTERSINTERSECTION_EXPORT std::vector<MeetingPair> FindMeetingPairs(
+RELEVOFILTERSINTERSECTION_EXPORT std::vector<IntersectingPair> FindMeetingPairs(
   const MovedSurface& first, const MovedSurface& second);
 }
 

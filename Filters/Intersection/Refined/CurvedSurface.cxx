@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Refined/CurvedSurface.h"
 
-#include "Core/LatestTime.h"
+#include "Boxes/FaceTree.h"
+#include "Changes/LatestTime.h"
 #include "Evaluation/HoleFinder.h"
 #include "Evaluation/PatternSelection.h"
 #include "Evaluation/RefinementEvaluator.h"
 #include "Evaluation/RefinementPreparation.h"
-#include "Intersection/FaceTree.h"
 #include "Mesh/FaceEdges.h"
 #include "Mesh/SurfaceEdges.h"
 #include "Patterns/RefinementPattern.h"

@@ -9,8 +9,8 @@
 #ifndef BezierCells_h
 #define BezierCells_h
 
-#include "Core/BezierDegree.h" // for callers
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/BezierDegree.h" // for callers
+#include "Mathematics/RefinementMathematics.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 

@@ -10,7 +10,7 @@
 #define FaceNodes_h
 
 #include "Cells/BoundaryFaces.h"
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coarse/CoarseNormals.h"
 
-#include "Core/PointPlaces.h"
+#include "Points/MergedPoints.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"

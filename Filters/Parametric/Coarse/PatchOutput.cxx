@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coarse/PatchOutput.h"
 
-#include "Core/NearestTuple.h"
+#include "Arrays/NearestTuple.h"
 #include "Evaluation/CellDataCopy.h"
 #include "Mesh/PatchArrays.h"
 #include "vtkCellArray.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/CurveCells.h"
 
-#include "Core/BezierDegree.h"
-#include "Core/VTKCompatibility.h"
+#include "Compatibility/VTKCompatibility.h"
+#include "Mathematics/BezierDegree.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"

@@ -9,9 +9,9 @@
 #ifndef CurveEvaluator_h
 #define CurveEvaluator_h
 
-#include "Core/RefinementMathematics.h"
 #include "Curves/CurveFrames.h"
 #include "Curves/CurveMesh.h"
+#include "Mathematics/RefinementMathematics.h"
 
 namespace relevo
 {

@@ -13,7 +13,7 @@
 #ifndef CurveFrames_h
 #define CurveFrames_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "RelevoFiltersParametricModule.h" // for export macro
 #include "vtkType.h"
 

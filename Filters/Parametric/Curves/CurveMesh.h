@@ -9,7 +9,7 @@
 #ifndef CurveMesh_h
 #define CurveMesh_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "RelevoFiltersParametricModule.h" // for export macro
 #include "vtkSmartPointer.h"               // for return values
 #include "vtkType.h"

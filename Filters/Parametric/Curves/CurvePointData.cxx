@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/CurvePointData.h"
 
-#include "Core/NearestNumber.h"
-#include "Core/NearestTuple.h"
-#include "Core/NoDataTuples.h"
+#include "Arrays/NearestTuple.h"
+#include "Arrays/NoDataTuples.h"
 #include "Curves/CurveEvaluator.h"
 #include "Curves/CurveMesh.h"
 #include "Curves/CurveRows.h"
 #include "Evaluation/PointDataInterpolation.h"
+#include "Mathematics/NearestNumber.h"
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayAccessor.h"

@@ -9,9 +9,9 @@
 #ifndef CurvePolyDataBuilder_h
 #define CurvePolyDataBuilder_h
 
-#include "Core/RefinementMathematics.h"
 #include "Curves/CurveFrames.h"
 #include "Curves/CurveRows.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "vtkType.h"
 
 #include <string> // for names

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/CurveRadii.h"
 
-#include "Core/PointArray.h"
+#include "Arrays/PointArray.h"
 #include "vtkDataArray.h"
 #include "vtkPointSet.h"
 

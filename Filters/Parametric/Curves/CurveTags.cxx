@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/CurveTags.h"
 
-#include "Core/RefinementMathematics.h"
-#include "Core/RefinementView.h"
 #include "Curves/CurveMesh.h"
 #include "Evaluation/EdgeTags.h"
 #include "Evaluation/PatternSelection.h"
 #include "Evaluation/RefinementPreparation.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "Metrics/DepthTags.h"
 #include "Metrics/EdgeLevels.h"
-#include "Metrics/TagSource.h"
+#include "Metrics/MetricCache.h"
 #include "Patterns/SegmentSteps.h"
+#include "View/RefinementView.h"
 #include "vtkAbstractArray.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDepthTagMetric.h"
@@ -43,7 +43,7 @@ void SetTags(const CurveMesh& mesh, std::vector<float>& tags, const GetTag& getT
 }
 
 CurveTags::CurveTags()
-  : Source(new TagSource)
+  : Source(new MetricCache)
 {
 }
 

@@ -30,7 +30,7 @@ namespace relevo
 {
 struct RefinementView;
 class CurveMesh;
-class TagSource;
+class MetricCache;
 
 class RELEVOFILTERSPARAMETRIC_EXPORT CurveTags
 {
@@ -63,7 +63,7 @@ private:
   std::vector<int> Segments;
   vtkNew<vtkFloatArray> PointTags;
   vtkSmartPointer<vtkPolyData> Polygons;
-  std::unique_ptr<TagSource> Source;
+  std::unique_ptr<MetricCache> Source;
 };
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/HairGrowth.h"
 
-#include "Core/GhostCells.h"
+#include "Arrays/GhostCells.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkMath.h"

@@ -12,7 +12,7 @@
 #ifndef HairGrowth_h
 #define HairGrowth_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "Mesh/SurfaceTriangles.h"
 #include "vtkType.h"
 

@@ -9,7 +9,7 @@
 #ifndef BezierPatchFile_h
 #define BezierPatchFile_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 
 #include <iosfwd>
 #include <string>

@@ -14,7 +14,7 @@
 #ifndef ChordDeviation_h
 #define ChordDeviation_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 
 #include <vector> // for points
 

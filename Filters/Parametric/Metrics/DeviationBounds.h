@@ -22,7 +22,7 @@
 #ifndef DeviationBounds_h
 #define DeviationBounds_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 
 #include <vector> // for points
 

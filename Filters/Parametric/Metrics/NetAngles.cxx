@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Metrics/NetAngles.h"
 
-#include "Core/WorldView.h"
 #include "Mesh/PatchArrays.h"
 #include "Splines/TriangleIndex.h"
+#include "View/WorldView.h"
 #include "vtkMath.h"
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 #ifndef PatchDeviations_h
 #define PatchDeviations_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "Metrics/PixelScale.h"
 #include "vtkType.h"
 

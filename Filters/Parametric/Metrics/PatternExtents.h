@@ -12,7 +12,7 @@
 #ifndef PatternExtents_h
 #define PatternExtents_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "Patterns/PatternFamily.h"
 
 #include <array>  // for steps

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Metrics/PixelScale.h"
 
-#include "Core/RefinementView.h"
+#include "View/RefinementView.h"
 #include "vtkCamera.h"
 #include "vtkMath.h"
 

@@ -13,7 +13,7 @@
 #ifndef PixelScale_h
 #define PixelScale_h
 
-#include "Core/WorldView.h"
+#include "View/WorldView.h"
 
 #include <string> // for errors
 

@@ -14,7 +14,7 @@
 #ifndef SecondDerivatives_h
 #define SecondDerivatives_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 
 #include <vector> // for members
 

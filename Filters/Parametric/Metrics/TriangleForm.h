@@ -12,7 +12,7 @@
 #ifndef TriangleForm_h
 #define TriangleForm_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "Mesh/PatchArrays.h"
 
 #include <vector> // for members

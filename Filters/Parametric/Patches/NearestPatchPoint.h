@@ -9,7 +9,7 @@
 #ifndef NearestPatchPoint_h
 #define NearestPatchPoint_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "RelevoFiltersParametricModule.h" // for export macro
 
 namespace relevo

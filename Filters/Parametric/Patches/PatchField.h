@@ -9,7 +9,7 @@
 #ifndef PatchField_h
 #define PatchField_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "vtkRefinementSurface.h"
 
 class vtkDataArray;

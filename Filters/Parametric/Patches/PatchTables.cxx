@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Patches/PatchTables.h"
 
-#include "Core/PointPlaces.h"
 #include "Mesh/PatchArrays.h"
+#include "Points/MergedPoints.h"
 #include "Splines/WeightScale.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"

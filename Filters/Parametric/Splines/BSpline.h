@@ -9,7 +9,7 @@
 #ifndef BSpline_h
 #define BSpline_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Splines/LagrangeToBezier.h"
 
-#include "Core/BezierDegree.h"
+#include "Mathematics/BezierDegree.h"
 #include "Splines/TriangleIndex.h"
 
 #include <algorithm>

@@ -12,7 +12,7 @@
 #ifndef WeightScale_h
 #define WeightScale_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "vtkType.h"
 
 #include <algorithm>

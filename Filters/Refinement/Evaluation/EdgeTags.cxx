@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Evaluation/EdgeTags.h"
 
-#include "Core/PointPlaces.h"
-#include "Core/RefinementView.h"
 #include "Evaluation/PatternSelection.h"
 #include "Evaluation/SampledSurface.h"
 #include "Mesh/FaceEdges.h"
 #include "Mesh/RefinementMesh.h"
 #include "Mesh/SurfaceEdges.h"
 #include "Metrics/DepthTags.h"
+#include "Metrics/MetricCache.h"
 #include "Metrics/MetricEvaluator.h"
 #include "Metrics/MetricMesh.h"
-#include "Metrics/TagSource.h"
+#include "Points/MergedPoints.h"
+#include "View/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDepthTagMetric.h"
 #include "vtkFloatArray.h"
@@ -25,18 +25,18 @@
 namespace relevo
 {
 EdgeTags::EdgeTags()
-  : EdgeTags(std::make_shared<TagSource>())
+  : EdgeTags(std::make_shared<MetricCache>())
 {
 }
 
-EdgeTags::EdgeTags(std::shared_ptr<TagSource> source)
+EdgeTags::EdgeTags(std::shared_ptr<MetricCache> source)
   : Source(std::move(source))
 {
 }
 
 EdgeTags::~EdgeTags() = default;
 
-void EdgeTags::SetSource(std::shared_ptr<TagSource> source)
+void EdgeTags::SetSource(std::shared_ptr<MetricCache> source)
 {
   this->Source = std::move(source);
   this->Reset();

@@ -7,7 +7,7 @@
  * The stage "tag" of a frame: from the input's own array or the recipe's metric, one tag per point
  * (an edge takes the mean of its two; points at one place count as one) or one per edge. Either
  * way the tag of an edge is the same in all its faces. Memory is kept from frame to frame. What is
- * known of the mesh itself is in a TagSource, which the tags for several views may share.
+ * known of the mesh itself is in a MetricCache, which the tags for several views may share.
  */
 #ifndef EdgeTags_h
 #define EdgeTags_h
@@ -33,14 +33,14 @@ namespace relevo
 struct RefinementView;
 class RefinementMesh;
 class SurfaceEdges;
-class TagSource;
+class MetricCache;
 
 class RELEVOFILTERSREFINEMENT_EXPORT EdgeTags
 {
 public:
   /// With a source of its own, or a shared one.
   EdgeTags();
-  explicit EdgeTags(std::shared_ptr<TagSource> source);
+  explicit EdgeTags(std::shared_ptr<MetricCache> source);
   ~EdgeTags();
   EdgeTags(const EdgeTags&) = delete;
   void operator=(const EdgeTags&) = delete;
@@ -84,8 +84,8 @@ public:
 
   //@{
   /// What the tags are computed from.
-  void SetSource(std::shared_ptr<TagSource> source);
-  const std::shared_ptr<TagSource>& GetSource() const { return this->Source; }
+  void SetSource(std::shared_ptr<MetricCache> source);
+  const std::shared_ptr<MetricCache>& GetSource() const { return this->Source; }
   //@}
 
   Kinds GetKind() const { return this->Kind; }
@@ -102,7 +102,7 @@ private:
 
   Kinds Kind = UNIFORM;
   vtkNew<vtkFloatArray> Values;
-  std::shared_ptr<TagSource> Source;
+  std::shared_ptr<MetricCache> Source;
   std::shared_ptr<const SurfaceEdges> Edges;
   std::vector<int> FaceEdges;
   MetricShader Shader;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Evaluation/FaceCulling.h"
 
-#include "Core/Dependencies.h"
-#include "Core/RefinementMathematics.h"
-#include "Core/WorldView.h"
+#include "Changes/Dependencies.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "Mesh/ClosedSurface.h"
 #include "Mesh/FaceBounds.h"
 #include "Mesh/RefinementMesh.h"
+#include "View/WorldView.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCamera.h"
 #include "vtkDisplacement.h"

@@ -8,8 +8,8 @@
 #ifndef FaceTags_h
 #define FaceTags_h
 
-#include "Core/RefinementMathematics.h"
 #include "Evaluation/EdgeTags.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "Mesh/RefinementMesh.h"
 #include "Metrics/EdgeLevels.h"
 

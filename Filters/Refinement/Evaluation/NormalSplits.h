@@ -14,7 +14,7 @@
 #ifndef NormalSplits_h
 #define NormalSplits_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "vtkType.h"
 
 #include <utility>

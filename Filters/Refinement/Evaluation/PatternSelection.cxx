@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Evaluation/PatternSelection.h"
 
-#include "Core/RefinementMathematics.h"
 #include "Evaluation/FaceTags.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "Mesh/RefinementMesh.h"
 #include "Patterns/PatternLibrary.h"
 #include "Patterns/RefinementPattern.h"

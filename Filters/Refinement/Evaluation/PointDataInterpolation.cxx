@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Evaluation/PointDataInterpolation.h"
 
-#include "Core/NearestNumber.h"
-#include "Core/NearestTuple.h"
-#include "Core/NoDataTuples.h"
+#include "Arrays/NearestTuple.h"
+#include "Arrays/NoDataTuples.h"
+#include "Mathematics/NearestNumber.h"
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkArrayDispatch.h"

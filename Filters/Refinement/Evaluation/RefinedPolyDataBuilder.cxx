@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Evaluation/RefinedPolyDataBuilder.h"
 
-#include "Core/GhostCells.h"
+#include "Arrays/GhostCells.h"
 #include "Evaluation/CellDataCopy.h"
 #include "Evaluation/PatternSelection.h"
 #include "Evaluation/PointDataInterpolation.h"

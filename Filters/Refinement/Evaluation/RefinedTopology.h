@@ -14,7 +14,7 @@
 #ifndef RefinedTopology_h
 #define RefinedTopology_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "Mesh/RefinementMesh.h"
 #include "Patterns/FacePattern.h"
 #include "vtkType.h"

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Evaluation/RefinementPreparation.h"
 
-#include "Core/RefinementView.h"
 #include "Evaluation/EdgeTags.h"
 #include "Evaluation/PatternSelection.h"
 #include "Mesh/RefinementMesh.h"
 #include "Surfaces/FloatRange.h"
+#include "View/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDisplacement.h"
 #include "vtkHeightField.h"
@@ -38,7 +38,7 @@ bool ReadHeights(vtkAdaptiveRefinement* recipe, std::string& error)
 }
 
 bool BuildFaces(vtkPolyData* input, vtkAdaptiveRefinement* recipe, bool keepNormals,
-  const WholeSurface* whole, RefinementMesh& mesh, std::string& error, std::string& warning)
+  const GlobalSurfaceInfo* whole, RefinementMesh& mesh, std::string& error, std::string& warning)
 {
   if (!mesh.Build(input, recipe->GetSurface(), recipe->GetDisplacement(), keepNormals, whole))
   {
@@ -56,7 +56,7 @@ bool BuildFaces(vtkPolyData* input, vtkAdaptiveRefinement* recipe, bool keepNorm
 }
 
 bool BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe, bool keepNormals,
-  const WholeSurface* whole, RefinementMesh& mesh, std::string& error, std::string& warning)
+  const GlobalSurfaceInfo* whole, RefinementMesh& mesh, std::string& error, std::string& warning)
 {
   return ReadHeights(recipe, error) &&
     BuildFaces(input, recipe, keepNormals, whole, mesh, error, warning);
@@ -79,7 +79,7 @@ std::string FindNewShortfall(vtkAdaptiveRefinement* recipe, std::string& last)
   return std::exchange(last, shortfall) == shortfall ? std::string() : shortfall;
 }
 
-bool PrepareMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe, const WholeSurface* whole,
+bool PrepareMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe, const GlobalSurfaceInfo* whole,
   RefinementMesh& mesh, std::string& error, std::string& warning)
 {
   if (recipe && !whole && input->GetNumberOfCells() == 0)
@@ -101,8 +101,8 @@ bool PrepareMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe, const WholeS
 }
 
 bool SelectPatterns(vtkPolyData* input, vtkAdaptiveRefinement* recipe, const RefinementView& view,
-  const RefinementMesh& mesh, const std::shared_ptr<TagSource>& source, PatternSelection& selection,
-  std::string& error)
+  const RefinementMesh& mesh, const std::shared_ptr<MetricCache>& source,
+  PatternSelection& selection, std::string& error)
 {
   EdgeTags tags(source);
   std::string obstacle;

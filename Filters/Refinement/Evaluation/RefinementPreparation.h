@@ -14,7 +14,7 @@
 
 #include "RelevoFiltersRefinementModule.h" // for export macro
 
-#include <memory> // for TagSource
+#include <memory> // for MetricCache
 #include <string> // for messages
 
 class vtkAdaptiveRefinement;
@@ -25,15 +25,15 @@ namespace relevo
 struct RefinementView;
 class PatternSelection;
 class RefinementMesh;
-class TagSource;
-struct WholeSurface;
+class MetricCache;
+struct GlobalSurfaceInfo;
 
 /**
  * Reads the displacement's height map and builds the mesh. False, with an error to show the user,
  * where that cannot be done. `keepNormals` and `whole`: as RefinementMesh::Build() has them.
  */
 RELEVOFILTERSREFINEMENT_EXPORT bool BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
-  bool keepNormals, const WholeSurface* whole, RefinementMesh& mesh, std::string& error,
+  bool keepNormals, const GlobalSurfaceInfo* whole, RefinementMesh& mesh, std::string& error,
   std::string& warning);
 
 /**
@@ -59,10 +59,10 @@ RELEVOFILTERSREFINEMENT_EXPORT std::string FindNewShortfall(
  * applied.
  */
 RELEVOFILTERSREFINEMENT_EXPORT bool PrepareMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
-  const WholeSurface* whole, RefinementMesh& mesh, std::string& error, std::string& warning);
+  const GlobalSurfaceInfo* whole, RefinementMesh& mesh, std::string& error, std::string& warning);
 RELEVOFILTERSREFINEMENT_EXPORT bool SelectPatterns(vtkPolyData* input,
   vtkAdaptiveRefinement* recipe, const RefinementView& view, const RefinementMesh& mesh,
-  const std::shared_ptr<TagSource>& source, PatternSelection& selection, std::string& error);
+  const std::shared_ptr<MetricCache>& source, PatternSelection& selection, std::string& error);
 //@}
 }
 

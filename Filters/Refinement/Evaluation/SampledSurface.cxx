@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Evaluation/SampledSurface.h"
 
-#include "Core/Dependencies.h"
-#include "Core/RefinementMathematics.h"
+#include "Changes/Dependencies.h"
 #include "Evaluation/RefinementEvaluator.h"
 #include "Evaluation/RefinementPreparation.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "Mesh/RefinementMesh.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCellData.h"
@@ -154,7 +154,7 @@ void SampledSurface::AddTo(Dependencies& dependencies) const
 }
 
 DiscreteCurvature SampledSurface::ComputeCurvature(
-  vtkPolyData* input, const WholeSurface* whole) const
+  vtkPolyData* input, const GlobalSurfaceInfo* whole) const
 {
   const auto n = static_cast<std::size_t>(input->GetNumberOfPoints());
   DiscreteCurvature result;

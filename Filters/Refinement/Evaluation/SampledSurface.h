@@ -32,7 +32,8 @@ public:
   explicit SampledSurface(vtkAdaptiveRefinement* recipe);
 
   void AddTo(Dependencies& dependencies) const override;
-  DiscreteCurvature ComputeCurvature(vtkPolyData* mesh, const WholeSurface* whole) const override;
+  DiscreteCurvature ComputeCurvature(
+    vtkPolyData* mesh, const GlobalSurfaceInfo* whole) const override;
 
 private:
   vtkAdaptiveRefinement* Recipe;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Evaluation/SurfaceFields.h"
 
-#include "Core/NearestTuple.h"
-#include "Core/NoDataTuples.h"
+#include "Arrays/NearestTuple.h"
+#include "Arrays/NoDataTuples.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkMath.h"

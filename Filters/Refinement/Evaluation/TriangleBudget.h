@@ -16,7 +16,7 @@
 #ifndef TriangleBudget_h
 #define TriangleBudget_h
 
-#include "Core/PieceReduction.h"           // for the default
+#include "Parallel/PieceReduction.h"       // for the default
 #include "RelevoFiltersRefinementModule.h" // for export macro
 #include "vtkType.h"                       // for vtkIdType
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Intersection/RefinedSurface.h"
 
+#include "Boxes/FaceTree.h"
 #include "Evaluation/HoleFinder.h"
 #include "Evaluation/PatternSelection.h"
 #include "Evaluation/RefinementEvaluator.h"
-#include "Intersection/FaceTree.h"
 #include "Intersection/RefinedTriangles.h"
 #include "Mesh/FaceBounds.h"
 #include "Mesh/RefinementMesh.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/ClosedSurface.h"
 
-#include "Core/DisjointSets.h"
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/DisjointSets.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "Mesh/RefinementMesh.h"
 #include "vtkSMPTools.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/CreaseNormals.h"
 
-#include "Core/DisjointSets.h"
+#include "Mathematics/DisjointSets.h"
 #include "Mesh/GivenNormals.h"
 #include "Mesh/SurfaceEdges.h"
 #include "Mesh/SurfaceNormals.h"

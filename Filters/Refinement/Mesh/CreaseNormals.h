@@ -9,7 +9,7 @@
 #ifndef CreaseNormals_h
 #define CreaseNormals_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "Mesh/SurfaceTriangles.h"
 
 #include <memory> // for members

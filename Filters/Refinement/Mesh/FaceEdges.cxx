@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/FaceEdges.h"
 
-#include "Core/CornerOrder.h"
+#include "Mathematics/CornerOrder.h"
 #include "Mesh/RefinementMesh.h"
 #include "Mesh/SurfaceEdges.h"
 #include "vtkSMPTools.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/NormalGroups.h"
 
-#include "Core/DisjointSets.h"
+#include "Mathematics/DisjointSets.h"
 
 #include <algorithm>
 #include <numeric>

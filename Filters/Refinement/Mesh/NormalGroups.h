@@ -8,7 +8,7 @@
 #ifndef NormalGroups_h
 #define NormalGroups_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "vtkType.h"
 
 #include <vector>

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/RefinementMesh.h"
 
-#include "Core/GhostCells.h"
+#include "Arrays/GhostCells.h"
 #include "Surfaces/FloatRange.h"
 
-#include "Core/LocalPoints.h"
-#include "Core/PointPlaces.h"
-#include "Core/WholeSurface.h"
 #include "Mesh/FaceBounds.h"
 #include "Mesh/PatchArrays.h"
+#include "Parallel/GlobalSurfaceInfo.h"
+#include "Points/LocalPoints.h"
+#include "Points/MergedPoints.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkDisplacement.h"
@@ -35,7 +35,7 @@ bool isFinite(const float* v)
 }
 
 bool RefinementMesh::Build(vtkPolyData* input, vtkRefinementSurface* surface,
-  vtkDisplacement* displacement, bool keepNormals, const WholeSurface* whole)
+  vtkDisplacement* displacement, bool keepNormals, const GlobalSurfaceInfo* whole)
 {
   *this = RefinementMesh();
   if (input->GetNumberOfCells() == 0)
@@ -214,7 +214,7 @@ bool RefinementMesh::BuildTables(vtkPolyData* input, vtkRefinementSurface* surfa
   return true;
 }
 
-void RefinementMesh::BuildPoints(vtkPolyData* input, const WholeSurface* whole)
+void RefinementMesh::BuildPoints(vtkPolyData* input, const GlobalSurfaceInfo* whole)
 {
   LocalPoints points;
   points.Build(input->GetPoints(), whole ? &whole->PointBox : nullptr);

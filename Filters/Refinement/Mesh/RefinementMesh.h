@@ -12,7 +12,7 @@
 #ifndef RefinementMesh_h
 #define RefinementMesh_h
 
-#include "Core/CornerOrder.h"              // for EdgeCorners
+#include "Mathematics/CornerOrder.h"       // for EdgeCorners
 #include "RelevoFiltersRefinementModule.h" // for export macro
 #include "vtkRefinementSurface.h"          // for Face
 #include "vtkType.h"                       // for vtkIdType
@@ -27,7 +27,7 @@ class vtkPolyData;
 
 namespace relevo
 {
-struct WholeSurface;
+struct GlobalSurfaceInfo;
 
 /**
  * A coarse triangle. Its corners are sorted by place, so that an edge's two ends come in the same
@@ -58,7 +58,7 @@ public:
    * Normals are filled also where only the input has them. `whole` is what the mesh is a piece of.
    */
   bool Build(vtkPolyData* input, vtkRefinementSurface* surface, vtkDisplacement* displacement,
-    bool keepNormals = false, const WholeSurface* whole = nullptr);
+    bool keepNormals = false, const GlobalSurfaceInfo* whole = nullptr);
 
   const std::string& GetError() const { return this->Error; }
 
@@ -148,7 +148,7 @@ private:
   void RemoveGhosts(vtkPolyData* input);
   /// Whether floats have room for the faces; `isFlat` tells that corners are all that is computed.
   bool CheckRange(vtkPolyData* input, bool isFlat);
-  void BuildPoints(vtkPolyData* input, const WholeSurface* whole);
+  void BuildPoints(vtkPolyData* input, const GlobalSurfaceInfo* whole);
   void BuildNormals(vtkPolyData* input);
   void ComputeMissingNormals();
   void BuildDirections();

@@ -10,7 +10,7 @@
 #ifndef SurfaceNormals_h
 #define SurfaceNormals_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "Mesh/SurfaceTriangles.h"
 
 #include <memory> // for members

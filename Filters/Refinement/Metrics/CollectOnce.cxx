@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Metrics/CollectOnce.h"
 
-#include "Core/PieceReduction.h"
-#include "Core/PointPlaces.h"
 #include "Mesh/SurfaceTriangles.h"
+#include "Parallel/PieceReduction.h"
+#include "Points/MergedPoints.h"
 
 #include <cstring>
 #include <map>
@@ -18,7 +18,7 @@ std::uint64_t HashEdge(const SurfaceTriangles& surface, const int places[2])
   {
     double x[3];
     surface.GetPoint(places[end], x);
-    hash += HashPlace(x);
+    hash += HashPoint(x);
   }
   return hash;
 }

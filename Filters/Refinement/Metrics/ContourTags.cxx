@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Metrics/ContourTags.h"
 
-#include "Core/WorldView.h"
 #include "Metrics/FunctionEvaluator.h"
 #include "Metrics/LevelFunctions.h"
+#include "View/WorldView.h"
 
 #include <algorithm>
 

@@ -13,8 +13,8 @@
 #ifndef ContourTags_h
 #define ContourTags_h
 
-#include "Core/Dependencies.h"
-#include "Core/RefinementMathematics.h"
+#include "Changes/Dependencies.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "Metrics/MetricShader.h"
 #include "vtkNew.h"
 

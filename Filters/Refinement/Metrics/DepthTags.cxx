@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Metrics/DepthTags.h"
 
-#include "Core/PointPlaces.h"
 #include "Mesh/SurfaceEdges.h"
 #include "Metrics/MetricEvaluator.h"
 #include "Metrics/MetricMesh.h"
+#include "Points/MergedPoints.h"
 #include "vtkFloatArray.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"

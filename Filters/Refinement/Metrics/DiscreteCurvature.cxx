@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Metrics/DiscreteCurvature.h"
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "Mesh/SurfaceTriangles.h"
 #include "vtkMath.h"
 #include "vtkSMPTools.h"

@@ -24,8 +24,8 @@
 #ifndef DiscreteCurvature_h
 #define DiscreteCurvature_h
 
-#include "Core/RefinementMathematics.h" // for vectors
-#include "vtkType.h"                    // for vtkIdType
+#include "Mathematics/RefinementMathematics.h" // for vectors
+#include "vtkType.h"                           // for vtkIdType
 
 #include <vector> // for members
 

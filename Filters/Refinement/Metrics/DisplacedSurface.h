@@ -16,7 +16,7 @@ class vtkPolyData;
 namespace relevo
 {
 class Dependencies;
-struct WholeSurface;
+struct GlobalSurfaceInfo;
 
 class DisplacedSurface
 {
@@ -31,7 +31,7 @@ public:
    * or nullptr. Where the mesh cannot be displaced, all values are 0.
    */
   virtual DiscreteCurvature ComputeCurvature(
-    vtkPolyData* mesh, const WholeSurface* whole) const = 0;
+    vtkPolyData* mesh, const GlobalSurfaceInfo* whole) const = 0;
 };
 }
 

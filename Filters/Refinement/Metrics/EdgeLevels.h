@@ -6,7 +6,7 @@
 #ifndef EdgeLevels_h
 #define EdgeLevels_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 
 namespace relevo
 {

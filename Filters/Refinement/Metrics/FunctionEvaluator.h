@@ -10,13 +10,13 @@
 #ifndef FunctionEvaluator_h
 #define FunctionEvaluator_h
 
-#include "Core/LocalPoints.h"
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "Mesh/SurfaceEdges.h"
 #include "Metrics/MetricEvaluator.h"
 #include "Metrics/MetricMesh.h"
 #include "Metrics/MetricShader.h"
 #include "Metrics/SurfaceShape.h"
+#include "Points/LocalPoints.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkSMPTools.h"

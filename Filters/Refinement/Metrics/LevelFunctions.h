@@ -6,7 +6,7 @@
 #ifndef LevelFunctions_h
 #define LevelFunctions_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 
 namespace relevo
 {

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Metrics/MetricEvaluator.h"
 
-#include "Core/PieceReduction.h"
-#include "Core/WholeSurface.h"
 #include "Metrics/DepthTags.h"
 #include "Metrics/MetricMesh.h"
 #include "Metrics/MetricShader.h"
+#include "Parallel/GlobalSurfaceInfo.h"
+#include "Parallel/PieceReduction.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -70,7 +70,7 @@ bool MetricEvaluator::GetShader(const RefinementView&, int, const double[3], Met
 }
 
 void MetricEvaluator::ShareNumbers(
-  const RefinementView& view, const PieceReduction& pieces, WholeSurface& whole)
+  const RefinementView& view, const PieceReduction& pieces, GlobalSurfaceInfo& whole)
 {
   whole.Numbers[this->Metric] = this->ComputeNumbers(view, pieces);
 }
@@ -82,7 +82,7 @@ std::vector<double> MetricEvaluator::ComputeNumbers(const RefinementView&, const
 
 std::vector<double> MetricEvaluator::GetNumbers(const RefinementView& view)
 {
-  if (const WholeSurface* whole = this->Mesh->GetWhole())
+  if (const GlobalSurfaceInfo* whole = this->Mesh->GetWhole())
   {
     const auto shared = whole->Numbers.find(this->Metric);
     if (shared != whole->Numbers.end() && !shared->second.empty())

@@ -29,7 +29,7 @@ struct MetricShader;
 struct RefinementView;
 class MetricMesh;
 class PieceReduction;
-struct WholeSurface;
+struct GlobalSurfaceInfo;
 
 class RELEVOFILTERSREFINEMENT_EXPORT MetricEvaluator
 {
@@ -52,7 +52,7 @@ public:
   /// Have the numbers that this metric, and those that it is made of, need of the whole surface
   /// that the mesh is a piece of. Collective. Unless overridden, those of ComputeNumbers().
   virtual void ShareNumbers(
-    const RefinementView& view, const PieceReduction& pieces, WholeSurface& whole);
+    const RefinementView& view, const PieceReduction& pieces, GlobalSurfaceInfo& whole);
 
   /// The metric, which lives as long as its evaluators.
   vtkDepthTagMetric* GetMetric() const { return this->Metric; }

@@ -11,8 +11,8 @@
 #ifndef MetricFrame_h
 #define MetricFrame_h
 
-#include "Core/WorldView.h"
 #include "Metrics/MetricShader.h"
+#include "View/WorldView.h"
 
 namespace relevo
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Metrics/MetricMesh.h"
 
-#include "Core/Dependencies.h"
+#include "Changes/Dependencies.h"
 #include "Metrics/SurfaceShape.h"
 #include "vtkCellArray.h"
 #include "vtkPoints.h"
@@ -43,7 +43,7 @@ void MetricMesh::Update(vtkPolyData* mesh)
   }
 }
 
-void MetricMesh::SetWhole(std::shared_ptr<const WholeSurface> whole)
+void MetricMesh::SetWhole(std::shared_ptr<const GlobalSurfaceInfo> whole)
 {
   if (this->Whole == whole)
   {

@@ -25,7 +25,7 @@ class Dependencies;
 class SurfaceEdges;
 class SurfaceShape;
 class SurfaceTriangles;
-struct WholeSurface;
+struct GlobalSurfaceInfo;
 
 class RELEVOFILTERSREFINEMENT_EXPORT MetricMesh
 {
@@ -43,8 +43,8 @@ public:
 
   //@{
   /// What the mesh is a piece of; nullptr, the default, where it is the whole.
-  void SetWhole(std::shared_ptr<const WholeSurface> whole);
-  const WholeSurface* GetWhole() const { return this->Whole.get(); }
+  void SetWhole(std::shared_ptr<const GlobalSurfaceInfo> whole);
+  const GlobalSurfaceInfo* GetWhole() const { return this->Whole.get(); }
   //@}
 
   vtkPolyData* GetPolyData() const { return this->Mesh; }
@@ -58,7 +58,7 @@ private:
   friend SurfaceShape& GetShape(MetricMesh& mesh);
 
   vtkPolyData* Mesh = nullptr;
-  std::shared_ptr<const WholeSurface> Whole;
+  std::shared_ptr<const GlobalSurfaceInfo> Whole;
   std::unique_ptr<SurfaceShape> Shape;
   std::unique_ptr<Dependencies> ShapeDependencies;
   vtkTimeStamp ShapeTime;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Metrics/PieceAgreement.h"
 
-#include "Core/LocalPoints.h"
-#include "Core/ProcessReduction.h"
-#include "Core/WholeSurface.h"
+#include "Metrics/MetricCache.h"
 #include "Metrics/MetricEvaluator.h"
 #include "Metrics/SurfaceShape.h"
-#include "Metrics/TagSource.h"
+#include "Parallel/GlobalSurfaceInfo.h"
+#include "Parallel/ProcessReduction.h"
+#include "Points/LocalPoints.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -36,14 +36,14 @@ void Unite(FiniteBox& box, const PieceReduction& pieces)
 }
 }
 
-void AgreeOnPoints(vtkPolyData* piece, const PieceReduction& pieces, WholeSurface& whole)
+void AgreeOnPoints(vtkPolyData* piece, const PieceReduction& pieces, GlobalSurfaceInfo& whole)
 {
   whole.PointBox = MeasurePoints(piece->GetPoints());
   Unite(whole.PointBox, pieces);
 }
 
-void AgreeOnShape(vtkPolyData* piece, TagSource& source, vtkDepthTagMetric* metric,
-  const RefinementView& view, const PieceReduction& pieces, WholeSurface& whole)
+void AgreeOnShape(vtkPolyData* piece, MetricCache& source, vtkDepthTagMetric* metric,
+  const RefinementView& view, const PieceReduction& pieces, GlobalSurfaceInfo& whole)
 {
   std::vector<double> directions(1, whole.HasDirections ? 1.0 : 0.0);
   pieces.TakeLargest(directions);
@@ -57,9 +57,9 @@ void AgreeOnShape(vtkPolyData* piece, TagSource& source, vtkDepthTagMetric* metr
   }
 }
 
-bool AgreeOnPiece(vtkMultiProcessController* controller, vtkPolyData* piece, TagSource& source,
+bool AgreeOnPiece(vtkMultiProcessController* controller, vtkPolyData* piece, MetricCache& source,
   vtkDepthTagMetric* metric, const RefinementView& view,
-  const std::function<bool(WholeSurface*)>& prepare)
+  const std::function<bool(GlobalSurfaceInfo*)>& prepare)
 {
   if (!controller || controller->GetNumberOfProcesses() < 2)
   {
@@ -67,21 +67,21 @@ bool AgreeOnPiece(vtkMultiProcessController* controller, vtkPolyData* piece, Tag
     return prepare(nullptr);
   }
   const ProcessReduction pieces(controller);
-  WholeSurface whole;
+  GlobalSurfaceInfo whole;
   if (source.GetWhole())
   {
     whole = *source.GetWhole();
   }
   whole.HasDirections = false;
   AgreeOnPoints(piece, pieces, whole);
-  source.SetWhole(std::make_shared<WholeSurface>(whole));
+  source.SetWhole(std::make_shared<GlobalSurfaceInfo>(whole));
 
   bool valid = prepare(&whole);
   const bool hasDirections = whole.HasDirections;
   vtkNew<vtkPolyData> empty;
-  TagSource none; // what is known of an invalid mesh is not to be asked for
+  MetricCache none; // what is known of an invalid mesh is not to be asked for
   AgreeOnShape(valid ? piece : empty.Get(), valid ? source : none, metric, view, pieces, whole);
-  source.SetWhole(std::make_shared<WholeSurface>(whole));
+  source.SetWhole(std::make_shared<GlobalSurfaceInfo>(whole));
   if (valid && whole.HasDirections != hasDirections)
   {
     valid = prepare(&whole);

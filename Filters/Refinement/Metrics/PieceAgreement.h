@@ -19,21 +19,21 @@ class vtkPolyData;
 namespace relevo
 {
 struct RefinementView;
-struct WholeSurface;
+struct GlobalSurfaceInfo;
 class PieceReduction;
-class TagSource;
+class MetricCache;
 
 /// What a piece is prepared by: the box of all points.
 RELEVOFILTERSREFINEMENT_EXPORT void AgreeOnPoints(
-  vtkPolyData* piece, const PieceReduction& pieces, WholeSurface& whole);
+  vtkPolyData* piece, const PieceReduction& pieces, GlobalSurfaceInfo& whole);
 
 /**
  * What levels are chosen by, of a piece that is prepared or is empty. The metric may be nullptr.
  * whole.HasDirections is that of the piece before, and of any of them afterwards.
  */
-RELEVOFILTERSREFINEMENT_EXPORT void AgreeOnShape(vtkPolyData* piece, TagSource& source,
+RELEVOFILTERSREFINEMENT_EXPORT void AgreeOnShape(vtkPolyData* piece, MetricCache& source,
   vtkDepthTagMetric* metric, const RefinementView& view, const PieceReduction& pieces,
-  WholeSurface& whole);
+  GlobalSurfaceInfo& whole);
 
 /**
  * Both, for a filter: `prepare` is called in between, with what the piece is prepared by, nullptr
@@ -41,8 +41,8 @@ RELEVOFILTERSREFINEMENT_EXPORT void AgreeOnShape(vtkPolyData* piece, TagSource& 
  * Tells the source, and returns what `prepare` did.
  */
 RELEVOFILTERSREFINEMENT_EXPORT bool AgreeOnPiece(vtkMultiProcessController* controller,
-  vtkPolyData* piece, TagSource& source, vtkDepthTagMetric* metric, const RefinementView& view,
-  const std::function<bool(WholeSurface*)>& prepare);
+  vtkPolyData* piece, MetricCache& source, vtkDepthTagMetric* metric, const RefinementView& view,
+  const std::function<bool(GlobalSurfaceInfo*)>& prepare);
 }
 
 #endif

@@ -11,7 +11,7 @@ SurfaceShape::SurfaceShape(vtkPolyData* mesh)
   this->Mesh->CopyStructure(mesh);
 }
 
-void SurfaceShape::SetWhole(std::shared_ptr<const WholeSurface> whole)
+void SurfaceShape::SetWhole(std::shared_ptr<const GlobalSurfaceInfo> whole)
 {
   this->Whole = std::move(whole);
   this->Points.reset();
@@ -54,11 +54,11 @@ const SurfaceNormals& SurfaceShape::GetNormals()
   return *this->Normals;
 }
 
-const WholeSurface& SurfaceShape::GetOwnBoxes()
+const GlobalSurfaceInfo& SurfaceShape::GetOwnBoxes()
 {
   if (!this->Boxes)
   {
-    this->Boxes = std::make_unique<WholeSurface>();
+    this->Boxes = std::make_unique<GlobalSurfaceInfo>();
     this->Boxes->PointBox = MeasurePoints(this->Mesh->GetPoints());
     const SurfaceTriangles& surface = *this->GetTriangles();
     for (const SurfaceTriangles::Triangle& triangle : surface.GetTriangles())

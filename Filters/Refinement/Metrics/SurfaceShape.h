@@ -11,12 +11,12 @@
 #ifndef SurfaceShape_h
 #define SurfaceShape_h
 
-#include "Core/LocalPoints.h"
-#include "Core/WholeSurface.h"
 #include "Mesh/SurfaceEdges.h"
 #include "Mesh/SurfaceNormals.h"
 #include "Mesh/SurfaceTriangles.h"
 #include "Metrics/DiscreteCurvature.h"
+#include "Parallel/GlobalSurfaceInfo.h"
+#include "Points/LocalPoints.h"
 #include "RelevoFiltersRefinementModule.h" // for export macro
 #include "vtkNew.h"                        // for members
 #include "vtkPolyData.h"                   // for members
@@ -34,7 +34,7 @@ public:
   explicit SurfaceShape(vtkPolyData* mesh);
 
   /// What the mesh is a piece of; nullptr where it is the whole.
-  void SetWhole(std::shared_ptr<const WholeSurface> whole);
+  void SetWhole(std::shared_ptr<const GlobalSurfaceInfo> whole);
 
   const std::shared_ptr<const SurfaceTriangles>& GetTriangles();
   const std::shared_ptr<const SurfaceEdges>& GetEdges();
@@ -47,18 +47,18 @@ public:
   const FiniteBox& GetCornerBox() { return this->GetBoxes().CornerBox; }
   //@}
   /// Of the mesh itself.
-  const WholeSurface& GetOwnBoxes();
+  const GlobalSurfaceInfo& GetOwnBoxes();
 
 private:
-  const WholeSurface& GetBoxes() { return this->Whole ? *this->Whole : this->GetOwnBoxes(); }
+  const GlobalSurfaceInfo& GetBoxes() { return this->Whole ? *this->Whole : this->GetOwnBoxes(); }
 
   vtkNew<vtkPolyData> Mesh;
   std::shared_ptr<const SurfaceTriangles> Triangles;
   std::shared_ptr<const SurfaceEdges> Edges;
   std::unique_ptr<LocalPoints> Points;
   std::unique_ptr<SurfaceNormals> Normals;
-  std::unique_ptr<WholeSurface> Boxes;
-  std::shared_ptr<const WholeSurface> Whole;
+  std::unique_ptr<GlobalSurfaceInfo> Boxes;
+  std::shared_ptr<const GlobalSurfaceInfo> Whole;
   std::unique_ptr<DiscreteCurvature> Curvature;
 };
 

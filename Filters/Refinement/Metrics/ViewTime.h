@@ -6,8 +6,8 @@
 #ifndef ViewTime_h
 #define ViewTime_h
 
-#include "Core/LatestTime.h"
-#include "Core/RefinementView.h"
+#include "Changes/LatestTime.h"
+#include "View/RefinementView.h"
 #include "vtkCamera.h"
 #include "vtkDepthTagMetric.h"
 #include "vtkMatrix4x4.h"

@@ -8,7 +8,7 @@
 #ifndef BezierNormalCone_h
 #define BezierNormalCone_h
 
-#include "Core/RefinementMathematics.h" // for vec3
+#include "Mathematics/RefinementMathematics.h" // for vec3
 
 #include <functional> // for control points
 

@@ -9,7 +9,7 @@
 #ifndef HeightSampler_h
 #define HeightSampler_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "vtkHeightField.h"
 
 namespace relevo

@@ -9,7 +9,7 @@
 #ifndef SurfaceCorners_h
 #define SurfaceCorners_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "vtkRefinementSurface.h"
 
 namespace relevo

@@ -18,7 +18,7 @@
 #ifndef Relief_h
 #define Relief_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "RelevoFiltersReliefModule.h" // for export macro
 #include "vtkImageData.h"              // for the image
 #include "vtkSmartPointer.h"

@@ -9,7 +9,7 @@
 #ifndef ReliefColors_h
 #define ReliefColors_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "vtkSmartPointer.h"
 
 #include <string>

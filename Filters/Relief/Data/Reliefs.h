@@ -10,6 +10,7 @@
 #define Reliefs_h
 
 #include "Data/Relief.h"
+#include "RelevoFiltersReliefModule.h" // for export macro
 
 #include <string>
 #include <vector>

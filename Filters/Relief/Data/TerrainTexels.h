@@ -13,7 +13,7 @@
 #ifndef TerrainTexels_h
 #define TerrainTexels_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 
 #include <optional>
 

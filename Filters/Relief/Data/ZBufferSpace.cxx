@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/ZBufferSpace.h"
 
-#include "Core/WorldView.h"
+#include "View/WorldView.h"
 #include "vtkCamera.h"
 
 #include <cmath>

@@ -14,6 +14,7 @@
 #define ZBufferSpace_h
 
 #include "Data/Relief.h"
+#include "RelevoFiltersReliefModule.h" // for export macro
 
 class vtkCamera;
 

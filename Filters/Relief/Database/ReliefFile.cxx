@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Database/ReliefFile.h"
 
-#include "Core/ErrorCollector.h"
+#include "Checks/ErrorCollector.h"
 #include "Data/Relief.h"
 #include "Files/WriteFile.h"
 #include "vtkDataArray.h"

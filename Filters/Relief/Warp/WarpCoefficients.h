@@ -9,7 +9,7 @@
 #ifndef WarpCoefficients_h
 #define WarpCoefficients_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "RelevoFiltersReliefModule.h" // for export macro
 
 namespace relevo

@@ -10,6 +10,7 @@
 #define TerrainFrame_h
 
 #include "Geodesy/Georeference.h"
+#include "RelevoFiltersTerrainModule.h" // for export macro
 
 #include <array>
 #include <memory>

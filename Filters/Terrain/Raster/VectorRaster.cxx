@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Raster/VectorRaster.h"
 
-#include "Core/RefinementMathematics.h"
-#include "Core/VectorData.h"
+#include "Arrays/VectorData.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "Mesh/PointBlanking.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"

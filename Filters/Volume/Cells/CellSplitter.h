@@ -16,7 +16,7 @@
 #ifndef CellSplitter_h
 #define CellSplitter_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "vtkNew.h"
 #include "vtkType.h"
 

@@ -11,7 +11,7 @@ namespace relevo
 {
 namespace
 {
-constexpr int MostSteps = 30;
+constexpr int MaximumSteps = 30;
 constexpr double Converged = 1e-13;
 // Of parameters: a ray in a face is in both its cells.
 constexpr double Inside = 1e-9;
@@ -85,7 +85,7 @@ double CurvedCell::ComputeVolume() const
 // Newton's method.
 bool CurvedCell::Locate(const dvec3& place, dvec3& parameters) const
 {
-  for (int i = 0; i < MostSteps; ++i)
+  for (int i = 0; i < MaximumSteps; ++i)
   {
     const dmat3 derivatives = this->Derive(parameters);
     const double volume = determinant(derivatives);

@@ -3,7 +3,7 @@
 #include "Cells/JoinedPoints.h"
 
 #include "Cells/VolumeCells.h"
-#include "Core/PointPlaces.h"
+#include "Points/MergedPoints.h"
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"

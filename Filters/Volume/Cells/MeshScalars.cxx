@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/MeshScalars.h"
 
-#include "Core/LeftOutBlocks.h"
-#include "Core/VTKCompatibility.h"
+#include "Checks/LeftOutBlocks.h"
+#include "Compatibility/VTKCompatibility.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -84,7 +84,7 @@ std::string NameArray(const std::string& name, const char* kind)
 }
 
 // Why a block is left out, beside others that are not; empty if it is not.
-std::string FindLack(const MeshScalars& scalars, const ArrayWish& wish, const MeshScalars* first)
+std::string FindLack(const MeshScalars& scalars, const ArrayRequest& wish, const MeshScalars* first)
 {
   if (!HasSolidCells(scalars.Mesh))
   {
@@ -110,7 +110,7 @@ std::string FindLack(const MeshScalars& scalars, const ArrayWish& wish, const Me
 }
 
 std::string FindFault(
-  const MeshScalars& scalars, const ArrayWish& wish, const std::string& name, int components)
+  const MeshScalars& scalars, const ArrayRequest& wish, const std::string& name, int components)
 {
   std::ostringstream text;
   const vtkIdType tuples = scalars.Array->GetNumberOfTuples();
@@ -145,8 +145,8 @@ vtkMTimeType GetMeshTime(vtkDataObject* input)
   return time;
 }
 
-bool FindMeshScalars(vtkDataObject* input, const ArrayWish& wish, std::vector<MeshScalars>& found,
-  std::string& error, std::string& warning)
+bool FindMeshScalars(vtkDataObject* input, const ArrayRequest& wish,
+  std::vector<MeshScalars>& found, std::string& error, std::string& warning)
 {
   found.clear();
   LeftOutBlocks leftOut;

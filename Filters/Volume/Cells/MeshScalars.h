@@ -9,7 +9,7 @@
 #ifndef MeshScalars_h
 #define MeshScalars_h
 
-#include "Core/MisplacedArray.h"
+#include "Checks/MisplacedArray.h"
 #include "RelevoFiltersVolumeModule.h" // for export macro
 #include "vtkType.h"
 
@@ -32,7 +32,7 @@ struct MeshScalars
 };
 
 /// Which array is drawn.
-struct ArrayWish
+struct ArrayRequest
 {
   /// Of a data set, and its association; null if there is none.
   std::function<vtkDataArray*(vtkDataSet*, int& association)> Find;
@@ -51,7 +51,7 @@ RELEVOFILTERSVOLUME_EXPORT vtkMTimeType GetMeshTime(vtkDataObject* input);
  * with words that follow "The input " where there is none, or where an array cannot be used.
  * Otherwise `warning` names the blocks that are left out, if any.
  */
-RELEVOFILTERSVOLUME_EXPORT bool FindMeshScalars(vtkDataObject* input, const ArrayWish& wish,
+RELEVOFILTERSVOLUME_EXPORT bool FindMeshScalars(vtkDataObject* input, const ArrayRequest& wish,
   std::vector<MeshScalars>& found, std::string& error, std::string& warning);
 }
 

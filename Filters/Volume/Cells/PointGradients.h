@@ -10,6 +10,7 @@
 #define PointGradients_h
 
 #include "Cells/Ray.h"
+#include "RelevoFiltersVolumeModule.h" // for export macro
 
 #include <vector>
 

@@ -5,7 +5,7 @@
 #include "Cells/CellChecks.h"
 #include "Cells/CellSplitter.h"
 #include "Cells/PointGradients.h"
-#include "Core/FiniteBox.h"
+#include "Mathematics/FiniteBox.h"
 #include "Mesh/CellFetcher.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"

@@ -13,11 +13,12 @@
 #ifndef VolumeCells_h
 #define VolumeCells_h
 
+#include "Boxes/FaceTree.h"
 #include "Cells/CurvedCell.h"
 #include "Cells/Ray.h"
 #include "Cells/ScalarChoice.h"
 #include "Cells/TetrahedronCrossing.h"
-#include "Intersection/FaceTree.h"
+#include "RelevoFiltersVolumeModule.h" // for export macro
 #include "vtkType.h"
 
 #include <array>

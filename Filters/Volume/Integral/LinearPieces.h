@@ -13,6 +13,7 @@
 #define LinearPieces_h
 
 #include "Integral/LinearSegment.h"
+#include "RelevoFiltersVolumeModule.h" // for export macro
 
 #include <functional> // for the function
 #include <vector>     // for members

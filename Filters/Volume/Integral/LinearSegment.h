@@ -9,7 +9,7 @@
 #ifndef LinearSegment_h
 #define LinearSegment_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "RelevoFiltersVolumeModule.h" // for export macro
 
 namespace relevo

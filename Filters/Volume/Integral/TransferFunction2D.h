@@ -13,6 +13,7 @@
 #define TransferFunction2D_h
 
 #include "Integral/LinearSegment.h"
+#include "RelevoFiltersVolumeModule.h" // for export macro
 
 #include <string>
 #include <vector>

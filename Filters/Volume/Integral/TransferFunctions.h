@@ -20,6 +20,7 @@
 
 #include "Integral/LinearPieces.h"
 #include "Integral/TransferFunction2D.h"
+#include "RelevoFiltersVolumeModule.h" // for export macro
 
 #include <array>  // for the scalars
 #include <string> // for messages

@@ -3,10 +3,10 @@
 #include "Mesh/CellFaces.h"
 
 #include "Cells/CellChecks.h"
-#include "Core/PointPlaces.h"
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "Mesh/CellFetcher.h"
 #include "Mesh/FaceTable.h"
+#include "Points/MergedPoints.h"
 #include "vtkCell.h"
 #include "vtkCellType.h"
 #include "vtkDataSet.h"

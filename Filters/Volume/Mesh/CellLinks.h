@@ -8,7 +8,7 @@
 #ifndef CellLinks_h
 #define CellLinks_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "Mesh/CellFaces.h"
 
 #include <array>

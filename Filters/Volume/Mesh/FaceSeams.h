@@ -10,7 +10,7 @@
 #ifndef FaceSeams_h
 #define FaceSeams_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "RelevoFiltersVolumeModule.h" // for export macro
 
 #include <array>

@@ -13,7 +13,7 @@
 #ifndef VisibilityOrder_h
 #define VisibilityOrder_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "Mesh/CellFaces.h"
 #include "Mesh/CellLinks.h"
 #include "RelevoFiltersVolumeModule.h" // for export macro

@@ -15,6 +15,7 @@
 #define IsoSurfaces_h
 
 #include "Cells/Ray.h"
+#include "RelevoFiltersVolumeModule.h" // for export macro
 
 #include <string>
 #include <vector>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PieceFilter.h"
 
-#include "Core/MemoryGuard.h"
-#include "Core/ProcessReduction.h"
+#include "Checks/MemoryGuard.h"
+#include "Parallel/ProcessReduction.h"
 #include "SurfaceLeaves.h"
 #include "vtkAlgorithm.h"
 #include "vtkCellData.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SecondLayer.h"
 
+#include "Arrays/GhostCells.h"
 #include "CellSubset.h"
-#include "Core/GhostCells.h"
-#include "Core/ProcessReduction.h"
+#include "Parallel/ProcessReduction.h"
 #include "Position.h"
 #include "vtkBoundingBox.h"
 #include "vtkCellData.h"

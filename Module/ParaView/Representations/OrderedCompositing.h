@@ -14,7 +14,7 @@
 #ifndef OrderedCompositing_h
 #define OrderedCompositing_h
 
-#include "Core/Dependencies.h"
+#include "Changes/Dependencies.h"
 #include "vtkBoundingBox.h"
 #include "vtkSmartPointer.h"
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RegionFaces.h"
 
+#include "Actors/UsableArrays.h"
+#include "Arrays/GhostCells.h"
 #include "CellSubset.h"
-#include "Core/GhostCells.h"
 #include "FaceOrder.h"
 #include "Mesh/FaceBounds.h"
 #include "Mesh/RefinementMesh.h"
-#include "State/UsableArrays.h"
 #include "SurfaceLeaves.h"
 #include "SurfacePieces.h"
 #include "vtkAdaptiveRefinement.h"

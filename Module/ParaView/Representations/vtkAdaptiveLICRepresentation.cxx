@@ -34,7 +34,7 @@ bool vtkAdaptiveLICRepresentation::AddToView(vtkView* view)
   // After ParaView has given all processes the camera, and before any draws: IceT leaves out those
   // that have nothing in view.
   this->StartTag = this->RenderView->GetRenderer()->AddObserver(
-    vtkCommand::StartEvent, this, &vtkAdaptiveLICRepresentation::PrepareTogether, -1.0f);
+    vtkCommand::StartEvent, this, &vtkAdaptiveLICRepresentation::PrepareParallelFrame, -1.0f);
   this->EndTag = this->RenderView->GetRenderWindow()->AddObserver(
     vtkCommand::EndEvent, this, &vtkAdaptiveLICRepresentation::EndPicture);
   return true;
@@ -74,7 +74,7 @@ int vtkAdaptiveLICRepresentation::ProcessViewRequest(
   return 1;
 }
 
-void vtkAdaptiveLICRepresentation::PrepareTogether()
+void vtkAdaptiveLICRepresentation::PrepareParallelFrame()
 {
   vtkRenderer* ren = this->RenderView->GetRenderer();
   auto mapper = vtkAdaptiveLICMapper::SafeDownCast(this->GetMapper());
@@ -88,7 +88,7 @@ void vtkAdaptiveLICRepresentation::PrepareTogether()
   {
     if (actor->GetVisibility())
     {
-      mapper->PrepareTogether(ren, actor);
+      mapper->PrepareParallelFrame(ren, actor);
     }
   }
 }

@@ -39,7 +39,7 @@ private:
   vtkAdaptiveLICRepresentation(const vtkAdaptiveLICRepresentation&) = delete;
   void operator=(const vtkAdaptiveLICRepresentation&) = delete;
 
-  void PrepareTogether();
+  void PrepareParallelFrame();
   void EndPicture();
 
   vtkPVRenderView* RenderView = nullptr; // that it is in

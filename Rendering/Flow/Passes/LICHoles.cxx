@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Passes/LICHoles.h"
 
-#include "Core/Dependencies.h"
+#include "Changes/Dependencies.h"
 #include "vtkActor.h"
 #include "vtkImageData.h"
 #include "vtkProperty.h"

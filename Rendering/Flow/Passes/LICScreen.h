@@ -9,7 +9,7 @@
 #ifndef LICScreen_h
 #define LICScreen_h
 
-#include "Core/Dependencies.h"
+#include "Changes/Dependencies.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 

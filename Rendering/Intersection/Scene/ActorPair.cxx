@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/ActorPair.h"
 
-#include "Core/ErrorCollector.h"
+#include "Checks/ErrorCollector.h"
 #include "Scene/SceneActor.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCommand.h"

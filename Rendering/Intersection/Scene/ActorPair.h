@@ -7,7 +7,7 @@
 #ifndef ActorPair_h
 #define ActorPair_h
 
-#include "Core/Dependencies.h"            // for members
+#include "Changes/Dependencies.h"         // for members
 #include "vtkNew.h"                       // for members
 #include "vtkPolyData.h"                  // for members
 #include "vtkSmartPointer.h"              // for members

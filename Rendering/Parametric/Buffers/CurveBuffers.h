@@ -9,8 +9,8 @@
 #ifndef CurveBuffers_h
 #define CurveBuffers_h
 
-#include "Buffers/RefinementBuffer.h"
-#include "Core/RefinementMathematics.h"
+#include "Buffers/BufferTexture.h"
+#include "Mathematics/RefinementMathematics.h"
 
 #include <vector>
 
@@ -48,12 +48,12 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  RefinementBuffer Points; // three numbers each, or four where weights differ
-  RefinementBuffer Curves; // first control point << 3 | degree - 1, where degrees differ
-  RefinementBuffer Cells;
-  RefinementBuffer Radii;
-  RefinementBuffer Frames;   // by curve, see relevoCurveTables.glsl
-  RefinementBuffer Stations; // tangent and normal of each
+  BufferTexture Points; // three numbers each, or four where weights differ
+  BufferTexture Curves; // first control point << 3 | degree - 1, where degrees differ
+  BufferTexture Cells;
+  BufferTexture Radii;
+  BufferTexture Frames;   // by curve, see relevoCurveTables.glsl
+  BufferTexture Stations; // tangent and normal of each
   int Degree = 0;
   bool Rational = false;
 };

@@ -9,7 +9,7 @@
 #ifndef CurveColors_h
 #define CurveColors_h
 
-#include "Buffers/RefinementBuffer.h"
+#include "Buffers/BufferTexture.h"
 #include "Buffers/RefinementColors.h"
 #include "Shaders/CurveShader.h"
 
@@ -52,8 +52,8 @@ public:
 
 private:
   CurveColoring Coloring = CurveColoring::ACTOR;
-  RefinementBuffer Cells;
-  RefinementBuffer Points;
+  BufferTexture Cells;
+  BufferTexture Points;
   RefinementColors Values;
 };
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Buffers/PatchScalars.h"
 
-#include "Core/NoDataTuples.h"
+#include "Arrays/NoDataTuples.h"
 #include "Mesh/PatchArrays.h"
 #include "vtkDoubleArray.h"
 #include "vtkMath.h"

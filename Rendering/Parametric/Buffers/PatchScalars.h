@@ -9,7 +9,7 @@
 #ifndef PatchScalars_h
 #define PatchScalars_h
 
-#include "Buffers/RefinementBuffer.h" // for members
+#include "Buffers/BufferTexture.h"    // for members
 #include "Buffers/RefinementColors.h" // for members
 
 class vtkDataArray;
@@ -61,7 +61,7 @@ private:
 
   Kinds Kind = NONE;
   RefinementColors Numbers;
-  RefinementBuffer Colors;
+  BufferTexture Colors;
 };
 }
 

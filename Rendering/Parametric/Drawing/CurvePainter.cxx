@@ -4,12 +4,12 @@
 
 #include "OpenGL/RelevoOpenGL.h"
 
+#include "Actors/ActorView.h"
 #include "Compute/RefinementComputeState.h"
 #include "Curves/CurveFrames.h"
 #include "Curves/CurveRadii.h"
 #include "Drawing/CurveScalars.h"
 #include "Evaluation/FaceCulling.h"
-#include "State/ActorView.h"
 #include "vtkActor.h"
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
@@ -188,7 +188,7 @@ std::string CurvePainter::Prepare(vtkRenderer* renderer, vtkActor* actor, const 
   const bool isSelecting = renderer->GetSelector() != nullptr;
   if (!this->Upload(window, isSelecting))
   {
-    return "Cannot draw the input: " + RefinementBuffer::GetTooLarge() + ".";
+    return "Cannot draw the input: " + BufferTexture::GetTooLarge() + ".";
   }
   this->UpdateColors(window, settings.Scalars);
   this->Helper.PrimitiveType = this->CurveShape.Sides == 1 ? PrimitiveLines : PrimitiveTris;

@@ -6,8 +6,8 @@
 #include "OpenGL/PositionShift.h"
 #include "OpenGL/ShaderUniforms.h"
 
-#include "Core/VTKCompatibility.h"
-#include "State/ActorLook.h"
+#include "Actors/ShaderVariantKey.h"
+#include "Compatibility/VTKCompatibility.h"
 #include "relevoTessellationVS.h"
 #include "vtkActor.h"
 #include "vtkHardwareSelector.h"

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/CurveScalars.h"
 
+#include "Actors/UsableArrays.h"
+#include "Buffers/ColorTable.h"
 #include "Buffers/CurveColors.h"
-#include "Buffers/RefinementColorTable.h"
 #include "Curves/CurveMesh.h"
-#include "State/UsableArrays.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkLookupTable.h"
@@ -44,7 +44,7 @@ std::string FindProblem(const ScalarMapping& mapping, vtkMapper* mapper)
   vtkDataArray* numbers = vtkDataArray::SafeDownCast(mapping.Scalars);
   vtkScalarsToColors* table = numbers ? numbers->GetLookupTable() : nullptr;
   table = table ? table : mapper->GetLookupTable();
-  const std::string unusable = RefinementColorTable::FindProblem(
+  const std::string unusable = ColorTable::FindProblem(
     table, mapper->GetUseLookupTableScalarRange() ? table->GetRange() : mapper->GetScalarRange());
   return problem.empty() && !unusable.empty() ? "Cannot map scalars to colours: " + unusable + "."
                                               : problem;
@@ -90,7 +90,7 @@ std::string UploadScalars(vtkOpenGLRenderWindow* window, vtkMapper* mapper, vtkD
   if (cellFlag != 0)
   {
     valid = !mapped || colors.UploadCells(window, curves, mapped);
-    return valid ? "" : "Cannot draw the input: " + RefinementBuffer::GetTooLarge() + ".";
+    return valid ? "" : "Cannot draw the input: " + BufferTexture::GetTooLarge() + ".";
   }
   if (values && !IsDirect(mapper, scalars))
   {
@@ -101,6 +101,6 @@ std::string UploadScalars(vtkOpenGLRenderWindow* window, vtkMapper* mapper, vtkD
   {
     valid = colors.UploadPoints(window, curves, MapColors(mapper, scalars));
   }
-  return valid ? "" : "Cannot draw the input: " + RefinementBuffer::GetTooLarge() + ".";
+  return valid ? "" : "Cannot draw the input: " + BufferTexture::GetTooLarge() + ".";
 }
 }

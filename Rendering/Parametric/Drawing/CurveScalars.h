@@ -9,7 +9,7 @@
 #ifndef CurveScalars_h
 #define CurveScalars_h
 
-#include "Core/Dependencies.h"
+#include "Changes/Dependencies.h"
 
 #include <string>
 

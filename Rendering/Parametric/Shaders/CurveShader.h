@@ -9,7 +9,7 @@
 #ifndef CurveShader_h
 #define CurveShader_h
 
-#include "Core/Dependencies.h"
+#include "Changes/Dependencies.h"
 #include "Shaders/ShaderText.h"
 
 #include <map>

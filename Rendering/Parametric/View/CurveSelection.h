@@ -10,9 +10,9 @@
 #ifndef CurveSelection_h
 #define CurveSelection_h
 
-#include "Core/Dependencies.h"
-#include "Core/RefinementMathematics.h"
+#include "Changes/Dependencies.h"
 #include "Curves/CurveTags.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "vtkTimeStamp.h"
 #include "vtkType.h"
 

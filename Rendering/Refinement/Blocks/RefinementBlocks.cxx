@@ -3,7 +3,7 @@
 #include "Blocks/RefinementBlocks.h"
 
 #include "Blocks/BlockLook.h"
-#include "Core/InputType.h"
+#include "Checks/InputType.h"
 #include "vtkActor.h"
 #include "vtkBlockAttributesPolyDataMapper.h"
 #include "vtkCallbackCommand.h"

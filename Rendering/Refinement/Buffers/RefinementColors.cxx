@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Buffers/RefinementColors.h"
 
-#include "Core/NoDataTuples.h"
+#include "Arrays/NoDataTuples.h"
 
 #include "vtkDataArray.h"
 #include "vtkLookupTable.h"
@@ -83,7 +83,7 @@ bool RefinementColors::Upload(vtkOpenGLRenderWindow* window, vtkAbstractArray* s
     return true;
   }
   const double* tableRange = table->GetRange();
-  const bool isLog = RefinementColorTable::IsLogarithmic(table);
+  const bool isLog = ColorTable::IsLogarithmic(table);
   // For categories, and for logarithms of negative numbers, VTK's own colours are used.
   if (table->GetIndexedLookup() || (table->UsingLogScale() && !(tableRange[0] > 0.0)))
   {

@@ -11,8 +11,8 @@
 #ifndef RefinementColors_h
 #define RefinementColors_h
 
-#include "Buffers/RefinementBuffer.h"        // for members
-#include "Buffers/RefinementColorTable.h"    // for members
+#include "Buffers/BufferTexture.h"           // for members
+#include "Buffers/ColorTable.h"              // for members
 #include "RelevoRenderingRefinementModule.h" // for export macro
 #include "Shaders/RefinementShaderOptions.h" // for ScalarKind
 
@@ -53,9 +53,9 @@ private:
   bool UploadNoData(vtkOpenGLRenderWindow* window, vtkDataArray* scalars, double noDataMagnitude);
   void SetCoordinates(vtkScalarsToColors* table);
 
-  RefinementBuffer Scalars;
-  RefinementBuffer NoData;
-  RefinementColorTable Table;
+  BufferTexture Scalars;
+  BufferTexture NoData;
+  ColorTable Table;
   ScalarKind Kind = BY_VTK;
   int Texels = 0; // per point; 0 for a single number
   bool AreIntegers = false;

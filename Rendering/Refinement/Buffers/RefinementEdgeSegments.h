@@ -10,7 +10,7 @@
 #ifndef RefinementEdgeSegments_h
 #define RefinementEdgeSegments_h
 
-#include "Buffers/RefinementBuffer.h" // for members
+#include "Buffers/BufferTexture.h" // for members
 
 #include <map> // for members
 
@@ -42,7 +42,7 @@ public:
 private:
   struct Slot
   {
-    RefinementBuffer Segments;
+    BufferTexture Segments;
     vtkMTimeType LevelsTime = 0;
   };
   std::map<int, Slot> Slots;

@@ -47,8 +47,8 @@ bool RefinementFaceColors::UploadPatterns(vtkOpenGLRenderWindow* window, int mod
   std::vector<float> colors;
   for (const auto& pattern : patterns.GetPatterns())
   {
-    const std::array<float, 4> color = RefinementColorTable::GetColor(
-      table, RefinementLevelTable::GetValue(mode, wholeNumbers, *pattern));
+    const std::array<float, 4> color =
+      ColorTable::GetColor(table, RefinementLevelTable::GetValue(mode, wholeNumbers, *pattern));
     colors.insert(colors.end(), color.begin(), color.end());
   }
   return this->UploadColors(window, colors, dependencies);
@@ -86,7 +86,7 @@ bool RefinementFaceColors::UploadFaces(vtkOpenGLRenderWindow* window, int mode, 
     {
       color = known
                 .insert({ pattern,
-                  RefinementColorTable::GetColor(
+                  ColorTable::GetColor(
                     table, RefinementLevelTable::GetValue(mode, wholeNumbers, *pattern)) })
                 .first;
     }

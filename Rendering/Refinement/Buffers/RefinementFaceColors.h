@@ -11,9 +11,9 @@
 #ifndef RefinementFaceColors_h
 #define RefinementFaceColors_h
 
-#include "Buffers/RefinementBuffer.h"     // for members
-#include "Buffers/RefinementColorTable.h" // for members
-#include "Core/Dependencies.h"            // for members
+#include "Buffers/BufferTexture.h" // for members
+#include "Buffers/ColorTable.h"    // for members
+#include "Changes/Dependencies.h"  // for members
 
 #include <vector> // for colours
 
@@ -57,9 +57,9 @@ private:
   bool UploadColors(vtkOpenGLRenderWindow* window, const std::vector<float>& colors,
     const Dependencies& dependencies);
 
-  RefinementBuffer Colors; // of patterns or faces
-  RefinementBuffer Tags;
-  RefinementColorTable Table;
+  BufferTexture Colors; // of patterns or faces
+  BufferTexture Tags;
+  ColorTable Table;
   bool PerEdge = false;
   float Offset = 0.0f;
   float Highest = 0.0f;

@@ -10,7 +10,7 @@
 #ifndef RefinementInstances_h
 #define RefinementInstances_h
 
-#include "Buffers/RefinementBuffer.h"        // for members
+#include "Buffers/BufferTexture.h"           // for members
 #include "RelevoRenderingRefinementModule.h" // for export macro
 
 #include <map>    // for members
@@ -56,8 +56,8 @@ public:
 private:
   struct Slot
   {
-    RefinementBuffer Instances;
-    RefinementBuffer MorphTags;
+    BufferTexture Instances;
+    BufferTexture MorphTags;
     vtkMTimeType LevelsTime = 0;
     vtkMTimeType GroupsTime = 0;
   };

@@ -7,7 +7,7 @@
 #ifndef RefinementLevelTable_h
 #define RefinementLevelTable_h
 
-#include "Core/Dependencies.h"               // for members
+#include "Changes/Dependencies.h"            // for members
 #include "Shaders/RefinementShaderOptions.h" // for RefinementColorMode
 #include "vtkNew.h"                          // for Table
 

@@ -81,7 +81,7 @@ bool RefinementMeshBuffers::UploadMesh(vtkOpenGLRenderWindow* window, const Refi
   const bool uploaded = this->Points.Alias(window, positions) &&
     this->UploadPointData(window, mesh, surface) && this->UploadVectors(window, mesh, surface) &&
     this->UploadSeams(window, mesh) && this->UploadTables(window, mesh);
-  this->Error = uploaded ? "" : RefinementBuffer::GetTooLarge();
+  this->Error = uploaded ? "" : BufferTexture::GetTooLarge();
   return uploaded;
 }
 
@@ -107,8 +107,7 @@ bool RefinementMeshBuffers::UploadTables(vtkOpenGLRenderWindow* window, const Re
 {
   if (mesh.TableEntries.empty())
   {
-    for (RefinementBuffer* buffer :
-      { &this->TableEntries, &this->TableRecords, &this->TablePoints })
+    for (BufferTexture* buffer : { &this->TableEntries, &this->TableRecords, &this->TablePoints })
     {
       buffer->ReleaseGraphicsResources(window);
     }
@@ -130,7 +129,7 @@ bool RefinementMeshBuffers::UploadTables(vtkOpenGLRenderWindow* window, const Re
     this->TablePoints.Upload(window, points, 4);
 }
 
-std::array<RefinementBuffer*, 7> RefinementMeshBuffers::GetBuffers()
+std::array<BufferTexture*, 7> RefinementMeshBuffers::GetBuffers()
 {
   return { &this->Points, &this->PointData, &this->Vectors, &this->Seams, &this->TableEntries,
     &this->TableRecords, &this->TablePoints };
@@ -154,7 +153,7 @@ bool RefinementMeshBuffers::UploadFaces(vtkOpenGLRenderWindow* window, const Ref
   }
   this->Faces = &this->FacesOfRepresentations[representation];
   const bool uploaded = this->Faces->Upload(window, faces, 4);
-  this->Error = uploaded ? "" : RefinementBuffer::GetTooLarge();
+  this->Error = uploaded ? "" : BufferTexture::GetTooLarge();
   return uploaded;
 }
 
@@ -311,14 +310,14 @@ bool RefinementMeshBuffers::AliasAttributes(vtkOpenGLRenderWindow* window,
     {
       continue;
     }
-    std::unique_ptr<RefinementBuffer>& buffer = this->Attributes[name];
+    std::unique_ptr<BufferTexture>& buffer = this->Attributes[name];
     if (!buffer)
     {
-      buffer.reset(new RefinementBuffer);
+      buffer.reset(new BufferTexture);
     }
     if (!buffer->Alias(window, vbo))
     {
-      this->Error = RefinementBuffer::GetTooLarge();
+      this->Error = BufferTexture::GetTooLarge();
       return false;
     }
   }
@@ -375,7 +374,7 @@ void RefinementMeshBuffers::Deactivate()
   {
     this->Faces->Deactivate();
   }
-  for (RefinementBuffer* buffer : this->GetBuffers())
+  for (BufferTexture* buffer : this->GetBuffers())
   {
     buffer->Deactivate();
   }
@@ -436,7 +435,7 @@ vtkTypeInt64 RefinementMeshBuffers::GetMemorySize() const
   {
     size += faces.second.GetMemorySize();
   }
-  for (const RefinementBuffer* buffer : const_cast<RefinementMeshBuffers*>(this)->GetBuffers())
+  for (const BufferTexture* buffer : const_cast<RefinementMeshBuffers*>(this)->GetBuffers())
   {
     size += buffer->GetMemorySize();
   }
@@ -446,7 +445,7 @@ vtkTypeInt64 RefinementMeshBuffers::GetMemorySize() const
 void RefinementMeshBuffers::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->ReleaseFaces(window);
-  for (RefinementBuffer* buffer : this->GetBuffers())
+  for (BufferTexture* buffer : this->GetBuffers())
   {
     buffer->ReleaseGraphicsResources(window);
   }

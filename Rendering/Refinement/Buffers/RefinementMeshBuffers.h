@@ -7,11 +7,11 @@
 #ifndef RefinementMeshBuffers_h
 #define RefinementMeshBuffers_h
 
-#include "Buffers/RefinementBuffer.h"
+#include "Buffers/BufferTexture.h"
 
-#include "Core/Dependencies.h" // for members
-#include "vtkSmartPointer.h"   // for textures
-#include "vtkType.h"           // for vtkMTimeType
+#include "Changes/Dependencies.h" // for members
+#include "vtkSmartPointer.h"      // for textures
+#include "vtkType.h"              // for vtkMTimeType
 
 #include <array>  // for GetBuffers
 #include <map>    // for members
@@ -91,16 +91,16 @@ public:
   const std::string& GetError() const { return this->Error; }
 
 private:
-  std::map<int, RefinementBuffer> FacesOfRepresentations;
-  RefinementBuffer* Faces = nullptr; // one of them
-  RefinementBuffer Points;
-  RefinementBuffer PointData;
-  RefinementBuffer Vectors;
-  RefinementBuffer Seams;
-  RefinementBuffer TableEntries;
-  RefinementBuffer TableRecords;
-  RefinementBuffer TablePoints;
-  std::map<std::string, std::unique_ptr<RefinementBuffer>> Attributes;
+  std::map<int, BufferTexture> FacesOfRepresentations;
+  BufferTexture* Faces = nullptr; // one of them
+  BufferTexture Points;
+  BufferTexture PointData;
+  BufferTexture Vectors;
+  BufferTexture Seams;
+  BufferTexture TableEntries;
+  BufferTexture TableRecords;
+  BufferTexture TablePoints;
+  std::map<std::string, std::unique_ptr<BufferTexture>> Attributes;
   vtkSmartPointer<vtkTextureObject> Heights;
   vtkSmartPointer<vtkTextureObject> Validity;
   Dependencies HeightDependencies;
@@ -114,7 +114,7 @@ private:
   bool UploadSeams(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh);
   bool UploadTables(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh);
   /// What the faces share, whichever representation they are drawn in.
-  std::array<RefinementBuffer*, 7> GetBuffers();
+  std::array<BufferTexture*, 7> GetBuffers();
   float GetVertexCoordinate(const RefinementMesh& mesh, float x, size_t axis) const;
 
   // Of VTK's vertexMC: (p - shift) * scale.

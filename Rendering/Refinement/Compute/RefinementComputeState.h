@@ -12,11 +12,11 @@
 #ifndef RefinementComputeState_h
 #define RefinementComputeState_h
 
+#include "Changes/Dependencies.h"              // for members
 #include "Compute/RefinementComputeBuffer.h"   // for members
 #include "Compute/RefinementComputeSelector.h" // for members
 #include "Compute/RefinementComputeTags.h"     // for members
 #include "Compute/RefinementComputeView.h"     // for members
-#include "Core/Dependencies.h"                 // for members
 #include "RelevoRenderingRefinementModule.h"   // for export macro
 #include "vtkTimeStamp.h"                      // for members
 

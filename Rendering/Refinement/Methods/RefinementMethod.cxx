@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Methods/RefinementMethod.h"
 
-#include "Buffers/RefinementBuffer.h"
+#include "Buffers/BufferTexture.h"
 #include "Methods/ARKFPIMethod.h"
 #include "Methods/ARKMethod.h"
 #include "Methods/DMRMethod.h"
@@ -17,7 +17,7 @@ RefinementMethod::~RefinementMethod() = default;
 
 bool RefinementMethod::FailForSize()
 {
-  this->Error = RefinementBuffer::GetTooLarge();
+  this->Error = BufferTexture::GetTooLarge();
   return false;
 }
 

@@ -41,7 +41,7 @@ struct RefinementDrawing
   vtkOpenGLRenderWindow* Window;
   const RefinementMesh* Mesh;
   const ViewSelection* Selection;
-  /// Where the view's selection is kept, in [0, RefinementState::MostViews).
+  /// Where the view's selection is kept, in [0, RefinementState::MaximumViews).
   int Slot;
   /// What the GPU has selected; nullptr where the CPU has.
   RefinementComputeView* ComputeView;

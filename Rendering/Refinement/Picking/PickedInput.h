@@ -8,10 +8,10 @@
 #define PickedInput_h
 
 #include "Picking/PickedInputPipeline.h"
-#include "Picking/PickedLevels.h"    // for members
-#include "Picking/PickedPolyData.h"  // for members
-#include "Picking/PickerQuestions.h" // for members
-#include "vtkSmartPointer.h"         // for members
+#include "Picking/PickedLevels.h"   // for members
+#include "Picking/PickedPolyData.h" // for members
+#include "Picking/PickerDetector.h" // for members
+#include "vtkSmartPointer.h"        // for members
 
 class vtkCompositeDataSet;
 
@@ -20,7 +20,7 @@ namespace relevo
 /// What a mapper keeps for pickers.
 struct PickedInput
 {
-  PickerQuestions Questions;
+  PickerDetector Questions;
   RefinedSurface Surface;
   PickedLevels Levels;
   vtkNew<PickedPolyData> Data;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Picking/PickedLevels.h"
 
-#include "Core/RefinementView.h"
 #include "Evaluation/EdgeTags.h"
 #include "Evaluation/RefinementPreparation.h"
 #include "Mesh/RefinementMesh.h"
 #include "Patterns/RefinementPattern.h"
 #include "State/ViewSelection.h"
+#include "View/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDepthTagMetric.h"
 #include "vtkPolyData.h"

@@ -12,7 +12,7 @@
 #ifndef PickedLevels_h
 #define PickedLevels_h
 
-#include "Core/Dependencies.h"           // for members
+#include "Changes/Dependencies.h"        // for members
 #include "Evaluation/PatternSelection.h" // for members
 #include "vtkType.h"                     // for vtkMTimeType
 

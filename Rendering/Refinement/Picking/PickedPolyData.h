@@ -20,7 +20,7 @@
 #ifndef PickedPolyData_h
 #define PickedPolyData_h
 
-#include "Core/Dependencies.h"           // for members
+#include "Changes/Dependencies.h"        // for members
 #include "Intersection/RefinedSurface.h" // for members
 #include "vtkNew.h"                      // for members
 #include "vtkPolyData.h"

@@ -19,7 +19,7 @@
 #include "relevoScalars.h"
 #include "relevoWeights.h"
 
-#include "Core/VTKCompatibility.h"
+#include "Compatibility/VTKCompatibility.h"
 
 #include <regex>
 #include <sstream>

@@ -16,6 +16,7 @@
 #include <string> // for members
 #include <vector> // for members
 
+#include "RelevoRenderingRefinementModule.h" // for export macro
 #include "Shaders/RefinementShaderOptions.h"
 #include "Shaders/ShaderText.h" // for MissingAnchors
 #include "vtkShader.h"          // for vtkShader::Type

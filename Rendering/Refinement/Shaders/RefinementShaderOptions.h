@@ -8,7 +8,7 @@
 #ifndef RefinementShaderOptions_h
 #define RefinementShaderOptions_h
 
-#include "Core/Dependencies.h" // for GetKey
+#include "Changes/Dependencies.h" // for GetKey
 
 #include <string> // for members
 #include <vector> // for members

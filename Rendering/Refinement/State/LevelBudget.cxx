@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "State/LevelBudget.h"
 
-#include "Core/PieceReduction.h"
+#include "Parallel/PieceReduction.h"
 #include "Patterns/PatternFamily.h"
 #include "State/RefinementState.h"
 #include "vtkAdaptiveRefinement.h"
@@ -28,7 +28,7 @@ bool LevelBudget::SetView(const vtkCamera* camera, double seconds)
     [camera](const View& other) { return other.Camera == camera; });
   if (view == this->Views.end())
   {
-    if (this->Views.size() == RefinementState::MostViews)
+    if (this->Views.size() == RefinementState::MaximumViews)
     {
       this->Views.erase(this->Views.begin());
     }

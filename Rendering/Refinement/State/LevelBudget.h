@@ -10,7 +10,7 @@
 #ifndef LevelBudget_h
 #define LevelBudget_h
 
-#include "Core/Dependencies.h"           // for members
+#include "Changes/Dependencies.h"        // for members
 #include "Evaluation/RenderTimeBudget.h" // for members
 #include "Evaluation/TriangleBudget.h"   // for members
 

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "State/RefinementState.h"
 
-#include "Core/GhostCells.h"
-#include "Core/WholeSurface.h"
+#include "Actors/UsableArrays.h"
+#include "Arrays/GhostCells.h"
 #include "Evaluation/RefinementPreparation.h"
 #include "Mesh/GivenNormals.h"
-#include "Metrics/TagSource.h"
-#include "State/UsableArrays.h"
+#include "Metrics/MetricCache.h"
+#include "Parallel/GlobalSurfaceInfo.h"
 
-#include "Core/RefinementView.h"
+#include "View/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
@@ -84,7 +84,7 @@ bool RefinementState::Check(vtkAdaptiveRefinement* recipe)
   return true;
 }
 
-void RefinementState::SetWhole(std::shared_ptr<const WholeSurface> whole)
+void RefinementState::SetWhole(std::shared_ptr<const GlobalSurfaceInfo> whole)
 {
   const bool isSame = whole == this->Whole || (whole && this->Whole && *whole == *this->Whole);
   if (!isSame)
@@ -315,9 +315,9 @@ void RefinementState::Clear()
   this->MeshDependencies.Clear();
   this->MeshValid = false;
   this->PreparedInput->Initialize();
-  this->Source = std::make_shared<TagSource>();
+  this->Source = std::make_shared<MetricCache>();
   this->Source->SetWhole(this->Whole);
-  this->Views = std::vector<ViewSelection>(MostViews);
+  this->Views = std::vector<ViewSelection>(MaximumViews);
   for (ViewSelection& view : this->Views)
   {
     view.SetTagSource(this->Source);

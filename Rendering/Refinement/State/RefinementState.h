@@ -30,8 +30,8 @@ class vtkPolyData;
 namespace relevo
 {
 struct RefinementView;
-struct WholeSurface;
-class TagSource;
+struct GlobalSurfaceInfo;
+class MetricCache;
 
 class RefinementState
 {
@@ -40,11 +40,11 @@ public:
   ~RefinementState();
 
   /// What the mesh is a piece of; nullptr, the default, where it is the whole.
-  void SetWhole(std::shared_ptr<const WholeSurface> whole);
-  const std::shared_ptr<const WholeSurface>& GetWhole() const { return this->Whole; }
+  void SetWhole(std::shared_ptr<const GlobalSurfaceInfo> whole);
+  const std::shared_ptr<const GlobalSurfaceInfo>& GetWhole() const { return this->Whole; }
 
   /// What tags are computed from.
-  TagSource& GetTagSource() { return *this->Source; }
+  MetricCache& GetTagSource() { return *this->Source; }
 
   /**
    * Prepare the mesh. False when the recipe cannot be applied to the input, its numbers are too
@@ -123,9 +123,9 @@ public:
 
   /// The selection of the last view.
   const ViewSelection& GetSelection() const { return *this->Current; }
-  /// Where that view is kept, in [0, MostViews).
+  /// Where that view is kept, in [0, MaximumViews).
   int GetSelectionSlot() const { return static_cast<int>(this->Current - this->Views.data()); }
-  static constexpr int MostViews = 4;
+  static constexpr int MaximumViews = 4;
 
   /// Triangles of the selection, less those over no-data, as they were when it was made.
   FaceSums CountTriangles() { return this->Current->CountTriangles(); }
@@ -143,9 +143,9 @@ private:
   SelectionInput GetSelectionInput(vtkPolyData* input, vtkAdaptiveRefinement* recipe) const;
   void UpdateHoles(vtkAdaptiveRefinement* recipe);
 
-  std::shared_ptr<const WholeSurface> Whole;
+  std::shared_ptr<const GlobalSurfaceInfo> Whole;
   vtkTimeStamp WholeTime;
-  std::shared_ptr<TagSource> Source;
+  std::shared_ptr<MetricCache> Source;
   // Shared with the views that it was drawn in.
   std::shared_ptr<const RefinementMesh> Mesh = std::make_shared<RefinementMesh>();
   Dependencies MeshDependencies;
@@ -170,8 +170,8 @@ private:
     const vtkMatrix4x4* ModelToWorld = nullptr;
     vtkTypeUInt64 LastUse = 0;
   };
-  std::vector<ViewSelection> Views; // MostViews of them
-  std::array<View, MostViews> ViewUses;
+  std::vector<ViewSelection> Views; // MaximumViews of them
+  std::array<View, MaximumViews> ViewUses;
   ViewSelection* Current = nullptr;
   vtkTypeUInt64 NumberOfUses = 0;
   vtkIdType NumberOfSelections = 0;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "State/ViewSelection.h"
 
-#include "Core/RefinementView.h"
 #include "Evaluation/SampledSurface.h"
 #include "Mesh/RefinementMesh.h"
+#include "View/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCamera.h"
 #include "vtkDepthTagMetric.h"

@@ -12,7 +12,7 @@
 #ifndef ViewSelection_h
 #define ViewSelection_h
 
-#include "Core/Dependencies.h"               // for members
+#include "Changes/Dependencies.h"            // for members
 #include "Evaluation/EdgeTags.h"             // for members
 #include "Evaluation/FaceCulling.h"          // for CullingInput
 #include "Evaluation/HoleFinder.h"           // for members
@@ -33,7 +33,7 @@ namespace relevo
 {
 struct RefinementView;
 class RefinementMesh;
-class TagSource;
+class MetricCache;
 
 /// What a metric's tags depend on of a view; nothing without a metric.
 RELEVORENDERINGREFINEMENT_EXPORT void AddMetricView(
@@ -74,7 +74,10 @@ class ViewSelection
 {
 public:
   /// Compute tags from what other views share.
-  void SetTagSource(std::shared_ptr<TagSource> source) { this->Tags.SetSource(std::move(source)); }
+  void SetTagSource(std::shared_ptr<MetricCache> source)
+  {
+    this->Tags.SetSource(std::move(source));
+  }
 
   /**
    * Evaluate tags if need be, or leave it to the GPU `onGPU`, see EdgeTags::ComputeOrDescribe().

@@ -10,8 +10,8 @@
 #ifndef ReliefPatterns_h
 #define ReliefPatterns_h
 
-#include "Buffers/RefinementBuffer.h"
-#include "Core/RefinementMathematics.h"
+#include "Buffers/BufferTexture.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "Patterns/PatternLibrary.h"
 #include "vtkSmartPointer.h"
 
@@ -63,8 +63,8 @@ private:
   std::map<Levels, Range> Ranges; // by levels that do not rise
   std::vector<float> VertexValues;
   std::vector<unsigned int> Indices;
-  RefinementBuffer Vertices;
-  RefinementBuffer Instances;
+  BufferTexture Vertices;
+  BufferTexture Instances;
   vtkSmartPointer<vtkOpenGLBufferObject> IndexBuffer;
   vtkIdType NumberOfTriangles = 0;
 };

@@ -9,7 +9,7 @@
 #ifndef ReliefTexture_h
 #define ReliefTexture_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
 

@@ -97,7 +97,7 @@ void ReliefTextures::Activate(vtkShaderProgram* program)
 
 void ReliefTextures::Deactivate()
 {
-  for (RefinementBuffer* buffer : { &this->Places, &this->Quads, &this->Ranges, &this->Grid })
+  for (BufferTexture* buffer : { &this->Places, &this->Quads, &this->Ranges, &this->Grid })
   {
     buffer->Deactivate();
   }
@@ -113,7 +113,7 @@ void ReliefTextures::Deactivate()
 
 void ReliefTextures::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (RefinementBuffer* buffer : { &this->Places, &this->Quads, &this->Ranges, &this->Grid })
+  for (BufferTexture* buffer : { &this->Places, &this->Quads, &this->Ranges, &this->Grid })
   {
     buffer->ReleaseGraphicsResources(window);
   }

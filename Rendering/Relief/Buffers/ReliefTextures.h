@@ -9,7 +9,7 @@
 #ifndef ReliefTextures_h
 #define ReliefTextures_h
 
-#include "Buffers/RefinementBuffer.h"
+#include "Buffers/BufferTexture.h"
 #include "vtkSmartPointer.h"
 
 class vtkOpenGLRenderWindow;
@@ -47,10 +47,10 @@ public:
   vtkTypeInt64 GetMemorySize() const;
 
 private:
-  RefinementBuffer Places;
-  RefinementBuffer Quads;
-  RefinementBuffer Ranges;
-  RefinementBuffer Grid;
+  BufferTexture Places;
+  BufferTexture Quads;
+  BufferTexture Ranges;
+  BufferTexture Grid;
   vtkSmartPointer<vtkTextureObject> Heights;
   vtkSmartPointer<vtkTextureObject> Colors;
   vtkSmartPointer<vtkTextureObject> Normals;

@@ -11,7 +11,7 @@
 #ifndef ReliefTiles_h
 #define ReliefTiles_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 
 #include <vector>
 

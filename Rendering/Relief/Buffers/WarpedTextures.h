@@ -9,7 +9,7 @@
 #ifndef WarpedTextures_h
 #define WarpedTextures_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 

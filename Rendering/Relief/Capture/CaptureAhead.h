@@ -12,7 +12,7 @@
 #ifndef CaptureAhead_h
 #define CaptureAhead_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 
 class vtkCamera;
 

@@ -4,10 +4,10 @@
 
 #include "Capture/CaptureTarget.h"
 #include "Capture/FittedCamera.h"
-#include "Core/WorldView.h"
 #include "Data/Relief.h"
 #include "Data/ReliefNormals.h"
 #include "Data/ZBufferSpace.h"
+#include "View/WorldView.h"
 
 #include "vtkCamera.h"
 #include "vtkFloatArray.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Capture/FittedCamera.h"
 
-#include "Core/WorldView.h"
 #include "Data/ZBufferSpace.h"
+#include "View/WorldView.h"
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"

@@ -9,7 +9,7 @@
 #ifndef FittedCamera_h
 #define FittedCamera_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "vtkSmartPointer.h"
 
 #include <vector>

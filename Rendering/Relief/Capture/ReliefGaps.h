@@ -11,7 +11,7 @@
 #ifndef ReliefGaps_h
 #define ReliefGaps_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 
 #include <vector>
 

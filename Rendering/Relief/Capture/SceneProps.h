@@ -9,7 +9,7 @@
 #ifndef SceneProps_h
 #define SceneProps_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 
 #include <vector>
 

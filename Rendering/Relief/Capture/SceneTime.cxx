@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Capture/SceneTime.h"
 
-#include "Core/LatestTime.h"
+#include "Changes/LatestTime.h"
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"

@@ -10,7 +10,7 @@
 #ifndef SceneTime_h
 #define SceneTime_h
 
-#include "Core/Dependencies.h"
+#include "Changes/Dependencies.h"
 #include "vtkTimeStamp.h"
 
 class vtkRenderer;

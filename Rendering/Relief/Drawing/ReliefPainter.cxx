@@ -4,7 +4,7 @@
 
 #include "OpenGL/RelevoOpenGL.h"
 
-#include "Core/VTKCompatibility.h"
+#include "Compatibility/VTKCompatibility.h"
 #include "Data/Relief.h"
 #include "Data/ReliefSides.h"
 #include "Drawing/ReliefRims.h"

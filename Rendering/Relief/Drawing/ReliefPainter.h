@@ -14,7 +14,7 @@
 #include "Buffers/ReliefTextures.h"
 #include "Buffers/ReliefTiles.h"
 #include "Buffers/WarpedTextures.h"
-#include "Core/Dependencies.h"
+#include "Changes/Dependencies.h"
 #include "Shaders/ReliefShader.h"
 #include "vtkNew.h"
 #include "vtkOpenGLHelper.h"

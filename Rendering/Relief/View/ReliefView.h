@@ -9,7 +9,7 @@
 #ifndef ReliefView_h
 #define ReliefView_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 
 #include <vector>
 

@@ -9,7 +9,7 @@
 #ifndef FunctionBuffers_h
 #define FunctionBuffers_h
 
-#include "Buffers/RefinementBuffer.h"
+#include "Buffers/BufferTexture.h"
 #include "Integral/TransferFunctions.h"
 
 #include <string>
@@ -41,7 +41,7 @@ private:
   void AddTable(const TransferFunctions::Curve& curve, double low, double size, double steepness);
   void AddGradientOpacity(const LinearPieces& pieces, double steepness);
 
-  RefinementBuffer Pieces;
+  BufferTexture Pieces;
   std::vector<float> Texels; // of the pieces, until they are uploaded
   // Pieces: the first, and their number less one.
   struct Ranges

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Buffers/ProjectedCells.h"
 
-#include "Core/PointPlaces.h"
-#include "Walk/JoinedMesh.h"
+#include "Mesh/RayCastMesh.h"
+#include "Points/MergedPoints.h"
 #include "vtkCellType.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
@@ -13,7 +13,7 @@ namespace relevo
 namespace
 {
 // Points that have other scalars at the same place are one for the order.
-void BuildOrder(const JoinedMesh& mesh, VisibilityOrder& order)
+void BuildOrder(const RayCastMesh& mesh, VisibilityOrder& order)
 {
   const vtkIdType numberOfPoints = static_cast<vtkIdType>(mesh.GetNumberOfPoints());
   std::vector<dvec3> points(mesh.GetNumberOfPoints());
@@ -40,7 +40,7 @@ void BuildOrder(const JoinedMesh& mesh, VisibilityOrder& order)
 }
 }
 
-bool ProjectedCells::Upload(vtkOpenGLRenderWindow* window, const JoinedMesh& mesh)
+bool ProjectedCells::Upload(vtkOpenGLRenderWindow* window, const RayCastMesh& mesh)
 {
   this->NumberOfCells = static_cast<int>(mesh.Corners.size() / 4);
   this->Eye = dvec4(0.0);

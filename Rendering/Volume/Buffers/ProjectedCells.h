@@ -9,19 +9,19 @@
 #ifndef ProjectedCells_h
 #define ProjectedCells_h
 
-#include "Buffers/RefinementBuffer.h"
+#include "Buffers/BufferTexture.h"
 #include "Mesh/VisibilityOrder.h"
 
 namespace relevo
 {
-struct JoinedMesh;
+struct RayCastMesh;
 
 class ProjectedCells
 {
 public:
   /// A mesh of tetrahedra with corners. false when it does not fit into this OpenGL's buffer
   /// textures.
-  bool Upload(vtkOpenGLRenderWindow* window, const JoinedMesh& mesh);
+  bool Upload(vtkOpenGLRenderWindow* window, const RayCastMesh& mesh);
 
   /// From back to front as seen from an eye, as of VisibilityOrder, in the mesh's coordinates.
   bool Sort(vtkOpenGLRenderWindow* window, const dvec4& eye);
@@ -39,8 +39,8 @@ public:
   }
 
 private:
-  RefinementBuffer Corners;
-  RefinementBuffer Order;
+  BufferTexture Corners;
+  BufferTexture Order;
   VisibilityOrder Visibility;
   int NumberOfCells = 0;
   dvec4 Eye = dvec4(0.0); // of the last order; 0 for none

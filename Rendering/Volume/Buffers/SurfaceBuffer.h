@@ -9,7 +9,7 @@
 #ifndef SurfaceBuffer_h
 #define SurfaceBuffer_h
 
-#include "Buffers/RefinementBuffer.h"
+#include "Buffers/BufferTexture.h"
 #include "Integral/TransferFunctions.h"
 
 class vtkVolumeProperty;
@@ -35,7 +35,7 @@ public:
   vtkTypeInt64 GetMemorySize() const { return this->Values.GetMemorySize(); }
 
 private:
-  RefinementBuffer Values;
+  BufferTexture Values;
   int NumberOfValues = 0;
   int Component = 0;
   int Curve = 0;

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Buffers/VolumeMeshBuffers.h"
 
-#include "Walk/JoinedMesh.h"
+#include "Mesh/RayCastMesh.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
 
 namespace relevo
 {
-bool VolumeMeshBuffers::Upload(vtkOpenGLRenderWindow* window, const JoinedMesh& mesh)
+bool VolumeMeshBuffers::Upload(vtkOpenGLRenderWindow* window, const RayCastMesh& mesh)
 {
   const size_t cells = mesh.GetNumberOfTetrahedra() + mesh.GetNumberOfCurvedCells();
   this->TreeSize = static_cast<int>(mesh.BorderTree.size() / 8);
@@ -17,7 +17,7 @@ bool VolumeMeshBuffers::Upload(vtkOpenGLRenderWindow* window, const JoinedMesh& 
   this->NumberOfBorderFaces = static_cast<int>(mesh.BorderFaces.size() / 4);
   // Several for pyramids, and for cells that a ray goes through repeatedly.
   constexpr size_t stepsOfCell = 32;
-  this->MostSteps = static_cast<int>(
+  this->MaximumSteps = static_cast<int>(
     std::min<size_t>(mesh.GetNumberOfCurvedCells() > 0 ? stepsOfCell * cells : cells, 1 << 30) + 1);
   return this->Buffers[Points].Upload(window, mesh.Points, 4) &&
     this->Buffers[PointScalars].Upload(window, mesh.PointScalars, 4) &&
@@ -47,13 +47,13 @@ void VolumeMeshBuffers::Activate(vtkShaderProgram* program)
     }
   };
   set("treeSize", this->TreeSize);
-  set("mostSteps", this->MostSteps);
+  set("mostSteps", this->MaximumSteps);
   set("numberOfTetrahedra", this->NumberOfTetrahedra);
 }
 
 void VolumeMeshBuffers::Deactivate()
 {
-  for (RefinementBuffer& buffer : this->Buffers)
+  for (BufferTexture& buffer : this->Buffers)
   {
     buffer.Deactivate();
   }
@@ -61,7 +61,7 @@ void VolumeMeshBuffers::Deactivate()
 
 void VolumeMeshBuffers::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (RefinementBuffer& buffer : this->Buffers)
+  for (BufferTexture& buffer : this->Buffers)
   {
     buffer.ReleaseGraphicsResources(window);
   }
@@ -70,7 +70,7 @@ void VolumeMeshBuffers::ReleaseGraphicsResources(vtkWindow* window)
 vtkTypeInt64 VolumeMeshBuffers::GetMemorySize() const
 {
   vtkTypeInt64 sum = 0;
-  for (const RefinementBuffer& buffer : this->Buffers)
+  for (const BufferTexture& buffer : this->Buffers)
   {
     sum += buffer.GetMemorySize();
   }

@@ -2,26 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   VolumeMeshBuffers
- * @brief   a JoinedMesh on the GPU
+ * @brief   a RayCastMesh on the GPU
  *
  * Private to the module.
  */
 #ifndef VolumeMeshBuffers_h
 #define VolumeMeshBuffers_h
 
-#include "Buffers/RefinementBuffer.h"
+#include "Buffers/BufferTexture.h"
 
 #include <array>
 
 namespace relevo
 {
-struct JoinedMesh;
+struct RayCastMesh;
 
 class VolumeMeshBuffers
 {
 public:
   /// false when it does not fit into this OpenGL's buffer textures.
-  bool Upload(vtkOpenGLRenderWindow* window, const JoinedMesh& mesh);
+  bool Upload(vtkOpenGLRenderWindow* window, const RayCastMesh& mesh);
 
   /// Make them current, and set their samplers and sizes.
   void Activate(vtkShaderProgram* program);
@@ -47,10 +47,10 @@ private:
     BorderTree,
     NumberOfKinds
   };
-  std::array<RefinementBuffer, NumberOfKinds> Buffers;
+  std::array<BufferTexture, NumberOfKinds> Buffers;
   int TreeSize = 0;
   int NumberOfBorderFaces = 0;
-  int MostSteps = 0;
+  int MaximumSteps = 0;
   int NumberOfTetrahedra = 0;
 };
 }

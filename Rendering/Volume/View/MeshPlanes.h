@@ -9,7 +9,7 @@
 #ifndef MeshPlanes_h
 #define MeshPlanes_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 
 #include <vector>
 

@@ -9,7 +9,7 @@
 #ifndef RayView_h
 #define RayView_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 
 class vtkShaderProgram;
 

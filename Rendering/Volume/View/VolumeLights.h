@@ -9,7 +9,7 @@
 #ifndef VolumeLights_h
 #define VolumeLights_h
 
-#include "Core/RefinementMathematics.h"
+#include "Mathematics/RefinementMathematics.h"
 
 #include <vector>
 

@@ -141,7 +141,7 @@ BenchmarkIntersectionWay::Pairs BenchmarkIntersectionWay::GetPairs() const
     surfaces[1].Take(this->Second);
     motions[1].Set(this->Matrices[1]);
     surfaces[1].Move(motions[1]);
-    for (const relevo::MeetingPair& pair : relevo::FindMeetingPairs(surfaces[0], surfaces[1]))
+    for (const relevo::IntersectingPair& pair : relevo::FindMeetingPairs(surfaces[0], surfaces[1]))
     {
       pairs.emplace(surfaces[0].GetCell(pair.Triangles[0]), surfaces[1].GetCell(pair.Triangles[1]));
     }

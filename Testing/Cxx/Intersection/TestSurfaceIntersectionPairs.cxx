@@ -17,7 +17,7 @@ using Pairs = std::set<std::pair<vtkIdType, vtkIdType>>;
 Pairs FindPairs(const relevo::MovedSurface& first, const relevo::MovedSurface& second)
 {
   Pairs pairs;
-  for (const relevo::MeetingPair& pair : relevo::FindMeetingPairs(first, second))
+  for (const relevo::IntersectingPair& pair : relevo::FindMeetingPairs(first, second))
   {
     pairs.emplace(pair.Triangles[0], pair.Triangles[1]);
   }

@@ -6,9 +6,9 @@
 
 #include "RelevoTestMeshes.h"
 
-#include "Core/RefinementView.h"
 #include "Mesh/SurfaceEdges.h"
-#include "Metrics/TagSource.h"
+#include "Metrics/MetricCache.h"
+#include "View/RefinementView.h"
 #include "vtkCamera.h"
 #include "vtkDepthTagMetric.h"
 #include "vtkNew.h"
@@ -39,7 +39,7 @@ public:
 
 private:
   vtkSmartPointer<vtkDepthTagMetric> Metric;
-  relevo::TagSource Source;
+  relevo::MetricCache Source;
 };
 
 // A camera at (0, 0, 2) that looks at the origin: 90 degrees and 400 pixels of height, there 100

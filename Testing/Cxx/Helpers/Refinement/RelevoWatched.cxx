@@ -4,8 +4,8 @@
 
 #include "RelevoTestMeshes.h"
 
-#include "Core/RefinementView.h"
 #include "Metrics/MetricMesh.h"
+#include "View/RefinementView.h"
 #include "vtkCamera.h"
 #include "vtkMath.h"
 #include "vtkNew.h"

@@ -3,7 +3,7 @@
 // Dependencies: whatever is added tells lists apart, and updates tell once.
 #include "RelevoCheck.h"
 
-#include "Core/Dependencies.h"
+#include "Changes/Dependencies.h"
 #include "vtkCamera.h"
 #include "vtkNew.h"
 

@@ -6,12 +6,12 @@
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 
-#include "Core/RefinementView.h"
 #include "Evaluation/PatternSelection.h"
 #include "Evaluation/RefinementPreparation.h"
 #include "Mesh/RefinementMesh.h"
-#include "Metrics/TagSource.h"
+#include "Metrics/MetricCache.h"
 #include "Patterns/PatternLibrary.h"
+#include "View/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCellArray.h"
 #include "vtkRefinementPatternTable.h"
@@ -111,7 +111,7 @@ void TestSelectionLife(RelevoCheck& check)
     std::string error;
     std::string warning;
     CHECK(relevo::PrepareMesh(input, recipe, nullptr, mesh, error, warning));
-    const auto tags = std::make_shared<relevo::TagSource>();
+    const auto tags = std::make_shared<relevo::MetricCache>();
     CHECK(relevo::SelectPatterns(
       input, recipe, relevo::RefinementView(), mesh, tags, selection, error));
     recipe = nullptr;

@@ -5,11 +5,11 @@
 // and just above.
 #include "RelevoCheck.h"
 
-#include "Core/RefinementView.h"
 #include "Evaluation/EdgeTags.h"
 #include "Evaluation/PatternSelection.h"
 #include "Evaluation/TriangleBudget.h"
 #include "Mesh/RefinementMesh.h"
+#include "View/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCamera.h"
 #include "vtkDepthTagMetric.h"

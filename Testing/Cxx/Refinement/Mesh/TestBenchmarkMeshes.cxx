@@ -4,7 +4,7 @@
 #include "BenchmarkMeshes.h"
 #include "RelevoCheck.h"
 
-#include "Core/PointPlaces.h"
+#include "Points/MergedPoints.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
 #include "vtkMath.h"

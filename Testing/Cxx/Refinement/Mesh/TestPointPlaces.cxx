@@ -3,7 +3,7 @@
 // relevo::ComputePlaces against a map from coordinates to the first id.
 #include "RelevoCheck.h"
 
-#include "Core/PointPlaces.h"
+#include "Points/MergedPoints.h"
 #include "vtkMinimalStandardRandomSequence.h"
 #include "vtkPoints.h"
 

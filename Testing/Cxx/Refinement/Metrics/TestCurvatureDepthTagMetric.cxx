@@ -7,12 +7,12 @@
 #include "RelevoHeights.h"
 #include "RelevoTestMeshes.h"
 
-#include "Core/RefinementView.h"
 #include "Evaluation/EdgeTags.h"
 #include "Mesh/RefinementMesh.h"
 #include "Metrics/DiscreteCurvature.h"
 #include "Metrics/MetricMesh.h"
 #include "Metrics/SurfaceShape.h"
+#include "View/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -5,8 +5,8 @@
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 
-#include "Core/RefinementView.h"
 #include "Metrics/MetricEvaluator.h"
+#include "View/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkCellData.h"

@@ -4,7 +4,7 @@
 #include "RelevoCheck.h"
 #include "RelevoMetricCheck.h"
 
-#include "Core/RefinementView.h"
+#include "View/RefinementView.h"
 #include "vtkCamera.h"
 #include "vtkDistanceDepthTagMetric.h"
 #include "vtkFloatArray.h"

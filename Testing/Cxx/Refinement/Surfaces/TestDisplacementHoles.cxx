@@ -6,10 +6,10 @@
 #include "RelevoTestMeshes.h"
 #include "RelevoWatertight.h"
 
-#include "Core/RefinementView.h"
 #include "Evaluation/EdgeTags.h"
 #include "Evaluation/PatternSelection.h"
 #include "Mesh/RefinementMesh.h"
+#include "View/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCellData.h"
 #include "vtkDisplacement.h"

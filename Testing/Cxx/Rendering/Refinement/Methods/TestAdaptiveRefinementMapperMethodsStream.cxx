@@ -6,11 +6,11 @@
 #include "RelevoTestMeshes.h"
 
 #include "Buffers/RefinementStream.h"
-#include "Core/RefinementView.h"
 #include "Evaluation/EdgeTags.h"
 #include "Evaluation/PatternSelection.h"
 #include "Mesh/RefinementMesh.h"
 #include "Patterns/RefinementPattern.h"
+#include "View/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkOpenGLRenderWindow.h"
 

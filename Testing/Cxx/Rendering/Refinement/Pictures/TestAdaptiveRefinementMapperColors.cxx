@@ -4,8 +4,8 @@
 // out here, and the colours that a legend of the same table shows.
 #include "RelevoFaceColors.h"
 
-#include "Core/RefinementView.h"
 #include "Mesh/SurfaceEdges.h"
+#include "View/RefinementView.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCell.h"
 #include "vtkCellData.h"

@@ -1,0 +1,516 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/CellChecks.h"
+
+#include "Cells/CellReader.h"
+#include "Mathematics/BezierDegree.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <sstream>
+
+namespace relevo
+{
+namespace
+{
+enum class Fault : unsigned char
+{
+  None,
+  List,
+  Type,
+  PointId,
+  Nodes,
+  Faces,
+  OwnPoint,
+  Degree,
+  Point,
+  Weight,
+  Number // of kinds
+};
+
+// The results of checking the grid's points.
+struct PointChecks
+{
+  std::vector<unsigned char> IsBadPoint;
+  std::vector<unsigned char> IsBadWeight;
+};
+
+PointChecks CheckPoints(vtkUnstructuredGrid* grid)
+{
+  const vtkIdType number = grid->GetNumberOfPoints();
+  vtkDataArray* weights = grid->GetPointData()->GetRationalWeights();
+  const vtkIdType numberOfWeights =
+    weights && weights->GetNumberOfComponents() == 1 ? weights->GetNumberOfTuples() : 0;
+  PointChecks checks;
+  checks.IsBadPoint.resize(number);
+  checks.IsBadWeight.resize(weights ? number : 0);
+  vtkSMPTools::For(0, number,
+    [&](vtkIdType first, vtkIdType end)
+    {
+      for (vtkIdType i = first; i < end; ++i)
+      {
+        double x[3];
+        grid->GetPoints()->GetPoint(i, x);
+        checks.IsBadPoint[i] = !std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]);
+        if (weights)
+        {
+          const double weight = i < numberOfWeights ? weights->GetComponent(i, 0) : 0.0;
+          checks.IsBadWeight[i] = !(weight > 0.0) || !std::isfinite(weight);
+        }
+      }
+    });
+  return checks;
+}
+
+bool IsPolyhedron(const CellReader& cell)
+{
+  return cell.GetKind().Shape == CellTopology::Polyhedron;
+}
+
+// The first of a cell's points that is so. A polyhedron's faces have points of their own.
+template <typename IsSo>
+std::optional<vtkIdType> FindPoint(const CellReader& cell, const IsSo& isSo)
+{
+  for (vtkIdType node = 0; node < cell.GetNumberOfNodes(); ++node)
+  {
+    if (isSo(cell.GetNode(node)))
+    {
+      return cell.GetNode(node);
+    }
+  }
+  for (int face = 0; IsPolyhedron(cell) && face < cell.GetNumberOfFaces(); ++face)
+  {
+    const std::vector<vtkIdType>& corners = cell.GetCorners(face);
+    const auto found = std::find_if(corners.begin(), corners.end(), isSo);
+    if (found != corners.end())
+    {
+      return *found;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<vtkIdType> FindPoint(const CellReader& cell, const std::vector<unsigned char>& marks)
+{
+  return FindPoint(cell, [&](vtkIdType point) { return marks[point] != 0; });
+}
+
+std::optional<vtkIdType> FindStrangePoint(const CellReader& cell, const PointChecks& points)
+{
+  const auto number = static_cast<vtkIdType>(points.IsBadPoint.size());
+  return FindPoint(cell, [=](vtkIdType point) { return point < 0 || point >= number; });
+}
+
+// The point of a polyhedron's face that the cell itself does not list.
+std::optional<vtkIdType> FindUnlistedPoint(const CellReader& cell)
+{
+  std::vector<vtkIdType> own;
+  for (vtkIdType node = 0; node < cell.GetNumberOfNodes(); ++node)
+  {
+    own.push_back(cell.GetNode(node));
+  }
+  std::sort(own.begin(), own.end());
+  return FindPoint(
+    cell, [&](vtkIdType point) { return !std::binary_search(own.begin(), own.end(), point); });
+}
+
+bool IsOfAnyDegree(const CellKind& kind)
+{
+  return kind.Nodes == NodeKind::Lagrange || kind.Nodes == NodeKind::Bezier;
+}
+
+bool HasRightNumber(const CellReader& cell)
+{
+  const CellKind& kind = cell.GetKind();
+  if (IsOfAnyDegree(kind))
+  {
+    return GetNumberOfNodes(kind.Shape, cell.GetDegrees()) == cell.GetNumberOfNodes();
+  }
+  return kind.NumberOfNodes ? cell.GetNumberOfNodes() == kind.NumberOfNodes
+                            : cell.GetNumberOfNodes() >= kind.LeastNodes;
+}
+
+bool HasRightFaces(const CellReader& cell)
+{
+  bool areRight = cell.GetNumberOfFaces() > 0;
+  for (int face = 0; face < cell.GetNumberOfFaces(); ++face)
+  {
+    areRight = areRight && cell.GetCorners(face).size() >= 3;
+  }
+  return areRight;
+}
+
+// How many degrees cells of a shape have.
+int GetNumberOfDegrees(CellTopology shape)
+{
+  return shape == CellTopology::Triangle || shape == CellTopology::Quadrilateral ? 2 : 3;
+}
+
+// A wedge's first two degrees are one; simplices have one degree, which they need not tell.
+bool HasRightDegrees(const CellReader& cell)
+{
+  const CellTopology shape = cell.GetKind().Shape;
+  if (cell.LacksDegrees())
+  {
+    return false;
+  }
+  const ivec3 degrees = cell.GetDegrees();
+  bool isRight = shape != CellTopology::Wedge || degrees.x == degrees.y;
+  for (int c = 0; c < GetNumberOfDegrees(shape); ++c)
+  {
+    const double given = cell.GetGivenDegree(c);
+    isRight = isRight && degrees[c] >= 1 && degrees[c] <= LargestDegree &&
+      (given == degrees[c] || (IsSimplex(shape) && given == 0.0));
+  }
+  return isRight;
+}
+
+// Lagrange's cells with nodes in the middle of faces are quadratic.
+bool IsQuadraticLagrange(int type, const CellKind& kind)
+{
+  return kind.Nodes == NodeKind::Quadratic && type >= VTK_LAGRANGE_CURVE;
+}
+
+bool IsOfSecondDegree(const CellReader& cell)
+{
+  const CellTopology shape = cell.GetKind().Shape;
+  bool isRight = !cell.LacksDegrees();
+  for (int c = 0; isRight && c < GetNumberOfDegrees(shape); ++c)
+  {
+    const double given = cell.GetGivenDegree(c);
+    isRight = given == 2.0 || (given == 0.0 && shape != CellTopology::Wedge);
+  }
+  return isRight;
+}
+
+// Checks the cells of a grid, each thread with its own reader.
+class GridChecks
+{
+public:
+  GridChecks(vtkUnstructuredGrid* grid, const CellDemands& demands)
+    : Grid(grid)
+    , Demands(demands)
+    , Ghosts(demands.TakesHiddenCells ? nullptr : grid->GetCellGhostArray())
+    , Points(CheckPoints(grid))
+    , HasDegrees(grid->GetCellData()->GetHigherOrderDegrees() != nullptr)
+  {
+  }
+
+  // Hidden cells are as if they were not there.
+  bool IsHidden(vtkIdType cell) const
+  {
+    return this->Ghosts && cell < this->Ghosts->GetNumberOfTuples() &&
+      (this->Ghosts->GetValue(cell) & vtkDataSetAttributes::HIDDENCELL) != 0;
+  }
+
+  // Reads the cell.
+  Fault Find(CellReader& cell, vtkIdType id) const
+  {
+    if (!cell.ReadNodes(id))
+    {
+      return Fault::List;
+    }
+    const CellTopology shape = cell.GetKind().Shape;
+    const bool hasNoFaces =
+      shape == CellTopology::QuadraticPolygon || shape == CellTopology::PointSet;
+    if (shape == CellTopology::Unknown || (hasNoFaces && !this->Demands.TakesAllTypes))
+    {
+      return Fault::Type;
+    }
+    if (shape == CellTopology::Empty)
+    {
+      return Fault::None;
+    }
+    if (IsPolyhedron(cell))
+    {
+      cell.Read(id);
+    }
+    if (FindStrangePoint(cell, this->Points))
+    {
+      return Fault::PointId;
+    }
+    const Fault fault = this->FindShapeFault(cell);
+    const bool isThin = !cell.GetKind().IsSolid() && !cell.GetKind().IsSurface();
+    return fault != Fault::None || isThin ? fault : this->FindValueFault(cell);
+  }
+
+  std::string Describe(vtkIdType id, Fault fault) const;
+
+private:
+  Fault FindShapeFault(const CellReader& cell) const
+  {
+    const CellKind& kind = cell.GetKind();
+    // No degree has such a number of nodes.
+    const bool hasNoDegree =
+      cell.GetDegrees() == ivec3(0) && (IsSimplex(kind.Shape) || !this->HasDegrees);
+    const bool hasWrongDegrees = IsOfAnyDegree(kind) && !hasNoDegree && !HasRightDegrees(cell);
+    if (hasWrongDegrees ||
+      (this->HasDegrees && IsQuadraticLagrange(this->Grid->GetCellType(cell.GetCell()), kind) &&
+        !IsOfSecondDegree(cell)))
+    {
+      return Fault::Degree;
+    }
+    if (!HasRightNumber(cell))
+    {
+      return Fault::Nodes;
+    }
+    if (!IsPolyhedron(cell))
+    {
+      return Fault::None;
+    }
+    if (!HasRightFaces(cell))
+    {
+      return Fault::Faces;
+    }
+    return FindUnlistedPoint(cell) ? Fault::OwnPoint : Fault::None;
+  }
+
+  Fault FindValueFault(const CellReader& cell) const
+  {
+    if (!this->Demands.TakesInfinitePoints && FindPoint(cell, this->Points.IsBadPoint))
+    {
+      return Fault::Point;
+    }
+    const bool isRational =
+      cell.GetKind().Nodes == NodeKind::Bezier && !this->Points.IsBadWeight.empty();
+    return isRational && FindPoint(cell, this->Points.IsBadWeight) ? Fault::Weight : Fault::None;
+  }
+
+  std::string DescribeNodes(const CellReader& cell) const;
+  std::string DescribeDegrees(const CellReader& cell) const;
+  std::string DescribeWeight(vtkIdType point) const;
+
+  vtkUnstructuredGrid* Grid;
+  CellDemands Demands;
+  vtkUnsignedCharArray* Ghosts;
+  PointChecks Points;
+  bool HasDegrees;
+};
+
+std::string GetTypeName(int type)
+{
+  const auto cell = vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(type));
+  return (cell ? std::string(cell->GetClassName()) + ", type " : "type ") + std::to_string(type);
+}
+
+std::string GridChecks::DescribeNodes(const CellReader& cell) const
+{
+  std::ostringstream text;
+  text << "it has " << cell.GetNumberOfNodes() << " nodes, which does not fit its type";
+  const ivec3 degrees = cell.GetDegrees();
+  if (this->HasDegrees && IsOfAnyDegree(cell.GetKind()) && !IsSimplex(cell.GetKind().Shape))
+  {
+    text << " with the degrees " << degrees.x << ", " << degrees.y << ", " << degrees.z
+         << " of \"HigherOrderDegrees\"";
+  }
+  return text.str();
+}
+
+std::string GridChecks::DescribeDegrees(const CellReader& cell) const
+{
+  std::ostringstream text;
+  if (cell.LacksDegrees())
+  {
+    text << "\"HigherOrderDegrees\" has no 3 numbers for it";
+    return text.str();
+  }
+  text << "its degrees are " << cell.GetGivenDegree(0) << ", " << cell.GetGivenDegree(1) << ", "
+       << cell.GetGivenDegree(2) << (this->HasDegrees ? " by \"HigherOrderDegrees\"" : "");
+  const CellTopology shape = cell.GetKind().Shape;
+  if (cell.GetKind().Nodes == NodeKind::Quadratic)
+  {
+    text << ", but 2 by its " << cell.GetNumberOfNodes() << " nodes";
+  }
+  else if (IsSimplex(shape))
+  {
+    text << ", but " << cell.GetDegrees().x << " by its " << cell.GetNumberOfNodes()
+         << " nodes; they may be 1 to " << LargestDegree;
+  }
+  else
+  {
+    text << ", and may be 1 to " << LargestDegree
+         << (shape == CellTopology::Wedge ? ", the first two the same" : "");
+  }
+  return text.str();
+}
+
+std::string GridChecks::DescribeWeight(vtkIdType point) const
+{
+  vtkDataArray* weights = this->Grid->GetPointData()->GetRationalWeights();
+  std::ostringstream text;
+  text << "\"RationalWeights\" of point " << point;
+  if (weights->GetNumberOfComponents() == 1 && point < weights->GetNumberOfTuples())
+  {
+    text << " is " << weights->GetComponent(point, 0) << "; weights are more than 0, and finite";
+  }
+  else
+  {
+    text << " is missing";
+  }
+  return text.str();
+}
+
+std::string GridChecks::Describe(vtkIdType id, Fault fault) const
+{
+  std::ostringstream text;
+  if (fault == Fault::List)
+  {
+    text << "Cell " << id
+         << " is left out: the grid's lists of types, offsets and points are too short for it, or "
+            "its offsets run backwards";
+    return text.str();
+  }
+  CellReader cell(this->Grid);
+  cell.Read(id);
+  text << "Cell " << id << " (" << GetTypeName(this->Grid->GetCellType(id)) << ") is left out: ";
+  switch (fault)
+  {
+    case Fault::Type:
+      text << "cells of this type are not supported";
+      break;
+    case Fault::PointId:
+      text << "it refers to point " << *FindStrangePoint(cell, this->Points) << " of "
+           << this->Points.IsBadPoint.size();
+      break;
+    case Fault::Nodes:
+      text << this->DescribeNodes(cell);
+      break;
+    case Fault::Faces:
+      text << "its list of faces is not whole, or has a face of less than 3 points";
+      break;
+    case Fault::OwnPoint:
+      text << "a face has point " << *FindUnlistedPoint(cell)
+           << ", which is not among the cell's points";
+      break;
+    case Fault::Degree:
+      text << this->DescribeDegrees(cell);
+      break;
+    case Fault::Point:
+      text << "point " << *FindPoint(cell, this->Points.IsBadPoint) << " is not finite";
+      break;
+    default:
+      text << this->DescribeWeight(*FindPoint(cell, this->Points.IsBadWeight));
+  }
+  return text.str();
+}
+
+// The sentence of each kind of fault.
+template <typename Describe>
+std::vector<std::string> DescribeFaults(const std::vector<Fault>& faults, const Describe& describe)
+{
+  std::vector<std::string> sentences;
+  for (int k = 1; k < static_cast<int>(Fault::Number); ++k)
+  {
+    const Fault fault = static_cast<Fault>(k);
+    const auto first = std::find(faults.begin(), faults.end(), fault);
+    if (first != faults.end())
+    {
+      const auto others = std::count(first + 1, faults.end(), fault);
+      sentences.push_back(describe(first - faults.begin(), fault) +
+        (others ? ". So it is with " + std::to_string(others) + " more cells." : "."));
+    }
+  }
+  return sentences;
+}
+
+CellUse GetUse(const CellKind& kind)
+{
+  return kind.IsSolid() ? CellUse::Solid : kind.IsSurface() ? CellUse::Surface : CellUse::None;
+}
+
+CellChecks CheckGrid(vtkUnstructuredGrid* grid, const CellDemands& demands)
+{
+  const vtkIdType number = std::max<vtkIdType>(grid->GetNumberOfCells(), 0);
+  const GridChecks gridChecks(grid, demands);
+  CellChecks checks;
+  checks.Uses.resize(number, CellUse::None);
+  std::vector<Fault> faults(number, Fault::None);
+  vtkSMPTools::For(0, number,
+    [&](vtkIdType first, vtkIdType end)
+    {
+      CellReader cell(grid);
+      for (vtkIdType i = first; i < end; ++i)
+      {
+        if (gridChecks.IsHidden(i))
+        {
+          continue;
+        }
+        faults[i] = gridChecks.Find(cell, i);
+        checks.Uses[i] = faults[i] == Fault::None ? GetUse(cell.GetKind()) : CellUse::None;
+      }
+    });
+  checks.Faults = DescribeFaults(
+    faults, [&](vtkIdType id, Fault fault) { return gridChecks.Describe(id, fault); });
+  return checks;
+}
+
+// Structured data, and others that tell of their cells by functions alone. Their types fit.
+CellChecks CheckIds(vtkDataSet* data)
+{
+  const vtkIdType points = data->GetNumberOfPoints();
+  CellChecks checks;
+  checks.Uses.resize(data->GetNumberOfCells(), CellUse::None);
+  std::vector<Fault> faults(checks.Uses.size(), Fault::None);
+  vtkNew<vtkIdList> ids;
+  const auto find = [&](vtkIdType cell)
+  {
+    data->GetCellPoints(cell, ids);
+    return std::find_if(
+      ids->begin(), ids->end(), [=](vtkIdType id) { return id < 0 || id >= points; });
+  };
+  for (std::size_t i = 0; i < faults.size(); ++i)
+  {
+    const auto cell = static_cast<vtkIdType>(i);
+    if (find(cell) == ids->end())
+    {
+      checks.Uses[i] = GetUse(GetCellKind(data->GetCellType(cell), ids->GetNumberOfIds()));
+    }
+    else
+    {
+      faults[i] = Fault::PointId;
+    }
+  }
+  checks.Faults = DescribeFaults(faults,
+    [&](vtkIdType cell, Fault)
+    {
+      return "Cell " + std::to_string(cell) + " (" + GetTypeName(data->GetCellType(cell)) +
+        ") is left out: it refers to point " + std::to_string(*find(cell)) + " of " +
+        std::to_string(points);
+    });
+  return checks;
+}
+}
+
+CellChecks CheckCells(vtkDataSet* data, const CellDemands& demands)
+{
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    return CheckGrid(grid, demands);
+  }
+  const auto number = static_cast<std::size_t>(std::max<vtkIdType>(data->GetNumberOfCells(), 0));
+  if (vtkPolyData::SafeDownCast(data))
+  {
+    return { std::vector<CellUse>(number, CellUse::None), {} };
+  }
+  if (vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data))
+  {
+    return { std::vector<CellUse>(number, CellUse::Solid), {} };
+  }
+  return CheckIds(data);
+}
+}

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   files that VTK's writers write, as AtomicFile
+ *
+ * VTK's writers ignore some errors of full disks. Each writer comes with a check of what it wrote.
+ *
+ * Private to the modules' own sources.
+ */
+#ifndef WriteFile_h
+#define WriteFile_h
+
+#include "Checks/ErrorCollector.h"
+#include "Files/AtomicFile.h"
+#include "RelevoFiltersCoreModule.h" // for export macro
+#include "vtkErrorCode.h"
+#include "vtkExecutive.h"
+
+#include <functional>
+#include <string>
+
+namespace relevo
+{
+/// Whether a file, by its name, is as long and as well-formed as it has to be.
+using FileCheck = std::function<bool(const std::string&)>;
+
+/// Whether a file ends as VTK's XML files do.
+RELEVOFILTERSCORE_EXPORT bool IsWholeXML(const std::string& fileName);
+
+/// The first error of a VTK writer, without VTK's heading and with the user's name of the file.
+RELEVOFILTERSCORE_EXPORT std::string GetWriterFault(
+  const std::string& errors, const AtomicFile& file);
+
+/// Run a VTK writer; its errors, none of which is printed.
+template <typename Writer>
+std::string RunWriter(Writer* writer)
+{
+  std::string errors;
+  std::string ignored; // the executive only repeats that the writer failed
+  const unsigned long tag = writer->AddObserver(vtkCommand::ErrorEvent, NewErrorCollector(errors));
+  vtkExecutive* executive = writer->GetExecutive();
+  const unsigned long executiveTag =
+    executive->AddObserver(vtkCommand::ErrorEvent, NewErrorCollector(ignored));
+  writer->Write();
+  writer->RemoveObserver(tag);
+  executive->RemoveObserver(executiveTag);
+  return errors.empty() && writer->GetErrorCode() != 0
+    ? vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode())
+    : errors;
+}
+
+/// Let a VTK writer write a file, and check that it is whole; false, with the file's fault, if not.
+template <typename Writer>
+bool WriteFile(AtomicFile& file, Writer* writer, const FileCheck& isWhole)
+{
+  if (!file.GetFault().empty())
+  {
+    return false;
+  }
+  writer->SetFileName(file.GetTemporaryName().c_str());
+  const std::string errors = RunWriter(writer);
+  if (!errors.empty() || !isWhole(file.GetTemporaryName()))
+  {
+    file.Fail(GetWriterFault(errors, file));
+  }
+  return file.GetFault().empty();
+}
+
+/// As above, and replace the old file; why that failed, or "".
+template <typename Writer>
+std::string WriteFile(const std::string& fileName, Writer* writer, const FileCheck& isWhole)
+{
+  AtomicFile file(fileName);
+  WriteFile(file, writer, isWhole);
+  file.Commit();
+  return file.GetFault();
+}
+
+/// Write what a vtkPNGWriter makes in memory: libpng prints errors of files.
+template <typename Writer>
+bool WritePNG(AtomicFile& file, Writer* writer)
+{
+  if (!file.GetFault().empty())
+  {
+    return false;
+  }
+  writer->WriteToMemoryOn();
+  const std::string errors = RunWriter(writer);
+  auto* bytes = writer->GetResult();
+  if (!errors.empty() || !bytes || bytes->GetNumberOfValues() == 0)
+  {
+    file.Fail(errors.empty() ? "there is no picture" : GetWriterFault(errors, file));
+    return false;
+  }
+  return file.Append({ reinterpret_cast<const char*>(bytes->GetPointer(0)),
+    static_cast<std::size_t>(bytes->GetNumberOfValues()) });
+}
+}
+
+#endif

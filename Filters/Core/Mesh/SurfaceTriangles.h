@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   SurfaceTriangles
+ * @brief   the triangles of a mesh between places, and which of them meet at each place
+ *
+ * Polygons are taken as the fans (0, i, i + 1) that VTK's mappers draw, strips as their triangles.
+ * Points that coincide are one place, named by its lowest point id. Triangles with two corners at
+ * one place or with a corner that is not finite are not part of the surface.
+ */
+#ifndef SurfaceTriangles_h
+#define SurfaceTriangles_h
+
+#include "RelevoFiltersCoreModule.h" // for export macro
+#include "vtkPoints.h"               // for GetPoint
+#include "vtkSmartPointer.h"         // for members
+#include "vtkType.h"                 // for vtkIdType
+
+#include <array>  // for Triangle
+#include <vector> // for members
+
+class vtkCellArray;
+class vtkPolyData;
+
+namespace relevo
+{
+class RELEVOFILTERSCORE_EXPORT SurfaceTriangles
+{
+public:
+  using Triangle = std::array<vtkIdType, 3>;
+
+  /// The mesh's points are referred to, and kept.
+  explicit SurfaceTriangles(vtkPolyData* mesh);
+
+  vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
+  vtkIdType GetPlace(vtkIdType point) const
+  {
+    return this->Places.empty() ? point : this->Places[point];
+  }
+  /// The lowest coincident point per point; empty when none coincide.
+  const std::vector<vtkIdType>& GetPlaces() const { return this->Places; }
+  /// The points whose place is another point.
+  const std::vector<vtkIdType>& GetCoincidentPoints() const { return this->CoincidentPoints; }
+  void GetPoint(vtkIdType point, double x[3]) const { this->Points->GetPoint(point, x); }
+
+  /// All triangles, their corners places.
+  const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
+  /// The points of a triangle, which have the data of its corners.
+  const Triangle& GetPoints(vtkIdType triangle) const
+  {
+    return this->PointTriangles.empty() ? this->Triangles[triangle]
+                                        : this->PointTriangles[triangle];
+  }
+  /// The id of the mesh's cell that a triangle is of.
+  vtkIdType GetCell(vtkIdType triangle) const { return this->Cells[triangle]; }
+
+  vtkIdType GetNumberOfTriangles(vtkIdType place) const
+  {
+    return this->Starts[place + 1] - this->Starts[place];
+  }
+  /// Calls f(t) for the index of every triangle at the place.
+  template <typename Function>
+  void ForEachTriangleIndex(vtkIdType place, Function&& f) const
+  {
+    for (vtkIdType i = this->Starts[place]; i < this->Starts[place + 1]; ++i)
+    {
+      f(this->Uses[i] / 3);
+    }
+  }
+  /// Calls f(p, q) for every triangle (place, p, q).
+  template <typename Function>
+  void ForEachTriangle(vtkIdType place, Function&& f) const
+  {
+    for (vtkIdType i = this->Starts[place]; i < this->Starts[place + 1]; ++i)
+    {
+      const Triangle& triangle = this->Triangles[this->Uses[i] / 3];
+      const int corner = static_cast<int>(this->Uses[i] % 3);
+      f(triangle[(corner + 1) % 3], triangle[(corner + 2) % 3]);
+    }
+  }
+
+private:
+  void AddTriangle(vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c);
+  void AddPolygons(vtkCellArray* polygons, vtkIdType firstCell);
+  void AddStrips(vtkCellArray* strips, vtkIdType firstCell);
+
+  vtkSmartPointer<vtkPoints> Points;
+  std::vector<vtkIdType> Places;
+  std::vector<vtkIdType> CoincidentPoints;
+  vtkIdType NumberOfPoints = 0;
+  std::vector<Triangle> Triangles;
+  std::vector<Triangle> PointTriangles; // empty when no points coincide
+  std::vector<vtkIdType> Cells;
+  std::vector<vtkIdType> Starts; // into Uses, per place
+  std::vector<vtkIdType> Uses;   // 3 * triangle + corner
+};
+}
+
+#endif

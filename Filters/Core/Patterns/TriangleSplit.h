@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   TriangleSplit
+ * @brief   how many triangles progressive splitting makes (glsl/relevoSplit.glsl)
+ */
+#ifndef TriangleSplit_h
+#define TriangleSplit_h
+
+#include "Patterns/CanonicalOrder.h" // for HighestLevel
+#include "RelevoFiltersCoreModule.h" // for export macro
+#include "vtkType.h"                 // for vtkIdType
+
+#include <array> // for Counts
+#include <map>   // for members
+
+namespace relevo
+{
+class RELEVOFILTERSCORE_EXPORT TriangleSplit
+{
+public:
+  using Levels = std::array<int, 3>;
+
+  /// Triangles after 0, 1, 2, ... steps.
+  using Counts = std::array<vtkIdType, HighestLevel + 1>;
+
+  /**
+   * What becomes of a triangle with so many levels left on its edges (0,1), (1,2), (2,0), each at
+   * most HighestLevel. Kept for the next call.
+   */
+  const Counts& Count(const Levels& left);
+
+private:
+  std::map<Levels, Counts> Known;
+};
+}
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What a mapper's shaders depend on beside the mapper itself: the actor and the renderer.
+ *
+ * vtkOpenGLPolyDataMapper writes shaders for the actor that it draws, and writes them anew when the
+ * actor's property has changed since, not when it draws another actor. Of a mapper that several
+ * actors or renderers share, each look has programs of its own. Private to the modules.
+ */
+#ifndef ShaderVariantKey_h
+#define ShaderVariantKey_h
+
+#include "Changes/Dependencies.h"      // for looks
+#include "RelevoRenderingCoreModule.h" // for export macro
+
+#include <string>  // for names
+#include <utility> // for textures
+#include <vector>  // for textures
+
+class vtkActor;
+class vtkRenderer;
+class vtkTexture;
+
+namespace relevo
+{
+/// A texture and the name that shaders know it by.
+using NamedTexture = std::pair<vtkTexture*, std::string>;
+
+/**
+ * All of an actor and of a renderer that decides how shaders read, but for what
+ * vtkOpenGLPolyDataMapper notices itself: values that change are in, the times of changes are not.
+ */
+Dependencies GetShaderVariantKey(
+  vtkRenderer* ren, vtkActor* act, const std::vector<NamedTexture>& textures);
+
+/// Whether the actor has fragment shader text of its own.
+RELEVORENDERINGCORE_EXPORT bool HasOwnFragments(vtkActor* act);
+}
+
+#endif

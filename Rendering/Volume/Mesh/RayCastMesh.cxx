@@ -1,0 +1,497 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesh/RayCastMesh.h"
+
+#include "Cells/JoinedPoints.h"
+#include "Cells/PointGradients.h"
+#include "Cells/VolumeCells.h"
+#include "Mathematics/FiniteBox.h"
+#include "Mesh/BorderTree.h"
+#include "Mesh/CurvedRecords.h"
+#include "Mesh/FaceNeighbors.h"
+#include "vtkCellType.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace relevo
+{
+namespace
+{
+constexpr int MostFacesPerLeaf = 8;
+// Of the mesh's radius: more than what floats round.
+constexpr float TreeMargin = 1e-5f;
+// Of the side of a face.
+constexpr double LargestBulge = 1e-5;
+constexpr size_t MostBorderFaces = size_t(1) << 24;
+constexpr std::uint32_t Unused = RayCastMesh::Nothing;
+
+using Face = std::array<int, 4>;
+
+// The steps that lead to a mesh, with what they leave to those after them.
+class RayCastMeshBuilder
+{
+public:
+  RayCastMeshBuilder(
+    const VolumeCells& cells, int numberOfComponents, bool withCorners, RayCastMesh& mesh)
+    : Cells(cells)
+    , NumberOfComponents(numberOfComponents)
+    , KeepsCorners(withCorners)
+    , Mesh(mesh)
+  {
+  }
+
+  void JoinPoints();
+  void PlacePoints();
+  void ScaleScalars();
+  void AddGradients();
+  void AddCells();
+  void FindLongestEdge();
+  void FindNeighbors();
+  void BuildBorder();
+  bool IsTooLarge() const { return this->Border.size() >= MostBorderFaces; }
+
+private:
+  bool HasCellScalars() const { return !this->Kept.empty() && this->Kept[0].Scalars >= 0; }
+  std::uint32_t GetPoint(const VolumeCells::Cell& cell, int i) const
+  {
+    return this->NewIds[this->Cells.GetCornerId(cell, i)];
+  }
+  void AddScalars(const Scalars& scalars, std::vector<float>& all) const;
+  void AddTetrahedron(const VolumeCells::Cell& cell);
+  void AddCurved(const VolumeCells::Cell& cell);
+  bool IsMirrored(const VolumeCells::Cell& cell) const;
+  bool IsFlat(const VolumeCells::Cell& cell) const;
+  std::uint32_t& GetBehind(size_t face);
+  dvec3 GetPlace(std::uint32_t point) const;
+  FaceBox GetBox(size_t face) const;
+  void AddBorderFace(size_t face);
+
+  const VolumeCells& Cells;
+  const int NumberOfComponents;
+  const bool KeepsCorners;
+  RayCastMesh& Mesh;
+  std::vector<VolumeCells::Cell> Kept;   // tetrahedra first
+  std::vector<std::uint32_t> NewIds;     // of the cells' points
+  std::vector<vtkIdType> OldIds;         // of the mesh's points
+  std::vector<Face> Faces;               // of all cells
+  std::vector<std::uint32_t> FaceCells;  // of curved cells' faces, after those of tetrahedra
+  std::vector<std::uint32_t> FirstFaces; // of curved cells
+  std::vector<size_t> Border;            // faces
+};
+
+// Tetrahedra first, as the walk tells them from others by their numbers.
+void RayCastMeshBuilder::JoinPoints()
+{
+  for (const bool isCurved : { false, true })
+  {
+    for (const VolumeCells::Cell& cell : this->Cells.GetCells())
+    {
+      if ((cell.Shape != nullptr) == isCurved)
+      {
+        this->Kept.push_back(cell);
+      }
+    }
+  }
+  const std::vector<vtkIdType> joined = FindJoinedPoints(this->Cells);
+  this->NewIds.assign(joined.size(), Unused);
+  for (const VolumeCells::Cell& cell : this->Kept)
+  {
+    for (int i = 0; i < this->Cells.GetNumberOfCorners(cell); ++i)
+    {
+      const vtkIdType point = this->Cells.GetCornerId(cell, i);
+      const vtkIdType place = joined[point];
+      if (this->NewIds[place] == Unused)
+      {
+        this->NewIds[place] = static_cast<std::uint32_t>(this->OldIds.size());
+        this->OldIds.push_back(place);
+      }
+      this->NewIds[point] = this->NewIds[place];
+    }
+  }
+}
+
+void RayCastMeshBuilder::PlacePoints()
+{
+  FiniteBox box;
+  for (vtkIdType point : this->OldIds)
+  {
+    box.Add(&this->Cells.GetPoints()[point].x);
+  }
+  this->Mesh.Center = dvec3(box.GetMiddle(0), box.GetMiddle(1), box.GetMiddle(2));
+  const double diagonal = length(dvec3(box.GetSide(0), box.GetSide(1), box.GetSide(2)));
+  this->Mesh.Radius = diagonal > 0.0 ? 0.5 * diagonal : 1.0;
+  this->Mesh.HalfSize =
+    dvec3(box.GetSide(0), box.GetSide(1), box.GetSide(2)) / (2.0 * this->Mesh.Radius);
+  this->Mesh.Points.resize(4 * this->OldIds.size());
+  for (size_t i = 0; i < this->OldIds.size(); ++i)
+  {
+    const dvec3& point = this->Cells.GetPoints()[this->OldIds[i]];
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Mesh.Points[4 * i + c] =
+        static_cast<float>((point[c] - this->Mesh.Center[c]) / this->Mesh.Radius);
+    }
+  }
+}
+
+void RayCastMeshBuilder::AddScalars(const Scalars& scalars, std::vector<float>& all) const
+{
+  for (int c = 0; c < (this->NumberOfComponents > 1 ? MostComponents : 1); ++c)
+  {
+    all.push_back(
+      static_cast<float>((scalars[c] - this->Mesh.ScalarLow[c]) / this->Mesh.ScalarSize[c]));
+  }
+}
+
+// To the range from 0 to 1, of which floats keep more than of what lies far from 0.
+void RayCastMeshBuilder::ScaleScalars()
+{
+  const bool areOfCells = this->HasCellScalars();
+  const std::vector<Scalars>& all =
+    areOfCells ? this->Cells.GetCellScalars() : this->Cells.GetPointScalars();
+  std::vector<vtkIdType> used = this->OldIds;
+  if (areOfCells)
+  {
+    used.clear();
+    for (const VolumeCells::Cell& cell : this->Kept)
+    {
+      used.push_back(cell.Scalars);
+    }
+  }
+  for (int c = 0; c < MostComponents; ++c)
+  {
+    double low = std::numeric_limits<double>::max();
+    double high = -low;
+    for (vtkIdType i : used)
+    {
+      low = std::min(low, all[i][c]);
+      high = std::max(high, all[i][c]);
+    }
+    const double size = 0.5 * high - 0.5 * low; // whose double may be no number
+    this->Mesh.ScalarLow[c] = used.empty() ? 0.0 : low;
+    this->Mesh.ScalarHigh[c] = used.empty() ? 0.0 : high;
+    this->Mesh.ScalarSize[c] = size > 0.0 && std::isfinite(2.0 * size) ? 2.0 * size : 1.0;
+  }
+  std::vector<float>& scalars = areOfCells ? this->Mesh.CellScalars : this->Mesh.PointScalars;
+  for (vtkIdType i : used)
+  {
+    this->AddScalars(all[i], scalars);
+  }
+  if (!areOfCells && this->NumberOfComponents == 1)
+  {
+    for (size_t i = 0; i < scalars.size(); ++i)
+    {
+      this->Mesh.Points[4 * i + 3] = scalars[i];
+    }
+    scalars = {};
+  }
+}
+
+void RayCastMeshBuilder::AddGradients()
+{
+  if (this->HasCellScalars())
+  {
+    return;
+  }
+  const std::vector<Gradients> all = ComputePointGradients(this->Cells);
+  for (vtkIdType point : this->OldIds)
+  {
+    for (int c = 0; c < this->NumberOfComponents; ++c)
+    {
+      const dvec3 gradient = this->Mesh.Radius / this->Mesh.ScalarSize[c] * all[point][c];
+      for (double value : { gradient.x, gradient.y, gradient.z, 0.0 })
+      {
+        this->Mesh.PointGradients.push_back(static_cast<float>(value));
+      }
+    }
+  }
+}
+
+void RayCastMeshBuilder::AddTetrahedron(const VolumeCells::Cell& cell)
+{
+  std::array<std::uint32_t, 4> points;
+  for (int i = 0; i < 4; ++i)
+  {
+    points[i] = this->GetPoint(cell, i);
+  }
+  std::sort(points.begin(), points.end());
+  this->Mesh.PointSums.push_back(points[0] ^ points[1] ^ points[2] ^ points[3]);
+  if (this->KeepsCorners)
+  {
+    this->Mesh.Corners.insert(this->Mesh.Corners.end(), points.begin(), points.end());
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    this->Faces.push_back({ { static_cast<int>(points[i == 0 ? 1 : 0]),
+      static_cast<int>(points[i <= 1 ? 2 : 1]), static_cast<int>(points[i <= 2 ? 3 : 2]), -1 } });
+  }
+}
+
+// Whether the faces of a cell look inwards, by the volume that they enclose.
+bool RayCastMeshBuilder::IsMirrored(const VolumeCells::Cell& cell) const
+{
+  const std::vector<int>& record = GetRecord(*cell.Shape, false);
+  const auto get = [&](int i)
+  { return this->Cells.GetPoints()[this->Cells.GetCornerId(cell, record[i])]; };
+  const dvec3 origin = get(0);
+  double volume = 0.0;
+  for (const auto& face : GetRecordFaces(!cell.Shape->QuadraticFaces.empty()))
+  {
+    const dvec3 a = get(face[0]) - origin;
+    const dvec3 b = get(face[1]) - origin;
+    const dvec3 c = get(face[2]) - origin;
+    const dvec3 d = get(face[3]) - origin;
+    volume += dot(a, cross(b, c)) + dot(a, cross(c, d));
+  }
+  return volume < 0.0;
+}
+
+// Whether all points of each face lie in one plane, up to the rounding of floats.
+bool RayCastMeshBuilder::IsFlat(const VolumeCells::Cell& cell) const
+{
+  const auto get = [&](int i) { return this->Cells.GetPoints()[this->Cells.GetCornerId(cell, i)]; };
+  const auto isFlat = [&](const auto& face)
+  {
+    const dvec3 origin = get(face[0]);
+    const dvec3 normal = cross(get(face[2]) - origin, get(face[1]) - origin) +
+      cross(get(face[3]) - origin, get(face[2]) - origin);
+    const double size = std::sqrt(dot(normal, normal));
+    return std::all_of(face.begin(), face.end(),
+      [&](int i)
+      { return std::abs(dot(get(i) - origin, normal)) <= LargestBulge * size * std::sqrt(size); });
+  };
+  return std::all_of(cell.Shape->Faces.begin(), cell.Shape->Faces.end(), isFlat) &&
+    std::all_of(cell.Shape->QuadraticFaces.begin(), cell.Shape->QuadraticFaces.end(), isFlat);
+}
+
+void RayCastMeshBuilder::AddCurved(const VolumeCells::Cell& cell)
+{
+  const std::uint32_t number = static_cast<std::uint32_t>(
+    this->Mesh.GetNumberOfTetrahedra() + this->Mesh.GetNumberOfCurvedCells());
+  std::array<std::uint32_t, RayCastMesh::WordsOfCurvedCell> words = {};
+  const bool isQuadratic = !cell.Shape->QuadraticFaces.empty();
+  const std::vector<int>& record = GetRecord(*cell.Shape, this->IsMirrored(cell));
+  for (size_t i = 0; i < record.size(); ++i)
+  {
+    words[i] = this->GetPoint(cell, record[i]);
+  }
+  if (isQuadratic)
+  {
+    words.back() = RayCastMesh::Quadratic;
+    this->Mesh.HasQuadraticCells = true;
+  }
+  this->Mesh.HasPyramids = this->Mesh.HasPyramids || cell.Shape->NumberOfCorners == 5;
+  this->Mesh.HasFoldedFaces = this->Mesh.HasFoldedFaces || !this->IsFlat(cell);
+  this->Mesh.CurvedCells.insert(this->Mesh.CurvedCells.end(), words.begin(), words.end());
+  this->FirstFaces.push_back(static_cast<std::uint32_t>(this->Faces.size()));
+  for (const auto& face : GetRecordFaces(isQuadratic))
+  {
+    const auto get = [&](int i) { return static_cast<int>(words[face[i]]); };
+    this->Faces.push_back({ { get(0), get(1), get(2), face[3] == face[2] ? -1 : get(3) } });
+    this->FaceCells.push_back(number);
+  }
+}
+
+void RayCastMeshBuilder::AddCells()
+{
+  for (const VolumeCells::Cell& cell : this->Kept)
+  {
+    cell.Shape ? this->AddCurved(cell) : this->AddTetrahedron(cell);
+  }
+}
+
+void RayCastMeshBuilder::FindLongestEdge()
+{
+  const std::vector<dvec3>& points = this->Cells.GetPoints();
+  double longest = 0.0; // its square
+  for (const VolumeCells::Cell& cell : this->Kept)
+  {
+    for (int i = 0; i < this->Cells.GetNumberOfCorners(cell); ++i)
+    {
+      const dvec3& corner = points[this->Cells.GetCornerId(cell, i)];
+      for (int j = 0; j < i; ++j)
+      {
+        const dvec3 edge = points[this->Cells.GetCornerId(cell, j)] - corner;
+        longest = std::max(longest, dot(edge, edge));
+      }
+    }
+  }
+  this->Mesh.LongestEdge = std::sqrt(longest) / this->Mesh.Radius;
+}
+
+// Where a cell keeps who is behind its face.
+std::uint32_t& RayCastMeshBuilder::GetBehind(size_t face)
+{
+  if (face < 4 * this->Mesh.GetNumberOfTetrahedra())
+  {
+    return this->Mesh.Neighbors[face];
+  }
+  const size_t record = this->FaceCells[face - 4 * this->Mesh.GetNumberOfTetrahedra()] -
+    this->Mesh.GetNumberOfTetrahedra();
+  return this->Mesh
+    .CurvedCells[RayCastMesh::WordsOfCurvedCell * record + 10 + face - this->FirstFaces[record]];
+}
+
+void RayCastMeshBuilder::FindNeighbors()
+{
+  const size_t inTetrahedra = 4 * this->Mesh.GetNumberOfTetrahedra();
+  this->Mesh.Neighbors.resize(inTetrahedra);
+  const FaceMatch match = MatchFaces(this->Faces, static_cast<int>(this->OldIds.size()));
+  this->Mesh.NumberOfSharedFaces = match.NumberOfSharedByMore;
+  for (size_t face = 0; face < this->Faces.size(); ++face)
+  {
+    const auto other = match.Others[face];
+    std::uint32_t& behind = this->GetBehind(face);
+    if (other < 0)
+    {
+      behind = RayCastMesh::Nothing;
+      if (IsFace(this->Faces[face]))
+      {
+        this->Border.push_back(face);
+      }
+    }
+    else
+    {
+      const size_t number = static_cast<size_t>(other);
+      behind = number < inTetrahedra ? static_cast<std::uint32_t>(number / 4)
+                                     : this->FaceCells[number - inTetrahedra];
+    }
+  }
+}
+
+dvec3 RayCastMeshBuilder::GetPlace(std::uint32_t point) const
+{
+  const float* place = &this->Mesh.Points[4 * static_cast<size_t>(point)];
+  return dvec3(place[0], place[1], place[2]);
+}
+
+// Of a face of a curved cell, that of the whole cell's: quadratic faces leave their corners' box.
+FaceBox RayCastMeshBuilder::GetBox(size_t face) const
+{
+  FiniteBox box;
+  const auto add = [&](const dvec3& place) { box.Add(&place.x); };
+  const size_t inTetrahedra = 4 * this->Mesh.GetNumberOfTetrahedra();
+  for (int point : this->Faces[face])
+  {
+    if (point >= 0)
+    {
+      add(this->GetPlace(static_cast<std::uint32_t>(point)));
+    }
+  }
+  if (face >= inTetrahedra)
+  {
+    const size_t record = this->FaceCells[face - inTetrahedra] - inTetrahedra / 4;
+    const std::uint32_t* words = &this->Mesh.CurvedCells[RayCastMesh::WordsOfCurvedCell * record];
+    if (words[RayCastMesh::WordsOfCurvedCell - 1] == RayCastMesh::Quadratic)
+    {
+      const auto& corners =
+        FindCellShape(VTK_QUADRATIC_TETRA)->QuadraticFaces[face - this->FirstFaces[record]];
+      for (int i = 0; i < 3; ++i)
+      {
+        add(2.0 * this->GetPlace(words[corners[3 + i]]) -
+          0.5 * (this->GetPlace(words[corners[i]]) + this->GetPlace(words[corners[(i + 1) % 3]])));
+      }
+    }
+  }
+  FaceBox rounded;
+  for (int c = 0; c < 3; ++c)
+  {
+    const double half = 0.5 * box.GetSide(c);
+    rounded.Low[c] = static_cast<float>(box.GetMiddle(c) - half);
+    rounded.High[c] = static_cast<float>(box.GetMiddle(c) + half);
+  }
+  return rounded;
+}
+
+void RayCastMeshBuilder::AddBorderFace(size_t face)
+{
+  const auto add = [this](const std::array<std::uint32_t, 4>& words)
+  {
+    for (std::uint32_t word : words)
+    {
+      this->Mesh.BorderFaces.push_back(word);
+    }
+  };
+  const size_t inTetrahedra = 4 * this->Mesh.GetNumberOfTetrahedra();
+  if (face >= inTetrahedra)
+  {
+    const std::uint32_t cell = this->FaceCells[face - inTetrahedra];
+    const size_t record = cell - inTetrahedra / 4;
+    add({ { static_cast<std::uint32_t>(face - this->FirstFaces[record]), 0, 0, cell } });
+    return;
+  }
+  std::array<std::uint32_t, 3> corners;
+  std::copy(this->Faces[face].begin(), this->Faces[face].begin() + 3, corners.begin());
+  const std::uint32_t cell = static_cast<std::uint32_t>(face / 4);
+  const std::uint32_t last = this->Mesh.PointSums[cell] ^ corners[0] ^ corners[1] ^ corners[2];
+  const dvec3 origin = this->GetPlace(corners[0]);
+  const dvec3 normal =
+    cross(this->GetPlace(corners[1]) - origin, this->GetPlace(corners[2]) - origin);
+  if (dot(normal, this->GetPlace(last) - origin) < 0.0)
+  {
+    std::swap(corners[1], corners[2]);
+  }
+  add({ { corners[0], corners[1], corners[2], cell } });
+}
+
+void RayCastMeshBuilder::BuildBorder()
+{
+  std::vector<FaceBox> boxes;
+  boxes.reserve(this->Border.size());
+  for (size_t face : this->Border)
+  {
+    boxes.push_back(this->GetBox(face));
+  }
+  FaceTree tree;
+  tree.Build(std::move(boxes), MostFacesPerLeaf);
+  this->Mesh.BorderTree = FlattenTree(tree, TreeMargin);
+  for (int i : tree.GetOrder())
+  {
+    this->AddBorderFace(this->Border[i]);
+  }
+}
+}
+
+bool RayCastMesh::Build(const VolumeCells& cells, int numberOfComponents, std::string& error,
+  bool withCorners, bool withGradients)
+{
+  *this = RayCastMesh();
+  RayCastMeshBuilder joining(cells, numberOfComponents, withCorners, *this);
+  joining.JoinPoints();
+  joining.PlacePoints();
+  joining.ScaleScalars();
+  if (withGradients)
+  {
+    joining.AddGradients();
+  }
+  joining.AddCells();
+  joining.FindLongestEdge();
+  joining.FindNeighbors();
+  if (joining.IsTooLarge())
+  {
+    error = "has more than 16 million faces at its border";
+    return false;
+  }
+  joining.BuildBorder();
+  return true;
+}
+
+void RayCastMesh::Release()
+{
+  RayCastMesh rest;
+  rest.Center = this->Center;
+  rest.Radius = this->Radius;
+  rest.HalfSize = this->HalfSize;
+  rest.LongestEdge = this->LongestEdge;
+  rest.HasQuadraticCells = this->HasQuadraticCells;
+  rest.HasPyramids = this->HasPyramids;
+  rest.HasFoldedFaces = this->HasFoldedFaces;
+  rest.ScalarLow = this->ScalarLow;
+  rest.ScalarSize = this->ScalarSize;
+  rest.ScalarHigh = this->ScalarHigh;
+  *this = std::move(rest);
+}
+}
