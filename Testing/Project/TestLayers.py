@@ -26,7 +26,7 @@ LAYERS = {
     "Filters/Parametric": ["Splines", "Cells", "Coarse", "Files", "Curves", "Patches", "Metrics"],
     "Filters/Intersection": ["Exact", "Mesh", "Refined", "Pairs", "Curves", "Contact"],
     "Filters/Relief": ["Data", "Warp", "Database"],
-    "Rendering/Core": ["OpenGL", "Buffers", "Shaders", "Actors", "Picking"],
+    "Rendering/Core": ["OpenGL", "Buffers", "Shaders", "Actors", "Composite", "Picking"],
     "Rendering/Refinement": ["State", "Shaders", "Buffers", "Compute", "Methods", "Picking", "Blocks"],
     "Rendering/Flow": ["Passes"],
     "Rendering/Offscreen": [],

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shaders/ShaderVariants.h"
+
+#include "Compatibility/VTKCompatibility.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkShader.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+
+namespace relevo
+{
+ShaderVariants::ShaderVariants(int number)
+  : Variants(number)
+{
+}
+
+ShaderVariants::~ShaderVariants() = default;
+
+Dependencies& ShaderVariants::GetKey(const vtkOpenGLHelper& helper)
+{
+  return std::find_if(this->Variants.begin(), this->Variants.end(),
+    [&helper](const Variant& variant) { return &variant.Helper == &helper; })
+    ->Key;
+}
+
+void ShaderVariants::SetKey(const vtkOpenGLHelper& helper, const Dependencies& key)
+{
+  this->GetKey(helper) = key;
+}
+
+bool ShaderVariants::Update(
+  vtkOpenGLHelper& helper, const Dependencies& sources, const std::function<void()>& update)
+{
+  if (!helper.Program && sources == this->FailedSources)
+  {
+    return false; // reported already
+  }
+  update();
+  if (!helper.Program)
+  {
+    this->FailedSources = sources;
+    this->Problem = "The shaders could not be built; OpenGL's own message says why. The actor's "
+                    "vtkShaderProperty is part of them.";
+  }
+  return helper.Program != nullptr;
+}
+
+bool ShaderVariants::NeedsBuild(
+  vtkOpenGLHelper& helper, bool isNeededByVTK, const Dependencies& key)
+{
+  const bool hasChanged = this->GetKey(helper).Update(key);
+  if (!isNeededByVTK && !hasChanged)
+  {
+    return false;
+  }
+  // One of other sources must not draw in place of one that cannot be built.
+  helper.Program = AsksLastProgram ? this->NoProgram.Get() : nullptr;
+  return true;
+}
+
+void ShaderVariants::Build(Shaders& shaders, const std::function<void()>& build)
+{
+  this->Missing.clear();
+  build();
+  ++this->NumberOfBuilds;
+  this->Problem = this->Missing.empty() ? "" : DescribeMissing(this->Missing);
+  if (!this->Missing.empty())
+  {
+    DrawNothing(shaders);
+  }
+}
+
+bool ShaderVariants::BuildWithStages(vtkOpenGLHelper& helper,
+  const std::function<void(Shaders&)>& build,
+  const std::function<vtkShaderProgram*(Shaders&)>& link)
+{
+  vtkNew<vtkShader> stages[3];
+  const vtkShader::Type types[3] = { vtkShader::Vertex, vtkShader::Geometry, vtkShader::Fragment };
+  Shaders shaders;
+  for (int i = 0; i < 3; ++i)
+  {
+    stages[i]->SetType(types[i]);
+    shaders[types[i]] = stages[i];
+  }
+  build(shaders);
+  if (!this->Problem.empty())
+  {
+    return false; // reported by the caller; VTK's shader cache has a program for them
+  }
+  vtkShaderProgram* program = link(shaders);
+  if (program)
+  {
+    helper.Program = program;
+    helper.VAO->ReleaseGraphicsResources(); // of the attributes of another program
+    helper.ShaderSourceTime.Modified();
+  }
+  return program != nullptr;
+}
+
+void ShaderVariants::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (Variant& variant : this->Variants)
+  {
+    variant.Helper.ReleaseGraphicsResources(window);
+  }
+  this->FailedSources.Clear();
+}
+}
