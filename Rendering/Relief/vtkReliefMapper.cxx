@@ -1,27 +1,28 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkReliefMapperInternals.h"
+#include "vtkReliefMapper.h"
 
 #include "Checks/MemoryGuard.h"
-#include "Data/ReliefSides.h"
-#include "Drawing/PickedRelief.h"
-#include "Drawing/ReliefRims.h"
+#include "Checks/SettingChecks.h"
+#include "Checks/ShouldReport.h"
+#include "Drawing/ReliefLeaves.h"
 #include "Mathematics/SameNumber.h"
+#include "OpenGL/ContextWatch.h"
 #include "Picking/PickedInputPipeline.h"
+#include "Picking/PickerDetector.h"
 #include "vtkActor.h"
 #include "vtkBoundingBox.h"
 #include "vtkCommand.h"
-#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkExecutive.h"
 #include "vtkHardwareSelector.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 
-#include <algorithm>
+#include <limits>
 
 namespace
 {
@@ -43,23 +44,15 @@ static_assert(
   relevo::HaveSameNumber(Mapper::SEARCH_RELAXED_CONES, Options::RELAXED_CONES), "cones");
 static_assert(
   relevo::HaveSameNumber(Mapper::SEARCH_MAXIMUM_MIPMAP, Options::MAXIMUM_MIPMAP), "mipmap");
+}
 
-// What the reliefs of an input were made from.
-relevo::Dependencies GetSource(vtkDataObject* input)
+struct vtkReliefMapper::vtkInternals
 {
-  relevo::Dependencies source;
-  source.AddObject(input, input ? input->GetMTime() : 0);
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
-  {
-    auto leaf = vtk::TakeSmartPointer(composite->NewIterator());
-    for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
-    {
-      source.AddObject(leaf->GetCurrentDataObject());
-    }
-  }
-  return source;
-}
-}
+  relevo::ReliefLeaves Reliefs;
+  vtkNew<relevo::ContextWatch> Context;
+  relevo::PickerDetector Questions;
+  int MethodInUse = METHOD_RAY_MARCH;
+};
 
 vtkStandardNewMacro(vtkReliefMapper);
 
@@ -93,146 +86,49 @@ void vtkReliefMapper::SetInputData(vtkImageData* relief)
 }
 
 //------------------------------------------------------------------------------
-// Input
+// Settings
 
-void vtkReliefMapper::UpdateBlocks()
+void vtkReliefMapper::SetMethod(int method)
 {
-  this->UpdateBlocks(
-    this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr);
+  relevo::SetChoice(
+    this, "Method", this->Method, method, { "WARP", "RAY_MARCH", "REFINEMENT", "AUTOMATIC" });
 }
 
-void vtkReliefMapper::UpdateBlocks(vtkDataObject* input)
+void vtkReliefMapper::SetSearch(int search)
 {
-  vtkInternals& data = *this->Internals;
-  relevo::Dependencies source = GetSource(input);
-  source.Add(this->MaximumStretch);
-  source.Add(this->FillCracks);
-  if (!data.Source.Update(source))
-  {
-    return;
-  }
-  std::map<unsigned int, vtkInternals::Block> blocks;
-  for (relevo::ReliefBlock& relief :
-    input ? relevo::ReadReliefs(input) : std::vector<relevo::ReliefBlock>())
-  {
-    const unsigned int index = relief.FlatIndex;
-    vtkInternals::Block& block = blocks[index];
-    const auto last = data.Blocks.find(index);
-    if (last != data.Blocks.end())
-    {
-      block = last->second;
-    }
-    relevo::Dependencies own;
-    own.AddObject(relief.Data.GetImage());
-    own.Add(this->MaximumStretch);
-    block.Relief = relief;
-    if (!relief.Fault.empty())
-    {
-      if (relief.Fault != block.Problem)
-      {
-        vtkErrorMacro(<< relief.Fault);
-      }
-      block.Problem = relief.Fault;
-      block.Source.Clear();
-      continue;
-    }
-    block.Problem.clear();
-    block.Painter = block.Painter ? block.Painter : vtkSmartPointer<relevo::ReliefPainter>::New();
-    if (block.Source.Update(own))
-    {
-      block.Painter->SetRelief(relief.Data, this->MaximumStretch);
-      block.Picked = nullptr;
-    }
-  }
-  for (auto& last : data.Blocks)
-  {
-    if (!blocks.count(last.first))
-    {
-      data.Retire(last.second.Painter);
-      data.Retire(last.second.Rims);
-    }
-  }
-  data.Blocks.swap(blocks);
-  data.UpdateRims(this->FillCracks, this->MaximumStretch);
+  relevo::SetChoice(this, "Search", this->Search, search,
+    { "LINEAR_BINARY", "LINEAR_SECANT", "RELAXED_CONES", "MAXIMUM_MIPMAP" });
 }
 
-void vtkReliefMapper::vtkInternals::Retire(relevo::ReliefPainter* painter)
+void vtkReliefMapper::SetShading(int shading)
 {
-  if (painter)
+  relevo::SetChoice(this, "Shading", this->Shading, shading, { "CAPTURED", "LIT" });
+}
+
+void vtkReliefMapper::SetSelfShadow(bool on)
+{
+  if (this->SelfShadow != on)
   {
-    this->NumberOfBufferBuilds += painter->GetNumberOfBufferBuilds();
-    this->NumberOfShaderBuilds += painter->GetNumberOfShaderBuilds();
-    this->NumberOfWarps += painter->GetNumberOfWarps();
-    painter->ReleaseGraphicsResources(this->Context->GetContext());
+    this->SelfShadow = on;
+    this->Modified();
   }
 }
 
-std::vector<relevo::ReliefPainter*> vtkReliefMapper::vtkInternals::GetPainters() const
+void vtkReliefMapper::SetMaximumStretch(double stretch)
 {
-  std::vector<relevo::ReliefPainter*> painters;
-  for (const auto& block : this->Blocks)
-  {
-    for (relevo::ReliefPainter* painter : { block.second.Painter.Get(), block.second.Rims.Get() })
-    {
-      if (painter)
-      {
-        painters.push_back(painter);
-      }
-    }
-  }
-  return painters;
-}
-
-void vtkReliefMapper::vtkInternals::UpdateRims(bool areWanted, double maximumStretch)
-{
-  std::vector<Block*> wanted;
-  relevo::Dependencies source;
-  source.Add(maximumStretch);
-  for (auto& entry : this->Blocks)
-  {
-    if (areWanted && entry.second.Relief.Fault.empty())
-    {
-      wanted.push_back(&entry.second);
-      source.AddObject(entry.second.Relief.Data.GetImage());
-    }
-  }
-  if (!this->RimSource.Update(source))
-  {
-    return;
-  }
-  std::vector<relevo::RimSource> reliefs;
-  if (wanted.size() > 1)
-  {
-    for (Block* block : wanted)
-    {
-      const double stretch = std::min(maximumStretch, relevo::RimStretch);
-      reliefs.push_back(
-        { &block->Relief.Data, relevo::FindReliefSides(block->Relief.Data, stretch) });
-    }
-  }
-  for (auto& entry : this->Blocks)
-  {
-    Block& block = entry.second;
-    const auto place = std::find(wanted.begin(), wanted.end(), &block);
-    vtkSmartPointer<vtkImageData> image;
-    if (place != wanted.end() && !reliefs.empty())
-    {
-      image = relevo::MakeReliefRims(reliefs, place - wanted.begin());
-    }
-    relevo::Relief rims;
-    if (!image || !rims.Read(image).empty())
-    {
-      this->Retire(block.Rims);
-      block.Rims = nullptr;
-      continue;
-    }
-    block.Rims = block.Rims ? block.Rims : vtkSmartPointer<relevo::ReliefPainter>::New();
-    block.Rims->SetRelief(rims, maximumStretch);
-  }
+  relevo::SetInRange(
+    this, "MaximumStretch", this->MaximumStretch, stretch, 0.0, std::numeric_limits<double>::max());
 }
 
 //------------------------------------------------------------------------------
-// Bounds
+// Input
+
+void vtkReliefMapper::UpdateReliefs(vtkDataObject* input)
+{
+  this->Internals->Reliefs.Update(input, { this->MaximumStretch, this->FillCracks },
+    this->Internals->Context->GetContext(),
+    [this](const std::string& fault) { vtkErrorMacro(<< fault); });
+}
 
 double* vtkReliefMapper::GetBounds()
 {
@@ -246,16 +142,9 @@ double* vtkReliefMapper::GetBounds()
   {
     this->GetInputAlgorithm()->Update();
   }
-  this->UpdateBlocks();
+  this->UpdateReliefs(this->GetInputDataObject(0, 0));
   vtkBoundingBox box;
-  for (const auto& block : this->Internals->Blocks)
-  {
-    if (block.second.Problem.empty() &&
-      vtkMath::AreBoundsInitialized(block.second.Painter->GetSurfaceBounds()))
-    {
-      box.AddBounds(block.second.Painter->GetSurfaceBounds());
-    }
-  }
+  this->Internals->Reliefs.AddBounds(box);
   if (box.IsValid())
   {
     box.GetBounds(this->Bounds);
@@ -272,14 +161,7 @@ void vtkReliefMapper::GetBounds(double bounds[6])
 bool vtkReliefMapper::HasTranslucentPolygonalGeometry()
 {
   this->GetBounds(); // which reads the input
-  for (const auto& block : this->Internals->Blocks)
-  {
-    if (block.second.Problem.empty() && block.second.Painter->IsTranslucent())
-    {
-      return true;
-    }
-  }
-  return false;
+  return this->Internals->Reliefs.AreTranslucent();
 }
 
 bool vtkReliefMapper::HasOpaqueGeometry()
@@ -296,44 +178,15 @@ vtkDataObject* vtkReliefMapper::GetInputDataObject(int port, int connection)
   return this->Superclass::GetInputDataObject(port, connection);
 }
 
-vtkStructuredGrid* vtkReliefMapper::vtkInternals::GetPicked(
-  unsigned int index, double maximumStretch)
-{
-  const auto found = this->Blocks.find(index);
-  if (found == this->Blocks.end() || !found->second.Problem.empty())
-  {
-    return this->Nothing;
-  }
-  Block& block = found->second;
-  if (!block.Picked)
-  {
-    block.Picked = relevo::MakePickedRelief(block.Relief.Data, maximumStretch);
-  }
-  return block.Picked;
-}
-
 vtkDataObject* vtkReliefMapper::ReplaceInput(vtkDataObject* input)
 {
-  vtkInternals& data = *this->Internals;
-  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
-  if (data.Questions.AskInput(composite != nullptr) == relevo::PickerDetector::NO_PICKER)
+  const bool isComposite = vtkCompositeDataSet::SafeDownCast(input) != nullptr;
+  if (this->Internals->Questions.AskInput(isComposite) == relevo::PickerDetector::NO_PICKER)
   {
     return input;
   }
-  this->UpdateBlocks(input);
-  if (!composite)
-  {
-    return data.GetPicked(0, this->MaximumStretch);
-  }
-  data.PickedBlocks.TakeReference(composite->NewInstance());
-  data.PickedBlocks->CopyStructure(composite);
-  auto leaf = vtk::TakeSmartPointer(composite->NewIterator());
-  for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
-  {
-    data.PickedBlocks->SetDataSet(
-      leaf, data.GetPicked(leaf->GetCurrentFlatIndex(), this->MaximumStretch));
-  }
-  return data.PickedBlocks;
+  this->UpdateReliefs(input);
+  return this->Internals->Reliefs.GetPicked(input);
 }
 
 //------------------------------------------------------------------------------
@@ -362,8 +215,8 @@ void vtkReliefMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   relevo::RunWithinMemory(this, "the reliefs",
     [&]
     {
-      this->UpdateBlocks();
-      this->RenderBlocks(renderer, actor);
+      this->UpdateReliefs(this->GetInputDataObject(0, 0));
+      this->RenderReliefs(renderer, actor);
       return true;
     });
   this->UpdateProgress(1.0);
@@ -376,91 +229,63 @@ int vtkReliefMapper::ChooseMethod(vtkRenderer* renderer)
   {
     return this->Method;
   }
-  double triangles = 0.0;
-  for (const auto& block : this->Internals->Blocks)
-  {
-    triangles += block.second.Painter ? block.second.Painter->GetNumberOfTriangles() : 0.0;
-  }
   const int* size = renderer->GetSize();
   const double pixels = static_cast<double>(size[0]) * size[1];
-  return triangles <= TrianglesPerPixel * pixels ? METHOD_REFINEMENT : METHOD_RAY_MARCH;
+  return this->Internals->Reliefs.CountTriangles() <= TrianglesPerPixel * pixels ? METHOD_REFINEMENT
+                                                                                 : METHOD_RAY_MARCH;
 }
 
-void vtkReliefMapper::RenderBlocks(vtkRenderer* renderer, vtkActor* actor)
+void vtkReliefMapper::RenderReliefs(vtkRenderer* renderer, vtkActor* actor)
 {
-  vtkHardwareSelector* selector = renderer->GetSelector();
-  if (selector)
-  {
-    selector->BeginRenderProp();
-  }
+  vtkInternals& data = *this->Internals;
   relevo::ReliefPainter::Settings settings;
   settings.Method = static_cast<Options::Methods>(this->ChooseMethod(renderer));
   settings.Search = this->Search;
   settings.IsLit = this->Shading == LIT;
   settings.IsShadowed = this->SelfShadow && settings.IsLit;
-  settings.Yields = this->Internals->Blocks.size() > 1;
-  for (auto& entry : this->Internals->Blocks)
+  settings.Yields = data.Reliefs.GetLeaves().size() > 1;
+  relevo::ReliefPainter::Settings rims = settings;
+  rims.IsRim = true;
+  rims.IsShadowed = false; // only the block's own surface could
+  rims.Method = settings.Method == Options::WARP ? Options::RAY_MARCH : settings.Method;
+  const auto draw = [&](relevo::ReliefPainter* painter, std::string& lastProblem)
   {
-    vtkInternals::Block& block = entry.second;
-    if (!block.Relief.Fault.empty())
+    painter->SetClippingPlanes(this->ClippingPlanes);
+    painter->RenderPiece(renderer, actor);
+    if (relevo::ShouldReport(lastProblem, painter->GetShaderProblem()))
     {
-      continue;
+      vtkErrorMacro(<< lastProblem);
     }
-    const std::string problem = block.Painter->Prepare(renderer, actor, settings);
-    if (problem != block.Problem)
+  };
+  data.Reliefs.Render(renderer,
+    [&](relevo::ReliefLeaf& leaf)
     {
-      block.Problem = problem;
+      if (!leaf.Relief.Fault.empty())
+      {
+        return;
+      }
+      const std::string problem = leaf.Surface->Prepare(renderer, actor, settings);
+      if (relevo::ShouldReport(leaf.Problem, problem))
+      {
+        vtkErrorMacro(<< leaf.Relief.Describe(problem));
+      }
       if (!problem.empty())
       {
-        vtkErrorMacro(<< block.Relief.Describe(problem));
+        return;
       }
-    }
-    if (!problem.empty())
-    {
-      continue;
-    }
-    if (selector)
-    {
-      block.Painter->AnnounceIds(selector);
-      if (selector->GetCurrentPass() == vtkHardwareSelector::COMPOSITE_INDEX_PASS)
+      if (vtkHardwareSelector* selector = renderer->GetSelector())
       {
-        selector->RenderCompositeIndex(std::max(entry.first, 1u));
+        leaf.Surface->AnnounceIds(selector);
       }
-    }
-    this->RenderBlock(renderer, actor, *block.Painter, block.ShaderProblem);
-    this->Internals->MethodInUse = block.Painter->GetMethod();
-    // Behind what is translucent nothing hides them.
-    if (block.Rims && !actor->IsRenderingTranslucentPolygonalGeometry())
-    {
-      relevo::ReliefPainter::Settings rims = settings;
-      rims.IsRim = true;
-      rims.IsShadowed = false; // only the block's own surface could
-      rims.Method = settings.Method == Options::WARP ? Options::RAY_MARCH : settings.Method;
-      if (block.Rims->Prepare(renderer, actor, rims).empty())
+      draw(leaf.Surface, leaf.ShaderProblem);
+      data.MethodInUse = leaf.Surface->GetMethod();
+      // Behind what is translucent nothing hides them.
+      if (leaf.Rims && !actor->IsRenderingTranslucentPolygonalGeometry() &&
+        leaf.Rims->Prepare(renderer, actor, rims).empty())
       {
-        this->RenderBlock(renderer, actor, *block.Rims, block.ShaderProblem);
+        draw(leaf.Rims, leaf.ShaderProblem);
       }
-    }
-  }
-  if (selector)
-  {
-    selector->EndRenderProp();
-  }
-}
-
-void vtkReliefMapper::RenderBlock(
-  vtkRenderer* renderer, vtkActor* actor, relevo::ReliefPainter& painter, std::string& problem)
-{
-  painter.SetClippingPlanes(this->ClippingPlanes);
-  painter.RenderPiece(renderer, actor);
-  if (painter.GetShaderProblem() != problem)
-  {
-    problem = painter.GetShaderProblem();
-    if (!problem.empty())
-    {
-      vtkErrorMacro(<< problem);
-    }
-  }
+    });
 }
 
 void vtkReliefMapper::ReleaseGraphicsResources(vtkWindow* window)
@@ -471,8 +296,61 @@ void vtkReliefMapper::ReleaseGraphicsResources(vtkWindow* window)
     return; // came back to this method, from within the context that the resources belong to
   }
   this->Superclass::ReleaseGraphicsResources(window);
-  for (relevo::ReliefPainter* painter : data.GetPainters())
+  data.Reliefs.ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+// Counts
+
+vtkTypeInt64 vtkReliefMapper::GetGraphicsMemorySize()
+{
+  return this->Internals->Reliefs.GetMemorySize();
+}
+
+int vtkReliefMapper::GetMethodInUse()
+{
+  return this->Internals->MethodInUse;
+}
+
+vtkIdType vtkReliefMapper::GetNumberOfWarps()
+{
+  return this->Internals->Reliefs.GetCounts().Warps;
+}
+
+vtkIdType vtkReliefMapper::GetNumberOfBufferBuilds()
+{
+  return this->Internals->Reliefs.GetCounts().BufferBuilds;
+}
+
+vtkIdType vtkReliefMapper::GetNumberOfShaderBuilds()
+{
+  return this->Internals->Reliefs.GetCounts().ShaderBuilds;
+}
+
+//------------------------------------------------------------------------------
+
+void vtkReliefMapper::ShallowCopy(vtkAbstractMapper* mapper)
+{
+  if (vtkReliefMapper* other = vtkReliefMapper::SafeDownCast(mapper))
   {
-    painter->ReleaseGraphicsResources(window);
+    this->SetMethod(other->Method);
+    this->SetSearch(other->Search);
+    this->SetShading(other->Shading);
+    this->SetSelfShadow(other->SelfShadow);
+    this->SetMaximumStretch(other->MaximumStretch);
+    this->SetFillCracks(other->FillCracks);
+    this->SetInputConnection(other->GetInputConnection(0, 0));
   }
+  this->Superclass::ShallowCopy(mapper);
+}
+
+void vtkReliefMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << this->Method << "\n";
+  os << indent << "Search: " << this->Search << "\n";
+  os << indent << "Shading: " << this->Shading << "\n";
+  os << indent << "SelfShadow: " << this->SelfShadow << "\n";
+  os << indent << "MaximumStretch: " << this->MaximumStretch << "\n";
+  os << indent << "FillCracks: " << this->FillCracks << "\n";
 }

@@ -32,14 +32,8 @@
 #include "vtkMapper.h"
 
 #include <memory> // for Internals
-#include <string> // for problems
 
 class vtkImageData;
-
-namespace relevo
-{
-class ReliefPainter;
-}
 
 class RELEVORENDERINGRELIEF_EXPORT vtkReliefMapper : public vtkMapper
 {
@@ -223,12 +217,9 @@ private:
   void operator=(const vtkReliefMapper&) = delete;
 
   /// Reads the input again if it has changed.
-  void UpdateBlocks();
-  void UpdateBlocks(vtkDataObject* input);
-  void RenderBlocks(vtkRenderer* renderer, vtkActor* actor);
+  void UpdateReliefs(vtkDataObject* input);
+  void RenderReliefs(vtkRenderer* renderer, vtkActor* actor);
   vtkDataObject* ReplaceInput(vtkDataObject* input);
-  void RenderBlock(
-    vtkRenderer* renderer, vtkActor* actor, relevo::ReliefPainter& painter, std::string& problem);
   int ChooseMethod(vtkRenderer* renderer);
 
   struct vtkInternals;

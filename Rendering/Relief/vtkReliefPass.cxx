@@ -11,6 +11,7 @@
 #include "Capture/SceneTime.h"
 #include "Checks/MemoryGuard.h"
 #include "Checks/SettingChecks.h"
+#include "Checks/ShouldReport.h"
 #include "Data/Relief.h"
 #include "Data/ReliefSides.h"
 #include "View/WorldView.h"
@@ -344,11 +345,10 @@ bool vtkReliefPass::Capture(const vtkRenderState* state)
   const vtkIdType before = data.NumberOfCaptures;
   const std::string problem =
     data.CaptureView(state->GetRenderer(), View(state), this->MaximumAngle);
-  if (!problem.empty() && problem != data.Problem)
+  if (relevo::ShouldReport(data.Problem, problem))
   {
     vtkErrorMacro(<< problem);
   }
-  data.Problem = problem;
   return data.NumberOfCaptures > before;
 }
 

@@ -7,7 +7,6 @@
 #include "Buffers/ReliefTiles.h"
 #include "Patterns/RefinementPattern.h"
 #include "View/ReliefView.h"
-#include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkSMPTools.h"
 #include "vtkShaderProgram.h"
@@ -70,18 +69,15 @@ void ReliefPatterns::MakePatterns()
       for (int k = 0; k <= j; ++k)
       {
         const auto pattern = library.GetPatternOfSegments(1 << i, 1 << j, 1 << k);
-        Range& range = this->Ranges[{ { i, j, k } }];
-        range.FirstVertex = static_cast<int>(this->VertexValues.size() / 4);
-        range.FirstIndex = static_cast<int>(this->Indices.size());
-        range.NumberOfIndices = static_cast<int>(pattern->Triangles.size());
+        this->Patterns.Require({ { i, j, k } }, pattern->GetNumberOfVertices(), 1,
+          [&pattern](std::vector<unsigned int>& indices, int)
+          { indices.insert(indices.end(), pattern->Triangles.begin(), pattern->Triangles.end()); });
         const std::vector<float>& weights = pattern->Vertices;
         for (size_t v = 0; v < weights.size(); v += 3)
         {
           this->VertexValues.insert(
             this->VertexValues.end(), { weights[v], weights[v + 1], weights[v + 2], 0.0f });
         }
-        this->Indices.insert(
-          this->Indices.end(), pattern->Triangles.begin(), pattern->Triangles.end());
       }
     }
   }
@@ -100,9 +96,8 @@ void ReliefPatterns::AddHalf(unsigned int half, const Levels& levels)
     const Levels sorted = { { level(first, second), level(second, third), level(third, first) } };
     if (sorted[0] >= sorted[1] && sorted[1] >= sorted[2])
     {
-      Range& range = this->Ranges[sorted];
-      range.Instances.push_back(half << 3 | static_cast<unsigned int>(code));
-      this->NumberOfTriangles += range.NumberOfIndices / 3;
+      this->InstancesOfPatterns[sorted].push_back(half << 3 | static_cast<unsigned int>(code));
+      this->NumberOfTriangles += this->Patterns.GetRanges().at(sorted).NumberOfIndices / 3;
       return;
     }
   }
@@ -111,23 +106,18 @@ void ReliefPatterns::AddHalf(unsigned int half, const Levels& levels)
 bool ReliefPatterns::Select(
   vtkOpenGLRenderWindow* window, const ReliefTiles& tiles, const ReliefView& view)
 {
-  if (this->Ranges.empty())
+  if (this->Patterns.IsEmpty())
   {
     this->MakePatterns();
   }
-  if (!this->IndexBuffer)
+  if (!this->Patterns.IsUploaded() &&
+    (!this->Patterns.Upload() || !this->Vertices.Upload(window, this->VertexValues, 4)))
   {
-    this->IndexBuffer = vtkSmartPointer<vtkOpenGLBufferObject>::New();
-    this->IndexBuffer->SetType(vtkOpenGLBufferObject::ElementArrayBuffer);
-    if (!this->IndexBuffer->Upload(this->Indices, vtkOpenGLBufferObject::ElementArrayBuffer) ||
-      !this->Vertices.Upload(window, this->VertexValues, 4))
-    {
-      return false;
-    }
+    return false;
   }
-  for (auto& range : this->Ranges)
+  for (auto& entry : this->InstancesOfPatterns)
   {
-    range.second.Instances.clear();
+    entry.second.clear();
   }
   this->NumberOfTriangles = 0;
   const std::vector<unsigned char> levels = FindLevels(tiles, view);
@@ -163,9 +153,9 @@ bool ReliefPatterns::Select(
     this->AddHalf(half | 1, { { lower[tile], right[tile], levels[tile] } });
   }
   std::vector<unsigned int> instances;
-  for (const auto& range : this->Ranges)
+  for (const auto& entry : this->InstancesOfPatterns)
   {
-    instances.insert(instances.end(), range.second.Instances.begin(), range.second.Instances.end());
+    instances.insert(instances.end(), entry.second.begin(), entry.second.end());
   }
   return this->Instances.Upload(window, instances);
 }
@@ -174,22 +164,21 @@ void ReliefPatterns::Draw(vtkShaderProgram* program)
 {
   this->Vertices.Activate(program, "reliefVertices");
   this->Instances.Activate(program, "reliefInstances");
-  this->IndexBuffer->Bind();
+  this->Patterns.Bind();
   int first = 0;
-  for (const auto& entry : this->Ranges)
+  for (const auto& entry : this->InstancesOfPatterns)
   {
-    const Range& range = entry.second;
-    const int number = static_cast<int>(range.Instances.size());
+    const int number = static_cast<int>(entry.second.size());
     if (number > 0)
     {
+      const PatternRange& range = this->Patterns.GetRanges().at(entry.first);
       program->SetUniformi("reliefFirstInstance", first);
       glDrawElementsInstancedBaseVertex(GL_TRIANGLES, range.NumberOfIndices, GL_UNSIGNED_INT,
-        reinterpret_cast<const void*>(range.FirstIndex * sizeof(unsigned int)), number,
-        range.FirstVertex);
+        decltype(this->Patterns)::GetOffset(range), number, range.FirstVertex);
       first += number;
     }
   }
-  this->IndexBuffer->Release();
+  this->Patterns.Release();
 }
 
 void ReliefPatterns::Deactivate()
@@ -201,17 +190,13 @@ void ReliefPatterns::Deactivate()
 vtkTypeInt64 ReliefPatterns::GetMemorySize() const
 {
   return this->Vertices.GetMemorySize() + this->Instances.GetMemorySize() +
-    (this->IndexBuffer ? static_cast<vtkTypeInt64>(this->Indices.size() * sizeof(int)) : 0);
+    this->Patterns.GetMemorySize();
 }
 
 void ReliefPatterns::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Vertices.ReleaseGraphicsResources(window);
   this->Instances.ReleaseGraphicsResources(window);
-  if (this->IndexBuffer)
-  {
-    this->IndexBuffer->ReleaseGraphicsResources();
-    this->IndexBuffer = nullptr;
-  }
+  this->Patterns.ReleaseGraphicsResources();
 }
 }

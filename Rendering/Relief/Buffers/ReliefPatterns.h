@@ -11,15 +11,13 @@
 #define ReliefPatterns_h
 
 #include "Buffers/BufferTexture.h"
-#include "Mathematics/RefinementMathematics.h"
+#include "Buffers/PatternRanges.h"
 #include "Patterns/PatternLibrary.h"
-#include "vtkSmartPointer.h"
 
 #include <array>
 #include <map>
 #include <vector>
 
-class vtkOpenGLBufferObject;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 class vtkWindow;
@@ -49,23 +47,15 @@ public:
 
 private:
   using Levels = std::array<int, 3>;
-  struct Range
-  {
-    int FirstVertex = 0;
-    int FirstIndex = 0;
-    int NumberOfIndices = 0;
-    std::vector<unsigned int> Instances;
-  };
 
   void MakePatterns();
   void AddHalf(unsigned int half, const Levels& levels);
 
-  std::map<Levels, Range> Ranges; // by levels that do not rise
+  PatternRanges<Levels, unsigned int> Patterns; // by levels that do not rise
+  std::map<Levels, std::vector<unsigned int>> InstancesOfPatterns;
   std::vector<float> VertexValues;
-  std::vector<unsigned int> Indices;
   BufferTexture Vertices;
   BufferTexture Instances;
-  vtkSmartPointer<vtkOpenGLBufferObject> IndexBuffer;
   vtkIdType NumberOfTriangles = 0;
 };
 }

@@ -37,7 +37,7 @@ void WarpedTextures::SetRelief(vtkImageData* image, double maximumStretch)
   this->Warper->SetMaximumStretch(maximumStretch);
 }
 
-int WarpedTextures::GetNumberOfWarps()
+int WarpedTextures::GetNumberOfWarps() const
 {
   return this->Warper->GetNumberOfWarps();
 }

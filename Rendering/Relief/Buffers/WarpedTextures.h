@@ -45,7 +45,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
   bool HasNormals() const { return this->Normals != nullptr; }
-  int GetNumberOfWarps();
+  int GetNumberOfWarps() const;
   vtkTypeInt64 GetMemorySize() const { return this->MemorySize; }
 
 private:

@@ -4,7 +4,7 @@
 
 #include "OpenGL/RelevoOpenGL.h"
 
-#include "Compatibility/VTKCompatibility.h"
+#include "Changes/Dependencies.h"
 #include "Data/Relief.h"
 #include "Data/ReliefSides.h"
 #include "Drawing/ReliefRims.h"
@@ -42,9 +42,9 @@ vtkStandardNewMacro(ReliefPainter);
 
 ReliefPainter::ReliefPainter()
 {
-  for (vtkOpenGLHelper& helper : this->Helpers)
+  for (int method = 0; method < ReliefShaderOptions::NUMBER_OF_METHODS; ++method)
   {
-    helper.PrimitiveType = PrimitiveTris;
+    this->Variants.GetHelper(method).PrimitiveType = PrimitiveTris;
   }
   this->ScalarVisibility = 0;
   this->PopulateSelectionSettings = 0; // the mapper does
@@ -80,7 +80,7 @@ void ReliefPainter::SetRelief(const Relief& relief, double maximumStretch)
 
 std::string ReliefPainter::Prepare(vtkRenderer* renderer, vtkActor* actor, const Settings& settings)
 {
-  this->Looks = settings;
+  this->Current = settings;
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   const int largest = ReliefTextures::GetLargestSize();
   if (max(this->Size.x, this->Size.y) > largest)
@@ -98,7 +98,7 @@ std::string ReliefPainter::Prepare(vtkRenderer* renderer, vtkActor* actor, const
       return "There is no room for it on the graphics card.";
     }
   }
-  if (this->Looks.Search == ReliefShaderOptions::RELAXED_CONES && !this->Textures.HasCones() &&
+  if (this->Current.Search == ReliefShaderOptions::RELAXED_CONES && !this->Textures.HasCones() &&
     this->Tiles.GetNumberOfTiles() > 0)
   {
     ++this->NumberOfBufferBuilds;
@@ -107,17 +107,17 @@ std::string ReliefPainter::Prepare(vtkRenderer* renderer, vtkActor* actor, const
       return "There is no room for it on the graphics card.";
     }
   }
-  if (this->Looks.IsShadowed && !this->Textures.HasGrid() &&
+  if (this->Current.IsShadowed && !this->Textures.HasGrid() &&
     !this->Textures.UploadGrid(window, this->Tiles))
   {
     return "There is no room for it on the graphics card.";
   }
-  if (this->Looks.Method == ReliefShaderOptions::WARP &&
+  if (this->Current.Method == ReliefShaderOptions::WARP &&
     (this->Tiles.GetNumberOfTiles() == 0 ||
       !this->MakeView(renderer, actor).SeesFront(this->Plane) ||
       !this->Warped.Update(renderer, actor, this->Tiles)))
   {
-    this->Looks.Method = ReliefShaderOptions::RAY_MARCH;
+    this->Current.Method = ReliefShaderOptions::RAY_MARCH;
   }
   return "";
 }
@@ -128,11 +128,21 @@ void ReliefPainter::ReleaseGraphicsResources(vtkWindow* window)
   this->Textures.ReleaseGraphicsResources(window);
   this->Patterns.ReleaseGraphicsResources(window);
   this->Warped.ReleaseGraphicsResources(window);
-  for (vtkOpenGLHelper& helper : this->Helpers)
-  {
-    helper.ReleaseGraphicsResources(window);
-  }
+  this->Variants.ReleaseGraphicsResources(window);
   this->NeedsUpload = true;
+}
+
+ReliefPainter::Counts ReliefPainter::GetCounts() const
+{
+  return { this->NumberOfBufferBuilds, this->Variants.GetNumberOfBuilds(),
+    this->Warped.GetNumberOfWarps() };
+}
+
+void ReliefPainter::Counts::operator+=(const Counts& other)
+{
+  this->BufferBuilds += other.BufferBuilds;
+  this->ShaderBuilds += other.ShaderBuilds;
+  this->Warps += other.Warps;
 }
 
 //------------------------------------------------------------------------------
@@ -163,16 +173,9 @@ void ReliefPainter::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   vtkOpenGLHelper& helper = this->GetHelper();
   const Dependencies sources = Dependencies::On(
     this->GetOptions().GetKey(), actor->GetShaderProperty()->GetShaderMTime(), this->GetMTime());
-  if (!helper.Program && sources == this->FailedSources)
+  if (!this->Variants.Update(
+        helper, sources, [&] { this->UpdateShaders(helper, renderer, actor); }))
   {
-    return; // said by now
-  }
-  this->UpdateShaders(helper, renderer, actor);
-  if (!helper.Program)
-  {
-    this->FailedSources = sources;
-    this->ShaderProblem = "The shaders could not be built; OpenGL's own message says why. The "
-                          "actor's vtkShaderProperty is part of them.";
     return;
   }
   helper.VAO->Bind(); // VTK releases it when the program is another
@@ -203,7 +206,7 @@ void ReliefPainter::DrawMethod(vtkRenderer* renderer, vtkActor* actor)
   {
     this->DrawBoxes();
   }
-  else if (this->Looks.Method == ReliefShaderOptions::WARP)
+  else if (this->Current.Method == ReliefShaderOptions::WARP)
   {
     glDrawArrays(GL_TRIANGLES, 0, VerticesOfPlane);
   }
@@ -240,15 +243,15 @@ void ReliefPainter::SetOwnUniforms(vtkRenderer* renderer, vtkActor* actor)
 {
   vtkShaderProgram* program = this->GetHelper().Program;
   this->MakeView(renderer, actor).SetUniforms(program);
-  if (this->Looks.Method == ReliefShaderOptions::WARP)
+  if (this->Current.Method == ReliefShaderOptions::WARP)
   {
     this->Warped.Activate(program, this->Tiles);
   }
-  if (this->Looks.Method != ReliefShaderOptions::WARP || this->Looks.IsShadowed)
+  if (this->Current.Method != ReliefShaderOptions::WARP || this->Current.IsShadowed)
   {
     this->Textures.Activate(program);
   }
-  if (this->Looks.IsShadowed)
+  if (this->Current.IsShadowed)
   {
     this->MakeView(renderer, actor).SetLamp(program, renderer);
     const float grid[4] = { static_cast<float>(-this->Tiles.GetFirst().x),
@@ -260,10 +263,10 @@ void ReliefPainter::SetOwnUniforms(vtkRenderer* renderer, vtkActor* actor)
   program->SetUniformi("reliefLayers", this->NumberOfLayers);
   vtkProperty* property = actor->GetProperty();
   const int sides[2] = { !property->GetFrontfaceCulling(),
-    !property->GetBackfaceCulling() && !this->Looks.IsRim };
+    !property->GetBackfaceCulling() && !this->Current.IsRim };
   program->SetUniform2i("reliefSides", sides);
   // A rim has the ids of the relief that it continues.
-  const ivec2 margin(this->Looks.IsRim ? RimMargin : 0);
+  const ivec2 margin(this->Current.IsRim ? RimMargin : 0);
   const vec2 column(this->Tiles.GetFirst() - margin);
   const vec2 size(this->Size - 2 * margin);
   const float first[4] = { column.x, column.y, size.x, size.y };
@@ -276,12 +279,12 @@ void ReliefPainter::SetOwnUniforms(vtkRenderer* renderer, vtkActor* actor)
 ReliefShaderOptions ReliefPainter::GetOptions()
 {
   ReliefShaderOptions options;
-  options.Method = this->Looks.Method;
-  options.Search = this->Looks.Search;
-  options.IsLit = this->Looks.IsLit;
-  options.IsShadowed = this->Looks.IsLit && this->Looks.IsShadowed;
-  options.Yields = this->Looks.Yields;
-  options.IsRim = this->Looks.IsRim;
+  options.Method = this->Current.Method;
+  options.Search = this->Current.Search;
+  options.IsLit = this->Current.IsLit;
+  options.IsShadowed = this->Current.IsLit && this->Current.IsShadowed;
+  options.Yields = this->Current.Yields;
+  options.IsRim = this->Current.IsRim;
   options.HasNormals = this->Textures.HasNormals(); // those of the warped are the same's
   options.NumberOfPlanes = 2 + this->GetNumberOfClippingPlanes();
   switch (this->LastSelectionState)
@@ -304,36 +307,20 @@ bool ReliefPainter::GetNeedToRebuildShaders(
   vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
 {
   const bool needed = this->Superclass::GetNeedToRebuildShaders(helper, renderer, actor);
-  const std::string key = this->GetOptions().GetKey();
-  std::string& last = this->ShaderKeys[this->Looks.Method];
-  const bool changed = key != last;
-  last = key;
-  if (needed || changed)
-  {
-    // One of other sources must not draw in place of one that cannot be built.
-    helper.Program = AsksLastProgram ? this->NoProgram.Get() : nullptr;
-  }
-  return needed || changed;
+  return this->Variants.NeedsBuild(helper, needed, Dependencies::On(this->GetOptions().GetKey()));
 }
 
 void ReliefPainter::BuildShaders(
   std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
 {
-  this->Missing.clear();
-  this->Superclass::BuildShaders(shaders, renderer, actor);
-  ++this->NumberOfShaderBuilds;
-  this->ShaderProblem = this->Missing.empty() ? "" : DescribeMissing(this->Missing);
-  if (!this->Missing.empty())
-  {
-    DrawNothing(shaders);
-  }
+  this->Variants.Build(shaders, [&] { this->Superclass::BuildShaders(shaders, renderer, actor); });
 }
 
 void ReliefPainter::ReplaceShaderValues(
   std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
 {
   const ReliefShaderOptions options = this->GetOptions();
-  PrepareReliefShaders(options, shaders, this->Missing);
+  PrepareReliefShaders(options, shaders, this->Variants.GetMissing());
   primitiveInfo& info = this->PrimitiveInfo[this->LastBoundBO];
   const auto complexity = info.LastLightComplexity;
   if (!options.IsLit)
@@ -343,7 +330,7 @@ void ReliefPainter::ReplaceShaderValues(
   }
   this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
   info.LastLightComplexity = complexity;
-  FinishReliefShaders(options, shaders, this->Missing);
+  FinishReliefShaders(options, shaders, this->Variants.GetMissing());
 }
 
 // Rays are cut off, so that what is behind is seen.

@@ -16,11 +16,10 @@
 #include "Buffers/WarpedTextures.h"
 #include "Changes/Dependencies.h"
 #include "Shaders/ReliefShader.h"
+#include "Shaders/ShaderVariants.h"
 #include "vtkNew.h"
-#include "vtkOpenGLHelper.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPolyData.h"
-#include "vtkShaderProgram.h"
 
 #include <string>
 
@@ -49,7 +48,7 @@ public:
   /// Takes a relief. What can be told of it without OpenGL is there at once.
   void SetRelief(const Relief& relief, double maximumStretch);
   /// What is wrong with the shaders that were built last, or "".
-  const std::string& GetShaderProblem() const { return this->ShaderProblem; }
+  const std::string& GetShaderProblem() const { return this->Variants.GetProblem(); }
 
   const double* GetSurfaceBounds() const { return this->SurfaceBounds; }
   bool IsTranslucent() const { return this->Tiles.IsTranslucent(); }
@@ -60,7 +59,7 @@ public:
   /// Before RenderPiece(): has textures of the relief. What is wrong, or "".
   std::string Prepare(vtkRenderer* renderer, vtkActor* actor, const Settings& settings);
   /// After it: the method that draws, which is not WARP where the eye does not see the plane.
-  ReliefShaderOptions::Methods GetMethod() const { return this->Looks.Method; }
+  ReliefShaderOptions::Methods GetMethod() const { return this->Current.Method; }
 
   /// What the largest ids are that are drawn for a selection.
   void AnnounceIds(vtkHardwareSelector* selector) const;
@@ -74,9 +73,16 @@ public:
     return this->Textures.GetMemorySize() + this->Patterns.GetMemorySize() +
       this->Warped.GetMemorySize();
   }
-  vtkIdType GetNumberOfWarps() { return this->Warped.GetNumberOfWarps(); }
-  vtkIdType GetNumberOfBufferBuilds() const { return this->NumberOfBufferBuilds; }
-  vtkIdType GetNumberOfShaderBuilds() const { return this->NumberOfShaderBuilds; }
+  /// How often things have been done.
+  struct Counts
+  {
+    vtkIdType BufferBuilds = 0;
+    vtkIdType ShaderBuilds = 0;
+    vtkIdType Warps = 0;
+
+    void operator+=(const Counts& other);
+  };
+  Counts GetCounts() const;
 
 protected:
   ReliefPainter();
@@ -100,13 +106,13 @@ private:
 
   ReliefView MakeView(vtkRenderer* renderer, vtkActor* actor);
   ReliefShaderOptions GetOptions();
-  bool IsMarching() const { return this->Looks.Method == ReliefShaderOptions::RAY_MARCH; }
-  vtkOpenGLHelper& GetHelper() { return this->Helpers[this->Looks.Method]; }
+  bool IsMarching() const { return this->Current.Method == ReliefShaderOptions::RAY_MARCH; }
+  vtkOpenGLHelper& GetHelper() { return this->Variants.GetHelper(this->Current.Method); }
   void DrawBoxes();
   void DrawMethod(vtkRenderer* renderer, vtkActor* actor);
   void SetOwnUniforms(vtkRenderer* renderer, vtkActor* actor);
 
-  Settings Looks;
+  Settings Current;
   ReliefTiles Tiles;
   ivec2 Size = ivec2(0);
   double SurfaceBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
@@ -117,15 +123,9 @@ private:
   ReliefPatterns Patterns;
   WarpedTextures Warped;
   double Plane = 0.0; // the relief's, in the tiles' coordinates
-  vtkOpenGLHelper Helpers[ReliefShaderOptions::NUMBER_OF_METHODS];
-  std::string ShaderKeys[ReliefShaderOptions::NUMBER_OF_METHODS];
-  vtkNew<vtkShaderProgram> NoProgram;
-  MissingAnchors Missing;
-  std::string ShaderProblem;
-  Dependencies FailedSources; // of shaders that could not be built
-  int NumberOfLayers = 1;     // drawn at most of a tile
+  ShaderVariants Variants{ ReliefShaderOptions::NUMBER_OF_METHODS }; // by method
+  int NumberOfLayers = 1;                                            // drawn at most of a tile
   vtkIdType NumberOfBufferBuilds = 0;
-  vtkIdType NumberOfShaderBuilds = 0;
 };
 }
 

@@ -9,8 +9,8 @@
 #include "relevoReliefFS.h"
 #include "relevoReliefHits.h"
 #include "relevoReliefLinear.h"
-#include "relevoReliefLook.h"
 #include "relevoReliefMarch.h"
+#include "relevoReliefMaterial.h"
 #include "relevoReliefPatternFS.h"
 #include "relevoReliefPatternTrace.h"
 #include "relevoReliefPatternVS.h"
@@ -106,12 +106,12 @@ std::string GetSearch(const ReliefShaderOptions& options)
   }
   else if (isMarching)
   {
-    text += relevoReliefLook;
+    text += relevoReliefMaterial;
     text += relevoReliefRay + GetPlanes(options) + relevoReliefTrace;
   }
   else
   {
-    text += relevoReliefLook;
+    text += relevoReliefMaterial;
     text += relevoReliefPatternFS + GetPlanes(options) + relevoReliefPatternTrace;
   }
   if (options.IsShadowed)
