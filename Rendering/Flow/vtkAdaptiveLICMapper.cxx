@@ -57,11 +57,11 @@ template <typename Work>
 void vtkAdaptiveLICMapper::vtkInternals::ForEachLeaf(const Work& work)
 {
   vtkDataObject* input = this->Root->GetInputDataObject(0, 0);
-  const relevo::BlockLooks looks =
-    relevo::GetBlockLooks(this->Root->GetCompositeDataDisplayAttributes(), input);
+  const relevo::AttributesOfBlocks blocks =
+    relevo::GetAttributesOfBlocks(this->Root->GetCompositeDataDisplayAttributes(), input);
   if (vtkPolyData* mesh = vtkPolyData::SafeDownCast(input))
   {
-    work(mesh, relevo::FindLook(looks, 0));
+    work(mesh, relevo::FindAttributes(blocks, 0));
   }
   else if (vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(input))
   {
@@ -70,7 +70,7 @@ void vtkAdaptiveLICMapper::vtkInternals::ForEachLeaf(const Work& work)
     {
       if (vtkPolyData* leaf = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject()))
       {
-        work(leaf, relevo::FindLook(looks, iterator->GetCurrentFlatIndex()));
+        work(leaf, relevo::FindAttributes(blocks, iterator->GetCurrentFlatIndex()));
       }
     }
   }
@@ -102,14 +102,14 @@ void vtkAdaptiveLICMapper::vtkInternals::CheckVectors()
   relevo::Dependencies dependencies =
     relevo::Dependencies::On(this->Root->BuildTime, this->Root->GetNoDataMagnitude());
   this->ForEachLeaf(
-    [&](vtkPolyData* leaf, const relevo::BlockLook&) { dependencies.AddObject(leaf); });
+    [&](vtkPolyData* leaf, const relevo::BlockAttributes&) { dependencies.AddObject(leaf); });
   if (!this->VectorDependencies.Update(dependencies))
   {
     return;
   }
   VectorFacts facts;
   this->ForEachLeaf(
-    [&](vtkPolyData* leaf, const relevo::BlockLook&)
+    [&](vtkPolyData* leaf, const relevo::BlockAttributes&)
     {
       if (leaf->GetNumberOfPolys() == 0 && leaf->GetNumberOfStrips() == 0)
       {
@@ -220,11 +220,12 @@ relevo::Dependencies vtkAdaptiveLICMapper::vtkInternals::GetScreenDependencies(
   }
   relevo::AddHoles(dependencies, act, this->Root->LookupTable);
   this->ForEachLeaf(
-    [&](vtkPolyData* leaf, const relevo::BlockLook& look)
+    [&](vtkPolyData* leaf, const relevo::BlockAttributes& attributes)
     {
       dependencies.AddObject(leaf);
-      const bool isClear = (look.HasOpacity ? look.Opacity : property->GetOpacity()) <= 0.0;
-      dependencies.Add(look.Visible && !isClear);
+      const bool isClear =
+        (attributes.HasOpacity ? attributes.Opacity : property->GetOpacity()) <= 0.0;
+      dependencies.Add(attributes.Visible && !isClear);
     });
   dependencies.Add(this->Root->GetNumberOfSelections());
   dependencies.Add(this->Root->GetLevelOffset());

@@ -282,8 +282,7 @@ protected:
   void UpdateBlocks() override;
   bool DrawsAllBlocks() const override;
   void BuildBufferObjects(vtkRenderer* ren, vtkActor* act) override;
-  void ExtendShaders(
-    const vtkOpenGLHelper* cellBO, relevo::RefinementShaderOptions& options) override;
+  void ExtendShaders(const vtkOpenGLHelper* cellBO, relevo::ShaderExtension& extension) override;
   void ReplaceShaderValues(
     std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act) override;
   void SetMapperShaderParameters(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;

@@ -9,9 +9,9 @@
 #ifndef vtkAdaptiveLICMapperInternals_h
 #define vtkAdaptiveLICMapperInternals_h
 
-#include "Blocks/BlockLook.h"
 #include "Buffers/BufferTexture.h"
 #include "Changes/Dependencies.h"
+#include "Composite/BlockAttributes.h"
 #include "Image/LICPassSettings.h"
 #include "Passes/LICArray.h"
 #include "Passes/LICImage.h"

@@ -11,7 +11,7 @@
 #include "relevoLICVectorsVS.h"
 
 #include "Actors/ShaderVariantKey.h"
-#include "Shaders/RefinementShaderOptions.h"
+#include "Shaders/ShaderExtension.h"
 #include "Shaders/ShaderText.h"
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -125,15 +125,14 @@ void vtkAdaptiveLICMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor* act)
 }
 
 void vtkAdaptiveLICMapper::ExtendShaders(
-  const vtkOpenGLHelper* cellBO, relevo::RefinementShaderOptions& options)
+  const vtkOpenGLHelper* cellBO, relevo::ShaderExtension& extension)
 {
   vtkInternals& lic = *this->LIC;
   vtkInternals& root = *lic.Root->LIC;
-  relevo::ShaderExtension& extension = options.Extension;
   if (cellBO == lic.Vectors)
   {
     const bool ofCells = !lic.CellVectors.IsEmpty();
-    lic.HasNormals = options.HasNormals || lic.HasPointNormals;
+    lic.HasNormals = extension.HasNormals || lic.HasPointNormals;
     extension.Varyings = { { "", "vec4", "relevoLICField" },
       { "", "vec3", lic.HasNormals ? "relevoLICNormal" : "relevoLICPosition" } };
     extension.Declarations =

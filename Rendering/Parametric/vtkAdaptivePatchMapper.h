@@ -133,8 +133,7 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   vtkDataObject* ConvertInput(vtkDataObject* input) override;
   void UpdateBlocks() override;
-  void ExtendShaders(
-    const vtkOpenGLHelper* cellBO, relevo::RefinementShaderOptions& options) override;
+  void ExtendShaders(const vtkOpenGLHelper* cellBO, relevo::ShaderExtension& extension) override;
   void ReplaceShaderValues(
     std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act) override;
   void SetMapperShaderParameters(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;

@@ -4,7 +4,8 @@
 #include "vtkAdaptivePatchMapperInternals.h"
 
 #include "Actors/ShaderVariantKey.h"
-#include "Shaders/RefinementShader.h"
+#include "Shaders/ShaderExtension.h"
+#include "Shaders/ShaderText.h"
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkOpenGLHelper.h"
@@ -27,7 +28,7 @@ constexpr const char* FieldMark = "//Relevo::Field::Impl";
 }
 
 void vtkAdaptivePatchMapper::ExtendShaders(
-  const vtkOpenGLHelper*, relevo::RefinementShaderOptions& options)
+  const vtkOpenGLHelper*, relevo::ShaderExtension& extension)
 {
   vtkInternals& data = *this->Patches;
   using Kind = relevo::PatchScalars;
@@ -35,8 +36,8 @@ void vtkAdaptivePatchMapper::ExtendShaders(
   vtkInternals::Shown shown;
   if (vtkPatchSurface::SafeDownCast(this->GetRefinement()->GetSurface()) && !this->DrawingVertices)
   {
-    shown.Colors =
-      this->ExactScalars && kind != Kind::NONE && options.ColorMode == relevo::COLOR_BY_SCALARS;
+    shown.Colors = this->ExactScalars && kind != Kind::NONE &&
+      this->GetRefinementColorMode() == COLOR_BY_SCALARS;
     shown.Isolines = shown.Colors && kind != Kind::COLORS && data.IsSurface &&
       static_cast<float>(this->IsolineSpacing) > 0.0f;
     shown.Edges = data.IsSurface && this->PatchEdges;
@@ -46,12 +47,7 @@ void vtkAdaptivePatchMapper::ExtendShaders(
   {
     return;
   }
-  if (shown.Colors)
-  {
-    options.Scalars = relevo::BY_VTK; // none are needed of vertices
-    options.HasNoData = false;
-  }
-  relevo::ShaderExtension& extension = options.Extension;
+  extension.HasOwnColors = shown.Colors;
   extension.Varyings = { { "flat ", "ivec2", "relevoPatch" },
     { "", "vec2", "relevoPatchCoordinate" } };
   extension.Statements = "  relevoPatchVSOutput = tableRecord(tableEntry()).xy;\n"

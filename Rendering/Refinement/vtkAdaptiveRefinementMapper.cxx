@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Blocks/BlockLook.h"
 #include "Checks/MemoryGuard.h"
+#include "Composite/BlockAttributes.h"
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
 #include "OpenGL/ContextFacts.h"
@@ -113,7 +113,7 @@ bool vtkAdaptiveRefinementMapper::CheckOpenGL(vtkRenderer*)
       relevo::RefinementComputeProgram::IsSupported();
     if (this->SelectionDevice == SELECTION_DEVICE_AUTOMATIC)
     {
-      data.ComputeValid = data.ComputeValid && relevo::RefinementComputeState::IsHardware();
+      data.ComputeValid = data.ComputeValid && relevo::IsHardwareRenderer();
     }
     else if (data.ContextValid && !data.ComputeValid &&
       this->SelectionDevice == SELECTION_DEVICE_GPU)
@@ -218,15 +218,15 @@ void vtkAdaptiveRefinementMapper::RenderRefined(vtkRenderer* ren, vtkActor* act)
   {
     data.Blocks.Clear();
     data.DrawsBlocks = false;
-    const relevo::BlockLook& look = this->GetLook();
-    if (ren->GetSelector() && !(look.Visible && look.Pickable))
+    const relevo::BlockAttributes& attributes = this->GetBlockAttributes();
+    if (ren->GetSelector() && !(attributes.Visible && attributes.Pickable))
     {
       return; // what is told of the last frame stays
     }
     data.NumberOfDrawCalls = 0;
     data.Drawable = false;
     data.OnGPU = false;
-    if (this->CheckInputType() && look.Visible)
+    if (this->CheckInputType() && attributes.Visible)
     {
       this->Superclass::RenderPiece(ren, act);
     }

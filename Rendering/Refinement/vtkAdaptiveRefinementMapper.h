@@ -67,7 +67,7 @@ class vtkScalarsToColors;
 
 namespace relevo
 {
-struct RefinementShaderOptions;
+struct ShaderExtension;
 class PieceReduction;
 }
 
@@ -430,9 +430,9 @@ protected:
   bool IsDrawable() const;
   //@}
 
-  /// For subclasses that add to the vertex shader of a helper's faces: they fill in
-  /// options.Extension. Shaders are written anew when it has changed.
-  virtual void ExtendShaders(const vtkOpenGLHelper*, relevo::RefinementShaderOptions&);
+  /// For subclasses that add to the vertex shader of a helper's faces: they fill in the extension.
+  /// Shaders are written anew when it has changed.
+  virtual void ExtendShaders(const vtkOpenGLHelper*, relevo::ShaderExtension&);
 
   /// One pass over the input: of a composite data set, the blocks that belong to the pass.
   virtual void RenderRefined(vtkRenderer* ren, vtkActor* act);

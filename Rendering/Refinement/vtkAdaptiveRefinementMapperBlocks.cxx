@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The blocks of a composite input, each of which has a mapper of its own.
-#include "Blocks/BlockLook.h"
+#include "Composite/BlockAttributes.h"
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
 #include "Checks/InputType.h"
@@ -62,7 +62,8 @@ bool vtkAdaptiveRefinementMapper::HasBlocks(bool translucent)
       [&](vtkAdaptiveRefinementMapper* block)
       {
         found = found ||
-          (block->GetLook().Visible && block->HasTranslucentPolygonalGeometry() == translucent);
+          (block->GetBlockAttributes().Visible &&
+            block->HasTranslucentPolygonalGeometry() == translucent);
       });
   }
   return found;
@@ -77,7 +78,8 @@ bool vtkAdaptiveRefinementMapper::HasTranslucentPolygonalGeometry()
 {
   return this->HasBlocks(true) ||
     (!this->IsComposite() &&
-      (this->GetLook().IsTranslucent() || this->Superclass::HasTranslucentPolygonalGeometry()));
+      (this->GetBlockAttributes().IsTranslucent() ||
+        this->Superclass::HasTranslucentPolygonalGeometry()));
 }
 
 void vtkAdaptiveRefinementMapper::RenderBlocks(vtkRenderer* ren, vtkActor* act)

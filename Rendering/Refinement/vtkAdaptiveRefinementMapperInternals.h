@@ -11,12 +11,12 @@
 
 #include "Actors/ShaderVariantKey.h"
 #include "Blocks/RefinementBlocks.h"
-#include "Buffers/RefinementColors.h"
+#include "Buffers/InstanceBuffers.h"
 #include "Buffers/RefinementFaceColors.h"
-#include "Buffers/RefinementInstances.h"
 #include "Buffers/RefinementLevelTable.h"
 #include "Buffers/RefinementMeshBuffers.h"
 #include "Buffers/RefinementPatternBuffer.h"
+#include "Buffers/VertexColors.h"
 #include "Compute/RefinementComputeState.h"
 #include "Methods/RefinementMethod.h"
 #include "OpenGL/ContextWatch.h"
@@ -56,8 +56,8 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   vtkOpenGLRenderWindow* GetWindow() const { return this->Context->GetContext(); }
   relevo::RefinementMeshBuffers Buffers;
   relevo::RefinementPatternBuffer Patterns;
-  relevo::RefinementInstances Instances;
-  relevo::RefinementColors Colors;
+  relevo::InstanceBuffers Instances;
+  relevo::VertexColors Colors;
   relevo::RefinementLevelTable LevelTable;
   relevo::RefinementFaceColors FaceColors;
   bool FaceColorsValid = true;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // What VTK's pickers find.
-#include "Blocks/BlockLook.h"
+#include "Composite/BlockAttributes.h"
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
 #include "vtkAdaptiveRefinement.h"
@@ -61,7 +61,7 @@ vtkDataObject* vtkAdaptiveRefinementMapper::ReplaceInput(vtkDataObject* input)
   }
   const bool isAsked = asker == Questions::PICKER_OF_PARTS;
   const auto isPickable = [](vtkAdaptiveRefinementMapper* mapper)
-  { return mapper->GetLook().Visible && mapper->GetLook().Pickable; };
+  { return mapper->GetBlockAttributes().Visible && mapper->GetBlockAttributes().Pickable; };
   if (!composite)
   {
     vtkPolyData* picked = isPickable(this) ? this->GetPickedData(isAsked) : picking.Empty.Get();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The coarse mesh, its bounds, and which levels its faces take, on the CPU or the GPU.
 #include "Actors/ActorView.h"
-#include "Blocks/BlockLook.h"
+#include "Composite/BlockAttributes.h"
 #include "vtkAdaptiveRefinementMapperInternals.h"
 
 #include "Evaluation/FaceCulling.h"
@@ -162,7 +162,7 @@ void vtkAdaptiveRefinementMapper::UpdateBudget(
   {
     relevo::RefinementState& state = mapper->Internals->State;
     state.IsBudgeted = isBudgeted;
-    if (isBudgeted && mapper->GetLook().Visible && mapper->UpdateMesh() &&
+    if (isBudgeted && mapper->GetBlockAttributes().Visible && mapper->UpdateMesh() &&
       state.UpdateTags(mapper->GetInput(), this->Refinement, view, false))
     {
       const auto culling = MakeCullingView(this->FrustumCulling, ren, act, state.GetMesh());
@@ -301,7 +301,7 @@ void vtkAdaptiveRefinementMapper::ComputeBounds()
     this->ForEachBlock(
       [&box](vtkAdaptiveRefinementMapper* block)
       {
-        if (block->GetLook().Visible)
+        if (block->GetBlockAttributes().Visible)
         {
           box.AddBounds(block->GetBounds());
         }

@@ -60,7 +60,13 @@ vtkAdaptiveRefinementMapper::vtkInternals::UpdateShaderOptions(
   options.ColorMode = cellBO != &this->Vertices ? mapper->RefinementColorMode : COLOR_BY_SCALARS;
   options.Scalars = options.ColorMode == COLOR_BY_SCALARS ? this->Colors.GetKind() : relevo::BY_VTK;
   options.HasNoData = options.Scalars != relevo::BY_VTK && this->Colors.HasNoData();
-  mapper->ExtendShaders(cellBO, options);
+  options.Extension.HasNormals = options.HasNormals;
+  mapper->ExtendShaders(cellBO, options.Extension);
+  if (options.Extension.HasOwnColors)
+  {
+    options.Scalars = relevo::BY_VTK; // none are needed of vertices
+    options.HasNoData = false;
+  }
   program.HasNewKey = program.Key.Update(options.GetKey());
   return program;
 }
@@ -149,8 +155,7 @@ relevo::Dependencies vtkAdaptiveRefinementMapper::vtkInternals::GetShaderSources
     surface ? surface->GetShaderSource() : std::string());
 }
 
-void vtkAdaptiveRefinementMapper::ExtendShaders(
-  const vtkOpenGLHelper*, relevo::RefinementShaderOptions&)
+void vtkAdaptiveRefinementMapper::ExtendShaders(const vtkOpenGLHelper*, relevo::ShaderExtension&)
 {
 }
 

@@ -4,7 +4,7 @@
 
 #include "BenchmarkMeasure.h"
 
-#include "Compute/RefinementComputeState.h"
+#include "OpenGL/ContextFacts.h"
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCullerCollection.h"
@@ -100,5 +100,5 @@ std::string BenchmarkView::GetOpenGLRenderer()
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Window);
   window->MakeCurrent();
   return window->GetState()->GetRenderer() + ", OpenGL " + window->GetState()->GetVersion() +
-    (relevo::RefinementComputeState::IsHardware() ? ", hardware" : ", software");
+    (relevo::IsHardwareRenderer() ? ", hardware" : ", software");
 }

@@ -7,6 +7,8 @@
 #ifndef RefinementView_h
 #define RefinementView_h
 
+#include "RelevoFiltersCoreModule.h" // for export macro
+
 #include <memory> // for members
 
 class vtkCamera;
@@ -14,6 +16,7 @@ class vtkMatrix4x4;
 
 namespace relevo
 {
+class Dependencies;
 class DisplacedSurface;
 class PatternFamily;
 struct RefinementView
@@ -28,6 +31,13 @@ struct RefinementView
   std::shared_ptr<const PatternFamily> Patterns = nullptr;
   /// The displaced surface, for metrics that measure it; nullptr without a height map.
   std::shared_ptr<const DisplacedSurface> Displaced = nullptr;
+
+  /**
+   * Add the mesh's placement, or what the camera sees: their values, not when they were last
+   * changed.
+   */
+  RELEVOFILTERSCORE_EXPORT void AddTo(
+    Dependencies& dependencies, bool addsPlacement, bool addsCamera) const;
 };
 }
 

@@ -4,6 +4,8 @@
 
 #include "OpenGL/RelevoOpenGL.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cstring>
 
 namespace relevo
@@ -29,6 +31,22 @@ std::string GetOpenGLRenderer()
 {
   const GLubyte* name = glGetString(GL_RENDERER);
   return name ? reinterpret_cast<const char*>(name) : "";
+}
+
+bool IsHardwareRenderer()
+{
+  std::string renderer = GetOpenGLRenderer();
+  std::transform(renderer.begin(), renderer.end(), renderer.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const char* software :
+    { "llvmpipe", "softpipe", "swr", "software", "swiftshader", "basic render", "gdi generic" })
+  {
+    if (renderer.find(software) != std::string::npos)
+    {
+      return false;
+    }
+  }
+  return !renderer.empty();
 }
 
 bool HasBuffersOfThreeFloats()

@@ -186,6 +186,27 @@ void ShaderText::InsertAtEnd(const std::string& text)
   }
 }
 
+void InsertColors(ShaderText& fragment, bool ownFragments, const std::string& text)
+{
+  const std::string colors = "//VTK::Color::Impl"; // where VTK writes the colours of fragments
+  if (ownFragments)
+  {
+    fragment.IfInsertAfter(colors, text);
+  }
+  else
+  {
+    fragment.InsertAfter(colors, text);
+  }
+}
+
+const char* GetPreciseExtension()
+{
+  return "#extension GL_ARB_gpu_shader5 : enable\n"
+         "#ifndef GL_ARB_gpu_shader5\n"
+         "#define precise\n"
+         "#endif\n";
+}
+
 std::string DescribeMissing(const MissingAnchors& missing)
 {
   std::string list;

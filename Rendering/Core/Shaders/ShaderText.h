@@ -84,6 +84,16 @@ private:
   std::string Text;
 };
 
+/**
+ * Insert text that changes the colours which VTK has given a fragment. An actor's own text may
+ * replace VTK's: then it decides on colours, and nothing is missed.
+ */
+RELEVORENDERINGCORE_EXPORT void InsertColors(
+  ShaderText& fragment, bool ownFragments, const std::string& text);
+
+/// Declares what has no `precise`, for the start of a shader.
+RELEVORENDERINGCORE_EXPORT const char* GetPreciseExtension();
+
 /// An error message: which anchors this release of VTK lacks, and what to do.
 RELEVORENDERINGCORE_EXPORT std::string DescribeMissing(const MissingAnchors& missing);
 

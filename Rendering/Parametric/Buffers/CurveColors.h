@@ -10,7 +10,7 @@
 #define CurveColors_h
 
 #include "Buffers/BufferTexture.h"
-#include "Buffers/RefinementColors.h"
+#include "Buffers/VertexColors.h"
 #include "Shaders/CurveShader.h"
 
 class vtkDataArray;
@@ -54,7 +54,7 @@ private:
   CurveColoring Coloring = CurveColoring::ACTOR;
   BufferTexture Cells;
   BufferTexture Points;
-  RefinementColors Values;
+  VertexColors Values;
 };
 }
 

@@ -9,8 +9,8 @@
 #ifndef PatchScalars_h
 #define PatchScalars_h
 
-#include "Buffers/BufferTexture.h"    // for members
-#include "Buffers/RefinementColors.h" // for members
+#include "Buffers/BufferTexture.h" // for members
+#include "Buffers/VertexColors.h"  // for members
 
 class vtkDataArray;
 class vtkOpenGLRenderWindow;
@@ -60,7 +60,7 @@ private:
   bool UploadColors(vtkOpenGLRenderWindow* window, vtkDataArray* nodes, int type);
 
   Kinds Kind = NONE;
-  RefinementColors Numbers;
+  VertexColors Numbers;
   BufferTexture Colors;
 };
 }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/CurvePainter.h"
 
+#include "OpenGL/ContextFacts.h"
 #include "OpenGL/RelevoOpenGL.h"
 
 #include "Actors/ActorView.h"
-#include "Compute/RefinementComputeState.h"
 #include "Curves/CurveFrames.h"
 #include "Curves/CurveRadii.h"
 #include "Drawing/CurveScalars.h"
@@ -354,7 +354,7 @@ void CurvePainter::DrawPatches()
   {
     const int segments = std::min(group.Segments, MostTessellated - moreSegments);
     // Mesa's tessellator on the CPU counts the vertices of a call in 16 bits.
-    const int most = RefinementComputeState::IsHardware()
+    const int most = IsHardwareRenderer()
       ? group.Count
       : std::max(1, 65535 / ((segments + moreSegments + 1) * around));
     glUniform4i(location, 0, 0, 0, segments);

@@ -13,7 +13,7 @@
 #include "Buffers/CurveBuffers.h"
 #include "Buffers/CurveColors.h"
 #include "Buffers/CurvePatterns.h"
-#include "Buffers/RefinementInstances.h"
+#include "Buffers/InstanceBuffers.h"
 #include "Changes/Dependencies.h"
 #include "Curves/CurveMesh.h"
 #include "Mathematics/FiniteBox.h"
@@ -142,7 +142,7 @@ private:
   Dependencies ColorSource;
   std::string ColorProblem;
   CurvePatterns Patterns;
-  RefinementInstances Instances;
+  InstanceBuffers Instances;
 
   CurveShaderOptions Options;
   Dependencies ShaderKey;

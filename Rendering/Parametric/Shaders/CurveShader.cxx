@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaders/CurveShader.h"
 
-#include "Shaders/RefinementShader.h"
+#include "Shaders/ShaderVaryings.h"
 #include "relevoColorTable.h"
 #include "relevoCurve.h"
 #include "relevoCurveFrames.h"
@@ -155,7 +155,7 @@ void FinishCurveShaders(const CurveShaderOptions& options,
   ShaderText geometry(shaders[vtkShader::Geometry], missing);
   if (!geometry.IsEmpty())
   {
-    HandOnVaryings(varyings, geometry);
+    PassOnVaryings(varyings, geometry);
   }
   ShaderText fragment(shaders[vtkShader::Fragment], missing);
   if (options.HasCells)

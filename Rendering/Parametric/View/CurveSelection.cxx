@@ -4,8 +4,9 @@
 
 #include "Curves/CurveMesh.h"
 #include "Evaluation/FaceCulling.h"
-#include "State/ViewSelection.h"
+#include "View/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"
+#include "vtkDepthTagMetric.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -62,7 +63,9 @@ bool CurveSelection::UpdateSegments(
 {
   Dependencies dependencies = Dependencies::On(this->CurvesTime);
   dependencies.AddObject(recipe);
-  AddMetricView(dependencies, recipe->GetMetric(), view);
+  vtkDepthTagMetric* metric = recipe->GetMetric();
+  view.AddTo(
+    dependencies, metric && metric->IsPlacementDependent(), metric && metric->IsViewDependent());
   if (this->TagDependencies.Update(dependencies))
   {
     this->SegmentsTime.Modified();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Blocks/RefinementBlocks.h"
 
-#include "Blocks/BlockLook.h"
 #include "Checks/InputType.h"
+#include "Composite/BlockAttributes.h"
 #include "vtkActor.h"
 #include "vtkBlockAttributesPolyDataMapper.h"
 #include "vtkCallbackCommand.h"
@@ -81,7 +81,7 @@ void RefinementBlocks::Update(vtkBlockAttributesPolyDataMapper* parent, vtkCompo
     this->OnRemove(block->second);
     block = this->Mappers.erase(block);
   }
-  this->UpdateLooks(parent->GetCompositeDataDisplayAttributes(), input);
+  this->UpdateAttributes(parent->GetCompositeDataDisplayAttributes(), input);
   this->ParentTime = parent->GetBuildMTime(); // copying may have made its lookup table
 }
 
@@ -124,13 +124,13 @@ void RefinementBlocks::Forward(vtkBlockAttributesPolyDataMapper* block, unsigned
   block->AddObserver(event, command);
 }
 
-void RefinementBlocks::UpdateLooks(
+void RefinementBlocks::UpdateAttributes(
   vtkCompositeDataDisplayAttributes* attributes, vtkCompositeDataSet* input)
 {
-  const BlockLooks looks = GetBlockLooks(attributes, input);
+  const AttributesOfBlocks all = GetAttributesOfBlocks(attributes, input);
   for (auto& block : this->Mappers)
   {
-    block.second->SetLook(FindLook(looks, block.first));
+    block.second->SetBlockAttributes(FindAttributes(all, block.first));
   }
 }
 

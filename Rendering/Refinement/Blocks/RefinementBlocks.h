@@ -67,7 +67,7 @@ public:
 private:
   /// Report what a block says as the parent's, unless another block has said the same.
   void Forward(vtkBlockAttributesPolyDataMapper* block, unsigned long event);
-  void UpdateLooks(vtkCompositeDataDisplayAttributes* attributes, vtkCompositeDataSet* input);
+  void UpdateAttributes(vtkCompositeDataDisplayAttributes* attributes, vtkCompositeDataSet* input);
 
   std::map<unsigned int, vtkSmartPointer<vtkBlockAttributesPolyDataMapper>>
     Mappers;                   // by flat index

@@ -3,9 +3,9 @@
 #include "vtkBlockAttributesPolyDataMapper.h"
 
 #include "Actors/ShaderVariantKey.h"
-#include "Blocks/BlockLook.h"
 #include "Checks/SettingChecks.h"
-#include "Shaders/RefinementShader.h"
+#include "Composite/BlockAttributes.h"
+#include "Shaders/ShaderText.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
@@ -41,7 +41,7 @@ void RemoveAll(Attributes* attributes, void (Attributes::*remove)())
 }
 
 vtkBlockAttributesPolyDataMapper::vtkBlockAttributesPolyDataMapper()
-  : Look(new relevo::BlockLook)
+  : DisplayAttributes(new relevo::BlockAttributes)
 {
   this->BuildTime.Modified();
 }
@@ -54,7 +54,7 @@ void vtkBlockAttributesPolyDataMapper::SetCompositeDataDisplayAttributes(
   if (this->CompositeAttributes != attributes)
   {
     this->CompositeAttributes = attributes;
-    *this->Look = {};
+    *this->DisplayAttributes = {};
     this->SettingModified();
   }
 }
@@ -266,21 +266,21 @@ void vtkBlockAttributesPolyDataMapper::RemoveBlockOpacities()
 //------------------------------------------------------------------------------
 // What is drawn
 
-const relevo::BlockLook& vtkBlockAttributesPolyDataMapper::GetLook()
+const relevo::BlockAttributes& vtkBlockAttributesPolyDataMapper::GetBlockAttributes()
 {
   // A mapper of a block has no attributes, but a parent that has said.
   if (this->CompositeAttributes)
   {
-    // The look of a composite input has no index.
-    *this->Look =
-      relevo::FindLook(relevo::GetBlockLooks(this->CompositeAttributes, this->GetTrueInput()), 0);
+    // The attributes of a composite input have no index.
+    *this->DisplayAttributes = relevo::FindAttributes(
+      relevo::GetAttributesOfBlocks(this->CompositeAttributes, this->GetTrueInput()), 0);
   }
-  return *this->Look;
+  return *this->DisplayAttributes;
 }
 
-void vtkBlockAttributesPolyDataMapper::SetLook(const relevo::BlockLook& look)
+void vtkBlockAttributesPolyDataMapper::SetBlockAttributes(const relevo::BlockAttributes& attributes)
 {
-  *this->Look = look;
+  *this->DisplayAttributes = attributes;
 }
 
 void vtkBlockAttributesPolyDataMapper::ReplaceShaderColor(
@@ -306,20 +306,20 @@ void vtkBlockAttributesPolyDataMapper::SetPropertyShaderParameters(
 {
   this->Superclass::SetPropertyShaderParameters(cellBO, ren, act);
   vtkShaderProgram* program = cellBO.Program;
-  const relevo::BlockLook& look = *this->Look;
-  const bool colored = look.HasColor && !this->DrawingSelection && !this->DrawingVertices;
+  const relevo::BlockAttributes& attributes = *this->DisplayAttributes;
+  const bool colored = attributes.HasColor && !this->DrawingSelection && !this->DrawingVertices;
   if (program->IsUniformUsed("relevoBlockColored"))
   {
     program->SetUniformi("relevoBlockColored", colored ? 1 : 0);
   }
   if (colored)
   {
-    program->SetUniform3f("ambientColorUniform", look.Color);
-    program->SetUniform3f("diffuseColorUniform", look.Color);
+    program->SetUniform3f("ambientColorUniform", attributes.Color);
+    program->SetUniform3f("diffuseColorUniform", attributes.Color);
   }
-  if (look.HasOpacity && !this->DrawingSelection)
+  if (attributes.HasOpacity && !this->DrawingSelection)
   {
-    program->SetUniformf("opacityUniform", static_cast<float>(look.Opacity));
+    program->SetUniformf("opacityUniform", static_cast<float>(attributes.Opacity));
   }
 }
 

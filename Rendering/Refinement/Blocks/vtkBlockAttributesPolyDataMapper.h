@@ -30,7 +30,7 @@
 #include "vtkSmartPointer.h" // for members
 #include "vtkTimeStamp.h"    // for members
 
-#include <memory> // for Look
+#include <memory> // for DisplayAttributes
 #include <set>    // for MissingAnchors
 #include <string> // for MissingAnchors
 
@@ -39,7 +39,7 @@ class vtkCompositeDataDisplayAttributes;
 namespace relevo
 {
 class RefinementBlocks;
-struct BlockLook;
+struct BlockAttributes;
 }
 
 class RELEVORENDERINGREFINEMENT_EXPORT vtkBlockAttributesPolyDataMapper
@@ -153,11 +153,11 @@ protected:
 
   //@{
   /**
-   * How the one data set looks that this mapper draws: by its own attributes, or as the mapper says
-   * whose block it is.
+   * The display attributes of the one data set that this mapper draws: its own, or those that the
+   * mapper sets whose block it is.
    */
-  const relevo::BlockLook& GetLook();
-  void SetLook(const relevo::BlockLook& look);
+  const relevo::BlockAttributes& GetBlockAttributes();
+  void SetBlockAttributes(const relevo::BlockAttributes& attributes);
   //@}
 
   /**
@@ -179,7 +179,7 @@ private:
   vtkDataObject* FindBlockToSet(unsigned int index);
 
   vtkSmartPointer<vtkCompositeDataDisplayAttributes> CompositeAttributes;
-  std::unique_ptr<relevo::BlockLook> Look;
+  std::unique_ptr<relevo::BlockAttributes> DisplayAttributes;
   double ColorResult[3] = { 1.0, 1.0, 1.0 };
 
   class Question;

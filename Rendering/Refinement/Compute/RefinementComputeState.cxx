@@ -14,7 +14,6 @@
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
-#include <cctype>
 
 namespace relevo
 {
@@ -102,23 +101,6 @@ RefinementComputeSelector::Camera MakeCamera(const CullingView& view, bool hideB
   camera.HidesBackFaces = hideBackFaces;
   return camera;
 }
-}
-
-bool RefinementComputeState::IsHardware()
-{
-  const GLubyte* name = glGetString(GL_RENDERER);
-  std::string renderer = name ? reinterpret_cast<const char*>(name) : "";
-  std::transform(renderer.begin(), renderer.end(), renderer.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  for (const char* software :
-    { "llvmpipe", "softpipe", "swr", "software", "swiftshader", "basic render", "gdi generic" })
-  {
-    if (renderer.find(software) != std::string::npos)
-    {
-      return false;
-    }
-  }
-  return !renderer.empty();
 }
 
 bool RefinementComputeState::CanChooseFrom(const PatternFamily& family)

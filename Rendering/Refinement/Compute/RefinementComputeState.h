@@ -40,9 +40,6 @@ struct CullingView;
 class RELEVORENDERINGREFINEMENT_EXPORT RefinementComputeState
 {
 public:
-  /// Whether the current context is drawn by a GPU, rather than by a program on the CPU.
-  static bool IsHardware();
-
   /// Whether faces can choose from these patterns on the GPU: not from whole numbers of segments,
   /// whose tables are too large.
   static bool CanChooseFrom(const PatternFamily& family);

@@ -6,7 +6,7 @@
 #include "relevoPatternVS.h"
 #include "relevoPermutedVS.h"
 
-#include "Buffers/RefinementInstances.h"
+#include "Buffers/InstanceBuffers.h"
 #include "Shaders/RefinementShader.h"
 #include "State/ViewSelection.h"
 #include "vtkShaderProgram.h"
@@ -21,8 +21,7 @@ bool ARKFPIMethod::Upload(const RefinementDrawing& drawing)
   }
   drawing.Patterns->Load(
     *drawing.Library, drawing.Selection->GetSelection().Groups, drawing.HasLines);
-  return drawing.Instances->Upload(drawing.Window, drawing.Slot, *drawing.Selection) ||
-    this->FailForSize();
+  return UploadInstances(drawing) || this->FailForSize();
 }
 
 void ARKFPIMethod::FillOptions(

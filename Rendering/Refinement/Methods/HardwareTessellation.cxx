@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Methods/HardwareTessellation.h"
 
+#include "OpenGL/ContextFacts.h"
 #include "OpenGL/RelevoOpenGL.h"
 
 #include "relevoEdgeSegments.h"
@@ -9,10 +10,9 @@
 #include "relevoTessellationTES.h"
 #include "relevoTessellationVS.h"
 
-#include "Buffers/RefinementInstances.h"
-#include "Compute/RefinementComputeState.h"
+#include "Buffers/InstanceBuffers.h"
 #include "Patterns/RefinementPattern.h"
-#include "Shaders/RefinementShader.h"
+#include "Shaders/RefinementShaderOptions.h"
 #include "State/ViewSelection.h"
 #include "vtkShaderProgram.h"
 
@@ -37,8 +37,7 @@ std::vector<GLint> FindEnds(const std::vector<PatternGroup>& groups)
 {
   // Mesa's tessellator on the CPU counts the vertices of a call in 16 bits, and has faces missing
   // from there on.
-  const vtkIdType most =
-    RefinementComputeState::IsHardware() ? std::numeric_limits<vtkIdType>::max() : 65535;
+  const vtkIdType most = IsHardwareRenderer() ? std::numeric_limits<vtkIdType>::max() : 65535;
   std::vector<GLint> ends;
   GLint end = 0;
   vtkIdType vertices = 0;
@@ -101,7 +100,7 @@ std::string HardwareTessellation::GetMissing() const
 
 bool HardwareTessellation::Upload(const RefinementDrawing& drawing)
 {
-  return (drawing.Instances->Upload(drawing.Window, drawing.Slot, *drawing.Selection) &&
+  return (UploadInstances(drawing) &&
            this->Segments.Upload(
              drawing.Window, drawing.Slot, *drawing.Mesh, *drawing.Selection)) ||
     this->FailForSize();

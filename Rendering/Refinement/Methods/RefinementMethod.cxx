@@ -3,17 +3,29 @@
 #include "Methods/RefinementMethod.h"
 
 #include "Buffers/BufferTexture.h"
+#include "Buffers/InstanceBuffers.h"
 #include "Methods/ARKFPIMethod.h"
 #include "Methods/ARKMethod.h"
 #include "Methods/DMRMethod.h"
 #include "Methods/HardwareTessellation.h"
 #include "Methods/SUAPTMethod.h"
 #include "Methods/UniformMethod.h"
+#include "State/ViewSelection.h"
 
 namespace relevo
 {
 RefinementMethod::RefinementMethod() = default;
 RefinementMethod::~RefinementMethod() = default;
+
+bool RefinementMethod::UploadInstances(const RefinementDrawing& drawing)
+{
+  const ViewSelection& selection = *drawing.Selection;
+  const PatternSelection& patterns = selection.GetSelection();
+  return drawing.Instances->Upload(
+           drawing.Window, drawing.Slot, patterns.Instances, selection.GetGroupsTime()) &&
+    drawing.Instances->UploadMorphTags(
+      drawing.Window, patterns.GetMorphTags(), selection.GetLevelsTime());
+}
 
 bool RefinementMethod::FailForSize()
 {

@@ -28,7 +28,7 @@ namespace relevo
 {
 class PatternFamily;
 class PatternLibrary;
-class RefinementInstances;
+class InstanceBuffers;
 class RefinementMesh;
 class RefinementPatternBuffer;
 class ViewSelection;
@@ -50,7 +50,7 @@ struct RefinementDrawing
   /// Whether a wireframe is drawn.
   bool HasLines;
   RefinementPatternBuffer* Patterns;
-  RefinementInstances* Instances;
+  InstanceBuffers* Instances;
 };
 
 class RefinementMethod
@@ -133,6 +133,9 @@ public:
 
 protected:
   RefinementMethod();
+
+  /// Upload what has changed of the selection. False when the GPU cannot hold it.
+  static bool UploadInstances(const RefinementDrawing& drawing);
 
   /// Say that the mesh does not fit into buffer textures; returns false.
   bool FailForSize();

@@ -10,7 +10,7 @@
 #ifndef UniformMethod_h
 #define UniformMethod_h
 
-#include "Buffers/RefinementInstances.h" // for members
+#include "Buffers/InstanceBuffers.h"     // for members
 #include "Evaluation/PatternSelection.h" // for PatternGroup
 #include "Methods/PatternMethod.h"
 
@@ -39,7 +39,7 @@ private:
   void Group(const RefinementDrawing& drawing, std::vector<unsigned int>& instances,
     std::vector<PatternGroup>& groups) const;
 
-  RefinementInstances Instances;
+  InstanceBuffers Instances;
   struct Slot
   {
     std::vector<PatternGroup> Groups;

@@ -20,6 +20,7 @@
 #include "relevoWeights.h"
 
 #include "Compatibility/VTKCompatibility.h"
+#include "Shaders/ShaderVaryings.h"
 
 #include <regex>
 #include <sstream>
@@ -30,8 +31,7 @@ namespace
 {
 // Where colours of faces replace VTK's own, in the fragment shader.
 constexpr const char* ColorMark = "//Relevo::Color::Impl";
-// Where VTK writes the colours of fragments and, in the geometry shader, which sides to show.
-constexpr const char* VTKColorMark = "//VTK::Color::Impl";
+// Where VTK writes, in the geometry shader, which sides to show.
 constexpr const char* EdgeMark = "//VTK::Edges::Impl";
 
 // What scalars make of an attribute; coarse points keep what VTK gave them.
@@ -250,11 +250,11 @@ std::vector<std::string> RefineVertexShader(const RefinementShaderOptions& optio
   return attributes.Names;
 }
 
-// Hands on what the fragments need.
+// Passes on what the fragments need.
 void RefineGeometryShader(
   bool edges, const std::vector<ShaderVarying>& varyings, ShaderText& geometry)
 {
-  HandOnVaryings(varyings, geometry);
+  PassOnVaryings(varyings, geometry);
   if (edges)
   {
     geometry.InsertBeforeMain(relevoEdgesGS);
@@ -301,39 +301,6 @@ void RefineFragmentShader(const RefinementShaderOptions& options, const ShaderPu
 }
 }
 
-const char* GetPreciseExtension()
-{
-  return "#extension GL_ARB_gpu_shader5 : enable\n"
-         "#ifndef GL_ARB_gpu_shader5\n"
-         "#define precise\n"
-         "#endif\n";
-}
-
-std::string DeclareVaryings(const char* direction, const std::vector<ShaderVarying>& varyings)
-{
-  std::string text;
-  for (const ShaderVarying& varying : varyings)
-  {
-    text += varying.Qualifier + direction + " " + varying.Type + " " + varying.Name + "VSOutput;\n";
-  }
-  return text;
-}
-
-void HandOnVaryings(const std::vector<ShaderVarying>& varyings, ShaderText& geometry)
-{
-  std::string declarations;
-  std::string copies;
-  for (const ShaderVarying& varying : varyings)
-  {
-    const std::string& name = varying.Name;
-    declarations += varying.Qualifier + "in " + varying.Type + " " + name + "VSOutput[];\n" +
-      varying.Qualifier + "out " + varying.Type + " " + name + "GSOutput;\n";
-    copies += name + "GSOutput = " + name + "VSOutput[i];\n    ";
-  }
-  geometry.InsertBeforeMain(declarations);
-  geometry.Replace("EmitVertex();", copies + "EmitVertex();");
-}
-
 Dependencies RefinementShaderOptions::GetKey() const
 {
   Dependencies key =
@@ -357,18 +324,6 @@ void MarkColors(const RefinementShaderOptions& options, const ShaderPurpose& pur
   }
   ShaderText fragment(shaders[vtkShader::Fragment], missing);
   InsertColors(fragment, purpose.HasOwnFragments, std::string("\n  ") + ColorMark);
-}
-
-void InsertColors(ShaderText& fragment, bool ownFragments, const std::string& text)
-{
-  if (ownFragments)
-  {
-    fragment.IfInsertAfter(VTKColorMark, text);
-  }
-  else
-  {
-    fragment.InsertAfter(VTKColorMark, text);
-  }
 }
 
 std::string GetAttributeSampler(const std::string& attribute)

@@ -16,7 +16,6 @@
 #include <string> // for members
 #include <vector> // for members
 
-#include "RelevoRenderingRefinementModule.h" // for export macro
 #include "Shaders/RefinementShaderOptions.h"
 #include "Shaders/ShaderText.h" // for MissingAnchors
 #include "vtkShader.h"          // for vtkShader::Type
@@ -47,25 +46,7 @@ std::vector<std::string> RefineShaders(const RefinementShaderOptions& options,
 void MarkColors(const RefinementShaderOptions& options, const ShaderPurpose& purpose,
   std::map<vtkShader::Type, vtkShader*>& shaders, MissingAnchors& missing);
 
-/**
- * Insert text that changes the colours which VTK has given a fragment. An actor's own text may
- * replace VTK's: then it decides on colours, and nothing is missed.
- */
-RELEVORENDERINGREFINEMENT_EXPORT void InsertColors(
-  ShaderText& fragment, bool ownFragments, const std::string& text);
-
 std::string GetAttributeSampler(const std::string& attribute);
-
-/// Declares what has no `precise`, for the start of a shader.
-RELEVORENDERINGREFINEMENT_EXPORT const char* GetPreciseExtension();
-
-/// Declarations of a vertex shader's ("out") or a fragment shader's ("in").
-RELEVORENDERINGREFINEMENT_EXPORT std::string DeclareVaryings(
-  const char* direction, const std::vector<ShaderVarying>& varyings);
-
-/// Has VTK's geometry shader hand them on.
-RELEVORENDERINGREFINEMENT_EXPORT void HandOnVaryings(
-  const std::vector<ShaderVarying>& varyings, ShaderText& geometry);
 }
 
 #endif

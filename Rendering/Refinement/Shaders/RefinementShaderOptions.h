@@ -3,27 +3,19 @@
 /**
  * @brief   what the shaders of a refining mapper depend on
  *
- * Private to the modules.
+ * Private to the module.
  */
 #ifndef RefinementShaderOptions_h
 #define RefinementShaderOptions_h
 
-#include "Changes/Dependencies.h" // for GetKey
+#include "Buffers/VertexColors.h"    // for ScalarKind
+#include "Changes/Dependencies.h"    // for GetKey
+#include "Shaders/ShaderExtension.h" // for members
 
 #include <string> // for members
-#include <vector> // for members
 
 namespace relevo
 {
-/// How points between the coarse ones come to the colours of scalars.
-enum ScalarKind
-{
-  BY_VTK,     // VTK's colours or texture coordinates are interpolated
-  BY_VALUE,   // values are interpolated and looked up
-  BY_TEXTURE, // values are interpolated, which tells where VTK's texture of the table has them
-  BY_NEAREST  // from the nearest corner
-};
-
 /// What faces are coloured by; the numbers of vtkAdaptiveRefinementMapper::RefinementColorModes.
 enum RefinementColorMode
 {
@@ -31,27 +23,6 @@ enum RefinementColorMode
   COLOR_BY_LEVEL = 1,
   COLOR_BY_PATTERN = 2,
   COLOR_BY_METRIC = 3
-};
-
-/// A value handed from the vertex shader to the fragments, through a geometry shader if there is
-/// one. VTK's naming: NameVSOutput, which it turns into NameGSOutput after a geometry shader.
-struct ShaderVarying
-{
-  std::string Qualifier; // "flat " or nothing
-  std::string Type;
-  std::string Name;
-};
-
-/// What a subclass of the mapper adds to the vertex shader. Its statements run when the vertex is
-/// made: vertexMC, relevoNormal (unit, zero without normals), relevoVertexWeights (of the sorted
-/// corners) and all attributes are set.
-struct ShaderExtension
-{
-  std::vector<ShaderVarying> Varyings;
-  std::string Declarations;
-  std::string Statements;
-  /// Tells apart what the subclass writes into other places of the shaders.
-  std::string Key;
 };
 
 /// What the shaders depend on.

@@ -6,9 +6,7 @@
 #include "Mesh/RefinementMesh.h"
 #include "View/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"
-#include "vtkCamera.h"
 #include "vtkDepthTagMetric.h"
-#include "vtkMatrix4x4.h"
 #include "vtkPolyData.h"
 #include "vtkTimerLog.h"
 
@@ -20,30 +18,6 @@ namespace relevo
 {
 namespace
 {
-// What there is to see, not when the camera was last touched.
-void AddView(Dependencies& dependencies, const RefinementView& view)
-{
-  for (int length : view.ViewportSize)
-  {
-    dependencies.Add(length);
-  }
-  vtkCamera* camera = view.Camera;
-  const double aspect =
-    static_cast<double>(view.ViewportSize[0]) / std::max(view.ViewportSize[1], 1);
-  vtkMatrix4x4* matrix = camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
-  for (int i = 0; i < 16; ++i)
-  {
-    dependencies.Add(matrix->GetData()[i]);
-  }
-  for (int i = 0; i < 3; ++i)
-  {
-    dependencies.Add(camera->GetPosition()[i]);
-    dependencies.Add(camera->GetFocalPoint()[i]);
-    dependencies.Add(camera->GetViewUp()[i]);
-  }
-  dependencies.Add(camera->GetParallelProjection());
-}
-
 Dependencies GetTagDependencies(const SelectionInput& input, const RefinementView& view, bool onGPU)
 {
   vtkAdaptiveRefinement* recipe = input.Recipe;
@@ -52,7 +26,8 @@ Dependencies GetTagDependencies(const SelectionInput& input, const RefinementVie
     Dependencies::On(recipe->GetMaximumLevel(), input.MeshTime, input.WholeTime, input.HighestTag,
       std::string(recipe->GetDepthTagArrayName()), recipe->GetLevelRule(), onGPU);
   dependencies.AddObject(metric);
-  AddMetricView(dependencies, metric, view);
+  view.AddTo(
+    dependencies, metric && metric->IsPlacementDependent(), metric && metric->IsViewDependent());
   if (metric && metric->IsDisplacementDependent())
   {
     if (const auto surface = SampledSurface::Make(recipe))
@@ -62,22 +37,6 @@ Dependencies GetTagDependencies(const SelectionInput& input, const RefinementVie
   }
   return dependencies;
 }
-}
-
-void AddMetricView(
-  Dependencies& dependencies, vtkDepthTagMetric* metric, const RefinementView& view)
-{
-  if (metric && metric->IsPlacementDependent())
-  {
-    for (int i = 0; view.ModelToWorld && i < 16; ++i)
-    {
-      dependencies.Add(view.ModelToWorld->GetData()[i]);
-    }
-  }
-  if (metric && metric->IsViewDependent())
-  {
-    AddView(dependencies, view);
-  }
 }
 
 bool ViewSelection::UpdateTags(

@@ -26,7 +26,6 @@
 #include <vector>  // for members
 
 class vtkAdaptiveRefinement;
-class vtkDepthTagMetric;
 class vtkPolyData;
 
 namespace relevo
@@ -34,10 +33,6 @@ namespace relevo
 struct RefinementView;
 class RefinementMesh;
 class MetricCache;
-
-/// What a metric's tags depend on of a view; nothing without a metric.
-RELEVORENDERINGREFINEMENT_EXPORT void AddMetricView(
-  Dependencies& dependencies, vtkDepthTagMetric* metric, const RefinementView& view);
 
 /// What a mapper draws.
 struct SelectionInput

@@ -1,20 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   RefinementColors
+ * @class   VertexColors
  * @brief   point scalars and their lookup table on the GPU
  *
  * VTK colours the coarse points and interpolates colours; over a refined surface scalars are
  * interpolated first and each refined point is coloured, as a mapper of the refined mesh would. The
- * coarse points themselves keep the colours that VTK gives them. Private to the module.
+ * coarse points themselves keep the colours that VTK gives them. Private to the modules.
  */
-#ifndef RefinementColors_h
-#define RefinementColors_h
+#ifndef VertexColors_h
+#define VertexColors_h
 
-#include "Buffers/BufferTexture.h"           // for members
-#include "Buffers/ColorTable.h"              // for members
-#include "RelevoRenderingRefinementModule.h" // for export macro
-#include "Shaders/RefinementShaderOptions.h" // for ScalarKind
+#include "Buffers/BufferTexture.h"     // for members
+#include "Buffers/ColorTable.h"        // for members
+#include "RelevoRenderingCoreModule.h" // for export macro
+#include "vtkType.h"                   // for VTK_VOID
 
 class vtkAbstractArray;
 class vtkDataArray;
@@ -22,7 +22,16 @@ class vtkScalarsToColors;
 
 namespace relevo
 {
-class RELEVORENDERINGREFINEMENT_EXPORT RefinementColors
+/// How points between the coarse ones come to the colours of scalars.
+enum ScalarKind
+{
+  BY_VTK,     // VTK's colours or texture coordinates are interpolated
+  BY_VALUE,   // values are interpolated and looked up
+  BY_TEXTURE, // values are interpolated, and give the place in VTK's texture of the table
+  BY_NEAREST  // from the nearest corner
+};
+
+class RELEVORENDERINGCORE_EXPORT VertexColors
 {
 public:
   /**

@@ -1,38 +1,39 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   RefinementInstances
+ * @class   InstanceBuffers
  * @brief   which faces are drawn, and how their patterns lie on them, on the GPU
  *
  * Each of several views has a slot, from 0 on; the one made or uploaded last is drawn.
- * Private to the module.
+ * Private to the modules.
  */
-#ifndef RefinementInstances_h
-#define RefinementInstances_h
+#ifndef InstanceBuffers_h
+#define InstanceBuffers_h
 
-#include "Buffers/BufferTexture.h"           // for members
-#include "RelevoRenderingRefinementModule.h" // for export macro
+#include "Buffers/BufferTexture.h"     // for members
+#include "RelevoRenderingCoreModule.h" // for export macro
 
 #include <map>    // for members
 #include <vector> // for instances
 
 namespace relevo
 {
-class ViewSelection;
-
-class RELEVORENDERINGREFINEMENT_EXPORT RefinementInstances
+class RELEVORENDERINGCORE_EXPORT InstanceBuffers
 {
 public:
   /**
-   * Upload what has changed of a selection. False when the GPU cannot hold it, here and below.
-   */
-  bool Upload(vtkOpenGLRenderWindow* window, int slot, const ViewSelection& selection);
-
-  /**
-   * Upload instances (face << 3 | permutation code) that were made at `time`, if that is new.
+   * Upload instances (face << 3 | permutation code) that were made at `time`, if that is new. False
+   * when the GPU cannot hold them, here and below.
    */
   bool Upload(vtkOpenGLRenderWindow* window, int slot, const std::vector<unsigned int>& instances,
     vtkMTimeType time);
+
+  /**
+   * Upload three morph tags for each face, or none, into the slot that Upload() took last, if
+   * `time` is new.
+   */
+  bool UploadMorphTags(
+    vtkOpenGLRenderWindow* window, const std::vector<float>& tags, vtkMTimeType time);
 
   /**
    * Make room for a selection of this number of faces, which compute shaders fill in.

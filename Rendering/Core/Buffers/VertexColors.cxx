@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Buffers/RefinementColors.h"
+#include "Buffers/VertexColors.h"
 
 #include "Arrays/NoDataTuples.h"
 
@@ -71,7 +71,7 @@ Choice ChooseTextureComponents(int components, vtkScalarsToColors* table)
 }
 }
 
-bool RefinementColors::Upload(vtkOpenGLRenderWindow* window, vtkAbstractArray* scalars,
+bool VertexColors::Upload(vtkOpenGLRenderWindow* window, vtkAbstractArray* scalars,
   vtkScalarsToColors* table, int component, bool byTexture, double noDataMagnitude, int type)
 {
   this->Kind = BY_VTK;
@@ -123,7 +123,7 @@ bool RefinementColors::Upload(vtkOpenGLRenderWindow* window, vtkAbstractArray* s
     window, table, this->Bias, range, this->AreIntegers && !choice.IsLength);
 }
 
-bool RefinementColors::UploadValues(vtkOpenGLRenderWindow* window, vtkDataArray* scalars, int first,
+bool VertexColors::UploadValues(vtkOpenGLRenderWindow* window, vtkDataArray* scalars, int first,
   int count, bool isLength, double range[2])
 {
   this->Texels = isLength ? (count + 3) / 4 : 0;
@@ -155,7 +155,7 @@ bool RefinementColors::UploadValues(vtkOpenGLRenderWindow* window, vtkDataArray*
   return this->Scalars.Upload(window, values, isLength ? 4 : 1);
 }
 
-void RefinementColors::SetCoordinates(vtkScalarsToColors* table)
+void VertexColors::SetCoordinates(vtkScalarsToColors* table)
 {
   // As vtkMapper has it: a texel more at either end, for the colours below and above the range.
   double range[2] = { table->GetRange()[0], table->GetRange()[1] };
@@ -171,7 +171,7 @@ void RefinementColors::SetCoordinates(vtkScalarsToColors* table)
   this->Coordinates[2] = isLog ? 1.0f : 0.0f;
 }
 
-bool RefinementColors::UploadNoData(
+bool VertexColors::UploadNoData(
   vtkOpenGLRenderWindow* window, vtkDataArray* scalars, double noDataMagnitude)
 {
   const NoDataTuples noData(scalars, noDataMagnitude);
@@ -184,7 +184,7 @@ bool RefinementColors::UploadNoData(
   return this->NoData.Upload(window, std::vector<float>(marks.begin(), marks.end()), 1);
 }
 
-void RefinementColors::Activate(vtkShaderProgram* program)
+void VertexColors::Activate(vtkShaderProgram* program)
 {
   this->NoData.Activate(program, "relevoNoData");
   if (!program->IsUniformUsed("relevoScalars"))
@@ -202,19 +202,19 @@ void RefinementColors::Activate(vtkShaderProgram* program)
   program->SetUniform3f("relevoScalarCoordinates", this->Coordinates);
 }
 
-void RefinementColors::Deactivate()
+void VertexColors::Deactivate()
 {
   this->NoData.Deactivate();
   this->Scalars.Deactivate();
   this->Table.Deactivate();
 }
 
-vtkTypeInt64 RefinementColors::GetMemorySize() const
+vtkTypeInt64 VertexColors::GetMemorySize() const
 {
   return this->NoData.GetMemorySize() + this->Scalars.GetMemorySize() + this->Table.GetMemorySize();
 }
 
-void RefinementColors::ReleaseGraphicsResources(vtkWindow* window)
+void VertexColors::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->NoData.ReleaseGraphicsResources(window);
   this->Scalars.ReleaseGraphicsResources(window);

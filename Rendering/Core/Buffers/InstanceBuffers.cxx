@@ -1,36 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Buffers/RefinementInstances.h"
+#include "Buffers/InstanceBuffers.h"
 
-#include "State/ViewSelection.h"
 #include "vtkOpenGLRenderWindow.h"
 
 namespace relevo
 {
-bool RefinementInstances::Upload(
-  vtkOpenGLRenderWindow* window, int slot, const ViewSelection& selection)
-{
-  if (!this->Upload(window, slot, selection.GetSelection().Instances, selection.GetGroupsTime()))
-  {
-    return false;
-  }
-  if (this->Current->LevelsTime != selection.GetLevelsTime())
-  {
-    const std::vector<float>& tags = selection.GetSelection().GetMorphTags();
-    if (tags.empty())
-    {
-      this->Current->MorphTags.ReleaseGraphicsResources(window);
-    }
-    else if (!this->Current->MorphTags.Upload(window, tags, 3))
-    {
-      return false;
-    }
-    this->Current->LevelsTime = selection.GetLevelsTime();
-  }
-  return true;
-}
-
-bool RefinementInstances::Upload(vtkOpenGLRenderWindow* window, int slot,
+bool InstanceBuffers::Upload(vtkOpenGLRenderWindow* window, int slot,
   const std::vector<unsigned int>& instances, vtkMTimeType time)
 {
   this->Current = &this->Slots[slot];
@@ -45,8 +21,25 @@ bool RefinementInstances::Upload(vtkOpenGLRenderWindow* window, int slot,
   return true;
 }
 
-bool RefinementInstances::Reserve(
-  vtkOpenGLRenderWindow* window, int slot, size_t faces, bool morphing)
+bool InstanceBuffers::UploadMorphTags(
+  vtkOpenGLRenderWindow* window, const std::vector<float>& tags, vtkMTimeType time)
+{
+  if (this->Current->LevelsTime != time)
+  {
+    if (tags.empty())
+    {
+      this->Current->MorphTags.ReleaseGraphicsResources(window);
+    }
+    else if (!this->Current->MorphTags.Upload(window, tags, 3))
+    {
+      return false;
+    }
+    this->Current->LevelsTime = time;
+  }
+  return true;
+}
+
+bool InstanceBuffers::Reserve(vtkOpenGLRenderWindow* window, int slot, size_t faces, bool morphing)
 {
   this->Current = &this->Slots[slot];
   this->Current->GroupsTime = 0; // no longer what Upload() has put there
@@ -59,7 +52,7 @@ bool RefinementInstances::Reserve(
     (!morphing || this->Current->MorphTags.ReserveFloats(window, faces, 3));
 }
 
-void RefinementInstances::Activate(vtkShaderProgram* program)
+void InstanceBuffers::Activate(vtkShaderProgram* program)
 {
   if (this->Current)
   {
@@ -68,7 +61,7 @@ void RefinementInstances::Activate(vtkShaderProgram* program)
   }
 }
 
-void RefinementInstances::Deactivate()
+void InstanceBuffers::Deactivate()
 {
   if (this->Current)
   {
@@ -77,7 +70,7 @@ void RefinementInstances::Deactivate()
   }
 }
 
-vtkTypeInt64 RefinementInstances::GetMemorySize() const
+vtkTypeInt64 InstanceBuffers::GetMemorySize() const
 {
   vtkTypeInt64 size = 0;
   for (const auto& slot : this->Slots)
@@ -87,7 +80,7 @@ vtkTypeInt64 RefinementInstances::GetMemorySize() const
   return size;
 }
 
-void RefinementInstances::ReleaseGraphicsResources(vtkWindow* window)
+void InstanceBuffers::ReleaseGraphicsResources(vtkWindow* window)
 {
   for (auto& slot : this->Slots)
   {

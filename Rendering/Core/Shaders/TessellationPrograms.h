@@ -7,14 +7,14 @@
  * VTK's vertex shader, once it takes its vertex from a patch, becomes the tessellation evaluation
  * shader: what it hands on feeds VTK's geometry or fragment shader as before. VTK's own shaders
  * know tessellation stages only from 9.4 on; here they are attached to a program that VTK's shader
- * cache then binds like any other. Private to the module.
+ * cache then binds like any other. Private to the modules.
  */
 #ifndef TessellationPrograms_h
 #define TessellationPrograms_h
 
-#include "RelevoRenderingRefinementModule.h" // for export macro
-#include "vtkNew.h"                          // for members
-#include "vtkShader.h"                       // for vtkShader::Type
+#include "RelevoRenderingCoreModule.h" // for export macro
+#include "vtkNew.h"                    // for members
+#include "vtkShader.h"                 // for vtkShader::Type
 
 #include <map>    // for signature
 #include <string> // for errors
@@ -27,7 +27,7 @@ namespace relevo
 {
 class TessellationProgramCache;
 
-class RELEVORENDERINGREFINEMENT_EXPORT TessellationPrograms
+class RELEVORENDERINGCORE_EXPORT TessellationPrograms
 {
 public:
   TessellationPrograms();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Blocks/BlockLook.h"
+#include "Composite/BlockAttributes.h"
 
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataObjectTree.h"
@@ -25,50 +25,52 @@ void Visit(vtkDataObject* object, unsigned int& nextIndex, Context context, cons
   }
 }
 
-void ApplyOwn(vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* block, BlockLook& look)
+void ApplyOwn(
+  vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* block, BlockAttributes& own)
 {
   if (attributes->HasBlockVisibility(block))
   {
-    look.Visible = attributes->GetBlockVisibility(block);
+    own.Visible = attributes->GetBlockVisibility(block);
   }
   if (attributes->HasBlockPickability(block))
   {
-    look.Pickable = attributes->GetBlockPickability(block);
+    own.Pickable = attributes->GetBlockPickability(block);
   }
   if (attributes->HasBlockOpacity(block))
   {
-    look.HasOpacity = true;
-    look.Opacity = attributes->GetBlockOpacity(block);
+    own.HasOpacity = true;
+    own.Opacity = attributes->GetBlockOpacity(block);
   }
   if (attributes->HasBlockColor(block))
   {
-    look.HasColor = true;
-    attributes->GetBlockColor(block, look.Color);
+    own.HasColor = true;
+    attributes->GetBlockColor(block, own.Color);
   }
 }
 }
 
-BlockLooks GetBlockLooks(vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* input)
+AttributesOfBlocks GetAttributesOfBlocks(
+  vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* input)
 {
-  BlockLooks looks;
+  AttributesOfBlocks blocks;
   if (!attributes)
   {
-    return looks;
+    return blocks;
   }
   unsigned int nextIndex = 0;
-  Visit(input, nextIndex, BlockLook(),
-    [&](vtkDataObject* block, unsigned int index, BlockLook& look)
+  Visit(input, nextIndex, BlockAttributes(),
+    [&](vtkDataObject* block, unsigned int index, BlockAttributes& own)
     {
       if (block)
       {
-        ApplyOwn(attributes, block, look);
+        ApplyOwn(attributes, block, own);
         if (!vtkDataObjectTree::SafeDownCast(block))
         {
-          looks[index] = look;
+          blocks[index] = own;
         }
       }
     });
-  return looks;
+  return blocks;
 }
 
 bool FindBlock(vtkDataObject* input, unsigned int flatIndex, vtkDataObject*& block)
