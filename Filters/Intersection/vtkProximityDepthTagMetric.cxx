@@ -3,12 +3,12 @@
 #include "vtkProximityDepthTagMetric.h"
 
 #include "Checks/SettingChecks.h"
+#include "Levels/TriangleTags.h"
 #include "Mesh/BoxTree.h"
 #include "Mesh/NearestBox.h"
 #include "Mesh/SurfaceTriangles.h"
 #include "Metrics/MetricEvaluator.h"
 #include "Metrics/MetricMesh.h"
-#include "Metrics/TriangleTags.h"
 #include "View/RefinementView.h"
 #include "View/WorldView.h"
 #include "vtkFloatArray.h"

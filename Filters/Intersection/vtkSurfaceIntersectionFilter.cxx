@@ -8,10 +8,10 @@
 #include "Compatibility/VTKCompatibility.h"
 #include "Contact/CellContacts.h"
 #include "Curves/CurveOutputs.h"
+#include "Mesh/CurvedSurface.h"
 #include "Mesh/Motion.h"
 #include "Mesh/MovedSurface.h"
 #include "Pairs/CellPairs.h"
-#include "Refined/CurvedSurface.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -118,7 +118,7 @@ vtkPolyData* vtkSurfaceIntersectionFilter::GetRefinedSurface(int input)
 {
   const bool isCurved = this->IsInput(input) && this->Refinements[input];
   const bool isThere = input == 0 || !this->Surfaces->IsSelf;
-  return isCurved && isThere ? this->Surfaces->Curved[input].GetTriangles() : nullptr;
+  return isCurved && isThere ? this->Surfaces->Curved[input].GetSurface().GetTriangles() : nullptr;
 }
 
 void vtkSurfaceIntersectionFilter::ShareSurface(
@@ -234,7 +234,7 @@ bool vtkSurfaceIntersectionFilter::RefineInput(int side)
   const double stretch = motion.GetLargestStretch();
   // A tiny stretch must not make it infinite.
   const double tolerance = std::min(this->Tolerance / stretch, relevo::LargestDouble);
-  const std::pair<vtkIdType, double> shortfall = curved.Refine(areWanted, tolerance);
+  const std::pair<vtkIdType, double> shortfall = curved.GetSurface().Refine(areWanted, tolerance);
   if (shortfall.first > 0)
   {
     vtkWarningMacro("Input " << side << " deviates from its surface by up to "
@@ -242,7 +242,7 @@ bool vtkSurfaceIntersectionFilter::RefineInput(int side)
                              << shortfall.first
                              << " faces: its recipe's MaximumLevel allows no more segments.");
   }
-  vtkPolyData* triangles = curved.GetTriangles();
+  vtkPolyData* triangles = curved.GetSurface().GetTriangles();
   if (triangles->GetNumberOfPolys() == 0)
   {
     vtkErrorMacro("Input " << side
@@ -250,7 +250,7 @@ bool vtkSurfaceIntersectionFilter::RefineInput(int side)
                               "are not finite.");
     return false;
   }
-  return this->TakeSurface(side, triangles, curved.GetCells(), motion);
+  return this->TakeSurface(side, triangles, curved.GetSurface().GetCells(), motion);
 }
 
 void vtkSurfaceIntersectionFilter::WarnOfOpenSurfaces()

@@ -14,6 +14,7 @@
 #include "View/CameraEye.h"
 #include "View/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"
+#include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

@@ -13,7 +13,7 @@
 #include "Data/ReliefNormals.h"
 #include "Data/TerrainTexels.h"
 #include "Geodesy/TerrainFrame.h"
-#include "Raster/Raster.h"
+#include "Raster/RasterDescription.h"
 #include "vtkFloatArray.h"
 #include "vtkHeightMap.h"
 #include "vtkImageData.h"

@@ -58,6 +58,12 @@ AUTHORS_HEADERS = {
     "Metrics/MetricEvaluator.h",
     "Metrics/MetricMesh.h",
     "Metrics/MetricShader.h",
+    "Metrics/ViewTime.h",
+    "Evaluation/PointTags.h",
+    "Intersection/ToleranceSurface.h",
+    "Geodesy/Georeference.h",
+    "Geodesy/TerrainFrame.h",
+    "Raster/RasterDescription.h",
 }
 
 

@@ -17,14 +17,14 @@ import sys
 # with the public classes that its users start from, is above its folders.
 LAYERS = {
     "Filters/Core": ["Compatibility", "Mathematics", "Changes", "Checks", "View", "Arrays", "Points",
-                     "Parallel", "Files", "Cells", "Mesh", "Boxes", "Patterns"],
+                     "Parallel", "Files", "Cells", "Mesh", "Boxes", "Levels", "Patterns"],
     "Filters/Refinement": ["Patterns", "Surfaces", "Mesh", "Metrics", "Recipe", "Evaluation",
                            "Intersection"],
     "Filters/Flow": ["Noise", "Image", "Surface"],
     "Filters/Volume": ["Integral", "Mesh", "Cells", "Rays"],
     "Filters/Terrain": ["Geodesy", "Raster", "Heights"],
     "Filters/Parametric": ["Splines", "Cells", "Coarse", "Files", "Curves", "Patches", "Metrics"],
-    "Filters/Intersection": ["Exact", "Mesh", "Refined", "Pairs", "Curves", "Contact"],
+    "Filters/Intersection": ["Exact", "Mesh", "Pairs", "Curves", "Contact"],
     "Filters/Relief": ["Data", "Warp", "Database"],
     "Rendering/Core": ["OpenGL", "Buffers", "Shaders", "Actors", "Composite", "Picking"],
     "Rendering/Refinement": ["State", "Shaders", "Buffers", "Compute", "Methods", "Picking", "Blocks"],

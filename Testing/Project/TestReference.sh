@@ -42,7 +42,7 @@ fi
 copy=$folder/copy
 mkdir -p "$copy"
 cp -r "$source/CMakeLists.txt" "$source/Module" "$source/Filters" "$source/Rendering" "$copy"
-sed -i 's/@brief /@brief @ref nothing /' "$copy/Filters/Refinement/vtkLinearSurface.h"
+sed -i 's/@brief /@brief @ref nothing /' "$copy/Filters/Refinement/Surfaces/vtkLinearSurface.h"
 if RELEVO_BUILD_DIR=$copy/build bash "$copy/Module/docs.sh" --no-install >"$folder/log" 2>&1; then
   echo "a reference to nothing is no error"
   exit 1

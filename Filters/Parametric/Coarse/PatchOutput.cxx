@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coarse/PatchOutput.h"
 
+#include "Arrays/CellDataCopy.h"
 #include "Arrays/NearestTuple.h"
-#include "Evaluation/CellDataCopy.h"
 #include "Mesh/PatchArrays.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

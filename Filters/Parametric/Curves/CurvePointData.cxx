@@ -4,10 +4,10 @@
 
 #include "Arrays/NearestTuple.h"
 #include "Arrays/NoDataTuples.h"
+#include "Arrays/SimilarArray.h"
 #include "Curves/CurveEvaluator.h"
 #include "Curves/CurveMesh.h"
 #include "Curves/CurveRows.h"
-#include "Evaluation/PointDataInterpolation.h"
 #include "Mathematics/NearestNumber.h"
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"

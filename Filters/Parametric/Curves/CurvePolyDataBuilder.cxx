@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/CurvePolyDataBuilder.h"
 
+#include "Arrays/CellDataCopy.h"
 #include "Curves/CurveEvaluator.h"
 #include "Curves/CurveMesh.h"
 #include "Curves/CurvePointData.h"
-#include "Evaluation/CellDataCopy.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkFloatArray.h"

@@ -3,19 +3,10 @@
 #include "Curves/CurveTags.h"
 
 #include "Curves/CurveMesh.h"
-#include "Evaluation/EdgeTags.h"
-#include "Evaluation/PatternSelection.h"
-#include "Evaluation/RefinementPreparation.h"
+#include "Levels/EdgeLevels.h"
 #include "Mathematics/RefinementMathematics.h"
-#include "Metrics/DepthTags.h"
-#include "Metrics/EdgeLevels.h"
-#include "Metrics/MetricCache.h"
 #include "Patterns/SegmentSteps.h"
-#include "View/RefinementView.h"
-#include "vtkAbstractArray.h"
 #include "vtkAdaptiveRefinement.h"
-#include "vtkDepthTagMetric.h"
-#include "vtkFloatArray.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
@@ -42,81 +33,62 @@ void SetTags(const CurveMesh& mesh, std::vector<float>& tags, const GetTag& getT
 }
 }
 
-CurveTags::CurveTags()
-  : Source(new MetricCache)
-{
-}
-
+CurveTags::CurveTags() = default;
 CurveTags::~CurveTags() = default;
 
 void CurveTags::Reset()
 {
   this->Polygons = nullptr;
-  this->Source->Clear();
+  this->OfPoints.Reset();
 }
 
 bool CurveTags::Compute(vtkAdaptiveRefinement* recipe, vtkPointSet* input, const CurveMesh& mesh,
   const RefinementView& view, std::string& error)
 {
-  std::string obstacle;
-  if (!this->ComputeTags(recipe, input, mesh, view, obstacle))
-  {
-    error = MakeError(obstacle);
-    return false;
-  }
-  this->ChooseSegments(recipe);
-  return true;
-}
-
-bool CurveTags::ComputeTags(vtkAdaptiveRefinement* recipe, vtkPointSet* input,
-  const CurveMesh& mesh, const RefinementView& view, std::string& error)
-{
-  vtkDepthTagMetric* metric = GetMetricInUse(recipe, input);
-  if (!metric)
-  {
-    this->Reset();
-  }
-  if (vtkAbstractArray* array = FindDepthTagArray(recipe, input))
-  {
-    this->PointTags->SetNumberOfComponents(1);
-    this->PointTags->SetNumberOfTuples(input->GetNumberOfPoints());
-    float* tags = this->PointTags->GetPointer(0);
-    if (!TakeDepthTags(array, input->GetNumberOfPoints(), tags, error))
-    {
-      return false;
-    }
-    SetTags(mesh, this->Tags,
-      [&, nodes = mesh.GetNodes().data()](const CurveMesh::Curve& curve) {
-        return meanTag(tags[nodes[curve.FirstPoint]], tags[nodes[curve.FirstPoint + curve.Degree]]);
-      });
-  }
-  else if (metric)
+  const auto getPolygons = [&]
   {
     if (!this->Polygons)
     {
       this->Polygons = mesh.NewControlPolygons();
     }
-    RefinementView viewOfSteps = view;
-    viewOfSteps.Patterns = GetRoundedPatternFamily(recipe);
-    if (!ComputeDepthTags(this->Source->GetEvaluator(metric, this->Polygons), viewOfSteps,
-          GetHighestTag(recipe, false), false, this->PointTags, error))
-    {
-      return false;
-    }
-    const float* tags = this->PointTags->GetPointer(0);
-    SetTags(mesh, this->Tags,
-      [=](const CurveMesh::Curve& curve)
-      {
-        const float* first = tags + curve.FirstPoint;
-        return *std::max_element(first, first + curve.Degree + 1);
-      });
-  }
-  else
+    return this->Polygons.Get();
+  };
+  if (!this->OfPoints.Compute(recipe, input, getPolygons, view, error))
   {
-    const float highest = static_cast<float>(recipe->GetMaximumLevel());
-    SetTags(mesh, this->Tags, [=](const CurveMesh::Curve&) { return highest; });
+    return false;
   }
+  if (this->OfPoints.GetKind() != PointTags::OF_METRIC)
+  {
+    this->Polygons = nullptr;
+  }
+  this->TakeTags(mesh, static_cast<float>(recipe->GetMaximumLevel()));
+  this->ChooseSegments(recipe);
   return true;
+}
+
+void CurveTags::TakeTags(const CurveMesh& mesh, float highest)
+{
+  const float* tags = this->OfPoints.GetValues();
+  switch (this->OfPoints.GetKind())
+  {
+    case PointTags::OF_ARRAY:
+      SetTags(mesh, this->Tags,
+        [&, nodes = mesh.GetNodes().data()](const CurveMesh::Curve& curve) {
+          return meanTag(
+            tags[nodes[curve.FirstPoint]], tags[nodes[curve.FirstPoint + curve.Degree]]);
+        });
+      break;
+    case PointTags::OF_METRIC:
+      SetTags(mesh, this->Tags,
+        [=](const CurveMesh::Curve& curve)
+        {
+          const float* first = tags + curve.FirstPoint;
+          return *std::max_element(first, first + curve.Degree + 1);
+        });
+      break;
+    default:
+      SetTags(mesh, this->Tags, [=](const CurveMesh::Curve&) { return highest; });
+  }
 }
 
 void CurveTags::ChooseSegments(vtkAdaptiveRefinement* recipe)

@@ -13,16 +13,14 @@
 #ifndef CurveTags_h
 #define CurveTags_h
 
+#include "Evaluation/PointTags.h"          // for members
 #include "RelevoFiltersParametricModule.h" // for export macro
-#include "vtkNew.h"                        // for members
 #include "vtkSmartPointer.h"               // for members
 
-#include <memory> // for members
 #include <string> // for errors
 #include <vector> // for members
 
 class vtkAdaptiveRefinement;
-class vtkFloatArray;
 class vtkPointSet;
 class vtkPolyData;
 
@@ -30,7 +28,6 @@ namespace relevo
 {
 struct RefinementView;
 class CurveMesh;
-class MetricCache;
 
 class RELEVOFILTERSPARAMETRIC_EXPORT CurveTags
 {
@@ -55,15 +52,13 @@ public:
   const std::vector<int>& GetSegments() const { return this->Segments; }
 
 private:
-  bool ComputeTags(vtkAdaptiveRefinement* recipe, vtkPointSet* input, const CurveMesh& mesh,
-    const RefinementView& view, std::string& error);
+  void TakeTags(const CurveMesh& mesh, float highest);
   void ChooseSegments(vtkAdaptiveRefinement* recipe);
 
   std::vector<float> Tags;
   std::vector<int> Segments;
-  vtkNew<vtkFloatArray> PointTags;
+  PointTags OfPoints;
   vtkSmartPointer<vtkPolyData> Polygons;
-  std::unique_ptr<MetricCache> Source;
 };
 }
 

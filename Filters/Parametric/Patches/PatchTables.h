@@ -9,15 +9,18 @@
 #ifndef PatchTables_h
 #define PatchTables_h
 
-#include "Surfaces/SurfaceCorners.h"
+#include "Mesh/FaceCorners.h"
+#include "vtkRefinementSurface.h"
 
 namespace relevo
 {
+using PatchCorners = FaceCorners<vtkRefinementSurface::Face>;
+
 /// A face of a mesh with tables, evaluated in C++.
-struct PatchFace : SurfaceCorners
+struct PatchFace : PatchCorners
 {
   explicit PatchFace(const vtkRefinementSurface::Face& face)
-    : SurfaceCorners{ face, 0 }
+    : PatchCorners{ face, 0 }
     , lastPoint()
   {
   }

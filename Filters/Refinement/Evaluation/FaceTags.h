@@ -9,9 +9,9 @@
 #define FaceTags_h
 
 #include "Evaluation/EdgeTags.h"
+#include "Levels/EdgeLevels.h"
 #include "Mathematics/RefinementMathematics.h"
 #include "Mesh/RefinementMesh.h"
-#include "Metrics/EdgeLevels.h"
 
 #include <algorithm> // for std::fill_n
 

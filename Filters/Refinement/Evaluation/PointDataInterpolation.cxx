@@ -4,6 +4,7 @@
 
 #include "Arrays/NearestTuple.h"
 #include "Arrays/NoDataTuples.h"
+#include "Arrays/SimilarArray.h"
 #include "Mathematics/NearestNumber.h"
 
 #include "vtkAOSDataArrayTemplate.h"
@@ -164,37 +165,6 @@ private:
   bool IsInteger;
   NoDataTuples NoData;
 };
-}
-
-bool IsInterpolated(vtkAbstractArray* array)
-{
-  const char* name = array->GetName();
-  return vtkDataArray::SafeDownCast(array) && array->GetDataType() != VTK_BIT &&
-    !(name && std::string(name) == vtkDataSetAttributes::GhostArrayName());
-}
-
-vtkAbstractArray* AddArrayLike(vtkDataSetAttributes* from, vtkAbstractArray* source,
-  vtkDataSetAttributes* to, vtkIdType numberOfTuples)
-{
-  auto target = vtkSmartPointer<vtkAbstractArray>::Take(source->NewInstance());
-  target->SetName(source->GetName());
-  target->SetNumberOfComponents(source->GetNumberOfComponents());
-  target->CopyComponentNames(source);
-  target->CopyInformation(source->GetInformation(), 1);
-  target->SetNumberOfTuples(numberOfTuples);
-  if (vtkDataArray* numbers = vtkDataArray::SafeDownCast(source))
-  {
-    vtkDataArray::SafeDownCast(target)->SetLookupTable(numbers->GetLookupTable());
-  }
-  const int index = to->AddArray(target);
-  for (int attribute = 0; attribute < vtkDataSetAttributes::NUM_ATTRIBUTES; ++attribute)
-  {
-    if (from->GetAbstractAttribute(attribute) == source)
-    {
-      to->SetActiveAttribute(index, attribute);
-    }
-  }
-  return target;
 }
 
 PointDataInterpolation::PointDataInterpolation(vtkPointData* from, vtkIdType numberOfInputPoints,

@@ -14,7 +14,6 @@
 #define PointDataInterpolation_h
 
 #include "Evaluation/RefinedTopology.h"
-#include "RelevoFiltersRefinementModule.h" // for export macro
 
 #include <memory>
 #include <string>
@@ -27,16 +26,6 @@ class vtkPointData;
 
 namespace relevo
 {
-/**
- * Add to `to` an array like `source` of `from` (type, name, components, part as attribute) with
- * room for numberOfTuples.
- */
-RELEVOFILTERSREFINEMENT_EXPORT vtkAbstractArray* AddArrayLike(vtkDataSetAttributes* from,
-  vtkAbstractArray* source, vtkDataSetAttributes* to, vtkIdType numberOfTuples);
-
-/// Whether there are values between an array's, rather than those of the nearest point.
-RELEVOFILTERSREFINEMENT_EXPORT bool IsInterpolated(vtkAbstractArray* array);
-
 class PointDataInterpolation
 {
 public:

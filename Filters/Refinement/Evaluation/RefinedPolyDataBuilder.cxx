@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Evaluation/RefinedPolyDataBuilder.h"
 
+#include "Arrays/CellDataCopy.h"
 #include "Arrays/GhostCells.h"
-#include "Evaluation/CellDataCopy.h"
 #include "Evaluation/PatternSelection.h"
 #include "Evaluation/PointDataInterpolation.h"
 #include "Evaluation/SurfaceFields.h"

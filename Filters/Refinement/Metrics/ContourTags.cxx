@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Metrics/ContourTags.h"
 
+#include "Levels/LevelFunctions.h"
 #include "Metrics/FunctionEvaluator.h"
-#include "Metrics/LevelFunctions.h"
 #include "View/WorldView.h"
 
 #include <algorithm>

@@ -4,10 +4,10 @@
 
 #include "Changes/Dependencies.h"
 #include "Checks/SettingChecks.h"
+#include "Levels/LevelFunctions.h"
 #include "Mathematics/RefinementMathematics.h"
 #include "Metrics/DepthTags.h"
 #include "Metrics/DisplacedSurface.h"
-#include "Metrics/LevelFunctions.h"
 #include "Metrics/MetricEvaluator.h"
 #include "Metrics/MetricMesh.h"
 #include "View/RefinementView.h"

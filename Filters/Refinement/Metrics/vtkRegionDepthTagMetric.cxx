@@ -3,9 +3,9 @@
 #include "vtkRegionDepthTagMetric.h"
 
 #include "Checks/SettingChecks.h"
+#include "Levels/LevelFunctions.h"
 #include "Mathematics/RefinementMathematics.h"
 #include "Mesh/SurfaceEdges.h"
-#include "Metrics/LevelFunctions.h"
 #include "Metrics/MetricEvaluator.h"
 #include "Metrics/MetricMesh.h"
 #include "Metrics/SurfaceShape.h"

@@ -3,8 +3,6 @@
 /**
  * @class   TerrainFrame
  * @brief   between a raster's coordinates and metres about its centre
- *
- * Private to the modules' own sources.
  */
 #ifndef TerrainFrame_h
 #define TerrainFrame_h

@@ -9,30 +9,13 @@
 #ifndef Raster_h
 #define Raster_h
 
-#include "Geodesy/Georeference.h"
+#include "Raster/RasterDescription.h"
 
 #include <memory>
-#include <optional>
 #include <string>
 
 namespace relevo
 {
-/// What a file says about its first band.
-struct RasterDescription
-{
-  int Width = 0;
-  int Height = 0;
-  int RowsPerBlock = 1;    ///< reading whole multiples of these rows is efficient
-  int SamplesPerTexel = 1; ///< that are read, not only kept
-  int Type = 0;            ///< VTK's type of the samples as read
-  bool HasMask = false;    ///< validity comes from a mask as well
-  std::optional<double> NoData;
-  double Scale = 1.0; ///< height = Scale * sample + Offset
-  double Offset = 0.0;
-  double VerticalUnit = 1.0; ///< metres in one unit of the heights
-  Georeference Location;
-};
-
 /**
  * The file in a name that GDAL gives to a raster of a container, such as NETCDF:"file.nc":band or
  * GTIFF_DIR:2:file.tif. Any other name is returned as it is.

@@ -8,7 +8,7 @@
 #ifndef CellDataCopy_h
 #define CellDataCopy_h
 
-#include "RelevoFiltersRefinementModule.h" // for export macro
+#include "RelevoFiltersCoreModule.h" // for export macro
 
 #include <string>
 #include <vector>
@@ -24,7 +24,7 @@ namespace relevo
  * "vtkOriginalCellIds". Global ids become a plain array. Arrays too short for the input's cells are
  * left out: their names go to the end of `shortArrays`.
  */
-RELEVOFILTERSREFINEMENT_EXPORT void CopyCellData(vtkDataSet* input, vtkIdTypeArray* originals,
+RELEVOFILTERSCORE_EXPORT void CopyCellData(vtkDataSet* input, vtkIdTypeArray* originals,
   bool keepNormals, vtkCellData* to, std::vector<std::string>& shortArrays);
 }
 

@@ -10,7 +10,7 @@
 
 namespace relevo
 {
-#include "glsl/Metrics/relevoMetrics.glsl"
+#include "glsl/relevoMetrics.glsl"
 }
 
 #endif

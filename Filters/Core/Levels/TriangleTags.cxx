@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Metrics/TriangleTags.h"
+#include "Levels/TriangleTags.h"
 
 #include "Mesh/SurfaceEdges.h"
 #include "Mesh/SurfaceTriangles.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Refined/PatternDeviation.h"
+#include "Intersection/PatternDeviation.h"
 
 #include "Evaluation/HoleFinder.h"
 #include "Evaluation/RefinementEvaluator.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Evaluation/CellDataCopy.h"
+#include "Arrays/CellDataCopy.h"
 
-#include "Evaluation/PointDataInterpolation.h"
+#include "Arrays/SimilarArray.h"
 #include "vtkAbstractArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSet.h"

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Refined/ToleranceSteps.h"
+#include "Intersection/ToleranceSteps.h"
 
 #include "Evaluation/PatternSelection.h"
+#include "Intersection/PatternDeviation.h"
 #include "Intersection/RefinedSurface.h"
 #include "Mesh/RefinementMesh.h"
 #include "Patterns/PatternFamily.h"
-#include "Refined/PatternDeviation.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDisplacement.h"
 #include "vtkHeightField.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Refined/CurvedSurface.h"
+#include "Intersection/ToleranceSurface.h"
 
 #include "Boxes/FaceTree.h"
 #include "Changes/LatestTime.h"
@@ -8,7 +8,10 @@
 #include "Evaluation/PatternSelection.h"
 #include "Evaluation/RefinementEvaluator.h"
 #include "Evaluation/RefinementPreparation.h"
+#include "Intersection/RefinedSurface.h"
+#include "Intersection/ToleranceSteps.h"
 #include "Mesh/FaceEdges.h"
+#include "Mesh/RefinementMesh.h"
 #include "Mesh/SurfaceEdges.h"
 #include "Patterns/RefinementPattern.h"
 #include "vtkAdaptiveRefinement.h"
@@ -22,17 +25,18 @@
 #include "vtkPolyData.h"
 #include "vtkRefinementSurface.h"
 #include "vtkSMPTools.h"
-#include "vtkTimeStamp.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace relevo
 {
-/// What triangles depend on. The recipe's metric may change with every frame.
-struct CurvedSurface::Sources
+namespace
 {
-  Sources(vtkPolyData* mesh, vtkAdaptiveRefinement* recipe)
+/// What triangles depend on. The recipe's metric may change with every frame.
+struct ToleranceSources
+{
+  ToleranceSources(vtkPolyData* mesh, vtkAdaptiveRefinement* recipe)
     : Mesh(mesh)
     , Surface(recipe->GetSurface())
     , Displacement(recipe->GetDisplacement())
@@ -43,7 +47,7 @@ struct CurvedSurface::Sources
     , NumberOfCells(mesh->GetNumberOfCells())
   {
   }
-  bool operator==(const Sources& other) const
+  bool operator==(const ToleranceSources& other) const
   {
     return this->Mesh == other.Mesh && this->Surface == other.Surface &&
       this->Displacement == other.Displacement && this->Family == other.Family &&
@@ -61,91 +65,89 @@ struct CurvedSurface::Sources
   vtkIdType NumberOfPoints;
   vtkIdType NumberOfCells;
 };
+}
 
-CurvedSurface::CurvedSurface() = default;
-CurvedSurface::~CurvedSurface() = default;
+struct ToleranceSurface::Internals
+{
+  std::unique_ptr<ToleranceSources> Taken; // nullptr where nothing is
+  RefinementMesh Mesh;
+  RefinedSurface Surface;
+  ToleranceSteps Steps;
+  std::vector<unsigned char> EdgeSteps; // of the triangles
+};
 
-bool CurvedSurface::Take(
+ToleranceSurface::ToleranceSurface()
+  : Data(new Internals)
+{
+}
+
+ToleranceSurface::~ToleranceSurface() = default;
+
+bool ToleranceSurface::Take(
   vtkPolyData* mesh, vtkAdaptiveRefinement* recipe, std::string& error, std::string& warning)
 {
-  if (this->Taken && *this->Taken == Sources(mesh, recipe))
+  if (this->Data->Taken && *this->Data->Taken == ToleranceSources(mesh, recipe))
   {
     return true;
   }
-  this->Taken.reset();
+  this->Data->Taken.reset();
   this->Triangles = nullptr;
-  this->IsMoved = false;
-  this->Mesh = RefinementMesh();
-  if (!PrepareMesh(mesh, recipe, nullptr, this->Mesh, error, warning))
+  this->Data->Mesh = RefinementMesh();
+  if (!PrepareMesh(mesh, recipe, nullptr, this->Data->Mesh, error, warning))
   {
     return false;
   }
-  auto sources = std::make_unique<Sources>(mesh, recipe);
-  vtkTimeStamp now;
-  now.Modified();
-  this->Surface.Update(this->Mesh, now, recipe, nullptr);
+  auto sources = std::make_unique<ToleranceSources>(mesh, recipe);
+  this->BuildTime.Modified();
+  this->Data->Surface.Update(this->Data->Mesh, this->BuildTime, recipe, nullptr);
   const SurfaceEdges edges(mesh);
-  this->Steps.Take(
-    this->Mesh, this->Surface, recipe, FindFaceEdges(this->Mesh, edges), edges.GetNumberOfEdges());
-  this->Taken = std::move(sources);
+  this->Data->Steps.Take(this->Data->Mesh, this->Data->Surface, recipe,
+    FindFaceEdges(this->Data->Mesh, edges), edges.GetNumberOfEdges());
+  this->Data->Taken = std::move(sources);
   return true;
 }
 
-void CurvedSurface::Move(const Motion& motion)
+vtkPolyData* ToleranceSurface::GetTriangles() const
 {
-  if (this->IsMoved && motion == this->Current)
-  {
-    return;
-  }
-  std::vector<Box> boxes(this->Mesh.Faces.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(boxes.size()),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType face = begin; face < end; ++face)
-      {
-        const FaceBox& local = this->Surface.GetBox(static_cast<int>(face));
-        Box box;
-        for (int c = 0; c < 3; ++c)
-        {
-          box.Low[c] = this->Mesh.Origin[c] + local.Low[c];
-          box.High[c] = this->Mesh.Origin[c] + local.High[c];
-        }
-        boxes[face] = motion.MoveBox(box);
-      }
-    });
-  if (this->IsMoved)
-  {
-    this->Tree.Fit(boxes);
-  }
-  else
-  {
-    this->Tree.Build(boxes);
-  }
-  this->Current = motion;
-  this->IsMoved = true;
+  return this->Triangles;
 }
 
-std::pair<vtkIdType, double> CurvedSurface::Refine(
+int ToleranceSurface::GetNumberOfFaces() const
+{
+  return static_cast<int>(this->Data->Mesh.Faces.size());
+}
+
+void ToleranceSurface::GetFaceBounds(int face, double low[3], double high[3]) const
+{
+  const FaceBox& local = this->Data->Surface.GetBox(face);
+  for (int c = 0; c < 3; ++c)
+  {
+    low[c] = this->Data->Mesh.Origin[c] + local.Low[c];
+    high[c] = this->Data->Mesh.Origin[c] + local.High[c];
+  }
+}
+
+std::pair<vtkIdType, double> ToleranceSurface::Refine(
   const std::vector<unsigned char>& areWanted, double tolerance)
 {
-  const std::pair<vtkIdType, double> shortfall = this->Steps.Choose(areWanted, tolerance);
-  if (!this->Triangles || this->EdgeSteps != this->Steps.GetEdgeSteps())
+  const std::pair<vtkIdType, double> shortfall = this->Data->Steps.Choose(areWanted, tolerance);
+  if (!this->Triangles || this->Data->EdgeSteps != this->Data->Steps.GetEdgeSteps())
   {
     this->BuildTriangles();
-    this->EdgeSteps = this->Steps.GetEdgeSteps();
+    this->Data->EdgeSteps = this->Data->Steps.GetEdgeSteps();
   }
   return shortfall;
 }
 
-void CurvedSurface::BuildPoints(
+void ToleranceSurface::BuildPoints(
   const std::vector<vtkIdType>& firstPoints, std::vector<double>& points) const
 {
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Mesh.Faces.size()),
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Data->Mesh.Faces.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (int face = static_cast<int>(begin); face < end; ++face)
       {
-        const FacePattern pattern = this->Steps.GetPattern(face);
+        const FacePattern pattern = this->Data->Steps.GetPattern(face);
         double* point = &points[3 * firstPoints[face]];
         for (int i = 0; i < pattern.Pattern->GetNumberOfVertices(); ++i)
         {
@@ -153,24 +155,24 @@ void CurvedSurface::BuildPoints(
           float position[3];
           float normal[3];
           pattern.GetWeights(i, weights);
-          this->Surface.GetEvaluator().Evaluate(face, weights, position, normal);
+          this->Data->Surface.GetEvaluator().Evaluate(face, weights, position, normal);
           for (int c = 0; c < 3; ++c)
           {
-            *point++ = this->Mesh.Origin[c] + position[c];
+            *point++ = this->Data->Mesh.Origin[c] + position[c];
           }
         }
       }
     });
 }
 
-void CurvedSurface::BuildTriangles()
+void ToleranceSurface::BuildTriangles()
 {
-  const int numberOfFaces = static_cast<int>(this->Mesh.Faces.size());
-  std::vector<vtkIdType> firstPoints(this->Mesh.Faces.size() + 1, 0);
+  const int numberOfFaces = static_cast<int>(this->Data->Mesh.Faces.size());
+  std::vector<vtkIdType> firstPoints(this->Data->Mesh.Faces.size() + 1, 0);
   for (int face = 0; face < numberOfFaces; ++face)
   {
     firstPoints[face + 1] =
-      firstPoints[face] + this->Steps.GetPattern(face).Pattern->GetNumberOfVertices();
+      firstPoints[face] + this->Data->Steps.GetPattern(face).Pattern->GetNumberOfVertices();
   }
   std::vector<double> places(3 * firstPoints.back());
   this->BuildPoints(firstPoints, places);
@@ -180,12 +182,12 @@ void CurvedSurface::BuildTriangles()
   std::vector<unsigned char> out;
   for (int face = 0; face < numberOfFaces; ++face)
   {
-    const FacePattern pattern = this->Steps.GetPattern(face);
+    const FacePattern pattern = this->Data->Steps.GetPattern(face);
     const int number = pattern.Pattern->GetNumberOfTriangles();
     out.assign(static_cast<std::size_t>(number), 0);
-    if (this->Surface.GetHoles())
+    if (this->Data->Surface.GetHoles())
     {
-      this->Surface.GetHoles()->Find(face, pattern, out.data());
+      this->Data->Surface.GetHoles()->Find(face, pattern, out.data());
     }
     for (int t = 0; t < number; ++t)
     {
@@ -205,7 +207,7 @@ void CurvedSurface::BuildTriangles()
       if (out[t] == 0 && isFinite && !areOne(0, 1) && !areOne(1, 2) && !areOne(2, 0))
       {
         polygons->InsertNextCell(3, corners);
-        this->Cells.push_back(this->Mesh.Faces[face].Cell);
+        this->Cells.push_back(this->Data->Mesh.Faces[face].Cell);
       }
     }
   }

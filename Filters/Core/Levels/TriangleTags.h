@@ -6,7 +6,7 @@
 #ifndef TriangleTags_h
 #define TriangleTags_h
 
-#include "RelevoFiltersRefinementModule.h" // for export macro
+#include "RelevoFiltersCoreModule.h" // for export macro
 
 class vtkFloatArray;
 
@@ -16,11 +16,11 @@ class SurfaceEdges;
 class SurfaceTriangles;
 
 /// Give every point the largest level of the triangles at its place, and 0 where there is none.
-RELEVOFILTERSREFINEMENT_EXPORT void TagPointsByTriangles(
+RELEVOFILTERSCORE_EXPORT void TagPointsByTriangles(
   const SurfaceTriangles& surface, const float* levels, vtkFloatArray* tags);
 
 /// Give every edge the largest level of the triangles beside it.
-RELEVOFILTERSREFINEMENT_EXPORT void TagEdgesByTriangles(
+RELEVOFILTERSCORE_EXPORT void TagEdgesByTriangles(
   const SurfaceEdges& edges, const float* levels, vtkFloatArray* tags);
 }
 

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   CurvedSurface
+ * @brief   a moving surface that is refined to a tolerance where it may intersect another one
+ *
+ * The boxes of its faces are the items of a tree, which follows the motion.
+ *
+ * Private to the module's own sources.
+ */
+#ifndef CurvedSurface_h
+#define CurvedSurface_h
+
+#include "Intersection/ToleranceSurface.h" // for members
+#include "Mesh/BoxTree.h"                  // for members
+#include "Mesh/Motion.h"                   // for members
+
+#include <string> // for errors
+
+namespace relevo
+{
+class CurvedSurface
+{
+public:
+  /// See ToleranceSurface::Take().
+  bool Take(
+    vtkPolyData* mesh, vtkAdaptiveRefinement* recipe, std::string& error, std::string& warning);
+
+  /// Move the boxes of faces, which are the items of the tree.
+  void Move(const Motion& motion);
+  const BoxTree& GetTree() const { return this->Tree; }
+
+  /// The surface where the mesh lies, not moved.
+  ToleranceSurface& GetSurface() { return this->Surface; }
+
+private:
+  ToleranceSurface Surface;
+  Motion Current;
+  bool IsMoved = false;
+  BoxTree Tree;
+};
+}
+
+#endif
