@@ -34,7 +34,8 @@ vtkGPUUnstructuredGridVolumeMapper::vtkGPUUnstructuredGridVolumeMapper()
     data.Entries.ReleaseGraphicsResources(window);
     data.Clock.ReleaseGraphicsResources();
     data.Programs.clear();
-    data.Viewport->ReleaseGraphicsResources();
+    data.Quads.ReleaseGraphicsResources();
+    data.Screen.ReleaseGraphicsResources();
     data.HasMesh = false;
     data.AreFunctionsTried = false;
     data.MeshInput = nullptr;

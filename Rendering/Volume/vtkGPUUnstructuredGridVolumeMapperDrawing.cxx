@@ -3,7 +3,7 @@
 #include "vtkGPUUnstructuredGridVolumeMapperInternals.h"
 
 #include "OpenGL/RelevoOpenGL.h"
-#include "relevoViewportVS.h"
+#include "View/WorldView.h"
 
 #include "vtkCamera.h"
 #include "vtkInformation.h"
@@ -20,19 +20,6 @@
 
 namespace
 {
-relevo::dmat4 ToGLM(vtkMatrix4x4* matrix)
-{
-  relevo::dmat4 result;
-  for (int row = 0; row < 4; ++row)
-  {
-    for (int column = 0; column < 4; ++column)
-    {
-      result[column][row] = matrix->GetElement(row, column);
-    }
-  }
-  return result;
-}
-
 std::vector<vtkOpenGLRenderPass*> FindPasses(vtkVolume* volume)
 {
   std::vector<vtkOpenGLRenderPass*> passes;
@@ -63,11 +50,11 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateView(vtkRenderer* renderer, vtkVo
 {
   vtkInternals& data = *this->Internals;
   vtkCamera* camera = renderer->GetActiveCamera();
-  const relevo::dmat4 projection =
-    ToGLM(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0));
-  const relevo::dmat4 view = ToGLM(camera->GetViewTransformMatrix());
+  const relevo::dmat4 projection = relevo::MakeMatrix(
+    camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0));
+  const relevo::dmat4 view = relevo::MakeMatrix(camera->GetViewTransformMatrix());
   return data.View.Compute(
-    projection * view, ToGLM(volume->GetMatrix()), data.Mesh.Center, data.Mesh.Radius);
+    projection * view, relevo::MakeMatrix(volume->GetMatrix()), data.Mesh.Center, data.Mesh.Radius);
 }
 
 // What could not be built is not tried, and complained about, again.
@@ -110,27 +97,6 @@ bool vtkGPUUnstructuredGridVolumeMapper::RenderRayEntries(int width, int height)
   data.Entries.Draw(isInFront ? data.MeshBuffers.GetNumberOfBorderFaces() : 0);
   data.MeshBuffers.Deactivate();
   return isInFront;
-}
-
-void vtkGPUUnstructuredGridVolumeMapper::vtkInternals::DrawViewport()
-{
-  this->Viewport->Bind();
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-  this->Viewport->Release();
-}
-
-void vtkGPUUnstructuredGridVolumeMapper::vtkInternals::BlendViewport()
-{
-  vtkOpenGLState* state = this->GetWindow()->GetState();
-  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
-  vtkOpenGLState::ScopedglEnableDisable blending(state, GL_BLEND);
-  vtkOpenGLState::ScopedglDepthMask depthMask(state);
-  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDepthMask(GL_FALSE);
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  this->DrawViewport();
 }
 
 void vtkGPUUnstructuredGridVolumeMapper::vtkInternals::ActivateTextures(vtkShaderProgram* program)
@@ -190,7 +156,7 @@ void vtkGPUUnstructuredGridVolumeMapper::Draw(vtkRenderer* renderer, vtkVolume* 
   }
   else if (this->ReadyRays(volume, viewport))
   {
-    passes.empty() ? data.BlendViewport() : data.DrawViewport();
+    passes.empty() ? data.Screen.DrawOver(window) : data.Screen.Draw();
     data.FinishRays();
   }
 }
@@ -214,7 +180,7 @@ vtkShaderProgram* vtkGPUUnstructuredGridVolumeMapper::ReadyRays(
 
   const bool areEntriesKnown = this->RenderRayEntries(viewport[2], viewport[3]);
   data.View.SetViewport(relevo::dvec4(viewport[0], viewport[1], viewport[2], viewport[3]));
-  vtkShaderProgram* program = this->ReadyProgram(relevoViewportVS, source);
+  vtkShaderProgram* program = this->ReadyProgram(relevo::ScreenPass::GetVertexShader(), source);
   if (!program)
   {
     return nullptr;
@@ -232,7 +198,7 @@ vtkShaderProgram* vtkGPUUnstructuredGridVolumeMapper::ReadyRays(
   }
   for (vtkOpenGLRenderPass* pass : passes)
   {
-    pass->SetShaderParameters(program, this, volume, data.Viewport);
+    pass->SetShaderParameters(program, this, volume, data.Screen.GetVertices());
   }
   return program;
 }

@@ -19,17 +19,18 @@
 #include "Mesh/RayCastMesh.h"
 #include "OpenGL/ContextWatch.h"
 #include "OpenGL/RenderClock.h"
+#include "Passes/ScreenPass.h"
 #include "Shaders/VolumeShader.h"
-#include "View/FloatTarget.h"
+#include "Targets/RenderTarget.h"
 #include "View/MeshPlanes.h"
 #include "View/OpaqueDepth.h"
+#include "View/QuadBatches.h"
 #include "View/RayEntries.h"
 #include "View/RayView.h"
 #include "View/VolumeLights.h"
 #include "vtkGPUUnstructuredGridVolumeMapper.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLVertexArrayObject.h"
 
 #include <array>
 #include <map>
@@ -92,15 +93,14 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
   relevo::IntegralTable Integrals;
   relevo::OpaqueDepth Depth;
   relevo::RayEntries Entries;
-  relevo::FloatTarget Limits;
-  relevo::FloatTarget Projection;
+  relevo::RenderTarget Limits;
+  relevo::RenderTarget Projection;
   relevo::RayView View;
   relevo::MeshPlanes Planes;
   relevo::VolumeLights Lights;
   std::map<std::string, vtkShaderProgram*> Programs; // of the window's cache, by their text
-  vtkNew<vtkOpenGLVertexArrayObject> Viewport;
-  void DrawViewport();
-  void BlendViewport(); // over what is there
+  relevo::ScreenPass Screen;
+  relevo::QuadBatches Quads; // of cells
   void ActivateTextures(vtkShaderProgram* program);
   void DeactivateTextures();
   void FinishRays();

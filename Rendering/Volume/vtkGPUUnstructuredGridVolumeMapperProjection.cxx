@@ -3,7 +3,6 @@
 #include "vtkGPUUnstructuredGridVolumeMapperInternals.h"
 
 #include "View/CameraEye.h"
-#include "relevoViewportVS.h"
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
@@ -13,7 +12,7 @@
 
 namespace
 {
-using Mixing = relevo::FloatTarget::Mixing;
+using relevo::BlendOperation;
 
 // Sums have none; of one scalar, neither have extremes.
 bool NeedsOrder(const relevo::VolumeShaderOptions& options)
@@ -31,34 +30,29 @@ bool NeedsOrder(const relevo::VolumeShaderOptions& options)
   }
 }
 
-Mixing FindMixing(relevo::BlendMode blending)
+BlendOperation FindOperation(relevo::BlendMode blending)
 {
   switch (blending)
   {
     case relevo::BlendMode::Average:
     case relevo::BlendMode::Additive:
-      return Mixing::Add;
+      return BlendOperation::Add;
     case relevo::BlendMode::Maximum:
-      return Mixing::Highest;
+      return BlendOperation::Maximum;
     case relevo::BlendMode::Minimum:
-      return Mixing::Lowest;
+      return BlendOperation::Minimum;
     default:
-      return Mixing::Cover;
+      return BlendOperation::Over;
   }
-}
-
-bool IsExtreme(Mixing mixing)
-{
-  return mixing == Mixing::Highest || mixing == Mixing::Lowest;
 }
 
 // As relevoVolumeStore.glsl has them.
 int CountTextures(const relevo::VolumeShaderOptions& options)
 {
   const int table = options.HasTables ? 1 : 0;
-  return options.Blending == relevo::BlendMode::Average ? 2 + table
-    : IsExtreme(FindMixing(options.Blending))           ? 1 + table
-                                                        : 1;
+  return options.Blending == relevo::BlendMode::Average   ? 2 + table
+    : relevo::IsExtremum(FindOperation(options.Blending)) ? 1 + table
+                                                          : 1;
 }
 
 // Independent components have an extreme each.
@@ -93,16 +87,17 @@ bool vtkGPUUnstructuredGridVolumeMapper::SortCells(vtkRenderer* renderer, vtkVol
 bool vtkGPUUnstructuredGridVolumeMapper::RenderRayLimits(int width, int height)
 {
   vtkInternals& data = *this->Internals;
-  vtkShaderProgram* program =
-    this->ReadyProgram(relevoViewportVS, relevo::MakeLimitsShader(this->GetShaderOptions()));
-  if (!program || !data.Limits.Begin(data.GetWindow(), width, height, 4))
+  vtkShaderProgram* program = this->ReadyProgram(
+    relevo::ScreenPass::GetVertexShader(), relevo::MakeLimitsShader(this->GetShaderOptions()));
+  if (!program || !data.Limits.Begin(data.GetWindow(), width, height, { {} }))
   {
     return false;
   }
   data.View.SetUniforms(program);
   data.Planes.SetUniforms(program);
   data.Depth.Activate(program);
-  data.Limits.Draw(3, Mixing::Add);
+  data.Limits.Draw(BlendOperation::Add, &relevo::ScreenPass::DrawTriangle);
+  data.Limits.End();
   data.Depth.Deactivate();
   return true;
 }
@@ -149,13 +144,14 @@ bool vtkGPUUnstructuredGridVolumeMapper::DrawCells(vtkShaderProgram* program, in
 {
   vtkInternals& data = *this->Internals;
   const relevo::VolumeShaderOptions& options = data.Options;
-  const Mixing mixing = FindMixing(options.Blending);
+  const BlendOperation operation = FindOperation(options.Blending);
   const int components = options.NumberOfComponents;
-  const bool hasMany = IsExtreme(mixing) && HasManyExtremes(options);
+  const bool hasMany = relevo::IsExtremum(operation) && HasManyExtremes(options);
   for (int i = 0; i < (hasMany ? components : 1); ++i)
   {
+    const std::vector<relevo::RenderTarget::Format> formats(CountTextures(options));
     if (!data.Projection.Begin(
-          data.GetWindow(), width, height, 4, CountTextures(options), IsExtreme(mixing)))
+          data.GetWindow(), width, height, formats, relevo::IsExtremum(operation)))
     {
       return false;
     }
@@ -163,7 +159,9 @@ bool vtkGPUUnstructuredGridVolumeMapper::DrawCells(vtkShaderProgram* program, in
     {
       program->SetUniformi("decidingComponent", hasMany ? i : components - 1);
     }
-    data.Projection.DrawQuads(data.Projected.GetNumberOfCells(), mixing, hasMany ? i : -1);
+    data.Projection.Draw(
+      operation, [&]() { data.Quads.Draw(data.Projected.GetNumberOfCells()); }, hasMany ? i : -1);
+    data.Projection.End();
   }
   return true;
 }

@@ -3,7 +3,6 @@
 #include "vtkGPUUnstructuredGridVolumeMapperInternals.h"
 
 #include "Checks/SettingChecks.h"
-#include "relevoViewportVS.h"
 
 #include "vtkShaderProgram.h"
 #include "vtkVolume.h"
@@ -48,10 +47,11 @@ void vtkGPUUnstructuredGridVolumeMapper::DrawSampled(vtkVolume* volume, const in
   {
     return;
   }
-  const bool hasTarget = data.Projection.Begin(data.GetWindow(), sampled[2], sampled[3], 4);
+  const bool hasTarget = data.Projection.Begin(data.GetWindow(), sampled[2], sampled[3], { {} });
   if (hasTarget)
   {
-    data.Projection.Draw(3, relevo::FloatTarget::Mixing::Cover);
+    data.Projection.Draw(relevo::BlendOperation::Over, &relevo::ScreenPass::DrawTriangle);
+    data.Projection.End();
   }
   data.FinishRays();
   if (!hasTarget)
@@ -70,7 +70,7 @@ void vtkGPUUnstructuredGridVolumeMapper::BlendProjection(
 {
   vtkInternals& data = *this->Internals;
   data.View.SetViewport(relevo::dvec4(viewport[0], viewport[1], viewport[2], viewport[3]));
-  vtkShaderProgram* program = this->ReadyProgram(relevoViewportVS, source);
+  vtkShaderProgram* program = this->ReadyProgram(relevo::ScreenPass::GetVertexShader(), source);
   if (program)
   {
     data.View.SetUniforms(program);
@@ -80,7 +80,7 @@ void vtkGPUUnstructuredGridVolumeMapper::BlendProjection(
     {
       data.Projection.Activate(program, samplers[i], i);
     }
-    data.BlendViewport();
+    data.Screen.DrawOver(data.GetWindow());
     data.Projection.Deactivate();
     data.FunctionBuffers.Deactivate();
   }
@@ -102,8 +102,8 @@ int vtkGPUUnstructuredGridVolumeMapper::GetNumberOfLayers()
     const int height = data.LayersSize[1];
     if (!this->RenderRayEntries(width, height))
     {
-      vtkShaderProgram* program =
-        this->ReadyProgram(relevoViewportVS, relevo::MakeCountShader(this->GetShaderOptions()));
+      vtkShaderProgram* program = this->ReadyProgram(
+        relevo::ScreenPass::GetVertexShader(), relevo::MakeCountShader(this->GetShaderOptions()));
       if (!program || !data.Entries.Begin(window, width, height))
       {
         return 0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rays/PixelRays.h"
 
+#include "View/WorldView.h"
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -14,15 +15,7 @@ dmat4 Invert(vtkMatrix4x4* matrix)
 {
   vtkNew<vtkMatrix4x4> inverse;
   vtkMatrix4x4::Invert(matrix, inverse);
-  dmat4 result;
-  for (int row = 0; row < 4; ++row)
-  {
-    for (int column = 0; column < 4; ++column)
-    {
-      result[column][row] = inverse->GetElement(row, column);
-    }
-  }
-  return result;
+  return MakeMatrix(inverse);
 }
 }
 

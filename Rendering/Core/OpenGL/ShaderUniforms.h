@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   GLM's vectors and matrices as uniforms
+ * @brief   GLM's vectors and matrices as uniforms; MakeMatrix() of WorldView.h makes them of VTK's
  *
- * Private to the modules' own sources.
+ * Nothing happens where the program does not use the uniform. Private to the modules' own sources.
  */
 #ifndef ShaderUniforms_h
 #define ShaderUniforms_h
@@ -14,11 +14,35 @@
 
 namespace relevo
 {
+inline void SetInteger(vtkShaderProgram* program, const char* name, int value)
+{
+  if (program->IsUniformUsed(name))
+  {
+    program->SetUniformi(name, value);
+  }
+}
+
+inline void SetVector(vtkShaderProgram* program, const char* name, const dvec2& vector)
+{
+  const float values[2] = { static_cast<float>(vector.x), static_cast<float>(vector.y) };
+  program->SetUniform2f(name, values);
+}
+
 inline void SetVector(vtkShaderProgram* program, const char* name, const dvec4& vector)
 {
   const float values[4] = { static_cast<float>(vector.x), static_cast<float>(vector.y),
     static_cast<float>(vector.z), static_cast<float>(vector.w) };
   program->SetUniform4f(name, values);
+}
+
+inline void SetMatrix(vtkShaderProgram* program, const char* name, const dmat3& matrix)
+{
+  float values[9];
+  for (int i = 0; i < 9; ++i)
+  {
+    values[i] = static_cast<float>(matrix[i / 3][i % 3]);
+  }
+  program->SetUniformMatrix3x3(name, values);
 }
 
 inline void SetMatrix(vtkShaderProgram* program, const char* name, const dmat4& matrix)

@@ -4,10 +4,10 @@
 
 #include "OpenGL/RelevoOpenGL.h"
 #include "OpenGL/ShaderUniforms.h"
+#include "View/RendererLights.h"
+#include "View/WorldView.h"
 
 #include "vtkActor.h"
-#include "vtkLight.h"
-#include "vtkLightCollection.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLCamera.h"
@@ -27,12 +27,7 @@ namespace
 // Rows of VTK's are columns of GLM's: a matrix that VTK keeps for OpenGL is transposed already.
 dmat4 FromOpenGL(vtkMatrix4x4* matrix)
 {
-  dmat4 result;
-  for (int i = 0; i < 16; ++i)
-  {
-    result[i / 4][i % 4] = matrix->GetElement(i / 4, i % 4);
-  }
-  return result;
+  return transpose(MakeMatrix(matrix));
 }
 
 double GetLargest(const dvec4& v)
@@ -49,7 +44,7 @@ ReliefView::ReliefView(vtkRenderer* renderer, vtkActor* actor, const dmat4& toMo
   vtkMatrix3x3* normals;
   auto* camera = static_cast<vtkOpenGLCamera*>(renderer->GetActiveCamera());
   camera->GetKeyMatrices(renderer, worldToView, normals, viewToClip, worldToClip);
-  this->ToWorld = transpose(FromOpenGL(actor->GetMatrix())) * toModel;
+  this->ToWorld = MakeMatrix(actor->GetMatrix()) * toModel;
   this->ToView = FromOpenGL(worldToView) * this->ToWorld;
   this->ToClip = FromOpenGL(worldToClip) * this->ToWorld;
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
@@ -93,27 +88,14 @@ void ReliefView::SetUniforms(vtkShaderProgram* program) const
 
 bool ReliefView::SetLamp(vtkShaderProgram* program, vtkRenderer* renderer) const
 {
-  vtkLightCollection* lights = renderer->GetLights();
-  vtkCollectionSimpleIterator cookie;
-  lights->InitTraversal(cookie);
-  while (vtkLight* light = lights->GetNextLight(cookie))
+  const RendererLights lights(renderer);
+  if (lights.IsEmpty())
   {
-    if (light->GetSwitch())
-    {
-      double position[3];
-      double focus[3];
-      light->GetTransformedPosition(position);
-      light->GetTransformedFocalPoint(focus);
-      const dvec3 place(position[0], position[1], position[2]);
-      const dvec4 lamp = light->GetPositional()
-        ? dvec4(place, 1.0)
-        : dvec4(place - dvec3(focus[0], focus[1], focus[2]), 0.0);
-      const dvec4 seen = inverse(this->ToWorld) * lamp;
-      SetVector(program, "reliefLamp", seen / GetLargest(seen));
-      return true;
-    }
+    return false;
   }
-  return false;
+  const dvec4 seen = inverse(this->ToWorld) * lights.GetFirst().Position;
+  SetVector(program, "reliefLamp", seen / GetLargest(seen));
+  return true;
 }
 
 bool ReliefView::SeesFront(double height) const

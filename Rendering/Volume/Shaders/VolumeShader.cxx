@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaders/VolumeShader.h"
 
-#include "View/FloatTarget.h"
+#include "Targets/RenderTarget.h"
 #include "View/MeshPlanes.h"
 #include "relevoLinearSegment.h"
 #include "relevoVolumeAverage.h"
@@ -100,7 +100,7 @@ void DefineFeatures(std::ostringstream& defines, const VolumeShaderOptions& opti
   Define(defines, "AVERAGE", blending == BlendMode::Average);
   Define(defines, "ADDITIVE", blending == BlendMode::Additive);
   Define(defines, "SIGN", blending == BlendMode::Minimum ? -1 : 1);
-  Define(defines, "NONE", static_cast<int>(FloatTarget::None));
+  Define(defines, "NONE", static_cast<int>(RenderTarget::Empty));
   Define(defines, "SURFACES", options.HasSurfaces);
   Define(defines, "CLIPPED", options.IsClipped);
   Define(defines, "MOST_PLANES", MeshPlanes::Most);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "View/RayEntries.h"
 
+#include "Passes/ScreenPass.h"
+
 #include "vtkPixelBufferObject.h"
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
@@ -11,6 +13,24 @@
 
 namespace relevo
 {
+void RayEntries::Draw(int numberOfFaces)
+{
+  this->Target.Draw(BlendOperation::Add, [=]() { this->Faces.Draw(numberOfFaces); });
+  this->Target.End();
+}
+
+void RayEntries::DrawCounts()
+{
+  this->Target.Draw(BlendOperation::Add, &ScreenPass::DrawTriangle);
+  this->Target.End();
+}
+
+void RayEntries::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Target.ReleaseGraphicsResources(window);
+  this->Faces.ReleaseGraphicsResources();
+}
+
 int RayEntries::ReadMost()
 {
   vtkTextureObject* sums = this->Target.GetTexture();

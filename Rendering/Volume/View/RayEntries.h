@@ -10,24 +10,25 @@
 #ifndef RayEntries_h
 #define RayEntries_h
 
-#include "View/FloatTarget.h"
+#include "Targets/RenderTarget.h"
+#include "View/QuadBatches.h"
 
 namespace relevo
 {
 class RayEntries
 {
 public:
-  /// Make the target ready and current, of so many pixels; Draw() ends that. false if there is none
-  /// to be had.
+  /// Bind the target, of so many pixels; Draw() or DrawCounts() ends that. false if it cannot be
+  /// allocated.
   bool Begin(vtkOpenGLRenderWindow* window, int width, int height)
   {
-    return this->Target.Begin(window, width, height, 2);
+    return this->Target.Begin(window, width, height, { { 2 } });
   }
   /// With the program of MakeEntriesShader(), whose uniforms are set.
-  void Draw(int numberOfFaces) { this->Target.DrawQuads(numberOfFaces, FloatTarget::Mixing::Add); }
+  void Draw(int numberOfFaces);
 
   /// The same with that of MakeCountShader().
-  void DrawCounts() { this->Target.Draw(3, FloatTarget::Mixing::Add); }
+  void DrawCounts();
 
   /// A sampler needs a texture, also where it is not read: beside buffer textures in its unit
   /// OpenGL draws nothing.
@@ -40,16 +41,14 @@ public:
     this->Target.Activate(program, "rayEntries");
   }
   void Deactivate() { this->Target.Deactivate(); }
-  void ReleaseGraphicsResources(vtkWindow* window)
-  {
-    this->Target.ReleaseGraphicsResources(window);
-  }
+  void ReleaseGraphicsResources(vtkWindow* window);
 
   /// The most entries of any pixel; waits for the GPU.
   int ReadMost();
 
 private:
-  FloatTarget Target;
+  RenderTarget Target;
+  QuadBatches Faces;
 };
 }
 

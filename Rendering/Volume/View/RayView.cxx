@@ -16,19 +16,6 @@ namespace
 {
 // Not at the far plane, where depths of a perspective view lie close.
 constexpr double LargestMiddle = 0.99999;
-
-void SetMatrix(vtkShaderProgram* program, const char* name, const dmat3& matrix)
-{
-  if (program->IsUniformUsed(name))
-  {
-    float values[9];
-    for (int i = 0; i < 9; ++i)
-    {
-      values[i] = static_cast<float>(matrix[i / 3][i % 3]);
-    }
-    program->SetUniformMatrix3x3(name, values);
-  }
-}
 }
 
 bool RayView::Compute(
@@ -111,8 +98,7 @@ void RayView::SetUniforms(vtkShaderProgram* program) const
   SetVector(program, "rayY", this->Y);
   SetVector(program, "rayZ", this->Z);
   SetVector(program, "viewportPlace", this->Viewport);
-  const float range[2] = { static_cast<float>(this->Range.x), static_cast<float>(this->Range.y) };
-  program->SetUniform2f("zRange", range);
+  SetVector(program, "zRange", this->Range);
   SetMatrix(program, "meshToWorld", dmat3(this->MeshToWorld));
   SetMatrix(program, "gradientToWorld", this->GradientToWorld);
 }

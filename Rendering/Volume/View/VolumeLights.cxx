@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "View/VolumeLights.h"
 
-#include "vtkCollectionIterator.h"
-#include "vtkLight.h"
-#include "vtkLightCollection.h"
-#include "vtkRenderer.h"
+#include "View/RendererLights.h"
 #include "vtkShaderProgram.h"
 #include "vtkVolumeProperty.h"
 
@@ -13,11 +10,11 @@ namespace relevo
 {
 namespace
 {
-void AddColor(const double color[3], double intensity, std::vector<float>& all)
+void AddColor(const dvec3& color, std::vector<float>& all)
 {
   for (int c = 0; c < 3; ++c)
   {
-    all.push_back(static_cast<float>(color[c] * intensity));
+    all.push_back(static_cast<float>(color[c]));
   }
 }
 }
@@ -39,33 +36,20 @@ void VolumeLights::ReadMaterials(vtkVolumeProperty* property, int numberOfMateri
 
 void VolumeLights::ReadLights(vtkRenderer* renderer, const dmat4& meshToWorld)
 {
-  this->Places.clear();
+  this->Positions.clear();
   this->Diffuse.clear();
   this->Specular.clear();
   const dmat4 worldToMesh = inverse(meshToWorld);
-  vtkCollectionSimpleIterator each;
-  vtkLightCollection* lights = renderer->GetLights();
-  lights->InitTraversal(each);
-  while (vtkLight* light = lights->GetNextLight(each))
+  for (const RendererLight& light : RendererLights(renderer))
   {
-    if (!light->GetSwitch())
-    {
-      continue;
-    }
-    dvec3 position;
-    dvec3 focus;
-    light->GetTransformedPosition(&position.x);
-    light->GetTransformedFocalPoint(&focus.x);
-    const dvec3 away = position - focus;
-    const dvec4 place = light->GetPositional() ? worldToMesh * dvec4(position, 1.0)
-      : length(away) > 0.0                     ? dvec4(normalize(away), 0.0)
-                                               : dvec4(0.0, 0.0, 1.0, 0.0);
+    const bool isPositional = light.Position.w > 0.0;
+    const dvec4 position = isPositional ? worldToMesh * light.Position : light.Position;
     for (int c = 0; c < 4; ++c)
     {
-      this->Places.push_back(static_cast<float>(place[c]));
+      this->Positions.push_back(static_cast<float>(position[c]));
     }
-    AddColor(light->GetDiffuseColor(), light->GetIntensity(), this->Diffuse);
-    AddColor(light->GetSpecularColor(), light->GetIntensity(), this->Specular);
+    AddColor(light.Diffuse, this->Diffuse);
+    AddColor(light.Specular, this->Specular);
   }
 }
 
@@ -79,7 +63,7 @@ void VolumeLights::SetUniforms(vtkShaderProgram* program) const
   if (program->IsUniformUsed("lightPlaces"))
   {
     const int count = this->GetNumberOfLights();
-    program->SetUniform4fv("lightPlaces", count, this->Places.data());
+    program->SetUniform4fv("lightPlaces", count, this->Positions.data());
     program->SetUniform3fv("lightDiffuse", count, this->Diffuse.data());
     program->SetUniform3fv("lightSpecular", count, this->Specular.data());
   }

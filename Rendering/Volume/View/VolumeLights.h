@@ -28,12 +28,12 @@ public:
   /// Lights that are on.
   void ReadLights(vtkRenderer* renderer, const dmat4& meshToWorld);
 
-  int GetNumberOfLights() const { return static_cast<int>(this->Places.size() / 4); }
+  int GetNumberOfLights() const { return static_cast<int>(this->Positions.size() / 4); }
   void SetUniforms(vtkShaderProgram* program) const;
 
 private:
   std::vector<float> Materials; // 4 each
-  std::vector<float> Places;    // 4 each
+  std::vector<float> Positions; // 4 each
   std::vector<float> Diffuse;   // 3 each
   std::vector<float> Specular;
 };

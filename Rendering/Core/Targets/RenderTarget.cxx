@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "View/FloatTarget.h"
+#include "Targets/RenderTarget.h"
 
 #include "OpenGL/RelevoOpenGL.h"
 
-#include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -12,40 +11,32 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
-#include <algorithm>
-#include <vector>
-
 namespace relevo
 {
-namespace
+RenderTarget::RenderTarget() = default;
+RenderTarget::~RenderTarget() = default;
+
+vtkTextureObject* RenderTarget::GetTexture(size_t texture) const
 {
-constexpr int QuadsPerCall = 16384; // whose corners have numbers of 16 bits
+  return texture < this->Textures.size() ? this->Textures[texture].Get() : nullptr;
 }
 
-FloatTarget::FloatTarget() = default;
-FloatTarget::~FloatTarget() = default;
-
-vtkTextureObject* FloatTarget::GetTexture() const
-{
-  return this->Textures.empty() ? nullptr : this->Textures[0].Get();
-}
-
-bool FloatTarget::Has(int width, int height, int numberOfTextures, bool hasDepth) const
+bool RenderTarget::Has(
+  int width, int height, const std::vector<Format>& formats, bool hasDepth) const
 {
   vtkTextureObject* first = this->GetTexture();
-  return static_cast<int>(this->Textures.size()) == numberOfTextures &&
-    static_cast<int>(first->GetWidth()) == width &&
+  return first && this->Formats == formats && static_cast<int>(first->GetWidth()) == width &&
     static_cast<int>(first->GetHeight()) == height && (this->Depth != nullptr) == hasDepth;
 }
 
-bool FloatTarget::Create(vtkOpenGLRenderWindow* window, int width, int height, int components,
-  int numberOfTextures, bool hasDepth)
+bool RenderTarget::Create(vtkOpenGLRenderWindow* window, int width, int height,
+  const std::vector<Format>& formats, bool hasDepth)
 {
   const unsigned int columns = static_cast<unsigned int>(width);
   const unsigned int rows = static_cast<unsigned int>(height);
   this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
   this->Framebuffer->SetContext(window);
-  for (int i = 0; i < numberOfTextures; ++i)
+  for (const Format& format : formats)
   {
     auto texture = vtkSmartPointer<vtkTextureObject>::New();
     texture->SetContext(window);
@@ -54,11 +45,12 @@ bool FloatTarget::Create(vtkOpenGLRenderWindow* window, int width, int height, i
     texture->SetWrapS(vtkTextureObject::ClampToEdge);
     texture->SetWrapT(vtkTextureObject::ClampToEdge);
     this->Textures.push_back(texture);
-    if (!texture->Create2D(columns, rows, components, VTK_FLOAT, false))
+    if (!texture->Create2D(columns, rows, format.Components, format.Type, false))
     {
       return false;
     }
   }
+  this->Formats = formats;
   if (hasDepth)
   {
     this->Depth = vtkSmartPointer<vtkTextureObject>::New();
@@ -68,13 +60,13 @@ bool FloatTarget::Create(vtkOpenGLRenderWindow* window, int width, int height, i
   return true;
 }
 
-bool FloatTarget::Begin(vtkOpenGLRenderWindow* window, int width, int height, int components,
-  int numberOfTextures, bool hasDepth)
+bool RenderTarget::Begin(vtkOpenGLRenderWindow* window, int width, int height,
+  const std::vector<Format>& formats, bool hasDepth)
 {
-  if (!this->Has(width, height, numberOfTextures, hasDepth))
+  if (!this->Has(width, height, formats, hasDepth))
   {
     this->ReleaseGraphicsResources(window);
-    if (!this->Create(window, width, height, components, numberOfTextures, hasDepth))
+    if (!this->Create(window, width, height, formats, hasDepth))
     {
       this->ReleaseGraphicsResources(window);
       return false;
@@ -95,67 +87,28 @@ bool FloatTarget::Begin(vtkOpenGLRenderWindow* window, int width, int height, in
   return true;
 }
 
-void FloatTarget::Draw(int numberOfVertices, Mixing mixing)
+void RenderTarget::End()
 {
-  this->DrawBlended(mixing, -1, [=]() { glDrawArrays(GL_TRIANGLES, 0, numberOfVertices); });
+  this->Framebuffer->GetContext()->GetState()->PopFramebufferBindings();
 }
 
-bool FloatTarget::BindQuads()
+// By the write masks that the operation has set.
+void RenderTarget::Clear(BlendOperation operation)
 {
-  if (this->Quads)
-  {
-    return this->Quads->Bind();
-  }
-  std::vector<unsigned short> corners;
-  corners.reserve(6 * static_cast<size_t>(QuadsPerCall));
-  for (int quad = 0; quad < QuadsPerCall; ++quad)
-  {
-    for (int corner : { 0, 1, 2, 0, 2, 3 })
-    {
-      corners.push_back(static_cast<unsigned short>(4 * quad + corner));
-    }
-  }
-  this->Quads = vtkSmartPointer<vtkOpenGLBufferObject>::New();
-  this->Quads->SetType(vtkOpenGLBufferObject::ElementArrayBuffer);
-  return this->Quads->Upload(corners, vtkOpenGLBufferObject::ElementArrayBuffer);
-}
-
-void FloatTarget::DrawQuads(int numberOfQuads, Mixing mixing, int channel)
-{
-  this->DrawBlended(mixing, channel,
-    [=]()
-    {
-      if (!this->BindQuads())
-      {
-        return;
-      }
-      for (int first = 0; first < numberOfQuads; first += QuadsPerCall)
-      {
-        glDrawElementsBaseVertex(GL_TRIANGLES, 6 * std::min(QuadsPerCall, numberOfQuads - first),
-          GL_UNSIGNED_SHORT, nullptr, 4 * first);
-      }
-      this->Quads->Release();
-    });
-}
-
-// With what the state has for the mixing.
-void FloatTarget::Clear(Mixing mixing)
-{
-  const bool isExtreme = mixing == Mixing::Highest || mixing == Mixing::Lowest;
-  const float value = isExtreme ? None : 0.0f;
+  const float value = IsExtremum(operation) ? Empty : 0.0f;
   const float colors[4] = { value, value, value, value };
   for (size_t i = 0; i < this->Textures.size(); ++i)
   {
     glClearBufferfv(GL_COLOR, static_cast<GLint>(i), colors);
   }
-  if (isExtreme)
+  if (IsExtremum(operation))
   {
-    const float depth = mixing == Mixing::Highest ? 0.0f : 1.0f;
+    const float depth = operation == BlendOperation::Maximum ? 0.0f : 1.0f;
     glClearBufferfv(GL_DEPTH, 0, &depth);
   }
 }
 
-void FloatTarget::DrawBlended(Mixing mixing, int channel, const std::function<void()>& draw)
+void RenderTarget::Draw(BlendOperation operation, const std::function<void()>& draw, int channel)
 {
   vtkOpenGLState* state = this->Framebuffer->GetContext()->GetState();
   vtkOpenGLState::ScopedglViewport viewport(state);
@@ -171,30 +124,29 @@ void FloatTarget::DrawBlended(Mixing mixing, int channel, const std::function<vo
   GLint equations[2] = { GL_FUNC_ADD, GL_FUNC_ADD };
   glGetIntegerv(GL_BLEND_EQUATION_RGB, &equations[0]);
   glGetIntegerv(GL_BLEND_EQUATION_ALPHA, &equations[1]);
-  const bool isExtreme = mixing == Mixing::Highest || mixing == Mixing::Lowest;
+  const bool isExtremum = IsExtremum(operation);
   const auto isDrawn = [=](int i) { return channel < 0 || channel == i; };
   state->vtkglViewport(0, 0, static_cast<int>(this->GetTexture()->GetWidth()),
     static_cast<int>(this->GetTexture()->GetHeight()));
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglColorMask(isDrawn(0), isDrawn(1), isDrawn(2), isDrawn(3));
-  state->vtkglDepthMask(isExtreme ? GL_TRUE : GL_FALSE);
-  state->vtkglDepthFunc(mixing == Mixing::Highest ? GL_GEQUAL : GL_LEQUAL);
-  state->SetEnumState(GL_DEPTH_TEST, isExtreme);
-  state->SetEnumState(GL_BLEND, !isExtreme);
+  state->vtkglDepthMask(isExtremum ? GL_TRUE : GL_FALSE);
+  state->vtkglDepthFunc(operation == BlendOperation::Maximum ? GL_GEQUAL : GL_LEQUAL);
+  state->SetEnumState(GL_DEPTH_TEST, isExtremum);
+  state->SetEnumState(GL_BLEND, !isExtremum);
   state->vtkglBlendEquationSeparate(GL_FUNC_ADD, GL_FUNC_ADD);
-  const unsigned int kept = mixing == Mixing::Cover ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE;
+  const unsigned int kept = operation == BlendOperation::Over ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE;
   state->vtkglBlendFuncSeparate(GL_ONE, kept, GL_ONE, kept);
-  this->Clear(mixing);
+  this->Clear(operation);
   this->Vertices->Bind();
   draw();
   this->Vertices->Release();
   state->vtkglBlendEquationSeparate(
     static_cast<unsigned int>(equations[0]), static_cast<unsigned int>(equations[1]));
-  state->PopFramebufferBindings();
 }
 
-void FloatTarget::Activate(vtkShaderProgram* program, const std::string& sampler, size_t texture)
+void RenderTarget::Activate(vtkShaderProgram* program, const std::string& sampler, size_t texture)
 {
   if (texture < this->Textures.size() && program->IsUniformUsed(sampler.c_str()))
   {
@@ -203,7 +155,7 @@ void FloatTarget::Activate(vtkShaderProgram* program, const std::string& sampler
   }
 }
 
-void FloatTarget::Deactivate()
+void RenderTarget::Deactivate()
 {
   for (vtkTextureObject* texture : this->Textures)
   {
@@ -211,13 +163,14 @@ void FloatTarget::Deactivate()
   }
 }
 
-void FloatTarget::ReleaseGraphicsResources(vtkWindow* window)
+void RenderTarget::ReleaseGraphicsResources(vtkWindow* window)
 {
   for (vtkTextureObject* texture : this->Textures)
   {
     texture->ReleaseGraphicsResources(window);
   }
   this->Textures.clear();
+  this->Formats.clear();
   if (this->Depth)
   {
     this->Depth->ReleaseGraphicsResources(window);
@@ -227,11 +180,6 @@ void FloatTarget::ReleaseGraphicsResources(vtkWindow* window)
   {
     this->Framebuffer->ReleaseGraphicsResources(window);
     this->Framebuffer = nullptr;
-  }
-  if (this->Quads)
-  {
-    this->Quads->ReleaseGraphicsResources();
-    this->Quads = nullptr;
   }
   this->Vertices->ReleaseGraphicsResources();
 }
