@@ -1,16 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkAdaptiveCurveMapperInternals.h"
+#include "vtkAdaptiveCurveMapper.h"
 
 #include "Checks/MemoryGuard.h"
+#include "Checks/SettingChecks.h"
 #include "Checks/ShouldReport.h"
+#include "Composite/DataLeaves.h"
+#include "Composite/LeafMapper.h"
+#include "Drawing/CurvePainter.h"
+#include "OpenGL/ContextWatch.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAlgorithm.h"
 #include "vtkBoundingBox.h"
 #include "vtkCommand.h"
-#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataPipeline.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkInformation.h"
@@ -23,33 +26,45 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <utility>
+#include <string>
+#include <vector>
 
 namespace
 {
-// A data set of an input, and where it is.
-struct Leaf
+// A data set of the input.
+struct CurveLeaf
 {
-  unsigned int Index = 0; // flat
-  vtkDataObject* Data = nullptr;
-  std::string Name; // empty where there are no others
+  using Painter = relevo::CurvePainter;
+  std::vector<relevo::CurvePainter*> GetPainters() const
+  {
+    return std::vector<relevo::CurvePainter*>(this->Curves ? 1 : 0, this->Curves.Get());
+  }
+
+  // What can be wrong with it.
+  enum Kinds
+  {
+    CELLS,
+    RADII,
+    INPUT,
+    COLORS,
+    SHADERS,
+    NUMBER_OF_KINDS
+  };
+  vtkSmartPointer<relevo::CurvePainter> Curves; // nullptr of what has no curves
+  std::string Prefix;                           // of messages
+  std::string Problems[NUMBER_OF_KINDS];        // reported last
+  std::string Warning;                          // likewise
+  bool IsDrawn = false;                         // in the last render
 };
 
-std::vector<Leaf> FindLeaves(vtkDataObject* input)
+// An error, unless the last one of that kind is the same.
+void ReportLeaf(
+  vtkAdaptiveCurveMapper* self, CurveLeaf& leaf, CurveLeaf::Kinds kind, const std::string& problem)
 {
-  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
-  if (!composite)
+  if (relevo::ShouldReport(leaf.Problems[kind], problem))
   {
-    return input ? std::vector<Leaf>(1, { 0, input, "" }) : std::vector<Leaf>();
+    vtkErrorWithObjectMacro(self, << leaf.Prefix << problem);
   }
-  std::vector<Leaf> leaves;
-  auto leaf = vtk::TakeSmartPointer(composite->NewIterator());
-  for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
-  {
-    const unsigned int index = leaf->GetCurrentFlatIndex();
-    leaves.push_back({ index, leaf->GetCurrentDataObject(), "Block " + std::to_string(index) });
-  }
-  return leaves;
 }
 
 vtkPointSet* GetCurves(vtkDataObject* data)
@@ -79,6 +94,23 @@ void CopyCoincidentOffsets(vtkMapper* from, vtkMapper* to)
   to->SetRelativeCoincidentTopologyPointOffsetParameter(units);
 }
 }
+
+struct vtkAdaptiveCurveMapper::vtkInternals
+{
+  relevo::LeafMapper<CurveLeaf> Leaves;
+  vtkNew<relevo::ContextWatch> Context;
+  std::string Problem; // of all leaves, reported last
+  std::string TessellationProblem;
+  int MethodInUse = METHOD_INSTANCING;
+
+  // The sum of getNumber(painter) for the leaves that the last render drew.
+  template <typename Number>
+  vtkIdType SumOfFrame(const Number& getNumber) const
+  {
+    return this->Leaves.Sum([&getNumber](const CurveLeaf& leaf)
+      { return leaf.IsDrawn ? static_cast<vtkIdType>(getNumber(*leaf.Curves)) : 0; });
+  }
+};
 
 vtkStandardNewMacro(vtkAdaptiveCurveMapper);
 
@@ -120,78 +152,88 @@ void vtkAdaptiveCurveMapper::SetInputData(vtkPointSet* curves)
 }
 
 //------------------------------------------------------------------------------
+// Settings
+
+void vtkAdaptiveCurveMapper::SetMethod(int method)
+{
+  relevo::SetChoice(
+    this, "Method", this->Method, method, { "INSTANCING", "HARDWARE_TESSELLATION" });
+}
+
+void vtkAdaptiveCurveMapper::SetRepresentation(int representation)
+{
+  relevo::SetChoice(
+    this, "Representation", this->Representation, representation, { "LINES", "RIBBONS", "TUBES" });
+}
+
+void vtkAdaptiveCurveMapper::SetRadius(double radius)
+{
+  relevo::SetInRange(this, "Radius", this->Radius, radius, 0.0, relevo::LargestDouble);
+}
+
+void vtkAdaptiveCurveMapper::SetRadiusArrayName(const char* name)
+{
+  const std::string text = name ? name : "";
+  if (this->RadiusArrayName != text)
+  {
+    this->RadiusArrayName = text;
+    this->Modified();
+  }
+}
+
+void vtkAdaptiveCurveMapper::SetNumberOfSides(int sides)
+{
+  relevo::SetInRange(this, "NumberOfSides", this->NumberOfSides, sides, 3, 64);
+}
+
+void vtkAdaptiveCurveMapper::SetFrustumCulling(bool culling)
+{
+  if (this->FrustumCulling != culling)
+  {
+    this->FrustumCulling = culling;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 // Input
 
-void vtkAdaptiveCurveMapper::UpdateBlocks()
+void vtkAdaptiveCurveMapper::UpdateCurves()
 {
   vtkInternals& data = *this->Internals;
-  relevo::CurvePainter::Shape shape;
+  relevo::CurveGeometry::Shape shape;
   shape.Sides = this->Representation == LINES ? 1
     : this->Representation == RIBBONS         ? 2
                                               : this->NumberOfSides;
   shape.Radius = this->Radius;
   shape.RadiusArrayName = this->RadiusArrayName;
-  std::map<unsigned int, vtkBlock> blocks;
-  for (const Leaf& leaf :
-    FindLeaves(this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr))
-  {
-    const auto last = data.Blocks.find(leaf.Index);
-    vtkBlock& block = blocks[leaf.Index];
-    if (last != data.Blocks.end())
+  data.Leaves.Update(relevo::FindDataLeaves(this->GetInputDataObject(0, 0)),
+    data.Context->GetContext(),
+    [&](const relevo::DataLeaf& input, CurveLeaf& leaf)
     {
-      block = last->second;
-    }
-    block.Prefix = leaf.Name.empty() ? "" : leaf.Name + ": ";
-    vtkPointSet* curves = GetCurves(leaf.Data);
-    if (!curves)
-    {
-      this->Say(block, vtkBlock::CELLS,
-        std::string("A ") + leaf.Data->GetClassName() +
-          " has no curves: a vtkUnstructuredGrid or a vtkPolyData is needed.");
-      block.Painter = nullptr;
-      block.IsDrawn = false;
-      continue;
-    }
-    if (!block.Painter)
-    {
-      block.Painter = vtkSmartPointer<relevo::CurvePainter>::New();
-    }
-    if (block.Painter->SetCurves(curves))
-    {
-      this->Say(block, vtkBlock::CELLS, FindCellProblem(curves, block.Painter->GetMesh()));
-      if (relevo::ShouldReport(block.Warning, block.Painter->GetMesh().GetWarning()))
+      leaf.Prefix = input.GetPrefix();
+      vtkPointSet* curves = GetCurves(input.Data);
+      if (!curves)
       {
-        vtkWarningMacro(<< block.Prefix << block.Warning);
+        ReportLeaf(this, leaf, CurveLeaf::CELLS,
+          std::string("A ") + input.Data->GetClassName() +
+            " has no curves: a vtkUnstructuredGrid or a vtkPolyData is needed.");
+        leaf.Curves = nullptr;
+        leaf.IsDrawn = false;
+        return;
       }
-    }
-    this->Say(block, vtkBlock::RADII, block.Painter->SetShape(shape));
-  }
-  for (auto& last : data.Blocks)
-  {
-    const auto next = blocks.find(last.first);
-    if (last.second.Painter &&
-      (next == blocks.end() || next->second.Painter != last.second.Painter))
-    {
-      data.AddCounts(*last.second.Painter);
-      last.second.Painter->ReleaseGraphicsResources(data.Context->GetContext());
-    }
-  }
-  data.Blocks.swap(blocks);
-}
-
-void vtkAdaptiveCurveMapper::vtkInternals::AddCounts(const relevo::CurvePainter& painter)
-{
-  this->NumberOfSelections += painter.GetCurveSelection().GetNumberOfEvaluations();
-  this->NumberOfBufferBuilds += painter.GetNumberOfBufferBuilds();
-  this->NumberOfShaderBuilds += painter.GetNumberOfShaderBuilds();
-}
-
-void vtkAdaptiveCurveMapper::Say(vtkBlock& block, int kind, const std::string& problem)
-{
-  if (relevo::ShouldReport(block.Problems[kind], problem))
-  {
-    vtkErrorMacro(<< block.Prefix << problem);
-  }
+      leaf.Curves = leaf.Curves ? leaf.Curves : vtkSmartPointer<relevo::CurvePainter>::New();
+      if (leaf.Curves->SetCurves(curves))
+      {
+        const relevo::CurveMesh& mesh = leaf.Curves->GetMesh();
+        ReportLeaf(this, leaf, CurveLeaf::CELLS, FindCellProblem(curves, mesh));
+        if (relevo::ShouldReport(leaf.Warning, mesh.GetWarning()))
+        {
+          vtkWarningMacro(<< leaf.Prefix << leaf.Warning);
+        }
+      }
+      ReportLeaf(this, leaf, CurveLeaf::RADII, leaf.Curves->SetShape(shape));
+    });
 }
 
 double* vtkAdaptiveCurveMapper::GetBounds()
@@ -205,16 +247,12 @@ double* vtkAdaptiveCurveMapper::GetBounds()
   {
     this->GetInputAlgorithm()->Update();
   }
-  this->UpdateBlocks();
+  this->UpdateCurves();
   vtkBoundingBox box;
-  for (const auto& block : this->Internals->Blocks)
+  for (relevo::CurvePainter* painter : this->Internals->Leaves.GetPainters())
   {
     double bounds[6];
-    vtkMath::UninitializeBounds(bounds);
-    if (block.second.Painter)
-    {
-      block.second.Painter->GetCurveBounds(bounds);
-    }
+    painter->GetCurveBounds(bounds);
     box.AddBounds(bounds); // which must be initialized to count
   }
   if (box.IsValid())
@@ -239,7 +277,7 @@ bool vtkAdaptiveCurveMapper::HasTranslucentPolygonalGeometry()
   {
     this->GetInputAlgorithm()->Update();
   }
-  for (const Leaf& leaf : FindLeaves(this->GetInputDataObject(0, 0)))
+  for (const relevo::DataLeaf& leaf : relevo::FindDataLeaves(this->GetInputDataObject(0, 0)))
   {
     int cellFlag = 0;
     vtkPointSet* curves = GetCurves(leaf.Data);
@@ -269,9 +307,9 @@ void vtkAdaptiveCurveMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   {
     return;
   }
-  for (auto& block : data.Blocks)
+  for (auto& entry : data.Leaves.GetLeaves())
   {
-    block.second.IsDrawn = false;
+    entry.second.IsDrawn = false;
   }
   if (this->GetNumberOfInputConnections(0) == 0)
   {
@@ -297,70 +335,57 @@ void vtkAdaptiveCurveMapper::Render(vtkRenderer* renderer, vtkActor* actor)
     relevo::RunWithinMemory(this, "the curves",
       [&]
       {
-        this->UpdateBlocks();
-        this->RenderBlocks(renderer, actor);
+        this->UpdateCurves();
+        this->RenderCurves(renderer, actor);
         return true;
       });
   }
   this->UpdateProgress(1.0);
 }
 
-void vtkAdaptiveCurveMapper::RenderBlocks(vtkRenderer* renderer, vtkActor* actor)
+void vtkAdaptiveCurveMapper::RenderCurves(vtkRenderer* renderer, vtkActor* actor)
 {
   vtkInternals& data = *this->Internals;
-  vtkHardwareSelector* selector = renderer->GetSelector();
-  if (selector)
-  {
-    selector->BeginRenderProp();
-  }
   relevo::CurvePainter::Settings settings;
   settings.Recipe = this->Refinement;
   settings.Scalars = this;
   settings.IsTessellated = this->Method == METHOD_HARDWARE_TESSELLATION;
   settings.IsCulled = this->FrustumCulling;
   std::string tessellationProblem;
-  for (auto& entry : data.Blocks)
-  {
-    vtkBlock& block = entry.second;
-    if (!block.Painter || !block.Problems[vtkBlock::RADII].empty())
+  data.Leaves.Render(renderer,
+    [&](CurveLeaf& leaf)
     {
-      continue;
-    }
-    block.Painter->SetClippingPlanes(this->ClippingPlanes);
-    CopyCoincidentOffsets(this, block.Painter);
-    const std::string problem = block.Painter->Prepare(renderer, actor, settings);
-    this->Say(block, vtkBlock::INPUT, problem);
-    this->Say(block, vtkBlock::COLORS, block.Painter->GetColorProblem());
-    if (!problem.empty())
-    {
-      continue;
-    }
-    if (selector)
-    {
-      block.Painter->AnnounceIds(selector);
-      if (selector->GetCurrentPass() == vtkHardwareSelector::COMPOSITE_INDEX_PASS)
+      if (!leaf.Curves || !leaf.Problems[CurveLeaf::RADII].empty())
       {
-        selector->RenderCompositeIndex(std::max(entry.first, 1u));
+        return;
       }
-    }
-    block.Painter->RenderPiece(renderer, actor);
-    block.IsDrawn = true;
-    this->Say(block, vtkBlock::SHADERS, block.Painter->GetShaderProblem());
-    if (!block.Painter->GetTessellationProblem().empty())
-    {
-      tessellationProblem = "The method HARDWARE_TESSELLATION cannot be used: " +
-        block.Painter->GetTessellationProblem() + ". The method INSTANCING is used instead.";
-    }
-    data.MethodInUse =
-      block.Painter->IsTessellated() ? METHOD_HARDWARE_TESSELLATION : METHOD_INSTANCING;
-  }
+      leaf.Curves->SetClippingPlanes(this->ClippingPlanes);
+      CopyCoincidentOffsets(this, leaf.Curves);
+      const std::string problem = leaf.Curves->Prepare(renderer, actor, settings);
+      ReportLeaf(this, leaf, CurveLeaf::INPUT, problem);
+      ReportLeaf(this, leaf, CurveLeaf::COLORS, leaf.Curves->GetColorProblem());
+      if (!problem.empty())
+      {
+        return;
+      }
+      if (vtkHardwareSelector* selector = renderer->GetSelector())
+      {
+        leaf.Curves->AnnounceIds(selector);
+      }
+      leaf.Curves->RenderPiece(renderer, actor);
+      leaf.IsDrawn = true;
+      ReportLeaf(this, leaf, CurveLeaf::SHADERS, leaf.Curves->GetShaderProblem());
+      if (!leaf.Curves->GetTessellationProblem().empty())
+      {
+        tessellationProblem = "The method HARDWARE_TESSELLATION cannot be used: " +
+          leaf.Curves->GetTessellationProblem() + ". The method INSTANCING is used instead.";
+      }
+      data.MethodInUse =
+        leaf.Curves->IsTessellated() ? METHOD_HARDWARE_TESSELLATION : METHOD_INSTANCING;
+    });
   if (relevo::ShouldReport(data.TessellationProblem, tessellationProblem))
   {
     vtkErrorMacro(<< tessellationProblem);
-  }
-  if (selector)
-  {
-    selector->EndRenderProp();
   }
 }
 
@@ -372,11 +397,97 @@ void vtkAdaptiveCurveMapper::ReleaseGraphicsResources(vtkWindow* window)
     return; // came back to this method, from within the context that the resources belong to
   }
   this->Superclass::ReleaseGraphicsResources(window);
-  for (auto& block : data.Blocks)
+  data.Leaves.ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+// Counts
+
+int vtkAdaptiveCurveMapper::GetMethodInUse()
+{
+  return this->Internals->MethodInUse;
+}
+
+vtkIdType vtkAdaptiveCurveMapper::GetNumberOfDrawnSegments()
+{
+  return this->Internals->SumOfFrame(
+    [](const relevo::CurvePainter& painter) { return painter.CountDrawnSegments(); });
+}
+
+vtkIdType vtkAdaptiveCurveMapper::GetNumberOfCulledSegments()
+{
+  return this->Internals->SumOfFrame(
+    [](const relevo::CurvePainter& painter) { return painter.CountHiddenSegments(); });
+}
+
+vtkIdType vtkAdaptiveCurveMapper::GetNumberOfCurves()
+{
+  return this->Internals->SumOfFrame(
+    [](const relevo::CurvePainter& painter) { return painter.GetMesh().GetNumberOfCurves(); });
+}
+
+vtkIdType vtkAdaptiveCurveMapper::GetNumberOfCulledCurves()
+{
+  return this->Internals->SumOfFrame([](const relevo::CurvePainter& painter)
+    { return painter.GetCurveSelection().GetNumberOfHiddenCurves(); });
+}
+
+int vtkAdaptiveCurveMapper::GetNumberOfDrawCalls()
+{
+  return static_cast<int>(this->Internals->SumOfFrame(
+    [](const relevo::CurvePainter& painter) { return painter.GetNumberOfDrawCalls(); }));
+}
+
+vtkIdType vtkAdaptiveCurveMapper::GetNumberOfSelections()
+{
+  return this->Internals->Leaves.GetCounts().Selections;
+}
+
+vtkIdType vtkAdaptiveCurveMapper::GetNumberOfBufferBuilds()
+{
+  return this->Internals->Leaves.GetCounts().BufferBuilds;
+}
+
+vtkIdType vtkAdaptiveCurveMapper::GetNumberOfShaderBuilds()
+{
+  return this->Internals->Leaves.GetCounts().ShaderBuilds;
+}
+
+vtkTypeInt64 vtkAdaptiveCurveMapper::GetGraphicsMemorySize()
+{
+  return this->Internals->Leaves.GetMemorySize();
+}
+
+vtkMTimeType vtkAdaptiveCurveMapper::GetMTime()
+{
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->Refinement ? std::max(time, this->Refinement->GetMTime()) : time;
+}
+
+void vtkAdaptiveCurveMapper::ShallowCopy(vtkAbstractMapper* mapper)
+{
+  if (vtkAdaptiveCurveMapper* other = vtkAdaptiveCurveMapper::SafeDownCast(mapper))
   {
-    if (block.second.Painter)
-    {
-      block.second.Painter->ReleaseGraphicsResources(window);
-    }
+    this->SetRefinement(other->Refinement);
+    this->SetMethod(other->Method);
+    this->SetRepresentation(other->Representation);
+    this->SetRadius(other->Radius);
+    this->SetRadiusArrayName(other->GetRadiusArrayName());
+    this->SetNumberOfSides(other->NumberOfSides);
+    this->SetFrustumCulling(other->FrustumCulling);
+    this->SetInputConnection(other->GetInputConnection(0, 0));
   }
+  this->Superclass::ShallowCopy(mapper);
+}
+
+void vtkAdaptiveCurveMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Refinement: " << this->Refinement << "\n";
+  os << indent << "Method: " << this->Method << "\n";
+  os << indent << "Representation: " << this->Representation << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "RadiusArrayName: " << this->RadiusArrayName << "\n";
+  os << indent << "NumberOfSides: " << this->NumberOfSides << "\n";
+  os << indent << "FrustumCulling: " << this->FrustumCulling << "\n";
 }

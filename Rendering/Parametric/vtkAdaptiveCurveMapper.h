@@ -210,15 +210,11 @@ private:
   vtkAdaptiveCurveMapper(const vtkAdaptiveCurveMapper&) = delete;
   void operator=(const vtkAdaptiveCurveMapper&) = delete;
 
-  struct vtkInternals;
-  struct vtkBlock;
-
   /// Reads the input again if it has changed.
-  void UpdateBlocks();
-  void RenderBlocks(vtkRenderer* renderer, vtkActor* actor);
-  /// An error, unless it has been said last of that kind.
-  void Say(vtkBlock& block, int kind, const std::string& problem);
+  void UpdateCurves();
+  void RenderCurves(vtkRenderer* renderer, vtkActor* actor);
 
+  struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
 };
 

@@ -2,64 +2,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Buffers/CurvePatterns.h"
 
-#include "vtkOpenGLBufferObject.h"
-
-#include <algorithm>
+#include <initializer_list>
 
 namespace relevo
 {
-namespace
-{
-// How many vertices an instance should have at least.
-constexpr int VerticesPerInstance = 512;
-}
-
-CurvePatterns::CurvePatterns()
-{
-  this->Buffer->SetType(vtkOpenGLBufferObject::ElementArrayBuffer);
-}
-
-CurvePatterns::~CurvePatterns() = default;
-
 void CurvePatterns::SetShape(Primitives primitives, int sides)
 {
   if (this->Shape != primitives || this->Sides != sides)
   {
     this->Shape = primitives;
     this->Sides = sides;
-    this->Ranges.clear();
-    this->Indices.clear();
-    this->NumberUploaded = 0;
+    this->Ranges.Clear();
   }
 }
 
-const CurvePatterns::Range& CurvePatterns::GetRange(int segments)
+const PatternRange& CurvePatterns::GetRange(int segments)
 {
-  const auto found = this->Ranges.find(segments);
-  if (found != this->Ranges.end())
-  {
-    return found->second;
-  }
-  Range& range = this->Ranges[segments];
   const int vertices = this->Sides * (segments + 1);
-  range.Copies = std::max(1, VerticesPerInstance / vertices);
-  range.FirstIndex = static_cast<int>(this->Indices.size());
-  for (int copy = 0; copy < range.Copies; ++copy)
-  {
-    this->Append(segments, copy * vertices);
-  }
-  const int end = static_cast<int>(this->Indices.size());
-  range.NumberOfIndices = (end - range.FirstIndex) / range.Copies;
-  return range;
+  return this->Ranges.Require(segments, vertices, CountPatternCopies(vertices),
+    [this, segments](std::vector<unsigned short>& indices, int firstVertex)
+    { this->Append(indices, segments, firstVertex); });
 }
 
-void CurvePatterns::Append(int segments, int firstVertex)
+void CurvePatterns::Append(
+  std::vector<unsigned short>& indices, int segments, int firstVertex) const
 {
   const auto add = [&](std::initializer_list<int> vertices)
   {
     for (int vertex : vertices)
     {
-      this->Indices.push_back(static_cast<unsigned short>(firstVertex + vertex));
+      indices.push_back(static_cast<unsigned short>(firstVertex + vertex));
     }
   };
   // A tube's last side is next to its first one.
@@ -103,29 +75,13 @@ void CurvePatterns::Append(int segments, int firstVertex)
 
 void CurvePatterns::Bind()
 {
-  if (this->NumberUploaded != this->Indices.size())
-  {
-    this->Buffer->Upload(this->Indices, vtkOpenGLBufferObject::ElementArrayBuffer);
-    this->NumberUploaded = this->Indices.size();
-  }
-  this->Buffer->Bind();
-}
-
-void CurvePatterns::Release()
-{
-  this->Buffer->Release();
-}
-
-vtkTypeInt64 CurvePatterns::GetMemorySize() const
-{
-  return static_cast<vtkTypeInt64>(this->Indices.size() * sizeof(unsigned short));
+  this->Ranges.Upload();
+  this->Ranges.Bind();
 }
 
 void CurvePatterns::ReleaseGraphicsResources()
 {
-  this->Buffer->ReleaseGraphicsResources();
-  this->Ranges.clear();
-  this->Indices.clear();
-  this->NumberUploaded = 0;
+  this->Ranges.ReleaseGraphicsResources();
+  this->Ranges.Clear();
 }
 }

@@ -11,24 +11,18 @@
 #ifndef CurvePatterns_h
 #define CurvePatterns_h
 
-#include "vtkNew.h"  // for Buffer
+#include "Buffers/PatternRanges.h"
 #include "vtkType.h" // for vtkTypeInt64
 
-#include <map>    // for members
-#include <vector> // for members
-
-class vtkOpenGLBufferObject;
+#include <vector> // for indices
 
 namespace relevo
 {
 class CurvePatterns
 {
-public:
-  CurvePatterns();
-  ~CurvePatterns();
-  CurvePatterns(const CurvePatterns&) = delete;
-  void operator=(const CurvePatterns&) = delete;
+  using Patterns = PatternRanges<int, unsigned short>;
 
+public:
   /// What primitives are made of the vertices.
   enum Primitives
   {
@@ -40,33 +34,24 @@ public:
   /// What all patterns have in common. Those of others are forgotten.
   void SetShape(Primitives primitives, int sides);
 
-  /// Where a pattern lies in the buffer. Small patterns are repeated, so that one instance can draw
-  /// several curves: instances of few vertices cost more than their vertices.
-  struct Range
-  {
-    int Copies = 1;
-    int FirstIndex = 0;
-    int NumberOfIndices = 0; // of one copy
-  };
-  const Range& GetRange(int segments);
+  /// Of a curve of so many segments.
+  const PatternRange& GetRange(int segments);
+  static const void* GetOffset(const PatternRange& range) { return Patterns::GetOffset(range); }
 
   /// Upload what has been added, and bind the indices, unsigned shorts.
   void Bind();
-  void Release();
+  void Release() { this->Ranges.Release(); }
 
   int GetSides() const { return this->Sides; }
-  vtkTypeInt64 GetMemorySize() const;
+  vtkTypeInt64 GetMemorySize() const { return this->Ranges.GetMemorySize(); }
   void ReleaseGraphicsResources();
 
 private:
-  void Append(int segments, int firstVertex);
+  void Append(std::vector<unsigned short>& indices, int segments, int firstVertex) const;
 
   Primitives Shape = LINES;
   int Sides = 1;
-  std::map<int, Range> Ranges; // by the number of segments
-  std::vector<unsigned short> Indices;
-  size_t NumberUploaded = 0;
-  vtkNew<vtkOpenGLBufferObject> Buffer;
+  Patterns Ranges; // by the number of segments
 };
 }
 

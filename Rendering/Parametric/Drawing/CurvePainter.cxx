@@ -5,13 +5,11 @@
 #include "OpenGL/ContextFacts.h"
 #include "OpenGL/RelevoOpenGL.h"
 
-#include "Actors/ActorView.h"
-#include "Curves/CurveFrames.h"
-#include "Curves/CurveRadii.h"
+#include "Actors/ShaderVariantKey.h"
 #include "Drawing/CurveScalars.h"
-#include "Evaluation/FaceCulling.h"
+#include "OpenGL/PositionShift.h"
+#include "relevoTessellationVS.h"
 #include "vtkActor.h"
-#include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkMath.h"
@@ -20,10 +18,13 @@
 #include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
 #include "vtkShaderProperty.h"
 
 #include <algorithm>
@@ -34,7 +35,7 @@ namespace relevo
 namespace
 {
 // The most segments that every OpenGL's tessellator makes.
-constexpr int MostTessellated = 64;
+constexpr int MaximumTessellated = 64;
 
 CurvePatterns::Primitives GetPlainPrimitives(int sides)
 {
@@ -52,6 +53,11 @@ CurvePatterns::Primitives GetPrimitives(int sides, vtkActor* actor)
     default:
       return GetPlainPrimitives(sides);
   }
+}
+
+GLint FindGroupUniform(vtkShaderProgram* program)
+{
+  return glGetUniformLocation(static_cast<GLuint>(program->GetHandle()), "relevoGroup");
 }
 
 GLenum GetMode(CurvePatterns::Primitives primitives)
@@ -81,55 +87,21 @@ CurvePainter::~CurvePainter() = default;
 
 bool CurvePainter::SetCurves(vtkPointSet* input)
 {
-  Dependencies source;
-  source.AddObject(input);
-  if (!this->CurveSource.Update(source))
+  const bool hasChanged = this->Geometry.SetCurves(input);
+  if (hasChanged)
   {
-    return false;
+    this->ColorSource.Clear();
   }
-  this->CurveInput = input;
-  this->Mesh.Build(input);
-  this->Selection.SetCurves(input, this->Mesh);
-  this->PointBox = FiniteBox();
-  for (const dvec4& point : this->Mesh.GetPoints())
-  {
-    this->PointBox.Add(&point.x);
-  }
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    this->Origin[axis] = this->PointBox.GetMiddle(axis);
-  }
-  this->NeedsCurves = true;
-  this->NeedsRadii = true;
-  this->NeedsFrames = true;
-  this->ColorSource.Clear();
-  this->ShapeSource.Clear();
-  return true;
+  return hasChanged;
 }
 
-std::string CurvePainter::SetShape(const Shape& shape)
+std::string CurvePainter::SetShape(const CurveGeometry::Shape& shape)
 {
-  const Dependencies source =
-    Dependencies::On(shape.Sides > 1, shape.Radius, shape.RadiusArrayName);
-  this->CurveShape = shape;
-  if (!this->ShapeSource.Update(source))
+  if (this->Geometry.SetShape(shape))
   {
-    return this->RadiusProblem;
+    this->UpdateBox();
   }
-  this->RadiusProblem.clear();
-  this->Radii.assign(1, shape.Sides > 1 ? shape.Radius : 0.0);
-  if (shape.Sides > 1 && !shape.RadiusArrayName.empty())
-  {
-    if (vtkDataArray* radii =
-          FindCurveRadii(this->CurveInput, shape.RadiusArrayName, this->RadiusProblem))
-    {
-      this->Radii = this->Mesh.ComputeCoefficients(radii);
-    }
-  }
-  this->NeedsRadii = true;
-  this->Selection.SetReaches(this->Radii, this->Origin);
-  this->UpdateBox();
-  return this->RadiusProblem;
+  return this->Geometry.GetRadiusProblem();
 }
 
 void CurvePainter::UpdateBox()
@@ -150,23 +122,6 @@ void CurvePainter::UpdateBox()
   }
 }
 
-void CurvePainter::GetCurveBounds(double bounds[6]) const
-{
-  vtkMath::UninitializeBounds(bounds);
-  if (this->Mesh.GetNumberOfCurves() > 0)
-  {
-    const double reach = this->Radii.empty()
-      ? 0.0
-      : std::abs(*std::max_element(this->Radii.begin(), this->Radii.end(),
-          [](double a, double b) { return std::abs(a) < std::abs(b); }));
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      bounds[2 * axis] = this->PointBox.Low[axis] - reach;
-      bounds[2 * axis + 1] = this->PointBox.High[axis] + reach;
-    }
-  }
-}
-
 //------------------------------------------------------------------------------
 // What a view shows
 
@@ -174,28 +129,25 @@ std::string CurvePainter::Prepare(vtkRenderer* renderer, vtkActor* actor, const 
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   this->NumberOfDrawCalls = 0;
-  vtkProperty* property = actor->GetProperty();
-  const CullingView culling(renderer->GetActiveCamera(), renderer->GetTiledAspectRatio(),
-    actor->GetMatrix(), &this->Origin.x,
-    GetViewMargins(renderer, std::max(property->GetLineWidth(), property->GetPointSize())));
-  this->Eye = dvec4(culling.Eye[0], culling.Eye[1], culling.Eye[2], culling.Parallel ? 0.0 : 1.0);
-  std::string error;
-  if (!this->Selection.Update(settings.Recipe, MakeActorView(renderer, actor),
-        settings.IsCulled && !MovesVertices(actor) ? &culling : nullptr, error))
+  const std::string error =
+    this->Geometry.Select(settings.Recipe, renderer, actor, settings.IsCulled);
+  if (!error.empty())
   {
     return error;
   }
   const bool isSelecting = renderer->GetSelector() != nullptr;
-  if (!this->Upload(window, isSelecting))
+  if (!this->Geometry.Upload(window, isSelecting))
   {
     return "Cannot draw the input: " + BufferTexture::GetTooLarge() + ".";
   }
   this->UpdateColors(window, settings.Scalars);
-  this->Helper.PrimitiveType = this->CurveShape.Sides == 1 ? PrimitiveLines : PrimitiveTris;
-  this->Options.Sides = this->CurveShape.Sides;
-  this->Options.Degree = this->Buffers.GetDegree();
-  this->Options.IsRational = this->Buffers.IsRational();
-  this->Options.HasRadii = this->CurveShape.Sides > 1 && this->Buffers.HasRadii();
+  const int sides = this->Geometry.GetSides();
+  const CurveBuffers& buffers = this->Geometry.GetBuffers();
+  this->Variants.GetHelper().PrimitiveType = sides == 1 ? PrimitiveLines : PrimitiveTris;
+  this->Options.Sides = sides;
+  this->Options.Degree = buffers.GetDegree();
+  this->Options.IsRational = buffers.IsRational();
+  this->Options.HasRadii = sides > 1 && buffers.HasRadii();
   this->Options.Coloring = this->Colors.GetColoring();
   this->ChooseMethod(actor, settings.IsTessellated);
   return "";
@@ -206,51 +158,14 @@ void CurvePainter::UpdateColors(vtkOpenGLRenderWindow* window, vtkMapper* scalar
   Dependencies source = GetScalarSettings(scalars);
   if (this->ColorSource.Update(source))
   {
-    this->ColorProblem = UploadScalars(window, scalars, this->CurveInput, this->Mesh, this->Colors);
+    this->ColorProblem = UploadScalars(
+      window, scalars, this->Geometry.GetInput(), this->Geometry.GetMesh(), this->Colors);
     this->ColorSource = GetScalarSettings(scalars); // mapping sets the table's range
     if (!this->ColorProblem.empty())
     {
       this->Colors.Clear(window);
     }
   }
-}
-
-bool CurvePainter::Upload(vtkOpenGLRenderWindow* window, bool withCells)
-{
-  if (this->NeedsCurves)
-  {
-    ++this->NumberOfBufferBuilds;
-    if (!this->Buffers.Upload(window, this->Mesh, this->Origin))
-    {
-      return false;
-    }
-    this->NeedsCurves = false;
-  }
-  const bool hasSides = this->CurveShape.Sides > 1;
-  if (hasSides && this->NeedsRadii)
-  {
-    ++this->NumberOfBufferBuilds;
-    if (!this->Buffers.UploadRadii(
-          window, this->Radii.size() > 1 ? this->Radii : std::vector<double>()))
-    {
-      return false;
-    }
-    this->NeedsRadii = false;
-  }
-  if (hasSides && this->NeedsFrames)
-  {
-    ++this->NumberOfBufferBuilds;
-    CurveFrames frames;
-    frames.Build(this->Mesh);
-    if (!this->Buffers.UploadFrames(window, frames))
-    {
-      return false;
-    }
-    this->NeedsFrames = false;
-  }
-  return (!withCells || this->Buffers.UploadCells(window, this->Mesh)) &&
-    this->Instances.Upload(
-      window, 0, this->Selection.GetMembers(), this->Selection.GetGroupsTime());
 }
 
 void CurvePainter::ChooseMethod(vtkActor* actor, bool isTessellated)
@@ -276,23 +191,17 @@ void CurvePainter::ChooseMethod(vtkActor* actor, bool isTessellated)
 
 void CurvePainter::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
 {
-  if (this->Selection.GetGroups().empty() || this->PointPicking)
+  if (this->Geometry.GetSelection().GetGroups().empty() || this->PointPicking)
   {
     return;
   }
   Dependencies sources = this->Options.GetKey();
   sources.Add(actor->GetShaderProperty()->GetShaderMTime());
   sources.Add(this->GetMTime());
-  if (!this->Helper.Program && sources == this->FailedSources)
+  vtkOpenGLHelper& helper = this->Variants.GetHelper();
+  if (!this->Variants.Update(
+        helper, sources, [&] { this->UpdateShaders(helper, renderer, actor); }))
   {
-    return; // said by now
-  }
-  this->UpdateShaders(this->Helper, renderer, actor);
-  if (!this->Helper.Program)
-  {
-    this->FailedSources = sources;
-    this->ShaderProblem = "The shaders could not be built; OpenGL's own message says why. The "
-                          "actor's vtkShaderProperty is part of them.";
     return;
   }
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
@@ -301,8 +210,8 @@ void CurvePainter::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   {
     window->GetState()->vtkglLineWidth(actor->GetProperty()->GetLineWidth());
   }
-  this->Helper.VAO->Bind(); // VTK releases it when the program is another
-  this->Instances.Activate(this->Helper.Program);
+  helper.VAO->Bind(); // VTK releases it when the program is another
+  this->Geometry.ActivateInstances(helper.Program);
   if (this->Options.IsTessellated)
   {
     this->DrawPatches();
@@ -312,32 +221,29 @@ void CurvePainter::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
     this->Patterns.SetShape(primitives, this->Options.Sides);
     this->DrawInstances(GetMode(primitives));
   }
-  this->Helper.VAO->Release();
-  this->Instances.Deactivate();
-  this->Buffers.Deactivate();
+  helper.VAO->Release();
+  this->Geometry.Deactivate();
   this->Colors.Deactivate();
 }
 
 void CurvePainter::DrawInstances(unsigned int mode)
 {
-  const GLint location =
-    glGetUniformLocation(static_cast<GLuint>(this->Helper.Program->GetHandle()), "relevoGroup");
+  const GLint location = FindGroupUniform(this->Variants.GetHelper().Program);
   const int moreSegments = GetMoreRings(this->Options.Sides);
-  for (const CurveSelection::Group& group : this->Selection.GetGroups())
+  for (const CurveSelection::Group& group : this->Geometry.GetSelection().GetGroups())
   {
     this->Patterns.GetRange(group.Segments + moreSegments);
   }
   this->Patterns.Bind();
-  for (const CurveSelection::Group& group : this->Selection.GetGroups())
+  for (const CurveSelection::Group& group : this->Geometry.GetSelection().GetGroups())
   {
     // As many instances as it takes, each of as many copies as it takes.
-    const CurvePatterns::Range& range = this->Patterns.GetRange(group.Segments + moreSegments);
+    const PatternRange& range = this->Patterns.GetRange(group.Segments + moreSegments);
     const int instances = (group.Count + range.Copies - 1) / range.Copies;
     const int copies = (group.Count + instances - 1) / instances;
     glUniform4i(location, group.Offset, group.Count, copies, group.Segments);
     glDrawElementsInstanced(mode, copies * range.NumberOfIndices, GL_UNSIGNED_SHORT,
-      reinterpret_cast<const void*>(static_cast<size_t>(range.FirstIndex) * sizeof(unsigned short)),
-      instances);
+      CurvePatterns::GetOffset(range), instances);
     ++this->NumberOfDrawCalls;
   }
   this->Patterns.Release();
@@ -345,14 +251,13 @@ void CurvePainter::DrawInstances(unsigned int mode)
 
 void CurvePainter::DrawPatches()
 {
-  const GLint location =
-    glGetUniformLocation(static_cast<GLuint>(this->Helper.Program->GetHandle()), "relevoGroup");
+  const GLint location = FindGroupUniform(this->Variants.GetHelper().Program);
   const int moreSegments = GetMoreRings(this->Options.Sides);
   const int around = this->Options.Sides > 2 ? this->Options.Sides + 1 : this->Options.Sides;
   glPatchParameteri(GL_PATCH_VERTICES, 1);
-  for (const CurveSelection::Group& group : this->Selection.GetGroups())
+  for (const CurveSelection::Group& group : this->Geometry.GetSelection().GetGroups())
   {
-    const int segments = std::min(group.Segments, MostTessellated - moreSegments);
+    const int segments = std::min(group.Segments, MaximumTessellated - moreSegments);
     // Mesa's tessellator on the CPU counts the vertices of a call in 16 bits.
     const int most = IsHardwareRenderer()
       ? group.Count
@@ -366,20 +271,92 @@ void CurvePainter::DrawPatches()
   }
 }
 
-int CurvePainter::GetMostSegments() const
+int CurvePainter::GetMaximumSegments() const
 {
-  return this->Options.IsTessellated ? MostTessellated - GetMoreRings(this->Options.Sides)
+  return this->Options.IsTessellated ? MaximumTessellated - GetMoreRings(this->Options.Sides)
                                      : std::numeric_limits<int>::max();
 }
 
 vtkIdType CurvePainter::CountDrawnSegments() const
 {
-  return this->Selection.CountDrawnSegments(this->GetMostSegments());
+  return this->Geometry.GetSelection().CountDrawnSegments(this->GetMaximumSegments());
 }
 
 vtkIdType CurvePainter::CountHiddenSegments() const
 {
-  return this->Selection.CountHiddenSegments(this->GetMostSegments());
+  return this->Geometry.GetSelection().CountHiddenSegments(this->GetMaximumSegments());
+}
+
+//------------------------------------------------------------------------------
+// Shaders
+
+void CurvePainter::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
+{
+  // Control points are relative to the origin.
+  const dvec3& origin = this->Geometry.GetOrigin();
+  ShiftPositions(this->VBOs, this->Box->GetPoints()->GetData(), renderer,
+    { origin.x, origin.y, origin.z }, { 1.0, 1.0, 1.0 });
+  this->Superclass::BuildBufferObjects(renderer, actor);
+}
+
+bool CurvePainter::GetNeedToRebuildShaders(
+  vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Options.HasCells = this->LastSelectionState == vtkHardwareSelector::CELL_ID_LOW24 ||
+    this->LastSelectionState == vtkHardwareSelector::CELL_ID_HIGH24;
+  const bool needed = this->Superclass::GetNeedToRebuildShaders(helper, renderer, actor);
+  if (!this->Variants.NeedsBuild(helper, needed, this->Options.GetKey()))
+  {
+    return false;
+  }
+  if (!this->Options.IsTessellated)
+  {
+    this->Programs.ReleaseGraphicsResources(renderer->GetRenderWindow());
+    return true;
+  }
+  return !this->BuildStages(helper, renderer, actor);
+}
+
+bool CurvePainter::BuildStages(vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
+{
+  return this->Variants.BuildWithStages(
+    helper, [&](ShaderVariants::Shaders& shaders) { this->BuildShaders(shaders, renderer, actor); },
+    [&](ShaderVariants::Shaders& shaders)
+    {
+      auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+      vtkShaderProgram* program = this->Programs.Build(
+        window, relevoTessellationVS, GetCurveControlShader(this->Options), shaders);
+      if (!program)
+      {
+        this->FailedStages = Dependencies::On(actor->GetShaderProperty()->GetShaderMTime());
+        this->TessellationProblem = "its shaders cannot be built: " + this->Programs.GetError();
+        this->Options.IsTessellated = false;
+        this->Variants.SetKey(helper, this->Options.GetKey());
+      }
+      return program;
+    });
+}
+
+void CurvePainter::BuildShaders(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Variants.Build(shaders, [&] { this->Superclass::BuildShaders(shaders, renderer, actor); });
+}
+
+void CurvePainter::ReplaceShaderValues(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
+{
+  PrepareCurveShaders(this->Options, HasOwnFragments(actor), shaders, this->Variants.GetMissing());
+  this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
+  FinishCurveShaders(this->Options, shaders, this->Variants.GetMissing());
+}
+
+void CurvePainter::SetMapperShaderParameters(
+  vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::SetMapperShaderParameters(helper, renderer, actor);
+  this->Geometry.Activate(helper.Program);
+  this->Colors.Activate(helper.Program);
 }
 
 //------------------------------------------------------------------------------
@@ -387,7 +364,7 @@ vtkIdType CurvePainter::CountHiddenSegments() const
 
 void CurvePainter::AnnounceIds(vtkHardwareSelector* selector) const
 {
-  selector->UpdateMaximumCellId(this->CurveInput->GetNumberOfCells());
+  selector->UpdateMaximumCellId(this->Geometry.GetInput()->GetNumberOfCells());
 }
 
 // What is drawn are the input's ids.
@@ -400,24 +377,32 @@ void CurvePainter::ProcessSelectorPixelBuffers(
 
 vtkTypeInt64 CurvePainter::GetMemorySize() const
 {
-  return this->Buffers.GetMemorySize() + this->Colors.GetMemorySize() +
-    this->Patterns.GetMemorySize() + this->Instances.GetMemorySize();
+  return this->Geometry.GetMemorySize() + this->Colors.GetMemorySize() +
+    this->Patterns.GetMemorySize();
+}
+
+CurvePainter::Counts CurvePainter::GetCounts() const
+{
+  return { this->Geometry.GetSelection().GetNumberOfEvaluations(),
+    this->Geometry.GetNumberOfUploads(), this->Variants.GetNumberOfBuilds() };
+}
+
+void CurvePainter::Counts::operator+=(const Counts& other)
+{
+  this->Selections += other.Selections;
+  this->BufferBuilds += other.BufferBuilds;
+  this->ShaderBuilds += other.ShaderBuilds;
 }
 
 void CurvePainter::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
-  this->Buffers.ReleaseGraphicsResources(window);
+  this->Geometry.ReleaseGraphicsResources(window);
   this->Colors.ReleaseGraphicsResources(window);
   this->Patterns.ReleaseGraphicsResources();
-  this->Instances.ReleaseGraphicsResources(window);
   this->Programs.ReleaseGraphicsResources(window);
-  this->Helper.ReleaseGraphicsResources(window);
-  this->NeedsCurves = true;
-  this->NeedsRadii = true;
-  this->NeedsFrames = true;
+  this->Variants.ReleaseGraphicsResources(window);
   this->ColorSource.Clear();
   this->FailedStages.Clear();
-  this->FailedSources.Clear();
 }
 }
