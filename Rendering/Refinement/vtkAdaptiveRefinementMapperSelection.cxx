@@ -100,7 +100,7 @@ std::unique_ptr<relevo::CullingView> MakeCullingView(
     width = std::max(property->GetLineWidth(), property->GetPointSize());
   }
   return std::make_unique<relevo::CullingView>(ren->GetActiveCamera(), ren->GetTiledAspectRatio(),
-    act->GetMatrix(), mesh, relevo::GetViewMargins(ren, width));
+    act->GetMatrix(), mesh.Origin, relevo::GetViewMargins(ren, width));
 }
 
 // Whether an actor drawn as opaque lets through what is behind it in some places.

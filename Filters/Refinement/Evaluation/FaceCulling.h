@@ -12,48 +12,15 @@
 #define FaceCulling_h
 
 #include "RelevoFiltersRefinementModule.h" // for export macro
+#include "View/CullingView.h"              // for views
 
-#include <array>  // for margins
 #include <vector> // for members
 
 class vtkAdaptiveRefinement;
-class vtkCamera;
-class vtkMatrix4x4;
 
 namespace relevo
 {
-class Dependencies;
 class RefinementMesh;
-
-/**
- * A camera in the coordinates of a mesh's points.
- */
-struct RELEVOFILTERSREFINEMENT_EXPORT CullingView
-{
-  /**
-   * `aspect` is width over height. `margins` are what drawn things reach beyond their points to the
-   * sides and up and down, as shares of half the width and height. A matrix that cannot be inverted
-   * gives a view that hides nothing.
-   */
-  CullingView(vtkCamera* camera, double aspect, vtkMatrix4x4* modelToWorld,
-    const RefinementMesh& mesh, const std::array<double, 2>& margins = { { 0.0, 0.0 } });
-  /// The same for points relative to a place.
-  CullingView(vtkCamera* camera, double aspect, vtkMatrix4x4* modelToWorld, const double origin[3],
-    const std::array<double, 2>& margins);
-
-  static constexpr int NumberOfPlanes = 5;
-  /// Sides of the frustum and the plane of the eye, pointing inside.
-  float Planes[NumberOfPlanes][4];
-  /// The near plane, pointing inside.
-  float Near[4];
-  /// Position of the eye, or with a parallel camera the direction towards it.
-  float Eye[3];
-  bool Parallel;
-  bool Valid;
-
-  /// All but the near plane, of which FaceCulling::HidesBackFaces() tells what matters.
-  void AddTo(Dependencies& dependencies) const;
-};
 
 class RELEVOFILTERSREFINEMENT_EXPORT FaceCulling
 {

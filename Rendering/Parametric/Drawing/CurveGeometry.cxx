@@ -7,7 +7,7 @@
 #include "Actors/ActorView.h"
 #include "Curves/CurveFrames.h"
 #include "Curves/CurveRadii.h"
-#include "Evaluation/FaceCulling.h"
+#include "View/CullingView.h"
 #include "vtkActor.h"
 #include "vtkMath.h"
 #include "vtkOpenGLRenderWindow.h"

@@ -3,7 +3,7 @@
 #include "View/CurveSelection.h"
 
 #include "Curves/CurveMesh.h"
-#include "Evaluation/FaceCulling.h"
+#include "View/CullingView.h"
 #include "View/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDepthTagMetric.h"

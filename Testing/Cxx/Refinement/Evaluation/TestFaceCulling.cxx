@@ -112,7 +112,7 @@ Counts Look(vtkPolyData* input, vtkAdaptiveRefinement* recipe, std::mt19937& ran
   camera->SetParallelScale(Uniform(random, 0.1, 1.0) * size);
   camera->SetClippingRange(0.01, 1000.0);
 
-  const relevo::CullingView view(camera, Aspect, placement->GetMatrix(), mesh);
+  const relevo::CullingView view(camera, Aspect, placement->GetMatrix(), mesh.Origin);
   std::vector<unsigned char> hidden;
   Counts counts;
   counts.Hidden = culling.FindHidden(view, true, hidden);
@@ -224,7 +224,7 @@ int TestFaceCulling(int, char*[])
   vtkNew<vtkMatrix4x4> flat;
   flat->SetElement(0, 0, 0.0);
   std::vector<unsigned char> hidden;
-  CHECK(culling.FindHidden(relevo::CullingView(camera, 1.0, flat, mesh), true, hidden) == 0);
+  CHECK(culling.FindHidden(relevo::CullingView(camera, 1.0, flat, mesh.Origin), true, hidden) == 0);
   CHECK(hidden.size() == mesh.Faces.size());
   return check.GetResult();
 }

@@ -95,7 +95,7 @@ public:
     this->MostGroups = std::max(this->MostGroups, selection.Groups.size());
     relevo::FaceCulling culling;
     culling.Build(mesh, recipe);
-    const relevo::CullingView sight(this->Camera, 4.0 / 3.0, view.ModelToWorld, mesh);
+    const relevo::CullingView sight(this->Camera, 4.0 / 3.0, view.ModelToWorld, mesh.Origin);
     if (this->Prepare(mesh, culling, recipe))
     {
       this->Update(tags, culling, sight, recipe);
