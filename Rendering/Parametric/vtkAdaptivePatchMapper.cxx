@@ -1,28 +1,39 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkAdaptivePatchMapperInternals.h"
+#include "vtkAdaptivePatchMapper.h"
 
+#include "Actors/ShaderVariantKey.h"
+#include "Buffers/PatchScalars.h"
+#include "Changes/Dependencies.h"
+#include "Checks/ErrorCollector.h"
 #include "Checks/SettingChecks.h"
 #include "Checks/ShouldReport.h"
+#include "Drawing/PickedPatch.h"
 #include "Mesh/PatchArrays.h"
+#include "Shaders/PatchShader.h"
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
+#include "vtkCellPicker.h"
+#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkDepthTagMetric.h"
-#include "vtkFieldData.h"
+#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPatchErrorDepthTagMetric.h"
 #include "vtkPatchSurface.h"
+#include "vtkPatchSurfaceFilter.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
+#include "vtkShaderProgram.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -31,7 +42,52 @@ vtkStandardNewMacro(vtkAdaptivePatchMapper);
 namespace
 {
 constexpr double LargestLength = VTK_FLOAT_MAX; // shaders take floats
+
+// Why there are no isolines of an input; empty where there are some, or it has no such scalars.
+std::string DescribeMissingIsolines(
+  vtkPolyData* input, vtkAbstractArray* scalars, bool areOfCells, double spacing, bool areExact)
+{
+  std::ostringstream text;
+  text << "There are no isolines of \"" << (scalars->GetName() ? scalars->GetName() : "") << "\": ";
+  if (areOfCells)
+  {
+    text << "its values belong to cells, and are constant in each. Convert them with "
+            "vtkCellDataToPointData.";
+    return text.str();
+  }
+  // Coefficients enclose the values, but not those of lengths.
+  vtkDataArray* nodes = relevo::PatchArrays::FindNodes(input, scalars);
+  if (!nodes || !areExact || nodes->GetNumberOfComponents() != 1)
+  {
+    return "";
+  }
+  double range[2];
+  nodes->GetRange(range);
+  const double first = std::ceil(range[0] / spacing) * spacing;
+  if (!(range[0] <= range[1] && first > range[1]))
+  {
+    return "";
+  }
+  text << "no multiple of IsolineSpacing, which is " << spacing << ", lies among its values from "
+       << range[0] << " to " << range[1] << ".";
+  return text.str();
 }
+}
+
+struct vtkAdaptivePatchMapper::vtkInternals
+{
+  relevo::PatchScalars Scalars;
+  relevo::Dependencies FieldDependencies;
+  std::string FieldProblem;   // reported last
+  std::string IsolineProblem; // likewise
+
+  // Of an input that is a grid.
+  vtkNew<vtkPatchSurfaceFilter> Filter;
+  relevo::Dependencies GridDependencies;
+
+  bool IsSurface = false;             // of the actor that is drawn
+  relevo::PatchShaderOptions Options; // of the shaders that are being written
+};
 
 vtkAdaptivePatchMapper::vtkAdaptivePatchMapper()
   : Patches(new vtkInternals)
@@ -117,59 +173,81 @@ void vtkAdaptivePatchMapper::UpdateBlocks()
 }
 
 //------------------------------------------------------------------------------
+// Input
+
+int vtkAdaptivePatchMapper::FillInputPortInformation(int port, vtkInformation* info)
+{
+  const int valid = this->Superclass::FillInputPortInformation(port, info);
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  return valid;
+}
+
+void vtkAdaptivePatchMapper::SetInputData(vtkUnstructuredGrid* grid)
+{
+  this->SetInputDataInternal(0, grid);
+}
+
+void vtkAdaptivePatchMapper::SetInputData(vtkPolyData* patches)
+{
+  this->SetInputDataInternal(0, patches);
+}
+
+vtkDataObject* vtkAdaptivePatchMapper::ConvertInput(vtkDataObject* input)
+{
+  vtkUnstructuredGrid* grid = vtkUnstructuredGrid::SafeDownCast(input);
+  if (!grid)
+  {
+    return this->Superclass::ConvertInput(input);
+  }
+  vtkInternals& data = *this->Patches;
+  relevo::Dependencies dependencies;
+  dependencies.AddObject(grid);
+  if (data.GridDependencies.Update(dependencies))
+  {
+    std::string errors;
+    const unsigned long observer =
+      data.Filter->AddObserver(vtkCommand::ErrorEvent, relevo::NewErrorCollector(errors));
+    data.Filter->SetInputDataObject(grid);
+    data.Filter->Update();
+    data.Filter->RemoveObserver(observer);
+    if (!errors.empty())
+    {
+      vtkErrorMacro("Not all of the grid can be drawn: " << errors);
+    }
+  }
+  return data.Filter->GetOutput();
+}
+
+//------------------------------------------------------------------------------
 // The field on the GPU
 
-vtkDataArray* vtkAdaptivePatchMapper::vtkInternals::GetScalars(vtkAdaptivePatchMapper* mapper)
+vtkDataArray* vtkAdaptivePatchMapper::FindMappedScalars()
 {
-  vtkPolyData* input = mapper->GetInput();
+  vtkPolyData* input = this->GetInput();
   const bool areMapped =
-    mapper->VBOs->GetNumberOfComponents("scalarColor") != 0 || mapper->ColorCoordinates;
+    this->VBOs->GetNumberOfComponents("scalarColor") != 0 || this->ColorCoordinates;
   int cellFlag = 0;
   vtkAbstractArray* scalars = input && areMapped
-    ? vtkAbstractMapper::GetAbstractScalars(input, mapper->ScalarMode, mapper->ArrayAccessMode,
-        mapper->ArrayId, mapper->ArrayName, cellFlag)
+    ? vtkAbstractMapper::GetAbstractScalars(
+        input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag)
     : nullptr;
   return cellFlag == 0 ? vtkDataArray::SafeDownCast(scalars) : nullptr;
-}
-
-bool vtkAdaptivePatchMapper::vtkInternals::AreColors(
-  vtkAdaptivePatchMapper* mapper, vtkDataArray* scalars)
-{
-  return mapper->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS ||
-    (mapper->ColorMode == VTK_COLOR_MODE_DEFAULT && vtkUnsignedCharArray::SafeDownCast(scalars));
-}
-
-std::string vtkAdaptivePatchMapper::vtkInternals::DescribeMisfit(
-  vtkAdaptivePatchMapper* mapper, vtkDataArray* scalars)
-{
-  vtkPolyData* mesh = mapper->GetInput();
-  const std::string name =
-    std::string(relevo::PatchNodesPrefix) + (scalars->GetName() ? scalars->GetName() : "");
-  vtkAbstractArray* nodes = mesh->GetFieldData()->GetAbstractArray(name.c_str());
-  vtkAbstractArray* points = mesh->GetFieldData()->GetAbstractArray(relevo::PatchPointsName);
-  std::ostringstream text;
-  if (nodes && !relevo::PatchArrays::FindNodes(mesh, scalars))
-  {
-    text << "Cannot evaluate scalars at every pixel: the array " << name << " has "
-         << nodes->GetNumberOfTuples() << " tuples of " << nodes->GetNumberOfComponents()
-         << " components, not " << (points ? points->GetNumberOfTuples() : 0) << " of "
-         << scalars->GetNumberOfComponents() << " numbers. They are interpolated.";
-  }
-  return text.str();
 }
 
 void vtkAdaptivePatchMapper::UploadField(vtkRenderer* ren)
 {
   vtkInternals& data = *this->Patches;
   data.Scalars.ReleaseGraphicsResources(ren->GetRenderWindow());
-  vtkDataArray* scalars = vtkInternals::GetScalars(this);
+  vtkDataArray* scalars = this->FindMappedScalars();
   std::string problem;
   if (scalars && this->ExactScalars)
   {
-    const relevo::PatchScalars::Source source = { this->GetInput(), scalars,
-      vtkInternals::AreColors(this, scalars), this->GetLookupTable(), this->ArrayComponent,
-      this->ColorCoordinates != nullptr, this->GetRefinement()->GetNoDataMagnitude() };
-    problem = data.DescribeMisfit(this, scalars);
+    const bool areColors = this->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS ||
+      (this->ColorMode == VTK_COLOR_MODE_DEFAULT && vtkUnsignedCharArray::SafeDownCast(scalars));
+    const relevo::PatchScalars::Source source = { this->GetInput(), scalars, areColors,
+      this->GetLookupTable(), this->ArrayComponent, this->ColorCoordinates != nullptr,
+      this->GetRefinement()->GetNoDataMagnitude() };
+    problem = relevo::PatchScalars::DescribeMisfit(this->GetInput(), scalars);
     if (!data.Scalars.Upload(vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()), source))
     {
       problem = "Cannot evaluate scalars at every pixel: " + relevo::BufferTexture::GetTooLarge() +
@@ -183,43 +261,21 @@ void vtkAdaptivePatchMapper::UploadField(vtkRenderer* ren)
   }
 }
 
-std::string vtkAdaptivePatchMapper::vtkInternals::DescribeMissingIsolines(
-  vtkAdaptivePatchMapper* mapper)
+void vtkAdaptivePatchMapper::ReportMissingIsolines()
 {
-  vtkPolyData* input = mapper->GetInput();
+  vtkPolyData* input = this->GetInput();
   int cellFlag = 0;
-  vtkAbstractArray* scalars = input && mapper->ScalarVisibility && mapper->IsolineSpacing > 0.0
-    ? vtkAbstractMapper::GetAbstractScalars(input, mapper->ScalarMode, mapper->ArrayAccessMode,
-        mapper->ArrayId, mapper->ArrayName, cellFlag)
+  vtkAbstractArray* scalars = input && this->ScalarVisibility && this->IsolineSpacing > 0.0
+    ? vtkAbstractMapper::GetAbstractScalars(
+        input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag)
     : nullptr;
-  if (!scalars)
+  const std::string problem = scalars ? DescribeMissingIsolines(input, scalars, cellFlag != 0,
+                                          this->IsolineSpacing, this->ExactScalars)
+                                      : "";
+  if (relevo::ShouldReport(this->Patches->IsolineProblem, problem))
   {
-    return "";
+    vtkWarningMacro(<< problem);
   }
-  std::ostringstream text;
-  text << "There are no isolines of \"" << (scalars->GetName() ? scalars->GetName() : "") << "\": ";
-  if (cellFlag != 0)
-  {
-    text << "its values belong to cells, and are constant in each. Convert them with "
-            "vtkCellDataToPointData.";
-    return text.str();
-  }
-  // Coefficients enclose the values, but not those of lengths.
-  vtkDataArray* nodes = relevo::PatchArrays::FindNodes(input, scalars);
-  if (!nodes || !mapper->ExactScalars || nodes->GetNumberOfComponents() != 1)
-  {
-    return "";
-  }
-  double range[2];
-  nodes->GetRange(range);
-  const double first = std::ceil(range[0] / mapper->IsolineSpacing) * mapper->IsolineSpacing;
-  if (!(range[0] <= range[1] && first > range[1]))
-  {
-    return "";
-  }
-  text << "no multiple of IsolineSpacing, which is " << mapper->IsolineSpacing
-       << ", lies among its values from " << range[0] << " to " << range[1] << ".";
-  return text.str();
 }
 
 void vtkAdaptivePatchMapper::UpdateField(vtkRenderer* ren)
@@ -250,9 +306,66 @@ void vtkAdaptivePatchMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* act)
   vtkInternals& data = *this->Patches;
   data.IsSurface = act->GetProperty()->GetRepresentation() == VTK_SURFACE;
   this->UpdateField(ren);
-  if (relevo::ShouldReport(data.LineProblem, vtkInternals::DescribeMissingIsolines(this)))
+  this->ReportMissingIsolines();
+}
+
+void vtkAdaptivePatchMapper::ExtendShaders(
+  const vtkOpenGLHelper*, relevo::ShaderExtension& extension)
+{
+  vtkInternals& data = *this->Patches;
+  relevo::PatchShaderOptions options;
+  if (vtkPatchSurface::SafeDownCast(this->GetRefinement()->GetSurface()) && !this->DrawingVertices)
   {
-    vtkWarningMacro(<< data.LineProblem);
+    if (this->ExactScalars && this->GetRefinementColorMode() == COLOR_BY_SCALARS)
+    {
+      options.Coloring = data.Scalars.GetColoring();
+    }
+    options.HasIsolines = options.HasColors() &&
+      options.Coloring != relevo::PatchColoring::COLORS && data.IsSurface &&
+      static_cast<float>(this->IsolineSpacing) > 0.0f;
+    options.HasEdges = data.IsSurface && this->PatchEdges;
+  }
+  data.Options = options;
+  if (!options.IsEmpty())
+  {
+    relevo::ExtendPatchShaders(options, extension);
+  }
+}
+
+void vtkAdaptivePatchMapper::ReplaceShaderValues(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act)
+{
+  const relevo::PatchShaderOptions options =
+    this->IsFaceHelper(this->LastBoundBO) ? this->Patches->Options : relevo::PatchShaderOptions();
+  relevo::PreparePatchShaders(options, relevo::HasOwnFragments(act), shaders, this->MissingAnchors);
+  this->Superclass::ReplaceShaderValues(shaders, ren, act);
+  relevo::FinishPatchShaders(options, shaders, this->MissingAnchors);
+}
+
+void vtkAdaptivePatchMapper::SetMapperShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
+{
+  this->Superclass::SetMapperShaderParameters(cellBO, ren, act);
+  vtkShaderProgram* program = cellBO.Program;
+  if (!this->IsFaceHelper(&cellBO) || !program->IsUniformUsed("relevoTablePoints"))
+  {
+    return;
+  }
+  vtkInternals& data = *this->Patches;
+  data.Scalars.Activate(program);
+  if (program->IsUniformUsed("relevoIsolines"))
+  {
+    // Numbers are less the bias; multiples of the spacing stay exact far from zero.
+    const float isolines[3] = { static_cast<float>(this->IsolineSpacing),
+      static_cast<float>(std::fmod(data.Scalars.GetBias(), this->IsolineSpacing)),
+      static_cast<float>(this->IsolineWidth) };
+    program->SetUniform3f("relevoIsolines", isolines);
+    program->SetUniform3f("relevoIsolineColor", this->IsolineColor);
+  }
+  if (program->IsUniformUsed("relevoPatchEdgeWidth"))
+  {
+    program->SetUniformf("relevoPatchEdgeWidth", act->GetProperty()->GetLineWidth());
+    program->SetUniform3f("relevoPatchEdgeColor", act->GetProperty()->GetEdgeColor());
   }
 }
 
@@ -272,6 +385,22 @@ void vtkAdaptivePatchMapper::ReleaseGraphicsResources(vtkWindow* window)
 vtkTypeInt64 vtkAdaptivePatchMapper::GetGraphicsMemorySize()
 {
   return this->Superclass::GetGraphicsMemorySize() + this->Patches->Scalars.GetMemorySize();
+}
+
+//------------------------------------------------------------------------------
+
+vtkIdType vtkAdaptivePatchMapper::GetPickedCell(vtkCellPicker* picker, double pcoords[3])
+{
+  return picker && picker->GetMapper() == this
+    ? relevo::FindPickedPatch(vtkPolyData::SafeDownCast(picker->GetDataSet()), picker->GetCellId(),
+        picker->GetPCoords(), pcoords)
+    : -1;
+}
+
+vtkIdType vtkAdaptivePatchMapper::GetPickedCell(
+  vtkIdType cellId, const double position[3], double pcoords[3], vtkPolyData* patches)
+{
+  return relevo::FindNearestPatch(patches ? patches : this->GetInput(), cellId, position, pcoords);
 }
 
 void vtkAdaptivePatchMapper::PrintSelf(ostream& os, vtkIndent indent)

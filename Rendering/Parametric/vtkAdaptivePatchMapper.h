@@ -35,6 +35,7 @@
 #include <memory> // for vtkInternals
 
 class vtkCellPicker;
+class vtkDataArray;
 class vtkUnstructuredGrid;
 
 class RELEVORENDERINGPARAMETRIC_EXPORT vtkAdaptivePatchMapper : public vtkAdaptiveRefinementMapper
@@ -145,6 +146,9 @@ private:
   void CopyPatchSettings(vtkAdaptivePatchMapper* other);
   void UpdateField(vtkRenderer* ren);
   void UploadField(vtkRenderer* ren);
+  /// The scalars of points that VTK colours by; nullptr for none.
+  vtkDataArray* FindMappedScalars();
+  void ReportMissingIsolines();
 
   struct vtkInternals;
   bool ExactScalars = true;

@@ -5,6 +5,7 @@
 #include "Arrays/NoDataTuples.h"
 #include "Mesh/PatchArrays.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -84,7 +86,9 @@ bool PatchScalars::Upload(vtkOpenGLRenderWindow* window, const Source& source)
     return false;
   }
   const ScalarKind kind = this->Numbers.GetKind();
-  this->Kind = kind == BY_VALUE ? TABLE : (kind == BY_TEXTURE ? TEXTURE : NONE);
+  this->Coloring = kind == BY_VALUE
+    ? PatchColoring::TABLE
+    : (kind == BY_TEXTURE ? PatchColoring::TEXTURE : PatchColoring::NONE);
   return true;
 }
 
@@ -103,13 +107,30 @@ bool PatchScalars::UploadColors(vtkOpenGLRenderWindow* window, vtkDataArray* nod
     nodes->GetTuple(i, tuple);
     StoreColor(tuple, components, isReal ? 1.0 : 1.0 / 255.0, &colors[4 * static_cast<size_t>(i)]);
   }
-  this->Kind = COLORS;
+  this->Coloring = PatchColoring::COLORS;
   return this->Colors.Upload(window, colors, 4);
+}
+
+std::string PatchScalars::DescribeMisfit(vtkPolyData* mesh, vtkDataArray* scalars)
+{
+  const std::string name =
+    std::string(PatchNodesPrefix) + (scalars->GetName() ? scalars->GetName() : "");
+  vtkAbstractArray* nodes = mesh->GetFieldData()->GetAbstractArray(name.c_str());
+  vtkAbstractArray* points = mesh->GetFieldData()->GetAbstractArray(PatchPointsName);
+  std::ostringstream text;
+  if (nodes && !PatchArrays::FindNodes(mesh, scalars))
+  {
+    text << "Cannot evaluate scalars at every pixel: the array " << name << " has "
+         << nodes->GetNumberOfTuples() << " tuples of " << nodes->GetNumberOfComponents()
+         << " components, not " << (points ? points->GetNumberOfTuples() : 0) << " of "
+         << scalars->GetNumberOfComponents() << " numbers. They are interpolated.";
+  }
+  return text.str();
 }
 
 void PatchScalars::Activate(vtkShaderProgram* program)
 {
-  if (this->Kind == TABLE || this->Kind == TEXTURE)
+  if (this->Coloring == PatchColoring::TABLE || this->Coloring == PatchColoring::TEXTURE)
   {
     this->Numbers.Activate(program);
   }
@@ -129,7 +150,7 @@ vtkTypeInt64 PatchScalars::GetMemorySize() const
 
 void PatchScalars::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Kind = NONE;
+  this->Coloring = PatchColoring::NONE;
   this->Numbers.ReleaseGraphicsResources(window);
   this->Colors.ReleaseGraphicsResources(window);
 }

@@ -11,6 +11,9 @@
 
 #include "Buffers/BufferTexture.h" // for members
 #include "Buffers/VertexColors.h"  // for members
+#include "Shaders/PatchShader.h"   // for PatchColoring
+
+#include <string>
 
 class vtkDataArray;
 class vtkOpenGLRenderWindow;
@@ -24,15 +27,6 @@ namespace relevo
 class PatchScalars
 {
 public:
-  /// How coefficients come to colours.
-  enum Kinds
-  {
-    NONE,    // there are none
-    TABLE,   // the number is looked up
-    TEXTURE, // VTK's texture of the table has them
-    COLORS   // they are colours
-  };
-
   struct Source
   {
     vtkPolyData* Mesh;
@@ -47,7 +41,10 @@ public:
   /// Take the coefficients of scalars, if there are some. False when they do not fit on the GPU.
   bool Upload(vtkOpenGLRenderWindow* window, const Source& source);
 
-  Kinds GetKind() const { return this->Kind; }
+  /// What is wrong with the coefficients of scalars, as a sentence; or "".
+  static std::string DescribeMisfit(vtkPolyData* mesh, vtkDataArray* scalars);
+
+  PatchColoring GetColoring() const { return this->Coloring; }
   /// What has been subtracted from numbers.
   double GetBias() const { return this->Numbers.GetBias(); }
 
@@ -59,7 +56,7 @@ public:
 private:
   bool UploadColors(vtkOpenGLRenderWindow* window, vtkDataArray* nodes, int type);
 
-  Kinds Kind = NONE;
+  PatchColoring Coloring = PatchColoring::NONE;
   VertexColors Numbers;
   BufferTexture Colors;
 };
