@@ -30,8 +30,13 @@ cd "$source_dir"
 output=$build_dir/Documentation
 rm -rf "$output"
 mkdir -p "$output"
-# Public headers are those of classes named and derived as VTK's.
+# Public headers are those of classes named and derived as VTK's, and those that the modules'
+# CMakeLists.txt name as installed for authors of classes of their own.
 headers=$(grep -rlE --include='vtk*.h' 'vtk(Abstract)?TypeMacro\(' Filters Rendering | sort)
+for list in Filters/*/CMakeLists.txt; do
+  folder=$(dirname "$list")
+  headers+=$(sed -n '/^set(author_headers/,/)/{s/)//;s/^  //p}' "$list" | sed "s|^|\n$folder/|")
+done
 version=$(sed -n 's/^ *VERSION \([0-9.]*\)$/\1/p' CMakeLists.txt)
 RELEVO_HEADERS=$(tr '\n' ' ' <<<"$headers") RELEVO_OUTPUT=$output RELEVO_VERSION=$version \
   doxygen Module/Documentation/Doxyfile

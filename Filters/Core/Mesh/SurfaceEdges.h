@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   SurfaceEdges
+ * @class   relevo::SurfaceEdges
  * @brief   the edges of a mesh's triangles, and tags of points from tags of edges
  *
  * An edge is a pair of places that at least one triangle joins. Edges are counted from 0, in the

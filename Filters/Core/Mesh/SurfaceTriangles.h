@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   SurfaceTriangles
+ * @class   relevo::SurfaceTriangles
  * @brief   the triangles of a mesh between places, and which of them meet at each place
  *
  * Polygons are taken as the fans (0, i, i + 1) that VTK's mappers draw, strips as their triangles.

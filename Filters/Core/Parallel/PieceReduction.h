@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   PieceReduction
+ * @class   relevo::PieceReduction
  * @brief   what the pieces of a surface have together, where several processes have one each
  *
  * Its functions are collective: all processes call the same ones in the same order, with as many

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @struct  RefinementView
+ * @struct  relevo::RefinementView
  * @brief   from where, and on what, a mesh is looked at: the input of view-dependent metrics
  */
 #ifndef RefinementView_h

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   PointTags
+ * @class   relevo::PointTags
  * @brief   depth-tags per point by a recipe, for filters of your own that refine something else
  *          than triangles
  *

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   ToleranceSurface
+ * @class   relevo::ToleranceSurface
  * @brief   the surface that a recipe makes of a mesh, refined to a tolerance where it is wanted
  *
  * Each coarse face has a box that all its refined points are in, so that filters of your own can

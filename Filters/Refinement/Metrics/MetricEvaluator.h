@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   MetricEvaluator
+ * @class   relevo::MetricEvaluator
  * @brief   a depth-tag metric evaluated for one mesh
  *
  * A metric holds parameters; what it computes of a mesh is held by its evaluator for that mesh,

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   MetricMesh
+ * @class   relevo::MetricMesh
  * @brief   a mesh and what metrics need to know of its shape
  *
  * Triangles and edges are computed when they are first asked for and kept until the mesh's points

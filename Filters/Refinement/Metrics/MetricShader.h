@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @struct  MetricShader
+ * @struct  relevo::MetricShader
  * @brief   a view-dependent metric as functions that a shader, or C++, evaluates
  *
- * A compute shader of #version 430 includes Source after
+ * A compute shader (GLSL 4.30) includes Source after
  *
  *     #define RELEVO_FUNCTION
  *     uniform vec4 metricParameters[10];

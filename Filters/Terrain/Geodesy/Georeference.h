@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @struct  Georeference
+ * @struct  relevo::Georeference
  * @brief   where a raster lies on the earth
  *
  * Private to the modules' own sources.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   TerrainFrame
+ * @class   relevo::TerrainFrame
  * @brief   between a raster's coordinates and metres about its centre
  */
 #ifndef TerrainFrame_h

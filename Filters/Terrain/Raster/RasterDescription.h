@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @struct  RasterDescription
+ * @struct  relevo::RasterDescription
  * @brief   a raster's size, samples, no-data value, units and location; see
  *          vtkHeightMap::Describe()
  */
