@@ -14,6 +14,9 @@
 #   -V <baseline image>                          RELEVO_TEST_DATA: folder of larger real data
 function (relevo_add_cxx_tests executable)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "TESTS;REPEATED;HELPERS;LIBRARIES;LABELS")
+  if (RELEVO_LEFT_OUT_TESTS)
+    list(FILTER arg_TESTS EXCLUDE REGEX "(^|/)(${RELEVO_LEFT_OUT_TESTS})$")
+  endif ()
   set(sources ${arg_TESTS} ${arg_REPEATED})
   list(TRANSFORM sources APPEND ".cxx")
   # The test driver calls functions, which are named without folders.
@@ -25,7 +28,8 @@ function (relevo_add_cxx_tests executable)
   target_link_libraries("${executable}" PRIVATE ${arg_HELPERS} ${arg_LIBRARIES})
   vtk_module_autoinit(TARGETS "${executable}" MODULES ${arg_LIBRARIES})
   relevo_precompile_headers("${executable}")
-  set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS "${relevo_warning_flags}")
+  set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS
+    "${relevo_warning_flags};${relevo_test_flags}")
   foreach (test IN LISTS arg_TESTS)
     get_filename_component(test "${test}" NAME)
     relevo_add_cxx_test("${executable}" "${test}" "${test}" ${arg_LABELS})
