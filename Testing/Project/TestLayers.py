@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The layers of the modules' sources, as Module/Documentation/architecture.md draws them.
 
-No include climbs, at a module's root lie its public classes alone, private files are not called
-vtk*, no header takes the name or the include guard of one of VTK's, and functions stay small, those
-of tests, too.
+No include climbs, no module includes what is private to a sibling, public classes alone lie at a
+module's root, private files are not called vtk*, no header takes the name or the include guard of
+one of VTK's, and functions stay small, those of tests, too.
 
     TestLayers.py SOURCE VTK_INCLUDE_FOLDER...
 """
@@ -62,6 +62,28 @@ def find_unlisted(source):
             module = path.parent.relative_to(source).as_posix()
             if module not in LAYERS:
                 yield f"{module}: add the module and its layers to LAYERS in TestLayers.py"
+
+
+def installed_for_authors(source, module):
+    """The headers that a module installs beside those of its public classes."""
+    lists = (source / module / "CMakeLists.txt").read_text(encoding="utf-8")
+    found = re.search(r"^set\(author_headers\n(.*?)\)", lists, re.MULTILINE | re.DOTALL)
+    return set(found.group(1).split()) if found else set()
+
+
+def may_include(module, other, name, installed):
+    """Whether a module may include a header of another one.
+
+    Public classes and installed headers are there for everyone, those of Core for all modules, and
+    those of Filters/X for Rendering/X, its twin.
+    """
+    folder, idea = module.split("/")
+    return (
+        pathlib.PurePath(name).stem.startswith("vtk")
+        or name in installed
+        or other in ("Filters/Core", "Rendering/Core")
+        or folder == "Rendering" and other == "Filters/" + idea
+    )
 
 
 def functions(text):
@@ -124,6 +146,7 @@ def main():
                 faults.append(f"{module}/{inside}: another module has it too")
             files[name] = (path, module, layer)
 
+    installed = {module: installed_for_authors(source, module) for module in MODULES}
     for name, (path, module, layer) in files.items():
         for include in re.findall(r'#include [<"]([^>"]+)', path.read_text(encoding="utf-8")):
             if ".." in pathlib.PurePath(include).parts:
@@ -133,6 +156,8 @@ def main():
             _, other, below = files[include]
             if MODULES.index(other) > MODULES.index(module) or other == module and below > layer:
                 faults.append(f"{module}/{name}: climbs to {include}")
+            if other != module and not may_include(module, other, include, installed[other]):
+                faults.append(f"{module}/{name}: {include} is private to {other}")
     faults += find_large(source)
     number_of_functions = sum(
         len(list(functions(path.read_text(encoding="utf-8")))) for path, _, _ in files.values()
