@@ -3,13 +3,14 @@
 #include "Mesh/RefinementMesh.h"
 
 #include "Arrays/GhostCells.h"
-#include "Surfaces/FloatRange.h"
-
 #include "Mesh/FaceBounds.h"
+#include "Mesh/GivenNormals.h"
+#include "Mesh/NormalGroups.h"
 #include "Mesh/PatchArrays.h"
 #include "Parallel/GlobalSurfaceInfo.h"
 #include "Points/LocalPoints.h"
 #include "Points/MergedPoints.h"
+#include "Surfaces/FloatRange.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkDisplacement.h"
@@ -18,11 +19,16 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRefinementSurface.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <set>
 #include <sstream>
+#include <tuple>
+#include <utility>
 
 namespace relevo
 {
@@ -31,6 +37,72 @@ namespace
 bool isFinite(const float* v)
 {
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+}
+
+using Vector = std::array<double, 3>;
+
+Vector load(const float* v)
+{
+  return { v[0], v[1], v[2] };
+}
+
+Vector subtract(const Vector& a, const Vector& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+Vector cross(const Vector& a, const Vector& b)
+{
+  Vector c;
+  vtkMath::Cross(a.data(), b.data(), c.data());
+  return c;
+}
+
+double dot(const Vector& a, const Vector& b)
+{
+  return vtkMath::Dot(a.data(), b.data());
+}
+
+double angle(const Vector& a, const Vector& b)
+{
+  const Vector c = cross(a, b);
+  return std::atan2(std::sqrt(dot(c, c)), dot(a, b));
+}
+
+// Unit normals that differ by less are equal up to rounding.
+constexpr float NormalRounding = 1e-5f;
+
+// The numbers 0 to n - 1 in the order of their keys (arrays of ints); equal keys keep theirs.
+// Counts by the keys' first elements, which are below `limit`: few share each.
+template <typename GetKey>
+std::vector<int> sortByKey(size_t n, int limit, const GetKey& getKey)
+{
+  std::vector<int> starts(static_cast<size_t>(limit) + 1, 0);
+  for (size_t i = 0; i < n; ++i)
+  {
+    ++starts[getKey(static_cast<int>(i))[0] + 1];
+  }
+  for (int k = 0; k < limit; ++k)
+  {
+    starts[k + 1] += starts[k];
+  }
+  std::vector<int> sorted(n);
+  std::vector<int> next(starts.begin(), starts.end() - 1);
+  for (size_t i = 0; i < n; ++i)
+  {
+    sorted[next[getKey(static_cast<int>(i))[0]]++] = static_cast<int>(i);
+  }
+  vtkSMPTools::For(0, limit,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        std::sort(sorted.begin() + starts[k], sorted.begin() + starts[k + 1],
+          [&getKey](int l, int r)
+          { return std::make_pair(getKey(l), l) < std::make_pair(getKey(r), r); });
+      }
+    });
+  return sorted;
 }
 }
 
@@ -465,6 +537,436 @@ void RefinementMesh::GetBounds(
   {
     bounds[2 * c] += this->Origin[c];
     bounds[2 * c + 1] += this->Origin[c];
+  }
+}
+
+void RefinementMesh::BuildNormals(vtkPolyData* input)
+{
+  this->Normals.assign(3 * static_cast<size_t>(this->NumberOfPoints), 0.0f);
+  vtkDataArray* given = GetGivenNormals(input);
+  bool missing = !given;
+  for (vtkIdType i = 0; given && i < this->NumberOfPoints; ++i)
+  {
+    double normal[3];
+    if (IsLengthOfNormal(GetUnitNormal(given, i, normal)))
+    {
+      std::copy_n(normal, 3, &this->Normals[3 * static_cast<size_t>(i)]);
+    }
+    else
+    {
+      missing = true;
+    }
+  }
+  if (missing)
+  {
+    this->ComputeMissingNormals();
+  }
+}
+
+// Normals that are zero so far: those of the faces around, weighted by the angle at the place,
+// whatever the triangulation (Thuermer and Wuethrich 1998).
+void RefinementMesh::ComputeMissingNormals()
+{
+  const size_t n = static_cast<size_t>(this->NumberOfPoints);
+  std::vector<double> sums(3 * n, 0.0);
+  std::vector<double> firsts(3 * n, 0.0); // for places where the faces cancel each other
+  for (const RefinementFace& face : this->Faces)
+  {
+    const auto& order = GetCornerOrder(face.Order);
+    int corners[3];
+    Vector p[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      corners[order[i]] = face.Corners[i];
+      p[order[i]] = load(&this->Points[3 * static_cast<size_t>(face.Corners[i])]);
+    }
+    Vector normal = cross(subtract(p[1], p[0]), subtract(p[2], p[0]));
+    vtkMath::Normalize(normal.data());
+    for (int i = 0; i < 3; ++i)
+    {
+      const double weight = angle(subtract(p[(i + 1) % 3], p[i]), subtract(p[(i + 2) % 3], p[i]));
+      const size_t place = 3 * static_cast<size_t>(this->GetPlace(corners[i]));
+      const bool isFirst =
+        std::all_of(&firsts[place], &firsts[place] + 3, [](double c) { return c == 0.0; });
+      for (int c = 0; c < 3; ++c)
+      {
+        sums[place + c] += weight * normal[c];
+        firsts[place + c] = isFirst ? normal[c] : firsts[place + c];
+      }
+    }
+  }
+  for (size_t i = 0; i < n; ++i)
+  {
+    float* normal = &this->Normals[3 * i];
+    if (std::all_of(normal, normal + 3, [](float c) { return c == 0.0f; }))
+    {
+      const size_t place = 3 * static_cast<size_t>(this->GetPlace(static_cast<int>(i)));
+      Vector sum = { sums[place], sums[place + 1], sums[place + 2] };
+      constexpr double cancelled = 1e-9; // radians
+      if (vtkMath::Normalize(sum.data()) < cancelled)
+      {
+        sum = { firsts[place], firsts[place + 1], firsts[place + 2] };
+      }
+      std::copy_n(sum.data(), 3, normal);
+    }
+  }
+}
+
+// One direction per place: where faces see different normals, their mean. Normals that differ by
+// rounding alone, as on the two sides of many texture seams, are made one.
+void RefinementMesh::BuildDirections()
+{
+  const size_t n = static_cast<size_t>(this->NumberOfPoints);
+  std::vector<size_t> first(n, n); // corner of each place
+  std::vector<char> isCorner(n, 0);
+  for (const RefinementFace& face : this->Faces)
+  {
+    for (int corner : face.Corners)
+    {
+      const size_t point = static_cast<size_t>(corner);
+      size_t& lowest = first[static_cast<size_t>(this->Places[point])];
+      lowest = std::min(lowest, point);
+      isCorner[point] = 1;
+    }
+  }
+  std::vector<char> isSplit(n, 0); // per place
+  for (size_t i = 0; i < n; ++i)
+  {
+    const size_t place = static_cast<size_t>(this->Places[i]);
+    const Vector difference =
+      subtract(load(&this->Normals[3 * i]), load(&this->Normals[3 * std::min(first[place], i)]));
+    constexpr double squaredRounding = double(NormalRounding) * NormalRounding;
+    isSplit[place] |= isCorner[i] && dot(difference, difference) > squaredRounding ? 1 : 0;
+  }
+  std::vector<float> directions(3 * n, 0.0f);
+  for (size_t i = 0; i < n; ++i)
+  {
+    const size_t place = static_cast<size_t>(this->Places[i]);
+    if (isCorner[i] && !isSplit[place])
+    {
+      std::copy_n(&this->Normals[3 * first[place]], 3, &this->Normals[3 * i]);
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+      directions[3 * place + c] += isCorner[i] ? this->Normals[3 * i + c] : 0.0f;
+    }
+  }
+  if (std::find(isSplit.begin(), isSplit.end(), 1) == isSplit.end())
+  {
+    return;
+  }
+  for (size_t i = 0; i < n; ++i)
+  {
+    const size_t place = static_cast<size_t>(this->Places[i]);
+    float* direction = &directions[3 * i];
+    if (place != i)
+    {
+      std::copy_n(&directions[3 * place], 3, direction);
+    }
+    else if (!isSplit[place] || vtkMath::Normalize(direction) == 0.0f)
+    {
+      std::copy_n(&this->Normals[3 * std::min(first[place], i)], 3, direction);
+    }
+  }
+  this->Directions.swap(directions);
+}
+
+// Gradients of texture coordinates do not depend on how points are shared: coincident points are
+// one but where texture coordinates have a seam or normals a crease.
+std::vector<size_t> RefinementMesh::FindFramePoints() const
+{
+  std::vector<size_t> framePoints(static_cast<size_t>(this->NumberOfPoints));
+  std::iota(framePoints.begin(), framePoints.end(), 0);
+  if (this->Places.empty())
+  {
+    return framePoints;
+  }
+  std::vector<char> isShared(framePoints.size(), 0); // per place
+  for (size_t i = 0; i < framePoints.size(); ++i)
+  {
+    const size_t place = static_cast<size_t>(this->Places[i]);
+    isShared[place] |= place != i ? 1 : 0;
+  }
+  using Key = std::tuple<vtkIdType, float, float>;
+  std::vector<std::pair<Key, size_t>> points;
+  for (size_t i = 0; i < framePoints.size(); ++i)
+  {
+    const vtkIdType place = this->Places[i];
+    if (isShared[static_cast<size_t>(place)])
+    {
+      const float* uv =
+        this->TextureCoordinates.empty() ? nullptr : &this->TextureCoordinates[2 * i];
+      points.push_back({ Key(place, uv ? uv[0] : 0.0f, uv ? uv[1] : 0.0f), i });
+    }
+  }
+  std::sort(points.begin(), points.end());
+  std::vector<vec3> normals;
+  std::vector<vtkIdType> groups;
+  for (auto first = points.begin(), last = first; first != points.end(); first = last)
+  {
+    normals.clear();
+    for (; last != points.end() && last->first == first->first; ++last)
+    {
+      const float* normal = &this->Normals[3 * last->second];
+      normals.push_back(vec3(normal[0], normal[1], normal[2]));
+    }
+    GroupNormals(normals, NormalRounding, groups);
+    for (size_t i = 0; i < groups.size(); ++i)
+    {
+      framePoints[(first + static_cast<std::ptrdiff_t>(i))->second] =
+        (first + static_cast<std::ptrdiff_t>(groups[i]))->second;
+    }
+  }
+  return framePoints;
+}
+
+void RefinementMesh::BuildFrames(bool alongNormal)
+{
+  const size_t n = static_cast<size_t>(this->NumberOfPoints);
+  const std::vector<float>& directions =
+    this->Directions.empty() ? this->Normals : this->Directions;
+  const std::vector<size_t> framePoints = this->FindFramePoints();
+  std::vector<double> sums(8 * n, 0.0); // gradients, mean curvature, area
+  for (const RefinementFace& face : this->Faces)
+  {
+    Vector p[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      p[i] = load(&this->Points[3 * static_cast<size_t>(face.Corners[i])]);
+    }
+    const Vector normal = cross(subtract(p[1], p[0]), subtract(p[2], p[0]));
+    const double squared = dot(normal, normal);
+    if (!(squared > 0.0))
+    {
+      continue;
+    }
+    double values[7] = { 0.0 };
+    for (int i = 0; i < 3; ++i)
+    {
+      const size_t point = static_cast<size_t>(face.Corners[i]);
+      // The gradient of a corner's barycentric weight.
+      const Vector gradient = cross(normal, subtract(p[(i + 2) % 3], p[(i + 1) % 3]));
+      for (int c = 0; c < 3; ++c)
+      {
+        const double g = gradient[c] / squared;
+        if (!this->TextureCoordinates.empty())
+        {
+          values[c] += g * this->TextureCoordinates[2 * point];
+          values[3 + c] += g * this->TextureCoordinates[2 * point + 1];
+        }
+        if (alongNormal)
+        {
+          // Half the divergence of the unit normals is the mean curvature.
+          values[6] += 0.5 * g * directions[3 * point + c];
+        }
+      }
+    }
+    const double area = std::sqrt(squared);
+    for (int corner : face.Corners)
+    {
+      double* sum = &sums[8 * framePoints[static_cast<size_t>(corner)]];
+      for (int k = 0; k < 7; ++k)
+      {
+        sum[k] += area * values[k];
+      }
+      sum[7] += area;
+    }
+  }
+  this->Frames.assign(8 * n, 0.0f);
+  for (size_t i = 0; i < n; ++i)
+  {
+    const double* sum = &sums[8 * framePoints[i]];
+    if (sum[7] > 0.0)
+    {
+      float* frame = &this->Frames[8 * i];
+      for (int c = 0; c < 3; ++c)
+      {
+        frame[c] = static_cast<float>(sum[c] / sum[7]);
+        frame[4 + c] = static_cast<float>(sum[3 + c] / sum[7]);
+      }
+      frame[3] = static_cast<float>(sum[6] / sum[7]);
+    }
+  }
+}
+
+void RefinementMesh::DropLoneFaces()
+{
+  const auto getPlaces = [this](const RefinementFace& face) -> std::array<int, 3>
+  {
+    return { this->GetPlace(face.Corners[0]), this->GetPlace(face.Corners[1]),
+      this->GetPlace(face.Corners[2]) };
+  };
+  // Sorted: those at one place follow one another.
+  const auto isCollapsed = [&](const RefinementFace& face)
+  {
+    const std::array<int, 3> places = getPlaces(face);
+    return places[0] == places[1] || places[1] == places[2];
+  };
+  if (std::none_of(this->Faces.begin(), this->Faces.end(), isCollapsed))
+  {
+    return;
+  }
+  std::set<std::pair<int, int>> sides;
+  for (const RefinementFace& face : this->Faces)
+  {
+    const std::array<int, 3> places = getPlaces(face);
+    for (int e = 0; !isCollapsed(face) && e < 3; ++e)
+    {
+      sides.emplace(places[EdgeCorners[e][0]], places[EdgeCorners[e][1]]);
+    }
+  }
+  const auto isLone = [&](const RefinementFace& face)
+  {
+    const std::array<int, 3> places = getPlaces(face);
+    return isCollapsed(face) && sides.count({ places[0], places[2] }) == 0;
+  };
+  const auto kept = std::remove_if(this->Faces.begin(), this->Faces.end(), isLone);
+  this->NumberOfDroppedTriangles += this->Faces.end() - kept;
+  this->Faces.erase(kept, this->Faces.end());
+}
+
+void RefinementMesh::BuildPlaceEdges()
+{
+  using Key = std::array<int, 4>; // places, points
+  const auto getKey = [this](int faceEdge)
+  {
+    const int* corners = this->Faces[faceEdge / 3].Corners;
+    const int a = corners[EdgeCorners[faceEdge % 3][0]];
+    const int b = corners[EdgeCorners[faceEdge % 3][1]];
+    return Key{ { this->GetPlace(a), this->GetPlace(b), a, b } };
+  };
+  const std::vector<int> sorted = sortByKey(3 * this->Faces.size(), this->NumberOfPoints, getKey);
+  this->FacePlaceEdges.resize(sorted.size());
+  this->PlaceEdgeOffsets.clear();
+  this->PlaceEdgePairs.clear();
+  Key previous{ { -1, -1, -1, -1 } };
+  for (int faceEdge : sorted)
+  {
+    const Key key = getKey(faceEdge);
+    if (key[0] != previous[0] || key[1] != previous[1])
+    {
+      this->PlaceEdgeOffsets.push_back(static_cast<int>(this->PlaceEdgePairs.size()));
+    }
+    if (key != previous)
+    {
+      this->PlaceEdgePairs.push_back({ { key[2], key[3] } });
+    }
+    this->FacePlaceEdges[faceEdge] = static_cast<int>(this->PlaceEdgeOffsets.size()) - 1;
+    previous = key;
+  }
+  this->PlaceEdgeOffsets.push_back(static_cast<int>(this->PlaceEdgePairs.size()));
+}
+
+void RefinementMesh::BuildSeams()
+{
+  // The lowest point of each place that a face uses.
+  std::vector<int> first(static_cast<size_t>(this->NumberOfPoints), this->NumberOfPoints);
+  for (const RefinementFace& face : this->Faces)
+  {
+    for (int corner : face.Corners)
+    {
+      int& lowest = first[static_cast<size_t>(this->GetPlace(corner))];
+      lowest = std::min(lowest, corner);
+    }
+  }
+  this->Seams.resize(9 * this->Faces.size());
+  for (size_t f = 0; f < this->Faces.size(); ++f)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const int edge = this->FacePlaceEdges[3 * f + i];
+      const auto& pair = this->PlaceEdgePairs[this->PlaceEdgeOffsets[edge]];
+      this->Seams[9 * f + i] =
+        first[static_cast<size_t>(this->GetPlace(this->Faces[f].Corners[i]))];
+      this->Seams[9 * f + 3 + i] = pair[0];
+      this->Seams[9 * f + 6 + i] = pair[1];
+    }
+  }
+}
+
+void RefinementMesh::BuildVectors(vtkRefinementSurface* surface)
+{
+  const int positions = surface->GetNumberOfEdgePositions();
+  this->VectorsPerEdge = positions + surface->GetNumberOfEdgeNormals();
+  this->VectorsPerFace = 3 * this->VectorsPerEdge + surface->GetNumberOfFacePositions() +
+    surface->GetNumberOfFaceNormals();
+  this->Vectors.assign(3 * static_cast<size_t>(this->VectorsPerFace) * this->Faces.size(), 0.0f);
+  if (this->Vectors.empty())
+  {
+    return;
+  }
+  auto getCorner = [this](int point)
+  {
+    const size_t id = static_cast<size_t>(point);
+    return vtkRefinementSurface::Corner{ &this->Points[3 * id],
+      this->Normals.empty() ? nullptr : &this->Normals[3 * id], this->GetValues(point) };
+  };
+  auto computeEdge = [&](int a, int b, float* vectors)
+  { surface->ComputeEdgeVectors(getCorner(a), getCorner(b), vectors); };
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Faces.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::vector<float> other(3 * static_cast<size_t>(this->VectorsPerEdge));
+      for (vtkIdType f = begin; f < end; ++f)
+      {
+        const RefinementFace& face = this->Faces[f];
+        float* vectors = &this->Vectors[3 * static_cast<size_t>(this->VectorsPerFace) * f];
+        float* edgeNormals[3];
+        for (int i = 0; i < 3; ++i)
+        {
+          float* edge = vectors + 3 * i * this->VectorsPerEdge;
+          edgeNormals[i] = edge + 3 * positions;
+          computeEdge(face.Corners[EdgeCorners[i][0]], face.Corners[EdgeCorners[i][1]], edge);
+          if (this->FacePlaceEdges.empty())
+          {
+            continue;
+          }
+          const int id = this->FacePlaceEdges[3 * f + i];
+          const int pairs = this->PlaceEdgeOffsets[id + 1] - this->PlaceEdgeOffsets[id];
+          if (pairs > 1)
+          {
+            // The mean over all sides, summed in the same order by each of them.
+            std::fill_n(edge, 3 * positions, 0.0f);
+            for (int k = 0; k < pairs; ++k)
+            {
+              const auto& pair = this->PlaceEdgePairs[this->PlaceEdgeOffsets[id] + k];
+              computeEdge(pair[0], pair[1], other.data());
+              for (int c = 0; c < 3 * positions; ++c)
+              {
+                edge[c] += other[c] / static_cast<float>(pairs);
+              }
+            }
+          }
+        }
+        surface->ComputeFaceVectors(this->GetSurfaceFace(static_cast<int>(f)),
+          vectors + 9 * this->VectorsPerEdge, edgeNormals);
+      }
+    });
+}
+
+void RefinementMesh::BuildEdges()
+{
+  using Key = std::array<int, 2>;
+  const auto getKey = [this](int faceEdge)
+  {
+    const int* corners = this->Faces[faceEdge / 3].Corners;
+    const int a = corners[EdgeCorners[faceEdge % 3][0]];
+    const int b = corners[EdgeCorners[faceEdge % 3][1]];
+    return Key{ { std::min(a, b), std::max(a, b) } };
+  };
+  const std::vector<int> sorted = sortByKey(3 * this->Faces.size(), this->NumberOfPoints, getKey);
+  this->FaceEdges.resize(sorted.size());
+  this->EdgeOwners.clear();
+  Key previous{ { -1, -1 } };
+  for (int faceEdge : sorted)
+  {
+    const Key key = getKey(faceEdge);
+    if (key != previous)
+    {
+      this->EdgeOwners.push_back(faceEdge);
+      previous = key;
+    }
+    this->FaceEdges[faceEdge] = static_cast<int>(this->EdgeOwners.size()) - 1;
   }
 }
 }
