@@ -63,11 +63,13 @@
 
 class vtkAdaptiveRefinement;
 class vtkMultiProcessController;
+class vtkProperty;
 class vtkScalarsToColors;
 
 namespace relevo
 {
 struct ShaderExtension;
+struct StageResult;
 class PieceReduction;
 }
 
@@ -468,10 +470,14 @@ private:
   vtkDataObject* ReplaceInput(vtkDataObject* input);
   vtkPolyData* GetPickedData(bool isAsked);
   bool CheckOpenGL(vtkRenderer* ren);
-  void FollowLook(vtkRenderer* ren, vtkActor* act);
-  bool UploadMesh(vtkRenderer* ren);
-  bool UploadFaces(vtkRenderer* ren, vtkActor* act);
-  bool Report(bool valid);
+  /// Several actors and renderers that share the mapper have shaders of their own.
+  void UseShaderVariant(vtkRenderer* ren, vtkActor* act);
+  void BuildBufferObjectsOfPiece(vtkRenderer* ren, vtkActor* act);
+  vtkAbstractArray* GetScalarsToInterpolate();
+  /// Whether VTK's own mapper would draw the vertices of faces.
+  static bool AreVerticesDrawn(vtkProperty* property, vtkHardwareSelector* selector);
+  bool Report(const relevo::StageResult& result);
+  bool ReportState(bool valid);
   bool UpdateMesh();
   bool UpdateSelection(vtkRenderer* ren, vtkActor* act);
   void UpdateBudget(
@@ -486,14 +492,13 @@ private:
   bool CanHideBackFaces(vtkActor* act);
   void ChooseMethod(vtkRenderer* ren, vtkActor* act);
   bool BuildStages(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act);
-  bool UploadHeights();
-  bool UploadMethod();
+  void UploadSelection();
   void FallBackToDefaultMethod(vtkActor* act);
-  void ReportMethodUnavailable(const std::string& problem);
   void SetRefinementColorMode(RefinementColorModes mode);
   void CopySettings(vtkAdaptiveRefinementMapper* other);
   void UpdateFaceColors();
-  bool UploadFaceColors(vtkScalarsToColors* table);
+  /// Have the options of a helper's shaders, and their key, as they are now.
+  void UpdateShaderOptions(const vtkOpenGLHelper* cellBO);
   void UpdateRefiningShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act);
 
   vtkSmartPointer<vtkAdaptiveRefinement> Refinement;

@@ -101,12 +101,12 @@ vtkPolyData* vtkAdaptiveRefinementMapper::GetPickedData(bool isAsked)
   const relevo::RefinementMesh& mesh = data.State.GetMesh();
   const vtkMTimeType meshTime = data.State.GetMeshTime();
   using Levels = relevo::PickedLevels;
-  const bool morphs = data.MethodInUse == METHOD_ARKFPI || data.MethodInUse == METHOD_ARK;
+  const bool morphs = data.Methods.IsDefault() || data.Methods.GetNumber() == METHOD_ARK;
   const relevo::PatternSelection* selection =
     picking.Levels.Get(input, this->Refinement, mesh, meshTime, data.State.GetSelection(),
-      morphs                                 ? Levels::MORPHED
-        : data.MethodInUse == METHOD_UNIFORM ? Levels::HIGHEST
-                                             : Levels::ROUNDED);
+      morphs                                         ? Levels::MORPHED
+        : data.Methods.GetNumber() == METHOD_UNIFORM ? Levels::HIGHEST
+                                                     : Levels::ROUNDED);
   if (!selection)
   {
     return picking.Empty;

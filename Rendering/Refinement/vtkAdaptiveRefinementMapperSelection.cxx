@@ -40,7 +40,20 @@ double vtkAdaptiveRefinementMapper::vtkInternals::GetAllocatedTime(vtkRenderer* 
   return std::min(act->GetAllocatedRenderTime(), ren->GetAllocatedRenderTime());
 }
 
-bool vtkAdaptiveRefinementMapper::Report(bool valid)
+bool vtkAdaptiveRefinementMapper::Report(const relevo::StageResult& result)
+{
+  for (const std::string& error : result.Errors)
+  {
+    vtkErrorMacro(<< error);
+  }
+  for (const std::string& warning : result.Warnings)
+  {
+    vtkWarningMacro(<< warning);
+  }
+  return result.IsValid;
+}
+
+bool vtkAdaptiveRefinementMapper::ReportState(bool valid)
 {
   const std::string error = this->Internals->State.TakeError();
   const std::string warning = this->Internals->State.TakeWarning();
@@ -58,13 +71,13 @@ bool vtkAdaptiveRefinementMapper::Report(bool valid)
 bool vtkAdaptiveRefinementMapper::UpdateMesh()
 {
   vtkPolyData* input = this->GetInput();
-  return input && this->Report(this->Internals->State.UpdateMesh(input, this->Refinement));
+  return input && this->ReportState(this->Internals->State.UpdateMesh(input, this->Refinement));
 }
 
 bool vtkAdaptiveRefinementMapper::SelectsOnGPU()
 {
-  const vtkInternals& data = *this->Internals;
-  return data.ComputeValid && this->Internals->GetMethod().TakesComputeSelection() &&
+  vtkInternals& data = *this->Internals;
+  return data.ComputeValid && data.Methods.Get().TakesComputeSelection() &&
     !data.State.IsBudgeted && this->RefinementColorMode != COLOR_BY_METRIC &&
     relevo::RefinementComputeState::CanChooseFrom(
       *relevo::GetPatternFamily(this->Refinement, this->GetInput())) &&
@@ -129,7 +142,7 @@ bool vtkAdaptiveRefinementMapper::UpdateSelection(vtkRenderer* ren, vtkActor* ac
   vtkInternals& data = *this->Internals;
   const relevo::RefinementView view = relevo::MakeActorView(ren, act);
   const auto culling = MakeCullingView(this->FrustumCulling, ren, act, data.State.GetMesh());
-  return this->Report(data.State.UpdateSelection(this->GetInput(), this->Refinement, view,
+  return this->ReportState(data.State.UpdateSelection(this->GetInput(), this->Refinement, view,
     culling.get(), this->HidesBackFaces(ren, act), data.OnGPU));
 }
 
@@ -203,16 +216,17 @@ bool vtkAdaptiveRefinementMapper::SelectOnGPU(vtkRenderer* ren, vtkActor* act)
   const auto camera = MakeCullingView(this->FrustumCulling, ren, act, mesh);
   const relevo::FaceCulling* culled = camera ? &data.State.GetCulling(this->Refinement) : nullptr;
   const bool reserved =
-    data.Instances.Reserve(window, slot, mesh.Faces.size(), family->IsMorphing());
+    data.Upload.GetInstances().Reserve(window, slot, mesh.Faces.size(), family->IsMorphing());
   const bool valid = reserved && data.Compute.UpdateMesh(mesh, data.State.GetMeshTime()) &&
     (!culled || data.Compute.UpdateCulling(*culled, data.State.GetCullingTime())) &&
     data.Compute.UpdatePatterns(*this->Refinement->GetPatternTable()->GetLibrary(), family,
-      this->Refinement->GetMaximumLevel(), data.Patterns,
+      this->Refinement->GetMaximumLevel(), data.Upload.GetPatterns(),
       act->GetProperty()->GetRepresentation() == VTK_WIREFRAME) &&
     data.Compute.UpdateView(window, slot, selection.GetTags(),
       static_cast<float>(this->Refinement->GetLevelOffset() + data.State.LevelOffset),
       selection.GetLevelsTime(), camera.get(),
-      culled && culled->HidesBackFaces(*camera, this->HidesBackFaces(ren, act)), data.GetTargets());
+      culled && culled->HidesBackFaces(*camera, this->HidesBackFaces(ren, act)),
+      data.Upload.GetTargets());
   if (data.Compute.GetTime(slot) != lastTime)
   {
     data.ComputeSeconds = vtkTimerLog::GetUniversalTime() - start;
@@ -256,11 +270,11 @@ void vtkAdaptiveRefinementMapper::ReadSelection()
   data.GetWindow()->PushContext();
   const relevo::RefinementMesh& mesh = data.State.GetSelection().GetMesh();
   std::vector<float> morphTags;
-  if (data.Instances.GetMorphTags())
+  if (data.Upload.GetInstances().GetMorphTags())
   {
     morphTags.resize(3 * mesh.Faces.size());
-    relevo::RefinementComputeBuffer::ReadBuffer(
-      data.Instances.GetMorphTags(), 0, morphTags.data(), morphTags.size() * sizeof(float));
+    relevo::RefinementComputeBuffer::ReadBuffer(data.Upload.GetInstances().GetMorphTags(), 0,
+      morphTags.data(), morphTags.size() * sizeof(float));
   }
   data.State.AssignSelection(*data.Compute.GetFamily(), data.Compute.ReadEntries(slot),
     std::move(morphTags), data.Compute.ReadHidden(slot));

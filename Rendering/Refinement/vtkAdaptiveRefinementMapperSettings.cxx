@@ -11,11 +11,6 @@
 
 #include <algorithm>
 
-bool vtkAdaptiveRefinementMapper::vtkInternals::HasWholeNumbers(vtkAdaptiveRefinement* recipe)
-{
-  return recipe && recipe->GetSegmentPolicy() == vtkAdaptiveRefinement::WHOLE_NUMBERS;
-}
-
 vtkMTimeType vtkAdaptiveRefinementMapper::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
@@ -60,12 +55,8 @@ void vtkAdaptiveRefinementMapper::SetMethod(int method)
   }
   if (this->Method != method)
   {
-    this->Internals->MethodProblem.clear();
-    this->Internals->Failure = {};
-    for (auto& look : this->Internals->Looks)
-    {
-      look.second.Failure = {};
-    }
+    this->Internals->Methods.ForgetProblem();
+    this->Internals->Programs.ForgetFailures();
   }
   this->SetLive(this->Method, method);
 }
@@ -92,9 +83,7 @@ vtkScalarsToColors* vtkAdaptiveRefinementMapper::GetLevelLookupTable()
   {
     return this->LevelLookupTable;
   }
-  vtkAdaptiveRefinement* recipe = this->Refinement;
-  return this->Internals->LevelTable.Get(this->RefinementColorMode,
-    vtkInternals::HasWholeNumbers(recipe), recipe ? recipe->GetMaximumLevel() : 0);
+  return this->Internals->FaceColors.GetDefaultTable(this->RefinementColorMode, this->Refinement);
 }
 
 void vtkAdaptiveRefinementMapper::SetTargetNumberOfTriangles(vtkIdType triangles)
@@ -148,7 +137,7 @@ relevo::FaceSums vtkAdaptiveRefinementMapper::vtkInternals::CountTriangles()
   if (this->Drawable)
   {
     // For the last frame: the recipe and the input may have changed since.
-    const bool isCounted = this->GetMethod().CountTriangles(this->GetDrawing(nullptr), sums);
+    const bool isCounted = this->Methods.Get().CountTriangles(this->GetDrawing(nullptr), sums);
     sums = isCounted ? sums : this->State.CountTriangles();
   }
   return sums;
@@ -273,7 +262,8 @@ vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfSelections()
 
 vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfBufferBuilds()
 {
-  vtkIdType sum = this->Internals->NumberOfBufferBuilds;
+  vtkIdType sum =
+    this->Internals->NumberOfBufferBuilds + this->Internals->Upload.GetNumberOfBuilds();
   this->ForEachBlock(
     [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfBufferBuilds(); });
   return sum;
@@ -281,7 +271,8 @@ vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfBufferBuilds()
 
 vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfShaderBuilds()
 {
-  vtkIdType sum = this->Internals->NumberOfShaderBuilds;
+  vtkIdType sum =
+    this->Internals->NumberOfShaderBuilds + this->Internals->Programs.GetNumberOfBuilds();
   this->ForEachBlock(
     [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfShaderBuilds(); });
   return sum;
@@ -292,13 +283,8 @@ vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfShaderBuilds()
 vtkTypeInt64 vtkAdaptiveRefinementMapper::GetGraphicsMemorySize()
 {
   vtkInternals& data = *this->Internals;
-  vtkTypeInt64 sum = data.Buffers.GetMemorySize() + data.Patterns.GetMemorySize() +
-    data.Instances.GetMemorySize() + data.Colors.GetMemorySize() + data.FaceColors.GetMemorySize() +
-    data.Compute.GetMemorySize();
-  for (const auto& method : data.Methods)
-  {
-    sum += method.second->GetMemorySize();
-  }
+  vtkTypeInt64 sum = data.Upload.GetMemorySize() + data.FaceColors.GetMemorySize() +
+    data.Compute.GetMemorySize() + data.Methods.GetMemorySize();
   for (const char* name :
     { "vertexMC", "normalMC", "scalarColor", "tcoord", "colorTCoord", "tangentMC" })
   {

@@ -2,19 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Buffers/RefinementMeshBuffers.h"
 
-#include "OpenGL/RelevoOpenGL.h"
-
 #include "Mesh/RefinementMesh.h"
 #include "Shaders/RefinementShader.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDisplacement.h"
-#include "vtkHeightField.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkRefinementSurface.h"
 #include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
 
 #include <algorithm>
 
@@ -238,68 +234,6 @@ bool RefinementMeshBuffers::UploadVectors(
   return this->Vectors.Upload(window, vectors, 3);
 }
 
-bool RefinementMeshBuffers::UploadHeights(
-  vtkOpenGLRenderWindow* window, vtkDisplacement* displacement)
-{
-  if (!displacement)
-  {
-    this->ReleaseHeights(window);
-    return true;
-  }
-  vtkHeightField* heights = displacement->GetHeightMap();
-  const bool withValidity = displacement->HasHoles();
-  Dependencies dependencies = Dependencies::On(withValidity);
-  dependencies.AddObject(heights, heights ? heights->GetSamplesMTime() : 0);
-  if (this->Heights && this->HeightDependencies == dependencies)
-  {
-    return true;
-  }
-  static float zero = 0.0f;
-  int size[2] = { 1, 1 };
-  if (heights)
-  {
-    heights->GetDimensions(size);
-  }
-  GLint most = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
-  if (size[0] > most || size[1] > most)
-  {
-    this->Error = "the height map has " + std::to_string(size[0]) + " x " +
-      std::to_string(size[1]) + " samples, and a texture of this OpenGL at most " +
-      std::to_string(most) + " a side: SetMaximumDimension(" + std::to_string(most) +
-      ") of vtkHeightMap reduces it";
-    return false;
-  }
-  const unsigned int width = static_cast<unsigned int>(size[0]);
-  const unsigned int height = static_cast<unsigned int>(size[1]);
-  this->ReleaseHeights(window);
-  auto create = [&](vtkSmartPointer<vtkTextureObject>& texture, int type, const void* data)
-  {
-    texture = vtkSmartPointer<vtkTextureObject>::New();
-    texture->SetContext(window);
-    texture->SetMinificationFilter(vtkTextureObject::Nearest);
-    texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-    texture->SetWrapS(vtkTextureObject::ClampToEdge);
-    texture->SetWrapT(vtkTextureObject::ClampToEdge);
-    return texture->Create2DFromRaw(width, height, 1, type, const_cast<void*>(data));
-  };
-  bool created = create(this->Heights, VTK_FLOAT, heights ? heights->GetSamples() : &zero);
-  this->HeightMemory = static_cast<vtkTypeInt64>(width) * height * sizeof(float);
-  if (withValidity)
-  {
-    created = create(this->Validity, VTK_UNSIGNED_CHAR, heights->GetValidity()) && created;
-    this->HeightMemory += static_cast<vtkTypeInt64>(width) * height;
-  }
-  if (!created)
-  {
-    this->Error = "the height map's texture could not be created";
-    this->ReleaseHeights(window);
-    return false;
-  }
-  this->HeightDependencies = dependencies;
-  return true;
-}
-
 bool RefinementMeshBuffers::AliasAttributes(vtkOpenGLRenderWindow* window,
   vtkOpenGLVertexBufferObjectGroup* vbos, const std::vector<std::string>& attributes)
 {
@@ -336,7 +270,6 @@ void RefinementMeshBuffers::FillOptions(
   options.HasNormals = !mesh.Normals.empty();
   options.HasDirections = !mesh.Directions.empty();
   options.HasSeams = !mesh.Seams.empty();
-  options.HasHoles = this->Validity != nullptr;
 }
 
 void RefinementMeshBuffers::Activate(vtkShaderProgram* program)
@@ -356,16 +289,6 @@ void RefinementMeshBuffers::Activate(vtkShaderProgram* program)
   {
     attribute.second->Activate(program, GetAttributeSampler(attribute.first));
   }
-  auto activate = [program](vtkTextureObject* texture, const char* sampler)
-  {
-    if (texture && program->IsUniformUsed(sampler))
-    {
-      texture->Activate();
-      program->SetUniformi(sampler, texture->GetTextureUnit());
-    }
-  };
-  activate(this->Heights, "relevoHeights");
-  activate(this->Validity, "relevoValidity");
 }
 
 void RefinementMeshBuffers::Deactivate()
@@ -381,13 +304,6 @@ void RefinementMeshBuffers::Deactivate()
   for (auto& attribute : this->Attributes)
   {
     attribute.second->Deactivate();
-  }
-  for (vtkTextureObject* texture : { this->Heights.Get(), this->Validity.Get() })
-  {
-    if (texture)
-    {
-      texture->Deactivate();
-    }
   }
 }
 
@@ -430,7 +346,7 @@ void RefinementMeshBuffers::SetUniforms(
 
 vtkTypeInt64 RefinementMeshBuffers::GetMemorySize() const
 {
-  vtkTypeInt64 size = this->HeightMemory;
+  vtkTypeInt64 size = 0;
   for (const auto& faces : this->FacesOfRepresentations)
   {
     size += faces.second.GetMemorySize();
@@ -454,19 +370,5 @@ void RefinementMeshBuffers::ReleaseGraphicsResources(vtkWindow* window)
     attribute.second->ReleaseGraphicsResources(window);
   }
   this->Attributes.clear();
-  this->ReleaseHeights(window);
-}
-
-void RefinementMeshBuffers::ReleaseHeights(vtkWindow* window)
-{
-  for (vtkSmartPointer<vtkTextureObject>* texture : { &this->Heights, &this->Validity })
-  {
-    if (*texture)
-    {
-      (*texture)->ReleaseGraphicsResources(window);
-      *texture = nullptr;
-    }
-  }
-  this->HeightMemory = 0;
 }
 }

@@ -2,16 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   RefinementMeshBuffers
- * @brief   a prepared coarse mesh and its height map on the GPU
+ * @brief   a prepared coarse mesh on the GPU
  */
 #ifndef RefinementMeshBuffers_h
 #define RefinementMeshBuffers_h
 
 #include "Buffers/BufferTexture.h"
 
-#include "Changes/Dependencies.h" // for members
-#include "vtkSmartPointer.h"      // for textures
-#include "vtkType.h"              // for vtkMTimeType
+#include "vtkType.h" // for sizes
 
 #include <array>  // for GetBuffers
 #include <map>    // for members
@@ -20,13 +18,11 @@
 #include <vector> // for members
 
 class vtkAdaptiveRefinement;
-class vtkDisplacement;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexBufferObject;
 class vtkOpenGLVertexBufferObjectGroup;
 class vtkRefinementSurface;
 class vtkShaderProgram;
-class vtkTextureObject;
 class vtkWindow;
 
 namespace relevo
@@ -63,13 +59,6 @@ public:
   bool UploadFaces(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh,
     const std::vector<int>& primitives, int representation);
 
-  /**
-   * Upload the heights of a displacement if they changed, zero everywhere where it has no height
-   * map; without a displacement (nullptr) there are none. False, with GetError(), when the GPU
-   * cannot hold them.
-   */
-  bool UploadHeights(vtkOpenGLRenderWindow* window, vtkDisplacement* displacement);
-
   /// OpenGL's name of the faces' buffer; 0 for none.
   unsigned int GetFaces() const { return this->Faces ? this->Faces->GetHandle() : 0; }
 
@@ -101,12 +90,7 @@ private:
   BufferTexture TableRecords;
   BufferTexture TablePoints;
   std::map<std::string, std::unique_ptr<BufferTexture>> Attributes;
-  vtkSmartPointer<vtkTextureObject> Heights;
-  vtkSmartPointer<vtkTextureObject> Validity;
-  Dependencies HeightDependencies;
-  vtkTypeInt64 HeightMemory = 0;
   void ReleaseFaces(vtkWindow* window);
-  void ReleaseHeights(vtkWindow* window);
   bool UploadPointData(
     vtkOpenGLRenderWindow* window, const RefinementMesh& mesh, vtkRefinementSurface* surface);
   bool UploadVectors(

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Stages/MethodStage.h"
+
+#include "Checks/ShouldReport.h"
+
+namespace relevo
+{
+MethodStage::MethodStage() = default;
+MethodStage::~MethodStage() = default;
+
+RefinementMethod& MethodStage::Get()
+{
+  std::unique_ptr<RefinementMethod>& method = this->Methods[this->InUse];
+  if (!method)
+  {
+    method = RefinementMethod::New(this->InUse);
+  }
+  return *method;
+}
+
+StageResult MethodStage::Choose(const Input& input)
+{
+  this->Wanted = input.Method;
+  this->InUse = input.Method;
+  const RefinementMethod& method = this->Get();
+  std::string problem = method.GetMissing();
+  problem = problem.empty() ? method.GetObstacle(*input.Family)
+                            : "it needs " + problem + ", which this OpenGL context does not have";
+  StageResult result;
+  if (ShouldReport(this->Problem, problem))
+  {
+    result.Errors.push_back(this->DescribeUnavailable(problem));
+  }
+  if (!problem.empty() || input.HasFailedShaders || !method.CanDraw(input.Faces) ||
+    (input.HasVertices && !method.CanDraw(Primitives::POINTS)))
+  {
+    this->FallBackToDefaultMethod();
+  }
+  return result;
+}
+
+std::string MethodStage::DescribeUnavailable(const std::string& problem) const
+{
+  return std::string("The method ") + RefinementMethod::GetName(this->Wanted) +
+    " cannot be used: " + problem + ". The method ARKFPI is used instead.";
+}
+
+std::vector<int> MethodStage::ReleaseUnused(vtkWindow* window)
+{
+  std::vector<int> released;
+  for (auto& method : this->Methods)
+  {
+    if (method.first != this->Wanted && method.first != this->InUse)
+    {
+      method.second->ReleaseGraphicsResources(window);
+      released.push_back(method.first);
+    }
+  }
+  return released;
+}
+
+vtkTypeInt64 MethodStage::GetMemorySize() const
+{
+  vtkTypeInt64 sum = 0;
+  for (const auto& method : this->Methods)
+  {
+    sum += method.second->GetMemorySize();
+  }
+  return sum;
+}
+
+void MethodStage::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (auto& method : this->Methods)
+  {
+    method.second->ReleaseGraphicsResources(window);
+  }
+  this->Problem.clear();
+}
+}

@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Stages/UploadStage.h"
+
+#include "Checks/ShouldReport.h"
+#include "Mesh/RefinementMesh.h"
+#include "Shaders/RefinementShaderOptions.h"
+#include "Stages/MethodStage.h"
+#include "State/ViewSelection.h"
+#include "vtkAdaptiveRefinement.h"
+#include "vtkOpenGLCellToVTKCellMap.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLVertexBufferObject.h"
+
+namespace relevo
+{
+namespace
+{
+// Not when VTK has uploaded the positions: that is later for each actor, though nothing moved.
+Dependencies GetUploadDependencies(
+  vtkMTimeType meshTime, vtkMTimeType buildTime, vtkOpenGLVertexBufferObject* positions)
+{
+  Dependencies dependencies = Dependencies::On(meshTime, buildTime);
+  dependencies.AddObject(positions, static_cast<vtkMTimeType>(positions->GetHandle()));
+  if (positions->GetCoordShiftAndScaleEnabled())
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      dependencies.Add(positions->GetShift()[i]);
+      dependencies.Add(positions->GetScale()[i]);
+    }
+  }
+  return dependencies;
+}
+
+std::string DescribeUndrawable(const std::string& problem)
+{
+  return "Cannot draw the input: " + problem + ".";
+}
+}
+
+bool UploadStage::NeedsMesh(
+  vtkMTimeType meshTime, vtkMTimeType buildTime, vtkOpenGLVertexBufferObject* positions) const
+{
+  // With a shift and scale by the camera VTK moves the positions without asking.
+  const bool moved = this->Valid && positions &&
+    this->UploadDependencies != GetUploadDependencies(meshTime, buildTime, positions);
+  return moved || this->UploadTime < meshTime;
+}
+
+StageResult UploadStage::UploadMesh(const MeshInput& input)
+{
+  this->UploadTime.Modified();
+  if (!input.Mesh || input.Mesh->Faces.empty() || !input.Positions)
+  {
+    this->Valid = false;
+    return {};
+  }
+  const Dependencies dependencies =
+    GetUploadDependencies(input.MeshTime, input.BuildTime, input.Positions);
+  if (!this->Valid || dependencies != this->UploadDependencies)
+  {
+    this->UploadDependencies = dependencies;
+    this->Valid = this->UploadPoints(input);
+  }
+  this->Valid = this->Valid && this->UploadFaces(input);
+  StageResult result;
+  if (!this->Valid)
+  {
+    result.IsValid = false;
+    result.Errors.push_back(DescribeUndrawable(this->Buffers.GetError()));
+  }
+  return result;
+}
+
+bool UploadStage::UploadPoints(const MeshInput& input)
+{
+  this->Colors.Clear();
+  if (input.Scalars &&
+    !this->Colors.Upload(input.Window, input.Scalars, input.Table, input.Component, input.ByTexture,
+      input.Recipe->GetNoDataMagnitude()))
+  {
+    this->Colors.Clear(); // VTK's colours of the coarse points are used
+  }
+  ++this->NumberOfBuilds;
+  return this->Buffers.UploadMesh(
+    input.Window, *input.Mesh, input.Recipe->GetSurface(), input.Positions);
+}
+
+bool UploadStage::UploadFaces(const MeshInput& input)
+{
+  if (this->Buffers.UseFaces(input.Representation))
+  {
+    return true;
+  }
+  // The ids that VTK would draw cells with: they index its cell textures and its selections.
+  std::vector<int> primitiveOfCell(static_cast<size_t>(input.NumberOfCells), 0);
+  for (size_t i = input.CellMap->GetSize(); i-- > 0;)
+  {
+    primitiveOfCell[input.CellMap->GetValue(i)] = static_cast<int>(i);
+  }
+  std::vector<int> primitives(input.Mesh->Faces.size());
+  for (size_t f = 0; f < primitives.size(); ++f)
+  {
+    primitives[f] = primitiveOfCell[input.Mesh->Faces[f].Cell];
+  }
+  return this->Buffers.UploadFaces(input.Window, *input.Mesh, primitives, input.Representation);
+}
+
+StageResult UploadStage::UploadHeights(vtkOpenGLRenderWindow* window, vtkDisplacement* displacement)
+{
+  StageResult result;
+  result.IsValid = this->Heights.Upload(window, displacement);
+  if (ShouldReport(this->HeightProblem, result.IsValid ? "" : this->Heights.GetError()))
+  {
+    result.Errors.push_back(DescribeUndrawable(this->HeightProblem));
+  }
+  return result;
+}
+
+StageResult UploadStage::UploadSelection(MethodStage& methods, const RefinementDrawing& drawing)
+{
+  const Dependencies sources =
+    Dependencies::On(drawing.Selection->GetGroupsTime(), drawing.ComputeView != nullptr);
+  StageResult result;
+  for (;;)
+  {
+    std::map<int, Dependencies>& failures = this->FailedUploads[methods.GetNumber()];
+    const auto failure = failures.find(drawing.Slot);
+    if (failure == failures.end() || failure->second != sources)
+    {
+      if (methods.Get().Upload(drawing))
+      {
+        failures.erase(drawing.Slot);
+        return result;
+      }
+      if (failures.empty())
+      {
+        const std::string& problem = methods.Get().GetError();
+        result.Errors.push_back(
+          methods.IsDefault() ? DescribeUndrawable(problem) : methods.DescribeUnavailable(problem));
+      }
+      failures[drawing.Slot] = sources;
+    }
+    if (methods.IsDefault())
+    {
+      result.IsValid = false;
+      return result;
+    }
+    methods.FallBackToDefaultMethod();
+  }
+}
+
+void UploadStage::ForgetFailures(int method)
+{
+  this->FailedUploads.erase(method);
+}
+
+RefinementComputeState::Targets UploadStage::GetTargets() const
+{
+  return { this->Buffers.GetFaces(), this->Instances.GetInstances(),
+    this->Instances.GetMorphTags() };
+}
+
+void UploadStage::FillOptions(const RefinementMesh& mesh, RefinementShaderOptions& options) const
+{
+  this->Buffers.FillOptions(mesh, options);
+  options.HasHoles = this->Heights.HasValidity();
+}
+
+void UploadStage::Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program,
+  vtkOpenGLVertexBufferObjectGroup* vbos, const std::vector<std::string>& attributes,
+  vtkAdaptiveRefinement* recipe)
+{
+  // Another actor may have had VTK take buffers away and bring them back.
+  this->Buffers.AliasAttributes(window, vbos, attributes);
+  this->Buffers.Activate(program);
+  this->Heights.Activate(program);
+  this->Colors.Activate(program);
+  this->Buffers.SetUniforms(program, recipe);
+}
+
+void UploadStage::Deactivate()
+{
+  this->Buffers.Deactivate();
+  this->Heights.Deactivate();
+  this->Colors.Deactivate();
+}
+
+vtkTypeInt64 UploadStage::GetMemorySize() const
+{
+  return this->Buffers.GetMemorySize() + this->Heights.GetMemorySize() +
+    this->Colors.GetMemorySize() + this->Patterns.GetMemorySize() + this->Instances.GetMemorySize();
+}
+
+void UploadStage::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Buffers.ReleaseGraphicsResources(window);
+  this->Heights.ReleaseGraphicsResources(window);
+  this->Colors.ReleaseGraphicsResources(window);
+  this->Patterns.ReleaseGraphicsResources();
+  this->Instances.ReleaseGraphicsResources(window);
+  this->HeightProblem.clear();
+  this->FailedUploads.clear();
+  this->Valid = false;
+}
+}
