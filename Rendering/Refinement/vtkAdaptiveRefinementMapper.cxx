@@ -1,34 +1,57 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkAdaptiveRefinementMapperInternals.h"
+#include "vtkAdaptiveRefinementMapper.h"
 
 #include "OpenGL/RelevoOpenGL.h"
 
+#include "Actors/ActorView.h"
 #include "Actors/ShaderVariantKey.h"
 #include "Actors/UsableArrays.h"
+#include "Blocks/RefinementBlocks.h"
 #include "Checks/MemoryGuard.h"
+#include "Checks/SettingChecks.h"
 #include "Checks/ShouldReport.h"
 #include "Compatibility/VTKCompatibility.h"
 #include "Composite/BlockAttributes.h"
-#include "Compute/RefinementComputeProgram.h"
 #include "Evaluation/PatternSelection.h"
 #include "Mathematics/SameNumber.h"
-#include "OpenGL/ContextFacts.h"
+#include "OpenGL/ContextWatch.h"
 #include "OpenGL/PositionShift.h"
+#include "OpenGL/RenderClock.h"
 #include "Parallel/GlobalSurfaceInfo.h"
+#include "Parallel/PieceReduction.h"
+#include "Parallel/ProcessReduction.h"
+#include "Picking/PickedInput.h"
+#include "Picking/PickedInputPipeline.h"
 #include "Shaders/ShaderExtension.h"
+#include "Stages/ActorCulling.h"
+#include "Stages/ContextCheck.h"
+#include "Stages/FaceColorStage.h"
+#include "Stages/InputCheck.h"
+#include "Stages/MethodStage.h"
+#include "Stages/ProcessAgreement.h"
+#include "Stages/RefinementPrograms.h"
+#include "Stages/SelectionStage.h"
+#include "Stages/StageResult.h"
+#include "Stages/UploadStage.h"
+#include "State/LevelBudget.h"
+#include "State/RefinementState.h"
+#include "View/CullingView.h"
 #include "vtkAbstractArray.h"
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
+#include "vtkBoundingBox.h"
+#include "vtkCamera.h"
 #include "vtkCellArray.h"
-#include "vtkDataArray.h"
+#include "vtkCommand.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkDisplacement.h"
 #include "vtkDoubleArray.h"
 #include "vtkHardwareSelector.h"
-#include "vtkHeightField.h"
 #include "vtkInformation.h"
 #include "vtkLookupTable.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLCellToVTKCellMap.h"
@@ -38,10 +61,10 @@
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRefinementPatternTable.h"
-#include "vtkRefinementSurface.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkShaderProgram.h"
@@ -49,7 +72,11 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <map>
+#include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkAdaptiveRefinementMapper);
 
@@ -66,6 +93,13 @@ static_assert(
   relevo::HaveSameNumber(Mapper::METHOD_HARDWARE_TESSELLATION, Method::HARDWARE_TESSELLATION),
   "tessellation");
 static_assert(relevo::HaveSameNumber(Mapper::METHOD_UNIFORM, Method::UNIFORM), "uniform");
+static_assert(
+  relevo::HaveSameNumber(Mapper::SELECTION_DEVICE_AUTOMATIC, relevo::SELECTION_DEVICE_AUTOMATIC),
+  "any device");
+static_assert(
+  relevo::HaveSameNumber(Mapper::SELECTION_DEVICE_CPU, relevo::SELECTION_DEVICE_CPU), "CPU");
+static_assert(
+  relevo::HaveSameNumber(Mapper::SELECTION_DEVICE_GPU, relevo::SELECTION_DEVICE_GPU), "GPU");
 static_assert(
   relevo::HaveSameNumber(Mapper::COLOR_BY_SCALARS, relevo::COLOR_BY_SCALARS), "scalars");
 static_assert(relevo::HaveSameNumber(Mapper::COLOR_BY_LEVEL, relevo::COLOR_BY_LEVEL), "level");
@@ -88,7 +122,56 @@ bool FollowsCamera(int shiftScaleMethod)
   return shiftScaleMethod == static_cast<int>(Method::NEAR_PLANE_SHIFT_SCALE) ||
     shiftScaleMethod == static_cast<int>(Method::FOCAL_POINT_SHIFT_SCALE);
 }
+
+// Whether VTK has not drawn the actor yet in this frame.
+bool IsFirstPass(vtkActor* act)
+{
+  return act->GetEstimatedRenderTime() == 0.0;
 }
+
+// In seconds. An actor within an actor, as vtkLODActor has, is allotted no time of its own.
+double GetAllocatedTime(vtkRenderer* ren, vtkActor* act)
+{
+  return std::min(act->GetAllocatedRenderTime(), ren->GetAllocatedRenderTime());
+}
+}
+
+struct vtkAdaptiveRefinementMapper::vtkInternals
+{
+  // Stages.
+  vtkNew<relevo::ContextWatch> Context;
+  relevo::ContextCheck ContextCheck;
+  relevo::InputCheck InputCheck;
+  relevo::SelectionStage Selection;
+  relevo::UploadStage Upload;
+  relevo::MethodStage Methods;
+  relevo::FaceColorStage FaceColors;
+  relevo::RefinementPrograms Programs{ PrimitiveTris, PrimitiveVertices };
+  relevo::PickedInput Picking;
+  relevo::RefinementBlocks Blocks;
+  relevo::ProcessAgreement Processes;
+
+  // The blocks of a composite input use their parent's.
+  relevo::LevelBudget Budget;
+  relevo::RenderClock Clock;
+  bool IsBlock = false;
+
+  struct Frame
+  {
+    bool IsDrawable = false;
+    bool HasLines = false; // a wireframe is drawn
+    int NumberOfDrawCalls = 0;
+  };
+  Frame LastFrame;
+  std::string ColorProblem;      // that was reported last
+  bool HasVertexIndices = false; // VTK's own, of visible vertices
+
+  vtkOpenGLRenderWindow* GetWindow() const { return this->Context->GetContext(); }
+  relevo::RefinementState& GetState() { return this->Selection.GetState(); }
+  /// Without a recipe there is nothing to upload, only to count.
+  relevo::RefinementDrawing GetDrawing(vtkAdaptiveRefinement* recipe);
+  relevo::FaceSums CountTriangles();
+};
 
 vtkAdaptiveRefinementMapper::vtkAdaptiveRefinementMapper()
   : Internals(new vtkInternals)
@@ -96,8 +179,11 @@ vtkAdaptiveRefinementMapper::vtkAdaptiveRefinementMapper()
   this->Internals->Context->OnRelease = [this](vtkWindow* window)
   { this->ReleaseGraphicsResources(window); };
   this->Internals->Blocks.OnRemove = [this](vtkBlockAttributesPolyDataMapper* block)
-  { this->Internals->AddCounts(static_cast<vtkAdaptiveRefinementMapper*>(block)); };
-  vtkInternals::InitializePicking(this);
+  { this->AddCounts(static_cast<vtkAdaptiveRefinementMapper*>(block)); };
+  vtkNew<relevo::PickedInputPipeline> pipeline; // VTK's pickers get what is drawn
+  pipeline->Replace = [this](vtkDataObject* input)
+  { return this->ReplaceInput(this->ConvertInput(input)); };
+  this->SetExecutive(pipeline);
 }
 
 vtkAdaptiveRefinementMapper::~vtkAdaptiveRefinementMapper()
@@ -149,42 +235,6 @@ void vtkAdaptiveRefinementMapper::ShallowCopy(vtkAbstractMapper* mapper)
 //------------------------------------------------------------------------------
 // Context
 
-bool vtkAdaptiveRefinementMapper::CheckOpenGL(vtkRenderer*)
-{
-  vtkInternals& data = *this->Internals;
-  if (!data.ContextChecked)
-  {
-    data.ContextChecked = true;
-    GLint major = 0;
-    GLint minor = 0;
-    glGetIntegerv(GL_MAJOR_VERSION, &major);
-    glGetIntegerv(GL_MINOR_VERSION, &minor);
-    const bool instancing = major > 3 || (major == 3 && minor >= 3);
-    const bool rgbBuffers = relevo::HasBuffersOfThreeFloats();
-    data.ContextValid = instancing && rgbBuffers;
-    if (!data.ContextValid)
-    {
-      vtkErrorMacro("Refinement needs OpenGL 3.3 with ARB_texture_buffer_object_rgb32 (part of "
-                    "OpenGL 4.0); this context has OpenGL "
-        << major << "." << minor << (rgbBuffers ? " with it" : " without one that works") << " ("
-        << relevo::GetOpenGLRenderer() << ").");
-    }
-    data.ComputeValid = data.ContextValid && this->SelectionDevice != SELECTION_DEVICE_CPU &&
-      relevo::RefinementComputeProgram::IsSupported();
-    if (this->SelectionDevice == SELECTION_DEVICE_AUTOMATIC)
-    {
-      data.ComputeValid = data.ComputeValid && relevo::IsHardwareRenderer();
-    }
-    else if (data.ContextValid && !data.ComputeValid &&
-      this->SelectionDevice == SELECTION_DEVICE_GPU)
-    {
-      vtkErrorMacro("Selection on the GPU needs OpenGL 4.3; this context has OpenGL "
-        << major << "." << minor << ". It is done on the CPU.");
-    }
-  }
-  return data.ContextValid;
-}
-
 void vtkAdaptiveRefinementMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   vtkInternals& data = *this->Internals;
@@ -197,15 +247,9 @@ void vtkAdaptiveRefinementMapper::ReleaseGraphicsResources(vtkWindow* window)
   data.Methods.ReleaseGraphicsResources(window);
   data.FaceColors.ReleaseGraphicsResources(window);
   data.Programs.ReleaseGraphicsResources(window);
-  data.SelectionProblem.clear();
-  data.FailedSelection.Clear();
+  data.Selection.ReleaseGraphicsResources();
   data.Clock.ReleaseGraphicsResources();
-  data.Compute.ReleaseGraphicsResources();
-  if (data.OnGPU)
-  {
-    data.State.ForgetLevels(); // what a metric gave for the GPU may be gone
-  }
-  data.ContextChecked = false;
+  data.ContextCheck.Reset();
   this->ForEachBlock(
     [window](vtkAdaptiveRefinementMapper* block) { block->ReleaseGraphicsResources(window); });
 }
@@ -222,7 +266,7 @@ void vtkAdaptiveRefinementMapper::RenderPiece(vtkRenderer* ren, vtkActor* act)
   }
   // Releases what is in the context of another window, which some windows leave current then.
   data.Context->SetContext(vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()));
-  data.Picking.Questions.AskOther();
+  data.Picking.GetDetector().AskOther();
   const auto draw = [&]
   {
     this->RenderRefined(ren, act);
@@ -237,20 +281,20 @@ void vtkAdaptiveRefinementMapper::RenderPiece(vtkRenderer* ren, vtkActor* act)
   relevo::RunWithinMemory(this, "the mesh in this view", draw);
   const double seconds = data.Clock.Stop();
   // What the GPU selects is read back only where the time does not do.
-  const bool isSlow = seconds > vtkInternals::GetAllocatedTime(ren, act);
+  const bool isSlow = seconds > GetAllocatedTime(ren, act);
   vtkIdType triangles = 0;
   const auto addTriangles = [&](vtkAdaptiveRefinementMapper* mapper)
   {
-    const vtkInternals& internals = *mapper->Internals;
-    if (internals.Drawable && (isSlow || !internals.OnGPU))
+    const relevo::SelectionStage& selection = mapper->Internals->Selection;
+    if (mapper->IsDrawable() && (isSlow || !selection.IsOnGPU()))
     {
-      triangles += internals.OnGPU
+      triangles += selection.IsOnGPU()
         ? mapper->GetNumberOfDrawnTriangles()
-        : internals.State.GetSelection().GetSelection().GetNumberOfGroupedTriangles();
+        : selection.GetState().GetSelection().GetSelection().GetNumberOfGroupedTriangles();
     }
   };
   this->ForEachPart(addTriangles);
-  data.Budget.AddPass(vtkInternals::IsFirstPass(act), triangles, seconds);
+  data.Budget.AddPass(IsFirstPass(act), triangles, seconds);
 }
 
 void vtkAdaptiveRefinementMapper::RenderRefined(vtkRenderer* ren, vtkActor* act)
@@ -259,15 +303,14 @@ void vtkAdaptiveRefinementMapper::RenderRefined(vtkRenderer* ren, vtkActor* act)
   if (!this->IsComposite())
   {
     data.Blocks.Clear();
-    data.DrawsBlocks = false;
+    data.Blocks.AreDrawn = false;
     const relevo::BlockAttributes& attributes = this->GetBlockAttributes();
     if (ren->GetSelector() && !(attributes.Visible && attributes.Pickable))
     {
       return; // what is told of the last frame stays
     }
-    data.NumberOfDrawCalls = 0;
-    data.Drawable = false;
-    data.OnGPU = false;
+    data.LastFrame = {};
+    data.Selection.SetOnCPU();
     if (this->CheckInputType() && attributes.Visible)
     {
       this->Superclass::RenderPiece(ren, act);
@@ -282,41 +325,39 @@ void vtkAdaptiveRefinementMapper::RenderRefined(vtkRenderer* ren, vtkActor* act)
 void vtkAdaptiveRefinementMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* act)
 {
   vtkInternals& data = *this->Internals;
-  data.OnGPU = false;
-  const bool contextValid = this->CheckOpenGL(ren);
-  const bool meshValid = this->UpdateMesh() && contextValid;
-  this->CurrentInput = data.State.GetPreparedInput();
+  data.Selection.SetOnCPU();
+  const bool isContextValid = this->Report(data.ContextCheck.Update(this->SelectionDevice));
+  const bool isMeshValid = this->UpdateMesh() && isContextValid;
+  this->CurrentInput = data.GetState().GetPreparedInput();
   this->Superclass::RenderPieceStart(ren, act);
   this->UseShaderVariant(ren, act);
-  if (!meshValid || !data.Upload.IsMeshValid())
+  if (!isMeshValid || !data.Upload.IsMeshValid())
   {
     return;
   }
   this->ChooseMethod(ren, act);
   this->UpdateBudget(ren, act);
-  data.OnGPU = this->SelectsOnGPU();
-  if (!this->UpdateSelection(ren, act) ||
-    !this->Report(data.Upload.UploadHeights(data.GetWindow(), this->Refinement->GetDisplacement())))
+  const auto culling = this->MakeCullingView(ren, act);
+  const relevo::SelectionStage::Input input = { data.GetWindow(), this->GetInput(),
+    this->Refinement, relevo::MakeActorView(ren, act), culling.get(),
+    this->HidesBackFaces(ren, act), data.LastFrame.HasLines, this->SelectionDevice,
+    data.ContextCheck.CanCompute() && data.Methods.Get().TakesComputeSelection() &&
+      this->RefinementColorMode != COLOR_BY_METRIC };
+  if (this->Report(data.Selection.Update(input)) &&
+    this->Report(
+      data.Upload.UploadHeights(data.GetWindow(), this->Refinement->GetDisplacement())) &&
+    this->Report(data.Selection.UpdateOnGPU(input, data.Upload)))
   {
-    return;
+    this->UploadSelection();
   }
-  if (data.OnGPU)
-  {
-    data.OnGPU = this->SelectOnGPU(ren, act);
-    if (!data.OnGPU && !this->UpdateSelection(ren, act))
-    {
-      return;
-    }
-  }
-  this->UploadSelection();
 }
 
 void vtkAdaptiveRefinementMapper::UploadSelection()
 {
   vtkInternals& data = *this->Internals;
-  data.Drawable =
+  data.LastFrame.IsDrawable =
     this->Report(data.Upload.UploadSelection(data.Methods, data.GetDrawing(this->Refinement)));
-  if (data.Drawable)
+  if (data.LastFrame.IsDrawable)
   {
     this->UpdateFaceColors();
   }
@@ -325,10 +366,11 @@ void vtkAdaptiveRefinementMapper::UploadSelection()
 void vtkAdaptiveRefinementMapper::UpdateFaceColors()
 {
   vtkInternals& data = *this->Internals;
-  this->Report(data.FaceColors.Update({ data.GetWindow(), this->RefinementColorMode,
-    this->Refinement, this->GetLevelOffset(), &data.State.GetMesh(), &data.State.GetSelection(),
-    data.Methods.Get().HasPatterns() ? &data.Upload.GetPatterns() : nullptr,
-    this->GetLevelLookupTable() }));
+  this->Report(
+    data.FaceColors.Update({ data.GetWindow(), this->RefinementColorMode, this->Refinement,
+      this->GetLevelOffset(), &data.GetState().GetMesh(), &data.GetState().GetSelection(),
+      data.Methods.Get().HasPatterns() ? &data.Upload.GetPatterns() : nullptr,
+      this->GetLevelLookupTable() }));
 }
 
 void vtkAdaptiveRefinementMapper::UseShaderVariant(vtkRenderer* ren, vtkActor* act)
@@ -370,7 +412,7 @@ bool vtkAdaptiveRefinementMapper::AreVerticesDrawn(
 void vtkAdaptiveRefinementMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* act)
 {
   this->Superclass::RenderPieceDraw(ren, act);
-  if (!this->Internals->Drawable)
+  if (!this->IsDrawable())
   {
     return;
   }
@@ -406,7 +448,7 @@ void vtkAdaptiveRefinementMapper::DrawFaces(
     mode = GL_POINTS;
   }
   this->UpdateRefiningShaders(cellBO, ren, act);
-  if (!data.Drawable || !data.Programs.Draws(cellBO))
+  if (!this->IsDrawable() || !data.Programs.Draws(cellBO))
   {
     return;
   }
@@ -415,8 +457,145 @@ void vtkAdaptiveRefinementMapper::DrawFaces(
     state->vtkglLineWidth(act->GetProperty()->GetLineWidth());
   }
   cellBO.VAO->Bind();
-  data.NumberOfDrawCalls += data.Methods.Get().Draw(
+  data.LastFrame.NumberOfDrawCalls += data.Methods.Get().Draw(
     data.GetDrawing(this->Refinement), cellBO.Program, GetPrimitives(mode, this->PointPicking));
+}
+
+//------------------------------------------------------------------------------
+// Messages, mesh and levels
+
+bool vtkAdaptiveRefinementMapper::Report(const relevo::StageResult& result)
+{
+  for (const std::string& error : result.Errors)
+  {
+    vtkErrorMacro(<< error);
+  }
+  for (const std::string& warning : result.Warnings)
+  {
+    vtkWarningMacro(<< warning);
+  }
+  return result.IsValid;
+}
+
+bool vtkAdaptiveRefinementMapper::UpdateMesh()
+{
+  vtkPolyData* input = this->GetInput();
+  return input && this->Report(this->Internals->Selection.UpdateMesh(input, this->Refinement));
+}
+
+std::unique_ptr<relevo::CullingView> vtkAdaptiveRefinementMapper::MakeCullingView(
+  vtkRenderer* ren, vtkActor* act)
+{
+  return this->FrustumCulling
+    ? relevo::MakeCullingView(ren, act, this->Internals->GetState().GetMesh())
+    : nullptr;
+}
+
+bool vtkAdaptiveRefinementMapper::HidesBackFaces(vtkRenderer* ren, vtkActor* act)
+{
+  return !ren->GetSelector() && !act->IsRenderingTranslucentPolygonalGeometry() &&
+    this->CanHideBackFaces(act);
+}
+
+bool vtkAdaptiveRefinementMapper::CanHideBackFaces(vtkActor* act)
+{
+  return this->BackFaceCulling && this->Method != METHOD_ARK &&
+    this->GetNumberOfClippingPlanes() == 0 && relevo::HidesBackFaces(act) &&
+    !this->HasTranslucentPolygonalGeometry() && !relevo::AreTranslucent(this->Colors);
+}
+
+void vtkAdaptiveRefinementMapper::UpdateBudget(
+  vtkRenderer* ren, vtkActor* act, const relevo::PieceReduction* pieces)
+{
+  vtkInternals& data = *this->Internals;
+  if (data.IsBlock || (data.Processes.IsActive() && !pieces))
+  {
+    return;
+  }
+  double seconds = 0.0;
+  if (this->UseAllocatedRenderTime)
+  {
+    // What has been seen is picked, and later passes show what the first has shown. Before a frame,
+    // the actor has not been allotted its time yet.
+    seconds = ren->GetSelector() ? -1.0
+      : pieces                   ? ren->GetAllocatedRenderTime()
+      : IsFirstPass(act)         ? GetAllocatedTime(ren, act)
+                                 : -1.0;
+  }
+  std::vector<double> budgets(1, data.Budget.SetView(ren->GetActiveCamera(), seconds) ? 1.0 : 0.0);
+  const relevo::PieceReduction alone;
+  const relevo::PieceReduction& all = pieces ? *pieces : alone;
+  all.TakeLargest(budgets);
+  const bool isBudgeted = budgets[0] > 0.0;
+  const relevo::RefinementView view = relevo::MakeActorView(ren, act);
+  std::vector<relevo::LevelBudget::Part> parts;
+  const auto addPart = [&](vtkAdaptiveRefinementMapper* mapper)
+  {
+    relevo::RefinementState& state = mapper->Internals->GetState();
+    state.IsBudgeted = isBudgeted;
+    if (isBudgeted && mapper->GetBlockAttributes().Visible && mapper->UpdateMesh() &&
+      state.UpdateTags(mapper->GetInput(), this->Refinement, view, false))
+    {
+      const auto culling = mapper->MakeCullingView(ren, act);
+      state.UpdateSight(this->Refinement, culling.get(), mapper->CanHideBackFaces(act));
+      const relevo::ViewSelection& selection = state.GetSelection();
+      parts.push_back(
+        { { &state.GetMesh(), &selection.GetTags(),
+            relevo::GetPatternFamily(this->Refinement, mapper->GetInput()), selection.GetHidden() },
+          selection.GetTagsTime(), selection.GetSightTime() });
+    }
+  };
+  if (data.Blocks.IsEmpty())
+  {
+    addPart(this);
+  }
+  this->ForEachBlock(addPart);
+  const bool isSought = isBudgeted && this->Refinement && (pieces || !parts.empty());
+  const double offset = isSought ? data.Budget.FindOffset(parts, this->Refinement, all) : 0.0;
+  const auto setOffset = [&](vtkAdaptiveRefinementMapper* mapper)
+  {
+    mapper->Internals->GetState().LevelOffset = offset;
+    mapper->Internals->IsBlock = mapper != this;
+  };
+  setOffset(this);
+  this->ForEachBlock(setOffset);
+}
+
+void vtkAdaptiveRefinementMapper::ComputeBounds()
+{
+  vtkInternals& data = *this->Internals;
+  if (this->IsComposite())
+  {
+    this->UpdateBlocks();
+    vtkBoundingBox box;
+    this->ForEachBlock(
+      [&box](vtkAdaptiveRefinementMapper* block)
+      {
+        if (block->GetBlockAttributes().Visible)
+        {
+          box.AddBounds(block->GetBounds());
+        }
+      });
+    vtkMath::UninitializeBounds(this->Bounds);
+    if (box.IsValid())
+    {
+      box.GetBounds(this->Bounds);
+    }
+    return;
+  }
+  data.Blocks.Clear();
+  if (!this->CheckInputType() || !this->UpdateMesh())
+  {
+    // Bounds of the points alone: vtkPolyData does not check what cells refer to.
+    vtkPoints* points = this->GetInput() ? this->GetInput()->GetPoints() : nullptr;
+    vtkMath::UninitializeBounds(this->Bounds);
+    if (points && points->GetNumberOfPoints() > 0)
+    {
+      points->GetBounds(this->Bounds);
+    }
+    return;
+  }
+  data.GetState().GetBounds(this->Refinement, this->Bounds);
 }
 
 //------------------------------------------------------------------------------
@@ -425,10 +604,10 @@ void vtkAdaptiveRefinementMapper::DrawFaces(
 relevo::RefinementDrawing vtkAdaptiveRefinementMapper::vtkInternals::GetDrawing(
   vtkAdaptiveRefinement* recipe)
 {
-  const int slot = this->State.GetSelectionSlot();
-  return { this->GetWindow(), &this->State.GetSelection().GetMesh(), &this->State.GetSelection(),
-    slot, this->OnGPU ? &this->Compute.GetView(slot) : nullptr,
-    recipe ? recipe->GetPatternTable()->GetLibrary().get() : nullptr, this->HasLines,
+  const relevo::ViewSelection& selection = this->GetState().GetSelection();
+  return { this->GetWindow(), &selection.GetMesh(), &selection, this->GetState().GetSelectionSlot(),
+    this->Selection.GetComputeView(),
+    recipe ? recipe->GetPatternTable()->GetLibrary().get() : nullptr, this->LastFrame.HasLines,
     &this->Upload.GetPatterns(), &this->Upload.GetInstances() };
 }
 
@@ -444,7 +623,7 @@ void vtkAdaptiveRefinementMapper::ChooseMethod(vtkRenderer* ren, vtkActor* act)
 {
   vtkInternals& data = *this->Internals;
   const int representation = act->GetProperty()->GetRepresentation();
-  data.HasLines = representation == VTK_WIREFRAME;
+  data.LastFrame.HasLines = representation == VTK_WIREFRAME;
   const auto family = relevo::GetPatternFamily(this->Refinement, this->GetInput());
   using Primitives = relevo::MethodStage::Primitives;
   const int mode = this->GetOpenGLMode(representation, data.Programs.GetFaces().PrimitiveType);
@@ -479,7 +658,7 @@ void vtkAdaptiveRefinementMapper::FallBackToDefaultMethod(vtkActor* act)
 // by the box of the whole, so that other pieces have the same bits at the border.
 void vtkAdaptiveRefinementMapper::BuildBufferObjectsOfPiece(vtkRenderer* ren, vtkActor* act)
 {
-  const relevo::FiniteBox& box = this->Internals->State.GetWhole()->PointBox;
+  const relevo::FiniteBox& box = this->Internals->GetState().GetWhole()->PointBox;
   vtkNew<vtkDoubleArray> corners;
   corners->SetNumberOfComponents(3);
   corners->InsertNextTuple(box.Low.data());
@@ -502,11 +681,11 @@ void vtkAdaptiveRefinementMapper::BuildBufferObjectsOfPiece(vtkRenderer* ren, vt
 
 bool vtkAdaptiveRefinementMapper::GetNeedToRebuildBufferObjects(vtkRenderer* ren, vtkActor* act)
 {
-  const vtkInternals& data = *this->Internals;
+  vtkInternals& data = *this->Internals;
   const bool needed = this->Superclass::GetNeedToRebuildBufferObjects(ren, act);
   return needed ||
     data.Upload.NeedsMesh(
-      data.State.GetMeshTime(), this->GetBuildMTime(), this->VBOs->GetVBO("vertexMC"));
+      data.GetState().GetMeshTime(), this->GetBuildMTime(), this->VBOs->GetVBO("vertexMC"));
 }
 
 void vtkAdaptiveRefinementMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor* act)
@@ -514,7 +693,7 @@ void vtkAdaptiveRefinementMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor*
   // VTK comes here for every actor whose property is another than the last one's, too.
   vtkInternals& data = *this->Internals;
   vtkPolyData* input = this->CurrentInput;
-  if (data.State.GetWhole() && input->GetNumberOfPoints() > 0 &&
+  if (data.GetState().GetWhole() && input->GetNumberOfPoints() > 0 &&
     !FollowsCamera(this->ShiftScaleMethod))
   {
     this->BuildBufferObjectsOfPiece(ren, act);
@@ -523,7 +702,8 @@ void vtkAdaptiveRefinementMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor*
   {
     this->Superclass::BuildBufferObjects(ren, act);
   }
-  const relevo::RefinementMesh* mesh = data.State.IsMeshValid() ? &data.State.GetMesh() : nullptr;
+  const relevo::RefinementMesh* mesh =
+    data.GetState().IsMeshValid() ? &data.GetState().GetMesh() : nullptr;
   const int representation = act->GetProperty()->GetRepresentation();
   vtkAbstractArray* scalars = nullptr;
   if (mesh)
@@ -534,7 +714,7 @@ void vtkAdaptiveRefinementMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor*
     scalars = this->GetScalarsToInterpolate();
   }
   this->Report(data.Upload.UploadMesh({ vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()),
-    mesh, data.State.GetMeshTime(), this->GetBuildMTime(), this->VBOs->GetVBO("vertexMC"),
+    mesh, data.GetState().GetMeshTime(), this->GetBuildMTime(), this->VBOs->GetVBO("vertexMC"),
     this->Refinement, scalars, scalars ? this->GetLookupTable() : nullptr, this->ArrayComponent,
     this->ColorCoordinates != nullptr, representation, input->GetNumberOfCells(),
     this->CellCellMap }));
@@ -622,7 +802,7 @@ bool vtkAdaptiveRefinementMapper::IsFaceHelper(const vtkOpenGLHelper* helper) co
 
 bool vtkAdaptiveRefinementMapper::IsDrawable() const
 {
-  return this->Internals->Drawable;
+  return this->Internals->LastFrame.IsDrawable;
 }
 
 void vtkAdaptiveRefinementMapper::ExtendShaders(const vtkOpenGLHelper*, relevo::ShaderExtension&)
@@ -634,7 +814,7 @@ void vtkAdaptiveRefinementMapper::UpdateShaderOptions(const vtkOpenGLHelper* cel
   vtkInternals& data = *this->Internals;
   relevo::RefinementShaderOptions& options = data.Programs.GetOptions(cellBO);
   options = {};
-  data.Upload.FillOptions(data.State.GetMesh(), options);
+  data.Upload.FillOptions(data.GetState().GetMesh(), options);
   data.Programs.FillOptions(this->Refinement, options);
   data.Methods.Get().FillOptions(data.GetDrawing(this->Refinement), options);
   options.ColorMode =
@@ -744,6 +924,197 @@ void vtkAdaptiveRefinementMapper::SetMapperShaderParameters(
 }
 
 //------------------------------------------------------------------------------
+// Blocks of a composite input, each of which has a mapper of its own
+
+bool vtkAdaptiveRefinementMapper::IsComposite()
+{
+  return vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)) != nullptr;
+}
+
+bool vtkAdaptiveRefinementMapper::CheckInputType()
+{
+  vtkInternals& data = *this->Internals;
+  const bool isValid =
+    this->Report(data.InputCheck.Update(this->GetTrueInput(), this->GetInputPortInformation(0)));
+  if (!isValid)
+  {
+    data.LastFrame = {}; // the renderer leaves out what has no bounds
+  }
+  return isValid;
+}
+
+bool vtkAdaptiveRefinementMapper::HasBlocks(bool translucent)
+{
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    return false;
+  }
+  // While blocks draw, they are those of the (sub-)piece that is drawn.
+  const bool isRendering = this->Internals->Blocks.IsRendering();
+  if (!isRendering && !this->GetInput())
+  {
+    this->Update(); // asked before it is drawn
+  }
+  bool found = false;
+  if (this->IsComposite())
+  {
+    if (!isRendering)
+    {
+      this->UpdateBlocks();
+    }
+    this->ForEachBlock(
+      [&](vtkAdaptiveRefinementMapper* block)
+      {
+        found = found ||
+          (block->GetBlockAttributes().Visible &&
+            block->HasTranslucentPolygonalGeometry() == translucent);
+      });
+  }
+  return found;
+}
+
+bool vtkAdaptiveRefinementMapper::HasOpaqueGeometry()
+{
+  return this->HasBlocks(false) || (!this->IsComposite() && this->Superclass::HasOpaqueGeometry());
+}
+
+bool vtkAdaptiveRefinementMapper::HasTranslucentPolygonalGeometry()
+{
+  return this->HasBlocks(true) ||
+    (!this->IsComposite() &&
+      (this->GetBlockAttributes().IsTranslucent() ||
+        this->Superclass::HasTranslucentPolygonalGeometry()));
+}
+
+void vtkAdaptiveRefinementMapper::RenderBlocks(vtkRenderer* ren, vtkActor* act)
+{
+  vtkInternals& data = *this->Internals;
+  if (ren->GetRenderWindow()->CheckAbortStatus())
+  {
+    return;
+  }
+  this->InvokeEvent(vtkCommand::StartEvent, nullptr);
+  if (!this->Static)
+  {
+    this->GetInputAlgorithm()->Update();
+  }
+  this->InvokeEvent(vtkCommand::EndEvent, nullptr);
+  data.Blocks.AreDrawn = true;
+  this->UpdateBlocks();
+  this->UpdateBudget(ren, act);
+  data.Blocks.Render(ren, act, this->DrawsAllBlocks());
+  this->UpdateProgress(1.0);
+}
+
+void vtkAdaptiveRefinementMapper::ReleaseMesh(vtkRenderer* ren)
+{
+  vtkInternals& data = *this->Internals;
+  if (data.GetState().HasMesh())
+  {
+    data.GetState().Clear();
+    data.LastFrame.IsDrawable = false;
+    data.Selection.SetOnCPU();
+    this->ReleaseGraphicsResources(ren->GetRenderWindow());
+  }
+}
+
+void vtkAdaptiveRefinementMapper::UpdateBlocks()
+{
+  vtkInternals& data = *this->Internals;
+  this->CheckInputType();
+  const auto setAttributes =
+    [](vtkBlockAttributesPolyDataMapper* block, const relevo::BlockAttributes& attributes)
+  { static_cast<vtkAdaptiveRefinementMapper*>(block)->SetBlockAttributes(attributes); };
+  data.Blocks.Update({ this, vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)),
+    [this] { return this->GetBuildMTime(); }, setAttributes });
+  if (data.Blocks.SettingsTime != this->MTime)
+  {
+    data.Blocks.SettingsTime = this->MTime;
+    this->ForEachBlock([this](vtkAdaptiveRefinementMapper* block) { block->CopySettings(this); });
+  }
+}
+
+void vtkAdaptiveRefinementMapper::ForEachBlock(
+  const std::function<void(vtkAdaptiveRefinementMapper*)>& work) const
+{
+  this->Internals->Blocks.ForEach([&work](vtkBlockAttributesPolyDataMapper* block)
+    { work(static_cast<vtkAdaptiveRefinementMapper*>(block)); });
+}
+
+void vtkAdaptiveRefinementMapper::ForEachPart(
+  const std::function<void(vtkAdaptiveRefinementMapper*)>& work)
+{
+  if (this->Internals->Blocks.AreDrawn)
+  {
+    this->ForEachBlock(work);
+  }
+  else
+  {
+    work(this);
+  }
+}
+
+void vtkAdaptiveRefinementMapper::AddCounts(vtkAdaptiveRefinementMapper* block)
+{
+  vtkInternals& data = *this->Internals;
+  data.GetState().AddSelections(block->GetNumberOfSelections());
+  data.Blocks.NumberOfBufferBuilds += block->GetNumberOfBufferBuilds();
+  data.Blocks.NumberOfShaderBuilds += block->GetNumberOfShaderBuilds();
+}
+
+//------------------------------------------------------------------------------
+// Several processes
+
+void vtkAdaptiveRefinementMapper::AgreeWithProcesses(
+  vtkMultiProcessController* controller, vtkRenderer* ren, vtkActor* act)
+{
+  relevo::ProcessAgreement& processes = this->Internals->Processes;
+  if (!processes.SetController(controller) && processes.IsEmpty())
+  {
+    return;
+  }
+  const relevo::ProcessAgreement::Parts parts = this->FindParts();
+  if (!processes.IsActive() || !this->Refinement)
+  {
+    processes.Clear(parts);
+    return;
+  }
+  const relevo::ProcessReduction pieces(controller);
+  processes.Update(this->Refinement, relevo::MakeActorView(ren, act), parts, pieces);
+  this->UpdateBudget(ren, act, &pieces);
+}
+
+// This mapper or those of its blocks.
+relevo::ProcessAgreement::Parts vtkAdaptiveRefinementMapper::FindParts()
+{
+  relevo::ProcessAgreement::Parts parts;
+  const auto add = [&parts](unsigned int index, vtkAdaptiveRefinementMapper* mapper)
+  {
+    parts[index] = { mapper->GetInput(), &mapper->Internals->GetState(),
+      [mapper] { return mapper->UpdateMesh(); } };
+  };
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    return parts;
+  }
+  this->Update();
+  if (this->IsComposite())
+  {
+    this->UpdateBlocks();
+    const relevo::RefinementBlocks& blocks = this->Internals->Blocks;
+    for (unsigned int index : blocks.GetFlatIndices())
+    {
+      add(index, static_cast<vtkAdaptiveRefinementMapper*>(blocks.Find(index)));
+    }
+  }
+  else if (this->GetInput())
+  {
+    add(0, this);
+  }
+  return parts;
+}
+
+//------------------------------------------------------------------------------
 // Selection
 
 void vtkAdaptiveRefinementMapper::UpdateMaximumPointCellIds(vtkRenderer* ren, vtkActor* actor)
@@ -772,4 +1143,348 @@ void vtkAdaptiveRefinementMapper::ProcessSelectorPixelBuffers(
   {
     this->Internals->Blocks.ProcessSelectorPixelBuffers(sel, pixeloffsets, prop);
   }
+}
+
+//------------------------------------------------------------------------------
+// What VTK's pickers find
+
+vtkPolyData* vtkAdaptiveRefinementMapper::GetInput()
+{
+  this->Internals->Picking.GetDetector().AskOther();
+  return this->Superclass::GetInput();
+}
+
+vtkDataSet* vtkAdaptiveRefinementMapper::GetInputAsDataSet()
+{
+  return this->GetInput();
+}
+
+vtkDataObject* vtkAdaptiveRefinementMapper::GetInputDataObject(int port, int connection)
+{
+  this->Internals->Picking.GetDetector().AskOther();
+  return this->Superclass::GetInputDataObject(port, connection);
+}
+
+double* vtkAdaptiveRefinementMapper::GetBounds()
+{
+  const relevo::OwnBoundsQuestion question(this->Internals->Picking.GetDetector());
+  return this->Superclass::GetBounds();
+}
+
+void vtkAdaptiveRefinementMapper::GetBounds(double bounds[6])
+{
+  this->Superclass::GetBounds(bounds);
+  this->Internals->Picking.GetDetector().AskBounds();
+}
+
+vtkDataObject* vtkAdaptiveRefinementMapper::ReplaceInput(vtkDataObject* input)
+{
+  using Detector = relevo::PickerDetector;
+  relevo::PickedInput& picking = this->Internals->Picking;
+  vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(input);
+  const Detector::Askers asker = picking.GetDetector().AskInput(composite != nullptr);
+  if (asker == Detector::NO_PICKER)
+  {
+    return input;
+  }
+  const bool isAsked = asker == Detector::PICKER_OF_PARTS;
+  if (!composite)
+  {
+    vtkPolyData* picked = this->IsPickable() ? this->GetPickedData(isAsked) : picking.GetEmpty();
+    return picked ? picked : input;
+  }
+  const auto getLeaf = [&](unsigned int index) -> vtkPolyData*
+  {
+    auto* block = static_cast<vtkAdaptiveRefinementMapper*>(this->Internals->Blocks.Find(index));
+    return block && block->IsPickable() ? block->GetPickedData(isAsked) : nullptr;
+  };
+  return picking.GetComposite(composite, getLeaf);
+}
+
+bool vtkAdaptiveRefinementMapper::IsPickable()
+{
+  const relevo::BlockAttributes& attributes = this->GetBlockAttributes();
+  return attributes.Visible && attributes.Pickable;
+}
+
+vtkPolyData* vtkAdaptiveRefinementMapper::GetPickedData(bool isAsked)
+{
+  vtkInternals& data = *this->Internals;
+  vtkPolyData* input = this->GetInput();
+  if (!input)
+  {
+    return nullptr;
+  }
+  if (!this->UpdateMesh() || input->GetNumberOfPoints() == 0)
+  {
+    return data.Picking.GetEmpty(); // as there is nothing to be seen
+  }
+  this->ReadSelection();
+  return data.Picking.Get(
+    { input, this->Refinement, &data.GetState(), data.Methods.Get().GetDrawnLevels() }, isAsked);
+}
+
+//------------------------------------------------------------------------------
+// Settings
+
+vtkMTimeType vtkAdaptiveRefinementMapper::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  for (vtkObject* part : { static_cast<vtkObject*>(this->Refinement.Get()),
+         static_cast<vtkObject*>(this->LevelLookupTable.Get()) })
+  {
+    time = part && !this->IsAskedByVTK() ? std::max(time, part->GetMTime()) : time;
+  }
+  return time;
+}
+
+void vtkAdaptiveRefinementMapper::CopySettings(vtkAdaptiveRefinementMapper* other)
+{
+  this->SetRefinement(other->GetRefinement());
+  this->SetTargetNumberOfTriangles(other->GetTargetNumberOfTriangles());
+  this->SetUseAllocatedRenderTime(other->GetUseAllocatedRenderTime());
+  this->SetFrustumCulling(other->GetFrustumCulling());
+  this->SetBackFaceCulling(other->GetBackFaceCulling());
+  this->SetMethod(other->GetMethod());
+  this->SetSelectionDevice(other->GetSelectionDevice());
+  this->SetLevelLookupTable(other->LevelLookupTable);
+  this->SetRefinementColorMode(other->RefinementColorMode);
+}
+
+void vtkAdaptiveRefinementMapper::SetFrustumCulling(bool culling)
+{
+  this->SetLive(this->FrustumCulling, culling);
+}
+
+void vtkAdaptiveRefinementMapper::SetBackFaceCulling(bool culling)
+{
+  this->SetLive(this->BackFaceCulling, culling);
+}
+
+void vtkAdaptiveRefinementMapper::SetMethod(int method)
+{
+  if (!relevo::CheckChoice(this, "Method", method,
+        { "METHOD_ARKFPI", "METHOD_ARK", "METHOD_DMR", "METHOD_SUAPT",
+          "METHOD_HARDWARE_TESSELLATION", "METHOD_UNIFORM" }))
+  {
+    return;
+  }
+  if (this->Method != method)
+  {
+    this->Internals->Methods.ForgetProblem();
+    this->Internals->Programs.ForgetFailures();
+  }
+  this->SetLive(this->Method, method);
+}
+
+void vtkAdaptiveRefinementMapper::SetColorMode(int mode)
+{
+  this->SetColorModeToScalars();
+  this->Superclass::SetColorMode(mode);
+}
+
+void vtkAdaptiveRefinementMapper::SetRefinementColorMode(RefinementColorModes mode)
+{
+  this->SetLive(this->RefinementColorMode, mode);
+}
+
+void vtkAdaptiveRefinementMapper::SetLevelLookupTable(vtkScalarsToColors* table)
+{
+  this->SetLive(this->LevelLookupTable, vtkSmartPointer<vtkScalarsToColors>(table));
+}
+
+vtkScalarsToColors* vtkAdaptiveRefinementMapper::GetLevelLookupTable()
+{
+  if (this->LevelLookupTable)
+  {
+    return this->LevelLookupTable;
+  }
+  return this->Internals->FaceColors.GetDefaultTable(this->RefinementColorMode, this->Refinement);
+}
+
+void vtkAdaptiveRefinementMapper::SetTargetNumberOfTriangles(vtkIdType triangles)
+{
+  if (relevo::CheckRange<vtkIdType>(this, "TargetNumberOfTriangles", triangles, 0, VTK_ID_MAX))
+  {
+    this->SetLive(this->Internals->Budget.Target, triangles);
+  }
+}
+
+vtkIdType vtkAdaptiveRefinementMapper::GetTargetNumberOfTriangles()
+{
+  return this->Internals->Budget.Target;
+}
+
+void vtkAdaptiveRefinementMapper::SetUseAllocatedRenderTime(bool use)
+{
+  this->SetLive(this->UseAllocatedRenderTime, use);
+}
+
+double vtkAdaptiveRefinementMapper::GetLevelOffset()
+{
+  return this->Internals->GetState().LevelOffset;
+}
+
+void vtkAdaptiveRefinementMapper::SetSelectionDevice(int device)
+{
+  if (relevo::CheckChoice(this, "SelectionDevice", device,
+        { "SELECTION_DEVICE_AUTOMATIC", "SELECTION_DEVICE_CPU", "SELECTION_DEVICE_GPU" }) &&
+    this->SelectionDevice != device)
+  {
+    this->Internals->ContextCheck.Reset();
+    this->SetLive(this->SelectionDevice, device);
+  }
+}
+
+int vtkAdaptiveRefinementMapper::GetSelectionDeviceInUse()
+{
+  bool onGPU = false;
+  this->ForEachPart([&onGPU](vtkAdaptiveRefinementMapper* part)
+    { onGPU = onGPU || part->Internals->Selection.IsOnGPU(); });
+  return onGPU ? SELECTION_DEVICE_GPU : SELECTION_DEVICE_CPU;
+}
+
+//------------------------------------------------------------------------------
+// Statistics of the last render
+
+void vtkAdaptiveRefinementMapper::ReadSelection()
+{
+  vtkInternals& data = *this->Internals;
+  data.Selection.ReadBack(data.GetWindow(), data.Upload.GetInstances());
+}
+
+vtkIdType vtkAdaptiveRefinementMapper::SumOverParts(
+  const std::function<vtkIdType(vtkInternals&)>& count)
+{
+  vtkIdType sum = 0;
+  this->ForEachPart(
+    [&](vtkAdaptiveRefinementMapper* part)
+    {
+      part->ReadSelection();
+      sum += part->IsDrawable() ? count(*part->Internals) : 0;
+    });
+  return sum;
+}
+
+relevo::FaceSums vtkAdaptiveRefinementMapper::vtkInternals::CountTriangles()
+{
+  // For the last frame: the recipe and the input may have changed since.
+  relevo::FaceSums sums;
+  const bool isCounted = this->Methods.Get().CountTriangles(this->GetDrawing(nullptr), sums);
+  return isCounted ? sums : this->GetState().CountTriangles();
+}
+
+vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfDrawnTriangles()
+{
+  return this->SumOverParts([](vtkInternals& part) { return part.CountTriangles().Drawn; });
+}
+
+vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfCulledTriangles()
+{
+  return this->SumOverParts([](vtkInternals& part) { return part.CountTriangles().Culled; });
+}
+
+int vtkAdaptiveRefinementMapper::GetNumberOfDrawCalls()
+{
+  int sum = 0;
+  this->ForEachPart([&sum](vtkAdaptiveRefinementMapper* part)
+    { sum += part->Internals->LastFrame.NumberOfDrawCalls; });
+  return sum;
+}
+
+int vtkAdaptiveRefinementMapper::GetNumberOfUsedPatterns()
+{
+  return static_cast<int>(
+    this->SumOverParts([](vtkInternals& part) { return part.Selection.CountUsedPatterns(); }));
+}
+
+double vtkAdaptiveRefinementMapper::GetSelectionTime()
+{
+  double sum = 0.0;
+  this->ForEachPart(
+    [&sum](vtkAdaptiveRefinementMapper* part) { sum += part->Internals->Selection.GetSeconds(); });
+  return sum;
+}
+
+vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfCoarseFaces()
+{
+  return this->SumOverParts([](vtkInternals& part)
+    { return static_cast<vtkIdType>(part.GetState().GetSelection().GetMesh().Faces.size()); });
+}
+
+vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfCulledFaces()
+{
+  return this->SumOverParts(
+    [](vtkInternals& part) { return part.GetState().GetSelection().GetNumberOfHiddenFaces(); });
+}
+
+//------------------------------------------------------------------------------
+// Statistics since the mapper was made
+
+vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfSelections()
+{
+  vtkIdType sum = this->Internals->GetState().GetNumberOfSelections();
+  this->ForEachBlock(
+    [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfSelections(); });
+  return sum;
+}
+
+vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfBufferBuilds()
+{
+  vtkIdType sum =
+    this->Internals->Blocks.NumberOfBufferBuilds + this->Internals->Upload.GetNumberOfBuilds();
+  this->ForEachBlock(
+    [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfBufferBuilds(); });
+  return sum;
+}
+
+vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfShaderBuilds()
+{
+  vtkIdType sum =
+    this->Internals->Blocks.NumberOfShaderBuilds + this->Internals->Programs.GetNumberOfBuilds();
+  this->ForEachBlock(
+    [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetNumberOfShaderBuilds(); });
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+
+vtkTypeInt64 vtkAdaptiveRefinementMapper::GetGraphicsMemorySize()
+{
+  vtkInternals& data = *this->Internals;
+  vtkTypeInt64 sum = data.Upload.GetMemorySize() + data.FaceColors.GetMemorySize() +
+    data.Selection.GetMemorySize() + data.Methods.GetMemorySize();
+  for (const char* name :
+    { "vertexMC", "normalMC", "scalarColor", "tcoord", "colorTCoord", "tangentMC" })
+  {
+    if (vtkOpenGLVertexBufferObject* vbo = this->VBOs->GetVBO(name))
+    {
+      sum += static_cast<vtkTypeInt64>(vbo->GetNumberOfTuples()) * vbo->GetStride();
+    }
+  }
+  this->ForEachBlock(
+    [&sum](vtkAdaptiveRefinementMapper* block) { sum += block->GetGraphicsMemorySize(); });
+  return sum;
+}
+
+void vtkAdaptiveRefinementMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Refinement: " << this->Refinement.Get() << "\n";
+  os << indent << "FrustumCulling: " << (this->FrustumCulling ? "On\n" : "Off\n");
+  os << indent << "BackFaceCulling: " << (this->BackFaceCulling ? "On\n" : "Off\n");
+  os << indent << "Method: " << relevo::RefinementMethod::GetName(this->Method) << "\n";
+  os << indent << "SelectionDevice: " << this->SelectionDevice << "\n";
+  os << indent << "RefinementColorMode: " << this->RefinementColorMode << "\n";
+  os << indent << "LevelLookupTable: " << this->LevelLookupTable.Get() << "\n";
+  os << indent << "TargetNumberOfTriangles: " << this->GetTargetNumberOfTriangles() << "\n";
+  os << indent << "UseAllocatedRenderTime: " << (this->UseAllocatedRenderTime ? "On\n" : "Off\n");
+  os << indent << "LevelOffset: " << this->GetLevelOffset() << "\n";
+  os << indent << "NumberOfCoarseFaces: " << this->GetNumberOfCoarseFaces() << "\n";
+  os << indent << "NumberOfDrawnTriangles: " << this->GetNumberOfDrawnTriangles() << "\n";
+  os << indent << "NumberOfCulledTriangles: " << this->GetNumberOfCulledTriangles() << "\n";
+  os << indent << "NumberOfDrawCalls: " << this->GetNumberOfDrawCalls() << "\n";
+  os << indent << "NumberOfSelections: " << this->GetNumberOfSelections() << "\n";
+  os << indent << "NumberOfBufferBuilds: " << this->GetNumberOfBufferBuilds() << "\n";
+  os << indent << "NumberOfShaderBuilds: " << this->GetNumberOfShaderBuilds() << "\n";
 }

@@ -58,6 +58,7 @@
 #include "vtkSmartPointer.h" // for members
 
 #include <functional> // for ForEachBlock()
+#include <map>        // for parts
 #include <memory>     // for Internals
 #include <string>     // for reasons
 
@@ -68,7 +69,9 @@ class vtkScalarsToColors;
 
 namespace relevo
 {
+struct CullingView;
 struct ShaderExtension;
+struct ProcessAgreementPart;
 struct StageResult;
 class PieceReduction;
 }
@@ -467,39 +470,52 @@ private:
   void ReleaseMesh(vtkRenderer* ren);
   /// What the last render drew: this mapper, or those of its blocks.
   void ForEachPart(const std::function<void(vtkAdaptiveRefinementMapper*)>& work);
+  vtkIdType SumOverParts(const std::function<vtkIdType(vtkInternals&)>& count);
+  /// Continue counting after a removed block.
+  void AddCounts(vtkAdaptiveRefinementMapper* block);
+  std::map<unsigned int, relevo::ProcessAgreementPart> FindParts();
+
+  //@{
+  /// What VTK's pickers get in place of the input.
   vtkDataObject* ReplaceInput(vtkDataObject* input);
+  bool IsPickable();
   vtkPolyData* GetPickedData(bool isAsked);
-  bool CheckOpenGL(vtkRenderer* ren);
-  /// Several actors and renderers that share the mapper have shaders of their own.
-  void UseShaderVariant(vtkRenderer* ren, vtkActor* act);
-  void BuildBufferObjectsOfPiece(vtkRenderer* ren, vtkActor* act);
-  vtkAbstractArray* GetScalarsToInterpolate();
-  /// Whether VTK's own mapper would draw the vertices of faces.
-  static bool AreVerticesDrawn(vtkProperty* property, vtkHardwareSelector* selector);
-  bool Report(const relevo::StageResult& result);
-  bool ReportState(bool valid);
+  //@}
+
+  //@{
+  /// Stages of a frame, in this order.
   bool UpdateMesh();
-  bool UpdateSelection(vtkRenderer* ren, vtkActor* act);
+  void ChooseMethod(vtkRenderer* ren, vtkActor* act);
   void UpdateBudget(
     vtkRenderer* ren, vtkActor* act, const relevo::PieceReduction* pieces = nullptr);
-  bool SelectsOnGPU();
-  bool SelectOnGPU(vtkRenderer* ren, vtkActor* act);
-  void ReportSelection(const std::string& problem);
+  void UploadSelection();
+  void UpdateFaceColors();
+  void UpdateShaderOptions(const vtkOpenGLHelper* cellBO);
+  void UpdateRefiningShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act);
+  bool BuildStages(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act);
+  void FallBackToDefaultMethod(vtkActor* act);
   void ReadSelection();
+  //@}
+
+  /// Report what a stage has found; returns whether the frame can go on.
+  bool Report(const relevo::StageResult& result);
+
+  /// What the camera sees; nullptr to draw all faces.
+  std::unique_ptr<relevo::CullingView> MakeCullingView(vtkRenderer* ren, vtkActor* act);
   /// Whether back faces of closed surfaces are culled in this pass, and whether they are in the
   /// passes that show the surface.
   bool HidesBackFaces(vtkRenderer* ren, vtkActor* act);
   bool CanHideBackFaces(vtkActor* act);
-  void ChooseMethod(vtkRenderer* ren, vtkActor* act);
-  bool BuildStages(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act);
-  void UploadSelection();
-  void FallBackToDefaultMethod(vtkActor* act);
+
+  /// Several actors and renderers that share the mapper have shaders of their own.
+  void UseShaderVariant(vtkRenderer* ren, vtkActor* act);
+  /// Shift and scale a piece as the whole.
+  void BuildBufferObjectsOfPiece(vtkRenderer* ren, vtkActor* act);
+  vtkAbstractArray* GetScalarsToInterpolate();
+  /// Whether VTK's own mapper would draw the vertices of faces.
+  static bool AreVerticesDrawn(vtkProperty* property, vtkHardwareSelector* selector);
   void SetRefinementColorMode(RefinementColorModes mode);
   void CopySettings(vtkAdaptiveRefinementMapper* other);
-  void UpdateFaceColors();
-  /// Have the options of a helper's shaders, and their key, as they are now.
-  void UpdateShaderOptions(const vtkOpenGLHelper* cellBO);
-  void UpdateRefiningShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act);
 
   vtkSmartPointer<vtkAdaptiveRefinement> Refinement;
   bool UseAllocatedRenderTime = true;

@@ -4,6 +4,7 @@
 
 #include "Checks/InputType.h"
 #include "Composite/BlockAttributes.h"
+#include "Composite/LeafSelection.h"
 #include "vtkActor.h"
 #include "vtkBlockAttributesPolyDataMapper.h"
 #include "vtkCallbackCommand.h"
@@ -31,14 +32,15 @@ std::string GetMessage(const std::string& text)
 RefinementBlocks::RefinementBlocks() = default;
 RefinementBlocks::~RefinementBlocks() = default;
 
-void RefinementBlocks::Update(vtkBlockAttributesPolyDataMapper* parent, vtkCompositeDataSet* input)
+void RefinementBlocks::Update(const Source& source)
 {
+  vtkBlockAttributesPolyDataMapper* parent = source.Parent;
   this->Parent = parent;
   this->Messages.clear();
-  const bool changed = this->ParentTime != parent->GetBuildMTime();
+  const bool changed = this->ParentTime != source.GetBuildTime();
   std::set<unsigned int> indices;
   vtkInformation* port = parent->GetInputPortInformation(0);
-  auto iterator = vtk::TakeSmartPointer(input->NewIterator());
+  auto iterator = vtk::TakeSmartPointer(source.Input->NewIterator());
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
   {
     vtkDataObject* leaf = iterator->GetCurrentDataObject();
@@ -81,8 +83,8 @@ void RefinementBlocks::Update(vtkBlockAttributesPolyDataMapper* parent, vtkCompo
     this->OnRemove(block->second);
     block = this->Mappers.erase(block);
   }
-  this->UpdateAttributes(parent->GetCompositeDataDisplayAttributes(), input);
-  this->ParentTime = parent->GetBuildMTime(); // copying may have made its lookup table
+  this->UpdateAttributes(source);
+  this->ParentTime = source.GetBuildTime(); // copying may have made its lookup table
 }
 
 void RefinementBlocks::Clear()
@@ -124,43 +126,33 @@ void RefinementBlocks::Forward(vtkBlockAttributesPolyDataMapper* block, unsigned
   block->AddObserver(event, command);
 }
 
-void RefinementBlocks::UpdateAttributes(
-  vtkCompositeDataDisplayAttributes* attributes, vtkCompositeDataSet* input)
+void RefinementBlocks::UpdateAttributes(const Source& source)
 {
-  const AttributesOfBlocks all = GetAttributesOfBlocks(attributes, input);
+  const AttributesOfBlocks all =
+    GetAttributesOfBlocks(source.Parent->GetCompositeDataDisplayAttributes(), source.Input);
   for (auto& block : this->Mappers)
   {
-    block.second->SetBlockAttributes(FindAttributes(all, block.first));
+    source.SetAttributes(block.second, FindAttributes(all, block.first));
   }
 }
 
 void RefinementBlocks::Render(vtkRenderer* ren, vtkActor* act, bool drawsAll)
 {
   this->Rendering = true;
-  vtkHardwareSelector* selector = ren->GetSelector();
-  if (selector)
   {
-    selector->BeginRenderProp();
-  }
-  // An actor that is drawn in both passes has blocks for either.
-  const bool drawnTwice =
-    !drawsAll && !selector && act->HasOpaqueGeometry() && act->HasTranslucentPolygonalGeometry();
-  const bool translucent = act->IsRenderingTranslucentPolygonalGeometry() != 0;
-  for (auto& block : this->Mappers)
-  {
-    if (drawnTwice && block.second->HasTranslucentPolygonalGeometry() != translucent)
+    LeafSelection selection(ren);
+    // An actor that is drawn in both passes has blocks for either.
+    const bool drawnTwice = !drawsAll && !ren->GetSelector() && act->HasOpaqueGeometry() &&
+      act->HasTranslucentPolygonalGeometry();
+    const bool translucent = act->IsRenderingTranslucentPolygonalGeometry() != 0;
+    for (auto& block : this->Mappers)
     {
-      continue;
+      if (!drawnTwice || block.second->HasTranslucentPolygonalGeometry() == translucent)
+      {
+        selection.Begin(block.first);
+        block.second->RenderPiece(ren, act);
+      }
     }
-    if (selector && selector->GetCurrentPass() == vtkHardwareSelector::COMPOSITE_INDEX_PASS)
-    {
-      selector->RenderCompositeIndex(block.first);
-    }
-    block.second->RenderPiece(ren, act);
-  }
-  if (selector)
-  {
-    selector->EndRenderProp();
   }
   this->Rendering = false;
 }

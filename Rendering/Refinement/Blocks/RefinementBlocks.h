@@ -18,7 +18,6 @@
 
 class vtkActor;
 class vtkBlockAttributesPolyDataMapper;
-class vtkCompositeDataDisplayAttributes;
 class vtkCompositeDataSet;
 class vtkHardwareSelector;
 class vtkProp;
@@ -26,16 +25,27 @@ class vtkRenderer;
 
 namespace relevo
 {
+struct BlockAttributes;
+
 class RefinementBlocks
 {
 public:
   RefinementBlocks();
   ~RefinementBlocks();
 
+  struct Source
+  {
+    /// The mapper whose blocks these are: they copy its settings, and their errors are its own.
+    vtkBlockAttributesPolyDataMapper* Parent;
+    vtkCompositeDataSet* Input;
+    /// When a setting that VTK's buffers depend on last changed.
+    std::function<vtkMTimeType()> GetBuildTime;
+    std::function<void(vtkBlockAttributesPolyDataMapper*, const BlockAttributes&)> SetAttributes;
+  };
   /**
    * Have one mapper per polydata leaf, with the parent's settings.
    */
-  void Update(vtkBlockAttributesPolyDataMapper* parent, vtkCompositeDataSet* input);
+  void Update(const Source& source);
 
   /**
    * Draw the leaves of the pass, opaque or translucent ones, or all of them. In a selection each
@@ -61,17 +71,25 @@ public:
   void Clear();
   bool IsEmpty() const { return this->Mappers.empty(); }
 
+  /// Whether the last render has drawn blocks.
+  bool AreDrawn = false;
+  /// When the settings changed that the blocks have been given.
+  vtkMTimeType SettingsTime = 0;
+  /// Of blocks that are gone.
+  vtkIdType NumberOfBufferBuilds = 0;
+  vtkIdType NumberOfShaderBuilds = 0;
+
   /// Called with the mapper of a leaf that is gone, before it is deleted.
   std::function<void(vtkBlockAttributesPolyDataMapper*)> OnRemove;
 
 private:
   /// Report what a block says as the parent's, unless another block has said the same.
   void Forward(vtkBlockAttributesPolyDataMapper* block, unsigned long event);
-  void UpdateAttributes(vtkCompositeDataDisplayAttributes* attributes, vtkCompositeDataSet* input);
+  void UpdateAttributes(const Source& source);
 
   std::map<unsigned int, vtkSmartPointer<vtkBlockAttributesPolyDataMapper>>
     Mappers;                   // by flat index
-  vtkMTimeType ParentTime = 0; // GetBuildMTime() that the mappers were copied at
+  vtkMTimeType ParentTime = 0; // that the mappers were copied at
   bool Rendering = false;
   vtkBlockAttributesPolyDataMapper* Parent = nullptr;
   std::set<std::string> Messages; // of blocks since the last update

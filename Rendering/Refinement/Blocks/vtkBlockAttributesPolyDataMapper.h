@@ -38,7 +38,6 @@ class vtkCompositeDataDisplayAttributes;
 
 namespace relevo
 {
-class RefinementBlocks;
 struct BlockAttributes;
 }
 
@@ -171,8 +170,6 @@ protected:
 private:
   vtkBlockAttributesPolyDataMapper(const vtkBlockAttributesPolyDataMapper&) = delete;
   void operator=(const vtkBlockAttributesPolyDataMapper&) = delete;
-
-  friend class relevo::RefinementBlocks;
 
   vtkDataObject* FindBlock(unsigned int index);
   /// An error where there is no such block; else makes the attributes.

@@ -14,6 +14,7 @@ namespace relevo
 class ARKFPIMethod : public PatternMethod
 {
 public:
+  DrawnLevels GetDrawnLevels() const override { return DrawnLevels::MORPHED; }
   bool TakesComputeSelection() const override { return true; }
   bool Upload(const RefinementDrawing& drawing) override;
   void FillOptions(

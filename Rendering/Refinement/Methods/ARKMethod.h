@@ -18,6 +18,7 @@ namespace relevo
 class ARKMethod : public PatternMethod
 {
 public:
+  DrawnLevels GetDrawnLevels() const override { return DrawnLevels::MORPHED; }
   bool Upload(const RefinementDrawing& drawing) override;
   void FillOptions(
     const RefinementDrawing& drawing, RefinementShaderOptions& options) const override;

@@ -84,6 +84,15 @@ public:
   /// Whether it draws these primitives, with its own picture of a wireframe.
   virtual bool CanDraw(Primitives) const { return true; }
 
+  /// How it draws the levels of edges: as they are, rounded, or the highest of all.
+  enum class DrawnLevels
+  {
+    MORPHED,
+    ROUNDED,
+    HIGHEST
+  };
+  virtual DrawnLevels GetDrawnLevels() const { return DrawnLevels::ROUNDED; }
+
   /// Whether it can draw what compute shaders have selected.
   virtual bool TakesComputeSelection() const { return false; }
 

@@ -19,6 +19,7 @@ namespace relevo
 class SUAPTMethod : public UniformMethod
 {
 public:
+  DrawnLevels GetDrawnLevels() const override { return DrawnLevels::ROUNDED; }
   bool Upload(const RefinementDrawing& drawing) override;
   void FillOptions(
     const RefinementDrawing& drawing, RefinementShaderOptions& options) const override;

@@ -21,6 +21,7 @@ namespace relevo
 class UniformMethod : public PatternMethod
 {
 public:
+  DrawnLevels GetDrawnLevels() const override { return DrawnLevels::HIGHEST; }
   bool Upload(const RefinementDrawing& drawing) override;
   void FillOptions(
     const RefinementDrawing& drawing, RefinementShaderOptions& options) const override;

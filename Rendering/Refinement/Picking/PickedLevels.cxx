@@ -24,7 +24,8 @@ const PatternSelection* PickedLevels::Get(vtkPolyData* input, vtkAdaptiveRefinem
   const PatternSelection& selection = drawn.GetSelection();
   const bool isDrawn = drawn.GetLevelsTime() > meshTime &&
     selection.GetNumberOfFaces() == static_cast<int>(mesh.Faces.size());
-  if (isDrawn && (kind == MORPHED || (kind == ROUNDED && selection.GetMorphTags().empty())))
+  if (isDrawn &&
+    (kind == Kinds::MORPHED || (kind == Kinds::ROUNDED && selection.GetMorphTags().empty())))
   {
     return &selection;
   }
@@ -34,7 +35,7 @@ const PatternSelection* PickedLevels::Get(vtkPolyData* input, vtkAdaptiveRefinem
     this->Valid = isDrawn || this->SelectAnew(input, recipe, mesh, drawn);
     if (isDrawn)
     {
-      this->Round(selection, recipe, mesh, kind == HIGHEST);
+      this->Round(selection, recipe, mesh, kind == Kinds::HIGHEST);
     }
   }
   return this->Valid ? &this->Own : nullptr;

@@ -14,6 +14,7 @@
 
 #include "Changes/Dependencies.h"        // for members
 #include "Evaluation/PatternSelection.h" // for members
+#include "Methods/RefinementMethod.h"    // for Kinds
 #include "vtkType.h"                     // for vtkMTimeType
 
 class vtkAdaptiveRefinement;
@@ -27,13 +28,7 @@ class ViewSelection;
 class PickedLevels
 {
 public:
-  /// How the method in use draws levels.
-  enum Kinds
-  {
-    MORPHED,
-    ROUNDED,
-    HIGHEST
-  };
+  using Kinds = RefinementMethod::DrawnLevels;
 
   /**
    * For a mesh of the input, built at `meshTime`, and what was drawn last. nullptr when the recipe

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Stages/InputCheck.h"
+
+#include "Checks/InputType.h"
+#include "Checks/ShouldReport.h"
+
+namespace relevo
+{
+StageResult InputCheck::Update(vtkDataObject* input, vtkInformation* port)
+{
+  if (this->Input != input)
+  {
+    this->Input = input;
+    this->Problem.clear();
+  }
+  StageResult result;
+  if (ShouldReport(this->Problem, input ? FindTypeProblem(input, port) : ""))
+  {
+    result.Errors.push_back(this->Problem);
+  }
+  result.IsValid = !input || IsOfRequiredType(input, port);
+  return result;
+}
+}
