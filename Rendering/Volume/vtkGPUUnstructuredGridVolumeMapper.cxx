@@ -1,45 +1,101 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkGPUUnstructuredGridVolumeMapperInternals.h"
+#include "vtkGPUUnstructuredGridVolumeMapper.h"
 
 #include "Checks/MemoryGuard.h"
+#include "Checks/SettingChecks.h"
+#include "Checks/ShouldReport.h"
+#include "OpenGL/ContextWatch.h"
+#include "OpenGL/RelevoOpenGL.h"
+#include "OpenGL/RenderClock.h"
+#include "Shaders/VolumePrograms.h"
+#include "Stages/CellProjector.h"
+#include "Stages/Compositor.h"
+#include "Stages/FeatureSelector.h"
+#include "Stages/FunctionLoader.h"
+#include "Stages/MeshLoader.h"
+#include "Stages/RayCaster.h"
+#include "Stages/TableLoader.h"
+#include "Stages/VolumeFrame.h"
+
 #include "vtkAlgorithm.h"
-#include "vtkBoundingBox.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPlaneCollection.h"
 #include "vtkRenderer.h"
+#include "vtkUnstructuredGridBase.h"
 #include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
 
-#include <algorithm>
+#include <array>
+#include <string>
+
+namespace
+{
+// Whether gradients at points may be needed.
+bool IsShaded(vtkVolumeProperty* property)
+{
+  bool isShaded = false;
+  for (int i = 0; i < relevo::MostComponents; ++i)
+  {
+    isShaded = isShaded || property->GetShade(i) != 0;
+  }
+  return isShaded;
+}
+}
+
+struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
+{
+  vtkNew<relevo::ContextWatch> Context;
+  vtkOpenGLRenderWindow* GetWindow() const { return this->Context->GetContext(); }
+
+  relevo::MeshLoader Mesh;
+  relevo::FunctionLoader Functions;
+  relevo::FeatureSelector Features;
+  relevo::TableLoader Table;
+  relevo::VolumePrograms Programs;
+  relevo::RayCaster Rays;
+  relevo::CellProjector Cells;
+  relevo::Compositor Compositor;
+
+  relevo::RayView View;
+  std::array<int, 4> Viewport = { { 0, 0, 0, 0 } }; // of the last render
+  std::string DrawProblem;                          // as reported
+  relevo::RenderClock Clock;
+
+  relevo::VolumeFrame MakeFrame(const relevo::RenderPasses& passes)
+  {
+    return { this->GetWindow(), this->Viewport, this->View, passes, this->Features.GetFeatures(),
+      this->Mesh.GetMesh(), this->Functions.GetFunctions(), this->Table.GetTable(), this->Programs,
+      this->Compositor.GetDepth(), this->Compositor.GetTarget(), this->Compositor.GetScreen() };
+  }
+
+  void ReleaseGraphicsResources(vtkWindow* window)
+  {
+    this->Mesh.ReleaseGraphicsResources(window);
+    this->Functions.ReleaseGraphicsResources(window);
+    this->Table.ReleaseGraphicsResources(window);
+    this->Programs.ReleaseGraphicsResources();
+    this->Rays.ReleaseGraphicsResources(window);
+    this->Cells.ReleaseGraphicsResources(window);
+    this->Compositor.ReleaseGraphicsResources(window);
+    this->Clock.ReleaseGraphicsResources();
+  }
+};
 
 vtkStandardNewMacro(vtkGPUUnstructuredGridVolumeMapper);
 
 vtkGPUUnstructuredGridVolumeMapper::vtkGPUUnstructuredGridVolumeMapper()
   : Internals(std::make_unique<vtkInternals>())
 {
-  this->Internals->Context->OnRelease = [this](vtkWindow* window)
-  {
-    vtkInternals& data = *this->Internals;
-    data.MeshBuffers.ReleaseGraphicsResources(window);
-    data.Projected.ReleaseGraphicsResources(window);
-    data.FunctionBuffers.ReleaseGraphicsResources(window);
-    data.Surfaces.ReleaseGraphicsResources(window);
-    data.Integrals.ReleaseGraphicsResources(window);
-    data.Depth.ReleaseGraphicsResources(window);
-    data.Limits.ReleaseGraphicsResources(window);
-    data.Projection.ReleaseGraphicsResources(window);
-    data.Entries.ReleaseGraphicsResources(window);
-    data.Clock.ReleaseGraphicsResources();
-    data.Programs.clear();
-    data.Quads.ReleaseGraphicsResources();
-    data.Screen.ReleaseGraphicsResources();
-    data.HasMesh = false;
-    data.AreFunctionsTried = false;
-    data.MeshInput = nullptr;
-  };
+  vtkInternals* data = this->Internals.get();
+  data->Context->OnRelease = [data](vtkWindow* window) { data->ReleaseGraphicsResources(window); };
 }
 
 vtkGPUUnstructuredGridVolumeMapper::~vtkGPUUnstructuredGridVolumeMapper()
@@ -100,20 +156,241 @@ void vtkGPUUnstructuredGridVolumeMapper::Render(vtkRenderer* renderer, vtkVolume
   const auto draw = [&]
   {
     const bool isReady = this->UpdateMesh(volume) && this->UpdateFunctions(volume) &&
-      this->UpdateView(renderer, volume);
+      this->UpdateFeatures(renderer, volume) && this->UpdateTable();
     if (isReady)
     {
-      this->UpdateFeatures(renderer, volume);
-      if (this->UpdateTables())
-      {
-        this->Draw(renderer, volume);
-      }
+      this->Draw(volume);
     }
     return isReady;
   };
   relevo::RunWithinMemory(this, "the picture", draw);
   this->TimeToDraw = data.Clock.Stop();
-  data.WholeTime = this->TimeToDraw * data.SampleDistance * data.SampleDistance;
+  data.Compositor.SetTime(this->TimeToDraw);
+}
+
+void vtkGPUUnstructuredGridVolumeMapper::Report(const relevo::StageReport& report)
+{
+  for (const std::string& error : report.Errors)
+  {
+    vtkErrorMacro(<< error);
+  }
+  for (const std::string& warning : report.Warnings)
+  {
+    vtkWarningMacro(<< warning);
+  }
+}
+
+bool vtkGPUUnstructuredGridVolumeMapper::UpdateMesh(vtkVolume* volume)
+{
+  vtkInternals& data = *this->Internals;
+  vtkVolumeProperty* property = volume->GetProperty();
+  const relevo::MeshRequest request = { data.GetWindow(), this->GetDataObjectInput(),
+    this->GetInputPortInformation(0),
+    relevo::ChooseScalars(property, this->VectorMode, this->VectorComponent), this->ScalarMode,
+    this->ArrayAccessMode, this->ArrayId, this->ArrayName ? this->ArrayName : "",
+    property->GetIndependentComponents() != 0, IsShaded(property),
+    this->Method == CELL_PROJECTION };
+  relevo::StageReport report;
+  const bool isReady =
+    relevo::RunWithinMemory(this, "the mesh", [&] { return data.Mesh.Update(request, report); });
+  this->Report(report);
+  return isReady;
+}
+
+bool vtkGPUUnstructuredGridVolumeMapper::UpdateFunctions(vtkVolume* volume)
+{
+  vtkInternals& data = *this->Internals;
+  const relevo::VolumeMesh& mesh = data.Mesh.GetMesh();
+  relevo::StageReport report;
+  const bool isReady = data.Functions.Update(
+    { data.GetWindow(), volume->GetProperty(), mesh.NumberOfComponents, mesh.Layout }, report);
+  this->Report(report);
+  return isReady;
+}
+
+bool vtkGPUUnstructuredGridVolumeMapper::UpdateFeatures(vtkRenderer* renderer, vtkVolume* volume)
+{
+  vtkInternals& data = *this->Internals;
+  const relevo::VolumeMesh& mesh = data.Mesh.GetMesh();
+  if (!data.View.Compute(renderer, volume->GetMatrix(), mesh.Layout.Center, mesh.Layout.Radius))
+  {
+    return false;
+  }
+  const int tableDimensions = this->Integration == EXACT ? 0
+    : this->Integration == PRE_INTEGRATED                ? 3
+                                                         : 2;
+  relevo::StageReport report;
+  data.Features.Update(
+    { renderer, volume->GetProperty(), this->ClippingPlanes, mesh, data.Functions.GetFunctions(),
+      data.View.GetMeshToWorld(), static_cast<relevo::BlendMode>(this->BlendMode),
+      this->IsoSurfaces, tableDimensions },
+    report);
+  this->Report(report);
+  return true;
+}
+
+bool vtkGPUUnstructuredGridVolumeMapper::UpdateTable()
+{
+  vtkInternals& data = *this->Internals;
+  const relevo::VolumeShaderOptions& options = data.Features.GetFeatures().Options;
+  const relevo::RayCastMesh& layout = data.Mesh.GetMesh().Layout;
+  const int component = options.FirstComponent;
+  relevo::IntegralTable::Settings settings;
+  settings.Size = this->TableSize;
+  settings.Is2D = options.PreIntegrated == 2;
+  settings.Longest =
+    options.PreIntegrated > 0 ? layout.LongestEdge * data.View.GetLargestScale() : 0.0;
+  settings.ScalarLow = layout.ScalarLow[component];
+  settings.ScalarSize = layout.ScalarSize[component];
+  relevo::StageReport report;
+  const bool isReady = data.Table.Update(
+    { data.GetWindow(), data.Functions.GetFunctions(), options.PreIntegrated > 0, settings },
+    report);
+  this->Report(report);
+  return isReady;
+}
+
+void vtkGPUUnstructuredGridVolumeMapper::Draw(vtkVolume* volume)
+{
+  vtkInternals& data = *this->Internals;
+  glGetIntegerv(GL_VIEWPORT, data.Viewport.data());
+  const relevo::RenderPasses passes(this, volume);
+  const relevo::VolumeFrame frame = data.MakeFrame(passes);
+  std::string problem;
+  if (!passes.IsEmpty())
+  {
+    problem = data.Rays.Draw(frame, { { data.Viewport[2], data.Viewport[3] } });
+  }
+  else
+  {
+    problem = data.Compositor.ReadDepths(data.GetWindow(), data.Viewport);
+    if (problem.empty())
+    {
+      problem =
+        this->Method == CELL_PROJECTION ? this->ProjectCells(frame) : this->CastRays(frame, volume);
+    }
+  }
+  if (relevo::ShouldReport(data.DrawProblem, problem))
+  {
+    vtkErrorMacro(<< problem);
+  }
+}
+
+std::string vtkGPUUnstructuredGridVolumeMapper::ProjectCells(const relevo::VolumeFrame& frame)
+{
+  vtkInternals& data = *this->Internals;
+  const std::string problem = data.Cells.Draw(frame);
+  const bool isStored = relevo::IsStored(frame.Features.Options);
+  return problem.empty()
+    ? data.Compositor.Add(
+        frame, isStored ? relevo::VolumeShader::Finish : relevo::VolumeShader::Picture)
+    : problem;
+}
+
+std::string vtkGPUUnstructuredGridVolumeMapper::CastRays(
+  const relevo::VolumeFrame& frame, vtkVolume* volume)
+{
+  vtkInternals& data = *this->Internals;
+  const std::array<int, 2> size = data.Compositor.ChooseSize(data.Viewport,
+    { this->ImageSampleDistance, this->AutoAdjustSampleDistances,
+      volume->GetAllocatedRenderTime() });
+  const bool isSampled = size[0] != data.Viewport[2] || size[1] != data.Viewport[3];
+  const std::string problem = data.Rays.Draw(frame, size);
+  return problem.empty() && isSampled ? data.Compositor.Add(frame, relevo::VolumeShader::Picture)
+                                      : problem;
+}
+
+void vtkGPUUnstructuredGridVolumeMapper::SetInputData(vtkUnstructuredGridBase* mesh)
+{
+  this->SetInputDataInternal(0, mesh);
+}
+
+void vtkGPUUnstructuredGridVolumeMapper::SetInputData(vtkDataSet* mesh)
+{
+  this->SetInputDataInternal(0, mesh);
+}
+
+void vtkGPUUnstructuredGridVolumeMapper::SetVectorMode(int mode)
+{
+  relevo::SetInRange(this, "VectorMode", this->VectorMode, mode, static_cast<int>(DISABLED),
+    static_cast<int>(COMPONENT));
+}
+
+void vtkGPUUnstructuredGridVolumeMapper::SetVectorComponent(int component)
+{
+  relevo::SetInRange(
+    this, "VectorComponent", this->VectorComponent, component, 0, relevo::MostComponents - 1);
+}
+
+void vtkGPUUnstructuredGridVolumeMapper::SetMethod(int method)
+{
+  relevo::SetChoice(this, "Method", this->Method, method, { "RAY_CASTING", "CELL_PROJECTION" });
+}
+
+void vtkGPUUnstructuredGridVolumeMapper::SetBlendMode(int mode)
+{
+  relevo::SetChoice(this, "BlendMode", this->BlendMode, mode,
+    { "COMPOSITE_BLEND", "MAXIMUM_INTENSITY_BLEND", "MINIMUM_INTENSITY_BLEND",
+      "AVERAGE_INTENSITY_BLEND", "ADDITIVE_BLEND", "ISOSURFACE_BLEND" });
+}
+
+void vtkGPUUnstructuredGridVolumeMapper::SetIntegration(int integration)
+{
+  relevo::SetChoice(this, "Integration", this->Integration, integration,
+    { "EXACT", "PRE_INTEGRATED", "PRE_INTEGRATED_2D" });
+}
+
+// OpenGL has 3D textures of 256 each way at least.
+void vtkGPUUnstructuredGridVolumeMapper::SetTableSize(int size)
+{
+  relevo::SetInRange(this, "TableSize", this->TableSize, size, 2, 256);
+}
+
+void vtkGPUUnstructuredGridVolumeMapper::SetImageSampleDistance(double distance)
+{
+  relevo::SetInRange(this, "ImageSampleDistance", this->ImageSampleDistance, distance, 0.1, 100.0);
+}
+
+vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfDrawnCells()
+{
+  return this->Internals->Mesh.GetNumberOfDrawnCells();
+}
+
+// Drawn as the last render drew them, when somebody wants to know.
+int vtkGPUUnstructuredGridVolumeMapper::GetNumberOfLayers()
+{
+  vtkInternals& data = *this->Internals;
+  if (!data.GetWindow() || !data.Mesh.IsReady() || data.Viewport[2] == 0)
+  {
+    return 0;
+  }
+  data.GetWindow()->MakeCurrent();
+  return data.Rays.CountLayers(data.MakeFrame({}));
+}
+
+vtkTypeInt64 vtkGPUUnstructuredGridVolumeMapper::GetGraphicsMemorySize()
+{
+  vtkInternals& data = *this->Internals;
+  const relevo::VolumeMesh& mesh = data.Mesh.GetMesh();
+  const relevo::VolumeFunctions& functions = data.Functions.GetFunctions();
+  return mesh.Buffers.GetMemorySize() + mesh.Cells.GetMemorySize() +
+    functions.Buffers.GetMemorySize() + functions.Surfaces.GetMemorySize() +
+    data.Table.GetTable().GetMemorySize();
+}
+
+vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfBufferBuilds()
+{
+  return this->Internals->Mesh.GetNumberOfBuilds();
+}
+
+vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfShaderBuilds()
+{
+  return this->Internals->Programs.GetNumberOfBuilds();
+}
+
+vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfTableBuilds()
+{
+  return this->Internals->Table.GetNumberOfBuilds();
 }
 
 void vtkGPUUnstructuredGridVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)

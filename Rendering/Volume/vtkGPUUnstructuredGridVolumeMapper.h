@@ -41,16 +41,12 @@
 #include "vtkUnstructuredGridVolumeMapper.h"
 
 #include <memory> // for Internals
-#include <string> // for shaders
-
-class vtkDataObject;
-class vtkShaderProgram;
-class vtkVolumeProperty;
+#include <string> // for errors
 
 namespace relevo
 {
-class VolumeCells;
-struct VolumeShaderOptions;
+struct StageReport;
+struct VolumeFrame;
 }
 
 class RELEVORENDERINGVOLUME_EXPORT vtkGPUUnstructuredGridVolumeMapper
@@ -174,8 +170,8 @@ public:
    * length of half the longest edge, times opacity.
    *
    * Tables take no cuts and are faster where functions have many nodes, but are blind to what is
-   * smaller than their steps, and computed anew when the property, the range of the scalars or the
-   * scale of the volume's matrix changes. They are for one component, without gradients and
+   * smaller than their steps, and computed anew when the functions, the range of the scalars or the
+   * scale of the volume's matrix change. They are for one component, without gradients and
    * shading: else EXACT stands in, with a warning.
    */
   void SetIntegration(int integration);
@@ -250,31 +246,14 @@ private:
   vtkGPUUnstructuredGridVolumeMapper(const vtkGPUUnstructuredGridVolumeMapper&) = delete;
   void operator=(const vtkGPUUnstructuredGridVolumeMapper&) = delete;
 
+  void Report(const relevo::StageReport& report);
   bool UpdateMesh(vtkVolume* volume);
-  bool BuildMesh(vtkVolume* volume, vtkDataObject* input);
-  /// Reports an input of a wrong type once.
-  bool CheckType(vtkDataObject* input);
-  bool ReadCells(vtkVolume* volume, vtkDataObject* input, relevo::VolumeCells& cells);
-  bool UploadMesh(const relevo::VolumeCells& cells);
   bool UpdateFunctions(vtkVolume* volume);
-  bool UpdateView(vtkRenderer* renderer, vtkVolume* volume);
-  void UpdateFeatures(vtkRenderer* renderer, vtkVolume* volume);
-  void ReportMissingSurfaces(vtkVolumeProperty* property);
-  bool FindPreIntegrated();
-  bool UpdateTables();
-  vtkShaderProgram* ReadyProgram(const std::string& vertexSource, const std::string& source);
-  bool RenderRayEntries(int width, int height);
-  void Draw(vtkRenderer* renderer, vtkVolume* volume);
-  relevo::VolumeShaderOptions GetShaderOptions();
-  vtkShaderProgram* ReadyRays(vtkVolume* volume, const int viewport[4]);
-  bool FindSampledSize(vtkVolume* volume, const int viewport[4]);
-  void DrawSampled(vtkVolume* volume, const int viewport[4]);
-  void BlendProjection(const int viewport[4], const std::string& source);
-  bool SortCells(vtkRenderer* renderer, vtkVolume* volume);
-  bool RenderRayLimits(int width, int height);
-  bool ProjectCells(int width, int height);
-  bool DrawCells(vtkShaderProgram* program, int width, int height);
-  void DrawProjected(vtkRenderer* renderer, vtkVolume* volume, const int viewport[4]);
+  bool UpdateFeatures(vtkRenderer* renderer, vtkVolume* volume);
+  bool UpdateTable();
+  void Draw(vtkVolume* volume);
+  std::string ProjectCells(const relevo::VolumeFrame& frame);
+  std::string CastRays(const relevo::VolumeFrame& frame, vtkVolume* volume);
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -32,7 +32,7 @@ LAYERS = {
                              "Stages"],
     "Rendering/Flow": ["Passes"],
     "Rendering/Offscreen": [],
-    "Rendering/Volume": ["View", "Mesh", "Buffers", "Shaders"],
+    "Rendering/Volume": ["View", "Mesh", "Buffers", "Shaders", "Stages"],
     "Rendering/Parametric": ["View", "Shaders", "Buffers", "Drawing"],
     "Rendering/Intersection": ["Scene"],
     "Rendering/Relief": ["View", "Buffers", "Shaders", "Drawing", "Capture"],

@@ -3,6 +3,7 @@
 #include "Integral/TransferFunctions.h"
 
 #include "vtkColorTransferFunction.h"
+#include "vtkImageData.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkVolumeProperty.h"
 
@@ -242,6 +243,31 @@ bool TransferFunctions::Read(
     return ReadGradientOpacity(property, 0, this->Direct.GradientOpacity, error);
   }
   return this->ReadCurves(property, error, warning);
+}
+
+Dependencies TransferFunctions::FindDependencies(
+  vtkVolumeProperty* property, int numberOfComponents)
+{
+  const int mode = property->GetTransferFunctionMode();
+  const bool isIndependent = property->GetIndependentComponents() != 0;
+  Dependencies found = Dependencies::On(numberOfComponents, isIndependent, mode);
+  for (int i = 0; i < (isIndependent ? std::min(numberOfComponents, MostComponents) : 1); ++i)
+  {
+    found.Add(property->GetScalarOpacityUnitDistance(i));
+    if (mode == vtkVolumeProperty::TF_2D)
+    {
+      found.AddObject(property->GetTransferFunction2D(i));
+      continue;
+    }
+    const Functions functions(property, i);
+    found.AddObject(functions.Color);
+    found.AddObject(functions.Gray);
+    found.AddObject(functions.Opacity);
+    const bool hasGradientOpacity =
+      property->HasGradientOpacity(i) && !property->GetDisableGradientOpacity(i);
+    found.AddObject(hasGradientOpacity ? property->GetGradientOpacity(i) : nullptr);
+  }
+  return found;
 }
 
 bool TransferFunctions::ReadCurves(

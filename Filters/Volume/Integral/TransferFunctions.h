@@ -18,6 +18,7 @@
 #ifndef TransferFunctions_h
 #define TransferFunctions_h
 
+#include "Changes/Dependencies.h"
 #include "Integral/LinearPieces.h"
 #include "Integral/TransferFunction2D.h"
 #include "RelevoFiltersVolumeModule.h" // for export macro
@@ -81,6 +82,9 @@ public:
    */
   bool Read(
     vtkVolumeProperty* property, int numberOfComponents, std::string& error, std::string& warning);
+
+  /// What Read() reads of a property.
+  static Dependencies FindDependencies(vtkVolumeProperty* property, int numberOfComponents);
 
   /// Whether the scalars themselves are red, green, blue and opacity.
   bool AreColors() const { return this->Mode == Mixing::Four; }

@@ -3,8 +3,14 @@
 #include "View/RayView.h"
 
 #include "OpenGL/ShaderUniforms.h"
+#include "View/CameraEye.h"
+#include "View/WorldView.h"
 
+#include "vtkCamera.h"
 #include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -16,11 +22,31 @@ namespace
 {
 // Not at the far plane, where depths of a perspective view lie close.
 constexpr double LargestMiddle = 0.99999;
+
+dvec4 FindEye(vtkCamera* camera, vtkMatrix4x4* dataToWorld, const dvec3& center, double radius)
+{
+  vtkNew<vtkMatrix4x4> meshToWorld;
+  for (int i = 0; i < 3; ++i)
+  {
+    meshToWorld->SetElement(i, i, radius);
+    meshToWorld->SetElement(i, 3, center[i]);
+  }
+  vtkMatrix4x4::Multiply4x4(dataToWorld, meshToWorld, meshToWorld);
+  vtkNew<vtkMatrix4x4> worldToMesh;
+  vtkMatrix4x4::Invert(meshToWorld, worldToMesh);
+  return relevo::GetEye(camera, worldToMesh);
+}
 }
 
 bool RayView::Compute(
-  const dmat4& worldToClip, const dmat4& dataToWorld, const dvec3& center, double radius)
+  vtkRenderer* renderer, vtkMatrix4x4* matrix, const dvec3& center, double radius)
 {
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const dmat4 projection =
+    MakeMatrix(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0));
+  const dmat4 worldToClip = projection * MakeMatrix(camera->GetViewTransformMatrix());
+  const dmat4 dataToWorld = MakeMatrix(matrix);
+  this->Eye = FindEye(camera, matrix, center, radius);
   dmat4 meshToData(radius);
   meshToData[3] = dvec4(center, 1.0);
   const dmat4 meshToWorld = dataToWorld * meshToData;

@@ -11,6 +11,8 @@
 
 #include "Mathematics/RefinementMathematics.h"
 
+class vtkMatrix4x4;
+class vtkRenderer;
 class vtkShaderProgram;
 
 namespace relevo
@@ -19,11 +21,11 @@ class RayView
 {
 public:
   /**
-   * Matrices from the world to clip coordinates and from the data to the world; points of the mesh
-   * are at center + radius * point in the data. false if nothing can be seen.
+   * By the renderer's camera, and the matrix from the data to the world; points of the mesh are at
+   * center + radius * point in the data. false if nothing can be seen.
    */
   bool Compute(
-    const dmat4& worldToClip, const dmat4& dataToWorld, const dvec3& center, double radius);
+    vtkRenderer* renderer, vtkMatrix4x4* dataToWorld, const dvec3& center, double radius);
 
   /// Lower left corner and size in pixels.
   void SetViewport(const dvec4& place) { this->Viewport = place; }
@@ -31,6 +33,9 @@ public:
   void SetUniforms(vtkShaderProgram* program) const;
   /// What relevoVolumeOutline.glsl asks for.
   void SetOutlineUniforms(vtkShaderProgram* program) const;
+
+  /// Where the mesh is seen from, in its coordinates; see GetEye() of CameraEye.h.
+  const dvec4& GetEye() const { return this->Eye; }
 
   const dmat4& GetMeshToWorld() const { return this->MeshToWorld; }
 
@@ -53,6 +58,7 @@ private:
   dmat4 MeshToWorld;
   dmat3 GradientToWorld; // by radii of the mesh to by lengths of the world, times the radius
   dmat4 MeshToClip;
+  dvec4 Eye;
   double MiddleZ = 0.0;      // of near plane -1, far plane 1
   double MiddleWeight = 1.0; // of what is there in the middle of the view
   dvec4 Viewport = dvec4(0.0, 0.0, 1.0, 1.0);

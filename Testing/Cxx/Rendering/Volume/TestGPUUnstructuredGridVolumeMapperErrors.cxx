@@ -180,6 +180,14 @@ void TestNotFinite(RelevoCheck& check)
   CHECK(errors.Said("scalar opacity function with a number that is not finite at node 1"));
   CHECK(IsBlack(scene.Draw()));
   CHECK(errors.None());
+  // Nor where something else changes: a material, or the data and their range.
+  scene.GetVolume()->GetProperty()->SetSpecular(0.3);
+  CHECK(IsBlack(scene.Draw()));
+  CHECK(errors.None());
+  scene.GetMapper()->SetInputData(
+    MakeTetrahedra(2, [](const std::array<double, 3>& x) { return 5.0 * x[0]; }));
+  CHECK(IsBlack(scene.Draw()));
+  CHECK(errors.None());
   opacity->Modified();
   CHECK(IsBlack(scene.Draw()));
   CHECK(errors.Said("not finite"));

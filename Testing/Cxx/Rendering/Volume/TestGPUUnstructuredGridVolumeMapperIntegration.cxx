@@ -47,6 +47,10 @@ void TestTables(RelevoCheck& check)
   scene.GetMapper()->SetIntegrationToPreIntegrated2D();
   CHECK(scene.Compare(0.01) <= 2.0);
   CHECK(scene.GetMapper()->GetNumberOfTableBuilds() == 2);
+  // Materials are no functions.
+  scene.GetVolume()->GetProperty()->SetSpecular(0.7);
+  scene.Draw();
+  CHECK(scene.GetMapper()->GetNumberOfTableBuilds() == 2);
   // The mesh has not been uploaded again.
   CHECK(scene.GetMapper()->GetNumberOfBufferBuilds() == 1);
 }

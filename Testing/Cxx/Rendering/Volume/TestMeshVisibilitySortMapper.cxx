@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkProjectedTetrahedraMapper takes vtkMeshVisibilitySort: pictures of a convex mesh of even cells
-// are those that it draws in the order of their centres.
+// are those that it draws in the order of their centres, and others in a wrong order.
 #include "RelevoCheck.h"
 #include "RelevoVolumes.h"
 #include "vtkMeshVisibilitySort.h"
@@ -9,6 +9,7 @@
 #include "vtkCellCenterDepthSort.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkProjectedTetrahedraMapper.h"
 #include "vtkRenderWindow.h"
@@ -22,6 +23,20 @@
 namespace
 {
 constexpr int Size = 200;
+
+// The negative control: the nearest cells first, whatever the mapper asks for.
+class WrongSort : public vtkCellCenterDepthSort
+{
+public:
+  static WrongSort* New();
+  vtkTypeMacro(WrongSort, vtkCellCenterDepthSort);
+  void InitTraversal() override
+  {
+    this->SetDirectionToFrontToBack();
+    this->Superclass::InitTraversal();
+  }
+};
+vtkStandardNewMacro(WrongSort);
 
 vtkSmartPointer<vtkUnsignedCharArray> Draw(
   vtkUnstructuredGrid* mesh, vtkVisibilitySort* sort, vtkCamera* camera)
@@ -78,6 +93,7 @@ int TestMeshVisibilitySortMapper(int, char*[])
       const auto ours = Draw(mesh, vtkNew<vtkMeshVisibilitySort>(), camera);
       const auto theirs = Draw(mesh, vtkNew<vtkCellCenterDepthSort>(), camera);
       CHECK(Compare(ours, theirs) < 0.5);
+      CHECK(Compare(Draw(mesh, vtkNew<WrongSort>(), camera), theirs) > 5.0);
     }
   }
   return check.GetResult();

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shaders/VolumePrograms.h"
+
+#include "Passes/ScreenPass.h"
+#include "View/RenderPasses.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkShaderProgram.h"
+
+namespace relevo
+{
+namespace
+{
+// What render passes do not replace: up to the opaque depth.
+constexpr const char* WholeRay = "initializeRayCast();\n"
+                                 "  vec2 share = (gl_FragCoord.xy - viewportPlace.xy) / "
+                                 "viewportPlace.zw;\n"
+                                 "  float end = texture(opaqueDepth, share).r;\n"
+                                 "  gl_FragData[0] = castRay(0.0, end);\n";
+
+Dependencies MakeKey(VolumeShader shader, const VolumeShaderOptions& options)
+{
+  return Dependencies::On(shader, options.Blending, options.NumberOfComponents,
+    options.NumberOfCurves, options.AreDependent, options.HasCellScalars, options.FirstComponent,
+    options.HasTables, options.HasGradientOpacity, options.HasSurfaces, options.IsClipped,
+    options.NumberOfMaterials, options.FirstMaterial, options.NumberOfLights, options.PreIntegrated,
+    options.HasTetrahedra, options.HasCurvedCells, options.HasQuadraticCells, options.HasPyramids,
+    options.HasFoldedFaces, options.IsCutByNear);
+}
+
+std::string FinishRayShader(std::string source)
+{
+  vtkShaderProgram::Substitute(source, "//RELEVO::Main", "uniform sampler2D opaqueDepth;\n");
+  vtkShaderProgram::Substitute(source, "//VTK::CallWorker::Impl", WholeRay);
+  return source;
+}
+
+std::pair<std::string, std::string> Compose(VolumeShader shader, const VolumeShaderOptions& options)
+{
+  const char* screen = ScreenPass::GetVertexShader();
+  switch (shader)
+  {
+    case VolumeShader::Entries:
+      return { MakeEntriesVertexShader(options), MakeEntriesShader(options) };
+    case VolumeShader::EntryCounts:
+      return { screen, MakeCountShader(options) };
+    case VolumeShader::Rays:
+      return { screen, FinishRayShader(MakeRayCastShader(options)) };
+    case VolumeShader::RayLimits:
+      return { screen, MakeLimitsShader(options) };
+    case VolumeShader::Projection:
+      return { MakeProjectionVertexShader(options), MakeProjectionShader(options) };
+    case VolumeShader::Finish:
+      return { screen, MakeFinishShader(options) };
+    default:
+      return { screen, MakeProjectedShader() };
+  }
+}
+
+vtkShaderProgram* Use(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
+{
+  return program ? window->GetShaderCache()->ReadyShaderProgram(program) : nullptr;
+}
+}
+
+vtkShaderProgram* VolumePrograms::Build(vtkOpenGLRenderWindow* window, const Sources& sources)
+{
+  const auto known = this->Built.find(sources);
+  if (known != this->Built.end())
+  {
+    return Use(window, known->second);
+  }
+  vtkShaderProgram* program =
+    window->GetShaderCache()->ReadyShaderProgram(sources.first.c_str(), sources.second.c_str(), "");
+  this->Built[sources] = program;
+  ++this->NumberOfBuilds;
+  return program;
+}
+
+vtkShaderProgram* VolumePrograms::Ready(
+  vtkOpenGLRenderWindow* window, VolumeShader shader, const VolumeShaderOptions& options)
+{
+  const Dependencies key = MakeKey(shader, options);
+  const auto known = this->Programs.find(key);
+  if (known != this->Programs.end())
+  {
+    return Use(window, known->second);
+  }
+  vtkShaderProgram* program = this->Build(window, Compose(shader, options));
+  this->Programs[key] = program;
+  return program;
+}
+
+vtkShaderProgram* VolumePrograms::ReadyRays(
+  vtkOpenGLRenderWindow* window, const VolumeShaderOptions& options, const RenderPasses& passes)
+{
+  if (passes.IsEmpty())
+  {
+    return this->Ready(window, VolumeShader::Rays, options);
+  }
+  std::string& composed = this->RayShaders[MakeKey(VolumeShader::Rays, options)];
+  if (composed.empty())
+  {
+    composed = MakeRayCastShader(options);
+  }
+  std::string source = composed;
+  passes.ReplaceShaderValues(source);
+  return this->Build(window, { ScreenPass::GetVertexShader(), FinishRayShader(source) });
+}
+
+void VolumePrograms::ReleaseGraphicsResources()
+{
+  this->Programs.clear();
+  this->Built.clear();
+}
+}

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Stages/Compositor.h"
+
+#include "Stages/FeatureSelector.h"
+#include "Stages/FunctionLoader.h"
+#include "Stages/VolumeFrame.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace relevo
+{
+namespace
+{
+// Of pixels, when the distance follows from the time.
+constexpr double LargestDistance = 10.0;
+}
+
+std::string Compositor::ReadDepths(
+  vtkOpenGLRenderWindow* window, const std::array<int, 4>& viewport)
+{
+  return this->Depth.Copy(window, viewport.data()) ? ""
+                                                   : "The depths of opaque props cannot be read.";
+}
+
+std::array<int, 2> Compositor::ChooseSize(
+  const std::array<int, 4>& viewport, const SamplingRequest& request)
+{
+  this->SampleDistance = request.Distance;
+  if (request.IsAutomatic)
+  {
+    const double allocated = std::max(request.AllocatedTime, 1e-6);
+    this->SampleDistance = std::clamp(std::sqrt(this->WholeTime / allocated), 1.0, LargestDistance);
+  }
+  const auto divide = [this](int pixels)
+  { return std::max(static_cast<int>(std::lround(pixels / this->SampleDistance)), 1); };
+  return { { divide(viewport[2]), divide(viewport[3]) } };
+}
+
+void Compositor::SetTime(double seconds)
+{
+  this->WholeTime = seconds * this->SampleDistance * this->SampleDistance;
+}
+
+std::string Compositor::Add(const VolumeFrame& frame, VolumeShader shader)
+{
+  vtkShaderProgram* program = frame.Programs.Ready(frame.Window, shader, frame.Features.Options);
+  if (!program)
+  {
+    return VolumePrograms::Problem;
+  }
+  frame.GetView(frame.Viewport).SetUniforms(program);
+  frame.Functions.Buffers.Activate(program);
+  const char* samplers[] = { "projected", "projected1", "projected2" };
+  for (size_t i = 0; i < 3; ++i)
+  {
+    this->Target.Activate(program, samplers[i], i);
+  }
+  this->Screen.DrawOver(frame.Window);
+  this->Target.Deactivate();
+  frame.Functions.Buffers.Deactivate();
+  return "";
+}
+
+void Compositor::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Depth.ReleaseGraphicsResources(window);
+  this->Target.ReleaseGraphicsResources(window);
+  this->Screen.ReleaseGraphicsResources();
+}
+}

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   FunctionLoader
+ * @brief   the stage that reads the functions of a volume property and uploads them
+ *
+ * Changes of the property that do not touch its functions, as those of materials, read nothing.
+ * Private to the module.
+ */
+#ifndef FunctionLoader_h
+#define FunctionLoader_h
+
+#include "Buffers/FunctionBuffers.h"
+#include "Buffers/SurfaceBuffer.h"
+#include "Changes/Dependencies.h"
+#include "Integral/TransferFunctions.h"
+#include "Stages/StageReport.h"
+
+#include <string>
+
+class vtkOpenGLRenderWindow;
+class vtkVolumeProperty;
+class vtkWindow;
+
+namespace relevo
+{
+struct RayCastMesh;
+
+struct FunctionRequest
+{
+  vtkOpenGLRenderWindow* Window;
+  vtkVolumeProperty* Property;
+  int NumberOfComponents;
+  const RayCastMesh& Mesh; // has the ranges of the scalars
+};
+
+/// What is read, and what is on the GPU.
+struct VolumeFunctions
+{
+  TransferFunctions Functions;
+  FunctionBuffers Buffers;
+  SurfaceBuffer Surfaces;
+  vtkIdType Version = 0; // counts how often functions were read
+};
+
+class FunctionLoader
+{
+public:
+  /// Read and upload the functions if they, or the scalars' ranges, have changed. Returns whether
+  /// they can be used. What is wrong with them is reported once, whatever else changes.
+  bool Update(const FunctionRequest& request, StageReport& report);
+
+  VolumeFunctions& GetFunctions() { return this->Functions; }
+  const VolumeFunctions& GetFunctions() const { return this->Functions; }
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  std::string Load(const FunctionRequest& request, std::string& warning);
+
+  VolumeFunctions Functions;
+  Dependencies Known;
+  Dependencies Reported; // functions
+  std::string Problem;   // as reported
+  std::string Warning;   // likewise
+};
+}
+
+#endif

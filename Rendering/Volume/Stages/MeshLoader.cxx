@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Stages/MeshLoader.h"
+
+#include "Cells/MeshScalars.h"
+#include "Cells/VolumeCells.h"
+#include "Checks/InputType.h"
+#include "Checks/ShouldReport.h"
+
+#include "vtkAbstractMapper.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkUnsignedCharArray.h"
+
+namespace relevo
+{
+namespace
+{
+std::string AdviseScalarMode(int association)
+{
+  return association == vtkDataObject::FIELD_ASSOCIATION_CELLS
+    ? "Use SetScalarModeToUseCellFieldData()"
+    : "Use SetScalarModeToUsePointFieldData()";
+}
+
+Dependencies FindMesh(const MeshRequest& request)
+{
+  Dependencies mesh;
+  mesh.AddObject(request.Input, GetMeshTime(request.Input));
+  return mesh;
+}
+
+ArrayRequest MakeArrayRequest(const MeshRequest& request)
+{
+  const char* name = request.ArrayName.empty() ? nullptr : request.ArrayName.c_str();
+  const auto find = [&request, name](vtkDataSet* mesh, int& association)
+  {
+    int kind = 0;
+    vtkDataArray* array = vtkAbstractMapper::GetScalars(
+      mesh, request.ScalarMode, request.ArrayAccessMode, request.ArrayId, name, kind);
+    association =
+      kind == 1 ? vtkDataObject::FIELD_ASSOCIATION_CELLS : vtkDataObject::FIELD_ASSOCIATION_POINTS;
+    return kind == 2 ? nullptr : array;
+  };
+  const bool isByName = request.ArrayAccessMode == VTK_GET_ARRAY_BY_NAME && name &&
+    request.ScalarMode >= VTK_SCALAR_MODE_USE_POINT_FIELD_DATA;
+  const int association = request.ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA
+    ? vtkDataObject::FIELD_ASSOCIATION_CELLS
+    : vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  const bool takesAll = request.Choice.Component == ScalarChoice::All;
+  return { find, isByName ? name : "", association, AdviseScalarMode,
+    takesAll ? MostComponents : VTK_INT_MAX, "SelectScalarArray()" };
+}
+}
+
+// Four components count as others where they are colours.
+Dependencies MeshLoader::FindDependencies(const MeshRequest& request) const
+{
+  Dependencies now = FindMesh(request);
+  now.Add(request.Choice.Component);
+  now.Add(request.Choice.Scale);
+  now.Add(request.ScalarMode);
+  now.Add(request.ArrayAccessMode);
+  now.Add(request.ArrayId);
+  now.Add(request.ArrayName);
+  now.Add(request.HasCorners);
+  now.Add(this->Mesh.NumberOfComponents == MostComponents && request.AreIndependent);
+  return now;
+}
+
+bool MeshLoader::Update(const MeshRequest& request, StageReport& report)
+{
+  const bool hasChanged = this->Known.Update(this->FindDependencies(request));
+  const bool lacksGradients = this->HasMesh && !this->Mesh.HasCellScalars && !this->HasGradients;
+  if (hasChanged || (lacksGradients && request.IsShaded))
+  {
+    this->HasGradients = request.IsShaded;
+    this->HasMesh = false;
+    this->NumberOfDrawnCells = 0;
+    this->HasMesh = this->Load(request, report);
+    this->Known = this->FindDependencies(request);
+  }
+  return this->IsReady();
+}
+
+bool MeshLoader::Load(const MeshRequest& request, StageReport& report)
+{
+  VolumeCells cells;
+  return this->Read(request, cells, report) && this->Upload(request, cells, report);
+}
+
+bool MeshLoader::CheckType(const MeshRequest& request, StageReport& report)
+{
+  if (this->CheckedInput != request.Input)
+  {
+    this->CheckedInput = request.Input;
+    this->TypeProblem.clear();
+  }
+  if (ShouldReport(this->TypeProblem, FindTypeProblem(request.Input, request.Port)))
+  {
+    report.Errors.push_back(this->TypeProblem);
+  }
+  return IsOfRequiredType(request.Input, request.Port);
+}
+
+bool MeshLoader::FindScalars(const MeshRequest& request, StageReport& report,
+  std::vector<MeshScalars>& meshes, std::string& leftOut)
+{
+  if (!this->CheckType(request, report))
+  {
+    return false;
+  }
+  std::string error;
+  if (!FindMeshScalars(request.Input, MakeArrayRequest(request), meshes, error, leftOut))
+  {
+    report.Errors.push_back("The input " + error + ".");
+    return false;
+  }
+  const int components = meshes.empty() ? 1 : meshes.front().Array->GetNumberOfComponents();
+  if (!meshes.empty() && request.Choice.Component >= components)
+  {
+    report.Errors.push_back("VectorComponent is " + std::to_string(request.Choice.Component) +
+      ", but the array has " + std::to_string(components) + " components.");
+    return false;
+  }
+  const bool takesAll = request.Choice.Component == ScalarChoice::All;
+  this->Mesh.NumberOfComponents = takesAll ? components : 1;
+  return true;
+}
+
+bool MeshLoader::Read(const MeshRequest& request, VolumeCells& cells, StageReport& report)
+{
+  std::vector<MeshScalars> meshes;
+  std::string leftOut;
+  if (!this->FindScalars(request, report, meshes, leftOut))
+  {
+    return false;
+  }
+  const bool areColors = this->Mesh.NumberOfComponents == MostComponents && !request.AreIndependent;
+  if (request.HasCorners)
+  {
+    cells.SplitAll();
+  }
+  bool hasFaults = false;
+  for (const MeshScalars& mesh : meshes)
+  {
+    ScalarChoice choice = request.Choice;
+    const bool areBytes = areColors && vtkUnsignedCharArray::SafeDownCast(mesh.Array);
+    choice.Scale = areBytes ? 1.0 / 255.0 : 1.0;
+    for (const std::string& fault : cells.Add(mesh.Mesh, mesh.Array, mesh.AreOfCells, choice))
+    {
+      hasFaults = true;
+      if (this->Reported != FindMesh(request))
+      {
+        report.Errors.push_back(mesh.Block + fault);
+      }
+    }
+  }
+  if (cells.GetNumberOfSolidCells() == 0)
+  {
+    if (!meshes.empty() && !hasFaults)
+    {
+      report.Errors.push_back("The input has cells, but none is 3D.");
+    }
+    return false;
+  }
+  if (ShouldReport(this->LeftOut, leftOut))
+  {
+    report.Warnings.push_back(leftOut);
+  }
+  this->Mesh.HasCellScalars = meshes.front().AreOfCells;
+  return true;
+}
+
+bool MeshLoader::Upload(const MeshRequest& request, const VolumeCells& cells, StageReport& report)
+{
+  const bool isNew = this->Reported.Update(FindMesh(request));
+  if (cells.GetNumberOfBadCells() > 0 && isNew)
+  {
+    report.Warnings.push_back(std::to_string(cells.GetNumberOfBadCells()) + " of " +
+      std::to_string(cells.GetNumberOfSolidCells()) +
+      " cells have no volume, or points that are not finite; they are left out.");
+  }
+  RayCastMesh& layout = this->Mesh.Layout;
+  std::string error;
+  if (!layout.Build(
+        cells, this->Mesh.NumberOfComponents, error, request.HasCorners, this->HasGradients))
+  {
+    report.Errors.push_back("The input " + error + ".");
+    return false;
+  }
+  if (layout.NumberOfSharedFaces > 0 && isNew)
+  {
+    report.Warnings.push_back(std::to_string(layout.NumberOfSharedFaces) +
+      " faces belong to three cells or more; rays may see one cell twice there.");
+  }
+  this->Mesh.Cells.ReleaseGraphicsResources(request.Window);
+  if (!this->Mesh.Buffers.Upload(request.Window, layout) ||
+    (request.HasCorners && !this->Mesh.Cells.Upload(request.Window, layout)))
+  {
+    report.Errors.push_back(
+      std::string("The mesh cannot be drawn: ") + BufferTexture::GetTooLarge() + ".");
+    return false;
+  }
+  this->Mesh.HasTetrahedra = layout.GetNumberOfTetrahedra() > 0;
+  this->Mesh.HasCurvedCells = layout.GetNumberOfCurvedCells() > 0;
+  layout.Release();
+  ++this->NumberOfBuilds;
+  this->NumberOfDrawnCells = cells.GetNumberOfDrawnCells();
+  return true;
+}
+
+void MeshLoader::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Mesh.Buffers.ReleaseGraphicsResources(window);
+  this->Mesh.Cells.ReleaseGraphicsResources(window);
+  this->HasMesh = false;
+  this->Known.Clear();
+}
+}

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   MeshLoader
+ * @brief   the stage that reads the cells and scalars of an input and uploads them
+ *
+ * Private to the module.
+ */
+#ifndef MeshLoader_h
+#define MeshLoader_h
+
+#include "Buffers/ProjectedCells.h"
+#include "Buffers/VolumeMeshBuffers.h"
+#include "Cells/ScalarChoice.h"
+#include "Changes/Dependencies.h"
+#include "Mesh/RayCastMesh.h"
+#include "Stages/StageReport.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+class vtkInformation;
+class vtkOpenGLRenderWindow;
+class vtkWindow;
+
+namespace relevo
+{
+class VolumeCells;
+struct MeshScalars;
+
+struct MeshRequest
+{
+  vtkOpenGLRenderWindow* Window;
+  vtkDataObject* Input;
+  vtkInformation* Port; // has the types that the input may be of
+  ScalarChoice Choice;
+  //@{
+  /// As of vtkAbstractMapper; the name is empty for none.
+  int ScalarMode;
+  int ArrayAccessMode;
+  int ArrayId;
+  std::string ArrayName;
+  //@}
+  bool AreIndependent; // of components
+  bool IsShaded;
+  bool HasCorners; // for cell projection
+};
+
+/// What is on the GPU.
+struct VolumeMesh
+{
+  RayCastMesh Layout; // without its arrays
+  VolumeMeshBuffers Buffers;
+  ProjectedCells Cells; // only with corners
+  int NumberOfComponents = 1;
+  bool HasCellScalars = false;
+  bool HasTetrahedra = false;
+  bool HasCurvedCells = false;
+};
+
+class MeshLoader
+{
+public:
+  /// Load the mesh if the request has changed. Returns whether there is something to draw. What
+  /// failed is tried again, and reported again, when the request changes.
+  bool Update(const MeshRequest& request, StageReport& report);
+
+  bool IsReady() const { return this->HasMesh && this->NumberOfDrawnCells > 0; }
+  VolumeMesh& GetMesh() { return this->Mesh; }
+  const VolumeMesh& GetMesh() const { return this->Mesh; }
+  vtkIdType GetNumberOfDrawnCells() const { return this->NumberOfDrawnCells; }
+  vtkIdType GetNumberOfBuilds() const { return this->NumberOfBuilds; }
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  Dependencies FindDependencies(const MeshRequest& request) const;
+  bool Load(const MeshRequest& request, StageReport& report);
+  bool CheckType(const MeshRequest& request, StageReport& report);
+  bool FindScalars(const MeshRequest& request, StageReport& report,
+    std::vector<MeshScalars>& meshes, std::string& leftOut);
+  bool Read(const MeshRequest& request, VolumeCells& cells, StageReport& report);
+  bool Upload(const MeshRequest& request, const VolumeCells& cells, StageReport& report);
+
+  VolumeMesh Mesh;
+  Dependencies Known;
+  bool HasMesh = false;
+  bool HasGradients = false; // as of the last build, whatever the scalars
+  vtkIdType NumberOfDrawnCells = 0;
+  vtkIdType NumberOfBuilds = 0;
+
+  /// The mesh whose cells have been reported: settings that rebuild it report nothing again.
+  Dependencies Reported;
+  std::string LeftOut;                   // blocks, as reported
+  vtkDataObject* CheckedInput = nullptr; // never followed
+  std::string TypeProblem;               // as reported
+};
+}
+
+#endif

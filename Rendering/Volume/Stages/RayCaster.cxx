@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Stages/RayCaster.h"
+
+#include "Passes/ScreenPass.h"
+#include "Shaders/VolumePrograms.h"
+#include "Stages/FeatureSelector.h"
+#include "Stages/MeshLoader.h"
+#include "Stages/VolumeFrame.h"
+
+#include "vtkShaderProgram.h"
+
+namespace relevo
+{
+// Returns whether they are known: if all of the mesh is in front of the eye.
+bool RayCaster::RenderRayEntries(const VolumeFrame& frame, const std::array<int, 2>& size)
+{
+  const RayView view = frame.GetView({ { 0, 0, size[0], size[1] } });
+  const bool isInFront = view.IsInFront(frame.Mesh.Layout.HalfSize);
+  vtkShaderProgram* program =
+    frame.Programs.Ready(frame.Window, VolumeShader::Entries, frame.Features.Options);
+  if (!program || !this->Entries.Begin(frame.Window, size[0], size[1]))
+  {
+    return false;
+  }
+  view.SetUniforms(program);
+  view.SetOutlineUniforms(program);
+  frame.Mesh.Buffers.Activate(program);
+  this->Entries.Draw(isInFront ? frame.Mesh.Buffers.GetNumberOfBorderFaces() : 0);
+  frame.Mesh.Buffers.Deactivate();
+  return isInFront;
+}
+
+// The program, in use, with all that it reads.
+vtkShaderProgram* RayCaster::Ready(const VolumeFrame& frame, const std::array<int, 4>& viewport)
+{
+  const bool areEntriesKnown = this->RenderRayEntries(frame, { { viewport[2], viewport[3] } });
+  vtkShaderProgram* program =
+    frame.Programs.ReadyRays(frame.Window, frame.Features.Options, frame.Passes);
+  if (!program)
+  {
+    return nullptr;
+  }
+  frame.GetView(viewport).SetUniforms(program);
+  frame.Activate(program);
+  this->Entries.Activate(frame.Window, program);
+  program->SetUniformi("areEntriesKnown", areEntriesKnown ? 1 : 0);
+  if (program->IsUniformUsed("in_inverseWindowSize"))
+  {
+    const float inverse[2] = { 1.0f / viewport[2], 1.0f / viewport[3] };
+    program->SetUniform2f("in_inverseWindowSize", inverse);
+  }
+  frame.Passes.SetShaderParameters(program, frame.Screen.GetVertices());
+  return program;
+}
+
+std::string RayCaster::Draw(const VolumeFrame& frame, const std::array<int, 2>& size)
+{
+  const bool isSampled = size[0] != frame.Viewport[2] || size[1] != frame.Viewport[3];
+  const std::array<int, 4> sampled = { { 0, 0, size[0], size[1] } };
+  if (!this->Ready(frame, isSampled ? sampled : frame.Viewport))
+  {
+    return VolumePrograms::Problem;
+  }
+  std::string problem;
+  if (!isSampled)
+  {
+    frame.Passes.IsEmpty() ? frame.Screen.DrawOver(frame.Window) : frame.Screen.Draw();
+  }
+  else if (frame.Target.Begin(frame.Window, size[0], size[1], { {} }))
+  {
+    frame.Target.Draw(BlendOperation::Over, &ScreenPass::DrawTriangle);
+    frame.Target.End();
+  }
+  else
+  {
+    problem = "This OpenGL has no room for " + std::to_string(size[0]) + " x " +
+      std::to_string(size[1]) + " pixels; choose a larger ImageSampleDistance.";
+  }
+  this->Entries.Deactivate();
+  frame.Deactivate();
+  return problem;
+}
+
+int RayCaster::CountLayers(const VolumeFrame& frame)
+{
+  const std::array<int, 2> size = { { frame.Viewport[2], frame.Viewport[3] } };
+  if (!this->RenderRayEntries(frame, size))
+  {
+    vtkShaderProgram* program =
+      frame.Programs.Ready(frame.Window, VolumeShader::EntryCounts, frame.Features.Options);
+    if (!program || !this->Entries.Begin(frame.Window, size[0], size[1]))
+    {
+      return 0;
+    }
+    frame.GetView({ { 0, 0, size[0], size[1] } }).SetUniforms(program);
+    frame.Mesh.Buffers.Activate(program);
+    this->Entries.DrawCounts();
+    frame.Mesh.Buffers.Deactivate();
+  }
+  return this->Entries.ReadMost();
+}
+
+void RayCaster::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Entries.ReleaseGraphicsResources(window);
+}
+}
