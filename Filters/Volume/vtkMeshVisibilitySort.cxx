@@ -124,8 +124,8 @@ vtkIdTypeArray* vtkMeshVisibilitySort::GetNextCells()
   internals.NextCells->SetNumberOfTuples(end - begin);
   for (vtkIdType i = begin; i < end; ++i)
   {
-    const vtkIdType place = this->Direction == FRONT_TO_BACK ? size - 1 - i : i;
-    internals.NextCells->SetValue(i - begin, internals.CellIds[(*internals.Sorted)[place]]);
+    const vtkIdType position = this->Direction == FRONT_TO_BACK ? size - 1 - i : i;
+    internals.NextCells->SetValue(i - begin, internals.CellIds[(*internals.Sorted)[position]]);
   }
   internals.NumberOfReturned = end;
   return internals.NextCells;

@@ -3,10 +3,13 @@
 #include "vtkVolumeRayCastFilter.h"
 
 #include "Arrays/ImageExtents.h"
+#include "Cells/CellCrossing.h"
 #include "Cells/MeshScalars.h"
 #include "Cells/VolumeCells.h"
+#include "Changes/LatestTime.h"
 #include "Checks/InputType.h"
 #include "Checks/MemoryGuard.h"
+#include "Checks/SettingChecks.h"
 #include "Compatibility/VTKCompatibility.h"
 #include "Rays/Blending.h"
 #include "Rays/ClippingPlanes.h"
@@ -23,7 +26,9 @@
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
+#include "vtkPlanes.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
@@ -89,8 +94,8 @@ int vtkVolumeRayCastFilter::RequestData(
     relevo::dvec3 forward;
     this->Camera->GetDirectionOfProjection(&forward.x);
     const relevo::Shading shading(this->VolumeProperty, functions, -forward);
-    cells.Build(functions.NeedSteepness(), shading.IsOn());
-    this->Cast(cells, functions, shading, output);
+    const relevo::CellCrossing crossing(cells, functions.NeedSteepness(), shading.IsOn());
+    this->Cast(crossing, functions, shading, output);
     isCast = true;
   };
   if (!relevo::FitsMemory(cast))
@@ -114,16 +119,16 @@ bool vtkVolumeRayCastFilter::Read(
   std::vector<relevo::MeshScalars> meshes;
   std::string error;
   std::string leftOut;
-  const relevo::ArrayRequest wish = { [this](vtkDataSet* mesh, int& association)
+  const relevo::ArrayRequest request = { [this](vtkDataSet* mesh, int& association)
     { return this->GetInputArrayToProcess(0, mesh, association); },
     name, wanted->Get(vtkDataObject::FIELD_ASSOCIATION()), relevo::AdviseInputArray(name),
-    takesAll ? relevo::MostComponents : VTK_INT_MAX, "SetInputArrayToProcess()" };
+    takesAll ? relevo::MaximumComponents : VTK_INT_MAX, "SetInputArrayToProcess()" };
   const std::string wrong = relevo::FindTypeProblem(input, this->GetInputPortInformation(0));
   if (!wrong.empty())
   {
     vtkErrorMacro(<< wrong);
   }
-  if (!relevo::FindMeshScalars(input, wish, meshes, error, leftOut))
+  if (!relevo::FindMeshScalars(input, request, meshes, error, leftOut))
   {
     vtkErrorMacro("The input " << error << ".");
     return false;
@@ -191,7 +196,7 @@ void vtkVolumeRayCastFilter::ReportMissingSurfaces(const relevo::VolumeCells& ce
   }
 }
 
-void vtkVolumeRayCastFilter::Cast(const relevo::VolumeCells& cells,
+void vtkVolumeRayCastFilter::Cast(const relevo::CellCrossing& crossing,
   const relevo::TransferFunctions& functions, const relevo::Shading& shading, vtkImageData* output)
 {
   const int width = this->ViewportSize[0];
@@ -205,7 +210,7 @@ void vtkVolumeRayCastFilter::Cast(const relevo::VolumeCells& cells,
   if (showSurfaces &&
     (mode == relevo::BlendMode::IsoSurface || mode == relevo::BlendMode::Composite))
   {
-    this->ReportMissingSurfaces(cells, surfaces.GetComponent());
+    this->ReportMissingSurfaces(crossing.GetCells(), surfaces.GetComponent());
   }
   const relevo::Blending blending(functions, mode, surfaces, shading);
   vtkNew<vtkDoubleArray> colors;
@@ -222,7 +227,7 @@ void vtkVolumeRayCastFilter::Cast(const relevo::VolumeCells& cells,
         for (int column = static_cast<int>(first); column < last; ++column)
         {
           const relevo::Ray ray = planes.Clip(rays.Make(column, row));
-          const relevo::dvec4 seen = blending.Blend(cells.Cross(ray), ray.Direction);
+          const relevo::dvec4 seen = blending.Blend(crossing.Cross(ray), ray.Direction);
           double* color = all + 4 * (static_cast<vtkIdType>(row) * width + column);
           std::copy(&seen.x, &seen.x + 4, color);
         }
@@ -234,4 +239,124 @@ void vtkVolumeRayCastFilter::Cast(const relevo::VolumeCells& cells,
   }
   output->SetExtent(0, width - 1, 0, height - 1, 0, 0);
   output->GetPointData()->SetScalars(colors);
+}
+
+vtkCxxSetSmartPointerMacro(vtkVolumeRayCastFilter, Camera, vtkCamera);
+
+vtkCamera* vtkVolumeRayCastFilter::GetCamera()
+{
+  return this->Camera;
+}
+
+vtkCxxSetSmartPointerMacro(vtkVolumeRayCastFilter, VolumeProperty, vtkVolumeProperty);
+
+vtkVolumeProperty* vtkVolumeRayCastFilter::GetVolumeProperty()
+{
+  return this->VolumeProperty;
+}
+
+void vtkVolumeRayCastFilter::SetViewportSize(int width, int height)
+{
+  relevo::SetPixelSize(this, "ViewportSize", this->ViewportSize, width, height);
+}
+
+void vtkVolumeRayCastFilter::SetVectorMode(int mode)
+{
+  relevo::SetInRange(this, "VectorMode", this->VectorMode, mode, static_cast<int>(DISABLED),
+    static_cast<int>(COMPONENT));
+}
+
+void vtkVolumeRayCastFilter::SetVectorComponent(int component)
+{
+  relevo::SetInRange(
+    this, "VectorComponent", this->VectorComponent, component, 0, relevo::MaximumComponents - 1);
+}
+
+void vtkVolumeRayCastFilter::SetBlendMode(int mode)
+{
+  relevo::SetChoice(this, "BlendMode", this->BlendMode, mode,
+    { "COMPOSITE_BLEND", "MAXIMUM_INTENSITY_BLEND", "MINIMUM_INTENSITY_BLEND",
+      "AVERAGE_INTENSITY_BLEND", "ADDITIVE_BLEND", "ISOSURFACE_BLEND" });
+}
+
+void vtkVolumeRayCastFilter::AddClippingPlane(vtkPlane* plane)
+{
+  if (!plane)
+  {
+    vtkErrorMacro("There is no plane to add.");
+    return;
+  }
+  if (!this->ClippingPlanes)
+  {
+    this->ClippingPlanes = vtkSmartPointer<vtkPlaneCollection>::New();
+  }
+  this->ClippingPlanes->AddItem(plane);
+  this->Modified();
+}
+
+void vtkVolumeRayCastFilter::RemoveClippingPlane(vtkPlane* plane)
+{
+  if (!this->ClippingPlanes || this->ClippingPlanes->IsItemPresent(plane) == 0)
+  {
+    vtkErrorMacro("The plane to remove is none of the clipping planes.");
+    return;
+  }
+  this->ClippingPlanes->RemoveItem(plane);
+  this->Modified();
+}
+
+void vtkVolumeRayCastFilter::RemoveAllClippingPlanes()
+{
+  if (this->ClippingPlanes && this->ClippingPlanes->GetNumberOfItems() > 0)
+  {
+    this->ClippingPlanes->RemoveAllItems();
+    this->Modified();
+  }
+}
+
+vtkCxxSetSmartPointerMacro(vtkVolumeRayCastFilter, ClippingPlanes, vtkPlaneCollection);
+
+void vtkVolumeRayCastFilter::SetClippingPlanes(vtkPlanes* planes)
+{
+  constexpr int most = 6;
+  if (!planes)
+  {
+    return;
+  }
+  this->RemoveAllClippingPlanes();
+  for (int i = 0; i < std::min(planes->GetNumberOfPlanes(), most); ++i)
+  {
+    vtkNew<vtkPlane> plane;
+    planes->GetPlane(i, plane);
+    this->AddClippingPlane(plane);
+  }
+}
+
+vtkPlaneCollection* vtkVolumeRayCastFilter::GetClippingPlanes()
+{
+  return this->ClippingPlanes;
+}
+
+vtkMTimeType vtkVolumeRayCastFilter::GetMTime()
+{
+  vtkMTimeType time = relevo::GetLatestTime(
+    this->Superclass::GetMTime(), { this->Camera, this->VolumeProperty, this->ClippingPlanes });
+  for (int i = 0; this->ClippingPlanes && i < this->ClippingPlanes->GetNumberOfItems(); ++i)
+  {
+    time = std::max(time, this->ClippingPlanes->GetItemAsObject(i)->GetMTime());
+  }
+  return time;
+}
+
+void vtkVolumeRayCastFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ViewportSize: " << this->ViewportSize[0] << " " << this->ViewportSize[1] << "\n";
+  os << indent << "VectorMode: " << this->VectorMode << "\n";
+  os << indent << "VectorComponent: " << this->VectorComponent << "\n";
+  os << indent << "BlendMode: " << this->BlendMode << "\n";
+  os << indent << "IsoSurfaces: " << (this->IsoSurfaces ? "On" : "Off") << "\n";
+  os << indent << "ClippingPlanes: " << this->ClippingPlanes << "\n";
+  os << indent << "Camera: " << this->Camera << "\n";
+  os << indent << "VolumeProperty: " << this->VolumeProperty << "\n";
 }

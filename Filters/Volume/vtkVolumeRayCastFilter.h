@@ -81,6 +81,7 @@ namespace relevo
 {
 class Shading;
 class TransferFunctions;
+class CellCrossing;
 class VolumeCells;
 }
 
@@ -227,7 +228,7 @@ private:
 
   bool Read(vtkDataObject* input, relevo::VolumeCells& cells, relevo::TransferFunctions& functions);
   void ReportMissingSurfaces(const relevo::VolumeCells& cells, int component);
-  void Cast(const relevo::VolumeCells& cells, const relevo::TransferFunctions& functions,
+  void Cast(const relevo::CellCrossing& crossing, const relevo::TransferFunctions& functions,
     const relevo::Shading& shading, vtkImageData* output);
 
   vtkSmartPointer<vtkCamera> Camera;

@@ -42,7 +42,7 @@ namespace
 bool IsShaded(vtkVolumeProperty* property)
 {
   bool isShaded = false;
-  for (int i = 0; i < relevo::MostComponents; ++i)
+  for (int i = 0; i < relevo::MaximumComponents; ++i)
   {
     isShaded = isShaded || property->GetShade(i) != 0;
   }
@@ -319,7 +319,7 @@ void vtkGPUUnstructuredGridVolumeMapper::SetVectorMode(int mode)
 void vtkGPUUnstructuredGridVolumeMapper::SetVectorComponent(int component)
 {
   relevo::SetInRange(
-    this, "VectorComponent", this->VectorComponent, component, 0, relevo::MostComponents - 1);
+    this, "VectorComponent", this->VectorComponent, component, 0, relevo::MaximumComponents - 1);
 }
 
 void vtkGPUUnstructuredGridVolumeMapper::SetMethod(int method)

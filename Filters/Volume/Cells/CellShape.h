@@ -17,7 +17,7 @@
 
 namespace relevo
 {
-constexpr int MostCorners = 10;
+constexpr int MaximumCorners = 10;
 
 struct CellShape
 {
@@ -37,7 +37,7 @@ struct CellShape
 };
 
 /// Of each corner the derivative of its weight by the place.
-using CornerSlopes = std::array<dvec3, MostCorners>;
+using CornerSlopes = std::array<dvec3, MaximumCorners>;
 
 /// Of a type of VTK; null for cells that are to be split. A voxel is a hexahedron whose corners
 /// come in the order of GetCornerOrder().

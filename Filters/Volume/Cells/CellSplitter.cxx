@@ -16,12 +16,12 @@ namespace relevo
 CellSplitter::CellSplitter() = default;
 CellSplitter::~CellSplitter() = default;
 
-const std::vector<vtkIdType>& CellSplitter::Split(vtkGenericCell* cell, const dvec3* places)
+const std::vector<vtkIdType>& CellSplitter::Split(vtkGenericCell* cell, const dvec3* points)
 {
   this->Tetrahedra.clear();
   if (cell->IsLinear() && cell->GetCellType() != VTK_CONVEX_POINT_SET)
   {
-    this->SplitLinear(cell, places);
+    this->SplitLinear(cell, points);
   }
   else
   {
@@ -53,12 +53,12 @@ void CellSplitter::FindFace(vtkGenericCell* cell, int face)
 }
 
 // Of points at one place that of the lowest id.
-void CellSplitter::SplitLinear(vtkGenericCell* cell, const dvec3* places)
+void CellSplitter::SplitLinear(vtkGenericCell* cell, const dvec3* points)
 {
-  const auto isLower = [places](vtkIdType a, vtkIdType b)
+  const auto isLower = [points](vtkIdType a, vtkIdType b)
   {
-    const auto getKey = [places](vtkIdType id)
-    { return std::make_tuple(places[id].x, places[id].y, places[id].z, id); };
+    const auto getKey = [points](vtkIdType id)
+    { return std::make_tuple(points[id].x, points[id].y, points[id].z, id); };
     return getKey(a) < getKey(b);
   };
   vtkIdList* ids = cell->GetPointIds();

@@ -34,11 +34,11 @@ public:
   CellSplitter();
   ~CellSplitter();
 
-  /// Of a 3D cell: ids of points, four for each tetrahedron. The place of a point is places[id].
-  const std::vector<vtkIdType>& Split(vtkGenericCell* cell, const dvec3* places);
+  /// Of a 3D cell: ids of points, four for each tetrahedron. The place of a point is points[id].
+  const std::vector<vtkIdType>& Split(vtkGenericCell* cell, const dvec3* points);
 
 private:
-  void SplitLinear(vtkGenericCell* cell, const dvec3* places);
+  void SplitLinear(vtkGenericCell* cell, const dvec3* points);
   void FindFace(vtkGenericCell* cell, int face);
 
   std::vector<vtkIdType> Tetrahedra;

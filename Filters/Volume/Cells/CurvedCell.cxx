@@ -23,18 +23,18 @@ dvec3 CurvedCell::At(const dvec3& parameters) const
 {
   CornerWeights weights;
   this->Shape.Weigh(&parameters.x, weights.data());
-  dvec3 place(0.0);
+  dvec3 point(0.0);
   for (int i = 0; i < this->Shape.NumberOfCorners; ++i)
   {
-    place += weights[i] * this->Corners[i];
+    point += weights[i] * this->Corners[i];
   }
-  return place;
+  return point;
 }
 
 dmat3 CurvedCell::Derive(const dvec3& parameters) const
 {
   const int count = this->Shape.NumberOfCorners;
-  std::array<double, 3 * MostCorners> derivatives;
+  std::array<double, 3 * MaximumCorners> derivatives;
   this->Shape.Derive(&parameters.x, derivatives.data());
   dmat3 result(0.0);
   for (int axis = 0; axis < 3; ++axis)
@@ -83,7 +83,7 @@ double CurvedCell::ComputeVolume() const
 }
 
 // Newton's method.
-bool CurvedCell::Locate(const dvec3& place, dvec3& parameters) const
+bool CurvedCell::Locate(const dvec3& point, dvec3& parameters) const
 {
   for (int i = 0; i < MaximumSteps; ++i)
   {
@@ -93,7 +93,7 @@ bool CurvedCell::Locate(const dvec3& place, dvec3& parameters) const
     {
       return false;
     }
-    const dvec3 step = inverse(derivatives) * (place - this->At(parameters));
+    const dvec3 step = inverse(derivatives) * (point - this->At(parameters));
     parameters += step;
     if (dot(step, step) < Converged * Converged)
     {
@@ -101,19 +101,19 @@ bool CurvedCell::Locate(const dvec3& place, dvec3& parameters) const
     }
   }
   // Where rounding keeps it from coming closer.
-  const dvec3 miss = place - this->At(parameters);
+  const dvec3 miss = point - this->At(parameters);
   const dvec3 size = this->Corners[1] - this->Corners[0];
   return dot(miss, miss) <= 1e-20 * dot(size, size);
 }
 
 // From the middle and, in cells so distorted that this leads astray, from around it.
-bool CurvedCell::IsInside(const dvec3& place) const
+bool CurvedCell::IsInside(const dvec3& point) const
 {
   dvec3 low;
   dvec3 high;
   this->FindBounds(low, high);
   const dvec3 margin = Inside * (high - low);
-  if (any(lessThan(place, low - margin)) || any(greaterThan(place, high + margin)))
+  if (any(lessThan(point, low - margin)) || any(greaterThan(point, high + margin)))
   {
     return false;
   }
@@ -121,7 +121,7 @@ bool CurvedCell::IsInside(const dvec3& place) const
   {
     const dvec3 corner = dvec3(i & 1, i >> 1 & 1, i >> 2 & 1);
     dvec3 parameters = mix(this->Shape.Center, corner, i == 0 ? 0.0 : 0.6);
-    if (this->Locate(place, parameters) && this->Shape.GetOutside(parameters) <= Inside)
+    if (this->Locate(point, parameters) && this->Shape.GetOutside(parameters) <= Inside)
     {
       return true;
     }
@@ -129,12 +129,12 @@ bool CurvedCell::IsInside(const dvec3& place) const
   return false;
 }
 
-CornerWeights CurvedCell::GetWeights(const dvec3& place, dvec3& parameters) const
+CornerWeights CurvedCell::GetWeights(const dvec3& point, dvec3& parameters) const
 {
-  if (!this->Locate(place, parameters))
+  if (!this->Locate(point, parameters))
   {
     parameters = this->Shape.Center;
-    this->Locate(place, parameters);
+    this->Locate(point, parameters);
   }
   // Next to where a cell is singular, as a pyramid at its top, parameters may be anything.
   parameters = clamp(parameters, dvec3(0.0), dvec3(1.0));
@@ -154,7 +154,7 @@ double CurvedCell::ComputeSlopes(const dvec3& parameters, CornerSlopes& slopes) 
     return volume;
   }
   const dmat3 toPlaces = transpose(inverse(derivatives));
-  std::array<double, 3 * MostCorners> by;
+  std::array<double, 3 * MaximumCorners> by;
   this->Shape.Derive(&parameters.x, by.data());
   for (int i = 0; i < count; ++i)
   {

@@ -18,7 +18,7 @@
 
 namespace relevo
 {
-using CornerWeights = std::array<double, MostCorners>;
+using CornerWeights = std::array<double, MaximumCorners>;
 
 class CurvedCell
 {
@@ -38,8 +38,8 @@ public:
   /// The parts of the ray in the cell, in order. Those no longer than `shortest` are left out.
   std::vector<std::pair<double, double>> FindInside(const Ray& ray, double shortest) const;
 
-  /// Weights at a place in the cell; `parameters`, of a place nearby, become those of the place.
-  CornerWeights GetWeights(const dvec3& place, dvec3& parameters) const;
+  /// Weights at a point in the cell; `parameters`, of a point nearby, become those of the point.
+  CornerWeights GetWeights(const dvec3& point, dvec3& parameters) const;
   const dvec3& GetCenter() const { return this->Shape.Center; }
 
   /**
@@ -49,13 +49,13 @@ public:
   double ComputeSlopes(const dvec3& parameters, CornerSlopes& slopes) const;
 
 private:
-  bool Locate(const dvec3& place, dvec3& parameters) const;
-  bool IsInside(const dvec3& place) const;
+  bool Locate(const dvec3& point, dvec3& parameters) const;
+  bool IsInside(const dvec3& point) const;
   dvec3 At(const dvec3& parameters) const;
   dmat3 Derive(const dvec3& parameters) const;
 
   const CellShape& Shape;
-  std::array<dvec3, MostCorners> Corners;
+  std::array<dvec3, MaximumCorners> Corners;
 };
 }
 

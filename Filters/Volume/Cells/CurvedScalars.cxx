@@ -63,10 +63,10 @@ void CurvedScalars::AddTurns(
     { part.End, part.Back } };
   for (size_t c = 0; c < middle.size(); ++c)
   {
-    double place;
-    if (this->FindTurn(part, middle, c, place))
+    double turn;
+    if (this->FindTurn(part, middle, c, turn))
     {
-      ends.emplace_back(place, this->Get(place));
+      ends.emplace_back(turn, this->Get(turn));
     }
   }
   std::sort(ends.begin(), ends.end());
@@ -84,7 +84,7 @@ void CurvedScalars::AddTurns(
 // Of the parabola through front, middle and back and then, as that is not all the truth, of one
 // through places close to there.
 bool CurvedScalars::FindTurn(
-  const RayPart& part, const Scalars& middle, size_t component, double& place) const
+  const RayPart& part, const Scalars& middle, size_t component, double& turn) const
 {
   const double front = part.Front[component];
   const double back = part.Back[component];
@@ -103,7 +103,7 @@ bool CurvedScalars::FindTurn(
   const double after = this->Get(guess + step)[component];
   const double bend = before - 2.0 * this->Get(guess)[component] + after;
   const double steps = bend == 0.0 ? 0.0 : std::clamp(0.5 * (before - after) / bend, -2.0, 2.0);
-  place = std::clamp(guess + steps * step, part.Begin, part.End);
+  turn = std::clamp(guess + steps * step, part.Begin, part.End);
   return true;
 }
 }

@@ -31,7 +31,7 @@ public:
 private:
   void Split(const RayPart& part, int depth, std::vector<RayPart>& parts) const;
   void AddTurns(const RayPart& part, const Scalars& middle, std::vector<RayPart>& parts) const;
-  bool FindTurn(const RayPart& part, const Scalars& middle, size_t component, double& place) const;
+  bool FindTurn(const RayPart& part, const Scalars& middle, size_t component, double& turn) const;
 
   std::function<Scalars(double)> Get;
   Scalars Tolerance;

@@ -84,7 +84,8 @@ std::string NameArray(const std::string& name, const char* kind)
 }
 
 // Why a block is left out, beside others that are not; empty if it is not.
-std::string FindLack(const MeshScalars& scalars, const ArrayRequest& wish, const MeshScalars* first)
+std::string FindLack(
+  const MeshScalars& scalars, const ArrayRequest& request, const MeshScalars* first)
 {
   if (!HasSolidCells(scalars.Mesh))
   {
@@ -94,12 +95,12 @@ std::string FindLack(const MeshScalars& scalars, const ArrayRequest& wish, const
   const auto lackOf = [&](int association, const char* kind)
   {
     const std::string misplaced = DescribeMisplacedArray(
-      scalars.Mesh, wish.Name, association, [](int) { return std::string(); });
-    return "has " + (misplaced.empty() ? "no " + NameArray(wish.Name, kind) : misplaced);
+      scalars.Mesh, request.Name, association, [](int) { return std::string(); });
+    return "has " + (misplaced.empty() ? "no " + NameArray(request.Name, kind) : misplaced);
   };
   if (!scalars.Array)
   {
-    return lackOf(wish.Association, "");
+    return lackOf(request.Association, "");
   }
   if (first && first->AreOfCells != scalars.AreOfCells)
   {
@@ -110,7 +111,7 @@ std::string FindLack(const MeshScalars& scalars, const ArrayRequest& wish, const
 }
 
 std::string FindFault(
-  const MeshScalars& scalars, const ArrayRequest& wish, const std::string& name, int components)
+  const MeshScalars& scalars, const ArrayRequest& request, const std::string& name, int components)
 {
   std::ostringstream text;
   const vtkIdType tuples = scalars.Array->GetNumberOfTuples();
@@ -123,9 +124,9 @@ std::string FindFault(
     text << named << tuples << " tuples for " << wanted
          << (scalars.AreOfCells ? " cells" : " points");
   }
-  else if (given > wish.MostComponents)
+  else if (given > request.MaximumComponents)
   {
-    text << named << given << " components; there can be 1 to " << wish.MostComponents;
+    text << named << given << " components; there can be 1 to " << request.MaximumComponents;
   }
   else if (components > 0 && given != components)
   {
@@ -145,7 +146,7 @@ vtkMTimeType GetMeshTime(vtkDataObject* input)
   return time;
 }
 
-bool FindMeshScalars(vtkDataObject* input, const ArrayRequest& wish,
+bool FindMeshScalars(vtkDataObject* input, const ArrayRequest& request,
   std::vector<MeshScalars>& found, std::string& error, std::string& warning)
 {
   found.clear();
@@ -156,23 +157,23 @@ bool FindMeshScalars(vtkDataObject* input, const ArrayRequest& wish,
   for (const Block& block : blocks)
   {
     int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-    vtkDataArray* array = wish.Find(block.Set, association);
+    vtkDataArray* array = request.Find(block.Set, association);
     const MeshScalars scalars = { block.Set, array,
       association == vtkDataObject::FIELD_ASSOCIATION_CELLS,
       block.Name.empty() ? block.Name : block.Name + ": " };
-    const std::string lack = FindLack(scalars, wish, found.empty() ? nullptr : &found.front());
+    const std::string lack = FindLack(scalars, request, found.empty() ? nullptr : &found.front());
     if (!lack.empty())
     {
       hasSolidCells = hasSolidCells || HasSolidCells(block.Set);
       misplaced = misplaced.empty()
-        ? DescribeMisplacedArray(block.Set, wish.Name, wish.Association, wish.Advise)
+        ? DescribeMisplacedArray(block.Set, request.Name, request.Association, request.Advise)
         : misplaced;
       leftOut.Add(block.Name, lack);
       continue;
     }
     found.push_back(scalars);
     const char* own = array->GetName();
-    error = FindFault(found.back(), wish, wish.Name.empty() && own ? own : wish.Name,
+    error = FindFault(found.back(), request, request.Name.empty() && own ? own : request.Name,
       found.size() > 1 ? found.front().Array->GetNumberOfComponents() : 0);
     if (!error.empty())
     {
@@ -184,7 +185,7 @@ bool FindMeshScalars(vtkDataObject* input, const ArrayRequest& wish,
     error = !hasSolidCells ? "has cells, but none is 3D"
       : !misplaced.empty()
       ? "has " + misplaced
-      : "has no " + NameArray(wish.Name, "") + "; choose an array by " + wish.Setter;
+      : "has no " + NameArray(request.Name, "") + "; choose an array by " + request.Setter;
     return false;
   }
   warning = leftOut.GetText();

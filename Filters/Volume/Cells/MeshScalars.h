@@ -39,7 +39,7 @@ struct ArrayRequest
   std::string Name;   // empty for active scalars
   int Association;    // that is asked for
   ArrayAdvice Advise; // what to do if it is the other one
-  int MostComponents;
+  int MaximumComponents;
   const char* Setter; // by which users choose another one
 };
 
@@ -51,7 +51,7 @@ RELEVOFILTERSVOLUME_EXPORT vtkMTimeType GetMeshTime(vtkDataObject* input);
  * with words that follow "The input " where there is none, or where an array cannot be used.
  * Otherwise `warning` names the blocks that are left out, if any.
  */
-RELEVOFILTERSVOLUME_EXPORT bool FindMeshScalars(vtkDataObject* input, const ArrayRequest& wish,
+RELEVOFILTERSVOLUME_EXPORT bool FindMeshScalars(vtkDataObject* input, const ArrayRequest& request,
   std::vector<MeshScalars>& found, std::string& error, std::string& warning);
 }
 

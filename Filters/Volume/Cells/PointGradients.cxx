@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/PointGradients.h"
 
-#include "Cells/JoinedPoints.h"
+#include "Cells/MergedCellPoints.h"
 #include "Cells/VolumeCells.h"
 #include "vtkSMPTools.h"
 
@@ -56,9 +56,9 @@ Share ComputeShare(const VolumeCells& cells, const VolumeCells::Cell& cell)
 std::vector<Gradients> ComputePointGradients(const VolumeCells& cells)
 {
   const std::vector<VolumeCells::Cell>& all = cells.GetCells();
-  const std::vector<vtkIdType> joined = FindJoinedPoints(cells);
-  std::vector<Gradients> gradients(joined.size());
-  std::vector<double> volumes(joined.size(), 0.0);
+  const std::vector<vtkIdType> merged = FindMergedPoints(cells);
+  std::vector<Gradients> gradients(merged.size());
+  std::vector<double> volumes(merged.size(), 0.0);
   std::vector<Share> batch(std::min(BatchSize, all.size()));
   for (size_t begin = 0; begin < all.size(); begin += BatchSize)
   {
@@ -76,7 +76,7 @@ std::vector<Gradients> ComputePointGradients(const VolumeCells& cells)
       const VolumeCells::Cell& cell = all[begin + i];
       for (int corner = 0; corner < cells.GetNumberOfCorners(cell); ++corner)
       {
-        const vtkIdType point = joined[cells.GetCornerId(cell, corner)];
+        const vtkIdType point = merged[cells.GetCornerId(cell, corner)];
         volumes[point] += batch[i].Volume;
         for (size_t c = 0; c < gradients[point].size(); ++c)
         {
@@ -85,12 +85,12 @@ std::vector<Gradients> ComputePointGradients(const VolumeCells& cells)
       }
     }
   }
-  // A point comes after the one that it is joined to.
+  // A point comes after the one that it is merged with.
   for (size_t i = 0; i < gradients.size(); ++i)
   {
-    if (joined[i] != static_cast<vtkIdType>(i))
+    if (merged[i] != static_cast<vtkIdType>(i))
     {
-      gradients[i] = gradients[joined[i]];
+      gradients[i] = gradients[merged[i]];
       continue;
     }
     for (dvec3& gradient : gradients[i])

@@ -21,7 +21,7 @@ class VolumeCells;
 /**
  * For each point the mean of the cells' gradients around, by their volumes, in units of scalars per
  * length. A cell's gradient is its derivative in the middle. Points that are one, see
- * FindJoinedPoints(), have one gradient; where no cell with scalars of points is, it is 0.
+ * FindMergedPoints(), have one gradient; where no cell with scalars of points is, it is 0.
  */
 RELEVOFILTERSVOLUME_EXPORT std::vector<Gradients> ComputePointGradients(const VolumeCells& cells);
 }

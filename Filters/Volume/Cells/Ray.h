@@ -22,7 +22,7 @@ struct Ray
 };
 
 /// Of each component, by world coordinates.
-using Gradients = std::array<dvec3, MostComponents>;
+using Gradients = std::array<dvec3, MaximumComponents>;
 
 inline Gradients Interpolate(const Gradients& front, const Gradients& back, double share)
 {
@@ -51,9 +51,9 @@ struct RayPart
   /// Of shares of its length.
   RayPart Cut(double begin, double end) const
   {
-    const auto place = [this](double share)
+    const auto getPosition = [this](double share)
     { return (1.0 - share) * this->Begin + share * this->End; };
-    return { place(begin), place(end), Interpolate(this->Front, this->Back, begin),
+    return { getPosition(begin), getPosition(end), Interpolate(this->Front, this->Back, begin),
       Interpolate(this->Front, this->Back, end), this->Steepness,
       Interpolate(this->FrontGradients, this->BackGradients, begin),
       Interpolate(this->FrontGradients, this->BackGradients, end) };

@@ -4,7 +4,6 @@
 
 #include "Cells/CellChecks.h"
 #include "Cells/CellSplitter.h"
-#include "Cells/PointGradients.h"
 #include "Mathematics/FiniteBox.h"
 #include "Mesh/CellFetcher.h"
 #include "vtkDataArray.h"
@@ -287,53 +286,34 @@ bool VolumeCells::HasScalars(const Cell& cell) const
   return true;
 }
 
-FaceBox VolumeCells::GetBox(const Cell& cell) const
+// Of differences, so that where scalars are all the same it is exactly 0.
+Gradients VolumeCells::ComputeGradients(const Cell& cell, const CornerSlopes& slopes) const
 {
-  dvec3 low;
-  dvec3 high;
-  if (cell.Shape)
+  Gradients gradients = {};
+  const Scalars& first = this->PointScalars[this->GetCornerId(cell, 0)];
+  for (int i = 1; i < this->GetNumberOfCorners(cell); ++i)
   {
-    this->GetCurved(cell).FindBounds(low, high);
+    const Scalars& scalars = this->PointScalars[this->GetCornerId(cell, i)];
+    for (size_t c = 0; c < scalars.size(); ++c)
+    {
+      gradients[c] += (scalars[c] - first[c]) * slopes[i];
+    }
   }
-  else
-  {
-    const TetrahedronCorners corners = this->GetTetrahedron(cell);
-    low = min(min(corners[0], corners[1]), min(corners[2], corners[3]));
-    high = max(max(corners[0], corners[1]), max(corners[2], corners[3]));
-  }
-  FaceBox rounded;
-  for (int c = 0; c < 3; ++c)
-  {
-    rounded.Low[c] = static_cast<float>(low[c]);
-    rounded.High[c] = static_cast<float>(high[c]);
-  }
-  return rounded;
+  return gradients;
 }
 
-void VolumeCells::Build(bool withSteepness, bool withGradients)
+void VolumeCells::MoveToOrigin()
 {
-  this->HasSteepness = withSteepness;
   FiniteBox box;
   for (vtkIdType point : this->Corners)
   {
     box.Add(&this->Points[point].x);
   }
-  this->Center = dvec3(box.GetMiddle(0), box.GetMiddle(1), box.GetMiddle(2));
+  this->Middle = dvec3(box.GetMiddle(0), box.GetMiddle(1), box.GetMiddle(2));
   this->Diagonal = length(dvec3(box.GetSide(0), box.GetSide(1), box.GetSide(2)));
   for (dvec3& point : this->Points)
   {
-    point -= this->Center;
+    point -= this->Middle;
   }
-  if (withGradients)
-  {
-    this->PointGradients = ComputePointGradients(*this);
-  }
-  std::vector<FaceBox> boxes;
-  boxes.reserve(this->Cells.size());
-  for (const Cell& cell : this->Cells)
-  {
-    boxes.push_back(this->GetBox(cell));
-  }
-  this->Tree.Build(std::move(boxes));
 }
 }

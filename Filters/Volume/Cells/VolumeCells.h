@@ -13,7 +13,6 @@
 #ifndef VolumeCells_h
 #define VolumeCells_h
 
-#include "Boxes/FaceTree.h"
 #include "Cells/CurvedCell.h"
 #include "Cells/Ray.h"
 #include "Cells/ScalarChoice.h"
@@ -51,11 +50,14 @@ public:
   std::vector<std::string> Add(
     vtkDataSet* mesh, vtkDataArray* array, bool isOfCells, const ScalarChoice& choice);
 
-  /// After all data sets have been added. Of what rays meet gradients are wanted, or not.
-  void Build(bool withSteepness = false, bool withGradients = false);
-
-  /// What a ray of world coordinates passes through, from front to back. In several threads.
-  std::vector<RayPart> Cross(const Ray& ray) const;
+  /// After all data sets have been added: move the points so that the middle of the cells' box is
+  /// the origin.
+  void MoveToOrigin();
+  //@{
+  /// Where the middle was, and the diagonal of the box; after MoveToOrigin().
+  const dvec3& GetMiddle() const { return this->Middle; }
+  double GetDiagonal() const { return this->Diagonal; }
+  //@}
 
   /// All 3D cells without faults that are neither ghosts nor blanked.
   vtkIdType GetNumberOfSolidCells() const { return this->NumberOfSolidCells; }
@@ -67,7 +69,7 @@ public:
   //@{
   /**
    * What was added: cells, after splitting, and their corners among the points. Points are where
-   * they were, until Build().
+   * they were, until MoveToOrigin().
    */
   const std::vector<Cell>& GetCells() const { return this->Cells; }
   int GetNumberOfCorners(const Cell& cell) const;
@@ -92,23 +94,14 @@ private:
   bool AreFinite(vtkIdList* points, vtkIdType firstPoint) const;
   bool HasVolume(const Cell& cell) const;
   bool HasScalars(const Cell& cell) const;
-  FaceBox GetBox(const Cell& cell) const;
-
-  void CrossTetrahedron(const Cell& cell, const Ray& ray, std::vector<RayPart>& parts) const;
-  void CrossCurved(const Cell& cell, const Ray& ray, std::vector<RayPart>& parts) const;
-  Scalars ComputeSteepness(const Cell& cell, const CornerSlopes& slopes) const;
-  Gradients WeighGradients(const Cell& cell, const double* weights) const;
 
   std::vector<dvec3> Points;
   std::vector<Scalars> PointScalars;
   std::vector<Scalars> CellScalars;
-  std::vector<Gradients> PointGradients; // if wanted
   bool SplitsAll = false;
-  bool HasSteepness = false;
   std::vector<vtkIdType> Corners;
   std::vector<Cell> Cells;
-  FaceTree Tree;             // of cells
-  dvec3 Center = dvec3(0.0); // of what points are relative to, once built
+  dvec3 Middle = dvec3(0.0);
   double Diagonal = 0.0;
   vtkIdType NumberOfSolidCells = 0;
   vtkIdType NumberOfBadCells = 0;

@@ -27,7 +27,7 @@ double linearSegmentPsi(double front, double back)
 {
   const double a = std::min(front, LargestDepth);
   const double k = 0.5 * (std::min(back, LargestDepth) - a);
-  const auto getPlace = [=](double depth)
+  const auto getPosition = [=](double depth)
   { return 2.0 * depth / (a + std::sqrt(std::max(a * a + 4.0 * k * depth, 0.0))); };
   const double last = std::min(a + k, Opaque);
   const int pieces = std::max(static_cast<int>(std::ceil(last)), 1);
@@ -35,7 +35,7 @@ double linearSegmentPsi(double front, double back)
   double begin = 0.0;
   for (int i = 1; i <= pieces; ++i)
   {
-    const double end = i == pieces && last < Opaque ? 1.0 : getPlace(last * i / pieces);
+    const double end = i == pieces && last < Opaque ? 1.0 : getPosition(last * i / pieces);
     const double middle = 0.5 * (begin + end);
     const double half = 0.5 * (end - begin);
     for (size_t j = 0; j < Nodes.size(); ++j)

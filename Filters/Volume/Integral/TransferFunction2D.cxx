@@ -15,23 +15,23 @@ namespace
 {
 std::vector<double> MakeAxis(vtkImageData* image, int axis)
 {
-  std::vector<double> axisPlaces;
+  std::vector<double> values;
   for (int i = 0; i < image->GetDimensions()[axis]; ++i)
   {
-    axisPlaces.push_back(
+    values.push_back(
       image->GetOrigin()[axis] + (image->GetExtent()[2 * axis] + i) * image->GetSpacing()[axis]);
   }
-  return axisPlaces;
+  return values;
 }
 
-// Between which two places x is, and how far.
-struct Place
+// Between which two values of an axis x is, and how far.
+struct AxisPosition
 {
   size_t First;
   size_t Last;
   double Share;
 
-  Place(const std::vector<double>& axis, double x)
+  AxisPosition(const std::vector<double>& axis, double x)
   {
     this->Last = std::lower_bound(axis.begin(), axis.end(), x) - axis.begin();
     this->Last = std::min(this->Last, axis.size() - 1);
@@ -91,8 +91,8 @@ bool TransferFunction2D::Read(vtkImageData* image, std::string& error)
 
 dvec4 TransferFunction2D::Evaluate(double scalar, double steepness) const
 {
-  const Place column(this->Columns, scalar);
-  const Place row(this->Rows, steepness);
+  const AxisPosition column(this->Columns, scalar);
+  const AxisPosition row(this->Rows, steepness);
   const auto get = [&](size_t y)
   {
     const dvec4* texels = &this->Texels[y * this->Columns.size()];

@@ -218,8 +218,8 @@ bool TransferFunctions::Read(
   vtkVolumeProperty* property, int numberOfComponents, std::string& error, std::string& warning)
 {
   const bool isIndependent = property->GetIndependentComponents() != 0 || numberOfComponents == 1;
-  if (numberOfComponents > MostComponents ||
-    (!isIndependent && numberOfComponents != 2 && numberOfComponents != MostComponents))
+  if (numberOfComponents > MaximumComponents ||
+    (!isIndependent && numberOfComponents != 2 && numberOfComponents != MaximumComponents))
   {
     std::ostringstream text;
     text << "has " << (isIndependent ? "independent components, at most 4" : "dependent components")
@@ -251,7 +251,7 @@ Dependencies TransferFunctions::FindDependencies(
   const int mode = property->GetTransferFunctionMode();
   const bool isIndependent = property->GetIndependentComponents() != 0;
   Dependencies found = Dependencies::On(numberOfComponents, isIndependent, mode);
-  for (int i = 0; i < (isIndependent ? std::min(numberOfComponents, MostComponents) : 1); ++i)
+  for (int i = 0; i < (isIndependent ? std::min(numberOfComponents, MaximumComponents) : 1); ++i)
   {
     found.Add(property->GetScalarOpacityUnitDistance(i));
     if (mode == vtkVolumeProperty::TF_2D)
@@ -420,7 +420,7 @@ std::array<dvec4, 2> TransferFunctions::Evaluate(const Segment& segment) const
   {
     const Curve& curve = this->Curves.empty() ? this->Direct : this->Curves[i];
     const double steepness =
-      segment.Steepness[this->Curves.empty() ? MostComponents - 1 : curve.Component];
+      segment.Steepness[this->Curves.empty() ? MaximumComponents - 1 : curve.Component];
     const double share =
       ComputeGradientOpacity(curve.GradientOpacity, steepness) / curve.UnitDistance;
     for (int end = 0; end < 2; ++end)

@@ -31,8 +31,8 @@ class vtkVolumeProperty;
 
 namespace relevo
 {
-constexpr int MostComponents = 4;
-using Scalars = std::array<double, MostComponents>;
+constexpr int MaximumComponents = 4;
+using Scalars = std::array<double, MaximumComponents>;
 
 inline Scalars Interpolate(const Scalars& front, const Scalars& back, double share)
 {
@@ -46,7 +46,7 @@ inline Scalars Interpolate(const Scalars& front, const Scalars& back, double sha
 
 /// What light does to each curve's colour: it is multiplied, and white is added. 1 and 0 for curves
 /// without a colour.
-using Lights = std::array<dvec2, MostComponents>;
+using Lights = std::array<dvec2, MaximumComponents>;
 
 /// A part of a ray along which the scalars are linear.
 struct RELEVOFILTERSVOLUME_EXPORT Segment
@@ -144,7 +144,7 @@ private:
     Four
   };
   using Ends = std::array<dvec4, 2>;
-  using AllEnds = std::array<Ends, MostComponents>;
+  using AllEnds = std::array<Ends, MaximumComponents>;
   bool ReadCurves(vtkVolumeProperty* property, std::string& error, std::string& warning);
   bool ReadTables(vtkVolumeProperty* property, std::string& error, std::string& warning);
   AllEnds EvaluateAll(const Segment& segment) const;

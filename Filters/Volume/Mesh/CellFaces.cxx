@@ -57,14 +57,14 @@ Face FindShape(vtkCell* polygon)
 }
 }
 
-CellFaces::CellFaces(std::vector<vtkIdType> places)
-  : Places(std::move(places))
+CellFaces::CellFaces(std::vector<vtkIdType> mergedPoints)
+  : MergedPoints(std::move(mergedPoints))
 {
 }
 
-int CellFaces::Join(vtkIdType point)
+int CellFaces::Merge(vtkIdType point)
 {
-  return static_cast<int>(this->Places.empty() ? point : this->Places[point]);
+  return static_cast<int>(this->MergedPoints.empty() ? point : this->MergedPoints[point]);
 }
 
 void CellFaces::Reserve(size_t numberOfCells)
@@ -81,7 +81,7 @@ bool CellFaces::Add(int type, const vtkIdType* points)
     Face face = table.Faces[i];
     for (int& corner : face)
     {
-      corner = corner < 0 ? -1 : this->Join(points[corner]);
+      corner = corner < 0 ? -1 : this->Merge(points[corner]);
     }
     this->Faces.push_back(face);
   }
@@ -102,7 +102,7 @@ void CellFaces::Add(vtkCell* cell)
     std::vector<int> corners;
     for (int corner = 0; corner < size; ++corner)
     {
-      corners.push_back(this->Join(side->GetPointId(corner)));
+      corners.push_back(this->Merge(side->GetPointId(corner)));
     }
     if (size > 4)
     {

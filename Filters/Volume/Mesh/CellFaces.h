@@ -26,8 +26,8 @@ namespace relevo
 class RELEVOFILTERSVOLUME_EXPORT CellFaces
 {
 public:
-  /// Places as ComputePlaces() says which points coincide: these become one.
-  explicit CellFaces(std::vector<vtkIdType> places = {});
+  /// Merged points, as ComputePlaces() says which points coincide: these become one.
+  explicit CellFaces(std::vector<vtkIdType> mergedPoints = {});
 
   /// Before the first cell.
   void Reserve(size_t numberOfCells);
@@ -50,9 +50,9 @@ public:
   std::vector<size_t> Firsts = { 0 };
 
 private:
-  int Join(vtkIdType point);
+  int Merge(vtkIdType point);
 
-  std::vector<vtkIdType> Places;
+  std::vector<vtkIdType> MergedPoints;
 };
 
 /// All 3D cells of a mesh without faults, and which they are. Points that coincide are one.

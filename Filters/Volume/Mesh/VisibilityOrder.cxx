@@ -141,16 +141,16 @@ void VisibilityOrder::Visit(int start)
 const std::vector<int>& VisibilityOrder::Sort(const dvec4& eye)
 {
   // The eye near the mesh, or a unit vector.
-  dvec4 place = eye.w == 0.0 ? eye / length(dvec3(eye)) : eye / eye.w;
-  place -= place.w * dvec4(this->Mesh.Origin, 0.0);
+  dvec4 viewer = eye.w == 0.0 ? eye / length(dvec3(eye)) : eye / eye.w;
+  viewer -= viewer.w * dvec4(this->Mesh.Origin, 0.0);
 
   const int numberOfCells = static_cast<int>(this->FirstSlots.size()) - 1;
-  this->FindHidden(place);
+  this->FindHidden(viewer);
   this->Marks.assign(numberOfCells, New);
   this->Order.clear();
   this->Order.reserve(numberOfCells);
   this->NumberOfCycles = 0;
-  for (int start : this->FindStarts(place))
+  for (int start : this->FindStarts(viewer))
   {
     this->Visit(start);
   }

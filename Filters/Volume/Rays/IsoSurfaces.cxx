@@ -52,7 +52,7 @@ IsoSurfaces::IsoSurfaces(vtkVolumeProperty* property, const TransferFunctions& f
   }
   else
   {
-    this->Component = functions.AreColors() ? MostComponents - 1 : 0;
+    this->Component = functions.AreColors() ? MaximumComponents - 1 : 0;
   }
 }
 

@@ -38,15 +38,15 @@ void AddPiece(
 }
 
 // Constant before the first node and after the last.
-template <typename Place, typename Get>
-void AddAll(
-  const std::vector<double>& nodes, const Place& place, const Get& get, std::vector<float>& all)
+template <typename Position, typename Get>
+void AddAll(const std::vector<double>& nodes, const Position& position, const Get& get,
+  std::vector<float>& all)
 {
   for (size_t i = 0; i <= nodes.size(); ++i)
   {
     const double begin = nodes[i == 0 ? 0 : i - 1];
     const double end = nodes[i == nodes.size() ? i - 1 : i];
-    AddPiece(i == 0 ? -Infinity : place(begin), i == nodes.size() ? Infinity : place(end),
+    AddPiece(i == 0 ? -Infinity : position(begin), i == nodes.size() ? Infinity : position(end),
       get(i, begin), get(i, end), all);
   }
 }
@@ -123,13 +123,13 @@ bool FunctionBuffers::Upload(vtkOpenGLRenderWindow* window, const TransferFuncti
   }
   if (functions.AreColors())
   {
-    for (int i = 0; i < MostComponents; ++i)
+    for (int i = 0; i < MaximumComponents; ++i)
     {
-      const double unit = i == MostComponents - 1 ? functions.GetUnitDistance() : 1.0;
+      const double unit = i == MaximumComponents - 1 ? functions.GetUnitDistance() : 1.0;
       this->ColorLow[i] = Round(low[i] / unit);
       this->ColorSize[i] = Round(size[i] / unit);
     }
-    this->AddGradientOpacity(functions.GetGradientOpacity(), size[MostComponents - 1] / radius);
+    this->AddGradientOpacity(functions.GetGradientOpacity(), size[MaximumComponents - 1] / radius);
     this->UnitDistances.push_back(Round(functions.GetUnitDistance()));
   }
   const bool isUploaded = this->Pieces.Upload(window, this->Texels, 4);

@@ -55,8 +55,8 @@ private:
   std::vector<float> Rows; // of 2D functions, 3 each
   std::vector<float> UnitDistances;
   // Of scalars that are colours.
-  float ColorLow[MostComponents] = {};
-  float ColorSize[MostComponents] = {};
+  float ColorLow[MaximumComponents] = {};
+  float ColorSize[MaximumComponents] = {};
 };
 }
 

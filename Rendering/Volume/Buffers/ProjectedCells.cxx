@@ -17,15 +17,15 @@ void BuildOrder(const RayCastMesh& mesh, VisibilityOrder& order)
 {
   const vtkIdType numberOfPoints = static_cast<vtkIdType>(mesh.GetNumberOfPoints());
   std::vector<dvec3> points(mesh.GetNumberOfPoints());
-  vtkNew<vtkPoints> places;
-  places->SetNumberOfPoints(numberOfPoints);
+  vtkNew<vtkPoints> all;
+  all->SetNumberOfPoints(numberOfPoints);
   for (vtkIdType i = 0; i < numberOfPoints; ++i)
   {
     const float* point = &mesh.Points[4 * i];
     points[i] = dvec3(point[0], point[1], point[2]);
-    places->SetPoint(i, point);
+    all->SetPoint(i, point);
   }
-  CellFaces faces(ComputePlaces(places));
+  CellFaces faces(ComputePlaces(all));
   faces.Reserve(mesh.GetNumberOfTetrahedra());
   for (size_t i = 0; i < mesh.Corners.size(); i += 4)
   {

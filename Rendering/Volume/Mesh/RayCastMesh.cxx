@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/RayCastMesh.h"
 
-#include "Cells/JoinedPoints.h"
+#include "Cells/MergedCellPoints.h"
 #include "Cells/PointGradients.h"
 #include "Cells/VolumeCells.h"
 #include "Mathematics/FiniteBox.h"
@@ -25,8 +25,8 @@ constexpr int MostFacesPerLeaf = 8;
 constexpr float TreeMargin = 1e-5f;
 // Of the side of a face.
 constexpr double LargestBulge = 1e-5;
-constexpr size_t MostBorderFaces = size_t(1) << 24;
-constexpr std::uint32_t Unused = RayCastMesh::Nothing;
+constexpr size_t MaximumBorderFaces = size_t(1) << 24;
+constexpr std::uint32_t Unused = RayCastMesh::InvalidCell;
 
 using Face = std::array<int, 4>;
 
@@ -43,19 +43,19 @@ public:
   {
   }
 
-  void JoinPoints();
-  void PlacePoints();
+  void MergePoints();
+  void StorePoints();
   void ScaleScalars();
   void AddGradients();
   void AddCells();
   void FindLongestEdge();
   void FindNeighbors();
   void BuildBorder();
-  bool IsTooLarge() const { return this->Border.size() >= MostBorderFaces; }
+  bool IsTooLarge() const { return this->Border.size() >= MaximumBorderFaces; }
 
 private:
   bool HasCellScalars() const { return !this->Kept.empty() && this->Kept[0].Scalars >= 0; }
-  std::uint32_t GetPoint(const VolumeCells::Cell& cell, int i) const
+  std::uint32_t GetPointId(const VolumeCells::Cell& cell, int i) const
   {
     return this->NewIds[this->Cells.GetCornerId(cell, i)];
   }
@@ -65,7 +65,7 @@ private:
   bool IsMirrored(const VolumeCells::Cell& cell) const;
   bool IsFlat(const VolumeCells::Cell& cell) const;
   std::uint32_t& GetBehind(size_t face);
-  dvec3 GetPlace(std::uint32_t point) const;
+  dvec3 GetPoint(std::uint32_t point) const;
   FaceBox GetBox(size_t face) const;
   void AddBorderFace(size_t face);
 
@@ -83,7 +83,7 @@ private:
 };
 
 // Tetrahedra first, as the walk tells them from others by their numbers.
-void RayCastMeshBuilder::JoinPoints()
+void RayCastMeshBuilder::MergePoints()
 {
   for (const bool isCurved : { false, true })
   {
@@ -95,25 +95,25 @@ void RayCastMeshBuilder::JoinPoints()
       }
     }
   }
-  const std::vector<vtkIdType> joined = FindJoinedPoints(this->Cells);
-  this->NewIds.assign(joined.size(), Unused);
+  const std::vector<vtkIdType> merged = FindMergedPoints(this->Cells);
+  this->NewIds.assign(merged.size(), Unused);
   for (const VolumeCells::Cell& cell : this->Kept)
   {
     for (int i = 0; i < this->Cells.GetNumberOfCorners(cell); ++i)
     {
       const vtkIdType point = this->Cells.GetCornerId(cell, i);
-      const vtkIdType place = joined[point];
-      if (this->NewIds[place] == Unused)
+      const vtkIdType first = merged[point];
+      if (this->NewIds[first] == Unused)
       {
-        this->NewIds[place] = static_cast<std::uint32_t>(this->OldIds.size());
-        this->OldIds.push_back(place);
+        this->NewIds[first] = static_cast<std::uint32_t>(this->OldIds.size());
+        this->OldIds.push_back(first);
       }
-      this->NewIds[point] = this->NewIds[place];
+      this->NewIds[point] = this->NewIds[first];
     }
   }
 }
 
-void RayCastMeshBuilder::PlacePoints()
+void RayCastMeshBuilder::StorePoints()
 {
   FiniteBox box;
   for (vtkIdType point : this->OldIds)
@@ -139,7 +139,7 @@ void RayCastMeshBuilder::PlacePoints()
 
 void RayCastMeshBuilder::AddScalars(const Scalars& scalars, std::vector<float>& all) const
 {
-  for (int c = 0; c < (this->NumberOfComponents > 1 ? MostComponents : 1); ++c)
+  for (int c = 0; c < (this->NumberOfComponents > 1 ? MaximumComponents : 1); ++c)
   {
     all.push_back(
       static_cast<float>((scalars[c] - this->Mesh.ScalarLow[c]) / this->Mesh.ScalarSize[c]));
@@ -161,7 +161,7 @@ void RayCastMeshBuilder::ScaleScalars()
       used.push_back(cell.Scalars);
     }
   }
-  for (int c = 0; c < MostComponents; ++c)
+  for (int c = 0; c < MaximumComponents; ++c)
   {
     double low = std::numeric_limits<double>::max();
     double high = -low;
@@ -215,7 +215,7 @@ void RayCastMeshBuilder::AddTetrahedron(const VolumeCells::Cell& cell)
   std::array<std::uint32_t, 4> points;
   for (int i = 0; i < 4; ++i)
   {
-    points[i] = this->GetPoint(cell, i);
+    points[i] = this->GetPointId(cell, i);
   }
   std::sort(points.begin(), points.end());
   this->Mesh.PointSums.push_back(points[0] ^ points[1] ^ points[2] ^ points[3]);
@@ -276,7 +276,7 @@ void RayCastMeshBuilder::AddCurved(const VolumeCells::Cell& cell)
   const std::vector<int>& record = GetRecord(*cell.Shape, this->IsMirrored(cell));
   for (size_t i = 0; i < record.size(); ++i)
   {
-    words[i] = this->GetPoint(cell, record[i]);
+    words[i] = this->GetPointId(cell, record[i]);
   }
   if (isQuadratic)
   {
@@ -347,7 +347,7 @@ void RayCastMeshBuilder::FindNeighbors()
     std::uint32_t& behind = this->GetBehind(face);
     if (other < 0)
     {
-      behind = RayCastMesh::Nothing;
+      behind = RayCastMesh::InvalidCell;
       if (IsFace(this->Faces[face]))
       {
         this->Border.push_back(face);
@@ -362,23 +362,23 @@ void RayCastMeshBuilder::FindNeighbors()
   }
 }
 
-dvec3 RayCastMeshBuilder::GetPlace(std::uint32_t point) const
+dvec3 RayCastMeshBuilder::GetPoint(std::uint32_t point) const
 {
-  const float* place = &this->Mesh.Points[4 * static_cast<size_t>(point)];
-  return dvec3(place[0], place[1], place[2]);
+  const float* coordinates = &this->Mesh.Points[4 * static_cast<size_t>(point)];
+  return dvec3(coordinates[0], coordinates[1], coordinates[2]);
 }
 
 // Of a face of a curved cell, that of the whole cell's: quadratic faces leave their corners' box.
 FaceBox RayCastMeshBuilder::GetBox(size_t face) const
 {
   FiniteBox box;
-  const auto add = [&](const dvec3& place) { box.Add(&place.x); };
+  const auto add = [&](const dvec3& point) { box.Add(&point.x); };
   const size_t inTetrahedra = 4 * this->Mesh.GetNumberOfTetrahedra();
   for (int point : this->Faces[face])
   {
     if (point >= 0)
     {
-      add(this->GetPlace(static_cast<std::uint32_t>(point)));
+      add(this->GetPoint(static_cast<std::uint32_t>(point)));
     }
   }
   if (face >= inTetrahedra)
@@ -391,8 +391,8 @@ FaceBox RayCastMeshBuilder::GetBox(size_t face) const
         FindCellShape(VTK_QUADRATIC_TETRA)->QuadraticFaces[face - this->FirstFaces[record]];
       for (int i = 0; i < 3; ++i)
       {
-        add(2.0 * this->GetPlace(words[corners[3 + i]]) -
-          0.5 * (this->GetPlace(words[corners[i]]) + this->GetPlace(words[corners[(i + 1) % 3]])));
+        add(2.0 * this->GetPoint(words[corners[3 + i]]) -
+          0.5 * (this->GetPoint(words[corners[i]]) + this->GetPoint(words[corners[(i + 1) % 3]])));
       }
     }
   }
@@ -427,10 +427,10 @@ void RayCastMeshBuilder::AddBorderFace(size_t face)
   std::copy(this->Faces[face].begin(), this->Faces[face].begin() + 3, corners.begin());
   const std::uint32_t cell = static_cast<std::uint32_t>(face / 4);
   const std::uint32_t last = this->Mesh.PointSums[cell] ^ corners[0] ^ corners[1] ^ corners[2];
-  const dvec3 origin = this->GetPlace(corners[0]);
+  const dvec3 origin = this->GetPoint(corners[0]);
   const dvec3 normal =
-    cross(this->GetPlace(corners[1]) - origin, this->GetPlace(corners[2]) - origin);
-  if (dot(normal, this->GetPlace(last) - origin) < 0.0)
+    cross(this->GetPoint(corners[1]) - origin, this->GetPoint(corners[2]) - origin);
+  if (dot(normal, this->GetPoint(last) - origin) < 0.0)
   {
     std::swap(corners[1], corners[2]);
   }
@@ -459,23 +459,23 @@ bool RayCastMesh::Build(const VolumeCells& cells, int numberOfComponents, std::s
   bool withCorners, bool withGradients)
 {
   *this = RayCastMesh();
-  RayCastMeshBuilder joining(cells, numberOfComponents, withCorners, *this);
-  joining.JoinPoints();
-  joining.PlacePoints();
-  joining.ScaleScalars();
+  RayCastMeshBuilder builder(cells, numberOfComponents, withCorners, *this);
+  builder.MergePoints();
+  builder.StorePoints();
+  builder.ScaleScalars();
   if (withGradients)
   {
-    joining.AddGradients();
+    builder.AddGradients();
   }
-  joining.AddCells();
-  joining.FindLongestEdge();
-  joining.FindNeighbors();
-  if (joining.IsTooLarge())
+  builder.AddCells();
+  builder.FindLongestEdge();
+  builder.FindNeighbors();
+  if (builder.IsTooLarge())
   {
     error = "has more than 16 million faces at its border";
     return false;
   }
-  joining.BuildBorder();
+  builder.BuildBorder();
   return true;
 }
 

@@ -27,7 +27,7 @@ class VolumeCells;
 struct RayCastMesh
 {
   /// In place of a cell: there is none.
-  static constexpr std::uint32_t Nothing = 0xffffffff;
+  static constexpr std::uint32_t InvalidCell = 0xffffffff;
   static constexpr int WordsOfCurvedCell = 16;
 
   /**

@@ -103,7 +103,7 @@ void DefineFeatures(std::ostringstream& defines, const VolumeShaderOptions& opti
   Define(defines, "NONE", static_cast<int>(RenderTarget::Empty));
   Define(defines, "SURFACES", options.HasSurfaces);
   Define(defines, "CLIPPED", options.IsClipped);
-  Define(defines, "MOST_PLANES", MeshPlanes::Most);
+  Define(defines, "MOST_PLANES", MeshPlanes::MaximumPlanes);
   Define(defines, "LIT", options.NumberOfMaterials > 0);
   Define(defines, "MATERIALS", options.NumberOfMaterials);
   Define(defines, "SHADED_COMPONENT", options.FirstMaterial);

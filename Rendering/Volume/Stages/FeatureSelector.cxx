@@ -103,7 +103,7 @@ void FeatureSelector::FindPlanes(const FeatureRequest& request, StageReport& rep
   const std::string problem = planes.Compute(request.Planes, request.MeshToWorld)
     ? ""
     : "There are " + std::to_string(request.Planes->GetNumberOfItems()) +
-      " clipping planes; the first " + std::to_string(MeshPlanes::Most) + " are used.";
+      " clipping planes; the first " + std::to_string(MeshPlanes::MaximumPlanes) + " are used.";
   if (ShouldReport(this->PlaneProblem, problem))
   {
     report.Errors.push_back(problem);

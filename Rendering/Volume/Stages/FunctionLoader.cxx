@@ -18,7 +18,7 @@ Dependencies FindLoaded(const FunctionRequest& request, Dependencies now)
   vtkVolumeProperty* property = request.Property;
   now.AddObject(property->GetIsoSurfaceValues());
   now.Add(request.Mesh.Radius);
-  for (int i = 0; i < MostComponents; ++i)
+  for (int i = 0; i < MaximumComponents; ++i)
   {
     now.Add(property->GetComponentWeight(i));
     now.Add(request.Mesh.ScalarLow[i]);

@@ -51,7 +51,7 @@ ArrayRequest MakeArrayRequest(const MeshRequest& request)
     : vtkDataObject::FIELD_ASSOCIATION_POINTS;
   const bool takesAll = request.Choice.Component == ScalarChoice::All;
   return { find, isByName ? name : "", association, AdviseScalarMode,
-    takesAll ? MostComponents : VTK_INT_MAX, "SelectScalarArray()" };
+    takesAll ? MaximumComponents : VTK_INT_MAX, "SelectScalarArray()" };
 }
 }
 
@@ -66,7 +66,7 @@ Dependencies MeshLoader::FindDependencies(const MeshRequest& request) const
   now.Add(request.ArrayId);
   now.Add(request.ArrayName);
   now.Add(request.HasCorners);
-  now.Add(this->Mesh.NumberOfComponents == MostComponents && request.AreIndependent);
+  now.Add(this->Mesh.NumberOfComponents == MaximumComponents && request.AreIndependent);
   return now;
 }
 
@@ -138,7 +138,8 @@ bool MeshLoader::Read(const MeshRequest& request, VolumeCells& cells, StageRepor
   {
     return false;
   }
-  const bool areColors = this->Mesh.NumberOfComponents == MostComponents && !request.AreIndependent;
+  const bool areColors =
+    this->Mesh.NumberOfComponents == MaximumComponents && !request.AreIndependent;
   if (request.HasCorners)
   {
     cells.SplitAll();

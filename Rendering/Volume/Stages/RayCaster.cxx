@@ -98,7 +98,7 @@ int RayCaster::CountLayers(const VolumeFrame& frame)
     this->Entries.DrawCounts();
     frame.Mesh.Buffers.Deactivate();
   }
-  return this->Entries.ReadMost();
+  return this->Entries.ReadMaximum();
 }
 
 void RayCaster::ReleaseGraphicsResources(vtkWindow* window)

@@ -14,7 +14,7 @@ bool MeshPlanes::Compute(vtkPlaneCollection* planes, const dmat4& meshToWorld)
 {
   this->Planes.clear();
   const int count = planes ? planes->GetNumberOfItems() : 0;
-  for (int i = 0; i < std::min(count, Most); ++i)
+  for (int i = 0; i < std::min(count, MaximumPlanes); ++i)
   {
     auto* plane = vtkPlane::SafeDownCast(planes->GetItemAsObject(i));
     dvec3 origin;
@@ -30,7 +30,7 @@ bool MeshPlanes::Compute(vtkPlaneCollection* planes, const dmat4& meshToWorld)
       this->Planes.push_back(static_cast<float>(scaled[c]));
     }
   }
-  return count <= Most;
+  return count <= MaximumPlanes;
 }
 
 void MeshPlanes::SetUniforms(vtkShaderProgram* program) const

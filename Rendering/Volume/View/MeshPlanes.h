@@ -21,7 +21,7 @@ namespace relevo
 class MeshPlanes
 {
 public:
-  static constexpr int Most = 32;
+  static constexpr int MaximumPlanes = 32;
 
   /// Null for none. Of more planes than there can be, the first ones; then false.
   bool Compute(vtkPlaneCollection* planes, const dmat4& meshToWorld);

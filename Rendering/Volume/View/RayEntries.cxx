@@ -31,7 +31,7 @@ void RayEntries::ReleaseGraphicsResources(vtkWindow* window)
   this->Faces.ReleaseGraphicsResources();
 }
 
-int RayEntries::ReadMost()
+int RayEntries::ReadMaximum()
 {
   vtkTextureObject* sums = this->Target.GetTexture();
   if (!sums)

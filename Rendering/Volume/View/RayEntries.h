@@ -44,7 +44,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
   /// The most entries of any pixel; waits for the GPU.
-  int ReadMost();
+  int ReadMaximum();
 
 private:
   RenderTarget Target;

@@ -28,7 +28,7 @@ public:
     vtkRenderer* renderer, vtkMatrix4x4* dataToWorld, const dvec3& center, double radius);
 
   /// Lower left corner and size in pixels.
-  void SetViewport(const dvec4& place) { this->Viewport = place; }
+  void SetViewport(const dvec4& viewport) { this->Viewport = viewport; }
 
   void SetUniforms(vtkShaderProgram* program) const;
   /// What relevoVolumeOutline.glsl asks for.

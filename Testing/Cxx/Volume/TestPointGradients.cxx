@@ -44,7 +44,7 @@ std::vector<relevo::Gradients> Compute(vtkDataSet* mesh)
 {
   VolumeCells cells;
   Add(cells, mesh);
-  cells.Build();
+  cells.MoveToOrigin();
   return ComputePointGradients(cells);
 }
 
@@ -141,7 +141,7 @@ void TestVolumes(RelevoCheck& check)
   mesh->GetCellData()->SetScalars(ids);
   VolumeCells cells;
   cells.Add(mesh, ids, true, {});
-  cells.Build();
+  cells.MoveToOrigin();
   for (const relevo::Gradients& gradient : ComputePointGradients(cells))
   {
     CHECK(gradient[0] == dvec3(0.0));
@@ -170,7 +170,7 @@ void TestBlocks(RelevoCheck& check)
     VolumeCells cells;
     Add(cells, first);
     Add(cells, second);
-    cells.Build();
+    cells.MoveToOrigin();
     return ComputePointGradients(cells);
   };
   const auto joined = compute(0.0);

@@ -6,8 +6,8 @@
  *
  * Private to the modules' own sources.
  */
-#ifndef JoinedPoints_h
-#define JoinedPoints_h
+#ifndef MergedCellPoints_h
+#define MergedCellPoints_h
 
 #include "vtkType.h"
 
@@ -18,7 +18,7 @@ namespace relevo
 class VolumeCells;
 
 /// For each point the first one at exactly the same place, or itself if that has other scalars.
-std::vector<vtkIdType> FindJoinedPoints(const VolumeCells& cells);
+std::vector<vtkIdType> FindMergedPoints(const VolumeCells& cells);
 }
 
 #endif

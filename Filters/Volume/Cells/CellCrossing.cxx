@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/CellCrossing.h"
+
 #include "Cells/CurvedScalars.h"
-#include "Cells/VolumeCells.h"
+#include "Cells/PointGradients.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace relevo
 {
@@ -21,31 +24,72 @@ void AddWeighed(const Scalars& scalars, double weight, Scalars& sum)
   }
 }
 
+FaceBox GetBox(const VolumeCells& cells, const VolumeCells::Cell& cell)
+{
+  dvec3 low;
+  dvec3 high;
+  if (cell.Shape)
+  {
+    cells.GetCurved(cell).FindBounds(low, high);
+  }
+  else
+  {
+    const TetrahedronCorners corners = cells.GetTetrahedron(cell);
+    low = min(min(corners[0], corners[1]), min(corners[2], corners[3]));
+    high = max(max(corners[0], corners[1]), max(corners[2], corners[3]));
+  }
+  FaceBox rounded;
+  for (int c = 0; c < 3; ++c)
+  {
+    rounded.Low[c] = static_cast<float>(low[c]);
+    rounded.High[c] = static_cast<float>(high[c]);
+  }
+  return rounded;
+}
 }
 
-void VolumeCells::CrossTetrahedron(
-  const Cell& cell, const Ray& ray, std::vector<RayPart>& parts) const
+CellCrossing::CellCrossing(VolumeCells& cells, bool withSteepness, bool withGradients)
+  : Cells(cells)
+  , HasSteepness(withSteepness)
+{
+  cells.MoveToOrigin();
+  if (withGradients)
+  {
+    this->PointGradients = ComputePointGradients(cells);
+  }
+  std::vector<FaceBox> boxes;
+  boxes.reserve(cells.GetCells().size());
+  for (const VolumeCells::Cell& cell : cells.GetCells())
+  {
+    boxes.push_back(GetBox(cells, cell));
+  }
+  this->Tree.Build(std::move(boxes));
+}
+
+void CellCrossing::CrossTetrahedron(
+  const VolumeCells::Cell& cell, const Ray& ray, std::vector<RayPart>& parts) const
 {
   TetrahedronCrossing crossing;
-  if (!crossing.Find(this->GetTetrahedron(cell), ray, PlaneMargin * this->Diagonal))
+  if (!crossing.Find(
+        this->Cells.GetTetrahedron(cell), ray, PlaneMargin * this->Cells.GetDiagonal()))
   {
     return;
   }
   RayPart part = { crossing.Begin, crossing.End, {}, {} };
   if (cell.Scalars >= 0)
   {
-    part.Front = part.Back = this->CellScalars[cell.Scalars];
+    part.Front = part.Back = this->Cells.GetCellScalars()[cell.Scalars];
   }
   for (int i = 0; i < 4 && cell.Scalars < 0; ++i)
   {
-    const Scalars& scalars = this->PointScalars[this->GetCornerId(cell, i)];
+    const Scalars& scalars = this->Cells.GetPointScalars()[this->Cells.GetCornerId(cell, i)];
     AddWeighed(scalars, crossing.FrontWeights[i], part.Front);
     AddWeighed(scalars, crossing.BackWeights[i], part.Back);
   }
   if (this->HasSteepness && cell.Scalars < 0)
   {
     CornerSlopes slopes;
-    ComputeSlopes(this->GetTetrahedron(cell), slopes);
+    ComputeSlopes(this->Cells.GetTetrahedron(cell), slopes);
     part.Steepness = this->ComputeSteepness(cell, slopes);
   }
   if (!this->PointGradients.empty() && cell.Scalars < 0)
@@ -56,18 +100,19 @@ void VolumeCells::CrossTetrahedron(
   parts.push_back(part);
 }
 
-void VolumeCells::CrossCurved(const Cell& cell, const Ray& ray, std::vector<RayPart>& parts) const
+void CellCrossing::CrossCurved(
+  const VolumeCells::Cell& cell, const Ray& ray, std::vector<RayPart>& parts) const
 {
-  const CurvedCell curved = this->GetCurved(cell);
+  const CurvedCell curved = this->Cells.GetCurved(cell);
   const std::vector<std::pair<double, double>> inside =
-    curved.FindInside(ray, PlaneMargin * this->Diagonal);
+    curved.FindInside(ray, PlaneMargin * this->Cells.GetDiagonal());
   if (inside.empty())
   {
     return;
   }
   if (cell.Scalars >= 0)
   {
-    const Scalars& scalars = this->CellScalars[cell.Scalars];
+    const Scalars& scalars = this->Cells.GetCellScalars()[cell.Scalars];
     for (const auto& interval : inside)
     {
       parts.push_back({ interval.first, interval.second, scalars, scalars });
@@ -77,7 +122,7 @@ void VolumeCells::CrossCurved(const Cell& cell, const Ray& ray, std::vector<RayP
   std::vector<Scalars> scalars;
   for (int i = 0; i < cell.Shape->NumberOfCorners; ++i)
   {
-    scalars.push_back(this->PointScalars[this->GetCornerId(cell, i)]);
+    scalars.push_back(this->Cells.GetPointScalars()[this->Cells.GetCornerId(cell, i)]);
   }
   dvec3 parameters = curved.GetCenter();
   const CurvedScalars along(
@@ -113,37 +158,22 @@ void VolumeCells::CrossCurved(const Cell& cell, const Ray& ray, std::vector<RayP
   }
 }
 
-// Of differences, so that where scalars are all the same it is exactly 0.
-Gradients VolumeCells::ComputeGradients(const Cell& cell, const CornerSlopes& slopes) const
+Scalars CellCrossing::ComputeSteepness(
+  const VolumeCells::Cell& cell, const CornerSlopes& slopes) const
 {
-  Gradients gradients = {};
-  const Scalars& first = this->PointScalars[this->GetCornerId(cell, 0)];
-  for (int i = 1; i < this->GetNumberOfCorners(cell); ++i)
-  {
-    const Scalars& scalars = this->PointScalars[this->GetCornerId(cell, i)];
-    for (size_t c = 0; c < scalars.size(); ++c)
-    {
-      gradients[c] += (scalars[c] - first[c]) * slopes[i];
-    }
-  }
-  return gradients;
-}
-
-Scalars VolumeCells::ComputeSteepness(const Cell& cell, const CornerSlopes& slopes) const
-{
-  const Gradients gradients = this->ComputeGradients(cell, slopes);
+  const Gradients gradients = this->Cells.ComputeGradients(cell, slopes);
   Scalars steepness;
   std::transform(gradients.begin(), gradients.end(), steepness.begin(),
     [](const dvec3& gradient) { return length(gradient); });
   return steepness;
 }
 
-Gradients VolumeCells::WeighGradients(const Cell& cell, const double* weights) const
+Gradients CellCrossing::WeighGradients(const VolumeCells::Cell& cell, const double* weights) const
 {
   Gradients sum = {};
-  for (int i = 0; i < this->GetNumberOfCorners(cell); ++i)
+  for (int i = 0; i < this->Cells.GetNumberOfCorners(cell); ++i)
   {
-    const Gradients& gradients = this->PointGradients[this->GetCornerId(cell, i)];
+    const Gradients& gradients = this->PointGradients[this->Cells.GetCornerId(cell, i)];
     for (size_t c = 0; c < sum.size(); ++c)
     {
       sum[c] += weights[i] * gradients[c];
@@ -152,22 +182,22 @@ Gradients VolumeCells::WeighGradients(const Cell& cell, const double* weights) c
   return sum;
 }
 
-std::vector<RayPart> VolumeCells::Cross(const Ray& ray) const
+std::vector<RayPart> CellCrossing::Cross(const Ray& ray) const
 {
   if (!(ray.Length > 0.0))
   {
     return {};
   }
-  const Ray moved = { ray.Origin - this->Center, ray.Direction, ray.Length };
+  const Ray moved = { ray.Origin - this->Cells.GetMiddle(), ray.Direction, ray.Length };
   const dvec3 end = moved.Origin + moved.Length * moved.Direction;
-  const BoxSegment segment(&moved.Origin.x, &end.x, BoxMargin * this->Diagonal);
+  const BoxSegment segment(&moved.Origin.x, &end.x, BoxMargin * this->Cells.GetDiagonal());
   std::vector<RayPart> parts;
   double last = 1.0;
   this->Tree.Visit(
     last, [&](const FaceBox& box, double nearest) { return segment.GetEntry(box, nearest); },
     [&](int index)
     {
-      const Cell& cell = this->Cells[index];
+      const VolumeCells::Cell& cell = this->Cells.GetCells()[index];
       cell.Shape ? this->CrossCurved(cell, moved, parts)
                  : this->CrossTetrahedron(cell, moved, parts);
     });
@@ -175,7 +205,7 @@ std::vector<RayPart> VolumeCells::Cross(const Ray& ray) const
     [](const RayPart& a, const RayPart& b)
     { return a.Begin < b.Begin || (a.Begin == b.Begin && a.End < b.End); });
 
-  // A ray in a face is in both its cells: no place counts twice.
+  // A ray in a face is in both its cells: nothing counts twice.
   double reached = 0.0;
   std::vector<RayPart> once;
   for (const RayPart& part : parts)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Cells/JoinedPoints.h"
+#include "Cells/MergedCellPoints.h"
 
 #include "Cells/VolumeCells.h"
 #include "Points/MergedPoints.h"
@@ -12,7 +12,7 @@
 
 namespace relevo
 {
-std::vector<vtkIdType> FindJoinedPoints(const VolumeCells& cells)
+std::vector<vtkIdType> FindMergedPoints(const VolumeCells& cells)
 {
   const std::vector<dvec3>& points = cells.GetPoints();
   const std::vector<Scalars>& scalars = cells.GetPointScalars();
@@ -22,16 +22,16 @@ std::vector<vtkIdType> FindJoinedPoints(const VolumeCells& cells)
   coordinates->SetArray(const_cast<double*>(points.empty() ? nullptr : &points[0].x), 3 * count, 1);
   vtkNew<vtkPoints> all;
   all->SetData(coordinates);
-  std::vector<vtkIdType> joined = ComputePlaces(all);
-  if (joined.empty())
+  std::vector<vtkIdType> merged = ComputePlaces(all);
+  if (merged.empty())
   {
-    joined.resize(points.size());
-    std::iota(joined.begin(), joined.end(), 0);
+    merged.resize(points.size());
+    std::iota(merged.begin(), merged.end(), 0);
   }
   for (vtkIdType i = 0; i < count; ++i)
   {
-    joined[i] = scalars[joined[i]] == scalars[i] ? joined[i] : i;
+    merged[i] = scalars[merged[i]] == scalars[i] ? merged[i] : i;
   }
-  return joined;
+  return merged;
 }
 }
