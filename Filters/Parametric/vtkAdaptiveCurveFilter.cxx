@@ -38,25 +38,6 @@ vtkAdaptiveRefinement* vtkAdaptiveCurveFilter::GetRefinement()
   return this->Refinement;
 }
 
-vtkCxxSetSmartPointerMacro(vtkAdaptiveCurveFilter, Camera, vtkCamera);
-
-vtkCamera* vtkAdaptiveCurveFilter::GetCamera()
-{
-  return this->Camera;
-}
-
-vtkCxxSetSmartPointerMacro(vtkAdaptiveCurveFilter, ModelToWorld, vtkMatrix4x4);
-
-vtkMatrix4x4* vtkAdaptiveCurveFilter::GetModelToWorld()
-{
-  return this->ModelToWorld;
-}
-
-void vtkAdaptiveCurveFilter::SetViewportSize(int width, int height)
-{
-  relevo::SetPixelSize(this, "ViewportSize", this->ViewportSize, width, height);
-}
-
 void vtkAdaptiveCurveFilter::SetRepresentation(int representation)
 {
   relevo::SetChoice(
@@ -99,11 +80,6 @@ vtkMTimeType vtkAdaptiveCurveFilter::GetMTime()
     ? std::max({ own, this->Refinement->GetMTime(),
         relevo::GetViewTime(this->Refinement->GetMetric(), this->MakeView()) })
     : own;
-}
-
-relevo::RefinementView vtkAdaptiveCurveFilter::MakeView() const
-{
-  return { this->Camera, this->ModelToWorld, { this->ViewportSize[0], this->ViewportSize[1] } };
 }
 
 int vtkAdaptiveCurveFilter::FillInputPortInformation(int, vtkInformation* info)
@@ -236,10 +212,6 @@ void vtkAdaptiveCurveFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Refinement: " << this->Refinement.Get() << "\n";
-  os << indent << "Camera: " << this->Camera.Get() << "\n";
-  os << indent << "ModelToWorld: " << this->ModelToWorld.Get() << "\n";
-  os << indent << "ViewportSize: " << this->ViewportSize[0] << " x " << this->ViewportSize[1]
-     << "\n";
   os << indent << "Representation: " << this->Representation << "\n";
   os << indent << "Radius: " << this->Radius << "\n";
   os << indent << "RadiusArrayName: " << this->RadiusArrayName << "\n";

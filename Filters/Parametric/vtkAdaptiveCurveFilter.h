@@ -45,29 +45,26 @@
 #define vtkAdaptiveCurveFilter_h
 
 #include "RelevoFiltersParametricModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
-#include "vtkSmartPointer.h" // for members
+#include "vtkSmartPointer.h"               // for members
+#include "vtkViewDependentAlgorithm.h"
 
 #include <string> // for members
 
 class vtkAdaptiveRefinement;
-class vtkCamera;
-class vtkMatrix4x4;
 class vtkPointSet;
 
 namespace relevo
 {
 struct CurveStyle;
-struct RefinementView;
 class CurveMesh;
 class CurveTags;
 }
 
-class RELEVOFILTERSPARAMETRIC_EXPORT vtkAdaptiveCurveFilter : public vtkPolyDataAlgorithm
+class RELEVOFILTERSPARAMETRIC_EXPORT vtkAdaptiveCurveFilter : public vtkViewDependentAlgorithm
 {
 public:
   static vtkAdaptiveCurveFilter* New();
-  vtkTypeMacro(vtkAdaptiveCurveFilter, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkAdaptiveCurveFilter, vtkViewDependentAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   //@{
@@ -76,32 +73,6 @@ public:
    */
   void SetRefinement(vtkAdaptiveRefinement* refinement);
   vtkAdaptiveRefinement* GetRefinement();
-  //@}
-
-  //@{
-  /**
-   * The camera for metrics that depend on the view, and that ribbons face, in world coordinates.
-   */
-  void SetCamera(vtkCamera* camera);
-  vtkCamera* GetCamera();
-  //@}
-
-  //@{
-  /**
-   * Width and height of the viewport in pixels, for metrics that depend on the view; default
-   * (300, 300). Less than 1 is an error and changes nothing.
-   */
-  void SetViewportSize(int width, int height);
-  void SetViewportSize(const int size[2]) { this->SetViewportSize(size[0], size[1]); }
-  vtkGetVector2Macro(ViewportSize, int);
-  //@}
-
-  //@{
-  /**
-   * From the input's coordinates to the camera's world (an actor's matrix); none means identity.
-   */
-  void SetModelToWorld(vtkMatrix4x4* matrix);
-  vtkMatrix4x4* GetModelToWorld();
   //@}
 
   /**
@@ -170,16 +141,12 @@ protected:
     vtkInformationVector* outputVector) override;
 
   vtkSmartPointer<vtkAdaptiveRefinement> Refinement;
-  vtkSmartPointer<vtkCamera> Camera;
-  vtkSmartPointer<vtkMatrix4x4> ModelToWorld;
-  int ViewportSize[2] = { 300, 300 };
   int Representation = LINES;
   double Radius = 0.5;
   std::string RadiusArrayName;
   int NumberOfSides = 8;
 
 private:
-  relevo::RefinementView MakeView() const;
   bool MakeStyle(vtkPointSet* input, relevo::CurveStyle& style);
   int Cut(vtkPointSet* input, vtkPolyData* output);
   bool Check(vtkPointSet* input, const relevo::CurveMesh& mesh);

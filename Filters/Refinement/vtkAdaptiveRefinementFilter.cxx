@@ -47,25 +47,6 @@ vtkAdaptiveRefinement* vtkAdaptiveRefinementFilter::GetRefinement()
   return this->Refinement;
 }
 
-vtkCxxSetSmartPointerMacro(vtkAdaptiveRefinementFilter, Camera, vtkCamera);
-
-vtkCamera* vtkAdaptiveRefinementFilter::GetCamera()
-{
-  return this->Camera;
-}
-
-vtkCxxSetSmartPointerMacro(vtkAdaptiveRefinementFilter, ModelToWorld, vtkMatrix4x4);
-
-vtkMatrix4x4* vtkAdaptiveRefinementFilter::GetModelToWorld()
-{
-  return this->ModelToWorld;
-}
-
-void vtkAdaptiveRefinementFilter::SetViewportSize(int width, int height)
-{
-  relevo::SetPixelSize(this, "ViewportSize", this->ViewportSize, width, height);
-}
-
 vtkCxxSetSmartPointerMacro(vtkAdaptiveRefinementFilter, Controller, vtkMultiProcessController);
 
 vtkMultiProcessController* vtkAdaptiveRefinementFilter::GetController()
@@ -80,11 +61,6 @@ vtkMTimeType vtkAdaptiveRefinementFilter::GetMTime()
     ? std::max({ own, this->Refinement->GetMTime(),
         relevo::GetViewTime(this->Refinement->GetMetric(), this->MakeView()) })
     : own;
-}
-
-relevo::RefinementView vtkAdaptiveRefinementFilter::MakeView() const
-{
-  return { this->Camera, this->ModelToWorld, { this->ViewportSize[0], this->ViewportSize[1] } };
 }
 
 bool vtkAdaptiveRefinementFilter::Prepare(
@@ -193,9 +169,5 @@ void vtkAdaptiveRefinementFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Refinement: " << this->Refinement.Get() << "\n";
-  os << indent << "Camera: " << this->Camera.Get() << "\n";
-  os << indent << "ModelToWorld: " << this->ModelToWorld.Get() << "\n";
   os << indent << "Controller: " << this->Controller.Get() << "\n";
-  os << indent << "ViewportSize: " << this->ViewportSize[0] << " x " << this->ViewportSize[1]
-     << "\n";
 }

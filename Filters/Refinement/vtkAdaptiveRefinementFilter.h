@@ -46,30 +46,27 @@
 #define vtkAdaptiveRefinementFilter_h
 
 #include "RelevoFiltersRefinementModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
-#include "vtkSmartPointer.h" // for members
+#include "vtkSmartPointer.h"               // for members
+#include "vtkViewDependentAlgorithm.h"
 
 #include <memory> // for members
 #include <string> // for members
 
 class vtkAdaptiveRefinement;
-class vtkCamera;
-class vtkMatrix4x4;
 class vtkMultiProcessController;
 
 namespace relevo
 {
-struct RefinementView;
 class PatternSelection;
 class RefinementMesh;
 class TagSources;
 }
 
-class RELEVOFILTERSREFINEMENT_EXPORT vtkAdaptiveRefinementFilter : public vtkPolyDataAlgorithm
+class RELEVOFILTERSREFINEMENT_EXPORT vtkAdaptiveRefinementFilter : public vtkViewDependentAlgorithm
 {
 public:
   static vtkAdaptiveRefinementFilter* New();
-  vtkTypeMacro(vtkAdaptiveRefinementFilter, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkAdaptiveRefinementFilter, vtkViewDependentAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   //@{
@@ -78,32 +75,6 @@ public:
    */
   void SetRefinement(vtkAdaptiveRefinement* refinement);
   vtkAdaptiveRefinement* GetRefinement();
-  //@}
-
-  //@{
-  /**
-   * The camera for metrics that depend on the view, in world coordinates.
-   */
-  void SetCamera(vtkCamera* camera);
-  vtkCamera* GetCamera();
-  //@}
-
-  //@{
-  /**
-   * Width and height of the viewport in pixels, for metrics that depend on the view; default
-   * (300, 300). Less than 1 is an error and changes nothing.
-   */
-  void SetViewportSize(int width, int height);
-  void SetViewportSize(const int size[2]) { this->SetViewportSize(size[0], size[1]); }
-  vtkGetVector2Macro(ViewportSize, int);
-  //@}
-
-  //@{
-  /**
-   * From the input's coordinates to the camera's world (an actor's matrix); none means identity.
-   */
-  void SetModelToWorld(vtkMatrix4x4* matrix);
-  vtkMatrix4x4* GetModelToWorld();
   //@}
 
   //@{
@@ -136,14 +107,9 @@ protected:
   bool Refine(vtkPolyData* input, vtkPolyData* output);
 
   vtkSmartPointer<vtkAdaptiveRefinement> Refinement;
-  vtkSmartPointer<vtkCamera> Camera;
   vtkSmartPointer<vtkMultiProcessController> Controller;
-  vtkSmartPointer<vtkMatrix4x4> ModelToWorld;
-  int ViewportSize[2] = { 300, 300 };
 
 private:
-  relevo::RefinementView MakeView() const;
-
   /// Check everything and select levels; false after an ErrorEvent.
   bool Prepare(
     vtkPolyData* input, relevo::RefinementMesh& mesh, relevo::PatternSelection& selection);

@@ -95,30 +95,11 @@ vtkDepthTagMetric* vtkDepthTagFilter::GetMetric()
   return this->Metric;
 }
 
-vtkCxxSetSmartPointerMacro(vtkDepthTagFilter, Camera, vtkCamera);
-
-vtkCamera* vtkDepthTagFilter::GetCamera()
-{
-  return this->Camera;
-}
-
-vtkCxxSetSmartPointerMacro(vtkDepthTagFilter, ModelToWorld, vtkMatrix4x4);
-
-vtkMatrix4x4* vtkDepthTagFilter::GetModelToWorld()
-{
-  return this->ModelToWorld;
-}
-
 vtkCxxSetSmartPointerMacro(vtkDepthTagFilter, Controller, vtkMultiProcessController);
 
 vtkMultiProcessController* vtkDepthTagFilter::GetController()
 {
   return this->Controller;
-}
-
-void vtkDepthTagFilter::SetViewportSize(int width, int height)
-{
-  relevo::SetPixelSize(this, "ViewportSize", this->ViewportSize, width, height);
 }
 
 void vtkDepthTagFilter::SetMaximumLevel(int level)
@@ -196,11 +177,6 @@ bool vtkDepthTagFilter::ComputeTags(vtkPolyData* input, vtkFloatArray* tags)
   return this->AskMetric(input, false, tags);
 }
 
-relevo::RefinementView vtkDepthTagFilter::MakeView() const
-{
-  return { this->Camera, this->ModelToWorld, { this->ViewportSize[0], this->ViewportSize[1] } };
-}
-
 bool vtkDepthTagFilter::AskMetric(vtkPolyData* input, bool perEdge, vtkFloatArray* tags)
 {
   relevo::MetricCache& source = *this->Sources->Find(this, input);
@@ -276,11 +252,7 @@ void vtkDepthTagFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Metric: " << this->Metric.Get() << "\n";
-  os << indent << "Camera: " << this->Camera.Get() << "\n";
-  os << indent << "ModelToWorld: " << this->ModelToWorld.Get() << "\n";
   os << indent << "Controller: " << this->Controller.Get() << "\n";
-  os << indent << "ViewportSize: " << this->ViewportSize[0] << " x " << this->ViewportSize[1]
-     << "\n";
   os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
   os << indent
      << "LevelRule: " << (this->LevelRule == vtkDepthTagMetric::PER_EDGE ? "PerEdge" : "PerVertex")

@@ -31,29 +31,26 @@
 
 #include "RelevoFiltersRefinementModule.h" // for export macro
 #include "vtkDepthTagMetric.h"             // for LevelRules
-#include "vtkPolyDataAlgorithm.h"
-#include "vtkSmartPointer.h" // for members
+#include "vtkSmartPointer.h"               // for members
+#include "vtkViewDependentAlgorithm.h"
 
 #include <memory> // for members
 
-class vtkCamera;
 class vtkFloatArray;
 class vtkIntArray;
-class vtkMatrix4x4;
 class vtkMultiProcessController;
 class vtkPolyData;
 
 namespace relevo
 {
-struct RefinementView;
 class TagSources;
 }
 
-class RELEVOFILTERSREFINEMENT_EXPORT vtkDepthTagFilter : public vtkPolyDataAlgorithm
+class RELEVOFILTERSREFINEMENT_EXPORT vtkDepthTagFilter : public vtkViewDependentAlgorithm
 {
 public:
   static vtkDepthTagFilter* New();
-  vtkTypeMacro(vtkDepthTagFilter, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkDepthTagFilter, vtkViewDependentAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   //@{
@@ -62,32 +59,6 @@ public:
    */
   void SetMetric(vtkDepthTagMetric* metric);
   vtkDepthTagMetric* GetMetric();
-  //@}
-
-  //@{
-  /**
-   * The camera for metrics that depend on the view, in world coordinates.
-   */
-  void SetCamera(vtkCamera* camera);
-  vtkCamera* GetCamera();
-  //@}
-
-  //@{
-  /**
-   * Width and height of the viewport in pixels, for metrics that depend on the view; default
-   * (300, 300). Less than 1 is an error and changes nothing.
-   */
-  void SetViewportSize(int width, int height);
-  void SetViewportSize(const int size[2]) { this->SetViewportSize(size[0], size[1]); }
-  vtkGetVector2Macro(ViewportSize, int);
-  //@}
-
-  //@{
-  /**
-   * From the input's coordinates to the camera's world (an actor's matrix); none means identity.
-   */
-  void SetModelToWorld(vtkMatrix4x4* matrix);
-  vtkMatrix4x4* GetModelToWorld();
   //@}
 
   //@{
@@ -139,10 +110,7 @@ protected:
   bool AddTags(vtkPolyData* input, vtkPolyData* output);
 
   vtkSmartPointer<vtkDepthTagMetric> Metric;
-  vtkSmartPointer<vtkCamera> Camera;
   vtkSmartPointer<vtkMultiProcessController> Controller;
-  vtkSmartPointer<vtkMatrix4x4> ModelToWorld;
-  int ViewportSize[2] = { 300, 300 };
   int MaximumLevel = 3;
   int LevelRule = vtkDepthTagMetric::PER_VERTEX;
 
@@ -150,7 +118,6 @@ private:
   vtkDepthTagFilter(const vtkDepthTagFilter&) = delete;
   void operator=(const vtkDepthTagFilter&) = delete;
 
-  relevo::RefinementView MakeView() const;
   bool AskMetric(vtkPolyData* input, bool perEdge, vtkFloatArray* tags);
   bool ComputeTags(vtkPolyData* input, vtkFloatArray* tags);
   bool TakeTags(vtkPolyData* input, vtkFloatArray* tags);
