@@ -1,46 +1,121 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkAdaptiveLICMapperInternals.h"
+#include "vtkAdaptiveLICMapper.h"
 
+#include "Actors/ShaderVariantKey.h"
+#include "Buffers/LICVectors.h"
 #include "Checks/MisplacedArray.h"
+#include "Checks/ShouldReport.h"
+#include "Composite/BlockAttributes.h"
+#include "Composite/DataLeaves.h"
+#include "Image/ForwardedSettings.h"
 #include "Passes/LICHoles.h"
-
+#include "Shaders/LICShader.h"
+#include "Shaders/ShaderExtension.h"
+#include "Stages/LICField.h"
+#include "Stages/LICParallelFrame.h"
+#include "Stages/LICScreenDrawer.h"
+#include "Stages/LICScreens.h"
+#include "Stages/RenderHook.h"
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCamera.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDisplacement.h"
 #include "vtkHeightField.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMatrix4x4.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLCellToVTKCellMap.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
-#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
 #include "vtkShaderProperty.h"
 #include "vtkTextureObject.h"
+#include "vtkTransform.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkAdaptiveLICMapper);
 
-namespace
+struct vtkAdaptiveLICMapper::vtkInternals
 {
-constexpr size_t MostScreens = 8;
-}
+  explicit vtkInternals(vtkAdaptiveLICMapper* self)
+    : Root(self)
+  {
+  }
+
+  // A block of a composite input draws into what its root has, and shows that.
+  vtkAdaptiveLICMapper* Root;
+  vtkOpenGLHelper* VectorHelper = nullptr; // draws the vectors of this mapper's polydata
+  relevo::LICVectors Vectors;
+  bool HasNormals = false;      // for VectorHelper, on the refined surface
+  double NoDataMagnitude = 0.0; // of the buffers
+
+  // The stages of a root.
+  relevo::LICField Field;
+  relevo::LICScreens Screens;
+  relevo::LICScreenDrawer Drawer;
+  relevo::LICParallelFrame Parallel;
+  relevo::RenderHook Hook;
+  relevo::LICScreen* Screen = nullptr; // that the surface shows now; nullptr for none
+  bool IsDrawingVectors = false;       // now
+  std::string Problem;                 // reported last
+
+  using Mesh = std::pair<vtkPolyData*, relevo::BlockAttributes>;
+  std::vector<Mesh> FindMeshes() const;
+  relevo::LICScreenDrawer::Parameters GetParameters() const
+  {
+    return { this->Root->LICSettings, this->Field.GetLongest() };
+  }
+
+  bool CanShow(vtkRenderer* ren, vtkActor* act) const;
+  void UpdateField();
+  std::string DescribeMisplaced(vtkPolyData* mesh) const;
+  relevo::Dependencies GetScreenSources(
+    vtkRenderer* ren, vtkActor* act, const relevo::LICScreen& screen);
+
+  void Prepare(vtkRenderer* ren, vtkActor* act);
+  //@{
+  /// Have a screen with the LIC; what hinders, as a sentence.
+  std::string UpdateScreen(vtkRenderer* ren, vtkActor* act);
+  std::string DrawVectors(
+    vtkRenderer* ren, vtkActor* act, relevo::LICScreen& screen, std::vector<float>* vectors);
+  std::string DrawImage(vtkRenderer* ren, relevo::LICScreen& screen, bool convolve,
+    const relevo::LICImage::RangeMerger& merge);
+  //@}
+  void SetBounds(vtkRenderer* ren, vtkActor* act, relevo::LICScreen& screen);
+  void Report(const std::string& problem);
+
+  /// This process's part of a picture that several draw.
+  void Contribute(
+    vtkRenderer* ren, vtkActor* act, relevo::LICParallelFrame::Contribution& contribution);
+
+  relevo::LICShaderOptions GetShaderOptions(
+    vtkAdaptiveLICMapper* self, const vtkOpenGLHelper* helper) const;
+  void SetVectorUniforms(
+    vtkAdaptiveLICMapper* self, vtkShaderProgram* program, vtkRenderer* ren, vtkActor* act);
+  void SetImageUniforms(vtkShaderProgram* program) const;
+};
 
 vtkAdaptiveLICMapper::vtkAdaptiveLICMapper()
   : LICSettings(vtkSmartPointer<vtkLICSettings>::New())
   , LIC(new vtkInternals(this))
 {
-  this->LIC->Vectors = this->AddFaceHelper();
+  this->LIC->VectorHelper = this->AddFaceHelper();
   vtkNew<vtkAdaptiveRefinement> coarse;
   coarse->SetMaximumLevel(0);
   this->SetRefinement(coarse);
@@ -53,28 +128,82 @@ vtkAdaptiveLICMapper::~vtkAdaptiveLICMapper()
   this->ReleaseGraphicsResources(nullptr);
 }
 
-template <typename Work>
-void vtkAdaptiveLICMapper::vtkInternals::ForEachLeaf(const Work& work)
+//------------------------------------------------------------------------------
+// Settings change live: no buffer is built again but for what is no-data.
+
+relevoLICSettingsMacro(vtkAdaptiveLICMapper);
+
+relevoForwardMacro(vtkAdaptiveLICMapper, Enable, int);
+relevoForwardMacro(vtkAdaptiveLICMapper, NumberOfSteps, int);
+relevoForwardMacro(vtkAdaptiveLICMapper, StepSize, double);
+relevoForwardMacro(vtkAdaptiveLICMapper, NormalizeVectors, int);
+relevoForwardMacro(vtkAdaptiveLICMapper, EnhancedLIC, int);
+relevoForwardMacro(vtkAdaptiveLICMapper, OrientedLIC, int);
+relevoForwardMacro(vtkAdaptiveLICMapper, Phase, double);
+relevoForwardMacro(vtkAdaptiveLICMapper, EnhanceContrast, int);
+relevoForwardMacro(vtkAdaptiveLICMapper, LowLICContrastEnhancementFactor, double);
+relevoForwardMacro(vtkAdaptiveLICMapper, HighLICContrastEnhancementFactor, double);
+relevoForwardMacro(vtkAdaptiveLICMapper, LowColorContrastEnhancementFactor, double);
+relevoForwardMacro(vtkAdaptiveLICMapper, HighColorContrastEnhancementFactor, double);
+relevoForwardMacro(vtkAdaptiveLICMapper, AntiAlias, int);
+relevoForwardMacro(vtkAdaptiveLICMapper, MaskThreshold, double);
+relevoForwardMacro(vtkAdaptiveLICMapper, MaskOnSurface, int);
+relevoForwardMacro(vtkAdaptiveLICMapper, MaskIntensity, double);
+relevoForwardMacro(vtkAdaptiveLICMapper, NoDataMagnitude, double);
+relevoForwardMacro(vtkAdaptiveLICMapper, LICIntensity, double);
+relevoForwardMacro(vtkAdaptiveLICMapper, MapModeBias, double);
+
+void vtkAdaptiveLICMapper::SetMaskColor(double red, double green, double blue)
 {
-  vtkDataObject* input = this->Root->GetInputDataObject(0, 0);
-  const relevo::AttributesOfBlocks blocks =
-    relevo::GetAttributesOfBlocks(this->Root->GetCompositeDataDisplayAttributes(), input);
-  if (vtkPolyData* mesh = vtkPolyData::SafeDownCast(input))
-  {
-    work(mesh, relevo::FindAttributes(blocks, 0));
-  }
-  else if (vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(input))
-  {
-    auto iterator = vtk::TakeSmartPointer(composite->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      if (vtkPolyData* leaf = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject()))
-      {
-        work(leaf, relevo::FindAttributes(blocks, iterator->GetCurrentFlatIndex()));
-      }
-    }
-  }
+  this->LICSettings->ChangeFor(
+    this, [=](vtkLICSettings& settings) { settings.SetMaskColor(red, green, blue); });
 }
+
+double* vtkAdaptiveLICMapper::GetMaskColor()
+{
+  return this->LICSettings->GetMaskColor();
+}
+
+void vtkAdaptiveLICMapper::GetMaskColor(double color[3])
+{
+  this->LICSettings->GetMaskColor(color);
+}
+
+void vtkAdaptiveLICMapper::GetMaskColor(double& red, double& green, double& blue)
+{
+  this->LICSettings->GetMaskColor(red, green, blue);
+}
+
+void vtkAdaptiveLICMapper::SetColorModeToBlend()
+{
+  this->LICSettings->SetColorModeToBlend();
+}
+
+void vtkAdaptiveLICMapper::SetColorModeToMultiply()
+{
+  this->LICSettings->SetColorModeToMap();
+}
+
+void vtkAdaptiveLICMapper::SetColorModeToMap()
+{
+  this->LICSettings->SetColorModeToMap();
+}
+
+//------------------------------------------------------------------------------
+// Noise
+
+relevoForwardMacro(vtkAdaptiveLICMapper, NoiseDataSet, vtkImageData*);
+relevoForwardMacro(vtkAdaptiveLICMapper, NoiseFileName, const char*);
+relevoForwardMacro(vtkAdaptiveLICMapper, GenerateNoiseTexture, int);
+relevoForwardMacro(vtkAdaptiveLICMapper, NoiseType, int);
+relevoForwardMacro(vtkAdaptiveLICMapper, NoiseTextureSize, int);
+relevoForwardMacro(vtkAdaptiveLICMapper, NoiseGrainSize, int);
+relevoForwardMacro(vtkAdaptiveLICMapper, MinNoiseValue, double);
+relevoForwardMacro(vtkAdaptiveLICMapper, MaxNoiseValue, double);
+relevoForwardMacro(vtkAdaptiveLICMapper, NumberOfNoiseLevels, int);
+relevoForwardMacro(vtkAdaptiveLICMapper, ImpulseNoiseProbability, double);
+relevoForwardMacro(vtkAdaptiveLICMapper, ImpulseNoiseBackgroundValue, double);
+relevoForwardMacro(vtkAdaptiveLICMapper, NoiseGeneratorSeed, int);
 
 //------------------------------------------------------------------------------
 // What there is to show
@@ -86,106 +215,58 @@ relevo::LICArray vtkAdaptiveLICMapper::FindArray(vtkPolyData* input)
   return relevo::LICArray::Check(chosen, association, input);
 }
 
-bool vtkAdaptiveLICMapper::vtkInternals::CanShow(vtkRenderer* ren, vtkActor* act)
+std::vector<vtkAdaptiveLICMapper::vtkInternals::Mesh>
+vtkAdaptiveLICMapper::vtkInternals::FindMeshes() const
+{
+  vtkDataObject* input = this->Root->GetInputDataObject(0, 0);
+  const relevo::AttributesOfBlocks blocks =
+    relevo::GetAttributesOfBlocks(this->Root->GetCompositeDataDisplayAttributes(), input);
+  std::vector<Mesh> meshes;
+  for (const relevo::DataLeaf& leaf : relevo::FindDataLeaves(input))
+  {
+    if (vtkPolyData* mesh = vtkPolyData::SafeDownCast(leaf.Data))
+    {
+      meshes.emplace_back(mesh, relevo::FindAttributes(blocks, leaf.FlatIndex));
+    }
+  }
+  return meshes;
+}
+
+bool vtkAdaptiveLICMapper::vtkInternals::CanShow(vtkRenderer* ren, vtkActor* act) const
 {
   return this->Root->GetEnable() && !ren->GetSelector() &&
     act->GetProperty()->GetRepresentation() == VTK_SURFACE && this->Root->GetInputAlgorithm() &&
     this->Root->GetRefinement();
 }
 
-void vtkAdaptiveLICMapper::vtkInternals::CheckVectors()
+void vtkAdaptiveLICMapper::vtkInternals::UpdateField()
 {
   if (!this->Root->GetStatic())
   {
     this->Root->GetInputAlgorithm()->Update();
   }
-  relevo::Dependencies dependencies =
-    relevo::Dependencies::On(this->Root->BuildTime, this->Root->GetNoDataMagnitude());
-  this->ForEachLeaf(
-    [&](vtkPolyData* leaf, const relevo::BlockAttributes&) { dependencies.AddObject(leaf); });
-  if (!this->VectorDependencies.Update(dependencies))
+  relevo::LICField::Input input;
+  for (const Mesh& mesh : this->FindMeshes())
   {
-    return;
+    input.Meshes.push_back(mesh.first);
   }
-  VectorFacts facts;
-  this->ForEachLeaf(
-    [&](vtkPolyData* leaf, const relevo::BlockAttributes&)
-    {
-      if (leaf->GetNumberOfPolys() == 0 && leaf->GetNumberOfStrips() == 0)
-      {
-        return;
-      }
-      facts.HasFaces = true;
-      const relevo::LICArray vectors = this->Root->FindArray(leaf);
-      facts.Problem = facts.Problem.empty() ? vectors.Problem : facts.Problem;
-      facts.HasArray = facts.HasArray || vectors.Array;
-      if (!vectors.Array && facts.Misplaced.empty())
-      {
-        facts.Misplaced = this->DescribeMisplaced(leaf);
-      }
-      facts.Longest =
-        std::max(facts.Longest, vectors.FindLongest(this->Root->GetNoDataMagnitude()));
-    });
-  this->OwnVectors = facts;
+  input.BuildTime = this->Root->BuildTime;
+  input.NoDataMagnitude = this->Root->GetNoDataMagnitude();
+  input.FindArray = [this](vtkPolyData* mesh) { return this->Root->FindArray(mesh); };
+  input.DescribeMisplaced = [this](vtkPolyData* mesh) { return this->DescribeMisplaced(mesh); };
+  this->Field.Update(input);
 }
 
-std::string vtkAdaptiveLICMapper::vtkInternals::DescribeMisplaced(vtkPolyData* leaf)
+std::string vtkAdaptiveLICMapper::vtkInternals::DescribeMisplaced(vtkPolyData* mesh) const
 {
   vtkInformation* wanted = this->Root->GetInputArrayInformation(0);
   const std::string name =
     wanted->Has(vtkDataObject::FIELD_NAME()) ? wanted->Get(vtkDataObject::FIELD_NAME()) : "";
   return relevo::DescribeMisplacedArray(
-    leaf, name, wanted->Get(vtkDataObject::FIELD_ASSOCIATION()), relevo::AdviseInputArray(name));
+    mesh, name, wanted->Get(vtkDataObject::FIELD_ASSOCIATION()), relevo::AdviseInputArray(name));
 }
 
-std::string vtkAdaptiveLICMapper::vtkInternals::FindVectorProblem() const
-{
-  const VectorFacts& facts = this->AllVectors;
-  if (facts.Problem.empty() && facts.HasFaces && !facts.HasArray)
-  {
-    return this->OwnVectors.Misplaced.empty()
-      ? "The input has no array of vectors that SetInputArrayToProcess(0, ...) chooses."
-      : "The input has " + this->OwnVectors.Misplaced + ".";
-  }
-  if (facts.Problem.empty() && facts.HasFaces && facts.Longest < 0.0)
-  {
-    return "All vectors are no-data: not finite, or of NoDataMagnitude or more.";
-  }
-  return facts.Problem;
-}
-
-std::string vtkAdaptiveLICMapper::vtkInternals::FindSettingsProblem()
-{
-  vtkLICSettings* settings = this->Root->LICSettings;
-  // Factors that are not used may be any, as for vtkSurfaceLICMapper.
-  std::string error =
-    settings->EnhancesLICContrast() ? relevo::FindContrastError(settings) : std::string();
-  if (error.empty() && settings->EnhancesColorContrast())
-  {
-    error = relevo::FindColorContrastError(settings);
-  }
-  if (error.empty() && !this->Noise.Update(settings))
-  {
-    error = this->Noise.GetError();
-  }
-  return error;
-}
-
-relevo::LICScreen& vtkAdaptiveLICMapper::vtkInternals::GetScreen(vtkRenderer* ren, vtkActor* act)
-{
-  relevo::LICScreen& screen = this->Screens[ScreenKey(ren, act, ren->GetActiveCamera())];
-  screen.LastUse = ++this->Use;
-  while (this->Screens.size() > MostScreens)
-  {
-    auto oldest = std::min_element(this->Screens.begin(), this->Screens.end(),
-      [](const auto& a, const auto& b) { return a.second.LastUse < b.second.LastUse; });
-    oldest->second.ReleaseGraphicsResources(ren->GetRenderWindow());
-    this->Screens.erase(oldest);
-  }
-  return screen;
-}
-
-relevo::Dependencies vtkAdaptiveLICMapper::vtkInternals::GetScreenDependencies(
+relevo::Dependencies vtkAdaptiveLICMapper::vtkInternals::GetScreenSources(
   vtkRenderer* ren, vtkActor* act, const relevo::LICScreen& screen)
 {
   relevo::Dependencies dependencies = relevo::Dependencies::On(
@@ -198,8 +279,8 @@ relevo::Dependencies vtkAdaptiveLICMapper::vtkInternals::GetScreenDependencies(
     std::for_each(matrix->GetData(), matrix->GetData() + 16,
       [&dependencies](double element) { dependencies.Add(element); });
   }
-  this->AddSettings(dependencies);
-  dependencies.Add(this->IsTogether());
+  this->Drawer.AddTo(dependencies, this->GetParameters());
+  dependencies.Add(this->Parallel.IsUsed());
   dependencies.Add(this->Root->BuildTime);
   dependencies.Add(act->GetShaderProperty()->GetShaderMTime());
   vtkProperty* property = act->GetProperty();
@@ -219,18 +300,209 @@ relevo::Dependencies vtkAdaptiveLICMapper::vtkInternals::GetScreenDependencies(
     dependencies.AddObject(displacement ? displacement->GetHeightMap() : nullptr);
   }
   relevo::AddHoles(dependencies, act, this->Root->LookupTable);
-  this->ForEachLeaf(
-    [&](vtkPolyData* leaf, const relevo::BlockAttributes& attributes)
-    {
-      dependencies.AddObject(leaf);
-      const bool isClear =
-        (attributes.HasOpacity ? attributes.Opacity : property->GetOpacity()) <= 0.0;
-      dependencies.Add(attributes.Visible && !isClear);
-    });
+  for (const Mesh& mesh : this->FindMeshes())
+  {
+    dependencies.AddObject(mesh.first);
+    const relevo::BlockAttributes& block = mesh.second;
+    const bool isClear = (block.HasOpacity ? block.Opacity : property->GetOpacity()) <= 0.0;
+    dependencies.Add(block.Visible && !isClear);
+  }
   dependencies.Add(this->Root->GetNumberOfSelections());
   dependencies.Add(this->Root->GetLevelOffset());
   dependencies.Add(this->Root->GetMethod());
   return dependencies;
+}
+
+//------------------------------------------------------------------------------
+// A screen with the LIC, before the surface is drawn
+
+void vtkAdaptiveLICMapper::vtkInternals::Prepare(vtkRenderer* ren, vtkActor* act)
+{
+  this->Screen = nullptr;
+  if (!this->CanShow(ren, act))
+  {
+    return;
+  }
+  if (this->Parallel.IsUsed())
+  {
+    this->Screen = this->Screens.Find(ren, act); // that PrepareParallelFrame() has drawn
+    return;
+  }
+  this->UpdateField();
+  this->Field.SetAll(this->Field.GetOwn());
+  std::string problem = this->Field.FindProblem();
+  if (problem.empty())
+  {
+    problem = this->Drawer.CheckSettings(this->Root->LICSettings);
+  }
+  if (problem.empty())
+  {
+    problem = this->UpdateScreen(ren, act);
+  }
+  this->Report(problem);
+}
+
+void vtkAdaptiveLICMapper::vtkInternals::Report(const std::string& problem)
+{
+  if (relevo::ShouldReport(this->Problem, problem))
+  {
+    vtkErrorWithObjectMacro(this->Root, << problem << " The surface has no LIC.");
+  }
+}
+
+std::string vtkAdaptiveLICMapper::vtkInternals::UpdateScreen(vtkRenderer* ren, vtkActor* act)
+{
+  relevo::LICScreen& screen = this->Screens.Get(ren, act);
+  const bool stretchesColors = this->GetParameters().StretchesColors();
+  std::string problem = this->Drawer.Allocate(ren, screen, stretchesColors);
+  if (!problem.empty() || screen.IsEmpty())
+  {
+    return problem;
+  }
+  const bool convolve = screen.Sources != this->GetScreenSources(ren, act, screen);
+  if (convolve || stretchesColors)
+  {
+    problem = this->DrawVectors(ren, act, screen, nullptr);
+    if (problem.empty())
+    {
+      problem = this->DrawImage(ren, screen, convolve, nullptr);
+    }
+    if (problem.empty())
+    {
+      screen.Sources = this->GetScreenSources(ren, act, screen); // with the levels drawn
+    }
+  }
+  this->Screen = problem.empty() ? &screen : nullptr;
+  return problem;
+}
+
+std::string vtkAdaptiveLICMapper::vtkInternals::DrawVectors(
+  vtkRenderer* ren, vtkActor* act, relevo::LICScreen& screen, std::vector<float>* vectors)
+{
+  return this->Drawer.DrawVectors(
+    ren, act, screen,
+    [&]
+    {
+      this->IsDrawingVectors = true;
+      this->Root->Superclass::RenderRefined(ren, act);
+      this->IsDrawingVectors = false;
+    },
+    [&](vtkOpenGLFramebufferObject* framebuffer)
+    {
+      this->SetBounds(ren, act, screen);
+      if (vectors)
+      {
+        *vectors = screen.ReadVectors(framebuffer, screen.Rectangle);
+      }
+    });
+}
+
+std::string vtkAdaptiveLICMapper::vtkInternals::DrawImage(vtkRenderer* ren,
+  relevo::LICScreen& screen, bool convolve, const relevo::LICImage::RangeMerger& merge)
+{
+  const std::string problem =
+    this->Drawer.DrawImage(ren, screen, this->GetParameters(), convolve, merge);
+  this->Root->NumberOfConvolutions = this->Drawer.GetNumberOfConvolutions();
+  return problem;
+}
+
+void vtkAdaptiveLICMapper::vtkInternals::SetBounds(
+  vtkRenderer* ren, vtkActor* act, relevo::LICScreen& screen)
+{
+  // Those of the actor are of the first sub-piece, and have the pipeline make it again.
+  this->Root->ComputeBounds();
+  vtkNew<vtkMatrix4x4> project;
+  vtkMatrix4x4::Multiply4x4(ren->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+                              ren->GetTiledAspectRatio(), -1, 1),
+    act->GetMatrix(), project);
+  screen.SetBounds(this->Root->Bounds, project);
+}
+
+//------------------------------------------------------------------------------
+// Pictures that several processes draw
+
+void vtkAdaptiveLICMapper::SetController(vtkMultiProcessController* controller)
+{
+  this->LIC->Parallel.SetController(controller);
+}
+
+vtkMultiProcessController* vtkAdaptiveLICMapper::GetController()
+{
+  return this->LIC->Parallel.GetController();
+}
+
+void vtkAdaptiveLICMapper::vtkInternals::Contribute(
+  vtkRenderer* ren, vtkActor* act, relevo::LICParallelFrame::Contribution& contribution)
+{
+  if (!this->CanShow(ren, act))
+  {
+    return;
+  }
+  this->UpdateField();
+  contribution.Problem = this->Field.GetOwn().Problem;
+  if (contribution.Problem.empty())
+  {
+    contribution.Problem = this->Drawer.CheckSettings(this->Root->LICSettings);
+  }
+  relevo::LICScreen& screen = this->Screens.Get(ren, act);
+  if (contribution.Problem.empty())
+  {
+    contribution.Problem =
+      this->Drawer.Allocate(ren, screen, this->GetParameters().StretchesColors());
+  }
+  contribution.Screen = &screen;
+  contribution.IsChanged = screen.Sources != this->GetScreenSources(ren, act, screen);
+}
+
+void vtkAdaptiveLICMapper::PrepareParallelFrame(vtkRenderer* ren, vtkActor* act)
+{
+  vtkInternals& lic = *this->LIC;
+  if (!lic.Parallel.IsUsed())
+  {
+    return;
+  }
+  // As when the picture is drawn, which has not begun.
+  vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
+  int viewport[4];
+  ren->GetTiledSizeAndOrigin(viewport + 2, viewport + 3, viewport, viewport + 1);
+  window->GetState()->vtkglViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+  ren->UpdateLightsGeometryToFollowCamera();
+  vtkOpenGLRenderer::SafeDownCast(ren)->UpdateLights();
+
+  using Contribution = relevo::LICParallelFrame::Contribution;
+  vtkActor* drawn = act; // that VTK has the mapper draw for the actor
+  relevo::LICParallelFrame::Steps steps;
+  steps.Prepare = [&](Contribution& contribution)
+  {
+    lic.Hook.RenderInstead(ren, act, this,
+      [&](vtkRenderer*, vtkActor* rendered)
+      {
+        drawn = rendered;
+        lic.Contribute(ren, rendered, contribution);
+      });
+  };
+  steps.DrawVectors = [&](Contribution& contribution)
+  {
+    lic.Hook.RenderInstead(ren, act, this,
+      [&](vtkRenderer*, vtkActor* rendered)
+      {
+        if (contribution.Screen)
+        {
+          contribution.Problem =
+            lic.DrawVectors(ren, rendered, *contribution.Screen, &contribution.Vectors);
+        }
+      });
+  };
+  steps.CountRanges = [&](bool convolve)
+  { return lic.Drawer.CountRanges(lic.GetParameters(), convolve); };
+  steps.FindReach = [&] { return lic.Drawer.FindReach(lic.GetParameters()); };
+  steps.DrawImage =
+    [&](relevo::LICScreen& screen, bool convolve, const relevo::LICImage::RangeMerger& merge)
+  { return lic.DrawImage(ren, screen, convolve, merge); };
+  steps.Finish = [&](relevo::LICScreen& screen)
+  { screen.Sources = lic.GetScreenSources(ren, drawn, screen); };
+  steps.StretchesColors = lic.GetParameters().StretchesColors();
+  lic.Report(lic.Parallel.Run(ren, act, lic.Field, steps));
 }
 
 //------------------------------------------------------------------------------
@@ -244,9 +516,8 @@ void vtkAdaptiveLICMapper::RenderRefined(vtkRenderer* ren, vtkActor* act)
     lic.NoDataMagnitude = this->GetNoDataMagnitude();
     this->BuildTime.Modified(); // buffers are without no-data
   }
-  if (lic.LocalContribution)
+  if (lic.Hook.Run(ren, act))
   {
-    lic.TakePart(ren, act);
     return;
   }
   if (lic.Root == this)
@@ -281,18 +552,18 @@ void vtkAdaptiveLICMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* act)
   {
     this->Superclass::RenderPieceDraw(ren, act);
   }
-  else if (this->IsDrawable() && this->LIC->HasVectors)
+  else if (this->IsDrawable() && !this->LIC->Vectors.IsEmpty())
   {
     this->DrawingSelection = false;
     this->DrawingVertices = false;
     this->PrimitiveIDOffset = 0;
-    this->DrawFaces(*this->LIC->Vectors, ren, act);
+    this->DrawFaces(*this->LIC->VectorHelper, ren, act);
   }
 }
 
 void vtkAdaptiveLICMapper::RenderPieceFinish(vtkRenderer* ren, vtkActor* act)
 {
-  this->LIC->CellVectors.Deactivate();
+  this->LIC->Vectors.Deactivate();
   if (relevo::LICScreen* screen = this->LIC->Root->LIC->Screen)
   {
     for (vtkTextureObject* texture : { screen->Image.Get(), screen->Range.Get() })
@@ -311,37 +582,159 @@ void vtkAdaptiveLICMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->Superclass::ReleaseGraphicsResources(window);
   vtkInternals& lic = *this->LIC;
   lic.Screen = nullptr;
-  if (lic.LocalContribution)
-  {
-    lic.LocalContribution->Screen = nullptr;
-  }
-  for (auto& screen : lic.Screens)
-  {
-    screen.second.ReleaseGraphicsResources(window);
-  }
-  lic.Screens.clear();
-  lic.Image.ReleaseGraphicsResources(window);
-  lic.Noise.ReleaseGraphicsResources(window);
-  lic.CellVectors.ReleaseGraphicsResources(window);
-  lic.CellVectorDependencies.Clear();
-  lic.Framebuffer->ReleaseGraphicsResources(window);
+  lic.Parallel.ForgetScreen();
+  lic.Screens.ReleaseGraphicsResources(window);
+  lic.Drawer.ReleaseGraphicsResources(window);
+  lic.Vectors.ReleaseGraphicsResources(window);
 }
 
 vtkTypeInt64 vtkAdaptiveLICMapper::GetGraphicsMemorySize()
 {
+  const vtkInternals& lic = *this->LIC;
+  return this->Superclass::GetGraphicsMemorySize() + lic.Drawer.GetMemorySize() +
+    lic.Vectors.GetMemorySize(this->VBOs) + lic.Screens.GetMemorySize();
+}
+
+//------------------------------------------------------------------------------
+// Buffers and shaders
+
+void vtkAdaptiveLICMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor* act)
+{
   vtkInternals& lic = *this->LIC;
-  vtkTypeInt64 size = this->Superclass::GetGraphicsMemorySize() + lic.Image.GetMemorySize() +
-    lic.Noise.GetMemorySize() + lic.CellVectors.GetMemorySize();
-  for (const auto& screen : lic.Screens)
+  vtkPolyData* input = this->CurrentInput;
+  relevo::Dependencies dependencies =
+    relevo::Dependencies::On(this->GetBuildMTime(), this->GetNoDataMagnitude());
+  dependencies.AddObject(input);
+  lic.Vectors.Update(
+    dependencies, [&] { return this->FindArray(input); }, this->GetNoDataMagnitude());
+  lic.Vectors.CacheArrays(this->VBOs, input, ren);
+  this->Superclass::BuildBufferObjects(ren, act);
+
+  // Other representations show none.
+  if (act->GetProperty()->GetRepresentation() == VTK_SURFACE &&
+    !lic.Vectors.UploadCells(
+      vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()), this->CellCellMap))
   {
-    size += screen.second.GetMemorySize();
+    vtkErrorMacro("The vectors of cells cannot be sent to the graphics card: "
+      << relevo::BufferTexture::GetTooLarge() << ".");
   }
-  for (const char* name : { "relevoLICVector", "relevoLICPointNormal" })
+}
+
+relevo::LICShaderOptions vtkAdaptiveLICMapper::vtkInternals::GetShaderOptions(
+  vtkAdaptiveLICMapper* self, const vtkOpenGLHelper* helper) const
+{
+  const vtkInternals& root = *this->Root->LIC;
+  relevo::LICShaderOptions options;
+  options.StretchesColors = root.GetParameters().StretchesColors();
+  if (helper == this->VectorHelper)
   {
-    if (vtkOpenGLVertexBufferObject* vbo = this->VBOs->GetVBO(name))
+    options.Purpose = relevo::LICShaderOptions::VECTORS;
+    options.AreOfCells = this->Vectors.AreOfCells();
+    options.HasNormals = this->HasNormals;
+    options.HasPointNormals = this->Vectors.HasPointNormals();
+  }
+  else if (root.Screen && self->IsFaceHelper(helper) && !self->DrawingVertices)
+  {
+    options.Purpose = relevo::LICShaderOptions::IMAGE;
+  }
+  return options;
+}
+
+void vtkAdaptiveLICMapper::ExtendShaders(
+  const vtkOpenGLHelper* cellBO, relevo::ShaderExtension& extension)
+{
+  vtkInternals& lic = *this->LIC;
+  if (cellBO == lic.VectorHelper)
+  {
+    lic.HasNormals = extension.HasNormals || lic.Vectors.HasPointNormals();
+  }
+  relevo::ExtendLICShaders(lic.GetShaderOptions(this, cellBO), extension);
+}
+
+void vtkAdaptiveLICMapper::ReplaceShaderValues(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act)
+{
+  const relevo::LICShaderOptions options = this->LIC->GetShaderOptions(this, this->LastBoundBO);
+  relevo::PrepareLICShaders(options, shaders, this->MissingAnchors);
+  this->Superclass::ReplaceShaderValues(shaders, ren, act);
+  const bool needsEdges = this->DrawingEdges(ren, act) && !relevo::HasOwnFragments(act);
+  relevo::FinishLICShaders(options, needsEdges, shaders, this->MissingAnchors);
+}
+
+void vtkAdaptiveLICMapper::vtkInternals::SetVectorUniforms(
+  vtkAdaptiveLICMapper* self, vtkShaderProgram* program, vtkRenderer* ren, vtkActor* act)
+{
+  const bool isShifted = self->VBOs->GetVBO("vertexMC")->GetCoordShiftAndScaleEnabled();
+  vtkMatrix4x4* fromShifted = isShifted ? self->VBOInverseTransform->GetMatrix() : nullptr;
+  this->Vectors.SetUniforms(program,
+    { ren, act, fromShifted, this->Root->LICSettings, this->Root->LIC->Field.GetLongest() });
+}
+
+void vtkAdaptiveLICMapper::vtkInternals::SetImageUniforms(vtkShaderProgram* program) const
+{
+  const relevo::LICScreen& screen = *this->Screen;
+  const auto read = [program](const char* sampler, vtkTextureObject* texture)
+  {
+    if (texture && program->IsUniformUsed(sampler))
     {
-      size += static_cast<vtkTypeInt64>(vbo->GetNumberOfTuples()) * vbo->GetStride();
+      texture->Activate();
+      program->SetUniformi(sampler, texture->GetTextureUnit());
     }
+  };
+  read("relevoLICImage", screen.Image);
+  read("relevoLICRange", screen.Range);
+  this->GetParameters().GetColoring().SetUniforms(program);
+  vtkLICSettings* settings = this->Root->LICSettings;
+  if (program->IsUniformUsed("relevoLICOrigin"))
+  {
+    program->SetUniform2i("relevoLICOrigin", screen.Viewport);
+    program->SetUniform2i("relevoLICSize", screen.Viewport + 2);
   }
-  return size;
+  if (program->IsUniformUsed("relevoLICMaskColor"))
+  {
+    program->SetUniform3f("relevoLICMaskColor", settings->GetMaskColor());
+    program->SetUniformf(
+      "relevoLICMaskIntensity", static_cast<float>(settings->GetMaskIntensity()));
+  }
+  if (program->IsUniformUsed("relevoLICFactors"))
+  {
+    const float factors[2] = { static_cast<float>(settings->GetLowColorContrastEnhancementFactor()),
+      static_cast<float>(settings->GetHighColorContrastEnhancementFactor()) };
+    program->SetUniform2f("relevoLICFactors", factors);
+  }
+}
+
+void vtkAdaptiveLICMapper::SetMapperShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
+{
+  this->Superclass::SetMapperShaderParameters(cellBO, ren, act);
+  const vtkInternals& root = *this->LIC->Root->LIC;
+  if (&cellBO == this->LIC->VectorHelper)
+  {
+    this->LIC->SetVectorUniforms(this, cellBO.Program, ren, act);
+  }
+  else if (root.Screen && this->IsFaceHelper(&cellBO) && !this->DrawingVertices)
+  {
+    root.SetImageUniforms(cellBO.Program);
+  }
+}
+
+//------------------------------------------------------------------------------
+
+void vtkAdaptiveLICMapper::ShallowCopy(vtkAbstractMapper* mapper)
+{
+  this->Superclass::ShallowCopy(mapper);
+  if (vtkAdaptiveLICMapper* other = vtkAdaptiveLICMapper::SafeDownCast(mapper))
+  {
+    this->SetInputArrayToProcess(0, other->GetInputArrayInformation(0));
+    this->SetLICSettings(other->LICSettings);
+  }
+}
+
+void vtkAdaptiveLICMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "LICSettings:\n";
+  this->LICSettings->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "NumberOfConvolutions: " << this->NumberOfConvolutions << "\n";
 }

@@ -30,7 +30,7 @@ LAYERS = {
                        "Composite", "Picking"],
     "Rendering/Refinement": ["State", "Shaders", "Buffers", "Compute", "Methods", "Picking", "Blocks",
                              "Stages"],
-    "Rendering/Flow": ["Passes"],
+    "Rendering/Flow": ["Passes", "Shaders", "Buffers", "Stages"],
     "Rendering/Offscreen": [],
     "Rendering/Volume": ["View", "Mesh", "Buffers", "Shaders", "Stages"],
     "Rendering/Parametric": ["View", "Shaders", "Buffers", "Drawing"],

@@ -3,13 +3,11 @@
 #include "Passes/LICPass.h"
 
 #include "OpenGL/RelevoOpenGL.h"
-#include "relevoViewportVS.h"
 
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
-#include "vtkOpenGLVertexArrayObject.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
@@ -29,7 +27,7 @@ vtkShaderProgram* LICPass::Begin(vtkOpenGLRenderWindow* window)
   vtkOpenGLShaderCache* cache = window->GetShaderCache();
   this->Program = this->Program
     ? cache->ReadyShaderProgram(this->Program)
-    : cache->ReadyShaderProgram(relevoViewportVS, this->Source.c_str(), "");
+    : cache->ReadyShaderProgram(ScreenPass::GetVertexShader(), this->Source.c_str(), "");
   return this->Program;
 }
 
@@ -57,9 +55,7 @@ void LICPass::Draw(
     state->vtkglEnable(GL_SCISSOR_TEST);
     state->vtkglScissor(rectangle[0], rectangle[1], rectangle[2], rectangle[3]);
   }
-  this->Triangle->Bind();
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-  this->Triangle->Release();
+  this->Screen.Draw();
   if (rectangle)
   {
     state->vtkglDisable(GL_SCISSOR_TEST);
@@ -69,7 +65,7 @@ void LICPass::Draw(
 void LICPass::ReleaseGraphicsResources()
 {
   this->Program = nullptr;
-  this->Triangle->ReleaseGraphicsResources();
+  this->Screen.ReleaseGraphicsResources();
 }
 
 vtkTextureObject* NewFloatTexture(

@@ -9,13 +9,12 @@
 #ifndef LICPass_h
 #define LICPass_h
 
-#include "vtkNew.h"
+#include "Passes/ScreenPass.h"
 
 #include <string> // for sources
 
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
-class vtkOpenGLVertexArrayObject;
 class vtkShaderProgram;
 class vtkTextureObject;
 
@@ -46,7 +45,7 @@ public:
 private:
   std::string Source;
   vtkShaderProgram* Program = nullptr; // of the window's cache
-  vtkNew<vtkOpenGLVertexArrayObject> Triangle;
+  ScreenPass Screen;
 };
 
 /// A texture of floats, one or more a pixel, that can be drawn to; nullptr if there is none to be

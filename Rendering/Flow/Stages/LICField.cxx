@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Stages/LICField.h"
+
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+namespace relevo
+{
+void LICField::Update(const Input& input)
+{
+  Dependencies sources = Dependencies::On(input.BuildTime, input.NoDataMagnitude);
+  for (vtkPolyData* mesh : input.Meshes)
+  {
+    sources.AddObject(mesh);
+  }
+  if (!this->Sources.Update(sources))
+  {
+    return;
+  }
+  LICFieldFacts facts;
+  std::string misplaced;
+  for (vtkPolyData* mesh : input.Meshes)
+  {
+    if (mesh->GetNumberOfPolys() == 0 && mesh->GetNumberOfStrips() == 0)
+    {
+      continue;
+    }
+    facts.HasFaces = true;
+    const LICArray vectors = input.FindArray(mesh);
+    facts.Problem = facts.Problem.empty() ? vectors.Problem : facts.Problem;
+    facts.HasArray = facts.HasArray || vectors.Array;
+    if (!vectors.Array && misplaced.empty())
+    {
+      misplaced = input.DescribeMisplaced(mesh);
+    }
+    facts.Longest = std::max(facts.Longest, vectors.FindLongest(input.NoDataMagnitude));
+  }
+  this->Own = facts;
+  this->Misplaced = misplaced;
+}
+
+std::string LICField::FindProblem() const
+{
+  const LICFieldFacts& facts = this->All;
+  if (facts.Problem.empty() && facts.HasFaces && !facts.HasArray)
+  {
+    return this->Misplaced.empty()
+      ? "The input has no array of vectors that SetInputArrayToProcess(0, ...) chooses."
+      : "The input has " + this->Misplaced + ".";
+  }
+  if (facts.Problem.empty() && facts.HasFaces && facts.Longest < 0.0)
+  {
+    return "All vectors are no-data: not finite, or of NoDataMagnitude or more.";
+  }
+  return facts.Problem;
+}
+}
