@@ -21,6 +21,11 @@ vtkTextureObject* RenderTarget::GetTexture(size_t texture) const
   return texture < this->Textures.size() ? this->Textures[texture].Get() : nullptr;
 }
 
+vtkOpenGLFramebufferObject* RenderTarget::GetFramebuffer() const
+{
+  return this->Framebuffer;
+}
+
 bool RenderTarget::Has(
   int width, int height, const std::vector<Format>& formats, bool hasDepth) const
 {
@@ -44,6 +49,7 @@ bool RenderTarget::Create(vtkOpenGLRenderWindow* window, int width, int height,
     texture->SetMagnificationFilter(vtkTextureObject::Linear);
     texture->SetWrapS(vtkTextureObject::ClampToEdge);
     texture->SetWrapT(vtkTextureObject::ClampToEdge);
+    texture->SetUseSRGBColorSpace(format.IsSRGB);
     this->Textures.push_back(texture);
     if (!texture->Create2D(columns, rows, format.Components, format.Type, false))
     {

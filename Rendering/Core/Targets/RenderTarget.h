@@ -56,9 +56,11 @@ public:
   {
     int Components = 4;
     int Type = VTK_FLOAT;
+    bool IsSRGB = false; // of bytes
     bool operator==(const Format& other) const
     {
-      return this->Components == other.Components && this->Type == other.Type;
+      return this->Components == other.Components && this->Type == other.Type &&
+        this->IsSRGB == other.IsSRGB;
     }
   };
 
@@ -90,8 +92,11 @@ public:
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
+  //@{
   /// nullptr if there is none.
   vtkTextureObject* GetTexture(size_t texture = 0) const;
+  vtkOpenGLFramebufferObject* GetFramebuffer() const;
+  //@}
 
 private:
   bool Has(int width, int height, const std::vector<Format>& formats, bool hasDepth) const;

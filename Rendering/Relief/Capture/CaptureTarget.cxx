@@ -13,8 +13,14 @@
 
 namespace relevo
 {
-CaptureTarget::CaptureTarget() = default;
-CaptureTarget::~CaptureTarget() = default;
+// Bytes for colours, floats for normals, depths and the z-buffer.
+bool CaptureTarget::Bind()
+{
+  const RenderTarget::Format colors = { 4, VTK_UNSIGNED_CHAR,
+    this->Window->GetUseSRGBColorSpace() };
+  return this->Target.Begin(
+    this->Window, this->Width, this->Height, { colors, { 4, VTK_FLOAT }, { 2, VTK_FLOAT } }, true);
+}
 
 std::string CaptureTarget::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
 {
@@ -32,34 +38,14 @@ std::string CaptureTarget::Allocate(vtkOpenGLRenderWindow* window, int width, in
   this->Width = width;
   this->Height = height;
   const std::string problem = "OpenGL cannot make a framebuffer of " + size + " for a capture.";
-  const auto w = static_cast<unsigned int>(width);
-  const auto h = static_cast<unsigned int>(height);
-  for (vtkTextureObject* texture :
-    { this->Colors.Get(), this->Normals.Get(), this->Depths.Get(), this->ZBuffer.Get() })
-  {
-    texture->SetContext(window);
-  }
-  this->Colors->SetUseSRGBColorSpace(window->GetUseSRGBColorSpace());
-  if (!this->Colors->Create2D(w, h, 4, VTK_UNSIGNED_CHAR, false) ||
-    !this->Normals->Create2D(w, h, 4, VTK_FLOAT, false) ||
-    !this->Depths->Create2D(w, h, 2, VTK_FLOAT, false) ||
-    !this->ZBuffer->AllocateDepth(w, h, vtkTextureObject::Float32))
+  if (!this->Bind())
   {
     return problem;
   }
-  this->Framebuffer->SetContext(window);
-  vtkOpenGLState* state = window->GetState();
-  state->PushFramebufferBindings();
-  this->Framebuffer->Bind();
-  this->Framebuffer->AddColorAttachment(0, this->Colors);
-  this->Framebuffer->AddColorAttachment(1, this->Normals);
-  this->Framebuffer->AddColorAttachment(2, this->Depths);
-  this->Framebuffer->AddDepthAttachment(this->ZBuffer);
-  this->Framebuffer->ActivateDrawBuffers(NumberOfDrawBuffers);
   const char* description = nullptr;
   const bool isComplete =
     vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_FRAMEBUFFER, description);
-  state->PopFramebufferBindings();
+  this->Target.End();
   return isComplete ? "" : problem;
 }
 
@@ -67,8 +53,7 @@ void CaptureTarget::Begin()
 {
   vtkOpenGLState* state = this->Window->GetState();
   state->Push();
-  this->Framebuffer->Bind();
-  this->ActivateDrawBuffers(NumberOfDrawBuffers);
+  this->Bind();
   state->vtkglViewport(0, 0, this->Width, this->Height);
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglDisable(GL_STENCIL_TEST);
@@ -87,12 +72,13 @@ void CaptureTarget::Begin()
 
 void CaptureTarget::End()
 {
+  this->Target.End();
   this->Window->GetState()->Pop();
 }
 
 void CaptureTarget::ActivateDrawBuffers(int number)
 {
-  this->Framebuffer->ActivateDrawBuffers(static_cast<unsigned int>(number));
+  this->Target.GetFramebuffer()->ActivateDrawBuffers(static_cast<unsigned int>(number));
 }
 
 void CaptureTarget::Read(CapturedPixels& pixels)
@@ -105,21 +91,21 @@ void CaptureTarget::Read(CapturedPixels& pixels)
   pixels.Normals.resize(4 * number);
   pixels.Depths.resize(2 * number);
   pixels.ZBuffer.resize(number);
-  state->PushFramebufferBindings();
-  this->Framebuffer->Bind();
+  this->Bind();
+  vtkOpenGLFramebufferObject* framebuffer = this->Target.GetFramebuffer();
   const auto read = [this](unsigned int format, unsigned int type, void* data)
   { glReadPixels(0, 0, this->Width, this->Height, format, type, data); };
   GLint alignment = 4;
   glGetIntegerv(GL_PACK_ALIGNMENT, &alignment);
   state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
-  this->Framebuffer->ActivateReadBuffer(0);
+  framebuffer->ActivateReadBuffer(0);
   read(GL_RGB, GL_UNSIGNED_BYTE, pixels.Colors.data());
   read(GL_DEPTH_COMPONENT, GL_FLOAT, pixels.ZBuffer.data());
-  this->Framebuffer->ActivateReadBuffer(1);
+  framebuffer->ActivateReadBuffer(1);
   read(GL_RGBA, GL_FLOAT, pixels.Normals.data());
-  this->Framebuffer->ActivateReadBuffer(2);
+  framebuffer->ActivateReadBuffer(2);
   read(GL_RG, GL_FLOAT, pixels.Depths.data());
   state->vtkglPixelStorei(GL_PACK_ALIGNMENT, alignment);
-  state->PopFramebufferBindings();
+  this->Target.End();
 }
 }

@@ -10,14 +10,12 @@
 #ifndef CaptureTarget_h
 #define CaptureTarget_h
 
-#include "vtkNew.h"
+#include "Targets/RenderTarget.h"
 
 #include <string>
 #include <vector>
 
-class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
-class vtkTextureObject;
 
 namespace relevo
 {
@@ -38,11 +36,6 @@ public:
   /// Colours, normals and depths.
   static constexpr int NumberOfDrawBuffers = 3;
 
-  CaptureTarget();
-  ~CaptureTarget();
-  CaptureTarget(const CaptureTarget&) = delete;
-  void operator=(const CaptureTarget&) = delete;
-
   /// In the context of the window, which is current; what OpenGL cannot do, or "".
   std::string Allocate(vtkOpenGLRenderWindow* window, int width, int height);
 
@@ -60,11 +53,9 @@ public:
   void Read(CapturedPixels& pixels);
 
 private:
-  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
-  vtkNew<vtkTextureObject> Colors;
-  vtkNew<vtkTextureObject> Normals;
-  vtkNew<vtkTextureObject> Depths;
-  vtkNew<vtkTextureObject> ZBuffer;
+  bool Bind();
+
+  RenderTarget Target;
   vtkOpenGLRenderWindow* Window = nullptr;
   int Width = 0;
   int Height = 0;
