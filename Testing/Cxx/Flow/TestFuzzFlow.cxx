@@ -206,7 +206,7 @@ int TestFuzzFlow(int, char*[])
 {
   RelevoCheck check;
   int calls = 0;
-  CHECK(RelevoFuzz::Run<Machine>(1000, 40, calls) == 0);
+  CHECK_EQUAL(RelevoFuzz::Run<Machine>(1000, 40, calls), 0);
   std::cout << calls << " calls\n";
   return check.GetResult();
 }

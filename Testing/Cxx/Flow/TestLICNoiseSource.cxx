@@ -44,8 +44,9 @@ void TestDistributions(RelevoCheck& check)
   const RelevoGrey gaussian = Run(source);
   vtkImageData* image = source->GetOutput();
   CHECK(image->GetDimensions()[0] == 200 && image->GetDimensions()[1] == 200);
-  CHECK(image->GetScalarType() == VTK_FLOAT && image->GetNumberOfScalarComponents() == 1);
-  CHECK(std::string(image->GetPointData()->GetScalars()->GetName()) == "Noise");
+  CHECK_EQUAL(image->GetScalarType(), VTK_FLOAT);
+  CHECK_EQUAL(image->GetNumberOfScalarComponents(), 1);
+  CHECK_EQUAL(std::string(image->GetPointData()->GetScalars()->GetName()), "Noise");
   // The mean is that of VTK's noise image.
   CHECK_NEAR(MomentsOf(gaussian.Values).Mean, 0.329, 0.005);
   CHECK_NEAR(MomentsOf(gaussian.Values).StandardDeviation, 0.127, 0.003);
@@ -77,14 +78,15 @@ void TestDistributions(RelevoCheck& check)
   CHECK_NEAR(MomentsOf(uniform.Values).StandardDeviation, 0.5 / std::sqrt(12.0), 0.002);
   CHECK_NEAR(Correlation(uniform, 1, 0), 0.0, 0.02);
   CHECK_NEAR(Correlation(uniform, 0, 1), 0.0, 0.02);
-  CHECK(*std::min_element(uniform.Values.begin(), uniform.Values.end()) == 0.25);
-  CHECK(*std::max_element(uniform.Values.begin(), uniform.Values.end()) == 0.75);
+  CHECK_EQUAL(*std::min_element(uniform.Values.begin(), uniform.Values.end()), 0.25);
+  CHECK_EQUAL(*std::max_element(uniform.Values.begin(), uniform.Values.end()), 0.75);
 }
 
 void TestGrains(RelevoCheck& check)
 {
   for (int type : { 0, 1 })
   {
+    CHECK_CASE(type);
     vtkNew<vtkLICNoiseSource> source;
     source->SetNoiseType(type);
     source->SetNoiseTextureSize(50);
@@ -102,7 +104,7 @@ void TestGrains(RelevoCheck& check)
       }
     }
     CHECK(same);
-    CHECK(values.size() > 30);
+    CHECK_GREATER(values.size(), 30);
   }
 }
 
@@ -114,12 +116,12 @@ void TestPerlin(RelevoCheck& check)
   source->SetNumberOfNoiseLevels(10000);
   source->SetNoiseGrainSize(32);
   const RelevoGrey image = Run(source);
-  CHECK(*std::min_element(image.Values.begin(), image.Values.end()) == 0.0);
+  CHECK_EQUAL(*std::min_element(image.Values.begin(), image.Values.end()), 0.0);
   CHECK_NEAR(*std::max_element(image.Values.begin(), image.Values.end()), 0.8, 1e-6);
   // Smooth on the scale of its period, also around the borders.
-  CHECK(Correlation(image, 2, 0) > 0.8);
-  CHECK(Correlation(image, 0, 2) > 0.8);
-  CHECK(std::abs(Correlation(image, 64, 40)) < 0.4);
+  CHECK_GREATER(Correlation(image, 2, 0), 0.8);
+  CHECK_GREATER(Correlation(image, 0, 2), 0.8);
+  CHECK_LESS(std::abs(Correlation(image, 64, 40)), 0.4);
   double acrossBorders = 0.0;
   double inside = 0.0;
   for (int i = 0; i < 128; ++i)
@@ -129,15 +131,18 @@ void TestPerlin(RelevoCheck& check)
     inside += std::abs(image.At(71, i) - image.At(72, i)) / 256.0;
     inside += std::abs(image.At(i, 71) - image.At(i, 72)) / 256.0;
   }
-  CHECK(acrossBorders < 2.0 * inside);
+  CHECK_LESS(acrossBorders, 2.0 * inside);
   // Shorter periods have more detail; and any of them works.
   source->SetNoiseGrainSize(8);
-  CHECK(Correlation(Run(source), 2, 0) < 0.8);
+  CHECK_LESS(Correlation(Run(source), 2, 0), 0.8);
   for (int grainSize : { 1, 2, 5, 100, 127 })
   {
+    CHECK_CASE(grainSize);
     source->SetNoiseGrainSize(grainSize);
     const RelevoMoments moments = MomentsOf(Run(source).Values);
-    CHECK(moments.StandardDeviation > 0.05 && moments.Mean > 0.2 && moments.Mean < 0.6);
+    CHECK_GREATER(moments.StandardDeviation, 0.05);
+    CHECK_GREATER(moments.Mean, 0.2);
+    CHECK_LESS(moments.Mean, 0.6);
   }
 }
 
@@ -145,13 +150,14 @@ void TestLevelsAndImpulses(RelevoCheck& check)
 {
   for (int type : { 0, 1, 2 })
   {
+    CHECK_CASE(type);
     vtkNew<vtkLICNoiseSource> source;
     source->SetNoiseType(type);
     source->SetNumberOfNoiseLevels(5);
     source->SetNoiseGrainSize(3);
     const RelevoGrey image = Run(source);
     const std::set<double> values(image.Values.begin(), image.Values.end());
-    CHECK(values.size() == 5);
+    CHECK_EQUAL(values.size(), 5);
     for (double value : values)
     {
       CHECK_NEAR(std::remainder(value, 0.2), 0.0, 1e-6);
@@ -168,7 +174,7 @@ void TestLevelsAndImpulses(RelevoCheck& check)
       [](double value) { return value == 0.125 || value >= 0.5; }));
     source->SetImpulseNoiseProbability(0.0);
     const RelevoGrey none = Run(source);
-    CHECK(std::count(none.Values.begin(), none.Values.end(), 0.125) == 40000);
+    CHECK_EQUAL(std::count(none.Values.begin(), none.Values.end(), 0.125), 40000);
   }
 }
 
@@ -205,9 +211,10 @@ void TestSeeds(RelevoCheck& check)
     const std::string backend = vtkSMPTools::GetBackend();
     for (const char* other : { "Sequential", "STDThread" })
     {
+      CHECK_CASE(other);
       CHECK(vtkSMPTools::SetBackend(other));
       source->Modified();
-      CHECK(Run(source).Values == images[0].Values);
+      CHECK_EQUAL(Run(source).Values, images[0].Values);
     }
     vtkSMPTools::SetBackend(backend.c_str());
   }
@@ -240,8 +247,8 @@ void TestError(RelevoCheck& check, const Change& spoil, const char* words)
   RelevoErrors executiveErrors(source->GetExecutive());
   source->Update();
   CHECK(errors.Said(words));
-  CHECK(source->GetOutput()->GetNumberOfPoints() == 0);
-  CHECK(source->GetOutput()->GetPointData()->GetNumberOfArrays() == 0);
+  CHECK_EQUAL(source->GetOutput()->GetNumberOfPoints(), 0);
+  CHECK_EQUAL(source->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
 }
 
 // Out of range: an error at once, and the noise stays as it was.

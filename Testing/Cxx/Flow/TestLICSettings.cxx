@@ -105,7 +105,7 @@ void TestRanges(RelevoCheck& check)
   }
   settings->SetEnable(0);
   settings->SetEnable(-7); // any number but 0 is on
-  CHECK(settings->GetEnable() == 1);
+  CHECK_EQUAL(settings->GetEnable(), 1);
 
   settings->SetMaskColor(0.1, 0.2, 1.0);
   for (const auto& color :
@@ -118,7 +118,9 @@ void TestRanges(RelevoCheck& check)
   double green;
   double blue;
   settings->GetMaskColor(red, green, blue);
-  CHECK(red == 0.1 && green == 0.2 && blue == 1.0);
+  CHECK_EQUAL(red, 0.1);
+  CHECK_EQUAL(green, 0.2);
+  CHECK_EQUAL(blue, 1.0);
 
   vtkNew<vtkLICSettings> copy;
   copy->ShallowCopy(settings);
@@ -126,7 +128,7 @@ void TestRanges(RelevoCheck& check)
   {
     check.That(setting.Get(copy) == setting.Get(settings), setting.Name, __FILE__, __LINE__);
   }
-  CHECK(copy->GetMaskColor()[1] == 0.2);
+  CHECK_EQUAL(copy->GetMaskColor()[1], 0.2);
 }
 
 void TestNoiseChoice(RelevoCheck& check)
@@ -134,16 +136,16 @@ void TestNoiseChoice(RelevoCheck& check)
   vtkNew<vtkLICSettings> settings;
   CHECK(!settings->GetNoiseDataSet() && !settings->GetNoiseFileName());
   settings->SetNoiseFileName("noise.png");
-  CHECK(std::string(settings->GetNoiseFileName()) == "noise.png");
+  CHECK_EQUAL(std::string(settings->GetNoiseFileName()), "noise.png");
   const auto image = MakeNoiseImage(4, 4);
   settings->SetNoiseDataSet(image);
   const vtkMTimeType time = settings->GetMTime();
   image->Modified();
-  CHECK(settings->GetMTime() > time);
+  CHECK_GREATER(settings->GetMTime(), time);
   vtkNew<vtkLICSettings> copy;
   copy->ShallowCopy(settings);
-  CHECK(copy->GetNoiseDataSet() == image.Get());
-  CHECK(std::string(copy->GetNoiseFileName()) == "noise.png");
+  CHECK_EQUAL(copy->GetNoiseDataSet(), image.Get());
+  CHECK_EQUAL(std::string(copy->GetNoiseFileName()), "noise.png");
 }
 
 vtkSmartPointer<vtkImageData> MakeImage()
@@ -176,7 +178,7 @@ void TestImages(RelevoCheck& check)
   CHECK(after != before && RunLIC(b) == after);
 
   a->SetLICSettings(settings);
-  CHECK(a->GetLICSettings() == settings);
+  CHECK_EQUAL(a->GetLICSettings(), settings);
   const vtkMTimeType times[2] = { a->GetMTime(), b->GetMTime() };
   settings->SetNumberOfSteps(3);
   CHECK(a->GetMTime() > times[0] && b->GetMTime() > times[1]);
@@ -196,7 +198,7 @@ void TestImages(RelevoCheck& check)
 
   a->SetLICSettings(nullptr);
   CHECK(a->GetLICSettings() != settings && a->GetNumberOfSteps() == 20);
-  CHECK(RunLIC(a) == before);
+  CHECK_EQUAL(RunLIC(a), before);
 }
 
 // An image of noise or other numbers, in place of the second input.
@@ -212,11 +214,11 @@ void TestNoise(RelevoCheck& check)
   filter->GetLICSettings()->SetNoiseDataSet(noise);
   CHECK(expected != before && RunLIC(filter) == expected);
   filter->GetLICSettings()->SetNoiseDataSet(nullptr);
-  CHECK(RunLIC(filter) == before);
+  CHECK_EQUAL(RunLIC(filter), before);
   filter->GetLICSettings()->SetNoiseGeneratorSeed(2);
-  CHECK(RunLIC(filter) != before);
+  CHECK_NOT_EQUAL(RunLIC(filter), before);
   filter->GetLICSettings()->GenerateNoiseTextureOff(); // always that of the defaults
-  CHECK(RunLIC(filter) == before);
+  CHECK_EQUAL(RunLIC(filter), before);
   filter->GetLICSettings()->GenerateNoiseTextureOn();
 
   RelevoErrors errors(filter);
@@ -244,7 +246,7 @@ void TestSurfaces(RelevoCheck& check)
   a->SetStepSize(0.0);
   CHECK(half != before && RelevoSurfaceLIC(a, mesh).Values == before);
   a->GetLICSettings()->SetStepSize(0.5);
-  CHECK(RelevoSurfaceLIC(a, mesh).Values == half);
+  CHECK_EQUAL(RelevoSurfaceLIC(a, mesh).Values, half);
 
   // Together with an image's filter.
   vtkNew<vtkLineIntegralConvolution> b;

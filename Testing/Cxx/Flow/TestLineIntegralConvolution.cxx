@@ -115,7 +115,7 @@ void TestStraight(RelevoCheck& check)
         return Place{ std::floor(x + k * scale * c.V[0] + 1e-6 - 0.5) + 0.5,
           std::floor(y + k * scale * c.V[1] + 1e-6 - 0.5) + 0.5 };
       });
-    CHECK(LargestDifference(RunLIC(filter), expected) < 2e-6);
+    CHECK_LESS(LargestDifference(RunLIC(filter), expected), 2e-6);
   }
 }
 
@@ -144,8 +144,8 @@ void TestVortex(RelevoCheck& check)
   std::cout << "vortex: mean difference " << MeanDifference(lic, expected) << ", others "
             << ShareOfOthers(lic, expected, 20) << "\n";
   // Few samples fall into the next texel; more do close to the centre.
-  CHECK(MeanDifference(lic, expected) < 1e-3);
-  CHECK(ShareOfOthers(lic, expected, 20) < 0.002);
+  CHECK_LESS(MeanDifference(lic, expected), 1e-3);
+  CHECK_LESS(ShareOfOthers(lic, expected, 20), 0.002);
 }
 
 // Cells of turning flow: streamlines of the field itself, in small steps of fourth order.
@@ -185,16 +185,17 @@ void TestCells(RelevoCheck& check)
   const auto expected = MeanAlong(noise, 12, walk);
   std::cout << "cells: mean difference " << MeanDifference(lic, expected) << ", others "
             << ShareOfOthers(lic, expected, 12) << "\n";
-  CHECK(MeanDifference(lic, expected) < 2e-3);
-  CHECK(ShareOfOthers(lic, expected, 12) < 0.01);
+  CHECK_LESS(MeanDifference(lic, expected), 2e-3);
+  CHECK_LESS(ShareOfOthers(lic, expected, 12), 0.01);
 
   // The same on any number of threads.
   const std::string backend = vtkSMPTools::GetBackend();
   for (const char* other : { "Sequential", "STDThread" })
   {
+    CHECK_CASE(other);
     CHECK(vtkSMPTools::SetBackend(other));
     filter->Modified();
-    CHECK(RunLIC(filter) == lic);
+    CHECK_EQUAL(RunLIC(filter), lic);
   }
   vtkSMPTools::SetBackend(backend.c_str());
 }

@@ -61,9 +61,9 @@ int TestLineIntegralConvolutionDirections(int, char*[])
     const RelevoMoments moments = MomentsOf(lic);
     std::cout << field.Name << ": " << deviations << "; mean " << moments.Mean << ", deviation "
               << moments.StandardDeviation << "\n";
-    CHECK(deviations.Count > 100000);
-    CHECK(deviations.Median <= 1.5);
-    CHECK(deviations.Percentile95 <= 4.5);
+    CHECK_GREATER(deviations.Count, 100000);
+    CHECK_LESS_EQUAL(deviations.Median, 1.5);
+    CHECK_LESS_EQUAL(deviations.Percentile95, 4.5);
     // Within 5 % of the surface LIC's of VTK at its defaults.
     const double deviation = DeviationsOfVTK.at(field.Name);
     CHECK_NEAR(moments.Mean, 0.33, 0.05 * 0.33);
@@ -71,9 +71,9 @@ int TestLineIntegralConvolutionDirections(int, char*[])
 
     filter->SetEnhanceContrastToLIC();
     const std::vector<double> enhanced = RunLIC(filter);
-    CHECK(Measure(enhanced, field).Median <= 1.5);
-    CHECK(Measure(enhanced, field).Percentile95 <= 4.5);
-    CHECK(MomentsOf(enhanced).StandardDeviation > 1.5 * moments.StandardDeviation);
+    CHECK_LESS_EQUAL(Measure(enhanced, field).Median, 1.5);
+    CHECK_LESS_EQUAL(Measure(enhanced, field).Percentile95, 4.5);
+    CHECK_GREATER(MomentsOf(enhanced).StandardDeviation, 1.5 * moments.StandardDeviation);
 
     // The measure tells: across the field, lines are 90 degrees away.
     RelevoNamedField across = field;
@@ -84,7 +84,7 @@ int TestLineIntegralConvolutionDirections(int, char*[])
       v[0] = -along[1];
       v[1] = along[0];
     };
-    CHECK(Measure(lic, across).Median > 85.0);
+    CHECK_GREATER(Measure(lic, across).Median, 85.0);
   }
 
   // Without its second pass: VTK's has 1.6 and 6 degrees.
@@ -94,7 +94,7 @@ int TestLineIntegralConvolutionDirections(int, char*[])
   plain->EnhancedLICOff();
   const RelevoDeviations deviations = Measure(RunLIC(plain), vortex);
   std::cout << "plain " << vortex.Name << ": " << deviations << "\n";
-  CHECK(deviations.Median <= 3.0);
-  CHECK(deviations.Percentile95 <= 9.0);
+  CHECK_LESS_EQUAL(deviations.Median, 3.0);
+  CHECK_LESS_EQUAL(deviations.Percentile95, 9.0);
   return check.GetResult();
 }

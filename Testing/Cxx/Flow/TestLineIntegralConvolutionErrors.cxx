@@ -48,9 +48,9 @@ void TestSetting(RelevoCheck& check, const Change& spoil, const Change& mend, co
     spoil(filter);
     CHECK(errors.Said(words));
   }
-  CHECK(filter->GetMTime() == time);
+  CHECK_EQUAL(filter->GetMTime(), time);
   filter->Modified();
-  CHECK(RunLIC(filter) == before);
+  CHECK_EQUAL(RunLIC(filter), before);
   RelevoErrors errors(filter);
   mend(filter);
   CHECK(!RunLIC(filter).empty());
@@ -156,6 +156,7 @@ void TestInputs(RelevoCheck& check)
   TestInput(check, volume, "3 x 4 x 5");
   for (double spacing : { 0.0, std::numeric_limits<double>::quiet_NaN() })
   {
+    CHECK_CASE(spacing);
     const auto image = MakeImage();
     image->SetSpacing(1.0, spacing, 1.0);
     TestInput(check, image, "spacing");

@@ -66,8 +66,10 @@ void TestArrays(RelevoCheck& check, const std::vector<double>& expected)
   for (int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_SHORT, VTK_INT, VTK_LONG, VTK_LONG_LONG,
          VTK_ID_TYPE, VTK_FLOAT, VTK_DOUBLE })
   {
+    CHECK_CASE(type);
     for (int components : { 2, 3 })
     {
+      CHECK_CASE(components);
       const auto image = MakeFlowImage(Columns, Rows, Flow);
       vtkDataArray* flow = image->GetPointData()->GetArray("Flow");
       auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
@@ -79,7 +81,7 @@ void TestArrays(RelevoCheck& check, const std::vector<double>& expected)
       }
       image->GetPointData()->Initialize();
       image->GetPointData()->AddArray(array);
-      CHECK(RunOn(image) == expected);
+      CHECK_EQUAL(RunOn(image), expected);
     }
   }
   vtkNew<vtkSOADataArrayTemplate<double>> soa;
@@ -87,7 +89,7 @@ void TestArrays(RelevoCheck& check, const std::vector<double>& expected)
   vtkNew<vtkImageData> image;
   image->SetDimensions(Columns, Rows, 1);
   image->GetPointData()->AddArray(soa);
-  CHECK(RunOn(image) == expected);
+  CHECK_EQUAL(RunOn(image), expected);
 }
 
 void TestChoice(RelevoCheck& check, const std::vector<double>& expected)
@@ -97,16 +99,16 @@ void TestChoice(RelevoCheck& check, const std::vector<double>& expected)
   vtkDataArray* other = uniform->GetPointData()->GetArray("Flow");
   other->SetName("Other");
   image->GetPointData()->AddArray(other);
-  CHECK(RunOn(image) == expected);
+  CHECK_EQUAL(RunOn(image), expected);
   const std::vector<double> expectedOther = RunOn(uniform);
-  CHECK(expectedOther != expected);
+  CHECK_NOT_EQUAL(expectedOther, expected);
 
   vtkNew<vtkLineIntegralConvolution> filter;
   filter->SetInputData(image);
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Other");
-  CHECK(RunLIC(filter) == expectedOther);
+  CHECK_EQUAL(RunLIC(filter), expectedOther);
   image->GetPointData()->SetActiveVectors("Other");
-  CHECK(RunOn(image) == expectedOther);
+  CHECK_EQUAL(RunOn(image), expectedOther);
 
   // Neither active vectors nor a choice: the first that can be.
   const auto noise = MakeNoiseImage(Columns, Rows);
@@ -117,7 +119,7 @@ void TestChoice(RelevoCheck& check, const std::vector<double>& expected)
   image->GetPointData()->SetScalars(scalars);
   image->GetPointData()->AddArray(flow);
   image->GetPointData()->AddArray(other);
-  CHECK(RunOn(image) == expected);
+  CHECK_EQUAL(RunOn(image), expected);
 }
 
 void TestPlanes(RelevoCheck& check, const std::vector<double>& expected)
@@ -126,18 +128,20 @@ void TestPlanes(RelevoCheck& check, const std::vector<double>& expected)
   {
     for (int components : { 2, 3 })
     {
+      CHECK_CASE(components);
       const auto slice = MakeSlice(axes[0], axes[1], components);
       vtkNew<vtkLineIntegralConvolution> filter;
       filter->SetInputData(slice);
-      CHECK(RunLIC(filter) == expected);
+      CHECK_EQUAL(RunLIC(filter), expected);
       vtkImageData* lic = filter->GetOutput();
       int extent[6];
       slice->GetExtent(extent);
       CHECK(std::equal(extent, extent + 6, lic->GetExtent()));
       CHECK(std::equal(lic->GetOrigin(), lic->GetOrigin() + 3, slice->GetOrigin()));
-      CHECK(lic->GetPointData()->GetNumberOfArrays() == 2);
-      CHECK(lic->GetScalarType() == VTK_FLOAT && lic->GetNumberOfScalarComponents() == 1);
-      CHECK(lic->GetPointData()->GetArray("LICMask")->GetDataType() == VTK_UNSIGNED_CHAR);
+      CHECK_EQUAL(lic->GetPointData()->GetNumberOfArrays(), 2);
+      CHECK_EQUAL(lic->GetScalarType(), VTK_FLOAT);
+      CHECK_EQUAL(lic->GetNumberOfScalarComponents(), 1);
+      CHECK_EQUAL(lic->GetPointData()->GetArray("LICMask")->GetDataType(), VTK_UNSIGNED_CHAR);
     }
   }
 }
@@ -153,7 +157,7 @@ void TestGeometry(RelevoCheck& check, const std::vector<double>& expected)
       v[1] *= -8.0;
     });
   stretched->SetSpacing(0.25, -8.0, 5.0);
-  CHECK(RunOn(stretched) == expected);
+  CHECK_EQUAL(RunOn(stretched), expected);
 
   // Turned by 90 degrees about z: the image's first axis is y, its second -x.
   vtkNew<vtkMatrix3x3> turn;
@@ -170,8 +174,8 @@ void TestGeometry(RelevoCheck& check, const std::vector<double>& expected)
   turned->SetDirectionMatrix(turn);
   vtkNew<vtkLineIntegralConvolution> filter;
   filter->SetInputData(turned);
-  CHECK(RunLIC(filter) == expected);
-  CHECK(filter->GetOutput()->GetDirectionMatrix()->GetElement(1, 0) == 1.0);
+  CHECK_EQUAL(RunLIC(filter), expected);
+  CHECK_EQUAL(filter->GetOutput()->GetDirectionMatrix()->GetElement(1, 0), 1.0);
 }
 
 void TestNoise(RelevoCheck& check, const std::vector<double>& expected)
@@ -181,13 +185,14 @@ void TestNoise(RelevoCheck& check, const std::vector<double>& expected)
   filter->SetInputData(image);
   vtkNew<vtkLICNoiseSource> source;
   filter->SetNoiseConnection(source->GetOutputPort());
-  CHECK(RunLIC(filter) == expected);
+  CHECK_EQUAL(RunLIC(filter), expected);
   source->SetNoiseGeneratorSeed(2);
-  CHECK(RunLIC(filter) != expected);
+  CHECK_NOT_EQUAL(RunLIC(filter), expected);
 
   // Of several types and components, and in another plane.
   for (int type : { VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT, VTK_DOUBLE, VTK_INT })
   {
+    CHECK_CASE(type);
     const double largest = type == VTK_UNSIGNED_CHAR ? 255.0
       : type == VTK_UNSIGNED_SHORT                   ? 65535.0
                                                      : 1.0;
@@ -206,7 +211,7 @@ void TestNoise(RelevoCheck& check, const std::vector<double>& expected)
     filter->SetNoiseData(floats);
     const std::vector<double> ofFloats = RunLIC(filter);
     filter->SetNoiseData(noise);
-    CHECK(LargestDifference(RunLIC(filter), ofFloats) < 1e-6);
+    CHECK_LESS(LargestDifference(RunLIC(filter), ofFloats), 1e-6);
   }
 }
 
@@ -216,8 +221,8 @@ void TestSmallest(RelevoCheck& check)
   vtkNew<vtkLineIntegralConvolution> filter;
   filter->SetInputData(MakeFlowImage(1, 1, MakeUniformField(1.0, 2.0)));
   filter->SetNoiseData(noise);
-  CHECK(LargestDifference(RunLIC(filter), ValuesOf(noise)) < 1e-6);
-  CHECK(ValuesOf(filter->GetOutput(), "LICMask") == std::vector<double>{ 0.0 });
+  CHECK_LESS(LargestDifference(RunLIC(filter), ValuesOf(noise)), 1e-6);
+  CHECK_EQUAL(ValuesOf(filter->GetOutput(), "LICMask"), std::vector<double>{ 0.0 });
 }
 
 // Extreme lengths of vectors and steps.
@@ -246,16 +251,18 @@ void TestExtremes(RelevoCheck& check)
     filter->SetInputData(image);
     const std::vector<double> lic = RunLIC(filter);
     double difference = 0.0;
-    for (std::size_t i = 0; i < expected.size() && CHECK(lic.size() == expected.size()); ++i)
+    for (std::size_t i = 0; i < expected.size() && CHECK_EQUAL(lic.size(), expected.size()); ++i)
     {
       difference += std::abs(lic[i] - expected[i]) / expected.size();
     }
-    CHECK(difference < 2e-3);
+    CHECK_LESS(difference, 2e-3);
     std::cout << "vectors times " << scale << ": mean difference " << difference << "\n";
     for (double stepSize : { 1e-30, 1e30, 1e300 })
     {
+      CHECK_CASE(stepSize);
       for (bool normalized : { false, true })
       {
+        CHECK_CASE(normalized);
         filter->SetStepSize(stepSize);
         filter->SetNormalizeVectors(normalized);
         const std::vector<double> values = RunLIC(filter);
@@ -290,7 +297,7 @@ void TestProgress(RelevoCheck& check)
   filter->SetAntiAlias(1);
   filter->AddObserver(vtkCommand::ProgressEvent, observer);
   CHECK(!RunLIC(filter).empty());
-  CHECK(reports.Shares.size() > 30);
+  CHECK_GREATER(reports.Shares.size(), 30);
   CHECK(std::is_sorted(reports.Shares.begin(), reports.Shares.end()));
   CHECK_NEAR(reports.Shares.back(), 1.0, 1e-9);
 
@@ -310,7 +317,7 @@ int TestLineIntegralConvolutionInputs(int, char*[])
 {
   RelevoCheck check;
   const std::vector<double> expected = RunOn(MakeFlowImage(Columns, Rows, Flow));
-  CHECK(expected.size() == Columns * Rows);
+  CHECK_EQUAL(expected.size(), Columns * Rows);
   TestArrays(check, expected);
   TestChoice(check, expected);
   TestPlanes(check, expected);

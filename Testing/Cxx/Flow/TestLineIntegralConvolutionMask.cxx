@@ -57,6 +57,7 @@ void TestNoData(RelevoCheck& check)
   const auto noise = MakeNoiseImage(Columns, Rows);
   for (bool rich : { false, true })
   {
+    CHECK_CASE(rich);
     std::vector<double> first;
     for (const double* content : contents)
     {
@@ -69,7 +70,7 @@ void TestNoData(RelevoCheck& check)
       const std::vector<double> lic = RunLIC(filter);
       CHECK(IsMaskedInBlock(filter->GetOutput(), ValuesOf(noise)));
       first = first.empty() ? lic : first;
-      if (!CHECK(lic == first))
+      if (!CHECK_EQUAL(lic, first))
       {
         std::cerr << "  for " << content[0] << ", " << content[1] << "\n";
       }
@@ -109,6 +110,7 @@ void TestEnds(RelevoCheck& check)
   const std::vector<double> values = ValuesOf(noise);
   for (double sign : { 1.0, -1.0 })
   {
+    CHECK_CASE(sign);
     vtkNew<vtkLineIntegralConvolution> filter;
     filter->SetInputData(MakeFlowImage(Length, 1,
       [=](double x, double, double* v) { v[0] = static_cast<int>(x) == Hole ? -1e9 : sign; }));
@@ -116,7 +118,7 @@ void TestEnds(RelevoCheck& check)
     filter->EnhancedLICOff();
     filter->SetNumberOfSteps(6);
     const std::vector<double> lic = RunLIC(filter);
-    for (int i = 0; i < Length && CHECK(lic.size() == Length); ++i)
+    for (int i = 0; i < Length && CHECK_EQUAL(lic.size(), Length); ++i)
     {
       const int begin = i == Hole ? Hole : std::max(i - 6, i > Hole ? Hole + 1 : 0);
       const int end = i == Hole ? Hole : std::min(i + 6, i < Hole ? Hole - 1 : Length - 1);
@@ -139,6 +141,7 @@ void TestSettings(RelevoCheck& check)
   filter->SetInputData(image);
   for (double threshold : { -1.0, 0.0, 0.5, 12.0, 1e9 })
   {
+    CHECK_CASE(threshold);
     filter->SetMaskThreshold(threshold);
     const std::vector<double> lic = RunLIC(filter);
     const std::vector<double> mask = ValuesOf(filter->GetOutput(), "LICMask");
@@ -156,7 +159,7 @@ void TestSettings(RelevoCheck& check)
   const std::vector<double> plain = RunLIC(filter);
   filter->SetMaskThreshold(30.0);
   const std::vector<double> some = RunLIC(filter);
-  CHECK(all != plain);
+  CHECK_NOT_EQUAL(all, plain);
   CHECK(some.size() == 60 && std::equal(some.begin() + 31, some.end(), plain.begin() + 31));
   CHECK(some.size() == 60 && some[10] != plain[10]);
 
@@ -164,7 +167,7 @@ void TestSettings(RelevoCheck& check)
   filter->SetNoDataMagnitude(20.0);
   RunLIC(filter);
   const std::vector<double> mask = ValuesOf(filter->GetOutput(), "LICMask");
-  CHECK(std::count(mask.begin(), mask.end(), 1.0) == 41); // 0, 20 to 59
+  CHECK_EQUAL(std::count(mask.begin(), mask.end(), 1.0), 41); // 0, 20 to 59
 
   // The third component counts as data, but not as length.
   const auto upward = MakeFlowImage(3, 1,
@@ -176,14 +179,15 @@ void TestSettings(RelevoCheck& check)
   vtkNew<vtkLineIntegralConvolution> flat;
   flat->SetInputData(upward);
   RunLIC(flat);
-  CHECK(ValuesOf(flat->GetOutput(), "LICMask") == (std::vector<double>{ 1.0, 0.0, 1.0 }));
+  CHECK_EQUAL(ValuesOf(flat->GetOutput(), "LICMask"), (std::vector<double>{ 1.0, 0.0, 1.0 }));
 
   // Blanked points.
   const auto blanked = MakeFlowImage(5, 1, MakeUniformField(1.0, 0.0));
   blanked->AllocatePointGhostArray()->SetValue(3, vtkDataSetAttributes::HIDDENPOINT);
   flat->SetInputData(blanked);
   RunLIC(flat);
-  CHECK(ValuesOf(flat->GetOutput(), "LICMask") == (std::vector<double>{ 0.0, 0.0, 0.0, 1.0, 0.0 }));
+  CHECK_EQUAL(
+    ValuesOf(flat->GetOutput(), "LICMask"), (std::vector<double>{ 0.0, 0.0, 0.0, 1.0, 0.0 }));
 
   // Nothing at all.
   const auto noise = MakeNoiseImage(4, 4);
@@ -192,7 +196,7 @@ void TestSettings(RelevoCheck& check)
   flat->SetEnhanceContrastToLIC();
   flat->SetAntiAlias(1);
   RelevoErrors errors(flat);
-  CHECK(RunLIC(flat) == ValuesOf(noise));
+  CHECK_EQUAL(RunLIC(flat), ValuesOf(noise));
   CHECK(errors.None());
 }
 }

@@ -77,17 +77,19 @@ void TestPhase(RelevoCheck& check)
     const std::vector<double> still = at(0.0);
     for (double whole : { 1.0, 2.0, -1.0, 1.0 - 1e-12, -1e-20 })
     {
-      CHECK(at(whole) == still);
+      CHECK_CASE(whole);
+      CHECK_EQUAL(at(whole), still);
     }
-    CHECK(at(0.375) == at(3.375));
-    CHECK(at(0.375) == at(-0.625));
-    CHECK(at(0.375) != still);
+    CHECK_EQUAL(at(0.375), at(3.375));
+    CHECK_EQUAL(at(0.375), at(-0.625));
+    CHECK_NOT_EQUAL(at(0.375), still);
 
     // Smooth, around the loop and across its end.
     const double large = MeanDifference(at(0.5), still);
     for (double phase : { -0.005, 0.1, 0.249, 0.5, 0.745, 0.99 })
     {
-      CHECK(MeanDifference(at(phase + 0.01), at(phase)) < 0.2 * large);
+      CHECK_CASE(phase);
+      CHECK_LESS(MeanDifference(at(phase + 0.01), at(phase)), 0.2 * large);
     }
   }
 }
@@ -116,8 +118,8 @@ void TestDirection(RelevoCheck& check)
         const double movedBack = DifferenceOfMoved(next, image, -downstream) / unmoved;
         std::cout << "frame " << frame << ", enhanced " << enhanced << ": moved downstream "
                   << moved << ", upstream " << movedBack << "\n";
-        CHECK(moved < 0.4);
-        CHECK(movedBack > 2.0);
+        CHECK_LESS(moved, 0.4);
+        CHECK_GREATER(movedBack, 2.0);
         // No phase is paler than the others.
         const RelevoMoments moments = MomentsOf(InnerValues(image));
         CHECK_NEAR(moments.Mean, still.Mean, 0.01);
@@ -146,7 +148,7 @@ void TestOrientedDot(RelevoCheck& check)
     const std::vector<double> lic = RunLIC(filter);
     // Weights grow linearly from the sample that is furthest downstream to that furthest upstream.
     const double sum = (2.0 * Steps + 1.0) * (Steps + 1.0);
-    for (int k = -30; k <= 30 && CHECK(lic.size() == 101); ++k)
+    for (int k = -30; k <= 30 && CHECK_EQUAL(lic.size(), 101); ++k)
     {
       CHECK_NEAR(lic[50 + static_cast<int>(sign) * k],
         std::abs(k) <= Steps ? (k + Steps + 1.0) / sum : 0.0, 1e-6);
@@ -167,12 +169,14 @@ void TestOrientedImpulses(RelevoCheck& check)
   noise->SetNoiseGrainSize(2);
   for (double sign : { 1.0, -1.0 })
   {
+    CHECK_CASE(sign);
     vtkNew<vtkLineIntegralConvolution> filter;
     filter->SetInputData(MakeFlowImage(400, 200, MakeUniformField(sign, 0.0)));
     filter->SetNoiseConnection(noise->GetOutputPort());
     filter->OrientedLICOn();
     for (bool enhanced : { false, true })
     {
+      CHECK_CASE(enhanced);
       filter->SetEnhancedLIC(enhanced);
       const RelevoGrey lic = GreyOf(RunLIC(filter), 400);
       double skew = 0.0;
@@ -183,7 +187,7 @@ void TestOrientedImpulses(RelevoCheck& check)
           skew += std::pow(lic.At(column + 1, row) - lic.At(column, row), 3.0);
         }
       }
-      CHECK(sign * skew < 0.0);
+      CHECK_LESS(sign * skew, 0.0);
     }
   }
 }

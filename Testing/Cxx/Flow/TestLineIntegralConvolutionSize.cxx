@@ -26,7 +26,7 @@ bool Runs(RelevoCheck& check, int columns, int rows, RelevoErrors& errors,
   image->GetPointData()->AddArray(vectors);
   filter->SetInputData(image);
   const bool runs = filter->GetExecutive()->Update() == 1;
-  CHECK(runs == errors.None());
+  CHECK_EQUAL(runs, errors.None());
   return runs;
 }
 }
@@ -41,13 +41,14 @@ int TestLineIntegralConvolutionSize(int, char*[])
   filter->EnhancedLICOff();
   for (const bool isTall : { false, true })
   {
+    CHECK_CASE(isTall);
     const int columns = isTall ? 1 : LargestSide;
     const int rows = isTall ? LargestSide : 1;
     CHECK(Runs(check, columns, rows, errors, filter));
-    CHECK(filter->GetOutput()->GetNumberOfPoints() == LargestSide);
+    CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), LargestSide);
     CHECK(!Runs(check, columns + !isTall, rows + isTall, errors, filter));
     CHECK(errors.Said("The input has more than 4194304 points a side."));
-    CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
+    CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), 0);
   }
   return check.GetResult();
 }

@@ -89,6 +89,7 @@ int TestOrientation(int, char*[])
       MakeImage([&](double x, double y) { return profile(c * y - s * x); });
     for (double tilt : { 0.0, 10.0, -33.0, 90.0 })
     {
+      CHECK_CASE(tilt);
       const double turned = angle + vtkMath::RadiansFromDegrees(tilt);
       const RelevoDeviations deviations = Measure(stripes,
         [=](double, double, double* vector)
@@ -99,7 +100,7 @@ int TestOrientation(int, char*[])
       CHECK_NEAR(deviations.Median, std::abs(tilt), 0.1);
       CHECK_NEAR(deviations.Percentile95, std::abs(tilt), 0.5);
     }
-    CHECK(RelevoOrientation(stripes).GetCoherence(Size / 2, Size / 2) > 0.99);
+    CHECK_GREATER(RelevoOrientation(stripes).GetCoherence(Size / 2, Size / 2), 0.99);
   }
 
   const RelevoGrey rings = MakeImage([&](double x, double y) { return profile(std::hypot(x, y)); });
@@ -112,9 +113,9 @@ int TestOrientation(int, char*[])
     },
     15.0);
   std::cout << "rings: " << around << "\n";
-  CHECK(around.Count > 40000);
-  CHECK(around.Median < 0.1);
-  CHECK(around.Percentile95 < 0.5);
+  CHECK_GREATER(around.Count, 40000);
+  CHECK_LESS(around.Median, 0.1);
+  CHECK_LESS(around.Percentile95, 0.5);
 
   // No lines, no direction.
   std::mt19937 random(3);
@@ -127,6 +128,6 @@ int TestOrientation(int, char*[])
     });
   CHECK_NEAR(none.Median, 45.0, 6.0);
   const RelevoOrientation flat(MakeImage([](double, double) { return 0.0; }));
-  CHECK(flat.GetCoherence(10, 10) == 0.0);
+  CHECK_EQUAL(flat.GetCoherence(10, 10), 0.0);
   return check.GetResult();
 }

@@ -41,7 +41,8 @@ void CheckNoise(RelevoCheck& check)
     const Vector middle = x + Vector{ { 0.25, 0, 0 } };
     const double value = noise.GetValue(x.data());
     const double nextValue = noise.GetValue(next.data());
-    CHECK(value >= 0.0 && value < 1.0);
+    CHECK_GREATER_EQUAL(value, 0.0);
+    CHECK_LESS(value, 1.0);
     CHECK_NEAR(noise.GetValue(middle.data()), 0.5 * (value + nextValue), 1e-6);
     a.push_back(value);
     product += (value - 0.5) * (other.GetValue(x.data()) - 0.5);
@@ -60,9 +61,11 @@ void CheckNoise(RelevoCheck& check)
   CHECK_NEAR(neighbours / size, 0.0, 0.002);
   for (double huge : { 1e9, -1e15, 1e300, -1e308 })
   {
+    CHECK_CASE(huge);
     const double x[3] = { huge, 0.1, 0.0 };
     const float value = noise.GetValue(x);
-    CHECK(value >= 0.0f && value < 1.0f);
+    CHECK_GREATER_EQUAL(value, 0.0f);
+    CHECK_LESS(value, 1.0f);
   }
 }
 
@@ -127,10 +130,10 @@ void CheckUniform(RelevoCheck& check)
     {
       const double exact = plane.GetExact(point, step, steps, weight);
       CHECK_NEAR(lic.Values[point], exact, 1e-4);
-      CHECK(lic.Mask[point] == 0);
+      CHECK_EQUAL(lic.Mask[point], 0);
       spread = std::max(spread, std::abs(exact - 0.5));
     }
-    CHECK(spread > 0.1);
+    CHECK_GREATER(spread, 0.1);
   };
   const auto box = [](int) { return 1.0; };
   // Automatic: a grain.
@@ -197,14 +200,14 @@ void CheckPhase(RelevoCheck& check)
     return RelevoSurfaceLIC(filter, plane).Values;
   };
   const auto still = at(0.0);
-  CHECK(at(1.0) == still);
-  CHECK(at(-3.0) == still);
+  CHECK_EQUAL(at(1.0), still);
+  CHECK_EQUAL(at(-3.0), still);
   const auto moved = at(4.0 / 61.0);
-  CHECK(moved != still);
+  CHECK_NOT_EQUAL(moved, still);
   const double downstream = Correlate(still, moved, 12, 2);
   const double upstream = Correlate(still, moved, 12, -2);
-  CHECK(downstream > 0.9);
-  CHECK(downstream > upstream + 0.05);
+  CHECK_GREATER(downstream, 0.9);
+  CHECK_GREATER(downstream, upstream + 0.05);
   // No jump anywhere, also at the period's end.
   auto before = at(0.0);
   for (int i = 1; i <= 61; ++i)
@@ -212,7 +215,7 @@ void CheckPhase(RelevoCheck& check)
     const auto after = at(i / 61.0);
     for (std::size_t point = 0; point < after.size(); ++point)
     {
-      CHECK(std::abs(after[point] - before[point]) < 0.1f);
+      CHECK_NEAR(after[point], before[point], 0.1f);
     }
     before = after;
   }
@@ -244,10 +247,12 @@ void CheckSameResult(RelevoCheck& check)
   const RelevoSurfaceLIC two(filter, torus);
   vtkSMPTools::Initialize();
   CHECK(one.IsValid());
-  CHECK(one.Values == again.Values && one.Values == two.Values);
-  CHECK(one.Mask == again.Mask && one.Mask == two.Mask);
+  CHECK_EQUAL(one.Values, again.Values);
+  CHECK_EQUAL(one.Values, two.Values);
+  CHECK_EQUAL(one.Mask, again.Mask);
+  CHECK_EQUAL(one.Mask, two.Mask);
   filter->SetNoiseGeneratorSeed(7);
-  CHECK(RelevoSurfaceLIC(filter, torus).Values != one.Values);
+  CHECK_NOT_EQUAL(RelevoSurfaceLIC(filter, torus).Values, one.Values);
   // A mesh of twice the size has the same pattern, twice as large.
   filter->SetNoiseGeneratorSeed(1);
   filter->SetGrainSize(0.2);
@@ -255,7 +260,7 @@ void CheckSameResult(RelevoCheck& check)
   auto twice = RelevoMeshes::Moved(torus, 2.0, nowhere, VTK_FLOAT);
   twice->GetPointData()->ShallowCopy(torus->GetPointData());
   const RelevoSurfaceLIC large(filter, twice);
-  CHECK(large.Values == one.Values);
+  CHECK_EQUAL(large.Values, one.Values);
 }
 
 // Lines cross where points coincide without being shared.
@@ -280,7 +285,7 @@ void CheckSeams(RelevoCheck& check)
     }
   }
   split->GetPointData()->SetVectors(vectors);
-  CHECK(RelevoSurfaceLIC(filter, split).Values == expected);
+  CHECK_EQUAL(RelevoSurfaceLIC(filter, split).Values, expected);
 
   // Two blocks, side by side.
   const auto half = [](double left)
@@ -307,7 +312,7 @@ void CheckSeams(RelevoCheck& check)
   }
   const RelevoSurfaceLIC joined(filter, blocks);
   const RelevoSurfaceLIC one(filter, plane);
-  CHECK(joined.Values.size() == 2u * 21u * 41u);
+  CHECK_EQUAL(joined.Values.size(), 2u * 21u * 41u);
   for (std::size_t i = 0; i < joined.Values.size(); ++i)
   {
     const std::size_t block = i / (21 * 41);
@@ -326,7 +331,8 @@ void CheckContrast(RelevoCheck& check)
   const auto stretched = RelevoSurfaceLIC(filter, torus).Values;
   const auto range = std::minmax_element(plain.begin(), plain.end());
   const float width = *range.second - *range.first;
-  CHECK(width > 0.1f && width < 0.9f);
+  CHECK_GREATER(width, 0.1f);
+  CHECK_LESS(width, 0.9f);
   for (std::size_t i = 0; i < plain.size(); ++i)
   {
     CHECK_NEAR(stretched[i], (plain[i] - *range.first) / width, 1e-5);
@@ -349,14 +355,15 @@ void CheckPassing(RelevoCheck& check)
   const RelevoSurfaceLIC lic(filter, mixed);
   vtkPolyData* output = filter->GetOutput();
   CHECK(lic.IsValid());
-  CHECK(mixed->GetPointData()->GetNumberOfArrays() == 1);
-  CHECK(output->GetPoints() == mixed->GetPoints() && output->GetPolys() == mixed->GetPolys());
-  CHECK(output->GetNumberOfCells() == mixed->GetNumberOfCells());
-  CHECK(output->GetPointData()->GetVectors() == mixed->GetPointData()->GetVectors());
-  CHECK(output->GetPointData()->GetScalars() == output->GetPointData()->GetArray("LIC"));
+  CHECK_EQUAL(mixed->GetPointData()->GetNumberOfArrays(), 1);
+  CHECK_EQUAL(output->GetPoints(), mixed->GetPoints());
+  CHECK_EQUAL(output->GetPolys(), mixed->GetPolys());
+  CHECK_EQUAL(output->GetNumberOfCells(), mixed->GetNumberOfCells());
+  CHECK_EQUAL(output->GetPointData()->GetVectors(), mixed->GetPointData()->GetVectors());
+  CHECK_EQUAL(output->GetPointData()->GetScalars(), output->GetPointData()->GetArray("LIC"));
   CHECK(vtkFloatArray::SafeDownCast(output->GetPointData()->GetScalars()));
   CHECK(vtkUnsignedCharArray::SafeDownCast(output->GetPointData()->GetArray("LICMask")));
-  CHECK(vtkImageData::SafeDownCast(filter->GetOutputDataObject(1))->GetNumberOfPoints() == 0);
+  CHECK_EQUAL(vtkImageData::SafeDownCast(filter->GetOutputDataObject(1))->GetNumberOfPoints(), 0);
   // A point of no polygon, one of lines alone.
   CHECK(lic.Mask[23] == 1 && lic.Mask[22] == 1 && lic.Mask[0] == 0);
 }

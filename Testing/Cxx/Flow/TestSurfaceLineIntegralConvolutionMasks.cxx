@@ -59,25 +59,28 @@ void CheckNoData(RelevoCheck& check)
     plane->GetPoint(point, p.data());
     if (length(p) < 0.2)
     {
-      CHECK(lic.Mask[point] == 1);
-      CHECK(lic.Values[point] == noise.GetValue(p.data()));
+      CHECK_EQUAL(lic.Mask[point], 1);
+      CHECK_EQUAL(lic.Values[point], noise.GetValue(p.data()));
     }
     else if (length(p) > 0.24)
     {
-      CHECK(lic.Mask[point] == 0);
+      CHECK_EQUAL(lic.Mask[point], 0);
       others = std::max<double>(others, std::abs(lic.Values[point] - noise.GetValue(p.data())));
     }
   }
-  CHECK(others > 0.1);
+  CHECK_GREATER(others, 0.1);
   for (double sentinel : { -1e9, 1e20, 1e8, -std::numeric_limits<double>::infinity() })
   {
+    CHECK_CASE(sentinel);
     const RelevoSurfaceLIC same(filter, PlaneWith(sentinel));
-    CHECK(same.Values == lic.Values && same.Mask == lic.Mask);
+    CHECK_EQUAL(same.Values, lic.Values);
+    CHECK_EQUAL(same.Mask, lic.Mask);
   }
-  CHECK(RelevoSurfaceLIC(filter, PlaneWith(9e7)).Mask != lic.Mask);
+  CHECK_NOT_EQUAL(RelevoSurfaceLIC(filter, PlaneWith(9e7)).Mask, lic.Mask);
   filter->SetNoDataMagnitude(1e3);
   const RelevoSurfaceLIC same(filter, PlaneWith(2e3));
-  CHECK(same.Values == lic.Values && same.Mask == lic.Mask);
+  CHECK_EQUAL(same.Values, lic.Values);
+  CHECK_EQUAL(same.Mask, lic.Mask);
   // A line along y ends at the disk: what is beyond, and there, makes no difference.
   auto below = PlaneWith(1e4);
   auto changed = PlaneWith(1e4);
@@ -96,7 +99,7 @@ void CheckNoData(RelevoCheck& check)
   }
   const RelevoSurfaceLIC up(filter, below);
   const RelevoSurfaceLIC bent(filter, changed);
-  CHECK(up.Values != bent.Values);
+  CHECK_NOT_EQUAL(up.Values, bent.Values);
   int shadowed = 0;
   for (vtkIdType point = 0; point < below->GetNumberOfPoints(); ++point)
   {
@@ -104,10 +107,10 @@ void CheckNoData(RelevoCheck& check)
     if (std::abs(p[0]) < 0.1 && p[1] < 0.0)
     {
       ++shadowed;
-      CHECK(up.Values[point] == bent.Values[point]);
+      CHECK_EQUAL(up.Values[point], bent.Values[point]);
     }
   }
-  CHECK(shadowed > 50);
+  CHECK_GREATER(shadowed, 50);
 }
 
 void CheckThreshold(RelevoCheck& check)
@@ -123,14 +126,14 @@ void CheckThreshold(RelevoCheck& check)
     int masked = 0;
     for (vtkIdType point = 0; point < plane->GetNumberOfPoints(); ++point)
     {
-      CHECK(lic.Mask[point] == (std::max(plane->GetPoint(point)[0], 0.0) <= threshold));
+      CHECK_EQUAL(lic.Mask[point], (std::max(plane->GetPoint(point)[0], 0.0) <= threshold));
       masked += lic.Mask[point];
     }
     return masked;
   };
-  CHECK(countMasked(0.0) == 21 * 41);
-  CHECK(countMasked(0.26) == 31 * 41);
-  CHECK(countMasked(-1.0) == 0);
+  CHECK_EQUAL(countMasked(0.0), 21 * 41);
+  CHECK_EQUAL(countMasked(0.26), 31 * 41);
+  CHECK_EQUAL(countMasked(-1.0), 0);
   // Lines run through what is masked by its length.
   filter->SetMaskThreshold(0.26);
   const RelevoSurfaceLIC masked(filter, plane);
@@ -154,7 +157,7 @@ void CheckThreshold(RelevoCheck& check)
   CHECK(lic.IsValid());
   for (std::size_t i = 0; i < lic.Mask.size(); ++i)
   {
-    CHECK(lic.Mask[i] == !(i == 0 || i == 1 || i == 11 || i == 12));
+    CHECK_EQUAL(lic.Mask[i], !(i == 0 || i == 1 || i == 11 || i == 12));
   }
 }
 
@@ -224,10 +227,12 @@ void CheckSettings(RelevoCheck& check)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (int steps : { 0, -1, 100001 })
   {
+    CHECK_CASE(steps);
     CHECK(Rejects([=](Filter* f) { f->SetNumberOfSteps(steps); }, "NumberOfSteps"));
   }
   for (double bad : { -0.1, nan, static_cast<double>(HUGE_VAL) })
   {
+    CHECK_CASE(bad);
     CHECK(Rejects([=](Filter* f) { f->SetStepSize(bad); }, "StepSize"));
     CHECK(Rejects([=](Filter* f) { f->SetGrainSize(bad); }, "GrainSize"));
   }
@@ -320,7 +325,7 @@ void CheckFirstArray(RelevoCheck& check)
   withNormals->GetPointData()->SetNormals(normals);
   CHECK(Fails(MakeFilter(), withNormals, "no array of 3 components"));
   withNormals->GetPointData()->AddArray(plane->GetPointData()->GetArray("Velocity"));
-  CHECK(RelevoSurfaceLIC(MakeFilter(), withNormals).Values ==
+  CHECK_EQUAL(RelevoSurfaceLIC(MakeFilter(), withNormals).Values,
     RelevoSurfaceLIC(MakeFilter(), PlaneWith(1.0)).Values);
 }
 

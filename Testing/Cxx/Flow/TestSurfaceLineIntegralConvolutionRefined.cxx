@@ -127,10 +127,10 @@ void CheckCloser(RelevoCheck& check)
             << "\nadaptive, " << adaptive->GetNumberOfCells() << ": " << ofAdaptive << "\nuniform, "
             << uniform->GetNumberOfCells() << ": " << ofUniform << "\ndense, "
             << dense->GetNumberOfCells() << "\n";
-  CHECK(FindError(dense, dense) < 1e-6);
-  CHECK(adaptive->GetNumberOfCells() < uniform->GetNumberOfCells());
-  CHECK(ofAdaptive < 0.1 * ofCoarse);
-  CHECK(ofAdaptive < 0.5 * ofUniform);
+  CHECK_LESS(FindError(dense, dense), 1e-6);
+  CHECK_LESS(adaptive->GetNumberOfCells(), uniform->GetNumberOfCells());
+  CHECK_LESS(ofAdaptive, 0.1 * ofCoarse);
+  CHECK_LESS(ofAdaptive, 0.5 * ofUniform);
 }
 
 // The whole recipe: the field, a region of interest, no side longer than 10 pixels.
@@ -194,8 +194,9 @@ void CheckRecipe(RelevoCheck& check)
   std::cout << output->GetNumberOfCells() << " triangles, their sides at most " << longest
             << " pixels long, " << longestInRegion << " in the region\n";
   // sqrt(2) by the rule of levels per point, and what the surface bulges.
-  CHECK(longest < 10.0 * std::sqrt(2.0) * 1.1);
-  CHECK(longestInRegion > 0.0 && longestInRegion < 0.35 / 8);
+  CHECK_LESS(longest, 10.0 * std::sqrt(2.0) * 1.1);
+  CHECK_GREATER(longestInRegion, 0.0);
+  CHECK_LESS(longestInRegion, 0.35 / 8);
 }
 }
 

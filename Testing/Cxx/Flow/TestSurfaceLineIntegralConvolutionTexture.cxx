@@ -51,8 +51,8 @@ void CheckPoints(RelevoCheck& check)
     vtkImageData* texture = GetTexture(filter);
     CHECK(texture->GetDimensions()[0] == n && texture->GetDimensions()[1] == n &&
       texture->GetDimensions()[2] == 1);
-    CHECK(texture->GetScalarType() == VTK_UNSIGNED_CHAR);
-    CHECK(texture->GetNumberOfScalarComponents() == 1);
+    CHECK_EQUAL(texture->GetScalarType(), VTK_UNSIGNED_CHAR);
+    CHECK_EQUAL(texture->GetNumberOfScalarComponents(), 1);
     int differ = 0;
     for (int point = 0; point < n * n; ++point)
     {
@@ -60,7 +60,7 @@ void CheckPoints(RelevoCheck& check)
       differ += std::abs(texel - 255.0 * lic.Values[point]) > 0.6;
     }
     // Beside the swirl's centre all depends on the last digit.
-    CHECK(differ <= 1);
+    CHECK_LESS_EQUAL(differ, 1);
   }
 }
 
@@ -101,7 +101,7 @@ void CheckFineness(RelevoCheck& check)
   }
   std::cout << "texture of 1104 triangles, points of " << fine->GetNumberOfCells() << ": differ by "
             << std::sqrt(squares / count) << ", deviate by " << std::sqrt(variance / count) << "\n";
-  CHECK(squares < 0.15 * variance);
+  CHECK_LESS(squares, 0.15 * variance);
   // The first and the last column lie on both sides of the seam.
   double across = 0.0;
   double along = 0.0;
@@ -110,7 +110,7 @@ void CheckFineness(RelevoCheck& check)
     across += std::abs(GetTexel(texture, 0, j) - GetTexel(texture, 383, j));
     along += std::abs(GetTexel(texture, 0, j) - GetTexel(texture, 1, j));
   }
-  CHECK(across < 1.5 * along + 152.0);
+  CHECK_LESS(across, 1.5 * along + 152.0);
 }
 
 // Texels of no triangle take a near one's value.
@@ -134,11 +134,11 @@ void CheckBorder(RelevoCheck& check)
   {
     for (int i = 0; i < 64; ++i)
     {
-      CHECK(GetTexel(texture, i, j) == GetTexel(texture, inside(i), inside(j)));
+      CHECK_EQUAL(GetTexel(texture, i, j), GetTexel(texture, inside(i), inside(j)));
       spread = std::max(spread, std::abs(GetTexel(texture, i, j) - 127.5));
     }
   }
-  CHECK(spread > 20);
+  CHECK_GREATER(spread, 20);
 }
 
 void CheckErrors(RelevoCheck& check)
@@ -153,10 +153,11 @@ void CheckErrors(RelevoCheck& check)
   RelevoErrors ofExecutive(filter->GetExecutive());
   filter->Update();
   CHECK(errors.Said("texture coordinates"));
-  CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
-  CHECK(GetTexture(filter)->GetNumberOfPoints() == 0);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), 0);
+  CHECK_EQUAL(GetTexture(filter)->GetNumberOfPoints(), 0);
   for (double far : { 1.5, -3.0, 1e300, static_cast<double>(HUGE_VAL), std::nan("") })
   {
+    CHECK_CASE(far);
     RelevoMeshes::AddTextureCoordinates(plane,
       [=](const double* p) {
         return std::array<double, 2>{ { far + 0.1 * p[0], 0.5 } };
@@ -168,11 +169,11 @@ void CheckErrors(RelevoCheck& check)
   RelevoMeshes::AddRandomTextureCoordinates(plane, 3);
   filter->Update();
   CHECK(errors.None());
-  CHECK(GetTexture(filter)->GetNumberOfPoints() == 64 * 64);
+  CHECK_EQUAL(GetTexture(filter)->GetNumberOfPoints(), 64 * 64);
   filter->SetTextureSize(0, 0);
   filter->Update();
   CHECK(errors.None());
-  CHECK(GetTexture(filter)->GetNumberOfPoints() == 0);
+  CHECK_EQUAL(GetTexture(filter)->GetNumberOfPoints(), 0);
 }
 }
 

@@ -99,9 +99,10 @@ void CheckCircles(RelevoCheck& check, int n)
     }
     for (double way : { 1.0, -1.0 })
     {
+      CHECK_CASE(way);
       int done;
       const Vector end = field.Walk(point, way > 0.0, 1.0 / steps, steps, &done);
-      CHECK(done == steps);
+      CHECK_EQUAL(done, steps);
       const double angle = way / length(arm);
       const double error =
         length(end - (centre + std::cos(angle) * arm + std::sin(angle) * cross(axis, arm)));
@@ -112,9 +113,9 @@ void CheckCircles(RelevoCheck& check, int n)
   }
   std::cout << sphere->GetNumberOfCells() << " triangles, " << lines << " lines: off by "
             << sum / lines << " on the mean, at most " << largest << "\n";
-  CHECK(lines > n * n);
-  CHECK(sum / lines < 0.25 * edge * edge);
-  CHECK(largest < 0.5 * edge * edge);
+  CHECK_GREATER(lines, n * n);
+  CHECK_LESS(sum / lines, 0.25 * edge * edge);
+  CHECK_LESS(largest, 0.5 * edge * edge);
 }
 
 // Axes of a plane that is turned in space.
@@ -151,17 +152,17 @@ public:
     int done;
     const int steps = static_cast<int>((most - 1e-9) / Step);
     const Vector end = this->Lines.Walk(point, true, Step, steps, &done);
-    CHECK(done == steps);
+    CHECK_EQUAL(done, steps);
     if (steps > 0)
     {
-      CHECK(length(end - (start + steps * Step * this->Way)) < 1e-6);
+      CHECK_LESS(length(end - (start + steps * Step * this->Way)), 1e-6);
     }
     if (most > 1e-6)
     {
       // It ends at the border, and there it is.
       const Vector border = this->Lines.Walk(point, true, Step, steps + 2, &done);
       CHECK(done == steps || std::abs(most - (steps + 1) * Step) < 1e-6);
-      CHECK(length(border - (start + most * this->Way)) < 1e-6);
+      CHECK_LESS(length(border - (start + most * this->Way)), 1e-6);
     }
   }
 
@@ -239,6 +240,7 @@ void CheckPlane(RelevoCheck& check)
   // Along the edges as well: on the border as far as its end.
   for (double degrees : { 0.0, 90.0, 37.0, 161.0, 254.0 })
   {
+    CHECK_CASE(degrees);
     for (vtkPolyData* mesh : { plane.Get(), exploded.Get() })
     {
       const StraightField field(mesh, axes, degrees);
@@ -265,22 +267,22 @@ void CheckSliding(RelevoCheck& check)
   auto roof = Roof();
   const Field along(roof, { { { 2, 1, 1 } }, { { -1, 1, 0.5 } } });
   Vector end = along.Walk(2, true, 0.1, 15, &done); // of the left corner
-  CHECK(done == 15);
+  CHECK_EQUAL(done, 15);
   // sqrt(5/6) of each 1 is up the slope, of length sqrt(1.25).
   const double slope = std::sqrt(1.25) * std::sqrt(6.0 / 5.0);
   CHECK_NEAR(end[0], 0.0, 1e-12);
   CHECK_NEAR(end[2], 0.0, 1e-12);
   CHECK_NEAR(end[1], slope * std::sqrt(1.0 / 6.0) + (1.5 - slope), 1e-9);
   along.Walk(2, true, 0.1, 50, &done);
-  CHECK(done < 50);
+  CHECK_LESS(done, 50);
   // Head-on.
   const Field against(roof, { { { 2, 0, 1 } }, { { -2, 0, 1 } } });
   end = against.Walk(2, true, 0.1, 50, &done);
-  CHECK(done == static_cast<int>(std::sqrt(1.25) / 0.1));
+  CHECK_EQUAL(done, static_cast<int>(std::sqrt(1.25) / 0.1));
   CHECK_NEAR(length(end), 0.0, 1e-9);
   // Away from the edge nothing slides.
   const Field apart(roof, { { { -2, 1, -1 } }, { { 1, 1, -0.5 } } });
-  CHECK(std::abs(apart.Walk(0, true, 0.1, 3)[0]) > 0.1);
+  CHECK_GREATER(std::abs(apart.Walk(0, true, 0.1, 3)[0]), 0.1);
 }
 
 // What ends a line.
@@ -300,23 +302,23 @@ void CheckEnds(RelevoCheck& check)
     CHECK(done == 50 || done == 49);
     CHECK_NEAR(end[0], 0.0, 1e-6);
     field.Walk(20, true, 0.01, 100, &done); // in the midst of no data
-    CHECK(done == 0);
+    CHECK_EQUAL(done, 0);
   }
   const Field still(
     strip, [&](const Vector& p) { return std::max(0.0, -p[0]) * right; }); // shorter and shorter
   int done;
-  CHECK(still.Walk(0, true, 0.01, 100, &done)[0] < 1e-6);
-  CHECK(done <= 50);
+  CHECK_LESS(still.Walk(0, true, 0.01, 100, &done)[0], 1e-6);
+  CHECK_LESS_EQUAL(done, 50);
   const Field none(strip, [&](const Vector&) { return Vector{}; });
   none.Walk(0, true, 0.01, 100, &done);
-  CHECK(done == 0);
+  CHECK_EQUAL(done, 0);
   // Three triangles at an edge; one without area.
   auto fin = Roof();
   fin->GetPoints()->InsertNextPoint(0, 0, 1);
   fin->GetPolys()->InsertNextCell({ 0, 1, 4 });
   const Field over(fin, { { { 2, 0, 1 } }, { { 2, 0, -1 } }, { { 0, 0, 1 } } });
   over.Walk(2, true, 0.1, 50, &done);
-  CHECK(done == static_cast<int>(std::sqrt(1.25) / 0.1));
+  CHECK_EQUAL(done, static_cast<int>(std::sqrt(1.25) / 0.1));
   auto thin = RelevoMeshes::FromTriangles(
     { { { 0, 0, 0 } }, { { 0, 1, 0 } }, { { -1, 0.5, 0 } }, { { 0, 0.4, 0 } }, { { 1, 0.5, 0 } } },
     { { { 0, 1, 2 } }, { { 0, 3, 1 } }, { { 0, 4, 3 } }, { { 3, 4, 1 } } });
@@ -340,6 +342,7 @@ void CheckHostile(RelevoCheck& check)
     mesh->GetBounds(bounds);
     for (double scale : { 1e-30, 1.0, 1e7 })
     {
+      CHECK_CASE(scale);
       const Field field(mesh,
         [&](const Vector&)
         {
@@ -350,6 +353,7 @@ void CheckHostile(RelevoCheck& check)
       {
         for (double step : { 1e-3, 0.3, 100.0 })
         {
+          CHECK_CASE(step);
           int done;
           const Vector end = field.Walk(point, random() % 2, step, 20, &done);
           for (int i = 0; i < 3 && done > 0; ++i)
@@ -368,6 +372,7 @@ int TestSurfaceStreamline(int, char*[])
   RelevoCheck check;
   for (int n : { 20, 40, 80 })
   {
+    CHECK_CASE(n);
     CheckCircles(check, n);
   }
   CheckPlane(check);

@@ -210,7 +210,7 @@ int TestFuzzIntersection(int, char*[])
 {
   RelevoCheck check;
   int calls = 0;
-  CHECK(RelevoFuzz::Run<Machine>(1500, 40, calls) == 0);
+  CHECK_EQUAL(RelevoFuzz::Run<Machine>(1500, 40, calls), 0);
   std::cout << calls << " calls\n";
   return check.GetResult();
 }

@@ -46,19 +46,19 @@ void TestByHand(RelevoCheck& check)
   CHECK_NEAR(LevelAt(metric, 2.0), std::log2(12.5), 1e-5);
   CHECK_NEAR(LevelAt(metric, -1.5), std::log2(24.0 - 23.0 * 0.75), 1e-5);
   CHECK_NEAR(LevelAt(metric, 2.999), std::log2(24.0 - 23.0 * 0.9995), 1e-4);
-  CHECK(LevelAt(metric, 3.01) == 0.0f);
+  CHECK_EQUAL(LevelAt(metric, 3.01), 0.0f);
   // The recipe's limit.
   CHECK(LevelAt(metric, 0.5, 3) == 3.0f && LevelAt(metric, 2.0, 3) == 3.0f);
-  CHECK(LevelAt(metric, 0.5, 7) == 5.0f);
+  CHECK_EQUAL(LevelAt(metric, 0.5, 7), 5.0f);
   // The nearer of two, one of them flat.
   const Bounds flat{ { 2.5, 2.5, -1, 1, -1, 1 } };
   metric->AddBox(flat.data());
-  CHECK(metric->GetNumberOfBoxes() == 2);
+  CHECK_EQUAL(metric->GetNumberOfBoxes(), 2);
   CHECK_NEAR(LevelAt(metric, 2.0), std::log2(24.0 - 23.0 * 0.25), 1e-5);
   CHECK_NEAR(LevelAt(metric, 1.5), std::log2(24.0 - 23.0 * 0.25), 1e-5);
   Bounds box{};
   metric->GetBox(1, box.data());
-  CHECK(box == flat);
+  CHECK_EQUAL(box, flat);
   metric->RemoveAllBoxes();
   CHECK(metric->GetNumberOfBoxes() == 0 && LevelAt(metric, 0.5) == 0.0f);
 }
@@ -136,7 +136,8 @@ void TestManyBoxes(RelevoCheck& check)
     }
     const auto tags = kept.GetTags(sphere, view, 5);
     const auto edgeTags = kept.GetEdgeTags(sphere, view, 5);
-    CHECK(tags.size() == ofPlaces.size() && edgeTags.size() == ofEdges.size());
+    CHECK_EQUAL(tags.size(), ofPlaces.size());
+    CHECK_EQUAL(edgeTags.size(), ofEdges.size());
     for (std::size_t i = 0; i < tags.size(); ++i)
     {
       CHECK_NEAR(tags[i], ofPlaces[edges.GetTriangles().GetPlace(static_cast<vtkIdType>(i))], 1e-4);
@@ -146,17 +147,18 @@ void TestManyBoxes(RelevoCheck& check)
       CHECK_NEAR(edgeTags[i], ofEdges[i], 1e-4);
     }
   }
-  CHECK(numberInside > 10);
+  CHECK_GREATER(numberInside, 10);
 }
 
 void TestColors(RelevoCheck& check)
 {
   vtkNew<vtkProximityDepthTagMetric> metric;
   vtkLookupTable* table = metric->GetLookupTable();
-  CHECK(table == metric->GetLookupTable());
+  CHECK_EQUAL(table, metric->GetLookupTable());
   double color[3];
   for (double level : { 5.0, 4.7 })
   {
+    CHECK_CASE(level);
     table->GetColor(level, color);
     CHECK(color[0] > 0.7 && color[1] < 0.2 && color[2] < 0.2);
   }
@@ -165,6 +167,7 @@ void TestColors(RelevoCheck& check)
   double before = 0.0;
   for (double level : { 4.55, 3.0, 2.0, 1.0, 0.1 })
   {
+    CHECK_CASE(level);
     table->GetColor(level, color);
     CHECK(color[0] > 0.95 && color[1] > before && color[2] < color[1]);
     before = color[1];
@@ -179,15 +182,17 @@ void TestErrors(RelevoCheck& check)
   {
     for (double bad : { NaN, Infinity, -Infinity, i % 2 == 0 ? 2.0 : -1.0 })
     {
+      CHECK_CASE(bad);
       Bounds box = UnitBox;
       box[i] = bad;
       metric->AddBox(box.data());
       CHECK(errors.Said("A box must be finite, and no minimum above its maximum, got ("));
     }
   }
-  CHECK(metric->GetNumberOfBoxes() == 0);
+  CHECK_EQUAL(metric->GetNumberOfBoxes(), 0);
   for (double bad : { -1.0, NaN, Infinity })
   {
+    CHECK_CASE(bad);
     metric->SetDistance(bad);
     CHECK(errors.Said("Distance must be at least 0 and finite") && metric->GetDistance() == 0.0);
   }
@@ -195,17 +200,18 @@ void TestErrors(RelevoCheck& check)
   Bounds box = UnitBox;
   for (int index : { -1, 1 })
   {
+    CHECK_CASE(index);
     metric->GetBox(index, box.data());
     CHECK(errors.Said("There is no box " + std::to_string(index) + " of 1."));
   }
-  CHECK(box == UnitBox);
+  CHECK_EQUAL(box, UnitBox);
   metric->SetDistance(0.5);
   CHECK(SurvivesOddMeshes(metric));
   auto mesh = RelevoMeshes::FromTriangles(
     { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { NaN, 0, 0 } } },
     { { { 0, 1, 2 } }, { { 1, 2, 3 } } });
   const auto tags = TagsOf(metric, mesh, {}, 5);
-  CHECK(tags == std::vector<float>({ 5.0f, 5.0f, 5.0f, 0.0f }));
+  CHECK_EQUAL(tags, std::vector<float>({ 5.0f, 5.0f, 5.0f, 0.0f }));
 }
 }
 

@@ -60,7 +60,7 @@ void TestWhole(RelevoCheck& check, RelevoDice& dice, int side, size_t& pairs, si
       }
     }
   }
-  CHECK(GetPairs(check, filter) == expected);
+  CHECK_EQUAL(GetPairs(check, filter), expected);
   pairs += expected.size();
   Pairs ofCells = RelevoGetCellPairs(filter->GetOutput(0));
   const Pairs ofOverlaps = RelevoGetCellPairs(filter->GetOutput(1));
@@ -79,7 +79,7 @@ void TestWhole(RelevoCheck& check, RelevoDice& dice, int side, size_t& pairs, si
       }
     }
   }
-  CHECK(GetPairs(check, filter) == expected);
+  CHECK_EQUAL(GetPairs(check, filter), expected);
 }
 
 // Two boxes that share a corner: three faces of each meet there, in one vertex.
@@ -89,11 +89,11 @@ void TestCorner(RelevoCheck& check)
   filter->SetInputData(0, RelevoMakeBox(0.0, 1.0));
   filter->SetInputData(1, RelevoMakeBox(1.0, 2.0));
   filter->Update();
-  CHECK(filter->GetOutput(0)->GetNumberOfCells() == 1);
+  CHECK_EQUAL(filter->GetOutput(0)->GetNumberOfCells(), 1);
   CHECK(!filter->GetOutput(0)->GetFieldData()->HasArray("AllInput0CellID"));
   filter->AllPairsOn();
-  CHECK(GetPairs(check, filter).size() == 9);
-  CHECK(filter->GetOutput(0)->GetNumberOfCells() == 1);
+  CHECK_EQUAL(GetPairs(check, filter).size(), 9);
+  CHECK_EQUAL(filter->GetOutput(0)->GetNumberOfCells(), 1);
   // Apart there are none, in arrays that are there.
   filter->SetMatrix(1, RelevoMakeMotion({ 5.0, 0.0, 0.0 }, 0.0, { 0.0, 0.0, 1.0 }));
   CHECK(GetPairs(check, filter).empty());
@@ -118,8 +118,8 @@ void TestRecipe(RelevoCheck& check)
   curved->SetRefinement(1, recipe);
   const Pairs expected = GetPairs(check, flat);
   std::cout << expected.size() << " pairs of coarse cells\n";
-  CHECK(expected.size() > 20);
-  CHECK(GetPairs(check, curved) == expected);
+  CHECK_GREATER(expected.size(), 20);
+  CHECK_EQUAL(GetPairs(check, curved), expected);
 }
 }
 
@@ -134,7 +134,7 @@ int TestSurfaceIntersectionAllPairs(int, char*[])
     TestWhole(check, dice, 3 + i % 6, pairs, named);
   }
   std::cout << pairs << " pairs, of which curves and overlaps name " << named << "\n";
-  CHECK(named < pairs);
+  CHECK_LESS(named, pairs);
   TestCorner(check);
   TestRecipe(check);
   return check.GetResult();

@@ -91,7 +91,7 @@ void TestSpheres(RelevoCheck& check)
     for (int side = 0; side < 2; ++side)
     {
       vtkPolyData* output = filter->GetOutput(2 + side);
-      CHECK(output->GetNumberOfCells() == meshes[side]->GetNumberOfCells());
+      CHECK_EQUAL(output->GetNumberOfCells(), meshes[side]->GetNumberOfCells());
       for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
       {
         double distance = std::numeric_limits<double>::infinity();
@@ -103,12 +103,12 @@ void TestSpheres(RelevoCheck& check)
         seen.insert(contact);
         if (contact == vtkSurfaceIntersectionFilter::CUT)
         {
-          CHECK(Get(output, "Distance", i) == 0.0);
+          CHECK_EQUAL(Get(output, "Distance", i), 0.0);
           continue;
         }
         // VTK takes edges that are nearly parallel as parallel.
         CHECK_NEAR(Get(output, "Distance", i), distance, 1e-6);
-        CHECK(Get(output, "Distance", i) <= distance + 1e-12);
+        CHECK_LESS_EQUAL(Get(output, "Distance", i), distance + 1e-12);
         // Between the other sphere's corners and its faces it may be either.
         const double center[3] = { side == 0 ? x : 0.0, side == 0 ? 0.1 : 0.0,
           side == 0 ? 0.2 : 0.0 };
@@ -122,7 +122,7 @@ void TestSpheres(RelevoCheck& check)
     }
   }
   CHECK(errors.None());
-  CHECK(seen == (std::set<double>{ 0, 1, 2, 3 }));
+  CHECK_EQUAL(seen, (std::set<double>{ 0, 1, 2, 3 }));
 }
 
 // Boxes one in the other, in whole numbers: rays meet corners and edges.
@@ -146,17 +146,17 @@ void TestNested(RelevoCheck& check)
   filter->Update();
   for (vtkIdType i = 0; i < 18; ++i)
   {
-    CHECK(Get(filter->GetOutput(2), "Contact", i) == (i >= 6 && i < 12 ? 3 : 0));
+    CHECK_EQUAL(Get(filter->GetOutput(2), "Contact", i), (i >= 6 && i < 12 ? 3 : 0));
   }
-  CHECK(Get(filter->GetOutput(2), "Distance", 0) == 2.0);
-  CHECK(Get(filter->GetOutput(2), "Distance", 6) == 0.25);
+  CHECK_EQUAL(Get(filter->GetOutput(2), "Distance", 0), 2.0);
+  CHECK_EQUAL(Get(filter->GetOutput(2), "Distance", 6), 0.25);
   // With the most that coordinates can be.
   filter->SetMatrix(0, RelevoMakeMotion({ 0, 0, 0 }, 0.0, { 0, 0, 1 }, 1e299));
   filter->SetMatrix(1, RelevoMakeMotion({ 0, 0, 0 }, 0.0, { 0, 0, 1 }, 1e299));
   filter->Update();
   for (vtkIdType i = 0; i < 18; ++i)
   {
-    CHECK(Get(filter->GetOutput(2), "Contact", i) == (i >= 6 && i < 12 ? 3 : 0));
+    CHECK_EQUAL(Get(filter->GetOutput(2), "Contact", i), (i >= 6 && i < 12 ? 3 : 0));
   }
   CHECK_NEAR(Get(filter->GetOutput(2), "Distance", 0) / 2e299, 1.0, 1e-14);
 }
@@ -170,12 +170,12 @@ void TestWithout(RelevoCheck& check)
   filter->SetInputData(1, RelevoMakeBox(-1, 1));
   filter->Update();
   CHECK(!filter->GetOutput(2)->GetCellData()->HasArray("Distance"));
-  CHECK(Get(filter->GetOutput(2), "Contact", 0) == 0);
+  CHECK_EQUAL(Get(filter->GetOutput(2), "Contact", 0), 0);
   CHECK(!sphere->GetCellData()->HasArray("Contact"));
   filter->ClassifyOn();
   filter->Update();
-  CHECK(Get(filter->GetOutput(2), "Contact", 0) == 3);
-  CHECK(Get(filter->GetOutput(3), "Contact", 0) == 0);
+  CHECK_EQUAL(Get(filter->GetOutput(2), "Contact", 0), 3);
+  CHECK_EQUAL(Get(filter->GetOutput(3), "Contact", 0), 0);
 
   // Five sides of a box, and a face that is there twice.
   auto open = RelevoMakeBox(-1, 1);
@@ -191,8 +191,8 @@ void TestWithout(RelevoCheck& check)
     RelevoErrors errors(filter);
     filter->Update();
     CHECK(errors.Warned("Not closed, so that nothing is told to be inside of it: input 1."));
-    CHECK(Get(filter->GetOutput(2), "Contact", 0) == 0);
-    CHECK(Get(filter->GetOutput(2), "Distance", 0) > 0.4);
+    CHECK_EQUAL(Get(filter->GetOutput(2), "Contact", 0), 0);
+    CHECK_GREATER(Get(filter->GetOutput(2), "Distance", 0), 0.4);
   }
 }
 }

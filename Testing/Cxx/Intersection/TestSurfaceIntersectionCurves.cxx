@@ -51,7 +51,7 @@ void CheckJoined(RelevoCheck& check, vtkSurfaceIntersectionFilter* filter)
   filter->Update();
   vtkPolyData* curves = filter->GetOutput();
   CHECK_NEAR(RelevoMeasureLength(curves), length, 1e-9);
-  CHECK(curves->GetNumberOfPoints() == numberOfPoints);
+  CHECK_EQUAL(curves->GetNumberOfPoints(), numberOfPoints);
   auto components = vtkIdTypeArray::SafeDownCast(curves->GetCellData()->GetArray("ComponentId"));
   CHECK(components && components->GetNumberOfValues() == curves->GetNumberOfCells());
   // Two convex surfaces: each curve is closed, and no two meet.
@@ -59,8 +59,8 @@ void CheckJoined(RelevoCheck& check, vtkSurfaceIntersectionFilter* filter)
   {
     vtkNew<vtkIdList> points;
     curves->GetCellPoints(i, points);
-    CHECK(points->GetId(0) == points->GetId(points->GetNumberOfIds() - 1));
-    CHECK(components->GetValue(i) == i);
+    CHECK_EQUAL(points->GetId(0), points->GetId(points->GetNumberOfIds() - 1));
+    CHECK_EQUAL(components->GetValue(i), i);
   }
   filter->JoinSegmentsOff();
 }
@@ -98,17 +98,17 @@ void TestSpheres(RelevoCheck& check)
     vtk->SplitFirstOutputOff();
     vtk->SplitSecondOutputOff();
     vtk->Update();
-    CHECK(RelevoGetCellPairs(curves) == RelevoGetCellPairs(vtk->GetOutput()));
+    CHECK_EQUAL(RelevoGetCellPairs(curves), RelevoGetCellPairs(vtk->GetOutput()));
     CHECK_NEAR(RelevoMeasureLength(curves), RelevoMeasureLength(vtk->GetOutput()), 1e-4);
     CheckJoined(check, filter);
   }
-  CHECK(crossed > 20);
-  CHECK(filter->GetNumberOfTreeBuilds() == 2);
+  CHECK_GREATER(crossed, 20);
+  CHECK_EQUAL(filter->GetNumberOfTreeBuilds(), 2);
   fine->GetPoints()->SetPoint(0, 0.0, 0.0, 1.01);
   fine->GetPoints()->Modified();
   fine->Modified();
   filter->Update();
-  CHECK(filter->GetNumberOfTreeBuilds() == 3);
+  CHECK_EQUAL(filter->GetNumberOfTreeBuilds(), 3);
 }
 
 // Octahedra that have four triangles in common, and the curve that bounds them and goes on from one
@@ -129,17 +129,17 @@ void TestOctahedra(RelevoCheck& check)
   filter->SetInputData(0, first);
   filter->SetInputData(1, RelevoMakePolygons(points, cells));
   filter->Update();
-  CHECK(filter->GetOutput(1)->GetNumberOfCells() == 4);
-  CHECK(filter->GetOutput(1)->GetNumberOfPoints() == 8);
-  CHECK(filter->GetOutput()->GetNumberOfVerts() == 0);
-  CHECK(filter->GetOutput()->GetNumberOfLines() == 4 * 2 + 2);
-  CHECK(filter->GetOutput()->GetNumberOfPoints() == 8);
+  CHECK_EQUAL(filter->GetOutput(1)->GetNumberOfCells(), 4);
+  CHECK_EQUAL(filter->GetOutput(1)->GetNumberOfPoints(), 8);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfVerts(), 0);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfLines(), 4 * 2 + 2);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), 8);
   filter->JoinSegmentsOn();
   filter->Update();
   // Three lines meet at four of the points.
-  CHECK(filter->GetOutput()->GetNumberOfLines() == 6);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfLines(), 6);
   vtkDataArray* components = filter->GetOutput()->GetCellData()->GetArray("ComponentId");
-  CHECK(components->GetRange(0)[1] == 0.0);
+  CHECK_EQUAL(components->GetRange(0)[1], 0.0);
 }
 
 void TestItself(RelevoCheck& check)
@@ -156,21 +156,21 @@ void TestItself(RelevoCheck& check)
   vtkNew<vtkSurfaceIntersectionFilter> self;
   self->SetInputConnection(both->GetOutputPort());
   self->Update();
-  CHECK(pair->GetOutput()->GetNumberOfLines() > 50);
-  CHECK(self->GetOutput()->GetNumberOfCells() == pair->GetOutput()->GetNumberOfCells());
-  CHECK(self->GetOutput()->GetNumberOfPoints() == pair->GetOutput()->GetNumberOfPoints());
+  CHECK_GREATER(pair->GetOutput()->GetNumberOfLines(), 50);
+  CHECK_EQUAL(self->GetOutput()->GetNumberOfCells(), pair->GetOutput()->GetNumberOfCells());
+  CHECK_EQUAL(self->GetOutput()->GetNumberOfPoints(), pair->GetOutput()->GetNumberOfPoints());
   CHECK(IsClosed(self->GetOutput()));
   std::set<std::pair<vtkIdType, vtkIdType>> expected;
   for (const auto& ids : RelevoGetCellPairs(pair->GetOutput()))
   {
     expected.emplace(ids.first, first->GetNumberOfCells() + ids.second);
   }
-  CHECK(RelevoGetCellPairs(self->GetOutput()) == expected);
+  CHECK_EQUAL(RelevoGetCellPairs(self->GetOutput()), expected);
   self->SetInputData(first);
   self->Update();
   CHECK(self->GetOutput()->GetNumberOfCells() == 0 && self->GetOutput(1)->GetNumberOfCells() == 0);
-  CHECK(self->GetOutput(2)->GetNumberOfCells() == first->GetNumberOfCells());
-  CHECK(self->GetOutput(3)->GetNumberOfCells() == 0);
+  CHECK_EQUAL(self->GetOutput(2)->GetNumberOfCells(), first->GetNumberOfCells());
+  CHECK_EQUAL(self->GetOutput(3)->GetNumberOfCells(), 0);
 }
 
 void TestThreads(RelevoCheck& check)
@@ -203,8 +203,8 @@ void TestThreads(RelevoCheck& check)
     }
   }
   vtkSMPTools::Initialize();
-  CHECK(outputs[0][0]->GetNumberOfLines() > 100);
-  CHECK(outputs[1][1]->GetNumberOfPolys() == first->GetNumberOfPolys());
+  CHECK_GREATER(outputs[0][0]->GetNumberOfLines(), 100);
+  CHECK_EQUAL(outputs[1][1]->GetNumberOfPolys(), first->GetNumberOfPolys());
 }
 
 void TestStrips(RelevoCheck& check)
@@ -214,7 +214,7 @@ void TestStrips(RelevoCheck& check)
   vtkNew<vtkStripper> stripper;
   stripper->SetInputData(first);
   stripper->Update();
-  CHECK(stripper->GetOutput()->GetNumberOfStrips() > 0);
+  CHECK_GREATER(stripper->GetOutput()->GetNumberOfStrips(), 0);
   double lengths[2];
   for (int i = 0; i < 2; ++i)
   {
@@ -225,7 +225,7 @@ void TestStrips(RelevoCheck& check)
     CHECK(IsClosed(filter->GetOutput()));
     lengths[i] = RelevoMeasureLength(filter->GetOutput());
   }
-  CHECK(lengths[0] > 10.0);
+  CHECK_GREATER(lengths[0], 10.0);
   CHECK_NEAR(lengths[1], lengths[0], 1e-9);
 }
 }

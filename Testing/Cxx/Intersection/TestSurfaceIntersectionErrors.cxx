@@ -44,9 +44,9 @@ void ExpectError(RelevoCheck& check, const std::function<void(vtkPolyData*, vtkM
     filter->SetInputData(1 - input, RelevoMakeBox(0.5, 2));
     auto good = RelevoMakeBox(0, 1);
     filter->SetInputData(input, good);
-    CHECK(filter->GetExecutive()->Update() == 1);
+    CHECK_EQUAL(filter->GetExecutive()->Update(), 1);
     const vtkIdType numberOfLines = filter->GetOutput()->GetNumberOfLines();
-    CHECK(numberOfLines > 0);
+    CHECK_GREATER(numberOfLines, 0);
     auto box = RelevoMakeBox(0, 1);
     vtkNew<vtkMatrix4x4> matrix;
     spoil(box, matrix);
@@ -55,7 +55,7 @@ void ExpectError(RelevoCheck& check, const std::function<void(vtkPolyData*, vtkM
     {
       RelevoErrors errors(filter);
       RelevoErrors executive(filter->GetExecutive());
-      CHECK(filter->GetExecutive()->Update() == 0);
+      CHECK_EQUAL(filter->GetExecutive()->Update(), 0);
       const std::string expected = "Input " + std::to_string(input) + " " + words;
       if (!errors.Said(expected))
       {
@@ -66,8 +66,8 @@ void ExpectError(RelevoCheck& check, const std::function<void(vtkPolyData*, vtkM
     filter->SetInputData(input, good);
     filter->SetMatrix(input, nullptr);
     RelevoErrors errors(filter);
-    CHECK(filter->GetExecutive()->Update() == 1);
-    CHECK(filter->GetOutput()->GetNumberOfLines() == numberOfLines);
+    CHECK_EQUAL(filter->GetExecutive()->Update(), 1);
+    CHECK_EQUAL(filter->GetOutput()->GetNumberOfLines(), numberOfLines);
     CHECK(errors.None());
   }
 }
@@ -117,7 +117,7 @@ void TestSettings(RelevoCheck& check)
   RelevoErrors errors(filter);
   filter->SetContactDistance(-1.0);
   CHECK(errors.Said("ContactDistance must be at least 0 and finite, got -1."));
-  CHECK(filter->GetContactDistance() == 0.0);
+  CHECK_EQUAL(filter->GetContactDistance(), 0.0);
   vtkNew<vtkMatrix4x4> matrix;
   filter->SetMatrix(2, matrix);
   CHECK(errors.Said("Input must be in [0, 1], got 2."));
@@ -127,7 +127,7 @@ void TestSettings(RelevoCheck& check)
   CHECK(filter->GetMatrix(1) == matrix && !filter->GetMatrix(0));
   const vtkMTimeType before = filter->GetMTime();
   matrix->SetElement(0, 3, 1.0);
-  CHECK(filter->GetMTime() > before);
+  CHECK_GREATER(filter->GetMTime(), before);
 }
 
 void TestFlatTriangles(RelevoCheck& check)
@@ -153,9 +153,10 @@ void TestFlatTriangles(RelevoCheck& check)
   RelevoErrors errors(filter);
   filter->Update();
   CHECK(errors.Warned("Input 1 has 4 triangles without an area; they are left out."));
-  CHECK(filter->GetOutput()->GetNumberOfLines() == numberOfLines);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfLines(), numberOfLines);
   vtkDataArray* distances = filter->GetOutput(3)->GetCellData()->GetArray("Distance");
-  CHECK(distances->GetComponent(6, 0) == -1.0 && distances->GetComponent(9, 0) == 0.0);
+  CHECK_EQUAL(distances->GetComponent(6, 0), -1.0);
+  CHECK_EQUAL(distances->GetComponent(9, 0), 0.0);
   // Nothing else.
   auto line = RelevoMakePolygons({ { 0, 0, 0 }, { 1, 1, 1 }, { 2, 2, 2 } }, { { 0, 1, 2 } });
   for (int input = 0; input < 2; ++input)
@@ -164,8 +165,8 @@ void TestFlatTriangles(RelevoCheck& check)
     filter->SetInputData(1 - input, box);
     filter->Update();
     CHECK(errors.Warned("has 1 triangles without an area"));
-    CHECK(filter->GetOutput()->GetNumberOfCells() == 0);
-    CHECK(filter->GetOutput(2 + input)->GetNumberOfCells() == 1);
+    CHECK_EQUAL(filter->GetOutput()->GetNumberOfCells(), 0);
+    CHECK_EQUAL(filter->GetOutput(2 + input)->GetNumberOfCells(), 1);
   }
   auto point = RelevoMakePolygons({ { 0, 0, 0 } }, { { 0, 0, 0 } });
   filter->SetInputData(0, point);
@@ -196,6 +197,7 @@ void TestLargeCoordinates(RelevoCheck& check)
 {
   for (double scale : { 1e300, 1.0, 1e-160, 1e-300 })
   {
+    CHECK_CASE(scale);
     auto first =
       RelevoMakePolygons({ { 0, 0, 0 }, { scale, 0, 0 }, { 0, scale, 0 } }, { { 0, 1, 2 } });
     auto second =
@@ -209,7 +211,8 @@ void TestLargeCoordinates(RelevoCheck& check)
     filter->Update();
     CHECK(errors.None());
     vtkPolyData* curves = filter->GetOutput();
-    CHECK(curves->GetNumberOfLines() == 1 && curves->GetNumberOfPoints() == 2);
+    CHECK_EQUAL(curves->GetNumberOfLines(), 1);
+    CHECK_EQUAL(curves->GetNumberOfPoints(), 2);
     for (vtkIdType i = 0; i < curves->GetNumberOfPoints(); ++i)
     {
       double x[3];

@@ -74,8 +74,8 @@ void TestMesh(RelevoCheck& check, vtkPolyData* mesh, vtkAdaptiveRefinement* reci
   const auto own = GetMiddles(filter->GetOutput(), nullptr);
   CHECK(own == GetMiddles(curves, ghosts) && !own.empty() && own.size() < all.size());
   vtkCellData* data = filter->GetOutput(3)->GetCellData();
-  CHECK(data->GetArray("Contact")->GetComponent(cut, 0) == 0.0);
-  CHECK(data->GetArray("Distance")->GetComponent(cut, 0) == -1.0);
+  CHECK_EQUAL(data->GetArray("Contact")->GetComponent(cut, 0), 0.0);
+  CHECK_EQUAL(data->GetArray("Distance")->GetComponent(cut, 0), -1.0);
 
   RelevoErrors errors(filter);
   RelevoErrors executive(filter->GetExecutive());
@@ -83,13 +83,13 @@ void TestMesh(RelevoCheck& check, vtkPolyData* mesh, vtkAdaptiveRefinement* reci
   ghosts->Modified();
   second->Modified();
   filter->Update();
-  CHECK(filter->GetOutput()->GetNumberOfCells() == 0);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfCells(), 0);
   CHECK(recipe ? errors.Said("Input 1 has no refined triangle") : errors.None());
 
   second->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
   second->Modified();
   filter->Update();
-  CHECK(GetMiddles(filter->GetOutput(), nullptr) == all);
+  CHECK_EQUAL(GetMiddles(filter->GetOutput(), nullptr), all);
 }
 }
 
@@ -102,7 +102,7 @@ int TestSurfaceIntersectionGhosts(int, char*[])
   stripper->SetMaximumLength(3);
   stripper->SetInputData(sphere);
   stripper->Update();
-  CHECK(stripper->GetOutput()->GetNumberOfStrips() > 0);
+  CHECK_GREATER(stripper->GetOutput()->GetNumberOfStrips(), 0);
   TestMesh(check, stripper->GetOutput(), nullptr);
 
   vtkNew<vtkAdaptiveRefinement> recipe;

@@ -47,6 +47,7 @@ void TestTouching(RelevoCheck& check)
   // Three faces around a corner that stands on the plate, on its diagonal and beside it.
   for (double x : { 1.0, 2.0 })
   {
+    CHECK_CASE(x);
     auto corner = RelevoMakePolygons({ { x, 1, 0 }, { 2, 2, 1 }, { 0, 2, 2 }, { 1, 0, 1 } },
       { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 1 } });
     Result result(plate, corner);
@@ -60,7 +61,7 @@ void TestTouching(RelevoCheck& check)
     { { 1, 2, 0 }, { 3, 2, 0 }, { 2, 3, 1 }, { 2, 1, 1 } }, { { 0, 1, 2 }, { 1, 0, 3 } });
   Result ridge(plate, roof);
   CHECK(ridge.Has(0, 2, 0)); // on both sides of the plate's diagonal
-  CHECK(ridge.GetCurves()->GetNumberOfPoints() == 3);
+  CHECK_EQUAL(ridge.GetCurves()->GetNumberOfPoints(), 3);
   CHECK_NEAR(RelevoMeasureLength(ridge.GetCurves()), 2.0, 1e-15);
   // Ridges that cross.
   auto across = RelevoMakePolygons(
@@ -81,22 +82,24 @@ void TestOverlaps(RelevoCheck& check)
   Result result(plate, box);
   CHECK_NEAR(RelevoMeasureArea(result.GetOverlaps()), 4.0, 1e-14);
   CHECK_NEAR(RelevoMeasureLength(result.GetCurves()), 8.0, 1e-14);
-  CHECK(result.GetCurves()->GetNumberOfVerts() == 0);
+  CHECK_EQUAL(result.GetCurves()->GetNumberOfVerts(), 0);
   for (const auto& ids : RelevoGetCellPairs(result.GetOverlaps()))
   {
-    CHECK(ids.first == 0 && ids.second == 0);
+    CHECK_EQUAL(ids.first, 0);
+    CHECK_EQUAL(ids.second, 0);
   }
-  CHECK(result.Filter->GetOutput(2)->GetCellData()->GetArray("Contact")->GetComponent(0, 0) == 2);
+  CHECK_EQUAL(
+    result.Filter->GetOutput(2)->GetCellData()->GetArray("Contact")->GetComponent(0, 0), 2);
   // The box's lid is the one cell that is free.
   vtkDataArray* contacts = result.Filter->GetOutput(3)->GetCellData()->GetArray("Contact");
   for (vtkIdType i = 0; i < 6; ++i)
   {
-    CHECK(contacts->GetComponent(i, 0) == (i == 1 ? 0 : 2));
+    CHECK_EQUAL(contacts->GetComponent(i, 0), (i == 1 ? 0 : 2));
   }
 
   // The same, and one within the other.
   Result same(box, RelevoMakeBox(0, 2));
-  CHECK(same.GetCurves()->GetNumberOfCells() == 0);
+  CHECK_EQUAL(same.GetCurves()->GetNumberOfCells(), 0);
   CHECK_NEAR(RelevoMeasureArea(same.GetOverlaps()), 24.0, 1e-13);
   Result within(plate, MakePlate(-1, 1, 0));
   CHECK_NEAR(RelevoMeasureArea(within.GetOverlaps()), 4.0, 1e-14);
@@ -124,7 +127,7 @@ void TestTwice(RelevoCheck& check)
   twice->GetPolys()->Append(once->GetPolys());
   Result expected(once, box);
   Result found(twice, box);
-  CHECK(expected.GetCurves()->GetNumberOfLines() > 50);
+  CHECK_GREATER(expected.GetCurves()->GetNumberOfLines(), 50);
   CHECK(RelevoIsSameMesh(expected.GetCurves(), found.GetCurves()));
 }
 
@@ -137,7 +140,7 @@ void TestItself(RelevoCheck& check)
   auto folded = RelevoMakePolygons(
     { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 1, 1, 0 } }, { { 0, 1, 2 }, { 0, 1, 3 } });
   Result twice(folded, nullptr);
-  CHECK(twice.GetOverlaps()->GetNumberOfPolys() == 1);
+  CHECK_EQUAL(twice.GetOverlaps()->GetNumberOfPolys(), 1);
   CHECK_NEAR(RelevoMeasureArea(twice.GetOverlaps()), 2.0, 1e-15);
   CHECK(Result(RelevoMakeBox(0, 1), nullptr).Has(0, 0, 0));
   // Points that coincide are one: a seam is no contact.

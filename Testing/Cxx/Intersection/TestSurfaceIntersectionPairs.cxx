@@ -28,8 +28,8 @@ void Take(RelevoCheck& check, const RelevoWholeMesh& mesh, relevo::MovedSurface&
 {
   CHECK(surface.Take(mesh.NewPolyData()).empty());
   CHECK(surface.Move({}).empty());
-  CHECK(surface.GetNumberOfFlatTriangles() == 0);
-  CHECK(surface.GetNumberOfTriangles() == static_cast<vtkIdType>(mesh.Triangles.size()));
+  CHECK_EQUAL(surface.GetNumberOfFlatTriangles(), 0);
+  CHECK_EQUAL(surface.GetNumberOfTriangles(), static_cast<vtkIdType>(mesh.Triangles.size()));
 }
 
 void TestTwoMeshes(RelevoCheck& check, RelevoDice& dice, int side, Pairs::size_type& total)
@@ -50,7 +50,7 @@ void TestTwoMeshes(RelevoCheck& check, RelevoDice& dice, int side, Pairs::size_t
       }
     }
   }
-  CHECK(FindPairs(surfaces[0], surfaces[1]) == expected);
+  CHECK_EQUAL(FindPairs(surfaces[0], surfaces[1]), expected);
   total += expected.size();
 }
 
@@ -70,7 +70,7 @@ void TestOneMesh(RelevoCheck& check, RelevoDice& dice, int side, Pairs::size_typ
       }
     }
   }
-  CHECK(FindPairs(surface, surface) == expected);
+  CHECK_EQUAL(FindPairs(surface, surface), expected);
   total += expected.size();
 }
 }
@@ -88,6 +88,7 @@ int TestSurfaceIntersectionPairs(int, char*[])
   }
   // Neither all nor none.
   CHECK(two > 50000 && two < 430000);
-  CHECK(one > 50000 && one < 320000);
+  CHECK_GREATER(one, 50000);
+  CHECK_LESS(one, 320000);
   return check.GetResult();
 }

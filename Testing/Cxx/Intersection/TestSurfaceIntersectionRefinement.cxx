@@ -107,18 +107,18 @@ void TestTwin(RelevoCheck& check, bool hasHoles)
     refined[i] = Refine(scene.Meshes[i], scene.Recipes[i]);
     reference->SetInputData(i, refined[i]);
   }
-  CHECK(filter->GetRefinedSurface(0)->GetNumberOfPolys() < refined[0]->GetNumberOfPolys() / 2);
+  CHECK_LESS(filter->GetRefinedSurface(0)->GetNumberOfPolys(), refined[0]->GetNumberOfPolys() / 2);
   reference->SetMatrix(1, scene.Matrix);
   RelevoErrors errors(reference); // of triangles without an area
   reference->Update();
   const double length = RelevoMeasureLength(reference->GetOutput());
-  CHECK(length > 1.0);
+  CHECK_GREATER(length, 1.0);
   CHECK_NEAR(RelevoMeasureLength(filter->GetOutput()), length, 1e-12 * length);
-  CHECK(RelevoGetCellPairs(filter->GetOutput()) ==
+  CHECK_EQUAL(RelevoGetCellPairs(filter->GetOutput()),
     GetCoarsePairs(reference->GetOutput(), refined[0], refined[1]));
   for (int i = 0; i < 2; ++i)
   {
-    CHECK(filter->GetOutput(2 + i)->GetNumberOfCells() == scene.Meshes[i]->GetNumberOfCells());
+    CHECK_EQUAL(filter->GetOutput(2 + i)->GetNumberOfCells(), scene.Meshes[i]->GetNumberOfCells());
   }
 
   // Distances are to the curved surface; coarse cells have the least of their triangles.
@@ -142,7 +142,7 @@ void TestTwin(RelevoCheck& check, bool hasHoles)
         place->second = std::min(place->second, distance);
       }
     }
-    CHECK(distances.size() > 200);
+    CHECK_GREATER(distances.size(), 200);
     for (const auto& [cell, distance] : distances)
     {
       CHECK_NEAR(
@@ -188,12 +188,13 @@ void TestTolerance(RelevoCheck& check, int policy)
       recipe->SetSegmentPolicyToPowersOfTwo(); // of the locators
     }
     vtkPolyData* curves = filter->GetOutput();
-    CHECK(curves->GetNumberOfLines() > 0 && curves->GetNumberOfVerts() == 0);
+    CHECK_GREATER(curves->GetNumberOfLines(), 0);
+    CHECK_EQUAL(curves->GetNumberOfVerts(), 0);
     for (vtkIdType line = 0; line < curves->GetNumberOfLines(); ++line)
     {
       vtkNew<vtkIdList> points;
       curves->GetCellPoints(line, points);
-      CHECK(points->GetId(0) == points->GetId(points->GetNumberOfIds() - 1));
+      CHECK_EQUAL(points->GetId(0), points->GetId(points->GetNumberOfIds() - 1));
     }
     double largest = 0.0;
     const vtkIdType step = 1 + curves->GetNumberOfPoints() / 100;
@@ -205,8 +206,8 @@ void TestTolerance(RelevoCheck& check, int policy)
       back->MultiplyPoint(x, x);
       largest = std::max(largest, Scale * GetDistance(locators[1], x));
     }
-    CHECK(largest <= tolerance);
-    CHECK(largest > tolerance / 20);
+    CHECK_LESS_EQUAL(largest, tolerance);
+    CHECK_GREATER(largest, tolerance / 20);
 
     // Coarse where nothing meets; finer where it does, with a lower tolerance.
     vtkPolyData* refined = filter->GetRefinedSurface(0);
@@ -217,8 +218,8 @@ void TestTolerance(RelevoCheck& check, int policy)
     }
     const auto ones = std::count_if(
       numbers.begin(), numbers.end(), [](const auto& number) { return number.second == 1; });
-    CHECK(ones > scene.Meshes[0]->GetNumberOfCells() / 2);
-    CHECK(refined->GetNumberOfCells() > last);
+    CHECK_GREATER(ones, scene.Meshes[0]->GetNumberOfCells() / 2);
+    CHECK_GREATER(refined->GetNumberOfCells(), last);
     last = refined->GetNumberOfCells();
   }
 }
@@ -233,9 +234,10 @@ void TestMotion(RelevoCheck& check)
   const int builds = filter->GetNumberOfTreeBuilds();
   filter->Modified();
   filter->Update();
-  CHECK(filter->GetNumberOfTreeBuilds() == builds);
+  CHECK_EQUAL(filter->GetNumberOfTreeBuilds(), builds);
   for (double x : { 1.5, -1.4, 0.7 })
   {
+    CHECK_CASE(x);
     scene.Matrix->SetElement(0, 3, x);
     filter->Update();
     auto fresh = scene.NewFilter();
@@ -249,9 +251,9 @@ void TestMotion(RelevoCheck& check)
   const double length = RelevoMeasureLength(filter->GetOutput());
   scene.Recipes[1]->GetDisplacement()->SetOffset(0.05);
   filter->Update();
-  CHECK(std::abs(RelevoMeasureLength(filter->GetOutput()) - length) > 0.01);
+  CHECK_GREATER(std::abs(RelevoMeasureLength(filter->GetOutput()) - length), 0.01);
   filter->SetRefinement(1, nullptr);
-  CHECK(filter->GetRefinedSurface(1) == nullptr);
+  CHECK_EQUAL(filter->GetRefinedSurface(1), nullptr);
   filter->Update();
   filter->SetRefinement(0, nullptr);
   filter->Update();
@@ -280,8 +282,8 @@ void TestScale(RelevoCheck& check)
   filter->SetMatrix(0, twice);
   filter->SetTolerance(0.008);
   filter->Update();
-  CHECK(filter->GetRefinedSurface(1)->GetNumberOfCells() == number);
-  CHECK(number > 2 * scene.Meshes[1]->GetNumberOfCells());
+  CHECK_EQUAL(filter->GetRefinedSurface(1)->GetNumberOfCells(), number);
+  CHECK_GREATER(number, 2 * scene.Meshes[1]->GetNumberOfCells());
 }
 
 // A tube that is thicker than its ring is wide meets itself, though its mesh does not.
@@ -292,16 +294,16 @@ void TestSelf(RelevoCheck& check)
   vtkNew<vtkSurfaceIntersectionFilter> filter;
   filter->SetInputData(mesh);
   filter->Update();
-  CHECK(filter->GetOutput()->GetNumberOfLines() == 0);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfLines(), 0);
   filter->SetRefinement(0, recipe);
   filter->Update();
   auto refined = Refine(mesh, recipe);
   vtkNew<vtkSurfaceIntersectionFilter> reference;
   reference->SetInputData(refined);
   reference->Update();
-  CHECK(filter->GetOutput()->GetNumberOfLines() > 50);
-  CHECK(filter->GetOutput()->GetNumberOfLines() == reference->GetOutput()->GetNumberOfLines());
-  CHECK(RelevoGetCellPairs(filter->GetOutput()) ==
+  CHECK_GREATER(filter->GetOutput()->GetNumberOfLines(), 50);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfLines(), reference->GetOutput()->GetNumberOfLines());
+  CHECK_EQUAL(RelevoGetCellPairs(filter->GetOutput()),
     GetCoarsePairs(reference->GetOutput(), refined, refined));
 }
 
@@ -312,23 +314,23 @@ void TestProblems(RelevoCheck& check)
   RelevoErrors errors(filter);
   filter->SetRefinement(2, scene.Recipes[0]);
   CHECK(errors.Said("Input"));
-  CHECK(filter->GetRefinement(-1) == nullptr);
+  CHECK_EQUAL(filter->GetRefinement(-1), nullptr);
   CHECK(errors.Said("Input"));
   filter->SetTolerance(-0.1);
   CHECK(errors.Said("Tolerance"));
-  CHECK(filter->GetTolerance() == 0.0);
+  CHECK_EQUAL(filter->GetTolerance(), 0.0);
 
   filter->SetTolerance(1e-5);
   filter->Update();
   CHECK(errors.Warned("more than Tolerance"));
-  CHECK(filter->GetOutput()->GetNumberOfLines() > 0);
+  CHECK_GREATER(filter->GetOutput()->GetNumberOfLines(), 0);
 
   // Without texture coordinates the heights have no place.
   RelevoErrors executive(filter->GetExecutive());
   filter->SetInputData(1, RelevoMakeSphere(6, { 1, 0, 0 }, 0.5));
   filter->Update();
   CHECK(errors.Said("Input 1: Cannot refine the input"));
-  CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), 0);
   filter->SetInputData(1, vtkNew<vtkPolyData>());
   filter->Update();
   CHECK(errors.Said("Input 1 has no polygons"));
@@ -345,7 +347,7 @@ void TestProblems(RelevoCheck& check)
   displacement->SetHeightMap(heights);
   filter->SetTolerance(0.0);
   filter->Update();
-  CHECK(filter->GetOutput()->GetNumberOfLines() > 0);
+  CHECK_GREATER(filter->GetOutput()->GetNumberOfLines(), 0);
 }
 }
 

@@ -36,9 +36,10 @@ void TestCell(RelevoCheck& check, vtkUnstructuredGrid* grid)
   filter->Update();
   CHECK(errors.None());
   vtkPolyData* output = filter->GetOutput();
-  CHECK(output->GetNumberOfLines() == 1 && output->GetNumberOfCells() == 1);
+  CHECK_EQUAL(output->GetNumberOfLines(), 1);
+  CHECK_EQUAL(output->GetNumberOfCells(), 1);
   const std::vector<RelevoPlace> places = RelevoGetCellPoints(output, 0);
-  CHECK(places.size() == (1u << Level) + 1);
+  CHECK_EQUAL(places.size(), (1u << Level) + 1);
   vtkDataArray* given = grid->GetPointData()->GetArray("Values");
   vtkDataArray* values = output->GetPointData()->GetArray("Values");
   CHECK(values && values->GetNumberOfTuples() == output->GetNumberOfPoints());
@@ -70,7 +71,7 @@ void TestCell(RelevoCheck& check, vtkUnstructuredGrid* grid)
   {
     RelevoPlace node;
     grid->GetPoint(cell->GetPointId(end), node.data());
-    CHECK(node == (end == 0 ? places.front() : places.back()));
+    CHECK_EQUAL(node, (end == 0 ? places.front() : places.back()));
   }
 }
 
@@ -101,7 +102,7 @@ void TestFloats(RelevoCheck& check)
   grid->SetPoints(points);
   auto filter = RelevoNewCurveFilter(grid, 3);
   filter->Update();
-  CHECK(filter->GetOutput()->GetPoints()->GetDataType() == VTK_FLOAT);
+  CHECK_EQUAL(filter->GetOutput()->GetPoints()->GetDataType(), VTK_FLOAT);
   const std::vector<RelevoPlace> places = RelevoGetCellPoints(filter->GetOutput(), 0);
   for (int i = 0; i <= 8; ++i)
   {
@@ -109,7 +110,7 @@ void TestFloats(RelevoCheck& check)
   }
   RelevoPlace node;
   grid->GetPoint(1, node.data());
-  CHECK(node == places.back());
+  CHECK_EQUAL(node, places.back());
 }
 
 // A circle of NURBS is exactly round, and its arcs share their ends.
@@ -120,14 +121,14 @@ void TestCircle(RelevoCheck& check)
   auto filter = RelevoNewCurveFilter(source->GetOutput(), 5);
   filter->Update();
   vtkPolyData* output = filter->GetOutput();
-  CHECK(output->GetNumberOfLines() == 4);
-  CHECK(output->GetNumberOfPoints() == 4 * 32);
+  CHECK_EQUAL(output->GetNumberOfLines(), 4);
+  CHECK_EQUAL(output->GetNumberOfPoints(), 4 * 32);
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
   {
     double x[3];
     output->GetPoint(i, x);
     CHECK_NEAR(std::hypot(x[0], x[1]), 1.0, 4e-16);
-    CHECK(x[2] == 0.0);
+    CHECK_EQUAL(x[2], 0.0);
   }
 }
 
@@ -160,11 +161,12 @@ void TestPolyLines(RelevoCheck& check)
   filter->Update();
   CHECK(errors.Warned("1 degenerate curves left out"));
   vtkPolyData* output = filter->GetOutput();
-  CHECK(output->GetNumberOfCells() == 2 && output->GetNumberOfLines() == 2);
-  CHECK(RelevoGetCellPoints(output, 0).size() == 3 * 4 + 2); // two points at one place
-  CHECK(RelevoGetCellPoints(output, 0).back() == RelevoGetCellPoints(output, 1).front());
-  CHECK(output->GetCellData()->GetArray("Ids")->GetComponent(0, 0) == 8.0);
-  CHECK(output->GetCellData()->GetArray("vtkOriginalCellIds")->GetComponent(1, 0) == 2.0);
+  CHECK_EQUAL(output->GetNumberOfCells(), 2);
+  CHECK_EQUAL(output->GetNumberOfLines(), 2);
+  CHECK_EQUAL(RelevoGetCellPoints(output, 0).size(), 3 * 4 + 2); // two points at one place
+  CHECK_EQUAL(RelevoGetCellPoints(output, 0).back(), RelevoGetCellPoints(output, 1).front());
+  CHECK_EQUAL(output->GetCellData()->GetArray("Ids")->GetComponent(0, 0), 8.0);
+  CHECK_EQUAL(output->GetCellData()->GetArray("vtkOriginalCellIds")->GetComponent(1, 0), 2.0);
 }
 
 // Integers are rounded, strings are the nearest node's, no data spread, ids are gone.
@@ -199,7 +201,7 @@ void TestData(RelevoCheck& check)
   auto filter = RelevoNewCurveFilter(grid, 2);
   filter->Update();
   vtkPointData* data = filter->GetOutput()->GetPointData();
-  CHECK(data->GetNumberOfArrays() == 3);
+  CHECK_EQUAL(data->GetNumberOfArrays(), 3);
   vtkNew<vtkIdList> points;
   filter->GetOutput()->GetCellPoints(0, points);
   const std::array<double, 5> rounded{ 0, 1, 2, 2, 3 };
@@ -207,8 +209,8 @@ void TestData(RelevoCheck& check)
   for (int i = 0; i <= 4; ++i)
   {
     const vtkIdType point = points->GetId(i);
-    CHECK(data->GetArray("Integers")->GetComponent(point, 0) == rounded[i]);
-    CHECK(names->GetValue(point) == (i < 2 ? "a" : "b"));
+    CHECK_EQUAL(data->GetArray("Integers")->GetComponent(point, 0), rounded[i]);
+    CHECK_EQUAL(names->GetValue(point), (i < 2 ? "a" : "b"));
     const double gap = data->GetArray("Gaps")->GetComponent(point, 0);
     CHECK(i == 4 ? gap == 1.0 : std::isnan(gap));
   }

@@ -53,13 +53,13 @@ void ExpectFault(RelevoCheck& check, vtkUnstructuredGrid* grid, const char* word
 {
   auto filter = RelevoNewCurveFilter(grid, 2);
   RelevoErrors errors(filter);
-  CHECK(filter->GetExecutive()->Update() == 1);
+  CHECK_EQUAL(filter->GetExecutive()->Update(), 1);
   if (!errors.Said(words))
   {
     check.Fail(__FILE__, __LINE__, std::string("not said: ") + words);
   }
-  CHECK(filter->GetOutput()->GetNumberOfCells() == 1);
-  CHECK(filter->GetOutput()->GetNumberOfPoints() == 5);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfCells(), 1);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), 5);
 }
 
 void ExpectNumber(RelevoCheck& check, int type, int number, const char* words)
@@ -130,12 +130,12 @@ void ExpectError(RelevoCheck& check, vtkAdaptiveCurveFilter* filter, const char*
 {
   RelevoErrors errors(filter);
   RelevoErrors executive(filter->GetExecutive());
-  CHECK(filter->GetExecutive()->Update() == 0);
+  CHECK_EQUAL(filter->GetExecutive()->Update(), 0);
   if (!errors.Said(words))
   {
     check.Fail(__FILE__, __LINE__, std::string("not said: ") + words);
   }
-  CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), 0);
 }
 
 void TestWhole(RelevoCheck& check)
@@ -205,7 +205,7 @@ void TestLeftOut(RelevoCheck& check)
   RelevoErrors errors(filter);
   filter->Update();
   CHECK(errors.Warned("1 degenerate curves left out: all their control points are at one place."));
-  CHECK(filter->GetOutput()->GetNumberOfCells() == 1);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfCells(), 1);
 }
 }
 

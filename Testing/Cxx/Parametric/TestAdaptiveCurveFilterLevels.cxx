@@ -116,7 +116,7 @@ void TestArray(RelevoCheck& check)
   // The means of both ends: VTK has them first, so 1.5, 2 and 2.5.
   const std::array<int, 3> segments = CountSegments(filter);
   CHECK((segments == std::array<int, 3>{ 4, 4, 8 }));
-  CHECK(metric->NumberOfPoints == 0);
+  CHECK_EQUAL(metric->NumberOfPoints, 0);
 
   RelevoErrors errors(filter);
   RelevoErrors executive(filter->GetExecutive());
@@ -125,7 +125,7 @@ void TestArray(RelevoCheck& check)
   grid->Modified();
   filter->Update();
   CHECK(errors.Said("point array \"Tags\" of depth-tags is NaN at point 4"));
-  CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), 0);
 }
 
 // The camera counts in the input's own coordinates.
@@ -139,13 +139,13 @@ void TestTimes(RelevoCheck& check)
   const vtkMTimeType time = filter->GetMTime();
   camera->SetPosition(1.0, 2.0, 3.0);
   matrix->SetElement(0, 3, 2.0);
-  CHECK(filter->GetMTime() == time);
+  CHECK_EQUAL(filter->GetMTime(), time);
   filter->SetRepresentationToRibbons();
   const vtkMTimeType later = filter->GetMTime();
   camera->SetPosition(3.0, 2.0, 1.0);
-  CHECK(filter->GetMTime() > later);
+  CHECK_GREATER(filter->GetMTime(), later);
   filter->GetRefinement()->SetMaximumLevel(1);
-  CHECK(filter->GetMTime() == filter->GetRefinement()->GetMTime());
+  CHECK_EQUAL(filter->GetMTime(), filter->GetRefinement()->GetMTime());
 }
 }
 

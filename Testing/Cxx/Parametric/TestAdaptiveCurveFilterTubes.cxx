@@ -57,7 +57,8 @@ RelevoPlace GetDifference(const RelevoPlace& a, const RelevoPlace& b)
 void CheckRings(RelevoCheck& check, vtkPolyData* tube, vtkPolyData* line, int sides)
 {
   const std::vector<RelevoPlace> axis = RelevoGetCellPoints(line, 0);
-  CHECK(tube->GetNumberOfPoints() == static_cast<vtkIdType>((axis.size() + 2) * sides)); // two caps
+  CHECK_EQUAL(
+    tube->GetNumberOfPoints(), static_cast<vtkIdType>((axis.size() + 2) * sides)); // two caps
   vtkDataArray* normals = tube->GetPointData()->GetNormals();
   CHECK(normals && normals->GetDataType() == VTK_FLOAT);
   double worst = 1.0;
@@ -81,7 +82,7 @@ void CheckRings(RelevoCheck& check, vtkPolyData* tube, vtkPolyData* line, int si
     }
   }
   // From ring to ring it turns as little as the curve does.
-  CHECK(worst > 0.5);
+  CHECK_GREATER(worst, 0.5);
 }
 
 void TestSingleTubes(RelevoCheck& check)
@@ -102,9 +103,9 @@ void TestSingleTubes(RelevoCheck& check)
       tubes->Update();
       vtkPolyData* tube = tubes->GetOutput();
       CheckRings(check, tube, lines->GetOutput(), sides);
-      CHECK(tube->GetNumberOfPolys() == 2 * 128 * sides + 2 * (sides - 2));
-      CHECK(RelevoCountOpenEdges(tube) == 0);
-      CHECK(RelevoGetVolume(tube) > 0.0);
+      CHECK_EQUAL(tube->GetNumberOfPolys(), 2 * 128 * sides + 2 * (sides - 2));
+      CHECK_EQUAL(RelevoCountOpenEdges(tube), 0);
+      CHECK_GREATER(RelevoGetVolume(tube), 0.0);
     }
   }
 }
@@ -125,11 +126,11 @@ void TestJoinedTubes(RelevoCheck& check)
     filter->SetRadius(Radius);
     filter->Update();
     vtkPolyData* tube = filter->GetOutput();
-    CHECK(tube->GetNumberOfPoints() == 4 * 17 * 8); // no caps
-    CHECK(RelevoCountOpenEdges(tube) == 0);
+    CHECK_EQUAL(tube->GetNumberOfPoints(), 4 * 17 * 8); // no caps
+    CHECK_EQUAL(RelevoCountOpenEdges(tube), 0);
     CHECK(tube->GetCellData()->GetArray("vtkOriginalCellIds"));
     const double length = grid == circle->GetOutput() ? 2.0 * vtkMath::Pi() : 10.0;
-    CHECK(RelevoGetVolume(tube) > 0.8 * length * vtkMath::Pi() * Radius * Radius);
+    CHECK_GREATER(RelevoGetVolume(tube), 0.8 * length * vtkMath::Pi() * Radius * Radius);
   }
   // The torus of the circle.
   auto filter = RelevoNewCurveFilter(circle->GetOutput(), 6);
@@ -183,8 +184,8 @@ void TestKnot(RelevoCheck& check)
   filter->SetNumberOfSides(sides);
   filter->Update();
   vtkPolyData* tube = filter->GetOutput();
-  CHECK(tube->GetNumberOfPoints() == curves * 33 * sides);
-  CHECK(RelevoCountOpenEdges(tube) == 0);
+  CHECK_EQUAL(tube->GetNumberOfPoints(), curves * 33 * sides);
+  CHECK_EQUAL(RelevoCountOpenEdges(tube), 0);
   // From ring to ring the sides turn about the curve, everywhere as little.
   auto lines = RelevoNewCurveFilter(grid, 5);
   lines->Update();
@@ -204,7 +205,7 @@ void TestKnot(RelevoCheck& check)
     }
   }
   const auto [least, most] = std::minmax_element(turns.begin(), turns.end());
-  CHECK(*most - *least < 0.02);
+  CHECK_LESS(*most - *least, 0.02);
 }
 
 // A cone: the radius by an array, normals that lean.
@@ -249,7 +250,7 @@ void TestCoincident(RelevoCheck& check)
   auto lines = RelevoNewCurveFilter(grid, 3);
   lines->Update();
   CheckRings(check, filter->GetOutput(), lines->GetOutput(), 5);
-  CHECK(RelevoCountOpenEdges(filter->GetOutput()) == 0);
+  CHECK_EQUAL(RelevoCountOpenEdges(filter->GetOutput()), 0);
 }
 
 void TestRibbons(RelevoCheck& check)
@@ -265,6 +266,7 @@ void TestRibbons(RelevoCheck& check)
   filter->SetRadius(Radius);
   for (bool isParallel : { false, true })
   {
+    CHECK_CASE(isParallel);
     vtkNew<vtkCamera> camera;
     camera->SetPosition(4.0, 5.0, 6.0);
     camera->SetParallelProjection(isParallel);
@@ -272,7 +274,8 @@ void TestRibbons(RelevoCheck& check)
     filter->Update();
     vtkPolyData* ribbon = filter->GetOutput();
     const std::vector<RelevoPlace> axis = RelevoGetCellPoints(lines->GetOutput(), 0);
-    CHECK(ribbon->GetNumberOfPoints() == 66 && ribbon->GetNumberOfPolys() == 64);
+    CHECK_EQUAL(ribbon->GetNumberOfPoints(), 66);
+    CHECK_EQUAL(ribbon->GetNumberOfPolys(), 64);
     for (vtkIdType i = 0; i < 66; ++i)
     {
       const RelevoPlace out = GetDifference(GetPoint(ribbon, i), axis[i / 2]);
@@ -282,7 +285,7 @@ void TestRibbons(RelevoCheck& check)
       CHECK_NEAR(vtkMath::Dot(out.data(), toEye.data()), 0.0, 1e-13);
       double normal[3];
       ribbon->GetPointData()->GetNormals()->GetTuple(i, normal);
-      CHECK(vtkMath::Dot(normal, toEye.data()) > 0.0);
+      CHECK_GREATER(vtkMath::Dot(normal, toEye.data()), 0.0);
     }
     for (vtkIdType cell = 0; cell < 64; ++cell)
     {
@@ -292,7 +295,7 @@ void TestRibbons(RelevoCheck& check)
         GetDifference(corners[2], corners[0]).data(), normal);
       const RelevoPlace toEye =
         GetDifference({ 4.0, 5.0, 6.0 }, isParallel ? RelevoPlace{} : corners[0]);
-      CHECK(vtkMath::Dot(normal, toEye.data()) > 0.0);
+      CHECK_GREATER(vtkMath::Dot(normal, toEye.data()), 0.0);
     }
   }
 }

@@ -34,7 +34,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Read(
   RelevoWriteFile(name, text);
   vtkNew<vtkBezierPatchReader> reader;
   RelevoErrors errors(reader);
-  CHECK(reader->CanReadFile(name.c_str()) == 1);
+  CHECK_EQUAL(reader->CanReadFile(name.c_str()), 1);
   reader->SetFileName(name.c_str());
   reader->Update();
   CHECK(errors.None());
@@ -50,15 +50,15 @@ void TestDegrees(RelevoCheck& check, const std::string& name)
     patches.push_back(MakePatch(random, 1 + k % 8, 1 + k / 8));
   }
   auto grid = Read(check, name, RelevoWritePatches(patches));
-  CHECK(grid->GetNumberOfCells() == 64);
-  CHECK(grid->GetCellData()->GetHigherOrderDegrees() ==
+  CHECK_EQUAL(grid->GetNumberOfCells(), 64);
+  CHECK_EQUAL(grid->GetCellData()->GetHigherOrderDegrees(),
     grid->GetCellData()->GetArray("HigherOrderDegrees"));
-  CHECK(grid->GetPointData()->GetNumberOfArrays() == 0);
+  CHECK_EQUAL(grid->GetPointData()->GetNumberOfArrays(), 0);
   for (int k = 0; k < 64; ++k)
   {
     double degrees[3];
     grid->GetCellData()->GetHigherOrderDegrees()->GetTuple(k, degrees);
-    CHECK(grid->GetCellType(k) == VTK_BEZIER_QUADRILATERAL);
+    CHECK_EQUAL(grid->GetCellType(k), VTK_BEZIER_QUADRILATERAL);
     CHECK(degrees[0] == 1 + k / 8 && degrees[1] == 1 + k % 8 && degrees[2] == 0.0);
   }
   CHECK_NEAR(RelevoGetPatchError(grid, patches), 0.0, 1e-14);
@@ -80,17 +80,17 @@ void TestBorders(RelevoCheck& check, const std::string& name)
   right.Points[2][1] = -0.0;
   const std::vector<RelevoPatch> patches{ left, right, turned };
   auto grid = Read(check, name, RelevoWritePatches(patches));
-  CHECK(grid->GetNumberOfPoints() == 20 + 15 + 30 - 10);
+  CHECK_EQUAL(grid->GetNumberOfPoints(), 20 + 15 + 30 - 10);
   CHECK_NEAR(RelevoGetPatchError(grid, patches), 0.0, 1e-14);
 
   // Inside nothing is joined; a border that is one place is one point.
   RelevoPatch fold = MakePatch(random, 3, 3);
   fold.Points[5] = fold.Points[6];
   auto folded = Read(check, name, RelevoWritePatches({ fold }));
-  CHECK(folded->GetNumberOfPoints() == 16);
+  CHECK_EQUAL(folded->GetNumberOfPoints(), 16);
   fold.Points[1] = fold.Points[2] = fold.Points[3] = fold.Points[0];
   folded = Read(check, name, RelevoWritePatches({ fold }));
-  CHECK(folded->GetNumberOfPoints() == 13);
+  CHECK_EQUAL(folded->GetNumberOfPoints(), 13);
   CHECK_NEAR(RelevoGetPatchError(folded, { fold }), 0.0, 1e-14);
 }
 
@@ -116,12 +116,13 @@ void TestTexts(RelevoCheck& check, const std::string& name)
        })
   {
     auto grid = Read(check, name, text);
-    CHECK(grid->GetNumberOfCells() == 1 && grid->GetNumberOfPoints() == 4);
+    CHECK_EQUAL(grid->GetNumberOfCells(), 1);
+    CHECK_EQUAL(grid->GetNumberOfPoints(), 4);
     CHECK_NEAR(RelevoGetPatchError(grid, patches), 0.0, 1e-12);
   }
   std::setlocale(LC_ALL, "C");
   std::locale::global(before);
-  CHECK(Read(check, name, "0\n")->GetNumberOfCells() == 0);
+  CHECK_EQUAL(Read(check, name, "0\n")->GetNumberOfCells(), 0);
 }
 }
 

@@ -18,13 +18,13 @@ void ExpectError(RelevoCheck& check, vtkBezierPatchReader* reader, const std::st
   RelevoErrors errors(reader);
   RelevoErrors executive(reader->GetExecutive());
   reader->Modified();
-  CHECK(reader->GetExecutive()->Update() == 0);
+  CHECK_EQUAL(reader->GetExecutive()->Update(), 0);
   if (!errors.Said(words))
   {
     check.Fail(__FILE__, __LINE__, "not said: " + words);
   }
-  CHECK(reader->GetOutput()->GetNumberOfCells() == 0);
-  CHECK(reader->GetOutput()->GetNumberOfPoints() == 0);
+  CHECK_EQUAL(reader->GetOutput()->GetNumberOfCells(), 0);
+  CHECK_EQUAL(reader->GetOutput()->GetNumberOfPoints(), 0);
 }
 
 // The file with one text replaced by another.
@@ -35,7 +35,7 @@ void ExpectFault(RelevoCheck& check, const std::string& name, const std::string&
   vtkNew<vtkBezierPatchReader> reader;
   reader->SetFileName(name.c_str());
   reader->Update();
-  CHECK(reader->GetOutput()->GetNumberOfCells() == 2);
+  CHECK_EQUAL(reader->GetOutput()->GetNumberOfCells(), 2);
   std::string text = Whole;
   text.replace(text.find(from), from.size(), to);
   RelevoWriteFile(name, text);
@@ -73,22 +73,24 @@ void TestFiles(RelevoCheck& check, const std::string& folder)
 {
   vtkNew<vtkBezierPatchReader> reader;
   ExpectError(check, reader, "There is no file name: call SetFileName().");
-  CHECK(reader->CanReadFile(nullptr) == 0 && reader->CanReadFile("") == 0);
+  CHECK_EQUAL(reader->CanReadFile(nullptr), 0);
+  CHECK_EQUAL(reader->CanReadFile(""), 0);
   const std::string missing = folder + "/missing.bpt";
   reader->SetFileName(missing.c_str());
   ExpectError(check, reader, "The file cannot be read: " + missing);
-  CHECK(reader->CanReadFile(missing.c_str()) == 0);
+  CHECK_EQUAL(reader->CanReadFile(missing.c_str()), 0);
   reader->SetFileName(folder.c_str());
   ExpectError(check, reader, folder);
-  CHECK(reader->CanReadFile(folder.c_str()) == 0);
+  CHECK_EQUAL(reader->CanReadFile(folder.c_str()), 0);
   const std::string name = folder + "/other.bpt";
   for (const char* text : { "", "ply\n", "2\n", "2\n9 1\n", "2\n1 x\n", "-1\n1 1\n" })
   {
+    CHECK_CASE(text);
     RelevoWriteFile(name, text);
-    CHECK(reader->CanReadFile(name.c_str()) == 0);
+    CHECK_EQUAL(reader->CanReadFile(name.c_str()), 0);
   }
   RelevoWriteFile(name, "2\n1 8\n");
-  CHECK(reader->CanReadFile(name.c_str()) == 1);
+  CHECK_EQUAL(reader->CanReadFile(name.c_str()), 1);
 }
 }
 

@@ -51,15 +51,15 @@ int TestBezierPatchReaderTeapot(int, char*[])
   }
   vtkNew<vtkBezierPatchReader> reader;
   RelevoErrors errors(reader);
-  CHECK(reader->CanReadFile(name.c_str()) == 1);
+  CHECK_EQUAL(reader->CanReadFile(name.c_str()), 1);
   reader->SetFileName(name.c_str());
   reader->Update();
   CHECK(errors.None());
   vtkUnstructuredGrid* grid = reader->GetOutput();
-  CHECK(grid->GetNumberOfCells() == 32);
-  CHECK(grid->GetCellData()->GetHigherOrderDegrees()->GetRange(0)[0] == 3.0);
+  CHECK_EQUAL(grid->GetNumberOfCells(), 32);
+  CHECK_EQUAL(grid->GetCellData()->GetHigherOrderDegrees()->GetRange(0)[0], 3.0);
   CHECK_NEAR(RelevoGetPatchError(grid, RelevoReadPatches(file)), 0.0, 1e-14);
-  CHECK(grid->GetNumberOfPoints() == 298); // of 512
-  CHECK(GetVolume(grid) > 20.0);           // as all normals point outwards
+  CHECK_EQUAL(grid->GetNumberOfPoints(), 298); // of 512
+  CHECK_GREATER(GetVolume(grid), 20.0);        // as all normals point outwards
   return check.GetResult();
 }

@@ -76,6 +76,7 @@ void TestAngles(RelevoCheck& check)
   const auto roof = [](double x, double) { return std::abs(x - 0.5); };
   for (const int type : { VTK_BEZIER_QUADRILATERAL, VTK_BEZIER_TRIANGLE })
   {
+    CHECK_CASE(type);
     const auto even = MakePatch(type, 4, flat);
     CHECK(AreAll(GetTags(even, metric, nullptr), 0.0));
     const auto bent = MakePatch(type, 4, roof);
@@ -104,7 +105,7 @@ void TestDistances(RelevoCheck& check)
   vtkNew<vtkDistanceDepthTagMetric> metric;
   metric->SetMaximumDistance(8.0);
   metric->SetMeasureToControlPoints();
-  CHECK(std::string(metric->GetMeasureAsString()) == "ControlPoints");
+  CHECK_EQUAL(std::string(metric->GetMeasureAsString()), "ControlPoints");
   // One control point, which the patch does not reach, comes within 2 of the camera.
   const auto peak = [](double x, double y) { return x == 0.5 && y == 0.5 ? 3.0 : 0.0; };
   const auto patch = MakePatch(VTK_BEZIER_QUADRILATERAL, 4, peak);
@@ -113,7 +114,7 @@ void TestDistances(RelevoCheck& check)
   camera->SetFocalPoint(0.5, 0.5, 0.0);
   CHECK(AreAll(GetTags(patch, metric, camera), 6.0 * (1.0 - 2.0 / 8.0)));
   metric->SetMeasureToVertices();
-  CHECK(GetTags(patch, metric, camera)[0] < 6.0 * (1.0 - 5.0 / 8.0));
+  CHECK_LESS(GetTags(patch, metric, camera)[0], 6.0 * (1.0 - 5.0 / 8.0));
   // The points of a line are control points themselves.
   vtkNew<vtkPoints> points;
   points->InsertNextPoint(0.5, 0.5, 3.0);

@@ -97,14 +97,14 @@ void TestRoots(RelevoCheck& check)
   source->Update();
   CHECK(errors.None());
   vtkUnstructuredGrid* hair = source->GetOutput();
-  CHECK(hair->GetNumberOfCells() == 604); // 50.3 x 12, rounded
-  CHECK(hair->GetNumberOfPoints() == 4 * 604);
+  CHECK_EQUAL(hair->GetNumberOfCells(), 604); // 50.3 x 12, rounded
+  CHECK_EQUAL(hair->GetNumberOfPoints(), 4 * 604);
   vtkDataArray* cells = hair->GetCellData()->GetArray("vtkOriginalCellIds");
   std::array<int, 3> numbers{};
   std::set<RelevoPlace> roots;
   for (vtkIdType i = 0; i < hair->GetNumberOfCells(); ++i)
   {
-    CHECK(hair->GetCellType(i) == VTK_BEZIER_CURVE);
+    CHECK_EQUAL(hair->GetCellType(i), VTK_BEZIER_CURVE);
     const auto cell = static_cast<vtkIdType>(cells->GetComponent(i, 0));
     const std::array<RelevoPlace, 4> curve = GetCurve(hair, i);
     ++numbers[cell];
@@ -114,13 +114,14 @@ void TestRoots(RelevoCheck& check)
     const int axis = cell == 2 ? 0 : 2;
     const double sign = cell == 1 ? -1.0 : 1.0;
     const double size = 3.0 * sign * (curve[1][axis] - curve[0][axis]);
-    CHECK(size >= 0.4 - 1e-9 && size <= 0.5 + 1e-9);
+    CHECK_GREATER_EQUAL(size, 0.4 - 1e-9);
+    CHECK_LESS_EQUAL(size, 0.5 + 1e-9);
     RelevoPlace tip = curve[0];
     tip[axis] += sign * size;
     tip[2] -= 0.25 * size;
     CHECK_NEAR(RelevoGetDistance(tip, curve[3]), 0.0, 1e-12);
   }
-  CHECK(roots.size() == 604);
+  CHECK_EQUAL(roots.size(), 604);
   // Each has a share of the area: those of a cell are exact but for one at either end.
   CHECK_NEAR(numbers[0], 6.0 * 50.3, 1.5);
   CHECK_NEAR(numbers[1], 2.0 * 50.3, 1.5);
@@ -131,7 +132,7 @@ void TestRoots(RelevoCheck& check)
   {
     quarter += IsOnSurface(root, 0) && root[0] / 4.0 + root[1] / 3.0 < 0.5 ? 1 : 0;
   }
-  CHECK(std::abs(quarter - 75) < 4 * 8); // four standard deviations
+  CHECK_NEAR(quarter, 75, 4 * 8); // four standard deviations
 }
 
 // As many cubics as the curl needs, joined in C1; the radius falls.
@@ -139,23 +140,24 @@ void TestCurl(RelevoCheck& check)
 {
   for (double curl : { 0.25, 0.5, 0.75, 3.0 })
   {
+    CHECK_CASE(curl);
     const int cubics = static_cast<int>(std::ceil(2.0 * curl));
     auto source = NewSource(MakeSurface(), 2.0, curl);
     source->Update();
     vtkUnstructuredGrid* hair = source->GetOutput();
-    CHECK(hair->GetNumberOfCells() == 24 * cubics);
-    CHECK(hair->GetNumberOfPoints() == 24 * (3 * cubics + 1));
+    CHECK_EQUAL(hair->GetNumberOfCells(), 24 * cubics);
+    CHECK_EQUAL(hair->GetNumberOfPoints(), 24 * (3 * cubics + 1));
     vtkDataArray* radii = hair->GetPointData()->GetArray("HairRadius");
     for (vtkIdType i = 0; i < hair->GetNumberOfCells(); ++i)
     {
       const std::array<RelevoPlace, 4> curve = GetCurve(hair, i);
       vtkNew<vtkIdList> ids;
       hair->GetCellPoints(i, ids);
-      CHECK(radii->GetComponent(ids->GetId(0), 0) > radii->GetComponent(ids->GetId(1), 0));
+      CHECK_GREATER(radii->GetComponent(ids->GetId(0), 0), radii->GetComponent(ids->GetId(1), 0));
       if (i % cubics > 0)
       {
         const std::array<RelevoPlace, 4> last = GetCurve(hair, i - 1);
-        CHECK(last[3] == curve[0]);
+        CHECK_EQUAL(last[3], curve[0]);
         for (int c = 0; c < 3; ++c)
         {
           CHECK_NEAR(last[3][c] - last[2][c], curve[1][c] - curve[0][c], 1e-13);
@@ -211,10 +213,10 @@ double GetStraightness(double curl)
 void TestStraightness(RelevoCheck& check)
 {
   CHECK_NEAR(GetStraightness(0.0), 1.0, 1e-12);
-  CHECK(GetStraightness(0.5) < 0.994);
-  CHECK(GetStraightness(1.0) < 0.94);
-  CHECK(GetStraightness(1.0) > 0.85);
-  CHECK(GetStraightness(2.0) < 0.75);
+  CHECK_LESS(GetStraightness(0.5), 0.994);
+  CHECK_LESS(GetStraightness(1.0), 0.94);
+  CHECK_GREATER(GetStraightness(1.0), 0.85);
+  CHECK_LESS(GetStraightness(2.0), 0.75);
 }
 
 bool AreSame(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
@@ -269,7 +271,7 @@ void TestNormals(RelevoCheck& check)
   source->SetGravity(0.0, 0.0, 0.0);
   source->Update();
   vtkUnstructuredGrid* hair = source->GetOutput();
-  CHECK(hair->GetNumberOfCells() == 100);
+  CHECK_EQUAL(hair->GetNumberOfCells(), 100);
   for (vtkIdType i = 0; i < hair->GetNumberOfCells(); ++i)
   {
     const std::array<RelevoPlace, 4> curve = GetCurve(hair, i);
@@ -293,9 +295,9 @@ void TestTubes(RelevoCheck& check)
   filter->Update();
   CHECK(errors.None());
   vtkPolyData* tubes = filter->GetOutput();
-  CHECK(tubes->GetNumberOfPolys() == 12 * (2 * 16 * 16 + 2 * 6));
-  CHECK(RelevoCountOpenEdges(tubes) == 0);
-  CHECK(RelevoGetVolume(tubes) > 0.0);
+  CHECK_EQUAL(tubes->GetNumberOfPolys(), 12 * (2 * 16 * 16 + 2 * 6));
+  CHECK_EQUAL(RelevoCountOpenEdges(tubes), 0);
+  CHECK_GREATER(RelevoGetVolume(tubes), 0.0);
 }
 
 void ExpectError(RelevoCheck& check, vtkPolyData* surface, double density, const char* words)
@@ -303,9 +305,9 @@ void ExpectError(RelevoCheck& check, vtkPolyData* surface, double density, const
   auto source = NewSource(surface, density, 0.0);
   RelevoErrors errors(source);
   RelevoErrors executive(source->GetExecutive());
-  CHECK(source->GetExecutive()->Update() == 0);
+  CHECK_EQUAL(source->GetExecutive()->Update(), 0);
   CHECK(errors.Said(words));
-  CHECK(source->GetOutput()->GetNumberOfCells() == 0);
+  CHECK_EQUAL(source->GetOutput()->GetNumberOfCells(), 0);
 }
 
 void TestErrors(RelevoCheck& check)
@@ -334,7 +336,7 @@ void TestErrors(RelevoCheck& check)
   RelevoErrors errors(source);
   source->Update();
   CHECK(errors.Warned("1 triangles have no hair"));
-  CHECK(source->GetOutput()->GetNumberOfCells() == 6);
+  CHECK_EQUAL(source->GetOutput()->GetNumberOfCells(), 6);
   const vtkMTimeType time = source->GetMTime();
   source->SetDensity(0.0);
   CHECK(errors.Said("Density must be in [1e-12, 1e+12], got 0."));
@@ -342,7 +344,7 @@ void TestErrors(RelevoCheck& check)
   CHECK(errors.Said("Length must be in"));
   source->SetCurl(std::numeric_limits<double>::quiet_NaN());
   CHECK(errors.Said("Curl must be in [0, 16], got nan."));
-  CHECK(source->GetMTime() == time);
+  CHECK_EQUAL(source->GetMTime(), time);
 }
 }
 

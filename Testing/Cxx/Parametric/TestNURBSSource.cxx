@@ -87,12 +87,13 @@ void TestCurves(RelevoCheck& check)
     {
       for (bool isRational : { false, true })
       {
+        CHECK_CASE(isRational);
         const RelevoSpline spline =
           RelevoMakeRandomSpline(random, { p, 3 }, { knots, std::vector<double>() }, isRational);
         auto grid = Decompose(check, spline);
-        CHECK(grid->GetNumberOfCells() == static_cast<vtkIdType>(spline.GetSpans(0).size()));
-        CHECK(grid->GetCellType(0) == VTK_BEZIER_CURVE);
-        CHECK((grid->GetPointData()->GetRationalWeights() != nullptr) == isRational);
+        CHECK_EQUAL(grid->GetNumberOfCells(), static_cast<vtkIdType>(spline.GetSpans(0).size()));
+        CHECK_EQUAL(grid->GetCellType(0), VTK_BEZIER_CURVE);
+        CHECK_EQUAL((grid->GetPointData()->GetRationalWeights() != nullptr), isRational);
         CHECK_NEAR(GetError(grid, spline), 0.0, 1e-11);
       }
     }
@@ -112,9 +113,9 @@ void TestSurfaces(RelevoCheck& check)
       const RelevoSpline spline = RelevoMakeRandomSpline(
         random, { p, q }, { first[i], second[(i + p) % second.size()] }, i % 2 == p % 2);
       auto grid = Decompose(check, spline);
-      CHECK(grid->GetNumberOfCells() ==
+      CHECK_EQUAL(grid->GetNumberOfCells(),
         static_cast<vtkIdType>(spline.GetSpans(0).size() * spline.GetSpans(1).size()));
-      CHECK(grid->GetCellType(0) == VTK_BEZIER_QUADRILATERAL);
+      CHECK_EQUAL(grid->GetCellType(0), VTK_BEZIER_QUADRILATERAL);
       double degrees[3];
       grid->GetCellData()->GetHigherOrderDegrees()->GetTuple(0, degrees);
       CHECK(degrees[0] == p && degrees[1] == q && degrees[2] == 0.0);
@@ -127,7 +128,8 @@ void TestCircle(RelevoCheck& check)
 {
   const RelevoSpline circle = RelevoMakeCircle();
   auto grid = Decompose(check, circle);
-  CHECK(grid->GetNumberOfCells() == 4 && grid->GetNumberOfPoints() == 8);
+  CHECK_EQUAL(grid->GetNumberOfCells(), 4);
+  CHECK_EQUAL(grid->GetNumberOfPoints(), 8);
   double error = 0.0;
   for (int k = 0; k <= 4000; ++k)
   {
@@ -168,14 +170,14 @@ void TestBorders(RelevoCheck& check)
     const RelevoSpline spline =
       RelevoMakeRandomSpline(random, { 3, 3 }, { knots, knots }, isRational);
     auto grid = Decompose(check, spline);
-    CHECK(grid->GetNumberOfCells() == 9);
-    CHECK(grid->GetNumberOfPoints() == 100); // 10 x 10, as each border is there once
+    CHECK_EQUAL(grid->GetNumberOfCells(), 9);
+    CHECK_EQUAL(grid->GetNumberOfPoints(), 100); // 10 x 10, as each border is there once
   }
   // Where it jumps nothing is joined.
   const std::vector<double> jumping{ 0, 0, 1, 1, 2, 2 };
   const RelevoSpline jump =
     RelevoMakeRandomSpline(random, { 1, 3 }, { jumping, std::vector<double>() }, false);
-  CHECK(Decompose(check, jump)->GetNumberOfPoints() == 4);
+  CHECK_EQUAL(Decompose(check, jump)->GetNumberOfPoints(), 4);
 }
 
 // Weights that are all 1 are none; others are there, all alike or not.
@@ -189,10 +191,10 @@ void TestWeights(RelevoCheck& check)
   CHECK(!Decompose(check, spline)->GetPointData()->GetRationalWeights());
   spline.Weights.assign(spline.Points.size(), 4.0);
   auto with = Decompose(check, spline);
-  CHECK(with->GetPointData()->GetRationalWeights() == with->GetPointData()->GetArray(0));
-  CHECK(std::string(with->GetPointData()->GetArrayName(0)) == "RationalWeights");
+  CHECK_EQUAL(with->GetPointData()->GetRationalWeights(), with->GetPointData()->GetArray(0));
+  CHECK_EQUAL(std::string(with->GetPointData()->GetArrayName(0)), "RationalWeights");
   CHECK_NEAR(with->GetPointData()->GetArray(0)->GetTuple1(5), 4.0, 1e-14);
-  CHECK(with->GetNumberOfPoints() == without->GetNumberOfPoints());
+  CHECK_EQUAL(with->GetNumberOfPoints(), without->GetNumberOfPoints());
   double error = 0.0;
   for (vtkIdType i = 0; i < with->GetNumberOfPoints(); ++i)
   {
@@ -215,9 +217,10 @@ void TestEnds(RelevoCheck& check)
   spline.Points = { { 1, 2, 3 }, { 4, 5, 7 }, { 1, 2, 3 } };
   for (double weight : { 1.0, 2.0 })
   {
+    CHECK_CASE(weight);
     spline.Weights = { 1.0, 0.5, weight };
     auto grid = Decompose(check, spline);
-    CHECK(grid->GetNumberOfPoints() == (weight == 1.0 ? 2 : 3));
+    CHECK_EQUAL(grid->GetNumberOfPoints(), (weight == 1.0 ? 2 : 3));
     CHECK_NEAR(GetError(grid, spline), 0.0, 1e-14);
   }
 }
@@ -230,13 +233,13 @@ void TestTimes(RelevoCheck& check)
   source->Update();
   const vtkMTimeType made = source->GetOutput()->GetMTime();
   source->Update();
-  CHECK(source->GetOutput()->GetMTime() == made);
+  CHECK_EQUAL(source->GetOutput()->GetMTime(), made);
   source->GetWeights()->SetValue(1, 5.0);
   source->GetWeights()->Modified();
   source->Update();
-  CHECK(source->GetOutput()->GetMTime() > made);
+  CHECK_GREATER(source->GetOutput()->GetMTime(), made);
   const RelevoPlace place = RelevoEvaluateCell(source->GetOutput(), 0, 0.5, 0.0);
-  CHECK(std::hypot(place[0], place[1]) > 1.1);
+  CHECK_GREATER(std::hypot(place[0], place[1]), 1.1);
 }
 }
 

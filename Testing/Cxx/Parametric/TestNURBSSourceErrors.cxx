@@ -29,13 +29,13 @@ void ExpectError(
   source = spline.NewSource();
   RelevoErrors errors(source);
   RelevoErrors executive(source->GetExecutive());
-  CHECK(source->GetExecutive()->Update() == 0);
+  CHECK_EQUAL(source->GetExecutive()->Update(), 0);
   if (!errors.Said(words))
   {
     check.Fail(__FILE__, __LINE__, std::string("not said: ") + words);
   }
-  CHECK(source->GetOutput()->GetNumberOfCells() == 0);
-  CHECK(source->GetOutput()->GetNumberOfPoints() == 0);
+  CHECK_EQUAL(source->GetOutput()->GetNumberOfCells(), 0);
+  CHECK_EQUAL(source->GetOutput()->GetNumberOfPoints(), 0);
 }
 
 void TestKnots(RelevoCheck& check)
@@ -130,13 +130,14 @@ void TestSettings(RelevoCheck& check)
   vtkNew<vtkNURBSSource> source;
   RelevoErrors errors(source);
   RelevoErrors executive(source->GetExecutive());
-  CHECK(source->GetExecutive()->Update() == 0);
+  CHECK_EQUAL(source->GetExecutive()->Update(), 0);
   CHECK(errors.Said("There are no control points: call SetControlPoints()."));
   for (int degree : { 0, 9, -1 })
   {
+    CHECK_CASE(degree);
     source->SetDegree(1, degree);
     CHECK(errors.Said("Degree must be in [1, 8], got " + std::to_string(degree) + "."));
-    CHECK(source->GetDegree(1) == 3);
+    CHECK_EQUAL(source->GetDegree(1), 3);
   }
   source->SetDegree(2, 3);
   CHECK(errors.Said("Direction must be in [0, 1], got 2."));

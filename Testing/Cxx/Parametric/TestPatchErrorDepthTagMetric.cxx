@@ -82,17 +82,18 @@ void TestDegrees(RelevoCheck& check)
   {
     for (const bool isRational : { false, true })
     {
+      CHECK_CASE(isRational);
       const int q = 9 - p;
       const auto quad = RelevoMakePatches(
         RelevoNewCell(VTK_BEZIER_QUADRILATERAL, { { p, q, 1 } }, 0.3, isRational));
       scene.Metric->SetScreenSpaceError(2.0);
       const double ofQuad = GetShare(scene, quad);
-      CHECK(ofQuad <= 1.0);
-      CHECK(ofQuad > (isRational ? 0.02 : 0.1));
+      CHECK_LESS_EQUAL(ofQuad, 1.0);
+      CHECK_GREATER(ofQuad, (isRational ? 0.02 : 0.1));
       const auto triangle =
         RelevoMakePatches(RelevoNewCell(VTK_BEZIER_TRIANGLE, { { p, p, 1 } }, 0.3, isRational));
       const double ofTriangle = GetShare(scene, triangle);
-      CHECK(ofTriangle <= 1.0);
+      CHECK_LESS_EQUAL(ofTriangle, 1.0);
       CHECK(p == 1 || ofTriangle > (isRational ? 0.06 : 0.1));
     }
   }
@@ -121,10 +122,10 @@ void TestUnevenWeights(RelevoCheck& check)
     if (scene.Refine(patches)->GetNumberOfPolys() < perQuad * 128 * 128) // not at its highest level
     {
       ++reached;
-      CHECK(GetShare(scene, patches) <= 1.0);
+      CHECK_LESS_EQUAL(GetShare(scene, patches), 1.0);
     }
   }
-  CHECK(reached >= 4);
+  CHECK_GREATER_EQUAL(reached, 4);
 }
 
 void TestViews(RelevoCheck& check)
@@ -133,39 +134,41 @@ void TestViews(RelevoCheck& check)
   const auto patches =
     RelevoMakePatches(RelevoNewCell(VTK_BEZIER_QUADRILATERAL, { { 3, 3, 1 } }, 0.3));
   // All patterns: also those that only have powers of two, and those that morph.
-  CHECK(GetShare(scene, patches) <= 1.0);
+  CHECK_LESS_EQUAL(GetShare(scene, patches), 1.0);
   const vtkIdType whole = scene.Refine(patches)->GetNumberOfPolys();
   scene.Recipe->SetSegmentPolicyToPowersOfTwo();
   for (const int morphing :
     { vtkAdaptiveRefinement::GEOMORPHING_OFF, vtkAdaptiveRefinement::GEOMORPHING_ON })
   {
+    CHECK_CASE(morphing);
     scene.Recipe->SetGeomorphing(morphing);
-    CHECK(GetShare(scene, patches) <= 1.0);
-    CHECK(scene.Refine(patches)->GetNumberOfPolys() > whole);
+    CHECK_LESS_EQUAL(GetShare(scene, patches), 1.0);
+    CHECK_GREATER(scene.Refine(patches)->GetNumberOfPolys(), whole);
   }
   scene.Recipe->SetGeomorphing(vtkAdaptiveRefinement::GEOMORPHING_AUTOMATIC);
   scene.Recipe->SetSegmentPolicyToWholeNumbers();
   scene.Camera->ParallelProjectionOn();
-  CHECK(GetShare(scene, patches) <= 1.0);
-  CHECK(GetShare(scene, patches) > 0.1);
+  CHECK_LESS_EQUAL(GetShare(scene, patches), 1.0);
+  CHECK_GREATER(GetShare(scene, patches), 0.1);
   scene.Camera->ParallelProjectionOff();
   // Finer where an error is smaller, or the camera nearer.
   scene.Metric->SetScreenSpaceError(0.125);
   const vtkIdType fine = scene.Refine(patches)->GetNumberOfPolys();
-  CHECK(fine > 3 * whole && fine < 5 * whole);
+  CHECK_GREATER(fine, 3 * whole);
+  CHECK_LESS(fine, 5 * whole);
   scene.Metric->SetScreenSpaceError(0.5);
   vtkIdType last = whole;
   for (int turn = 0; turn < 4; ++turn)
   {
     scene.Camera->Dolly(0.5);
     const vtkIdType next = scene.Refine(patches)->GetNumberOfPolys();
-    CHECK(next < last);
+    CHECK_LESS(next, last);
     last = next;
   }
   scene.Camera->SetPosition(0.5, 0.5, 0.0);
   scene.Camera->SetFocalPoint(0.5, 0.5, -1.0);
   scene.Recipe->SetMaximumLevel(4);
-  CHECK(scene.Refine(patches)->GetNumberOfPolys() == 512); // from within: all there is
+  CHECK_EQUAL(scene.Refine(patches)->GetNumberOfPolys(), 512); // from within: all there is
 }
 
 // Vertices of patterns that morph have arrived, however near to the next level a patch is.
@@ -183,8 +186,8 @@ void TestMorphing(RelevoCheck& check)
     scene.Metric->SetScreenSpaceError(std::exp2(0.25 * step));
     most = std::max(most, GetShare(scene, patches));
   }
-  CHECK(most <= 1.0);
-  CHECK(most > 0.25);
+  CHECK_LESS_EQUAL(most, 1.0);
+  CHECK_GREATER(most, 0.25);
 }
 
 // An actor that is twice as large needs what a viewport twice as large does.
@@ -203,7 +206,7 @@ void TestPlacement(RelevoCheck& check)
   larger->SetElement(1, 1, 2.0);
   larger->SetElement(2, 2, 2.0);
   two.Filter->SetModelToWorld(larger);
-  CHECK(one.Refine(patches)->GetNumberOfPolys() == two.Refine(patches)->GetNumberOfPolys());
+  CHECK_EQUAL(one.Refine(patches)->GetNumberOfPolys(), two.Refine(patches)->GetNumberOfPolys());
 }
 
 // Quarter circles of radius 1: the angle of a chord is known.
@@ -242,11 +245,14 @@ void TestCurves(RelevoCheck& check)
   vtkDataArray* tags = filter->GetOutput()->GetPointData()->GetArray("DepthTag");
   CHECK(tags && tags->GetNumberOfTuples() == 6);
   const double tag = tags->GetComponent(0, 0);
-  CHECK(tags->GetComponent(1, 0) == tag && tags->GetComponent(2, 0) == tag);
-  CHECK(tags->GetComponent(3, 0) == 0.0 && tags->GetComponent(5, 0) == 0.0);
+  CHECK_EQUAL(tags->GetComponent(1, 0), tag);
+  CHECK_EQUAL(tags->GetComponent(2, 0), tag);
+  CHECK_EQUAL(tags->GetComponent(3, 0), 0.0);
+  CHECK_EQUAL(tags->GetComponent(5, 0), 0.0);
   // 300 pixels a unit; half a pixel needs a cosine of 1 - 1 / 600.
   const double least = 0.25 * std::acos(-1.0) / std::acos(1.0 - 1.0 / 600.0);
-  CHECK(std::exp2(tag) >= least && std::exp2(tag) <= 1.5 * least);
+  CHECK_GREATER_EQUAL(std::exp2(tag), least);
+  CHECK_LESS_EQUAL(std::exp2(tag), 1.5 * least);
 
   // Curves that are not whole add nothing.
   for (vtkIdType stranger : { vtkIdType(-1), vtkIdType(6), vtkIdType(1) << 40 })
@@ -256,12 +262,13 @@ void TestCurves(RelevoCheck& check)
   curves->Modified();
   filter->Update();
   tags = filter->GetOutput()->GetPointData()->GetArray("DepthTag");
-  CHECK(tags->GetComponent(0, 0) == tag && tags->GetComponent(3, 0) == 0.0);
+  CHECK_EQUAL(tags->GetComponent(0, 0), tag);
+  CHECK_EQUAL(tags->GetComponent(3, 0), 0.0);
   weights->SetNumberOfTuples(2);
   weights->Modified();
   filter->Update();
   tags = filter->GetOutput()->GetPointData()->GetArray("DepthTag");
-  CHECK(tags->GetComponent(0, 0) == 0.0);
+  CHECK_EQUAL(tags->GetComponent(0, 0), 0.0);
 }
 
 using Curve = std::vector<std::array<double, 4>>; // coordinates and weights
@@ -384,7 +391,7 @@ void TestErrors(RelevoCheck& check)
   RelevoErrors errors(scene.Metric);
   scene.Metric->SetScreenSpaceError(0.0);
   CHECK(errors.Said("ScreenSpaceError must be in [0.001, 1e+06], got 0"));
-  CHECK(scene.Metric->GetScreenSpaceError() == 0.5);
+  CHECK_EQUAL(scene.Metric->GetScreenSpaceError(), 0.5);
   CHECK(scene.Metric->IsAbsolute() && scene.Metric->IsViewDependent());
   RelevoErrors ofFilter(scene.Filter);
   RelevoErrors ofExecutive(scene.Filter->GetExecutive());

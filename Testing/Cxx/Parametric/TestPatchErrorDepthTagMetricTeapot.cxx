@@ -103,8 +103,8 @@ double CompareWindows(
     const auto even = static_cast<double>(CountEvenTriangles(distance, camera, width));
     std::cout << width << " pixels: " << triangles << " triangles, off by " << error
               << " pixels; evenly " << even << ", ratio " << triangles / even << "\n";
-    CHECK(error <= Pixels);
-    CHECK(error > 0.1 * Pixels);
+    CHECK_LESS_EQUAL(error, Pixels);
+    CHECK_GREATER(error, 0.1 * Pixels);
     logarithms += std::log(triangles / even);
   }
   return std::exp(logarithms / windows);
@@ -133,10 +133,10 @@ int TestPatchErrorDepthTagMetricTeapot(int, char*[])
   const RelevoPatchDistance distance(coarse);
   const double whole = CompareWindows(check, coarse, camera, distance);
   std::cout << "geometric mean " << whole << "\n";
-  CHECK(whole < 0.6);
+  CHECK_LESS(whole, 0.6);
   camera->Zoom(10.0);
   const double part = CompareWindows(check, coarse, camera, distance);
   std::cout << "geometric mean at tenfold zoom " << part << "\n";
-  CHECK(part < 0.15);
+  CHECK_LESS(part, 0.15);
   return check.GetResult();
 }

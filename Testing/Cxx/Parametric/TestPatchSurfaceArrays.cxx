@@ -63,6 +63,7 @@ void TestIntegers(RelevoCheck& check, double lowest, double highest)
     NewTriangle<Array>({ lowest + 3 * step, lowest, lowest + 7 * step, lowest, highest, highest });
   for (bool split : { false, true })
   {
+    CHECK_CASE(split);
     const auto mesh = RelevoMakePatches(grid, split);
     const auto refined = Refine(mesh);
     double least = 0.0;
@@ -71,7 +72,7 @@ void TestIntegers(RelevoCheck& check, double lowest, double highest)
     {
       vtkDataArray* numbers = data->GetPointData()->GetArray("Numbers");
       vtkDataArray* exact = data->GetPointData()->GetArray("Exact");
-      CHECK(numbers->GetDataType() == vtkNew<Array>()->GetDataType());
+      CHECK_EQUAL(numbers->GetDataType(), vtkNew<Array>()->GetDataType());
       for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
       {
         const double wanted = exact->GetTuple1(i);
@@ -80,7 +81,8 @@ void TestIntegers(RelevoCheck& check, double lowest, double highest)
         CHECK_NEAR(numbers->GetTuple1(i), std::clamp(wanted, lowest, highest), 0.5001);
       }
     }
-    CHECK(least < -1.0 && most > 1.0);
+    CHECK_LESS(least, -1.0);
+    CHECK_GREATER(most, 1.0);
   }
 }
 
@@ -103,7 +105,7 @@ void TestNoData(RelevoCheck& check)
   grid->GetPointData()->GetArray("Coordinates")->SetTuple3(inner, -1e9, 0.0, 0.0);
   grid->GetPointData()->SetActiveAttribute("Coordinates", vtkDataSetAttributes::TCOORDS);
   const auto refined = Refine(RelevoMakePatches(grid));
-  CHECK(refined->GetNumberOfPoints() == 81);
+  CHECK_EQUAL(refined->GetNumberOfPoints(), 81);
   vtkDataArray* scalars = refined->GetPointData()->GetArray("Scalars");
   vtkDataArray* vectors = refined->GetPointData()->GetArray("Vectors");
   vtkDataArray* coordinates = refined->GetPointData()->GetTCoords();
@@ -119,7 +121,7 @@ void TestNoData(RelevoCheck& check)
       CHECK(isData ? vectors->GetComponent(i, c) == 1.0 : std::isnan(vectors->GetComponent(i, c)));
     }
   }
-  CHECK(without == 77); // all but the corners
+  CHECK_EQUAL(without, 77); // all but the corners
 }
 
 // The grid's own field data are there still, and nothing of patches that it was not made of.
@@ -138,11 +140,11 @@ void TestFieldData(RelevoCheck& check)
     grid->GetFieldData()->AddArray(old);
   }
   const auto mesh = RelevoMakePatches(grid, true);
-  CHECK(mesh->GetFieldData()->GetAbstractArray("Note") == note);
+  CHECK_EQUAL(mesh->GetFieldData()->GetAbstractArray("Note"), note);
   CHECK(!mesh->GetFieldData()->HasArray("PatchNodes:Old"));
-  CHECK(mesh->GetFieldData()->GetArray("Patches")->GetNumberOfComponents() == 4);
-  CHECK(mesh->GetFieldData()->GetArray("PatchNodes:Values")->GetNumberOfTuples() == 6);
-  CHECK(Refine(mesh)->GetFieldData()->GetAbstractArray("Note") == note);
+  CHECK_EQUAL(mesh->GetFieldData()->GetArray("Patches")->GetNumberOfComponents(), 4);
+  CHECK_EQUAL(mesh->GetFieldData()->GetArray("PatchNodes:Values")->GetNumberOfTuples(), 6);
+  CHECK_EQUAL(Refine(mesh)->GetFieldData()->GetAbstractArray("Note"), note);
 }
 
 // A factor that all weights have in common changes nothing, also where floats have no room for it.
@@ -150,23 +152,25 @@ void TestWeights(RelevoCheck& check)
 {
   for (int type : { VTK_BEZIER_QUADRILATERAL, VTK_BEZIER_TRIANGLE })
   {
+    CHECK_CASE(type);
     auto grid = RelevoNewCell(type, { 3, 3, 1 }, 0.1, true);
     vtkDataArray* weights = grid->GetPointData()->GetRationalWeights();
     const auto plain = Refine(RelevoMakePatches(grid));
     for (int exponent : { 600, -1300 })
     {
+      CHECK_CASE(exponent);
       for (vtkIdType i = 0; i < weights->GetNumberOfTuples(); ++i)
       {
         weights->SetTuple1(i, std::ldexp(weights->GetTuple1(i), exponent));
       }
       weights->Modified();
       const auto scaled = Refine(RelevoMakePatches(grid));
-      CHECK(scaled->GetNumberOfPoints() == plain->GetNumberOfPoints());
+      CHECK_EQUAL(scaled->GetNumberOfPoints(), plain->GetNumberOfPoints());
       for (vtkIdType i = 0; i < plain->GetNumberOfPoints(); ++i)
       {
         for (int c = 0; c < 3; ++c)
         {
-          CHECK(scaled->GetPoint(i)[c] == plain->GetPoint(i)[c]);
+          CHECK_EQUAL(scaled->GetPoint(i)[c], plain->GetPoint(i)[c]);
         }
       }
     }

@@ -85,19 +85,20 @@ void TestPolygons(RelevoCheck& check)
   const std::array<vtkIdType, 6> ids{ 0, 1, 2, 3, 4, 5 };
   grid->InsertNextCell(VTK_POLYGON, 6, ids.data());
   auto mesh = RelevoMakePatches(grid);
-  CHECK(RelevoGetNumberOfPatches(mesh) == 4 && mesh->GetNumberOfCells() == 4);
+  CHECK_EQUAL(RelevoGetNumberOfPatches(mesh), 4);
+  CHECK_EQUAL(mesh->GetNumberOfCells(), 4);
   CHECK_NEAR(Sums(mesh).Area, 3.0, 1e-14);
-  CHECK(Sums(mesh).Least > 0.0);
-  CHECK(CountInnerBorders(mesh) == 6); // both sides of each diagonal
+  CHECK_GREATER(Sums(mesh).Least, 0.0);
+  CHECK_EQUAL(CountInnerBorders(mesh), 6); // both sides of each diagonal
 
   auto strip =
     NewGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 }, { 0, 2, 0 }, { 1, 2, 0 } });
   strip->InsertNextCell(VTK_TRIANGLE_STRIP, 6, ids.data());
   mesh = RelevoMakePatches(strip);
-  CHECK(RelevoGetNumberOfPatches(mesh) == 4);
+  CHECK_EQUAL(RelevoGetNumberOfPatches(mesh), 4);
   CHECK_NEAR(Sums(mesh).Area, 2.0, 1e-14);
-  CHECK(Sums(mesh).Least > 0.0);
-  CHECK(CountInnerBorders(mesh) == 0);
+  CHECK_GREATER(Sums(mesh).Least, 0.0);
+  CHECK_EQUAL(CountInnerBorders(mesh), 0);
 }
 
 // A cube as a polyhedron with a hexahedron on top; both, and the cube inside out.
@@ -110,6 +111,7 @@ void TestPolyhedra(RelevoCheck& check)
   }
   for (bool isTurned : { false, true })
   {
+    CHECK_CASE(isTurned);
     std::vector<std::vector<vtkIdType>> faces{ { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 5, 4 },
       { 3, 7, 6, 2 }, { 0, 3, 2, 1 }, { 4, 5, 6, 7 } };
     vtkNew<vtkIdList> stream;
@@ -129,12 +131,13 @@ void TestPolyhedra(RelevoCheck& check)
     auto grid = NewGrid(places);
     grid->InsertNextCell(VTK_POLYHEDRON, stream);
     auto mesh = RelevoMakePatches(grid);
-    CHECK(RelevoGetNumberOfPatches(mesh) == 12 && CountInnerBorders(mesh) == 12);
+    CHECK_EQUAL(RelevoGetNumberOfPatches(mesh), 12);
+    CHECK_EQUAL(CountInnerBorders(mesh), 12);
     CHECK_NEAR(Sums(mesh).Volume, 1.0, 1e-14);
     const std::array<vtkIdType, 8> upper{ 4, 5, 6, 7, 8, 9, 10, 11 };
     grid->InsertNextCell(VTK_HEXAHEDRON, 8, upper.data());
     mesh = RelevoMakePatches(grid);
-    CHECK(RelevoGetNumberOfPatches(mesh) == 10 + 5);
+    CHECK_EQUAL(RelevoGetNumberOfPatches(mesh), 10 + 5);
   }
 }
 
@@ -156,24 +159,25 @@ void TestArrays(RelevoCheck& check)
   grid->GetCellData()->AddArray(material);
   grid->GetPointData()->SetActiveScalars("Values");
   auto mesh = RelevoMakePatches(grid);
-  CHECK(mesh->GetNumberOfCells() == 12 && mesh->GetNumberOfPoints() == 8);
-  CHECK(mesh->GetPoints()->GetDataType() == VTK_DOUBLE);
-  CHECK(mesh->GetPointData()->GetScalars() == mesh->GetPointData()->GetArray("Values"));
-  CHECK(mesh->GetPointData()->GetNormals() == mesh->GetPointData()->GetArray("Normals"));
+  CHECK_EQUAL(mesh->GetNumberOfCells(), 12);
+  CHECK_EQUAL(mesh->GetNumberOfPoints(), 8);
+  CHECK_EQUAL(mesh->GetPoints()->GetDataType(), VTK_DOUBLE);
+  CHECK_EQUAL(mesh->GetPointData()->GetScalars(), mesh->GetPointData()->GetArray("Values"));
+  CHECK_EQUAL(mesh->GetPointData()->GetNormals(), mesh->GetPointData()->GetArray("Normals"));
   for (vtkIdType i = 0; i < 12; ++i)
   {
-    CHECK(mesh->GetCellData()->GetArray("Material")->GetTuple1(i) == 7.0);
-    CHECK(mesh->GetCellData()->GetArray("vtkOriginalCellIds")->GetTuple1(i) == 0.0);
+    CHECK_EQUAL(mesh->GetCellData()->GetArray("Material")->GetTuple1(i), 7.0);
+    CHECK_EQUAL(mesh->GetCellData()->GetArray("vtkOriginalCellIds")->GetTuple1(i), 0.0);
   }
   for (vtkIdType i = 0; i < 8; ++i) // VTK numbers corners first
   {
     for (int c = 0; c < 2; ++c)
     {
-      CHECK(mesh->GetPointData()->GetArray("Values")->GetComponent(i, c) ==
+      CHECK_EQUAL(mesh->GetPointData()->GetArray("Values")->GetComponent(i, c),
         grid->GetPointData()->GetArray("Values")->GetComponent(i, c));
     }
   }
-  CHECK(mesh->GetFieldData()->GetArray("PatchNodes:Values")->GetNumberOfTuples() ==
+  CHECK_EQUAL(mesh->GetFieldData()->GetArray("PatchNodes:Values")->GetNumberOfTuples(),
     mesh->GetFieldData()->GetArray("PatchPoints")->GetNumberOfTuples());
 }
 
@@ -190,7 +194,7 @@ void TestFile(RelevoCheck& check)
   reader->SetFileName(name.c_str());
   reader->Update();
   auto mesh = RelevoMakePatches(reader->GetOutput());
-  CHECK(RelevoGetNumberOfPatches(mesh) > 0);
+  CHECK_GREATER(RelevoGetNumberOfPatches(mesh), 0);
   CHECK_NEAR(RelevoGetCellError(reader->GetOutput(), mesh) / mesh->GetLength(), 0.0, 1e-12);
 }
 }

@@ -59,7 +59,7 @@ struct Pair
     RelevoErrors errors(filter);
     filter->SetInputData(this->Grid);
     filter->Update();
-    CHECK(RelevoGetNumberOfPatches(filter->GetOutput()) == patches);
+    CHECK_EQUAL(RelevoGetNumberOfPatches(filter->GetOutput()), patches);
     if (!errors.Said(words))
     {
       check.Fail(__FILE__, __LINE__, "not said: " + words);
@@ -99,6 +99,7 @@ void TestCells(RelevoCheck& check)
   // Degrees that do not fit, or that are no whole numbers from 1 to 8.
   for (double bad : { -1.0, 1e6, 2.5, nan, std::numeric_limits<double>::infinity() })
   {
+    CHECK_CASE(bad);
     Pair strange;
     strange.AddGood();
     vtkNew<vtkDoubleArray> degrees;
@@ -123,6 +124,7 @@ void TestCells(RelevoCheck& check)
   outside.Expect(check, "it refers to point 10 of 10.");
   for (double bad : { nan, std::numeric_limits<double>::infinity() })
   {
+    CHECK_CASE(bad);
     Pair point;
     point.AddGood();
     point.Points->SetPoint(8, 0.0, bad, 0.0);
@@ -130,6 +132,7 @@ void TestCells(RelevoCheck& check)
   }
   for (double bad : { 0.0, -1.0, nan, std::numeric_limits<double>::infinity() })
   {
+    CHECK_CASE(bad);
     Pair weight;
     weight.AddGood();
     weight.Weights->SetValue(3, bad);
@@ -143,7 +146,7 @@ void TestCells(RelevoCheck& check)
   filter->SetInputData(missing.Grid);
   filter->Update();
   CHECK(errors.Said("\"RationalWeights\" of point 9 is missing."));
-  CHECK(RelevoGetNumberOfPatches(filter->GetOutput()) == 1);
+  CHECK_EQUAL(RelevoGetNumberOfPatches(filter->GetOutput()), 1);
 }
 
 // Cells of which lists are damaged.
@@ -152,6 +155,7 @@ void TestLists(RelevoCheck& check)
   const std::array<vtkIdType, 4> ids{ 2, 4, 9, 7 };
   for (vtkIdType last : { 99, -1 })
   {
+    CHECK_CASE(last);
     Pair strange;
     const std::array<vtkIdType, 16> faces{ 3, 2, 4, 9, 3, 2, 9, 7, 3, 2, 7, 4, 3, 4, 9, last };
     strange.Grid->InsertNextCell(VTK_POLYHEDRON, 4, ids.data(), 4, faces.data());
@@ -172,6 +176,7 @@ void TestLists(RelevoCheck& check)
   // Offsets that run backwards, and too few types.
   for (double offset : { 3.0, -1.0, 1e12 })
   {
+    CHECK_CASE(offset);
     Pair list;
     list.AddGood();
     list.Grid->GetCells()->GetOffsetsArray()->SetComponent(2, 0, offset);
@@ -187,6 +192,7 @@ void TestLists(RelevoCheck& check)
   // One node is no degree at all.
   for (int type : { VTK_LAGRANGE_HEXAHEDRON, VTK_BEZIER_QUADRILATERAL, VTK_LAGRANGE_WEDGE })
   {
+    CHECK_CASE(type);
     Pair single;
     single.Add(type, { 2 }, 0, 0);
     single.Expect(check, "its degrees are 0, 0, 0 by \"HigherOrderDegrees\"");
@@ -200,7 +206,7 @@ void TestLists(RelevoCheck& check)
     RelevoErrors errors(filter);
     filter->SetInputData(grid);
     filter->Update();
-    CHECK(filter->GetOutput()->GetNumberOfCells() == 0);
+    CHECK_EQUAL(filter->GetOutput()->GetNumberOfCells(), 0);
     CHECK(errors.Said("it refers to point 2 of 0."));
     CHECK(errors.None());
   }
@@ -233,7 +239,7 @@ void TestWarnings(RelevoCheck& check)
   filter->SetInputData(pair.Grid);
   filter->Update();
   CHECK(errors.Warned("Array \"Few\" has too few tuples and is left out."));
-  CHECK(RelevoGetNumberOfPatches(filter->GetOutput()) == 1);
+  CHECK_EQUAL(RelevoGetNumberOfPatches(filter->GetOutput()), 1);
   CHECK(!filter->GetOutput()->GetPointData()->GetArray("Few"));
   CHECK(pair.Grid->GetPointData()->GetArray("Few"));
   pair.Grid->GetPointData()->RemoveArray("Few");
@@ -274,11 +280,11 @@ void TestThin(RelevoCheck& check)
   RelevoErrors errors(filter);
   filter->SetInputData(pair.Grid);
   filter->Update();
-  CHECK(RelevoGetNumberOfPatches(filter->GetOutput()) == 1);
+  CHECK_EQUAL(RelevoGetNumberOfPatches(filter->GetOutput()), 1);
   vtkNew<vtkUnstructuredGrid> empty;
   filter->SetInputData(empty);
   filter->Update();
-  CHECK(filter->GetOutput()->GetNumberOfCells() == 0);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfCells(), 0);
   CHECK(errors.None());
 }
 
@@ -300,7 +306,7 @@ void TestGhosts(RelevoCheck& check)
   types->InsertNextValue(vtkDataSetAttributes::DUPLICATECELL);
   grid->GetCellData()->AddArray(types);
   auto mesh = RelevoMakePatches(grid);
-  CHECK(RelevoGetNumberOfPatches(mesh) == 10);
+  CHECK_EQUAL(RelevoGetNumberOfPatches(mesh), 10);
   vtkDataArray* ghosts = mesh->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName());
   vtkDataArray* cells = mesh->GetCellData()->GetArray("vtkOriginalCellIds");
   for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
@@ -310,7 +316,7 @@ void TestGhosts(RelevoCheck& check)
   types->SetValue(1, vtkDataSetAttributes::HIDDENCELL);
   types->Modified();
   grid->Modified();
-  CHECK(RelevoGetNumberOfPatches(RelevoMakePatches(grid)) == 6);
+  CHECK_EQUAL(RelevoGetNumberOfPatches(RelevoMakePatches(grid)), 6);
 }
 }
 

@@ -102,11 +102,13 @@ void TestAnyDegrees(RelevoCheck& check)
   {
     for (bool isBezier : { false, true })
     {
+      CHECK_CASE(isBezier);
       const int first = isBezier ? VTK_BEZIER_CURVE : VTK_LAGRANGE_CURVE;
       const int q = (3 * p) % 8 + 1;
       const int r = (5 * p + 2) % 8 + 1;
       for (bool isRational : { false, true })
       {
+        CHECK_CASE(isRational);
         if (isBezier || !isRational)
         {
           const double share = 0.2 / p;

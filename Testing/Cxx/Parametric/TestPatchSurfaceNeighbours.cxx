@@ -191,7 +191,7 @@ void TestBlock(RelevoCheck& check, int type, int degree, int shape, vtkIdType no
     std::cerr << "type " << type << ", degree " << degree << ": " << RelevoGetNumberOfPatches(mesh)
               << " patches of " << expected << (isClosed ? "" : ", not closed") << "\n";
   }
-  CHECK(RelevoGetNumberOfPatches(mesh) == expected);
+  CHECK_EQUAL(RelevoGetNumberOfPatches(mesh), expected);
   CHECK(isClosed);
 }
 
@@ -211,6 +211,7 @@ void TestBlocks(RelevoCheck& check)
   TestBlock(check, VTK_LAGRANGE_TETRAHEDRON, 2, 4, 15);
   for (int degree : { 1, 2, 3, 5, 8 })
   {
+    CHECK_CASE(degree);
     TestBlock(check, VTK_LAGRANGE_TETRAHEDRON, degree, 4);
     TestBlock(check, VTK_LAGRANGE_WEDGE, degree, 6);
     TestBlock(check, VTK_LAGRANGE_HEXAHEDRON, degree, 8);
@@ -271,7 +272,7 @@ void TestDegrees(RelevoCheck& check)
       Join(grid, RelevoNewCell(VTK_LAGRANGE_TRIANGLE, degrees, 0.1),
         GetTriangleEdge(degree, way % 3), common);
       auto mesh = RelevoMakePatches(grid);
-      CHECK(CountBorders(mesh).size() == 6);
+      CHECK_EQUAL(CountBorders(mesh).size(), 6);
     }
   }
 }
@@ -285,13 +286,14 @@ void TestQuadratic(RelevoCheck& check)
   for (int type : { VTK_QUADRATIC_TRIANGLE, VTK_BIQUADRATIC_QUAD, VTK_QUADRATIC_LINEAR_QUAD,
          VTK_BIQUADRATIC_TRIANGLE })
   {
+    CHECK_CASE(type);
     const bool isTriangle = type == VTK_QUADRATIC_TRIANGLE || type == VTK_BIQUADRATIC_TRIANGLE;
     Join(grid, RelevoNewCell(type, { 2, 2, 2 }, 0.1),
       isTriangle ? std::vector<vtkIdType>{ 1, 3, 0 } : edge, edge);
     const std::map<Curve, int> borders = CountBorders(RelevoMakePatches(grid));
     const auto most = std::max_element(borders.begin(), borders.end(),
       [](const auto& a, const auto& b) { return a.second < b.second; });
-    CHECK(most->second == grid->GetNumberOfCells());
+    CHECK_EQUAL(most->second, grid->GetNumberOfCells());
   }
 }
 }

@@ -123,7 +123,7 @@ vtkIdType CheckCopies(RelevoCheck& check, vtkPolyData* refined)
         vtkDataArray* array = data->GetArray(a);
         for (int c = 0; array != data->GetNormals() && c < array->GetNumberOfComponents(); ++c)
         {
-          CHECK(array->GetComponent(point, c) == array->GetComponent(place.second[0], c));
+          CHECK_EQUAL(array->GetComponent(point, c), array->GetComponent(place.second[0], c));
         }
       }
     }
@@ -174,22 +174,22 @@ void TestBracket(RelevoCheck& check)
   for (int level = 0; level < 5; ++level)
   {
     const Mesh refined = Refine(check, patches, level, nullptr);
-    CHECK(GetDeviation(refined) < 1e-5);
-    CHECK(RelevoCountOpenEdges(refined) == 0);
+    CHECK_LESS(GetDeviation(refined), 1e-5);
+    CHECK_EQUAL(RelevoCountOpenEdges(refined), 0);
     // The sides are 14 squares, two of them in each of six planes but for an L of three.
     const vtkIdType n = vtkIdType(1) << level;
     const vtkIdType square = (n + 1) * (n + 1);
     const vtkIdType two = (n + 1) * (2 * n + 1);
     const vtkIdType bent = two + n * (n + 1);
-    CHECK(refined->GetNumberOfPoints() == 2 * bent + 2 * two + 4 * square);
-    CHECK(CheckCopies(check, refined) == refined->GetNumberOfCells() / 2 + 2);
+    CHECK_EQUAL(refined->GetNumberOfPoints(), 2 * bent + 2 * two + 4 * square);
+    CHECK_EQUAL(CheckCopies(check, refined), refined->GetNumberOfCells() / 2 + 2);
   }
   for (int seed = 0; seed < 5; ++seed)
   {
     AddRandomTags(patches, seed);
     const Mesh refined = Refine(check, patches, 5, nullptr);
-    CHECK(GetDeviation(refined) < 1e-5);
-    CHECK(RelevoCountOpenEdges(refined) == 0);
+    CHECK_LESS(GetDeviation(refined), 1e-5);
+    CHECK_EQUAL(RelevoCountOpenEdges(refined), 0);
     CheckCopies(check, refined);
   }
 }
@@ -202,8 +202,8 @@ void TestBent(RelevoCheck& check)
   vtkNew<vtkDisplacement> displacement;
   displacement->SetOffset(0.1);
   const Mesh displaced = Refine(check, patches, 3, displacement);
-  CHECK(RelevoCountOpenEdges(displaced) == 0);
-  CHECK(CheckCopies(check, displaced) < displaced->GetNumberOfPoints());
+  CHECK_EQUAL(RelevoCountOpenEdges(displaced), 0);
+  CHECK_LESS(CheckCopies(check, displaced), displaced->GetNumberOfPoints());
 
   vtkNew<vtkDoubleArray> coordinates;
   coordinates->SetNumberOfComponents(2);
@@ -220,8 +220,8 @@ void TestBent(RelevoCheck& check)
   {
     AddRandomTags(patches, seed);
     const Mesh holed = Refine(check, patches, 5, displacement);
-    CHECK(RelevoCountOpenEdges(holed) > 0);
-    CHECK(CheckCopies(check, holed) < holed->GetNumberOfPoints());
+    CHECK_GREATER(RelevoCountOpenEdges(holed), 0);
+    CHECK_LESS(CheckCopies(check, holed), holed->GetNumberOfPoints());
     std::set<vtkIdType> used;
     vtkNew<vtkIdList> ids;
     for (vtkIdType cell = 0; cell < holed->GetNumberOfCells(); ++cell)
@@ -229,7 +229,7 @@ void TestBent(RelevoCheck& check)
       holed->GetCellPoints(cell, ids);
       used.insert(ids->begin(), ids->end());
     }
-    CHECK(static_cast<vtkIdType>(used.size()) == holed->GetNumberOfPoints());
+    CHECK_EQUAL(static_cast<vtkIdType>(used.size()), holed->GetNumberOfPoints());
   }
 }
 
@@ -240,11 +240,12 @@ void TestSmooth(RelevoCheck& check)
   source->Update();
   for (bool split : { false, true })
   {
+    CHECK_CASE(split);
     auto patches = RelevoMakePatches(source->GetOutput(), split);
     for (int level = 0; level < 5; ++level)
     {
       const Mesh refined = Refine(check, patches, level, nullptr);
-      CHECK(CheckCopies(check, refined) == refined->GetNumberOfPoints());
+      CHECK_EQUAL(CheckCopies(check, refined), refined->GetNumberOfPoints());
     }
   }
 }
@@ -298,7 +299,7 @@ void TestOrder(RelevoCheck& check)
     auto patches = RelevoMakePatches(grid);
     for (int level = 0; level < 5; ++level)
     {
-      CHECK(getPoints(Refine(check, patches, level, nullptr)) ==
+      CHECK_EQUAL(getPoints(Refine(check, patches, level, nullptr)),
         getPoints(Refine(check, Reverse(patches), level, nullptr)));
     }
   }
@@ -318,9 +319,10 @@ void TestNotch(RelevoCheck& check)
   reader->Update();
   const Mesh refined = Refine(check, RelevoMakePatches(reader->GetOutput()), 2, nullptr);
   const vtkIdType places = CheckCopies(check, refined);
-  CHECK(places == refined->GetNumberOfCells() / 2 + 2);
-  CHECK(refined->GetNumberOfPoints() > places && refined->GetNumberOfPoints() < 1.05 * places);
-  CHECK(GetDeviation(refined) < 0.2);
+  CHECK_EQUAL(places, refined->GetNumberOfCells() / 2 + 2);
+  CHECK_GREATER(refined->GetNumberOfPoints(), places);
+  CHECK_LESS(refined->GetNumberOfPoints(), 1.05 * places);
+  CHECK_LESS(GetDeviation(refined), 0.2);
 }
 }
 

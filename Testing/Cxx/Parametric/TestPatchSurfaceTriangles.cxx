@@ -83,12 +83,12 @@ void CheckTriangles(RelevoCheck& check, vtkPolyData* mesh)
         const int next = (k + 1) % 3;
         const RelevoPlace start = GetPlace(mesh, triangle.Points[k]);
         const RelevoPlace end = GetPlace(mesh, triangle.Points[next]);
-        CHECK(triangle.Points[k] != triangle.Points[next]);
+        CHECK_NOT_EQUAL(triangle.Points[k], triangle.Points[next]);
         if (pass == 0)
         {
           const auto x = RelevoEvaluatePatch(mesh, triangle.Patch, triangle.U[k], triangle.V[k]);
           CHECK_NEAR(RelevoGetDistance({ x[0], x[1], x[2] }, start), 0.0, 1e-13);
-          CHECK(triangle.U[k] * 32768.0 == std::floor(triangle.U[k] * 32768.0));
+          CHECK_EQUAL(triangle.U[k] * 32768.0, std::floor(triangle.U[k] * 32768.0));
           if (start == end)
           {
             poles.insert(start);
@@ -107,7 +107,7 @@ void CheckTriangles(RelevoCheck& check, vtkPolyData* mesh)
           0.0, 1e-13);
       }
       areas[triangle.Patch] += pass == 0 ? triangle.GetArea() : 0.0;
-      CHECK(triangle.GetArea() > 0.0);
+      CHECK_GREATER(triangle.GetArea(), 0.0);
     }
   }
   for (int patch = 0; patch < RelevoGetNumberOfPatches(mesh); ++patch)
@@ -165,7 +165,7 @@ void TestClosed(RelevoCheck& check)
       return RelevoPlace{ GetLoop(u)[0], GetLoop(u)[1], v };
     });
   auto mesh = RelevoMakePatches(cylinder);
-  CHECK(mesh->GetNumberOfCells() == 16);
+  CHECK_EQUAL(mesh->GetNumberOfCells(), 16);
   CheckTriangles(check, mesh);
 
   auto torus = NewGrid();
@@ -176,7 +176,7 @@ void TestClosed(RelevoCheck& check)
       return RelevoPlace{ radius * GetLoop(u)[0], radius * GetLoop(u)[1], GetLoop(v)[1] };
     });
   mesh = RelevoMakePatches(torus);
-  CHECK(mesh->GetNumberOfCells() == 22);
+  CHECK_EQUAL(mesh->GetNumberOfCells(), 22);
   CheckTriangles(check, mesh);
 
   for (const RelevoSpline& spline : { RelevoMakeTorus(3.0, 1.0) })
@@ -184,10 +184,10 @@ void TestClosed(RelevoCheck& check)
     auto source = spline.NewSource();
     source->Update();
     mesh = RelevoMakePatches(source->GetOutput());
-    CHECK(mesh->GetNumberOfCells() == 2 * source->GetOutput()->GetNumberOfCells());
+    CHECK_EQUAL(mesh->GetNumberOfCells(), 2 * source->GetOutput()->GetNumberOfCells());
     CheckTriangles(check, mesh);
     auto split = RelevoMakePatches(source->GetOutput(), true);
-    CHECK(split->GetNumberOfCells() == 8 * source->GetOutput()->GetNumberOfCells());
+    CHECK_EQUAL(split->GetNumberOfCells(), 8 * source->GetOutput()->GetNumberOfCells());
     CheckTriangles(check, split);
     // Normals are those of the torus.
     for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
@@ -208,6 +208,7 @@ void TestPillow(RelevoCheck& check)
   auto grid = NewGrid();
   for (double height : { 1.0, -1.0, 2.0 })
   {
+    CHECK_CASE(height);
     AddPatch(grid, 3, 3,
       [=](double u, double v) {
         return RelevoPlace{ u, v, u * (1.0 - u) * v * (1.0 - v) * height };
@@ -215,8 +216,8 @@ void TestPillow(RelevoCheck& check)
     auto mesh = RelevoMakePatches(grid);
     CheckTriangles(check, mesh);
     const vtkIdType patches = grid->GetNumberOfCells();
-    CHECK(mesh->GetNumberOfCells() == (patches == 3 ? 8 : 2 * patches));
-    CHECK(mesh->GetNumberOfPoints() == 4 * patches + (patches == 3 ? 1 : 0));
+    CHECK_EQUAL(mesh->GetNumberOfCells(), (patches == 3 ? 8 : 2 * patches));
+    CHECK_EQUAL(mesh->GetNumberOfPoints(), 4 * patches + (patches == 3 ? 1 : 0));
   }
 }
 
@@ -244,9 +245,9 @@ void TestLens(RelevoCheck& check)
   }
   grid->GetPointData()->AddArray(values);
   auto mesh = RelevoMakePatches(grid);
-  CHECK(mesh->GetNumberOfCells() == 8);
+  CHECK_EQUAL(mesh->GetNumberOfCells(), 8);
   CheckTriangles(check, mesh);
-  CHECK(RelevoMakePatches(grid, true)->GetNumberOfCells() == 12);
+  CHECK_EQUAL(RelevoMakePatches(grid, true)->GetNumberOfCells(), 12);
   CheckTriangles(check, RelevoMakePatches(grid, true));
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
@@ -268,7 +269,7 @@ void TestPoles(RelevoCheck& check)
       });
   }
   auto mesh = RelevoMakePatches(grid);
-  CHECK(mesh->GetNumberOfCells() == 8);
+  CHECK_EQUAL(mesh->GetNumberOfCells(), 8);
   CheckTriangles(check, mesh);
   std::map<vtkIdType, std::set<int>> patches; // of each point at the pole
   for (vtkIdType cell = 0; cell < 8; ++cell)
@@ -283,10 +284,10 @@ void TestPoles(RelevoCheck& check)
       }
     }
   }
-  CHECK(patches.size() == 4);
+  CHECK_EQUAL(patches.size(), 4);
   for (const auto& point : patches)
   {
-    CHECK(point.second.size() == 2);
+    CHECK_EQUAL(point.second.size(), 2);
   }
 
   auto cone = NewGrid();
@@ -334,14 +335,15 @@ void TestSeams(RelevoCheck& check)
     std::array<double, 2> volumes;
     for (bool split : { false, true })
     {
+      CHECK_CASE(split);
       auto mesh = RelevoMakePatches(grid, split);
       CheckTriangles(check, mesh);
       filter->SetInputData(mesh);
       filter->Update();
-      CHECK(RelevoCountOpenEdges(filter->GetOutput()) == 0);
+      CHECK_EQUAL(RelevoCountOpenEdges(filter->GetOutput()), 0);
       volumes[split] = std::abs(RelevoGetVolume(filter->GetOutput()));
     }
-    CHECK(volumes[0] > 0.1);
+    CHECK_GREATER(volumes[0], 0.1);
     CHECK_NEAR(volumes[0] / volumes[1], 1.0, 0.005);
   }
 }
@@ -360,8 +362,8 @@ void TestTeapot(RelevoCheck& check)
   reader->Update();
   auto mesh = RelevoMakePatches(reader->GetOutput());
   // Handle and spout are rings of two patches each: six places along them are joined by two edges.
-  CHECK(mesh->GetNumberOfCells() == 24 * 2 + 8 * 6);
-  CHECK(RelevoGetNumberOfPatches(mesh) == 32);
+  CHECK_EQUAL(mesh->GetNumberOfCells(), 24 * 2 + 8 * 6);
+  CHECK_EQUAL(RelevoGetNumberOfPatches(mesh), 32);
   CheckTriangles(check, mesh);
   int atPoles = 0;
   for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
@@ -374,11 +376,11 @@ void TestTeapot(RelevoCheck& check)
     }
     atPoles += places.size() == 2 ? 1 : 0;
   }
-  CHECK(atPoles == 8);
+  CHECK_EQUAL(atPoles, 8);
 
   // Three borders of those at a pole are split, four of others.
   mesh = RelevoMakePatches(reader->GetOutput(), true);
-  CHECK(mesh->GetNumberOfCells() == 24 * 8 + 8 * 7);
+  CHECK_EQUAL(mesh->GetNumberOfCells(), 24 * 8 + 8 * 7);
   CheckTriangles(check, mesh);
 }
 }

@@ -40,11 +40,11 @@ void ExpectError(RelevoCheck& check, vtkAlgorithm* algorithm, const char* words)
       algorithm->Update();
     }
     CHECK(errors.Said(words));
-    CHECK(count() == 0);
+    CHECK_EQUAL(count(), 0);
   }
   algorithm->Modified();
   algorithm->Update();
-  CHECK(count() > 0);
+  CHECK_GREATER(count(), 0);
 }
 
 // n x n cells side by side.

@@ -61,12 +61,12 @@ void TestPinhole(RelevoCheck& check)
         dvec4 place(
           (column - 1.75) * depth / 6.0, (rowFromTop(row) - 1.25) * depth / 5.0, depth, 1.0);
         pose->MultiplyPoint(&place.x, &place.x);
-        CHECK(distance(RelevoGetPoint(relief, column, row), dvec3(place)) < 1e-6);
+        CHECK_LESS(distance(RelevoGetPoint(relief, column, row), dvec3(place)), 1e-6);
       }
     }
     // A change of the pose counts.
     pose->SetElement(0, 3, 1000.0);
-    CHECK(RelevoGetPoint(RelevoReadRelief(check, filter), 0, 0).x > 900.0);
+    CHECK_GREATER(RelevoGetPoint(RelevoReadRelief(check, filter), 0, 0).x, 900.0);
   }
 }
 
@@ -80,7 +80,7 @@ void TestInvalidDepths(RelevoCheck& check)
   Relief relief = RelevoReadRelief(check, filter);
   for (int i = 0; i < 8; ++i)
   {
-    CHECK(std::isnan(relief.GetDepths()[i]) == (i != 0 && i != 7));
+    CHECK_EQUAL(std::isnan(relief.GetDepths()[i]), (i != 0 && i != 7));
   }
 
   // The same of a z-buffer, of which 1 is the background; 0 is at the near plane.
@@ -88,6 +88,7 @@ void TestInvalidDepths(RelevoCheck& check)
   vtkNew<vtkCamera> camera;
   for (bool isParallel : { false, true })
   {
+    CHECK_CASE(isParallel);
     camera->SetParallelProjection(isParallel);
     filter->SetInputData(
       RelevoMakeImage(8, 1, VTK_FLOAT, [&](int column, int) { return values[column]; }));
@@ -95,7 +96,7 @@ void TestInvalidDepths(RelevoCheck& check)
     relief = RelevoReadRelief(check, filter);
     for (int i = 0; i < 8; ++i)
     {
-      CHECK(std::isnan(relief.GetDepths()[i]) == (i != 0 && i != 1 && i != 7));
+      CHECK_EQUAL(std::isnan(relief.GetDepths()[i]), (i != 0 && i != 1 && i != 7));
     }
   }
 }
@@ -120,7 +121,7 @@ void TestZBuffer(RelevoCheck& check)
     filter->SetInputData(RelevoMakeImage(width, height, VTK_DOUBLE, z));
     filter->SetCamera(camera);
     const Relief relief = RelevoReadRelief(check, filter);
-    CHECK(relief.IsPerspective() == (kind % 2 == 0));
+    CHECK_EQUAL(relief.IsPerspective(), (kind % 2 == 0));
     CHECK(relief.IsPerspective() || relief.GetDepthRange().x == 0.0);
     vtkMatrix4x4* project =
       camera->GetCompositeProjectionTransformMatrix(static_cast<double>(width) / height, 0.0, 1.0);
@@ -132,7 +133,7 @@ void TestZBuffer(RelevoCheck& check)
         project->MultiplyPoint(&view.x, &view.x);
         const dvec3 expected(
           (2.0 * column + 1.0) / width - 1.0, (2.0 * row + 1.0) / height - 1.0, z(column, row));
-        CHECK(distance(dvec3(view) / view.w, expected) < 1e-6);
+        CHECK_LESS(distance(dvec3(view) / view.w, expected), 1e-6);
       }
     }
     // Depths are along the camera's axis.
@@ -153,7 +154,9 @@ void TestColors(RelevoCheck& check)
   Relief relief = RelevoReadRelief(check, filter);
   const auto color = [&](int texel, int component)
   { return relief.GetColors()[texel * relief.GetNumberOfColorComponents() + component]; };
-  CHECK(color(0, 0) == 255 && color(1, 1) == 159 && color(2, 2) == 64); // nearer is lighter
+  CHECK_EQUAL(color(0, 0), 255);
+  CHECK_EQUAL(color(1, 1), 159);
+  CHECK_EQUAL(color(2, 2), 64); // nearer is lighter
 
   struct Kind
   {
@@ -172,10 +175,10 @@ void TestColors(RelevoCheck& check)
       }
       filter->SetInputData(1, image);
       relief = RelevoReadRelief(check, filter);
-      CHECK(relief.GetNumberOfColorComponents() == (components % 2 == 0 ? 4 : 3));
+      CHECK_EQUAL(relief.GetNumberOfColorComponents(), (components % 2 == 0 ? 4 : 3));
       for (int k = 0; k < relief.GetNumberOfColorComponents(); ++k)
       {
-        CHECK(color(4, k) == 51 * (components < 3 ? k / 3 + 1 : k + 1));
+        CHECK_EQUAL(color(4, k), 51 * (components < 3 ? k / 3 + 1 : k + 1));
       }
     }
   }
@@ -192,8 +195,9 @@ void TestColors(RelevoCheck& check)
   filter->SetInputConnection(1, nullptr);
   filter->SetCamera(vtkNew<vtkCamera>());
   relief = RelevoReadRelief(check, filter);
-  CHECK(color(5, 0) == 7 && relief.GetNumberOfColorComponents() == 3);
-  CHECK(relief.GetNumberOfValidTexels() == 6);
+  CHECK_EQUAL(color(5, 0), 7);
+  CHECK_EQUAL(relief.GetNumberOfColorComponents(), 3);
+  CHECK_EQUAL(relief.GetNumberOfValidTexels(), 6);
 }
 
 // Of a plane they are exact, whatever the projection, and look at the viewer.
@@ -214,7 +218,7 @@ void TestNormals(RelevoCheck& check)
   for (vtkIdType i = 0; i < relief.GetNumberOfTexels(); ++i)
   {
     const float* n = relief.GetNormals() + 3 * i;
-    CHECK(distance(dvec3(n[0], n[1], n[2]), i == 20 ? dvec3(0.0) : normal) < 1e-4);
+    CHECK_LESS(distance(dvec3(n[0], n[1], n[2]), i == 20 ? dvec3(0.0) : normal), 1e-4);
   }
 
   vtkNew<vtkCamera> camera;
@@ -230,7 +234,9 @@ void TestNormals(RelevoCheck& check)
   {
     const dvec3 n(
       relief.GetNormals()[3 * i], relief.GetNormals()[3 * i + 1], relief.GetNormals()[3 * i + 2]);
-    CHECK(std::abs(dot(n, along)) < 1e-4 && n.z > 0.5 && std::abs(length(n) - 1.0) < 1e-6);
+    CHECK_LESS(std::abs(dot(n, along)), 1e-4);
+    CHECK_GREATER(n.z, 0.5);
+    CHECK_NEAR(length(n), 1.0, 1e-6);
   }
   filter->ComputeNormalsOff();
   CHECK(!RelevoReadRelief(check, filter).GetNormals());
@@ -251,7 +257,7 @@ void TestSizes(RelevoCheck& check)
     const Relief relief = RelevoReadRelief(check, filter);
     CHECK(relief.GetWidth() == size[0] && relief.GetHeight() == size[1]);
     CHECK(relief.GetImage()->GetExtent()[0] == 0 && relief.GetImage()->GetExtent()[4] == 0);
-    CHECK(relief.GetTexelHeight(size[0] - 1, size[1] - 1) == 1.0 / (size[0] + size[1]));
+    CHECK_EQUAL(relief.GetTexelHeight(size[0] - 1, size[1] - 1), 1.0 / (size[0] + size[1]));
   }
 }
 }

@@ -36,16 +36,16 @@ void ExpectError(RelevoCheck& check, vtkDepthImageToRelief* filter, const char* 
 {
   RelevoErrors errors(filter);
   RelevoErrors executive(filter->GetExecutive());
-  CHECK(filter->GetExecutive()->Update() == 0);
+  CHECK_EQUAL(filter->GetExecutive()->Update(), 0);
   CHECK(errors.Said(words));
-  CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), 0);
   // And all is well once the input is.
   filter->SetInputData(MakeDepths());
   filter->SetInputConnection(1, nullptr);
   filter->SetPose(nullptr);
   filter->SetCamera(nullptr);
   filter->SetIntrinsics(4.0, 4.0, 1.5, 1.0);
-  CHECK(filter->GetExecutive()->Update() == 1);
+  CHECK_EQUAL(filter->GetExecutive()->Update(), 1);
   CHECK(errors.None() && filter->GetOutput()->GetNumberOfPoints() == 12);
 }
 
@@ -98,7 +98,7 @@ void TestImages(RelevoCheck& check)
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Range");
   RelevoErrors errors(filter);
   RelevoErrors executive(filter->GetExecutive());
-  CHECK(filter->GetExecutive()->Update() == 0);
+  CHECK_EQUAL(filter->GetExecutive()->Update(), 0);
   CHECK(errors.Said("The depth image has no such array"));
 }
 
@@ -154,11 +154,11 @@ void TestSettings(RelevoCheck& check)
   RelevoErrors errors(filter);
   filter->SetDepthScale(0.0);
   CHECK(errors.Said("DepthScale must be more than 0 and finite, got 0."));
-  CHECK(filter->GetDepthScale() == 1.0);
+  CHECK_EQUAL(filter->GetDepthScale(), 1.0);
   filter->SetIntrinsics(1.0, -1.0, 0.0, 0.0);
   CHECK(
     errors.Said("Intrinsics must be finite, with fx and fy of more than 0, got (1, -1, 0, 0)."));
-  CHECK(filter->GetIntrinsics()[1] == 4.0);
+  CHECK_EQUAL(filter->GetIntrinsics()[1], 4.0);
 }
 }
 

@@ -49,14 +49,15 @@ void TestPlaces(RelevoCheck& check, vtkCamera* camera, vtkImageData* depths)
         cloud->GetOutput()->GetPoint(point++, &expected.x);
         const dvec3 there = relief.GetWorldPoint(
           GetTexel(column, relief.GetWidth()), GetTexel(row, relief.GetHeight()), height);
-        CHECK(distance(there, expected) < 2e-6 * length(expected));
+        CHECK_LESS(distance(there, expected), 2e-6 * length(expected));
         const dvec3 texel = relief.GetWorldPoint(column, row, height);
         const dvec3 next = relief.GetWorldPoint(column + 1, row + 1, height);
-        CHECK(distance(texel, expected) <= 0.51 * distance(texel, next));
+        CHECK_LESS_EQUAL(distance(texel, expected), 0.51 * distance(texel, next));
       }
     }
   }
-  CHECK(point == cloud->GetOutput()->GetNumberOfPoints() && point == 32 * 24 - 48);
+  CHECK_EQUAL(point, cloud->GetOutput()->GetNumberOfPoints());
+  CHECK_EQUAL(point, 32 * 24 - 48);
 }
 }
 
@@ -72,6 +73,7 @@ int TestDepthImageToReliefPointCloud(int, char*[])
   camera->SetClippingRange(2.0, 20.0);
   for (bool isParallel : { false, true })
   {
+    CHECK_CASE(isParallel);
     camera->SetParallelProjection(isParallel);
     TestPlaces(check, camera, depths);
   }

@@ -40,6 +40,7 @@ void TestPlaces(RelevoCheck& check)
     filter->SetHeightMap(MakeMap(size[0], size[1], height));
     for (double exaggeration : { 1.0, 2.5, 0.0, -1.0 })
     {
+      CHECK_CASE(exaggeration);
       filter->SetExaggeration(exaggeration);
       const Relief relief = RelevoReadRelief(check, filter);
       CHECK(!relief.IsPerspective() && relief.GetDepthRange().x == 0.0);
@@ -51,7 +52,7 @@ void TestPlaces(RelevoCheck& check)
           const dvec3 expected(column + 0.5 - 0.5 * size[0], row + 0.5 - 0.5 * size[1],
             exaggeration * height(column, row));
           const dvec3 point = relief.GetWorldPoint(column, row, relief.GetTexelHeight(column, row));
-          CHECK(distance(point, expected) < 1e-4);
+          CHECK_LESS(distance(point, expected), 1e-4);
         }
       }
     }
@@ -69,18 +70,19 @@ void TestTexels(RelevoCheck& check)
   filter->SetInputData(RelevoMakeImage(10, 8, VTK_UNSIGNED_CHAR, ramp));
   filter->SetTexelsPerSample(2);
   const Relief relief = RelevoReadRelief(check, filter);
-  CHECK(relief.GetWidth() == 10 && relief.GetHeight() == 8);
+  CHECK_EQUAL(relief.GetWidth(), 10);
+  CHECK_EQUAL(relief.GetHeight(), 8);
   for (int column = 0; column < 10; ++column)
   {
     const dvec3 point = relief.GetWorldPoint(column, 3, relief.GetTexelHeight(column, 3));
     const dvec3 expected(0.5 * column + 0.25 - 2.5, -0.25, std::max(0.5 * column - 0.25, 0.0));
     CHECK(column > 7 ? point.z != point.z : column == 7 || distance(point, expected) < 1e-6);
-    CHECK(relief.GetColors()[3 * (30 + column)] == 8 * column + 3);
+    CHECK_EQUAL(relief.GetColors()[3 * (30 + column)], 8 * column + 3);
   }
   RelevoErrors errors(filter);
   filter->SetTexelsPerSample(65);
   CHECK(errors.Said("TexelsPerSample must be in [1, 64], got 65."));
-  CHECK(filter->GetTexelsPerSample() == 2);
+  CHECK_EQUAL(filter->GetTexelsPerSample(), 2);
 
   // An abort leaves nothing, and is no error.
   filter->AddObserver(
@@ -104,8 +106,8 @@ void TestNormals(RelevoCheck& check)
   {
     const float* n = relief.GetNormals() + 3 * i;
     const bool isHole = i == 24;
-    CHECK(std::isnan(relief.GetDepths()[i]) == isHole);
-    CHECK(distance(dvec3(n[0], n[1], n[2]), isHole ? dvec3(0.0) : up) < 1e-5);
+    CHECK_EQUAL(std::isnan(relief.GetDepths()[i]), isHole);
+    CHECK_LESS(distance(dvec3(n[0], n[1], n[2]), isHole ? dvec3(0.0) : up), 1e-5);
   }
   filter->ComputeNormalsOff();
   CHECK(!RelevoReadRelief(check, filter).GetNormals());
@@ -119,34 +121,41 @@ void TestColors(RelevoCheck& check)
   Relief relief = RelevoReadRelief(check, filter);
   const auto color = [&](int texel, int component) -> int
   { return relief.GetColors()[texel * relief.GetNumberOfColorComponents() + component]; };
-  CHECK(color(0, 0) == 64 && color(3, 1) == 255 && color(7, 2) == 255);
+  CHECK_EQUAL(color(0, 0), 64);
+  CHECK_EQUAL(color(3, 1), 255);
+  CHECK_EQUAL(color(7, 2), 255);
 
   const auto ramp = [](int column, int row) { return 10.0 * column + row; };
   filter->SetInputData(RelevoMakeImage(4, 2, VTK_UNSIGNED_CHAR, ramp, 3));
   relief = RelevoReadRelief(check, filter);
-  CHECK(color(0, 0) == 0 && color(3, 1) == 30 && color(6, 2) == 21);
+  CHECK_EQUAL(color(0, 0), 0);
+  CHECK_EQUAL(color(3, 1), 30);
+  CHECK_EQUAL(color(6, 2), 21);
 
   filter->SetInputData(RelevoMakeImage(16, 8, VTK_UNSIGNED_CHAR, ramp, 4));
   relief = RelevoReadRelief(check, filter);
-  CHECK(relief.GetNumberOfColorComponents() == 4);
+  CHECK_EQUAL(relief.GetNumberOfColorComponents(), 4);
   CHECK_NEAR(color(0, 0), 15.0 + 1.5, 1.0); // the mean of columns 0 to 3 and rows 0 to 3
   CHECK_NEAR(color(7, 3), 135.0 + 5.5, 1.0);
 
   filter->SetInputData(RelevoMakeImage(2, 1, VTK_UNSIGNED_CHAR, ramp, 1));
   relief = RelevoReadRelief(check, filter);
-  CHECK(color(0, 0) == 0 && color(1, 0) == 3 && color(2, 0) == 8 && color(7, 0) == 10);
+  CHECK_EQUAL(color(0, 0), 0);
+  CHECK_EQUAL(color(1, 0), 3);
+  CHECK_EQUAL(color(2, 0), 8);
+  CHECK_EQUAL(color(7, 0), 10);
 }
 
 void ExpectError(RelevoCheck& check, vtkHeightMapToRelief* filter, const char* words)
 {
   RelevoErrors errors(filter);
   RelevoErrors executive(filter->GetExecutive());
-  CHECK(filter->GetExecutive()->Update() == 0);
+  CHECK_EQUAL(filter->GetExecutive()->Update(), 0);
   CHECK(errors.Said(words));
-  CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), 0);
   filter->SetHeightMap(MakeMap(4, 2, [](int column, int) { return column; }));
   filter->SetInputConnection(nullptr);
-  CHECK(filter->GetExecutive()->Update() == 1);
+  CHECK_EQUAL(filter->GetExecutive()->Update(), 1);
   CHECK(errors.None() && filter->GetOutput()->GetNumberOfPoints() == 8);
 }
 

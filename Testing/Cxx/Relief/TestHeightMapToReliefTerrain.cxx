@@ -70,7 +70,7 @@ void TestPlanar(RelevoCheck& check, const RelevoTestFolders& folders)
           CHECK(*unit || point.z == 2.0 * height);
         }
       }
-      CHECK(voids == 6); // one in each row
+      CHECK_EQUAL(voids, 6); // one in each row
     }
   }
 }
@@ -92,6 +92,7 @@ void TestGeographic(RelevoCheck& check, const std::string& name, int voids, doub
   double corners[2][3];
   for (vtkIdType i : { 0, 1 })
   {
+    CHECK_CASE(i);
     const double u = static_cast<double>(i);
     vtkIdType point = 0;
     vtkDataArray* uv = source->GetOutput()->GetPointData()->GetTCoords();
@@ -143,9 +144,9 @@ void TestErrors(RelevoCheck& check, const RelevoTestFolders& folders)
   filter->SetHeightMap(map);
   RelevoErrors errors(filter);
   RelevoErrors executive(filter->GetExecutive());
-  CHECK(filter->GetExecutive()->Update() == 0);
+  CHECK_EQUAL(filter->GetExecutive()->Update(), 0);
   CHECK(errors.Said(name + " reaches beyond the horizon of its centre"));
-  CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), 0);
 }
 }
 

@@ -52,13 +52,13 @@ void TestPlaces(RelevoCheck& check)
         const dvec3 expected(matrix * place);
         const double height = relief.GetTexelHeight(column, row);
         const dvec3 point = relief.GetWorldPoint(column, row, height);
-        CHECK(distance(point, expected) < 1e-12);
+        CHECK_LESS(distance(point, expected), 1e-12);
         const dvec4 back = relief.GetWorldToTexel() * dvec4(expected, 1.0);
-        CHECK(distance(dvec3(back) / back.w, dvec3(column, row, height)) < 1e-12);
+        CHECK_LESS(distance(dvec3(back) / back.w, dvec3(column, row, height)), 1e-12);
       }
     }
-    CHECK(relief.GetDepthRange() == relevo::dvec2(1.0, 5.0));
-    CHECK(relief.GetPlane() == (relief.IsPerspective() ? 1.0 : 0.0));
+    CHECK_EQUAL(relief.GetDepthRange(), relevo::dvec2(1.0, 5.0));
+    CHECK_EQUAL(relief.GetPlane(), (relief.IsPerspective() ? 1.0 : 0.0));
   }
 }
 
@@ -75,16 +75,17 @@ void TestSides(RelevoCheck& check)
   const double stretch = std::sqrt(1.0 + 9.0);
   for (double factor : { 0.99, 1.01 })
   {
+    CHECK_CASE(factor);
     const std::vector<unsigned char> sides = relevo::FindReliefSides(relief, factor * stretch);
     const unsigned char up = relevo::UpperSide;
     const unsigned char all = up | relevo::RightSide | relevo::Quad;
-    CHECK(sides[0] == 0);
-    CHECK(sides[1] == (factor > 1.0 ? all : up));
-    CHECK(sides[2] == all);
-    CHECK(sides[3] == up);
-    CHECK(sides[4] == all);
-    CHECK(sides[5] == (factor > 1.0 ? all : up));
-    CHECK(sides[11] == 0);
+    CHECK_EQUAL(sides[0], 0);
+    CHECK_EQUAL(sides[1], (factor > 1.0 ? all : up));
+    CHECK_EQUAL(sides[2], all);
+    CHECK_EQUAL(sides[3], up);
+    CHECK_EQUAL(sides[4], all);
+    CHECK_EQUAL(sides[5], (factor > 1.0 ? all : up));
+    CHECK_EQUAL(sides[11], 0);
   }
 }
 
@@ -99,8 +100,8 @@ void TestPerspectiveSides(RelevoCheck& check)
     CHECK(
       relief.Read(RelevoMakeRelief(64, 2, ReliefProjection::Perspective, pinhole, step)).empty());
     // 0.05 farther, 0.01 aside: about 5 texels.
-    CHECK((relevo::FindReliefSides(relief, 4.9)[31] & relevo::RightSide) == 0);
-    CHECK((relevo::FindReliefSides(relief, 5.3)[31] & relevo::RightSide) != 0);
+    CHECK_EQUAL((relevo::FindReliefSides(relief, 4.9)[31] & relevo::RightSide), 0);
+    CHECK_NOT_EQUAL((relevo::FindReliefSides(relief, 5.3)[31] & relevo::RightSide), 0);
   }
 }
 
@@ -117,12 +118,14 @@ void TestErrors(RelevoCheck& check)
   CHECK(isRefused(vtkNew<vtkImageData>(), "0 x 0 x 0"));
   for (const char* name : { "Color", "Depth" })
   {
+    CHECK_CASE(name);
     const auto image = MakeFlat();
     image->GetPointData()->RemoveArray(name);
     CHECK(isRefused(image, name));
   }
   for (const char* name : { "ReliefProjection", "ReliefMatrix" })
   {
+    CHECK_CASE(name);
     const auto image = MakeFlat();
     image->GetFieldData()->RemoveArray(name);
     CHECK(isRefused(image, name));

@@ -116,17 +116,18 @@ void TestRoundTrip(RelevoCheck& check, const std::string& folder)
   RelevoErrors readerErrors(reader);
   for (const std::string& name : { folder, folder + "/data.csv" })
   {
-    CHECK(reader->CanReadFile(name.c_str()) == 1);
+    CHECK_CASE(name);
+    CHECK_EQUAL(reader->CanReadFile(name.c_str()), 1);
     reader->SetFileName(name.c_str());
     reader->Update();
     vtkMultiBlockDataSet* output = reader->GetOutput();
-    if (CHECK(output->GetNumberOfBlocks() == 2))
+    if (CHECK_EQUAL(output->GetNumberOfBlocks(), 2))
     {
       auto* left = vtkImageData::SafeDownCast(output->GetBlock(0));
       auto* right = vtkImageData::SafeDownCast(output->GetBlock(1));
       CHECK(AreSame(left, vtkImageData::SafeDownCast(reliefs->GetBlock(0))));
       CHECK(AreSame(right, RelevoGetImage(reliefs->GetBlock(2), 0)));
-      CHECK(GetName(output, 0) == std::string("left, with \"quotes\""));
+      CHECK_EQUAL(GetName(output, 0), std::string("left, with \"quotes\""));
       CHECK(!GetName(output, 1));
     }
     CHECK(readerErrors.None());
@@ -143,7 +144,7 @@ void TestTable(RelevoCheck& check, const std::string& folder)
     "relief_0000.vti,relief_0000.png\n"
     ",0,1,6,1,0,2.5,0,0,0,1,0,1,0,,,relief_0001.vti,relief_0001.png\n";
   const std::string table = RelevoReadFile(folder + "/data.csv");
-  if (!CHECK(table == expected))
+  if (!CHECK_EQUAL(table, expected))
   {
     std::cerr << table;
   }
@@ -153,8 +154,8 @@ void TestTable(RelevoCheck& check, const std::string& folder)
   const auto reliefs = MakeReliefs();
   vtkDataArray* colors = RelevoGetImage(reliefs, 0)->GetPointData()->GetArray("Color");
   vtkDataArray* seen = picture->GetOutput()->GetPointData()->GetScalars();
-  CHECK(seen->GetNumberOfTuples() == 20);
-  CHECK(std::memcmp(seen->GetVoidPointer(0), colors->GetVoidPointer(0), 60) == 0);
+  CHECK_EQUAL(seen->GetNumberOfTuples(), 20);
+  CHECK_EQUAL(std::memcmp(seen->GetVoidPointer(0), colors->GetVoidPointer(0), 60), 0);
 }
 
 // One relief, without a picture, over what there was.
@@ -165,12 +166,12 @@ void TestImage(RelevoCheck& check, const std::string& folder)
   writer->SetInputData(reliefs->GetBlock(0));
   writer->SetFileName((folder + "/data.csv").c_str());
   writer->WriteImagesOff();
-  CHECK(writer->Write() == 1);
-  CHECK(RelevoReadFile(folder + "/data.csv").find("FILE_image") == std::string::npos);
+  CHECK_EQUAL(writer->Write(), 1);
+  CHECK_EQUAL(RelevoReadFile(folder + "/data.csv").find("FILE_image"), std::string::npos);
   vtkNew<vtkReliefDatabaseReader> reader;
   reader->SetFileName(folder.c_str());
   reader->Update();
-  CHECK(reader->GetOutput()->GetNumberOfBlocks() == 1);
+  CHECK_EQUAL(reader->GetOutput()->GetNumberOfBlocks(), 1);
   CHECK(AreSame(RelevoGetImage(reader->GetOutput(), 0), RelevoGetImage(reliefs, 0)));
 }
 
@@ -186,10 +187,10 @@ void TestTables(RelevoCheck& check, const std::string& folder)
     RelevoWriteFile(folder + "/data.csv", tables[i]);
     vtkNew<vtkReliefDatabaseReader> reader;
     RelevoErrors errors(reader);
-    CHECK(reader->CanReadFile(folder.c_str()) == 1);
+    CHECK_EQUAL(reader->CanReadFile(folder.c_str()), 1);
     reader->SetFileName(folder.c_str());
     reader->Update();
-    CHECK(static_cast<int>(reader->GetOutput()->GetNumberOfBlocks()) == blocks[i]);
+    CHECK_EQUAL(static_cast<int>(reader->GetOutput()->GetNumberOfBlocks()), blocks[i]);
     CHECK(RelevoGetImage(reader->GetOutput(), blocks[i] - 1));
     CHECK(i == 2 ? errors.Said("data.csv, line 2: no column FILE has the name of a .vti file")
                  : errors.None());

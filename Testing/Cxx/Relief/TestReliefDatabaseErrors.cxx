@@ -33,7 +33,7 @@ void WriteDatabase(RelevoCheck& check, const std::string& folder)
   vtkNew<vtkReliefDatabaseWriter> writer;
   writer->SetInputData(blocks);
   writer->SetFileName(folder.c_str());
-  CHECK(writer->Write() == 1);
+  CHECK_EQUAL(writer->Write(), 1);
 }
 
 // The error, and whether the second relief was read all the same.
@@ -44,7 +44,7 @@ void ExpectError(RelevoCheck& check, const std::string& folder, const char* word
   reader->SetFileName(folder.c_str());
   reader->Update();
   CHECK(errors.Said(words));
-  CHECK(reader->GetOutput()->GetNumberOfBlocks() == 2);
+  CHECK_EQUAL(reader->GetOutput()->GetNumberOfBlocks(), 2);
   CHECK(!RelevoGetImage(reader->GetOutput(), 0) && RelevoGetImage(reader->GetOutput(), 1));
   WriteDatabase(check, folder);
 }
@@ -60,6 +60,7 @@ void TestRows(RelevoCheck& check, const std::string& folder)
   const std::string whole = RelevoReadFile(relief);
   for (double share : { 0.3, 0.9 })
   {
+    CHECK_CASE(share);
     RelevoWriteFile(relief, whole.substr(0, static_cast<std::size_t>(share * whole.size())));
     ExpectError(check, folder, "line 2: relief_0000.vti: the file is damaged.");
   }
@@ -79,22 +80,24 @@ void TestTables(RelevoCheck& check, const std::string& folder)
   vtkNew<vtkReliefDatabaseReader> reader;
   RelevoErrors errors(reader);
   RelevoErrors executive(reader->GetExecutive());
-  CHECK(reader->GetExecutive()->Update() == 0);
+  CHECK_EQUAL(reader->GetExecutive()->Update(), 0);
   CHECK(errors.Said("There is no file name: call SetFileName()."));
-  CHECK(reader->CanReadFile(nullptr) == 0 && reader->CanReadFile("") == 0);
+  CHECK_EQUAL(reader->CanReadFile(nullptr), 0);
+  CHECK_EQUAL(reader->CanReadFile(""), 0);
   RelevoRemoveFile(folder + "/data.csv");
   for (const char* text : { "", "\n\n" })
   {
-    CHECK(reader->CanReadFile(folder.c_str()) == 0);
+    CHECK_CASE(text);
+    CHECK_EQUAL(reader->CanReadFile(folder.c_str()), 0);
     reader->SetFileName(nullptr);
     reader->SetFileName(folder.c_str());
-    CHECK(reader->GetExecutive()->Update() == 0);
+    CHECK_EQUAL(reader->GetExecutive()->Update(), 0);
     CHECK(errors.Said("There is no table of reliefs, or an empty one: "));
-    CHECK(reader->GetOutput()->GetNumberOfBlocks() == 0);
+    CHECK_EQUAL(reader->GetOutput()->GetNumberOfBlocks(), 0);
     RelevoWriteFile(folder + "/data.csv", text);
   }
   RelevoWriteFile(folder + "/data.csv", "a,b\n1,2\n");
-  CHECK(reader->CanReadFile(folder.c_str()) == 0);
+  CHECK_EQUAL(reader->CanReadFile(folder.c_str()), 0);
 }
 
 // One error for the whole table, and an empty output.
@@ -114,15 +117,15 @@ void TestDamagedTables(RelevoCheck& check, const std::string& folder)
     vtkNew<vtkReliefDatabaseReader> reader;
     RelevoErrors errors(reader);
     RelevoErrors executive(reader->GetExecutive());
-    CHECK(reader->CanReadFile(folder.c_str()) == 0);
+    CHECK_EQUAL(reader->CanReadFile(folder.c_str()), 0);
     reader->SetFileName(folder.c_str());
     CHECK(reader->GetExecutive()->Update() == 0 && errors.Said(item.second));
-    CHECK(reader->GetOutput()->GetNumberOfBlocks() == 0);
+    CHECK_EQUAL(reader->GetOutput()->GetNumberOfBlocks(), 0);
   }
   RelevoRemoveFile(folder + "/data.csv");
   RelevoMakeFolder(folder + "/data.csv");
   vtkNew<vtkReliefDatabaseReader> reader;
-  CHECK(reader->CanReadFile(folder.c_str()) == 0);
+  CHECK_EQUAL(reader->CanReadFile(folder.c_str()), 0);
   RelevoRemoveFile(folder + "/data.csv");
 }
 
@@ -161,7 +164,7 @@ void TestManyRows(RelevoCheck& check, const std::string& folder)
   RelevoErrors errors(reader);
   reader->SetFileName(folder.c_str());
   reader->Update();
-  CHECK(number == 1);
+  CHECK_EQUAL(number, 1);
   CHECK(
     errors.Said("data.csv, line 3: 1 fields for 2 columns. Of 20001 rows 20000 cannot be read."));
   CHECK(RelevoGetImage(reader->GetOutput(), 0));
@@ -175,6 +178,7 @@ void TestPlaces(RelevoCheck& check, const std::string& folder)
   for (const std::string& name : { absolute, std::string("../ReliefDatabaseErrors/relief_0000.vti"),
          std::string("inner/../relief_0000.vti") })
   {
+    CHECK_CASE(name);
     RelevoWriteFile(folder + "/data.csv", "FILE\n" + name + "\nrelief_0001.vti\n");
     ExpectError(check, folder, "data.csv, line 2: ");
     RelevoWriteFile(folder + "/data.csv", "FILE\n" + name + "\nrelief_0001.vti\n");
@@ -209,7 +213,7 @@ void TestWriter(RelevoCheck& check, const std::string& folder)
   blocks->SetBlock(0, vtkNew<vtkPolyData>());
   blocks->SetBlock(1, MakeRelief());
   writer->SetInputData(blocks);
-  CHECK(writer->Write() == 0);
+  CHECK_EQUAL(writer->Write(), 0);
   CHECK(errors.Said("Block 1: A relief is a vtkImageData, not a vtkPolyData."));
   vtkNew<vtkReliefDatabaseReader> reader;
   reader->SetFileName(folder.c_str());
@@ -219,6 +223,7 @@ void TestWriter(RelevoCheck& check, const std::string& folder)
   // A folder is in the way of each file.
   for (const char* name : { "/relief_0000.vti", "/relief_0000.png", "/data.csv" })
   {
+    CHECK_CASE(name);
     const std::string other = folder + "/" + std::string(name + 1) + ".in";
     RelevoMakeFolder(other + name);
     writer->SetInputData(MakeRelief());

@@ -80,13 +80,16 @@ void TestSets(RelevoCheck& check, const std::string& folder)
   std::string error;
   for (unsigned int count : { 3, 1, 5, 5, 2 })
   {
+    CHECK_CASE(count);
     CHECK(Write(folder, MakeReliefs(count, 10 + count), error));
     RelevoWriteFile(folder + "/notes.txt", "mine");
     CHECK(Has(check, folder, count, 10 + count));
     const Files files = ReadFolder(folder);
-    CHECK(files.size() == 2 + 2 * count && files.at("notes.txt") == "mine");
+    CHECK_EQUAL(files.size(), 2 + 2 * count);
+    CHECK_EQUAL(files.at("notes.txt"), "mine");
     const std::string last = "relief_000" + std::to_string(count - 1);
-    CHECK(files.count(last + ".vti") == 1 && files.count(last + ".png") == 1);
+    CHECK_EQUAL(files.count(last + ".vti"), 1);
+    CHECK_EQUAL(files.count(last + ".png"), 1);
   }
 }
 
@@ -114,13 +117,14 @@ void TestForeignFiles(RelevoCheck& check, const std::string& folder)
   std::string error;
   for (const std::string name : { "data.csv", "relief_0000.vti", "a.txt", ".hidden" })
   {
+    CHECK_CASE(name);
     const std::string own = folder + "/" + name + ".in";
     RelevoMakeFolder(own);
     RelevoWriteFile(own + "/" + name, "a,b\n1,2\n");
     RelevoWriteFile(own + "/z.txt", "mine");
     const Files before = ReadFolder(own);
     CHECK(!Write(own, MakeReliefs(2, 10), error) && ReadFolder(own) == before);
-    CHECK(error.find("It holds " + name + ", which is no part of a relief database.") !=
+    CHECK_NOT_EQUAL(error.find("It holds " + name + ", which is no part of a relief database."),
       std::string::npos);
   }
   // A database of images that are no reliefs.
@@ -128,7 +132,7 @@ void TestForeignFiles(RelevoCheck& check, const std::string& folder)
   RelevoWriteFile(folder + "/data.csv.in/z.vti", "no relief");
   const Files before = ReadFolder(folder + "/data.csv.in");
   CHECK(!Write(folder + "/data.csv.in", MakeReliefs(2, 10), error));
-  CHECK(ReadFolder(folder + "/data.csv.in") == before);
+  CHECK_EQUAL(ReadFolder(folder + "/data.csv.in"), before);
   // A file left by SIGKILL does not count as foreign.
   const std::string left = folder + "/left";
   RelevoMakeFolder(left);
@@ -166,14 +170,14 @@ void TestFullDisk(RelevoCheck& check, const std::string& folder)
     { large, 1 }, { large, 25000 } };
   for (const auto& item : cases)
   {
-    CHECK(WriteWithLimit(old, item.first, item.second) == 7);
+    CHECK_EQUAL(WriteWithLimit(old, item.first, item.second), 7);
     CHECK(ReadFolder(old) == before && Has(check, old, 2, 10));
-    CHECK(WriteWithLimit(folder + "/new", item.first, item.second) == 7);
+    CHECK_EQUAL(WriteWithLimit(folder + "/new", item.first, item.second), 7);
     CHECK(!fs::exists(folder + "/new"));
   }
   CHECK(WriteWithLimit(old, large, 1 << 20) == 0 && Has(check, old, 2, 400));
   CHECK(Write(old, many, error) && fs::file_size(old + "/data.csv") > 4500);
-  CHECK(fs::file_size(old + "/relief_0000.vti") < 4500);
+  CHECK_LESS(fs::file_size(old + "/relief_0000.vti"), 4500);
 }
 }
 

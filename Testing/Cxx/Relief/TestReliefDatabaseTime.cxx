@@ -37,7 +37,7 @@ void WriteDatabase(
   vtkNew<vtkReliefDatabaseWriter> writer;
   writer->SetInputData(blocks);
   writer->SetFileName(folder.c_str());
-  CHECK(writer->Write() == 1);
+  CHECK_EQUAL(writer->Write(), 1);
 }
 
 std::vector<double> GetSteps(vtkReliefDatabaseReader* reader)
@@ -70,22 +70,26 @@ void TestSteps(RelevoCheck& check, const std::string& folder)
   using Columns = std::vector<int>;
   for (const char* name : { "time", "TimeValue" })
   {
+    CHECK_CASE(name);
     WriteDatabase(check, folder, name, { 2.5, 1.0, 2.5, 40.0 });
     vtkNew<vtkReliefDatabaseReader> reader;
     reader->SetFileName(folder.c_str());
-    CHECK(GetSteps(reader) == std::vector<double>({ 1.0, 2.5, 40.0 }));
+    CHECK_EQUAL(GetSteps(reader), std::vector<double>({ 1.0, 2.5, 40.0 }));
     const double* range = reader->GetOutputInformation(0)->Get(Pipeline::TIME_RANGE());
     CHECK(range && range[0] == 1.0 && range[1] == 40.0);
     reader->Update();
-    CHECK(GetColumns(reader) == Columns({ 2 }) && GetTime(reader) == 1.0);
+    CHECK_EQUAL(GetColumns(reader), Columns({ 2 }));
+    CHECK_EQUAL(GetTime(reader), 1.0);
     reader->UpdateTimeStep(2.5);
-    CHECK(GetColumns(reader) == Columns({ 1, 3 }) && GetTime(reader) == 2.5);
+    CHECK_EQUAL(GetColumns(reader), Columns({ 1, 3 }));
+    CHECK_EQUAL(GetTime(reader), 2.5);
     reader->UpdateTimeStep(39.0);
-    CHECK(GetColumns(reader) == Columns({ 1, 3 }) && GetTime(reader) == 2.5);
+    CHECK_EQUAL(GetColumns(reader), Columns({ 1, 3 }));
+    CHECK_EQUAL(GetTime(reader), 2.5);
     reader->UpdateTimeStep(1e9);
-    CHECK(GetColumns(reader) == Columns({ 4 }));
+    CHECK_EQUAL(GetColumns(reader), Columns({ 4 }));
     reader->UpdateTimeStep(-7.0);
-    CHECK(GetColumns(reader) == Columns({ 2 }));
+    CHECK_EQUAL(GetColumns(reader), Columns({ 2 }));
   }
 }
 
@@ -104,22 +108,23 @@ void TestTables(RelevoCheck& check, const std::string& folder)
     return reader;
   };
   auto reader = read("Time,FILE\n5,relief_0000.vti\n,relief_0001.vti\n-1e1 ,relief_0002.vti\n");
-  CHECK(GetSteps(reader) == std::vector<double>({ -10.0, 5.0 }));
-  CHECK(GetColumns(reader) == std::vector<int>({ 2, 3 }));
+  CHECK_EQUAL(GetSteps(reader), std::vector<double>({ -10.0, 5.0 }));
+  CHECK_EQUAL(GetColumns(reader), std::vector<int>({ 2, 3 }));
   for (const char* word : { "spring", "nan", "3 h" })
   {
+    CHECK_CASE(word);
     reader = read("time,FILE\n5,relief_0000.vti\n" + std::string(word) + ",relief_0001.vti\n");
     CHECK(GetSteps(reader).empty() && GetColumns(reader) == std::vector<int>({ 1, 2 }));
   }
   // Another table without times takes them back.
   RelevoWriteFile(folder + "/data.csv", "time,FILE\n5,relief_0000.vti\n6,relief_0001.vti\n");
   reader->Modified();
-  CHECK(GetSteps(reader).size() == 2);
+  CHECK_EQUAL(GetSteps(reader).size(), 2);
   RelevoWriteFile(folder + "/data.csv", "FILE\nrelief_0000.vti\nrelief_0001.vti\n");
   reader->Modified();
   CHECK(GetSteps(reader).empty());
   reader->Update();
-  CHECK(GetColumns(reader) == std::vector<int>({ 1, 2 }));
+  CHECK_EQUAL(GetColumns(reader), std::vector<int>({ 1, 2 }));
   CHECK(!reader->GetOutput()->GetInformation()->Has(vtkDataObject::DATA_TIME_STEP()));
 }
 }

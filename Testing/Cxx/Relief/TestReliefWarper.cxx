@@ -178,7 +178,8 @@ void TestSingleTexels(RelevoCheck& check)
         const double depth = output->GetArray("Depth")->GetComponent(i, 0);
         seen += depth == depth;
       }
-      CHECK(inside > 20 && seen <= inside);
+      CHECK_GREATER(inside, 20);
+      CHECK_LESS_EQUAL(seen, inside);
     }
   }
 }
@@ -226,7 +227,7 @@ void TestRows(RelevoCheck& check)
       seen += depth == depth;
       CHECK(depth != depth || isNear[i]);
     }
-    CHECK(seen > Width * Height / 8);
+    CHECK_GREATER(seen, Width * Height / 8);
   }
 }
 
@@ -235,6 +236,7 @@ void TestIdentity(RelevoCheck& check)
 {
   for (const RelevoWarpScene& scene : RelevoMakeWarpScenes(Width, Height))
   {
+    CHECK_CASE(scene.Name);
     for (ReliefProjection projection : Projections)
     {
       const auto image = RelevoMakeWarpRelief(scene, Width, Height, projection);
@@ -260,7 +262,7 @@ void TestIdentity(RelevoCheck& check)
           different += depth == depth ? value != wanted : (isDepth ? value == value : value != 0.0);
         }
       }
-      if (!CHECK(different == 0))
+      if (!CHECK_EQUAL(different, 0))
       {
         std::cerr << scene.Name << ": " << different << " values differ\n";
       }
@@ -281,8 +283,8 @@ void TestPlaces(RelevoCheck& check)
   warper->Update();
   const RelevoWarpReference reference(image, camera);
   vtkFieldData* fields = warper->GetOutput()->GetFieldData();
-  CHECK(fields->GetArray("ReliefProjection")->GetComponent(0, 0) == 1.0);
-  CHECK(fields->GetArray("ReliefMatrix")->GetNumberOfValues() == 16);
+  CHECK_EQUAL(fields->GetArray("ReliefProjection")->GetComponent(0, 0), 1.0);
+  CHECK_EQUAL(fields->GetArray("ReliefMatrix")->GetNumberOfValues(), 16);
   double warp[4];
   for (int i = 0; i < 4; ++i)
   {
@@ -293,7 +295,8 @@ void TestPlaces(RelevoCheck& check)
   const dvec3 expected = reference.GetPoint(7, 4, height);
   CHECK_NEAR(7.0 * (1.0 + warp[2] * above) - warp[0] * above, expected.x, 1e-9);
   CHECK_NEAR(4.0 * (1.0 + warp[2] * above) - warp[1] * above, expected.y, 1e-9);
-  CHECK(relevo::Relief().Read(warper->GetOutput()).find("vtkReliefWarper") != std::string::npos);
+  CHECK_NOT_EQUAL(
+    relevo::Relief().Read(warper->GetOutput()).find("vtkReliefWarper"), std::string::npos);
 }
 
 // One line of texels, one texel.
@@ -317,13 +320,13 @@ void TestThin(RelevoCheck& check)
     warper->Update();
     vtkDataArray* depths = warper->GetOutput()->GetPointData()->GetArray("Depth");
     const vtkIdType number = depths->GetNumberOfTuples();
-    CHECK(number == image->GetNumberOfPoints());
+    CHECK_EQUAL(number, image->GetNumberOfPoints());
     int seen = 0;
     for (vtkIdType i = 0; i < number; ++i)
     {
       seen += depths->GetComponent(i, 0) == 10.0;
     }
-    CHECK(seen == number - shift);
+    CHECK_EQUAL(seen, number - shift);
   }
 }
 }

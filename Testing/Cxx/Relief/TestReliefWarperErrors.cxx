@@ -58,6 +58,7 @@ void TestErrors(RelevoCheck& check)
     RelevoMakeWarpCamera(Width, Height, ReliefProjection::Parallel, false, 0.0, 0.0));
   for (int policy : { vtkReliefWarper::SEQUENTIAL, vtkReliefWarper::PARALLEL })
   {
+    CHECK_CASE(policy);
     warper->SetPolicy(policy);
     warper->SetInputData(image);
     warper->Update();
@@ -67,8 +68,8 @@ void TestErrors(RelevoCheck& check)
     warper->SetInputData(empty);
     warper->Update();
     CHECK(errors.Said("The input is no relief. No value of the point array 'Depth' is finite."));
-    CHECK(warper->GetOutput()->GetNumberOfPoints() == 0);
-    CHECK(warper->GetState() == vtkReliefWarper::INITIAL);
+    CHECK_EQUAL(warper->GetOutput()->GetNumberOfPoints(), 0);
+    CHECK_EQUAL(warper->GetState(), vtkReliefWarper::INITIAL);
     const auto singular = MakeSlanted(ReliefProjection::Parallel);
     singular->GetFieldData()->GetArray("ReliefMatrix")->SetComponent(5, 0, 0.0);
     warper->SetInputData(singular);
@@ -111,11 +112,11 @@ void TestEyes(RelevoCheck& check)
           camera->SetFocalPoint(x, y, plane);
         }
         warper->Update();
-        CHECK(warper->CanWarp() == (z < 0.0));
-        CHECK((CountSeen(warper->GetOutput()) > 0) == (z < 0.0));
-        CHECK(warper->GetOutput()->GetNumberOfPoints() == Width * Height);
+        CHECK_EQUAL(warper->CanWarp(), (z < 0.0));
+        CHECK_EQUAL((CountSeen(warper->GetOutput()) > 0), (z < 0.0));
+        CHECK_EQUAL(warper->GetOutput()->GetNumberOfPoints(), Width * Height);
         expected += z == 0.0 || z == 60.0; // once in a row
-        CHECK(warnings.Number == expected);
+        CHECK_EQUAL(warnings.Number, expected);
       }
     }
   }
@@ -143,6 +144,7 @@ void TestUnits(RelevoCheck& check)
   const auto image = MakeSlanted(ReliefProjection::Perspective);
   for (double scale : { 1.0, 1e7, 1e-7 })
   {
+    CHECK_CASE(scale);
     const auto scaled = RelevoMakeRelief(Width, Height, ReliefProjection::Perspective,
       RelevoPinhole(Width, Height, 1.0 / 60.0),
       [&](int column, int row) { return scale * (60.0 + 0.3 * column + 0.1 * row); });
@@ -153,7 +155,7 @@ void TestUnits(RelevoCheck& check)
     camera->SetFocalPoint(0.0, 0.0, 60.0 * scale);
     warper->SetCamera(camera);
     warper->Update();
-    CHECK(CountSeen(warper->GetOutput()) > 120);
+    CHECK_GREATER(CountSeen(warper->GetOutput()), 120);
   }
 }
 
@@ -202,7 +204,7 @@ void TestAnyNumbers(RelevoCheck& check)
       ++warped;
     }
   }
-  CHECK(warped > 200);
+  CHECK_GREATER(warped, 200);
 }
 }
 

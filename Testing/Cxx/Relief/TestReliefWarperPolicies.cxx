@@ -128,26 +128,28 @@ void TestOutputs(RelevoCheck& check)
   vtkNew<vtkReliefWarper> warper;
   warper->SetInputData(image);
   warper->SetCamera(camera);
-  CHECK(warper->GetState() == vtkReliefWarper::INITIAL && warper->GetWarpTime() == 0.0);
+  CHECK_EQUAL(warper->GetState(), vtkReliefWarper::INITIAL);
+  CHECK_EQUAL(warper->GetWarpTime(), 0.0);
   warper->Update();
-  CHECK(warper->GetState() == vtkReliefWarper::FINAL && warper->GetWarpTime() > 0.0);
+  CHECK_EQUAL(warper->GetState(), vtkReliefWarper::FINAL);
+  CHECK_GREATER(warper->GetWarpTime(), 0.0);
   vtkNew<vtkImageData> held;
   held->ShallowCopy(warper->GetOutput());
   const auto expected = WarpAlone(image, camera);
   camera->SetPosition(camera->GetPosition()[0] + 9.0, 0.0, -70.0);
   warper->Update();
   CHECK(AreSame(held, expected) && !AreSame(warper->GetOutput(), expected));
-  CHECK(warper->GetNumberOfWarps() == 2);
+  CHECK_EQUAL(warper->GetNumberOfWarps(), 2);
   camera->SetViewAngle(12.0);
   camera->Roll(30.0);
   warper->Update();
-  CHECK(warper->GetNumberOfWarps() == 2); // the eye is where it was
+  CHECK_EQUAL(warper->GetNumberOfWarps(), 2); // the eye is where it was
   warper->SetMaximumStretch(1.0);
   warper->Update();
-  CHECK(warper->GetNumberOfWarps() == 3);
+  CHECK_EQUAL(warper->GetNumberOfWarps(), 3);
   warper->SetPolicyToRowsAndColumns(); // the same bits, but to be measured
   warper->Update();
-  CHECK(warper->GetNumberOfWarps() == 4);
+  CHECK_EQUAL(warper->GetNumberOfWarps(), 4);
 }
 
 void TestParallel(RelevoCheck& check)
@@ -172,11 +174,12 @@ void TestParallel(RelevoCheck& check)
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  CHECK(warper->GetState() == vtkReliefWarper::WAITING && warper->GetMTime() > asked);
+  CHECK_EQUAL(warper->GetState(), vtkReliefWarper::WAITING);
+  CHECK_GREATER(warper->GetMTime(), asked);
   CHECK(AreSame(warper->GetOutput(), first));
   warper->Update();
   CHECK(warper->GetState() == vtkReliefWarper::FINAL && AreSame(warper->GetOutput(), second));
-  CHECK(warper->GetNumberOfWarps() == 2);
+  CHECK_EQUAL(warper->GetNumberOfWarps(), 2);
   // The camera goes on while warps are under way, values of the input change in place.
   for (int i = 0; i < 200; ++i)
   {
@@ -201,7 +204,7 @@ void TestParallel(RelevoCheck& check)
   warper->Update();
   warper->SetInputData(flat);
   warper->Update();
-  CHECK(warper->GetOutput()->GetNumberOfPoints() == 45);
+  CHECK_EQUAL(warper->GetOutput()->GetNumberOfPoints(), 45);
   CHECK(Finish(warper));
   // Other policies take over, and give back.
   warper->SetInputData(image);
@@ -227,7 +230,7 @@ void TestDestruction(RelevoCheck& check)
     warper->Update();
     camera->SetPosition(i, 20.0, -60.0);
     warper->Update();
-    CHECK(warper->GetOutput()->GetNumberOfPoints() == Width * Height);
+    CHECK_EQUAL(warper->GetOutput()->GetNumberOfPoints(), Width * Height);
     if (i % 2 == 0)
     {
       warper->SetInputData(nullptr);

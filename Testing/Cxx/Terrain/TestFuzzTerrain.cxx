@@ -280,9 +280,9 @@ int TestFuzzTerrain(int argc, char* argv[])
   const RelevoTestFolders folders(argc, argv);
   WriteFiles(folders);
   WritePlaces(folders);
-  CHECK(Files.size() > 20);
+  CHECK_GREATER(Files.size(), 20);
   int calls = 0;
-  CHECK(RelevoFuzz::Run<Machine>(400, 40, calls) == 0);
+  CHECK_EQUAL(RelevoFuzz::Run<Machine>(400, 40, calls), 0);
   std::cout << calls << " calls\n";
   return check.GetResult();
 }

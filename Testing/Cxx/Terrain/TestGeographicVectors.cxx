@@ -85,7 +85,7 @@ void TestTangentFrame(RelevoCheck& check)
       }
     }
   }
-  CHECK(leastTurn > 0.3);
+  CHECK_GREATER(leastTurn, 0.3);
   // Grads, about Paris, on the ellipsoid of Clarke 1880 (IGN): north-east, a grad to the east.
   const auto grads = [](double lon, double lat)
   {
@@ -193,6 +193,7 @@ void TestUnknownSystem(RelevoCheck& check)
 {
   for (const std::string& system : { std::string(), std::string("LOCAL_CS[\"plan\"]") })
   {
+    CHECK_CASE(system);
     const auto turned = Turn(system, 1.0, 2.0, { { 5.0, 6.0 } }, { 3.0, -4.0, 2.0 }, 1.5)[0];
     CHECK(turned[0] == 3.0 && turned[1] == -4.0 && turned[2] == 3.0);
   }
@@ -226,10 +227,10 @@ void TestTerrain(RelevoCheck& check, const RelevoTestFolders& folders)
   filter->SetOutputArrayName("Turned");
   filter->Update();
   vtkPolyData* output = filter->GetOutput();
-  CHECK(output->GetNumberOfPoints() == count);
-  CHECK(output->GetNumberOfCells() == mesh->GetNumberOfCells());
-  CHECK(output->GetPointData()->GetVectors() == output->GetPointData()->GetArray("Turned"));
-  CHECK(output->GetPointData()->GetArray("Wind") == mesh->GetPointData()->GetArray("Wind"));
+  CHECK_EQUAL(output->GetNumberOfPoints(), count);
+  CHECK_EQUAL(output->GetNumberOfCells(), mesh->GetNumberOfCells());
+  CHECK_EQUAL(output->GetPointData()->GetVectors(), output->GetPointData()->GetArray("Turned"));
+  CHECK_EQUAL(output->GetPointData()->GetArray("Wind"), mesh->GetPointData()->GetArray("Wind"));
   double widest = 0.0;
   for (vtkIdType i = 0; i < count; ++i)
   {
@@ -241,20 +242,20 @@ void TestTerrain(RelevoCheck& check, const RelevoTestFolders& folders)
       5592500.0 + mesh->GetPoint(i)[1], latitude, longitude, gamma, scale);
     const auto turned = RelevoVectorOf(output, i, "Turned");
     CHECK_NEAR(Azimuth(turned), -gamma * Radians, 1e-6);
-    CHECK(turned[2] == 1.0);
+    CHECK_EQUAL(turned[2], 1.0);
     widest = std::max(widest, gamma);
   }
-  CHECK(widest > 1.5);
+  CHECK_GREATER(widest, 1.5);
   terrain->SetExaggeration(3.0);
   filter->Update();
-  CHECK(RelevoVectorOf(filter->GetOutput(), 0, "Turned")[2] == 3.0);
+  CHECK_EQUAL(RelevoVectorOf(filter->GetOutput(), 0, "Turned")[2], 3.0);
 
   // The mesh itself says where it lies.
   const auto known = RelevoVectorOf(filter->GetOutput(), 0, "Turned");
   filter->SetTerrain(nullptr);
   filter->SetExaggeration(3.0);
   filter->Update();
-  CHECK(RelevoVectorOf(filter->GetOutput(), 0, "Turned") == known);
+  CHECK_EQUAL(RelevoVectorOf(filter->GetOutput(), 0, "Turned"), known);
 }
 
 // Many points, over several parts and threads, as each alone.
@@ -268,8 +269,9 @@ void TestManyPoints(RelevoCheck& check)
   const auto all = Turn("EPSG:32633", 600000.0, 5000000.0, places, { 1.0, 0.0 });
   for (const std::size_t i : { 0, 1023, 1024, 65535, 65536, 69999 })
   {
+    CHECK_CASE(i);
     const auto one = Turn("EPSG:32633", 600000.0, 5000000.0, { places[i] }, { 1.0, 0.0 })[0];
-    CHECK(one == all[i]);
+    CHECK_EQUAL(one, all[i]);
   }
 }
 }

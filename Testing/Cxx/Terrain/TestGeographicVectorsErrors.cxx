@@ -96,10 +96,10 @@ void TestImages(RelevoCheck& check)
   CHECK(item.Says("image has no point array"));
   item.Filter->SetRasterData(MakeImage(1, 4, 2));
   item.Filter->Update();
-  CHECK(item.Filter->GetOutput()->GetNumberOfPoints() == 2);
+  CHECK_EQUAL(item.Filter->GetOutput()->GetNumberOfPoints(), 2);
   item.Filter->SetRasterData(nullptr);
   item.Filter->Update();
-  CHECK(RelevoVectorOf(item.Filter->GetOutput(), 1, "Wind")[0] == 3.0);
+  CHECK_EQUAL(RelevoVectorOf(item.Filter->GetOutput(), 1, "Wind")[0], 3.0);
 }
 
 void TestSystems(RelevoCheck& check)
@@ -114,7 +114,7 @@ void TestSystems(RelevoCheck& check)
   item.Filter->SetCoordinateSystem("EPSG:32633");
   item.Filter->SetOrigin(500000.0, 0.0, 0.0);
   item.Filter->Update();
-  CHECK(item.Filter->GetOutput()->GetNumberOfPoints() == 2);
+  CHECK_EQUAL(item.Filter->GetOutput()->GetNumberOfPoints(), 2);
   RelevoErrors errors(item.Filter);
   item.Filter->SetOrigin(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
   CHECK(errors.Said("Origin must be a finite number") && item.Filter->GetOrigin()[0] == 500000.0);
@@ -134,7 +134,7 @@ void TestTerrain(RelevoCheck& check)
   CHECK(errors.Said("nowhere.tif"));
   item.Filter->SetTerrain(nullptr);
   item.Filter->Update();
-  CHECK(item.Filter->GetOutput()->GetNumberOfPoints() == 2);
+  CHECK_EQUAL(item.Filter->GetOutput()->GetNumberOfPoints(), 2);
 }
 
 void TestBlocks(RelevoCheck& check)

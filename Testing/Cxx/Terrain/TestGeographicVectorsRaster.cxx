@@ -59,10 +59,10 @@ void TestBilinear(RelevoCheck& check)
     const auto vector = RelevoVectorOf(filter->GetOutput(), i, "Raster");
     CHECK_NEAR(vector[0], expected[i][0], 1e-5);
     CHECK_NEAR(vector[1], expected[i][1], 1e-5);
-    CHECK(vector[2] == 0.0);
+    CHECK_EQUAL(vector[2], 0.0);
   }
   CHECK(std::isnan(RelevoVectorOf(filter->GetOutput(), 7, "Raster")[0]));
-  CHECK(filter->GetOutput()->GetPointData()->GetTCoords() != nullptr);
+  CHECK_NOT_EQUAL(filter->GetOutput()->GetPointData()->GetTCoords(), nullptr);
 }
 
 // A sample without data spoils what it has a weight in, and nothing else.
@@ -82,7 +82,7 @@ void TestNoDataInRaster(RelevoCheck& check)
     {
       const auto vector = RelevoVectorOf(filter->GetOutput(), i, "Raster");
       const bool isData = i >= 3;
-      CHECK(std::isnan(vector[0]) == !isData);
+      CHECK_EQUAL(std::isnan(vector[0]), !isData);
       CHECK(std::isnan(vector[1]) == !isData && std::isnan(vector[2]) == !isData);
     }
   }
@@ -118,14 +118,15 @@ void TestMeshArrays(RelevoCheck& check)
   filter->Update();
   vtkPointData* data = filter->GetOutput()->GetPointData();
   CHECK(data->GetVectors() && std::string(data->GetVectors()->GetName()) == "Wind");
-  CHECK(data->GetNumberOfArrays() == mesh->GetPointData()->GetNumberOfArrays());
-  CHECK(data->GetArray("Drift") == mesh->GetPointData()->GetArray("Drift"));
+  CHECK_EQUAL(data->GetNumberOfArrays(), mesh->GetPointData()->GetNumberOfArrays());
+  CHECK_EQUAL(data->GetArray("Drift"), mesh->GetPointData()->GetArray("Drift"));
   const auto wind = [&](vtkIdType i) { return RelevoVectorOf(filter->GetOutput(), i, "Wind"); };
   CHECK((wind(0) == std::array<double, 3>{ 1.0, 2.0, 0.0 }));
   CHECK(std::isnan(wind(1)[0]) && std::isnan(wind(1)[1]) && std::isnan(wind(1)[2]));
   CHECK(std::isnan(wind(2)[0]) && std::isnan(wind(2)[1]));
   CHECK((wind(3) == std::array<double, 3>{ 0.0, 0.0, 0.0 }));
-  CHECK(mesh->GetPointData()->GetArray("Wind")->GetNumberOfComponents() == 2); // the input's own
+  CHECK_EQUAL(
+    mesh->GetPointData()->GetArray("Wind")->GetNumberOfComponents(), 2); // the input's own
 
   // The active vectors.
   mesh->GetPointData()->SetActiveVectors("Drift");

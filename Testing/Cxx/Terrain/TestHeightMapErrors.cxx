@@ -69,6 +69,7 @@ void TestNoImages(RelevoCheck& check, const RelevoTestFolders& folders, Scene& s
   ExpectError(check, scene.Map, empty, "empty");
   for (const char* extension : { "tif", "png", "exr", "hgt", "dem", "txt" })
   {
+    CHECK_CASE(extension);
     const std::string text = folders.File(std::string("HeightMapText.") + extension);
     std::ofstream(text) << "This is no image, whatever its name may say.\n"
                         << std::string(4000, 'x');
@@ -83,14 +84,17 @@ void TestTruncatedTIFF(RelevoCheck& check, const RelevoTestFolders& folders, Sce
   RelevoRaster raster = scene.Raster;
   for (const char* compression : { "NONE", "LZW", "DEFLATE" })
   {
+    CHECK_CASE(compression);
     for (const char* tiled : { "NO", "YES" })
     {
+      CHECK_CASE(tiled);
       raster.Options = { std::string("COMPRESS=") + compression, std::string("TILED=") + tiled };
       const std::string whole = folders.File("HeightMapWhole.tif");
       const std::string half = folders.File("HeightMapHalf.tif");
       CHECK(raster.Write(whole));
       for (double share : { 0.001, 0.3, 0.9 })
       {
+        CHECK_CASE(share);
         RelevoTruncate(whole, half, share);
         ExpectError(check, scene.Map, half, "Cannot read");
       }
@@ -135,6 +139,7 @@ void TestPromises(RelevoCheck& check, const RelevoTestFolders& folders, Scene& s
          "rasterXSize=\"2000000000\" rasterYSize=\"2000000000\"",
          "rasterXSize=\"0\" rasterYSize=\"0\"", "rasterXSize=\"1\" rasterYSize=\"-3\"" })
   {
+    CHECK_CASE(size);
     const std::string promise = folders.File("HeightMapPromise.vrt");
     std::ofstream(promise) << "<VRTDataset " << size
                            << "><VRTRasterBand dataType=\"Float64\" band=\"1\"><SimpleSource>"
@@ -163,7 +168,8 @@ void TestStop(RelevoCheck& check, Scene& scene)
     RelevoErrors errors(map);
     map->SetFileName(scene.Good.c_str());
     CHECK(!map->Update() && errors.None());
-    CHECK(progress > 0.0 && progress <= 1.0);
+    CHECK_GREATER(progress, 0.0);
+    CHECK_LESS_EQUAL(progress, 1.0);
     CHECK(!map->GetSamples());
   }
   map->RemoveObserver(tag);

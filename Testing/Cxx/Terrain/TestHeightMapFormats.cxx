@@ -92,8 +92,8 @@ void TestGeoTIFF(RelevoCheck& check, const RelevoTestFolders& folders)
         }
         CHECK(!map->HasNoData());
         const auto range = std::minmax_element(raster.Values.begin(), raster.Values.end());
-        CHECK(map->GetRange()[0] == static_cast<float>(*range.first));
-        CHECK(map->GetRange()[1] == static_cast<float>(*range.second));
+        CHECK_EQUAL(map->GetRange()[0], static_cast<float>(*range.first));
+        CHECK_EQUAL(map->GetRange()[1], static_cast<float>(*range.second));
       }
     }
   }
@@ -181,6 +181,7 @@ void TestEXR(RelevoCheck& check, const RelevoTestFolders& folders)
   {
     for (int tile : { 0, 16 })
     {
+      CHECK_CASE(tile);
       RelevoRaster raster;
       raster.Width = 50;
       raster.Height = 34;
@@ -225,7 +226,7 @@ void TestHGT(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(map->HasNoData() && map->GetNoDataValue() == -32768.0);
   const std::size_t hole = static_cast<std::size_t>(size - 1 - 5) * size + 3;
   CHECK(map->GetValidity() && !map->GetValidity()[hole]);
-  CHECK(std::count(map->GetValidity(), map->GetValidity() + size * size, 0) == 1);
+  CHECK_EQUAL(std::count(map->GetValidity(), map->GetValidity() + size * size, 0), 1);
   raster.Values[5 * size + 3] = map->GetSamples()[hole];
   CHECK(SameSamples(map, raster));
 }
@@ -269,8 +270,8 @@ void TestScaleAndOffset(RelevoCheck& check, const RelevoTestFolders& folders)
   vtkNew<vtkHeightMap> map;
   map->SetFileName(name.c_str());
   CHECK(map->Update());
-  CHECK(map->GetSample(0, 2) == -10.0);
-  CHECK(map->GetSample(3, 0) == 11 * 0.25 - 10.0);
+  CHECK_EQUAL(map->GetSample(0, 2), -10.0);
+  CHECK_EQUAL(map->GetSample(3, 0), 11 * 0.25 - 10.0);
   CHECK(map->HasNoData() && !map->GetValidity()[1 * 4 + 1]); // 5 as stored
 }
 
@@ -280,8 +281,10 @@ void TestOrientation(RelevoCheck& check, const RelevoTestFolders& folders)
   const auto heightAt = [](double x, double y) { return 100.0 * x + y; };
   for (double dx : { 1.0, -1.0 })
   {
+    CHECK_CASE(dx);
     for (double dy : { 1.0, -1.0 })
     {
+      CHECK_CASE(dy);
       RelevoRaster raster;
       raster.Width = 5;
       raster.Height = 3;
@@ -300,7 +303,7 @@ void TestOrientation(RelevoCheck& check, const RelevoTestFolders& folders)
       {
         for (int i = 0; i < 5; ++i)
         {
-          CHECK(map->GetSample(i, j) == heightAt(i + 0.5, j + 0.5));
+          CHECK_EQUAL(map->GetSample(i, j), heightAt(i + 0.5, j + 0.5));
         }
       }
     }

@@ -51,8 +51,10 @@ void TestTypes(RelevoCheck& check)
          VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG,
          VTK_UNSIGNED_LONG_LONG, VTK_ID_TYPE, VTK_FLOAT, VTK_DOUBLE })
   {
+    CHECK_CASE(type);
     for (int components : { 1, 3 })
     {
+      CHECK_CASE(components);
       const auto image = MakeImage(type, components);
       vtkNew<vtkHeightMap> map;
       map->SetImageData(image);
@@ -70,7 +72,7 @@ void TestImage(RelevoCheck& check, vtkHeightMap* map)
   const auto image = MakeImage(VTK_DOUBLE, 1);
   map->SetImageData(image);
   CHECK(HoldsTestImage(map));
-  CHECK(map->GetSamplesMTime() > 0);
+  CHECK_GREATER(map->GetSamplesMTime(), 0);
   CHECK_NEAR(map->GetHeight(0.5 / 4, 0.5 / 3), 100.0, 1e-3);
   CHECK_NEAR(map->GetHeight(0.5, 0.5), 105.5, 1e-3);
 
@@ -139,7 +141,7 @@ void TestFileInstead(RelevoCheck& check, vtkHeightMap* map, RelevoErrors& errors
   map->SetFileName("nowhere.tif");
   CHECK(!map->Update() && errors.Said("nowhere.tif"));
   CHECK(map->GetDimensions()[0] == 0 && map->GetRange()[1] == 0.0);
-  CHECK(map->GetSample(0, 0) == 0.0);
+  CHECK_EQUAL(map->GetSample(0, 0), 0.0);
 }
 }
 

@@ -81,8 +81,8 @@ void TestDeclared(RelevoCheck& check, const RelevoTestFolders& folders)
     const bool sameValue = map->GetNoDataValue() == one.Declared ||
       (std::isnan(one.Declared) && std::isnan(map->GetNoDataValue())) ||
       static_cast<float>(map->GetNoDataValue()) == static_cast<float>(one.Declared);
-    if (!CHECK(sameValue) || !CHECK(IsVoid(map, 3, 2) == one.Matches) ||
-      !CHECK(NumberOfVoids(map) == one.Matches) || !CHECK(map->HasNoData() == one.Matches))
+    if (!CHECK(sameValue) || !CHECK_EQUAL(IsVoid(map, 3, 2), one.Matches) ||
+      !CHECK_EQUAL(NumberOfVoids(map), one.Matches) || !CHECK_EQUAL(map->HasNoData(), one.Matches))
     {
       std::cerr << "  declared " << one.Declared << " in " << GDALGetDataTypeName(one.Type) << "\n";
     }
@@ -118,16 +118,16 @@ void TestSetValue(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(NumberOfVoids(map) == 2 && IsVoid(map, 1, 0) && IsVoid(map, 2, 0));
   const vtkMTimeType before = map->GetMTime();
   map->SetNoDataValue(NaN); // unchanged
-  CHECK(map->GetMTime() == before);
+  CHECK_EQUAL(map->GetMTime(), before);
   const vtkMTimeType samples = map->GetSamplesMTime();
   CHECK(map->Update() && map->GetSamplesMTime() == samples);
   map->SetNoDataValue(10.0);
   CHECK(!map->Update() && errors.Said("NaN"));
-  CHECK(map->GetNoDataValue() == 10.0);
+  CHECK_EQUAL(map->GetNoDataValue(), 10.0);
   map->UnsetNoDataValue();
   CHECK(!map->Update() && errors.Said("NaN"));
-  CHECK(map->GetNoDataValue() == -9999.0);
-  CHECK(map->GetSamplesMTime() > samples);
+  CHECK_EQUAL(map->GetNoDataValue(), -9999.0);
+  CHECK_GREATER(map->GetSamplesMTime(), samples);
 }
 
 void TestInfinite(RelevoCheck& check, const RelevoTestFolders& folders)
@@ -210,8 +210,8 @@ void TestFill(RelevoCheck& check)
   }
   std::cout << "fill of a hole in a plane: deviation " << deviation << ", largest step " << step
             << "\n";
-  CHECK(deviation < 0.05 * 80.0 * std::sqrt(5.0)); // of the relief across the hole
-  CHECK(step < 2.0 * 2.0);                         // of the plane's own: no spikes, no cliffs
+  CHECK_LESS(deviation, 0.05 * 80.0 * std::sqrt(5.0)); // of the relief across the hole
+  CHECK_LESS(step, 2.0 * 2.0);                         // of the plane's own: no spikes, no cliffs
 
   vtkSMPTools::Initialize(1);
   vtkNew<vtkHeightMap> alone;

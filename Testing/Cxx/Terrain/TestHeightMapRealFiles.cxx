@@ -71,10 +71,10 @@ void TestFile(RelevoCheck& check, const std::string& folder, const RealFile& fil
       }
     }
   }
-  CHECK(different == 0);
-  CHECK(spikes == 0);
-  CHECK(voids == file.NumberOfVoids);
-  CHECK(map->HasNoData() == (voids > 0));
+  CHECK_EQUAL(different, 0);
+  CHECK_EQUAL(spikes, 0);
+  CHECK_EQUAL(voids, file.NumberOfVoids);
+  CHECK_EQUAL(map->HasNoData(), (voids > 0));
   CHECK_NEAR(sampling, 0.0, 0.02); // single precision texture coordinates
 }
 
@@ -92,7 +92,7 @@ void TestAgainstDEMReader(RelevoCheck& check, const std::string& folder)
   vtkImageData* image = reader->GetOutput();
   int dimensions[3];
   image->GetDimensions(dimensions);
-  CHECK(dimensions[0] == map->GetDimensions()[0]);
+  CHECK_EQUAL(dimensions[0], map->GetDimensions()[0]);
   int found = 0;
   int profiles = 0;
   for (int i = 10; i < dimensions[0] - 10; ++i)

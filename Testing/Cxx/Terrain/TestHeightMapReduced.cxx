@@ -90,7 +90,7 @@ void CheckMeans(RelevoCheck& check, vtkHeightMap* map, const RelevoRaster& raste
     }
   }
   CHECK_NEAR(worst, 0.0, tolerance);
-  CHECK(wrong == 0);
+  CHECK_EQUAL(wrong, 0);
   CHECK(map->GetRange()[0] == range[0] && map->GetRange()[1] == range[1]);
 }
 
@@ -116,16 +116,17 @@ void TestLayouts(RelevoCheck& check, const RelevoTestFolders& folders)
       map->SetMaximumDimension(100);
       map->SetFileName(name.c_str());
       CHECK(map->Update() && map->Update() && !map->HasNoData());
-      CHECK(warnings.Number == 1);
+      CHECK_EQUAL(warnings.Number, 1);
       for (const char* words : { "517 x 303", "100 x 59", "MaximumDimension", "gdal_translate" })
       {
-        CHECK(warnings.Text.find(words) != std::string::npos);
+        CHECK_CASE(words);
+        CHECK_NOT_EQUAL(warnings.Text.find(words), std::string::npos);
       }
       CheckMeans(check, map, raster, size, 2e-4);
       // What is not too large is as it was, and told no word about.
       map->SetMaximumDimension(517);
       CHECK(map->Update() && map->GetDimensions()[1] == 303 && warnings.Number == 1);
-      CHECK(map->GetSample(5, 302) == raster.At(0, 5, 0));
+      CHECK_EQUAL(map->GetSample(5, 302), raster.At(0, 5, 0));
       map->SetMaximumDimension(0);
       CHECK(map->Update() && map->GetDimensions()[0] == 517 && warnings.Number == 1);
     }
@@ -167,7 +168,7 @@ void TestNoData(RelevoCheck& check, const RelevoTestFolders& folders)
     map->SetMaximumDimension(40);
     map->SetFileName(name.c_str());
     CHECK(map->Update() && map->HasNoData() && warnings.Number == 1);
-    CHECK(map->GetRange()[0] >= 0.0);
+    CHECK_GREATER_EQUAL(map->GetRange()[0], 0.0);
     CheckMeans(check, map, raster, size, 1e-3);
   };
   raster.NoData = -9999.0;
@@ -203,7 +204,7 @@ void TestNoData(RelevoCheck& check, const RelevoTestFolders& folders)
   notTold->SetMaximumDimension(40);
   notTold->SetFileName(name.c_str());
   CHECK(!notTold->Update() && errors.Said("of 30000 heights are NaN"));
-  CHECK(notTold->GetFullDimensions()[0] == 0);
+  CHECK_EQUAL(notTold->GetFullDimensions()[0], 0);
 
   // A mask.
   for (double& value : raster.Values)
@@ -222,6 +223,7 @@ void TestAgainstGDAL(RelevoCheck& check, const RelevoTestFolders& folders)
   const std::string reduced = folders.File("HeightMapReducedByGDAL.tif");
   for (bool withNoData : { false, true })
   {
+    CHECK_CASE(withNoData);
     RelevoRaster raster = MakeNoise(800, 370, GDT_Float32);
     if (withNoData)
     {
@@ -257,7 +259,7 @@ void TestAgainstGDAL(RelevoCheck& check, const RelevoTestFolders& folders)
       worst =
         std::max(worst, isValid ? std::abs(map->GetSamples()[index] - expected.Values[i]) : 0.0);
     }
-    CHECK(wrong == 0);
+    CHECK_EQUAL(wrong, 0);
     CHECK_NEAR(worst, 0.0, 2e-3);
   }
 }
@@ -289,7 +291,7 @@ void TestRegistration(RelevoCheck& check, const RelevoTestFolders& folders)
     RelevoWarnings warnings(source);
     RelevoErrors errors(source->GetHeightMap());
     source->SetMaximumDimension(64);
-    CHECK(source->GetMaximumDimension() == 64);
+    CHECK_EQUAL(source->GetMaximumDimension(), 64);
     source->SetFileName(name.c_str());
     source->SetResolution(16);
     source->Update();
@@ -329,11 +331,11 @@ void TestRegistration(RelevoCheck& check, const RelevoTestFolders& folders)
   source->GetHeightMap()->SetImageData(image);
   source->SetMaximumDimension(60);
   CHECK(source->GetHeightMap()->UpdateInformation());
-  CHECK(source->GetHeightMap()->GetFullDimensions()[0] == 300);
+  CHECK_EQUAL(source->GetHeightMap()->GetFullDimensions()[0], 300);
   source->Update();
   CHECK(warnings.Number == 1 && warnings.Text.find("The image has 300 x 100") != std::string::npos);
-  CHECK(source->GetHeightMap()->GetDimensions()[1] == 20);
-  CHECK(source->GetHeightMap()->GetSample(7, 3) == 4.0f * 37);
+  CHECK_EQUAL(source->GetHeightMap()->GetDimensions()[1], 20);
+  CHECK_EQUAL(source->GetHeightMap()->GetSample(7, 3), 4.0f * 37);
   double bounds[6];
   source->GetOutput()->GetBounds(bounds);
   CHECK(bounds[0] == -150.0 && bounds[1] == 150.0 && bounds[3] == 50.0);

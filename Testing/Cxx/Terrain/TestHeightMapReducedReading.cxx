@@ -25,6 +25,7 @@ void TestOverviews(RelevoCheck& check, const RelevoTestFolders& folders)
   const std::string name = folders.File("HeightMapReducedOverviews.tif");
   for (const char* mode : { "none", "no-data" })
   {
+    CHECK_CASE(mode);
     const bool hasNoData = mode == std::string("no-data");
     char** options = nullptr;
     for (const char* option : { "TILED=YES", "SPARSE_OK=TRUE", "COMPRESS=DEFLATE", "BIGTIFF=YES" })
@@ -41,7 +42,8 @@ void TestOverviews(RelevoCheck& check, const RelevoTestFolders& folders)
       GDALSetRasterNoDataValue(GDALGetRasterBand(dataset, 1), -7.0);
     }
     const int factors[2] = { 50, 200 };
-    CHECK(GDALBuildOverviews(dataset, "NONE", 2, factors, 0, nullptr, nullptr, nullptr) == CE_None);
+    CHECK_EQUAL(
+      GDALBuildOverviews(dataset, "NONE", 2, factors, 0, nullptr, nullptr, nullptr), CE_None);
     for (int level = 0; level < 2; ++level)
     {
       GDALRasterBandH band = GDALGetOverview(GDALGetRasterBand(dataset, 1), level);
@@ -53,8 +55,9 @@ void TestOverviews(RelevoCheck& check, const RelevoTestFolders& folders)
         const bool isVoid = hasNoData && i / width > static_cast<std::size_t>(height / 2);
         heights[i] = static_cast<short>(isVoid ? -7 : 1000 * (level + 1));
       }
-      CHECK(GDALRasterIO(band, GF_Write, 0, 0, width, height, heights.data(), width, height,
-              GDT_Int16, 0, 0) == CE_None);
+      CHECK_EQUAL(GDALRasterIO(band, GF_Write, 0, 0, width, height, heights.data(), width, height,
+                    GDT_Int16, 0, 0),
+        CE_None);
     }
     GDALClose(dataset);
     vtkNew<vtkTerrainSource> source;
@@ -68,10 +71,10 @@ void TestOverviews(RelevoCheck& check, const RelevoTestFolders& folders)
       source->SetMaximumDimension(one.first);
       source->Update();
       CHECK(warnings.Number == 1 && map->GetDimensions()[0] == one.first);
-      CHECK(map->GetFullDimensions()[0] == 100001);
+      CHECK_EQUAL(map->GetFullDimensions()[0], 100001);
       CHECK(map->GetRange()[0] == one.second && map->GetRange()[1] == one.second);
       CHECK(map->HasNoData() == hasNoData && map->IsValid(0.5, 0.9));
-      CHECK(map->IsValid(0.5, 0.1) != hasNoData);
+      CHECK_NOT_EQUAL(map->IsValid(0.5, 0.1), hasNoData);
       CHECK_NEAR(source->GetOutput()->GetBounds()[1], 250002.5, 0.05);
     }
   }
@@ -134,8 +137,9 @@ void TestMipLevels(RelevoCheck& check, const RelevoTestFolders& folders)
     GDALCreate(GDALGetDriverByName("GTiff"), name.c_str(), 20000, 10000, 1, GDT_Int16, options);
   CSLDestroy(options);
   const std::vector<short> heights(20000 * 256, 50);
-  CHECK(GDALRasterIO(GDALGetRasterBand(dataset, 1), GF_Write, 0, 0, 20000, 256,
-          const_cast<short*>(heights.data()), 20000, 256, GDT_Int16, 0, 0) == CE_None);
+  CHECK_EQUAL(GDALRasterIO(GDALGetRasterBand(dataset, 1), GF_Write, 0, 0, 20000, 256,
+                const_cast<short*>(heights.data()), 20000, 256, GDT_Int16, 0, 0),
+    CE_None);
   GDALClose(dataset);
   if (peak() < 0)
   {
@@ -148,9 +152,10 @@ void TestMipLevels(RelevoCheck& check, const RelevoTestFolders& folders)
   map->SetFileName(name.c_str());
   const long long before = peak();
   CHECK(map->Update() && map->GetDimensions()[1] == 1000 && warnings.Number == 1);
-  CHECK(map->GetSample(100, 990) == 50.0 && map->GetSample(100, 500) == 0.0);
+  CHECK_EQUAL(map->GetSample(100, 990), 50.0);
+  CHECK_EQUAL(map->GetSample(100, 500), 0.0);
   std::cout << "memory: " << peak() - before << " MiB more\n";
-  CHECK(peak() - before < 150);
+  CHECK_LESS(peak() - before, 150);
 }
 }
 

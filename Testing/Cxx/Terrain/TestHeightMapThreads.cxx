@@ -71,7 +71,7 @@ int TestHeightMapThreads(int argc, char* argv[])
     std::thread thread([&] { Run(recipe, first); });
     Run(recipe, second);
     thread.join();
-    CHECK(reading->Number == i);
+    CHECK_EQUAL(reading->Number, i);
     CHECK(first[5] == second[5] && first[5] > 10.0);
   }
   return check.GetResult();

@@ -50,7 +50,8 @@ vtkIdType FindPoint(vtkPolyData* mesh, double u, double v)
 // unused, at z = 0, with normals up. Returns the total area.
 double CheckMesh(RelevoCheck& check, vtkPolyData* mesh)
 {
-  CHECK(mesh->GetNumberOfPolys() == mesh->GetNumberOfCells() && mesh->GetNumberOfCells() > 0);
+  CHECK_EQUAL(mesh->GetNumberOfPolys(), mesh->GetNumberOfCells());
+  CHECK_GREATER(mesh->GetNumberOfCells(), 0);
   CHECK(mesh->GetPointData()->GetTCoords() &&
     mesh->GetPointData()->GetTCoords()->GetNumberOfComponents() == 2);
   vtkDataArray* normals = mesh->GetPointData()->GetNormals();
@@ -59,7 +60,7 @@ double CheckMesh(RelevoCheck& check, vtkPolyData* mesh)
   {
     const double* normal = normals->GetTuple3(i);
     CHECK(normal[0] == 0.0 && normal[1] == 0.0 && normal[2] == 1.0);
-    CHECK(Coordinate(mesh, i, 2) == 0.0);
+    CHECK_EQUAL(Coordinate(mesh, i, 2), 0.0);
   }
   std::set<vtkIdType> used;
   std::map<std::pair<vtkIdType, vtkIdType>, int> edges;
@@ -68,7 +69,7 @@ double CheckMesh(RelevoCheck& check, vtkPolyData* mesh)
   for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
   {
     mesh->GetCellPoints(cell, ids);
-    CHECK(ids->GetNumberOfIds() == 3);
+    CHECK_EQUAL(ids->GetNumberOfIds(), 3);
     double x[3];
     double y[3];
     for (int i = 0; i < 3; ++i)
@@ -79,13 +80,13 @@ double CheckMesh(RelevoCheck& check, vtkPolyData* mesh)
       y[i] = Coordinate(mesh, ids->GetId(i), 1);
     }
     const double twice = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
-    CHECK(twice > 0.0);
+    CHECK_GREATER(twice, 0.0);
     area += 0.5 * twice;
   }
-  CHECK(static_cast<vtkIdType>(used.size()) == mesh->GetNumberOfPoints());
+  CHECK_EQUAL(static_cast<vtkIdType>(used.size()), mesh->GetNumberOfPoints());
   for (const auto& edge : edges)
   {
-    CHECK(edge.second == 1);
+    CHECK_EQUAL(edge.second, 1);
   }
   return area;
 }
@@ -119,8 +120,8 @@ void TestGeographic(RelevoCheck& check, const RelevoTestFolders& folders)
   const double latitude0 = 45.75;
   CHECK_NEAR(source->GetOrigin()[0], longitude0, 1e-12);
   CHECK_NEAR(source->GetOrigin()[1], latitude0, 1e-12);
-  CHECK(source->GetOrigin()[2] == 0.0);
-  CHECK(std::string(source->GetCoordinateSystem()).find("WGS 84") != std::string::npos);
+  CHECK_EQUAL(source->GetOrigin()[2], 0.0);
+  CHECK_NOT_EQUAL(std::string(source->GetCoordinateSystem()).find("WGS 84"), std::string::npos);
   double worst = 0.0;
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
@@ -131,14 +132,15 @@ void TestGeographic(RelevoCheck& check, const RelevoTestFolders& folders)
   }
   CHECK_NEAR(worst, 0.0, 0.01); // metres; texture coordinates and points are floats
   // 0.8 degrees here are 62 km, 0.5 are 56 km: 16 squares along the longer side, 14 or 15 across.
-  CHECK(mesh->GetNumberOfCells() == 2 * 16 * 14);
+  CHECK_EQUAL(mesh->GetNumberOfCells(), 2 * 16 * 14);
 
   // Along the western edge, point by point, as a geodesic goes.
   double geodesic = 0.0;
   GeographicLib::Geodesic::WGS84().Inverse(45.5, 10.0, 46.0, 10.0, geodesic);
   const vtkIdType south = FindPoint(mesh, 0.0, 0.0);
   const vtkIdType north = FindPoint(mesh, 0.0, 1.0);
-  CHECK(south >= 0 && north >= 0);
+  CHECK_GREATER_EQUAL(south, 0);
+  CHECK_GREATER_EQUAL(north, 0);
   const double chord = std::hypot(Coordinate(mesh, north, 0) - Coordinate(mesh, south, 0),
     Coordinate(mesh, north, 1) - Coordinate(mesh, south, 1));
   CHECK_NEAR(chord / geodesic, 1.0, 1e-4);
@@ -152,7 +154,7 @@ void TestEllipsoid(RelevoCheck& check, const RelevoTestFolders& folders)
   const auto source = MakeSource(check, raster, folders.File("TerrainGrads.tif"), 8);
   vtkPolyData* mesh = source->GetOutput();
   const vtkIdType corner = FindPoint(mesh, 1.0, 1.0);
-  CHECK(corner >= 0);
+  CHECK_GREATER_EQUAL(corner, 0);
   const auto expected = RelevoEastNorthUp(
     2.4 * 0.9, 52.0 * 0.9, 2.2 * 0.9, 51.8 * 0.9, 6378249.2, 1.0 / 293.4660212936269);
   CHECK_NEAR(Coordinate(mesh, corner, 0), expected[0], 0.01);
@@ -166,7 +168,7 @@ void TestProjected(RelevoCheck& check, const RelevoTestFolders& folders)
   const auto source = MakeSource(check, raster, folders.File("TerrainProjected.tif"), 10);
   vtkPolyData* mesh = source->GetOutput();
   CHECK_NEAR(CheckMesh(check, mesh), 3000.0 * 1200.0, 1.0);
-  CHECK(mesh->GetNumberOfCells() == 2 * 10 * 4);
+  CHECK_EQUAL(mesh->GetNumberOfCells(), 2 * 10 * 4);
   double bounds[6];
   mesh->GetBounds(bounds);
   CHECK(bounds[0] == -1500.0 && bounds[1] == 1500.0 && bounds[2] == -600.0 && bounds[3] == 600.0);
@@ -179,14 +181,14 @@ void TestProjected(RelevoCheck& check, const RelevoTestFolders& folders)
   // Never finer than the texels, never coarser than one square: no square at all is an error.
   source->SetResolution(100000);
   source->Update();
-  CHECK(source->GetOutput()->GetNumberOfCells() == 2 * 100 * 60);
+  CHECK_EQUAL(source->GetOutput()->GetNumberOfCells(), 2 * 100 * 60);
   RelevoErrors errors(source);
   source->SetResolution(0);
   CHECK(errors.Said("Resolution"));
-  CHECK(source->GetResolution() == 100000);
+  CHECK_EQUAL(source->GetResolution(), 100000);
   source->SetResolution(1);
   source->Update();
-  CHECK(source->GetOutput()->GetNumberOfCells() == 2);
+  CHECK_EQUAL(source->GetOutput()->GetNumberOfCells(), 2);
   CheckMesh(check, source->GetOutput());
 }
 
@@ -201,7 +203,7 @@ void TestFeet(RelevoCheck& check, const RelevoTestFolders& folders)
   vtkNew<vtkTerrainSource> source;
   source->SetFileName(name.c_str());
   source->SetExaggeration(3.0);
-  CHECK(source->GetDisplacement()->GetScale() == 3.0);
+  CHECK_EQUAL(source->GetDisplacement()->GetScale(), 3.0);
   source->Update();
   double bounds[6];
   source->GetOutput()->GetBounds(bounds);
@@ -229,7 +231,7 @@ void TestWithoutGeoreference(RelevoCheck& check, const RelevoTestFolders& folder
   CHECK(bounds[0] == -15.0 && bounds[1] == 15.0 && bounds[2] == -10.0 && bounds[3] == 10.0);
   CHECK(source->GetOrigin()[0] == 15.0 && source->GetOrigin()[1] == 10.0);
   CHECK(std::string(source->GetCoordinateSystem()).empty());
-  CHECK(source->GetImagery() == nullptr);
+  CHECK_EQUAL(source->GetImagery(), nullptr);
 
   // The same from memory.
   vtkNew<vtkImageData> image;
@@ -239,8 +241,8 @@ void TestWithoutGeoreference(RelevoCheck& check, const RelevoTestFolders& folder
   vtkNew<vtkTerrainSource> fromImage;
   fromImage->GetHeightMap()->SetImageData(image);
   fromImage->Update();
-  CHECK(fromImage->GetOutput()->GetNumberOfCells() == source->GetOutput()->GetNumberOfCells());
-  CHECK(fromImage->GetOutput()->GetLength() == source->GetOutput()->GetLength());
+  CHECK_EQUAL(fromImage->GetOutput()->GetNumberOfCells(), source->GetOutput()->GetNumberOfCells());
+  CHECK_EQUAL(fromImage->GetOutput()->GetLength(), source->GetOutput()->GetLength());
 }
 
 // Files that run south, west, or turned by a quarter: the same place on the earth, facing up.
@@ -266,8 +268,9 @@ void TestOrientations(RelevoCheck& check, const RelevoTestFolders& folders)
     vtkPolyData* mesh = source->GetOutput();
     CHECK_NEAR(CheckMesh(check, mesh), 800.0 * 500.0, 1.0);
     const vtkIdType southWest = FindPoint(mesh, 0.0, 0.0);
-    CHECK(southWest >= 0 && Coordinate(mesh, southWest, 0) == -400.0 &&
-      Coordinate(mesh, southWest, 1) == -250.0);
+    CHECK_GREATER_EQUAL(southWest, 0);
+    CHECK_EQUAL(Coordinate(mesh, southWest, 0), -400.0);
+    CHECK_EQUAL(Coordinate(mesh, southWest, 1), -250.0);
     CHECK_NEAR(source->GetHeightMap()->GetHeight(0.5, 0.5), 1400.0 + 2.0 * 1750.0, 0.1);
     CHECK_NEAR(source->GetHeightMap()->GetHeight(0.8, 0.2), 1640.0 + 2.0 * 1600.0, 0.1);
   }
@@ -280,7 +283,7 @@ void TestOrientations(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK_NEAR(CheckMesh(check, mesh), 800.0 * 72.0, 1.0);
   // The file's first corner has u = 0, v = 1.
   const vtkIdType first = FindPoint(mesh, 0.0, 1.0);
-  CHECK(first >= 0);
+  CHECK_GREATER_EQUAL(first, 0);
   CHECK_NEAR(Coordinate(mesh, first, 0), 1000.0 - (1000.0 + 6.0 * 20 + 6.0 * 10), 1e-3);
   CHECK_NEAR(Coordinate(mesh, first, 1), 2000.0 - (2000.0 + 6.0 * 20 - 6.0 * 10), 1e-3);
   CHECK_NEAR(source->GetHeightMap()->GetHeight(0.5 / 40, 1.0 - 0.5 / 20), 0.0, 0.01);
@@ -299,19 +302,19 @@ void TestNoData(RelevoCheck& check, const RelevoTestFolders& folders)
   vtkNew<vtkTerrainSource> source;
   source->SetFileName(name.c_str());
   source->SetResolution(32);
-  CHECK(source->GetNoDataPolicy() == vtkDisplacement::HOLE);
+  CHECK_EQUAL(source->GetNoDataPolicy(), vtkDisplacement::HOLE);
   source->Update();
   vtkNew<vtkPolyData> holes;
   holes->DeepCopy(source->GetOutput());
   const double area = CheckMesh(check, holes);
-  CHECK(source->GetDisplacement()->GetNoDataPolicy() == vtkDisplacement::HOLE);
+  CHECK_EQUAL(source->GetDisplacement()->GetNoDataPolicy(), vtkDisplacement::HOLE);
   source->SetNoDataPolicyToFill();
   source->Update();
   vtkPolyData* full = source->GetOutput();
   CHECK_NEAR(CheckMesh(check, full), 640.0 * 640.0, 1.0);
-  CHECK(full->GetNumberOfCells() == 2 * 32 * 32);
-  CHECK(source->GetDisplacement()->GetNoDataPolicy() == vtkDisplacement::FILL);
-  CHECK(area < 0.9 * 640.0 * 640.0);
+  CHECK_EQUAL(full->GetNumberOfCells(), 2 * 32 * 32);
+  CHECK_EQUAL(source->GetDisplacement()->GetNoDataPolicy(), vtkDisplacement::FILL);
+  CHECK_LESS(area, 0.9 * 640.0 * 640.0);
 
   // Squares of the full mesh that the other lacks draw upon voids alone, and only those.
   std::set<std::pair<int, int>> kept;
@@ -332,7 +335,7 @@ void TestNoData(RelevoCheck& check, const RelevoTestFolders& folders)
   {
     kept.insert(squareOf(holes, cell));
   }
-  CHECK(holes->GetNumberOfCells() == static_cast<vtkIdType>(2 * kept.size()));
+  CHECK_EQUAL(holes->GetNumberOfCells(), static_cast<vtkIdType>(2 * kept.size()));
   const auto isVoid = [&](int column, int v)
   {
     const int row = 63 - v;
@@ -351,7 +354,7 @@ void TestNoData(RelevoCheck& check, const RelevoTestFolders& folders)
           onlyVoids = onlyVoids && isVoid(u, v);
         }
       }
-      CHECK(onlyVoids != (kept.count({ i, j }) > 0));
+      CHECK_NOT_EQUAL(onlyVoids, (kept.count({ i, j }) > 0));
     }
   }
 }
@@ -369,7 +372,7 @@ void TestThin(RelevoCheck& check, const RelevoTestFolders& folders)
     source->SetFileName(name.c_str());
     source->Update();
     CHECK_NEAR(CheckMesh(check, source->GetOutput()), 100.0 * size.first * size.second, 1e-3);
-    CHECK(source->GetOutput()->GetNumberOfCells() == 2 * size.first * size.second);
+    CHECK_EQUAL(source->GetOutput()->GetNumberOfCells(), 2 * size.first * size.second);
   }
 }
 
@@ -380,9 +383,10 @@ void TestRecipe(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(displacement && displacement->GetHeightMap() == source->GetHeightMap());
   CHECK(!displacement->IsAlongNormal());
   CHECK(displacement->GetDirection()[2] == 1.0 && displacement->GetDirection()[0] == 0.0);
-  CHECK(displacement->GetOffset() == 0.0 && displacement->GetScale() == 1.0);
+  CHECK_EQUAL(displacement->GetOffset(), 0.0);
+  CHECK_EQUAL(displacement->GetScale(), 1.0);
   source->SetExaggeration(2.5);
-  CHECK(displacement->GetScale() == 2.5);
+  CHECK_EQUAL(displacement->GetScale(), 2.5);
   RelevoErrors errors(source);
   source->SetExaggeration(std::numeric_limits<double>::quiet_NaN());
   CHECK(errors.Said("Exaggeration must be in [-1e+38, 1e+38], got") &&
@@ -395,12 +399,13 @@ void TestRecipe(RelevoCheck& check, const RelevoTestFolders& folders)
   const std::string name = folders.File("TerrainRecipe.tif");
   CHECK(raster.Write(name));
   source->SetFileName(name.c_str());
-  CHECK(std::string(source->GetFileName()) == name);
+  CHECK_EQUAL(std::string(source->GetFileName()), name);
   source->Update();
-  CHECK(source->GetDisplacement() == displacement && displacement->GetScale() == 2.5);
+  CHECK_EQUAL(source->GetDisplacement(), displacement);
+  CHECK_EQUAL(displacement->GetScale(), 2.5);
   const vtkMTimeType before = source->GetOutput()->GetMTime();
   source->Update(); // nothing changed, nothing runs
-  CHECK(source->GetOutput()->GetMTime() == before);
+  CHECK_EQUAL(source->GetOutput()->GetMTime(), before);
   source->SetNoDataValue(100.0); // the sample in the north-western corner
   source->Update();
   CHECK(source->GetOutput()->GetMTime() > before && source->GetHeightMap()->HasNoData());
@@ -427,7 +432,7 @@ void TestRealFiles(RelevoCheck& check, const RelevoTestFolders& folders)
 
   source->SetFileName((folders.RealData + "SainteHelens.dem").c_str());
   source->Update();
-  CHECK(source->GetOutput()->GetNumberOfCells() > 0);
+  CHECK_GREATER(source->GetOutput()->GetNumberOfCells(), 0);
   source->GetOutput()->GetBounds(bounds);
   // All four corners lie outside the quadrangle: nothing there within a coarse square.
   CHECK(bounds[0] >= -0.5 * 327 * 30 && bounds[0] < -0.5 * 327 * 30 + 400.0);

@@ -110,20 +110,22 @@ void TestDegrees(RelevoCheck& check, const RelevoTestFolders& folders)
     double worst = 0.0;
     for (double u : { 0.0, 0.2, 0.5, 0.77, 1.0 })
     {
+      CHECK_CASE(u);
       for (double v : { 0.0, 0.3, 0.5, 1.0 })
       {
+        CHECK_CASE(v);
         const double map[3] = { transform[0] + 40 * transform[1] * u,
           transform[3] + 20 * transform[5] * v, 250.0 };
         double expected[2] = { map[0], map[1] };
         double terrain[3];
         CHECK(project(expected) && source->MapToTerrain(map, terrain));
         worst = std::max(worst, std::hypot(terrain[0] - expected[0], terrain[1] - expected[1]));
-        CHECK(terrain[2] == 500.0);
+        CHECK_EQUAL(terrain[2], 500.0);
         double again[3];
         CHECK(source->TerrainToMap(terrain, again));
         CHECK_NEAR(again[0], map[0], 1e-10);
         CHECK_NEAR(again[1], map[1], 1e-10);
-        CHECK(again[2] == 250.0);
+        CHECK_EQUAL(again[2], 250.0);
       }
     }
     CHECK_NEAR(worst, 0.0, 1e-4); // metres; the origin has six decimals for PROJ
@@ -249,7 +251,7 @@ void TestProgress(RelevoCheck& check, const RelevoTestFolders& folders)
     source->SetAbortExecute(0);
     source->Update();
     CHECK(errors.None() && source->GetOutput()->GetNumberOfPoints() == 0);
-    CHECK(source->GetImagery()->GetNumberOfPoints() == 0);
+    CHECK_EQUAL(source->GetImagery()->GetNumberOfPoints(), 0);
     if (VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0) && record.Shares.back() == 1.0)
     {
       record.Shares.pop_back(); // VTK's pipeline says 1 in the end, aborted or not

@@ -32,20 +32,20 @@ struct Scene
   void Fails(RelevoCheck& check, const std::string& name, const std::string& reason)
   {
     this->Source->SetFileName(name.c_str());
-    CHECK(this->Source->GetExecutive()->Update() == 0);
+    CHECK_EQUAL(this->Source->GetExecutive()->Update(), 0);
     if (!CHECK(this->Errors.Said(reason)))
     {
       std::cerr << "  for " << name << "\n";
     }
-    CHECK(this->Source->GetOutput()->GetNumberOfPoints() == 0);
-    CHECK(this->Source->GetOutput()->GetNumberOfCells() == 0);
+    CHECK_EQUAL(this->Source->GetOutput()->GetNumberOfPoints(), 0);
+    CHECK_EQUAL(this->Source->GetOutput()->GetNumberOfCells(), 0);
     CHECK(std::string(this->Source->GetCoordinateSystem()).empty());
   }
   void Works(RelevoCheck& check)
   {
     this->Source->SetFileName(this->Good.c_str());
     CHECK(this->Source->GetExecutive()->Update() == 1 && this->Errors.None());
-    CHECK(this->Source->GetOutput()->GetNumberOfCells() > 0);
+    CHECK_GREATER(this->Source->GetOutput()->GetNumberOfCells(), 0);
   }
 
   std::string Good;
@@ -57,7 +57,7 @@ struct Scene
 
 void TestNoRasters(RelevoCheck& check, const RelevoTestFolders& folders, Scene& scene)
 {
-  CHECK(scene.Source->GetExecutive()->Update() == 0);
+  CHECK_EQUAL(scene.Source->GetExecutive()->Update(), 0);
   CHECK(scene.Errors.Said("There is no file name: call SetFileName()."));
   scene.Works(check);
   scene.Fails(

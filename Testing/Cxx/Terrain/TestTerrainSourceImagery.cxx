@@ -104,7 +104,7 @@ void TestSameGrid(RelevoCheck& check, const RelevoTestFolders& folders)
   source->SetImageryBands(1, 2, 7);
   source->Update();
   CHECK(errors.Said("no band 7, only 6"));
-  CHECK(source->GetOutput()->GetNumberOfCells() == 0);
+  CHECK_EQUAL(source->GetOutput()->GetNumberOfCells(), 0);
   source->SetImageryBands(0, 0, 0);
 
   // One band is grey.
@@ -213,18 +213,20 @@ void TestOtherCoordinateSystem(RelevoCheck& check, const RelevoTestFolders& fold
       {
         worst = std::max({ worst, std::abs(Color(image, i, j, 0) - red(longitude)),
           std::abs(Color(image, i, j, 1) - green(latitude)) });
-        CHECK(Color(image, i, j, 2) == 7);
+        CHECK_EQUAL(Color(image, i, j, 2), 7);
         ++covered;
       }
       else if (longitude < 14.03)
       {
-        CHECK(Color(image, i, j, 0) == Grey && Color(image, i, j, 1) == Grey &&
-          Color(image, i, j, 2) == Grey);
+        CHECK_EQUAL(Color(image, i, j, 0), Grey);
+        CHECK_EQUAL(Color(image, i, j, 1), Grey);
+        CHECK_EQUAL(Color(image, i, j, 2), Grey);
         ++uncovered;
       }
     }
   }
-  CHECK(covered > 1000 && uncovered > 1000);
+  CHECK_GREATER(covered, 1000);
+  CHECK_GREATER(uncovered, 1000);
   CHECK_NEAR(worst, 0.0, 1.01); // rounded twice
 }
 
@@ -242,24 +244,30 @@ void TestPixels(RelevoCheck& check, const RelevoTestFolders& folders)
     { return column < 3 || (row == 2 && band == 1) ? 255.0 : 10.0 * band + column; });
   CHECK(voids.Write(folders.File("ImageryVoids.tif")));
   vtkImageData* image = Drape(source, terrain, folders.File("ImageryVoids.tif"));
-  CHECK(Color(image, 1, 4, 0) == Grey && Color(image, 1, 4, 2) == Grey);
-  CHECK(Color(image, 6, 4, 0) == 6 && Color(image, 6, 4, 2) == 26);
-  CHECK(Color(image, 6, 5, 1) == 255 && Color(image, 6, 5, 0) == 6); // only one band says so
+  CHECK_EQUAL(Color(image, 1, 4, 0), Grey);
+  CHECK_EQUAL(Color(image, 1, 4, 2), Grey);
+  CHECK_EQUAL(Color(image, 6, 4, 0), 6);
+  CHECK_EQUAL(Color(image, 6, 4, 2), 26);
+  CHECK_EQUAL(Color(image, 6, 5, 1), 255);
+  CHECK_EQUAL(Color(image, 6, 5, 0), 6); // only one band says so
 
   RelevoRaster alpha = MakePicture(8, 8, 4, {}, "");
   alpha.SetValues(
     [](int band, int column, int) { return band == 3 ? (column < 4 ? 0.0 : 255.0) : 50.0 + band; });
   CHECK(alpha.Write(folders.File("ImageryAlpha.png"), "PNG"));
   image = Drape(source, terrain, folders.File("ImageryAlpha.png"));
-  CHECK(Color(image, 1, 4, 0) == Grey && Color(image, 1, 4, 1) == Grey);
-  CHECK(Color(image, 6, 4, 0) == 50 && Color(image, 6, 4, 1) == 51);
+  CHECK_EQUAL(Color(image, 1, 4, 0), Grey);
+  CHECK_EQUAL(Color(image, 1, 4, 1), Grey);
+  CHECK_EQUAL(Color(image, 6, 4, 0), 50);
+  CHECK_EQUAL(Color(image, 6, 4, 1), 51);
 
   RelevoRaster wide = MakePicture(8, 8, 3, utm, "EPSG:32633");
   wide.Type = GDT_UInt16;
   wide.SetValues([](int, int column, int) { return 1000.0 + 500.0 * column; });
   CHECK(wide.Write(folders.File("ImageryWide.tif")));
   image = Drape(source, terrain, folders.File("ImageryWide.tif"));
-  CHECK(Color(image, 0, 0, 0) == 0 && Color(image, 7, 0, 0) == 255);
+  CHECK_EQUAL(Color(image, 0, 0, 0), 0);
+  CHECK_EQUAL(Color(image, 7, 0, 0), 255);
   CHECK_NEAR(Color(image, 3, 0, 1), 255.0 * 3.0 / 7.0, 1.0);
 
   // An index of colours.
@@ -271,11 +279,12 @@ void TestPixels(RelevoCheck& check, const RelevoTestFolders& folders)
   GDALSetColorEntry(table, 3, &orange);
   GDALSetRasterColorTable(GDALGetRasterBand(palette, 1), table);
   GDALDestroyColorTable(table);
-  CHECK(GDALFillRaster(GDALGetRasterBand(palette, 1), 3.0, 0.0) == CE_None);
+  CHECK_EQUAL(GDALFillRaster(GDALGetRasterBand(palette, 1), 3.0, 0.0), CE_None);
   GDALClose(palette);
   image = Drape(source, terrain, folders.File("ImageryPalette.tif"));
-  CHECK(
-    Color(image, 4, 4, 0) == 250 && Color(image, 4, 4, 1) == 120 && Color(image, 4, 4, 2) == 10);
+  CHECK_EQUAL(Color(image, 4, 4, 0), 250);
+  CHECK_EQUAL(Color(image, 4, 4, 1), 120);
+  CHECK_EQUAL(Color(image, 4, 4, 2), 10);
 }
 
 // Settings of the relief leave the imagery as it is.
@@ -288,10 +297,11 @@ void TestCache(RelevoCheck& check, const RelevoTestFolders& folders)
   source->SetExaggeration(4.0);
   source->SetResolution(7);
   source->Update();
-  CHECK(source->GetImagery() == image && image->GetMTime() == before);
+  CHECK_EQUAL(source->GetImagery(), image);
+  CHECK_EQUAL(image->GetMTime(), before);
   source->SetImageryBands(1, 2, 3);
   source->Update();
-  CHECK(image->GetMTime() > before);
+  CHECK_GREATER(image->GetMTime(), before);
   source->SetImageryFileName(nullptr);
   source->Update();
   CHECK(source->GetImagery() == nullptr && source->GetOutput()->GetNumberOfCells() > 0);
@@ -307,8 +317,8 @@ void TestErrors(RelevoCheck& check, const RelevoTestFolders& folders)
   {
     vtkImageData* image = Drape(source, terrain, picture);
     CHECK(errors.Said(reason));
-    CHECK(source->GetOutput()->GetNumberOfPoints() == 0);
-    CHECK(image->GetNumberOfPoints() == 0);
+    CHECK_EQUAL(source->GetOutput()->GetNumberOfPoints(), 0);
+    CHECK_EQUAL(image->GetNumberOfPoints(), 0);
   };
   fails(folders.File("no picture.tif"), "no picture.tif: the file does not exist");
   const std::string elsewhere = folders.File("ImageryElsewhere.tif");
@@ -386,8 +396,8 @@ void TestRealFile(RelevoCheck& check, const std::string& terrainName,
   GDALClose(picture);
   std::cout << pictureName << ": " << dimensions[0] << " x " << dimensions[1] << ", " << compared
             << " compared\n";
-  CHECK(compared > 1000);
-  CHECK(different == 0);
+  CHECK_GREATER(compared, 1000);
+  CHECK_EQUAL(different, 0);
 }
 }
 

@@ -40,6 +40,7 @@ void TestReduced(RelevoCheck& check, const RelevoTestFolders& folders, const std
 {
   for (const char* driver : { "GTiff", "PNG" })
   {
+    CHECK_CASE(driver);
     const bool isLocated = driver == std::string("GTiff");
     RelevoRaster picture;
     picture.Width = 1500;
@@ -69,10 +70,11 @@ void TestReduced(RelevoCheck& check, const RelevoTestFolders& folders, const std
     source->SetMaximumImagerySize(600);
     source->Update();
     source->Update();
-    CHECK(warnings.Number == 1);
+    CHECK_EQUAL(warnings.Number, 1);
     for (const char* words : { "1500 x 750", "600 a side", "600 x 600", "MaximumImagerySize" })
     {
-      CHECK(warnings.Text.find(words) != std::string::npos);
+      CHECK_CASE(words);
+      CHECK_NOT_EQUAL(warnings.Text.find(words), std::string::npos);
     }
     vtkImageData* image = source->GetImagery();
     CHECK(image->GetDimensions()[0] == 600 && image->GetDimensions()[1] == 600);
@@ -88,7 +90,7 @@ void TestReduced(RelevoCheck& check, const RelevoTestFolders& folders, const std
           std::abs(Color(image, i, j, 2) - 77) });
       }
     }
-    CHECK(worst <= 1);
+    CHECK_LESS_EQUAL(worst, 1);
   }
 }
 
@@ -108,13 +110,15 @@ void TestOverviews(RelevoCheck& check, const RelevoTestFolders& folders, const s
   double transform[6] = { 500000.0, 1.0, 0.0, 5000000.0, 0.0, -1.0 };
   GDALSetGeoTransform(dataset, transform);
   const int factors[2] = { 30, 240 };
-  CHECK(GDALBuildOverviews(dataset, "NONE", 2, factors, 0, nullptr, nullptr, nullptr) == CE_None);
+  CHECK_EQUAL(
+    GDALBuildOverviews(dataset, "NONE", 2, factors, 0, nullptr, nullptr, nullptr), CE_None);
   for (int band = 1; band <= 3; ++band)
   {
     for (int level = 0; level < 2; ++level)
     {
-      CHECK(GDALFillRaster(GDALGetOverview(GDALGetRasterBand(dataset, band), level),
-              50.0 * band + 10.0 * level, 0.0) == CE_None);
+      CHECK_EQUAL(GDALFillRaster(GDALGetOverview(GDALGetRasterBand(dataset, band), level),
+                    50.0 * band + 10.0 * level, 0.0),
+        CE_None);
     }
   }
   GDALClose(dataset);
@@ -129,12 +133,14 @@ void TestOverviews(RelevoCheck& check, const RelevoTestFolders& folders, const s
     source->Update();
     CHECK(warnings.Number == 1 && warnings.Text.find("60000 x 30000") != std::string::npos);
     vtkImageData* image = source->GetImagery();
-    CHECK(image->GetDimensions()[0] == size.first);
+    CHECK_EQUAL(image->GetDimensions()[0], size.first);
     for (int place : { 0, size.first / 2, size.first - 1 })
     {
+      CHECK_CASE(place);
       for (int band = 0; band < 3; ++band)
       {
-        CHECK(Color(image, place, size.first - 1 - place, band) == 50 * (band + 1) + size.second);
+        CHECK_EQUAL(
+          Color(image, place, size.first - 1 - place, band), 50 * (band + 1) + size.second);
       }
     }
   }

@@ -51,13 +51,13 @@ struct Files
 // Whether all that the source gives is of the first raster.
 void ExpectFirst(RelevoCheck& check, vtkTerrainSource* source)
 {
-  CHECK(source->GetExecutive()->Update() == 1);
-  CHECK(source->GetOutput()->GetNumberOfCells() > 0);
+  CHECK_EQUAL(source->GetExecutive()->Update(), 1);
+  CHECK_GREATER(source->GetOutput()->GetNumberOfCells(), 0);
   CHECK_NEAR(source->GetOrigin()[0], FirstCorner + 150.0, 1e-9);
   CHECK_NEAR(source->GetOutput()->GetBounds()[1], 150.0, 1e-9);
-  CHECK(source->GetHeightMap()->GetDimensions()[0] == 30);
-  CHECK(source->GetHeightMap()->GetRange()[0] == 100.0);
-  CHECK(source->GetHeightMap()->GetRange()[1] == 129.0);
+  CHECK_EQUAL(source->GetHeightMap()->GetDimensions()[0], 30);
+  CHECK_EQUAL(source->GetHeightMap()->GetRange()[0], 100.0);
+  CHECK_EQUAL(source->GetHeightMap()->GetRange()[1], 129.0);
 }
 
 void TestOpenings(RelevoCheck& check, const RelevoTestFolders& folders)
@@ -90,7 +90,7 @@ void TestOpenings(RelevoCheck& check, const RelevoTestFolders& folders)
     vtkNew<vtkTerrainSource> source;
     source->SetFileName(files.Name.c_str());
     CHECK(source->GetHeightMap()->UpdateInformation());
-    CHECK(source->GetHeightMap()->GetFullDimensions()[0] == 30);
+    CHECK_EQUAL(source->GetHeightMap()->GetFullDimensions()[0], 30);
     files.Replace();
     ExpectFirst(check, source);
   }
@@ -110,9 +110,9 @@ void TestOpenings(RelevoCheck& check, const RelevoTestFolders& folders)
     CHECK(files.Write());
     files.Replace();
     source->GetHeightMap()->Modified();
-    CHECK(source->GetExecutive()->Update() == 1);
+    CHECK_EQUAL(source->GetExecutive()->Update(), 1);
     CHECK_NEAR(source->GetOrigin()[0], SecondCorner + 180.0, 1e-9);
-    CHECK(source->GetHeightMap()->GetRange()[1] == 700.0);
+    CHECK_EQUAL(source->GetHeightMap()->GetRange()[1], 700.0);
   }
 }
 
@@ -125,8 +125,8 @@ void TestReleasedHeights(RelevoCheck& check, const RelevoTestFolders& folders)
   vtkHeightMap* heights = source->GetHeightMap();
   source->SetFileName(files.Name.c_str());
   source->KeepHeightsOff();
-  CHECK(source->GetExecutive()->Update() == 1);
-  CHECK(source->GetOutput()->GetNumberOfCells() > 0);
+  CHECK_EQUAL(source->GetExecutive()->Update(), 1);
+  CHECK_GREATER(source->GetOutput()->GetNumberOfCells(), 0);
   CHECK(heights->GetDimensions()[0] == 0 && !heights->GetSamples());
   CHECK(source->GetDisplacement()->Update());
   ExpectFirst(check, source);
@@ -135,7 +135,7 @@ void TestReleasedHeights(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(
     heights->Update() && heights->GetDimensions()[0] == 12 && heights->GetSamples()[0] == 700.0f);
   source->SetResolution(3);
-  CHECK(source->GetExecutive()->Update() == 1);
+  CHECK_EQUAL(source->GetExecutive()->Update(), 1);
   CHECK(source->GetOutput()->GetNumberOfCells() == 18 && !heights->GetSamples());
 }
 
@@ -169,8 +169,8 @@ void TestMessages(RelevoCheck& check, const RelevoTestFolders& folders)
     source->SetFileName(folders.File("no (such): terrain.tif").c_str());
     source->Update();
     const std::string text = heights->GetErrorMessage();
-    CHECK(text ==
-      "Cannot read " + folders.File("no (such): terrain.tif") + ": the file does not exist.");
+    CHECK_EQUAL(
+      text, "Cannot read " + folders.File("no (such): terrain.tif") + ": the file does not exist.");
     CHECK(errors.Said("): " + text + "\n"));
   }
   const Files files(folders);
@@ -181,7 +181,7 @@ void TestMessages(RelevoCheck& check, const RelevoTestFolders& folders)
   source->Update();
   CHECK(!*heights->GetErrorMessage());
   const std::string text = heights->GetWarningMessage();
-  CHECK(text.find(files.Name + " has 30 x 20 heights") == 0);
+  CHECK_EQUAL(text.find(files.Name + " has 30 x 20 heights"), 0);
   CHECK(warnings.Warned("): " + text + "\n"));
   source->SetMaximumDimension(64);
   source->Update();

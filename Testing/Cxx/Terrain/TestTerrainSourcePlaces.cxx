@@ -37,12 +37,12 @@ void ExpectError(RelevoCheck& check, const std::string& name, const std::string&
   RelevoErrors errors(source);
   RelevoErrors executive(source->GetExecutive());
   source->SetFileName(name.c_str());
-  CHECK(source->GetExecutive()->Update() == 0);
+  CHECK_EQUAL(source->GetExecutive()->Update(), 0);
   if (!CHECK(errors.Said(name + reason)))
   {
     std::cerr << "  for " << name << "\n";
   }
-  CHECK(source->GetOutput()->GetNumberOfPoints() == 0);
+  CHECK_EQUAL(source->GetOutput()->GetNumberOfPoints(), 0);
 }
 
 const std::vector<std::vector<double>> HostileTransforms = {
@@ -94,7 +94,7 @@ void TestImagery(RelevoCheck& check, const RelevoTestFolders& folders)
     source->SetMaximumImagerySize(16);
     const bool isDrawn = source->GetExecutive()->Update() == 1;
     CHECK(isDrawn || errors.Said("Cannot drape " + picture));
-    CHECK((source->GetImagery()->GetNumberOfPoints() > 0) == isDrawn);
+    CHECK_EQUAL((source->GetImagery()->GetNumberOfPoints() > 0), isDrawn);
   }
 }
 
@@ -102,6 +102,7 @@ void TestEllipsoids(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   for (const char* inverse : { "0.5", "0.9" })
   {
+    CHECK_CASE(inverse);
     const std::string system =
       std::string("GEOGCS[\"egg\",DATUM[\"egg\",SPHEROID[\"egg\",6378137,") + inverse +
       "]],PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]]";
@@ -134,8 +135,8 @@ void TestOverview(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(raster.Write(name));
   GDALDatasetH dataset = GDALOpen(name.c_str(), GA_Update);
   int factor = 2;
-  CHECK(
-    GDALBuildOverviews(dataset, "NEAREST", 1, &factor, 0, nullptr, nullptr, nullptr) == CE_None);
+  CHECK_EQUAL(
+    GDALBuildOverviews(dataset, "NEAREST", 1, &factor, 0, nullptr, nullptr, nullptr), CE_None);
   GDALClose(dataset);
 
   vtkNew<vtkHeightMap> map;

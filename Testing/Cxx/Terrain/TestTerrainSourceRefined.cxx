@@ -80,13 +80,14 @@ void CheckPlace(RelevoCheck& check, vtkPolyData* mesh, vtkTerrainSource* source)
   {
     return;
   }
-  CHECK(origin->GetNumberOfTuples() == 1 && origin->GetNumberOfComponents() == 3);
-  CHECK(system->GetNumberOfValues() == 1);
+  CHECK_EQUAL(origin->GetNumberOfTuples(), 1);
+  CHECK_EQUAL(origin->GetNumberOfComponents(), 3);
+  CHECK_EQUAL(system->GetNumberOfValues(), 1);
   for (int i = 0; i < 3; ++i)
   {
-    CHECK(origin->GetComponent(0, i) == source->GetOrigin()[i]);
+    CHECK_EQUAL(origin->GetComponent(0, i), source->GetOrigin()[i]);
   }
-  CHECK(system->GetValue(0) == source->GetCoordinateSystem());
+  CHECK_EQUAL(system->GetValue(0), source->GetCoordinateSystem());
 }
 
 // A cone with a void beside it.
@@ -113,11 +114,12 @@ void TestCone(RelevoCheck& check, const RelevoTestFolders& folders)
   source->SetExaggeration(2.0);
   source->Update();
   const auto holes = Refine(source, 4);
-  CHECK(holes->GetNumberOfCells() > 1000);
+  CHECK_GREATER(holes->GetNumberOfCells(), 1000);
   CHECK_NEAR(Deviation(holes, source), 0.0, 0.02);
-  CHECK(NumberOfOverhangs(holes) == 0);
+  CHECK_EQUAL(NumberOfOverhangs(holes), 0);
   CHECK(source->GetOrigin()[0] == 320.0 && source->GetOrigin()[1] == 240.0);
-  CHECK(std::string(source->GetCoordinateSystem()).find("UTM zone 33N") != std::string::npos);
+  CHECK_NOT_EQUAL(
+    std::string(source->GetCoordinateSystem()).find("UTM zone 33N"), std::string::npos);
   CheckPlace(check, source->GetOutput(), source);
   CheckPlace(check, holes, source);
   double bounds[6];
@@ -135,13 +137,13 @@ void TestCone(RelevoCheck& check, const RelevoTestFolders& folders)
         texture->GetComponent(ids->GetId(i), 0), texture->GetComponent(ids->GetId(i), 1));
     }
   }
-  CHECK(overVoid == 0);
+  CHECK_EQUAL(overVoid, 0);
 
   source->SetNoDataPolicyToFill();
   source->Update();
   const auto full = Refine(source, 4);
-  CHECK(full->GetNumberOfCells() == 2 * 8 * 6 * 256);
-  CHECK(full->GetNumberOfCells() > holes->GetNumberOfCells());
+  CHECK_EQUAL(full->GetNumberOfCells(), 2 * 8 * 6 * 256);
+  CHECK_GREATER(full->GetNumberOfCells(), holes->GetNumberOfCells());
   CHECK_NEAR(Deviation(full, source), 0.0, 0.02);
   full->GetBounds(bounds);
   CHECK(bounds[4] > 0.0 && bounds[5] <= 600.0);
@@ -155,6 +157,7 @@ int TestTerrainSourceRefined(int argc, char* argv[])
   TestCone(check, folders);
   for (const char* name : { "rmnp-dem.tif", "SainteHelens.dem", "mt_rainier_90m.tif" })
   {
+    CHECK_CASE(name);
     if (folders.RealData.empty())
     {
       break;
@@ -169,9 +172,9 @@ int TestTerrainSourceRefined(int argc, char* argv[])
     std::cout << name << ": " << mesh->GetNumberOfCells() << " triangles, z " << bounds[4] << " to "
               << bounds[5] << "\n";
     CHECK_NEAR(Deviation(mesh, source), 0.0, 0.05);
-    CHECK(NumberOfOverhangs(mesh) == 0);
-    CHECK(bounds[4] >= source->GetHeightMap()->GetRange()[0]);
-    CHECK(bounds[5] <= source->GetHeightMap()->GetRange()[1]);
+    CHECK_EQUAL(NumberOfOverhangs(mesh), 0);
+    CHECK_GREATER_EQUAL(bounds[4], source->GetHeightMap()->GetRange()[0]);
+    CHECK_LESS_EQUAL(bounds[5], source->GetHeightMap()->GetRange()[1]);
   }
   return check.GetResult();
 }

@@ -65,12 +65,13 @@ void TestParts(RelevoCheck& check, const std::string& name, const Format& format
 {
   for (double share : { 1.0, 0.98, 0.5 })
   {
+    CHECK_CASE(share);
     CHECK(Write(name, format, bands));
     RelevoTruncate(name, name, share);
     const LargeReads large;
     Reader reader;
     const bool read = reader.Read(name);
-    if (!CHECK(read == (share == 1.0)) ||
+    if (!CHECK_EQUAL(read, (share == 1.0)) ||
       !CHECK(read ? reader.Errors.None() : reader.Errors.Said(name)))
     {
       std::cerr << share << " of " << name << "\n";

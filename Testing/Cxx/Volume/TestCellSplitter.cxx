@@ -89,7 +89,7 @@ void TestMixed(RelevoCheck& check)
     VolumeCells cells;
     cells.SplitAll();
     Add(cells, MakeMixedCells(Size, seed, Jitter));
-    CHECK(CountBorder(cells) == static_cast<size_t>(BorderTriangles * Size * Size));
+    CHECK_EQUAL(CountBorder(cells), static_cast<size_t>(BorderTriangles * Size * Size));
     CHECK_NEAR(SumVolumes(cells), 1.0, 1e-12);
   }
 }
@@ -147,8 +147,8 @@ void TestBlocks(RelevoCheck& check)
   }
   const auto numbered = Renumber(mesh);
   Add(cells, numbered);
-  CHECK(
-    CountBorder(cells) == static_cast<size_t>(2 * BorderTriangles * Size * Size - 4 * Size * Size));
+  CHECK_EQUAL(
+    CountBorder(cells), static_cast<size_t>(2 * BorderTriangles * Size * Size - 4 * Size * Size));
   CHECK_NEAR(SumVolumes(cells), 2.0, 1e-12);
 }
 
@@ -159,8 +159,8 @@ void TestVoxels(RelevoCheck& check)
   VolumeCells cells;
   cells.SplitAll();
   Add(cells, image);
-  CHECK(cells.GetCells().size() == 27 * 6);
-  CHECK(CountBorder(cells) == BorderTriangles * 9);
+  CHECK_EQUAL(cells.GetCells().size(), 27 * 6);
+  CHECK_EQUAL(CountBorder(cells), BorderTriangles * 9);
   CHECK_NEAR(SumVolumes(cells), 27.0, 1e-12);
 }
 
@@ -179,7 +179,7 @@ void TestPrism(RelevoCheck& check)
   mesh->InsertNextCell(VTK_HEXAGONAL_PRISM, 12, ids);
   VolumeCells cells;
   Add(cells, mesh);
-  CHECK(CountBorder(cells) == 2 * 4 + 6 * 2);
+  CHECK_EQUAL(CountBorder(cells), 2 * 4 + 6 * 2);
   CHECK_NEAR(SumVolumes(cells), 1.5 * std::sqrt(3.0), 1e-6);
 }
 

@@ -43,8 +43,8 @@ void CheckFaces(RelevoCheck& check, const Faces& faces, int numberOfPoints)
     numberOfSharedByMore += place.second.size() > 2 ? 1 : 0;
   }
   const relevo::FaceMatch match = relevo::MatchFaces(faces, numberOfPoints);
-  CHECK(match.Others == others);
-  CHECK(match.NumberOfSharedByMore == numberOfSharedByMore);
+  CHECK_EQUAL(match.Others, others);
+  CHECK_EQUAL(match.NumberOfSharedByMore, numberOfSharedByMore);
 }
 
 Faces GetFaces(vtkUnstructuredGrid* tetrahedra)
@@ -91,8 +91,8 @@ void TestGiven(RelevoCheck& check)
       { { 0, 1, 2, -1 } }, { { 2, 1, 2, 0 } }, { { 5, 5, 6, -1 } }, { { 5, 6, 6, -1 } },
       { { 1, 2, 3, -1 } }, { { 3, 2, 1, -1 } }, { { 1, 3, 2, -1 } } },
     8);
-  CHECK(match.Others == std::vector<int>({ 2, 3, 0, 1, 5, 4, -1, -1, -1, -1, -1 }));
-  CHECK(match.NumberOfSharedByMore == 1);
+  CHECK_EQUAL(match.Others, std::vector<int>({ 2, 3, 0, 1, 5, 4, -1, -1, -1, -1, -1 }));
+  CHECK_EQUAL(match.NumberOfSharedByMore, 1);
   CHECK(relevo::MatchFaces({}, 0).Others.empty());
 }
 
@@ -104,7 +104,7 @@ void TestMeshes(RelevoCheck& check)
   CheckFaces(check, faces, static_cast<int>(cube->GetNumberOfPoints()));
   const relevo::FaceMatch match =
     relevo::MatchFaces(faces, static_cast<int>(cube->GetNumberOfPoints()));
-  CHECK(std::count(match.Others.begin(), match.Others.end(), -1) == 12 * n * n);
+  CHECK_EQUAL(std::count(match.Others.begin(), match.Others.end(), -1), 12 * n * n);
 
   const char* folder = std::getenv("RELEVO_TEST_DATA");
   if (folder && *folder)

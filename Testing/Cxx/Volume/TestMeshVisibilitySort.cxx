@@ -45,7 +45,7 @@ void CheckMesh(RelevoCheck& check, vtkDataSet* mesh, RelevoDice& dice, int numbe
     sort->SetCamera(camera);
     const std::vector<vtkIdType> order = Traverse(sort);
     CHECK(IsEachOnce(mesh, order));
-    CHECK(sort->GetNumberOfCycles() == 0);
+    CHECK_EQUAL(sort->GetNumberOfCycles(), 0);
 
     std::array<double, 4> eye = { { 0.0, 0.0, 0.0, 1.0 } };
     camera->GetPosition(eye.data());
@@ -57,9 +57,9 @@ void CheckMesh(RelevoCheck& check, vtkDataSet* mesh, RelevoDice& dice, int numbe
     }
     const RelevoPairs pairs = cells.Compare(order, eye, NumberOfRays, dice);
     numberOfPairs += pairs.All;
-    CHECK(pairs.Wrong == 0);
+    CHECK_EQUAL(pairs.Wrong, 0);
   }
-  CHECK(2 * numberOfPairs > numberOfViews * NumberOfRays);
+  CHECK_GREATER(2 * numberOfPairs, numberOfViews * NumberOfRays);
 }
 
 // A box of uneven tetrahedra.
@@ -110,6 +110,7 @@ void TestUneven(RelevoCheck& check, RelevoDice& dice)
 {
   for (int n : { 2, 3, 6 })
   {
+    CHECK_CASE(n);
     const Mesh mesh = MakeUneven(n, dice);
     CheckMesh(check, mesh, dice);
     CheckMesh(check, TakeApart(mesh, dice), dice);
@@ -128,7 +129,7 @@ void TestCellTypes(RelevoCheck& check, RelevoDice& dice)
     source->SetBlocksDimensions(3, 2, 4);
     source->SetOutputPrecision(vtkAlgorithm::DOUBLE_PRECISION);
     source->Update();
-    CHECK(source->GetOutput()->GetNumberOfCells() > 20);
+    CHECK_GREATER(source->GetOutput()->GetNumberOfCells(), 20);
     CheckMesh(check, source->GetOutput(), dice, 2);
     CheckMesh(check, TakeApart(source->GetOutput(), dice), dice, 2);
   }
@@ -223,6 +224,7 @@ void TestTransform(RelevoCheck& check, RelevoDice& dice)
   sort->SetModelTransform(transform->GetMatrix());
   for (bool isParallel : { false, true })
   {
+    CHECK_CASE(isParallel);
     camera->SetParallelProjection(isParallel);
     std::array<double, 4> eye = { { 0.0, 0.0, 0.0, 1.0 } };
     if (isParallel)
@@ -236,8 +238,8 @@ void TestTransform(RelevoCheck& check, RelevoDice& dice)
       transform->GetLinearInverse()->TransformPoint(camera->GetPosition(), eye.data());
     }
     const RelevoPairs pairs = cells.Compare(Traverse(sort), eye, 5 * NumberOfRays, dice);
-    CHECK(pairs.All > 5 * NumberOfRays);
-    CHECK(pairs.Wrong == 0);
+    CHECK_GREATER(pairs.All, 5 * NumberOfRays);
+    CHECK_EQUAL(pairs.Wrong, 0);
   }
 
   // Oblique: the same as from another side.
@@ -249,9 +251,10 @@ void TestTransform(RelevoCheck& check, RelevoDice& dice)
   const std::vector<vtkIdType> order = Traverse(sort);
   const RelevoPairs sheared = cells.Compare(order, { { 0.8, -0.3, 1.0, 0.0 } }, 500, dice);
   const RelevoPairs mirrored = cells.Compare(order, { { -0.8, 0.3, 1.0, 0.0 } }, 500, dice);
-  CHECK(sheared.All > 500 && mirrored.All > 500);
-  CHECK(std::min(sheared.Wrong, mirrored.Wrong) == 0);
-  CHECK(std::max(sheared.Wrong, mirrored.Wrong) > 0);
+  CHECK_GREATER(sheared.All, 500);
+  CHECK_GREATER(mirrored.All, 500);
+  CHECK_EQUAL(std::min(sheared.Wrong, mirrored.Wrong), 0);
+  CHECK_GREATER(std::max(sheared.Wrong, mirrored.Wrong), 0);
 }
 }
 

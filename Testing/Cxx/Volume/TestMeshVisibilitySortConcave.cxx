@@ -74,16 +74,16 @@ void TestHoles(RelevoCheck& check, RelevoDice& dice)
   const auto count = [&](const std::string& name, vtkUnstructuredGrid* mesh)
   { return CountPairs(check, name, mesh, dice, 300); };
 
-  CHECK(count("hollow cube", CutHoles(cube, isBall)).Wrong == 0);
-  CHECK(count("trench", CutHoles(cube, isTrench)).Wrong == 0);
-  CHECK(count("Delaunay", CutHoles(delaunay, isNowhere)).Wrong == 0);
+  CHECK_EQUAL(count("hollow cube", CutHoles(cube, isBall)).Wrong, 0);
+  CHECK_EQUAL(count("trench", CutHoles(cube, isTrench)).Wrong, 0);
+  CHECK_EQUAL(count("Delaunay", CutHoles(delaunay, isNowhere)).Wrong, 0);
   // Across gaps between cells of all sizes and shapes.
   const RelevoPairs hollow = count("hollow Delaunay", CutHoles(delaunay, isBall));
-  CHECK(500 * hollow.Wrong < hollow.All);
+  CHECK_LESS(500 * hollow.Wrong, hollow.All);
   const RelevoPairs sponge = count("sponge", CutHoles(cube, isAnywhere));
-  CHECK(200 * sponge.Wrong < sponge.All);
+  CHECK_LESS(200 * sponge.Wrong, sponge.All);
   const RelevoPairs uneven = count("Delaunay sponge", CutHoles(delaunay, isAnywhere));
-  CHECK(30 * uneven.Wrong < uneven.All);
+  CHECK_LESS(30 * uneven.Wrong, uneven.All);
 }
 
 // Hexahedra around an axis, turned along it like the blades of a propeller.
@@ -114,14 +114,15 @@ void TestCircle(RelevoCheck& check)
   sort->SetCamera(camera);
   for (bool isParallel : { true, false })
   {
+    CHECK_CASE(isParallel);
     camera->SetParallelProjection(isParallel);
     CHECK(IsEachOnce(mesh, Traverse(sort)));
-    CHECK(sort->GetNumberOfCycles() == 1);
+    CHECK_EQUAL(sort->GetNumberOfCycles(), 1);
   }
   camera->SetPosition(9.0, 0.5, 0.2);
   camera->SetViewUp(0.0, 0.0, 1.0);
   CHECK(IsEachOnce(mesh, Traverse(sort)));
-  CHECK(sort->GetNumberOfCycles() == 0);
+  CHECK_EQUAL(sort->GetNumberOfCycles(), 0);
 }
 }
 

@@ -67,11 +67,11 @@ int TestMeshVisibilitySortData(int, char*[])
   RelevoCheck check;
   RelevoDice dice(1);
   const Mesh fin = ReadPlot3D(folder + "bluntfinxyz.bin", false);
-  CHECK(fin->GetNumberOfCells() == 187395);
-  CHECK(CountPairs(check, "blunt fin", fin, dice, 50).Wrong == 0);
+  CHECK_EQUAL(fin->GetNumberOfCells(), 187395);
+  CHECK_EQUAL(CountPairs(check, "blunt fin", fin, dice, 50).Wrong, 0);
   const Mesh post = ReadPlot3D(folder + "postxyz.bin", true);
-  CHECK(post->GetNumberOfCells() == 513375);
-  CHECK(CountPairs(check, "oxygen post", post, dice, 50).Wrong == 0);
+  CHECK_EQUAL(post->GetNumberOfCells(), 513375);
+  CHECK_EQUAL(CountPairs(check, "oxygen post", post, dice, 50).Wrong, 0);
   vtkNew<vtkDataSetReader> reader;
   reader->SetFileName((folder + "post.vtk").c_str());
   reader->Update();
@@ -79,7 +79,7 @@ int TestMeshVisibilitySortData(int, char*[])
   CHECK(coarse && coarse->GetNumberOfCells() == 8750);
   if (coarse)
   {
-    CHECK(CountPairs(check, "coarse post", coarse, dice, 300).Wrong == 0);
+    CHECK_EQUAL(CountPairs(check, "coarse post", coarse, dice, 300).Wrong, 0);
   }
   return check.GetResult();
 }

@@ -51,27 +51,28 @@ void TestTraversals(RelevoCheck& check)
   vtkNew<vtkMeshVisibilitySort> sort;
   sort->SetInput(mesh);
   sort->SetCamera(MakeView());
-  CHECK(sort->GetNextCells() == nullptr);
+  CHECK_EQUAL(sort->GetNextCells(), nullptr);
   const std::vector<vtkIdType> order = Traverse(sort);
   CHECK(IsRight(mesh, order));
-  CHECK(sort->GetNextCells() == nullptr);
+  CHECK_EQUAL(sort->GetNextCells(), nullptr);
 
   for (int most : { 1, 7, 162, 163 })
   {
+    CHECK_CASE(most);
     sort->SetMaxCellsReturned(most);
-    CHECK(Traverse(sort) == order);
+    CHECK_EQUAL(Traverse(sort), order);
     sort->InitTraversal();
-    CHECK(sort->GetNextCells()->GetNumberOfTuples() == std::min(most, 162));
+    CHECK_EQUAL(sort->GetNextCells()->GetNumberOfTuples(), std::min(most, 162));
   }
   sort->SetDirectionToFrontToBack();
   std::vector<vtkIdType> reversed = Traverse(sort);
   std::reverse(reversed.begin(), reversed.end());
-  CHECK(reversed == order);
+  CHECK_EQUAL(reversed, order);
   sort->SetDirectionToBackToFront();
 
   std::ostringstream text;
   sort->Print(text);
-  CHECK(text.str().find("NumberOfCycles: 0") != std::string::npos);
+  CHECK_NOT_EQUAL(text.str().find("NumberOfCycles: 0"), std::string::npos);
 }
 
 // The input, in place or another one, and the camera.
@@ -101,19 +102,19 @@ void TestErrors(RelevoCheck& check)
   sort->SetInput(mesh);
   CHECK(Traverse(sort).empty());
   CHECK(errors.Said("no camera"));
-  CHECK(sort->GetNumberOfCycles() == 0);
+  CHECK_EQUAL(sort->GetNumberOfCycles(), 0);
   sort->SetCamera(MakeView());
-  CHECK(Traverse(sort).size() == 6);
+  CHECK_EQUAL(Traverse(sort).size(), 6);
 
   const vtkIdType missing[4] = { 0, 1, 2, 8 };
   mesh->InsertNextCell(VTK_TETRA, 4, missing);
   mesh->Modified();
-  CHECK(Traverse(sort).size() == 6);
+  CHECK_EQUAL(Traverse(sort).size(), 6);
   CHECK(errors.Said("Cell 6 (vtkTetra, type 10) is left out: it refers to point 8 of 8."));
   mesh->InsertNextCell(VTK_TETRA, 0, missing);
   mesh->InsertNextCell(VTK_TETRA, 2, missing);
   mesh->Modified();
-  CHECK(Traverse(sort).size() == 6);
+  CHECK_EQUAL(Traverse(sort).size(), 6);
   CHECK(errors.Said("it has 0 nodes, which does not fit its type. So it is with 1 more cells."));
   mesh->SetPoints(nullptr);
   CHECK(Traverse(sort).empty());
@@ -138,7 +139,7 @@ void TestNoCells(RelevoCheck& check)
   mesh->InsertNextCell(VTK_VERTEX, 1, ids);
   mesh->InsertNextCell(VTK_EMPTY_CELL, 0, ids);
   mesh->Modified();
-  CHECK(Traverse(sort) == std::vector<vtkIdType>({ 1 }));
+  CHECK_EQUAL(Traverse(sort), std::vector<vtkIdType>({ 1 }));
   CHECK(errors.None());
 }
 
@@ -217,15 +218,15 @@ void TestCollapsedCells(RelevoCheck& check)
     sort->SetCamera(MakeCamera({ { x, x, 1.1 } }, { { 0.5, 0.5, 0.5 } }));
     std::vector<vtkIdType> order = Traverse(sort);
     CHECK(IsEachOnce(mesh, order));
-    CHECK(sort->GetNumberOfCycles() == 0);
+    CHECK_EQUAL(sort->GetNumberOfCycles(), 0);
     order.erase(std::remove_if(
                   order.begin(), order.end(), [=](vtkIdType cell) { return cell >= numberOfGood; }),
       order.end());
     RelevoDice dice(1);
     const RelevoPairs pairs =
       RelevoConvexCells(cube).Compare(order, { { x, x, 1.1, 1.0 } }, 300, dice);
-    CHECK(pairs.All > 300);
-    CHECK(pairs.Wrong == 0);
+    CHECK_GREATER(pairs.All, 300);
+    CHECK_EQUAL(pairs.Wrong, 0);
   }
 }
 
@@ -248,6 +249,7 @@ void TestFlatCells(RelevoCheck& check)
     { { 2, 0, 1, 3 } }, { { 3, 0, 1, 4 } } };
   for (bool isInsideOut : { false, true })
   {
+    CHECK_CASE(isInsideOut);
     auto mesh = Mesh::New();
     auto solid = Mesh::New();
     mesh->SetPoints(points);
@@ -276,13 +278,13 @@ void TestFlatCells(RelevoCheck& check)
       sort->SetCamera(MakeCamera({ { eye[0], eye[1], eye[2] } }, { { 0.0, 0.0, 0.0 } }));
       std::vector<vtkIdType> order = Traverse(sort);
       CHECK(IsEachOnce(mesh, order));
-      CHECK(sort->GetNumberOfCycles() == 0);
+      CHECK_EQUAL(sort->GetNumberOfCycles(), 0);
       order.erase(
         std::remove_if(order.begin(), order.end(), [](vtkIdType cell) { return cell > 5; }),
         order.end());
       const RelevoPairs pairs = convex.Compare(order, eye, 100, dice);
-      CHECK(pairs.All > 30);
-      CHECK(pairs.Wrong == 0);
+      CHECK_GREATER(pairs.All, 30);
+      CHECK_EQUAL(pairs.Wrong, 0);
     }
   }
 }

@@ -31,10 +31,10 @@ void TestSort(RelevoCheck& check)
       const RelevoMemoryLimit limit(megabytes * Megabyte);
       sort->InitTraversal();
     }
-    CHECK(sort->GetNextCells() == nullptr);
+    CHECK_EQUAL(sort->GetNextCells(), nullptr);
     CHECK(errors.Said("Not enough memory for the order of the cells."));
   }
-  CHECK(static_cast<vtkIdType>(Traverse(sort).size()) == mesh->GetNumberOfCells());
+  CHECK_EQUAL(static_cast<vtkIdType>(Traverse(sort).size()), mesh->GetNumberOfCells());
 }
 
 void TestFilter(RelevoCheck& check)
@@ -55,11 +55,11 @@ void TestFilter(RelevoCheck& check)
       filter->Update();
     }
     CHECK(errors.Said("Not enough memory for the input or for 10 x 10 pixels."));
-    CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
+    CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), 0);
   }
   filter->Modified();
   filter->Update();
-  CHECK(filter->GetOutput()->GetNumberOfPoints() == 100);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), 100);
 }
 }
 

@@ -67,12 +67,12 @@ void TestLinear(RelevoCheck& check)
     for (const relevo::Gradients& gradient : Compute(mesh))
     {
       CHECK(IsNear(gradient[0], dvec3(2.0, -1.0, 0.5), 1e-12));
-      CHECK(gradient[1] == dvec3(0.0));
+      CHECK_EQUAL(gradient[1], dvec3(0.0));
     }
     SetField(mesh, [](const RelevoPoint&) { return 0.1; });
     for (const relevo::Gradients& gradient : Compute(mesh))
     {
-      CHECK(gradient[0] == dvec3(0.0)); // exactly
+      CHECK_EQUAL(gradient[0], dvec3(0.0)); // exactly
     }
   }
 }
@@ -144,7 +144,7 @@ void TestVolumes(RelevoCheck& check)
   cells.MoveToOrigin();
   for (const relevo::Gradients& gradient : ComputePointGradients(cells))
   {
-    CHECK(gradient[0] == dvec3(0.0));
+    CHECK_EQUAL(gradient[0], dvec3(0.0));
   }
 }
 
@@ -181,7 +181,7 @@ void TestBlocks(RelevoCheck& check)
     CHECK(IsNear(joined[i][0], expected[row + i % 3][0], 1e-12));
     CHECK(IsNear(joined[27 + i][0], expected[row + 2 + i % 3][0], 1e-12));
   }
-  CHECK(std::abs(joined[2][0].x) < 1e-12);
+  CHECK_LESS(std::abs(joined[2][0].x), 1e-12);
   CHECK_NEAR(apart[2][0].x, -1.0, 1e-12);
   CHECK_NEAR(apart[27][0].x, 1.0, 1e-12);
 }

@@ -87,7 +87,7 @@ void TestSpike(RelevoCheck& check)
     dvec4(0.5 * alpha, 0.0, 0.5 * alpha, alpha), 3e-4);
   CHECK_NEAR(functions.Integrate({ 0.0 }, { 1.0 }, 3.0).w, alpha, 1e-12);
   CHECK_NEAR(functions.Integrate({ 1.0 }, { 0.0 }, 3.0).w, alpha, 1e-12);
-  CHECK(functions.Integrate({ 0.0 }, { 0.4999 }, 3.0).w == 0.0);
+  CHECK_EQUAL(functions.Integrate({ 0.0 }, { 0.4999 }, 3.0).w, 0.0);
   CHECK_NEAR(functions.Integrate({ 0.5 }, { 0.5 }, 3e-4).w, alpha, 1e-8);
 }
 
@@ -96,10 +96,13 @@ void TestCurves(RelevoCheck& check)
 {
   for (int space : { VTK_CTF_RGB, VTK_CTF_HSV, VTK_CTF_LAB, VTK_CTF_DIVERGING, VTK_CTF_STEP })
   {
+    CHECK_CASE(space);
     for (double sharpness : { 0.0, 0.3, 1.0 })
     {
+      CHECK_CASE(sharpness);
       for (bool clamping : { true, false })
       {
+        CHECK_CASE(clamping);
         vtkNew<vtkVolumeProperty> property;
         vtkColorTransferFunction* color = property->GetRGBTransferFunction();
         color->SetColorSpace(space);
@@ -201,7 +204,7 @@ void TestCuts(RelevoCheck& check)
   CHECK(one.front() == 0.0 && one.back() == 1.0 && one.size() > 4);
   property->SetColor(1, property->GetRGBTransferFunction(0));
   property->SetScalarOpacity(1, property->GetScalarOpacity(0));
-  CHECK(Read(check, property, 2).FindCuts({ -1.0, -1.0 }, { 2.0, 2.0 }) == one);
+  CHECK_EQUAL(Read(check, property, 2).FindCuts({ -1.0, -1.0 }, { 2.0, 2.0 }), one);
 }
 
 void TestDependent(RelevoCheck& check)
@@ -239,6 +242,7 @@ void TestChord(RelevoCheck& check)
   const TransferFunctions functions = Read(check, property);
   for (double h : { 0.0, 0.5, 0.95 })
   {
+    CHECK_CASE(h);
     const double half = std::sqrt(1.0 - h * h);
     const int count = 2000;
     dvec4 seen(0.0);
@@ -266,19 +270,20 @@ void TestErrors(RelevoCheck& check)
   std::string warning;
   property->SetScalarOpacityUnitDistance(1, 0.0);
   CHECK(functions.Read(property, 2, error, warning));
-  CHECK(warning.find("0 for component 1") != std::string::npos);
-  CHECK(functions.Integrate({ 0.0, 1.0 }, { 0.0, 1.0 }, 1.0).w > 0.3);
+  CHECK_NOT_EQUAL(warning.find("0 for component 1"), std::string::npos);
+  CHECK_GREATER(functions.Integrate({ 0.0, 1.0 }, { 0.0, 1.0 }, 1.0).w, 0.3);
   property->GetScalarOpacity(1)->RemoveAllPoints();
   CHECK(!functions.Read(property, 2, error, warning));
-  CHECK(error.find("scalar opacity function without nodes for component 1") != std::string::npos);
+  CHECK_NOT_EQUAL(
+    error.find("scalar opacity function without nodes for component 1"), std::string::npos);
   property->GetRGBTransferFunction(0)->RemoveAllPoints();
   CHECK(!functions.Read(property, 1, error, warning));
-  CHECK(error.find("colour function without nodes for component 0") != std::string::npos);
+  CHECK_NOT_EQUAL(error.find("colour function without nodes for component 0"), std::string::npos);
   CHECK(!functions.Read(property, 5, error, warning));
-  CHECK(error.find("at most 4") != std::string::npos);
+  CHECK_NOT_EQUAL(error.find("at most 4"), std::string::npos);
   property->IndependentComponentsOff();
   CHECK(!functions.Read(property, 3, error, warning));
-  CHECK(error.find("2 or 4") != std::string::npos);
+  CHECK_NOT_EQUAL(error.find("2 or 4"), std::string::npos);
 }
 }
 

@@ -25,7 +25,7 @@ void CheckCube(
   const auto property = MakeLinearProperty();
   const auto picture =
     Cast(MakeTetrahedra(3, GetLinearField, low), property, camera, width, height);
-  CHECK(picture.size() == static_cast<size_t>(width) * height);
+  CHECK_EQUAL(picture.size(), static_cast<size_t>(width) * height);
   CHECK_NEAR(
     FindLargestDifference(picture, MakeLinearPicture(camera, width, height, low)), 0.0, tolerance);
 }
@@ -123,7 +123,7 @@ void TestHoles(RelevoCheck& check)
       mesh->GetCellData()->SetScalars(scalars);
     }
     const auto picture = Cast(way == 3 ? less.Get() : mesh.Get(), property, camera, 30, 30);
-    CHECK(FindLargestDifference(picture, expected) < 1e-12);
+    CHECK_LESS(FindLargestDifference(picture, expected), 1e-12);
   }
 }
 
@@ -154,11 +154,11 @@ void TestPoints(RelevoCheck& check)
   vtkNew<vtkUnstructuredGrid> blanked;
   blanked->ShallowCopy(whole);
   blanked->GetPointData()->AddArray(ghosts);
-  CHECK(FindLargestDifference(Cast(blanked, property, camera, 30, 30), expected) < 1e-13);
-  CHECK(FindLargestDifference(Cast(whole, property, camera, 30, 30), expected) > 0.05);
+  CHECK_LESS(FindLargestDifference(Cast(blanked, property, camera, 30, 30), expected), 1e-13);
+  CHECK_GREATER(FindLargestDifference(Cast(whole, property, camera, 30, 30), expected), 0.05);
   whole->GetPointData()->GetScalars()->SetComponent(
     14, 0, std::numeric_limits<double>::quiet_NaN());
-  CHECK(FindLargestDifference(Cast(whole, property, camera, 30, 30), expected) < 1e-13);
+  CHECK_LESS(FindLargestDifference(Cast(whole, property, camera, 30, 30), expected), 1e-13);
 }
 
 // Blocks, which share no points, are one mesh whatever their order; so is a block of which a part
@@ -186,9 +186,9 @@ void TestBlocks(RelevoCheck& check)
     }
     blocks->SetBlock(3 - block, part);
   }
-  CHECK(FindLargestDifference(Cast(blocks, property, camera, 30, 30), expected) < 1e-13);
+  CHECK_LESS(FindLargestDifference(Cast(blocks, property, camera, 30, 30), expected), 1e-13);
   blocks->SetBlock(0, whole);
-  CHECK(FindLargestDifference(Cast(blocks, property, camera, 30, 30), expected) < 1e-12);
+  CHECK_LESS(FindLargestDifference(Cast(blocks, property, camera, 30, 30), expected), 1e-12);
 }
 
 // Scalars of cells are constant in each, and chosen by name.
@@ -236,11 +236,11 @@ void TestChanges(RelevoCheck& check)
   const auto first = Cast(filter);
   property->SetScalarOpacityUnitDistance(1.0);
   const auto second = Cast(filter);
-  CHECK(FindLargestDifference(first, second) > 0.1);
+  CHECK_GREATER(FindLargestDifference(first, second), 0.1);
   camera->Azimuth(30.0);
-  CHECK(FindLargestDifference(Cast(filter), second) > 0.1);
+  CHECK_GREATER(FindLargestDifference(Cast(filter), second), 0.1);
   filter->SetViewportSize(10, 20);
-  CHECK(Cast(filter).size() == 200);
+  CHECK_EQUAL(Cast(filter).size(), 200);
 }
 }
 

@@ -66,18 +66,18 @@ void CheckScalars(
   double high;
   double mean;
   scene.Cast->SetBlendModeToMaximumIntensity();
-  CHECK(scene.Cast->GetBlendMode() == 1);
+  CHECK_EQUAL(scene.Cast->GetBlendMode(), 1);
   const auto getHigh = [&](const RelevoRay& ray)
   { return sum.Measure(ray, low, high, mean) ? scene.Map(high) : RelevoColor(); };
   CHECK_NEAR(scene.Differs(getHigh), 0.0, tolerance);
   scene.Cast->SetBlendModeToMinimumIntensity();
-  CHECK(scene.Cast->GetBlendMode() == 2);
-  CHECK(scene.Differs(getHigh) > 0.1);
+  CHECK_EQUAL(scene.Cast->GetBlendMode(), 2);
+  CHECK_GREATER(scene.Differs(getHigh), 0.1);
   CHECK_NEAR(scene.Differs([&](const RelevoRay& ray)
                { return sum.Measure(ray, low, high, mean) ? scene.Map(low) : RelevoColor(); }),
     0.0, tolerance);
   scene.Cast->SetBlendModeToAverageIntensity();
-  CHECK(scene.Cast->GetBlendMode() == 3);
+  CHECK_EQUAL(scene.Cast->GetBlendMode(), 3);
   CHECK_NEAR(scene.Differs([&](const RelevoRay& ray)
                { return sum.Measure(ray, low, high, mean) ? scene.Map(mean) : RelevoColor(); }),
     0.0, std::max(tolerance, 1e-4));
@@ -96,11 +96,12 @@ void TestOpaque(RelevoCheck& check)
   scene.Property->GetScalarOpacity()->AddPoint(0.5, 3.0);
   for (const int mode : { 1, 2, 3 })
   {
+    CHECK_CASE(mode);
     scene.Cast->SetBlendMode(mode);
     const auto picture = Cast(scene.Cast);
     CHECK_NEAR(picture[Size * Size / 2][3], 1.0, 1e-12);
     CHECK_NEAR(picture[Size * Size / 2][0], 0.5, 1e-5);
-    CHECK(picture[0][3] == 0.0);
+    CHECK_EQUAL(picture[0][3], 0.0);
   }
 }
 
@@ -108,11 +109,12 @@ void TestAdditive(RelevoCheck& check)
 {
   for (const double unit : { 0.5, 4.0 })
   {
+    CHECK_CASE(unit);
     Scene scene(MakeTetrahedra(3, GetLinearField), MakeVolumeProperty(0.2, 1.0, unit));
     scene.Property->GetScalarOpacity()->AddPoint(0.4, 0.1);
     scene.Property->GetScalarOpacity()->AddPoint(0.45, 0.9);
     scene.Cast->SetBlendModeToAdditive();
-    CHECK(scene.Cast->GetBlendMode() == 4);
+    CHECK_EQUAL(scene.Cast->GetBlendMode(), 4);
     RelevoRaySum sum;
     sum.Optics = [&](const RelevoRay&, const RelevoPoint& p)
     {
@@ -147,7 +149,7 @@ void TestIsoSurfaces(RelevoCheck& check)
   Scene scene(MakeTetrahedra(3, GetLinearField));
   scene.SetValues({ 0.7, 0.3, 0.301, 0.3 });
   scene.Cast->SetBlendModeToIsoSurface();
-  CHECK(scene.Cast->GetBlendMode() == 5);
+  CHECK_EQUAL(scene.Cast->GetBlendMode(), 5);
   RelevoRaySum sum = MakeSurfaces(scene, GetLinearField);
   const auto get = [&](const RelevoRay& ray) { return sum.Composite(ray); };
   CHECK_NEAR(scene.Differs(get), 0.0, 1e-9);
@@ -175,7 +177,7 @@ void TestIsoSurfaces(RelevoCheck& check)
   const auto getInside = [&](const RelevoRay& ray) { return sum.Composite(ray); };
   CHECK_NEAR(inside.Differs(getInside), 0.0, 2e-4); // of pieces that a surface is in
   inside.Cast->IsoSurfacesOff();
-  CHECK(inside.Differs(getInside) > 0.1);
+  CHECK_GREATER(inside.Differs(getInside), 0.1);
 }
 
 // A surface that is a border of cells is there once, and none where a scalar stays as it is.
@@ -205,15 +207,17 @@ void TestBorders(RelevoCheck& check)
   along->SetParallelScale(0.4);
   for (vtkCamera* camera : { oblique.Get(), back.Get(), along.Get() })
   {
-    CHECK(count([](const RelevoPoint& p) { return p[0] / 3.0; }, 0.25 / 3.0, camera) == 1);
-    CHECK(count([](const RelevoPoint& p) { return p[0] - 0.5; }, 0.0, camera) == 1);
-    CHECK(count([](const RelevoPoint& p) { return 0.1 * p[0]; }, 0.04, camera) == 1);
-    CHECK(count([](const RelevoPoint&) { return 0.3; }, 0.3, camera) == 0);
+    CHECK_EQUAL(count([](const RelevoPoint& p) { return p[0] / 3.0; }, 0.25 / 3.0, camera), 1);
+    CHECK_EQUAL(count([](const RelevoPoint& p) { return p[0] - 0.5; }, 0.0, camera), 1);
+    CHECK_EQUAL(count([](const RelevoPoint& p) { return 0.1 * p[0]; }, 0.04, camera), 1);
+    CHECK_EQUAL(count([](const RelevoPoint&) { return 0.3; }, 0.3, camera), 0);
     // Up to the value, or down to it, and there to stay.
-    CHECK(count([](const RelevoPoint& p) { return std::min(p[0], 0.5) * 0.7; }, 0.35, camera) == 1);
-    CHECK(count([](const RelevoPoint& p) { return std::abs(p[0] - 0.5); }, 0.25, camera) == 2);
-    CHECK(count([](const RelevoPoint& p) { return std::max(std::abs(p[0] - 0.5), 0.25); }, 0.25,
-            camera) == 0);
+    CHECK_EQUAL(
+      count([](const RelevoPoint& p) { return std::min(p[0], 0.5) * 0.7; }, 0.35, camera), 1);
+    CHECK_EQUAL(count([](const RelevoPoint& p) { return std::abs(p[0] - 0.5); }, 0.25, camera), 2);
+    CHECK_EQUAL(count([](const RelevoPoint& p) { return std::max(std::abs(p[0] - 0.5), 0.25); },
+                  0.25, camera),
+      0);
   }
   // Blocks that meet at the value, one of which has it a bit lower.
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -249,7 +253,7 @@ void TestBorders(RelevoCheck& check)
   Scene scene(mesh);
   scene.SetValues({ 0.5, 2.0, 3.0 });
   scene.Cast->SetBlendModeToIsoSurface();
-  CHECK(scene.Differs([](const RelevoRay&) { return RelevoColor(); }) == 0.0);
+  CHECK_EQUAL(scene.Differs([](const RelevoRay&) { return RelevoColor(); }), 0.0);
 }
 
 // Two components, the second of which is x.
@@ -294,6 +298,7 @@ void TestIndependent(RelevoCheck& check)
   second.Scalar = [](const RelevoPoint& p) { return p[0]; };
   for (const int mode : { 1, 2, 3 })
   {
+    CHECK_CASE(mode);
     scene.Cast->SetBlendMode(mode);
     CHECK_NEAR(
       scene.Differs(
@@ -314,7 +319,7 @@ void TestIndependent(RelevoCheck& check)
   const auto get = [&](const RelevoRay& ray) { return surfaces.Composite(ray); };
   CHECK_NEAR(scene.Differs(get), 0.0, 1e-5);
   scene.Property->SetComponentWeight(0, 0.5);
-  CHECK(scene.Differs(get) > 0.1);
+  CHECK_GREATER(scene.Differs(get), 0.1);
   surfaces.Scalar = second.Scalar;
   surfaces.Surface = [&](const RelevoRay&, const RelevoPoint&)
   { return MapScalar(scene.Property, 0.4, 1); };
@@ -328,6 +333,7 @@ void TestDependent(RelevoCheck& check)
   scene.Property->IndependentComponentsOff();
   for (const int mode : { 1, 2 })
   {
+    CHECK_CASE(mode);
     scene.Cast->SetBlendMode(mode);
     CHECK_NEAR(scene.Differs(
                  [&](const RelevoRay& ray)
@@ -360,9 +366,9 @@ void TestSetting(RelevoCheck& check)
   filter->SetBlendModeToIsoSurface();
   filter->SetBlendMode(-1);
   CHECK(errors.Said("got -1"));
-  CHECK(filter->GetBlendMode() == 5);
+  CHECK_EQUAL(filter->GetBlendMode(), 5);
   filter->SetBlendModeToComposite();
-  CHECK(filter->GetBlendMode() == 0);
+  CHECK_EQUAL(filter->GetBlendMode(), 0);
 }
 }
 

@@ -304,7 +304,7 @@ void CheckExtremes(RelevoCheck& check, vtkUnstructuredGrid* mesh, vtkCamera* cam
       ++compared;
     }
   }
-  CHECK(compared > 20);
+  CHECK_GREATER(compared, 20);
 }
 
 // One cell with random points and scalars: its border and its field are curved.

@@ -87,7 +87,7 @@ void TestPlanes(RelevoCheck& check)
   const auto first = MakePlane(0.4, 0.5, 0.6, { { 1.0, 0.3, -0.2 } });
   const auto second = MakePlane(0.5, 0.5, 0.4, { { 0.0, 0.0, 3.0 } });
   scene.Filter->AddClippingPlane(first);
-  CHECK(scene.Differs() > 0.05);
+  CHECK_GREATER(scene.Differs(), 0.05);
   scene.Sum.Clip = [&](const RelevoRay& ray, double& begin, double& end)
   { ClipBy(first, ray, begin, end); };
   CHECK_NEAR(scene.Differs(), 0.0, 1e-9);
@@ -102,7 +102,7 @@ void TestPlanes(RelevoCheck& check)
   second->SetNormal(0.0, 1.0, -0.9);
   CHECK_NEAR(scene.Differs(), 0.0, 1e-9);
   scene.Filter->RemoveClippingPlane(first);
-  CHECK(scene.Filter->GetClippingPlanes()->GetNumberOfItems() == 1);
+  CHECK_EQUAL(scene.Filter->GetClippingPlanes()->GetNumberOfItems(), 1);
   scene.Sum.Clip = [&](const RelevoRay& ray, double& begin, double& end)
   { ClipBy(second, ray, begin, end); };
   CHECK_NEAR(scene.Differs(), 0.0, 1e-9);
@@ -113,7 +113,7 @@ void TestPlanes(RelevoCheck& check)
   second->SetNormal(0.0, -1.0, 0.0);
   for (const RelevoColor& color : Cast(scene.Filter))
   {
-    CHECK(color[3] == 0.0);
+    CHECK_EQUAL(color[3], 0.0);
   }
   scene.Filter->RemoveAllClippingPlanes();
   scene.Sum.Clip = nullptr;
@@ -128,13 +128,13 @@ void TestSetting(RelevoCheck& check)
   vtkNew<vtkPlaneCollection> planes;
   planes->AddItem(plane);
   scene.Filter->SetClippingPlanes(planes);
-  CHECK(scene.Filter->GetClippingPlanes() == planes);
+  CHECK_EQUAL(scene.Filter->GetClippingPlanes(), planes);
   scene.Sum.Clip = [&](const RelevoRay& ray, double& begin, double& end)
   { ClipBy(plane, ray, begin, end); };
   CHECK_NEAR(scene.Differs(), 0.0, 1e-9);
   const vtkMTimeType before = scene.Filter->GetMTime();
   plane->SetOrigin(0.5, 0.5, 0.7);
-  CHECK(scene.Filter->GetMTime() > before);
+  CHECK_GREATER(scene.Filter->GetMTime(), before);
   CHECK_NEAR(scene.Differs(), 0.0, 1e-9);
   scene.Filter->SetClippingPlanes(static_cast<vtkPlaneCollection*>(nullptr));
   scene.Sum.Clip = nullptr;
@@ -153,13 +153,13 @@ void TestSetting(RelevoCheck& check)
   box->SetPoints(origins);
   box->SetNormals(normals);
   scene.Filter->SetClippingPlanes(box);
-  CHECK(scene.Filter->GetClippingPlanes()->GetNumberOfItems() == 6);
+  CHECK_EQUAL(scene.Filter->GetClippingPlanes()->GetNumberOfItems(), 6);
   const auto last = MakePlane(0.0, 0.0, 0.625, { { 0.0, 0.0, 1.0 } });
   scene.Sum.Clip = [&](const RelevoRay& ray, double& begin, double& end)
   { ClipBy(last, ray, begin, end); };
   CHECK_NEAR(scene.Differs(), 0.0, 1e-9);
   scene.Filter->SetClippingPlanes(static_cast<vtkPlanes*>(nullptr)); // as in VTK, no change
-  CHECK(scene.Filter->GetClippingPlanes()->GetNumberOfItems() == 6);
+  CHECK_EQUAL(scene.Filter->GetClippingPlanes()->GetNumberOfItems(), 6);
 
   RelevoErrors errors(scene.Filter);
   scene.Filter->AddClippingPlane(nullptr);

@@ -55,14 +55,14 @@ void TestVectorModes(RelevoCheck& check)
   };
   const auto length = cast("lengths", Mode::DISABLED);
   const auto second = cast("seconds", Mode::DISABLED);
-  CHECK(FindLargestDifference(length, second) > 0.05);
-  CHECK(FindLargestDifference(cast("vectors", Mode::MAGNITUDE), length) < 1e-12);
-  CHECK(FindLargestDifference(cast("vectors", Mode::COMPONENT, 1), second) < 1e-12);
+  CHECK_GREATER(FindLargestDifference(length, second), 0.05);
+  CHECK_LESS(FindLargestDifference(cast("vectors", Mode::MAGNITUDE), length), 1e-12);
+  CHECK_LESS(FindLargestDifference(cast("vectors", Mode::COMPONENT, 1), second), 1e-12);
   property->GetRGBTransferFunction()->SetVectorModeToMagnitude();
-  CHECK(FindLargestDifference(cast("vectors", Mode::DISABLED), length) < 1e-12);
-  CHECK(FindLargestDifference(cast("vectors", Mode::COMPONENT, 1), second) < 1e-12);
+  CHECK_LESS(FindLargestDifference(cast("vectors", Mode::DISABLED), length), 1e-12);
+  CHECK_LESS(FindLargestDifference(cast("vectors", Mode::COMPONENT, 1), second), 1e-12);
   property->GetRGBTransferFunction()->SetVectorModeToComponent();
-  CHECK(FindLargestDifference(cast("vectors", Mode::DISABLED), length) > 0.05);
+  CHECK_GREATER(FindLargestDifference(cast("vectors", Mode::DISABLED), length), 0.05);
 
   RelevoErrors errors(filter);
   RelevoErrors executiveErrors(filter->GetExecutive());
@@ -72,7 +72,8 @@ void TestVectorModes(RelevoCheck& check)
   CHECK(errors.Said("VectorComponent must be in [0, 3], got 4"));
   filter->SetVectorMode(2);
   CHECK(errors.Said("VectorMode must be in [-1, 1], got 2"));
-  CHECK(filter->GetVectorMode() == Mode::COMPONENT && filter->GetVectorComponent() == 3);
+  CHECK_EQUAL(filter->GetVectorMode(), Mode::COMPONENT);
+  CHECK_EQUAL(filter->GetVectorComponent(), 3);
 }
 
 // Red, green, blue and opacity.

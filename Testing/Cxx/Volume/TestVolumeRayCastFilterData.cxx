@@ -86,7 +86,7 @@ int TestVolumeRayCastFilterData(int argc, char* argv[])
   {
     sum += pixel[3];
   }
-  CHECK(sum > 0.05 * Width * Height);
+  CHECK_GREATER(sum, 0.05 * Width * Height);
   for (int i = 1; i + 1 < argc; ++i)
   {
     if (std::string(argv[i]) == "-T")
@@ -109,6 +109,6 @@ int TestVolumeRayCastFilterData(int argc, char* argv[])
     }
     reversed->InsertNextCell(VTK_TETRA, turned);
   }
-  CHECK(FindLargestDifference(Cast(reversed, property, camera, Width, Height), picture) < 1e-9);
+  CHECK_LESS(FindLargestDifference(Cast(reversed, property, camera, Width, Height), picture), 1e-9);
   return check.GetResult();
 }

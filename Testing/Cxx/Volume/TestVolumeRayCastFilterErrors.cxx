@@ -105,6 +105,7 @@ void TestCells(RelevoCheck& check)
   CHECK(fails(VTK_LAGRANGE_PYRAMID, 5, "cells of this type are not supported."));
   for (double degree : { -1.0, 9.0, 1e6, 1.5, std::numeric_limits<double>::quiet_NaN() })
   {
+    CHECK_CASE(degree);
     CHECK(fails(VTK_BEZIER_HEXAHEDRON, 8, ", and may be 1 to 8.", degree));
     CHECK(fails(VTK_LAGRANGE_TETRAHEDRON, 4, "but 1 by its 4 nodes;", degree));
   }
@@ -169,6 +170,7 @@ void TestBroken(RelevoCheck& check)
 {
   for (const vtkIdType id : { vtkIdType(-1), vtkIdType(8), vtkIdType(1) << 40 })
   {
+    CHECK_CASE(id);
     Scene scene;
     const vtkIdType ids[4] = { 0, 1, 2, id };
     scene.Mesh->InsertNextCell(VTK_TETRA, 4, ids);
@@ -187,6 +189,7 @@ void TestBroken(RelevoCheck& check)
   }
   for (const vtkIdType id : { 3, 9 })
   {
+    CHECK_CASE(id);
     Scene scene;
     const vtkIdType ids[4] = { 0, 1, 2, 3 };
     const vtkIdType faces[] = { 3, 0, 1, 2, 3, 0, 1, 3, 3, 1, 2, 3, 3, 0, 2, id };
@@ -206,7 +209,7 @@ void TestBlocks(RelevoCheck& check)
   CHECK(scene.Draws(
     "Block 1 (\"skin\") has no 3D cells; it is left out. Block 3 (\"air\") has no array "
     "\"field\"; it is left out."));
-  CHECK(FindLargestDifference(Cast(scene.Filter), alone) < 1e-12);
+  CHECK_LESS(FindLargestDifference(Cast(scene.Filter), alone), 1e-12);
   // The array belongs to points in one block, to cells in the other.
   auto* air = vtkDataSet::SafeDownCast(blocks->GetBlock(2));
   vtkNew<vtkDoubleArray> ofCells;
@@ -218,7 +221,7 @@ void TestBlocks(RelevoCheck& check)
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, "field");
   CHECK(scene.Draws("Block 3 (\"air\") has no point array \"field\", but a cell array of that "
                     "name; it is left out."));
-  CHECK(FindLargestDifference(Cast(scene.Filter), alone) < 1e-12);
+  CHECK_LESS(FindLargestDifference(Cast(scene.Filter), alone), 1e-12);
   scene.Filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "heat");
   CHECK(scene.Fails("has no array \"heat\"; choose an array"));
   scene.Filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "heat");
@@ -239,6 +242,7 @@ void TestNotFinite(RelevoCheck& check)
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double bad : { std::numeric_limits<double>::quiet_NaN(), infinity, -infinity })
   {
+    CHECK_CASE(bad);
     Scene opacity;
     double node[4] = { 0.5, bad, 0.5, 0.0 };
     opacity.Property->GetScalarOpacity()->AddPoint(0.5, 0.5);
@@ -309,13 +313,13 @@ void TestMeshes(RelevoCheck& check)
   unit.Property->SetScalarOpacityUnitDistance(0.0);
   const auto expected = Cast(Scene().Filter);
   CHECK(unit.Draws("ScalarOpacityUnitDistance of 0"));
-  CHECK(FindLargestDifference(Cast(unit.Filter), expected) == 0.0);
+  CHECK_EQUAL(FindLargestDifference(Cast(unit.Filter), expected), 0.0);
 
   Scene size;
   RelevoErrors sizeErrors(size.Filter);
   size.Filter->SetViewportSize(0, 10);
   CHECK(sizeErrors.Said("ViewportSize must be at least 1 x 1"));
-  CHECK(size.Filter->GetViewportSize()[0] == 10);
+  CHECK_EQUAL(size.Filter->GetViewportSize()[0], 10);
   size.Filter->SetViewportSize(1, 1);
   CHECK(Cast(size.Filter).size() == 1 && Cast(size.Filter)[0][3] > 0.1);
 }

@@ -92,7 +92,7 @@ void CheckGradientOpacity(RelevoCheck& check, vtkDataObject* mesh, const RelevoF
   scene.Filter->SetBlendModeToAverageIntensity();
   const auto average = Cast(scene.Filter);
   scene.Property->DisableGradientOpacityOn();
-  CHECK(FindLargestDifference(Cast(scene.Filter), average) == 0.0);
+  CHECK_EQUAL(FindLargestDifference(Cast(scene.Filter), average), 0.0);
   scene.Filter->SetBlendModeToComposite();
   CHECK_NEAR(scene.Differs(get), 0.0, tolerance); // of a constant 1
 }
@@ -279,7 +279,7 @@ void TestDependentTable(RelevoCheck& check)
   };
   const auto expected = cast();
   mesh->GetPointData()->SetScalars(two);
-  CHECK(FindLargestDifference(cast(), expected) == 0.0);
+  CHECK_EQUAL(FindLargestDifference(cast(), expected), 0.0);
 }
 
 // Of colours the gradient is that of the opacity.
@@ -300,7 +300,7 @@ void TestColors(RelevoCheck& check)
   scene.Property->SetGradientOpacity(MakeRamp());
   const auto picture = Cast(scene.Filter);
   scene.Property->DisableGradientOpacityOn();
-  CHECK(FindLargestDifference(Cast(scene.Filter), picture) > 0.05);
+  CHECK_GREATER(FindLargestDifference(Cast(scene.Filter), picture), 0.05);
   const double factor = MakeRamp()->GetValue(std::sqrt(0.04 + 0.09 + 0.25));
   scene.Property->SetScalarOpacityUnitDistance(Unit / factor);
   CHECK_NEAR(FindLargestDifference(Cast(scene.Filter), picture), 0.0, 1e-12);

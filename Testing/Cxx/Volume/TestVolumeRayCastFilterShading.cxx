@@ -116,7 +116,7 @@ void TestPlanes(RelevoCheck& check)
   CHECK_NEAR(scene.Differs(sum), 0.0, 1e-4);
   scene.SetMaterial(0, 0.2, 0.6, 0.3, 6.0);
   scene.Property->ShadeOff();
-  CHECK(scene.Differs(sum) > 0.1);
+  CHECK_GREATER(scene.Differs(sum), 0.1);
 }
 
 void TestIsoSurfaces(RelevoCheck& check)
@@ -132,7 +132,7 @@ void TestIsoSurfaces(RelevoCheck& check)
   sum.Optics = nullptr;
   CHECK_NEAR(scene.Differs(sum), 0.0, 5e-4);
   sum.Values = { 0.3 };
-  CHECK(scene.Differs(sum) > 0.1);
+  CHECK_GREATER(scene.Differs(sum), 0.1);
 }
 
 // Normals that turn, interpolated from those of points: the finer the mesh, the nearer.
@@ -146,9 +146,10 @@ void TestSpheres(RelevoCheck& check)
   double last = 1.0;
   for (const int n : { 4, 8, 16 })
   {
+    CHECK_CASE(n);
     Scene scene(MakeTetrahedra(n, getField));
     const double differs = scene.Differs(scene.MakeSum(getField, getGradient));
-    CHECK(differs < 0.7 * last);
+    CHECK_LESS(differs, 0.7 * last);
     last = differs;
   }
   CHECK_NEAR(last, 0.0, 5e-3);
@@ -188,11 +189,12 @@ void TestUnshaded(RelevoCheck& check)
   Scene scene(MakeTetrahedra(2, GetLinearField));
   for (const int mode : { 1, 2, 3, 4 })
   {
+    CHECK_CASE(mode);
     scene.Filter->SetBlendMode(mode);
     scene.Property->ShadeOn();
     const auto shaded = Cast(scene.Filter);
     scene.Property->ShadeOff();
-    CHECK(FindLargestDifference(Cast(scene.Filter), shaded) == 0.0);
+    CHECK_EQUAL(FindLargestDifference(Cast(scene.Filter), shaded), 0.0);
   }
 }
 

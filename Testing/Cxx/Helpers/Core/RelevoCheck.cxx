@@ -7,7 +7,12 @@
 
 bool RelevoCheck::Fail(const char* file, int line, const std::string& what)
 {
-  std::cerr << file << ":" << line << ": " << what << "\n";
+  std::string names;
+  for (const std::string& name : this->Cases)
+  {
+    names += (names.empty() ? "[" : ", ") + name;
+  }
+  std::cerr << file << ":" << line << ": " << names << (names.empty() ? "" : "] ") << what << "\n";
   ++this->Failures;
   return false;
 }
@@ -22,8 +27,15 @@ bool RelevoCheck::Near(
 {
   return std::abs(value - expected) <= tolerance ||
     this->Fail(file, line,
-      std::string(text) + " is " + std::to_string(value) + ", not " + std::to_string(expected) +
-        " +- " + std::to_string(tolerance));
+      std::string(text) + " is " + RelevoPrint(value) + ", not " + RelevoPrint(expected) + " +- " +
+        RelevoPrint(tolerance));
+}
+
+bool RelevoCheck::Differ(const std::string& a, const std::string& b, const char* text,
+  const char* sign, const char* file, int line)
+{
+  return this->Fail(
+    file, line, std::string("not so: ") + text + " (" + a + " " + sign + " " + b + ")");
 }
 
 RelevoErrors::RelevoErrors(vtkObject* object)

@@ -1,16 +1,22 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Checks that report where they fail and go on. In a test: RelevoCheck check; CHECK(...); ...;
-// return check.GetResult();
+// return check.GetResult(); A failure prints both operands and the names of the cases it is in:
+//   TestX.cxx:12: [mesh "torus", level 2] not so: cells == 4 (3 == 4)
 #ifndef RelevoCheck_h
 #define RelevoCheck_h
+
+#include "RelevoPrinted.h"
 
 #include "vtkNew.h"
 #include "vtkObject.h"
 #include "vtkTestErrorObserver.h"
 
 #include <cstdlib>
+#include <functional>
 #include <string>
+#include <type_traits>
+#include <vector>
 
 class RelevoCheck
 {
@@ -19,10 +25,58 @@ public:
   bool That(bool condition, const char* text, const char* file, int line);
   bool Near(
     double value, double expected, double tolerance, const char* text, const char* file, int line);
+  // Whether the values are in the relation: one of <functional>, such as std::less<>.
+  template <class Relation, class A, class B>
+  bool Compare(
+    const A& a, const B& b, const char* text, const char* sign, const char* file, int line)
+  {
+    return RelevoCheck::Holds<Relation>(a, b) ||
+      this->Differ(RelevoPrint(a), RelevoPrint(b), text, sign, file, line);
+  }
+
+  void Enter(const std::string& name) { this->Cases.push_back(name); }
+  void Leave() { this->Cases.pop_back(); }
   int GetResult() const { return this->Failures ? EXIT_FAILURE : EXIT_SUCCESS; }
 
 private:
+  // Numbers are converted as the operator does, without a warning of their signs.
+  template <class Relation, class A, class B>
+  static bool Holds(const A& a, const B& b)
+  {
+    if constexpr (std::is_arithmetic<A>::value && std::is_arithmetic<B>::value)
+    {
+      using Number = typename std::common_type<A, B>::type;
+      return Relation()(static_cast<Number>(a), static_cast<Number>(b));
+    }
+    else
+    {
+      return Relation()(a, b);
+    }
+  }
+
+  bool Differ(const std::string& a, const std::string& b, const char* text, const char* sign,
+    const char* file, int line);
+
   int Failures = 0;
+  std::vector<std::string> Cases;
+};
+
+// Names what is checked as long as it lives: CHECK_CASE(level) prints "level 2".
+class RelevoCase
+{
+public:
+  template <class T>
+  RelevoCase(RelevoCheck& check, const char* text, const T& value)
+    : Check(check)
+  {
+    this->Check.Enter(std::string(text) + " " + RelevoPrint(value));
+  }
+  ~RelevoCase() { this->Check.Leave(); }
+  RelevoCase(const RelevoCase&) = delete;
+  void operator=(const RelevoCase&) = delete;
+
+private:
+  RelevoCheck& Check;
 };
 
 // Catches the errors of an object as long as it lives, so that they are not printed.
@@ -48,6 +102,18 @@ private:
 };
 
 #define CHECK(condition) check.That((condition), #condition, __FILE__, __LINE__)
+#define CHECK_RELATION(relation, sign, a, b) \
+  check.Compare<relation>((a), (b), #a " " sign " " #b, sign, __FILE__, __LINE__)
+#define CHECK_EQUAL(a, b) CHECK_RELATION(std::equal_to<>, "==", a, b)
+#define CHECK_NOT_EQUAL(a, b) CHECK_RELATION(std::not_equal_to<>, "!=", a, b)
+#define CHECK_LESS(a, b) CHECK_RELATION(std::less<>, "<", a, b)
+#define CHECK_LESS_EQUAL(a, b) CHECK_RELATION(std::less_equal<>, "<=", a, b)
+#define CHECK_GREATER(a, b) CHECK_RELATION(std::greater<>, ">", a, b)
+#define CHECK_GREATER_EQUAL(a, b) CHECK_RELATION(std::greater_equal<>, ">=", a, b)
+#define RELEVO_JOIN_LINE(name, line) name##line
+#define RELEVO_NAME_OF_LINE(name, line) RELEVO_JOIN_LINE(name, line)
+#define CHECK_CASE(value) \
+  const RelevoCase RELEVO_NAME_OF_LINE(caseOfLine, __LINE__)(check, #value, (value))
 #define CHECK_NEAR(value, expected, tolerance) \
   check.Near((value), (expected), (tolerance), #value, __FILE__, __LINE__)
 

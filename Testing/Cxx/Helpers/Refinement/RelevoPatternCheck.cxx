@@ -53,7 +53,7 @@ void CheckVertices(RelevoCheck& check, const relevo::RefinementPattern& pattern)
   }
   CHECK(sums);
   CHECK(inside);
-  CHECK(places.size() == count);
+  CHECK_EQUAL(places.size(), count);
 
   for (int edge = 0; edge < 3; ++edge)
   {
@@ -65,8 +65,8 @@ void CheckVertices(RelevoCheck& check, const relevo::RefinementPattern& pattern)
       const Triple w = Weights(pattern, vertices[k]);
       const Triple mirror = Weights(pattern, vertices[n - k]);
       const float far = w[(edge + 1) % 3];
-      CHECK(w[(edge + 2) % 3] == 0.0f);
-      CHECK(far == mirror[edge]);
+      CHECK_EQUAL(w[(edge + 2) % 3], 0.0f);
+      CHECK_EQUAL(far, mirror[edge]);
       CHECK_NEAR(far, static_cast<double>(k) / n, isDyadic ? 0.0 : 0x1p-25);
     }
   }
@@ -82,7 +82,7 @@ void CheckTriangles(RelevoCheck& check, const relevo::RefinementPattern& pattern
     const unsigned int* triangle = &pattern.Triangles[t];
     for (int i = 0; i < 3; ++i)
     {
-      if (!CHECK(static_cast<int>(triangle[i]) < pattern.GetNumberOfVertices()))
+      if (!CHECK_LESS(static_cast<int>(triangle[i]), pattern.GetNumberOfVertices()))
       {
         return;
       }
@@ -94,7 +94,7 @@ void CheckTriangles(RelevoCheck& check, const relevo::RefinementPattern& pattern
     area += triangleArea;
   }
   CHECK(positive);
-  CHECK(area == 1.0);
+  CHECK_EQUAL(area, 1.0);
 
   // Conforming: what is used in one direction only is the border, segment by segment.
   std::set<Side> open;
@@ -120,18 +120,18 @@ void CheckTriangles(RelevoCheck& check, const relevo::RefinementPattern& pattern
       border.push_back({ vertices[k - 1], vertices[k] });
     }
   }
-  CHECK(open == std::set<Side>(border.begin(), border.end()));
+  CHECK_EQUAL(open, std::set<Side>(border.begin(), border.end()));
 
   std::set<Side> lines;
   for (std::size_t l = 0; l < pattern.Lines.size(); l += 2)
   {
     lines.insert(std::minmax(pattern.Lines[l], pattern.Lines[l + 1]));
   }
-  CHECK(2 * lines.size() == pattern.Lines.size());
-  CHECK(lines == undirected);
+  CHECK_EQUAL(2 * lines.size(), pattern.Lines.size());
+  CHECK_EQUAL(lines, undirected);
   for (std::size_t l = 0; l < border.size(); ++l)
   {
-    CHECK(Side(pattern.Lines[2 * l], pattern.Lines[2 * l + 1]) == border[l]);
+    CHECK_EQUAL(Side(pattern.Lines[2 * l], pattern.Lines[2 * l + 1]), border[l]);
   }
 }
 }

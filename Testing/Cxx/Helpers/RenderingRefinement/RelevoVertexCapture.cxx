@@ -46,7 +46,8 @@ RelevoVertexCapture::Points RelevoVertexCapture::Capture(RelevoCheck& check, Rel
   glDeleteBuffers(1, &buffer);
   unsigned int count = 0;
   std::memcpy(&count, values.data(), sizeof(count));
-  CHECK(count > 0 && count <= this->Most);
+  CHECK_GREATER(count, 0);
+  CHECK_LESS_EQUAL(count, this->Most);
   Points points;
   for (size_t i = 0; i < std::min<size_t>(count, this->Most); ++i)
   {

@@ -211,14 +211,14 @@ RelevoPairs CountPairs(RelevoCheck& check, const std::string& name, vtkUnstructu
     sort->SetCamera(camera);
     const std::vector<vtkIdType> order = Traverse(sort);
     CHECK(IsEachOnce(mesh, order));
-    CHECK(sort->GetNumberOfCycles() == 0);
+    CHECK_EQUAL(sort->GetNumberOfCycles(), 0);
     const double* eye = camera->GetPosition();
     const RelevoPairs more =
       cells.Compare(order, { { eye[0], eye[1], eye[2], 1.0 } }, numberOfRays, dice);
     pairs.All += more.All;
     pairs.Wrong += more.Wrong;
   }
-  CHECK(pairs.All > numberOfRays);
+  CHECK_GREATER(pairs.All, numberOfRays);
   std::cout << name << ": " << pairs.Wrong << " of " << pairs.All << " pairs are wrong\n";
   return pairs;
 }

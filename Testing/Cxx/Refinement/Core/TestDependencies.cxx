@@ -24,16 +24,16 @@ Dependencies OnObject(vtkObject* object)
 void TestValues(RelevoCheck& check)
 {
   const double least = std::numeric_limits<double>::denorm_min();
-  CHECK(Dependencies::On(1, 2.0, true) == Dependencies::On(1, 2.0, true));
-  CHECK(Dependencies::On(1, 2) != Dependencies::On(2, 1));
-  CHECK(Dependencies::On(1) != Dependencies::On(1, 0));
-  CHECK(Dependencies::On(0.0) != Dependencies::On(least));
-  CHECK(Dependencies::On(1.0) == Dependencies::On(1.0f));
-  CHECK(Dependencies::On(true) != Dependencies::On(false));
-  CHECK(Dependencies() != Dependencies::On(0));
+  CHECK_EQUAL(Dependencies::On(1, 2.0, true), Dependencies::On(1, 2.0, true));
+  CHECK_NOT_EQUAL(Dependencies::On(1, 2), Dependencies::On(2, 1));
+  CHECK_NOT_EQUAL(Dependencies::On(1), Dependencies::On(1, 0));
+  CHECK_NOT_EQUAL(Dependencies::On(0.0), Dependencies::On(least));
+  CHECK_EQUAL(Dependencies::On(1.0), Dependencies::On(1.0f));
+  CHECK_NOT_EQUAL(Dependencies::On(true), Dependencies::On(false));
+  CHECK_NOT_EQUAL(Dependencies(), Dependencies::On(0));
   vtkTimeStamp time;
   time.Modified();
-  CHECK(Dependencies::On(time) == Dependencies::On(time.GetMTime()));
+  CHECK_EQUAL(Dependencies::On(time), Dependencies::On(time.GetMTime()));
 }
 
 void TestTexts(RelevoCheck& check)
@@ -44,10 +44,10 @@ void TestTexts(RelevoCheck& check)
   {
     for (const std::string& b : texts)
     {
-      CHECK((Dependencies::On(a) == Dependencies::On(b)) == (a == b));
+      CHECK_EQUAL((Dependencies::On(a) == Dependencies::On(b)), (a == b));
     }
   }
-  CHECK(Dependencies::On(std::string("a"), std::string("b")) !=
+  CHECK_NOT_EQUAL(Dependencies::On(std::string("a"), std::string("b")),
     Dependencies::On(std::string("ab"), std::string()));
 }
 
@@ -56,10 +56,10 @@ void TestObjects(RelevoCheck& check)
   vtkNew<vtkCamera> first;
   vtkNew<vtkCamera> second;
   const Dependencies before = OnObject(first);
-  CHECK(before == OnObject(first));
+  CHECK_EQUAL(before, OnObject(first));
   CHECK(before != OnObject(second) && before != OnObject(nullptr));
   first->Modified();
-  CHECK(before != OnObject(first));
+  CHECK_NOT_EQUAL(before, OnObject(first));
 }
 
 void TestUpdate(RelevoCheck& check)
@@ -76,7 +76,8 @@ void TestUpdate(RelevoCheck& check)
   std::map<Dependencies, int> known;
   known[Dependencies::On(1)] = 1;
   known[Dependencies::On(1, 1)] = 2;
-  CHECK(known.at(Dependencies::On(1)) == 1 && known.count(Dependencies::On(2)) == 0);
+  CHECK_EQUAL(known.at(Dependencies::On(1)), 1);
+  CHECK_EQUAL(known.count(Dependencies::On(2)), 0);
 }
 }
 

@@ -61,7 +61,7 @@ Mesh makeTriangle()
 void testUniformLevels(RelevoCheck& check)
 {
   vtkNew<vtkAdaptiveRefinement> recipe;
-  CHECK(recipe->GetMaximumLevel() == 3);
+  CHECK_EQUAL(recipe->GetMaximumLevel(), 3);
   Mesh sphere = Sphere(8, 6);
   const vtkIdType n = sphere->GetNumberOfPolys();
   for (int level = 0; level <= 7; ++level)
@@ -81,7 +81,7 @@ void testUniformLevels(RelevoCheck& check)
   // Level 0 is the mesh itself.
   recipe->SetMaximumLevel(0);
   Mesh same = refine(sphere, recipe);
-  CHECK(same->GetNumberOfPoints() == sphere->GetNumberOfPoints());
+  CHECK_EQUAL(same->GetNumberOfPoints(), sphere->GetNumberOfPoints());
   vtkNew<vtkIdList> coarse;
   vtkNew<vtkIdList> fine;
   for (vtkIdType cell = 0; cell < n; ++cell)
@@ -95,7 +95,7 @@ void testUniformLevels(RelevoCheck& check)
     }
     for (int i = 0; i < 3; ++i)
     {
-      CHECK(fine->GetId((first + i) % 3) == coarse->GetId(i));
+      CHECK_EQUAL(fine->GetId((first + i) % 3), coarse->GetId(i));
     }
   }
 }
@@ -119,6 +119,7 @@ void testEdgeLevels(RelevoCheck& check)
   {
     for (double other : { 0.0, 2.0, 5.0 })
     {
+      CHECK_CASE(other);
       Mesh triangle = makeTriangle();
       setTags(triangle, { rule.A, rule.B, other });
       Mesh refined = refine(triangle, recipe);
@@ -127,7 +128,7 @@ void testEdgeLevels(RelevoCheck& check)
       {
         points += refined->GetPoint(i)[1] == 0.0 ? 1 : 0;
       }
-      CHECK(points == (1 << rule.Level) + 1);
+      CHECK_EQUAL(points, (1 << rule.Level) + 1);
     }
   }
   // Coincident points: the larger tag holds, whichever point has it.
@@ -145,7 +146,7 @@ void testEdgeLevels(RelevoCheck& check)
       const double* p = refined->GetPoint(i);
       diagonal += p[0] + p[1] == 1.0 ? 1 : 0;
     }
-    CHECK(diagonal == 2 * 9); // 8 segments from (3 + 2) / 2, on both sides
+    CHECK_EQUAL(diagonal, 2 * 9); // 8 segments from (3 + 2) / 2, on both sides
   }
   // The array may be of any numeric type, and have any name.
   Mesh triangle = makeTriangle();
@@ -156,9 +157,9 @@ void testEdgeLevels(RelevoCheck& check)
     integers->InsertNextValue(2);
   }
   triangle->GetPointData()->AddArray(integers);
-  CHECK(refine(triangle, recipe)->GetNumberOfPolys() == 256);
+  CHECK_EQUAL(refine(triangle, recipe)->GetNumberOfPolys(), 256);
   recipe->SetDepthTagArrayName("Deep");
-  CHECK(refine(triangle, recipe)->GetNumberOfPolys() == 16);
+  CHECK_EQUAL(refine(triangle, recipe)->GetNumberOfPolys(), 16);
 }
 
 // Normals of triangles of twice their area: summed up, and their lengths summed up.
@@ -179,17 +180,18 @@ struct Area
 std::vector<Area> getFineAreas(RelevoCheck& check, vtkPolyData* mesh, vtkPolyData* refined)
 {
   vtkDataArray* originals = refined->GetCellData()->GetArray("vtkOriginalCellIds");
-  CHECK(vtkIdTypeArray::SafeDownCast(originals) != nullptr);
+  CHECK_NOT_EQUAL(vtkIdTypeArray::SafeDownCast(originals), nullptr);
   const vtkIdType n = mesh->GetNumberOfCells();
   std::vector<Area> areas(static_cast<size_t>(n));
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < refined->GetNumberOfCells(); ++cell)
   {
     const vtkIdType original = static_cast<vtkIdType>(originals->GetTuple1(cell));
-    CHECK(original >= 0 && original < n);
+    CHECK_GREATER_EQUAL(original, 0);
+    CHECK_LESS(original, n);
     if (refined->GetCellType(cell) != VTK_TRIANGLE)
     {
-      CHECK(original == cell);
+      CHECK_EQUAL(original, cell);
       continue;
     }
     double p[3][3];
@@ -258,8 +260,8 @@ void testWinding(RelevoCheck& check)
       {
         const Area area = getCoarseArea(mesh, cell);
         const double sum = area.Sum;
-        CHECK(
-          std::sqrt(vtkMath::Distance2BetweenPoints(area.Vector, fine[cell].Vector)) <= 1e-5 * sum);
+        CHECK_LESS_EQUAL(
+          std::sqrt(vtkMath::Distance2BetweenPoints(area.Vector, fine[cell].Vector)), 1e-5 * sum);
         CHECK_NEAR(fine[cell].Sum, sum, 1e-5 * sum);
       }
     }
@@ -293,17 +295,17 @@ void testMetric(RelevoCheck& check)
   tags->SetMaximumLevel(5);
   tags->Update();
   Mesh byArray = refine(vtkPolyData::SafeDownCast(tags->GetOutputDataObject(0)), recipe);
-  CHECK(byMetric->GetNumberOfPolys() == byArray->GetNumberOfPolys());
-  CHECK(byMetric->GetNumberOfPoints() == byArray->GetNumberOfPoints());
-  CHECK(byMetric->GetNumberOfPolys() > sphere->GetNumberOfPolys());
-  CHECK(byMetric->GetNumberOfPolys() < sphere->GetNumberOfPolys() * 1024);
+  CHECK_EQUAL(byMetric->GetNumberOfPolys(), byArray->GetNumberOfPolys());
+  CHECK_EQUAL(byMetric->GetNumberOfPoints(), byArray->GetNumberOfPoints());
+  CHECK_GREATER(byMetric->GetNumberOfPolys(), sphere->GetNumberOfPolys());
+  CHECK_LESS(byMetric->GetNumberOfPolys(), sphere->GetNumberOfPolys() * 1024);
   for (vtkIdType i = 0; i < byArray->GetNumberOfPoints(); ++i)
   {
-    CHECK(vtkMath::Distance2BetweenPoints(byArray->GetPoint(i), byMetric->GetPoint(i)) == 0.0);
+    CHECK_EQUAL(vtkMath::Distance2BetweenPoints(byArray->GetPoint(i), byMetric->GetPoint(i)), 0.0);
   }
   camera->SetPosition(0.0, 0.0, 100.0);
   filter->Update();
-  CHECK(filter->GetOutput()->GetNumberOfPolys() == sphere->GetNumberOfPolys());
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfPolys(), sphere->GetNumberOfPolys());
 }
 
 // What is changed makes the filter run again; what is not does not.
@@ -332,7 +334,7 @@ void testModified(RelevoCheck& check)
   CHECK(runs());
   recipe->GetPatternTable()->SetMaximumLevel(2);
   CHECK(runs());
-  CHECK(filter->GetOutput()->GetNumberOfPolys() == 8 * 16);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfPolys(), 8 * 16);
   recipe->SetSurface(surface);
   CHECK(runs());
   surface->QuadraticNormalsOff();
@@ -380,7 +382,7 @@ void testBlocks(RelevoCheck& check)
   CHECK(output && output->GetNumberOfBlocks() == 3);
   auto* first = vtkPolyData::SafeDownCast(output->GetBlock(0));
   CHECK(first && first->GetNumberOfPolys() == 16);
-  CHECK(output->GetBlock(1) == nullptr);
+  CHECK_EQUAL(output->GetBlock(1), nullptr);
   auto* last = vtkMultiBlockDataSet::SafeDownCast(output->GetBlock(2));
   auto* cube = last ? vtkPolyData::SafeDownCast(last->GetBlock(0)) : nullptr;
   CHECK(cube && cube->GetNumberOfPolys() == 12 * 16);
@@ -418,6 +420,7 @@ void testProgress(RelevoCheck& check)
   };
   for (double abortAt : { 2.0, 0.0, 0.15, 0.3, 0.5, 0.8 })
   {
+    CHECK_CASE(abortAt);
     vtkNew<Watch> watch;
     watch->AbortAt = abortAt;
     vtkNew<vtkAdaptiveRefinementFilter> filter;
@@ -428,15 +431,15 @@ void testProgress(RelevoCheck& check)
     CHECK(watch->Rises);
     if (abortAt > 1.0)
     {
-      CHECK(watch->Last == 1.0);
-      CHECK(watch->Calls > 10);
-      CHECK(filter->GetOutput()->GetNumberOfPolys() > 0);
+      CHECK_EQUAL(watch->Last, 1.0);
+      CHECK_GREATER(watch->Calls, 10);
+      CHECK_GREATER(filter->GetOutput()->GetNumberOfPolys(), 0);
     }
     else
     {
-      CHECK(filter->GetOutput()->GetNumberOfPolys() == 0);
-      CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
-      CHECK(filter->GetOutput()->GetPointData()->GetNumberOfArrays() == 0);
+      CHECK_EQUAL(filter->GetOutput()->GetNumberOfPolys(), 0);
+      CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), 0);
+      CHECK_EQUAL(filter->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
     }
   }
 }

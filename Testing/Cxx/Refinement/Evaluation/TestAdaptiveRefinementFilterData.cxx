@@ -129,7 +129,7 @@ Mesh refineWithShortArray(RelevoCheck& check, vtkPolyData* mesh, vtkAdaptiveRefi
 void checkLinearFields(RelevoCheck& check, vtkPolyData* mesh, vtkPolyData* refined)
 {
   const vtkIdType n = refined->GetNumberOfPoints();
-  CHECK(n > 200);
+  CHECK_GREATER(n, 200);
   for (const char* name : LinearFields)
   {
     vtkDataArray* from = mesh->GetPointData()->GetArray(name);
@@ -138,8 +138,8 @@ void checkLinearFields(RelevoCheck& check, vtkPolyData* mesh, vtkPolyData* refin
     {
       continue;
     }
-    CHECK(to->GetDataType() == from->GetDataType());
-    CHECK(to->GetNumberOfComponents() == from->GetNumberOfComponents());
+    CHECK_EQUAL(to->GetDataType(), from->GetDataType());
+    CHECK_EQUAL(to->GetNumberOfComponents(), from->GetNumberOfComponents());
     const bool isInteger = from->GetDataType() != VTK_FLOAT && from->GetDataType() != VTK_DOUBLE;
     for (vtkIdType i = 0; i < n; ++i)
     {
@@ -169,17 +169,17 @@ void checkOtherPointArrays(RelevoCheck& check, vtkPolyData* mesh, vtkPolyData* r
   vtkPointData* result = refined->GetPointData();
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
-    CHECK(vtkMath::Distance2BetweenPoints(refined->GetPoint(i), mesh->GetPoint(i)) == 0.0);
-    CHECK(getWords(refined, i) == "point " + std::to_string(i));
-    CHECK(getLarge(refined, i) == getLarge(mesh, i));
-    CHECK(result->GetArray("bits")->GetTuple1(i) == i % 2);
+    CHECK_EQUAL(vtkMath::Distance2BetweenPoints(refined->GetPoint(i), mesh->GetPoint(i)), 0.0);
+    CHECK_EQUAL(getWords(refined, i), "point " + std::to_string(i));
+    CHECK_EQUAL(getLarge(refined, i), getLarge(mesh, i));
+    CHECK_EQUAL(result->GetArray("bits")->GetTuple1(i), i % 2);
   }
   for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
   {
-    CHECK(getWords(refined, i).find("point ") == 0);
+    CHECK_EQUAL(getWords(refined, i).find("point "), 0);
     const double ghost = result->GetArray("vtkGhostType")->GetTuple1(i);
     CHECK(ghost == 0.0 || ghost == 4.0);
-    CHECK(getLarge(refined, i) > 0);
+    CHECK_GREATER(getLarge(refined, i), 0);
   }
 }
 
@@ -190,14 +190,14 @@ void checkPointAttributes(RelevoCheck& check, vtkPolyData* refined, vtkLookupTab
   CHECK(result->GetScalars() && result->GetScalars()->GetName() == std::string("colours"));
   CHECK(result->GetVectors() && result->GetVectors()->GetName() == std::string("vectors"));
   CHECK(result->GetTCoords() && result->GetTCoords()->GetName() == std::string("TCoords"));
-  CHECK(result->GetArray("double")->GetLookupTable() == lut);
-  CHECK(result->GetArray("vectors")->GetComponentName(1) == std::string("second"));
-  CHECK(result->GetNormals() == result->GetArray("Normals"));
+  CHECK_EQUAL(result->GetArray("double")->GetLookupTable(), lut);
+  CHECK_EQUAL(result->GetArray("vectors")->GetComponentName(1), std::string("second"));
+  CHECK_EQUAL(result->GetNormals(), result->GetArray("Normals"));
   CHECK(!result->GetArray("given normals"));
   CHECK(!result->GetGlobalIds() && !result->GetArray("global"));
   CHECK(!result->GetPedigreeIds() && !result->GetArray("pedigree"));
   CHECK(!result->GetArray("short"));
-  CHECK(result->GetArray("DepthTag")->GetNumberOfTuples() == refined->GetNumberOfPoints());
+  CHECK_EQUAL(result->GetArray("DepthTag")->GetNumberOfTuples(), refined->GetNumberOfPoints());
 }
 
 void testPointData(RelevoCheck& check)
@@ -276,7 +276,7 @@ void testNormals(RelevoCheck& check)
         double p[3];
         refined->GetPoint(i, p);
         vtkMath::Normalize(p);
-        CHECK(vtkMath::Dot(n, p) > 0.95);
+        CHECK_GREATER(vtkMath::Dot(n, p), 0.95);
       }
     }
   }
@@ -369,18 +369,19 @@ void checkPieces(RelevoCheck& check, vtkPolyData* refined, vtkIdTypeArray* ids, 
   for (vtkIdType cell = 0; cell < refined->GetNumberOfCells(); ++cell)
   {
     const vtkIdType id = ids->GetValue(cell);
-    CHECK(id >= 0 && id < n);
+    CHECK_GREATER_EQUAL(id, 0);
+    CHECK_LESS(id, n);
     ++pieces[id];
-    CHECK(result->GetArray("integers")->GetTuple1(cell) == 100 + id);
-    CHECK(result->GetScalars()->GetComponent(cell, 2) == 3 * id);
-    CHECK(static_cast<vtkStringArray*>(result->GetAbstractArray("strings"))->GetValue(cell) ==
+    CHECK_EQUAL(result->GetArray("integers")->GetTuple1(cell), 100 + id);
+    CHECK_EQUAL(result->GetScalars()->GetComponent(cell, 2), 3 * id);
+    CHECK_EQUAL(static_cast<vtkStringArray*>(result->GetAbstractArray("strings"))->GetValue(cell),
       "cell " + std::to_string(id));
-    CHECK(result->GetArray("global")->GetTuple1(cell) == 5000 + id);
-    CHECK(result->GetArray("bits")->GetTuple1(cell) == id % 2);
+    CHECK_EQUAL(result->GetArray("global")->GetTuple1(cell), 5000 + id);
+    CHECK_EQUAL(result->GetArray("bits")->GetTuple1(cell), id % 2);
   }
   for (int count : pieces)
   {
-    CHECK(count > 0);
+    CHECK_GREATER(count, 0);
   }
 }
 
@@ -394,25 +395,27 @@ void testCellData(RelevoCheck& check)
   recipe->SetMaximumLevel(3);
   Mesh refined = refineWithShortArray(check, mesh, recipe);
   vtkCellData* result = refined->GetCellData();
-  CHECK(refined->GetNumberOfVerts() == 2 && refined->GetNumberOfLines() == 1);
-  CHECK(refined->GetNumberOfStrips() == 0);
+  CHECK_EQUAL(refined->GetNumberOfVerts(), 2);
+  CHECK_EQUAL(refined->GetNumberOfLines(), 1);
+  CHECK_EQUAL(refined->GetNumberOfStrips(), 0);
   vtkIdTypeArray* ids = vtkIdTypeArray::SafeDownCast(result->GetArray("vtkOriginalCellIds"));
   if (!CHECK(ids && ids->GetNumberOfTuples() == refined->GetNumberOfCells()))
   {
     return;
   }
   checkPieces(check, refined, ids, mesh->GetNumberOfCells());
-  CHECK(result->GetScalars()->GetName() == std::string("colours"));
+  CHECK_EQUAL(result->GetScalars()->GetName(), std::string("colours"));
   CHECK(!result->GetGlobalIds());
-  CHECK(result->GetNormals() != nullptr);
+  CHECK_NOT_EQUAL(result->GetNormals(), nullptr);
   CHECK(!result->GetArray("short"));
-  CHECK(
-    vtkStringArray::SafeDownCast(refined->GetFieldData()->GetAbstractArray("note"))->GetValue(0) ==
+  CHECK_EQUAL(
+    vtkStringArray::SafeDownCast(refined->GetFieldData()->GetAbstractArray("note"))->GetValue(0),
     "kept");
   // Vertices and lines keep their points.
   vtkNew<vtkIdList> line;
   refined->GetCellPoints(2, line);
-  CHECK(line->GetNumberOfIds() == 3 && line->GetId(2) == 2);
+  CHECK_EQUAL(line->GetNumberOfIds(), 3);
+  CHECK_EQUAL(line->GetId(2), 2);
 
   // Normals of flat cells do not describe what they become.
   mesh->GetCellData()->RemoveArray("short");

@@ -67,15 +67,15 @@ void expectError(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter, const 
   {
     check.Fail(__FILE__, __LINE__, "no error that says: " + words);
   }
-  CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
-  CHECK(filter->GetOutput()->GetNumberOfCells() == 0);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), 0);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfCells(), 0);
 }
 
 // Runs a filter that must come through, with finite points and normals.
 void expectSuccess(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter)
 {
   filter->Modified();
-  CHECK(filter->GetExecutive()->Update() == 1);
+  CHECK_EQUAL(filter->GetExecutive()->Update(), 1);
   vtkPolyData* output = filter->GetOutput();
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
   {
@@ -102,10 +102,11 @@ void testRecipe(RelevoCheck& check)
     RelevoErrors errors(recipe);
     for (int level : { -1, 8, 1000 })
     {
+      CHECK_CASE(level);
       recipe->SetMaximumLevel(3);
       recipe->SetMaximumLevel(level);
       CHECK(errors.Said("MaximumLevel"));
-      CHECK(recipe->GetMaximumLevel() == 3);
+      CHECK_EQUAL(recipe->GetMaximumLevel(), 3);
     }
   }
   {
@@ -116,7 +117,7 @@ void testRecipe(RelevoCheck& check)
   }
   // After an error all is well again.
   expectSuccess(check, filter);
-  CHECK(filter->GetOutput()->GetNumberOfPolys() > 0);
+  CHECK_GREATER(filter->GetOutput()->GetNumberOfPolys(), 0);
 }
 
 void testTags(RelevoCheck& check)
@@ -129,6 +130,7 @@ void testTags(RelevoCheck& check)
   filter->SetRefinement(recipe);
   for (vtkIdType length : { vtkIdType(0), n - 1, n + 1 })
   {
+    CHECK_CASE(length);
     vtkNew<vtkFloatArray> tags;
     tags->SetName("DepthTag");
     tags->SetNumberOfValues(length);
@@ -251,7 +253,7 @@ void testDisplacement(RelevoCheck& check)
   lines->SetLines(cells);
   filter->SetInputData(lines);
   filter->Update();
-  CHECK(filter->GetOutput()->GetNumberOfLines() == 1);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfLines(), 1);
 }
 
 void testNoCells(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter)
@@ -273,9 +275,10 @@ void testMissingPoints(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter)
   {
     for (vtkIdType bad : { vtkIdType(8), vtkIdType(-1), vtkIdType(1) << 40 })
     {
+      CHECK_CASE(bad);
       Mesh mesh = Sphere(3, 4);
       const vtkIdType known = mesh->GetNumberOfPoints();
-      CHECK(known == 8);
+      CHECK_EQUAL(known, 8);
       vtkNew<vtkCellArray> broken;
       broken->InsertNextCell({ 0, 1, bad });
       cells == 0     ? mesh->SetVerts(broken)
@@ -316,7 +319,7 @@ void testInfinitePoints(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter)
     RelevoErrors errors(filter);
     expectSuccess(check, filter);
     CHECK(errors.Warned(std::to_string(around) + " degenerate"));
-    CHECK(filter->GetOutput()->GetNumberOfPolys() == (mesh->GetNumberOfPolys() - around) * 16);
+    CHECK_EQUAL(filter->GetOutput()->GetNumberOfPolys(), (mesh->GetNumberOfPolys() - around) * 16);
   }
 }
 
@@ -341,9 +344,9 @@ void testDegenerateCells(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter
   filter->SetInputData(nothing);
   {
     RelevoErrors errors(filter);
-    CHECK(filter->GetExecutive()->Update() == 1);
+    CHECK_EQUAL(filter->GetExecutive()->Update(), 1);
     CHECK(errors.Warned("1 degenerate"));
-    CHECK(filter->GetOutput()->GetNumberOfCells() == 0);
+    CHECK_EQUAL(filter->GetOutput()->GetNumberOfCells(), 0);
   }
 }
 
@@ -352,10 +355,11 @@ void testSizes(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter)
 {
   for (double scale : { 1e-30, 1e-18, 1e15, 1e25 })
   {
+    CHECK_CASE(scale);
     filter->SetInputData(
       Moved(Sphere(6, 5), scale, std::array<double, 3>{ { 0, 0, 0 } }.data(), VTK_FLOAT));
     expectSuccess(check, filter);
-    CHECK(filter->GetOutput()->GetNumberOfPolys() > 0);
+    CHECK_GREATER(filter->GetOutput()->GetNumberOfPolys(), 0);
   }
   // A sphere closed to rounding only, with slivers of 1e-17 at a pole; without normals, too.
   vtkNew<vtkTexturedSphereSource> source;

@@ -119,13 +119,13 @@ void TestVectors(RelevoCheck& check)
     AddVectors<vtkSOADataArrayTemplate<float>>(mesh, "Apart", marker);
     Mesh output = Refine(mesh, MakeRecipe(5));
     const vtkIdType around = CountAround(mesh, output);
-    CHECK(around > 2000);
+    CHECK_GREATER(around, 2000);
     for (const char* name : { "Float", "Double", "Apart" })
     {
       const Counts counts(output->GetPointData()->GetArray(name), marker, 1.0 + 1e-6);
-      CHECK(counts.Markers == 1); // the input's own point
-      CHECK(counts.None == around);
-      CHECK(counts.False == 0);
+      CHECK_EQUAL(counts.Markers, 1); // the input's own point
+      CHECK_EQUAL(counts.None, around);
+      CHECK_EQUAL(counts.False, 0);
     }
   }
 }
@@ -140,9 +140,10 @@ void TestWholeNumbers(RelevoCheck& check)
   Mesh output = Refine(mesh, MakeRecipe(4));
   for (const char* name : { "Int", "Apart" })
   {
+    CHECK_CASE(name);
     const Counts counts(output->GetPointData()->GetArray(name), marker, 1001.0);
-    CHECK(counts.Markers == 1 + CountAround(mesh, output));
-    CHECK(counts.False == 0);
+    CHECK_EQUAL(counts.Markers, 1 + CountAround(mesh, output));
+    CHECK_EQUAL(counts.False, 0);
   }
 }
 
@@ -174,12 +175,13 @@ void TestNumbers(RelevoCheck& check)
     int k = 0;
     for (double value : { 1e12, Infinity, NaN })
     {
+      CHECK_CASE(value);
       const double x = data->GetArray(std::to_string(value).c_str())->GetTuple1(i);
       none[k] += std::isnan(x) ? 1 : 0;
       CHECK(std::isnan(x) || x >= 2.0);
       ++k;
     }
-    CHECK(data->GetArray("Stress")->GetComponent(i, 4) == stress->GetValue(0));
+    CHECK_EQUAL(data->GetArray("Stress")->GetComponent(i, 4), stress->GetValue(0));
   }
   CHECK(none[0] == 0 && none[1] == around && none[2] == around + 1);
 }
@@ -200,26 +202,29 @@ void TestUnchanged(RelevoCheck& check)
   AddVectors<vtkFloatArray>(mesh, "Large", { { 0.0, 2e8, 0.0 } });
   auto with = MakeRecipe(3);
   auto without = MakeRecipe(3);
-  CHECK(with->GetNoDataMagnitude() == 1e8);
+  CHECK_EQUAL(with->GetNoDataMagnitude(), 1e8);
   without->SetNoDataMagnitude(Infinity);
   Mesh a = Refine(mesh, with);
   Mesh b = Refine(mesh, without);
   for (const char* name : { "Good", "Normals" })
   {
+    CHECK_CASE(name);
     CHECK(IsSame(a->GetPointData()->GetArray(name), b->GetPointData()->GetArray(name)));
   }
   CHECK(IsSame(a->GetPointData()->GetTCoords(), b->GetPointData()->GetTCoords()));
   CHECK(IsSame(a->GetPoints()->GetData(), b->GetPoints()->GetData()));
-  CHECK(Counts(a->GetPointData()->GetArray("Large"), { { 0.0, 2e8, 0.0 } }, 2.0).None > 50);
+  CHECK_GREATER(Counts(a->GetPointData()->GetArray("Large"), { { 0.0, 2e8, 0.0 } }, 2.0).None, 50);
   const Counts all(b->GetPointData()->GetArray("Large"), { { 0.0, 2e8, 0.0 } }, 2e8);
-  CHECK(all.None == 0 && all.False == 0);
+  CHECK_EQUAL(all.None, 0);
+  CHECK_EQUAL(all.False, 0);
 
   RelevoErrors errors(with);
   for (double bad : { 0.0, -1.0, NaN })
   {
+    CHECK_CASE(bad);
     with->SetNoDataMagnitude(bad);
     CHECK(errors.Said("NoDataMagnitude must be more than 0"));
-    CHECK(with->GetNoDataMagnitude() == 1e8);
+    CHECK_EQUAL(with->GetNoDataMagnitude(), 1e8);
   }
 }
 }

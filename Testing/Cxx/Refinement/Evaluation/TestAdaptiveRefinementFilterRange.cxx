@@ -92,11 +92,13 @@ void TestDisplacements(RelevoCheck& check)
          { "as much as there is room for", 1e20, 0, 1e9, true },
          { "large heights made small", 1e-37, 0, 3e37, true } })
   {
+    CHECK_CASE(each.Name);
     vtkNew<RelevoHeights> heights;
     heights->Fill(16, 16, [&](double u, double v) { return each.Height * std::sin(9 * u) * v; });
     auto displacement = MakeDisplacement(heights, each.Scale, each.Offset);
     for (bool alongNormal : { true, false })
     {
+      CHECK_CASE(alongNormal);
       if (!alongNormal)
       {
         displacement->SetDirection(1.0, 2.0, 3.0);

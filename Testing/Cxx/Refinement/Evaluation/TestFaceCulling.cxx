@@ -190,6 +190,7 @@ int TestFaceCulling(int, char*[])
   };
   for (const Case& c : cases)
   {
+    CHECK_CASE(c.Name);
     vtkNew<vtkAdaptiveRefinement> recipe;
     recipe->SetMaximumLevel(3);
     recipe->SetSurface(c.Surface);
@@ -198,7 +199,7 @@ int TestFaceCulling(int, char*[])
     CHECK(mesh.Build(c.Input, recipe->GetSurface(), recipe->GetDisplacement()));
     relevo::FaceCulling culling;
     culling.Build(mesh, recipe);
-    CHECK(culling.IsClosed() == c.Closed);
+    CHECK_EQUAL(culling.IsClosed(), c.Closed);
     Counts sum;
     for (int i = 0; i < 60; ++i)
     {
@@ -209,9 +210,9 @@ int TestFaceCulling(int, char*[])
     }
     std::cout << c.Name << ": " << sum.Hidden << " faces hidden of " << sum.Unseen
               << " that are not seen\n";
-    CHECK(sum.Wrong == 0);
-    CHECK(sum.Hidden <= sum.Unseen);
-    CHECK(sum.Hidden >= c.LeastShare * sum.Unseen);
+    CHECK_EQUAL(sum.Wrong, 0);
+    CHECK_LESS_EQUAL(sum.Hidden, sum.Unseen);
+    CHECK_GREATER_EQUAL(sum.Hidden, c.LeastShare * sum.Unseen);
   }
 
   // Cameras without a direction, flat placements: nothing is hidden.
@@ -224,7 +225,8 @@ int TestFaceCulling(int, char*[])
   vtkNew<vtkMatrix4x4> flat;
   flat->SetElement(0, 0, 0.0);
   std::vector<unsigned char> hidden;
-  CHECK(culling.FindHidden(relevo::CullingView(camera, 1.0, flat, mesh.Origin), true, hidden) == 0);
-  CHECK(hidden.size() == mesh.Faces.size());
+  CHECK_EQUAL(
+    culling.FindHidden(relevo::CullingView(camera, 1.0, flat, mesh.Origin), true, hidden), 0);
+  CHECK_EQUAL(hidden.size(), mesh.Faces.size());
   return check.GetResult();
 }

@@ -207,7 +207,8 @@ void TestReplacedNormals(RelevoCheck& check)
   other->Fill(1.0);
   mesh->GetPointData()->AddArray(other);
   vtkNew<vtkPNTriangleSurface> surface;
-  CHECK(RelevoMeshes::Refine(mesh, RelevoMeshes::MakeRecipe(2, surface))->GetNumberOfPolys() > 0);
+  CHECK_GREATER(
+    RelevoMeshes::Refine(mesh, RelevoMeshes::MakeRecipe(2, surface))->GetNumberOfPolys(), 0);
   vtkNew<vtkDepthTagFilter> tagger;
   vtkNew<vtkSilhouetteDepthTagMetric> metric;
   vtkNew<vtkCamera> camera;
@@ -224,7 +225,7 @@ int TestFuzzRefinement(int, char*[])
   RelevoCheck check;
   TestReplacedNormals(check);
   int calls = 0;
-  CHECK(RelevoFuzz::Run<Machine>(1500, 40, calls) == 0);
+  CHECK_EQUAL(RelevoFuzz::Run<Machine>(1500, 40, calls), 0);
   std::cout << calls << " calls\n";
   return check.GetResult();
 }

@@ -161,7 +161,7 @@ double Fly(RelevoCheck& check, vtkPolyData* mesh, vtkAdaptiveRefinement* recipe,
   for (int frame = 0; frame < NumberOfFrames; ++frame)
   {
     last->ShallowCopy(filter->GetOutput());
-    CHECK(last->GetNumberOfCells() > 3 * mesh->GetNumberOfCells());
+    CHECK_GREATER(last->GetNumberOfCells(), 3 * mesh->GetNumberOfCells());
 
     vtkNew<vtkCamera> before;
     before->DeepCopy(camera);
@@ -170,7 +170,8 @@ double Fly(RelevoCheck& check, vtkPolyData* mesh, vtkAdaptiveRefinement* recipe,
     Move(trial, frame, 0.01);
     Move(camera, frame, 0.01 * 0.95 / GetMotion(last, before, trial));
     const double motion = GetMotion(last, before, camera);
-    CHECK(motion > 0.8 && motion <= 1.0);
+    CHECK_GREATER(motion, 0.8);
+    CHECK_LESS_EQUAL(motion, 1.0);
 
     filter->Update();
     vtkPolyData* next = filter->GetOutput();
@@ -184,6 +185,7 @@ void Check(RelevoCheck& check, const char* name, vtkPolyData* mesh, vtkAdaptiveR
 {
   for (const bool edges : { false, true })
   {
+    CHECK_CASE(edges);
     recipe->SetLevelRule(edges ? 1 : 0);
     recipe->GeomorphingOff();
     const double popping = Fly(check, mesh, recipe, camera);
@@ -191,8 +193,8 @@ void Check(RelevoCheck& check, const char* name, vtkPolyData* mesh, vtkAdaptiveR
     const double morphing = Fly(check, mesh, recipe, camera);
     std::cout << name << (edges ? ", per edge: " : ", per vertex: ") << morphing << " of a pixel, "
               << popping << " without geomorphing\n";
-    CHECK(morphing <= (edges ? 0.25 * popping : 0.25));
-    CHECK(popping > 0.5);
+    CHECK_LESS_EQUAL(morphing, (edges ? 0.25 * popping : 0.25));
+    CHECK_GREATER(popping, 0.5);
   }
 }
 
@@ -230,7 +232,7 @@ void TestBunny(RelevoCheck& check, const std::string& file)
   normals->SplittingOff();
   normals->Update();
   vtkPolyData* mesh = normals->GetOutput();
-  CHECK(mesh->GetNumberOfCells() > 200);
+  CHECK_GREATER(mesh->GetNumberOfCells(), 200);
   vtkSmartPointer<vtkAdaptiveRefinement> recipe = MakeRecipe(10.0);
   vtkNew<vtkPNTriangleSurface> surface;
   recipe->SetSurface(surface);

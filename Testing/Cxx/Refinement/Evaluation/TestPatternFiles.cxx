@@ -51,7 +51,7 @@ void TestPlaces(RelevoCheck& check, vtkRefinementPatternTable* table)
   const Places read = GetPlaces(Refine(triangle, recipe));
   vtkNew<vtkPolyData> pattern;
   CHECK(table->GetPattern(3, 3, 3, pattern));
-  CHECK(read == GetPlaces(pattern));
+  CHECK_EQUAL(read, GetPlaces(pattern));
   CHECK(read != generated && read.size() == generated.size());
 }
 
@@ -76,8 +76,8 @@ void TestSurfaces(RelevoCheck& check, vtkRefinementPatternTable* table)
       {
         check.Fail(__FILE__, __LINE__, surface.first + ": " + fault);
       }
-      CHECK(read->GetNumberOfPolys() == generated->GetNumberOfPolys());
-      CHECK(GetPlaces(read) != GetPlaces(generated));
+      CHECK_EQUAL(read->GetNumberOfPolys(), generated->GetNumberOfPolys());
+      CHECK_NOT_EQUAL(GetPlaces(read), GetPlaces(generated));
     }
   }
 }
@@ -95,13 +95,13 @@ void TestObstacles(RelevoCheck& check, vtkRefinementPatternTable* table)
   {
     const RelevoErrors executiveErrors(filter->GetExecutive());
     filter->Update();
-    CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
+    CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), 0);
     CHECK(errors.Said(words));
   };
   const auto refines = [&]
   {
     filter->Update();
-    CHECK(filter->GetOutput()->GetNumberOfPolys() == 8 * 16);
+    CHECK_EQUAL(filter->GetOutput()->GetNumberOfPolys(), 8 * 16);
     CHECK(errors.None());
   };
   recipe->GeomorphingOn();
@@ -129,7 +129,7 @@ void TestObstacles(RelevoCheck& check, vtkRefinementPatternTable* table)
   vtkNew<vtkAdaptiveRefinement> plain;
   plain->SetMaximumLevel(2);
   plain->SetPatternTable(table);
-  CHECK(GetPlaces(filter->GetOutput()) == GetPlaces(Refine(mesh, plain)));
+  CHECK_EQUAL(GetPlaces(filter->GetOutput()), GetPlaces(Refine(mesh, plain)));
 }
 
 // Patterns of a file go to its level.
@@ -140,17 +140,18 @@ void TestLevels(RelevoCheck& check, const std::string& fileName)
   RelevoErrors errors(recipe);
   RelevoErrors tableErrors(table);
   CHECK(table->Read(fileName.c_str()));
-  CHECK(table->GetMaximumLevel() == FileLevel && recipe->GetMaximumLevel() == FileLevel);
-  CHECK(Refine(Plane(1, 1), recipe)->GetNumberOfPolys() == 2 * 256);
+  CHECK_EQUAL(table->GetMaximumLevel(), FileLevel);
+  CHECK_EQUAL(recipe->GetMaximumLevel(), FileLevel);
+  CHECK_EQUAL(Refine(Plane(1, 1), recipe)->GetNumberOfPolys(), 2 * 256);
   table->SetMaximumLevel(FileLevel + 1);
   CHECK(tableErrors.Said("The file that was read has no higher level"));
-  CHECK(table->GetMaximumLevel() == FileLevel);
+  CHECK_EQUAL(table->GetMaximumLevel(), FileLevel);
   recipe->SetMaximumLevel(FileLevel + 1);
   CHECK(errors.Said("[0, 4], got 5. The pattern table has no higher level"));
   recipe->SetPatternTable(nullptr);
-  CHECK(recipe->GetMaximumLevel() == 6);
+  CHECK_EQUAL(recipe->GetMaximumLevel(), 6);
   recipe->SetMaximumLevel(5);
-  CHECK(recipe->GetMaximumLevel() == 5);
+  CHECK_EQUAL(recipe->GetMaximumLevel(), 5);
   recipe->SetMaximumLevel(2);
   CHECK(recipe->GetPatternTable()->Read(fileName.c_str()) && recipe->GetMaximumLevel() == 2);
   CHECK(errors.None() && tableErrors.None());

@@ -34,24 +34,25 @@ void TestSharing(RelevoCheck& check)
   vtkNew<vtkRefinementPatternTable> table;
   const auto first = MakeRecipe(4);
   const auto second = MakeRecipe(4);
-  CHECK(first->GetPatternTable() != second->GetPatternTable());
-  CHECK(relevo::GetPatternFamily(first, mesh) != relevo::GetPatternFamily(second, mesh));
+  CHECK_NOT_EQUAL(first->GetPatternTable(), second->GetPatternTable());
+  CHECK_NOT_EQUAL(relevo::GetPatternFamily(first, mesh), relevo::GetPatternFamily(second, mesh));
   for (const auto& recipe : { first, second })
   {
     recipe->SetPatternTable(table);
-    CHECK(recipe->GetPatternTable() == table);
+    CHECK_EQUAL(recipe->GetPatternTable(), table);
   }
   for (int mode : { vtkAdaptiveRefinement::GEOMORPHING_OFF, vtkAdaptiveRefinement::GEOMORPHING_ON })
   {
+    CHECK_CASE(mode);
     first->SetGeomorphing(mode);
     second->SetGeomorphing(mode);
-    CHECK(relevo::GetPatternFamily(first, mesh) == relevo::GetPatternFamily(second, mesh));
+    CHECK_EQUAL(relevo::GetPatternFamily(first, mesh), relevo::GetPatternFamily(second, mesh));
     const vtkTypeInt64 before = table->GetMemorySize();
     Refine(mesh, first);
     const vtkTypeInt64 made = table->GetMemorySize();
-    CHECK(made > before);
+    CHECK_GREATER(made, before);
     Refine(mesh, second);
-    CHECK(table->GetMemorySize() == made);
+    CHECK_EQUAL(table->GetMemorySize(), made);
   }
 
   // Families share what they have in common.
@@ -63,12 +64,12 @@ void TestSharing(RelevoCheck& check)
   { return 2 * vtkRefinementPatternTable::GetPatternIndex(steps[0], steps[1], steps[2]); };
   const int steps[] = { 3, 1, 0 }; // of 4, 2 and 1 among the whole numbers
   const auto pattern = table->GetPatternOfSegments(segments[0], segments[1], segments[2]);
-  CHECK(powers->GetPattern(keyOf(levels)) == pattern);
-  CHECK(whole->GetPattern(keyOf(steps)) == pattern);
-  CHECK(powers->GetPattern(keyOf(levels) + 1) == pattern); // turned over
+  CHECK_EQUAL(powers->GetPattern(keyOf(levels)), pattern);
+  CHECK_EQUAL(whole->GetPattern(keyOf(steps)), pattern);
+  CHECK_EQUAL(powers->GetPattern(keyOf(levels) + 1), pattern); // turned over
   for (const auto kind : AllFamilies)
   {
-    CHECK(table->GetLibrary()->GetFamily(kind) == table->GetLibrary()->GetFamily(kind));
+    CHECK_EQUAL(table->GetLibrary()->GetFamily(kind), table->GetLibrary()->GetFamily(kind));
     CHECK(table->GetLibrary()->GetObstacle(kind).empty());
   }
 }
@@ -86,11 +87,12 @@ void TestLife(RelevoCheck& check)
     table = nullptr;
     CHECK(library.expired());
     // A family makes patterns still.
-    CHECK(family->GetPattern(20)->GetNumberOfTriangles() > 0);
-    CHECK(family->GetPattern(10) == kept);
+    CHECK_GREATER(family->GetPattern(20)->GetNumberOfTriangles(), 0);
+    CHECK_EQUAL(family->GetPattern(10), kept);
     family = nullptr;
     CHECK(watched.expired());
-    CHECK(kept->Vertices == before.Vertices && kept->Triangles == before.Triangles);
+    CHECK_EQUAL(kept->Vertices, before.Vertices);
+    CHECK_EQUAL(kept->Triangles, before.Triangles);
     std::weak_ptr<const relevo::RefinementPattern> last = kept;
     kept = nullptr;
     CHECK(last.expired());
@@ -103,6 +105,7 @@ void TestSelectionLife(RelevoCheck& check)
   const Mesh input = Tagged(Sphere(9, 7), 4);
   for (int mode : { vtkAdaptiveRefinement::GEOMORPHING_OFF, vtkAdaptiveRefinement::GEOMORPHING_ON })
   {
+    CHECK_CASE(mode);
     auto recipe = MakeRecipe(4);
     recipe->SetGeomorphing(mode);
     const vtkIdType expected = Refine(input, recipe)->GetNumberOfPolys();
@@ -121,12 +124,12 @@ void TestSelectionLife(RelevoCheck& check)
       const relevo::FacePattern pattern = selection.GetFacePattern(face);
       float weights[3];
       pattern.GetWeights(0, weights);
-      CHECK(weights[0] + weights[1] + weights[2] == 1.0f);
+      CHECK_EQUAL(weights[0] + weights[1] + weights[2], 1.0f);
       triangles += pattern.Pattern->GetNumberOfTriangles();
     }
-    CHECK(triangles == expected);
+    CHECK_EQUAL(triangles, expected);
     selection.Group();
-    CHECK(selection.GetNumberOfGroupedTriangles() == expected);
+    CHECK_EQUAL(selection.GetNumberOfGroupedTriangles(), expected);
   }
 }
 
@@ -157,7 +160,7 @@ void TestPatternsInThreads(RelevoCheck& check)
   }
   for (const auto& patterns : seen)
   {
-    CHECK(patterns == seen[0]);
+    CHECK_EQUAL(patterns, seen[0]);
   }
 }
 
@@ -193,8 +196,8 @@ void TestFiltersInThreads(RelevoCheck& check)
     other.join();
     for (vtkPolyData* output : outputs)
     {
-      CHECK(output->GetNumberOfPoints() == expected->GetNumberOfPoints());
-      CHECK(output->GetNumberOfPolys() == expected->GetNumberOfPolys());
+      CHECK_EQUAL(output->GetNumberOfPoints(), expected->GetNumberOfPoints());
+      CHECK_EQUAL(output->GetNumberOfPolys(), expected->GetNumberOfPolys());
       vtkIdType wrong = 0;
       for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
       {
@@ -204,7 +207,7 @@ void TestFiltersInThreads(RelevoCheck& check)
         expected->GetPoint(i, b.data());
         wrong += a != b ? 1 : 0;
       }
-      CHECK(wrong == 0);
+      CHECK_EQUAL(wrong, 0);
     }
   }
 }
@@ -222,11 +225,13 @@ void TestMaximumLevel(RelevoCheck& check)
   // A recipe's own, whatever the table's other recipes do.
   for (int level : { 0, 4, 1, 3 })
   {
+    CHECK_CASE(level);
     first->SetMaximumLevel(level);
-    CHECK(first->GetMaximumLevel() == level && second->GetMaximumLevel() == 3);
-    CHECK(table->GetMaximumLevel() == 4);
+    CHECK_EQUAL(first->GetMaximumLevel(), level);
+    CHECK_EQUAL(second->GetMaximumLevel(), 3);
+    CHECK_EQUAL(table->GetMaximumLevel(), 4);
     CHECK(Refine(mesh, first)->GetNumberOfPolys() == vtkIdType(2) << 2 * level);
-    CHECK(Refine(mesh, second)->GetNumberOfPolys() == 2 * 64);
+    CHECK_EQUAL(Refine(mesh, second)->GetNumberOfPolys(), 2 * 64);
   }
   CHECK(errors.None());
   first->SetMaximumLevel(5);
@@ -235,17 +240,18 @@ void TestMaximumLevel(RelevoCheck& check)
   CHECK(errors.Said("MaximumLevel must be in [0, 4], got 8."));
   first->SetMaximumLevel(-1);
   CHECK(errors.Said("MaximumLevel must be in [0, 4], got -1."));
-  CHECK(first->GetMaximumLevel() == 3);
+  CHECK_EQUAL(first->GetMaximumLevel(), 3);
   // No higher than the table.
   const vtkMTimeType time = first->GetMTime();
   table->SetMaximumLevel(1);
-  CHECK(first->GetMaximumLevel() == 1 && first->GetMTime() > time);
-  CHECK(Refine(mesh, first)->GetNumberOfPolys() == 2 * 4);
+  CHECK_EQUAL(first->GetMaximumLevel(), 1);
+  CHECK_GREATER(first->GetMTime(), time);
+  CHECK_EQUAL(Refine(mesh, first)->GetNumberOfPolys(), 2 * 4);
   table->SetMaximumLevel(7);
-  CHECK(first->GetMaximumLevel() == 3);
+  CHECK_EQUAL(first->GetMaximumLevel(), 3);
   first->SetPatternTable(nullptr);
   CHECK(first->GetPatternTable() != table && first->GetPatternTable()->GetMaximumLevel() == 7);
-  CHECK(first->GetMaximumLevel() == 3);
+  CHECK_EQUAL(first->GetMaximumLevel(), 3);
   first->SetMaximumLevel(7);
   CHECK(first->GetMaximumLevel() == 7 && errors.None());
 }

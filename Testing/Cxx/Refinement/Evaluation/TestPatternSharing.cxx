@@ -43,10 +43,10 @@ void TestOnce(RelevoCheck& check)
   const Mesh mesh = Tagged(Sphere(9, 7), 4);
   Refine(mesh, first);
   const vtkTypeInt64 made = first->GetPatternTable()->GetMemorySize();
-  CHECK(made > 0);
+  CHECK_GREATER(made, 0);
   Refine(mesh, second);
-  CHECK(second->GetPatternTable()->GetMemorySize() == made);
-  CHECK(GetPatterns(first) == GetPatterns(second));
+  CHECK_EQUAL(second->GetPatternTable()->GetMemorySize(), made);
+  CHECK_EQUAL(GetPatterns(first), GetPatterns(second));
 }
 
 void TestLast(RelevoCheck& check)
@@ -81,7 +81,7 @@ void TestThreads(RelevoCheck& check)
   const Recipe last = MakeRecipe(4);
   for (const auto& patterns : seen)
   {
-    CHECK(patterns == GetPatterns(last));
+    CHECK_EQUAL(patterns, GetPatterns(last));
   }
 }
 
@@ -93,9 +93,9 @@ void TestFile(RelevoCheck& check, const std::string& fileName)
   const auto before = GetPatterns(other);
   CHECK(RelevoPatternFiles::WriteShifted(fileName, 4));
   CHECK(reading->GetPatternTable()->Read(fileName.c_str()));
-  CHECK(GetPatterns(other) == before);
+  CHECK_EQUAL(GetPatterns(other), before);
   const auto family = reading->GetPatternTable()->GetLibrary()->GetFamily(Library::POWERS_OF_TWO);
-  CHECK(family->GetPattern(60) != before[0]);
+  CHECK_NOT_EQUAL(family->GetPattern(60), before[0]);
 }
 }
 

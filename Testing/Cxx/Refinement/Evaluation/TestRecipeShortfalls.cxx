@@ -63,7 +63,7 @@ void TestLevels(RelevoCheck& check, const std::string& fileName)
   RelevoErrors errors(recipe);
   Subject subject(recipe);
   recipe->SetPatternTable(table);
-  CHECK(subject.Run() == 2 * 256);
+  CHECK_EQUAL(subject.Run(), 2 * 256);
   CHECK(subject.HaveWarned(1,
     "MaximumLevel is 6, but the patterns of " + fileName +
       " end at level 4. Call SetMaximumLevel()"));
@@ -81,6 +81,7 @@ void TestPlainTable(RelevoCheck& check)
 {
   for (const bool levelFirst : { true, false })
   {
+    CHECK_CASE(levelFirst);
     vtkNew<vtkAdaptiveRefinement> recipe;
     RelevoErrors errors(recipe);
     vtkNew<vtkRefinementPatternTable> table;
@@ -93,7 +94,8 @@ void TestPlainTable(RelevoCheck& check)
     CHECK(recipe->GetMaximumLevel() == 7 && table->GetMaximumLevel() == 5 && errors.None());
     const vtkMTimeType time = recipe->GetMTime();
     table->SetMaximumLevel(5);
-    CHECK(recipe->GetMaximumLevel() == 5 && recipe->GetMTime() > time);
+    CHECK_EQUAL(recipe->GetMaximumLevel(), 5);
+    CHECK_GREATER(recipe->GetMTime(), time);
   }
 }
 
@@ -104,7 +106,7 @@ void TestMorphing(RelevoCheck& check)
   recipe->SetSegmentPolicyToWholeNumbers();
   CHECK(subject.Run() == 2 * 16 && subject.HaveWarned(0, ""));
   recipe->GeomorphingOn();
-  CHECK(subject.Run() == 2 * 16);
+  CHECK_EQUAL(subject.Run(), 2 * 16);
   CHECK(subject.HaveWarned(1, "SetSegmentPolicyToPowersOfTwo() or GeomorphingOff()"));
   recipe->SetLevelOffset(-1.0);
   subject.Run();
@@ -136,7 +138,7 @@ void TestHeights(RelevoCheck& check)
   RelevoErrors ofDisplacement(displacement);
   RelevoErrors ofExecutive(subject.Filter->GetExecutive());
   const std::string words = "The displacement's height map could not be read: the disk has gone";
-  CHECK(subject.Run() == 0);
+  CHECK_EQUAL(subject.Run(), 0);
   CHECK(errors.Said(words) && ofLocator.Said(words));
 }
 }

@@ -304,7 +304,8 @@ int TestRefinementProperties(int, char*[])
     }
   }
   std::cout << numberOfTriangles << " triangles; " << numberOfFailures << " cases refused\n";
-  CHECK(numberOfTriangles > 10 * NumberOfCases);
-  CHECK(numberOfFailures > 0 && numberOfFailures < NumberOfCases / 10);
+  CHECK_GREATER(numberOfTriangles, 10 * NumberOfCases);
+  CHECK_GREATER(numberOfFailures, 0);
+  CHECK_LESS(numberOfFailures, NumberOfCases / 10);
   return check.GetResult();
 }

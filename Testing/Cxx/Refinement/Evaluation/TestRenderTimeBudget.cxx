@@ -52,7 +52,7 @@ void TestEnoughTime(RelevoCheck& check)
   for (int i = 0; i < 20; ++i)
   {
     machine.Draw(0.11); // 0.1 needed
-    CHECK(machine.Limit == 0);
+    CHECK_EQUAL(machine.Limit, 0);
   }
   CHECK_NEAR(machine.Budget.GetSecondsPerTriangle(), 1e-7, 1e-12);
 }
@@ -62,22 +62,23 @@ void TestSettling(RelevoCheck& check, Machine machine)
 {
   for (const double allowed : { 0.05, 0.02 })
   {
+    CHECK_CASE(allowed);
     for (int i = 0; i < 30; ++i)
     {
       machine.Draw(allowed);
     }
     const vtkIdType settled = machine.Triangles;
-    CHECK(machine.Seconds < 1.1 * allowed);
-    CHECK(machine.Seconds > 0.5 * allowed);
+    CHECK_LESS(machine.Seconds, 1.1 * allowed);
+    CHECK_GREATER(machine.Seconds, 0.5 * allowed);
     for (int i = 0; i < 200; ++i)
     {
       machine.Draw(allowed);
-      CHECK(machine.Triangles == settled);
+      CHECK_EQUAL(machine.Triangles, settled);
     }
   }
   machine.Draw(10000.0);
-  CHECK(machine.Limit == 0);
-  CHECK(machine.Triangles == machine.Scene);
+  CHECK_EQUAL(machine.Limit, 0);
+  CHECK_EQUAL(machine.Triangles, machine.Scene);
 }
 
 // On the way there is no swinging: from too many triangles they only become fewer.
@@ -91,18 +92,18 @@ void TestOneWay(RelevoCheck& check)
     for (int i = 0; i < 100; ++i)
     {
       machine.Draw(0.05);
-      CHECK(machine.Triangles <= last);
+      CHECK_LESS_EQUAL(machine.Triangles, last);
       last = machine.Triangles;
     }
-    CHECK(machine.Seconds <= 0.05);
+    CHECK_LESS_EQUAL(machine.Seconds, 0.05);
     // With time to spare they only become more.
     for (int i = 0; i < 100; ++i)
     {
       machine.Draw(0.09);
-      CHECK(machine.Triangles >= last);
+      CHECK_GREATER_EQUAL(machine.Triangles, last);
       last = machine.Triangles;
     }
-    CHECK(machine.Seconds <= 0.09);
+    CHECK_LESS_EQUAL(machine.Seconds, 0.09);
   }
 }
 
@@ -114,18 +115,18 @@ void TestTooLittleTime(RelevoCheck& check)
   for (int i = 0; i < 300; ++i)
   {
     machine.Draw(0.01);
-    CHECK(machine.Triangles >= 1);
+    CHECK_GREATER_EQUAL(machine.Triangles, 1);
   }
-  CHECK(machine.Triangles < 1000);
+  CHECK_LESS(machine.Triangles, 1000);
   machine.Draw(10000.0);
-  CHECK(machine.Triangles == machine.Scene);
+  CHECK_EQUAL(machine.Triangles, machine.Scene);
 }
 
 void TestNonsense(RelevoCheck& check)
 {
   relevo::RenderTimeBudget budget;
-  CHECK(budget.FindLimit(0.1, 0) == 0);
-  CHECK(budget.FindLimit(0.1, 77) == 77); // nothing known: as it was
+  CHECK_EQUAL(budget.FindLimit(0.1, 0), 0);
+  CHECK_EQUAL(budget.FindLimit(0.1, 77), 77); // nothing known: as it was
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 5; ++i)
@@ -137,16 +138,16 @@ void TestNonsense(RelevoCheck& check)
     budget.AddFrame(100, 0.0);
     budget.AddFrame(100, -1.0);
   }
-  CHECK(budget.GetSecondsPerTriangle() == 0.0);
+  CHECK_EQUAL(budget.GetSecondsPerTriangle(), 0.0);
   for (int i = 0; i < 5; ++i)
   {
     budget.AddFrame(1000, 1.0);
   }
-  CHECK(budget.FindLimit(nan, 5) == 5);
-  CHECK(budget.FindLimit(0.0, 5) == 5);
-  CHECK(budget.FindLimit(-1.0, 5) == 5);
-  CHECK(budget.FindLimit(infinity, 5) == 0);
-  CHECK(budget.FindLimit(0.5, 0) == 425);
+  CHECK_EQUAL(budget.FindLimit(nan, 5), 5);
+  CHECK_EQUAL(budget.FindLimit(0.0, 5), 5);
+  CHECK_EQUAL(budget.FindLimit(-1.0, 5), 5);
+  CHECK_EQUAL(budget.FindLimit(infinity, 5), 0);
+  CHECK_EQUAL(budget.FindLimit(0.5, 0), 425);
 }
 }
 

@@ -91,19 +91,19 @@ void TestWholeNumbers(RelevoCheck& check)
   {
     Mesh refined = Refine(MakeTriangle(tag, tag, 0.0), recipe);
     const int segments = CountSegments(refined);
-    CHECK(segments == GetWholeNumber(std::min(tag, 7.0)));
-    CHECK(segments >= last);
+    CHECK_EQUAL(segments, GetWholeNumber(std::min(tag, 7.0)));
+    CHECK_GREATER_EQUAL(segments, last);
     last = segments;
     CHECK_NEAR(GetArea(refined), 0.5, 1e-6);
   }
-  CHECK(last == 128);
+  CHECK_EQUAL(last, 128);
   // Whole levels are the same by either policy.
   for (int level = 0; level <= 7; ++level)
   {
     CHECK(CountSegments(Refine(MakeTriangle(level, level, 1.0), recipe)) == 1 << level);
   }
   recipe->SetMaximumLevel(3);
-  CHECK(CountSegments(Refine(MakeTriangle(9.0, 2.4, 0.0), recipe)) == 8);
+  CHECK_EQUAL(CountSegments(Refine(MakeTriangle(9.0, 2.4, 0.0), recipe)), 8);
 }
 
 void TestOffset(RelevoCheck& check)
@@ -112,9 +112,11 @@ void TestOffset(RelevoCheck& check)
   recipe->SetMaximumLevel(6);
   for (double offset : { -16.0, -1.5, -0.25, 0.0, 0.25, 1.0, 3.75, 16.0 })
   {
+    CHECK_CASE(offset);
     recipe->SetLevelOffset(offset);
     for (double tag : { 0.0, 1.25, 2.5, 4.75 })
     {
+      CHECK_CASE(tag);
       const double level = std::floor(std::min(std::max(tag + offset, 0.0), 6.0) + 0.5);
       CHECK(
         CountSegments(Refine(MakeTriangle(tag, tag, 2.0), recipe)) == 1 << static_cast<int>(level));
@@ -138,6 +140,7 @@ void TestRules(RelevoCheck& check)
     {
       for (int rule : { vtkDepthTagMetric::PER_VERTEX, vtkDepthTagMetric::PER_EDGE })
       {
+        CHECK_CASE(rule);
         vtkNew<vtkDepthTagFilter> tags;
         tags->SetMaximumLevel(5);
         tags->SetInputData(mesh);
@@ -171,14 +174,14 @@ void TestRules(RelevoCheck& check)
           int l[3];
           levels->GetTypedTuple(cell, l);
           CHECK(recipe->GetPatternTable()->GetPattern(l[0], l[1], l[2], pattern));
-          CHECK(triangles[static_cast<size_t>(cell)] == pattern->GetNumberOfPolys());
+          CHECK_EQUAL(triangles[static_cast<size_t>(cell)], pattern->GetNumberOfPolys());
         }
         counts[rule] += filter->GetOutput()->GetNumberOfPolys();
       }
     }
   }
   // A point takes the largest level of its edges: edges of their own levels need less.
-  CHECK(counts[vtkDepthTagMetric::PER_EDGE] < counts[vtkDepthTagMetric::PER_VERTEX]);
+  CHECK_LESS(counts[vtkDepthTagMetric::PER_EDGE], counts[vtkDepthTagMetric::PER_VERTEX]);
 }
 
 void TestSettings(RelevoCheck& check)
@@ -193,10 +196,10 @@ void TestSettings(RelevoCheck& check)
   CHECK(errors.Said(", GEOMORPHING_AUTOMATIC (2), got"));
   recipe->SetLevelOffset(vtkMath::Nan());
   CHECK(errors.Said("LevelOffset must be in [-16, 16]"));
-  CHECK(recipe->GetLevelRule() == vtkDepthTagMetric::PER_VERTEX);
-  CHECK(recipe->GetSegmentPolicy() == vtkAdaptiveRefinement::POWERS_OF_TWO);
-  CHECK(recipe->GetGeomorphing() == vtkAdaptiveRefinement::GEOMORPHING_AUTOMATIC);
-  CHECK(recipe->GetLevelOffset() == 0.0);
+  CHECK_EQUAL(recipe->GetLevelRule(), vtkDepthTagMetric::PER_VERTEX);
+  CHECK_EQUAL(recipe->GetSegmentPolicy(), vtkAdaptiveRefinement::POWERS_OF_TWO);
+  CHECK_EQUAL(recipe->GetGeomorphing(), vtkAdaptiveRefinement::GEOMORPHING_AUTOMATIC);
+  CHECK_EQUAL(recipe->GetLevelOffset(), 0.0);
 }
 
 // A face's pattern knows the segments of the face's sorted edges, however it lies there.
@@ -223,7 +226,7 @@ void TestFacePatterns(RelevoCheck& check)
         wrong += segments[e] != family->GetSegmentSteps().GetSegments(steps[e]) ? 1 : 0;
       }
     }
-    CHECK(wrong == 0);
+    CHECK_EQUAL(wrong, 0);
   }
 }
 }

@@ -117,6 +117,7 @@ void TestSpreadTags(RelevoCheck& check, vtkAdaptiveRefinement* recipe, const std
   const vtkIdType most = scene.Select(Highest);
   for (const double share : { 1.2, 2.0, 5.0, 20.0, 70.0, 300.0 })
   {
+    CHECK_CASE(share);
     const auto target = static_cast<vtkIdType>(share * static_cast<double>(least));
     if (target > most)
     {
@@ -130,11 +131,13 @@ void TestSpreadTags(RelevoCheck& check, vtkAdaptiveRefinement* recipe, const std
       __LINE__);
     for (const double guess : { -16.0, -3.3, offset, offset + 0.1, 1.7, 16.0 })
     {
+      CHECK_CASE(guess);
       Budget fresh;
-      CHECK(fresh.FindOffset({ part }, recipe->GetMaximumLevel(), target, Lowest, Highest, guess) ==
+      CHECK_EQUAL(
+        fresh.FindOffset({ part }, recipe->GetMaximumLevel(), target, Lowest, Highest, guess),
         offset);
     }
-    CHECK(Budget::CountTriangles({ part }, recipe->GetMaximumLevel(), offset) ==
+    CHECK_EQUAL(Budget::CountTriangles({ part }, recipe->GetMaximumLevel(), offset),
       static_cast<vtkIdType>(count));
   }
 }
@@ -153,21 +156,21 @@ void TestUniformTags(RelevoCheck& check)
   { return budget.FindOffset({ part }, recipe->GetMaximumLevel(), target, lowest, highest); };
   // From level 3 on at offset 0.25, from level 2 on at -0.75.
   CHECK_NEAR(find(3000), 0.25, Step);
-  CHECK(scene.Select(find(3000)) == 800);
-  CHECK(scene.Select(find(800)) == 800);
-  CHECK(scene.Select(find(799)) == 800); // within the tolerance
-  CHECK(scene.Select(find(3100)) == 3200);
-  CHECK(scene.Select(find(760)) == 200);
+  CHECK_EQUAL(scene.Select(find(3000)), 800);
+  CHECK_EQUAL(scene.Select(find(800)), 800);
+  CHECK_EQUAL(scene.Select(find(799)), 800); // within the tolerance
+  CHECK_EQUAL(scene.Select(find(3100)), 3200);
+  CHECK_EQUAL(scene.Select(find(760)), 200);
   // Out of reach.
   CHECK_NEAR(find(10), -1.75, Step);
-  CHECK(scene.Select(find(10)) == 50);
+  CHECK_EQUAL(scene.Select(find(10)), 50);
   CHECK_NEAR(find(1000000000), 2.25, Step);
-  CHECK(scene.Select(find(1000000000)) == 50 * 1024);
-  CHECK(scene.Select(find(50 * 1024)) == 50 * 1024);
+  CHECK_EQUAL(scene.Select(find(1000000000)), 50 * 1024);
+  CHECK_EQUAL(scene.Select(find(50 * 1024)), 50 * 1024);
   // Bounds of the offset.
-  CHECK(find(3000, Lowest, 0.0) == 0.0);
+  CHECK_EQUAL(find(3000, Lowest, 0.0), 0.0);
   CHECK_NEAR(find(10, -1.0, 0.0), -1.0, Step);
-  CHECK(find(1000000000, Lowest, 1.0) == 1.0);
+  CHECK_EQUAL(find(1000000000, Lowest, 1.0), 1.0);
   CHECK_NEAR(find(300, Lowest, 0.0), -0.75, Step);
 }
 
@@ -184,17 +187,19 @@ void TestPlainRecipes(RelevoCheck& check)
     const double offset =
       budget.FindOffset({ part }, recipe->GetMaximumLevel(), 4000, Lowest, Highest);
     CHECK_NEAR(offset, -0.5, Step);
-    CHECK(scene.Select(offset) == 3200);
+    CHECK_EQUAL(scene.Select(offset), 3200);
   }
   recipe->SetMaximumLevel(0);
   Scene scene(mesh, recipe);
   Budget budget;
-  CHECK(std::abs(budget.FindOffset(
-          { scene.GetPart() }, recipe->GetMaximumLevel(), 4000, Lowest, Highest)) <= Step);
+  CHECK_LESS_EQUAL(std::abs(budget.FindOffset(
+                     { scene.GetPart() }, recipe->GetMaximumLevel(), 4000, Lowest, Highest)),
+    Step);
   vtkNew<vtkPolyData> nothing;
   Scene empty(nothing, recipe);
-  CHECK(std::abs(budget.FindOffset(
-          { empty.GetPart() }, recipe->GetMaximumLevel(), 4000, Lowest, Highest)) <= Step);
+  CHECK_LESS_EQUAL(std::abs(budget.FindOffset(
+                     { empty.GetPart() }, recipe->GetMaximumLevel(), 4000, Lowest, Highest)),
+    Step);
   CHECK(std::isfinite(budget.FindOffset({}, recipe->GetMaximumLevel(), 4000, Lowest, Highest)));
 }
 
@@ -275,8 +280,8 @@ void TestFlight(RelevoCheck& check, vtkAdaptiveRefinement* recipe)
       {
         change = std::max(change, std::abs(tags[i] - lastTags[i]));
       }
-      CHECK(change < 0.5f);
-      CHECK(std::abs(offset - last) <= change + 2.0 * Step);
+      CHECK_LESS(change, 0.5f);
+      CHECK_NEAR(offset, last, change + 2.0 * Step);
     }
     last = offset;
     lastTags = tags;
@@ -289,6 +294,7 @@ int TestTriangleBudget(int, char*[])
   RelevoCheck check;
   for (const int rule : { 0, 1 })
   {
+    CHECK_CASE(rule);
     TestSpreadTags(check, MakeRecipe(0, 0, rule), "powers of two");
     TestSpreadTags(check, MakeRecipe(0, 1, rule), "morphing");
     TestSpreadTags(check, MakeRecipe(1, 0, rule), "whole numbers");

@@ -97,14 +97,15 @@ void TestTimes(RelevoCheck& check)
   for (const auto& each : cases)
   {
     subjects.SetMetric(each.Metric);
-    CHECK(subjects.Count([] {}) == 0);
-    CHECK(subjects.Count([&] { subjects.Camera->Azimuth(10.0); }) == (each.OfCamera ? 3 : 0));
-    CHECK(subjects.Count([&] { subjects.Place->SetElement(0, 3, subjects.Place->GetMTime()); }) ==
+    CHECK_EQUAL(subjects.Count([] {}), 0);
+    CHECK_EQUAL(subjects.Count([&] { subjects.Camera->Azimuth(10.0); }), (each.OfCamera ? 3 : 0));
+    CHECK_EQUAL(
+      subjects.Count([&] { subjects.Place->SetElement(0, 3, subjects.Place->GetMTime()); }),
       (each.OfPlace ? 3 : 0));
   }
   subjects.Recipe->SetMetric(nullptr);
   subjects.Count([] {});
-  CHECK(subjects.Locator->GetViewportSize()[0] == 400);
+  CHECK_EQUAL(subjects.Locator->GetViewportSize()[0], 400);
   const vtkMTimeType times[] = { subjects.Filter->GetMTime(), subjects.Locator->GetMTime() };
   subjects.Camera->Azimuth(10.0);
   CHECK(subjects.Filter->GetMTime() == times[0] && subjects.Locator->GetMTime() == times[1]);
@@ -143,7 +144,7 @@ void TestPlace(RelevoCheck& check)
     CHECK_NEAR(tag, getTags(expected)->GetTuple1(point), 1e-4);
     farthest = std::max(farthest, std::abs(tag - unmoved->GetTuple1(point)));
   }
-  CHECK(farthest > 0.1);
+  CHECK_GREATER(farthest, 0.1);
 }
 }
 

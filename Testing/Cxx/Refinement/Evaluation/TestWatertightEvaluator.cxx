@@ -97,7 +97,7 @@ void compareFaces(RelevoCheck& check, vtkPolyData* input, vtkAdaptiveRefinement*
       }
     }
   }
-  CHECK(compared > 0);
+  CHECK_GREATER(compared, 0);
 }
 // Zeros of both signs in points and normals.
 RelevoMeshes::Mesh makeBothZeros()

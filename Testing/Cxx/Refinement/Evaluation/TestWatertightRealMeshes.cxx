@@ -52,7 +52,7 @@ int TestWatertightRealMeshes(int, char*[])
   heights->FillRandom(64, 64, 1);
   for (const auto& mesh : meshes)
   {
-    CHECK(mesh.second->GetNumberOfPolys() > 1000);
+    CHECK_GREATER(mesh.second->GetNumberOfPolys(), 1000);
     const double size = mesh.second->GetLength();
     auto displacement = MakeDisplacement(heights, 0.003 * size);
     for (int split = 0; split < 2; ++split)
@@ -66,7 +66,7 @@ int TestWatertightRealMeshes(int, char*[])
         normals->ConsistencyOff();
         normals->Update();
         input = normals->GetOutput();
-        CHECK(input->GetNumberOfPoints() > mesh.second->GetNumberOfPoints());
+        CHECK_GREATER(input->GetNumberOfPoints(), mesh.second->GetNumberOfPoints());
       }
       AddRandomTextureCoordinates(input, 2);
       AddTags(input, 3, 2);

@@ -62,14 +62,16 @@ void TestReplace(RelevoCheck& check, const std::string& folder)
   const mode_t mask = umask(022);
   CHECK(AtomicFile::FindFault(name).empty() && CountFiles(folder) == 0);
   CHECK(AtomicFile::Write(name, Old).empty());
-  CHECK(RelevoReadFile(name) == Old && GetMode(name) == 0644 && CountFiles(folder) == 1);
+  CHECK_EQUAL(RelevoReadFile(name), Old);
+  CHECK_EQUAL(GetMode(name), 0644);
+  CHECK_EQUAL(CountFiles(folder), 1);
   chmod(name.c_str(), 0600);
   {
     AtomicFile file(name);
     CHECK(file.Append(New.substr(0, 7)) && RelevoReadFile(name) == Old);
     const fs::path temporary = file.GetTemporaryName();
     CHECK(temporary.extension() == ".txt" && AtomicFile::IsTemporary(temporary.filename()));
-    CHECK(fs::file_size(temporary) == 7);
+    CHECK_EQUAL(fs::file_size(temporary), 7);
     CHECK(file.Append(New.substr(7)) && file.Finish() && RelevoReadFile(name) == Old);
     CHECK(file.Commit() && RelevoReadFile(name) == New && GetMode(name) == 0600);
   }
@@ -78,8 +80,10 @@ void TestReplace(RelevoCheck& check, const std::string& folder)
     AtomicFile file(name); // given up
     file.Append("x");
   }
-  CHECK(RelevoReadFile(name) == New && CountFiles(folder) == 1);
-  CHECK(AtomicFile::Write(name, "") == "nothing was written" && RelevoReadFile(name) == New);
+  CHECK_EQUAL(RelevoReadFile(name), New);
+  CHECK_EQUAL(CountFiles(folder), 1);
+  CHECK_EQUAL(AtomicFile::Write(name, ""), "nothing was written");
+  CHECK_EQUAL(RelevoReadFile(name), New);
   const std::string longName = folder + "/" + std::string(240, 'l') + ".txt";
   CHECK(AtomicFile::Write(longName, Old).empty() && RelevoReadFile(longName) == Old);
   umask(mask);
@@ -93,7 +97,8 @@ void TestKeep(RelevoCheck& check, const std::string& folder)
   CHECK(first.Append("1") && second.Append("2"));
   CHECK(first.Commit(AtomicFile::OldFile::Keep));
   CHECK(!second.Commit(AtomicFile::OldFile::Keep) && second.GetFault() == "File exists");
-  CHECK(RelevoReadFile(name) == "1" && CountFiles(folder) == 1);
+  CHECK_EQUAL(RelevoReadFile(name), "1");
+  CHECK_EQUAL(CountFiles(folder), 1);
 }
 
 void TestLinks(RelevoCheck& check, const std::string& folder)
@@ -105,38 +110,42 @@ void TestLinks(RelevoCheck& check, const std::string& folder)
   fs::create_symlink("link", folder + "/chain");
   for (const std::string& name : { link, folder + "/chain" })
   {
+    CHECK_CASE(name);
     CHECK(AtomicFile::Write(name, name).empty());
     CHECK(fs::is_symlink(name) && !fs::is_symlink(file) && RelevoReadFile(file) == name);
   }
-  CHECK(CountFiles(folder) == 3 && CountFiles(folder + "/inside") == 1);
+  CHECK_EQUAL(CountFiles(folder), 3);
+  CHECK_EQUAL(CountFiles(folder + "/inside"), 1);
   fs::create_symlink("circle", folder + "/circle");
-  CHECK(AtomicFile::Write(folder + "/circle", Old).find("ymbolic links") != std::string::npos);
+  CHECK_NOT_EQUAL(
+    AtomicFile::Write(folder + "/circle", Old).find("ymbolic links"), std::string::npos);
   fs::create_symlink("nowhere/file", folder + "/broken");
-  CHECK(AtomicFile::Write(folder + "/broken", Old).find("there is no folder") == 0);
+  CHECK_EQUAL(AtomicFile::Write(folder + "/broken", Old).find("there is no folder"), 0);
 }
 
 void TestFaults(RelevoCheck& check, const std::string& folder)
 {
-  CHECK(AtomicFile::Write("", Old) == "there is no file name");
-  CHECK(AtomicFile::Write(folder, Old) == "it is a folder");
+  CHECK_EQUAL(AtomicFile::Write("", Old), "there is no file name");
+  CHECK_EQUAL(AtomicFile::Write(folder, Old), "it is a folder");
   RelevoWriteFile(folder + "/file", Old);
-  CHECK(AtomicFile::Write(folder + "/file/x", Old) == "there is no folder " + folder + "/file");
-  CHECK(AtomicFile::Write(folder + "/" + std::string(300, 'x'), Old) == "File name too long");
+  CHECK_EQUAL(AtomicFile::Write(folder + "/file/x", Old), "there is no folder " + folder + "/file");
+  CHECK_EQUAL(AtomicFile::Write(folder + "/" + std::string(300, 'x'), Old), "File name too long");
   AtomicFile file(folder + "/file");
   CHECK(file.Append(New));
   fs::remove(file.GetTemporaryName()); // as some of VTK's writers do when a disk is full
   CHECK(!file.Commit() && file.GetFault() == "No such file or directory");
-  CHECK(RelevoReadFile(folder + "/file") == Old);
+  CHECK_EQUAL(RelevoReadFile(folder + "/file"), Old);
   if (geteuid() == 0)
   {
     return; // may write everywhere
   }
   chmod((folder + "/file").c_str(), 0400);
-  CHECK(AtomicFile::Write(folder + "/file", New) == "Permission denied");
+  CHECK_EQUAL(AtomicFile::Write(folder + "/file", New), "Permission denied");
   chmod((folder + "/file").c_str(), 0600);
   chmod(folder.c_str(), 0500);
-  CHECK(AtomicFile::Write(folder + "/file", New) == "Permission denied in the folder " + folder);
-  CHECK(RelevoReadFile(folder + "/file") == Old);
+  CHECK_EQUAL(
+    AtomicFile::Write(folder + "/file", New), "Permission denied in the folder " + folder);
+  CHECK_EQUAL(RelevoReadFile(folder + "/file"), Old);
   chmod(folder.c_str(), 0700);
 }
 
@@ -144,7 +153,7 @@ void TestDevices(RelevoCheck& check, const std::string& folder)
 {
   if (fs::exists("/dev/full"))
   {
-    CHECK(AtomicFile::Write("/dev/full", Old) == "No space left on device");
+    CHECK_EQUAL(AtomicFile::Write("/dev/full", Old), "No space left on device");
     CHECK(fs::is_character_file("/dev/full"));
   }
   CHECK(AtomicFile::Write("/dev/null", Old).empty() && fs::is_character_file("/dev/null"));
@@ -169,7 +178,7 @@ void TestDevices(RelevoCheck& check, const std::string& folder)
       }
     });
   const std::string output = RelevoReadFile(name);
-  CHECK(output == "before\nbytes\n");
+  CHECK_EQUAL(output, "before\nbytes\n");
 }
 
 // Files that are larger than the process may write; the signal of that does not end it.
@@ -216,7 +225,8 @@ void TestFullDisk(RelevoCheck& check, const std::string& folder)
           _exit(writes[i]() == "File too large" ? 7 : 8);
         });
       CHECK(WIFEXITED(status) && WEXITSTATUS(status) == 7);
-      CHECK(RelevoReadFile(names[i]) == Old && CountFiles(folder) == 3);
+      CHECK_EQUAL(RelevoReadFile(names[i]), Old);
+      CHECK_EQUAL(CountFiles(folder), 3);
     }
     CHECK(writes[i]().empty() && fs::file_size(names[i]) > 20000);
   }
@@ -231,6 +241,7 @@ void TestSignals(RelevoCheck& check, const std::string& folder)
   RelevoWriteFile(name, Old);
   for (int signal : { SIGINT, SIGTERM, SIGHUP, SIGKILL })
   {
+    CHECK_CASE(signal);
     const int status = RunChild(
       [&]()
       {
@@ -242,8 +253,8 @@ void TestSignals(RelevoCheck& check, const std::string& folder)
         raise(signal);
       });
     CHECK(WIFSIGNALED(status) && WTERMSIG(status) == signal);
-    CHECK(RelevoReadFile(name) == Old);
-    CHECK(CountFiles(folder) == (signal == SIGKILL ? 3 : 1));
+    CHECK_EQUAL(RelevoReadFile(name), Old);
+    CHECK_EQUAL(CountFiles(folder), (signal == SIGKILL ? 3 : 1));
   }
   for (const fs::directory_entry& file : fs::directory_iterator(folder))
   {
@@ -266,7 +277,7 @@ void TestHandlers(RelevoCheck& check, const std::string& folder)
     CHECK(calls == 1 && file.Commit() && RelevoReadFile(name) == New);
   }
   CHECK(std::signal(SIGTERM, SIG_DFL) != SIG_DFL && std::signal(SIGHUP, SIG_DFL) == SIG_IGN);
-  CHECK(std::signal(SIGINT, SIG_DFL) == SIG_DFL);
+  CHECK_EQUAL(std::signal(SIGINT, SIG_DFL), SIG_DFL);
   // A child that is ended leaves the files of its parent.
   AtomicFile file(name);
   file.Append(Old);

@@ -177,7 +177,7 @@ void CheckWatertight(RelevoCheck& check, vtkPolyData* mesh, vtkAdaptiveRefinemen
       shoot(middle);
     }
   }
-  CHECK(slipped == 0);
+  CHECK_EQUAL(slipped, 0);
 }
 
 // A sphere through PN triangles is found where a sphere is.
@@ -215,8 +215,8 @@ void CheckSpecialLines(RelevoCheck& check)
 
   Mesh plane = Plane(2, 2);
   locator->SetDataSet(plane);
-  CHECK(Shoot(locator, { { 0.1, 0.2, 1 } }, { { 0.1, 0.2, 0 } }).T == 1.0);
-  CHECK(Shoot(locator, { { 0.1, 0.2, 0 } }, { { 0.1, 0.2, -1 } }).T == 0.0);
+  CHECK_EQUAL(Shoot(locator, { { 0.1, 0.2, 1 } }, { { 0.1, 0.2, 0 } }).T, 1.0);
+  CHECK_EQUAL(Shoot(locator, { { 0.1, 0.2, 0 } }, { { 0.1, 0.2, -1 } }).T, 0.0);
   CHECK(!Shoot(locator, { { 0.1, 0.2, 1 } }, { { 0.1, 0.2, 0.01 } }).Hit);
   CHECK(!Shoot(locator, { { 0.501, 0.2, 1 } }, { { 0.501, 0.2, -1 } }).Hit);
   found = Shoot(locator, { { 0.501, 0.2, 1 } }, { { 0.501, 0.2, -1 } }, 0.01);
@@ -232,15 +232,18 @@ void CheckSpecialLines(RelevoCheck& check)
   vtkNew<vtkIdList> cells;
   double box[6] = { 0.1, 0.2, 0.1, 0.2, -0.1, 0.1 };
   locator->FindCellsWithinBounds(box, cells);
-  CHECK(cells->GetNumberOfIds() == 1 && cells->GetId(0) == 3);
+  CHECK_EQUAL(cells->GetNumberOfIds(), 1);
+  CHECK_EQUAL(cells->GetId(0), 3);
   const double p1[3] = { -0.4, -0.3, 0.0 };
   const double p2[3] = { 0.4, -0.3, 0.0 };
   locator->FindCellsAlongLine(p1, p2, 0.0, cells);
-  CHECK(cells->GetNumberOfIds() == 2 && cells->GetId(0) == 0 && cells->GetId(1) == 1);
+  CHECK_EQUAL(cells->GetNumberOfIds(), 2);
+  CHECK_EQUAL(cells->GetId(0), 0);
+  CHECK_EQUAL(cells->GetId(1), 1);
 
   vtkNew<vtkPolyData> refined;
   locator->GenerateRepresentation(0, refined);
-  CHECK(refined->GetNumberOfCells() == 8 * 16);
+  CHECK_EQUAL(refined->GetNumberOfCells(), 8 * 16);
 }
 
 // What changes is seen; what cannot be is said.
@@ -262,14 +265,14 @@ void CheckChanges(RelevoCheck& check)
   CHECK_NEAR(heightOf(), 2.0, 1e-6);
   plane->GetPoints()->SetPoint(12, 0.0, 0.0, 1.0);
   plane->GetPoints()->Modified();
-  CHECK(heightOf() > 2.1);
+  CHECK_GREATER(heightOf(), 2.1);
   double x[3] = { 0.1, 0.2, 9 };
   double closest[3];
   double distance2;
   vtkIdType cell;
   int subId;
-  CHECK(locator->FindClosestPointWithinRadius(x, 5.0, closest, cell, subId, distance2) == 0);
-  CHECK(locator->FindClosestPointWithinRadius(x, 7.0, closest, cell, subId, distance2) == 1);
+  CHECK_EQUAL(locator->FindClosestPointWithinRadius(x, 5.0, closest, cell, subId, distance2), 0);
+  CHECK_EQUAL(locator->FindClosestPointWithinRadius(x, 7.0, closest, cell, subId, distance2), 1);
 
   // Levels of a view: a curved surface is finer, so nearer to the sphere, where the camera is near.
   Mesh sphere = Sphere(8, 6);
@@ -291,7 +294,7 @@ void CheckChanges(RelevoCheck& check)
   locator->SetCamera(camera);
   const double coarse = heightOf();
   camera->SetPosition(0.0, 0.0, 0.6);
-  CHECK(heightOf() > coarse + 1e-4);
+  CHECK_GREATER(heightOf(), coarse + 1e-4);
 
   locator->SetRefinement(nullptr);
   heightOf();
@@ -337,8 +340,8 @@ void CheckAllPoints(RelevoCheck& check)
     vtkNew<vtkIdList> cells;
     const int found =
       twins.Locator->IntersectWithLine(from.data(), to.data(), 0.0, points, cells, nullptr);
-    CHECK(found == (points->GetNumberOfPoints() > 0 ? 1 : 0));
-    CHECK(cells->GetNumberOfIds() == points->GetNumberOfPoints());
+    CHECK_EQUAL(found, (points->GetNumberOfPoints() > 0 ? 1 : 0));
+    CHECK_EQUAL(cells->GetNumberOfIds(), points->GetNumberOfPoints());
     bool same = points->GetNumberOfPoints() == static_cast<vtkIdType>(expected.size());
     vtkIdType i = 0;
     for (auto hit = expected.begin(); same && hit != expected.end(); ++hit, ++i)
@@ -355,8 +358,8 @@ void CheckAllPoints(RelevoCheck& check)
     differing += same ? 0 : 1;
     most = std::max(most, static_cast<int>(points->GetNumberOfPoints()));
   }
-  CHECK(differing <= 1); // through an edge within rounding
-  CHECK(most >= 4);
+  CHECK_LESS_EQUAL(differing, 1); // through an edge within rounding
+  CHECK_GREATER_EQUAL(most, 4);
 
   // From inside, from outside, past it; and lists that are not wanted.
   vtkNew<vtkRefinedCellLocator> ball;
@@ -367,14 +370,14 @@ void CheckAllPoints(RelevoCheck& check)
   const double beyond[3] = { -3.0, 0.1, 0.2 };
   const double above[3] = { 3.0, 0.1, 2.0 };
   vtkNew<vtkPoints> points;
-  CHECK(ball->IntersectWithLine(inside, outside, points, nullptr) == -1);
-  CHECK(points->GetNumberOfPoints() == 1);
-  CHECK(ball->IntersectWithLine(outside, beyond, points, nullptr) == 1);
-  CHECK(points->GetNumberOfPoints() == 2);
-  CHECK(points->GetPoint(0)[0] > points->GetPoint(1)[0]);
-  CHECK(ball->IntersectWithLine(outside, above, points, nullptr) == 0);
-  CHECK(points->GetNumberOfPoints() == 0);
-  CHECK(ball->IntersectWithLine(outside, inside, 0.1, nullptr, nullptr) == 1);
+  CHECK_EQUAL(ball->IntersectWithLine(inside, outside, points, nullptr), -1);
+  CHECK_EQUAL(points->GetNumberOfPoints(), 1);
+  CHECK_EQUAL(ball->IntersectWithLine(outside, beyond, points, nullptr), 1);
+  CHECK_EQUAL(points->GetNumberOfPoints(), 2);
+  CHECK_GREATER(points->GetPoint(0)[0], points->GetPoint(1)[0]);
+  CHECK_EQUAL(ball->IntersectWithLine(outside, above, points, nullptr), 0);
+  CHECK_EQUAL(points->GetNumberOfPoints(), 0);
+  CHECK_EQUAL(ball->IntersectWithLine(outside, inside, 0.1, nullptr, nullptr), 1);
 }
 }
 

@@ -137,9 +137,9 @@ void TestThreads(RelevoCheck& check)
   }
   for (int count : wrong)
   {
-    CHECK(count == 0);
+    CHECK_EQUAL(count, 0);
   }
-  CHECK(locator->GetBuildTime() == built);
+  CHECK_EQUAL(locator->GetBuildTime(), built);
 }
 
 // Vertices are looked at one by one: threads must not share the place of a point.
@@ -177,7 +177,7 @@ void TestVertices(RelevoCheck& check)
   }
   for (int number : wrong)
   {
-    CHECK(number == 0);
+    CHECK_EQUAL(number, 0);
   }
 }
 

@@ -19,13 +19,13 @@ namespace
 {
 void CheckMesh(RelevoCheck& check, vtkPolyData* mesh, int faces, int openEdges)
 {
-  CHECK(mesh->GetNumberOfPolys() == faces);
-  CHECK(mesh->GetNumberOfCells() == faces);
+  CHECK_EQUAL(mesh->GetNumberOfPolys(), faces);
+  CHECK_EQUAL(mesh->GetNumberOfCells(), faces);
   const auto places = relevo::ComputePlaces(mesh->GetPoints());
   const auto getPlace = [&places](vtkIdType point)
   { return places.empty() ? point : static_cast<vtkIdType>(places[point]); };
   vtkDataArray* normals = mesh->GetPointData()->GetNormals();
-  if (!CHECK(normals != nullptr))
+  if (!CHECK_NOT_EQUAL(normals, nullptr))
   {
     return;
   }
@@ -38,7 +38,7 @@ void CheckMesh(RelevoCheck& check, vtkPolyData* mesh, int faces, int openEdges)
   for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
   {
     mesh->GetCellPoints(cell, ids);
-    if (!CHECK(ids->GetNumberOfIds() == 3))
+    if (!CHECK_EQUAL(ids->GetNumberOfIds(), 3))
     {
       return;
     }
@@ -72,10 +72,10 @@ void CheckMesh(RelevoCheck& check, vtkPolyData* mesh, int faces, int openEdges)
     open += sides.count({ side.first.second, side.first.first }) ? 0 : 1;
   }
   CHECK(isOnce); // oriented, and two faces at most on an edge
-  CHECK(open == openEdges);
-  CHECK(volume > 0.0);
+  CHECK_EQUAL(open, openEdges);
+  CHECK_GREATER(volume, 0.0);
   CHECK(normalsFollow);
-  CHECK(smallest > 3.0);
+  CHECK_GREATER(smallest, 3.0);
 }
 }
 
@@ -91,9 +91,10 @@ int TestBenchmarkMeshes(int, char*[])
   CheckMesh(check, BenchmarkMeshes::MakeJet(), 303, 19);
   for (const double faces : { 8.0, 140.0, 2345.0 })
   {
+    CHECK_CASE(faces);
     const auto sphere = BenchmarkMeshes::MakeSphere(faces);
-    CHECK(sphere->GetNumberOfPolys() >= faces);
-    CHECK(sphere->GetNumberOfPolys() < 1.5 * faces + 4.0);
+    CHECK_GREATER_EQUAL(sphere->GetNumberOfPolys(), faces);
+    CHECK_LESS(sphere->GetNumberOfPolys(), 1.5 * faces + 4.0);
     CheckMesh(check, sphere, static_cast<int>(sphere->GetNumberOfPolys()), 0);
   }
   return check.GetResult();

@@ -151,13 +151,13 @@ void checkFlatSolids(RelevoCheck& check)
   for (int i = 0; i < 5; ++i)
   {
     const Fitted fitted = fit(solids[i]);
-    CHECK(fitted.IsLinear == areLinear[i]);
+    CHECK_EQUAL(fitted.IsLinear, areLinear[i]);
     CHECK_NEAR(getVolume(fitted.Refined) / getVolume(solids[i]), 1.0, i == 1 ? 3e-3 : 1e-6);
     CHECK_NEAR(compareBounds(fitted.Refined, solids[i]), 0.0, 0.002 * solids[i]->GetLength());
     CHECK(RelevoWatertight::FindFault(fitted.Coarse, fitted.Refined, 3).empty());
   }
-  CHECK(fit(solids[0]).NumberOfCreases == 12);
-  CHECK(fit(solids[2]).NumberOfCreases == 30);
+  CHECK_EQUAL(fit(solids[0]).NumberOfCreases, 12);
+  CHECK_EQUAL(fit(solids[2]).NumberOfCreases, 30);
 }
 
 // Only bent parts become curved.
@@ -168,7 +168,7 @@ void checkRoundSolids(RelevoCheck& check)
   const Fitted round = fit(sphere, 4);
   CHECK(!round.IsLinear && round.NumberOfCreases == 0);
   const double ball = pi / 6.0; // of radius 0.5
-  CHECK(getVolume(sphere) < 0.995 * ball);
+  CHECK_LESS(getVolume(sphere), 0.995 * ball);
   CHECK_NEAR(getVolume(round.Refined), ball, 0.001 * ball);
 
   vtkNew<vtkCylinderSource> source;
@@ -181,7 +181,7 @@ void checkRoundSolids(RelevoCheck& check)
   tube.Refined->GetBounds(bounds);
   CHECK_NEAR(bounds[3] - bounds[2], 2.0, 1e-6); // along its axis, y
   CHECK_NEAR(getVolume(tube.Refined), 2.0 * pi * 0.25, 0.006 * 2.0 * pi * 0.25);
-  CHECK(getVolume(tube.Refined) > getVolume(cylinder));
+  CHECK_GREATER(getVolume(tube.Refined), getVolume(cylinder));
   CHECK(RelevoWatertight::FindFault(tube.Coarse, tube.Refined, 4).empty());
 }
 
@@ -204,16 +204,17 @@ void checkNoise(RelevoCheck& check)
 {
   for (double share : { 0.01, 0.02 })
   {
+    CHECK_CASE(share);
     const Mesh scan = makeSphere(60);
     addNoise(scan, share);
     vtkNew<vtkCreaseNormals> chosen;
     chosen->SetInputData(scan);
     chosen->KeepCoarseFlatOff();
     chosen->Update();
-    CHECK(chosen->GetNumberOfCreases() > 200);
+    CHECK_GREATER(chosen->GetNumberOfCreases(), 200);
     const Fitted smooth = fit(scan, 1);
     CHECK(smooth.IsLinear && smooth.NumberOfCreases == 0);
-    CHECK(smooth.Coarse->GetNumberOfPoints() == scan->GetNumberOfPoints());
+    CHECK_EQUAL(smooth.Coarse->GetNumberOfPoints(), scan->GetNumberOfPoints());
     CHECK(RelevoWatertight::FindFault(smooth.Coarse, smooth.Refined, 1).empty());
   }
   // Stairs have ridges that run into valleys, but their bends are far from the feature angle.
@@ -260,7 +261,7 @@ void checkNoise(RelevoCheck& check)
   source->SetResolution(60);
   const Mesh tube = takeShape(source);
   addNoise(tube, 0.002);
-  CHECK(fit(tube).NumberOfCreases >= 120);
+  CHECK_GREATER_EQUAL(fit(tube).NumberOfCreases, 120);
 }
 
 // The tip of a cone has a normal that no side has: the sides stay straight.
@@ -279,7 +280,7 @@ void checkCone(RelevoCheck& check)
     // From x = -1, where the radius is 0.5, to the tip at x = 1.
     largest = std::max(largest, std::hypot(x[1], x[2]) - 0.25 * (1.0 - x[0]));
   }
-  CHECK(largest < 0.003);
+  CHECK_LESS(largest, 0.003);
   CHECK(RelevoWatertight::FindFault(cone.Coarse, cone.Refined, 4).empty());
 }
 
@@ -290,17 +291,17 @@ void checkGivenNormals(RelevoCheck& check)
   sphere->Update();
   const Fitted round = fit(sphere->GetOutput(), 4);
   CHECK(!round.IsLinear && round.NumberOfCreases == 0);
-  CHECK(getVolume(round.Refined) > 0.95 * vtkMath::Pi() / 6.0);
+  CHECK_GREATER(getVolume(round.Refined), 0.95 * vtkMath::Pi() / 6.0);
   vtkDataArray* before = sphere->GetOutput()->GetPointData()->GetNormals();
   vtkDataArray* after = round.Coarse->GetPointData()->GetNormals();
-  CHECK(after->GetNumberOfTuples() == before->GetNumberOfTuples());
+  CHECK_EQUAL(after->GetNumberOfTuples(), before->GetNumberOfTuples());
   for (vtkIdType i = 0; i < before->GetNumberOfTuples(); ++i)
   {
     double a[3];
     double b[3];
     before->GetTuple(i, a);
     after->GetTuple(i, b);
-    CHECK(vtkMath::Distance2BetweenPoints(a, b) < 1e-10);
+    CHECK_LESS(vtkMath::Distance2BetweenPoints(a, b), 1e-10);
   }
 
   const Mesh block = makeBlock();
@@ -323,8 +324,8 @@ void checkCoincidentPoints(RelevoCheck& check)
     triangles->Update();
     const Fitted shared = fit(triangles->GetOutput());
     const Fitted apart = fit(RelevoMeshes::Explode(triangles->GetOutput()));
-    CHECK(shared.IsLinear == apart.IsLinear);
-    CHECK(shared.NumberOfCreases == apart.NumberOfCreases);
+    CHECK_EQUAL(shared.IsLinear, apart.IsLinear);
+    CHECK_EQUAL(shared.NumberOfCreases, apart.NumberOfCreases);
     const double volume = getVolume(shared.Refined);
     CHECK_NEAR(getVolume(apart.Refined), volume, 1e-6 * volume);
     CHECK(RelevoWatertight::FindFault(apart.Coarse, apart.Refined, 3).empty());
@@ -350,14 +351,14 @@ void checkData(RelevoCheck& check)
   mesh->GetPointData()->AddArray(ofPoints);
   mesh->GetCellData()->AddArray(ofCells);
   const Mesh output = fit(mesh, 0).Coarse;
-  CHECK(output->GetNumberOfVerts() == mesh->GetNumberOfVerts());
-  CHECK(output->GetNumberOfLines() == mesh->GetNumberOfLines());
-  CHECK(output->GetNumberOfStrips() == 0);
-  CHECK(output->GetNumberOfPolys() > mesh->GetNumberOfPolys());
+  CHECK_EQUAL(output->GetNumberOfVerts(), mesh->GetNumberOfVerts());
+  CHECK_EQUAL(output->GetNumberOfLines(), mesh->GetNumberOfLines());
+  CHECK_EQUAL(output->GetNumberOfStrips(), 0);
+  CHECK_GREATER(output->GetNumberOfPolys(), mesh->GetNumberOfPolys());
   vtkDataArray* points = output->GetPointData()->GetArray("Point");
   vtkDataArray* cells = output->GetCellData()->GetArray("Cell");
-  CHECK(points->GetNumberOfTuples() == output->GetNumberOfPoints());
-  CHECK(cells->GetNumberOfTuples() == output->GetNumberOfCells());
+  CHECK_EQUAL(points->GetNumberOfTuples(), output->GetNumberOfPoints());
+  CHECK_EQUAL(cells->GetNumberOfTuples(), output->GetNumberOfCells());
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
   {
     double a[3];
@@ -381,15 +382,16 @@ void checkFeatureAngle(RelevoCheck& check)
   normals->SetFeatureAngle(100.0);
   normals->KeepCoarseFlatOff();
   normals->Update();
-  CHECK(normals->GetNumberOfCreases() == 0);
+  CHECK_EQUAL(normals->GetNumberOfCreases(), 0);
   CHECK(vtkPNTriangleSurface::SafeDownCast(normals->GetFittingSurface()));
-  CHECK(normals->GetOutput()->GetNumberOfPoints() == 8);
+  CHECK_EQUAL(normals->GetOutput()->GetNumberOfPoints(), 8);
   RelevoErrors errors(normals);
   for (double angle : { -1.0, 181.0, vtkMath::Nan() })
   {
+    CHECK_CASE(angle);
     normals->SetFeatureAngle(angle);
     CHECK(errors.Said("FeatureAngle must be in [0, 180]"));
-    CHECK(normals->GetFeatureAngle() == 100.0);
+    CHECK_EQUAL(normals->GetFeatureAngle(), 100.0);
   }
 }
 
@@ -403,7 +405,7 @@ void checkBadInput(RelevoCheck& check)
   normals->SetInputData(mesh);
   normals->Update();
   CHECK(errors.Said("Cell 6 refers to point 99, but there are 8 points."));
-  CHECK(normals->GetOutput()->GetNumberOfCells() == 0);
+  CHECK_EQUAL(normals->GetOutput()->GetNumberOfCells(), 0);
   CHECK(!normals->GetFittingSurface());
 
   // Nothing, no area, no number: no error, and no normal that is not finite.
@@ -415,7 +417,7 @@ void checkBadInput(RelevoCheck& check)
     { { { 0, 1, 2 } }, { { 0, 1, 3 } }, { { 0, 1, 1 } }, { { 0, 1, 4 } } }));
   normals->Update();
   CHECK(errors.None());
-  CHECK(normals->GetOutput()->GetNumberOfCells() == 4);
+  CHECK_EQUAL(normals->GetOutput()->GetNumberOfCells(), 4);
   vtkDataArray* array = normals->GetOutput()->GetPointData()->GetNormals();
   for (vtkIdType i = 0; i < 3 * array->GetNumberOfTuples(); ++i)
   {

@@ -40,10 +40,10 @@ int TestPointBlanking(int, char*[])
     image->SetDimensions(4, 3, 1);
     image->GetPointData()->AddArray(MakeGhosts(tuples, components));
     const relevo::PointBlanking blanking(image);
-    CHECK(blanking.HidesAny() == isUsed);
+    CHECK_EQUAL(blanking.HidesAny(), isUsed);
     for (vtkIdType point = 0; point < points; ++point)
     {
-      CHECK(blanking.IsHidden(point) == (isUsed && point % 4 == 2));
+      CHECK_EQUAL(blanking.IsHidden(point), (isUsed && point % 4 == 2));
     }
   };
   test(points, 1, true);

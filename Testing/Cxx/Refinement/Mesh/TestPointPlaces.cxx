@@ -21,6 +21,7 @@ int TestPointPlaces(int, char*[])
 
   for (int type : { VTK_FLOAT, VTK_DOUBLE, VTK_INT })
   {
+    CHECK_CASE(type);
     vtkNew<vtkMinimalStandardRandomSequence> random;
     random->SetSeed(1);
     const auto next = [&random](double scale)
@@ -38,7 +39,7 @@ int TestPointPlaces(int, char*[])
       points->InsertNextPoint(x.data());
       expected.push_back(first.emplace(x, id).first->second);
     }
-    CHECK(relevo::ComputePlaces(points) == expected);
+    CHECK_EQUAL(relevo::ComputePlaces(points), expected);
   }
 
   // Distinct in the last bit only; 0 equals -0; NaN equals nothing.
@@ -52,7 +53,7 @@ int TestPointPlaces(int, char*[])
   CHECK(relevo::ComputePlaces(points).empty());
   points->InsertNextPoint(1.0, -0.0, 0.0);
   const std::vector<vtkIdType> expected{ 0, 1, 2, 3, 0 };
-  CHECK(relevo::ComputePlaces(points) == expected);
+  CHECK_EQUAL(relevo::ComputePlaces(points), expected);
 
   float tags[5] = { 1.0f, 2.0f, 3.0f, 4.0f, 5.0f };
   relevo::UniteTags(expected, tags);

@@ -71,30 +71,30 @@ void TestMesh(RelevoCheck& check, vtkPolyData* mesh)
 {
   const auto expected = FindEdges(mesh);
   const relevo::SurfaceEdges edges(mesh);
-  CHECK(edges.GetNumberOfEdges() == static_cast<int>(expected.size()));
+  CHECK_EQUAL(edges.GetNumberOfEdges(), static_cast<int>(expected.size()));
   int index = 0;
   for (const auto& item : expected) // sorted, as the edges are
   {
     const Pair& places = item.first;
     const Uses& uses = item.second;
-    CHECK(edges.GetEdges()[index].Places[0] == places.first);
-    CHECK(edges.GetEdges()[index].Places[1] == places.second);
-    CHECK(edges.FindEdge(places.first, places.second) == index);
-    CHECK(edges.FindEdge(places.second, places.first) == index);
+    CHECK_EQUAL(edges.GetEdges()[index].Places[0], places.first);
+    CHECK_EQUAL(edges.GetEdges()[index].Places[1], places.second);
+    CHECK_EQUAL(edges.FindEdge(places.first, places.second), index);
+    CHECK_EQUAL(edges.FindEdge(places.second, places.first), index);
     int sides = 0;
     edges.ForEachSides(index,
       [&](int i)
       {
         const relevo::SurfaceEdgeSides& two = edges.GetSides()[i];
         ++sides;
-        CHECK(two.Edge == index);
+        CHECK_EQUAL(two.Edge, index);
         const auto type = uses.Triangles != 2 ? relevo::SurfaceEdgeSides::OPEN
           : uses.Ascending == 1               ? relevo::SurfaceEdgeSides::INNER
                                               : relevo::SurfaceEdgeSides::FLIPPED;
-        CHECK(two.Type == type);
-        CHECK((two.Triangles[1] < 0) == (uses.Triangles == 1));
+        CHECK_EQUAL(two.Type, type);
+        CHECK_EQUAL((two.Triangles[1] < 0), (uses.Triangles == 1));
       });
-    CHECK(sides == std::max(1, uses.Triangles - 1));
+    CHECK_EQUAL(sides, std::max(1, uses.Triangles - 1));
     ++index;
   }
   const vtkIdType n = mesh->GetNumberOfPoints();
@@ -104,7 +104,7 @@ void TestMesh(RelevoCheck& check, vtkPolyData* mesh)
     {
       if (expected.count({ std::min(a, b), std::max(a, b) }) == 0)
       {
-        CHECK(edges.FindEdge(a, b) == -1);
+        CHECK_EQUAL(edges.FindEdge(a, b), -1);
       }
     }
   }
@@ -123,10 +123,10 @@ void TestMesh(RelevoCheck& check, vtkPolyData* mesh)
   vtkNew<vtkFloatArray> ofPoints;
   edges.TagPoints(tags.data(), ofPoints);
   const std::vector<vtkIdType> places = FindPlaces(mesh);
-  CHECK(ofPoints->GetNumberOfTuples() == n);
+  CHECK_EQUAL(ofPoints->GetNumberOfTuples(), n);
   for (vtkIdType point = 0; point < n; ++point)
   {
-    CHECK(ofPoints->GetValue(point) == largest[places[point]]);
+    CHECK_EQUAL(ofPoints->GetValue(point), largest[places[point]]);
   }
 }
 }

@@ -64,20 +64,22 @@ void TestModes(RelevoCheck& check, Pair& pair)
 
   metric->AddMetric(pair.First);
   metric->AddMetric(pair.Second, 0.5);
-  CHECK(metric->GetNumberOfMetrics() == 2 && metric->GetMetric(1) == pair.Second.Get());
-  CHECK(metric->GetWeight(0) == 1.0 && metric->GetWeight(1) == 0.5);
+  CHECK_EQUAL(metric->GetNumberOfMetrics(), 2);
+  CHECK_EQUAL(metric->GetMetric(1), pair.Second.Get());
+  CHECK_EQUAL(metric->GetWeight(0), 1.0);
+  CHECK_EQUAL(metric->GetWeight(1), 0.5);
   CHECK(!metric->GetMetric(2) && !metric->GetMetric(-1) && metric->GetWeight(2) == 0.0);
-  CHECK(pair.GetTags(4) == std::vector<float>({ 1.5f, 1.0f, 4.0f }));
+  CHECK_EQUAL(pair.GetTags(4), std::vector<float>({ 1.5f, 1.0f, 4.0f }));
   metric->SetModeToSum();
-  CHECK(pair.GetTags(4) == std::vector<float>({ 1.5f, 2.0f, 4.0f }));
+  CHECK_EQUAL(pair.GetTags(4), std::vector<float>({ 1.5f, 2.0f, 4.0f }));
   metric->SetModeToProduct();
   const auto tags = pair.GetTags(4);
   CHECK_NEAR(tags[0], 0.0, 1e-6);
   CHECK_NEAR(tags[1], 4.0 * 0.25 * std::sqrt(0.5), 1e-5);
   CHECK_NEAR(tags[2], 4.0, 1e-6);
-  CHECK(pair.GetTags(0) == std::vector<float>(3, 0.0f));
+  CHECK_EQUAL(pair.GetTags(0), std::vector<float>(3, 0.0f));
   metric->AddMetric(pair.Second, 0.0);
-  CHECK(pair.GetTags(4) == tags);
+  CHECK_EQUAL(pair.GetTags(4), tags);
 }
 
 // What does not depend on the view is kept until something changes; the rest is not.
@@ -85,23 +87,24 @@ void TestKept(RelevoCheck& check, Pair& pair)
 {
   vtkCompositeDepthTagMetric* metric = pair.Metric;
   KeptMetric kept(metric);
-  CHECK(kept.GetTags(pair.Mesh, pair.View, 4) == pair.GetTags(4));
+  CHECK_EQUAL(kept.GetTags(pair.Mesh, pair.View, 4), pair.GetTags(4));
   const int firstCount = pair.First->Count;
   pair.Second->ViewDependent = true;
   CHECK(metric->IsViewDependent());
   const int secondCount = pair.Second->Count;
   kept.GetTags(pair.Mesh, pair.View, 4);
-  CHECK(pair.First->Count == firstCount && pair.Second->Count > secondCount);
+  CHECK_EQUAL(pair.First->Count, firstCount);
+  CHECK_GREATER(pair.Second->Count, secondCount);
   kept.GetTags(pair.Mesh, pair.View, 5);
-  CHECK(pair.First->Count == firstCount + 1);
+  CHECK_EQUAL(pair.First->Count, firstCount + 1);
   pair.Mesh->GetPoints()->Modified();
   kept.GetTags(pair.Mesh, pair.View, 5);
-  CHECK(pair.First->Count == firstCount + 2);
+  CHECK_EQUAL(pair.First->Count, firstCount + 2);
   const vtkMTimeType time = metric->GetMTime();
   pair.First->Modified();
-  CHECK(metric->GetMTime() > time);
+  CHECK_GREATER(metric->GetMTime(), time);
   kept.GetTags(pair.Mesh, pair.View, 5);
-  CHECK(pair.First->Count == firstCount + 3);
+  CHECK_EQUAL(pair.First->Count, firstCount + 3);
 }
 
 // Real ones, and nested: never less than any part by the maximum, never more by the product.
@@ -162,10 +165,11 @@ void TestErrors(RelevoCheck& check, Pair& pair)
   CHECK(errors.Said("contain itself"));
   for (double bad : { -1.0, 1e9, std::nan("") })
   {
+    CHECK_CASE(bad);
     metric->AddMetric(pair.First, bad);
     CHECK(errors.Said("Weight"));
   }
-  CHECK(metric->GetNumberOfMetrics() == before);
+  CHECK_EQUAL(metric->GetNumberOfMetrics(), before);
   metric->SetMode(3);
   CHECK(errors.Said("Mode") && metric->GetMode() == vtkCompositeDepthTagMetric::PRODUCT);
 }
@@ -177,7 +181,7 @@ void TestFailingPart(RelevoCheck& check, Pair& pair)
   RelevoErrors errors(metric);
   vtkNew<vtkDistanceDepthTagMetric> distance; // without a camera
   metric->RemoveAllMetrics();
-  CHECK(metric->GetNumberOfMetrics() == 0);
+  CHECK_EQUAL(metric->GetNumberOfMetrics(), 0);
   metric->AddMetric(distance);
   RelevoErrors partErrors(distance);
   CHECK(pair.GetTags(4).empty());

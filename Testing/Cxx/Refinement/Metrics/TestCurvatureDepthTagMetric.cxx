@@ -148,13 +148,15 @@ void TestAnalytic(RelevoCheck& check)
   double previous[2] = { 1.0, 1.0 };
   for (int subdivisions : { 2, 3, 4 })
   {
+    CHECK_CASE(subdivisions);
     auto sphere = MakeSphere(r, subdivisions);
     const double gaussian =
       LargestError(Gaussian(sphere), [=](size_t) { return 1 / (r * r); }) * r * r;
     const double mean = LargestError(Mean(sphere), [=](size_t) { return 1 / r; }) * r;
     std::cout << "sphere, " << sphere->GetNumberOfPolys() << " triangles: largest relative error "
               << gaussian << " (Gaussian), " << mean << " (mean)\n";
-    CHECK(gaussian < 0.05 && mean < 0.02);
+    CHECK_LESS(gaussian, 0.05);
+    CHECK_LESS(mean, 0.02);
     CHECK(gaussian < previous[0] && mean < previous[1]);
     previous[0] = gaussian;
     previous[1] = mean;
@@ -175,7 +177,8 @@ void TestAnalytic(RelevoCheck& check)
     });
   std::cout << "torus: largest error " << gaussian << " of 0.5 (Gaussian), " << mean
             << " of 0.625 (mean)\n";
-  CHECK(gaussian < 0.005 && mean < 0.005);
+  CHECK_LESS(gaussian, 0.005);
+  CHECK_LESS(mean, 0.005);
 
   // Borders: an open cylinder and half a sphere are curved up to their rims.
   auto cylinder = MakeGrid(90, 20,
@@ -225,7 +228,8 @@ void TestRepresentations(RelevoCheck& check)
   stripper->SetInputData(fans);
   stripper->Update();
   vtkPolyData* strips = stripper->GetOutput();
-  CHECK(strips->GetNumberOfStrips() > 0 && strips->GetNumberOfPolys() < 100);
+  CHECK_GREATER(strips->GetNumberOfStrips(), 0);
+  CHECK_LESS(strips->GetNumberOfPolys(), 100);
   CHECK_NEAR(LargestDifference(Gaussian(strips), gaussian), 0.0, 1e-11);
   CHECK_NEAR(LargestDifference(Mean(strips), mean), 0.0, 1e-11);
 
@@ -260,13 +264,13 @@ void TestThresholds(RelevoCheck& check)
   vtkNew<vtkDoubleArray> curvatures;
   const relevo::RefinementView view;
   CHECK(!metric->IsViewDependent());
-  CHECK(metric->GetCurvatureType() == vtkCurvatureDepthTagMetric::GAUSSIAN);
+  CHECK_EQUAL(metric->GetCurvatureType(), vtkCurvatureDepthTagMetric::GAUSSIAN);
 
   auto torus = MakeTorus(3.0, 1.0, 60, 40);
   metric->SetMinimumCurvature(0.1);
   metric->SetMaximumCurvature(0.3);
   metric->ComputeCurvatures(torus, curvatures);
-  CHECK(std::string(curvatures->GetName()) == "Gauss_Curvature");
+  CHECK_EQUAL(std::string(curvatures->GetName()), "Gauss_Curvature");
   CHECK(metric->ComputeTags(torus, view, 6, tags));
   double error = 0.0;
   std::set<float> ends;
@@ -281,11 +285,11 @@ void TestThresholds(RelevoCheck& check)
   CHECK(*ends.begin() == 0.0f && *ends.rbegin() == 6.0f && ends.size() > 10);
   metric->SetCurvatureTypeToMean();
   metric->ComputeCurvatures(torus, curvatures);
-  CHECK(std::string(curvatures->GetName()) == "Mean_Curvature");
+  CHECK_EQUAL(std::string(curvatures->GetName()), "Mean_Curvature");
   CHECK_NEAR(curvatures->GetValue(0), 0.625, 0.01);
   metric->SetMaximumCurvature(0.1); // a step
   CHECK(metric->ComputeTags(torus, view, 6, tags));
-  CHECK(tags->GetRange()[0] == 6.0);
+  CHECK_EQUAL(tags->GetRange()[0], 6.0);
 }
 
 // A sphere is curved everywhere, a plane nowhere, however it lies.
@@ -375,15 +379,15 @@ void TestKept(RelevoCheck& check)
   metric->ComputeCurvatures(sphere, curvatures);
   const double before = curvatures->GetValue(0);
   relevo::MetricMesh mesh(sphere);
-  CHECK(relevo::GetShape(mesh).GetCurvature().Mean[0] == before);
+  CHECK_EQUAL(relevo::GetShape(mesh).GetCurvature().Mean[0], before);
   sphere->GetPoints()->SetPoint(0, 0, 0, 0);
   mesh.Update(sphere);
-  CHECK(relevo::GetShape(mesh).GetCurvature().Mean[0] == before);
+  CHECK_EQUAL(relevo::GetShape(mesh).GetCurvature().Mean[0], before);
   sphere->GetPoints()->Modified();
   mesh.Update(sphere);
-  CHECK(relevo::GetShape(mesh).GetCurvature().Mean[0] != before);
+  CHECK_NOT_EQUAL(relevo::GetShape(mesh).GetCurvature().Mean[0], before);
   metric->ComputeCurvatures(sphere, curvatures);
-  CHECK(curvatures->GetValue(0) != before);
+  CHECK_NOT_EQUAL(curvatures->GetValue(0), before);
 }
 
 void TestBadInput(RelevoCheck& check)
@@ -404,6 +408,7 @@ void TestBadInput(RelevoCheck& check)
       { 1, 2, -5 }, { 0, 1, 2, 3, 4, 5, 6 } });
   for (int type : { vtkCurvatureDepthTagMetric::GAUSSIAN, vtkCurvatureDepthTagMetric::MEAN })
   {
+    CHECK_CASE(type);
     metric->SetCurvatureType(type);
     for (double value : Curvatures(broken, type))
     {
@@ -412,9 +417,11 @@ void TestBadInput(RelevoCheck& check)
     CHECK(metric->ComputeTags(broken, view, 5, tags));
     for (vtkIdType id = 0; id < tags->GetNumberOfTuples(); ++id)
     {
-      CHECK(tags->GetValue(id) >= 0.0f && tags->GetValue(id) <= 5.0f);
+      CHECK_GREATER_EQUAL(tags->GetValue(id), 0.0f);
+      CHECK_LESS_EQUAL(tags->GetValue(id), 5.0f);
     }
-    CHECK(tags->GetValue(6) == 0.0f && tags->GetValue(7) == 0.0f);
+    CHECK_EQUAL(tags->GetValue(6), 0.0f);
+    CHECK_EQUAL(tags->GetValue(7), 0.0f);
   }
   // A triangle of no area inside a plane is no bump.
   auto plane = MakeGrid(4, 4,
@@ -437,14 +444,16 @@ void TestBadInput(RelevoCheck& check)
   metric->SetCurvatureTypeToMean();
   metric->SetCurvatureType(2);
   CHECK(errors.Said("CurvatureType must be one of GAUSSIAN (0), MEAN (1), got 2"));
-  CHECK(metric->GetCurvatureType() == vtkCurvatureDepthTagMetric::MEAN);
+  CHECK_EQUAL(metric->GetCurvatureType(), vtkCurvatureDepthTagMetric::MEAN);
   for (double bad : { -1.0, nan, infinity })
   {
+    CHECK_CASE(bad);
     metric->SetMinimumCurvature(bad);
     CHECK(errors.Said("MinimumCurvature"));
     metric->SetMaximumCurvature(bad);
     CHECK(errors.Said("MaximumCurvature"));
-    CHECK(metric->GetMinimumCurvature() == 0.0 && metric->GetMaximumCurvature() == 0.0);
+    CHECK_EQUAL(metric->GetMinimumCurvature(), 0.0);
+    CHECK_EQUAL(metric->GetMaximumCurvature(), 0.0);
   }
   metric->SetMinimumCurvature(2.0);
   metric->SetMaximumCurvature(1.0);
@@ -520,7 +529,7 @@ void TestDisplaced(RelevoCheck& check)
   // The mesh by itself is flat.
   recipe->SetDisplacement(nullptr);
   const std::vector<float> flat = GetTags(check, mesh, recipe, vtkCurvatureDepthTagMetric::MEAN);
-  CHECK(*std::max_element(flat.begin(), flat.end()) == 0.0f);
+  CHECK_EQUAL(*std::max_element(flat.begin(), flat.end()), 0.0f);
 }
 
 // A composite of one metric has the metric's tags, also after the displacement has changed.
@@ -546,10 +555,10 @@ void TestComposite(RelevoCheck& check)
     recipe->SetMetric(composite);
     const std::vector<float> combined = UpdateTags(check, cached[0], mesh, recipe);
     recipe->SetMetric(metric);
-    CHECK(combined == UpdateTags(check, cached[1], mesh, recipe));
+    CHECK_EQUAL(combined, UpdateTags(check, cached[1], mesh, recipe));
     relevo::EdgeTags fresh;
-    CHECK(combined == UpdateTags(check, fresh, mesh, recipe));
-    CHECK(combined != last);
+    CHECK_EQUAL(combined, UpdateTags(check, fresh, mesh, recipe));
+    CHECK_NOT_EQUAL(combined, last);
     last = combined;
   }
 }
@@ -623,8 +632,8 @@ void TestError(RelevoCheck& check)
   const double errors[2] = { GetError(refined, heights), GetError(equal, heights) };
   std::cout << refined->GetNumberOfPolys() << " triangles by curvature, off by " << errors[0]
             << "; " << equal->GetNumberOfPolys() << " equal ones by " << errors[1] << std::endl;
-  CHECK(refined->GetNumberOfPolys() <= equal->GetNumberOfPolys());
-  CHECK(errors[0] < 0.9 * errors[1]);
+  CHECK_LESS_EQUAL(refined->GetNumberOfPolys(), equal->GetNumberOfPolys());
+  CHECK_LESS(errors[0], 0.9 * errors[1]);
 }
 
 // Pieces with a layer of ghosts have the levels of the whole.
@@ -652,7 +661,8 @@ void TestPieces(RelevoCheck& check)
     piece->GetCellData()->AddArray(ghosts);
     sum += RelevoMeshes::Refine(piece, recipe)->GetNumberOfPolys();
   }
-  CHECK(sum == expected && expected > whole->GetNumberOfCells() * 8);
+  CHECK_EQUAL(sum, expected);
+  CHECK_GREATER(expected, whole->GetNumberOfCells() * 8);
 }
 }
 

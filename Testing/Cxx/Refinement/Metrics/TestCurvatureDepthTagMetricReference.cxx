@@ -93,7 +93,7 @@ void TestGaussian(RelevoCheck& check, vtkPolyData* mesh, const std::vector<vtkId
   }
   std::cout << within << " of " << inner.size() << " Gaussian curvatures within vtkCurvatures' "
             << "bounds\n";
-  CHECK(within == inner.size());
+  CHECK_EQUAL(within, inner.size());
 }
 
 // Its mean curvature comes from the angles between triangles: equal in the limit only.
@@ -119,7 +119,7 @@ void TestMean(RelevoCheck& check, vtkPolyData* mesh, const std::vector<vtkIdType
   const double correlation = products[0] / std::sqrt(products[1] * products[2]);
   std::cout << "mean curvature: correlation with vtkCurvatures " << correlation
             << ", median of the ratios " << ratios[ratios.size() / 2] << "\n";
-  CHECK(correlation > 0.9);
+  CHECK_GREATER(correlation, 0.9);
   CHECK_NEAR(ratios[ratios.size() / 2], 1.0, 0.1);
 }
 }
@@ -129,7 +129,7 @@ int TestCurvatureDepthTagMetricReference(int, char*[])
   RelevoCheck check;
   const auto mesh = ReadMesh();
   const auto inner = FindInnerPoints(mesh);
-  CHECK(inner.size() > 600);
+  CHECK_GREATER(inner.size(), 600);
   TestGaussian(check, mesh, inner);
   TestMean(check, mesh, inner);
   return check.GetResult();

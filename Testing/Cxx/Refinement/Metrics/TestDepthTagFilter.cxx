@@ -97,7 +97,7 @@ void TestEdgeRule(RelevoCheck& check)
   CHECK(HasLevels(filter, 0, 1, 2, 1));
   CHECK(HasLevels(filter, 1, 2, 4, 5)); // means 1.5, 4, 4.5
   // The edge that both share has one level, from either side.
-  CHECK(Levels(filter)->GetValue(1) == Levels(filter)->GetValue(3));
+  CHECK_EQUAL(Levels(filter)->GetValue(1), Levels(filter)->GetValue(3));
 
   // Just below a half rounds down, to the last bit.
   const float below = std::nextafter(0.5f, 0.0f);
@@ -110,7 +110,8 @@ void TestEdgeRule(RelevoCheck& check)
   filter->SetMaximumLevel(3);
   SetTags(mesh, { -2.0f, 6.0f, 8.0f, -3.0f });
   filter->Update();
-  CHECK(Tags(filter)->GetValue(0) == -2.0f && Tags(filter)->GetValue(2) == 8.0f);
+  CHECK_EQUAL(Tags(filter)->GetValue(0), -2.0f);
+  CHECK_EQUAL(Tags(filter)->GetValue(2), 8.0f);
   CHECK(HasLevels(filter, 0, 2, 3, 3));
   CHECK(HasLevels(filter, 1, 3, 2, 3)); // means 7, 1.5, 2.5
   const float infinity = std::numeric_limits<float>::infinity();
@@ -128,8 +129,9 @@ void TestEdgeRule(RelevoCheck& check)
   filter->Update();
   for (int id : { 1, 3 })
   {
-    CHECK(Tags(filter)->GetValue(id) == 3.0f);
-    CHECK(Tags(filter)->GetValue(id + 1) == 2.0f);
+    CHECK_CASE(id);
+    CHECK_EQUAL(Tags(filter)->GetValue(id), 3.0f);
+    CHECK_EQUAL(Tags(filter)->GetValue(id + 1), 2.0f);
   }
   CHECK(HasLevels(filter, 0, 2, 3, 1));
   CHECK(HasLevels(filter, 1, 3, 2, 1));
@@ -151,7 +153,7 @@ void TestLevelRule(RelevoCheck& check)
   filter->SetMetric(metric);
   filter->SetCamera(camera);
   filter->SetViewportSize(400, 400);
-  CHECK(filter->GetLevelRule() == vtkDepthTagMetric::PER_VERTEX);
+  CHECK_EQUAL(filter->GetLevelRule(), vtkDepthTagMetric::PER_VERTEX);
   metric->SetReferenceLength(7.5); // 0.42 levels more
   filter->Update();
   CHECK(HasLevels(filter, 0, 4, 4, 4)); // tags 3.42, 3.74, 3.74
@@ -212,20 +214,23 @@ void TestPassThrough(RelevoCheck& check)
   filter->SetMaximumLevel(4);
   filter->Update();
   vtkPolyData* output = filter->GetOutput();
-  CHECK(output->GetPoints() == mesh->GetPoints() && output->GetPolys() == mesh->GetPolys());
-  CHECK(output->GetNumberOfCells() == 7);
-  CHECK(output->GetPointData()->GetScalars() == temperature.Get());
-  CHECK(output->GetCellData()->GetArray("Material") == material.Get());
-  CHECK(output->GetFieldData()->GetArray("Field") == field.Get());
-  CHECK(mesh->GetPointData()->GetArray("DepthTag") == nullptr);
+  CHECK_EQUAL(output->GetPoints(), mesh->GetPoints());
+  CHECK_EQUAL(output->GetPolys(), mesh->GetPolys());
+  CHECK_EQUAL(output->GetNumberOfCells(), 7);
+  CHECK_EQUAL(output->GetPointData()->GetScalars(), temperature.Get());
+  CHECK_EQUAL(output->GetCellData()->GetArray("Material"), material.Get());
+  CHECK_EQUAL(output->GetFieldData()->GetArray("Field"), field.Get());
+  CHECK_EQUAL(mesh->GetPointData()->GetArray("DepthTag"), nullptr);
 
   // Tags 4, 2, 2, 4 - 2 sqrt(2).
   CHECK_NEAR(Tags(filter)->GetValue(0), 4.0, 1e-6);
   CHECK_NEAR(Tags(filter)->GetValue(1), 2.0, 1e-6);
   CHECK_NEAR(Tags(filter)->GetValue(3), 4.0 - 2.0 * std::sqrt(2.0), 1e-6);
-  CHECK(Levels(filter)->GetNumberOfTuples() == 7 && Levels(filter)->GetNumberOfComponents() == 3);
+  CHECK_EQUAL(Levels(filter)->GetNumberOfTuples(), 7);
+  CHECK_EQUAL(Levels(filter)->GetNumberOfComponents(), 3);
   for (vtkIdType cell : { 0, 1, 2, 3, 5, 6 })
   {
+    CHECK_CASE(cell);
     CHECK(HasLevels(filter, cell, -1, -1, -1));
   }
   CHECK(HasLevels(filter, 4, 3, 2, 3));
@@ -260,28 +265,29 @@ void TestUpdates(RelevoCheck& check)
   filter->SetCamera(camera);
   filter->Update();
   filter->Update();
-  CHECK(runs == 1);
+  CHECK_EQUAL(runs, 1);
   const float before = Tags(filter)->GetValue(0);
   camera->SetPosition(0, 0, 2);
   filter->Update();
-  CHECK(runs == 2 && Tags(filter)->GetValue(0) < before);
+  CHECK_EQUAL(runs, 2);
+  CHECK_LESS(Tags(filter)->GetValue(0), before);
   distance->SetMaximumDistance(20.0);
   filter->Update();
-  CHECK(runs == 3);
+  CHECK_EQUAL(runs, 3);
   filter->SetViewportSize(640, 480);
   filter->SetMaximumLevel(7);
   filter->Update();
-  CHECK(runs == 4);
+  CHECK_EQUAL(runs, 4);
   // What does not depend on the view does not run again when the camera moves.
   filter->SetMetric(curvature);
   filter->Update();
-  CHECK(runs == 5);
+  CHECK_EQUAL(runs, 5);
   camera->SetPosition(0, 0, 3);
   filter->Update();
-  CHECK(runs == 5);
+  CHECK_EQUAL(runs, 5);
   curvature->SetCurvatureTypeToMean();
   filter->Update();
-  CHECK(runs == 6);
+  CHECK_EQUAL(runs, 6);
 }
 
 // What the filter says, and its executive once more.
@@ -365,9 +371,10 @@ void TestSettingErrors(RelevoCheck& check)
   RelevoErrors errors(filter);
   for (int bad : { -1, 8 })
   {
+    CHECK_CASE(bad);
     filter->SetMaximumLevel(bad);
     CHECK(errors.Said("MaximumLevel"));
-    CHECK(filter->GetMaximumLevel() == 3);
+    CHECK_EQUAL(filter->GetMaximumLevel(), 3);
   }
   filter->SetViewportSize(0, 100);
   CHECK(errors.Said("ViewportSize"));
@@ -393,7 +400,8 @@ void TestBrokenMeshes(RelevoCheck& check)
     { { 0, 0, 0 }, { nan, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } }, { { 0, 1, 2 }, { 0, 2, 3 } }));
   filter->Update();
   CHECK(errors.None());
-  CHECK(Tags(filter)->GetValue(0) == 5.0f && Tags(filter)->GetValue(1) == 0.0f);
+  CHECK_EQUAL(Tags(filter)->GetValue(0), 5.0f);
+  CHECK_EQUAL(Tags(filter)->GetValue(1), 0.0f);
   CHECK(HasLevels(filter, 0, 3, 2, 5));
 
   // An id that does not exist has no level.

@@ -159,11 +159,12 @@ void TestPoints(RelevoCheck& check, GivenTags* metric, int rule)
   const bool perEdge = rule == vtkDepthTagMetric::PER_EDGE;
   for (std::size_t number : { 0, 2, 5 })
   {
+    CHECK_CASE(number);
     metric->OfPoints.assign(number, 1.0f);
     const std::string words = "gave " + std::to_string(number) + " tags for 4 points";
     Filters anew(metric, rule);
     CHECK(anew.Say(perEdge ? metric->GetClassName() : words));
-    CHECK(errors.Said(words) == perEdge);
+    CHECK_EQUAL(errors.Said(words), perEdge);
   }
   metric->OfPoints = { 1.0f, 1.0f, std::nanf(""), 1.0f };
   CHECK(filters.Say("that is NaN at "));
@@ -177,6 +178,7 @@ void TestEdges(RelevoCheck& check)
   Filters filters(metric, vtkDepthTagMetric::PER_EDGE);
   for (std::size_t number : { 1, 4, 7 })
   {
+    CHECK_CASE(number);
     metric->OfEdges.assign(number, 1.0f);
     CHECK(filters.Say("GivenTags gave " + std::to_string(number) + " tags for 6 edges"));
   }
@@ -193,6 +195,7 @@ void TestComposite(RelevoCheck& check)
   composite->AddMetric(metric);
   for (int rule : { vtkDepthTagMetric::PER_VERTEX, vtkDepthTagMetric::PER_EDGE })
   {
+    CHECK_CASE(rule);
     metric->OfEdges.clear();
     Filters filters(composite, rule);
     RelevoErrors errors(composite);
@@ -200,7 +203,7 @@ void TestComposite(RelevoCheck& check)
     metric->OfPoints.assign(3, 1.0f);
     CHECK(filters.Say("vtkCompositeDepthTagMetric gave no depth-tags"));
     CHECK(errors.Said("Metric 0: GivenTags gave "));
-    CHECK(ofPart.Said("gave 3 tags for 4 points") == (rule == vtkDepthTagMetric::PER_EDGE));
+    CHECK_EQUAL(ofPart.Said("gave 3 tags for 4 points"), (rule == vtkDepthTagMetric::PER_EDGE));
     metric->OfPoints.assign(4, 1.0f);
     CHECK(filters.Work() && errors.None());
   }
@@ -236,8 +239,8 @@ void TestMovedArray(RelevoCheck& check, int rule)
   mesh->GetPointData()->RemoveArray("field");
   mesh->GetCellData()->AddArray(field);
   const std::vector<int> ofCells = getLevels(filter);
-  CHECK(ofCells != ofPoints);
-  CHECK(ofCells == getLevels(vtkNew<vtkDepthTagFilter>()));
+  CHECK_NOT_EQUAL(ofCells, ofPoints);
+  CHECK_EQUAL(ofCells, getLevels(vtkNew<vtkDepthTagFilter>()));
 }
 }
 
@@ -246,6 +249,7 @@ int TestDepthTagFilterMetrics(int, char*[])
   RelevoCheck check;
   for (int rule : { vtkDepthTagMetric::PER_VERTEX, vtkDepthTagMetric::PER_EDGE })
   {
+    CHECK_CASE(rule);
     TestPoints(check, vtkNew<GivenTags>(), rule);
     TestPoints(check, vtkNew<EvaluatedTags>(), rule);
     TestMovedArray(check, rule);

@@ -101,13 +101,13 @@ void TestRegion(RelevoCheck& check)
   region->SetRadius(0.15);
   region->SetFallOff(0.1);
   CHECK_NEAR(triangle.GetTag(region, front.View, 6, 0, 1), 3.0, 1e-5); // half of the fall-off away
-  CHECK(triangle.GetTag(region, front.View, 6, 0, 2) == 0.0f);
+  CHECK_EQUAL(triangle.GetTag(region, front.View, 6, 0, 2), 0.0f);
   vtkNew<vtkPlane> plane;
   plane->SetOrigin(0.7, 0, 0);
   plane->SetNormal(-1, 0, 0);
   region->SetImplicitFunction(plane);
-  CHECK(triangle.GetTag(region, front.View, 6, 0, 1) == 6.0f);
-  CHECK(triangle.GetTag(region, front.View, 6, 0, 2) == 0.0f);
+  CHECK_EQUAL(triangle.GetTag(region, front.View, 6, 0, 1), 6.0f);
+  CHECK_EQUAL(triangle.GetTag(region, front.View, 6, 0, 2), 0.0f);
 }
 
 // The variation of an edge's own points.
@@ -138,10 +138,10 @@ void TestSilhouette(RelevoCheck& check)
   triangle.Mesh->GetPointData()->SetNormals(normals);
   front.Camera->ParallelProjectionOn();
   CHECK_NEAR(triangle.GetTag(silhouette, front.View, 5, 0, 1), 1.0, 1e-5);
-  CHECK(triangle.GetTag(silhouette, front.View, 5, 0, 2) == 5.0f);
-  CHECK(triangle.GetTag(silhouette, front.View, 5, 1, 2) == 5.0f);
+  CHECK_EQUAL(triangle.GetTag(silhouette, front.View, 5, 0, 2), 5.0f);
+  CHECK_EQUAL(triangle.GetTag(silhouette, front.View, 5, 1, 2), 5.0f);
   silhouette->SetCriterionToContour();
-  CHECK(triangle.GetTag(silhouette, front.View, 5, 0, 1) == 5.0f); // the border
+  CHECK_EQUAL(triangle.GetTag(silhouette, front.View, 5, 0, 1), 5.0f); // the border
 }
 
 // A ridge seen along the bisector of its triangles: no contour but the border.
@@ -154,12 +154,12 @@ void TestContour(RelevoCheck& check)
   silhouette->SetContourWidth(1.0);
   front.Camera->ParallelProjectionOn();
   CHECK_NEAR(roof.GetTag(silhouette, front.View, 5, 0, 1), 5.0 * (1.0 - std::sqrt(0.5)), 1e-5);
-  CHECK(roof.GetTag(silhouette, front.View, 5, 0, 2) == 5.0f);
+  CHECK_EQUAL(roof.GetTag(silhouette, front.View, 5, 0, 2), 5.0f);
 
   front.Camera->ParallelProjectionOff();
   front.Camera->SetPosition(0, 0, 0); // the eye on the middle of the ridge
   front.Camera->SetFocalPoint(0, 0, -1);
-  CHECK(roof.GetTag(silhouette, front.View, 5, 0, 1) == 5.0f);
+  CHECK_EQUAL(roof.GetTag(silhouette, front.View, 5, 0, 1), 5.0f);
 }
 
 // The more bent end; both ends of the ridge are bent by 45 degrees, the others are flat.
@@ -200,8 +200,8 @@ void TestComposite(RelevoCheck& check)
       triangle.GetTag(composite, front.View, 6, a, b), std::min(first + second, 6.0f), 1e-5);
     // Tags of points are not mistaken for those of edges.
     const auto tags = TagsOf(composite, triangle.Mesh, front.View, 6);
-    CHECK(tags.size() == 3);
-    CHECK(tags != EdgeTagsOf(composite, triangle.Mesh, front.View, 6, triangle.Surface));
+    CHECK_EQUAL(tags.size(), 3);
+    CHECK_NOT_EQUAL(tags, EdgeTagsOf(composite, triangle.Mesh, front.View, 6, triangle.Surface));
   }
 }
 
@@ -218,7 +218,7 @@ void TestDefault(RelevoCheck& check)
   for (int edge = 0; edge < edges.GetNumberOfEdges(); ++edge)
   {
     const int* places = edges.GetEdges()[edge].Places;
-    CHECK(edgeTags[edge] == 0.5f * (tags[places[0]] + tags[places[1]]));
+    CHECK_EQUAL(edgeTags[edge], 0.5f * (tags[places[0]] + tags[places[1]]));
   }
 }
 
@@ -253,7 +253,7 @@ void TestAlone(RelevoCheck& check, vtkDepthTagMetric* metric, const relevo::Refi
   const relevo::SurfaceEdges edges(sphere);
   const auto tags = EdgeTagsOf(metric, sphere, view, 5, edges);
   CHECK(AreLevels(tags, edges.GetNumberOfEdges(), 5));
-  CHECK(*std::max_element(tags.begin(), tags.end()) > 0.0f);
+  CHECK_GREATER(*std::max_element(tags.begin(), tags.end()), 0.0f);
   for (int edge = 0; edge < edges.GetNumberOfEdges(); ++edge)
   {
     const int* places = edges.GetEdges()[edge].Places;
@@ -276,8 +276,8 @@ void TestAlone(RelevoCheck& check, vtkDepthTagMetric* metric, const relevo::Refi
     alone->ShallowCopy(sphere);
     alone->SetPolys(cells);
     const relevo::SurfaceEdges few(alone);
-    CHECK(
-      EdgeTagsOf(metric, alone, view, 5, few)[few.FindEdge(places[0], places[1])] == tags[edge]);
+    CHECK_EQUAL(
+      EdgeTagsOf(metric, alone, view, 5, few)[few.FindEdge(places[0], places[1])], tags[edge]);
   }
 }
 

@@ -109,6 +109,7 @@ void TestView(RelevoCheck& check, vtkPolyData* mesh, const relevo::RefinementVie
         std::find(failing.begin(), failing.end(), named.Name) != failing.end());
     for (bool ofEdges : { false, true })
     {
+      CHECK_CASE(ofEdges);
       const auto tags = ofEdges ? EdgeTagsOf(named.Metric, mesh, view, 5, edges)
                                 : TagsOf(named.Metric, mesh, view, 5);
       const vtkIdType number = ofEdges ? edges.GetNumberOfEdges() : mesh->GetNumberOfPoints();
@@ -164,6 +165,7 @@ void TestCameras(RelevoCheck& check, Scene& scene)
     camera->SetPosition(0, 0, 2);
     for (double angle : { 1e-8, 179.9 })
     {
+      CHECK_CASE(angle);
       camera->SetViewAngle(angle);
       scene.Expect(check);
     }
@@ -198,6 +200,7 @@ void TestViewports(RelevoCheck& check, Scene& scene)
   int* size = scene.View.ViewportSize;
   for (int width : { 0, -5 })
   {
+    CHECK_CASE(width);
     size[0] = width;
     scene.Expect(check, { "screen" }, "no pixels");
     std::swap(size[0], size[1]);
@@ -229,6 +232,7 @@ void TestMeshes(RelevoCheck& check, Scene& scene)
 {
   for (double scale : { 1e-30, 1e-12, 1e12, 1e30 })
   {
+    CHECK_CASE(scale);
     const double none[3] = { 0, 0, 0 };
     auto scaled = RelevoMeshes::Moved(scene.Mesh, scale, none, VTK_DOUBLE);
     scaled->GetPointData()->AddArray(scene.Mesh->GetPointData()->GetArray("Values"));

@@ -45,9 +45,9 @@ public:
     for (std::size_t i = 0; i < fresh.size(); ++i)
     {
       const auto tags = this->Kept[i]->GetTags(mesh, view, 5);
-      CHECK(tags == TagsOf(fresh[i], mesh, view, 5));
-      CHECK(
-        this->Kept[i]->GetEdgeTags(mesh, view, 5) == EdgeTagsOf(fresh[i], mesh, view, 5, edges));
+      CHECK_EQUAL(tags, TagsOf(fresh[i], mesh, view, 5));
+      CHECK_EQUAL(
+        this->Kept[i]->GetEdgeTags(mesh, view, 5), EdgeTagsOf(fresh[i], mesh, view, 5, edges));
       CHECK(AreLevels(tags, mesh->GetNumberOfPoints(), 5));
       changes += tags != this->Last[i];
       this->Last[i] = tags;
@@ -86,7 +86,7 @@ void CheckUnusedPoints(RelevoCheck& check, const relevo::RefinementView& view)
   {
     const auto expected = TagsOf(metric, mesh, view, 5);
     auto tags = TagsOf(metric, more, view, 5);
-    CHECK(tags.size() == expected.size() + 1);
+    CHECK_EQUAL(tags.size(), expected.size() + 1);
     tags.resize(expected.size());
     for (std::size_t i = 0; i < tags.size(); ++i)
     {
@@ -109,37 +109,37 @@ int TestDepthTagMetricUpdates(int, char*[])
   CheckUnusedPoints(check, view);
   Watch watch;
   const int all = static_cast<int>(MakeMetrics().size());
-  CHECK(watch.Compare(check, mesh, view) == all);
-  CHECK(watch.Compare(check, mesh, view) == 0);
+  CHECK_EQUAL(watch.Compare(check, mesh, view), all);
+  CHECK_EQUAL(watch.Compare(check, mesh, view), 0);
 
   // Of the view: all but curvature, field and region.
   camera->SetPosition(1.1, 0.5, 2);
-  CHECK(watch.Compare(check, mesh, view) == 8);
+  CHECK_EQUAL(watch.Compare(check, mesh, view), 8);
   camera->ParallelProjectionOn();
-  CHECK(watch.Compare(check, mesh, view) >= 4);
+  CHECK_GREATER_EQUAL(watch.Compare(check, mesh, view), 4);
   camera->ParallelProjectionOff();
   watch.Compare(check, mesh, view);
   view.ViewportSize[1] = 500;
-  CHECK(watch.Compare(check, mesh, view) == 3); // pixels, screen, and both in the sum
+  CHECK_EQUAL(watch.Compare(check, mesh, view), 3); // pixels, screen, and both in the sum
 
   // The actor's matrix: turned, scaled, moved, stretched; nothing of the curvature and the field.
   vtkNew<vtkTransform> transform;
   view.ModelToWorld = transform->GetMatrix();
   transform->RotateY(40);
   transform->Update();
-  CHECK(watch.Compare(check, mesh, view) >= 8);
+  CHECK_GREATER_EQUAL(watch.Compare(check, mesh, view), 8);
   transform->Scale(1.5, 1.5, 1.5);
   transform->Update();
-  CHECK(watch.Compare(check, mesh, view) >= 7);
+  CHECK_GREATER_EQUAL(watch.Compare(check, mesh, view), 7);
   transform->Translate(0.1, 0.2, 0.3);
   transform->Update();
-  CHECK(watch.Compare(check, mesh, view) >= 7);
+  CHECK_GREATER_EQUAL(watch.Compare(check, mesh, view), 7);
   transform->Scale(1, 3, 0.5);
   transform->Update();
-  CHECK(watch.Compare(check, mesh, view) >= 8);
+  CHECK_GREATER_EQUAL(watch.Compare(check, mesh, view), 8);
   transform->Scale(-1, 1, 1);
   transform->Update();
-  CHECK(watch.Compare(check, mesh, view) >= 7);
+  CHECK_GREATER_EQUAL(watch.Compare(check, mesh, view), 7);
 
   // The mesh: its points, its normals, its values, its polygons, and another mesh.
   double x[3];
@@ -154,25 +154,25 @@ int TestDepthTagMetricUpdates(int, char*[])
     }
   }
   mesh->GetPoints()->Modified();
-  CHECK(watch.Compare(check, mesh, view) >= 7);
+  CHECK_GREATER_EQUAL(watch.Compare(check, mesh, view), 7);
   vtkDataArray* normals = mesh->GetPointData()->GetNormals();
   if (CHECK(normals))
   {
     normals->SetTuple3(0, 1, 2, 3);
     normals->Modified();
-    CHECK(watch.Compare(check, mesh, view) == 2); // the silhouette, and the sum
+    CHECK_EQUAL(watch.Compare(check, mesh, view), 2); // the silhouette, and the sum
     mesh->GetPointData()->SetNormals(nullptr);
-    CHECK(watch.Compare(check, mesh, view) == 2);
+    CHECK_EQUAL(watch.Compare(check, mesh, view), 2);
   }
   AddValues(mesh, 5);
-  CHECK(watch.Compare(check, mesh, view) == 2);
+  CHECK_EQUAL(watch.Compare(check, mesh, view), 2);
   vtkNew<vtkCellArray> polygons;
   polygons->InsertNextCell({ 0, 1, 2 });
   polygons->InsertNextCell({ 5, 4, 3 });
   mesh->SetPolys(polygons);
-  CHECK(watch.Compare(check, mesh, view) >= 7);
+  CHECK_GREATER_EQUAL(watch.Compare(check, mesh, view), 7);
   auto other = RelevoMeshes::Plane(5, 4);
   AddValues(other, 3);
-  CHECK(watch.Compare(check, other, view) == all);
+  CHECK_EQUAL(watch.Compare(check, other, view), all);
   return check.GetResult();
 }

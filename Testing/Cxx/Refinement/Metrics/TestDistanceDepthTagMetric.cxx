@@ -48,9 +48,9 @@ RelevoMeshes::Mesh MakeTriangle(double side, double z)
 void TestProjectedSize(RelevoCheck& check)
 {
   vtkNew<vtkDistanceDepthTagMetric> metric;
-  CHECK(metric->GetFallOff() == vtkDistanceDepthTagMetric::LINEAR);
+  CHECK_EQUAL(metric->GetFallOff(), vtkDistanceDepthTagMetric::LINEAR);
   metric->SetFallOffToProjectedSize();
-  CHECK(std::string(metric->GetFallOffAsString()) == "ProjectedSize");
+  CHECK_EQUAL(std::string(metric->GetFallOffAsString()), "ProjectedSize");
   metric->SetMaximumDistance(8.0);
   vtkNew<vtkCamera> camera;
   camera->SetPosition(0, 0, 0);
@@ -90,7 +90,7 @@ void TestProjectedSize(RelevoCheck& check)
         const double distance = 3.0 * scale;
         vtkMatrix4x4* toClip = camera->GetCompositeProjectionTransformMatrix(1.4, -1, 1);
         double x[4] = { 0, 0.5 * scale, -std::sqrt(9.0 + 0.25 / 3.0) * scale, 1 };
-        CHECK(-x[2] >= distance);
+        CHECK_GREATER_EQUAL(-x[2], distance);
         toClip->MultiplyPoint(x, x);
         const double pixels = 0.5 * 500 * x[1] / x[3];
         tags = TagsOf(metric, triangle, view, 7);
@@ -105,11 +105,12 @@ void TestProjectedSize(RelevoCheck& check)
   }
   view.ModelToWorld = nullptr;
   // A mesh without sides has nothing to refine.
-  CHECK(TagsOf(metric, points, view, 5) == std::vector<float>(8, 0.0f));
+  CHECK_EQUAL(TagsOf(metric, points, view, 5), std::vector<float>(8, 0.0f));
 
   RelevoErrors errors(metric);
   for (double bad : { -1.0, 1e-9, 1e9, std::nan("") })
   {
+    CHECK_CASE(bad);
     metric->SetReferenceLength(bad);
     CHECK(errors.Said("ReferenceLength") && metric->GetReferenceLength() == 12.5);
   }
@@ -126,7 +127,7 @@ void TestCentroids(RelevoCheck& check)
   vtkNew<vtkDistanceDepthTagMetric> metric;
   metric->SetMaximumDistance(10.0);
   metric->SetMeasureToCentroids();
-  CHECK(std::string(metric->GetMeasureAsString()) == "Centroids");
+  CHECK_EQUAL(std::string(metric->GetMeasureAsString()), "Centroids");
   vtkNew<vtkCamera> camera;
   relevo::RefinementView view;
   view.Camera = camera;
@@ -211,19 +212,20 @@ void TestLinear(RelevoCheck& check)
 {
   Scene scene;
   CHECK(scene.Metric->IsViewDependent());
-  CHECK(scene.Metric->GetMaximumDistance() == 0.0);
+  CHECK_EQUAL(scene.Metric->GetMaximumDistance(), 0.0);
 
   scene.Metric->SetMaximumDistance(5.0);
   auto mesh = MakeSixPoints();
   CHECK(scene.Compute(mesh, 4));
-  CHECK(scene.Tags->GetNumberOfTuples() == 6 && scene.Tags->GetNumberOfComponents() == 1);
+  CHECK_EQUAL(scene.Tags->GetNumberOfTuples(), 6);
+  CHECK_EQUAL(scene.Tags->GetNumberOfComponents(), 1);
   const double levels[6] = { 4.0, 3.2, 2.0, 0.0, 0.0, 0.0 };
   for (int i = 0; i < 6; ++i)
   {
     CHECK_NEAR(scene.Tags->GetValue(i), levels[i], 1e-6);
   }
   CHECK(scene.Compute(mesh, 0));
-  CHECK(scene.Tags->GetValue(0) == 0.0f);
+  CHECK_EQUAL(scene.Tags->GetValue(0), 0.0f);
 }
 
 // Distances are the world's: (1, 0, 0) goes to (2, 0, 3).
@@ -248,6 +250,7 @@ void TestAutomatic(RelevoCheck& check)
   vtkNew<vtkTransform> transform;
   for (double angle : { 0.0, 30.0 })
   {
+    CHECK_CASE(angle);
     transform->Identity();
     transform->RotateX(angle);
     transform->RotateY(2 * angle);
@@ -259,7 +262,7 @@ void TestAutomatic(RelevoCheck& check)
   scene.View.ModelToWorld = nullptr;
   // One point has no extent: nothing to refine, nothing to divide by.
   CHECK(scene.Compute(MakePoints({ { 1, 1, 1 } }), 5));
-  CHECK(scene.Tags->GetValue(0) == 0.0f);
+  CHECK_EQUAL(scene.Tags->GetValue(0), 0.0f);
 }
 
 // Points that are not finite get level 0 and do not disturb the others.
@@ -271,15 +274,17 @@ void TestBrokenPoints(RelevoCheck& check)
     { { 0, 0, 0 }, { NaN, 0, 0 }, { 0, Infinity, 0 }, { 1, 2, 2 }, { 0, 0, -Infinity } });
   CHECK(scene.Compute(broken, 5));
   const float first = scene.Tags->GetValue(0);
-  CHECK(scene.Tags->GetValue(1) == 0.0f && scene.Tags->GetValue(2) == 0.0f &&
-    scene.Tags->GetValue(4) == 0.0f);
+  CHECK_EQUAL(scene.Tags->GetValue(1), 0.0f);
+  CHECK_EQUAL(scene.Tags->GetValue(2), 0.0f);
+  CHECK_EQUAL(scene.Tags->GetValue(4), 0.0f);
   CHECK(scene.Compute(MakePoints({ { 0, 0, 0 }, { 1, 2, 2 } }), 5));
-  CHECK(first == scene.Tags->GetValue(0));
+  CHECK_EQUAL(first, scene.Tags->GetValue(0));
   auto huge = MakePoints({ { 0, 0, 0 }, { 1e300, 0, 0 }, { -1e300, 1e300, 0 } });
   CHECK(scene.Compute(huge, 5));
   for (vtkIdType i = 0; i < 3; ++i)
   {
-    CHECK(scene.Tags->GetValue(i) >= 0.0f && scene.Tags->GetValue(i) <= 5.0f);
+    CHECK_GREATER_EQUAL(scene.Tags->GetValue(i), 0.0f);
+    CHECK_LESS_EQUAL(scene.Tags->GetValue(i), 5.0f);
   }
 }
 
@@ -294,7 +299,7 @@ void TestFarAndEmpty(RelevoCheck& check)
 
   vtkNew<vtkPolyData> empty;
   CHECK(scene.Compute(empty, 4));
-  CHECK(scene.Tags->GetNumberOfTuples() == 0);
+  CHECK_EQUAL(scene.Tags->GetNumberOfTuples(), 0);
 }
 
 void TestErrors(RelevoCheck& check)
@@ -304,10 +309,12 @@ void TestErrors(RelevoCheck& check)
   RelevoErrors errors(scene.Metric);
   for (double bad : { -1.0, Infinity, NaN })
   {
+    CHECK_CASE(bad);
     const vtkMTimeType time = scene.Metric->GetMTime();
     scene.Metric->SetMaximumDistance(bad);
     CHECK(errors.Said("MaximumDistance"));
-    CHECK(scene.Metric->GetMaximumDistance() == 1.0 && scene.Metric->GetMTime() == time);
+    CHECK_EQUAL(scene.Metric->GetMaximumDistance(), 1.0);
+    CHECK_EQUAL(scene.Metric->GetMTime(), time);
   }
   auto mesh = MakeSixPoints();
   scene.View.Camera = nullptr;

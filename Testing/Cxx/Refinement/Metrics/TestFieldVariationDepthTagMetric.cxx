@@ -61,7 +61,7 @@ struct Scene
   void Expect(RelevoCheck& check, const std::vector<double>& levels)
   {
     const auto tags = this->GetTags(4);
-    CHECK(tags.size() == levels.size());
+    CHECK_EQUAL(tags.size(), levels.size());
     for (std::size_t i = 0; i < tags.size() && i < levels.size(); ++i)
     {
       CHECK_NEAR(tags[i], levels[i], 1e-5);
@@ -109,6 +109,7 @@ void TestVectors(RelevoCheck& check)
   // What stands for no data makes no variation and does not count as the longest.
   for (double sentinel : { -1e9, 1e20, 1e8, Infinity })
   {
+    CHECK_CASE(sentinel);
     AddArray<vtkDoubleArray>(
       scene.GetPointData(), 2, { 8, 0, 8, 0, 8, 0, 0, 8, sentinel, 2, 0, 0 });
     scene.Expect(check, { 0, 2, 2, 4, 0, 4 });
@@ -168,7 +169,7 @@ void TestAutomatic(RelevoCheck& check)
     CHECK_NEAR(scaled[i], tags[i], 1e-3);
     if (i > 0 && i % 21)
     {
-      CHECK(tags[i] >= tags[i - 1]); // steeper with x
+      CHECK_GREATER_EQUAL(tags[i], tags[i - 1]); // steeper with x
     }
   }
   CHECK(tags[0] < 0.2f && tags[20] == 5.0f);
@@ -189,6 +190,7 @@ void TestSettingErrors(RelevoCheck& check)
   RelevoErrors errors(metric);
   for (double bad : { -0.1, 1.1, NaN })
   {
+    CHECK_CASE(bad);
     metric->SetMinimumVariation(bad);
     CHECK(errors.Said("MinimumVariation") && metric->GetMinimumVariation() == 0.0);
     metric->SetMaximumVariation(bad);
@@ -196,6 +198,7 @@ void TestSettingErrors(RelevoCheck& check)
   }
   for (double bad : { 0.0, -1.0, NaN })
   {
+    CHECK_CASE(bad);
     metric->SetNoDataMagnitude(bad);
     CHECK(errors.Said("NoDataMagnitude") && metric->GetNoDataMagnitude() == 1e8);
   }

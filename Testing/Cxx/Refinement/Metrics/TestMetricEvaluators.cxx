@@ -56,13 +56,15 @@ void TestFilter(RelevoCheck& check, RelevoWatchedMetric* metric, const Setter& s
   {
     camera->Azimuth(9.0);
     filter->Update();
-    CHECK(metric->Evaluators == side * side && metric->Preparations == side * side);
-    CHECK(metric->Evaluations == frame * side * side);
+    CHECK_EQUAL(metric->Evaluators, side * side);
+    CHECK_EQUAL(metric->Preparations, side * side);
+    CHECK_EQUAL(metric->Evaluations, frame * side * side);
   }
   // A block that is gone takes what is known of it along; what is in its place is new.
   blocks->SetBlock(2, RelevoMeshes::Cube());
   filter->Update();
-  CHECK(metric->Evaluators == side * side + 1 && metric->Preparations == side * side + 1);
+  CHECK_EQUAL(metric->Evaluators, side * side + 1);
+  CHECK_EQUAL(metric->Preparations, side * side + 1);
 }
 
 void TestFilters(RelevoCheck& check)
@@ -91,7 +93,8 @@ void TestMemory(RelevoCheck& check, RelevoWatchedMetric* metric, const Setter& s
     meshes.push_back(RelevoMeshes::Cube());
     filter->SetInputData(meshes.back());
     filter->Update();
-    CHECK(metric->Evaluators == i + 1 && metric->LivingEvaluators <= 2);
+    CHECK_EQUAL(metric->Evaluators, i + 1);
+    CHECK_LESS_EQUAL(metric->LivingEvaluators, 2);
   }
   // Blocks that are kept elsewhere, when others take their place.
   auto blocks = MakeWatchedBlocks(2);
@@ -108,9 +111,9 @@ void TestMemory(RelevoCheck& check, RelevoWatchedMetric* metric, const Setter& s
   {
     camera->Azimuth(9.0);
     filter->Update();
-    CHECK(metric->Evaluators == 28);
+    CHECK_EQUAL(metric->Evaluators, 28);
   }
-  CHECK(metric->LivingEvaluators == 4);
+  CHECK_EQUAL(metric->LivingEvaluators, 4);
 }
 
 void TestMemory(RelevoCheck& check)
@@ -119,7 +122,7 @@ void TestMemory(RelevoCheck& check)
   const auto recipe = MakeRecipe(metric);
   TestMemory<vtkAdaptiveRefinementFilter>(
     check, metric, [&](vtkAdaptiveRefinementFilter* filter) { filter->SetRefinement(recipe); });
-  CHECK(metric->LivingEvaluators == 0);
+  CHECK_EQUAL(metric->LivingEvaluators, 0);
 
   // Without a metric nothing is kept.
   vtkNew<vtkCamera> camera;
@@ -128,10 +131,10 @@ void TestMemory(RelevoCheck& check)
   refine->SetRefinement(recipe);
   refine->SetCamera(camera);
   refine->Update();
-  CHECK(metric->LivingEvaluators == 1);
+  CHECK_EQUAL(metric->LivingEvaluators, 1);
   recipe->SetMetric(nullptr);
   refine->Update();
-  CHECK(metric->LivingEvaluators == 0);
+  CHECK_EQUAL(metric->LivingEvaluators, 0);
 
   vtkNew<RelevoWatchedMetric> other;
   TestMemory<vtkDepthTagFilter>(
@@ -141,9 +144,9 @@ void TestMemory(RelevoCheck& check)
   tag->SetCamera(camera);
   tag->SetMetric(other);
   tag->Update();
-  CHECK(other->LivingEvaluators == 1);
+  CHECK_EQUAL(other->LivingEvaluators, 1);
   tag->SetMetric(nullptr);
-  CHECK(other->LivingEvaluators == 0);
+  CHECK_EQUAL(other->LivingEvaluators, 0);
 }
 
 // How often points are read when a filter runs for the first time and after its camera moved.
@@ -172,8 +175,8 @@ void TestCurvature(RelevoCheck& check)
   vtkNew<vtkCurvatureDepthTagMetric> curvature;
   const auto without = CountReads(plain);
   const auto with = CountReads(curvature);
-  CHECK(with.first > without.first + 50);
-  CHECK(with.second == without.second);
+  CHECK_GREATER(with.first, without.first + 50);
+  CHECK_EQUAL(with.second, without.second);
 }
 
 // Too short, or nothing at all.
@@ -232,9 +235,9 @@ void TestComposite(RelevoCheck& check)
     for (int step = 0; step < 3; ++step)
     {
       camera->Azimuth(10.0);
-      CHECK(kept.GetTags(mesh, view, 4) == TagsOf(composite, mesh, view, 4));
+      CHECK_EQUAL(kept.GetTags(mesh, view, 4), TagsOf(composite, mesh, view, 4));
       const relevo::SurfaceEdges edges(mesh);
-      CHECK(kept.GetEdgeTags(mesh, view, 4) == EdgeTagsOf(composite, mesh, view, 4, edges));
+      CHECK_EQUAL(kept.GetEdgeTags(mesh, view, 4), EdgeTagsOf(composite, mesh, view, 4, edges));
     }
   };
   composite->AddMetric(curvature, 0.5);
@@ -313,8 +316,8 @@ void TestThreads(RelevoCheck& check, vtkDepthTagMetric* metric, int rule, int re
   };
   const auto together = run(true);
   const auto apart = run(false);
-  CHECK(together == apart);
-  CHECK(static_cast<int>(apart.first.size()) == repetitions);
+  CHECK_EQUAL(together, apart);
+  CHECK_EQUAL(static_cast<int>(apart.first.size()), repetitions);
   CHECK(!metric->IsViewDependent() || apart.first[0] != apart.first[1]);
   CHECK(apart.first[0].first > 1000 && apart.second[0].first > 1000);
 }
@@ -355,9 +358,10 @@ void TestFunctionInThreads(RelevoCheck& check)
   region->SetFallOff(3.0);
   for (int rule : { vtkDepthTagMetric::PER_VERTEX, vtkDepthTagMetric::PER_EDGE })
   {
+    CHECK_CASE(rule);
     TestThreads(check, region, rule, 5);
   }
-  CHECK(watched->Overlaps == 0);
+  CHECK_EQUAL(watched->Overlaps, 0);
 
   // One that writes a member when it is asked.
   vtkNew<vtkImageData> image;
@@ -387,6 +391,7 @@ int TestMetricEvaluators(int, char*[])
   TestComposite(check);
   for (int rule : { vtkDepthTagMetric::PER_VERTEX, vtkDepthTagMetric::PER_EDGE })
   {
+    CHECK_CASE(rule);
     TestThreads(check, RelevoMakeSum(RelevoMakeAllMetrics("Normals"), 0.15), rule, 150);
   }
   TestFunctionInThreads(check);

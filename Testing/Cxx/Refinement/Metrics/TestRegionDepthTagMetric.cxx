@@ -57,7 +57,7 @@ void TestBall(RelevoCheck& check)
   Scene scene;
   CHECK(!scene.Metric->IsViewDependent());
   const auto tags = scene.GetTags(5);
-  CHECK(tags.size() == 13);
+  CHECK_EQUAL(tags.size(), 13);
   for (int i = 0; i <= 12; ++i)
   {
     CHECK_NEAR(tags[i], 5.0 * Smooth(0.25 * i - 0.5, 2.0), 1e-5);
@@ -77,7 +77,7 @@ void TestBall(RelevoCheck& check)
   CHECK_NEAR(scene.GetTags(5)[3], 5.0 * Smooth(0.15, 0.3), 1e-4);
   // A region out of the mesh's reach.
   scene.Metric->SetCenter(50, 0, 0);
-  CHECK(scene.GetTags(5) == std::vector<float>(13, 0.0f));
+  CHECK_EQUAL(scene.GetTags(5), std::vector<float>(13, 0.0f));
 }
 
 // Functions: a plane, x <= 1, whose gradient may be of any length; a box.
@@ -96,8 +96,8 @@ void TestFunctions(RelevoCheck& check)
   }
   const vtkMTimeType time = scene.Metric->GetMTime();
   plane->SetOrigin(2, 0, 0);
-  CHECK(scene.Metric->GetMTime() > time);
-  CHECK(scene.GetTags(4)[8] == 4.0f);
+  CHECK_GREATER(scene.Metric->GetMTime(), time);
+  CHECK_EQUAL(scene.GetTags(4)[8], 4.0f);
   vtkNew<vtkBox> box;
   box->SetBounds(-1, 1, -1, 1, -1, 1);
   scene.Metric->SetImplicitFunction(box);
@@ -137,6 +137,7 @@ void TestErrors(RelevoCheck& check)
   RelevoErrors errors(metric);
   for (double bad : { -1.0, NaN, std::numeric_limits<double>::infinity() })
   {
+    CHECK_CASE(bad);
     metric->SetRadius(bad);
     CHECK(errors.Said("Radius") && metric->GetRadius() == 0.5);
     metric->SetFallOff(bad);

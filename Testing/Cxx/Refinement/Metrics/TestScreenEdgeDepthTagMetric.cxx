@@ -47,16 +47,16 @@ void TestLengths(RelevoCheck& check)
   CHECK(scene.Metric->IsViewDependent() && scene.Metric->GetReferenceLength() == 10.0);
   auto mesh = MakeTriangle();
   const auto tags = scene.GetTags(mesh, 6);
-  CHECK(tags.size() == 4);
+  CHECK_EQUAL(tags.size(), 4);
   CHECK_NEAR(tags[0], 3.0, 1e-5);
   CHECK_NEAR(tags[1], std::log2(10.0), 1e-5);
   CHECK_NEAR(tags[2], std::log2(10.0), 1e-5);
-  CHECK(tags[3] == 0.0f);
+  CHECK_EQUAL(tags[3], 0.0f);
   scene.Metric->SetReferenceLength(20.0);
   CHECK_NEAR(scene.GetTag(mesh, 6), 2.0, 1e-5);
-  CHECK(scene.GetTags(mesh, 2)[1] == 2.0f);
+  CHECK_EQUAL(scene.GetTags(mesh, 2)[1], 2.0f);
   scene.Metric->SetReferenceLength(100.5);
-  CHECK(scene.GetTags(mesh, 6)[1] == 0.0f);
+  CHECK_EQUAL(scene.GetTags(mesh, 6)[1], 0.0f);
 }
 
 // The actor's matrix counts, and so does the size of the window.
@@ -98,7 +98,7 @@ void TestSpheres(RelevoCheck& check)
   CHECK_NEAR(scene.GetTag(endOn, 6), std::log2(2.0 * 100.0 / 10.0), 1e-3);
   scene.Camera->ParallelProjectionOff();
   scene.Metric->SetMeasureToProjectedLength();
-  CHECK(scene.GetTags(endOn, 6)[3] == 0.0f);
+  CHECK_EQUAL(scene.GetTags(endOn, 6)[3], 0.0f);
   RelevoErrors errors(scene.Metric);
   scene.Metric->SetMeasure(2);
   CHECK(errors.Said("must be one of PROJECTED_LENGTH (0), SPHERE_DIAMETER (1)"));
@@ -117,7 +117,7 @@ void TestParallel(RelevoCheck& check)
 void TestPerspective(RelevoCheck& check)
 {
   Scene scene;
-  CHECK(scene.GetTag(MakeTriangleBehind(), 6) == 0.0f);
+  CHECK_EQUAL(scene.GetTag(MakeTriangleBehind(), 6), 0.0f);
   // Of the edge from 1 below the axis at the eye's depth to 1 below at depth 4, the part beyond
   // depth 1 projects from 1 to 1/4 of half the height: 150 pixels.
   scene.Camera->SetClippingRange(1.0, 100.0);
@@ -130,7 +130,7 @@ void TestPerspective(RelevoCheck& check)
   auto axis = RelevoMeshes::FromTriangles(
     { { { 0, 0, 4 } }, { { 0, 0, 0 } }, { { 0, 1e-9, 4 } } }, { { { 0, 1, 2 } } });
   CHECK(AreLevels(scene.GetTags(axis, 5), 3, 5));
-  CHECK(scene.GetTags(axis, 5)[1] < 0.1f);
+  CHECK_LESS(scene.GetTags(axis, 5)[1], 0.1f);
 }
 
 void TestFarFromOrigin(RelevoCheck& check)
@@ -164,10 +164,10 @@ void TestLogarithm(RelevoCheck& check)
       { { { 0, 1, 2 } } });
     const float tag = TagsOf(metric, single, pixels, 7)[0];
     CHECK_NEAR(tag, std::min(std::max(std::log2(length), 0.0), 7.0), 2e-6);
-    CHECK(tag >= last);
+    CHECK_GREATER_EQUAL(tag, last);
     last = tag;
   }
-  CHECK(last == 7.0f);
+  CHECK_EQUAL(last, 7.0f);
 }
 
 // Segments of the first edge of each face: at most sqrt(2) of the reference. Returns the edges that
@@ -199,7 +199,7 @@ int CheckSegments(
     {
       ++edges;
       const double length = std::hypot(pixels[0][0] - pixels[1][0], pixels[0][1] - pixels[1][1]);
-      CHECK(length / std::exp2(level) <= 10.0 * std::sqrt(2.0) * 1.0001);
+      CHECK_LESS_EQUAL(length / std::exp2(level), 10.0 * std::sqrt(2.0) * 1.0001);
     }
   }
   return edges;
@@ -228,7 +228,7 @@ void TestRandomCameras(RelevoCheck& check)
     scene.Camera->SetClippingRange(0.01, 1000.0);
     edges += CheckSegments(check, scene.Camera, sphere, fine);
   }
-  CHECK(edges > 10000);
+  CHECK_GREATER(edges, 10000);
   CHECK(SurvivesOddMeshes(scene.Metric));
 }
 
@@ -238,6 +238,7 @@ void TestErrors(RelevoCheck& check)
   RelevoErrors errors(scene.Metric);
   for (double bad : { 0.0, -1.0, 1e-9, 1e9, std::nan("") })
   {
+    CHECK_CASE(bad);
     scene.Metric->SetReferenceLength(bad);
     CHECK(errors.Said("ReferenceLength") && scene.Metric->GetReferenceLength() == 10.0);
   }

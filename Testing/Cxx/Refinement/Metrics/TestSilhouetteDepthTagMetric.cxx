@@ -57,13 +57,15 @@ void TestNormalAngle(RelevoCheck& check)
 {
   Scene scene;
   CHECK(scene.Metric->IsViewDependent());
-  CHECK(scene.Metric->GetCriterion() == vtkSilhouetteDepthTagMetric::NORMAL_ANGLE);
+  CHECK_EQUAL(scene.Metric->GetCriterion(), vtkSilhouetteDepthTagMetric::NORMAL_ANGLE);
   auto triangle = MakeTriangle();
   for (bool parallel : { false, true })
   {
+    CHECK_CASE(parallel);
     scene.Camera->SetParallelProjection(parallel);
     for (double degrees : { 0.0, 30.0, 60.0, 90.0, 150.0, 180.0 })
     {
+      CHECK_CASE(degrees);
       const double angle = vtkMath::RadiansFromDegrees(degrees);
       scene.Camera->SetPosition(0, 5 * std::sin(angle), 5 * std::cos(angle));
       const auto tags = scene.GetTags(triangle, 4);
@@ -95,7 +97,7 @@ void TestOwnNormals(RelevoCheck& check)
   // The eye on a vertex.
   scene.Camera->SetFocalPoint(0, 0, -1);
   scene.Camera->SetPosition(0, 0, 0);
-  CHECK(scene.GetTags(triangle, 5)[0] == 5.0f);
+  CHECK_EQUAL(scene.GetTags(triangle, 5)[0], 5.0f);
   CHECK(SurvivesOddMeshes(scene.Metric));
 }
 
@@ -122,9 +124,9 @@ void TestBorder(RelevoCheck& check)
 {
   Scene scene;
   scene.Metric->SetCriterionToContour();
-  CHECK(std::string(scene.Metric->GetCriterionAsString()) == "Contour");
+  CHECK_EQUAL(std::string(scene.Metric->GetCriterionAsString()), "Contour");
   scene.Camera->ParallelProjectionOn();
-  CHECK(scene.GetTags(MakeTriangleWithNormals(), 5) == std::vector<float>(3, 5.0f));
+  CHECK_EQUAL(scene.GetTags(MakeTriangleWithNormals(), 5), std::vector<float>(3, 5.0f));
 }
 
 // A tube of many sides around the y axis, and its contour seen across.
@@ -173,11 +175,12 @@ void TestTube(RelevoCheck& check)
     const double f = before * after <= 0.0 ? 0.0 : std::min(std::abs(before), std::abs(after));
     // The diagonals lie in strips of one cosine, the edges across between two equal ones.
     CHECK_NEAR(tags[3 * i + 1], 5.0 * std::max(0.0, 1.0 - f / 0.3), 1e-3);
-    CHECK(tags[3 * i] == 5.0f); // the border
+    CHECK_EQUAL(tags[3 * i], 5.0f); // the border
     contours += tags[3 * i + 1] == 5.0f;
     faded += tags[3 * i + 1] > 0.0f && tags[3 * i + 1] < 5.0f;
   }
-  CHECK(contours == 2 && faded > 4);
+  CHECK_EQUAL(contours, 2);
+  CHECK_GREATER(faded, 4);
 }
 
 // Seams are no borders, and neither are triangles that wind against each other.
@@ -223,7 +226,7 @@ void TestWidths(RelevoCheck& check)
     const auto wide = scene.GetTags(sphere, 5);
     for (std::size_t point = 0; point < wide.size(); ++point)
     {
-      CHECK(wide[point] >= narrow[point]);
+      CHECK_GREATER_EQUAL(wide[point], narrow[point]);
     }
   }
 }
@@ -237,6 +240,7 @@ void TestErrors(RelevoCheck& check)
   RelevoErrors errors(metric);
   for (double bad : { 0.0, -1.0, 1.5, std::nan("") })
   {
+    CHECK_CASE(bad);
     metric->SetContourWidth(bad);
     CHECK(errors.Said("ContourWidth") && metric->GetContourWidth() == 0.4);
   }

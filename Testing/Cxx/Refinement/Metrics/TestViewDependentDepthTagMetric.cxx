@@ -57,11 +57,11 @@ void TestPyramids(RelevoCheck& check, Scene& scene, double weight, double scale)
       const double expected =
         std::min(1.0, slope / 30.0 * (1.0 - weight + weight * (1.0 - std::abs(std::cos(angle)))));
       CHECK_NEAR(tags[0], 6.0 * expected, 1e-4);
-      CHECK(tags[0] >= ofSpread - 1e-5f);
+      CHECK_GREATER_EQUAL(tags[0], ofSpread - 1e-5f);
       ofSpread = tags[0];
       if (slope == 20.0)
       {
-        CHECK(tags[0] >= ofView - 1e-5f);
+        CHECK_GREATER_EQUAL(tags[0], ofView - 1e-5f);
         CHECK(weight == 0.0 || turn == 0.0 || tags[0] > ofView);
         ofView = tags[0];
       }
@@ -73,15 +73,19 @@ void TestSpreadAndView(RelevoCheck& check)
 {
   Scene scene;
   CHECK(scene.Metric->IsViewDependent());
-  CHECK(scene.Metric->GetMaximumSpread() == 30.0 && scene.Metric->GetEdgeOnWeight() == 0.5);
+  CHECK_EQUAL(scene.Metric->GetMaximumSpread(), 30.0);
+  CHECK_EQUAL(scene.Metric->GetEdgeOnWeight(), 0.5);
   for (double weight : { 0.0, 0.5, 1.0 })
   {
+    CHECK_CASE(weight);
     scene.Metric->SetEdgeOnWeight(weight);
     for (bool parallel : { false, true })
     {
+      CHECK_CASE(parallel);
       scene.Camera->SetParallelProjection(parallel);
       for (double scale : { 1e-6, 1.0, 1e6 })
       {
+        CHECK_CASE(scale);
         TestPyramids(check, scene, weight, scale);
       }
     }
@@ -103,7 +107,7 @@ void TestRandomCameras(RelevoCheck& check)
     scene.Metric->SetMaximumSpread(20.0);
     for (float tag : scene.GetTags(plane, 5))
     {
-      CHECK(tag < 1e-3f);
+      CHECK_LESS(tag, 1e-3f);
     }
     const auto tags = scene.GetTags(sphere, 5);
     CHECK(AreLevels(tags, sphere->GetNumberOfPoints(), 5));
@@ -121,7 +125,7 @@ void TestRandomCameras(RelevoCheck& check)
     const auto less = scene.GetTags(sphere, 5);
     for (std::size_t point = 0; point < tags.size(); ++point)
     {
-      CHECK(less[point] <= tags[point]);
+      CHECK_LESS_EQUAL(less[point], tags[point]);
     }
   }
 }
@@ -135,7 +139,7 @@ void TestOddMeshes(RelevoCheck& check)
   CHECK_NEAR(scene.GetTags(Pyramid(vtkMath::RadiansFromDegrees(15.0)), 6)[0], 3.0, 1e-4);
   auto fold = RelevoMeshes::FromTriangles(
     { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } } }, { { { 0, 1, 2 } }, { { 0, 2, 1 } } });
-  CHECK(scene.GetTags(fold, 6)[0] == 6.0f);
+  CHECK_EQUAL(scene.GetTags(fold, 6)[0], 6.0f);
   CHECK(SurvivesOddMeshes(scene.Metric));
 }
 
@@ -146,11 +150,13 @@ void TestErrors(RelevoCheck& check)
   RelevoErrors errors(metric);
   for (double bad : { 0.0, -1.0, 181.0, std::nan("") })
   {
+    CHECK_CASE(bad);
     metric->SetMaximumSpread(bad);
     CHECK(errors.Said("MaximumSpread") && metric->GetMaximumSpread() == 30.0);
   }
   for (double bad : { -0.1, 1.1, std::nan("") })
   {
+    CHECK_CASE(bad);
     metric->SetEdgeOnWeight(bad);
     CHECK(errors.Said("EdgeOnWeight") && metric->GetEdgeOnWeight() == 0.5);
   }

@@ -177,7 +177,7 @@ void TestPatterns(RelevoCheck& check)
       if (levels[0] == levels[1] && levels[1] == levels[2])
       {
         const int regular = 1 << 2 * levels[0];
-        CHECK(pattern.GetNumberOfTriangles() == (levels[0] == 1 ? 6 : regular));
+        CHECK_EQUAL(pattern.GetNumberOfTriangles(), (levels[0] == 1 ? 6 : regular));
       }
     });
 }
@@ -199,7 +199,7 @@ void TestThreads(RelevoCheck& check)
   }
   for (const auto& patterns : found)
   {
-    CHECK(patterns == found[0]);
+    CHECK_EQUAL(patterns, found[0]);
   }
 }
 
@@ -248,7 +248,7 @@ void CheckSheet(RelevoCheck& check, const Sheet& sheet)
     lowest = std::min(lowest, triangleArea);
     collapsed = collapsed && (triangleArea != 0.0 || ShortestSide(a, b, c) < 1e-3);
   }
-  CHECK(lowest > -1e-7);
+  CHECK_GREATER(lowest, -1e-7);
   CHECK_NEAR(area, 1.0, 1e-5);
   CHECK(collapsed);
   const bool inside = std::all_of(sheet.Weights.begin(), sheet.Weights.end(),
@@ -286,7 +286,7 @@ void TestArrival(RelevoCheck& check)
       const Sheet sheet({ tag, tag, tag }, level);
       if (level != 1) // has a vertex on another
       {
-        CHECK(sheet.Weights == sheet.Pattern.Vertices);
+        CHECK_EQUAL(sheet.Weights, sheet.Pattern.Vertices);
       }
       else
       {
@@ -295,7 +295,7 @@ void TestArrival(RelevoCheck& check)
         {
           places.insert(sheet.GetWeights(vertex));
         }
-        CHECK(places.size() == 6);
+        CHECK_EQUAL(places.size(), 6);
       }
     }
   }
@@ -327,7 +327,7 @@ void TestContinuity(RelevoCheck& check)
     }
     const Sheet one(before, maximumLevel);
     const Sheet other(after, maximumLevel);
-    CHECK(Distance(one, other, 60, random) < 100.0 * Step);
+    CHECK_LESS(Distance(one, other, 60, random), 100.0 * Step);
 
     Sheet still(before, maximumLevel);
     still.Weights = still.Pattern.Vertices;
@@ -335,7 +335,7 @@ void TestContinuity(RelevoCheck& check)
     stillAfter.Weights = stillAfter.Pattern.Vertices;
     control = std::max(control, Distance(still, stillAfter, 10, random));
   }
-  CHECK(control > 0.05);
+  CHECK_GREATER(control, 0.05);
 }
 
 // The weights of the points on an edge are those of its tag alone, whichever edge it is.
@@ -370,14 +370,14 @@ void TestSharedEdges(RelevoCheck& check)
       {
         const Triple w = sheet.GetWeights(vertex);
         weights.insert(weights.end(), { w[lower], w[higher] });
-        CHECK(w[3 - lower - higher] == 0.0f);
+        CHECK_EQUAL(w[3 - lower - higher], 0.0f);
       }
       if (edge == 0)
       {
         expected = weights;
       }
-      CHECK(weights.size() == expected.size() &&
-        std::memcmp(weights.data(), expected.data(), weights.size() * sizeof(float)) == 0);
+      CHECK_EQUAL(weights.size(), expected.size());
+      CHECK_EQUAL(std::memcmp(weights.data(), expected.data(), weights.size() * sizeof(float)), 0);
     }
   }
 }

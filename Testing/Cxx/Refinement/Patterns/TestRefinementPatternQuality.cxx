@@ -127,7 +127,7 @@ void TestPattern(
   const auto made = MakeTimedPattern(table, levels, survey);
   const relevo::RefinementPattern& pattern = *made;
   const auto angles = SmallestAngles(pattern);
-  CHECK(static_cast<int>(angles.size()) == pattern.GetNumberOfTriangles());
+  CHECK_EQUAL(static_cast<int>(angles.size()), pattern.GetNumberOfTriangles());
   const int i = levels[0];
   const int j = levels[1];
   const int k = levels[2];
@@ -151,7 +151,7 @@ void TestPattern(
   // Across one level SUAPT's halved equilateral triangles have the largest angle possible.
   CHECK(difference == 1 ? Minimum(angles) > Minimum(suapt) - 0.1
                         : Minimum(angles) > 1.8 * Minimum(suapt));
-  CHECK(Minimum(angles) > 0.8 * LargestPossibleAngle(1 << difference));
+  CHECK_GREATER(Minimum(angles), 0.8 * LargestPossibleAngle(1 << difference));
 }
 
 void Print(const Survey& survey, vtkRefinementPatternTable* table)
@@ -195,14 +195,14 @@ void TestSurvey(RelevoCheck& check, const Survey& survey)
   const double bounds[HighestLevel + 1] = { 0.0, 29.9, 19.5, 17.0, 13.5, 11.0, 9.0, 8.0 };
   for (int d = 1; d <= HighestLevel; ++d)
   {
-    CHECK(Minimum(ours.Minima[d]) > bounds[d]);
-    CHECK(Mean(ours.Counts[d]) < Mean(suapt.Counts[d]));
+    CHECK_GREATER(Minimum(ours.Minima[d]), bounds[d]);
+    CHECK_LESS(Mean(ours.Counts[d]), Mean(suapt.Counts[d]));
     CHECK(d == 1 || Mean(ours.Minima[d]) > 2.0 * Mean(suapt.Minima[d]));
   }
-  CHECK(30 * (ours.Angles[0] + ours.Angles[1]) < suapt.Angles[0] + suapt.Angles[1]);
-  CHECK(ours.Angles[0] == 0);
-  CHECK(survey.Fewest > 0.8);
-  CHECK(survey.Most < 1.5);
+  CHECK_LESS(30 * (ours.Angles[0] + ours.Angles[1]), suapt.Angles[0] + suapt.Angles[1]);
+  CHECK_EQUAL(ours.Angles[0], 0);
+  CHECK_GREATER(survey.Fewest, 0.8);
+  CHECK_LESS(survey.Most, 1.5);
 }
 }
 

@@ -58,16 +58,16 @@ void TestPatterns(RelevoCheck& check)
     CheckVertices(check, pattern);
     CheckTriangles(check, pattern);
     CHECK(n1 != n3 || pattern.GetNumberOfTriangles() == n1 * n1);
-    CHECK(made == table->GetPatternOfSegments(n1, n2, n3));
+    CHECK_EQUAL(made, table->GetPatternOfSegments(n1, n2, n3));
   };
   int index = 0;
   ForEachLevels(7,
     [&](int i, int j, int k)
     {
       checkPattern(1 << i, 1 << j, 1 << k);
-      CHECK(vtkRefinementPatternTable::GetPatternIndex(i, j, k) == index++);
+      CHECK_EQUAL(vtkRefinementPatternTable::GetPatternIndex(i, j, k), index++);
     });
-  CHECK(index == 120);
+  CHECK_EQUAL(index, 120);
   for (int n1 = 1; n1 <= 10; ++n1)
   {
     for (int n2 = 1; n2 <= n1; ++n2)
@@ -89,7 +89,7 @@ void TestPatterns(RelevoCheck& check)
   {
     const auto instead = table->GetPatternOfSegments(n[0], n[1], n[2]);
     CHECK(errors.Said("segments"));
-    CHECK(instead->GetNumberOfTriangles() == 1);
+    CHECK_EQUAL(instead->GetNumberOfTriangles(), 1);
   }
 }
 
@@ -122,7 +122,7 @@ void CheckPolyData(RelevoCheck& check, vtkPolyData* polyData)
     weights->GetTypedTuple(p, w);
     double x[3];
     polyData->GetPoint(p, x);
-    CHECK(w[0] + w[1] + w[2] == 1.0f);
+    CHECK_EQUAL(w[0] + w[1] + w[2], 1.0f);
     CHECK(x[0] == w[1] && x[1] == w[2] && x[2] == 0.0);
   }
   double area = 0.0;
@@ -137,10 +137,11 @@ void CheckPolyData(RelevoCheck& check, vtkPolyData* polyData)
     polyData->GetPoint(ids[1], b);
     polyData->GetPoint(ids[2], c);
     const double cross = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
-    CHECK(size == 3 && cross > 0.0);
+    CHECK_EQUAL(size, 3);
+    CHECK_GREATER(cross, 0.0);
     area += cross;
   }
-  CHECK(area == 1.0);
+  CHECK_EQUAL(area, 1.0);
 }
 
 void TestPermutations(RelevoCheck& check)
@@ -159,11 +160,11 @@ void TestPermutations(RelevoCheck& check)
   for (const auto& row : rows)
   {
     int levels[3] = { row.Levels[0], row.Levels[1], row.Levels[2] };
-    CHECK(vtkRefinementPatternTable::Canonicalize(levels) == row.Lambda);
+    CHECK_EQUAL(vtkRefinementPatternTable::Canonicalize(levels), row.Lambda);
     int permutation[3];
     vtkRefinementPatternTable::GetPermutation(row.Lambda, permutation);
     CHECK(std::equal(permutation, permutation + 3, row.Permutation));
-    CHECK(vtkRefinementPatternTable::IsOdd(row.Lambda) == row.Odd);
+    CHECK_EQUAL(vtkRefinementPatternTable::IsOdd(row.Lambda), row.Odd);
   }
 
   vtkNew<vtkRefinementPatternTable> table;
@@ -178,38 +179,41 @@ void TestPermutations(RelevoCheck& check)
         int levels[3] = { i, j, k };
         lambdas.insert(vtkRefinementPatternTable::Canonicalize(levels));
         CHECK(levels[0] >= levels[1] && levels[1] >= levels[2]);
-        CHECK(levels[0] + levels[1] + levels[2] == i + j + k);
+        CHECK_EQUAL(levels[0] + levels[1] + levels[2], i + j + k);
         CHECK(levels[0] == std::max({ i, j, k }) && levels[2] == std::min({ i, j, k }));
         if (CHECK(table->GetPattern(i, j, k, polyData)))
         {
-          CHECK(CountSegments(polyData) == (std::array<int, 3>{ 1 << i, 1 << j, 1 << k }));
+          CHECK_EQUAL(CountSegments(polyData), (std::array<int, 3>{ 1 << i, 1 << j, 1 << k }));
           CheckPolyData(check, polyData);
         }
       }
     }
   }
-  CHECK(lambdas == (std::set<int>{ 0, 1, 2, 4, 5, 6, 7 }));
+  CHECK_EQUAL(lambdas, (std::set<int>{ 0, 1, 2, 4, 5, 6, 7 }));
 }
 
 void TestLevels(RelevoCheck& check)
 {
   vtkNew<vtkRefinementPatternTable> table;
   RelevoErrors errors(table);
-  CHECK(table->GetMaximumLevel() == 5 && table->GetNumberOfPatterns() == 56);
+  CHECK_EQUAL(table->GetMaximumLevel(), 5);
+  CHECK_EQUAL(table->GetNumberOfPatterns(), 56);
   const int counts[] = { 1, 4, 10, 20, 35, 56, 84, 120 };
   for (int level = 0; level <= 7; ++level)
   {
     table->SetMaximumLevel(level);
-    CHECK(table->GetNumberOfPatterns() == counts[level]);
+    CHECK_EQUAL(table->GetNumberOfPatterns(), counts[level]);
   }
   CHECK(errors.None());
   const vtkMTimeType time = table->GetMTime();
   for (int level : { -1, 8, 1000 })
   {
+    CHECK_CASE(level);
     table->SetMaximumLevel(level);
     CHECK(errors.Said("MaximumLevel"));
   }
-  CHECK(table->GetMaximumLevel() == 7 && table->GetMTime() == time);
+  CHECK_EQUAL(table->GetMaximumLevel(), 7);
+  CHECK_EQUAL(table->GetMTime(), time);
 
   table->SetMaximumLevel(3);
   vtkNew<vtkPolyData> polyData;
@@ -217,13 +221,13 @@ void TestLevels(RelevoCheck& check)
   CHECK(!table->GetPattern(0, -1, 0, polyData) && errors.Said("[0, -1, 0]"));
   CHECK(!table->GetPattern(0, 0, 0, nullptr) && errors.Said("vtkPolyData"));
 
-  CHECK(table->GetMemorySize() == 0);
+  CHECK_EQUAL(table->GetMemorySize(), 0);
   table->GetPattern(3, 3, 3, polyData);
   const vtkTypeInt64 size = table->GetMemorySize();
   // 45 vertices, 64 triangles and 108 lines.
   CHECK(size >= 45 * 12 + 64 * 12 + 108 * 8 && size < 2 * (45 * 12 + 64 * 12 + 108 * 8));
   table->GetPattern(3, 3, 2, polyData);
-  CHECK(table->GetMemorySize() > size);
+  CHECK_GREATER(table->GetMemorySize(), size);
 }
 
 void TestSource(RelevoCheck& check)
@@ -231,14 +235,14 @@ void TestSource(RelevoCheck& check)
   vtkNew<vtkRefinementPatternSource> source;
   RelevoErrors errors(source);
   source->Update();
-  CHECK(source->GetOutput()->GetNumberOfCells() == 1);
+  CHECK_EQUAL(source->GetOutput()->GetNumberOfCells(), 1);
   source->SetLevels(1, 7, 3);
   source->Update();
-  CHECK(CountSegments(source->GetOutput()) == (std::array<int, 3>{ 2, 128, 8 }));
+  CHECK_EQUAL(CountSegments(source->GetOutput()), (std::array<int, 3>{ 2, 128, 8 }));
   CheckPolyData(check, source->GetOutput());
   source->SetLevels(0, 8, 0);
   CHECK(errors.Said("Levels"));
-  CHECK(source->GetLevels()[1] == 7);
+  CHECK_EQUAL(source->GetLevels()[1], 7);
 
   vtkNew<vtkRefinementPatternTable> table;
   source->SetTable(table);
@@ -247,11 +251,11 @@ void TestSource(RelevoCheck& check)
     source->Update();
   }
   CHECK(errors.Said("MaximumLevel"));
-  CHECK(source->GetOutput()->GetNumberOfPoints() == 0);
+  CHECK_EQUAL(source->GetOutput()->GetNumberOfPoints(), 0);
   table->SetMaximumLevel(7);
   source->Update();
   CHECK(errors.None());
-  CHECK(source->GetOutput()->GetNumberOfPoints() > 0);
+  CHECK_GREATER(source->GetOutput()->GetNumberOfPoints(), 0);
 }
 
 std::string Slurp(const std::string& fileName)
@@ -284,7 +288,8 @@ void TestFile(RelevoCheck& check, const std::string& fileName)
   const vtkMTimeType time = read->GetMTime();
   CHECK(read->Read(fileName.c_str()));
   CHECK(errors.None());
-  CHECK(read->GetMaximumLevel() == 4 && read->GetMTime() > time);
+  CHECK_EQUAL(read->GetMaximumLevel(), 4);
+  CHECK_GREATER(read->GetMTime(), time);
   CHECK(IsSame(*former, copy)); // who refers to a pattern keeps it
   ForEachLevels(4,
     [&](int i, int j, int k)
@@ -397,7 +402,8 @@ void TestRandomDamage(RelevoCheck& check, const BadFiles& files, const std::stri
     else
     {
       CHECK(victimErrors.Said("Cannot read the patterns"));
-      CHECK(victim->GetMaximumLevel() == 5 && victim->GetMemorySize() == 0);
+      CHECK_EQUAL(victim->GetMaximumLevel(), 5);
+      CHECK_EQUAL(victim->GetMemorySize(), 0);
     }
   }
 }
@@ -408,6 +414,7 @@ void TestBadVTP(RelevoCheck& check, BadFiles& files, const std::string& bytes)
   const std::string xml = files.WriteGood(check, "/RefinementPatterns.good.vtp");
   for (std::size_t length : { std::size_t(0), std::size_t(20), xml.size() / 4, xml.size() / 2 })
   {
+    CHECK_CASE(length);
     Spill(vtp, xml.substr(0, length));
     CHECK(!files.Table->Read(vtp.c_str()));
     CHECK(files.Errors.Said("RefinementPatterns.bad.vtp"));
@@ -424,7 +431,8 @@ void TestBadFiles(RelevoCheck& check, const char* folder)
   // Signature, version 1, MaximumLevel 2, ten patterns, the first of 1, 1, 1 segments.
   const unsigned char head[] = { 'R', 'e', 'l', 'e', 'v', 'o', 'R', 'P', 1, 0, 0, 0, 2, 0, 0, 0, 10,
     0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 3, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0x80, 0x3f };
-  CHECK(bytes.size() > sizeof(head) && std::memcmp(bytes.data(), head, sizeof(head)) == 0);
+  CHECK_GREATER(bytes.size(), sizeof(head));
+  CHECK_EQUAL(std::memcmp(bytes.data(), head, sizeof(head)), 0);
 
   const auto before = files.Table->GetPatternOfSegments(4, 2, 1);
   TestTruncated(check, files, bytes);
@@ -432,8 +440,8 @@ void TestBadFiles(RelevoCheck& check, const char* folder)
   TestFileNames(check, files);
   TestRandomDamage(check, files, bytes);
   TestBadVTP(check, files, bytes);
-  CHECK(files.Table->GetMaximumLevel() == 5);
-  CHECK(before == files.Table->GetPatternOfSegments(4, 2, 1));
+  CHECK_EQUAL(files.Table->GetMaximumLevel(), 5);
+  CHECK_EQUAL(before, files.Table->GetPatternOfSegments(4, 2, 1));
 }
 
 void TestThreads(RelevoCheck& check)
@@ -458,7 +466,7 @@ void TestThreads(RelevoCheck& check)
   }
   for (const auto& patterns : seen)
   {
-    CHECK(patterns == seen[0]);
+    CHECK_EQUAL(patterns, seen[0]);
   }
 }
 }

@@ -111,7 +111,7 @@ void testFormula(RelevoCheck& check)
         }
         recipe->SetDisplacement(displacement);
         Mesh displaced = Refine(mesh.second, recipe);
-        if (!CHECK(displaced->GetNumberOfPoints() == plain->GetNumberOfPoints()))
+        if (!CHECK_EQUAL(displaced->GetNumberOfPoints(), plain->GetNumberOfPoints()))
         {
           continue;
         }
@@ -187,7 +187,7 @@ void testSeam(RelevoCheck& check)
         CHECK_NEAR(p[2], getHeight(heights, uv[0], uv[1]), 2e-6);
       }
     }
-    CHECK(onSeam == 2 * 9);
+    CHECK_EQUAL(onSeam, 2 * 9);
   }
 }
 
@@ -218,8 +218,8 @@ void testRoundedNormals(RelevoCheck& check)
     {
       expected[c] = plain->GetPoint(i)[c] + 0.25 * n[c];
     }
-    CHECK(std::sqrt(vtkMath::Distance2BetweenPoints(expected, filter->GetOutput()->GetPoint(i))) <
-      1e-5);
+    CHECK_LESS(
+      std::sqrt(vtkMath::Distance2BetweenPoints(expected, filter->GetOutput()->GetPoint(i))), 1e-5);
   }
 }
 
@@ -251,7 +251,7 @@ void testSplitNormals(RelevoCheck& check)
   verts->InsertNextCell(1, &vertex);
   withVertex->SetVerts(verts);
   Mesh other = Refine(withVertex, recipe);
-  CHECK(vtkMath::Distance2BetweenPoints(other->GetPoint(0), refined->GetPoint(0)) < 1e-12);
+  CHECK_LESS(vtkMath::Distance2BetweenPoints(other->GetPoint(0), refined->GetPoint(0)), 1e-12);
 }
 
 // Vertices and lines stay where they are, also where they share points with faces that move.
@@ -265,7 +265,8 @@ void testOtherCells(RelevoCheck& check)
   recipe->SetDisplacement(displacement);
   Mesh refined = Refine(mesh, recipe);
   const vtkIdType numberOfOthers = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
-  CHECK(numberOfOthers > 0 && refined->GetNumberOfCells() > numberOfOthers);
+  CHECK_GREATER(numberOfOthers, 0);
+  CHECK_GREATER(refined->GetNumberOfCells(), numberOfOthers);
   int sharedPoints = 0;
   for (vtkIdType cell = 0; cell < numberOfOthers; ++cell)
   {
@@ -273,7 +274,7 @@ void testOtherCells(RelevoCheck& check)
     vtkNew<vtkIdList> after;
     mesh->GetCellPoints(cell, before);
     refined->GetCellPoints(cell, after);
-    CHECK(before->GetNumberOfIds() == after->GetNumberOfIds());
+    CHECK_EQUAL(before->GetNumberOfIds(), after->GetNumberOfIds());
     for (vtkIdType i = 0; i < before->GetNumberOfIds(); ++i)
     {
       double expected[3];
@@ -284,7 +285,7 @@ void testOtherCells(RelevoCheck& check)
       sharedPoints += before->GetId(i) != after->GetId(i);
     }
   }
-  CHECK(sharedPoints > 0);
+  CHECK_GREATER(sharedPoints, 0);
   double bounds[6];
   mesh->GetBounds(bounds);
   double moved[6];

@@ -97,12 +97,14 @@ void testAgainstSearch(RelevoCheck& check, Mesh mesh, vtkAdaptiveRefinement* rec
     const double overlap = getOverlap(p, heights);
     (std::abs(overlap) < margin ? uncertain : overlap > 0.0 ? left : kept) += 1;
   }
-  CHECK(left > 0 && kept > 0);
-  CHECK(holed->GetNumberOfCells() >= kept && holed->GetNumberOfCells() <= kept + uncertain);
+  CHECK_GREATER(left, 0);
+  CHECK_GREATER(kept, 0);
+  CHECK_GREATER_EQUAL(holed->GetNumberOfCells(), kept);
+  CHECK_LESS_EQUAL(holed->GetNumberOfCells(), kept + uncertain);
   for (vtkIdType cell = 0; cell < holed->GetNumberOfCells(); ++cell)
   {
     getPositions(holed, cell, p);
-    CHECK(getOverlap(p, heights) < margin);
+    CHECK_LESS(getOverlap(p, heights), margin);
   }
   // Every point is of use, and data go with it.
   std::vector<bool> used(static_cast<size_t>(holed->GetNumberOfPoints()), false);
@@ -114,8 +116,8 @@ void testAgainstSearch(RelevoCheck& check, Mesh mesh, vtkAdaptiveRefinement* rec
       used[ids->GetId(i)] = true;
     }
   }
-  CHECK(std::find(used.begin(), used.end(), false) == used.end());
-  CHECK(holed->GetCellData()->GetArray("vtkOriginalCellIds")->GetNumberOfTuples() ==
+  CHECK_EQUAL(std::find(used.begin(), used.end(), false), used.end());
+  CHECK_EQUAL(holed->GetCellData()->GetArray("vtkOriginalCellIds")->GetNumberOfTuples(),
     holed->GetNumberOfCells());
   for (vtkIdType i = 0; i < holed->GetNumberOfPoints(); ++i)
   {
@@ -130,8 +132,8 @@ void testAgainstSearch(RelevoCheck& check, Mesh mesh, vtkAdaptiveRefinement* rec
   relevo::PatternSelection selection;
   selection.Select(
     refinementMesh, tags, *relevo::GetPatternFamily(recipe, mesh), recipe->GetMaximumLevel());
-  CHECK(
-    relevo::CountHoles(refinementMesh, selection, relevo::GetHoles(recipe->GetDisplacement())) ==
+  CHECK_EQUAL(
+    relevo::CountHoles(refinementMesh, selection, relevo::GetHoles(recipe->GetDisplacement())),
     full->GetNumberOfCells() - holed->GetNumberOfCells());
 }
 
@@ -202,7 +204,7 @@ Mesh makeChartedSphere()
 void testRandomHoles(RelevoCheck& check)
 {
   Scene scene;
-  CHECK(scene.Displacement->GetNoDataPolicy() == vtkDisplacement::HOLE);
+  CHECK_EQUAL(scene.Displacement->GetNoDataPolicy(), vtkDisplacement::HOLE);
   scene.Displacement->SetDirection(0.0, 0.0, 1.0);
   const int sizes[][2] = { { 37, 29 }, { 7, 5 }, { 101, 3 } };
   for (const auto& size : sizes)
@@ -259,7 +261,8 @@ void testClosed(RelevoCheck& check)
   }
   for (const auto& edge : edges)
   {
-    CHECK(edge.second.first <= 1 && edge.second.second <= 1);
+    CHECK_LESS_EQUAL(edge.second.first, 1);
+    CHECK_LESS_EQUAL(edge.second.second, 1);
   }
 }
 
@@ -269,16 +272,17 @@ void testNoData(RelevoCheck& check)
   SquareScene scene;
   scene.Heights->Punch([](int, int) { return true; });
   Mesh sphere = makeChartedSphere();
-  CHECK(Refine(sphere, scene.Recipe)->GetNumberOfCells() == 0);
-  CHECK(Refine(sphere, scene.Recipe)->GetNumberOfPoints() == 0);
+  CHECK_EQUAL(Refine(sphere, scene.Recipe)->GetNumberOfCells(), 0);
+  CHECK_EQUAL(Refine(sphere, scene.Recipe)->GetNumberOfPoints(), 0);
   Mesh mixed = Mixed();
   AddTextureCoordinates(mixed,
     [](const double* p) {
       return std::array<double, 2>{ { p[0] / 6.0, p[1] / 4.0 } };
     });
   Mesh rest = Refine(mixed, scene.Recipe);
-  CHECK(rest->GetNumberOfCells() == 3 && rest->GetNumberOfVerts() == 2);
-  CHECK(rest->GetNumberOfPoints() == 5); // 0, 1, 2, 22, 23
+  CHECK_EQUAL(rest->GetNumberOfCells(), 3);
+  CHECK_EQUAL(rest->GetNumberOfVerts(), 2);
+  CHECK_EQUAL(rest->GetNumberOfPoints(), 5); // 0, 1, 2, 22, 23
 }
 
 // All the same texture coordinates: one sample decides.
@@ -291,9 +295,9 @@ void testOneSample(RelevoCheck& check)
       return std::array<double, 2>{ { 0.53, 0.53 } };
     });
   scene.Heights->Punch([](int x, int y) { return x == 0 && y == 0; });
-  CHECK(Refine(point, scene.Recipe)->GetNumberOfCells() == 2 * 256);
+  CHECK_EQUAL(Refine(point, scene.Recipe)->GetNumberOfCells(), 2 * 256);
   scene.Heights->Punch([](int x, int y) { return x == 8 && y == 8; });
-  CHECK(Refine(point, scene.Recipe)->GetNumberOfCells() == 0);
+  CHECK_EQUAL(Refine(point, scene.Recipe)->GetNumberOfCells(), 0);
 }
 }
 

@@ -110,8 +110,8 @@ void testPlane(RelevoCheck& check)
       }
       Vector normal;
       vtkMath::Cross(s.data(), t.data(), normal.data());
-      CHECK(
-        degreesBetween(normal.data(), refined->GetPointData()->GetNormals()->GetTuple(i)) < 0.2);
+      CHECK_LESS(
+        degreesBetween(normal.data(), refined->GetPointData()->GetNormals()->GetTuple(i)), 0.2);
     }
   }
 }
@@ -140,7 +140,7 @@ void testOffset(RelevoCheck& check)
     const double* p = refined->GetPoint(i);
     CHECK_NEAR(vtkMath::Norm(p), 0.8, 2e-3);
     // The PN triangle's quadratic normals are themselves off by about one degree here.
-    CHECK(degreesBetween(p, refined->GetPointData()->GetNormals()->GetTuple(i)) < 1.5);
+    CHECK_LESS(degreesBetween(p, refined->GetPointData()->GetNormals()->GetTuple(i)), 1.5);
   }
 }
 
@@ -280,8 +280,8 @@ void testBumps(RelevoCheck& check)
     const Deviation ignored = compareWithFaces(ignorant, 0.15);
     std::cout << "  without the height gradient: " << ignored.Mean << " and " << ignored.Largest
               << "\n";
-    CHECK(deviation.Mean < 0.15 * ignored.Mean);
-    CHECK(deviation.Largest < 0.25 * ignored.Largest);
+    CHECK_LESS(deviation.Mean, 0.15 * ignored.Mean);
+    CHECK_LESS(deviation.Largest, 0.25 * ignored.Largest);
   }
 }
 
@@ -299,7 +299,7 @@ void testBorder(RelevoCheck& check)
   const double expected[3] = { -1.0, -2.0, 1.0 };
   for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
   {
-    CHECK(degreesBetween(expected, refined->GetPointData()->GetNormals()->GetTuple(i)) < 0.1);
+    CHECK_LESS(degreesBetween(expected, refined->GetPointData()->GetNormals()->GetTuple(i)), 0.1);
   }
 }
 
@@ -370,7 +370,7 @@ void testPieces(RelevoCheck& check)
       for (const Mesh& pieces : { halves, quarters })
       {
         const Mesh refined = Refine(pieces, recipe);
-        CHECK(refined->GetNumberOfPoints() > expected->GetNumberOfPoints());
+        CHECK_GREATER(refined->GetNumberOfPoints(), expected->GetNumberOfPoints());
         for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
         {
           Vector x;
@@ -383,7 +383,7 @@ void testPieces(RelevoCheck& check)
       }
       // Here the ends of edges come in another order.
       const Mesh single = Refine(turned, recipe);
-      CHECK(single->GetNumberOfCells() == expected->GetNumberOfCells());
+      CHECK_EQUAL(single->GetNumberOfCells(), expected->GetNumberOfCells());
       double farthest = 0.0;
       for (vtkIdType i = 0; i < single->GetNumberOfPoints(); ++i)
       {
@@ -399,7 +399,7 @@ void testPieces(RelevoCheck& check)
         }
         farthest = std::max(farthest, nearest);
       }
-      CHECK(farthest < 2e-6);
+      CHECK_LESS(farthest, 2e-6);
     }
   }
 }
@@ -490,7 +490,8 @@ void testCrease(RelevoCheck& check)
       normal[c] = base[c] * (1.0 + vtkMath::Dot(gradient.data(), direction.data())) -
         gradient[c] * vtkMath::Dot(base.data(), direction.data());
     }
-    CHECK(degreesBetween(normal.data(), refined->GetPointData()->GetNormals()->GetTuple(i)) < 0.01);
+    CHECK_LESS(
+      degreesBetween(normal.data(), refined->GetPointData()->GetNormals()->GetTuple(i)), 0.01);
   }
 }
 }

@@ -239,13 +239,13 @@ void testFormula(RelevoCheck& check, vtkG1Surface* surface)
       for (int j = 0; i + j <= 8; ++j)
       {
         const Vector w = { { i / 8.0, j / 8.0, (8 - i - j) / 8.0 } };
-        CHECK(length(patches.GetPoint(0, w) - patch.getPosition(w)) < 2e-6);
+        CHECK_LESS(length(patches.GetPoint(0, w) - patch.getPosition(w)), 2e-6);
         if (i > 0 && j > 0 && i + j < 8)
         {
           const Vector normal = patches.GetNormal(0, w);
           CHECK_NEAR(length(normal), 1.0, 1e-6);
-          CHECK(normal[2] > 0.0);
-          CHECK(angle(normal, patches.MeasureNormal(0, w, { { 0, 0, 1 } })) < 0.1);
+          CHECK_GREATER(normal[2], 0.0);
+          CHECK_LESS(angle(normal, patches.MeasureNormal(0, w, { { 0, 0, 1 } })), 0.1);
         }
       }
     }
@@ -253,19 +253,21 @@ void testFormula(RelevoCheck& check, vtkG1Surface* surface)
     {
       for (double t : { 0.125, 0.25, 0.5, 0.625, 0.875 })
       {
+        CHECK_CASE(t);
         Vector w = { { 0.0, 0.0, 0.0 } };
         w[EdgeCorners[edge][0]] = 1.0 - t;
         w[EdgeCorners[edge][1]] = t;
-        CHECK(angle(patches.GetNormal(0, w),
-                patches.MeasureEdgeNormal(0, edge, t, { { 0, 0, 1 } })) < 0.2);
+        CHECK_LESS(
+          angle(patches.GetNormal(0, w), patches.MeasureEdgeNormal(0, edge, t, { { 0, 0, 1 } })),
+          0.2);
       }
     }
     for (int i = 0; i < 3; ++i)
     {
       Vector w = { { 0.0, 0.0, 0.0 } };
       w[i] = 1.0;
-      CHECK(length(patches.GetPoint(0, w) - patch.P[i]) < 1e-6);
-      CHECK(length(patches.GetNormal(0, w) - patch.N[i]) < 1e-6);
+      CHECK_LESS(length(patches.GetPoint(0, w) - patch.P[i]), 1e-6);
+      CHECK_LESS(length(patches.GetNormal(0, w) - patch.N[i]), 1e-6);
     }
   }
 }
@@ -320,10 +322,10 @@ void testJumps(RelevoCheck& check, vtkG1Surface* surface)
     g1Patches.MeasureJumps(largest[1], mean[1]);
     std::cout << mesh.first << ": normals jump by " << largest[0] << " degrees at most, " << mean[0]
               << " RMS (PN); " << largest[1] << ", " << mean[1] << " (G1)\n";
-    CHECK(largest[0] > 5.0);
+    CHECK_GREATER(largest[0], 5.0);
     // Decimated scans have normals along edges, where the patch is kept tame.
     CHECK(largest[1] < 0.2 || mesh.first == "bunny");
-    CHECK(mean[1] < 0.02 * mean[0]);
+    CHECK_LESS(mean[1], 0.02 * mean[0]);
   }
 }
 
@@ -344,7 +346,7 @@ void testEdges(RelevoCheck& check, vtkG1Surface* surface)
         Vector w = { { 0.0, 0.0, 0.0 } };
         w[k % 3] = k / 24.0;
         w[(k + 1) % 3] = 1.0 - k / 24.0;
-        CHECK(g1Patches.GetPoint(face, w) == pnPatches.GetPoint(face, w));
+        CHECK_EQUAL(g1Patches.GetPoint(face, w), pnPatches.GetPoint(face, w));
       }
     }
   }
@@ -362,13 +364,13 @@ void testPlanes(RelevoCheck& check, vtkG1Surface* surface)
   Mesh flat = Refine(Plane(3, 2), linear);
   for (vtkIdType i = 0; i < plane->GetNumberOfPoints(); ++i)
   {
-    CHECK(plane->GetPoint(i)[2] == 0.0);
-    CHECK(plane->GetPointData()->GetNormals()->GetComponent(i, 2) == 1.0);
+    CHECK_EQUAL(plane->GetPoint(i)[2], 0.0);
+    CHECK_EQUAL(plane->GetPointData()->GetNormals()->GetComponent(i, 2), 1.0);
     CHECK_NEAR(plane->GetPoint(i)[0], flat->GetPoint(i)[0], 1e-6);
     CHECK_NEAR(plane->GetPoint(i)[1], flat->GetPoint(i)[1], 1e-6);
   }
   Mesh cube = Refine(Cube(), recipe);
-  CHECK(cube->GetNumberOfPolys() == 12 * 256);
+  CHECK_EQUAL(cube->GetNumberOfPolys(), 12 * 256);
   for (vtkIdType i = 0; i < cube->GetNumberOfPoints(); ++i)
   {
     const double* p = cube->GetPoint(i);
@@ -409,8 +411,8 @@ void testHostile(RelevoCheck& check, vtkG1Surface* surface)
             const Vector w = { { i / 8.0, j / 8.0, (8 - i - j) / 8.0 } };
             const Vector normal = patches.GetNormal(0, w);
             const double distance = length(patches.GetPoint(0, w));
-            CHECK(distance < 6.0 * size); // so it is not NaN
-            CHECK(length(normal) < 1.001);
+            CHECK_LESS(distance, 6.0 * size); // so it is not NaN
+            CHECK_LESS(length(normal), 1.001);
           }
         }
       }
@@ -423,8 +425,8 @@ void testHostile(RelevoCheck& check, vtkG1Surface* surface)
   none.P[2][0] = 3.0;
   none.N[0] = none.N[1] = none.N[2] = { { 0, 0, 0 } };
   const Patches patches(makeTriangle(none), surface);
-  CHECK(length(patches.GetPoint(0, { { 0.25, 0.25, 0.5 } })) < 3.0);
-  CHECK(length(patches.GetNormal(0, { { 0.25, 0.25, 0.5 } })) < 1.001);
+  CHECK_LESS(length(patches.GetPoint(0, { { 0.25, 0.25, 0.5 } })), 3.0);
+  CHECK_LESS(length(patches.GetNormal(0, { { 0.25, 0.25, 0.5 } })), 1.001);
 }
 }
 
@@ -441,7 +443,8 @@ int TestG1Surface(int, char*[])
   testPlanes(check, surface);
   testHostile(check, surface);
   CHECK(surface->NeedsNormals());
-  CHECK(surface->GetShaderSource().find("vec3 surfacePosition(vec3 w)") != std::string::npos);
-  CHECK(surface->GetShaderSource().find("vec3 surfaceNormal(vec3 w)") != std::string::npos);
+  CHECK_NOT_EQUAL(
+    surface->GetShaderSource().find("vec3 surfacePosition(vec3 w)"), std::string::npos);
+  CHECK_NOT_EQUAL(surface->GetShaderSource().find("vec3 surfaceNormal(vec3 w)"), std::string::npos);
   return check.GetResult();
 }

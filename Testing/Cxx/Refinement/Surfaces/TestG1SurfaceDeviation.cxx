@@ -77,9 +77,9 @@ void testDeviation(RelevoCheck& check, vtkG1Surface* surface)
                 << " triangles: distance (largest, RMS) " << flat.Largest << " " << flat.Mean
                 << " (linear), " << cubic.Largest << " " << cubic.Mean << " (PN), "
                 << smooth.Largest << " " << smooth.Mean << " (G1)\n";
-      CHECK(smooth.Largest < 0.2 * flat.Largest);
-      CHECK(smooth.Largest < 1.01 * cubic.Largest);
-      CHECK(smooth.Mean < cubic.Mean);
+      CHECK_LESS(smooth.Largest, 0.2 * flat.Largest);
+      CHECK_LESS(smooth.Largest, 1.01 * cubic.Largest);
+      CHECK_LESS(smooth.Mean, cubic.Mean);
       // Third order at least.
       CHECK(last == 0.0 || smooth.Mean < last / 8.0);
       last = smooth.Mean;

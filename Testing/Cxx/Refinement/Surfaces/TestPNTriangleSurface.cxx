@@ -109,6 +109,7 @@ void testFormula(RelevoCheck& check)
       AddTags(mesh, static_cast<unsigned int>(sample), 5);
       for (bool quadratic : { true, false })
       {
+        CHECK_CASE(quadratic);
         vtkNew<vtkPNTriangleSurface> surface;
         CHECK(surface->GetQuadraticNormals());
         surface->SetQuadraticNormals(quadratic);
@@ -131,7 +132,7 @@ void testFormula(RelevoCheck& check)
       }
     }
   } while (std::next_permutation(order, order + 3));
-  CHECK(tested > 5000);
+  CHECK_GREATER(tested, 5000);
 }
 
 // Largest distance of a mesh's points from the sphere of radius 0.5.
@@ -154,16 +155,16 @@ void testSphere(RelevoCheck& check)
     Mesh sphere = Sphere(resolution, resolution);
     Mesh linear = refine(sphere, nullptr, 3);
     Mesh pn = refine(sphere, surface, 3);
-    CHECK(getDistance(pn) < 0.2 * getDistance(linear));
+    CHECK_LESS(getDistance(pn), 0.2 * getDistance(linear));
     // Third order at least.
-    CHECK(getDistance(pn) < last / 8.0);
+    CHECK_LESS(getDistance(pn), last / 8.0);
     last = getDistance(pn);
     for (vtkIdType i = 0; i < pn->GetNumberOfPoints(); ++i)
     {
       double radial[3];
       pn->GetPoint(i, radial);
       vtkMath::Normalize(radial);
-      CHECK(vtkMath::Dot(radial, pn->GetPointData()->GetNormals()->GetTuple(i)) > 0.99);
+      CHECK_GREATER(vtkMath::Dot(radial, pn->GetPointData()->GetNormals()->GetTuple(i)), 0.99);
     }
   }
 }
@@ -174,7 +175,7 @@ void testCube(RelevoCheck& check)
   vtkNew<vtkPNTriangleSurface> surface;
   Mesh cube = Cube();
   Mesh refined = refine(cube, surface, 4);
-  CHECK(refined->GetNumberOfPolys() == 12 * 256);
+  CHECK_EQUAL(refined->GetNumberOfPolys(), 12 * 256);
   for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
   {
     const double* p = refined->GetPoint(i);
@@ -189,7 +190,7 @@ void testCube(RelevoCheck& check)
   Mesh rounded = refine(cube, surface, 4);
   double bounds[6];
   rounded->GetBounds(bounds);
-  CHECK(bounds[1] > 0.55);
+  CHECK_GREATER(bounds[1], 0.55);
 }
 
 // A flat mesh stays flat, to the bit where its normals are exact.
@@ -199,8 +200,8 @@ void testPlane(RelevoCheck& check)
   Mesh refined = refine(Plane(3, 2), surface, 3);
   for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
   {
-    CHECK(refined->GetPoint(i)[2] == 0.0);
-    CHECK(refined->GetPointData()->GetNormals()->GetComponent(i, 2) == 1.0);
+    CHECK_EQUAL(refined->GetPoint(i)[2], 0.0);
+    CHECK_EQUAL(refined->GetPointData()->GetNormals()->GetComponent(i, 2), 1.0);
   }
 }
 }
@@ -213,7 +214,8 @@ int TestPNTriangleSurface(int, char*[])
   testCube(check);
   testPlane(check);
   vtkNew<vtkPNTriangleSurface> surface;
-  CHECK(surface->GetShaderSource().find("vec3 surfacePosition(vec3 w)") != std::string::npos);
-  CHECK(surface->GetShaderSource().find("vec3 surfaceNormal(vec3 w)") != std::string::npos);
+  CHECK_NOT_EQUAL(
+    surface->GetShaderSource().find("vec3 surfacePosition(vec3 w)"), std::string::npos);
+  CHECK_NOT_EQUAL(surface->GetShaderSource().find("vec3 surfaceNormal(vec3 w)"), std::string::npos);
   return check.GetResult();
 }

@@ -96,7 +96,7 @@ void compare(RelevoCheck& check, vtkPolyData* mesh, vtkPhongSurface* surface,
     const Vector wanted = expected(mesh, w.data(), getAlpha(w.data()));
     for (int c = 0; c < 3; ++c)
     {
-      CHECK(std::abs(position[c] - wanted[c]) < 2e-6);
+      CHECK_NEAR(position[c], wanted[c], 2e-6);
     }
   }
 }
@@ -155,17 +155,19 @@ void testErrors(RelevoCheck& check)
   RelevoErrors errors(surface);
   for (double alpha : { -0.1, 1.1, std::nan("") })
   {
+    CHECK_CASE(alpha);
     surface->SetAlpha(alpha);
     CHECK(errors.Said("Alpha"));
-    CHECK(surface->GetAlpha() == 1.0);
+    CHECK_EQUAL(surface->GetAlpha(), 1.0);
   }
   // Alpha is live; the name of an array is not.
   const vtkMTimeType prepared = surface->GetPreparationMTime();
   const vtkMTimeType time = surface->GetMTime();
   surface->SetAlpha(0.5);
-  CHECK(surface->GetMTime() > time && surface->GetPreparationMTime() == prepared);
+  CHECK_GREATER(surface->GetMTime(), time);
+  CHECK_EQUAL(surface->GetPreparationMTime(), prepared);
   surface->SetAlphaArrayName("none");
-  CHECK(surface->GetPreparationMTime() > prepared);
+  CHECK_GREATER(surface->GetPreparationMTime(), prepared);
 
   vtkNew<vtkAdaptiveRefinement> recipe;
   recipe->SetSurface(surface);
@@ -177,7 +179,7 @@ void testErrors(RelevoCheck& check)
     filter->SetInputData(mesh);
     filter->SetRefinement(recipe);
     filter->Update();
-    CHECK(filter->GetOutput()->GetNumberOfCells() == 0);
+    CHECK_EQUAL(filter->GetOutput()->GetNumberOfCells(), 0);
     return filterErrors.Said(words);
   };
   CHECK(refineSays("\"none\" is missing"));

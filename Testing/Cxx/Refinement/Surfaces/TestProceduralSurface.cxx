@@ -203,7 +203,7 @@ void testBase(RelevoCheck& check)
   {
     for (int c = 0; c < 3; ++c)
     {
-      CHECK(furry->GetPoint(i)[c] == smooth->GetPoint(i)[c]);
+      CHECK_EQUAL(furry->GetPoint(i)[c], smooth->GetPoint(i)[c]);
       CHECK_NEAR(furry->GetPointData()->GetNormals()->GetComponent(i, c),
         smooth->GetPointData()->GetNormals()->GetComponent(i, c), 1e-6);
     }
@@ -213,10 +213,10 @@ void testBase(RelevoCheck& check)
   fur->SetFrequency(2.0);
   fur->SetUniform("any", 1.0);
   fur->SetUniform("any", 1.0, 2.0, 3.0);
-  CHECK(fur->GetPreparationMTime() == prepared);
-  CHECK(fur->GetReach() == 0.3);
+  CHECK_EQUAL(fur->GetPreparationMTime(), prepared);
+  CHECK_EQUAL(fur->GetReach(), 0.3);
   pn->QuadraticNormalsOff();
-  CHECK(fur->GetPreparationMTime() > prepared);
+  CHECK_GREATER(fur->GetPreparationMTime(), prepared);
 }
 
 // Closed and finite whatever the function does.
@@ -247,8 +247,8 @@ void testFunctions(RelevoCheck& check)
       fine->GetBounds(reached);
       for (int c = 0; c < 3; ++c)
       {
-        CHECK(bounds[2 * c] <= reached[2 * c] + 1e-6);
-        CHECK(bounds[2 * c + 1] >= reached[2 * c + 1] - 1e-6);
+        CHECK_LESS_EQUAL(bounds[2 * c], reached[2 * c] + 1e-6);
+        CHECK_GREATER_EQUAL(bounds[2 * c + 1], reached[2 * c + 1] - 1e-6);
       }
       for (vtkIdType i = 0; i < fine->GetNumberOfPoints(); ++i)
       {
@@ -285,7 +285,7 @@ void testErrors(RelevoCheck& check)
   filter->SetRefinement(recipe);
   filter->Update();
   CHECK(filterErrors.Said("ShaderFunction"));
-  CHECK(filter->GetOutput()->GetNumberOfCells() == 0);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfCells(), 0);
   surface->SetShaderFunction(nullptr);
   filter->Update();
   CHECK(filterErrors.None() && filter->GetOutput()->GetNumberOfCells() > 0);

@@ -208,15 +208,17 @@ void testRoof(RelevoCheck& check)
   double deviation;
   Mesh rounded = Refine(makeRoof(), recipe);
   getRoofErrors(rounded, distance, deviation);
-  CHECK(distance > 0.05 && deviation > 0.4);
-  CHECK(rounded->GetNumberOfPoints() == 65 * 65);
+  CHECK_GREATER(distance, 0.05);
+  CHECK_GREATER(deviation, 0.4);
+  CHECK_EQUAL(rounded->GetNumberOfPoints(), 65 * 65);
 
   Mesh roof = makeTaggedRoof(1.0);
   Mesh sharp = Refine(roof, recipe);
   getRoofErrors(sharp, distance, deviation);
-  CHECK(distance < 1e-6 && deviation < 1e-5);
+  CHECK_LESS(distance, 1e-6);
+  CHECK_LESS(deviation, 1e-5);
   // Points of the ridge are there twice, with all their data.
-  CHECK(sharp->GetNumberOfPoints() == 65 * 65 + 65);
+  CHECK_EQUAL(sharp->GetNumberOfPoints(), 65 * 65 + 65);
   CHECK(RelevoWatertight::FindFault(roof, sharp, 4).empty());
   int ridge = 0;
   for (vtkIdType i = 0; i < sharp->GetNumberOfPoints(); ++i)
@@ -226,12 +228,15 @@ void testRoof(RelevoCheck& check)
       std::max(0.0, 1.0 - std::abs(x)), 1e-6);
     ridge += x == 0.0 ? 1 : 0;
   }
-  CHECK(ridge == 130);
+  CHECK_EQUAL(ridge, 130);
 
   // Half as sharp: in between.
   Mesh half = Refine(makeTaggedRoof(0.5), recipe);
   getRoofErrors(half, distance, deviation);
-  CHECK(distance > 0.02 && distance < 0.05 && deviation > 0.1 && deviation < 0.4);
+  CHECK_GREATER(distance, 0.02);
+  CHECK_LESS(distance, 0.05);
+  CHECK_GREATER(deviation, 0.1);
+  CHECK_LESS(deviation, 0.4);
 
   // Every triangle with points of its own, directions of both senses.
   Mesh open = Refine(roof, MakeRecipe(0, nullptr));
@@ -244,7 +249,8 @@ void testRoof(RelevoCheck& check)
       { exploded->GetPoint(i)[0] == 0.0 ? 1.0 : 0.0, 0, 0, { { 0, i % 2 ? 1.0 : -1.0, 0 } } });
   }
   getRoofErrors(Refine(exploded, recipe), distance, deviation);
-  CHECK(distance < 1e-6 && deviation < 1e-5);
+  CHECK_LESS(distance, 1e-6);
+  CHECK_LESS(deviation, 1e-5);
 }
 
 struct EdgeSample
@@ -288,7 +294,7 @@ void testCrease(RelevoCheck& check)
     onEquator.push_back(std::abs(p[2]) < 1e-6);
     setTags(sphere, i, { onEquator.back() ? 1.0 : 0.0, 0, 0, { { -p[1], p[0], 0 } } });
   }
-  CHECK(std::count(onEquator.begin(), onEquator.end(), true) == 12);
+  CHECK_EQUAL(std::count(onEquator.begin(), onEquator.end(), true), 12);
   vtkNew<vtkScalarTaggedSurface> surface;
   const auto recipe = MakeRecipe(4, surface);
   relevo::RefinementMesh mesh;
@@ -297,25 +303,26 @@ void testCrease(RelevoCheck& check)
   int creases = 0;
   for (const auto& edge : sampleEdges(mesh, evaluator))
   {
-    CHECK(edge.second.size() == 2);
+    CHECK_EQUAL(edge.second.size(), 2);
     const bool isCrease = onEquator[edge.first.first] && onEquator[edge.first.second];
     creases += isCrease ? 1 : 0;
     for (size_t k = 0; k < edge.second[0].size(); ++k)
     {
       const EdgeSample& a = edge.second[0][k];
       const EdgeSample& b = edge.second[1][k];
-      CHECK(a.Position == b.Position);
+      CHECK_EQUAL(a.Position, b.Position);
       if (!isCrease)
       {
-        CHECK(a.Normal == b.Normal);
+        CHECK_EQUAL(a.Normal, b.Normal);
         continue;
       }
       // The faces' own planes at the equator are 30 degrees apart.
       const double jump = angle(toVector(a.Normal.data()), toVector(b.Normal.data()));
-      CHECK(jump > 20.0 && jump < 40.0);
+      CHECK_GREATER(jump, 20.0);
+      CHECK_LESS(jump, 40.0);
     }
   }
-  CHECK(creases == 12);
+  CHECK_EQUAL(creases, 12);
 
   // Normals fit the refined triangles, up to what a corner of a triangle may differ from it.
   const Mesh refined = Refine(sphere, recipe);
@@ -340,7 +347,7 @@ void testCrease(RelevoCheck& check)
   }
   std::cout << "Normals and refined triangles differ by at most " << most << " degrees"
             << std::endl;
-  CHECK(most < 12.0);
+  CHECK_LESS(most, 12.0);
 }
 
 // The tip of an octahedron's half, sharp without direction: the surface leaves it along the edges,
@@ -377,7 +384,7 @@ void testCusp(RelevoCheck& check)
       sharp ? std::sqrt(0.5) : 0.0, 0.01);
     // Every face has a tip of its own, with its own normal.
     const Mesh refined = Refine(tent, recipe);
-    CHECK(refined->GetNumberOfPoints() == 145 + (sharp ? 3 : 0));
+    CHECK_EQUAL(refined->GetNumberOfPoints(), 145 + (sharp ? 3 : 0));
     CHECK(RelevoWatertight::FindFault(tent, refined, 3).empty());
   }
 }
@@ -396,9 +403,9 @@ void testFading(RelevoCheck& check)
   const auto getJump = [](const std::vector<std::vector<EdgeSample>>& edge, size_t k)
   { return length(toVector(edge[0][k].Normal.data()) - toVector(edge[1][k].Normal.data())); };
   const auto& crease = edges.at({ 12, 17 });
-  CHECK(getJump(crease, 0) > 0.7);
-  CHECK(getJump(crease, 14) < 0.1);
-  CHECK(getJump(edges.at({ 17, 22 }), 7) == 0.0);
+  CHECK_GREATER(getJump(crease, 0), 0.7);
+  CHECK_LESS(getJump(crease, 14), 0.1);
+  CHECK_EQUAL(getJump(edges.at({ 17, 22 }), 7), 0.0);
 }
 
 // The corners of what is allowed, on a closed mesh.
@@ -427,7 +434,7 @@ void testExtremes(RelevoCheck& check)
     for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
     {
       const double* p = refined->GetPoint(i);
-      CHECK(length({ { p[0], p[1], p[2] } }) < 2.0);
+      CHECK_LESS(length({ { p[0], p[1], p[2] } }), 2.0);
       for (int c = 0; c < 3; ++c)
       {
         CHECK(p[c] >= bounds[2 * c] - 1e-6 && p[c] <= bounds[2 * c + 1] + 1e-6);

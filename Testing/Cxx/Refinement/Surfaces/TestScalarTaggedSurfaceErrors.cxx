@@ -47,6 +47,7 @@ void testErrors(RelevoCheck& check)
   const double infinity = std::numeric_limits<double>::infinity();
   for (const char* name : { "Sharpness", "Tension", "Bias" })
   {
+    CHECK_CASE(name);
     CHECK(fails(name, 1, -1, 0.5, ""));
     CHECK(fails(name, 2, -1, 0.5, " has 20 tuples of 2 components; 1"));
     CHECK(fails(name, 1, 3, 0.5, " has 3 tuples"));
@@ -58,10 +59,10 @@ void testErrors(RelevoCheck& check)
   CHECK(fails("Direction", 3, -1, nan, " is not finite at point 2"));
   // Arrays that are not asked for may be anything.
   surface->SetDirectionArrayName(nullptr);
-  CHECK(surface->GetDirectionArrayName() == std::string());
+  CHECK_EQUAL(surface->GetDirectionArrayName(), std::string());
   CHECK(fails("Direction", 1, -1, nan, ""));
   surface->SetTensionArrayName("T");
-  CHECK(surface->GetTensionArrayName() == std::string("T"));
+  CHECK_EQUAL(surface->GetTensionArrayName(), std::string("T"));
   CHECK(fails("Tension", 1, -1, nan, ""));
   CHECK(fails("T", 1, -1, nan, " is not finite"));
   surface->SetBiasArrayName("B");

@@ -53,14 +53,15 @@ int TestAdaptiveLICMapperAcross(int, char*[])
   {
     for (double distance : { 2.0, 20.0 })
     {
+      CHECK_CASE(distance);
       const RelevoLICPicture across = Look(plane, 0.0, distance);
       std::cout << "across: " << across.CountLIC() << " of " << CountRed(across) << " pixels\n";
-      CHECK(CountRed(across) > 5000);
-      CHECK(across.CountLIC() == 0);
+      CHECK_GREATER(CountRed(across), 5000);
+      CHECK_EQUAL(across.CountLIC(), 0);
       const RelevoLICPicture leaning = Look(plane, 0.5, distance);
       std::cout << "leaning: " << leaning.CountLIC() << ", without " << CountRed(leaning) << "\n";
-      CHECK(leaning.CountLIC() > 5000);
-      CHECK(CountRed(leaning) == 0);
+      CHECK_GREATER(leaning.CountLIC(), 5000);
+      CHECK_EQUAL(CountRed(leaning), 0);
     }
   }
   return check.GetResult();

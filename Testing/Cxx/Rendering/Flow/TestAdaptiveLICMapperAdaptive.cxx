@@ -77,13 +77,13 @@ void TestRefinement(
             << " triangles\n  coarse, " << coarse.Triangles << ": " << ofCoarse << "; "
             << likeCoarse << "\n  refined, " << refined.Triangles << ": " << ofRefined << "; "
             << likeRefined << "\n";
-  CHECK(refined.Triangles < dense.Triangles);
+  CHECK_LESS(refined.Triangles, dense.Triangles);
   // What vectors of coarse points do not say, refinement cannot tell.
-  CHECK(ofRefined.Median < 0.95 * ofCoarse.Median);
-  CHECK(ofRefined.Percentile95 < 0.93 * ofCoarse.Percentile95);
-  CHECK(1.0 - likeRefined.SSIM < 0.93 * (1.0 - likeCoarse.SSIM));
-  CHECK(likeRefined.MeanDifference < 0.9 * likeCoarse.MeanDifference);
-  CHECK(likeRefined.OneSided < 0.5 * likeCoarse.OneSided);
+  CHECK_LESS(ofRefined.Median, 0.95 * ofCoarse.Median);
+  CHECK_LESS(ofRefined.Percentile95, 0.93 * ofCoarse.Percentile95);
+  CHECK_LESS(1.0 - likeRefined.SSIM, 0.93 * (1.0 - likeCoarse.SSIM));
+  CHECK_LESS(likeRefined.MeanDifference, 0.9 * likeCoarse.MeanDifference);
+  CHECK_LESS(likeRefined.OneSided, 0.5 * likeCoarse.OneSided);
 }
 }
 

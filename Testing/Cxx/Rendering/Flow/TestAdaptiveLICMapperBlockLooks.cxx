@@ -96,9 +96,9 @@ void TestVisibility(RelevoCheck& check)
   {
     change(scene);
     const RelevoPicture picture = Draw(scene);
-    CHECK(picture.Colors == DrawAlone(change).Colors);
+    CHECK_EQUAL(picture.Colors, DrawAlone(change).Colors);
     convolutions += more;
-    CHECK(scene.Mapper->GetNumberOfConvolutions() == convolutions);
+    CHECK_EQUAL(scene.Mapper->GetNumberOfConvolutions(), convolutions);
     return picture;
   };
   const Change hideFront = [](Scene& s) { s.Mapper->SetBlockVisibility(Scene::Front, false); };
@@ -116,7 +116,7 @@ void TestVisibility(RelevoCheck& check)
   // Colours do not matter.
   scene.Mapper->SetBlockColor(Scene::Front, 1.0, 0.5, 0.5);
   scene.Render();
-  CHECK(scene.Mapper->GetNumberOfConvolutions() == convolutions);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfConvolutions(), convolutions);
 }
 
 // One image serves the opaque pass and the translucent one.
@@ -128,7 +128,7 @@ void TestOpacity(RelevoCheck& check)
   {
     const RelevoPicture picture = Draw(beside);
     CHECK(HasStreaks(picture, 0) && HasStreaks(picture, 1));
-    CHECK(beside.Mapper->GetNumberOfConvolutions() == 1);
+    CHECK_EQUAL(beside.Mapper->GetNumberOfConvolutions(), 1);
   }
 
   // What is clear hides no vectors.
@@ -136,8 +136,8 @@ void TestOpacity(RelevoCheck& check)
   scene.Mapper->SetBlockOpacity(Scene::Front, 0.0);
   CHECK(HasStreaks(Draw(scene), 0));
   scene.Mapper->SetBlockOpacity(Scene::Front, 1.0);
-  CHECK(Draw(scene).Colors == DrawAlone([](Scene&) {}).Colors);
-  CHECK(scene.Mapper->GetNumberOfConvolutions() == 2);
+  CHECK_EQUAL(Draw(scene).Colors, DrawAlone([](Scene&) {}).Colors);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfConvolutions(), 2);
 }
 
 // The same for the one mesh that is the input.
@@ -211,9 +211,9 @@ void TestTexture(RelevoCheck& check)
   image->SetScalarComponentFromDouble(0, 0, 0, 3, 255);
   image->Modified();
   CHECK(HasStreaks(Draw(scene), 0));
-  CHECK(mapper->GetNumberOfConvolutions() == 2);
+  CHECK_EQUAL(mapper->GetNumberOfConvolutions(), 2);
   Draw(scene);
-  CHECK(mapper->GetNumberOfConvolutions() == 2);
+  CHECK_EQUAL(mapper->GetNumberOfConvolutions(), 2);
 }
 
 void TestSubPieces(RelevoCheck& check)

@@ -130,9 +130,9 @@ struct Blocks
 void TestConvolutions(RelevoCheck& check, Blocks& blocks)
 {
   CHECK(blocks.All.Errors.None());
-  CHECK(blocks.All.Mapper->GetNumberOfConvolutions() == 1);
+  CHECK_EQUAL(blocks.All.Mapper->GetNumberOfConvolutions(), 1);
   blocks.All.Draw();
-  CHECK(blocks.All.Mapper->GetNumberOfConvolutions() == 1);
+  CHECK_EQUAL(blocks.All.Mapper->GetNumberOfConvolutions(), 1);
 }
 
 // Each block is as if it were alone, away from its neighbours.
@@ -148,6 +148,7 @@ void TestNeighbours(RelevoCheck& check, RelevoComparison& comparison, const Bloc
     { "Nested", blocks.Nested, 1, 1 } };
   for (const auto& part : parts)
   {
+    CHECK_CASE(part.Name);
     View alone(part.Block);
     comparison.Compare(std::string("LICBlocks.") + part.Name, { 0, 1e-6, 0 },
       Quarter(blocks.Picture, part.Column, part.Row, Reach),
@@ -158,7 +159,7 @@ void TestNeighbours(RelevoCheck& check, RelevoComparison& comparison, const Bloc
 
 void TestBlockWithoutVectors(RelevoCheck& check, const Blocks& blocks, const RelevoPicture& plain)
 {
-  CHECK(Quarter(blocks.Picture, 0, 1, 2).Colors == Quarter(plain, 0, 1, 2).Colors);
+  CHECK_EQUAL(Quarter(blocks.Picture, 0, 1, 2).Colors, Quarter(plain, 0, 1, 2).Colors);
 }
 
 // Streaks go with their block's vectors up to its border: neighbours differ less along them.
@@ -166,6 +167,7 @@ void TestStreaks(RelevoCheck& check, const Blocks& blocks)
 {
   for (const int column : { 0, 1 })
   {
+    CHECK_CASE(column);
     const RelevoPicture part = Quarter(blocks.Picture, column, 0, 1);
     double along[2] = { 0.0, 0.0 };
     for (int y = 0; y + 1 < part.Size[1]; ++y)
@@ -177,7 +179,7 @@ void TestStreaks(RelevoCheck& check, const Blocks& blocks)
         along[1] += std::abs(part.Colors[3 * i] - part.Colors[3 * (i + part.Size[0])]);
       }
     }
-    CHECK(2.0 * along[column] < along[1 - column]);
+    CHECK_LESS(2.0 * along[column], along[1 - column]);
   }
 }
 
@@ -188,7 +190,7 @@ void TestLostVectors(
   blocks.Points->Modified();
   const RelevoPicture fewer = blocks.All.Draw();
   CHECK(blocks.All.Errors.None());
-  CHECK(Quarter(fewer, 0, 0, 2).Colors == Quarter(plain, 0, 0, 2).Colors);
+  CHECK_EQUAL(Quarter(fewer, 0, 0, 2).Colors, Quarter(plain, 0, 0, 2).Colors);
   comparison.Compare("LICBlocks.Kept", { 0, 0.0, 0 }, Quarter(fewer, 1, 1, Reach),
     Quarter(blocks.Picture, 1, 1, Reach));
 }
@@ -203,7 +205,7 @@ void TestReplacedVectors(
   scalars->Fill(1.0);
   blocks.Points->GetPointData()->AddArray(scalars);
   blocks.Points->Modified();
-  CHECK(blocks.All.Draw().Colors == plain.Colors);
+  CHECK_EQUAL(blocks.All.Draw().Colors, plain.Colors);
   CHECK(blocks.All.Errors.Said("\"Flow\" has 1 component"));
   WithPointVectors(blocks.Points, 3, 0);
   blocks.Points->Modified();

@@ -118,9 +118,9 @@ std::array<double, 2> FindRange(const RelevoPicture& lic)
 void TestGreys(RelevoCheck& check, RelevoLICView& view)
 {
   const RelevoPicture lic = view.DrawLIC();
-  CHECK(CountLIC(lic) > 5000);
+  CHECK_GREATER(CountLIC(lic), 5000);
   const std::array<double, 2> range = FindRange(lic);
-  CHECK(range[1] - range[0] > 0.2);
+  CHECK_GREATER(range[1] - range[0], 0.2);
 }
 
 void TestBlend(RelevoComparison& comparison, RelevoLICView& view)

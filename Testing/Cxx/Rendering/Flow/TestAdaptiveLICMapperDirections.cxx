@@ -31,9 +31,9 @@ void Look(vtkRenderer* renderer, const Vector& from, const Vector& at, double an
 void Expect(RelevoCheck& check, const std::string& name, const RelevoDeviations& deviations)
 {
   std::cout << name << ": " << deviations << "\n";
-  CHECK(deviations.Count > 15000);
-  CHECK(deviations.Median <= 1.5);
-  CHECK(deviations.Percentile95 <= 5.0);
+  CHECK_GREATER(deviations.Count, 15000);
+  CHECK_LESS_EQUAL(deviations.Median, 1.5);
+  CHECK_LESS_EQUAL(deviations.Percentile95, 5.0);
 }
 
 // Pixels are units: the field is its own projection.
@@ -43,6 +43,7 @@ void TestFacingPlane(RelevoCheck& check)
   { return (sample - 0.5 * number) / (0.5 * Height); };
   for (const RelevoNamedField& named : MakeNamedFields())
   {
+    CHECK_CASE(named.Name);
     const RelevoField field = [&](double x, double y, double* v)
     { named.Field(place(x, Width), place(y, Height), v); };
     RelevoLICScene scene(Width, Height);
@@ -78,6 +79,7 @@ void TestSurface(RelevoCheck& check, const std::string& name, vtkPolyData* mesh,
 {
   for (const RelevoNamedSurfaceField& named : MakeSurfaceFields(normal))
   {
+    CHECK_CASE(named.Name);
     for (std::size_t i = 0; i < views.size(); ++i)
     {
       RelevoLICScene scene(Width, Height);
@@ -110,7 +112,7 @@ void TestPerspective(RelevoCheck& check, vtkPolyData* mesh, const View& view)
       return picture.HasLIC(column, row, 8);
     });
   std::cout << "as if in parallel: " << parallel << "\n";
-  CHECK(parallel.Median > 5.0);
+  CHECK_GREATER(parallel.Median, 5.0);
 }
 }
 

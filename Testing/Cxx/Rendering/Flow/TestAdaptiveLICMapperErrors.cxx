@@ -391,7 +391,7 @@ void TestEmptyMeshes(RelevoCheck& check)
     RelevoErrors errors(actor->GetMapper());
     scene.Render();
     CHECK(errors.None());
-    CHECK(RelevoPicture(scene.Window).CountForeground() == 0);
+    CHECK_EQUAL(RelevoPicture(scene.Window).CountForeground(), 0);
   }
 }
 
@@ -415,8 +415,8 @@ void TestNoMeshAndNoRecipe(RelevoCheck& check)
   scene.ResetCameras();
   scene.Render();
   CHECK(errors.None());
-  CHECK(RelevoPicture(scene.Window).CountForeground() > 0);
-  CHECK(mapper->GetNumberOfConvolutions() == 1);
+  CHECK_GREATER(RelevoPicture(scene.Window).CountForeground(), 0);
+  CHECK_EQUAL(mapper->GetNumberOfConvolutions(), 1);
 }
 }
 

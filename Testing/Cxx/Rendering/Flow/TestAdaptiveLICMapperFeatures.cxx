@@ -214,6 +214,7 @@ void TestRepresentations(RelevoCheck& check, RelevoComparison& comparison)
 {
   for (const int representation : { VTK_WIREFRAME, VTK_POINTS })
   {
+    CHECK_CASE(representation);
     RelevoLICView view;
     vtkActor* actor = view.Add(Sphere(12, 10), MakeRecipe(2));
     RelevoErrors errors(view.Mapper);
@@ -222,10 +223,10 @@ void TestRepresentations(RelevoCheck& check, RelevoComparison& comparison)
     comparison.Compare("LICFeatures.Representation" + std::to_string(representation), {},
       view.Draw(), view.DrawColors());
     CHECK(errors.None());
-    CHECK(view.Mapper->GetNumberOfConvolutions() == 0);
+    CHECK_EQUAL(view.Mapper->GetNumberOfConvolutions(), 0);
     actor->GetProperty()->SetRepresentationToSurface();
     view.Draw();
-    CHECK(view.Mapper->GetNumberOfConvolutions() == 1);
+    CHECK_EQUAL(view.Mapper->GetNumberOfConvolutions(), 1);
   }
 }
 
@@ -308,6 +309,7 @@ void TestPicks(RelevoCheck& check, RelevoComparison& comparison)
   for (const int association :
     { vtkDataObject::FIELD_ASSOCIATION_CELLS, vtkDataObject::FIELD_ASSOCIATION_POINTS })
   {
+    CHECK_CASE(association);
     RelevoLICView view;
     view.Add(Cube(), MakeRecipe(2));
     view.Scene->Window->SetSize(100, 100);
@@ -315,11 +317,12 @@ void TestPicks(RelevoCheck& check, RelevoComparison& comparison)
     const RelevoPicture before = view.Draw();
     const auto with = RelevoPicks::SelectPixels(*view.Scene, association);
     comparison.Compare("LICFeatures.AfterPick", {}, view.Draw(), before);
-    CHECK(view.Mapper->GetNumberOfConvolutions() == 1);
+    CHECK_EQUAL(view.Mapper->GetNumberOfConvolutions(), 1);
     view.Mapper->EnableOff();
     view.Draw();
     const auto without = RelevoPicks::SelectPixels(*view.Scene, association);
-    CHECK(with.size() == 10000 && with == without);
+    CHECK_EQUAL(with.size(), 10000);
+    CHECK_EQUAL(with, without);
     CHECK(std::any_of(
       with.begin(), with.end(), [](const RelevoPicks::Hit& hit) { return hit.Id >= 0; }));
   }
@@ -343,24 +346,24 @@ void TestCopies(RelevoCheck& check, RelevoComparison& comparison)
   mapper->SetNoiseGeneratorSeed(5);
   view.Scene->ResetCameras();
   const RelevoPicture expected = view.Draw();
-  CHECK(mapper->GetColorMode() == VTK_COLOR_MODE_DIRECT_SCALARS);
-  CHECK(mapper->GetLICInterface()->GetColorMode() == vtkLICSettings::COLOR_MODE_MAP);
+  CHECK_EQUAL(mapper->GetColorMode(), VTK_COLOR_MODE_DIRECT_SCALARS);
+  CHECK_EQUAL(mapper->GetLICInterface()->GetColorMode(), vtkLICSettings::COLOR_MODE_MAP);
   vtkNew<vtkAdaptiveLICMapper> copy;
   copy->ShallowCopy(mapper);
   copy->BackFaceCullingOff();
   actor->SetMapper(copy);
   comparison.Compare("LICFeatures.Copy", {}, view.Draw(), expected);
   copy->SetColorModeToBlend();
-  CHECK(copy->GetColorMode() == VTK_COLOR_MODE_DIRECT_SCALARS);
+  CHECK_EQUAL(copy->GetColorMode(), VTK_COLOR_MODE_DIRECT_SCALARS);
   copy->SetColorMode(VTK_COLOR_MODE_MAP_SCALARS);
-  CHECK(copy->GetColorMode() == VTK_COLOR_MODE_MAP_SCALARS);
-  CHECK(copy->GetLICInterface()->GetColorMode() == vtkLICSettings::COLOR_MODE_BLEND);
+  CHECK_EQUAL(copy->GetColorMode(), VTK_COLOR_MODE_MAP_SCALARS);
+  CHECK_EQUAL(copy->GetLICInterface()->GetColorMode(), vtkLICSettings::COLOR_MODE_BLEND);
   vtkNew<vtkPolyDataMapper> plain;
   plain->SetColorModeToDirectScalars();
   plain->SetInputData(mesh);
   copy->ShallowCopy(plain);
-  CHECK(copy->GetColorMode() == VTK_COLOR_MODE_DIRECT_SCALARS);
-  CHECK(copy->GetLICInterface()->GetColorMode() == vtkLICSettings::COLOR_MODE_BLEND);
+  CHECK_EQUAL(copy->GetColorMode(), VTK_COLOR_MODE_DIRECT_SCALARS);
+  CHECK_EQUAL(copy->GetLICInterface()->GetColorMode(), vtkLICSettings::COLOR_MODE_BLEND);
 }
 }
 

@@ -204,18 +204,18 @@ void Test(RelevoCheck& check, const Change& change, vtkIdType expected)
   Scene scene;
   scene.Window->Render();
   const RelevoPicture before(scene.Window);
-  CHECK(scene.Mapper->GetNumberOfConvolutions() == 1);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfConvolutions(), 1);
   change.Make(scene);
   scene.Window->Render();
   const RelevoPicture after(scene.Window);
-  CHECK(scene.Mapper->GetNumberOfConvolutions() == 1 + expected);
-  CHECK(scene.CountDifferences(before, after) > 100);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfConvolutions(), 1 + expected);
+  CHECK_GREATER(scene.CountDifferences(before, after), 100);
   for (int i = 0; i < 3; ++i)
   {
     scene.Window->Render();
-    CHECK(scene.CountDifferences(after, RelevoPicture(scene.Window)) == 0);
+    CHECK_EQUAL(scene.CountDifferences(after, RelevoPicture(scene.Window)), 0);
   }
-  CHECK(scene.Mapper->GetNumberOfConvolutions() == 1 + expected);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfConvolutions(), 1 + expected);
 }
 
 // Masked places have a colour of their own.
@@ -230,9 +230,9 @@ void TestMaskColor(RelevoCheck& check)
   const RelevoPicture mixed(scene.Window);
   scene.Mapper->SetMaskColor(0.0, 1.0, 0.0);
   scene.Window->Render();
-  CHECK(scene.CountDifferences(before, mixed) > 100);
-  CHECK(scene.CountDifferences(mixed, RelevoPicture(scene.Window)) > 100);
-  CHECK(scene.Mapper->GetNumberOfConvolutions() == 1);
+  CHECK_GREATER(scene.CountDifferences(before, mixed), 100);
+  CHECK_GREATER(scene.CountDifferences(mixed, RelevoPicture(scene.Window)), 100);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfConvolutions(), 1);
 }
 
 // An image of noise that changes, and a plane that moves.
@@ -249,15 +249,15 @@ void TestModified(RelevoCheck& check)
   noise->ShallowCopy(MakeNoiseImage(40, 40, 9));
   scene.Window->Render();
   const RelevoPicture second(scene.Window);
-  CHECK(scene.CountDifferences(first, second) > 100);
-  CHECK(scene.Mapper->GetNumberOfConvolutions() == 2);
+  CHECK_GREATER(scene.CountDifferences(first, second), 100);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfConvolutions(), 2);
   plane->SetOrigin(0.3, 0.0, 0.0);
   scene.Window->Render();
-  CHECK(scene.CountDifferences(second, RelevoPicture(scene.Window)) > 100);
-  CHECK(scene.Mapper->GetNumberOfConvolutions() == 3);
+  CHECK_GREATER(scene.CountDifferences(second, RelevoPicture(scene.Window)), 100);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfConvolutions(), 3);
   scene.Mapper->RemoveAllClippingPlanes();
   scene.Window->Render();
-  CHECK(scene.Mapper->GetNumberOfConvolutions() == 4);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfConvolutions(), 4);
 }
 
 // Colours by scalars.
@@ -279,8 +279,8 @@ void TestLookupTable(RelevoCheck& check)
   table->SetHueRange(0.1, 0.3);
   table->ForceBuild();
   scene.Window->Render();
-  CHECK(scene.CountDifferences(before, RelevoPicture(scene.Window)) > 100);
-  CHECK(scene.Mapper->GetNumberOfConvolutions() == 1);
+  CHECK_GREATER(scene.CountDifferences(before, RelevoPicture(scene.Window)), 100);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfConvolutions(), 1);
 }
 
 // A budget of triangles finds its level from picture to picture, and comes to rest.
@@ -293,15 +293,15 @@ void TestBudget(RelevoCheck& check)
     scene.Window->Render();
   }
   const RelevoPicture first(scene.Window);
-  CHECK(scene.Mapper->GetNumberOfDrawnTriangles() <= 800);
+  CHECK_LESS_EQUAL(scene.Mapper->GetNumberOfDrawnTriangles(), 800);
   const vtkIdType convolutions = scene.Mapper->GetNumberOfConvolutions();
-  CHECK(convolutions <= 4);
+  CHECK_LESS_EQUAL(convolutions, 4);
   for (int i = 0; i < 3; ++i)
   {
     scene.Window->Render();
-    CHECK(scene.CountDifferences(first, RelevoPicture(scene.Window)) == 0);
+    CHECK_EQUAL(scene.CountDifferences(first, RelevoPicture(scene.Window)), 0);
   }
-  CHECK(scene.Mapper->GetNumberOfConvolutions() == convolutions);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfConvolutions(), convolutions);
 }
 
 // The range of colours' lightness is sought again, and nothing is convolved.
@@ -313,8 +313,8 @@ void TestColorRange(RelevoCheck& check)
   const RelevoPicture first(scene.Window);
   scene.Actor->GetProperty()->SetColor(0.8, 0.3, 0.2);
   scene.Window->Render();
-  CHECK(scene.CountDifferences(first, RelevoPicture(scene.Window)) > 100);
-  CHECK(scene.Mapper->GetNumberOfConvolutions() == 1);
+  CHECK_GREATER(scene.CountDifferences(first, RelevoPicture(scene.Window)), 100);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfConvolutions(), 1);
 }
 }
 

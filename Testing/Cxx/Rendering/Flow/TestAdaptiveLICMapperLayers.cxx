@@ -43,7 +43,7 @@ void TestEdges(RelevoCheck& check)
     const Color color = RelevoLICView::At(picture, i);
     red += color[0] > color[1] + 0.25 ? 1 : 0;
   }
-  CHECK(red > 800);
+  CHECK_GREATER(red, 800);
 }
 
 RelevoPicture Mix(const RelevoPicture& behind, const RelevoPicture& front)
@@ -128,13 +128,14 @@ void TestLayersOfOneMesh(RelevoCheck& check, Layers& layers)
   view.Mapper->EnableOn();
   actor->GetProperty()->SetOpacity(0.5);
   layers.Compare("OneMesh", view.Draw(), Mix(Mix(empty, plain), fore));
-  CHECK(view.Mapper->GetNumberOfConvolutions() <= 2);
+  CHECK_LESS_EQUAL(view.Mapper->GetNumberOfConvolutions(), 2);
 }
 
 void TestTranslucentLayers(RelevoCheck& check, RelevoComparison& comparison)
 {
   for (const bool peeling : { false, true })
   {
+    CHECK_CASE(peeling);
     Layers layers{ comparison, peeling };
     for (const int contrast : { 0, 1, 3, 4 })
     {

@@ -54,7 +54,7 @@ void TestFile(RelevoCheck& check, const std::string& folder)
   CHECK(scene.Errors.Said("cannot be opened"));
   scene.Render();
   CHECK(scene.Errors.None()); // said once
-  CHECK(scene.Mapper->GetNumberOfConvolutions() == 0);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfConvolutions(), 0);
   std::fclose(std::fopen(file.c_str(), "w"));
   scene.Render();
   CHECK(scene.Errors.Said("LICMapperNoise.png"));
@@ -65,21 +65,21 @@ void TestFile(RelevoCheck& check, const std::string& folder)
   writer->Write();
   const RelevoLICPicture picture = scene.Render();
   CHECK(scene.Errors.None());
-  CHECK(scene.Mapper->GetNumberOfConvolutions() == 1);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfConvolutions(), 1);
   Scene other;
   other.Mapper->SetNoiseDataSet(MakeNoise());
-  CHECK(picture.Grey.Values == other.Render().Grey.Values);
+  CHECK_EQUAL(picture.Grey.Values, other.Render().Grey.Values);
 
   // Read once.
   std::remove(file.c_str());
   scene.Mapper->SetNumberOfSteps(10);
   scene.Render();
   CHECK(scene.Errors.None());
-  CHECK(scene.Mapper->GetNumberOfConvolutions() == 2);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfConvolutions(), 2);
   scene.Mapper->SetNoiseGeneratorSeed(7);
   scene.Render();
   CHECK(scene.Errors.None());
-  CHECK(scene.Mapper->GetNumberOfConvolutions() == 2);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfConvolutions(), 2);
 }
 
 // The settings of generated noise count where it is generated.
@@ -91,12 +91,12 @@ void TestSeed(RelevoCheck& check)
   scene.Mapper->SetNoiseGeneratorSeed(7);
   scene.Mapper->SetNoiseGrainSize(3);
   scene.Render();
-  CHECK(scene.Mapper->GetNumberOfConvolutions() == 1);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfConvolutions(), 1);
   scene.Mapper->SetNoiseDataSet(nullptr);
   scene.Render();
   scene.Mapper->SetNoiseGeneratorSeed(8);
   scene.Render();
-  CHECK(scene.Mapper->GetNumberOfConvolutions() == 3);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfConvolutions(), 3);
 }
 
 void TestContrast(RelevoCheck& check)
@@ -108,16 +108,16 @@ void TestContrast(RelevoCheck& check)
   mapper->SetHighLICContrastEnhancementFactor(0.6);
   scene.Render();
   CHECK(scene.Errors.Said("LowLICContrastEnhancementFactor 0.6 and HighLICContrast"));
-  CHECK(mapper->GetNumberOfConvolutions() == 0);
+  CHECK_EQUAL(mapper->GetNumberOfConvolutions(), 0);
   mapper->SetHighLICContrastEnhancementFactor(0.3);
   mapper->SetLowColorContrastEnhancementFactor(1.0);
   scene.Render();
   CHECK(scene.Errors.Said("LowColorContrastEnhancementFactor 1 and HighColorContrast"));
-  CHECK(mapper->GetNumberOfConvolutions() == 0);
+  CHECK_EQUAL(mapper->GetNumberOfConvolutions(), 0);
   mapper->SetHighColorContrastEnhancementFactor(-0.5);
   scene.Render();
   CHECK(scene.Errors.None());
-  CHECK(mapper->GetNumberOfConvolutions() == 1);
+  CHECK_EQUAL(mapper->GetNumberOfConvolutions(), 1);
 
   // Factors that are not used are not checked, as by vtkSurfaceLICMapper.
   mapper->SetHighLICContrastEnhancementFactor(0.6);
@@ -125,7 +125,7 @@ void TestContrast(RelevoCheck& check)
   mapper->SetEnhanceContrastToOff();
   scene.Render();
   CHECK(scene.Errors.None());
-  CHECK(mapper->GetNumberOfConvolutions() == 2);
+  CHECK_EQUAL(mapper->GetNumberOfConvolutions(), 2);
 }
 }
 

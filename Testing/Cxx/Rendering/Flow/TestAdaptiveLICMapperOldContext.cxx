@@ -28,12 +28,12 @@ int TestAdaptiveLICMapperOldContext(int, char*[])
   if (major == 3 && minor == 3)
   {
     CHECK(errors.None());
-    CHECK(picture.Colors != view.DrawColors().Colors);
+    CHECK_NOT_EQUAL(picture.Colors, view.DrawColors().Colors);
   }
   else
   {
     CHECK(errors.Said("Refinement needs OpenGL 3.3"));
-    CHECK(picture.CountForeground() == 0);
+    CHECK_EQUAL(picture.CountForeground(), 0);
     view.Draw();
     CHECK(errors.None());
   }

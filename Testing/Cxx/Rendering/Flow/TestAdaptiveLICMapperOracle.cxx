@@ -93,11 +93,11 @@ public:
     const RelevoLikeness likeness = CompareLIC(this->Scene.Render().Grey, expected);
     std::cout << this->Name << ": " << likeness << "\n";
     RelevoCheck& check = this->Check;
-    CHECK(likeness.Count > Columns * Rows / 5);
-    CHECK(likeness.SSIM >= 0.99);
-    CHECK(likeness.MeanDifference <= 0.5 / 255.0 + 0.03 * different);
-    CHECK(likeness.Different <= different * likeness.Count);
-    CHECK(likeness.OneSided <= oneSided * likeness.Count);
+    CHECK_GREATER(likeness.Count, Columns * Rows / 5);
+    CHECK_GREATER_EQUAL(likeness.SSIM, 0.99);
+    CHECK_LESS_EQUAL(likeness.MeanDifference, 0.5 / 255.0 + 0.03 * different);
+    CHECK_LESS_EQUAL(likeness.Different, different * likeness.Count);
+    CHECK_LESS_EQUAL(likeness.OneSided, oneSided * likeness.Count);
   }
 
   RelevoCheck& Check;

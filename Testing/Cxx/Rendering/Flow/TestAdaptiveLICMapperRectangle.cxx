@@ -128,8 +128,8 @@ void Test(RelevoCheck& check, vtkPolyData* mesh, vtkPolyData* wide, const View& 
   }
   std::cout << view.Name << ": " << streaks << " pixels of LIC, " << different
             << " values differ\n";
-  CHECK(streaks > 300);
-  CHECK(different == 0);
+  CHECK_GREATER(streaks, 300);
+  CHECK_EQUAL(different, 0);
 }
 }
 

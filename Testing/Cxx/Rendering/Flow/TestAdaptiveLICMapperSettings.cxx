@@ -140,8 +140,8 @@ void TestProgram(RelevoCheck& check)
   RelevoErrors errors(asInVTK.Mapper);
   const auto picture = asInVTK.Draw();
   CHECK(errors.None());
-  CHECK(asInVTK.Mapper->GetNumberOfConvolutions() == 1);
-  CHECK(picture.CountForeground() > 2000);
+  CHECK_EQUAL(asInVTK.Mapper->GetNumberOfConvolutions(), 1);
+  CHECK_GREATER(picture.CountForeground(), 2000);
   CHECK(Equal(picture, own.Draw()));
   CHECK(!Equal(picture, plain));
 }
@@ -154,17 +154,17 @@ void TestColorModes(RelevoCheck& check)
   RelevoErrors errors(mapper);
   mapper->SetColorMode(VTK_COLOR_MODE_DIRECT_SCALARS);
   CHECK(errors.None());
-  CHECK(base->GetColorMode() == VTK_COLOR_MODE_DIRECT_SCALARS);
-  CHECK(mapper->GetColorMode() == VTK_COLOR_MODE_DIRECT_SCALARS);
-  CHECK(mapper->GetLICInterface()->GetColorMode() == vtkLICSettings::COLOR_MODE_BLEND);
+  CHECK_EQUAL(base->GetColorMode(), VTK_COLOR_MODE_DIRECT_SCALARS);
+  CHECK_EQUAL(mapper->GetColorMode(), VTK_COLOR_MODE_DIRECT_SCALARS);
+  CHECK_EQUAL(mapper->GetLICInterface()->GetColorMode(), vtkLICSettings::COLOR_MODE_BLEND);
   mapper->SetColorModeToMultiply();
   base->SetColorMode(VTK_COLOR_MODE_MAP_SCALARS);
-  CHECK(mapper->GetColorMode() == VTK_COLOR_MODE_MAP_SCALARS);
-  CHECK(mapper->GetLICInterface()->GetColorMode() == vtkLICSettings::COLOR_MODE_MAP);
+  CHECK_EQUAL(mapper->GetColorMode(), VTK_COLOR_MODE_MAP_SCALARS);
+  CHECK_EQUAL(mapper->GetLICInterface()->GetColorMode(), vtkLICSettings::COLOR_MODE_MAP);
   mapper->SetColorModeToBlend();
   mapper->SetColorModeToDefault();
-  CHECK(base->GetColorMode() == VTK_COLOR_MODE_DEFAULT);
-  CHECK(mapper->GetLICInterface()->GetColorMode() == vtkLICSettings::COLOR_MODE_BLEND);
+  CHECK_EQUAL(base->GetColorMode(), VTK_COLOR_MODE_DEFAULT);
+  CHECK_EQUAL(mapper->GetLICInterface()->GetColorMode(), vtkLICSettings::COLOR_MODE_BLEND);
 }
 
 // Two mappers with one object, in windows of their own: a change shows in both.
@@ -176,7 +176,7 @@ void TestSharing(RelevoCheck& check)
   vtkLICSettings* settings = a.Mapper->GetLICSettings();
   CHECK(settings == a.Mapper->GetLICInterface() && settings != b.Mapper->GetLICSettings());
   b.Mapper->SetLICSettings(settings);
-  CHECK(b.Mapper->GetLICSettings() == settings);
+  CHECK_EQUAL(b.Mapper->GetLICSettings(), settings);
   const auto before = a.Draw();
   CHECK(Equal(b.Draw(), before));
   const std::function<void()> changes[] = { [&] { settings->SetNumberOfSteps(5); },
@@ -196,7 +196,7 @@ void TestSharing(RelevoCheck& check)
     CHECK(Equal(b.Draw(), picture));
     last = picture;
   }
-  CHECK(a.Mapper->GetNumberOfConvolutions() == b.Mapper->GetNumberOfConvolutions());
+  CHECK_EQUAL(a.Mapper->GetNumberOfConvolutions(), b.Mapper->GetNumberOfConvolutions());
   b.Mapper->SetLICSettings(nullptr); // new ones
   CHECK(b.Mapper->GetLICSettings() && b.Mapper->GetLICSettings() != settings);
   CHECK(Equal(b.Draw(), before));
@@ -226,9 +226,9 @@ void TestUploads(RelevoCheck& check)
   {
     view.Draw();
     convolutions += more;
-    CHECK(mapper->GetNumberOfBufferBuilds() == buffers);
-    CHECK(mapper->GetNumberOfShaderBuilds() == shaders);
-    CHECK(mapper->GetNumberOfConvolutions() == convolutions);
+    CHECK_EQUAL(mapper->GetNumberOfBufferBuilds(), buffers);
+    CHECK_EQUAL(mapper->GetNumberOfShaderBuilds(), shaders);
+    CHECK_EQUAL(mapper->GetNumberOfConvolutions(), convolutions);
   };
   mapper->SetPhase(0.3);
   draw(1);
@@ -250,8 +250,8 @@ void TestUploads(RelevoCheck& check)
   draw(0);
   mapper->SetNoDataMagnitude(1.05);
   view.Draw();
-  CHECK(mapper->GetNumberOfBufferBuilds() == buffers + 1);
-  CHECK(mapper->GetNumberOfConvolutions() == convolutions + 1);
+  CHECK_EQUAL(mapper->GetNumberOfBufferBuilds(), buffers + 1);
+  CHECK_EQUAL(mapper->GetNumberOfConvolutions(), convolutions + 1);
 }
 
 // Blocks have the settings of the mapper whose they are; copies of mappers share theirs.
@@ -284,7 +284,7 @@ void TestBlocks(RelevoCheck& check)
 
   vtkNew<vtkAdaptiveLICMapper> copy;
   copy->ShallowCopy(single.Mapper);
-  CHECK(copy->GetLICInterface() == single.Mapper->GetLICInterface());
+  CHECK_EQUAL(copy->GetLICInterface(), single.Mapper->GetLICInterface());
   CHECK(!copy->GetEnable());
 }
 }

@@ -60,13 +60,13 @@ void TestSlopes(RelevoCheck& check)
   { return MeasureStreaks(picture, scene.Renderer, TangentOf(Wind, normal), normal); };
   const RelevoDeviations deviations = measure(NormalOfTerrain);
   std::cout << "slopes: " << deviations << "\n";
-  CHECK(deviations.Count > 15000);
-  CHECK(deviations.Median <= 1.5);
-  CHECK(deviations.Percentile95 <= 5.0);
+  CHECK_GREATER(deviations.Count, 15000);
+  CHECK_LESS_EQUAL(deviations.Median, 1.5);
+  CHECK_LESS_EQUAL(deviations.Percentile95, 5.0);
   // The relief makes a difference.
   const RelevoDeviations flat = measure(NormalOfPlane);
   std::cout << "as if it were flat: " << flat << "\n";
-  CHECK(flat.Median > 4.0);
+  CHECK_GREATER(flat.Median, 4.0);
 }
 
 void TestHoles(RelevoCheck& check)
@@ -109,7 +109,7 @@ void TestHoles(RelevoCheck& check)
       {
         ++holes;
         CHECK(!picture.HasLIC(column, row));
-        CHECK(picture.GetDepth(column, row) == 1.0);
+        CHECK_EQUAL(picture.GetDepth(column, row), 1.0);
       }
       else if (around == 0 && x > 1.0 && x < size[0] - 2.0 && y > 1.0 && y < size[1] - 2.0)
       {
@@ -117,7 +117,7 @@ void TestHoles(RelevoCheck& check)
       }
     }
   }
-  CHECK(holes > 1000);
+  CHECK_GREATER(holes, 1000);
 }
 }
 

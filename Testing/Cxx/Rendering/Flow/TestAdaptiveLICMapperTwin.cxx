@@ -55,10 +55,10 @@ void Expect(RelevoCheck& check, const std::string& name, const RelevoLICPicture&
 {
   const RelevoLikeness likeness = CompareLIC(actual, expected);
   std::cout << name << ": " << likeness << "\n";
-  CHECK(likeness.Count > 4000);
-  CHECK(likeness.SSIM >= 0.99);
-  CHECK(likeness.Different <= different * likeness.Count);
-  CHECK(likeness.OneSided <= 0.002 * likeness.Count);
+  CHECK_GREATER(likeness.Count, 4000);
+  CHECK_GREATER_EQUAL(likeness.SSIM, 0.99);
+  CHECK_LESS_EQUAL(likeness.Different, different * likeness.Count);
+  CHECK_LESS_EQUAL(likeness.OneSided, 0.002 * likeness.Count);
 }
 
 void TestSurfaces(RelevoCheck& check)

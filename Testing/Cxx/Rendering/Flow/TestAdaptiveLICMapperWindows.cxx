@@ -140,7 +140,7 @@ void TestSideBySide(RelevoCheck& check, Windows& windows, bool shared)
     windows.Compare(
       name + "Right", Crop(picture, Width, 0), shared ? windows.Expected : windows.ExpectedOther);
   }
-  CHECK(view.Mapper->GetNumberOfConvolutions() == (shared ? 2 : 1));
+  CHECK_EQUAL(view.Mapper->GetNumberOfConvolutions(), (shared ? 2 : 1));
 }
 
 // Actors in one renderer, the halves of a picture: what one mapper draws for both.
@@ -194,6 +194,7 @@ void TestSharedLooks(RelevoCheck& check, Windows& windows, bool ofCells)
   std::vector<RelevoPicture> pictures;
   for (const bool isShared : { false, true })
   {
+    CHECK_CASE(isShared);
     View view;
     Mesh mesh = MakeMesh();
     if (ofCells)
@@ -208,9 +209,9 @@ void TestSharedLooks(RelevoCheck& check, Windows& windows, bool ofCells)
     const vtkIdType shaders = lic->GetNumberOfShaderBuilds();
     const auto convolutions = lic->GetNumberOfConvolutions();
     pictures.push_back(view.Draw());
-    CHECK(lic->GetNumberOfBufferBuilds() == buffers);
-    CHECK(lic->GetNumberOfShaderBuilds() == shaders);
-    CHECK(lic->GetNumberOfConvolutions() == convolutions);
+    CHECK_EQUAL(lic->GetNumberOfBufferBuilds(), buffers);
+    CHECK_EQUAL(lic->GetNumberOfShaderBuilds(), shaders);
+    CHECK_EQUAL(lic->GetNumberOfConvolutions(), convolutions);
   }
   for (size_t i = 1; i < pictures.size(); ++i)
   {
@@ -288,13 +289,13 @@ void TestMultiSamples(RelevoCheck& check, Windows& windows)
   View view;
   view.Scene->Window->SetMultiSamples(8);
   const RelevoPicture smooth = view.Draw();
-  CHECK(FindBrightest(smooth) <= FindBrightest(windows.Expected) + 2);
+  CHECK_LESS_EQUAL(FindBrightest(smooth), FindBrightest(windows.Expected) + 2);
   size_t different = 0;
   for (size_t i = 0; i < smooth.Colors.size(); ++i)
   {
     different += std::abs(smooth.Colors[i] - windows.Expected.Colors[i]) > 2 ? 1 : 0;
   }
-  CHECK(different < smooth.Colors.size() / 20);
+  CHECK_LESS(different, smooth.Colors.size() / 20);
 }
 
 // In four tiles: as a whole but for streamlines that would cross their borders.
@@ -309,8 +310,8 @@ void TestTiles(RelevoCheck& check, Windows& windows)
   grab->Update();
   RelevoPicture tiled(2 * Width, 2 * Height);
   const auto* colors = static_cast<unsigned char*>(grab->GetOutput()->GetScalarPointer());
-  CHECK(
-    grab->GetOutput()->GetNumberOfPoints() == static_cast<vtkIdType>(tiled.GetNumberOfPixels()));
+  CHECK_EQUAL(
+    grab->GetOutput()->GetNumberOfPoints(), static_cast<vtkIdType>(tiled.GetNumberOfPixels()));
   std::copy_n(colors, tiled.Colors.size(), tiled.Colors.begin());
   windows.Compare("AfterTiles", view.Draw());
   view.Scene->Window->SetSize(2 * Width, 2 * Height);
@@ -355,8 +356,8 @@ void TestEyes(RelevoCheck& check, Windows& windows)
       ? 1
       : 0;
   }
-  CHECK(left.Colors != right.Colors);
-  CHECK(wrong == 0);
+  CHECK_NOT_EQUAL(left.Colors, right.Colors);
+  CHECK_EQUAL(wrong, 0);
   for (const RelevoPicture* picture : { &left, &right })
   {
     CHECK_NEAR(GetMoments(*picture)[0], GetMoments(windows.Expected)[0], 3.0);
@@ -384,7 +385,7 @@ void TestRenderPasses(RelevoCheck& check, Windows& windows)
   SetPass(view, smooth);
   const RelevoPicture picture = view.Draw();
   CHECK_NEAR(GetMoments(picture)[0], GetMoments(windows.Expected)[0], 5.0);
-  CHECK(FindBrightest(picture) <= FindBrightest(windows.Expected) + 2);
+  CHECK_LESS_EQUAL(FindBrightest(picture), FindBrightest(windows.Expected) + 2);
   vtkNew<vtkSSAOPass> occlusion;
   occlusion->SetDelegatePass(steps);
   occlusion->SetRadius(1e-6); // nothing is occluded
@@ -421,7 +422,7 @@ void TestLifetimes(RelevoCheck& check, Windows& windows)
     view.Scene->Renderer->AddActor(actor);
     view.Scene->ResetCameras();
     view.Draw();
-    CHECK(mapper->GetNumberOfConvolutions() == 1);
+    CHECK_EQUAL(mapper->GetNumberOfConvolutions(), 1);
     view.Scene->Renderer->RemoveActor(actor);
   }
   view.Draw();
@@ -451,15 +452,17 @@ int TestAdaptiveLICMapperWindows(int argc, char* argv[])
   RelevoCheck check;
   RelevoComparison comparison(check, argc, argv);
   Windows windows(comparison);
-  CHECK(GetMoments(windows.Expected)[1] > 15.0);
+  CHECK_GREATER(GetMoments(windows.Expected)[1], 15.0);
   TestOffset(windows);
   for (const bool shared : { false, true })
   {
+    CHECK_CASE(shared);
     TestSideBySide(check, windows, shared);
   }
   TestSharedActors(windows);
   for (const bool ofCells : { false, true })
   {
+    CHECK_CASE(ofCells);
     TestSharedLooks(check, windows, ofCells);
   }
   TestTwoWindows(windows);

@@ -56,8 +56,8 @@ void TestSurface(RelevoCheck& check, const std::string& name, vtkPolyData* mesh,
       const RelevoDeviations deviations =
         MeasureStreaks(scene.Render(), scene.Renderer, named.Field, normal);
       std::cout << name << ", " << named.Name << ": " << deviations << "\n";
-      CHECK(deviations.Count > 15000);
-      CHECK(deviations.Median <= 2.5);
+      CHECK_GREATER(deviations.Count, 15000);
+      CHECK_LESS_EQUAL(deviations.Median, 2.5);
       // Streaks that run together at a saddle's lines are finer than the mesh.
       CHECK(named.Name == "saddle" || deviations.Percentile95 <= 11.0);
     }

@@ -338,7 +338,7 @@ int TestFuzzCells(int, char*[])
   RelevoCheck check;
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   int grids = 0;
-  CHECK(RelevoFuzz::Run<Machine>(250, 1, grids) == 0);
+  CHECK_EQUAL(RelevoFuzz::Run<Machine>(250, 1, grids), 0);
   std::cout << grids << " grids\n";
   return check.GetResult();
 }

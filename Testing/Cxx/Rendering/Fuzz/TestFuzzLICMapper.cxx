@@ -116,7 +116,7 @@ int TestFuzzLICMapper(int, char*[])
 {
   RelevoCheck check;
   int calls = 0;
-  CHECK(RelevoFuzz::Run<Machine>(15, 60, calls) == 0);
+  CHECK_EQUAL(RelevoFuzz::Run<Machine>(15, 60, calls), 0);
   std::cout << calls << " calls\n";
   return check.GetResult();
 }

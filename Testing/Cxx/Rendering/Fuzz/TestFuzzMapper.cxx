@@ -9,8 +9,8 @@ int TestFuzzMapper(int, char*[])
 {
   RelevoCheck check;
   int calls = 0;
-  CHECK(
-    RelevoFuzz::Run<RelevoFuzz::MapperMachine<vtkAdaptiveRefinementMapper>>(20, 60, calls) == 0);
+  CHECK_EQUAL(
+    RelevoFuzz::Run<RelevoFuzz::MapperMachine<vtkAdaptiveRefinementMapper>>(20, 60, calls), 0);
   std::cout << calls << " calls\n";
   return check.GetResult();
 }

@@ -105,13 +105,16 @@ void TestMotion(RelevoCheck& check)
   RelevoErrors errors(scene);
   scene->Update();
   vtkMultiBlockDataSet* contacts = scene->GetContacts();
-  CHECK(scene->GetNumberOfActors() == 3 && scene->GetActor(2) == third.Actor);
-  CHECK(scene->GetNumberOfCandidates() == 1 && scene->GetNumberOfIntersections() == 1);
+  CHECK_EQUAL(scene->GetNumberOfActors(), 3);
+  CHECK_EQUAL(scene->GetActor(2), third.Actor);
+  CHECK_EQUAL(scene->GetNumberOfCandidates(), 1);
+  CHECK_EQUAL(scene->GetNumberOfIntersections(), 1);
   CHECK(contacts->GetNumberOfBlocks() == 1 && IsOfFilter(scene, 0, 0, 1));
   CHECK(first.GetMetric() != second.GetMetric() && first.GetMetric()->GetDistance() == 0.25);
   const double reach = second.Actor->GetBounds()[1];
-  CHECK(first.GetNumberOfBoxes() == 1 && second.GetNumberOfBoxes() == 1);
-  CHECK(third.GetNumberOfBoxes() == 0);
+  CHECK_EQUAL(first.GetNumberOfBoxes(), 1);
+  CHECK_EQUAL(second.GetNumberOfBoxes(), 1);
+  CHECK_EQUAL(third.GetNumberOfBoxes(), 0);
   for (RefinedActor* actor : { &first, &second })
   {
     const double* b = second.Actor->GetBounds();
@@ -121,14 +124,17 @@ void TestMotion(RelevoCheck& check)
   vtkMTimeType times[3] = { contacts->GetMTime(), first.GetMetric()->GetMTime(),
     second.Recipe->GetMTime() };
   scene->Update();
-  CHECK(scene->GetNumberOfCandidates() == 1 && scene->GetNumberOfIntersections() == 0);
+  CHECK_EQUAL(scene->GetNumberOfCandidates(), 1);
+  CHECK_EQUAL(scene->GetNumberOfIntersections(), 0);
   CHECK(contacts->GetMTime() == times[0] && first.GetMetric()->GetMTime() == times[1]);
-  CHECK(second.Recipe->GetMTime() == times[2]);
+  CHECK_EQUAL(second.Recipe->GetMTime(), times[2]);
   // Into the third, which the first does not meet; what has not moved stays.
   third.Actor->SetPosition(-9.75, -9.75, -10.5);
   scene->Update();
-  CHECK(scene->GetNumberOfCandidates() == 3 && scene->GetNumberOfIntersections() == 2);
-  CHECK(contacts->GetNumberOfBlocks() == 3 && first.GetNumberOfBoxes() == 2);
+  CHECK_EQUAL(scene->GetNumberOfCandidates(), 3);
+  CHECK_EQUAL(scene->GetNumberOfIntersections(), 2);
+  CHECK_EQUAL(contacts->GetNumberOfBlocks(), 3);
+  CHECK_EQUAL(first.GetNumberOfBoxes(), 2);
   CHECK(IsOfFilter(scene, 0, 0, 1) && IsOfFilter(scene, 1, 0, 2) && IsOfFilter(scene, 2, 1, 2));
   // All kinds of motion.
   second.Actor->RotateWXYZ(33, 1, 2, 3);
@@ -140,9 +146,10 @@ void TestMotion(RelevoCheck& check)
   CHECK(scene->GetNumberOfIntersections() == 2 && IsOfFilter(scene, 0, 0, 1));
   user->SetElement(0, 3, 100.0);
   scene->Update();
-  CHECK(scene->GetNumberOfCandidates() == 1 && scene->GetNumberOfIntersections() == 0);
+  CHECK_EQUAL(scene->GetNumberOfCandidates(), 1);
+  CHECK_EQUAL(scene->GetNumberOfIntersections(), 0);
   CHECK(contacts->GetNumberOfBlocks() == 1 && IsOfFilter(scene, 0, 0, 2));
-  CHECK(second.GetNumberOfBoxes() == 0);
+  CHECK_EQUAL(second.GetNumberOfBoxes(), 0);
   scene->SetDistance(0.5);
   scene->Update();
   CHECK(first.GetMetric()->GetDistance() == 0.5 && errors.None());
@@ -158,13 +165,16 @@ void TestCandidatesAlone(RelevoCheck& check)
   scene->AddActor(first.Actor);
   scene->AddActor(second.Actor);
   scene->Update();
-  CHECK(scene->GetNumberOfCandidates() == 1 && scene->GetNumberOfIntersections() == 1);
-  CHECK(scene->GetContacts()->GetNumberOfBlocks() == 0 && first.GetNumberOfBoxes() == 1);
+  CHECK_EQUAL(scene->GetNumberOfCandidates(), 1);
+  CHECK_EQUAL(scene->GetNumberOfIntersections(), 1);
+  CHECK_EQUAL(scene->GetContacts()->GetNumberOfBlocks(), 0);
+  CHECK_EQUAL(first.GetNumberOfBoxes(), 1);
   scene->ExactContactsOff();
   second.Actor->SetPosition(0.5, 0.5, 0.5);
   scene->Update();
-  CHECK(scene->GetNumberOfIntersections() == 0 && scene->GetNumberOfCandidates() == 1);
-  CHECK(scene->GetContacts()->GetNumberOfBlocks() == 0);
+  CHECK_EQUAL(scene->GetNumberOfIntersections(), 0);
+  CHECK_EQUAL(scene->GetNumberOfCandidates(), 1);
+  CHECK_EQUAL(scene->GetContacts()->GetNumberOfBlocks(), 0);
   scene->ExactContactsOn();
   scene->Update();
   CHECK(scene->GetNumberOfIntersections() == 1 && IsOfFilter(scene, 0, 0, 1));
@@ -192,7 +202,8 @@ void TestTouching(RelevoCheck& check)
   CHECK(IsOfFilter(scene, 0, 0, 1));
   second.Actor->SetPosition(0.25, 0.25, 1.0001);
   scene->Update();
-  CHECK(scene->GetNumberOfCandidates() == 0 && scene->GetContacts()->GetNumberOfBlocks() == 0);
+  CHECK_EQUAL(scene->GetNumberOfCandidates(), 0);
+  CHECK_EQUAL(scene->GetContacts()->GetNumberOfBlocks(), 0);
 }
 
 // Metrics of one's own, shared recipes, other mappers, and actors that leave.
@@ -218,10 +229,10 @@ void TestRefinedContacts(RelevoCheck& check)
   CHECK(scene->GetNumberOfIntersections() == 1 && IsOfFilter(scene, 0, 0, 1));
   CHECK(!RelevoIsSameMesh(vtkPolyData::SafeDownCast(scene->GetContacts()->GetBlock(0)), flat));
   scene->Update();
-  CHECK(scene->GetNumberOfIntersections() == 0);
+  CHECK_EQUAL(scene->GetNumberOfIntersections(), 0);
   second.Recipe->SetMetric(vtkNew<vtkCurvatureDepthTagMetric>());
   scene->Update();
-  CHECK(scene->GetNumberOfIntersections() == 0);
+  CHECK_EQUAL(scene->GetNumberOfIntersections(), 0);
   second.Recipe->SetDisplacement(RelevoMeshes::MakeDisplacement(nullptr, 1.0, 0.1));
   scene->Update();
   CHECK(scene->GetNumberOfIntersections() == 1 && IsOfFilter(scene, 0, 0, 1));
@@ -261,21 +272,26 @@ void TestMetrics(RelevoCheck& check)
   }
   RelevoErrors errors(scene);
   scene->Update();
-  CHECK(scene->GetNumberOfCandidates() == 6 && scene->GetContacts()->GetNumberOfBlocks() == 6);
-  CHECK(first.Recipe->GetMetric() == composite && second.Recipe->GetMetric() == curvature);
+  CHECK_EQUAL(scene->GetNumberOfCandidates(), 6);
+  CHECK_EQUAL(scene->GetContacts()->GetNumberOfBlocks(), 6);
+  CHECK_EQUAL(first.Recipe->GetMetric(), composite);
+  CHECK_EQUAL(second.Recipe->GetMetric(), curvature);
   // All pairs but that of the second and the plain one; that of the first and the third once.
   CHECK(own->GetNumberOfBoxes() == 5 && own->GetDistance() == 3.0);
   scene->RemoveActor(plain);
   scene->Update();
-  CHECK(scene->GetNumberOfActors() == 4 && own->GetNumberOfBoxes() == 3);
-  CHECK(scene->GetNumberOfIntersections() == 0 && scene->GetContacts()->GetNumberOfBlocks() == 3);
+  CHECK_EQUAL(scene->GetNumberOfActors(), 4);
+  CHECK_EQUAL(own->GetNumberOfBoxes(), 3);
+  CHECK_EQUAL(scene->GetNumberOfIntersections(), 0);
+  CHECK_EQUAL(scene->GetContacts()->GetNumberOfBlocks(), 3);
   // Numbers follow.
   scene->RemoveActor(second.Actor);
   scene->Update();
   CHECK(scene->GetContacts()->GetNumberOfBlocks() == 1 && IsOfFilter(scene, 0, 0, 1));
   scene->RemoveAllActors();
   scene->Update();
-  CHECK(scene->GetNumberOfActors() == 0 && own->GetNumberOfBoxes() == 0);
+  CHECK_EQUAL(scene->GetNumberOfActors(), 0);
+  CHECK_EQUAL(own->GetNumberOfBoxes(), 0);
   CHECK(scene->GetContacts()->GetNumberOfBlocks() == 0 && errors.None());
 }
 
@@ -301,7 +317,8 @@ void TestErrors(RelevoCheck& check)
   second.Actor->SetUserMatrix(matrix);
   scene->Update();
   CHECK(errors.Said("Actors 0 and 1 cannot be intersected: "));
-  CHECK(scene->GetContacts()->GetNumberOfBlocks() == 0 && scene->GetNumberOfCandidates() == 1);
+  CHECK_EQUAL(scene->GetContacts()->GetNumberOfBlocks(), 0);
+  CHECK_EQUAL(scene->GetNumberOfCandidates(), 1);
   // Once for all motions.
   scene->Update();
   matrix->SetElement(0, 3, 0.8);
@@ -328,7 +345,8 @@ void TestErrors(RelevoCheck& check)
   lines->SetPolys(nullptr);
   second.Mapper->SetInputData(lines);
   scene->Update();
-  CHECK(scene->GetNumberOfCandidates() == 1 && scene->GetNumberOfIntersections() == 0);
+  CHECK_EQUAL(scene->GetNumberOfCandidates(), 1);
+  CHECK_EQUAL(scene->GetNumberOfIntersections(), 0);
   CHECK(errors.None() && scene->GetContacts()->GetNumberOfBlocks() == 0);
 }
 }

@@ -114,10 +114,11 @@ void TestLevels(RelevoCheck& check, RelevoComparison& comparison)
   scene.Mapper->SetRadius(0.04);
   for (int policy : { 0, 1 })
   {
+    CHECK_CASE(policy);
     scene.Recipe->SetSegmentPolicy(policy);
     Compare(comparison, scene, "levels " + std::to_string(policy), { 2, 1e-6, 10 });
     std::cout << scene.Mapper->GetNumberOfDrawCalls() << " draw calls\n";
-    CHECK(scene.Mapper->GetNumberOfDrawCalls() > 1);
+    CHECK_GREATER(scene.Mapper->GetNumberOfDrawCalls(), 1);
   }
 }
 
@@ -170,15 +171,15 @@ void TestTessellation(RelevoCheck& check, RelevoComparison& comparison)
   if (scene.Mapper->GetMethodInUse() == Mapper::METHOD_HARDWARE_TESSELLATION)
   {
     Compare(comparison, scene, "tessellated", { 24, 2e-3, 60 });
-    CHECK(scene.Mapper->GetMethodInUse() == Mapper::METHOD_HARDWARE_TESSELLATION);
+    CHECK_EQUAL(scene.Mapper->GetMethodInUse(), Mapper::METHOD_HARDWARE_TESSELLATION);
     scene.Recipe->SetMaximumLevel(7);
     scene.Mapper->SetRepresentationToLines();
     scene.Draw();
-    CHECK(scene.Mapper->GetNumberOfDrawnSegments() == 24 * 64);
+    CHECK_EQUAL(scene.Mapper->GetNumberOfDrawnSegments(), 24 * 64);
   }
   scene.Mapper->SetMethodToInstancing();
   scene.Draw();
-  CHECK(scene.Mapper->GetMethodInUse() == Mapper::METHOD_INSTANCING);
+  CHECK_EQUAL(scene.Mapper->GetMethodInUse(), Mapper::METHOD_INSTANCING);
 }
 
 // Lit lines have the light of a surface that faces the eye.
@@ -189,14 +190,14 @@ void TestLitLines(RelevoCheck& check)
   const RelevoPicture plain = scene.Draw();
   scene.Actor->GetProperty()->LightingOn();
   const RelevoPicture lit = scene.Draw();
-  CHECK(lit.CountForeground() == plain.CountForeground());
+  CHECK_EQUAL(lit.CountForeground(), plain.CountForeground());
   size_t darker = 0;
   for (size_t i = 0; i < lit.Colors.size(); ++i)
   {
-    CHECK(lit.Colors[i] <= plain.Colors[i]);
+    CHECK_LESS_EQUAL(lit.Colors[i], plain.Colors[i]);
     darker += lit.Colors[i] < plain.Colors[i] ? 1 : 0;
   }
-  CHECK(darker > plain.CountForeground() / 2);
+  CHECK_GREATER(darker, plain.CountForeground() / 2);
 }
 }
 

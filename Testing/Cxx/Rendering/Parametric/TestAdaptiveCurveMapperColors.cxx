@@ -55,28 +55,31 @@ void TestValues(RelevoCheck& check, RelevoComparison& comparison)
 {
   for (bool isLagrange : { false, true })
   {
+    CHECK_CASE(isLagrange);
     RelevoCurveScene scene(RelevoMakeCurves(3, isLagrange, !isLagrange));
     scene.Actor->GetProperty()->LightingOff();
     scene.Mapper->SetRadius(0.06);
     scene.Mapper->SetRadiusArrayName("Radii");
     for (int representation : { Mapper::LINES, Mapper::RIBBONS, Mapper::TUBES })
     {
+      CHECK_CASE(representation);
       scene.Mapper->SetRepresentation(representation);
       const std::string name =
         (isLagrange ? "Lagrange " : "rational ") + std::to_string(representation) + " ";
       for (bool ofFragments : { false, true })
       {
+        CHECK_CASE(ofFragments);
         scene.Mapper->SetInterpolateScalarsBeforeMapping(ofFragments);
         ColorBy(scene.Mapper, "Values");
         Compare(comparison, scene, name + (ofFragments ? "fragments" : "values"), { 3, 1e-6, 40 });
-        CHECK(CountColors(scene.Draw()) > 100);
+        CHECK_GREATER(CountColors(scene.Draw()), 100);
         ColorBy(scene.Mapper, "Vectors");
         Compare(comparison, scene, name + "lengths", { 3, 1e-6, 40 });
       }
       scene.Mapper->InterpolateScalarsBeforeMappingOff();
       ColorBy(scene.Mapper, "Numbers", true);
       Compare(comparison, scene, name + "cells");
-      CHECK(CountColors(scene.Draw()) > 20);
+      CHECK_GREATER(CountColors(scene.Draw()), 20);
       ColorBy(scene.Mapper, "Colors");
       Compare(comparison, scene, name + "direct");
     }
@@ -116,8 +119,8 @@ void TestSettings(RelevoCheck& check, RelevoComparison& comparison)
   const vtkIdType shaders = scene.Mapper->GetNumberOfShaderBuilds();
   scene.GetCamera()->Azimuth(3.0);
   scene.Draw();
-  CHECK(scene.Mapper->GetNumberOfBufferBuilds() == builds);
-  CHECK(scene.Mapper->GetNumberOfShaderBuilds() == shaders);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfBufferBuilds(), builds);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfShaderBuilds(), shaders);
 }
 
 // What has no values between its own: colours of the points are, by the curve's basis.
@@ -149,11 +152,12 @@ void TestCategories(RelevoCheck& check)
   size_t blues = 0;
   for (size_t i = 0; i < picture.Colors.size(); i += 3)
   {
-    CHECK(picture.Colors[i + 1] == 0);
+    CHECK_EQUAL(picture.Colors[i + 1], 0);
     reds += picture.Colors[i] > 200 ? 1 : 0;
     blues += picture.Colors[i + 2] > 200 ? 1 : 0;
   }
-  CHECK(reds > 20 && blues > 20);
+  CHECK_GREATER(reds, 20);
+  CHECK_GREATER(blues, 20);
 }
 
 // Each block has the colours of its own cells.
@@ -184,7 +188,8 @@ void TestBlocks(RelevoCheck& check)
     reds += picture.Colors[i] == 255 ? 1 : 0;
     greens += picture.Colors[i + 1] == 255 ? 1 : 0;
   }
-  CHECK(reds > 100 && greens > 100);
+  CHECK_GREATER(reds, 100);
+  CHECK_GREATER(greens, 100);
 }
 
 // A table whose colours are translucent, drawn in the translucent pass.
@@ -207,7 +212,7 @@ void TestOpacity(RelevoCheck& check, RelevoComparison& comparison)
   blocks->SetBlock(0, RelevoMakeCurves(3));
   scene.Mapper->SetInputDataObject(blocks);
   CHECK(scene.Mapper->HasTranslucentPolygonalGeometry());
-  CHECK(scene.Draw().Colors == alone.Colors);
+  CHECK_EQUAL(scene.Draw().Colors, alone.Colors);
   scene.Mapper->ScalarVisibilityOff();
   CHECK(!scene.Mapper->HasTranslucentPolygonalGeometry());
 }

@@ -45,11 +45,11 @@ void TestCells(RelevoCheck& check)
   RelevoCurveScene scene(grid);
   scene.Mapper->SetInputDataObject(bad);
   ExpectError(check, scene, "Cell 24 has 3 points; it needs 4. It is left out.");
-  CHECK(scene.Draw().Colors == expected.Colors);
+  CHECK_EQUAL(scene.Draw().Colors, expected.Colors);
   bad->GetPoints()->SetPoint(0, vtkMath::Nan(), 0.0, 0.0);
   bad->GetPoints()->Modified();
   ExpectError(check, scene, "Cell 0 has point 0, which is not finite. It is left out");
-  CHECK(scene.Mapper->GetNumberOfCurves() == 23);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfCurves(), 23);
   CHECK(vtkMath::AreBoundsInitialized(scene.Mapper->GetBounds()));
 }
 
@@ -59,9 +59,9 @@ void TestInput(RelevoCheck& check)
   RelevoCurveScene scene(empty);
   {
     RelevoErrors errors(scene.Mapper);
-    CHECK(scene.Draw().CountForeground() == 0);
+    CHECK_EQUAL(scene.Draw().CountForeground(), 0);
     CHECK(!vtkMath::AreBoundsInitialized(scene.Mapper->GetBounds()));
-    CHECK(scene.Mapper->GetNumberOfDrawnSegments() == 0);
+    CHECK_EQUAL(scene.Mapper->GetNumberOfDrawnSegments(), 0);
     CHECK(errors.None());
   }
   vtkNew<vtkSphereSource> sphere;
@@ -78,7 +78,7 @@ void TestInput(RelevoCheck& check)
   blocks->SetBlock(1, image);
   scene.Mapper->SetInputDataObject(blocks);
   ExpectError(check, scene, "Block 2: A vtkImageData has no curves");
-  CHECK(scene.Draw().CountForeground() > 0);
+  CHECK_GREATER(scene.Draw().CountForeground(), 0);
   scene.Mapper->RemoveAllInputs();
   {
     RelevoErrors errors(scene.Mapper);
@@ -88,10 +88,10 @@ void TestInput(RelevoCheck& check)
   scene.Mapper->SetInputDataObject(RelevoMakeCurves(3));
   scene.Mapper->SetRefinement(nullptr);
   ExpectError(check, scene, "No recipe: call SetRefinement() with a vtkAdaptiveRefinement.");
-  CHECK(scene.Draw().CountForeground() == 0);
-  CHECK(scene.Mapper->GetNumberOfDrawnSegments() == 0);
+  CHECK_EQUAL(scene.Draw().CountForeground(), 0);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfDrawnSegments(), 0);
   scene.Mapper->SetRefinement(scene.Recipe);
-  CHECK(scene.Draw().CountForeground() > 0);
+  CHECK_GREATER(scene.Draw().CountForeground(), 0);
 }
 
 void TestArrays(RelevoCheck& check)
@@ -105,11 +105,11 @@ void TestArrays(RelevoCheck& check)
   curves->GetPointData()->AddArray(tags);
   RelevoCurveScene scene(curves);
   ExpectError(check, scene, "DepthTag");
-  CHECK(scene.Draw().CountForeground() == 0);
+  CHECK_EQUAL(scene.Draw().CountForeground(), 0);
   tags->SetValue(5, 2.0);
   tags->Modified();
-  CHECK(scene.Draw().CountForeground() > 0);
-  CHECK(scene.Mapper->GetNumberOfDrawnSegments() == 24 * 4);
+  CHECK_GREATER(scene.Draw().CountForeground(), 0);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfDrawnSegments(), 24 * 4);
 
   scene.Mapper->SetRadiusArrayName("Nowhere");
   {
@@ -119,8 +119,9 @@ void TestArrays(RelevoCheck& check)
   }
   scene.Mapper->SetRepresentationToTubes();
   ExpectError(check, scene, "No radii: ");
-  CHECK(scene.Draw().CountForeground() == 0);
-  CHECK(scene.Mapper->GetNumberOfDrawnSegments() == 0 && scene.Mapper->GetNumberOfDrawCalls() == 0);
+  CHECK_EQUAL(scene.Draw().CountForeground(), 0);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfDrawnSegments(), 0);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfDrawCalls(), 0);
   vtkNew<vtkDoubleArray> ofCells;
   ofCells->SetName("Nowhere");
   ofCells->SetNumberOfValues(curves->GetNumberOfCells());
@@ -139,7 +140,7 @@ void TestArrays(RelevoCheck& check)
   ExpectError(check, scene, "No radii: point array \"Nowhere\" is below 0 at point 3.");
   radii->SetValue(3, 0.1);
   radii->Modified();
-  CHECK(scene.Draw().CountForeground() > 0);
+  CHECK_GREATER(scene.Draw().CountForeground(), 0);
 }
 
 void TestScalars(RelevoCheck& check)
@@ -154,7 +155,7 @@ void TestScalars(RelevoCheck& check)
   scene.Mapper->SetScalarModeToUsePointFieldData();
   scene.Mapper->SelectColorArray("Few");
   ExpectError(check, scene, "Cannot colour by the array \"Few\": it has values for 1 of ");
-  CHECK(scene.Draw().CountForeground() > 0);
+  CHECK_GREATER(scene.Draw().CountForeground(), 0);
   scene.Mapper->SelectColorArray("Values");
   RelevoErrors errors(scene.Mapper);
   scene.Draw();
@@ -167,9 +168,9 @@ void TestShaders(RelevoCheck& check)
   scene.Actor->GetShaderProperty()->AddVertexShaderReplacement(
     "in vec4 vertexMC;", true, "in vec4 otherMC;", false);
   ExpectError(check, scene, "lack text that they are changed at");
-  CHECK(scene.Draw().CountForeground() == 0);
+  CHECK_EQUAL(scene.Draw().CountForeground(), 0);
   scene.Actor->GetShaderProperty()->ClearAllVertexShaderReplacements();
-  CHECK(scene.Draw().CountForeground() > 0);
+  CHECK_GREATER(scene.Draw().CountForeground(), 0);
 }
 
 // Without OpenGL 4.0 instances are drawn, and an error says so.
@@ -179,7 +180,7 @@ void TestMethod(RelevoCheck& check)
   const RelevoPicture expected = scene.Draw();
   RelevoErrors errors(scene.Mapper);
   scene.Mapper->SetMethodToHardwareTessellation();
-  CHECK(scene.Draw().Colors == expected.Colors);
+  CHECK_EQUAL(scene.Draw().Colors, expected.Colors);
   if (scene.Mapper->GetMethodInUse() == Mapper::METHOD_INSTANCING)
   {
     CHECK(errors.Said("The method HARDWARE_TESSELLATION cannot be used: it needs OpenGL 4.0, which "
@@ -201,8 +202,10 @@ void TestSettings(RelevoCheck& check)
   CHECK(errors.Said("Radius must be at least 0 and finite, got -1."));
   mapper->SetNumberOfSides(2);
   CHECK(errors.Said("NumberOfSides must be in [3, 64], got 2."));
-  CHECK(mapper->GetMethod() == 0 && mapper->GetRepresentation() == 0);
-  CHECK(mapper->GetRadius() == 0.5 && mapper->GetNumberOfSides() == 8);
+  CHECK_EQUAL(mapper->GetMethod(), 0);
+  CHECK_EQUAL(mapper->GetRepresentation(), 0);
+  CHECK_EQUAL(mapper->GetRadius(), 0.5);
+  CHECK_EQUAL(mapper->GetNumberOfSides(), 8);
 }
 }
 

@@ -36,24 +36,26 @@ void TestCulling(RelevoCheck& check)
   RelevoCurveScene scene(RelevoMakeCurves(3));
   scene.Mapper->SetRadius(0.05);
   scene.Draw();
-  CHECK(scene.Mapper->GetNumberOfCurves() == NumberOfCurves);
-  CHECK(scene.Mapper->GetNumberOfCulledCurves() == 0);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfCurves(), NumberOfCurves);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfCulledCurves(), 0);
   for (int representation : { Mapper::LINES, Mapper::RIBBONS, Mapper::TUBES })
   {
+    CHECK_CASE(representation);
     scene.Mapper->SetRepresentation(representation);
     for (double zoom : { 1.0, 3.0, 10.0 })
     {
+      CHECK_CASE(zoom);
       scene.GetCamera()->SetViewAngle(30.0 / zoom);
       scene.Mapper->FrustumCullingOn();
       const RelevoPicture culled = scene.Draw();
       const vtkIdType hidden = scene.Mapper->GetNumberOfCulledCurves();
-      CHECK(scene.Mapper->GetNumberOfDrawnSegments() == (NumberOfCurves - hidden) * 16);
-      CHECK(scene.Mapper->GetNumberOfCulledSegments() == hidden * 16);
+      CHECK_EQUAL(scene.Mapper->GetNumberOfDrawnSegments(), (NumberOfCurves - hidden) * 16);
+      CHECK_EQUAL(scene.Mapper->GetNumberOfCulledSegments(), hidden * 16);
       scene.Mapper->FrustumCullingOff();
       CHECK(IsSame(scene.Draw(), culled));
-      CHECK(scene.Mapper->GetNumberOfCulledCurves() == 0);
-      CHECK(scene.Mapper->GetNumberOfDrawnSegments() == NumberOfCurves * 16);
-      CHECK(scene.Mapper->GetNumberOfCulledSegments() == 0);
+      CHECK_EQUAL(scene.Mapper->GetNumberOfCulledCurves(), 0);
+      CHECK_EQUAL(scene.Mapper->GetNumberOfDrawnSegments(), NumberOfCurves * 16);
+      CHECK_EQUAL(scene.Mapper->GetNumberOfCulledSegments(), 0);
       CHECK(zoom == 1.0 ? hidden == 0 : hidden > (zoom == 3.0 ? 0 : 8));
     }
   }
@@ -75,19 +77,19 @@ void TestChanges(RelevoCheck& check)
   const auto first = count();
   CHECK(first[0] == 1 && first[1] == 1 && first[2] == 1);
   scene.GetCamera()->Azimuth(10.0);
-  CHECK(count() == first);
+  CHECK_EQUAL(count(), first);
   scene.Recipe->SetMaximumLevel(2);
   const auto second = count();
   CHECK(second[0] == 2 && second[1] == 1);
-  CHECK(scene.Mapper->GetNumberOfDrawnSegments() == NumberOfCurves * 4);
-  CHECK(scene.Mapper->GetNumberOfDrawCalls() == 1);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfDrawnSegments(), NumberOfCurves * 4);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfDrawCalls(), 1);
   curves->GetPoints()->SetPoint(0, 0.0, 0.0, 3.0);
   curves->GetPoints()->Modified();
-  CHECK(count()[1] == 2);
+  CHECK_EQUAL(count()[1], 2);
   // 4 control points of 3 floats, and a number for each curve that is drawn.
   const vtkTypeInt64 points = NumberOfCurves * 4 * 12;
-  CHECK(scene.Mapper->GetGraphicsMemorySize() >= points);
-  CHECK(scene.Mapper->GetGraphicsMemorySize() < points + NumberOfCurves * 4 + 8192);
+  CHECK_GREATER_EQUAL(scene.Mapper->GetGraphicsMemorySize(), points);
+  CHECK_LESS(scene.Mapper->GetGraphicsMemorySize(), points + NumberOfCurves * 4 + 8192);
 }
 
 void TestBounds(RelevoCheck& check)
@@ -119,14 +121,15 @@ void TestClipping(RelevoCheck& check, RelevoComparison& comparison)
   plane->SetNormal(0.1, 0.2, -1.0);
   for (int representation : { Mapper::LINES, Mapper::TUBES })
   {
+    CHECK_CASE(representation);
     scene.Mapper->SetRepresentation(representation);
     scene.Actor->GetProperty()->SetLighting(representation != Mapper::LINES);
     scene.Mapper->RemoveAllClippingPlanes();
     const size_t whole = scene.Draw().CountForeground();
     scene.Mapper->AddClippingPlane(plane);
     const RelevoPicture clipped = scene.Draw();
-    CHECK(clipped.CountForeground() < 0.8 * whole);
-    CHECK(clipped.CountForeground() > 0.2 * whole);
+    CHECK_LESS(clipped.CountForeground(), 0.8 * whole);
+    CHECK_GREATER(clipped.CountForeground(), 0.2 * whole);
     comparison.Compare("clipped", { 2, 1e-6, 10 }, clipped, scene.DrawTwin());
   }
 }
@@ -160,8 +163,9 @@ void TestCoincidentOffset(RelevoCheck& check)
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
   for (double units : { -1000.0, 5000.0 })
   {
+    CHECK_CASE(units);
     scene.Mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, units);
-    CHECK(scene.Draw().CountForeground() == (units < 0.0 ? whole : 0));
+    CHECK_EQUAL(scene.Draw().CountForeground(), (units < 0.0 ? whole : 0));
   }
   vtkMapper::SetResolveCoincidentTopology(resolve);
 }
@@ -207,19 +211,20 @@ void TestSelection(RelevoCheck& check, bool isTessellated)
     selector->SetArea(0, 0, size[0] - 1, size[1] - 1);
     selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
     auto selection = vtk::TakeSmartPointer(selector->Select());
-    if (!CHECK(selection->GetNumberOfNodes() == 1))
+    if (!CHECK_EQUAL(selection->GetNumberOfNodes(), 1))
     {
       return;
     }
     vtkSelectionNode* node = selection->GetNode(0);
-    CHECK(node->GetProperties()->Get(vtkSelectionNode::PROP()) == scene.Actor);
-    CHECK(node->GetProperties()->Get(vtkSelectionNode::COMPOSITE_INDEX()) == 2);
+    CHECK_EQUAL(node->GetProperties()->Get(vtkSelectionNode::PROP()), scene.Actor);
+    CHECK_EQUAL(node->GetProperties()->Get(vtkSelectionNode::COMPOSITE_INDEX()), 2);
     auto* ids = vtkIdTypeArray::SafeDownCast(node->GetSelectionList());
     // All of them, but for those that others hide.
-    CHECK(ids->GetNumberOfValues() > NumberOfCurves - 6);
+    CHECK_GREATER(ids->GetNumberOfValues(), NumberOfCurves - 6);
     for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i)
     {
-      CHECK(ids->GetValue(i) >= 0 && ids->GetValue(i) < NumberOfCurves);
+      CHECK_GREATER_EQUAL(ids->GetValue(i), 0);
+      CHECK_LESS(ids->GetValue(i), NumberOfCurves);
     }
     // The middle of a curve that nothing is in front of.
     double world[4] = { 0.0, 0.0, 0.0, 1.0 };
@@ -241,7 +246,7 @@ void TestSelection(RelevoCheck& check, bool isTessellated)
         : nullptr;
       found += list && list->LookupValue(cell) >= 0 ? 1 : 0;
     }
-    CHECK(found > NumberOfCurves - 6);
+    CHECK_GREATER(found, NumberOfCurves - 6);
   }
 }
 
@@ -253,16 +258,16 @@ void TestBlocks(RelevoCheck& check)
   blocks->SetBlock(2, RelevoMakeCurves(4));
   RelevoCurveScene both(blocks);
   both.Draw();
-  CHECK(both.Mapper->GetNumberOfCurves() == 2 * NumberOfCurves);
-  CHECK(both.Mapper->GetNumberOfDrawnSegments() == 2 * NumberOfCurves * 16);
-  CHECK(both.Mapper->GetNumberOfDrawCalls() == 2);
+  CHECK_EQUAL(both.Mapper->GetNumberOfCurves(), 2 * NumberOfCurves);
+  CHECK_EQUAL(both.Mapper->GetNumberOfDrawnSegments(), 2 * NumberOfCurves * 16);
+  CHECK_EQUAL(both.Mapper->GetNumberOfDrawCalls(), 2);
   const vtkIdType builds = both.Mapper->GetNumberOfBufferBuilds();
   const RelevoPicture picture = both.Draw();
   blocks->SetBlock(2, nullptr);
   const RelevoPicture one = both.Draw();
-  CHECK(both.Mapper->GetNumberOfCurves() == NumberOfCurves);
-  CHECK(both.Mapper->GetNumberOfBufferBuilds() == builds);
-  CHECK(one.CountForeground() < picture.CountForeground());
+  CHECK_EQUAL(both.Mapper->GetNumberOfCurves(), NumberOfCurves);
+  CHECK_EQUAL(both.Mapper->GetNumberOfBufferBuilds(), builds);
+  CHECK_LESS(one.CountForeground(), picture.CountForeground());
   RelevoCurveScene alone(RelevoMakeCurves(3));
   alone.GetCamera()->DeepCopy(both.GetCamera());
   CHECK(IsSame(alone.Draw(), one));
@@ -275,6 +280,7 @@ void TestWindows(RelevoCheck& check)
   scene.Mapper->SetRadius(0.05);
   for (int method : { Mapper::METHOD_INSTANCING, Mapper::METHOD_HARDWARE_TESSELLATION })
   {
+    CHECK_CASE(method);
     scene.Mapper->SetMethod(method);
     scene.Mapper->SetRepresentationToTubes();
     const RelevoPicture first = scene.Draw();

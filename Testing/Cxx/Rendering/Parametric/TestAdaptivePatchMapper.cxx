@@ -73,7 +73,7 @@ void TestKinds(RelevoCheck& check)
     {
       std::cerr << "type " << kind.Type << ": " << others << "\n";
     }
-    CHECK(others <= MostOthers);
+    CHECK_LESS_EQUAL(others, MostOthers);
   }
 }
 
@@ -98,13 +98,13 @@ void TestMethods(RelevoCheck& check)
       {
         std::cerr << RelevoMethods::GetName(method) << ": " << others << "\n";
       }
-      CHECK(others <= MostOthers);
-      CHECK(scene.Mapper->GetMethodInUse() == method);
+      CHECK_LESS_EQUAL(others, MostOthers);
+      CHECK_EQUAL(scene.Mapper->GetMethodInUse(), method);
       // What is interpolated is another.
       scene.Mapper->ExactScalarsOff();
-      CHECK(scene.GetShareOfOthers(grid, "Field", scene.ByTable(GetFirst)) > 0.5);
+      CHECK_GREATER(scene.GetShareOfOthers(grid, "Field", scene.ByTable(GetFirst)), 0.5);
       scene.Mapper->ExactScalarsOn();
-      CHECK(scene.GetShareOfOthers(grid, "Field", scene.ByTable(GetFirst)) <= MostOthers);
+      CHECK_LESS_EQUAL(scene.GetShareOfOthers(grid, "Field", scene.ByTable(GetFirst)), MostOthers);
     }
   }
 }
@@ -114,6 +114,7 @@ void TestVectors(RelevoCheck& check)
   auto grid = RelevoNewFlatCell(VTK_BEZIER_QUADRILATERAL, { { 3, 3, 0 } }, 0.005, true);
   for (const char* name : { "Vector", "Long" })
   {
+    CHECK_CASE(name);
     RelevoPatchScene scene(grid);
     SetSmoothTable(scene, -1.0, 3.0);
     scene.Mapper->SetScalarModeToUsePointFieldData();
@@ -124,11 +125,11 @@ void TestVectors(RelevoCheck& check)
     {
       std::cerr << name << ": " << others << "\n";
     }
-    CHECK(others <= MostOthers);
+    CHECK_LESS_EQUAL(others, MostOthers);
     scene.Mapper->GetLookupTable()->SetVectorModeToComponent();
     scene.Mapper->GetLookupTable()->SetVectorComponent(2);
     const auto second = [](const RelevoPatchScene::Tuple& tuple) { return tuple[2]; };
-    CHECK(scene.GetShareOfOthers(grid, name, scene.ByTable(second)) <= MostOthers);
+    CHECK_LESS_EQUAL(scene.GetShareOfOthers(grid, name, scene.ByTable(second)), MostOthers);
   }
 }
 
@@ -143,17 +144,17 @@ void TestColors(RelevoCheck& check)
     const auto limit = [](double value) { return std::min(std::max(value, 0.0), 255.0); };
     return { { limit(tuple[0]), limit(tuple[1]), limit(tuple[2]) } };
   };
-  CHECK(scene.GetShareOfOthers(grid, "Color", asTheyAre) <= MostOthers);
+  CHECK_LESS_EQUAL(scene.GetShareOfOthers(grid, "Color", asTheyAre), MostOthers);
   // Colours of blocks, levels and actors are not replaced.
   scene.Mapper->ScalarVisibilityOff();
   scene.Actor->GetProperty()->SetColor(0.0, 1.0, 0.0);
   const auto green = [](const RelevoPatchScene::Tuple&) -> RelevoPatchScene::Color {
     return { { 0.0, 255.0, 0.0 } };
   };
-  CHECK(scene.GetShareOfOthers(grid, "Color", green) == 0.0);
+  CHECK_EQUAL(scene.GetShareOfOthers(grid, "Color", green), 0.0);
   scene.Mapper->ScalarVisibilityOn();
   scene.Mapper->SetBlockColor(0, 0.0, 1.0, 0.0);
-  CHECK(scene.GetShareOfOthers(grid, "Color", green) == 0.0);
+  CHECK_EQUAL(scene.GetShareOfOthers(grid, "Color", green), 0.0);
 }
 
 void TestTables(RelevoCheck& check)
@@ -165,12 +166,12 @@ void TestTables(RelevoCheck& check)
   scene.Mapper->SelectColorArray("Vector");
   vtkLookupTable::SafeDownCast(scene.Mapper->GetLookupTable())->SetScaleToLog10();
   scene.Mapper->GetLookupTable()->SetVectorModeToMagnitude();
-  CHECK(scene.GetShareOfOthers(grid, "Vector", scene.ByTable(GetLength)) <= MostOthers);
+  CHECK_LESS_EQUAL(scene.GetShareOfOthers(grid, "Vector", scene.ByTable(GetLength)), MostOthers);
   // Whole numbers stay whole.
   SetSmoothTable(scene, 0.0, 20.0);
   scene.Mapper->SelectColorArray("Whole");
   const auto round = [](const RelevoPatchScene::Tuple& tuple) { return std::round(tuple[0]); };
-  CHECK(scene.GetShareOfOthers(grid, "Whole", scene.ByTable(round)) <= MostOthers);
+  CHECK_LESS_EQUAL(scene.GetShareOfOthers(grid, "Whole", scene.ByTable(round)), MostOthers);
   // A patch with a node of no data has none.
   grid->GetPointData()->GetArray("Field")->SetComponent(7, 0, std::nan(""));
   grid->GetPointData()->GetArray("Field")->Modified();
@@ -179,7 +180,7 @@ void TestTables(RelevoCheck& check)
   const auto blue = [](const RelevoPatchScene::Tuple&) -> RelevoPatchScene::Color {
     return { { 0.0, 0.0, 255.0 } };
   };
-  CHECK(scene.GetShareOfOthers(grid, "Field", blue) == 0.0);
+  CHECK_EQUAL(scene.GetShareOfOthers(grid, "Field", blue), 0.0);
 }
 
 // Grids are drawn as blocks, too; what is neither a grid nor triangles is an error, once.
@@ -191,7 +192,7 @@ void TestTypes(RelevoCheck& check)
   RelevoErrors errors(scene.Mapper);
   vtkNew<vtkTable> table;
   scene.Mapper->SetInputDataObject(table);
-  CHECK(scene.Draw().CountForeground() == 0);
+  CHECK_EQUAL(scene.Draw().CountForeground(), 0);
   CHECK(errors.Said("The input is a vtkTable; a vtkPolyData or a vtkCompositeDataSet or a "
                     "vtkUnstructuredGrid is needed."));
   scene.Draw();
@@ -200,10 +201,10 @@ void TestTypes(RelevoCheck& check)
   blocks->SetBlock(0, grid);
   blocks->SetBlock(1, table);
   scene.Mapper->SetInputDataObject(blocks);
-  CHECK(scene.Draw().Colors == expected.Colors);
+  CHECK_EQUAL(scene.Draw().Colors, expected.Colors);
   CHECK(errors.Said("Block 2 is a vtkTable; a vtkPolyData or a vtkUnstructuredGrid is needed; it "
                     "is left out."));
-  CHECK(scene.Draw().Colors == expected.Colors);
+  CHECK_EQUAL(scene.Draw().Colors, expected.Colors);
   CHECK(errors.None());
 }
 }

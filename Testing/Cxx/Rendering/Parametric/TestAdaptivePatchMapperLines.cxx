@@ -59,12 +59,13 @@ void TestIsolines(RelevoCheck& check, double offset, double width)
   RelevoPatchScene scene(grid);
   SetWhite(scene);
   scene.Mapper->SetScalarRange(offset + 0.3, offset + 1.0);
-  CHECK(GetBlack(scene.Draw(), 150, 30, 270) == 0.0);
+  CHECK_EQUAL(GetBlack(scene.Draw(), 150, 30, 270), 0.0);
   scene.Mapper->SetIsolineSpacing(0.25);
   scene.Mapper->SetIsolineWidth(width);
   const RelevoPicture picture = scene.Draw();
   for (int row : { 40, 150, 260 })
   {
+    CHECK_CASE(row);
     CHECK(IsBlackAt(picture, row, 0.5));
     CHECK(IsBlackAt(picture, row, std::sqrt(0.5)));
     CHECK(IsBlackAt(picture, row, std::sqrt(0.75)));
@@ -78,7 +79,7 @@ void TestIsolines(RelevoCheck& check, double offset, double width)
     CHECK_NEAR(GetBlack(scene.Draw(), 150, 40, 265), 3.0 * width, 0.15 * width);
   }
   scene.Mapper->ExactScalarsOff();
-  CHECK(GetBlack(scene.Draw(), 150, 40, 265) == 0.0);
+  CHECK_EQUAL(GetBlack(scene.Draw(), 150, 40, 265), 0.0);
 }
 
 // Values of cells have none; it is said once.
@@ -120,7 +121,7 @@ void TestIsolinesOutOfRange(RelevoCheck& check)
   scene.Mapper->SetIsolineWidth(8.0);
   RelevoErrors errors(scene.Mapper);
   scene.Mapper->SetIsolineSpacing(2.0);
-  CHECK(GetBlack(scene.Draw(), 150, 26, 274) == 0.0);
+  CHECK_EQUAL(GetBlack(scene.Draw(), 150, 26, 274), 0.0);
   CHECK(
     errors.Warned("There are no isolines of \"Field\": no multiple of IsolineSpacing, which is 2, "
                   "lies among its values from 0.5 to 1.5."));
@@ -128,8 +129,9 @@ void TestIsolinesOutOfRange(RelevoCheck& check)
   CHECK(errors.None());
   for (const double spacing : { 0.5, 1.5 })
   {
+    CHECK_CASE(spacing);
     scene.Mapper->SetIsolineSpacing(spacing);
-    CHECK(GetBlack(scene.Draw(), 150, 26, 274) > 1.0);
+    CHECK_GREATER(GetBlack(scene.Draw(), 150, 26, 274), 1.0);
     CHECK(errors.None());
   }
 }
@@ -155,7 +157,7 @@ void TestEdges(RelevoCheck& check, int level)
   SetWhite(scene);
   scene.Mapper->GetRefinement()->SetMaximumLevel(level);
   scene.Mapper->ScalarVisibilityOff();
-  CHECK(GetBlack(scene.Draw(), 100, 25, 275) == 0.0);
+  CHECK_EQUAL(GetBlack(scene.Draw(), 100, 25, 275), 0.0);
   scene.Mapper->PatchEdgesOn();
   scene.Actor->GetProperty()->SetLineWidth(4.0f);
   const RelevoPicture picture = scene.Draw();
@@ -163,17 +165,17 @@ void TestEdges(RelevoCheck& check, int level)
   // diagonal.
   CHECK_NEAR(GetBlack(picture, 60, 25, 275), 8.0, 0.2);
   CHECK_NEAR(GetBlack(picture, 60, 140, 160), 4.0, 0.1);
-  CHECK(GetBlack(picture, 60, 30, 140) == 0.0);
-  CHECK(GetBlack(picture, 60, 160, 270) == 0.0);
-  CHECK(GetBlack(picture, 150, 25, 275) > 249.0);
+  CHECK_EQUAL(GetBlack(picture, 60, 30, 140), 0.0);
+  CHECK_EQUAL(GetBlack(picture, 60, 160, 270), 0.0);
+  CHECK_GREATER(GetBlack(picture, 150, 25, 275), 249.0);
   scene.Actor->GetProperty()->SetEdgeColor(1.0, 1.0, 1.0);
-  CHECK(GetBlack(scene.Draw(), 60, 25, 275) == 0.0);
+  CHECK_EQUAL(GetBlack(scene.Draw(), 60, 25, 275), 0.0);
   scene.Actor->GetProperty()->SetEdgeColor(0.0, 0.0, 0.0);
   scene.Actor->GetProperty()->SetRepresentationToWireframe();
   scene.Mapper->PatchEdgesOff();
   const RelevoPicture wires = scene.Draw();
   scene.Mapper->PatchEdgesOn();
-  CHECK(scene.Draw().Colors == wires.Colors);
+  CHECK_EQUAL(scene.Draw().Colors, wires.Colors);
 }
 
 // All edges of a triangle, none of those that are one point.
@@ -217,6 +219,7 @@ void TestPolygons(RelevoCheck& check)
   const RelevoPicture picture = scene.Draw();
   for (int row : { 60, 100, 150, 200, 240 })
   {
+    CHECK_CASE(row);
     CHECK_NEAR(GetBlack(picture, row, 25, 275), 4.0, 0.1);
   }
 }
@@ -235,6 +238,7 @@ int TestAdaptivePatchMapperLines(int, char*[])
   TestSlantedIsolines(check);
   for (int level : { 0, 2, 5 })
   {
+    CHECK_CASE(level);
     TestEdges(check, level);
   }
   TestTriangle(check);

@@ -37,23 +37,24 @@ void TestPicks(RelevoCheck& check, vtkDataObject* input)
       const double* place = picker->GetMapperPosition();
       const vtkIdType expected =
         static_cast<vtkIdType>(std::floor(place[0]) + 2.0 * std::floor(place[1]));
-      CHECK(cell == expected);
+      CHECK_EQUAL(cell, expected);
       CHECK_NEAR(pcoords[0], place[0] - std::floor(place[0]), 1e-5);
       CHECK_NEAR(pcoords[1], place[1] - std::floor(place[1]), 1e-5);
-      CHECK(pcoords[2] == 0.0);
+      CHECK_EQUAL(pcoords[2], 0.0);
       double found[3];
-      CHECK(scene.Mapper->GetPickedCell(picker->GetCellId(), place, found,
-              vtkPolyData::SafeDownCast(picker->GetDataSet())) == expected);
+      CHECK_EQUAL(scene.Mapper->GetPickedCell(picker->GetCellId(), place, found,
+                    vtkPolyData::SafeDownCast(picker->GetDataSet())),
+        expected);
       CHECK_NEAR(found[0], pcoords[0], 1e-5);
       CHECK_NEAR(found[1], pcoords[1], 1e-5);
     }
   }
   picker->Pick(2.0, 2.0, 0.0, scene.Renderer);
   double nothing[3] = { 7.0, 7.0, 7.0 };
-  CHECK(scene.Mapper->GetPickedCell(picker, nothing) == -1);
-  CHECK(scene.Mapper->GetPickedCell(nullptr, nothing) == -1);
-  CHECK(scene.Mapper->GetPickedCell(1000, nothing, nothing) == -1);
-  CHECK(nothing[0] == 7.0);
+  CHECK_EQUAL(scene.Mapper->GetPickedCell(picker, nothing), -1);
+  CHECK_EQUAL(scene.Mapper->GetPickedCell(nullptr, nothing), -1);
+  CHECK_EQUAL(scene.Mapper->GetPickedCell(1000, nothing, nothing), -1);
+  CHECK_EQUAL(nothing[0], 7.0);
 }
 
 // Places of curved patches, which are found from positions alone.
@@ -70,7 +71,7 @@ void TestCurved(RelevoCheck& check, int type, bool isRational)
     {
       const std::vector<double> place = RelevoEvaluatePatch(patches, 0, u, v);
       double pcoords[3];
-      CHECK(mapper->GetPickedCell(0, place.data(), pcoords) == 0);
+      CHECK_EQUAL(mapper->GetPickedCell(0, place.data(), pcoords), 0);
       CHECK_NEAR(pcoords[0], u, 2e-5);
       CHECK_NEAR(pcoords[1], v, 2e-5);
     }
@@ -92,7 +93,7 @@ void TestErrors(RelevoCheck& check)
     RelevoPatchScene scene(missing);
     RelevoErrors errors(scene.Mapper);
     scene.Mapper->SetIsolineSpacing(0.1);
-    CHECK(scene.Draw().Colors == interpolated.Colors);
+    CHECK_EQUAL(scene.Draw().Colors, interpolated.Colors);
     CHECK(errors.None());
   }
   vtkNew<vtkDoubleArray> tooShort;
@@ -103,13 +104,13 @@ void TestErrors(RelevoCheck& check)
   {
     RelevoPatchScene scene(missing);
     RelevoErrors errors(scene.Mapper);
-    CHECK(scene.Draw().Colors == interpolated.Colors);
+    CHECK_EQUAL(scene.Draw().Colors, interpolated.Colors);
     CHECK(errors.Said("the array PatchNodes:Field has 3 tuples of 1 components, not 25 of 1"));
     scene.Draw();
     CHECK(errors.None()); // said once
     missing->GetFieldData()->AddArray(patches->GetFieldData()->GetArray("PatchNodes:Field"));
     missing->Modified();
-    CHECK(scene.Draw().Colors != interpolated.Colors);
+    CHECK_NOT_EQUAL(scene.Draw().Colors, interpolated.Colors);
     CHECK(errors.None());
   }
   // The filter's errors are the mapper's.
@@ -137,6 +138,7 @@ int TestAdaptivePatchMapperPicks(int, char*[])
   TestPicks(check, blocks);
   for (bool isRational : { false, true })
   {
+    CHECK_CASE(isRational);
     TestCurved(check, VTK_BEZIER_QUADRILATERAL, isRational);
     TestCurved(check, VTK_BEZIER_TRIANGLE, isRational);
   }

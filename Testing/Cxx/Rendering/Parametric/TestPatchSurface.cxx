@@ -96,9 +96,9 @@ void TestPlaces(RelevoCheck& check, int type, const std::array<int, 3>& degrees)
     std::cerr << "type " << type << ", degrees " << degrees[0] << " and " << degrees[1] << ": "
               << worst << ", normals " << turned << "\n";
   }
-  CHECK(refined->GetNumberOfPoints() > 40);
-  CHECK(worst <= 2e-6);
-  CHECK(turned <= 2e-4);
+  CHECK_GREATER(refined->GetNumberOfPoints(), 40);
+  CHECK_LESS_EQUAL(worst, 2e-6);
+  CHECK_LESS_EQUAL(turned, 2e-4);
 }
 
 // The largest distances of points and normals from a torus, or with a radius of 0 a sphere.
@@ -106,7 +106,7 @@ void TestRound(RelevoCheck& check, vtkPolyData* patches, double radius, double t
 {
   const Mesh refined = RefinePatches(check, patches, 4);
   vtkDataArray* normals = refined->GetPointData()->GetNormals();
-  CHECK(refined->GetNumberOfPoints() > 500);
+  CHECK_GREATER(refined->GetNumberOfPoints(), 500);
   for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
   {
     double x[3];
@@ -150,9 +150,9 @@ void TestBounds(RelevoCheck& check, vtkPolyData* patches)
     mapper->SetInputData(patches);
     mapper->GetRefinement()->SetDisplacement(used);
     vtkBoundingBox told(mapper->GetBounds());
-    CHECK(told.GetMaxLength() < 2.0 * box.GetMaxLength());
+    CHECK_LESS(told.GetMaxLength(), 2.0 * box.GetMaxLength());
     told.Inflate(1e-6);
-    CHECK(told.Contains(box) == 1);
+    CHECK_EQUAL(told.Contains(box), 1);
   }
 }
 }

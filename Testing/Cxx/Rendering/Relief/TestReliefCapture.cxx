@@ -139,13 +139,14 @@ void TestPlaces(RelevoCheck& check, vtkCamera* camera, const std::vector<RelevoT
     const double row = (clip[1] / clip[3] + 1.0) * 0.5 * Height - 0.5;
     farthest = std::max(farthest, std::hypot(column - texel.Column, row - texel.Row));
   }
-  CHECK(farthest < 1e-6);
+  CHECK_LESS(farthest, 1e-6);
 }
 
 void TestMesh(RelevoCheck& check, vtkPolyData* mesh, const char* meshName)
 {
   for (const View& view : Views)
   {
+    CHECK_CASE(view.Name);
     RelevoCaptureScene scene;
     scene.Add(mesh);
     scene.ResetCamera();
@@ -154,7 +155,7 @@ void TestMesh(RelevoCheck& check, vtkPolyData* mesh, const char* meshName)
     view.Set(camera);
     scene.Source->AddCamera(camera);
     vtkImageData* relief = scene.Capture();
-    if (!CHECK(relief != nullptr))
+    if (!CHECK_NOT_EQUAL(relief, nullptr))
     {
       continue;
     }
@@ -165,10 +166,10 @@ void TestMesh(RelevoCheck& check, vtkPolyData* mesh, const char* meshName)
     std::cout << meshName << ", " << view.Name << ": " << texels.size() << " texels, " << distance
               << " texels off, colours differ by " << difference.Largest << ", shapes by "
               << difference.Shapes << "\n";
-    CHECK(texels.size() > 500);
-    CHECK(distance < SubPixel);
-    CHECK(difference.Largest == 0);
-    CHECK(difference.Shapes == 0);
+    CHECK_GREATER(texels.size(), 500);
+    CHECK_LESS(distance, SubPixel);
+    CHECK_EQUAL(difference.Largest, 0);
+    CHECK_EQUAL(difference.Shapes, 0);
     TestPlaces(check, camera, texels);
   }
 }
@@ -185,8 +186,8 @@ void TestHeadlight(RelevoCheck& check)
   camera->Azimuth(80.0);
   scene.Source->AddCamera(camera);
   const std::vector<RelevoTexel> texels = RelevoReadTexels(scene.Capture());
-  CHECK(scene.Renderer->GetLights()->GetNumberOfItems() == 0);
-  CHECK(CompareColors(texels, scene.Draw(camera, Width, Height)).Largest == 0);
+  CHECK_EQUAL(scene.Renderer->GetLights()->GetNumberOfItems(), 0);
+  CHECK_EQUAL(CompareColors(texels, scene.Draw(camera, Width, Height)).Largest, 0);
 }
 }
 

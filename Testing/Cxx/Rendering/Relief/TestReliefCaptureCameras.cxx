@@ -64,12 +64,12 @@ void TestBox(RelevoCheck& check, const Vector& offset)
 {
   RelevoCaptureScene scene;
   scene.Source->SetResolution(128);
-  CHECK(scene.Source->GetNumberOfCameras() == 6);
+  CHECK_EQUAL(scene.Source->GetNumberOfCameras(), 6);
   const vtkSmartPointer<vtkPolyData> ball = RelevoBumpyBall();
   scene.Add(ball)->SetPosition(offset[0], offset[1], offset[2]);
   scene.ResetCamera();
   scene.Source->Update();
-  CHECK(scene.Source->GetOutput()->GetNumberOfBlocks() == 6);
+  CHECK_EQUAL(scene.Source->GetOutput()->GetNumberOfBlocks(), 6);
   for (unsigned int i = 0; i < 6; ++i)
   {
     vtkImageData* relief = GetRelief(scene, i);
@@ -77,7 +77,7 @@ void TestBox(RelevoCheck& check, const Vector& offset)
     Vector expected{};
     expected[i / 2] = i % 2 ? -1.0 : 1.0;
     const Vector apart = GetDirection(relief) - expected;
-    CHECK(std::sqrt(dot(apart, apart)) < 1e-9);
+    CHECK_LESS(std::sqrt(dot(apart, apart)), 1e-9);
     double range[2];
     relief->GetPointData()->GetArray("Depth")->GetRange(range);
     CHECK(range[0] > 0.0 && range[0] < 0.1 && range[1] < 2.5);
@@ -85,7 +85,7 @@ void TestBox(RelevoCheck& check, const Vector& offset)
   // The ball is about 2.3 wide, a texel 0.018: points are seen by one of the six but for dents.
   const double gap = FindGap(scene, ball, offset);
   std::cout << "box: no point is farther than " << gap << " from a texel\n";
-  CHECK(gap < 0.04);
+  CHECK_LESS(gap, 0.04);
 }
 
 // Of what is flat four of the six see its edge, if anything.
@@ -99,7 +99,7 @@ void TestFlat(RelevoCheck& check)
   RelevoErrors errors(scene.Source);
   scene.Source->Update();
   CHECK(errors.None());
-  CHECK(scene.Source->GetOutput()->GetNumberOfBlocks() == 6);
+  CHECK_EQUAL(scene.Source->GetOutput()->GetNumberOfBlocks(), 6);
   for (unsigned int i = 0; i < 6; ++i)
   {
     vtkImageData* relief = GetRelief(scene, i);
@@ -119,19 +119,19 @@ void TestSphere(RelevoCheck& check)
   for (int level = 0; level < 3; ++level)
   {
     scene.Source->SetCamerasToSphere(level);
-    CHECK(scene.Source->GetNumberOfCameras() == numbers[level]);
+    CHECK_EQUAL(scene.Source->GetNumberOfCameras(), numbers[level]);
     scene.Source->Update();
     const unsigned int number = scene.Source->GetOutput()->GetNumberOfBlocks();
-    CHECK(static_cast<int>(number) == numbers[level]);
+    CHECK_EQUAL(static_cast<int>(number), numbers[level]);
     std::vector<Vector> directions;
     Vector sum{};
     for (unsigned int i = 0; i < number; ++i)
     {
-      CHECK(RelevoReadTexels(GetRelief(scene, i)).size() > 40);
+      CHECK_GREATER(RelevoReadTexels(GetRelief(scene, i)).size(), 40);
       directions.push_back(GetDirection(GetRelief(scene, i)));
       sum = sum + directions.back();
     }
-    CHECK(std::sqrt(dot(sum, sum)) < 1e-9);
+    CHECK_LESS(std::sqrt(dot(sum, sum)), 1e-9);
     double closest = -1.0;
     for (unsigned int i = 0; i < number; ++i)
     {
@@ -142,14 +142,14 @@ void TestSphere(RelevoCheck& check)
       }
     }
     // Neighbours of an icosahedron's points are 63.4 degrees apart, then about half each time.
-    CHECK(std::acos(closest) > 0.95 / (1 << level) / 1.2);
+    CHECK_GREATER(std::acos(closest), 0.95 / (1 << level) / 1.2);
   }
   RelevoErrors errors(scene.Source);
   scene.Source->SetCamerasToSphere(4);
   CHECK(errors.Said("CamerasToSphere must be in [0, 3]"));
-  CHECK(scene.Source->GetNumberOfCameras() == 162);
+  CHECK_EQUAL(scene.Source->GetNumberOfCameras(), 162);
   scene.Source->SetCamerasToSphere(3);
-  CHECK(scene.Source->GetNumberOfCameras() == 642);
+  CHECK_EQUAL(scene.Source->GetNumberOfCameras(), 642);
 }
 
 // Half a world away the camera and the matrix are as exact as doubles are.
@@ -168,7 +168,7 @@ void TestFar(RelevoCheck& check, bool parallel)
   same.GetCamera()->SetParallelProjection(parallel);
   same.Source->AddCamera(same.GetCamera());
   const std::vector<RelevoTexel> near = RelevoReadTexels(same.Capture());
-  CHECK(far.size() > 2000);
+  CHECK_GREATER(far.size(), 2000);
   double largest = 0.0;
   size_t others = 0;
   for (size_t i = 0, j = 0; i < far.size() && j < near.size(); ++i, ++j)
@@ -186,8 +186,8 @@ void TestFar(RelevoCheck& check, bool parallel)
     }
   }
   std::cout << "far away: " << largest << " off, " << others << " texels at other places\n";
-  CHECK(others < 5);
-  CHECK(largest < 0.01);
+  CHECK_LESS(others, 5);
+  CHECK_LESS(largest, 0.01);
 }
 
 // The near plane is in front of the eye, the surface all around.
@@ -201,11 +201,12 @@ void TestInside(RelevoCheck& check)
   camera->SetViewAngle(70.0);
   scene.Source->AddCamera(camera);
   const std::vector<RelevoTexel> texels = RelevoReadTexels(scene.Capture());
-  CHECK(texels.size() == 160u * 120u);
+  CHECK_EQUAL(texels.size(), 160u * 120u);
   for (const RelevoTexel& texel : texels)
   {
     const double radius = std::sqrt(dot(texel.Point, texel.Point));
-    CHECK(radius > 0.84 && radius < 1.16);
+    CHECK_GREATER(radius, 0.84);
+    CHECK_LESS(radius, 1.16);
   }
 }
 
@@ -213,6 +214,7 @@ void TestCropping(RelevoCheck& check)
 {
   for (bool parallel : { false, true })
   {
+    CHECK_CASE(parallel);
     RelevoCaptureScene scene;
     scene.Add(RelevoBumpyBall());
     scene.ResetCamera();
@@ -224,7 +226,7 @@ void TestCropping(RelevoCheck& check)
     vtkImageData* relief = scene.Capture();
     const std::vector<RelevoTexel> part = RelevoReadTexels(relief);
     CHECK(relief->GetDimensions()[0] < 100 && relief->GetDimensions()[1] < 100);
-    CHECK(whole.size() == part.size());
+    CHECK_EQUAL(whole.size(), part.size());
     int right = 0;
     int top = 0;
     double largest = 0.0;
@@ -236,8 +238,8 @@ void TestCropping(RelevoCheck& check)
       right = std::max(right, part[i].Column);
       top = std::max(top, part[i].Row);
     }
-    CHECK(largest < 1e-20);
-    CHECK(part[0].Row == 0);
+    CHECK_LESS(largest, 1e-20);
+    CHECK_EQUAL(part[0].Row, 0);
     CHECK(right + 1 == relief->GetDimensions()[0] && top + 1 == relief->GetDimensions()[1]);
   }
 }
@@ -251,10 +253,10 @@ void TestThin(RelevoCheck& check)
   scene.Source->SetResolution(1, 90);
   vtkImageData* relief = scene.Capture();
   CHECK(relief->GetDimensions()[0] == 1 && relief->GetDimensions()[1] == 90);
-  CHECK(RelevoReadTexels(relief).size() > 20);
+  CHECK_GREATER(RelevoReadTexels(relief).size(), 20);
   scene.GetCamera()->SetViewAngle(2.0);
   scene.Source->SetResolution(90, 1);
-  CHECK(RelevoReadTexels(scene.Capture()).size() > 1);
+  CHECK_GREATER(RelevoReadTexels(scene.Capture()).size(), 1);
 }
 }
 

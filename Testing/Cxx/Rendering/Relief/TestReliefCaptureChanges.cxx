@@ -59,8 +59,8 @@ void TestChanges(RelevoCheck& check)
   vtkNew<vtkCamera> camera;
   camera->DeepCopy(scene.GetCamera());
   Executions executions(scene.Source);
-  CHECK(executions.Count() == 1);
-  CHECK(executions.Count() == 0);
+  CHECK_EQUAL(executions.Count(), 1);
+  CHECK_EQUAL(executions.Count(), 0);
 
   const auto step = [&](const std::string& name, int expected, const std::function<void()>& change)
   {
@@ -121,15 +121,15 @@ void TestAssembly(RelevoCheck& check)
     [&]() { part->SetPosition(0.0, 1.0, 0.0); }, [&]() { assembly->RotateX(20.0); },
     [&]() { sphere->SetRadius(0.7); },
     [&]() { assembly->AddPart(scene.Add(RelevoBumpyBall(8))); } };
-  CHECK(executions.Count() == 1);
+  CHECK_EQUAL(executions.Count(), 1);
   for (const auto& change : changes)
   {
     scene.Window->Render();
     scene.Renderer->ComputeVisiblePropBounds();
-    CHECK(executions.Count() == 0);
+    CHECK_EQUAL(executions.Count(), 0);
     change();
-    CHECK(executions.Count() == 1);
-    CHECK(executions.Count() == 0);
+    CHECK_EQUAL(executions.Count(), 1);
+    CHECK_EQUAL(executions.Count(), 0);
   }
 }
 
@@ -141,9 +141,9 @@ void TestOwnLight(RelevoCheck& check)
   scene.Source->SetResolution(32);
   scene.Add(RelevoBumpyBall(20));
   Executions executions(scene.Source);
-  CHECK(executions.Count() == 1);
+  CHECK_EQUAL(executions.Count(), 1);
   scene.Window->Render();
-  CHECK(executions.Count() == 0);
+  CHECK_EQUAL(executions.Count(), 0);
 }
 }
 

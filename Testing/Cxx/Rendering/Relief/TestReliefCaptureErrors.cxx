@@ -40,7 +40,7 @@ void TestErrors(RelevoCheck& check)
     source->SetRenderer(renderer);
     CHECK(Fails(source, "no window"));
   }
-  CHECK(source->GetRenderer() == nullptr);
+  CHECK_EQUAL(source->GetRenderer(), nullptr);
   CHECK(Fails(source, "There is no renderer"));
 
   RelevoCaptureScene scene;
@@ -56,13 +56,13 @@ void TestErrors(RelevoCheck& check)
   scene.Source->SetResolution(1000000, 8);
   CHECK(Fails(scene.Source, "1000000 x 8 texels is larger than what OpenGL can draw to"));
   scene.Source->SetResolution(32);
-  CHECK(scene.Capture() != nullptr);
+  CHECK_NOT_EQUAL(scene.Capture(), nullptr);
   RelevoErrors errors(scene.Source);
   scene.Source->SetResolution(0);
   CHECK(errors.Said("Resolution must be at least 1 x 1"));
   scene.Source->AddCamera(nullptr);
   CHECK(errors.Said("no camera to add"));
-  CHECK(scene.Source->GetNumberOfCameras() == 6);
+  CHECK_EQUAL(scene.Source->GetNumberOfCameras(), 6);
 }
 
 // The cameras that see something give reliefs, whatever the others do.
@@ -92,7 +92,7 @@ void TestCameras(RelevoCheck& check)
   scene.Source->Update();
   CHECK(errors.Said("The matrices of camera 1 have no inverse"));
   vtkMultiBlockDataSet* output = scene.Source->GetOutput();
-  CHECK(output->GetNumberOfBlocks() == 3);
+  CHECK_EQUAL(output->GetNumberOfBlocks(), 3);
   CHECK(!output->GetBlock(0) && !output->GetBlock(1) && output->GetBlock(2));
 }
 
@@ -142,22 +142,22 @@ void TestLeftOut(RelevoCheck& check)
   scene.Renderer->AddVolume(volume);
   RelevoWarnings warnings(scene.Source);
   const std::vector<RelevoTexel> again = RelevoReadTexels(scene.Capture());
-  CHECK(warnings.Number == 1);
-  CHECK(warnings.Text.find("translucent of 2 props, and 1 volumes") != std::string::npos);
-  CHECK(again.size() == alone.size());
+  CHECK_EQUAL(warnings.Number, 1);
+  CHECK_NOT_EQUAL(warnings.Text.find("translucent of 2 props, and 1 volumes"), std::string::npos);
+  CHECK_EQUAL(again.size(), alone.size());
   for (size_t i = 0; i < std::min(again.size(), alone.size()); ++i)
   {
-    CHECK(again[i].Point == alone[i].Point);
+    CHECK_EQUAL(again[i].Point, alone[i].Point);
     CHECK(std::equal(again[i].Color, again[i].Color + 3, alone[i].Color));
   }
   // Said once for as many.
   scene.Source->Modified();
   scene.Source->Update();
-  CHECK(warnings.Number == 1);
+  CHECK_EQUAL(warnings.Number, 1);
   hidden->VisibilityOn();
   hidden->GetProperty()->SetOpacity(0.9);
   scene.Source->Update();
-  CHECK(warnings.Number == 2);
+  CHECK_EQUAL(warnings.Number, 2);
 }
 
 // Where nothing was seen.
@@ -171,7 +171,8 @@ void TestBackground(RelevoCheck& check)
   auto* depths = relief->GetPointData()->GetArray("Depth");
   auto* colors = vtkUnsignedCharArray::SafeDownCast(relief->GetPointData()->GetArray("Color"));
   auto* normals = relief->GetPointData()->GetArray("Normals");
-  CHECK(depths->GetDataType() == VTK_FLOAT && normals->GetDataType() == VTK_FLOAT);
+  CHECK_EQUAL(depths->GetDataType(), VTK_FLOAT);
+  CHECK_EQUAL(normals->GetDataType(), VTK_FLOAT);
   CHECK(colors && colors->GetNumberOfComponents() == 3);
   vtkIdType number = 0;
   for (vtkIdType i = 0; i < relief->GetNumberOfPoints(); ++i)
@@ -179,10 +180,12 @@ void TestBackground(RelevoCheck& check)
     if (std::isnan(depths->GetComponent(i, 0)))
     {
       ++number;
-      CHECK(colors->GetComponent(i, 0) == 0.0 && normals->GetComponent(i, 0) == 0.0);
+      CHECK_EQUAL(colors->GetComponent(i, 0), 0.0);
+      CHECK_EQUAL(normals->GetComponent(i, 0), 0.0);
     }
   }
-  CHECK(number > 10000 && number < 17000);
+  CHECK_GREATER(number, 10000);
+  CHECK_LESS(number, 17000);
   CHECK(std::isnan(depths->GetComponent(0, 0)));
 }
 }

@@ -102,7 +102,7 @@ std::vector<double> CompareMesh(
   scene.Source->SetResolution(640, 480);
   scene.Source->AddCamera(scene.GetCamera());
   const std::vector<RelevoTexel> texels = RelevoReadTexels(scene.Capture());
-  CHECK(texels.size() > 2000);
+  CHECK_GREATER(texels.size(), 2000);
   for (const RelevoTexel& texel : texels)
   {
     if (!(std::abs(dot(texel.Normal, texel.Normal) - 1.0) < 1e-5))
@@ -170,7 +170,7 @@ void TestStretched(RelevoCheck& check)
   const std::vector<RelevoTexel> texels = RelevoReadTexels(scene.Capture());
   const std::vector<double> angles = Compare(texels, moved->GetPolyDataOutput(), scene.GetCamera(),
     ball->GetPointData()->GetNormals(), transform);
-  CHECK(texels.size() > 1500);
+  CHECK_GREATER(texels.size(), 1500);
   CHECK(IsSmooth(angles));
 }
 
@@ -181,8 +181,8 @@ void TestFallback(RelevoCheck& check)
   flat->CopyStructure(RelevoBumpyBall(8));
   const std::vector<double> angles =
     CompareMesh(check, "unlit", flat, [](vtkActor* actor) { actor->GetProperty()->LightingOff(); });
-  CHECK(angles[angles.size() * 70 / 100] < 0.1);
-  CHECK(angles[angles.size() * 98 / 100] < 40.0);
+  CHECK_LESS(angles[angles.size() * 70 / 100], 0.1);
+  CHECK_LESS(angles[angles.size() * 98 / 100], 40.0);
 }
 
 // What the GPU refines: a coarse ball becomes a round one.
@@ -201,16 +201,16 @@ void TestRefined(RelevoCheck& check)
   scene.ResetCamera();
   scene.Source->AddCamera(scene.GetCamera());
   const std::vector<RelevoTexel> texels = RelevoReadTexels(scene.Capture());
-  CHECK(texels.size() > 2000);
+  CHECK_GREATER(texels.size(), 2000);
   vtkNew<vtkAdaptiveRefinementFilter> filter;
   filter->SetRefinement(recipe);
   filter->SetInputDataObject(mapper->GetInputDataObject(0, 0));
   filter->Update();
   auto* refined = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
-  CHECK(refined->GetNumberOfCells() > 10000);
+  CHECK_GREATER(refined->GetNumberOfCells(), 10000);
   const std::vector<double> angles = Compare(texels, refined, scene.GetCamera());
   std::cout << "refined: all within " << angles.back() << "\n";
-  CHECK(angles[angles.size() * 99 / 100] < 0.5);
+  CHECK_LESS(angles[angles.size() * 99 / 100], 0.5);
 }
 
 void TestWithout(RelevoCheck& check)
@@ -223,8 +223,8 @@ void TestWithout(RelevoCheck& check)
   const std::vector<RelevoTexel> texels = RelevoReadTexels(with);
   scene.Source->CaptureNormalsOff();
   vtkImageData* without = scene.Capture();
-  CHECK(with->GetPointData()->GetArray("Normals") != nullptr);
-  CHECK(without->GetPointData()->GetArray("Normals") == nullptr);
+  CHECK_NOT_EQUAL(with->GetPointData()->GetArray("Normals"), nullptr);
+  CHECK_EQUAL(without->GetPointData()->GetArray("Normals"), nullptr);
   const std::vector<RelevoTexel> same = RelevoReadTexels(without);
   CHECK(same.size() == texels.size() && same[1000].Point == texels[1000].Point);
 }

@@ -83,7 +83,7 @@ void TestKept(RelevoCheck& check, int multiSamples, bool offScreen)
   stage.Window->Render();
   stage.Window->Render(); // the first frame resets cameras
   const RelevoPicture before(stage.Window);
-  CHECK(before.CountForeground() > 3000);
+  CHECK_GREATER(before.CountForeground(), 3000);
   vtkCamera* camera = stage.GetCamera();
   const vtkMTimeType cameraTime = camera->GetMTime();
   const vtkMTimeType rendererTime = stage.Renderer->GetMTime();
@@ -93,21 +93,21 @@ void TestKept(RelevoCheck& check, int multiSamples, bool offScreen)
   camera->GetClippingRange(range);
 
   stage.Source->SetResolution(333, 250);
-  CHECK(stage.Capture() != nullptr);
-  CHECK(stage.Source->GetOutput()->GetNumberOfBlocks() == 6);
+  CHECK_NOT_EQUAL(stage.Capture(), nullptr);
+  CHECK_EQUAL(stage.Source->GetOutput()->GetNumberOfBlocks(), 6);
   CHECK(warnings.Warned("translucent"));
 
-  CHECK(stage.GetCamera() == camera);
-  CHECK(camera->GetMTime() == cameraTime);
-  CHECK(stage.Renderer->GetMTime() == rendererTime);
+  CHECK_EQUAL(stage.GetCamera(), camera);
+  CHECK_EQUAL(camera->GetMTime(), cameraTime);
+  CHECK_EQUAL(stage.Renderer->GetMTime(), rendererTime);
   CHECK(camera->GetClippingRange()[0] == range[0] && camera->GetClippingRange()[1] == range[1]);
-  CHECK(stage.Window->GetRenderers()->GetNumberOfItems() == numberOfRenderers);
+  CHECK_EQUAL(stage.Window->GetRenderers()->GetNumberOfItems(), numberOfRenderers);
   CHECK(stage.Window->GetSize()[0] == 200 && stage.Window->GetSize()[1] == 150);
-  CHECK(stage.Mapper->NumberOfBuilds == builds);
+  CHECK_EQUAL(stage.Mapper->NumberOfBuilds, builds);
   CHECK(RelevoPictures::Equal(RelevoPicture(stage.Window), before)); // without a frame
   stage.Window->Render();
   CHECK(RelevoPictures::Equal(RelevoPicture(stage.Window), before));
-  CHECK(stage.Mapper->NumberOfBuilds == builds);
+  CHECK_EQUAL(stage.Mapper->NumberOfBuilds, builds);
 }
 
 // In the middle of a frame, of what is being drawn.
@@ -132,7 +132,7 @@ void TestInsideFrame(RelevoCheck& check)
   stage.Renderer->AddObserver(vtkCommand::EndEvent, command);
   stage.Above->AddObserver(vtkCommand::StartEvent, command);
   stage.Window->Render();
-  CHECK(number == 3);
+  CHECK_EQUAL(number, 3);
   CHECK(RelevoPictures::Equal(RelevoPicture(stage.Window), before));
 }
 
@@ -161,8 +161,8 @@ void TestLights(RelevoCheck& check)
   scene.Window->Render();
   auto* light = vtkLight::SafeDownCast(scene.Renderer->GetLights()->GetItemAsObject(0));
   const vtkMTimeType time = light->GetMTime();
-  CHECK(scene.Capture() != nullptr);
-  CHECK(light->GetMTime() == time);
+  CHECK_NOT_EQUAL(scene.Capture(), nullptr);
+  CHECK_EQUAL(light->GetMTime(), time);
 }
 }
 

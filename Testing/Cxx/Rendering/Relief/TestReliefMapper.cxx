@@ -35,9 +35,11 @@ void TestViews(RelevoCheck& check, vtkImageData* relief)
   scene.Mapper->SetMethodToRayMarch();
   for (bool parallel : { false, true })
   {
+    CHECK_CASE(parallel);
     scene.GetCamera()->SetParallelProjection(parallel);
     for (double azimuth : { 0.0, 30.0, 85.0, 180.0 })
     {
+      CHECK_CASE(azimuth);
       scene.ResetCamera();
       scene.GetCamera()->Azimuth(azimuth);
       scene.Renderer->ResetCameraClippingRange();
@@ -45,9 +47,9 @@ void TestViews(RelevoCheck& check, vtkImageData* relief)
       std::cout << "parallel " << parallel << ", azimuth " << azimuth << ": " << result.NumberOfHits
                 << " hits, " << result.NumberOfMisses << " missed, " << result.NumberOfWrong
                 << " wrong, " << result.NumberFar << " far\n";
-      CHECK(result.NumberOfHits > 500);
+      CHECK_GREATER(result.NumberOfHits, 500);
       CHECK(result.IsRight());
-      CHECK(result.NumberFar <= 2);
+      CHECK_LESS_EQUAL(result.NumberFar, 2);
     }
   }
 }
@@ -63,6 +65,7 @@ void TestInside(RelevoCheck& check, vtkImageData* relief)
   camera->SetPosition(center);
   for (double angle : { 0.0, 90.0, 180.0, 270.0 })
   {
+    CHECK_CASE(angle);
     const double radians = vtkMath::RadiansFromDegrees(angle);
     camera->SetFocalPoint(
       center[0] + std::cos(radians), center[1] + 0.1, center[2] + std::sin(radians));
@@ -86,7 +89,7 @@ void TestActorMatrix(RelevoCheck& check, vtkImageData* relief)
   const RelevoReliefComparison result = scene.Compare(relief);
   std::cout << "matrix: " << result.NumberOfHits << " hits, " << result.NumberOfMisses
             << " missed, " << result.NumberOfWrong << " wrong\n";
-  CHECK(result.NumberOfHits > 500);
+  CHECK_GREATER(result.NumberOfHits, 500);
   CHECK(result.IsRight());
 }
 
@@ -98,18 +101,19 @@ void TestBuilds(RelevoCheck& check, vtkImageData* relief)
   scene.Window->Render();
   const vtkIdType buffers = scene.Mapper->GetNumberOfBufferBuilds();
   const vtkIdType shaders = scene.Mapper->GetNumberOfShaderBuilds();
-  CHECK(buffers == 1 && shaders == 1);
+  CHECK_EQUAL(buffers, 1);
+  CHECK_EQUAL(shaders, 1);
   scene.GetCamera()->Azimuth(10.0);
   scene.Window->Render();
-  CHECK(scene.Mapper->GetNumberOfBufferBuilds() == buffers);
-  CHECK(scene.Mapper->GetNumberOfShaderBuilds() == shaders);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfBufferBuilds(), buffers);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfShaderBuilds(), shaders);
   scene.Mapper->SetMaximumStretch(2.0);
   const RelevoReliefComparison result = scene.Compare(relief, 2.0);
   std::cout << "stretch 2: " << result.NumberOfHits << " hits, " << result.NumberOfMisses
             << " missed, " << result.NumberOfWrong << " wrong\n";
   CHECK(result.IsRight());
-  CHECK(scene.Mapper->GetNumberOfBufferBuilds() == buffers + 1);
-  CHECK(scene.Mapper->GetGraphicsMemorySize() > 8 * 2000);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfBufferBuilds(), buffers + 1);
+  CHECK_GREATER(scene.Mapper->GetGraphicsMemorySize(), 8 * 2000);
 }
 }
 

@@ -181,11 +181,11 @@ void TestPart(RelevoCheck& check, const char* name, vtkPolyData* mesh, bool isPe
               << before.Missing << ", beyond " << before.Beyond << "; filled " << after.Wrong
               << ", " << after.Missing << ", " << after.Beyond << "; memory "
               << scene.Mapper->GetGraphicsMemorySize() / double(memory) << "\n";
-    CHECK(before.Wrong > 100); // the test sees cracks
-    CHECK(after.Wrong < 0.3 * before.Wrong);
-    CHECK(after.Missing < 0.6 * before.Missing);
-    CHECK(after.Beyond <= 100);
-    CHECK(scene.Mapper->GetGraphicsMemorySize() < 1.8 * memory);
+    CHECK_GREATER(before.Wrong, 100); // the test sees cracks
+    CHECK_LESS(after.Wrong, 0.3 * before.Wrong);
+    CHECK_LESS(after.Missing, 0.6 * before.Missing);
+    CHECK_LESS_EQUAL(after.Beyond, 100);
+    CHECK_LESS(scene.Mapper->GetGraphicsMemorySize(), 1.8 * memory);
   }
 }
 }

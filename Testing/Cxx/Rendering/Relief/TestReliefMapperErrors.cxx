@@ -43,18 +43,18 @@ void TestBlocks(RelevoCheck& check)
   RelevoReliefScene scene(blocks->GetBlock(0), 60, 40);
   RelevoErrors errors(scene.Mapper);
   scene.Mapper->SetInputDataObject(blocks);
-  CHECK(CountDrawn(scene) > 100);
+  CHECK_GREATER(CountDrawn(scene), 100);
   CHECK(errors.Said("Block 2: A relief needs the point array 'Depth'"));
   scene.Window->Render();
   CHECK(errors.None()); // once
   blocks->SetBlock(1, MakeFlat(20, 20, std::numeric_limits<double>::quiet_NaN()));
-  CHECK(CountDrawn(scene) > 100);
+  CHECK_GREATER(CountDrawn(scene), 100);
   CHECK(errors.Said("Block 2: No value of the point array 'Depth' is finite"));
   other = MakeFlat(20, 20);
   other->GetFieldData()->RemoveArray("ReliefMatrix");
   blocks->SetBlock(0, other);
   blocks->SetBlock(1, nullptr);
-  CHECK(CountDrawn(scene) == 0);
+  CHECK_EQUAL(CountDrawn(scene), 0);
   CHECK(errors.Said("Block 1: A relief needs the field array 'ReliefMatrix'"));
 }
 
@@ -65,7 +65,7 @@ void TestTypes(RelevoCheck& check)
   RelevoErrors errors(scene.Mapper);
   vtkNew<vtkTable> table;
   scene.Mapper->SetInputDataObject(table);
-  CHECK(CountDrawn(scene) == 0);
+  CHECK_EQUAL(CountDrawn(scene), 0);
   CHECK(errors.Said("A relief is a vtkImageData, not a vtkTable."));
   scene.Window->Render();
   CHECK(errors.None()); // once
@@ -73,7 +73,7 @@ void TestTypes(RelevoCheck& check)
   blocks->SetBlock(0, table);
   blocks->SetBlock(1, relief);
   scene.Mapper->SetInputDataObject(blocks);
-  CHECK(CountDrawn(scene) > 100);
+  CHECK_GREATER(CountDrawn(scene), 100);
   CHECK(errors.Said("Block 1: A relief is a vtkImageData, not a vtkTable."));
   scene.Window->Render();
   CHECK(errors.None());
@@ -84,15 +84,15 @@ void TestNothing(RelevoCheck& check)
   vtkNew<vtkMultiBlockDataSet> blocks;
   RelevoReliefScene scene(blocks, 60, 40);
   RelevoErrors errors(scene.Mapper);
-  CHECK(CountDrawn(scene) == 0);
+  CHECK_EQUAL(CountDrawn(scene), 0);
   CHECK(!vtkMath::AreBoundsInitialized(scene.Mapper->GetBounds()));
   for (int method = 0; method < 4; ++method)
   {
     scene.Mapper->SetMethod(method);
     blocks->SetBlock(0, MakeFlat(1, 30));
-    CHECK(CountDrawn(scene) == 0);
+    CHECK_EQUAL(CountDrawn(scene), 0);
     blocks->SetBlock(0, MakeFlat(30, 1));
-    CHECK(CountDrawn(scene) == 0);
+    CHECK_EQUAL(CountDrawn(scene), 0);
   }
   CHECK(errors.None());
   scene.Mapper->SetInputDataObject(nullptr);
@@ -133,9 +133,10 @@ void TestSettings(RelevoCheck& check)
   mapper->SetMaximumStretch(3.0);
   vtkNew<vtkReliefMapper> copy;
   copy->ShallowCopy(mapper);
-  CHECK(copy->GetMethod() == vtkReliefMapper::METHOD_WARP);
-  CHECK(copy->GetSearch() == vtkReliefMapper::SEARCH_LINEAR_SECANT);
-  CHECK(copy->GetShading() == vtkReliefMapper::LIT && copy->GetMaximumStretch() == 3.0);
+  CHECK_EQUAL(copy->GetMethod(), vtkReliefMapper::METHOD_WARP);
+  CHECK_EQUAL(copy->GetSearch(), vtkReliefMapper::SEARCH_LINEAR_SECANT);
+  CHECK_EQUAL(copy->GetShading(), vtkReliefMapper::LIT);
+  CHECK_EQUAL(copy->GetMaximumStretch(), 3.0);
   CHECK(copy->GetSelfShadow());
   CHECK(errors.None());
 }
@@ -148,12 +149,12 @@ void TestShaders(RelevoCheck& check)
   RelevoErrors errors(scene.Mapper);
   const std::string mark = "//VTK::Depth::Impl";
   scene.Actor->GetShaderProperty()->AddFragmentShaderReplacement(mark, true, "", true);
-  CHECK(CountDrawn(scene) == 0);
+  CHECK_EQUAL(CountDrawn(scene), 0);
   CHECK(errors.Said("fragment shader: \"" + mark + "\""));
   scene.Window->Render();
   CHECK(errors.None());
   scene.Actor->GetShaderProperty()->ClearAllFragmentShaderReplacements();
-  CHECK(CountDrawn(scene) > 100);
+  CHECK_GREATER(CountDrawn(scene), 100);
   CHECK(errors.None());
 }
 }

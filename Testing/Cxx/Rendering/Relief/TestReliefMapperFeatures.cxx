@@ -90,8 +90,8 @@ void TestColors(RelevoCheck& check, Methods method)
     }
   }
   std::cout << "colours by method " << method << ": " << wrong << " of " << number << " wrong\n";
-  CHECK(number > 1000);
-  CHECK(wrong <= number / 200);
+  CHECK_GREATER(number, 1000);
+  CHECK_LESS_EQUAL(wrong, number / 200);
 }
 
 // A plain relief is lit as a plain polydata is.
@@ -119,10 +119,10 @@ void TestLit(RelevoCheck& check, Methods method)
   const Color expected = GetMiddle(DrawColors(scene));
   std::cout << "lit by method " << method << ": " << lit[0] << ", not " << expected[0] << "\n";
   CHECK(expected[0] > 50 && expected[0] < 175);
-  CHECK(std::abs(lit[0] - expected[0]) <= 2);
+  CHECK_NEAR(lit[0], expected[0], 2);
   scene.Actor->SetMapper(scene.Mapper);
   scene.Mapper->SetShadingToCaptured();
-  CHECK(GetMiddle(DrawColors(scene))[0] == 180);
+  CHECK_EQUAL(GetMiddle(DrawColors(scene))[0], 180);
 }
 
 void TestOpacity(RelevoCheck& check)
@@ -136,11 +136,12 @@ void TestOpacity(RelevoCheck& check)
     scene.Mapper->SetMethod(method);
     for (bool peeling : { false, true })
     {
+      CHECK_CASE(peeling);
       scene.Renderer->SetUseDepthPeeling(peeling);
       scene.Actor->GetProperty()->SetOpacity(0.5);
       CHECK_NEAR(GetMiddle(DrawColors(scene))[0], 100, 1.0);
       scene.Actor->GetProperty()->SetOpacity(1.0);
-      CHECK(GetMiddle(DrawColors(scene))[0] == 200);
+      CHECK_EQUAL(GetMiddle(DrawColors(scene))[0], 200);
     }
   }
   // By the colours' fourth component.
@@ -173,8 +174,8 @@ void TestClipping(RelevoCheck& check, Methods method)
     });
   std::cout << "clipped by method " << method << ": " << result.NumberOfHits << " hits, "
             << result.NumberOfMisses << " missed, " << result.NumberOfWrong << " wrong\n";
-  CHECK(result.NumberOfHits > 300);
-  CHECK(result.NumberOfMisses + result.NumberOfWrong <= result.NumberOfHits / 100);
+  CHECK_GREATER(result.NumberOfHits, 300);
+  CHECK_LESS_EQUAL(result.NumberOfMisses + result.NumberOfWrong, result.NumberOfHits / 100);
 }
 
 void TestCulling(RelevoCheck& check, Methods method)
@@ -188,16 +189,17 @@ void TestCulling(RelevoCheck& check, Methods method)
   scene.Mapper->SetMethod(method);
   const auto all = count(scene);
   scene.Actor->GetProperty()->BackfaceCullingOn();
-  CHECK(count(scene) == all && all > 1000);
+  CHECK_EQUAL(count(scene), all);
+  CHECK_GREATER(all, 1000);
   scene.Actor->GetProperty()->FrontfaceCullingOn();
   scene.Actor->GetProperty()->BackfaceCullingOff();
-  CHECK(count(scene) == 0);
+  CHECK_EQUAL(count(scene), 0);
   scene.GetCamera()->Azimuth(180.0);
   scene.Renderer->ResetCameraClippingRange();
-  CHECK(count(scene) > 1000);
+  CHECK_GREATER(count(scene), 1000);
   scene.Actor->GetProperty()->BackfaceCullingOn();
   scene.Actor->GetProperty()->FrontfaceCullingOff();
-  CHECK(count(scene) == 0);
+  CHECK_EQUAL(count(scene), 0);
 }
 
 void TestBounds(RelevoCheck& check)
@@ -239,17 +241,18 @@ void TestSelection(RelevoCheck& check, Methods method, bool points)
   selector->SetFieldAssociation(
     points ? vtkDataObject::FIELD_ASSOCIATION_POINTS : vtkDataObject::FIELD_ASSOCIATION_CELLS);
   auto selection = vtk::TakeSmartPointer(selector->Select());
-  if (!CHECK(selection->GetNumberOfNodes() == 1))
+  if (!CHECK_EQUAL(selection->GetNumberOfNodes(), 1))
   {
     return;
   }
   vtkSelectionNode* node = selection->GetNode(0);
-  CHECK(node->GetProperties()->Get(vtkSelectionNode::PROP()) == scene.Actor);
-  CHECK(node->GetProperties()->Get(vtkSelectionNode::COMPOSITE_INDEX()) == 2);
+  CHECK_EQUAL(node->GetProperties()->Get(vtkSelectionNode::PROP()), scene.Actor);
+  CHECK_EQUAL(node->GetProperties()->Get(vtkSelectionNode::COMPOSITE_INDEX()), 2);
   auto* ids = vtkIdTypeArray::SafeDownCast(node->GetSelectionList());
   const int column = static_cast<int>(points ? std::lround(hit.Column) : hit.Column);
   const int row = static_cast<int>(points ? std::lround(hit.Row) : hit.Row);
-  CHECK(ids->GetNumberOfValues() == 1 && ids->GetValue(0) == row * (points ? 48 : 47) + column);
+  CHECK_EQUAL(ids->GetNumberOfValues(), 1);
+  CHECK_EQUAL(ids->GetValue(0), row * (points ? 48 : 47) + column);
 }
 
 // Dark where the surface itself is between a point and the lamp, as rays have it.
@@ -292,8 +295,8 @@ void TestSelfShadow(RelevoCheck& check, Methods method, bool isPositional)
     }
   }
   std::cout << "shadow by method " << method << ": " << dark << " dark, " << wrong << " wrong\n";
-  CHECK(dark > 100);
-  CHECK(wrong <= dark / 20);
+  CHECK_GREATER(dark, 100);
+  CHECK_LESS_EQUAL(wrong, dark / 20);
 }
 
 // VTK's own pickers find the same.
@@ -316,20 +319,20 @@ void TestPickers(RelevoCheck& check, bool isComposite)
     {
       const RelevoReliefHit& hit = hits[y * Width + x];
       const bool isPicked = cells->Pick(x + 0.5, y + 0.5, 0.0, scene.Renderer) != 0;
-      CHECK(isPicked == hit.IsHit);
-      CHECK((props->PickProp(x, y, scene.Renderer) != 0) == hit.IsHit);
+      CHECK_EQUAL(isPicked, hit.IsHit);
+      CHECK_EQUAL((props->PickProp(x, y, scene.Renderer) != 0), hit.IsHit);
       if (isPicked && hit.IsHit)
       {
         ++number;
-        CHECK(std::abs(cells->GetCellId() -
-                (static_cast<int>(hit.Row) * 47 + static_cast<int>(hit.Column))) <= 48);
+        CHECK_NEAR(
+          cells->GetCellId(), (static_cast<int>(hit.Row) * 47 + static_cast<int>(hit.Column)), 48);
         const RelevoVectors::Vector place = { { cells->GetPickPosition()[0],
           cells->GetPickPosition()[1], cells->GetPickPosition()[2] } };
-        CHECK(RelevoVectors::length(RelevoVectors::operator-(place, hit.Point)) < 0.05);
+        CHECK_LESS(RelevoVectors::length(RelevoVectors::operator-(place, hit.Point)), 0.05);
       }
     }
   }
-  CHECK(number > 4);
+  CHECK_GREATER(number, 4);
 }
 
 // Two halves are as the whole, where they touch, too; another actor hides and is hidden.
@@ -357,8 +360,8 @@ void TestTogether(RelevoCheck& check, Methods method)
   const RelevoReliefComparison result = scene.Compare(whole);
   std::cout << "halves by method " << method << ": " << result.NumberOfMisses << " missed, "
             << result.NumberOfWrong << " wrong\n";
-  CHECK(result.NumberOfMisses <= 2);
-  CHECK(result.NumberOfWrong <= result.NumberOfHits / 200);
+  CHECK_LESS_EQUAL(result.NumberOfMisses, 2);
+  CHECK_LESS_EQUAL(result.NumberOfWrong, result.NumberOfHits / 200);
 
   const std::vector<float> alone = scene.DrawDepths();
   vtkNew<vtkPlaneSource> plane;
@@ -385,7 +388,8 @@ void TestTogether(RelevoCheck& check, Methods method)
     behind += other[i] < alone[i] && alone[i] < 1.0f ? 1 : 0;
   }
   CHECK(isNearest);
-  CHECK(inFront > 500 && behind > 500);
+  CHECK_GREATER(inFront, 500);
+  CHECK_GREATER(behind, 500);
 }
 }
 

@@ -31,6 +31,7 @@ void TestWay(RelevoCheck& check, vtkImageData* relief, const Way& way)
   scene.Mapper->SetSearch(way.Search);
   for (double azimuth : { -30.0, 0.0, 40.0 })
   {
+    CHECK_CASE(azimuth);
     scene.ResetCamera();
     scene.GetCamera()->Azimuth(azimuth);
     scene.Renderer->ResetCameraClippingRange();
@@ -38,9 +39,9 @@ void TestWay(RelevoCheck& check, vtkImageData* relief, const Way& way)
     std::cout << "method " << way.Method << ", search " << way.Search << ", azimuth " << azimuth
               << ": " << result.NumberOfHits << " hits, " << result.NumberOfMisses << " missed, "
               << result.NumberOfWrong << " wrong, " << result.NumberFar << " far\n";
-    CHECK(result.NumberOfHits > 500);
-    CHECK(result.NumberOfMisses <= (1.0 - way.ShareHit) * result.NumberOfHits);
-    CHECK(result.GetShareRight() >= way.ShareRight);
+    CHECK_GREATER(result.NumberOfHits, 500);
+    CHECK_LESS_EQUAL(result.NumberOfMisses, (1.0 - way.ShareHit) * result.NumberOfHits);
+    CHECK_GREATER_EQUAL(result.GetShareRight(), way.ShareRight);
   }
   CHECK(errors.None());
 }
@@ -63,47 +64,48 @@ void TestWarp(RelevoCheck& check, ReliefProjection projection)
     const RelevoReliefComparison result = scene.Compare(relief, 8.0, 1.0);
     std::cout << "warp, azimuth " << azimuth << ": " << result.NumberOfHits << " hits, "
               << result.NumberOfMisses << " missed, " << result.NumberOfWrong << " wrong\n";
-    CHECK(scene.Mapper->GetMethodInUse() == vtkReliefMapper::METHOD_WARP);
-    CHECK(result.NumberOfHits > 500);
-    CHECK(result.NumberOfMisses <= 0.1 * result.NumberOfHits); // half a texel at borders
-    CHECK(result.GetShareRight() >= 0.98);
+    CHECK_EQUAL(scene.Mapper->GetMethodInUse(), vtkReliefMapper::METHOD_WARP);
+    CHECK_GREATER(result.NumberOfHits, 500);
+    CHECK_LESS_EQUAL(result.NumberOfMisses, 0.1 * result.NumberOfHits); // half a texel at borders
+    CHECK_GREATER_EQUAL(result.GetShareRight(), 0.98);
   }
   // No eye has moved.
-  CHECK(scene.Mapper->GetNumberOfWarps() == 3);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfWarps(), 3);
   scene.GetCamera()->Zoom(1.1);
   scene.Window->Render();
-  CHECK(scene.Mapper->GetNumberOfWarps() == 3);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfWarps(), 3);
   // From behind there is no such picture.
   scene.GetCamera()->Azimuth(180.0);
   scene.Renderer->ResetCameraClippingRange();
   CHECK(scene.Compare(relief).IsRight());
-  CHECK(scene.Mapper->GetMethodInUse() == vtkReliefMapper::METHOD_RAY_MARCH);
+  CHECK_EQUAL(scene.Mapper->GetMethodInUse(), vtkReliefMapper::METHOD_RAY_MARCH);
 }
 
 // The reliefs and the size of the window decide, not times: all frames are equal to the bit.
 void TestAutomatic(RelevoCheck& check, vtkImageData* relief, int width, int method)
 {
   RelevoReliefScene scene(relief, width, 3 * width / 4);
-  CHECK(scene.Mapper->GetMethod() == vtkReliefMapper::METHOD_AUTOMATIC);
+  CHECK_EQUAL(scene.Mapper->GetMethod(), vtkReliefMapper::METHOD_AUTOMATIC);
   scene.Window->Render();
   const RelevoPicture first(scene.Window);
-  CHECK(first.CountForeground() > 100);
+  CHECK_GREATER(first.CountForeground(), 100);
   for (int i = 0; i < 12; ++i)
   {
     scene.GetCamera()->Azimuth(i == 5 ? 20.0 : i == 6 ? -20.0 : 0.0);
     scene.Window->Render();
-    CHECK(scene.Mapper->GetMethodInUse() == method);
+    CHECK_EQUAL(scene.Mapper->GetMethodInUse(), method);
   }
-  CHECK(scene.Mapper->GetNumberOfShaderBuilds() == 1);
+  CHECK_EQUAL(scene.Mapper->GetNumberOfShaderBuilds(), 1);
   RelevoReliefScene other(relief, width, 3 * width / 4);
   for (RelevoReliefScene* each : { &scene, &other })
   {
     each->ResetCamera();
     each->Window->Render();
     const RelevoPicture picture(each->Window);
-    CHECK(picture.Colors == first.Colors && picture.Depths == first.Depths);
+    CHECK_EQUAL(picture.Colors, first.Colors);
+    CHECK_EQUAL(picture.Depths, first.Depths);
   }
-  CHECK(scene.Compare(relief).GetShareRight() >= 0.998);
+  CHECK_GREATER_EQUAL(scene.Compare(relief).GetShareRight(), 0.998);
 }
 
 // From within a valley, among bumps that rays skim: cones must not step over these.
@@ -122,14 +124,15 @@ void TestValley(RelevoCheck& check)
   camera->SetViewUp(0.0, 0.0, -1.0);
   for (double eye : { -3.0, -5.0, -12.0 })
   {
+    CHECK_CASE(eye);
     camera->SetPosition(48.0, 4.0, eye);
     camera->SetFocalPoint(48.0, 97.0, 0.0);
     camera->SetClippingRange(0.5, 300.0);
     const RelevoReliefComparison result = scene.Compare(relief);
     std::cout << "cones in a valley, eye at " << eye << ": " << result.NumberOfHits << " hits, "
               << result.NumberOfMisses << " missed, " << result.NumberOfWrong << " wrong\n";
-    CHECK(result.NumberOfHits > 5000);
-    CHECK(result.NumberOfMisses + result.NumberOfWrong <= 0.01 * result.NumberOfHits);
+    CHECK_GREATER(result.NumberOfHits, 5000);
+    CHECK_LESS_EQUAL(result.NumberOfMisses + result.NumberOfWrong, 0.01 * result.NumberOfHits);
   }
 }
 
@@ -168,8 +171,8 @@ void TestAgreement(RelevoCheck& check, vtkImageData* relief)
     }
   }
   std::cout << different << " of " << number << " pixels differ by method\n";
-  CHECK(number > 20000);
-  CHECK(different <= number / 500);
+  CHECK_GREATER(number, 20000);
+  CHECK_LESS_EQUAL(different, number / 500);
 }
 
 // 10 bytes for a texel with colour and depth, and little for those without.
@@ -183,8 +186,8 @@ void TestMemory(RelevoCheck& check)
   scene.Mapper->SetMethodToRayMarch();
   scene.Window->Render();
   const double valid = 3.14159 * 150.0 * 150.0;
-  CHECK(scene.Mapper->GetGraphicsMemorySize() > 8.0 * valid);
-  CHECK(scene.Mapper->GetGraphicsMemorySize() < 13.0 * valid);
+  CHECK_GREATER(scene.Mapper->GetGraphicsMemorySize(), 8.0 * valid);
+  CHECK_LESS(scene.Mapper->GetGraphicsMemorySize(), 13.0 * valid);
 }
 }
 

@@ -82,21 +82,21 @@ void TestStill(RelevoCheck& check)
   RelevoPassScene scene;
   AddOthers(scene);
   const RelevoPicture before = scene.DrawStill();
-  CHECK(scene.Pass->GetNumberOfCaptures() == 0);
+  CHECK_EQUAL(scene.Pass->GetNumberOfCaptures(), 0);
   scene.DrawMoving();
-  CHECK(scene.Pass->GetNumberOfCaptures() == 1);
+  CHECK_EQUAL(scene.Pass->GetNumberOfCaptures(), 1);
   CHECK(RelevoPictures::Equal(scene.DrawStill(), before));
   vtkNew<vtkRenderStepsPass> delegate;
   scene.Renderer->SetPass(delegate);
   CHECK(RelevoPictures::Equal(scene.DrawStill(), before));
   scene.Renderer->SetPass(scene.Pass);
   scene.Pass->SetDelegatePass(delegate);
-  CHECK(scene.Pass->GetDelegatePass() == delegate);
+  CHECK_EQUAL(scene.Pass->GetDelegatePass(), delegate);
   CHECK(RelevoPictures::Equal(scene.DrawStill(), before));
   scene.DrawMoving();
   CHECK(RelevoPictures::Equal(scene.DrawStill(), before));
   scene.Renderer->SetPass(nullptr);
-  CHECK(CountOthers(scene.DrawStill(), before, 2) == 0);
+  CHECK_EQUAL(CountOthers(scene.DrawStill(), before, 2), 0);
 }
 
 // At the place of the capture each texel is a pixel.
@@ -114,7 +114,7 @@ void TestMoving(RelevoCheck& check, int argc, char* argv[])
     Keep(moving, parallel ? "moving-parallel" : "moving", argv, argc);
     const size_t others = CountOthers(moving, still, 8);
     std::cout << others << " pixels of the moving picture differ from the still one\n";
-    CHECK(others < 600); // of 30000: along outlines
+    CHECK_LESS(others, 600); // of 30000: along outlines
     CHECK(!RelevoPictures::Equal(moving, still));
 
     scene.GetCamera()->Azimuth(6.0);
@@ -122,7 +122,7 @@ void TestMoving(RelevoCheck& check, int argc, char* argv[])
     const RelevoPicture shown = scene.DrawMoving();
     Keep(turned, parallel ? "turned-parallel" : "turned", argv, argc);
     Keep(shown, parallel ? "shown-parallel" : "shown", argv, argc);
-    CHECK(CountOthers(shown, turned, 24) < 1500);
+    CHECK_LESS(CountOthers(shown, turned, 24), 1500);
   }
 }
 
@@ -153,7 +153,7 @@ void TestLines(RelevoCheck& check)
   scene.GetCamera()->Azimuth(2.0);
   const RelevoPicture still = scene.DrawStill();
   const RelevoPicture moving = scene.DrawMoving();
-  CHECK(scene.Pass->GetNumberOfCaptures() == 1);
+  CHECK_EQUAL(scene.Pass->GetNumberOfCaptures(), 1);
   wires->VisibilityOff();
   assembly->VisibilityOff();
   const RelevoPicture without = scene.DrawStill();
@@ -170,7 +170,8 @@ void TestLines(RelevoCheck& check)
     }
   }
   std::cout << number << " pixels of lines, " << others << " are other ones\n";
-  CHECK(number > 500 && others == 0);
+  CHECK_GREATER(number, 500);
+  CHECK_EQUAL(others, 0);
 }
 
 // Draws nothing, and counts.
@@ -201,25 +202,25 @@ void TestVolume(RelevoCheck& check)
   volume->SetMapper(mapper);
   scene.Renderer->AddVolume(volume);
   scene.DrawStill();
-  CHECK(mapper->NumberOfFrames == 1);
+  CHECK_EQUAL(mapper->NumberOfFrames, 1);
   scene.DrawMoving();
-  CHECK(scene.Pass->GetNumberOfCaptures() == 1);
-  CHECK(mapper->NumberOfFrames == 2);
+  CHECK_EQUAL(scene.Pass->GetNumberOfCaptures(), 1);
+  CHECK_EQUAL(mapper->NumberOfFrames, 2);
 }
 
 void TestWithoutProps(RelevoCheck& check)
 {
   RelevoPassScene scene;
   scene.DrawMoving();
-  CHECK(scene.CountCaptures() == 0);
+  CHECK_EQUAL(scene.CountCaptures(), 0);
   scene.Renderer->RemoveAllViewProps();
-  CHECK(scene.DrawMoving().CountForeground() == 0);
-  CHECK(scene.Pass->GetNumberOfCaptures() == 1);
+  CHECK_EQUAL(scene.DrawMoving().CountForeground(), 0);
+  CHECK_EQUAL(scene.Pass->GetNumberOfCaptures(), 1);
   RelevoErrors errors(scene.Pass);
   AddOthers(scene); // nothing opaque
   const RelevoPicture still = scene.DrawStill();
   CHECK(RelevoPictures::Equal(scene.DrawMoving(), still));
-  CHECK(scene.Pass->GetNumberOfCaptures() == 1);
+  CHECK_EQUAL(scene.Pass->GetNumberOfCaptures(), 1);
   CHECK(errors.None());
 }
 
@@ -253,10 +254,10 @@ void TestSelection(RelevoCheck& check)
   scene.Window->SetDesiredUpdateRate(15.0);
   const auto selected = Select(scene.Renderer);
   CHECK(RelevoPictures::Equal(scene.DrawMoving(), before));
-  CHECK(scene.Pass->GetNumberOfCaptures() == 1);
+  CHECK_EQUAL(scene.Pass->GetNumberOfCaptures(), 1);
   scene.Renderer->SetPass(nullptr);
-  CHECK(selected.size() > 100);
-  CHECK(Select(scene.Renderer) == selected);
+  CHECK_GREATER(selected.size(), 100);
+  CHECK_EQUAL(Select(scene.Renderer), selected);
 }
 
 // Each renderer of a window, in its part of it.
@@ -271,9 +272,10 @@ void TestParts(RelevoCheck& check)
   scene.Window->Render();
   const RelevoPicture still = scene.DrawStill();
   const RelevoPicture moving = scene.DrawMoving();
-  CHECK(CountOthers(moving, still, 8) < 300);
-  CHECK(CountOthers(RelevoPictures::Crop(moving, 0, 0, 100, 150),
-          RelevoPictures::Crop(still, 0, 0, 100, 150), 0) == 0);
+  CHECK_LESS(CountOthers(moving, still, 8), 300);
+  CHECK_EQUAL(CountOthers(RelevoPictures::Crop(moving, 0, 0, 100, 150),
+                RelevoPictures::Crop(still, 0, 0, 100, 150), 0),
+    0);
 }
 }
 

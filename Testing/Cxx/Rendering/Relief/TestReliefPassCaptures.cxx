@@ -22,28 +22,28 @@ void TestAngle(RelevoCheck& check)
   RelevoPassScene scene;
   scene.Wall->VisibilityOff(); // no openings but those behind outlines
   scene.Pass->SetMaximumHoleShare(1.0);
-  CHECK(scene.CountCaptures() == 1);
-  CHECK(scene.CountCaptures() == 0);
+  CHECK_EQUAL(scene.CountCaptures(), 1);
+  CHECK_EQUAL(scene.CountCaptures(), 0);
   scene.GetCamera()->Azimuth(14.5);
-  CHECK(scene.CountCaptures() == 0);
+  CHECK_EQUAL(scene.CountCaptures(), 0);
   scene.GetCamera()->Azimuth(1.5);
-  CHECK(scene.CountCaptures() == 1);
+  CHECK_EQUAL(scene.CountCaptures(), 1);
   scene.GetCamera()->Azimuth(-1.5); // 14.5 from one, 1.5 from the other
-  CHECK(scene.CountCaptures() == 0);
+  CHECK_EQUAL(scene.CountCaptures(), 0);
   scene.GetCamera()->Azimuth(-20.0);
-  CHECK(scene.CountCaptures() == 0);
+  CHECK_EQUAL(scene.CountCaptures(), 0);
   scene.Pass->SetMaximumAngle(3.0);
-  CHECK(scene.CountCaptures() == 1);
+  CHECK_EQUAL(scene.CountCaptures(), 1);
   scene.Pass->SetMaximumAngle(180.0);
   scene.GetCamera()->Elevation(60.0);
-  CHECK(scene.CountCaptures() == 0);
+  CHECK_EQUAL(scene.CountCaptures(), 0);
 }
 
 void TestHoleShare(RelevoCheck& check)
 {
   RelevoPassScene scene;
-  CHECK(scene.CountCaptures() == 1);
-  CHECK(scene.Pass->GetHoleShare() < 1e-3);
+  CHECK_EQUAL(scene.CountCaptures(), 1);
+  CHECK_LESS(scene.Pass->GetHoleShare(), 1e-3);
   // Long before 15 degrees.
   double turned = 0.0;
   while (turned < 15.0 && scene.CountCaptures() == 0)
@@ -52,18 +52,19 @@ void TestHoleShare(RelevoCheck& check)
     scene.GetCamera()->Azimuth(0.25);
   }
   std::cout << "captured anew after " << turned << " degrees\n";
-  CHECK(turned > 0.5 && turned < 6.0);
-  CHECK(scene.Pass->GetHoleShare() < 1e-3); // of the new one
+  CHECK_GREATER(turned, 0.5);
+  CHECK_LESS(turned, 6.0);
+  CHECK_LESS(scene.Pass->GetHoleShare(), 1e-3); // of the new one
   // Back where the first capture was.
   scene.GetCamera()->Azimuth(-turned);
-  CHECK(scene.CountCaptures() == 0);
+  CHECK_EQUAL(scene.CountCaptures(), 0);
   // Nowhere above what is allowed.
   for (int i = 0; i < 12; ++i)
   {
     scene.GetCamera()->Azimuth(1.0);
     scene.GetCamera()->Elevation(0.5);
     scene.DrawMoving();
-    CHECK(scene.Pass->GetHoleShare() <= 0.005);
+    CHECK_LESS_EQUAL(scene.Pass->GetHoleShare(), 0.005);
   }
 }
 
@@ -86,12 +87,13 @@ void TestPrediction(RelevoCheck& check, bool parallel)
     const double predicted = scene.Pass->GetHoleShare();
     std::cout << "parallel " << parallel << ", step " << i << ": holes " << actual << ", predicted "
               << predicted << "\n";
-    CHECK(actual > 1e-4);
-    CHECK(predicted > 0.5 * actual && predicted < 2.0 * actual + 0.001);
-    CHECK(predicted > last);
+    CHECK_GREATER(actual, 1e-4);
+    CHECK_GREATER(predicted, 0.5 * actual);
+    CHECK_LESS(predicted, 2.0 * actual + 0.001);
+    CHECK_GREATER(predicted, last);
     last = predicted;
   }
-  CHECK(scene.Pass->GetNumberOfCaptures() == 1);
+  CHECK_EQUAL(scene.Pass->GetNumberOfCaptures(), 1);
 }
 
 // Two captures fill what is open in each of them.
@@ -108,15 +110,15 @@ void TestTogether(RelevoCheck& check)
   const double predictedOfOne = scene.Pass->GetHoleShare();
   scene.Pass->SetMaximumAngle(4.0);
   scene.GetCamera()->Azimuth(5.0);
-  CHECK(scene.CountCaptures() == 1);
+  CHECK_EQUAL(scene.CountCaptures(), 1);
   scene.Pass->SetMaximumAngle(180.0);
   scene.GetCamera()->Azimuth(-5.0);
   const double two = scene.FindHoles();
   const double predictedOfTwo = scene.Pass->GetHoleShare();
   std::cout << "one: " << one << ", predicted " << predictedOfOne << "; two: " << two
             << ", predicted " << predictedOfTwo << "\n";
-  CHECK(two < 0.3 * one);
-  CHECK(predictedOfTwo < 0.3 * predictedOfOne);
+  CHECK_LESS(two, 0.3 * one);
+  CHECK_LESS(predictedOfTwo, 0.3 * predictedOfOne);
 }
 
 // Around many balls before a wall, and a text that changes: captures are made ahead of the motion,
@@ -140,7 +142,7 @@ void TestOrbit(RelevoCheck& check, double step, double share, int mostCaptures, 
     const bool isShown = scene.Pass->GetNumberOfReliefFrames() > frames;
     withoutCapture += isShown && scene.Pass->GetNumberOfCaptures() == captures;
     CHECK(!isShown || i == 0 || scene.Pass->GetHoleShare() <= share);
-    CHECK(scene.Pass->GetNumberOfCaptures() <= captures + 1);
+    CHECK_LESS_EQUAL(scene.Pass->GetNumberOfCaptures(), captures + 1);
     scene.GetCamera()->Azimuth(step);
     text->Modified();
   }
@@ -148,8 +150,8 @@ void TestOrbit(RelevoCheck& check, double step, double share, int mostCaptures, 
             << scene.Pass->GetNumberOfCaptures() << " captures, "
             << scene.Pass->GetNumberOfReliefFrames() << " frames of reliefs, " << withoutCapture
             << " of them without a capture\n";
-  CHECK(scene.Pass->GetNumberOfCaptures() <= mostCaptures);
-  CHECK(withoutCapture >= leastShown);
+  CHECK_LESS_EQUAL(scene.Pass->GetNumberOfCaptures(), mostCaptures);
+  CHECK_GREATER_EQUAL(withoutCapture, leastShown);
 }
 
 // Where the mesh changes in each frame captures do not pay.
@@ -163,15 +165,16 @@ void TestAnimation(RelevoCheck& check)
     scene.DrawMoving();
   }
   std::cout << "animation: " << scene.Pass->GetNumberOfCaptures() << " captures\n";
-  CHECK(scene.Pass->GetNumberOfCaptures() >= 3 && scene.Pass->GetNumberOfCaptures() <= 6);
+  CHECK_GREATER_EQUAL(scene.Pass->GetNumberOfCaptures(), 3);
+  CHECK_LESS_EQUAL(scene.Pass->GetNumberOfCaptures(), 6);
   // At rest again, after the pause at the latest.
   for (int i = 0; i < 70; ++i)
   {
     scene.DrawMoving();
   }
   const vtkIdType before = scene.Pass->GetNumberOfReliefFrames();
-  CHECK(scene.CountCaptures() == 0);
-  CHECK(scene.Pass->GetNumberOfReliefFrames() == before + 1);
+  CHECK_EQUAL(scene.CountCaptures(), 0);
+  CHECK_EQUAL(scene.Pass->GetNumberOfReliefFrames(), before + 1);
 }
 
 // Beyond the sides of what was captured.
@@ -179,31 +182,32 @@ void TestSides(RelevoCheck& check)
 {
   RelevoPassScene scene;
   scene.GetCamera()->SetViewAngle(12.0); // the wall all around
-  CHECK(scene.CountCaptures() == 1);
+  CHECK_EQUAL(scene.CountCaptures(), 1);
   scene.GetCamera()->Yaw(0.5);
-  CHECK(scene.CountCaptures() == 0); // in the margin
+  CHECK_EQUAL(scene.CountCaptures(), 0); // in the margin
   scene.Pass->SetMaximumHoleShare(1.0);
   scene.GetCamera()->Yaw(5.0);
   const double actual = scene.FindHoles();
   const double predicted = scene.Pass->GetHoleShare();
   std::cout << "sides: holes " << actual << ", predicted " << predicted << "\n";
-  CHECK(actual > 0.1);
-  CHECK(predicted > 0.6 * actual && predicted < 1.5 * actual);
+  CHECK_GREATER(actual, 0.1);
+  CHECK_GREATER(predicted, 0.6 * actual);
+  CHECK_LESS(predicted, 1.5 * actual);
   scene.Pass->SetMaximumHoleShare(0.005);
-  CHECK(scene.CountCaptures() == 1);
+  CHECK_EQUAL(scene.CountCaptures(), 1);
 }
 
 void TestCloser(RelevoCheck& check)
 {
   RelevoPassScene scene;
   scene.Pass->SetMaximumHoleShare(1.0);
-  CHECK(scene.CountCaptures() == 1);
+  CHECK_EQUAL(scene.CountCaptures(), 1);
   scene.GetCamera()->Zoom(1.8);
-  CHECK(scene.CountCaptures() == 0);
+  CHECK_EQUAL(scene.CountCaptures(), 0);
   scene.GetCamera()->Zoom(1.3);
-  CHECK(scene.CountCaptures() == 1);
+  CHECK_EQUAL(scene.CountCaptures(), 1);
   scene.GetCamera()->Zoom(0.5);
-  CHECK(scene.CountCaptures() == 0); // by the first one
+  CHECK_EQUAL(scene.CountCaptures(), 0); // by the first one
 }
 
 void TestChanges(RelevoCheck& check)

@@ -30,23 +30,23 @@ void LookInside(vtkCamera* camera)
 void TestViews(RelevoCheck& check)
 {
   RelevoVolumeScene scene(MakeBall(300), MakeBusyProperty(0.3));
-  CHECK(scene.Compare() <= 1.0);
+  CHECK_LESS_EQUAL(scene.Compare(), 1.0);
   vtkCamera* camera = scene.GetCamera();
   camera->ParallelProjectionOn();
-  CHECK(scene.Compare() <= 1.0);
+  CHECK_LESS_EQUAL(scene.Compare(), 1.0);
   camera->ParallelProjectionOff();
   LookInside(camera);
-  CHECK(scene.Compare() <= 1.0);
+  CHECK_LESS_EQUAL(scene.Compare(), 1.0);
   // What the near and the far plane leave.
   camera->SetPosition(3.0, 1.0, 0.0);
   camera->SetFocalPoint(0.0, 0.0, 0.0);
   camera->SetViewAngle(40.0);
   camera->SetClippingRange(2.9, 3.3);
-  CHECK(scene.Compare() <= 1.0);
+  CHECK_LESS_EQUAL(scene.Compare(), 1.0);
   // A first frame that has found no entries before.
   RelevoVolumeScene inside(MakeBall(300), MakeBusyProperty(0.3));
   LookInside(inside.GetCamera());
-  CHECK(inside.Compare() <= 1.0);
+  CHECK_LESS_EQUAL(inside.Compare(), 1.0);
 }
 
 // Rays that run in faces, along edges and through corners.
@@ -75,11 +75,11 @@ void TestParts(RelevoCheck& check)
   }
   blocks->SetBlock(3, moved);
   RelevoVolumeScene scene(blocks, MakeBusyProperty(0.5));
-  CHECK(scene.Compare(0.001) <= 1.0);
+  CHECK_LESS_EQUAL(scene.Compare(0.001), 1.0);
   scene.GetCamera()->Azimuth(100.0);
   scene.GetRenderer()->ResetCameraClippingRange();
-  CHECK(scene.Compare(0.001) <= 1.0);
-  CHECK(scene.GetMapper()->GetNumberOfDrawnCells() == 6 * (27 + 8 + 64));
+  CHECK_LESS_EQUAL(scene.Compare(0.001), 1.0);
+  CHECK_EQUAL(scene.GetMapper()->GetNumberOfDrawnCells(), 6 * (27 + 8 + 64));
 }
 
 // The same picture far from the origin, and moved, turned and stretched by a matrix.
@@ -87,7 +87,7 @@ void TestPlaces(RelevoCheck& check)
 {
   RelevoVolumeScene near(MakeBall(200), MakeBusyProperty(0.3));
   RelevoVolumeScene far(MakeBall(200, 1e7), MakeBusyProperty(0.3));
-  CHECK(FindLargestDifference(near.Draw(), far.Draw()) <= 1.5 / 255.0);
+  CHECK_LESS_EQUAL(FindLargestDifference(near.Draw(), far.Draw()), 1.5 / 255.0);
 
   RelevoVolumeScene stretched(MakeBall(200), MakeBusyProperty(0.3));
   vtkNew<vtkMatrix4x4> matrix;
@@ -134,8 +134,8 @@ void TestViewports(RelevoCheck& check)
       }
     }
   }
-  CHECK(brightest > 0.2);
-  CHECK(255.0 * most <= 1.0);
+  CHECK_GREATER(brightest, 0.2);
+  CHECK_LESS_EQUAL(255.0 * most, 1.0);
 }
 
 void TestOpaqueProps(RelevoCheck& check)

@@ -32,6 +32,7 @@ void TestComponents(RelevoCheck& check)
     mesh->GetPointData()->SetScalars(MakeBusyArray(mesh, components));
     for (bool areIndependent : { true, false })
     {
+      CHECK_CASE(areIndependent);
       if (!areIndependent && components == 3)
       {
         continue;
@@ -75,6 +76,7 @@ void TestMixture(RelevoCheck& check)
   RelevoVolumeScene scene(mesh, property, Width, Height);
   for (int mode : { vtkVolumeMapper::COMPOSITE_BLEND, vtkVolumeMapper::ADDITIVE_BLEND })
   {
+    CHECK_CASE(mode);
     scene.GetMapper()->SetBlendMode(mode);
     CHECK_NEAR(
       scene.Compare(0.0, [=](vtkVolumeRayCastFilter* filter) { filter->SetBlendMode(mode); }), 0.0,
@@ -110,7 +112,7 @@ void TestBytes(RelevoCheck& check)
   }
   CHECK_NEAR(scene.Compare(), 0.0, 1.0);
   property->IndependentComponentsOff();
-  CHECK(FindLargestDifference(scene.Draw(), colors) == 0.0);
+  CHECK_EQUAL(FindLargestDifference(scene.Draw(), colors), 0.0);
 }
 
 void TestVectorModes(RelevoCheck& check)
@@ -137,7 +139,7 @@ void TestVectorModes(RelevoCheck& check)
   const auto component = scene.Draw();
   property->GetRGBTransferFunction()->SetVectorModeToMagnitude();
   CHECK_NEAR(compare(Mapper::DISABLED, 2), 0.0, 1.0);
-  CHECK(FindLargestDifference(scene.Draw(), component) > 0.1);
+  CHECK_GREATER(FindLargestDifference(scene.Draw(), component), 0.1);
 }
 
 // By all of VTK's ways to choose an array.
@@ -192,7 +194,7 @@ void TestMissingScalars(RelevoCheck& check)
   scene.GetMapper()->SetScalarModeToUsePointFieldData();
   scene.GetMapper()->SelectScalarArray("field");
   CHECK_NEAR(scene.Compare(0.001), 0.0, 1.0);
-  CHECK(scene.GetMapper()->GetNumberOfDrawnCells() < 2 * 6 * 64);
+  CHECK_LESS(scene.GetMapper()->GetNumberOfDrawnCells(), 2 * 6 * 64);
   vtkDataSet::SafeDownCast(blocks->GetBlock(2))->GetPointData()->GetArray(0)->SetName("other");
   blocks->Modified();
   RelevoErrors errors(scene.GetMapper());
@@ -203,8 +205,8 @@ void TestMissingScalars(RelevoCheck& check)
   vtkObject::GlobalWarningDisplayOff(); // the filter's own
   CHECK_NEAR(scene.Compare(0.001, byName), 0.0, 1.0);
   vtkObject::GlobalWarningDisplayOn();
-  CHECK(scene.GetMapper()->GetNumberOfDrawnCells() > 0);
-  CHECK(scene.GetMapper()->GetNumberOfDrawnCells() < 6 * 64);
+  CHECK_GREATER(scene.GetMapper()->GetNumberOfDrawnCells(), 0);
+  CHECK_LESS(scene.GetMapper()->GetNumberOfDrawnCells(), 6 * 64);
 }
 }
 

@@ -46,6 +46,7 @@ void TestModes(RelevoCheck& check)
   scene.GetVolume()->GetProperty()->GetIsoSurfaceValues()->SetValue(0, 0.45);
   for (bool isInside : { false, true })
   {
+    CHECK_CASE(isInside);
     if (isInside)
     {
       LookInside(scene.GetCamera());
@@ -118,7 +119,7 @@ void TestIsoSurfaces(RelevoCheck& check)
   CHECK_NEAR(CompareSurfaces(scene, 0.0002), 0.0, 1.0);
   CHECK_NEAR(CompareMode(scene, 5, 0.0002), 0.0, 1.0);
   SetValues(property, {});
-  CHECK(CompareMode(scene, 5) == 0.0);
+  CHECK_EQUAL(CompareMode(scene, 5), 0.0);
   CHECK_NEAR(CompareSurfaces(scene), 0.0, 1.0);
 }
 
@@ -161,7 +162,7 @@ void TestCellScalars(RelevoCheck& check)
   {
     CHECK_NEAR(CompareMode(scene, mode, 0.0002), 0.0, 1.0);
   }
-  CHECK(FindLargestDifference(scene.Draw(), std::vector<RelevoColor>(160 * 120)) == 0.0);
+  CHECK_EQUAL(FindLargestDifference(scene.Draw(), std::vector<RelevoColor>(160 * 120)), 0.0);
   CHECK_NEAR(CompareSurfaces(scene, 0.0002), 0.0, 1.0);
 }
 
@@ -189,7 +190,7 @@ void TestClipping(RelevoCheck& check)
   CHECK_NEAR(compare(), 0.0, 1.0);
   mapper->AddClippingPlane(MakePlane({ { 0.0, 0.2, 0.0 } }, { { 0.0, -2.0, 1.0 } }));
   CHECK_NEAR(compare(), 0.0, 1.0);
-  CHECK(FindLargestDifference(scene.Draw(), whole) > 0.3);
+  CHECK_GREATER(FindLargestDifference(scene.Draw(), whole), 0.3);
   plane->SetOrigin(-0.3, 0.0, 0.0);
   CHECK_NEAR(compare(), 0.0, 1.0);
   LookInside(scene.GetCamera());
@@ -202,10 +203,10 @@ void TestClipping(RelevoCheck& check)
   scene.GetCamera()->SetParallelScale(1.0);
   mapper->AddClippingPlane(MakePlane({ { 0.1001, 0.0, 0.0 } }, { { 1.0, 0.0, 0.0 } }));
   CHECK_NEAR(compare(), 0.0, 1.0);
-  CHECK(mapper->GetNumberOfBufferBuilds() == 1);
+  CHECK_EQUAL(mapper->GetNumberOfBufferBuilds(), 1);
   mapper->AddClippingPlane(plane);
   mapper->SetMethodToCellProjection();
-  CHECK(compare() <= 1.0);
+  CHECK_LESS_EQUAL(compare(), 1.0);
 }
 
 // In the world, while a matrix moves the volume, which is far from where its points are.
@@ -222,7 +223,7 @@ void TestClippedPlaces(RelevoCheck& check)
   far.GetVolume()->SetUserMatrix(back);
   far.GetMapper()->AddClippingPlane(MakePlane({ { 0.1, 0.0, 0.0 } }, { { -1.0, 0.3, 0.2 } }));
   far.GetCamera()->DeepCopy(near.GetCamera());
-  CHECK(FindLargestDifference(near.Draw(), far.Draw()) <= 1.5 / 255.0);
+  CHECK_LESS_EQUAL(FindLargestDifference(near.Draw(), far.Draw()), 1.5 / 255.0);
 }
 
 // A translucent square in the middle of the volume: what is in front of it, the square, and what is
@@ -296,7 +297,7 @@ void TestBadSettings(RelevoCheck& check)
   CHECK(errors.Said("BlendMode must be one of"));
   mapper->SetBlendMode(-1);
   CHECK(errors.Said("BlendMode must be one of"));
-  CHECK(mapper->GetBlendMode() == vtkGPUUnstructuredGridVolumeMapper::ADDITIVE_BLEND);
+  CHECK_EQUAL(mapper->GetBlendMode(), vtkGPUUnstructuredGridVolumeMapper::ADDITIVE_BLEND);
   for (int i = 0; i < 33; ++i)
   {
     mapper->AddClippingPlane(MakePlane({ { 0.01 * i, 0.0, 0.0 } }, { { 1.0, 0.0, 0.0 } }));

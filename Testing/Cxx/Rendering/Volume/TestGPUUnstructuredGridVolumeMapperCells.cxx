@@ -69,17 +69,18 @@ void TestKinds(RelevoCheck& check)
   for (int type : { VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID, VTK_TETRA, VTK_QUADRATIC_TETRA,
          VTK_PENTAGONAL_PRISM, VTK_QUADRATIC_HEXAHEDRON })
   {
+    CHECK_CASE(type);
     const auto mesh = MakeCells(type, 0.0);
     RelevoVolumeScene scene(mesh, MakeProperty(), 100, 80);
     const std::vector<RelevoColor> drawn = scene.Draw();
     const std::vector<RelevoColor> cast = scene.Cast();
-    CHECK(RelevoVolumeScene::Compare(drawn, cast) <= 3.0);
-    CHECK(RelevoVolumeScene::Compare(drawn, cast, 0.01) <= 1.0);
-    CHECK(scene.GetMapper()->GetNumberOfDrawnCells() == mesh->GetNumberOfCells());
+    CHECK_LESS_EQUAL(RelevoVolumeScene::Compare(drawn, cast), 3.0);
+    CHECK_LESS_EQUAL(RelevoVolumeScene::Compare(drawn, cast, 0.01), 1.0);
+    CHECK_EQUAL(scene.GetMapper()->GetNumberOfDrawnCells(), mesh->GetNumberOfCells());
     scene.GetCamera()->ParallelProjectionOn();
     scene.GetCamera()->Azimuth(130.0);
     scene.GetRenderer()->ResetCameraClippingRange();
-    CHECK(scene.Compare() <= 3.0);
+    CHECK_LESS_EQUAL(scene.Compare(), 3.0);
   }
 }
 
@@ -88,12 +89,13 @@ void TestDistortedKinds(RelevoCheck& check)
 {
   for (int type : { VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID })
   {
+    CHECK_CASE(type);
     RelevoVolumeScene scene(MakeCells(type, 0.12), MakeProperty());
-    CHECK(scene.Compare() <= 3.0);
+    CHECK_LESS_EQUAL(scene.Compare(), 3.0);
   }
   // Where a ray only touches a curved face it is taken to stay on its side.
   RelevoVolumeScene scene(MakeCells(VTK_QUADRATIC_TETRA, 0.03), MakeProperty());
-  CHECK(scene.Compare(0.01) <= 3.0);
+  CHECK_LESS_EQUAL(scene.Compare(0.01), 3.0);
 }
 
 // Images are meshes of voxels.
@@ -111,7 +113,7 @@ void TestVoxels(RelevoCheck& check)
   }
   image->GetPointData()->SetScalars(values);
   RelevoVolumeScene scene(image, MakeProperty(), 100, 80);
-  CHECK(scene.Compare() <= 3.0);
+  CHECK_LESS_EQUAL(scene.Compare(), 3.0);
 }
 
 // From the inside.
@@ -123,7 +125,7 @@ void TestInside(RelevoCheck& check)
   camera->SetFocalPoint(3.0, 2.0, 2.2);
   camera->SetViewAngle(60.0);
   camera->SetClippingRange(0.01, 10.0);
-  CHECK(scene.Compare() <= 3.0);
+  CHECK_LESS_EQUAL(scene.Compare(), 3.0);
 }
 
 // One mesh of several kinds: rays go from curved cells to tetrahedra and back.
@@ -137,13 +139,13 @@ void TestMixed(RelevoCheck& check)
   append->MergePointsOn();
   append->Update();
   RelevoVolumeScene scene(append->GetOutput(), MakeProperty());
-  CHECK(scene.Compare() <= 3.0);
+  CHECK_LESS_EQUAL(scene.Compare(), 3.0);
   scene.GetCamera()->SetPosition(20.0, 2.1, 1.2);
   scene.GetRenderer()->ResetCamera();
-  CHECK(scene.Compare() <= 3.0);
+  CHECK_LESS_EQUAL(scene.Compare(), 3.0);
   scene.GetCamera()->Azimuth(180.0);
   scene.GetRenderer()->ResetCameraClippingRange();
-  CHECK(scene.Compare() <= 3.0);
+  CHECK_LESS_EQUAL(scene.Compare(), 3.0);
 }
 
 // Cells turned inside out are the same cells.
@@ -151,6 +153,7 @@ void TestMirrored(RelevoCheck& check)
 {
   for (int type : { VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID, VTK_QUADRATIC_TETRA })
   {
+    CHECK_CASE(type);
     const auto mesh = MakeCells(type, 0.0);
     for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
     {
@@ -159,7 +162,7 @@ void TestMirrored(RelevoCheck& check)
       mesh->GetPoints()->SetPoint(i, -x[0], x[1], x[2]);
     }
     RelevoVolumeScene scene(mesh, MakeProperty(), 100, 80);
-    CHECK(scene.Compare() <= 3.0);
+    CHECK_LESS_EQUAL(scene.Compare(), 3.0);
   }
 }
 
@@ -167,6 +170,7 @@ void TestCellData(RelevoCheck& check)
 {
   for (int type : { VTK_HEXAHEDRON, VTK_TETRA, VTK_QUADRATIC_TETRA })
   {
+    CHECK_CASE(type);
     const auto mesh = MakeCells(type, 0.0);
     mesh->GetPointData()->Initialize();
     vtkNew<vtkDoubleArray> values;
@@ -177,7 +181,7 @@ void TestCellData(RelevoCheck& check)
     }
     mesh->GetCellData()->SetScalars(values);
     RelevoVolumeScene scene(mesh, MakeProperty(), 100, 80);
-    CHECK(scene.Compare(0.001) <= 1.0);
+    CHECK_LESS_EQUAL(scene.Compare(0.001), 1.0);
   }
 }
 

@@ -40,9 +40,9 @@ void TestData(RelevoCheck& check)
     const auto before = scene.Draw();
     ChangeValues(mesh);
     const auto after = scene.Draw();
-    CHECK(FindLargestDifference(before, after) > 0.05);
-    CHECK(scene.Compare() <= 1.0);
-    CHECK(scene.GetMapper()->GetNumberOfBufferBuilds() == 2);
+    CHECK_GREATER(FindLargestDifference(before, after), 0.05);
+    CHECK_LESS_EQUAL(scene.Compare(), 1.0);
+    CHECK_EQUAL(scene.GetMapper()->GetNumberOfBufferBuilds(), 2);
   }
 }
 
@@ -65,12 +65,12 @@ void TestSelection(RelevoCheck& check)
   const auto with = vtkSmartPointer<vtkSelection>::Take(selector->Select());
   scene.GetVolume()->VisibilityOff();
   const auto without = vtkSmartPointer<vtkSelection>::Take(selector->Select());
-  CHECK(with->GetNumberOfNodes() == 1);
-  CHECK(without->GetNumberOfNodes() == 1);
+  CHECK_EQUAL(with->GetNumberOfNodes(), 1);
+  CHECK_EQUAL(without->GetNumberOfNodes(), 1);
   if (with->GetNumberOfNodes() == 1 && without->GetNumberOfNodes() == 1)
   {
-    CHECK(with->GetNode(0)->GetProperties()->Get(vtkSelectionNode::PROP()) == actor);
-    CHECK(with->GetNode(0)->GetSelectionList()->GetNumberOfTuples() ==
+    CHECK_EQUAL(with->GetNode(0)->GetProperties()->Get(vtkSelectionNode::PROP()), actor);
+    CHECK_EQUAL(with->GetNode(0)->GetSelectionList()->GetNumberOfTuples(),
       without->GetNode(0)->GetSelectionList()->GetNumberOfTuples());
   }
 }

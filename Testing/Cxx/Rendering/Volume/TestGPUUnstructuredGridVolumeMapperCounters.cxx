@@ -54,15 +54,15 @@ void TestFeatures(RelevoCheck& check)
   const auto before = scene.Draw();
   const vtkTypeInt64 size = mapper->GetGraphicsMemorySize();
   DrawAll(scene, 0.0);
-  CHECK(FindLargestDifference(scene.Draw(), before) == 0.0);
+  CHECK_EQUAL(FindLargestDifference(scene.Draw(), before), 0.0);
   // The mesh's again, with its gradients.
-  CHECK(mapper->GetNumberOfBufferBuilds() == 2);
-  CHECK(mapper->GetGraphicsMemorySize() >= size + 16 * 6 * 6 * 6 - 16);
+  CHECK_EQUAL(mapper->GetNumberOfBufferBuilds(), 2);
+  CHECK_GREATER_EQUAL(mapper->GetGraphicsMemorySize(), size + 16 * 6 * 6 * 6 - 16);
   const vtkIdType shaders = mapper->GetNumberOfShaderBuilds();
   DrawAll(scene, 0.1);
-  CHECK(mapper->GetNumberOfShaderBuilds() == shaders);
-  CHECK(mapper->GetNumberOfBufferBuilds() == 2);
-  CHECK(mapper->GetNumberOfTableBuilds() == 0);
+  CHECK_EQUAL(mapper->GetNumberOfShaderBuilds(), shaders);
+  CHECK_EQUAL(mapper->GetNumberOfBufferBuilds(), 2);
+  CHECK_EQUAL(mapper->GetNumberOfTableBuilds(), 0);
 }
 }
 
@@ -75,13 +75,13 @@ int TestGPUUnstructuredGridVolumeMapperCounters(int, char*[])
   vtkGPUUnstructuredGridVolumeMapper* mapper = scene.GetMapper();
   scene.Draw();
   const vtkIdType cells = mesh->GetNumberOfCells();
-  CHECK(mapper->GetNumberOfDrawnCells() == cells);
-  CHECK(mapper->GetNumberOfBufferBuilds() == 1);
-  CHECK(mapper->GetNumberOfTableBuilds() == 0);
+  CHECK_EQUAL(mapper->GetNumberOfDrawnCells(), cells);
+  CHECK_EQUAL(mapper->GetNumberOfBufferBuilds(), 1);
+  CHECK_EQUAL(mapper->GetNumberOfTableBuilds(), 0);
   const vtkIdType shaders = mapper->GetNumberOfShaderBuilds();
-  CHECK(shaders > 0);
+  CHECK_GREATER(shaders, 0);
   const int border = 6 * 2 * 25;
-  CHECK(mapper->GetGraphicsMemorySize() <=
+  CHECK_LESS_EQUAL(mapper->GetGraphicsMemorySize(),
     20 * cells + 16 * mesh->GetNumberOfPoints() + 32 * border + (4 << 20));
 
   // Cameras, sizes, edits and isovalues build nothing.
@@ -91,18 +91,18 @@ int TestGPUUnstructuredGridVolumeMapperCounters(int, char*[])
   const auto before = scene.Draw();
   scene.GetVolume()->GetProperty()->GetScalarOpacity()->AddPoint(0.5, 1.0);
   const auto after = scene.Draw();
-  CHECK(FindLargestDifference(before, after) > 0.1);
-  CHECK(scene.Compare() <= 1.0);
+  CHECK_GREATER(FindLargestDifference(before, after), 0.1);
+  CHECK_LESS_EQUAL(scene.Compare(), 1.0);
   scene.GetVolume()->GetProperty()->SetScalarOpacityUnitDistance(3.0);
-  CHECK(scene.Compare() <= 1.0);
-  CHECK(mapper->GetNumberOfBufferBuilds() == 1);
-  CHECK(mapper->GetNumberOfTableBuilds() == 0);
-  CHECK(mapper->GetNumberOfShaderBuilds() == shaders);
+  CHECK_LESS_EQUAL(scene.Compare(), 1.0);
+  CHECK_EQUAL(mapper->GetNumberOfBufferBuilds(), 1);
+  CHECK_EQUAL(mapper->GetNumberOfTableBuilds(), 0);
+  CHECK_EQUAL(mapper->GetNumberOfShaderBuilds(), shaders);
 
   // A new mesh does.
   mesh->Modified();
   scene.Draw();
-  CHECK(mapper->GetNumberOfBufferBuilds() == 2);
-  CHECK(mapper->GetNumberOfShaderBuilds() == shaders);
+  CHECK_EQUAL(mapper->GetNumberOfBufferBuilds(), 2);
+  CHECK_EQUAL(mapper->GetNumberOfShaderBuilds(), shaders);
   return check.GetResult();
 }

@@ -125,6 +125,7 @@ void TestBentFaces(RelevoCheck& check)
 {
   for (int type : { VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID })
   {
+    CHECK_CASE(type);
     for (unsigned int seed = 1; seed <= 1; ++seed)
     {
       CheckAround(check, MakeCells(type, 1, 0.1, seed));
@@ -138,9 +139,10 @@ void TestLayers(RelevoCheck& check)
 {
   for (int type : { VTK_HEXAHEDRON, VTK_WEDGE, VTK_QUADRATIC_TETRA })
   {
+    CHECK_CASE(type);
     RelevoVolumeScene scene(MakeCells(type, 1, 0.01, 2), MakeProperty(), 72, 54);
     scene.Draw();
-    CHECK(scene.GetMapper()->GetNumberOfLayers() == 1);
+    CHECK_EQUAL(scene.GetMapper()->GetNumberOfLayers(), 1);
   }
 }
 
@@ -197,8 +199,10 @@ void TestInside(RelevoCheck& check)
 {
   for (int type : { VTK_HEXAHEDRON, VTK_PYRAMID, VTK_QUADRATIC_TETRA })
   {
+    CHECK_CASE(type);
     for (bool areOfCells : { true, false })
     {
+      CHECK_CASE(areOfCells);
       const double distortion = type == VTK_QUADRATIC_TETRA ? 0.03 : 0.12;
       RelevoVolumeScene scene(
         MakeCells(type, 2, distortion, 7, areOfCells), MakeProperty(), 80, 60);

@@ -110,14 +110,14 @@ void TestCells(RelevoCheck& check)
   RelevoErrors errors(scene.GetMapper());
   CHECK(!IsBlack(scene.Draw()));
   CHECK(errors.Warned("have no volume, or points that are not finite"));
-  CHECK(scene.GetMapper()->GetNumberOfDrawnCells() < mesh->GetNumberOfCells());
+  CHECK_LESS(scene.GetMapper()->GetNumberOfDrawnCells(), mesh->GetNumberOfCells());
   // Once, also where the mesh is built anew.
   scene.GetVolume()->GetProperty()->ShadeOn();
   scene.Draw();
-  CHECK(scene.GetMapper()->GetNumberOfBufferBuilds() == 2);
+  CHECK_EQUAL(scene.GetMapper()->GetNumberOfBufferBuilds(), 2);
   CHECK(errors.None());
   vtkObject::GlobalWarningDisplayOff();
-  CHECK(scene.Compare(0.001) <= 1.0);
+  CHECK_LESS_EQUAL(scene.Compare(0.001), 1.0);
   vtkObject::GlobalWarningDisplayOn();
 }
 
@@ -137,7 +137,7 @@ void TestNodes(RelevoCheck& check)
     RelevoErrors errors(scene.GetMapper());
     CHECK(!IsBlack(scene.Draw()));
     CHECK(errors.Said("Cell " + std::to_string(good) + " (vtk"));
-    CHECK(scene.GetMapper()->GetNumberOfDrawnCells() == good);
+    CHECK_EQUAL(scene.GetMapper()->GetNumberOfDrawnCells(), good);
     scene.GetMapper()->SetMethodToCellProjection();
     CHECK(!IsBlack(scene.Draw()));
     CHECK(errors.None());
@@ -211,19 +211,19 @@ void TestBlocks(RelevoCheck& check)
     "\"field\"; it is left out."));
   scene.GetVolume()->GetProperty()->ShadeOn(); // builds the mesh anew
   scene.Draw();
-  CHECK(scene.GetMapper()->GetNumberOfBufferBuilds() == 2);
+  CHECK_EQUAL(scene.GetMapper()->GetNumberOfBufferBuilds(), 2);
   CHECK(errors.None());
   scene.GetVolume()->GetProperty()->ShadeOff();
-  CHECK(scene.GetMapper()->GetNumberOfDrawnCells() == mesh->GetNumberOfCells());
+  CHECK_EQUAL(scene.GetMapper()->GetNumberOfDrawnCells(), mesh->GetNumberOfCells());
   scene.GetMapper()->SetInputDataObject(mesh);
-  CHECK(FindLargestDifference(scene.Draw(), drawn) <= 1.0 / 255.0);
+  CHECK_LESS_EQUAL(FindLargestDifference(scene.Draw(), drawn), 1.0 / 255.0);
 
   vtkNew<vtkMultiBlockDataSet> others;
   vtkNew<vtkTable> table;
   others->SetBlock(0, table);
   others->SetBlock(1, mesh);
   scene.GetMapper()->SetInputDataObject(others);
-  CHECK(FindLargestDifference(scene.Draw(), drawn) <= 1.0 / 255.0);
+  CHECK_LESS_EQUAL(FindLargestDifference(scene.Draw(), drawn), 1.0 / 255.0);
   CHECK(errors.Said("Block 1 is a vtkTable; a vtkDataSet is needed; it is left out."));
   scene.GetVolume()->GetProperty()->ShadeOn(); // builds the mesh anew
   scene.Draw();
@@ -278,6 +278,7 @@ void TestExtremes(RelevoCheck& check)
     vtkContourValues* values = scene.GetVolume()->GetProperty()->GetIsoSurfaceValues();
     for (const double share : { 0.0, 0.5, 1.0 })
     {
+      CHECK_CASE(share);
       const double value = range[0] + share * (range[1] - range[0]);
       vtkNew<vtkContourFilter> contour;
       contour->SetInputData(mesh);
@@ -285,9 +286,9 @@ void TestExtremes(RelevoCheck& check)
       contour->Update();
       values->SetValue(0, value);
       const std::vector<RelevoColor> drawn = scene.Draw();
-      CHECK(IsBlack(drawn) == (contour->GetOutput()->GetNumberOfCells() == 0));
-      CHECK(scene.Compare(0.01, [](vtkVolumeRayCastFilter* filter) { filter->SetBlendMode(5); }) <=
-        1.0);
+      CHECK_EQUAL(IsBlack(drawn), (contour->GetOutput()->GetNumberOfCells() == 0));
+      CHECK_LESS_EQUAL(
+        scene.Compare(0.01, [](vtkVolumeRayCastFilter* filter) { filter->SetBlendMode(5); }), 1.0);
       CHECK(share > 0.0 ||
         errors.Warned("There is no isosurface of 0, the array's lowest value: no value is less."));
       CHECK(share < 1.0 ||
@@ -302,7 +303,7 @@ void TestWindows(RelevoCheck& check)
 {
   RelevoVolumeScene scene(MakeTetrahedra(2, GetLinearField), MakeLinearProperty(), 1, 1);
   RelevoErrors errors(scene.GetMapper());
-  CHECK(scene.Compare() <= 1.0);
+  CHECK_LESS_EQUAL(scene.Compare(), 1.0);
   CHECK(errors.None());
 }
 }

@@ -67,14 +67,14 @@ void TestGradientOpacity(RelevoCheck& check)
   const auto before = scene.Draw();
   scene.GetVolume()->GetProperty()->SetGradientOpacity(MakeRamp(0.0));
   CHECK_NEAR(CompareMode(scene, 0), 0.0, 1.0);
-  CHECK(FindLargestDifference(before, scene.Draw()) > 0.2);
+  CHECK_GREATER(FindLargestDifference(before, scene.Draw()), 0.2);
   CHECK_NEAR(CompareMode(scene, 4), 0.0, 1.0);
   // It has no effect where a scalar is mapped.
   CHECK_NEAR(CompareMode(scene, 1), 0.0, 1.0);
   CHECK_NEAR(CompareMode(scene, 3), 0.0, 1.0);
   scene.GetVolume()->GetProperty()->DisableGradientOpacityOn();
   scene.GetMapper()->SetBlendModeToComposite();
-  CHECK(FindLargestDifference(before, scene.Draw()) == 0.0);
+  CHECK_EQUAL(FindLargestDifference(before, scene.Draw()), 0.0);
 }
 
 // The gradient is the same everywhere: opacities are those of another unit distance.
@@ -151,6 +151,7 @@ void TestComponents(RelevoCheck& check)
     mesh->GetPointData()->SetScalars(MakeBusyArray(mesh, components));
     for (bool areIndependent : { true, false })
     {
+      CHECK_CASE(areIndependent);
       if (!areIndependent && components == 3)
       {
         continue;

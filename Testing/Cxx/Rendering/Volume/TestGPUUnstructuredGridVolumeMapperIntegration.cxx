@@ -39,20 +39,20 @@ void TestTables(RelevoCheck& check)
   RelevoVolumeScene scene(MakeTetrahedra(5, GetField), MakeSmoothProperty());
   scene.GetMapper()->SetTableSize(64);
   const auto exact = scene.Draw();
-  CHECK(scene.GetMapper()->GetNumberOfTableBuilds() == 0);
+  CHECK_EQUAL(scene.GetMapper()->GetNumberOfTableBuilds(), 0);
   scene.GetMapper()->SetIntegrationToPreIntegrated();
-  CHECK(scene.Compare(0.01) <= 1.0);
-  CHECK(FindLargestDifference(exact, scene.Draw()) > 0.0); // not exact by another name
-  CHECK(scene.GetMapper()->GetNumberOfTableBuilds() == 1);
+  CHECK_LESS_EQUAL(scene.Compare(0.01), 1.0);
+  CHECK_GREATER(FindLargestDifference(exact, scene.Draw()), 0.0); // not exact by another name
+  CHECK_EQUAL(scene.GetMapper()->GetNumberOfTableBuilds(), 1);
   scene.GetMapper()->SetIntegrationToPreIntegrated2D();
-  CHECK(scene.Compare(0.01) <= 2.0);
-  CHECK(scene.GetMapper()->GetNumberOfTableBuilds() == 2);
+  CHECK_LESS_EQUAL(scene.Compare(0.01), 2.0);
+  CHECK_EQUAL(scene.GetMapper()->GetNumberOfTableBuilds(), 2);
   // Materials are no functions.
   scene.GetVolume()->GetProperty()->SetSpecular(0.7);
   scene.Draw();
-  CHECK(scene.GetMapper()->GetNumberOfTableBuilds() == 2);
+  CHECK_EQUAL(scene.GetMapper()->GetNumberOfTableBuilds(), 2);
   // The mesh has not been uploaded again.
-  CHECK(scene.GetMapper()->GetNumberOfBufferBuilds() == 1);
+  CHECK_EQUAL(scene.GetMapper()->GetNumberOfBufferBuilds(), 1);
 }
 
 // What the 2D table has is right for one length; opacity, of a colour that is everywhere the same,
@@ -64,16 +64,16 @@ void TestOneColor(RelevoCheck& check)
   color->RemoveAllPoints();
   color->AddRGBPoint(0.0, 1.0, 0.5, 0.25);
   scene.GetMapper()->SetIntegrationToPreIntegrated2D();
-  CHECK(scene.Compare() <= 1.0);
+  CHECK_LESS_EQUAL(scene.Compare(), 1.0);
   // A table of few texels is blind to a narrow peak.
   vtkPiecewiseFunction* opacity = scene.GetVolume()->GetProperty()->GetScalarOpacity();
   opacity->AddPoint(5.0, 0.0);
   opacity->AddPoint(5.1, 20.0);
   opacity->AddPoint(5.2, 0.0);
   scene.GetMapper()->SetTableSize(8);
-  CHECK(scene.Compare(0.01) > 10.0);
+  CHECK_GREATER(scene.Compare(0.01), 10.0);
   scene.GetMapper()->SetTableSize(256);
-  CHECK(scene.Compare(0.01) <= 3.0);
+  CHECK_LESS_EQUAL(scene.Compare(0.01), 3.0);
 }
 
 // A long edge by the volume's matrix, and parts that are longer than any edge.
@@ -84,18 +84,18 @@ void TestLengths(RelevoCheck& check)
   mapper->SetIntegrationToPreIntegrated();
   mapper->SetTableSize(48);
   scene.Draw();
-  CHECK(mapper->GetNumberOfTableBuilds() == 1);
+  CHECK_EQUAL(mapper->GetNumberOfTableBuilds(), 1);
   scene.GetCamera()->Azimuth(20.0);
   scene.GetVolume()->RotateX(25.0);
   scene.GetVolume()->SetPosition(0.1, 0.0, 0.2);
   scene.Draw();
-  CHECK(mapper->GetNumberOfTableBuilds() == 1);
+  CHECK_EQUAL(mapper->GetNumberOfTableBuilds(), 1);
   scene.GetVolume()->SetScale(2.0);
   scene.GetRenderer()->ResetCamera();
   const auto table = scene.Draw();
-  CHECK(mapper->GetNumberOfTableBuilds() == 2);
+  CHECK_EQUAL(mapper->GetNumberOfTableBuilds(), 2);
   mapper->SetIntegrationToExact();
-  CHECK(FindLargestDifference(table, scene.Draw()) <= 2.0 / 255.0);
+  CHECK_LESS_EQUAL(FindLargestDifference(table, scene.Draw()), 2.0 / 255.0);
 }
 
 void TestEdits(RelevoCheck& check)
@@ -107,16 +107,16 @@ void TestEdits(RelevoCheck& check)
   const auto before = scene.Draw();
   const vtkIdType shaders = mapper->GetNumberOfShaderBuilds();
   const vtkTypeInt64 memory = mapper->GetGraphicsMemorySize();
-  CHECK(memory > 32 * 32 * 32 * 16);
+  CHECK_GREATER(memory, 32 * 32 * 32 * 16);
   scene.GetVolume()->GetProperty()->GetScalarOpacity()->AddPoint(8.0, 0.2);
   const auto after = scene.Draw();
-  CHECK(FindLargestDifference(before, after) > 0.05);
-  CHECK(mapper->GetNumberOfTableBuilds() == 2);
+  CHECK_GREATER(FindLargestDifference(before, after), 0.05);
+  CHECK_EQUAL(mapper->GetNumberOfTableBuilds(), 2);
   scene.Draw();
-  CHECK(mapper->GetNumberOfTableBuilds() == 2);
-  CHECK(mapper->GetNumberOfShaderBuilds() == shaders);
-  CHECK(mapper->GetNumberOfBufferBuilds() == 1);
-  CHECK(mapper->GetGraphicsMemorySize() == memory);
+  CHECK_EQUAL(mapper->GetNumberOfTableBuilds(), 2);
+  CHECK_EQUAL(mapper->GetNumberOfShaderBuilds(), shaders);
+  CHECK_EQUAL(mapper->GetNumberOfBufferBuilds(), 1);
+  CHECK_EQUAL(mapper->GetGraphicsMemorySize(), memory);
 }
 
 void TestLimits(RelevoCheck& check)
@@ -135,7 +135,7 @@ void TestLimits(RelevoCheck& check)
   scene.GetVolume()->GetProperty()->IndependentComponentsOff();
   const auto exact = scene.Draw();
   scene.GetMapper()->SetIntegrationToPreIntegrated();
-  CHECK(FindLargestDifference(exact, scene.Draw()) == 0.0);
+  CHECK_EQUAL(FindLargestDifference(exact, scene.Draw()), 0.0);
   CHECK(errors.Warned("Pre-integration takes one component"));
   scene.Draw();
   CHECK(errors.None()); // once
@@ -143,10 +143,10 @@ void TestLimits(RelevoCheck& check)
   CHECK(errors.Said("TableSize must be in [2, 256], got 1."));
   scene.GetMapper()->SetTableSize(257);
   CHECK(errors.Said("got 257."));
-  CHECK(scene.GetMapper()->GetTableSize() == 128);
+  CHECK_EQUAL(scene.GetMapper()->GetTableSize(), 128);
   scene.GetMapper()->SetIntegration(3);
   CHECK(errors.Said("Integration must be one of EXACT (0)"));
-  CHECK(scene.GetMapper()->GetIntegration() == 1);
+  CHECK_EQUAL(scene.GetMapper()->GetIntegration(), 1);
 }
 
 // Cells that have one scalar each.
@@ -159,8 +159,9 @@ void TestCellScalars(RelevoCheck& check)
   scene.GetMapper()->SetTableSize(64);
   for (int integration : { 1, 2 })
   {
+    CHECK_CASE(integration);
     scene.GetMapper()->SetIntegration(integration);
-    CHECK(scene.Compare(0.01) <= 1.0);
+    CHECK_LESS_EQUAL(scene.Compare(0.01), 1.0);
   }
 }
 }

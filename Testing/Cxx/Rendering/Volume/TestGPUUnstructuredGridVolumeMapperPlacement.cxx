@@ -26,7 +26,7 @@ void TestMultiSamples(RelevoCheck& check)
 {
   RelevoVolumeScene scene(MakeTetrahedra(3, GetLinearField), MakeLinearProperty(), Width, Height);
   scene.GetWindow()->SetMultiSamples(4);
-  CHECK(FindLargestDifference(scene.Draw(), DrawAlone()) <= 1.0 / 255.0);
+  CHECK_LESS_EQUAL(FindLargestDifference(scene.Draw(), DrawAlone()), 1.0 / 255.0);
 }
 
 // The same volume once more, in the right half of a window.
@@ -97,7 +97,7 @@ void TestTiles(RelevoCheck& check)
   capture->ReadFrontBufferOff();
   capture->Update();
   vtkDataArray* tiles = capture->GetOutput()->GetPointData()->GetScalars();
-  CHECK(tiles->GetNumberOfTuples() == static_cast<vtkIdType>(whole.size()));
+  CHECK_EQUAL(tiles->GetNumberOfTuples(), static_cast<vtkIdType>(whole.size()));
   double most = 0.0;
   for (size_t i = 0; i < whole.size(); ++i)
   {

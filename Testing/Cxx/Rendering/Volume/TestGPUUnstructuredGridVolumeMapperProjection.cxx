@@ -24,23 +24,23 @@ void TestViews(RelevoCheck& check)
 {
   RelevoVolumeScene scene(MakeBall(300), MakeBusyProperty(0.3));
   scene.GetMapper()->SetMethodToCellProjection();
-  CHECK(scene.Compare() <= 1.0);
+  CHECK_LESS_EQUAL(scene.Compare(), 1.0);
   vtkCamera* camera = scene.GetCamera();
   camera->ParallelProjectionOn();
-  CHECK(scene.Compare() <= 1.0);
+  CHECK_LESS_EQUAL(scene.Compare(), 1.0);
   camera->ParallelProjectionOff();
   // Inside the mesh, and looking out of it.
   camera->SetPosition(0.2, 0.1, 0.0);
   camera->SetFocalPoint(1.0, 0.5, 0.1);
   camera->SetViewAngle(70.0);
   camera->SetClippingRange(0.01, 10.0);
-  CHECK(scene.Compare() <= 1.0);
+  CHECK_LESS_EQUAL(scene.Compare(), 1.0);
   // What the near and the far plane leave.
   camera->SetPosition(3.0, 1.0, 0.0);
   camera->SetFocalPoint(0.0, 0.0, 0.0);
   camera->SetViewAngle(40.0);
   camera->SetClippingRange(2.9, 3.3);
-  CHECK(scene.Compare() <= 1.0);
+  CHECK_LESS_EQUAL(scene.Compare(), 1.0);
 }
 
 // Rays that run in faces, along edges and through corners: each belongs to cells of one side.
@@ -77,7 +77,7 @@ void TestHoles(RelevoCheck& check)
   scene.GetMapper()->SetMethodToCellProjection();
   for (int i = 0; i < 6; ++i)
   {
-    CHECK(scene.Compare(0.001) <= 2.0);
+    CHECK_LESS_EQUAL(scene.Compare(0.001), 2.0);
     scene.GetCamera()->Azimuth(55.0);
     scene.GetCamera()->Elevation(17.0);
     scene.GetRenderer()->ResetCameraClippingRange();
@@ -91,7 +91,7 @@ void TestCellScalars(RelevoCheck& check)
   toCells->Update();
   RelevoVolumeScene scene(toCells->GetOutput(), MakeBusyProperty(0.3));
   scene.GetMapper()->SetMethodToCellProjection();
-  CHECK(scene.Compare() <= 1.0);
+  CHECK_LESS_EQUAL(scene.Compare(), 1.0);
 }
 
 void TestComponents(RelevoCheck& check)
@@ -110,7 +110,7 @@ void TestComponents(RelevoCheck& check)
   property->IndependentComponentsOff();
   RelevoVolumeScene scene(mesh, property);
   scene.GetMapper()->SetMethodToCellProjection();
-  CHECK(scene.Compare() <= 1.0);
+  CHECK_LESS_EQUAL(scene.Compare(), 1.0);
 }
 
 // Cells of plane faces and a linear field, which are the same after splitting.
@@ -136,8 +136,8 @@ void TestSplitCells(RelevoCheck& check)
   }
   RelevoVolumeScene scene(mesh, MakeBusyProperty(0.3));
   scene.GetMapper()->SetMethodToCellProjection();
-  CHECK(scene.Compare(0.001) <= 1.0);
-  CHECK(scene.GetMapper()->GetNumberOfDrawnCells() == 8);
+  CHECK_LESS_EQUAL(scene.Compare(0.001), 1.0);
+  CHECK_EQUAL(scene.GetMapper()->GetNumberOfDrawnCells(), 8);
 }
 
 // What is opaque inside, and what lies behind the volume.
@@ -154,12 +154,12 @@ void TestOpaqueProps(RelevoCheck& check)
   scene.GetRenderer()->SetBackground(0.2, 0.4, 0.1);
   const auto cast = scene.Draw();
   scene.GetMapper()->SetMethodToCellProjection();
-  CHECK(FindLargestDifference(cast, scene.Draw()) <= 1.5 / 255.0);
+  CHECK_LESS_EQUAL(FindLargestDifference(cast, scene.Draw()), 1.5 / 255.0);
   // In a part of the window.
   scene.GetRenderer()->SetViewport(0.3, 0.2, 0.9, 0.7);
   const auto part = scene.Draw();
   scene.GetMapper()->SetMethodToRayCasting();
-  CHECK(FindLargestDifference(part, scene.Draw()) <= 1.5 / 255.0);
+  CHECK_LESS_EQUAL(FindLargestDifference(part, scene.Draw()), 1.5 / 255.0);
 }
 
 // Cells in which there is nothing to be seen are left out, and no others.
@@ -169,13 +169,14 @@ void TestTransparentCells(RelevoCheck& check)
   vtkPiecewiseFunction* opacity = property->GetScalarOpacity();
   for (double low : { 0.3, 0.45 })
   {
+    CHECK_CASE(low);
     opacity->RemoveAllPoints();
     opacity->AddPoint(low, 0.0);
     opacity->AddPoint(low + 0.1, 1.0);
     opacity->AddPoint(low + 0.2, 0.0);
     RelevoVolumeScene scene(MakeBall(200), property);
     scene.GetMapper()->SetMethodToCellProjection();
-    CHECK(scene.Compare() <= 1.0);
+    CHECK_LESS_EQUAL(scene.Compare(), 1.0);
   }
 }
 
@@ -184,9 +185,10 @@ void TestOpaqueParts(RelevoCheck& check)
 {
   for (double unit : { 1e-2, 1e-4, 1e-9 })
   {
+    CHECK_CASE(unit);
     RelevoVolumeScene scene(MakeBall(100), MakeBusyProperty(unit));
     scene.GetMapper()->SetMethodToCellProjection();
-    CHECK(scene.Compare(0.001) <= 2.0);
+    CHECK_LESS_EQUAL(scene.Compare(0.001), 2.0);
   }
 }
 
@@ -201,8 +203,8 @@ void TestClippingPlanes(RelevoCheck& check)
   const auto cast = scene.Draw();
   scene.GetMapper()->SetMethodToCellProjection();
   const auto projected = scene.Draw();
-  CHECK(FindLargestDifference(cast, projected) <= 1.5 / 255.0);
-  CHECK(FindLargestDifference(whole, projected) > 0.1);
+  CHECK_LESS_EQUAL(FindLargestDifference(cast, projected), 1.5 / 255.0);
+  CHECK_GREATER(FindLargestDifference(whole, projected), 0.1);
 }
 
 void TestIntegration(RelevoCheck& check)
@@ -211,11 +213,12 @@ void TestIntegration(RelevoCheck& check)
   scene.GetMapper()->SetTableSize(64);
   for (int integration : { 1, 2 })
   {
+    CHECK_CASE(integration);
     scene.GetMapper()->SetIntegration(integration);
     scene.GetMapper()->SetMethodToRayCasting();
     const auto cast = scene.Draw();
     scene.GetMapper()->SetMethodToCellProjection();
-    CHECK(FindLargestDifference(cast, scene.Draw()) <= 1.5 / 255.0);
+    CHECK_LESS_EQUAL(FindLargestDifference(cast, scene.Draw()), 1.5 / 255.0);
   }
 }
 
@@ -229,19 +232,19 @@ void TestCounters(RelevoCheck& check)
   mapper->SetMethodToCellProjection();
   scene.Draw();
   const vtkIdType cells = mesh->GetNumberOfCells();
-  CHECK(mapper->GetGraphicsMemorySize() - memory == 20 * cells);
-  CHECK(mapper->GetNumberOfDrawnCells() == cells);
+  CHECK_EQUAL(mapper->GetGraphicsMemorySize() - memory, 20 * cells);
+  CHECK_EQUAL(mapper->GetNumberOfDrawnCells(), cells);
   const vtkIdType buffers = mapper->GetNumberOfBufferBuilds();
   const vtkIdType shaders = mapper->GetNumberOfShaderBuilds();
   scene.GetCamera()->Azimuth(20.0);
   scene.Draw();
   scene.GetWindow()->SetSize(90, 80);
-  CHECK(scene.Compare() <= 1.0);
+  CHECK_LESS_EQUAL(scene.Compare(), 1.0);
   scene.GetVolume()->GetProperty()->GetScalarOpacity()->AddPoint(0.5, 1.0);
-  CHECK(scene.Compare() <= 1.0);
-  CHECK(mapper->GetNumberOfBufferBuilds() == buffers);
-  CHECK(mapper->GetNumberOfShaderBuilds() == shaders);
-  CHECK(mapper->GetNumberOfTableBuilds() == 0);
+  CHECK_LESS_EQUAL(scene.Compare(), 1.0);
+  CHECK_EQUAL(mapper->GetNumberOfBufferBuilds(), buffers);
+  CHECK_EQUAL(mapper->GetNumberOfShaderBuilds(), shaders);
+  CHECK_EQUAL(mapper->GetNumberOfTableBuilds(), 0);
 }
 
 void TestBadMethod(RelevoCheck& check)
@@ -250,7 +253,7 @@ void TestBadMethod(RelevoCheck& check)
   RelevoErrors errors(scene.GetMapper());
   scene.GetMapper()->SetMethod(2);
   CHECK(errors.Said("Method must be one of RAY_CASTING (0), CELL_PROJECTION (1), got 2."));
-  CHECK(scene.GetMapper()->GetMethod() == 0);
+  CHECK_EQUAL(scene.GetMapper()->GetMethod(), 0);
 }
 }
 

@@ -57,6 +57,7 @@ void TestLinearField(RelevoCheck& check)
   };
   for (bool isShaded : { false, true })
   {
+    CHECK_CASE(isShaded);
     property->SetShade(isShaded);
     for (int mode = 0; mode < NumberOfModes; ++mode)
     {

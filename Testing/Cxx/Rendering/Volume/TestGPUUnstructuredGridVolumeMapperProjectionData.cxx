@@ -48,6 +48,7 @@ void TestPost(RelevoCheck& check, const std::string& folder)
   for (int method : { vtkGPUUnstructuredGridVolumeMapper::RAY_CASTING,
          vtkGPUUnstructuredGridVolumeMapper::CELL_PROJECTION })
   {
+    CHECK_CASE(method);
     scene.GetMapper()->SetMethod(method);
     property->SetDisableGradientOpacity(1);
     property->ShadeOff();
@@ -75,7 +76,7 @@ void TestCan(RelevoCheck& check, const std::string& folder)
   reader->Update();
   vtkObject::GlobalWarningDisplayOn();
   vtkUnstructuredGrid* mesh = reader->GetOutput();
-  CHECK(mesh->GetNumberOfCells() == 4800);
+  CHECK_EQUAL(mesh->GetNumberOfCells(), 4800);
   mesh->GetCellData()->SetActiveScalars("EQPS");
   RelevoVolumeScene scene(mesh, MakeVolumeProperty(0.1, 1.0, mesh->GetLength() / 20.0));
   for (int mode = 0; mode < NumberOfModes - 1; ++mode)

@@ -18,7 +18,7 @@ void TestDistances(RelevoCheck& check)
   const auto fine = scene.Draw();
   mapper->SetImageSampleDistance(2.0);
   const auto coarse = scene.Draw();
-  CHECK(FindLargestDifference(fine, coarse) > 0.01); // at the outline
+  CHECK_GREATER(FindLargestDifference(fine, coarse), 0.01); // at the outline
   CHECK_NEAR(FindLargestDifferenceInside(fine, coarse, 120, 55, 64), 0.0, 2.0 / 255.0);
   // As many rays as a window of half the size has.
   RelevoVolumeScene small(MakeTetrahedra(3, GetLinearField), MakeLinearProperty(), 60, 60);
@@ -40,14 +40,14 @@ void TestDistances(RelevoCheck& check)
 
   mapper->SetImageSampleDistance(0.5);
   const auto smooth = scene.Draw();
-  CHECK(FindLargestDifference(fine, smooth) > 0.0);
-  CHECK(FindLargestDifference(fine, smooth) < 0.05);
+  CHECK_GREATER(FindLargestDifference(fine, smooth), 0.0);
+  CHECK_LESS(FindLargestDifference(fine, smooth), 0.05);
   mapper->SetImageSampleDistance(1.0);
-  CHECK(FindLargestDifference(fine, scene.Draw()) == 0.0);
+  CHECK_EQUAL(FindLargestDifference(fine, scene.Draw()), 0.0);
   RelevoErrors errors(mapper);
   mapper->SetImageSampleDistance(0.0);
   CHECK(errors.Said("ImageSampleDistance"));
-  CHECK(mapper->GetImageSampleDistance() == 1.0);
+  CHECK_EQUAL(mapper->GetImageSampleDistance(), 1.0);
 }
 
 // No time at all makes it as coarse as it gets; enough time, as fine.
@@ -58,10 +58,10 @@ void TestAdjusted(RelevoCheck& check)
   scene.GetMapper()->AutoAdjustSampleDistancesOn();
   scene.GetWindow()->SetDesiredUpdateRate(1e7);
   scene.Draw();
-  CHECK(FindLargestDifference(fine, scene.Draw()) > 0.1);
-  CHECK(scene.GetMapper()->GetTimeToDraw() > 0.0);
+  CHECK_GREATER(FindLargestDifference(fine, scene.Draw()), 0.1);
+  CHECK_GREATER(scene.GetMapper()->GetTimeToDraw(), 0.0);
   scene.GetWindow()->SetDesiredUpdateRate(1e-6);
-  CHECK(FindLargestDifference(fine, scene.Draw()) == 0.0);
+  CHECK_EQUAL(FindLargestDifference(fine, scene.Draw()), 0.0);
 }
 
 void TestLayers(RelevoCheck& check)
@@ -79,23 +79,23 @@ void TestLayers(RelevoCheck& check)
     blocks->SetBlock(static_cast<unsigned int>(i), mesh);
   }
   RelevoVolumeScene scene(blocks, MakeLinearProperty(), 100, 100);
-  CHECK(scene.GetMapper()->GetNumberOfLayers() == 0); // nothing drawn
+  CHECK_EQUAL(scene.GetMapper()->GetNumberOfLayers(), 0); // nothing drawn
   vtkCamera* camera = scene.GetCamera();
   camera->SetFocalPoint(2.5, 0.5, 0.5);
   camera->SetPosition(2.5, 0.5, 12.0);
   scene.GetRenderer()->ResetCameraClippingRange();
   scene.Draw();
-  CHECK(scene.GetMapper()->GetNumberOfLayers() == 1);
+  CHECK_EQUAL(scene.GetMapper()->GetNumberOfLayers(), 1);
   camera->SetPosition(14.0, 0.5, 0.5);
   scene.GetRenderer()->ResetCameraClippingRange();
   scene.Draw();
-  CHECK(scene.GetMapper()->GetNumberOfLayers() == 3);
+  CHECK_EQUAL(scene.GetMapper()->GetNumberOfLayers(), 3);
   // In the middle one, one ahead.
   camera->SetPosition(2.5, 0.5, 0.5);
   camera->SetFocalPoint(14.0, 0.5, 0.5);
   camera->SetClippingRange(0.01, 20.0);
   scene.Draw();
-  CHECK(scene.GetMapper()->GetNumberOfLayers() == 2);
+  CHECK_EQUAL(scene.GetMapper()->GetNumberOfLayers(), 2);
 }
 }
 

@@ -70,9 +70,9 @@ void TestHeadlight(RelevoCheck& check)
   }
   scene.GetMapper()->SetBlendModeToComposite();
   scene.GetVolume()->GetProperty()->ShadeOff();
-  CHECK(FindLargestDifference(shaded, scene.Draw()) > 0.2);
+  CHECK_GREATER(FindLargestDifference(shaded, scene.Draw()), 0.2);
   CHECK_NEAR(scene.Compare(), 0.0, 1.0);
-  CHECK(scene.GetMapper()->GetNumberOfBufferBuilds() == 1);
+  CHECK_EQUAL(scene.GetMapper()->GetNumberOfBufferBuilds(), 1);
 }
 
 // Inside, in parallel, and where planes cut cells.
@@ -100,6 +100,7 @@ void TestComponents(RelevoCheck& check)
     mesh->GetPointData()->SetScalars(MakeBusyArray(mesh, components));
     for (bool areIndependent : { true, false })
     {
+      CHECK_CASE(areIndependent);
       if (!areIndependent && components == 3)
       {
         continue;
@@ -167,6 +168,7 @@ void TestSceneLights(RelevoCheck& check)
   const double specular[3] = { 0.08, 0.56, 0.8 };
   for (bool isPositional : { false, true })
   {
+    CHECK_CASE(isPositional);
     light->SetPositional(isPositional);
     const auto drawn = scene.Draw();
     std::vector<RelevoColor> expected;

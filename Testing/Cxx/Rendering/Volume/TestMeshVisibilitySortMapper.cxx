@@ -85,15 +85,17 @@ int TestMeshVisibilitySortMapper(int, char*[])
   const auto mesh = MakeTetrahedra(8, GetLinearField);
   for (bool isParallel : { false, true })
   {
+    CHECK_CASE(isParallel);
     for (int side : { -1, 1 })
     {
+      CHECK_CASE(side);
       const auto camera = MakeCamera(
         { { 0.5 + 1.5 * side, 0.5 + 1.1 * side, 0.5 + 2.0 * side } }, { { 0.5, 0.5, 0.5 } });
       camera->SetParallelProjection(isParallel);
       const auto ours = Draw(mesh, vtkNew<vtkMeshVisibilitySort>(), camera);
       const auto theirs = Draw(mesh, vtkNew<vtkCellCenterDepthSort>(), camera);
-      CHECK(Compare(ours, theirs) < 0.5);
-      CHECK(Compare(Draw(mesh, vtkNew<WrongSort>(), camera), theirs) > 5.0);
+      CHECK_LESS(Compare(ours, theirs), 0.5);
+      CHECK_GREATER(Compare(Draw(mesh, vtkNew<WrongSort>(), camera), theirs), 5.0);
     }
   }
   return check.GetResult();

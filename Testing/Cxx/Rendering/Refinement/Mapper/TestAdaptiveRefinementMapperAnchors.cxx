@@ -177,7 +177,7 @@ void TestOwnShaders(RelevoCheck& check)
 
   shaders->AddVertexShaderReplacement("//VTK::System::Dec", true, "#version 150\n", false);
   scene.Render();
-  CHECK(RelevoPicture(scene.Window).Colors == expected.Colors);
+  CHECK_EQUAL(RelevoPicture(scene.Window).Colors, expected.Colors);
   shaders->ClearAllShaderReplacements();
 
   shaders->AddFragmentShaderReplacement("//VTK::Color::Impl", true,
@@ -186,11 +186,12 @@ void TestOwnShaders(RelevoCheck& check)
     false);
   for (const bool byLevel : { false, true })
   {
+    CHECK_CASE(byLevel);
     byLevel ? scene.GetMapper(0)->SetColorModeToLevel()
             : scene.GetMapper(0)->SetColorModeToScalars();
     scene.Render();
     const RelevoPicture picture(scene.Window);
-    CHECK(picture.CountForeground() == expected.CountForeground());
+    CHECK_EQUAL(picture.CountForeground(), expected.CountForeground());
     const size_t middle = 3 * (picture.GetNumberOfPixels() / 2 + picture.Size[0] / 2);
     CHECK(picture.Colors[middle] == 255 && picture.Colors[middle + 1] == 0);
   }
@@ -201,11 +202,11 @@ void TestOwnShaders(RelevoCheck& check)
   scene.GetMapper(0)->SetColorModeToScalars();
   shaders->AddVertexShaderReplacement("void main()", true, "void first()", false);
   scene.Render();
-  CHECK(RelevoPicture(scene.Window).CountForeground() == 0);
+  CHECK_EQUAL(RelevoPicture(scene.Window).CountForeground(), 0);
   CHECK(complaints.IsMissing("vertex", "void main("));
   shaders->ClearAllShaderReplacements();
   scene.Render();
-  CHECK(RelevoPicture(scene.Window).Colors == expected.Colors);
+  CHECK_EQUAL(RelevoPicture(scene.Window).Colors, expected.Colors);
   CHECK(complaints.None());
 }
 }

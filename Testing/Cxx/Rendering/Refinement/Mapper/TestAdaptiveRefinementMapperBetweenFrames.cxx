@@ -146,7 +146,8 @@ void TestCases(RelevoCheck& check, int method, int device, bool hasHoles)
 {
   Frame frame(method, device, hasHoles);
   const Numbers before(frame.GetMapper());
-  CHECK(before.Triangles > 100 && before.UsedPatterns > 3);
+  CHECK_GREATER(before.Triangles, 100);
+  CHECK_GREATER(before.UsedPatterns, 3);
   for (const Case& change : GetCases())
   {
     Frame other(method, device, hasHoles); // counts for the first time when it is too late
@@ -161,7 +162,7 @@ void TestCases(RelevoCheck& check, int method, int device, bool hasHoles)
     }
     std::ostringstream text;
     other.GetMapper()->Print(text);
-    CHECK(text.str().find("NumberOfDrawnTriangles: " + std::to_string(before.Triangles)) !=
+    CHECK_NOT_EQUAL(text.str().find("NumberOfDrawnTriangles: " + std::to_string(before.Triangles)),
       std::string::npos);
   }
 }
@@ -176,9 +177,9 @@ void TestReadPatterns(RelevoCheck& check, const std::string& folder, int method)
   CHECK(frame.Recipe->GetPatternTable()->Write(file.c_str()));
   Frame other(method, Mapper::SELECTION_DEVICE_CPU, false);
   CHECK(other.Recipe->GetPatternTable()->Read(file.c_str()));
-  CHECK(Numbers(other.GetMapper()) == before);
+  CHECK_EQUAL(Numbers(other.GetMapper()), before);
   other.Scene.Render();
-  CHECK(Numbers(other.GetMapper()) == before);
+  CHECK_EQUAL(Numbers(other.GetMapper()), before);
 }
 
 // Patterns that morph belong to the recipe's table, and stay with the frame when both have gone.
@@ -192,14 +193,15 @@ void TestMorphing(RelevoCheck& check, int device)
   };
   morph(frame);
   const Numbers before(frame.GetMapper());
-  CHECK(before.Triangles > 100 && before.UsedPatterns > 3);
+  CHECK_GREATER(before.Triangles, 100);
+  CHECK_GREATER(before.UsedPatterns, 3);
   for (const Change& change :
     { Change(TakeRecipe), Change([](Frame& other) { other.Recipe->SetPatternTable(nullptr); }) })
   {
     Frame other(Mapper::METHOD_ARKFPI, device, false);
     morph(other);
     change(other);
-    CHECK(Numbers(other.GetMapper()) == before);
+    CHECK_EQUAL(Numbers(other.GetMapper()), before);
   }
 }
 
@@ -211,10 +213,10 @@ void TestNextFrame(RelevoCheck& check)
   frame.Displacement->SetNoDataPolicyToFill();
   frame.Scene.Render();
   const vtkIdType filled = frame.GetMapper()->GetNumberOfDrawnTriangles();
-  CHECK(filled > holed);
+  CHECK_GREATER(filled, holed);
   frame.Displacement->SetNoDataPolicyToHole();
   frame.Scene.Render();
-  CHECK(frame.GetMapper()->GetNumberOfDrawnTriangles() == holed);
+  CHECK_EQUAL(frame.GetMapper()->GetNumberOfDrawnTriangles(), holed);
 }
 
 // The normals and spreads that a metric has for one mesh are gone when it is asked about another;
@@ -240,7 +242,7 @@ void TestMetricData(RelevoCheck& check)
     frame.Scene.Render();
     other.Scene.Render();
   }
-  CHECK(frame.GetMapper()->GetNumberOfDrawnTriangles() == before);
+  CHECK_EQUAL(frame.GetMapper()->GetNumberOfDrawnTriangles(), before);
 }
 }
 

@@ -144,8 +144,8 @@ void TestReplaced(RelevoCheck& check, int device)
   // Bounds are asked between the frames; the numbers are still those of the last one.
   mapper->SetInputDataObject(blocks);
   mapper->GetBounds();
-  CHECK(mapper->GetNumberOfDrawnTriangles() == triangles);
-  CHECK(Counts(mapper) == before);
+  CHECK_EQUAL(mapper->GetNumberOfDrawnTriangles(), triangles);
+  CHECK_EQUAL(Counts(mapper), before);
   scene.ResetCameras();
   scene.Render();
   RelevoScene alone(RelevoScene::Refining);
@@ -154,14 +154,14 @@ void TestReplaced(RelevoCheck& check, int device)
   expected->SetSelectionDevice(device);
   alone.ResetCameras();
   alone.Render();
-  CHECK(mapper->GetNumberOfDrawnTriangles() == expected->GetNumberOfDrawnTriangles());
-  CHECK(mapper->GetNumberOfCoarseFaces() == expected->GetNumberOfCoarseFaces());
-  CHECK(mapper->GetNumberOfCulledFaces() == expected->GetNumberOfCulledFaces());
-  CHECK(mapper->GetNumberOfDrawCalls() == expected->GetNumberOfDrawCalls());
-  CHECK(mapper->GetNumberOfUsedPatterns() == expected->GetNumberOfUsedPatterns());
-  CHECK(mapper->GetSelectionDeviceInUse() == expected->GetSelectionDeviceInUse());
-  CHECK(mapper->GetGraphicsMemorySize() == expected->GetGraphicsMemorySize());
-  CHECK(mapper->GetGraphicsMemorySize() < memory);
+  CHECK_EQUAL(mapper->GetNumberOfDrawnTriangles(), expected->GetNumberOfDrawnTriangles());
+  CHECK_EQUAL(mapper->GetNumberOfCoarseFaces(), expected->GetNumberOfCoarseFaces());
+  CHECK_EQUAL(mapper->GetNumberOfCulledFaces(), expected->GetNumberOfCulledFaces());
+  CHECK_EQUAL(mapper->GetNumberOfDrawCalls(), expected->GetNumberOfDrawCalls());
+  CHECK_EQUAL(mapper->GetNumberOfUsedPatterns(), expected->GetNumberOfUsedPatterns());
+  CHECK_EQUAL(mapper->GetSelectionDeviceInUse(), expected->GetSelectionDeviceInUse());
+  CHECK_EQUAL(mapper->GetGraphicsMemorySize(), expected->GetGraphicsMemorySize());
+  CHECK_LESS(mapper->GetGraphicsMemorySize(), memory);
   const Counts after(mapper);
   CHECK(after.IsAtLeast(before) && after.Selections > before.Selections);
 
@@ -172,8 +172,8 @@ void TestReplaced(RelevoCheck& check, int device)
   mapper->SetInputData(mesh);
   scene.ResetCameras();
   scene.Render();
-  CHECK(mapper->GetNumberOfDrawnTriangles() == triangles);
-  CHECK(mapper->GetGraphicsMemorySize() == memory);
+  CHECK_EQUAL(mapper->GetNumberOfDrawnTriangles(), triangles);
+  CHECK_EQUAL(mapper->GetGraphicsMemorySize(), memory);
   CHECK(Counts(mapper).IsAtLeast(after));
 }
 
@@ -189,16 +189,18 @@ void TestFailed(RelevoCheck& check, int device)
   scene.ResetCameras();
   scene.Renderer->GetActiveCamera()->Zoom(3.0);
   scene.Render();
-  CHECK(mapper->GetNumberOfCulledFaces() > 0);
-  CHECK(mapper->GetNumberOfCulledFaces() < mapper->GetNumberOfCoarseFaces());
+  CHECK_GREATER(mapper->GetNumberOfCulledFaces(), 0);
+  CHECK_LESS(mapper->GetNumberOfCulledFaces(), mapper->GetNumberOfCoarseFaces());
   vtkDataArray* tags = mesh->GetPointData()->GetArray("DepthTag");
   tags->SetComponent(0, 0, std::numeric_limits<double>::quiet_NaN());
   tags->Modified();
   RelevoErrors errors(mapper);
   scene.Render();
   CHECK(errors.Said("NaN"));
-  CHECK(mapper->GetNumberOfCulledFaces() == 0 && mapper->GetNumberOfCoarseFaces() == 0);
-  CHECK(mapper->GetNumberOfUsedPatterns() == 0 && mapper->GetNumberOfDrawnTriangles() == 0);
+  CHECK_EQUAL(mapper->GetNumberOfCulledFaces(), 0);
+  CHECK_EQUAL(mapper->GetNumberOfCoarseFaces(), 0);
+  CHECK_EQUAL(mapper->GetNumberOfUsedPatterns(), 0);
+  CHECK_EQUAL(mapper->GetNumberOfDrawnTriangles(), 0);
 }
 
 void TestSubPieces(RelevoCheck& check, RelevoComparison& comparison)
@@ -225,7 +227,7 @@ void TestSubPieces(RelevoCheck& check, RelevoComparison& comparison)
     comparison.Compare("Blocks.SubPieces." + std::to_string(frame), {},
       RelevoPicture(pieces.Window), RelevoPicture(whole.Window));
   }
-  CHECK(RelevoPicture(whole.Window).CountForeground() > 100);
+  CHECK_GREATER(RelevoPicture(whole.Window).CountForeground(), 100);
 }
 }
 
@@ -236,6 +238,7 @@ int TestAdaptiveRefinementMapperBlocks(int argc, char* argv[])
   TestOutputWindow(check);
   for (const int device : { Mapper::SELECTION_DEVICE_CPU, Mapper::SELECTION_DEVICE_GPU })
   {
+    CHECK_CASE(device);
     TestReplaced(check, device);
     TestFailed(check, device);
   }

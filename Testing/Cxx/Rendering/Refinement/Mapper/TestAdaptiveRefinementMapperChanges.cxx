@@ -113,13 +113,14 @@ void TestDisplacement(RelevoCheck& check)
   const vtkTypeInt64 memory = scene.GetMapper(0)->GetGraphicsMemorySize();
   recipe->SetDisplacement(nullptr);
   const RelevoPicture flat = Draw(scene);
-  CHECK(flat.CountForeground() > displaced.CountForeground());
-  CHECK(flat.Colors == DrawAnew(scene, [&](RelevoScene& s) { s.Add(mesh, MakeRecipe(3)); }).Colors);
+  CHECK_GREATER(flat.CountForeground(), displaced.CountForeground());
+  CHECK_EQUAL(
+    flat.Colors, DrawAnew(scene, [&](RelevoScene& s) { s.Add(mesh, MakeRecipe(3)); }).Colors);
   int size[2];
   heights->GetDimensions(size);
-  CHECK(memory - scene.GetMapper(0)->GetGraphicsMemorySize() >= size[0] * size[1] * 5);
+  CHECK_GREATER_EQUAL(memory - scene.GetMapper(0)->GetGraphicsMemorySize(), size[0] * size[1] * 5);
   recipe->SetDisplacement(displacement);
-  CHECK(Draw(scene).Colors == displaced.Colors);
+  CHECK_EQUAL(Draw(scene).Colors, displaced.Colors);
   CHECK(errors.Were({}));
 }
 
@@ -139,19 +140,19 @@ void TestRoom(RelevoCheck& check)
   Errors errors(mapper);
   scene.Render();
   CHECK(errors.Were({ "The method DMR cannot be used: OpenGL has no room", "could not be built" }));
-  CHECK(mapper->GetMethodInUse() == Mapper::METHOD_ARKFPI);
+  CHECK_EQUAL(mapper->GetMethodInUse(), Mapper::METHOD_ARKFPI);
   scene.Render();
   recipe->SetLevelOffset(0.5); // does not help
   scene.Render();
   CHECK(errors.Were({}));
-  CHECK(mapper->GetMethodInUse() == Mapper::METHOD_ARKFPI);
+  CHECK_EQUAL(mapper->GetMethodInUse(), Mapper::METHOD_ARKFPI);
 
   // Fewer triangles, or another method.
   surface->SetShaderFunction(GoodFunction);
   recipe->SetLevelOffset(0.0);
   recipe->SetMaximumLevel(1);
-  CHECK(Draw(scene).CountForeground() > 1000);
-  CHECK(mapper->GetMethodInUse() == Mapper::METHOD_DMR);
+  CHECK_GREATER(Draw(scene).CountForeground(), 1000);
+  CHECK_EQUAL(mapper->GetMethodInUse(), Mapper::METHOD_DMR);
   surface->SetShaderFunction(BadFunction);
   recipe->SetMaximumLevel(7);
   scene.Render();
@@ -159,7 +160,7 @@ void TestRoom(RelevoCheck& check)
   mapper->SetMethodToARKFPI();
   surface->SetShaderFunction(GoodFunction);
   recipe->SetMaximumLevel(1);
-  CHECK(Draw(scene).CountForeground() > 1000);
+  CHECK_GREATER(Draw(scene).CountForeground(), 1000);
   CHECK(errors.Were({}));
 }
 
@@ -170,17 +171,17 @@ void TestBroken(RelevoCheck& check, RelevoScene& scene, const std::function<void
   Errors errors(scene.GetMapper(0));
   mend();
   const RelevoPicture expected = Draw(scene);
-  CHECK(expected.CountForeground() > 1000);
+  CHECK_GREATER(expected.CountForeground(), 1000);
   for (int i = 0; i < 2; ++i)
   {
     breakThem();
     for (int frame = 0; frame < 3; ++frame)
     {
-      CHECK(Draw(scene).CountForeground() == 0);
+      CHECK_EQUAL(Draw(scene).CountForeground(), 0);
     }
     CHECK(errors.Were({ "vtkShaderProperty" }));
     mend();
-    CHECK(Draw(scene).Colors == expected.Colors);
+    CHECK_EQUAL(Draw(scene).Colors, expected.Colors);
     CHECK(errors.Were({}));
   }
 }
@@ -225,8 +226,8 @@ void TestColors(RelevoCheck& check)
   const RelevoPicture shallow = Draw(scene);
   recipe->SetMaximumLevel(4);
   const RelevoPicture deep = Draw(scene);
-  CHECK(deep.Colors != shallow.Colors);
-  CHECK(deep.Colors == DrawAnew(scene, build).Colors);
+  CHECK_NOT_EQUAL(deep.Colors, shallow.Colors);
+  CHECK_EQUAL(deep.Colors, DrawAnew(scene, build).Colors);
 }
 
 // Where VTK moves and scales positions by the camera, what is refined moves with them.
@@ -260,12 +261,13 @@ void TestCamera(RelevoCheck& check, RelevoComparison& comparison)
   scene.Render();
   for (const double distance : { 1.0, 0.5 })
   {
+    CHECK_CASE(distance);
     place(distance);
     const RelevoPicture expected = Draw(twin);
     comparison.Compare("Camera." + std::to_string(distance), tolerance, Draw(scene), expected);
     const vtkIdType builds = scene.GetMapper(0)->GetNumberOfBufferBuilds();
     scene.Render();
-    CHECK(scene.GetMapper(0)->GetNumberOfBufferBuilds() == builds);
+    CHECK_EQUAL(scene.GetMapper(0)->GetNumberOfBufferBuilds(), builds);
   }
 }
 
@@ -322,20 +324,20 @@ void TestSelection(RelevoCheck& check)
   {
     return;
   }
-  CHECK(mapper->GetSelectionDeviceInUse() == Mapper::SELECTION_DEVICE_GPU);
+  CHECK_EQUAL(mapper->GetSelectionDeviceInUse(), Mapper::SELECTION_DEVICE_GPU);
   metric->Tag = "nonsense";
   metric->Modified();
-  CHECK(Draw(scene).Colors == expected.Colors);
-  CHECK(mapper->GetSelectionDeviceInUse() == Mapper::SELECTION_DEVICE_CPU);
+  CHECK_EQUAL(Draw(scene).Colors, expected.Colors);
+  CHECK_EQUAL(mapper->GetSelectionDeviceInUse(), Mapper::SELECTION_DEVICE_CPU);
   CHECK(errors.Were({ "Selection on the GPU failed" }));
   scene.Renderer->GetActiveCamera()->Azimuth(10.0);
   scene.Render();
-  CHECK(mapper->GetSelectionDeviceInUse() == Mapper::SELECTION_DEVICE_CPU);
+  CHECK_EQUAL(mapper->GetSelectionDeviceInUse(), Mapper::SELECTION_DEVICE_CPU);
   scene.Renderer->GetActiveCamera()->Azimuth(-10.0);
   metric->Tag = "1.0";
   metric->Modified();
-  CHECK(Draw(scene).Colors == expected.Colors);
-  CHECK(mapper->GetSelectionDeviceInUse() == Mapper::SELECTION_DEVICE_GPU);
+  CHECK_EQUAL(Draw(scene).Colors, expected.Colors);
+  CHECK_EQUAL(mapper->GetSelectionDeviceInUse(), Mapper::SELECTION_DEVICE_GPU);
   CHECK(errors.Were({}));
 }
 }

@@ -254,21 +254,21 @@ void TestNothing(RelevoCheck& check)
 {
   vtkNew<vtkPolyData> nothing;
   View view(check, nothing);
-  CHECK(view.Draw()[0] == 0);
-  CHECK(view.Mapper->GetNumberOfDrawnTriangles() == 0);
-  CHECK(view.Mapper->GetNumberOfDrawCalls() == 0);
+  CHECK_EQUAL(view.Draw()[0], 0);
+  CHECK_EQUAL(view.Mapper->GetNumberOfDrawnTriangles(), 0);
+  CHECK_EQUAL(view.Mapper->GetNumberOfDrawCalls(), 0);
   Mesh lone = Make();
   lone->SetPoints(Cube()->GetPoints());
   view.Mapper->SetInputDataObject(lone);
-  CHECK(view.Draw()[0] == 0);
+  CHECK_EQUAL(view.Draw()[0], 0);
   vtkNew<vtkCellArray> verts;
   verts->InsertNextCell({ 0, 1, 2, 3 });
   lone->SetVerts(verts);
   view.Scene.GetActor(0)->GetProperty()->SetPointSize(5);
-  CHECK(view.Draw()[0] > 0); // vertices alone
+  CHECK_GREATER(view.Draw()[0], 0); // vertices alone
   vtkNew<vtkMultiBlockDataSet> blocks;
   view.Mapper->SetInputDataObject(blocks);
-  CHECK(view.Draw()[0] == 0);
+  CHECK_EQUAL(view.Draw()[0], 0);
   CHECK(view.Errors.None());
 }
 
@@ -281,9 +281,9 @@ void TestPoints(RelevoCheck& check)
   vtkNew<vtkPNTriangleSurface> surface;
   view.Recipe->SetSurface(surface);
   const auto drawn = view.Draw();
-  CHECK(drawn[0] > 100);
+  CHECK_GREATER(drawn[0], 100);
   CHECK(view.Errors.Warned("degenerate"));
-  CHECK(view.Draw() == drawn);
+  CHECK_EQUAL(view.Draw(), drawn);
   CHECK(view.Errors.None());
   double bounds[6];
   view.Mapper->GetBounds(bounds);
@@ -293,7 +293,7 @@ void TestPoints(RelevoCheck& check)
   filter->SetInputData(mesh);
   filter->SetRefinement(view.Recipe);
   filter->Update();
-  CHECK(view.Mapper->GetNumberOfDrawnTriangles() == filter->GetOutput()->GetNumberOfPolys());
+  CHECK_EQUAL(view.Mapper->GetNumberOfDrawnTriangles(), filter->GetOutput()->GetNumberOfPolys());
 }
 
 // Cells that refer to points that are not there.
@@ -323,9 +323,9 @@ void TestBlocks(RelevoCheck& check)
   blocks->SetBlock(0, good);
   blocks->SetBlock(1, bad);
   View view(check, blocks);
-  CHECK(view.Draw()[0] > 0);
+  CHECK_GREATER(view.Draw()[0], 0);
   CHECK(view.Errors.Said("is NaN at point 2"));
-  CHECK(view.Mapper->GetNumberOfDrawnTriangles() == 12 * 16);
+  CHECK_EQUAL(view.Mapper->GetNumberOfDrawnTriangles(), 12 * 16);
   view.Draw();
   CHECK(view.Errors.None());
   view.Mapper->SetRefinement(nullptr);
@@ -357,7 +357,7 @@ void TestTypes(RelevoCheck& check)
   blocks->SetBlock(1, table);
   blocks->GetMetaData(1u)->Set(vtkCompositeDataSet::NAME(), "history");
   view.Mapper->SetInputDataObject(blocks);
-  CHECK(view.Draw()[0] > 0);
+  CHECK_GREATER(view.Draw()[0], 0);
   CHECK(view.Errors.Said(
     "Block 2 (\"history\") is a vtkTable; a vtkPolyData is needed; it is left out."));
   view.TestWorks("the other block");
@@ -365,7 +365,7 @@ void TestTypes(RelevoCheck& check)
   view.Draw();
   CHECK(
     view.Errors.Said("Block 1 is a vtkTable; a vtkPolyData is needed; it is left out. Block 2"));
-  CHECK(view.Draw()[0] == 0);
+  CHECK_EQUAL(view.Draw()[0], 0);
   CHECK(view.Errors.None());
 }
 
@@ -373,11 +373,13 @@ void TestNoInput(RelevoCheck& check)
 {
   vtkNew<vtkAdaptiveRefinementMapper> mapper;
   mapper->SetRefinement(vtkSmartPointer<vtkAdaptiveRefinement>::New());
-  CHECK(mapper->GetNumberOfDrawnTriangles() == 0 && mapper->GetNumberOfDrawCalls() == 0);
-  CHECK(mapper->GetNumberOfCoarseFaces() == 0 && mapper->GetGraphicsMemorySize() == 0);
+  CHECK_EQUAL(mapper->GetNumberOfDrawnTriangles(), 0);
+  CHECK_EQUAL(mapper->GetNumberOfDrawCalls(), 0);
+  CHECK_EQUAL(mapper->GetNumberOfCoarseFaces(), 0);
+  CHECK_EQUAL(mapper->GetGraphicsMemorySize(), 0);
   std::ostringstream text;
   mapper->Print(text);
-  CHECK(text.str().find("NumberOfDrawnTriangles: 0") != std::string::npos);
+  CHECK_NOT_EQUAL(text.str().find("NumberOfDrawnTriangles: 0"), std::string::npos);
 }
 }
 

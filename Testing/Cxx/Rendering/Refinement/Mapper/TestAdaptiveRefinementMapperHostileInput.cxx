@@ -53,7 +53,7 @@ void ExpectColorless(RelevoCheck& check, vtkPolyData* mesh, const std::string& e
     scene.Render();
     CHECK(errors.None()); // said once
   }
-  CHECK(RelevoPicture(scene.Window).CountForeground() > 100);
+  CHECK_GREATER(RelevoPicture(scene.Window).CountForeground(), 100);
 }
 
 void TestColors(RelevoCheck& check)
@@ -112,7 +112,7 @@ void TestOthers(RelevoCheck& check)
   mesh->Modified();
   scene.Render();
   CHECK(errors.Warned("Array \"Fewer\" has too few tuples"));
-  CHECK(RelevoPicture(scene.Window).CountForeground() > 100);
+  CHECK_GREATER(RelevoPicture(scene.Window).CountForeground(), 100);
 }
 
 // VTK's map of cells is not there where one has too few points, or what it has does not exist.
@@ -120,6 +120,7 @@ void TestPicks(RelevoCheck& check)
 {
   for (bool isDrawn : { true, false })
   {
+    CHECK_CASE(isDrawn);
     Mesh mesh = Sphere(8, 6);
     mesh->SetPolys(WithCell(mesh->GetPolys(), { 0, 1 }));
     mesh->SetLines(WithCell(mesh->GetLines(), { 0 }));
@@ -134,11 +135,11 @@ void TestPicks(RelevoCheck& check)
     RelevoErrors errors(scene.GetMapper(0));
     scene.Render();
     vtkNew<vtkCellPicker> cells;
-    CHECK((cells->Pick(25.0, 25.0, 0.0, scene.Renderer) != 0) == isDrawn);
+    CHECK_EQUAL((cells->Pick(25.0, 25.0, 0.0, scene.Renderer) != 0), isDrawn);
     CHECK(!isDrawn || cells->GetCellId() > 0);
     vtkNew<vtkPointPicker> points;
     points->SetTolerance(0.2);
-    CHECK((points->Pick(25.0, 25.0, 0.0, scene.Renderer) != 0) == isDrawn);
+    CHECK_EQUAL((points->Pick(25.0, 25.0, 0.0, scene.Renderer) != 0), isDrawn);
   }
 }
 
@@ -186,12 +187,12 @@ void TestLostPoints(RelevoCheck& check)
       CHECK(errors.Said(hasRecipe ? "refers to point" : "No recipe"));
       RelevoPicks::SelectPixels(scene, vtkDataObject::FIELD_ASSOCIATION_CELLS);
       RelevoPicks::SelectPixels(scene, vtkDataObject::FIELD_ASSOCIATION_POINTS);
-      CHECK(RelevoPicture(scene.Window).CountForeground() == 0);
+      CHECK_EQUAL(RelevoPicture(scene.Window).CountForeground(), 0);
       // The next mesh is drawn.
       scene.GetMapper(0)->SetRefinement(MakeRecipe(1));
       scene.GetMapper(0)->SetInputDataObject(Mixed());
       scene.Render();
-      CHECK(RelevoPicture(scene.Window).CountForeground() > 100);
+      CHECK_GREATER(RelevoPicture(scene.Window).CountForeground(), 100);
     }
   }
 }

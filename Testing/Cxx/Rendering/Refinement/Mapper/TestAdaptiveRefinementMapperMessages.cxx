@@ -128,6 +128,6 @@ int TestAdaptiveRefinementMapperMessages(int, char*[])
   vtkShaderProperty* shaders = actor->GetShaderProperty();
   scene.ResetCameras();
   scene.Render();
-  CHECK(actor->GetShaderProperty() == shaders);
+  CHECK_EQUAL(actor->GetShaderProperty(), shaders);
   return check.GetResult();
 }

@@ -154,7 +154,7 @@ int TestAdaptiveRefinementMapperObjects(int, char*[])
       // Programs that VTK keeps for later are there after the first six.
       if (round > 6)
       {
-        CHECK(counts == before);
+        CHECK_EQUAL(counts, before);
       }
       before = counts;
     }
@@ -164,6 +164,6 @@ int TestAdaptiveRefinementMapperObjects(int, char*[])
     DrawWindow(scene, method, round);
   }
   scene.Window->MakeCurrent();
-  CHECK(CountObjects() == before);
+  CHECK_EQUAL(CountObjects(), before);
   return check.GetResult();
 }

@@ -27,8 +27,8 @@ int TestAdaptiveRefinementMapperOldContext(int, char*[])
     return 125;
   }
   CHECK(errors.Said("Refinement needs OpenGL 3.3"));
-  CHECK(scene.GetMapper(0)->GetNumberOfDrawnTriangles() == 0);
-  CHECK(RelevoPicture(scene.Window).CountForeground() == 0);
+  CHECK_EQUAL(scene.GetMapper(0)->GetNumberOfDrawnTriangles(), 0);
+  CHECK_EQUAL(RelevoPicture(scene.Window).CountForeground(), 0);
   scene.Render();
   CHECK(errors.None());
   return check.GetResult();

@@ -144,18 +144,18 @@ void TestRequests(RelevoCheck& check, RelevoComparison& comparison, const std::s
     }
     double bounds[6];
     mapper->GetBounds(bounds);
-    CHECK(source->Last == request);
+    CHECK_EQUAL(source->Last, request);
     view.Renderer->ResetCamera();
     view.Window->Render();
-    CHECK(source->Last == request);
+    CHECK_EQUAL(source->Last, request);
     const vtkIdType faces = MakePiece(request)->GetNumberOfPolys() * (isTwin ? 1 : 2);
-    CHECK(mapper->GetNumberOfDrawnTriangles() == faces);
-    CHECK(mapper->GetNumberOfCoarseFaces() == faces);
+    CHECK_EQUAL(mapper->GetNumberOfDrawnTriangles(), faces);
+    CHECK_EQUAL(mapper->GetNumberOfCoarseFaces(), faces);
     const int executions = source->Executions;
     mapper->Update();
     mapper->GetBounds();
     view.Window->Render();
-    CHECK(source->Executions == executions);
+    CHECK_EQUAL(source->Executions, executions);
     if (isTwin)
     {
       double expected[6];
@@ -186,7 +186,8 @@ void TestRequests(RelevoCheck& check, RelevoComparison& comparison, const std::s
   // What a copy of a mapper draws: VTK copies the number of pieces, not the piece.
   auto copy = NewMapper(0);
   copy->ShallowCopy(next);
-  CHECK(copy->GetNumberOfPieces() == 5 && copy->GetGhostLevel() == 1);
+  CHECK_EQUAL(copy->GetNumberOfPieces(), 5);
+  CHECK_EQUAL(copy->GetGhostLevel(), 1);
 }
 
 // VTK's own source makes pieces of its own.
@@ -212,7 +213,7 @@ void TestSphere(RelevoCheck& check, RelevoComparison& comparison)
     }
     comparison.Compare("Pieces.Sphere." + std::to_string(piece), RelevoTolerance(),
       RelevoPicture(views[0]->Window), RelevoPicture(views[1]->Window));
-    CHECK(mapper->GetNumberOfDrawnTriangles() == source->GetOutput()->GetNumberOfPolys());
+    CHECK_EQUAL(mapper->GetNumberOfDrawnTriangles(), source->GetOutput()->GetNumberOfPolys());
   }
 }
 // A mesh of all kinds of cells, some of them ghosts, and the same without these.
@@ -294,9 +295,11 @@ void TestGhosts(RelevoCheck& check, RelevoComparison& comparison)
       comparison.Compare("Ghosts." + std::to_string(representation) + "." + std::to_string(level),
         tolerance, RelevoPicture(refining.Window), RelevoPicture(twin.Window));
       Mesh refined = Refine(WithGhosts(false), recipe);
-      CHECK(refining.CountTriangles() == refined->GetNumberOfPolys());
-      CHECK(refined->GetNumberOfPolys() == Refine(WithGhosts(true), recipe)->GetNumberOfPolys());
-      CHECK(refined->GetNumberOfVerts() == 1 && refined->GetNumberOfLines() == 1);
+      CHECK_EQUAL(refining.CountTriangles(), refined->GetNumberOfPolys());
+      CHECK_EQUAL(
+        refined->GetNumberOfPolys(), Refine(WithGhosts(true), recipe)->GetNumberOfPolys());
+      CHECK_EQUAL(refined->GetNumberOfVerts(), 1);
+      CHECK_EQUAL(refined->GetNumberOfLines(), 1);
       double bounds[6];
       double expected[6];
       refining.GetMapper(0)->GetBounds(bounds);
@@ -345,14 +348,15 @@ void TestGhostNeighbours(RelevoCheck& check)
       CHECK(std::equal(point, point + 3, expected->GetPoint(expectedIds->GetId(k))));
     }
   }
-  CHECK(next == part->GetNumberOfPolys() && next > 0);
+  CHECK_EQUAL(next, part->GetNumberOfPolys());
+  CHECK_GREATER(next, 0);
   std::set<vtkIdType> used;
   for (vtkIdType cell = 0; cell < part->GetNumberOfCells(); ++cell)
   {
     part->GetCellPoints(cell, ids);
     used.insert(ids->begin(), ids->end());
   }
-  CHECK(static_cast<vtkIdType>(used.size()) == part->GetNumberOfPoints());
+  CHECK_EQUAL(static_cast<vtkIdType>(used.size()), part->GetNumberOfPoints());
 }
 }
 

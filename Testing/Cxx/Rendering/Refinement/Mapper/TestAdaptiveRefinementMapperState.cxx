@@ -95,9 +95,11 @@ vtkSmartPointer<vtkDisplacement> MakeDisplacement()
 
 void TestFirstRender(RelevoCheck& check, View& view)
 {
-  CHECK(view.Mapper->GetNumberOfSelections() == 0);
+  CHECK_EQUAL(view.Mapper->GetNumberOfSelections(), 0);
   view.Render();
-  CHECK(view.Buffers == 1 && view.Shaders >= 1 && view.Selections == 1);
+  CHECK_EQUAL(view.Buffers, 1);
+  CHECK_GREATER_EQUAL(view.Shaders, 1);
+  CHECK_EQUAL(view.Selections, 1);
 }
 
 // A moving camera and live values need no work.
@@ -123,14 +125,16 @@ void TestLiveValues(RelevoCheck& check, View& view, vtkDisplacement* displacemen
   }
   view.Window->SetSize(240, 220);
   view.Render();
-  CHECK(view.Selections == 0);
+  CHECK_EQUAL(view.Selections, 0);
 }
 
 void TestLevelsAlone(RelevoCheck& check, View& view)
 {
   view.Recipe->SetMaximumLevel(4);
   view.Render();
-  CHECK(view.Selections == 1 && view.Buffers == 0 && view.Shaders == 0);
+  CHECK_EQUAL(view.Selections, 1);
+  CHECK_EQUAL(view.Buffers, 0);
+  CHECK_EQUAL(view.Shaders, 0);
 }
 
 // Passes draw many times, with levels chosen once.
@@ -139,9 +143,10 @@ void TestPasses(RelevoCheck& check, View& view)
   view.Renderer->UseDepthPeelingOn();
   view.Actor->GetProperty()->SetOpacity(0.5);
   view.Render();
-  CHECK(view.Selections == 0);
+  CHECK_EQUAL(view.Selections, 0);
   view.Render();
-  CHECK(view.Selections == 0 && view.Buffers == 0);
+  CHECK_EQUAL(view.Selections, 0);
+  CHECK_EQUAL(view.Buffers, 0);
 }
 
 // So do selections.
@@ -154,10 +159,10 @@ void TestSelection(RelevoCheck& check, View& view)
   const vtkIdType before = view.Mapper->GetNumberOfSelections();
   vtkSmartPointer<vtkSelection> selection;
   selection.TakeReference(selector->Select());
-  CHECK(selection->GetNumberOfNodes() == 1);
-  CHECK(view.Mapper->GetNumberOfSelections() == before);
+  CHECK_EQUAL(selection->GetNumberOfNodes(), 1);
+  CHECK_EQUAL(view.Mapper->GetNumberOfSelections(), before);
   view.Render();
-  CHECK(view.Selections == 0);
+  CHECK_EQUAL(view.Selections, 0);
 }
 
 // A direction instead of the normal is another shader; its value is live.
@@ -165,7 +170,7 @@ void TestDirection(RelevoCheck& check, View& view, vtkDisplacement* displacement
 {
   displacement->SetDirection(0, 0, 1);
   view.Render();
-  CHECK(view.Shaders >= 1);
+  CHECK_GREATER_EQUAL(view.Shaders, 1);
   displacement->SetDirection(0, 1, 1);
   view.Render();
   CHECK(view.DidNothing());
@@ -173,11 +178,12 @@ void TestDirection(RelevoCheck& check, View& view, vtkDisplacement* displacement
 
 void TestReport(RelevoCheck& check, View& view)
 {
-  CHECK(view.Mapper->GetNumberOfCoarseFaces() == 12 * 2 * 7); // none flat at the poles
-  CHECK(view.Mapper->GetNumberOfUsedPatterns() > 5);
-  CHECK(view.Mapper->GetNumberOfDrawCalls() >= view.Mapper->GetNumberOfUsedPatterns());
-  CHECK(view.Mapper->GetNumberOfDrawCalls() <= 2 * view.Mapper->GetNumberOfUsedPatterns());
-  CHECK(view.Mapper->GetSelectionTime() > 0 && view.Mapper->GetSelectionTime() < 10);
+  CHECK_EQUAL(view.Mapper->GetNumberOfCoarseFaces(), 12 * 2 * 7); // none flat at the poles
+  CHECK_GREATER(view.Mapper->GetNumberOfUsedPatterns(), 5);
+  CHECK_GREATER_EQUAL(view.Mapper->GetNumberOfDrawCalls(), view.Mapper->GetNumberOfUsedPatterns());
+  CHECK_LESS_EQUAL(view.Mapper->GetNumberOfDrawCalls(), 2 * view.Mapper->GetNumberOfUsedPatterns());
+  CHECK_GREATER(view.Mapper->GetSelectionTime(), 0);
+  CHECK_LESS(view.Mapper->GetSelectionTime(), 10);
 }
 
 void TestDisplaced(RelevoCheck& check, vtkDisplacement* displacement)
@@ -208,55 +214,60 @@ void TestLevelsByPlace(RelevoCheck& check)
   view.Recipe->SetMaximumLevel(4);
   view.Recipe->SetMetric(metric);
   view.Render();
-  CHECK(view.Selections == 1);
+  CHECK_EQUAL(view.Selections, 1);
   view.Renderer->GetActiveCamera()->Azimuth(10);
   view.Render();
   CHECK(view.DidNothing());
   const vtkIdType before = view.Mapper->GetNumberOfDrawnTriangles();
   view.Actor->SetPosition(-0.5, 0, 0);
   view.Render();
-  CHECK(view.Selections == 1 && view.Buffers == 0 && view.Shaders == 0);
-  CHECK(view.Mapper->GetNumberOfDrawnTriangles() < before);
+  CHECK_EQUAL(view.Selections, 1);
+  CHECK_EQUAL(view.Buffers, 0);
+  CHECK_EQUAL(view.Shaders, 0);
+  CHECK_LESS(view.Mapper->GetNumberOfDrawnTriangles(), before);
 }
 
 void TestCamera(RelevoCheck& check, View& view)
 {
   view.Render();
-  CHECK(view.Selections == 1);
+  CHECK_EQUAL(view.Selections, 1);
   view.Render();
   CHECK(view.DidNothing());
   const vtkIdType few = view.Mapper->GetNumberOfDrawnTriangles();
   view.Renderer->GetActiveCamera()->Dolly(1.8);
   view.Render();
-  CHECK(view.Selections == 1 && view.Buffers == 0 && view.Shaders == 0);
-  CHECK(view.Mapper->GetNumberOfDrawnTriangles() > few);
+  CHECK_EQUAL(view.Selections, 1);
+  CHECK_EQUAL(view.Buffers, 0);
+  CHECK_EQUAL(view.Shaders, 0);
+  CHECK_GREATER(view.Mapper->GetNumberOfDrawnTriangles(), few);
 }
 
 void TestPlacement(RelevoCheck& check, View& view)
 {
   view.Actor->SetPosition(0.1, 0, 0);
   view.Render();
-  CHECK(view.Selections == 1);
+  CHECK_EQUAL(view.Selections, 1);
   view.Actor->SetScale(0.7);
   view.Render();
-  CHECK(view.Selections == 1);
+  CHECK_EQUAL(view.Selections, 1);
 }
 
 void TestViewport(RelevoCheck& check, View& view)
 {
   view.Window->SetSize(300, 260);
   view.Render();
-  CHECK(view.Selections == 1);
+  CHECK_EQUAL(view.Selections, 1);
   view.Renderer->SetViewport(0, 0, 0.5, 1);
   view.Render();
-  CHECK(view.Selections == 1);
+  CHECK_EQUAL(view.Selections, 1);
 }
 
 void TestOtherMetric(RelevoCheck& check, View& view, vtkDistanceDepthTagMetric* metric)
 {
   metric->SetMaximumDistance(5);
   view.Render();
-  CHECK(view.Selections == 1 && view.Shaders == 0);
+  CHECK_EQUAL(view.Selections, 1);
+  CHECK_EQUAL(view.Shaders, 0);
 }
 
 void TestOtherCamera(RelevoCheck& check, View& view)
@@ -265,7 +276,7 @@ void TestOtherCamera(RelevoCheck& check, View& view)
   other->DeepCopy(view.Renderer->GetActiveCamera());
   view.Renderer->SetActiveCamera(other);
   view.Render();
-  CHECK(view.Selections == 1);
+  CHECK_EQUAL(view.Selections, 1);
 }
 
 // Depth peeling and selections see the same camera many times.
@@ -275,7 +286,7 @@ void TestSameCamera(RelevoCheck& check, View& view)
   view.Actor->GetProperty()->SetOpacity(0.5);
   view.Render();
   view.Render();
-  CHECK(view.Selections == 0);
+  CHECK_EQUAL(view.Selections, 0);
 }
 
 // An array of the mesh's own wins, and no view matters any more.
@@ -284,7 +295,7 @@ void TestOwnTags(RelevoCheck& check, View& view, vtkPolyData* mesh)
   AddTags(mesh, 1, 3);
   mesh->Modified();
   view.Render();
-  CHECK(view.Selections == 1);
+  CHECK_EQUAL(view.Selections, 1);
   view.Renderer->GetActiveCamera()->Dolly(1.2);
   view.Render();
   CHECK(view.DidNothing());
@@ -322,19 +333,19 @@ void TestSeveralCameras(RelevoCheck& check)
   second->ResetCamera();
   second->GetActiveCamera()->Zoom(2);
   view.Render();
-  CHECK(view.Selections == 2);
+  CHECK_EQUAL(view.Selections, 2);
   view.Render();
   CHECK(view.DidNothing());
   second->GetActiveCamera()->Azimuth(20);
   view.Render();
-  CHECK(view.Selections == 1);
+  CHECK_EQUAL(view.Selections, 1);
   // A camera that was touched, but is as it was.
   second->GetActiveCamera()->Modified();
   view.Renderer->GetActiveCamera()->Azimuth(20);
   view.Renderer->GetActiveCamera()->Azimuth(-20);
   view.Renderer->GetActiveCamera()->SetPosition(1, 2, 3);
   view.Render();
-  CHECK(view.Selections == 1);
+  CHECK_EQUAL(view.Selections, 1);
 }
 
 // Memory: what the coarse mesh and one pattern take, whatever is drawn.
@@ -345,25 +356,26 @@ void TestMemory(RelevoCheck& check, vtkDisplacement* displacement)
   const vtkTypeInt64 faces = 2 * plane->GetNumberOfCells();
   View view(plane);
   view.Recipe->SetMaximumLevel(0);
-  CHECK(view.Mapper->GetGraphicsMemorySize() == 0);
+  CHECK_EQUAL(view.Mapper->GetGraphicsMemorySize(), 0);
   view.Render();
   const vtkTypeInt64 coarse = view.Mapper->GetGraphicsMemorySize();
-  CHECK(coarse >= points * 12 + faces * 12);
-  CHECK(coarse <= points * 100 + faces * 60);
+  CHECK_GREATER_EQUAL(coarse, points * 12 + faces * 12);
+  CHECK_LESS_EQUAL(coarse, points * 100 + faces * 60);
   view.Recipe->SetMaximumLevel(6);
   view.Render();
-  CHECK(view.Mapper->GetNumberOfDrawnTriangles() == faces * 4096);
-  CHECK(view.Mapper->GetNumberOfDrawCalls() <= 2);
-  CHECK(view.Mapper->GetNumberOfUsedPatterns() == 1);
+  CHECK_EQUAL(view.Mapper->GetNumberOfDrawnTriangles(), faces * 4096);
+  CHECK_LESS_EQUAL(view.Mapper->GetNumberOfDrawCalls(), 2);
+  CHECK_EQUAL(view.Mapper->GetNumberOfUsedPatterns(), 1);
   const vtkTypeInt64 fine = view.Mapper->GetGraphicsMemorySize();
-  CHECK(fine > coarse && fine < coarse + 200000);
+  CHECK_GREATER(fine, coarse);
+  CHECK_LESS(fine, coarse + 200000);
   view.Recipe->SetDisplacement(displacement);
   view.Render();
-  CHECK(view.Mapper->GetGraphicsMemorySize() >= fine + 20 * 30 * 4);
+  CHECK_GREATER_EQUAL(view.Mapper->GetGraphicsMemorySize(), fine + 20 * 30 * 4);
   view.Actor->ReleaseGraphicsResources(view.Window);
-  CHECK(view.Mapper->GetGraphicsMemorySize() == 0);
+  CHECK_EQUAL(view.Mapper->GetGraphicsMemorySize(), 0);
   view.Render();
-  CHECK(view.Mapper->GetGraphicsMemorySize() > fine);
+  CHECK_GREATER(view.Mapper->GetGraphicsMemorySize(), fine);
 }
 }
 

@@ -178,6 +178,7 @@ int TestAdaptiveRefinementMapperUploads(int, char*[])
   {
     for (const bool blocks : { false, true })
     {
+      CHECK_CASE(blocks);
       Test(check, change, blocks);
     }
   }

@@ -28,17 +28,19 @@ int TestShaderText(int, char*[])
   for (const std::string body : { "  a;", "  if (a) { b; }\n  { { } }",
          "  // }\n  a / b; /* } { */", "#ifdef A // {\n  a;\n#endif" })
   {
+    CHECK_CASE(body);
     const std::string main = before + "void main()\n{\n" + body + "\n";
     relevo::MissingAnchors missing;
-    CHECK(InsertAtEnd(main + "}" + after, missing) == main + "\nEND;}" + after);
+    CHECK_EQUAL(InsertAtEnd(main + "}" + after, missing), main + "\nEND;}" + after);
     CHECK(missing.empty());
   }
   for (const std::string text :
     { "void main()\n{\n  if (a) { b; }\n", "void main()\n{\n  // }", "void main()\n{\n  /* }" })
   {
+    CHECK_CASE(text);
     relevo::MissingAnchors missing;
-    CHECK(InsertAtEnd(text, missing) == text);
-    CHECK(missing.count("vertex shader: \"}\"") == 1);
+    CHECK_EQUAL(InsertAtEnd(text, missing), text);
+    CHECK_EQUAL(missing.count("vertex shader: \"}\""), 1);
   }
   return check.GetResult();
 }

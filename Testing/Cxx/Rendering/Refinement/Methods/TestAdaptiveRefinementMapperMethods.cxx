@@ -77,22 +77,23 @@ void TestSetting(RelevoCheck& check)
 {
   vtkNew<Mapper> mapper;
   RelevoErrors errors(mapper);
-  CHECK(mapper->GetMethod() == Mapper::METHOD_ARKFPI);
+  CHECK_EQUAL(mapper->GetMethod(), Mapper::METHOD_ARKFPI);
   mapper->SetMethodToUniform();
-  CHECK(mapper->GetMethod() == Mapper::METHOD_UNIFORM);
+  CHECK_EQUAL(mapper->GetMethod(), Mapper::METHOD_UNIFORM);
   CHECK(errors.None());
   for (int wrong : { -1, 1000 })
   {
+    CHECK_CASE(wrong);
     mapper->SetMethod(wrong);
     CHECK(errors.Said("Method"));
-    CHECK(mapper->GetMethod() == Mapper::METHOD_UNIFORM);
+    CHECK_EQUAL(mapper->GetMethod(), Mapper::METHOD_UNIFORM);
   }
   vtkNew<Mapper> copy;
   copy->ShallowCopy(mapper);
-  CHECK(copy->GetMethod() == Mapper::METHOD_UNIFORM);
+  CHECK_EQUAL(copy->GetMethod(), Mapper::METHOD_UNIFORM);
   std::ostringstream text;
   mapper->Print(text);
-  CHECK(text.str().find("Method: Uniform") != std::string::npos);
+  CHECK_NOT_EQUAL(text.str().find("Method: Uniform"), std::string::npos);
 }
 
 // One draw call per face, the same picture to the bit.
@@ -100,6 +101,7 @@ void TestARK(RelevoCheck& check, RelevoComparison& comparison)
 {
   for (int morphing : { 0, 1 })
   {
+    CHECK_CASE(morphing);
     Subject subject(Tagged(Noisy(3), 3, 5), 5);
     Mapper* mapper = subject.GetMapper();
     mapper->SetSelectionDeviceToCPU();
@@ -108,13 +110,14 @@ void TestARK(RelevoCheck& check, RelevoComparison& comparison)
     subject.Recipe->SetDisplacement(subject.Displacement);
     for (int representation : { VTK_SURFACE, VTK_WIREFRAME, VTK_POINTS })
     {
+      CHECK_CASE(representation);
       subject.GetProperty()->SetRepresentation(representation);
       const RelevoPicture expected = subject.Draw(Mapper::METHOD_ARKFPI);
       const vtkIdType triangles = mapper->GetNumberOfDrawnTriangles();
       const RelevoPicture actual = subject.Draw(Mapper::METHOD_ARK);
-      CHECK(mapper->GetMethodInUse() == Mapper::METHOD_ARK);
-      CHECK(mapper->GetNumberOfDrawCalls() == mapper->GetNumberOfCoarseFaces());
-      CHECK(mapper->GetNumberOfDrawnTriangles() == triangles);
+      CHECK_EQUAL(mapper->GetMethodInUse(), Mapper::METHOD_ARK);
+      CHECK_EQUAL(mapper->GetNumberOfDrawCalls(), mapper->GetNumberOfCoarseFaces());
+      CHECK_EQUAL(mapper->GetNumberOfDrawnTriangles(), triangles);
       comparison.Compare("ARK" + std::to_string(morphing) + "." + std::to_string(representation),
         RelevoTolerance(), actual, expected);
     }
@@ -168,8 +171,10 @@ void TestEqualLevels(RelevoCheck& check, RelevoComparison& comparison)
          { "Edges", Noisy(3), withEdges }, { "Translucent", Noisy(3), translucent },
          { "CellColors", colored, nullptr } })
   {
+    CHECK_CASE(c.Name);
     for (bool displaced : { false, true })
     {
+      CHECK_CASE(displaced);
       if (displaced && !c.Input->GetPointData()->GetTCoords())
       {
         continue;
@@ -185,7 +190,7 @@ void TestEqualLevels(RelevoCheck& check, RelevoComparison& comparison)
       for (int method : GetMethods())
       {
         const RelevoPicture actual = subject.Draw(method);
-        CHECK(subject.GetMapper()->GetMethodInUse() == method);
+        CHECK_EQUAL(subject.GetMapper()->GetMethodInUse(), method);
         comparison.Compare(c.Name + (displaced ? ".Displaced." : ".") + GetName(method), tolerance,
           actual, expected);
       }
@@ -220,18 +225,19 @@ void TestSwitching(RelevoCheck& check, RelevoComparison& comparison)
       sizes[method] = size;
     }
   }
-  CHECK(mapper->GetNumberOfBufferBuilds() == builds);
-  CHECK(mapper->GetNumberOfSelections() == selections);
-  CHECK(builds == 1 && selections == 1);
+  CHECK_EQUAL(mapper->GetNumberOfBufferBuilds(), builds);
+  CHECK_EQUAL(mapper->GetNumberOfSelections(), selections);
+  CHECK_EQUAL(builds, 1);
+  CHECK_EQUAL(selections, 1);
 
   // An unchanged view costs nothing, and a stream has 48 bytes per triangle.
   subject.Draw(Mapper::METHOD_DMR);
   const vtkTypeInt64 withStream = mapper->GetGraphicsMemorySize();
-  CHECK(withStream > 48 * mapper->GetNumberOfDrawnTriangles());
+  CHECK_GREATER(withStream, 48 * mapper->GetNumberOfDrawnTriangles());
   const vtkIdType shaders = mapper->GetNumberOfShaderBuilds();
   subject.Draw(Mapper::METHOD_DMR);
-  CHECK(mapper->GetNumberOfShaderBuilds() == shaders);
-  CHECK(mapper->GetGraphicsMemorySize() == withStream);
+  CHECK_EQUAL(mapper->GetNumberOfShaderBuilds(), shaders);
+  CHECK_EQUAL(mapper->GetGraphicsMemorySize(), withStream);
 
   for (int method : GetMethods())
   {
@@ -252,14 +258,15 @@ void TestSubstitute(RelevoCheck& check, RelevoComparison& comparison)
   RelevoErrors errors(mapper);
   for (int representation : { VTK_WIREFRAME, VTK_POINTS })
   {
+    CHECK_CASE(representation);
     subject.GetProperty()->SetRepresentation(representation);
     const RelevoPicture expected = subject.Draw(Mapper::METHOD_ARKFPI);
     const RelevoPicture actual = subject.Draw(Mapper::METHOD_DMR);
-    CHECK(mapper->GetMethodInUse() == Mapper::METHOD_ARKFPI);
+    CHECK_EQUAL(mapper->GetMethodInUse(), Mapper::METHOD_ARKFPI);
     comparison.Compare(
       "Substitute." + std::to_string(representation), RelevoTolerance(), actual, expected);
     subject.Draw(Mapper::METHOD_SUAPT);
-    CHECK(mapper->GetMethodInUse() == Mapper::METHOD_SUAPT);
+    CHECK_EQUAL(mapper->GetMethodInUse(), Mapper::METHOD_SUAPT);
   }
   subject.GetProperty()->SetRepresentationToSurface();
   CHECK(errors.None());
@@ -268,15 +275,15 @@ void TestSubstitute(RelevoCheck& check, RelevoComparison& comparison)
   const RelevoPicture expected = subject.Draw(Mapper::METHOD_ARKFPI);
   const RelevoPicture actual = subject.Draw(Mapper::METHOD_DMR);
   CHECK(errors.Said("DMR cannot be used: it halves edges"));
-  CHECK(mapper->GetMethod() == Mapper::METHOD_DMR);
-  CHECK(mapper->GetMethodInUse() == Mapper::METHOD_ARKFPI);
+  CHECK_EQUAL(mapper->GetMethod(), Mapper::METHOD_DMR);
+  CHECK_EQUAL(mapper->GetMethodInUse(), Mapper::METHOD_ARKFPI);
   comparison.Compare("WholeNumbers", RelevoTolerance(), actual, expected);
   subject.Draw(Mapper::METHOD_DMR);
   CHECK(errors.None()); // said once
   subject.Recipe->SetSegmentPolicyToPowersOfTwo();
   subject.Draw(Mapper::METHOD_DMR);
   CHECK(errors.None());
-  CHECK(mapper->GetMethodInUse() == Mapper::METHOD_DMR);
+  CHECK_EQUAL(mapper->GetMethodInUse(), Mapper::METHOD_DMR);
 }
 
 // Methods that cannot morph draw the same rounded levels whether the recipe morphs or not.
@@ -305,10 +312,11 @@ void TestNothing(RelevoCheck& check, RelevoComparison& comparison)
   for (int method : GetMethods())
   {
     camera->Yaw(180.0);
-    CHECK(subject.Draw(method).CountForeground() == 0);
+    CHECK_EQUAL(subject.Draw(method).CountForeground(), 0);
     Mapper* mapper = subject.GetMapper();
-    CHECK(mapper->GetNumberOfCulledFaces() == mapper->GetNumberOfCoarseFaces());
-    CHECK(mapper->GetNumberOfDrawnTriangles() == 0 && mapper->GetNumberOfCulledTriangles() > 0);
+    CHECK_EQUAL(mapper->GetNumberOfCulledFaces(), mapper->GetNumberOfCoarseFaces());
+    CHECK_EQUAL(mapper->GetNumberOfDrawnTriangles(), 0);
+    CHECK_GREATER(mapper->GetNumberOfCulledTriangles(), 0);
     camera->Yaw(180.0);
     comparison.Compare(
       std::string("Again.") + GetName(method), GetTolerance(), subject.Draw(method), expected);
@@ -323,10 +331,11 @@ void TestPicking(RelevoCheck& check)
   for (int association :
     { vtkDataObject::FIELD_ASSOCIATION_CELLS, vtkDataObject::FIELD_ASSOCIATION_POINTS })
   {
+    CHECK_CASE(association);
     subject.GetMapper()->SetMethodToARKFPI();
     const std::vector<Hit> expected = SelectPixels(subject.Scene, association);
     const size_t hits = expected.size() - std::count(expected.begin(), expected.end(), Hit());
-    CHECK(hits > 100);
+    CHECK_GREATER(hits, 100);
     for (int method : GetMethods())
     {
       subject.GetMapper()->SetMethod(method);
@@ -338,7 +347,8 @@ void TestPicking(RelevoCheck& check)
       }
       std::cout << "Picks of " << GetName(method) << ": " << differences << " of " << hits
                 << " differ" << std::endl;
-      CHECK(actual.size() == expected.size() && differences <= hits / 1000);
+      CHECK_EQUAL(actual.size(), expected.size());
+      CHECK_LESS_EQUAL(differences, hits / 1000);
     }
   }
 }
@@ -355,13 +365,14 @@ void TestBlocks(RelevoCheck& check)
   Mapper* mapper = subject.GetMapper();
   mapper->FrustumCullingOff();
   subject.Draw(Mapper::METHOD_ARK);
-  CHECK(mapper->GetMethodInUse() == Mapper::METHOD_ARK);
-  CHECK(mapper->GetNumberOfDrawCalls() == mapper->GetNumberOfCoarseFaces());
-  CHECK(mapper->GetNumberOfCoarseFaces() == one->GetNumberOfCells() + 2 * two->GetNumberOfCells());
+  CHECK_EQUAL(mapper->GetMethodInUse(), Mapper::METHOD_ARK);
+  CHECK_EQUAL(mapper->GetNumberOfDrawCalls(), mapper->GetNumberOfCoarseFaces());
+  CHECK_EQUAL(
+    mapper->GetNumberOfCoarseFaces(), one->GetNumberOfCells() + 2 * two->GetNumberOfCells());
   subject.Draw(Mapper::METHOD_DMR);
-  CHECK(mapper->GetMethodInUse() == Mapper::METHOD_DMR);
-  CHECK(mapper->GetNumberOfDrawCalls() == 2);
-  CHECK(mapper->GetNumberOfDrawnTriangles() == 16 * mapper->GetNumberOfCoarseFaces());
+  CHECK_EQUAL(mapper->GetMethodInUse(), Mapper::METHOD_DMR);
+  CHECK_EQUAL(mapper->GetNumberOfDrawCalls(), 2);
+  CHECK_EQUAL(mapper->GetNumberOfDrawnTriangles(), 16 * mapper->GetNumberOfCoarseFaces());
 }
 }
 

@@ -73,7 +73,7 @@ int TestAdaptiveRefinementMapperMethodsCount(int, char*[])
       for (int method : GetMethods())
       {
         mapper->SetMethod(method);
-        CHECK(mapper->GetMethod() == method);
+        CHECK_EQUAL(mapper->GetMethod(), method);
         mapper->FrustumCullingOff();
         const vtkIdType counted = CountTriangles(scene);
         const vtkIdType drawn = mapper->GetNumberOfDrawnTriangles();
@@ -81,7 +81,7 @@ int TestAdaptiveRefinementMapperMethodsCount(int, char*[])
         const vtkIdType seen = CountTriangles(scene);
         const vtkIdType culled = mapper->GetNumberOfCulledFaces();
         const vtkIdType inView = mapper->GetNumberOfDrawnTriangles();
-        CHECK(inView + mapper->GetNumberOfCulledTriangles() == drawn);
+        CHECK_EQUAL(inView + mapper->GetNumberOfCulledTriangles(), drawn);
         CHECK(culled > 0 ? seen < counted : seen == counted);
         std::cout << GetName(method) << ": " << drawn << " triangles, OpenGL counts " << counted
                   << ", " << culled << " faces culled" << std::endl;
@@ -89,16 +89,18 @@ int TestAdaptiveRefinementMapperMethodsCount(int, char*[])
         CHECK((near ? culled > 0 : culled == 0));
         if (isARK || method == Mapper::METHOD_ARKFPI)
         {
-          CHECK(drawn == expected);
+          CHECK_EQUAL(drawn, expected);
         }
         if (isARK)
         {
-          CHECK(drawn == counted && inView == seen);
-          CHECK(mapper->GetNumberOfDrawCalls() == mapper->GetNumberOfCoarseFaces() - culled);
+          CHECK_EQUAL(drawn, counted);
+          CHECK_EQUAL(inView, seen);
+          CHECK_EQUAL(mapper->GetNumberOfDrawCalls(), mapper->GetNumberOfCoarseFaces() - culled);
         }
         else if (method == Mapper::METHOD_DMR || (!tagged && method != Mapper::METHOD_ARKFPI))
         {
-          CHECK(drawn == counted && inView == seen);
+          CHECK_EQUAL(drawn, counted);
+          CHECK_EQUAL(inView, seen);
         }
         else if (method != Mapper::METHOD_ARKFPI)
         {
@@ -107,11 +109,11 @@ int TestAdaptiveRefinementMapperMethodsCount(int, char*[])
         }
         if (tagged && method == Mapper::METHOD_SUAPT)
         {
-          CHECK(drawn == CountSemiUniform(mesh));
+          CHECK_EQUAL(drawn, CountSemiUniform(mesh));
         }
         if (!tagged)
         {
-          CHECK(drawn == mesh->GetNumberOfCells() * 1024);
+          CHECK_EQUAL(drawn, mesh->GetNumberOfCells() * 1024);
         }
       }
     }

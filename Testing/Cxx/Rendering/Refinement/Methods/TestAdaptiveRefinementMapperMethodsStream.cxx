@@ -127,8 +127,8 @@ void TestMesh(
   }
   std::map<unsigned int, Face> faces;
   const std::vector<relevo::RefinementStreamVertex> vertices = stream.Read();
-  CHECK(static_cast<vtkIdType>(vertices.size()) == 3 * stream.GetNumberOfTriangles());
-  CHECK(static_cast<size_t>(stream.GetMemorySize()) == 48 * vertices.size() / 3);
+  CHECK_EQUAL(static_cast<vtkIdType>(vertices.size()), 3 * stream.GetNumberOfTriangles());
+  CHECK_EQUAL(static_cast<size_t>(stream.GetMemorySize()), 48 * vertices.size() / 3);
   size_t unfinished = 0;
   for (size_t v = 0; v + 2 < vertices.size(); v += 3)
   {
@@ -141,7 +141,7 @@ void TestMesh(
     }
     faces[vertices[v].Face >> 3].Add(corners);
   }
-  CHECK(unfinished == 0);
+  CHECK_EQUAL(unfinished, 0);
 
   size_t drawn = 0;
   size_t borders = 0;
@@ -163,10 +163,11 @@ void TestMesh(
   }
   std::cout << drawn << " faces, " << vertices.size() / 3 << " triangles" << std::endl;
   const size_t shown = static_cast<size_t>(std::count(hidden.begin(), hidden.end(), 0));
-  CHECK(faces.size() == shown && drawn == shown);
-  CHECK(borders == drawn);
-  CHECK(covers == drawn);
-  CHECK(conforming == drawn);
+  CHECK_EQUAL(faces.size(), shown);
+  CHECK_EQUAL(drawn, shown);
+  CHECK_EQUAL(borders, drawn);
+  CHECK_EQUAL(covers, drawn);
+  CHECK_EQUAL(conforming, drawn);
   stream.ReleaseGraphicsResources();
   program.ReleaseGraphicsResources();
 }

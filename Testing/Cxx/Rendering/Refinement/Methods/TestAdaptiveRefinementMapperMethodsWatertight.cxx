@@ -53,7 +53,7 @@ void TestClosed(RelevoCheck& check, const std::string& name, Mesh mesh, bool who
     const size_t leaks = CountLeaks(scene, 12, covered);
     std::cout << name << ", " << GetName(method) << ": " << leaks << " leaks in " << covered
               << " pixels" << std::endl;
-    CHECK(scene.GetMapper(0)->GetMethodInUse() == method);
+    CHECK_EQUAL(scene.GetMapper(0)->GetMethodInUse(), method);
     if (leaks > 0 || covered < 50000)
     {
       check.Fail(__FILE__, __LINE__, name + " leaks with " + GetName(method));

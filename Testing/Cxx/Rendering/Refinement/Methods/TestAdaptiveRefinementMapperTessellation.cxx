@@ -44,8 +44,8 @@ void CheckCount(RelevoCheck& check, RelevoScene& scene)
 {
   const vtkIdType count = RelevoPrimitiveCount::CountTriangles(scene);
   scene.Render(); // the actor is back
-  CHECK(count > 0);
-  CHECK(count == scene.GetMapper(0)->GetNumberOfDrawnTriangles());
+  CHECK_GREATER(count, 0);
+  CHECK_EQUAL(count, scene.GetMapper(0)->GetNumberOfDrawnTriangles());
 }
 
 struct Tester
@@ -69,8 +69,8 @@ struct Tester
     mapper->SetMethodToHardwareTessellation();
     scene.Render();
     const RelevoPicture actual(scene.Window);
-    CHECK(mapper->GetMethodInUse() == Mapper::METHOD_HARDWARE_TESSELLATION);
-    CHECK(mapper->GetNumberOfBufferBuilds() == uploads);
+    CHECK_EQUAL(mapper->GetMethodInUse(), Mapper::METHOD_HARDWARE_TESSELLATION);
+    CHECK_EQUAL(mapper->GetNumberOfBufferBuilds(), uploads);
     CHECK(errors.None());
     this->Comparison.Compare("Tessellation." + name, tolerance, actual, expected);
     mapper->SetMethodToARKFPI();
@@ -188,14 +188,15 @@ void TestLinesAndPoints(RelevoCheck& check)
 {
   for (int representation : { VTK_WIREFRAME, VTK_POINTS })
   {
+    CHECK_CASE(representation);
     RelevoScene scene(RelevoScene::Refining);
     scene.Add(Sphere(9, 7), MakeRecipe(3))->GetProperty()->SetRepresentation(representation);
     scene.GetMapper(0)->SetMethodToHardwareTessellation();
     RelevoErrors errors(scene.GetMapper(0));
     scene.ResetCameras();
     scene.Render();
-    CHECK(scene.GetMapper(0)->GetMethodInUse() == Mapper::METHOD_ARKFPI);
-    CHECK(RelevoPicture(scene.Window).CountForeground() > 1000);
+    CHECK_EQUAL(scene.GetMapper(0)->GetMethodInUse(), Mapper::METHOD_ARKFPI);
+    CHECK_GREATER(RelevoPicture(scene.Window).CountForeground(), 1000);
     CHECK(errors.None());
   }
 }
@@ -226,7 +227,7 @@ void TestSelection(RelevoCheck& check)
     const auto expected = RelevoPicks::SelectPixels(scene, association);
     scene.GetMapper(0)->SetMethodToHardwareTessellation();
     const auto actual = RelevoPicks::SelectPixels(scene, association);
-    CHECK(actual.size() == expected.size());
+    CHECK_EQUAL(actual.size(), expected.size());
     size_t hits = 0;
     size_t wrong = 0;
     std::set<vtkIdType> ids[2];
@@ -238,9 +239,9 @@ void TestSelection(RelevoCheck& check)
       ids[1].insert(actual[i].Id);
     }
     std::cout << "Selection: " << wrong << " of " << hits << " pixels differ" << std::endl;
-    CHECK(hits > 100);
-    CHECK(wrong <= 5); // at the rim
-    CHECK(ids[0] == ids[1]);
+    CHECK_GREATER(hits, 100);
+    CHECK_LESS_EQUAL(wrong, 5); // at the rim
+    CHECK_EQUAL(ids[0], ids[1]);
   }
 }
 
@@ -251,7 +252,7 @@ void TestCounts(RelevoCheck& check)
     { 4, 1, 2, 4 + 1 + 2 + 6 + 6 }, { 128, 64, 100, 6144 }, { 5, 1, 1, 7 + 9 + 3 * 4 + 1 } };
   for (const int* s : segments)
   {
-    CHECK(relevo::HardwareTessellation::CountTriangles(s) == s[3]);
+    CHECK_EQUAL(relevo::HardwareTessellation::CountTriangles(s), s[3]);
   }
   for (bool whole : { false, true })
   {
@@ -267,8 +268,8 @@ void TestCounts(RelevoCheck& check)
     const vtkIdType all = scene.GetMapper(0)->GetNumberOfDrawnTriangles();
     scene.Renderer->GetActiveCamera()->Zoom(8);
     scene.Render();
-    CHECK(scene.GetMapper(0)->GetNumberOfCulledFaces() > 0);
-    CHECK(scene.CountTriangles() == all);
+    CHECK_GREATER(scene.GetMapper(0)->GetNumberOfCulledFaces(), 0);
+    CHECK_EQUAL(scene.CountTriangles(), all);
     CheckCount(check, scene);
   }
 }
@@ -283,7 +284,7 @@ void TestMostSegments(RelevoCheck& check, RelevoComparison& comparison)
   scene.GetMapper(0)->SetMethodToHardwareTessellation();
   scene.ResetCameras();
   CheckCount(check, scene);
-  CHECK(scene.GetMapper(0)->GetNumberOfDrawnTriangles() ==
+  CHECK_EQUAL(scene.GetMapper(0)->GetNumberOfDrawnTriangles(),
     6144 * scene.GetMapper(0)->GetNumberOfCoarseFaces());
   const RelevoPicture level7(scene.Window);
   recipe->SetMaximumLevel(6);
@@ -324,22 +325,22 @@ void TestLife(RelevoCheck& check, RelevoComparison& comparison)
   const vtkTypeInt64 memory = mapper->GetGraphicsMemorySize();
   displacement->SetScale(0.2);
   scene.Render();
-  CHECK(RelevoPicture(scene.Window).Colors != expected.Colors);
+  CHECK_NOT_EQUAL(RelevoPicture(scene.Window).Colors, expected.Colors);
   displacement->SetScale(0.1);
   scene.Render();
   comparison.Compare("Tessellation.Live", RelevoTolerance(), RelevoPicture(scene.Window), expected);
-  CHECK(mapper->GetNumberOfShaderBuilds() == shaders);
-  CHECK(mapper->GetNumberOfBufferBuilds() == uploads);
-  CHECK(mapper->GetNumberOfSelections() == selections);
+  CHECK_EQUAL(mapper->GetNumberOfShaderBuilds(), shaders);
+  CHECK_EQUAL(mapper->GetNumberOfBufferBuilds(), uploads);
+  CHECK_EQUAL(mapper->GetNumberOfSelections(), selections);
 
   mapper->ReleaseGraphicsResources(scene.Window);
-  CHECK(mapper->GetGraphicsMemorySize() < memory);
+  CHECK_LESS(mapper->GetGraphicsMemorySize(), memory);
   scene.Render();
   comparison.Compare(
     "Tessellation.Released", RelevoTolerance(), RelevoPicture(scene.Window), expected);
-  CHECK(mapper->GetGraphicsMemorySize() == memory);
+  CHECK_EQUAL(mapper->GetGraphicsMemorySize(), memory);
 
-  CHECK(mapper->GetNumberOfDrawCalls() == 1);
+  CHECK_EQUAL(mapper->GetNumberOfDrawCalls(), 1);
 
   // The same actor in the other window, and back.
   const vtkSmartPointer<vtkActor> actor = scene.GetActor(0);
@@ -375,7 +376,7 @@ void ExpectARKFPI(RelevoCheck& check, RelevoComparison& comparison, const std::s
   mapper->SetMethodToHardwareTessellation();
   scene.Render();
   CHECK(errors.Said(words));
-  CHECK(mapper->GetMethodInUse() == Mapper::METHOD_ARKFPI);
+  CHECK_EQUAL(mapper->GetMethodInUse(), Mapper::METHOD_ARKFPI);
   comparison.Compare(
     "Tessellation." + name, RelevoTolerance(), RelevoPicture(scene.Window), expected);
   scene.Render();
@@ -395,7 +396,7 @@ void TestFailure(RelevoCheck& check, RelevoComparison& comparison)
   RelevoErrors errors(scene.GetMapper(0));
   scene.Render();
   CHECK(errors.None());
-  CHECK(scene.GetMapper(0)->GetMethodInUse() == Mapper::METHOD_HARDWARE_TESSELLATION);
+  CHECK_EQUAL(scene.GetMapper(0)->GetMethodInUse(), Mapper::METHOD_HARDWARE_TESSELLATION);
 }
 
 void TestOldContext(RelevoCheck& check, RelevoComparison& comparison)

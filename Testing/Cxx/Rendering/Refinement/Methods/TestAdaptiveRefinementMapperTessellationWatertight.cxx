@@ -46,7 +46,7 @@ void TestPoints(RelevoCheck& check)
     const RelevoVertexCapture::Points expected = capture.Capture(check, scene);
     scene.GetMapper(0)->SetMethodToHardwareTessellation();
     const RelevoVertexCapture::Points actual = capture.Capture(check, scene);
-    CHECK(scene.GetMapper(0)->GetMethodInUse() == Mapper::METHOD_HARDWARE_TESSELLATION);
+    CHECK_EQUAL(scene.GetMapper(0)->GetMethodInUse(), Mapper::METHOD_HARDWARE_TESSELLATION);
     CHECK(errors.None());
 
     // Of the filter: the face that a point belongs to, -1 for several.
@@ -90,9 +90,9 @@ void TestPoints(RelevoCheck& check)
     }
     std::cout << (curved ? "PN" : "Linear") << (whole ? ", whole numbers" : "") << ": " << shared
               << " shared points, " << lost << " not found, " << moved << " elsewhere" << std::endl;
-    CHECK(shared > 500);
-    CHECK(lost == 0);
-    CHECK(moved == 0);
+    CHECK_GREATER(shared, 500);
+    CHECK_EQUAL(lost, 0);
+    CHECK_EQUAL(moved, 0);
   }
 }
 
@@ -115,6 +115,7 @@ void TestLeaks(RelevoCheck& check)
     { "MoreThan64", Tagged(Textured(Sphere(3, 3)), 7), 7, 8, false } };
   for (const auto& subject : subjects)
   {
+    CHECK_CASE(subject.Name);
     auto recipe = MakeRecipe(subject.Level, surface, displacement);
     recipe->SetSegmentPolicy(subject.WholeNumbers ? vtkAdaptiveRefinement::WHOLE_NUMBERS
                                                   : vtkAdaptiveRefinement::POWERS_OF_TWO);
@@ -124,9 +125,9 @@ void TestLeaks(RelevoCheck& check)
     size_t covered = 0;
     const size_t leaks = RelevoLeaks::CountLeaks(scene, subject.Views, covered);
     std::cout << subject.Name << ": " << leaks << " leaks in " << covered << " pixels" << std::endl;
-    CHECK(leaks == 0);
-    CHECK(covered > 50000);
-    CHECK(scene.GetMapper(0)->GetMethodInUse() == Mapper::METHOD_HARDWARE_TESSELLATION);
+    CHECK_EQUAL(leaks, 0);
+    CHECK_GREATER(covered, 50000);
+    CHECK_EQUAL(scene.GetMapper(0)->GetMethodInUse(), Mapper::METHOD_HARDWARE_TESSELLATION);
   }
 }
 
@@ -144,8 +145,8 @@ void TestLeaksOfSurfaces(RelevoCheck& check)
       size_t covered = 0;
       const size_t leaks = RelevoLeaks::CountLeaks(scene, 4, covered);
       std::cout << kind.first << ": " << leaks << " leaks in " << covered << " pixels" << std::endl;
-      CHECK(leaks == 0);
-      CHECK(covered > 10000);
+      CHECK_EQUAL(leaks, 0);
+      CHECK_GREATER(covered, 10000);
     }
   }
 }

@@ -58,13 +58,13 @@ void TestMesh(RelevoCheck& check)
   {
     Table table(mesh);
     miss(table);
-    CHECK(table.GetMapper()->GetInputAsDataSet() == mesh);
+    CHECK_EQUAL(table.GetMapper()->GetInputAsDataSet(), mesh);
     miss(table);
     vtkDataObject* input = table.GetMapper()->GetInputDataObject(0, 0);
     CHECK(input == mesh && vtkPolyData::SafeDownCast(input));
     miss(table);
-    CHECK(table.GetMapper()->GetInput() == mesh);
-    CHECK(mesh->GetPoint(0)[2] == 0.0);
+    CHECK_EQUAL(table.GetMapper()->GetInput(), mesh);
+    CHECK_EQUAL(mesh->GetPoint(0)[2], 0.0);
     miss(table);
     vtkNew<vtkCellPicker> picker;
     CHECK(table.Pick(picker, 0.5));
@@ -87,16 +87,16 @@ void TestBlocks(RelevoCheck& check)
     Mapper* mapper = table.GetMapper();
     const vtkIdType uploads = mapper->GetNumberOfBufferBuilds();
     miss(table);
-    CHECK(mapper->GetInputDataObject(0, 0) == blocks);
+    CHECK_EQUAL(mapper->GetInputDataObject(0, 0), blocks);
     miss(table);
     CHECK(mapper->HasOpaqueGeometry() && !mapper->HasTranslucentPolygonalGeometry());
     table.Scene.Render();
-    CHECK(mapper->GetNumberOfBufferBuilds() == uploads);
+    CHECK_EQUAL(mapper->GetNumberOfBufferBuilds(), uploads);
     miss(table);
     vtkNew<vtkCellPicker> picker;
     CHECK(table.Pick(picker, 0.5));
     CHECK_NEAR(picker->GetPickPosition()[2], 3.0, 1e-6);
-    CHECK(picker->GetFlatBlockIndex() == 1);
+    CHECK_EQUAL(picker->GetFlatBlockIndex(), 1);
   }
 }
 }

@@ -84,7 +84,7 @@ void CheckCells(RelevoCheck& check)
       }
       ++hits[static_cast<size_t>(id)];
       mesh->GetCell(id, cell);
-      CHECK(cell->PointIds->IsId(picker->GetPointId()) >= 0);
+      CHECK_GREATER_EQUAL(cell->PointIds->IsId(picker->GetPointId()), 0);
       if (cell->GetCellType() == VTK_TRIANGLE)
       {
         double place[3];
@@ -95,22 +95,22 @@ void CheckCells(RelevoCheck& check)
       }
       double* nearest = mesh->GetPoint(picker->GetPointId());
       const double distance = Distance(nearest, picker->GetPickPosition());
-      CHECK(distance < 1.5);
+      CHECK_LESS(distance, 1.5);
     }
   }
   for (size_t id = 3; id < hits.size(); ++id)
   {
-    CHECK(hits[id] > 5);
+    CHECK_GREATER(hits[id], 5);
   }
   // A vertex by itself, by a generous tolerance.
   picker->SetTolerance(0.01);
   double* vertex = mesh->GetPoint(23);
   const auto display = RelevoPickers::ToDisplay(scene.Renderer, vertex[0], vertex[1], vertex[2]);
   CHECK(picker->Pick(display[0] + 1.0, display[1], 0.0, scene.Renderer));
-  CHECK(picker->GetCellId() == 0);
-  CHECK(picker->GetPointId() == 23);
+  CHECK_EQUAL(picker->GetCellId(), 0);
+  CHECK_EQUAL(picker->GetPointId(), 23);
   CHECK(vtkPolyData::SafeDownCast(picker->GetDataSet()));
-  CHECK(picker->GetDataSet()->GetCellType(8) == mesh->GetCellType(8));
+  CHECK_EQUAL(picker->GetDataSet()->GetCellType(8), mesh->GetCellType(8));
 }
 
 // Displaced, nothing is where the input is.
@@ -128,12 +128,12 @@ void CheckPoints(RelevoCheck& check)
     vtkNew<vtkPointPicker> points;
     points->SetTolerance(0.005);
     CHECK(points->Pick(display[0], display[1], 0.0, renderer));
-    CHECK(points->GetPointId() == id);
+    CHECK_EQUAL(points->GetPointId(), id);
     CHECK_NEAR(points->GetPickPosition()[2], 3.0, 1e-6);
-    CHECK(points->GetDataSet() == mesh);
+    CHECK_EQUAL(points->GetDataSet(), mesh);
     points->UseCellsOn();
     CHECK(points->Pick(display[0], display[1], 0.0, renderer));
-    CHECK(points->GetPointId() == id);
+    CHECK_EQUAL(points->GetPointId(), id);
   }
   vtkNew<vtkCellPicker> cells;
   CHECK(cells->Pick(150, 150, 0.0, renderer));
@@ -143,7 +143,7 @@ void CheckPoints(RelevoCheck& check)
   vtkNew<vtkPicker> bounds;
   CHECK(bounds->Pick(150, 150, 0.0, renderer));
   CHECK_NEAR(bounds->GetPickPosition()[2], 3.0, 1e-6);
-  CHECK(bounds->GetDataSet() == mesh);
+  CHECK_EQUAL(bounds->GetDataSet(), mesh);
   vtkNew<vtkPropPicker> props;
   CHECK(props->Pick(150, 150, 0.0, renderer));
   CHECK_NEAR(props->GetPickPosition()[2], 3.0, 1e-2);
@@ -151,13 +151,14 @@ void CheckPoints(RelevoCheck& check)
   world->Pick(150, 150, 0.0, renderer);
   CHECK_NEAR(world->GetPickPosition()[2], 3.0, 1e-2);
   vtkNew<vtkAreaPicker> area;
-  CHECK(area->AreaPick(140, 140, 160, 160, renderer) == 1);
+  CHECK_EQUAL(area->AreaPick(140, 140, 160, 160, renderer), 1);
   // The mapper's input is still its input.
   double ignored[6];
   table.Actor->GetMapper()->GetBounds(ignored);
-  CHECK(vtkAdaptiveRefinementMapper::SafeDownCast(table.Actor->GetMapper())->GetInput() == mesh);
-  CHECK(table.Actor->GetMapper()->GetInput() == mesh);
-  CHECK(table.Actor->GetMapper()->GetInputDataObject(0, 0) == mesh);
+  CHECK_EQUAL(
+    vtkAdaptiveRefinementMapper::SafeDownCast(table.Actor->GetMapper())->GetInput(), mesh);
+  CHECK_EQUAL(table.Actor->GetMapper()->GetInput(), mesh);
+  CHECK_EQUAL(table.Actor->GetMapper()->GetInputDataObject(0, 0), mesh);
 }
 
 // Changes are seen by the next pick, with a frame in between or without.
@@ -197,7 +198,7 @@ void CheckChanges(RelevoCheck& check)
   mesh->Modified();
   table.Scene.ResetCameras();
   CHECK(picker->Pick(150, 150, 0.0, table.Scene.Renderer));
-  CHECK(picker->GetPickPosition()[2] > 1.1);
+  CHECK_GREATER(picker->GetPickPosition()[2], 1.1);
   table.Scene.GetMapper(0)->SetInputData(Plane(2, 2));
   heightOf(1.0);
   // Degenerate cells, and points that are no numbers.
@@ -215,7 +216,7 @@ void CheckChanges(RelevoCheck& check)
   vtkNew<vtkPointPicker> points;
   points->SetTolerance(0.1);
   CHECK(points->Pick(150, 150, 0.0, table.Scene.Renderer));
-  CHECK(points->GetPointId() > 0);
+  CHECK_GREATER(points->GetPointId(), 0);
   table.Scene.GetMapper(0)->SetInputData(vtkNew<vtkPolyData>());
   CHECK(!picker->Pick(150, 150, 0.0, table.Scene.Renderer));
 }
@@ -240,7 +241,7 @@ void CheckBlocks(RelevoCheck& check)
     vtkNew<vtkCellPicker> cells;
     CHECK(cells->Pick(display[0], display[1], 0.0, table.Scene.Renderer));
     CHECK_NEAR(cells->GetPickPosition()[2], 3.0, 1e-6);
-    CHECK(cells->GetFlatBlockIndex() == 1 + 2 * block);
+    CHECK_EQUAL(cells->GetFlatBlockIndex(), 1 + 2 * block);
     double center[3];
     meshes[block]->GetCell(cells->GetCellId())->GetParametricCenter(center);
     CHECK(cells->GetDataSet()->GetCellData() && cells->GetCellId() == 10);
@@ -248,11 +249,11 @@ void CheckBlocks(RelevoCheck& check)
     points->SetTolerance(0.1);
     CHECK(points->Pick(display[0], display[1], 0.0, table.Scene.Renderer));
     CHECK_NEAR(points->GetPickPosition()[2], 3.0, 1e-6);
-    CHECK(points->GetFlatBlockIndex() == 1 + 2 * block);
-    CHECK(points->GetCompositeDataSet() == blocks);
+    CHECK_EQUAL(points->GetFlatBlockIndex(), 1 + 2 * block);
+    CHECK_EQUAL(points->GetCompositeDataSet(), blocks);
     vtkNew<vtkPicker> bounds;
     CHECK(bounds->Pick(display[0], display[1], 0.0, table.Scene.Renderer));
-    CHECK(bounds->GetFlatBlockIndex() == 1 + 2 * block);
+    CHECK_EQUAL(bounds->GetFlatBlockIndex(), 1 + 2 * block);
     CHECK_NEAR(bounds->GetPickPosition()[2], 3.0, 1e-6);
   }
 }
@@ -290,15 +291,15 @@ void CheckTextures(RelevoCheck& check)
       hits += one->Pick(
         37 * i % 300 + 0.3, 83 * i % 300 + 0.4, 0.0, (one == picker ? refining : twin).Renderer);
     }
-    CHECK(picker->GetTexture() == oracle->GetTexture());
-    CHECK(picker->GetDataSet() == oracle->GetDataSet());
+    CHECK_EQUAL(picker->GetTexture(), oracle->GetTexture());
+    CHECK_EQUAL(picker->GetDataSet(), oracle->GetDataSet());
     for (int c = 0; c < 2; ++c)
     {
       CHECK_NEAR(picker->GetCellIJK()[c] + picker->GetPCoords()[c],
         oracle->GetCellIJK()[c] + oracle->GetPCoords()[c], 1e-3);
     }
   }
-  CHECK(hits > 30);
+  CHECK_GREATER(hits, 30);
 }
 
 // All methods draw the same points of edges: they are picked alike, where they do not morph.
@@ -321,8 +322,8 @@ void CheckMethods(RelevoCheck& check)
     twin.CopyCameras(refining);
     refining.Render();
     twin.Render();
-    CHECK(refining.GetMapper(0)->GetMethodInUse() == method);
-    CHECK(RelevoPickers::Compare(refining, twin, 40, RelevoMethods::GetName(method)) > 5);
+    CHECK_EQUAL(refining.GetMapper(0)->GetMethodInUse(), method);
+    CHECK_GREATER(RelevoPickers::Compare(refining, twin, 40, RelevoMethods::GetName(method)), 5);
   }
 }
 
@@ -353,9 +354,10 @@ void CheckOthers(RelevoCheck& check)
   twin.CopyCameras(refining);
   const auto alike = [](vtkCellPicker* a, vtkCellPicker* b)
   { return a->GetClippingPlaneId() == b->GetClippingPlaneId(); };
-  CHECK(RelevoPickers::Compare(
-          refining, twin, 150, "clipping planes picked", {},
-          [](vtkCellPicker* picker) { picker->PickClippingPlanesOn(); }, alike) > 20);
+  CHECK_GREATER(RelevoPickers::Compare(
+                  refining, twin, 150, "clipping planes picked", {},
+                  [](vtkCellPicker* picker) { picker->PickClippingPlanesOn(); }, alike),
+    20);
 }
 }
 

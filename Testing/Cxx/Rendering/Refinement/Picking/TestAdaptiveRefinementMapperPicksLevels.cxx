@@ -44,14 +44,14 @@ void Compare(RelevoCheck& check, const std::string& name, const std::function<vo
   if (withOffset)
   {
     expected->SetLevelOffset(refining.GetMapper(0)->GetLevelOffset());
-    CHECK(std::abs(expected->GetLevelOffset()) > 0.01);
+    CHECK_GREATER(std::abs(expected->GetLevelOffset()), 0.01);
   }
   else
   {
-    CHECK(refining.GetMapper(0)->GetSelectionDeviceInUse() == Mapper::SELECTION_DEVICE_GPU);
+    CHECK_EQUAL(refining.GetMapper(0)->GetSelectionDeviceInUse(), Mapper::SELECTION_DEVICE_GPU);
   }
   twin.Render();
-  CHECK(RelevoPickers::Compare(refining, twin, 60, name) > 5);
+  CHECK_GREATER(RelevoPickers::Compare(refining, twin, 60, name), 5);
 }
 
 void CheckGhosts(RelevoCheck& check)
@@ -77,7 +77,7 @@ void CheckGhosts(RelevoCheck& check)
     mesh->GetCell(id)->EvaluateLocation(subId, pcoords, center, weights);
     const auto display = RelevoPickers::ToDisplay(scene.Renderer, center[0], center[1], center[2]);
     const bool isHit = picker->Pick(display[0], display[1], 0.0, scene.Renderer) != 0;
-    CHECK(isHit == (id % 3 != 0));
+    CHECK_EQUAL(isHit, (id % 3 != 0));
     CHECK(!isHit || picker->GetCellId() == id);
   }
 }

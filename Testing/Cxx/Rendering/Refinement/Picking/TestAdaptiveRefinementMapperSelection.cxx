@@ -138,11 +138,11 @@ void CheckRepresentation(RelevoCheck& check, const NamedMesh& mesh, int represen
     SelectPixels(pair.Twin, Points), tolerance);
   if (ordered)
   {
-    CHECK(SelectArea(pair.Refining, Cells, 0, 0, 299, 299) ==
+    CHECK_EQUAL(SelectArea(pair.Refining, Cells, 0, 0, 299, 299),
       SelectArea(pair.Twin, Cells, 0, 0, 299, 299));
-    CHECK(SelectArea(pair.Refining, Cells, 140, 150, 160, 165) ==
+    CHECK_EQUAL(SelectArea(pair.Refining, Cells, 140, 150, 160, 165),
       SelectArea(pair.Twin, Cells, 140, 150, 160, 165));
-    CHECK(SelectArea(pair.Refining, Points, 0, 0, 299, 299) ==
+    CHECK_EQUAL(SelectArea(pair.Refining, Points, 0, 0, 299, 299),
       SelectArea(pair.Twin, Points, 0, 0, 299, 299));
     CHECK(!SelectArea(pair.Refining, Cells, 0, 0, 299, 299).empty());
   }
@@ -155,6 +155,7 @@ void TestLevel0(RelevoCheck& check)
   {
     for (int representation : { VTK_SURFACE, VTK_WIREFRAME, VTK_POINTS })
     {
+      CHECK_CASE(representation);
       CheckRepresentation(check, mesh, representation);
     }
   }
@@ -211,7 +212,7 @@ void CheckPoints(RelevoCheck& check, const std::string& name, Pair& pair, vtkIdT
     ++found;
   }
   std::cout << name << ": points in " << found << " pixels" << std::endl;
-  CHECK(found > 10);
+  CHECK_GREATER(found, 10);
 }
 
 void CheckRefined(RelevoCheck& check, const NamedMesh& mesh, const Recipes& recipes)
@@ -254,7 +255,7 @@ void CheckNoTrace(RelevoCheck& check, Pair& pair)
   pair.Refining.Render();
   const RelevoPicture after(pair.Refining.Window);
   pair.Twin.Render();
-  CHECK(after.CountForeground() == RelevoPicture(pair.Twin.Window).CountForeground());
+  CHECK_EQUAL(after.CountForeground(), RelevoPicture(pair.Twin.Window).CountForeground());
 }
 
 // The flat index is the composite index; ids are the block's own.
@@ -312,7 +313,7 @@ void TestBlocks(RelevoCheck& check, const Recipes& recipes)
       item[2] < blocks.at(static_cast<int>(item[1]))->GetNumberOfCells());
     indices.insert(item[1]);
   }
-  CHECK(indices.size() == 3);
+  CHECK_EQUAL(indices.size(), 3);
   CheckNoTrace(check, pair);
 }
 }

@@ -136,7 +136,7 @@ void ComparePictures(RelevoCheck& check, RelevoComparison& comparison)
 
   twins.Do([](auto* mapper) { mapper->SetBlockVisibility(Right, false); });
   twins.Compare(comparison, "hidden");
-  CHECK(twins.Mapper->GetNumberOfDrawnTriangles() ==
+  CHECK_EQUAL(twins.Mapper->GetNumberOfDrawnTriangles(),
     triangles - blocks.Leaves[Right]->GetNumberOfPolys());
   twins.Do([](auto* mapper) { mapper->SetBlockVisibility(Spheres, false); });
   twins.Do([](auto* mapper) { mapper->SetBlockVisibility(Right, true); });
@@ -149,7 +149,7 @@ void ComparePictures(RelevoCheck& check, RelevoComparison& comparison)
   {
     CHECK_NEAR(bounds[i], expected[i], 1e-5);
   }
-  CHECK(bounds[0] > -0.1); // where the left sphere is
+  CHECK_GREATER(bounds[0], -0.1); // where the left sphere is
   twins.Do([](auto* mapper) { mapper->RemoveBlockVisibility(Spheres); });
   twins.Compare(comparison, "shownAgain");
 
@@ -159,7 +159,7 @@ void ComparePictures(RelevoCheck& check, RelevoComparison& comparison)
   {
     twins.Compare(comparison, "coloured");
   }
-  CHECK(twins.Mapper->GetBlockColor(Right)[2] == 1.0);
+  CHECK_EQUAL(twins.Mapper->GetBlockColor(Right)[2], 1.0);
   twins.Do([](auto* mapper) { mapper->RemoveBlockColor(Right); });
   twins.Do([](auto* mapper) { mapper->SetBlockColor(Box, 1.0, 0.0, 0.0); });
   if (ColorsWin)
@@ -167,7 +167,7 @@ void ComparePictures(RelevoCheck& check, RelevoComparison& comparison)
     twins.Compare(comparison, "colouredOtherwise");
   }
   twins.Do([](auto* mapper) { mapper->RemoveBlockColors(); });
-  CHECK(twins.Mapper->GetNumberOfShaderBuilds() == shaders);
+  CHECK_EQUAL(twins.Mapper->GetNumberOfShaderBuilds(), shaders);
 
   twins.Do([](auto* mapper) { mapper->SetBlockOpacity(Spheres, 0.4); });
   twins.Compare(comparison, "translucent");
@@ -179,7 +179,7 @@ void ComparePictures(RelevoCheck& check, RelevoComparison& comparison)
   {
     twins.Compare(comparison, "opaqueInTranslucent");
   }
-  CHECK(twins.Mapper->GetBlockOpacity(Spheres) == 0.4);
+  CHECK_EQUAL(twins.Mapper->GetBlockOpacity(Spheres), 0.4);
   twins.Do([](auto* mapper) { mapper->SetBlockVisibility(Left, false); });
   twins.Compare(comparison, "onlyOpaque");
   CHECK(!twins.Refining.GetActor(0)->HasTranslucentPolygonalGeometry());
@@ -191,7 +191,7 @@ void ComparePictures(RelevoCheck& check, RelevoComparison& comparison)
       mapper->RemoveBlockVisibilities();
     });
   twins.Compare(comparison, "plainAgain");
-  CHECK(twins.Mapper->GetNumberOfBufferBuilds() == uploads);
+  CHECK_EQUAL(twins.Mapper->GetNumberOfBufferBuilds(), uploads);
 }
 
 // What the graphics card finds, and what VTK's other pickers do.
@@ -215,8 +215,8 @@ void ComparePicks(RelevoCheck& check)
     {
       differing += hits[i] == expectedHits[i] ? 0 : 1;
     }
-    CHECK(differing <= 3);
-    CHECK(FindBlocks(hits) == expected);
+    CHECK_LESS_EQUAL(differing, 3);
+    CHECK_EQUAL(FindBlocks(hits), expected);
     // A ray through the middle of each.
     vtkRenderer* renderer = twins.Refining.Renderer;
     for (const auto& leaf : blocks.Leaves)
@@ -230,7 +230,7 @@ void ComparePicks(RelevoCheck& check)
       const bool isHit = expected.count(static_cast<int>(leaf.first)) > 0;
       vtkNew<vtkCellPicker> cells;
       cells->Pick(display[0], display[1], 0.0, renderer);
-      CHECK((cells->GetFlatBlockIndex() == static_cast<vtkIdType>(leaf.first)) == isHit);
+      CHECK_EQUAL((cells->GetFlatBlockIndex() == static_cast<vtkIdType>(leaf.first)), isHit);
       vtkNew<vtkPointPicker> points;
       points->SetTolerance(0.1);
       points->Pick(display[0], display[1], 0.0, renderer);
@@ -245,7 +245,7 @@ void ComparePicks(RelevoCheck& check)
   attributes->SetBlockPickability(blocks.Data->GetBlock(0), false);
   attributes->SetBlockPickability(blocks.Leaves[Right], true);
   compare({ Right, Box });
-  CHECK(twins.Mapper->GetNumberOfDrawnTriangles() == triangles); // drawn all the same
+  CHECK_EQUAL(twins.Mapper->GetNumberOfDrawnTriangles(), triangles); // drawn all the same
   twins.Do([](auto* mapper) { mapper->SetBlockVisibility(Right, false); });
   compare({ Box });
 }
@@ -306,7 +306,7 @@ void CheckSettings(RelevoCheck& check)
   RelevoErrors errors(mapper);
   CHECK(!mapper->GetCompositeDataDisplayAttributes());
   CHECK(mapper->GetBlockVisibility(Left) && mapper->GetBlockOpacity(Left) == 1.0);
-  CHECK(mapper->GetBlockColor(Left)[0] == 1.0);
+  CHECK_EQUAL(mapper->GetBlockColor(Left)[0], 1.0);
   mapper->SetBlockColor(6, 1.0, 0.0, 0.0);
   CHECK(errors.Said("There is no block with flat index 6: the input has fewer"));
   CHECK(!mapper->GetCompositeDataDisplayAttributes());
@@ -316,25 +316,27 @@ void CheckSettings(RelevoCheck& check)
   CHECK(!mapper->GetBlockVisibility(All) && mapper->GetBlockOpacity(Left) == 1.0);
   scene.ResetCameras();
   scene.Render();
-  CHECK(RelevoPicture(scene.Window).CountForeground() == 0);
-  CHECK(mapper->GetNumberOfDrawnTriangles() == 0 && mapper->GetNumberOfDrawCalls() == 0);
+  CHECK_EQUAL(RelevoPicture(scene.Window).CountForeground(), 0);
+  CHECK_EQUAL(mapper->GetNumberOfDrawnTriangles(), 0);
+  CHECK_EQUAL(mapper->GetNumberOfDrawCalls(), 0);
   const vtkMTimeType time = mapper->GetMTime();
   mapper->RemoveBlockVisibility(All);
-  CHECK(mapper->GetMTime() > time);
+  CHECK_GREATER(mapper->GetMTime(), time);
   scene.ResetCameras();
   scene.Render();
-  CHECK(RelevoPicture(scene.Window).CountForeground() > 1000);
+  CHECK_GREATER(RelevoPicture(scene.Window).CountForeground(), 1000);
 
   // A copy looks alike.
   vtkNew<vtkAdaptiveRefinementMapper> copy;
   copy->ShallowCopy(mapper);
-  CHECK(copy->GetCompositeDataDisplayAttributes() == mapper->GetCompositeDataDisplayAttributes());
+  CHECK_EQUAL(
+    copy->GetCompositeDataDisplayAttributes(), mapper->GetCompositeDataDisplayAttributes());
 
   // Index 0 of an input that is no tree; an input that is gone.
   mapper->SetInputDataObject(blocks.Leaves[Left]);
   mapper->SetBlockVisibility(All, false);
   scene.Render();
-  CHECK(RelevoPicture(scene.Window).CountForeground() == 0);
+  CHECK_EQUAL(RelevoPicture(scene.Window).CountForeground(), 0);
   vtkNew<vtkCellPicker> picker;
   CHECK(!picker->Pick(150, 150, 0.0, scene.Renderer));
   mapper->SetBlockVisibility(All, true);

@@ -66,8 +66,8 @@ void CheckFaces(RelevoCheck& check, View& view,
       ++faces;
     }
   }
-  CHECK(faces > 20);
-  CHECK(values.size() >= atLeast);
+  CHECK_GREATER(faces, 20);
+  CHECK_GREATER_EQUAL(values.size(), atLeast);
 }
 
 void TestLevels(RelevoCheck& check)
@@ -78,7 +78,7 @@ void TestLevels(RelevoCheck& check)
     return std::max({ levels[0], levels[1], levels[2] });
   };
   CheckFaces(check, view, highest, 3);
-  CHECK(view.Mapper->GetLevelLookupTable()->GetNumberOfAnnotatedValues() == MaximumLevel + 1);
+  CHECK_EQUAL(view.Mapper->GetLevelLookupTable()->GetNumberOfAnnotatedValues(), MaximumLevel + 1);
   view.Recipe->GeomorphingOn();
   CheckFaces(check, view, highest, 3);
   view.Recipe->SetLevelRuleToPerEdge();
@@ -108,7 +108,7 @@ void TestLevels(RelevoCheck& check)
   table->AddRGBPoint(0.0, 1.0, 0.0, 0.0);
   table->AddRGBPoint(MaximumLevel, 0.0, 1.0, 0.5);
   view.Mapper->SetLevelLookupTable(table);
-  CHECK(view.Mapper->GetLevelLookupTable() == table);
+  CHECK_EQUAL(view.Mapper->GetLevelLookupTable(), table);
   CheckFaces(check, view, highest, 3);
   table->AddRGBPoint(2.0, 0.0, 0.0, 1.0);
   CheckFaces(check, view, highest, 3);
@@ -125,19 +125,21 @@ void TestPatterns(RelevoCheck& check)
   };
   for (int geomorphing : { 0, 1 })
   {
+    CHECK_CASE(geomorphing);
     view.Recipe->SetGeomorphing(geomorphing);
     CheckFaces(check, view, index, 6);
   }
   vtkScalarsToColors* table = view.Mapper->GetLevelLookupTable();
   const int count = (MaximumLevel + 1) * (MaximumLevel + 2) * (MaximumLevel + 3) / 6;
-  CHECK(table->GetNumberOfAnnotatedValues() == count);
-  CHECK(table->GetAnnotation(vtkRefinementPatternTable::GetPatternIndex(3, 2, 0)) == "[3, 2, 0]");
+  CHECK_EQUAL(table->GetNumberOfAnnotatedValues(), count);
+  CHECK_EQUAL(
+    table->GetAnnotation(vtkRefinementPatternTable::GetPatternIndex(3, 2, 0)), "[3, 2, 0]");
   std::set<Color> colors;
   for (int i = 0; i < count; ++i)
   {
     colors.insert(GetColor(table, i));
   }
-  CHECK(static_cast<int>(colors.size()) == count);
+  CHECK_EQUAL(static_cast<int>(colors.size()), count);
 }
 
 // Edges of 2^tag segments, rounded: 12 segments are of level 4, as 16 are.
@@ -145,6 +147,7 @@ void TestWholeNumbers(RelevoCheck& check)
 {
   for (float tag : { 0.0f, 1.0f, 1.6f, 2.3f, 3.0f, 3.6f, 4.0f })
   {
+    CHECK_CASE(tag);
     View view;
     vtkNew<vtkFloatArray> tags;
     tags->SetName("DepthTag");
@@ -163,7 +166,7 @@ void TestWholeNumbers(RelevoCheck& check)
     CheckFaces(
       check, view, [&](const std::array<int, 3>&) { return index; }, 1);
     const std::string number = std::to_string(segments);
-    CHECK(view.Mapper->GetLevelLookupTable()->GetAnnotation(index) ==
+    CHECK_EQUAL(view.Mapper->GetLevelLookupTable()->GetAnnotation(index),
       "[" + number + ", " + number + ", " + number + "]");
   }
 }
@@ -212,7 +215,7 @@ void CheckTagsOfPoints(RelevoCheck& check, View& view)
       }
     }
   }
-  CHECK(points > 40);
+  CHECK_GREATER(points, 40);
 }
 
 // Half of an open edge's pixels show the background.
@@ -253,7 +256,7 @@ void CheckTagsOfEdges(RelevoCheck& check, View& view)
       }
     }
   }
-  CHECK(points > 100);
+  CHECK_GREATER(points, 100);
 }
 
 // A budget's offset counts.
@@ -264,12 +267,12 @@ void CheckTagsOfBudget(RelevoCheck& check, View& view)
   view.Mapper->SetTargetNumberOfTriangles(2000);
   view.Render();
   const double budgeted = view.Mapper->GetLevelOffset();
-  CHECK(std::abs(budgeted) > 0.1);
+  CHECK_GREATER(std::abs(budgeted), 0.1);
   const std::vector<unsigned char> colors = view.Picture->Colors;
   view.Mapper->SetTargetNumberOfTriangles(0);
   view.Recipe->SetLevelOffset(budgeted);
   view.Render();
-  CHECK(view.Picture->Colors == colors);
+  CHECK_EQUAL(view.Picture->Colors, colors);
 }
 
 // Neither metric nor array: the highest level.
@@ -292,8 +295,10 @@ void TestTags(RelevoCheck& check)
   view.Mapper->SetColorModeToMetric();
   for (double offset : { 0.0, 0.75 })
   {
+    CHECK_CASE(offset);
     for (int geomorphing : { 0, 1 })
     {
+      CHECK_CASE(geomorphing);
       view.Recipe->SetLevelOffset(offset);
       view.Recipe->SetGeomorphing(geomorphing);
       CheckTagsOfPoints(check, view);
@@ -317,7 +322,7 @@ void TestModes(RelevoCheck& check)
   view.Actor->GetProperty()->LightingOn();
   view.Render();
   const std::vector<unsigned char> scalars = view.Picture->Colors;
-  CHECK(view.Mapper->GetRefinementColorMode() == vtkAdaptiveRefinementMapper::COLOR_BY_SCALARS);
+  CHECK_EQUAL(view.Mapper->GetRefinementColorMode(), vtkAdaptiveRefinementMapper::COLOR_BY_SCALARS);
   const auto isBack = [&]
   {
     view.Render();
@@ -330,7 +335,7 @@ void TestModes(RelevoCheck& check)
   view.Mapper->SetColorModeToPattern();
   CHECK(!isBack());
   static_cast<vtkMapper*>(view.Mapper)->SetColorModeToMapScalars();
-  CHECK(view.Mapper->GetColorMode() == VTK_COLOR_MODE_MAP_SCALARS);
+  CHECK_EQUAL(view.Mapper->GetColorMode(), VTK_COLOR_MODE_MAP_SCALARS);
   CHECK(isBack());
   view.Mapper->SetColorModeToMetric();
   CHECK(!isBack());
@@ -341,12 +346,12 @@ void TestModes(RelevoCheck& check)
   view.Mapper->SetColorModeToLevel();
   vtkNew<vtkAdaptiveRefinementMapper> copy;
   copy->ShallowCopy(view.Mapper);
-  CHECK(copy->GetRefinementColorMode() == vtkAdaptiveRefinementMapper::COLOR_BY_LEVEL);
+  CHECK_EQUAL(copy->GetRefinementColorMode(), vtkAdaptiveRefinementMapper::COLOR_BY_LEVEL);
   CHECK(!isBack());
   const std::vector<unsigned char> levels = view.Picture->Colors;
   view.Actor->SetMapper(copy);
   view.Render();
-  CHECK(view.Picture->Colors == levels);
+  CHECK_EQUAL(view.Picture->Colors, levels);
 
   // The colours are lit and translucent as VTK's are.
   vtkNew<vtkLookupTable> grey;
@@ -355,6 +360,7 @@ void TestModes(RelevoCheck& check)
   copy->SetLevelLookupTable(grey);
   for (double opacity : { 1.0, 0.4 })
   {
+    CHECK_CASE(opacity);
     view.Actor->GetProperty()->SetOpacity(opacity);
     view.Render();
     const std::vector<unsigned char> tinted = view.Picture->Colors;
@@ -362,7 +368,7 @@ void TestModes(RelevoCheck& check)
     copy->SetColorModeToScalars();
     view.Actor->GetProperty()->SetColor(0.6, 0.6, 0.6);
     view.Render();
-    CHECK(view.Picture->Colors == tinted);
+    CHECK_EQUAL(view.Picture->Colors, tinted);
     copy->ScalarVisibilityOn();
     copy->SetColorModeToLevel();
   }
@@ -416,7 +422,7 @@ void TestPictures(RelevoCheck& check)
   view.Actor->VisibilityOff();
   view.Render();
   const std::set<Color> shown = view.GetColors();
-  CHECK(picture.size() == numberOfColors);
+  CHECK_EQUAL(picture.size(), numberOfColors);
   CHECK(std::includes(shown.begin(), shown.end(), picture.begin(), picture.end()));
 }
 
@@ -425,6 +431,7 @@ void TestCamera(RelevoCheck& check)
 {
   for (int mode : { 1, 2, 3 })
   {
+    CHECK_CASE(mode);
     View view;
     mode == 1       ? view.Mapper->SetColorModeToLevel()
       : (mode == 2) ? view.Mapper->SetColorModeToPattern()
@@ -441,8 +448,8 @@ void TestCamera(RelevoCheck& check)
       view.Renderer->GetActiveCamera()->Azimuth(20.0);
       view.Renderer->GetActiveCamera()->Zoom(1.1);
     }
-    CHECK(view.Mapper->GetNumberOfSelections() == 4);
-    CHECK(programs.size() == 1);
+    CHECK_EQUAL(view.Mapper->GetNumberOfSelections(), 4);
+    CHECK_EQUAL(programs.size(), 1);
   }
 }
 }

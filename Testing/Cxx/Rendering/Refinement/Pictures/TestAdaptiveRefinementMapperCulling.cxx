@@ -80,15 +80,15 @@ void Tester::Compare(
     tolerance.Pixels = pixels;
     this->Comparison.Compare("Culling." + name + "." + std::to_string(closer), tolerance,
       RelevoPicture(culled.Window), RelevoPicture(all.Window));
-    CHECK(culled.CountTriangles() == all.CountTriangles());
+    CHECK_EQUAL(culled.CountTriangles(), all.CountTriangles());
   }
   vtkIdType faces = 0;
   for (size_t i = 0; i < culled.GetNumberOfActors(); ++i)
   {
     faces += culled.GetMapper(i)->GetNumberOfCulledFaces();
-    CHECK(all.GetMapper(i)->GetNumberOfCulledFaces() == 0);
+    CHECK_EQUAL(all.GetMapper(i)->GetNumberOfCulledFaces(), 0);
   }
-  CHECK(faces > 0);
+  CHECK_GREATER(faces, 0);
 }
 
 vtkIdType Tester::CompareOpened(const std::string& name, size_t pixels,
@@ -124,7 +124,7 @@ void TestUncut(const Tester& tester, vtkAdaptiveRefinement* recipe)
 {
   RelevoCheck& check = tester.check;
   const vtkIdType hidden = tester.CompareOpened("Uncut", OpenOutline, recipe, [](RelevoScene&) {});
-  CHECK(hidden > 100);
+  CHECK_GREATER(hidden, 100);
 }
 
 void TestNearPlanes(const Tester& tester, vtkAdaptiveRefinement* recipe)
@@ -132,10 +132,11 @@ void TestNearPlanes(const Tester& tester, vtkAdaptiveRefinement* recipe)
   RelevoCheck& check = tester.check;
   for (double nearPlane : { 1.8, 2.1, 2.5 })
   {
+    CHECK_CASE(nearPlane);
     const std::string name = "Near." + std::to_string(nearPlane);
     const vtkIdType cut = tester.CompareOpened(name, OpenOutline, recipe,
       [&](RelevoScene& s) { GetCamera(s)->SetClippingRange(nearPlane, 10.0); });
-    CHECK(cut == 0);
+    CHECK_EQUAL(cut, 0);
     tester.CompareOpened(name + ".Parallel", OpenOutline, recipe,
       [&](RelevoScene& s)
       {

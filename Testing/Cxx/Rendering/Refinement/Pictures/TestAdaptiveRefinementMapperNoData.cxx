@@ -126,6 +126,7 @@ void TestInterpolated(RelevoCheck& check)
 {
   for (double limit : { 1e8, Infinity })
   {
+    CHECK_CASE(limit);
     RelevoScene scene(RelevoScene::Refining);
     scene.Window->SetSize(150, 150);
     auto recipe = MakeRecipe(3);
@@ -167,14 +168,14 @@ void TestRange(RelevoCheck& check)
     CHECK(errors.Said(words));
     scene.Render();
     CHECK(errors.None()); // said once
-    CHECK(mapper->GetNumberOfDrawnTriangles() == 0);
-    CHECK(RelevoPicture(scene.Window).CountForeground() == 0);
+    CHECK_EQUAL(mapper->GetNumberOfDrawnTriangles(), 0);
+    CHECK_EQUAL(RelevoPicture(scene.Window).CountForeground(), 0);
   };
   displacement->SetOffset(1e38);
   isRefused("lower Scale or Offset");
   displacement->SetOffset(0.0);
   scene.Render();
-  CHECK(RelevoPicture(scene.Window).CountForeground() == drawn);
+  CHECK_EQUAL(RelevoPicture(scene.Window).CountForeground(), drawn);
 
   recipe->SetDisplacement(nullptr);
   recipe->SetSurface(surface);

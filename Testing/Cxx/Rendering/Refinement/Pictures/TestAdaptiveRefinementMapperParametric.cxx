@@ -117,7 +117,7 @@ int TestAdaptiveRefinementMapperParametric(int argc, char* argv[])
   {
     std::cout << mesh.first << " has " << CountMissingNormals(mesh.second)
               << " points whose normal has no direction\n";
-    CHECK(CountMissingNormals(mesh.second) > 0);
+    CHECK_GREATER(CountMissingNormals(mesh.second), 0);
     auto recipe = MakeRecipe(2);
     // The mapper's mesh follows a recipe that refines no more, and then again.
     comparison.Compare("Normals." + mesh.first, {},

@@ -67,6 +67,7 @@ void TestMethods(RelevoCheck& check, vtkRefinementPatternTable* table)
   const vtkIdType expected = Refine(MakeMesh(), recipe)->GetNumberOfPolys();
   for (int device : { Mapper::SELECTION_DEVICE_CPU, Mapper::SELECTION_DEVICE_GPU })
   {
+    CHECK_CASE(device);
     for (int method = Mapper::METHOD_ARKFPI; method <= Mapper::METHOD_UNIFORM; ++method)
     {
       RelevoScene scene(RelevoScene::Refining);
@@ -77,8 +78,8 @@ void TestMethods(RelevoCheck& check, vtkRefinementPatternTable* table)
       scene.ResetCameras();
       scene.Render();
       CHECK(errors.None());
-      CHECK(scene.GetMapper(0)->GetMethodInUse() == method);
-      CHECK(RelevoPicture(scene.Window).CountForeground() > 10000);
+      CHECK_EQUAL(scene.GetMapper(0)->GetMethodInUse(), method);
+      CHECK_GREATER(RelevoPicture(scene.Window).CountForeground(), 10000);
       CHECK(
         method > Mapper::METHOD_ARK || scene.GetMapper(0)->GetNumberOfDrawnTriangles() == expected);
     }
@@ -96,7 +97,7 @@ void TestObstacles(RelevoCheck& check, vtkRefinementPatternTable* table)
   scene.ResetCameras();
   scene.Render();
   CHECK(errors.Said("GeomorphingOff()"));
-  CHECK(scene.GetMapper(0)->GetNumberOfDrawnTriangles() == 0);
+  CHECK_EQUAL(scene.GetMapper(0)->GetNumberOfDrawnTriangles(), 0);
   scene.Render();
   CHECK(errors.None()); // said once
   recipe->SetSegmentPolicyToWholeNumbers();
@@ -107,7 +108,7 @@ void TestObstacles(RelevoCheck& check, vtkRefinementPatternTable* table)
   scene.Render();
   CHECK(errors.None());
   const vtkIdType drawn = scene.GetMapper(0)->GetNumberOfDrawnTriangles();
-  CHECK(drawn == Refine(Sphere(9, 7), recipe)->GetNumberOfPolys());
+  CHECK_EQUAL(drawn, Refine(Sphere(9, 7), recipe)->GetNumberOfPolys());
 }
 
 // Levels that the file does not have are a warning, once.
@@ -121,7 +122,7 @@ void TestShortfall(RelevoCheck& check, vtkRefinementPatternTable* table)
   scene.ResetCameras();
   scene.Render();
   CHECK(errors.Warned("end at level"));
-  CHECK(scene.GetMapper(0)->GetNumberOfDrawnTriangles() > 0);
+  CHECK_GREATER(scene.GetMapper(0)->GetNumberOfDrawnTriangles(), 0);
   scene.Render();
   CHECK(errors.None());
 }

@@ -67,6 +67,7 @@ int TestAdaptiveRefinementMapperSharedPoints(int, char*[])
     // Flat at level 0, curved at level 3.
     for (int level : { 0, 3 })
     {
+      CHECK_CASE(level);
       const auto draw = [&](vtkPolyData* mesh)
       {
         RelevoScene scene(RelevoScene::Refining);
@@ -78,7 +79,7 @@ int TestAdaptiveRefinementMapperSharedPoints(int, char*[])
         return RelevoPicture(scene.Window);
       };
       const RelevoPicture expected = draw(whole);
-      CHECK(expected.CountForeground() > 5000);
+      CHECK_GREATER(expected.CountForeground(), 5000);
       if (!RelevoPictures::Equal(draw(pieces->GetOutput()), expected))
       {
         check.Fail(__FILE__, __LINE__,

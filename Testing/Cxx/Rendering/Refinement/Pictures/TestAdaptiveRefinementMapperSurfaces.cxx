@@ -105,7 +105,8 @@ void testLive(RelevoCheck& check, RelevoComparison& comparison)
   const vtkIdType buffers = mapper->GetNumberOfBufferBuilds();
   const vtkIdType shaders = mapper->GetNumberOfShaderBuilds();
   const vtkIdType selections = mapper->GetNumberOfSelections();
-  CHECK(buffers == 1 && shaders == 1);
+  CHECK_EQUAL(buffers, 1);
+  CHECK_EQUAL(shaders, 1);
   for (const auto& change : changes)
   {
     const RelevoPicture before(scene.Window);
@@ -116,25 +117,25 @@ void testLive(RelevoCheck& check, RelevoComparison& comparison)
     const RelevoPicture after(scene.Window);
     comparison.Compare(
       std::string("Surfaces.Live.") + change.first, Close, after, RelevoPicture(twin.Window));
-    CHECK(before.Colors != after.Colors);
-    CHECK(mapper->GetNumberOfBufferBuilds() == buffers);
-    CHECK(mapper->GetNumberOfShaderBuilds() == shaders);
-    CHECK(mapper->GetNumberOfSelections() == selections);
+    CHECK_NOT_EQUAL(before.Colors, after.Colors);
+    CHECK_EQUAL(mapper->GetNumberOfBufferBuilds(), buffers);
+    CHECK_EQUAL(mapper->GetNumberOfShaderBuilds(), shaders);
+    CHECK_EQUAL(mapper->GetNumberOfSelections(), selections);
     double bounds[6];
     double reached[6];
     mapper->GetBounds(bounds);
     twin.GetActor(0)->GetMapper()->GetBounds(reached);
     for (int c = 0; c < 3; ++c)
     {
-      CHECK(bounds[2 * c] <= reached[2 * c] + 1e-6);
-      CHECK(bounds[2 * c + 1] >= reached[2 * c + 1] - 1e-6);
+      CHECK_LESS_EQUAL(bounds[2 * c], reached[2 * c] + 1e-6);
+      CHECK_GREATER_EQUAL(bounds[2 * c + 1], reached[2 * c + 1] - 1e-6);
     }
   }
   // The counts can tell: what is prepared from the mesh is built anew.
   fur->SetBaseSurface(nullptr);
   scene.Render();
-  CHECK(mapper->GetNumberOfBufferBuilds() == buffers + 1);
-  CHECK(mapper->GetNumberOfShaderBuilds() == shaders + 1);
+  CHECK_EQUAL(mapper->GetNumberOfBufferBuilds(), buffers + 1);
+  CHECK_EQUAL(mapper->GetNumberOfShaderBuilds(), shaders + 1);
 }
 
 // A function in GLSL against the same one evaluated by the filter.
@@ -200,11 +201,11 @@ void testBadFunction(RelevoCheck& check)
   scene.Render();
   scene.Render();
   CHECK(errors.Said("ShaderFunction"));
-  CHECK(RelevoPicture(scene.Window).CountForeground() == 0);
+  CHECK_EQUAL(RelevoPicture(scene.Window).CountForeground(), 0);
   surface->SetShaderFunction("float proceduralHeight(vec3 p, vec3 n, vec3 w) { return 0.5; }");
   scene.Render();
   CHECK(errors.None());
-  CHECK(RelevoPicture(scene.Window).CountForeground() > 1000);
+  CHECK_GREATER(RelevoPicture(scene.Window).CountForeground(), 1000);
 }
 }
 

@@ -98,7 +98,7 @@ void TestFlight(RelevoCheck& check, int rule, int policy)
   view.Recipe->SetSegmentPolicy(policy);
   constexpr vtkIdType target = 40000;
   view.Mapper->SetTargetNumberOfTriangles(target);
-  CHECK(view.Mapper->GetTargetNumberOfTriangles() == target);
+  CHECK_EQUAL(view.Mapper->GetTargetNumberOfTriangles(), target);
   const int frames = 40;
   double last = 0.0;
   double lastChange = 0.0;
@@ -111,8 +111,8 @@ void TestFlight(RelevoCheck& check, int rule, int policy)
     // No jumps back and forth.
     if (i > 0)
     {
-      CHECK(std::abs(offset - last) < 0.5);
-      CHECK((offset - last) * lastChange > -0.001);
+      CHECK_NEAR(offset, last, 0.5);
+      CHECK_GREATER((offset - last) * lastChange, -0.001);
       lastChange = offset - last;
     }
     last = offset;
@@ -120,12 +120,12 @@ void TestFlight(RelevoCheck& check, int rule, int policy)
 
   // A still camera: nothing is selected any more.
   const vtkIdType selections = view.Mapper->GetNumberOfSelections();
-  CHECK(selections == frames);
+  CHECK_EQUAL(selections, frames);
   for (int i = 0; i < 5; ++i)
   {
     view.Render();
   }
-  CHECK(view.Mapper->GetNumberOfSelections() == selections);
+  CHECK_EQUAL(view.Mapper->GetNumberOfSelections(), selections);
 
   // The filter makes the same mesh.
   const vtkIdType drawn = view.Mapper->GetNumberOfDrawnTriangles();
@@ -141,7 +141,7 @@ void TestFlight(RelevoCheck& check, int rule, int policy)
 
   // The recipe's own offset makes no difference to the sum.
   view.Render();
-  CHECK(view.Mapper->GetNumberOfDrawnTriangles() == drawn);
+  CHECK_EQUAL(view.Mapper->GetNumberOfDrawnTriangles(), drawn);
   CHECK_NEAR(view.Mapper->GetLevelOffset(), 0.0, 1e-9);
 }
 
@@ -152,11 +152,12 @@ void TestSetting(RelevoCheck& check)
   view.Mapper->SetInputData(MakeHills(30));
   view.Fly(0.5);
   const vtkIdType all = view.Mapper->GetNumberOfDrawnTriangles();
-  CHECK(view.Mapper->GetLevelOffset() == 0.0);
+  CHECK_EQUAL(view.Mapper->GetLevelOffset(), 0.0);
   const vtkIdType meshes = view.Mapper->GetNumberOfBufferBuilds();
   const vtkIdType shaders = view.Mapper->GetNumberOfShaderBuilds();
   for (const vtkIdType target : { 10000, 30000, 5000 })
   {
+    CHECK_CASE(target);
     view.Mapper->SetTargetNumberOfTriangles(target);
     view.Render();
     CHECK_NEAR(static_cast<double>(view.Mapper->GetNumberOfDrawnTriangles()),
@@ -164,19 +165,19 @@ void TestSetting(RelevoCheck& check)
   }
   view.Mapper->SetTargetNumberOfTriangles(1);
   view.Render();
-  CHECK(view.Mapper->GetNumberOfDrawnTriangles() == CountFacesInView(view.Mapper));
+  CHECK_EQUAL(view.Mapper->GetNumberOfDrawnTriangles(), CountFacesInView(view.Mapper));
   view.Mapper->SetTargetNumberOfTriangles(0);
   view.Render();
-  CHECK(view.Mapper->GetNumberOfDrawnTriangles() == all);
-  CHECK(view.Mapper->GetLevelOffset() == 0.0);
-  CHECK(view.Mapper->GetNumberOfBufferBuilds() == meshes);
-  CHECK(view.Mapper->GetNumberOfShaderBuilds() == shaders);
+  CHECK_EQUAL(view.Mapper->GetNumberOfDrawnTriangles(), all);
+  CHECK_EQUAL(view.Mapper->GetLevelOffset(), 0.0);
+  CHECK_EQUAL(view.Mapper->GetNumberOfBufferBuilds(), meshes);
+  CHECK_EQUAL(view.Mapper->GetNumberOfShaderBuilds(), shaders);
   const vtkMTimeType time = view.Mapper->GetMTime();
   RelevoErrors errors(view.Mapper);
   view.Mapper->SetTargetNumberOfTriangles(-1);
   CHECK(errors.Said("TargetNumberOfTriangles"));
-  CHECK(view.Mapper->GetTargetNumberOfTriangles() == 0);
-  CHECK(view.Mapper->GetMTime() == time);
+  CHECK_EQUAL(view.Mapper->GetTargetNumberOfTriangles(), 0);
+  CHECK_EQUAL(view.Mapper->GetMTime(), time);
 }
 
 void TestBlocks(RelevoCheck& check)
@@ -194,14 +195,15 @@ void TestBlocks(RelevoCheck& check)
   view.Mapper->SetTargetNumberOfTriangles(30000);
   for (const double time : { 0.3, 0.4, 0.5 })
   {
+    CHECK_CASE(time);
     view.Fly(time);
     CHECK_NEAR(static_cast<double>(view.Mapper->GetNumberOfDrawnTriangles()), 30000.0, 1500.0);
-    CHECK(view.Mapper->GetLevelOffset() != 0.0);
+    CHECK_NOT_EQUAL(view.Mapper->GetLevelOffset(), 0.0);
   }
   view.Mapper->SetTargetNumberOfTriangles(0);
   view.Render();
-  CHECK(view.Mapper->GetNumberOfDrawnTriangles() > 60000);
-  CHECK(view.Mapper->GetLevelOffset() == 0.0);
+  CHECK_GREATER(view.Mapper->GetNumberOfDrawnTriangles(), 60000);
+  CHECK_EQUAL(view.Mapper->GetLevelOffset(), 0.0);
 }
 
 // No machine draws a million pictures a second: the fewest triangles there are. For still pictures
@@ -222,8 +224,8 @@ void TestTime(RelevoCheck& check, vtkDataObject* data)
   view.Window->SetDesiredUpdateRate(1e6);
   fly(4);
   const vtkIdType coarse = CountFacesInView(view.Mapper);
-  CHECK(view.Mapper->GetNumberOfDrawnTriangles() == coarse);
-  CHECK(view.Mapper->GetLevelOffset() < 0.0);
+  CHECK_EQUAL(view.Mapper->GetNumberOfDrawnTriangles(), coarse);
+  CHECK_LESS(view.Mapper->GetLevelOffset(), 0.0);
 
   // A still camera: it settles.
   vtkIdType selections = view.Mapper->GetNumberOfSelections();
@@ -231,25 +233,25 @@ void TestTime(RelevoCheck& check, vtkDataObject* data)
   {
     view.Render();
   }
-  CHECK(view.Mapper->GetNumberOfSelections() == selections);
+  CHECK_EQUAL(view.Mapper->GetNumberOfSelections(), selections);
 
   // What is seen is picked.
   vtkNew<vtkHardwareSelector> selector;
   selector->SetRenderer(view.Renderer);
   selector->SetArea(0, 0, 299, 199);
   vtkSmartPointer<vtkSelection>::Take(selector->Select());
-  CHECK(view.Mapper->GetNumberOfDrawnTriangles() == coarse);
-  CHECK(view.Mapper->GetNumberOfSelections() == selections);
+  CHECK_EQUAL(view.Mapper->GetNumberOfDrawnTriangles(), coarse);
+  CHECK_EQUAL(view.Mapper->GetNumberOfSelections(), selections);
 
   view.Window->SetDesiredUpdateRate(0.0001);
   view.Render();
-  CHECK(view.Mapper->GetNumberOfDrawnTriangles() == all);
-  CHECK(view.Mapper->GetLevelOffset() == 0.0);
+  CHECK_EQUAL(view.Mapper->GetNumberOfDrawnTriangles(), all);
+  CHECK_EQUAL(view.Mapper->GetLevelOffset(), 0.0);
 
   view.Mapper->UseAllocatedRenderTimeOff();
   view.Window->SetDesiredUpdateRate(1e6);
   fly(4);
-  CHECK(view.Mapper->GetNumberOfDrawnTriangles() == all);
+  CHECK_EQUAL(view.Mapper->GetNumberOfDrawnTriangles(), all);
 
   // Whichever is less, and translucent surfaces in many passes.
   view.Mapper->UseAllocatedRenderTimeOn();
@@ -257,7 +259,7 @@ void TestTime(RelevoCheck& check, vtkDataObject* data)
   view.Actor->GetProperty()->SetOpacity(0.5);
   view.Renderer->SetUseDepthPeeling(1);
   fly(8);
-  CHECK(view.Mapper->GetNumberOfDrawnTriangles() == CountFacesInView(view.Mapper));
+  CHECK_EQUAL(view.Mapper->GetNumberOfDrawnTriangles(), CountFacesInView(view.Mapper));
   view.Window->SetDesiredUpdateRate(0.0001);
   view.Render();
   CHECK_NEAR(static_cast<double>(view.Mapper->GetNumberOfDrawnTriangles()),

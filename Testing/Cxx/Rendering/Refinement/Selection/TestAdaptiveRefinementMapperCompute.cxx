@@ -63,14 +63,14 @@ void Compare(RelevoCheck& check, RelevoComparison& comparison, const std::string
     {
       Mapper* cpu = onCPU.GetMapper(i);
       Mapper* gpu = onGPU.GetMapper(i);
-      CHECK(cpu->GetSelectionDeviceInUse() == Mapper::SELECTION_DEVICE_CPU);
-      CHECK(gpu->GetSelectionDeviceInUse() == expectedDevice);
-      CHECK(gpu->GetNumberOfDrawnTriangles() == cpu->GetNumberOfDrawnTriangles());
-      CHECK(gpu->GetNumberOfCulledTriangles() == cpu->GetNumberOfCulledTriangles());
-      CHECK(gpu->GetNumberOfUsedPatterns() == cpu->GetNumberOfUsedPatterns());
-      CHECK(gpu->GetNumberOfCulledFaces() == cpu->GetNumberOfCulledFaces());
-      CHECK(gpu->GetNumberOfSelections() == cpu->GetNumberOfSelections());
-      CHECK(gpu->GetNumberOfDrawnTriangles() > 0);
+      CHECK_EQUAL(cpu->GetSelectionDeviceInUse(), Mapper::SELECTION_DEVICE_CPU);
+      CHECK_EQUAL(gpu->GetSelectionDeviceInUse(), expectedDevice);
+      CHECK_EQUAL(gpu->GetNumberOfDrawnTriangles(), cpu->GetNumberOfDrawnTriangles());
+      CHECK_EQUAL(gpu->GetNumberOfCulledTriangles(), cpu->GetNumberOfCulledTriangles());
+      CHECK_EQUAL(gpu->GetNumberOfUsedPatterns(), cpu->GetNumberOfUsedPatterns());
+      CHECK_EQUAL(gpu->GetNumberOfCulledFaces(), cpu->GetNumberOfCulledFaces());
+      CHECK_EQUAL(gpu->GetNumberOfSelections(), cpu->GetNumberOfSelections());
+      CHECK_GREATER(gpu->GetNumberOfDrawnTriangles(), 0);
     }
     onCPU.Renderer->GetActiveCamera()->Dolly(step == std::string("Whole") ? 1.7 : 0.3);
     onCPU.Renderer->ResetCameraClippingRange();
@@ -109,7 +109,7 @@ void CheckSettings(RelevoCheck& check, Mapper* mapper, RelevoErrors& errors)
 {
   mapper->SetSelectionDevice(3);
   CHECK(errors.Said("SelectionDevice must be one of SELECTION_DEVICE_AUTOMATIC (0)"));
-  CHECK(mapper->GetSelectionDevice() == RelevoScene::GetSelectionDevice());
+  CHECK_EQUAL(mapper->GetSelectionDevice(), RelevoScene::GetSelectionDevice());
 }
 
 // Said once; the CPU draws.
@@ -119,18 +119,18 @@ void CheckWithoutCompute(RelevoCheck& check, RelevoScene& scene, RelevoErrors& e
   CHECK(errors.Said("Selection on the GPU needs OpenGL 4.3"));
   scene.Render();
   CHECK(errors.None());
-  CHECK(RelevoPicture(scene.Window).CountForeground() > 1000);
-  CHECK(mapper->GetNumberOfDrawnTriangles() > 200);
+  CHECK_GREATER(RelevoPicture(scene.Window).CountForeground(), 1000);
+  CHECK_GREATER(mapper->GetNumberOfDrawnTriangles(), 200);
 }
 
 void CheckSelectedOnce(RelevoCheck& check, RelevoScene& scene)
 {
   Mapper* mapper = scene.GetMapper(0);
-  CHECK(mapper->GetNumberOfDrawCalls() == 1);
+  CHECK_EQUAL(mapper->GetNumberOfDrawCalls(), 1);
   const vtkIdType selections = mapper->GetNumberOfSelections();
   scene.Render();
-  CHECK(mapper->GetNumberOfSelections() == selections);
-  CHECK(mapper->GetSelectionTime() > 0.0); // of the first picture
+  CHECK_EQUAL(mapper->GetNumberOfSelections(), selections);
+  CHECK_GREATER(mapper->GetSelectionTime(), 0.0); // of the first picture
 }
 
 // What was not read before the GPU's memory is released cannot be known; after a render it is.
@@ -145,7 +145,7 @@ void CheckReleased(RelevoCheck& check, RelevoScene& scene)
   scene.Renderer->GetActiveCamera()->Azimuth(-20.0);
   scene.Render();
   mapper->GetRefinement()->GeomorphingOff(); // these patterns are of the next picture
-  CHECK(mapper->GetNumberOfDrawnTriangles() == triangles);
+  CHECK_EQUAL(mapper->GetNumberOfDrawnTriangles(), triangles);
 }
 
 // Whether the GPU can choose; if not, that the mapper says so.
@@ -160,7 +160,7 @@ bool TestDevice(RelevoCheck& check)
   scene.ResetCameras();
   scene.Render();
   const bool hasCompute = HasCompute(scene.Window);
-  CHECK((mapper->GetSelectionDeviceInUse() == Mapper::SELECTION_DEVICE_GPU) == hasCompute);
+  CHECK_EQUAL((mapper->GetSelectionDeviceInUse() == Mapper::SELECTION_DEVICE_GPU), hasCompute);
   if (!hasCompute)
   {
     CheckWithoutCompute(check, scene, errors);

@@ -159,7 +159,7 @@ private:
     }
     const vtkMTimeType updated = this->State.GetTime(0);
     CHECK(update());
-    CHECK(this->State.GetTime(0) == updated); // nothing had changed
+    CHECK_EQUAL(this->State.GetTime(0), updated); // nothing had changed
   }
 
   // Quotients and square roots may differ in their last bits: then a tag may be rounded to another
@@ -188,8 +188,8 @@ private:
               << " groups; wrong patterns " << wrong << ", largest difference of morph tags "
               << largest << std::endl;
     RelevoCheck& check = this->Check;
-    CHECK(wrong <= (tolerance > 0.0f ? mesh.Faces.size() / 1000 : 0));
-    CHECK(largest <= tolerance);
+    CHECK_LESS_EQUAL(wrong, (tolerance > 0.0f ? mesh.Faces.size() / 1000 : 0));
+    CHECK_LESS_EQUAL(largest, tolerance);
   }
 
   void CheckHidden(const relevo::RefinementMesh& mesh, const relevo::FaceCulling& culling,
@@ -200,9 +200,9 @@ private:
     const std::vector<int> counts = this->State.ReadCounts(0);
     const int drawn = std::accumulate(counts.begin(), counts.end(), 0);
     RelevoCheck& check = this->Check;
-    CHECK(numberOfHidden > 0);
+    CHECK_GREATER(numberOfHidden, 0);
     // All but faces at the very border of the view.
-    CHECK(std::abs(static_cast<int>(mesh.Faces.size()) - numberOfHidden - drawn) <= 2);
+    CHECK_LESS_EQUAL(std::abs(static_cast<int>(mesh.Faces.size()) - numberOfHidden - drawn), 2);
   }
 
   RelevoCheck& Check;
@@ -315,8 +315,8 @@ int TestAdaptiveRefinementMapperComputeLevels(int, char*[])
         }
       }
     }
-    CHECK(comparison.MostGroups > 5);
-    CHECK(comparison.NumberOfShaders >= 16); // four metrics, both rules, both families
+    CHECK_GREATER(comparison.MostGroups, 5);
+    CHECK_GREATER_EQUAL(comparison.NumberOfShaders, 16); // four metrics, both rules, both families
   }
   return check.GetResult();
 }

@@ -121,7 +121,7 @@ void Check(RelevoCheck& check, vtkOpenGLRenderWindow* window, const Case& c,
     wrong += entries[f] != c.GetEntry(f, kind);
     ++counts[c.GetEntry(f, kind) >> 3];
   }
-  CHECK(wrong == 0);
+  CHECK_EQUAL(wrong, 0);
   CHECK(std::equal(counts.begin(), counts.end(), selection.ReadCounts().begin()));
 
   // Each command draws its key's faces, each once, with the key's pattern.
@@ -160,8 +160,8 @@ void Check(RelevoCheck& check, vtkOpenGLRenderWindow* window, const Case& c,
     }
     strange += faces != static_cast<unsigned int>(counts[key]);
   }
-  CHECK(strange == 0);
-  CHECK(std::count(drawn.begin(), drawn.end(), 1) == c.NumberOfFaces);
+  CHECK_EQUAL(strange, 0);
+  CHECK_EQUAL(std::count(drawn.begin(), drawn.end(), 1), c.NumberOfFaces);
   corners.ReleaseGraphicsResources();
   tags.ReleaseGraphicsResources();
   instances.ReleaseGraphicsResources();
@@ -185,7 +185,7 @@ int TestAdaptiveRefinementMapperComputeStages(int, char*[])
 
   RefinementComputeProgram program;
   CHECK(!program.Build("void main() { nonsense }\n"));
-  CHECK(program.GetError().find("does not compile") != std::string::npos);
+  CHECK_NOT_EQUAL(program.GetError().find("does not compile"), std::string::npos);
   CHECK(!program.IsBuilt());
 
   unsigned int seed = 0;
@@ -194,8 +194,10 @@ int TestAdaptiveRefinementMapperComputeStages(int, char*[])
   {
     for (int faces : { 0, 1, 5, 255, 256, 257, 70001 })
     {
+      CHECK_CASE(faces);
       for (int keys : { 1, 7, 256, 1000 })
       {
+        CHECK_CASE(keys);
         Check(check, context, Case(faces, keys, 1 + static_cast<int>(seed % 7), seed), kind);
         ++seed;
       }

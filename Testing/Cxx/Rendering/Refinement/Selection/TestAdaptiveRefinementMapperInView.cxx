@@ -156,8 +156,10 @@ void TestCounts(RelevoCheck& check)
       const vtkIdType drawn = mapper->GetNumberOfDrawnTriangles();
       std::cout << "angle " << angle << ": " << least << " <= " << drawn << " <= " << most << " of "
                 << refined->GetNumberOfPolys() << std::endl;
-      CHECK(least <= drawn && drawn <= most && drawn > 0);
-      CHECK(drawn + mapper->GetNumberOfCulledTriangles() == refined->GetNumberOfPolys());
+      CHECK_LESS_EQUAL(least, drawn);
+      CHECK_LESS_EQUAL(drawn, most);
+      CHECK_GREATER(drawn, 0);
+      CHECK_EQUAL(drawn + mapper->GetNumberOfCulledTriangles(), refined->GetNumberOfPolys());
       CHECK(angle > 20.0 || 4 * drawn < refined->GetNumberOfPolys());
     }
   }
@@ -200,12 +202,12 @@ void TestTarget(RelevoCheck& check, RelevoComparison& comparison, int method, bo
       if (method <= Mapper::METHOD_ARK) // whose triangles are counted
       {
         CHECK_NEAR(drawn, static_cast<double>(target), 0.05 * static_cast<double>(target));
-        CHECK(mapper->GetNumberOfCulledTriangles() > 0);
+        CHECK_GREATER(mapper->GetNumberOfCulledTriangles(), 0);
       }
-      CHECK(mapper->GetNumberOfCulledFaces() ==
+      CHECK_EQUAL(mapper->GetNumberOfCulledFaces(),
         part.GetMapper(0)->GetNumberOfCulledFaces() + 2 * 40 * 40);
-      CHECK(mapper->GetLevelOffset() == part.GetMapper(0)->GetLevelOffset());
-      CHECK(drawn == static_cast<double>(part.GetMapper(0)->GetNumberOfDrawnTriangles()));
+      CHECK_EQUAL(mapper->GetLevelOffset(), part.GetMapper(0)->GetLevelOffset());
+      CHECK_EQUAL(drawn, static_cast<double>(part.GetMapper(0)->GetNumberOfDrawnTriangles()));
       comparison.Compare("InView." + std::to_string(method) + (isComposite ? ".Composite." : ".") +
           metric->GetClassName() + "." + std::to_string(target),
         RelevoTolerance(), RelevoPicture(whole.Window), RelevoPicture(part.Window));
@@ -229,7 +231,7 @@ void TestBackFaces(RelevoCheck& check)
   constexpr vtkIdType target = 30000;
   mapper->SetTargetNumberOfTriangles(target);
   scene.Render();
-  CHECK(mapper->GetNumberOfCulledFaces() > 1000);
+  CHECK_GREATER(mapper->GetNumberOfCulledFaces(), 1000);
   CHECK_NEAR(static_cast<double>(mapper->GetNumberOfDrawnTriangles()), target, 0.05 * target);
   const double offset = mapper->GetLevelOffset();
   const vtkIdType selections = mapper->GetNumberOfSelections();
@@ -237,20 +239,22 @@ void TestBackFaces(RelevoCheck& check)
   selector->SetRenderer(scene.Renderer);
   selector->SetArea(0, 0, 299, 199);
   vtkSmartPointer<vtkSelection>::Take(selector->Select());
-  CHECK(mapper->GetLevelOffset() == offset);
-  CHECK(mapper->GetNumberOfSelections() == selections);
+  CHECK_EQUAL(mapper->GetLevelOffset(), offset);
+  CHECK_EQUAL(mapper->GetNumberOfSelections(), selections);
   scene.Render();
-  CHECK(mapper->GetLevelOffset() == offset);
-  CHECK(mapper->GetNumberOfSelections() == selections);
+  CHECK_EQUAL(mapper->GetLevelOffset(), offset);
+  CHECK_EQUAL(mapper->GetNumberOfSelections(), selections);
 
   // Seen from within, through it, or by a method that draws them, backs count.
   scene.GetActor(0)->GetProperty()->SetOpacity(0.5);
   scene.Render();
-  CHECK(mapper->GetLevelOffset() < offset && mapper->GetNumberOfCulledFaces() == 0);
+  CHECK_LESS(mapper->GetLevelOffset(), offset);
+  CHECK_EQUAL(mapper->GetNumberOfCulledFaces(), 0);
   scene.GetActor(0)->GetProperty()->SetOpacity(1.0);
   mapper->SetMethodToARK();
   scene.Render();
-  CHECK(mapper->GetLevelOffset() < offset && mapper->GetNumberOfCulledFaces() == 0);
+  CHECK_LESS(mapper->GetLevelOffset(), offset);
+  CHECK_EQUAL(mapper->GetNumberOfCulledFaces(), 0);
   CHECK_NEAR(static_cast<double>(mapper->GetNumberOfDrawnTriangles()), target, 0.05 * target);
 }
 
@@ -286,7 +290,7 @@ void TestViews(RelevoCheck& check)
     other->GetActiveCamera()->SetViewAngle(25.0);
     other->GetActiveCamera()->SetClippingRange(0.01, 10.0);
     scene.Render();
-    CHECK(mapper->GetLevelOffset() > alone); // of the last, a close-up
+    CHECK_GREATER(mapper->GetLevelOffset(), alone); // of the last, a close-up
     if (each)
     {
       CHECK_NEAR(static_cast<double>(mapper->GetNumberOfDrawnTriangles()), 20000.0, 1000.0);
@@ -294,7 +298,7 @@ void TestViews(RelevoCheck& check)
     const vtkIdType selections = mapper->GetNumberOfSelections();
     scene.Render();
     scene.Render();
-    CHECK(mapper->GetNumberOfSelections() == selections);
+    CHECK_EQUAL(mapper->GetNumberOfSelections(), selections);
   }
 }
 }
@@ -306,6 +310,7 @@ int TestAdaptiveRefinementMapperInView(int argc, char* argv[])
   TestCounts(check);
   for (const bool isComposite : { false, true })
   {
+    CHECK_CASE(isComposite);
     TestTarget(check, comparison, Mapper::METHOD_ARKFPI, isComposite);
   }
   for (int method = Mapper::METHOD_ARK; method <= Mapper::METHOD_UNIFORM; ++method)

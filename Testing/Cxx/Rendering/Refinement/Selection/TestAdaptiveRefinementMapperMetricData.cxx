@@ -114,22 +114,22 @@ void TestRule(RelevoCheck& check, RelevoScene& scene, int rule)
     scene.Render();
     return mapper->GetNumberOfDrawnTriangles();
   };
-  CHECK(count() == 4 * faces);
+  CHECK_EQUAL(count(), 4 * faces);
   metric->SetLevel(2.0f, points);
-  CHECK(count() == 16 * faces);
+  CHECK_EQUAL(count(), 16 * faces);
   metric->SetLevel(1.0f, points);
-  CHECK(count() == 4 * faces);
+  CHECK_EQUAL(count(), 4 * faces);
 
   vtkNew<DataMetric> other;
   other->SetLevel(0.0f, points);
   recipe->SetMetric(other);
-  CHECK(count() == faces);
+  CHECK_EQUAL(count(), faces);
   recipe->SetMetric(metric);
-  CHECK(count() == 4 * faces);
+  CHECK_EQUAL(count(), 4 * faces);
 
   RelevoErrors errors(mapper);
   metric->SetLevel(1.0f, points - 1);
-  CHECK(count() == 64 * faces);
+  CHECK_EQUAL(count(), 64 * faces);
   CHECK(errors.Said("Selection on the GPU failed: the metric's shader has data of " +
     std::to_string(4 * (points - 1)) + " floats where " + std::to_string(4 * points)));
   scene.Renderer->RemoveActor(actor);
@@ -141,6 +141,7 @@ int TestAdaptiveRefinementMapperMetricData(int, char*[])
   RelevoCheck check;
   for (int rule : { vtkDepthTagMetric::PER_VERTEX, vtkDepthTagMetric::PER_EDGE })
   {
+    CHECK_CASE(rule);
     RelevoScene scene(RelevoScene::Refining);
     scene.Render();
     if (!relevo::RefinementComputeProgram::IsSupported())

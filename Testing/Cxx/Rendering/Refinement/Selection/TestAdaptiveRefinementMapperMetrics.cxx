@@ -62,14 +62,14 @@ void DrawFrames(
     scene.Renderer->ResetCameraClippingRange();
     scene.Render();
   }
-  if (!CHECK(RelevoWatchedFloats::GetReads() == 0))
+  if (!CHECK_EQUAL(RelevoWatchedFloats::GetReads(), 0))
   {
     std::cerr << metric->GetClassName() << ": " << RelevoWatchedFloats::GetReads()
               << " points are read again\n";
   }
   Mapper* mapper = scene.GetMapper(0);
-  CHECK(mapper->GetNumberOfDrawnTriangles() > 4 * NumberOfBlocks);
-  CHECK(mapper->GetNumberOfDrawnTriangles() ==
+  CHECK_GREATER(mapper->GetNumberOfDrawnTriangles(), 4 * NumberOfBlocks);
+  CHECK_EQUAL(mapper->GetNumberOfDrawnTriangles(),
     CountFilterTriangles(blocks, mapper->GetRefinement(), scene));
 }
 
@@ -107,10 +107,10 @@ void TestOwnMetrics(RelevoCheck& check, vtkMultiBlockDataSet* blocks, int device
   // Without a metric nothing more is read of the mesh; curvature reads it.
   RelevoWatchedFloats::GetReads() = 0;
   scene.Render();
-  CHECK(RelevoWatchedFloats::GetReads() == 0);
+  CHECK_EQUAL(RelevoWatchedFloats::GetReads(), 0);
   recipe->SetMetric(curvature);
   scene.Render();
-  CHECK(RelevoWatchedFloats::GetReads() > 10 * NumberOfBlocks);
+  CHECK_GREATER(RelevoWatchedFloats::GetReads(), 10 * NumberOfBlocks);
   for (vtkDepthTagMetric* metric : metrics)
   {
     recipe->SetMetric(metric);
@@ -132,8 +132,9 @@ void TestOneEvaluatorPerBlock(
   for (int frame = 1; frame <= NumberOfFrames; ++frame)
   {
     scene.Render();
-    CHECK(metric->Evaluators == NumberOfBlocks && metric->Preparations == NumberOfBlocks);
-    CHECK(metric->Evaluations == frame * NumberOfBlocks);
+    CHECK_EQUAL(metric->Evaluators, NumberOfBlocks);
+    CHECK_EQUAL(metric->Preparations, NumberOfBlocks);
+    CHECK_EQUAL(metric->Evaluations, frame * NumberOfBlocks);
     scene.Renderer->GetActiveCamera()->Azimuth(7.0);
   }
   // A block that has moved is new, the others are not; so is one with other colours.
@@ -142,12 +143,13 @@ void TestOneEvaluatorPerBlock(
   moved->GetPoints()->Modified();
   blocks->Modified();
   scene.Render();
-  CHECK(metric->Evaluators == NumberOfBlocks && metric->Preparations == NumberOfBlocks + 1);
+  CHECK_EQUAL(metric->Evaluators, NumberOfBlocks);
+  CHECK_EQUAL(metric->Preparations, NumberOfBlocks + 1);
   RelevoMeshes::AddTags(moved, 1, 3);
   moved->GetPointData()->GetArray("DepthTag")->SetName("Colors");
   blocks->Modified();
   scene.Render();
-  CHECK(metric->Preparations == NumberOfBlocks + 1);
+  CHECK_EQUAL(metric->Preparations, NumberOfBlocks + 1);
 }
 }
 
@@ -156,9 +158,11 @@ int TestAdaptiveRefinementMapperMetrics(int, char*[])
   RelevoCheck check;
   for (int device : { Mapper::SELECTION_DEVICE_CPU, Mapper::SELECTION_DEVICE_GPU })
   {
+    CHECK_CASE(device);
     TestOwnMetrics(check, MakeWatchedBlocks(), device);
     for (int rule : { vtkDepthTagMetric::PER_VERTEX, vtkDepthTagMetric::PER_EDGE })
     {
+      CHECK_CASE(rule);
       TestOneEvaluatorPerBlock(check, MakeWatchedBlocks(), device, rule);
     }
   }
