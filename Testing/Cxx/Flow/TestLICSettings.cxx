@@ -82,26 +82,30 @@ void TestRanges(RelevoCheck& check)
   RelevoErrors errors(settings);
   for (const Setting& setting : MakeSettings())
   {
-    bool right = setting.Get(settings) == setting.Default;
+    CHECK_CASE(setting.Name);
+    CHECK_EQUAL(setting.Get(settings), setting.Default);
     for (double value : setting.Good)
     {
+      CHECK_CASE(value);
       const bool other = setting.Get(settings) != value;
       const vtkMTimeType before = settings->GetMTime();
       setting.Set(settings, value);
-      right = right && errors.None() && setting.Get(settings) == value &&
-        (settings->GetMTime() > before) == other;
+      CHECK(errors.None());
+      CHECK_EQUAL(setting.Get(settings), value);
+      CHECK_EQUAL(settings->GetMTime() > before, other);
       const vtkMTimeType after = settings->GetMTime();
       setting.Set(settings, value);
-      right = right && settings->GetMTime() == after;
+      CHECK_EQUAL(settings->GetMTime(), after);
     }
     const vtkMTimeType time = settings->GetMTime();
     for (double value : setting.Bad)
     {
+      CHECK_CASE(value);
       setting.Set(settings, value);
-      right = errors.Said(std::string(setting.Name) + " must be ") && right &&
-        setting.Get(settings) == setting.Good.back() && settings->GetMTime() == time;
+      CHECK(errors.Said(std::string(setting.Name) + " must be "));
+      CHECK_EQUAL(setting.Get(settings), setting.Good.back());
+      CHECK_EQUAL(settings->GetMTime(), time);
     }
-    check.That(right, setting.Name, __FILE__, __LINE__);
   }
   settings->SetEnable(0);
   settings->SetEnable(-7); // any number but 0 is on
@@ -126,7 +130,8 @@ void TestRanges(RelevoCheck& check)
   copy->ShallowCopy(settings);
   for (const Setting& setting : MakeSettings())
   {
-    check.That(setting.Get(copy) == setting.Get(settings), setting.Name, __FILE__, __LINE__);
+    CHECK_CASE(setting.Name);
+    CHECK_EQUAL(setting.Get(copy), setting.Get(settings));
   }
   CHECK_EQUAL(copy->GetMaskColor()[1], 0.2);
 }

@@ -109,6 +109,7 @@ vtkSmartPointer<vtkAdaptiveRefinement> MakeRecipe(int policy, int morphing, int 
 // and the same whatever the guess.
 void TestSpreadTags(RelevoCheck& check, vtkAdaptiveRefinement* recipe, const std::string& name)
 {
+  CHECK_CASE(name);
   auto mesh = MakePlane(40);
   Scene scene(mesh, recipe);
   const Budget::Part part = scene.GetPart();
@@ -126,9 +127,7 @@ void TestSpreadTags(RelevoCheck& check, vtkAdaptiveRefinement* recipe, const std
     const double offset =
       budget.FindOffset({ part }, recipe->GetMaximumLevel(), target, Lowest, Highest);
     const auto count = static_cast<double>(scene.Select(offset));
-    check.That(std::abs(count / static_cast<double>(target) - 1.0) <= 0.05,
-      (name + ": " + std::to_string(count) + " of " + std::to_string(target)).c_str(), __FILE__,
-      __LINE__);
+    CHECK_NEAR(count / static_cast<double>(target), 1.0, 0.05);
     for (const double guess : { -16.0, -3.3, offset, offset + 0.1, 1.7, 16.0 })
     {
       CHECK_CASE(guess);
@@ -209,6 +208,7 @@ void TestBruteForce(RelevoCheck& check)
   std::mt19937 random(7);
   for (int i = 0; i < 20; ++i)
   {
+    CHECK_CASE(i);
     auto mesh = MakePlane(1 + i % 4);
     std::uniform_real_distribution<double> tag(i % 3 == 0 ? -9.0 : 0.0, i % 3 == 0 ? 9.0 : 3.0);
     SetTags(mesh, [&](const double*) { return tag(random); });
@@ -230,11 +230,8 @@ void TestBruteForce(RelevoCheck& check)
     };
     for (double other = Lowest; other < Highest; other += 0.01)
     {
-      check.That(far(count) <= far(scene.Select(other)),
-        (std::to_string(i) + ": " + std::to_string(count) + " for " + std::to_string(target) +
-          ", but " + std::to_string(scene.Select(other)) + " at " + std::to_string(other))
-          .c_str(),
-        __FILE__, __LINE__);
+      CHECK_CASE(other);
+      CHECK_LESS_EQUAL(far(count), far(scene.Select(other)));
     }
   }
 }
