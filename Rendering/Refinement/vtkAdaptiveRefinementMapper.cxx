@@ -466,14 +466,7 @@ void vtkAdaptiveRefinementMapper::DrawFaces(
 
 bool vtkAdaptiveRefinementMapper::Report(const relevo::StageResult& result)
 {
-  for (const std::string& error : result.Errors)
-  {
-    vtkErrorMacro(<< error);
-  }
-  for (const std::string& warning : result.Warnings)
-  {
-    vtkWarningMacro(<< warning);
-  }
+  result.InvokeEvents(this);
   return result.IsValid;
 }
 

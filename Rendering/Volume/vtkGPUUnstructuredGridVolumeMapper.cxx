@@ -168,18 +168,6 @@ void vtkGPUUnstructuredGridVolumeMapper::Render(vtkRenderer* renderer, vtkVolume
   data.Compositor.SetTime(this->TimeToDraw);
 }
 
-void vtkGPUUnstructuredGridVolumeMapper::Report(const relevo::StageReport& report)
-{
-  for (const std::string& error : report.Errors)
-  {
-    vtkErrorMacro(<< error);
-  }
-  for (const std::string& warning : report.Warnings)
-  {
-    vtkWarningMacro(<< warning);
-  }
-}
-
 bool vtkGPUUnstructuredGridVolumeMapper::UpdateMesh(vtkVolume* volume)
 {
   vtkInternals& data = *this->Internals;
@@ -193,7 +181,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateMesh(vtkVolume* volume)
   relevo::StageReport report;
   const bool isReady =
     relevo::RunWithinMemory(this, "the mesh", [&] { return data.Mesh.Update(request, report); });
-  this->Report(report);
+  report.InvokeEvents(this);
   return isReady;
 }
 
@@ -204,7 +192,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateFunctions(vtkVolume* volume)
   relevo::StageReport report;
   const bool isReady = data.Functions.Update(
     { data.GetWindow(), volume->GetProperty(), mesh.NumberOfComponents, mesh.Layout }, report);
-  this->Report(report);
+  report.InvokeEvents(this);
   return isReady;
 }
 
@@ -225,7 +213,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateFeatures(vtkRenderer* renderer, v
       data.View.GetMeshToWorld(), static_cast<relevo::BlendMode>(this->BlendMode),
       this->IsoSurfaces, tableDimensions },
     report);
-  this->Report(report);
+  report.InvokeEvents(this);
   return true;
 }
 
@@ -246,7 +234,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateTable()
   const bool isReady = data.Table.Update(
     { data.GetWindow(), data.Functions.GetFunctions(), options.PreIntegrated > 0, settings },
     report);
-  this->Report(report);
+  report.InvokeEvents(this);
   return isReady;
 }
 

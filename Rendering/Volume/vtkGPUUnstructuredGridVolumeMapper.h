@@ -45,7 +45,6 @@
 
 namespace relevo
 {
-struct StageReport;
 struct VolumeFrame;
 }
 
@@ -246,7 +245,6 @@ private:
   vtkGPUUnstructuredGridVolumeMapper(const vtkGPUUnstructuredGridVolumeMapper&) = delete;
   void operator=(const vtkGPUUnstructuredGridVolumeMapper&) = delete;
 
-  void Report(const relevo::StageReport& report);
   bool UpdateMesh(vtkVolume* volume);
   bool UpdateFunctions(vtkVolume* volume);
   bool UpdateFeatures(vtkRenderer* renderer, vtkVolume* volume);

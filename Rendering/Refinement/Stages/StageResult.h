@@ -9,17 +9,13 @@
 #ifndef StageResult_h
 #define StageResult_h
 
-#include <string>
-#include <vector>
+#include "Checks/StageReport.h"
 
 namespace relevo
 {
-struct StageResult
+struct StageResult : StageReport
 {
   bool IsValid = true;
-  /// Messages that have not been reported yet.
-  std::vector<std::string> Errors;
-  std::vector<std::string> Warnings;
 };
 }
 

@@ -10,7 +10,7 @@
 #define FeatureSelector_h
 
 #include "Shaders/VolumeShader.h"
-#include "Stages/StageReport.h"
+#include "Checks/StageReport.h"
 #include "View/MeshPlanes.h"
 #include "View/VolumeLights.h"
 

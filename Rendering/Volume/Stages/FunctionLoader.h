@@ -14,7 +14,7 @@
 #include "Buffers/SurfaceBuffer.h"
 #include "Changes/Dependencies.h"
 #include "Integral/TransferFunctions.h"
-#include "Stages/StageReport.h"
+#include "Checks/StageReport.h"
 
 #include <string>
 

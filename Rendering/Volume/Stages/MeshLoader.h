@@ -14,7 +14,7 @@
 #include "Cells/ScalarChoice.h"
 #include "Changes/Dependencies.h"
 #include "Mesh/RayCastMesh.h"
-#include "Stages/StageReport.h"
+#include "Checks/StageReport.h"
 
 #include <string>
 #include <vector>

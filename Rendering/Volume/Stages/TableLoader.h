@@ -11,7 +11,7 @@
 
 #include "Buffers/IntegralTable.h"
 #include "Changes/Dependencies.h"
-#include "Stages/StageReport.h"
+#include "Checks/StageReport.h"
 
 class vtkOpenGLRenderWindow;
 class vtkWindow;
